@@ -1,0 +1,42 @@
+#!/usr/bin/env python3
+"""Refuses variables in libraries that may hold only code and constants.
+
+usage: check_globals.py OBJDUMP ARCHIVE…. Each object in a writable section is a line on stdout; exit 1 when there is
+any. A local static that is written once counts too: its guard is writable.
+"""
+
+import re
+import subprocess
+import sys
+
+_SYMBOL = re.compile(r"^[0-9a-f]+ (?P<flags>.{7}) (?P<section>\S+)\t[0-9a-f]+\s+(?:\.hidden )?(?P<name>.+)$")
+# Tables of constants that hold addresses (.data.rel.ro) are written by the loader only, before the program starts.
+_WRITABLE = re.compile(r"\.t?(?:data|bss)(?!\.rel\.ro)")
+
+
+def writable_objects(symbol_table):
+    """(section, name) of every variable in `objdump --syms` output."""
+    for match in filter(None, map(_SYMBOL.match, symbol_table.splitlines())):
+        is_section = "d" in match["flags"]
+        # Where an exception finds its handler; clang's, in every object that may throw.
+        is_unwinder = match["name"].startswith("DW.ref.")
+        if _WRITABLE.match(match["section"]) and not is_section and not is_unwinder:
+            yield match["section"], match["name"]
+
+
+def main(arguments):
+    if len(arguments) < 3:
+        print("usage: check_globals.py OBJDUMP ARCHIVE…", file=sys.stderr)
+        return 2
+    found = 0
+    for archive in arguments[2:]:
+        dump = subprocess.run([arguments[1], "--syms", "--demangle", archive], capture_output=True, text=True, check=True)
+        for section, name in writable_objects(dump.stdout):
+            print(f"{archive}: variable {name} in {section}")
+            found += 1
+    print(f"{found} variables")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv))

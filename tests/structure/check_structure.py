@@ -1,0 +1,169 @@
+#!/usr/bin/env python3
+"""Checks what the tree promises of itself: dependencies, the purity of shared/, lengths, leftovers.
+
+usage: check_structure.py ROOT. Each violation is a line `file:line: what` on stdout; exit 1 when there is any.
+"""
+
+import os
+import re
+import sys
+from pathlib import Path
+
+import source_text
+from dependency_table import DependencyTable, TableError
+
+MAX_FILE_LINES = 400
+
+TOP_LEVEL = {
+    "CMakeLists.txt", "shared", "server", "client", "protocol", "levels", "tests",
+    "README.md", "LICENSE", "CMakePresets.json", "platon", "docs", "build", "CMakeUserPresets.json",
+}  # fmt: skip
+
+CPP_SUFFIXES = {".h", ".cpp"}
+CODE_SUFFIXES = CPP_SUFFIXES | {".py", ".sh", ".cmake", ".fbs", ".vert", ".frag", ".glsl"}
+TEXT_SUFFIXES = CODE_SUFFIXES | {".md", ".txt", ".json", ".toml", ".yml", ".yaml", ".level", ".service"}
+
+PURE_HEADERS = set(
+    """algorithm array bit cassert charconv climits compare concepts cstddef cstdint cstdlib cstring deque exception
+    functional initializer_list iterator limits list map memory new numeric optional queue set source_location span
+    stack stdexcept string string_view system_error tuple type_traits utility variant vector version""".split()
+)
+
+STANDARD_HEADERS = PURE_HEADERS | set(
+    """any atomic barrier bitset cctype cerrno cfenv cfloat chrono cinttypes clocale cmath codecvt complex
+    condition_variable coroutine csetjmp csignal cstdarg cstdio ctime cuchar cwchar cwctype filesystem format
+    forward_list fstream future iomanip ios iosfwd iostream istream latch locale memory_resource mutex numbers ostream
+    random ranges ratio regex scoped_allocator semaphore shared_mutex sstream stop_token streambuf syncstream thread
+    typeindex typeinfo unordered_map unordered_set valarray""".split()
+)
+
+# Refused in shared/ also where they are not qualified.
+IMPURE_WORDS = set(
+    """float double unordered_map unordered_set unordered_multimap unordered_multiset chrono gettimeofday clock_gettime
+    rand srand random_device mt19937 mt19937_64 minstd_rand cout cerr clog cin printf fprintf puts fputs fopen fread
+    fwrite ifstream ofstream fstream ostream istream stringstream ostringstream istringstream spdlog getenv setlocale
+    thread_local stof stod atof strtof strtod""".split()
+)
+
+# Refused in shared/ as names of the standard library only: a World has a hash, too.
+IMPURE_STANDARD_NAMES = {"hash", "time", "clock", "random", "thread", "mutex", "atomic", "locale", "system"}
+
+LEFTOVERS = re.compile(r"\b(?:TO" r"DO|FIX" r"ME|XX" r"X|HA" r"CK)\b")
+MACHINE_PATHS = re.compile(r"(?<![\w./$}-])/(?:home|root|work|Users|builds|workspace)/[\w.]")
+FILE_NAME = re.compile(r"[a-z0-9]+(?:_[a-z0-9]+)*\.(?:h|cpp)")
+
+
+def tree_files(root):
+    """Every text file of the project, as (path relative to root, content), without what git does not keep."""
+    for directory, names, files in os.walk(root):
+        relative = Path(directory).relative_to(root)
+        names[:] = sorted(n for n in names if n not in (".git", "__pycache__") and (relative / n).as_posix() != "build")
+        for name in sorted(files):
+            path = relative / name
+            if path.suffix in TEXT_SUFFIXES or path.as_posix() in ("platon", ".ci/run"):
+                yield path.as_posix(), (root / path).read_text(encoding="utf-8", errors="replace")
+
+
+def check_top_level(root):
+    for entry in sorted(os.listdir(root)):
+        if entry not in TOP_LEVEL and not entry.startswith("."):
+            yield f"{entry}:1: the top level is fixed: move this into one of its folders"
+
+
+def _check_quoted(path, header, table, root):
+    if table.folder_of(header) is None:
+        if table.may_include_header(path, header):
+            return None
+        return f'"{header}" does not start at the root of the tree with a folder of docs/architecture.md'
+    if not (root / header).is_file():
+        return f'"{header}" does not exist'
+    if table.may_include_folder(path, header) or table.may_include_header(path, header):
+        return None
+    return f"{table.folder_of(path)} may not include {header}"
+
+
+def _check_angled(path, header, table):
+    if path.startswith("shared/"):
+        return None if header in PURE_HEADERS else f"shared/ may not include <{header}>"
+    if header in STANDARD_HEADERS:
+        return None
+    return None if table.may_include_header(path, header) else f"<{header}> may not be included here"
+
+
+def check_includes(path, text, table, root):
+    if table.folder_of(path) is None:
+        yield f"{path}:1: this folder has no row in docs/architecture.md"
+        return
+    for line, header, quoted in source_text.includes_of(text):
+        wrong = _check_quoted(path, header, table, root) if quoted else _check_angled(path, header, table)
+        if wrong:
+            yield f"{path}:{line}: {wrong}"
+
+
+def check_clocks(path, text, table):
+    code = source_text.code_of(text)
+    for word in sorted(table.forbidden_words(path)):
+        for match in re.finditer(re.escape(word) + r"\b", code):
+            yield f"{path}:{source_text.line_of(code, match.start())}: '{word}' may not be used here"
+
+
+def check_purity(path, text):
+    code = source_text.code_of(text)
+    for offset, word in source_text.words_of(code):
+        name = word.removeprefix("std::")
+        if name in IMPURE_WORDS or (word != name and name in IMPURE_STANDARD_NAMES):
+            yield f"{path}:{source_text.line_of(code, offset)}: '{word}' may not be used in shared/"
+        elif source_text.is_float_literal(word):
+            yield f"{path}:{source_text.line_of(code, offset)}: {word} is a floating-point number"
+
+
+def check_cpp_form(path, text):
+    if not FILE_NAME.fullmatch(Path(path).name):
+        yield f"{path}:1: the file's name is not in snake_case"
+    if path.endswith(".h") and "#pragma once" not in source_text.code_of(text):
+        yield f"{path}:1: the header lacks #pragma once"
+
+
+def check_text(path, text):
+    if Path(path).suffix in CODE_SUFFIXES or Path(path).name in ("CMakeLists.txt", "platon", "run"):
+        lines = text.count("\n")
+        if lines > MAX_FILE_LINES:
+            yield f"{path}:{lines}: {lines} lines, more than {MAX_FILE_LINES}"
+    for pattern, what in ((LEFTOVERS, "is a leftover"), (MACHINE_PATHS, "is a path of one machine")):
+        for match in pattern.finditer(text):
+            yield f"{path}:{source_text.line_of(text, match.start())}: '{match.group()}' {what}"
+
+
+def check_tree(root):
+    """Every violation in the tree."""
+    table = DependencyTable((root / "docs/architecture.md").read_text(encoding="utf-8"))
+    yield from check_top_level(root)
+    for folder in table.folders():
+        if not (root / folder).is_dir():
+            yield f"docs/architecture.md:1: the folder {folder} has a row but does not exist"
+    for path, text in tree_files(root):
+        yield from check_text(path, text)
+        if Path(path).suffix in CPP_SUFFIXES:
+            yield from check_cpp_form(path, text)
+            yield from check_includes(path, text, table, root)
+            yield from check_clocks(path, text, table)
+            if path.startswith("shared/"):
+                yield from check_purity(path, text)
+
+
+def main(arguments):
+    if len(arguments) != 2:
+        print("usage: check_structure.py ROOT", file=sys.stderr)
+        return 2
+    try:
+        violations = list(check_tree(Path(arguments[1])))
+    except (OSError, TableError) as error:
+        violations = [f"docs/architecture.md:1: {error}"]
+    for violation in violations:
+        print(violation)
+    print(f"{len(violations)} violations")
+    return 1 if violations else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv))

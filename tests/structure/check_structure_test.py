@@ -1,0 +1,236 @@
+#!/usr/bin/env python3
+"""Feeds the structure checks one violation each, and what looks like one but is none."""
+
+import shutil
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import check_functions
+import check_globals
+import source_text
+from check_structure import check_tree
+from dependency_table import DependencyTable, TableError
+
+ARCHITECTURE = (Path(__file__).parents[2] / "docs/architecture.md").read_text(encoding="utf-8")
+
+FOLDERS = ("shared/exact", "shared/physics", "shared/game", "protocol", "server", "client", "levels", "tests")
+
+
+class Tree(unittest.TestCase):
+    """A temporary tree with the real page of dependencies and one header in every folder."""
+
+    def setUp(self):
+        self.root = Path(tempfile.mkdtemp(prefix="platon-structure-"))
+        self.addCleanup(shutil.rmtree, self.root)
+        self.write("docs/architecture.md", ARCHITECTURE)
+        for folder in FOLDERS:
+            self.write(f"{folder}/thing.h", "#pragma once\n")
+
+    def write(self, path, text):
+        (self.root / path).parent.mkdir(parents=True, exist_ok=True)
+        (self.root / path).write_text(text, encoding="utf-8")
+
+    def violations(self, path, text):
+        self.write(path, text)
+        found = list(check_tree(self.root))
+        (self.root / path).unlink()
+        return found
+
+    def assert_refused(self, path, text, line, word):
+        found = self.violations(path, text)
+        self.assertEqual(len(found), 1, f"{path}: {text!r}: {found}")
+        self.assertTrue(found[0].startswith(f"{path}:{line}: "), found[0])
+        self.assertIn(word, found[0])
+
+    def assert_allowed(self, path, text):
+        self.assertEqual(self.violations(path, text), [], f"{path}: {text!r}")
+
+
+class Includes(Tree):
+    def test_every_pair_of_folders(self):
+        shared = {"shared/exact", "shared/physics", "shared/game"}
+        allowed = {
+            "shared/exact": set(),
+            "shared/physics": {"shared/exact"},
+            "shared/game": {"shared/exact", "shared/physics"},
+            "protocol": shared,
+            "server": shared | {"protocol"},
+            "client": shared | {"protocol"},
+            "levels": shared,
+            "tests": set(FOLDERS),
+        }
+        for source in FOLDERS:
+            for target in FOLDERS:
+                text = f'\n#include "{target}/thing.h"\n'
+                if target == source or target in allowed[source]:
+                    self.assert_allowed(f"{source}/file.cpp", text)
+                else:
+                    self.assert_refused(f"{source}/file.cpp", text, 2, f"may not include {target}/thing.h")
+
+    def test_only_the_embedded_server_joins_both(self):
+        text = '#include "server/thing.h"\n'
+        self.assert_allowed("client/embedded_server.cpp", text)
+        self.assert_allowed("client/main.cpp", text)
+        self.assert_refused("client/main_menu.cpp", text, 1, "server/thing.h")
+        self.assert_refused("server/main.cpp", '#include "client/thing.h"\n', 1, "client/thing.h")
+
+    def test_only_from_the_root_and_only_what_exists(self):
+        self.assert_refused("server/file.cpp", '#include "thing.h"\n', 1, "thing.h")
+        self.assert_refused("server/file.cpp", '#include "../shared/exact/thing.h"\n', 1, "../shared")
+        self.assert_refused("server/file.cpp", '#include "server/lost.h"\n', 1, "does not exist")
+        self.assert_refused("server/file.cpp", "#include <client/thing.h>\n", 1, "client/thing.h")
+        self.assert_allowed("protocol/file.cpp", '#include "to_server_generated.h"\n')
+        self.assert_refused("server/file.cpp", '#include "to_server_generated.h"\n', 1, "to_server_generated.h")
+
+    def test_outside_headers_have_their_files(self):
+        self.assert_allowed("server/host.cpp", "#include <enet/enet.h>\n")
+        self.assert_refused("server/match.cpp", "#include <enet/enet.h>\n", 1, "enet/enet.h")
+        self.assert_refused("server/match.cpp", "#include <sys/socket.h>\n", 1, "sys/socket.h")
+        self.assert_refused("server/match.cpp", "  #  include <GL/glew.h>\n", 1, "GL/glew.h")
+        self.assert_refused("protocol/file.cpp", '#include "sys/socket.h"\n', 1, "sys/socket.h")
+        self.assert_refused("client/file.cpp", "#include <unheard_of.h>\n", 1, "unheard_of.h")
+        self.assert_allowed("tests/file.cpp", "#include <gtest/gtest.h>\n")
+        self.assert_allowed("client/file.cpp", "#include <vector>\n#include <chrono>\n")
+
+    def test_comments_and_strings_include_nothing(self):
+        self.assert_allowed("shared/exact/file.cpp", '// #include "server/thing.h"\n/*\n#include <iostream>\n*/\n')
+
+    def test_folder_without_a_row(self):
+        self.assert_refused("shared/utils/file.cpp", "\n", 1, "no row")
+
+
+class Purity(Tree):
+    def test_headers_of_shared(self):
+        for header in ("iostream", "chrono", "random", "unordered_map", "unordered_set", "fstream", "sstream", "cmath",
+                       "thread", "cstdio", "ctime", "filesystem", "spdlog/spdlog.h", "sodium.h"):  # fmt: skip
+            self.assert_refused("shared/game/file.cpp", f"#include <{header}>\n", 1, header)
+        self.assert_allowed("shared/game/file.cpp", "#include <charconv>\n#include <string>\n#include <map>\n")
+
+    def test_words_of_shared(self):
+        for word in ("float", "double", "std::hash<int>", "rand", "std::random_device", "std::unordered_map<int, int>",
+                     "std::chrono", "printf", "std::cerr", "thread_local", "std::time", "1.5", "2.", "1e3", "1.f",
+                     "0x1p3"):  # fmt: skip
+            self.assert_refused("shared/physics/file.cpp", f"\n\nauto x = {word};\n", 3, word.partition("<")[0])
+
+    def test_names_that_look_impure_but_are_not(self):
+        self.assert_allowed(
+            "shared/game/file.cpp",
+            "// float\n/* double\n 1.5 */ auto s = \"std::hash 1.5 // \" + std::string(R\"(double\n\")\");\n"
+            "auto h = world.hash(); auto c = round.clock; auto t = time; auto n = 1'000 + 0x1e5 + a.b1 + v[0].x;\n"
+            "char q = '\"'; auto floatless = doubled;\n",
+        )
+
+    def test_code_after_a_tricky_literal_is_still_read(self):
+        for literal in ("'\"'", "'\\''", '"\\\\"', '"/*"', 'R"x(")x"', "1'000'000", "u8\"//\""):
+            self.assert_refused("shared/game/file.cpp", f"auto a = {literal}; double b;\n", 1, "double")
+
+    def test_clocks_outside_the_thin_files(self):
+        text = "auto now = std::chrono::steady_clock::now();\n"
+        self.assert_refused("server/match.cpp", text, 1, "clock::now")
+        self.assert_refused("protocol/file.cpp", text, 1, "clock::now")
+        self.assert_refused("client/file.cpp", "std::this_thread::sleep_for(pause);\n", 1, "sleep_for")
+        self.assert_allowed("server/main.cpp", text)
+        self.assert_allowed("server/match.cpp", 'auto s = "clock::now"; auto r = R"(clock::now)";  // clock::now\n')
+        self.assert_allowed("server/match.cpp", "void advance(std::chrono::steady_clock::time_point now);\n")
+
+
+class Form(Tree):
+    def test_long_file(self):
+        self.assert_allowed("levels/file.cpp", "\n" * 400)
+        self.assert_refused("levels/file.cpp", "\n" * 401, 401, "401 lines")
+        self.assert_refused("tests/CMakeLists.txt", "\n" * 401, 401, "401 lines")
+
+    def test_leftovers(self):
+        for word in ("TO" "DO", "FIX" "ME", "XX" "X", "HA" "CK"):
+            self.assert_refused("client/file.cpp", f"\n// {word}: later\n", 2, word)
+            self.assert_refused("docs/page.md", f"{word}\n", 1, word)
+        self.assert_allowed("client/file.cpp", "// TO" "DOS\n")
+
+    def test_machine_paths(self):
+        for path in ("/ho" "me/somebody/x", "/wo" "rk/main", "/ro" "ot/.cache"):
+            self.assert_refused("client/file.cpp", f'auto path = "{path}";\n', 1, "path of one machine")
+        self.assert_allowed("docs/page.md", "See levels/root/a and /etc/platon/server.toml and https://a.org/home/x\n")
+
+    def test_headers_and_names(self):
+        self.assert_refused("client/file.h", "// #pragma once\n", 1, "pragma once")
+        self.assert_refused("client/FileName.cpp", "\n", 1, "snake_case")
+
+    def test_top_level(self):
+        self.write("extra/file.txt", "\n")
+        found = list(check_tree(self.root))
+        self.assertEqual(len(found), 1, found)
+        self.assertTrue(found[0].startswith("extra:1: "), found)
+
+
+class Tables(Tree):
+    def test_the_page_is_the_rule(self):
+        text = '#include "protocol/thing.h"\n'
+        self.assert_refused("levels/file.cpp", text, 1, "protocol/thing.h")
+        row = "| `levels` | levels, their format, `platon-level` | `shared` |"
+        self.assertIn(row, ARCHITECTURE)
+        self.write("docs/architecture.md", ARCHITECTURE.replace(row, row[:-2] + " `protocol` |"))
+        self.assert_allowed("levels/file.cpp", text)
+
+    def test_row_without_a_folder(self):
+        shutil.rmtree(self.root / "levels")
+        found = list(check_tree(self.root))
+        self.assertEqual(len(found), 1, found)
+        self.assertIn("levels", found[0])
+
+    def test_missing_or_broken_table(self):
+        for name in ("folders", "headers", "words"):
+            with self.assertRaisesRegex(TableError, name):
+                DependencyTable(ARCHITECTURE.replace(f"<!-- table: {name} -->", ""))
+        with self.assertRaisesRegex(TableError, "cells"):
+            DependencyTable(ARCHITECTURE.replace("| `toml++/` | `server/*` |", "| `toml++/` |"))
+
+
+class Functions(Tree):
+    def test_lengths(self):
+        ctags = shutil.which("ctags-universal") or shutil.which("ctags")
+        if ctags is None:
+            self.skipTest("universal-ctags is not installed")
+        for lines in (80, 81):
+            self.write("client/file.cpp", "int f() {\n" + "  g();\n" * (lines - 2) + "}\nint h() { return 1; }\n")
+            functions = check_functions.function_lengths(ctags, self.root)
+            self.assertEqual([(f[0], f[2], f[3]) for f in functions], [(lines, "f", 1), (1, "h", lines + 1)])
+            over = [v for v in check_functions.violations(functions) if "more than 80" in v]
+            self.assertEqual(len(over), lines - 80, over)
+
+    def test_percentiles(self):
+        self.assertEqual(check_functions.percentile([1, 2, 3, 4], 50), 2)
+        self.assertEqual(check_functions.percentile(range(1, 101), 95), 95)
+        self.assertEqual(check_functions.percentile([7], 95), 7)
+        short = [(1, "client/a.cpp", "f", 1)] * 100
+        self.assertEqual(list(check_functions.violations(short)), [])
+        self.assertEqual(len(list(check_functions.violations([(9, "client/a.cpp", "f", 1)] * 100))), 1)
+        self.assertEqual(len(list(check_functions.violations(short + [(41, "client/a.cpp", "f", 1)] * 10))), 1)
+        self.assertEqual(len(list(check_functions.violations([(1, "tests/a.cpp", "f", 1)]))), 1)
+
+
+class Globals(unittest.TestCase):
+    def test_writable_sections(self):
+        dump = (
+            "0000000000000000 l    d  .data\t0000000000000000 .data\n"
+            "0000000000000040 l     O .bss\t0000000000000004 f()::calls\n"
+            "0000000000000000 g       .tdata\t0000000000000004 perThread\n"
+            "0000000000000000 u     O .data.w\t0000000000000004 w\n"
+            "0000000000000000  w    O .data.rel.ro._ZTV1W\t0000000000000028 vtable for W\n"
+            "0000000000000000 g     O .rodata\t0000000000000008 table\n"
+        )
+        self.assertEqual([name for _, name in check_globals.writable_objects(dump)], ["f()::calls", "perThread", "w"])
+
+
+class SourceText(unittest.TestCase):
+    def test_blanks_keep_the_shape(self):
+        text = 'int a; // b\nauto s = "c\\"d"; /* e\nf */ g\n'
+        code = source_text.code_of(text)
+        self.assertEqual(len(code), len(text))
+        self.assertEqual(code.split(), ["int", "a;", "auto", "s", "=", ";", "g"])
+        self.assertEqual(code.count("\n"), 3)
+
+
+if __name__ == "__main__":
+    sys.exit(unittest.main())
