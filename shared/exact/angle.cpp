@@ -1,0 +1,106 @@
+#include "shared/exact/angle.h"
+
+#include <array>
+#include <cstddef>
+
+#include "shared/exact/integer.h"
+
+namespace platon {
+namespace {
+
+constexpr int kTableBits = 60;
+constexpr std::int64_t kOne = std::int64_t{1} << kTableBits;
+// pi / 18000 (one hundredth of a degree in radians) times 2^60, from pi = 3.14159265358979323846264338.
+constexpr std::int64_t kHundredth = 201222762724365;
+
+constexpr std::int64_t multiply(std::int64_t a, std::int64_t b) {
+  return static_cast<std::int64_t>((int128{a} * b) >> kTableBits);
+}
+
+// The Taylor series: for arguments up to a quarter turn, 24 terms leave less than 2^-60.
+constexpr std::int64_t taylor(std::int64_t x, std::int64_t term, int firstDivisor) {
+  std::int64_t sum = term;
+  const std::int64_t square = multiply(x, x / 4);  // x^2 / 4, so that pi^2 / 4 stays below 2^63 / 2^60
+  for (int n = firstDivisor; n < firstDivisor + 24; n += 2) {
+    term = -4 * (multiply(term, square) / (n * (n + 1)));
+    sum += term;
+  }
+  return sum;
+}
+
+constexpr Direction directionOfHundredths(std::int32_t hundredths) {
+  const std::int64_t x = kHundredth * hundredths;
+  constexpr int shift = kTableBits - Direction::kFractionBits;
+  const std::int64_t half = std::int64_t{1} << (shift - 1);
+  return {(taylor(x, kOne, 1) + half) >> shift, (taylor(x, x, 2) + half) >> shift};
+}
+
+template <std::size_t Count, std::int32_t Step>
+constexpr std::array<Direction, Count> makeTable() {
+  std::array<Direction, Count> table{};
+  for (std::size_t i = 0; i < Count; ++i) {
+    table[i] = directionOfHundredths(static_cast<std::int32_t>(i) * Step);
+  }
+  return table;
+}
+
+// An angle is whole degrees plus hundredths; the sum formulas join the two tables with one rounding.
+constexpr auto kDegrees = makeTable<91, 100>();
+constexpr auto kHundredths = makeTable<100, 1>();
+static_assert(kDegrees[0].cosine == std::int64_t{1} << 30 && kDegrees[0].sine == 0);
+static_assert(kDegrees[90].cosine == 0 && kDegrees[90].sine == std::int64_t{1} << 30);
+static_assert(kDegrees[30].sine == std::int64_t{1} << 29 && kDegrees[60].cosine == std::int64_t{1} << 29);
+
+constexpr std::int64_t roundToBits(std::int64_t value) {
+  return divideRounded(value, std::int64_t{1} << Direction::kFractionBits);
+}
+
+Direction firstQuadrant(std::int32_t hundredths) {
+  const Direction whole = kDegrees[static_cast<std::size_t>(hundredths / 100)];
+  if (hundredths % 100 == 0) return whole;
+  const Direction part = kHundredths[static_cast<std::size_t>(hundredths % 100)];
+  return {roundToBits(whole.cosine * part.cosine - whole.sine * part.sine),
+          roundToBits(whole.sine * part.cosine + whole.cosine * part.sine)};
+}
+
+}  // namespace
+
+Direction directionOf(Angle angle) {
+  constexpr std::int32_t quarter = Angle::kTurn / 4;
+  const Direction base = firstQuadrant(angle.hundredths() % quarter);
+  switch (angle.hundredths() / quarter) {
+    case 0: return base;
+    case 1: return {-base.sine, base.cosine};
+    case 2: return {-base.cosine, -base.sine};
+    default: return {base.sine, -base.cosine};
+  }
+}
+
+Point rotate(Point vector, Direction direction) {
+  const WideVector wide = rotateWide(vector, direction);
+  return {static_cast<std::int32_t>(roundToBits(wide.x)), static_cast<std::int32_t>(roundToBits(wide.y))};
+}
+
+Point rotate(Point vector, Angle angle) { return rotate(vector, directionOf(angle)); }
+
+Angle angleBetween(Point from, Point to) {
+  // The cross product of `to` with the turned `from` changes sign once in each half turn: bisect the half turn that
+  // holds the answer, then take the nearer of the two neighbours.
+  const auto side = [&](std::int32_t hundredths) {
+    const WideVector turned = rotateWide(from, directionOf(Angle(hundredths)));
+    return int128{turned.x} * to.y - int128{turned.y} * to.x;
+  };
+  constexpr std::int32_t half = Angle::kTurn / 2;
+  const bool firstHalf = cross(from, to) > 0 || (cross(from, to) == 0 && dot(from, to) > 0);
+  std::int32_t low = firstHalf ? 0 : half;
+  std::int32_t high = low + half;
+  while (high - low > 1) {
+    const std::int32_t middle = (low + high) / 2;
+    (side(middle) >= 0 ? low : high) = middle;
+  }
+  const int128 below = side(low);
+  const int128 above = -side(high);
+  return Angle(above < below ? high : low);
+}
+
+}  // namespace platon

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <type_traits>
+
+#include "shared/exact/angle.h"
+#include "shared/exact/point.h"
+
+namespace platon {
+
+/// A 64-bit hash of integers, the same on every machine: it works on values, not on bytes in memory. Each step is a
+/// bijection of the state for a given value and of the value for a given state, so that a single change always shows.
+class Hash {
+ public:
+  void add(std::uint64_t value) {
+    state_ ^= value;
+    state_ *= 0x9e3779b97f4a7c15U;   // odd: 2^64 divided by the golden ratio
+    state_ ^= state_ >> 32;
+  }
+  template <class Integer>
+    requires std::is_integral_v<Integer>
+  void add(Integer value) {
+    add(static_cast<std::uint64_t>(value));
+  }
+  void add(Point point) {
+    add((std::uint64_t{static_cast<std::uint32_t>(point.x)} << 32) | static_cast<std::uint32_t>(point.y));
+  }
+  void add(Angle angle) { add(angle.hundredths()); }
+
+  std::uint64_t value() const { return state_; }
+
+ private:
+  std::uint64_t state_ = 0xcbf29ce484222325U;   // any but 0, which would map a first 0 to itself
+};
+
+}  // namespace platon

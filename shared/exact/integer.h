@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+
+namespace platon {
+
+#if !defined(__SIZEOF_INT128__)
+#error "Platon compares fractions through 128-bit integers: build for a 64-bit target with GCC or Clang"
+#endif
+
+/// Wide enough for the product of any two `int64` values. Never stored, hashed or sent: its alignment differs
+/// between machines.
+__extension__ using int128 = __int128;
+
+/// Subunits in one level unit. All coordinates of the simulation are whole subunits.
+inline constexpr std::int32_t kSubunitsPerUnit = 1024;
+
+/// Every coordinate and every displacement of the simulation is smaller than this in magnitude.
+inline constexpr std::int32_t kCoordinateLimit = std::int32_t{1} << 29;
+
+/// True when `value` may be a coordinate.
+constexpr bool isCoordinate(std::int64_t value) {
+  return value > -kCoordinateLimit && value < kCoordinateLimit;
+}
+
+/// `numerator / denominator` rounded to the nearest integer, halves away from zero, so that the rounding of -x is
+/// minus the rounding of x. `denominator` > 0 and the quotient must fit.
+template <class Integer>
+constexpr Integer divideRounded(Integer numerator, Integer denominator) {
+  const Integer half = denominator / 2;
+  return numerator >= 0 ? (numerator + half) / denominator : -((-numerator + half) / denominator);
+}
+
+/// `numerator / denominator` rounded towards minus infinity. `denominator` > 0.
+template <class Integer>
+constexpr Integer divideFloor(Integer numerator, Integer denominator) {
+  const Integer quotient = numerator / denominator;
+  return numerator % denominator < 0 ? quotient - 1 : quotient;
+}
+
+/// `numerator / denominator` rounded towards plus infinity. `denominator` > 0.
+template <class Integer>
+constexpr Integer divideCeiling(Integer numerator, Integer denominator) {
+  const Integer quotient = numerator / denominator;
+  return numerator % denominator > 0 ? quotient + 1 : quotient;
+}
+
+}  // namespace platon
