@@ -1,0 +1,95 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "shared/physics/entity.h"
+#include "shared/physics/instances.h"
+#include "shared/physics/region.h"
+#include "shared/physics/rules.h"
+#include "shared/physics/sweep.h"
+
+namespace platon {
+
+/// The line that stops a leg, or a warp line that it comes near.
+struct LegHit {
+  std::size_t placement = 0;
+  std::uint32_t line = 0;         ///< index into the lines of the placement's part
+  Hit hit;                        ///< its time is of the leg
+};
+
+/// Asks exact questions about one entity's instances and the lines round them. Rules decide which lines block.
+class Collider {
+ public:
+  /// Beyond the straight path of a leg, candidates for its end are looked for this far to the side.
+  static constexpr std::int32_t kReach = 8;
+
+  /// A pierceable line that an instance has met.
+  struct Pierced {
+    std::uint16_t instance;
+    std::uint32_t part;
+    std::uint32_t line;
+
+    friend bool operator==(const Pierced&, const Pierced&) = default;
+  };
+
+  /// A warp of a placement.
+  struct Gate {
+    std::size_t placement;
+    std::uint16_t warp;
+
+    friend bool operator==(const Gate&, const Gate&) = default;
+  };
+  /// A move of home, of shapes grown by a margin.
+  struct Path {
+    Point from;
+    Point to;
+    std::int32_t margin;
+  };
+
+  /// `regions` are the entity's, one for each placement's region index; grown when needed.
+  void begin(Rules& rules, Entity entity, std::vector<Region>& regions);
+
+  /// The earliest blocking line in the way of any instance when home moves straight from `from` to `to`; at equal
+  /// times the first placement and the line with the lowest index. Notes the pierceable lines met.
+  std::optional<LegHit> first(const Instances& instances, Point from, Point to);
+  /// As above for placement `index` alone; replaces `best` when it finds an earlier one.
+  void first(const Instances& instances, std::size_t index, Point from, Point to, std::optional<LegHit>& best);
+  /// The earliest pierceable warp line, without an instance behind it and not among `shut`, that any instance meets
+  /// before `limit`.
+  std::optional<LegHit> firstWarp(const Instances& instances, const Path& path, const std::optional<LegHit>& limit,
+                                  const std::vector<Gate>& shut);
+  /// Whether `shape`, grown by `margin`, meets a pierceable warp line of the placement that has no instance behind it.
+  bool meetsWarp(const Instances& instances, const Gate& gate, const Convex& shape, std::int32_t margin);
+
+  /// Whether no blocking line is in the way of any instance when home moves straight from `from` to `to`.
+  bool isFree(const Instances& instances, Point from, Point to);
+  /// The same for one placement in its own part's frame; from = to asks whether it may stand there.
+  bool isFree(const Placement& placement, Point from, Point to);
+  /// The first blocking line, by index, that overlaps `shape` at the placement's position.
+  std::optional<std::uint32_t> overlapped(const Placement& placement, const Convex& shape);
+
+  /// What one line does to one placement that moves from `from` to `to`.
+  std::optional<Hit> against(const Placement& placement, Point from, Point to, const Segment& line);
+
+  const std::vector<Pierced>& pierced() const { return pierced_; }
+
+ private:
+  const std::vector<std::uint32_t>& start(const Placement& placement, const Convex& shape, Point from, Point to,
+                                          std::int32_t margin);
+  bool blocks(const MapGeometry& part, std::uint32_t line) const;
+  bool blocksOrNote(const Placement& placement, std::uint32_t line);
+  bool isOpen(const Instances& instances, const Gate& gate, const std::vector<Gate>& shut) const;
+
+  Rules* rules_ = nullptr;
+  std::optional<Entity> entity_;
+  std::vector<Region>* regions_ = nullptr;
+  std::vector<Pierced> pierced_;
+  Sweep sweep_;
+};
+
+/// `line` of `part` as rules see it.
+LineRef lineRef(const MapGeometry& part, std::uint32_t line);
+
+}  // namespace platon

@@ -1,0 +1,73 @@
+// How a step tells the rules what happened.
+#include "shared/physics/entity_step.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "shared/exact/integer.h"
+
+namespace platon {
+
+void EntityStep::callContact(const LegHit& hit) {
+  const Placement& placement = instances_.all()[hit.placement];
+  Contact contact;
+  contact.line = lineRef(*placement.part, hit.line);
+  contact.instance = placement.id;
+  contact.normal = normalOf(hit);
+  contact.point = hit.hit.side == Hit::Side::kLine ? placement.position + hit.hit.feature : hit.hit.feature;
+  contact.toHome = instances_.home().angle - placement.angle;
+  contact.time = hit.hit.time;
+  rules_->contact(*entity_, contact);
+}
+
+// Beginnings and ends along the straight path that the leg has really taken, from `before` to where home is now.
+void EntityStep::callPierced(Point before) {
+  events_.clear();
+  for (const Collider::Pierced& pierced : collider_.pierced()) appendEvents(pierced, before);
+  std::stable_sort(events_.begin(), events_.end(), [](const Event& a, const Event& b) {
+    if (a.time != b.time) return a.time < b.time;
+    return std::tuple(a.placement, a.line, !a.begins) < std::tuple(b.placement, b.line, !b.begins);
+  });
+  for (const Event& event : events_) {
+    const LineRef line = lineRef(*instances_.all()[event.placement].part, event.line);
+    event.begins ? rules_->beginContact(*entity_, line) : rules_->endContact(*entity_, line);
+  }
+  for (Placement& placement : instances_.all()) placement.fresh = false;
+}
+
+void EntityStep::appendEvents(const Collider::Pierced& pierced, Point before) {
+  for (std::size_t i = 0; i < instances_.all().size(); ++i) {
+    const Placement& placement = instances_.all()[i];
+    if (placement.id != pierced.instance) continue;
+    const auto hit = collider_.against(placement, placement.at(before), placement.position,
+                                       placement.part->lines[pierced.line]);
+    if (!hit) return;
+    if (hit->side != Hit::Side::kInside || placement.fresh) events_.push_back({hit->time, true, i, pierced.line});
+    if (hit->exit < Fraction{1, 1}) events_.push_back({hit->exit, false, i, pierced.line});
+  }
+}
+
+// What is pierceable and overlapped now has been met in this step.
+void EntityStep::callOver() {
+  events_.clear();
+  for (const Collider::Pierced& pierced : collider_.pierced()) appendOverlap(pierced);
+  std::sort(events_.begin(), events_.end(), [](const Event& a, const Event& b) {
+    return std::tuple(a.placement, a.line) < std::tuple(b.placement, b.line);
+  });
+  for (const Event& event : events_) {
+    rules_->overContact(*entity_, lineRef(*instances_.all()[event.placement].part, event.line));
+  }
+}
+
+void EntityStep::appendOverlap(const Collider::Pierced& pierced) {
+  for (std::size_t i = 0; i < instances_.all().size(); ++i) {
+    const Placement& placement = instances_.all()[i];
+    if (placement.id != pierced.instance) continue;
+    const Segment& line = placement.part->lines[pierced.line];
+    if (collider_.against(placement, placement.position, placement.position, line)) {
+      events_.push_back({{}, false, i, pierced.line});
+    }
+  }
+}
+
+}  // namespace platon

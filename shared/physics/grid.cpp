@@ -1,0 +1,122 @@
+#include "shared/physics/grid.h"
+
+#include <algorithm>
+
+#include "shared/exact/integer.h"
+
+namespace platon {
+namespace {
+
+// Measured on random, long and clustered lines: more references than this a line cost memory and no longer save time.
+constexpr std::size_t kReferencesPerLine = 6;
+
+std::size_t squareRoot(std::size_t value) {
+  std::size_t root = 1;
+  while ((root + 1) * (root + 1) <= value) ++root;
+  return root;
+}
+
+// Inner borders of `cells` slices that hold about equally many of the coordinates.
+std::vector<std::int32_t> chooseBorders(std::vector<std::int32_t> coordinates, std::size_t cells) {
+  std::sort(coordinates.begin(), coordinates.end());
+  std::vector<std::int32_t> borders;
+  for (std::size_t i = 1; i < cells; ++i) borders.push_back(coordinates[i * coordinates.size() / cells]);
+  borders.erase(std::unique(borders.begin(), borders.end()), borders.end());
+  return borders;
+}
+
+std::size_t bordersBelow(const std::vector<std::int32_t>& borders, std::int64_t coordinate) {
+  return static_cast<std::size_t>(std::lower_bound(borders.begin(), borders.end(), coordinate) - borders.begin());
+}
+
+std::size_t bordersUpTo(const std::vector<std::int32_t>& borders, std::int64_t coordinate) {
+  return static_cast<std::size_t>(std::upper_bound(borders.begin(), borders.end(), coordinate) - borders.begin());
+}
+
+struct Span {
+  std::int64_t low, high;
+};
+
+// Where the line (a below or level with b) runs while its y is within [low, high], rounded outwards.
+// Bounds: differences < 2^30, products < 2^60.
+Span xRange(Point a, Point b, std::int64_t low, std::int64_t high) {
+  if (a.y == b.y) return {std::min(a.x, b.x), std::max(a.x, b.x)};
+  const std::int64_t width = std::int64_t{b.x} - a.x;
+  const std::int64_t height = std::int64_t{b.y} - a.y;
+  const std::int64_t atLow = width * (low - a.y);
+  const std::int64_t atHigh = width * (high - a.y);
+  return {a.x + divideFloor(std::min(atLow, atHigh), height), a.x + divideCeiling(std::max(atLow, atHigh), height)};
+}
+
+}  // namespace
+
+Grid::Grid(std::span<const Segment> lines) {
+  std::size_t cells = std::max<std::size_t>(1, squareRoot(lines.size()));
+  while (!build(lines, cells, kReferencesPerLine * lines.size()) && cells > 1) cells /= 2;
+}
+
+// A line belongs to the cells of its points, a point on a border to the cell before it. A query covers the cells on
+// both sides of a border that it touches, so that nothing is missed.
+template <class Visit>
+void Grid::forEachCell(const Segment& line, Visit&& visit) const {
+  const bool upwards = line.a.y <= line.b.y;
+  const Point a = upwards ? line.a : line.b;
+  const Point b = upwards ? line.b : line.a;
+  const std::size_t stride = columns_.size() + 1;
+  const std::size_t lastRow = bordersBelow(rows_, b.y);
+  for (std::size_t row = bordersBelow(rows_, a.y); row <= lastRow; ++row) {
+    const std::int64_t low = row == 0 ? a.y : std::max(a.y, rows_[row - 1]);
+    const std::int64_t high = row == rows_.size() ? b.y : std::min(b.y, rows_[row]);
+    const Span run = xRange(a, b, low, high);
+    const std::size_t last = bordersBelow(columns_, run.high);
+    for (std::size_t column = bordersBelow(columns_, run.low); column <= last; ++column) visit(row * stride + column);
+  }
+}
+
+bool Grid::build(std::span<const Segment> lines, std::size_t cellsPerAxis, std::size_t mostReferences) {
+  std::vector<std::int32_t> xs;
+  std::vector<std::int32_t> ys;
+  for (const Segment& line : lines) {
+    xs.insert(xs.end(), {line.a.x, line.b.x});
+    ys.insert(ys.end(), {line.a.y, line.b.y});
+  }
+  columns_ = chooseBorders(std::move(xs), cellsPerAxis);
+  rows_ = chooseBorders(std::move(ys), cellsPerAxis);
+  firsts_.assign((columns_.size() + 1) * (rows_.size() + 1) + 1, 0);
+  for (const Segment& line : lines) forEachCell(line, [&](std::size_t cell) { ++firsts_[cell + 1]; });
+  for (std::size_t i = 1; i < firsts_.size(); ++i) firsts_[i] += firsts_[i - 1];
+  if (firsts_.back() > mostReferences && cellsPerAxis > 1) return false;
+  references_.resize(firsts_.back());
+  std::vector<std::uint32_t> next(firsts_.begin(), firsts_.end() - 1);
+  for (std::uint32_t i = 0; i < lines.size(); ++i) {
+    forEachCell(lines[i], [&](std::size_t cell) { references_[next[cell]++] = i; });
+  }
+  return true;
+}
+
+Grid::CellRange Grid::cellsOf(const Box& box) const {
+  return {bordersBelow(columns_, box.low.x), bordersUpTo(columns_, box.high.x), bordersBelow(rows_, box.low.y),
+          bordersUpTo(rows_, box.high.y)};
+}
+
+void Grid::query(const Box& box, std::vector<std::uint32_t>& out) const {
+  if (references_.empty()) return;
+  const std::size_t first = out.size();
+  const CellRange cells = cellsOf(box);
+  const std::size_t stride = columns_.size() + 1;
+  for (std::size_t row = cells.firstRow; row <= cells.lastRow; ++row) {
+    const std::uint32_t* begin = references_.data() + firsts_[row * stride + cells.firstColumn];
+    const std::uint32_t* end = references_.data() + firsts_[row * stride + cells.lastColumn + 1];
+    out.insert(out.end(), begin, end);
+  }
+  const auto start = out.begin() + static_cast<std::ptrdiff_t>(first);
+  std::sort(start, out.end());
+  out.erase(std::unique(start, out.end()), out.end());
+}
+
+std::size_t Grid::bytes() const {
+  return sizeof(*this) + (columns_.size() + rows_.size()) * sizeof(std::int32_t) +
+         (firsts_.size() + references_.size()) * sizeof(std::uint32_t);
+}
+
+}  // namespace platon

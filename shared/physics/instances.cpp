@@ -1,0 +1,350 @@
+#include "shared/physics/instances.h"
+
+#include <algorithm>
+#include <array>
+
+#include "shared/exact/integer.h"
+#include "shared/physics/collider.h"
+
+namespace platon {
+namespace {
+
+constexpr int kWideBits = 16;
+constexpr std::int64_t kWideOne = std::int64_t{1} << kWideBits;
+
+// Offsets by which a placement may be moved to be free, nearest first; all within kMostError of a point that is itself
+// at most sqrt(1/2) from the ideal one.
+constexpr auto kOffsets = [] {
+  constexpr int reach = Instances::kMostError + 1;
+  std::array<Point, (2 * reach + 1) * (2 * reach + 1)> offsets{};
+  std::size_t count = 0;
+  for (int y = -reach; y <= reach; ++y) {
+    for (int x = -reach; x <= reach; ++x) offsets[count++] = Point(x, y);
+  }
+  for (std::size_t i = 1; i < count; ++i) {   // insertion sort: stable, and constexpr in every compiler
+    for (std::size_t j = i; j > 0 && squaredLength(offsets[j]) < squaredLength(offsets[j - 1]); --j) {
+      std::swap(offsets[j], offsets[j - 1]);
+    }
+  }
+  return offsets;
+}();
+
+constexpr std::int64_t squaredWide(std::int32_t subunits) { return subunits * kWideOne * subunits * kWideOne; }
+constexpr std::int64_t kMostSquaredError = squaredWide(Instances::kMostError);
+// Half the diagonal of a lattice cell is 0.71 subunits: what lies closer than one cannot be bettered by much.
+constexpr std::int64_t kWorthMending = squaredWide(1) + squaredWide(1) / 4;
+
+}  // namespace
+
+void Instances::load(const Geometry& geometry, ShapeCache& shapes, const Convex& base, const EntityState& state,
+                     std::span<const InstanceState> further) {
+  geometry_ = &geometry;
+  shapes_ = &shapes;
+  base_ = &base;
+  shapeIndex_ = state.shape;
+  nextId_ = state.nextId;
+  crossings_ = state.crossings;
+  placements_.clear();
+  loadHome(state);
+  for (const InstanceState& instance : further) loadFurther(instance);
+  for (std::size_t i = 0; i < further.size(); ++i) {
+    if (further[i].parent != InstanceState::kNoParent) linkParent(i + 1, further[i].parent);
+  }
+}
+
+void Instances::loadHome(const EntityState& state) {
+  Placement& home = placements_.emplace_back();
+  home.part = geometry_->find(state.part);
+  home.angle = state.angle;
+  home.shape = shapes_->turned(shapeIndex_, *base_, state.angle);
+  home.fromHome = directionOf(Angle());
+  home.position = home.homeAnchor = home.anchor = state.position;
+  home.id = state.id;
+  home.fresh = state.fresh != 0;
+}
+
+void Instances::loadFurther(const InstanceState& instance) {
+  Placement placement;
+  placement.part = geometry_->find(instance.part);
+  placement.angle = instance.angle;
+  placement.shape = shapes_->turned(shapeIndex_, *base_, instance.angle);
+  placement.fromHome = directionOf(instance.angle - home().angle);
+  placement.homeAnchor = instance.homeAnchor;
+  placement.anchor = instance.anchor;
+  placement.position = placement.at(home().position);
+  placement.warp = instance.warp;
+  placement.id = instance.id;
+  placement.fresh = instance.fresh != 0;
+  placement.region = placements_.size();
+  placements_.push_back(placement);
+}
+
+void Instances::linkParent(std::size_t index, std::uint16_t parentId) {
+  Placement& placement = placements_[index];
+  for (std::size_t i = 0; i < placements_.size(); ++i) {
+    if (placements_[i].id == parentId) placement.parent = i;
+  }
+  const MapGeometry& part = *placements_[placement.parent].part;
+  placement.wayBack = *geometry_->wayBack(part.id, part.warps[placement.warp]);
+}
+
+void Instances::storeHome(EntityState& state) const {
+  state.part = home().part->id;
+  state.position = home().position;
+  state.angle = home().angle;
+  state.id = home().id;
+  state.nextId = nextId_;
+  state.crossings = crossings_;
+  state.fresh = home().fresh;
+}
+
+void Instances::store(EntityState& state, std::vector<InstanceState>& further) const {
+  storeHome(state);
+  state.instances = static_cast<std::uint16_t>(placements_.size() - 1);
+  for (std::size_t i = 1; i < placements_.size(); ++i) {
+    const Placement& placement = placements_[i];
+    InstanceState instance;
+    instance.part = placement.part->id;
+    instance.angle = placement.angle;
+    instance.homeAnchor = placement.homeAnchor;
+    instance.anchor = placement.anchor;
+    instance.id = placement.id;
+    if (placement.parent != Placement::kNone) instance.parent = placements_[placement.parent].id;
+    instance.warp = placement.warp;
+    instance.fresh = placement.fresh;
+    further.push_back(instance);
+  }
+}
+
+void Instances::appendViews(std::vector<InstanceView>& out) const {
+  for (const Placement& placement : placements_) {
+    InstanceView view{.id = placement.id, .part = placement.part->id, .position = placement.position,
+                      .angle = placement.angle, .home = &placement == &home()};
+    view.hangs = placement.parent != Placement::kNone;
+    if (view.hangs) {
+      view.parent = placements_[placement.parent].id;
+      view.warp = placement.warp;
+    }
+    out.push_back(view);
+  }
+}
+
+bool Instances::linked(std::size_t index, std::uint16_t warp) const {
+  const Placement& placement = placements_[index];
+  if (placement.parent != Placement::kNone && placement.wayBack == warp) return true;
+  return std::any_of(placements_.begin(), placements_.end(),
+                     [&](const Placement& child) { return child.parent == index && child.warp == warp; });
+}
+
+bool Instances::insert(std::size_t parentIndex, std::uint16_t warpIndex, Collider& collider) {
+  const Placement& parent = placements_[parentIndex];
+  const Warp& warp = parent.part->warps[warpIndex];
+  const auto wayBack = geometry_->wayBack(parent.part->id, warp);
+  if (!wayBack) return false;
+  Placement child;
+  child.part = geometry_->find(warp.target);
+  child.angle = parent.angle + warp.turn;
+  child.shape = shapes_->turned(shapeIndex_, *base_, child.angle);
+  if (child.shape == nullptr) return false;
+  child.fromHome = directionOf(child.angle - home().angle);
+  child.parent = parentIndex;
+  child.warp = warpIndex;
+  child.wayBack = *wayBack;
+  child.fresh = true;
+  child.region = unusedRegion();
+  const auto place = nearestFree(child, nullptr, through(warp, ideal(parentIndex)), kMostSquaredError + 1, collider);
+  if (!place) return false;
+  child.position = child.anchor = *place;
+  child.homeAnchor = home().position;
+  child.id = nextId_++;
+  placements_.push_back(child);
+  return true;
+}
+
+void Instances::moveHomeTo(Point position) {
+  for (std::size_t i = 1; i < placements_.size(); ++i) placements_[i].position = placements_[i].at(position);
+  home().position = home().anchor = home().homeAnchor = position;
+}
+
+void Instances::turn(std::int32_t hundredths) {
+  for (std::size_t i = 0; i < placements_.size(); ++i) {
+    placements_[i].shape = shapeTurned(i, hundredths);
+    placements_[i].angle = placements_[i].angle + Angle(hundredths);
+  }
+}
+
+const Convex* Instances::shapeTurned(std::size_t index, std::int32_t hundredths) {
+  return shapes_->turned(shapeIndex_, *base_, placements_[index].angle + Angle(hundredths));
+}
+
+std::optional<Angle> Instances::passHome(Collider& collider) {
+  const std::size_t next = heir();
+  if (next == Placement::kNone) return std::nullopt;
+  const Angle before = home().angle;
+  undo_ = placements_;
+  reroot(next);
+  anchorAll();
+  mendDrift(collider);
+  for (std::size_t i = 1; i < placements_.size(); ++i) {
+    if (withinError(i)) continue;
+    placements_ = undo_;   // wedged so that the drift cannot be mended: home waits
+    return std::nullopt;
+  }
+  ++crossings_;
+  return home().angle - before;
+}
+
+// The child of home behind the warp line that the centre is beyond. Where roundings put the centre outside both parts,
+// home stays.
+std::size_t Instances::heir() const {
+  const Point centre = centreOf(home());
+  for (std::size_t i = 1; i < placements_.size(); ++i) {
+    const Placement& child = placements_[i];
+    if (child.parent != 0) continue;
+    const Segment& out = home().part->warps[child.warp].from;
+    if (cross(out.b - out.a, centre - out.a) >= 0) continue;
+    const Segment& in = child.part->warps[child.wayBack].from;
+    if (cross(in.b - in.a, centreOf(child) - in.a) >= 0) return i;
+  }
+  return Placement::kNone;
+}
+
+void Instances::reroot(std::size_t heir) {
+  Placement& oldHome = placements_.front();
+  Placement& newHome = placements_[heir];
+  oldHome.parent = heir;
+  oldHome.warp = newHome.wayBack;
+  oldHome.wayBack = newHome.warp;
+  newHome.parent = Placement::kNone;
+  std::swap(oldHome, newHome);
+  for (Placement& placement : placements_) {
+    if (placement.parent == 0) {
+      placement.parent = heir;
+    } else if (placement.parent == heir) {
+      placement.parent = 0;
+    }
+  }
+  for (Placement& placement : placements_) placement.fromHome = directionOf(placement.angle - home().angle);
+}
+
+void Instances::anchorAll() {
+  for (Placement& placement : placements_) {
+    placement.homeAnchor = home().position;
+    placement.anchor = placement.position;
+  }
+}
+
+// A crossing to and fro inverts a rounded placement each time: without mending, the roundings of an entity that
+// dithers on an edge would add up.
+void Instances::mendDrift(Collider& collider) {
+  for (std::size_t i = 1; i < placements_.size(); ++i) {
+    Placement& placement = placements_[i];
+    if (placement.parent == Placement::kNone) continue;
+    const WidePoint target = ideal(i);
+    const std::int64_t miss = squaredMiss(target, placement.position);
+    if (miss <= kWorthMending) continue;
+    const auto better = nearestFree(placement, &placement.position, target, miss, collider);
+    if (better) placement.position = placement.anchor = *better;
+  }
+}
+
+bool Instances::withinError(std::size_t index) const {
+  return placements_[index].parent == Placement::kNone ||
+         squaredMiss(ideal(index), placements_[index].position) <= kMostSquaredError;
+}
+
+bool Instances::dropUnreached(std::int32_t margin) {
+  kept_.clear();
+  for (std::size_t i = 0; i < placements_.size(); ++i) kept_.push_back(reached(i, margin));
+  for (std::size_t i = 0; i < placements_.size(); ++i) kept_[i] = hangs(i) ? kept_[i] : 0;
+  const auto keptBefore = [&](std::size_t index) {
+    return static_cast<std::size_t>(std::count(kept_.begin(), kept_.begin() + static_cast<std::ptrdiff_t>(index), 1));
+  };
+  const std::size_t left = keptBefore(placements_.size());
+  if (left == placements_.size()) return false;
+  for (Placement& placement : placements_) {
+    if (placement.parent != Placement::kNone) placement.parent = keptBefore(placement.parent);
+  }
+  for (std::size_t i = 0; i < kept_.size(); ++i) {
+    if (kept_[i] != 0) placements_[keptBefore(i)] = placements_[i];
+  }
+  placements_.resize(left);
+  return true;
+}
+
+bool Instances::reached(std::size_t index, std::int32_t margin) {
+  const Placement& child = placements_[index];
+  if (child.parent == Placement::kNone) return true;
+  const Placement& parent = placements_[child.parent];
+  reach_.start(*parent.shape, parent.position, {}, margin);
+  return reach_.against(parent.part->warps[child.warp].from).has_value();
+}
+
+// Whether all that the placement hangs on is kept.
+bool Instances::hangs(std::size_t index) const {
+  for (; index != Placement::kNone; index = placements_[index].parent) {
+    if (kept_[index] == 0) return false;
+  }
+  return true;
+}
+
+Instances::WidePoint Instances::widened(Point point) { return {point.x * kWideOne, point.y * kWideOne}; }
+
+Point Instances::rounded(WidePoint point) {
+  return {static_cast<std::int32_t>(divideRounded(point.x, kWideOne)),
+          static_cast<std::int32_t>(divideRounded(point.y, kWideOne))};
+}
+
+std::int64_t Instances::squaredMiss(WidePoint ideal, Point point) {
+  constexpr std::int64_t limit = 1000 * kWideOne;   // farther is simply far; keeps the square in range
+  const WidePoint wide = widened(point);
+  const std::int64_t x = std::clamp(wide.x - ideal.x, -limit, limit);
+  const std::int64_t y = std::clamp(wide.y - ideal.y, -limit, limit);
+  return x * x + y * y;
+}
+
+// The isometry of a warp turns about the middles of the line and its image: so the rounded ends weigh alike, and the
+// way back is the exact inverse.
+Instances::WidePoint Instances::through(const Warp& warp, WidePoint point) {
+  const auto middle = [](const Segment& line) {
+    return WidePoint{(std::int64_t{line.a.x} + line.b.x) * (kWideOne / 2),
+                     (std::int64_t{line.a.y} + line.b.y) * (kWideOne / 2)};
+  };
+  const WidePoint from = middle(warp.from);
+  const WidePoint onto = middle(warp.onto);
+  const Direction turn = directionOf(warp.turn);
+  const int128 x = point.x - from.x;   // < 2^47; times 2^30 still far from 2^127
+  const int128 y = point.y - from.y;
+  constexpr int128 one = int128{1} << Direction::kFractionBits;
+  return {onto.x + static_cast<std::int64_t>(divideRounded(x * turn.cosine - y * turn.sine, one)),
+          onto.y + static_cast<std::int64_t>(divideRounded(x * turn.sine + y * turn.cosine, one))};
+}
+
+Instances::WidePoint Instances::ideal(std::size_t index) const {
+  const Placement& placement = placements_[index];
+  if (placement.parent == Placement::kNone) return widened(placement.position);
+  return through(placements_[placement.parent].part->warps[placement.warp], ideal(placement.parent));
+}
+
+// `from` is where the placement moves from; null when it is put down.
+std::optional<Point> Instances::nearestFree(const Placement& placement, const Point* from, WidePoint ideal,
+                                            std::int64_t closerThan, Collider& collider) {
+  const Point nearest = rounded(ideal);
+  for (const Point offset : kOffsets) {
+    const Point candidate = nearest + offset;
+    if (squaredMiss(ideal, candidate) >= closerThan) continue;
+    if (collider.isFree(placement, from != nullptr ? *from : candidate, candidate)) return candidate;
+  }
+  return std::nullopt;
+}
+
+std::size_t Instances::unusedRegion() const {
+  for (std::size_t region = 0;; ++region) {
+    if (std::none_of(placements_.begin(), placements_.end(),
+                     [&](const Placement& placement) { return placement.region == region; })) {
+      return region;
+    }
+  }
+}
+
+}  // namespace platon

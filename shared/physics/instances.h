@@ -1,0 +1,103 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "shared/exact/angle.h"
+#include "shared/exact/point.h"
+#include "shared/physics/convex.h"
+#include "shared/physics/entity_state.h"
+#include "shared/physics/map_geometry.h"
+#include "shared/physics/placement.h"
+#include "shared/physics/shape_cache.h"
+#include "shared/physics/sweep.h"
+#include "shared/physics/step_observer.h"
+
+namespace platon {
+
+class Collider;
+
+/// The home and further instances of one entity, a tree that hangs together by warps. Home comes first.
+class Instances {
+ public:
+  /// More than any shape between posts can reach; a displacement over more faces is walked in several legs.
+  static constexpr std::size_t kMost = 24;
+  /// An instance is never placed farther than this from where the true isometry puts it (I5 allows 4): one more
+  /// rounding comes on top while it moves.
+  static constexpr std::int32_t kMostError = 3;
+
+  /// Shapes come from `shapes` and must outlive the instances.
+  void load(const Geometry& geometry, ShapeCache& shapes, const Convex& base, const EntityState& state,
+            std::span<const InstanceState> further);
+  /// Writes what concerns home back.
+  void storeHome(EntityState& state) const;
+  /// Writes everything back; `further` gets the instances beyond home.
+  void store(EntityState& state, std::vector<InstanceState>& further) const;
+
+  std::vector<Placement>& all() { return placements_; }
+  const std::vector<Placement>& all() const { return placements_; }
+  Placement& home() { return placements_.front(); }
+  const Placement& home() const { return placements_.front(); }
+  void appendViews(std::vector<InstanceView>& out) const;
+
+  /// Whether the instance behind this warp of placement `index` exists.
+  bool linked(std::size_t index, std::uint16_t warp) const;
+  /// Adds the instance behind a warp of placement `parent`, at the free lattice point nearest to the true placement.
+  /// False when the warp has no way back, the shape degenerates, or no point within kMostError is free.
+  bool insert(std::size_t parent, std::uint16_t warp, Collider& collider);
+
+  /// Moves all instances along with home.
+  void moveHomeTo(Point position);
+  /// Turns all instances on the spot.
+  void turn(std::int32_t hundredths);
+  /// The shape of placement `index` if it were turned further; null when it degenerates.
+  const Convex* shapeTurned(std::size_t index, std::int32_t hundredths);
+
+  /// Hands home to the instance whose part the centre has crossed into, if any. Nothing moves, but for instances that
+  /// have drifted by a rounding and are free to mend it. Returns the turn from the old home's frame to the new one's.
+  std::optional<Angle> passHome(Collider& collider);
+  /// Removes the instances whose warp line their parent, grown by `margin`, no longer reaches. True when any was.
+  bool dropUnreached(std::int32_t margin);
+
+ private:
+  struct WidePoint {
+    std::int64_t x, y;   // subunits over 2^16
+  };
+
+  void loadHome(const EntityState& state);
+  void loadFurther(const InstanceState& instance);
+  void linkParent(std::size_t index, std::uint16_t parentId);
+  std::size_t heir() const;
+  void reroot(std::size_t heir);
+  void anchorAll();
+  void mendDrift(Collider& collider);
+  bool withinError(std::size_t index) const;
+  bool reached(std::size_t index, std::int32_t margin);
+  bool hangs(std::size_t index) const;
+  WidePoint ideal(std::size_t index) const;
+  static WidePoint through(const Warp& warp, WidePoint point);
+  static WidePoint widened(Point point);
+  static Point rounded(WidePoint point);
+  static std::int64_t squaredMiss(WidePoint ideal, Point point);
+  static std::optional<Point> nearestFree(const Placement& placement, const Point* from, WidePoint ideal,
+                                          std::int64_t closerThan, Collider& collider);
+  std::size_t unusedRegion() const;
+  Point centreOf(const Placement& placement) const { return placement.position + placement.shape->centre(); }
+
+  const Geometry* geometry_ = nullptr;
+  ShapeCache* shapes_ = nullptr;
+  const Convex* base_ = nullptr;
+  std::uint32_t shapeIndex_ = 0;
+  std::uint16_t nextId_ = 0;
+  std::uint32_t crossings_ = 0;
+  std::vector<Placement> placements_;
+  // Room for work, kept so that a warmed-up step allocates nothing.
+  std::vector<Placement> undo_;
+  std::vector<std::uint8_t> kept_;
+  Sweep reach_;
+};
+
+}  // namespace platon

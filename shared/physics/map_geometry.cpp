@@ -1,0 +1,47 @@
+#include "shared/physics/map_geometry.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace platon {
+namespace {
+
+auto lowerBound(const Geometry& geometry, std::uint32_t id) {
+  return std::lower_bound(geometry.parts.begin(), geometry.parts.end(), id,
+                          [](const auto& part, std::uint32_t wanted) { return part->id < wanted; });
+}
+
+Segment reversed(const Segment& line) { return {line.b, line.a}; }
+
+}  // namespace
+
+const MapGeometry* Geometry::find(std::uint32_t id) const {
+  const auto found = lowerBound(*this, id);
+  return found != parts.end() && (*found)->id == id ? found->get() : nullptr;
+}
+
+std::optional<std::uint16_t> Geometry::wayBack(std::uint32_t partId, const Warp& warp) const {
+  const MapGeometry* target = find(warp.target);
+  if (target == nullptr) return std::nullopt;
+  for (std::size_t i = 0; i < target->warps.size(); ++i) {
+    const Warp& back = target->warps[i];
+    if (back.target == partId && back.from == reversed(warp.onto) && back.onto == reversed(warp.from)) {
+      return static_cast<std::uint16_t>(i);
+    }
+  }
+  return std::nullopt;
+}
+
+std::shared_ptr<const Geometry> withPart(const Geometry& geometry, MapGeometry part) {
+  if (geometry.find(part.id) != nullptr) {
+    throw std::invalid_argument("map part " + std::to_string(part.id) + " is initialised already: ids are unique");
+  }
+  auto extended = std::make_shared<Geometry>(geometry);
+  const auto place = extended->parts.begin() + (lowerBound(geometry, part.id) - geometry.parts.begin());
+  extended->parts.insert(place, std::make_shared<const MapGeometry>(std::move(part)));
+  return extended;
+}
+
+}  // namespace platon

@@ -1,0 +1,64 @@
+#include "shared/physics/map_part.h"
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "shared/exact/integer.h"
+#include "shared/physics/entity.h"
+#include "shared/physics/world.h"
+
+namespace platon {
+namespace {
+
+void requireCoordinates(std::uint32_t part, Point point) {
+  if (isCoordinate(point.x) && isCoordinate(point.y)) return;
+  throw std::invalid_argument("map part " + std::to_string(part) + ": the point (" + std::to_string(point.x) + ", " +
+                              std::to_string(point.y) + ") lies outside the coordinates, which are below 2^29");
+}
+
+// The rotation table is exact to 2^-29 of the length; 2 subunits allow for ends that were rounded.
+bool turnsOnto(Point from, Point onto, Angle turn) {
+  const Point miss = rotate(from, turn) - onto;
+  return squaredLength(miss) <= 2 * 2;
+}
+
+}  // namespace
+
+void MapPart::line(Point p0, Point p1) {
+  requireCoordinates(id_, p0);
+  requireCoordinates(id_, p1);
+  lines_.push_back({p0, p1});
+}
+
+void MapPart::warp(Point p0, Point p1, std::uint32_t targetMap, Point t0, Point t1) {
+  for (const Point point : {p0, p1, t0, t1}) requireCoordinates(id_, point);
+  const std::string where = "map part " + std::to_string(id_) + ", warp " + std::to_string(warps_.size());
+  if (p0 == p1 || t0 == t1) throw std::invalid_argument(where + ": the two ends are the same point");
+  const Angle turn = angleBetween(p1 - p0, t1 - t0);
+  if (!turnsOnto(p1 - p0, t1 - t0, turn)) {
+    throw std::invalid_argument(where + ": the line and its image differ in length, or the turn between them is no " +
+                                "whole number of hundredths of a degree");
+  }
+  warps_.push_back({{p0, p1}, targetMap, {t0, t1}, turn});
+}
+
+void MapPart::initialize() {
+  MapGeometry part;
+  part.id = id_;
+  part.lines = std::move(lines_);
+  for (const Warp& warp : warps_) part.lines.push_back(warp.from);
+  part.lines.shrink_to_fit();
+  part.warps = std::move(warps_);
+  part.grid = Grid(part.lines);
+  world_->geometry_ = withPart(*world_->geometry_, std::move(part));
+}
+
+void MapPart::insert(Entity& character, const Point& origin, Angle angle) {
+  requireCoordinates(id_, origin);
+  world_->insert(character.index(), id_, origin, angle);
+}
+
+void MapPart::erase(Entity& character) { world_->erase(character.index(), id_); }
+
+}  // namespace platon

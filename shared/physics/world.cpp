@@ -1,0 +1,205 @@
+#include "shared/physics/world.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "shared/exact/hash.h"
+#include "shared/physics/entity.h"
+#include "shared/physics/step_scratch.h"
+
+namespace platon {
+namespace {
+
+std::string named(std::uint32_t entity, std::uint32_t part) {
+  return "entity " + std::to_string(entity) + " in map part " + std::to_string(part) + ": ";
+}
+
+}  // namespace
+
+World::World() : geometry_(std::make_shared<Geometry>()), rules_(nullptr), scratch_(std::make_unique<StepScratch>()) {}
+
+World::World(const World& other)
+    : geometry_(other.geometry_), shapes_(other.shapes_), state_(other.state_), rules_(other.rules_),
+      scratch_(std::make_unique<StepScratch>()) {}
+
+// Keeps its own derived state where that still fits, so that copying back and forth costs no rebuilding.
+World& World::operator=(const World& other) {
+  if (geometry_ != other.geometry_ || shapes_ != other.shapes_) {
+    geometry_ = other.geometry_;
+    shapes_ = other.shapes_;
+    scratch_ = std::make_unique<StepScratch>();
+  }
+  state_ = other.state_;
+  rules_ = other.rules_;
+  return *this;
+}
+
+World::World(World&&) noexcept = default;
+World& World::operator=(World&&) noexcept = default;
+World::~World() = default;
+
+void World::solve(StepObserver* observer) {
+  Rules pierceWarpsOnly;
+  solve(rules_ != nullptr ? *rules_ : pierceWarpsOnly, observer);
+}
+
+void World::solve(Rules& rules, StepObserver* observer) {
+  StepScratch& scratch = *scratch_;
+  scratch.shapes.trim();
+  scratch.further.clear();
+  scratch.regions.resize(state_.entities.size());
+  std::size_t next = 0;
+  for (std::uint32_t index = 0; index < state_.entities.size(); ++index) {
+    EntityState& entity = state_.entities[index];
+    const std::span<const InstanceState> further(state_.instances.data() + next, entity.instances);
+    next += entity.instances;
+    if (entity.inserted == 0) continue;
+    beginStep(index, further, rules, observer);
+    scratch.step.turn(std::exchange(entity.turn, 0));
+    scratch.step.translate(rotate(entity.velocity, entity.heading));
+    scratch.step.finish(scratch.further);
+  }
+  state_.instances.swap(scratch.further);
+}
+
+void World::beginStep(std::uint32_t index, std::span<const InstanceState> further, Rules& rules,
+                      StepObserver* observer) {
+  scratch_->step.begin(Entity(*this, index), state_.entities[index], further,
+                       {*geometry_, shapeOf(index), scratch_->shapes, scratch_->regions[index], rules, observer});
+}
+
+void World::restore(const WorldState& state) { state_ = state; }
+
+std::uint64_t World::hash() const {
+  Hash hash;
+  const auto take = [&](const char*, const auto& field) { hash.add(field); };
+  for (const EntityState& entity : state_.entities) EntityState::visit(entity, take);
+  for (const InstanceState& instance : state_.instances) InstanceState::visit(instance, take);
+  return hash.value();
+}
+
+std::span<const InstanceState> World::instancesOf(std::uint32_t entity) const {
+  std::size_t first = 0;
+  for (std::uint32_t i = 0; i < entity; ++i) first += state_.entities[i].instances;
+  return std::span(state_.instances).subspan(first, state_.entities[entity].instances);
+}
+
+const Convex& World::shapeOf(std::uint32_t entity) const { return *shapes_[state_.entities[entity].shape]; }
+
+std::vector<InstanceView> World::view(std::uint32_t entity) const {
+  std::vector<InstanceView> views;
+  if (state_.entities[entity].inserted == 0) return views;
+  Instances instances;
+  ShapeCache shapes;
+  instances.load(*geometry_, shapes, shapeOf(entity), state_.entities[entity], instancesOf(entity));
+  instances.appendViews(views);
+  return views;
+}
+
+std::uint32_t World::addShape(const Convex& shape) {
+  const auto known = std::find_if(shapes_.begin(), shapes_.end(), [&](const auto& other) { return *other == shape; });
+  const auto index = static_cast<std::uint32_t>(known - shapes_.begin());
+  if (known == shapes_.end()) shapes_.push_back(std::make_shared<const Convex>(shape));
+  return index;
+}
+
+std::uint32_t World::add(const Convex& shape) {
+  EntityState entity;
+  entity.shape = addShape(shape);
+  state_.entities.push_back(entity);
+  return static_cast<std::uint32_t>(state_.entities.size() - 1);
+}
+
+void World::insert(std::uint32_t entity, std::uint32_t part, Point origin, Angle angle) {
+  if (geometry_->find(part) == nullptr) throw std::invalid_argument(named(entity, part) + "that part is not initialised");
+  for (const InstanceView& view : this->view(entity)) {
+    if (view.part == part) throw std::invalid_argument(named(entity, part) + "it is there already: erase it first");
+  }
+  const WorldState before = state_;
+  state_.entities[entity].inserted == 0 ? placeHome(entity, part, origin, angle)
+                                        : placeFurther(entity, part, origin, angle);
+  if (settle(entity)) return;
+  state_ = before;
+  throw std::invalid_argument(named(entity, part) + "the shape overlaps a line there");
+}
+
+void World::placeHome(std::uint32_t entity, std::uint32_t part, Point origin, Angle angle) {
+  EntityState& state = state_.entities[entity];
+  state.part = part;
+  state.position = origin;
+  state.angle = angle;
+  state.id = state.nextId++;
+  state.inserted = 1;
+  state.fresh = 1;
+}
+
+void World::placeFurther(std::uint32_t entity, std::uint32_t part, Point origin, Angle angle) {
+  EntityState& state = state_.entities[entity];
+  if (state.instances + 1u >= Instances::kMost) throw std::invalid_argument(named(entity, part) + "too many instances");
+  InstanceState instance;
+  instance.part = part;
+  instance.angle = angle;
+  instance.homeAnchor = state.position;
+  instance.anchor = origin;
+  instance.id = state.nextId++;
+  instance.fresh = 1;
+  replaceInstances(entity, [&](std::vector<InstanceState>& further) { further.push_back(instance); });
+}
+
+// Adds the instances that the shape reaches. False when any overlaps a line.
+bool World::settle(std::uint32_t entity) {
+  Rules pierceWarpsOnly;
+  scratch_->regions.resize(state_.entities.size());
+  const auto known = instancesOf(entity);
+  const std::vector<InstanceState> before(known.begin(), known.end());
+  beginStep(entity, before, rules_ != nullptr ? *rules_ : pierceWarpsOnly, nullptr);
+  if (!scratch_->step.isFree() || !scratch_->step.settle() || !scratch_->step.isFree()) return false;
+  replaceInstances(entity, [&](std::vector<InstanceState>& further) {
+    further.clear();
+    scratch_->step.store(further);
+  });
+  return true;
+}
+
+template <class Edit>
+void World::replaceInstances(std::uint32_t entity, Edit&& edit) {
+  const auto first = state_.instances.begin() + (instancesOf(entity).data() - state_.instances.data());
+  const auto last = first + state_.entities[entity].instances;
+  std::vector<InstanceState> further(first, last);
+  const auto gap = state_.instances.erase(first, last);
+  edit(further);
+  state_.instances.insert(gap, further.begin(), further.end());
+  state_.entities[entity].instances = static_cast<std::uint16_t>(further.size());
+}
+
+// The instances that hang on others go with them; the next step brings back those still needed.
+void World::erase(std::uint32_t entity, std::uint32_t part) {
+  EntityState& state = state_.entities[entity];
+  if (state.inserted == 0) return;
+  replaceInstances(entity, [&](std::vector<InstanceState>& further) {
+    std::erase_if(further, [&](const InstanceState& instance) {
+      return instance.part == part || instance.parent != InstanceState::kNoParent;
+    });
+    if (state.part != part) return;
+    state.inserted = 0;
+    if (further.empty()) return;
+    const InstanceState heir = further.front();
+    const Direction fromHome = directionOf(heir.angle - state.angle);
+    state.inserted = 1;
+    state.part = heir.part;
+    state.position = heir.anchor + rotate(state.position - heir.homeAnchor, fromHome);
+    state.heading = state.heading + (heir.angle - state.angle);
+    state.angle = heir.angle;
+    state.id = heir.id;
+    further.erase(further.begin());
+  });
+}
+
+void World::remove(std::uint32_t entity) {
+  replaceInstances(entity, [](std::vector<InstanceState>& further) { further.clear(); });
+  state_.entities[entity].inserted = 0;
+}
+
+}  // namespace platon
