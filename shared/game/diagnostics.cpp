@@ -1,0 +1,42 @@
+#include "shared/game/diagnostics.h"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+namespace platon {
+
+std::string format(std::string_view file, const Diagnostic& found) {
+  return std::string(file) + ":" + std::to_string(found.line) + ":" + std::to_string(found.column) +
+         (found.error ? ": error: " : ": warning: ") + found.message;
+}
+
+void Diagnostics::add(TextPosition at, bool error, std::string message) {
+  hasError_ = hasError_ || error;
+  if (found_.size() == kMost) {
+    full_ = true;
+    return;
+  }
+  found_.push_back({at.line, at.column, error, std::move(message)});
+}
+
+std::vector<Diagnostic> Diagnostics::take() {
+  std::stable_sort(found_.begin(), found_.end(), [](const Diagnostic& a, const Diagnostic& b) {
+    return std::tie(a.line, a.column) < std::tie(b.line, b.column);
+  });
+  if (full_) {
+    const Diagnostic last = found_.back();
+    found_.push_back({last.line, last.column, hasError_, "more faults follow, which are not listed: mend these first"});
+  }
+  return std::move(found_);
+}
+
+std::string quoted(std::string_view text) {
+  constexpr std::size_t longest = 32;
+  std::string result = "'";
+  for (const char byte : text.substr(0, longest)) result += byte >= ' ' && byte <= '~' ? byte : '?';
+  if (text.size() > longest) result += "...";
+  return result + "'";
+}
+
+}  // namespace platon

@@ -1,0 +1,193 @@
+#include "shared/game/game.h"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+#include "shared/exact/hash.h"
+#include "shared/game/state_bytes.h"
+#include "shared/physics/map_part.h"
+
+namespace platon {
+namespace {
+
+// Hands what the world reports to the player that it happened to.
+class GameRules : public Rules {
+ public:
+  GameRules(World& world, std::vector<PlayerState>& players) : world_(world), players_(players) {}
+
+  void contact(Entity& entity, const Contact& contact) override {
+    Player(world_, entity.index(), players_[entity.index()]).contact(contact);
+  }
+
+ private:
+  World& world_;
+  std::vector<PlayerState>& players_;
+};
+
+}  // namespace
+
+Game::Game(std::shared_ptr<const Level> level) : level_(std::move(level)), world_(level_->world) {
+  world_.addShape(playerShape());
+}
+
+void Game::advance(std::span<const Input> inputs, StepObserver* observer) {
+  assert(inputs.size() <= kMaxPlayers);
+  admit(inputs);
+  for (std::uint32_t slot = 0; slot < players_.size(); ++slot) {
+    if (players_[slot].present == 0) continue;
+    const Input input = inputs[slot];
+    const bool restart = input.has(Input::kRestart) && (players_[slot].held & Input::kRestart) == 0;
+    if (restart) spawn(slot);
+    Player(world_, slot, players_[slot]).tick(input);
+  }
+  GameRules rules(world_, players_);
+  world_.solve(rules, observer);
+  ++tick_;
+  judge();
+}
+
+std::uint32_t Game::ticksLeft() const { return tick_ < kRoundTicks ? kRoundTicks - tick_ : 0; }
+
+void Game::admit(std::span<const Input> inputs) {
+  for (std::uint32_t slot = 0; slot < std::max(inputs.size(), players_.size()); ++slot) {
+    const bool wanted = slot < inputs.size() && inputs[slot].has(Input::kPresent);
+    const bool present = slot < players_.size() && players_[slot].present != 0;
+    if (wanted && !present) enter(slot);
+    if (!wanted && present) leave(slot);
+  }
+}
+
+void Game::enter(std::uint32_t slot) {
+  while (players_.size() <= slot) {
+    Entity(world_, playerShape());
+    players_.emplace_back();
+  }
+  players_[slot] = {};
+  players_[slot].present = 1;
+  spawn(slot);
+}
+
+// Loading made sure that the start is free.
+void Game::spawn(std::uint32_t slot) {
+  PlayerState& player = players_[slot];
+  player.velocity = player.ground = {};
+  player.coyote = player.jumpBuffer = player.rising = 0;
+  world_.remove(slot);
+  Entity entity(world_, slot);
+  MapPart(world_, level_->startFace).insert(entity, level_->start, level_->startAngle);
+}
+
+void Game::leave(std::uint32_t slot) {
+  world_.remove(slot);
+  players_[slot] = {};
+}
+
+void Game::judge() {
+  std::uint32_t present = 0;
+  std::uint32_t finished = 0;
+  for (std::uint32_t slot = 0; slot < players_.size(); ++slot) {
+    PlayerState& player = players_[slot];
+    if (player.present == 0) continue;
+    ++present;
+    if (player.finished == 0 && touchesGoal(slot)) {
+      player.finished = 1;
+      player.finishedAt = tick_;
+    }
+    finished += player.finished;
+  }
+  if ((present != 0 && finished == present) || tick_ >= kRoundTicks) over_ = 1;
+}
+
+// With any instance: the goal may lie just behind an edge.
+bool Game::touchesGoal(std::uint32_t slot) {
+  const EntityState& entity = world_.entities()[slot];
+  const auto instances = world_.instancesOf(slot);
+  const bool near = entity.part == level_->goalFace ||
+                    std::any_of(instances.begin(), instances.end(), [&](const InstanceState& instance) {
+                      return instance.part == level_->goalFace;
+                    });
+  if (!near) return false;
+  for (const InstanceView& view : world_.view(slot)) {
+    if (view.part != level_->goalFace) continue;
+    const auto shape = playerShape().turned(view.angle);
+    goalSweep_.start(*shape, view.position, {});
+    if (goalSweep_.against({level_->goal, level_->goal})) return true;
+  }
+  return false;
+}
+
+// Everything besides level and world, by name, in the order in which it is hashed and saved.
+template <class Self, class Visitor>
+void Game::visit(Self& self, Visitor&& visitor) {
+  visitor("tick", self.tick_);
+  visitor("over", self.over_);
+  for (auto& player : self.players_) PlayerState::visit(player, visitor);
+}
+
+std::uint64_t Game::hash() const {
+  Hash hash;
+  hash.add(world_.hash());
+  visit(*this, [&](const char*, const auto& field) { hash.add(field); });
+  return hash.value();
+}
+
+std::vector<std::uint8_t> Game::save() const {
+  StateWriter writer;
+  const auto write = [&](const char*, const auto& field) { writer.add(field); };
+  const WorldState& state = world_.save();
+  writer.add(static_cast<std::uint16_t>(players_.size()));
+  for (const EntityState& entity : state.entities) EntityState::visit(entity, write);
+  for (const InstanceState& instance : state.instances) InstanceState::visit(instance, write);
+  visit(*this, write);
+  return writer.take();
+}
+
+bool Game::restore(std::span<const std::uint8_t> bytes) {
+  StateReader reader(bytes);
+  const auto read = [&](const char*, auto& field) { reader.read(field); };
+  std::uint16_t players = 0;
+  reader.read(players);
+  if (players > kMaxPlayers) return false;
+  WorldState state;
+  state.entities.resize(players);
+  std::size_t instances = 0;
+  for (EntityState& entity : state.entities) {
+    EntityState::visit(entity, read);
+    instances += entity.instances;
+  }
+  if (!reader.sound() || instances > reader.left()) return false;
+  state.instances.resize(instances);
+  for (InstanceState& instance : state.instances) InstanceState::visit(instance, read);
+  Game restored(level_);
+  restored.players_.resize(players);
+  visit(restored, read);
+  if (!reader.finished() || !restored.accepts(state)) return false;
+  world_.restore(state);
+  players_ = std::move(restored.players_);
+  tick_ = restored.tick_;
+  over_ = restored.over_;
+  return true;
+}
+
+// Of `state`, whether it fits the players that stand beside it.
+bool Game::accepts(const WorldState& state) const {
+  if (over_ > 1 || !world_.accepts(state)) return false;
+  for (std::size_t slot = 0; slot < players_.size(); ++slot) {
+    const PlayerState& player = players_[slot];
+    const auto inRange = [](Point point, std::int32_t limit) {
+      return std::abs(std::int64_t{point.x}) <= limit && std::abs(std::int64_t{point.y}) <= limit;
+    };
+    if (player.present > 1 || player.finished > 1 || player.rising > 1) return false;
+    if (!inRange(player.velocity, 1 << 20) || !inRange(player.ground, PlayerState::kUnit)) return false;
+    if (player.present != state.entities[slot].inserted) return false;
+  }
+  return true;
+}
+
+bool operator==(const Game& a, const Game& b) {
+  return a.level_->hash == b.level_->hash && a.world_ == b.world_ && a.players_ == b.players_ && a.tick_ == b.tick_ &&
+         a.over_ == b.over_;
+}
+
+}  // namespace platon

@@ -1,0 +1,65 @@
+#include "shared/game/level.h"
+
+#include <utility>
+
+#include "shared/exact/hash.h"
+#include "shared/game/level_reader.h"
+#include "shared/game/stage.h"
+
+namespace platon {
+namespace {
+
+std::uint64_t hashOf(std::string_view text) {
+  Hash hash;
+  hash.add(text.size());
+  for (const char byte : text) hash.add(static_cast<std::uint8_t>(byte));
+  return hash.value();
+}
+
+void checkStart(const World& stage, const LevelPlace& start, Diagnostics& diagnostics) {
+  if (isFreeForPlayer(stage, start.face, start.point, start.angle)) return;
+  diagnostics.error(start.at, "the start is not free: a line or a corner overlaps the player there");
+}
+
+// The draft is complete.
+std::shared_ptr<const Level> makeLevel(LevelDraft draft, World stage, std::string_view text) {
+  auto level = std::make_shared<Level>();
+  level->solid = *draft.solid;
+  level->faceSize = *draft.faceSize;
+  level->startFace = draft.start->face;
+  level->start = draft.start->point;
+  level->startAngle = draft.start->angle;
+  level->goalFace = draft.goal->face;
+  level->goal = draft.goal->point;
+  level->lines = std::move(draft.lines);
+  level->title = std::move(draft.title);
+  level->author = std::move(draft.author);
+  level->text = text;
+  level->hash = hashOf(text);
+  level->world = std::move(stage);
+  return level;
+}
+
+LevelResult tooLong(std::size_t bytes) {
+  return {nullptr, {{1, 1, true, "the text has " + std::to_string(bytes) + " bytes: at most " +
+                                     std::to_string(kMostLevelBytes) + " are allowed"}}};
+}
+
+}  // namespace
+
+LevelResult loadLevel(std::string_view text) {
+  if (text.size() > kMostLevelBytes) return tooLong(text.size());
+  Diagnostics diagnostics;
+  LevelDraft draft = LevelReader(text, diagnostics).read();
+  World stage;
+  if (draft.solid && draft.faceSize && draft.start) {
+    stage = buildStage(*draft.solid, *draft.faceSize, draft.lines);
+    checkStart(stage, *draft.start, diagnostics);
+  }
+  LevelResult result;
+  if (!diagnostics.hasError()) result.level = makeLevel(std::move(draft), std::move(stage), text);
+  result.diagnostics = diagnostics.take();
+  return result;
+}
+
+}  // namespace platon

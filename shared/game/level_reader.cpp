@@ -1,0 +1,287 @@
+#include "shared/game/level_reader.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <tuple>
+#include <utility>
+
+namespace platon {
+namespace {
+
+constexpr std::string_view kHeaderNames[] = {"the solid, such as HEXAHEDRON", "the start: face x y degrees",
+                                             "the goal: face x y", "the face size"};
+
+bool isFaceMark(const LevelToken& token) { return token.text == "%"; }
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view blanks = " \t";
+  const std::size_t first = text.find_first_not_of(blanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+std::optional<SolidKind> kindOf(std::string_view name) {
+  for (int i = 0; i < kSolidKinds; ++i) {
+    if (nameOf(static_cast<SolidKind>(i)) == name) return static_cast<SolidKind>(i);
+  }
+  return std::nullopt;
+}
+
+FinePoint finePoint(const LevelNumber& x, const LevelNumber& y) {
+  return {x.tenThousandths * FinePoint::kPerTenThousandth, y.tenThousandths * FinePoint::kPerTenThousandth};
+}
+
+bool isPoint(FinePoint a, FinePoint b) { return a.x == b.x && a.y == b.y; }
+
+// What a line outside the face leaves where it touches the edge. `segment` is the part of a–b on the face.
+bool isTouch(FinePoint a, FinePoint b, const Segment& segment) {
+  constexpr std::int64_t longest = 2;
+  constexpr std::int64_t longestFine = (longest + 1) * FinePoint::kPerSubunit;
+  return squaredLength(segment.b - segment.a) <= longest * longest &&
+         std::max(std::abs(b.x - a.x), std::abs(b.y - a.y)) > longestFine;
+}
+
+bool insidePost(const Post& post, const Segment& line) {
+  // The cut goes clockwise round the corner, which lies on its right.
+  const Point along = post.cut.b - post.cut.a;
+  return cross(along, line.a - post.cut.a) <= 0 && cross(along, line.b - post.cut.a) <= 0;
+}
+
+}  // namespace
+
+// One number of a line: what it is called in messages and what it may be.
+struct LevelReader::Field {
+  std::string_view name;
+  std::int64_t low;
+  std::int64_t high;
+  bool whole;
+
+  static constexpr Field coordinate(std::string_view name) {
+    return {name, -FaceArea::kMostUnits, FaceArea::kMostUnits, false};
+  }
+};
+
+LevelDraft LevelReader::read() {
+  LevelLine line;
+  while (text_.next(line)) readLine(line);
+  finish();
+  return std::move(draft_);
+}
+
+void LevelReader::readLine(const LevelLine& line) {
+  if (header_ == 0) readComment(line);
+  if (line.broken) {
+    if (header_ < kHeaderLines) ++header_;
+    return;
+  }
+  if (line.tokens.empty()) return;
+  if (isFaceMark(line.tokens[0])) return readFaceMark(line);
+  if (header_ < kHeaderLines) return readHeader(line);
+  readSegment(line);
+}
+
+void LevelReader::readComment(const LevelLine& line) {
+  if (line.comment.empty() || !line.tokens.empty()) return;
+  readName(line, "title:", draft_.title);
+  readName(line, "author:", draft_.author);
+}
+
+void LevelReader::readName(const LevelLine& line, std::string_view key, std::string& name) {
+  const std::string_view content = trimmed(line.comment.substr(1));
+  if (!content.starts_with(key)) return;
+  const std::string_view value = trimmed(content.substr(key.size()));
+  const TextPosition at{line.number, line.commentColumn};
+  if (!name.empty()) {
+    diagnostics_->error(at, "a second '" + std::string(key) + "': give it once");
+  } else if (value.size() > kLongestName) {
+    diagnostics_->error(at, "'" + std::string(key) + "' has " + std::to_string(value.size()) + " bytes: at most " +
+                                std::to_string(kLongestName) + " are allowed");
+  } else {
+    name = value;
+  }
+}
+
+void LevelReader::readHeader(const LevelLine& line) {
+  const Field start[] = {faceField(), Field::coordinate("x"), Field::coordinate("y"), {"degrees", -360, 360, true}};
+  switch (header_++) {
+    case 0: return readSolid(line);
+    case 1: draft_.start = readPlace(line, "the start is: face x y degrees", start); return;
+    case 2: draft_.goal = readPlace(line, "the goal is: face x y", std::span(start).first(3)); return;
+    default: return readFaceSize(line);
+  }
+}
+
+void LevelReader::readSolid(const LevelLine& line) {
+  const LevelToken& name = line.tokens[0];
+  draft_.solid = kindOf(name.text);
+  if (!draft_.solid) {
+    diagnostics_->error({line.number, name.column},
+                        "unknown solid " + quoted(name.text) +
+                            ": it is TETRAHEDRON, HEXAHEDRON, OCTAHEDRON, DODECAHEDRON or ICOSAHEDRON");
+  } else {
+    draft_.lines.resize(static_cast<std::size_t>(PlatonicSolid::of(*draft_.solid).faces()));
+  }
+  if (line.tokens.size() > 1) {
+    diagnostics_->error({line.number, line.tokens[1].column},
+                        "the solid stands alone on its line: take " + quoted(line.tokens[1].text) + " away");
+  }
+}
+
+LevelReader::Field LevelReader::faceField() const {
+  const std::int64_t faces = draft_.solid ? PlatonicSolid::of(*draft_.solid).faces() : FaceArea::kMostUnits;
+  return {"face", 0, faces - 1, true};
+}
+
+std::optional<LevelPlace> LevelReader::readPlace(const LevelLine& line, std::string_view what,
+                                                 std::span<const Field> fields) {
+  std::array<LevelNumber, kHeaderLines> numbers;
+  if (!readFields(line, what, fields, numbers)) return std::nullopt;
+  LevelPlace place;
+  place.face = static_cast<std::uint32_t>(numbers[0].whole());
+  place.point = {numbers[1].subunits(), numbers[2].subunits()};
+  place.angle = Angle::degrees(static_cast<std::int32_t>(numbers[3].whole()));
+  place.at = {line.number, line.tokens[1].column};
+  return place;
+}
+
+void LevelReader::readFaceSize(const LevelLine& line) {
+  const Field field{"face size", kLeastFaceSize, kMostFaceSize, true};
+  LevelNumber size;
+  if (!readFields(line, "the face size is one number", {&field, 1}, {&size, 1})) return;
+  draft_.faceSize = static_cast<std::int32_t>(size.whole());
+  if (!draft_.solid) return;
+  area_.emplace(facePolygon(*draft_.solid, *draft_.faceSize));
+  posts_ = postsOf(*draft_.solid, *draft_.faceSize);
+}
+
+void LevelReader::readFaceMark(const LevelLine& line) {
+  const TextPosition at{line.number, line.tokens[0].column};
+  reportMissingHeader(at);
+  ++faces_;
+  const std::size_t most = draft_.lines.size();
+  if (draft_.solid && faces_ > most) {
+    diagnostics_->error(at, "one '%' too many: this is number " + std::to_string(faces_) + ", but the solid has " +
+                                std::to_string(most) + " faces");
+  }
+  if (line.tokens.size() > 1) {
+    diagnostics_->error({line.number, line.tokens[1].column},
+                        "'%' stands alone on its line: move " + quoted(line.tokens[1].text) + " to the next");
+  }
+}
+
+void LevelReader::reportMissingHeader(TextPosition at) {
+  for (; header_ < kHeaderLines; ++header_) {
+    diagnostics_->error(at, "a line is missing before this: " + std::string(kHeaderNames[header_]));
+  }
+}
+
+void LevelReader::readSegment(const LevelLine& line) {
+  static constexpr std::array<Field, 4> fields = {Field::coordinate("x0"), Field::coordinate("y0"),
+                                                  Field::coordinate("x1"), Field::coordinate("y1")};
+  std::array<LevelNumber, 4> numbers;
+  const bool good = readFields(line, "a line is: x0 y0 x1 y1", fields, numbers);
+  const TextPosition at{line.number, line.tokens[0].column};
+  if (segments_++ == 0 && faces_ == 0) {
+    diagnostics_->error(at, "a line before the first '%': every face begins with a '%'");
+  }
+  if (segments_ == kMostLines + 1) {
+    diagnostics_->error(at, "more than " + std::to_string(kMostLines) + " lines: take some away");
+  }
+  if (good && segments_ <= kMostLines) addSegment(line, numbers);
+}
+
+void LevelReader::addSegment(const LevelLine& line, std::span<const LevelNumber> numbers) {
+  if (!area_ || faces_ == 0 || faces_ > draft_.lines.size()) return;
+  const TextPosition at{line.number, line.tokens[0].column};
+  const FinePoint a = finePoint(numbers[0], numbers[1]);
+  const FinePoint b = finePoint(numbers[2], numbers[3]);
+  const auto segment = area_->cut(a, b);
+  if (!segment) {
+    diagnostics_->error(at, "the line lies wholly outside its face");
+    return;
+  }
+  if (isPoint(a, b)) {
+    diagnostics_->warning(at, "a line without length: it blocks as a point");
+  } else if (isTouch(a, b, *segment)) {
+    diagnostics_->warning(at, "hardly anything of the line is on its face");
+  }
+  if (std::any_of(posts_.begin(), posts_.end(), [&](const Post& post) { return insidePost(post, *segment); })) {
+    diagnostics_->warning(at, "the line lies wholly in a corner of its face, which is blocked already");
+  }
+  draft_.lines[faces_ - 1].push_back(*segment);
+  placed_.push_back({faces_ - 1, *segment, at});
+}
+
+bool LevelReader::readFields(const LevelLine& line, std::string_view what, std::span<const Field> fields,
+                             std::span<LevelNumber> numbers) {
+  bool good = true;
+  for (std::size_t i = 0; i < std::min(line.tokens.size(), fields.size()); ++i) {
+    good = readField(line, i, fields[i], numbers[i]) && good;
+  }
+  if (line.tokens.size() < fields.size()) {
+    diagnostics_->error({line.number, line.end},
+                        std::string(what) + "; " + std::string(fields[line.tokens.size()].name) + " is missing");
+  } else if (line.tokens.size() > fields.size()) {
+    const LevelToken& extra = line.tokens[fields.size()];
+    diagnostics_->error({line.number, extra.column}, std::string(what) + "; " + quoted(extra.text) + " is too much");
+  }
+  return good && line.tokens.size() == fields.size();
+}
+
+bool LevelReader::readField(const LevelLine& line, std::size_t index, const Field& field, LevelNumber& number) {
+  const LevelToken& token = line.tokens[index];
+  const auto fail = [&](const std::string& rule) {
+    diagnostics_->error({line.number, token.column},
+                        std::string(field.name) + " " + rule + ", not " + quoted(token.text));
+    return false;
+  };
+  const NumberFault fault = parseNumber(token.text, std::max(-field.low, field.high), number);
+  if (fault == NumberFault::kNotANumber) {
+    return fail(field.whole ? "must be a whole number such as 12" : "must be a number such as -12 or 0.25");
+  }
+  if (field.whole && (fault == NumberFault::kTooManyDecimals || token.text.find('.') != std::string_view::npos)) {
+    return fail("must be a whole number");
+  }
+  if (fault == NumberFault::kTooManyDecimals) return fail("must have at most four decimals");
+  const std::int64_t value = number.tenThousandths;
+  if (fault == NumberFault::kTooLarge || value < field.low * LevelNumber::kOne ||
+      value > field.high * LevelNumber::kOne) {
+    return fail("must be between " + std::to_string(field.low) + " and " + std::to_string(field.high));
+  }
+  return true;
+}
+
+void LevelReader::checkInside(std::optional<LevelPlace>& place, std::string_view what) {
+  if (!place || !area_ || area_->contains(place->point)) return;
+  diagnostics_->error(place->at, std::string(what) + " lies outside its face");
+  place.reset();
+}
+
+void LevelReader::warnOfRepeats() {
+  const auto key = [](const Placed& placed) {
+    const auto [a, b] = placed.segment;
+    const bool swapped = std::tie(b.x, b.y) < std::tie(a.x, a.y);
+    const Point first = swapped ? b : a;
+    const Point last = swapped ? a : b;
+    return std::tuple(placed.face, first.x, first.y, last.x, last.y);
+  };
+  std::stable_sort(placed_.begin(), placed_.end(), [&](const Placed& a, const Placed& b) { return key(a) < key(b); });
+  for (std::size_t i = 1; i < placed_.size(); ++i) {
+    if (key(placed_[i - 1]) != key(placed_[i])) continue;
+    diagnostics_->warning(placed_[i].at, "the same line as in line " + std::to_string(placed_[i - 1].at.line));
+  }
+}
+
+void LevelReader::finish() {
+  const TextPosition end{text_.lines(), text_.endOfLine()};
+  reportMissingHeader(end);
+  if (draft_.solid && faces_ < draft_.lines.size()) {
+    diagnostics_->error(end, "the text ends after " + std::to_string(faces_) + " of " +
+                                 std::to_string(draft_.lines.size()) + " faces: each needs a '%'");
+  }
+  checkInside(draft_.start, "the start");
+  checkInside(draft_.goal, "the goal");
+  warnOfRepeats();
+}
+
+}  // namespace platon

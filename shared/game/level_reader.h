@@ -1,0 +1,96 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "shared/exact/angle.h"
+#include "shared/exact/point.h"
+#include "shared/game/diagnostics.h"
+#include "shared/game/face_area.h"
+#include "shared/game/level_number.h"
+#include "shared/game/level_text.h"
+#include "shared/game/solid.h"
+#include "shared/game/stage.h"
+#include "shared/physics/segment.h"
+
+namespace platon {
+
+/// A point of a level with the place in the text that gives it.
+struct LevelPlace {
+  std::uint32_t face = 0;
+  Point point;
+  Angle angle;
+  TextPosition at;      ///< of the x
+};
+
+/// What could be read of a level text; complete when nothing was reported as an error.
+struct LevelDraft {
+  std::optional<SolidKind> solid;
+  std::optional<std::int32_t> faceSize;
+  std::optional<LevelPlace> start;
+  std::optional<LevelPlace> goal;
+  std::vector<std::vector<Segment>> lines;    ///< one list per face once the solid is known
+  std::string title;
+  std::string author;
+};
+
+/// Reads a level text line by line, reporting every fault. It does not know which places are free.
+class LevelReader {
+ public:
+  /// Longest title and author, bytes.
+  static constexpr std::size_t kLongestName = 100;
+  /// Most lines of all faces together.
+  static constexpr std::size_t kMostLines = 200000;
+
+  LevelReader(std::string_view text, Diagnostics& diagnostics) : text_(text, diagnostics), diagnostics_(&diagnostics) {}
+
+  LevelDraft read();
+
+ private:
+  struct Field;
+  struct Placed {
+    std::size_t face;
+    Segment segment;
+    TextPosition at;
+  };
+  static constexpr std::size_t kHeaderLines = 4;
+
+  void readLine(const LevelLine& line);
+  void readComment(const LevelLine& line);
+  void readName(const LevelLine& line, std::string_view key, std::string& name);
+  void readHeader(const LevelLine& line);
+  void readSolid(const LevelLine& line);
+  std::optional<LevelPlace> readPlace(const LevelLine& line, std::string_view what, std::span<const Field> fields);
+  void readFaceSize(const LevelLine& line);
+  void readFaceMark(const LevelLine& line);
+  void readSegment(const LevelLine& line);
+  void addSegment(const LevelLine& line, std::span<const LevelNumber> numbers);
+  bool readFields(const LevelLine& line, std::string_view what, std::span<const Field> fields,
+                  std::span<LevelNumber> numbers);
+  bool readField(const LevelLine& line, std::size_t index, const Field& field, LevelNumber& number);
+
+  Field faceField() const;
+  void reportMissingHeader(TextPosition at);
+  void prepareFaces();
+  void checkInside(std::optional<LevelPlace>& place, std::string_view what);
+  void warnOfRepeats();
+  void finish();
+
+  LevelText text_;
+  Diagnostics* diagnostics_;
+  LevelDraft draft_;
+  std::size_t header_ = 0;            // header lines met so far
+  std::size_t faces_ = 0;             // '%' met so far
+  std::size_t segments_ = 0;
+  std::optional<FaceArea> area_;      // once solid and face size are known
+  std::vector<Post> posts_;
+  std::vector<Placed> placed_;        // every line of the draft, with where it stands
+};
+
+}  // namespace platon

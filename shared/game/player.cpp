@@ -1,0 +1,146 @@
+#include "shared/game/player.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+#include <vector>
+
+#include "shared/exact/integer.h"
+#include "shared/physics/slide.h"
+
+namespace platon {
+namespace {
+
+// Subunits a tick, and subunits a tick squared; 60 ticks a second, 1024 subunits a unit.
+constexpr std::int32_t kRunSpeed = 3277;         // 192 units a second
+constexpr std::int32_t kGroundAcceleration = 410;
+constexpr std::int32_t kAirAcceleration = 205;
+constexpr std::int32_t kGroundFriction = 546;
+constexpr std::int32_t kAirFriction = 51;
+constexpr std::int32_t kGravity = 256;
+constexpr std::int32_t kJumpSpeed = 5734;        // about 62 units high
+constexpr std::int32_t kCutJumpSpeed = 1800;     // what is left of it when the button is let go
+constexpr std::int32_t kFallSpeed = 12288;
+// A standing player is pressed to the ground by this much, so that it follows gentle slopes and edges; the press is no
+// part of the velocity.
+constexpr std::int32_t kPress = 512;
+constexpr std::uint8_t kCoyoteTicks = 6;
+constexpr std::uint8_t kJumpBufferTicks = 6;
+// Ground is what is at most 50 degrees steep: cos 50° of a unit.
+constexpr std::int32_t kGroundNormal = 10531;
+
+std::int32_t towards(std::int32_t value, std::int32_t target, std::int32_t step) {
+  return value < target ? std::min(value + step, target) : std::max(value - step, target);
+}
+
+std::int64_t squareRoot(std::int64_t value) {
+  std::int64_t root = 0;
+  for (std::int64_t bit = std::int64_t{1} << 31; bit != 0; bit >>= 1) {
+    if ((root + bit) * (root + bit) <= value) root += bit;
+  }
+  return root;
+}
+
+// `vector` scaled to the length of a unit. Below 2^30 a coordinate, not zero.
+Point unit(Point vector) {
+  while (std::max(std::abs(vector.x), std::abs(vector.y)) < (1 << 28)) vector = vector + vector;
+  const std::int64_t length = squareRoot(squaredLength(vector));
+  return {static_cast<std::int32_t>(divideRounded(std::int64_t{vector.x} * PlayerState::kUnit, length)),
+          static_cast<std::int32_t>(divideRounded(std::int64_t{vector.y} * PlayerState::kUnit, length))};
+}
+
+// `vector` times length / kUnit.
+Point scaled(Point vector, std::int64_t length) {
+  return {static_cast<std::int32_t>(divideRounded<std::int64_t>(vector.x * length, PlayerState::kUnit)),
+          static_cast<std::int32_t>(divideRounded<std::int64_t>(vector.y * length, PlayerState::kUnit))};
+}
+
+// The part of `vector` along a unit vector.
+std::int32_t along(Point vector, Point direction) {
+  return static_cast<std::int32_t>(divideRounded<std::int64_t>(dot(vector, direction), PlayerState::kUnit));
+}
+
+// To the right along the ground; in the air simply to the right.
+Point tangentOf(Point ground) { return ground == Point() ? Point(PlayerState::kUnit, 0) : -perpendicular(ground); }
+
+Convex makeBall() {
+  std::vector<Point> vertices;
+  // The first corner to the right of the bottom edge; -78.75 degrees.
+  for (std::int32_t i = 0; i < 16; ++i) vertices.push_back(rotate(Point(kPlayerRadius, 0), Angle(-7875 + i * 2250)));
+  return Convex(std::move(vertices));
+}
+
+}  // namespace
+
+const Convex& playerShape() {
+  static const Convex shape = makeBall();
+  return shape;
+}
+
+void Player::tick(Input input) {
+  run(input);
+  jump(input);
+  state_->held = input.buttons;
+  fall();
+  const Point press = scaled(-state_->ground, kPress);
+  setVelocity(platon::rotate(state_->velocity + press, up()));
+  state_->ground = Point();   // until a contact says otherwise
+}
+
+void Player::run(Input input) {
+  const bool grounded = state_->ground != Point();
+  const Point tangent = tangentOf(state_->ground);
+  const int direction = int{input.has(Input::kRight)} - int{input.has(Input::kLeft)};
+  const std::int32_t step = direction == 0 ? (grounded ? kGroundFriction : kAirFriction)
+                                           : (grounded ? kGroundAcceleration : kAirAcceleration);
+  const std::int32_t speed = towards(along(state_->velocity, tangent), direction * kRunSpeed, step);
+  if (grounded) {
+    state_->velocity = scaled(tangent, speed);
+  } else {
+    state_->velocity.x = speed;
+  }
+}
+
+void Player::jump(Input input) {
+  const bool pressed = input.has(Input::kJump) && (state_->held & Input::kJump) == 0;
+  if (state_->ground != Point()) state_->coyote = kCoyoteTicks;
+  if (pressed) state_->jumpBuffer = kJumpBufferTicks;
+  if (state_->jumpBuffer != 0 && state_->coyote != 0) {
+    state_->velocity.y = std::max(state_->velocity.y, 0) + kJumpSpeed;
+    state_->ground = Point();
+    state_->jumpBuffer = state_->coyote = 0;
+    state_->rising = 1;
+    return;
+  }
+  if (state_->coyote != 0) --state_->coyote;
+  if (state_->jumpBuffer != 0) --state_->jumpBuffer;
+}
+
+void Player::fall() {
+  if (state_->ground != Point()) {
+    state_->rising = 0;
+    return;
+  }
+  if (state_->rising != 0 && (state_->held & Input::kJump) == 0 && state_->velocity.y > kCutJumpSpeed) {
+    state_->velocity.y = kCutJumpSpeed;
+  }
+  if (state_->velocity.y <= kCutJumpSpeed) state_->rising = 0;
+  state_->velocity.y = std::max(state_->velocity.y - kGravity, -kFallSpeed);
+}
+
+void Player::contact(const Contact& contact) {
+  const Point normal = unit(turnedNormal(contact.normal, contact.toHome - up()));
+  const bool landing = normal.y >= kGroundNormal;
+  const bool wasInAir = state_->coyote != kCoyoteTicks - 1;
+  if (landing) state_->ground = normal;
+  Point& velocity = state_->velocity;
+  const std::int32_t inwards = along(velocity, normal);
+  if (inwards >= 0) return;
+  if (landing && wasInAir) {
+    velocity = scaled(tangentOf(normal), velocity.x);   // a fall ends in a run, not in a slide down the slope
+  } else {
+    velocity -= scaled(normal, inwards);
+  }
+}
+
+}  // namespace platon

@@ -1,0 +1,73 @@
+#include "shared/game/stage.h"
+
+#include <stdexcept>
+
+#include "shared/exact/integer.h"
+#include "shared/game/player.h"
+#include "shared/physics/entity.h"
+#include "shared/physics/map_part.h"
+
+namespace platon {
+namespace {
+
+Point alongEdge(Point corner, Point other, std::int64_t edgeLength) {
+  const auto reach = [&](std::int32_t from, std::int32_t to) {
+    return static_cast<std::int32_t>(divideRounded((std::int64_t{to} - from) * kPostReach, edgeLength));
+  };
+  return corner + Point(reach(corner.x, other.x), reach(corner.y, other.y));
+}
+
+void addWarps(MapPart& part, const PlatonicSolid& solid, const std::vector<Point>& polygon) {
+  const auto corner = [&](int index) {
+    return polygon[static_cast<std::size_t>(index) % polygon.size()];
+  };
+  for (int edge = 0; edge < solid.edgesPerFace(); ++edge) {
+    const PlatonicSolid::Neighbour& behind = solid.neighbour(static_cast<int>(part.id()), edge);
+    part.warp(corner(edge), corner(edge + 1), behind.face, corner(behind.edge + 1), corner(behind.edge));
+  }
+}
+
+}  // namespace
+
+std::vector<Post> postsOf(SolidKind kind, std::int32_t faceSize) {
+  const std::vector<Point> polygon = facePolygon(kind, faceSize);
+  const std::int64_t edgeLength = std::int64_t{faceSize} * kSubunitsPerUnit;
+  const std::size_t count = polygon.size();
+  std::vector<Post> posts;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Point before = alongEdge(polygon[i], polygon[(i + count - 1) % count], edgeLength);
+    const Point after = alongEdge(polygon[i], polygon[(i + 1) % count], edgeLength);
+    posts.push_back({{before, after}, polygon[i]});
+  }
+  return posts;
+}
+
+World buildStage(SolidKind kind, std::int32_t faceSize, std::span<const std::vector<Segment>> lines) {
+  World world;
+  const PlatonicSolid& solid = PlatonicSolid::of(kind);
+  const std::vector<Point> polygon = facePolygon(kind, faceSize);
+  const std::vector<Post> posts = postsOf(kind, faceSize);
+  for (int face = 0; face < solid.faces(); ++face) {
+    MapPart part(world, static_cast<std::uint32_t>(face));
+    for (const Segment& line : lines[static_cast<std::size_t>(face)]) part.line(line.a, line.b);
+    for (const Post& post : posts) {
+      part.line(post.cut.a, post.cut.b);
+      part.line(post.corner, post.corner);
+    }
+    addWarps(part, solid, polygon);
+    part.initialize();
+  }
+  return world;
+}
+
+bool isFreeForPlayer(World world, std::uint32_t face, Point position, Angle angle) {
+  Entity player(world, playerShape());
+  try {
+    MapPart(world, face).insert(player, position, angle);
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
+  return true;
+}
+
+}  // namespace platon
