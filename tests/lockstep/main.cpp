@@ -1,0 +1,58 @@
+#include <cstdio>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "platon_version.h"
+#include "tests/lockstep/commands.h"
+#include "tests/lockstep/options.h"
+
+namespace {
+
+constexpr std::string_view kHelp = R"(platon-sim: runs the simulation without server, client or clock
+
+  platon-sim run LEVEL [--players N] [--ticks T] [--seed S] [--drive play|fling|push] [--max-speed U]
+                       [--velocity VX,VY] [--trace FILE] [--json]
+      play: seeded button presses (default). fling: no game rules, every tick each entity gets a seeded random
+      velocity of up to U subunits a tick. push: no game rules, every tick each entity gets this velocity in its
+      own frame.
+  platon-sim world SCENE --ticks T [--seed S --max-speed U] [--trace FILE] [--json]
+      physics alone, on a scene file; with --max-speed a random velocity instead of the scene's
+  platon-sim sweep
+      one query a line on standard input: m x1 y1 ... xm ym  px py  vx vy  ax ay bx by
+      one answer a line: miss, or hit N D nx ny
+  platon-sim --help | --version
+
+Exit codes: 0 ok, 1 failed, 2 usage, 3 invalid level or scene.
+)";
+
+int dispatch(const std::vector<std::string>& arguments) {
+  using namespace platon::sim;
+  const std::map<std::string, int (*)(const std::vector<std::string>&)> commands{
+      {"run", runCommand}, {"world", worldCommand}, {"sweep", sweepCommand}};
+  if (arguments.empty()) throw UsageError("no command: platon-sim --help lists them");
+  for (const std::string& argument : arguments) {
+    if (argument == "--help") return std::fputs(kHelp.data(), stdout), 0;
+    if (argument == "--version") return std::printf("platon-sim %s\n", platon::kVersion.data()), 0;
+  }
+  const auto command = commands.find(arguments.front());
+  if (command == commands.end()) {
+    throw UsageError("unknown command '" + arguments.front() + "': platon-sim --help lists them");
+  }
+  return command->second({arguments.begin() + 1, arguments.end()});
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return dispatch({argv + 1, argv + argc});
+  } catch (const platon::sim::UsageError& reason) {
+    std::fprintf(stderr, "platon-sim: %s\n", reason.what());
+    return 2;
+  } catch (const platon::sim::InputError& reason) {
+    if (*reason.what() != '\0') std::fprintf(stderr, "%s\n", reason.what());
+    return 3;
+  }
+}
