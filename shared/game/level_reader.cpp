@@ -118,9 +118,9 @@ void LevelReader::readSolid(const LevelLine& line) {
     diagnostics_->error({line.number, name.column},
                         "unknown solid " + quoted(name.text) +
                             ": it is TETRAHEDRON, HEXAHEDRON, OCTAHEDRON, DODECAHEDRON or ICOSAHEDRON");
-  } else {
-    draft_.lines.resize(static_cast<std::size_t>(PlatonicSolid::of(*draft_.solid).faces()));
+    return;
   }
+  draft_.lines.resize(static_cast<std::size_t>(PlatonicSolid::of(*draft_.solid).faces()));
   if (line.tokens.size() > 1) {
     diagnostics_->error({line.number, line.tokens[1].column},
                         "the solid stands alone on its line: take " + quoted(line.tokens[1].text) + " away");

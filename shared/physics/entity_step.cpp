@@ -212,7 +212,10 @@ Point EntityStep::homeNormalOf(const LegHit& hit) const {
 // The centre may have crossed several parts; each passing turns the frame, and what is left of the displacement with
 // it. Instances are dropped only afterwards: dropping first would let a fast mover escape the solid.
 void EntityStep::passHome(Point& rest) {
-  while (const auto turn = instances_.passHome(collider_)) {
+  while (instances_.homeIsDue()) {
+    if (instances_.mendDrift(collider_)) observe();
+    const auto turn = instances_.passHome();
+    if (!turn) break;
     rest = rotate(rest, *turn);
     wanted_ = rotate(wanted_, *turn);
     instances_.storeHome(*state_);

@@ -31,8 +31,8 @@ constexpr auto kOffsets = [] {
 
 constexpr std::int64_t squaredWide(std::int32_t subunits) { return subunits * kWideOne * subunits * kWideOne; }
 constexpr std::int64_t kMostSquaredError = squaredWide(Instances::kMostError);
-// Half the diagonal of a lattice cell is 0.71 subunits: what lies closer than one cannot be bettered by much.
-constexpr std::int64_t kWorthMending = squaredWide(1) + squaredWide(1) / 4;
+// Half the diagonal of a lattice cell is 0.71 subunits: what is closer than one cannot be bettered by much.
+constexpr std::int64_t kWorthMending = squaredWide(1);
 
 }  // namespace
 
@@ -177,17 +177,16 @@ const Convex* Instances::shapeTurned(std::size_t index, std::int32_t hundredths)
   return shapes_->turned(shapeIndex_, *base_, placements_[index].angle + Angle(hundredths));
 }
 
-std::optional<Angle> Instances::passHome(Collider& collider) {
+std::optional<Angle> Instances::passHome() {
   const std::size_t next = heir();
   if (next == Placement::kNone) return std::nullopt;
   const Angle before = home().angle;
   undo_ = placements_;
   reroot(next);
   anchorAll();
-  mendDrift(collider);
   for (std::size_t i = 1; i < placements_.size(); ++i) {
     if (withinError(i)) continue;
-    placements_ = undo_;   // wedged so that the drift cannot be mended: home waits
+    placements_ = undo_;
     return std::nullopt;
   }
   ++crossings_;
@@ -236,7 +235,8 @@ void Instances::anchorAll() {
 
 // A crossing to and fro inverts a rounded placement each time: without mending, the roundings of an entity that
 // dithers on an edge would add up.
-void Instances::mendDrift(Collider& collider) {
+bool Instances::mendDrift(Collider& collider) {
+  bool any = false;
   for (std::size_t i = 1; i < placements_.size(); ++i) {
     Placement& placement = placements_[i];
     if (placement.parent == Placement::kNone) continue;
@@ -244,8 +244,12 @@ void Instances::mendDrift(Collider& collider) {
     const std::int64_t miss = squaredMiss(target, placement.position);
     if (miss <= kWorthMending) continue;
     const auto better = nearestFree(placement, &placement.position, target, miss, collider);
-    if (better) placement.position = placement.anchor = *better;
+    if (!better || *better == placement.position) continue;
+    placement.position = placement.anchor = *better;
+    placement.homeAnchor = home().position;
+    any = true;
   }
+  return any;
 }
 
 bool Instances::withinError(std::size_t index) const {

@@ -56,9 +56,15 @@ class Instances {
   /// The shape of placement `index` if it were turned further; null when it degenerates.
   const Convex* shapeTurned(std::size_t index, std::int32_t hundredths);
 
-  /// Hands home to the instance whose part the centre has crossed into, if any. Nothing moves, but for instances that
-  /// have drifted by a rounding and are free to mend it. Returns the turn from the old home's frame to the new one's.
-  std::optional<Angle> passHome(Collider& collider);
+  /// Whether the centre has crossed into the part of another instance.
+  bool homeIsDue() const { return heir() != Placement::kNone; }
+  /// Moves every instance that has drifted by roundings back to the free lattice point nearest to its true placement;
+  /// home stays. True when any moved.
+  bool mendDrift(Collider& collider);
+  /// Hands home to the instance whose part the centre has crossed into. No instance moves. Returns the turn from the
+  /// old home's frame to the new one's; nothing when home is not due, or when an instance would then be farther than
+  /// kMostError from its true placement.
+  std::optional<Angle> passHome();
   /// Removes the instances whose warp line their parent, grown by `margin`, no longer reaches. True when any was.
   bool dropUnreached(std::int32_t margin);
 
@@ -73,7 +79,6 @@ class Instances {
   std::size_t heir() const;
   void reroot(std::size_t heir);
   void anchorAll();
-  void mendDrift(Collider& collider);
   bool withinError(std::size_t index) const;
   bool reached(std::size_t index, std::int32_t margin);
   bool hangs(std::size_t index) const;
