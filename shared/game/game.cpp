@@ -110,7 +110,7 @@ bool Game::touchesGoal(std::uint32_t slot) {
   if (!near) return false;
   for (const InstanceView& view : world_.view(slot)) {
     if (view.part != level_->goalFace) continue;
-    const auto shape = playerShape().turned(view.angle);
+    const auto shape = world_.shapeOf(slot).turned(view.angle);
     goalSweep_.start(*shape, view.position, {});
     if (goalSweep_.against({level_->goal, level_->goal})) return true;
   }

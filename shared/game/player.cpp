@@ -63,18 +63,13 @@ std::int32_t along(Point vector, Point direction) {
 // To the right along the ground; in the air simply to the right.
 Point tangentOf(Point ground) { return ground == Point() ? Point(PlayerState::kUnit, 0) : -perpendicular(ground); }
 
-Convex makeBall() {
+}  // namespace
+
+Convex playerShape() {
   std::vector<Point> vertices;
   // The first corner to the right of the bottom edge; -78.75 degrees.
   for (std::int32_t i = 0; i < 16; ++i) vertices.push_back(rotate(Point(kPlayerRadius, 0), Angle(-7875 + i * 2250)));
   return Convex(std::move(vertices));
-}
-
-}  // namespace
-
-const Convex& playerShape() {
-  static const Convex shape = makeBall();
-  return shape;
 }
 
 void Player::tick(Input input) {

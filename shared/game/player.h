@@ -48,7 +48,7 @@ struct PlayerState {
 inline constexpr std::int32_t kPlayerRadius = 12 * 1024;
 
 /// The player's figure: a ball, for the world a regular 16-gon with an edge at the bottom.
-const Convex& playerShape();
+Convex playerShape();
 
 /// A player of the game: an entity that buttons move. A handle like Entity.
 class Player : public Entity {

@@ -59,7 +59,7 @@ void TraceWriter::putShape(const Convex& shape) {
 }
 
 void TraceWriter::header(const World& world, const Convex& shape, const Level* level) {
-  shape_ = &shape;
+  shape_ = shape;
   put("{\"solid\":\"");
   put(level != nullptr ? nameOf(level->solid) : "PLANE");
   put("\",\"subunits\":1024,\"shape\":");

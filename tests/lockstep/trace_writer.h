@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -46,7 +47,7 @@ class TraceWriter : public StepObserver {
   std::unique_ptr<std::FILE, Close> file_;
   std::string line_;
   std::map<std::uint32_t, std::string> legs_;      // by entity, the leg entries of this tick
-  const Convex* shape_ = nullptr;
+  std::optional<Convex> shape_;
   std::map<std::int32_t, std::string> shapes_;     // by angle, empty where the vertices are the header's
 };
 
