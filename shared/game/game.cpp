@@ -102,19 +102,19 @@ void Game::judge() {
 // With any instance: the goal may lie just behind an edge.
 bool Game::touchesGoal(std::uint32_t slot) {
   const EntityState& entity = world_.entities()[slot];
+  if (entity.part == level_->goalFace && coversGoal(slot, entity.position, entity.angle)) return true;
   const auto instances = world_.instancesOf(slot);
-  const bool near = entity.part == level_->goalFace ||
-                    std::any_of(instances.begin(), instances.end(), [&](const InstanceState& instance) {
-                      return instance.part == level_->goalFace;
-                    });
-  if (!near) return false;
-  for (const InstanceView& view : world_.view(slot)) {
-    if (view.part != level_->goalFace) continue;
-    const auto shape = world_.shapeOf(slot).turned(view.angle);
-    goalSweep_.start(*shape, view.position, {});
-    if (goalSweep_.against({level_->goal, level_->goal})) return true;
-  }
-  return false;
+  return std::any_of(instances.begin(), instances.end(), [&](const InstanceState& instance) {
+    return instance.part == level_->goalFace && coversGoal(slot, world_.positionOf(slot, instance), instance.angle);
+  });
+}
+
+bool Game::coversGoal(std::uint32_t slot, Point position, Angle angle) {
+  const Point distance = level_->goal - position;
+  if (squaredLength(distance) > squaredLength(Point(kPlayerRadius + 1, 0))) return false;   // + 1: rounded vertices
+  const auto shape = world_.shapeOf(slot).turned(angle);
+  goalSweep_.start(*shape, position, {});
+  return goalSweep_.against({level_->goal, level_->goal}).has_value();
 }
 
 // Everything besides level and world, by name, in the order in which it is hashed and saved.

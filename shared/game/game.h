@@ -61,6 +61,7 @@ class Game {
   void leave(std::uint32_t slot);
   void judge();
   bool touchesGoal(std::uint32_t slot);
+  bool coversGoal(std::uint32_t slot, Point position, Angle angle);
   bool accepts(const WorldState& state) const;
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor);

@@ -54,6 +54,7 @@ void EntityStep::begin(Entity entity, EntityState& state, std::span<const Instan
 
 void EntityStep::translate(Point displacement) {
   wanted_ = displacement;
+  stops_.clear();
   Point rest = displacement;
   for (int legs = 0; legs < kMostLegs; ++legs) {
     const Point start = position();
@@ -151,14 +152,22 @@ Point EntityStep::follow(const Leg& leg) {
   const Point left = leg.target - position();
   if (leg.end == End::kFull) return left;
   callContact(*leg.hit);
-  const Point slid = slideAlong(left, homeNormalOf(*leg.hit));
-  return dot(slid, wanted_) > 0 ? slid : Point();   // turning back would rattle in a corner for ever
+  stops_.push_back(homeNormalOf(*leg.hit));
+  return slide(left);
+}
+
+// What is left of a displacement slides along the line that stopped it. Between two lines, which each lead into the
+// other, nothing is left; nor when it would turn back, which would rattle in a corner for ever.
+Point EntityStep::slide(Point left) const {
+  const Point slid = slideAlong(left, stops_.back());
+  const bool intoAnother = std::any_of(stops_.begin(), stops_.end() - 1, [&](Point normal) { return dot(slid, normal) < 0; });
+  return intoAnother || dot(slid, wanted_) <= 0 ? Point() : slid;
 }
 
 // I3: an end of a line that a step of a few subunits to the side clears is passed, not hit. The way must lead on from
 // there, so that nothing at rest is ever nudged to and fro.
 std::optional<Point> EntityStep::nudge(const LegHit& hit, Point target, Point reached) {
-  if (hit.hit.side != Hit::Side::kLineEnd) return std::nullopt;
+  if (hit.hit.side != Hit::Side::kLineEnd || !grazes(hit, target, reached)) return std::nullopt;
   for (const Point offset : kNudgeOffsets) {
     const Point from = reached + offset;
     const Point to = target + offset;
@@ -166,6 +175,23 @@ std::optional<Point> EntityStep::nudge(const LegHit& hit, Point target, Point re
     if (leadsOn(hit, from, to) && collider_.isFree(instances_, position(), from)) return from;
   }
   return std::nullopt;
+}
+
+// Whether the end of the line passes within kNudge of either flank of the shape: else no nudge can clear it.
+// Bounds: side < 2^30, differences < 2^31, so that products are < 2^62.
+bool EntityStep::grazes(const LegHit& hit, Point target, Point reached) const {
+  const Placement& placement = instances_.all()[hit.placement];
+  const Point from = placement.at(reached);
+  const Point side = perpendicular(placement.at(target) - from);
+  std::int64_t low = dot(side, placement.shape->vertices()[0]);
+  std::int64_t high = low;
+  for (const Point vertex : placement.shape->vertices()) {
+    low = std::min(low, dot(side, vertex));
+    high = std::max(high, dot(side, vertex));
+  }
+  const std::int64_t end = dot(side, hit.hit.feature - from);
+  const int128 depth = std::min(end - low, high - end);
+  return depth <= 0 || depth * depth <= int128{kNudge * kNudge} * squaredLength(side);
 }
 
 bool EntityStep::leadsOn(const LegHit& hit, Point from, Point to) {
@@ -218,6 +244,7 @@ void EntityStep::passHome(Point& rest) {
     if (!turn) break;
     rest = rotate(rest, *turn);
     wanted_ = rotate(wanted_, *turn);
+    stops_.clear();   // they were in the old frame
     instances_.storeHome(*state_);
     state_->heading = state_->heading + *turn;
     observe();
@@ -229,7 +256,9 @@ void EntityStep::moveTo(Point position) {
   const bool moved = position != this->position();
   instances_.moveHomeTo(position);
   state_->position = position;
-  if (moved) observe();
+  if (!moved) return;
+  stops_.clear();
+  observe();
 }
 
 void EntityStep::observe() {

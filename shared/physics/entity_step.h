@@ -70,7 +70,9 @@ class EntityStep {
   bool allInRange(Point home) const;
   Point follow(const Leg& leg);
   std::optional<Point> nudge(const LegHit& hit, Point target, Point reached);
+  bool grazes(const LegHit& hit, Point target, Point reached) const;
   bool leadsOn(const LegHit& hit, Point from, Point to);
+  Point slide(Point left) const;
   Point stopBefore(const LegHit& hit, Point displacement);
   std::optional<Point> firstFree(Point candidate, Point outwards, Point displacement);
   Point normalOf(const LegHit& hit) const;
@@ -101,6 +103,7 @@ class EntityStep {
   Instances instances_;
   Collider collider_;
   std::vector<Collider::Gate> shut_;       // warps that nothing could be inserted behind, for the present leg
+  std::vector<Point> stops_;               // normals of what has stopped the entity where it stands, in home's frame
   std::vector<Event> events_;
   std::vector<InstanceView> views_;
 };

@@ -45,14 +45,17 @@ void Sweep::start(const Convex& shape, Point position, Point displacement, std::
   const Box& box = shape.bounds();
   bounds_ = Box{box.low + position, box.high + position}.swept(displacement).grown(grown);
   edges_.clear();
-  for (const Convex::Edge& edge : shape.edges()) {
-    edges_.push_back({edge.normal, dot(edge.normal, position) + edge.support - growth(edge.normal, grown),
-                      dot(edge.normal, displacement)});
+}
+
+void Sweep::prepareEdges() {
+  for (const Convex::Edge& edge : shape_->edges()) {
+    edges_.push_back({edge.normal, dot(edge.normal, position_) + edge.support - growth(edge.normal, grown_),
+                      dot(edge.normal, displacement_)});
   }
 }
 
-std::optional<Hit> Sweep::against(const Segment& line) const {
-  if (!bounds_.overlaps(boundsOf(line))) return std::nullopt;
+std::optional<Hit> Sweep::against(const Segment& line) {
+  if (!bounds_.overlaps(boundsOf(line)) || passes(line)) return std::nullopt;
   Clip clip;
   if (line.a != line.b && !clipSides(line, clip)) return std::nullopt;
   if (!clipEnds(line, clip)) return std::nullopt;
@@ -60,9 +63,21 @@ std::optional<Hit> Sweep::against(const Segment& line) const {
   return describe(line, clip);
 }
 
+// Whether the line's own direction alone tells that even the bounding box of the shape misses it: most lines nearby.
+bool Sweep::passes(const Segment& line) const {
+  const Point normal = perpendicular(line.b - line.a);
+  const Box& box = shape_->bounds();
+  const auto along = [](std::int64_t factor, std::int32_t low, std::int32_t high) {
+    return factor >= 0 ? Extent{factor * low, factor * high} : Extent{factor * high, factor * low};
+  };
+  const Extent x = along(normal.x, box.low.x, box.high.x);
+  const Extent y = along(normal.y, box.low.y, box.high.y);
+  Clip clip;
+  return line.a != line.b && !clipSides(line, {x.low + y.low, x.high + y.high}, clip);
+}
+
 bool Sweep::clipSides(const Segment& line, Clip& clip) const {
   const Point normal = perpendicular(line.b - line.a);
-  const std::int64_t height = dot(normal, position_ - line.a);
   std::int64_t lowest = dot(normal, shape_->vertices()[0]);
   std::int64_t highest = lowest;
   for (const Point vertex : shape_->vertices()) {
@@ -70,13 +85,21 @@ bool Sweep::clipSides(const Segment& line, Clip& clip) const {
     lowest = std::min(lowest, along);
     highest = std::max(highest, along);
   }
-  const std::int64_t margin = growth(normal, grown_);
-  const std::int64_t speed = dot(normal, displacement_);
-  return clip.cut(height + lowest - margin, speed, kLeftSide) &&
-         clip.cut(-height - highest - margin, -speed, kRightSide);
+  return clipSides(line, {lowest, highest}, clip);
 }
 
-bool Sweep::clipEnds(const Segment& line, Clip& clip) const {
+// `extent` of the shape along the line's left normal, from its position.
+bool Sweep::clipSides(const Segment& line, Extent extent, Clip& clip) const {
+  const Point normal = perpendicular(line.b - line.a);
+  const std::int64_t height = dot(normal, position_ - line.a);
+  const std::int64_t margin = growth(normal, grown_);
+  const std::int64_t speed = dot(normal, displacement_);
+  return clip.cut(height + extent.low - margin, speed, kLeftSide) &&
+         clip.cut(-height - extent.high - margin, -speed, kRightSide);
+}
+
+bool Sweep::clipEnds(const Segment& line, Clip& clip) {
+  if (edges_.empty()) prepareEdges();
   for (std::size_t i = 0; i < edges_.size(); ++i) {
     const MovingEdge& edge = edges_[i];
     const std::int64_t farther = std::max(dot(edge.normal, line.a), dot(edge.normal, line.b));

@@ -41,15 +41,21 @@ class Sweep {
   /// The first meeting with `line`: the infimum of the times in [0, 1] at which the open shape meets it. Touching, and
   /// a meeting that begins at time 1, are none. Where two edges are entered at once, the sides of the line win over
   /// its ends and earlier edges of the shape over later ones.
-  std::optional<Hit> against(const Segment& line) const;
+  std::optional<Hit> against(const Segment& line);
 
   /// All that the moving shape passes over, grown.
   const Box& bounds() const { return bounds_; }
 
  private:
   struct Clip;
+  struct Extent {
+    std::int64_t low, high;
+  };
+  bool passes(const Segment& line) const;
   bool clipSides(const Segment& line, Clip& clip) const;
-  bool clipEnds(const Segment& line, Clip& clip) const;
+  bool clipSides(const Segment& line, Extent extent, Clip& clip) const;
+  bool clipEnds(const Segment& line, Clip& clip);
+  void prepareEdges();
   Hit describe(const Segment& line, const Clip& clip) const;
 
   struct MovingEdge {
@@ -63,7 +69,7 @@ class Sweep {
   Point displacement_;
   std::int32_t grown_ = 0;
   Box bounds_;
-  std::vector<MovingEdge> edges_;
+  std::vector<MovingEdge> edges_;   // empty until a line comes near enough to need them
 };
 
 }  // namespace platon

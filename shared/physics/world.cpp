@@ -86,6 +86,11 @@ std::span<const InstanceState> World::instancesOf(std::uint32_t entity) const {
   return std::span(state_.instances).subspan(first, state_.entities[entity].instances);
 }
 
+Point World::positionOf(std::uint32_t entity, const InstanceState& instance) const {
+  const EntityState& home = state_.entities[entity];
+  return instance.anchor + rotate(home.position - instance.homeAnchor, directionOf(instance.angle - home.angle));
+}
+
 const Convex& World::shapeOf(std::uint32_t entity) const { return *shapes_[state_.entities[entity].shape]; }
 
 std::vector<InstanceView> World::view(std::uint32_t entity) const {

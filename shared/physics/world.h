@@ -53,6 +53,8 @@ class World {
   std::span<const EntityState> entities() const { return state_.entities; }
   /// The entity's instances beyond its home.
   std::span<const InstanceState> instancesOf(std::uint32_t entity) const;
+  /// Where an instance of the entity beyond its home stands, in its own part's frame.
+  Point positionOf(std::uint32_t entity, const InstanceState& instance) const;
   const Convex& shapeOf(std::uint32_t entity) const;
   /// Every instance as it stands, home first.
   std::vector<InstanceView> view(std::uint32_t entity) const;
