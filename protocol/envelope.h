@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "flatbuffers/flatbuffers.h"
+#include "protocol/limits.h"
+
+namespace platon {
+
+/// A received FlatBuffer whose structure has been verified; what its fields say has not.
+template <class Root>
+class Envelope {
+ public:
+  /// Copies the bytes: FlatBuffers reads words, which must be aligned.
+  explicit Envelope(std::span<const std::uint8_t> bytes) {
+    if (bytes.empty() || bytes.size() > kMaxMessageBytes) return;
+    words_.resize((bytes.size() + sizeof(std::uint64_t) - 1) / sizeof(std::uint64_t));
+    std::memcpy(words_.data(), bytes.data(), bytes.size());
+    const auto* start = reinterpret_cast<const std::uint8_t*>(words_.data());
+    constexpr flatbuffers::uoffset_t depth = 4;
+    constexpr flatbuffers::uoffset_t tables = 4;
+    flatbuffers::Verifier verifier(start, bytes.size(), depth, tables);
+    if (verifier.VerifyBuffer<Root>(nullptr)) root_ = flatbuffers::GetRoot<Root>(start);
+  }
+
+  /// Null when the bytes are no such FlatBuffer.
+  const Root* root() const { return root_; }
+
+ private:
+  std::vector<std::uint64_t> words_;
+  const Root* root_ = nullptr;
+};
+
+/// The bytes of a finished builder.
+inline std::vector<std::uint8_t> bytesOf(const flatbuffers::FlatBufferBuilder& builder) {
+  return {builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize()};
+}
+
+/// Missing fields read as empty.
+inline std::span<const std::uint8_t> spanOf(const flatbuffers::Vector<std::uint8_t>* vector) {
+  return vector ? std::span<const std::uint8_t>(vector->data(), vector->size()) : std::span<const std::uint8_t>();
+}
+inline std::string textOf(const flatbuffers::String* text) { return text ? text->str() : std::string(); }
+
+}  // namespace platon

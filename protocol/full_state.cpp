@@ -1,0 +1,31 @@
+#include "protocol/full_state.h"
+
+#include "protocol/byte_reader.h"
+#include "protocol/byte_writer.h"
+#include "protocol/limits.h"
+
+namespace platon {
+
+std::vector<std::uint8_t> encode(const FullState& state) {
+  ByteWriter out;
+  out.varint(static_cast<std::uint32_t>(state.held.size()));
+  for (const Input input : state.held) out.byte(input.buttons);
+  out.raw(state.game);
+  return out.take();
+}
+
+std::optional<FullState> decodeFullState(std::span<const std::uint8_t> bytes) {
+  ByteReader in(bytes);
+  FullState state;
+  const std::uint32_t slots = in.varint();
+  if (slots > kMaxPlayers) return std::nullopt;
+  for (std::uint32_t slot = 0; slot < slots; ++slot) {
+    state.held.push_back(Input{in.byte()});
+    if (!isInput(state.held.back())) return std::nullopt;
+  }
+  if (!in.ok()) return std::nullopt;
+  state.game.assign(in.rest().begin(), in.rest().end());
+  return state;
+}
+
+}  // namespace platon

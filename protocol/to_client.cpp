@@ -1,0 +1,271 @@
+#include "protocol/to_client.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cstdlib>
+
+#include "protocol/byte_reader.h"
+#include "protocol/byte_writer.h"
+#include "protocol/envelope.h"
+#include "protocol/label.h"
+#include "to_client_generated.h"
+
+namespace platon {
+namespace {
+
+using Builder = flatbuffers::FlatBufferBuilder;
+using Bytes = std::vector<std::uint8_t>;
+using Body = wire::ToClientBody;
+
+// A change of input is two bytes: buttons and presence with the ticks since the last change on top, then the slot.
+// kLongGap on top says that the ticks less kLongGap follow.
+constexpr std::uint8_t kWirePresent = 1 << 5;
+constexpr std::uint8_t kWireButtons = kWirePresent - 1;
+constexpr int kGapShift = 6;
+constexpr std::uint32_t kLongGap = 3;
+static_assert((Input::kAll & ~Input::kPresent) == kWireButtons);
+
+void writeChange(ByteWriter& out, const InputChange& change, std::uint32_t gap) {
+  const std::uint32_t buttons = change.input.buttons & kWireButtons;
+  const std::uint32_t present = change.input.has(Input::kPresent) ? kWirePresent : 0;
+  out.byte(static_cast<std::uint8_t>(buttons | present | std::min(gap, kLongGap) << kGapShift));
+  if (gap >= kLongGap) out.varint(gap - kLongGap);
+  out.byte(static_cast<std::uint8_t>(change.slot));
+}
+
+std::optional<InputChange> readChange(ByteReader& in, std::uint32_t lastTick) {
+  const std::uint8_t head = in.byte();
+  std::uint32_t gap = head >> kGapShift;
+  if (gap == kLongGap) gap += std::min(in.varint(), kMaxTicksPerMessage);
+  const bool present = (head & kWirePresent) != 0;
+  const auto buttons = static_cast<std::uint8_t>((head & kWireButtons) | (present ? Input::kPresent : 0));
+  const InputChange change{lastTick + gap, in.byte(), Input{buttons}};
+  if (!in.ok() || !isInput(change.input)) return std::nullopt;
+  return change;
+}
+
+bool isAfter(const InputChange& change, const InputChange& last) {
+  return change.tick > last.tick || (change.tick == last.tick && change.slot > last.slot);
+}
+
+bool readChanges(ByteReader& in, ConfirmedTicks& message) {
+  std::uint32_t lastTick = message.from;
+  while (!in.atEnd()) {
+    const auto change = readChange(in, lastTick);
+    if (!change || change->tick - message.from >= message.count) return false;
+    if (!message.changes.empty() && !isAfter(*change, message.changes.back())) return false;
+    if (message.changes.size() == kMaxChangesPerMessage) return false;
+    message.changes.push_back(*change);
+    lastTick = change->tick;
+  }
+  return true;
+}
+
+// The sign in the lowest bit, so that small numbers stay short.
+std::uint32_t packSigned(std::int32_t value) {
+  const auto bits = static_cast<std::uint32_t>(value);
+  return value < 0 ? ~(bits << 1) : bits << 1;
+}
+
+std::int32_t unpackSigned(std::uint32_t packed) {
+  return static_cast<std::int32_t>(packed & 1 ? ~(packed >> 1) : packed >> 1);
+}
+
+// 0: no report. Else one more than the slack, then the tick as seen from `from`.
+void writeSlack(ByteWriter& out, const ConfirmedTicks& message) {
+  if (!message.slack) return out.varint(0);
+  out.varint(packSigned(message.slack->slack) + 1);
+  out.varint(packSigned(static_cast<std::int32_t>(message.slack->tick - message.from)));
+}
+
+bool readSlack(ByteReader& in, ConfirmedTicks& message) {
+  const std::uint32_t head = in.varint();
+  if (head == 0) return in.ok();
+  const std::int32_t slack = unpackSigned(head - 1);
+  const auto tick = message.from + static_cast<std::uint32_t>(unpackSigned(in.varint()));
+  message.slack = SlackReport{tick, slack};
+  return in.ok() && slack >= -kMaxSlack && slack <= kMaxSlack;
+}
+
+Bytes pack(const ConfirmedTicks& message) {
+  ByteWriter out;
+  out.varint(message.round);
+  out.varint(message.from);
+  out.varint(message.count);
+  out.fixed32(message.hash);
+  writeSlack(out, message);
+  std::uint32_t lastTick = message.from;
+  for (const InputChange& change : message.changes) {
+    writeChange(out, change, change.tick - lastTick);
+    lastTick = change.tick;
+  }
+  return out.take();
+}
+
+std::optional<ToClient> unpack(std::span<const std::uint8_t> bytes) {
+  ByteReader in(bytes);
+  ConfirmedTicks message;
+  message.round = in.varint();
+  message.from = in.varint();
+  message.count = in.varint();
+  message.hash = in.fixed32();
+  const bool counts = message.count >= 1 && message.count <= kMaxTicksPerMessage &&
+                      message.from <= UINT32_MAX - message.count;
+  if (!in.ok() || !counts || !readSlack(in, message) || !readChanges(in, message)) return std::nullopt;
+  return message;
+}
+
+bool isPiece(std::uint32_t total, std::size_t most, std::uint32_t offset, std::size_t size) {
+  return total <= most && size >= 1 && size <= kChunkBytes && offset <= total && size <= total - offset;
+}
+
+std::optional<ToClient> read(const wire::Welcome& table) {
+  Welcome message{table.slot(),        table.round(),            table.level_hash(),
+                  table.max_players(), table.ticks_per_second(), textOf(table.server_name())};
+  const bool valid = message.maxPlayers <= kMaxPlayers && message.slot < message.maxPlayers &&
+                     message.ticksPerSecond == kTicksPerSecond && isLabel(message.serverName, kMaxNameBytes);
+  return valid ? std::optional<ToClient>(std::move(message)) : std::nullopt;
+}
+
+RefusalCode refusalCode(std::uint32_t code) {
+  const bool known = code >= 1 && code <= static_cast<std::uint32_t>(RefusalCode::kFull);
+  return known ? static_cast<RefusalCode>(code) : RefusalCode::kOther;
+}
+
+std::optional<ToClient> read(const wire::Refused& table) {
+  Refused message{refusalCode(table.code()), textOf(table.reason())};
+  if (!isLabel(message.reason, kMaxReasonBytes)) return std::nullopt;
+  return message;
+}
+
+std::optional<ToClient> read(const wire::LevelChunk& table) {
+  const auto bytes = spanOf(table.bytes());
+  if (!isPiece(table.total(), kMaxLevelBytes, table.offset(), bytes.size())) return std::nullopt;
+  return LevelChunk{table.hash(), table.total(), table.offset(), {bytes.begin(), bytes.end()}};
+}
+
+std::optional<ToClient> read(const wire::StateChunk& table) {
+  const auto bytes = spanOf(table.bytes());
+  if (!isPiece(table.total(), kMaxStateBytes, table.offset(), bytes.size()) || table.sync() == 0) return std::nullopt;
+  return StateChunk{table.round(), table.tick(),   table.sync(),
+                    table.total(), table.offset(), {bytes.begin(), bytes.end()}};
+}
+
+std::optional<ToClient> read(const wire::RosterEntry& table) {
+  RosterEntry message{table.slot(), textOf(table.name())};
+  if (message.slot >= kMaxPlayers || !isLabel(message.name, kMaxNameBytes)) return std::nullopt;
+  return message;
+}
+
+std::optional<ToClient> read(const wire::RoundStart& table) { return RoundStart{table.round(), table.level_hash()}; }
+
+std::optional<ToClient> read(const wire::RoundEnd& table) {
+  return RoundEnd{table.round(), table.tick(), table.next_level_hash()};
+}
+
+ByeCode byeCode(std::uint32_t code) {
+  const bool known = code >= 1 && code <= static_cast<std::uint32_t>(ByeCode::kRemoved);
+  return known ? static_cast<ByeCode>(code) : ByeCode::kOther;
+}
+
+std::optional<ToClient> read(const wire::Bye& table) {
+  Bye message{byeCode(table.code()), textOf(table.reason())};
+  if (!isLabel(message.reason, kMaxReasonBytes)) return std::nullopt;
+  return message;
+}
+
+std::optional<ToClient> readBody(const wire::ToClient& root) {
+  switch (root.body_type()) {
+    case Body::Welcome: return read(*root.body_as_Welcome());
+    case Body::Refused: return read(*root.body_as_Refused());
+    case Body::LevelChunk: return read(*root.body_as_LevelChunk());
+    case Body::StateChunk: return read(*root.body_as_StateChunk());
+    case Body::RosterEntry: return read(*root.body_as_RosterEntry());
+    case Body::RoundStart: return read(*root.body_as_RoundStart());
+    case Body::RoundEnd: return read(*root.body_as_RoundEnd());
+    case Body::Bye: return read(*root.body_as_Bye());
+    default: return std::nullopt;
+  }
+}
+
+template <class Table>
+Bytes finish(Builder& builder, Body type, flatbuffers::Offset<Table> body) {
+  builder.Finish(wire::CreateToClient(builder, 0, type, body.Union()));
+  return bytesOf(builder);
+}
+
+}  // namespace
+
+std::optional<ToClient> decodeToClient(std::span<const std::uint8_t> bytes) {
+  const Envelope<wire::ToClient> envelope(bytes);
+  const wire::ToClient* root = envelope.root();
+  if (!root || (root->ticks() != nullptr) == (root->body() != nullptr)) return std::nullopt;
+  return root->ticks() ? unpack(spanOf(root->ticks())) : readBody(*root);
+}
+
+Bytes encode(const Welcome& message) {
+  Builder builder;
+  const auto name = builder.CreateString(message.serverName);
+  return finish(builder, Body::Welcome,
+                wire::CreateWelcome(builder, message.slot, message.round, message.levelHash, message.maxPlayers,
+                                    message.ticksPerSecond, name));
+}
+
+Bytes encode(const Refused& message) {
+  Builder builder;
+  const auto reason = builder.CreateString(message.reason);
+  return finish(builder, Body::Refused,
+                wire::CreateRefused(builder, static_cast<std::uint32_t>(message.code), reason));
+}
+
+Bytes encode(const LevelChunk& message) {
+  Builder builder;
+  const auto bytes = builder.CreateVector(message.bytes);
+  return finish(builder, Body::LevelChunk,
+                wire::CreateLevelChunk(builder, message.hash, message.total, message.offset, bytes));
+}
+
+Bytes encode(const StateChunk& message) {
+  Builder builder;
+  const auto bytes = builder.CreateVector(message.bytes);
+  return finish(builder, Body::StateChunk,
+                wire::CreateStateChunk(builder, message.round, message.tick, message.sync, message.total,
+                                       message.offset, bytes));
+}
+
+Bytes encode(const RosterEntry& message) {
+  Builder builder;
+  const auto name = builder.CreateString(message.name);
+  return finish(builder, Body::RosterEntry, wire::CreateRosterEntry(builder, message.slot, name));
+}
+
+Bytes encode(const RoundStart& message) {
+  Builder builder;
+  return finish(builder, Body::RoundStart, wire::CreateRoundStart(builder, message.round, message.levelHash));
+}
+
+Bytes encode(const RoundEnd& message) {
+  Builder builder;
+  return finish(builder, Body::RoundEnd,
+                wire::CreateRoundEnd(builder, message.round, message.tick, message.nextLevelHash));
+}
+
+Bytes encode(const Bye& message) {
+  Builder builder;
+  const auto reason = builder.CreateString(message.reason);
+  return finish(builder, Body::Bye, wire::CreateBye(builder, static_cast<std::uint32_t>(message.code), reason));
+}
+
+Bytes encode(const ConfirmedTicks& message) {
+  assert(message.count >= 1 && message.count <= kMaxTicksPerMessage);
+  assert(message.changes.size() <= kMaxChangesPerMessage);
+  assert(!message.slack || std::abs(message.slack->slack) <= kMaxSlack);
+  Builder builder;
+  const auto ticks = builder.CreateVector(pack(message));
+  wire::ToClientBuilder table(builder);
+  table.add_ticks(ticks);
+  builder.Finish(table.Finish());
+  return bytesOf(builder);
+}
+
+}  // namespace platon

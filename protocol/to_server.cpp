@@ -1,0 +1,133 @@
+#include "protocol/to_server.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "protocol/byte_reader.h"
+#include "protocol/byte_writer.h"
+#include "protocol/envelope.h"
+#include "protocol/label.h"
+#include "to_server_generated.h"
+
+namespace platon {
+namespace {
+
+// A run of equal inputs is one byte: the buttons below kButtonBits, their count above; a count of 0 says that the
+// count less kLongRun follows.
+constexpr int kButtonBits = 5;
+constexpr std::uint8_t kButtons = (1 << kButtonBits) - 1;
+constexpr std::uint32_t kLongRun = 8;
+static_assert((Input::kAll & ~Input::kPresent) == kButtons);
+
+void writeRuns(ByteWriter& out, const std::vector<Input>& inputs) {
+  for (auto run = inputs.begin(); run != inputs.end();) {
+    const auto end = std::find_if(run, inputs.end(), [run](Input input) { return input != *run; });
+    const auto length = static_cast<std::uint32_t>(end - run);
+    const std::uint32_t count = length < kLongRun ? length : 0;
+    out.byte(static_cast<std::uint8_t>((run->buttons & kButtons) | count << kButtonBits));
+    if (count == 0) out.varint(length - kLongRun);
+    run = end;
+  }
+}
+
+bool readRuns(ByteReader& in, std::vector<Input>& inputs) {
+  while (in.ok() && !in.atEnd()) {
+    const std::uint8_t head = in.byte();
+    std::uint32_t count = head >> kButtonBits;
+    if (count == 0) count = std::min(in.varint(), kMaxInputsPerMessage) + kLongRun;
+    if (count > kMaxInputsPerMessage - inputs.size()) return false;
+    inputs.insert(inputs.end(), count, Input{static_cast<std::uint8_t>((head & kButtons) | Input::kPresent)});
+  }
+  return in.ok();
+}
+
+std::vector<std::uint8_t> pack(const PlayerInputs& message) {
+  ByteWriter out;
+  out.varint(message.round);
+  out.byte(message.sync);
+  out.varint(message.confirmed);
+  out.fixed32(message.hash);
+  out.varint(message.first - message.confirmed);
+  writeRuns(out, message.inputs);
+  return out.take();
+}
+
+std::optional<PlayerInputs> unpack(std::span<const std::uint8_t> bytes) {
+  ByteReader in(bytes);
+  PlayerInputs message;
+  message.round = in.varint();
+  message.sync = in.byte();
+  message.confirmed = in.varint();
+  message.hash = in.fixed32();
+  const std::uint32_t ahead = in.varint();
+  if (!in.ok() || !readRuns(in, message.inputs)) return std::nullopt;
+  const std::uint64_t end = std::uint64_t{message.confirmed} + ahead + message.inputs.size();
+  if (end > UINT32_MAX) return std::nullopt;
+  message.first = message.confirmed + ahead;
+  return message;
+}
+
+// Of a client of another version nothing else is read: its Hello may have another form.
+std::optional<ToServer> readHello(const wire::Hello& table) {
+  Hello hello;
+  hello.protocolVersion = table.protocol_version();
+  if (hello.protocolVersion != kProtocolVersion) return hello;
+  hello.rulesVersion = table.rules_version();
+  hello.name = textOf(table.name());
+  if (!isLabel(hello.name, kMaxNameBytes)) return std::nullopt;
+  return hello;
+}
+
+std::optional<ToServer> readBody(const wire::ToServer& root) {
+  switch (root.body_type()) {
+    case wire::ToServerBody::Hello: return readHello(*root.body_as_Hello());
+    case wire::ToServerBody::LevelRequest: return LevelRequest{root.body_as_LevelRequest()->hash()};
+    case wire::ToServerBody::Leave: return Leave{};
+    default: return std::nullopt;
+  }
+}
+
+template <class Body>
+std::vector<std::uint8_t> finish(flatbuffers::FlatBufferBuilder& builder, wire::ToServerBody type,
+                                 flatbuffers::Offset<Body> body) {
+  builder.Finish(wire::CreateToServer(builder, 0, type, body.Union()));
+  return bytesOf(builder);
+}
+
+}  // namespace
+
+std::optional<ToServer> decodeToServer(std::span<const std::uint8_t> bytes) {
+  const Envelope<wire::ToServer> envelope(bytes);
+  const wire::ToServer* root = envelope.root();
+  if (!root || (root->inputs() != nullptr) == (root->body() != nullptr)) return std::nullopt;
+  return root->inputs() ? unpack(spanOf(root->inputs())) : readBody(*root);
+}
+
+std::vector<std::uint8_t> encode(const Hello& message) {
+  flatbuffers::FlatBufferBuilder builder;
+  const auto name = builder.CreateString(message.name);
+  return finish(builder, wire::ToServerBody::Hello,
+                wire::CreateHello(builder, message.protocolVersion, message.rulesVersion, name));
+}
+
+std::vector<std::uint8_t> encode(const LevelRequest& message) {
+  flatbuffers::FlatBufferBuilder builder;
+  return finish(builder, wire::ToServerBody::LevelRequest, wire::CreateLevelRequest(builder, message.hash));
+}
+
+std::vector<std::uint8_t> encode(const Leave&) {
+  flatbuffers::FlatBufferBuilder builder;
+  return finish(builder, wire::ToServerBody::Leave, wire::CreateLeave(builder));
+}
+
+std::vector<std::uint8_t> encode(const PlayerInputs& message) {
+  assert(message.first >= message.confirmed && message.inputs.size() <= kMaxInputsPerMessage);
+  flatbuffers::FlatBufferBuilder builder;
+  const auto inputs = builder.CreateVector(pack(message));
+  wire::ToServerBuilder table(builder);
+  table.add_inputs(inputs);
+  builder.Finish(table.Finish());
+  return bytesOf(builder);
+}
+
+}  // namespace platon
