@@ -1,0 +1,120 @@
+#include "server/dedicated_server.h"
+
+#include <thread>
+
+#include "protocol/to_server.h"
+
+namespace platon {
+namespace {
+
+// Beyond the players, so that those who find no place can be told.
+constexpr std::uint32_t kSpareConnections = 8;
+constexpr std::chrono::milliseconds kIdleWait{100};
+constexpr std::chrono::milliseconds kByeWait{500};
+constexpr std::chrono::seconds kReportInterval{10};
+
+TimePoint steadyNow() { return std::chrono::steady_clock::now(); }
+
+HostSettings withConnections(const ServerSettings& settings) {
+  HostSettings host = settings.host;
+  host.connections = settings.match.maxPlayers + kSpareConnections;
+  return host;
+}
+
+void write(Log& log, const MatchEvent& event) {
+  using Kind = MatchEvent::Kind;
+  const LogField client{"client", std::uint64_t{event.client}};
+  const LogField slot{"slot", std::uint64_t{event.slot}};
+  switch (event.kind) {
+    case Kind::kJoined: return log.info("joined", {client, slot, {"name", event.text}});
+    case Kind::kRefused: return log.info("refused", {client, {"reason", event.text}});
+    case Kind::kLeft: return log.info("left", {client, slot, {"name", event.text}});
+    case Kind::kMismatch: return log.warning("state differs", {client, slot, {"at", event.text}});
+    case Kind::kBehind: return log.info("state sent", {client, slot, {"at", event.text}});
+    case Kind::kRoundStart: return log.info("round starts", {{"level", event.text}});
+    case Kind::kRoundEnd: return log.info("round over", {{"ticks", event.text}});
+  }
+}
+
+}  // namespace
+
+DedicatedServer::DedicatedServer(ServerSettings settings, std::vector<LevelPointer> levels, Log log)
+    : log_(std::move(log)),
+      host_(withConnections(settings), steadyNow()),
+      match_(LevelRotation(std::move(levels)), std::move(settings.match)),
+      clock_(steadyNow()),
+      reportAt_(steadyNow() + kReportInterval) {}
+
+void DedicatedServer::step(TimePoint now) {
+  const bool wasIdle = match_.idle();
+  receive(now);
+  if (wasIdle) clock_ = TickClock(now);
+  else if (clock_.take(now)) match_.tick();
+  deliver(now);
+  report(now);
+}
+
+void DedicatedServer::receive(TimePoint now) {
+  for (const HostEvent& event : host_.service(now)) take(event);
+}
+
+void DedicatedServer::take(const HostEvent& event) {
+  if (event.gone) return match_.disconnect(event.client);
+  const auto message = decodeToServer(event.bytes);
+  if (message) {
+    match_.receive(event.client, *message);
+    if (match_.isMember(event.client)) host_.admit(event.client);
+    return;
+  }
+  ++brokenMessages_;
+  match_.disconnect(event.client);
+  host_.drop(event.client);
+}
+
+void DedicatedServer::deliver(TimePoint now) {
+  for (const Outgoing& message : match_.takeOutgoing()) {
+    host_.send(message.client, message.reliable, message.bytes);
+    if (message.last) host_.close(message.client, now);
+  }
+  host_.flush(now);
+  for (const MatchEvent& event : match_.takeEvents()) write(log_, event);
+}
+
+void DedicatedServer::report(TimePoint now) {
+  if (now < reportAt_) return;
+  reportAt_ = now + kReportInterval;
+  const HostCounters& counters = host_.counters();
+  if (counters == reported_ && brokenMessages_ == reportedBroken_) return;
+  log_.warning("kept out", {{"brokenDatagrams", counters.brokenDatagrams - reported_.brokenDatagrams},
+                            {"excessDatagrams", counters.excessDatagrams - reported_.excessDatagrams},
+                            {"excessConnects", counters.excessConnects - reported_.excessConnects},
+                            {"expired", counters.expired - reported_.expired},
+                            {"brokenMessages", brokenMessages_ - reportedBroken_}});
+  reported_ = counters;
+  reportedBroken_ = brokenMessages_;
+}
+
+void DedicatedServer::wait() const {
+  if (match_.idle()) host_.wait(kIdleWait);
+  else std::this_thread::sleep_until(clock_.next());
+}
+
+void DedicatedServer::run(const std::atomic<bool>& stop_) {
+  while (!stop_) {
+    step(steadyNow());
+    wait();
+  }
+  stop("the server stops");
+}
+
+void DedicatedServer::stop(const std::string& reason) {
+  match_.stop(reason);
+  const TimePoint end = steadyNow() + kByeWait;
+  for (TimePoint now = steadyNow(); now < end && !host_.empty(); now = steadyNow()) {
+    deliver(now);
+    host_.wait(std::chrono::milliseconds(10));
+    host_.service(now);
+  }
+}
+
+}  // namespace platon

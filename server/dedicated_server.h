@@ -1,0 +1,64 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "server/host.h"
+#include "server/log.h"
+#include "server/match.h"
+#include "server/tick_clock.h"
+#include "server/time_point.h"
+
+namespace platon {
+
+struct ServerSettings {
+  HostSettings host;     ///< `connections` is set by the server
+  MatchSettings match;
+};
+
+/// A match on a socket: what `platon-server` runs, and a client that plays on its own.
+class DedicatedServer {
+ public:
+  /// Opens the socket; `levels` has at least one. Throws HostError.
+  DedicatedServer(ServerSettings settings, std::vector<LevelPointer> levels, Log log);
+
+  /// Takes in what has arrived, runs at most one tick, if it is due, and sends.
+  void step(TimePoint now);
+  /// Sleeps until the next step has something to do, or a signal is caught.
+  void wait() const;
+  /// Steps and waits until `stop` becomes true, then says good-bye.
+  void run(const std::atomic<bool>& stop);
+  /// Says good-bye to all players and waits a moment for them to hear it.
+  void stop(const std::string& reason);
+
+  /// These levels follow on the one that is being played.
+  void setLevels(std::vector<LevelPointer> levels) { match_.setLevels(std::move(levels)); }
+  void setName(std::string name) { match_.setServerName(std::move(name)); }
+
+  /// The port it listens on.
+  std::uint16_t port() const { return host_.port(); }
+  Log& log() { return log_; }
+  const Match& match() const { return match_; }
+  /// Messages that did not make sense.
+  std::uint64_t brokenMessages() const { return brokenMessages_; }
+  const HostCounters& hostCounters() const { return host_.counters(); }
+
+ private:
+  void receive(TimePoint now);
+  void take(const HostEvent& event);
+  void deliver(TimePoint now);
+  void report(TimePoint now);
+
+  Log log_;
+  Host host_;
+  Match match_;
+  TickClock clock_;
+  std::uint64_t brokenMessages_ = 0;
+  HostCounters reported_;
+  std::uint64_t reportedBroken_ = 0;
+  TimePoint reportAt_;
+};
+
+}  // namespace platon

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "protocol/to_client.h"
+#include "protocol/to_server.h"
+#include "server/client_id.h"
+#include "server/level_rotation.h"
+#include "server/match_event.h"
+#include "server/member.h"
+#include "server/tick_history.h"
+#include "shared/game/game.h"
+
+namespace platon {
+
+struct MatchSettings {
+  std::uint32_t maxPlayers = 16;   ///< 1 … kMaxPlayers
+  std::string serverName;          ///< a label
+};
+
+/// A message to one client.
+struct Outgoing {
+  ClientId client = 0;
+  bool reliable = false;           ///< else unsequenced
+  bool last = false;               ///< the connection ends when it has arrived
+  std::vector<std::uint8_t> bytes;
+};
+
+/// The authority: it decides every player's input for every tick, moves the game with them and tells all clients what
+/// it decided. Knows neither socket nor clock: messages come in decoded, go out encoded, and time is calls of `tick`.
+class Match {
+ public:
+  /// Ticks from the end of a round to the start of the next: 5 s.
+  static constexpr std::uint32_t kPauseTicks = 5 * kTicksPerSecond;
+  /// Up to so many players, each is told of every tick; of more, only every second tick.
+  static constexpr std::size_t kFewPlayers = 4;
+
+  Match(LevelRotation rotation, MatchSettings settings);
+
+  /// A message from a client; the first has to be Hello.
+  void receive(ClientId client, const ToServer& message);
+  /// The connection is gone.
+  void disconnect(ClientId client);
+  /// Decides the inputs of one tick and moves the game. Without any client the match stands still.
+  void tick();
+  /// Says good-bye to all.
+  void stop(const std::string& reason);
+  /// These levels follow on the current one.
+  void setLevels(std::vector<LevelPointer> levels) { rotation_.replace(std::move(levels)); }
+
+  void setServerName(std::string name) { settings_.serverName = std::move(name); }
+
+  /// What is to be sent, in order, since the last call.
+  std::vector<Outgoing> takeOutgoing() { return std::exchange(outgoing_, {}); }
+  /// What has happened since the last call.
+  std::vector<MatchEvent> takeEvents() { return std::exchange(events_, {}); }
+
+  bool idle() const { return members_.empty(); }
+  std::size_t players() const { return members_.size(); }
+  bool isMember(ClientId client) const { return members_.contains(client); }
+  std::uint32_t round() const { return round_; }
+  const Game& game() const { return game_; }
+  /// Null when the client is no member.
+  const Member* member(ClientId client) const;
+
+ private:
+  void handle(ClientId client, const Hello& hello);
+  void handle(ClientId client, const LevelRequest& request);
+  void handle(ClientId client, const Leave& leave);
+  void handle(ClientId client, const PlayerInputs& inputs);
+
+  std::optional<Refused> refusal(const Hello& hello) const;
+  void join(ClientId client, const Hello& hello);
+  void introduce(ClientId client, const Member& member);
+  std::optional<std::uint32_t> freeSlot() const;
+
+  void startRound();
+  std::vector<Input> decideInputs();
+  void watchRound();
+  void resync(ClientId client, Member& member, MatchEvent::Kind why);
+  void sendUpdates();
+
+  void send(ClientId client, std::vector<std::uint8_t> bytes) { outgoing_.push_back({client, true, false, std::move(bytes)}); }
+  void sendAll(const std::vector<std::uint8_t>& bytes);
+  void note(MatchEvent::Kind kind, ClientId client, std::uint32_t slot, std::string text);
+
+  LevelRotation rotation_;
+  MatchSettings settings_;
+  std::uint32_t round_ = 0;
+  std::uint64_t now_ = 0;                        // ticks over all rounds
+  Game game_;
+  TickHistory history_;
+  std::optional<std::uint32_t> overAt_;          // tick after which the round was over
+  std::map<ClientId, Member> members_;
+  std::vector<Outgoing> outgoing_;
+  std::vector<MatchEvent> events_;
+};
+
+}  // namespace platon

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "protocol/to_client.h"
+#include "protocol/to_server.h"
+#include "server/input_buffer.h"
+#include "server/transfer.h"
+
+namespace platon {
+
+/// A client that has a slot: its inputs, how far it has followed the round, and what is on its way to it.
+class Member {
+ public:
+  /// Level texts that a client may ask for in one round.
+  static constexpr std::uint32_t kRequestsPerRound = 8;
+  /// Ticks between two full states: a client that never agrees costs one a second.
+  static constexpr std::uint64_t kTicksBetweenStates = 60;
+
+  Member(std::uint32_t slot, std::string name) : slot_(slot), name_(std::move(name)) {}
+
+  std::uint32_t slot() const { return slot_; }
+  const std::string& name() const { return name_; }
+
+  /// A new round begins; what was on its way from the old one is pointless.
+  void startRound();
+
+  /// Takes the inputs of a message of the current round, of which `decided` ticks are decided.
+  void take(const PlayerInputs& message, std::uint32_t decided);
+  /// Whether the message tells how far the client really is: it has the last state sent, and is not overtaken.
+  bool isCurrent(const PlayerInputs& message) const;
+  void acknowledge(std::uint32_t confirmed) { acknowledged_ = confirmed; }
+
+  /// Whether the client follows the round.
+  bool started() const { return started_; }
+  /// Ticks of the round that the client is known to have.
+  std::uint32_t acknowledged() const { return acknowledged_; }
+  /// Where the next message of ticks starts: where the last one ended when not all fitted in, else at the first tick
+  /// that is not acknowledged.
+  std::uint32_t nextPart() const { return std::max(rest_, acknowledged_); }
+  /// A message of ticks ended at `tick`, when `end` were decided.
+  void sentUpTo(std::uint32_t tick, std::uint32_t end) { rest_ = tick < end ? tick : 0; }
+  /// The least slack since the last call.
+  std::optional<SlackReport> takeSlack();
+
+  /// The input of the player for the next tick.
+  Input decide() { return inputs_.take(); }
+  std::uint64_t missedInputs() const { return inputs_.missed(); }
+  /// Ticks of the round before this one are decided without this player.
+  void joinAt(std::uint32_t tick) { inputs_ = InputBuffer(tick); }
+
+  /// Puts a level text on its way, unless it is already or the client has asked too often.
+  void sendLevel(LevelPointer level);
+  /// Whether a state may be sent at this tick of the match, counted over all rounds.
+  bool mayTakeState(std::uint64_t now) const { return now >= nextState_; }
+  /// Puts a full state, after `tick` ticks of the round, on its way.
+  void sendState(std::uint32_t round, std::uint32_t tick, std::vector<std::uint8_t> state, std::uint64_t now);
+  /// The next piece on its way; nothing when there is none.
+  std::optional<std::vector<std::uint8_t>> nextPiece();
+
+ private:
+  std::uint32_t slot_;
+  std::string name_;
+  InputBuffer inputs_;
+  std::deque<Transfer> transfers_;
+  std::optional<SlackReport> slack_;
+  std::uint32_t acknowledged_ = 0;
+  std::uint32_t rest_ = 0;     // start of what did not fit in the last message of ticks
+  std::uint32_t requests_ = 0;
+  std::uint64_t nextState_ = 0;
+  std::uint8_t sync_ = 0;      // of the last state sent in this round
+  bool started_ = false;
+};
+
+}  // namespace platon
