@@ -1,0 +1,45 @@
+#include "client/bot.h"
+
+namespace platon {
+
+Bot::Bot(const ServerAddress& server, const std::string& name, const LinkQuality& line, std::uint64_t seed, Moment now)
+    : relay_(line.perfect() ? nullptr : std::make_unique<LossyRelay>(server, line, seed)),
+      client_(std::make_unique<NetworkClient>(server, name, now,
+                                              relay_ ? std::optional(relay_->address()) : std::nullopt)),
+      presser_(seed),
+      begunAt_(now),
+      now_(now) {}
+
+void Bot::update(Moment now) {
+  now_ = now;
+  if (relay_) relay_->pump(now);
+  client_->update(now, [this](const Game&, std::uint32_t) { return presser_.next(); });
+  if (relay_) relay_->pump(now);
+  if (!playingSince_) noteStart(now);
+}
+
+void Bot::noteStart(Moment now) {
+  const Session* const session = client_->session();
+  if (session == nullptr || session->predictionCount().confirmedTicks == 0) return;
+  playingSince_ = now;
+  trafficBefore_ = client_->connection().traffic();
+}
+
+BotResult Bot::result() const {
+  BotResult result;
+  result.joined = playingSince_.has_value();
+  result.ending = client_->ending();
+  if (!result.joined) return result;
+  const Traffic& traffic = client_->connection().traffic();
+  result.connectMs = toSeconds(*playingSince_ - begunAt_) * 1000;
+  result.rttMs = toSeconds(client_->connection().roundTrip()) * 1000;
+  result.seconds = toSeconds(now_ - *playingSince_);
+  result.traffic = {traffic.sentBytes - trafficBefore_.sentBytes, traffic.sentPackets - trafficBefore_.sentPackets,
+                    traffic.receivedBytes - trafficBefore_.receivedBytes,
+                    traffic.receivedPackets - trafficBefore_.receivedPackets};
+  result.prediction = client_->session()->predictionCount();
+  result.round = client_->session()->roundCount();
+  return result;
+}
+
+}  // namespace platon

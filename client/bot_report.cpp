@@ -1,0 +1,77 @@
+#include "client/bot_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace platon {
+
+namespace {
+
+struct Field {
+  const char* name;
+  double BotReport::*value;
+  const char* meaning;
+};
+
+constexpr std::array<Field, 12> kFields = {{
+    {"connectMs", &BotReport::connectMs, "to join, ms"},
+    {"rttMs", &BotReport::rttMs, "round trip, ms"},
+    {"downBytesPerSecond", &BotReport::downBytesPerSecond, "down, bytes/s"},
+    {"upBytesPerSecond", &BotReport::upBytesPerSecond, "up, bytes/s"},
+    {"downPacketsPerSecond", &BotReport::downPacketsPerSecond, "down, packets/s"},
+    {"upPacketsPerSecond", &BotReport::upPacketsPerSecond, "up, packets/s"},
+    {"correctionsPer1000Ticks", &BotReport::correctionsPer1000Ticks, "corrections per 1000 ticks"},
+    {"maxCorrectionSubunits", &BotReport::maxCorrectionSubunits, "largest correction, subunits"},
+    {"missedInputsPer1000Ticks", &BotReport::missedInputsPer1000Ticks, "missed inputs per 1000 ticks"},
+    {"hashMismatches", &BotReport::hashMismatches, "hash mismatches"},
+    {"resyncs", &BotReport::resyncs, "resyncs"},
+    {"confirmedTicks", &BotReport::confirmedTicks, "confirmed ticks"},
+}};
+
+void add(BotReport& sum, const BotResult& bot) {
+  const double seconds = std::max(bot.seconds, 1e-3);
+  const double thousands = std::max(bot.prediction.confirmedTicks, 1u) / 1000.0;
+  sum.connectMs += bot.connectMs;
+  sum.rttMs += bot.rttMs;
+  sum.downBytesPerSecond += static_cast<double>(bot.traffic.receivedBytes) / seconds;
+  sum.upBytesPerSecond += static_cast<double>(bot.traffic.sentBytes) / seconds;
+  sum.downPacketsPerSecond += static_cast<double>(bot.traffic.receivedPackets) / seconds;
+  sum.upPacketsPerSecond += static_cast<double>(bot.traffic.sentPackets) / seconds;
+  sum.correctionsPer1000Ticks += bot.prediction.corrections / thousands;
+  sum.maxCorrectionSubunits += bot.prediction.maxSubunits;
+  sum.missedInputsPer1000Ticks += bot.prediction.missedInputs / thousands;
+  sum.hashMismatches += bot.round.hashMismatches;
+  sum.resyncs += bot.round.resyncs;
+  sum.confirmedTicks += bot.prediction.confirmedTicks;
+}
+
+}  // namespace
+
+BotReport makeReport(std::span<const BotResult> bots) {
+  BotReport report;
+  for (const BotResult& bot : bots) {
+    const bool played = bot.joined && !bot.ending;
+    ++(played ? report.connected : report.failed);
+    if (played) add(report, bot);
+  }
+  if (report.connected == 0) return report;
+  for (const Field& field : kFields) report.*field.value /= report.connected;
+  return report;
+}
+
+std::string toJson(const BotReport& report) {
+  std::string json = fmt::format("{{\"connected\":{},\"failed\":{}", report.connected, report.failed);
+  for (const Field& field : kFields) json += fmt::format(",\"{}\":{:.6g}", field.name, report.*field.value);
+  return json + "}\n";
+}
+
+std::string toText(const BotReport& report) {
+  std::string text = fmt::format("{} bots played to the end, {} failed; on average:\n", report.connected, report.failed);
+  for (const Field& field : kFields) text += fmt::format("  {:<30}{:>10.1f}\n", field.meaning, report.*field.value);
+  return text;
+}
+
+}  // namespace platon

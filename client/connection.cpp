@@ -1,0 +1,95 @@
+#include "client/connection.h"
+
+#include <chrono>
+#include <stdexcept>
+#include <utility>
+
+#include "protocol/limits.h"
+
+namespace platon {
+
+namespace {
+
+constexpr enet_uint32 kTimeoutLimit = 8;
+constexpr enet_uint32 kShortestTimeoutMs = 3000;
+constexpr enet_uint32 kLongestTimeoutMs = 8000;
+
+ENetAddress resolve(const ServerAddress& server) {
+  ENetAddress address{};
+  if (enet_address_set_host(&address, server.host.c_str()) != 0) {
+    throw std::runtime_error("the host " + server.host + " is not known");
+  }
+  address.port = server.port;
+  return address;
+}
+
+// ENet goes by the wall clock unless told otherwise.
+void tellTime(Moment now) {
+  enet_time_set(static_cast<enet_uint32>(std::chrono::duration_cast<std::chrono::milliseconds>(now).count()));
+}
+
+}  // namespace
+
+Connection::Connection(const ServerAddress& server, Moment now) {
+  const ENetAddress address = resolve(server);
+  tellTime(now);
+  host_.reset(enet_host_create(nullptr, 1, kChannels, 0, 0));
+  if (!host_) throw std::runtime_error("no socket left for a connection");
+  host_->checksum = enet_crc32;
+  host_->maximumPacketSize = kMaxMessageBytes;
+  peer_ = enet_host_connect(host_.get(), &address, kChannels, 0);
+  if (peer_ == nullptr) throw std::runtime_error("no connection can be made to " + server.text());
+  enet_peer_timeout(peer_, kTimeoutLimit, kShortestTimeoutMs, kLongestTimeoutMs);
+}
+
+Connection::~Connection() {
+  if (state_ != State::kClosed) enet_peer_reset(peer_);
+}
+
+void Connection::keepUnthrottled() {
+  if (state_ != State::kConnected) return;   // until then the server must echo what it was first told
+  // ENet would drop unreliable packets whenever the round trip grows, and lets the other side ask for it.
+  peer_->packetThrottle = ENET_PEER_PACKET_THROTTLE_SCALE;
+  peer_->packetThrottleLimit = ENET_PEER_PACKET_THROTTLE_SCALE;
+  peer_->packetThrottleDeceleration = 0;
+}
+
+void Connection::service(Moment now, const Receiver& receiver) {
+  tellTime(now);
+  keepUnthrottled();
+  ENetEvent event{};
+  while (enet_host_service(host_.get(), &event, 0) > 0) handle(event, receiver);
+  countTraffic();
+}
+
+void Connection::handle(const ENetEvent& event, const Receiver& receiver) {
+  if (event.type == ENET_EVENT_TYPE_CONNECT) {
+    state_ = State::kConnected;
+  } else if (event.type == ENET_EVENT_TYPE_DISCONNECT) {
+    state_ = State::kClosed;
+  } else if (event.type == ENET_EVENT_TYPE_RECEIVE) {
+    receiver({event.packet->data, event.packet->dataLength});
+    enet_packet_destroy(event.packet);
+  }
+}
+
+void Connection::countTraffic() {
+  traffic_.sentBytes += std::exchange(host_->totalSentData, 0);
+  traffic_.sentPackets += std::exchange(host_->totalSentPackets, 0);
+  traffic_.receivedBytes += std::exchange(host_->totalReceivedData, 0);
+  traffic_.receivedPackets += std::exchange(host_->totalReceivedPackets, 0);
+}
+
+void Connection::send(std::span<const std::uint8_t> message, bool reliable) {
+  if (state_ != State::kConnected) return;
+  const enet_uint32 flags = reliable ? ENET_PACKET_FLAG_RELIABLE : ENET_PACKET_FLAG_UNSEQUENCED;
+  ENetPacket* const packet = enet_packet_create(message.data(), message.size(), flags);
+  const std::uint8_t channel = reliable ? kReliableChannel : kTickChannel;
+  if (packet != nullptr && enet_peer_send(peer_, channel, packet) != 0) enet_packet_destroy(packet);
+}
+
+void Connection::close() {
+  if (state_ == State::kConnected) enet_peer_disconnect_later(peer_, 0);
+}
+
+}  // namespace platon

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <enet/enet.h>
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+
+#include "client/moment.h"
+#include "client/server_address.h"
+
+namespace platon {
+
+/// What went over the wire: UDP payload, acknowledgements and resent packets included.
+struct Traffic {
+  std::uint64_t sentBytes = 0;
+  std::uint64_t sentPackets = 0;
+  std::uint64_t receivedBytes = 0;
+  std::uint64_t receivedPackets = 0;
+};
+
+/// A connection to a server. The only place of the client that knows ENet.
+class Connection {
+ public:
+  enum class State { kConnecting, kConnected, kClosed };
+  using Receiver = std::function<void(std::span<const std::uint8_t>)>;
+
+  /// Begins to connect. Throws std::runtime_error when the host is not known or no socket can be had.
+  Connection(const ServerAddress& server, Moment now);
+  ~Connection();
+  Connection(const Connection&) = delete;
+  Connection& operator=(const Connection&) = delete;
+
+  /// Sends and receives what is due, never waits. Every message that has come goes to `receiver`.
+  void service(Moment now, const Receiver& receiver);
+  /// Queues a message; it goes with the next `service`. Without effect unless connected.
+  void send(std::span<const std::uint8_t> message, bool reliable);
+  /// Closes when all that was queued has arrived.
+  void close();
+
+  State state() const { return state_; }
+  const Traffic& traffic() const { return traffic_; }
+  /// Smoothed, of ENet's own reliable packets.
+  Moment roundTrip() const { return std::chrono::milliseconds(peer_->roundTripTime); }
+
+ private:
+  struct DestroyHost {
+    void operator()(ENetHost* host) const { enet_host_destroy(host); }
+  };
+
+  void handle(const ENetEvent& event, const Receiver& receiver);
+  void keepUnthrottled();
+  void countTraffic();
+
+  std::unique_ptr<ENetHost, DestroyHost> host_;
+  ENetPeer* peer_ = nullptr;
+  State state_ = State::kConnecting;
+  Traffic traffic_;
+};
+
+}  // namespace platon

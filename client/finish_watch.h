@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "client/session.h"
+
+namespace platon {
+
+/// Notices when the own player finishes a level.
+class FinishWatch {
+ public:
+  /// `finished LEVEL in S s`, once for every round in which the server has confirmed it; else nothing.
+  std::optional<std::string> look(const Session& session);
+
+ private:
+  std::optional<std::uint32_t> reported_;   // round
+};
+
+}  // namespace platon

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace platon {
+
+/// Red, green and blue, a byte each; rows from the top.
+struct Image {
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+  std::vector<std::uint8_t> pixels;
+
+  friend bool operator==(const Image&, const Image&) = default;
+};
+
+/// Turns the picture upside down.
+void flipRows(Image& image);
+
+/// Throws std::runtime_error when the file cannot be written.
+void writePng(const Image& image, const std::string& file);
+
+}  // namespace platon

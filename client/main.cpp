@@ -1,0 +1,53 @@
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <optional>
+
+#include "client/client_error.h"
+#include "client/client_options.h"
+#include "client/embedded_server.h"
+#include "client/offscreen_play.h"
+#include "client/window_play.h"
+
+namespace platon {
+namespace {
+
+volatile std::sig_atomic_t stopSignal = 0;
+
+bool stopAsked() { return stopSignal != 0; }
+
+int play(int argc, char** argv) {
+  const std::optional<ClientOptions> options = readClientOptions(argc, argv);
+  if (!options) return 0;
+  std::signal(SIGTERM, [](int) { stopSignal = 1; });
+  std::signal(SIGINT, [](int) { stopSignal = 1; });
+  std::optional<EmbeddedServer> embedded;
+  if (!options->server) embedded.emplace(options->level);
+  const ServerAddress server = embedded ? embedded->address() : *options->server;
+  if (options->offscreen) {
+    OffscreenPlay(*options, server).run(stopAsked);
+  } else {
+    WindowPlay(*options, server).run(stopAsked);
+  }
+  return 0;
+}
+
+int fail(int exitCode, const char* prefix, const char* what) {
+  std::fprintf(stderr, "%s%s\n", prefix, what);
+  return exitCode;
+}
+
+}  // namespace
+}  // namespace platon
+
+int main(int argc, char** argv) {
+  using platon::ClientError;
+  try {
+    return platon::play(argc, argv);
+  } catch (const ClientError& error) {
+    const bool level = error.exitCode() == ClientError::kLevel;
+    return platon::fail(error.exitCode(), level ? "" : "platon-client: ", error.what());
+  } catch (const std::exception& error) {
+    return platon::fail(ClientError::kFailed, "platon-client: ", error.what());
+  }
+}

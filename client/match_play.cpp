@@ -1,0 +1,49 @@
+#include "client/match_play.h"
+
+#include <chrono>
+#include <cstdio>
+#include <thread>
+
+#include "client/steady_now.h"
+
+namespace platon {
+
+namespace {
+
+constexpr Moment kFarewell = std::chrono::milliseconds(500);
+
+}  // namespace
+
+MatchPlay::MatchPlay(const ClientOptions& options, const ServerAddress& server, Moment now)
+    : server_(server), client_(server, options.name, now) {}
+
+void MatchPlay::update(Moment now, const Controls& controls) {
+  client_.update(now, controls);
+  if (client_.session() == nullptr) return;
+  const std::optional<std::string> line = watch_.look(*client_.session());
+  if (!line) return;
+  std::printf("%s\n", line->c_str());
+  std::fflush(stdout);
+}
+
+std::optional<Scene> MatchPlay::scene(Moment now) {
+  return client_.session() == nullptr ? std::nullopt : feed_.scene(*client_.session(), now);
+}
+
+std::string MatchPlay::message() const {
+  if (client_.ending()) return *client_.ending();
+  if (client_.session() == nullptr) return "connecting to " + server_.text() + " …";
+  return client_.session()->round() == nullptr ? "waiting for the level …" : "";
+}
+
+void MatchPlay::leave() {
+  client_.leave();
+  const Moment end = steadyNow() + kFarewell;
+  const Controls nothing = [](const Game&, std::uint32_t) { return Input{}; };
+  while (!client_.closed() && steadyNow() < end) {
+    client_.update(steadyNow(), nothing);
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+}
+
+}  // namespace platon

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "client/client_options.h"
+#include "client/finish_watch.h"
+#include "client/moment.h"
+#include "client/network_client.h"
+#include "client/scene.h"
+#include "client/scene_feed.h"
+
+namespace platon {
+
+/// What playing has in common with and without a window: the match over the network, what is drawn of it, and what is
+/// told on standard output.
+class MatchPlay {
+ public:
+  /// Begins to connect. Throws std::runtime_error when that cannot even begin.
+  MatchPlay(const ClientOptions& options, const ServerAddress& server, Moment now);
+
+  void update(Moment now, const Controls& controls);
+  /// Nothing while no round is played.
+  std::optional<Scene> scene(Moment now);
+  /// State of the connection for the player; empty while all is well.
+  std::string message() const;
+  /// Says good-bye and gives that half a second to arrive.
+  void leave();
+
+  const NetworkClient& client() const { return client_; }
+
+ private:
+  ServerAddress server_;
+  NetworkClient client_;
+  SceneFeed feed_;
+  FinishWatch watch_;
+};
+
+}  // namespace platon

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "shared/exact/angle.h"
+#include "shared/exact/integer.h"
+#include "shared/exact/point.h"
+
+namespace platon {
+
+/// Where something stands on the solid, in space: level units, the solid's centre at the origin.
+struct Pose {
+  glm::dvec3 position{0, 0, 1};
+  glm::dvec3 up{0, 1, 0};      ///< unit, along the face
+  glm::dvec3 normal{0, 0, 1};  ///< unit, out of the face
+};
+
+/// Subunits to level units. Exact: every coordinate of the simulation is a double.
+inline glm::dvec2 toUnits(Point point) {
+  return {double{1} * point.x / kSubunitsPerUnit, double{1} * point.y / kSubunitsPerUnit};
+}
+
+/// To radians, counter-clockwise, in [0, 2π).
+inline double toRadians(Angle angle) { return angle.hundredths() * (6.283185307179586 / Angle::kTurn); }
+
+}  // namespace platon

@@ -1,0 +1,130 @@
+#include "client/round.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace platon {
+
+namespace {
+
+constexpr std::uint32_t kTicksBetweenReports = 3;
+constexpr Moment kIdleReport = std::chrono::milliseconds(50);
+
+}  // namespace
+
+Round::Round(std::uint32_t id, const std::shared_ptr<const Level>& level, std::uint32_t slot, double lead)
+    : id_(id), prediction_(Game(level), slot), lead_(lead), hash_(shortHash(prediction_.confirmed().hash())) {}
+
+void Round::receive(const ConfirmedTicks& message, Moment now) {
+  const std::uint32_t newest = message.from + message.count;
+  // While catching up a message does not tell how far the server is.
+  if (!clock_ && message.count < kMaxTicksPerMessage) startClock(newest, now);
+  if (clock_ && message.slack) judge(*message.slack);
+  if (clock_) lead_ = clock_->tick() - newest;
+  const std::uint32_t confirmed = prediction_.confirmedTicks();
+  if (confirmed < message.from || confirmed >= newest) return;
+  const std::span<const EntityState> entities = prediction_.confirmed().world().entities();
+  confirmedBefore_.assign(entities.begin(), entities.end());
+  confirmedAt_ = now;
+  batch_ = newest - confirmed;
+  apply(message);
+  prediction_.reconcile(now);
+  check(message.hash);
+}
+
+void Round::judge(const SlackReport& report) {
+  // Of ticks that were predicted and sent together, the oldest must be in time.
+  const std::uint32_t older = burstSent_[report.tick % burstSent_.size()];
+  if (older <= report.tick) clock_->report(report.tick - older, report.slack - static_cast<std::int32_t>(older));
+}
+
+void Round::startClock(std::uint32_t newest, Moment now) {
+  clock_.emplace(newest + lead_, now);
+  firstInput_ = static_cast<std::uint32_t>(std::max(0.0, std::floor(clock_->tick())));
+}
+
+void Round::apply(const ConfirmedTicks& message) {
+  inputs_.assign(prediction_.held().begin(), prediction_.held().end());
+  auto change = message.changes.begin();
+  while (change != message.changes.end() && change->tick < prediction_.confirmedTicks()) ++change;
+  while (prediction_.confirmedTicks() < message.from + message.count) {
+    for (; change != message.changes.end() && change->tick == prediction_.confirmedTicks(); ++change) {
+      if (change->slot >= inputs_.size()) inputs_.resize(change->slot + 1);
+      inputs_[change->slot] = change->input;
+    }
+    prediction_.confirm(inputs_);
+  }
+}
+
+void Round::check(std::uint32_t hash) {
+  hash_ = shortHash(prediction_.confirmed().hash());
+  const bool matches = hash_ == hash;
+  if (!matches && !outOfStep_) ++count_.hashMismatches;
+  // The server learns it from the hash in the next report and answers with the full state.
+  outOfStep_ = !matches;
+}
+
+void Round::receive(const StateChunk& last, std::span<const std::uint8_t> bytes, Moment now) {
+  const std::optional<FullState> state = decodeFullState(bytes);
+  const bool hadTicks = prediction_.confirmedTicks() > 0;
+  if (!state || !prediction_.restore(state->game, last.tick, state->held)) return;
+  prediction_.reconcile(now);
+  sync_ = last.sync;
+  hash_ = shortHash(prediction_.confirmed().hash());
+  outOfStep_ = false;
+  if (hadTicks) ++count_.resyncs;
+}
+
+void Round::advance(Moment now, const Controls& controls) {
+  if (!clock_) return;
+  clock_->update(now);
+  const std::uint32_t before = std::max(prediction_.predictedTicks(), firstInput_);
+  while (prediction_.predictedTicks() + 1 <= clock_->tick()) {
+    Input own;
+    if (prediction_.predictedTicks() >= firstInput_) {
+      own.buttons = controls(prediction_.predicted(), prediction_.slot()).buttons | Input::kPresent;
+    }
+    if (!prediction_.predict(own)) break;
+  }
+  if (prediction_.predictedTicks() > before) burst_ = prediction_.predictedTicks() - before;
+}
+
+bool Round::changedSinceReport() const {
+  for (std::uint32_t tick = std::max(sentTicks_, firstInput_); tick < prediction_.predictedTicks(); ++tick) {
+    if (tick == firstInput_ || prediction_.ownInput(tick) != prediction_.ownInput(tick - 1)) return true;
+  }
+  return false;
+}
+
+bool Round::worthSending(Moment now) const {
+  if (!sentAt_ || now - *sentAt_ >= kIdleReport) return true;
+  const std::uint32_t ticks = prediction_.predictedTicks();
+  if (ticks <= std::max(sentTicks_, firstInput_)) return false;
+  return repeatSoon_ || ticks - sentTicks_ >= kTicksBetweenReports || changedSinceReport();
+}
+
+std::optional<PlayerInputs> Round::report(Moment now) {
+  if (!worthSending(now)) return std::nullopt;
+  PlayerInputs message{id_, sync_, prediction_.confirmedTicks(), hash_, 0, {}};
+  message.first = std::max(message.confirmed, firstInput_);
+  for (std::uint32_t tick = message.first; tick < prediction_.predictedTicks(); ++tick) {
+    message.inputs.push_back(prediction_.ownInput(tick));
+  }
+  if (!message.inputs.empty()) burstSent_[(prediction_.predictedTicks() - 1) % burstSent_.size()] = burst_ - 1;
+  repeatSoon_ = changedSinceReport();
+  sentAt_ = now;
+  sentTicks_ = prediction_.predictedTicks();
+  return message;
+}
+
+double Round::confirmedFraction(Moment now) const {
+  const double passed = toSeconds(now - confirmedAt_) * kTicksPerSecond;
+  return std::clamp(passed / batch_, 0.0, 1.0);
+}
+
+double Round::predictedFraction() const {
+  return clock_ ? std::clamp(clock_->tick() - prediction_.predictedTicks(), 0.0, 1.0) : 1.0;
+}
+
+}  // namespace platon

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "client/clock_sync.h"
+#include "client/moment.h"
+#include "client/prediction.h"
+#include "protocol/full_state.h"
+#include "protocol/to_client.h"
+#include "protocol/to_server.h"
+#include "shared/game/game.h"
+
+namespace platon {
+
+/// Chooses the buttons of slot `slot` for the next tick of `predicted`; asked once for every tick.
+using Controls = std::function<Input(const Game& predicted, std::uint32_t slot)>;
+
+/// How well a client keeps in step with the server.
+struct RoundCount {
+  std::uint32_t hashMismatches = 0;   ///< the confirmed game was not the server's
+  std::uint32_t resyncs = 0;          ///< full states taken after the first ticks of the round were confirmed
+};
+
+/// One round as a client lives it, from when it has the level: keeps the confirmed game in lockstep, the prediction as
+/// far ahead as the line demands, and says what to tell the server.
+class Round {
+ public:
+  /// `lead`: ticks that a client must be ahead of the newest tick it hears of, as far as is known.
+  Round(std::uint32_t id, const std::shared_ptr<const Level>& level, std::uint32_t slot, double lead);
+
+  std::uint32_t id() const { return id_; }
+  const Prediction& prediction() const { return prediction_; }
+  const RoundCount& count() const { return count_; }
+  /// None until the first ticks have been confirmed.
+  const std::optional<ClockSync>& clock() const { return clock_; }
+  /// Ticks that the prediction is ahead of the newest tick heard of; what was given while there is no clock.
+  double lead() const { return lead_; }
+
+  /// Messages of this round. What is not news is ignored.
+  void receive(const ConfirmedTicks& message, Moment now);
+  /// `bytes`: what the pieces that `last` completes make together.
+  void receive(const StateChunk& last, std::span<const std::uint8_t> bytes, Moment now);
+
+  /// Predicts up to `now`.
+  void advance(Moment now, const Controls& controls);
+
+  /// What to send to the server now, if anything: at once when the own buttons have changed, and once more a tick
+  /// later; else every third tick. All that is not confirmed is repeated every time.
+  std::optional<PlayerInputs> report(Moment now);
+
+  /// For drawing the others: the confirmed entities before the last batch of ticks, and how far to have moved on from
+  /// there, 0 … 1.
+  std::span<const EntityState> confirmedBefore() const { return confirmedBefore_; }
+  double confirmedFraction(Moment now) const;
+  /// For drawing the own player: how far to have moved on from `prediction().predictedBefore()`, 0 … 1.
+  double predictedFraction() const;
+
+ private:
+  void apply(const ConfirmedTicks& message);
+  void check(std::uint32_t hash);
+  void judge(const SlackReport& report);
+  void startClock(std::uint32_t newest, Moment now);
+  bool changedSinceReport() const;
+  bool worthSending(Moment now) const;
+
+  std::uint32_t id_;
+  Prediction prediction_;
+  std::optional<ClockSync> clock_;
+  double lead_;
+  std::uint32_t firstInput_ = 0;            // own player is absent before, by the client's own doing
+  std::uint8_t sync_ = 0;
+  std::uint32_t hash_ = 0;                  // short, of the confirmed game
+  bool outOfStep_ = false;                  // the last hash did not match
+  std::vector<Input> inputs_;               // scratch
+
+  std::optional<Moment> sentAt_;
+  std::uint32_t sentTicks_ = 0;             // predictedTicks() when sent
+  std::uint32_t burst_ = 0;                 // ticks predicted together last
+  std::array<std::uint32_t, Prediction::kMaxAhead> burstSent_{};   // by newest tick sent, modulo kMaxAhead
+  bool repeatSoon_ = false;
+
+  std::vector<EntityState> confirmedBefore_;
+  Moment confirmedAt_{};
+  std::uint32_t batch_ = 1;                 // ticks confirmed together last
+  RoundCount count_;
+};
+
+}  // namespace platon

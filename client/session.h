@@ -1,0 +1,97 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "client/moment.h"
+#include "client/round.h"
+#include "protocol/assembly.h"
+#include "protocol/to_client.h"
+#include "protocol/to_server.h"
+#include "shared/game/level.h"
+
+namespace platon {
+
+/// A message for the server, encoded.
+struct OutgoingMessage {
+  std::vector<std::uint8_t> bytes;
+  bool reliable = false;   ///< on the reliable channel; else unsequenced on the tick channel
+};
+
+/// A client's whole part in a match, from Hello to Bye: greets, fetches levels, plays the rounds, knows who else is
+/// there. Has no socket and no clock: what arrives is handed in, what is to be sent is taken out, and the time is told.
+class Session {
+ public:
+  /// A server that is connected but says nothing for this long has gone.
+  static constexpr Moment kSilence = std::chrono::seconds(8);
+
+  /// `name` is a clean label of at most kMaxNameBytes, perhaps empty. `now`: when the connection was made.
+  Session(const std::string& name, Moment now);
+
+  /// A message from the server. One that makes no sense ends the session.
+  void receive(std::span<const std::uint8_t> bytes, Moment now);
+  /// Predicts up to `now` and tells the server. To be called every few milliseconds.
+  void update(Moment now, const Controls& controls);
+  /// Says good-bye; the connection may be closed once this is sent.
+  void leave();
+  /// What has to be sent, oldest first; each is given once.
+  std::vector<OutgoingMessage> takeOutgoing();
+
+  /// Why the session is over, a sentence for the player; nothing while it goes on.
+  const std::optional<std::string>& ending() const { return ending_; }
+
+  /// The own slot and the server's name, once welcomed.
+  const std::optional<Welcome>& welcome() const { return welcome_; }
+  /// The round that is played, once its level is there. Rounds differ by their id.
+  const Round* round() const { return round_ ? &*round_ : nullptr; }
+  /// Names by slot; empty where nobody plays.
+  std::span<const std::string> names() const { return names_; }
+
+  /// Over all rounds.
+  PredictionCount predictionCount() const;
+  RoundCount roundCount() const;
+
+ private:
+  template <class Message>
+  void send(const Message& message, bool reliable);
+  void end(std::string reason) { ending_ = std::move(reason); }
+
+  void handle(const Welcome& message, Moment now);
+  void handle(const Refused& message, Moment now);
+  void handle(const LevelChunk& message, Moment now);
+  void handle(const StateChunk& message, Moment now);
+  void handle(const RosterEntry& message, Moment now);
+  void handle(const RoundStart& message, Moment now);
+  void handle(const RoundEnd& message, Moment now);
+  void handle(const Bye& message, Moment now);
+  void handle(const ConfirmedTicks& message, Moment now);
+
+  std::shared_ptr<const Level> level(std::uint64_t hash) const;
+  void fetch(std::uint64_t levelHash);
+  void startRound(std::uint32_t round, std::uint64_t levelHash);
+  void closeRound();
+
+  Moment helloAt_;
+  Moment heardAt_;
+  std::optional<std::string> ending_;
+  std::optional<Welcome> welcome_;
+  std::vector<std::string> names_;
+  std::vector<OutgoingMessage> outgoing_;
+
+  std::vector<std::shared_ptr<const Level>> levels_;   // the last few, newest last
+  std::optional<std::uint64_t> fetching_;              // hash of the level on its way
+  Assembly levelText_;
+  Assembly state_;
+
+  std::optional<RoundStart> next_;                     // waits for its level
+  std::optional<Round> round_;
+  double lead_ = 0;
+  PredictionCount pastPrediction_;                     // of the rounds before
+  RoundCount pastRounds_;
+};
+
+}  // namespace platon

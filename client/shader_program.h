@@ -1,0 +1,48 @@
+#pragma once
+
+#include <map>
+#include <span>
+#include <string>
+
+#include <GL/glew.h>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+namespace platon {
+
+/// A linked pair of shaders and its uniforms by name.
+class ShaderProgram {
+ public:
+  /// `shared` stands before both; sources are GLSL 3.30 without the #version line. Throws std::runtime_error with the
+  /// driver's words when one does not compile.
+  ShaderProgram(const std::string& shared, const std::string& vertex, const std::string& fragment);
+  ~ShaderProgram();
+  ShaderProgram(const ShaderProgram&) = delete;
+  ShaderProgram& operator=(const ShaderProgram&) = delete;
+
+  /// Draws from now on use it; `set` acts on the program in use.
+  void use() const { glUseProgram(name_); }
+
+  void set(const char* uniform, int value) { glUniform1i(location(uniform), value); }
+  void set(const char* uniform, float value) { glUniform1f(location(uniform), value); }
+  void set(const char* uniform, const glm::vec2& value) { glUniform2fv(location(uniform), 1, &value[0]); }
+  void set(const char* uniform, const glm::vec3& value) { glUniform3fv(location(uniform), 1, &value[0]); }
+  void set(const char* uniform, const glm::vec4& value) { glUniform4fv(location(uniform), 1, &value[0]); }
+  void set(const char* uniform, const glm::mat4& value) {
+    glUniformMatrix4fv(location(uniform), 1, GL_FALSE, &value[0][0]);
+  }
+  /// At least one.
+  void set(const char* uniform, std::span<const glm::vec2> values) {
+    glUniform2fv(location(uniform), static_cast<GLsizei>(values.size()), &values[0][0]);
+  }
+
+ private:
+  GLint location(const char* uniform);
+
+  GLuint name_ = 0;
+  std::map<std::string, GLint, std::less<>> locations_;
+};
+
+}  // namespace platon
