@@ -40,15 +40,14 @@ std::shared_ptr<const Level> makeLevel(LevelDraft draft, World stage, std::strin
   return level;
 }
 
-LevelResult tooLong(std::size_t bytes) {
-  return {nullptr, {{1, 1, true, "the text has " + std::to_string(bytes) + " bytes: at most " +
-                                     std::to_string(kMostLevelBytes) + " are allowed"}}};
+LevelResult tooLong() {
+  return {nullptr, {{1, 1, true, "the text has more than " + std::to_string(kMostLevelBytes) + " bytes"}}};
 }
 
 }  // namespace
 
 LevelResult loadLevel(std::string_view text) {
-  if (text.size() > kMostLevelBytes) return tooLong(text.size());
+  if (text.size() > kMostLevelBytes) return tooLong();
   Diagnostics diagnostics;
   LevelDraft draft = LevelReader(text, diagnostics).read();
   World stage;

@@ -120,4 +120,17 @@ std::vector<Point> facePolygon(SolidKind kind, std::int32_t faceSize) {
   }
 }
 
+PrecisePoint edgeMiddle(SolidKind kind, std::int32_t faceSize, int edge) {
+  // The radius of the circle inside a face with edge 1, over 2^62: 1 / (2 tan(180° / edges)).
+  constexpr std::int64_t inradius[] = {1331279082078542925, 2305843009213693952, 3173720629326573981};
+  const int edges = PlatonicSolid::of(kind).edgesPerFace();
+  const int128 length = int128{faceSize} * kSubunitsPerUnit * PrecisePoint::kOne;   // < 2^43
+  const auto radius = static_cast<std::int64_t>((length * inradius[edges - 3]) >> 62);
+  const Direction turn = directionOf(Angle(Angle::kTurn / edges * edge));
+  constexpr int128 one = int128{1} << Direction::kFractionBits;
+  // (0, -radius), turned.
+  return {static_cast<std::int64_t>(divideRounded(int128{radius} * turn.sine, one)),
+          static_cast<std::int64_t>(divideRounded(-int128{radius} * turn.cosine, one))};
+}
+
 }  // namespace platon

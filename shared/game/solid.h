@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "shared/exact/angle.h"
+#include "shared/exact/precise_point.h"
 #include "shared/exact/point.h"
 
 namespace platon {
@@ -67,6 +68,9 @@ class PlatonicSolid {
 /// Smallest and largest edge length of a face, level units.
 inline constexpr std::int32_t kLeastFaceSize = 200;
 inline constexpr std::int32_t kMostFaceSize = 65536;
+
+/// The middle of an edge of every face, within 2^-28 of the edge length.
+PrecisePoint edgeMiddle(SolidKind kind, std::int32_t faceSize, int edge);
 
 /// The corners of every face with the given edge length in level units (kLeastFaceSize … kMostFaceSize), in subunits,
 /// each coordinate the integer nearest to the true one. All are below 2^26.

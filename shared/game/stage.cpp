@@ -17,13 +17,15 @@ Point alongEdge(Point corner, Point other, std::int64_t edgeLength) {
   return corner + Point(reach(corner.x, other.x), reach(corner.y, other.y));
 }
 
-void addWarps(MapPart& part, const PlatonicSolid& solid, const std::vector<Point>& polygon) {
+void addWarps(MapPart& part, SolidKind kind, std::int32_t faceSize, const std::vector<Point>& polygon) {
+  const PlatonicSolid& solid = PlatonicSolid::of(kind);
   const auto corner = [&](int index) {
     return polygon[static_cast<std::size_t>(index) % polygon.size()];
   };
   for (int edge = 0; edge < solid.edgesPerFace(); ++edge) {
     const PlatonicSolid::Neighbour& behind = solid.neighbour(static_cast<int>(part.id()), edge);
-    part.warp(corner(edge), corner(edge + 1), behind.face, corner(behind.edge + 1), corner(behind.edge));
+    part.warp({corner(edge), corner(edge + 1)}, behind.face, {corner(behind.edge + 1), corner(behind.edge)},
+              edgeMiddle(kind, faceSize, edge), edgeMiddle(kind, faceSize, behind.edge));
   }
 }
 
@@ -54,7 +56,7 @@ World buildStage(SolidKind kind, std::int32_t faceSize, std::span<const std::vec
       part.line(post.cut.a, post.cut.b);
       part.line(post.corner, post.corner);
     }
-    addWarps(part, solid, polygon);
+    addWarps(part, kind, faceSize, polygon);
     part.initialize();
   }
   return world;

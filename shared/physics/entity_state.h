@@ -47,6 +47,17 @@ struct InstanceState {
 };
 static_assert(sizeof(InstanceState) <= 32);
 
+/// Takes the first id from `next` on that is not `used` by an instance of the entity. Ids come round again after 65 535
+/// instances; kNoParent is none.
+template <class Used>
+std::uint16_t takeId(std::uint16_t& next, Used&& used) {
+  const auto after = [](std::uint16_t id) { return static_cast<std::uint16_t>((id + 1) % InstanceState::kNoParent); };
+  while (used(next)) next = after(next);
+  const std::uint16_t taken = next;
+  next = after(taken);
+  return taken;
+}
+
 /// All of an entity that is saved and hashed, but for its further instances.
 struct EntityState {
   std::uint32_t shape = 0;                ///< index into the world's shapes

@@ -96,7 +96,7 @@ EntityStep::Leg EntityStep::admit(Point target) {
 
 void EntityStep::insertBehind(Leg& leg, const LegHit& met) {
   const auto warp = static_cast<std::uint16_t>(instances_.all()[met.placement].part->warpOfLine(met.line));
-  if (instances_.all().size() == Instances::kMost) {
+  if (instances_.fullBehind(met.placement)) {
     leg.end = End::kFull;
     leg.hit = met;
   } else if (instances_.insert(met.placement, warp, collider_)) {

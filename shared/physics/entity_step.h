@@ -94,6 +94,7 @@ class EntityStep {
   void callContact(const LegHit& hit);
   void callOver();
   void appendOverlap(const Collider::Pierced& pierced);
+  bool overlaps(const Placement& placement, std::uint32_t line);
 
   std::optional<Entity> entity_;
   EntityState* state_ = nullptr;

@@ -8,13 +8,26 @@
 
 namespace platon {
 
+namespace {
+
+// Of an edge that lies flat on a line, the corner may be beyond the line's end; then the end touches.
+Point clampedTo(const Segment& line, Point point) {
+  const Point along = line.b - line.a;
+  if (dot(point - line.a, along) <= 0) return line.a;
+  return dot(point - line.b, along) >= 0 ? line.b : point;
+}
+
+}  // namespace
+
 void EntityStep::callContact(const LegHit& hit) {
   const Placement& placement = instances_.all()[hit.placement];
   Contact contact;
   contact.line = lineRef(*placement.part, hit.line);
   contact.instance = placement.id;
   contact.normal = normalOf(hit);
-  contact.point = hit.hit.side == Hit::Side::kLine ? placement.position + hit.hit.feature : hit.hit.feature;
+  contact.point = hit.hit.side == Hit::Side::kLine
+                      ? clampedTo(contact.line.segment, placement.position + hit.hit.feature)
+                      : hit.hit.feature;
   contact.toHome = instances_.home().angle - placement.angle;
   contact.time = hit.hit.time;
   rules_->contact(*entity_, contact);
@@ -43,7 +56,9 @@ void EntityStep::appendEvents(const Collider::Pierced& pierced, Point before) {
                                        placement.part->lines[pierced.line]);
     if (!hit) return;
     if (hit->side != Hit::Side::kInside || placement.fresh) events_.push_back({hit->time, true, i, pierced.line});
-    if (hit->exit < Fraction{1, 1}) events_.push_back({hit->exit, false, i, pierced.line});
+    if (hit->exit < Fraction{1, 1} || !overlaps(placement, pierced.line)) {
+      events_.push_back({hit->exit, false, i, pierced.line});
+    }
   }
 }
 
@@ -63,11 +78,12 @@ void EntityStep::appendOverlap(const Collider::Pierced& pierced) {
   for (std::size_t i = 0; i < instances_.all().size(); ++i) {
     const Placement& placement = instances_.all()[i];
     if (placement.id != pierced.instance) continue;
-    const Segment& line = placement.part->lines[pierced.line];
-    if (collider_.against(placement, placement.position, placement.position, line)) {
-      events_.push_back({{}, false, i, pierced.line});
-    }
+    if (overlaps(placement, pierced.line)) events_.push_back({{}, false, i, pierced.line});
   }
+}
+
+bool EntityStep::overlaps(const Placement& placement, std::uint32_t line) {
+  return collider_.against(placement, placement.position, placement.position, placement.part->lines[line]).has_value();
 }
 
 }  // namespace platon

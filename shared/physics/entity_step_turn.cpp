@@ -78,7 +78,7 @@ bool EntityStep::admitTurn(std::int32_t hundredths) {
     const MapGeometry& part = *instances_.all()[i].part;
     for (std::uint16_t warp = 0; warp < part.warps.size(); ++warp) {
       if (!collider_.meetsWarp(instances_, {i, warp}, *hull, kInsertMargin)) continue;
-      if (instances_.all().size() == Instances::kMost || !instances_.insert(i, warp, collider_)) return false;
+      if (instances_.fullBehind(i) || !instances_.insert(i, warp, collider_)) return false;
     }
   }
   return true;

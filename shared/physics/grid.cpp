@@ -83,9 +83,12 @@ bool Grid::build(std::span<const Segment> lines, std::size_t cellsPerAxis, std::
   columns_ = chooseBorders(std::move(xs), cellsPerAxis);
   rows_ = chooseBorders(std::move(ys), cellsPerAxis);
   firsts_.assign((columns_.size() + 1) * (rows_.size() + 1) + 1, 0);
-  for (const Segment& line : lines) forEachCell(line, [&](std::size_t cell) { ++firsts_[cell + 1]; });
+  std::size_t references = 0;
+  for (const Segment& line : lines) {
+    forEachCell(line, [&](std::size_t cell) { ++firsts_[cell + 1], ++references; });
+    if (references > mostReferences && cellsPerAxis > 1) return false;
+  }
   for (std::size_t i = 1; i < firsts_.size(); ++i) firsts_[i] += firsts_[i - 1];
-  if (firsts_.back() > mostReferences && cellsPerAxis > 1) return false;
   references_.resize(firsts_.back());
   std::vector<std::uint32_t> next(firsts_.begin(), firsts_.end() - 1);
   for (std::uint32_t i = 0; i < lines.size(); ++i) {

@@ -9,9 +9,6 @@
 namespace platon {
 namespace {
 
-constexpr int kWideBits = 16;
-constexpr std::int64_t kWideOne = std::int64_t{1} << kWideBits;
-
 // Offsets by which a placement may be moved to be free, nearest first; all within kMostError of a point that is itself
 // at most sqrt(1/2) from the ideal one.
 constexpr auto kOffsets = [] {
@@ -29,10 +26,10 @@ constexpr auto kOffsets = [] {
   return offsets;
 }();
 
-constexpr std::int64_t squaredWide(std::int32_t subunits) { return subunits * kWideOne * subunits * kWideOne; }
-constexpr std::int64_t kMostSquaredError = squaredWide(Instances::kMostError);
+constexpr std::int64_t squaredPrecise(std::int32_t subunits) { return subunits * PrecisePoint::kOne * subunits * PrecisePoint::kOne; }
+constexpr std::int64_t kMostSquaredError = squaredPrecise(Instances::kMostError);
 // Half the diagonal of a lattice cell is 0.71 subunits: what is closer than one cannot be bettered by much.
-constexpr std::int64_t kWorthMending = squaredWide(1);
+constexpr std::int64_t kWorthMending = squaredPrecise(1);
 
 }  // namespace
 
@@ -136,6 +133,12 @@ bool Instances::linked(std::size_t index, std::uint16_t warp) const {
                      [&](const Placement& child) { return child.parent == index && child.warp == warp; });
 }
 
+bool Instances::fullBehind(std::size_t parent) const {
+  int depth = 1;
+  for (; placements_[parent].parent != Placement::kNone; parent = placements_[parent].parent) ++depth;
+  return placements_.size() == kMost || depth > kMostDepth;
+}
+
 bool Instances::insert(std::size_t parentIndex, std::uint16_t warpIndex, Collider& collider) {
   const Placement& parent = placements_[parentIndex];
   const Warp& warp = parent.part->warps[warpIndex];
@@ -156,7 +159,9 @@ bool Instances::insert(std::size_t parentIndex, std::uint16_t warpIndex, Collide
   if (!place) return false;
   child.position = child.anchor = *place;
   child.homeAnchor = home().position;
-  child.id = nextId_++;
+  child.id = takeId(nextId_, [&](std::uint16_t id) {
+    return std::any_of(placements_.begin(), placements_.end(), [&](const Placement& other) { return other.id == id; });
+  });
   placements_.push_back(child);
   return true;
 }
@@ -240,7 +245,7 @@ bool Instances::mendDrift(Collider& collider) {
   for (std::size_t i = 1; i < placements_.size(); ++i) {
     Placement& placement = placements_[i];
     if (placement.parent == Placement::kNone) continue;
-    const WidePoint target = ideal(i);
+    const PrecisePoint target = ideal(i);
     const std::int64_t miss = squaredMiss(target, placement.position);
     if (miss <= kWorthMending) continue;
     const auto better = nearestFree(placement, &placement.position, target, miss, collider);
@@ -292,51 +297,42 @@ bool Instances::hangs(std::size_t index) const {
   return true;
 }
 
-Instances::WidePoint Instances::widened(Point point) { return {point.x * kWideOne, point.y * kWideOne}; }
-
-Point Instances::rounded(WidePoint point) {
-  return {static_cast<std::int32_t>(divideRounded(point.x, kWideOne)),
-          static_cast<std::int32_t>(divideRounded(point.y, kWideOne))};
+Point Instances::rounded(PrecisePoint point) {
+  return {static_cast<std::int32_t>(divideRounded(point.x, PrecisePoint::kOne)),
+          static_cast<std::int32_t>(divideRounded(point.y, PrecisePoint::kOne))};
 }
 
-std::int64_t Instances::squaredMiss(WidePoint ideal, Point point) {
-  constexpr std::int64_t limit = 1000 * kWideOne;   // farther is simply far; keeps the square in range
-  const WidePoint wide = widened(point);
+std::int64_t Instances::squaredMiss(PrecisePoint ideal, Point point) {
+  constexpr std::int64_t limit = 1000 * PrecisePoint::kOne;   // farther is simply far; keeps the square in range
+  const PrecisePoint wide = precise(point);
   const std::int64_t x = std::clamp(wide.x - ideal.x, -limit, limit);
   const std::int64_t y = std::clamp(wide.y - ideal.y, -limit, limit);
   return x * x + y * y;
 }
 
-// The isometry of a warp turns about the middles of the line and its image: so the rounded ends weigh alike, and the
-// way back is the exact inverse.
-Instances::WidePoint Instances::through(const Warp& warp, WidePoint point) {
-  const auto middle = [](const Segment& line) {
-    return WidePoint{(std::int64_t{line.a.x} + line.b.x) * (kWideOne / 2),
-                     (std::int64_t{line.a.y} + line.b.y) * (kWideOne / 2)};
-  };
-  const WidePoint from = middle(warp.from);
-  const WidePoint onto = middle(warp.onto);
+// The isometry of a warp turns about the middle of the line: so the way back is the exact inverse.
+PrecisePoint Instances::through(const Warp& warp, PrecisePoint point) {
   const Direction turn = directionOf(warp.turn);
-  const int128 x = point.x - from.x;   // < 2^47; times 2^30 still far from 2^127
-  const int128 y = point.y - from.y;
+  const int128 x = point.x - warp.fromMiddle.x;   // < 2^47; times 2^30 still far from 2^127
+  const int128 y = point.y - warp.fromMiddle.y;
   constexpr int128 one = int128{1} << Direction::kFractionBits;
-  return {onto.x + static_cast<std::int64_t>(divideRounded(x * turn.cosine - y * turn.sine, one)),
-          onto.y + static_cast<std::int64_t>(divideRounded(x * turn.sine + y * turn.cosine, one))};
+  return {warp.ontoMiddle.x + static_cast<std::int64_t>(divideRounded(x * turn.cosine - y * turn.sine, one)),
+          warp.ontoMiddle.y + static_cast<std::int64_t>(divideRounded(x * turn.sine + y * turn.cosine, one))};
 }
 
-Instances::WidePoint Instances::ideal(std::size_t index) const {
+PrecisePoint Instances::ideal(std::size_t index) const {
   const Placement& placement = placements_[index];
-  if (placement.parent == Placement::kNone) return widened(placement.position);
+  if (placement.parent == Placement::kNone) return precise(placement.position);
   return through(placements_[placement.parent].part->warps[placement.warp], ideal(placement.parent));
 }
 
 // `from` is where the placement moves from; null when it is put down.
-std::optional<Point> Instances::nearestFree(const Placement& placement, const Point* from, WidePoint ideal,
+std::optional<Point> Instances::nearestFree(const Placement& placement, const Point* from, PrecisePoint ideal,
                                             std::int64_t closerThan, Collider& collider) {
   const Point nearest = rounded(ideal);
   for (const Point offset : kOffsets) {
     const Point candidate = nearest + offset;
-    if (squaredMiss(ideal, candidate) >= closerThan) continue;
+    if (squaredMiss(ideal, candidate) >= closerThan || !isCoordinate(candidate.x) || !isCoordinate(candidate.y)) continue;
     if (collider.isFree(placement, from != nullptr ? *from : candidate, candidate)) return candidate;
   }
   return std::nullopt;

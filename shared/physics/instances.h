@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "shared/exact/angle.h"
+#include "shared/exact/precise_point.h"
 #include "shared/exact/point.h"
 #include "shared/physics/convex.h"
 #include "shared/physics/entity_state.h"
@@ -25,6 +26,9 @@ class Instances {
  public:
   /// More than any shape between posts can reach; a displacement over more faces is walked in several legs.
   static constexpr std::size_t kMost = 24;
+  /// Warps between home and any instance. Where only the rounded ends of the warp lines are known, every link of a chain
+  /// can be off by 0.7 subunits; I5 allows 4 in all.
+  static constexpr int kMostDepth = 4;
   /// An instance is never placed farther than this from where the true isometry puts it (I5 allows 4): one more
   /// rounding comes on top while it moves.
   static constexpr std::int32_t kMostError = 3;
@@ -45,6 +49,8 @@ class Instances {
 
   /// Whether the instance behind this warp of placement `index` exists.
   bool linked(std::size_t index, std::uint16_t warp) const;
+  /// Whether no instance may be added behind placement `parent`.
+  bool fullBehind(std::size_t parent) const;
   /// Adds the instance behind a warp of placement `parent`, at the free lattice point nearest to the true placement.
   /// False when the warp has no way back, the shape degenerates, or no point within kMostError is free.
   bool insert(std::size_t parent, std::uint16_t warp, Collider& collider);
@@ -69,10 +75,6 @@ class Instances {
   bool dropUnreached(std::int32_t margin);
 
  private:
-  struct WidePoint {
-    std::int64_t x, y;   // subunits over 2^16
-  };
-
   void loadHome(const EntityState& state);
   void loadFurther(const InstanceState& instance);
   void linkParent(std::size_t index, std::uint16_t parentId);
@@ -82,12 +84,11 @@ class Instances {
   bool withinError(std::size_t index) const;
   bool reached(std::size_t index, std::int32_t margin);
   bool hangs(std::size_t index) const;
-  WidePoint ideal(std::size_t index) const;
-  static WidePoint through(const Warp& warp, WidePoint point);
-  static WidePoint widened(Point point);
-  static Point rounded(WidePoint point);
-  static std::int64_t squaredMiss(WidePoint ideal, Point point);
-  static std::optional<Point> nearestFree(const Placement& placement, const Point* from, WidePoint ideal,
+  PrecisePoint ideal(std::size_t index) const;
+  static PrecisePoint through(const Warp& warp, PrecisePoint point);
+  static Point rounded(PrecisePoint point);
+  static std::int64_t squaredMiss(PrecisePoint ideal, Point point);
+  static std::optional<Point> nearestFree(const Placement& placement, const Point* from, PrecisePoint ideal,
                                           std::int64_t closerThan, Collider& collider);
   std::size_t unusedRegion() const;
   Point centreOf(const Placement& placement) const { return placement.position + placement.shape->centre(); }

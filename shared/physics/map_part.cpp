@@ -1,5 +1,6 @@
 #include "shared/physics/map_part.h"
 
+#include <cstdlib>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -23,6 +24,10 @@ bool turnsOnto(Point from, Point onto, Angle turn) {
   return squaredLength(miss) <= 2 * 2;
 }
 
+bool isNear(PrecisePoint a, PrecisePoint b) {
+  return std::abs(a.x - b.x) <= PrecisePoint::kOne && std::abs(a.y - b.y) <= PrecisePoint::kOne;
+}
+
 }  // namespace
 
 void MapPart::line(Point p0, Point p1) {
@@ -32,15 +37,22 @@ void MapPart::line(Point p0, Point p1) {
 }
 
 void MapPart::warp(Point p0, Point p1, std::uint32_t targetMap, Point t0, Point t1) {
-  for (const Point point : {p0, p1, t0, t1}) requireCoordinates(id_, point);
+  warp({p0, p1}, targetMap, {t0, t1}, middle(p0, p1), middle(t0, t1));
+}
+
+void MapPart::warp(Segment from, std::uint32_t targetMap, Segment onto, PrecisePoint fromMiddle, PrecisePoint ontoMiddle) {
+  for (const Point point : {from.a, from.b, onto.a, onto.b}) requireCoordinates(id_, point);
   const std::string where = "map part " + std::to_string(id_) + ", warp " + std::to_string(warps_.size());
-  if (p0 == p1 || t0 == t1) throw std::invalid_argument(where + ": the two ends are the same point");
-  const Angle turn = angleBetween(p1 - p0, t1 - t0);
-  if (!turnsOnto(p1 - p0, t1 - t0, turn)) {
+  if (from.a == from.b || onto.a == onto.b) throw std::invalid_argument(where + ": the two ends are the same point");
+  const Angle turn = angleBetween(from.b - from.a, onto.b - onto.a);
+  if (!turnsOnto(from.b - from.a, onto.b - onto.a, turn)) {
     throw std::invalid_argument(where + ": the line and its image differ in length, or the turn between them is no " +
                                 "whole number of hundredths of a degree");
   }
-  warps_.push_back({{p0, p1}, targetMap, {t0, t1}, turn});
+  if (!isNear(fromMiddle, middle(from.a, from.b)) || !isNear(ontoMiddle, middle(onto.a, onto.b))) {
+    throw std::invalid_argument(where + ": a middle lies farther than a subunit from that of the ends");
+  }
+  warps_.push_back({from, targetMap, onto, turn, fromMiddle, ontoMiddle});
 }
 
 void MapPart::initialize() {

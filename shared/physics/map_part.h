@@ -28,6 +28,10 @@ class MapPart {
   /// ends; throws std::invalid_argument otherwise. The target needs a warp back before an entity comes near.
   void warp(Point p0, Point p1, std::uint32_t targetMap, Point t0, Point t1);
 
+  /// As above, with the true middles of the line and its image, which lie within 1 subunit of those of the rounded ends:
+  /// instances are then placed by them, so that chains of warps add up no roundings.
+  void warp(Segment from, std::uint32_t targetMap, Segment onto, PrecisePoint fromMiddle, PrecisePoint ontoMiddle);
+
   /// Builds the grid and adds the part to the world. Throws std::invalid_argument when the id is taken.
   void initialize();
 

@@ -122,6 +122,9 @@ void World::insert(std::uint32_t entity, std::uint32_t part, Point origin, Angle
   for (const InstanceView& view : this->view(entity)) {
     if (view.part == part) throw std::invalid_argument(named(entity, part) + "it is there already: erase it first");
   }
+  if (!shapeOf(entity).turned(angle)) {
+    throw std::invalid_argument(named(entity, part) + "the shape has no area left when it is turned and rounded");
+  }
   const WorldState before = state_;
   state_.entities[entity].inserted == 0 ? placeHome(entity, part, origin, angle)
                                         : placeFurther(entity, part, origin, angle);
@@ -135,7 +138,7 @@ void World::placeHome(std::uint32_t entity, std::uint32_t part, Point origin, An
   state.part = part;
   state.position = origin;
   state.angle = angle;
-  state.id = state.nextId++;
+  state.id = takeId(state.nextId, [](std::uint16_t) { return false; });
   state.inserted = 1;
   state.fresh = 1;
 }
@@ -148,7 +151,11 @@ void World::placeFurther(std::uint32_t entity, std::uint32_t part, Point origin,
   instance.angle = angle;
   instance.homeAnchor = state.position;
   instance.anchor = origin;
-  instance.id = state.nextId++;
+  const auto others = instancesOf(entity);
+  instance.id = takeId(state.nextId, [&](std::uint16_t id) {
+    return id == state.id ||
+           std::any_of(others.begin(), others.end(), [&](const InstanceState& other) { return other.id == id; });
+  });
   instance.fresh = 1;
   replaceInstances(entity, [&](std::vector<InstanceState>& further) { further.push_back(instance); });
 }
@@ -179,27 +186,42 @@ void World::replaceInstances(std::uint32_t entity, Edit&& edit) {
   state_.entities[entity].instances = static_cast<std::uint16_t>(further.size());
 }
 
+bool World::isIn(std::uint32_t entity, std::uint32_t part) const {
+  const EntityState& state = state_.entities[entity];
+  const auto further = instancesOf(entity);
+  return state.inserted != 0 &&
+         (state.part == part || std::any_of(further.begin(), further.end(),
+                                            [&](const InstanceState& instance) { return instance.part == part; }));
+}
+
 // The instances that hang on others go with them; the next step brings back those still needed.
 void World::erase(std::uint32_t entity, std::uint32_t part) {
+  if (!isIn(entity, part)) return;
   EntityState& state = state_.entities[entity];
-  if (state.inserted == 0) return;
   replaceInstances(entity, [&](std::vector<InstanceState>& further) {
     std::erase_if(further, [&](const InstanceState& instance) {
       return instance.part == part || instance.parent != InstanceState::kNoParent;
     });
-    if (state.part != part) return;
-    state.inserted = 0;
-    if (further.empty()) return;
-    const InstanceState heir = further.front();
-    const Direction fromHome = directionOf(heir.angle - state.angle);
-    state.inserted = 1;
-    state.part = heir.part;
-    state.position = heir.anchor + rotate(state.position - heir.homeAnchor, fromHome);
-    state.heading = state.heading + (heir.angle - state.angle);
-    state.angle = heir.angle;
-    state.id = heir.id;
-    further.erase(further.begin());
+    if (state.part == part) promoteFirst(state, further);
   });
+}
+
+// Makes the first of the instances placed by hand the home of the entity, and anchors the others to it where they are.
+void World::promoteFirst(EntityState& state, std::vector<InstanceState>& further) {
+  state.inserted = further.empty() ? 0 : 1;
+  if (further.empty()) return;
+  for (InstanceState& instance : further) {
+    instance.anchor += rotate(state.position - instance.homeAnchor, instance.angle - state.angle);
+    instance.homeAnchor = further.front().anchor;
+  }
+  const InstanceState heir = further.front();
+  state.part = heir.part;
+  state.position = heir.anchor;
+  state.heading = state.heading + (heir.angle - state.angle);
+  state.angle = heir.angle;
+  state.id = heir.id;
+  state.fresh = heir.fresh;
+  further.erase(further.begin());
 }
 
 void World::remove(std::uint32_t entity) {

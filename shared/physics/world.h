@@ -74,7 +74,9 @@ class World {
 
   std::uint32_t add(const Convex& shape);
   void insert(std::uint32_t entity, std::uint32_t part, Point origin, Angle angle);
+  bool isIn(std::uint32_t entity, std::uint32_t part) const;
   void erase(std::uint32_t entity, std::uint32_t part);
+  static void promoteFirst(EntityState& state, std::vector<InstanceState>& further);
   void placeHome(std::uint32_t entity, std::uint32_t part, Point origin, Angle angle);
   void placeFurther(std::uint32_t entity, std::uint32_t part, Point origin, Angle angle);
   bool settle(std::uint32_t entity);

@@ -41,27 +41,35 @@ bool hangsTogether(const Geometry& geometry, const EntityState& entity, std::spa
   return open.empty();
 }
 
-bool acceptsInstance(const Geometry& geometry, const InstanceState& instance) {
-  return geometry.find(instance.part) != nullptr && inRange(instance.homeAnchor) && inRange(instance.anchor) &&
-         isFlag(instance.fresh);
+bool acceptsInstance(const Geometry& geometry, const EntityState& entity, const InstanceState& instance) {
+  if (geometry.find(instance.part) == nullptr || !isFlag(instance.fresh)) return false;
+  return inRange(instance.homeAnchor) && inRange(instance.anchor) &&
+         inRange(instance.anchor + rotate(entity.position - instance.homeAnchor, instance.angle - entity.angle));
 }
 
 bool idsDiffer(const EntityState& entity, std::span<const InstanceState> instances) {
   std::vector<std::uint16_t> ids{entity.id};
   for (const InstanceState& instance : instances) ids.push_back(instance.id);
   std::sort(ids.begin(), ids.end());
-  return std::adjacent_find(ids.begin(), ids.end()) == ids.end();
+  return std::adjacent_find(ids.begin(), ids.end()) == ids.end() && ids.back() != InstanceState::kNoParent;
 }
 
-bool acceptsEntity(const Geometry& geometry, const EntityState& entity, std::span<const InstanceState> instances) {
-  if (!isFlag(entity.inserted) || !isFlag(entity.fresh)) return false;
+bool turns(const Convex& shape, const EntityState& entity, std::span<const InstanceState> instances) {
+  return shape.turned(entity.angle) && std::all_of(instances.begin(), instances.end(), [&](const auto& instance) {
+           return shape.turned(instance.angle).has_value();
+         });
+}
+
+bool acceptsEntity(const Geometry& geometry, const Convex& shape, const EntityState& entity,
+                   std::span<const InstanceState> instances) {
+  if (!isFlag(entity.inserted) || !isFlag(entity.fresh) || entity.nextId == InstanceState::kNoParent) return false;
   if (!isVelocity(entity.velocity) || !inRange(entity.position)) return false;
   if (std::abs(std::int64_t{entity.turn}) >= Angle::kTurn) return false;
   if (entity.inserted == 0) return instances.empty();
   if (geometry.find(entity.part) == nullptr || instances.size() >= Instances::kMost) return false;
-  return idsDiffer(entity, instances) &&
-         std::all_of(instances.begin(), instances.end(),
-                     [&](const InstanceState& instance) { return acceptsInstance(geometry, instance); }) &&
+  const auto accepted = [&](const InstanceState& instance) { return acceptsInstance(geometry, entity, instance); };
+  return idsDiffer(entity, instances) && std::all_of(instances.begin(), instances.end(), accepted) &&
+         turns(shape, entity, instances) &&
          hangsTogether(geometry, entity, instances);
 }
 
@@ -72,7 +80,7 @@ bool World::accepts(const WorldState& state) const {
   for (const EntityState& entity : state.entities) {
     if (entity.shape >= shapes_.size() || entity.instances > state.instances.size() - next) return false;
     const auto instances = std::span(state.instances).subspan(next, entity.instances);
-    if (!acceptsEntity(*geometry_, entity, instances)) return false;
+    if (!acceptsEntity(*geometry_, *shapes_[entity.shape], entity, instances)) return false;
     next += entity.instances;
   }
   return next == state.instances.size();
