@@ -18,8 +18,8 @@ struct Warp {
   std::uint32_t target = 0;     ///< id of the other part
   Segment onto;                 ///< the same two points in the other part, which lies on its right
   Angle turn;                   ///< what is added to an angle here to get it there
-  PrecisePoint fromMiddle;         ///< the middle of the line, better than its rounded ends tell
-  PrecisePoint ontoMiddle;         ///< and where it lies in the other part
+  PrecisePoint fromMiddle = {};         ///< the middle of the line, better than its rounded ends tell
+  PrecisePoint ontoMiddle = {};         ///< and where it lies in the other part
 };
 
 /// What an initialised map part holds. Immutable, shared by any number of worlds and threads.

@@ -1,0 +1,104 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "shared/game/game.h"
+#include "shared/game/level.h"
+#include "tests/levels/solution.h"
+
+namespace platon {
+namespace {
+
+std::vector<std::string> shippedLevels() {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator("levels")) {
+    if (entry.path().extension() == ".level") names.push_back(entry.path().stem().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::string contentOf(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+class ShippedLevelTest : public testing::TestWithParam<std::string> {
+ protected:
+  std::string text() const { return contentOf("levels/" + GetParam() + ".level"); }
+  std::shared_ptr<const Level> level() const { return loadLevel(text()).level; }
+  std::vector<Input> solution() const { return readSolution("tests/levels/solutions/" + GetParam() + ".txt"); }
+};
+
+TEST_P(ShippedLevelTest, HasNoFaultAndNothingOdd) {
+  const LevelResult result = loadLevel(text());
+  for (const Diagnostic& one : result.diagnostics) {
+    ADD_FAILURE() << GetParam() << ":" << one.line << ":" << one.column << ": " << one.message;
+  }
+  ASSERT_NE(result.level, nullptr);
+  EXPECT_FALSE(result.level->title.empty());
+  EXPECT_FALSE(result.level->author.empty());
+}
+
+TEST_P(ShippedLevelTest, NoFaceIsEmptyOrCrowded) {
+  const auto level = this->level();
+  ASSERT_NE(level, nullptr);
+  for (std::size_t face = 0; face < level->lines.size(); ++face) {
+    EXPECT_GE(level->lines[face].size(), 3u) << "face " << face;
+    EXPECT_LE(level->lines[face].size(), 40u) << "face " << face;
+  }
+}
+
+TEST_P(ShippedLevelTest, IsFinishedByItsSolution) {
+  Game game(level());
+  const std::vector<Input> inputs = solution();
+  for (std::size_t tick = 0; tick < inputs.size(); ++tick) {
+    ASSERT_FALSE(tick != 0 && game.player(0).finished) << "already at tick " << tick << " of " << inputs.size();
+    game.advance({&inputs[tick], 1});
+  }
+  EXPECT_TRUE(game.player(0).finished);
+  EXPECT_TRUE(game.over());
+  EXPECT_GT(game.ticksLeft(), 0u);
+}
+
+// What makes it a puzzle of this game: the way goes over edges, and round corners, which turns what is down.
+TEST_P(ShippedLevelTest, SolutionGoesOverEdgesAndTurnsDown) {
+  Game game(level());
+  std::set<std::uint32_t> faces;
+  std::set<std::pair<std::uint32_t, std::int32_t>> ups;
+  for (const Input input : solution()) {
+    game.advance({&input, 1});
+    const EntityState& player = game.world().entities()[0];
+    faces.insert(player.part);
+    ups.insert({player.part, player.angle.hundredths()});
+  }
+  EXPECT_GE(game.world().entities()[0].crossings, 3u);
+  EXPECT_GE(faces.size(), 3u);
+  EXPECT_GT(ups.size(), faces.size()) << "down is never other than before on the same face";
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ShippedLevelTest, testing::ValuesIn(shippedLevels()),
+                         [](const auto& spec) { return spec.param; });
+
+TEST(ShippedLevelsTest, EverySolidHasALevelAndTheFirstIsAHexahedron) {
+  std::set<SolidKind> kinds;
+  for (const std::string& name : shippedLevels()) kinds.insert(loadLevel(contentOf("levels/" + name + ".level")).level->solid);
+  EXPECT_EQ(kinds.size(), static_cast<std::size_t>(kSolidKinds));
+  EXPECT_EQ(loadLevel(contentOf("levels/" + shippedLevels().front() + ".level")).level->solid, SolidKind::kHexahedron);
+}
+
+TEST(ShippedLevelsTest, EverySolutionHasItsLevel) {
+  for (const auto& entry : std::filesystem::directory_iterator("tests/levels/solutions")) {
+    const auto level = std::filesystem::path("levels") / entry.path().stem().concat(".level");
+    EXPECT_TRUE(std::filesystem::exists(level)) << entry.path();
+  }
+}
+
+}  // namespace
+}  // namespace platon
