@@ -1,0 +1,60 @@
+#include "shared/exact/hash.h"
+
+#include <gtest/gtest.h>
+
+#include <initializer_list>
+#include <set>
+
+namespace platon {
+namespace {
+
+std::uint64_t hashOf(std::initializer_list<std::uint64_t> values) {
+  Hash hash;
+  for (const std::uint64_t value : values) hash.add(value);
+  return hash.value();
+}
+
+TEST(HashTest, IsTheSameOnEveryMachine) {
+  EXPECT_EQ(hashOf({}), 0xcbf29ce484222325U);
+  EXPECT_EQ(hashOf({0}), 0xf8bb92c91b3f5cc0U);
+  EXPECT_EQ(hashOf({1, 2, 3}), 0xc07b167c3203d34U);
+}
+
+TEST(HashTest, HashesValuesNotTypes) {
+  Hash narrow;
+  narrow.add(std::int8_t{-5});
+  narrow.add(std::uint16_t{70});
+  narrow.add(true);
+  Hash wide;
+  wide.add(std::int64_t{-5});
+  wide.add(70);
+  wide.add(1U);
+  EXPECT_EQ(narrow.value(), wide.value());
+}
+
+TEST(HashTest, EverySingleBitShows) {
+  std::set<std::uint64_t> seen{hashOf({0, 0, 0})};
+  for (int place = 0; place < 3; ++place) {
+    for (int bit = 0; bit < 64; ++bit) {
+      std::uint64_t values[3] = {};
+      values[place] = std::uint64_t{1} << bit;
+      EXPECT_TRUE(seen.insert(hashOf({values[0], values[1], values[2]})).second) << place << " " << bit;
+    }
+  }
+}
+
+TEST(HashTest, OrderAndNumberShow) {
+  EXPECT_NE(hashOf({1, 2}), hashOf({2, 1}));
+  EXPECT_NE(hashOf({0}), hashOf({0, 0}));
+  Hash ab;
+  ab.add(Point(1, -2));
+  Hash ba;
+  ba.add(Point(-2, 1));
+  EXPECT_NE(ab.value(), ba.value());
+  Hash angle;
+  angle.add(Angle(1234));
+  EXPECT_EQ(angle.value(), hashOf({1234}));
+}
+
+}  // namespace
+}  // namespace platon

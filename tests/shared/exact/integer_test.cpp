@@ -1,0 +1,48 @@
+#include "shared/exact/integer.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace platon {
+namespace {
+
+TEST(IntegerTest, CoordinatesEndBelowTheLimit) {
+  EXPECT_TRUE(isCoordinate(0));
+  EXPECT_TRUE(isCoordinate(536870911));
+  EXPECT_FALSE(isCoordinate(536870912));
+  EXPECT_TRUE(isCoordinate(-536870911));
+  EXPECT_FALSE(isCoordinate(-536870912));
+  EXPECT_FALSE(isCoordinate(INT64_MIN));
+  EXPECT_FALSE(isCoordinate(INT64_MAX));
+}
+
+TEST(IntegerTest, DivisionsRoundAsTheySay) {
+  for (int numerator = -60; numerator <= 60; ++numerator) {
+    for (int denominator = 1; denominator <= 13; ++denominator) {
+      const double quotient = static_cast<double>(numerator) / denominator;
+      EXPECT_EQ(divideRounded(numerator, denominator), std::lround(quotient)) << numerator << "/" << denominator;
+      EXPECT_EQ(divideFloor(numerator, denominator), std::floor(quotient)) << numerator << "/" << denominator;
+      EXPECT_EQ(divideCeiling(numerator, denominator), std::ceil(quotient)) << numerator << "/" << denominator;
+    }
+  }
+}
+
+TEST(IntegerTest, HalvesAreRoundedAwayFromZero) {
+  EXPECT_EQ(divideRounded(5, 2), 3);
+  EXPECT_EQ(divideRounded(-5, 2), -3);
+  EXPECT_EQ(divideRounded(4, 3), 1);
+  EXPECT_EQ(divideRounded<std::int64_t>(-1, std::int64_t{1} << 62), 0);
+}
+
+TEST(IntegerTest, DividesTheLargest) {
+  constexpr std::int64_t huge = std::int64_t{1} << 62;
+  EXPECT_EQ(divideRounded(huge, huge), 1);
+  EXPECT_EQ(divideRounded(-huge, huge), -1);
+  EXPECT_EQ(divideFloor(-huge - 1, huge), -2);
+  EXPECT_EQ(divideCeiling(huge + 1, huge), 2);
+  EXPECT_EQ(divideRounded(int128{huge} * 7, int128{14}), int128{huge} / 2);
+}
+
+}  // namespace
+}  // namespace platon

@@ -1,0 +1,36 @@
+#include "shared/exact/square_root.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/lockstep/seeded_random.h"
+
+namespace platon {
+namespace {
+
+constexpr std::uint64_t kSeed = 99;
+
+TEST(SquareRootTest, SmallOnes) {
+  std::int64_t root = 0;
+  for (std::int64_t value = 0; value < 5000; ++value) {
+    if ((root + 1) * (root + 1) <= value) ++root;
+    EXPECT_EQ(static_cast<std::int64_t>(squareRootFloor(value)), root) << value;
+  }
+}
+
+TEST(SquareRootTest, ChangesExactlyAtSquares) {
+  sim::SeededRandom random(kSeed);
+  for (int i = 0; i < 5000; ++i) {
+    const int128 root = 1 + static_cast<std::int64_t>(random.next() >> (3 + i % 61));
+    ASSERT_TRUE(squareRootFloor(root * root) == root) << "seed " << kSeed << ", round " << i;
+    ASSERT_TRUE(squareRootFloor(root * root - 1) == root - 1) << "seed " << kSeed << ", round " << i;
+    ASSERT_TRUE(squareRootFloor(root * root + 2 * root) == root) << "seed " << kSeed << ", round " << i;
+  }
+}
+
+TEST(SquareRootTest, TheLargest) {
+  const int128 most = (int128{1} << 124) - 1;
+  EXPECT_TRUE(squareRootFloor(most) == (int128{1} << 62) - 1);
+}
+
+}  // namespace
+}  // namespace platon

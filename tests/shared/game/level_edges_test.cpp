@@ -1,0 +1,106 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <random>
+#include <vector>
+
+#include "shared/exact/integer.h"
+#include "shared/game/face_area.h"
+#include "shared/game/solid.h"
+
+namespace platon {
+namespace {
+
+struct Place {
+  long double x;
+  long double y;
+};
+
+// The corners of a regular polygon with this edge length, unrounded.
+std::vector<Place> regularPolygon(int count, long double edge) {
+  const long double step = 2 * std::acos(-1.0L) / count;
+  std::vector<Place> corners;
+  for (int i = 0; i < count; ++i) {
+    const long double angle = (static_cast<long double>(i) - 0.5L) * step - std::acos(-1.0L) / 2;
+    const long double radius = edge / (2 * std::sin(step / 2));
+    corners.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+  }
+  return corners;
+}
+
+// What lies at `along` edge lengths from corner `corner` on the way to `next`, and `beyond` of them to its right.
+Place besideEdge(const Place& corner, const Place& next, long double along, long double beyond) {
+  const long double dx = next.x - corner.x;
+  const long double dy = next.y - corner.y;
+  return {corner.x + along * dx + beyond * dy, corner.y + along * dy - beyond * dx};
+}
+
+// As a level text gives it: four decimals.
+FinePoint written(const Place& place) {
+  const auto decimal = [](long double units) { return std::llround(units * 10000) * FinePoint::kPerTenThousandth; };
+  return {decimal(place.x), decimal(place.y)};
+}
+
+// The end of the line nearest to the edge from `corner`, as a place along and beyond the edge, in subunits.
+Place endAtEdge(const std::vector<Point>& polygon, std::size_t corner, const Segment& line) {
+  const Point from = polygon[corner];
+  const Point edge = polygon[(corner + 1) % polygon.size()] - from;
+  const long double length = std::sqrt(static_cast<long double>(squaredLength(edge)));
+  const auto relative = [&](Point end) {
+    return Place{static_cast<long double>(dot(edge, end - from)) / length,
+                 static_cast<long double>(-cross(edge, end - from)) / length};
+  };
+  const Place a = relative(line.a);
+  const Place b = relative(line.b);
+  return std::abs(a.y) < std::abs(b.y) ? a : b;
+}
+
+// A line that goes over an edge at an angle of at least 30 degrees is written on both faces. How far its two cut ends
+// are apart when the faces are unfolded, in subunits.
+long double gapOverAnEdge(SolidKind kind, std::int32_t size, std::mt19937_64& random) {
+  const int edges = PlatonicSolid::of(kind).edgesPerFace();
+  const auto true_ = regularPolygon(edges, size);
+  const auto polygon = facePolygon(kind, size);
+  const FaceArea area(polygon);
+  const auto chance = [&] { return static_cast<long double>(random() % 1000001) / 1000000; };
+  const auto here = static_cast<std::size_t>(random() % static_cast<unsigned>(edges));
+  const auto there = static_cast<std::size_t>(random() % static_cast<unsigned>(edges));
+  const auto after = [&](std::size_t corner) { return (corner + 1) % polygon.size(); };
+  const long double crossing = 0.25L + chance() / 2;
+  const long double slope = (2 * chance() - 1) * std::sqrt(3.0L);
+  const auto cutOn = [&](std::size_t corner, bool mirrored) {
+    const auto at = [&](long double beyond) {
+      const long double along = crossing + slope * beyond;
+      return mirrored ? besideEdge(true_[corner], true_[after(corner)], 1 - along, -beyond)
+                      : besideEdge(true_[corner], true_[after(corner)], along, beyond);
+    };
+    const auto line = area.cut(written(at(-0.1L)), written(at(0.1L)));
+    return endAtEdge(polygon, corner, line.value());
+  };
+  const Place one = cutOn(here, false);
+  const Place other = cutOn(there, true);
+  const long double length = static_cast<long double>(size) * kSubunitsPerUnit;
+  return std::hypot(one.x - (length - other.x), one.y + other.y);
+}
+
+TEST(LevelEdgesTest, LinesOverAnEdgeMeetWithinThreeSubunits) {
+  constexpr std::uint64_t seed = 99;
+  std::mt19937_64 random(seed);
+  long double most = 0;
+  long double sum = 0;
+  constexpr int tries = 60000;
+  for (int i = 0; i < tries; ++i) {
+    const auto kind = static_cast<SolidKind>(i % kSolidKinds);
+    const auto size = static_cast<std::int32_t>(i % 7 == 0 ? kMostFaceSize : 200 + i % 1500);
+    const long double gap = gapOverAnEdge(kind, size, random);
+    ASSERT_LE(gap, 3.0L) << nameOf(kind) << " " << size << ", seed " << seed;
+    most = std::max(most, gap);
+    sum += gap;
+  }
+  RecordProperty("mostThousandths", static_cast<int>(most * 1000));
+  EXPECT_LE(sum / tries, 1.0L);
+}
+
+}  // namespace
+}  // namespace platon

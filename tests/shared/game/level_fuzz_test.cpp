@@ -1,0 +1,127 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <random>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+#include "shared/game/level.h"
+
+namespace platon {
+namespace {
+
+constexpr std::array<std::string_view, 4> kSeeds = {
+    "# title: One\n# author: Two\nTETRAHEDRON\n0 0 0 60\n1 0 100\n400\n%\n-150.5 -60 150.25 -60\n-300 40 300 40.0001\n%\n"
+    "0 0 50 50\n%\n\n-1000 -50 1000 -50 # cut\n%\n7 7 7 7\n",
+    "HEXAHEDRON\r\n3 0 0 -90\r\n5 240 240\r\n480\r\n%\r\n-240 -240 240 -240\r\n%\r\n-240 0 0 240\r\n%\r\n%\r\n100 1 100 9\r\n%\r\n"
+    "%\r\n-999 -999 999 999\r\n",
+    "OCTAHEDRON\n7 0 -40 180\n0 0 200\n500\n%\n0 0 0 400\n%\n%\n%\n-250 -144.3376 250 -144.3376\n%\n%\n%\n0 288.6751 250 -144.3376\n%\n",
+    "DODECAHEDRON\n11 0 0 36\n0 0 0\n65536\n%\n-40000 0 40000 0\n%\n%\n%\n%\n%\n%\n%\n%\n%\n-131072 5 131072 7\n%\n%\n"
+    "32768.0001 -45101.2825 -32768 -45101.2828\n"};
+
+class Mutator {
+ public:
+  explicit Mutator(unsigned seed) : random_(seed) {}
+
+  std::string mutate(std::string text) {
+    for (std::size_t i = 0; i <= below(4); ++i) change(text);
+    return text;
+  }
+
+ private:
+  std::size_t below(std::size_t limit) { return limit == 0 ? 0 : random_() % limit; }
+
+  std::string piece() {
+    static constexpr std::array<std::string_view, 22> pieces = {
+        "%", "\n", "\r", " ", "\t", "#", "-", ".", "0", "99999", "240", "-240", "0.0001", "1e9", "%\n", "0 0 0 0\n",
+        "ICOSAHEDRON", "# title: x\n", "-500 0 500 0\n", "18446744073709551616", "\xc3\xa9", "\xef\xbb\xbf"};
+    if (below(4) == 0) return std::string(1, static_cast<char>(below(256)));
+    return std::string(pieces[below(pieces.size())]);
+  }
+
+  void change(std::string& text) {
+    const std::size_t at = below(text.size() + 1);
+    const std::size_t length = std::min(below(12), text.size() - at);
+    switch (below(5)) {
+      case 0: text.insert(at, piece()); break;
+      case 1: text.erase(at, length); break;
+      case 2: text.replace(at, length, piece()); break;
+      case 3: text.insert(below(text.size() + 1), text.substr(at, length)); break;
+      default:
+        if (at < text.size()) text[at] = static_cast<char>(text[at] ^ static_cast<char>(1 << below(8)));
+    }
+  }
+
+  std::mt19937 random_;
+};
+
+long double beyond(const std::vector<Point>& polygon, Point point) {
+  long double most = -1e9L;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point edge = polygon[(i + 1) % polygon.size()] - polygon[i];
+    const long double length = std::sqrt(static_cast<long double>(squaredLength(edge)));
+    most = std::max(most, static_cast<long double>(-cross(edge, point - polygon[i])) / length);
+  }
+  return most;
+}
+
+void expectSound(const Level& level, const std::string& text) {
+  const auto polygon = facePolygon(level.solid, level.faceSize);
+  ASSERT_EQ(level.lines.size(), static_cast<std::size_t>(PlatonicSolid::of(level.solid).faces()));
+  for (const auto& face : level.lines) {
+    for (const Segment& line : face) {
+      ASSERT_LE(beyond(polygon, line.a), 1.0L) << text;
+      ASSERT_LE(beyond(polygon, line.b), 1.0L) << text;
+    }
+  }
+  EXPECT_LT(level.startFace, level.lines.size());
+  EXPECT_LT(level.goalFace, level.lines.size());
+  EXPECT_LE(beyond(polygon, level.start), 0.0L) << text;
+  EXPECT_LE(beyond(polygon, level.goal), 0.0L) << text;
+  EXPECT_EQ(level.text, text);
+}
+
+void expectSound(const std::vector<Diagnostic>& diagnostics, const std::string& text) {
+  const auto lines = std::max<std::ptrdiff_t>(1, std::count(text.begin(), text.end(), '\n') + 1);
+  for (const Diagnostic& one : diagnostics) {
+    EXPECT_GE(one.line, 1) << text;
+    EXPECT_LE(one.line, lines) << text;
+    EXPECT_GE(one.column, 1) << text;
+    EXPECT_LE(one.column, static_cast<int>(text.size()) + 1) << text;
+    EXPECT_TRUE(std::all_of(one.message.begin(), one.message.end(), [](char c) { return c >= ' ' && c <= '~'; }));
+  }
+  EXPECT_TRUE(std::is_sorted(diagnostics.begin(), diagnostics.end(), [](const auto& a, const auto& b) {
+    return std::tie(a.line, a.column) < std::tie(b.line, b.column);
+  })) << text;
+}
+
+TEST(LevelFuzzTest, MutatedLevelsAreRefusedOrSound) {
+  constexpr unsigned seed = 31337;
+  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  Mutator mutator(seed);
+  int good = 0;
+  int bad = 0;
+  for (int i = 0; i < 20000 && !testing::Test::HasFailure(); ++i) {
+    const std::string text = mutator.mutate(std::string(kSeeds[static_cast<std::size_t>(i) % kSeeds.size()]));
+    const LevelResult result = loadLevel(text);
+    const bool error = std::any_of(result.diagnostics.begin(), result.diagnostics.end(), [](auto& one) { return one.error; });
+    EXPECT_EQ(result.level == nullptr, error) << text;
+    expectSound(result.diagnostics, text);
+    if (result.level != nullptr) expectSound(*result.level, text);
+    ++(result.level != nullptr ? good : bad);
+  }
+  EXPECT_GT(good, 500);
+  EXPECT_GT(bad, 2000);
+}
+
+TEST(LevelFuzzTest, SeedsAreGoodLevels) {
+  for (const std::string_view seed : kSeeds) EXPECT_NE(loadLevel(seed).level, nullptr) << seed;
+}
+
+}  // namespace
+}  // namespace platon

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "shared/exact/integer.h"
+#include "shared/game/game.h"
+#include "shared/game/level.h"
+
+namespace platon {
+
+inline constexpr std::uint8_t kNone = 0;
+
+/// The level of this text. Throws std::invalid_argument with the first error.
+inline std::shared_ptr<const Level> levelOf(const std::string& text) {
+  LevelResult result = loadLevel(text);
+  if (!result.level) throw std::invalid_argument(format("level", result.diagnostics.at(0)));
+  return result.level;
+}
+
+/// A hexahedron 480 wide; `lines` holds the lines of each face in turn. The goal is out of the way unless given.
+inline std::shared_ptr<const Level> cubeLevel(const std::string& start, std::vector<std::string> lines,
+                                              const std::string& goal = "5 0 0") {
+  lines.resize(6);
+  std::string text = "HEXAHEDRON\n" + start + "\n" + goal + "\n480\n";
+  for (const std::string& face : lines) text += "%\n" + face + "\n";
+  return levelOf(text);
+}
+
+/// A game that a test plays: every slot holds its buttons until told otherwise.
+class PlayedGame {
+ public:
+  explicit PlayedGame(std::shared_ptr<const Level> level) : game(std::move(level)) {}
+
+  /// Advances with these buttons pressed by the player in slot 0.
+  void run(int ticks, std::uint8_t buttons) {
+    hold(0, buttons);
+    for (int tick = 0; tick < ticks; ++tick) game.advance(held_);
+  }
+  /// From the next tick on.
+  void hold(std::size_t slot, std::uint8_t buttons) {
+    if (held_.size() <= slot) held_.resize(slot + 1);
+    held_[slot].buttons = static_cast<std::uint8_t>(buttons | Input::kPresent);
+  }
+  void release(std::size_t slot) { held_.at(slot) = Input(); }
+  void advance(int ticks = 1) {
+    for (int tick = 0; tick < ticks; ++tick) game.advance(held_);
+  }
+
+  const PlayerState& player(std::uint32_t slot = 0) const { return game.player(slot); }
+  const EntityState& entity(std::uint32_t slot = 0) const { return game.world().entities()[slot]; }
+  Point position() const { return entity().position; }
+  bool grounded() const { return player().ground != Point(); }
+
+  Game game;
+
+ private:
+  std::vector<Input> held_;
+};
+
+/// Level units in subunits.
+constexpr std::int32_t units(std::int32_t count) { return count * kSubunitsPerUnit; }
+
+}  // namespace platon

@@ -1,0 +1,346 @@
+#include "shared/game/player.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+#include "tests/shared/game/played_game.h"
+
+namespace platon {
+namespace {
+
+constexpr std::int32_t kApothem = 12052;   // from the centre of the ball to its flat bottom
+constexpr std::int32_t kFloor = units(-200);
+constexpr std::int32_t kRunSpeed = 3277;
+
+const std::string kFlat = "-240 -200 240 -200";
+
+PlayedGame standingOn(const std::string& lines, const std::string& start = "0 0 -180 0") {
+  PlayedGame played(cubeLevel(start, {lines}));
+  played.run(60, kNone);
+  return played;
+}
+
+TEST(PlayerTest, IsARegular16Gon) {
+  const Convex shape = playerShape();
+  ASSERT_EQ(shape.vertices().size(), 16u);
+  for (const Point vertex : shape.vertices()) EXPECT_NEAR(std::hypot(vertex.x, vertex.y), kPlayerRadius, 1);
+  EXPECT_EQ(shape.centre(), Point());
+  EXPECT_EQ(shape.bounds().low, Point(-kApothem, -kApothem));
+  EXPECT_EQ(shape.bounds().high, Point(kApothem, kApothem));
+  EXPECT_EQ(*shape.turned(Angle::degrees(90)) == shape, false) << "the same polygon, counted from another corner";
+}
+
+TEST(PlayerTest, FallsAndComesToRest) {
+  PlayedGame played(cubeLevel("0 0 0 0", {kFlat}));
+  played.run(1, kNone);
+  EXPECT_EQ(played.position(), Point(0, -256));
+  played.run(1, kNone);
+  EXPECT_EQ(played.position(), Point(0, -3 * 256));
+  played.run(100, kNone);
+  EXPECT_EQ(played.position(), Point(0, kFloor + kApothem));
+  EXPECT_EQ(played.player().velocity, Point());
+  EXPECT_EQ(played.player().ground, Point(0, PlayerState::kUnit));
+  const Point rest = played.position();
+  played.run(1000, kNone);
+  EXPECT_EQ(played.position(), rest);
+}
+
+TEST(PlayerTest, FallsNoFasterThanTheLimit) {
+  PlayedGame played(cubeLevel("0 0 0 0", {}));
+  std::int32_t fastest = 0;
+  for (int tick = 0; tick < 200; ++tick) {
+    played.run(1, kNone);
+    fastest = std::min(fastest, played.player().velocity.y);
+  }
+  EXPECT_EQ(fastest, -12288);
+  EXPECT_GE(played.entity().crossings, 4u) << "once round the cube";
+  EXPECT_EQ(played.entity().angle, Angle());
+}
+
+TEST(PlayerTest, RunsUpToItsSpeed) {
+  for (const int way : {-1, 1}) {
+    PlayedGame played = standingOn(kFlat);
+    const std::uint8_t button = way < 0 ? Input::kLeft : Input::kRight;
+    for (int tick = 1; tick <= 30; ++tick) {
+      const Point before = played.position();
+      played.run(1, button);
+      EXPECT_EQ(played.player().velocity, Point(way * std::min(410 * tick, kRunSpeed), 0)) << tick;
+      EXPECT_EQ(played.position() - before, played.player().velocity);
+      EXPECT_TRUE(played.grounded());
+    }
+  }
+}
+
+TEST(PlayerTest, BothWaysAtOnceIsNeither) {
+  PlayedGame played = standingOn(kFlat);
+  const Point before = played.position();
+  played.run(20, Input::kLeft | Input::kRight);
+  EXPECT_EQ(played.position(), before);
+}
+
+TEST(PlayerTest, StopsByFriction) {
+  PlayedGame played = standingOn(kFlat);
+  played.run(20, Input::kRight);
+  std::int32_t speed = kRunSpeed;
+  while (speed > 0) {
+    played.run(1, kNone);
+    speed = std::max(speed - 546, 0);
+    EXPECT_EQ(played.player().velocity, Point(speed, 0));
+  }
+  const Point rest = played.position();
+  played.run(500, kNone);
+  EXPECT_EQ(played.position(), rest);
+}
+
+TEST(PlayerTest, AWallTakesTheSpeed) {
+  PlayedGame played = standingOn(kFlat + "\n100 -200 100 0");
+  played.run(120, Input::kRight);
+  EXPECT_EQ(played.position(), Point(units(100) - kApothem, kFloor + kApothem));
+  EXPECT_EQ(played.player().velocity.x, 0);
+  EXPECT_TRUE(played.grounded());
+}
+
+// Speed before the first tick of the jump less the gravity of every tick: 22 ticks rise.
+TEST(PlayerTest, AJumpRisesBy60Units) {
+  PlayedGame played = standingOn(kFlat);
+  const std::int32_t ground = played.position().y;
+  std::int32_t rise = 0;
+  for (int tick = 1; 5734 - 256 * tick > 0; ++tick) rise += 5734 - 256 * tick;
+  EXPECT_EQ(rise, 61380);
+  std::int32_t peak = 0;
+  int airborne = 0;
+  do {
+    played.run(1, Input::kJump);
+    peak = std::max(peak, played.position().y - ground);
+    ++airborne;
+  } while (!played.grounded() && airborne < 1000);
+  EXPECT_EQ(peak, rise);
+  EXPECT_EQ(airborne, 44);
+  EXPECT_EQ(played.position().y, ground);
+}
+
+TEST(PlayerTest, HeldDownTheButtonJumpsOnce) {
+  PlayedGame played = standingOn(kFlat);
+  const std::int32_t ground = played.position().y;
+  played.run(50, Input::kJump);
+  EXPECT_TRUE(played.grounded());
+  for (int tick = 0; tick < 100; ++tick) {
+    played.run(1, Input::kJump);
+    ASSERT_EQ(played.position().y, ground) << tick;
+  }
+  played.run(1, kNone);
+  played.run(1, Input::kJump);
+  EXPECT_GT(played.position().y, ground) << "pressed anew";
+}
+
+std::int32_t peakOfJumpHeldFor(int ticks) {
+  PlayedGame played = standingOn(kFlat);
+  const std::int32_t ground = played.position().y;
+  std::int32_t peak = 0;
+  for (int tick = 0; tick < 60; ++tick) {
+    played.run(1, tick < ticks ? Input::kJump : kNone);
+    peak = std::max(peak, played.position().y - ground);
+  }
+  return peak;
+}
+
+TEST(PlayerTest, AJumpIsAsHighAsTheButtonIsHeld) {
+  // Let go at once: one tick at full speed, then what is left of it: 1800 less gravity, 7 ticks long.
+  std::int32_t least = 5734 - 256;
+  for (int tick = 1; 1800 - 256 * tick > 0; ++tick) least += 1800 - 256 * tick;
+  EXPECT_EQ(peakOfJumpHeldFor(1), least);
+  std::int32_t last = 0;
+  for (int ticks = 1; ticks <= 15; ++ticks) {
+    const std::int32_t peak = peakOfJumpHeldFor(ticks);
+    EXPECT_GT(peak, last) << ticks;
+    last = peak;
+  }
+  EXPECT_EQ(peakOfJumpHeldFor(22), 61380);
+  EXPECT_EQ(peakOfJumpHeldFor(40), 61380);
+}
+
+TEST(PlayerTest, ACeilingEndsTheRise) {
+  PlayedGame played = standingOn(kFlat + "\n-100 -150 100 -150");
+  std::int32_t peak = played.position().y;
+  int airborne = 0;
+  do {
+    played.run(1, Input::kJump);
+    peak = std::max(peak, played.position().y);
+  } while (!played.grounded() && ++airborne < 100);
+  EXPECT_EQ(peak, units(-150) - kApothem);
+  EXPECT_LT(airborne, 30);
+}
+
+// Off the ledge at x = 0, then `late` ticks in the air before the button is pressed.
+bool jumpsAfterLedge(int late) {
+  PlayedGame played = standingOn("-240 0 0 0", "0 -60 20 0");
+  played.run(60, kNone);
+  int ticks = 0;
+  do {
+    played.run(1, Input::kRight);
+  } while (played.grounded() && ++ticks < 200);
+  EXPECT_FALSE(played.grounded());
+  played.run(late, Input::kRight);
+  played.run(1, Input::kRight | Input::kJump);
+  return played.player().velocity.y > 0;
+}
+
+TEST(PlayerTest, MayJumpALittleAfterTheLedge) {
+  for (int late = 0; late <= 4; ++late) EXPECT_TRUE(jumpsAfterLedge(late)) << late;
+  for (int late = 5; late <= 12; ++late) EXPECT_FALSE(jumpsAfterLedge(late)) << late;
+}
+
+TEST(PlayerTest, DoesNotJumpTwiceFromOneLedge) {
+  PlayedGame played = standingOn(kFlat);
+  played.run(2, Input::kJump);
+  played.run(1, kNone);
+  const std::int32_t speed = played.player().velocity.y;
+  played.run(1, Input::kJump);
+  EXPECT_EQ(played.player().velocity.y, speed - 256);
+}
+
+// Presses the button `early` ticks before the tick in which a falling player first stands.
+bool jumpsWhenPressedEarly(int early) {
+  PlayedGame falling(cubeLevel("0 0 -100 0", {kFlat}));
+  falling.run(1, kNone);
+  int lands = 1;
+  for (PlayedGame watched = falling; !watched.grounded(); ++lands) watched.run(1, kNone);
+  PlayedGame played = falling;
+  played.run(lands - 1 - early, kNone);
+  for (int tick = 0; tick < early + 3; ++tick) {
+    played.run(1, Input::kJump);
+    if (played.player().velocity.y > 0) return true;
+  }
+  return false;
+}
+
+TEST(PlayerTest, AJumpPressedALittleEarlyWaitsForTheGround) {
+  for (int early = 0; early <= 5; ++early) EXPECT_TRUE(jumpsWhenPressedEarly(early)) << early;
+  for (int early = 6; early <= 12; ++early) EXPECT_FALSE(jumpsWhenPressedEarly(early)) << early;
+}
+
+TEST(PlayerTest, StandsOnASlopeWithoutCreeping) {
+  for (const char* slope : {"-240 -240 240 -200", "-240 -240 240 0", "-240 -240 240 240", "-240 100 240 -177", "-200 200 200 -220"}) {
+    PlayedGame played = standingOn(slope, "0 0 80 0");
+    played.run(100, kNone);
+    ASSERT_TRUE(played.grounded()) << slope;
+    const Point rest = played.position();
+    for (int tick = 0; tick < 2000; ++tick) {
+      played.run(1, kNone);
+      ASSERT_EQ(played.position(), rest) << slope << ", tick " << tick;
+      ASSERT_TRUE(played.grounded());
+    }
+  }
+}
+
+TEST(PlayerTest, SlidesDownWhatIsTooSteep) {
+  PlayedGame played = standingOn("-100 -240 100 240", "0 -30 0 0");
+  const Point before = played.position();
+  played.run(30, kNone);
+  EXPECT_FALSE(played.grounded());
+  EXPECT_LT(played.position().y, before.y - units(20));
+}
+
+TEST(PlayerTest, RunsUpAndDownSlopesAtItsSpeed) {
+  for (const char* slope : {"-240 -240 240 -60", "-240 -240 240 240", "-240 200 240 -100"}) {
+    for (const std::uint8_t way : {Input::kLeft, Input::kRight}) {
+      PlayedGame played = standingOn(slope, "0 0 80 0");
+      played.run(60, kNone);
+      played.run(20, way);
+      for (int tick = 0; tick < 15; ++tick) {
+        const Point before = played.position();
+        played.run(1, way);
+        ASSERT_TRUE(played.grounded()) << slope << ", tick " << tick;
+        const Point move = played.position() - before;
+        ASSERT_NEAR(std::hypot(move.x, move.y), kRunSpeed, 33) << slope << ", tick " << tick;
+      }
+    }
+  }
+}
+
+TEST(PlayerTest, FollowsAGentleCrestAndDip) {
+  PlayedGame played = standingOn("-240 -160 -100 -160\n-100 -160 0 -153\n0 -153 100 -160\n100 -160 240 -150", "0 -200 -130 0");
+  for (int tick = 0; tick < 160; ++tick) {
+    played.run(1, Input::kRight);
+    ASSERT_TRUE(played.grounded()) << tick << " at " << played.position().x;
+    if (played.position().x > units(200)) return;
+  }
+  FAIL() << "it should have got across";
+}
+
+// Once round the four side faces of the cube on one floor.
+TEST(PlayerTest, RunsRoundTheCubeOnALevelFloor) {
+  PlayedGame played(cubeLevel("0 0 -180 0", {kFlat, kFlat, kFlat, kFlat}));
+  played.run(60, kNone);
+  played.run(20, Input::kRight);
+  const Point start = played.position();
+  for (int tick = 0; tick < 800 && played.entity().crossings < 4; ++tick) {
+    played.run(1, Input::kRight);
+    ASSERT_TRUE(played.grounded()) << tick;
+    ASSERT_EQ(played.player().velocity, Point(kRunSpeed, 0)) << tick;
+    ASSERT_EQ(played.position().y, start.y) << tick;
+  }
+  EXPECT_EQ(played.entity().part, 0u);
+  EXPECT_EQ(played.entity().crossings, 4u);
+  EXPECT_EQ(played.entity().angle, Angle());
+}
+
+// Up over the top edge, right over the next, and down again: three faces meet at the corner, 90 degrees are missing.
+TEST(PlayerTest, AWayRoundACornerTurnsUpByAQuarter) {
+  const std::string first = "90 215 170 215\n0 40 0 230";
+  const std::string top = "180 -215 240 -215";
+  PlayedGame played(cubeLevel("0 130 230 0", {first, "", "", "", top}));
+  played.run(30, kNone);
+  ASSERT_TRUE(played.grounded());
+  played.run(24, Input::kRight | Input::kJump);
+  EXPECT_EQ(played.entity().part, 4u);
+  std::vector<std::uint32_t> parts;
+  for (int tick = 0; tick < 300; ++tick) {
+    played.run(1, played.entity().part == 4 ? Input::kRight : kNone);
+    if (parts.empty() || parts.back() != played.entity().part) parts.push_back(played.entity().part);
+  }
+  EXPECT_EQ(parts, (std::vector<std::uint32_t>{4, 1, 0}));
+  EXPECT_EQ(played.entity().angle, Angle::degrees(270));
+  EXPECT_TRUE(played.grounded());
+  EXPECT_EQ(played.position().x, kApothem) << "it stands on the line that was a wall";
+  EXPECT_EQ(played.player().ground, Point(0, PlayerState::kUnit)) << "in its own frame";
+}
+
+TEST(PlayerTest, InItsOwnFrameEveryStartIsAlike) {
+  for (const int degrees : {0, 90, 180, 270}) {
+    const std::string box = "-200 -200 200 -200\n200 -200 200 200\n200 200 -200 200\n-200 200 -200 -200";
+    PlayedGame played(cubeLevel("0 0 0 " + std::to_string(degrees), {box}));
+    played.run(120, kNone);
+    EXPECT_TRUE(played.grounded());
+    EXPECT_EQ(played.position(), rotate(Point(0, kFloor + kApothem), Angle::degrees(degrees))) << degrees;
+    played.run(10, Input::kRight);
+    const Point run = rotate(played.position(), -Angle::degrees(degrees));
+    EXPECT_EQ(run.y, kFloor + kApothem);
+    EXPECT_GT(run.x, 0);
+    EXPECT_EQ(played.player().velocity, Point(kRunSpeed, 0));
+  }
+}
+
+TEST(PlayerTest, AMirroredLevelIsPlayedInAMirror) {
+  const std::string lines = "-240 -200 100 -200\n100 -200 160 -150\n20 -120 80 -120";
+  const std::string mirrored = "240 -200 -100 -200\n-100 -200 -160 -150\n-20 -120 -80 -120";
+  PlayedGame one(cubeLevel("0 0 -180 0", {lines}));
+  PlayedGame two(cubeLevel("0 0 -180 0", {mirrored}));
+  const std::uint8_t script[] = {Input::kRight, Input::kRight | Input::kJump, Input::kLeft, Input::kJump, kNone};
+  for (int tick = 0; tick < 250; ++tick) {
+    const std::uint8_t buttons = script[tick / 12 % 5];
+    const auto swapped = static_cast<std::uint8_t>((buttons & Input::kJump) | ((buttons & Input::kLeft) << 1) |
+                                                   ((buttons & Input::kRight) >> 1));
+    one.run(1, buttons);
+    two.run(1, swapped);
+    ASSERT_NEAR(one.position().x, -two.position().x, 40) << tick;
+    ASSERT_NEAR(one.position().y, two.position().y, 40) << tick;
+  }
+}
+
+}  // namespace
+}  // namespace platon

@@ -1,0 +1,199 @@
+#include "shared/physics/convex.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "shared/exact/integer.h"
+#include "tests/shared/physics/shapes.h"
+
+namespace platon {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::Optional;
+
+constexpr std::uint64_t kSeed = 31;
+constexpr std::int32_t kMost = kCoordinateLimit - 1;
+
+using Points = std::vector<Point>;
+
+TEST(ConvexFaultTest, AcceptsStrictlyConvexPolygons) {
+  EXPECT_EQ(Convex::fault(Points{{0, 0}, {1, 0}, {0, 1}}), std::nullopt);
+  EXPECT_EQ(Convex::fault(Points{{0, 0}, {10, 0}, {10, 10}, {0, 10}}), std::nullopt);
+  EXPECT_EQ(Convex::fault(Points{{-kMost, -kMost}, {kMost, -kMost}, {kMost, kMost}, {-kMost, kMost}}), std::nullopt);
+  EXPECT_EQ(Convex::fault(Points{{-kMost, -kMost}, {kMost, kMost - 1}, {kMost, kMost}}), std::nullopt);
+}
+
+TEST(ConvexFaultTest, NeedsThreeVertices) {
+  EXPECT_THAT(Convex::fault(Points{}), Optional(std::string("a shape needs at least 3 vertices, not 0")));
+  EXPECT_THAT(Convex::fault(Points{{0, 0}, {1, 1}}), Optional(std::string("a shape needs at least 3 vertices, not 2")));
+}
+
+TEST(ConvexFaultTest, NamesTheVertexOutOfRange) {
+  const std::string reason = "lies outside the coordinates, which are below 2^29";
+  EXPECT_THAT(Convex::fault(Points{{0, 0}, {kMost + 1, 0}, {0, 1}}), Optional("vertex 2 " + reason));
+  EXPECT_THAT(Convex::fault(Points{{0, 0}, {1, 0}, {0, -kMost - 1}}), Optional("vertex 3 " + reason));
+  EXPECT_THAT(Convex::fault(Points{{INT32_MIN, 0}, {1, 0}, {0, 1}}), Optional("vertex 1 " + reason));
+}
+
+TEST(ConvexFaultTest, NamesTheVertexOnALine) {
+  const std::string reason = "lies on a line with its neighbours: leave it out";
+  EXPECT_THAT(Convex::fault(Points{{0, 0}, {5, 0}, {10, 0}, {10, 10}}), Optional("vertex 2 " + reason));
+  EXPECT_THAT(Convex::fault(Points{{5, 0}, {10, 0}, {10, 10}, {0, 0}}), Optional("vertex 1 " + reason));
+  EXPECT_THAT(Convex::fault(Points{{0, 0}, {0, 0}, {10, 0}, {10, 10}}), Optional("vertex 2 " + reason)) << "twice";
+  EXPECT_THAT(Convex::fault(Points{{0, 0}, {10, 0}, {5, 0}}), Optional("vertex 2 " + reason)) << "a spike";
+  EXPECT_THAT(Convex::fault(Points{{3, 3}, {3, 3}, {3, 3}}), Optional("vertex 2 " + reason));
+}
+
+TEST(ConvexFaultTest, NamesTheVertexThatTurnsClockwise) {
+  const std::string reason = "turns clockwise: a shape is convex and counter-clockwise";
+  EXPECT_THAT(Convex::fault(Points{{0, 0}, {0, 10}, {10, 10}, {10, 0}}), Optional("vertex 2 " + reason));
+  EXPECT_THAT(Convex::fault(Points{{0, 0}, {10, 0}, {10, 10}, {9, 1}}), Optional("vertex 4 " + reason)) << "a dent";
+  EXPECT_THAT(Convex::fault(Points{{0, 0}, {10, 10}, {10, 0}, {0, 10}}), Optional("vertex 2 " + reason)) << "a bow tie";
+}
+
+TEST(ConvexFaultTest, RefusesPolygonsThatWindTwice) {
+  const Convex pentagon = regular(5, 1000);
+  Points star;
+  for (std::size_t i = 0; i < 5; ++i) star.push_back(pentagon.vertices()[2 * i % 5]);
+  EXPECT_THAT(Convex::fault(star), Optional(std::string("the edges wind round more than once")));
+  Points twice = pentagon.vertices();
+  for (const Point vertex : pentagon.vertices()) twice.push_back(vertex);
+  EXPECT_THAT(Convex::fault(twice), Optional(std::string("the edges wind round more than once")));
+}
+
+TEST(ConvexTest, ThrowsTheFault) {
+  EXPECT_THROW(
+      {
+        try {
+          Convex shape(Points{{0, 0}, {1, 0}});
+        } catch (const std::invalid_argument& reason) {
+          EXPECT_STREQ(reason.what(), "a shape needs at least 3 vertices, not 2");
+          throw;
+        }
+      },
+      std::invalid_argument);
+  intern::Convex draft;
+  draft.vertices = {{0, 0}, {0, 1}, {1, 0}};
+  EXPECT_THROW(Convex{draft}, std::invalid_argument);
+}
+
+TEST(ConvexTest, EdgesLookInwards) {
+  sim::SeededRandom random(kSeed);
+  for (int i = 0; i < 500; ++i) {
+    const Convex shape = randomConvex(random, 1 << (2 + i % 26));
+    const auto& vertices = shape.vertices();
+    ASSERT_EQ(shape.edges().size(), vertices.size());
+    for (std::size_t edge = 0; edge < vertices.size(); ++edge) {
+      const auto& [normal, support] = shape.edges()[edge];
+      ASSERT_EQ(normal, perpendicular(vertices[(edge + 1) % vertices.size()] - vertices[edge]));
+      for (const Point vertex : vertices) ASSERT_GE(dot(normal, vertex), support) << "seed " << kSeed << ", round " << i;
+      ASSERT_EQ(dot(normal, vertices[edge]), support);
+      ASSERT_EQ(dot(normal, vertices[(edge + 1) % vertices.size()]), support);
+    }
+  }
+}
+
+TEST(ConvexTest, KnowsBoundsAndCentre) {
+  const Convex shape(Points{{0, 0}, {10, 0}, {10, 11}, {1, 11}});
+  EXPECT_EQ(shape.bounds().low, Point(0, 0));
+  EXPECT_EQ(shape.bounds().high, Point(10, 11));
+  EXPECT_EQ(shape.centre(), Point(5, 6)) << "21 / 4 and 22 / 4, halves away from zero";
+  EXPECT_EQ(Convex(Points{{0, 0}, {-1, 0}, {-1, -2}}).centre(), Point(-1, -1));
+  EXPECT_EQ(Convex(Points{{-kMost, -kMost}, {kMost, -kMost}, {kMost, kMost}, {-kMost, kMost}}).centre(), Point());
+  EXPECT_EQ(regular(16, 12288).centre(), Point());
+}
+
+TEST(ConvexTest, EqualShapesHaveEqualVerticesInOrder) {
+  EXPECT_EQ(square(5), square(5));
+  EXPECT_FALSE(square(5) == square(6));
+  EXPECT_FALSE(Convex(Points{{0, 0}, {1, 0}, {0, 1}}) == Convex(Points{{1, 0}, {0, 1}, {0, 0}}));
+}
+
+TEST(ConvexTurnedTest, QuarterTurnsAreExact) {
+  const Convex shape(Points{{0, 0}, {10, 0}, {10, 11}, {1, 11}});
+  EXPECT_EQ(shape.turned(Angle()), shape);
+  EXPECT_EQ(shape.turned(Angle::degrees(90)), Convex(Points{{0, 0}, {0, 10}, {-11, 10}, {-11, 1}}));
+  EXPECT_EQ(shape.turned(Angle::degrees(180)), Convex(Points{{0, 0}, {-10, 0}, {-10, -11}, {-1, -11}}));
+  EXPECT_EQ(regular(16, 12288).turned(Angle::degrees(90))->bounds().high, regular(16, 12288).bounds().high);
+}
+
+TEST(ConvexTurnedTest, KeepsItsFormUnderFaceTurns) {
+  for (const int degrees : {36, 60, 72, 108, 120, 144, 180, 216, 252, 288, 300, 324}) {
+    for (const int corners : {3, 4, 5, 6, 8, 16}) {
+      const Convex base = regular(corners, 12288);
+      const auto turned = base.turned(Angle::degrees(degrees));
+      ASSERT_TRUE(turned);
+      ASSERT_EQ(turned->vertices().size(), base.vertices().size());
+      for (std::size_t i = 0; i < base.vertices().size(); ++i) {
+        EXPECT_EQ(turned->vertices()[i], rotate(base.vertices()[i], Angle::degrees(degrees))) << corners << " " << degrees;
+      }
+    }
+  }
+}
+
+TEST(ConvexTurnedTest, HoldsEveryTurnedVertex) {
+  sim::SeededRandom random(kSeed);
+  for (int i = 0; i < 3000; ++i) {
+    const Convex base = randomConvex(random, 3 << (i % 20));
+    const Angle angle(static_cast<std::int32_t>(random.below(Angle::kTurn)));
+    const auto turned = base.turned(angle);
+    if (!turned) continue;
+    EXPECT_EQ(Convex::fault(turned->vertices()), std::nullopt);
+    for (const Point vertex : base.vertices()) {
+      const Point image = rotate(vertex, angle);
+      for (const auto& edge : turned->edges()) {
+        ASSERT_GE(dot(edge.normal, image), edge.support) << "seed " << kSeed << ", round " << i;
+      }
+    }
+  }
+}
+
+TEST(ConvexTurnedTest, CanDegenerateWhenOnlyAFewSubunitsLarge) {
+  const Convex sliver(Points{{0, 0}, {3, 1}, {2, 1}});
+  EXPECT_EQ(sliver.turned(Angle::degrees(20)), std::nullopt);
+  EXPECT_NE(sliver.turned(Angle::degrees(90)), std::nullopt);
+  EXPECT_EQ(square(kMost).turned(Angle::degrees(45)), std::nullopt) << "the corners would leave the coordinates";
+}
+
+TEST(ConvexHullTest, FewPoints) {
+  EXPECT_THAT(convexHull({}), IsEmpty());
+  EXPECT_THAT(convexHull({{1, 2}}), ElementsAre(Point(1, 2)));
+  EXPECT_LT(convexHull({{0, 0}, {1, 1}, {2, 2}, {1, 1}}).size(), 3u);
+  EXPECT_LT(convexHull({{5, 5}, {5, 5}, {5, 5}}).size(), 3u);
+  EXPECT_THAT(convexHull({{9, 0}, {0, 0}, {0, 9}, {2, 2}}), ElementsAre(Point(9, 0), Point(0, 9), Point(0, 0)));
+  EXPECT_THAT(convexHull({{1, 1}, {0, 0}, {9, 0}, {0, 9}}), ElementsAre(Point(0, 0), Point(9, 0), Point(0, 9)));
+}
+
+TEST(ConvexHullTest, IsTheSmallestConvexPolygonRoundThePoints) {
+  sim::SeededRandom random(kSeed);
+  for (int i = 0; i < 3000; ++i) {
+    Points points;
+    const std::uint64_t count = 1 + random.below(20);
+    for (std::uint64_t k = 0; k < count; ++k) points.push_back(random.vector(2 << (i % 27)));
+    const Points hull = convexHull(points);
+    for (const Point vertex : hull) ASSERT_NE(std::find(points.begin(), points.end(), vertex), points.end());
+    if (hull.size() < 3) {
+      for (const Point point : points) ASSERT_EQ(cross(point - points[0], hull.back() - hull[0]), 0);
+      continue;
+    }
+    ASSERT_EQ(Convex::fault(hull), std::nullopt) << "seed " << kSeed << ", round " << i;
+    for (std::size_t k = 0; k < hull.size(); ++k) {
+      const Point edge = hull[(k + 1) % hull.size()] - hull[k];
+      for (const Point point : points) ASSERT_GE(cross(edge, point - hull[k]), 0) << "seed " << kSeed << ", round " << i;
+    }
+    const auto onHull = [&](Point point) { return std::find(hull.begin(), hull.end(), point) != hull.end(); };
+    ASSERT_EQ(hull[0], *std::find_if(points.begin(), points.end(), onHull)) << "the first of the given points";
+    Points reversed(points.rbegin(), points.rend());
+    const Points again = convexHull(reversed);
+    ASSERT_TRUE(std::is_permutation(hull.begin(), hull.end(), again.begin(), again.end()));
+  }
+}
+
+}  // namespace
+}  // namespace platon

@@ -1,0 +1,246 @@
+#include "shared/physics/instances.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <initializer_list>
+#include <set>
+
+#include "shared/exact/integer.h"
+#include "shared/physics/entity.h"
+#include "shared/physics/map_part.h"
+#include "shared/physics/world.h"
+#include "tests/shared/physics/leg_checker.h"
+#include "tests/shared/physics/maps.h"
+#include "tests/shared/physics/shapes.h"
+
+namespace platon {
+namespace {
+
+constexpr std::uint64_t kSeed = 606;
+constexpr std::int32_t kMost = kCoordinateLimit - 1;
+
+// Two parts that share an edge 20000 long; in part 2 it has another place and direction.
+World turnedPair(Angle turn, Point edgeAt, const std::vector<Segment>& linesBehind = {}) {
+  World world;
+  const Segment edge{{10000, -10000}, {10000, 10000}};
+  const Segment onto{edgeAt + rotate(edge.a, turn), edgeAt + rotate(edge.b, turn)};
+  MapPart first(world, 1);
+  first.warp(edge.a, edge.b, 2, onto.a, onto.b);
+  first.initialize();
+  MapPart second(world, 2);
+  for (const Segment& line : linesBehind) second.line(line.a, line.b);
+  second.warp(onto.b, onto.a, 1, edge.b, edge.a);
+  second.initialize();
+  return world;
+}
+
+const std::vector<std::int32_t> kFaceTurns = {0, 3600, 6000, 7200, 9000, 10800, 12000, 14400, 18000, 25200, 30000, 1, 12345};
+
+TEST(InstancesTest, AnInstanceComesBeforeItsPartIsReached) {
+  World world = twoStrips();
+  Entity entity(world, square(100));
+  MapPart(world, 1).insert(entity, {800, 0}, Angle());
+  entity.setVelocity({95, 0});
+  world.solve();
+  EXPECT_EQ(world.view(0).size(), 1u) << "5 subunits from the edge";
+  entity.setVelocity({2, 0});
+  world.solve();
+  EXPECT_EQ(world.view(0).size(), 2u) << "3 subunits from the edge";
+}
+
+TEST(InstancesTest, AnInstanceOutlivesItsUseALittle) {
+  World world = twoStrips();
+  Entity entity(world, square(100));
+  MapPart(world, 1).insert(entity, {905, 0}, Angle());
+  ASSERT_EQ(world.view(0).size(), 2u);
+  const std::uint16_t id = world.view(0)[1].id;
+  for (const std::int32_t position : {899, 894, 893, 898, 893}) {
+    entity.setVelocity({position - entity.position().x, 0});
+    world.solve();
+    ASSERT_EQ(world.view(0).size(), 2u) << position;
+    ASSERT_EQ(world.view(0)[1].id, id) << "the same one";
+  }
+  entity.setVelocity({-1, 0});
+  world.solve();
+  EXPECT_EQ(world.view(0).size(), 1u) << "8 subunits from the edge";
+}
+
+TEST(InstancesTest, EveryTurnBetweenPartsIsExact) {
+  for (const std::int32_t turn : kFaceTurns) {
+    World world = turnedPair(Angle(turn), {-3000, 70000});
+    Entity entity(world, regular(16, 3000));
+    MapPart(world, 1).insert(entity, {5000, 1234}, Angle(777));
+    LegChecker checker(world);
+    entity.setVelocity({1000, 100});
+    for (int tick = 0; tick < 12; ++tick) world.solve(&checker);
+    EXPECT_EQ(entity.part(), 2u) << turn;
+    EXPECT_EQ(entity.rotation(), Angle(777) + Angle(turn)) << turn;
+    EXPECT_EQ(entity.velocity(), rotate(Point(1000, 100), Angle(turn))) << turn;
+    const Point expected = Point(-3000, 70000) + rotate(Point(17000, 2434), Angle(turn));
+    EXPECT_LE(squaredLength(entity.position() - expected), 4 * 4) << turn;
+    EXPECT_EQ(checker.faults(), "") << turn;
+    EXPECT_EQ(entity.state().crossings, 1u);
+  }
+}
+
+TEST(InstancesTest, BackOverTheEdgeItIsWhereItWas) {
+  sim::SeededRandom random(kSeed);
+  for (const std::int32_t turn : kFaceTurns) {
+    for (int round = 0; round < 20; ++round) {
+      World world = turnedPair(Angle(turn), {-3000, 70000});
+      Entity entity(world, randomConvex(random, 2500));
+      const Point start(6500, static_cast<std::int32_t>(random.below(10000)) - 5000);
+      MapPart(world, 1).insert(entity, start, Angle());
+      entity.setVelocity({6500 + static_cast<std::int32_t>(random.below(3000)), random.vector(3000).y});
+      world.solve();
+      ASSERT_EQ(entity.part(), 2u);
+      entity.setVelocity(-entity.velocity());
+      world.solve();
+      ASSERT_EQ(entity.part(), 1u) << "seed " << kSeed << ", turn " << turn;
+      ASSERT_EQ(entity.rotation(), Angle());
+      const Point miss = entity.position() - start;
+      ASSERT_LE(squaredLength(miss), 3 * 3) << "seed " << kSeed << ", turn " << turn << ", round " << round;
+    }
+  }
+}
+
+TEST(InstancesTest, DitheringOverAnEdgeDoesNotDrift) {
+  for (const std::int32_t turn : kFaceTurns) {
+    World world = turnedPair(Angle(turn), {-3000, 70000});
+    Entity entity(world, regular(16, 3000));
+    MapPart(world, 1).insert(entity, {9998, 1234}, Angle());
+    LegChecker checker(world);
+    for (int tick = 0; tick < 10000; ++tick) {
+      const Point there = rotate(Point(5, 0), entity.part() == 2u ? Angle(turn) : Angle());
+      entity.setVelocity(tick % 2 == 0 ? there : -there);
+      world.solve(tick % 100 < 4 ? &checker : nullptr);
+      if (tick % 100 == 3) checker.forget();
+    }
+    const Point back = entity.part() == 1u ? entity.position()
+                                           : rotate(entity.position() - Point(-3000, 70000), -Angle(turn));
+    EXPECT_LE(std::abs(back.x - 9998), 9) << turn;
+    EXPECT_LE(std::abs(back.y - 1234), 9) << turn;
+    EXPECT_GT(entity.state().crossings, 9000u) << turn;
+    EXPECT_EQ(checker.faults(), "") << turn;
+    EXPECT_LE(world.view(0).size(), 2u);
+  }
+}
+
+TEST(InstancesTest, IdsComeRoundAgainWithoutMeetingALivingOne) {
+  for (const std::uint16_t next : std::initializer_list<std::uint16_t>{0, 1, 65530, 65533, 65534}) {
+    World world = twoStrips();
+    Entity entity(world, square(100));
+    MapPart(world, 1).insert(entity, {850, 0}, Angle());
+    WorldState state = world.save();
+    state.entities[0].nextId = next;
+    ASSERT_TRUE(world.accepts(state));
+    world.restore(state);
+    LegChecker checker(world);
+    for (int tick = 0; tick < 60; ++tick) {
+      entity.setVelocity(tick % 6 < 3 ? Point(100, 0) : Point(-100, 0));
+      world.solve(&checker);
+      std::set<std::uint16_t> ids;
+      for (const InstanceView& view : world.view(0)) {
+        ASSERT_TRUE(ids.insert(view.id).second) << next << ", tick " << tick;
+        ASSERT_NE(view.id, InstanceState::kNoParent);
+        ASSERT_TRUE(view.home || view.hangs) << next << ", tick " << tick;
+      }
+      ASSERT_TRUE(world.accepts(world.save()));
+    }
+    EXPECT_EQ(checker.faults(), "");
+    EXPECT_EQ(world.view(0).size(), 1u) << "none is left behind";
+  }
+}
+
+TEST(InstancesTest, AnIdStaysTakenWhileItsInstanceLives) {
+  World world = twoStrips();
+  Entity entity(world, square(100));
+  MapPart(world, 1).insert(entity, {850, 0}, Angle());
+  WorldState state = world.save();
+  state.entities[0].id = 5;
+  state.entities[0].nextId = 5;
+  world.restore(state);
+  entity.setVelocity({100, 0});
+  world.solve();
+  ASSERT_EQ(world.view(0).size(), 2u);
+  EXPECT_EQ(world.view(0)[0].id, 5);
+  EXPECT_EQ(world.view(0)[1].id, 6);
+}
+
+TEST(InstancesTest, NothingIsPlacedBeyondTheCoordinates) {
+  World world;
+  MapPart first(world, 1);
+  first.warp({1000, -1000}, {1000, 1000}, 2, {kMost - 10, 1000}, {kMost - 10, -1000});
+  first.initialize();
+  MapPart second(world, 2);
+  second.warp({kMost - 10, -1000}, {kMost - 10, 1000}, 1, {1000, 1000}, {1000, -1000});
+  second.initialize();
+  Entity entity(world, square(200));
+  MapPart(world, 1).insert(entity, {0, 0}, Angle());
+  entity.setVelocity({100, 0});
+  for (int tick = 0; tick < 20; ++tick) world.solve();
+  EXPECT_EQ(entity.part(), 1u) << "the instance would stand out of range: the edge is shut";
+  EXPECT_GE(entity.position().x, 790);
+  EXPECT_LE(entity.position().x, 800);
+}
+
+TEST(InstancesTest, AWarpWithoutAWayBackIsADeadEnd) {
+  World world;
+  MapPart first(world, 1);
+  first.warp({1000, -5000}, {1000, 5000}, 2, {-1000, -5000}, {-1000, 5000});
+  first.initialize();
+  Entity entity(world, square(100));
+  MapPart(world, 1).insert(entity, {0, 0}, Angle());
+  entity.setVelocity({300, 40});
+  for (int tick = 0; tick < 10; ++tick) world.solve();
+  EXPECT_EQ(entity.part(), 1u);
+  EXPECT_LE(entity.position().x, 900);
+  EXPECT_EQ(entity.position().y, 400) << "it slides along";
+  entity.setVelocity({-300, 0});
+  world.solve();
+  EXPECT_LE(entity.position().x, 600);
+}
+
+TEST(InstancesTest, ALoopOfOnePartLeadsBackIntoIt) {
+  World world;
+  MapPart ring(world, 1);
+  ring.warp({1000, -5000}, {1000, 5000}, 1, {-1000, -5000}, {-1000, 5000});
+  ring.warp({-1000, 5000}, {-1000, -5000}, 1, {1000, 5000}, {1000, -5000});
+  ring.initialize();
+  Entity entity(world, square(100));
+  MapPart(world, 1).insert(entity, {0, 0}, Angle());
+  LegChecker checker(world);
+  entity.setVelocity({350, 10});
+  for (int tick = 0; tick < 40; ++tick) world.solve(&checker);
+  EXPECT_EQ(checker.faults(), "");
+  EXPECT_EQ(entity.position(), Point(0, 400)) << "seven times round";
+  entity.setVelocity({35000, 0});
+  for (int tick = 0; tick < 40; ++tick) world.solve(&checker);
+  EXPECT_EQ(checker.faults(), "");
+  EXPECT_EQ(entity.position().y, 400);
+}
+
+// The line has to continue behind the edge: the shape hangs over on both sides.
+TEST(InstancesTest, AWallBehindAnyEdgeStopsAtOnce) {
+  for (const std::int32_t turn : kFaceTurns) {
+    const Point edgeAt(-3000, 70000);
+    const auto behind = [&](Point p) { return edgeAt + rotate(p, Angle(turn)); };
+    World world = turnedPair(Angle(turn), edgeAt, {{behind({11000, -9000}), behind({11000, 9000})}});
+    Entity entity(world, square(3000));
+    MapPart(world, 1).insert(entity, {5000, 0}, Angle());
+    LegChecker checker(world);
+    entity.setVelocity({900, 0});
+    for (int tick = 0; tick < 10; ++tick) world.solve(&checker);
+    EXPECT_EQ(checker.faults(), "") << turn;
+    EXPECT_EQ(entity.part(), 1u);
+    EXPECT_LE(std::abs(entity.position().x - 8000), 4) << turn;
+    const Point before = entity.position();
+    for (int tick = 0; tick < 500; ++tick) world.solve();
+    EXPECT_EQ(entity.position(), before) << turn << ": it rests there";
+  }
+}
+
+}  // namespace
+}  // namespace platon

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "shared/physics/step_observer.h"
+#include "shared/physics/world.h"
+
+namespace platon {
+
+/// Watches every leg of a world's steps and checks, line by line and without a grid, what must always hold: no instance
+/// overlaps a blocking line or passes one (I1), and every instance stands where its warps put it (I5). Warps are taken
+/// as pierceable, all other lines as blocking.
+class LegChecker : public StepObserver {
+ public:
+  /// The world must outlive the checker and keep its address.
+  explicit LegChecker(const World& world) : world_(world) {}
+
+  void leg(std::uint32_t entity, std::span<const InstanceView> instances) override;
+  /// Instances carry on from where they stand now; call before each step when entities are inserted anew in between.
+  void forget() { last_.clear(); }
+
+  /// Everything that was wrong, one line each; empty when all is well. The first few suffice.
+  const std::string& faults() const { return faults_; }
+  /// Farthest that any instance stood from where the true isometry puts it, subunits.
+  double worstError() const { return worstError_; }
+  std::size_t mostInstances() const { return mostInstances_; }
+  std::uint64_t legs() const { return legs_; }
+
+ private:
+  struct Known {
+    Point position;
+    Angle angle;
+    std::uint32_t part;
+  };
+
+  void checkFree(std::uint32_t entity, const InstanceView& view, const Convex& shape);
+  void checkPath(std::uint32_t entity, const InstanceView& view, const Convex& shape);
+  void checkPlace(std::uint32_t entity, const InstanceView& view, std::span<const InstanceView> all);
+  void fault(std::uint32_t entity, const InstanceView& view, const std::string& what);
+  const Convex& shapeOf(std::uint32_t entity, Angle angle);
+
+  const World& world_;
+  std::map<std::pair<std::uint32_t, std::uint16_t>, Known> last_;   // by entity and instance
+  std::map<std::pair<const Convex*, std::int32_t>, Convex> shapes_;
+  std::string faults_;
+  double worstError_ = 0;
+  std::size_t mostInstances_ = 0;
+  std::uint64_t legs_ = 0;
+};
+
+}  // namespace platon

@@ -1,0 +1,96 @@
+#include "shared/physics/map_geometry.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+namespace platon {
+namespace {
+
+MapGeometry part(std::uint32_t id, std::vector<Warp> warps = {}, std::vector<Segment> lines = {}) {
+  MapGeometry made;
+  made.id = id;
+  made.lines = std::move(lines);
+  for (const Warp& warp : warps) made.lines.push_back(warp.from);
+  made.warps = std::move(warps);
+  made.grid = Grid(made.lines);
+  return made;
+}
+
+constexpr Segment kEast{{100, -50}, {100, 50}};
+constexpr Segment kWest{{-100, 50}, {-100, -50}};
+
+constexpr Segment reversed(const Segment& line) { return {line.b, line.a}; }
+
+TEST(MapGeometryTest, LinesComeBeforeWarps) {
+  const MapGeometry made = part(1, {{kEast, 2, reversed(kWest), Angle()}, {kWest, 2, reversed(kEast), Angle()}},
+                                {{{0, 0}, {1, 1}}, {{2, 2}, {3, 3}}, {{4, 4}, {4, 4}}});
+  ASSERT_EQ(made.lines.size(), 5u);
+  for (std::uint32_t line = 0; line < 5; ++line) EXPECT_EQ(made.isWarp(line), line >= 3);
+  EXPECT_EQ(made.lineOfWarp(0), 3u);
+  EXPECT_EQ(made.lineOfWarp(1), 4u);
+  EXPECT_EQ(made.warpOfLine(4), 1u);
+  EXPECT_EQ(made.lines[made.lineOfWarp(1)], kWest);
+}
+
+TEST(GeometryTest, PartsAreFoundByIdWhateverTheirOrder) {
+  auto geometry = std::make_shared<const Geometry>();
+  for (const std::uint32_t id : {7u, 0u, 4000000000u, 12345u}) geometry = withPart(*geometry, part(id));
+  ASSERT_EQ(geometry->parts.size(), 4u);
+  for (const std::uint32_t id : {0u, 7u, 12345u, 4000000000u}) {
+    ASSERT_NE(geometry->find(id), nullptr);
+    EXPECT_EQ(geometry->find(id)->id, id);
+  }
+  EXPECT_EQ(geometry->find(1), nullptr);
+  EXPECT_EQ(geometry->find(4294967295u), nullptr);
+  for (std::size_t i = 1; i < 4; ++i) EXPECT_LT(geometry->parts[i - 1]->id, geometry->parts[i]->id);
+}
+
+TEST(GeometryTest, ExtendingLeavesTheOldAsItWas) {
+  const auto before = withPart(Geometry(), part(1));
+  const auto after = withPart(*before, part(2));
+  EXPECT_EQ(before->find(2), nullptr);
+  EXPECT_EQ(after->find(1), before->find(1)) << "parts are shared";
+}
+
+TEST(GeometryTest, IdsAreUnique) {
+  const auto geometry = withPart(Geometry(), part(5));
+  try {
+    withPart(*geometry, part(5));
+    FAIL();
+  } catch (const std::invalid_argument& reason) {
+    EXPECT_STREQ(reason.what(), "map part 5 is initialised already: ids are unique");
+  }
+}
+
+TEST(GeometryTest, TheWayBackIsTheSameLineReversed) {
+  const Warp there{kEast, 2, reversed(kWest), Angle()};
+  const Warp other{{{0, 0}, {9, 0}}, 1, {{0, 9}, {9, 9}}, Angle()};
+  const Warp back{kWest, 1, reversed(kEast), Angle()};
+  auto geometry = withPart(Geometry(), part(1, {there}));
+  EXPECT_EQ(geometry->wayBack(1, there), std::nullopt) << "no target yet";
+  geometry = withPart(*geometry, part(2, {other, back}));
+  EXPECT_EQ(geometry->wayBack(1, there), 1);
+  EXPECT_EQ(geometry->wayBack(2, back), 0);
+  EXPECT_EQ(geometry->wayBack(3, there), std::nullopt) << "it leads back to another part";
+  EXPECT_EQ(geometry->wayBack(2, other), std::nullopt);
+}
+
+TEST(GeometryTest, AWayBackOverAnotherLineIsNone) {
+  const Warp there{kEast, 2, reversed(kWest), Angle()};
+  Warp shifted{kWest, 1, reversed(kEast), Angle()};
+  shifted.from.a.y += 1;
+  const auto geometry = withPart(*withPart(Geometry(), part(1, {there})), part(2, {shifted}));
+  EXPECT_EQ(geometry->wayBack(1, there), std::nullopt);
+}
+
+TEST(GeometryTest, APartMayLeadToItself) {
+  const Warp right{kEast, 1, reversed(kWest), Angle()};
+  const Warp left{kWest, 1, reversed(kEast), Angle()};
+  const auto geometry = withPart(Geometry(), part(1, {right, left}));
+  EXPECT_EQ(geometry->wayBack(1, right), 1);
+  EXPECT_EQ(geometry->wayBack(1, left), 0);
+}
+
+}  // namespace
+}  // namespace platon

@@ -1,0 +1,54 @@
+#include "shared/physics/shape_cache.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/shared/physics/shapes.h"
+
+namespace platon {
+namespace {
+
+TEST(ShapeCacheTest, TurnsAsTheShapeDoes) {
+  const Convex base = regular(16, 12288);
+  ShapeCache cache;
+  for (std::int32_t angle = 0; angle < Angle::kTurn; angle += 600) {
+    const Convex* turned = cache.turned(0, base, Angle(angle));
+    ASSERT_NE(turned, nullptr);
+    EXPECT_EQ(*turned, *base.turned(Angle(angle)));
+    EXPECT_EQ(cache.turned(0, base, Angle(angle)), turned) << "made once";
+  }
+}
+
+TEST(ShapeCacheTest, WithoutTurningItIsTheBase) {
+  const Convex base = square(5);
+  EXPECT_EQ(ShapeCache().turned(3, base, Angle()), &base);
+}
+
+TEST(ShapeCacheTest, TellsShapesApart) {
+  const Convex small = square(5);
+  const Convex large = square(50);
+  ShapeCache cache;
+  EXPECT_EQ(*cache.turned(0, small, Angle::degrees(45)), *small.turned(Angle::degrees(45)));
+  EXPECT_EQ(*cache.turned(1, large, Angle::degrees(45)), *large.turned(Angle::degrees(45)));
+}
+
+TEST(ShapeCacheTest, RemembersThatAShapeDegenerates) {
+  const Convex sliver(std::vector<Point>{{0, 0}, {3, 1}, {2, 1}});
+  ShapeCache cache;
+  EXPECT_EQ(cache.turned(0, sliver, Angle::degrees(20)), nullptr);
+  EXPECT_EQ(cache.turned(0, sliver, Angle::degrees(20)), nullptr);
+}
+
+TEST(ShapeCacheTest, TrimmingChangesNoShape) {
+  const Convex base = regular(8, 5000);
+  ShapeCache cache;
+  const Convex* kept = cache.turned(0, base, Angle(1));
+  cache.trim();
+  EXPECT_EQ(cache.turned(0, base, Angle(1)), kept) << "few shapes are kept";
+  for (std::int32_t angle = 1; angle < 4000; ++angle) {
+    ASSERT_EQ(*cache.turned(0, base, Angle(angle)), *base.turned(Angle(angle)));
+    cache.trim();
+  }
+}
+
+}  // namespace
+}  // namespace platon

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "shared/physics/convex.h"
+#include "tests/lockstep/seeded_random.h"
+
+namespace platon {
+
+/// A square round the origin with sides of 2 * `reach`.
+inline Convex square(std::int32_t reach) {
+  return Convex(std::vector<Point>{{-reach, -reach}, {reach, -reach}, {reach, reach}, {-reach, reach}});
+}
+
+/// The regular polygon with this circumradius, rounded, an edge at the bottom when `corners` is a multiple of four.
+inline Convex regular(int corners, std::int32_t radius) {
+  std::vector<Point> vertices;
+  const std::int32_t step = Angle::kTurn / corners;
+  for (int i = 0; i < corners; ++i) vertices.push_back(rotate(Point(radius, 0), Angle(-9000 + step / 2 + i * step)));
+  return Convex(vertices);
+}
+
+/// The hull of a few points of a disc round `middle`, with three corners or more.
+inline Convex randomConvex(sim::SeededRandom& random, std::int32_t radius, Point middle = {}) {
+  for (;;) {
+    std::vector<Point> points;
+    const std::uint64_t count = 3 + random.below(10);
+    for (std::uint64_t i = 0; i < count; ++i) points.push_back(middle + random.vector(radius));
+    auto hull = convexHull(points);
+    if (!Convex::fault(hull)) return Convex(std::move(hull));
+  }
+}
+
+}  // namespace platon

@@ -1,0 +1,128 @@
+#include "shared/physics/slide.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+
+#include "shared/exact/integer.h"
+#include "tests/lockstep/seeded_random.h"
+
+namespace platon {
+namespace {
+
+constexpr std::uint64_t kSeed = 12;
+
+// What must hold of every slide. A displacement that leads outwards is not slid by the step, but obeys the same.
+void expectSlides(Point displacement, Point normal) {
+  const Point slid = slideAlong(displacement, normal);
+  ASSERT_GE(dot(slid, normal), 0) << "never inwards";
+  const long double length = std::hypot(static_cast<long double>(normal.x), normal.y);
+  ASSERT_LT(static_cast<long double>(dot(slid, normal)) / length, 1.0L) << "less than a subunit outwards";
+  const Point tangent = perpendicular(normal);
+  const long double along = static_cast<long double>(dot(displacement, tangent)) / length;
+  const long double slidAlong = static_cast<long double>(dot(slid, tangent)) / length;
+  const auto lengthOf = [](Point p) { return std::hypot(static_cast<long double>(p.x), p.y); };
+  ASSERT_LE(lengthOf(slid), lengthOf(displacement) + 0.71L) << "longer by the rounding outwards at most";
+  if (slid == Point()) {
+    ASSERT_LT(std::abs(along), 1.42L) << "less than a subunit along the longer axis was left";
+    return;
+  }
+  ASSERT_GT(along * slidAlong, 0.0L) << "forwards";
+  // At most a subunit is cut off along the longer axis, and the other one is rounded by less than one.
+  ASSERT_GE(std::abs(slidAlong), std::abs(along) - 2.13L);
+}
+
+TEST(SlideTest, AlongAnAxisItKeepsTheOtherPart) {
+  EXPECT_EQ(slideAlong({7, -3}, {0, 1}), Point(7, 0));
+  EXPECT_EQ(slideAlong({7, -3}, {0, 1000}), Point(7, 0));
+  EXPECT_EQ(slideAlong({7, 3}, {0, -2}), Point(7, 0));
+  EXPECT_EQ(slideAlong({7, -3}, {-5, 0}), Point(0, -3));
+  EXPECT_EQ(slideAlong({-7, -3}, {5, 0}), Point(0, -3));
+}
+
+TEST(SlideTest, StraightIntoALineNothingIsLeft) {
+  EXPECT_EQ(slideAlong({0, -100}, {0, 1}), Point());
+  EXPECT_EQ(slideAlong({-300, -400}, {3, 4}), Point());
+  EXPECT_EQ(slideAlong({1 << 29, 1 << 29}, {-1, -1}), Point());
+}
+
+TEST(SlideTest, AlongADiagonal) {
+  EXPECT_EQ(slideAlong({10, 0}, {-1, 1}), Point(5, 5));
+  EXPECT_EQ(slideAlong({0, -10}, {-1, 1}), Point(-5, -5));
+  EXPECT_EQ(slideAlong({10, 0}, {1, 1}), Point(5, -5));
+  EXPECT_EQ(slideAlong({10, 0}, {-1, 3}), Point(9, 3));
+  EXPECT_EQ(slideAlong({9, 0}, {-1, 3}), Point(8, 3)) << "8.1 and 2.7: cut, then rounded to the outer side";
+  EXPECT_EQ(slideAlong({9, 0}, {1, 3}), Point(8, -2)) << "on this side outwards is up, too";
+}
+
+TEST(SlideTest, LessThanASubunitIsNothing) {
+  EXPECT_EQ(slideAlong({1, 0}, {-1, 3}), Point());
+  EXPECT_EQ(slideAlong({0, 0}, {-1, 3}), Point());
+  EXPECT_EQ(slideAlong({1, -1000}, {0, 1}), Point(1, 0));
+}
+
+TEST(SlideTest, SmallOnesAll) {
+  for (int nx = -5; nx <= 5; ++nx) {
+    for (int ny = -5; ny <= 5; ++ny) {
+      if (nx == 0 && ny == 0) continue;
+      for (int x = -12; x <= 12; ++x) {
+        for (int y = -12; y <= 12; ++y) {
+          ASSERT_NO_FATAL_FAILURE(expectSlides({x, y}, {nx, ny})) << x << " " << y << " " << nx << " " << ny;
+        }
+      }
+    }
+  }
+}
+
+TEST(SlideTest, RandomOnesUpToTheBounds) {
+  sim::SeededRandom random(kSeed);
+  for (int i = 0; i < 200000; ++i) {
+    const Point displacement = random.vector((2 << (i % 27)) - 1);
+    const Point normal = random.vector((2 << (i % 26)) - 1);
+    if (normal == Point()) continue;
+    ASSERT_NO_FATAL_FAILURE(expectSlides(displacement, normal)) << "seed " << kSeed << ", round " << i;
+  }
+  constexpr std::int32_t most = (1 << 30) - 1;
+  ASSERT_NO_FATAL_FAILURE(expectSlides({most, -most}, {most, most - 1}));
+  ASSERT_NO_FATAL_FAILURE(expectSlides({-most, most}, {1, -most}));
+}
+
+TEST(TurnedNormalTest, Uses29BitsAndKeepsTheDirection) {
+  sim::SeededRandom random(kSeed);
+  for (int i = 0; i < 50000; ++i) {
+    const Point normal = random.vector((2 << (i % 27)) - 1);
+    if (normal == Point()) continue;
+    const auto hundredths = static_cast<std::int32_t>(random.below(Angle::kTurn));
+    const Point turned = turnedNormal(normal, Angle(hundredths));
+    const auto longest = std::max(std::abs(turned.x), std::abs(turned.y));
+    ASSERT_LE(longest, 1 << 29) << "seed " << kSeed << ", round " << i;
+    ASSERT_GE(longest, 1 << 28) << "seed " << kSeed << ", round " << i;
+    const long double expected = std::atan2(static_cast<long double>(normal.y), static_cast<long double>(normal.x)) +
+                                 hundredths * std::numbers::pi_v<long double> / 18000;
+    const long double miss = std::atan2(static_cast<long double>(turned.y), static_cast<long double>(turned.x)) - expected;
+    ASSERT_LT(std::abs(std::sin(miss)), std::ldexp(1.0L, -27)) << "seed " << kSeed << ", round " << i;
+    ASSERT_GT(std::cos(miss), 0.0L) << "seed " << kSeed << ", round " << i;
+  }
+}
+
+TEST(TurnedNormalTest, QuarterTurnsAreExact) {
+  for (int quarter = 0; quarter < 4; ++quarter) {
+    const Point turned = turnedNormal({3, 1}, Angle::degrees(90 * quarter));
+    EXPECT_EQ(cross(turned, rotate(Point(3, 1), Angle::degrees(90 * quarter))), 0);
+    EXPECT_GT(dot(turned, rotate(Point(3, 1), Angle::degrees(90 * quarter))), 0);
+  }
+}
+
+TEST(DominantStepTest, GoesAlongTheLongerAxis) {
+  EXPECT_EQ(dominantStep({5, 3}), Point(1, 0));
+  EXPECT_EQ(dominantStep({-5, 3}), Point(-1, 0));
+  EXPECT_EQ(dominantStep({2, 3}), Point(0, 1));
+  EXPECT_EQ(dominantStep({2, -3}), Point(0, -1));
+  EXPECT_EQ(dominantStep({4, -4}), Point(1, 0));
+  EXPECT_EQ(dominantStep({INT32_MIN, 1}), Point(-1, 0));
+}
+
+}  // namespace
+}  // namespace platon

@@ -1,0 +1,195 @@
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "shared/exact/integer.h"
+#include "shared/physics/entity.h"
+#include "shared/physics/instances.h"
+#include "shared/physics/map_part.h"
+#include "shared/physics/world.h"
+#include "tests/shared/physics/maps.h"
+#include "tests/shared/physics/shapes.h"
+
+namespace platon {
+namespace {
+
+// An entity over the edge between the strips and one placed by hand in both.
+class WorldAcceptsTest : public testing::Test {
+ protected:
+  WorldAcceptsTest() : world(twoStrips()) {
+    Entity over(world, square(100));
+    MapPart(world, 1).insert(over, {950, 0}, Angle());
+    Entity both(world, square(10));
+    MapPart(world, 1).insert(both, {0, 0}, Angle());
+    MapPart(world, 2).insert(both, {0, 0}, Angle::degrees(90));
+    Entity sliver(world, Convex(std::vector<Point>{{0, 0}, {3, 1}, {2, 1}}));
+    MapPart(world, 2).insert(sliver, {0, 0}, Angle());
+    good = world.save();
+  }
+
+  bool acceptsWith(const std::function<void(WorldState&)>& change) const {
+    WorldState state = good;
+    change(state);
+    return world.accepts(state);
+  }
+
+  World world;
+  WorldState good;
+};
+
+constexpr std::int32_t kMost = kCoordinateLimit - 1;
+
+TEST_F(WorldAcceptsTest, WhatItHasSaved) {
+  ASSERT_EQ(good.instances.size(), 2u);
+  EXPECT_TRUE(world.accepts(good));
+  EXPECT_TRUE(world.accepts(WorldState()));
+  EXPECT_TRUE(twoStrips().accepts(WorldState()));
+}
+
+TEST_F(WorldAcceptsTest, HarmlessChanges) {
+  EXPECT_TRUE(acceptsWith([](WorldState& s) { s.entities[0].velocity = {kVelocityLimit - 1, 1 - kVelocityLimit}; }));
+  EXPECT_TRUE(acceptsWith([](WorldState& s) { s.entities[0].heading = Angle(12345); }));
+  EXPECT_TRUE(acceptsWith([](WorldState& s) { s.entities[0].turn = -35999; }));
+  EXPECT_TRUE(acceptsWith([](WorldState& s) { s.entities[2].position = {kMost, -kMost}; }));
+  EXPECT_TRUE(acceptsWith([](WorldState& s) { s.entities[0].crossings = 4000000000u; }));
+}
+
+TEST_F(WorldAcceptsTest, NoStateOfAnotherWorld) {
+  EXPECT_FALSE(World().accepts(good)) << "it knows no such shape or part";
+  EXPECT_FALSE(twoStrips().accepts(good));
+}
+
+TEST_F(WorldAcceptsTest, NoIndexThatLeadsAstray) {
+  EXPECT_FALSE(acceptsWith([](WorldState& s) { s.entities[0].shape = 3; }));
+  EXPECT_FALSE(acceptsWith([](WorldState& s) { s.entities[0].shape = 0xffffffff; }));
+  EXPECT_FALSE(acceptsWith([](WorldState& s) { s.entities[2].part = 3; }));
+  EXPECT_FALSE(acceptsWith([](WorldState& s) { s.instances[1].part = 3; }));
+  EXPECT_FALSE(acceptsWith([](WorldState& s) { s.instances[0].warp = 1; }));
+  EXPECT_FALSE(acceptsWith([](WorldState& s) { s.instances[0].warp = 0xffff; }));
+}
+
+TEST_F(WorldAcceptsTest, NoWrongCountOfInstances) {
+  EXPECT_FALSE(acceptsWith([](WorldState& s) { s.entities[0].instances = 0; }));
+  EXPECT_FALSE(acceptsWith([](WorldState& s) { s.entities[0].instances = 2; }));
+  EXPECT_FALSE(acceptsWith([](WorldState& s) { s.entities[1].instances = 0xffff; }));
+  EXPECT_FALSE(acceptsWith([](WorldState& s) { s.instances.pop_back(); }));
+  EXPECT_FALSE(acceptsWith([](WorldState& s) { s.instances.push_back(s.instances.back()); }));
+  EXPECT_FALSE(acceptsWith([](WorldState& s) {
+    const InstanceState one = s.instances[1];
+    for (std::uint16_t id = 10; s.entities[1].instances < Instances::kMost; ++id) {
+      s.instances.push_back(one);
+      s.instances.back().id = id;
+      ++s.entities[1].instances;
+    }
+    s.entities.pop_back();
+  })) << "more instances than there may be";
+}
+
+TEST_F(WorldAcceptsTest, NothingOutOfRange) {
+  EXPECT_FALSE(acceptsWith([](WorldState& s) { s.entities[0].position.x = kMost + 1; }));
+  EXPECT_FALSE(acceptsWith([](WorldState& s) { s.entities[0].position.y = INT32_MIN; }));
+  EXPECT_FALSE(acceptsWith([](WorldState& s) { s.entities[0].velocity.x = kVelocityLimit; }));
+  EXPECT_FALSE(acceptsWith([](WorldState& s) { s.entities[0].velocity.y = -kVelocityLimit; }));
+  EXPECT_FALSE(acceptsWith([](WorldState& s) { s.entities[0].turn = 36000; }));
+  EXPECT_FALSE(acceptsWith([](WorldState& s) { s.entities[0].turn = INT32_MIN; }));
+  EXPECT_FALSE(acceptsWith([](WorldState& s) { s.instances[0].anchor.y = -kMost - 1; }));
+  EXPECT_FALSE(acceptsWith([](WorldState& s) { s.instances[0].homeAnchor.x = kMost + 1; }));
+}
+
+TEST_F(WorldAcceptsTest, NoInstanceThatStandsOutOfRange) {
+  EXPECT_FALSE(acceptsWith([](WorldState& s) {
+    s.instances[0].anchor.x = kMost - 100;
+    s.instances[0].homeAnchor.x = -kMost;
+  }));
+}
+
+TEST_F(WorldAcceptsTest, NoFlagThatIsNone) {
+  EXPECT_FALSE(acceptsWith([](WorldState& s) { s.entities[0].inserted = 2; }));
+  EXPECT_FALSE(acceptsWith([](WorldState& s) { s.entities[0].fresh = 2; }));
+  EXPECT_FALSE(acceptsWith([](WorldState& s) { s.instances[0].fresh = 0xffff; }));
+}
+
+TEST_F(WorldAcceptsTest, NoInstancesOfAnEntityThatIsNowhere) {
+  EXPECT_FALSE(acceptsWith([](WorldState& s) { s.entities[0].inserted = 0; }));
+  EXPECT_TRUE(acceptsWith([](WorldState& s) { s.entities[2].inserted = 0; }));
+}
+
+TEST_F(WorldAcceptsTest, NoInstanceThatHangsOnNothing) {
+  EXPECT_FALSE(acceptsWith([](WorldState& s) { s.instances[0].parent = 7; }));
+  EXPECT_FALSE(acceptsWith([](WorldState& s) { s.instances[0].parent = s.instances[0].id; })) << "on itself";
+  EXPECT_FALSE(acceptsWith([](WorldState& s) { s.instances[0].part = 1; })) << "its warp leads elsewhere";
+  EXPECT_FALSE(acceptsWith([](WorldState& s) { s.instances[0].angle = Angle(1); })) << "it turns otherwise";
+  EXPECT_FALSE(acceptsWith([](WorldState& s) { s.entities[0].angle = Angle(1); }));
+  EXPECT_FALSE(acceptsWith([](WorldState& s) {
+    InstanceState second = s.instances[0];
+    second.id = 9;
+    second.parent = 8;
+    second.part = 1;
+    s.instances[0].id = 8;
+    s.instances[0].parent = 9;
+    s.instances.insert(s.instances.begin() + 1, second);
+    ++s.entities[0].instances;
+  })) << "a ring";
+}
+
+TEST_F(WorldAcceptsTest, InstancesInAnyOrderThatHangsTogether) {
+  const auto chained = [](WorldState& s, bool swapped) {
+    InstanceState second = s.instances[0];
+    second.id = 9;
+    second.parent = s.instances[0].id;
+    second.part = 1;
+    s.instances.insert(s.instances.begin() + (swapped ? 0 : 1), second);
+    ++s.entities[0].instances;
+  };
+  EXPECT_TRUE(acceptsWith([&](WorldState& s) { chained(s, false); }));
+  EXPECT_TRUE(acceptsWith([&](WorldState& s) { chained(s, true); }));
+}
+
+TEST_F(WorldAcceptsTest, NoIdTwiceAndNoIdThatMeansNone) {
+  EXPECT_FALSE(acceptsWith([](WorldState& s) { s.instances[1].id = s.entities[1].id; }));
+  EXPECT_FALSE(acceptsWith([](WorldState& s) { s.entities[2].id = InstanceState::kNoParent; }));
+  EXPECT_FALSE(acceptsWith([](WorldState& s) { s.instances[1].id = InstanceState::kNoParent; }));
+  EXPECT_FALSE(acceptsWith([](WorldState& s) { s.entities[0].nextId = InstanceState::kNoParent; }));
+}
+
+TEST_F(WorldAcceptsTest, NoAngleAtWhichTheShapeDegenerates) {
+  EXPECT_FALSE(acceptsWith([](WorldState& s) { s.entities[2].angle = Angle::degrees(20); }));
+  EXPECT_TRUE(acceptsWith([](WorldState& s) { s.entities[2].angle = Angle::degrees(90); }));
+}
+
+// Whatever is accepted can be stepped.
+TEST_F(WorldAcceptsTest, RandomChangesAreRefusedOrHarmless) {
+  constexpr std::uint64_t seed = 2024;
+  sim::SeededRandom random(seed);
+  int accepted = 0;
+  for (int round = 0; round < 20000; ++round) {
+    WorldState state = good;
+    const auto mutate = [&](const char*, auto& field) {
+      if (random.below(25) != 0) return;
+      using Field = std::decay_t<decltype(field)>;
+      const std::uint64_t bits = random.next() >> random.below(64);
+      if constexpr (std::is_same_v<Field, Point>) {
+        field += Point(static_cast<std::int16_t>(bits), static_cast<std::int16_t>(bits >> 16));
+        if (random.below(3) == 0) field = Point(static_cast<std::int32_t>(bits), static_cast<std::int32_t>(bits >> 32));
+      } else if constexpr (std::is_same_v<Field, Angle>) {
+        field = Angle(static_cast<std::int32_t>(bits));
+      } else {
+        field = static_cast<Field>(field ^ (bits & (bits >> 8)));
+      }
+    };
+    for (EntityState& entity : state.entities) EntityState::visit(entity, mutate);
+    for (InstanceState& instance : state.instances) InstanceState::visit(instance, mutate);
+    if (!world.accepts(state)) continue;
+    ++accepted;
+    World copy = world;
+    copy.restore(state);
+    copy.solve();
+    copy.solve();
+    ASSERT_TRUE(copy.accepts(copy.save())) << "seed " << seed << ", round " << round;
+  }
+  EXPECT_GT(accepted, 1000);
+  EXPECT_LT(accepted, 19000);
+}
+
+}  // namespace
+}  // namespace platon
