@@ -11,8 +11,8 @@ namespace platon {
 
 /// All that a client needs to take up a round in the middle: what the pieces of `StateChunk` make together.
 struct FullState {
-  std::vector<Input> held;              ///< what each slot did in the last tick, the base of the next changes
-  std::vector<std::uint8_t> game;       ///< as `Game::save` gives it
+  std::vector<Input> held;         ///< what each slot did in the last tick, the base of the next changes
+  std::vector<std::uint8_t> game;  ///< as `Game::save` gives it
 
   friend bool operator==(const FullState&, const FullState&) = default;
 };

@@ -109,8 +109,8 @@ std::optional<ToClient> unpack(std::span<const std::uint8_t> bytes) {
   message.from = in.varint();
   message.count = in.varint();
   message.hash = in.fixed32();
-  const bool counts = message.count >= 1 && message.count <= kMaxTicksPerMessage &&
-                      message.from <= UINT32_MAX - message.count;
+  const bool counts =
+      message.count >= 1 && message.count <= kMaxTicksPerMessage && message.from <= UINT32_MAX - message.count;
   if (!in.ok() || !counts || !readSlack(in, message) || !readChanges(in, message)) return std::nullopt;
   return message;
 }
@@ -120,8 +120,12 @@ bool isPiece(std::uint32_t total, std::size_t most, std::uint32_t offset, std::s
 }
 
 std::optional<ToClient> read(const wire::Welcome& table) {
-  Welcome message{table.slot(),        table.round(),            table.level_hash(),
-                  table.max_players(), table.ticks_per_second(), textOf(table.server_name())};
+  Welcome message{table.slot(),
+                  table.round(),
+                  table.level_hash(),
+                  table.max_players(),
+                  table.ticks_per_second(),
+                  textOf(table.server_name())};
   const bool valid = message.maxPlayers <= kMaxPlayers && message.slot < message.maxPlayers &&
                      message.ticksPerSecond == kTicksPerSecond && isLabel(message.serverName, kMaxNameBytes);
   return valid ? std::optional<ToClient>(std::move(message)) : std::nullopt;
@@ -176,15 +180,24 @@ std::optional<ToClient> read(const wire::Bye& table) {
 
 std::optional<ToClient> readBody(const wire::ToClient& root) {
   switch (root.body_type()) {
-    case Body::Welcome: return read(*root.body_as_Welcome());
-    case Body::Refused: return read(*root.body_as_Refused());
-    case Body::LevelChunk: return read(*root.body_as_LevelChunk());
-    case Body::StateChunk: return read(*root.body_as_StateChunk());
-    case Body::RosterEntry: return read(*root.body_as_RosterEntry());
-    case Body::RoundStart: return read(*root.body_as_RoundStart());
-    case Body::RoundEnd: return read(*root.body_as_RoundEnd());
-    case Body::Bye: return read(*root.body_as_Bye());
-    default: return std::nullopt;
+    case Body::Welcome:
+      return read(*root.body_as_Welcome());
+    case Body::Refused:
+      return read(*root.body_as_Refused());
+    case Body::LevelChunk:
+      return read(*root.body_as_LevelChunk());
+    case Body::StateChunk:
+      return read(*root.body_as_StateChunk());
+    case Body::RosterEntry:
+      return read(*root.body_as_RosterEntry());
+    case Body::RoundStart:
+      return read(*root.body_as_RoundStart());
+    case Body::RoundEnd:
+      return read(*root.body_as_RoundEnd());
+    case Body::Bye:
+      return read(*root.body_as_Bye());
+    default:
+      return std::nullopt;
   }
 }
 
@@ -214,8 +227,7 @@ Bytes encode(const Welcome& message) {
 Bytes encode(const Refused& message) {
   Builder builder;
   const auto reason = builder.CreateString(message.reason);
-  return finish(builder, Body::Refused,
-                wire::CreateRefused(builder, static_cast<std::uint32_t>(message.code), reason));
+  return finish(builder, Body::Refused, wire::CreateRefused(builder, static_cast<std::uint32_t>(message.code), reason));
 }
 
 Bytes encode(const LevelChunk& message) {
@@ -228,9 +240,9 @@ Bytes encode(const LevelChunk& message) {
 Bytes encode(const StateChunk& message) {
   Builder builder;
   const auto bytes = builder.CreateVector(message.bytes);
-  return finish(builder, Body::StateChunk,
-                wire::CreateStateChunk(builder, message.round, message.tick, message.sync, message.total,
-                                       message.offset, bytes));
+  return finish(
+      builder, Body::StateChunk,
+      wire::CreateStateChunk(builder, message.round, message.tick, message.sync, message.total, message.offset, bytes));
 }
 
 Bytes encode(const RosterEntry& message) {

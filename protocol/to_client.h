@@ -14,12 +14,12 @@ namespace platon {
 
 /// Answer to Hello: the client plays `slot`. Reliable, like all that follow up to `ConfirmedTicks`.
 struct Welcome {
-  std::uint32_t slot = 0;                              ///< below maxPlayers
+  std::uint32_t slot = 0;  ///< below maxPlayers
   std::uint32_t round = 0;
-  std::uint64_t levelHash = 0;                         ///< of the round's level text
-  std::uint32_t maxPlayers = 0;                        ///< 1 … kMaxPlayers
-  std::uint32_t ticksPerSecond = kTicksPerSecond;      ///< always kTicksPerSecond
-  std::string serverName;                              ///< a clean label, perhaps empty
+  std::uint64_t levelHash = 0;                     ///< of the round's level text
+  std::uint32_t maxPlayers = 0;                    ///< 1 … kMaxPlayers
+  std::uint32_t ticksPerSecond = kTicksPerSecond;  ///< always kTicksPerSecond
+  std::string serverName;                          ///< a clean label, perhaps empty
 
   friend bool operator==(const Welcome&, const Welcome&) = default;
 };
@@ -28,8 +28,8 @@ enum class RefusalCode : std::uint32_t { kWrongProtocol = 1, kWrongRules = 2, kF
 
 /// Answer to Hello: the client cannot play. The connection ends after it.
 struct Refused {
-  RefusalCode code = RefusalCode::kOther;              ///< a code from a newer server reads as kOther
-  std::string reason;                                  ///< one clean sentence for the player
+  RefusalCode code = RefusalCode::kOther;  ///< a code from a newer server reads as kOther
+  std::string reason;                      ///< one clean sentence for the player
 
   friend bool operator==(const Refused&, const Refused&) = default;
 };
@@ -37,9 +37,9 @@ struct Refused {
 /// A piece of a level text. Pieces come in order.
 struct LevelChunk {
   std::uint64_t hash = 0;
-  std::uint32_t total = 0;                             ///< bytes of the whole, 1 … kMaxLevelBytes
-  std::uint32_t offset = 0;                            ///< offset + bytes <= total
-  std::vector<std::uint8_t> bytes;                     ///< 1 … kChunkBytes
+  std::uint32_t total = 0;          ///< bytes of the whole, 1 … kMaxLevelBytes
+  std::uint32_t offset = 0;         ///< offset + bytes <= total
+  std::vector<std::uint8_t> bytes;  ///< 1 … kChunkBytes
 
   friend bool operator==(const LevelChunk&, const LevelChunk&) = default;
 };
@@ -48,8 +48,8 @@ struct LevelChunk {
 struct StateChunk {
   std::uint32_t round = 0;
   std::uint32_t tick = 0;
-  std::uint8_t sync = 0;                               ///< at least 1
-  std::uint32_t total = 0;                             ///< 1 … kMaxStateBytes
+  std::uint8_t sync = 0;    ///< at least 1
+  std::uint32_t total = 0;  ///< 1 … kMaxStateBytes
   std::uint32_t offset = 0;
   std::vector<std::uint8_t> bytes;
 
@@ -85,8 +85,8 @@ enum class ByeCode : std::uint32_t { kServerStops = 1, kRemoved = 2, kOther = 25
 
 /// The server ends the connection.
 struct Bye {
-  ByeCode code = ByeCode::kOther;                      ///< a code from a newer server reads as kOther
-  std::string reason;                                  ///< one clean sentence for the player
+  ByeCode code = ByeCode::kOther;  ///< a code from a newer server reads as kOther
+  std::string reason;              ///< one clean sentence for the player
 
   friend bool operator==(const Bye&, const Bye&) = default;
 };
@@ -94,15 +94,15 @@ struct Bye {
 /// From this tick on, until changed again, the slot's input is `input`.
 struct InputChange {
   std::uint32_t tick = 0;
-  std::uint32_t slot = 0;                              ///< below kMaxPlayers
-  Input input;                                         ///< no buttons without kPresent
+  std::uint32_t slot = 0;  ///< below kMaxPlayers
+  Input input;             ///< no buttons without kPresent
 
   friend bool operator==(const InputChange&, const InputChange&) = default;
 };
 
 /// How early inputs of the client came.
 struct SlackReport {
-  std::uint32_t tick = 0;                              ///< of the newest input in a message of the client
+  std::uint32_t tick = 0;  ///< of the newest input in a message of the client
   /// By how many ticks it came before it was needed: 0 for the very next tick, negative when too late. Within
   /// plus and minus kMaxSlack.
   std::int32_t slack = 0;
@@ -116,16 +116,16 @@ struct SlackReport {
 struct ConfirmedTicks {
   std::uint32_t round = 0;
   std::uint32_t from = 0;
-  std::uint32_t count = 0;                             ///< 1 … kMaxTicksPerMessage
-  std::uint32_t hash = 0;                              ///< `shortHash` of the game advanced by from + count ticks
-  std::optional<SlackReport> slack;                    ///< the least since the last message, nothing when none came
-  std::vector<InputChange> changes;                    ///< by tick, then slot; at most kMaxChangesPerMessage
+  std::uint32_t count = 0;           ///< 1 … kMaxTicksPerMessage
+  std::uint32_t hash = 0;            ///< `shortHash` of the game advanced by from + count ticks
+  std::optional<SlackReport> slack;  ///< the least since the last message, nothing when none came
+  std::vector<InputChange> changes;  ///< by tick, then slot; at most kMaxChangesPerMessage
 
   friend bool operator==(const ConfirmedTicks&, const ConfirmedTicks&) = default;
 };
 
-using ToClient = std::variant<Welcome, Refused, LevelChunk, StateChunk, RosterEntry, RoundStart, RoundEnd, Bye,
-                              ConfirmedTicks>;
+using ToClient =
+    std::variant<Welcome, Refused, LevelChunk, StateChunk, RosterEntry, RoundStart, RoundEnd, Bye, ConfirmedTicks>;
 
 /// Reads a message from the server. Nothing when it is malformed or any value is outside its range.
 std::optional<ToClient> decodeToClient(std::span<const std::uint8_t> bytes);

@@ -80,10 +80,14 @@ std::optional<ToServer> readHello(const wire::Hello& table) {
 
 std::optional<ToServer> readBody(const wire::ToServer& root) {
   switch (root.body_type()) {
-    case wire::ToServerBody::Hello: return readHello(*root.body_as_Hello());
-    case wire::ToServerBody::LevelRequest: return LevelRequest{root.body_as_LevelRequest()->hash()};
-    case wire::ToServerBody::Leave: return Leave{};
-    default: return std::nullopt;
+    case wire::ToServerBody::Hello:
+      return readHello(*root.body_as_Hello());
+    case wire::ToServerBody::LevelRequest:
+      return LevelRequest{root.body_as_LevelRequest()->hash()};
+    case wire::ToServerBody::Leave:
+      return Leave{};
+    default:
+      return std::nullopt;
   }
 }
 

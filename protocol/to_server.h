@@ -15,8 +15,8 @@ namespace platon {
 /// First message of a client. Reliable.
 struct Hello {
   std::uint32_t protocolVersion = kProtocolVersion;
-  std::uint32_t rulesVersion = kRulesVersion;   ///< meaningful when the protocol version is ours
-  std::string name;                             ///< a clean label (`isLabel`); empty: the server makes one up
+  std::uint32_t rulesVersion = kRulesVersion;  ///< meaningful when the protocol version is ours
+  std::string name;                            ///< a clean label (`isLabel`); empty: the server makes one up
 
   friend bool operator==(const Hello&, const Hello&) = default;
 };
@@ -37,11 +37,11 @@ struct Leave {
 /// two; the first one of a round tells the server that the client has the level and starts.
 struct PlayerInputs {
   std::uint32_t round = 0;
-  std::uint8_t sync = 0;          ///< of the last full state taken in this round; 0: started at tick 0 by itself
-  std::uint32_t confirmed = 0;    ///< ticks by which the confirmed game has advanced in this round
-  std::uint32_t hash = 0;         ///< `shortHash` of the confirmed game
-  std::uint32_t first = 0;        ///< tick of the first input; at least `confirmed`
-  std::vector<Input> inputs;      ///< of consecutive ticks, each with kPresent; at most kMaxInputsPerMessage
+  std::uint8_t sync = 0;        ///< of the last full state taken in this round; 0: started at tick 0 by itself
+  std::uint32_t confirmed = 0;  ///< ticks by which the confirmed game has advanced in this round
+  std::uint32_t hash = 0;       ///< `shortHash` of the confirmed game
+  std::uint32_t first = 0;      ///< tick of the first input; at least `confirmed`
+  std::vector<Input> inputs;    ///< of consecutive ticks, each with kPresent; at most kMaxInputsPerMessage
 
   friend bool operator==(const PlayerInputs&, const PlayerInputs&) = default;
 };

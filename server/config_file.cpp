@@ -62,14 +62,22 @@ std::vector<std::string> readLevels(const Entry& entry) {
 
 void readEntry(const Entry& entry, ServerOptions& options) {
   const std::string_view key = entry.key.str();
-  if (key == "levels") options.levels = readLevels(entry);
-  else if (key == "bind") options.bind = entry.text();
-  else if (key == "port") options.port = static_cast<std::uint16_t>(entry.number(0, UINT16_MAX));
-  else if (key == "max-players") options.maxPlayers = entry.number(1, kMaxPlayers);
-  else if (key == "max-per-address") options.maxPerAddress = entry.number(1, kMostPerAddress);
-  else if (key == "name") options.name = readName(entry);
-  else if (key == "log-format") options.logFormat = readLogFormat(entry);
-  else entry.refuseAt(entry.key.source().begin, "is no key of the configuration; it may hold " + std::string(kKeys));
+  if (key == "levels")
+    options.levels = readLevels(entry);
+  else if (key == "bind")
+    options.bind = entry.text();
+  else if (key == "port")
+    options.port = static_cast<std::uint16_t>(entry.number(0, UINT16_MAX));
+  else if (key == "max-players")
+    options.maxPlayers = entry.number(1, kMaxPlayers);
+  else if (key == "max-per-address")
+    options.maxPerAddress = entry.number(1, kMostPerAddress);
+  else if (key == "name")
+    options.name = readName(entry);
+  else if (key == "log-format")
+    options.logFormat = readLogFormat(entry);
+  else
+    entry.refuseAt(entry.key.source().begin, "is no key of the configuration; it may hold " + std::string(kKeys));
 }
 
 toml::table parse(const std::string& path) {

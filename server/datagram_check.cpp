@@ -23,11 +23,16 @@ std::optional<std::size_t> lengthOffset(std::uint8_t command) {
     case ENET_PROTOCOL_COMMAND_DISCONNECT:
     case ENET_PROTOCOL_COMMAND_PING:
     case ENET_PROTOCOL_COMMAND_BANDWIDTH_LIMIT:
-    case ENET_PROTOCOL_COMMAND_THROTTLE_CONFIGURE: return 0;
-    case ENET_PROTOCOL_COMMAND_SEND_RELIABLE: return offsetof(ENetProtocolSendReliable, dataLength);
-    case ENET_PROTOCOL_COMMAND_SEND_UNRELIABLE: return offsetof(ENetProtocolSendUnreliable, dataLength);
-    case ENET_PROTOCOL_COMMAND_SEND_UNSEQUENCED: return offsetof(ENetProtocolSendUnsequenced, dataLength);
-    default: return std::nullopt;
+    case ENET_PROTOCOL_COMMAND_THROTTLE_CONFIGURE:
+      return 0;
+    case ENET_PROTOCOL_COMMAND_SEND_RELIABLE:
+      return offsetof(ENetProtocolSendReliable, dataLength);
+    case ENET_PROTOCOL_COMMAND_SEND_UNRELIABLE:
+      return offsetof(ENetProtocolSendUnreliable, dataLength);
+    case ENET_PROTOCOL_COMMAND_SEND_UNSEQUENCED:
+      return offsetof(ENetProtocolSendUnsequenced, dataLength);
+    default:
+      return std::nullopt;
   }
 }
 

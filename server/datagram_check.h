@@ -8,9 +8,9 @@ namespace platon {
 /// What a datagram is before ENet reads it.
 struct DatagramHead {
   enum class Kind {
-    kBroken,    ///< nothing that a client of ours would send
-    kConnect,   ///< asks for a connection
-    kPeer,      ///< for the connection `peer`
+    kBroken,   ///< nothing that a client of ours would send
+    kConnect,  ///< asks for a connection
+    kPeer,     ///< for the connection `peer`
   };
 
   Kind kind = Kind::kBroken;

@@ -2,6 +2,7 @@
 
 #include <thread>
 
+#include "protocol/to_client.h"
 #include "protocol/to_server.h"
 
 namespace platon {
@@ -10,6 +11,8 @@ namespace {
 // Beyond the players, so that those who find no place can be told.
 constexpr std::uint32_t kSpareConnections = 8;
 constexpr std::chrono::milliseconds kIdleWait{100};
+// A flood of datagrams shall not keep an empty server busy.
+constexpr std::chrono::milliseconds kIdleStep{2};
 constexpr std::chrono::milliseconds kByeWait{500};
 constexpr std::chrono::seconds kReportInterval{10};
 
@@ -26,13 +29,20 @@ void write(Log& log, const MatchEvent& event) {
   const LogField client{"client", std::uint64_t{event.client}};
   const LogField slot{"slot", std::uint64_t{event.slot}};
   switch (event.kind) {
-    case Kind::kJoined: return log.info("joined", {client, slot, {"name", event.text}});
-    case Kind::kRefused: return log.info("refused", {client, {"reason", event.text}});
-    case Kind::kLeft: return log.info("left", {client, slot, {"name", event.text}});
-    case Kind::kMismatch: return log.warning("state differs", {client, slot, {"at", event.text}});
-    case Kind::kBehind: return log.info("state sent", {client, slot, {"at", event.text}});
-    case Kind::kRoundStart: return log.info("round starts", {{"level", event.text}});
-    case Kind::kRoundEnd: return log.info("round over", {{"ticks", event.text}});
+    case Kind::kJoined:
+      return log.info("joined", {client, slot, {"name", event.text}});
+    case Kind::kRefused:
+      return log.info("refused", {client, {"reason", event.text}});
+    case Kind::kLeft:
+      return log.info("left", {client, slot, {"name", event.text}});
+    case Kind::kMismatch:
+      return log.warning("state differs", {client, slot, {"at", event.text}});
+    case Kind::kBehind:
+      return log.info("state sent", {client, slot, {"at", event.text}});
+    case Kind::kRoundStart:
+      return log.info("round starts", {{"level", event.text}});
+    case Kind::kRoundEnd:
+      return log.info("round over", {{"ticks", event.text}});
   }
 }
 
@@ -48,18 +58,21 @@ DedicatedServer::DedicatedServer(ServerSettings settings, std::vector<LevelPoint
 void DedicatedServer::step(TimePoint now) {
   const bool wasIdle = match_.idle();
   receive(now);
-  if (wasIdle) clock_ = TickClock(now);
-  else if (clock_.take(now)) match_.tick();
+  if (wasIdle)
+    clock_ = TickClock(now);
+  else if (clock_.take(now))
+    match_.tick();
   deliver(now);
   report(now);
 }
 
 void DedicatedServer::receive(TimePoint now) {
-  for (const HostEvent& event : host_.service(now)) take(event);
+  for (const HostEvent& event : host_.service(now)) take(event, now);
 }
 
-void DedicatedServer::take(const HostEvent& event) {
+void DedicatedServer::take(const HostEvent& event, TimePoint now) {
   if (event.gone) return match_.disconnect(event.client);
+  if (!host_.listensTo(event.client)) return;
   const auto message = decodeToServer(event.bytes);
   if (message) {
     match_.receive(event.client, *message);
@@ -68,7 +81,8 @@ void DedicatedServer::take(const HostEvent& event) {
   }
   ++brokenMessages_;
   match_.disconnect(event.client);
-  host_.drop(event.client);
+  host_.send(event.client, true, encode(Bye{ByeCode::kRemoved, "your client sent a message that makes no sense"}));
+  host_.close(event.client, now);
 }
 
 void DedicatedServer::deliver(TimePoint now) {
@@ -95,8 +109,9 @@ void DedicatedServer::report(TimePoint now) {
 }
 
 void DedicatedServer::wait() const {
-  if (match_.idle()) host_.wait(kIdleWait);
-  else std::this_thread::sleep_until(clock_.next());
+  if (!match_.idle()) return std::this_thread::sleep_until(clock_.next());
+  host_.wait(kIdleWait);
+  std::this_thread::sleep_for(kIdleStep);
 }
 
 void DedicatedServer::run(const std::atomic<bool>& stop_) {

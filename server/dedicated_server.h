@@ -14,7 +14,7 @@
 namespace platon {
 
 struct ServerSettings {
-  HostSettings host;     ///< `connections` is set by the server
+  HostSettings host;  ///< `connections` is set by the server
   MatchSettings match;
 };
 
@@ -47,7 +47,7 @@ class DedicatedServer {
 
  private:
   void receive(TimePoint now);
-  void take(const HostEvent& event);
+  void take(const HostEvent& event, TimePoint now);
   void deliver(TimePoint now);
   void report(TimePoint now);
 

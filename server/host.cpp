@@ -18,9 +18,9 @@ namespace {
 constexpr enet_uint32 kMtu = 1200;
 constexpr std::size_t kMaxWaitingBytes = 64 * 1024;
 constexpr enet_uint32 kTimeoutAttempts = 32;
-constexpr enet_uint32 kLeastTimeout = 3000;   // ms
-constexpr enet_uint32 kMostTimeout = 8000;    // ms
-constexpr enet_uint32 kThrottleInterval = 5000;   // ms
+constexpr enet_uint32 kLeastTimeout = 3000;      // ms
+constexpr enet_uint32 kMostTimeout = 8000;       // ms
+constexpr enet_uint32 kThrottleInterval = 5000;  // ms
 
 // A client sends at most one datagram of inputs a tick, and a few acknowledgements.
 constexpr double kDatagramsPerSecond = 150;
@@ -29,7 +29,7 @@ constexpr double kBytesPerSecond = 32 * 1024;
 constexpr double kByteBurst = 64 * 1024;
 constexpr double kConnectsPerSecond = 2;
 constexpr double kConnectBurst = 8;
-constexpr std::size_t kConnectBuckets = 1024;   // a power of two
+constexpr std::size_t kConnectBuckets = 1024;  // a power of two
 
 // ENet stops receiving at an event and at an oversized datagram; so often it is asked to go on in one tick.
 constexpr int kPasses = 64;
@@ -91,14 +91,13 @@ void assertLimits(ENetPeer& peer) {
 
 struct Host::Link {
   explicit Link(TimePoint now)
-      : since(now),
-        datagrams(kDatagramsPerSecond, kDatagramBurst, now),
-        bytes(kBytesPerSecond, kByteBurst, now) {}
+      : since(now), datagrams(kDatagramsPerSecond, kDatagramBurst, now), bytes(kBytesPerSecond, kByteBurst, now) {}
 
-  std::optional<ClientId> client;   // once connected
+  std::optional<ClientId> client;  // once connected
   bool open = false;
   bool admitted = false;
-  TimePoint since;                  // open, or to be closed
+  bool closing = false;
+  TimePoint since;  // open, or to be closed
   TokenBucket datagrams;
   TokenBucket bytes;
 };
@@ -117,7 +116,7 @@ Host::Host(const HostSettings& settings, TimePoint now)
       links_(settings.connections, Link(now)),
       connects_(kConnectBuckets, TokenBucket(kConnectsPerSecond, kConnectBurst, now)),
       connectKey_(std::random_device()() | 1) {
-  enet_socket_get_address(host_->socket, &host_->address);   // the port, when any would do
+  enet_socket_get_address(host_->socket, &host_->address);  // the port, when any would do
   host_->checksum = enet_crc32;
   host_->maximumPacketSize = kMaxMessageBytes;
   host_->maximumWaitingData = kMaxWaitingBytes;
@@ -147,7 +146,8 @@ bool Host::lets(TimePoint now) {
   const ENetAddress& sender = host_->receivedAddress;
   if (known.host != sender.host || known.port != sender.port) return false;
   Link& link = links_[head.peer];
-  const bool within = link.datagrams.take(1, now) && link.bytes.take(static_cast<double>(host_->receivedDataLength), now);
+  const auto bytes = static_cast<double>(host_->receivedDataLength);
+  const bool within = link.datagrams.take(1, now) && link.bytes.take(bytes, now);
   if (!within) ++counters_.excessDatagrams;
   return within;
 }
@@ -179,7 +179,7 @@ std::vector<HostEvent> Host::service(TimePoint now) {
 void Host::take(const ENetEvent& event, TimePoint now, std::vector<HostEvent>& events) {
   Link& link = links_[event.peer->incomingPeerID];
   if (event.type == ENET_EVENT_TYPE_CONNECT) {
-    if (!link.open) link = Link(now);   // else its first datagram came with an earlier call
+    if (!link.open) link = Link(now);  // else its first datagram came with an earlier call
     link.open = true;
     link.client = nextClient_++;
     enet_peer_timeout(event.peer, kTimeoutAttempts, kLeastTimeout, kMostTimeout);
@@ -237,16 +237,9 @@ void Host::close(ClientId client, TimePoint now) {
   if (!peer) return;
   Link& link = links_[peer->incomingPeerID];
   link.admitted = false;
+  link.closing = true;
   link.since = now;
   enet_peer_disconnect_later(peer, 0);
-}
-
-void Host::drop(ClientId client) {
-  ENetPeer* peer = peerOf(client);
-  if (!peer) return;
-  Link& link = links_[peer->incomingPeerID];
-  link = Link(link.since);
-  enet_peer_reset(peer);
 }
 
 void Host::flush(TimePoint now) {
@@ -260,6 +253,11 @@ void Host::wait(std::chrono::milliseconds atMost) const {
 }
 
 std::uint16_t Host::port() const { return host_->address.port; }
+
+bool Host::listensTo(ClientId client) const {
+  const ENetPeer* peer = peerOf(client);
+  return peer && !links_[peer->incomingPeerID].closing;
+}
 
 bool Host::empty() const {
   return std::none_of(links_.begin(), links_.end(), [](const Link& link) { return link.open; });

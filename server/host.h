@@ -26,18 +26,18 @@ class HostError : public std::runtime_error {
 };
 
 struct HostSettings {
-  std::string bind = "0.0.0.0";            ///< IPv4 address of this machine
-  std::uint16_t port = 0;                  ///< 0: any that is free
-  std::uint32_t connections = 24;          ///< at most, 1 … 4000; a few more than players, to be able to refuse
-  std::uint32_t connectionsPerAddress = 4; ///< loopback counts without limit
+  std::string bind = "0.0.0.0";             ///< IPv4 address of this machine
+  std::uint16_t port = 0;                   ///< 0: any that is free
+  std::uint32_t connections = 24;           ///< at most, 1 … 4000; a few more than players, to be able to refuse
+  std::uint32_t connectionsPerAddress = 4;  ///< loopback counts without limit
 };
 
 /// What `Host` has kept from the game so far.
 struct HostCounters {
-  std::uint64_t brokenDatagrams = 0;       ///< that no client of ours sends
-  std::uint64_t excessDatagrams = 0;       ///< over a connection's budget
-  std::uint64_t excessConnects = 0;        ///< over an address's budget
-  std::uint64_t expired = 0;               ///< connections that did not get to play in time
+  std::uint64_t brokenDatagrams = 0;  ///< that no client of ours sends
+  std::uint64_t excessDatagrams = 0;  ///< over a connection's budget
+  std::uint64_t excessConnects = 0;   ///< over an address's budget
+  std::uint64_t expired = 0;          ///< connections that did not get to play in time
 
   friend bool operator==(const HostCounters&, const HostCounters&) = default;
 };
@@ -45,7 +45,7 @@ struct HostCounters {
 /// Something that came from a client.
 struct HostEvent {
   ClientId client = 0;
-  bool gone = false;                       ///< the connection has ended; else `bytes` is a message
+  bool gone = false;  ///< the connection has ended; else `bytes` is a message
   std::vector<std::uint8_t> bytes;
 };
 
@@ -68,10 +68,9 @@ class Host {
   void admit(ClientId client);
   /// Queues a message. Without effect when the client is gone.
   void send(ClientId client, bool reliable, std::span<const std::uint8_t> message);
-  /// Ends the connection once everything queued has arrived, or after kAdmissionTime.
+  /// Ends the connection once everything queued has arrived, or after kAdmissionTime. Until then messages may still
+  /// come, to which `listensTo` says no.
   void close(ClientId client, TimePoint now);
-  /// Forgets the connection at once. No event follows.
-  void drop(ClientId client);
   /// Sends what is queued.
   void flush(TimePoint now);
 
@@ -79,12 +78,14 @@ class Host {
   void wait(std::chrono::milliseconds atMost) const;
 
   std::uint16_t port() const;
+  /// False when the client is gone or its connection is ending.
+  bool listensTo(ClientId client) const;
   /// Whether anybody is connected or connecting.
   bool empty() const;
   const HostCounters& counters() const { return counters_; }
 
  private:
-  struct Link;   // what is known of one ENet peer
+  struct Link;  // what is known of one ENet peer
   struct Service;
 
   static int intercept(_ENetHost* host, _ENetEvent* event);
@@ -96,8 +97,8 @@ class Host {
 
   std::unique_ptr<_ENetHost, void (*)(_ENetHost*)> host_;
   std::uint32_t connectionsPerAddress_;
-  std::vector<Link> links_;               // by ENet's number of the peer
-  std::vector<TokenBucket> connects_;     // by a keyed hash of the address
+  std::vector<Link> links_;            // by ENet's number of the peer
+  std::vector<TokenBucket> connects_;  // by a keyed hash of the address
   std::uint32_t connectKey_;
   ClientId nextClient_ = 1;
   HostCounters counters_;

@@ -33,10 +33,10 @@ class InputBuffer {
  private:
   std::optional<Input>& at(std::uint32_t tick) { return waiting_[tick % kWindow]; }
 
-  std::array<std::optional<Input>, kWindow> waiting_{};   // of ticks next_ … next_ + kWindow - 1
+  std::array<std::optional<Input>, kWindow> waiting_{};  // of ticks next_ … next_ + kWindow - 1
   std::uint32_t next_;
-  Input held_;                                            // absent until the first input
-  std::uint32_t silence_ = 0;                             // ticks decided since the last input
+  Input held_;                 // absent until the first input
+  std::uint32_t silence_ = 0;  // ticks decided since the last input
   std::uint64_t missed_ = 0;
 };
 

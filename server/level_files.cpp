@@ -67,10 +67,10 @@ std::vector<std::string> shippedLevelFiles() {
     std::vector<std::string> files = levelFilesIn(folder.lexically_normal());
     if (!files.empty()) return files;
   }
-  throw StartupError(StartupError::kUsage,
-                     "the levels that come with the game are neither in '" +
-                         (program / "../share/platon/levels").lexically_normal().string() + "' nor in '" +
-                         PLATON_SOURCE_LEVELS + "': name level files, such as platon-server my.level");
+  throw StartupError(StartupError::kUsage, "the levels that come with the game are neither in '" +
+                                               (program / "../share/platon/levels").lexically_normal().string() +
+                                               "' nor in '" + PLATON_SOURCE_LEVELS +
+                                               "': name level files, such as platon-server my.level");
 }
 
 }  // namespace platon

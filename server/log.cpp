@@ -15,8 +15,10 @@ std::string quoted(std::string_view text) {
   for (const char c : text) {
     const auto code = static_cast<unsigned char>(c);
     if (c == '"' || c == '\\') out += '\\';
-    if (code < 0x20) out += fmt::format("\\u{:04x}", code);
-    else out += c;
+    if (code < 0x20)
+      out += fmt::format("\\u{:04x}", code);
+    else
+      out += c;
   }
   return out + '"';
 }
@@ -47,8 +49,8 @@ void Log::write(std::string_view severity, std::string_view message, std::initia
   std::string line(message);
   if (json) line = fmt::format(R"({{"time":"{}","level":"{}","message":{})", timeOfDay(), severity, quoted(message));
   for (const LogField& field : fields) {
-    line += json ? fmt::format(R"(,"{}":{})", field.key, valueOf(field))
-                 : fmt::format(" {}={}", field.key, valueOf(field));
+    line +=
+        json ? fmt::format(R"(,"{}":{})", field.key, valueOf(field)) : fmt::format(" {}={}", field.key, valueOf(field));
   }
   if (json) line += '}';
   sink_(line);

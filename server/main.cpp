@@ -1,6 +1,7 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <sstream>
 #include <string>
 
 #include "server/dedicated_server.h"
@@ -49,7 +50,9 @@ void reload(DedicatedServer& server, ServerOptions& options, int argc, char** ar
                            : "configuration and levels read again; address, port and numbers of players change when "
                              "the server is started anew");
   } catch (const StartupError& error) {
-    server.log().warning(std::string("nothing is changed: ") + error.what());
+    std::istringstream faults(error.what());
+    for (std::string fault; std::getline(faults, fault);) server.log().warning(fault);
+    server.log().warning("configuration and levels stay as they are");
   }
 }
 

@@ -195,6 +195,10 @@ const Member* Match::member(ClientId client) const {
   return found == members_.end() ? nullptr : &found->second;
 }
 
+void Match::send(ClientId client, std::vector<std::uint8_t> bytes) {
+  outgoing_.push_back({client, true, false, std::move(bytes)});
+}
+
 void Match::sendAll(const std::vector<std::uint8_t>& bytes) {
   for (const auto& [client, member] : members_) send(client, bytes);
 }

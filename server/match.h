@@ -19,15 +19,15 @@
 namespace platon {
 
 struct MatchSettings {
-  std::uint32_t maxPlayers = 16;   ///< 1 … kMaxPlayers
-  std::string serverName;          ///< a label
+  std::uint32_t maxPlayers = 16;  ///< 1 … kMaxPlayers
+  std::string serverName;         ///< a label
 };
 
 /// A message to one client.
 struct Outgoing {
   ClientId client = 0;
-  bool reliable = false;           ///< else unsequenced
-  bool last = false;               ///< the connection ends when it has arrived
+  bool reliable = false;  ///< else unsequenced
+  bool last = false;      ///< the connection ends when it has arrived
   std::vector<std::uint8_t> bytes;
 };
 
@@ -85,17 +85,17 @@ class Match {
   void resync(ClientId client, Member& member, MatchEvent::Kind why);
   void sendUpdates();
 
-  void send(ClientId client, std::vector<std::uint8_t> bytes) { outgoing_.push_back({client, true, false, std::move(bytes)}); }
+  void send(ClientId client, std::vector<std::uint8_t> bytes);
   void sendAll(const std::vector<std::uint8_t>& bytes);
   void note(MatchEvent::Kind kind, ClientId client, std::uint32_t slot, std::string text);
 
   LevelRotation rotation_;
   MatchSettings settings_;
   std::uint32_t round_ = 0;
-  std::uint64_t now_ = 0;                        // ticks over all rounds
+  std::uint64_t now_ = 0;  // ticks over all rounds
   Game game_;
   TickHistory history_;
-  std::optional<std::uint32_t> overAt_;          // tick after which the round was over
+  std::optional<std::uint32_t> overAt_;  // tick after which the round was over
   std::map<ClientId, Member> members_;
   std::vector<Outgoing> outgoing_;
   std::vector<MatchEvent> events_;

@@ -70,10 +70,10 @@ class Member {
   std::deque<Transfer> transfers_;
   std::optional<SlackReport> slack_;
   std::uint32_t acknowledged_ = 0;
-  std::uint32_t rest_ = 0;     // start of what did not fit in the last message of ticks
+  std::uint32_t rest_ = 0;  // start of what did not fit in the last message of ticks
   std::uint32_t requests_ = 0;
   std::uint64_t nextState_ = 0;
-  std::uint8_t sync_ = 0;      // of the last state sent in this round
+  std::uint8_t sync_ = 0;  // of the last state sent in this round
   bool started_ = false;
 };
 

@@ -40,7 +40,8 @@ void declare(CLI::App& app, CommandLine& line) {
       ->check(CLI::Range(1u, kMostPerAddress));
   app.add_option("--name", line.name, "What the server is called; default Platon")->check(checkName);
   app.add_option("--config", line.config, "Configuration file (docs/hosting.md); the command line goes before it");
-  app.add_option("--log-format", line.logFormat, "Form of the log; default text")->check(CLI::IsMember({"text", "json"}));
+  app.add_option("--log-format", line.logFormat, "Form of the log; default text")
+      ->check(CLI::IsMember({"text", "json"}));
 }
 
 template <class Value>

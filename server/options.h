@@ -15,12 +15,12 @@ inline constexpr std::uint32_t kMostPerAddress = 4000;
 
 /// What a server is told by command line and configuration file.
 struct ServerOptions {
-  std::vector<std::string> levels;         ///< files; none: the shipped rotation
+  std::vector<std::string> levels;  ///< files; none: the shipped rotation
   std::string bind = "0.0.0.0";
-  std::uint16_t port = kDefaultPort;       ///< 0: any that is free
-  std::uint32_t maxPlayers = 16;           ///< 1 … kMaxPlayers
-  std::uint32_t maxPerAddress = 4;         ///< connections from one address; 1 … kMostPerAddress
-  std::string name = "Platon";             ///< a label
+  std::uint16_t port = kDefaultPort;  ///< 0: any that is free
+  std::uint32_t maxPlayers = 16;      ///< 1 … kMaxPlayers
+  std::uint32_t maxPerAddress = 4;    ///< connections from one address; 1 … kMostPerAddress
+  std::string name = "Platon";        ///< a label
   LogFormat logFormat = LogFormat::kText;
 
   friend bool operator==(const ServerOptions&, const ServerOptions&) = default;

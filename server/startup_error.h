@@ -10,8 +10,8 @@ namespace platon {
 class StartupError : public std::runtime_error {
  public:
   static constexpr int kFailed = 1;
-  static constexpr int kUsage = 2;   ///< usage or configuration
-  static constexpr int kLevel = 3;   ///< a level is invalid
+  static constexpr int kUsage = 2;  ///< usage or configuration
+  static constexpr int kLevel = 3;  ///< a level is invalid
 
   StartupError(int exitCode, const std::string& what) : std::runtime_error(what), exitCode_(exitCode) {}
 

@@ -22,8 +22,10 @@ class TickClock {
   /// True when a tick is due at `now`, which counts as done then.
   bool take(TimePoint now) {
     if (now < next()) return false;
-    if (now >= start_ + sinceStart(ticks_ + kMostBehind)) *this = TickClock(now);
-    else ++ticks_;
+    if (now >= start_ + sinceStart(ticks_ + kMostBehind))
+      *this = TickClock(now);
+    else
+      ++ticks_;
     return true;
   }
 

@@ -44,8 +44,8 @@ class TickHistory {
 
   std::uint32_t round_;
   std::uint32_t end_ = 0;
-  std::uint32_t baseHash_;      // before the first entry
-  std::deque<Entry> entries_;   // of ticks end_ - size … end_ - 1
+  std::uint32_t baseHash_;     // before the first entry
+  std::deque<Entry> entries_;  // of ticks end_ - size … end_ - 1
   std::vector<Input> held_;
 };
 

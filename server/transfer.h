@@ -26,8 +26,8 @@ class Transfer {
   std::vector<std::uint8_t> next();
 
  private:
-  std::variant<LevelChunk, StateChunk> chunk_;   // the next piece, but for its bytes
-  std::shared_ptr<const void> owner_;            // of what rest_ looks at
+  std::variant<LevelChunk, StateChunk> chunk_;  // the next piece, but for its bytes
+  std::shared_ptr<const void> owner_;           // of what rest_ looks at
   std::span<const std::uint8_t> rest_;
 };
 

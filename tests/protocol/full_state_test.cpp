@@ -1,0 +1,29 @@
+#include "protocol/full_state.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/protocol/sample_messages.h"
+
+namespace platon {
+namespace {
+
+TEST(FullState, ReadsWhatWasWritten) {
+  const FullState empty;
+  EXPECT_EQ(decodeFullState(encode(empty)), empty);
+  const FullState state{{pressing(3), Input{}, pressing(31)}, {1, 2, 3, 4}};
+  EXPECT_EQ(decodeFullState(encode(state)), state);
+  const FullState most{std::vector<Input>(kMaxPlayers, pressing(0)), {}};
+  EXPECT_EQ(decodeFullState(encode(most)), most);
+}
+
+TEST(FullState, RefusesWhatCannotBe) {
+  using Bytes = std::vector<std::uint8_t>;
+  EXPECT_FALSE(decodeFullState(Bytes{}));
+  EXPECT_FALSE(decodeFullState(Bytes{2, 0x80}));
+  EXPECT_FALSE(decodeFullState(Bytes{1, 0x01}));  // buttons of nobody
+  EXPECT_FALSE(decodeFullState(Bytes{1, 0xc0}));  // no such button
+  EXPECT_FALSE(decodeFullState(encode(FullState{std::vector<Input>(kMaxPlayers + 1), {}})));
+}
+
+}  // namespace
+}  // namespace platon

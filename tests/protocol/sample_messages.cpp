@@ -1,0 +1,64 @@
+#include "tests/protocol/sample_messages.h"
+
+namespace platon {
+namespace {
+
+PlayerInputs manyInputs() {
+  PlayerInputs message{70000, 255, 1234567, 0xfedcba98, 1234570, {}};
+  for (std::uint32_t i = 0; i < kMaxInputsPerMessage; ++i) message.inputs.push_back(pressing(i % 20 < 15 ? 1 : 20));
+  return message;
+}
+
+ConfirmedTicks manyChanges() {
+  ConfirmedTicks message{UINT32_MAX, UINT32_MAX - kMaxTicksPerMessage, kMaxTicksPerMessage, 1, SlackReport{0, -1000},
+                         {}};
+  for (std::uint32_t i = 0; i < kMaxChangesPerMessage; ++i) {
+    const std::uint32_t tick = message.from + (i / 256 * (kMaxTicksPerMessage - 1));
+    message.changes.push_back({tick, i % 256, i % 2 == 0 ? Input{} : pressing(31)});
+  }
+  return message;
+}
+
+}  // namespace
+
+std::vector<ToServer> sampleToServer() {
+  return {Hello{kProtocolVersion, kRulesVersion, "Ann"},
+          Hello{kProtocolVersion, 99, ""},
+          Hello{kProtocolVersion, kRulesVersion, "Łukasz Żółć 世界 32 bytes"},
+          LevelRequest{0x0123456789abcdef},
+          LevelRequest{0},
+          Leave{},
+          PlayerInputs{},
+          PlayerInputs{1, 0, 0, 0, 0, {pressing(0)}},
+          PlayerInputs{1, 2, 300, 0x01020304, 302, {pressing(2), pressing(2), pressing(6), pressing(0)}},
+          PlayerInputs{9, 1, UINT32_MAX - 8, 7, UINT32_MAX - 8, std::vector<Input>(8, pressing(8))},
+          manyInputs()};
+}
+
+std::vector<ToClient> sampleToClient() {
+  return {
+      Welcome{3, 7, 0x0123456789abcdef, 16, kTicksPerSecond, "Platon"},
+      Welcome{255, 1, 0, 256, kTicksPerSecond, ""},
+      Refused{RefusalCode::kFull, "the server is full"},
+      Refused{RefusalCode::kOther, ""},
+      LevelChunk{5, 3, 0, {1, 2, 3}},
+      LevelChunk{5, kMaxLevelBytes, kMaxLevelBytes - kChunkBytes, std::vector<std::uint8_t>(kChunkBytes, 9)},
+      StateChunk{1, 2, 1, 4, 3, {7}},
+      StateChunk{UINT32_MAX, UINT32_MAX, 255, kMaxStateBytes, 0, std::vector<std::uint8_t>(kChunkBytes, 8)},
+      RosterEntry{0, "Ann"},
+      RosterEntry{255, ""},
+      RoundStart{2, 17},
+      RoundEnd{2, 3600, 18},
+      Bye{ByeCode::kServerStops, "the server stops"},
+      ConfirmedTicks{1, 0, 1, 5, std::nullopt, {}},
+      ConfirmedTicks{1,
+                     100,
+                     120,
+                     0x01020304,
+                     SlackReport{104, 3},
+                     {{100, 0, pressing(2)}, {103, 255, Input{}}, {219, 1, pressing(31)}}},
+      ConfirmedTicks{2, 5, 3, 6, SlackReport{1, -4}, {{5, 0, pressing(1)}, {5, 1, pressing(0)}, {7, 0, pressing(0)}}},
+      manyChanges()};
+}
+
+}  // namespace platon

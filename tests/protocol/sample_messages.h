@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "protocol/to_client.h"
+#include "protocol/to_server.h"
+
+namespace platon {
+
+inline Input pressing(int buttons) { return Input{static_cast<std::uint8_t>(buttons | Input::kPresent)}; }
+
+/// At least one message of every kind, with values at both ends of their ranges.
+std::vector<ToServer> sampleToServer();
+std::vector<ToClient> sampleToClient();
+
+/// Whatever the message is, as it goes over the wire.
+template <class Variant>
+std::vector<std::uint8_t> encodeAny(const Variant& message) {
+  return std::visit([](const auto& body) { return encode(body); }, message);
+}
+
+}  // namespace platon

@@ -1,0 +1,105 @@
+#include "protocol/to_client.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/protocol/sample_messages.h"
+
+namespace platon {
+namespace {
+
+TEST(ToClient, ReadsWhatWasWritten) {
+  const std::vector<ToClient> samples = sampleToClient();
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    EXPECT_EQ(decodeToClient(encodeAny(samples[i])), samples[i]) << "sample " << i;
+  }
+}
+
+TEST(ToClient, ReadsBytesAtAnyAddress) {
+  for (const ToClient& sample : sampleToClient()) {
+    std::vector<std::uint8_t> shifted = encodeAny(sample);
+    shifted.insert(shifted.begin(), 0);
+    EXPECT_EQ(decodeToClient(std::span(shifted).subspan(1)), sample);
+  }
+}
+
+TEST(ToClient, NoTickMessageIsLongerThanItsLimit) {
+  ConfirmedTicks message{UINT32_MAX, 0x7fffffff, kMaxTicksPerMessage, 1, SlackReport{0, -kMaxSlack}, {}};
+  // As many gaps of three ticks as there are, then everything else in the last tick.
+  std::uint32_t slot = 0;
+  for (std::uint32_t gap = 1; gap < kMaxTicksPerMessage / 3; ++gap) {
+    message.changes.push_back({message.from + 3 * gap, slot = 0, pressing(31)});
+  }
+  while (message.changes.size() < kMaxChangesPerMessage) {
+    message.changes.push_back({message.changes.back().tick, slot = (slot + 1) % 256, pressing(31)});
+  }
+  EXPECT_GT(encode(message).size(), kMaxTickMessageBytes * 9 / 10);
+  EXPECT_LE(encode(message).size(), kMaxTickMessageBytes);
+}
+
+TEST(ToClient, ChangesStaySmall) {
+  ConfirmedTicks nothing{3, 5000, 8, 0x01020304, SlackReport{5009, 2}, {}};
+  EXPECT_LE(encode(nothing).size(), 36u);
+  ConfirmedTicks eight = nothing;
+  for (std::uint32_t i = 0; i < 8; ++i) eight.changes.push_back({5000 + i, i, pressing(2)});
+  EXPECT_EQ(encode(eight).size(), encode(nothing).size() + 16);
+}
+
+TEST(ToClient, RefusesValuesOutOfRange) {
+  const Welcome welcome{3, 7, 1, 16, kTicksPerSecond, "Platon"};
+  const auto refused = [](const auto& message) { return !decodeToClient(encode(message)); };
+  const auto changed = [&welcome](auto change) {
+    Welcome copy = welcome;
+    change(copy);
+    return copy;
+  };
+  EXPECT_FALSE(refused(welcome));
+  EXPECT_TRUE(refused(changed([](Welcome& w) { w.slot = 16; })));
+  EXPECT_TRUE(refused(changed([](Welcome& w) { w.maxPlayers = kMaxPlayers + 1; })));
+  EXPECT_TRUE(refused(changed([](Welcome& w) { w.maxPlayers = 0; })));
+  EXPECT_TRUE(refused(changed([](Welcome& w) { w.ticksPerSecond = 50; })));
+  EXPECT_TRUE(refused(changed([](Welcome& w) { w.serverName = "\x1b[2J"; })));
+  EXPECT_TRUE(refused(RosterEntry{kMaxPlayers, "Ann"}));
+  EXPECT_TRUE(refused(Refused{RefusalCode::kFull, "a\nb"}));
+  EXPECT_TRUE(refused(Bye{ByeCode::kRemoved, std::string(kMaxReasonBytes + 1, 'a')}));
+}
+
+TEST(ToClient, RefusesPiecesThatDoNotFit) {
+  const auto refused = [](std::uint32_t total, std::uint32_t offset, std::size_t size) {
+    const std::vector<std::uint8_t> bytes(size);
+    const bool level = decodeToClient(encode(LevelChunk{1, total, offset, bytes})).has_value();
+    const bool state = decodeToClient(encode(StateChunk{1, 1, 1, total, offset, bytes})).has_value();
+    EXPECT_EQ(level, state);
+    return !level;
+  };
+  EXPECT_FALSE(refused(10, 0, 10));
+  EXPECT_TRUE(refused(10, 0, 0));
+  EXPECT_TRUE(refused(10, 1, 10));
+  EXPECT_TRUE(refused(10, 11, 1));
+  EXPECT_TRUE(refused(10, UINT32_MAX, 2));
+  EXPECT_TRUE(refused(8192, 0, kChunkBytes + 1));
+  EXPECT_TRUE(refused(kMaxLevelBytes + 1, 0, 1));
+  EXPECT_FALSE(decodeToClient(encode(StateChunk{1, 1, 0, 1, 0, {1}})));
+}
+
+TEST(ToClient, CodesOfANewerServerReadAsOther) {
+  const auto refused = decodeToClient(encode(Refused{static_cast<RefusalCode>(77), "why"}));
+  ASSERT_TRUE(refused);
+  EXPECT_EQ(std::get<Refused>(*refused).code, RefusalCode::kOther);
+  const auto bye = decodeToClient(encode(Bye{static_cast<ByeCode>(0), "why"}));
+  ASSERT_TRUE(bye);
+  EXPECT_EQ(std::get<Bye>(*bye).code, ByeCode::kOther);
+}
+
+TEST(ToClient, RefusesChangesOutOfOrderOrRange) {
+  const auto refused = [](std::vector<InputChange> changes) {
+    return !decodeToClient(encode(ConfirmedTicks{1, 10, 5, 0, std::nullopt, std::move(changes)}));
+  };
+  EXPECT_FALSE(refused({{10, 1, pressing(0)}, {14, 0, pressing(0)}}));
+  EXPECT_TRUE(refused({{15, 0, pressing(0)}}));
+  EXPECT_TRUE(refused({{10, 1, pressing(0)}, {10, 1, pressing(1)}}));
+  EXPECT_TRUE(refused({{10, 2, pressing(0)}, {10, 1, pressing(0)}}));
+  EXPECT_TRUE(refused({{10, 2, Input{Input::kLeft}}}));
+}
+
+}  // namespace
+}  // namespace platon

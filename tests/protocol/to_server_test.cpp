@@ -1,0 +1,63 @@
+#include "protocol/to_server.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/protocol/sample_messages.h"
+
+namespace platon {
+namespace {
+
+TEST(ToServer, ReadsWhatWasWritten) {
+  const std::vector<ToServer> samples = sampleToServer();
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    EXPECT_EQ(decodeToServer(encodeAny(samples[i])), samples[i]) << "sample " << i;
+  }
+}
+
+TEST(ToServer, ReadsBytesAtAnyAddress) {
+  for (const ToServer& sample : sampleToServer()) {
+    std::vector<std::uint8_t> shifted = encodeAny(sample);
+    shifted.insert(shifted.begin(), 0);
+    EXPECT_EQ(decodeToServer(std::span(shifted).subspan(1)), sample);
+  }
+}
+
+// The Hello of a newer client may look different otherwise; that it is newer must always be readable.
+TEST(ToServer, OfAnotherVersionOnlyTheVersionIsRead) {
+  const auto decoded = decodeToServer(encode(Hello{kProtocolVersion + 1, 7, "\x1b[2J"}));
+  ASSERT_TRUE(decoded);
+  EXPECT_EQ(std::get<Hello>(*decoded).protocolVersion, kProtocolVersion + 1);
+  EXPECT_EQ(std::get<Hello>(*decoded).name, "");
+}
+
+TEST(ToServer, RefusesNamesThatCannotBeShown) {
+  EXPECT_FALSE(decodeToServer(encode(Hello{kProtocolVersion, kRulesVersion, "a\nb"})));
+  EXPECT_FALSE(decodeToServer(encode(Hello{kProtocolVersion, kRulesVersion, std::string(kMaxNameBytes + 1, 'a')})));
+}
+
+TEST(ToServer, RefusesEveryShortenedMessageOrReadsPartOfTheSame) {
+  for (const ToServer& sample : sampleToServer()) {
+    const std::vector<std::uint8_t> whole = encodeAny(sample);
+    for (std::size_t size = 0; size < whole.size(); ++size) {
+      const std::vector<std::uint8_t> part(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size));
+      const auto decoded = decodeToServer(part);
+      EXPECT_TRUE(!decoded || decoded->index() == sample.index());
+    }
+  }
+}
+
+TEST(ToServer, RefusesWhatIsTooLong) {
+  std::vector<std::uint8_t> bytes = encode(Leave{});
+  bytes.resize(kMaxMessageBytes);
+  EXPECT_TRUE(decodeToServer(bytes));
+  bytes.push_back(0);
+  EXPECT_FALSE(decodeToServer(bytes));
+}
+
+TEST(ToServer, InputsStaySmall) {
+  PlayerInputs held{3, 1, 5000, 0x01020304, 5000, std::vector<Input>(12, pressing(2))};
+  EXPECT_LE(encode(held).size(), 36u);
+}
+
+}  // namespace
+}  // namespace platon
