@@ -10,7 +10,7 @@ namespace platon {
 
 namespace {
 
-constexpr enet_uint32 kTimeoutLimit = 8;
+constexpr enet_uint32 kTimeoutLimit = 32;
 constexpr enet_uint32 kShortestTimeoutMs = 3000;
 constexpr enet_uint32 kLongestTimeoutMs = 8000;
 
@@ -71,6 +71,12 @@ void Connection::handle(const ENetEvent& event, const Receiver& receiver) {
     receiver({event.packet->data, event.packet->dataLength});
     enet_packet_destroy(event.packet);
   }
+}
+
+void Connection::flush(Moment now) {
+  tellTime(now);
+  enet_host_flush(host_.get());
+  countTraffic();
 }
 
 void Connection::countTraffic() {

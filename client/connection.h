@@ -32,9 +32,11 @@ class Connection {
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
 
-  /// Sends and receives what is due, never waits. Every message that has come goes to `receiver`.
+  /// Receives what has come and sends what is due, never waits. Every message goes to `receiver`.
   void service(Moment now, const Receiver& receiver);
-  /// Queues a message; it goes with the next `service`. Without effect unless connected.
+  /// Sends what is queued.
+  void flush(Moment now);
+  /// Queues a message for the next `flush` or `service`. Without effect unless connected.
   void send(std::span<const std::uint8_t> message, bool reliable);
   /// Closes when all that was queued has arrived.
   void close();

@@ -17,7 +17,7 @@ namespace platon {
 class Demo {
  public:
   /// `effort`: ticks tried out at most for each tick of the game, which bounds the time that one takes.
-  explicit Demo(std::uint32_t effort = 4000) : effort_(effort) {}
+  explicit Demo(std::uint32_t effort = 1500) : effort_(effort) {}
 
   /// The buttons for the next tick of `game`; nothing while `slot` is not in play. Another level or an earlier tick
   /// than before is a new round.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <utility>
 
 #include <GL/glew.h>
@@ -71,6 +72,11 @@ inline GLuint createFramebuffer() {
 inline void deleteFramebuffer(GLuint name) { glDeleteFramebuffers(1, &name); }
 
 }  // namespace intern
+
+/// How OpenGL takes a place in the bound buffer, counted in bytes.
+inline const void* bufferOffset(std::size_t bytes) {
+  return reinterpret_cast<const void*>(bytes);  // NOLINT(performance-no-int-to-ptr): never followed
+}
 
 using GlBuffer = GlHandle<intern::createBuffer, intern::deleteBuffer>;
 using GlVertexArray = GlHandle<intern::createVertexArray, intern::deleteVertexArray>;

@@ -74,9 +74,9 @@ std::vector<const PlayerDrawing*> inOrder(const Scene& scene) {
 }
 
 void addRow(OverlayWriter& writer, const PlayerDrawing& player, float right, float top) {
-  constexpr float rowWidth = 232;
-  const glm::vec2 dot(right - rowWidth + 16, top + 13);
-  if (player.own) writer.panel({right - rowWidth, top}, {right, top + 26}, 8, {0.30F, 0.36F, 0.55F, 0.55F});
+  constexpr float kRowWidth = 232;
+  const glm::vec2 dot(right - kRowWidth + 16, top + 13);
+  if (player.own) writer.panel({right - kRowWidth, top}, {right, top + 26}, 8, {0.30F, 0.36F, 0.55F, 0.55F});
   writer.panel(dot - 9.0F, dot + 9.0F, 9, glm::vec4(player.colour, 1));
   const float size = player.number.size() > 2 ? 9 : 11;
   writer.centred(player.number, {dot.x, dot.y + size * 0.36F}, size, {0.05F, 0.05F, 0.08F, 1});

@@ -7,6 +7,7 @@
 #include "client/client_options.h"
 #include "client/embedded_server.h"
 #include "client/offscreen_play.h"
+#include "client/steady_now.h"
 #include "client/window_play.h"
 
 namespace platon {
@@ -25,9 +26,9 @@ int play(int argc, char** argv) {
   if (!options->server) embedded.emplace(options->level);
   const ServerAddress server = embedded ? embedded->address() : *options->server;
   if (options->offscreen) {
-    OffscreenPlay(*options, server).run(stopAsked);
+    OffscreenPlay(*options, server, steadyClock()).run(stopAsked);
   } else {
-    WindowPlay(*options, server).run(stopAsked);
+    WindowPlay(*options, server, steadyClock()).run(stopAsked);
   }
   return 0;
 }

@@ -2,15 +2,13 @@
 
 #include <chrono>
 #include <cstdio>
-#include <thread>
-
-#include "client/steady_now.h"
 
 namespace platon {
 
 namespace {
 
 constexpr Moment kFarewell = std::chrono::milliseconds(500);
+constexpr Moment kBeat = std::chrono::milliseconds(2);
 
 }  // namespace
 
@@ -36,13 +34,13 @@ std::string MatchPlay::message() const {
   return client_.session()->round() == nullptr ? "waiting for the level …" : "";
 }
 
-void MatchPlay::leave() {
+void MatchPlay::leave(const Clock& clock) {
   client_.leave();
-  const Moment end = steadyNow() + kFarewell;
   const Controls nothing = [](const Game&, std::uint32_t) { return Input{}; };
-  while (!client_.closed() && steadyNow() < end) {
-    client_.update(steadyNow(), nothing);
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  const Moment end = clock.now() + kFarewell;
+  for (Moment now = clock.now(); !client_.closed() && now < end; now = clock.now()) {
+    client_.update(now, nothing);
+    clock.sleepUntil(now + kBeat);
   }
 }
 

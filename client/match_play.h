@@ -4,6 +4,7 @@
 #include <string>
 
 #include "client/client_options.h"
+#include "client/clock.h"
 #include "client/finish_watch.h"
 #include "client/moment.h"
 #include "client/network_client.h"
@@ -25,7 +26,7 @@ class MatchPlay {
   /// State of the connection for the player; empty while all is well.
   std::string message() const;
   /// Says good-bye and gives that half a second to arrive.
-  void leave();
+  void leave(const Clock& clock);
 
   const NetworkClient& client() const { return client_; }
 

@@ -117,17 +117,17 @@ void Menu::change(Settings& settings, int direction) const {
 Overlay Menu::overlay(const Settings& settings, const Font& font, float width) const {
   OverlayWriter writer(font);
   if (!open_) return writer.take();
-  constexpr float rowHeight = 40;
-  const glm::vec2 half(230, rowHeight * static_cast<float>(kNames.size()) / 2 + 44);
+  constexpr float kRowHeight = 40;
+  const glm::vec2 half(230, kRowHeight * static_cast<float>(kNames.size()) / 2 + 44);
   const glm::vec2 middle(width / 2, Overlay::kHeight / 2);
   writer.panel({0, 0}, {width, Overlay::kHeight}, 0, {0.02F, 0.02F, 0.05F, 0.55F});
   writer.panel(middle - half, middle + half, 18, {0.07F, 0.08F, 0.13F, 0.96F});
   writer.centred("Platon", {middle.x, middle.y - half.y + 42}, 26, overlay_colours::kBright);
   for (int item = 0; item < kItems; ++item) {
-    const float top = middle.y - half.y + 64 + rowHeight * static_cast<float>(item);
+    const float top = middle.y - half.y + 64 + kRowHeight * static_cast<float>(item);
     const bool chosen = item == item_;
     if (chosen) {
-      writer.panel({middle.x - half.x + 16, top}, {middle.x + half.x - 16, top + rowHeight - 4}, 9,
+      writer.panel({middle.x - half.x + 16, top}, {middle.x + half.x - 16, top + kRowHeight - 4}, 9,
                    overlay_colours::kChosen);
     }
     const glm::vec4 colour = chosen ? overlay_colours::kBright : overlay_colours::kSoft;

@@ -14,11 +14,12 @@ void NetworkClient::update(Moment now, const Controls& controls) {
     session_.emplace(name_, now);
     waitingSince_ = now;
   }
-  if (!ending_) ending_ = findEnding(now);
+  if (!ending_ && !leaving_) ending_ = findEnding(now);
   if (!session_) return;
   if (!leaving_ && !ending_) session_->update(now, controls);
   for (const OutgoingMessage& message : session_->takeOutgoing()) connection_.send(message.bytes, message.reliable);
   if (leaving_) connection_.close();
+  connection_.flush(now);
 }
 
 void NetworkClient::leave() {

@@ -2,11 +2,9 @@
 
 #include <chrono>
 #include <cstdio>
-#include <thread>
 
 #include "client/client_error.h"
 #include "client/image.h"
-#include "client/steady_now.h"
 
 namespace platon {
 
@@ -18,25 +16,25 @@ Moment fromSeconds(double seconds) { return Moment(static_cast<Moment::rep>(seco
 
 }  // namespace
 
-OffscreenPlay::OffscreenPlay(const ClientOptions& options, const ServerAddress& server)
-    : options_(options), match_(options, server, steadyNow()) {}
+OffscreenPlay::OffscreenPlay(const ClientOptions& options, const ServerAddress& server, const Clock& clock)
+    : options_(options), clock_(clock), match_(options, server, clock.now()) {}
 
 void OffscreenPlay::run(const std::function<bool()>& stopAsked) {
   const Controls controls = [this](const Game& game, std::uint32_t slot) {
     return options_.demo ? demo_.choose(game, slot) : Input{};
   };
-  const Moment end = steadyNow() + fromSeconds(options_.seconds.value_or(kSeconds));
-  while (steadyNow() < end && !stopAsked()) {
-    match_.update(steadyNow(), controls);
+  const Moment end = clock_.now() + fromSeconds(options_.seconds.value_or(kSeconds));
+  for (Moment now = clock_.now(); now < end && !stopAsked(); now = clock_.now()) {
+    match_.update(now, controls);
     if (match_.client().ending()) throw ClientError(ClientError::kFailed, *match_.client().ending());
-    std::this_thread::sleep_for(kBeat);
+    clock_.sleepUntil(now + kBeat);
   }
   if (!options_.screenshot.empty()) takeScreenshot();
-  match_.leave();
+  match_.leave(clock_);
 }
 
 void OffscreenPlay::takeScreenshot() {
-  const std::optional<Scene> scene = match_.scene(steadyNow());
+  const std::optional<Scene> scene = match_.scene(clock_.now());
   view_.draw(scene ? &*scene : nullptr, {match_.message(), false, false}, Settings(), Menu(), 0);
   writePng(view_.read(), options_.screenshot);
   std::printf("screenshot: %s\n", options_.screenshot.c_str());

@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "client/client_options.h"
+#include "client/clock.h"
 #include "client/demo.h"
 #include "client/game_view.h"
 #include "client/match_play.h"
@@ -14,7 +15,7 @@ namespace platon {
 class OffscreenPlay {
  public:
   /// Begins to connect. Throws std::runtime_error when that cannot even begin, or when there is no OpenGL.
-  OffscreenPlay(const ClientOptions& options, const ServerAddress& server);
+  OffscreenPlay(const ClientOptions& options, const ServerAddress& server, const Clock& clock);
 
   /// Until the time is over or `stopAsked`. Throws ClientError when the match ends before.
   void run(const std::function<bool()>& stopAsked);
@@ -27,6 +28,7 @@ class OffscreenPlay {
   void takeScreenshot();
 
   ClientOptions options_;
+  Clock clock_;
   Offscreen offscreen_;
   GameView view_{kWidth, kHeight};
   MatchPlay match_;

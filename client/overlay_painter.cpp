@@ -13,7 +13,7 @@ OverlayPainter::OverlayPainter() : program_("", shaders::kPanelVertex, shaders::
   glBindBuffer(GL_ARRAY_BUFFER, buffer_.name());
   const auto attribute = [](GLuint index, GLint size, std::size_t offset) {
     glEnableVertexAttribArray(index);
-    glVertexAttribPointer(index, size, GL_FLOAT, GL_FALSE, sizeof(Vertex), reinterpret_cast<const void*>(offset));
+    glVertexAttribPointer(index, size, GL_FLOAT, GL_FALSE, sizeof(Vertex), bufferOffset(offset));
   };
   attribute(0, 2, offsetof(Vertex, place));
   attribute(1, 2, offsetof(Vertex, fromMiddle));

@@ -102,7 +102,7 @@ void StagePainter::drawRibbons(const Stage& stage, const FaceView& view, bool sh
   glBindVertexArray(ribbonArray_.name());
   glBindBuffer(GL_ARRAY_BUFFER, ends_.name());
   const auto offset = static_cast<std::size_t>(ribbons.first) * sizeof(Ribbon);
-  glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, sizeof(Ribbon), reinterpret_cast<const void*>(offset));
+  glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, sizeof(Ribbon), bufferOffset(offset));
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, ribbons.count);
 }
 
@@ -111,10 +111,10 @@ void StagePainter::drawMarkers(const Scene& scene, const FaceView& view, float s
   beginFace(marker_, stage, view);
   marker_.set("seconds", seconds);
   glBindVertexArray(markerArray_.name());
-  constexpr auto startRadius = static_cast<float>(Stage::kPlayerRadius * 1.6);
-  constexpr auto goalRadius = static_cast<float>(Stage::kGoalRadius);
-  drawMarker(stage.mesh, view, stage.start, {1, startRadius, startRadius * 1.2F});
-  drawMarker(stage.mesh, view, stage.goal, {0, goalRadius, goalRadius * kGoalReach});
+  constexpr auto kStartRadius = static_cast<float>(Stage::kPlayerRadius * 1.6);
+  constexpr auto kGoalRadius = static_cast<float>(Stage::kGoalRadius);
+  drawMarker(stage.mesh, view, stage.start, {1, kStartRadius, kStartRadius * 1.2F});
+  drawMarker(stage.mesh, view, stage.goal, {0, kGoalRadius, kGoalRadius * kGoalReach});
 }
 
 void StagePainter::drawMarker(const SolidMesh& mesh, const FaceView& view, const Marker& marker, const Look& look) {
@@ -132,11 +132,11 @@ void StagePainter::drawShadows(const Scene& scene, const FaceView& view) {
   const SolidMesh& mesh = scene.stage->mesh;
   beginFace(marker_, *scene.stage, view);
   glBindVertexArray(markerArray_.name());
-  constexpr auto radius = static_cast<float>(Stage::kPlayerRadius);
+  constexpr auto kRadius = static_cast<float>(Stage::kPlayerRadius);
   for (const PlayerDrawing& player : scene.players) {
     const int face = mesh.faceTowards(player.pose.position);
     const glm::dvec4 place = glm::inverse(mesh.faceToWorld(face)) * glm::dvec4(player.pose.position, 1);
-    drawMarker(mesh, view, {face, glm::vec2(place), 0}, {2, radius, radius * 1.6F});
+    drawMarker(mesh, view, {face, glm::vec2(place), 0}, {2, kRadius, kRadius * 1.6F});
   }
 }
 

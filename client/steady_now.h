@@ -1,14 +1,17 @@
 #pragma once
 
 #include <chrono>
+#include <thread>
 
-#include "client/moment.h"
+#include "client/clock.h"
 
 namespace platon {
 
 /// The machine's monotonic clock; for the programs only.
-inline Moment steadyNow() {
-  return std::chrono::duration_cast<Moment>(std::chrono::steady_clock::now().time_since_epoch());
+inline Clock steadyClock() {
+  using Steady = std::chrono::steady_clock;
+  return {[] { return std::chrono::duration_cast<Moment>(Steady::now().time_since_epoch()); },
+          [](Moment moment) { std::this_thread::sleep_until(Steady::time_point(moment)); }};
 }
 
 }  // namespace platon

@@ -12,7 +12,7 @@ TextPainter::TextPainter(const Font& font) : atlas_(font), program_("", shaders:
   glBindBuffer(GL_ARRAY_BUFFER, buffer_.name());
   const auto attribute = [](GLuint index, GLint size, std::size_t offset) {
     glEnableVertexAttribArray(index);
-    glVertexAttribPointer(index, size, GL_FLOAT, GL_FALSE, sizeof(Vertex), reinterpret_cast<const void*>(offset));
+    glVertexAttribPointer(index, size, GL_FLOAT, GL_FALSE, sizeof(Vertex), bufferOffset(offset));
   };
   attribute(0, 2, offsetof(Vertex, place));
   attribute(1, 2, offsetof(Vertex, texel));

@@ -5,11 +5,9 @@
 #include <cstdio>
 #include <stdexcept>
 #include <string>
-#include <thread>
 
 #include "client/client_error.h"
 #include "client/image.h"
-#include "client/steady_now.h"
 
 namespace platon {
 
@@ -29,39 +27,45 @@ Window openWindow() {
 
 }  // namespace
 
-WindowPlay::WindowPlay(const ClientOptions& options, const ServerAddress& server)
+WindowPlay::WindowPlay(const ClientOptions& options, const ServerAddress& server, const Clock& clock)
     : options_(options),
+      clock_(clock),
       settings_(settingsFile_.load()),
       window_(openWindow()),
       view_(std::max(window_.pixelWidth(), 1u), std::max(window_.pixelHeight(), 1u)),
-      match_(options, server, steadyNow()),
-      drawnAt_(steadyNow()) {
+      match_(options, server, clock.now()),
+      begunAt_(clock.now()),
+      drawnAt_(begunAt_) {
   if (settings_.fullscreen) window_.setFullscreen(true);
 }
 
 void WindowPlay::run(const std::function<bool()>& stopAsked) {
   const Controls controls = [this](const Game& game, std::uint32_t slot) { return choose(game, slot); };
-  const Moment start = steadyNow();
-  bool told = false;
-  for (Moment now = start; !window_.closing() && !menu_.leaving() && !stopAsked(); now = steadyNow()) {
-    if (options_.seconds && toSeconds(now - start) >= *options_.seconds) break;
+  for (Moment now = clock_.now(); goesOn(now) && !stopAsked(); now = clock_.now()) {
     window_.poll();
     takePresses();
     match_.update(now, controls);
-    if (match_.client().ending() && !told) {
-      const std::string& reason = *match_.client().ending();
-      const bool joined = match_.client().session() != nullptr && match_.client().session()->welcome();
-      if (!joined) throw ClientError(ClientError::kFailed, reason);
-      std::fprintf(stderr, "platon-client: %s\n", reason.c_str());
-      told = true;
-    }
+    if (match_.client().ending() && !toldEnding_) tellEnding();
     draw(now);
     window_.show();
-    std::this_thread::sleep_until(std::chrono::steady_clock::time_point(now + kShortestFrame));
+    clock_.sleepUntil(now + kShortestFrame);
   }
   if (!options_.screenshot.empty()) takeScreenshot();
   settingsFile_.save(settings_);
-  match_.leave();
+  match_.leave(clock_);
+}
+
+bool WindowPlay::goesOn(Moment now) const {
+  const bool timeLeft = !options_.seconds || toSeconds(now - begunAt_) < *options_.seconds;
+  return timeLeft && !window_.closing() && !menu_.leaving();
+}
+
+void WindowPlay::tellEnding() {
+  const std::string& reason = *match_.client().ending();
+  const Session* const session = match_.client().session();
+  if (session == nullptr || !session->welcome()) throw ClientError(ClientError::kFailed, reason);
+  std::fprintf(stderr, "platon-client: %s\n", reason.c_str());
+  toldEnding_ = true;
 }
 
 void WindowPlay::takePresses() {

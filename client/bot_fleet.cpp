@@ -1,0 +1,53 @@
+#include "client/bot_fleet.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace platon {
+
+namespace {
+
+constexpr Moment kBeat = std::chrono::milliseconds(2);
+constexpr Moment kArrivals = std::chrono::seconds(1);       // in which all bots come
+constexpr Moment kFarewell = std::chrono::milliseconds(500);
+
+}  // namespace
+
+std::vector<BotResult> BotFleet::play() {
+  const Moment start = clock_.now();
+  const Moment end = start + Moment(static_cast<Moment::rep>(options_.seconds * 1e6));
+  const Moment spacing = std::min(kArrivals, (end - start) / 4) / options_.count;
+  for (Moment now = start; now < end; now = clock_.now()) {
+    const auto arrived = static_cast<std::size_t>(spacing.count() == 0 ? options_.count : (now - start) / spacing + 1);
+    while (bots_.size() < std::min(arrived, static_cast<std::size_t>(options_.count))) add(now);
+    beat(now);
+  }
+  std::vector<BotResult> results;
+  for (const auto& bot : bots_) results.push_back(bot->result());
+  results.resize(static_cast<std::size_t>(options_.count));
+  leave();
+  return results;
+}
+
+void BotFleet::add(Moment now) {
+  const std::size_t number = bots_.size() + 1;
+  bots_.push_back(std::make_unique<Bot>(server_, "bot " + std::to_string(number), options_.line,
+                                        options_.seed * 1000003 + number, now));
+}
+
+void BotFleet::beat(Moment now) {
+  for (const auto& bot : bots_) bot->update(now);
+  clock_.sleepUntil(now + kBeat);
+}
+
+void BotFleet::leave() {
+  for (const auto& bot : bots_) bot->leave();
+  const auto closed = [](const auto& bot) { return bot->closed(); };
+  const Moment end = clock_.now() + kFarewell;
+  for (Moment now = clock_.now(); now < end; now = clock_.now()) {
+    if (std::all_of(bots_.begin(), bots_.end(), closed)) return;
+    beat(now);
+  }
+}
+
+}  // namespace platon

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "client/bot.h"
+#include "client/clock.h"
+#include "client/network_conditions.h"
+#include "client/server_address.h"
+
+namespace platon {
+
+/// What a fleet of bots is told.
+struct FleetOptions {
+  int count = 1;                ///< 1 … 256
+  double seconds = 10;
+  std::uint64_t seed = 1;
+  LinkQuality line;             ///< each way
+};
+
+/// Bots that play together on one server.
+class BotFleet {
+ public:
+  BotFleet(const FleetOptions& options, const ServerAddress& server, const Clock& clock)
+      : options_(options), server_(server), clock_(clock) {}
+
+  /// Lets them come one after another, play until the time is over, and leave. Throws std::runtime_error when one of
+  /// them cannot even begin.
+  std::vector<BotResult> play();
+
+ private:
+  void add(Moment now);
+  void beat(Moment now);
+  void leave();
+
+  FleetOptions options_;
+  ServerAddress server_;
+  Clock clock_;
+  std::vector<std::unique_ptr<Bot>> bots_;
+};
+
+}  // namespace platon

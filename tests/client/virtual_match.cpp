@@ -1,0 +1,105 @@
+#include "tests/client/virtual_match.h"
+
+#include <gtest/gtest.h>
+
+#include <utility>
+
+#include "protocol/to_server.h"
+
+namespace platon {
+
+namespace {
+
+constexpr Moment kStep = std::chrono::microseconds(500);
+
+ClientId idOf(std::size_t index) { return static_cast<ClientId>(index + 1); }
+
+LinkQuality delayOf(const LinkQuality& line) {
+  LinkQuality delay;
+  delay.delayMs = line.delayMs;
+  return delay;
+}
+
+}  // namespace
+
+VirtualMatch::Client::Client(const LinkQuality& line, std::uint64_t seed, Controls buttons, Moment now)
+    : session("someone", now),
+      controls(std::move(buttons)),
+      up(line, seed),
+      down(line, seed + 1),
+      reliableUp(delayOf(line), 0),
+      reliableDown(delayOf(line), 0) {}
+
+VirtualMatch::VirtualMatch(std::vector<std::shared_ptr<const Level>> levels, std::uint64_t seed)
+    : match_(LevelRotation(std::move(levels)), MatchSettings{16, "test"}), seed_(seed) {
+  round_ = match_.round();
+}
+
+std::size_t VirtualMatch::join(const LinkQuality& line, Controls controls) {
+  clients_.push_back(
+      std::make_unique<Client>(line, seed_ + clients_.size() * 16, std::move(controls), now_));
+  return clients_.size() - 1;
+}
+
+void VirtualMatch::run(Moment duration) {
+  for (const Moment end = now_ + duration; now_ < end; now_ += kStep) {
+    const Moment tickDue = std::chrono::seconds(100) + Moment((serverTicks_ + 1) * 1'000'000 / kTicksPerSecond);
+    if (now_ >= tickDue) tickServer();
+    for (std::size_t index = 0; index < clients_.size(); ++index) carry(index);
+    if (now_ < nextFrame_) continue;
+    nextFrame_ = now_ + frame_;
+    for (const auto& client : clients_) {
+      client->session.update(now_, client->controls);
+      check(client->session);
+    }
+  }
+}
+
+void VirtualMatch::tickServer() {
+  ++serverTicks_;
+  const bool stood = match_.idle();
+  if (!stood) {
+    if (match_.round() != round_) {
+      round_ = match_.round();
+      ticksInRound_ = 0;
+    }
+    ++ticksInRound_;
+    match_.tick();
+    // A round that has just begun has had no tick yet.
+    if (match_.round() == round_) hashes_[{round_, ticksInRound_}] = match_.game().hash();
+  }
+  for (Outgoing& message : match_.takeOutgoing()) {
+    Client& client = *clients_[message.client - 1];
+    (message.reliable ? client.reliableDown : client.down).send(std::move(message.bytes), now_);
+  }
+}
+
+void VirtualMatch::carry(std::size_t index) {
+  Client& client = *clients_[index];
+  for (OutgoingMessage& message : client.session.takeOutgoing()) {
+    (message.reliable ? client.reliableUp : client.up).send(std::move(message.bytes), now_);
+  }
+  for (NetworkConditions* line : {&client.reliableUp, &client.up}) {
+    while (const auto bytes = line->receive(now_)) {
+      const auto message = decodeToServer(*bytes);
+      ASSERT_TRUE(message.has_value());
+      match_.receive(idOf(index), *message);
+    }
+  }
+  for (NetworkConditions* line : {&client.reliableDown, &client.down}) {
+    while (const auto bytes = line->receive(now_)) client.session.receive(*bytes, now_);
+  }
+}
+
+void VirtualMatch::check(const Session& session) const {
+  ASSERT_FALSE(session.ending().has_value()) << *session.ending();
+  const Round* const round = session.round();
+  if (round == nullptr || round->prediction().confirmedTicks() == 0) return;
+  const Prediction& prediction = round->prediction();
+  const auto server = hashes_.find({round->id(), prediction.confirmedTicks()});
+  ASSERT_NE(server, hashes_.end()) << "round " << round->id() << " tick " << prediction.confirmedTicks();
+  ASSERT_EQ(prediction.confirmed().hash(), server->second)
+      << "round " << round->id() << " tick " << prediction.confirmedTicks();
+}
+
+}  // namespace platon

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "client/moment.h"
+#include "client/network_conditions.h"
+#include "client/session.h"
+#include "server/match.h"
+
+namespace platon {
+
+/// A match and its clients in one thread and in a time of its own: sessions on one side, the server's Match on the
+/// other, simulated lines in between. Unreliable messages are subject to the line; reliable ones to its delay alone,
+/// as the transport below them would see to it.
+class VirtualMatch {
+ public:
+  VirtualMatch(std::vector<std::shared_ptr<const Level>> levels, std::uint64_t seed);
+
+  /// A client with these controls joins now; its index.
+  std::size_t join(const LinkQuality& line, Controls controls);
+  /// How often clients update from now on; 4 ms at first.
+  void setFrame(Moment frame) { frame_ = frame; }
+  /// Lets time pass. Checks all the while, for every client, that its confirmed game is the server's.
+  void run(Moment duration);
+
+  Moment now() const { return now_; }
+  Match& match() { return match_; }
+  const Session& session(std::size_t client) const { return clients_[client]->session; }
+  std::uint32_t slot(std::size_t client) const { return clients_[client]->session.welcome()->slot; }
+
+ private:
+  struct Client {
+    Client(const LinkQuality& line, std::uint64_t seed, Controls buttons, Moment now);
+
+    Session session;
+    Controls controls;
+    NetworkConditions up, down, reliableUp, reliableDown;
+  };
+
+  void tickServer();
+  void carry(std::size_t index);
+  void check(const Session& session) const;
+
+  Match match_;
+  std::uint64_t seed_;
+  Moment now_ = std::chrono::seconds(100);
+  Moment frame_ = std::chrono::milliseconds(4);
+  Moment nextFrame_ = now_;
+  std::uint64_t serverTicks_ = 0;
+  std::vector<std::unique_ptr<Client>> clients_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint64_t> hashes_;   // of the server's game by round and tick
+  std::uint32_t round_ = 0;
+  std::uint32_t ticksInRound_ = 0;
+};
+
+}  // namespace platon
