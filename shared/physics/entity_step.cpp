@@ -153,15 +153,26 @@ Point EntityStep::follow(const Leg& leg) {
   if (leg.end == End::kFull) return left;
   callContact(*leg.hit);
   stops_.push_back(homeNormalOf(*leg.hit));
-  return slide(left);
+  return slide(*leg.hit, left);
 }
 
 // What is left of a displacement slides along the line that stopped it. Between two lines, which each lead into the
 // other, nothing is left; nor when it would turn back, which would rattle in a corner for ever.
-Point EntityStep::slide(Point left) const {
-  const Point slid = slideAlong(left, stops_.back());
+Point EntityStep::slide(const LegHit& hit, Point left) const {
+  const Point slid = outOf(hit, slideAlong(left, stops_.back()));
   const bool intoAnother = std::any_of(stops_.begin(), stops_.end() - 1, [&](Point normal) { return dot(slid, normal) < 0; });
   return intoAnother || dot(slid, wanted_) <= 0 ? Point() : slid;
+}
+
+// The instance that met the line moves by its own rounding of the displacement, which could lead into the line again: a
+// few subunits outwards prevent that. Bounds: normal < 2^30, displacement < 2^31.
+Point EntityStep::outOf(const LegHit& hit, Point slid) const {
+  const Placement& placement = instances_.all()[hit.placement];
+  const Point outwards = dominantStep(stops_.back());
+  for (int steps = 0; steps < kNudge && slid != Point(); ++steps, slid += outwards) {
+    if (dot(normalOf(hit), placement.at(position() + slid) - placement.position) >= 0) break;
+  }
+  return slid;
 }
 
 // I3: an end of a line that a step of a few subunits to the side clears is passed, not hit. The way must lead on from

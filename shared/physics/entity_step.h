@@ -72,7 +72,8 @@ class EntityStep {
   std::optional<Point> nudge(const LegHit& hit, Point target, Point reached);
   bool grazes(const LegHit& hit, Point target, Point reached) const;
   bool leadsOn(const LegHit& hit, Point from, Point to);
-  Point slide(Point left) const;
+  Point slide(const LegHit& hit, Point left) const;
+  Point outOf(const LegHit& hit, Point slid) const;
   Point stopBefore(const LegHit& hit, Point displacement);
   std::optional<Point> firstFree(Point candidate, Point outwards, Point displacement);
   Point normalOf(const LegHit& hit) const;
