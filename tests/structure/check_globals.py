@@ -30,7 +30,10 @@ def main(arguments):
         return 2
     found = 0
     for archive in arguments[2:]:
-        dump = subprocess.run([arguments[1], "--syms", "--demangle", archive], capture_output=True, text=True, check=True)
+        dump = subprocess.run([arguments[1], "--syms", "--demangle", archive], capture_output=True, text=True)
+        if dump.returncode != 0:
+            print(dump.stderr.strip())
+            return 1
         for section, name in writable_objects(dump.stdout):
             print(f"{archive}: variable {name} in {section}")
             found += 1
