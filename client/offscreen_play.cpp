@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <string>
 
 #include "client/client_error.h"
 #include "client/image.h"
@@ -30,7 +31,9 @@ void OffscreenPlay::run(const std::function<bool()>& stopAsked) {
     clock_.sleepUntil(now + kBeat);
   }
   if (!options_.screenshot.empty()) takeScreenshot();
+  const std::string unfinished = match_.message();
   match_.leave(clock_);
+  if (!unfinished.empty()) throw ClientError(ClientError::kFailed, "the time was up while " + unfinished);
 }
 
 void OffscreenPlay::takeScreenshot() {

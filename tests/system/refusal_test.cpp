@@ -41,6 +41,8 @@ const std::vector<Refusal> kRefusals = {
     {"NoDisplay", "platon-client", {"--level", "levels/01_first_steps.level"}, 2, "--offscreen"},
     {"NoServer", "platon-client", {"127.0.0.1:1", "--offscreen", "--seconds", "30"}, 1,
      "no answer from 127.0.0.1:1 within 5 s: is platon-server running there?"},
+    {"TimeUpBeforeAnyAnswer", "platon-client", {"127.0.0.1:1", "--offscreen", "--seconds", "1"}, 1,
+     "the time was up while connecting to 127.0.0.1:1"},
     {"BotCount", "platon-bot", {"localhost", "--count", "0", "--seconds", "1"}, 2, "--count"},
     {"BotWithoutSeconds", "platon-bot", {"localhost", "--count", "1"}, 2, "--seconds"},
     {"BotLoss", "platon-bot", {"localhost", "--count", "1", "--seconds", "1", "--loss", "101"}, 2, "--loss"},
