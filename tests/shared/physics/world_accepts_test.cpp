@@ -174,7 +174,7 @@ TEST_F(WorldAcceptsTest, RandomChangesAreRefusedOrHarmless) {
       } else if constexpr (std::is_same_v<Field, Angle>) {
         field = Angle(static_cast<std::int32_t>(bits));
       } else {
-        field = static_cast<Field>(field ^ (bits & (bits >> 8)));
+        field = static_cast<Field>(static_cast<std::uint64_t>(field) ^ (bits & (bits >> 8)));
       }
     };
     for (EntityState& entity : state.entities) EntityState::visit(entity, mutate);
