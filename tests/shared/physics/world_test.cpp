@@ -30,7 +30,7 @@ World busyWorld(std::uint64_t seed) {
   for (int i = 0; i < 40 && world.entities().size() < 4; ++i) {
     Entity entity(world, randomConvex(random, 60));
     try {
-      MapPart(world, 1 + i % 2).insert(entity, random.vector(900), Angle(static_cast<std::int32_t>(random.below(36000))));
+      MapPart(world, i % 2 == 0 ? 1u : 2u).insert(entity, random.vector(900), Angle(static_cast<std::int32_t>(random.below(36000))));
     } catch (const std::invalid_argument&) {
     }
   }
