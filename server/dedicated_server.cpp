@@ -114,8 +114,8 @@ void DedicatedServer::wait() const {
   std::this_thread::sleep_for(kIdleStep);
 }
 
-void DedicatedServer::run(const std::atomic<bool>& stop_) {
-  while (!stop_) {
+void DedicatedServer::run(const std::atomic<bool>& stopAsked) {
+  while (!stopAsked) {
     step(steadyNow());
     wait();
   }

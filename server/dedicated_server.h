@@ -28,8 +28,8 @@ class DedicatedServer {
   void step(TimePoint now);
   /// Sleeps until the next step has something to do, or a signal is caught.
   void wait() const;
-  /// Steps and waits until `stop` becomes true, then says good-bye.
-  void run(const std::atomic<bool>& stop);
+  /// Steps and waits until `stopAsked` becomes true, then says good-bye.
+  void run(const std::atomic<bool>& stopAsked);
   /// Says good-bye to all players and waits a moment for them to hear it.
   void stop(const std::string& reason);
 

@@ -91,8 +91,8 @@ void Match::introduce(ClientId client, const Member& member) {
 
 void Match::handle(ClientId client, const LevelRequest& request) {
   const auto found = members_.find(client);
-  LevelPointer level = rotation_.find(request.hash);
-  if (found != members_.end() && level) found->second.sendLevel(std::move(level));
+  const LevelPointer level = rotation_.find(request.hash);
+  if (found != members_.end() && level) found->second.sendLevel(level);
 }
 
 void Match::handle(ClientId client, const Leave&) { disconnect(client); }

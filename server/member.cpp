@@ -32,11 +32,11 @@ bool Member::isCurrent(const PlayerInputs& message) const {
 
 std::optional<SlackReport> Member::takeSlack() { return std::exchange(slack_, std::nullopt); }
 
-void Member::sendLevel(LevelPointer level) {
+void Member::sendLevel(const LevelPointer& level) {
   const auto same = [&level](const Transfer& transfer) { return transfer.isLevel(level->hash); };
   if (requests_ == kRequestsPerRound || std::any_of(transfers_.begin(), transfers_.end(), same)) return;
   ++requests_;
-  transfers_.emplace_back(std::move(level));
+  transfers_.emplace_back(level);
 }
 
 void Member::sendState(std::uint32_t round, std::uint32_t tick, std::vector<std::uint8_t> state, std::uint64_t now) {

@@ -55,7 +55,7 @@ class Member {
   void joinAt(std::uint32_t tick) { inputs_ = InputBuffer(tick); }
 
   /// Puts a level text on its way, unless it is already or the client has asked too often.
-  void sendLevel(LevelPointer level);
+  void sendLevel(const LevelPointer& level);
   /// Whether a state may be sent at this tick of the match, counted over all rounds.
   bool mayTakeState(std::uint64_t now) const { return now >= nextState_; }
   /// Puts a full state, after `tick` ticks of the round, on its way.

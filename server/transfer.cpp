@@ -12,7 +12,7 @@ std::span<const std::uint8_t> bytesOf(const std::string& text) {
 
 }  // namespace
 
-Transfer::Transfer(LevelPointer level) : owner_(level), rest_(bytesOf(level->text)) {
+Transfer::Transfer(const LevelPointer& level) : owner_(level), rest_(bytesOf(level->text)) {
   LevelChunk chunk;
   chunk.hash = level->hash;
   chunk.total = static_cast<std::uint32_t>(rest_.size());

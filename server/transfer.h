@@ -14,7 +14,7 @@ namespace platon {
 /// A level text or a full state on its way to one client, piece by piece.
 class Transfer {
  public:
-  explicit Transfer(LevelPointer level);
+  explicit Transfer(const LevelPointer& level);
   /// `bytes` is an encoded FullState after `tick` ticks of `round`.
   Transfer(std::uint32_t round, std::uint32_t tick, std::uint8_t sync, std::vector<std::uint8_t> bytes);
 
