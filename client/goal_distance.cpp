@@ -1,6 +1,7 @@
 #include "client/goal_distance.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <optional>
 
 #include "shared/physics/sweep.h"
@@ -12,16 +13,26 @@ namespace {
 constexpr std::int32_t kSmallestCell = 12 * kSubunitsPerUnit;
 constexpr std::int32_t kCellsInAll = 8000;
 
-// What must fit between walls: less than the ball, as cells rarely lie in the middle of a gap.
-const Convex& probe() {
-  constexpr std::int32_t r = 4 * kSubunitsPerUnit;
-  static const Convex kProbe(std::vector<Point>{{-r, -r}, {r, -r}, {r, r}, {-r, r}});
-  return kProbe;
+Convex square(std::int32_t r) { return Convex(std::vector<Point>{{-r, -r}, {r, -r}, {r, r}, {-r, r}}); }
+
+// What must fit between walls: less than the ball, as cells rarely lie in the middle of a gap. The goal itself may be
+// right at a wall.
+const Convex& probeFor(bool atGoal) {
+  static const Convex kTraveller = square(4 * kSubunitsPerUnit);
+  static const Convex kPoint = square(16);
+  return atGoal ? kPoint : kTraveller;
 }
 
-bool isFree(const MapGeometry& part, Point from, Point to) {
+// Of a way, to within 8 %.
+std::int32_t lengthOf(Point way) {
+  const std::int32_t x = std::abs(way.x);
+  const std::int32_t y = std::abs(way.y);
+  return std::max(x, y) + std::min(x, y) * 2 / 5;
+}
+
+bool isFree(const Convex& probe, const MapGeometry& part, Point from, Point to) {
   Sweep sweep;
-  sweep.start(probe(), from, to - from);
+  sweep.start(probe, from, to - from);
   std::vector<std::uint32_t> lines;
   part.grid.query(sweep.bounds(), lines);
   return std::none_of(lines.begin(), lines.end(), [&](std::uint32_t line) {
@@ -37,14 +48,14 @@ const Warp* warpBehind(const MapGeometry& part, Point point) {
 }
 
 // Where one gets from `from` going straight to `to`, over at most one edge.
-std::optional<Place> reach(const Geometry& geometry, std::uint32_t face, Point from, Point to) {
+std::optional<Place> reach(const Convex& probe, const Geometry& geometry, std::uint32_t face, Point from, Point to) {
   const MapGeometry& part = *geometry.find(face);
-  if (!isFree(part, from, to)) return std::nullopt;
+  if (!isFree(probe, part, from, to)) return std::nullopt;
   const Warp* const warp = warpBehind(part, to);
   if (warp == nullptr) return Place{face, to};
   const auto beyond = [warp](Point point) { return warp->onto.a + rotate(point - warp->from.a, warp->turn); };
   const MapGeometry& next = *geometry.find(warp->target);
-  if (!isFree(next, beyond(from), beyond(to)) || warpBehind(next, beyond(to)) != nullptr) return std::nullopt;
+  if (!isFree(probe, next, beyond(from), beyond(to)) || warpBehind(next, beyond(to)) != nullptr) return std::nullopt;
   return Place{warp->target, beyond(to)};
 }
 
@@ -72,8 +83,7 @@ GoalDistance::GoalDistance(const Level& level) {
   cellSize_ = std::max(kSmallestCell, 2 * half / cellsPerAxis(geometry.parts.size()) + 1);
   side_ = 2 * ((half + cellSize_ / 2) / cellSize_) + 1;
   distances_.assign(geometry.parts.size() * static_cast<std::size_t>(side_ * side_), kUnreachable);
-  distances_[indexOf(cellAt({level.goalFace, level.goal}))] = 0;
-  spread(geometry);
+  spread(geometry, {level.goalFace, level.goal});
 }
 
 bool GoalDistance::onLattice(const Cell& cell) const {
@@ -97,20 +107,16 @@ GoalDistance::Cell GoalDistance::cellAt(const Place& place) const {
   return {place.part, nearest(place.position.x), nearest(place.position.y)};
 }
 
-void GoalDistance::spread(const Geometry& geometry) {
+void GoalDistance::spread(const Geometry& geometry, const Place& goal) {
   const auto farther = [](const Reached& a, const Reached& b) { return a.distance > b.distance; };
   std::vector<Reached> front;
-  for (std::uint32_t face = 0; face < geometry.parts.size(); ++face) {
-    for (std::int32_t i = 0; i < side_ * side_; ++i) {
-      const Cell cell{face, i % side_, i / side_};
-      if (lookUp(cell) == 0) front.push_back({0, cell});
-    }
-  }
+  spreadFrom(geometry, {0, goal}, front);
+  std::make_heap(front.begin(), front.end(), farther);
   while (!front.empty()) {
     std::pop_heap(front.begin(), front.end(), farther);
     const Reached reached = front.back();
     front.pop_back();
-    if (reached.distance > lookUp(reached.cell)) continue;
+    if (reached.distance > lookUp(cellAt(reached.place))) continue;
     const std::size_t known = front.size();
     spreadFrom(geometry, reached, front);
     for (std::size_t i = known + 1; i <= front.size(); ++i) {
@@ -120,18 +126,18 @@ void GoalDistance::spread(const Geometry& geometry) {
 }
 
 void GoalDistance::spreadFrom(const Geometry& geometry, const Reached& reached, std::vector<Reached>& front) {
-  const Point from = centreOf(reached.cell);
-  for (std::int32_t direction = 0; direction < 9; ++direction) {
-    const Point step(direction % 3 - 1, direction / 3 - 1);
-    const bool diagonal = step.x != 0 && step.y != 0;
-    const std::int32_t distance = reached.distance + (diagonal ? cellSize_ * 7 / 5 : cellSize_);
-    const Point to = from + Point(step.x * cellSize_, step.y * cellSize_);
-    const std::optional<Place> place = reach(geometry, reached.cell.face, from, to);
+  const Point from = reached.place.position;
+  const Cell middle = cellAt(reached.place);
+  const Convex& probe = probeFor(reached.distance == 0);
+  for (std::int32_t i = 0; i < 9; ++i) {
+    const Point to = centreOf({middle.face, middle.column + i % 3 - 1, middle.row + i / 3 - 1});
+    const std::optional<Place> place = reach(probe, geometry, middle.face, from, to);
     if (!place) continue;
     const Cell cell = cellAt(*place);
+    const std::int32_t distance = reached.distance + lengthOf(to - from);
     if (distance >= lookUp(cell)) continue;
     distances_[indexOf(cell)] = distance;
-    front.push_back({distance, cell});
+    front.push_back({distance, {cell.face, centreOf(cell)}});
   }
 }
 
@@ -143,8 +149,7 @@ std::int32_t GoalDistance::from(const Place& place) const {
     const Cell cell{middle.face, middle.column + i % 3 - 1, middle.row + i / 3 - 1};
     const std::int32_t beyond = lookUp(cell);
     if (beyond == kUnreachable) continue;
-    const Point way = centreOf(cell) - place.position;
-    best = std::min(best, beyond + std::max(std::abs(way.x), std::abs(way.y)));
+    best = std::min(best, beyond + lengthOf(centreOf(cell) - place.position));
   }
   return best;
 }

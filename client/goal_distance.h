@@ -27,7 +27,7 @@ class GoalDistance {
   };
   struct Reached {
     std::int32_t distance = 0;
-    Cell cell;
+    Place place;             // the centre of a cell, but for the goal itself
   };
 
   bool onLattice(const Cell& cell) const;
@@ -36,7 +36,7 @@ class GoalDistance {
   Cell cellAt(const Place& place) const;
   std::int32_t lookUp(const Cell& cell) const { return onLattice(cell) ? distances_[indexOf(cell)] : kUnreachable; }
 
-  void spread(const Geometry& geometry);
+  void spread(const Geometry& geometry, const Place& goal);
   void spreadFrom(const Geometry& geometry, const Reached& reached, std::vector<Reached>& front);
 
   std::int32_t cellSize_;     // subunits
