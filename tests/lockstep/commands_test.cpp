@@ -1,0 +1,189 @@
+#include "tests/lockstep/commands.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+#include <sys/wait.h>
+
+#include "tests/lockstep/options.h"
+
+namespace platon::sim {
+namespace {
+
+using testing::HasSubstr;
+using testing::MatchesRegex;
+using testing::StartsWith;
+
+struct Output {
+  int status = 0;
+  std::string text;
+};
+
+// Runs the program itself; what it says on either stream comes together.
+Output runProgram(const std::string& arguments) {
+  const char* folder = std::getenv("PLATON_BIN");
+  const std::string command = std::string(folder != nullptr ? folder : ".") + "/platon-sim " + arguments + " 2>&1";
+  std::FILE* pipe = popen(command.c_str(), "r");
+  Output output;
+  char buffer[512];
+  while (std::fgets(buffer, sizeof buffer, pipe) != nullptr) output.text += buffer;
+  const int status = pclose(pipe);
+  output.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  return output;
+}
+
+std::string fileWith(const std::string& name, const std::string& text) {
+  const std::string path = testing::TempDir() + "platon_commands_" + name;
+  std::ofstream(path) << text;
+  return path;
+}
+
+std::string levelFile() {
+  return fileWith("level", "HEXAHEDRON\n0 0 -180 0\n1 0 -190\n480\n%\n-240 -200 240 -200\n%\n-240 -200 240 -200\n%\n%\n%\n%\n");
+}
+
+std::string sweepAnswers(const std::string& queries, int expectedStatus = 0) {
+  std::ios::sync_with_stdio(false);   // or the command's own call would put the old buffer back
+  std::istringstream in(queries);
+  std::streambuf* const before = std::cin.rdbuf(in.rdbuf());
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(sweepCommand({}), expectedStatus);
+  std::fflush(stdout);
+  std::cin.rdbuf(before);
+  std::cin.clear();
+  return testing::internal::GetCapturedStdout() + testing::internal::GetCapturedStderr();
+}
+
+TEST(SweepCommandTest, AnswersLineByLine) {
+  const std::string square = "4 -10 -10 10 -10 10 10 -10 10  ";
+  EXPECT_EQ(sweepAnswers(square + "0 0  0 -40  -50 -30 50 -30\n"), "hit 2000 4000 0 100\n");
+  EXPECT_EQ(sweepAnswers(square + "0 0  0 -20  -50 -30 50 -30\n"), "miss\n") << "touching is no meeting";
+  EXPECT_EQ(sweepAnswers(square + "0 0  0 0  -50 -5 50 -5\n"), "hit 0 1 0 0\n");
+  EXPECT_EQ(sweepAnswers(square + "0 0  0 0  -50 -50 50 -50\r\n" + square + "0 0 0 0 0 0 0 0"), "miss\nhit 0 1 0 0\n");
+  EXPECT_EQ(sweepAnswers(""), "");
+}
+
+TEST(SweepCommandTest, ABadLineIsNamedAndTheOthersAnswered) {
+  const std::string good = "3 0 0 9 0 0 9  0 0  0 0  50 50 50 50\n";
+  EXPECT_EQ(sweepAnswers(good + "3 0 0 9 0\n" + good, 3), "miss\nmiss\nline 2: the line ends before a vertex coordinate\n");
+  EXPECT_THAT(sweepAnswers("2 0 0 9 0 0 0 0 0 0 0 0 0\n", 3), HasSubstr("line 1: '2' should be the number of vertices"));
+  EXPECT_THAT(sweepAnswers("3 0 0 9 0 0 9  0 0  0 0  50 50 50 536870912\n", 3), StartsWith("line 1: '536870912' should be"));
+  EXPECT_THAT(sweepAnswers("3 0 0 9 0 0 9  0 0  0 0  50 50 50 50 1\n", 3), HasSubstr("more on the line than one query"));
+  EXPECT_THAT(sweepAnswers("3 0 0 0 9 9 0  0 0  0 0  50 50 50 50\n", 3), HasSubstr("turns clockwise"));
+  EXPECT_THAT(sweepAnswers("\n", 3), StartsWith("line 1: "));
+}
+
+TEST(SweepCommandTest, TakesNoArguments) { EXPECT_THROW(sweepCommand({"file"}), UsageError); }
+
+std::string ran(const std::vector<std::string>& arguments, int (*command)(const std::vector<std::string>&) = runCommand) {
+  testing::internal::CaptureStdout();
+  EXPECT_EQ(command(arguments), 0);
+  std::fflush(stdout);
+  return testing::internal::GetCapturedStdout();
+}
+
+std::string hashIn(const std::string& json) {
+  const std::size_t at = json.find("\"hash\":\"");
+  return at == std::string::npos ? "" : json.substr(at + 8, 16);
+}
+
+TEST(RunCommandTest, PrintsOneJsonObject) {
+  const std::string level = levelFile();
+  const std::string json = ran({level, "--players", "3", "--ticks", "200", "--seed", "9", "--json"});
+  EXPECT_THAT(json, MatchesRegex("\\{\"level\":\"[^\"]*\",\"players\":3,\"ticks\":200,\"seed\":9,\"hash\":\"[0-9a-f]+\","
+                                 "\"crossings\":[0-9]+,\"goals\":[0-9]+,\"nsPerPlayerTick\":[0-9.]+\\}\n"));
+  EXPECT_EQ(hashIn(json).size(), 16u);
+}
+
+TEST(RunCommandTest, TheSeedDecidesTheHash) {
+  const std::string level = levelFile();
+  for (const char* drive : {"play", "fling"}) {
+    const auto hashOf = [&](const char* seed) {
+      return hashIn(ran({level, "--ticks", "300", "--players", "2", "--drive", drive, "--seed", seed, "--json"}));
+    };
+    EXPECT_EQ(hashOf("4"), hashOf("4")) << drive;
+    EXPECT_NE(hashOf("4"), hashOf("5")) << drive;
+  }
+}
+
+TEST(RunCommandTest, PushedAlongTheFloorItCrossesTheEdge) {
+  const std::string json = ran({levelFile(), "--drive", "push", "--velocity", "4096,-256", "--ticks", "100", "--json"});
+  EXPECT_THAT(json, HasSubstr("\"crossings\":1,"));
+}
+
+TEST(RunCommandTest, WritingATraceChangesNothing) {
+  const std::string level = levelFile();
+  const std::string trace = testing::TempDir() + "platon_commands_trace";
+  const std::vector<std::string> plain{level, "--ticks", "50", "--json"};
+  std::vector<std::string> traced = plain;
+  traced.insert(traced.end(), {"--trace", trace});
+  const std::string hash = hashIn(ran(plain));
+  EXPECT_EQ(hashIn(ran(traced)), hash);
+  std::ifstream file(trace);
+  std::string line;
+  std::string last;
+  int lines = 0;
+  while (std::getline(file, line)) {
+    if (lines++ == 0) {
+      EXPECT_THAT(line, StartsWith("{\"solid\":\"HEXAHEDRON\",\"subunits\":1024,\"shape\":[["));
+    }
+    last = line;
+  }
+  EXPECT_EQ(lines, 51);
+  EXPECT_THAT(last, StartsWith("{\"tick\":50,\"hash\":\"" + hash + "\",\"players\":[{\"id\":0,\"legs\":[["));
+}
+
+TEST(RunCommandTest, RefusesWhatItCannotFollow) {
+  const std::string level = levelFile();
+  EXPECT_THROW(runCommand({}), UsageError);
+  EXPECT_THROW(runCommand({level, level}), UsageError);
+  EXPECT_THROW(runCommand({level, "--players", "0"}), UsageError);
+  EXPECT_THROW(runCommand({level, "--players", "257"}), UsageError);
+  EXPECT_THROW(runCommand({level, "--ticks", "1", "--drive", "swim"}), UsageError);
+  EXPECT_THROW(runCommand({level, "--ticks", "1", "--drive", "push"}), UsageError);
+  EXPECT_THROW(runCommand({level, "--ticks", "1", "--drive", "push", "--velocity", "5"}), UsageError);
+  EXPECT_THROW(runCommand({level, "--ticks", "1", "--drive", "push", "--velocity", "268435456,0"}), UsageError);
+  EXPECT_THROW(runCommand({testing::TempDir() + "no such level"}), UsageError);
+}
+
+TEST(WorldCommandTest, RunsAScene) {
+  const std::string scene = fileWith("scene", "shape 0 0 9 0 0 9\nline -500 -30 500 -30\nentity 0 0\nvelocity 5 -5\n");
+  const std::string json = ran({scene, "--ticks", "20", "--json"}, worldCommand);
+  EXPECT_THAT(json, HasSubstr("\"entities\":1,\"ticks\":20,\"hash\":\""));
+  EXPECT_EQ(hashIn(json), hashIn(ran({scene, "--ticks", "20", "--json"}, worldCommand)));
+  EXPECT_NE(hashIn(json), hashIn(ran({scene, "--ticks", "21", "--json"}, worldCommand)));
+  EXPECT_NE(hashIn(json), hashIn(ran({scene, "--ticks", "20", "--max-speed", "9", "--json"}, worldCommand)));
+  EXPECT_THROW(worldCommand({fileWith("bad", "line 1\n")}), InputError);
+}
+
+TEST(ProgramTest, SaysWhatItIs) {
+  EXPECT_THAT(runProgram("--help").text, StartsWith("platon-sim: runs the simulation"));
+  EXPECT_EQ(runProgram("--help").status, 0);
+  EXPECT_EQ(runProgram("run --help").status, 0);
+  EXPECT_THAT(runProgram("--version").text, MatchesRegex("platon-sim [0-9]+\\.[0-9]+\\.[0-9]+\n"));
+}
+
+TEST(ProgramTest, ExitCodesSayWhatWentWrong) {
+  EXPECT_EQ(runProgram("").status, 2);
+  EXPECT_EQ(runProgram("swim").status, 2);
+  EXPECT_EQ(runProgram("run").status, 2);
+  EXPECT_EQ(runProgram("run --ticks many " + levelFile()).status, 2);
+  const std::string broken = fileWith("broken", "HEXAHEDRON\n0 0 0 0\n0 0 0\n480\n");
+  const Output invalid = runProgram("run " + broken);
+  EXPECT_EQ(invalid.status, 3);
+  EXPECT_THAT(invalid.text, HasSubstr(broken + ":"));
+  EXPECT_THAT(invalid.text, HasSubstr(": error: "));
+  EXPECT_EQ(runProgram("world " + fileWith("bad", "line 1\n") + " --ticks 1").status, 3);
+  EXPECT_EQ(runProgram("sweep < " + fileWith("queries", "nothing\n")).status, 3);
+  EXPECT_EQ(runProgram("run --ticks 5 " + levelFile()).status, 0);
+}
+
+}  // namespace
+}  // namespace platon::sim
