@@ -104,6 +104,13 @@ std::optional<std::uint32_t> Collider::overlapped(const Placement& placement, co
   return std::nullopt;
 }
 
+void Collider::appendPierced(const Placement& placement, std::vector<Pierced>& out) {
+  for (const std::uint32_t line : start(placement, *placement.shape, placement.position, placement.position, 0)) {
+    if (!sweep_.against(placement.part->lines[line]) || blocks(*placement.part, line)) continue;
+    out.push_back({placement.id, placement.part->id, line});
+  }
+}
+
 std::optional<Hit> Collider::against(const Placement& placement, Point from, Point to, const Segment& line) {
   sweep_.start(*placement.shape, from, to - from);
   return sweep_.against(line);

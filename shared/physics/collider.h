@@ -69,6 +69,8 @@ class Collider {
   bool isFree(const Placement& placement, Point from, Point to);
   /// The first blocking line, by index, that overlaps `shape` at the placement's position.
   std::optional<std::uint32_t> overlapped(const Placement& placement, const Convex& shape);
+  /// Appends the pierceable lines, by index, that the placement overlaps where it stands.
+  void appendPierced(const Placement& placement, std::vector<Pierced>& out);
 
   /// What one line does to one placement that moves from `from` to `to`.
   std::optional<Hit> against(const Placement& placement, Point from, Point to, const Segment& line);

@@ -87,6 +87,7 @@ class EntityStep {
   bool tryTurn(std::int32_t hundredths);
   void turnAsFarAsFree(std::int32_t hundredths);
   void turnBy(std::int32_t hundredths);
+  LineRef refOf(const Collider::Pierced& pierced) const;
   std::optional<LineRef> turnBlocker(std::int32_t hundredths);
   bool admitTurn(std::int32_t hundredths);
 

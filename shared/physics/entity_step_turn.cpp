@@ -19,6 +19,11 @@ std::optional<Convex> hullOf(const Convex& before, const Convex* after) {
   return Convex(convexHull(std::move(points)));
 }
 
+std::vector<Collider::Pierced> without(std::vector<Collider::Pierced> all, const std::vector<Collider::Pierced>& some) {
+  std::erase_if(all, [&](const Collider::Pierced& one) { return std::find(some.begin(), some.end(), one) != some.end(); });
+  return all;
+}
+
 }  // namespace
 
 void EntityStep::turn(std::int32_t hundredths) {
@@ -33,7 +38,7 @@ void EntityStep::turn(std::int32_t hundredths) {
 }
 
 bool EntityStep::tryTurn(std::int32_t hundredths) {
-  if (!admitTurn(hundredths) || turnBlocker(hundredths)) return false;
+  if (turnBlocker(hundredths) || !admitTurn(hundredths) || turnBlocker(hundredths)) return false;
   turnBy(hundredths);
   return true;
 }
@@ -45,7 +50,7 @@ void EntityStep::turnAsFarAsFree(std::int32_t hundredths) {
   std::int32_t blocked = hundredths * unit;
   while (blocked - free > 1) {
     const std::int32_t middle = (free + blocked) / 2;
-    const bool isFree = admitTurn(middle * unit) && !turnBlocker(middle * unit);
+    const bool isFree = !turnBlocker(middle * unit) && admitTurn(middle * unit) && !turnBlocker(middle * unit);
     (isFree ? free : blocked) = middle;
   }
   const auto blocker = turnBlocker(blocked * unit);
@@ -53,10 +58,30 @@ void EntityStep::turnAsFarAsFree(std::int32_t hundredths) {
   if (blocker) rules_->touchContact(*entity_, *blocker);
 }
 
+// Then pierceable lines are left and met, in this order.
 void EntityStep::turnBy(std::int32_t hundredths) {
+  std::vector<Collider::Pierced> before;
+  std::vector<Collider::Pierced> after;
+  for (const Placement& placement : instances_.all()) {
+    if (!placement.fresh) collider_.appendPierced(placement, before);
+  }
   instances_.turn(hundredths);
   state_->angle = instances_.home().angle;
   observe();
+  for (Placement& placement : instances_.all()) {
+    collider_.appendPierced(placement, after);
+    placement.fresh = false;
+  }
+  for (const Collider::Pierced& left : without(before, after)) rules_->endContact(*entity_, refOf(left));
+  for (const Collider::Pierced& met : without(after, before)) rules_->beginContact(*entity_, refOf(met));
+}
+
+LineRef EntityStep::refOf(const Collider::Pierced& pierced) const {
+  const auto& all = instances_.all();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Placement& placement) {
+    return placement.id == pierced.instance;
+  });
+  return lineRef(*found->part, pierced.line);
 }
 
 // The first line, home before other instances, that the turning shape would meet.

@@ -246,13 +246,35 @@ TEST_F(RulesTest, AFreeTurnIsExact) {
   EXPECT_THAT(rules.take(), IsEmpty());
 }
 
-TEST_F(RulesTest, ATurnPassesPierceableLines) {
-  build({{{12, -100}, {12, 100}}}, {0, 0});
+TEST_F(RulesTest, ATurnMeetsAndLeavesPierceableLines) {
+  build({{{12, -100}, {12, 100}}, {{-100, -12}, {100, -12}}}, {0, 0});
+  rules.pierceable = {{0, 0}, {0, 1}};
+  const auto turn = [&](std::int32_t hundredths) {
+    entity->rotate(hundredths);
+    world.solve(rules);
+    return rules.take();
+  };
+  EXPECT_THAT(turn(500), IsEmpty()) << "its corners reach 11 subunits";
+  EXPECT_THAT(turn(4000), ElementsAre("begin 0:0", "begin 0:1", "over 0:0", "over 0:1"));
+  EXPECT_THAT(turn(0), ElementsAre("over 0:0", "over 0:1"));
+  EXPECT_THAT(turn(500), ElementsAre("over 0:0", "over 0:1"));
+  EXPECT_THAT(turn(4000), ElementsAre("end 0:0", "end 0:1"));
+  EXPECT_THAT(turn(9000), ElementsAre("begin 0:0", "begin 0:1", "end 0:0", "end 0:1"));
+  EXPECT_EQ(entity->rotation(), Angle(18000));
+}
+
+TEST_F(RulesTest, PlacedOnAPierceableLineATurnBeginsOnce) {
   rules.pierceable = {{0, 0}};
-  entity->rotate(9000);
-  world.solve(rules);
-  EXPECT_EQ(entity->rotation(), Angle(9000));
-  for (const std::string& call : rules.take()) EXPECT_NE(call, "touch 0:0");
+  world.setRules(rules);
+  build({{{0, -100}, {0, 100}}}, {0, 0});
+  entity->rotate(1000);
+  EXPECT_THAT(step({1, 0}), ElementsAre("begin 0:0", "over 0:0"));
+  EXPECT_THAT(step({1, 0}), ElementsAre("over 0:0"));
+}
+
+TEST_F(RulesTest, OfTwoLinesMetAtOnceTheFirstAddedStops) {
+  build({{{-100, -30}, {100, -30}}, {{-100, -20}, {0, -20}}, {{-5, -20}, {100, -20}}}, {0, 0});
+  EXPECT_THAT(step({0, -30}), ElementsAre("contact 0:1"));
 }
 
 class WarpRulesTest : public testing::Test {
