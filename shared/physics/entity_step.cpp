@@ -161,7 +161,16 @@ Point EntityStep::follow(const Leg& leg) {
 Point EntityStep::slide(const LegHit& hit, Point left) const {
   const Point slid = outOf(hit, slideAlong(left, stops_.back()));
   const bool intoAnother = std::any_of(stops_.begin(), stops_.end() - 1, [&](Point normal) { return dot(slid, normal) < 0; });
-  return intoAnother || dot(slid, wanted_) <= 0 ? Point() : slid;
+  return intoAnother || leadsBack(left) ? Point() : slid;
+}
+
+// The unrounded direction decides: a slope that is nearly level to what the entity wants leads on by so little that
+// rounding it outwards seems to lead back.
+bool EntityStep::leadsBack(Point left) const {
+  const Point tangent = perpendicular(stops_.back());
+  const std::int64_t along = dot(left, tangent);
+  const std::int64_t wanted = dot(wanted_, tangent);
+  return !((along > 0 && wanted > 0) || (along < 0 && wanted < 0));
 }
 
 // The instance that met the line moves by its own rounding of the displacement, which could lead into the line again: a

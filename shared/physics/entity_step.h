@@ -72,6 +72,7 @@ class EntityStep {
   std::optional<Point> nudge(const LegHit& hit, Point target, Point reached);
   bool grazes(const LegHit& hit, Point target, Point reached) const;
   bool leadsOn(const LegHit& hit, Point from, Point to);
+  bool leadsBack(Point left) const;
   Point slide(const LegHit& hit, Point left) const;
   Point outOf(const LegHit& hit, Point slid) const;
   Point stopBefore(const LegHit& hit, Point displacement);
