@@ -51,7 +51,7 @@ void EntityStep::callPierced(Point before) {
 void EntityStep::appendEvents(const Collider::Pierced& pierced, Point before) {
   for (std::size_t i = 0; i < instances_.all().size(); ++i) {
     const Placement& placement = instances_.all()[i];
-    if (placement.id != pierced.instance) continue;
+    if (placement.id != pierced.instance || placement.part->id != pierced.part) continue;
     const auto hit = collider_.against(placement, placement.at(before), placement.position,
                                        placement.part->lines[pierced.line]);
     if (!hit) return;
@@ -77,7 +77,7 @@ void EntityStep::callOver() {
 void EntityStep::appendOverlap(const Collider::Pierced& pierced) {
   for (std::size_t i = 0; i < instances_.all().size(); ++i) {
     const Placement& placement = instances_.all()[i];
-    if (placement.id != pierced.instance) continue;
+    if (placement.id != pierced.instance || placement.part->id != pierced.part) continue;
     if (overlaps(placement, pierced.line)) events_.push_back({{}, false, i, pierced.line});
   }
 }

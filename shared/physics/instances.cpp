@@ -155,13 +155,15 @@ bool Instances::insert(std::size_t parentIndex, std::uint16_t warpIndex, Collide
   child.wayBack = *wayBack;
   child.fresh = true;
   child.region = unusedRegion();
-  const auto place = nearestFree(child, nullptr, through(warp, ideal(parentIndex)), kMostSquaredError + 1, collider);
-  if (!place) return false;
-  child.position = child.anchor = *place;
-  child.homeAnchor = home().position;
-  child.id = takeId(nextId_, [&](std::uint16_t id) {
+  std::uint16_t nextId = nextId_;
+  child.id = takeId(nextId, [&](std::uint16_t id) {
     return std::any_of(placements_.begin(), placements_.end(), [&](const Placement& other) { return other.id == id; });
   });
+  const auto place = nearestFree(child, nullptr, through(warp, ideal(parentIndex)), kMostSquaredError + 1, collider);
+  if (!place) return false;
+  nextId_ = nextId;
+  child.position = child.anchor = *place;
+  child.homeAnchor = home().position;
   placements_.push_back(child);
   return true;
 }
