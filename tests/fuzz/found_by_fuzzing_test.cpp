@@ -1,0 +1,83 @@
+// What the fuzzers once broke, by hand and by name.
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "shared/game/stage.h"
+#include "shared/physics/entity.h"
+#include "shared/physics/map_part.h"
+#include "tests/fuzz/fuzz_scene.h"
+#include "tests/judge/step_checker.h"
+
+namespace platon::fuzz {
+namespace {
+
+constexpr std::int32_t kFaceSize = 240;
+constexpr std::int32_t kUnit = kSubunitsPerUnit;
+
+FuzzScene stageOf(SolidKind kind, std::vector<std::vector<Segment>> lines, Convex shape) {
+  lines.resize(static_cast<std::size_t>(PlatonicSolid::of(kind).faces()));
+  std::vector<std::size_t> counts;
+  for (const auto& face : lines) counts.push_back(face.size());
+  return {buildStage(kind, kFaceSize, lines), kind, kFaceSize, counts, std::move(shape), kUnit, true};
+}
+
+Convex box(std::int32_t width, std::int32_t height) {
+  return Convex({{-width, -height}, {width, -height}, {width, height}, {-width, height}});
+}
+
+/// Lets every line pass, and counts what is met.
+class CountedLines : public Rules {
+ public:
+  bool pierce(const Entity&, const LineRef&) const override { return true; }
+  void beginContact(Entity&, const LineRef& line) override {
+    if (!line.warp) ++begun[{line.part, line.index}];
+  }
+
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> begun;
+};
+
+/// An instance about to be placed had no id yet: what it overlapped there was told of the entity's first instance, by
+/// the index of a line of another part.
+TEST(FoundByFuzzingTest, ANewInstanceMeetsLinesOfItsOwnPartOnly) {
+  constexpr std::int32_t end = 100 * kUnit;
+  World world;
+  MapPart left(world, 0);
+  left.line({-3 * kUnit, -end}, {-3 * kUnit, end});
+  left.warp({0, -end}, {0, end}, 1, {0, -end}, {0, end});
+  left.initialize();
+  MapPart right(world, 1);
+  right.line({-end, 0}, {end, 0});   // sticks out over the edge
+  right.warp({0, end}, {0, -end}, 0, {0, end}, {0, -end});
+  right.initialize();
+  CountedLines rules;
+  world.setRules(rules);
+  Entity entity(world, box(kUnit, kUnit));
+  left.insert(entity, {-6 * kUnit, 0}, Angle());
+  entity.setVelocity({10 * kUnit, 0});
+  world.solve();
+  EXPECT_EQ(entity.part(), 1u);
+  EXPECT_EQ(rules.begun, (decltype(rules.begun){{{0, 0}, 1}, {{1, 0}, 1}}));
+}
+
+/// Near a corner, a turn that the corner forbids was tried with all instances that it would need: some were placed
+/// twice, on both ways round the corner.
+TEST(FoundByFuzzingTest, AForbiddenTurnPlacesNothingRoundTheCorner) {
+  for (const SolidKind kind : {SolidKind::kTetrahedron, SolidKind::kHexahedron, SolidKind::kOctahedron,
+                               SolidKind::kDodecahedron, SolidKind::kIcosahedron}) {
+    const FuzzScene scene = stageOf(kind, {}, box(30 * kUnit, 3 * kUnit));
+    judge::StepChecker checker({scene.stage.geometry(), scene.shape, scene.solid, scene.faceSize});
+    World world = scene.stage;
+    Entity entity(world, scene.shape);
+    const Point corner = facePolygon(kind, kFaceSize)[1];
+    MapPart(world, 0).insert(entity, corner - Point(corner.x / 6, corner.y / 6), angleBetween(Point(1, 0), perpendicular(corner)));
+    for (const std::int32_t turn : {9000, 300, -18000, -300}) {
+      entity.rotate(turn);
+      world.solve(&checker);
+      EXPECT_EQ(checker.finishTick(), "") << nameOf(kind) << ", turn by " << turn;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace platon::fuzz

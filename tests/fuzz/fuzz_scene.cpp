@@ -1,0 +1,133 @@
+#include "tests/fuzz/fuzz_scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "shared/game/face_area.h"
+#include "shared/game/player.h"
+#include "shared/game/stage.h"
+#include "shared/physics/map_part.h"
+#include "tests/judge/conversions.h"
+
+namespace platon::fuzz {
+namespace {
+
+using judge::toPoint;
+using judge::toPoints;
+using judge::toPolygon;
+using oracle::Polygon;
+using oracle::Vec;
+
+constexpr std::size_t kMostLines = 24;
+
+Polygon hullFrom(ByteSource& bytes, std::int64_t radius) {
+  std::vector<Vec> points(bytes.below(10) + 3);
+  for (Vec& point : points) point = bytes.vector(radius);
+  return oracle::convexHull(std::move(points));
+}
+
+// Turning rounds each corner by less than one subunit: a corner that stands out by more than that three times over
+// from the line through its neighbours remains one.
+bool standsOut(const Polygon& polygon, std::size_t corner) {
+  const Vec before = polygon[corner];
+  const Vec here = polygon[(corner + 1) % polygon.size()];
+  const Vec after = polygon[(corner + 2) % polygon.size()];
+  const Vec base = after - before;
+  const auto height = static_cast<long double>(oracle::cross(base, before - here)) /
+                      std::hypot(static_cast<long double>(base.x), static_cast<long double>(base.y));
+  return height > 3;
+}
+
+bool keepsItsCorners(const Polygon& polygon) {
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    if (!standsOut(polygon, i)) return false;
+  }
+  return true;
+}
+
+// Free lines, chains whose joints are off by a little, parallels of the shape's edges, points.
+std::vector<oracle::Segment> linesFrom(ByteSource& bytes, const Polygon& shape, std::int64_t radius) {
+  std::vector<oracle::Segment> lines(bytes.below(kMostLines + 1));
+  oracle::Segment last;
+  for (oracle::Segment& line : lines) {
+    const std::size_t edge = bytes.below(shape.size());
+    const Vec along = shape[(edge + 1) % shape.size()] - shape[edge];
+    const Vec a = bytes.flag() ? last.b + bytes.vector(2) : bytes.vector(radius);
+    switch (bytes.below(5)) {
+      case 0: line = {a, a + (last.b - last.a) + bytes.vector(1)}; break;
+      case 1: line = {a, a}; break;
+      case 2: line = {a, a + bytes.between(-2, 2) * along}; break;
+      case 3: line = {a, last.a}; break;
+      default: line = {a, bytes.vector(radius)};
+    }
+    last = line;
+  }
+  return lines;
+}
+
+bool inRange(const oracle::Segment& line, std::int64_t limit) {
+  const oracle::Box box = boxOf(line);
+  return box.low.x > -limit && box.low.y > -limit && box.high.x < limit && box.high.y < limit;
+}
+
+std::optional<FuzzScene> makePlane(ByteSource& bytes) {
+  const std::int64_t scale = std::int64_t{1} << bytes.between(2, 24);
+  const Polygon shape = hullFrom(bytes, scale);
+  if (shape.size() < 3) return std::nullopt;
+  World stage;
+  MapPart part(stage, 0);
+  std::size_t count = 0;
+  for (const oracle::Segment& line : linesFrom(bytes, shape, 4 * scale)) {
+    if (!inRange(line, oracle::kCoordinateLimit)) continue;
+    part.line(toPoint(line.a), toPoint(line.b));
+    ++count;
+  }
+  part.initialize();
+  return FuzzScene{std::move(stage), std::nullopt, 0, {count}, Convex(toPoints(shape)), scale, keepsItsCorners(shape)};
+}
+
+// With the mean of the corners, which decides what part is home, at the origin.
+Polygon centred(Polygon polygon) {
+  Vec sum;
+  for (const Vec corner : polygon) sum = sum + corner;
+  const auto count = static_cast<std::int64_t>(polygon.size());
+  for (Vec& corner : polygon) corner = corner - Vec{sum.x / count, sum.y / count};
+  return polygon;
+}
+
+// On a solid every shape is turned.
+std::optional<Convex> solidShape(ByteSource& bytes, std::int64_t scale) {
+  if (bytes.flag()) return playerShape();
+  const Polygon hull = hullFrom(bytes, scale);
+  if (hull.size() < 3 || !keepsItsCorners(hull)) return std::nullopt;
+  return Convex(toPoints(centred(hull)));
+}
+
+FinePoint fine(Vec v) { return {v.x * FinePoint::kPerSubunit, v.y * FinePoint::kPerSubunit}; }
+
+std::optional<FuzzScene> makeSolid(ByteSource& bytes, SolidKind kind) {
+  const auto faceSize = static_cast<std::int32_t>(bytes.between(kLeastFaceSize, kLeastFaceSize + 255));
+  const std::int64_t scale = bytes.between(1, 64) * kSubunitsPerUnit;
+  const auto shape = solidShape(bytes, scale);
+  if (!shape) return std::nullopt;
+  const FaceArea area(facePolygon(kind, faceSize));
+  std::vector<std::vector<Segment>> lines(static_cast<std::size_t>(PlatonicSolid::of(kind).faces()));
+  const std::int64_t radius = std::int64_t{faceSize} * kSubunitsPerUnit / 2;
+  for (const oracle::Segment& line : linesFrom(bytes, toPolygon(shape->vertices()), radius)) {
+    auto& face = lines[bytes.below(lines.size())];
+    if (const auto cut = area.cut(fine(line.a), fine(line.b))) face.push_back(*cut);
+  }
+  std::vector<std::size_t> counts;
+  for (const auto& face : lines) counts.push_back(face.size());
+  return FuzzScene{buildStage(kind, faceSize, lines), kind, faceSize, std::move(counts), *shape, scale, true};
+}
+
+}  // namespace
+
+std::optional<FuzzScene> makeFuzzScene(ByteSource& bytes) {
+  const std::size_t kind = bytes.below(2 * kSolidKinds);
+  if (kind < kSolidKinds) return makePlane(bytes);
+  return makeSolid(bytes, static_cast<SolidKind>(kind - kSolidKinds));
+}
+
+}  // namespace platon::fuzz

@@ -1,0 +1,73 @@
+#include <algorithm>
+#include <utility>
+
+#include "shared/game/game.h"
+#include "tests/fuzz/byte_source.h"
+#include "tests/fuzz/fuzz_targets.h"
+
+namespace platon::fuzz {
+namespace {
+
+constexpr int kTicksAfter = 4;
+constexpr std::size_t kMostEdits = 24;
+
+const std::shared_ptr<const Level>& level() {
+  static const std::shared_ptr<const Level> loaded = loadLevel(
+      "TETRAHEDRON\n0 0 -55 0\n2 0 0\n240\n%\n-60 -69.2 60 -69.2\n-20 -30 20 -20\n%\n-30 0 30 10\n%\n%\n0 60 0 60\n").level;
+  return loaded;
+}
+
+class LegCount : public StepObserver {
+ public:
+  void leg(std::uint32_t, std::span<const InstanceView>) override { ++count_; }
+  std::size_t take() { return std::exchange(count_, 0); }
+
+ private:
+  std::size_t count_ = 0;
+};
+
+std::vector<Input> inputsFrom(ByteSource& bytes, std::size_t slots) {
+  std::vector<Input> inputs(slots);
+  for (Input& input : inputs) input.buttons = bytes.byte() & Input::kAll;
+  return inputs;
+}
+
+std::vector<std::uint8_t> editedSave(ByteSource& bytes) {
+  Game game(level());
+  const std::size_t slots = bytes.below(4) + 1;
+  for (std::size_t ticks = bytes.below(64); ticks > 0; --ticks) game.advance(inputsFrom(bytes, slots));
+  std::vector<std::uint8_t> saved = game.save();
+  for (std::size_t edits = bytes.below(kMostEdits); edits > 0; --edits) saved[bytes.below(saved.size())] = bytes.byte();
+  return saved;
+}
+
+std::string goOn(Game game, ByteSource& bytes) {
+  LegCount legs;
+  for (int tick = 0; tick < kTicksAfter; ++tick) {
+    game.advance(inputsFrom(bytes, std::min<std::size_t>(game.slots() + 1, kMaxPlayers)), &legs);
+    if (legs.take() > 100 * std::size_t{game.slots()}) return "a step of too many legs";
+    Game again(level());
+    if (!again.restore(game.save()) || !(again == game)) return "a game that went on from a state is no state itself";
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string gameStateFault(Bytes input) {
+  ByteSource bytes(input);
+  std::vector<std::uint8_t> state;
+  if (bytes.flag()) {
+    state = editedSave(bytes);
+  } else {
+    const Bytes rest = bytes.rest();
+    state.assign(rest.begin(), rest.end());
+  }
+  Game game(level());
+  const std::uint64_t before = game.hash();
+  if (!game.restore(state)) return game.hash() == before ? std::string() : "a refused state changes the game";
+  if (game.save() != state) return "a restored state is saved as another one";
+  return goOn(game, bytes);
+}
+
+}  // namespace platon::fuzz

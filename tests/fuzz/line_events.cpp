@@ -1,0 +1,59 @@
+#include "tests/fuzz/line_events.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+namespace platon::fuzz {
+
+void LineEvents::require(bool holds, const char* what, const LineRef& line) {
+  if (!holds && fault_.empty()) fault_ = what + std::string(", line ") + std::to_string(line.index);
+}
+
+bool LineEvents::pierce(const Entity&, const LineRef& line) const {
+  return line.warp || pierces(line.part, line.index);
+}
+
+void LineEvents::beginContact(Entity& entity, const LineRef& line) {
+  require(pierce(entity, line), "beginContact of a line that blocks", line);
+  if (line.warp || !pairs_) return;
+  require(inside_.emplace(entity.index(), line.index).second, "a second beginContact", line);
+}
+
+void LineEvents::endContact(Entity& entity, const LineRef& line) {
+  require(pierce(entity, line), "endContact of a line that blocks", line);
+  if (line.warp || !pairs_) return;
+  require(inside_.erase({entity.index(), line.index}) == 1, "endContact without beginContact", line);
+}
+
+void LineEvents::overContact(Entity& entity, const LineRef& line) {
+  require(pierce(entity, line), "overContact of a line that blocks", line);
+  if (line.warp || !pairs_) return;
+  require(over_.emplace(entity.index(), line.index).second, "a second overContact", line);
+}
+
+void LineEvents::contact(Entity& entity, const Contact& contact) {
+  require(!pierce(entity, contact.line), "contact with a line that does not block", contact.line);
+  require(contact.normal != Point(), "contact without a normal", contact.line);
+  require(contact.time >= Fraction{0, 1} && contact.time < Fraction{1, 1}, "contact out of time", contact.line);
+}
+
+void LineEvents::touchContact(Entity& entity, const LineRef& line) {
+  require(!pierce(entity, line), "touchContact with a line that does not block", line);
+}
+
+std::string LineEvents::finishTick() {
+  std::vector<Line> differing;
+  std::set_symmetric_difference(inside_.begin(), inside_.end(), over_.begin(), over_.end(),
+                                std::back_inserter(differing));
+  if (fault_.empty() && pairs_ && !differing.empty()) {
+    const auto [entity, line] = differing.front();
+    fault_ = "entity " + std::to_string(entity) + ", line " + std::to_string(line) +
+             (over_.contains(differing.front()) ? ": overContact without beginContact" : ": endContact is missing");
+  }
+  over_.clear();
+  return std::exchange(fault_, {});
+}
+
+}  // namespace platon::fuzz

@@ -1,0 +1,178 @@
+#include <cmath>
+#include <stdexcept>
+
+#include "shared/physics/entity.h"
+#include "shared/physics/map_part.h"
+#include "tests/judge/conversions.h"
+#include "tests/fuzz/fuzz_targets.h"
+#include "tests/fuzz/line_events.h"
+#include "tests/judge/step_checker.h"
+
+namespace platon::fuzz {
+namespace {
+
+using judge::toPoint;
+using judge::toSegment;
+using judge::toVec;
+using oracle::Vec;
+
+constexpr std::size_t kMostEntities = 3;
+constexpr std::size_t kMostTicks = 16;
+constexpr std::int32_t kMostTurn = 1200;
+// A leg ends within a few subunits of where it should.
+constexpr long double kLegError = 8;
+
+long double lengthOf(Point v) { return std::hypot(static_cast<long double>(v.x), static_cast<long double>(v.y)); }
+
+// What an entity is to do in one tick.
+struct Order {
+  Point velocity;
+  std::int32_t turn = 0;
+};
+
+judge::JudgedScene judged(const FuzzScene& scene, const LineEvents& rules) {
+  return {scene.stage.geometry(), scene.shape, scene.solid, scene.faceSize,
+          [&rules](std::uint32_t part, std::uint32_t line) { return rules.pierces(part, line); }};
+}
+
+class Run {
+ public:
+  Run(ByteSource& bytes, const FuzzScene& scene)
+      : bytes_(bytes), scene_(scene), turning_(scene.turns && bytes.flag()),
+        rules_(scene, bytes.below(4), !scene.solid && !turning_), checker_(judged(scene, rules_)), world_(scene.stage), twin_(scene.stage) {
+    world_.setRules(rules_);
+    twin_.addShape(scene.shape);
+  }
+
+  std::string run() {
+    for (std::size_t i = bytes_.below(kMostEntities); ; --i) {
+      if (std::string fault = addEntity(); !fault.empty()) return fault;
+      if (i == 0) break;
+    }
+    for (std::size_t tick = 0; tick < kMostTicks && !bytes_.empty(); ++tick) {
+      if (std::string fault = advance(); !fault.empty()) return "tick " + std::to_string(tick) + ": " + fault;
+    }
+    return {};
+  }
+
+ private:
+  std::uint32_t entities() const { return static_cast<std::uint32_t>(world_.entities().size()); }
+
+  std::string addEntity() {
+    const auto part = static_cast<std::uint32_t>(bytes_.below(scene_.lines.size()));
+    const Point place = startIn(part);
+    const Angle angle = scene_.turns ? Angle(static_cast<std::int32_t>(bytes_.between(0, Angle::kTurn - 1))) : Angle();
+    const bool free = checker_.isFree(part, place, angle);
+    Entity entity(world_, scene_.shape);
+    try {
+      MapPart(world_, part).insert(entity, place, angle);
+    } catch (const std::invalid_argument&) {
+      return free && !scene_.solid ? "a free place is refused" : std::string();
+    }
+    return free ? std::string() : "an entity is put where it overlaps a line";
+  }
+
+  // On a solid inside the face.
+  Point startIn(std::uint32_t part) {
+    Vec place = bytes_.vector(scene_.solid ? std::int64_t{scene_.faceSize} * kSubunitsPerUnit : 4 * scene_.scale);
+    for (const Warp& warp : scene_.stage.geometry().parts[part]->warps) {
+      const auto edge = toSegment(warp.from);
+      while (oracle::cross(edge.b - edge.a, place - edge.a) < 0) place = {place.x / 2, place.y / 2};
+    }
+    return toPoint(place);
+  }
+
+  Point anyVelocity(const Entity& entity) {
+    const MapGeometry& part = *scene_.stage.geometry().find(entity.part());
+    const Segment& line = part.lines.empty() ? Segment{} : part.lines[bytes_.below(part.lines.size())];
+    const std::vector<Point>& corners = scene_.shape.vertices();
+    const Vec corner = toVec(corners[bytes_.below(corners.size())]);
+    switch (bytes_.below(7)) {
+      case 0: return {};
+      case 1: return toPoint(bytes_.vector(scene_.scale / 8 + 1));
+      case 2: return toPoint(bytes_.vector(scene_.scale));
+      case 3: return toPoint(bytes_.vector(std::min<std::int64_t>(16 * scene_.scale, kVelocityLimit - 1)));
+      case 4: return toPoint(toVec(line.b) - corner - toVec(entity.position()) + bytes_.vector(1));
+      case 5: return toPoint(toVec(line.b - line.a) + bytes_.vector(1));
+      default: return entity.velocity();
+    }
+  }
+
+  Order orderFor(const Entity& entity) {
+    Order order{anyVelocity(entity), 0};
+    if (!isVelocity(order.velocity)) order.velocity = {};
+    if (turning_ && bytes_.flag()) order.turn = static_cast<std::int32_t>(bytes_.between(-kMostTurn, kMostTurn));
+    return order;
+  }
+
+  std::string advance() {
+    if (bytes_.below(4) == 1 && !takeOver()) return "a saved state is not accepted";
+    std::vector<Order> orders;
+    for (std::uint32_t i = 0; i < entities(); ++i) {
+      orders.push_back(orderFor(Entity(world_, i)));
+      give(world_, i, orders.back());
+      if (following_) give(twin_, i, orders.back());
+    }
+    const WorldState before = world_.save();
+    world_.solve(&checker_);
+    std::string fault = checker_.finishTick();
+    if (fault.empty()) fault = rules_.finishTick();
+    if (fault.empty()) fault = moveFault(before, orders);
+    return fault.empty() ? twinFault() : fault;
+  }
+
+  static void give(World& world, std::uint32_t index, const Order& order) {
+    Entity entity(world, index);
+    entity.setVelocity(order.velocity);
+    entity.rotate(order.turn);
+  }
+
+  // A world that never saw the past goes on from here.
+  bool takeOver() {
+    if (!twin_.accepts(world_.save())) return false;
+    twin_.restore(world_.save());
+    following_ = true;
+    return true;
+  }
+
+  std::string twinFault() {
+    if (!following_) return {};
+    LineEvents rules = rules_;
+    twin_.solve(rules);
+    if (twin_ != world_) return "a restored world goes another way";
+    return twin_.hash() == world_.hash() ? std::string() : "equal worlds have different hashes";
+  }
+
+  std::string moveFault(const WorldState& before, const std::vector<Order>& orders) const {
+    for (std::uint32_t i = 0; i < entities(); ++i) {
+      const EntityState& was = before.entities[i];
+      const EntityState& is = world_.entities()[i];
+      const bool still = orders[i].velocity == Point() && orders[i].turn == 0;
+      if (still && (is.position != was.position || is.part != was.part || is.angle != was.angle)) {
+        return "an entity moves that should rest";
+      }
+      const long double most = lengthOf(orders[i].velocity) + kLegError * static_cast<long double>(checker_.moves(i));
+      if (!scene_.solid && lengthOf(is.position - was.position) > most) return "an entity goes too far";
+    }
+    return {};
+  }
+
+  ByteSource& bytes_;
+  const FuzzScene& scene_;
+  bool turning_;
+  LineEvents rules_;
+  judge::StepChecker checker_;
+  World world_;
+  World twin_;
+  bool following_ = false;
+};
+
+}  // namespace
+
+std::string sceneFault(Bytes input) {
+  ByteSource bytes(input);
+  const auto scene = makeFuzzScene(bytes);
+  return scene ? Run(bytes, *scene).run() : std::string();
+}
+
+}  // namespace platon::fuzz

@@ -1,0 +1,156 @@
+#include <algorithm>
+#include <cstdlib>
+#include <optional>
+
+#include "shared/physics/convex.h"
+#include "shared/physics/sweep.h"
+#include "tests/fuzz/byte_source.h"
+#include "tests/judge/conversions.h"
+#include "tests/fuzz/fuzz_targets.h"
+#include "tests/oracle/sweep_oracle.h"
+
+namespace platon::fuzz {
+namespace {
+
+using judge::toPoint;
+using judge::toPoints;
+using judge::toSegment;
+using judge::toVec;
+using oracle::Polygon;
+using oracle::SweepQuery;
+using oracle::Vec;
+using oracle::Wide;
+
+struct Ratio {
+  Wide numerator = 0;
+  Wide denominator = 1;
+
+  // |numerator|, |denominator| < 2^63.
+  friend bool operator<(Ratio a, Ratio b) { return a.numerator * b.denominator < b.numerator * a.denominator; }
+  bool is(Fraction other) const { return numerator * other.denominator == other.numerator * denominator; }
+};
+
+/// While the path is inside the forbidden polygon.
+struct Stay {
+  Ratio enter;
+  Ratio exit{1, 1};
+};
+
+// Every side of the whole forbidden polygon, moved outwards by `grown` along each axis, cuts the path.
+std::optional<Stay> stayOf(const SweepQuery& query, std::int64_t grown) {
+  Stay stay;
+  const Polygon polygon = oracle::forbiddenPolygon(query);
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec along = polygon[(i + 1) % polygon.size()] - polygon[i];
+    const Vec outward{along.y, -along.x};
+    const Wide margin = Wide{grown} * (std::abs(outward.x) + std::abs(outward.y));
+    const Wide beyond = oracle::dot(outward, query.position - polygon[i]) - margin;
+    const Wide speed = oracle::dot(outward, query.displacement);
+    if (beyond >= 0 && speed >= 0) return std::nullopt;
+    if (beyond >= 0) stay.enter = std::max(stay.enter, {beyond, -speed});
+    if (beyond < 0 && speed > 0) stay.exit = std::min(stay.exit, {-beyond, speed});
+  }
+  return stay.enter < stay.exit ? std::optional(stay) : std::nullopt;
+}
+
+Polygon corners(ByteSource& bytes, std::int64_t radius) {
+  std::vector<Vec> points(bytes.below(14) + 3);
+  for (Vec& point : points) point = bytes.vector(radius);
+  return points;
+}
+
+oracle::Segment obstacle(ByteSource& bytes, const Polygon& shape, std::int64_t radius) {
+  const Vec a = bytes.vector(radius);
+  const std::size_t edge = bytes.below(shape.size());
+  const Vec along = shape[(edge + 1) % shape.size()] - shape[edge];
+  switch (bytes.below(5)) {
+    case 0: return {a, a};
+    case 1: return {a, a + along};
+    case 2: return {a, a - bytes.between(1, 3) * along};
+    case 3: return {a, a + along + bytes.vector(1)};
+    default: return {a, bytes.vector(radius)};
+  }
+}
+
+// On or beside a corner or an edge of the forbidden polygon, or anywhere.
+Vec place(ByteSource& bytes, const Polygon& forbidden, std::int64_t radius) {
+  const std::size_t corner = bytes.below(forbidden.size());
+  const Vec here = forbidden[corner];
+  const Vec next = forbidden[(corner + 1) % forbidden.size()];
+  switch (bytes.below(5)) {
+    case 0: return here + bytes.vector(1);
+    case 1: return here + bytes.between(-3, 3) * (next - here);
+    case 2: return {(here.x + next.x) / 2, (here.y + next.y) / 2};
+    case 3: return here + bytes.vector(16);
+    default: return bytes.vector(radius);
+  }
+}
+
+SweepQuery queryFrom(ByteSource& bytes, const Polygon& shape, std::int64_t radius) {
+  SweepQuery query{shape, {}, {}, obstacle(bytes, shape, radius)};
+  const Polygon forbidden = oracle::forbiddenPolygon(query);
+  query.position = place(bytes, forbidden, radius);
+  query.displacement = bytes.flag() ? bytes.vector(radius) : place(bytes, forbidden, radius) - query.position;
+  return query;
+}
+
+std::string compared(const std::optional<Hit>& hit, const std::optional<Stay>& stay) {
+  if (hit.has_value() != stay.has_value()) return stay ? "a hit is missed" : "a false hit";
+  if (!hit) return {};
+  if (hit->time.denominator <= 0 || !stay->enter.is(hit->time)) return "a wrong time";
+  if (hit->exit.denominator <= 0 || !stay->exit.is(hit->exit)) return "a wrong exit";
+  return {};
+}
+
+// What a shape that is grown by a square meets, the grown sweep meets, too. Beyond that it may pass over the tips of
+// sharp corners, which stick out farther.
+bool mayMiss(SweepQuery query, std::int64_t grown) {
+  std::vector<Vec> points;
+  for (const Vec vertex : query.shape) {
+    for (const Vec corner : {Vec{grown, grown}, Vec{grown, -grown}, Vec{-grown, grown}, Vec{-grown, -grown}}) {
+      points.push_back(vertex + corner);
+    }
+  }
+  query.shape = oracle::convexHull(std::move(points));
+  return !stayOf(query, 0);
+}
+
+std::string answerFault(const SweepQuery& query, const std::optional<Hit>& hit) {
+  oracle::SweepAnswer answer;
+  if (hit) answer = {true, hit->time.numerator, hit->time.denominator, toVec(hit->normal)};
+  const oracle::SweepTruth truth = sweepTruth(query);
+  return agrees(truth, answer) ? std::string() : "not " + toText(truth);
+}
+
+std::string described(const std::string& fault, const SweepQuery& query, std::int64_t grown) {
+  if (fault.empty()) return {};
+  return fault + ", grown by " + std::to_string(grown) + ": " + toLine(query);
+}
+
+}  // namespace
+
+std::string sweepFault(Bytes input) {
+  ByteSource bytes(input);
+  const std::int64_t radius = (std::int64_t{1} << bytes.between(1, 29)) - 1;
+  Polygon shape = corners(bytes, radius);
+  const bool convex = oracle::isStrictlyConvex(shape);
+  if (Convex::fault(toPoints(shape)).has_value() == convex) return "wrong about whether a polygon is strictly convex";
+  if (!convex) shape = oracle::convexHull(std::move(shape));
+  if (shape.size() < 3) return {};
+  const SweepQuery query = queryFrom(bytes, shape, radius);
+  if (!isValid(query)) return {};
+  const Convex figure(toPoints(shape));
+  for (const std::int32_t grown : {0, static_cast<std::int32_t>(bytes.between(1, 16))}) {
+    Sweep sweep;
+    sweep.start(figure, toPoint(query.position), toPoint(query.displacement), grown);
+    const auto hit = sweep.against(toSegment(query.obstacle));
+    auto stay = stayOf(query, grown);
+    if (!hit && grown != 0 && mayMiss(query, grown)) stay.reset();
+    std::string fault = compared(hit, stay);
+    if (fault.empty() && grown == 0) fault = answerFault(query, hit);
+    if (!fault.empty()) return described(fault, query, grown);
+  }
+  return {};
+}
+
+}  // namespace platon::fuzz

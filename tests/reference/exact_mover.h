@@ -1,0 +1,67 @@
+#pragma once
+
+#include <gmpxx.h>
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "tests/reference/exact_scene.h"
+
+namespace platon::reference {
+
+/// A point or vector with rational coordinates of any size.
+struct RationalVec {
+  mpq_class x;
+  mpq_class y;
+};
+
+/// Follows the ideal trajectory of a scene's mover: it goes straight to the exact point of contact, what is left of its
+/// displacement is projected exactly on the edge entered, and so on until nothing is left. All numbers are rationals
+/// and none is ever rounded, so that the error is zero. Shares nothing with the world that it judges.
+///
+/// A displacement ends early where its rest would lead backwards, or where the mover is wedged: where an edge stops it
+/// that has stopped it before at the same place, all further legs are of length zero. Through a corner of an obstacle
+/// the side along the line is entered, as the sweep has it.
+class ExactMover {
+ public:
+  /// Rationals grow with every new edge: a position that needs more bits than this is given up.
+  static constexpr std::size_t kMostBits = std::size_t{1} << 16;
+
+  explicit ExactMover(const ExactScene& scene);
+
+  /// Moves by one tick. Throws std::runtime_error when the numbers outgrow kMostBits.
+  void tick();
+
+  const RationalVec& position() const { return position_; }
+  /// Straight pieces of the way so far, those of length zero included.
+  std::size_t legs() const { return legs_; }
+  /// Bits of the largest numerator or denominator of the position.
+  std::size_t bits() const;
+
+ private:
+  /// outward . p < bound inside the obstacle.
+  struct Side {
+    mpz_class x, y, bound, squaredLength;
+    bool alongLine;
+  };
+  struct Obstacle {
+    std::vector<Side> sides;
+    oracle::Box box;
+  };
+  struct Hit {
+    mpq_class time;
+    const Side* side;
+  };
+
+  static std::optional<Hit> meet(const Obstacle& obstacle, const RationalVec& from, const RationalVec& by);
+  std::optional<Hit> first(const RationalVec& by) const;
+  void advance(const mpq_class& time, const RationalVec& by);
+
+  std::vector<Obstacle> obstacles_;
+  RationalVec velocity_;
+  RationalVec position_;
+  std::size_t legs_ = 0;
+};
+
+}  // namespace platon::reference
