@@ -3,6 +3,11 @@
 #include <algorithm>
 
 namespace platon {
+namespace {
+
+constexpr std::uint32_t kNoLine = ~std::uint32_t{0};
+
+}  // namespace
 
 LineRef lineRef(const MapGeometry& part, std::uint32_t line) {
   return {part.id, line, part.isWarp(line), part.lines[line]};
@@ -43,9 +48,23 @@ std::optional<LegHit> Collider::first(const Instances& instances, Point from, Po
 
 void Collider::first(const Instances& instances, std::size_t index, Point from, Point to,
                      std::optional<LegHit>& best) {
+  first(instances, index, from, to, best, kNoLine);
+}
+
+std::optional<LegHit> Collider::firstBut(const Instances& instances, Point from, Point to, const LegHit& but) {
+  std::optional<LegHit> best;
+  for (std::size_t i = 0; i < instances.all().size(); ++i) {
+    first(instances, i, from, to, best, i == but.placement ? but.line : kNoLine);
+  }
+  return best;
+}
+
+void Collider::first(const Instances& instances, std::size_t index, Point from, Point to,
+                     std::optional<LegHit>& best, std::uint32_t but) {
   const Placement& placement = instances.all()[index];
   const auto& lines = start(placement, *placement.shape, placement.at(from), placement.at(to), 0);
   for (const std::uint32_t line : lines) {
+    if (line == but) continue;
     const auto hit = sweep_.against(placement.part->lines[line]);
     if (!hit || !blocksOrNote(placement, line)) continue;
     if (!best || hit->time < best->hit.time) best = LegHit{index, line, *hit};

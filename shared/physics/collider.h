@@ -56,6 +56,8 @@ class Collider {
   std::optional<LegHit> first(const Instances& instances, Point from, Point to);
   /// As above for placement `index` alone; replaces `best` when it finds an earlier one.
   void first(const Instances& instances, std::size_t index, Point from, Point to, std::optional<LegHit>& best);
+  /// As `first`, without the line of `but`.
+  std::optional<LegHit> firstBut(const Instances& instances, Point from, Point to, const LegHit& but);
   /// The earliest pierceable warp line, without an instance behind it and not among `shut`, that any instance meets
   /// before `limit`.
   std::optional<LegHit> firstWarp(const Instances& instances, const Path& path, const std::optional<LegHit>& limit,
@@ -80,6 +82,8 @@ class Collider {
  private:
   const std::vector<std::uint32_t>& start(const Placement& placement, const Convex& shape, Point from, Point to,
                                           std::int32_t margin);
+  void first(const Instances& instances, std::size_t index, Point from, Point to, std::optional<LegHit>& best,
+             std::uint32_t but);
   bool blocks(const MapGeometry& part, std::uint32_t line) const;
   bool blocksOrNote(const Placement& placement, std::uint32_t line);
   bool isOpen(const Instances& instances, const Gate& gate, const std::vector<Gate>& shut) const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "shared/exact/integer.h"
 #include "shared/physics/slide.h"
@@ -14,28 +15,22 @@ namespace {
 constexpr std::int32_t kInsertMargin = 4;
 constexpr std::int32_t kDropMargin = 8;
 
-// A bump lower than this is passed over (I3): lines meant to join may be off by a rounding at each end.
-constexpr std::int32_t kNudge = 3;
-constexpr std::size_t kNudges = 28;
+constexpr std::size_t kNudges = 112;
 
 // Sideways steps, nearest first.
-constexpr auto kNudgeOffsets = [] {
+constexpr auto kNudgeOffsets = [](std::int32_t most) {
   std::array<Point, kNudges> offsets{};
   std::size_t count = 0;
-  for (std::int64_t squared = 1; squared <= kNudge * kNudge; ++squared) {
-    for (int y = -kNudge; y <= kNudge; ++y) {
-      for (int x = -kNudge; x <= kNudge; ++x) {
+  for (std::int64_t squared = 1; squared <= most * most; ++squared) {
+    for (int y = -most; y <= most; ++y) {
+      for (int x = -most; x <= most; ++x) {
         if (squaredLength(Point(x, y)) == squared) offsets[count++] = Point(x, y);
       }
     }
   }
   return offsets;
-}();
+}(6);
 static_assert(kNudgeOffsets.back() != Point());
-
-constexpr Point scaleTruncated(Point displacement, Fraction time) {
-  return {platon::scaleTruncated(displacement.x, time), platon::scaleTruncated(displacement.y, time)};
-}
 
 Point halved(Point displacement) { return {displacement.x / 2, displacement.y / 2}; }
 
@@ -52,25 +47,29 @@ void EntityStep::begin(Entity entity, EntityState& state, std::span<const Instan
   observe();
 }
 
+// What the entity wants stays as it is while it slides: a line takes only what leads into it, for as long as it touches.
 void EntityStep::translate(Point displacement) {
-  wanted_ = displacement;
-  stops_.clear();
-  Point rest = displacement;
+  wanted_ = rest_ = displacement;
+  stop_.reset();
+  stopBefore_.reset();
+  slidAlong_.reset();
+  onwards_.reset();
   for (int legs = 0; legs < kMostLegs; ++legs) {
-    const Point start = position();
-    const Point goal = start + rest;
-    const Leg leg = admit(inRange(goal));
-    const Point left = follow(leg);
-    rest = leg.end == End::kReached ? goal - position() : left;
-    passHome(rest);
-    if (rest == Point() || leg.target == start) break;
+    const Way way = nextWay();
+    if (legs != 0 && way.whole == Point()) break;
+    const Leg leg = admit(inRange(position() + way.part));
+    const bool moves = leg.target != position();
+    follow(leg, way);
+    passHome();
+    if (rest_ == Point() || !moves) break;
   }
+  if (instances_.dropUnreached(kDropMargin)) observe();
 }
 
 bool EntityStep::settle() {
   const Leg leg = admit(position());
-  Point rest;
-  passHome(rest);
+  passHome();
+  if (instances_.dropUnreached(kDropMargin)) observe();
   return leg.end == End::kReached && shut_.empty();
 }
 
@@ -130,58 +129,46 @@ bool EntityStep::allInRange(Point home) const {
   });
 }
 
-// Moves along the leg as far as it goes, and tells of what stopped it. Returns what is left of the displacement.
-Point EntityStep::follow(const Leg& leg) {
+// Moves along the leg as far as it goes, and tells of what stopped it.
+void EntityStep::follow(const Leg& leg, const Way& way) {
   const Point start = position();
   if (leg.end == End::kReached) {
-    moveTo(leg.target);
+    moveTo(stop_ ? shortOfTurning(leg.target) : leg.target);
     callPierced(start);
-    return {};
+    rest_ = position() == start ? Point() : restAfter(way, position() - start);
+    return;
   }
   const Point displacement = leg.target - start;
+  const Point reached = start + scaleTruncated(displacement, leg.hit->hit.time);
   if (leg.end == End::kStopped) {
-    const Point reached = start + scaleTruncated(displacement, leg.hit->hit.time);
-    if (const auto nudged = nudge(*leg.hit, leg.target, reached)) {
-      moveTo(*nudged);
-      callPierced(start);
-      return leg.target - reached;
-    }
+    if (passesEnd(leg, way, reached)) return;
   }
-  moveTo(stopBefore(*leg.hit, displacement));
+  const Point end = stopBefore(*leg.hit, displacement);
+  if (stop_ && leg.end == End::kStopped && isWedge(*leg.hit, end)) {
+    const LegHit stop = *stop_;
+    if (passEnd(stop, *leg.hit, way, start)) return;
+    callContact(*leg.hit);
+    rest_ = Point();
+    return;
+  }
+  moveTo(end);
   callPierced(start);
-  const Point left = leg.target - position();
-  if (leg.end == End::kFull) return left;
+  rest_ = restAfter(way, position() - start);
+  if (leg.end == End::kFull) return;
   callContact(*leg.hit);
-  stops_.push_back(homeNormalOf(*leg.hit));
-  return slide(*leg.hit, left);
+  stopBefore_ = std::exchange(stop_, leg.hit);
 }
 
-// What is left of a displacement slides along the line that stopped it. Between two lines, which each lead into the
-// other, nothing is left; nor when it would turn back, which would rattle in a corner for ever.
-Point EntityStep::slide(const LegHit& hit, Point left) const {
-  const Point slid = outOf(hit, slideAlong(left, stops_.back()));
-  const bool intoAnother = std::any_of(stops_.begin(), stops_.end() - 1, [&](Point normal) { return dot(slid, normal) < 0; });
-  return intoAnother || leadsBack(left) ? Point() : slid;
+bool EntityStep::passesEnd(const Leg& leg, const Way& way, Point reached) {
+  const Point moved = reached - position();
+  const Point onwards = way.slides ? way.whole - moved : leg.target - reached;
+  if (pass(*leg.hit, {onwards, onwards, way.slides}, reached, restAfter(way, moved))) return true;
+  const auto ground = groundBehind(*leg.hit, leg.target, reached);
+  return ground && passEnd(*leg.hit, *ground, way, reached);
 }
 
-// The unrounded direction decides: a slope that is nearly level to what the entity wants leads on by so little that
-// rounding it outwards seems to lead back.
-bool EntityStep::leadsBack(Point left) const {
-  const Point tangent = perpendicular(stops_.back());
-  const std::int64_t along = dot(left, tangent);
-  const std::int64_t wanted = dot(wanted_, tangent);
-  return !((along > 0 && wanted > 0) || (along < 0 && wanted < 0));
-}
-
-// The instance that met the line moves by its own rounding of the displacement, which could lead into the line again: a
-// few subunits outwards prevent that. Bounds: normal < 2^30, displacement < 2^31.
-Point EntityStep::outOf(const LegHit& hit, Point slid) const {
-  const Placement& placement = instances_.all()[hit.placement];
-  const Point outwards = dominantStep(stops_.back());
-  for (int steps = 0; steps < kNudge && slid != Point(); ++steps, slid += outwards) {
-    if (dot(normalOf(hit), placement.at(position() + slid) - placement.position) >= 0) break;
-  }
-  return slid;
+Point EntityStep::restAfter(const Way& way, Point moved) const {
+  return rest_ - (way.slides ? scaleTruncated(rest_, shareOf(moved, way.whole)) : moved);
 }
 
 // I3: an end of a line that a step of a few subunits to the side clears is passed, not hit. The way must lead on from
@@ -203,23 +190,25 @@ bool EntityStep::grazes(const LegHit& hit, Point target, Point reached) const {
   const Placement& placement = instances_.all()[hit.placement];
   const Point from = placement.at(reached);
   const Point side = perpendicular(placement.at(target) - from);
+  const Point feature = hit.hit.feature - from;
   std::int64_t low = dot(side, placement.shape->vertices()[0]);
   std::int64_t high = low;
   for (const Point vertex : placement.shape->vertices()) {
+    if (squaredLength(feature - vertex) <= 2 * kNudge * kNudge) return true;
     low = std::min(low, dot(side, vertex));
     high = std::max(high, dot(side, vertex));
   }
-  const std::int64_t end = dot(side, hit.hit.feature - from);
+  const std::int64_t end = dot(side, feature);
   const int128 depth = std::min(end - low, high - end);
   return depth <= 0 || depth * depth <= int128{kNudge * kNudge} * squaredLength(side);
 }
 
-bool EntityStep::leadsOn(const LegHit& hit, Point from, Point to) {
-  const Placement& placement = instances_.all()[hit.placement];
-  const auto again = collider_.against(placement, placement.at(from), placement.at(to), placement.part->lines[hit.line]);
-  if (again && again->side != Hit::Side::kLine) return false;
+// Whether the way from `from` to `to` passes the end, and leads either along its line or some way on.
+bool EntityStep::leadsOn(const LegHit& end, Point from, Point to) {
   const auto next = collider_.first(instances_, from, to);
-  return !next || squaredLength(scaleTruncated(to - from, next->hit.time)) > squaredLength(Point(kNudge, kNudge));
+  if (!next) return true;
+  if (isSameLine(*next, end)) return next->hit.side == Hit::Side::kLine && dot(slideDirection(*next), to - from) > 0;
+  return squaredLength(scaleTruncated(to - from, next->hit.time)) > squaredLength(Point(kNudge, kNudge));
 }
 
 // A truncated contact point is only a candidate: it can lie inside the obstacle by up to a subunit. At most two steps
@@ -257,19 +246,22 @@ Point EntityStep::homeNormalOf(const LegHit& hit) const {
 
 // The centre may have crossed several parts; each passing turns the frame, and what is left of the displacement with
 // it. Instances are dropped only afterwards: dropping first would let a fast mover escape the solid.
-void EntityStep::passHome(Point& rest) {
+void EntityStep::passHome() {
   while (instances_.homeIsDue()) {
     if (instances_.mendDrift(collider_)) observe();
     const auto turn = instances_.passHome();
     if (!turn) break;
-    rest = rotate(rest, *turn);
+    rest_ = rotate(rest_, *turn);
     wanted_ = rotate(wanted_, *turn);
-    stops_.clear();   // they were in the old frame
+    stop_.reset();   // indices were of the old order
+    stopBefore_.reset();
+    slidAlong_.reset();
+    if (onwards_) onwards_ = Way{rotate(onwards_->part, *turn), rotate(onwards_->whole, *turn), onwards_->slides};
     instances_.storeHome(*state_);
     state_->heading = state_->heading + *turn;
     observe();
   }
-  if (instances_.dropUnreached(kDropMargin)) observe();
+  if (!stop_ && instances_.dropUnreached(kDropMargin)) observe();
 }
 
 void EntityStep::moveTo(Point position) {
@@ -277,7 +269,8 @@ void EntityStep::moveTo(Point position) {
   instances_.moveHomeTo(position);
   state_->position = position;
   if (!moved) return;
-  stops_.clear();
+  stop_.reset();
+  stopBefore_.reset();
   observe();
 }
 

@@ -9,6 +9,7 @@
 #include "shared/physics/instances.h"
 #include "shared/physics/rules.h"
 #include "shared/physics/shape_cache.h"
+#include "shared/physics/slide.h"
 #include "shared/physics/step_observer.h"
 
 namespace platon {
@@ -44,7 +45,13 @@ class EntityStep {
   /// Calls the contacts that last and stores.
   void finish(std::vector<InstanceState>& further);
 
+
  private:
+  // A bump lower than this is passed over (I3): lines meant to join may be off by a rounding at each end.
+  static constexpr std::int32_t kNudge = 6;
+  // What is closer to a line than this touches it, as far as the lattice can tell.
+  static constexpr std::int32_t kPlay = 2;
+
   enum class End : std::uint8_t {
     kReached,
     kStopped,   // by a blocking line
@@ -55,6 +62,12 @@ class EntityStep {
     Point target;
     End end = End::kReached;
     std::optional<LegHit> hit;   // the line, or the warp line, that ends it
+  };
+  /// Where the next leg is to lead.
+  struct Way {
+    Point part;            // as far as the line that it slides along goes
+    Point whole;           // if that line went on for ever
+    bool slides = false;
   };
   struct Event {
     Fraction time;
@@ -68,25 +81,37 @@ class EntityStep {
   bool leadsAway(const LegHit& met, Point target) const;
   Point inRange(Point target) const;
   bool allInRange(Point home) const;
-  Point follow(const Leg& leg);
+  void follow(const Leg& leg, const Way& way);
+  bool passesEnd(const Leg& leg, const Way& way, Point reached);
+  Point restAfter(const Way& way, Point moved) const;
   std::optional<Point> nudge(const LegHit& hit, Point target, Point reached);
   bool grazes(const LegHit& hit, Point target, Point reached) const;
   bool leadsOn(const LegHit& hit, Point from, Point to);
-  bool leadsBack(Point left) const;
-  Point slide(const LegHit& hit, Point left) const;
-  Point outOf(const LegHit& hit, Point slid) const;
   Point stopBefore(const LegHit& hit, Point displacement);
   std::optional<Point> firstFree(Point candidate, Point outwards, Point displacement);
   Point normalOf(const LegHit& hit) const;
   Point homeNormalOf(const LegHit& hit) const;
-  void passHome(Point& rest);
+  void passHome();
+
+  Way nextWay();
+  Reach reachOf(const LegHit& stop) const;
+  Point outOf(const LegHit& stop, Point slid) const;
+  bool leadsBack(const LegHit& line) const;
+  bool isWedge(const LegHit& next, Point end) const;
+  Point slideDirection(const LegHit& hit) const;
+  static bool isSameLine(const LegHit& a, const std::optional<LegHit>& b);
+  static bool isApart(Point normal, Point way);
+  Point shortOfTurning(Point target);
+  bool isTurnedBack(Point end);
+  std::optional<LegHit> groundBehind(const LegHit& end, Point target, Point reached);
+  bool passEnd(const LegHit& end, const LegHit& ground, const Way& way, Point reached);
+  bool pass(const LegHit& end, const Way& onwards, Point reached, Point left);
 
   void moveTo(Point position);
   Point position() const { return instances_.home().position; }
   void observe();
 
   bool tryTurn(std::int32_t hundredths);
-  void turnAsFarAsFree(std::int32_t hundredths);
   void turnBy(std::int32_t hundredths);
   LineRef refOf(const Collider::Pierced& pierced) const;
   std::optional<LineRef> turnBlocker(std::int32_t hundredths);
@@ -104,10 +129,14 @@ class EntityStep {
   Rules* rules_ = nullptr;
   StepObserver* observer_ = nullptr;
   Point wanted_;                           // the whole displacement, in the frame of the present home
+  Point rest_;                             // what is left of it
   Instances instances_;
   Collider collider_;
   std::vector<Collider::Gate> shut_;       // warps that nothing could be inserted behind, for the present leg
-  std::vector<Point> stops_;               // normals of what has stopped the entity where it stands, in home's frame
+  std::optional<Way> onwards_;             // where to after a nudge
+  std::optional<LegHit> slidAlong_;        // the last slide
+  std::optional<LegHit> stopBefore_;       // another one, where it has not moved since
+  std::optional<LegHit> stop_;             // what has stopped the entity where it stands
   std::vector<Event> events_;
   std::vector<InstanceView> views_;
 };

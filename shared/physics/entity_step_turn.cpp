@@ -2,6 +2,7 @@
 #include "shared/physics/entity_step.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace platon {
 namespace {
@@ -26,14 +27,18 @@ std::vector<Collider::Pierced> without(std::vector<Collider::Pierced> all, const
 
 }  // namespace
 
+// Where a part is not free, smaller ones are tried, down to a hundredth of a degree: the hull of a large turn holds more
+// than the shape sweeps over.
 void EntityStep::turn(std::int32_t hundredths) {
+  std::int32_t most = kTurnPart;
   while (hundredths != 0) {
-    const std::int32_t part = std::clamp(hundredths, -kTurnPart, kTurnPart);
-    if (!tryTurn(part)) {
-      turnAsFarAsFree(part);
+    const std::int32_t part = std::clamp(hundredths, -most, most);
+    if (tryTurn(part)) {
+      hundredths -= part;
+    } else if (most = std::abs(part) / 2; most == 0) {
+      if (const auto blocker = turnBlocker(part)) rules_->touchContact(*entity_, *blocker);
       return;
     }
-    hundredths -= part;
   }
 }
 
@@ -41,21 +46,6 @@ bool EntityStep::tryTurn(std::int32_t hundredths) {
   if (turnBlocker(hundredths) || !admitTurn(hundredths) || turnBlocker(hundredths)) return false;
   turnBy(hundredths);
   return true;
-}
-
-// Bisects to the last angle that is free; a whole hundredth of a degree is the smallest turn.
-void EntityStep::turnAsFarAsFree(std::int32_t hundredths) {
-  const std::int32_t unit = hundredths > 0 ? 1 : -1;
-  std::int32_t free = 0;
-  std::int32_t blocked = hundredths * unit;
-  while (blocked - free > 1) {
-    const std::int32_t middle = (free + blocked) / 2;
-    const bool isFree = !turnBlocker(middle * unit) && admitTurn(middle * unit) && !turnBlocker(middle * unit);
-    (isFree ? free : blocked) = middle;
-  }
-  const auto blocker = turnBlocker(blocked * unit);
-  if (free != 0) turnBy(free * unit);
-  if (blocker) rules_->touchContact(*entity_, *blocker);
 }
 
 // Then pierceable lines are left and met, in this order.

@@ -20,20 +20,74 @@ std::int64_t outwards(std::int64_t least, std::int32_t normal) {
   return normal > 0 ? divideCeiling<std::int64_t>(least, normal) : -divideCeiling<std::int64_t>(least, -normal);
 }
 
+struct Extent {
+  std::int64_t low, high;
+};
+
+Extent extentOf(Point point, Point tangent) { return {dot(point, tangent), dot(point, tangent)}; }
+
+Extent joined(Extent a, Extent b) { return {std::min(a.low, b.low), std::max(a.high, b.high)}; }
+
+// Along `tangent`, of the vertices that lie farthest back along `normal`: one, or the two of an edge.
+Extent lowest(const Convex& shape, Point normal, Point tangent) {
+  Extent extent = extentOf(shape.vertices().front(), tangent);
+  std::int64_t depth = dot(normal, shape.vertices().front());
+  for (const Point vertex : shape.vertices()) {
+    const std::int64_t at = dot(normal, vertex);
+    if (at > depth) continue;
+    extent = at < depth ? extentOf(vertex, tangent) : joined(extent, extentOf(vertex, tangent));
+    depth = at;
+  }
+  return extent;
+}
+
+// `tangent` scaled so that its product with itself becomes `along`, cut. Bounds: |tangent| < 2^30, along < 2^62.
+Point partOf(Point tangent, std::int64_t along) {
+  const std::int64_t whole = squaredLength(tangent);
+  const auto scaled = [&](std::int32_t coordinate) {
+    const int128 cut = int128{std::max<std::int64_t>(along, 0)} * coordinate / whole;
+    return static_cast<std::int32_t>(std::clamp<int128>(cut, -kCoordinateLimit, kCoordinateLimit));
+  };
+  return {scaled(tangent.x), scaled(tangent.y)};
+}
+
 }  // namespace
 
-Point slideAlong(Point displacement, Point normal) {
+Point slideAlong(Point displacement, Point normal, Reach reach) {
   const Point tangent = perpendicular(normal);
   const std::int64_t along = dot(displacement, tangent);
   const std::int64_t length = squaredLength(tangent);
+  const std::int64_t most = std::int64_t{1} + (along > 0 ? reach.ahead : reach.behind);
   if (xDominates(tangent)) {
-    const std::int64_t x = part(along, tangent.x, length);
+    const std::int64_t x = std::clamp(part(along, tangent.x, length), -most, most);
     if (x == 0) return {};
     return {static_cast<std::int32_t>(x), static_cast<std::int32_t>(outwards(-x * normal.x, normal.y))};
   }
-  const std::int64_t y = part(along, tangent.y, length);
+  const std::int64_t y = std::clamp(part(along, tangent.y, length), -most, most);
   if (y == 0) return {};
   return {static_cast<std::int32_t>(outwards(-y * normal.y, normal.x)), static_cast<std::int32_t>(y)};
+}
+
+Fraction shareOf(Point moved, Point whole) {
+  const bool x = xDominates(whole);
+  const std::int64_t all = x ? whole.x : whole.y;
+  const std::int64_t done = x ? moved.x : moved.y;
+  return {std::clamp<std::int64_t>(all > 0 ? done : -done, 0, std::abs(all)), std::abs(all)};
+}
+
+std::int32_t longerPart(Point vector) { return std::max(std::abs(vector.x), std::abs(vector.y)); }
+
+EdgeReach reachAlong(const Convex& shape, Point position, const Segment& line, Point normal) {
+  const Point tangent = perpendicular(normal);
+  Extent ends = extentOf(line.a, tangent);
+  if (dot(normal, line.a) == dot(normal, line.b)) {
+    ends = joined(ends, extentOf(line.b, tangent));
+  } else if (dot(normal, line.b) > dot(normal, line.a)) {
+    ends = extentOf(line.b, tangent);
+  }
+  const Extent touching = lowest(shape, normal, tangent);
+  const std::int64_t here = dot(position, tangent);
+  return {partOf(tangent, ends.high - touching.low - here), partOf(-tangent, here - (ends.low - touching.high))};
 }
 
 Point turnedNormal(Point normal, Angle angle) {

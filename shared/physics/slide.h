@@ -1,14 +1,49 @@
 #pragma once
 
+#include <cstdint>
+#include <limits>
+
 #include "shared/exact/angle.h"
+#include "shared/exact/fraction.h"
+#include "shared/exact/integer.h"
 #include "shared/exact/point.h"
+#include "shared/physics/convex.h"
+#include "shared/physics/segment.h"
 
 namespace platon {
 
+/// How far a slide may go along perpendicular(normal) and back, in subunits along the longer axis.
+struct Reach {
+  std::int32_t ahead = std::numeric_limits<std::int32_t>::max();
+  std::int32_t behind = std::numeric_limits<std::int32_t>::max();
+};
+
 /// What is left of a displacement along an edge with outward normal `normal` (not zero, below 2^30): its part along the
 /// edge, cut to whole subunits, then rounded to the outer side, so that it never leads inwards:
-/// dot(result, normal) >= 0. (0, 0) when less than a subunit is left. |displacement| < 2^30 a coordinate.
-Point slideAlong(Point displacement, Point normal);
+/// dot(result, normal) >= 0. (0, 0) when less than a subunit is left. |displacement| < 2^30 a coordinate. It ends a
+/// subunit beyond `reach`.
+Point slideAlong(Point displacement, Point normal, Reach reach = {});
+
+/// How much of `whole`, not zero, has been covered by moving by `moved`, judged along the longer axis: 0 to 1.
+Fraction shareOf(Point moved, Point whole);
+
+/// `displacement * time`, cut; time is at most 1.
+constexpr Point scaleTruncated(Point displacement, Fraction time) {
+  return {scaleTruncated(displacement.x, time), scaleTruncated(displacement.y, time)};
+}
+
+/// The longer coordinate's magnitude.
+std::int32_t longerPart(Point vector);
+
+/// The vectors along an edge of an obstacle to both of its ends, whole subunits, cut.
+struct EdgeReach {
+  Point ahead;
+  Point behind;
+};
+
+/// `line` forbids `shape` a polygon; `position` touches its edge with outward normal `normal`. How far the position can
+/// go along perpendicular(normal), and back, until that edge ends.
+EdgeReach reachAlong(const Convex& shape, Point position, const Segment& line, Point normal);
 
 /// `normal` turned by `angle` and scaled so that its coordinates use 29 bits: within 2^-27 of the true direction.
 Point turnedNormal(Point normal, Angle angle);

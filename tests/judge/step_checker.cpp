@@ -32,6 +32,17 @@ oracle::TraceHeader headerOf(const JudgedScene& scene) {
   return header;
 }
 
+/// Turning, instances that come and go, and passing home move nothing.
+std::size_t movesOf(const std::vector<oracle::TraceLeg>& legs) {
+  std::size_t moves = 0;
+  for (std::size_t i = 1; i < legs.size(); ++i) {
+    const oracle::TraceInstance* before = homeOf(legs[i - 1]);
+    const oracle::TraceInstance* after = homeOf(legs[i]);
+    if (before != nullptr && after != nullptr && before->id == after->id && before->position != after->position) ++moves;
+  }
+  return moves;
+}
+
 }  // namespace
 
 struct StepChecker::Checkers {
@@ -97,7 +108,9 @@ bool StepChecker::isFree(std::uint32_t part, Point position, Angle angle) {
 
 void StepChecker::judge(const std::vector<oracle::TraceLeg>& legs) {
   oracle::StateChecker& states = checkers_->states;
-  if (legs.size() > kMostMoves) report_.violate("I2", std::to_string(legs.size()) + " legs");
+  if (const std::size_t moves = movesOf(legs); moves > kMostMoves) {
+    report_.violate("I2", std::to_string(moves) + " moves");
+  }
   if (!states.isTree(legs.front())) return;
   states.checkPlacements(legs.front());
   for (const oracle::TraceInstance& instance : legs.front()) states.checkFree(instance);

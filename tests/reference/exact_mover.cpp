@@ -41,8 +41,9 @@ ExactMover::ExactMover(const ExactScene& scene)
       const Vec along = polygon[(i + 1) % polygon.size()] - polygon[i];
       const mpz_class x(along.y);
       const mpz_class y(-along.x);
-      obstacle.sides.push_back({x, y, x * polygon[i].x + y * polygon[i].y, x * x + y * y,
-                               oracle::cross(along, line.b - line.a) == 0});
+      obstacle.sides.push_back({x, y, x * polygon[i].x + y * polygon[i].y, x * x + y * y, polygon[i],
+                               polygon[(i + 1) % polygon.size()], oracle::cross(along, line.b - line.a) == 0,
+                               (i + polygon.size() - 1) % polygon.size(), (i + 1) % polygon.size()});
     }
     obstacles_.push_back(std::move(obstacle));
   }
@@ -51,7 +52,7 @@ ExactMover::ExactMover(const ExactScene& scene)
 // The part of [0, 1) inside all sides.
 std::optional<ExactMover::Hit> ExactMover::meet(const Obstacle& obstacle, const RationalVec& from,
                                                 const RationalVec& by) {
-  Hit hit{0, nullptr};
+  Hit hit{0, &obstacle, nullptr};
   mpq_class exit = 1;
   for (const Side& side : obstacle.sides) {
     const mpq_class beyond = side.x * from.x + side.y * from.y - side.bound;
@@ -60,7 +61,7 @@ std::optional<ExactMover::Hit> ExactMover::meet(const Obstacle& obstacle, const 
       if (beyond >= -speed) return std::nullopt;
       const mpq_class time = beyond / -speed;
       const bool tie = hit.side != nullptr && time == hit.time && side.alongLine;
-      if (hit.side == nullptr || time > hit.time || tie) hit = {time, &side};
+      if (hit.side == nullptr || time > hit.time || tie) hit = {time, &obstacle, &side};
     } else if (speed > 0) {
       exit = std::min<mpq_class>(exit, -beyond / speed);
     }
@@ -86,20 +87,49 @@ void ExactMover::advance(const mpq_class& time, const RationalVec& by) {
   if (bits() > kMostBits) throw std::runtime_error("the exact position has outgrown its bits");
 }
 
+RationalVec ExactMover::along(const Side& side, const RationalVec& rest) {
+  const mpq_class inwards = (side.x * rest.x + side.y * rest.y) / side.squaredLength;
+  return {rest.x - inwards * side.x, rest.y - inwards * side.y};
+}
+
+ExactMover::Slide ExactMover::slide(const Side& side, const RationalVec& rest) const {
+  const RationalVec whole = along(side, rest);
+  const mpq_class length = dot(whole, whole);
+  if (length == 0) return {whole, 1};
+  // Counter-clockwise round an obstacle its inside is to the left.
+  const bool forwards = whole.y * side.x - whole.x * side.y > 0;
+  const RationalVec end = rational(forwards ? side.end : side.start);
+  const mpq_class reach = dot({end.x - position_.x, end.y - position_.y}, whole) / length;
+  const mpq_class share = std::clamp<mpq_class>(reach, 0, 1);
+  return {{share * whole.x, share * whole.y}, share};
+}
+
+const ExactMover::Side* ExactMover::holding(const Hit& hit, const RationalVec& rest) const {
+  if (slide(*hit.side, rest).share != 0) return hit.side;
+  const RationalVec whole = along(*hit.side, rest);
+  const bool forwards = whole.y * hit.side->x - whole.x * hit.side->y > 0;
+  return &hit.obstacle->sides[forwards ? hit.side->after : hit.side->before];
+}
+
 void ExactMover::tick() {
   RationalVec rest = velocity_;
-  std::vector<const Side*> here;   // edges that have stopped the mover where it is
-  while (const auto hit = first(rest)) {
-    advance(hit->time, rest);
-    if (hit->time != 0) here.clear();
-    if (std::find(here.begin(), here.end(), hit->side) != here.end()) return;
-    here.push_back(hit->side);
-    const mpq_class left = 1 - hit->time;
-    const mpq_class inwards = (hit->side->x * rest.x + hit->side->y * rest.y) / hit->side->squaredLength;
-    rest = {left * (rest.x - inwards * hit->side->x), left * (rest.y - inwards * hit->side->y)};
-    if (dot(rest, velocity_) <= 0) return;
+  const Side* stop = nullptr;   // what the mover slides along
+  for (;;) {
+    const Slide next = stop == nullptr ? Slide{rest, 1} : slide(*stop, rest);
+    const auto hit = first(next.way);
+    const mpq_class time = hit ? hit->time : 1;
+    advance(time, next.way);
+    const mpq_class left = 1 - time * next.share;
+    rest = {left * rest.x, left * rest.y};
+    if (left == 0 || (next.way.x == 0 && next.way.y == 0)) return;
+    if (!hit) {
+      stop = nullptr;
+      continue;
+    }
+    const Side* met = holding(*hit, rest);
+    if (stop != nullptr && dot({mpq_class(stop->x), mpq_class(stop->y)}, along(*met, rest)) < 0 && time == 0) return;
+    stop = met;
   }
-  advance(1, rest);
 }
 
 std::size_t ExactMover::bits() const { return std::max(bitsOf(position_.x), bitsOf(position_.y)); }

@@ -54,6 +54,21 @@ TEST(ExactMoverTest, StopsWhereTheRestWouldLeadBackwards) {
   expectAt(mover, "3", "0");
 }
 
+TEST(ExactMoverTest, BeyondALedgeItFallsAsBefore) {
+  // The left corner leaves the floor after two thirds of the way; a third of (6, -3) is then left.
+  ExactMover mover(box({{{-90, 0}, {3, 0}}}, {0, 0}, {6, -3}));
+  mover.tick();
+  expectAt(mover, "6", "-1");
+}
+
+TEST(ExactMoverTest, RoundTheEndOfALineItGoesFromEdgeToEdge) {
+  // Down along the left side of a point until the corner clears it, and on.
+  ExactMover mover(box({{{2, 1}, {2, 1}}}, {0, 2}, {4, -4}));
+  mover.tick();   // the lower right corner meets the point at once: half is used to slide down to its top
+  mover.tick();
+  EXPECT_GT(mover.position().x, 0);
+}
+
 TEST(ExactMoverTest, RestsInAWedge) {
   // Corners at (-1, 0) and (1, 0) stand on y = -x - 1 and y = x - 1: symmetric, so the drive is used up.
   ExactMover mover(box({{{-90, 89}, {1, -2}}, {{-1, -2}, {90, 89}}}, {0, 2}, {0, -5}));

@@ -3,56 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
-#include <vector>
 
-#include "shared/game/player.h"
 #include "shared/game/solid.h"
-#include "shared/game/stage.h"
 #include "shared/physics/entity.h"
-#include "shared/physics/map_part.h"
 #include "shared/physics/world.h"
-#include "tests/shared/game/real_face.h"
-#include "tests/shared/physics/leg_checker.h"
+#include "tests/shared/game/edge_floor.h"
 
 namespace platon {
 namespace {
-
-constexpr std::int32_t kSize = 480;
-constexpr double kReach = 60000;   // of the floor to either side of the edge
-
-// A straight floor over one edge; a walker's right is along it.
-struct Floor {
-  SolidKind kind;
-  int face;
-  int edge;
-  double along;   // the edge
-  double slant;   // of the floor from straight over the edge, degrees
-
-  RealFace ideal() const { return {kind, kSize}; }
-  Real crossing() const { return ideal().onEdge(edge, along); }
-  Real direction() const { return turned(ideal().outwards(edge), Angle(static_cast<std::int32_t>(slant * 100))); }
-  Real up() const { return left(direction()); }
-  std::uint32_t behind() const { return PlatonicSolid::of(kind).neighbour(face, edge).face; }
-  /// A position in the frame of `face` as if all were in one plane.
-  Real unfolded(const Entity& entity) const {
-    const Real at = real(entity.position());
-    if (entity.part() == static_cast<std::uint32_t>(face)) return at;
-    const PlatonicSolid::Neighbour& next = PlatonicSolid::of(kind).neighbour(face, edge);
-    return ideal().over(next.face, next.edge, at);
-  }
-  World build() const {
-    std::vector<std::vector<Segment>> lines(static_cast<std::size_t>(PlatonicSolid::of(kind).faces()));
-    const auto over = [&](Real point) { return nearest(ideal().over(face, edge, point)); };
-    lines[static_cast<std::size_t>(face)] = {{nearest(crossing() - kReach * direction()), nearest(crossing())}};
-    lines[behind()] = {{over(crossing() + kReach * direction()), over(crossing())}};
-    return buildStage(kind, kSize, lines);
-  }
-  std::string name() const {
-    return std::string(nameOf(kind)) + ", face " + std::to_string(face) + ", edge " + std::to_string(edge) + " at " +
-           std::to_string(along) + ", slant " + std::to_string(slant);
-  }
-};
 
 template <class Visit>
 void forEachFloor(Visit&& visit) {
@@ -69,38 +27,6 @@ void forEachFloor(Visit&& visit) {
       }
     }
   }
-}
-
-Angle alignedWith(const Floor& floor) { return directionOf(floor.direction()); }
-
-// Puts the ball down `before` subunits before the edge and lets it come to rest.
-Entity settle(World& world, const Floor& floor, double before, Angle angle) {
-  Entity entity(world, playerShape());
-  const Real start = floor.crossing() - before * floor.direction() + 12400.0 * floor.up();
-  MapPart(world, static_cast<std::uint32_t>(floor.face)).insert(entity, nearest(start), angle);
-  // Beyond the edge, home is in the part behind it from the beginning.
-  entity.setVelocity(rotate(nearest(-256 * floor.up()), entity.rotation() - angle));
-  for (int tick = 0; tick < 10; ++tick) world.solve();
-  return entity;
-}
-
-void expectSmooth(const Floor& floor, Angle angle, double press) {
-  World world = floor.build();
-  Entity entity = settle(world, floor, 45000, angle);
-  LegChecker checker(world);
-  const auto height = [&] { return dot(floor.unfolded(entity) - floor.crossing(), floor.up()); };
-  const auto progress = [&] { return dot(floor.unfolded(entity) - floor.crossing(), floor.direction()); };
-  const double settled = height();
-  entity.setVelocity(nearest(4096 * floor.direction() - press * floor.up()));
-  for (int tick = 0; tick < 21; ++tick) {
-    const double before = progress();
-    world.solve(&checker);
-    ASSERT_GE(progress() - before, 4096 * 0.99) << floor.name() << ", tick " << tick << ", turned " << angle.hundredths();
-    // Three for the step, and what the rounded ends of the floor put it off its straight line.
-    ASSERT_LE(std::abs(height() - settled), 3.5) << floor.name() << ", tick " << tick << ", turned " << angle.hundredths();
-  }
-  ASSERT_EQ(entity.part(), floor.behind());
-  ASSERT_EQ(checker.faults(), "") << floor.name();
 }
 
 TEST(FloorOverEdgeTest, RunningOverNeitherSlowsNorLifts) {

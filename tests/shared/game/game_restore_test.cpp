@@ -64,6 +64,15 @@ TEST(GameRestoreTest, AtEveryTickItIsTheSame) {
   }
 }
 
+TEST(GameRestoreTest, ARoundThatIsOverIsRestoredOver) {
+  Game game(level());
+  for (std::uint32_t tick = 0; tick < kRoundTicks; ++tick) game.advance({});
+  ASSERT_TRUE(game.over());
+  Game other(level());
+  ASSERT_TRUE(other.restore(game.save()));
+  EXPECT_TRUE(other.over());
+}
+
 TEST(GameRestoreTest, SixtyFourPlayersTakeLessThan8Kilobytes) {
   Game game(level());
   const std::vector<Input> inputs(64, Input{Input::kPresent | Input::kRight});
@@ -117,6 +126,9 @@ TEST(GameRestoreTest, EveryByteThatIsRestoredShowsInTheHash) {
       ASSERT_EQ(game.save(), changed) << at;
       ASSERT_NE(game.hash(), saved.hash()) << "byte " << at << ", bit " << bit;
       ASSERT_FALSE(game == saved);
+      for (std::uint32_t slot = 0; slot < game.slots(); ++slot) {
+        ASSERT_EQ(game.player(slot).present, game.world().entities()[slot].inserted) << "byte " << at << ", bit " << bit;
+      }
     }
   }
   EXPECT_GT(accepted, 500);

@@ -70,7 +70,7 @@ TEST(EntityStepTest, FitsExactlyThroughAGap) {
 TEST(EntityStepTest, ThinLinesStopTheFastest) {
   Scene scene({{{100000, 0}, {100000, 1}}}, square(10), {0, 0});
   EXPECT_EQ(scene.step({kVelocityLimit - 1, 0}).x, 100000 - 10);
-  Scene point({{{100000, 5}, {100000, 5}}}, square(10), {0, 0});
+  Scene point({{{100000, 3}, {100000, 3}}}, square(10), {0, 0});
   EXPECT_EQ(point.step({kVelocityLimit - 1, 0}).x, 100000 - 10);
 }
 
@@ -275,6 +275,18 @@ TEST(RestTest, APressStraightIntoASlopeMovesNothing) {
     expectRest({{-far, far}}, regular(16, 9000), above, press, "ball on a slope");
     expectRest({{-far, far}}, square(9000), above, press, "square on a slope");
   }
+}
+
+// A nudge off either ledge would be free, but the point under the middle would stop it there at once.
+TEST(RestTest, NothingIsNudgedToWhereTheNextLineStopsIt) {
+  Scene scene({{{9, -10}, {50, -30}}, {{-9, -10}, {-50, -30}}, {{0, -10}, {0, -10}}}, square(10), {0, 0});
+  for (int tick = 0; tick < 4; ++tick) ASSERT_EQ(scene.step({0, -100}), Point(0, 0)) << tick;
+}
+
+// It slides down a slope against a point two subunits above its bottom: a nudge over that would lift it.
+TEST(RestTest, APressDownwardsLiftsNothing) {
+  Scene scene({{{-510, 10}, {490, -30}}, {{15, -8}, {15, -8}}}, square(10), {0, 0});
+  for (int tick = 0; tick < 4; ++tick) ASSERT_EQ(scene.step({0, -256}), Point(5, 0)) << tick;
 }
 
 TEST(RestTest, OnTheEndOfALine) {

@@ -203,6 +203,21 @@ TEST(InstancesTest, AWarpWithoutAWayBackIsADeadEnd) {
   EXPECT_LE(entity.position().x, 600);
 }
 
+// A line of the part behind sticks out over the edge: an instance would stand on it.
+TEST(InstancesTest, AnEdgeBehindWhichNoPlaceIsFreeIsAWall) {
+  World world = twoStrips({}, {{{-1200, 0}, {0, 0}}});
+  Entity entity(world, square(100));
+  MapPart(world, 1).insert(entity, {850, 0}, Angle());
+  LegChecker checker(world);
+  entity.setVelocity({300, 0});
+  for (int tick = 0; tick < 10; ++tick) world.solve(&checker);
+  EXPECT_EQ(checker.faults(), "");
+  EXPECT_EQ(entity.part(), 1u);
+  EXPECT_EQ(world.view(0).size(), 1u);
+  EXPECT_GE(entity.position().x, 890);
+  EXPECT_LE(entity.position().x, 900);
+}
+
 TEST(InstancesTest, ALoopOfOnePartLeadsBackIntoIt) {
   World world;
   MapPart ring(world, 1);
@@ -239,6 +254,22 @@ TEST(InstancesTest, AWallBehindAnyEdgeStopsAtOnce) {
     const Point before = entity.position();
     for (int tick = 0; tick < 500; ++tick) world.solve();
     EXPECT_EQ(entity.position(), before) << turn << ": it rests there";
+  }
+}
+
+// The floor behind the edge stops it where home passes; the part of (200, -50) along the ramp that begins there is left.
+TEST(InstancesTest, WhatStoppedItInTheOldFrameHoldsNothingUpInTheNew) {
+  for (const std::int32_t turn : {0, 9000, 18000, 27000}) {
+    const Point edgeAt(-3000, 70000);
+    const auto behind = [&](Point p) { return edgeAt + rotate(p, Angle(turn)); };
+    const Point corner = behind({10400, -300});
+    World world = turnedPair(Angle(turn), edgeAt, {{behind({10050, -300}), corner}, {corner, behind({11400, 200})}});
+    Entity entity(world, square(100));
+    MapPart(world, 1).insert(entity, {9500, 0}, Angle());
+    entity.setVelocity({1000, -250});
+    world.solve();
+    EXPECT_EQ(entity.part(), 2u);
+    EXPECT_EQ(entity.position(), behind({10440, -130})) << turn;
   }
 }
 

@@ -84,6 +84,14 @@ TEST(GeometryTest, AWayBackOverAnotherLineIsNone) {
   EXPECT_EQ(geometry->wayBack(1, there), std::nullopt);
 }
 
+TEST(GeometryTest, AWayBackOntoAnotherLineIsNone) {
+  const Warp there{kEast, 2, reversed(kWest), Angle()};
+  Warp shifted{kWest, 1, reversed(kEast), Angle()};
+  shifted.onto.a.y += 1;
+  const auto geometry = withPart(*withPart(Geometry(), part(1, {there})), part(2, {shifted}));
+  EXPECT_EQ(geometry->wayBack(1, there), std::nullopt);
+}
+
 TEST(GeometryTest, APartMayLeadToItself) {
   const Warp right{kEast, 1, reversed(kWest), Angle()};
   const Warp left{kWest, 1, reversed(kEast), Angle()};

@@ -45,7 +45,7 @@ TEST(RegionTest, CoversAMoverWhereverItGoes) {
   Region region;
   Point at;
   for (int i = 0; i < 2000; ++i) {
-    at += random.vector(i % 50 == 0 ? 1 << 18 : 3000);
+    at += random.vector(i % 50 == 0 ? 1 << 18 : 20000);
     if (std::abs(at.x) > 1 << 21 || std::abs(at.y) > 1 << 21) at = Point();
     const Box box{at - Point(12000, 12000), at + Point(12000, 12000)};
     region.cover(part, box);

@@ -1,0 +1,124 @@
+// What is left of a displacement slides along what stopped it.
+#include <utility>
+
+#include "shared/exact/integer.h"
+#include "shared/physics/entity_step.h"
+#include "shared/physics/slide.h"
+
+namespace platon {
+
+EntityStep::Way EntityStep::nextWay() {
+  if (onwards_) return *std::exchange(onwards_, std::nullopt);
+  if (!stop_) return {rest_, rest_, false};
+  slidAlong_ = stop_;
+  const Point normal = homeNormalOf(*stop_);
+  const Point whole = slideAlong(rest_, normal);
+  const Point part = slideAlong(rest_, normal, reachOf(*stop_));
+  return {outOf(*stop_, part), whole, true};
+}
+
+// How far home can slide until the line that stopped it, or its end, lies no longer on the same edge of the shape.
+Reach EntityStep::reachOf(const LegHit& stop) const {
+  const Placement& placement = instances_.all()[stop.placement];
+  const Segment& line = placement.part->lines[stop.line];
+  const EdgeReach reach = reachAlong(*placement.shape, placement.position, line, normalOf(stop));
+  const Angle toHome = instances_.home().angle - placement.angle;
+  return {longerPart(rotate(reach.ahead, directionOf(toHome))), longerPart(rotate(reach.behind, directionOf(toHome)))};
+}
+
+// The instance that met the line moves by its own rounding of the displacement, which could lead into the line again: a
+// few subunits outwards prevent that. Bounds: normal < 2^30, displacement < 2^31.
+Point EntityStep::outOf(const LegHit& stop, Point slid) const {
+  const Placement& placement = instances_.all()[stop.placement];
+  const Point outwards = dominantStep(homeNormalOf(stop));
+  for (int steps = 0; steps < kNudge && slid != Point(); ++steps, slid += outwards) {
+    if (dot(normalOf(stop), placement.at(position() + slid) - placement.position) >= 0) break;
+  }
+  return slid;
+}
+
+// Which way the entity slides along a line that it meets: towards the part of what it wants that the line leaves. Not
+// scaled; zero when nothing is left.
+Point EntityStep::slideDirection(const LegHit& hit) const {
+  const Point tangent = perpendicular(homeNormalOf(hit));
+  const std::int64_t along = dot(wanted_, tangent);
+  return along == 0 ? Point() : along > 0 ? tangent : -tangent;
+}
+
+// Whether the way along this line leads into what stopped the entity, and not onwards; or has been tried from here.
+bool EntityStep::leadsBack(const LegHit& line) const {
+  const Point way = slideDirection(line);
+  return isSameLine(line, stop_) || isSameLine(line, stopBefore_) || (dot(way, homeNormalOf(*stop_)) < 0 && dot(way, slideDirection(*stop_)) <= 0);
+}
+
+// Whether the next line, which would stop the slide at `end`, leads back again, and nothing would be gained on the way.
+// What is wanted rises with every other move, so that no sequence of them brings an entity that rests back to where it was.
+bool EntityStep::isWedge(const LegHit& next, Point end) const {
+  return dot(end - position(), wanted_) <= 0 && leadsBack(next);
+}
+
+// Whether a way to a line with this normal is longer than the lattice leaves open. Bounds: normal < 2^30, way < 2^31.
+bool EntityStep::isApart(Point normal, Point way) {
+  const int128 depth = dot(normal, way);
+  return depth * depth > int128{kPlay * kPlay} * squaredLength(normal);
+}
+
+// Between two lines that each lead into the other, the lattice leaves places a little above both, and each line would
+// send the entity to the other side in turn, for ever. A slide that gains nothing stops before it would be turned back.
+Point EntityStep::shortOfTurning(Point target) {
+  Point way = target - position();
+  while (way != Point() && dot(way, wanted_) <= 0) {
+    const Point end = position() + way;
+    if ((end == target || collider_.isFree(instances_, position(), end)) && !isTurnedBack(end)) return end;
+    way = slideAlong({way.x / 2, way.y / 2}, homeNormalOf(*stop_));
+  }
+  return position() + way;
+}
+
+bool EntityStep::isTurnedBack(Point end) {
+  const Point target = end + wanted_;
+  if (!allInRange(target)) return false;
+  const auto next = collider_.firstBut(instances_, end, target, *stop_);
+  return next && !isApart(homeNormalOf(*next), scaleTruncated(wanted_, next->hit.time)) && leadsBack(*next);
+}
+
+// What the entity would meet, close by, if the line whose end it has met were not there.
+std::optional<LegHit> EntityStep::groundBehind(const LegHit& end, Point target, Point reached) {
+  if (end.hit.side != Hit::Side::kLineEnd) return std::nullopt;
+  const Point displacement = target - position();
+  const Point beyond = reached + displacement;
+  if (!allInRange(beyond)) return std::nullopt;
+  const auto ground = collider_.firstBut(instances_, reached, beyond, end);
+  if (!ground || ground->hit.side == Hit::Side::kInside || isApart(homeNormalOf(*ground), scaleTruncated(displacement, ground->hit.time))) return std::nullopt;
+  return ground;
+}
+
+// The end of a line that stands out a little from another one, which the entity slides along, is passed as that other
+// line's own direction tells: what is wanted may lead down to it more steeply.
+bool EntityStep::passEnd(const LegHit& end, const LegHit& ground, const Way& way, Point reached) {
+  if (end.hit.side != Hit::Side::kLineEnd) return false;
+  const Point left = restAfter(way, reached - position());
+  const Point along = slideAlong(left, homeNormalOf(ground));
+  if (along == Point() || dot(along, homeNormalOf(end)) >= 0 || !allInRange(reached + along)) return false;
+  return pass(end, {along, along, true}, reached, left);
+}
+
+bool EntityStep::isSameLine(const LegHit& a, const std::optional<LegHit>& b) {
+  return b && a.placement == b->placement && a.line == b->line;
+}
+
+// I3: goes on beside the end of a line, where a nudge clears it. `onwards` is where to from there, `left` what will be
+// left of the displacement.
+bool EntityStep::pass(const LegHit& end, const Way& onwards, Point reached, Point left) {
+  if (onwards.part == Point() || isSameLine(end, slidAlong_)) return false;
+  const auto nudged = nudge(end, reached + onwards.part, reached);
+  if (!nudged) return false;
+  const Point start = position();
+  moveTo(*nudged);
+  callPierced(start);
+  rest_ = left;
+  onwards_ = onwards;
+  return true;
+}
+
+}  // namespace platon
