@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "shared/exact/angle.h"
+#include "shared/exact/integer.h"
 #include "shared/exact/point.h"
 
 namespace platon {
@@ -18,6 +20,22 @@ struct PrecisePoint {
 };
 
 constexpr PrecisePoint precise(Point point) { return {point.x * PrecisePoint::kOne, point.y * PrecisePoint::kOne}; }
+
+constexpr PrecisePoint operator+(PrecisePoint a, PrecisePoint b) { return {a.x + b.x, a.y + b.y}; }
+constexpr PrecisePoint operator-(PrecisePoint a, PrecisePoint b) { return {a.x - b.x, a.y - b.y}; }
+
+/// The nearest whole point, halves away from zero. The coordinates must fit.
+constexpr Point rounded(PrecisePoint point) {
+  return {static_cast<std::int32_t>(divideRounded(point.x, PrecisePoint::kOne)),
+          static_cast<std::int32_t>(divideRounded(point.y, PrecisePoint::kOne))};
+}
+
+/// `vector` turned. |vector| < 2^31 a coordinate.
+constexpr PrecisePoint rotatePrecise(Point vector, Direction direction) {
+  constexpr std::int64_t scale = std::int64_t{1} << (Direction::kFractionBits - PrecisePoint::kBits);
+  const WideVector turned = rotateWide(vector, direction);
+  return {divideRounded(turned.x, scale), divideRounded(turned.y, scale)};
+}
 
 /// Half way between two points, exactly.
 constexpr PrecisePoint middle(Point a, Point b) {

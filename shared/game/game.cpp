@@ -1,6 +1,7 @@
 #include "shared/game/game.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <utility>
 
@@ -17,12 +18,13 @@ class GameRules : public Rules {
   GameRules(World& world, std::vector<PlayerState>& players) : world_(world), players_(players) {}
 
   void contact(Entity& entity, const Contact& contact) override {
-    Player(world_, entity.index(), players_[entity.index()]).contact(contact);
+    Player(world_, entity.index(), players_[entity.index()]).contact(contact, steep_[entity.index()]);
   }
 
  private:
   World& world_;
   std::vector<PlayerState>& players_;
+  std::array<Point, kMaxPlayers> steep_{};   // by player
 };
 
 }  // namespace

@@ -78,7 +78,7 @@ void Player::tick(Input input) {
   state_->held = input.buttons;
   fall();
   const Point press = scaled(-state_->ground, kPress);
-  setVelocity(platon::rotate(state_->velocity + press, up()));
+  setVelocity(state_->velocity + press, up());
   state_->ground = Point();   // until a contact says otherwise
 }
 
@@ -123,11 +123,15 @@ void Player::fall() {
   state_->velocity.y = std::max(state_->velocity.y - kGravity, -kFallSpeed);
 }
 
-void Player::contact(const Contact& contact) {
+void Player::contact(const Contact& contact, Point& steep) {
   const Point normal = unit(turnedNormal(contact.normal, contact.toHome - up()));
   const bool landing = normal.y >= kGroundNormal;
   const bool wasInAir = state_->coyote != kCoyoteTicks - 1;
-  if (landing) state_->ground = normal;
+  if (landing) {
+    state_->ground = normal;
+  } else if (normal.y > 0) {
+    holdBetween(normal, steep);
+  }
   Point& velocity = state_->velocity;
   const std::int32_t inwards = along(velocity, normal);
   if (inwards >= 0) return;
@@ -136,6 +140,13 @@ void Player::contact(const Contact& contact) {
   } else {
     velocity -= scaled(normal, inwards);
   }
+}
+
+// Between two steep lines that lean to either side one stands: else there would be no way out.
+void Player::holdBetween(Point normal, Point& steep) {
+  const bool opposite = (normal.x > 0 && steep.x < 0) || (normal.x < 0 && steep.x > 0);
+  if (opposite && state_->ground == Point()) state_->ground = Point(0, PlayerState::kUnit);
+  steep = normal;
 }
 
 }  // namespace platon

@@ -57,8 +57,9 @@ class Player : public Entity {
 
   /// Processes the buttons and updates the velocity, before the world is solved.
   void tick(Input input);
-  /// Takes out of the velocity what a line stops, and remembers the ground; called while the world is solved.
-  void contact(const Contact& contact);
+  /// Takes out of the velocity what a line stops, and remembers the ground; called while the world is solved. `steep`,
+  /// (0, 0) at the start of each tick, keeps the normal of a line that is too steep to be ground.
+  void contact(const Contact& contact, Point& steep);
 
   /// The player's up in the frame of its face is +y turned by this.
   Angle up() const { return rotation(); }
@@ -67,6 +68,7 @@ class Player : public Entity {
   void run(Input input);
   void jump(Input input);
   void fall();
+  void holdBetween(Point normal, Point& steep);
 
   PlayerState* state_;
 };

@@ -17,11 +17,13 @@ std::uint32_t Entity::part() const { return state().part; }
 bool Entity::inserted() const { return state().inserted != 0; }
 const Convex& Entity::shape() const { return world_->shapeOf(index_); }
 
-void Entity::setVelocity(Point velocity) {
+void Entity::setVelocity(Point velocity) { setVelocity(velocity, Angle()); }
+
+void Entity::setVelocity(Point velocity, Angle frame) {
   assert(isVelocity(velocity));
   EntityState& mine = world_->state_.entities[index_];
   mine.velocity = velocity;
-  mine.heading = Angle();
+  mine.heading = frame;
 }
 
 void Entity::addVelocity(Point change) { setVelocity(velocity() + change); }

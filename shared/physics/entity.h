@@ -34,6 +34,8 @@ class Entity {
 
   /// |velocity| < 2^28 a coordinate.
   void setVelocity(Point velocity);
+  /// `velocity` in a frame that is turned by `frame` from the home part's: it is carried over edges and never rounded.
+  void setVelocity(Point velocity, Angle frame);
   void addVelocity(Point change);
   /// Turns the shape at the next step by this many hundredths of a degree (positive counter-clockwise, less than a
   /// whole turn), as far as it is free to turn.

@@ -64,6 +64,8 @@ struct EntityState {
   std::uint32_t part = 0;                 ///< home part
   Point position;                         ///< in the home part's frame, subunits
   Point velocity;                         ///< subunits a tick; turned by `heading` it is in the home part's frame
+  Point remainder;                        ///< what rounding to the lattice has left, in 65 536ths of a subunit: free
+                                          ///< ways over edges would drift without it; 0 after any contact
   Angle heading;                          ///< the turns of all crossings since the velocity was set: never rounded
   Angle angle;                            ///< of the shape in the home part's frame
   std::int32_t turn = 0;                  ///< still to be turned at the next step, hundredths of a degree
@@ -83,6 +85,7 @@ struct EntityState {
     visitor("part", state.part);
     visitor("position", state.position);
     visitor("velocity", state.velocity);
+    visitor("remainder", state.remainder);
     visitor("heading", state.heading);
     visitor("angle", state.angle);
     visitor("turn", state.turn);
@@ -95,5 +98,8 @@ struct EntityState {
   }
 };
 static_assert(sizeof(EntityState) <= 128);
+
+/// The greatest remainder: an instance stands off its true place by 4 subunits at most, and roundings add less than 1 each.
+inline constexpr std::int32_t kRemainderLimit = 8 << 16;
 
 }  // namespace platon

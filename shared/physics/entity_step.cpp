@@ -48,8 +48,8 @@ void EntityStep::begin(Entity entity, EntityState& state, std::span<const Instan
 }
 
 // What the entity wants stays as it is while it slides: a line takes only what leads into it, for as long as it touches.
-void EntityStep::translate(Point displacement) {
-  wanted_ = rest_ = displacement;
+void EntityStep::translate(Point velocity, Angle heading) {
+  takeVelocity(velocity, heading);
   stop_.reset();
   stopBefore_.reset();
   slidAlong_.reset();
@@ -64,10 +64,29 @@ void EntityStep::translate(Point displacement) {
     if (rest_ == Point() || !moves) break;
   }
   if (instances_.dropUnreached(kDropMargin)) observe();
+  keepRemainder();
+}
+
+// What rests does so exactly: a remainder alone moves nothing.
+void EntityStep::takeVelocity(Point velocity, Angle heading) {
+  remainder_ = {state_->remainder.x, state_->remainder.y};
+  isFree_ = true;
+  wanted_ = rest_ = Point();
+  if (velocity == Point()) return;
+  const PrecisePoint exact = rotatePrecise(velocity, directionOf(heading)) + remainder_;
+  wanted_ = rest_ = rounded(exact);
+  remainder_ = exact - precise(rest_);
+}
+
+// Where something was in the way, the exact place means nothing any more.
+void EntityStep::keepRemainder() {
+  const bool keeps = isFree_ && rest_ == Point() && std::max(std::abs(remainder_.x), std::abs(remainder_.y)) <= kRemainderLimit;
+  state_->remainder = keeps ? Point(static_cast<std::int32_t>(remainder_.x), static_cast<std::int32_t>(remainder_.y)) : Point();
 }
 
 bool EntityStep::settle() {
   const Leg leg = admit(position());
+  rest_ = Point();
   passHome();
   if (instances_.dropUnreached(kDropMargin)) observe();
   return leg.end == End::kReached && shut_.empty();
@@ -138,6 +157,7 @@ void EntityStep::follow(const Leg& leg, const Way& way) {
     rest_ = position() == start ? Point() : restAfter(way, position() - start);
     return;
   }
+  isFree_ = false;
   const Point displacement = leg.target - start;
   const Point reached = start + scaleTruncated(displacement, leg.hit->hit.time);
   if (leg.end == End::kStopped) {
@@ -178,8 +198,8 @@ std::optional<Point> EntityStep::nudge(const LegHit& hit, Point target, Point re
   for (const Point offset : kNudgeOffsets) {
     const Point from = reached + offset;
     const Point to = target + offset;
-    if (dot(to - position(), wanted_) <= 0 || !allInRange(to)) continue;
-    if (leadsOn(hit, from, to) && collider_.isFree(instances_, position(), from)) return from;
+    if (dot(to - position(), wanted_) <= 0 || dot(to - position(), homeNormalOf(hit)) >= 0 || !allInRange(to)) continue;
+    if (leadsOn(hit, reached, from, to) && collider_.isFree(instances_, position(), from)) return from;
   }
   return std::nullopt;
 }
@@ -204,11 +224,23 @@ bool EntityStep::grazes(const LegHit& hit, Point target, Point reached) const {
 }
 
 // Whether the way from `from` to `to` passes the end, and leads either along its line or some way on.
-bool EntityStep::leadsOn(const LegHit& end, Point from, Point to) {
+bool EntityStep::leadsOn(const LegHit& end, Point reached, Point from, Point to) {
   const auto next = collider_.first(instances_, from, to);
   if (!next) return true;
-  if (isSameLine(*next, end)) return next->hit.side == Hit::Side::kLine && dot(slideDirection(*next), to - from) > 0;
+  if (isSameLine(*next, end)) {
+    const Point way = slideDirection(*next);
+    return next->hit.side == Hit::Side::kLine && dot(way, to - from) > 0 && !isStepBack(end, way, from - reached);
+  }
   return squaredLength(scaleTruncated(to - from, next->hit.time)) > squaredLength(Point(kNudge, kNudge));
+}
+
+// Whether the offset leads back along the line that it would bring the entity onto, although the edge that has met the
+// line's end lies flat on it, so that sliding over the end leads the same way. Bounds: products < 2^61.
+bool EntityStep::isStepBack(const LegHit& end, Point way, Point offset) const {
+  const Point beside = slideDirection(end);
+  const int128 askew = cross(way, beside);
+  const bool flat = dot(way, beside) > 0 && 16 * askew * askew < int128{squaredLength(way)} * squaredLength(beside);
+  return flat && dot(way, offset) < 0 && isApart(way, offset);
 }
 
 // A truncated contact point is only a candidate: it can lie inside the obstacle by up to a subunit. At most two steps
@@ -249,19 +281,26 @@ Point EntityStep::homeNormalOf(const LegHit& hit) const {
 void EntityStep::passHome() {
   while (instances_.homeIsDue()) {
     if (instances_.mendDrift(collider_)) observe();
-    const auto turn = instances_.passHome();
+    const auto turn = instances_.passHome(remainder_);
     if (!turn) break;
-    rest_ = rotate(rest_, *turn);
-    wanted_ = rotate(wanted_, *turn);
-    stop_.reset();   // indices were of the old order
-    stopBefore_.reset();
-    slidAlong_.reset();
-    if (onwards_) onwards_ = Way{rotate(onwards_->part, *turn), rotate(onwards_->whole, *turn), onwards_->slides};
+    turnFrame(*turn);
     instances_.storeHome(*state_);
     state_->heading = state_->heading + *turn;
     observe();
   }
   if (!stop_ && instances_.dropUnreached(kDropMargin)) observe();
+}
+
+void EntityStep::turnFrame(Angle turn) {
+  const Direction direction = directionOf(turn);
+  const PrecisePoint rest = rotatePrecise(rest_, direction) + remainder_;
+  rest_ = rest_ == Point() ? Point() : rounded(rest);
+  remainder_ = rest - precise(rest_);
+  wanted_ = rotate(wanted_, direction);
+  if (onwards_) onwards_ = Way{rotate(onwards_->part, direction), rotate(onwards_->whole, direction), onwards_->slides};
+  stop_.reset();   // indices were of the old order
+  stopBefore_.reset();
+  slidAlong_.reset();
 }
 
 void EntityStep::moveTo(Point position) {

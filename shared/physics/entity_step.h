@@ -34,8 +34,8 @@ class EntityStep {
   };
   void begin(Entity entity, EntityState& state, std::span<const InstanceState> further, const Setting& setting);
   void turn(std::int32_t hundredths);
-  /// `displacement` in the frame of the home part.
-  void translate(Point displacement);
+  /// By `velocity`, which `heading` turns into the frame of the home part.
+  void translate(Point velocity, Angle heading);
   /// Adds the instances that the shape reaches where it stands. False when one cannot be placed.
   bool settle();
   /// Whether no instance overlaps a blocking line.
@@ -76,6 +76,8 @@ class EntityStep {
     std::uint32_t line;
   };
 
+  void takeVelocity(Point velocity, Angle heading);
+  void keepRemainder();
   Leg admit(Point target);
   void insertBehind(Leg& leg, const LegHit& met);
   bool leadsAway(const LegHit& met, Point target) const;
@@ -86,12 +88,14 @@ class EntityStep {
   Point restAfter(const Way& way, Point moved) const;
   std::optional<Point> nudge(const LegHit& hit, Point target, Point reached);
   bool grazes(const LegHit& hit, Point target, Point reached) const;
-  bool leadsOn(const LegHit& hit, Point from, Point to);
+  bool leadsOn(const LegHit& hit, Point reached, Point from, Point to);
+  bool isStepBack(const LegHit& end, Point way, Point offset) const;
   Point stopBefore(const LegHit& hit, Point displacement);
   std::optional<Point> firstFree(Point candidate, Point outwards, Point displacement);
   Point normalOf(const LegHit& hit) const;
   Point homeNormalOf(const LegHit& hit) const;
   void passHome();
+  void turnFrame(Angle turn);
 
   Way nextWay();
   Reach reachOf(const LegHit& stop) const;
@@ -130,6 +134,8 @@ class EntityStep {
   StepObserver* observer_ = nullptr;
   Point wanted_;                           // the whole displacement, in the frame of the present home
   Point rest_;                             // what is left of it
+  PrecisePoint remainder_;                 // what rounding has left of position and rest
+  bool isFree_ = true;                     // nothing was in the way in this step
   Instances instances_;
   Collider collider_;
   std::vector<Collider::Gate> shut_;       // warps that nothing could be inserted behind, for the present leg

@@ -100,7 +100,9 @@ bool EntityStep::passEnd(const LegHit& end, const LegHit& ground, const Way& way
   const Point left = restAfter(way, reached - position());
   const Point along = slideAlong(left, homeNormalOf(ground));
   if (along == Point() || dot(along, homeNormalOf(end)) >= 0 || !allInRange(reached + along)) return false;
-  return pass(end, {along, along, true}, reached, left);
+  if (!pass(end, {along, along, true}, reached, left)) return false;
+  callContact(ground);
+  return true;
 }
 
 bool EntityStep::isSameLine(const LegHit& a, const std::optional<LegHit>& b) {

@@ -184,10 +184,11 @@ const Convex* Instances::shapeTurned(std::size_t index, std::int32_t hundredths)
   return shapes_->turned(shapeIndex_, *base_, placements_[index].angle + Angle(hundredths));
 }
 
-std::optional<Angle> Instances::passHome() {
+std::optional<Angle> Instances::passHome(PrecisePoint& remainder) {
   const std::size_t next = heir();
   if (next == Placement::kNone) return std::nullopt;
   const Angle before = home().angle;
+  const PrecisePoint there = through(home().part->warps[placements_[next].warp], precise(home().position) + remainder);
   undo_ = placements_;
   reroot(next);
   anchorAll();
@@ -197,6 +198,7 @@ std::optional<Angle> Instances::passHome() {
     return std::nullopt;
   }
   ++crossings_;
+  remainder = there - precise(home().position);
   return home().angle - before;
 }
 
@@ -297,11 +299,6 @@ bool Instances::hangs(std::size_t index) const {
     if (kept_[index] == 0) return false;
   }
   return true;
-}
-
-Point Instances::rounded(PrecisePoint point) {
-  return {static_cast<std::int32_t>(divideRounded(point.x, PrecisePoint::kOne)),
-          static_cast<std::int32_t>(divideRounded(point.y, PrecisePoint::kOne))};
 }
 
 std::int64_t Instances::squaredMiss(PrecisePoint ideal, Point point) {

@@ -70,7 +70,8 @@ class Instances {
   /// Hands home to the instance whose part the centre has crossed into. No instance moves. Returns the turn from the
   /// old home's frame to the new one's; nothing when home is not due, or when an instance would then be farther than
   /// kMostError from its true placement.
-  std::optional<Angle> passHome();
+  /// `remainder`, which belongs to home's position, becomes that of the new home's: its exact place is kept.
+  std::optional<Angle> passHome(PrecisePoint& remainder);
   /// Removes the instances whose warp line their parent, grown by `margin`, no longer reaches. True when any was.
   bool dropUnreached(std::int32_t margin);
 
@@ -86,7 +87,6 @@ class Instances {
   bool hangs(std::size_t index) const;
   PrecisePoint ideal(std::size_t index) const;
   static PrecisePoint through(const Warp& warp, PrecisePoint point);
-  static Point rounded(PrecisePoint point);
   static std::int64_t squaredMiss(PrecisePoint ideal, Point point);
   static std::optional<Point> nearestFree(const Placement& placement, const Point* from, PrecisePoint ideal,
                                           std::int64_t closerThan, Collider& collider);

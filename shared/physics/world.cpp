@@ -58,7 +58,7 @@ void World::solve(Rules& rules, StepObserver* observer) {
     if (entity.inserted == 0) continue;
     beginStep(index, further, rules, observer);
     scratch.step.turn(std::exchange(entity.turn, 0));
-    scratch.step.translate(rotate(entity.velocity, entity.heading));
+    scratch.step.translate(entity.velocity, entity.heading);
     scratch.step.finish(scratch.further);
   }
   state_.instances.swap(scratch.further);
@@ -138,6 +138,7 @@ void World::placeHome(std::uint32_t entity, std::uint32_t part, Point origin, An
   state.part = part;
   state.position = origin;
   state.angle = angle;
+  state.remainder = Point();
   state.id = takeId(state.nextId, [](std::uint16_t) { return false; });
   state.inserted = 1;
   state.fresh = 1;
@@ -217,6 +218,7 @@ void World::promoteFirst(EntityState& state, std::vector<InstanceState>& further
   const InstanceState heir = further.front();
   state.part = heir.part;
   state.position = heir.anchor;
+  state.remainder = Point();
   state.heading = state.heading + (heir.angle - state.angle);
   state.angle = heir.angle;
   state.id = heir.id;

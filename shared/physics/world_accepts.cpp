@@ -10,6 +10,9 @@ namespace platon {
 namespace {
 
 bool inRange(Point point) { return isCoordinate(point.x) && isCoordinate(point.y); }
+bool isRemainder(Point point) {
+  return std::abs(std::int64_t{point.x}) <= kRemainderLimit && std::abs(std::int64_t{point.y}) <= kRemainderLimit;
+}
 bool isFlag(std::uint16_t value) { return value <= 1; }
 
 // Where an instance stands that another one may hang on.
@@ -63,7 +66,7 @@ bool turns(const Convex& shape, const EntityState& entity, std::span<const Insta
 bool acceptsEntity(const Geometry& geometry, const Convex& shape, const EntityState& entity,
                    std::span<const InstanceState> instances) {
   if (!isFlag(entity.inserted) || !isFlag(entity.fresh) || entity.nextId == InstanceState::kNoParent) return false;
-  if (!isVelocity(entity.velocity) || !inRange(entity.position)) return false;
+  if (!isVelocity(entity.velocity) || !inRange(entity.position) || !isRemainder(entity.remainder)) return false;
   if (std::abs(std::int64_t{entity.turn}) >= Angle::kTurn) return false;
   if (entity.inserted == 0) return instances.empty();
   if (geometry.find(entity.part) == nullptr || instances.size() >= Instances::kMost) return false;

@@ -137,8 +137,7 @@ TEST(CrossingTest, DitheringOnAnEdgeDoesNotDrift) {
     const Point step = nearest(7 * ideal.outwards(edge));
     LegChecker checker(walk.world);
     for (int tick = 0; tick < 100000; ++tick) {
-      const Point velocity = rotate(tick % 2 == 0 ? step : -step, walk.entity.rotation());
-      walk.entity.setVelocity(velocity);
+      walk.entity.setVelocity(tick % 2 == 0 ? step : -step, walk.entity.rotation());
       const bool watched = tick % 1000 < 4;
       if (tick % 1000 == 0) checker.forget();
       walk.world.solve(watched ? &checker : nullptr);

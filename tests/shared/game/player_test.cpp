@@ -49,6 +49,17 @@ TEST(PlayerTest, FallsAndComesToRest) {
   EXPECT_EQ(played.position(), rest);
 }
 
+TEST(PlayerTest, BetweenTwoSteepLinesItStandsAndGetsOut) {
+  PlayedGame played(cubeLevel("0 0 0 0", {"-100 0 0 -173\n0 -173 100 0"}));
+  played.run(200, kNone);
+  EXPECT_EQ(played.player().ground, Point(0, PlayerState::kUnit));
+  const Point rest = played.position();
+  played.run(100, kNone);
+  EXPECT_EQ(played.position(), rest);
+  played.run(10, Input::kJump);
+  EXPECT_GT(played.position().y, rest.y + units(30));
+}
+
 TEST(PlayerTest, FallsNoFasterThanTheLimit) {
   PlayedGame played(cubeLevel("0 0 0 0", {}));
   std::int32_t fastest = 0;

@@ -113,8 +113,7 @@ TEST(InstancesTest, DitheringOverAnEdgeDoesNotDrift) {
     MapPart(world, 1).insert(entity, {9998, 1234}, Angle());
     LegChecker checker(world);
     for (int tick = 0; tick < 10000; ++tick) {
-      const Point there = rotate(Point(5, 0), entity.part() == 2u ? Angle(turn) : Angle());
-      entity.setVelocity(tick % 2 == 0 ? there : -there);
+      entity.setVelocity({tick % 2 == 0 ? 5 : -5, 0}, entity.rotation());
       world.solve(tick % 100 < 4 ? &checker : nullptr);
       if (tick % 100 == 3) checker.forget();
     }

@@ -166,7 +166,7 @@ TEST(WorldTest, EverySingleChangeShowsInHashAndComparison) {
   forEachChange(state.entities[0], [&](const char* name) { check(state, name); });
   forEachChange(state.instances[0], [&](const char* name) { check(state, name); });
   EXPECT_EQ(state, before);
-  EXPECT_EQ(hashes.size(), 1u + 13 + 2 + 8 + 2) << "13 fields with two points, 8 fields with two points";
+  EXPECT_EQ(hashes.size(), 1u + 14 + 3 + 8 + 2) << "14 fields with three points, 8 fields with two points";
 }
 
 TEST(WorldTest, StateIsAsSmallAsPromised) {
