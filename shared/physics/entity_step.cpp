@@ -1,7 +1,6 @@
 #include "shared/physics/entity_step.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "shared/exact/integer.h"
@@ -14,23 +13,6 @@ namespace {
 // so that none flickers.
 constexpr std::int32_t kInsertMargin = 4;
 constexpr std::int32_t kDropMargin = 8;
-
-constexpr std::size_t kNudges = 112;
-
-// Sideways steps, nearest first.
-constexpr auto kNudgeOffsets = [](std::int32_t most) {
-  std::array<Point, kNudges> offsets{};
-  std::size_t count = 0;
-  for (std::int64_t squared = 1; squared <= most * most; ++squared) {
-    for (int y = -most; y <= most; ++y) {
-      for (int x = -most; x <= most; ++x) {
-        if (squaredLength(Point(x, y)) == squared) offsets[count++] = Point(x, y);
-      }
-    }
-  }
-  return offsets;
-}(6);
-static_assert(kNudgeOffsets.back() != Point());
 
 Point halved(Point displacement) { return {displacement.x / 2, displacement.y / 2}; }
 
@@ -47,7 +29,8 @@ void EntityStep::begin(Entity entity, EntityState& state, std::span<const Instan
   observe();
 }
 
-// What the entity wants stays as it is while it slides: a line takes only what leads into it, for as long as it touches.
+// What the entity wants stays as it is while it slides: a line takes only what leads into it, for as long as it
+// touches.
 void EntityStep::translate(Point velocity, Angle heading) {
   takeVelocity(velocity, heading);
   stop_.reset();
@@ -80,8 +63,10 @@ void EntityStep::takeVelocity(Point velocity, Angle heading) {
 
 // Where something was in the way, the exact place means nothing any more.
 void EntityStep::keepRemainder() {
-  const bool keeps = isFree_ && rest_ == Point() && std::max(std::abs(remainder_.x), std::abs(remainder_.y)) <= kRemainderLimit;
-  state_->remainder = keeps ? Point(static_cast<std::int32_t>(remainder_.x), static_cast<std::int32_t>(remainder_.y)) : Point();
+  const bool keeps =
+      isFree_ && rest_ == Point() && std::max(std::abs(remainder_.x), std::abs(remainder_.y)) <= kRemainderLimit;
+  state_->remainder =
+      keeps ? Point(static_cast<std::int32_t>(remainder_.x), static_cast<std::int32_t>(remainder_.y)) : Point();
 }
 
 bool EntityStep::settle() {
@@ -150,97 +135,37 @@ bool EntityStep::allInRange(Point home) const {
 
 // Moves along the leg as far as it goes, and tells of what stopped it.
 void EntityStep::follow(const Leg& leg, const Way& way) {
-  const Point start = position();
   if (leg.end == End::kReached) {
-    moveTo(stop_ ? shortOfTurning(leg.target) : leg.target);
-    callPierced(start);
-    rest_ = position() == start ? Point() : restAfter(way, position() - start);
+    const Point end = stop_ ? shortOfTurning(leg.target) : leg.target;
+    const bool stays = end == position();
+    moveAlong(way, end);
+    if (stays) rest_ = Point();
     return;
   }
-  isFree_ = false;
-  const Point displacement = leg.target - start;
-  const Point reached = start + scaleTruncated(displacement, leg.hit->hit.time);
-  if (leg.end == End::kStopped) {
-    if (passesEnd(leg, way, reached)) return;
-  }
+  const Point displacement = leg.target - position();
+  const Point reached = position() + scaleTruncated(displacement, leg.hit->hit.time);
+  if (leg.end == End::kStopped && tryToPass(leg, way, reached)) return;
   const Point end = stopBefore(*leg.hit, displacement);
-  if (stop_ && leg.end == End::kStopped && isWedge(*leg.hit, end)) {
-    const LegHit stop = *stop_;
-    if (passEnd(stop, *leg.hit, way, start)) return;
-    callContact(*leg.hit);
-    rest_ = Point();
+  if (leg.end == End::kStopped && stop_ && isWedge(*leg.hit, end)) {
+    restIn(*leg.hit, way);
     return;
   }
-  moveTo(end);
-  callPierced(start);
-  rest_ = restAfter(way, position() - start);
+  moveAlong(way, end);
   if (leg.end == End::kFull) return;
+  isFree_ = false;
   callContact(*leg.hit);
   stopBefore_ = std::exchange(stop_, leg.hit);
 }
 
-bool EntityStep::passesEnd(const Leg& leg, const Way& way, Point reached) {
-  const Point moved = reached - position();
-  const Point onwards = way.slides ? way.whole - moved : leg.target - reached;
-  if (pass(*leg.hit, {onwards, onwards, way.slides}, reached, restAfter(way, moved))) return true;
-  const auto ground = groundBehind(*leg.hit, leg.target, reached);
-  return ground && passEnd(*leg.hit, *ground, way, reached);
+void EntityStep::moveAlong(const Way& way, Point end) {
+  const Point start = position();
+  moveTo(end);
+  callPierced(start);
+  rest_ = restAfter(way, end - start);
 }
 
 Point EntityStep::restAfter(const Way& way, Point moved) const {
   return rest_ - (way.slides ? scaleTruncated(rest_, shareOf(moved, way.whole)) : moved);
-}
-
-// I3: an end of a line that a step of a few subunits to the side clears is passed, not hit. The way must lead on from
-// there, so that nothing at rest is ever nudged to and fro.
-std::optional<Point> EntityStep::nudge(const LegHit& hit, Point target, Point reached) {
-  if (hit.hit.side != Hit::Side::kLineEnd || !grazes(hit, target, reached)) return std::nullopt;
-  for (const Point offset : kNudgeOffsets) {
-    const Point from = reached + offset;
-    const Point to = target + offset;
-    if (dot(to - position(), wanted_) <= 0 || dot(to - position(), homeNormalOf(hit)) >= 0 || !allInRange(to)) continue;
-    if (leadsOn(hit, reached, from, to) && collider_.isFree(instances_, position(), from)) return from;
-  }
-  return std::nullopt;
-}
-
-// Whether the end of the line passes within kNudge of either flank of the shape: else no nudge can clear it.
-// Bounds: side < 2^30, differences < 2^31, so that products are < 2^62.
-bool EntityStep::grazes(const LegHit& hit, Point target, Point reached) const {
-  const Placement& placement = instances_.all()[hit.placement];
-  const Point from = placement.at(reached);
-  const Point side = perpendicular(placement.at(target) - from);
-  const Point feature = hit.hit.feature - from;
-  std::int64_t low = dot(side, placement.shape->vertices()[0]);
-  std::int64_t high = low;
-  for (const Point vertex : placement.shape->vertices()) {
-    if (squaredLength(feature - vertex) <= 2 * kNudge * kNudge) return true;
-    low = std::min(low, dot(side, vertex));
-    high = std::max(high, dot(side, vertex));
-  }
-  const std::int64_t end = dot(side, feature);
-  const int128 depth = std::min(end - low, high - end);
-  return depth <= 0 || depth * depth <= int128{kNudge * kNudge} * squaredLength(side);
-}
-
-// Whether the way from `from` to `to` passes the end, and leads either along its line or some way on.
-bool EntityStep::leadsOn(const LegHit& end, Point reached, Point from, Point to) {
-  const auto next = collider_.first(instances_, from, to);
-  if (!next) return true;
-  if (isSameLine(*next, end)) {
-    const Point way = slideDirection(*next);
-    return next->hit.side == Hit::Side::kLine && dot(way, to - from) > 0 && !isStepBack(end, way, from - reached);
-  }
-  return squaredLength(scaleTruncated(to - from, next->hit.time)) > squaredLength(Point(kNudge, kNudge));
-}
-
-// Whether the offset leads back along the line that it would bring the entity onto, although the edge that has met the
-// line's end lies flat on it, so that sliding over the end leads the same way. Bounds: products < 2^61.
-bool EntityStep::isStepBack(const LegHit& end, Point way, Point offset) const {
-  const Point beside = slideDirection(end);
-  const int128 askew = cross(way, beside);
-  const bool flat = dot(way, beside) > 0 && 16 * askew * askew < int128{squaredLength(way)} * squaredLength(beside);
-  return flat && dot(way, offset) < 0 && isApart(way, offset);
 }
 
 // A truncated contact point is only a candidate: it can lie inside the obstacle by up to a subunit. At most two steps
@@ -298,7 +223,7 @@ void EntityStep::turnFrame(Angle turn) {
   remainder_ = rest - precise(rest_);
   wanted_ = rotate(wanted_, direction);
   if (onwards_) onwards_ = Way{rotate(onwards_->part, direction), rotate(onwards_->whole, direction), onwards_->slides};
-  stop_.reset();   // indices were of the old order
+  stop_.reset();  // indices were of the old order
   stopBefore_.reset();
   slidAlong_.reset();
 }

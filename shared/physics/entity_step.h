@@ -16,12 +16,15 @@ namespace platon {
 
 /// Moves one entity by one tick. The stages, in this order: turn; then leg by leg until the displacement is used up:
 /// admit the instances that the leg needs and find the earliest hit of any of them, choose the lattice point to move
-/// to, move all instances, call the rules in the order of time, slide what is left along the line, pass home, drop
-/// instances. Kept between steps for its buffers only.
+/// to, move all instances, call the rules in the order of time, choose the way on (along the line, for as long as it
+/// touches), pass home, drop instances. Kept between steps for its buffers only.
 class EntityStep {
  public:
   /// I2: a step ends after this many legs at most; a displacement that needs more is cut short.
   static constexpr int kMostLegs = 64;
+  /// I3: the end of a line that stands out by no more than this is passed, not hit. Two ends that are meant to join,
+  /// each off by up to 2 subunits along both axes, are up to 5.7 apart.
+  static constexpr std::int32_t kNudge = 6;
 
   /// Prepares for an entity that is in a part. Everything handed over must live until `finish`.
   struct Setting {
@@ -45,28 +48,25 @@ class EntityStep {
   /// Calls the contacts that last and stores.
   void finish(std::vector<InstanceState>& further);
 
-
  private:
-  // A bump lower than this is passed over (I3): lines meant to join may be off by a rounding at each end.
-  static constexpr std::int32_t kNudge = 6;
   // What is closer to a line than this touches it, as far as the lattice can tell.
   static constexpr std::int32_t kPlay = 2;
 
   enum class End : std::uint8_t {
     kReached,
-    kStopped,   // by a blocking line
-    kRefused,   // an instance it needs cannot be placed
-    kFull,      // it needs more instances than there may be at once
+    kStopped,  // by a blocking line
+    kRefused,  // an instance it needs cannot be placed
+    kFull,     // it needs more instances than there may be at once
   };
   struct Leg {
     Point target;
     End end = End::kReached;
-    std::optional<LegHit> hit;   // the line, or the warp line, that ends it
+    std::optional<LegHit> hit;  // the line, or the warp line, that ends it
   };
   /// Where the next leg is to lead.
   struct Way {
-    Point part;            // as far as the line that it slides along goes
-    Point whole;           // if that line went on for ever
+    Point part;   // as far as the line that it slides along goes
+    Point whole;  // if that line went on for ever
     bool slides = false;
   };
   struct Event {
@@ -84,12 +84,8 @@ class EntityStep {
   Point inRange(Point target) const;
   bool allInRange(Point home) const;
   void follow(const Leg& leg, const Way& way);
-  bool passesEnd(const Leg& leg, const Way& way, Point reached);
+  void moveAlong(const Way& way, Point end);
   Point restAfter(const Way& way, Point moved) const;
-  std::optional<Point> nudge(const LegHit& hit, Point target, Point reached);
-  bool grazes(const LegHit& hit, Point target, Point reached) const;
-  bool leadsOn(const LegHit& hit, Point reached, Point from, Point to);
-  bool isStepBack(const LegHit& end, Point way, Point offset) const;
   Point stopBefore(const LegHit& hit, Point displacement);
   std::optional<Point> firstFree(Point candidate, Point outwards, Point displacement);
   Point normalOf(const LegHit& hit) const;
@@ -97,30 +93,41 @@ class EntityStep {
   void passHome();
   void turnFrame(Angle turn);
 
+  // entity_step_slide.cpp
   Way nextWay();
   Reach reachOf(const LegHit& stop) const;
   Point outOf(const LegHit& stop, Point slid) const;
+  Point slideDirection(const LegHit& hit) const;
   bool leadsBack(const LegHit& line) const;
   bool isWedge(const LegHit& next, Point end) const;
-  Point slideDirection(const LegHit& hit) const;
-  static bool isSameLine(const LegHit& a, const std::optional<LegHit>& b);
-  static bool isApart(Point normal, Point way);
+  void restIn(const LegHit& next, const Way& way);
   Point shortOfTurning(Point target);
   bool isTurnedBack(Point end);
+  static bool isApart(Point normal, Point way);
+  static bool isSameLine(const LegHit& a, const std::optional<LegHit>& b);
+
+  // entity_step_ends.cpp
+  bool tryToPass(const Leg& leg, const Way& way, Point reached);
   std::optional<LegHit> groundBehind(const LegHit& end, Point target, Point reached);
-  bool passEnd(const LegHit& end, const LegHit& ground, const Way& way, Point reached);
-  bool pass(const LegHit& end, const Way& onwards, Point reached, Point left);
+  bool passAlong(const LegHit& end, const LegHit& ground, const Way& way, Point reached);
+  bool nudgePast(const LegHit& end, const Way& onwards, Point reached, Point left);
+  std::optional<Point> nudge(const LegHit& hit, Point target, Point reached);
+  bool grazes(const LegHit& hit, Point target, Point reached) const;
+  bool leadsOn(const LegHit& end, Point reached, Point from, Point to);
+  bool isStepBack(const LegHit& end, Point way, Point offset) const;
 
   void moveTo(Point position);
   Point position() const { return instances_.home().position; }
   void observe();
 
+  // entity_step_turn.cpp
   bool tryTurn(std::int32_t hundredths);
   void turnBy(std::int32_t hundredths);
   LineRef refOf(const Collider::Pierced& pierced) const;
   std::optional<LineRef> turnBlocker(std::int32_t hundredths);
   bool admitTurn(std::int32_t hundredths);
 
+  // entity_step_rules.cpp
   void callPierced(Point before);
   void appendEvents(const Collider::Pierced& pierced, Point before);
   void callContact(const LegHit& hit);
@@ -132,17 +139,17 @@ class EntityStep {
   EntityState* state_ = nullptr;
   Rules* rules_ = nullptr;
   StepObserver* observer_ = nullptr;
-  Point wanted_;                           // the whole displacement, in the frame of the present home
-  Point rest_;                             // what is left of it
-  PrecisePoint remainder_;                 // what rounding has left of position and rest
-  bool isFree_ = true;                     // nothing was in the way in this step
+  Point wanted_;            // the whole displacement, in the frame of the present home
+  Point rest_;              // what is left of it
+  PrecisePoint remainder_;  // what rounding has left of position and rest
+  bool isFree_ = true;      // nothing was in the way in this step
   Instances instances_;
   Collider collider_;
-  std::vector<Collider::Gate> shut_;       // warps that nothing could be inserted behind, for the present leg
-  std::optional<Way> onwards_;             // where to after a nudge
-  std::optional<LegHit> slidAlong_;        // the last slide
-  std::optional<LegHit> stopBefore_;       // another one, where it has not moved since
-  std::optional<LegHit> stop_;             // what has stopped the entity where it stands
+  std::vector<Collider::Gate> shut_;  // warps that nothing could be inserted behind, for the present leg
+  std::optional<Way> onwards_;        // where to after a nudge
+  std::optional<LegHit> slidAlong_;   // the last slide
+  std::optional<LegHit> stopBefore_;  // another one, where it has not moved since
+  std::optional<LegHit> stop_;        // what has stopped the entity where it stands
   std::vector<Event> events_;
   std::vector<InstanceView> views_;
 };

@@ -52,8 +52,8 @@ void EntityStep::appendEvents(const Collider::Pierced& pierced, Point before) {
   for (std::size_t i = 0; i < instances_.all().size(); ++i) {
     const Placement& placement = instances_.all()[i];
     if (placement.id != pierced.instance || placement.part->id != pierced.part) continue;
-    const auto hit = collider_.against(placement, placement.at(before), placement.position,
-                                       placement.part->lines[pierced.line]);
+    const auto hit =
+        collider_.against(placement, placement.at(before), placement.position, placement.part->lines[pierced.line]);
     if (!hit) return;
     if (hit->side != Hit::Side::kInside || placement.fresh) events_.push_back({hit->time, true, i, pierced.line});
     if (hit->exit < Fraction{1, 1} || !overlaps(placement, pierced.line)) {

@@ -48,11 +48,13 @@ Point EntityStep::slideDirection(const LegHit& hit) const {
 // Whether the way along this line leads into what stopped the entity, and not onwards; or has been tried from here.
 bool EntityStep::leadsBack(const LegHit& line) const {
   const Point way = slideDirection(line);
-  return isSameLine(line, stop_) || isSameLine(line, stopBefore_) || (dot(way, homeNormalOf(*stop_)) < 0 && dot(way, slideDirection(*stop_)) <= 0);
+  const bool intoStop = dot(way, homeNormalOf(*stop_)) < 0 && dot(way, slideDirection(*stop_)) <= 0;
+  return intoStop || isSameLine(line, stop_) || isSameLine(line, stopBefore_);
 }
 
 // Whether the next line, which would stop the slide at `end`, leads back again, and nothing would be gained on the way.
-// What is wanted rises with every other move, so that no sequence of them brings an entity that rests back to where it was.
+// What is wanted rises with every other move, so that no sequence of them brings an entity that rests back to where it
+// was.
 bool EntityStep::isWedge(const LegHit& next, Point end) const {
   return dot(end - position(), wanted_) <= 0 && leadsBack(next);
 }
@@ -67,12 +69,13 @@ bool EntityStep::isApart(Point normal, Point way) {
 // send the entity to the other side in turn, for ever. A slide that gains nothing stops before it would be turned back.
 Point EntityStep::shortOfTurning(Point target) {
   Point way = target - position();
-  while (way != Point() && dot(way, wanted_) <= 0) {
+  while (way != Point()) {
     const Point end = position() + way;
-    if ((end == target || collider_.isFree(instances_, position(), end)) && !isTurnedBack(end)) return end;
+    const bool isFree = end == target || collider_.isFree(instances_, position(), end);
+    if (isFree && (dot(way, wanted_) > 0 || !isTurnedBack(end))) return end;
     way = slideAlong({way.x / 2, way.y / 2}, homeNormalOf(*stop_));
   }
-  return position() + way;
+  return position();
 }
 
 bool EntityStep::isTurnedBack(Point end) {
@@ -82,45 +85,17 @@ bool EntityStep::isTurnedBack(Point end) {
   return next && !isApart(homeNormalOf(*next), scaleTruncated(wanted_, next->hit.time)) && leadsBack(*next);
 }
 
-// What the entity would meet, close by, if the line whose end it has met were not there.
-std::optional<LegHit> EntityStep::groundBehind(const LegHit& end, Point target, Point reached) {
-  if (end.hit.side != Hit::Side::kLineEnd) return std::nullopt;
-  const Point displacement = target - position();
-  const Point beyond = reached + displacement;
-  if (!allInRange(beyond)) return std::nullopt;
-  const auto ground = collider_.firstBut(instances_, reached, beyond, end);
-  if (!ground || ground->hit.side == Hit::Side::kInside || isApart(homeNormalOf(*ground), scaleTruncated(displacement, ground->hit.time))) return std::nullopt;
-  return ground;
-}
-
-// The end of a line that stands out a little from another one, which the entity slides along, is passed as that other
-// line's own direction tells: what is wanted may lead down to it more steeply.
-bool EntityStep::passEnd(const LegHit& end, const LegHit& ground, const Way& way, Point reached) {
-  if (end.hit.side != Hit::Side::kLineEnd) return false;
-  const Point left = restAfter(way, reached - position());
-  const Point along = slideAlong(left, homeNormalOf(ground));
-  if (along == Point() || dot(along, homeNormalOf(end)) >= 0 || !allInRange(reached + along)) return false;
-  if (!pass(end, {along, along, true}, reached, left)) return false;
-  callContact(ground);
-  return true;
+// Between two lines nothing is left of the displacement; but an end that can be passed is no wedge.
+void EntityStep::restIn(const LegHit& next, const Way& way) {
+  const LegHit stop = *stop_;
+  if (passAlong(stop, next, way, position())) return;
+  isFree_ = false;
+  callContact(next);
+  rest_ = Point();
 }
 
 bool EntityStep::isSameLine(const LegHit& a, const std::optional<LegHit>& b) {
   return b && a.placement == b->placement && a.line == b->line;
-}
-
-// I3: goes on beside the end of a line, where a nudge clears it. `onwards` is where to from there, `left` what will be
-// left of the displacement.
-bool EntityStep::pass(const LegHit& end, const Way& onwards, Point reached, Point left) {
-  if (onwards.part == Point() || isSameLine(end, slidAlong_)) return false;
-  const auto nudged = nudge(end, reached + onwards.part, reached);
-  if (!nudged) return false;
-  const Point start = position();
-  moveTo(*nudged);
-  callPierced(start);
-  rest_ = left;
-  onwards_ = onwards;
-  return true;
 }
 
 }  // namespace platon

@@ -21,14 +21,15 @@ std::optional<Convex> hullOf(const Convex& before, const Convex* after) {
 }
 
 std::vector<Collider::Pierced> without(std::vector<Collider::Pierced> all, const std::vector<Collider::Pierced>& some) {
-  std::erase_if(all, [&](const Collider::Pierced& one) { return std::find(some.begin(), some.end(), one) != some.end(); });
+  std::erase_if(all,
+                [&](const Collider::Pierced& one) { return std::find(some.begin(), some.end(), one) != some.end(); });
   return all;
 }
 
 }  // namespace
 
-// Where a part is not free, smaller ones are tried, down to a hundredth of a degree: the hull of a large turn holds more
-// than the shape sweeps over.
+// Where a part is not free, smaller ones are tried, down to a hundredth of a degree: the hull of a large turn holds
+// more than the shape sweeps over.
 void EntityStep::turn(std::int32_t hundredths) {
   std::int32_t most = kTurnPart;
   while (hundredths != 0) {
@@ -68,9 +69,8 @@ void EntityStep::turnBy(std::int32_t hundredths) {
 
 LineRef EntityStep::refOf(const Collider::Pierced& pierced) const {
   const auto& all = instances_.all();
-  const auto found = std::find_if(all.begin(), all.end(), [&](const Placement& placement) {
-    return placement.id == pierced.instance;
-  });
+  const auto found = std::find_if(all.begin(), all.end(),
+                                  [&](const Placement& placement) { return placement.id == pierced.instance; });
   return lineRef(*found->part, pierced.line);
 }
 

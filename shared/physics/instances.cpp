@@ -18,7 +18,7 @@ constexpr auto kOffsets = [] {
   for (int y = -reach; y <= reach; ++y) {
     for (int x = -reach; x <= reach; ++x) offsets[count++] = Point(x, y);
   }
-  for (std::size_t i = 1; i < count; ++i) {   // insertion sort: stable, and constexpr in every compiler
+  for (std::size_t i = 1; i < count; ++i) {  // insertion sort: stable, and constexpr in every compiler
     for (std::size_t j = i; j > 0 && squaredLength(offsets[j]) < squaredLength(offsets[j - 1]); --j) {
       std::swap(offsets[j], offsets[j - 1]);
     }
@@ -26,7 +26,9 @@ constexpr auto kOffsets = [] {
   return offsets;
 }();
 
-constexpr std::int64_t squaredPrecise(std::int32_t subunits) { return subunits * PrecisePoint::kOne * subunits * PrecisePoint::kOne; }
+constexpr std::int64_t squaredPrecise(std::int32_t subunits) {
+  return subunits * PrecisePoint::kOne * subunits * PrecisePoint::kOne;
+}
 constexpr std::int64_t kMostSquaredError = squaredPrecise(Instances::kMostError);
 // Half the diagonal of a lattice cell is 0.71 subunits: what is closer than one cannot be bettered by much.
 constexpr std::int64_t kWorthMending = squaredPrecise(1);
@@ -115,8 +117,11 @@ void Instances::store(EntityState& state, std::vector<InstanceState>& further) c
 
 void Instances::appendViews(std::vector<InstanceView>& out) const {
   for (const Placement& placement : placements_) {
-    InstanceView view{.id = placement.id, .part = placement.part->id, .position = placement.position,
-                      .angle = placement.angle, .home = &placement == &home()};
+    InstanceView view{.id = placement.id,
+                      .part = placement.part->id,
+                      .position = placement.position,
+                      .angle = placement.angle,
+                      .home = &placement == &home()};
     view.hangs = placement.parent != Placement::kNone;
     if (view.hangs) {
       view.parent = placements_[placement.parent].id;
@@ -202,19 +207,43 @@ std::optional<Angle> Instances::passHome(PrecisePoint& remainder) {
   return home().angle - before;
 }
 
-// The child of home behind the warp line that the centre is beyond. Where roundings put the centre outside both parts,
-// home stays.
+// The child of home behind the warp line that the centre is beyond, on the way to the part that holds the centre.
+// Behind a corner the centre is beyond two warp lines, of which it has crossed one. Where roundings put the centre
+// outside all parts, home stays.
 std::size_t Instances::heir() const {
-  const Point centre = centreOf(home());
+  if (holdsCentre(0)) return Placement::kNone;
   for (std::size_t i = 1; i < placements_.size(); ++i) {
-    const Placement& child = placements_[i];
-    if (child.parent != 0) continue;
-    const Segment& out = home().part->warps[child.warp].from;
-    if (cross(out.b - out.a, centre - out.a) >= 0) continue;
-    const Segment& in = child.part->warps[child.wayBack].from;
-    if (cross(in.b - in.a, centreOf(child) - in.a) >= 0) return i;
+    const std::size_t child = childAbove(i);
+    if (child != Placement::kNone && isBeyond(child) && holdsCentre(i)) return child;
+  }
+  for (std::size_t i = 1; i < placements_.size(); ++i) {
+    if (placements_[i].parent == 0 && isBeyond(i)) return i;
   }
   return Placement::kNone;
+}
+
+// The child of home that placement `index` hangs on, or is.
+std::size_t Instances::childAbove(std::size_t index) const {
+  while (placements_[index].parent != 0) {
+    index = placements_[index].parent;
+    if (index == Placement::kNone) return index;
+  }
+  return index;
+}
+
+bool Instances::isBeyond(std::size_t index) const {
+  const Placement& child = placements_[index];
+  const Segment& out = home().part->warps[child.warp].from;
+  if (cross(out.b - out.a, centreOf(home()) - out.a) >= 0) return false;
+  const Segment& in = child.part->warps[child.wayBack].from;
+  return cross(in.b - in.a, centreOf(child) - in.a) >= 0;
+}
+
+bool Instances::holdsCentre(std::size_t index) const {
+  const auto& warps = placements_[index].part->warps;
+  const Point centre = centreOf(placements_[index]);
+  return std::all_of(warps.begin(), warps.end(),
+                     [&](const auto& warp) { return cross(warp.from.b - warp.from.a, centre - warp.from.a) >= 0; });
 }
 
 void Instances::reroot(std::size_t heir) {
@@ -302,7 +331,7 @@ bool Instances::hangs(std::size_t index) const {
 }
 
 std::int64_t Instances::squaredMiss(PrecisePoint ideal, Point point) {
-  constexpr std::int64_t limit = 1000 * PrecisePoint::kOne;   // farther is simply far; keeps the square in range
+  constexpr std::int64_t limit = 1000 * PrecisePoint::kOne;  // farther is simply far; keeps the square in range
   const PrecisePoint wide = precise(point);
   const std::int64_t x = std::clamp(wide.x - ideal.x, -limit, limit);
   const std::int64_t y = std::clamp(wide.y - ideal.y, -limit, limit);
@@ -312,7 +341,7 @@ std::int64_t Instances::squaredMiss(PrecisePoint ideal, Point point) {
 // The isometry of a warp turns about the middle of the line: so the way back is the exact inverse.
 PrecisePoint Instances::through(const Warp& warp, PrecisePoint point) {
   const Direction turn = directionOf(warp.turn);
-  const int128 x = point.x - warp.fromMiddle.x;   // < 2^47; times 2^30 still far from 2^127
+  const int128 x = point.x - warp.fromMiddle.x;  // < 2^47; times 2^30 still far from 2^127
   const int128 y = point.y - warp.fromMiddle.y;
   constexpr int128 one = int128{1} << Direction::kFractionBits;
   return {warp.ontoMiddle.x + static_cast<std::int64_t>(divideRounded(x * turn.cosine - y * turn.sine, one)),
@@ -331,7 +360,8 @@ std::optional<Point> Instances::nearestFree(const Placement& placement, const Po
   const Point nearest = rounded(ideal);
   for (const Point offset : kOffsets) {
     const Point candidate = nearest + offset;
-    if (squaredMiss(ideal, candidate) >= closerThan || !isCoordinate(candidate.x) || !isCoordinate(candidate.y)) continue;
+    if (squaredMiss(ideal, candidate) >= closerThan || !isCoordinate(candidate.x) || !isCoordinate(candidate.y))
+      continue;
     if (collider.isFree(placement, from != nullptr ? *from : candidate, candidate)) return candidate;
   }
   return std::nullopt;

@@ -80,6 +80,9 @@ class Instances {
   void loadFurther(const InstanceState& instance);
   void linkParent(std::size_t index, std::uint16_t parentId);
   std::size_t heir() const;
+  std::size_t childAbove(std::size_t index) const;
+  bool isBeyond(std::size_t index) const;
+  bool holdsCentre(std::size_t index) const;
   void reroot(std::size_t heir);
   void anchorAll();
   bool withinError(std::size_t index) const;

@@ -1,0 +1,131 @@
+// How ends of lines that stand out a little are passed (I3).
+#include <algorithm>
+#include <array>
+
+#include "shared/exact/integer.h"
+#include "shared/physics/entity_step.h"
+#include "shared/physics/slide.h"
+
+namespace platon {
+namespace {
+
+constexpr std::size_t kNudges = 112;
+
+// Sideways steps, nearest first.
+constexpr auto kNudgeOffsets = [] {
+  constexpr std::int32_t most = EntityStep::kNudge;
+  std::array<Point, kNudges> offsets{};
+  std::size_t count = 0;
+  for (std::int64_t squared = 1; squared <= most * most; ++squared) {
+    for (int y = -most; y <= most; ++y) {
+      for (int x = -most; x <= most; ++x) {
+        if (squaredLength(Point(x, y)) == squared) offsets[count++] = Point(x, y);
+      }
+    }
+  }
+  return offsets;
+}();
+static_assert(kNudgeOffsets.back() != Point());
+
+}  // namespace
+
+bool EntityStep::tryToPass(const Leg& leg, const Way& way, Point reached) {
+  const Point moved = reached - position();
+  const Point onwards = way.slides ? way.whole - moved : leg.target - reached;
+  if (nudgePast(*leg.hit, {onwards, onwards, way.slides}, reached, restAfter(way, moved))) return true;
+  const auto ground = groundBehind(*leg.hit, leg.target, reached);
+  return ground && passAlong(*leg.hit, *ground, way, reached);
+}
+
+// What the entity would meet, close by, if the line whose end it has met were not there.
+std::optional<LegHit> EntityStep::groundBehind(const LegHit& end, Point target, Point reached) {
+  if (end.hit.side != Hit::Side::kLineEnd) return std::nullopt;
+  const Point displacement = target - position();
+  const Point beyond = reached + displacement;
+  if (!allInRange(beyond)) return std::nullopt;
+  const auto ground = collider_.firstBut(instances_, reached, beyond, end);
+  if (!ground || ground->hit.side == Hit::Side::kInside) return std::nullopt;
+  return isApart(homeNormalOf(*ground), scaleTruncated(displacement, ground->hit.time)) ? std::nullopt : ground;
+}
+
+// The end of a line that stands out a little from another one, which the entity slides along, is passed as that other
+// line's own direction tells: what is wanted may lead down to it more steeply.
+bool EntityStep::passAlong(const LegHit& end, const LegHit& ground, const Way& way, Point reached) {
+  if (end.hit.side != Hit::Side::kLineEnd) return false;
+  const Point left = restAfter(way, reached - position());
+  const Point along = slideAlong(left, homeNormalOf(ground));
+  if (along == Point() || dot(along, homeNormalOf(end)) >= 0 || !allInRange(reached + along)) return false;
+  if (!nudgePast(end, {along, along, true}, reached, left)) return false;
+  callContact(ground);
+  return true;
+}
+
+// I3: goes on beside the end of a line, where a nudge clears it. `onwards` is where to from there, `left` what will be
+// left of the displacement.
+bool EntityStep::nudgePast(const LegHit& end, const Way& onwards, Point reached, Point left) {
+  if (onwards.part == Point() || isSameLine(end, slidAlong_)) return false;
+  const auto nudged = nudge(end, reached + onwards.part, reached);
+  if (!nudged) return false;
+  const Point start = position();
+  isFree_ = false;
+  moveTo(*nudged);
+  callPierced(start);
+  rest_ = left;
+  onwards_ = onwards;
+  return true;
+}
+
+// I3: an end of a line that a step of a few subunits to the side clears is passed, not hit. The way must lead on from
+// there, so that nothing at rest is ever nudged to and fro; and past the end, where a slide would lead beside it.
+std::optional<Point> EntityStep::nudge(const LegHit& hit, Point target, Point reached) {
+  if (hit.hit.side != Hit::Side::kLineEnd || !grazes(hit, target, reached)) return std::nullopt;
+  for (const Point offset : kNudgeOffsets) {
+    const Point from = reached + offset;
+    const Point to = target + offset;
+    const bool leadsPast = dot(to - position(), wanted_) > 0 && dot(to - position(), homeNormalOf(hit)) < 0;
+    if (!leadsPast || !allInRange(to)) continue;
+    if (leadsOn(hit, reached, from, to) && collider_.isFree(instances_, position(), from)) return from;
+  }
+  return std::nullopt;
+}
+
+// Whether the end of the line passes within kNudge of either flank of the shape: else no nudge can clear it.
+// Bounds: side < 2^30, differences < 2^31, so that products are < 2^62.
+bool EntityStep::grazes(const LegHit& hit, Point target, Point reached) const {
+  const Placement& placement = instances_.all()[hit.placement];
+  const Point from = placement.at(reached);
+  const Point side = perpendicular(placement.at(target) - from);
+  const Point feature = hit.hit.feature - from;
+  std::int64_t low = dot(side, placement.shape->vertices()[0]);
+  std::int64_t high = low;
+  for (const Point vertex : placement.shape->vertices()) {
+    if (squaredLength(feature - vertex) <= 2 * kNudge * kNudge) return true;
+    low = std::min(low, dot(side, vertex));
+    high = std::max(high, dot(side, vertex));
+  }
+  const std::int64_t end = dot(side, feature);
+  const int128 depth = std::min(end - low, high - end);
+  return depth <= 0 || depth * depth <= int128{kNudge * kNudge} * squaredLength(side);
+}
+
+// Whether the way from `from` to `to` passes the end, and leads either along its line or some way on.
+bool EntityStep::leadsOn(const LegHit& end, Point reached, Point from, Point to) {
+  const auto next = collider_.first(instances_, from, to);
+  if (!next) return true;
+  if (isSameLine(*next, end)) {
+    const Point way = slideDirection(*next);
+    return next->hit.side == Hit::Side::kLine && dot(way, to - from) > 0 && !isStepBack(end, way, from - reached);
+  }
+  return squaredLength(scaleTruncated(to - from, next->hit.time)) > squaredLength(Point(kNudge, kNudge));
+}
+
+// Whether the offset leads back along the line that it would bring the entity onto, although the edge that has met the
+// line's end lies flat on it, so that sliding over the end leads the same way. Bounds: products < 2^61.
+bool EntityStep::isStepBack(const LegHit& end, Point way, Point offset) const {
+  const Point beside = slideDirection(end);
+  const int128 askew = cross(way, beside);
+  const bool flat = dot(way, beside) > 0 && 16 * askew * askew < int128{squaredLength(way)} * squaredLength(beside);
+  return flat && dot(way, offset) < 0 && isApart(way, offset);
+}
+
+}  // namespace platon
