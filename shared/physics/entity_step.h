@@ -114,6 +114,7 @@ class EntityStep {
   std::optional<Point> nudge(const LegHit& hit, Point target, Point reached);
   bool grazes(const LegHit& hit, Point target, Point reached) const;
   bool leadsOn(const LegHit& end, Point reached, Point from, Point to);
+  Point fromEnd(const LegHit& end) const;
   bool isStepBack(const LegHit& end, Point way, Point offset) const;
 
   void moveTo(Point position);

@@ -27,6 +27,12 @@ constexpr auto kNudgeOffsets = [] {
 }();
 static_assert(kNudgeOffsets.back() != Point());
 
+// A nudge would bring a shape hardly larger than itself to the other side of the end, to and fro for ever.
+bool isTiny(const Convex& shape) {
+  const Point size = shape.bounds().high - shape.bounds().low;
+  return std::max(size.x, size.y) < 8 * EntityStep::kNudge;
+}
+
 }  // namespace
 
 bool EntityStep::tryToPass(const Leg& leg, const Way& way, Point reached) {
@@ -78,7 +84,9 @@ bool EntityStep::nudgePast(const LegHit& end, const Way& onwards, Point reached,
 // I3: an end of a line that a step of a few subunits to the side clears is passed, not hit. The way must lead on from
 // there, so that nothing at rest is ever nudged to and fro; and past the end, where a slide would lead beside it.
 std::optional<Point> EntityStep::nudge(const LegHit& hit, Point target, Point reached) {
-  if (hit.hit.side != Hit::Side::kLineEnd || !grazes(hit, target, reached)) return std::nullopt;
+  const Placement& placement = instances_.all()[hit.placement];
+  if (hit.hit.side != Hit::Side::kLineEnd || isTiny(*placement.shape)) return std::nullopt;
+  if (!grazes(hit, target, reached)) return std::nullopt;
   for (const Point offset : kNudgeOffsets) {
     const Point from = reached + offset;
     const Point to = target + offset;
@@ -108,15 +116,25 @@ bool EntityStep::grazes(const LegHit& hit, Point target, Point reached) const {
   return depth <= 0 || depth * depth <= int128{kNudge * kNudge} * squaredLength(side);
 }
 
-// Whether the way from `from` to `to` passes the end, and leads either along its line or some way on.
+// Whether the way from `from` to `to` passes the end, and leads either along its line, away from that end, or some way
+// on.
 bool EntityStep::leadsOn(const LegHit& end, Point reached, Point from, Point to) {
   const auto next = collider_.first(instances_, from, to);
   if (!next) return true;
-  if (isSameLine(*next, end)) {
-    const Point way = slideDirection(*next);
-    return next->hit.side == Hit::Side::kLine && dot(way, to - from) > 0 && !isStepBack(end, way, from - reached);
+  if (!isSameLine(*next, end)) {
+    return squaredLength(scaleTruncated(to - from, next->hit.time)) > squaredLength(Point(kNudge, kNudge));
   }
-  return squaredLength(scaleTruncated(to - from, next->hit.time)) > squaredLength(Point(kNudge, kNudge));
+  const Point way = slideDirection(*next);
+  return next->hit.side == Hit::Side::kLine && dot(way, to - from) > 0 && dot(way, fromEnd(end)) > 0 &&
+         !isStepBack(end, way, from - reached);
+}
+
+// From the end that was met to the other one, in home's frame. Below 2^30.
+Point EntityStep::fromEnd(const LegHit& end) const {
+  const Placement& placement = instances_.all()[end.placement];
+  const Segment& line = placement.part->lines[end.line];
+  const Point along = line.a == end.hit.feature ? line.b - line.a : line.a - line.b;
+  return rotate(along, instances_.home().angle - placement.angle);
 }
 
 // Whether the offset leads back along the line that it would bring the entity onto, although the edge that has met the

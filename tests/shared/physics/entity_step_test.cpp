@@ -277,6 +277,23 @@ TEST(RestTest, APressStraightIntoASlopeMovesNothing) {
   }
 }
 
+// A slide led off the end of a line, and a nudge past that end back onto it, in turn, for ever.
+TEST(RestTest, NothingIsNudgedBackOntoTheLineThatItSlidOff) {
+  struct {
+    Segment line;
+    Convex shape;
+    Point start;
+    Point velocity;
+  } const scenes[] = {{{{123, -3}, {-243, 150}}, Convex({{16, 49}, {35, -43}, {58, 16}}), {-78, -143}, {2, 11}},
+                      {{{151, 228}, {645, -509}}, Convex({{-86, -15}, {-82, -112}, {24, 55}}), {17, -158}, {73, 51}},
+                      {{{-7, -12}, {30, -7}}, Convex({{0, -3}, {4, 1}, {-2, 2}}), {13, 0}, {0, -8}}};
+  for (const auto& [line, shape, start, velocity] : scenes) {
+    Scene scene({line}, shape, start);
+    for (int tick = 0; tick < 2000; ++tick) scene.step(velocity);
+    EXPECT_GT(dot(scene.entity.position() - start, velocity), 1000 * squaredLength(velocity)) << "it falls past";
+  }
+}
+
 // A nudge off either ledge would be free, but the point under the middle would stop it there at once.
 TEST(RestTest, NothingIsNudgedToWhereTheNextLineStopsIt) {
   Scene scene({{{9, -10}, {50, -30}}, {{-9, -10}, {-50, -30}}, {{0, -10}, {0, -10}}}, square(10), {0, 0});
