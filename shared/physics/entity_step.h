@@ -113,9 +113,8 @@ class EntityStep {
   bool nudgePast(const LegHit& end, const Way& onwards, Point reached, Point left);
   std::optional<Point> nudge(const LegHit& hit, Point target, Point reached);
   bool grazes(const LegHit& hit, Point target, Point reached) const;
-  bool leadsOn(const LegHit& end, Point reached, Point from, Point to);
+  bool leadsOn(const LegHit& end, Point from, Point to);
   Point fromEnd(const LegHit& end) const;
-  bool isStepBack(const LegHit& end, Point way, Point offset) const;
 
   void moveTo(Point position);
   Point position() const { return instances_.home().position; }

@@ -92,7 +92,7 @@ std::optional<Point> EntityStep::nudge(const LegHit& hit, Point target, Point re
     const Point to = target + offset;
     const bool leadsPast = dot(to - position(), wanted_) > 0 && dot(to - position(), homeNormalOf(hit)) < 0;
     if (!leadsPast || !allInRange(to)) continue;
-    if (leadsOn(hit, reached, from, to) && collider_.isFree(instances_, position(), from)) return from;
+    if (leadsOn(hit, from, to) && collider_.isFree(instances_, position(), from)) return from;
   }
   return std::nullopt;
 }
@@ -118,15 +118,14 @@ bool EntityStep::grazes(const LegHit& hit, Point target, Point reached) const {
 
 // Whether the way from `from` to `to` passes the end, and leads either along its line, away from that end, or some way
 // on.
-bool EntityStep::leadsOn(const LegHit& end, Point reached, Point from, Point to) {
+bool EntityStep::leadsOn(const LegHit& end, Point from, Point to) {
   const auto next = collider_.first(instances_, from, to);
   if (!next) return true;
   if (!isSameLine(*next, end)) {
     return squaredLength(scaleTruncated(to - from, next->hit.time)) > squaredLength(Point(kNudge, kNudge));
   }
   const Point way = slideDirection(*next);
-  return next->hit.side == Hit::Side::kLine && dot(way, to - from) > 0 && dot(way, fromEnd(end)) > 0 &&
-         !isStepBack(end, way, from - reached);
+  return next->hit.side == Hit::Side::kLine && dot(way, to - from) > 0 && dot(way, fromEnd(end)) > 0;
 }
 
 // From the end that was met to the other one, in home's frame. Below 2^30.
@@ -135,15 +134,6 @@ Point EntityStep::fromEnd(const LegHit& end) const {
   const Segment& line = placement.part->lines[end.line];
   const Point along = line.a == end.hit.feature ? line.b - line.a : line.a - line.b;
   return rotate(along, instances_.home().angle - placement.angle);
-}
-
-// Whether the offset leads back along the line that it would bring the entity onto, although the edge that has met the
-// line's end lies flat on it, so that sliding over the end leads the same way. Bounds: products < 2^61.
-bool EntityStep::isStepBack(const LegHit& end, Point way, Point offset) const {
-  const Point beside = slideDirection(end);
-  const int128 askew = cross(way, beside);
-  const bool flat = dot(way, beside) > 0 && 16 * askew * askew < int128{squaredLength(way)} * squaredLength(beside);
-  return flat && dot(way, offset) < 0 && isApart(way, offset);
 }
 
 }  // namespace platon

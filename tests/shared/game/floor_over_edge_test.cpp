@@ -70,8 +70,10 @@ TEST(FloorOverEdgeTest, AtRestOnAnEdgeNothingMoves) {
       settle(world, floor, before, alignedWith(floor));
       for (int tick = 0; tick < 30; ++tick) world.solve();
       const WorldState rest = world.save();
-      for (int tick = 0; tick < 100; ++tick) world.solve();
-      ASSERT_EQ(world.save(), rest) << floor.name() << ", " << before << " before the edge";
+      for (int tick = 0; tick < 100; ++tick) {
+        world.solve();
+        ASSERT_EQ(world.save(), rest) << floor.name() << ", " << before << " before the edge, tick " << tick;
+      }
     }
   });
 }
@@ -83,8 +85,10 @@ TEST(FloorOverEdgeTest, AtRestForLong) {
     settle(world, floor, 700, alignedWith(floor));
     for (int tick = 0; tick < 50; ++tick) world.solve();
     const WorldState rest = world.save();
-    for (int tick = 0; tick < 100000; ++tick) world.solve();
-    EXPECT_EQ(world.save(), rest) << floor.name();
+    for (int tick = 0; tick < 100000; ++tick) {
+      world.solve();
+      ASSERT_EQ(world.save(), rest) << floor.name() << ", tick " << tick;
+    }
   }
 }
 

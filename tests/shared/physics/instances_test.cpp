@@ -3,11 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <complex>
 #include <cstdlib>
 #include <initializer_list>
+#include <numbers>
 #include <set>
 
 #include "shared/exact/integer.h"
+#include "shared/exact/precise_point.h"
 #include "shared/physics/entity.h"
 #include "shared/physics/map_part.h"
 #include "shared/physics/world.h"
@@ -82,6 +85,28 @@ TEST(InstancesTest, EveryTurnBetweenPartsIsExact) {
     EXPECT_LE(squaredLength(entity.position() - expected), 4 * 4) << turn;
     EXPECT_EQ(checker.faults(), "") << turn;
     EXPECT_EQ(entity.state().crossings, 1u);
+  }
+}
+
+// On a free way position and remainder together stay where a straight line leads, in the frame of either part.
+TEST(InstancesTest, PassingHomeKeepsWhatRoundingHasLeft) {
+  using Wide = std::complex<long double>;
+  const auto wide = [](Point point) { return Wide(static_cast<long double>(point.x), static_cast<long double>(point.y)); };
+  const auto turnOf = [](std::int32_t hundredths) {
+    return std::polar(1.0L, static_cast<long double>(hundredths) * std::numbers::pi_v<long double> / 18000);
+  };
+  for (const std::int32_t turn : kFaceTurns) {
+    World world = turnedPair(Angle(turn), {-3000, 70000});
+    Entity entity(world, regular(16, 3000));
+    MapPart(world, 1).insert(entity, {5000, 1234}, Angle());
+    entity.setVelocity({1000, 100}, Angle(700));
+    for (int tick = 0; tick < 12; ++tick) world.solve();
+    ASSERT_EQ(entity.part(), 2u) << turn;
+    const Segment onto = world.geometry().find(2)->warps[0].from;
+    const Wide straight = Wide(5000, 1234) + 12.0L * turnOf(700) * Wide(1000, 100);
+    const Wide expected = (wide(onto.a) + wide(onto.b)) / 2.0L + turnOf(turn) * (straight - Wide(10000, 0));
+    const Wide found = wide(entity.position()) + wide(entity.state().remainder) / static_cast<long double>(PrecisePoint::kOne);
+    EXPECT_LE(std::abs(found - expected), 0.001L) << turn;
   }
 }
 
@@ -253,6 +278,47 @@ TEST(InstancesTest, AWallBehindAnyEdgeStopsAtOnce) {
     const Point before = entity.position();
     for (int tick = 0; tick < 500; ++tick) world.solve();
     EXPECT_EQ(entity.position(), before) << turn << ": it rests there";
+  }
+}
+
+// An edge only divides the map: with lines behind it a mover does what it does on one plane, but for roundings.
+TEST(InstancesTest, LinesBehindAnEdgeActAsOnOnePlane) {
+  struct Course {
+    std::int32_t turn;
+    Convex shape;
+    std::vector<Segment> lines;   // from the middle of the edge
+    Point at;
+    Point velocity;
+  };
+  const Course courses[] = {
+      {6000, regular(16, 1200), {{{-283, -1426}, {2558, 1833}}}, {9317, 84}, {-1602, -3803}},
+      {18000, square(100), {{{143, -75}, {143, -75}}, {{40, -77}, {236, -174}}}, {9873, 123}, {383, -243}},
+      {18000, square(100), {{{-183, 135}, {347, -147}}, {{-35, -94}, {154, 110}}}, {9764, -176}, {229, 158}},
+  };
+  const Point edgeAt(-3000, 70000);
+  for (const Course& course : courses) {
+    std::vector<Segment> onPlane;
+    std::vector<Segment> behind;
+    for (const Segment& line : course.lines) {
+      const Segment shifted{line.a + Point(10000, 0), line.b + Point(10000, 0)};
+      onPlane.push_back(shifted);
+      behind.push_back({edgeAt + rotate(shifted.a, Angle(course.turn)), edgeAt + rotate(shifted.b, Angle(course.turn))});
+    }
+    World plane;
+    addPart(plane, 1, onPlane);
+    World divided = turnedPair(Angle(course.turn), edgeAt, behind);
+    Entity one(plane, course.shape);
+    MapPart(plane, 1).insert(one, course.at, Angle());
+    Entity other(divided, course.shape);
+    MapPart(divided, 1).insert(other, course.at, Angle());
+    one.setVelocity(course.velocity);
+    other.setVelocity(course.velocity);
+    for (int tick = 0; tick < 30; ++tick) {
+      plane.solve();
+      divided.solve();
+      const Point there = other.part() == 1 ? one.position() : edgeAt + rotate(one.position(), Angle(course.turn));
+      ASSERT_LE(squaredLength(other.position() - there), 4 * 4) << course.turn << ", tick " << tick;
+    }
   }
 }
 

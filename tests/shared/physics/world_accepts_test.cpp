@@ -90,6 +90,8 @@ TEST_F(WorldAcceptsTest, NothingOutOfRange) {
   EXPECT_FALSE(acceptsWith([](WorldState& s) { s.entities[0].position.y = INT32_MIN; }));
   EXPECT_FALSE(acceptsWith([](WorldState& s) { s.entities[0].velocity.x = kVelocityLimit; }));
   EXPECT_FALSE(acceptsWith([](WorldState& s) { s.entities[0].velocity.y = -kVelocityLimit; }));
+  EXPECT_FALSE(acceptsWith([](WorldState& s) { s.entities[0].remainder.x = kRemainderLimit + 1; }));
+  EXPECT_FALSE(acceptsWith([](WorldState& s) { s.entities[0].remainder.y = INT32_MIN; }));
   EXPECT_FALSE(acceptsWith([](WorldState& s) { s.entities[0].turn = 36000; }));
   EXPECT_FALSE(acceptsWith([](WorldState& s) { s.entities[0].turn = INT32_MIN; }));
   EXPECT_FALSE(acceptsWith([](WorldState& s) { s.instances[0].anchor.y = -kMost - 1; }));

@@ -1,0 +1,132 @@
+"""A build directory of Ninja, read only: test programs with changed sources are made out of it, but not in it."""
+
+import os
+import shlex
+import subprocess
+from functools import cached_property
+from pathlib import Path
+
+
+class BuildError(Exception):
+    """The build directory is none, or not the one of this tree as it is now."""
+
+
+class Program:
+    """How one program is made: the commands that compile its objects, those of its libraries too, and that link it."""
+
+    def __init__(self, commands):
+        self.objects = {}
+        for command in map(shlex.split, commands[:-1]):
+            if "-c" in command and "-o" in command:
+                self.objects[following(command, "-o")] = command
+        # Ninja's link command is ": && LINKER … && :", with a step of its own between the two where one is added.
+        self.link = shlex.split(commands[-1].removeprefix(": && ").split(" && ")[0])
+        self.path = following(self.link, "-o")
+
+
+def following(command, option):
+    return command[command.index(option) + 1]
+
+
+def without_dependency_files(command):
+    """The command writes nothing but its output."""
+    left = []
+    for word in command:
+        if "--dependency-file=" in word:
+            if left[-1] == "-Xlinker":
+                left.pop()
+        elif left and left[-1] in ("-MF", "-MT"):
+            left.pop()
+        elif word != "-MD":
+            left.append(word)
+    return left
+
+
+class NinjaBuild:
+    def __init__(self, directory, root):
+        self._directory = directory.resolve()
+        self._root = root.resolve()
+        self._programs = {}
+        if not (self._directory / "build.ninja").is_file():
+            raise BuildError(f"{directory} holds no build.ninja: build with the generator Ninja, as the presets do")
+
+    def program(self, name):
+        if name not in self._programs:
+            self._programs[name] = Program(self._ninja("commands", name).splitlines())
+        return self._programs[name]
+
+    def executable(self, name):
+        return self._directory / self.program(name).path
+
+    def require_up_to_date(self, name):
+        """Objects of another state of the tree could fail for a reason of their own."""
+        program = self.program(name)
+        executable = self.executable(name)
+        if not executable.is_file():
+            raise BuildError(f"{name} is not built")
+        built = executable.stat().st_mtime
+        for source in {source for unit in program.objects for source in self._sources.get(unit, ())}:
+            if not os.path.exists(source) or os.stat(source).st_mtime > built:
+                raise BuildError(f"{name} is older than {source}: build first")
+
+    def with_overlay(self, name, file, overlay):
+        """Compiles what depends on `file`, which is taken from `overlay`, and links the program with it.
+
+        Returns the program, in `overlay` too; None when it does not build.
+        """
+        program = self.program(name)
+        changed = {}
+        for unit, command in program.objects.items():
+            if str(self._root / file) not in self._sources.get(unit, ()):
+                continue
+            changed[unit] = str(overlay / f"{len(changed)}.o")
+            if not self._run(self._compile(command, changed[unit], file, overlay)):
+                return None
+        if not changed:
+            raise BuildError(f"{name} is built without {file}")
+        return overlay / "program" if self._run(self._link(program, changed, overlay / "program")) else None
+
+    def _compile(self, command, output, file, overlay):
+        """Quoted includes are sought in the overlay first. Warnings are of no interest."""
+        command = without_dependency_files(command)
+        command[command.index("-o") + 1] = output
+        source = command.index("-c") + 1
+        if self._absolute(command[source]) == str(self._root / file):
+            command[source] = str(overlay / file)
+        return command + ["-w", "-iquote", str(overlay)]
+
+    def _link(self, program, changed, output):
+        """A library's object that is named itself, before the library, takes the place of the one inside."""
+        command = without_dependency_files(program.link)
+        command[command.index("-o") + 1] = str(output)
+        named = [changed[unit] for unit in changed if unit not in command]
+        command = [changed.get(word, word) for word in command]
+        place = command.index("-o")
+        return command[:place] + named + command[place:]
+
+    @cached_property
+    def _sources(self):
+        """Of each object, the files that it was compiled from."""
+        sources = {}
+        for entry in self._ninja("deps").split("\n\n"):
+            unit, *files = entry.strip().splitlines() or [""]
+            sources[unit.split(": #deps")[0]] = {self._absolute(file.strip()) for file in files}
+        return sources
+
+    def _absolute(self, path):
+        return os.path.normpath(self._directory / path)
+
+    def _ninja(self, tool, *arguments):
+        command = ["ninja", "-C", self._directory, "-t", tool, *arguments]
+        result = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        if result.returncode != 0:
+            raise BuildError(f"{self._directory}: {result.stderr.strip() or result.stdout.strip()}")
+        return result.stdout
+
+    def _run(self, command):
+        environment = dict(os.environ, CCACHE_DISABLE="1")
+        result = subprocess.run(command, cwd=self._directory, env=environment, stdout=subprocess.PIPE,
+                                stderr=subprocess.STDOUT, text=True)  # fmt: skip
+        if result.returncode != 0:
+            print("\n".join(result.stdout.splitlines()[-20:]))
+        return result.returncode == 0

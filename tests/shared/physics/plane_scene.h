@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include "shared/exact/angle.h"
+#include "shared/physics/entity.h"
+#include "shared/physics/map_part.h"
+#include "shared/physics/world.h"
+#include "tests/shared/physics/maps.h"
+
+namespace platon {
+
+/// One part with these lines and an entity in it.
+struct Scene {
+  Scene(const std::vector<Segment>& lines, const Convex& shape, Point at) : entity(make(lines, shape, at)) {}
+
+  Entity make(const std::vector<Segment>& lines, const Convex& shape, Point at) {
+    addPart(world, 0, lines);
+    Entity made(world, shape);
+    MapPart(world, 0).insert(made, at, Angle());
+    return made;
+  }
+  Point step(Point velocity) {
+    entity.setVelocity(velocity);
+    world.solve();
+    return entity.position();
+  }
+
+  World world;
+  Entity entity;
+};
+
+}  // namespace platon
