@@ -76,7 +76,7 @@ STEP_FAULTS = [
           "entity_step_test", "SlideOverJointsTest.ComesPastEveryEnd"),
     at_length("end-of-the-slide-passed", PHYSICS + "entity_step_ends.cpp", " || isSameLine(end, slidAlong_)", "",
               "the end of the line that the entity has just slid along is passed again",
-              "game_test", "PlayerTest.SlidesDownWhatIsTooSteep"),
+              "hard_joints_test", "JointsTest.OffByTwoAtEachEndNothingSticks"),
     at_length("way-behind-the-end-lost", PHYSICS + "entity_step_ends.cpp", "  onwards_ = onwards;\n", "",
               "after a nudge the entity takes up its old direction",
               "floor_over_edge_test", "FloorOverEdgeTest.RunningOverNeitherSlowsNorLifts"),

@@ -66,7 +66,7 @@ class CountedContacts : public Rules {
 
 // A nudge would lead it clear of the end, and nobody would know that it stands on something.
 TEST(EntityStepTest, SlidingOnTheEndOfALineIsAContact) {
-  Scene scene({{{3, -100}, {3, -1000}}}, square(100), {0, 0});
+  Scene scene({{{92, -100}, {92, -1000}}}, square(100), {0, 0});
   CountedContacts rules;
   scene.entity.setVelocity({5, -5});
   scene.world.solve(rules);
