@@ -13,32 +13,19 @@
 #include "tests/oracle/sweep_families.h"
 #include "tests/properties/lattice_map.h"
 #include "tests/properties/seeded_cases.h"
+#include "tests/shared/physics/sweep_question.h"
 
 namespace platon::properties {
 namespace {
 
 using oracle::RandomSource;
 
-struct Query {
-  std::vector<Point> shape;
-  Point position;
-  Point displacement;
-  Segment line;
-};
-
-std::optional<Hit> answer(const Query& query, std::int32_t grown = 0) {
-  const Convex shape(query.shape);
-  Sweep sweep;
-  sweep.start(shape, query.position, query.displacement, grown);
-  return sweep.against(query.line);
-}
-
-std::string described(const Query& query) {
+std::string described(const SweepQuestion& query) {
   return oracle::toLine({judge::toPolygon(query.shape), judge::toVec(query.position), judge::toVec(query.displacement),
                  judge::toSegment(query.line)});
 }
 
-Query queryOf(const oracle::SweepFamily& family, RandomSource& random) {
+SweepQuestion queryOf(const oracle::SweepFamily& family, RandomSource& random) {
   const oracle::SweepQuery made = oracle::makeQuery(family, random);
   return {judge::toPoints(made.shape), judge::toPoint(made.position), judge::toPoint(made.displacement), judge::toSegment(made.obstacle)};
 }
@@ -50,7 +37,7 @@ void forEachQuery(std::int64_t cases, Check&& check) {
   std::int64_t misses = 0;
   forEachCase(cases, [&](RandomSource& random) {
     for (const oracle::SweepFamily& family : oracle::sweepFamilies()) {
-      const Query query = queryOf(family, random);
+      const SweepQuestion query = queryOf(family, random);
       const std::optional<Hit> hit = answer(query);
       SCOPED_TRACE(described(query));
       check(query, hit, random);
@@ -72,13 +59,13 @@ void expectSameTimes(const std::optional<Hit>& hit, const std::optional<Hit>& ot
 bool inRange(Point point) { return isCoordinate(point.x) && isCoordinate(point.y); }
 
 TEST(SweepLawsTest, EveryTurnMirrorAndPlaceGivesTheSame) {
-  forEachQuery(5000, [](const Query& query, const std::optional<Hit>& hit, RandomSource& random) {
+  forEachQuery(5000, [](const SweepQuestion& query, const std::optional<Hit>& hit, RandomSource& random) {
     LatticeMap map = anyMap(random, kCoordinateLimit / 2);
     const auto fits = [&] {
       return inRange(map.place(query.position)) && inRange(map.place(query.line.a)) && inRange(map.place(query.line.b));
     };
     if (!fits()) map.shift = {};
-    const Query mapped{map.shape(query.shape), map.place(query.position), map.vector(query.displacement), map.line(query.line)};
+    const SweepQuestion mapped{map.shape(query.shape), map.place(query.position), map.vector(query.displacement), map.line(query.line)};
     const std::optional<Hit> other = answer(mapped);
     expectSameTimes(hit, other);
     // Which of two edges met at once is named depends on their order, which a mirror turns round.
@@ -90,8 +77,8 @@ TEST(SweepLawsTest, EveryTurnMirrorAndPlaceGivesTheSame) {
 }
 
 TEST(SweepLawsTest, NeitherTheEndsOfTheLineNorTheFirstVertexMatter) {
-  forEachQuery(5000, [](const Query& query, const std::optional<Hit>& hit, RandomSource& random) {
-    Query other = query;
+  forEachQuery(5000, [](const SweepQuestion& query, const std::optional<Hit>& hit, RandomSource& random) {
+    SweepQuestion other = query;
     std::swap(other.line.a, other.line.b);
     expectSameTimes(hit, answer(other));
     const auto first = random.between(0, static_cast<std::int64_t>(query.shape.size()) - 1);
@@ -101,7 +88,7 @@ TEST(SweepLawsTest, NeitherTheEndsOfTheLineNorTheFirstVertexMatter) {
 }
 
 TEST(SweepLawsTest, GrowingNeverLosesAHitNorDelaysIt) {
-  forEachQuery(5000, [](const Query& query, const std::optional<Hit>& hit, RandomSource& random) {
+  forEachQuery(5000, [](const SweepQuestion& query, const std::optional<Hit>& hit, RandomSource& random) {
     std::optional<Hit> last = hit;
     for (std::int32_t grown = 0; grown < 64;) {
       grown += static_cast<std::int32_t>(random.between(1, 24));
@@ -128,14 +115,14 @@ Point times(std::int64_t factor, Point vector) {
 
 // A displacement of many equal steps: as many as fit before the hit are free, one more meets the line at the same place.
 TEST(SweepLawsTest, AllIsFreeBeforeTheHitAndMetAfterIt) {
-  forEachQuery(5000, [](const Query& query, const std::optional<Hit>&, RandomSource& random) {
+  forEachQuery(5000, [](const SweepQuestion& query, const std::optional<Hit>&, RandomSource& random) {
     const std::int64_t steps = random.between(1, 1000);
-    Query whole = query;
+    SweepQuestion whole = query;
     const Point step(query.displacement.x / static_cast<std::int32_t>(steps), query.displacement.y / static_cast<std::int32_t>(steps));
     whole.displacement = times(steps, step);
     const std::optional<Hit> hit = answer(whole);
     const auto free = hit ? static_cast<std::int64_t>(int128{hit->time.numerator} * steps / hit->time.denominator) : steps;
-    Query part = whole;
+    SweepQuestion part = whole;
     part.displacement = times(free, step);
     EXPECT_EQ(answer(part).has_value(), hit && hit->side == Hit::Side::kInside) << free << " of " << steps;
     if (!hit) return;

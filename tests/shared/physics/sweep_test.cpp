@@ -10,6 +10,7 @@
 #include "tests/oracle/exact_geometry.h"
 #include "tests/oracle/sweep_oracle.h"
 #include "tests/shared/physics/shapes.h"
+#include "tests/shared/physics/sweep_question.h"
 
 namespace platon {
 namespace {
@@ -17,23 +18,9 @@ namespace {
 constexpr std::uint64_t kSeed = 4711;
 constexpr std::int32_t kMost = kCoordinateLimit - 1;
 
-struct Query {
-  std::vector<Point> shape;
-  Point position;
-  Point displacement;
-  Segment line;
-};
-
-std::optional<Hit> answer(const Query& query, std::int32_t grown = 0) {
-  const Convex shape(query.shape);
-  Sweep sweep;
-  sweep.start(shape, query.position, query.displacement, grown);
-  return sweep.against(query.line);
-}
-
 std::string textOf(Point point) { return "(" + std::to_string(point.x) + ", " + std::to_string(point.y) + ") "; }
 
-std::string textOf(const Query& query) {
+std::string textOf(const SweepQuestion& query) {
   std::string text = "seed " + std::to_string(kSeed) + ", shape ";
   for (const Point vertex : query.shape) text += textOf(vertex);
   return text + "at " + textOf(query.position) + "by " + textOf(query.displacement) + "line " + textOf(query.line.a) +
@@ -41,9 +28,9 @@ std::string textOf(const Query& query) {
 }
 
 // Small numbers bring touching, tangential and coincident cases; large ones the bounds.
-Query randomQuery(sim::SeededRandom& random, int round) {
+SweepQuestion randomQuery(sim::SeededRandom& random, int round) {
   const std::int32_t scale = round % 2 == 0 ? 6 : 2 << (round % 23);
-  Query query;
+  SweepQuestion query;
   query.shape = randomConvex(random, scale).vertices();
   query.position = random.vector(2 * scale);
   query.displacement = random.vector(4 * scale);
@@ -52,12 +39,12 @@ Query randomQuery(sim::SeededRandom& random, int round) {
   return query;
 }
 
-void forRandomQueries(int count, const std::function<void(const Query&)>& check) {
+void forRandomQueries(int count, const std::function<void(const SweepQuestion&)>& check) {
   sim::SeededRandom random(kSeed);
   for (int i = 0; i < count && !testing::Test::HasFatalFailure(); ++i) check(randomQuery(random, i));
 }
 
-void expectSameTimes(const std::optional<Hit>& a, const std::optional<Hit>& b, const Query& query) {
+void expectSameTimes(const std::optional<Hit>& a, const std::optional<Hit>& b, const SweepQuestion& query) {
   ASSERT_EQ(a.has_value(), b.has_value()) << textOf(query);
   if (!a) return;
   ASSERT_EQ(a->time, b->time) << textOf(query);
@@ -65,8 +52,8 @@ void expectSameTimes(const std::optional<Hit>& a, const std::optional<Hit>& b, c
   ASSERT_EQ(a->side == Hit::Side::kInside, b->side == Hit::Side::kInside) << textOf(query);
 }
 
-Query mapped(const Query& query, const std::function<Point(Point)>& turn, Point shift) {
-  Query image = query;
+SweepQuestion mapped(const SweepQuestion& query, const std::function<Point(Point)>& turn, Point shift) {
+  SweepQuestion image = query;
   for (Point& vertex : image.shape) vertex = turn(vertex);
   image.position = turn(query.position) + shift;
   image.displacement = turn(query.displacement);
@@ -156,7 +143,7 @@ TEST(SweepTest, SidesOfTheLineWinOverItsEnds) {
 }
 
 TEST(SweepTest, AgreesWithTheForbiddenPolygon) {
-  forRandomQueries(20000, [](const Query& query) {
+  forRandomQueries(20000, [](const SweepQuestion& query) {
     oracle::SweepQuery question;
     for (const Point vertex : query.shape) question.shape.push_back({vertex.x, vertex.y});
     question.position = {query.position.x, query.position.y};
@@ -172,7 +159,7 @@ TEST(SweepTest, AgreesWithTheForbiddenPolygon) {
 }
 
 TEST(SweepTest, IsTheSameAnywhere) {
-  forRandomQueries(20000, [](const Query& query) {
+  forRandomQueries(20000, [](const SweepQuestion& query) {
     const Point shift(1 << 27, -(1 << 26) - 5);
     const auto here = answer(query);
     const auto there = answer(mapped(query, [](Point p) { return p; }, shift));
@@ -186,7 +173,7 @@ TEST(SweepTest, IsTheSameAnywhere) {
 }
 
 TEST(SweepTest, IsTheSameInEveryQuarterTurn) {
-  forRandomQueries(20000, [](const Query& query) {
+  forRandomQueries(20000, [](const SweepQuestion& query) {
     const auto here = answer(query);
     const auto turned = answer(mapped(query, perpendicular, {}));
     ASSERT_NO_FATAL_FAILURE(expectSameTimes(here, turned, query));
@@ -198,16 +185,16 @@ TEST(SweepTest, IsTheSameInEveryQuarterTurn) {
 }
 
 TEST(SweepTest, IsTheSameInAMirror) {
-  forRandomQueries(20000, [](const Query& query) {
-    Query image = mapped(query, [](Point p) { return Point(-p.x, p.y); }, {});
+  forRandomQueries(20000, [](const SweepQuestion& query) {
+    SweepQuestion image = mapped(query, [](Point p) { return Point(-p.x, p.y); }, {});
     std::reverse(image.shape.begin(), image.shape.end());
     expectSameTimes(answer(query), answer(image), query);
   });
 }
 
 TEST(SweepTest, EndsOfALineAreAlike) {
-  forRandomQueries(20000, [](const Query& query) {
-    Query reversed = query;
+  forRandomQueries(20000, [](const SweepQuestion& query) {
+    SweepQuestion reversed = query;
     std::swap(reversed.line.a, reversed.line.b);
     const auto forth = answer(query);
     const auto back = answer(reversed);
@@ -222,13 +209,13 @@ TEST(SweepTest, EndsOfALineAreAlike) {
 TEST(SweepTest, ALineIsMetWhereItsPartsAre) {
   sim::SeededRandom random(kSeed);
   for (int i = 0; i < 20000; ++i) {
-    Query query = randomQuery(random, i);
+    SweepQuestion query = randomQuery(random, i);
     const Point step = random.vector(5);
     const auto parts = 1 + static_cast<std::int32_t>(random.below(6));
     const auto cut = static_cast<std::int32_t>(random.below(static_cast<std::uint64_t>(parts) + 1));
     const auto along = [&](std::int32_t n) { return query.line.a + Point(step.x * n, step.y * n); };
-    Query first = query;
-    Query second = query;
+    SweepQuestion first = query;
+    SweepQuestion second = query;
     first.line.b = second.line.a = along(cut);
     query.line.b = second.line.b = along(parts);
     const auto whole = answer(query);
@@ -245,8 +232,8 @@ TEST(SweepTest, ALineIsMetWhereItsPartsAre) {
 
 // Backwards the shape enters where it left and leaves where it entered.
 TEST(SweepTest, RunsBackwards) {
-  forRandomQueries(20000, [](const Query& query) {
-    Query reversed = query;
+  forRandomQueries(20000, [](const SweepQuestion& query) {
+    SweepQuestion reversed = query;
     reversed.position = query.position + query.displacement;
     reversed.displacement = -query.displacement;
     const auto forth = answer(query);
@@ -262,7 +249,7 @@ TEST(SweepTest, RunsBackwards) {
 
 // At each twelfth of the way the shape overlaps the line exactly when the time is between meeting and exit.
 TEST(SweepTest, OverlapsBetweenMeetingAndExitOnly) {
-  forRandomQueries(4000, [](const Query& query) {
+  forRandomQueries(4000, [](const SweepQuestion& query) {
     constexpr std::int32_t parts = 12;
     const auto hit = answer(query);
     const auto scaled = [](Point p) { return oracle::Vec{std::int64_t{p.x} * parts, std::int64_t{p.y} * parts}; };
@@ -284,7 +271,7 @@ TEST(SweepTest, OverlapsBetweenMeetingAndExitOnly) {
 TEST(SweepTest, NormalFacesTheMoverAndTheFeatureTouches) {
   int lines = 0;
   int ends = 0;
-  forRandomQueries(20000, [&](const Query& query) {
+  forRandomQueries(20000, [&](const SweepQuestion& query) {
     const auto hit = answer(query);
     if (!hit || hit->side == Hit::Side::kInside) return;
     ASSERT_LT(dot(hit->normal, query.displacement), 0) << textOf(query);
@@ -313,7 +300,7 @@ TEST(SweepTest, NormalFacesTheMoverAndTheFeatureTouches) {
 }
 
 TEST(SweepTest, GrowingMeetsEarlierAndLeavesLater) {
-  forRandomQueries(20000, [](const Query& query) {
+  forRandomQueries(20000, [](const SweepQuestion& query) {
     std::optional<Hit> smaller = answer(query);
     for (const std::int32_t grown : {1, 2, 4, 8, 100}) {
       const auto larger = answer(query, grown);
@@ -374,7 +361,7 @@ TEST(SweepTest, TheLargestQueriesAgreeWithTheForbiddenPolygon) {
   for (int i = 0; i < 20000; ++i) {
     std::vector<Point> hull = convexHull({corner(), corner(), corner(), corner(), corner()});
     if (Convex::fault(hull)) continue;
-    const Query query{hull, corner(), corner(), {corner(), corner()}};
+    const SweepQuestion query{hull, corner(), corner(), {corner(), corner()}};
     oracle::SweepQuery question;
     for (const Point vertex : query.shape) question.shape.push_back({vertex.x, vertex.y});
     question.position = {query.position.x, query.position.y};

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "shared/physics/sweep.h"
+
+namespace platon {
+
+/// One question to the sweep.
+struct SweepQuestion {
+  std::vector<Point> shape;
+  Point position;
+  Point displacement;
+  Segment line;
+};
+
+inline std::optional<Hit> answer(const SweepQuestion& query, std::int32_t grown = 0) {
+  const Convex shape(query.shape);
+  Sweep sweep;
+  sweep.start(shape, query.position, query.displacement, grown);
+  return sweep.against(query.line);
+}
+
+}  // namespace platon
