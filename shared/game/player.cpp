@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "shared/exact/integer.h"
+#include "shared/exact/square_root.h"
 #include "shared/physics/slide.h"
 
 namespace platon {
@@ -33,18 +34,10 @@ std::int32_t towards(std::int32_t value, std::int32_t target, std::int32_t step)
   return value < target ? std::min(value + step, target) : std::max(value - step, target);
 }
 
-std::int64_t squareRoot(std::int64_t value) {
-  std::int64_t root = 0;
-  for (std::int64_t bit = std::int64_t{1} << 31; bit != 0; bit >>= 1) {
-    if ((root + bit) * (root + bit) <= value) root += bit;
-  }
-  return root;
-}
-
 // `vector` scaled to the length of a unit. Below 2^30 a coordinate, not zero.
 Point unit(Point vector) {
   while (std::max(std::abs(vector.x), std::abs(vector.y)) < (1 << 28)) vector = vector + vector;
-  const std::int64_t length = squareRoot(squaredLength(vector));
+  const std::int64_t length = squareRootFloor(squaredLength(vector));
   return {static_cast<std::int32_t>(divideRounded(std::int64_t{vector.x} * PlayerState::kUnit, length)),
           static_cast<std::int32_t>(divideRounded(std::int64_t{vector.y} * PlayerState::kUnit, length))};
 }

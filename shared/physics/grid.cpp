@@ -3,18 +3,13 @@
 #include <algorithm>
 
 #include "shared/exact/integer.h"
+#include "shared/exact/square_root.h"
 
 namespace platon {
 namespace {
 
 // Measured on random, long and clustered lines: more references than this a line cost memory and no longer save time.
 constexpr std::size_t kReferencesPerLine = 6;
-
-std::size_t squareRoot(std::size_t value) {
-  std::size_t root = 1;
-  while ((root + 1) * (root + 1) <= value) ++root;
-  return root;
-}
 
 // Inner borders of `cells` slices that hold about equally many of the coordinates.
 std::vector<std::int32_t> chooseBorders(std::vector<std::int32_t> coordinates, std::size_t cells) {
@@ -51,7 +46,7 @@ Span xRange(Point a, Point b, std::int64_t low, std::int64_t high) {
 }  // namespace
 
 Grid::Grid(std::span<const Segment> lines) {
-  std::size_t cells = std::max<std::size_t>(1, squareRoot(lines.size()));
+  std::size_t cells = std::max<std::size_t>(1, squareRootFloor(lines.size()));
   while (!build(lines, cells, kReferencesPerLine * lines.size()) && cells > 1) cells /= 2;
 }
 

@@ -1,30 +1,17 @@
 #include "shared/physics/instances.h"
 
 #include <algorithm>
-#include <array>
 
 #include "shared/exact/integer.h"
+#include "shared/exact/lattice.h"
 #include "shared/physics/collider.h"
 
 namespace platon {
 namespace {
 
-// Offsets by which a placement may be moved to be free, nearest first; all within kMostError of a point that is itself
-// at most sqrt(1/2) from the ideal one.
-constexpr auto kOffsets = [] {
-  constexpr int reach = Instances::kMostError + 1;
-  std::array<Point, (2 * reach + 1) * (2 * reach + 1)> offsets{};
-  std::size_t count = 0;
-  for (int y = -reach; y <= reach; ++y) {
-    for (int x = -reach; x <= reach; ++x) offsets[count++] = Point(x, y);
-  }
-  for (std::size_t i = 1; i < count; ++i) {  // insertion sort: stable, and constexpr in every compiler
-    for (std::size_t j = i; j > 0 && squaredLength(offsets[j]) < squaredLength(offsets[j - 1]); --j) {
-      std::swap(offsets[j], offsets[j - 1]);
-    }
-  }
-  return offsets;
-}();
+// Offsets by which a placement may be moved to be free; all within kMostError of a point that is itself at most
+// sqrt(1/2) from the ideal one.
+constexpr auto kOffsets = latticeDisc<Instances::kMostError + 1>();
 
 constexpr std::int64_t squaredPrecise(std::int32_t subunits) {
   return subunits * PrecisePoint::kOne * subunits * PrecisePoint::kOne;

@@ -30,6 +30,7 @@ TEST(SquareRootTest, ChangesExactlyAtSquares) {
 TEST(SquareRootTest, TheLargest) {
   const int128 most = (int128{1} << 124) - 1;
   EXPECT_TRUE(squareRootFloor(most) == (int128{1} << 62) - 1);
+  EXPECT_EQ(squareRootFloor((std::int64_t{1} << 62) - 1), (std::int64_t{1} << 31) - 1);
 }
 
 }  // namespace
