@@ -27,6 +27,15 @@ std::string textOf(const SweepQuestion& query) {
          textOf(query.line.b);
 }
 
+oracle::SweepTruth truthOf(const SweepQuestion& query) {
+  oracle::SweepQuery question;
+  for (const Point vertex : query.shape) question.shape.push_back({vertex.x, vertex.y});
+  question.position = {query.position.x, query.position.y};
+  question.displacement = {query.displacement.x, query.displacement.y};
+  question.obstacle = {{query.line.a.x, query.line.a.y}, {query.line.b.x, query.line.b.y}};
+  return sweepTruth(question);
+}
+
 // Small numbers bring touching, tangential and coincident cases; large ones the bounds.
 SweepQuestion randomQuery(sim::SeededRandom& random, int round) {
   const std::int32_t scale = round % 2 == 0 ? 6 : 2 << (round % 23);
@@ -144,12 +153,7 @@ TEST(SweepTest, SidesOfTheLineWinOverItsEnds) {
 
 TEST(SweepTest, AgreesWithTheForbiddenPolygon) {
   forRandomQueries(20000, [](const SweepQuestion& query) {
-    oracle::SweepQuery question;
-    for (const Point vertex : query.shape) question.shape.push_back({vertex.x, vertex.y});
-    question.position = {query.position.x, query.position.y};
-    question.displacement = {query.displacement.x, query.displacement.y};
-    question.obstacle = {{query.line.a.x, query.line.a.y}, {query.line.b.x, query.line.b.y}};
-    const oracle::SweepTruth truth = sweepTruth(question);
+    const oracle::SweepTruth truth = truthOf(query);
     const auto hit = answer(query);
     ASSERT_EQ(hit.has_value(), truth.kind != oracle::SweepTruth::Kind::Miss) << textOf(query);
     if (!hit) return;
@@ -362,12 +366,7 @@ TEST(SweepTest, TheLargestQueriesAgreeWithTheForbiddenPolygon) {
     std::vector<Point> hull = convexHull({corner(), corner(), corner(), corner(), corner()});
     if (Convex::fault(hull)) continue;
     const SweepQuestion query{hull, corner(), corner(), {corner(), corner()}};
-    oracle::SweepQuery question;
-    for (const Point vertex : query.shape) question.shape.push_back({vertex.x, vertex.y});
-    question.position = {query.position.x, query.position.y};
-    question.displacement = {query.displacement.x, query.displacement.y};
-    question.obstacle = {{query.line.a.x, query.line.a.y}, {query.line.b.x, query.line.b.y}};
-    const oracle::SweepTruth truth = sweepTruth(question);
+    const oracle::SweepTruth truth = truthOf(query);
     const auto hit = answer(query);
     ASSERT_EQ(hit.has_value(), truth.kind != oracle::SweepTruth::Kind::Miss) << textOf(query);
     if (!hit) continue;
