@@ -3,11 +3,6 @@
 #include <algorithm>
 
 namespace platon {
-namespace {
-
-constexpr std::uint32_t kNoLine = ~std::uint32_t{0};
-
-}  // namespace
 
 LineRef lineRef(const MapGeometry& part, std::uint32_t line) {
   return {part.id, line, part.isWarp(line), part.lines[line]};
@@ -40,21 +35,10 @@ bool Collider::blocksOrNote(const Placement& placement, std::uint32_t line) {
   return false;
 }
 
-std::optional<LegHit> Collider::first(const Instances& instances, Point from, Point to) {
-  std::optional<LegHit> best;
-  for (std::size_t i = 0; i < instances.all().size(); ++i) first(instances, i, from, to, best);
-  return best;
-}
-
-void Collider::first(const Instances& instances, std::size_t index, Point from, Point to,
-                     std::optional<LegHit>& best) {
-  first(instances, index, from, to, best, kNoLine);
-}
-
-std::optional<LegHit> Collider::firstBut(const Instances& instances, Point from, Point to, const LegHit& but) {
+std::optional<LegHit> Collider::first(const Instances& instances, Point from, Point to, const LegHit* but) {
   std::optional<LegHit> best;
   for (std::size_t i = 0; i < instances.all().size(); ++i) {
-    first(instances, i, from, to, best, i == but.placement ? but.line : kNoLine);
+    first(instances, i, from, to, best, but != nullptr && i == but->placement ? but->line : kNoLine);
   }
   return best;
 }

@@ -24,6 +24,7 @@ class Collider {
  public:
   /// Beyond the straight path of a leg, candidates for its end are looked for this far to the side.
   static constexpr std::int32_t kReach = 8;
+  static constexpr std::uint32_t kNoLine = ~std::uint32_t{0};
 
   /// A pierceable line that an instance has met.
   struct Pierced {
@@ -52,12 +53,12 @@ class Collider {
   void begin(Rules& rules, Entity entity, std::vector<Region>& regions);
 
   /// The earliest blocking line in the way of any instance when home moves straight from `from` to `to`; at equal
-  /// times the first placement and the line with the lowest index. Notes the pierceable lines met.
-  std::optional<LegHit> first(const Instances& instances, Point from, Point to);
-  /// As above for placement `index` alone; replaces `best` when it finds an earlier one.
-  void first(const Instances& instances, std::size_t index, Point from, Point to, std::optional<LegHit>& best);
-  /// As `first`, without the line of `but`.
-  std::optional<LegHit> firstBut(const Instances& instances, Point from, Point to, const LegHit& but);
+  /// times the first placement and the line with the lowest index. Notes the pierceable lines met. As if the line of
+  /// `but` were not there.
+  std::optional<LegHit> first(const Instances& instances, Point from, Point to, const LegHit* but = nullptr);
+  /// As above for placement `index` alone and without line `but`; replaces `best` when it finds an earlier one.
+  void first(const Instances& instances, std::size_t index, Point from, Point to, std::optional<LegHit>& best,
+             std::uint32_t but = kNoLine);
   /// The earliest pierceable warp line, without an instance behind it and not among `shut`, that any instance meets
   /// before `limit`.
   std::optional<LegHit> firstWarp(const Instances& instances, const Path& path, const std::optional<LegHit>& limit,
@@ -82,8 +83,6 @@ class Collider {
  private:
   const std::vector<std::uint32_t>& start(const Placement& placement, const Convex& shape, Point from, Point to,
                                           std::int32_t margin);
-  void first(const Instances& instances, std::size_t index, Point from, Point to, std::optional<LegHit>& best,
-             std::uint32_t but);
   bool blocks(const MapGeometry& part, std::uint32_t line) const;
   bool blocksOrNote(const Placement& placement, std::uint32_t line);
   bool isOpen(const Instances& instances, const Gate& gate, const std::vector<Gate>& shut) const;

@@ -1,31 +1,17 @@
 // How ends of lines that stand out a little are passed (I3).
 #include <algorithm>
-#include <array>
+#include <span>
 
 #include "shared/exact/integer.h"
+#include "shared/exact/lattice.h"
 #include "shared/physics/entity_step.h"
 #include "shared/physics/slide.h"
 
 namespace platon {
 namespace {
 
-constexpr std::size_t kNudges = 112;
-
-// Sideways steps, nearest first.
-constexpr auto kNudgeOffsets = [] {
-  constexpr std::int32_t most = EntityStep::kNudge;
-  std::array<Point, kNudges> offsets{};
-  std::size_t count = 0;
-  for (std::int64_t squared = 1; squared <= most * most; ++squared) {
-    for (int y = -most; y <= most; ++y) {
-      for (int x = -most; x <= most; ++x) {
-        if (squaredLength(Point(x, y)) == squared) offsets[count++] = Point(x, y);
-      }
-    }
-  }
-  return offsets;
-}();
-static_assert(kNudgeOffsets.back() != Point());
+// Sideways steps; the first of all, no step, is none.
+constexpr auto kNudgeOffsets = latticeDisc<EntityStep::kNudge>();
 
 // A nudge would bring a shape hardly larger than itself to the other side of the end, to and fro for ever.
 bool isTiny(const Convex& shape) {
@@ -49,7 +35,7 @@ std::optional<LegHit> EntityStep::groundBehind(const LegHit& end, Point target, 
   const Point displacement = target - position();
   const Point beyond = reached + displacement;
   if (!allInRange(beyond)) return std::nullopt;
-  const auto ground = collider_.firstBut(instances_, reached, beyond, end);
+  const auto ground = collider_.first(instances_, reached, beyond, &end);
   if (!ground || ground->hit.side == Hit::Side::kInside) return std::nullopt;
   return isApart(homeNormalOf(*ground), scaleTruncated(displacement, ground->hit.time)) ? std::nullopt : ground;
 }
@@ -87,7 +73,7 @@ std::optional<Point> EntityStep::nudge(const LegHit& hit, Point target, Point re
   const Placement& placement = instances_.all()[hit.placement];
   if (hit.hit.side != Hit::Side::kLineEnd || isTiny(*placement.shape)) return std::nullopt;
   if (!grazes(hit, target, reached)) return std::nullopt;
-  for (const Point offset : kNudgeOffsets) {
+  for (const Point offset : std::span(kNudgeOffsets).subspan(1)) {
     const Point from = reached + offset;
     const Point to = target + offset;
     const bool leadsPast = dot(to - position(), wanted_) > 0 && dot(to - position(), homeNormalOf(hit)) < 0;

@@ -22,8 +22,8 @@ Reach EntityStep::reachOf(const LegHit& stop) const {
   const Placement& placement = instances_.all()[stop.placement];
   const Segment& line = placement.part->lines[stop.line];
   const EdgeReach reach = reachAlong(*placement.shape, placement.position, line, normalOf(stop));
-  const Angle toHome = instances_.home().angle - placement.angle;
-  return {longerPart(rotate(reach.ahead, directionOf(toHome))), longerPart(rotate(reach.behind, directionOf(toHome)))};
+  const Direction toHome = directionOf(instances_.home().angle - placement.angle);
+  return {longerPart(rotate(reach.ahead, toHome)), longerPart(rotate(reach.behind, toHome))};
 }
 
 // The instance that met the line moves by its own rounding of the displacement, which could lead into the line again: a
@@ -81,7 +81,7 @@ Point EntityStep::shortOfTurning(Point target) {
 bool EntityStep::isTurnedBack(Point end) {
   const Point target = end + wanted_;
   if (!allInRange(target)) return false;
-  const auto next = collider_.firstBut(instances_, end, target, *stop_);
+  const auto next = collider_.first(instances_, end, target, &*stop_);
   return next && !isApart(homeNormalOf(*next), scaleTruncated(wanted_, next->hit.time)) && leadsBack(*next);
 }
 

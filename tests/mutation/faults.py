@@ -121,8 +121,8 @@ FAULTS = [
 
     # Instances, crossings, home.
     Fault("second-instance-skipped", PHYSICS + "collider.cpp",
-          "for (std::size_t i = 0; i < instances.all().size(); ++i) first(instances, i, from, to, best);",
-          "first(instances, 0, from, to, best);",
+          "i < instances.all().size(); ++i) {\n    first(instances, i, from",
+          "i < 1; ++i) {\n    first(instances, i, from",
           "only the home instance meets lines",
           "world_test", "InstancesTest.AWallBehindAnyEdgeStopsAtOnce"),
     Fault("only-home-must-be-free", PHYSICS + "collider.cpp",
