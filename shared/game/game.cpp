@@ -1,7 +1,6 @@
 #include "shared/game/game.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <utility>
 
@@ -18,13 +17,16 @@ class GameRules : public Rules {
   GameRules(World& world, std::vector<PlayerState>& players) : world_(world), players_(players) {}
 
   void contact(Entity& entity, const Contact& contact) override {
-    Player(world_, entity.index(), players_[entity.index()]).contact(contact, steep_[entity.index()]);
+    if (entity.index() != moved_) steep_ = Point();
+    moved_ = entity.index();
+    Player(world_, moved_, players_[moved_]).contact(contact, steep_);
   }
 
  private:
   World& world_;
   std::vector<PlayerState>& players_;
-  std::array<Point, kMaxPlayers> steep_{};   // by player
+  std::uint32_t moved_ = ~std::uint32_t{0};   // the world moves one after the other
+  Point steep_;                               // of the player being moved
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "shared/physics/entity_step.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 
 #include "shared/exact/integer.h"
@@ -26,6 +27,13 @@ void EntityStep::begin(Entity entity, EntityState& state, std::span<const Instan
   observer_ = setting.observer;
   instances_.load(setting.geometry, setting.shapes, setting.base, state, further);
   collider_.begin(setting.rules, entity, setting.regions);
+  wanted_ = rest_ = Point();
+  remainder_ = {state.remainder.x, state.remainder.y};
+  isFree_ = true;
+  stop_.reset();
+  stopBefore_.reset();
+  slidAlong_.reset();
+  onwards_.reset();
   observe();
 }
 
@@ -33,10 +41,6 @@ void EntityStep::begin(Entity entity, EntityState& state, std::span<const Instan
 // touches.
 void EntityStep::translate(Point velocity, Angle heading) {
   takeVelocity(velocity, heading);
-  stop_.reset();
-  stopBefore_.reset();
-  slidAlong_.reset();
-  onwards_.reset();
   for (int legs = 0; legs < kMostLegs; ++legs) {
     const Way way = nextWay();
     if (legs != 0 && way.whole == Point()) break;
@@ -46,15 +50,12 @@ void EntityStep::translate(Point velocity, Angle heading) {
     passHome();
     if (rest_ == Point() || !moves) break;
   }
-  if (instances_.dropUnreached(kDropMargin)) observe();
+  if (stop_ && instances_.dropUnreached(kDropMargin)) observe();
   keepRemainder();
 }
 
 // What rests does so exactly: a remainder alone moves nothing.
 void EntityStep::takeVelocity(Point velocity, Angle heading) {
-  remainder_ = {state_->remainder.x, state_->remainder.y};
-  isFree_ = true;
-  wanted_ = rest_ = Point();
   if (velocity == Point()) return;
   const PrecisePoint exact = rotatePrecise(velocity, directionOf(heading)) + remainder_;
   wanted_ = rest_ = rounded(exact);
@@ -71,9 +72,7 @@ void EntityStep::keepRemainder() {
 
 bool EntityStep::settle() {
   const Leg leg = admit(position());
-  rest_ = Point();
   passHome();
-  if (instances_.dropUnreached(kDropMargin)) observe();
   return leg.end == End::kReached && shut_.empty();
 }
 
