@@ -43,9 +43,4 @@ inline constexpr std::int32_t kMaxSlack = 1000;
 /// What per-tick messages carry of a state hash. A difference that it hides once shows in a later tick.
 constexpr std::uint32_t shortHash(std::uint64_t hash) { return static_cast<std::uint32_t>(hash); }
 
-/// Whether a byte from outside may be an input: known buttons only, and none of a slot that nobody plays.
-constexpr bool isInput(Input input) {
-  return (input.buttons & ~Input::kAll) == 0 && (input.has(Input::kPresent) || input.buttons == 0);
-}
-
 }  // namespace platon

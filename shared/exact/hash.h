@@ -33,4 +33,13 @@ class Hash {
   std::uint64_t state_ = 0xcbf29ce484222325U;   // any but 0, which would map a first 0 to itself
 };
 
+/// Of bytes, of whatever type, and their number.
+template <class Bytes>
+std::uint64_t hashOf(const Bytes& bytes) {
+  Hash hash;
+  hash.add(std::uint64_t{bytes.size()});
+  for (const auto byte : bytes) hash.add(static_cast<std::uint8_t>(byte));
+  return hash.value();
+}
+
 }  // namespace platon

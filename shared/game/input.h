@@ -21,4 +21,9 @@ struct Input {
   friend constexpr bool operator==(Input, Input) = default;
 };
 
+/// Whether a byte from outside may be an input: known buttons only, and none of a slot that nobody plays.
+constexpr bool isInput(Input input) {
+  return (input.buttons & ~Input::kAll) == 0 && (input.has(Input::kPresent) || input.buttons == 0);
+}
+
 }  // namespace platon

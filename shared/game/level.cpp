@@ -9,13 +9,6 @@
 namespace platon {
 namespace {
 
-std::uint64_t hashOf(std::string_view text) {
-  Hash hash;
-  hash.add(text.size());
-  for (const char byte : text) hash.add(static_cast<std::uint8_t>(byte));
-  return hash.value();
-}
-
 void checkStart(const World& stage, const LevelPlace& start, Diagnostics& diagnostics) {
   if (isFreeForPlayer(stage, start.face, start.point, start.angle)) return;
   diagnostics.error(start.at, "the start is not free: a line or a corner overlaps the player there");

@@ -25,7 +25,13 @@ class StateWriter {
     add(point.y);
   }
   void add(Angle angle) { add(angle.hundredths()); }
+  /// Another writer's bytes, or text.
+  template <class Bytes>
+  void append(const Bytes& bytes) {
+    bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
+  }
 
+  std::span<const std::uint8_t> bytes() const { return bytes_; }
   std::vector<std::uint8_t> take() { return std::move(bytes_); }
 
  private:
@@ -65,6 +71,17 @@ class StateReader {
     angle = Angle(hundredths);
   }
 
+  /// The next bytes as they are.
+  std::span<const std::uint8_t> take(std::size_t count) {
+    if (left() < count) {
+      sound_ = false;
+      count = left();
+    }
+    next_ += count;
+    return bytes_.subspan(next_ - count, count);
+  }
+
+  std::size_t next() const { return next_; }
   std::size_t left() const { return bytes_.size() - next_; }
   /// Nothing was missing, wrong or left over.
   bool finished() const { return sound_ && left() == 0; }

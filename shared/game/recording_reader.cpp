@@ -1,0 +1,129 @@
+#include "shared/game/recording_reader.h"
+
+#include <algorithm>
+
+#include "shared/exact/hash.h"
+#include "shared/game/recording_format.h"
+#include "shared/game/state_bytes.h"
+
+namespace platon {
+namespace {
+
+constexpr std::size_t kHashBytes = sizeof(std::uint64_t);
+
+std::uint64_t readHash(std::span<const std::uint8_t> bytes) {
+  std::uint64_t hash = 0;
+  StateReader(bytes).read(hash);
+  return hash;
+}
+
+// The runs of one slot, which together are as long as the block. False when they are not, or no such input exists.
+bool readRuns(StateReader& reader, std::uint32_t slot, RecordedBlock& block) {
+  for (std::uint32_t tick = 0; tick < block.ticks();) {
+    std::uint16_t length = 0;
+    Input input;
+    reader.read(length);
+    reader.read(input.buttons);
+    if (length == 0 || length > block.ticks() - tick || !isInput(input)) return false;
+    for (const std::uint32_t end = tick + length; tick < end; ++tick) block.inputs[tick * block.slots + slot] = input;
+  }
+  return true;
+}
+
+}  // namespace
+
+RecordingReader::RecordingReader(std::span<const std::uint8_t> bytes) : bytes_(bytes) { readHead(); }
+
+void RecordingReader::readHead() {
+  constexpr std::size_t kFixed = kRecordingMagic.size() + 2 * sizeof(std::uint32_t);
+  const std::size_t shared = std::min(bytes_.size(), kRecordingMagic.size());
+  if (!std::equal(bytes_.begin(), bytes_.begin() + static_cast<std::ptrdiff_t>(shared), kRecordingMagic.begin())) {
+    return damaged(0, "this is no recording, or one of another format");
+  }
+  if (!truncatedUnless(kFixed)) return;
+  StateReader reader(bytes_.subspan(kRecordingMagic.size()));
+  std::uint32_t textBytes = 0;
+  std::uint32_t rules = 0;
+  reader.read(rules);
+  reader.read(textBytes);
+  if (textBytes > kMostLevelBytes) return damaged(kFixed - sizeof textBytes, "the level text is too long for a level");
+  if (!truncatedUnless(kFixed + textBytes + kHashBytes)) return;
+  const auto head = bytes_.first(kFixed + textBytes);
+  if (readHash(bytes_.subspan(head.size())) != hashOf(head)) return damaged(head.size(), "the check sum of the head is wrong");
+  if (rules != kRulesVersion) {
+    return damaged(kRecordingMagic.size(), "it was played by version " + std::to_string(rules) +
+                   " of the rules, this program plays by version " + std::to_string(kRulesVersion));
+  }
+  const auto text = head.subspan(kFixed);
+  LevelResult result = loadLevel(std::string(text.begin(), text.end()));
+  if (!result.level) return damaged(kFixed, "the level has an error: " + format("level", result.diagnostics.front()));
+  level_ = std::move(result.level);
+  offset_ = head.size() + kHashBytes;
+}
+
+std::optional<RecordedBlock> RecordingReader::next() {
+  constexpr std::size_t kLengths = 2 * sizeof(std::uint32_t);
+  if (state_ != State::kReading || !truncatedUnless(kLengths)) return std::nullopt;
+  StateReader reader(bytes_.subspan(offset_));
+  std::uint32_t length = 0;
+  std::uint32_t complement = 0;
+  reader.read(length);
+  reader.read(complement);
+  if (length != ~complement) return damaged(offset_, "the length of the block is wrong"), std::nullopt;
+  if (!truncatedUnless(kLengths + length + kHashBytes)) return std::nullopt;
+  const auto body = reader.take(length);
+  std::uint64_t hash = 0;
+  reader.read(hash);
+  if (hash != hashOf(body)) return damaged(offset_, "the check sum of the block is wrong"), std::nullopt;
+  auto block = readBody(body, offset_);
+  if (!block) return std::nullopt;
+  offset_ += reader.next();
+  if (block->ticks() != 0) return block;
+  state_ = State::kComplete;
+  if (offset_ != bytes_.size()) damaged(offset_, "something follows the end");
+  return block;
+}
+
+std::optional<RecordedBlock> RecordingReader::readBody(std::span<const std::uint8_t> bytes, std::size_t offset) {
+  StateReader reader(bytes);
+  RecordedBlock block;
+  std::uint16_t ticks = 0;
+  std::uint16_t slots = 0;
+  std::uint32_t stateBytes = 0;
+  block.offset = offset;
+  reader.read(block.first);
+  reader.read(ticks);
+  reader.read(slots);
+  reader.read(stateBytes);
+  const auto wrong = [&](std::string_view what) { return damaged(offset, what), std::nullopt; };
+  if (ticks > kMostCheckpointTicks || slots > kMaxPlayers) return wrong("the block is larger than any may be");
+  if (expected_ && block.first != *expected_) return wrong("the block does not follow on the one before");
+  expected_ = block.first + ticks;
+  const auto state = reader.take(stateBytes);
+  block.state.assign(state.begin(), state.end());
+  block.slots = slots;
+  block.hashes.resize(ticks);
+  block.inputs.resize(std::size_t{ticks} * slots);
+  for (std::uint32_t slot = 0; slot < slots; ++slot) {
+    if (!readRuns(reader, slot, block)) return wrong("the inputs of the block are none");
+  }
+  for (std::uint64_t& hash : block.hashes) reader.read(hash);
+  if (!reader.finished()) return wrong("the block is longer or shorter than what is in it");
+  return block;
+}
+
+// Whether so many more bytes are there.
+bool RecordingReader::truncatedUnless(std::size_t count) {
+  if (bytes_.size() - offset_ >= count) return true;
+  state_ = State::kTruncated;
+  fault_ = "byte " + std::to_string(bytes_.size()) + ": the recording ends here, in the middle of what begins at byte " +
+           std::to_string(offset_);
+  return false;
+}
+
+void RecordingReader::damaged(std::size_t offset, std::string_view what) {
+  state_ = State::kDamaged;
+  fault_ = "byte " + std::to_string(offset) + ": " + std::string(what);
+}
+
+}  // namespace platon

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "shared/game/game.h"
+
+namespace platon {
+
+/// One field of a game's state as people read it.
+struct StateField {
+  std::string owner;   ///< "game", "entity 3", "entity 3 instance 1" or "player 3"
+  std::string name;
+  std::string value;   ///< points as (x, y), angles in hundredths of a degree
+
+  friend bool operator==(const StateField&, const StateField&) = default;
+};
+
+/// All that is hashed and saved, in a fixed order.
+std::vector<StateField> fieldsOf(const Game& game);
+
+struct StateDifference {
+  std::string owner;
+  std::string field;
+  std::string left;    ///< value in the one game; "nothing" where only the other has the field
+  std::string right;
+};
+
+/// The first field in which two games on the same level differ, nothing when they are equal.
+std::optional<StateDifference> firstDifference(const Game& left, const Game& right);
+
+}  // namespace platon

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "shared/exact/hash.h"
+#include "shared/game/recorder.h"
+#include "shared/game/state_bytes.h"
+
+namespace platon {
+
+/// A recording by someone who can make check sums too: its blocks hold what no Recorder would write.
+class ForgedRecording {
+ public:
+  explicit ForgedRecording(const Game& start) : state_(start.save()), bytes_(Recorder(start).takeBytes()) {}
+
+  /// The state of the blocks that follow.
+  void setState(std::vector<std::uint8_t> state) { state_ = std::move(state); }
+  /// `rest`: the runs and the hashes.
+  void addBlock(std::uint32_t first, std::uint16_t ticks, std::uint16_t slots, const std::vector<std::uint8_t>& rest) {
+    StateWriter body;
+    body.add(first);
+    body.add(ticks);
+    body.add(slots);
+    body.add(static_cast<std::uint32_t>(state_.size()));
+    body.append(state_);
+    body.append(rest);
+    StateWriter block;
+    block.add(static_cast<std::uint32_t>(body.bytes().size()));
+    block.add(~static_cast<std::uint32_t>(body.bytes().size()));
+    block.append(body.bytes());
+    block.add(hashOf(body.bytes()));
+    bytes_.insert(bytes_.end(), block.bytes().begin(), block.bytes().end());
+  }
+
+  const std::vector<std::uint8_t>& bytes() const { return bytes_; }
+
+ private:
+  std::vector<std::uint8_t> state_;
+  std::vector<std::uint8_t> bytes_;
+};
+
+}  // namespace platon
