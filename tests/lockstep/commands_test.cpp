@@ -7,10 +7,13 @@
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
+#include <iterator>
 #include <sstream>
 
 #include <sys/wait.h>
 
+#include "shared/game/game.h"
+#include "shared/game/recorder.h"
 #include "tests/lockstep/options.h"
 
 namespace platon::sim {
@@ -151,6 +154,95 @@ TEST(RunCommandTest, RefusesWhatItCannotFollow) {
   EXPECT_THROW(runCommand({level, "--ticks", "1", "--drive", "push", "--velocity", "5"}), UsageError);
   EXPECT_THROW(runCommand({level, "--ticks", "1", "--drive", "push", "--velocity", "268435456,0"}), UsageError);
   EXPECT_THROW(runCommand({testing::TempDir() + "no such level"}), UsageError);
+}
+
+// A recording of 300 ticks; its path.
+std::string recordedFile(const std::vector<std::string>& more = {}) {
+  const std::string path = testing::TempDir() + "platon_commands_recording";
+  std::vector<std::string> arguments{levelFile(), "--ticks", "300", "--players", "3", "--drive", "churn", "--record", path};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  ran(arguments);
+  return path;
+}
+
+std::string contentOf(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+TEST(VerifyCommandTest, PrintsOneJsonObject) {
+  const std::string path = recordedFile();
+  const std::string json = ran({path, "--json"}, verifyCommand);
+  EXPECT_THAT(json, MatchesRegex("\\{\"recording\":\"[^\"]*\",\"firstTick\":0,\"ticks\":300,\"players\":3,"
+                                 "\"hash\":\"[0-9a-f]+\",\"complete\":true,\"timesRealTime\":[0-9]+\\}\n"));
+  EXPECT_EQ(hashIn(json), hashIn(ran({levelFile(), "--ticks", "300", "--players", "3", "--drive", "churn", "--json"})));
+  EXPECT_THAT(ran({path, "--from", "130", "--json"}, verifyCommand), HasSubstr("\"firstTick\":120,\"ticks\":180,"));
+}
+
+TEST(VerifyCommandTest, RecordsWhatItPlaysAgain) {
+  const std::string path = recordedFile();
+  const std::string again = path + "_again";
+  ran({path, "--record", again}, verifyCommand);
+  EXPECT_EQ(contentOf(again), contentOf(path));
+  ran({path, "--record", again, "--checkpoint-every", "1"}, verifyCommand);
+  EXPECT_GT(contentOf(again).size(), contentOf(path).size());
+  EXPECT_EQ(hashIn(ran({again, "--json"}, verifyCommand)), hashIn(ran({path, "--json"}, verifyCommand)));
+}
+
+TEST(VerifyCommandTest, OnlyGamesAreRecorded) {
+  EXPECT_THROW(runCommand({levelFile(), "--drive", "fling", "--record", testing::TempDir() + "r"}), UsageError);
+  EXPECT_THROW(runCommand({levelFile(), "--record", testing::TempDir() + "no such folder/r"}), UsageError);
+  EXPECT_THROW(runCommand({levelFile(), "--checkpoint-every", "0"}), UsageError);
+}
+
+// Exit code and sentence, on a recording that a game of other physics left, a cut and a damaged one.
+TEST(VerifyCommandTest, SaysWhatIsWrong) {
+  const std::string path = recordedFile({"--checkpoint-every", "50"});
+  const std::string content = contentOf(path);
+
+  const std::string cut = fileWith("cut", content.substr(0, content.size() - 100));
+  const Output truncated = runProgram("verify " + cut);
+  EXPECT_EQ(truncated.status, 3);
+  EXPECT_THAT(truncated.text, HasSubstr(cut + ": byte " + std::to_string(content.size() - 100) + ": the recording ends here"));
+  EXPECT_THAT(truncated.text, HasSubstr("; 300 ticks before it were played and agree"));
+
+  std::string damaged = content;
+  damaged[content.size() / 2] = static_cast<char>(damaged[content.size() / 2] + 1);
+  const Output damage = runProgram("verify " + fileWith("damaged", damaged));
+  EXPECT_EQ(damage.status, 3);
+  EXPECT_THAT(damage.text, MatchesRegex("(.|\n)*: byte [0-9]+: (.|\n)*"));
+
+  EXPECT_EQ(runProgram("verify " + levelFile()).status, 3);
+  EXPECT_EQ(runProgram("verify").status, 2);
+  EXPECT_EQ(runProgram("verify " + testing::TempDir() + "no such file").status, 2);
+  EXPECT_EQ(runProgram("verify " + path).status, 0);
+}
+
+// One bit of the state is not what is played: tick, entity and field are named, and the exit code is 1.
+TEST(VerifyCommandTest, NamesTickEntityAndField) {
+  const std::string path = testing::TempDir() + "platon_commands_another_game";
+  Game game(loadLevel(contentOf(levelFile())).level);
+  Recorder recorder(game, 1);
+  const std::vector<Input> inputs(2, Input{Input::kPresent | Input::kRight});
+  for (int tick = 0; tick < 30; ++tick) {
+    game.advance(inputs);
+    if (tick == 19) {
+      auto state = game.save();
+      constexpr std::size_t kPositionOfEntity1 = 2 + 58 + 8;
+      state[kPositionOfEntity1] ^= 1;
+      ASSERT_TRUE(game.restore(state));
+    }
+    recorder.record(inputs, game);
+  }
+  recorder.finish(game);
+  const auto bytes = recorder.takeBytes();
+  std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  const Output found = runProgram("verify " + path);
+  EXPECT_EQ(found.status, 1);
+  EXPECT_THAT(found.text, HasSubstr(path + ": after tick 20 the hash is "));
+  EXPECT_THAT(found.text, HasSubstr("; there the first field that differs is position of entity 1: ("));
+  EXPECT_THAT(runProgram("verify --json " + path).text,
+              HasSubstr("\"comparedAt\":20,\"entity\":\"entity 1\",\"field\":\"position\",\"value\":\"("));
 }
 
 TEST(WorldCommandTest, RunsAScene) {

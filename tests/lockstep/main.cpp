@@ -12,11 +12,15 @@ namespace {
 
 constexpr std::string_view kHelp = R"(platon-sim: runs the simulation without server, client or clock
 
-  platon-sim run LEVEL [--players N] [--ticks T] [--seed S] [--drive play|fling|push] [--max-speed U]
-                       [--velocity VX,VY] [--trace FILE] [--json]
-      play: seeded button presses (default). fling: no game rules, every tick each entity gets a seeded random
-      velocity of up to U subunits a tick. push: no game rules, every tick each entity gets this velocity in its
-      own frame.
+  platon-sim run LEVEL [--players N] [--ticks T] [--seed S] [--drive play|churn|fling|push] [--max-speed U]
+                       [--velocity VX,VY] [--record FILE [--checkpoint-every TICKS]] [--trace FILE] [--json]
+      play: seeded button presses (default). churn: players also restart, come and go. fling: no game rules, every
+      tick each entity gets a seeded random velocity of up to U subunits a tick. push: no game rules, every tick each
+      entity gets this velocity in its own frame. --record keeps a game that is played: every input, the hash after
+      every tick, and the state every 60 ticks or as asked for.
+  platon-sim verify FILE [--from TICK] [--record FILE [--checkpoint-every TICKS]] [--json]
+      plays a recording again, from its start or from the last checkpoint before TICK, and compares every hash and
+      checkpoint. The first difference is named by tick, entity and field. --record keeps what is played here.
   platon-sim world SCENE --ticks T [--seed S --max-speed U] [--trace FILE] [--json]
       physics alone, on a scene file; with --max-speed a random velocity instead of the scene's
   platon-sim sweep
@@ -24,13 +28,13 @@ constexpr std::string_view kHelp = R"(platon-sim: runs the simulation without se
       one answer a line: miss, or hit N D nx ny
   platon-sim --help | --version
 
-Exit codes: 0 ok, 1 failed, 2 usage, 3 invalid level or scene.
+Exit codes: 0 ok, 1 failed or another game, 2 usage, 3 invalid level, recording or scene.
 )";
 
 int dispatch(const std::vector<std::string>& arguments) {
   using namespace platon::sim;
   const std::map<std::string, int (*)(const std::vector<std::string>&)> commands{
-      {"run", runCommand}, {"world", worldCommand}, {"sweep", sweepCommand}};
+      {"run", runCommand}, {"verify", verifyCommand}, {"world", worldCommand}, {"sweep", sweepCommand}};
   if (arguments.empty()) throw UsageError("no command: platon-sim --help lists them");
   for (const std::string& argument : arguments) {
     if (argument == "--help") return std::fputs(kHelp.data(), stdout), 0;

@@ -50,6 +50,11 @@ std::uint64_t Options::seed() const {
   return static_cast<std::uint64_t>(number("seed", 1, 0, std::numeric_limits<std::int64_t>::max()));
 }
 
+const std::string& Options::onlyWord(const char* usage) const {
+  if (words_.size() == 1) return words_.front();
+  throw UsageError(usage);
+}
+
 std::optional<std::int64_t> wholeNumber(std::string_view text, std::int64_t low, std::int64_t high) {
   std::int64_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);

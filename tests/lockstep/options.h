@@ -36,6 +36,8 @@ class Options {
   /// A whole number in [low, high]; throws UsageError otherwise.
   std::int64_t number(const std::string& name, std::int64_t fallback, std::int64_t low, std::int64_t high) const;
   std::uint64_t seed() const;
+  /// The one word that the command takes; throws UsageError with `usage` otherwise.
+  const std::string& onlyWord(const char* usage) const;
 
  private:
   std::vector<std::string> words_;

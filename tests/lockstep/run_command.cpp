@@ -3,15 +3,18 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "levels/json_text.h"
-#include "levels/level_file.h"
 #include "shared/game/game.h"
 #include "shared/physics/entity.h"
 #include "shared/physics/map_part.h"
 #include "tests/lockstep/button_presses.h"
+#include "tests/lockstep/churn.h"
 #include "tests/lockstep/commands.h"
+#include "tests/lockstep/files.h"
 #include "tests/lockstep/options.h"
+#include "tests/lockstep/recording_file.h"
 #include "tests/lockstep/scene.h"
 #include "tests/lockstep/seeded_random.h"
 #include "tests/lockstep/trace_writer.h"
@@ -21,14 +24,13 @@ namespace {
 
 constexpr std::int64_t kMostTicks = 1'000'000'000'000;
 
-std::string readFile(const std::string& path) {
-  std::string fault;
-  if (const auto text = readLevelFile(path, fault)) return *text;
-  throw UsageError(fault);
+std::string readText(const std::string& path) {
+  const auto bytes = readBytes(path, kMostLevelBytes + 1);
+  return {bytes.begin(), bytes.end()};
 }
 
 std::shared_ptr<const Level> readLevel(const std::string& path) {
-  LevelResult result = loadLevel(readFile(path));
+  LevelResult result = loadLevel(readText(path));
   for (const Diagnostic& found : result.diagnostics) std::fprintf(stderr, "%s\n", format(path, found).c_str());
   if (!result.level) throw InputError("");
   return result.level;
@@ -47,18 +49,17 @@ std::uint64_t crossingsOf(const World& world) {
   return sum;
 }
 
-// Runs `tick` so often, timed without the writing of the trace.
-Summary drive(std::int64_t ticks, std::size_t movers, TraceWriter* trace, const std::function<void()>& tick,
-              const std::function<std::uint64_t()>& hash) {
+// Calls `tick` so often, timed, and after each, not timed, `ticked` with the number of ticks done.
+Summary drive(std::int64_t ticks, std::size_t movers, const std::function<void()>& tick,
+              const std::function<void(std::uint64_t)>& ticked) {
   std::chrono::steady_clock::duration spent{};
   for (std::int64_t i = 1; i <= ticks; ++i) {
     const auto start = std::chrono::steady_clock::now();
     tick();
     spent += std::chrono::steady_clock::now() - start;
-    if (trace != nullptr) trace->tick(static_cast<std::uint64_t>(i), hash());
+    ticked(static_cast<std::uint64_t>(i));
   }
   Summary summary;
-  summary.hash = hash();
   const auto steps = static_cast<double>(ticks) * static_cast<double>(movers);
   if (steps > 0) summary.nanoseconds = std::chrono::duration<double, std::nano>(spent).count() / steps;
   return summary;
@@ -70,21 +71,40 @@ struct Run {
   std::int64_t ticks;
   std::uint64_t seed;
   TraceWriter* trace;
+  RecordingFile* recording;
 };
 
-Summary play(const Run& run) {
+// `decide` gives the inputs of the next tick.
+Summary play(const Run& run, const std::function<std::span<const Input>()>& decide) {
   Game game(run.level);
-  std::vector<ButtonPresses> presses;
-  for (std::uint32_t slot = 0; slot < run.players; ++slot) presses.emplace_back(run.seed, slot);
-  std::vector<Input> inputs(run.players);
-  const auto tick = [&] {
-    for (std::uint32_t slot = 0; slot < run.players; ++slot) inputs[slot] = presses[slot].next();
-    game.advance(inputs, run.trace);
+  std::span<const Input> inputs;
+  const auto tick = [&] { game.advance(inputs = decide(), run.trace); };
+  const auto ticked = [&](std::uint64_t number) {
+    if (run.trace != nullptr) run.trace->tick(number, game.hash());
+    run.recording->tick(inputs, game);
   };
-  Summary summary = drive(run.ticks, run.players, run.trace, tick, [&] { return game.hash(); });
+  run.recording->start(game);
+  Summary summary = drive(run.ticks, run.players, tick, ticked);
+  run.recording->finish(game);
+  summary.hash = game.hash();
   summary.crossings = crossingsOf(game.world());
   for (std::uint32_t slot = 0; slot < game.slots(); ++slot) summary.goals += game.player(slot).finished;
   return summary;
+}
+
+Summary playPresses(const Run& run) {
+  std::vector<ButtonPresses> presses;
+  for (std::uint32_t slot = 0; slot < run.players; ++slot) presses.emplace_back(run.seed, slot);
+  std::vector<Input> inputs(run.players);
+  return play(run, [&] {
+    for (std::uint32_t slot = 0; slot < run.players; ++slot) inputs[slot] = presses[slot].next();
+    return std::span<const Input>(inputs);
+  });
+}
+
+Summary playChurn(const Run& run) {
+  Churn churn(run.seed, run.players);
+  return play(run, [&] { return std::span(churn.next()); });
 }
 
 // Physics alone: `velocity` decides for every entity before each tick.
@@ -97,7 +117,11 @@ Summary move(World& world, std::int64_t ticks, TraceWriter* trace, const std::fu
     }
     world.solve(trace);
   };
-  Summary summary = drive(ticks, count, trace, tick, [&] { return world.hash(); });
+  const auto ticked = [&](std::uint64_t number) {
+    if (trace != nullptr) trace->tick(number, world.hash());
+  };
+  Summary summary = drive(ticks, count, tick, ticked);
+  summary.hash = world.hash();
   summary.crossings = crossingsOf(world);
   return summary;
 }
@@ -125,7 +149,9 @@ Point velocityOption(const Options& options) {
 Summary dispatch(const Run& run, const Options& options) {
   const std::string drive = options.text("drive", "play");
   const auto most = static_cast<std::int32_t>(options.number("max-speed", 8192, 0, kVelocityLimit - 1));
-  if (drive == "play") return play(run);
+  if (drive == "play") return playPresses(run);
+  if (drive == "churn") return playChurn(run);
+  if (run.recording->wanted()) throw UsageError("--record keeps games: it goes with --drive play and churn alone");
   if (drive == "fling") {
     SeededRandom random(run.seed);
     return withoutRules(run, [&](Entity& entity) { entity.setVelocity(random.vector(most)); });
@@ -134,32 +160,31 @@ Summary dispatch(const Run& run, const Options& options) {
     const Point velocity = velocityOption(options);
     return withoutRules(run, [&](Entity& entity) { entity.setVelocity(rotate(velocity, entity.rotation())); });
   }
-  throw UsageError("--drive is play, fling or push, not '" + drive + "'");
+  throw UsageError("--drive is play, churn, fling or push, not '" + drive + "'");
 }
 
 std::unique_ptr<TraceWriter> openTrace(const Options& options) {
   return options.has("trace") ? std::make_unique<TraceWriter>(options.text("trace", "")) : nullptr;
 }
 
-const std::string& onlyWord(const Options& options, const char* usage) {
-  if (options.words().size() == 1) return options.words().front();
-  throw UsageError(usage);
-}
-
 }  // namespace
 
 int runCommand(const std::vector<std::string>& arguments) {
-  const Options options(arguments, {"players", "ticks", "seed", "drive", "max-speed", "velocity", "trace"}, {"json"});
-  const std::string& path = onlyWord(options, "platon-sim run takes one level file: platon-sim run LEVEL");
+  const Options options(arguments, {"players", "ticks", "seed", "drive", "max-speed", "velocity", "trace", "record", "checkpoint-every"},
+                        {"json"});
+  const std::string& path = options.onlyWord("platon-sim run takes one level file: platon-sim run LEVEL");
   const auto trace = openTrace(options);
+  RecordingFile recording(options);
   Run run{.level = nullptr,
           .players = static_cast<std::uint32_t>(options.number("players", 1, 1, kMaxPlayers)),
           .ticks = options.number("ticks", 3600, 0, kMostTicks),
           .seed = options.seed(),
-          .trace = trace.get()};
+          .trace = trace.get(),
+          .recording = &recording};
   run.level = readLevel(path);
   if (trace) trace->header(run.level->world, playerShape(), run.level.get());
   const Summary summary = dispatch(run, options);
+  if (trace) trace->close();
   const char* layout = options.has("json")
                            ? "{\"level\":%s,\"players\":%u,\"ticks\":%lld,\"seed\":%llu,\"hash\":\"%016llx\","
                              "\"crossings\":%llu,\"goals\":%llu,\"nsPerPlayerTick\":%.1f}\n"
@@ -174,16 +199,17 @@ int runCommand(const std::vector<std::string>& arguments) {
 
 int worldCommand(const std::vector<std::string>& arguments) {
   const Options options(arguments, {"ticks", "seed", "max-speed", "trace"}, {"json"});
-  const std::string& path = onlyWord(options, "platon-sim world takes one scene file: platon-sim world SCENE --ticks T");
+  const std::string& path = options.onlyWord("platon-sim world takes one scene file: platon-sim world SCENE --ticks T");
   const auto ticks = options.number("ticks", 3600, 0, kMostTicks);
   const auto most = static_cast<std::int32_t>(options.number("max-speed", 0, 0, kVelocityLimit - 1));
   const auto trace = openTrace(options);
-  Scene scene = loadScene(path, readFile(path));
+  Scene scene = loadScene(path, readText(path));
   if (trace) trace->header(scene.world, scene.shape, nullptr);
   SeededRandom random(options.seed());
   const Summary summary = move(scene.world, ticks, trace.get(), [&](Entity& entity) {
     entity.setVelocity(options.has("max-speed") ? random.vector(most) : scene.velocity);
   });
+  if (trace) trace->close();
   const char* layout = options.has("json") ? "{\"scene\":%s,\"entities\":%zu,\"ticks\":%lld,\"hash\":\"%016llx\","
                                              "\"nsPerEntityTick\":%.1f}\n"
                                            : "scene %s\nentities %zu\nticks %lld\nhash %016llx\n"

@@ -1,30 +1,12 @@
 #include "tests/lockstep/trace_writer.h"
 
 #include <array>
-#include <cerrno>
 #include <charconv>
-#include <cstring>
 #include <utility>
 
-#include "tests/lockstep/options.h"
+#include "tests/lockstep/hex_digits.h"
 
 namespace platon::sim {
-namespace {
-
-std::string hexDigits(std::uint64_t value) {
-  std::array<char, 17> text{};
-  std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(value));
-  return text.data();
-}
-
-}  // namespace
-
-TraceWriter::TraceWriter(const std::string& path) : path_(path), file_(std::fopen(path.c_str(), "w")) {
-  if (!file_) throw UsageError("cannot write the trace to '" + path + "': " + std::strerror(errno));
-}
-
-TraceWriter::~TraceWriter() = default;
-
 void TraceWriter::put(std::int64_t number) {
   std::array<char, 24> text{};
   const auto end = std::to_chars(text.data(), text.data() + text.size(), number).ptr;
@@ -176,9 +158,7 @@ void TraceWriter::tick(std::uint64_t number, std::uint64_t hash) {
 
 void TraceWriter::flushLine() {
   line_ += '\n';
-  if (std::fwrite(line_.data(), 1, line_.size(), file_.get()) != line_.size()) {
-    throw InputError("cannot write to '" + path_ + "': " + std::strerror(errno));
-  }
+  file_.write(line_);
   line_.clear();
 }
 

@@ -13,6 +13,7 @@
 #include "shared/physics/convex.h"
 #include "shared/physics/step_observer.h"
 #include "shared/physics/world.h"
+#include "tests/lockstep/files.h"
 
 namespace platon::sim {
 
@@ -20,14 +21,15 @@ namespace platon::sim {
 class TraceWriter : public StepObserver {
  public:
   /// Throws UsageError when `path` cannot be written.
-  explicit TraceWriter(const std::string& path);
-  ~TraceWriter() override;
+  explicit TraceWriter(const std::string& path) : file_(path) {}
 
   /// `level` is null for a scene, which has one face without warps.
   void header(const World& world, const Convex& shape, const Level* level);
   void leg(std::uint32_t entity, std::span<const InstanceView> instances) override;
   /// Ends the tick; all legs since the last call belong to it.
   void tick(std::uint64_t number, std::uint64_t hash);
+  /// To be called after the last tick.
+  void close() { file_.close(); }
 
  private:
   void put(std::string_view text) { line_ += text; }
@@ -40,11 +42,7 @@ class TraceWriter : public StepObserver {
   const std::string& turnedShape(Angle angle);
   void flushLine();
 
-  struct Close {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
-  std::string path_;
-  std::unique_ptr<std::FILE, Close> file_;
+  OutputFile file_;
   std::string line_;
   std::map<std::uint32_t, std::string> legs_;      // by entity, the leg entries of this tick
   std::optional<Convex> shape_;

@@ -1,0 +1,28 @@
+#include "tests/lockstep/recording_file.h"
+
+namespace platon::sim {
+
+RecordingFile::RecordingFile(const Options& options)
+    : checkpointTicks_(
+          static_cast<std::uint32_t>(options.number("checkpoint-every", kCheckpointTicks, 1, kMostCheckpointTicks))) {
+  if (options.has("record")) file_.emplace(options.text("record", ""));
+}
+
+void RecordingFile::start(const Game& game) {
+  if (file_) recorder_.emplace(game, checkpointTicks_);
+}
+
+void RecordingFile::tick(std::span<const Input> inputs, const Game& game) {
+  if (!recorder_) return;
+  recorder_->record(inputs, game);
+  file_->write(recorder_->takeBytes());
+}
+
+void RecordingFile::finish(const Game& game) {
+  if (!recorder_) return;
+  recorder_->finish(game);
+  file_->write(recorder_->takeBytes());
+  file_->close();
+}
+
+}  // namespace platon::sim

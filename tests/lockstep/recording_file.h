@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "shared/game/recorder.h"
+#include "tests/lockstep/files.h"
+#include "tests/lockstep/options.h"
+
+namespace platon::sim {
+
+/// What `--record FILE` and `--checkpoint-every TICKS` ask for; does nothing without the first.
+class RecordingFile {
+ public:
+  /// Throws UsageError when the file cannot be written.
+  explicit RecordingFile(const Options& options);
+
+  bool wanted() const { return file_.has_value(); }
+  /// Before the first tick.
+  void start(const Game& game);
+  /// `game` has just been advanced by `inputs`.
+  void tick(std::span<const Input> inputs, const Game& game);
+  void finish(const Game& game);
+
+ private:
+  std::uint32_t checkpointTicks_;
+  std::optional<OutputFile> file_;
+  std::optional<Recorder> recorder_;
+};
+
+}  // namespace platon::sim
