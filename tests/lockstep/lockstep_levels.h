@@ -1,0 +1,46 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "shared/game/level.h"
+#include "tests/lockstep/files.h"
+
+namespace platon::sim {
+
+/// The files of a folder that end like this, by name.
+inline std::vector<std::string> filesIn(const std::string& folder, const std::string& ending) {
+  std::vector<std::string> found;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() == ending) found.push_back(entry.path().string());
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+inline std::vector<std::string> shippedLevels() { return filesIn("levels", ".level"); }
+
+/// Every level that is shipped, and the hard ones beside the golden recordings.
+inline std::vector<std::string> lockstepLevels() {
+  std::vector<std::string> all = shippedLevels();
+  for (std::string& hard : filesIn("tests/golden/levels", ".level")) all.push_back(std::move(hard));
+  return all;
+}
+
+/// Throws std::invalid_argument with the first error.
+inline std::shared_ptr<const Level> levelFrom(const std::string& path) {
+  const auto bytes = readBytes(path, kMostLevelBytes + 1);
+  LevelResult result = loadLevel({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  if (!result.level) throw std::invalid_argument(format(path, result.diagnostics.at(0)));
+  return result.level;
+}
+
+/// For the name of a test: the file's, without folder and ending.
+inline std::string testName(const std::string& path) { return "level_" + std::filesystem::path(path).stem().string(); }
+
+}  // namespace platon::sim
