@@ -47,7 +47,7 @@ TEST_P(FuzzCorpusTest, HoldsForNoBytesAndForEqualBytes) {
 INSTANTIATE_TEST_SUITE_P(Targets, FuzzCorpusTest,
                          testing::Values(Target{"sweep", &sweepFault}, Target{"scene", &sceneFault},
                                          Target{"level", &levelFault}, Target{"game_state", &gameStateFault},
-                                         Target{"protocol", &protocolFault}),
+                                         Target{"recording", &recordingFault}, Target{"protocol", &protocolFault}),
                          [](const auto& described) { return std::string(described.param.name); });
 
 }  // namespace

@@ -19,6 +19,8 @@ std::string sceneFault(Bytes bytes);
 std::string levelFault(Bytes bytes);
 /// A saved game, perhaps forged: refused and without effect, or a game that goes on.
 std::string gameStateFault(Bytes bytes);
+/// A recording, sound or forged: read to its end or refused, and nothing read that no game could have played.
+std::string recordingFault(Bytes bytes);
 /// A message from the network: refused, or the same again when encoded and decoded.
 std::string protocolFault(Bytes bytes);
 

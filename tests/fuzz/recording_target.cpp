@@ -1,0 +1,81 @@
+#include <algorithm>
+#include <utility>
+
+#include "shared/exact/hash.h"
+#include "shared/game/game.h"
+#include "shared/game/recorder.h"
+#include "shared/game/recording_reader.h"
+#include "tests/fuzz/byte_source.h"
+#include "tests/fuzz/fuzz_targets.h"
+
+namespace platon::fuzz {
+namespace {
+
+constexpr std::uint32_t kMostTicks = 64;
+
+const std::shared_ptr<const Level>& level() {
+  static const std::shared_ptr<const Level> loaded =
+      loadLevel("TETRAHEDRON\n0 0 -55 0\n2 0 0\n240\n%\n-60 -69.2 60 -69.2\n%\n%\n%\n").level;
+  return loaded;
+}
+
+// Played as the bytes say, in blocks of a few ticks.
+std::vector<std::uint8_t> recorded(ByteSource& bytes) {
+  Game game(level());
+  Recorder recorder(game, static_cast<std::uint32_t>(bytes.below(8)) + 1);
+  for (std::size_t ticks = bytes.below(kMostTicks); ticks > 0; --ticks) {
+    std::vector<Input> inputs(bytes.below(4));
+    for (Input& input : inputs) input.buttons = (bytes.byte() & Input::kAll) | Input::kPresent;
+    game.advance(inputs);
+    recorder.record(inputs, game);
+  }
+  recorder.finish(game);
+  return recorder.takeBytes();
+}
+
+// Whatever the bytes say, under sound check sums.
+std::vector<std::uint8_t> forged(ByteSource& bytes) {
+  std::vector<std::uint8_t> recording = Recorder(Game(level())).takeBytes();
+  for (std::size_t blocks = bytes.below(4); blocks > 0; --blocks) {
+    std::vector<std::uint8_t> body(bytes.below(256));
+    for (std::uint8_t& byte : body) byte = bytes.byte();
+    StateWriter block;
+    block.add(static_cast<std::uint32_t>(body.size()));
+    block.add(~static_cast<std::uint32_t>(body.size()));
+    block.append(body);
+    block.add(hashOf(body));
+    recording.insert(recording.end(), block.bytes().begin(), block.bytes().end());
+  }
+  return recording;
+}
+
+std::string play(const RecordedBlock& block) {
+  if (block.inputs.size() != std::size_t{block.ticks()} * block.slots) return "a block has not one input for each slot";
+  if (!std::all_of(block.inputs.begin(), block.inputs.end(), isInput)) return "a block has an input that is none";
+  Game game(level());
+  if (!game.restore(block.state)) return {};
+  for (std::uint32_t tick = 0; tick < std::min(block.ticks(), kMostTicks); ++tick) game.advance(block.inputsOf(tick));
+  return {};
+}
+
+std::string readFault(Bytes recording, bool isSound) {
+  RecordingReader reader(recording);
+  while (const auto block = reader.next()) {
+    if (std::string fault = play(*block); !fault.empty()) return fault;
+  }
+  using State = RecordingReader::State;
+  if (reader.state() == State::kReading) return "reading ends before the recording does";
+  if ((reader.state() == State::kComplete) != reader.fault().empty()) return "a fault without words, or words without one";
+  return isSound && reader.state() != State::kComplete ? "a sound recording is refused" : std::string();
+}
+
+}  // namespace
+
+std::string recordingFault(Bytes input) {
+  ByteSource bytes(input);
+  if (bytes.flag()) return readFault(recorded(bytes), true);
+  if (bytes.flag()) return readFault(forged(bytes), false);
+  return readFault(bytes.rest(), false);
+}
+
+}  // namespace platon::fuzz
