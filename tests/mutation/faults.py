@@ -1,6 +1,7 @@
 """The faults that mutate.py tries. Each is one small change of the simulation that a tired hand could make."""
 
 from fault import PHYSICS, Fault, at_length
+from recording_faults import RECORDING_FAULTS
 from step_faults import STEP_FAULTS
 
 FAULTS = [
@@ -299,4 +300,6 @@ FAULTS = [
               "state_->jumpBuffer = state_->coyote = 0;", "state_->jumpBuffer = 0;",
               "from one ledge a player may jump twice",
               "game_test", "PlayerTest.DoesNotJumpTwiceFromOneLedge"),
+
+    *RECORDING_FAULTS,
 ]  # fmt: skip
