@@ -49,7 +49,9 @@ void RecordingReader::readHead() {
   if (textBytes > kMostLevelBytes) return damaged(kFixed - sizeof textBytes, "the level text is too long for a level");
   if (!truncatedUnless(kFixed + textBytes + kHashBytes)) return;
   const auto head = bytes_.first(kFixed + textBytes);
-  if (readHash(bytes_.subspan(head.size())) != hashOf(head)) return damaged(head.size(), "the check sum of the head is wrong");
+  if (readHash(bytes_.subspan(head.size())) != hashOf(head)) {
+    return damaged(head.size(), "the check sum of the head is wrong");
+  }
   if (rules != kRulesVersion) {
     return damaged(kRecordingMagic.size(), "it was played by version " + std::to_string(rules) +
                    " of the rules, this program plays by version " + std::to_string(kRulesVersion));
@@ -116,8 +118,8 @@ std::optional<RecordedBlock> RecordingReader::readBody(std::span<const std::uint
 bool RecordingReader::truncatedUnless(std::size_t count) {
   if (bytes_.size() - offset_ >= count) return true;
   state_ = State::kTruncated;
-  fault_ = "byte " + std::to_string(bytes_.size()) + ": the recording ends here, in the middle of what begins at byte " +
-           std::to_string(offset_);
+  fault_ = "byte " + std::to_string(bytes_.size()) +
+           ": the recording ends here, in the middle of what begins at byte " + std::to_string(offset_);
   return false;
 }
 

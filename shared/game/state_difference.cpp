@@ -1,13 +1,16 @@
 #include "shared/game/state_difference.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <map>
 #include <utility>
 
 namespace platon {
 namespace {
 
-using FieldKey = std::pair<std::string, std::string>;
+using FieldKey = std::pair<std::string, std::string>;   // owner and name
+
+constexpr const char* kNothing = "nothing";
 
 template <class Integer>
 std::string textOf(Integer value) {
@@ -17,14 +20,6 @@ std::string textOf(Integer value) {
 std::string textOf(Point point) { return "(" + std::to_string(point.x) + ", " + std::to_string(point.y) + ")"; }
 
 std::string textOf(Angle angle) { return std::to_string(angle.hundredths()); }
-
-FieldKey keyOf(const StateField& field) { return {field.owner, field.name}; }
-
-std::map<FieldKey, std::string> byKey(const std::vector<StateField>& fields) {
-  std::map<FieldKey, std::string> values;
-  for (const StateField& field : fields) values[keyOf(field)] = field.value;
-  return values;
-}
 
 }  // namespace
 
@@ -50,21 +45,27 @@ std::vector<StateField> fieldsOf(const Game& game) {
   return fields;
 }
 
-std::optional<StateDifference> firstDifference(const Game& left, const Game& right) {
-  const auto here = fieldsOf(left);
-  const auto there = fieldsOf(right);
-  const auto valuesThere = byKey(there);
-  for (const StateField& field : here) {
-    const auto other = valuesThere.find(keyOf(field));
-    if (other == valuesThere.end()) return StateDifference{field.owner, field.name, field.value, "nothing"};
-    if (other->second != field.value) return StateDifference{field.owner, field.name, field.value, other->second};
+std::vector<StateDifference> sideBySide(const Game& left, const Game& right) {
+  std::vector<StateDifference> rows;
+  std::map<FieldKey, std::size_t> places;
+  for (StateField& field : fieldsOf(left)) {
+    places[{field.owner, field.name}] = rows.size();
+    rows.push_back({std::move(field.owner), std::move(field.name), std::move(field.value), kNothing});
   }
-  const auto valuesHere = byKey(here);
-  const auto extra = std::find_if(there.begin(), there.end(), [&](const StateField& field) {
-    return !valuesHere.contains(keyOf(field));
-  });
-  if (extra == there.end()) return std::nullopt;
-  return StateDifference{extra->owner, extra->name, "nothing", extra->value};
+  for (StateField& field : fieldsOf(right)) {
+    const auto place = places.find({field.owner, field.name});
+    if (place == places.end())
+      rows.push_back({std::move(field.owner), std::move(field.name), kNothing, std::move(field.value)});
+    else
+      rows[place->second].right = std::move(field.value);
+  }
+  return rows;
+}
+
+std::optional<StateDifference> firstDifference(const Game& left, const Game& right) {
+  const auto rows = sideBySide(left, right);
+  const auto first = std::find_if(rows.begin(), rows.end(), [](const StateDifference& row) { return row.differs(); });
+  return first == rows.end() ? std::nullopt : std::optional(*first);
 }
 
 }  // namespace platon

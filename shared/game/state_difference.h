@@ -20,14 +20,20 @@ struct StateField {
 /// All that is hashed and saved, in a fixed order.
 std::vector<StateField> fieldsOf(const Game& game);
 
+/// One field of two games on the same level; "nothing" where only the other has it.
 struct StateDifference {
   std::string owner;
   std::string field;
-  std::string left;    ///< value in the one game; "nothing" where only the other has the field
+  std::string left;
   std::string right;
+
+  bool differs() const { return left != right; }
 };
 
-/// The first field in which two games on the same level differ, nothing when they are equal.
+/// Every field that either has: in the order of the left game, then what only the right one has.
+std::vector<StateDifference> sideBySide(const Game& left, const Game& right);
+
+/// The first field in which the games differ, nothing when they are equal.
 std::optional<StateDifference> firstDifference(const Game& left, const Game& right);
 
 }  // namespace platon

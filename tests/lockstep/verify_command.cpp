@@ -56,9 +56,9 @@ std::string sentenceOf(const Departure& departure) {
 // Exit code 1 for another game, 3 for a recording that is not whole; the first is the graver.
 int complain(const std::string& path, const Verification& found) {
   if (found.departure) std::fprintf(stderr, "%s: %s\n", path.c_str(), sentenceOf(*found.departure).c_str());
+  const std::string agree = "; " + std::to_string(found.ticks) + " ticks before it were played and agree";
   if (!found.fault.empty()) {
-    std::fprintf(stderr, "%s: %s%s\n", path.c_str(), found.fault.c_str(),
-                 found.departure ? "" : ("; " + std::to_string(found.ticks) + " ticks before it were played and agree").c_str());
+    std::fprintf(stderr, "%s: %s%s\n", path.c_str(), found.fault.c_str(), found.departure ? "" : agree.c_str());
   }
   return found.departure ? 1 : found.fault.empty() ? 0 : 3;
 }
