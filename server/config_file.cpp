@@ -11,7 +11,7 @@
 namespace platon {
 namespace {
 
-constexpr std::string_view kKeys = "levels, bind, port, max-players, max-per-address, name and log-format";
+constexpr std::string_view kKeys = "levels, bind, port, max-players, max-per-address, name, log-format and record";
 
 /// One key of the file and its value, and where a fault of it is reported.
 struct Entry {
@@ -51,12 +51,17 @@ LogFormat readLogFormat(const Entry& entry) {
   return text == "json" ? LogFormat::kJson : LogFormat::kText;
 }
 
+std::string besideFile(const Entry& entry, const std::string& path) {
+  return (std::filesystem::path(entry.file).parent_path() / path).string();
+}
+
 std::vector<std::string> readLevels(const Entry& entry) {
   const toml::array* list = entry.value.as_array();
   if (!list) entry.refuse("needs a list of files: [\"a.level\", \"b.level\"]");
-  const auto folder = std::filesystem::path(entry.file).parent_path();
   std::vector<std::string> files;
-  for (const toml::node& item : *list) files.push_back((folder / Entry{entry.file, entry.key, item}.text()).string());
+  for (const toml::node& item : *list) {
+    files.push_back(besideFile(entry, Entry{entry.file, entry.key, item}.text()));
+  }
   return files;
 }
 
@@ -76,6 +81,8 @@ void readEntry(const Entry& entry, ServerOptions& options) {
     options.name = readName(entry);
   else if (key == "log-format")
     options.logFormat = readLogFormat(entry);
+  else if (key == "record")
+    options.record = entry.text().empty() ? "" : besideFile(entry, entry.text());
   else
     entry.refuseAt(entry.key.source().begin, "is no key of the configuration; it may hold " + std::string(kKeys));
 }

@@ -24,6 +24,17 @@ HostSettings withConnections(const ServerSettings& settings) {
   return host;
 }
 
+MatchSettings withRecordings(const ServerSettings& settings) {
+  MatchSettings match = settings.match;
+  match.record = !settings.recordings.empty();
+  return match;
+}
+
+std::optional<RecordingFolder> folderOf(const ServerSettings& settings) {
+  if (settings.recordings.empty()) return std::nullopt;
+  return RecordingFolder(settings.recordings);
+}
+
 void write(Log& log, const MatchEvent& event) {
   using Kind = MatchEvent::Kind;
   const LogField client{"client", std::uint64_t{event.client}};
@@ -48,10 +59,11 @@ void write(Log& log, const MatchEvent& event) {
 
 }  // namespace
 
-DedicatedServer::DedicatedServer(ServerSettings settings, std::vector<LevelPointer> levels, Log log)
+DedicatedServer::DedicatedServer(const ServerSettings& settings, std::vector<LevelPointer> levels, Log log)
     : log_(std::move(log)),
       host_(withConnections(settings), steadyNow()),
-      match_(LevelRotation(std::move(levels)), std::move(settings.match)),
+      recordings_(folderOf(settings)),
+      match_(LevelRotation(std::move(levels)), withRecordings(settings)),
       clock_(steadyNow()),
       reportAt_(steadyNow() + kReportInterval) {}
 
@@ -92,6 +104,13 @@ void DedicatedServer::deliver(TimePoint now) {
   }
   host_.flush(now);
   for (const MatchEvent& event : match_.takeEvents()) write(log_, event);
+  record();
+}
+
+void DedicatedServer::record() {
+  for (const RecordingPiece& piece : match_.takeRecording()) {
+    recordings_->write(piece, std::chrono::system_clock::now(), log_);
+  }
 }
 
 void DedicatedServer::report(TimePoint now) {
@@ -124,6 +143,7 @@ void DedicatedServer::run(const std::atomic<bool>& stopAsked) {
 
 void DedicatedServer::stop(const std::string& reason) {
   match_.stop(reason);
+  record();
   const TimePoint end = steadyNow() + kByeWait;
   for (TimePoint now = steadyNow(); now < end && !host_.empty(); now = steadyNow()) {
     deliver(now);

@@ -2,27 +2,31 @@
 
 #include <atomic>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "server/host.h"
 #include "server/log.h"
 #include "server/match.h"
+#include "server/recording_folder.h"
 #include "server/tick_clock.h"
 #include "server/time_point.h"
 
 namespace platon {
 
 struct ServerSettings {
-  HostSettings host;  ///< `connections` is set by the server
-  MatchSettings match;
+  HostSettings host;       ///< `connections` is set by the server
+  MatchSettings match;     ///< `record` is set by the server
+  std::string recordings;  ///< folder for a recording of each round; empty: none are made
 };
 
 /// A match on a socket: what `platon-server` runs, and a client that plays on its own.
 class DedicatedServer {
  public:
-  /// Opens the socket; `levels` has at least one. Throws HostError.
-  DedicatedServer(ServerSettings settings, std::vector<LevelPointer> levels, Log log);
+  /// Opens the socket; `levels` has at least one. Throws HostError, and StartupError when no recording can be
+  /// written.
+  DedicatedServer(const ServerSettings& settings, std::vector<LevelPointer> levels, Log log);
 
   /// Takes in what has arrived, runs at most one tick, if it is due, and sends.
   void step(TimePoint now);
@@ -49,10 +53,12 @@ class DedicatedServer {
   void receive(TimePoint now);
   void take(const HostEvent& event, TimePoint now);
   void deliver(TimePoint now);
+  void record();
   void report(TimePoint now);
 
   Log log_;
   Host host_;
+  std::optional<RecordingFolder> recordings_;
   Match match_;
   TickClock clock_;
   std::uint64_t brokenMessages_ = 0;

@@ -29,6 +29,7 @@ ServerSettings settingsOf(const ServerOptions& options) {
   settings.host.connectionsPerAddress = options.maxPerAddress;
   settings.match.maxPlayers = options.maxPlayers;
   settings.match.serverName = options.name;
+  settings.recordings = options.record;
   return settings;
 }
 
@@ -45,10 +46,11 @@ void reload(DedicatedServer& server, ServerOptions& options, int argc, char** ar
     server.setName(fresh.name);
     server.log().setFormat(fresh.logFormat);
     const bool same = fresh.bind == options.bind && fresh.port == options.port &&
-                      fresh.maxPlayers == options.maxPlayers && fresh.maxPerAddress == options.maxPerAddress;
+                      fresh.maxPlayers == options.maxPlayers && fresh.maxPerAddress == options.maxPerAddress &&
+                      fresh.record == options.record;
     server.log().info(same ? "configuration and levels read again"
-                           : "configuration and levels read again; address, port and numbers of players change when "
-                             "the server is started anew");
+                           : "configuration and levels read again; address, port, numbers of players and recordings "
+                             "change when the server is started anew");
   } catch (const StartupError& error) {
     std::istringstream faults(error.what());
     for (std::string fault; std::getline(faults, fault);) server.log().warning(fault);

@@ -103,6 +103,7 @@ void Match::disconnect(ClientId client) {
   const std::uint32_t slot = found->second.slot();
   note(MatchEvent::Kind::kLeft, client, slot, found->second.name());
   members_.erase(found);
+  if (idle()) recorder_.finish(game_);
   sendAll(encode(RosterEntry{slot, ""}));
 }
 
@@ -113,28 +114,37 @@ void Match::handle(ClientId client, const PlayerInputs& inputs) {
   member.take(inputs, history_.end());
   if (!member.isCurrent(inputs)) return;
   const bool ahead = inputs.confirmed > history_.end();
-  if (!ahead && !history_.covers(inputs.confirmed)) return resync(client, member, MatchEvent::Kind::kBehind);
+  if (!ahead && !history_.covers(inputs.confirmed)) {
+    return resync(client, member, MatchEvent::Kind::kBehind, inputs.confirmed);
+  }
   if (ahead || inputs.hash != history_.hashAfter(inputs.confirmed)) {
-    return resync(client, member, MatchEvent::Kind::kMismatch);
+    return resync(client, member, MatchEvent::Kind::kMismatch, inputs.confirmed);
   }
   member.acknowledge(inputs.confirmed);
 }
 
-void Match::resync(ClientId client, Member& member, MatchEvent::Kind why) {
+void Match::resync(ClientId client, Member& member, MatchEvent::Kind why, std::uint32_t confirmed) {
   if (!member.mayTakeState(now_)) return;
   const std::uint32_t tick = history_.end();
   member.sendState(round_, tick, encode(FullState{history_.held(), game_.save()}), now_);
-  note(why, client, member.slot(), "round " + std::to_string(round_) + " tick " + std::to_string(tick));
+  note(why, client, member.slot(), "round " + std::to_string(round_) + " tick " + std::to_string(confirmed) + ", state of tick " +
+                                     std::to_string(tick));
 }
 
 void Match::tick() {
   if (idle()) return;
   ++now_;
   const std::vector<Input> inputs = decideInputs();
-  game_.advance(inputs);
+  advance(inputs);
   history_.append(inputs, shortHash(game_.hash()));
   sendUpdates();
   watchRound();
+}
+
+void Match::advance(std::span<const Input> inputs) {
+  if (settings_.record) recorder_.begin(round_, game_);
+  game_.advance(inputs);
+  if (settings_.record) recorder_.record(inputs, game_);
 }
 
 std::vector<Input> Match::decideInputs() {
@@ -176,6 +186,7 @@ void Match::watchRound() {
 }
 
 void Match::startRound() {
+  recorder_.finish(game_);
   ++round_;
   game_ = Game(rotation_.current());
   history_ = TickHistory(round_, shortHash(game_.hash()));
@@ -188,6 +199,7 @@ void Match::stop(const std::string& reason) {
   const std::vector<std::uint8_t> bye = encode(Bye{ByeCode::kServerStops, reason});
   for (const auto& [client, member] : members_) outgoing_.push_back({client, true, true, bye});
   members_.clear();
+  recorder_.finish(game_);
 }
 
 const Member* Match::member(ClientId client) const {

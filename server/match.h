@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "server/client_id.h"
 #include "server/level_rotation.h"
 #include "server/match_event.h"
+#include "server/match_recorder.h"
 #include "server/member.h"
 #include "server/tick_history.h"
 #include "shared/game/game.h"
@@ -21,6 +23,7 @@ namespace platon {
 struct MatchSettings {
   std::uint32_t maxPlayers = 16;  ///< 1 … kMaxPlayers
   std::string serverName;         ///< a label
+  bool record = false;            ///< every round
 };
 
 /// A message to one client.
@@ -59,6 +62,9 @@ class Match {
   std::vector<Outgoing> takeOutgoing() { return std::exchange(outgoing_, {}); }
   /// What has happened since the last call.
   std::vector<MatchEvent> takeEvents() { return std::exchange(events_, {}); }
+  /// What the recordings of the rounds have grown by since the last call. A recording ends where its game does: when
+  /// the next round starts, when the last player leaves, and when the match is stopped.
+  std::vector<RecordingPiece> takeRecording() { return recorder_.take(); }
 
   bool idle() const { return members_.empty(); }
   std::size_t players() const { return members_.size(); }
@@ -81,8 +87,9 @@ class Match {
 
   void startRound();
   std::vector<Input> decideInputs();
+  void advance(std::span<const Input> inputs);
   void watchRound();
-  void resync(ClientId client, Member& member, MatchEvent::Kind why);
+  void resync(ClientId client, Member& member, MatchEvent::Kind why, std::uint32_t confirmed);
   void sendUpdates();
 
   void send(ClientId client, std::vector<std::uint8_t> bytes);
@@ -99,6 +106,7 @@ class Match {
   std::map<ClientId, Member> members_;
   std::vector<Outgoing> outgoing_;
   std::vector<MatchEvent> events_;
+  MatchRecorder recorder_;
 };
 
 }  // namespace platon

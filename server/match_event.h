@@ -11,8 +11,8 @@ struct MatchEvent {
     kJoined,      ///< text: the player's name
     kRefused,     ///< text: why
     kLeft,        ///< text: the player's name
-    kMismatch,    ///< the client's game differed; text: round and tick
-    kBehind,      ///< the client was sent a state because it had not the last ticks; text: round and tick
+    kMismatch,    ///< the client's game differed; text: round, tick of the client's hash, tick of the state it was sent
+    kBehind,      ///< the client was sent a state because it had not the last ticks; text: as of kMismatch
     kRoundStart,  ///< text: the level's title
     kRoundEnd,    ///< text: ticks it took
   };

@@ -28,6 +28,7 @@ struct CommandLine {
   std::optional<std::uint32_t> maxPerAddress;
   std::optional<std::string> name;
   std::optional<std::string> logFormat;
+  std::optional<std::string> record;
 };
 
 void declare(CLI::App& app, CommandLine& line) {
@@ -42,6 +43,7 @@ void declare(CLI::App& app, CommandLine& line) {
   app.add_option("--config", line.config, "Configuration file (docs/hosting.md); the command line goes before it");
   app.add_option("--log-format", line.logFormat, "Form of the log; default text")
       ->check(CLI::IsMember({"text", "json"}));
+  app.add_option("--record", line.record, "Folder for a recording of each round, made when missing; none unless given");
 }
 
 template <class Value>
@@ -56,6 +58,7 @@ void apply(const CommandLine& line, ServerOptions& options) {
   apply(line.maxPlayers, options.maxPlayers);
   apply(line.maxPerAddress, options.maxPerAddress);
   apply(line.name, options.name);
+  apply(line.record, options.record);
   if (line.logFormat) options.logFormat = *line.logFormat == "json" ? LogFormat::kJson : LogFormat::kText;
 }
 

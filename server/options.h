@@ -22,6 +22,7 @@ struct ServerOptions {
   std::uint32_t maxPerAddress = 4;    ///< connections from one address; 1 … kMostPerAddress
   std::string name = "Platon";        ///< a label
   LogFormat logFormat = LogFormat::kText;
+  std::string record;                 ///< folder for a recording of each round; empty: none
 
   friend bool operator==(const ServerOptions&, const ServerOptions&) = default;
 };

@@ -51,19 +51,21 @@ TEST_F(OptionsTest, DefaultsAreThoseOfTheManual) {
   EXPECT_EQ(options->port, 7777);
   EXPECT_EQ(options->maxPlayers, 16u);
   EXPECT_EQ(options->maxPerAddress, 4u);
+  EXPECT_EQ(options->record, "");
 }
 
 TEST_F(OptionsTest, TheCommandLineGoesBeforeTheFile) {
   const std::string file = write("server.toml",
                                  "levels = [\"a.level\", \"/b.level\"]\nport = 1234\nmax-players = 5\n"
                                  "max-per-address = 6\nbind = \"127.0.0.1\"\nname = \"Ours\"\n"
-                                 "log-format = \"json\"\n");
+                                 "log-format = \"json\"\nrecord = \"games\"\n");
   const ServerOptions fromFile{
-      {(folder_ / "a.level").string(), "/b.level"}, "127.0.0.1", 1234, 5, 6, "Ours", LogFormat::kJson};
+      {(folder_ / "a.level").string(), "/b.level"}, "127.0.0.1", 1234, 5, 6, "Ours", LogFormat::kJson,
+      (folder_ / "games").string()};
   EXPECT_EQ(read({"--config", file.c_str()}), fromFile);
-  const ServerOptions both{{"c.level"}, "127.0.0.2", 1, 7, 8, "Mine", LogFormat::kText};
+  const ServerOptions both{{"c.level"}, "127.0.0.2", 1, 7, 8, "Mine", LogFormat::kText, "rounds"};
   EXPECT_EQ(read({"--config", file.c_str(), "c.level", "--bind", "127.0.0.2", "--port", "1", "--max-players", "7",
-                  "--max-per-address", "8", "--name", "Mine", "--log-format", "text"}),
+                  "--max-per-address", "8", "--name", "Mine", "--log-format", "text", "--record", "rounds"}),
             both);
 }
 
@@ -75,7 +77,7 @@ TEST_F(OptionsTest, FaultsOfTheFileHaveALineAndAColumn) {
   };
   EXPECT_EQ(faultOf("port = 1\n  colour = 2\n"),
             ":2:3: error: colour is no key of the configuration; it may hold levels, bind, port, max-players, "
-            "max-per-address, name and log-format");
+            "max-per-address, name, log-format and record");
   EXPECT_EQ(faultOf("port = 65536"), ":1:8: error: port needs a whole number from 0 to 65535");
   EXPECT_EQ(faultOf("port = 1.5"), ":1:8: error: port needs a whole number from 0 to 65535");
   EXPECT_EQ(faultOf("max-players = 257"), ":1:15: error: max-players needs a whole number from 1 to 256");
@@ -84,6 +86,7 @@ TEST_F(OptionsTest, FaultsOfTheFileHaveALineAndAColumn) {
             ":1:8: error: name needs a text of at most 32 bytes without control characters");
   EXPECT_EQ(faultOf("levels = \"a\""), ":1:10: error: levels needs a list of files: [\"a.level\", \"b.level\"]");
   EXPECT_EQ(faultOf("levels = [1]"), ":1:11: error: levels needs a text in quotes");
+  EXPECT_EQ(faultOf("record = true"), ":1:10: error: record needs a text in quotes");
   EXPECT_EQ(faultOf("log-format = \"xml\""), ":1:14: error: log-format needs \"text\" or \"json\"");
   EXPECT_EQ(faultOf("port = ").substr(0, 13), ":1:8: error: ");
 }

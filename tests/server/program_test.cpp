@@ -72,6 +72,8 @@ TEST_F(ProgramTest, FaultsEndItWithTheCodesOfTheManual) {
   ends({level_, "--port", port, "--bind", "127.0.0.1"}, 2,
        "platon-server: cannot listen on 127.0.0.1:" + port + ": Address already in use; ");
   ends({"--colour"}, 2, "platon-server: The following argument was not expected: --colour");
+  ends({level_, "--port", "0", "--record", level_ + "/games"}, 2,
+       "platon-server: cannot write recordings to '" + level_ + "/games': Not a directory; name another folder");
   ends({"/no/such.level"}, 2, "platon-server: cannot read the level '/no/such.level'");
   write("CUBE\n");
   ends({level_}, 3, level_ + ":1:1: error: ");

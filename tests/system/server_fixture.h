@@ -29,6 +29,7 @@ class ServerTest : public testing::Test {
   }
 
   const std::string& address() const { return address_; }
+  Program& server() { return *server_; }
 
  private:
   std::unique_ptr<Program> server_;
