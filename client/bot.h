@@ -33,6 +33,7 @@ class Bot {
   /// To be called every few milliseconds.
   void update(Moment now);
   void leave() { client_->leave(); }
+  std::optional<MismatchReport> takeMismatch() { return client_->takeMismatch(); }
   bool closed() const { return client_->closed() || client_->ending().has_value(); }
 
   BotResult result() const;

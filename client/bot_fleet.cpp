@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 
 namespace platon {
 
@@ -36,7 +37,12 @@ void BotFleet::add(Moment now) {
 }
 
 void BotFleet::beat(Moment now) {
-  for (const auto& bot : bots_) bot->update(now);
+  for (std::size_t i = 0; i < bots_.size(); ++i) {
+    bots_[i]->update(now);
+    const auto mismatch = bots_[i]->takeMismatch();
+    if (!mismatch) continue;
+    std::fprintf(stderr, "platon-bot: bot %zu: %s\n", i + 1, mismatches_.keep(*mismatch).c_str());
+  }
   clock_.sleepUntil(now + kBeat);
 }
 

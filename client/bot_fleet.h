@@ -7,6 +7,7 @@
 
 #include "client/bot.h"
 #include "client/clock.h"
+#include "client/mismatch_folder.h"
 #include "client/network_conditions.h"
 #include "client/server_address.h"
 
@@ -18,15 +19,17 @@ struct FleetOptions {
   double seconds = 10;
   std::uint64_t seed = 1;
   LinkQuality line;             ///< each way
+  std::string mismatchFolder;   ///< for reports of games that were not the server's; empty: none are written
 };
 
 /// Bots that play together on one server.
 class BotFleet {
  public:
   BotFleet(const FleetOptions& options, const ServerAddress& server, const Clock& clock)
-      : options_(options), server_(server), clock_(clock) {}
+      : options_(options), server_(server), clock_(clock), mismatches_(options.mismatchFolder) {}
 
-  /// Lets them come one after another, play until the time is over, and leave. Throws std::runtime_error when one of
+  /// Lets them come one after another, play until the time is over, and leave. Says on standard error when the game of
+  /// one was not the server's. Throws std::runtime_error when one of
   /// them cannot even begin.
   std::vector<BotResult> play();
 
@@ -38,6 +41,7 @@ class BotFleet {
   FleetOptions options_;
   ServerAddress server_;
   Clock clock_;
+  MismatchFolder mismatches_;
   std::vector<std::unique_ptr<Bot>> bots_;
 };
 

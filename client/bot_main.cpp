@@ -42,6 +42,8 @@ void describe(CLI::App& app, Options& options) {
       ->check(percent);
   app.add_option("--reorder", options.fleet.line.reorderPercent, "Datagrams that others overtake, per cent each way")
       ->check(percent);
+  app.add_option("--mismatch-dir", options.fleet.mismatchFolder,
+                 "Folder for reports of games that were not the server's, made when missing; none unless given");
   app.add_flag("--json", options.json, "Print one JSON object");
 }
 

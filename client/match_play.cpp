@@ -2,6 +2,9 @@
 
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
+
+#include "client/user_folders.h"
 
 namespace platon {
 
@@ -10,13 +13,21 @@ namespace {
 constexpr Moment kFarewell = std::chrono::milliseconds(500);
 constexpr Moment kBeat = std::chrono::milliseconds(2);
 
+std::filesystem::path mismatchFolder() {
+  const std::filesystem::path folder = dataFolder();
+  return folder.empty() ? folder : folder / "mismatches";
+}
+
 }  // namespace
 
 MatchPlay::MatchPlay(const ClientOptions& options, const ServerAddress& server, Moment now)
-    : server_(server), client_(server, options.name, now) {}
+    : server_(server), client_(server, options.name, now), mismatches_(mismatchFolder()) {}
 
 void MatchPlay::update(Moment now, const Controls& controls) {
   client_.update(now, controls);
+  if (const auto mismatch = client_.takeMismatch()) {
+    std::fprintf(stderr, "platon-client: %s\n", mismatches_.keep(*mismatch).c_str());
+  }
   if (client_.session() == nullptr) return;
   const std::optional<std::string> line = watch_.look(*client_.session());
   if (!line) return;

@@ -6,6 +6,7 @@
 #include "client/client_options.h"
 #include "client/clock.h"
 #include "client/finish_watch.h"
+#include "client/mismatch_folder.h"
 #include "client/moment.h"
 #include "client/network_client.h"
 #include "client/scene.h"
@@ -13,8 +14,8 @@
 
 namespace platon {
 
-/// What playing has in common with and without a window: the match over the network, what is drawn of it, and what is
-/// told on standard output.
+/// What playing has in common with and without a window: the match over the network, what is drawn of it, what is told
+/// on standard output, and what is kept when the game was not the server's.
 class MatchPlay {
  public:
   /// Begins to connect. Throws std::runtime_error when that cannot even begin.
@@ -35,6 +36,7 @@ class MatchPlay {
   NetworkClient client_;
   SceneFeed feed_;
   FinishWatch watch_;
+  MismatchFolder mismatches_;
 };
 
 }  // namespace platon

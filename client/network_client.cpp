@@ -27,6 +27,10 @@ void NetworkClient::leave() {
   if (session_) session_->leave();
 }
 
+std::optional<MismatchReport> NetworkClient::takeMismatch() {
+  return session_ ? session_->takeMismatch() : std::nullopt;
+}
+
 std::optional<std::string> NetworkClient::findEnding(Moment now) const {
   if (session_ && session_->ending()) return session_->ending();
   const bool welcomed = session_ && session_->welcome();

@@ -31,6 +31,8 @@ class NetworkClient {
 
   /// Null until connected.
   const Session* session() const { return session_ ? &*session_ : nullptr; }
+  /// What was last found wrong with the confirmed game; each is given once.
+  std::optional<MismatchReport> takeMismatch();
   const Connection& connection() const { return connection_; }
 
  private:

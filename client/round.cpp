@@ -14,7 +14,11 @@ constexpr Moment kIdleReport = std::chrono::milliseconds(50);
 }  // namespace
 
 Round::Round(std::uint32_t id, const std::shared_ptr<const Level>& level, std::uint32_t slot, double lead)
-    : id_(id), prediction_(Game(level), slot), lead_(lead), hash_(shortHash(prediction_.confirmed().hash())) {}
+    : id_(id),
+      prediction_(Game(level), slot),
+      lead_(lead),
+      hash_(shortHash(prediction_.confirmed().hash())),
+      watch_(id, prediction_.confirmed()) {}
 
 void Round::receive(const ConfirmedTicks& message, Moment now) {
   const std::uint32_t newest = message.from + message.count;
@@ -54,6 +58,7 @@ void Round::apply(const ConfirmedTicks& message) {
       inputs_[change->slot] = change->input;
     }
     prediction_.confirm(inputs_);
+    watch_.advanced(inputs_, prediction_.confirmed());
   }
 }
 
@@ -61,6 +66,10 @@ void Round::check(std::uint32_t hash) {
   hash_ = shortHash(prediction_.confirmed().hash());
   const bool matches = hash_ == hash;
   if (!matches && !outOfStep_) ++count_.hashMismatches;
+  if (matches)
+    watch_.agreed(prediction_.confirmed());
+  else
+    watch_.differs(prediction_.confirmed(), hash);
   // The server learns it from the hash in the next report and answers with the full state.
   outOfStep_ = !matches;
 }
@@ -70,6 +79,7 @@ void Round::receive(const StateChunk& last, std::span<const std::uint8_t> bytes,
   const bool hadTicks = prediction_.confirmedTicks() > 0;
   if (!state || !prediction_.restore(state->game, last.tick, state->held)) return;
   prediction_.reconcile(now);
+  mismatch_ = watch_.replaced(prediction_.confirmed(), prediction_.held());
   sync_ = last.sync;
   hash_ = shortHash(prediction_.confirmed().hash());
   outOfStep_ = false;

@@ -6,9 +6,11 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "client/clock_sync.h"
+#include "client/mismatch_watch.h"
 #include "client/moment.h"
 #include "client/prediction.h"
 #include "protocol/full_state.h"
@@ -37,6 +39,10 @@ class Round {
   std::uint32_t id() const { return id_; }
   const Prediction& prediction() const { return prediction_; }
   const RoundCount& count() const { return count_; }
+  /// What was wrong with the confirmed game when the server's state last replaced it; each is given once.
+  std::optional<Mismatch> takeMismatch() { return std::exchange(mismatch_, std::nullopt); }
+  /// Nothing more is received in this round: what is wrong with the confirmed game and has not been put right.
+  std::optional<Mismatch> abandonedMismatch() { return watch_.abandoned(); }
   /// None until the first ticks have been confirmed.
   const std::optional<ClockSync>& clock() const { return clock_; }
   /// Ticks that the prediction is ahead of the newest tick heard of; what was given while there is no clock.
@@ -77,6 +83,8 @@ class Round {
   std::uint8_t sync_ = 0;
   std::uint32_t hash_ = 0;                  // short, of the confirmed game
   bool outOfStep_ = false;                  // the last hash did not match
+  MismatchWatch watch_;
+  std::optional<Mismatch> mismatch_;
   std::vector<Input> inputs_;               // scratch
 
   std::optional<Moment> sentAt_;

@@ -40,6 +40,17 @@ void Session::send(const Message& message, bool reliable) {
 
 std::vector<OutgoingMessage> Session::takeOutgoing() { return std::exchange(outgoing_, {}); }
 
+void Session::end(std::string reason) {
+  ending_ = std::move(reason);
+  if (round_) keep(round_->abandonedMismatch());
+}
+
+void Session::keep(std::optional<Mismatch> mismatch) {
+  if (!mismatch || (mismatchAt_ && heardAt_ - *mismatchAt_ < kBetweenReports)) return;
+  mismatchAt_ = heardAt_;
+  mismatch_ = reportOf(std::move(*mismatch));
+}
+
 void Session::leave() {
   if (!ending_) send(Leave{}, true);
 }
@@ -93,6 +104,7 @@ void Session::handle(const StateChunk& message, Moment now) {
   if (!round_ || round_->id() != message.round) return;
   if (!state_.add(message.total, message.offset, message.bytes)) return;
   round_->receive(message, state_.bytes(), now);
+  keep(round_->takeMismatch());
   state_.clear();
 }
 
@@ -135,6 +147,7 @@ void Session::startRound(std::uint32_t round, std::uint64_t levelHash) {
 
 void Session::closeRound() {
   if (!round_) return;
+  keep(round_->abandonedMismatch());
   lead_ = round_->lead();
   pastPrediction_ = predictionCount();
   pastRounds_ = roundCount();

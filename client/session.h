@@ -5,8 +5,10 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "client/mismatch_report.h"
 #include "client/moment.h"
 #include "client/round.h"
 #include "protocol/assembly.h"
@@ -28,6 +30,8 @@ class Session {
  public:
   /// A server that is connected but says nothing for this long has gone.
   static constexpr Moment kSilence = std::chrono::seconds(8);
+  /// Of mismatches that come faster, only the first is reported; all are counted.
+  static constexpr Moment kBetweenReports = std::chrono::minutes(1);
 
   /// `name` is a clean label of at most kMaxNameBytes, perhaps empty. `now`: when the connection was made.
   Session(const std::string& name, Moment now);
@@ -51,6 +55,9 @@ class Session {
   /// Names by slot; empty where nobody plays.
   std::span<const std::string> names() const { return names_; }
 
+  /// What was last found wrong with the confirmed game; each is given once.
+  std::optional<MismatchReport> takeMismatch() { return std::exchange(mismatch_, std::nullopt); }
+
   /// Over all rounds.
   PredictionCount predictionCount() const;
   RoundCount roundCount() const;
@@ -58,7 +65,8 @@ class Session {
  private:
   template <class Message>
   void send(const Message& message, bool reliable);
-  void end(std::string reason) { ending_ = std::move(reason); }
+  void end(std::string reason);
+  void keep(std::optional<Mismatch> mismatch);
 
   void handle(const Welcome& message, Moment now);
   void handle(const Refused& message, Moment now);
@@ -90,6 +98,8 @@ class Session {
   std::optional<RoundStart> next_;                     // waits for its level
   std::optional<Round> round_;
   double lead_ = 0;
+  std::optional<MismatchReport> mismatch_;
+  std::optional<Moment> mismatchAt_;                   // when the last was reported
   PredictionCount pastPrediction_;                     // of the rounds before
   RoundCount pastRounds_;
 };

@@ -1,28 +1,18 @@
 #include "client/settings_file.h"
 
 #include <cstdio>
-#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <string>
 #include <system_error>
 
+#include "client/user_folders.h"
+
 namespace platon {
-
-namespace {
-
-std::filesystem::path configFolder() {
-  const char* const config = std::getenv("XDG_CONFIG_HOME");
-  if (config != nullptr && *config != '\0') return config;
-  const char* const home = std::getenv("HOME");
-  return home != nullptr && *home != '\0' ? std::filesystem::path(home) / ".config" : std::filesystem::path();
-}
-
-}  // namespace
 
 SettingsFile::SettingsFile() {
   const std::filesystem::path folder = configFolder();
-  if (!folder.empty()) path_ = folder / "platon" / "settings";
+  if (!folder.empty()) path_ = folder / "settings";
 }
 
 Settings SettingsFile::load() const {

@@ -41,6 +41,10 @@ std::size_t VirtualMatch::join(const LinkQuality& line, Controls controls) {
   return clients_.size() - 1;
 }
 
+void VirtualMatch::tamper(std::size_t client, std::function<void(std::vector<std::uint8_t>&)> change) {
+  clients_[client]->tamper = std::move(change);
+}
+
 void VirtualMatch::run(Moment duration) {
   for (const Moment end = now_ + duration; now_ < end; now_ += kStep) {
     const Moment tickDue = std::chrono::seconds(100) + Moment((serverTicks_ + 1) * 1'000'000 / kTicksPerSecond);
@@ -50,7 +54,7 @@ void VirtualMatch::run(Moment duration) {
     nextFrame_ = now_ + frame_;
     for (const auto& client : clients_) {
       client->session.update(now_, client->controls);
-      check(client->session);
+      if (client->checked) check(client->session);
     }
   }
 }
@@ -70,6 +74,7 @@ void VirtualMatch::tickServer() {
   }
   for (Outgoing& message : match_.takeOutgoing()) {
     Client& client = *clients_[message.client - 1];
+    client.tamper(message.bytes);
     (message.reliable ? client.reliableDown : client.down).send(std::move(message.bytes), now_);
   }
 }

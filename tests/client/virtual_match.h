@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,12 +27,17 @@ class VirtualMatch {
   std::size_t join(const LinkQuality& line, Controls controls);
   /// How often clients update from now on; 4 ms at first.
   void setFrame(Moment frame) { frame_ = frame; }
+  /// Every message to this client is handed to `change` on its way, from now on.
+  void tamper(std::size_t client, std::function<void(std::vector<std::uint8_t>&)> change);
+  /// Whether `run` checks this client; all are checked at first.
+  void setChecked(std::size_t client, bool checked) { clients_[client]->checked = checked; }
   /// Lets time pass. Checks all the while, for every client, that its confirmed game is the server's.
   void run(Moment duration);
 
   Moment now() const { return now_; }
   Match& match() { return match_; }
   const Session& session(std::size_t client) const { return clients_[client]->session; }
+  std::optional<MismatchReport> takeMismatch(std::size_t client) { return clients_[client]->session.takeMismatch(); }
   std::uint32_t slot(std::size_t client) const { return clients_[client]->session.welcome()->slot; }
 
  private:
@@ -40,6 +47,8 @@ class VirtualMatch {
     Session session;
     Controls controls;
     NetworkConditions up, down, reliableUp, reliableDown;
+    std::function<void(std::vector<std::uint8_t>&)> tamper = [](std::vector<std::uint8_t>&) {};
+    bool checked = true;
   };
 
   void tickServer();

@@ -1,0 +1,46 @@
+#include "client/mismatch_folder.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <system_error>
+
+namespace platon {
+
+namespace {
+
+// A new file only: nothing that is there is written over. 0 or the error.
+template <class Bytes>
+int write(const std::filesystem::path& path, const Bytes& bytes) {
+  std::FILE* const file = std::fopen(path.c_str(), "wbx");
+  if (file == nullptr) return errno;
+  const bool whole = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
+  const int error = whole ? 0 : errno;
+  return std::fclose(file) == 0 ? error : errno;
+}
+
+std::string notKept(const std::filesystem::path& path, int error) {
+  return "; the report could not be written to " + path.string() + ": " + std::strerror(error);
+}
+
+}  // namespace
+
+std::string MismatchFolder::keep(const MismatchReport& report) const {
+  if (folder_.empty()) return report.summary;
+  std::error_code ignored;   // opening finds out
+  std::filesystem::create_directories(folder_, ignored);
+  for (int number = 1; number <= kMostReports; ++number) {
+    const std::string name = "mismatch-" + std::to_string(number);
+    const std::filesystem::path text = folder_ / (name + ".txt");
+    const std::filesystem::path recording = folder_ / (name + ".recording");
+    int error = write(text, report.text + "\nRecording of the own game: " + recording.string() + "\n");
+    if (error == EEXIST) continue;
+    if (error == 0) error = write(recording, report.recording);
+    return report.summary + (error == 0 ? "; see " + text.string() : notKept(text, error));
+  }
+  return report.summary + "; not written, for " + folder_.string() + " has " + std::to_string(kMostReports) +
+         " reports already: remove those that are no longer needed";
+}
+
+}  // namespace platon
