@@ -52,7 +52,7 @@ static_assert(kDegrees[90].cosine == 0 && kDegrees[90].sine == std::int64_t{1} <
 static_assert(kDegrees[30].sine == std::int64_t{1} << 29 && kDegrees[60].cosine == std::int64_t{1} << 29);
 
 constexpr std::int64_t roundToBits(std::int64_t value) {
-  return divideRounded(value, std::int64_t{1} << Direction::kFractionBits);
+  return shiftRounded<Direction::kFractionBits>(value);
 }
 
 Direction firstQuadrant(std::int32_t hundredths) {
@@ -74,11 +74,6 @@ Direction directionOf(Angle angle) {
     case 2: return {-base.cosine, -base.sine};
     default: return {base.sine, -base.cosine};
   }
-}
-
-Point rotate(Point vector, Direction direction) {
-  const WideVector wide = rotateWide(vector, direction);
-  return {static_cast<std::int32_t>(roundToBits(wide.x)), static_cast<std::int32_t>(roundToBits(wide.y))};
 }
 
 Point rotate(Point vector, Angle angle) { return rotate(vector, directionOf(angle)); }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "shared/exact/integer.h"
 #include "shared/exact/point.h"
 
 namespace platon {
@@ -35,6 +36,10 @@ struct Direction {
   static constexpr int kFractionBits = 30;
   std::int64_t cosine = 0;
   std::int64_t sine = 0;
+
+  /// That of no turn: what it turns stays as it is.
+  static constexpr Direction none() { return {std::int64_t{1} << kFractionBits, 0}; }
+  friend constexpr bool operator==(const Direction&, const Direction&) = default;
 };
 
 /// The direction of an angle, from an integer table.
@@ -54,7 +59,11 @@ constexpr WideVector rotateWide(Point vector, Direction direction) {
 
 /// `vector` turned by `direction`, rounded to the nearest whole vector, halves away from zero: turning by half a turn
 /// first or last gives the same.
-Point rotate(Point vector, Direction direction);
+constexpr Point rotate(Point vector, Direction direction) {
+  const WideVector wide = rotateWide(vector, direction);
+  return {static_cast<std::int32_t>(shiftRounded<Direction::kFractionBits>(wide.x)),
+          static_cast<std::int32_t>(shiftRounded<Direction::kFractionBits>(wide.y))};
+}
 Point rotate(Point vector, Angle angle);
 
 /// The angle that turns `from` into the direction of `to`, to the nearest hundredth of a degree. Neither is zero.

@@ -26,7 +26,7 @@ struct Fraction {
 
 /// `value * fraction` rounded towards zero; the magnitude of the fraction is at most 1.
 constexpr std::int32_t scaleTruncated(std::int32_t value, Fraction fraction) {
-  return static_cast<std::int32_t>(int128{value} * fraction.numerator / fraction.denominator);
+  return static_cast<std::int32_t>(scaleTruncated(value, fraction.numerator, fraction.denominator));
 }
 
 }  // namespace platon

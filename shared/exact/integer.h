@@ -31,6 +31,21 @@ constexpr Integer divideRounded(Integer numerator, Integer denominator) {
   return numerator >= 0 ? (numerator + half) / denominator : -((-numerator + half) / denominator);
 }
 
+/// The same for a denominator of 2^bits, 0 < bits < 62; |value| < 2^62.
+template <int bits>
+constexpr std::int64_t shiftRounded(std::int64_t value) {
+  constexpr std::int64_t half = std::int64_t{1} << (bits - 1);
+  return (value + half - (value < 0 ? 1 : 0)) >> bits;   // of halves below 0, which the shift rounds up, one less
+}
+
+/// `value * factor / divisor` rounded towards zero; `divisor` > 0 and the quotient must fit.
+constexpr std::int64_t scaleTruncated(std::int64_t value, std::int64_t factor, std::int64_t divisor) {
+  const int128 product = int128{value} * factor;
+  const auto low = static_cast<std::int64_t>(product);
+  if (low == product) return low / divisor;   // far quicker, and mostly so
+  return static_cast<std::int64_t>(product / divisor);
+}
+
 /// `numerator / denominator` rounded towards minus infinity. `denominator` > 0.
 template <class Integer>
 constexpr Integer divideFloor(Integer numerator, Integer denominator) {

@@ -26,15 +26,15 @@ constexpr PrecisePoint operator-(PrecisePoint a, PrecisePoint b) { return {a.x -
 
 /// The nearest whole point, halves away from zero. The coordinates must fit.
 constexpr Point rounded(PrecisePoint point) {
-  return {static_cast<std::int32_t>(divideRounded(point.x, PrecisePoint::kOne)),
-          static_cast<std::int32_t>(divideRounded(point.y, PrecisePoint::kOne))};
+  return {static_cast<std::int32_t>(shiftRounded<PrecisePoint::kBits>(point.x)),
+          static_cast<std::int32_t>(shiftRounded<PrecisePoint::kBits>(point.y))};
 }
 
 /// `vector` turned. |vector| < 2^31 a coordinate.
 constexpr PrecisePoint rotatePrecise(Point vector, Direction direction) {
-  constexpr std::int64_t scale = std::int64_t{1} << (Direction::kFractionBits - PrecisePoint::kBits);
+  constexpr int bits = Direction::kFractionBits - PrecisePoint::kBits;
   const WideVector turned = rotateWide(vector, direction);
-  return {divideRounded(turned.x, scale), divideRounded(turned.y, scale)};
+  return {shiftRounded<bits>(turned.x), shiftRounded<bits>(turned.y)};
 }
 
 /// Half way between two points, exactly.
