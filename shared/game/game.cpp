@@ -116,7 +116,7 @@ bool Game::touchesGoal(std::uint32_t slot) {
 bool Game::coversGoal(std::uint32_t slot, Point position, Angle angle) {
   const Point distance = level_->goal - position;
   if (squaredLength(distance) > squaredLength(Point(kPlayerRadius + 1, 0))) return false;   // + 1: rounded vertices
-  const auto shape = world_.shapeOf(slot).turned(angle);
+  const Convex* shape = world_.turnedShapeOf(slot, angle);
   goalSweep_.start(*shape, position, {});
   return goalSweep_.against({level_->goal, level_->goal}).has_value();
 }

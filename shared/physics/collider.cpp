@@ -1,6 +1,7 @@
 #include "shared/physics/collider.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace platon {
 
@@ -12,16 +13,21 @@ void Collider::begin(Rules& rules, Entity entity, std::vector<Region>& regions) 
   rules_ = &rules;
   entity_.emplace(entity);
   regions_ = &regions;
+  regions.resize(Instances::kMost);
   pierced_.clear();
 }
 
-const std::vector<std::uint32_t>& Collider::start(const Placement& placement, const Convex& shape, Point from,
-                                                  Point to, std::int32_t margin) {
+Region& Collider::start(const Placement& placement, const Convex& shape, Point from, Point to, std::int32_t margin) {
   sweep_.start(shape, from, to - from, margin);
-  if (regions_->size() <= placement.region) regions_->resize(placement.region + 1);
-  Region& region = (*regions_)[placement.region];
+  Region& region = regionOf(placement);
   region.cover(*placement.part, sweep_.bounds().grown(kReach));
-  return region.lines();
+  return region;
+}
+
+// What the line at a place of the placement's region is to the sweep that has been started with the placement's shape.
+std::optional<Sweep::Meeting> Collider::meet(const Placement& placement, Region& region, std::size_t place) {
+  if (sweep_.misses(region.bounds(place))) return std::nullopt;
+  return sweep_.meet(region.obstacle(place, *placement.shape));
 }
 
 bool Collider::blocks(const MapGeometry& part, std::uint32_t line) const {
@@ -46,12 +52,13 @@ std::optional<LegHit> Collider::first(const Instances& instances, Point from, Po
 void Collider::first(const Instances& instances, std::size_t index, Point from, Point to,
                      std::optional<LegHit>& best, std::uint32_t but) {
   const Placement& placement = instances.all()[index];
-  const auto& lines = start(placement, *placement.shape, placement.at(from), placement.at(to), 0);
-  for (const std::uint32_t line : lines) {
+  Region& region = start(placement, *placement.shape, placement.at(from), placement.at(to));
+  for (std::size_t place = 0; place < region.lines().size(); ++place) {
+    const std::uint32_t line = region.lines()[place];
     if (line == but) continue;
-    const auto hit = sweep_.against(placement.part->lines[line]);
-    if (!hit || !blocksOrNote(placement, line)) continue;
-    if (!best || hit->time < best->hit.time) best = LegHit{index, line, *hit};
+    const auto meeting = meet(placement, region, place);
+    if (!meeting || !blocksOrNote(placement, line) || (best && meeting->enter >= best->hit.time)) continue;
+    best = LegHit{index, line, Sweep::describe(region.obstacle(place, *placement.shape), *meeting)};
   }
 }
 
@@ -62,29 +69,30 @@ std::optional<LegHit> Collider::firstWarp(const Instances& instances, const Path
   for (std::size_t i = 0; i < instances.all().size(); ++i) {
     const Placement& placement = instances.all()[i];
     const MapGeometry& part = *placement.part;
-    if (part.warps.empty()) continue;
-    sweep_.start(*placement.shape, placement.at(path.from), placement.at(path.to) - placement.at(path.from),
-                 path.margin);
-    for (std::uint16_t warp = 0; warp < part.warps.size(); ++warp) {
-      const auto hit = sweep_.against(part.warps[warp].from);
-      if (!hit || (best && hit->time >= best->hit.time) || !isOpen(instances, {i, warp}, shut)) continue;
-      best = LegHit{i, part.lineOfWarp(warp), *hit};
+    Region& region = regionOf(placement);
+    bool started = false;
+    for (std::size_t place = region.firstWarp(); place < region.lines().size(); ++place) {
+      const std::uint32_t line = region.lines()[place];
+      const Gate gate{i, static_cast<std::uint16_t>(part.warpOfLine(line))};
+      if (instances.linked(i, gate.warp) || std::find(shut.begin(), shut.end(), gate) != shut.end()) continue;
+      if (!std::exchange(started, true)) {
+        sweep_.start(*placement.shape, placement.at(path.from), placement.at(path.to) - placement.at(path.from),
+                     path.margin);
+      }
+      const auto meeting = meet(placement, region, place);
+      if (!meeting || (best && meeting->enter >= best->hit.time) || blocks(part, line)) continue;
+      best = LegHit{i, line, Sweep::describe(region.obstacle(place, *placement.shape), *meeting)};
       found = true;
     }
   }
   return found ? best : std::nullopt;
 }
 
-bool Collider::isOpen(const Instances& instances, const Gate& gate, const std::vector<Gate>& shut) const {
-  const MapGeometry& part = *instances.all()[gate.placement].part;
-  return !instances.linked(gate.placement, gate.warp) && std::find(shut.begin(), shut.end(), gate) == shut.end() &&
-         !blocks(part, part.lineOfWarp(gate.warp));
-}
-
 bool Collider::meetsWarp(const Instances& instances, const Gate& gate, const Convex& shape, std::int32_t margin) {
   const Placement& placement = instances.all()[gate.placement];
   sweep_.start(shape, placement.position, {}, margin);
-  return sweep_.against(placement.part->warps[gate.warp].from) && isOpen(instances, gate, {});
+  return sweep_.against(placement.part->warps[gate.warp].from) && !instances.linked(gate.placement, gate.warp) &&
+         !blocks(*placement.part, placement.part->lineOfWarp(gate.warp));
 }
 
 bool Collider::isFree(const Instances& instances, Point from, Point to) {
@@ -94,29 +102,39 @@ bool Collider::isFree(const Instances& instances, Point from, Point to) {
 }
 
 bool Collider::isFree(const Placement& placement, Point from, Point to) {
-  const auto& lines = start(placement, *placement.shape, from, to, 0);
-  return std::none_of(lines.begin(), lines.end(), [&](std::uint32_t line) {
-    return sweep_.against(placement.part->lines[line]) && blocksOrNote(placement, line);
-  });
+  Region& region = start(placement, *placement.shape, from, to);
+  for (std::size_t place = 0; place < region.lines().size(); ++place) {
+    if (meet(placement, region, place) && blocksOrNote(placement, region.lines()[place])) return false;
+  }
+  return true;
 }
 
 std::optional<std::uint32_t> Collider::overlapped(const Placement& placement, const Convex& shape) {
-  for (const std::uint32_t line : start(placement, shape, placement.position, placement.position, 0)) {
+  for (const std::uint32_t line : start(placement, shape, placement.position, placement.position).lines()) {
     if (sweep_.against(placement.part->lines[line]) && blocks(*placement.part, line)) return line;
   }
   return std::nullopt;
 }
 
 void Collider::appendPierced(const Placement& placement, std::vector<Pierced>& out) {
-  for (const std::uint32_t line : start(placement, *placement.shape, placement.position, placement.position, 0)) {
-    if (!sweep_.against(placement.part->lines[line]) || blocks(*placement.part, line)) continue;
+  Region& region = start(placement, *placement.shape, placement.position, placement.position);
+  for (std::size_t place = 0; place < region.lines().size(); ++place) {
+    const std::uint32_t line = region.lines()[place];
+    if (!meet(placement, region, place) || blocks(*placement.part, line)) continue;
     out.push_back({placement.id, placement.part->id, line});
   }
 }
 
-std::optional<Hit> Collider::against(const Placement& placement, Point from, Point to, const Segment& line) {
-  sweep_.start(*placement.shape, from, to - from);
-  return sweep_.against(line);
+std::optional<Sweep::Meeting> Collider::against(const Placement& placement, const Path& path, std::uint32_t line) {
+  sweep_.start(*placement.shape, path.from, path.to - path.from, path.margin);
+  if (sweep_.misses(boundsOf(placement.part->lines[line]))) return std::nullopt;
+  Region& region = regionOf(placement);
+  auto place = region.isOf(*placement.part) ? region.placeOf(line) : std::nullopt;
+  if (!place) {
+    region.cover(*placement.part, sweep_.bounds().grown(kReach));
+    place = region.placeOf(line);
+  }
+  return place ? sweep_.meet(region.obstacle(*place, *placement.shape)) : std::nullopt;
 }
 
 }  // namespace platon

@@ -22,7 +22,7 @@ struct LegHit {
 /// Asks exact questions about one entity's instances and the lines round them. Rules decide which lines block.
 class Collider {
  public:
-  /// Beyond the straight path of a leg, candidates for its end are looked for this far to the side.
+  /// Regions cover this much beyond the straight path of a leg: room for its margins, and for candidates for its end.
   static constexpr std::int32_t kReach = 8;
   static constexpr std::uint32_t kNoLine = ~std::uint32_t{0};
 
@@ -42,14 +42,14 @@ class Collider {
 
     friend bool operator==(const Gate&, const Gate&) = default;
   };
-  /// A move of home, of shapes grown by a margin.
+  /// A move of shapes grown by a margin.
   struct Path {
     Point from;
     Point to;
-    std::int32_t margin;
+    std::int32_t margin = 0;
   };
 
-  /// `regions` are the entity's, one for each placement's region index; grown when needed.
+  /// `regions` are the entity's, one for each placement's region index.
   void begin(Rules& rules, Entity entity, std::vector<Region>& regions);
 
   /// The earliest blocking line in the way of any instance when home moves straight from `from` to `to`; at equal
@@ -60,7 +60,7 @@ class Collider {
   void first(const Instances& instances, std::size_t index, Point from, Point to, std::optional<LegHit>& best,
              std::uint32_t but = kNoLine);
   /// The earliest pierceable warp line, without an instance behind it and not among `shut`, that any instance meets
-  /// before `limit`.
+  /// before `limit`. To be asked after `first` for the same way, whose regions it searches; margin <= kReach.
   std::optional<LegHit> firstWarp(const Instances& instances, const Path& path, const std::optional<LegHit>& limit,
                                   const std::vector<Gate>& shut);
   /// Whether `shape`, grown by `margin`, meets a pierceable warp line of the placement that has no instance behind it.
@@ -75,17 +75,17 @@ class Collider {
   /// Appends the pierceable lines, by index, that the placement overlaps where it stands.
   void appendPierced(const Placement& placement, std::vector<Pierced>& out);
 
-  /// What one line does to one placement that moves from `from` to `to`.
-  std::optional<Hit> against(const Placement& placement, Point from, Point to, const Segment& line);
+  /// What one line does to one placement that moves along `path` in its own part's frame.
+  std::optional<Sweep::Meeting> against(const Placement& placement, const Path& path, std::uint32_t line);
 
   const std::vector<Pierced>& pierced() const { return pierced_; }
 
  private:
-  const std::vector<std::uint32_t>& start(const Placement& placement, const Convex& shape, Point from, Point to,
-                                          std::int32_t margin);
+  Region& start(const Placement& placement, const Convex& shape, Point from, Point to, std::int32_t margin = 0);
+  Region& regionOf(const Placement& placement) { return (*regions_)[placement.region]; }
+  std::optional<Sweep::Meeting> meet(const Placement& placement, Region& region, std::size_t place);
   bool blocks(const MapGeometry& part, std::uint32_t line) const;
   bool blocksOrNote(const Placement& placement, std::uint32_t line);
-  bool isOpen(const Instances& instances, const Gate& gate, const std::vector<Gate>& shut) const;
 
   Rules* rules_ = nullptr;
   std::optional<Entity> entity_;

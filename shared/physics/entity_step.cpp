@@ -50,7 +50,7 @@ void EntityStep::translate(Point velocity, Angle heading) {
     passHome();
     if (rest_ == Point() || !moves) break;
   }
-  if (stop_ && instances_.dropUnreached(kDropMargin)) observe();
+  if (stop_ && instances_.dropUnreached(kDropMargin, collider_)) observe();
   keepRemainder();
 }
 
@@ -196,8 +196,8 @@ Point EntityStep::normalOf(const LegHit& hit) const {
 }
 
 Point EntityStep::homeNormalOf(const LegHit& hit) const {
-  const Angle toHome = instances_.home().angle - instances_.all()[hit.placement].angle;
-  return hit.placement == 0 ? normalOf(hit) : turnedNormal(normalOf(hit), toHome);
+  const Point normal = normalOf(hit);
+  return hit.placement == 0 ? normal : turnedNormal(normal, instances_.all()[hit.placement].toHome);
 }
 
 // The centre may have crossed several parts; each passing turns the frame, and what is left of the displacement with
@@ -212,7 +212,7 @@ void EntityStep::passHome() {
     state_->heading = state_->heading + *turn;
     observe();
   }
-  if (!stop_ && instances_.dropUnreached(kDropMargin)) observe();
+  if (!stop_ && instances_.dropUnreached(kDropMargin, collider_)) observe();
 }
 
 void EntityStep::turnFrame(Angle turn) {

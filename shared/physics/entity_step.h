@@ -95,7 +95,7 @@ class EntityStep {
 
   // entity_step_slide.cpp
   Way nextWay();
-  Reach reachOf(const LegHit& stop) const;
+  Reach reachOf(const LegHit& stop, bool back) const;
   Point outOf(const LegHit& stop, Point slid) const;
   Point slideDirection(const LegHit& hit) const;
   bool leadsBack(const LegHit& line) const;

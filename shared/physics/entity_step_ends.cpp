@@ -119,7 +119,7 @@ Point EntityStep::fromEnd(const LegHit& end) const {
   const Placement& placement = instances_.all()[end.placement];
   const Segment& line = placement.part->lines[end.line];
   const Point along = line.a == end.hit.feature ? line.b - line.a : line.a - line.b;
-  return rotate(along, instances_.home().angle - placement.angle);
+  return rotate(along, placement.toHome);
 }
 
 }  // namespace platon

@@ -37,7 +37,7 @@ void EntityStep::callContact(const LegHit& hit) {
 void EntityStep::callPierced(Point before) {
   events_.clear();
   for (const Collider::Pierced& pierced : collider_.pierced()) appendEvents(pierced, before);
-  std::stable_sort(events_.begin(), events_.end(), [](const Event& a, const Event& b) {
+  std::sort(events_.begin(), events_.end(), [](const Event& a, const Event& b) {
     if (a.time != b.time) return a.time < b.time;
     return std::tuple(a.placement, a.line, !a.begins) < std::tuple(b.placement, b.line, !b.begins);
   });
@@ -52,12 +52,14 @@ void EntityStep::appendEvents(const Collider::Pierced& pierced, Point before) {
   for (std::size_t i = 0; i < instances_.all().size(); ++i) {
     const Placement& placement = instances_.all()[i];
     if (placement.id != pierced.instance || placement.part->id != pierced.part) continue;
-    const auto hit =
-        collider_.against(placement, placement.at(before), placement.position, placement.part->lines[pierced.line]);
-    if (!hit) return;
-    if (hit->side != Hit::Side::kInside || placement.fresh) events_.push_back({hit->time, true, i, pierced.line});
-    if (hit->exit < Fraction{1, 1} || !overlaps(placement, pierced.line)) {
-      events_.push_back({hit->exit, false, i, pierced.line});
+    const Point from = placement.at(before);
+    if (from == placement.position && !placement.fresh) return;   // nothing begins or ends on the spot
+    const auto meeting = collider_.against(placement, {from, placement.position}, pierced.line);
+    if (!meeting) return;
+    const bool wasInside = meeting->entered == Sweep::Meeting::kNone;
+    if (!wasInside || placement.fresh) events_.push_back({meeting->enter, true, i, pierced.line});
+    if (!meeting->endsInside) {
+      events_.push_back({meeting->exit, false, i, pierced.line});
     }
   }
 }
@@ -83,7 +85,7 @@ void EntityStep::appendOverlap(const Collider::Pierced& pierced) {
 }
 
 bool EntityStep::overlaps(const Placement& placement, std::uint32_t line) {
-  return collider_.against(placement, placement.position, placement.position, placement.part->lines[line]).has_value();
+  return collider_.against(placement, {placement.position, placement.position}, line).has_value();
 }
 
 }  // namespace platon

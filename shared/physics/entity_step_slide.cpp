@@ -13,17 +13,20 @@ EntityStep::Way EntityStep::nextWay() {
   slidAlong_ = stop_;
   const Point normal = homeNormalOf(*stop_);
   const Point whole = slideAlong(rest_, normal);
-  const Point part = slideAlong(rest_, normal, reachOf(*stop_));
+  if (whole == Point()) return {whole, whole, true};
+  const Point part = slideAlong(rest_, normal, reachOf(*stop_, dot(rest_, perpendicular(normal)) < 0));
   return {outOf(*stop_, part), whole, true};
 }
 
-// How far home can slide until the line that stopped it, or its end, lies no longer on the same edge of the shape.
-Reach EntityStep::reachOf(const LegHit& stop) const {
+// How far home can slide, ahead or back, until the line that stopped it, or its end, lies no longer on the same edge of
+// the shape.
+Reach EntityStep::reachOf(const LegHit& stop, bool back) const {
   const Placement& placement = instances_.all()[stop.placement];
   const Segment& line = placement.part->lines[stop.line];
-  const EdgeReach reach = reachAlong(*placement.shape, placement.position, line, normalOf(stop));
-  const Direction toHome = directionOf(instances_.home().angle - placement.angle);
-  return {longerPart(rotate(reach.ahead, toHome)), longerPart(rotate(reach.behind, toHome))};
+  const Point way = reachAlong(*placement.shape, placement.position, line, normalOf(stop), back);
+  Reach reach;
+  (back ? reach.behind : reach.ahead) = longerPart(rotate(way, placement.toHome));
+  return reach;
 }
 
 // The instance that met the line moves by its own rounding of the displacement, which could lead into the line again: a

@@ -43,7 +43,7 @@ void Instances::loadHome(const EntityState& state) {
   home.part = geometry_->find(state.part);
   home.angle = state.angle;
   home.shape = shapes_->turned(shapeIndex_, *base_, state.angle);
-  home.fromHome = directionOf(Angle());
+  home.fromHome = home.toHome = Direction::none();
   home.position = home.homeAnchor = home.anchor = state.position;
   home.id = state.id;
   home.fresh = state.fresh != 0;
@@ -54,7 +54,7 @@ void Instances::loadFurther(const InstanceState& instance) {
   placement.part = geometry_->find(instance.part);
   placement.angle = instance.angle;
   placement.shape = shapes_->turned(shapeIndex_, *base_, instance.angle);
-  placement.fromHome = directionOf(instance.angle - home().angle);
+  turnFrames(placement);
   placement.homeAnchor = instance.homeAnchor;
   placement.anchor = instance.anchor;
   placement.position = placement.at(home().position);
@@ -63,6 +63,11 @@ void Instances::loadFurther(const InstanceState& instance) {
   placement.fresh = instance.fresh != 0;
   placement.region = placements_.size();
   placements_.push_back(placement);
+}
+
+void Instances::turnFrames(Placement& placement) const {
+  placement.fromHome = directionOf(placement.angle - home().angle);
+  placement.toHome = directionOf(home().angle - placement.angle);
 }
 
 void Instances::linkParent(std::size_t index, std::uint16_t parentId) {
@@ -141,7 +146,7 @@ bool Instances::insert(std::size_t parentIndex, std::uint16_t warpIndex, Collide
   child.angle = parent.angle + warp.turn;
   child.shape = shapes_->turned(shapeIndex_, *base_, child.angle);
   if (child.shape == nullptr) return false;
-  child.fromHome = directionOf(child.angle - home().angle);
+  turnFrames(child);
   child.parent = parentIndex;
   child.warp = warpIndex;
   child.wayBack = *wayBack;
@@ -198,7 +203,7 @@ std::optional<Angle> Instances::passHome(PrecisePoint& remainder) {
 // Behind a corner the centre is beyond two warp lines, of which it has crossed one. Where roundings put the centre
 // outside all parts, home stays.
 std::size_t Instances::heir() const {
-  if (holdsCentre(0)) return Placement::kNone;
+  if (placements_.size() == 1 || holdsCentre(0)) return Placement::kNone;
   for (std::size_t i = 1; i < placements_.size(); ++i) {
     const std::size_t child = childAbove(i);
     if (child != Placement::kNone && isBeyond(child) && holdsCentre(i)) return child;
@@ -248,7 +253,7 @@ void Instances::reroot(std::size_t heir) {
       placement.parent = 0;
     }
   }
-  for (Placement& placement : placements_) placement.fromHome = directionOf(placement.angle - home().angle);
+  for (Placement& placement : placements_) turnFrames(placement);
 }
 
 void Instances::anchorAll() {
@@ -282,9 +287,10 @@ bool Instances::withinError(std::size_t index) const {
          squaredMiss(ideal(index), placements_[index].position) <= kMostSquaredError;
 }
 
-bool Instances::dropUnreached(std::int32_t margin) {
+bool Instances::dropUnreached(std::int32_t margin, Collider& collider) {
+  if (placements_.size() == 1) return false;
   kept_.clear();
-  for (std::size_t i = 0; i < placements_.size(); ++i) kept_.push_back(reached(i, margin));
+  for (std::size_t i = 0; i < placements_.size(); ++i) kept_.push_back(reached(i, margin, collider));
   for (std::size_t i = 0; i < placements_.size(); ++i) kept_[i] = hangs(i) ? kept_[i] : 0;
   const auto keptBefore = [&](std::size_t index) {
     return static_cast<std::size_t>(std::count(kept_.begin(), kept_.begin() + static_cast<std::ptrdiff_t>(index), 1));
@@ -301,12 +307,12 @@ bool Instances::dropUnreached(std::int32_t margin) {
   return true;
 }
 
-bool Instances::reached(std::size_t index, std::int32_t margin) {
+bool Instances::reached(std::size_t index, std::int32_t margin, Collider& collider) const {
   const Placement& child = placements_[index];
   if (child.parent == Placement::kNone) return true;
   const Placement& parent = placements_[child.parent];
-  reach_.start(*parent.shape, parent.position, {}, margin);
-  return reach_.against(parent.part->warps[child.warp].from).has_value();
+  return collider.against(parent, {parent.position, parent.position, margin}, parent.part->lineOfWarp(child.warp))
+      .has_value();
 }
 
 // Whether all that the placement hangs on is kept.

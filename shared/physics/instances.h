@@ -14,7 +14,6 @@
 #include "shared/physics/map_geometry.h"
 #include "shared/physics/placement.h"
 #include "shared/physics/shape_cache.h"
-#include "shared/physics/sweep.h"
 #include "shared/physics/step_observer.h"
 
 namespace platon {
@@ -73,11 +72,12 @@ class Instances {
   /// `remainder`, which belongs to home's position, becomes that of the new home's: its exact place is kept.
   std::optional<Angle> passHome(PrecisePoint& remainder);
   /// Removes the instances whose warp line their parent, grown by `margin`, no longer reaches. True when any was.
-  bool dropUnreached(std::int32_t margin);
+  bool dropUnreached(std::int32_t margin, Collider& collider);
 
  private:
   void loadHome(const EntityState& state);
   void loadFurther(const InstanceState& instance);
+  void turnFrames(Placement& placement) const;
   void linkParent(std::size_t index, std::uint16_t parentId);
   std::size_t heir() const;
   std::size_t childAbove(std::size_t index) const;
@@ -86,7 +86,7 @@ class Instances {
   void reroot(std::size_t heir);
   void anchorAll();
   bool withinError(std::size_t index) const;
-  bool reached(std::size_t index, std::int32_t margin);
+  bool reached(std::size_t index, std::int32_t margin, Collider& collider) const;
   bool hangs(std::size_t index) const;
   PrecisePoint ideal(std::size_t index) const;
   static PrecisePoint through(const Warp& warp, PrecisePoint point);
@@ -106,7 +106,6 @@ class Instances {
   // Room for work, kept so that a warmed-up step allocates nothing.
   std::vector<Placement> undo_;
   std::vector<std::uint8_t> kept_;
-  Sweep reach_;
 };
 
 }  // namespace platon

@@ -18,6 +18,7 @@ struct Placement {
   const Convex* shape = nullptr;          ///< turned by `angle`
   Angle angle;
   Direction fromHome;                     ///< turns the home part's frame into this part's
+  Direction toHome;                       ///< and back
   Point position;
   Point homeAnchor;
   Point anchor;
@@ -29,7 +30,10 @@ struct Placement {
   std::size_t region = 0;                 ///< index among the entity's regions
 
   /// Where this instance is when home is at `home`.
-  Point at(Point home) const { return anchor + rotate(home - homeAnchor, fromHome); }
+  Point at(Point home) const {
+    const Point moved = home - homeAnchor;
+    return anchor + (fromHome == Direction::none() ? moved : rotate(moved, fromHome));
+  }
 };
 
 }  // namespace platon

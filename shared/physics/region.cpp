@@ -1,6 +1,7 @@
 #include "shared/physics/region.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "shared/exact/integer.h"
 
@@ -13,6 +14,10 @@ std::int32_t clamped(std::int64_t coordinate) {
       std::clamp<std::int64_t>(coordinate, -kCoordinateLimit, kCoordinateLimit));
 }
 
+Box clamped(const Box& box) {
+  return {{clamped(box.low.x), clamped(box.low.y)}, {clamped(box.high.x), clamped(box.high.y)}};
+}
+
 // Half the box's own size on every side: a mover at constant speed then queries the grid every few steps.
 Box widened(const Box& box) {
   const std::int64_t marginX = (std::int64_t{box.high.x} - box.low.x) / 2;
@@ -21,15 +26,44 @@ Box widened(const Box& box) {
           {clamped(box.high.x + marginX), clamped(box.high.y + marginY)}};
 }
 
+// All beyond the coordinates is covered where there is nothing more to come.
+Box unbounded(Box box) {
+  using Limits = std::numeric_limits<std::int32_t>;
+  if (box.low.x == -kCoordinateLimit) box.low.x = Limits::min();
+  if (box.low.y == -kCoordinateLimit) box.low.y = Limits::min();
+  if (box.high.x == kCoordinateLimit) box.high.x = Limits::max();
+  if (box.high.y == kCoordinateLimit) box.high.y = Limits::max();
+  return box;
+}
+
 }  // namespace
 
-void Region::cover(const MapGeometry& part, const Box& box) {
-  const Box needed{{clamped(box.low.x), clamped(box.low.y)}, {clamped(box.high.x), clamped(box.high.y)}};
-  if (part_ == &part && covered_.contains(needed)) return;
+// Of warp lines, all whose bounds reach into the box are taken, though the grid may know that they pass it: a corner of a
+// grown shape reaches farther than its bounds.
+void Region::take(const MapGeometry& part, const Box& box) {
   part_ = &part;
-  covered_ = widened(box);
+  const Box wide = widened(clamped(box));
+  covered_ = unbounded(wide);
   lines_.clear();
-  part.grid.query(covered_, lines_);
+  part.grid.query(wide, lines_);
+  std::erase_if(lines_, [&](std::uint32_t line) {
+    return part.isWarp(line) || !wide.overlaps(boundsOf(part.lines[line]));
+  });
+  firstWarp_ = lines_.size();
+  for (std::uint32_t line = part.lineOfWarp(0); line < part.lines.size(); ++line) {
+    if (wide.overlaps(boundsOf(part.lines[line]))) lines_.push_back(line);
+  }
+  bounds_.clear();
+  for (const std::uint32_t line : lines_) bounds_.push_back(boundsOf(part.lines[line]));
+  if (obstacles_.size() < lines_.size()) obstacles_.resize(lines_.size());
+  for (Obstacle& obstacle : obstacles_) obstacle.forget();
 }
+
+std::optional<std::size_t> Region::placeOf(std::uint32_t line) const {
+  const auto found = std::lower_bound(lines_.begin(), lines_.end(), line);
+  if (found == lines_.end() || *found != line) return std::nullopt;
+  return static_cast<std::size_t>(found - lines_.begin());
+}
+
 
 }  // namespace platon

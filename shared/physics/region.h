@@ -1,9 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "shared/physics/convex.h"
 #include "shared/physics/map_geometry.h"
+#include "shared/physics/obstacle.h"
 #include "shared/physics/segment.h"
 
 namespace platon {
@@ -14,15 +17,35 @@ class Region {
  public:
   /// Makes sure that every line that may meet `box` is in the region. The region reaches some way beyond the box, so
   /// that a mover stays inside for several steps.
-  void cover(const MapGeometry& part, const Box& box);
+  void cover(const MapGeometry& part, const Box& box) {
+    if (part_ != &part || !covered_.contains(box)) take(part, box);
+  }
+  bool isOf(const MapGeometry& part) const { return part_ == &part; }
 
   /// Indices into the part's lines, ascending.
   const std::vector<std::uint32_t>& lines() const { return lines_; }
+  /// The place among them of the first line of a warp; their number when there is none.
+  std::size_t firstWarp() const { return firstWarp_; }
+  /// The place of a line among them; none when it is far away.
+  std::optional<std::size_t> placeOf(std::uint32_t line) const;
+  /// Of the line at this place among them.
+  const Box& bounds(std::size_t place) const { return bounds_[place]; }
+  /// What the line at this place is to `shape`, which must live as long as the region is asked.
+  Obstacle& obstacle(std::size_t place, const Convex& shape) {
+    Obstacle& obstacle = obstacles_[place];
+    if (!obstacle.isOf(shape)) obstacle.become(shape, part_->lines[lines_[place]]);
+    return obstacle;
+  }
 
  private:
+  void take(const MapGeometry& part, const Box& box);
+
   const MapGeometry* part_ = nullptr;
   Box covered_;
   std::vector<std::uint32_t> lines_;
+  std::size_t firstWarp_ = 0;
+  std::vector<Box> bounds_;           // by place
+  std::vector<Obstacle> obstacles_;   // by place; there may be more, for their memory
 };
 
 }  // namespace platon

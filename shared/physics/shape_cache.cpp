@@ -15,8 +15,10 @@ const Convex* ShapeCache::turned(std::uint32_t index, const Convex& base, Angle 
   return found->second ? &*found->second : nullptr;
 }
 
-void ShapeCache::trim() {
-  if (shapes_.size() > kMostShapes) shapes_.clear();
+bool ShapeCache::trim() {
+  if (shapes_.size() <= kMostShapes) return false;
+  shapes_.clear();
+  return true;
 }
 
 }  // namespace platon

@@ -20,8 +20,9 @@ class ShapeCache {
   /// the next `trim`.
   const Convex* turned(std::uint32_t index, const Convex& base, Angle angle);
 
-  /// Forgets everything when more has gathered than a scene with face turns alone can need (free rotation).
-  void trim();
+  /// Forgets everything when more has gathered than a scene with face turns alone can need (free rotation). True when
+  /// it did: then no shape from here is valid any more.
+  bool trim();
 
  private:
   std::map<std::pair<std::uint32_t, std::int32_t>, std::optional<Convex>> shapes_;

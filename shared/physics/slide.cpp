@@ -1,6 +1,7 @@
 #include "shared/physics/slide.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstdlib>
 
 #include "shared/exact/integer.h"
@@ -12,7 +13,7 @@ bool xDominates(Point vector) { return std::abs(std::int64_t{vector.x}) >= std::
 
 // `along` of the tangent's coordinate `tangent`, truncated. |along| < 2^62, |tangent| < 2^30, length < 2^61.
 std::int64_t part(std::int64_t along, std::int32_t tangent, std::int64_t squaredLength) {
-  return static_cast<std::int64_t>(int128{along} * tangent / squaredLength);
+  return scaleTruncated(along, tangent, squaredLength);
 }
 
 // The smallest v, in the direction of `normal`, with v * normal >= least.
@@ -41,12 +42,21 @@ Extent lowest(const Convex& shape, Point normal, Point tangent) {
   return extent;
 }
 
+// Of the coordinates of a turned normal.
+constexpr int kNormalBits = 29;
+
+// `value` / 2^bits rounded away from zero. |value| < 2^62.
+std::int64_t outwardsBy(int bits, std::int64_t value) {
+  const std::int64_t most = (std::int64_t{1} << bits) - 1;
+  return value >= 0 ? (value + most) >> bits : -((most - value) >> bits);
+}
+
 // `tangent` scaled so that its product with itself becomes `along`, cut. Bounds: |tangent| < 2^30, along < 2^62.
 Point partOf(Point tangent, std::int64_t along) {
   const std::int64_t whole = squaredLength(tangent);
   const auto scaled = [&](std::int32_t coordinate) {
-    const int128 cut = int128{std::max<std::int64_t>(along, 0)} * coordinate / whole;
-    return static_cast<std::int32_t>(std::clamp<int128>(cut, -kCoordinateLimit, kCoordinateLimit));
+    const std::int64_t cut = scaleTruncated(std::max<std::int64_t>(along, 0), coordinate, whole);
+    return static_cast<std::int32_t>(std::clamp<std::int64_t>(cut, -kCoordinateLimit, kCoordinateLimit));
   };
   return {scaled(tangent.x), scaled(tangent.y)};
 }
@@ -77,7 +87,7 @@ Fraction shareOf(Point moved, Point whole) {
 
 std::int32_t longerPart(Point vector) { return std::max(std::abs(vector.x), std::abs(vector.y)); }
 
-EdgeReach reachAlong(const Convex& shape, Point position, const Segment& line, Point normal) {
+Point reachAlong(const Convex& shape, Point position, const Segment& line, Point normal, bool back) {
   const Point tangent = perpendicular(normal);
   Extent ends = extentOf(line.a, tangent);
   if (dot(normal, line.a) == dot(normal, line.b)) {
@@ -87,18 +97,15 @@ EdgeReach reachAlong(const Convex& shape, Point position, const Segment& line, P
   }
   const Extent touching = lowest(shape, normal, tangent);
   const std::int64_t here = dot(position, tangent);
-  return {partOf(tangent, ends.high - touching.low - here), partOf(-tangent, here - (ends.low - touching.high))};
+  return back ? partOf(-tangent, here - (ends.low - touching.high)) : partOf(tangent, ends.high - touching.low - here);
 }
 
-Point turnedNormal(Point normal, Angle angle) {
-  const WideVector turned = rotateWide(normal, directionOf(angle));
-  std::int64_t x = turned.x;
-  std::int64_t y = turned.y;
-  while (std::max(std::abs(x), std::abs(y)) >= (std::int64_t{1} << 29)) {
-    x = divideRounded<std::int64_t>(x, 2);
-    y = divideRounded<std::int64_t>(y, 2);
-  }
-  return {static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)};
+Point turnedNormal(Point normal, Direction direction) {
+  const WideVector turned = rotateWide(normal, direction);
+  const auto longer = static_cast<std::uint64_t>(std::max(std::abs(turned.x), std::abs(turned.y)));
+  int bits = std::max(static_cast<int>(std::bit_width(longer)) - kNormalBits, 0);
+  if (outwardsBy(bits, static_cast<std::int64_t>(longer)) == std::int64_t{1} << kNormalBits) ++bits;
+  return {static_cast<std::int32_t>(outwardsBy(bits, turned.x)), static_cast<std::int32_t>(outwardsBy(bits, turned.y))};
 }
 
 Point dominantStep(Point vector) {

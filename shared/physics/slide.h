@@ -29,24 +29,20 @@ Fraction shareOf(Point moved, Point whole);
 
 /// `displacement * time`, cut; time is at most 1.
 constexpr Point scaleTruncated(Point displacement, Fraction time) {
+  if (time.numerator == 0) return {};   // what touches already, the most frequent of all
   return {scaleTruncated(displacement.x, time), scaleTruncated(displacement.y, time)};
 }
 
 /// The longer coordinate's magnitude.
 std::int32_t longerPart(Point vector);
 
-/// The vectors along an edge of an obstacle to both of its ends, whole subunits, cut.
-struct EdgeReach {
-  Point ahead;
-  Point behind;
-};
-
 /// `line` forbids `shape` a polygon; `position` touches its edge with outward normal `normal`. How far the position can
-/// go along perpendicular(normal), and back, until that edge ends.
-EdgeReach reachAlong(const Convex& shape, Point position, const Segment& line, Point normal);
+/// go along perpendicular(normal), or with `back` the other way, until that edge ends: in whole subunits, cut.
+Point reachAlong(const Convex& shape, Point position, const Segment& line, Point normal, bool back);
 
-/// `normal` turned by `angle` and scaled so that its coordinates use 29 bits: within 2^-27 of the true direction.
-Point turnedNormal(Point normal, Angle angle);
+/// `normal` turned and scaled so that its coordinates use 29 bits: within 2^-27 of the true direction.
+Point turnedNormal(Point normal, Direction direction);
+inline Point turnedNormal(Point normal, Angle angle) { return turnedNormal(normal, directionOf(angle)); }
 
 /// One subunit along the axis in which `vector` is longest.
 Point dominantStep(Point vector);

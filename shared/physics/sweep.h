@@ -1,11 +1,12 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <vector>
 
 #include "shared/exact/fraction.h"
 #include "shared/physics/convex.h"
+#include "shared/physics/obstacle.h"
 #include "shared/physics/segment.h"
 
 namespace platon {
@@ -27,49 +28,74 @@ struct Hit {
 };
 
 /// The exact swept test: a convex shape S moves from `position` along `displacement`; a line L forbids the open
-/// polygon L + (-S). The displacement is clipped against that polygon's edges, which are those of -S and both sides of
-/// L; the polygon is never built and no interior point of the Minkowski sum is computed. No rounding anywhere.
+/// polygon L + (-S). The displacement is clipped against the edges of that polygon. No rounding anywhere.
 ///
 /// Bounds: coordinates < 2^29, so |normal| < 2^30, normal . vertex and normal . position < 2^60 each and every signed
 /// distance and speed below is < 2^62. Times compare through 128 bits.
 class Sweep {
  public:
+  /// When a displacement is inside an obstacle, by which edge it gets there, and whether it is there in the end.
+  struct Meeting {
+    static constexpr std::size_t kNone = ~std::size_t{0};
+
+    Fraction enter{0, 1};
+    Fraction exit{1, 1};
+    std::size_t entered = kNone;   ///< index of a half plane; none when it is inside from the beginning
+    bool endsInside = true;
+  };
+
   /// Prepares for any number of lines. `grown` > 0 moves every edge of the obstacle outwards by at least that many
   /// subunits (by grown * (|nx| + |ny|) / |n|). The shape must outlive the sweep.
-  void start(const Convex& shape, Point position, Point displacement, std::int32_t grown = 0);
+  void start(const Convex& shape, Point position, Point displacement, std::int32_t grown = 0) {
+    shape_ = &shape;
+    position_ = position;
+    displacement_ = displacement;
+    grown_ = grown;
+    way_ = Box{position, position}.swept(displacement);
+    const Point margin(grown, grown);
+    bounds_ = {way_.low + shape.bounds().low - margin, way_.high + shape.bounds().high + margin};
+  }
 
   /// The first meeting with `line`: the infimum of the times in [0, 1] at which the open shape meets it. Touching, and
   /// a meeting that begins at time 1, are none. Where two edges are entered at once, the sides of the line win over
   /// its ends and earlier edges of the shape over later ones.
   std::optional<Hit> against(const Segment& line);
+  /// The same; `obstacle` must be of the shape.
+  std::optional<Hit> against(Obstacle& obstacle) const;
 
+  /// Both parts of `against`: whether and when, then what touches. Lines that `misses` are not asked for.
+  std::optional<Meeting> meet(Obstacle& obstacle) const {
+    // Of most lines nearby the same edge keeps the shape away, step by step: that is told at once.
+    const Course likely = courseOf(obstacle.halfPlanes()[obstacle.likelyBarrier()]);
+    if (likely.start >= 0 && likely.end >= 0) return std::nullopt;
+    return clip(obstacle);
+  }
+  static Hit describe(const Obstacle& obstacle, const Meeting& meeting);
+
+  /// Whether the moving shape stays away from a line within these bounds.
+  bool misses(const Box& boundsOfLine) const { return !bounds_.overlaps(boundsOfLine); }
   /// All that the moving shape passes over, grown.
   const Box& bounds() const { return bounds_; }
 
  private:
-  struct Clip;
-  struct Extent {
-    std::int64_t low, high;
+  // The signed distances from a half plane, grown, at both ends of the displacement, times the length of the normal.
+  struct Course {
+    std::int64_t start;
+    std::int64_t end;
   };
-  bool passes(const Segment& line) const;
-  bool clipSides(const Segment& line, Clip& clip) const;
-  bool clipSides(const Segment& line, Extent extent, Clip& clip) const;
-  bool clipEnds(const Segment& line, Clip& clip);
-  void prepareEdges();
-  Hit describe(const Segment& line, const Clip& clip) const;
-
-  struct MovingEdge {
-    Point normal;
-    std::int64_t distance;  // of the start from the edge's line through the origin, grown
-    std::int64_t speed;     // normal . displacement
-  };
+  Course courseOf(const Obstacle::HalfPlane& half) const {
+    const std::int64_t start = dot(half.normal, position_) + half.offset - std::int64_t{half.slope} * grown_;
+    return {start, start + dot(half.normal, displacement_)};
+  }
+  std::optional<Meeting> clip(Obstacle& obstacle) const;
 
   const Convex* shape_ = nullptr;
   Point position_;
   Point displacement_;
   std::int32_t grown_ = 0;
+  Box way_;      // of the position
   Box bounds_;
-  std::vector<MovingEdge> edges_;   // empty until a line comes near enough to need them
+  Obstacle obstacle_;   // room for work
 };
 
 }  // namespace platon

@@ -47,9 +47,8 @@ void World::solve(StepObserver* observer) {
 
 void World::solve(Rules& rules, StepObserver* observer) {
   StepScratch& scratch = *scratch_;
-  scratch.shapes.trim();
+  if (scratch.shapes.trim()) scratch.regions.clear();   // they know obstacles by their shapes
   scratch.further.clear();
-  scratch.regions.resize(state_.entities.size());
   std::size_t next = 0;
   for (std::uint32_t index = 0; index < state_.entities.size(); ++index) {
     EntityState& entity = state_.entities[index];
@@ -66,8 +65,10 @@ void World::solve(Rules& rules, StepObserver* observer) {
 
 void World::beginStep(std::uint32_t index, std::span<const InstanceState> further, Rules& rules,
                       StepObserver* observer) {
+  auto& regions = scratch_->regions;
+  if (regions.size() < state_.entities.size()) regions.resize(state_.entities.size());
   scratch_->step.begin(Entity(*this, index), state_.entities[index], further,
-                       {*geometry_, shapeOf(index), scratch_->shapes, scratch_->regions[index], rules, observer});
+                       {*geometry_, shapeOf(index), scratch_->shapes, regions[index], rules, observer});
 }
 
 void World::restore(const WorldState& state) { state_ = state; }
@@ -92,6 +93,10 @@ Point World::positionOf(std::uint32_t entity, const InstanceState& instance) con
 }
 
 const Convex& World::shapeOf(std::uint32_t entity) const { return *shapes_[state_.entities[entity].shape]; }
+
+const Convex* World::turnedShapeOf(std::uint32_t entity, Angle angle) {
+  return scratch_->shapes.turned(state_.entities[entity].shape, shapeOf(entity), angle);
+}
 
 std::vector<InstanceView> World::view(std::uint32_t entity) const {
   std::vector<InstanceView> views;
@@ -164,7 +169,6 @@ void World::placeFurther(std::uint32_t entity, std::uint32_t part, Point origin,
 // Adds the instances that the shape reaches. False when any overlaps a line.
 bool World::settle(std::uint32_t entity) {
   Rules pierceWarpsOnly;
-  scratch_->regions.resize(state_.entities.size());
   const auto known = instancesOf(entity);
   const std::vector<InstanceState> before(known.begin(), known.end());
   beginStep(entity, before, rules_ != nullptr ? *rules_ : pierceWarpsOnly, nullptr);

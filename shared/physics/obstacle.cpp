@@ -1,0 +1,58 @@
+#include "shared/physics/obstacle.h"
+
+#include <algorithm>
+
+namespace platon {
+namespace {
+
+constexpr Box kEmpty{{1, 1}, {0, 0}};
+
+// The wider the surroundings, the longer the boundaries in them serve, but the more of them there are. Measured.
+std::int32_t surroundings(const Box& shape) { return (shape.high.x - shape.low.x) / 4; }
+
+}  // namespace
+
+void Obstacle::become(const Convex& shape, const Segment& line) {
+  shape_ = &shape;
+  line_ = line;
+  likelyBarrier_ = 0;
+  around_ = kEmpty;
+  halfPlanes_.clear();
+  if (sides() != 0) addSides();
+  for (const Convex::Edge& edge : shape.edges()) {
+    halfPlanes_.emplace_back(edge.normal,
+                             edge.support - std::max(dot(edge.normal, line.a), dot(edge.normal, line.b)));
+  }
+}
+
+void Obstacle::addSides() {
+  const Point left = perpendicular(line_.b - line_.a);
+  features_.fill(shape_->vertices()[0]);
+  std::int64_t lowest = dot(left, shape_->vertices()[0]);
+  std::int64_t highest = lowest;
+  for (const Point vertex : shape_->vertices()) {
+    const std::int64_t along = dot(left, vertex);
+    if (along < lowest) features_[0] = vertex;
+    if (along > highest) features_[1] = vertex;
+    lowest = std::min(lowest, along);
+    highest = std::max(highest, along);
+  }
+  const std::int64_t height = dot(left, line_.a);
+  halfPlanes_.emplace_back(left, lowest - height);
+  halfPlanes_.emplace_back(-left, height - highest);
+}
+
+// A half plane holds a box when it holds the corner that lies farthest out. Bounds: the box lies within 2^30 + 2^28,
+// so that the distance is below 2^63.
+void Obstacle::findBoundaries(const Box& way) {
+  around_ = way.grown(surroundings(shape_->bounds()));
+  boundaries_.clear();
+  for (std::uint32_t i = 0; i < halfPlanes_.size(); ++i) {
+    const HalfPlane& half = halfPlanes_[i];
+    const Point farthest{half.normal.x > 0 ? around_.high.x : around_.low.x,
+                         half.normal.y > 0 ? around_.high.y : around_.low.y};
+    if (dot(half.normal, farthest) + half.offset >= 0) boundaries_.push_back(i);
+  }
+}
+
+}  // namespace platon

@@ -1,0 +1,87 @@
+// Counts every allocation of the program: a game that has been played before must be played again without any.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "levels/level_file.h"
+#include "shared/game/game.h"
+#include "tests/lockstep/button_presses.h"
+
+namespace {
+
+std::size_t allocations = 0;
+
+void* allocate(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
+  throw std::bad_alloc();
+}
+
+}  // namespace
+
+// The forms for arrays, and those that return null, call these.
+void* operator new(std::size_t size) { return allocate(size); }
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace platon {
+namespace {
+
+constexpr std::uint64_t kSeed = 20;
+constexpr std::uint32_t kPlayers = 8;
+constexpr int kTicks = 2000;
+
+/// Eight players press buttons, the same ones from the same beginning every time.
+class RepeatedGame {
+ public:
+  explicit RepeatedGame(std::shared_ptr<const Level> level)
+      : beginning_(std::move(level)), game_(beginning_), inputs_(kPlayers, Input{Input::kPresent}) {
+    beginning_.advance(inputs_);   // players enter, which adds to the state
+  }
+
+  /// Returns how many allocations that took. Room for work stays with the game.
+  std::size_t play() {
+    game_ = beginning_;
+    std::vector<sim::ButtonPresses> presses;
+    for (std::uint32_t slot = 0; slot < kPlayers; ++slot) presses.emplace_back(kSeed, slot);
+    std::size_t taken = 0;
+    for (int tick = 0; tick < kTicks; ++tick) {
+      for (std::uint32_t slot = 0; slot < kPlayers; ++slot) inputs_[slot] = presses[slot].next();
+      const std::size_t before = allocations;
+      game_.advance(inputs_);
+      taken += allocations - before;
+    }
+    return taken;
+  }
+
+  std::uint64_t hash() const { return game_.hash(); }
+
+ private:
+  Game beginning_;
+  Game game_;
+  std::vector<Input> inputs_;
+};
+
+class AllocationTest : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(AllocationTest, APlayedGameIsPlayedAgainWithoutAny) {
+  std::string fault;
+  const auto text = readLevelFile("levels/" + std::string(GetParam()) + ".level", fault);
+  ASSERT_TRUE(text) << fault;
+  RepeatedGame game(loadLevel(*text).level);
+  ASSERT_GT(game.play(), 0u) << "nothing is counted";
+  game.play();
+  const std::uint64_t hash = game.hash();
+  EXPECT_EQ(game.play(), 0u) << "seed " << kSeed;
+  EXPECT_EQ(game.hash(), hash) << "another game was played, seed " << kSeed;
+}
+
+INSTANTIATE_TEST_SUITE_P(Levels, AllocationTest,
+                         ::testing::Values("01_first_steps", "02_half_turn", "03_round_the_corner", "04_twelve_rooms",
+                                           "05_the_long_way_round"));
+
+}  // namespace
+}  // namespace platon

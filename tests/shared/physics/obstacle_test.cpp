@@ -1,0 +1,73 @@
+#include "shared/physics/obstacle.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "shared/physics/sweep.h"
+#include "tests/lockstep/seeded_random.h"
+#include "tests/shared/physics/shapes.h"
+
+namespace platon {
+namespace {
+
+constexpr std::uint64_t kSeed = 404;
+
+bool same(const std::optional<Hit>& a, const std::optional<Hit>& b) {
+  if (!a || !b) return !a && !b;
+  return a->time == b->time && a->exit == b->exit && a->normal == b->normal && a->feature == b->feature &&
+         a->side == b->side;
+}
+
+// What an obstacle remembers of one question must not show in the answer to the next.
+TEST(ObstacleTest, AnswersAsOneThatIsMadeAnew) {
+  sim::SeededRandom random(kSeed);
+  const Convex shape = regular(8, 1000);
+  Sweep sweep;
+  int met = 0;
+  for (int round = 0; round < 200; ++round) {
+    const Point a = random.vector(1500);
+    const Segment line{a, round % 10 == 0 ? a : a + random.vector(3000)};
+    Obstacle obstacle;
+    obstacle.become(shape, line);
+    Point at = random.vector(4000);
+    for (int step = 0; step < 200; ++step) {
+      const Point way = step % 5 == 0 ? Point() : random.vector(step % 7 == 0 ? 5000 : 300);
+      sweep.start(shape, at, way, step % 3 == 0 ? 4 : 0);
+      const auto expected = sweep.against(line);
+      if (!sweep.misses(boundsOf(line))) {
+        ASSERT_TRUE(same(sweep.against(obstacle), expected))
+            << "seed " << kSeed << ", round " << round << ", step " << step;
+      }
+      met += expected.has_value();
+      at = squaredLength(at + way) < 36'000'000 ? at + way : Point();
+    }
+  }
+  EXPECT_GT(met, 4000);
+}
+
+TEST(ObstacleTest, ItsBoundariesAreAllThatABoxReachesOver) {
+  sim::SeededRandom random(kSeed);
+  const Convex shape = regular(8, 1000);
+  Obstacle obstacle;
+  obstacle.become(shape, {{-700, 100}, {900, -300}});
+  ASSERT_EQ(obstacle.halfPlanes().size(), shape.vertices().size() + 2);
+  for (int i = 0; i < 2000; ++i) {
+    const Point low = random.vector(2500);
+    const auto width = static_cast<std::int32_t>(random.below(600));
+    const auto height = static_cast<std::int32_t>(random.below(600));
+    const Box way{low, low + Point(width, height)};
+    const auto boundaries = obstacle.boundariesNear(way);
+    for (std::uint32_t j = 0; j < obstacle.halfPlanes().size(); ++j) {
+      if (std::find(boundaries.begin(), boundaries.end(), j) != boundaries.end()) continue;
+      const Obstacle::HalfPlane& half = obstacle.halfPlanes()[j];
+      for (const Point corner : {way.low, way.high, Point(way.low.x, way.high.y), Point(way.high.x, way.low.y)}) {
+        ASSERT_LT(dot(half.normal, corner) + half.offset, 0) << "seed " << kSeed << ", box " << i << ", half plane " << j;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace platon
