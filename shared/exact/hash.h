@@ -1,9 +1,9 @@
 #pragma once
 
 #include <cstdint>
-#include <type_traits>
 
 #include "shared/exact/angle.h"
+#include "shared/exact/integer.h"
 #include "shared/exact/point.h"
 
 namespace platon {
@@ -12,15 +12,12 @@ namespace platon {
 /// bijection of the state for a given value and of the value for a given state, so that a single change always shows.
 class Hash {
  public:
-  void add(std::uint64_t value) {
-    state_ ^= value;
+  /// A negative number counts as its value modulo 2^64, so that the width of its type does not matter.
+  template <FixedInteger Integer>
+  void add(Integer value) {
+    state_ ^= static_cast<std::uint64_t>(value);
     state_ *= 0x9e3779b97f4a7c15U;   // odd: 2^64 divided by the golden ratio
     state_ ^= state_ >> 32;
-  }
-  template <class Integer>
-    requires std::is_integral_v<Integer>
-  void add(Integer value) {
-    add(static_cast<std::uint64_t>(value));
   }
   void add(Point point) {
     add((std::uint64_t{static_cast<std::uint32_t>(point.x)} << 32) | static_cast<std::uint32_t>(point.y));

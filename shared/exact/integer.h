@@ -1,12 +1,23 @@
 #pragma once
 
+// Before all else, so that nothing that such a target lacks as well hides it.
+#if !defined(__SIZEOF_INT128__)
+#error "Platon compares fractions through 128-bit integers, which only GCC and Clang have, for 64-bit targets and wasm32"
+#endif
+
+#include <concepts>
 #include <cstdint>
 
 namespace platon {
 
-#if !defined(__SIZEOF_INT128__)
-#error "Platon compares fractions through 128-bit integers: build for a 64-bit target with GCC or Clang"
-#endif
+/// The integers of one width on every machine: what may be hashed or saved. Neither `char`, whose sign differs between
+/// machines, nor `std::size_t` where it has 32 bits.
+template <class Integer>
+concept FixedInteger =
+    std::same_as<Integer, bool> || std::same_as<Integer, std::int8_t> || std::same_as<Integer, std::uint8_t> ||
+    std::same_as<Integer, std::int16_t> || std::same_as<Integer, std::uint16_t> ||
+    std::same_as<Integer, std::int32_t> || std::same_as<Integer, std::uint32_t> ||
+    std::same_as<Integer, std::int64_t> || std::same_as<Integer, std::uint64_t>;
 
 /// Wide enough for the product of any two `int64` values. Never stored, hashed or sent: its alignment differs
 /// between machines.

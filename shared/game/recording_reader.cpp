@@ -72,7 +72,7 @@ std::optional<RecordedBlock> RecordingReader::next() {
   reader.read(length);
   reader.read(complement);
   if (length != ~complement) return damaged(offset_, "the length of the block is wrong"), std::nullopt;
-  if (!truncatedUnless(kLengths + length + kHashBytes)) return std::nullopt;
+  if (!truncatedUnless(std::uint64_t{length} + kLengths + kHashBytes)) return std::nullopt;
   const auto body = reader.take(length);
   std::uint64_t hash = 0;
   reader.read(hash);
@@ -115,7 +115,7 @@ std::optional<RecordedBlock> RecordingReader::readBody(std::span<const std::uint
 }
 
 // Whether so many more bytes are there.
-bool RecordingReader::truncatedUnless(std::size_t count) {
+bool RecordingReader::truncatedUnless(std::uint64_t count) {
   if (bytes_.size() - offset_ >= count) return true;
   state_ = State::kTruncated;
   fault_ = "byte " + std::to_string(bytes_.size()) +

@@ -57,7 +57,7 @@ class RecordingReader {
  private:
   void readHead();
   std::optional<RecordedBlock> readBody(std::span<const std::uint8_t> bytes, std::size_t offset);
-  bool truncatedUnless(std::size_t count);
+  bool truncatedUnless(std::uint64_t count);
   void damaged(std::size_t offset, std::string_view what);
 
   std::span<const std::uint8_t> bytes_;

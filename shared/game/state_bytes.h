@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "shared/exact/angle.h"
+#include "shared/exact/integer.h"
 #include "shared/exact/point.h"
 
 namespace platon {
@@ -14,8 +15,7 @@ namespace platon {
 /// Appends integers as bytes, least significant first, on every machine.
 class StateWriter {
  public:
-  template <class Integer>
-    requires std::is_integral_v<Integer>
+  template <FixedInteger Integer>
   void add(Integer value) {
     const auto bits = static_cast<std::make_unsigned_t<Integer>>(value);
     for (std::size_t i = 0; i < sizeof(Integer); ++i) bytes_.push_back(static_cast<std::uint8_t>(bits >> (8 * i)));
@@ -43,8 +43,7 @@ class StateReader {
  public:
   explicit StateReader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
 
-  template <class Integer>
-    requires std::is_integral_v<Integer>
+  template <FixedInteger Integer>
   void read(Integer& value) {
     std::make_unsigned_t<Integer> bits = 0;
     if (left() < sizeof(Integer)) {

@@ -15,7 +15,10 @@ constexpr std::size_t kReferencesPerLine = 6;
 std::vector<std::int32_t> chooseBorders(std::vector<std::int32_t> coordinates, std::size_t cells) {
   std::sort(coordinates.begin(), coordinates.end());
   std::vector<std::int32_t> borders;
-  for (std::size_t i = 1; i < cells; ++i) borders.push_back(coordinates[i * coordinates.size() / cells]);
+  // In 64 bits also where std::size_t has 32.
+  for (std::uint64_t i = 1; i < cells; ++i) {
+    borders.push_back(coordinates[static_cast<std::size_t>(i * coordinates.size() / cells)]);
+  }
   borders.erase(std::unique(borders.begin(), borders.end()), borders.end());
   return borders;
 }
@@ -46,7 +49,7 @@ Span xRange(Point a, Point b, std::int64_t low, std::int64_t high) {
 }  // namespace
 
 Grid::Grid(std::span<const Segment> lines) {
-  std::size_t cells = std::max<std::size_t>(1, squareRootFloor(lines.size()));
+  auto cells = static_cast<std::size_t>(std::max<std::uint64_t>(1, squareRootFloor<std::uint64_t>(lines.size())));
   while (!build(lines, cells, kReferencesPerLine * lines.size()) && cells > 1) cells /= 2;
 }
 

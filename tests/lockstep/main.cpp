@@ -7,6 +7,7 @@
 #include "platon_version.h"
 #include "tests/lockstep/commands.h"
 #include "tests/lockstep/options.h"
+#include "tests/lockstep/report.h"
 
 namespace {
 
@@ -53,10 +54,8 @@ int main(int argc, char** argv) {
   try {
     return dispatch({argv + 1, argv + argc});
   } catch (const platon::sim::UsageError& reason) {
-    std::fprintf(stderr, "platon-sim: %s\n", reason.what());
-    return 2;
+    return platon::sim::report(reason);
   } catch (const platon::sim::InputError& reason) {
-    if (*reason.what() != '\0') std::fprintf(stderr, "%s\n", reason.what());
-    return 3;
+    return platon::sim::report(reason);
   }
 }

@@ -24,7 +24,8 @@ class SeededRandom {
   Point vector(std::int32_t most) {
     for (;;) {
       const auto span = static_cast<std::uint64_t>(most) * 2 + 1;
-      const Point point(static_cast<std::int32_t>(below(span)) - most, static_cast<std::int32_t>(below(span)) - most);
+      const auto y = static_cast<std::int32_t>(below(span)) - most;   // not as arguments: compilers differ in the order
+      const Point point(static_cast<std::int32_t>(below(span)) - most, y);
       if (squaredLength(point) <= std::int64_t{most} * most) return point;
     }
   }

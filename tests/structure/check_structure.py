@@ -42,11 +42,28 @@ IMPURE_WORDS = set(
     """float double unordered_map unordered_set unordered_multimap unordered_multiset chrono gettimeofday clock_gettime
     rand srand random_device mt19937 mt19937_64 minstd_rand cout cerr clog cin printf fprintf puts fputs fopen fread
     fwrite ifstream ofstream fstream ostream istream stringstream ostringstream istringstream spdlog getenv setlocale
-    thread_local stof stod atof strtof strtod""".split()
+    thread_local stof stod atof strtof strtod
+    long wchar_t reinterpret_cast bit_cast uintptr_t intptr_t memcpy memmove memcmp memset offsetof typeid type_index
+    this_thread pthread_self priority_queue make_heap push_heap pop_heap sort_heap""".split()
 )
 
 # Refused in shared/ as names of the standard library only: a World has a hash, too.
-IMPURE_STANDARD_NAMES = {"hash", "time", "clock", "random", "thread", "mutex", "atomic", "locale", "system"}
+IMPURE_STANDARD_NAMES = set(
+    "hash time clock random thread mutex atomic locale system shuffle sample partition".split()
+)
+
+# Refused in shared/ wherever a name is like this: compilers' own functions, randomness of one library.
+IMPURE_NAMES = re.compile(r"__builtin_\w+|__sync_\w+|__atomic_\w+|\w+_distribution")
+
+# What shows how a machine lays out or places its objects.
+BIT_FIELD = re.compile(r"^(?![ \t]*(?:case|class|struct|enum)\b)[\w: \t]*\w[ \t]+[A-Za-z_]\w*[ \t]*:[ \t]*\w+[ \t]*[;,{=]",
+                       re.MULTILINE)  # fmt: skip
+ADDRESS_ORDER = re.compile(r"std::(?:(?:multi)?(?:map|set)\s*<[^;(){},]*?(?:\*|_ptr\s*<)"
+                           r"|(?:less|greater|owner_less)\s*<[^;(){}]*?\*)")  # fmt: skip
+LAYOUT = (
+    (BIT_FIELD, "a bit-field is laid out as the compiler likes"),
+    (ADDRESS_ORDER, "an order of addresses differs from run to run"),
+)
 
 LEFTOVERS = re.compile(r"\b(?:TO" r"DO|FIX" r"ME|XX" r"X|HA" r"CK)\b")
 MACHINE_PATHS = re.compile(r"(?<![\w./$}-])/(?:home|root|work|Users|builds|workspace)/[\w.]")
@@ -100,7 +117,7 @@ def check_includes(path, text, table, root):
             yield f"{path}:{line}: {wrong}"
 
 
-def check_clocks(path, text, table):
+def check_words(path, text, table):
     code = source_text.code_of(text)
     for word in sorted(table.forbidden_words(path)):
         for match in re.finditer(re.escape(word) + r"\b", code):
@@ -111,10 +128,14 @@ def check_purity(path, text):
     code = source_text.code_of(text)
     for offset, word in source_text.words_of(code):
         name = word.removeprefix("std::")
-        if name in IMPURE_WORDS or (word != name and name in IMPURE_STANDARD_NAMES):
+        of_standard = word != name and name in IMPURE_STANDARD_NAMES
+        if name in IMPURE_WORDS or of_standard or IMPURE_NAMES.fullmatch(name):
             yield f"{path}:{source_text.line_of(code, offset)}: '{word}' may not be used in shared/"
         elif source_text.is_float_literal(word):
             yield f"{path}:{source_text.line_of(code, offset)}: {word} is a floating-point number"
+    for pattern, why in LAYOUT:
+        for match in pattern.finditer(code):
+            yield f"{path}:{source_text.line_of(code, match.start())}: '{match.group().strip()}': {why}"
 
 
 def check_cpp_form(path, text):
@@ -146,7 +167,7 @@ def check_tree(root):
         if Path(path).suffix in CPP_SUFFIXES:
             yield from check_cpp_form(path, text)
             yield from check_includes(path, text, table, root)
-            yield from check_clocks(path, text, table)
+            yield from check_words(path, text, table)
             if path.startswith("shared/"):
                 yield from check_purity(path, text)
 

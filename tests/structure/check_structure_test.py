@@ -114,6 +114,47 @@ class Purity(Tree):
                      "0x1p3"):  # fmt: skip
             self.assert_refused("shared/physics/file.cpp", f"\n\nauto x = {word};\n", 3, word.partition("<")[0])
 
+    def test_what_differs_between_machines(self):
+        for statement, word in (
+            ("long x = 1", "long"), ("unsigned long x = 1", "long"), ("auto x = std::uintptr_t{}", "uintptr_t"),
+            ("auto x = reinterpret_cast<char*>(p)", "reinterpret_cast"), ("std::memcpy(&a, &b, 4)", "memcpy"),
+            ("memset(&a, 0, 4)", "memset"), ("auto x = std::bit_cast<Point>(y)", "bit_cast"),
+            ("auto x = std::this_thread::get_id()", "this_thread"), ("std::shuffle(a, b, c)", "shuffle"),
+            ("std::partition(a, b, c)", "partition"), ("std::pop_heap(a, b)", "pop_heap"),
+            ("std::priority_queue<int> x", "priority_queue"), ("auto x = typeid(y).name()", "typeid"),
+            ("std::uniform_int_distribution<int> x", "uniform_int_distribution"), ("wchar_t x", "wchar_t"),
+            ("auto x = __builtin_sqrt(y)", "__builtin_sqrt"), ("auto x = __atomic_load_n(p, 0)", "__atomic_load_n"),
+        ):  # fmt: skip
+            self.assert_refused("shared/physics/file.cpp", f"\n{statement};\n", 2, word)
+
+    def test_layout_and_addresses(self):
+        for member in ("std::uint32_t a : 3;", "  bool a : 1;", "unsigned a : 4, b : 4;", "Kind kind : 2;",
+                       "const int a : kBits;", "char a:7{};"):  # fmt: skip
+            self.assert_refused("shared/physics/file.h", f"#pragma once\n{member}\n", 2, "bit-field")
+        for order in ("std::map<const Convex*, int> a;", "std::set<Entity*> a;", "std::set<int, std::less<int*>> a;",
+                      "std::multimap<std::shared_ptr<Convex>, int> a;", "std::map<std::pair<int*, int>, int> a;",
+                      "std::sort(a, b, std::less<const int*>());"):  # fmt: skip
+            found = self.violations("shared/game/file.cpp", f"\n{order}\n")
+            self.assertIn("shared/game/file.cpp:2: ", " ".join(found))
+            self.assertIn("an order of addresses", " ".join(found), order)
+
+    def test_order_by_value_is_allowed(self):
+        self.assert_allowed(
+            "shared/game/file.cpp",
+            "std::map<std::pair<int, int>, const Convex*> a;\nstd::set<std::string, std::less<>> b;\n"
+            "std::map<std::string, int> c; int* d = nullptr;\nswitch (x) {\n  case 1: return y;\n"
+            "  case kOne: return {1, 2};\nenum class Side : int { kA };\nenum Way : int { kB };\nstruct C : D {};\n"
+            "  default: z = x ? a : 1;\n}\nclass A : public B {};\nfor (const int i : values) {}\n"
+            "public:\nA() : a_(1), b_{2} {}\nconst auto v = p ? q : 3;\n",
+        )
+
+    def test_sorts_that_leave_equal_keys_open(self):
+        for name in ("sort", "partial_sort", "nth_element", "ranges::sort"):
+            self.assert_refused("shared/game/file.cpp", f"\nstd::{name}(a, b);\n", 2, f"std::{name}")
+        self.assert_allowed("shared/game/file.cpp", "std::stable_sort(a, b);\nauto x = sort(a);\n")
+        self.assert_allowed("shared/physics/grid.cpp", "std::sort(a, b);\n")
+        self.assert_allowed("server/file.cpp", "std::sort(a, b);\n")
+
     def test_names_that_look_impure_but_are_not(self):
         self.assert_allowed(
             "shared/game/file.cpp",

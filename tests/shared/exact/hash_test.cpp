@@ -32,6 +32,13 @@ TEST(HashTest, HashesValuesNotTypes) {
   EXPECT_EQ(narrow.value(), wide.value());
 }
 
+template <class Value>
+concept Hashed = requires(Hash hash, Value value) { hash.add(value); };
+
+// `char` has a sign on some machines and none on others.
+static_assert(!Hashed<char> && !Hashed<wchar_t> && !Hashed<const void*> && !Hashed<float>);
+static_assert(Hashed<bool> && Hashed<std::int8_t> && Hashed<std::uint64_t>);
+
 TEST(HashTest, EverySingleBitShows) {
   std::set<std::uint64_t> seen{hashOf({0, 0, 0})};
   for (int place = 0; place < 3; ++place) {

@@ -1,0 +1,40 @@
+#!/usr/bin/env python3
+"""Shows that the compiler flag under which shared/ is compiled once more refuses every calculation with a float.
+
+usage: integers_only_test.py COMPILER. What only folds or copies a float, and `long double`, passes the compiler; names
+and literals are refused by check_structure.py.
+"""
+
+import subprocess
+import sys
+import unittest
+
+COMPILER = sys.argv.pop() if len(sys.argv) == 2 else "g++"
+
+FLOATS = (
+    "float f(float x) { return x; }",
+    "int f(int x) { return static_cast<int>(x * 0.5); }",
+    "bool f(int x) { return x / 3.0f > 1; }",
+    "struct S { double d; }; void f(S& s, int x) { s.d = x; }",
+    "#include <cmath>\nint f(int x) { return static_cast<int>(std::sqrt(x)); }",
+)
+
+
+def compiles(code, optimised):
+    command = [COMPILER, "-std=c++20", optimised, "-mgeneral-regs-only", "-S", "-x", "c++", "-o", "/dev/null", "-"]
+    return subprocess.run(command, input=code, capture_output=True, text=True).returncode == 0
+
+
+class IntegersOnly(unittest.TestCase):
+    def test_floats_are_refused(self):
+        for optimised in ("-O0", "-O1", "-O3"):
+            for code in FLOATS:
+                self.assertFalse(compiles(code, optimised), f"{optimised}: {code}")
+
+    def test_integers_are_not(self):
+        code = "#include <map>\n#include <string>\n#include <vector>\n__int128 f(__int128 x, long y) { return x / y; }"
+        self.assertTrue(compiles(code, "-O3"))
+
+
+if __name__ == "__main__":
+    unittest.main()
