@@ -65,5 +65,4 @@ std::optional<std::size_t> Region::placeOf(std::uint32_t line) const {
   return static_cast<std::size_t>(found - lines_.begin());
 }
 
-
 }  // namespace platon
