@@ -24,8 +24,8 @@ struct Convex {
 /// A strictly convex polygon in counter-clockwise order, immutable. Its interior is open: touching is no overlap.
 class Convex {
  public:
-  /// An edge of the polygon as an edge of every obstacle that the polygon makes of a line (DESIGN: configuration
-  /// space): `normal` points out of the obstacle, that is into the polygon.
+  /// An edge of the polygon as an edge of every obstacle that the polygon makes of a line (docs/exactness.md, the
+  /// theorem): `normal` points out of the obstacle, that is into the polygon.
   struct Edge {
     Point normal;
     std::int64_t support;  ///< normal . vertex, the same at both ends of the edge

@@ -10,8 +10,7 @@
 namespace platon {
 namespace {
 
-// Margins of DESIGN section 2: an instance comes into being before its part is reached, and outlives its use a little,
-// so that none flickers.
+// An instance comes into being before its part is reached, and outlives its use a little, so that none flickers.
 constexpr std::int32_t kInsertMargin = 4;
 constexpr std::int32_t kDropMargin = 8;
 
@@ -88,7 +87,7 @@ EntityStep::Leg EntityStep::admit(Point target) {
   Leg leg{target, End::kReached, collider_.first(instances_, position(), target)};
   if (leg.hit) leg.end = End::kStopped;
   while (leg.end == End::kReached || leg.end == End::kStopped) {
-    const auto met = collider_.firstWarp(instances_, {position(), target, kInsertMargin}, leg.hit, shut_);
+    const auto met = collider_.firstWarp(instances_, {position(), leg.target, kInsertMargin}, leg.hit, shut_);
     if (!met) break;
     insertBehind(leg, *met);
   }
@@ -102,7 +101,13 @@ void EntityStep::insertBehind(Leg& leg, const LegHit& met) {
     leg.end = End::kFull;
     leg.hit = met;
   } else if (instances_.insert(met.placement, warp, collider_)) {
-    collider_.first(instances_, instances_.all().size() - 1, position(), leg.target, leg.hit);
+    const Point target = inRange(leg.target);
+    if (target == leg.target) {
+      collider_.first(instances_, instances_.all().size() - 1, position(), target, leg.hit);
+    } else {   // coordinates end earlier behind the warp
+      leg.target = target;
+      leg.hit = collider_.first(instances_, position(), target);
+    }
     leg.end = leg.hit ? End::kStopped : End::kReached;
   } else if (leadsAway(met, leg.target)) {
     shut_.push_back({met.placement, warp});
@@ -121,7 +126,7 @@ bool EntityStep::leadsAway(const LegHit& met, Point target) const {
 
 // Coordinates end at 2^29 in every part's frame: a displacement beyond is shortened until it stays inside.
 Point EntityStep::inRange(Point target) const {
-  while (!allInRange(target)) target = position() + halved(target - position());
+  while (target != position() && !allInRange(target)) target = position() + halved(target - position());
   return target;
 }
 

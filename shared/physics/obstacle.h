@@ -12,9 +12,9 @@
 
 namespace platon {
 
-/// All positions at which a shape S overlaps a line L (DESIGN: configuration space): the open polygon L + (-S), as the
-/// half planes that it is the intersection of. These belong to both sides of L and to the edges of -S; no vertex of
-/// the polygon is computed. Made once for a shape and a line and asked many times. Nothing is rounded.
+/// All positions at which a shape S overlaps a line L (docs/exactness.md, the theorem): the open polygon L + (-S), as
+/// the half planes that it is the intersection of. These belong to both sides of L and to the edges of -S; no vertex
+/// of the polygon is computed. Made once for a shape and a line and asked many times. Nothing is rounded.
 ///
 /// Bounds: coordinates < 2^29, so |normal| < 2^30, normal . vertex < 2^60 and |offset| < 2^61.
 class Obstacle {
@@ -24,7 +24,7 @@ class Obstacle {
     HalfPlane(Point n, std::int64_t o) : normal(n), slope(std::abs(n.x) + std::abs(n.y)), offset(o) {}
 
     Point normal;
-    std::int32_t slope;    ///< |nx| + |ny| < 2^31: by so much a step of one along both axes changes the distance at most
+    std::int32_t slope;    ///< |nx| + |ny| < 2^31: what a step of one along both axes changes the distance by, at most
     std::int64_t offset;
   };
 
@@ -43,7 +43,7 @@ class Obstacle {
   std::span<const HalfPlane> halfPlanes() const { return halfPlanes_; }
   std::size_t sides() const { return line_.a == line_.b ? 0 : 2; }
 
-  /// A half plane that has shut out a whole way before, and is likely to shut out the next one. No result depends on it.
+  /// A half plane that has shut out a whole way before, and is likely to do so again. No result depends on it.
   std::size_t likelyBarrier() const { return likelyBarrier_; }
   void expectBarrier(std::size_t halfPlane) { likelyBarrier_ = halfPlane; }
 

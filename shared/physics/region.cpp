@@ -38,8 +38,8 @@ Box unbounded(Box box) {
 
 }  // namespace
 
-// Of warp lines, all whose bounds reach into the box are taken, though the grid may know that they pass it: a corner of a
-// grown shape reaches farther than its bounds.
+// Of warp lines, all whose bounds reach into the box are taken, though the grid may know that they pass it: a corner of
+// a grown shape reaches farther than its bounds.
 void Region::take(const MapGeometry& part, const Box& box) {
   part_ = &part;
   const Box wide = widened(clamped(box));
@@ -55,8 +55,14 @@ void Region::take(const MapGeometry& part, const Box& box) {
   }
   bounds_.clear();
   for (const std::uint32_t line : lines_) bounds_.push_back(boundsOf(part.lines[line]));
-  if (obstacles_.size() < lines_.size()) obstacles_.resize(lines_.size());
-  for (Obstacle& obstacle : obstacles_) obstacle.forget();
+  known_.assign(lines_.size(), kUnknown);
+  knownCount_ = 0;
+}
+
+void Region::know(std::size_t place) {
+  known_[place] = knownCount_++;
+  if (obstacles_.size() < knownCount_) obstacles_.emplace_back();
+  obstacles_[known_[place]].forget();
 }
 
 std::optional<std::size_t> Region::placeOf(std::uint32_t line) const {

@@ -32,20 +32,26 @@ class Region {
   const Box& bounds(std::size_t place) const { return bounds_[place]; }
   /// What the line at this place is to `shape`, which must live as long as the region is asked.
   Obstacle& obstacle(std::size_t place, const Convex& shape) {
-    Obstacle& obstacle = obstacles_[place];
+    if (known_[place] == kUnknown) know(place);
+    Obstacle& obstacle = obstacles_[known_[place]];
     if (!obstacle.isOf(shape)) obstacle.become(shape, part_->lines[lines_[place]]);
     return obstacle;
   }
 
  private:
+  static constexpr std::uint32_t kUnknown = ~std::uint32_t{0};
+
   void take(const MapGeometry& part, const Box& box);
+  void know(std::size_t place);
 
   const MapGeometry* part_ = nullptr;
   Box covered_;
   std::vector<std::uint32_t> lines_;
   std::size_t firstWarp_ = 0;
-  std::vector<Box> bounds_;           // by place
-  std::vector<Obstacle> obstacles_;   // by place; there may be more, for their memory
+  std::vector<Box> bounds_;            // by place
+  std::vector<std::uint32_t> known_;   // by place, the index of its obstacle: only of lines that have been asked for
+  std::uint32_t knownCount_ = 0;
+  std::vector<Obstacle> obstacles_;    // there may be more than are known, for their memory
 };
 
 }  // namespace platon

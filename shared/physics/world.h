@@ -56,7 +56,7 @@ class World {
   /// Where an instance of the entity beyond its home stands, in its own part's frame.
   Point positionOf(std::uint32_t entity, const InstanceState& instance) const;
   const Convex& shapeOf(std::uint32_t entity) const;
-  /// The same turned by `angle`, made once: valid until the world is solved. Null when it degenerates.
+  /// The same turned by `angle`, made once: valid until the world is solved or assigned to. Null when it degenerates.
   const Convex* turnedShapeOf(std::uint32_t entity, Angle angle);
   /// Every instance as it stands, home first.
   std::vector<InstanceView> view(std::uint32_t entity) const;

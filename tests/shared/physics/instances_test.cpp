@@ -53,6 +53,24 @@ TEST(InstancesTest, AnInstanceComesBeforeItsPartIsReached) {
   EXPECT_EQ(world.view(0).size(), 2u) << "3 subunits from the edge";
 }
 
+// Far out in the part behind: what the first part has room for, the second has not.
+TEST(InstancesTest, AWayEndsWhereCoordinatesEndBehindAnEdge) {
+  for (const Angle turn : {Angle(), Angle(9000), Angle(6000)}) {
+    const Point outwards = rotate(Point(kMost - 30000, 0), turn);
+    World world = turnedPair(turn, outwards);
+    Entity entity(world, square(100));
+    MapPart(world, 1).insert(entity, {9000, 0}, Angle());
+    for (int tick = 0; tick < 40; ++tick) {
+      entity.setVelocity({100000, 3}, entity.rotation());
+      world.solve();
+      ASSERT_TRUE(world.accepts(world.save())) << "tick " << tick << ", turned by " << turn.hundredths();
+    }
+    EXPECT_EQ(entity.part(), 2u);
+    const Point position = entity.position();
+    EXPECT_GT(squaredLength(position), squaredLength(Point(kMost - 15000, 0))) << "it went on as far as it could";
+  }
+}
+
 TEST(InstancesTest, AnInstanceOutlivesItsUseALittle) {
   World world = twoStrips();
   Entity entity(world, square(100));

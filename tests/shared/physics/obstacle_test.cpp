@@ -63,7 +63,8 @@ TEST(ObstacleTest, ItsBoundariesAreAllThatABoxReachesOver) {
       if (std::find(boundaries.begin(), boundaries.end(), j) != boundaries.end()) continue;
       const Obstacle::HalfPlane& half = obstacle.halfPlanes()[j];
       for (const Point corner : {way.low, way.high, Point(way.low.x, way.high.y), Point(way.high.x, way.low.y)}) {
-        ASSERT_LT(dot(half.normal, corner) + half.offset, 0) << "seed " << kSeed << ", box " << i << ", half plane " << j;
+        ASSERT_LT(dot(half.normal, corner) + half.offset, 0)
+            << "seed " << kSeed << ", box " << i << ", half plane " << j;
       }
     }
   }
