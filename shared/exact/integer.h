@@ -2,7 +2,7 @@
 
 // Before all else, so that nothing that such a target lacks as well hides it.
 #if !defined(__SIZEOF_INT128__)
-#error "Platon compares fractions through 128-bit integers, which only GCC and Clang have, for 64-bit targets and wasm32"
+#error "Platon compares fractions through 128-bit integers, which GCC and Clang have for 64-bit targets and wasm32"
 #endif
 
 #include <concepts>

@@ -16,6 +16,7 @@ Recorder::Recorder(const Game& start, std::uint32_t checkpointTicks)
   head.append(kRecordingMagic);
   head.add(kRulesVersion);
   head.add(static_cast<std::uint32_t>(text.size()));
+  head.add(~static_cast<std::uint32_t>(text.size()));
   head.append(text);
   head.add(hashOf(head.bytes()));
   bytes_ = head.take();

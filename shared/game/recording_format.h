@@ -11,7 +11,8 @@ namespace platon {
 // tick, and the whole state at checkpoints. It needs nothing else to be played again, from its start or from any
 // checkpoint. Integers stand with their lowest byte first:
 //
-//   head         magic, rules version u32, length of the level text u32, the text, check sum u64 of all that
+//   head         magic, rules version u32, length of the level text u32, its complement u32, the text, check sum u64
+//                of all that
 //   blocks       length of the body u32, its complement u32, the body, check sum u64 of the body
 //     body       first tick u32, ticks u16, slots u16, length of the state u32, the state before the first tick
 //                for each slot runs that add up to the ticks: ticks u16, buttons u8

@@ -35,7 +35,7 @@ bool readRuns(StateReader& reader, std::uint32_t slot, RecordedBlock& block) {
 RecordingReader::RecordingReader(std::span<const std::uint8_t> bytes) : bytes_(bytes) { readHead(); }
 
 void RecordingReader::readHead() {
-  constexpr std::size_t kFixed = kRecordingMagic.size() + 2 * sizeof(std::uint32_t);
+  constexpr std::size_t kFixed = kRecordingMagic.size() + 3 * sizeof(std::uint32_t);
   const std::size_t shared = std::min(bytes_.size(), kRecordingMagic.size());
   if (!std::equal(bytes_.begin(), bytes_.begin() + static_cast<std::ptrdiff_t>(shared), kRecordingMagic.begin())) {
     return damaged(0, "this is no recording, or one of another format");
@@ -43,14 +43,17 @@ void RecordingReader::readHead() {
   if (!truncatedUnless(kFixed)) return;
   StateReader reader(bytes_.subspan(kRecordingMagic.size()));
   std::uint32_t textBytes = 0;
+  std::uint32_t complement = 0;
   std::uint32_t rules = 0;
   reader.read(rules);
   reader.read(textBytes);
-  if (textBytes > kMostLevelBytes) return damaged(kFixed - sizeof textBytes, "the level text is too long for a level");
+  reader.read(complement);
+  if (textBytes != ~complement) return damaged(0, "the length of the level text is wrong");
+  if (textBytes > kMostLevelBytes) return damaged(0, "the level text is too long for a level");
   if (!truncatedUnless(kFixed + textBytes + kHashBytes)) return;
   const auto head = bytes_.first(kFixed + textBytes);
   if (readHash(bytes_.subspan(head.size())) != hashOf(head)) {
-    return damaged(head.size(), "the check sum of the head is wrong");
+    return damaged(0, "the check sum of the head is wrong");
   }
   if (rules != kRulesVersion) {
     return damaged(kRecordingMagic.size(), "it was played by version " + std::to_string(rules) +
@@ -118,8 +121,9 @@ std::optional<RecordedBlock> RecordingReader::readBody(std::span<const std::uint
 bool RecordingReader::truncatedUnless(std::uint64_t count) {
   if (bytes_.size() - offset_ >= count) return true;
   state_ = State::kTruncated;
-  fault_ = "byte " + std::to_string(bytes_.size()) +
-           ": the recording ends here, in the middle of what begins at byte " + std::to_string(offset_);
+  fault_ = "byte " + std::to_string(bytes_.size()) + ": the recording ends here, ";
+  fault_ += offset_ == bytes_.size() ? "before its end is marked"
+                                     : "in the middle of what begins at byte " + std::to_string(offset_);
   return false;
 }
 

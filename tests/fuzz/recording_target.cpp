@@ -65,7 +65,7 @@ std::string readFault(Bytes recording, bool isSound) {
   }
   using State = RecordingReader::State;
   if (reader.state() == State::kReading) return "reading ends before the recording does";
-  if ((reader.state() == State::kComplete) != reader.fault().empty()) return "a fault without words, or words without one";
+  if ((reader.state() == State::kComplete) != reader.fault().empty()) return "a fault has no words, or words no fault";
   return isSound && reader.state() != State::kComplete ? "a sound recording is refused" : std::string();
 }
 

@@ -117,7 +117,8 @@ def corners(source, solid="TETRAHEDRON", size=200):
             x, y = outer * math.cos(angle), outer * math.sin(angle)
             for near in (0.55, 0.8):
                 bend = source.uniform(-0.2, 0.2)
-                lines.append((x * near, y * near, x * (near + 0.12) - y * bend * 0.1, y * (near + 0.12) + x * bend * 0.1))
+                far = near + 0.12
+                lines.append((x * near, y * near, x * far - y * bend * 0.1, y * far + x * bend * 0.1))
         faces.append(lines)
     write("corners", "Corners", solid, size, (0, 0), faces)
 
