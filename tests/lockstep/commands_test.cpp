@@ -5,6 +5,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <iterator>
@@ -14,6 +15,7 @@
 
 #include "shared/game/game.h"
 #include "shared/game/recorder.h"
+#include "tests/lockstep/files.h"
 #include "tests/lockstep/options.h"
 
 namespace platon::sim {
@@ -182,11 +184,23 @@ TEST(VerifyCommandTest, PrintsOneJsonObject) {
 TEST(VerifyCommandTest, RecordsWhatItPlaysAgain) {
   const std::string path = recordedFile();
   const std::string again = path + "_again";
+  std::remove(again.c_str());
   ran({path, "--record", again}, verifyCommand);
   EXPECT_EQ(contentOf(again), contentOf(path));
+  std::remove(again.c_str());
   ran({path, "--record", again, "--checkpoint-every", "1"}, verifyCommand);
   EXPECT_GT(contentOf(again).size(), contentOf(path).size());
   EXPECT_EQ(hashIn(ran({again, "--json"}, verifyCommand)), hashIn(ran({path, "--json"}, verifyCommand)));
+}
+
+TEST(VerifyCommandTest, WritesOverNothing) {
+  const std::string path = recordedFile();
+  const std::string content = contentOf(path);
+  EXPECT_THROW(verifyCommand({path, "--from", "200", "--record", path}), UsageError);
+  EXPECT_EQ(contentOf(path), content);
+  const std::string none = testing::TempDir() + "platon_commands_none";
+  EXPECT_EQ(runProgram("verify " + levelFile() + " --record " + none).status, 3);
+  EXPECT_FALSE(std::filesystem::exists(none)) << "nothing was played";
 }
 
 TEST(VerifyCommandTest, OnlyGamesAreRecorded) {
@@ -203,7 +217,8 @@ TEST(VerifyCommandTest, SaysWhatIsWrong) {
   const std::string cut = fileWith("cut", content.substr(0, content.size() - 100));
   const Output truncated = runProgram("verify " + cut);
   EXPECT_EQ(truncated.status, 3);
-  EXPECT_THAT(truncated.text, HasSubstr(cut + ": byte " + std::to_string(content.size() - 100) + ": the recording ends here"));
+  EXPECT_THAT(truncated.text,
+              HasSubstr(cut + ": byte " + std::to_string(content.size() - 100) + ": the recording ends here"));
   EXPECT_THAT(truncated.text, HasSubstr("; 300 ticks before it were played and agree"));
 
   std::string damaged = content;
@@ -235,8 +250,9 @@ TEST(VerifyCommandTest, NamesTickEntityAndField) {
     recorder.record(inputs, game);
   }
   recorder.finish(game);
-  const auto bytes = recorder.takeBytes();
-  std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  OutputFile file(path);
+  file.write(recorder.takeBytes());
+  file.close();
   const Output found = runProgram("verify " + path);
   EXPECT_EQ(found.status, 1);
   EXPECT_THAT(found.text, HasSubstr(path + ": after tick 20 the hash is "));

@@ -22,7 +22,8 @@ std::vector<std::uint8_t> readBytes(const std::string& path, std::size_t most) {
   throw UsageError("cannot read '" + path + "': " + std::strerror(errno));
 }
 
-OutputFile::OutputFile(const std::string& path) : path_(path), file_(std::fopen(path.c_str(), "wb")) {
+OutputFile::OutputFile(const std::string& path, Over over)
+    : path_(path), file_(std::fopen(path.c_str(), over == Over::kNothing ? "wbx" : "wb")) {
   if (!file_) throw UsageError("cannot write '" + path + "': " + std::strerror(errno));
 }
 

@@ -18,7 +18,10 @@ std::vector<std::uint8_t> readBytes(const std::string& path, std::size_t most);
 /// written did not arrive.
 class OutputFile {
  public:
-  explicit OutputFile(const std::string& path);
+  /// What may be lost for it.
+  enum class Over { kAnything, kNothing };
+
+  explicit OutputFile(const std::string& path, Over over = Over::kAnything);
 
   void write(std::string_view text) { write(text.data(), text.size()); }
   void write(std::span<const std::uint8_t> bytes) { write(bytes.data(), bytes.size()); }

@@ -40,7 +40,8 @@ TEST(GoldenFilesTest, EveryLevelHasOneOfItsPresentText) {
     recorded.insert(reader.level()->hash);
   }
   for (const std::string& path : lockstepLevels()) {
-    EXPECT_TRUE(recorded.contains(levelFrom(path)->hash)) << path << " has no golden recording: run tests/golden/record.sh";
+    EXPECT_TRUE(recorded.contains(levelFrom(path)->hash))
+        << path << " has no golden recording: run tests/golden/record.sh";
   }
   EXPECT_EQ(recorded.size(), lockstepLevels().size());
 }

@@ -13,12 +13,14 @@
 
 namespace platon::sim {
 
-/// The files of a folder that end like this, by name.
+/// The files of a folder that end like this, by name. Throws std::runtime_error when there is none, for then the tests
+/// of each would pass.
 inline std::vector<std::string> filesIn(const std::string& folder, const std::string& ending) {
   std::vector<std::string> found;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     if (entry.path().extension() == ending) found.push_back(entry.path().string());
   }
+  if (found.empty()) throw std::runtime_error("no file " + folder + "/*" + ending);
   std::sort(found.begin(), found.end());
   return found;
 }

@@ -21,7 +21,8 @@ constexpr std::string_view kHelp = R"(platon-sim: runs the simulation without se
       every tick, and the state every 60 ticks or as asked for.
   platon-sim verify FILE [--from TICK] [--record FILE [--checkpoint-every TICKS]] [--json]
       plays a recording again, from its start or from the last checkpoint before TICK, and compares every hash and
-      checkpoint. The first difference is named by tick, entity and field. --record keeps what is played here.
+      checkpoint. The first difference is named by tick, entity and field. --record keeps what is played here, in a
+      new file.
   platon-sim world SCENE --ticks T [--seed S --max-speed U] [--trace FILE] [--json]
       physics alone, on a scene file; with --max-speed a random velocity instead of the scene's
   platon-sim sweep

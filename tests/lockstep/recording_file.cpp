@@ -4,12 +4,15 @@ namespace platon::sim {
 
 RecordingFile::RecordingFile(const Options& options)
     : checkpointTicks_(
-          static_cast<std::uint32_t>(options.number("checkpoint-every", kCheckpointTicks, 1, kMostCheckpointTicks))) {
-  if (options.has("record")) file_.emplace(options.text("record", ""));
+          static_cast<std::uint32_t>(options.number("checkpoint-every", kCheckpointTicks, 1, kMostCheckpointTicks))),
+      path_(options.text("record", "")) {
+  if (options.has("record") && path_.empty()) throw UsageError("--record needs a file");
 }
 
-void RecordingFile::start(const Game& game) {
-  if (file_) recorder_.emplace(game, checkpointTicks_);
+void RecordingFile::start(const Game& game, OutputFile::Over over) {
+  if (!wanted()) return;
+  file_.emplace(path_, over);
+  recorder_.emplace(game, checkpointTicks_);
 }
 
 void RecordingFile::tick(std::span<const Input> inputs, const Game& game) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 
 #include "shared/game/recorder.h"
 #include "tests/lockstep/files.h"
@@ -13,18 +14,18 @@ namespace platon::sim {
 /// What `--record FILE` and `--checkpoint-every TICKS` ask for; does nothing without the first.
 class RecordingFile {
  public:
-  /// Throws UsageError when the file cannot be written.
   explicit RecordingFile(const Options& options);
 
-  bool wanted() const { return file_.has_value(); }
-  /// Before the first tick.
-  void start(const Game& game);
+  bool wanted() const { return !path_.empty(); }
+  /// Before the first tick. Throws UsageError when the file cannot be written.
+  void start(const Game& game, OutputFile::Over over = OutputFile::Over::kAnything);
   /// `game` has just been advanced by `inputs`.
   void tick(std::span<const Input> inputs, const Game& game);
   void finish(const Game& game);
 
  private:
   std::uint32_t checkpointTicks_;
+  std::string path_;
   std::optional<OutputFile> file_;
   std::optional<Recorder> recorder_;
 };

@@ -170,8 +170,9 @@ std::unique_ptr<TraceWriter> openTrace(const Options& options) {
 }  // namespace
 
 int runCommand(const std::vector<std::string>& arguments) {
-  const Options options(arguments, {"players", "ticks", "seed", "drive", "max-speed", "velocity", "trace", "record", "checkpoint-every"},
-                        {"json"});
+  const Options options(
+      arguments,
+      {"players", "ticks", "seed", "drive", "max-speed", "velocity", "trace", "record", "checkpoint-every"}, {"json"});
   const std::string& path = options.onlyWord("platon-sim run takes one level file: platon-sim run LEVEL");
   const auto trace = openTrace(options);
   RecordingFile recording(options);

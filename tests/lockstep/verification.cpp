@@ -10,7 +10,7 @@ void Verifier::start(std::uint32_t from) {
   if (from < block_->first) from = block_->first;
   while (block_->ticks() != 0 && block_->first + block_->ticks() <= from) {
     auto next = reader_.next();
-    if (!next) return block_.reset();
+    if (!next) break;   // the recording ends here: the last there is
     block_ = std::move(next);
   }
   Game game(reader_.level());

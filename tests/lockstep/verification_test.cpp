@@ -131,6 +131,15 @@ TEST(VerificationTest, ATruncatedRecordingIsPlayedUpToWhereItEnds) {
   EXPECT_FALSE(half.departure);
 }
 
+TEST(VerificationTest, OfATruncatedRecordingTheLastCheckpointIsTheLast) {
+  const Bytes bytes = record(300, 60);
+  const Verification found = Verifier(std::span(bytes).first(bytes.size() - 1000), 100000).run();
+  EXPECT_EQ(found.ticks, 60u);
+  EXPECT_GT(found.firstTick, 0u);
+  EXPECT_FALSE(found.fault.empty());
+  EXPECT_FALSE(found.departure);
+}
+
 TEST(VerificationTest, WhatIsNoRecordingCannotBePlayed) {
   const Bytes bytes{1, 2, 3};
   Verifier verifier(bytes);

@@ -73,7 +73,7 @@ int verifyCommand(const std::vector<std::string>& arguments) {
   const auto begin = std::chrono::steady_clock::now();
   Verifier verifier(bytes, from);
   RecordingFile recording(options);
-  if (verifier.game() != nullptr) recording.start(*verifier.game());
+  if (verifier.game() != nullptr) recording.start(*verifier.game(), OutputFile::Over::kNothing);
   const Verification found = verifier.run([&](auto inputs, const Game& game) { recording.tick(inputs, game); });
   if (verifier.game() != nullptr) recording.finish(*verifier.game());
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;

@@ -167,6 +167,10 @@ def parsed(arguments):
     parser.add_argument("--golden", type=Path, default=ROOT / "tests/golden", metavar="DIR")
     parser.add_argument("--levels", type=Path, default=ROOT / "levels", metavar="DIR")
     options = parser.parse_args(arguments)
+    if options.ticks is not None and options.ticks < 1:
+        parser.error("--ticks takes a number from 1 on")
+    if options.ticks is not None and len(options.machines) == 1:
+        parser.error("--ticks compares machines with each other: name two or more")
     unknown = [name for name in options.machines if name not in MACHINES]
     if unknown:
         parser.error(f"no machine '{unknown[0]}': they are {', '.join(MACHINES)}")
