@@ -51,8 +51,8 @@ void BotFleet::leave() {
   const auto closed = [](const auto& bot) { return bot->closed(); };
   const Moment end = clock_.now() + kFarewell;
   for (Moment now = clock_.now(); now < end; now = clock_.now()) {
-    if (std::all_of(bots_.begin(), bots_.end(), closed)) return;
     beat(now);
+    if (std::all_of(bots_.begin(), bots_.end(), closed)) return;
   }
 }
 

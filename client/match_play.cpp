@@ -25,14 +25,17 @@ MatchPlay::MatchPlay(const ClientOptions& options, const ServerAddress& server, 
 
 void MatchPlay::update(Moment now, const Controls& controls) {
   client_.update(now, controls);
-  if (const auto mismatch = client_.takeMismatch()) {
-    std::fprintf(stderr, "platon-client: %s\n", mismatches_.keep(*mismatch).c_str());
-  }
+  reportMismatch();
   if (client_.session() == nullptr) return;
   const std::optional<std::string> line = watch_.look(*client_.session());
   if (!line) return;
   std::printf("%s\n", line->c_str());
   std::fflush(stdout);
+}
+
+void MatchPlay::reportMismatch() {
+  const auto mismatch = client_.takeMismatch();
+  if (mismatch) std::fprintf(stderr, "platon-client: %s\n", mismatches_.keep(*mismatch).c_str());
 }
 
 std::optional<Scene> MatchPlay::scene(Moment now) {
@@ -47,6 +50,7 @@ std::string MatchPlay::message() const {
 
 void MatchPlay::leave(const Clock& clock) {
   client_.leave();
+  reportMismatch();
   const Controls nothing = [](const Game&, std::uint32_t) { return Input{}; };
   const Moment end = clock.now() + kFarewell;
   for (Moment now = clock.now(); !client_.closed() && now < end; now = clock.now()) {

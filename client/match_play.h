@@ -32,6 +32,8 @@ class MatchPlay {
   const NetworkClient& client() const { return client_; }
 
  private:
+  void reportMismatch();
+
   ServerAddress server_;
   NetworkClient client_;
   SceneFeed feed_;

@@ -34,10 +34,13 @@ std::string MismatchFolder::keep(const MismatchReport& report) const {
     const std::string name = "mismatch-" + std::to_string(number);
     const std::filesystem::path text = folder_ / (name + ".txt");
     const std::filesystem::path recording = folder_ / (name + ".recording");
-    int error = write(text, report.text + "\nRecording of the own game: " + recording.string() + "\n");
+    // The number is free when neither is there. The recording comes first, so that no text names another's.
+    if (std::filesystem::exists(text, ignored)) continue;
+    const int error = write(recording, report.recording);
     if (error == EEXIST) continue;
-    if (error == 0) error = write(recording, report.recording);
-    return report.summary + (error == 0 ? "; see " + text.string() : notKept(text, error));
+    if (error != 0) return report.summary + notKept(recording, error);
+    const int textError = write(text, report.text + "\nRecording of the own game: " + recording.string() + "\n");
+    return report.summary + (textError == 0 ? "; see " + text.string() : notKept(text, textError));
   }
   return report.summary + "; not written, for " + folder_.string() + " has " + std::to_string(kMostReports) +
          " reports already: remove those that are no longer needed";

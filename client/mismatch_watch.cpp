@@ -18,7 +18,9 @@ void MismatchWatch::advanced(std::span<const Input> inputs, const Game& game) {
 }
 
 void MismatchWatch::agreed(const Game& game) {
-  if (!wrong_) agreedAt_ = game.tick();
+  agreedAt_ = game.tick();
+  wrong_.reset();
+  states_.clear();
 }
 
 void MismatchWatch::differs(const Game& game, std::uint32_t serverHash) {

@@ -36,7 +36,8 @@ class MismatchWatch {
 
   /// `game` has just been advanced by `inputs`.
   void advanced(std::span<const Input> inputs, const Game& game);
-  /// `game` has the hash that the server says.
+  /// `game` has the hash that the server says. One that was wrong and is right again without the server's state is no
+  /// longer of interest.
   void agreed(const Game& game);
   /// `game` has not this short hash that the server says. Only the first since the last `replaced` counts.
   void differs(const Game& game, std::uint32_t serverHash);

@@ -16,6 +16,7 @@ void NetworkClient::update(Moment now, const Controls& controls) {
   }
   if (!ending_ && !leaving_) ending_ = findEnding(now);
   if (!session_) return;
+  if (ending_) session_->lose(*ending_);
   if (!leaving_ && !ending_) session_->update(now, controls);
   for (const OutgoingMessage& message : session_->takeOutgoing()) connection_.send(message.bytes, message.reliable);
   if (leaving_) connection_.close();

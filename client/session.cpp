@@ -52,7 +52,13 @@ void Session::keep(std::optional<Mismatch> mismatch) {
 }
 
 void Session::leave() {
-  if (!ending_) send(Leave{}, true);
+  if (ending_) return;
+  send(Leave{}, true);
+  if (round_) keep(round_->abandonedMismatch());
+}
+
+void Session::lose(std::string reason) {
+  if (!ending_) end(std::move(reason));
 }
 
 void Session::receive(std::span<const std::uint8_t> bytes, Moment now) {

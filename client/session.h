@@ -42,6 +42,8 @@ class Session {
   void update(Moment now, const Controls& controls);
   /// Says good-bye; the connection may be closed once this is sent.
   void leave();
+  /// The connection is gone for this reason.
+  void lose(std::string reason);
   /// What has to be sent, oldest first; each is given once.
   std::vector<OutgoingMessage> takeOutgoing();
 

@@ -45,6 +45,14 @@ TEST_F(MismatchFolderTest, NeverFillsADisk) {
   EXPECT_EQ(content("mismatch-10.recording"), "\1\2\3");
 }
 
+TEST_F(MismatchFolderTest, NoReportNamesTheRecordingOfAnother) {
+  MismatchFolder(folder_).keep(kReport);
+  fs::remove(folder_ / "mismatch-1.txt");
+  EXPECT_EQ(MismatchFolder(folder_).keep({"again", "", {4}}), "again; see " + (folder_ / "mismatch-2.txt").string());
+  EXPECT_EQ(content("mismatch-1.recording"), "\1\2\3");
+  EXPECT_EQ(content("mismatch-2.recording"), "\4");
+}
+
 TEST_F(MismatchFolderTest, SaysWhyNothingCouldBeWritten) {
   fs::create_directories(folder_.parent_path());
   std::ofstream(folder_) << "a file";

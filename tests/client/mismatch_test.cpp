@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -167,8 +168,8 @@ TEST(Mismatch, WrongInputIsFoundNamedAndPutRight) {
   expectOneMismatch(match, 1);
 }
 
-// The state is lost for good, which the transport below would not let happen but for the end of the match.
-TEST(Mismatch, ThatIsNeverPutRightIsReportedAtTheEnd) {
+// The state is lost for good, which the transport below would not let happen but for the end of the session.
+void expectReportAtTheEnd(const std::function<void(VirtualMatch&)>& end) {
   VirtualMatch match({endlessLevel()}, kSeed);
   match.join(delayed(10), pressing(kSeed));
   match.setChecked(0, false);
@@ -180,13 +181,19 @@ TEST(Mismatch, ThatIsNeverPutRightIsReportedAtTheEnd) {
   });
   match.run(seconds(4));
   EXPECT_FALSE(match.takeMismatch(0).has_value());
-  match.match().stop("enough");
+  end(match);
   match.run(seconds(1));
   const auto report = match.takeMismatch(0);
   ASSERT_TRUE(report.has_value());
   EXPECT_TRUE(report->summary.ends_with("; the server's state has not come, so that no field can be named"))
       << report->summary;
   expectToVerify(*report, 0);
+}
+
+TEST(Mismatch, ThatIsNeverPutRightIsReportedAtTheEnd) {
+  expectReportAtTheEnd([](VirtualMatch& match) { match.match().stop("enough"); });
+  expectReportAtTheEnd([](VirtualMatch& match) { match.session(0).leave(); });
+  expectReportAtTheEnd([](VirtualMatch& match) { match.session(0).lose("gone"); });
 }
 
 // A server that lies can make a client report once a minute at most.

@@ -63,6 +63,14 @@ TEST_F(MismatchWatchTest, HasNothingToSayOfAGameThatWasRight) {
   EXPECT_FALSE(watch_.replaced(server_, inputs_).has_value());
 }
 
+TEST_F(MismatchWatchTest, HasNothingToSayOfAGameThatCameRightByItself) {
+  goWrong();
+  watch_.agreed(own_);
+  EXPECT_FALSE(watch_.abandoned().has_value());
+  watch_.differs(own_, shortHash(server_.hash()));
+  EXPECT_TRUE(watch_.abandoned().has_value()) << "the next one is";
+}
+
 TEST_F(MismatchWatchTest, ComparesAtTheServersTickWhenTheOwnGameIsThere) {
   goWrong();
   play(20);

@@ -37,6 +37,7 @@ class VirtualMatch {
   Moment now() const { return now_; }
   Match& match() { return match_; }
   const Session& session(std::size_t client) const { return clients_[client]->session; }
+  Session& session(std::size_t client) { return clients_[client]->session; }
   std::optional<MismatchReport> takeMismatch(std::size_t client) { return clients_[client]->session.takeMismatch(); }
   std::uint32_t slot(std::size_t client) const { return clients_[client]->session.welcome()->slot; }
 
