@@ -127,8 +127,9 @@ void Match::resync(ClientId client, Member& member, MatchEvent::Kind why, std::u
   if (!member.mayTakeState(now_)) return;
   const std::uint32_t tick = history_.end();
   member.sendState(round_, tick, encode(FullState{history_.held(), game_.save()}), now_);
-  note(why, client, member.slot(), "round " + std::to_string(round_) + " tick " + std::to_string(confirmed) + ", state of tick " +
-                                     std::to_string(tick));
+  note(why, client, member.slot(),
+       "round " + std::to_string(round_) + " tick " + std::to_string(confirmed) + ", state of tick " +
+           std::to_string(tick));
 }
 
 void Match::tick() {
