@@ -17,8 +17,8 @@ void Collider::begin(Rules& rules, Entity entity, std::vector<Region>& regions) 
   pierced_.clear();
 }
 
-Region& Collider::start(const Placement& placement, const Convex& shape, Point from, Point to, std::int32_t margin) {
-  sweep_.start(shape, from, to - from, margin);
+Region& Collider::start(const Placement& placement, const Convex& shape, Point from, Point to) {
+  sweep_.start(shape, from, to - from);
   Region& region = regionOf(placement);
   region.cover(*placement.part, sweep_.bounds().grown(kReach));
   return region;

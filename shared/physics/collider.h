@@ -81,7 +81,7 @@ class Collider {
   const std::vector<Pierced>& pierced() const { return pierced_; }
 
  private:
-  Region& start(const Placement& placement, const Convex& shape, Point from, Point to, std::int32_t margin = 0);
+  Region& start(const Placement& placement, const Convex& shape, Point from, Point to);
   Region& regionOf(const Placement& placement) { return (*regions_)[placement.region]; }
   std::optional<Sweep::Meeting> meet(const Placement& placement, Region& region, std::size_t place);
   bool blocks(const MapGeometry& part, std::uint32_t line) const;
