@@ -1,12 +1,11 @@
 #include <algorithm>
-#include <utility>
 
-#include "shared/exact/hash.h"
 #include "shared/game/game.h"
 #include "shared/game/recorder.h"
 #include "shared/game/recording_reader.h"
 #include "tests/fuzz/byte_source.h"
 #include "tests/fuzz/fuzz_targets.h"
+#include "tests/shared/game/forged_recording.h"
 
 namespace platon::fuzz {
 namespace {
@@ -35,18 +34,13 @@ std::vector<std::uint8_t> recorded(ByteSource& bytes) {
 
 // Whatever the bytes say, under sound check sums.
 std::vector<std::uint8_t> forged(ByteSource& bytes) {
-  std::vector<std::uint8_t> recording = Recorder(Game(level())).takeBytes();
+  ForgedRecording recording{Game(level())};
   for (std::size_t blocks = bytes.below(4); blocks > 0; --blocks) {
     std::vector<std::uint8_t> body(bytes.below(256));
     for (std::uint8_t& byte : body) byte = bytes.byte();
-    StateWriter block;
-    block.add(static_cast<std::uint32_t>(body.size()));
-    block.add(~static_cast<std::uint32_t>(body.size()));
-    block.append(body);
-    block.add(hashOf(body));
-    recording.insert(recording.end(), block.bytes().begin(), block.bytes().end());
+    recording.addBody(body);
   }
-  return recording;
+  return recording.bytes();
 }
 
 std::string play(const RecordedBlock& block) {

@@ -27,11 +27,15 @@ class ForgedRecording {
     body.add(static_cast<std::uint32_t>(state_.size()));
     body.append(state_);
     body.append(rest);
+    addBody(body.bytes());
+  }
+  /// A block of any bytes.
+  void addBody(std::span<const std::uint8_t> body) {
     StateWriter block;
-    block.add(static_cast<std::uint32_t>(body.bytes().size()));
-    block.add(~static_cast<std::uint32_t>(body.bytes().size()));
-    block.append(body.bytes());
-    block.add(hashOf(body.bytes()));
+    block.add(static_cast<std::uint32_t>(body.size()));
+    block.add(~static_cast<std::uint32_t>(body.size()));
+    block.append(body);
+    block.add(hashOf(body));
     bytes_.insert(bytes_.end(), block.bytes().begin(), block.bytes().end());
   }
 
