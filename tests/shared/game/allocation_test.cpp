@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "levels/level_file.h"
 #include "shared/game/game.h"
 #include "tests/lockstep/button_presses.h"
+#include "tests/lockstep/lockstep_levels.h"
 
 namespace {
 
@@ -65,13 +65,10 @@ class RepeatedGame {
   std::vector<Input> inputs_;
 };
 
-class AllocationTest : public ::testing::TestWithParam<const char*> {};
+class AllocationTest : public testing::TestWithParam<std::string> {};
 
 TEST_P(AllocationTest, APlayedGameIsPlayedAgainWithoutAny) {
-  std::string fault;
-  const auto text = readLevelFile("levels/" + std::string(GetParam()) + ".level", fault);
-  ASSERT_TRUE(text) << fault;
-  RepeatedGame game(loadLevel(*text).level);
+  RepeatedGame game(sim::levelFrom(GetParam()));
   ASSERT_GT(game.play(), 0u) << "nothing is counted";
   game.play();
   const std::uint64_t hash = game.hash();
@@ -79,9 +76,8 @@ TEST_P(AllocationTest, APlayedGameIsPlayedAgainWithoutAny) {
   EXPECT_EQ(game.hash(), hash) << "another game was played, seed " << kSeed;
 }
 
-INSTANTIATE_TEST_SUITE_P(Levels, AllocationTest,
-                         ::testing::Values("01_first_steps", "02_half_turn", "03_round_the_corner", "04_twelve_rooms",
-                                           "05_the_long_way_round"));
+INSTANTIATE_TEST_SUITE_P(Shipped, AllocationTest, testing::ValuesIn(sim::shippedLevels()),
+                         [](const auto& file) { return sim::testName(file.param); });
 
 }  // namespace
 }  // namespace platon
