@@ -45,6 +45,12 @@ def off(source, most):
     return source.randint(-most, most) * SUBUNIT
 
 
+def somewhere(source, reach):
+    """A point of the disc."""
+    radius, angle = reach * math.sqrt(source.random()), source.uniform(0, 2 * math.pi)
+    return radius * math.cos(angle), radius * math.sin(angle)
+
+
 def joints(source, solid="HEXAHEDRON", size=480):
     """Floors in pieces whose ends miss each other by up to two subunits, at three slopes, across every edge."""
     faces = []
@@ -83,8 +89,7 @@ def points(source, solid="DODECAHEDRON", size=300):
     for _ in range(FACES[solid]):
         lines = [(-size / 2, -120, size / 2, -120)]
         for _ in range(40):
-            radius, angle = reach * math.sqrt(source.random()), source.uniform(0, 2 * math.pi)
-            x, y = radius * math.cos(angle), radius * math.sin(angle)
+            x, y = somewhere(source, reach)
             lines.append((x, y, x + (1 + source.randrange(3)) * SUBUNIT, y + off(source, 3)))
         lines.append((0, 0, 0, 0))
         faces.append(lines)
@@ -98,8 +103,7 @@ def crowd(source, solid="ICOSAHEDRON", size=500):
     for _ in range(FACES[solid]):
         lines = []
         for _ in range(18):
-            radius, angle = reach * math.sqrt(source.random()), source.uniform(0, 2 * math.pi)
-            x, y = radius * math.cos(angle), radius * math.sin(angle)
+            x, y = somewhere(source, reach)
             length, way = source.uniform(1, 160), source.uniform(0, 2 * math.pi)
             lines.append((x, y, x + length * math.cos(way), y + length * math.sin(way)))
         faces.append(lines)
