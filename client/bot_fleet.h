@@ -29,8 +29,7 @@ class BotFleet {
       : options_(options), server_(server), clock_(clock), mismatches_(options.mismatchFolder) {}
 
   /// Lets them come one after another, play until the time is over, and leave. Says on standard error when the game of
-  /// one was not the server's. Throws std::runtime_error when one of
-  /// them cannot even begin.
+  /// one was not the server's. Throws std::runtime_error when one of them cannot even begin.
   std::vector<BotResult> play();
 
  private:
