@@ -136,16 +136,13 @@ void Match::tick() {
   if (idle()) return;
   ++now_;
   const std::vector<Input> inputs = decideInputs();
-  advance(inputs);
-  history_.append(inputs, shortHash(game_.hash()));
-  sendUpdates();
-  watchRound();
-}
-
-void Match::advance(std::span<const Input> inputs) {
   if (settings_.record) recorder_.begin(round_, game_);
   game_.advance(inputs);
-  if (settings_.record) recorder_.record(inputs, game_);
+  const std::uint64_t hash = game_.hash();
+  if (settings_.record) recorder_.record(inputs, game_, hash);
+  history_.append(inputs, shortHash(hash));
+  sendUpdates();
+  watchRound();
 }
 
 std::vector<Input> Match::decideInputs() {

@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -87,7 +86,6 @@ class Match {
 
   void startRound();
   std::vector<Input> decideInputs();
-  void advance(std::span<const Input> inputs);
   void watchRound();
   void resync(ClientId client, Member& member, MatchEvent::Kind why, std::uint32_t confirmed);
   void sendUpdates();

@@ -8,8 +8,8 @@ void MatchRecorder::begin(std::uint32_t round, const Game& game) {
   recorder_.emplace(game);
 }
 
-void MatchRecorder::record(std::span<const Input> inputs, const Game& game) {
-  recorder_->record(inputs, game);
+void MatchRecorder::record(std::span<const Input> inputs, const Game& game, std::uint64_t hash) {
+  recorder_->record(inputs, game, hash);
   give(game, false);
 }
 

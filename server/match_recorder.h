@@ -27,8 +27,8 @@ class MatchRecorder {
  public:
   /// `game` is about to be advanced in round `round`. Begins a recording unless one is being made.
   void begin(std::uint32_t round, const Game& game);
-  /// `game` has just been advanced by `inputs`.
-  void record(std::span<const Input> inputs, const Game& game);
+  /// `game` has just been advanced by `inputs`, and now has this hash.
+  void record(std::span<const Input> inputs, const Game& game, std::uint64_t hash);
   /// The game goes no further; nothing when none was begun.
   void finish(const Game& game);
 

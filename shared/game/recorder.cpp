@@ -22,9 +22,9 @@ Recorder::Recorder(const Game& start, std::uint32_t checkpointTicks)
   bytes_ = head.take();
 }
 
-void Recorder::record(std::span<const Input> inputs, const Game& game) {
+void Recorder::record(std::span<const Input> inputs, const Game& game, std::uint64_t hash) {
   inputs_.emplace_back(inputs.begin(), inputs.end());
-  hashes_.push_back(game.hash());
+  hashes_.push_back(hash);
   if (hashes_.size() == checkpointTicks_) addBlock(game);
 }
 

@@ -21,7 +21,9 @@ class Recorder {
   explicit Recorder(const Game& start, std::uint32_t checkpointTicks = kCheckpointTicks);
 
   /// `game` has just been advanced by `inputs`.
-  void record(std::span<const Input> inputs, const Game& game);
+  void record(std::span<const Input> inputs, const Game& game) { record(inputs, game, game.hash()); }
+  /// The same where the game's hash is known already.
+  void record(std::span<const Input> inputs, const Game& game, std::uint64_t hash);
   /// Nothing follows: marks the end, so that a recording that was cut off can be told from a whole one.
   void finish(const Game& game);
 
