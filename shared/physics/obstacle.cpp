@@ -12,34 +12,43 @@ std::int32_t surroundings(const Box& shape) { return (shape.high.x - shape.low.x
 
 }  // namespace
 
+std::array<Obstacle::HalfPlane, 2> Obstacle::ofSides(const Convex& shape, const Segment& line) {
+  const Point left = perpendicular(line.b - line.a);
+  std::int64_t lowest = dot(left, shape.vertices()[0]);
+  std::int64_t highest = lowest;
+  for (const Point vertex : shape.vertices()) {
+    const std::int64_t along = dot(left, vertex);
+    lowest = std::min(lowest, along);
+    highest = std::max(highest, along);
+  }
+  const std::int64_t height = dot(left, line.a);
+  return {HalfPlane{left, lowest - height}, HalfPlane{-left, height - highest}};
+}
+
+Point Obstacle::featureOfSide(const Convex& shape, Point normal) {
+  Point feature = shape.vertices()[0];
+  std::int64_t lowest = dot(normal, feature);
+  for (const Point vertex : shape.vertices()) {
+    const std::int64_t along = dot(normal, vertex);
+    if (along < lowest) feature = vertex;
+    lowest = std::min(lowest, along);
+  }
+  return feature;
+}
+
 void Obstacle::become(const Convex& shape, const Segment& line) {
   shape_ = &shape;
   line_ = line;
   likelyBarrier_ = 0;
   around_ = kEmpty;
   halfPlanes_.clear();
-  if (sides() != 0) addSides();
-  for (const Convex::Edge& edge : shape.edges()) {
-    halfPlanes_.emplace_back(edge.normal,
-                             edge.support - std::max(dot(edge.normal, line.a), dot(edge.normal, line.b)));
+  if (sides() != 0) {
+    for (const HalfPlane& side : ofSides(shape, line)) {
+      features_[halfPlanes_.size()] = featureOfSide(shape, side.normal);
+      halfPlanes_.push_back(side);
+    }
   }
-}
-
-void Obstacle::addSides() {
-  const Point left = perpendicular(line_.b - line_.a);
-  features_.fill(shape_->vertices()[0]);
-  std::int64_t lowest = dot(left, shape_->vertices()[0]);
-  std::int64_t highest = lowest;
-  for (const Point vertex : shape_->vertices()) {
-    const std::int64_t along = dot(left, vertex);
-    if (along < lowest) features_[0] = vertex;
-    if (along > highest) features_[1] = vertex;
-    lowest = std::min(lowest, along);
-    highest = std::max(highest, along);
-  }
-  const std::int64_t height = dot(left, line_.a);
-  halfPlanes_.emplace_back(left, lowest - height);
-  halfPlanes_.emplace_back(-left, height - highest);
+  for (const Convex::Edge& edge : shape.edges()) halfPlanes_.push_back(ofEdge(edge, line));
 }
 
 // A half plane holds a box when it holds the corner that lies farthest out. Bounds: the box lies within 2^30 + 2^28,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -21,12 +22,21 @@ class Obstacle {
  public:
   /// The positions with normal . position + offset < 0; `normal` points out of the obstacle.
   struct HalfPlane {
-    HalfPlane(Point n, std::int64_t o) : normal(n), slope(std::abs(n.x) + std::abs(n.y)), offset(o) {}
-
     Point normal;
-    std::int32_t slope;    ///< |nx| + |ny| < 2^31: what a step of one along both axes changes the distance by, at most
     std::int64_t offset;
+    /// What a step of one along both axes changes the distance by, at most. Below 2^31.
+    std::int32_t slope() const { return std::abs(normal.x) + std::abs(normal.y); }
   };
+
+  /// The half plane of an edge of the shape.
+  static HalfPlane ofEdge(const Convex::Edge& edge, const Segment& line) {
+    return {edge.normal, edge.support - std::max(dot(edge.normal, line.a), dot(edge.normal, line.b))};
+  }
+  /// Those of the left and of the right side of a line that is no point.
+  static std::array<HalfPlane, 2> ofSides(const Convex& shape, const Segment& line);
+  /// What touches where a side with this normal is entered: the first vertex of the shape, relative to its position,
+  /// that lies farthest back along the normal.
+  static Point featureOfSide(const Convex& shape, Point normal);
 
   /// Room for an obstacle: of no shape yet.
   Obstacle() = default;
@@ -53,12 +63,9 @@ class Obstacle {
     if (!around_.contains(way)) findBoundaries(way);
     return boundaries_;
   }
-  /// What touches where one of the sides has been entered: the first vertex of the shape, relative to its position,
-  /// that lies farthest back along the normal.
   Point featureOfSide(std::size_t side) const { return features_[side]; }
 
  private:
-  void addSides();
   void findBoundaries(const Box& way);
 
   const Convex* shape_ = nullptr;

@@ -59,7 +59,7 @@ class Sweep {
   /// The first meeting with `line`: the infimum of the times in [0, 1] at which the open shape meets it. Touching, and
   /// a meeting that begins at time 1, are none. Where two edges are entered at once, the sides of the line win over
   /// its ends and earlier edges of the shape over later ones.
-  std::optional<Hit> against(const Segment& line);
+  std::optional<Hit> against(const Segment& line) const;
   /// The same; `obstacle` must be of the shape.
   std::optional<Hit> against(Obstacle& obstacle) const;
 
@@ -83,10 +83,22 @@ class Sweep {
     std::int64_t start;
     std::int64_t end;
   };
-  Course courseOf(const Obstacle::HalfPlane& half) const {
-    const std::int64_t start = dot(half.normal, position_) + half.offset - std::int64_t{half.slope} * grown_;
+  Course courseFrom(std::int64_t start, const Obstacle::HalfPlane& half) const {
+    if (grown_ != 0) start -= std::int64_t{half.slope()} * grown_;
     return {start, start + dot(half.normal, displacement_)};
   }
+  Course courseOf(const Obstacle::HalfPlane& half) const {
+    return courseFrom(dot(half.normal, position_) + half.offset, half);
+  }
+  // One half plane more: false when it shuts out all of the way.
+  static bool clip(Meeting& meeting, Course course, std::size_t halfPlane) {
+    if (course.start < 0 && course.end < 0) return true;
+    if (course.start >= 0 && course.end >= 0) return false;
+    cross(meeting, course, halfPlane);
+    return true;
+  }
+  static void cross(Meeting& meeting, Course course, std::size_t halfPlane);
+  static bool isEmpty(const Meeting& meeting);
   std::optional<Meeting> clip(Obstacle& obstacle) const;
 
   const Convex* shape_ = nullptr;
@@ -95,7 +107,6 @@ class Sweep {
   std::int32_t grown_ = 0;
   Box way_;      // of the position
   Box bounds_;
-  Obstacle obstacle_;   // room for work
 };
 
 }  // namespace platon
