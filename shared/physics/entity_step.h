@@ -124,7 +124,7 @@ class EntityStep {
   bool tryTurn(std::int32_t hundredths);
   void turnBy(std::int32_t hundredths);
   LineRef refOf(const Collider::Pierced& pierced) const;
-  std::optional<LineRef> turnBlocker(std::int32_t hundredths);
+  std::optional<LineRef> turnBlocker(std::int32_t hundredths, std::size_t from);
   bool admitTurn(std::int32_t hundredths);
 
   // entity_step_rules.cpp
@@ -150,6 +150,8 @@ class EntityStep {
   std::optional<LegHit> slidAlong_;   // the last slide
   std::optional<LegHit> stopBefore_;  // another one, where it has not moved since
   std::optional<LegHit> stop_;        // what has stopped the entity where it stands
+  std::vector<Collider::Pierced> piercedBefore_;   // a turn
+  std::vector<Collider::Pierced> piercedAfter_;
   std::vector<Event> events_;
   std::vector<InstanceView> views_;
 };

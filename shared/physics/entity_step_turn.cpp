@@ -12,59 +12,55 @@ namespace {
 constexpr std::int32_t kTurnPart = 500;
 constexpr std::int32_t kInsertMargin = 4;
 
-// The hull of a shape before and after a turn; none when it degenerates.
-std::optional<Convex> hullOf(const Convex& before, const Convex* after) {
-  if (after == nullptr) return std::nullopt;
-  std::vector<Point> points = before.vertices();
-  points.insert(points.end(), after->vertices().begin(), after->vertices().end());
-  return Convex(convexHull(std::move(points)));
-}
-
-std::vector<Collider::Pierced> without(std::vector<Collider::Pierced> all, const std::vector<Collider::Pierced>& some) {
-  std::erase_if(all,
-                [&](const Collider::Pierced& one) { return std::find(some.begin(), some.end(), one) != some.end(); });
-  return all;
+bool isIn(const std::vector<Collider::Pierced>& some, const Collider::Pierced& one) {
+  return std::find(some.begin(), some.end(), one) != some.end();
 }
 
 }  // namespace
 
 // Where a part is not free, smaller ones are tried, down to a hundredth of a degree: the hull of a large turn holds
-// more than the shape sweeps over.
+// more than the shape sweeps over. Past a narrow place they grow again.
 void EntityStep::turn(std::int32_t hundredths) {
   std::int32_t most = kTurnPart;
   while (hundredths != 0) {
     const std::int32_t part = std::clamp(hundredths, -most, most);
     if (tryTurn(part)) {
       hundredths -= part;
+      most = std::min(2 * most, kTurnPart);
     } else if (most = std::abs(part) / 2; most == 0) {
-      if (const auto blocker = turnBlocker(part)) rules_->touchContact(*entity_, *blocker);
+      if (const auto blocker = turnBlocker(part, 0)) rules_->touchContact(*entity_, *blocker);
       return;
     }
   }
 }
 
 bool EntityStep::tryTurn(std::int32_t hundredths) {
-  if (turnBlocker(hundredths) || !admitTurn(hundredths) || turnBlocker(hundredths)) return false;
+  const std::size_t known = instances_.all().size();
+  if (turnBlocker(hundredths, 0) || !admitTurn(hundredths) || turnBlocker(hundredths, known)) return false;
   turnBy(hundredths);
   return true;
 }
 
 // Then pierceable lines are left and met, in this order.
 void EntityStep::turnBy(std::int32_t hundredths) {
-  std::vector<Collider::Pierced> before;
-  std::vector<Collider::Pierced> after;
+  piercedBefore_.clear();
+  piercedAfter_.clear();
   for (const Placement& placement : instances_.all()) {
-    if (!placement.fresh) collider_.appendPierced(placement, before);
+    if (!placement.fresh) collider_.appendPierced(placement, piercedBefore_);
   }
   instances_.turn(hundredths);
   state_->angle = instances_.home().angle;
   observe();
   for (Placement& placement : instances_.all()) {
-    collider_.appendPierced(placement, after);
+    collider_.appendPierced(placement, piercedAfter_);
     placement.fresh = false;
   }
-  for (const Collider::Pierced& left : without(before, after)) rules_->endContact(*entity_, refOf(left));
-  for (const Collider::Pierced& met : without(after, before)) rules_->beginContact(*entity_, refOf(met));
+  for (const Collider::Pierced& one : piercedBefore_) {
+    if (!isIn(piercedAfter_, one)) rules_->endContact(*entity_, refOf(one));
+  }
+  for (const Collider::Pierced& one : piercedAfter_) {
+    if (!isIn(piercedBefore_, one)) rules_->beginContact(*entity_, refOf(one));
+  }
 }
 
 LineRef EntityStep::refOf(const Collider::Pierced& pierced) const {
@@ -74,12 +70,12 @@ LineRef EntityStep::refOf(const Collider::Pierced& pierced) const {
   return lineRef(*found->part, pierced.line);
 }
 
-// The first line, home before other instances, that the turning shape would meet.
-std::optional<LineRef> EntityStep::turnBlocker(std::int32_t hundredths) {
-  for (std::size_t i = 0; i < instances_.all().size(); ++i) {
+// The first line, home before other instances, that the turning shape would meet; the first instances may be left out.
+std::optional<LineRef> EntityStep::turnBlocker(std::int32_t hundredths, std::size_t from) {
+  for (std::size_t i = from; i < instances_.all().size(); ++i) {
     const Placement& placement = instances_.all()[i];
-    const auto hull = hullOf(*placement.shape, instances_.shapeTurned(i, hundredths));
-    if (!hull) continue;
+    const Convex* hull = instances_.hullOfTurn(i, hundredths);
+    if (hull == nullptr) continue;
     if (const auto line = collider_.overlapped(placement, *hull)) return lineRef(*placement.part, *line);
   }
   return std::nullopt;
@@ -88,8 +84,8 @@ std::optional<LineRef> EntityStep::turnBlocker(std::int32_t hundredths) {
 // Adds the instances that the turning shape reaches. False when one cannot be placed or the shape degenerates.
 bool EntityStep::admitTurn(std::int32_t hundredths) {
   for (std::size_t i = 0; i < instances_.all().size(); ++i) {
-    const auto hull = hullOf(*instances_.all()[i].shape, instances_.shapeTurned(i, hundredths));
-    if (!hull) return false;
+    const Convex* hull = instances_.hullOfTurn(i, hundredths);
+    if (hull == nullptr) return false;
     const MapGeometry& part = *instances_.all()[i].part;
     for (std::uint16_t warp = 0; warp < part.warps.size(); ++warp) {
       if (!collider_.meetsWarp(instances_, {i, warp}, *hull, kInsertMargin)) continue;

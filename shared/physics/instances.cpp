@@ -177,6 +177,10 @@ void Instances::turn(std::int32_t hundredths) {
   }
 }
 
+const Convex* Instances::hullOfTurn(std::size_t index, std::int32_t hundredths) {
+  return shapes_->hullOfTurn(shapeIndex_, *base_, placements_[index].angle, hundredths);
+}
+
 const Convex* Instances::shapeTurned(std::size_t index, std::int32_t hundredths) {
   return shapes_->turned(shapeIndex_, *base_, placements_[index].angle + Angle(hundredths));
 }

@@ -60,6 +60,8 @@ class Instances {
   void turn(std::int32_t hundredths);
   /// The shape of placement `index` if it were turned further; null when it degenerates.
   const Convex* shapeTurned(std::size_t index, std::int32_t hundredths);
+  /// The hull of that and of its present shape; null when it degenerates.
+  const Convex* hullOfTurn(std::size_t index, std::int32_t hundredths);
 
   /// Whether the centre has crossed into the part of another instance.
   bool homeIsDue() const { return heir() != Placement::kNone; }

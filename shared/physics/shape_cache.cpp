@@ -5,6 +5,12 @@ namespace {
 
 constexpr std::size_t kMostShapes = 1024;
 
+Convex hullOf(const Convex& a, const Convex& b) {
+  std::vector<Point> points = a.vertices();
+  points.insert(points.end(), b.vertices().begin(), b.vertices().end());
+  return Convex(convexHull(std::move(points)));
+}
+
 }  // namespace
 
 const Convex* ShapeCache::turned(std::uint32_t index, const Convex& base, Angle angle) {
@@ -15,9 +21,21 @@ const Convex* ShapeCache::turned(std::uint32_t index, const Convex& base, Angle 
   return found->second ? &*found->second : nullptr;
 }
 
+const Convex* ShapeCache::hullOfTurn(std::uint32_t index, const Convex& base, Angle angle, std::int32_t hundredths) {
+  const std::tuple key{index, angle.hundredths(), hundredths};
+  auto found = hulls_.find(key);
+  if (found == hulls_.end()) {
+    const Convex* before = turned(index, base, angle);
+    const Convex* after = turned(index, base, angle + Angle(hundredths));
+    found = hulls_.emplace(key, before && after ? std::optional(hullOf(*before, *after)) : std::nullopt).first;
+  }
+  return found->second ? &*found->second : nullptr;
+}
+
 bool ShapeCache::trim() {
-  if (shapes_.size() <= kMostShapes) return false;
+  if (shapes_.size() + hulls_.size() <= kMostShapes) return false;
   shapes_.clear();
+  hulls_.clear();
   return true;
 }
 
