@@ -1,4 +1,4 @@
-// Counts every allocation of the program: a game that has been played before must be played again without any.
+// Counts every allocation of the program: what has been played before must be played again without any.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -7,8 +7,13 @@
 #include <vector>
 
 #include "shared/game/game.h"
+#include "shared/physics/entity.h"
+#include "shared/physics/map_part.h"
+#include "shared/physics/rules.h"
+#include "shared/physics/world.h"
 #include "tests/lockstep/button_presses.h"
 #include "tests/lockstep/lockstep_levels.h"
+#include "tests/shared/physics/shapes.h"
 
 namespace {
 
@@ -74,6 +79,30 @@ TEST_P(AllocationTest, APlayedGameIsPlayedAgainWithoutAny) {
   const std::uint64_t hash = game.hash();
   EXPECT_EQ(game.play(), 0u) << "seed " << kSeed;
   EXPECT_EQ(game.hash(), hash) << "another game was played, seed " << kSeed;
+}
+
+// Its shapes and the hulls of its turns are made in the first round.
+TEST(TurningAllocationTest, AShapeThatHasBeenAllRoundTurnsOnWithoutAny) {
+  constexpr std::int32_t kTurn = 200;
+  World world;
+  MapPart part(world, 0);
+  part.line({-50000, -5500}, {50000, -5500});
+  part.initialize();
+  Entity entity(world, square(5000));
+  part.insert(entity, {0, 2000}, Angle());
+  Rules rules;
+  const auto turnRound = [&] {
+    const std::size_t before = allocations;
+    for (std::int32_t turned = 0; turned < Angle::kTurn; turned += kTurn) {
+      entity.rotate(kTurn);
+      world.solve(rules);
+    }
+    return allocations - before;
+  };
+  ASSERT_GT(turnRound(), 0u) << "nothing is counted";
+  EXPECT_EQ(world.entities()[0].angle, Angle()) << "nothing was in its way";
+  turnRound();
+  EXPECT_EQ(turnRound(), 0u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shipped, AllocationTest, testing::ValuesIn(sim::shippedLevels()),
