@@ -126,15 +126,26 @@ void Collider::appendPierced(const Placement& placement, std::vector<Pierced>& o
 }
 
 std::optional<Sweep::Meeting> Collider::against(const Placement& placement, const Path& path, std::uint32_t line) {
+  Obstacle* obstacle = obstacleNear(placement, path, line);
+  return obstacle ? sweep_.meet(*obstacle) : std::nullopt;
+}
+
+std::optional<Hit> Collider::hit(const Placement& placement, const Path& path, std::uint32_t line) {
+  Obstacle* obstacle = obstacleNear(placement, path, line);
+  return obstacle ? sweep_.against(*obstacle) : std::nullopt;
+}
+
+// Starts the sweep; null when that passes the bounds of the line.
+Obstacle* Collider::obstacleNear(const Placement& placement, const Path& path, std::uint32_t line) {
   sweep_.start(*placement.shape, path.from, path.to - path.from, path.margin);
-  if (sweep_.misses(boundsOf(placement.part->lines[line]))) return std::nullopt;
+  if (sweep_.misses(boundsOf(placement.part->lines[line]))) return nullptr;
   Region& region = regionOf(placement);
   auto place = region.isOf(*placement.part) ? region.placeOf(line) : std::nullopt;
   if (!place) {
     region.cover(*placement.part, sweep_.bounds().grown(kReach));
     place = region.placeOf(line);
   }
-  return place ? sweep_.meet(region.obstacle(*place, *placement.shape)) : std::nullopt;
+  return place ? &region.obstacle(*place, *placement.shape) : nullptr;
 }
 
 }  // namespace platon

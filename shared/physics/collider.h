@@ -77,6 +77,7 @@ class Collider {
 
   /// What one line does to one placement that moves along `path` in its own part's frame.
   std::optional<Sweep::Meeting> against(const Placement& placement, const Path& path, std::uint32_t line);
+  std::optional<Hit> hit(const Placement& placement, const Path& path, std::uint32_t line);
 
   const std::vector<Pierced>& pierced() const { return pierced_; }
 
@@ -84,6 +85,7 @@ class Collider {
   Region& start(const Placement& placement, const Convex& shape, Point from, Point to);
   Region& regionOf(const Placement& placement) { return (*regions_)[placement.region]; }
   std::optional<Sweep::Meeting> meet(const Placement& placement, Region& region, std::size_t place);
+  Obstacle* obstacleNear(const Placement& placement, const Path& path, std::uint32_t line);
   bool blocks(const MapGeometry& part, std::uint32_t line) const;
   bool blocksOrNote(const Placement& placement, std::uint32_t line);
 

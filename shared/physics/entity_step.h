@@ -114,6 +114,8 @@ class EntityStep {
   std::optional<Point> nudge(const LegHit& hit, Point target, Point reached);
   bool grazes(const LegHit& hit, Point target, Point reached) const;
   bool leadsOn(const LegHit& end, Point from, Point to);
+  bool meetsAtOnce(const LegHit& end, Point from, Point to);
+  static bool isAtOnce(const Hit& hit, Point displacement);
   Point fromEnd(const LegHit& end) const;
 
   void moveTo(Point position);

@@ -105,13 +105,24 @@ bool EntityStep::grazes(const LegHit& hit, Point target, Point reached) const {
 // Whether the way from `from` to `to` passes the end, and leads either along its line, away from that end, or some way
 // on.
 bool EntityStep::leadsOn(const LegHit& end, Point from, Point to) {
+  if (meetsAtOnce(end, from, to)) return false;
   const auto next = collider_.first(instances_, from, to);
   if (!next) return true;
-  if (!isSameLine(*next, end)) {
-    return squaredLength(scaleTruncated(to - from, next->hit.time)) > squaredLength(Point(kNudge, kNudge));
-  }
+  if (!isSameLine(*next, end)) return !isAtOnce(next->hit, to - from);
   const Point way = slideDirection(*next);
   return next->hit.side == Hit::Side::kLine && dot(way, to - from) > 0 && dot(way, fromEnd(end)) > 0;
+}
+
+// Whether the way meets the end again, or something else before it, at once. Most often it does, and the other lines
+// need not be asked.
+bool EntityStep::meetsAtOnce(const LegHit& end, Point from, Point to) {
+  const Placement& placement = instances_.all()[end.placement];
+  const auto again = collider_.hit(placement, {placement.at(from), placement.at(to)}, end.line);
+  return again && again->side != Hit::Side::kLine && isAtOnce(*again, to - from);
+}
+
+bool EntityStep::isAtOnce(const Hit& hit, Point displacement) {
+  return squaredLength(scaleTruncated(displacement, hit.time)) <= squaredLength(Point(kNudge, kNudge));
 }
 
 // From the end that was met to the other one, in home's frame. Below 2^30.
