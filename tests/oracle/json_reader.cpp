@@ -1,6 +1,7 @@
 #include "tests/oracle/json_reader.h"
 
 #include <charconv>
+#include <cmath>
 
 namespace platon::oracle {
 
@@ -33,6 +34,16 @@ std::int64_t JsonReader::integer() {
   const char* const digits = begin + (*begin == '-');
   if (*digits == '0' && end != digits + 1) fail("number with a leading zero");
   if (end != limit && (*end == '.' || *end == 'e' || *end == 'E')) fail("number that is not whole");
+  at_ += static_cast<std::size_t>(end - begin);
+  return value;
+}
+
+double JsonReader::number() {
+  skipSpace();
+  const char* const begin = text_.data() + at_;
+  double value = 0;
+  const auto [end, error] = std::from_chars(begin, text_.data() + text_.size(), value);
+  if (error != std::errc{} || !std::isfinite(value)) fail("number expected");
   at_ += static_cast<std::size_t>(end - begin);
   return value;
 }

@@ -14,13 +14,16 @@ class JsonError : public std::runtime_error {
 };
 
 /// Walks through one JSON text from front to back without keeping it. The caller says what it expects next; anything
-/// else throws JsonError. Knows what traces need: objects, arrays, whole numbers of 64 bits, strings without escapes.
+/// else throws JsonError. Knows what traces and reports need: objects, arrays, numbers, strings
+/// without escapes.
 class JsonReader {
  public:
   /// The text must outlive the reader and what it returns.
   explicit JsonReader(std::string_view text) : text_(text) {}
 
   std::int64_t integer();
+  /// Also one that is not whole.
+  double number();
   std::string_view string();
 
   /// Calls `element()` where each element begins; it must read that element.

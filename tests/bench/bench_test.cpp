@@ -1,0 +1,137 @@
+// The benchmark is no judge of speed here: it is run with hardly any work, for what does not depend on the clock.
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <gmock/gmock.h>
+
+#include "tests/bench/engine.h"
+#include "tests/bench/report.h"
+#include "tests/oracle/json_reader.h"
+
+namespace platon::bench {
+namespace {
+
+using testing::IsSupersetOf;
+using testing::UnorderedElementsAre;
+
+// Once for all tests.
+const Report& smallReport() {
+  static const Report report = runAll({.passes = 1, .share = 25, .mostSegments = 1000}, [](const char*) {});
+  return report;
+}
+
+template <class Result>
+auto namesOf(const std::vector<Result>& results, std::string Result::*name) {
+  std::set<std::string> names;
+  for (const Result& result : results) names.insert(result.*name);
+  return names;
+}
+
+TEST(Bench, EveryEngineIsInEveryTableThatItCanBeIn) {
+  const Report& report = smallReport();
+  const auto all = UnorderedElementsAre("platon", "float32", "float64", "box2d-2.4", "chipmunk-7.0");
+  EXPECT_THAT(namesOf(report.steps, &StepResult::engine), all);
+  EXPECT_THAT(namesOf(report.hardCases, &HardResult::engine), all);
+  EXPECT_THAT(namesOf(report.sweeps, &SweepResult::engine),
+              UnorderedElementsAre("platon", "float32", "float64", "box2d-2.4"));
+  EXPECT_THAT(namesOf(report.resolutions, &ResolutionResult::engine),
+              UnorderedElementsAre("platon", "float32", "float64"));
+}
+
+TEST(Bench, PlatonAnswersEverySweepExactly) {
+  for (const SweepResult& r : smallReport().sweeps) {
+    if (r.engine != "platon") continue;
+    EXPECT_EQ(r.missed, 0u) << r.set;
+    EXPECT_EQ(r.falseHits, 0u) << r.set;
+    EXPECT_EQ(r.maxTimeError, 0) << r.set;
+    EXPECT_EQ(r.maxOverlap, 0) << r.set;
+  }
+}
+
+TEST(Bench, PlatonOverlapsNothingAndPassesNothingInTheHardCases) {
+  for (const HardResult& r : smallReport().hardCases) {
+    if (r.engine != "platon") continue;
+    EXPECT_EQ(r.maxOverlap, 0) << r.name;
+    EXPECT_EQ(r.tunnelled, 0) << r.name;
+    EXPECT_EQ(r.restDrift, 0) << r.name;
+  }
+}
+
+TEST(Bench, TheHardCasesAreHard) {
+  std::map<std::string, double> deepest;
+  for (const HardResult& r : smallReport().hardCases) deepest[r.name] = std::max(deepest[r.name], r.maxOverlap);
+  for (const auto& [name, overlap] : deepest) EXPECT_GT(overlap, 10) << name;
+}
+
+TEST(Bench, EverySetHasMeetingsAndMisses) {
+  for (const SweepResult& r : smallReport().sweeps) {
+    EXPECT_GT(r.meetings * 8, r.questions) << r.set;
+    EXPECT_LT(r.meetings * 5, r.questions * 4) << r.set;
+  }
+}
+
+TEST(Bench, SliversAreTooFineForDoubles) {
+  const auto& sweeps = smallReport().sweeps;
+  const auto slivers = std::find_if(sweeps.begin(), sweeps.end(),
+                                    [](const SweepResult& r) { return r.set == "slivers" && r.engine == "float64"; });
+  ASSERT_NE(slivers, sweeps.end());
+  EXPECT_GT(slivers->missed, 0u);
+  EXPECT_GT(slivers->falseHits, 0u);
+}
+
+TEST(Bench, MoreResolutionIsLessError) {
+  std::map<std::int64_t, double> errors;
+  for (const ResolutionResult& r : smallReport().resolutions) {
+    if (r.engine == "platon") errors[r.subunitsPerUnit] = r.maxTrajectoryError;
+  }
+  ASSERT_EQ(errors.size(), 13u);  // 2^4 ... 2^16
+  EXPECT_LT(errors.rbegin()->second * 1000, errors.begin()->second);
+}
+
+TEST(Bench, StateAndLinesAreSmall) {
+  const Report& report = smallReport();
+  EXPECT_LT(report.games.snapshots.at(0).bytes, 8192u);
+  for (const StepResult& r : report.steps) {
+    if (r.engine != "platon") continue;
+    EXPECT_LE(r.bytesPerSegment, 64) << r.segments;
+  }
+}
+
+// The members of one object, or of each object of a list.
+std::set<std::string> membersOf(oracle::JsonReader& json, bool isList) {
+  std::set<std::string> members;
+  const auto value = [&](std::string_view name) {
+    const bool isWord = name == "set" || name == "engine" || name == "case" || name == "scene" || name == "level" ||
+                        name == "compiler" || name == "flags";
+    isWord ? void(json.string()) : void(json.number());
+    members.emplace(name);
+  };
+  isList ? json.array([&] { json.object(value); }) : json.object(value);
+  return members;
+}
+
+TEST(Bench, JsonHasWhatItIsReadFor) {
+  std::string text = toJson(smallReport());
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  oracle::JsonReader json(text);
+  std::map<std::string, std::set<std::string>> parts;
+  json.object(
+      [&](std::string_view name) { parts.emplace(name, membersOf(json, name != "snapshot" && name != "build")); });
+  json.end();
+  EXPECT_THAT(parts["sweep"],
+              IsSupersetOf({"set", "engine", "nsPerQuery", "missed", "false", "maxTimeError", "maxOverlap"}));
+  EXPECT_THAT(parts["step"], IsSupersetOf({"engine", "segments", "movers", "nsPerStep", "bytesPerSegment"}));
+  EXPECT_THAT(parts["hardCases"],
+              IsSupersetOf({"case", "engine", "steps", "maxOverlap", "tunnelled", "speedDrops", "pops", "restDrift"}));
+  EXPECT_THAT(parts["resolution"], IsSupersetOf({"engine", "subunitsPerUnit", "nsPerStep", "maxTrajectoryError"}));
+  EXPECT_THAT(parts["snapshot"], IsSupersetOf({"movers", "bytes", "saveNs", "restoreNs"}));
+  EXPECT_THAT(parts["resimulation"], IsSupersetOf({"players", "ticks", "microseconds"}));
+}
+
+}  // namespace
+}  // namespace platon::bench

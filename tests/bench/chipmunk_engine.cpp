@@ -1,0 +1,97 @@
+// Chipmunk 7 has no continuous collision; its manual's remedies for fast things are thicker lines and smaller steps. So
+// it takes as many a tick as keep the fastest mover below half its radius a step, and lines are given its slop.
+#include <chipmunk/chipmunk.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "tests/bench/engine.h"
+
+namespace platon::bench {
+namespace {
+
+constexpr cpFloat kSlop = 0.005;  // metres; it lets shapes overlap by so much, so lines are as much thicker
+
+cpFloat metres(double subunits) { return subunits / kSubunitsPerMetre; }
+
+cpVect metres(Point point) { return {metres(point.x), metres(point.y)}; }
+
+class ChipmunkEngine : public Engine {
+ public:
+  explicit ChipmunkEngine(const Scene& scene) : space_(cpSpaceNew(), &cpSpaceFree) {
+    const Box& bounds = scene.shape.bounds();
+    cpSpaceSetCollisionSlop(space_.get(), kSlop);
+    radius_ = metres(std::min(bounds.high.x - bounds.low.x, bounds.high.y - bounds.low.y)) / 2;
+    for (const Segment& line : scene.lines) {
+      keep(cpSegmentShapeNew(cpSpaceGetStaticBody(space_.get()), metres(line.a), metres(line.b), kSlop));
+    }
+    std::vector<cpVect> vertices;
+    for (const Point vertex : scene.shape.vertices()) vertices.push_back(metres(vertex));
+    wanted_.resize(scene.movers.size());
+    for (std::size_t i = 0; i < scene.movers.size(); ++i) addMover(vertices, scene.movers[i], wanted_[i]);
+  }
+  ~ChipmunkEngine() override {
+    for (cpShape* shape : shapes_) {
+      cpSpaceRemoveShape(space_.get(), shape);
+      cpShapeFree(shape);
+    }
+    for (cpBody* mover : movers_) {
+      cpSpaceRemoveBody(space_.get(), mover);
+      cpBodyFree(mover);
+    }
+  }
+  ChipmunkEngine(const ChipmunkEngine&) = delete;
+  ChipmunkEngine& operator=(const ChipmunkEngine&) = delete;
+
+  void setVelocity(std::size_t mover, Place velocity) override {
+    wanted_[mover] = {metres(velocity.x * kStepsPerSecond), metres(velocity.y * kStepsPerSecond)};
+    fastest_ = std::max(fastest_, cpvlength(wanted_[mover]) / kStepsPerSecond);
+  }
+  void step() override {
+    const int steps = std::max(1, static_cast<int>(std::ceil(fastest_ / (radius_ / 2))));
+    for (int i = 0; i < steps; ++i) cpSpaceStep(space_.get(), 1 / kStepsPerSecond / steps);
+    fastest_ = 0;
+  }
+  Place position(std::size_t mover) const override {
+    const cpVect position = cpBodyGetPosition(movers_[mover]);
+    return {position.x * kSubunitsPerMetre, position.y * kSubunitsPerMetre};
+  }
+
+ private:
+  void keep(cpShape* shape) {
+    cpShapeSetFriction(shape, 0);
+    cpShapeSetElasticity(shape, 0);
+    shapes_.push_back(cpSpaceAddShape(space_.get(), shape));
+  }
+  // Without moment it does not turn; in one group movers do not meet each other.
+  // It moves by its velocity before it looks for collisions, so that the velocity must be set in between, where its
+  // solver corrects it: that is what the callback is for.
+  void addMover(const std::vector<cpVect>& vertices, Point position, cpVect& wanted) {
+    cpBody* const body = cpSpaceAddBody(space_.get(), cpBodyNew(1, INFINITY));
+    cpBodySetUserData(body, &wanted);
+    cpBodySetVelocityUpdateFunc(body, [](cpBody* moved, cpVect, cpFloat, cpFloat) {
+      cpBodySetVelocity(moved, *static_cast<const cpVect*>(cpBodyGetUserData(moved)));
+    });
+    cpBodySetPosition(body, metres(position));
+    movers_.push_back(body);
+    cpShape* const shape = cpPolyShapeNewRaw(body, static_cast<int>(vertices.size()), vertices.data(), 0);
+    cpShapeSetFilter(shape, cpShapeFilterNew(1, CP_ALL_CATEGORIES, CP_ALL_CATEGORIES));
+    keep(shape);
+  }
+
+  std::unique_ptr<cpSpace, void (*)(cpSpace*)> space_;
+  cpFloat radius_ = 0;
+  cpFloat fastest_ = 0;         // metres a step
+  std::vector<cpVect> wanted_;  // metres a second, by mover
+  std::vector<cpShape*> shapes_;
+  std::vector<cpBody*> movers_;
+};
+
+}  // namespace
+
+std::unique_ptr<Engine> makeChipmunk(const Scene& scene) { return std::make_unique<ChipmunkEngine>(scene); }
+
+}  // namespace platon::bench

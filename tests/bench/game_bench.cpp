@@ -1,0 +1,124 @@
+#include "tests/bench/game_bench.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "shared/game/game.h"
+#include "tests/lockstep/button_presses.h"
+#include "tests/lockstep/lockstep_levels.h"
+
+namespace platon::bench {
+namespace {
+
+constexpr std::uint64_t kSeed = 3;
+
+// Players that press buttons as people do.
+class Presses {
+ public:
+  explicit Presses(std::size_t players) : inputs_(players) {
+    for (std::uint32_t slot = 0; slot < players; ++slot) presses_.emplace_back(kSeed, slot);
+  }
+  std::span<const Input> next() {
+    for (std::size_t slot = 0; slot < inputs_.size(); ++slot) inputs_[slot] = presses_[slot].next();
+    return inputs_;
+  }
+
+ private:
+  std::vector<sim::ButtonPresses> presses_;
+  std::vector<Input> inputs_;
+};
+
+struct Session {
+  Session(std::shared_ptr<const Level> level, std::size_t players) : game(std::move(level)), presses(players) {
+    play(600);
+  }
+
+  void play(int ticks) {
+    for (int tick = 0; tick < ticks; ++tick) game.advance(presses.next());
+  }
+
+  Game game;
+  Presses presses;
+};
+
+// Of `work` on average over `times`.
+template <class Work>
+double averageOf(std::int64_t times, Work&& work) {
+  return nanosecondsOf([&] {
+           for (std::int64_t i = 0; i < times; ++i) work();
+         }) /
+         static_cast<double>(times);
+}
+
+SnapshotResult benchSnapshot(const std::shared_ptr<const Level>& level, const Effort& effort) {
+  constexpr std::size_t kMovers = 64;
+  Session session(level, kMovers);
+  const WorldState& live = session.game.world().save();
+  World other = session.game.world();
+  WorldState kept = live;
+  const std::int64_t times = 20000 / effort.share;
+  const auto save = [&] {
+    kept = live;
+    keep(kept);
+  };
+  const auto restore = [&] { other.restore(kept); };
+  const auto hash = [&] { keep(other.hash()); };
+  const auto spreads = interleaved({[&] { return averageOf(times, save); }, [&] { return averageOf(times, restore); },
+                                    [&] { return averageOf(times, hash); }},
+                                   effort.passes);
+  const std::size_t bytes = live.entities.size() * sizeof(EntityState) + live.instances.size() * sizeof(InstanceState);
+  return {kMovers, bytes, spreads[0], spreads[1], spreads[2]};
+}
+
+// As a client does it after a correction: back to what is confirmed, forward again.
+ResimulationResult benchResimulation(const std::shared_ptr<const Level>& level, std::size_t players, int ticks,
+                                     const Effort& effort) {
+  Session session(level, players);
+  std::vector<std::vector<Input>> inputs;
+  for (int tick = 0; tick < ticks; ++tick) {
+    const auto next = session.presses.next();
+    inputs.emplace_back(next.begin(), next.end());
+  }
+  const Game confirmed = session.game;
+  Game predicted = confirmed;
+  const auto replay = [&] {
+    predicted = confirmed;
+    for (const auto& tick : inputs) predicted.advance(tick);
+  };
+  const std::int64_t times = std::max<std::int64_t>(1, 50 / effort.share);
+  const auto spreads = interleaved({[&] { return averageOf(times, replay) / 1000; }}, effort.passes);
+  return {players, ticks, spreads[0]};
+}
+
+AdvanceResult benchAdvance(const std::string& path, const Effort& effort) {
+  constexpr std::size_t kPlayers = 8;
+  const int ticks = static_cast<int>(6000 / effort.share);
+  const auto level = sim::levelFrom(path);
+  const auto pass = [&] {
+    Session session(level, kPlayers);
+    return nanosecondsOf([&] { session.play(ticks); }) / ticks / static_cast<double>(kPlayers);
+  };
+  return {sim::testName(path), kPlayers, interleaved({pass}, effort.passes)[0]};
+}
+
+}  // namespace
+
+GameResults benchGames(const Effort& effort) {
+  const auto paths = sim::shippedLevels();
+  const auto level = sim::levelFrom(paths.front());
+  GameResults results;
+  results.snapshots.push_back(benchSnapshot(level, effort));
+  results.resimulations.push_back(benchResimulation(level, 16, 15, effort));
+  results.resimulations.push_back(benchResimulation(level, 64, 60, effort));
+  for (const std::string& path : paths) results.advances.push_back(benchAdvance(path, effort));
+  return results;
+}
+
+}  // namespace platon::bench

@@ -1,0 +1,188 @@
+#include "tests/bench/hard_bench.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "shared/exact/integer.h"
+#include "tests/bench/engine.h"
+#include "tests/bench/overlap.h"
+#include "tests/lockstep/seeded_random.h"
+#include "tests/shared/physics/shapes.h"
+
+namespace platon::bench {
+namespace {
+
+constexpr std::uint64_t kSeed = 33;
+constexpr std::int64_t kSteps = 100000;
+constexpr std::int32_t kRadius = 12 * kSubunitsPerUnit;
+constexpr std::int32_t kMetre = static_cast<std::int32_t>(kSubunitsPerMetre);
+constexpr double kPop = kSubunitsPerMetre / 200;  // 5 mm: what Box2D calls its slop
+
+// One engine in one case: its scene, the mover's way so far, what has been seen.
+class Trial {
+ public:
+  Trial(const EngineKind& kind, Scene scene, const std::string& name) : kind_(kind), scene_(std::move(scene)) {
+    result_.name = name;
+    result_.engine = kind.name;
+    restart();
+  }
+
+  void restart() { engine_ = kind_.make(scene_); }
+  void step(Place velocity) {
+    engine_->setVelocity(0, velocity);
+    engine_->step();
+    ++result_.steps;
+    result_.maxOverlap = std::max(result_.maxOverlap, -gap());
+  }
+  Place position() const { return engine_->position(0); }
+  const Scene& scene() const { return scene_; }
+  // To the nearest line; below 0 where it is overlapped.
+  double gap() const {
+    const Place now = position();
+    long double least = std::numeric_limits<long double>::infinity();
+    for (const Segment& line : scene_.lines) least = std::min(least, separationOf(scene_.shape, now.x, now.y, line));
+    return static_cast<double>(least);
+  }
+  HardResult& result() { return result_; }
+
+ private:
+  const EngineKind& kind_;
+  Scene scene_;
+  std::unique_ptr<Engine> engine_;
+  HardResult result_;
+};
+
+// Of one octagon, three quarters of a metre in radius.
+Scene sceneOf(std::vector<Segment> lines, Point start) {
+  return {.lines = std::move(lines), .shape = regular(8, kRadius), .movers = {start}};
+}
+
+// A room of three walls, counter-clockwise: two of them meet in a tenth of a degree far to the right. It becomes too
+// narrow for the mover near `middle`; floating point is finest near 0.
+Scene wedge(Point middle) {
+  constexpr double kHalfAngle = 0.05 / 180 * 3.14159265358979;
+  constexpr std::int32_t kBefore = 700 * kMetre;
+  const Scene narrow = sceneOf({}, {});
+  const auto behind = static_cast<std::int32_t>(narrow.shape.bounds().high.y / std::tan(kHalfAngle));
+  const auto half = static_cast<std::int32_t>((behind + kBefore) * std::tan(kHalfAngle));
+  const Point tip = middle + Point(behind, 0);
+  const Point low = middle - Point(kBefore, half);
+  const Point high = middle - Point(kBefore, -half);
+  return sceneOf({{low, tip}, {tip, high}, {high, low}}, middle - Point(5 * kMetre, 0));
+}
+
+bool isInside(Place at, const std::vector<Segment>& walls) {
+  return std::all_of(walls.begin(), walls.end(), [&](const Segment& wall) {
+    const double x = wall.b.x - wall.a.x;
+    const double y = wall.b.y - wall.a.y;
+    return x * (at.y - wall.a.y) - y * (at.x - wall.a.x) > 0;
+  });
+}
+
+// Half a second into the narrow end, a third of a second out again, up to 30 degrees aside in either direction.
+HardResult driven(const EngineKind& kind, const std::string& name, double metresPerSecond, std::int64_t steps,
+                  Point middle = {}) {
+  constexpr std::int64_t kIn = 30;
+  constexpr std::int64_t kOut = 20;
+  Trial trial(kind, wedge(middle), name);
+  sim::SeededRandom random(kSeed);
+  const auto speed = static_cast<std::int32_t>(metresPerSecond * kSubunitsPerMetre / kStepsPerSecond);
+  for (std::int64_t i = 0; i < steps; ++i) {
+    const auto aside = Angle(static_cast<std::int32_t>(random.below(6000)) - 3000);
+    const Point velocity = rotate(Point(i % (kIn + kOut) < kIn ? speed : -speed, 0), aside);
+    trial.step({static_cast<double>(velocity.x), static_cast<double>(velocity.y)});
+    if (isInside(trial.position(), trial.scene().lines)) continue;
+    ++trial.result().tunnelled;
+    trial.restart();
+  }
+  return trial.result();
+}
+
+// A straight floor in pieces whose ends are off by up to `most` subunits.
+Scene looseFloor(std::int32_t most, std::int32_t pieces) {
+  constexpr std::int32_t kPiece = 2 * kMetre;
+  sim::SeededRandom random(kSeed);
+  std::vector<Segment> lines;
+  const auto off = [&] {
+    return static_cast<std::int32_t>(random.below(2 * static_cast<std::uint64_t>(most) + 1)) - most;
+  };
+  const auto near = [&](std::int32_t x) {
+    const std::int32_t y = off();
+    return Point(x + off(), -kRadius + y);
+  };
+  for (std::int32_t i = -2; i < pieces; ++i) {
+    const Point a = near(i * kPiece);
+    lines.push_back({a, near((i + 1) * kPiece)});
+  }
+  return sceneOf(std::move(lines), {0, kRadius / 8 + 2 * most});
+}
+
+// Pushed along it at 10 m/s and down; at its end, from the start again.
+HardResult pushed(const EngineKind& kind, const std::string& name, std::int32_t most, std::int64_t steps) {
+  constexpr std::int32_t kPieces = 50;
+  constexpr std::int64_t kSettling = 60;
+  constexpr double kSpeed = 10 * kSubunitsPerMetre / kStepsPerSecond;
+  constexpr double kEnd = (kPieces - 4) * 2.0 * kMetre;
+  Trial trial(kind, looseFloor(most, kPieces), name);
+  const double fallen = -2 * kRadius;
+  double resting = 0;
+  std::int64_t settling = 0;
+  for (std::int64_t i = 0; i < steps; ++i) {
+    const Place before = trial.position();
+    trial.step({kSpeed, -kSpeed / 4});
+    const Place after = trial.position();
+    if (++settling == kSettling) resting = after.y;
+    if (settling > kSettling) {
+      trial.result().speedDrops += after.x - before.x < 0.99 * kSpeed;
+      trial.result().pops += after.y > resting + 2 * most + kPop;
+    }
+    if (after.x < kEnd && after.y > fallen) continue;
+    trial.result().tunnelled += after.y <= fallen;
+    trial.restart();
+    settling = 0;
+  }
+  return trial.result();
+}
+
+// Pressed down into a notch of two slopes.
+HardResult pressed(const EngineKind& kind, const std::string& name, std::int64_t steps) {
+  const std::int64_t settled = std::min<std::int64_t>(1000, steps / 2);
+  Trial trial(kind, sceneOf({{{-3 * kMetre, 0}, {0, -3 * kMetre}}, {{0, -3 * kMetre}, {5 * kMetre, kMetre}}}, {}),
+              name);
+  Place rest;
+  for (std::int64_t i = 0; i < steps; ++i) {
+    trial.step({0, -0.1 * kMetre});
+    if (i == settled) rest = trial.position();
+  }
+  const Place now = trial.position();
+  trial.result().restDrift = std::hypot(now.x - rest.x, now.y - rest.y);
+  trial.result().restGap = trial.gap();
+  return trial.result();
+}
+
+}  // namespace
+
+std::vector<HardResult> benchHardCases(const Effort& effort) {
+  const std::int64_t steps = kSteps / effort.share;
+  std::vector<HardResult> results;
+  for (const EngineKind& kind : engineKinds()) {
+    results.push_back(driven(kind, "wedge-10-m/s", 10, steps));
+    results.push_back(driven(kind, "wedge-100-m/s", 100, steps));
+    results.push_back(driven(kind, "wedge-1000-m/s", 1000, steps));
+    results.push_back(driven(kind, "wedge-far-100-m/s", 100, steps, {30000 * kMetre, 20000 * kMetre}));
+    results.push_back(pushed(kind, "joints-2-subunits", 2, steps));
+    results.push_back(pushed(kind, "joints-1-mm", kMetre / 1000, steps));
+    results.push_back(pressed(kind, "rest-in-a-notch", steps));
+  }
+  std::stable_sort(results.begin(), results.end(),
+                   [](const HardResult& a, const HardResult& b) { return a.name < b.name; });
+  return results;
+}
+
+}  // namespace platon::bench

@@ -1,0 +1,61 @@
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <string>
+
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+
+#include "platon_version.h"
+#include "tests/bench/report.h"
+
+namespace {
+
+using namespace platon::bench;
+
+// Debian's Chipmunk greets on stdout, which is for results: while it lives, that goes to stderr.
+class StdoutToStderr {
+ public:
+  StdoutToStderr() : stdout_(dup(STDOUT_FILENO)) { dup2(STDERR_FILENO, STDOUT_FILENO); }
+  ~StdoutToStderr() {
+    std::fflush(stdout);
+    dup2(stdout_, STDOUT_FILENO);
+    close(stdout_);
+  }
+  StdoutToStderr(const StdoutToStderr&) = delete;
+  StdoutToStderr& operator=(const StdoutToStderr&) = delete;
+
+ private:
+  int stdout_;
+};
+
+Report run(const Effort& effort) {
+  const StdoutToStderr quiet;
+  return runAll(effort, [](const char* part) { std::fprintf(stderr, "platon-bench: %s\n", part); });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  bool quick = false;
+  bool json = false;
+  CLI::App app("platon-bench: speed against error, beside other engines.", "platon-bench");
+  app.set_version_flag("--version", "platon-bench " + std::string(platon::kVersion));
+  app.add_flag("--quick", quick, "a tenth of the work, in under a minute");
+  app.add_flag("--json", json, "one JSON object on stdout");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& reason) {
+    return app.exit(reason) == 0 ? 0 : 2;
+  }
+  try {
+    std::filesystem::current_path(PLATON_ROOT);  // levels and scenes are found from there
+    const Report report = run(quick ? Effort::quick() : Effort());
+    std::printf("%s\n", (json ? toJson(report) : toText(report)).c_str());
+    return 0;
+  } catch (const std::exception& reason) {
+    std::fprintf(stderr, "platon-bench: %s\n", reason.what());
+    return 1;
+  }
+}

@@ -1,0 +1,154 @@
+#include "tests/bench/parts_bench.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "shared/exact/integer.h"
+#include "shared/game/level.h"
+#include "shared/game/player.h"
+#include "shared/game/solid.h"
+#include "shared/physics/map_part.h"
+#include "tests/lockstep/seeded_random.h"
+
+namespace platon::bench {
+namespace {
+
+constexpr std::uint64_t kSeed = 41;
+constexpr std::int32_t kFace = 480;  // level units
+constexpr std::int32_t kHalf = kFace / 2 * kSubunitsPerUnit;
+constexpr std::int64_t kStepsOfOneWay = 16;
+constexpr std::int32_t kSpeed = kPlayerRadius / static_cast<std::int32_t>(kStepsOfOneWay);
+
+class Piercing : public Rules {
+ public:
+  bool pierce(const Entity&, const LineRef& line) const override { return line.warp; }
+};
+
+// A mover that does the same small dance in every scene: to and fro by its own radius.
+class Dance {
+ public:
+  Dance(World world, Rules* rules, std::int32_t turn, std::int32_t speed)
+      : world_(std::move(world)), rules_(rules), turn_(turn), speed_(speed) {}
+
+  PartResult result(const std::string& scene) const {
+    const auto ways = static_cast<double>(steps_ / kStepsOfOneWay);
+    return {scene,
+            1 + static_cast<double>(furtherInstances_) / ways,
+            static_cast<double>(world_.entities()[0].crossings) / static_cast<double>(steps_),
+            {}};
+  }
+  // Nanoseconds a step.
+  double run(std::int64_t steps) {
+    double spent = 0;
+    const std::int64_t end = steps_ + steps;
+    while (steps_ < end) {
+      spent += nanosecondsOf([&] { goOneWay(); });
+      furtherInstances_ += world_.instancesOf(0).size();
+    }
+    return spent / static_cast<double>(steps);
+  }
+
+ private:
+  void goOneWay() {
+    const std::int32_t sign = steps_ / kStepsOfOneWay % 2 == 0 ? 1 : -1;
+    for (std::int64_t i = 0; i < kStepsOfOneWay; ++i, ++steps_) {
+      Entity entity(world_, 0);
+      entity.setVelocity({sign * speed_, 0}, entity.rotation());
+      if (turn_ != 0) entity.rotate(turn_);
+      rules_ != nullptr ? world_.solve(*rules_) : world_.solve();
+    }
+  }
+
+  World world_;
+  Rules* rules_;
+  std::int32_t turn_;
+  std::int32_t speed_;
+  std::int64_t steps_ = 0;
+  std::size_t furtherInstances_ = 0;
+};
+
+// The same few lines on a plane and on each face of a cube, away from its middle and its edges; level units.
+std::vector<Segment> someLines() {
+  sim::SeededRandom random(kSeed);
+  std::vector<Segment> lines;
+  while (lines.size() < 40) {
+    const Point a = random.vector(kFace * 3 / 8);
+    if (squaredLength(a) < squaredLength(Point(kFace / 6, 0))) continue;
+    lines.push_back({a, a + random.vector(kFace / 24)});
+  }
+  return lines;
+}
+
+World plane() {
+  World world;
+  MapPart part(world, 0);
+  const auto subunits = [](Point point) { return Point(point.x * kSubunitsPerUnit, point.y * kSubunitsPerUnit); };
+  for (const Segment& line : someLines()) part.line(subunits(line.a), subunits(line.b));
+  part.initialize();
+  return world;
+}
+
+World cube() {
+  std::string face = "%\n";
+  for (const auto& [a, b] : someLines()) {
+    for (const std::int32_t number : {a.x, a.y, b.x, b.y}) face += std::to_string(number) + " ";
+    face += "\n";
+  }
+  std::string text = "HEXAHEDRON\n0 0 0 0\n5 0 0\n" + std::to_string(kFace) + "\n";
+  for (int i = 0; i < 6; ++i) text += face;
+  const LevelResult result = loadLevel(text);
+  if (!result.level) throw std::logic_error(format("cube", result.diagnostics.at(0)));
+  return result.level->world;
+}
+
+World with(World world, Point position) {
+  Entity entity(world, playerShape());
+  MapPart(world, 0).insert(entity, position, Angle());
+  return world;
+}
+
+}  // namespace
+
+std::vector<PartResult> benchParts(const Effort& effort) {
+  constexpr Point kOnEdge{kHalf - 6 * kSubunitsPerUnit, 0};
+  constexpr Point kEdge{kHalf - 2 * kSubunitsPerUnit, 0};
+  constexpr Point kCorner{kHalf - 10 * kSubunitsPerUnit, kHalf - 10 * kSubunitsPerUnit};
+  static Piercing piercing;
+  struct Scene {
+    std::string name;
+    std::unique_ptr<Dance> dance;
+  };
+  std::vector<Scene> scenes;
+  const auto add = [&](const std::string& name, World world, Rules* rules, std::int32_t turn,
+                       std::int32_t speed = kSpeed) {
+    scenes.push_back({name, std::make_unique<Dance>(std::move(world), rules, turn, speed)});
+  };
+  add("plane, at rest", with(plane(), {}), nullptr, 0, 0);
+  add("plane", with(plane(), {}), nullptr, 0);
+  add("plane, own rules", with(plane(), {}), &piercing, 0);
+  add("plane, turning", with(plane(), {}), nullptr, 500);
+  add("solid, middle of a face", with(cube(), {}), nullptr, 0);
+  add("solid, over an edge to and fro", with(cube(), kEdge), nullptr, 0);
+  add("solid, on an edge", with(cube(), kOnEdge), nullptr, 0, kSpeed / 64);
+  add("solid, at a corner", with(cube(), kCorner), nullptr, 0, kSpeed / 64);
+  add("solid, at a corner, turning", with(cube(), kCorner), nullptr, 500, kSpeed / 64);
+  const std::int64_t steps = std::max(kStepsOfOneWay, 20000 / effort.share / kStepsOfOneWay * kStepsOfOneWay);
+  std::vector<std::function<double()>> passes;
+  for (const Scene& scene : scenes) passes.push_back([dance = scene.dance.get(), steps] { return dance->run(steps); });
+  const auto spreads = interleaved(passes, effort.passes);
+  std::vector<PartResult> results;
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    results.push_back(scenes[i].dance->result(scenes[i].name));
+    results.back().nsPerStep = spreads[i];
+  }
+  return results;
+}
+
+}  // namespace platon::bench

@@ -1,0 +1,56 @@
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "shared/physics/entity.h"
+#include "shared/physics/map_part.h"
+#include "shared/physics/rules.h"
+#include "shared/physics/world.h"
+#include "tests/bench/engine.h"
+
+namespace platon::bench {
+namespace {
+
+constexpr std::uint32_t kPart = 0;
+
+class PlatonEngine : public Engine {
+ public:
+  explicit PlatonEngine(const Scene& scene) {
+    MapPart part(world_, kPart);
+    for (const Segment& line : scene.lines) part.line(line.a, line.b);
+    part.initialize();
+    for (const Point mover : scene.movers) {
+      Entity entity(world_, scene.shape);
+      part.insert(entity, mover, Angle());
+    }
+  }
+
+  void setVelocity(std::size_t mover, Place velocity) override {
+    Entity(world_, static_cast<std::uint32_t>(mover))
+        .setVelocity({static_cast<std::int32_t>(velocity.x), static_cast<std::int32_t>(velocity.y)});
+  }
+  void step() override { world_.solve(rules_); }
+  Place position(std::size_t mover) const override {
+    const Point position = world_.entities()[mover].position;
+    return {static_cast<double>(position.x), static_cast<double>(position.y)};
+  }
+
+ private:
+  World world_;
+  Rules rules_;
+};
+
+}  // namespace
+
+std::unique_ptr<Engine> makePlaton(const Scene& scene) { return std::make_unique<PlatonEngine>(scene); }
+
+const std::vector<EngineKind>& engineKinds() {
+  static const std::vector<EngineKind> kinds{{"platon", &makePlaton},
+                                             {"float32", &makeFloat32},
+                                             {"float64", &makeFloat64},
+                                             {"box2d-2.4", &makeBox2d},
+                                             {"chipmunk-7.0", &makeChipmunk}};
+  return kinds;
+}
+
+}  // namespace platon::bench

@@ -1,0 +1,156 @@
+#include "tests/bench/step_bench.h"
+
+#include <malloc.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "shared/exact/integer.h"
+#include "shared/physics/sweep.h"
+#include "tests/bench/engine.h"
+#include "tests/lockstep/seeded_random.h"
+#include "tests/shared/physics/shapes.h"
+
+namespace platon::bench {
+namespace {
+
+constexpr std::uint64_t kSeed = 8;
+constexpr std::int32_t kRadius = 12 * kSubunitsPerUnit;
+constexpr std::int32_t kSpeed = kRadius / 2;  // 22 m/s
+constexpr std::int32_t kLongestLine = 6 * kRadius;
+constexpr std::int32_t kSpacing = 6 * kRadius;  // one line in each square of this side
+constexpr int kStepsOfOneVelocity = 30;
+
+bool isFree(const Convex& shape, Point position, const std::vector<Segment>& lines) {
+  Sweep sweep;
+  sweep.start(shape, position, {});
+  return std::none_of(lines.begin(), lines.end(), [&](const Segment& line) { return sweep.against(line).has_value(); });
+}
+
+// As many lines as asked for, about evenly spread over a square that grows with their number, and a wall round it.
+Scene sceneOf(std::size_t segments, std::size_t movers) {
+  sim::SeededRandom random(kSeed);
+  const auto half = static_cast<std::int32_t>(std::sqrt(static_cast<double>(segments)) * kSpacing / 2);
+  const auto anywhere = [&] {
+    const auto coordinate = [&] {
+      return static_cast<std::int32_t>(random.below(2 * static_cast<std::uint64_t>(half))) - half;
+    };
+    const std::int32_t x = coordinate();
+    return Point(x, coordinate());
+  };
+  Scene scene{.lines = {}, .shape = regular(8, kRadius), .movers = {}};
+  const std::int32_t wall = half + 2 * kLongestLine;
+  scene.lines = {{{-wall, -wall}, {wall, -wall}},
+                 {{wall, -wall}, {wall, wall}},
+                 {{wall, wall}, {-wall, wall}},
+                 {{-wall, wall}, {-wall, -wall}}};
+  while (scene.lines.size() < segments) {
+    const Point a = anywhere();
+    scene.lines.push_back({a, a + random.vector(kLongestLine)});
+  }
+  while (scene.movers.size() < movers) {
+    const Point position = anywhere();
+    if (isFree(scene.shape, position, scene.lines)) scene.movers.push_back(position);
+  }
+  return scene;
+}
+
+std::size_t heapBytes() {
+  const struct mallinfo2 info = mallinfo2();
+  return info.uordblks + info.hblkhd;
+}
+
+double heapBytesOf(const EngineKind& kind, const Scene& scene) {
+  const std::size_t before = heapBytes();
+  const auto engine = kind.make(scene);
+  return static_cast<double>(heapBytes() - before);
+}
+
+class Runner {
+ public:
+  Runner(const EngineKind& kind, const Scene& scene) : random_(kSeed) {
+    const Scene bare{.lines = {}, .shape = scene.shape, .movers = {}};
+    const Scene still{.lines = scene.lines, .shape = scene.shape, .movers = {}};
+    kind.make(still);  // what is taken once and for all
+    const double withLines = heapBytesOf(kind, still);
+    bytesPerSegment_ = (withLines - heapBytesOf(kind, bare)) / static_cast<double>(scene.lines.size());
+    const std::size_t before = heapBytes();
+    engine_ = kind.make(scene);
+    movers_ = scene.movers.size();
+    run(2 * kStepsOfOneVelocity);  // warm
+    bytesPerMover_ = (static_cast<double>(heapBytes() - before) - withLines) / static_cast<double>(movers_);
+  }
+
+  double bytesPerSegment() const { return bytesPerSegment_; }
+  double bytesPerMover() const { return bytesPerMover_; }
+
+  // Nanoseconds a mover and step.
+  double run(std::int64_t steps) {
+    double spent = 0;
+    for (std::int64_t done = 0; done < steps; done += kStepsOfOneVelocity) {
+      velocities_.clear();
+      for (std::size_t i = 0; i < movers_; ++i) velocities_.push_back(random_.vector(kSpeed));
+      spent += nanosecondsOf([&] { runOneVelocity(); });
+    }
+    const std::int64_t done = (steps + kStepsOfOneVelocity - 1) / kStepsOfOneVelocity * kStepsOfOneVelocity;
+    return spent / static_cast<double>(done) / static_cast<double>(movers_);
+  }
+
+ private:
+  void runOneVelocity() {
+    for (int step = 0; step < kStepsOfOneVelocity; ++step) {
+      for (std::size_t i = 0; i < movers_; ++i) {
+        engine_->setVelocity(i, {static_cast<double>(velocities_[i].x), static_cast<double>(velocities_[i].y)});
+      }
+      engine_->step();
+    }
+  }
+
+  sim::SeededRandom random_;
+  std::unique_ptr<Engine> engine_;
+  std::size_t movers_ = 0;
+  double bytesPerSegment_ = 0;
+  double bytesPerMover_ = 0;
+  std::vector<Point> velocities_;
+};
+
+// All scenes with so many movers take turns, too: their costs are compared with each other.
+std::vector<StepResult> benchScenes(std::size_t movers, const Effort& effort) {
+  const std::int64_t steps =
+      std::max<std::int64_t>(kStepsOfOneVelocity, 60000 / static_cast<std::int64_t>(movers) / effort.share);
+  std::vector<std::unique_ptr<Runner>> runners;
+  std::vector<std::function<double()>> passes;
+  std::vector<StepResult> results;
+  for (const std::size_t segments : {100u, 1000u, 10000u, 100000u}) {
+    if (segments > effort.mostSegments) break;
+    const Scene scene = sceneOf(segments, movers);
+    for (const EngineKind& kind : engineKinds()) {
+      Runner* const runner = runners.emplace_back(std::make_unique<Runner>(kind, scene)).get();
+      passes.push_back([=] { return runner->run(steps); });
+      results.push_back({kind.name, segments, movers, {}, runner->bytesPerSegment(), runner->bytesPerMover()});
+    }
+  }
+  const auto spreads = interleaved(passes, effort.passes);
+  for (std::size_t i = 0; i < results.size(); ++i) results[i].nsPerStep = spreads[i];
+  return results;
+}
+
+}  // namespace
+
+std::vector<StepResult> benchSteps(const Effort& effort) {
+  std::vector<StepResult> results;
+  for (const std::size_t movers : {1u, 64u, 1000u}) {
+    for (StepResult& result : benchScenes(movers, effort)) results.push_back(std::move(result));
+  }
+  std::stable_sort(results.begin(), results.end(),
+                   [](const StepResult& a, const StepResult& b) { return a.segments < b.segments; });
+  return results;
+}
+
+}  // namespace platon::bench

@@ -1,0 +1,228 @@
+#include "tests/bench/sweep_sets.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <functional>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "shared/exact/integer.h"
+#include "tests/lockstep/seeded_random.h"
+#include "tests/shared/physics/shapes.h"
+
+namespace platon::bench {
+namespace {
+
+constexpr std::uint64_t kSeed = 12;
+constexpr std::size_t kShapes = 32;
+constexpr std::int32_t kRadius = 12 * kSubunitsPerUnit;  // a player's
+constexpr std::int32_t kSpeed = 3 * kRadius;
+constexpr std::int32_t kFarScale = 4096;  // subunits a metre, where 1e5 m are meant
+
+using sim::SeededRandom;
+using Make = std::function<SweepQuestion(SeededRandom&, const Convex&)>;
+using MakeShapes = std::function<std::vector<Convex>(SeededRandom&)>;
+
+// Regular ones of radii in [least, 2 * least * 2^spread), turned by any angle.
+MakeShapes polygons(int corners, std::int32_t least = kRadius / 2, std::uint64_t spread = 1) {
+  return [=](SeededRandom& random) {
+    std::vector<Convex> shapes;
+    while (shapes.size() < kShapes) {
+      const auto doublings = random.below(spread);
+      const auto radius = static_cast<std::int32_t>((static_cast<std::uint64_t>(least) << doublings) +
+                                                    random.below(static_cast<std::uint64_t>(least)));
+      const Angle angle(static_cast<std::int32_t>(random.below(Angle::kTurn)));
+      if (const auto turned = regular(corners, radius).turned(angle)) shapes.push_back(*turned);
+    }
+    return shapes;
+  };
+}
+
+SweepSet setOf(const std::string& name, std::size_t questions, const Make& make,
+               const MakeShapes& makeShapes = polygons(8)) {
+  SeededRandom random(kSeed);
+  SweepSet set{.name = name, .shapes = makeShapes(random), .questions = {}};
+  for (std::size_t i = 0; i < questions; ++i) {
+    const auto shape = static_cast<std::size_t>(random.below(set.shapes.size()));
+    SweepQuestion question = make(random, set.shapes[shape]);
+    question.shape = shape;
+    set.questions.push_back(question);
+  }
+  return set;
+}
+
+SweepQuestion randomQuestion(SeededRandom& random, const Convex&) {
+  const Point a = random.vector(4 * kRadius);
+  return {0, random.vector(kRadius), random.vector(kSpeed), {a, a + random.vector(6 * kRadius)}};
+}
+
+SweepQuestion shifted(SweepQuestion question, Point by) {
+  question.position = question.position + by;
+  question.line = {question.line.a + by, question.line.b + by};
+  return question;
+}
+
+Make farAway(std::int32_t distance) {
+  return [distance](SeededRandom& random, const Convex& shape) {
+    return shifted(randomQuestion(random, shape),
+                   rotate(Point(distance, 0), Angle(static_cast<std::int32_t>(random.below(Angle::kTurn)))));
+  };
+}
+
+// The vertex that lies farthest along `direction`.
+Point farthest(const Convex& shape, Point direction) {
+  return *std::max_element(shape.vertices().begin(), shape.vertices().end(),
+                           [&](Point u, Point v) { return dot(direction, u) < dot(direction, v); });
+}
+
+// A vector of length `most` at most, on this side.
+Point towards(SeededRandom& random, Point side, std::int32_t most) {
+  const Point vector = random.vector(most);
+  return dot(vector, side) < 0 ? Point() - vector : vector;
+}
+
+// The vertex that lies farthest aside passes the line's end, give or take two subunits; the line leads away or along.
+SweepQuestion grazingQuestion(SeededRandom& random, const Convex& shape) {
+  SweepQuestion question = randomQuestion(random, shape);
+  const Point left = perpendicular(question.displacement);
+  const Point side = random.below(2) == 0 ? left : Point() - left;
+  const auto way = static_cast<std::int64_t>(random.below(1024));
+  const Point passed = question.position + farthest(shape, side) +
+                       Point(static_cast<std::int32_t>(question.displacement.x * way / 1024),
+                             static_cast<std::int32_t>(question.displacement.y * way / 1024));
+  question.line.a = passed + random.vector(2);
+  question.line.b =
+      question.line.a + (random.below(2) == 0 ? towards(random, side, 6 * kRadius) : question.displacement);
+  return question;
+}
+
+// Straight at an end: right over it, or so far that the foremost vertex just reaches it, give or take two subunits.
+SweepQuestion endPointQuestion(SeededRandom& random, const Convex& shape) {
+  SweepQuestion question = randomQuestion(random, shape);
+  question.line.a = question.position + question.displacement;
+  if (random.below(3) != 0) question.line.a += farthest(shape, question.displacement) + random.vector(2);
+  question.line.b = question.line.a + towards(random, question.displacement, 2 * kRadius);
+  return question;
+}
+
+// Every line is of one length in every direction.
+Make lineOf(std::int32_t length) {
+  return [length](SeededRandom& random, const Convex&) {
+    const Point half = rotate(Point((length + 1) / 2, 0), Angle(static_cast<std::int32_t>(random.below(Angle::kTurn))));
+    const Point middle = random.vector(2 * kRadius);
+    return SweepQuestion{0, {}, random.vector(kSpeed), {middle - half, middle + half}};
+  };
+}
+
+// A vertex of the shape lies on the line, and the line is a tangent there.
+SweepQuestion touchingQuestion(SeededRandom& random, const Convex& shape) {
+  const auto index = static_cast<std::size_t>(random.below(shape.vertices().size()));
+  const Point vertex = shape.vertices()[index];
+  const Point along = shape.vertices()[(index + 1) % shape.vertices().size()] - vertex;
+  return {0, {}, random.vector(kSpeed), {vertex - along, vertex + along + along}};
+}
+
+bool isInRange(Point point) { return std::max(std::abs(point.x), std::abs(point.y)) < kCoordinateLimit; }
+
+// A third leads right to a point of the line.
+SweepQuestion fullRangeQuestion(SeededRandom& random, const Convex&) {
+  const auto anywhere = [&] {
+    const auto coordinate = [&] {
+      return static_cast<std::int32_t>(static_cast<std::int64_t>(random.below(2 * kCoordinateLimit - 1)) -
+                                       kCoordinateLimit + 1);
+    };
+    const std::int32_t x = coordinate();
+    return Point(x, coordinate());
+  };
+  SweepQuestion question{0, anywhere(), anywhere(), {}};
+  question.line.a = anywhere();
+  question.line.b = anywhere();
+  const Point middle((question.line.a.x + question.line.b.x) / 2, (question.line.a.y + question.line.b.y) / 2);
+  const Point there = middle - question.position;
+  if (random.below(2) == 0 && isInRange(there)) question.displacement = there;
+  return question;
+}
+
+// {x, y} with x * a.x + y * a.y = 1, for coprime coordinates (the extended algorithm of Euclid).
+Point bezout(Point a) {
+  std::int64_t remainder[2] = {a.x, a.y};
+  Point factors[2] = {{1, 0}, {0, 1}};
+  while (remainder[1] != 0) {
+    const auto quotient = static_cast<std::int32_t>(remainder[0] / remainder[1]);
+    remainder[0] -= quotient * remainder[1];
+    factors[0] = factors[0] - Point(quotient * factors[1].x, quotient * factors[1].y);
+    std::swap(remainder[0], remainder[1]);
+    std::swap(factors[0], factors[1]);
+  }
+  return remainder[0] > 0 ? factors[0] : Point() - factors[0];
+}
+
+// Vectors that are almost parallel to `along`, which has coprime coordinates: cross(along, v) = `product`, and of all
+// such vectors v is one about `share` times as long.
+class Parallels {
+ public:
+  explicit Parallels(Point along) : along_(along) {
+    const Point factors = bezout(along);  // cross(along, step) = 1
+    step_ = {-factors.y, factors.x};
+  }
+
+  Point at(std::int64_t product, double share) const {
+    const auto x = static_cast<int128>(step_.x) * product;
+    const auto y = static_cast<int128>(step_.y) * product;
+    const auto wanted = static_cast<long double>(share) * static_cast<long double>(along_.x);
+    const auto times = static_cast<int128>((wanted - static_cast<long double>(x)) / static_cast<long double>(along_.x));
+    return {static_cast<std::int32_t>(x + times * along_.x), static_cast<std::int32_t>(y + times * along_.y)};
+  }
+
+ private:
+  Point along_;
+  Point step_;
+};
+
+// The displacement and the line, both of the longest, are within 1e-17 to 1e-13 rad of parallel, and the vertex that
+// comes nearest starts less than a subunit beside the line: it ends on either side of it.
+SweepQuestion sliverQuestion(SeededRandom& random, const Convex& shape) {
+  for (;;) {
+    const Point along = random.vector(kCoordinateLimit / 2);
+    if (along.x == 0 || std::gcd(along.x, along.y) != 1) continue;
+    const Parallels parallels(along);
+    const std::uint64_t bits = random.below(12);
+    const auto product = static_cast<std::int64_t>(1 + (random.below(1 << 12) >> bits));
+    const double share = 0.5 + static_cast<double>(random.below(1024)) / 2048;
+    const Point vertex = farthest(shape, Point() - perpendicular(along));
+    const Point a = random.vector(kCoordinateLimit - 1 - kCoordinateLimit / 2);
+    const auto height = static_cast<std::int64_t>(random.below(static_cast<std::uint64_t>(product)) * 3 / 2);
+    const Point position = a - vertex + parallels.at(height, static_cast<double>(random.below(1024)) / 4096);
+    const SweepQuestion question{0, position, parallels.at(-product, share), {a, a + along}};
+    if (isInRange(position) && isInRange(question.displacement) && isInRange(question.line.b)) return question;
+  }
+}
+
+}  // namespace
+
+std::vector<SweepSet> sweepSets(std::size_t questions) {
+  const MakeShapes huge = polygons(8, 1 << 14, 14);
+  std::vector<SweepSet> sets{
+      setOf("random", questions, &randomQuestion),
+      setOf("random-12-gon", questions, &randomQuestion, polygons(12)),
+      setOf("grazing", questions, &grazingQuestion),
+      setOf("end-point", questions, &endPointQuestion),
+      setOf("far-1e3", questions, farAway(1000 * 16384)),
+      setOf("far-1e5", questions, farAway(100000 * kFarScale)),
+      setOf("long-lines", questions, lineOf(10000 * 16384)),
+      setOf("short-lines", questions, lineOf(8)),
+      setOf("touching", questions, &touchingQuestion),
+      setOf("full-range", questions, &fullRangeQuestion, huge),
+      setOf("slivers", questions, &sliverQuestion, huge),
+  };
+  for (SweepSet& set : sets) {
+    if (set.name == "far-1e5") set.subunitsPerMetre = kFarScale;
+  }
+  return sets;
+}
+
+}  // namespace platon::bench

@@ -1,0 +1,188 @@
+#!/usr/bin/env python3
+"""Writes docs/speed_vs_error.md and its plots from what platon-bench --json has printed.
+
+usage: write_report.py REPORT.json ROOT
+"""
+
+import json
+import os
+import platform
+import sys
+from pathlib import Path
+
+from plots import Plots
+from prose import AIMED, ENGINES_USED, HARD_CASES, HEAD, MEMORY, PARTS, RESOLUTION, STEPS, SWEEP_ERRORS, SWEEPS, verdicts
+from report_data import ENGINES, MOVERS, SEGMENTS, ReportData, count
+from targets import target_rows
+
+PICTURES = "docs/pictures"
+
+# Where a plot with a logarithmic axis shows an error of 0.
+NO_TIME_ERROR = 1e-19
+NO_OVERLAP = 1e-5
+
+PARTS_CROSSING = "solid, over an edge to and fro"
+
+
+def table(heads, rows):
+    lines = [heads, ["---"] * len(heads), *rows]
+    return "\n".join(f"| {' | '.join(map(str, line))} |" for line in lines)
+
+
+def short(value):
+    if value == 0:
+        return "0"
+    return f"{value:.1e}" if abs(value) < 0.001 else f"{value:.3g}" if abs(value) < 1000 else count(round(value))
+
+
+def spread(result, key, digits=0):
+    """Median, and the lowest and highest pass."""
+    median, low, high = (f"{result[key + end]:.{digits}f}" for end in ("", "Low", "High"))
+    return f"{median} ({low}–{high})"
+
+
+def by_engine(rows, find, cell, first=""):
+    """A row for each of `rows` and a column for each engine; empty where `find` finds nothing."""
+    lines = []
+    for row in rows:
+        found = [find(row, engine) for engine in ENGINES]
+        lines.append([row, *("" if result is None else cell(result) for result in found)])
+    return table([first, *ENGINES], lines)
+
+
+def draw_all(data, folder):
+    plots = Plots(folder)
+    plots.points(
+        "speed_error_step",
+        {"title": "Whole steps", "x": f"ns a mover and step, {MOVERS} movers, {count(SEGMENTS)} segments",
+         "y": "deepest overlap in the hard cases, subunits"},
+        {engine: (data.step_ns(engine, SEGMENTS), data.overlap(engine)) for engine in ENGINES},
+        NO_OVERLAP)  # fmt: skip
+    plots.points(
+        "speed_error_sweep",
+        {"title": "Sweeps", "x": "ns a query, median of the sets", "y": "worst error of time, part of the displacement"},
+        {engine: (data.median_sweep_ns(engine), data.time_error(engine)) for engine in ENGINES if data.sweeps_of(engine)},
+        NO_TIME_ERROR)  # fmt: skip
+    sizes = list(dict.fromkeys(segments for segments, _ in data.scenes()))
+    plots.curves(
+        "cost_segments",
+        {"title": "Cost of a step", "x": "segments", "y": f"ns a mover and step, {MOVERS} movers"},
+        {engine: [(n, data.step_ns(engine, n)) for n in sizes] for engine in ENGINES})  # fmt: skip
+    ladder = {}
+    for result in data.report["resolution"]:
+        ladder.setdefault(result["engine"], []).append((result["subunitsPerUnit"], result["maxTrajectoryError"]))
+    plots.curves(
+        "error_resolution",
+        {"title": "Error of the trajectory", "x": "subunits a unit", "y": "worst distance from the ideal one, units"},
+        ladder)  # fmt: skip
+
+
+def sweep_tables(data):
+    met = {r["set"]: f"{100 * r['meetings'] / r['questions']:.0f} %" for r in data.sweeps_of("platon")}
+    times = by_engine(data.sets(), data.sweep, lambda r: spread(r, "nsPerQuery"), "ns a query")
+    errors = by_engine(
+        [f"{name}, {met[name]} meet" for name in data.sets()],
+        lambda row, engine: data.sweep(row.split(",")[0], engine),
+        lambda r: f"{count(r['missed'])} / {count(r['false'])}; " + "; ".join(short(r[key]) for key in ("maxTimeError", "maxOverlap")),
+    )
+    return SWEEPS.format(count(data.sweeps_of("platon")[0]["questions"])), times, SWEEP_ERRORS, errors
+
+
+def step_tables(data):
+    times = [[count(s), count(m), *(spread(data.step(e, s, m), "nsPerStep") for e in ENGINES)] for s, m in data.scenes()]
+    sizes = list(dict.fromkeys(segments for segments, _ in data.scenes()))
+    layout = "{bytesPerSegment:.1f}; {bytesPerMover:.0f}"
+    memory = [[count(n), *(layout.format(**data.step(e, n)) for e in ENGINES)] for n in sizes]
+    return STEPS, table(["segments", "movers", *ENGINES], times), MEMORY, table(["segments", *ENGINES], memory)
+
+
+def hard_case_tables(data):
+    ends = ("driven into a wedge", "pushed along a floor", "at rest")
+    cells = (
+        lambda r: f"{short(r['maxOverlap'])}; {r['tunnelled']}",
+        lambda r: f"{short(r['maxOverlap'])}; {r['speedDrops']} / {r['pops']}",
+        lambda r: f"{short(r['maxOverlap'])}; {short(r['restDrift'])}; {short(round(r['restGap'], 6))}",
+    )
+    yield HARD_CASES.format(count(min(r["steps"] for r in data.report["hardCases"])))
+    for start, end, cell in zip(("wedge", "joints", "rest"), ends, cells, strict=True):
+        yield by_engine([name for name in data.cases() if name.startswith(start)], data.hard_case, cell, end)
+
+
+def ladder_tables(data):
+    shown = [engine for engine in ENGINES if data.on_ladder(engine, data.resolutions()[0])]
+    rows = []
+    for n in data.resolutions():
+        found = [data.on_ladder(engine, n) for engine in shown]
+        own = f"{found[0]['maxTrajectoryError'] * n:.0f}"
+        rows.append([count(n), own, *(f"{short(r['maxTrajectoryError'])}; {spread(r, 'nsPerStep')}" for r in found)])
+    errors = [r["maxTrajectoryError"] * r["subunitsPerUnit"] for r in data.report["resolution"] if r["engine"] == "platon"]
+    heads = ["subunits a unit", "platon's error in subunits", *shown]
+    return RESOLUTION.format(low=min(errors), high=max(errors)), table(heads, rows)
+
+
+def part_tables(data):
+    cost = {r["scene"]: r["nsPerStepLow"] for r in data.report["parts"]}
+    plain = next(r["nsPerStep"] for r in data.report["parts"] if r["scene"] == "plane")
+    crossings = next(r["crossingsPerStep"] for r in data.report["parts"] if r["scene"] == PARTS_CROSSING)
+    text = PARTS.format(
+        rules=cost["plane, own rules"] / cost["plane"], solid=cost["solid, middle of a face"] / cost["plane"],
+        crossing=(cost[PARTS_CROSSING] - cost["solid, on an edge"]) / crossings)  # fmt: skip
+    rows = []
+    for r in data.report["parts"]:
+        times = f"{r['nsPerStep'] / plain:.2f}"
+        rows.append([r["scene"], spread(r, "nsPerStep"), times, f"{r['instances']:.2f}", f"{r['crossingsPerStep']:.4f}"])
+    return text, table(["one mover's step", "ns", "× the plain plane", "instances", "crossings a step"], rows)
+
+
+def game_tables(data):
+    shot = data.report["snapshot"]
+    rows = [[f"{end} {shot['movers']} movers, {count(shot['bytes'])} bytes", spread(shot, f"{end}Ns") + " ns"]
+            for end in ("save", "restore", "hash")]  # fmt: skip
+    rows += [[f"{r['players']} players, {r['ticks']} ticks once more", spread(r, "microseconds") + " µs"]
+             for r in data.report["resimulation"]]  # fmt: skip
+    rows += [[f"`Game::advance`, {r['level']}, a player of {r['players']}", spread(r, "nsPerPlayerTick") + " ns"]
+             for r in data.report["advance"]]  # fmt: skip
+    return (table(["", "median (spread)"], rows),)
+
+
+def machine():
+    cpu = platform.processor() or platform.machine()
+    info = Path("/proc/cpuinfo")
+    if info.exists():
+        names = [line.split(":", 1)[1].strip() for line in info.read_text().splitlines() if line.startswith("model name")]
+        cpu = names[0] if names else cpu
+    return f"{cpu}, {os.cpu_count()} processors"
+
+
+def document(report):
+    data = ReportData(report)
+    held = [[name, aim, measured, "yes" if holds else "**no**"] for name, aim, measured, holds in target_rows(data)]
+    sections = {
+        "What the run shows": ["\n".join(f"- {verdict}" for verdict in verdicts(data))],
+        "What was aimed at": [AIMED, table(["what", "aim", "measured", "holds"], held)],
+        "How each engine is used": [ENGINES_USED],
+        "Sweeps": sweep_tables(data),
+        "Whole steps": step_tables(data),
+        "Hard cases": hard_case_tables(data),
+        "Resolution": ladder_tables(data),
+        "What a scene does not need": part_tables(data),
+        "Games": game_tables(data),
+    }
+    text = [HEAD.format(machine=machine(), **report["build"])]
+    for head, parts in sections.items():
+        text += [f"## {head}", *parts]
+    return "\n\n".join(text) + "\n"
+
+
+def main(arguments):
+    if len(arguments) != 2:
+        sys.exit(__doc__)
+    report = json.loads(Path(arguments[0]).read_text(encoding="utf-8"))
+    root = Path(arguments[1]).resolve()
+    text = document(report)
+    draw_all(ReportData(report), root / PICTURES)
+    (root / "docs/speed_vs_error.md").write_text(text, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])
