@@ -16,6 +16,7 @@ class GameRules : public Rules {
  public:
   GameRules(World& world, std::vector<PlayerState>& players) : world_(world), players_(players) {}
 
+  bool heedsNoWarp() const override { return true; }
   void contact(Entity& entity, const Contact& contact) override {
     if (entity.index() != moved_) steep_ = Point();
     moved_ = entity.index();

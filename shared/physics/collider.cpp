@@ -11,6 +11,7 @@ LineRef lineRef(const MapGeometry& part, std::uint32_t line) {
 
 void Collider::begin(Rules& rules, Entity entity, std::vector<Region>& regions) {
   rules_ = &rules;
+  heedsNoWarp_ = rules.heedsNoWarp();
   entity_.emplace(entity);
   regions_ = &regions;
   regions.resize(Instances::kMost);
@@ -31,7 +32,7 @@ std::optional<Sweep::Meeting> Collider::meet(const Placement& placement, Region&
 }
 
 bool Collider::blocks(const MapGeometry& part, std::uint32_t line) const {
-  return !rules_->pierce(*entity_, lineRef(part, line));
+  return heedsNoWarp_ ? !part.isWarp(line) : !rules_->pierce(*entity_, lineRef(part, line));
 }
 
 bool Collider::blocksOrNote(const Placement& placement, std::uint32_t line) {
@@ -53,7 +54,7 @@ void Collider::first(const Instances& instances, std::size_t index, Point from, 
                      std::optional<LegHit>& best, std::uint32_t but) {
   const Placement& placement = instances.all()[index];
   Region& region = start(placement, *placement.shape, placement.at(from), placement.at(to));
-  for (std::size_t place = 0; place < region.lines().size(); ++place) {
+  for (std::size_t place = 0; place < endOfHeeded(region); ++place) {
     const std::uint32_t line = region.lines()[place];
     if (line == but) continue;
     const auto meeting = meet(placement, region, place);
@@ -103,7 +104,7 @@ bool Collider::isFree(const Instances& instances, Point from, Point to) {
 
 bool Collider::isFree(const Placement& placement, Point from, Point to) {
   Region& region = start(placement, *placement.shape, from, to);
-  for (std::size_t place = 0; place < region.lines().size(); ++place) {
+  for (std::size_t place = 0; place < endOfHeeded(region); ++place) {
     if (meet(placement, region, place) && blocksOrNote(placement, region.lines()[place])) return false;
   }
   return true;

@@ -86,10 +86,12 @@ class Collider {
   Region& regionOf(const Placement& placement) { return (*regions_)[placement.region]; }
   std::optional<Sweep::Meeting> meet(const Placement& placement, Region& region, std::size_t place);
   Obstacle* obstacleNear(const Placement& placement, const Path& path, std::uint32_t line);
+  std::size_t endOfHeeded(const Region& region) const { return heedsNoWarp_ ? region.firstWarp() : region.lines().size(); }
   bool blocks(const MapGeometry& part, std::uint32_t line) const;
   bool blocksOrNote(const Placement& placement, std::uint32_t line);
 
   Rules* rules_ = nullptr;
+  bool heedsNoWarp_ = false;   // the rules: warps neither block nor are noted
   std::optional<Entity> entity_;
   std::vector<Region>* regions_ = nullptr;
   std::vector<Pierced> pierced_;

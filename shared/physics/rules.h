@@ -37,6 +37,10 @@ class Rules {
   /// and arguments.
   virtual bool pierce(const Entity& entity, const LineRef& line) const;
 
+  /// True promises that `pierce` is the one above, which lets pass through warps alone, and that the next three do
+  /// nothing. None of these is called then, and warps cost no sweep except where an instance is to come into being.
+  virtual bool heedsNoWarp() const { return false; }
+
   /// A pierceable line is met, still overlapped at the end of the step, left.
   virtual void beginContact(Entity& entity, const LineRef& line);
   virtual void overContact(Entity& entity, const LineRef& line);

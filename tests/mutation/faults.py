@@ -227,7 +227,7 @@ FAULTS = [
           "rules are called in the wrong order of time",
           "world_test", "RulesTest.SeveralLinesCallInTheOrderOfTime"),
     Fault("every-line-blocks", PHYSICS + "collider.cpp",
-          "return !rules_->pierce(*entity_, lineRef(part, line));", "return !part.isWarp(line);",
+          ": !rules_->pierce(*entity_, lineRef(part, line));", ": !part.isWarp(line);",
           "rules do not decide what blocks",
           "world_test", "RulesTest.APierceableLineBeginsLastsAndEnds"),
     at_length("end-at-the-end-not-told", PHYSICS + "entity_step_rules.cpp",
