@@ -52,9 +52,10 @@ std::optional<LegHit> Collider::first(const Instances& instances, Point from, Po
 
 void Collider::first(const Instances& instances, std::size_t index, Point from, Point to,
                      std::optional<LegHit>& best, std::uint32_t but) {
+  if (isSettled(best)) return;
   const Placement& placement = instances.all()[index];
   Region& region = start(placement, *placement.shape, placement.at(from), placement.at(to));
-  for (std::size_t place = 0; place < endOfHeeded(region); ++place) {
+  for (std::size_t place = 0; place < endOfHeeded(region) && !isSettled(best); ++place) {
     const std::uint32_t line = region.lines()[place];
     if (line == but) continue;
     const auto meeting = meet(placement, region, place);
@@ -65,6 +66,7 @@ void Collider::first(const Instances& instances, std::size_t index, Point from, 
 
 std::optional<LegHit> Collider::firstWarp(const Instances& instances, const Path& path,
                                           const std::optional<LegHit>& limit, const std::vector<Gate>& shut) {
+  if (limit && limit->hit.time.numerator == 0) return std::nullopt;   // regions need not even be those of the way then
   std::optional<LegHit> best = limit;
   bool found = false;
   for (std::size_t i = 0; i < instances.all().size(); ++i) {

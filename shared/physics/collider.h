@@ -84,6 +84,9 @@ class Collider {
  private:
   Region& start(const Placement& placement, const Convex& shape, Point from, Point to);
   Region& regionOf(const Placement& placement) { return (*regions_)[placement.region]; }
+  bool isSettled(const std::optional<LegHit>& best) const {
+    return heedsNoWarp_ && best && best->hit.time.numerator == 0;
+  }
   std::optional<Sweep::Meeting> meet(const Placement& placement, Region& region, std::size_t place);
   Obstacle* obstacleNear(const Placement& placement, const Path& path, std::uint32_t line);
   std::size_t endOfHeeded(const Region& region) const { return heedsNoWarp_ ? region.firstWarp() : region.lines().size(); }
