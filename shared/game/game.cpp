@@ -7,6 +7,7 @@
 #include "shared/exact/hash.h"
 #include "shared/game/state_bytes.h"
 #include "shared/physics/map_part.h"
+#include "shared/physics/rules.h"
 
 namespace platon {
 namespace {
@@ -14,18 +15,21 @@ namespace {
 // Hands what the world reports to the player that it happened to.
 class GameRules : public Rules {
  public:
-  GameRules(World& world, std::vector<PlayerState>& players) : world_(world), players_(players) {}
+  GameRules(World& world, std::vector<PlayerState>& players, UnitNormals& unitNormals)
+      : world_(world), players_(players), unitNormals_(unitNormals) {}
 
   bool heedsNoWarp() const override { return true; }
   void contact(Entity& entity, const Contact& contact) override {
     if (entity.index() != moved_) steep_ = Point();
     moved_ = entity.index();
-    Player(world_, moved_, players_[moved_]).contact(contact, steep_);
+    Player player(world_, moved_, players_[moved_]);
+    player.contact(unitNormals_.of(contact.normal, contact.toHome - player.up()), steep_);
   }
 
  private:
   World& world_;
   std::vector<PlayerState>& players_;
+  UnitNormals& unitNormals_;
   std::uint32_t moved_ = ~std::uint32_t{0};   // the world moves one after the other
   Point steep_;                               // of the player being moved
 };
@@ -46,7 +50,7 @@ void Game::advance(std::span<const Input> inputs, StepObserver* observer) {
     if (restart) spawn(slot);
     Player(world_, slot, players_[slot]).tick(input);
   }
-  GameRules rules(world_, players_);
+  GameRules rules(world_, players_, unitNormals_);
   world_.solve(rules, observer);
   ++tick_;
   judge();

@@ -8,6 +8,7 @@
 #include "shared/game/input.h"
 #include "shared/game/level.h"
 #include "shared/game/player.h"
+#include "shared/game/unit_normals.h"
 #include "shared/physics/sweep.h"
 #include "shared/physics/world.h"
 
@@ -71,7 +72,8 @@ class Game {
   std::vector<PlayerState> players_;
   std::uint32_t tick_ = 0;
   std::uint8_t over_ = 0;
-  Sweep goalSweep_;   // room for work
+  UnitNormals unitNormals_;   // derived
+  Sweep goalSweep_;           // room for work
 };
 
 }  // namespace platon

@@ -1,13 +1,10 @@
 #include "shared/game/player.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <utility>
 #include <vector>
 
 #include "shared/exact/integer.h"
-#include "shared/exact/square_root.h"
-#include "shared/physics/slide.h"
 
 namespace platon {
 namespace {
@@ -32,14 +29,6 @@ constexpr std::int32_t kGroundNormal = 10531;
 
 std::int32_t towards(std::int32_t value, std::int32_t target, std::int32_t step) {
   return value < target ? std::min(value + step, target) : std::max(value - step, target);
-}
-
-// `vector` scaled to the length of a unit. Below 2^30 a coordinate, not zero.
-Point unit(Point vector) {
-  while (std::max(std::abs(vector.x), std::abs(vector.y)) < (1 << 28)) vector = vector + vector;
-  const std::int64_t length = squareRootFloor(squaredLength(vector));
-  return {static_cast<std::int32_t>(divideRounded(std::int64_t{vector.x} * PlayerState::kUnit, length)),
-          static_cast<std::int32_t>(divideRounded(std::int64_t{vector.y} * PlayerState::kUnit, length))};
 }
 
 // `vector` times length / kUnit.
@@ -116,8 +105,7 @@ void Player::fall() {
   state_->velocity.y = std::max(state_->velocity.y - kGravity, -kFallSpeed);
 }
 
-void Player::contact(const Contact& contact, Point& steep) {
-  const Point normal = unit(turnedNormal(contact.normal, contact.toHome - up()));
+void Player::contact(Point normal, Point& steep) {
   const bool landing = normal.y >= kGroundNormal;
   const bool wasInAir = state_->coyote != kCoyoteTicks - 1;
   if (landing) {

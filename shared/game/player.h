@@ -7,7 +7,6 @@
 #include "shared/game/input.h"
 #include "shared/physics/convex.h"
 #include "shared/physics/entity.h"
-#include "shared/physics/rules.h"
 
 namespace platon {
 
@@ -57,9 +56,10 @@ class Player : public Entity {
 
   /// Processes the buttons and updates the velocity, before the world is solved.
   void tick(Input input);
-  /// Takes out of the velocity what a line stops, and remembers the ground; called while the world is solved. `steep`,
-  /// (0, 0) at the start of each tick, keeps the normal of a line that is too steep to be ground.
-  void contact(const Contact& contact, Point& steep);
+  /// Takes out of the velocity what a line stops, and remembers the ground; called while the world is solved. `normal`
+  /// is the line's, a unit vector in the own frame. `steep`, (0, 0) at the start of each tick, keeps that of a line that
+  /// is too steep to be ground.
+  void contact(Point normal, Point& steep);
 
   /// The player's up in the frame of its face is +y turned by this.
   Angle up() const { return rotation(); }
