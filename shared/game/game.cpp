@@ -112,6 +112,7 @@ void Game::judge() {
 bool Game::touchesGoal(std::uint32_t slot) {
   const EntityState& entity = world_.entities()[slot];
   if (entity.part == level_->goalFace && coversGoal(slot, entity.position, entity.angle)) return true;
+  if (entity.instances == 0) return false;
   const auto instances = world_.instancesOf(slot);
   return std::any_of(instances.begin(), instances.end(), [&](const InstanceState& instance) {
     return instance.part == level_->goalFace && coversGoal(slot, world_.positionOf(slot, instance), instance.angle);

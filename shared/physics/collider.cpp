@@ -54,7 +54,7 @@ void Collider::first(const Instances& instances, std::size_t index, Point from, 
                      std::optional<LegHit>& best, std::uint32_t but) {
   if (isSettled(best)) return;
   const Placement& placement = instances.all()[index];
-  Region& region = start(placement, *placement.shape, placement.at(from), placement.at(to));
+  Region& region = start(placement, *placement.shape, instances.at(index, from), placement.at(to));
   for (std::size_t place = 0; place < endOfHeeded(region) && !isSettled(best); ++place) {
     const std::uint32_t line = region.lines()[place];
     if (line == but) continue;
@@ -79,8 +79,8 @@ std::optional<LegHit> Collider::firstWarp(const Instances& instances, const Path
       const Gate gate{i, static_cast<std::uint16_t>(part.warpOfLine(line))};
       if (instances.linked(i, gate.warp) || std::find(shut.begin(), shut.end(), gate) != shut.end()) continue;
       if (!std::exchange(started, true)) {
-        sweep_.start(*placement.shape, placement.at(path.from), placement.at(path.to) - placement.at(path.from),
-                     path.margin);
+        const Point from = instances.at(i, path.from);
+        sweep_.start(*placement.shape, from, placement.at(path.to) - from, path.margin);
       }
       const auto meeting = meet(placement, region, place);
       if (!meeting || (best && meeting->enter >= best->hit.time) || blocks(part, line)) continue;

@@ -233,10 +233,9 @@ void EntityStep::turnFrame(Angle turn) {
 }
 
 void EntityStep::moveTo(Point position) {
-  const bool moved = position != this->position();
+  if (position == this->position()) return;
   instances_.moveHomeTo(position);
   state_->position = position;
-  if (!moved) return;
   stop_.reset();
   stopBefore_.reset();
   observe();

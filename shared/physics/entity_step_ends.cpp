@@ -22,6 +22,7 @@ bool isTiny(const Convex& shape) {
 }  // namespace
 
 bool EntityStep::tryToPass(const Leg& leg, const Way& way, Point reached) {
+  if (leg.hit->hit.side != Hit::Side::kLineEnd) return false;
   const Point moved = reached - position();
   const Point onwards = way.slides ? way.whole - moved : leg.target - reached;
   if (nudgePast(*leg.hit, {onwards, onwards, way.slides}, reached, restAfter(way, moved))) return true;

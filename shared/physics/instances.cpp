@@ -295,6 +295,7 @@ bool Instances::dropUnreached(std::int32_t margin, Collider& collider) {
   if (placements_.size() == 1) return false;
   kept_.clear();
   for (std::size_t i = 0; i < placements_.size(); ++i) kept_.push_back(reached(i, margin, collider));
+  if (std::find(kept_.begin(), kept_.end(), 0) == kept_.end()) return false;
   for (std::size_t i = 0; i < placements_.size(); ++i) kept_[i] = hangs(i) ? kept_[i] : 0;
   const auto keptBefore = [&](std::size_t index) {
     return static_cast<std::size_t>(std::count(kept_.begin(), kept_.begin() + static_cast<std::ptrdiff_t>(index), 1));

@@ -45,6 +45,10 @@ class Instances {
   Placement& home() { return placements_.front(); }
   const Placement& home() const { return placements_.front(); }
   void appendViews(std::vector<InstanceView>& out) const;
+  /// Where placement `index` is when home is at `home`: nothing is turned for where home is now.
+  Point at(std::size_t index, Point home) const {
+    return home == this->home().position ? placements_[index].position : placements_[index].at(home);
+  }
 
   /// Whether the instance behind this warp of placement `index` exists.
   bool linked(std::size_t index, std::uint16_t warp) const;
