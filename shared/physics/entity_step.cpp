@@ -33,6 +33,7 @@ void EntityStep::begin(Entity entity, EntityState& state, std::span<const Instan
   stopBefore_.reset();
   slidAlong_.reset();
   onwards_.reset();
+  contacts_.clear();
   observe();
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "shared/physics/collider.h"
@@ -47,6 +48,8 @@ class EntityStep {
   void store(std::vector<InstanceState>& further) const { instances_.store(*state_, further); }
   /// Calls the contacts that last and stores.
   void finish(std::vector<InstanceState>& further);
+  /// All that the rules have been told of since `begin`.
+  std::span<const Contact> contacts() const { return contacts_; }
 
  private:
   // What is closer to a line than this touches it, as far as the lattice can tell.
@@ -154,6 +157,7 @@ class EntityStep {
   std::optional<LegHit> stop_;        // what has stopped the entity where it stands
   std::vector<Collider::Pierced> piercedBefore_;   // a turn
   std::vector<Collider::Pierced> piercedAfter_;
+  std::vector<Contact> contacts_;
   std::vector<Event> events_;
   std::vector<InstanceView> views_;
 };

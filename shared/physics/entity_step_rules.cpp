@@ -21,7 +21,7 @@ Point clampedTo(const Segment& line, Point point) {
 
 void EntityStep::callContact(const LegHit& hit) {
   const Placement& placement = instances_.all()[hit.placement];
-  Contact contact;
+  Contact& contact = contacts_.emplace_back();
   contact.line = lineRef(*placement.part, hit.line);
   contact.instance = placement.id;
   contact.normal = normalOf(hit);

@@ -7,6 +7,7 @@
 
 #include "shared/exact/integer.h"
 #include "shared/physics/entity.h"
+#include "shared/physics/step_scratch.h"
 #include "shared/physics/world.h"
 
 namespace platon {
@@ -63,6 +64,7 @@ void MapPart::initialize() {
   part.lines.shrink_to_fit();
   part.warps = std::move(warps_);
   part.grid = Grid(part.lines);
+  world_->scratch_->rests.clear();   // what leads to this part has been a dead end until now
   world_->geometry_ = withPart(*world_->geometry_, std::move(part));
 }
 

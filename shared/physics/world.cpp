@@ -12,6 +12,12 @@
 namespace platon {
 namespace {
 
+// Of a world without rules.
+class HeedlessRules : public Rules {
+ public:
+  bool heedsNoWarp() const override { return true; }
+};
+
 std::string named(std::uint32_t entity, std::uint32_t part) {
   return "entity " + std::to_string(entity) + " in map part " + std::to_string(part) + ": ";
 }
@@ -41,26 +47,42 @@ World& World::operator=(World&&) noexcept = default;
 World::~World() = default;
 
 void World::solve(StepObserver* observer) {
-  Rules pierceWarpsOnly;
-  solve(rules_ != nullptr ? *rules_ : pierceWarpsOnly, observer);
+  HeedlessRules heedless;
+  solve(rules_ != nullptr ? *rules_ : heedless, observer);
 }
 
 void World::solve(Rules& rules, StepObserver* observer) {
   StepScratch& scratch = *scratch_;
   if (scratch.shapes.trim()) scratch.regions.clear();   // they know obstacles by their shapes
   scratch.further.clear();
+  if (scratch.rests.size() < state_.entities.size()) scratch.rests.resize(state_.entities.size());
+  const bool mayRest = observer == nullptr && rules.heedsNoWarp();
   std::size_t next = 0;
   for (std::uint32_t index = 0; index < state_.entities.size(); ++index) {
     EntityState& entity = state_.entities[index];
     const std::span<const InstanceState> further(state_.instances.data() + next, entity.instances);
     next += entity.instances;
     if (entity.inserted == 0) continue;
-    beginStep(index, further, rules, observer);
-    scratch.step.turn(std::exchange(entity.turn, 0));
-    scratch.step.translate(entity.velocity, entity.heading);
-    scratch.step.finish(scratch.further);
+    if (mayRest && scratch.rests[index].isOf(entity, further)) {
+      scratch.rests[index].repeat(Entity(*this, index), rules, scratch.further);
+    } else {
+      move(index, further, rules, observer);
+    }
   }
   state_.instances.swap(scratch.further);
+}
+
+void World::move(std::uint32_t index, std::span<const InstanceState> further, Rules& rules, StepObserver* observer) {
+  StepScratch& scratch = *scratch_;
+  EntityState& entity = state_.entities[index];
+  const EntityState before = entity;
+  const std::size_t first = scratch.further.size();
+  beginStep(index, further, rules, observer);
+  scratch.step.turn(std::exchange(entity.turn, 0));
+  scratch.step.translate(entity.velocity, entity.heading);
+  scratch.step.finish(scratch.further);
+  const auto furtherAfter = std::span(scratch.further).subspan(first);
+  scratch.rests[index].take(before, further, entity, furtherAfter, scratch.step.contacts());
 }
 
 void World::beginStep(std::uint32_t index, std::span<const InstanceState> further, Rules& rules,
@@ -168,10 +190,10 @@ void World::placeFurther(std::uint32_t entity, std::uint32_t part, Point origin,
 
 // Adds the instances that the shape reaches. False when any overlaps a line.
 bool World::settle(std::uint32_t entity) {
-  Rules pierceWarpsOnly;
+  HeedlessRules heedless;
   const auto known = instancesOf(entity);
   const std::vector<InstanceState> before(known.begin(), known.end());
-  beginStep(entity, before, rules_ != nullptr ? *rules_ : pierceWarpsOnly, nullptr);
+  beginStep(entity, before, rules_ != nullptr ? *rules_ : heedless, nullptr);
   if (!scratch_->step.isFree() || !scratch_->step.settle() || !scratch_->step.isFree()) return false;
   replaceInstances(entity, [&](std::vector<InstanceState>& further) {
     further.clear();

@@ -82,6 +82,7 @@ class World {
   void placeHome(std::uint32_t entity, std::uint32_t part, Point origin, Angle angle);
   void placeFurther(std::uint32_t entity, std::uint32_t part, Point origin, Angle angle);
   bool settle(std::uint32_t entity);
+  void move(std::uint32_t entity, std::span<const InstanceState> further, Rules& rules, StepObserver* observer);
   void beginStep(std::uint32_t entity, std::span<const InstanceState> further, Rules& rules, StepObserver* observer);
   template <class Edit>
   void replaceInstances(std::uint32_t entity, Edit&& edit);
