@@ -86,6 +86,7 @@ class EntityStep {
   bool leadsAway(const LegHit& met, Point target) const;
   Point inRange(Point target) const;
   bool allInRange(Point home) const;
+  bool isFarFromEnds(Point home) const;
   void follow(const Leg& leg, const Way& way);
   void moveAlong(const Way& way, Point end);
   Point restAfter(const Way& way, Point moved) const;

@@ -85,8 +85,6 @@ Fraction shareOf(Point moved, Point whole) {
   return {std::clamp<std::int64_t>(all > 0 ? done : -done, 0, std::abs(all)), std::abs(all)};
 }
 
-std::int32_t longerPart(Point vector) { return std::max(std::abs(vector.x), std::abs(vector.y)); }
-
 Point reachAlong(const Convex& shape, Point position, const Segment& line, Point normal, bool back) {
   const Point tangent = perpendicular(normal);
   Extent ends = extentOf(line.a, tangent);

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
 
 #include "shared/exact/angle.h"
@@ -34,7 +36,7 @@ constexpr Point scaleTruncated(Point displacement, Fraction time) {
 }
 
 /// The longer coordinate's magnitude.
-std::int32_t longerPart(Point vector);
+inline std::int32_t longerPart(Point vector) { return std::max(std::abs(vector.x), std::abs(vector.y)); }
 
 /// `line` forbids `shape` a polygon; `position` touches its edge with outward normal `normal`. How far the position can
 /// go along perpendicular(normal), or with `back` the other way, until that edge ends: in whole subunits, cut.
