@@ -24,18 +24,33 @@ constexpr std::int64_t kWorthMending = squaredPrecise(1);
 
 void Instances::load(const Geometry& geometry, ShapeCache& shapes, const Convex& base, const EntityState& state,
                      std::span<const InstanceState> further) {
+  nextId_ = state.nextId;
+  crossings_ = state.crossings;
+  if (geometry_ == &geometry && isAsStored(state, further)) return;
   geometry_ = &geometry;
   shapes_ = &shapes;
   base_ = &base;
   shapeIndex_ = state.shape;
-  nextId_ = state.nextId;
-  crossings_ = state.crossings;
+  hasPassedHome_ = false;
   placements_.clear();
   loadHome(state);
   for (const InstanceState& instance : further) loadFurther(instance);
   for (std::size_t i = 0; i < further.size(); ++i) {
     if (further[i].parent != InstanceState::kNoParent) linkParent(i + 1, further[i].parent);
   }
+}
+
+// Mostly an entity is as its last step has left it. Not asked where home has passed since: of several warps over one
+// line the way back may then be another than the one that loading finds.
+bool Instances::isAsStored(const EntityState& state, std::span<const InstanceState> further) const {
+  if (hasPassedHome_ || placements_.size() != further.size() + 1 || shapeIndex_ != state.shape) return false;
+  EntityState stored = state;
+  storeHome(stored);
+  if (stored != state) return false;
+  for (std::size_t i = 0; i < further.size(); ++i) {
+    if (stateOf(placements_[i + 1]) != further[i]) return false;
+  }
+  return true;
 }
 
 void Instances::loadHome(const EntityState& state) {
@@ -92,19 +107,20 @@ void Instances::storeHome(EntityState& state) const {
 void Instances::store(EntityState& state, std::vector<InstanceState>& further) const {
   storeHome(state);
   state.instances = static_cast<std::uint16_t>(placements_.size() - 1);
-  for (std::size_t i = 1; i < placements_.size(); ++i) {
-    const Placement& placement = placements_[i];
-    InstanceState instance;
-    instance.part = placement.part->id;
-    instance.angle = placement.angle;
-    instance.homeAnchor = placement.homeAnchor;
-    instance.anchor = placement.anchor;
-    instance.id = placement.id;
-    if (placement.parent != Placement::kNone) instance.parent = placements_[placement.parent].id;
-    instance.warp = placement.warp;
-    instance.fresh = placement.fresh;
-    further.push_back(instance);
-  }
+  for (std::size_t i = 1; i < placements_.size(); ++i) further.push_back(stateOf(placements_[i]));
+}
+
+InstanceState Instances::stateOf(const Placement& placement) const {
+  InstanceState instance;
+  instance.part = placement.part->id;
+  instance.angle = placement.angle;
+  instance.homeAnchor = placement.homeAnchor;
+  instance.anchor = placement.anchor;
+  instance.id = placement.id;
+  if (placement.parent != Placement::kNone) instance.parent = placements_[placement.parent].id;
+  instance.warp = placement.warp;
+  instance.fresh = placement.fresh;
+  return instance;
 }
 
 void Instances::appendViews(std::vector<InstanceView>& out) const {
@@ -199,6 +215,7 @@ std::optional<Angle> Instances::passHome(PrecisePoint& remainder) {
     return std::nullopt;
   }
   ++crossings_;
+  hasPassedHome_ = true;
   remainder = there - precise(home().position);
   return home().angle - before;
 }

@@ -32,7 +32,8 @@ class Instances {
   /// rounding comes on top while it moves.
   static constexpr std::int32_t kMostError = 3;
 
-  /// Shapes come from `shapes` and must outlive the instances.
+  /// Shapes come from `shapes` and must outlive the instances. Costs little when nothing has changed since they were
+  /// stored.
   void load(const Geometry& geometry, ShapeCache& shapes, const Convex& base, const EntityState& state,
             std::span<const InstanceState> further);
   /// Writes what concerns home back.
@@ -81,6 +82,8 @@ class Instances {
   bool dropUnreached(std::int32_t margin, Collider& collider);
 
  private:
+  bool isAsStored(const EntityState& state, std::span<const InstanceState> further) const;
+  InstanceState stateOf(const Placement& placement) const;
   void loadHome(const EntityState& state);
   void loadFurther(const InstanceState& instance);
   void turnFrames(Placement& placement) const;
@@ -108,6 +111,7 @@ class Instances {
   std::uint32_t shapeIndex_ = 0;
   std::uint16_t nextId_ = 0;
   std::uint32_t crossings_ = 0;
+  bool hasPassedHome_ = false;   // since they were loaded
   std::vector<Placement> placements_;
   // Room for work, kept so that a warmed-up step allocates nothing.
   std::vector<Placement> undo_;

@@ -64,7 +64,7 @@ void MapPart::initialize() {
   part.lines.shrink_to_fit();
   part.warps = std::move(warps_);
   part.grid = Grid(part.lines);
-  world_->scratch_->rests.clear();   // what leads to this part has been a dead end until now
+  for (Rest& rest : world_->scratch_->rests) rest.forget();   // what leads here has been a dead end until now
   world_->geometry_ = withPart(*world_->geometry_, std::move(part));
 }
 

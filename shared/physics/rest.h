@@ -25,6 +25,7 @@ class Rest {
   /// A step led from `before` and `further` to `after` and `furtherAfter`, and met `contacts`.
   void take(const EntityState& before, std::span<const InstanceState> further, const EntityState& after,
             std::span<const InstanceState> furtherAfter, std::span<const Contact> contacts);
+  void forget() { known_ = false; }
 
  private:
   bool known_ = false;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "shared/physics/entity_step.h"
@@ -12,10 +13,24 @@ namespace platon {
 /// Derived state of a world: rebuilt when missing, never saved, without influence on any result.
 class StepScratch {
  public:
+  /// Makes room for this many entities.
+  void provideFor(std::size_t entities) {
+    if (steps.size() >= entities) return;
+    regions.resize(entities);
+    rests.resize(entities);
+    steps.resize(entities);
+  }
+  /// Drops what points to shapes of the cache.
+  void forgetShapes() {
+    regions.clear();
+    rests.clear();
+    steps.clear();
+  }
+
   ShapeCache shapes;
   std::vector<std::vector<Region>> regions;   ///< by entity
   std::vector<Rest> rests;                    ///< by entity
-  EntityStep step;
+  std::vector<EntityStep> steps;              ///< by entity
   std::vector<InstanceState> further;         ///< the instances of all entities after the step
 };
 

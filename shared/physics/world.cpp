@@ -53,9 +53,9 @@ void World::solve(StepObserver* observer) {
 
 void World::solve(Rules& rules, StepObserver* observer) {
   StepScratch& scratch = *scratch_;
-  if (scratch.shapes.trim()) scratch.regions.clear();   // they know obstacles by their shapes
+  if (scratch.shapes.trim()) scratch.forgetShapes();
   scratch.further.clear();
-  if (scratch.rests.size() < state_.entities.size()) scratch.rests.resize(state_.entities.size());
+  scratch.provideFor(state_.entities.size());
   const bool mayRest = observer == nullptr && rules.heedsNoWarp();
   std::size_t next = 0;
   for (std::uint32_t index = 0; index < state_.entities.size(); ++index) {
@@ -77,20 +77,20 @@ void World::move(std::uint32_t index, std::span<const InstanceState> further, Ru
   EntityState& entity = state_.entities[index];
   const EntityState before = entity;
   const std::size_t first = scratch.further.size();
+  EntityStep& step = scratch.steps[index];
   beginStep(index, further, rules, observer);
-  scratch.step.turn(std::exchange(entity.turn, 0));
-  scratch.step.translate(entity.velocity, entity.heading);
-  scratch.step.finish(scratch.further);
+  step.turn(std::exchange(entity.turn, 0));
+  step.translate(entity.velocity, entity.heading);
+  step.finish(scratch.further);
   const auto furtherAfter = std::span(scratch.further).subspan(first);
-  scratch.rests[index].take(before, further, entity, furtherAfter, scratch.step.contacts());
+  scratch.rests[index].take(before, further, entity, furtherAfter, step.contacts());
 }
 
 void World::beginStep(std::uint32_t index, std::span<const InstanceState> further, Rules& rules,
                       StepObserver* observer) {
-  auto& regions = scratch_->regions;
-  if (regions.size() < state_.entities.size()) regions.resize(state_.entities.size());
-  scratch_->step.begin(Entity(*this, index), state_.entities[index], further,
-                       {*geometry_, shapeOf(index), scratch_->shapes, regions[index], rules, observer});
+  scratch_->provideFor(state_.entities.size());
+  scratch_->steps[index].begin(Entity(*this, index), state_.entities[index], further,
+                               {*geometry_, shapeOf(index), scratch_->shapes, scratch_->regions[index], rules, observer});
 }
 
 void World::restore(const WorldState& state) { state_ = state; }
@@ -194,10 +194,11 @@ bool World::settle(std::uint32_t entity) {
   const auto known = instancesOf(entity);
   const std::vector<InstanceState> before(known.begin(), known.end());
   beginStep(entity, before, rules_ != nullptr ? *rules_ : heedless, nullptr);
-  if (!scratch_->step.isFree() || !scratch_->step.settle() || !scratch_->step.isFree()) return false;
+  EntityStep& step = scratch_->steps[entity];
+  if (!step.isFree() || !step.settle() || !step.isFree()) return false;
   replaceInstances(entity, [&](std::vector<InstanceState>& further) {
     further.clear();
-    scratch_->step.store(further);
+    step.store(further);
   });
   return true;
 }

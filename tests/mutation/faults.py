@@ -261,7 +261,7 @@ FAULTS = [
     at_length("refused-place-kept", PHYSICS + "world.cpp", "  state_ = before;\n  throw", "  throw",
               "a refused insertion leaves its traces",
               "map_test", "MapPartInsertTest.RefusesAPlaceThatIsNotFree"),
-    Fault("warp-not-stored", PHYSICS + "instances.cpp", "    instance.warp = placement.warp;\n", "",
+    Fault("warp-not-stored", PHYSICS + "instances.cpp", "  instance.warp = placement.warp;\n", "",
           "further instances are saved without the warp that they hang on",
           "world_test", "InstancesTest.ALoopOfOnePartLeadsBackIntoIt"),
     at_length("ring-accepted", PHYSICS + "world_accepts.cpp", "return open.empty();", "return true;",
