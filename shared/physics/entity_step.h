@@ -100,6 +100,7 @@ class EntityStep {
 
   // entity_step_slide.cpp
   Way nextWay();
+  bool outreaches(const LegHit& stop, bool back) const;
   Reach reachOf(const LegHit& stop, bool back) const;
   Point outOf(const LegHit& stop, Point slid) const;
   Point slideDirection(const LegHit& hit) const;

@@ -14,8 +14,18 @@ EntityStep::Way EntityStep::nextWay() {
   const Point normal = homeNormalOf(*stop_);
   const Point whole = slideAlong(rest_, normal);
   if (whole == Point()) return {whole, whole, true};
-  const Point part = slideAlong(rest_, normal, reachOf(*stop_, dot(rest_, perpendicular(normal)) < 0));
+  const bool back = dot(rest_, perpendicular(normal)) < 0;
+  const Point part = outreaches(*stop_, back) ? whole : slideAlong(rest_, normal, reachOf(*stop_, back));
   return {outOf(*stop_, part), whole, true};
+}
+
+// Whether the line plainly goes on beyond all that is left of the displacement: then its reach need not be known.
+bool EntityStep::outreaches(const LegHit& stop, bool back) const {
+  if (stop.hit.side != Hit::Side::kLine) return false;
+  const Placement& placement = instances_.all()[stop.placement];
+  const Point tangent = perpendicular(stop.hit.normal);
+  return goesOnFor(longerPart(rest_), placement.shape->bounds(), placement.position,
+                   placement.part->lines[stop.line], back ? -tangent : tangent);
 }
 
 // How far home can slide, ahead or back, until the line that stopped it, or its end, lies no longer on the same edge of

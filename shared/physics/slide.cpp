@@ -98,6 +98,15 @@ Point reachAlong(const Convex& shape, Point position, const Segment& line, Point
   return back ? partOf(-tangent, here - (ends.low - touching.high)) : partOf(tangent, ends.high - touching.low - here);
 }
 
+// Twice a displacement of `longest` along both axes, times the length of the tangent: the former is below
+// 2 * 1.5 * longest, a few subunits are for roundings, and the latter is at most the sum of its coordinates.
+bool goesOnFor(std::int32_t longest, const Box& shape, Point position, const Segment& line, Point tangent) {
+  if (longest >= kCoordinateLimit / 2) return false;
+  const Point foremost{tangent.x > 0 ? shape.high.x : shape.low.x, tangent.y > 0 ? shape.high.y : shape.low.y};
+  const std::int64_t left = std::max(dot(line.a, tangent), dot(line.b, tangent)) - dot(position + foremost, tangent);
+  return left >= (std::int64_t{3} * longest + 16) * (std::int64_t{std::abs(tangent.x)} + std::abs(tangent.y));
+}
+
 Point turnedNormal(Point normal, Direction direction) {
   const WideVector turned = rotateWide(normal, direction);
   const auto longer = static_cast<std::uint64_t>(std::max(std::abs(turned.x), std::abs(turned.y)));
