@@ -1,0 +1,139 @@
+// Rules that heed no warp: shorter ways through a step, and steps that are repeated, must not show.
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "shared/physics/entity.h"
+#include "shared/physics/map_part.h"
+#include "shared/physics/world.h"
+#include "tests/lockstep/seeded_random.h"
+#include "tests/shared/physics/maps.h"
+#include "tests/shared/physics/recorded_rules.h"
+#include "tests/shared/physics/shapes.h"
+
+namespace platon {
+namespace {
+
+constexpr std::uint64_t kSeed = 31;
+constexpr int kTicks = 600;
+
+class HeedlessRules : public RecordedRules {
+ public:
+  bool heedsNoWarp() const override { return true; }
+};
+
+auto asTuple(const Contact& contact) {
+  return std::tuple(contact.line.part, contact.line.index, contact.instance, contact.point.x, contact.point.y,
+                    contact.normal.x, contact.normal.y, contact.toHome.hundredths(), contact.time.numerator,
+                    contact.time.denominator);
+}
+
+void expectSameContacts(const RecordedRules& one, const RecordedRules& other) {
+  ASSERT_EQ(one.contacts.size(), other.contacts.size());
+  for (std::size_t i = 0; i < one.contacts.size(); ++i) {
+    EXPECT_EQ(asTuple(one.contacts[i]), asTuple(other.contacts[i]));
+  }
+}
+
+// A closed room of two strips with random lines; entities that want the same for a second at a time, so that many come to rest.
+class HeedlessTest : public testing::Test {
+ protected:
+  HeedlessTest() : world_(strips()) {
+    for (int i = 0; i < 60 && world_.entities().size() < 4; ++i) {
+      Entity entity(world_, square(40));
+      try {
+        MapPart(world_, i % 2 == 0 ? 1u : 2u).insert(entity, random_.vector(900), Angle());
+      } catch (const std::invalid_argument&) {
+      }
+    }
+  }
+
+  World strips() {
+    std::vector<Segment> lines[2] = {{{{-950, -950}, {-950, 950}}, {{-950, 950}, {1000, 950}}, {{-950, -950}, {1000, -950}}},
+                                     {{{950, -950}, {950, 950}}, {{-1000, 950}, {950, 950}}, {{-1000, -950}, {950, -950}}}};
+    for (int i = 0; i < 20; ++i) {
+      const Point a = random_.vector(900);
+      lines[i % 2].push_back({a, a + random_.vector(200)});
+    }
+    return twoStrips(lines[0], lines[1]);
+  }
+  void changeWishes(World& other) {
+    for (std::uint32_t i = 0; i < world_.entities().size(); ++i) {
+      const Point velocity = random_.vector(150);
+      Entity(world_, i).setVelocity(velocity);
+      Entity(other, i).setVelocity(velocity);
+    }
+  }
+
+  sim::SeededRandom random_{kSeed};
+  World world_;
+};
+
+TEST_F(HeedlessTest, MovesAndMeetsTheSameAsWhoHeedsAll) {
+  World other = world_;
+  for (int tick = 0; tick < kTicks; ++tick) {
+    if (tick % 60 == 0) changeWishes(other);
+    HeedlessRules heedless;
+    RecordedRules heeding;
+    world_.solve(heedless);
+    other.solve(heeding);
+    ASSERT_EQ(world_, other) << "seed " << kSeed << ", tick " << tick;
+    expectSameContacts(heedless, heeding);
+  }
+}
+
+TEST_F(HeedlessTest, WhatRestsMeetsTheSameAsIfItWereMoved) {
+  World other = world_;
+  int resting = 0;
+  for (int tick = 0; tick < kTicks; ++tick) {
+    if (tick % 60 == 0) changeWishes(other);
+    const WorldState before = world_.save();
+    World moved = world_;   // knows of no rest
+    HeedlessRules repeated;
+    HeedlessRules found;
+    world_.solve(repeated);
+    moved.solve(found);
+    ASSERT_EQ(world_, moved) << "seed " << kSeed << ", tick " << tick;
+    expectSameContacts(repeated, found);
+    for (std::size_t i = 0; i < before.entities.size(); ++i) resting += before.entities[i] == world_.entities()[i] ? 1 : 0;
+  }
+  EXPECT_GT(resting, kTicks / 4) << "hardly anything has come to rest";
+}
+
+TEST(HeedlessWayTest, APartThatIsAddedWakesWhatRestsBeforeItsEdge) {
+  World world;
+  MapPart first(world, 1);
+  first.warp({1000, -5000}, {1000, 5000}, 2, {-1000, -5000}, {-1000, 5000});
+  first.initialize();
+  Entity entity(world, square(100));
+  MapPart(world, 1).insert(entity, {0, 0}, Angle());
+  entity.setVelocity({300, 0});
+  for (int tick = 0; tick < 10; ++tick) world.solve();
+  ASSERT_EQ(entity.part(), 1u);
+  MapPart second(world, 2);
+  second.warp({-1000, 5000}, {-1000, -5000}, 1, {1000, 5000}, {1000, -5000});
+  second.initialize();
+  for (int tick = 0; tick < 10; ++tick) world.solve();
+  EXPECT_EQ(entity.part(), 2u);
+}
+
+// The floor is met at once, and by its index before the line that is pierced.
+TEST(HeedlessWayTest, WhoHeedsWarpsHearsOfWhatIsPiercedWhereItStands) {
+  World world = twoStrips({{{-500, -100}, {500, -100}}, {{0, -90}, {0, 500}}});
+  Entity entity(world, square(100));
+  RecordedRules rules;
+  rules.pierceable = {{1, 1}};
+  world.setRules(rules);
+  MapPart(world, 1).insert(entity, {0, 0}, Angle());
+  world.solve();
+  rules.take();
+  entity.setVelocity({0, -10});
+  world.solve();
+  EXPECT_EQ(rules.take(), (std::vector<std::string>{"contact 1:0", "over 1:1"}));
+}
+
+}  // namespace
+}  // namespace platon
