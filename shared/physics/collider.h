@@ -89,7 +89,9 @@ class Collider {
   }
   std::optional<Sweep::Meeting> meet(const Placement& placement, Region& region, std::size_t place);
   Obstacle* obstacleNear(const Placement& placement, const Path& path, std::uint32_t line);
-  std::size_t endOfHeeded(const Region& region) const { return heedsNoWarp_ ? region.firstWarp() : region.lines().size(); }
+  std::size_t endOfHeeded(const Region& region) const {
+    return heedsNoWarp_ ? region.firstWarp() : region.lines().size();
+  }
   bool blocks(const MapGeometry& part, std::uint32_t line) const;
   bool blocksOrNote(const Placement& placement, std::uint32_t line);
 

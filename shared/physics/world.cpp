@@ -56,14 +56,14 @@ void World::solve(Rules& rules, StepObserver* observer) {
   if (scratch.shapes.trim()) scratch.forgetShapes();
   scratch.further.clear();
   scratch.provideFor(state_.entities.size());
-  const bool mayRest = observer == nullptr && rules.heedsNoWarp();
+  const bool mayRepeat = observer == nullptr && rules.heedsNoWarp();
   std::size_t next = 0;
   for (std::uint32_t index = 0; index < state_.entities.size(); ++index) {
     EntityState& entity = state_.entities[index];
     const std::span<const InstanceState> further(state_.instances.data() + next, entity.instances);
     next += entity.instances;
     if (entity.inserted == 0) continue;
-    if (mayRest && scratch.rests[index].isOf(entity, further)) {
+    if (mayRepeat && scratch.rests[index].isOf(entity, further)) {
       scratch.rests[index].repeat(Entity(*this, index), rules, scratch.further);
     } else {
       move(index, further, rules, observer);
@@ -83,14 +83,15 @@ void World::move(std::uint32_t index, std::span<const InstanceState> further, Ru
   step.translate(entity.velocity, entity.heading);
   step.finish(scratch.further);
   const auto furtherAfter = std::span(scratch.further).subspan(first);
-  scratch.rests[index].take(before, further, entity, furtherAfter, step.contacts());
+  if (rules.heedsNoWarp()) scratch.rests[index].take(before, further, entity, furtherAfter, step.contacts());
 }
 
 void World::beginStep(std::uint32_t index, std::span<const InstanceState> further, Rules& rules,
                       StepObserver* observer) {
   scratch_->provideFor(state_.entities.size());
-  scratch_->steps[index].begin(Entity(*this, index), state_.entities[index], further,
-                               {*geometry_, shapeOf(index), scratch_->shapes, scratch_->regions[index], rules, observer});
+  const EntityStep::Setting setting{*geometry_, shapeOf(index), scratch_->shapes, scratch_->regions[index],
+                                    rules,      observer};
+  scratch_->steps[index].begin(Entity(*this, index), state_.entities[index], further, setting);
 }
 
 void World::restore(const WorldState& state) { state_ = state; }

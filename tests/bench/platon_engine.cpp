@@ -4,7 +4,6 @@
 
 #include "shared/physics/entity.h"
 #include "shared/physics/map_part.h"
-#include "shared/physics/rules.h"
 #include "shared/physics/world.h"
 #include "tests/bench/engine.h"
 
@@ -29,7 +28,7 @@ class PlatonEngine : public Engine {
     Entity(world_, static_cast<std::uint32_t>(mover))
         .setVelocity({static_cast<std::int32_t>(velocity.x), static_cast<std::int32_t>(velocity.y)});
   }
-  void step() override { world_.solve(rules_); }
+  void step() override { world_.solve(); }
   Place position(std::size_t mover) const override {
     const Point position = world_.entities()[mover].position;
     return {static_cast<double>(position.x), static_cast<double>(position.y)};
@@ -37,7 +36,6 @@ class PlatonEngine : public Engine {
 
  private:
   World world_;
-  Rules rules_;
 };
 
 }  // namespace

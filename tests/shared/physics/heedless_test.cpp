@@ -38,7 +38,8 @@ void expectSameContacts(const RecordedRules& one, const RecordedRules& other) {
   }
 }
 
-// A closed room of two strips with random lines; entities that want the same for a second at a time, so that many come to rest.
+// A closed room of two strips with random lines; entities that want the same for a second at a time, so that many come
+// to rest.
 class HeedlessTest : public testing::Test {
  protected:
   HeedlessTest() : world_(strips()) {
@@ -52,8 +53,9 @@ class HeedlessTest : public testing::Test {
   }
 
   World strips() {
-    std::vector<Segment> lines[2] = {{{{-950, -950}, {-950, 950}}, {{-950, 950}, {1000, 950}}, {{-950, -950}, {1000, -950}}},
-                                     {{{950, -950}, {950, 950}}, {{-1000, 950}, {950, 950}}, {{-1000, -950}, {950, -950}}}};
+    std::vector<Segment> lines[2] = {
+        {{{-950, -950}, {-950, 950}}, {{-950, 950}, {1000, 950}}, {{-950, -950}, {1000, -950}}},
+        {{{950, -950}, {950, 950}}, {{-1000, 950}, {950, 950}}, {{-1000, -950}, {950, -950}}}};
     for (int i = 0; i < 20; ++i) {
       const Point a = random_.vector(900);
       lines[i % 2].push_back({a, a + random_.vector(200)});
@@ -98,7 +100,9 @@ TEST_F(HeedlessTest, WhatRestsMeetsTheSameAsIfItWereMoved) {
     moved.solve(found);
     ASSERT_EQ(world_, moved) << "seed " << kSeed << ", tick " << tick;
     expectSameContacts(repeated, found);
-    for (std::size_t i = 0; i < before.entities.size(); ++i) resting += before.entities[i] == world_.entities()[i] ? 1 : 0;
+    for (std::size_t i = 0; i < before.entities.size(); ++i) {
+      resting += before.entities[i] == world_.entities()[i] ? 1 : 0;
+    }
   }
   EXPECT_GT(resting, kTicks / 4) << "hardly anything has come to rest";
 }
