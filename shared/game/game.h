@@ -19,7 +19,7 @@ inline constexpr std::uint32_t kMaxPlayers = 256;
 /// A round lasts this long at most: five minutes.
 inline constexpr std::uint32_t kRoundTicks = 5 * 60 * kTicksPerSecond;
 /// Changes whenever the same inputs could give another game.
-inline constexpr std::uint32_t kRulesVersion = 2;
+inline constexpr std::uint32_t kRulesVersion = 3;
 
 /// One round on one level: World, players, goal and round clock. A value: copying it gives an independent game.
 class Game {

@@ -110,7 +110,7 @@ void Player::contact(Point normal, Point& steep) {
   const bool wasInAir = state_->coyote != kCoyoteTicks - 1;
   if (landing) {
     state_->ground = normal;
-  } else if (normal.y > 0) {
+  } else {
     holdBetween(normal, steep);
   }
   Point& velocity = state_->velocity;
@@ -123,10 +123,12 @@ void Player::contact(Point normal, Point& steep) {
   }
 }
 
-// Between two steep lines that lean to either side one stands: else there would be no way out.
+// Between a steep line and another one that faces it, be it steep, a wall or an overhang, one stands: else there would
+// be no way out.
 void Player::holdBetween(Point normal, Point& steep) {
   const bool opposite = (normal.x > 0 && steep.x < 0) || (normal.x < 0 && steep.x > 0);
-  if (opposite && state_->ground == Point()) state_->ground = Point(0, PlayerState::kUnit);
+  const bool upwards = normal.y > 0 || steep.y > 0;
+  if (opposite && upwards && state_->ground == Point()) state_->ground = Point(0, PlayerState::kUnit);
   steep = normal;
 }
 

@@ -57,8 +57,8 @@ class Player : public Entity {
   /// Processes the buttons and updates the velocity, before the world is solved.
   void tick(Input input);
   /// Takes out of the velocity what a line stops, and remembers the ground; called while the world is solved. `normal`
-  /// is the line's, a unit vector in the own frame. `steep`, (0, 0) at the start of each tick, keeps that of a line that
-  /// is too steep to be ground.
+  /// is the line's, a unit vector in the own frame. `steep`, (0, 0) at the start of each tick, keeps that of the last
+  /// line that was too steep to be ground.
   void contact(Point normal, Point& steep);
 
   /// The player's up in the frame of its face is +y turned by this.

@@ -307,7 +307,7 @@ FAULTS = [
 
     # The player.
     Fault("pocket-holds-nothing", "shared/game/player.cpp",
-          "if (opposite && state_->ground == Point()) state_", "if (false) state_",
+          "if (opposite && upwards && state_->ground == Point()) state_", "if (false) state_",
           "between two steep lines a player cannot stand, and never gets out",
           "game_test", "PlayerTest.BetweenTwoSteepLinesItStandsAndGetsOut"),
     at_length("jumps-twice", "shared/game/player.cpp",

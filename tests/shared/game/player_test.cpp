@@ -49,8 +49,9 @@ TEST(PlayerTest, FallsAndComesToRest) {
   EXPECT_EQ(played.position(), rest);
 }
 
-TEST(PlayerTest, BetweenTwoSteepLinesItStandsAndGetsOut) {
-  PlayedGame played(cubeLevel("0 0 0 0", {"-100 0 0 -173\n0 -173 100 0"}));
+void expectToStandAndGetOut(const std::string& start, const std::string& lines) {
+  SCOPED_TRACE(lines);
+  PlayedGame played(cubeLevel(start, {lines}));
   played.run(200, kNone);
   EXPECT_EQ(played.player().ground, Point(0, PlayerState::kUnit));
   const Point rest = played.position();
@@ -58,6 +59,17 @@ TEST(PlayerTest, BetweenTwoSteepLinesItStandsAndGetsOut) {
   EXPECT_EQ(played.position(), rest);
   played.run(10, Input::kJump);
   EXPECT_GT(played.position().y, rest.y + units(30));
+}
+
+TEST(PlayerTest, BetweenTwoSteepLinesItStandsAndGetsOut) {
+  expectToStandAndGetOut("0 0 0 0", "-100 0 0 -173\n0 -173 100 0");
+}
+
+TEST(PlayerTest, BetweenASteepLineAndAWallOrAnOverhangToo) {
+  expectToStandAndGetOut("0 -60 30 0", "-100 0 0 -173\n0 -173 0 50");
+  expectToStandAndGetOut("0 60 30 0", "100 0 0 -173\n0 -173 0 50");
+  expectToStandAndGetOut("0 -60 30 0", "-100 0 0 -173\n0 -173 -30 50");
+  expectToStandAndGetOut("0 60 30 0", "100 0 0 -173\n0 -173 30 50");
 }
 
 TEST(PlayerTest, FallsNoFasterThanTheLimit) {
