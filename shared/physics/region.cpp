@@ -41,9 +41,11 @@ Box unbounded(Box box) {
 // Of warp lines, all whose bounds reach into the box are taken, though the grid may know that they pass it: a corner of
 // a grown shape reaches farther than its bounds.
 void Region::take(const MapGeometry& part, const Box& box) {
+  const bool isSamePart = part_ == &part;
   part_ = &part;
   const Box wide = widened(clamped(box));
   covered_ = unbounded(wide);
+  linesBefore_.swap(lines_);
   lines_.clear();
   part.grid.query(wide, lines_);
   std::erase_if(lines_, [&](std::uint32_t line) {
@@ -55,13 +57,34 @@ void Region::take(const MapGeometry& part, const Box& box) {
   }
   bounds_.clear();
   for (const std::uint32_t line : lines_) bounds_.push_back(boundsOf(part.lines[line]));
+  knownBefore_.swap(known_);
   known_.assign(lines_.size(), kUnknown);
-  knownCount_ = 0;
+  if (!isSamePart) linesBefore_.assign(linesBefore_.size(), kUnknown);
+  keepKnown();
+}
+
+// What a line is to the shape stays the same for as long as it is near.
+void Region::keepKnown() {
+  auto line = lines_.begin();
+  for (std::size_t before = 0; before < linesBefore_.size(); ++before) {
+    if (knownBefore_[before] == kUnknown) continue;
+    line = std::lower_bound(line, lines_.end(), linesBefore_[before]);
+    if (line != lines_.end() && *line == linesBefore_[before]) {
+      known_[static_cast<std::size_t>(line - lines_.begin())] = knownBefore_[before];
+    } else {
+      spare_.push_back(knownBefore_[before]);
+    }
+  }
 }
 
 void Region::know(std::size_t place) {
-  known_[place] = knownCount_++;
-  if (obstacles_.size() < knownCount_) obstacles_.emplace_back();
+  if (spare_.empty()) {
+    known_[place] = static_cast<std::uint32_t>(obstacles_.size());
+    obstacles_.emplace_back();
+    return;
+  }
+  known_[place] = spare_.back();
+  spare_.pop_back();
   obstacles_[known_[place]].forget();
 }
 

@@ -12,7 +12,8 @@
 namespace platon {
 
 /// The small subset of a map part's lines round one instance, as in the report. Derived: it only saves grid queries,
-/// and no result depends on it.
+/// and no result depends on it. A query of the grid before each leg instead makes the steps of 64 movers among 100 or
+/// 10 000 lines take more than half as long again.
 class Region {
  public:
   /// Makes sure that every line that may meet `box` is in the region. The region reaches some way beyond the box, so
@@ -42,6 +43,7 @@ class Region {
   static constexpr std::uint32_t kUnknown = ~std::uint32_t{0};
 
   void take(const MapGeometry& part, const Box& box);
+  void keepKnown();
   void know(std::size_t place);
 
   const MapGeometry* part_ = nullptr;
@@ -50,8 +52,10 @@ class Region {
   std::size_t firstWarp_ = 0;
   std::vector<Box> bounds_;            // by place
   std::vector<std::uint32_t> known_;   // by place, the index of its obstacle: only of lines that have been asked for
-  std::uint32_t knownCount_ = 0;
-  std::vector<Obstacle> obstacles_;    // there may be more than are known, for their memory
+  std::vector<Obstacle> obstacles_;
+  std::vector<std::uint32_t> spare_;         // obstacles of lines that have been left, for their memory
+  std::vector<std::uint32_t> linesBefore_;   // room for work
+  std::vector<std::uint32_t> knownBefore_;
 };
 
 }  // namespace platon
