@@ -66,6 +66,7 @@ Direction firstQuadrant(std::int32_t hundredths) {
 }  // namespace
 
 Direction directionOf(Angle angle) {
+  if (angle == Angle()) return Direction::none();   // mostly so, and quicker
   constexpr std::int32_t quarter = Angle::kTurn / 4;
   const Direction base = firstQuadrant(angle.hundredths() % quarter);
   switch (angle.hundredths() / quarter) {

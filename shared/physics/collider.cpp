@@ -67,8 +67,8 @@ void Collider::first(const Instances& instances, std::size_t index, Point from, 
 std::optional<LegHit> Collider::firstWarp(const Instances& instances, const Path& path,
                                           const std::optional<LegHit>& limit, const std::vector<Gate>& shut) {
   if (limit && limit->hit.time.numerator == 0) return std::nullopt;   // regions need not even be those of the way then
-  std::optional<LegHit> best = limit;
-  bool found = false;
+  std::optional<LegHit> best;
+  const LegHit* earliest = limit ? &*limit : nullptr;
   for (std::size_t i = 0; i < instances.all().size(); ++i) {
     const Placement& placement = instances.all()[i];
     const MapGeometry& part = *placement.part;
@@ -83,12 +83,12 @@ std::optional<LegHit> Collider::firstWarp(const Instances& instances, const Path
         sweep_.start(*placement.shape, from, placement.at(path.to) - from, path.margin);
       }
       const auto meeting = meet(placement, region, place);
-      if (!meeting || (best && meeting->enter >= best->hit.time) || blocks(part, line)) continue;
+      if (!meeting || (earliest && meeting->enter >= earliest->hit.time) || blocks(part, line)) continue;
       best = LegHit{i, line, Sweep::describe(region.obstacle(place, *placement.shape), *meeting)};
-      found = true;
+      earliest = &*best;
     }
   }
-  return found ? best : std::nullopt;
+  return best;
 }
 
 bool Collider::meetsWarp(const Instances& instances, const Gate& gate, const Convex& shape, std::int32_t margin) {
