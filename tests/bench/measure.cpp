@@ -1,5 +1,7 @@
 #include "tests/bench/measure.h"
 
+#include <time.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <functional>
@@ -7,6 +9,12 @@
 #include <vector>
 
 namespace platon::bench {
+
+double processorTime() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) * 1e9 + static_cast<double>(now.tv_nsec);
+}
 
 Spread spreadOf(std::vector<double> passes) {
   std::sort(passes.begin(), passes.end());

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -21,12 +20,15 @@ Spread spreadOf(std::vector<double> passes);
 /// returns what it measured in that pass.
 std::vector<Spread> interleaved(const std::vector<std::function<double()>>& contenders, int passes);
 
-/// Nanoseconds that `work` takes.
+/// Nanoseconds of the processor that this thread has had: those that other programs took from it do not count.
+double processorTime();
+
+/// Nanoseconds of the processor that `work` takes.
 template <class Work>
 double nanosecondsOf(Work&& work) {
-  const auto start = std::chrono::steady_clock::now();
+  const double start = processorTime();
   work();
-  return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count();
+  return processorTime() - start;
 }
 
 /// Makes the compiler believe that `value` is needed.

@@ -10,6 +10,9 @@ COLOURS = {
     "chipmunk-7.0": "#c0392b",
 }
 
+# Points that lie on each other still show.
+MARKS = {"platon": 4, "float32": 5, "float64": 7, "box2d-2.4": 9, "chipmunk-7.0": 11}
+
 HEAD = """set terminal svg size 820,460 font 'sans,14' background '#ffffff'
 set output '{output}'
 set title '{title}'
@@ -33,15 +36,18 @@ class Plots:
         """One point an engine, {engine: (x, y)}. A y of 0 has no logarithm: it is drawn at `zero`, and marked so."""
         rows = {engine: [(x, max(y, zero))] for engine, (x, y) in points.items()}
         settings = f"set yrange [{zero / 5}:*]\nset ytics add ('0' {zero})\nset xrange [10:*]\n"
-        self._draw(name, labels, settings, rows, "points pt 7 ps 1.6")
+        self._draw(name, labels, settings, rows, "points ps 2 lw 3")
 
     def curves(self, name, labels, curves):
         """{engine: [(x, y)]}"""
-        self._draw(name, labels, "", curves, "linespoints pt 7 ps 0.7 lw 2")
+        self._draw(name, labels, "", curves, "linespoints ps 0.8 lw 2")
 
     def _draw(self, name, labels, settings, rows, style):
         script = HEAD.format(output=self._folder / f"{name}.svg", **labels) + settings
         for i, points in enumerate(rows.values()):
             script += f"$data{i} << EOD\n" + "\n".join(f"{x} {y}" for x, y in points) + "\nEOD\n"
-        parts = [f"$data{i} with {style} lc rgb '{COLOURS[engine]}' title '{engine}'" for i, engine in enumerate(rows)]
+        parts = [
+            f"$data{i} with {style} pt {MARKS[engine]} lc rgb '{COLOURS[engine]}' title '{engine}'"
+            for i, engine in enumerate(rows)
+        ]
         subprocess.run(["gnuplot"], input=script + "plot " + ", \\\n  ".join(parts) + "\n", text=True, check=True)

@@ -12,9 +12,9 @@ Speed and accuracy both matter, so each is reported beside the other. This page 
 
     ./platon bench
 
-in one run, here on {machine}; compiled by {compiler}, `{flags}`. One thread. The engines take turns, pass by pass, so that \
-whatever else the machine does meets all of them; a time is the median of {passes} passes, with the lowest and the highest in \
-brackets. On another machine the times differ, the ratios less. `./platon bench --quick` prints a shorter run as text and \
+in one run, here on {machine}; compiled by {compiler}, `{flags}`. One thread, whose own time on the processor is \
+measured. The engines take turns, pass by pass, so that whatever else the machine does meets all of them; a time is the median \
+of {passes} passes, with the lowest and the highest in brackets. On another machine the times differ, the ratios less. `./platon bench --quick` prints a shorter run as text and \
 leaves this page alone.
 
 ![Deepest overlap against the cost of a step](pictures/speed_error_step.svg)
