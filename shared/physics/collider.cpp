@@ -121,7 +121,7 @@ std::optional<std::uint32_t> Collider::overlapped(const Placement& placement, co
 
 void Collider::appendPierced(const Placement& placement, std::vector<Pierced>& out) {
   Region& region = start(placement, *placement.shape, placement.position, placement.position);
-  for (std::size_t place = 0; place < region.lines().size(); ++place) {
+  for (std::size_t place = 0; place < endOfHeeded(region); ++place) {
     const std::uint32_t line = region.lines()[place];
     if (!meet(placement, region, place) || blocks(*placement.part, line)) continue;
     out.push_back({placement.id, placement.part->id, line});

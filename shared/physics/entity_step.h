@@ -18,8 +18,8 @@ namespace platon {
 /// Moves one entity by one tick. The stages, in this order: turn; then leg by leg until the displacement is used up:
 /// admit the instances that the leg needs and find the earliest hit of any of them, choose the lattice point to move
 /// to, move all instances, call the rules in the order of time, choose the way on (along the line, for as long as it
-/// touches), pass home, drop instances. Each entity has its own, kept between
-/// steps for its buffers, and for its instances where they are still what the state says.
+/// touches), pass home, drop instances. Each entity has its own, kept between steps for its buffers, and for its
+/// instances where they are still what the state says.
 class EntityStep {
  public:
   /// I2: a step ends after this many legs at most; a displacement that needs more is cut short.

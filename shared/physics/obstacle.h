@@ -17,7 +17,8 @@ namespace platon {
 /// the half planes that it is the intersection of. These belong to both sides of L and to the edges of -S; no vertex
 /// of the polygon is computed. Made once for a shape and a line and asked many times. Nothing is rounded.
 ///
-/// Bounds: coordinates < 2^29, so |normal| < 2^30, normal . vertex < 2^60 and |offset| < 2^61.
+/// Bounds: coordinates < 2^29, so |normal| < 2^30, normal . vertex < 2^60 and |offset| < 2^61; of a line that is seen from
+/// a position, whose coordinates are < 2^30, |offset| < 1.5 * 2^61.
 class Obstacle {
  public:
   /// The positions with normal . position + offset < 0; `normal` points out of the obstacle.

@@ -42,8 +42,8 @@ inline std::int32_t longerPart(Point vector) { return std::max(std::abs(vector.x
 /// go along perpendicular(normal), or with `back` the other way, until that edge ends: in whole subunits, cut.
 Point reachAlong(const Convex& shape, Point position, const Segment& line, Point normal, bool back);
 
-/// Whether a line parallel to `tangent` goes on, ahead of all of a shape of these bounds, for more than twice as far as a
-/// displacement of up to `longest` along either axis can lead: whatever frame it is measured in, and however rounded.
+/// Whether a line parallel to `tangent` goes on, ahead of all of a shape of these bounds, for more than twice as far as
+/// a displacement of up to `longest` along either axis can lead: whatever frame it is measured in, and however rounded.
 /// False may be an understatement. longest < 2^28, |tangent| < 2^30 a coordinate.
 bool goesOnFor(std::int32_t longest, const Box& shape, Point position, const Segment& line, Point tangent);
 

@@ -31,7 +31,7 @@ struct Hit {
 /// polygon L + (-S). The displacement is clipped against the edges of that polygon. No rounding anywhere.
 ///
 /// Bounds: coordinates < 2^29, so |normal| < 2^30, normal . vertex and normal . position < 2^60 each and every signed
-/// distance and speed below is < 2^62. Times compare through 128 bits.
+/// speed below is < 2^61, every signed distance < 1.5 * 2^62. Times compare through 128 bits.
 class Sweep {
  public:
   /// When a displacement is inside an obstacle, by which edge it gets there, and whether it is there in the end.

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
+#include <utility>
 
 #include "shared/exact/integer.h"
 #include "tests/lockstep/seeded_random.h"
+#include "tests/shared/physics/shapes.h"
 
 namespace platon {
 namespace {
@@ -122,6 +124,49 @@ TEST(DominantStepTest, GoesAlongTheLongerAxis) {
   EXPECT_EQ(dominantStep({2, -3}), Point(0, -1));
   EXPECT_EQ(dominantStep({4, -4}), Point(1, 0));
   EXPECT_EQ(dominantStep({INT32_MIN, 1}), Point(-1, 0));
+}
+
+// A shape that touches a line and is to go `rest`, along it one way or the other.
+struct Touching {
+  Convex shape;
+  Point position;
+  Segment line;
+  Point normal;
+  Point rest;
+};
+
+Touching anyTouching(sim::SeededRandom& random) {
+  const std::int32_t size = std::int32_t{1} << (4 + random.below(20));
+  Point along = random.vector(size);
+  if (along == Point()) along.x = 1;
+  const auto parts = static_cast<std::int32_t>(1 + random.below(16));
+  const Point a = random.vector(1000);
+  Touching scene{randomConvex(random, 300), {}, {a, {a.x + along.x * parts, a.y + along.y * parts}}, {along.y, -along.x}, {}};
+  Point foot = scene.shape.vertices()[0];
+  for (const Point vertex : scene.shape.vertices()) {
+    if (dot(scene.normal, vertex) < dot(scene.normal, foot)) foot = vertex;
+  }
+  const auto part = static_cast<std::int32_t>(random.below(static_cast<std::uint64_t>(parts)));
+  scene.position = Point(a.x + along.x * part, a.y + along.y * part) - foot;
+  scene.rest = random.vector(1 + size * parts / 4);
+  if (random.below(2) == 0) std::swap(scene.line.a, scene.line.b);
+  return scene;
+}
+
+TEST(GoesOnForTest, ThenTheReachOfTheLineMakesNoDifference) {
+  sim::SeededRandom random(kSeed);
+  int goOn = 0;
+  for (int i = 0; i < 100000; ++i) {
+    const auto [shape, position, line, normal, rest] = anyTouching(random);
+    const Point tangent = perpendicular(normal);
+    const bool back = dot(rest, tangent) < 0;
+    if (!goesOnFor(longerPart(rest), shape.bounds(), position, line, back ? -tangent : tangent)) continue;
+    ++goOn;
+    Reach reach;
+    (back ? reach.behind : reach.ahead) = longerPart(reachAlong(shape, position, line, normal, back));
+    ASSERT_EQ(slideAlong(rest, normal, reach), slideAlong(rest, normal)) << "seed " << kSeed << ", round " << i;
+  }
+  EXPECT_GT(goOn, 5000);
 }
 
 }  // namespace

@@ -1,0 +1,145 @@
+// Derived state must not show: a world that has lived long does what a fresh copy of it does, whatever happens to it.
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+#include <string>
+
+#include "shared/physics/entity.h"
+#include "shared/physics/map_part.h"
+#include "shared/physics/world.h"
+#include "tests/lockstep/seeded_random.h"
+#include "tests/shared/physics/maps.h"
+#include "tests/shared/physics/recorded_rules.h"
+#include "tests/shared/physics/shapes.h"
+
+namespace platon {
+namespace {
+
+constexpr int kTicks = 1500;
+constexpr std::int32_t kReach = 1000;  // half the edge of a part
+constexpr std::uint32_t kParts = 4;    // two by two on a torus, in two frames
+
+Angle anyAngle(sim::SeededRandom& random) { return Angle(static_cast<std::int32_t>(random.below(Angle::kTurn))); }
+
+std::int32_t anyTurn(sim::SeededRandom& random, std::int32_t most) {
+  return static_cast<std::int32_t>(random.below(2 * static_cast<std::uint64_t>(most) + 1)) - most;
+}
+
+void addTorusPart(World& world, std::uint32_t id, sim::SeededRandom& random) {
+  MapPart part(world, id);
+  for (int i = 0; i < 12; ++i) {
+    const Point a = random.vector(kReach - 20);
+    part.line(a, a + random.vector(i % 2 == 0 ? 40 : 400));
+  }
+  const auto frameOf = [](std::uint32_t of) { return Angle(static_cast<std::int32_t>(of / 2) * Angle::kTurn / 4); };
+  for (std::int32_t edge = 0; edge < 4; ++edge) {
+    const Angle side(edge * Angle::kTurn / 4);
+    const Point a = rotate(Point(-kReach, -kReach), side);
+    const Point b = rotate(Point(kReach, -kReach), side);
+    const Point back = rotate(Point(0, 2 * kReach), side);
+    const std::uint32_t next = id ^ (edge % 2 == 0 ? 2U : 1U);
+    part.warp(rotate(a, frameOf(id)), rotate(b, frameOf(id)), next, rotate(a + back, frameOf(next)),
+              rotate(b + back, frameOf(next)));
+  }
+  part.initialize();
+}
+
+// Gives any entity another velocity or turn where one is stopped; on every call the same, for the same seed.
+class MeddlingRules : public RecordedRules {
+ public:
+  MeddlingRules(bool heedless, std::uint64_t seed) : heedless_(heedless), random_(seed) {
+    if (heedless) return;
+    walls = {{1, 13}, {2, 12}};
+    pierceable = {{0, 1}, {1, 1}, {2, 1}};
+  }
+
+  bool heedsNoWarp() const override { return heedless_; }
+  void contact(Entity& entity, const Contact& contact) override {
+    RecordedRules::contact(entity, contact);
+    const std::uint64_t what = random_.below(20);
+    Entity any(entity.world(), static_cast<std::uint32_t>(random_.below(entity.world().entities().size())));
+    if (what == 0) any.setVelocity(random_.vector(100), anyAngle(random_));
+    if (what == 1) any.rotate(anyTurn(random_, 700));
+    if (what == 2) entity.rotate(500);
+  }
+  void touchContact(Entity& entity, const LineRef& line) override {
+    RecordedRules::touchContact(entity, line);
+    if (random_.below(8) != 0) entity.rotate(500);
+  }
+
+ private:
+  bool heedless_;
+  sim::SeededRandom random_;
+};
+
+class Watcher : public StepObserver {
+ public:
+  void leg(std::uint32_t, std::span<const InstanceView>) override {}
+};
+
+class DerivedStateTest : public testing::TestWithParam<std::uint64_t> {
+ protected:
+  DerivedStateTest() : random_(GetParam()) {
+    for (std::uint32_t part = 0; part + 1 < kParts; ++part) addTorusPart(world_, part, random_);
+    for (int i = 0; i < 6; ++i) put(Entity(world_, i % 2 == 0 ? square(60) : randomConvex(random_, 150)));
+    saved_ = world_.save();
+  }
+
+  void put(Entity entity) {
+    const auto part = static_cast<std::uint32_t>(random_.below(kParts));
+    const Point origin = random_.vector(kReach);
+    try {
+      MapPart(world_, part).insert(entity, origin, oneIn(2) ? Angle() : anyAngle(random_));
+    } catch (const std::invalid_argument&) {  // not free there, or there already
+    }
+  }
+  bool oneIn(std::uint64_t times) { return random_.below(times) == 0; }
+  // From outside, between two ticks.
+  void meddle(int tick) {
+    const auto index = static_cast<std::uint32_t>(random_.below(world_.entities().size()));
+    Entity entity(world_, index);
+    if (oneIn(15)) entity.setVelocity(random_.vector(oneIn(2) ? 60 : 700));
+    if (tick % 200 < 100) entity.rotate(anyTurn(random_, oneIn(40) ? 3000 : 100));
+    if (oneIn(80)) MapPart(world_, entity.part()).erase(entity);
+    if (oneIn(200)) world_.remove(index);
+    if (oneIn(30)) put(entity);
+    if (tick == 100) addTorusPart(world_, kParts - 1, random_);
+    if (oneIn(60)) saved_ = world_.save();
+    if (oneIn(60)) world_.restore(saved_);
+  }
+
+  sim::SeededRandom random_;
+  World world_;
+  WorldState saved_;
+};
+
+TEST_P(DerivedStateTest, AWorldThatHasLivedLongDoesWhatAFreshCopyDoes) {
+  World assigned;  // which keeps its derived state, too
+  Watcher watcher;
+  for (int tick = 0; tick < kTicks; ++tick) {
+    meddle(tick);
+    const bool heedless = !oneIn(8);
+    MeddlingRules known(heedless, random_.next());
+    MeddlingRules found = known;
+    MeddlingRules watched = known;
+    World fresh = world_;
+    assigned = world_;
+    world_.solve(known, oneIn(10) ? &watcher : nullptr);
+    fresh.solve(found);
+    assigned.solve(watched, &watcher);
+    ASSERT_EQ(world_.hash(), fresh.hash()) << "seed " << GetParam() << ", tick " << tick;
+    ASSERT_EQ(world_.hash(), assigned.hash()) << "seed " << GetParam() << ", tick " << tick;
+    ASSERT_EQ(known.take(), found.calls) << "seed " << GetParam() << ", tick " << tick;
+    ASSERT_EQ(found.calls, watched.calls) << "seed " << GetParam() << ", tick " << tick;
+    for (const std::string& call : found.calls) {
+      ASSERT_TRUE(!heedless || call.starts_with("contact") || call.starts_with("touch")) << call << ", tick " << tick;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, DerivedStateTest, testing::Range<std::uint64_t>(1, 7));
+
+}  // namespace
+}  // namespace platon
