@@ -129,7 +129,7 @@ void Player::holdBetween(Point normal, Point& steep) {
   const bool opposite = (normal.x > 0 && steep.x < 0) || (normal.x < 0 && steep.x > 0);
   const bool upwards = normal.y > 0 || steep.y > 0;
   if (opposite && upwards && state_->ground == Point()) state_->ground = Point(0, PlayerState::kUnit);
-  steep = normal;
+  if (normal.x != 0) steep = normal;   // a flat ceiling faces neither
 }
 
 }  // namespace platon
