@@ -44,6 +44,8 @@ template <class Real>
 struct FloatShape {
   explicit FloatShape(const Convex& shape) {
     for (const Point vertex : shape.vertices()) vertices.push_back(toFloat<Real>(vertex));
+    low = toFloat<Real>(shape.bounds().low);
+    high = toFloat<Real>(shape.bounds().high);
     for (const Convex::Edge& edge : shape.edges()) {
       normals.push_back(toFloat<Real>(edge.normal));
       supports.push_back(static_cast<Real>(edge.support));
@@ -53,6 +55,8 @@ struct FloatShape {
   std::vector<FloatVector<Real>> vertices;
   std::vector<FloatVector<Real>> normals;  ///< of the obstacle that the shape makes of a point
   std::vector<Real> supports;
+  FloatVector<Real> low;  ///< of its bounds
+  FloatVector<Real> high;
 };
 
 /// What is done with `Sweep` in integers, written as one would in floating point: the displacement is clipped against
@@ -63,10 +67,15 @@ class FloatSweep {
   using Vector = FloatVector<Real>;
 
   FloatSweep(const FloatShape<Real>& shape, Vector position, Vector displacement)
-      : shape_(shape), position_(position), displacement_(displacement) {}
+      : shape_(shape), position_(position), displacement_(displacement) {
+    const Vector end = position + displacement;
+    low_ = {std::min(position.x, end.x) + shape.low.x, std::min(position.y, end.y) + shape.low.y};
+    high_ = {std::max(position.x, end.x) + shape.high.x, std::max(position.y, end.y) + shape.high.y};
+  }
 
   /// The time of the first meeting: 0 when it overlaps from the start.
   std::optional<Real> against(Vector a, Vector b) {
+    if (misses(a, b)) return std::nullopt;
     enter_ = 0;
     exit_ = 1;
     entered_ = false;
@@ -83,6 +92,10 @@ class FloatSweep {
   FloatEdge<Real> edge(Vector a, Vector b) const { return entered_ ? edgeAt(edge_, a, b) : nearest(a, b); }
 
  private:
+  bool misses(Vector a, Vector b) const {
+    return std::max(a.x, b.x) < low_.x || std::min(a.x, b.x) > high_.x || std::max(a.y, b.y) < low_.y ||
+           std::min(a.y, b.y) > high_.y;
+  }
   bool clipSides(Vector a, Vector b) {
     const Vector normal{a.y - b.y, b.x - a.x};
     Real low = dot(normal, shape_.vertices[0]);
@@ -156,6 +169,8 @@ class FloatSweep {
   const FloatShape<Real>& shape_;
   Vector position_;
   Vector displacement_;
+  Vector low_;  // all that the moving shape passes over
+  Vector high_;
   Real enter_ = 0;
   Real exit_ = 1;
   bool entered_ = false;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <span>
@@ -57,9 +58,9 @@ double averageOf(std::int64_t times, Work&& work) {
          static_cast<double>(times);
 }
 
-SnapshotResult benchSnapshot(const std::shared_ptr<const Level>& level, const Effort& effort) {
+SnapshotResult benchSnapshot(const std::string& path, const Effort& effort) {
   constexpr std::size_t kMovers = 64;
-  Session session(level, kMovers);
+  Session session(sim::levelFrom(path), kMovers);
   const WorldState& live = session.game.world().save();
   World other = session.game.world();
   WorldState kept = live;
@@ -74,13 +75,12 @@ SnapshotResult benchSnapshot(const std::shared_ptr<const Level>& level, const Ef
                                     [&] { return averageOf(times, hash); }},
                                    effort.passes);
   const std::size_t bytes = live.entities.size() * sizeof(EntityState) + live.instances.size() * sizeof(InstanceState);
-  return {kMovers, bytes, spreads[0], spreads[1], spreads[2]};
+  return {sim::testName(path), kMovers, bytes, spreads[0], spreads[1], spreads[2]};
 }
 
 // As a client does it after a correction: back to what is confirmed, forward again.
-ResimulationResult benchResimulation(const std::shared_ptr<const Level>& level, std::size_t players, int ticks,
-                                     const Effort& effort) {
-  Session session(level, players);
+ResimulationResult benchResimulation(const std::string& path, std::size_t players, int ticks, const Effort& effort) {
+  Session session(sim::levelFrom(path), players);
   std::vector<std::vector<Input>> inputs;
   for (int tick = 0; tick < ticks; ++tick) {
     const auto next = session.presses.next();
@@ -94,7 +94,7 @@ ResimulationResult benchResimulation(const std::shared_ptr<const Level>& level, 
   };
   const std::int64_t times = std::max<std::int64_t>(1, 50 / effort.share);
   const auto spreads = interleaved({[&] { return averageOf(times, replay) / 1000; }}, effort.passes);
-  return {players, ticks, spreads[0]};
+  return {sim::testName(path), players, ticks, spreads[0]};
 }
 
 AdvanceResult benchAdvance(const std::string& path, const Effort& effort) {
@@ -112,12 +112,15 @@ AdvanceResult benchAdvance(const std::string& path, const Effort& effort) {
 
 GameResults benchGames(const Effort& effort) {
   const auto paths = sim::shippedLevels();
-  const auto level = sim::levelFrom(paths.front());
   GameResults results;
-  results.snapshots.push_back(benchSnapshot(level, effort));
-  results.resimulations.push_back(benchResimulation(level, 16, 15, effort));
-  results.resimulations.push_back(benchResimulation(level, 64, 60, effort));
   for (const std::string& path : paths) results.advances.push_back(benchAdvance(path, effort));
+  const auto slowest = std::max_element(
+      results.advances.begin(), results.advances.end(),
+      [](const auto& a, const auto& b) { return a.nsPerPlayerTick.median < b.nsPerPlayerTick.median; });
+  const std::string& path = paths[static_cast<std::size_t>(slowest - results.advances.begin())];
+  results.snapshots.push_back(benchSnapshot(path, effort));
+  results.resimulations.push_back(benchResimulation(path, 16, 15, effort));
+  results.resimulations.push_back(benchResimulation(path, 64, 60, effort));
   return results;
 }
 

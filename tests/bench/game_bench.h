@@ -9,6 +9,7 @@
 namespace platon::bench {
 
 struct SnapshotResult {
+  std::string level;
   std::size_t movers = 0;
   std::size_t bytes = 0;
   Spread saveNs;
@@ -17,6 +18,7 @@ struct SnapshotResult {
 };
 
 struct ResimulationResult {
+  std::string level;
   std::size_t players = 0;
   int ticks = 0;
   Spread microseconds;
@@ -30,9 +32,9 @@ struct AdvanceResult {
 };
 
 struct GameResults {
-  std::vector<SnapshotResult> snapshots;          ///< 64 movers
-  std::vector<ResimulationResult> resimulations;  ///< 16 players x 15 ticks, 64 x 60
   std::vector<AdvanceResult> advances;            ///< each shipped level, eight players
+  std::vector<SnapshotResult> snapshots;          ///< 64 movers, on the slowest of these levels
+  std::vector<ResimulationResult> resimulations;  ///< 16 players x 15 ticks, 64 x 60, on the same
 };
 
 /// Run from the root of the tree, for the levels.

@@ -94,6 +94,7 @@ JsonObject objectOf(const PartResult& result) {
 
 JsonObject objectOf(const SnapshotResult& result) {
   return JsonObject()
+      .add("level", result.level)
       .add("movers", result.movers)
       .add("bytes", result.bytes)
       .add("saveNs", result.saveNs)
@@ -103,6 +104,7 @@ JsonObject objectOf(const SnapshotResult& result) {
 
 JsonObject objectOf(const ResimulationResult& result) {
   return JsonObject()
+      .add("level", result.level)
       .add("players", result.players)
       .add("ticks", result.ticks)
       .add("microseconds", result.microseconds);

@@ -92,18 +92,17 @@ class Runner {
 
   // Nanoseconds a mover and step.
   double run(std::int64_t steps) {
-    double spent = 0;
-    for (std::int64_t done = 0; done < steps; done += kStepsOfOneVelocity) {
-      velocities_.clear();
-      for (std::size_t i = 0; i < movers_; ++i) velocities_.push_back(random_.vector(kSpeed));
-      spent += nanosecondsOf([&] { runOneVelocity(); });
-    }
-    const std::int64_t done = (steps + kStepsOfOneVelocity - 1) / kStepsOfOneVelocity * kStepsOfOneVelocity;
-    return spent / static_cast<double>(done) / static_cast<double>(movers_);
+    const std::int64_t velocities = (steps + kStepsOfOneVelocity - 1) / kStepsOfOneVelocity;
+    const double spent = nanosecondsOf([&] {
+      for (std::int64_t i = 0; i < velocities; ++i) runOneVelocity();
+    });
+    return spent / static_cast<double>(velocities * kStepsOfOneVelocity) / static_cast<double>(movers_);
   }
 
  private:
   void runOneVelocity() {
+    velocities_.clear();
+    for (std::size_t i = 0; i < movers_; ++i) velocities_.push_back(random_.vector(kSpeed));
     for (int step = 0; step < kStepsOfOneVelocity; ++step) {
       for (std::size_t i = 0; i < movers_; ++i) {
         engine_->setVelocity(i, {static_cast<double>(velocities_[i].x), static_cast<double>(velocities_[i].y)});

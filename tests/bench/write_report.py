@@ -21,7 +21,7 @@ PICTURES = "docs/pictures"
 NO_TIME_ERROR = 1e-19
 NO_OVERLAP = 1e-5
 
-PARTS_CROSSING = "solid, over an edge to and fro"
+CROSSING, NO_CROSSING = "solid, over an edge to and fro", "solid, along an edge to and fro"
 
 
 def table(heads, rows):
@@ -123,10 +123,10 @@ def ladder_tables(data):
 def part_tables(data):
     cost = {r["scene"]: r["nsPerStepLow"] for r in data.report["parts"]}
     plain = next(r["nsPerStep"] for r in data.report["parts"] if r["scene"] == "plane")
-    crossings = next(r["crossingsPerStep"] for r in data.report["parts"] if r["scene"] == PARTS_CROSSING)
+    crossings = next(r["crossingsPerStep"] for r in data.report["parts"] if r["scene"] == CROSSING)
     text = PARTS.format(
         rules=cost["plane, own rules"] / cost["plane"], solid=cost["solid, middle of a face"] / cost["plane"],
-        crossing=(cost[PARTS_CROSSING] - cost["solid, on an edge"]) / crossings)  # fmt: skip
+        crossing=max(0, (cost[CROSSING] - cost[NO_CROSSING]) / crossings))  # fmt: skip
     rows = []
     for r in data.report["parts"]:
         times = f"{r['nsPerStep'] / plain:.2f}"
@@ -136,9 +136,9 @@ def part_tables(data):
 
 def game_tables(data):
     shot = data.report["snapshot"]
-    rows = [[f"{end} {shot['movers']} movers, {count(shot['bytes'])} bytes", spread(shot, f"{end}Ns") + " ns"]
+    rows = [[f"{end} {shot['movers']} movers, {count(shot['bytes'])} bytes, {shot['level']}", spread(shot, f"{end}Ns") + " ns"]
             for end in ("save", "restore", "hash")]  # fmt: skip
-    rows += [[f"{r['players']} players, {r['ticks']} ticks once more", spread(r, "microseconds") + " µs"]
+    rows += [[f"{r['players']} players, {r['ticks']} ticks once more, {r['level']}", spread(r, "microseconds") + " µs"]
              for r in data.report["resimulation"]]  # fmt: skip
     rows += [[f"`Game::advance`, {r['level']}, a player of {r['players']}", spread(r, "nsPerPlayerTick") + " ns"]
              for r in data.report["advance"]]  # fmt: skip
