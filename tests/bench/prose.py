@@ -26,7 +26,7 @@ leaves this page alone.
 The lower and the farther left, the better. Lengths are in subunits, of which 16 384 are taken for a metre where an engine \
 counts in metres; a level unit has 1 024 of them, a player's radius 12 units, which is then 0.75 m."""
 
-AIMED = "Bounds in nanoseconds were set for a quiet server processor of 2023; ratios are of this run."
+AIMED = "Bounds in nanoseconds are for a quiet core of a current server processor; ratios are of this run."
 
 ENGINES_USED = """All have the same lines, the same octagons, no gravity, no friction, no bounce, no turning, and movers that \
 do not meet each other; velocities are set before each step of a sixtieth of a second.
