@@ -42,6 +42,8 @@ void Obstacle::become(const Convex& shape, const Segment& line) {
   likelyBarrier_ = 0;
   around_ = kEmpty;
   halfPlanes_.clear();
+  halfPlanes_.reserve(shape.edges().size() + 2);
+  boundaries_.reserve(shape.edges().size() + 2);
   if (sides() != 0) {
     for (const HalfPlane& side : ofSides(shape, line)) {
       features_[halfPlanes_.size()] = featureOfSide(shape, side.normal);

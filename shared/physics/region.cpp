@@ -45,7 +45,7 @@ void Region::take(const MapGeometry& part, const Box& box) {
   part_ = &part;
   const Box wide = widened(clamped(box));
   covered_ = unbounded(wide);
-  linesBefore_.swap(lines_);
+  linesBefore_ = lines_;   // no swap: both keep the room that they have once needed
   lines_.clear();
   part.grid.query(wide, lines_);
   std::erase_if(lines_, [&](std::uint32_t line) {
@@ -57,7 +57,7 @@ void Region::take(const MapGeometry& part, const Box& box) {
   }
   bounds_.clear();
   for (const std::uint32_t line : lines_) bounds_.push_back(boundsOf(part.lines[line]));
-  knownBefore_.swap(known_);
+  knownBefore_ = known_;
   known_.assign(lines_.size(), kUnknown);
   if (!isSamePart) linesBefore_.assign(linesBefore_.size(), kUnknown);
   keepKnown();
