@@ -10,8 +10,7 @@
 namespace platon {
 namespace {
 
-// An instance comes into being before its part is reached, and outlives its use a little, so that none flickers.
-constexpr std::int32_t kInsertMargin = 4;
+// An instance outlives its use a little, so that none flickers.
 constexpr std::int32_t kDropMargin = 8;
 
 Point halved(Point displacement) { return {displacement.x / 2, displacement.y / 2}; }

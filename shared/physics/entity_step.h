@@ -55,6 +55,8 @@ class EntityStep {
  private:
   // What is closer to a line than this touches it, as far as the lattice can tell.
   static constexpr std::int32_t kPlay = 2;
+  // An instance comes into being before its part is reached: when the shape, grown by this, meets the warp.
+  static constexpr std::int32_t kInsertMargin = 4;
 
   enum class End : std::uint8_t {
     kReached,
@@ -158,7 +160,7 @@ class EntityStep {
   std::optional<LegHit> slidAlong_;   // the last slide
   std::optional<LegHit> stopBefore_;  // another one, where it has not moved since
   std::optional<LegHit> stop_;        // what has stopped the entity where it stands
-  std::vector<Collider::Pierced> piercedBefore_;   // a turn
+  std::vector<Collider::Pierced> piercedBefore_;   // a part of a turn
   std::vector<Collider::Pierced> piercedAfter_;
   std::vector<Contact> contacts_;
   std::vector<Event> events_;

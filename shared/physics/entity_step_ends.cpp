@@ -32,7 +32,6 @@ bool EntityStep::tryToPass(const Leg& leg, const Way& way, Point reached) {
 
 // What the entity would meet, close by, if the line whose end it has met were not there.
 std::optional<LegHit> EntityStep::groundBehind(const LegHit& end, Point target, Point reached) {
-  if (end.hit.side != Hit::Side::kLineEnd) return std::nullopt;
   const Point displacement = target - position();
   const Point beyond = reached + displacement;
   if (!allInRange(beyond)) return std::nullopt;
@@ -72,8 +71,7 @@ bool EntityStep::nudgePast(const LegHit& end, const Way& onwards, Point reached,
 // there, so that nothing at rest is ever nudged to and fro; and past the end, where a slide would lead beside it.
 std::optional<Point> EntityStep::nudge(const LegHit& hit, Point target, Point reached) {
   const Placement& placement = instances_.all()[hit.placement];
-  if (hit.hit.side != Hit::Side::kLineEnd || isTiny(*placement.shape)) return std::nullopt;
-  if (!grazes(hit, target, reached)) return std::nullopt;
+  if (isTiny(*placement.shape) || !grazes(hit, target, reached)) return std::nullopt;
   for (const Point offset : std::span(kNudgeOffsets).subspan(1)) {
     const Point from = reached + offset;
     const Point to = target + offset;

@@ -10,7 +10,6 @@ namespace {
 // A shape is turned in parts of at most 5 degrees: the corners then bulge out of the hull of old and new shape by less
 // than 1/1000 of the radius.
 constexpr std::int32_t kTurnPart = 500;
-constexpr std::int32_t kInsertMargin = 4;
 
 bool isIn(const std::vector<Collider::Pierced>& some, const Collider::Pierced& one) {
   return std::find(some.begin(), some.end(), one) != some.end();

@@ -179,7 +179,7 @@ FAULTS = [
               "  for (bool once = true; once && instances_.homeIsDue(); once = false) {",
               "home crosses one edge a leg at most",
               "crossing_test", "CrossingTest.OverDozensOfFacesInATickAllHolds"),
-    at_length("instances-too-late", PHYSICS + "entity_step.cpp",
+    at_length("instances-too-late", PHYSICS + "entity_step.h",
               "constexpr std::int32_t kInsertMargin = 4;", "constexpr std::int32_t kInsertMargin = 0;",
               "an instance comes into being only when its part is reached",
               "world_test", "InstancesTest.AnInstanceComesBeforeItsPartIsReached"),
