@@ -1,8 +1,5 @@
 #include "shared/game/unit_normals.h"
 
-#include <algorithm>
-#include <cstdlib>
-
 #include "shared/exact/integer.h"
 #include "shared/exact/square_root.h"
 #include "shared/game/player.h"
@@ -12,7 +9,7 @@ namespace platon {
 
 Point UnitNormals::computed(Point normal, Angle turn) {
   Point vector = turnedNormal(normal, turn);
-  while (std::max(std::abs(vector.x), std::abs(vector.y)) < (1 << 28)) vector = vector + vector;
+  while (longerPart(vector) < (1 << 28)) vector = vector + vector;
   const std::int64_t length = squareRootFloor(squaredLength(vector));
   return {static_cast<std::int32_t>(divideRounded(std::int64_t{vector.x} * PlayerState::kUnit, length)),
           static_cast<std::int32_t>(divideRounded(std::int64_t{vector.y} * PlayerState::kUnit, length))};

@@ -66,7 +66,7 @@ void Collider::first(const Instances& instances, std::size_t index, Point from, 
 
 std::optional<LegHit> Collider::firstWarp(const Instances& instances, const Path& path,
                                           const std::optional<LegHit>& limit, const std::vector<Gate>& shut) {
-  if (limit && limit->hit.time.numerator == 0) return std::nullopt;   // regions need not even be those of the way then
+  if (limit && limit->hit.time.numerator == 0) return std::nullopt;   // `first` may then have left regions out
   std::optional<LegHit> best;
   const LegHit* earliest = limit ? &*limit : nullptr;
   for (std::size_t i = 0; i < instances.all().size(); ++i) {

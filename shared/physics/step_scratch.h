@@ -23,7 +23,6 @@ class StepScratch {
   /// Drops what points to shapes of the cache.
   void forgetShapes() {
     regions.clear();
-    rests.clear();
     steps.clear();
   }
 

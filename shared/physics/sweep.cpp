@@ -33,7 +33,7 @@ void Sweep::cross(Meeting& meeting, Course course, std::size_t halfPlane) {
   }
 }
 
-// Whether anything is left of the way. What comes in and stays, or is in from the beginning, is in for some time.
+// Whether nothing of the way is inside. What comes in and stays, or is in from the beginning, is in for some time.
 bool Sweep::isEmpty(const Meeting& meeting) {
   return meeting.entered != Meeting::kNone && !meeting.endsInside && meeting.enter >= meeting.exit;
 }

@@ -88,7 +88,6 @@ void World::move(std::uint32_t index, std::span<const InstanceState> further, Ru
 
 void World::beginStep(std::uint32_t index, std::span<const InstanceState> further, Rules& rules,
                       StepObserver* observer) {
-  scratch_->provideFor(state_.entities.size());
   const EntityStep::Setting setting{*geometry_, shapeOf(index), scratch_->shapes, scratch_->regions[index],
                                     rules,      observer};
   scratch_->steps[index].begin(Entity(*this, index), state_.entities[index], further, setting);
@@ -194,6 +193,7 @@ bool World::settle(std::uint32_t entity) {
   HeedlessRules heedless;
   const auto known = instancesOf(entity);
   const std::vector<InstanceState> before(known.begin(), known.end());
+  scratch_->provideFor(state_.entities.size());
   beginStep(entity, before, rules_ != nullptr ? *rules_ : heedless, nullptr);
   EntityStep& step = scratch_->steps[entity];
   if (!step.isFree() || !step.settle() || !step.isFree()) return false;
