@@ -109,17 +109,13 @@ TEST_F(HeedlessTest, WhatRestsMeetsTheSameAsIfItWereMoved) {
 
 TEST(HeedlessWayTest, APartThatIsAddedWakesWhatRestsBeforeItsEdge) {
   World world;
-  MapPart first(world, 1);
-  first.warp({1000, -5000}, {1000, 5000}, 2, {-1000, -5000}, {-1000, 5000});
-  first.initialize();
+  addLeftStrip(world);
   Entity entity(world, square(100));
   MapPart(world, 1).insert(entity, {0, 0}, Angle());
   entity.setVelocity({300, 0});
   for (int tick = 0; tick < 10; ++tick) world.solve();
   ASSERT_EQ(entity.part(), 1u);
-  MapPart second(world, 2);
-  second.warp({-1000, 5000}, {-1000, -5000}, 1, {1000, 5000}, {1000, -5000});
-  second.initialize();
+  addRightStrip(world);
   for (int tick = 0; tick < 10; ++tick) world.solve();
   EXPECT_EQ(entity.part(), 2u);
 }

@@ -230,9 +230,7 @@ TEST(InstancesTest, NothingIsPlacedBeyondTheCoordinates) {
 
 TEST(InstancesTest, AWarpWithoutAWayBackIsADeadEnd) {
   World world;
-  MapPart first(world, 1);
-  first.warp({1000, -5000}, {1000, 5000}, 2, {-1000, -5000}, {-1000, 5000});
-  first.initialize();
+  addLeftStrip(world);
   Entity entity(world, square(100));
   MapPart(world, 1).insert(entity, {0, 0}, Angle());
   entity.setVelocity({300, 40});

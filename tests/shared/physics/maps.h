@@ -16,18 +16,27 @@ inline void addPart(World& world, std::uint32_t id, const std::vector<Segment>& 
   part.initialize();
 }
 
-/// Two parts side by side: each is a strip 2000 wide round its own origin, and the right edge of part 1 is the left
-/// edge of part 2.
+/// Part 1, a strip 2000 wide round its origin: its right edge is the left edge of part 2.
+inline void addLeftStrip(World& world, const std::vector<Segment>& lines = {}) {
+  MapPart part(world, 1);
+  for (const Segment& line : lines) part.line(line.a, line.b);
+  part.warp({1000, -5000}, {1000, 5000}, 2, {-1000, -5000}, {-1000, 5000});
+  part.initialize();
+}
+
+/// Part 2, as wide: its left edge is the right edge of part 1.
+inline void addRightStrip(World& world, const std::vector<Segment>& lines = {}) {
+  MapPart part(world, 2);
+  for (const Segment& line : lines) part.line(line.a, line.b);
+  part.warp({-1000, 5000}, {-1000, -5000}, 1, {1000, 5000}, {1000, -5000});
+  part.initialize();
+}
+
+/// Both, side by side.
 inline World twoStrips(const std::vector<Segment>& first = {}, const std::vector<Segment>& second = {}) {
   World world;
-  MapPart left(world, 1);
-  for (const Segment& line : first) left.line(line.a, line.b);
-  left.warp({1000, -5000}, {1000, 5000}, 2, {-1000, -5000}, {-1000, 5000});
-  left.initialize();
-  MapPart right(world, 2);
-  for (const Segment& line : second) right.line(line.a, line.b);
-  right.warp({-1000, 5000}, {-1000, -5000}, 1, {1000, 5000}, {1000, -5000});
-  right.initialize();
+  addLeftStrip(world, first);
+  addRightStrip(world, second);
   return world;
 }
 
