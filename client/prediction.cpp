@@ -30,6 +30,7 @@ bool Prediction::predict(Input own) {
   if (predictedTicks_ - confirmedTicks_ >= kMaxAhead) return false;
   own_[predictedTicks_ % kMaxAhead] = own;
   advancePredicted(own);
+  first_[(predictedTicks_ - 1) % kMaxAhead] = ownPlace(predicted_);
   return true;
 }
 
@@ -53,6 +54,13 @@ void Prediction::confirm(std::span<const Input> inputs) {
   confirmed_.advance(held_);
   ++confirmedTicks_;
   ++count_.confirmedTicks;
+  if (wasPredicted) judge();
+}
+
+void Prediction::judge() {
+  const std::optional<Place>& predicted = first_[(confirmedTicks_ - 1) % kMaxAhead];
+  const std::optional<Place> place = ownPlace(confirmed_);
+  if (predicted && place && *predicted != *place) ++count_.mispredicted;
 }
 
 void Prediction::hold(std::span<const Input> inputs) {

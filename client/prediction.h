@@ -19,6 +19,7 @@ struct PredictionCount {
   std::int32_t maxSubunits = 0;    ///< distance of old and new prediction at the same tick, along the surface
   std::int32_t lastSubunits = 0;   ///< of the last correction
   std::uint32_t missedInputs = 0;  ///< ticks for which the server decided another own input than was predicted
+  std::uint32_t mispredicted = 0;  ///< ticks after which the own player was not where it was predicted at first
   std::uint32_t confirmedTicks = 0;
 };
 
@@ -68,6 +69,7 @@ class Prediction {
  private:
   void hold(std::span<const Input> inputs);
   std::optional<Place> ownPlace(const Game& game) const;
+  void judge();
   void replay(std::uint32_t until);
   void advancePredicted(Input own);
   void compare(const Place& before, Moment now);
@@ -79,6 +81,7 @@ class Prediction {
   std::uint32_t predictedTicks_ = 0;
   bool stale_ = false;                        // what is confirmed is not what was predicted
   std::array<Input, kMaxAhead> own_{};        // by tick modulo kMaxAhead
+  std::array<std::optional<Place>, kMaxAhead> first_{};   // own place after it as predicted at first, likewise
   std::vector<Input> held_;                   // has slot_ always
   std::vector<Input> inputs_;                 // scratch
   std::vector<EntityState> predictedBefore_;

@@ -8,7 +8,8 @@ namespace platon {
 
 namespace {
 
-constexpr std::uint32_t kTicksBetweenReports = 3;
+constexpr std::uint32_t kTicksBetweenReports = 4;
+constexpr std::uint32_t kRepeats = 2;   // of a change, each a tick after the one before
 constexpr Moment kIdleReport = std::chrono::milliseconds(50);
 
 }  // namespace
@@ -24,7 +25,7 @@ void Round::receive(const ConfirmedTicks& message, Moment now) {
   const std::uint32_t newest = message.from + message.count;
   // While catching up a message does not tell how far the server is.
   if (!clock_ && message.count < kMaxTicksPerMessage) startClock(newest, now);
-  if (clock_ && message.slack) judge(*message.slack);
+  if (clock_ && message.line && message.line->slack) judge(*message.line->slack);
   if (clock_) lead_ = clock_->tick() - newest;
   const std::uint32_t confirmed = prediction_.confirmedTicks();
   if (confirmed < message.from || confirmed >= newest) return;
@@ -38,8 +39,9 @@ void Round::receive(const ConfirmedTicks& message, Moment now) {
 }
 
 void Round::judge(const SlackReport& report) {
+  slack_ = report.slack;
   // Of ticks that were predicted and sent together, the oldest must be in time.
-  const std::uint32_t older = burstSent_[report.tick % burstSent_.size()];
+  const std::uint32_t older = burst_[report.tick % burst_.size()];
   if (older <= report.tick) clock_->report(report.tick - older, report.slack - static_cast<std::int32_t>(older));
 }
 
@@ -65,12 +67,15 @@ void Round::apply(const ConfirmedTicks& message) {
 void Round::check(std::uint32_t hash) {
   hash_ = shortHash(prediction_.confirmed().hash());
   const bool matches = hash_ == hash;
-  if (!matches && !outOfStep_) ++count_.hashMismatches;
+  if (!matches && !outOfStep_) {
+    ++count_.hashMismatches;
+    tellMismatch_ = true;
+  }
   if (matches)
     watch_.agreed(prediction_.confirmed());
   else
     watch_.differs(prediction_.confirmed(), hash);
-  // The server learns it from the hash in the next report and answers with the full state.
+  // The server learns it from the hash in the report and answers with the full state.
   outOfStep_ = !matches;
 }
 
@@ -92,12 +97,13 @@ void Round::advance(Moment now, const Controls& controls) {
   const std::uint32_t before = std::max(prediction_.predictedTicks(), firstInput_);
   while (prediction_.predictedTicks() + 1 <= clock_->tick()) {
     Input own;
-    if (prediction_.predictedTicks() >= firstInput_) {
+    const std::uint32_t tick = prediction_.predictedTicks();
+    if (tick >= firstInput_) {
       own.buttons = controls(prediction_.predicted(), prediction_.slot()).buttons | Input::kPresent;
+      burst_[tick % burst_.size()] = tick - before;
     }
     if (!prediction_.predict(own)) break;
   }
-  if (prediction_.predictedTicks() > before) burst_ = prediction_.predictedTicks() - before;
 }
 
 bool Round::changedSinceReport() const {
@@ -108,10 +114,10 @@ bool Round::changedSinceReport() const {
 }
 
 bool Round::worthSending(Moment now) const {
-  if (!sentAt_ || now - *sentAt_ >= kIdleReport) return true;
+  if (!sentAt_ || now - *sentAt_ >= kIdleReport || tellMismatch_) return true;
   const std::uint32_t ticks = prediction_.predictedTicks();
   if (ticks <= std::max(sentTicks_, firstInput_)) return false;
-  return repeatSoon_ || ticks - sentTicks_ >= kTicksBetweenReports || changedSinceReport();
+  return repeats_ > 0 || ticks - sentTicks_ >= kTicksBetweenReports || changedSinceReport();
 }
 
 std::optional<PlayerInputs> Round::report(Moment now) {
@@ -121,8 +127,8 @@ std::optional<PlayerInputs> Round::report(Moment now) {
   for (std::uint32_t tick = message.first; tick < prediction_.predictedTicks(); ++tick) {
     message.inputs.push_back(prediction_.ownInput(tick));
   }
-  if (!message.inputs.empty()) burstSent_[(prediction_.predictedTicks() - 1) % burstSent_.size()] = burst_ - 1;
-  repeatSoon_ = changedSinceReport();
+  repeats_ = changedSinceReport() ? kRepeats : repeats_ - std::min(repeats_, 1u);
+  tellMismatch_ = false;
   sentAt_ = now;
   sentTicks_ = prediction_.predictedTicks();
   return message;

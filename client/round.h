@@ -56,9 +56,11 @@ class Round {
   /// Predicts up to `now`.
   void advance(Moment now, const Controls& controls);
 
-  /// What to send to the server now, if anything: at once when the own buttons have changed, and once more a tick
-  /// later; else every third tick. All that is not confirmed is repeated every time.
+  /// What to send to the server now, if anything: at once when the own buttons have changed, and twice more, a tick
+  /// and two ticks later; else every fourth tick. All that is not confirmed is repeated every time.
   std::optional<PlayerInputs> report(Moment now);
+  /// By how many ticks an own input last came before the server needed it; 0 before the first report.
+  std::int32_t slack() const { return slack_; }
 
   /// For drawing the others: the confirmed entities before the last batch of ticks, and how far to have moved on from
   /// there, 0 … 1.
@@ -89,9 +91,11 @@ class Round {
 
   std::optional<Moment> sentAt_;
   std::uint32_t sentTicks_ = 0;             // predictedTicks() when sent
-  std::uint32_t burst_ = 0;                 // ticks predicted together last
-  std::array<std::uint32_t, Prediction::kMaxAhead> burstSent_{};   // by newest tick sent, modulo kMaxAhead
-  bool repeatSoon_ = false;
+  std::array<std::uint32_t, Prediction::kMaxAhead> burst_{};   // by tick modulo kMaxAhead: ticks before it that were
+                                                               // predicted together with it
+  std::uint32_t repeats_ = 0;               // of the last change, still to be sent
+  bool tellMismatch_ = false;
+  std::int32_t slack_ = 0;
 
   std::vector<EntityState> confirmedBefore_;
   Moment confirmedAt_{};

@@ -9,12 +9,12 @@ namespace platon {
 
 namespace {
 
-constexpr std::size_t kLevelsKept = 8;
 constexpr double kFirstSpareTicks = 2;
 
 PredictionCount sum(const PredictionCount& past, const PredictionCount& now) {
   return {past.corrections + now.corrections, std::max(past.maxSubunits, now.maxSubunits), now.lastSubunits,
-          past.missedInputs + now.missedInputs, past.confirmedTicks + now.confirmedTicks};
+          past.missedInputs + now.missedInputs, past.mispredicted + now.mispredicted,
+          past.confirmedTicks + now.confirmedTicks};
 }
 
 RoundCount sum(const RoundCount& a, const RoundCount& b) {
@@ -27,11 +27,21 @@ std::string sentence(std::string_view what, const std::string& reason) {
 
 }  // namespace
 
-Session::Session(const std::string& name, Moment now) : helloAt_(now), heardAt_(now) {
+Session::Session(const std::string& name, Moment now, Memory memory)
+    : helloAt_(now),
+      heardAt_(now),
+      oldToken_(memory.token),
+      levels_(std::move(memory.levels)),
+      pastPrediction_(memory.prediction),
+      pastRounds_(memory.rounds) {
   Hello hello;
   hello.name = name;
+  hello.token = oldToken_;
+  for (const auto& level : levels_) hello.levels.push_back(level->hash);
   send(hello, true);
 }
+
+std::optional<SessionToken> Session::token() const { return welcome_ ? welcome_->token : oldToken_; }
 
 template <class Message>
 void Session::send(const Message& message, bool reliable) {
@@ -40,8 +50,8 @@ void Session::send(const Message& message, bool reliable) {
 
 std::vector<OutgoingMessage> Session::takeOutgoing() { return std::exchange(outgoing_, {}); }
 
-void Session::end(std::string reason) {
-  ending_ = std::move(reason);
+void Session::end(std::string reason, bool forGood) {
+  ending_ = Ending{std::move(reason), forGood};
   if (round_) keep(round_->abandonedMismatch());
 }
 
@@ -58,51 +68,59 @@ void Session::leave() {
 }
 
 void Session::lose(std::string reason) {
-  if (!ending_) end(std::move(reason));
+  if (!ending_) end(std::move(reason), false);
 }
 
 void Session::receive(std::span<const std::uint8_t> bytes, Moment now) {
   if (ending_) return;
   heardAt_ = now;
   const std::optional<ToClient> message = decodeToClient(bytes);
-  if (!message) return end("the server sent a message that this client does not understand");
+  if (!message) return end("the server sent a message that this client does not understand", true);
   std::visit([&](const auto& content) { handle(content, now); }, *message);
 }
 
 void Session::update(Moment now, const Controls& controls) {
   if (ending_) return;
-  if (now - heardAt_ > kSilence) return end("the server has fallen silent");
+  if (welcome_ && now - heardAt_ > kSilence) return end("the server has fallen silent", false);
   if (!round_) return;
   round_->advance(now, controls);
-  if (const std::optional<PlayerInputs> report = round_->report(now)) send(*report, false);
+  std::optional<PlayerInputs> report = round_->report(now);
+  if (!report) return;
+  report->sequence = line_.send(now);
+  send(*report, false);
 }
 
 void Session::handle(const Welcome& message, Moment now) {
-  if (welcome_) return end("the server welcomed this client twice");
+  if (welcome_) return end("the server welcomed this client twice", true);
   welcome_ = message;
   names_.resize(message.maxPlayers);
   lead_ = toSeconds(now - helloAt_) * kTicksPerSecond + kFirstSpareTicks;
+  if (!level(message.levelHash)) fetching_ = message.levelHash;   // follows by itself
   startRound(message.round, message.levelHash);
 }
 
+// A server that is full, or stops, may have a place later.
 void Session::handle(const Refused& message, Moment) {
-  end(sentence("the server refused this client", message.reason));
+  end(sentence("the server refused this client", message.reason), message.code != RefusalCode::kFull);
 }
 
-void Session::handle(const Bye& message, Moment) { end(sentence("the server ended the game", message.reason)); }
+void Session::handle(const Bye& message, Moment) {
+  end(sentence("the server ended the game", message.reason), message.code != ByeCode::kServerStops);
+}
 
 void Session::handle(const RosterEntry& message, Moment) {
   if (message.slot < names_.size()) names_[message.slot] = message.name;
 }
 
 void Session::handle(const RoundStart& message, Moment) {
-  if (!welcome_) return end("the server started a round before it welcomed this client");
+  if (!welcome_) return end("the server started a round before it welcomed this client", true);
   startRound(message.round, message.levelHash);
 }
 
 void Session::handle(const RoundEnd& message, Moment) { fetch(message.nextLevelHash); }
 
 void Session::handle(const ConfirmedTicks& message, Moment now) {
+  line_.receive(message, now);
   if (round_ && round_->id() == message.round) round_->receive(message, now);
 }
 
@@ -120,8 +138,8 @@ void Session::handle(const LevelChunk& message, Moment) {
   LevelResult result = loadLevel(std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
   fetching_.reset();
   levelText_.clear();
-  if (!result.level || result.level->hash != message.hash) return end("the server sent a level that is no valid one");
-  if (levels_.size() == kLevelsKept) levels_.erase(levels_.begin());
+  if (!result.level || result.level->hash != message.hash) return end("the server sent a level that is no valid one", true);
+  if (levels_.size() == kMaxLevelsKnown) levels_.erase(levels_.begin());
   levels_.push_back(std::move(result.level));
   if (next_) startRound(next_->round, next_->levelHash);
 }

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "client/line_meter.h"
 #include "client/mismatch_report.h"
 #include "client/moment.h"
 #include "client/round.h"
@@ -28,13 +29,28 @@ struct OutgoingMessage {
 /// there. Has no socket and no clock: what arrives is handed in, what is to be sent is taken out, and the time is told.
 class Session {
  public:
-  /// A server that is connected but says nothing for this long has gone.
-  static constexpr Moment kSilence = std::chrono::seconds(8);
+  /// What is worth keeping of a session that is over.
+  struct Memory {
+    std::optional<SessionToken> token;
+    std::vector<std::shared_ptr<const Level>> levels;  ///< at most kMaxLevelsKnown, newest last
+    PredictionCount prediction;
+    RoundCount rounds;
+  };
+
+  /// Why a session is over.
+  struct Ending {
+    std::string reason;     ///< a sentence for the player
+    bool forGood = false;   ///< trying again is of no use
+  };
+
+  /// A server that has welcomed the client but says nothing for this long has gone.
+  static constexpr Moment kSilence = std::chrono::seconds(4);
   /// Of mismatches that come faster, only the first is reported; all are counted.
   static constexpr Moment kBetweenReports = std::chrono::minutes(1);
 
-  /// `name` is a clean label of at most kMaxNameBytes, perhaps empty. `now`: when the connection was made.
-  Session(const std::string& name, Moment now);
+  /// `name` is a clean label of at most kMaxNameBytes, perhaps empty. `now`: when the connection was made. `memory` of
+  /// a session with the same server that was lost: takes its player back and goes on with its counts.
+  Session(const std::string& name, Moment now, Memory memory = {});
 
   /// A message from the server. One that makes no sense ends the session.
   void receive(std::span<const std::uint8_t> bytes, Moment now);
@@ -47,8 +63,11 @@ class Session {
   /// What has to be sent, oldest first; each is given once.
   std::vector<OutgoingMessage> takeOutgoing();
 
-  /// Why the session is over, a sentence for the player; nothing while it goes on.
-  const std::optional<std::string>& ending() const { return ending_; }
+  /// Nothing while it goes on.
+  const std::optional<Ending>& ending() const { return ending_; }
+  /// What takes this player back; nothing before it was welcomed at all.
+  std::optional<SessionToken> token() const;
+  Memory memory() const { return {token(), levels_, predictionCount(), roundCount()}; }
 
   /// The own slot and the server's name, once welcomed.
   const std::optional<Welcome>& welcome() const { return welcome_; }
@@ -60,14 +79,16 @@ class Session {
   /// What was last found wrong with the confirmed game; each is given once.
   std::optional<MismatchReport> takeMismatch() { return std::exchange(mismatch_, std::nullopt); }
 
-  /// Over all rounds.
+  const LineMeter& line() const { return line_; }
+
+  /// Over all rounds, those of the sessions before included.
   PredictionCount predictionCount() const;
   RoundCount roundCount() const;
 
  private:
   template <class Message>
   void send(const Message& message, bool reliable);
-  void end(std::string reason);
+  void end(std::string reason, bool forGood);
   void keep(std::optional<Mismatch> mismatch);
 
   void handle(const Welcome& message, Moment now);
@@ -87,11 +108,13 @@ class Session {
 
   Moment helloAt_;
   Moment heardAt_;
-  std::optional<std::string> ending_;
+  std::optional<Ending> ending_;
+  LineMeter line_;
   std::optional<Welcome> welcome_;
   std::vector<std::string> names_;
   std::vector<OutgoingMessage> outgoing_;
 
+  std::optional<SessionToken> oldToken_;
   std::vector<std::shared_ptr<const Level>> levels_;   // the last few, newest last
   std::optional<std::uint64_t> fetching_;              // hash of the level on its way
   Assembly levelText_;

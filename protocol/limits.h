@@ -10,7 +10,7 @@
 namespace platon {
 
 /// Changes whenever a message changes its form or meaning. Both sides must have the same.
-inline constexpr std::uint32_t kProtocolVersion = 1;
+inline constexpr std::uint32_t kProtocolVersion = 2;
 inline constexpr std::uint16_t kDefaultPort = 7777;
 
 /// Transport channels: everything reliable goes over one, so that it arrives in the order in which it was sent.
@@ -27,6 +27,8 @@ inline constexpr std::size_t kChunkBytes = 4 * 1024;
 
 inline constexpr std::size_t kMaxLevelBytes = kMostLevelBytes;
 inline constexpr std::size_t kMaxStateBytes = 1024 * 1024;
+/// Levels of which a client can say that it has them.
+inline constexpr std::size_t kMaxLevelsKnown = 8;
 /// Bytes of UTF-8.
 inline constexpr std::size_t kMaxNameBytes = 32;
 inline constexpr std::size_t kMaxReasonBytes = 200;

@@ -71,20 +71,32 @@ std::int32_t unpackSigned(std::uint32_t packed) {
   return static_cast<std::int32_t>(packed & 1 ? ~(packed >> 1) : packed >> 1);
 }
 
-// 0: no report. Else one more than the slack, then the tick as seen from `from`.
-void writeSlack(ByteWriter& out, const ConfirmedTicks& message) {
-  if (!message.slack) return out.varint(0);
-  out.varint(packSigned(message.slack->slack) + 1);
-  out.varint(packSigned(static_cast<std::int32_t>(message.slack->tick - message.from)));
+// Before a report on the line. Above kHeard: one more than the slack, whose tick follows as seen from `from`.
+constexpr std::uint32_t kNothingHeard = 0;
+constexpr std::uint32_t kHeard = 1;
+
+void writeLine(ByteWriter& out, const ConfirmedTicks& message) {
+  if (!message.line) return out.varint(kNothingHeard);
+  const std::optional<SlackReport>& slack = message.line->slack;
+  out.varint(slack ? kHeard + 1 + packSigned(slack->slack) : kHeard);
+  out.byte(message.line->sequence);
+  out.byte(message.line->lostPercent);
+  if (slack) out.varint(packSigned(static_cast<std::int32_t>(slack->tick - message.from)));
 }
 
-bool readSlack(ByteReader& in, ConfirmedTicks& message) {
+bool readLine(ByteReader& in, ConfirmedTicks& message) {
   const std::uint32_t head = in.varint();
-  if (head == 0) return in.ok();
-  const std::int32_t slack = unpackSigned(head - 1);
-  const auto tick = message.from + static_cast<std::uint32_t>(unpackSigned(in.varint()));
-  message.slack = SlackReport{tick, slack};
-  return in.ok() && slack >= -kMaxSlack && slack <= kMaxSlack;
+  if (head == kNothingHeard) return in.ok();
+  LineReport line;
+  line.sequence = in.byte();
+  line.lostPercent = in.byte();
+  if (head > kHeard) {
+    const auto tick = message.from + static_cast<std::uint32_t>(unpackSigned(in.varint()));
+    line.slack = SlackReport{tick, unpackSigned(head - kHeard - 1)};
+    if (line.slack->slack < -kMaxSlack || line.slack->slack > kMaxSlack) return false;
+  }
+  message.line = line;
+  return in.ok() && line.lostPercent <= 100;
 }
 
 Bytes pack(const ConfirmedTicks& message) {
@@ -93,7 +105,8 @@ Bytes pack(const ConfirmedTicks& message) {
   out.varint(message.from);
   out.varint(message.count);
   out.fixed32(message.hash);
-  writeSlack(out, message);
+  out.byte(message.sequence);
+  writeLine(out, message);
   std::uint32_t lastTick = message.from;
   for (const InputChange& change : message.changes) {
     writeChange(out, change, change.tick - lastTick);
@@ -109,9 +122,10 @@ std::optional<ToClient> unpack(std::span<const std::uint8_t> bytes) {
   message.from = in.varint();
   message.count = in.varint();
   message.hash = in.fixed32();
+  message.sequence = in.byte();
   const bool counts =
       message.count >= 1 && message.count <= kMaxTicksPerMessage && message.from <= UINT32_MAX - message.count;
-  if (!in.ok() || !counts || !readSlack(in, message) || !readChanges(in, message)) return std::nullopt;
+  if (!in.ok() || !counts || !readLine(in, message) || !readChanges(in, message)) return std::nullopt;
   return message;
 }
 
@@ -125,7 +139,11 @@ std::optional<ToClient> read(const wire::Welcome& table) {
                   table.level_hash(),
                   table.max_players(),
                   table.ticks_per_second(),
-                  textOf(table.server_name())};
+                  textOf(table.server_name()),
+                  {}};
+  const auto token = tokenOf(spanOf(table.token()));
+  if (!token) return std::nullopt;
+  message.token = *token;
   const bool valid = message.maxPlayers <= kMaxPlayers && message.slot < message.maxPlayers &&
                      message.ticksPerSecond == kTicksPerSecond && isLabel(message.serverName, kMaxNameBytes);
   return valid ? std::optional<ToClient>(std::move(message)) : std::nullopt;
@@ -219,9 +237,10 @@ std::optional<ToClient> decodeToClient(std::span<const std::uint8_t> bytes) {
 Bytes encode(const Welcome& message) {
   Builder builder;
   const auto name = builder.CreateString(message.serverName);
+  const auto token = builder.CreateVector(message.token.data(), message.token.size());
   return finish(builder, Body::Welcome,
                 wire::CreateWelcome(builder, message.slot, message.round, message.levelHash, message.maxPlayers,
-                                    message.ticksPerSecond, name));
+                                    message.ticksPerSecond, name, token));
 }
 
 Bytes encode(const Refused& message) {
@@ -271,7 +290,8 @@ Bytes encode(const Bye& message) {
 Bytes encode(const ConfirmedTicks& message) {
   assert(message.count >= 1 && message.count <= kMaxTicksPerMessage);
   assert(message.changes.size() <= kMaxChangesPerMessage);
-  assert(!message.slack || std::abs(message.slack->slack) <= kMaxSlack);
+  assert(!message.line || message.line->lostPercent <= 100);
+  assert(!message.line || !message.line->slack || std::abs(message.line->slack->slack) <= kMaxSlack);
   Builder builder;
   const auto ticks = builder.CreateVector(pack(message));
   wire::ToClientBuilder table(builder);

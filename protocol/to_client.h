@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "protocol/limits.h"
+#include "protocol/session_token.h"
 #include "shared/game/input.h"
 
 namespace platon {
@@ -20,6 +21,7 @@ struct Welcome {
   std::uint32_t maxPlayers = 0;                    ///< 1 … kMaxPlayers
   std::uint32_t ticksPerSecond = kTicksPerSecond;  ///< always kTicksPerSecond
   std::string serverName;                          ///< a clean label, perhaps empty
+  SessionToken token{};                            ///< takes this player back after the connection was lost
 
   friend bool operator==(const Welcome&, const Welcome&) = default;
 };
@@ -100,14 +102,25 @@ struct InputChange {
   friend bool operator==(const InputChange&, const InputChange&) = default;
 };
 
-/// How early inputs of the client came.
+/// How early an input of the client came.
 struct SlackReport {
-  std::uint32_t tick = 0;  ///< of the newest input in a message of the client
+  /// Of the oldest input in a message that the server had not heard of yet and that changed the buttons; when none
+  /// did, of the newest input.
+  std::uint32_t tick = 0;
   /// By how many ticks it came before it was needed: 0 for the very next tick, negative when too late. Within
   /// plus and minus kMaxSlack.
   std::int32_t slack = 0;
 
   friend bool operator==(const SlackReport&, const SlackReport&) = default;
+};
+
+/// What the server has heard of the client since its last message of ticks.
+struct LineReport {
+  std::uint8_t sequence = 0;         ///< of the newest message of inputs
+  std::uint8_t lostPercent = 0;      ///< of the last messages of inputs, 0 … 100
+  std::optional<SlackReport> slack;  ///< the least; nothing when no input was new
+
+  friend bool operator==(const LineReport&, const LineReport&) = default;
 };
 
 /// What the server decided for ticks from … from + count - 1: only what differs from the tick before. A client whose
@@ -118,8 +131,9 @@ struct ConfirmedTicks {
   std::uint32_t from = 0;
   std::uint32_t count = 0;           ///< 1 … kMaxTicksPerMessage
   std::uint32_t hash = 0;            ///< `shortHash` of the game advanced by from + count ticks
-  std::optional<SlackReport> slack;  ///< the least since the last message, nothing when none came
+  std::optional<LineReport> line;    ///< nothing when nothing was heard of the client since the last message
   std::vector<InputChange> changes;  ///< by tick, then slot; at most kMaxChangesPerMessage
+  std::uint8_t sequence = 0;         ///< one more than that of the last message of ticks to this client
 
   friend bool operator==(const ConfirmedTicks&, const ConfirmedTicks&) = default;
 };

@@ -44,6 +44,7 @@ bool readRuns(ByteReader& in, std::vector<Input>& inputs) {
 std::vector<std::uint8_t> pack(const PlayerInputs& message) {
   ByteWriter out;
   out.varint(message.round);
+  out.byte(message.sequence);
   out.byte(message.sync);
   out.varint(message.confirmed);
   out.fixed32(message.hash);
@@ -56,6 +57,7 @@ std::optional<PlayerInputs> unpack(std::span<const std::uint8_t> bytes) {
   ByteReader in(bytes);
   PlayerInputs message;
   message.round = in.varint();
+  message.sequence = in.byte();
   message.sync = in.byte();
   message.confirmed = in.varint();
   message.hash = in.fixed32();
@@ -67,6 +69,16 @@ std::optional<PlayerInputs> unpack(std::span<const std::uint8_t> bytes) {
   return message;
 }
 
+bool readSession(const wire::Hello& table, Hello& hello) {
+  if (table.token()) {
+    hello.token = tokenOf(spanOf(table.token()));
+    if (!hello.token) return false;
+  }
+  if (!table.levels()) return true;
+  hello.levels.assign(table.levels()->begin(), table.levels()->end());
+  return hello.levels.size() <= kMaxLevelsKnown;
+}
+
 // Of a client of another version nothing else is read: its Hello may have another form.
 std::optional<ToServer> readHello(const wire::Hello& table) {
   Hello hello;
@@ -74,7 +86,7 @@ std::optional<ToServer> readHello(const wire::Hello& table) {
   if (hello.protocolVersion != kProtocolVersion) return hello;
   hello.rulesVersion = table.rules_version();
   hello.name = textOf(table.name());
-  if (!isLabel(hello.name, kMaxNameBytes)) return std::nullopt;
+  if (!isLabel(hello.name, kMaxNameBytes) || !readSession(table, hello)) return std::nullopt;
   return hello;
 }
 
@@ -108,10 +120,13 @@ std::optional<ToServer> decodeToServer(std::span<const std::uint8_t> bytes) {
 }
 
 std::vector<std::uint8_t> encode(const Hello& message) {
+  assert(message.levels.size() <= kMaxLevelsKnown);
   flatbuffers::FlatBufferBuilder builder;
   const auto name = builder.CreateString(message.name);
+  const auto levels = message.levels.empty() ? 0 : builder.CreateVector(message.levels);
+  const auto token = message.token ? builder.CreateVector(message.token->data(), message.token->size()) : 0;
   return finish(builder, wire::ToServerBody::Hello,
-                wire::CreateHello(builder, message.protocolVersion, message.rulesVersion, name));
+                wire::CreateHello(builder, message.protocolVersion, message.rulesVersion, name, token, levels));
 }
 
 std::vector<std::uint8_t> encode(const LevelRequest& message) {

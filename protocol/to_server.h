@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "protocol/limits.h"
+#include "protocol/session_token.h"
 #include "shared/game/input.h"
 
 namespace platon {
@@ -17,6 +18,8 @@ struct Hello {
   std::uint32_t protocolVersion = kProtocolVersion;
   std::uint32_t rulesVersion = kRulesVersion;  ///< meaningful when the protocol version is ours
   std::string name;                            ///< a clean label (`isLabel`); empty: the server makes one up
+  std::optional<SessionToken> token{};         ///< of a session that was lost: asks for its player
+  std::vector<std::uint64_t> levels{};         ///< hashes of levels that need not be sent; at most kMaxLevelsKnown
 
   friend bool operator==(const Hello&, const Hello&) = default;
 };
@@ -42,6 +45,7 @@ struct PlayerInputs {
   std::uint32_t hash = 0;       ///< `shortHash` of the confirmed game
   std::uint32_t first = 0;      ///< tick of the first input; at least `confirmed`
   std::vector<Input> inputs;    ///< of consecutive ticks, each with kPresent; at most kMaxInputsPerMessage
+  std::uint8_t sequence = 0;    ///< one more than that of the last message of inputs
 
   friend bool operator==(const PlayerInputs&, const PlayerInputs&) = default;
 };

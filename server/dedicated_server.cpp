@@ -1,5 +1,8 @@
 #include "server/dedicated_server.h"
 
+#include <sodium.h>
+
+#include <stdexcept>
 #include <thread>
 
 #include "protocol/to_client.h"
@@ -17,6 +20,13 @@ constexpr std::chrono::milliseconds kByeWait{500};
 constexpr std::chrono::seconds kReportInterval{10};
 
 TimePoint steadyNow() { return std::chrono::steady_clock::now(); }
+
+SessionToken randomToken() {
+  if (sodium_init() < 0) throw std::runtime_error("this system gives no random numbers");
+  SessionToken token;
+  randombytes_buf(token.data(), token.size());
+  return token;
+}
 
 HostSettings withConnections(const ServerSettings& settings) {
   HostSettings host = settings.host;
@@ -44,6 +54,10 @@ void write(Log& log, const MatchEvent& event) {
       return log.info("joined", {client, slot, {"name", event.text}});
     case Kind::kRefused:
       return log.info("refused", {client, {"reason", event.text}});
+    case Kind::kLost:
+      return log.info("connection lost", {client, slot, {"name", event.text}});
+    case Kind::kReturned:
+      return log.info("returned", {client, slot, {"name", event.text}});
     case Kind::kLeft:
       return log.info("left", {client, slot, {"name", event.text}});
     case Kind::kMismatch:
@@ -63,7 +77,7 @@ DedicatedServer::DedicatedServer(const ServerSettings& settings, std::vector<Lev
     : log_(std::move(log)),
       host_(withConnections(settings), steadyNow()),
       recordings_(folderOf(settings)),
-      match_(LevelRotation(std::move(levels)), withRecordings(settings)),
+      match_(LevelRotation(std::move(levels)), withRecordings(settings), randomToken),
       clock_(steadyNow()),
       reportAt_(steadyNow() + kReportInterval) {}
 
@@ -92,7 +106,7 @@ void DedicatedServer::take(const HostEvent& event, TimePoint now) {
     return;
   }
   ++brokenMessages_;
-  match_.disconnect(event.client);
+  match_.remove(event.client);
   host_.send(event.client, true, encode(Bye{ByeCode::kRemoved, "your client sent a message that makes no sense"}));
   host_.close(event.client, now);
 }

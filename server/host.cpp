@@ -97,7 +97,7 @@ struct Host::Link {
   bool open = false;
   bool admitted = false;
   bool closing = false;
-  TimePoint since;  // open, or to be closed
+  TimePoint since;  // open, connected, or to be closed
   TokenBucket datagrams;
   TokenBucket bytes;
 };
@@ -157,9 +157,18 @@ bool Host::letsConnect(TimePoint now) {
   host_->duplicatePeers = loopback ? host_->peerCount : connectionsPerAddress_;
   const std::uint32_t bucket = (host_->receivedAddress.host * connectKey_) >> 22;
   static_assert(kConnectBuckets == std::size_t{1} << (32 - 22));
-  const bool within = loopback || connects_[bucket].take(1, now);
+  const bool within = loopback || isRepeated() || connects_[bucket].take(1, now);
   if (!within) ++counters_.excessConnects;
   return within;
+}
+
+// Repeated until it is answered, and takes no other place than the first time.
+bool Host::isRepeated() const {
+  const ENetAddress& sender = host_->receivedAddress;
+  return std::any_of(host_->peers, host_->peers + host_->peerCount, [&sender](const ENetPeer& peer) {
+    const bool taken = peer.state != ENET_PEER_STATE_DISCONNECTED;
+    return taken && peer.address.host == sender.host && peer.address.port == sender.port;
+  });
 }
 
 std::vector<HostEvent> Host::service(TimePoint now) {
@@ -181,6 +190,7 @@ void Host::take(const ENetEvent& event, TimePoint now, std::vector<HostEvent>& e
   if (event.type == ENET_EVENT_TYPE_CONNECT) {
     if (!link.open) link = Link(now);  // else its first datagram came with an earlier call
     link.open = true;
+    link.since = now;
     link.client = nextClient_++;
     enet_peer_timeout(event.peer, kTimeoutAttempts, kLeastTimeout, kMostTimeout);
     enet_peer_throttle_configure(event.peer, kThrottleInterval, ENET_PEER_PACKET_THROTTLE_SCALE, 0);
@@ -207,7 +217,8 @@ void Host::tend(std::size_t index, TimePoint now, std::vector<HostEvent>& events
     link.open = true;
   }
   assertLimits(peer);
-  if (link.admitted || now - link.since < kAdmissionTime) return;
+  const bool greets = link.client && !link.closing;
+  if (link.admitted || now - link.since < (greets ? kAdmissionTime : kAnswerTime)) return;
   ++counters_.expired;
   if (link.client) events.push_back({*link.client, true, {}});
   enet_peer_reset(&peer);

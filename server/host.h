@@ -53,8 +53,10 @@ struct HostEvent {
 /// the internet; what is done about it is in docs/protocol.md. All times are monotonic and never decrease.
 class Host {
  public:
-  /// Time from the first datagram of a connection until it must be admitted.
-  static constexpr std::chrono::seconds kAdmissionTime{3};
+  /// Time from the first datagram until the other side must have proven its address by an answer.
+  static constexpr std::chrono::seconds kAnswerTime{3};
+  /// Time from then until it must be admitted: on a line that loses much, a greeting takes some repetitions.
+  static constexpr std::chrono::seconds kAdmissionTime{10};
 
   /// Opens the socket. Throws HostError.
   Host(const HostSettings& settings, TimePoint now);
@@ -68,7 +70,7 @@ class Host {
   void admit(ClientId client);
   /// Queues a message. Without effect when the client is gone.
   void send(ClientId client, bool reliable, std::span<const std::uint8_t> message);
-  /// Ends the connection once everything queued has arrived, or after kAdmissionTime. Until then messages may still
+  /// Ends the connection once everything queued has arrived, or after kAnswerTime. Until then messages may still
   /// come, to which `listensTo` says no.
   void close(ClientId client, TimePoint now);
   /// Sends what is queued.
@@ -91,6 +93,7 @@ class Host {
   static int intercept(_ENetHost* host, _ENetEvent* event);
   bool lets(TimePoint now);
   bool letsConnect(TimePoint now);
+  bool isRepeated() const;
   void take(const _ENetEvent& event, TimePoint now, std::vector<HostEvent>& events);
   void tend(std::size_t index, TimePoint now, std::vector<HostEvent>& events);
   _ENetPeer* peerOf(ClientId client) const;

@@ -23,6 +23,9 @@ class InputBuffer {
   /// False, and nothing is changed, when the tick is decided, too far ahead, or known.
   bool add(std::uint32_t tick, Input input);
 
+  /// Forgets what came for ticks that are not decided: the client begins anew. The player stays as it is.
+  void clear() { waiting_.fill(std::nullopt); }
+
   /// Decides tick `next()`: the input that came for it, else the last one held.
   Input take();
 

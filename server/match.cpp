@@ -19,11 +19,22 @@ std::string nameOf(const Hello& hello, std::uint32_t slot) {
   return hello.name.empty() ? "Player " + std::to_string(slot + 1) : hello.name;
 }
 
+std::optional<Refused> wrongVersion(const Hello& hello) {
+  if (hello.protocolVersion != kProtocolVersion) {
+    return Refused{RefusalCode::kWrongProtocol, versionReason("protocols", kProtocolVersion, hello.protocolVersion)};
+  }
+  if (hello.rulesVersion != kRulesVersion) {
+    return Refused{RefusalCode::kWrongRules, versionReason("rules of the game", kRulesVersion, hello.rulesVersion)};
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
-Match::Match(LevelRotation rotation, MatchSettings settings)
+Match::Match(LevelRotation rotation, MatchSettings settings, TokenSource tokens)
     : rotation_(std::move(rotation)),
       settings_(std::move(settings)),
+      tokens_(std::move(tokens)),
       game_(rotation_.current()),
       history_(round_, shortHash(game_.hash())) {
   assert(settings_.maxPlayers >= 1 && settings_.maxPlayers <= kMaxPlayers);
@@ -36,57 +47,79 @@ void Match::receive(ClientId client, const ToServer& message) {
 
 void Match::handle(ClientId client, const Hello& hello) {
   if (isMember(client)) return;
-  const auto refused = refusal(hello);
-  if (!refused) return join(client, hello);
+  std::optional<Refused> refused = wrongVersion(hello);
+  if (!refused && takeBack(client, hello)) return;
+  const std::optional<std::uint32_t> slot = freeSlot();
+  if (!refused && slot) return join(client, hello, *slot);
+  if (!refused) refused = full();
   outgoing_.push_back({client, true, true, encode(*refused)});
   note(MatchEvent::Kind::kRefused, client, 0, refused->reason);
 }
 
-std::optional<Refused> Match::refusal(const Hello& hello) const {
-  if (hello.protocolVersion != kProtocolVersion) {
-    return Refused{RefusalCode::kWrongProtocol, versionReason("protocols", kProtocolVersion, hello.protocolVersion)};
-  }
-  if (hello.rulesVersion != kRulesVersion) {
-    return Refused{RefusalCode::kWrongRules, versionReason("rules of the game", kRulesVersion, hello.rulesVersion)};
-  }
-  if (freeSlot()) return std::nullopt;
+Refused Match::full() const {
   const std::string players = std::to_string(settings_.maxPlayers);
-  return Refused{RefusalCode::kFull, "the server is full (" + players + " players): try again later"};
+  return {RefusalCode::kFull, "the server is full (" + players + " players): try again later"};
 }
 
 // A slot that was left rests until a tick has been decided without it, so that nobody takes over a player.
 std::optional<std::uint32_t> Match::freeSlot() const {
   std::set<std::uint32_t> taken;
   for (const auto& [client, member] : members_) taken.insert(member.slot());
+  for (const Away& away : away_) taken.insert(away.member.slot());
   const std::vector<Input>& held = history_.held();
   for (std::uint32_t slot = 0; slot < settings_.maxPlayers; ++slot) {
-    const bool rests = !members_.empty() && slot < held.size() && held[slot].has(Input::kPresent);
+    const bool rests = !idle() && slot < held.size() && held[slot].has(Input::kPresent);
     if (!taken.contains(slot) && !rests) return slot;
   }
   return std::nullopt;
 }
 
-void Match::join(ClientId client, const Hello& hello) {
-  const std::uint32_t slot = *freeSlot();
-  if (members_.empty() && history_.end() > 0) startRound();
-  Member& member = members_.emplace(client, Member(slot, nameOf(hello, slot))).first->second;
+void Match::join(ClientId client, const Hello& hello, std::uint32_t slot) {
+  if (idle() && history_.end() > 0) startRound();
+  Member& member = members_.emplace(client, Member(slot, nameOf(hello, slot), tokens_())).first->second;
   member.joinAt(history_.end());
-  introduce(client, member);
+  introduce(client, member, hello);
   note(MatchEvent::Kind::kJoined, client, slot, member.name());
 }
 
-void Match::introduce(ClientId client, const Member& member) {
-  Welcome welcome;
-  welcome.slot = member.slot();
-  welcome.round = round_;
-  welcome.levelHash = rotation_.current()->hash;
-  welcome.maxPlayers = settings_.maxPlayers;
-  welcome.serverName = settings_.serverName;
-  send(client, encode(welcome));
+bool Match::takeBack(ClientId client, const Hello& hello) {
+  std::optional<Member> known = hello.token ? extract(*hello.token) : std::nullopt;
+  if (!known) return false;
+  Member& member = members_.emplace(client, std::move(*known)).first->second;
+  member.takeUp(nameOf(hello, member.slot()));
+  introduce(client, member, hello);
+  note(MatchEvent::Kind::kReturned, client, member.slot(), member.name());
+  return true;
+}
+
+// The client may be back before its old connection is known to be lost.
+std::optional<Member> Match::extract(const SessionToken& token) {
+  for (auto away = away_.begin(); away != away_.end(); ++away) {
+    if (!sameToken(away->member.token(), token)) continue;
+    Member member = std::move(away->member);
+    away_.erase(away);
+    return member;
+  }
+  for (auto& [client, member] : members_) {
+    if (!sameToken(member.token(), token)) continue;
+    outgoing_.push_back({client, true, true, encode(Bye{ByeCode::kRemoved, "you play over another connection now"})});
+    return std::move(members_.extract(client).mapped());
+  }
+  return std::nullopt;
+}
+
+// All that a client needs to play, without being asked for it.
+void Match::introduce(ClientId client, Member& member, const Hello& hello) {
+  const LevelPointer& level = rotation_.current();
+  send(client, encode(Welcome{member.slot(), round_, level->hash, settings_.maxPlayers, kTicksPerSecond,
+                              settings_.serverName, member.token()}));
   for (const auto& [other, present] : members_) {
     send(client, encode(RosterEntry{present.slot(), present.name()}));
     if (other != client) send(other, encode(RosterEntry{member.slot(), member.name()}));
   }
+  for (const Away& away : away_) send(client, encode(RosterEntry{away.member.slot(), away.member.name()}));
+  if (std::find(hello.levels.begin(), hello.levels.end(), level->hash) == hello.levels.end()) member.sendLevel(level);
+  if (history_.end() > 0) sendState(member);
 }
 
 void Match::handle(ClientId client, const LevelRequest& request) {
@@ -95,16 +128,36 @@ void Match::handle(ClientId client, const LevelRequest& request) {
   if (found != members_.end() && level) found->second.sendLevel(level);
 }
 
-void Match::handle(ClientId client, const Leave&) { disconnect(client); }
+void Match::handle(ClientId client, const Leave&) { remove(client); }
 
 void Match::disconnect(ClientId client) {
   const auto found = members_.find(client);
   if (found == members_.end()) return;
-  const std::uint32_t slot = found->second.slot();
-  note(MatchEvent::Kind::kLeft, client, slot, found->second.name());
+  note(MatchEvent::Kind::kLost, client, found->second.slot(), found->second.name());
+  away_.push_back({std::move(found->second), now_});
   members_.erase(found);
+}
+
+void Match::remove(ClientId client) {
+  const auto found = members_.find(client);
+  if (found == members_.end()) return;
+  const Member member = std::move(found->second);
+  members_.erase(found);
+  removed(member, client);
+}
+
+void Match::forgetAway() {
+  while (!away_.empty() && now_ - away_.front().since >= kAwayTicks) {
+    const Member member = std::move(away_.front().member);
+    away_.erase(away_.begin());
+    removed(member, 0);
+  }
+}
+
+void Match::removed(const Member& member, ClientId client) {
+  note(MatchEvent::Kind::kLeft, client, member.slot(), member.name());
   if (idle()) recorder_.finish(game_);
-  sendAll(encode(RosterEntry{slot, ""}));
+  sendAll(encode(RosterEntry{member.slot(), ""}));
 }
 
 void Match::handle(ClientId client, const PlayerInputs& inputs) {
@@ -125,14 +178,18 @@ void Match::handle(ClientId client, const PlayerInputs& inputs) {
 
 void Match::resync(ClientId client, Member& member, MatchEvent::Kind why, std::uint32_t confirmed) {
   if (!member.mayTakeState(now_)) return;
-  const std::uint32_t tick = history_.end();
-  member.sendState(round_, tick, encode(FullState{history_.held(), game_.save()}), now_);
+  sendState(member);
   note(why, client, member.slot(),
        "round " + std::to_string(round_) + " tick " + std::to_string(confirmed) + ", state of tick " +
-           std::to_string(tick));
+           std::to_string(history_.end()));
+}
+
+void Match::sendState(Member& member) {
+  member.sendState(round_, history_.end(), encode(FullState{history_.held(), game_.save()}), now_);
 }
 
 void Match::tick() {
+  forgetAway();
   if (idle()) return;
   ++now_;
   const std::vector<Input> inputs = decideInputs();
@@ -147,26 +204,38 @@ void Match::tick() {
 
 std::vector<Input> Match::decideInputs() {
   std::vector<Input> inputs;
-  for (auto& [client, member] : members_) {
+  const auto decide = [&inputs](Member& member) {
     const Input input = member.decide();
-    if (!input.has(Input::kPresent)) continue;
+    if (!input.has(Input::kPresent)) return;
     if (inputs.size() <= member.slot()) inputs.resize(member.slot() + 1);
     inputs[member.slot()] = input;
-  }
+  };
+  for (auto& [client, member] : members_) decide(member);
+  for (Away& away : away_) decide(away.member);
   return inputs;
 }
 
 void Match::sendUpdates() {
   const std::uint64_t interval = members_.size() <= kFewPlayers ? 1 : 2;
   for (auto& [client, member] : members_) {
-    if (auto piece = member.nextPiece()) send(client, std::move(*piece));
+    sendPieces(client, member);
     const bool due = (now_ + member.slot()) % interval == 0;
     const bool follows = member.started() && history_.covers(member.acknowledged());
     if (!due || !follows || member.acknowledged() == history_.end()) continue;
     ConfirmedTicks ticks = history_.collect(member.nextPart());
     member.sentUpTo(ticks.from + ticks.count, history_.end());
-    ticks.slack = member.takeSlack();
+    ticks.line = member.takeLine();
+    ticks.sequence = member.nextSequence();
     outgoing_.push_back({client, false, false, encode(ticks)});
+  }
+}
+
+void Match::sendPieces(ClientId client, Member& member) {
+  for (std::size_t sent = 0; sent < kTransferBytesPerTick;) {
+    auto piece = member.nextPiece();
+    if (!piece) return;
+    sent += piece->size();
+    send(client, std::move(*piece));
   }
 }
 
@@ -190,6 +259,7 @@ void Match::startRound() {
   history_ = TickHistory(round_, shortHash(game_.hash()));
   overAt_.reset();
   for (auto& [client, member] : members_) member.startRound();
+  for (Away& away : away_) away.member.startRound();
   note(MatchEvent::Kind::kRoundStart, 0, 0, rotation_.current()->title);
 }
 
@@ -197,6 +267,7 @@ void Match::stop(const std::string& reason) {
   const std::vector<std::uint8_t> bye = encode(Bye{ByeCode::kServerStops, reason});
   for (const auto& [client, member] : members_) outgoing_.push_back({client, true, true, bye});
   members_.clear();
+  away_.clear();
   recorder_.finish(game_);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -25,6 +26,9 @@ struct MatchSettings {
   bool record = false;            ///< every round
 };
 
+/// Gives tokens that nobody can guess.
+using TokenSource = std::function<SessionToken()>;
+
 /// A message to one client.
 struct Outgoing {
   ClientId client = 0;
@@ -42,12 +46,20 @@ class Match {
   /// Up to so many players, each is told of every tick; of more, only every second tick.
   static constexpr std::size_t kFewPlayers = 4;
 
-  Match(LevelRotation rotation, MatchSettings settings);
+  /// Ticks for which the player of a lost connection can be taken back: 60 s.
+  static constexpr std::uint64_t kAwayTicks = 60 * kTicksPerSecond;
+  /// Bytes of levels and states that one client is sent in one tick, and a piece more.
+  static constexpr std::size_t kTransferBytesPerTick = kChunkBytes;
+
+  Match(LevelRotation rotation, MatchSettings settings, TokenSource tokens);
 
   /// A message from a client; the first has to be Hello.
   void receive(ClientId client, const ToServer& message);
-  /// The connection is gone.
+  /// The connection is gone. The player stays, with the buttons it held for a second and then without, until a client
+  /// with its token takes it up or kAwayTicks have passed.
   void disconnect(ClientId client);
+  /// The client is thrown out, and its player with it.
+  void remove(ClientId client);
   /// Decides the inputs of one tick and moves the game. Without any client the match stands still.
   void tick();
   /// Says good-bye to all.
@@ -65,7 +77,7 @@ class Match {
   /// the next round starts, when the last player leaves, and when the match is stopped.
   std::vector<RecordingPiece> takeRecording() { return recorder_.take(); }
 
-  bool idle() const { return members_.empty(); }
+  bool idle() const { return members_.empty() && away_.empty(); }
   std::size_t players() const { return members_.size(); }
   bool isMember(ClientId client) const { return members_.contains(client); }
   std::uint32_t round() const { return round_; }
@@ -79,15 +91,26 @@ class Match {
   void handle(ClientId client, const Leave& leave);
   void handle(ClientId client, const PlayerInputs& inputs);
 
-  std::optional<Refused> refusal(const Hello& hello) const;
-  void join(ClientId client, const Hello& hello);
-  void introduce(ClientId client, const Member& member);
+  struct Away {
+    Member member;
+    std::uint64_t since = 0;  // now_
+  };
+
+  Refused full() const;
+  void join(ClientId client, const Hello& hello, std::uint32_t slot);
+  bool takeBack(ClientId client, const Hello& hello);
+  std::optional<Member> extract(const SessionToken& token);
+  void introduce(ClientId client, Member& member, const Hello& hello);
+  void forgetAway();
+  void removed(const Member& member, ClientId client);
   std::optional<std::uint32_t> freeSlot() const;
 
   void startRound();
   std::vector<Input> decideInputs();
   void watchRound();
   void resync(ClientId client, Member& member, MatchEvent::Kind why, std::uint32_t confirmed);
+  void sendState(Member& member);
+  void sendPieces(ClientId client, Member& member);
   void sendUpdates();
 
   void send(ClientId client, std::vector<std::uint8_t> bytes);
@@ -96,12 +119,14 @@ class Match {
 
   LevelRotation rotation_;
   MatchSettings settings_;
+  TokenSource tokens_;
   std::uint32_t round_ = 0;
   std::uint64_t now_ = 0;  // ticks over all rounds
   Game game_;
   TickHistory history_;
   std::optional<std::uint32_t> overAt_;  // tick after which the round was over
   std::map<ClientId, Member> members_;
+  std::vector<Away> away_;  // by since
   std::vector<Outgoing> outgoing_;
   std::vector<MatchEvent> events_;
   MatchRecorder recorder_;

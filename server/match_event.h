@@ -10,6 +10,8 @@ struct MatchEvent {
   enum class Kind {
     kJoined,      ///< text: the player's name
     kRefused,     ///< text: why
+    kLost,        ///< the connection is gone, the player stays for a while; text: its name
+    kReturned,    ///< text: the player's name
     kLeft,        ///< text: the player's name
     kMismatch,    ///< the client's game differed; text: round, tick of the client's hash, tick of the state it was sent
     kBehind,      ///< the client was sent a state because it had not the last ticks; text: as of kMismatch
@@ -18,8 +20,8 @@ struct MatchEvent {
   };
 
   Kind kind = Kind::kJoined;
-  std::uint32_t client = 0;  ///< of the first five
-  std::uint32_t slot = 0;    ///< of the first five but kRefused
+  std::uint32_t client = 0;  ///< of those before kRoundStart; 0 when it has none any more
+  std::uint32_t slot = 0;    ///< of those before kRoundStart but kRefused
   std::string text;
 };
 

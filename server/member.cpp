@@ -8,11 +8,26 @@ namespace platon {
 void Member::startRound() {
   inputs_ = InputBuffer();
   std::erase_if(transfers_, [](const Transfer& transfer) { return transfer.isState(); });
-  slack_.reset();
+  forget();
+  started_ = false;
+}
+
+void Member::takeUp(std::string name) {
+  name_ = std::move(name);
+  inputs_.clear();
+  transfers_.clear();
+  heard_ = LossMeter();
+  forget();
+  started_ = true;
+}
+
+void Member::forget() {
+  line_.reset();
+  newTick_ = 0;
+  lastInput_ = Input();
   acknowledged_ = rest_ = 0;
   requests_ = 0;
   sync_ = 0;
-  started_ = false;
 }
 
 void Member::take(const PlayerInputs& message, std::uint32_t decided) {
@@ -20,17 +35,45 @@ void Member::take(const PlayerInputs& message, std::uint32_t decided) {
   for (std::size_t i = 0; i < message.inputs.size(); ++i) {
     inputs_.add(message.first + static_cast<std::uint32_t>(i), message.inputs[i]);
   }
-  if (message.inputs.empty()) return;
-  const std::uint32_t newest = message.first + static_cast<std::uint32_t>(message.inputs.size()) - 1;
-  const std::int64_t slack = std::clamp<std::int64_t>(std::int64_t{newest} - decided, -kMaxSlack, kMaxSlack);
-  if (!slack_ || slack < slack_->slack) slack_ = SlackReport{newest, static_cast<std::int32_t>(slack)};
+  heard_.heard(message.sequence);
+  if (!line_) line_.emplace();
+  const std::uint32_t end = message.first + static_cast<std::uint32_t>(message.inputs.size());
+  if (message.inputs.empty() || end <= newTick_) return;
+  judge(message, decided);
+  newTick_ = end;
+  lastInput_ = message.inputs.back();
+}
+
+void Member::judge(const PlayerInputs& message, std::uint32_t decided) {
+  const std::uint32_t tick = judgedTick(message);
+  const std::int64_t slack = std::clamp<std::int64_t>(std::int64_t{tick} - decided, -kMaxSlack, kMaxSlack);
+  if (line_->slack && line_->slack->slack <= slack) return;
+  line_->slack = SlackReport{tick, static_cast<std::int32_t>(slack)};
+}
+
+// An input that changes nothing does no harm when it is late: the last one is held anyway.
+std::uint32_t Member::judgedTick(const PlayerInputs& message) const {
+  const std::uint32_t end = message.first + static_cast<std::uint32_t>(message.inputs.size());
+  Input before = message.first <= newTick_ ? lastInput_ : message.inputs.front();
+  for (std::uint32_t tick = std::max(message.first, newTick_); tick < end; ++tick) {
+    const Input input = message.inputs[tick - message.first];
+    if (input != before) return tick;
+    before = input;
+  }
+  return end - 1;
 }
 
 bool Member::isCurrent(const PlayerInputs& message) const {
   return message.sync == sync_ && message.confirmed >= acknowledged_;
 }
 
-std::optional<SlackReport> Member::takeSlack() { return std::exchange(slack_, std::nullopt); }
+std::optional<LineReport> Member::takeLine() {
+  std::optional<LineReport> line = std::exchange(line_, std::nullopt);
+  if (!line) return line;
+  line->sequence = heard_.newest();
+  line->lostPercent = heard_.lostPercent();
+  return line;
+}
 
 void Member::sendLevel(const LevelPointer& level) {
   const auto same = [&level](const Transfer& transfer) { return transfer.isLevel(level->hash); };

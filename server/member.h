@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "protocol/loss_meter.h"
+#include "protocol/session_token.h"
 #include "protocol/to_client.h"
 #include "protocol/to_server.h"
 #include "server/input_buffer.h"
@@ -22,10 +24,15 @@ class Member {
   /// Ticks between two full states: a client that never agrees costs one a second.
   static constexpr std::uint64_t kTicksBetweenStates = 60;
 
-  Member(std::uint32_t slot, std::string name) : slot_(slot), name_(std::move(name)) {}
+  Member(std::uint32_t slot, std::string name, const SessionToken& token)
+      : slot_(slot), name_(std::move(name)), token_(token) {}
 
   std::uint32_t slot() const { return slot_; }
   const std::string& name() const { return name_; }
+  const SessionToken& token() const { return token_; }
+
+  /// The player is taken up by another client, which knows nothing of what was sent.
+  void takeUp(std::string name);
 
   /// A new round begins; what was on its way from the old one is pointless.
   void startRound();
@@ -36,7 +43,7 @@ class Member {
   bool isCurrent(const PlayerInputs& message) const;
   void acknowledge(std::uint32_t confirmed) { acknowledged_ = confirmed; }
 
-  /// Whether the client follows the round.
+  /// Whether the client follows the round: from when it joined, or in later rounds has said so.
   bool started() const { return started_; }
   /// Ticks of the round that the client is known to have.
   std::uint32_t acknowledged() const { return acknowledged_; }
@@ -45,8 +52,10 @@ class Member {
   std::uint32_t nextPart() const { return std::max(rest_, acknowledged_); }
   /// A message of ticks ended at `tick`, when `end` were decided.
   void sentUpTo(std::uint32_t tick, std::uint32_t end) { rest_ = tick < end ? tick : 0; }
-  /// The least slack since the last call.
-  std::optional<SlackReport> takeSlack();
+  /// What was heard since the last call.
+  std::optional<LineReport> takeLine();
+  /// The number of the next message of ticks.
+  std::uint8_t nextSequence() { return sequence_++; }
 
   /// The input of the player for the next tick.
   Input decide() { return inputs_.take(); }
@@ -64,17 +73,26 @@ class Member {
   std::optional<std::vector<std::uint8_t>> nextPiece();
 
  private:
+  void forget();
+  void judge(const PlayerInputs& message, std::uint32_t decided);
+  std::uint32_t judgedTick(const PlayerInputs& message) const;
+
   std::uint32_t slot_;
   std::string name_;
+  SessionToken token_;
   InputBuffer inputs_;
   std::deque<Transfer> transfers_;
-  std::optional<SlackReport> slack_;
+  LossMeter heard_;
+  std::optional<LineReport> line_;
+  std::uint32_t newTick_ = 0;  // of this and all later ticks of the round no input has come
+  Input lastInput_;            // of the tick before
+  std::uint8_t sequence_ = 0;
   std::uint32_t acknowledged_ = 0;
   std::uint32_t rest_ = 0;  // start of what did not fit in the last message of ticks
   std::uint32_t requests_ = 0;
   std::uint64_t nextState_ = 0;
   std::uint8_t sync_ = 0;  // of the last state sent in this round
-  bool started_ = false;
+  bool started_ = true;
 };
 
 }  // namespace platon

@@ -52,8 +52,8 @@ TEST(NetworkClient, PlaysOnAServerOfItsOwn) {
   })) << client.ending().value_or("still waiting");
   EXPECT_TRUE(client.session()->round()->prediction().present());
   EXPECT_EQ(client.session()->roundCount().hashMismatches, 0u);
-  EXPECT_GT(client.connection().traffic().sentBytes, 0u);
-  EXPECT_GT(client.connection().traffic().receivedPackets, 30u);
+  EXPECT_GT(client.traffic().sentBytes, 0u);
+  EXPECT_GT(client.traffic().receivedPackets, 30u);
   client.leave();
   EXPECT_TRUE(updateUntil(client, [&] { return client.closed(); }));
   EXPECT_EQ(client.ending(), std::nullopt);

@@ -41,7 +41,7 @@ Gain gainOf(VirtualMatch& match, std::size_t client, Moment duration) {
   match.run(duration);
   const PredictionCount after = match.session(client).predictionCount();
   return {{after.corrections - before.corrections, after.maxSubunits, 0, after.missedInputs - before.missedInputs,
-           after.confirmedTicks - before.confirmedTicks},
+           after.mispredicted - before.mispredicted, after.confirmedTicks - before.confirmedTicks},
           match.session(client).round()->clock()->jumps() - jumps};
 }
 
@@ -57,6 +57,7 @@ TEST_P(SteadyLine, NeedsNoCorrection) {
   EXPECT_GT(gain.prediction.confirmedTicks, 590u);
   EXPECT_EQ(gain.prediction.missedInputs, 0u);
   EXPECT_EQ(gain.prediction.corrections, 0u);
+  EXPECT_EQ(gain.prediction.mispredicted, 0u);
   EXPECT_EQ(gain.jumps, 0u);
   EXPECT_EQ(match.session(0).roundCount().hashMismatches, 0u);
   EXPECT_EQ(match.session(0).roundCount().resyncs, 0u);
@@ -132,7 +133,8 @@ TEST(Session, SaysWhyItWasRefused) {
   Session session("x", Moment(0));
   session.receive(encode(Refused{RefusalCode::kFull, "server is full"}), Moment(0));
   ASSERT_TRUE(session.ending().has_value());
-  EXPECT_NE(session.ending()->find("server is full"), std::string::npos) << *session.ending();
+  EXPECT_NE(session.ending()->reason.find("server is full"), std::string::npos) << session.ending()->reason;
+  EXPECT_FALSE(session.ending()->forGood);
 }
 
 TEST(Session, EndsOnNonsense) {
@@ -151,10 +153,12 @@ TEST(Session, EndsOnARoundBeforeTheWelcome) {
 TEST(Session, EndsWhenTheServerFallsSilent) {
   Session session("x", Moment(0));
   const Controls none = [](const Game&, std::uint32_t) { return Input{}; };
+  session.receive(encode(Welcome{0, 1, 2, 4, kTicksPerSecond, ""}), Moment(0));
   session.update(Session::kSilence, none);
   EXPECT_FALSE(session.ending().has_value());
   session.update(Session::kSilence + milliseconds(1), none);
-  EXPECT_TRUE(session.ending().has_value());
+  ASSERT_TRUE(session.ending().has_value());
+  EXPECT_FALSE(session.ending()->forGood);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "protocol/to_server.h"
+#include "tests/server/counted_tokens.h"
 
 namespace platon {
 
@@ -31,7 +32,7 @@ VirtualMatch::Client::Client(const LinkQuality& line, std::uint64_t seed, Contro
       reliableDown(delayOf(line), 0) {}
 
 VirtualMatch::VirtualMatch(std::vector<std::shared_ptr<const Level>> levels, std::uint64_t seed)
-    : match_(LevelRotation(std::move(levels)), MatchSettings{16, "test"}), seed_(seed) {
+    : match_(LevelRotation(std::move(levels)), MatchSettings{16, "test"}, countedTokens()), seed_(seed) {
   round_ = match_.round();
 }
 
@@ -97,7 +98,7 @@ void VirtualMatch::carry(std::size_t index) {
 }
 
 void VirtualMatch::check(const Session& session) const {
-  ASSERT_FALSE(session.ending().has_value()) << *session.ending();
+  ASSERT_FALSE(session.ending().has_value()) << session.ending()->reason;
   const Round* const round = session.round();
   if (round == nullptr || round->prediction().confirmedTicks() == 0) return;
   const Prediction& prediction = round->prediction();

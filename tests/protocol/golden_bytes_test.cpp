@@ -37,15 +37,17 @@ const PlayerInputs kInputs{3,
                            0x89abcdef,
                            302,
                            {pressing(2), pressing(2), pressing(6), pressing(0), pressing(0), pressing(0), pressing(0),
-                            pressing(0), pressing(0), pressing(0), pressing(0), pressing(0)}};
+                            pressing(0), pressing(0), pressing(0), pressing(0), pressing(0)},
+                           18};
 const ConfirmedTicks kTicks{
-    3, 300, 8, 0x89abcdef, SlackReport{313, 4}, {{300, 0, pressing(2)}, {300, 5, Input{}}, {307, 0, pressing(6)}}};
+    3, 300, 8, 0x89abcdef, LineReport{17, 5, SlackReport{313, 4}}, {{300, 0, pressing(2)}, {300, 5, Input{}}, {307, 0, pressing(6)}},
+    96};
 
 TEST(GoldenBytes, ThePageShowsWhatIsSent) {
   const auto page = documentedBytes();
   EXPECT_EQ(page.size(), 3u);
   const std::pair<const char*, Bytes> sent[] = {
-      {"hello", encode(Hello{1, 1, "Ann"})}, {"inputs", encode(kInputs)}, {"ticks", encode(kTicks)}};
+      {"hello", encode(Hello{2, 3, "Ann"})}, {"inputs", encode(kInputs)}, {"ticks", encode(kTicks)}};
   for (const auto& [name, bytes] : sent) {
     ASSERT_TRUE(page.contains(name)) << name;
     EXPECT_EQ(page.at(name), bytes) << name << ": real bytes " << testing::PrintToString(bytes);
@@ -56,7 +58,7 @@ TEST(GoldenBytes, ThePageCanBeRead) {
   const auto page = documentedBytes();
   ASSERT_TRUE(page.contains("inputs") && page.contains("ticks") && page.contains("hello"));
   EXPECT_EQ(decodeToServer(page.at("inputs")), ToServer(kInputs));
-  EXPECT_EQ(decodeToServer(page.at("hello")), ToServer(Hello{1, 1, "Ann"}));
+  EXPECT_EQ(decodeToServer(page.at("hello")), ToServer(Hello{2, 3, "Ann"}));
   EXPECT_EQ(decodeToClient(page.at("ticks")), ToClient(kTicks));
 }
 

@@ -3,6 +3,8 @@
 namespace platon {
 namespace {
 
+constexpr SessionToken kToken = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 255};
+
 PlayerInputs manyInputs() {
   PlayerInputs message{70000, 255, 1234567, 0xfedcba98, 1234570, {}};
   for (std::uint32_t i = 0; i < kMaxInputsPerMessage; ++i) message.inputs.push_back(pressing(i % 20 < 15 ? 1 : 20));
@@ -10,8 +12,7 @@ PlayerInputs manyInputs() {
 }
 
 ConfirmedTicks manyChanges() {
-  ConfirmedTicks message{UINT32_MAX, UINT32_MAX - kMaxTicksPerMessage, kMaxTicksPerMessage, 1, SlackReport{0, -1000},
-                         {}};
+  ConfirmedTicks message{UINT32_MAX, UINT32_MAX - kMaxTicksPerMessage, kMaxTicksPerMessage, 1, LineReport{255, 100, SlackReport{0, -1000}}, {}};
   for (std::uint32_t i = 0; i < kMaxChangesPerMessage; ++i) {
     const std::uint32_t tick = message.from + (i / 256 * (kMaxTicksPerMessage - 1));
     message.changes.push_back({tick, i % 256, i % 2 == 0 ? Input{} : pressing(31)});
@@ -24,20 +25,22 @@ ConfirmedTicks manyChanges() {
 std::vector<ToServer> sampleToServer() {
   return {Hello{kProtocolVersion, kRulesVersion, "Ann"},
           Hello{kProtocolVersion, 99, ""},
+          Hello{kProtocolVersion, kRulesVersion, "Ben", kToken},
+          Hello{kProtocolVersion, kRulesVersion, "", kToken, {1, 0, UINT64_MAX, 4, 5, 6, 7, 8}},
           Hello{kProtocolVersion, kRulesVersion, "Łukasz Żółć 世界 32 bytes"},
           LevelRequest{0x0123456789abcdef},
           LevelRequest{0},
           Leave{},
           PlayerInputs{},
           PlayerInputs{1, 0, 0, 0, 0, {pressing(0)}},
-          PlayerInputs{1, 2, 300, 0x01020304, 302, {pressing(2), pressing(2), pressing(6), pressing(0)}},
+          PlayerInputs{1, 2, 300, 0x01020304, 302, {pressing(2), pressing(2), pressing(6), pressing(0)}, 201},
           PlayerInputs{9, 1, UINT32_MAX - 8, 7, UINT32_MAX - 8, std::vector<Input>(8, pressing(8))},
           manyInputs()};
 }
 
 std::vector<ToClient> sampleToClient() {
   return {
-      Welcome{3, 7, 0x0123456789abcdef, 16, kTicksPerSecond, "Platon"},
+      Welcome{3, 7, 0x0123456789abcdef, 16, kTicksPerSecond, "Platon", kToken},
       Welcome{255, 1, 0, 256, kTicksPerSecond, ""},
       Refused{RefusalCode::kFull, "the server is full"},
       Refused{RefusalCode::kOther, ""},
@@ -55,9 +58,16 @@ std::vector<ToClient> sampleToClient() {
                      100,
                      120,
                      0x01020304,
-                     SlackReport{104, 3},
+                     LineReport{200, 7, SlackReport{104, 3}},
                      {{100, 0, pressing(2)}, {103, 255, Input{}}, {219, 1, pressing(31)}}},
-      ConfirmedTicks{2, 5, 3, 6, SlackReport{1, -4}, {{5, 0, pressing(1)}, {5, 1, pressing(0)}, {7, 0, pressing(0)}}},
+      ConfirmedTicks{2,
+                     5,
+                     3,
+                     6,
+                     LineReport{0, 0, SlackReport{1, -4}},
+                     {{5, 0, pressing(1)}, {5, 1, pressing(0)}, {7, 0, pressing(0)}},
+                     255},
+      ConfirmedTicks{2, 5, 3, 6, LineReport{9, 100, std::nullopt}, {}},
       manyChanges()};
 }
 

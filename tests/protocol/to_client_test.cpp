@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+
 #include "tests/protocol/sample_messages.h"
 
 namespace platon {
@@ -23,7 +26,7 @@ TEST(ToClient, ReadsBytesAtAnyAddress) {
 }
 
 TEST(ToClient, NoTickMessageIsLongerThanItsLimit) {
-  ConfirmedTicks message{UINT32_MAX, 0x7fffffff, kMaxTicksPerMessage, 1, SlackReport{0, -kMaxSlack}, {}};
+  ConfirmedTicks message{UINT32_MAX, 0x7fffffff, kMaxTicksPerMessage, 1, LineReport{255, 100, SlackReport{0, -kMaxSlack}}, {}};
   // As many gaps of three ticks as there are, then everything else in the last tick.
   std::uint32_t slot = 0;
   for (std::uint32_t gap = 1; gap < kMaxTicksPerMessage / 3; ++gap) {
@@ -37,8 +40,8 @@ TEST(ToClient, NoTickMessageIsLongerThanItsLimit) {
 }
 
 TEST(ToClient, ChangesStaySmall) {
-  ConfirmedTicks nothing{3, 5000, 8, 0x01020304, SlackReport{5009, 2}, {}};
-  EXPECT_LE(encode(nothing).size(), 36u);
+  ConfirmedTicks nothing{3, 5000, 8, 0x01020304, LineReport{1, 0, SlackReport{5009, 2}}, {}};
+  EXPECT_LE(encode(nothing).size(), 40u);
   ConfirmedTicks eight = nothing;
   for (std::uint32_t i = 0; i < 8; ++i) eight.changes.push_back({5000 + i, i, pressing(2)});
   EXPECT_EQ(encode(eight).size(), encode(nothing).size() + 16);
@@ -61,6 +64,27 @@ TEST(ToClient, RefusesValuesOutOfRange) {
   EXPECT_TRUE(refused(RosterEntry{kMaxPlayers, "Ann"}));
   EXPECT_TRUE(refused(Refused{RefusalCode::kFull, "a\nb"}));
   EXPECT_TRUE(refused(Bye{ByeCode::kRemoved, std::string(kMaxReasonBytes + 1, 'a')}));
+}
+
+// By hand: `encode` asserts.
+TEST(ToClient, RefusesMoreThanAllLost) {
+  const ConfirmedTicks message{3, 300, 8, 0, LineReport{1, 100, std::nullopt}, {}};
+  std::vector<std::uint8_t> bytes = encode(message);
+  const auto lost = std::find(bytes.begin(), bytes.end(), 100);
+  ASSERT_NE(lost, bytes.end());
+  EXPECT_TRUE(decodeToClient(bytes));
+  *lost = 101;
+  EXPECT_FALSE(decodeToClient(bytes));
+}
+
+TEST(ToClient, RefusesAWelcomeWithoutAToken) {
+  std::vector<std::uint8_t> bytes = encode(Welcome{0, 1, 0, 1, kTicksPerSecond, "", {9, 9, 9}});
+  const std::array<std::uint8_t, 4> length = {sizeof(SessionToken), 0, 0, 0};
+  const auto token = std::search(bytes.begin(), bytes.end(), length.begin(), length.end());
+  ASSERT_NE(token, bytes.end());
+  ASSERT_TRUE(decodeToClient(bytes));
+  *token = sizeof(SessionToken) - 1;
+  EXPECT_FALSE(decodeToClient(bytes));
 }
 
 TEST(ToClient, RefusesPiecesThatDoNotFit) {

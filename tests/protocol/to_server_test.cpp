@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+
 #include "tests/protocol/sample_messages.h"
 
 namespace platon {
@@ -33,6 +36,16 @@ TEST(ToServer, OfAnotherVersionOnlyTheVersionIsRead) {
 TEST(ToServer, RefusesNamesThatCannotBeShown) {
   EXPECT_FALSE(decodeToServer(encode(Hello{kProtocolVersion, kRulesVersion, "a\nb"})));
   EXPECT_FALSE(decodeToServer(encode(Hello{kProtocolVersion, kRulesVersion, std::string(kMaxNameBytes + 1, 'a')})));
+}
+
+TEST(ToServer, RefusesATokenOfAnotherLength) {
+  std::vector<std::uint8_t> bytes = encode(Hello{kProtocolVersion, kRulesVersion, "", SessionToken{7, 7}});
+  const std::array<std::uint8_t, 4> length = {sizeof(SessionToken), 0, 0, 0};
+  const auto token = std::search(bytes.begin(), bytes.end(), length.begin(), length.end());
+  ASSERT_NE(token, bytes.end());
+  ASSERT_TRUE(decodeToServer(bytes));
+  *token = sizeof(SessionToken) - 1;
+  EXPECT_FALSE(decodeToServer(bytes));
 }
 
 TEST(ToServer, RefusesEveryShortenedMessageOrReadsPartOfTheSame) {

@@ -13,9 +13,18 @@ FakeClient::FakeClient(std::string name, std::uint32_t lead, std::function<int(s
   reliable_.push_back(encode(Hello{kProtocolVersion, kRulesVersion, std::move(name)}));
 }
 
+FakeClient::FakeClient(const FakeClient& lost, std::function<int(std::uint32_t)> buttons)
+    : lead_(lost.lead_), buttons_(std::move(buttons)), texts_(lost.texts_) {
+  Hello hello;
+  hello.token = lost.welcome_->token;
+  for (const auto& [hash, level] : texts_) hello.levels.push_back(hash);
+  reliable_.push_back(encode(hello));
+}
+
 std::optional<FakeClient::Bytes> FakeClient::inputs() {
   if (!game_) return std::nullopt;
-  PlayerInputs message{round_, sync_, confirmed_, shortHash(game_->hash()), std::max(confirmed_, firstInput_), {}};
+  PlayerInputs message{round_, sync_, confirmed_, shortHash(game_->hash()), std::max(confirmed_, firstInput_), {},
+                       sequence_++};
   for (std::uint32_t tick = message.first; tick <= confirmed_ + lead_; ++tick) {
     message.inputs.push_back(Input{static_cast<std::uint8_t>(buttons_(tick) | Input::kPresent)});
   }
@@ -33,14 +42,18 @@ void FakeClient::handle(const Welcome& message) {
   startRound(message.round, message.levelHash);
 }
 
-void FakeClient::handle(const RoundStart& message) { startRound(message.round, message.levelHash); }
+void FakeClient::handle(const RoundStart& message) {
+  if (!startRound(message.round, message.levelHash)) reliable_.push_back(encode(LevelRequest{levelHash_}));
+}
 
-void FakeClient::startRound(std::uint32_t round, std::uint64_t levelHash) {
+// False when the level has to come first.
+bool FakeClient::startRound(std::uint32_t round, std::uint64_t levelHash) {
   round_ = round;
   levelHash_ = levelHash;
   game_.reset();
-  if (texts_.contains(levelHash)) return play();
-  reliable_.push_back(encode(LevelRequest{levelHash}));
+  const bool known = texts_.contains(levelHash);
+  if (known) play();
+  return known;
 }
 
 void FakeClient::handle(const LevelChunk& message) {
@@ -76,7 +89,8 @@ void FakeClient::handle(const StateChunk& message) {
 }
 
 void FakeClient::handle(const ConfirmedTicks& message) {
-  if (message.slack) slack_ = message.slack;
+  if (message.line) line_ = message.line;
+  if (message.line && message.line->slack) slack_ = message.line->slack;
   const std::uint32_t end = message.from + message.count;
   if (!game_ || message.round != round_ || confirmed_ < message.from || confirmed_ >= end) return;
   auto change = message.changes.begin();

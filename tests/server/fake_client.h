@@ -24,6 +24,8 @@ class FakeClient {
 
   /// `lead`: how many ticks ahead of the newest confirmed one it sends inputs. `buttons` gives what it presses by tick.
   FakeClient(std::string name, std::uint32_t lead, std::function<int(std::uint32_t)> buttons);
+  /// Takes up the player of `lost`, whose levels it knows.
+  FakeClient(const FakeClient& lost, std::function<int(std::uint32_t)> buttons);
 
   /// The reliable messages to send now.
   std::vector<Bytes> takeReliable() { return std::exchange(reliable_, {}); }
@@ -48,6 +50,8 @@ class FakeClient {
   std::uint32_t mismatches() const { return mismatches_; }
   std::uint32_t states() const { return states_; }
   std::uint32_t levels() const { return levels_; }
+  /// What the server told last of this client's line.
+  const std::optional<LineReport>& line() const { return line_; }
   const std::optional<SlackReport>& slack() const { return slack_; }
 
   void setLead(std::uint32_t lead) { lead_ = lead; }
@@ -65,7 +69,7 @@ class FakeClient {
   void handle(const Bye& message) { bye_ = message; }
   void handle(const ConfirmedTicks& message);
 
-  void startRound(std::uint32_t round, std::uint64_t levelHash);
+  bool startRound(std::uint32_t round, std::uint64_t levelHash);
   void play();
 
   std::uint32_t lead_;
@@ -76,11 +80,13 @@ class FakeClient {
   std::optional<Refused> refused_;
   std::optional<Bye> bye_;
   std::optional<RoundEnd> roundEnd_;
+  std::optional<LineReport> line_;
   std::optional<SlackReport> slack_;
   std::map<std::uint32_t, std::string> roster_;
   std::uint32_t round_ = 0;
   std::uint64_t levelHash_ = 0;
   std::uint8_t sync_ = 0;
+  std::uint8_t sequence_ = 0;
   std::uint32_t confirmed_ = 0;
   std::uint32_t firstInput_ = 0;
   std::optional<Game> game_;

@@ -6,6 +6,7 @@
 
 #include "server/match.h"
 #include "tests/lockstep/verification.h"
+#include "tests/server/counted_tokens.h"
 #include "tests/server/fake_client.h"
 #include "tests/server/test_levels.h"
 #include "tests/server/virtual_network.h"
@@ -16,7 +17,7 @@ namespace {
 Match recordedMatch(const std::vector<std::string>& texts, std::uint32_t maxPlayers = 8) {
   std::vector<LevelPointer> levels;
   for (const std::string& text : texts) levels.push_back(levelOf(text));
-  return Match(LevelRotation(levels), {maxPlayers, "Test", true});
+  return Match(LevelRotation(levels), {maxPlayers, "Test", true}, countedTokens());
 }
 
 FakeClient player(std::uint32_t lead = 8) {
@@ -60,7 +61,7 @@ sim::Verification verified(const Recording& recording, const sim::Verifier::Play
 }
 
 TEST(MatchRecording, IsMadeOnlyWhenAskedFor) {
-  VirtualNetwork network(Match(LevelRotation({levelOf(farGoalText())}), {8, "Test"}), {});
+  VirtualNetwork network(Match(LevelRotation({levelOf(farGoalText())}), {8, "Test"}, countedTokens()), {});
   network.add(player());
   network.run(200);
   network.match().stop("");
@@ -73,7 +74,7 @@ TEST(MatchRecording, IsTheGameAsItWasPlayed) {
   network.run(100);
   network.add(player(24));
   network.run(150);
-  network.remove(1);
+  network.leave(1);
   network.run(90);
   Match& match = network.match();
   const std::uint64_t hash = match.game().hash();
@@ -136,7 +137,7 @@ TEST(MatchRecording, EndsWhenTheLastPlayerLeaves) {
   VirtualNetwork network(recordedMatch({farGoalText()}), {});
   network.add(player());
   network.run(100);
-  network.remove(1);
+  network.leave(1);
   Recordings recordings;
   recordings.take(network.match());
   EXPECT_EQ(verified(recordings.of(1)).hash, network.match().game().hash());

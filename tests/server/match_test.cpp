@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/server/counted_tokens.h"
 #include "tests/server/fake_client.h"
 #include "tests/server/test_levels.h"
 #include "tests/server/virtual_network.h"
@@ -12,7 +13,7 @@ namespace {
 using Kind = MatchEvent::Kind;
 
 Match matchOn(const std::string& text, std::uint32_t maxPlayers = 8) {
-  return Match(LevelRotation({levelOf(text)}), {maxPlayers, "Test"});
+  return Match(LevelRotation({levelOf(text)}), {maxPlayers, "Test"}, countedTokens());
 }
 
 Input pressing(int buttons) { return Input{static_cast<std::uint8_t>(buttons | Input::kPresent)}; }
@@ -49,7 +50,7 @@ TEST(Match, WelcomesAndIntroduces) {
   const std::map<std::uint32_t, std::string> roster{{0, "Ann"}, {1, "Player 2"}};
   EXPECT_EQ(network.client(1).roster(), roster);
   EXPECT_EQ(network.client(2).roster(), roster);
-  network.remove(2);
+  network.leave(2);
   network.run(5);
   EXPECT_EQ(network.client(1).roster().at(1), "");
 }
@@ -67,7 +68,7 @@ TEST(Match, RefusesWithAReason) {
   const Refused protocol = answer(1, {kProtocolVersion + 1, 0, ""});
   EXPECT_EQ(protocol.code, RefusalCode::kWrongProtocol);
   EXPECT_EQ(protocol.reason,
-            "protocols differ: the server has version 1, your client 2; use the release of the server");
+            "protocols differ: the server has version 2, your client 3; use the release of the server");
   const Refused rules = answer(2, {kProtocolVersion, kRulesVersion - 1, ""});
   EXPECT_EQ(rules.code, RefusalCode::kWrongRules);
   EXPECT_EQ(rules.reason.substr(rules.reason.find(';')), "; update your client");
@@ -160,6 +161,20 @@ TEST(Match, WhatComesTooLateIsReplacedByTheLastHeldAndTheSenderIsTold) {
   EXPECT_GT(network.match().member(1)->missedInputs(), 100u);
 }
 
+// Level and state come with the welcome: one way up, one down, and the game is there.
+TEST(Match, AJoinerHasTheGameAfterOneRoundTrip) {
+  VirtualNetwork network(matchOn(farGoalText()), {6, 0, 0, 1});
+  network.add(player("Early", 16, 1));
+  network.run(100);
+  network.add(player("Late", 16, 2));
+  network.run(2 * 6 + 1);
+  const FakeClient& late = network.client(2);
+  ASSERT_TRUE(late.game());
+  EXPECT_EQ(late.states(), 1u);
+  EXPECT_EQ(late.game()->hash(), network.hashOf(1, late.confirmed()));
+  EXPECT_GE(late.confirmed() + 6 + 2, network.match().game().tick());
+}
+
 TEST(Match, SlackIsTheLeadOfTheNewestInput) {
   VirtualNetwork network(matchOn(farGoalText()), {2, 0, 0, 1});
   network.add(player("Ann", 10));
@@ -212,7 +227,7 @@ TEST(Match, LateJoinersGetLevelStateAndInputs) {
   const FakeClient& late = network.client(2);
   EXPECT_EQ(late.levels(), 1u);
   EXPECT_EQ(late.states(), 1u);
-  EXPECT_EQ(network.count(Kind::kBehind), 1u);
+  EXPECT_EQ(network.count(Kind::kBehind), 0u);
   EXPECT_EQ(network.count(Kind::kMismatch), 0u);
   expectInLockstep(network, 2);
   expectInLockstep(network, 1);
@@ -238,7 +253,7 @@ TEST(Match, ASlotRestsForATickBeforeItIsGivenAway) {
 TEST(Match, ARoundThatIsOverIsFollowedByTheNextLevel) {
   const LevelPointer near = levelOf(nearGoalText());
   const LevelPointer far = levelOf(farGoalText());
-  VirtualNetwork network(Match(LevelRotation({near, far}), {4, ""}), {2, 0, 0, 1});
+  VirtualNetwork network(Match(LevelRotation({near, far}), {4, ""}, countedTokens()), {2, 0, 0, 1});
   network.add(player("Ann", 12, 1));
   network.add(player("Ben", 12, 2));
   network.run(60);
@@ -263,7 +278,7 @@ TEST(Match, WithoutClientsItStandsStillAndThenBeginsAnew) {
   VirtualNetwork network(matchOn(farGoalText()), {});
   network.add(player("Ann"));
   network.run(100);
-  network.remove(1);
+  network.leave(1);
   const std::uint32_t tick = network.match().game().tick();
   network.run(100);
   EXPECT_EQ(network.match().game().tick(), tick);

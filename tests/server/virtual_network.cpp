@@ -12,9 +12,14 @@ FakeClient& VirtualNetwork::add(FakeClient client) {
   return *links_.back().client;
 }
 
-void VirtualNetwork::remove(ClientId client) {
+void VirtualNetwork::breakOff(ClientId client) {
   links_[client - 1].connected = false;
   match_.disconnect(client);
+}
+
+void VirtualNetwork::leave(ClientId client) {
+  match_.receive(client, Leave{});
+  breakOff(client);
 }
 
 void VirtualNetwork::run(std::uint32_t ticks) {

@@ -28,7 +28,9 @@ class VirtualNetwork {
   /// Adds a client under the next number, from 1 on.
   FakeClient& add(FakeClient client);
   /// The client's connection breaks.
-  void remove(ClientId client);
+  void breakOff(ClientId client);
+  /// The client goes.
+  void leave(ClientId client);
   /// One tick of everything.
   void tick();
   void run(std::uint32_t ticks);
