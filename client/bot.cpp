@@ -22,21 +22,18 @@ void Bot::noteStart(Moment now) {
   const Session* const session = client_->session();
   if (session == nullptr || session->predictionCount().confirmedTicks == 0) return;
   playingSince_ = now;
-  trafficBefore_ = client_->connection().traffic();
+  trafficBefore_ = client_->traffic();
 }
 
 BotResult Bot::result() const {
   BotResult result;
   result.joined = playingSince_.has_value();
-  result.ending = client_->ending();
+  result.ending = client_->ending() ? client_->ending() : client_->outage();
   if (!result.joined) return result;
-  const Traffic& traffic = client_->connection().traffic();
   result.connectMs = toSeconds(*playingSince_ - begunAt_) * 1000;
-  result.rttMs = toSeconds(client_->connection().roundTrip()) * 1000;
+  result.rttMs = toSeconds(client_->session()->line().roundTrip()) * 1000;
   result.seconds = toSeconds(now_ - *playingSince_);
-  result.traffic = {traffic.sentBytes - trafficBefore_.sentBytes, traffic.sentPackets - trafficBefore_.sentPackets,
-                    traffic.receivedBytes - trafficBefore_.receivedBytes,
-                    traffic.receivedPackets - trafficBefore_.receivedPackets};
+  result.traffic = client_->traffic() - trafficBefore_;
   result.prediction = client_->session()->predictionCount();
   result.round = client_->session()->roundCount();
   return result;

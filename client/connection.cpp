@@ -10,6 +10,8 @@ namespace platon {
 
 namespace {
 
+// Taken for the round trip until one is measured: a lost greeting is repeated after this time, then twice as much …
+constexpr enet_uint32 kFirstRoundTripMs = 100;
 constexpr enet_uint32 kTimeoutLimit = 32;
 constexpr enet_uint32 kShortestTimeoutMs = 3000;
 constexpr enet_uint32 kLongestTimeoutMs = 8000;
@@ -39,6 +41,7 @@ Connection::Connection(const ServerAddress& server, Moment now) {
   host_->maximumPacketSize = kMaxMessageBytes;
   peer_ = enet_host_connect(host_.get(), &address, kChannels, 0);
   if (peer_ == nullptr) throw std::runtime_error("no connection can be made to " + server.text());
+  peer_->roundTripTime = kFirstRoundTripMs;
   enet_peer_timeout(peer_, kTimeoutLimit, kShortestTimeoutMs, kLongestTimeoutMs);
 }
 

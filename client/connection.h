@@ -18,6 +18,15 @@ struct Traffic {
   std::uint64_t sentPackets = 0;
   std::uint64_t receivedBytes = 0;
   std::uint64_t receivedPackets = 0;
+
+  friend Traffic operator+(const Traffic& a, const Traffic& b) {
+    return {a.sentBytes + b.sentBytes, a.sentPackets + b.sentPackets, a.receivedBytes + b.receivedBytes,
+            a.receivedPackets + b.receivedPackets};
+  }
+  friend Traffic operator-(const Traffic& a, const Traffic& b) {
+    return {a.sentBytes - b.sentBytes, a.sentPackets - b.sentPackets, a.receivedBytes - b.receivedBytes,
+            a.receivedPackets - b.receivedPackets};
+  }
 };
 
 /// A connection to a server. The only place of the client that knows ENet.
@@ -43,8 +52,6 @@ class Connection {
 
   State state() const { return state_; }
   const Traffic& traffic() const { return traffic_; }
-  /// Smoothed, of ENet's own reliable packets.
-  Moment roundTrip() const { return std::chrono::milliseconds(peer_->roundTripTime); }
 
  private:
   struct DestroyHost {

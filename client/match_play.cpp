@@ -26,6 +26,7 @@ MatchPlay::MatchPlay(const ClientOptions& options, const ServerAddress& server, 
 void MatchPlay::update(Moment now, const Controls& controls) {
   client_.update(now, controls);
   reportMismatch();
+  reportOutage();
   if (client_.session() == nullptr) return;
   const std::optional<std::string> line = watch_.look(*client_.session());
   if (!line) return;
@@ -38,12 +39,24 @@ void MatchPlay::reportMismatch() {
   if (mismatch) std::fprintf(stderr, "platon-client: %s\n", mismatches_.keep(*mismatch).c_str());
 }
 
+void MatchPlay::reportOutage() {
+  if (client_.outage() == toldOutage_) return;
+  toldOutage_ = client_.outage();
+  if (toldOutage_)
+    std::fprintf(stderr, "platon-client: %s; trying again\n", toldOutage_->c_str());
+  else
+    std::fprintf(stderr, "platon-client: connected again\n");
+}
+
 std::optional<Scene> MatchPlay::scene(Moment now) {
-  return client_.session() == nullptr ? std::nullopt : feed_.scene(*client_.session(), now);
+  std::optional<Scene> scene = client_.session() == nullptr ? std::nullopt : feed_.scene(*client_.session(), now);
+  if (scene || !client_.outage()) lastScene_ = std::move(scene);
+  return lastScene_;
 }
 
 std::string MatchPlay::message() const {
   if (client_.ending()) return *client_.ending();
+  if (client_.outage()) return *client_.outage() + "; trying again …";
   if (client_.session() == nullptr) return "connecting to " + server_.text() + " …";
   return client_.session()->round() == nullptr ? "waiting for the level …" : "";
 }

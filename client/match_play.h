@@ -22,7 +22,7 @@ class MatchPlay {
   MatchPlay(const ClientOptions& options, const ServerAddress& server, Moment now);
 
   void update(Moment now, const Controls& controls);
-  /// Nothing while no round is played.
+  /// Nothing before a round is played. While the connection is being made again, the last one.
   std::optional<Scene> scene(Moment now);
   /// State of the connection for the player; empty while all is well.
   std::string message() const;
@@ -33,12 +33,15 @@ class MatchPlay {
 
  private:
   void reportMismatch();
+  void reportOutage();
 
   ServerAddress server_;
   NetworkClient client_;
   SceneFeed feed_;
   FinishWatch watch_;
   MismatchFolder mismatches_;
+  std::optional<Scene> lastScene_;
+  std::optional<std::string> toldOutage_;
 };
 
 }  // namespace platon

@@ -7,16 +7,17 @@
 namespace platon {
 
 NetSample NetMeter::sample(const NetworkClient& client, Moment now) {
-  const Traffic& traffic = client.connection().traffic();
+  const Traffic traffic = client.traffic();
   readings_.push_back({now, traffic});
   while (now - readings_.front().at > std::chrono::seconds(1)) readings_.pop_front();
   const Reading& then = readings_.front();
+  const Traffic gained = traffic - then.traffic;
   const double seconds = std::max(toSeconds(now - then.at), 1e-3);
 
   NetSample sample;
-  sample.rttMs = toSeconds(client.connection().roundTrip()) * 1000;
-  sample.downBytesPerSecond = static_cast<double>(traffic.receivedBytes - then.traffic.receivedBytes) / seconds;
-  sample.upBytesPerSecond = static_cast<double>(traffic.sentBytes - then.traffic.sentBytes) / seconds;
+  sample.rttMs = toSeconds(client.session()->line().roundTrip()) * 1000;
+  sample.downBytesPerSecond = static_cast<double>(gained.receivedBytes) / seconds;
+  sample.upBytesPerSecond = static_cast<double>(gained.sentBytes) / seconds;
   const PredictionCount count = client.session()->predictionCount();
   if (std::exchange(corrections_, count.corrections) != count.corrections) {
     sample.correctionSubunits = count.lastSubunits;

@@ -1,26 +1,104 @@
 #include "client/network_client.h"
 
+#include <algorithm>
+#include <stdexcept>
+
 namespace platon {
+
+namespace {
+
+bool plays(const Session& session) {
+  return session.round() != nullptr && session.round()->prediction().confirmedTicks() > 0;
+}
+
+// At once, then after 1, 2, 4 … first pauses.
+Moment pauseAfter(std::uint32_t failed) {
+  if (failed == 0) return Moment{};
+  const std::uint32_t doublings = std::min(failed - 1, 16u);
+  return std::min(NetworkClient::kFirstPause * (1 << doublings), NetworkClient::kLongestPause);
+}
+
+}  // namespace
 
 NetworkClient::NetworkClient(const ServerAddress& server, const std::string& name, Moment now,
                              const std::optional<ServerAddress>& way)
-    : server_(server), name_(name), connection_(way.value_or(server), now), waitingSince_(now) {}
+    : server_(server), way_(way.value_or(server)), name_(name), waitingSince_(now) {
+  connection_.emplace(way_, now);
+}
 
 void NetworkClient::update(Moment now, const Controls& controls) {
-  connection_.service(now, [this, now](std::span<const std::uint8_t> message) {
-    if (session_) session_->receive(message, now);
+  if (retryAt_ && now >= *retryAt_ && !leaving_) connect(now);
+  if (!connection_) return;
+  connection_->service(now, [this, now](std::span<const std::uint8_t> message) {
+    if (greeted_) session_->receive(message, now);
   });
-  if (!session_ && connection_.state() == Connection::State::kConnected) {
-    session_.emplace(name_, now);
-    waitingSince_ = now;
-  }
-  if (!ending_ && !leaving_) ending_ = findEnding(now);
-  if (!session_) return;
-  if (ending_) session_->lose(*ending_);
+  if (!greeted_ && connection_->state() == Connection::State::kConnected) greet(now);
+  if (!ending_ && !leaving_) watch(now);
+  if (!connection_ || !greeted_) return;
   if (!leaving_ && !ending_) session_->update(now, controls);
-  for (const OutgoingMessage& message : session_->takeOutgoing()) connection_.send(message.bytes, message.reliable);
-  if (leaving_) connection_.close();
-  connection_.flush(now);
+  forward();
+  connection_->flush(now);
+}
+
+void NetworkClient::forward() {
+  for (const OutgoingMessage& message : session_->takeOutgoing()) connection_->send(message.bytes, message.reliable);
+  if (leaving_) connection_->close();
+}
+
+void NetworkClient::connect(Moment now) {
+  retryAt_.reset();
+  waitingSince_ = now;
+  try {
+    connection_.emplace(way_, now);
+  } catch (const std::runtime_error& error) {
+    lose({error.what(), false}, now);
+  }
+}
+
+void NetworkClient::greet(Moment now) {
+  Session::Memory memory = session_ ? session_->memory() : Session::Memory();
+  session_.emplace(name_, now, std::move(memory));
+  greeted_ = true;
+  waitingSince_ = now;
+}
+
+void NetworkClient::watch(Moment now) {
+  if (const std::optional<Session::Ending> found = trouble(now)) return lose(*found, now);
+  if (!greeted_ || !plays(*session_)) return;
+  attempts_ = 0;
+  if (!outage_) return;
+  outage_.reset();
+  ++returns_;
+}
+
+std::optional<Session::Ending> NetworkClient::trouble(Moment now) const {
+  if (greeted_ && session_->ending()) return session_->ending();
+  const bool welcomed = greeted_ && session_->welcome();
+  if (!welcomed && (closed() || now - waitingSince_ > kPatience)) {
+    return Session::Ending{"no answer from " + server_.text() + " within 5 s: is platon-server running there?", false};
+  }
+  if (closed()) return Session::Ending{"the connection to " + server_.text() + " is lost", false};
+  return std::nullopt;
+}
+
+// A server of which nothing was heard is not there; one that answers may take some repetitions on a bad line.
+bool NetworkClient::mayRetry(const Session::Ending& trouble) const {
+  if (trouble.forGood || !session_) return false;
+  return session_->token() || (attempts_ + 1 < kFirstAttempts && !session_->ending());
+}
+
+void NetworkClient::lose(const Session::Ending& trouble, Moment now) {
+  const bool again = mayRetry(trouble);
+  if (session_) session_->lose(trouble.reason);
+  if (!again) {
+    ending_ = trouble.reason;
+    return;
+  }
+  if (!outage_) outage_ = trouble.reason;
+  retryAt_ = now + pauseAfter(attempts_++);
+  before_ = traffic();
+  connection_.reset();
+  greeted_ = false;
 }
 
 void NetworkClient::leave() {
@@ -32,14 +110,6 @@ std::optional<MismatchReport> NetworkClient::takeMismatch() {
   return session_ ? session_->takeMismatch() : std::nullopt;
 }
 
-std::optional<std::string> NetworkClient::findEnding(Moment now) const {
-  if (session_ && session_->ending()) return session_->ending();
-  const bool welcomed = session_ && session_->welcome();
-  if (!welcomed && (closed() || now - waitingSince_ > kPatience)) {
-    return "no answer from " + server_.text() + " within 5 s: is platon-server running there?";
-  }
-  if (closed()) return "the connection to " + server_.text() + " is lost";
-  return std::nullopt;
-}
+Traffic NetworkClient::traffic() const { return connection_ ? before_ + connection_->traffic() : before_; }
 
 }  // namespace platon

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -10,10 +11,18 @@
 
 namespace platon {
 
-/// A session over a connection. Knows for how long to wait for an answer and how to say what went wrong.
+/// Sessions with one server over connections to it. Knows for how long to wait for an answer and how to say what went
+/// wrong. A player who was once let in and loses the connection is taken back: it is tried again at once, then ever
+/// less often.
 class NetworkClient {
  public:
+  /// Until when a server that is asked must have let the client in.
   static constexpr Moment kPatience = std::chrono::seconds(5);
+  /// Between the second attempt to come back and the third; doubled each time up to kLongestPause.
+  static constexpr Moment kFirstPause = std::chrono::milliseconds(250);
+  static constexpr Moment kLongestPause = std::chrono::seconds(8);
+  /// Attempts to get in at first, where a server is heard of at all.
+  static constexpr std::uint32_t kFirstAttempts = 3;
 
   /// Begins to connect to `server`, through `way` when the datagrams take another way. Throws std::runtime_error when
   /// that cannot even begin.
@@ -25,24 +34,43 @@ class NetworkClient {
   /// Says good-bye; `update` until `closed`.
   void leave();
 
-  bool closed() const { return connection_.state() == Connection::State::kClosed; }
-  /// Why the game is over, a sentence for the player; nothing while it goes on.
+  /// Whether there is no connection, nor one being made.
+  bool closed() const { return !connection_ || connection_->state() == Connection::State::kClosed; }
+  /// Why the game is over for good, a sentence for the player; nothing while it goes on.
   const std::optional<std::string>& ending() const { return ending_; }
+  /// Why there is no game at the moment, a sentence for the player; from when it was lost until it goes on.
+  const std::optional<std::string>& outage() const { return outage_; }
+  /// How often a lost game went on.
+  std::uint32_t returns() const { return returns_; }
 
-  /// Null until connected.
+  /// Null until connected. After a loss, the last session until there is a new connection.
   const Session* session() const { return session_ ? &*session_ : nullptr; }
   /// What was last found wrong with the confirmed game; each is given once.
   std::optional<MismatchReport> takeMismatch();
-  const Connection& connection() const { return connection_; }
+  /// Over all connections.
+  Traffic traffic() const;
 
  private:
-  std::optional<std::string> findEnding(Moment now) const;
+  void connect(Moment now);
+  void greet(Moment now);
+  void watch(Moment now);
+  std::optional<Session::Ending> trouble(Moment now) const;
+  void lose(const Session::Ending& trouble, Moment now);
+  bool mayRetry(const Session::Ending& trouble) const;
+  void forward();
 
   ServerAddress server_;
+  ServerAddress way_;
   std::string name_;
-  Connection connection_;
+  std::optional<Connection> connection_;
   std::optional<Session> session_;
-  Moment waitingSince_;
+  bool greeted_ = false;              // session_ is over connection_
+  Moment waitingSince_;               // connecting, or greeted
+  std::uint32_t attempts_ = 0;        // that have failed since there was a game
+  std::optional<Moment> retryAt_;
+  std::optional<std::string> outage_;
+  std::uint32_t returns_ = 0;
+  Traffic before_;                    // of the connections before
   bool leaving_ = false;
   std::optional<std::string> ending_;
 };

@@ -55,13 +55,27 @@ TEST_F(Play, ServerOfOnesOwnAndAPicture) {
   EXPECT_EQ(bytes.substr(0, 4), "\x89PNG");
 }
 
-TEST_F(Play, HearsThatTheServerStops) {
+TEST_F(Play, OutlivesARestartOfTheServer) {
   startServer();
   Program client("platon-client", {address(), "--offscreen", "--demo", "--seconds", "60"});
   client.waitForOutput("finished", std::chrono::seconds(45));
   stopServer();
-  EXPECT_EQ(client.wait(std::chrono::seconds(15)), 1);
-  EXPECT_NE(client.errors().find("platon-client: the server ended the game: the server stops"), std::string::npos)
+  client.waitForError("platon-client: the server ended the game: the server stops; trying again");
+  restartServer();
+  client.waitForError("platon-client: connected again");
+  server().waitForError("joined");
+  client.signal(SIGTERM);
+  EXPECT_EQ(client.wait(), 0) << client.errors();
+  stopServer();
+}
+
+TEST_F(Play, SaysAtTheEndThatTheServerIsGone) {
+  startServer();
+  Program client("platon-client", {address(), "--offscreen", "--seconds", "6"});
+  server().waitForError("joined");
+  stopServer();
+  EXPECT_EQ(client.wait(), 1);
+  EXPECT_NE(client.errors().find("the time was up while the server ended the game"), std::string::npos)
       << client.errors();
 }
 

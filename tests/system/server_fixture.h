@@ -22,6 +22,14 @@ class ServerTest : public testing::Test {
     address_ = server_->waitForError("listening on ");
   }
 
+  /// Another one at the same address.
+  void restartServer() {
+    const std::string port = address_.substr(address_.find(':') + 1);
+    server_ = std::make_unique<Program>("platon-server",
+                                        std::vector<std::string>{kLevel, "--bind", "127.0.0.1", "--port", port});
+    server_->waitForError("listening on ");
+  }
+
   /// Ends the server, which has to go in good order.
   void stopServer() {
     server_->signal(SIGTERM);
