@@ -1,5 +1,7 @@
 #include "client/network_client.h"
 
+#include <sodium.h>
+
 #include <algorithm>
 #include <stdexcept>
 
@@ -9,6 +11,13 @@ namespace {
 
 bool plays(const Session& session) {
   return session.round() != nullptr && session.round()->prediction().confirmedTicks() > 0;
+}
+
+SessionToken freshToken() {
+  if (sodium_init() < 0) throw std::runtime_error("this system gives no random numbers");
+  SessionToken token;
+  randombytes_buf(token.data(), token.size());
+  return token;
 }
 
 // At once, then after 1, 2, 4 … first pauses.
@@ -23,6 +32,7 @@ Moment pauseAfter(std::uint32_t failed) {
 NetworkClient::NetworkClient(const ServerAddress& server, const std::string& name, Moment now,
                              const std::optional<ServerAddress>& way)
     : server_(server), way_(way.value_or(server)), name_(name), waitingSince_(now) {
+  memory_.token = freshToken();
   connection_.emplace(way_, now);
 }
 
@@ -56,14 +66,14 @@ void NetworkClient::connect(Moment now) {
 }
 
 void NetworkClient::greet(Moment now) {
-  Session::Memory memory = session_ ? session_->memory() : Session::Memory();
-  session_.emplace(name_, now, std::move(memory));
+  session_.emplace(name_, now, memory_);
   greeted_ = true;
   waitingSince_ = now;
 }
 
 void NetworkClient::watch(Moment now) {
   if (const std::optional<Session::Ending> found = trouble(now)) return lose(*found, now);
+  welcomed_ = welcomed_ || (greeted_ && session_->welcome());
   if (!greeted_ || !plays(*session_)) return;
   attempts_ = 0;
   if (!outage_) return;
@@ -83,13 +93,16 @@ std::optional<Session::Ending> NetworkClient::trouble(Moment now) const {
 
 // A server of which nothing was heard is not there; one that answers may take some repetitions on a bad line.
 bool NetworkClient::mayRetry(const Session::Ending& trouble) const {
-  if (trouble.forGood || !session_) return false;
-  return session_->token() || (attempts_ + 1 < kFirstAttempts && !session_->ending());
+  if (trouble.forGood) return false;
+  return welcomed_ || (greeted_ && !session_->ending() && attempts_ + 1 < kFirstAttempts);
 }
 
 void NetworkClient::lose(const Session::Ending& trouble, Moment now) {
   const bool again = mayRetry(trouble);
-  if (session_) session_->lose(trouble.reason);
+  if (greeted_) {
+    session_->lose(trouble.reason);
+    memory_ = session_->memory();
+  }
   if (!again) {
     ending_ = trouble.reason;
     return;

@@ -61,11 +61,13 @@ class NetworkClient {
 
   ServerAddress server_;
   ServerAddress way_;
+  Session::Memory memory_;            // for the next session
   std::string name_;
   std::optional<Connection> connection_;
   std::optional<Session> session_;
   bool greeted_ = false;              // session_ is over connection_
   Moment waitingSince_;               // connecting, or greeted
+  bool welcomed_ = false;             // ever
   std::uint32_t attempts_ = 0;        // that have failed since there was a game
   std::optional<Moment> retryAt_;
   std::optional<std::string> outage_;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint32_t kTicksBetweenReports = 4;
 constexpr std::uint32_t kRepeats = 2;   // of a change, each a tick after the one before
-constexpr Moment kIdleReport = std::chrono::milliseconds(50);
+constexpr Moment kIdleReport = std::chrono::milliseconds(80);
 
 }  // namespace
 

@@ -30,18 +30,16 @@ std::string sentence(std::string_view what, const std::string& reason) {
 Session::Session(const std::string& name, Moment now, Memory memory)
     : helloAt_(now),
       heardAt_(now),
-      oldToken_(memory.token),
+      token_(memory.token),
       levels_(std::move(memory.levels)),
       pastPrediction_(memory.prediction),
       pastRounds_(memory.rounds) {
   Hello hello;
   hello.name = name;
-  hello.token = oldToken_;
+  hello.token = token_;
   for (const auto& level : levels_) hello.levels.push_back(level->hash);
   send(hello, true);
 }
-
-std::optional<SessionToken> Session::token() const { return welcome_ ? welcome_->token : oldToken_; }
 
 template <class Message>
 void Session::send(const Message& message, bool reliable) {

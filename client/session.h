@@ -29,9 +29,9 @@ struct OutgoingMessage {
 /// there. Has no socket and no clock: what arrives is handed in, what is to be sent is taken out, and the time is told.
 class Session {
  public:
-  /// What is worth keeping of a session that is over.
+  /// What is worth keeping of a session for the next one with the same server.
   struct Memory {
-    std::optional<SessionToken> token;
+    std::optional<SessionToken> token;                 ///< a fresh one, if this is the first session; without, no way back
     std::vector<std::shared_ptr<const Level>> levels;  ///< at most kMaxLevelsKnown, newest last
     PredictionCount prediction;
     RoundCount rounds;
@@ -48,8 +48,8 @@ class Session {
   /// Of mismatches that come faster, only the first is reported; all are counted.
   static constexpr Moment kBetweenReports = std::chrono::minutes(1);
 
-  /// `name` is a clean label of at most kMaxNameBytes, perhaps empty. `now`: when the connection was made. `memory` of
-  /// a session with the same server that was lost: takes its player back and goes on with its counts.
+  /// `name` is a clean label of at most kMaxNameBytes, perhaps empty. `now`: when the connection was made. `memory`:
+  /// takes back the player of the session before and goes on with its counts.
   Session(const std::string& name, Moment now, Memory memory = {});
 
   /// A message from the server. One that makes no sense ends the session.
@@ -65,9 +65,7 @@ class Session {
 
   /// Nothing while it goes on.
   const std::optional<Ending>& ending() const { return ending_; }
-  /// What takes this player back; nothing before it was welcomed at all.
-  std::optional<SessionToken> token() const;
-  Memory memory() const { return {token(), levels_, predictionCount(), roundCount()}; }
+  Memory memory() const { return {token_, levels_, predictionCount(), roundCount()}; }
 
   /// The own slot and the server's name, once welcomed.
   const std::optional<Welcome>& welcome() const { return welcome_; }
@@ -114,7 +112,7 @@ class Session {
   std::vector<std::string> names_;
   std::vector<OutgoingMessage> outgoing_;
 
-  std::optional<SessionToken> oldToken_;
+  std::optional<SessionToken> token_;
   std::vector<std::shared_ptr<const Level>> levels_;   // the last few, newest last
   std::optional<std::uint64_t> fetching_;              // hash of the level on its way
   Assembly levelText_;

@@ -8,8 +8,8 @@
 
 namespace platon {
 
-/// The secret by which a client that lost its connection gets its player back: 16 random bytes that only the server and
-/// this client know.
+/// The secret by which a client that lost its connection gets its player back: 16 random bytes of its own choice, told
+/// to the server with the first greeting. So it works as well when the answer to that was lost.
 using SessionToken = std::array<std::uint8_t, 16>;
 
 /// Nothing when the bytes are not as many as a token has.

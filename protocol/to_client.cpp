@@ -139,11 +139,7 @@ std::optional<ToClient> read(const wire::Welcome& table) {
                   table.level_hash(),
                   table.max_players(),
                   table.ticks_per_second(),
-                  textOf(table.server_name()),
-                  {}};
-  const auto token = tokenOf(spanOf(table.token()));
-  if (!token) return std::nullopt;
-  message.token = *token;
+                  textOf(table.server_name())};
   const bool valid = message.maxPlayers <= kMaxPlayers && message.slot < message.maxPlayers &&
                      message.ticksPerSecond == kTicksPerSecond && isLabel(message.serverName, kMaxNameBytes);
   return valid ? std::optional<ToClient>(std::move(message)) : std::nullopt;
@@ -237,10 +233,9 @@ std::optional<ToClient> decodeToClient(std::span<const std::uint8_t> bytes) {
 Bytes encode(const Welcome& message) {
   Builder builder;
   const auto name = builder.CreateString(message.serverName);
-  const auto token = builder.CreateVector(message.token.data(), message.token.size());
   return finish(builder, Body::Welcome,
                 wire::CreateWelcome(builder, message.slot, message.round, message.levelHash, message.maxPlayers,
-                                    message.ticksPerSecond, name, token));
+                                    message.ticksPerSecond, name));
 }
 
 Bytes encode(const Refused& message) {

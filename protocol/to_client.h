@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "protocol/limits.h"
-#include "protocol/session_token.h"
 #include "shared/game/input.h"
 
 namespace platon {
@@ -21,7 +20,6 @@ struct Welcome {
   std::uint32_t maxPlayers = 0;                    ///< 1 … kMaxPlayers
   std::uint32_t ticksPerSecond = kTicksPerSecond;  ///< always kTicksPerSecond
   std::string serverName;                          ///< a clean label, perhaps empty
-  SessionToken token{};                            ///< takes this player back after the connection was lost
 
   friend bool operator==(const Welcome&, const Welcome&) = default;
 };

@@ -18,7 +18,7 @@ struct Hello {
   std::uint32_t protocolVersion = kProtocolVersion;
   std::uint32_t rulesVersion = kRulesVersion;  ///< meaningful when the protocol version is ours
   std::string name;                            ///< a clean label (`isLabel`); empty: the server makes one up
-  std::optional<SessionToken> token{};         ///< of a session that was lost: asks for its player
+  std::optional<SessionToken> token{};         ///< takes back the player that was greeted with the same
   std::vector<std::uint64_t> levels{};         ///< hashes of levels that need not be sent; at most kMaxLevelsKnown
 
   friend bool operator==(const Hello&, const Hello&) = default;

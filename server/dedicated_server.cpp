@@ -1,8 +1,5 @@
 #include "server/dedicated_server.h"
 
-#include <sodium.h>
-
-#include <stdexcept>
 #include <thread>
 
 #include "protocol/to_client.h"
@@ -20,13 +17,6 @@ constexpr std::chrono::milliseconds kByeWait{500};
 constexpr std::chrono::seconds kReportInterval{10};
 
 TimePoint steadyNow() { return std::chrono::steady_clock::now(); }
-
-SessionToken randomToken() {
-  if (sodium_init() < 0) throw std::runtime_error("this system gives no random numbers");
-  SessionToken token;
-  randombytes_buf(token.data(), token.size());
-  return token;
-}
 
 HostSettings withConnections(const ServerSettings& settings) {
   HostSettings host = settings.host;
@@ -77,7 +67,7 @@ DedicatedServer::DedicatedServer(const ServerSettings& settings, std::vector<Lev
     : log_(std::move(log)),
       host_(withConnections(settings), steadyNow()),
       recordings_(folderOf(settings)),
-      match_(LevelRotation(std::move(levels)), withRecordings(settings), randomToken),
+      match_(LevelRotation(std::move(levels)), withRecordings(settings)),
       clock_(steadyNow()),
       reportAt_(steadyNow() + kReportInterval) {}
 

@@ -31,10 +31,9 @@ std::optional<Refused> wrongVersion(const Hello& hello) {
 
 }  // namespace
 
-Match::Match(LevelRotation rotation, MatchSettings settings, TokenSource tokens)
+Match::Match(LevelRotation rotation, MatchSettings settings)
     : rotation_(std::move(rotation)),
       settings_(std::move(settings)),
-      tokens_(std::move(tokens)),
       game_(rotation_.current()),
       history_(round_, shortHash(game_.hash())) {
   assert(settings_.maxPlayers >= 1 && settings_.maxPlayers <= kMaxPlayers);
@@ -76,7 +75,7 @@ std::optional<std::uint32_t> Match::freeSlot() const {
 
 void Match::join(ClientId client, const Hello& hello, std::uint32_t slot) {
   if (idle() && history_.end() > 0) startRound();
-  Member& member = members_.emplace(client, Member(slot, nameOf(hello, slot), tokens_())).first->second;
+  Member& member = members_.emplace(client, Member(slot, nameOf(hello, slot), hello.token)).first->second;
   member.joinAt(history_.end());
   introduce(client, member, hello);
   note(MatchEvent::Kind::kJoined, client, slot, member.name());
@@ -95,13 +94,13 @@ bool Match::takeBack(ClientId client, const Hello& hello) {
 // The client may be back before its old connection is known to be lost.
 std::optional<Member> Match::extract(const SessionToken& token) {
   for (auto away = away_.begin(); away != away_.end(); ++away) {
-    if (!sameToken(away->member.token(), token)) continue;
+    if (!away->member.has(token)) continue;
     Member member = std::move(away->member);
     away_.erase(away);
     return member;
   }
   for (auto& [client, member] : members_) {
-    if (!sameToken(member.token(), token)) continue;
+    if (!member.has(token)) continue;
     outgoing_.push_back({client, true, true, encode(Bye{ByeCode::kRemoved, "you play over another connection now"})});
     return std::move(members_.extract(client).mapped());
   }
@@ -112,7 +111,7 @@ std::optional<Member> Match::extract(const SessionToken& token) {
 void Match::introduce(ClientId client, Member& member, const Hello& hello) {
   const LevelPointer& level = rotation_.current();
   send(client, encode(Welcome{member.slot(), round_, level->hash, settings_.maxPlayers, kTicksPerSecond,
-                              settings_.serverName, member.token()}));
+                              settings_.serverName}));
   for (const auto& [other, present] : members_) {
     send(client, encode(RosterEntry{present.slot(), present.name()}));
     if (other != client) send(other, encode(RosterEntry{member.slot(), member.name()}));
@@ -133,6 +132,7 @@ void Match::handle(ClientId client, const Leave&) { remove(client); }
 void Match::disconnect(ClientId client) {
   const auto found = members_.find(client);
   if (found == members_.end()) return;
+  if (!found->second.canBeTakenUp()) return remove(client);
   note(MatchEvent::Kind::kLost, client, found->second.slot(), found->second.name());
   away_.push_back({std::move(found->second), now_});
   members_.erase(found);

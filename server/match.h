@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -26,9 +25,6 @@ struct MatchSettings {
   bool record = false;            ///< every round
 };
 
-/// Gives tokens that nobody can guess.
-using TokenSource = std::function<SessionToken()>;
-
 /// A message to one client.
 struct Outgoing {
   ClientId client = 0;
@@ -51,12 +47,12 @@ class Match {
   /// Bytes of levels and states that one client is sent in one tick, and a piece more.
   static constexpr std::size_t kTransferBytesPerTick = kChunkBytes;
 
-  Match(LevelRotation rotation, MatchSettings settings, TokenSource tokens);
+  Match(LevelRotation rotation, MatchSettings settings);
 
   /// A message from a client; the first has to be Hello.
   void receive(ClientId client, const ToServer& message);
-  /// The connection is gone. The player stays, with the buttons it held for a second and then without, until a client
-  /// with its token takes it up or kAwayTicks have passed.
+  /// The connection is gone. A player with a token stays, with the buttons it held for a second and then without, until
+  /// a client takes it up or kAwayTicks have passed.
   void disconnect(ClientId client);
   /// The client is thrown out, and its player with it.
   void remove(ClientId client);
@@ -119,7 +115,6 @@ class Match {
 
   LevelRotation rotation_;
   MatchSettings settings_;
-  TokenSource tokens_;
   std::uint32_t round_ = 0;
   std::uint64_t now_ = 0;  // ticks over all rounds
   Game game_;

@@ -24,12 +24,15 @@ class Member {
   /// Ticks between two full states: a client that never agrees costs one a second.
   static constexpr std::uint64_t kTicksBetweenStates = 60;
 
-  Member(std::uint32_t slot, std::string name, const SessionToken& token)
+  Member(std::uint32_t slot, std::string name, const std::optional<SessionToken>& token)
       : slot_(slot), name_(std::move(name)), token_(token) {}
 
   std::uint32_t slot() const { return slot_; }
   const std::string& name() const { return name_; }
-  const SessionToken& token() const { return token_; }
+  /// Whether it was greeted with this token.
+  bool has(const SessionToken& token) const { return token_ && sameToken(*token_, token); }
+  /// Whether anybody could take it up.
+  bool canBeTakenUp() const { return token_.has_value(); }
 
   /// The player is taken up by another client, which knows nothing of what was sent.
   void takeUp(std::string name);
@@ -79,7 +82,7 @@ class Member {
 
   std::uint32_t slot_;
   std::string name_;
-  SessionToken token_;
+  std::optional<SessionToken> token_;
   InputBuffer inputs_;
   std::deque<Transfer> transfers_;
   LossMeter heard_;

@@ -14,7 +14,6 @@
 #include "server/tick_clock.h"
 #include "tests/client/input_flipper.h"
 #include "tests/client/test_level.h"
-#include "tests/server/counted_tokens.h"
 #include "tests/lockstep/verification.h"
 
 namespace platon {
@@ -54,7 +53,7 @@ class LyingServer {
   }
 
   Host host_{loopback(), std::chrono::steady_clock::now()};
-  Match match_{LevelRotation({endlessLevel()}), {4, "Test"}, countedTokens()};
+  Match match_{LevelRotation({endlessLevel()}), {4, "Test"}};
   TickClock clock_{std::chrono::steady_clock::now()};
   InputFlipper flipper_{60, 0, {}};
 };

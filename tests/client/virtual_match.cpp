@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "protocol/to_server.h"
-#include "tests/server/counted_tokens.h"
 
 namespace platon {
 
@@ -32,7 +31,7 @@ VirtualMatch::Client::Client(const LinkQuality& line, std::uint64_t seed, Contro
       reliableDown(delayOf(line), 0) {}
 
 VirtualMatch::VirtualMatch(std::vector<std::shared_ptr<const Level>> levels, std::uint64_t seed)
-    : match_(LevelRotation(std::move(levels)), MatchSettings{16, "test"}, countedTokens()), seed_(seed) {
+    : match_(LevelRotation(std::move(levels)), MatchSettings{16, "test"}), seed_(seed) {
   round_ = match_.round();
 }
 

@@ -40,7 +40,7 @@ std::vector<ToServer> sampleToServer() {
 
 std::vector<ToClient> sampleToClient() {
   return {
-      Welcome{3, 7, 0x0123456789abcdef, 16, kTicksPerSecond, "Platon", kToken},
+      Welcome{3, 7, 0x0123456789abcdef, 16, kTicksPerSecond, "Platon"},
       Welcome{255, 1, 0, 256, kTicksPerSecond, ""},
       Refused{RefusalCode::kFull, "the server is full"},
       Refused{RefusalCode::kOther, ""},

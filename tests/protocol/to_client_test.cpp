@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 
 #include "tests/protocol/sample_messages.h"
 
@@ -74,16 +73,6 @@ TEST(ToClient, RefusesMoreThanAllLost) {
   ASSERT_NE(lost, bytes.end());
   EXPECT_TRUE(decodeToClient(bytes));
   *lost = 101;
-  EXPECT_FALSE(decodeToClient(bytes));
-}
-
-TEST(ToClient, RefusesAWelcomeWithoutAToken) {
-  std::vector<std::uint8_t> bytes = encode(Welcome{0, 1, 0, 1, kTicksPerSecond, "", {9, 9, 9}});
-  const std::array<std::uint8_t, 4> length = {sizeof(SessionToken), 0, 0, 0};
-  const auto token = std::search(bytes.begin(), bytes.end(), length.begin(), length.end());
-  ASSERT_NE(token, bytes.end());
-  ASSERT_TRUE(decodeToClient(bytes));
-  *token = sizeof(SessionToken) - 1;
   EXPECT_FALSE(decodeToClient(bytes));
 }
 

@@ -7,16 +7,27 @@
 #include "protocol/full_state.h"
 
 namespace platon {
+namespace {
+
+SessionToken newToken() {
+  static std::uint32_t players = 0;
+  ++players;
+  SessionToken token{};
+  for (std::size_t i = 0; i < 4; ++i) token[i] = static_cast<std::uint8_t>(players >> 8 * i);
+  return token;
+}
+
+}  // namespace
 
 FakeClient::FakeClient(std::string name, std::uint32_t lead, std::function<int(std::uint32_t)> buttons)
-    : lead_(lead), buttons_(std::move(buttons)) {
-  reliable_.push_back(encode(Hello{kProtocolVersion, kRulesVersion, std::move(name)}));
+    : lead_(lead), buttons_(std::move(buttons)), token_(newToken()) {
+  reliable_.push_back(encode(Hello{kProtocolVersion, kRulesVersion, std::move(name), token_}));
 }
 
 FakeClient::FakeClient(const FakeClient& lost, std::function<int(std::uint32_t)> buttons)
-    : lead_(lost.lead_), buttons_(std::move(buttons)), texts_(lost.texts_) {
+    : lead_(lost.lead_), buttons_(std::move(buttons)), token_(lost.token_), texts_(lost.texts_) {
   Hello hello;
-  hello.token = lost.welcome_->token;
+  hello.token = token_;
   for (const auto& [hash, level] : texts_) hello.levels.push_back(hash);
   reliable_.push_back(encode(hello));
 }

@@ -39,6 +39,7 @@ class FakeClient {
   const std::map<std::uint32_t, std::string>& roster() const { return roster_; }
   const std::optional<RoundEnd>& roundEnd() const { return roundEnd_; }
 
+  const SessionToken& token() const { return token_; }
   std::uint32_t round() const { return round_; }
   /// Ticks confirmed.
   std::uint32_t confirmed() const { return confirmed_; }
@@ -74,6 +75,7 @@ class FakeClient {
 
   std::uint32_t lead_;
   std::function<int(std::uint32_t)> buttons_;
+  SessionToken token_{};
   std::vector<Bytes> reliable_;
   std::map<std::uint64_t, std::shared_ptr<const Level>> texts_;
   std::optional<Welcome> welcome_;

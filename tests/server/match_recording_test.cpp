@@ -6,7 +6,6 @@
 
 #include "server/match.h"
 #include "tests/lockstep/verification.h"
-#include "tests/server/counted_tokens.h"
 #include "tests/server/fake_client.h"
 #include "tests/server/test_levels.h"
 #include "tests/server/virtual_network.h"
@@ -17,7 +16,7 @@ namespace {
 Match recordedMatch(const std::vector<std::string>& texts, std::uint32_t maxPlayers = 8) {
   std::vector<LevelPointer> levels;
   for (const std::string& text : texts) levels.push_back(levelOf(text));
-  return Match(LevelRotation(levels), {maxPlayers, "Test", true}, countedTokens());
+  return Match(LevelRotation(levels), {maxPlayers, "Test", true});
 }
 
 FakeClient player(std::uint32_t lead = 8) {
@@ -61,7 +60,7 @@ sim::Verification verified(const Recording& recording, const sim::Verifier::Play
 }
 
 TEST(MatchRecording, IsMadeOnlyWhenAskedFor) {
-  VirtualNetwork network(Match(LevelRotation({levelOf(farGoalText())}), {8, "Test"}, countedTokens()), {});
+  VirtualNetwork network(Match(LevelRotation({levelOf(farGoalText())}), {8, "Test"}), {});
   network.add(player());
   network.run(200);
   network.match().stop("");

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/server/counted_tokens.h"
 #include "tests/server/fake_client.h"
 #include "tests/server/test_levels.h"
 #include "tests/server/virtual_network.h"
@@ -13,7 +12,7 @@ namespace {
 using Kind = MatchEvent::Kind;
 
 Match matchOn(const std::string& text, std::uint32_t maxPlayers = 8) {
-  return Match(LevelRotation({levelOf(text)}), {maxPlayers, "Test"}, countedTokens());
+  return Match(LevelRotation({levelOf(text)}), {maxPlayers, "Test"});
 }
 
 Input pressing(int buttons) { return Input{static_cast<std::uint8_t>(buttons | Input::kPresent)}; }
@@ -253,7 +252,7 @@ TEST(Match, ASlotRestsForATickBeforeItIsGivenAway) {
 TEST(Match, ARoundThatIsOverIsFollowedByTheNextLevel) {
   const LevelPointer near = levelOf(nearGoalText());
   const LevelPointer far = levelOf(farGoalText());
-  VirtualNetwork network(Match(LevelRotation({near, far}), {4, ""}, countedTokens()), {2, 0, 0, 1});
+  VirtualNetwork network(Match(LevelRotation({near, far}), {4, ""}), {2, 0, 0, 1});
   network.add(player("Ann", 12, 1));
   network.add(player("Ben", 12, 2));
   network.run(60);
