@@ -3,18 +3,11 @@
 namespace platon {
 
 Bot::Bot(const ServerAddress& server, const std::string& name, const LinkQuality& line, std::uint64_t seed, Moment now)
-    : relay_(line.perfect() ? nullptr : std::make_unique<LossyRelay>(server, line, seed)),
-      client_(std::make_unique<NetworkClient>(server, name, now,
-                                              relay_ ? std::optional(relay_->address()) : std::nullopt)),
-      presser_(seed),
-      begunAt_(now),
-      now_(now) {}
+    : client_(server, name, line, seed, now), presser_(seed), begunAt_(now), now_(now) {}
 
 void Bot::update(Moment now) {
   now_ = now;
-  if (relay_) relay_->pump(now);
-  client_->update(now, [this](const Game&, std::uint32_t) { return presser_.next(); });
-  if (relay_) relay_->pump(now);
+  client_.update(now, [this](const Game&, std::uint32_t) { return presser_.next(); });
   if (!playingSince_) noteStart(now);
 }
 

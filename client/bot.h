@@ -1,14 +1,12 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 
 #include "client/button_presser.h"
-#include "client/lossy_relay.h"
 #include "client/moment.h"
-#include "client/network_client.h"
+#include "client/relayed_client.h"
 
 namespace platon {
 
@@ -41,8 +39,7 @@ class Bot {
  private:
   void noteStart(Moment now);
 
-  std::unique_ptr<LossyRelay> relay_;    // none on a perfect line
-  std::unique_ptr<NetworkClient> client_;
+  RelayedClient client_;
   ButtonPresser presser_;
   Moment begunAt_;
   std::optional<Moment> playingSince_;

@@ -9,6 +9,7 @@
 
 #include "client/bot_fleet.h"
 #include "client/bot_report.h"
+#include "client/line_options.h"
 #include "client/server_address.h"
 #include "client/steady_now.h"
 #include "platon_version.h"
@@ -32,19 +33,10 @@ void describe(CLI::App& app, Options& options) {
   app.add_option("--seconds", options.fleet.seconds, "How long they play")->required()->check(CLI::Range(0.1, 86400.0));
   app.add_option("--seed", options.fleet.seed, "Of the buttons and of the line; the same seed gives the same")
       ->capture_default_str();
-  const CLI::Range percent(0.0, 100.0);
-  const CLI::Range milliseconds(0.0, 10000.0);
-  app.add_option("--loss", options.fleet.line.lossPercent, "Datagrams lost, per cent each way")->check(percent);
-  app.add_option("--delay", options.fleet.line.delayMs, "Delay, ms each way")->check(milliseconds);
-  app.add_option("--jitter", options.fleet.line.jitterMs, "Further delay at random, up to so many ms each way")
-      ->check(milliseconds);
-  app.add_option("--duplicate", options.fleet.line.duplicatePercent, "Datagrams that come twice, per cent each way")
-      ->check(percent);
-  app.add_option("--reorder", options.fleet.line.reorderPercent, "Datagrams that others overtake, per cent each way")
-      ->check(percent);
   app.add_option("--mismatch-dir", options.fleet.mismatchFolder,
                  "Folder for reports of games that were not the server's, made when missing; none unless given");
   app.add_flag("--json", options.json, "Print one JSON object");
+  describeLineOptions(app, options.fleet.line);
 }
 
 int play(const Options& options) {

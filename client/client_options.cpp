@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "client/client_error.h"
+#include "client/line_options.h"
 #include "platon_version.h"
 #include "protocol/label.h"
 #include "protocol/limits.h"
@@ -22,6 +23,10 @@ void describe(CLI::App& app, ClientOptions& options, std::string& host) {
   app.add_option("--seconds", options.seconds, "End after so many seconds; off-screen 10 unless given")
       ->check(CLI::Range(0.1, 86400.0));
   app.add_option("--screenshot", options.screenshot, "Write the last picture to this PNG file");
+  describeLineOptions(app, options.line);
+  app.add_option("--line-seed", options.lineSeed, "The same seed gives the same draws")
+      ->capture_default_str()
+      ->group(kLineGroup);
 }
 
 void check(ClientOptions& options, const std::string& host) {

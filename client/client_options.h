@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
+#include "client/network_conditions.h"
 #include "client/server_address.h"
 
 namespace platon {
@@ -16,6 +18,8 @@ struct ClientOptions {
   bool demo = false;
   std::optional<double> seconds;         ///< to play at most
   std::string screenshot;                ///< file for the last picture; empty: none
+  LinkQuality line;                      ///< simulated on the way to the server, each way
+  std::uint64_t lineSeed = 1;            ///< of its draws
 };
 
 /// Reads the command line. Nothing when only help or the version was asked for, which is then on standard output.

@@ -59,13 +59,12 @@ std::optional<Datagram> take(int handle, sockaddr_in* sender) {
 }  // namespace
 
 LossyRelay::LossyRelay(const ServerAddress& server, const LinkQuality& eachWay, std::uint64_t seed)
-    : up_(eachWay, seed), down_(eachWay, ~seed) {
-  const sockaddr_in address = resolve(server);
+    : server_(resolve(server)), serverSide_(std::in_place), up_(eachWay, seed), down_(eachWay, ~seed) {
   port_ = bindToLoopback(clientSide_.handle);
-  if (connect(serverSide_.handle, generic(address), sizeof address) != 0) {
-    throw std::runtime_error("no way to " + server.text());
-  }
+  if (!connectToServer()) throw std::runtime_error("no way to " + server.text());
 }
+
+bool LossyRelay::connectToServer() const { return connect(serverSide_->handle, generic(server_), sizeof server_) == 0; }
 
 LossyRelay::Socket::Socket() : handle(socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)) {
   if (handle < 0) throw std::runtime_error("no socket left for simulated network conditions");
@@ -74,11 +73,25 @@ LossyRelay::Socket::Socket() : handle(socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK
 LossyRelay::Socket::~Socket() { close(handle); }
 
 void LossyRelay::takeFromClient(Moment now) {
-  while (std::optional<Datagram> datagram = take(clientSide_.handle, &client_)) up_.send(std::move(*datagram), now);
+  sockaddr_in sender{};
+  while (std::optional<Datagram> datagram = take(clientSide_.handle, &sender)) {
+    if (sender.sin_port != client_.sin_port) takeUp(sender);
+    up_.send(std::move(*datagram), now);
+  }
+}
+
+// The server must not take a new connection for the old one, nor the client hear what was meant for the old.
+void LossyRelay::takeUp(const sockaddr_in& client) {
+  const bool first = client_.sin_port == 0;
+  client_ = client;
+  if (first) return;
+  down_.clear();
+  serverSide_.emplace();
+  connectToServer();   // as it could before
 }
 
 void LossyRelay::takeFromServer(Moment now) {
-  while (std::optional<Datagram> datagram = take(serverSide_.handle, nullptr)) down_.send(std::move(*datagram), now);
+  while (std::optional<Datagram> datagram = take(serverSide_->handle, nullptr)) down_.send(std::move(*datagram), now);
 }
 
 void LossyRelay::pump(Moment now) {
@@ -86,7 +99,7 @@ void LossyRelay::pump(Moment now) {
   takeFromServer(now);
   // A full socket buffer loses datagrams, like any line.
   while (const std::optional<Datagram> datagram = up_.receive(now)) {
-    (void)!send(serverSide_.handle, datagram->data(), datagram->size(), 0);
+    (void)!send(serverSide_->handle, datagram->data(), datagram->size(), 0);
   }
   while (const std::optional<Datagram> datagram = down_.receive(now)) {
     (void)!sendto(clientSide_.handle, datagram->data(), datagram->size(), 0, generic(client_), sizeof client_);

@@ -3,6 +3,7 @@
 #include <netinet/in.h>
 
 #include <cstdint>
+#include <optional>
 
 #include "client/network_conditions.h"
 #include "client/server_address.h"
@@ -11,7 +12,8 @@ namespace platon {
 
 /// Stands between one client on this machine and a server: forwards whole UDP datagrams both ways under simulated
 /// network conditions. All that the client sends and gets is subject to them, handshake, acknowledgements and resent
-/// packets included, as on a real bad line.
+/// packets included, as on a real bad line. A client that begins anew from another port has another way to the server,
+/// too, as through a router.
 class LossyRelay {
  public:
   /// Opens two sockets. Throws std::runtime_error when the host is unknown or no socket can be had.
@@ -32,11 +34,14 @@ class LossyRelay {
     int handle;
   };
 
+  bool connectToServer() const;
+  void takeUp(const sockaddr_in& client);
   void takeFromClient(Moment now);
   void takeFromServer(Moment now);
 
+  sockaddr_in server_;
   Socket clientSide_;
-  Socket serverSide_;
+  std::optional<Socket> serverSide_;
   std::uint16_t port_ = 0;
   sockaddr_in client_{};         // port 0 until the client has sent something
   NetworkConditions up_;

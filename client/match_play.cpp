@@ -21,27 +21,29 @@ std::filesystem::path mismatchFolder() {
 }  // namespace
 
 MatchPlay::MatchPlay(const ClientOptions& options, const ServerAddress& server, Moment now)
-    : server_(server), client_(server, options.name, now), mismatches_(mismatchFolder()) {}
+    : server_(server),
+      client_(server, options.name, options.line, options.lineSeed, now),
+      mismatches_(mismatchFolder()) {}
 
 void MatchPlay::update(Moment now, const Controls& controls) {
   client_.update(now, controls);
   reportMismatch();
   reportOutage();
-  if (client_.session() == nullptr) return;
-  const std::optional<std::string> line = watch_.look(*client_.session());
+  if (client_->session() == nullptr) return;
+  const std::optional<std::string> line = watch_.look(*client_->session());
   if (!line) return;
   std::printf("%s\n", line->c_str());
   std::fflush(stdout);
 }
 
 void MatchPlay::reportMismatch() {
-  const auto mismatch = client_.takeMismatch();
+  const auto mismatch = client_->takeMismatch();
   if (mismatch) std::fprintf(stderr, "platon-client: %s\n", mismatches_.keep(*mismatch).c_str());
 }
 
 void MatchPlay::reportOutage() {
-  if (client_.outage() == toldOutage_) return;
-  toldOutage_ = client_.outage();
+  if (client_->outage() == toldOutage_) return;
+  toldOutage_ = client_->outage();
   if (toldOutage_)
     std::fprintf(stderr, "platon-client: %s; trying again\n", toldOutage_->c_str());
   else
@@ -49,24 +51,24 @@ void MatchPlay::reportOutage() {
 }
 
 std::optional<Scene> MatchPlay::scene(Moment now) {
-  std::optional<Scene> scene = client_.session() == nullptr ? std::nullopt : feed_.scene(*client_.session(), now);
-  if (scene || !client_.outage()) lastScene_ = std::move(scene);
+  std::optional<Scene> scene = client_->session() == nullptr ? std::nullopt : feed_.scene(*client_->session(), now);
+  if (scene || !client_->outage()) lastScene_ = std::move(scene);
   return lastScene_;
 }
 
 std::string MatchPlay::message() const {
-  if (client_.ending()) return *client_.ending();
-  if (client_.outage()) return *client_.outage() + "; trying again …";
-  if (client_.session() == nullptr) return "connecting to " + server_.text() + " …";
-  return client_.session()->round() == nullptr ? "waiting for the level …" : "";
+  if (client_->ending()) return *client_->ending();
+  if (client_->outage()) return *client_->outage() + "; trying again …";
+  if (client_->session() == nullptr) return "connecting to " + server_.text() + " …";
+  return client_->session()->round() == nullptr ? "waiting for the level …" : "";
 }
 
 void MatchPlay::leave(const Clock& clock) {
-  client_.leave();
+  client_->leave();
   reportMismatch();
   const Controls nothing = [](const Game&, std::uint32_t) { return Input{}; };
   const Moment end = clock.now() + kFarewell;
-  for (Moment now = clock.now(); !client_.closed() && now < end; now = clock.now()) {
+  for (Moment now = clock.now(); !client_->closed() && now < end; now = clock.now()) {
     client_.update(now, nothing);
     clock.sleepUntil(now + kBeat);
   }

@@ -8,14 +8,14 @@
 #include "client/finish_watch.h"
 #include "client/mismatch_folder.h"
 #include "client/moment.h"
-#include "client/network_client.h"
+#include "client/relayed_client.h"
 #include "client/scene.h"
 #include "client/scene_feed.h"
 
 namespace platon {
 
 /// What playing has in common with and without a window: the match over the network, what is drawn of it, what is told
-/// on standard output, and what is kept when the game was not the server's.
+/// on standard output, and what is kept when the game was not the server's. On a simulated line when one is asked for.
 class MatchPlay {
  public:
   /// Begins to connect. Throws std::runtime_error when that cannot even begin.
@@ -29,14 +29,14 @@ class MatchPlay {
   /// Says good-bye and gives that half a second to arrive.
   void leave(const Clock& clock);
 
-  const NetworkClient& client() const { return client_; }
+  const NetworkClient& client() const { return *client_; }
 
  private:
   void reportMismatch();
   void reportOutage();
 
   ServerAddress server_;
-  NetworkClient client_;
+  RelayedClient client_;
   SceneFeed feed_;
   FinishWatch watch_;
   MismatchFolder mismatches_;

@@ -11,6 +11,8 @@
 #include <string>
 #include <thread>
 
+#include "client/connection.h"
+
 namespace platon {
 namespace {
 
@@ -101,8 +103,47 @@ TEST(LossyRelay, LosesEverythingOnADeadLine) {
   EXPECT_EQ(server.receive(), std::nullopt);
 }
 
-TEST(LossyRelay, SaysWhenTheHostIsNotKnown) {
-  EXPECT_THROW(LossyRelay({"no such host", 1}, LinkQuality(), 1), std::runtime_error);
+template <class Call>
+std::string fault(Call call) {
+  try {
+    call();
+    return "none";
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+}
+
+TEST(LossyRelay, SaysLikeAConnectionThatTheHostIsNotKnown) {
+  const ServerAddress nowhere{"no such host", 1};
+  EXPECT_EQ(fault([&] { LossyRelay(nowhere, LinkQuality(), 1); }), "the host no such host is not known");
+  EXPECT_EQ(fault([&] { Connection(nowhere, Moment(1)); }), "the host no such host is not known");
+}
+
+// As through a router: the server sees another address, and what it sends to the old one is lost.
+TEST(LossyRelay, AClientOnAnotherPortHasAnotherWay) {
+  Socket server, before, after;
+  LinkQuality line;
+  line.delayMs = 50;
+  LossyRelay relay({"127.0.0.1", server.port()}, line, 1);
+  const auto pass = [&relay](int fromMs) {
+    for (int ms = fromMs; ms < fromMs + 60; ++ms) relay.pump(milliseconds(ms));
+  };
+  std::uint16_t first = 0, second = 0;
+  before.send("one", relay.address().port);
+  pass(0);
+  ASSERT_EQ(server.receive(&first), "one");
+  server.send("to the first", first);
+  relay.pump(milliseconds(100));
+  after.send("two", relay.address().port);
+  pass(100);
+  ASSERT_EQ(server.receive(&second), "two");
+  EXPECT_NE(first, second);
+  server.send("to the first again", first);
+  server.send("to the second", second);
+  pass(200);
+  EXPECT_EQ(after.receive(), "to the second");
+  EXPECT_FALSE(after.receive().has_value());
+  EXPECT_FALSE(before.receive().has_value());
 }
 
 }  // namespace

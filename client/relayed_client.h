@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "client/lossy_relay.h"
+#include "client/network_client.h"
+
+namespace platon {
+
+/// A client on a simulated line, or on the real one when that is to be perfect.
+class RelayedClient {
+ public:
+  /// Begins to connect; the seed is of the line's draws. Throws std::runtime_error when that cannot even begin.
+  RelayedClient(const ServerAddress& server, const std::string& name, const LinkQuality& line, std::uint64_t seed,
+                Moment now);
+
+  /// As of NetworkClient.
+  void update(Moment now, const Controls& controls);
+
+  NetworkClient* operator->() { return &client_; }
+  const NetworkClient& operator*() const { return client_; }
+  const NetworkClient* operator->() const { return &client_; }
+
+ private:
+  std::unique_ptr<LossyRelay> relay_;  // none on a perfect line
+  NetworkClient client_;
+};
+
+}  // namespace platon
