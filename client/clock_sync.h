@@ -5,6 +5,8 @@
 #include <cstdint>
 
 #include "client/moment.h"
+#include "client/quantile_window.h"
+#include "client/slewing_clock.h"
 
 namespace platon {
 
@@ -30,17 +32,17 @@ class ClockSync {
   void update(Moment now);
 
   /// The tick to have predicted up to; steps back only in a jump.
-  double tick() const { return tick_; }
+  double tick() const { return clock_.tick(); }
 
   /// A report of the server: the input for `tick` came `slack` ticks before it was needed (negative: too late). Ticks
   /// older than 17 s, and those that a jump passed over, are ignored.
   void report(std::uint32_t tick, std::int32_t slack);
 
   /// Ticks that the clock is ahead (positive) or behind of its target; 0 before the first report.
-  double error() const;
+  double error() const { return clock_.error(); }
   /// Spread of the samples: 99th percentile minus median, in ticks.
   double jitterTicks() const;
-  std::uint32_t jumps() const { return jumps_; }
+  std::uint32_t jumps() const { return clock_.jumps(); }
 
  private:
   static constexpr std::size_t kWindow = 256;     // samples: about 4 s at 60 reports a second
@@ -52,18 +54,13 @@ class ClockSync {
     double lead = 0;
   };
 
-  bool mayJump(double error) const;
+  bool mayJump() const;
   void remember(double from, double to);
-  double quantile(double share) const;
 
-  Moment now_;
-  double tick_;
-  double lead_;                 // of tick_ over real time, in ticks
-  double targetLead_;
+  SlewingClock clock_;
   std::uint32_t reports_ = 0;
-  std::uint32_t jumps_ = 0;
-  std::array<double, kWindow> samples_{};   // a ring, of which min(reports_, kWindow) are filled
-  std::array<Led, kHistory> history_{};     // by tick modulo kHistory
+  QuantileWindow<kWindow> samples_;
+  std::array<Led, kHistory> history_{};   // by tick modulo kHistory
 };
 
 }  // namespace platon

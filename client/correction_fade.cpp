@@ -5,15 +5,43 @@
 
 namespace platon {
 
+namespace {
+
+// `vector` times part / whole, towards nothing; 0 <= part <= whole.
+Point share(Point vector, Moment part, Moment whole) {
+  return {static_cast<std::int32_t>(vector.x * part.count() / whole.count()),
+          static_cast<std::int32_t>(vector.y * part.count() / whole.count())};
+}
+
+}  // namespace
+
+Moment CorrectionFade::Fading::left(Moment now) const {
+  return std::clamp(kDuration - (now - start), Moment::zero(), kDuration);
+}
+
+Point CorrectionFade::Fading::at(Moment now) const { return share(whole, left(now), kDuration); }
+
 void CorrectionFade::add(Point back, Moment now) {
-  offset_ = at(now) + back;
-  start_ = now;
+  while (count_ > 0 && fading_.front().left(now) == Moment::zero()) dropFirst();
+  if (count_ == kMost) joinFirstTwo(now);
+  fading_[count_++] = {back, now};
+}
+
+void CorrectionFade::dropFirst() {
+  std::move(fading_.begin() + 1, fading_.end(), fading_.begin());
+  --count_;
+}
+
+// What is left of the first is added to the second in such a way that nothing moves now.
+void CorrectionFade::joinFirstTwo(Moment now) {
+  fading_[1].whole += share(fading_[0].whole, fading_[0].left(now), fading_[1].left(now));
+  dropFirst();
 }
 
 Point CorrectionFade::at(Moment now) const {
-  const std::int64_t whole = kDuration.count();
-  const std::int64_t left = std::clamp<std::int64_t>(whole - (now - start_).count(), 0, whole);
-  return {static_cast<std::int32_t>(offset_.x * left / whole), static_cast<std::int32_t>(offset_.y * left / whole)};
+  Point sum;
+  for (std::size_t i = 0; i < count_; ++i) sum += fading_[i].at(now);
+  return sum;
 }
 
 }  // namespace platon

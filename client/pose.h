@@ -1,5 +1,6 @@
 #pragma once
 
+#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -23,5 +24,11 @@ inline glm::dvec2 toUnits(Point point) {
 
 /// To radians, counter-clockwise, in [0, 2π).
 inline double toRadians(Angle angle) { return angle.hundredths() * (6.283185307179586 / Angle::kTurn); }
+
+/// What lies along the face with one normal, carried over onto another by the fold between them. The normals are not
+/// opposite.
+inline glm::dvec3 carried(glm::dvec3 vector, glm::dvec3 from, glm::dvec3 onto) {
+  return vector - (from + onto) * (glm::dot(onto, vector) / (1 + glm::dot(from, onto)));
+}
 
 }  // namespace platon

@@ -29,11 +29,8 @@ void Round::receive(const ConfirmedTicks& message, Moment now) {
   if (clock_) lead_ = clock_->tick() - newest;
   const std::uint32_t confirmed = prediction_.confirmedTicks();
   if (confirmed < message.from || confirmed >= newest) return;
-  const std::span<const EntityState> entities = prediction_.confirmed().world().entities();
-  confirmedBefore_.assign(entities.begin(), entities.end());
-  confirmedAt_ = now;
-  batch_ = newest - confirmed;
   apply(message);
+  view_.arrived(now);
   prediction_.reconcile(now);
   check(message.hash);
 }
@@ -61,6 +58,7 @@ void Round::apply(const ConfirmedTicks& message) {
     }
     prediction_.confirm(inputs_);
     watch_.advanced(inputs_, prediction_.confirmed());
+    view_.advanced(prediction_.confirmed());
   }
 }
 
@@ -83,6 +81,7 @@ void Round::receive(const StateChunk& last, std::span<const std::uint8_t> bytes,
   const std::optional<FullState> state = decodeFullState(bytes);
   const bool hadTicks = prediction_.confirmedTicks() > 0;
   if (!state || !prediction_.restore(state->game, last.tick, state->held)) return;
+  view_.restart(prediction_.confirmed(), last.tick);
   prediction_.reconcile(now);
   mismatch_ = watch_.replaced(prediction_.confirmed(), prediction_.held());
   sync_ = last.sync;
@@ -92,6 +91,7 @@ void Round::receive(const StateChunk& last, std::span<const std::uint8_t> bytes,
 }
 
 void Round::advance(Moment now, const Controls& controls) {
+  view_.update(now);
   if (!clock_) return;
   clock_->update(now);
   const std::uint32_t before = std::max(prediction_.predictedTicks(), firstInput_);
@@ -132,11 +132,6 @@ std::optional<PlayerInputs> Round::report(Moment now) {
   sentAt_ = now;
   sentTicks_ = prediction_.predictedTicks();
   return message;
-}
-
-double Round::confirmedFraction(Moment now) const {
-  const double passed = toSeconds(now - confirmedAt_) * kTicksPerSecond;
-  return std::clamp(passed / batch_, 0.0, 1.0);
 }
 
 double Round::predictedFraction() const {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "client/clock_sync.h"
+#include "client/confirmed_view.h"
 #include "client/mismatch_watch.h"
 #include "client/moment.h"
 #include "client/prediction.h"
@@ -62,10 +63,8 @@ class Round {
   /// By how many ticks an own input last came before the server needed it; 0 before the first report.
   std::int32_t slack() const { return slack_; }
 
-  /// For drawing the others: the confirmed entities before the last batch of ticks, and how far to have moved on from
-  /// there, 0 … 1.
-  std::span<const EntityState> confirmedBefore() const { return confirmedBefore_; }
-  double confirmedFraction(Moment now) const;
+  /// For drawing the others.
+  const ConfirmedView& confirmedView() const { return view_; }
   /// For drawing the own player: how far to have moved on from `prediction().predictedBefore()`, 0 … 1.
   double predictedFraction() const;
 
@@ -97,9 +96,7 @@ class Round {
   bool tellMismatch_ = false;
   std::int32_t slack_ = 0;
 
-  std::vector<EntityState> confirmedBefore_;
-  Moment confirmedAt_{};
-  std::uint32_t batch_ = 1;                 // ticks confirmed together last
+  ConfirmedView view_;
   RoundCount count_;
 };
 

@@ -8,28 +8,22 @@
 #include <vector>
 
 #include "client/palette.h"
+#include "client/player_snapshot.h"
 #include "client/pose.h"
 #include "client/stage.h"
 #include "shared/exact/point.h"
 #include "shared/game/game.h"
-#include "shared/physics/entity_state.h"
 
 namespace platon {
 
-/// A game between two ticks. The players are drawn `fraction` of the way from where they stood at the tick before to
-/// where they stand.
-struct GameInTime {
-  const Game* game = nullptr;
-  std::span<const EntityState> before;  ///< by slot; a slot beyond its end is drawn where it stands
-  double fraction = 1;                  ///< 0 … 1
-};
-
-/// All that a scene is made of. `others.game` and `stage` are set.
+/// All that a scene is made of. `stage` and `game` are set.
 struct SceneSource {
-  std::shared_ptr<const Stage> stage;  ///< of the games' level
-  GameInTime others;                   ///< the confirmed game
-  GameInTime own;                      ///< the predicted game; without one the own player is as confirmed, too
+  std::shared_ptr<const Stage> stage;  ///< of the game's level
+  const Game* game = nullptr;          ///< whose clock it is: the predicted game
+  double fraction = 1;                 ///< of the game's last tick that has passed, 0 … 1
+  PlayersInTime others;                ///< of the confirmed game; may hold the own player, too
   std::optional<std::uint32_t> ownSlot;
+  std::optional<PlayerInTime> own;     ///< of the predicted game; without, the own player is as the others
   Point ownOffset;                     ///< added to the own player's place: subunits, in its own frame (+y its up)
   std::span<const std::string> names;  ///< by slot, UTF-8
 };

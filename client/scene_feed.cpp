@@ -2,6 +2,23 @@
 
 namespace platon {
 
+namespace {
+
+// On its way from the predicted tick before the last; where it stands, when it was not there yet.
+PlayerInTime ownPlayer(const Round& round) {
+  const Prediction& prediction = round.prediction();
+  const std::span<const EntityState> before = prediction.predictedBefore();
+  PlayerInTime own;
+  own.now = own.before = snapshotOf(prediction.predicted(), prediction.slot());
+  own.fraction = round.predictedFraction();
+  if (prediction.slot() < before.size() && before[prediction.slot()].inserted != 0) {
+    own.before = snapshotOf(before[prediction.slot()]);
+  }
+  return own;
+}
+
+}  // namespace
+
 std::optional<Scene> SceneFeed::scene(const Session& session, Moment now) {
   const Round* const round = session.round();
   if (round == nullptr) return std::nullopt;
@@ -12,9 +29,11 @@ std::optional<Scene> SceneFeed::scene(const Session& session, Moment now) {
   }
   SceneSource source;
   source.stage = stage_;
-  source.others = {&prediction.confirmed(), round->confirmedBefore(), round->confirmedFraction(now)};
-  source.own = {&prediction.predicted(), prediction.predictedBefore(), round->predictedFraction()};
+  source.game = &prediction.predicted();
+  source.fraction = round->predictedFraction();
+  source.others = round->confirmedView().players();
   source.ownSlot = prediction.slot();
+  source.own = ownPlayer(*round);
   source.ownOffset = prediction.smoothing(now);
   source.names = session.names();
   return makeScene(source);

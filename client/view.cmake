@@ -7,6 +7,7 @@ add_library(platon_client_view STATIC
   menu.cpp
   net_graph.cpp
   palette.cpp
+  pose_between.cpp
   scene.cpp
   settings.cpp
   solid_mesh.cpp

@@ -155,16 +155,34 @@ TEST_F(RoundTest, NonsenseForAStateChangesNothing) {
   EXPECT_EQ(update(60)->sync, 0);
 }
 
-TEST_F(RoundTest, FractionsMoveThePictureOn) {
+TEST_F(RoundTest, ThePredictedFractionMovesThePictureOn) {
   round_.receive(server_.decide(10), now_);
-  round_.receive(server_.decide(12), std::chrono::milliseconds(100));
-  EXPECT_NEAR(round_.confirmedFraction(std::chrono::milliseconds(100)), 0, 1e-9);
-  EXPECT_NEAR(round_.confirmedFraction(std::chrono::microseconds(116667)), 0.5, 1e-3);
-  EXPECT_NEAR(round_.confirmedFraction(std::chrono::milliseconds(500)), 1, 1e-9);
   update(100);
   EXPECT_NEAR(round_.predictedFraction(), 0, 1e-6);
   update(104);
   EXPECT_NEAR(round_.predictedFraction(), 0.24, 1e-6);
+}
+
+TEST_F(RoundTest, TheViewIsOfTheConfirmedGame) {
+  round_.receive(server_.decide(10), now_);
+  round_.receive(server_.decide(12), now_);
+  EXPECT_EQ(round_.confirmedView().newest(), 12u);
+  const PlayersInTime players = round_.confirmedView().players();
+  ASSERT_EQ(players.now.size(), 2u);
+  EXPECT_TRUE(players.now[1].present);
+  EXPECT_LT(round_.confirmedView().tick(), 12);
+  const double before = round_.confirmedView().tick();
+  update(10);
+  EXPECT_GT(round_.confirmedView().tick(), before);
+}
+
+TEST_F(RoundTest, AFullStateStartsTheViewAnew) {
+  round_.receive(server_.decide(10), now_);
+  server_.decide(30);
+  round_.receive(server_.state(1), server_.stateBytes(), now_);
+  EXPECT_EQ(round_.confirmedView().newest(), 30u);
+  EXPECT_EQ(round_.confirmedView().tick(), 30);
+  EXPECT_EQ(round_.confirmedView().jumps(), 1u);
 }
 
 }  // namespace

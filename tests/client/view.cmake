@@ -4,6 +4,7 @@ platon_test(NAME client_view LABELS unit LIBS platon_client_view SOURCES
   hud_test.cpp
   menu_test.cpp
   net_graph_test.cpp
+  pose_between_test.cpp
   scene_test.cpp
   settings_test.cpp
   solid_mesh_test.cpp
