@@ -24,7 +24,8 @@ BotResult Bot::result() const {
   result.ending = client_->ending() ? client_->ending() : client_->outage();
   if (!result.joined) return result;
   result.connectMs = toSeconds(*playingSince_ - begunAt_) * 1000;
-  result.rttMs = toSeconds(client_->session()->line().roundTrip()) * 1000;
+  result.line = client_->session()->reading();
+  result.returns = client_->returns();
   result.seconds = toSeconds(now_ - *playingSince_);
   result.traffic = client_->traffic() - trafficBefore_;
   result.prediction = client_->session()->predictionCount();

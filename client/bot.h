@@ -15,7 +15,8 @@ struct BotResult {
   bool joined = false;
   std::optional<std::string> ending;     ///< why it fell out, if it did
   double connectMs = 0;                  ///< from the first datagram to the first confirmed tick
-  double rttMs = 0;
+  LineReading line;                      ///< at the end
+  std::uint32_t returns = 0;             ///< how often it lost the connection and came back
   double seconds = 0;                    ///< from the first confirmed tick on
   Traffic traffic;                       ///< in these seconds
   PredictionCount prediction;

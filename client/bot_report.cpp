@@ -16,36 +16,48 @@ struct Field {
   const char* meaning;
 };
 
-constexpr std::array<Field, 12> kFields = {{
+constexpr std::array<Field, 18> kFields = {{
     {"connectMs", &BotReport::connectMs, "to join, ms"},
     {"rttMs", &BotReport::rttMs, "round trip, ms"},
+    {"jitterMs", &BotReport::jitterMs, "jitter, ms"},
+    {"slackTicks", &BotReport::slackTicks, "inputs early by, ticks"},
+    {"downLossPercent", &BotReport::downLossPercent, "lost down, %"},
+    {"upLossPercent", &BotReport::upLossPercent, "lost up, %"},
     {"downBytesPerSecond", &BotReport::downBytesPerSecond, "down, bytes/s"},
     {"upBytesPerSecond", &BotReport::upBytesPerSecond, "up, bytes/s"},
     {"downPacketsPerSecond", &BotReport::downPacketsPerSecond, "down, packets/s"},
     {"upPacketsPerSecond", &BotReport::upPacketsPerSecond, "up, packets/s"},
     {"correctionsPer1000Ticks", &BotReport::correctionsPer1000Ticks, "corrections per 1000 ticks"},
     {"maxCorrectionSubunits", &BotReport::maxCorrectionSubunits, "largest correction, subunits"},
+    {"mispredictedPer1000Ticks", &BotReport::mispredictedPer1000Ticks, "mispredicted per 1000 ticks"},
     {"missedInputsPer1000Ticks", &BotReport::missedInputsPer1000Ticks, "missed inputs per 1000 ticks"},
     {"hashMismatches", &BotReport::hashMismatches, "hash mismatches"},
     {"resyncs", &BotReport::resyncs, "resyncs"},
     {"confirmedTicks", &BotReport::confirmedTicks, "confirmed ticks"},
+    {"returns", &BotReport::returns, "lost and came back"},
 }};
 
 void add(BotReport& sum, const BotResult& bot) {
   const double seconds = std::max(bot.seconds, 1e-3);
   const double thousands = std::max(bot.prediction.confirmedTicks, 1u) / 1000.0;
   sum.connectMs += bot.connectMs;
-  sum.rttMs += bot.rttMs;
+  sum.rttMs += bot.line.rttMs;
+  sum.jitterMs += bot.line.jitterMs;
+  sum.slackTicks += bot.line.slackTicks;
+  sum.downLossPercent += bot.line.lostDownPercent;
+  sum.upLossPercent += bot.line.lostUpPercent;
   sum.downBytesPerSecond += static_cast<double>(bot.traffic.receivedBytes) / seconds;
   sum.upBytesPerSecond += static_cast<double>(bot.traffic.sentBytes) / seconds;
   sum.downPacketsPerSecond += static_cast<double>(bot.traffic.receivedPackets) / seconds;
   sum.upPacketsPerSecond += static_cast<double>(bot.traffic.sentPackets) / seconds;
   sum.correctionsPer1000Ticks += bot.prediction.corrections / thousands;
   sum.maxCorrectionSubunits += bot.prediction.maxSubunits;
+  sum.mispredictedPer1000Ticks += bot.prediction.mispredicted / thousands;
   sum.missedInputsPer1000Ticks += bot.prediction.missedInputs / thousands;
   sum.hashMismatches += bot.round.hashMismatches;
   sum.resyncs += bot.round.resyncs;
   sum.confirmedTicks += bot.prediction.confirmedTicks;
+  sum.returns += bot.returns;
 }
 
 }  // namespace

@@ -14,16 +14,22 @@ struct BotReport {
   std::uint32_t failed = 0;              ///< all others
   double connectMs = 0;
   double rttMs = 0;
+  double jitterMs = 0;                   ///< of what goes up, as the clock takes it
+  double slackTicks = 0;                 ///< by which inputs come before they are needed
+  double downLossPercent = 0;
+  double upLossPercent = 0;
   double downBytesPerSecond = 0;         ///< UDP payload
   double upBytesPerSecond = 0;
   double downPacketsPerSecond = 0;
   double upPacketsPerSecond = 0;
   double correctionsPer1000Ticks = 0;
   double maxCorrectionSubunits = 0;
+  double mispredictedPer1000Ticks = 0;
   double missedInputsPer1000Ticks = 0;
   double hashMismatches = 0;
   double resyncs = 0;
   double confirmedTicks = 0;
+  double returns = 0;
 };
 
 BotReport makeReport(std::span<const BotResult> bots);

@@ -4,15 +4,18 @@
 #include <deque>
 
 #include "client/font.h"
+#include "client/line_reading.h"
 #include "client/overlay.h"
 
 namespace platon {
 
 /// How the connection does: one sample a frame.
 struct NetSample {
-  double rttMs = 0;
+  LineReading line;
   double aheadTicks = 0;          ///< how far the prediction is ahead of what is confirmed
   double correctionSubunits = 0;  ///< of the own player's prediction in this frame; 0 when it held
+  double corrections = 0;         ///< of the whole session
+  double lastCorrection = 0;      ///< subunits; 0 before the first
   double downBytesPerSecond = 0;
   double upBytesPerSecond = 0;
 };

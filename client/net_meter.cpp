@@ -15,13 +15,15 @@ NetSample NetMeter::sample(const NetworkClient& client, Moment now) {
   const double seconds = std::max(toSeconds(now - then.at), 1e-3);
 
   NetSample sample;
-  sample.rttMs = toSeconds(client.session()->line().roundTrip()) * 1000;
+  sample.line = client.session()->reading();
   sample.downBytesPerSecond = static_cast<double>(gained.receivedBytes) / seconds;
   sample.upBytesPerSecond = static_cast<double>(gained.sentBytes) / seconds;
   const PredictionCount count = client.session()->predictionCount();
   if (std::exchange(corrections_, count.corrections) != count.corrections) {
     sample.correctionSubunits = count.lastSubunits;
   }
+  sample.corrections = count.corrections;
+  sample.lastCorrection = count.lastSubunits;
   if (const Round* const round = client.session()->round()) {
     const Prediction& prediction = round->prediction();
     sample.aheadTicks = double{1} * prediction.predictedTicks() - prediction.confirmedTicks();

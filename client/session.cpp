@@ -177,6 +177,17 @@ void Session::closeRound() {
   state_.clear();
 }
 
+LineReading Session::reading() const {
+  LineReading reading;
+  reading.rttMs = toSeconds(line_.roundTrip()) * 1000;
+  reading.lostDownPercent = line_.lostDownPercent();
+  reading.lostUpPercent = line_.lostUpPercent();
+  if (!round_ || !round_->clock()) return reading;
+  reading.jitterMs = round_->clock()->jitterTicks() * 1000 / kTicksPerSecond;
+  reading.slackTicks = round_->slack();
+  return reading;
+}
+
 PredictionCount Session::predictionCount() const {
   return round_ ? sum(pastPrediction_, round_->prediction().count()) : pastPrediction_;
 }

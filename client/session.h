@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "client/line_meter.h"
+#include "client/line_reading.h"
 #include "client/mismatch_report.h"
 #include "client/moment.h"
 #include "client/round.h"
@@ -77,7 +78,7 @@ class Session {
   /// What was last found wrong with the confirmed game; each is given once.
   std::optional<MismatchReport> takeMismatch() { return std::exchange(mismatch_, std::nullopt); }
 
-  const LineMeter& line() const { return line_; }
+  LineReading reading() const;
 
   /// Over all rounds, those of the sessions before included.
   PredictionCount predictionCount() const;

@@ -46,10 +46,11 @@ TEST(BotReport, IsZeroWithoutAnyBot) {
 
 TEST(BotReport, JsonHasExactlyTheAgreedKeys) {
   EXPECT_EQ(toJson(BotReport()),
-            "{\"connected\":0,\"failed\":0,\"connectMs\":0,\"rttMs\":0,\"downBytesPerSecond\":0,\"upBytesPerSecond\":0,"
+            "{\"connected\":0,\"failed\":0,\"connectMs\":0,\"rttMs\":0,\"jitterMs\":0,\"slackTicks\":0,"
+            "\"downLossPercent\":0,\"upLossPercent\":0,\"downBytesPerSecond\":0,\"upBytesPerSecond\":0,"
             "\"downPacketsPerSecond\":0,\"upPacketsPerSecond\":0,\"correctionsPer1000Ticks\":0,"
-            "\"maxCorrectionSubunits\":0,\"missedInputsPer1000Ticks\":0,\"hashMismatches\":0,\"resyncs\":0,"
-            "\"confirmedTicks\":0}\n");
+            "\"maxCorrectionSubunits\":0,\"mispredictedPer1000Ticks\":0,\"missedInputsPer1000Ticks\":0,"
+            "\"hashMismatches\":0,\"resyncs\":0,\"confirmedTicks\":0,\"returns\":0}\n");
 }
 
 TEST(BotReport, TextNamesWhoFailed) {

@@ -2,8 +2,23 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
 namespace platon {
 namespace {
+
+NetSample worst(double rttMs) {
+  NetSample sample;
+  sample.line = {rttMs, 345, -12, 100, 20};
+  sample.aheadTicks = 123;
+  sample.correctionSubunits = 5;
+  sample.corrections = 9999;
+  sample.lastCorrection = 1536;
+  sample.downBytesPerSecond = 12345;
+  sample.upBytesPerSecond = 999;
+  return sample;
+}
 
 TEST(NetGraph, EmptyWithoutSamples) {
   const Font font;
@@ -14,11 +29,7 @@ TEST(NetGraph, StaysInItsPanelWhateverTheSamples) {
   const Font font;
   NetGraph graph;
   for (std::size_t i = 0; i < NetGraph::kSamples * 2; ++i) {
-    graph.add({.rttMs = i % 7 == 0 ? 4000.0 : 0.0,
-               .aheadTicks = 3,
-               .correctionSubunits = 5,
-               .downBytesPerSecond = 2345,
-               .upBytesPerSecond = 999});
+    graph.add(worst(i % 7 == 0 ? 4000 : 0));
   }
   const Overlay overlay = graph.overlay(font, 1280);
   ASSERT_EQ(overlay.panels.size(), NetGraph::kSamples + 1) << "one bar for each of the last samples";
@@ -34,14 +45,33 @@ TEST(NetGraph, StaysInItsPanelWhateverTheSamples) {
   for (const Overlay::Text& text : overlay.texts) {
     EXPECT_LT(text.place.x + font.width(text.words) * text.size, frame.high.x) << text.words;
   }
-  EXPECT_EQ(overlay.texts[1].words, "down 2.3, up 1.0 kB/s");
+  for (std::size_t line = 1; line < overlay.texts.size(); ++line) {
+    EXPECT_GT(overlay.texts[line].place.y, overlay.texts[line - 1].place.y);
+  }
+  EXPECT_LT(overlay.texts.back().place.y, frame.high.y);
+}
+
+TEST(NetGraph, SaysHowTheLineDoes) {
+  const Font font;
+  NetGraph graph;
+  graph.add(worst(1234));
+  const Overlay overlay = graph.overlay(font, 1280);
+  std::vector<std::string> words;
+  for (const Overlay::Text& text : overlay.texts) words.push_back(text.words);
+  const std::vector<std::string> expected = {"round trip 1234 ms, jitter 345 ms", "123 ticks ahead, -12 to spare",
+                                             "lost 100 % down, 20 % up", "9999 corrections, the last by 1.5 units",
+                                             "12.3 kB/s down, 1.0 up"};
+  EXPECT_EQ(words, expected);
 }
 
 TEST(NetGraph, CorrectionsHaveAnotherColour) {
   const Font font;
   NetGraph graph;
-  graph.add({.rttMs = 20, .aheadTicks = 3, .correctionSubunits = 0, .downBytesPerSecond = 0, .upBytesPerSecond = 0});
-  graph.add({.rttMs = 20, .aheadTicks = 3, .correctionSubunits = 9, .downBytesPerSecond = 0, .upBytesPerSecond = 0});
+  NetSample sample = worst(20);
+  sample.correctionSubunits = 0;
+  graph.add(sample);
+  sample.correctionSubunits = 9;
+  graph.add(sample);
   const Overlay overlay = graph.overlay(font, 1280);
   EXPECT_NE(overlay.panels[1].colour, overlay.panels[2].colour);
 }

@@ -29,9 +29,10 @@ std::map<std::string, double> numbersOf(const std::string& json) {
 }
 
 const std::vector<std::string> kKeys = {
-    "connected", "failed", "connectMs", "rttMs", "downBytesPerSecond", "upBytesPerSecond", "downPacketsPerSecond",
-    "upPacketsPerSecond", "correctionsPer1000Ticks", "maxCorrectionSubunits", "missedInputsPer1000Ticks",
-    "hashMismatches", "resyncs", "confirmedTicks"};
+    "connected", "failed", "connectMs", "rttMs", "jitterMs", "slackTicks", "downLossPercent", "upLossPercent",
+    "downBytesPerSecond", "upBytesPerSecond", "downPacketsPerSecond", "upPacketsPerSecond", "correctionsPer1000Ticks",
+    "maxCorrectionSubunits", "mispredictedPer1000Ticks", "missedInputsPer1000Ticks", "hashMismatches", "resyncs",
+    "confirmedTicks", "returns"};
 
 class Bots : public ServerTest {
  protected:
