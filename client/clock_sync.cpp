@@ -14,9 +14,11 @@ void ClockSync::update(Moment now) {
   remember(jumped ? std::max(before, tick() - 1) : before, tick());
 }
 
-bool ClockSync::mayJump() const {
-  // Behind by more than a tick means that inputs come too late: while nothing is known yet, waiting is worse.
-  return reports_ > 0 && reports_ <= kSettlingReports && error() < -1.0;
+// Behind means that inputs come too late: while little is known, waiting is worse.
+bool ClockSync::mayJump() const { return settling() && error() < -kJumpWhileSettling; }
+
+void ClockSync::expect(double tick) {
+  if (reports_ == 0) clock_.setTarget(std::max(clock_.target(), clock_.lead() + tick - clock_.tick()));
 }
 
 void ClockSync::remember(double from, double to) {
@@ -32,7 +34,8 @@ void ClockSync::report(std::uint32_t tick, std::int32_t slack) {
   if (!led.known || led.tick != tick) return;
   samples_.add(led.lead - slack);
   ++reports_;
-  clock_.setTarget(samples_.quantile(0.99) + kSpareTicks);
+  const double target = samples_.quantile(0.99) + kSpareTicks;
+  clock_.setTarget(settling() ? std::max(target, clock_.lead()) : target);
 }
 
 double ClockSync::jitterTicks() const {

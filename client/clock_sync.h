@@ -16,14 +16,16 @@ namespace platon {
 /// do not depend on what the clock has done since, and a long round trip cannot make it swing.
 ///
 /// The target is the 99th percentile of the last samples plus one tick: the measured jitter, losses included, and a
-/// tick to spare. The clock slews towards it by at most 2 %. It jumps only while it settles and when it is more than
-/// a second off. A pure function of the times it is given.
+/// tick to spare. The clock slews towards it by at most 2 %. While it settles it does not go back, and jumps forward
+/// when it is behind: the first reports cannot tell how late others will be. Else it jumps only when it is more than a
+/// second off. A pure function of the times it is given.
 class ClockSync {
  public:
   static constexpr double kMaxSlew = 0.02;
   static constexpr double kSpareTicks = 1.0;
   static constexpr double kJumpTicks = 60.0;
-  static constexpr std::uint32_t kSettlingReports = 30;
+  static constexpr double kJumpWhileSettling = 0.25;   ///< ticks
+  static constexpr std::uint32_t kSettlingReports = 64;
 
   /// `tick` is the one to have predicted up to at `now`.
   ClockSync(double tick, Moment now);
@@ -33,6 +35,11 @@ class ClockSync {
 
   /// The tick to have predicted up to; steps back only in a jump.
   double tick() const { return clock_.tick(); }
+
+  /// By what was heard at the time of the last update, the clock should show at least `tick`. Without effect once there
+  /// was a report.
+  void expect(double tick);
+  bool reported() const { return reports_ > 0; }
 
   /// A report of the server: the input for `tick` came `slack` ticks before it was needed (negative: too late). Ticks
   /// older than 17 s, and those that a jump passed over, are ignored.
@@ -54,6 +61,7 @@ class ClockSync {
     double lead = 0;
   };
 
+  bool settling() const { return reports_ <= kSettlingReports; }
   bool mayJump() const;
   void remember(double from, double to);
 

@@ -24,9 +24,9 @@ Round::Round(std::uint32_t id, const std::shared_ptr<const Level>& level, std::u
 void Round::receive(const ConfirmedTicks& message, Moment now) {
   const std::uint32_t newest = message.from + message.count;
   // While catching up a message does not tell how far the server is.
-  if (!clock_ && message.count < kMaxTicksPerMessage) startClock(newest, now);
+  if (message.count < kMaxTicksPerMessage) setClock(newest, now);
   if (clock_ && message.line && message.line->slack) judge(*message.line->slack);
-  if (clock_) lead_ = clock_->tick() - newest;
+  if (clock_ && clock_->reported()) lead_ = clock_->tick() - newest;
   const std::uint32_t confirmed = prediction_.confirmedTicks();
   if (confirmed < message.from || confirmed >= newest) return;
   apply(message);
@@ -42,7 +42,9 @@ void Round::judge(const SlackReport& report) {
   if (older <= report.tick) clock_->report(report.tick - older, report.slack - static_cast<std::int32_t>(older));
 }
 
-void Round::startClock(std::uint32_t newest, Moment now) {
+// The first message may have been a late one: until the server reports, the earliest of those that came counts.
+void Round::setClock(std::uint32_t newest, Moment now) {
+  if (clock_) return clock_->expect(newest + lead_);
   clock_.emplace(newest + lead_, now);
   firstInput_ = static_cast<std::uint32_t>(std::max(0.0, std::floor(clock_->tick())));
 }

@@ -72,7 +72,7 @@ class Round {
   void apply(const ConfirmedTicks& message);
   void check(std::uint32_t hash);
   void judge(const SlackReport& report);
-  void startClock(std::uint32_t newest, Moment now);
+  void setClock(std::uint32_t newest, Moment now);
   bool changedSinceReport() const;
   bool worthSending(Moment now) const;
 

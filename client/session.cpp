@@ -9,7 +9,7 @@ namespace platon {
 
 namespace {
 
-constexpr double kFirstSpareTicks = 2;
+constexpr double kFirstSpareTicks = 7;   // enough for 100 ms of jitter, of which nothing is known yet
 
 PredictionCount sum(const PredictionCount& past, const PredictionCount& now) {
   return {past.corrections + now.corrections, std::max(past.maxSubunits, now.maxSubunits), now.lastSubunits,

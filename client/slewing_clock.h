@@ -22,6 +22,7 @@ class SlewingClock {
   /// Stands at `tick` if it is beyond: its lead becomes less by what it has to wait.
   void holdAt(double tick);
   void setTarget(double lead) { target_ = lead; }
+  double target() const { return target_; }
 
   double tick() const { return tick_; }
   /// Of `tick()` over 60 × real time.

@@ -8,11 +8,11 @@
 #include <variant>
 #include <vector>
 
-#include "client/button_presser.h"
 #include "protocol/full_state.h"
 #include "shared/game/state_difference.h"
 #include "tests/client/flipped_bit.h"
 #include "tests/client/input_flipper.h"
+#include "tests/client/pressing.h"
 #include "tests/client/test_level.h"
 #include "tests/client/virtual_match.h"
 #include "tests/lockstep/verification.h"
@@ -23,10 +23,6 @@ namespace {
 using std::chrono::seconds;
 
 constexpr std::uint64_t kSeed = 77;
-
-Controls pressing(std::uint64_t seed) {
-  return [presser = std::make_shared<ButtonPresser>(seed)](const Game&, std::uint32_t) { return presser->next(); };
-}
 
 Controls standing() {
   return [](const Game&, std::uint32_t) { return Input{}; };

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "client/button_presser.h"
+#include "tests/client/pressing.h"
 #include "tests/client/test_level.h"
 #include "tests/client/virtual_match.h"
 
@@ -16,10 +16,6 @@ using std::chrono::milliseconds;
 using std::chrono::seconds;
 
 constexpr std::uint64_t kSeed = 20240607;
-
-Controls pressing(std::uint64_t seed) {
-  return [presser = std::make_shared<ButtonPresser>(seed)](const Game&, std::uint32_t) { return presser->next(); };
-}
 
 LinkQuality lineWith(double delayMs, double jitterMs = 0, double loss = 0) {
   LinkQuality line;
