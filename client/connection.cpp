@@ -12,6 +12,7 @@ namespace {
 
 // Taken for the round trip until one is measured: a lost greeting is repeated after this time, then twice as much …
 constexpr enet_uint32 kFirstRoundTripMs = 100;
+constexpr enet_uint32 kPingIntervalMs = 2000;   // the messages of every tick show sooner that a line is dead
 constexpr enet_uint32 kTimeoutLimit = 32;
 constexpr enet_uint32 kShortestTimeoutMs = 3000;
 constexpr enet_uint32 kLongestTimeoutMs = 8000;
@@ -42,6 +43,7 @@ Connection::Connection(const ServerAddress& server, Moment now) {
   peer_ = enet_host_connect(host_.get(), &address, kChannels, 0);
   if (peer_ == nullptr) throw std::runtime_error("no connection can be made to " + server.text());
   peer_->roundTripTime = kFirstRoundTripMs;
+  enet_peer_ping_interval(peer_, kPingIntervalMs);
   enet_peer_timeout(peer_, kTimeoutLimit, kShortestTimeoutMs, kLongestTimeoutMs);
 }
 

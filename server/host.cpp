@@ -20,6 +20,7 @@ constexpr std::size_t kMaxWaitingBytes = 64 * 1024;
 constexpr enet_uint32 kTimeoutAttempts = 32;
 constexpr enet_uint32 kLeastTimeout = 3000;      // ms
 constexpr enet_uint32 kMostTimeout = 8000;       // ms
+constexpr enet_uint32 kPingInterval = 2000;     // ms; the messages of every tick show sooner that a line is dead
 constexpr enet_uint32 kThrottleInterval = 5000;  // ms
 
 // A client sends at most one datagram of inputs a tick, and a few acknowledgements.
@@ -193,6 +194,7 @@ void Host::take(const ENetEvent& event, TimePoint now, std::vector<HostEvent>& e
     link.since = now;
     link.client = nextClient_++;
     enet_peer_timeout(event.peer, kTimeoutAttempts, kLeastTimeout, kMostTimeout);
+    enet_peer_ping_interval(event.peer, kPingInterval);
     enet_peer_throttle_configure(event.peer, kThrottleInterval, ENET_PEER_PACKET_THROTTLE_SCALE, 0);
     assertLimits(*event.peer);
   } else if (event.type == ENET_EVENT_TYPE_DISCONNECT) {
