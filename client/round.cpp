@@ -61,6 +61,14 @@ void Round::apply(const ConfirmedTicks& message) {
     prediction_.confirm(inputs_);
     watch_.advanced(inputs_, prediction_.confirmed());
     view_.advanced(prediction_.confirmed());
+    watchOthers();
+  }
+}
+
+void Round::watchOthers() {
+  const Game& game = prediction_.confirmed();
+  for (std::uint32_t slot = 0; slot < game.slots(); ++slot) {
+    if (slot != prediction_.slot()) flashes_.look(slot, prediction_.confirmedTicks(), game.player(slot));
   }
 }
 
@@ -105,6 +113,9 @@ void Round::advance(Moment now, const Controls& controls) {
       burst_[tick % burst_.size()] = tick - before;
     }
     if (!prediction_.predict(own)) break;
+    const std::uint32_t slot = prediction_.slot();
+    const Game& game = prediction_.predicted();
+    if (slot < game.slots()) flashes_.look(slot, prediction_.predictedTicks(), game.player(slot));
   }
 }
 

@@ -11,6 +11,7 @@
 
 #include "client/clock_sync.h"
 #include "client/confirmed_view.h"
+#include "client/flashes.h"
 #include "client/mismatch_watch.h"
 #include "client/moment.h"
 #include "client/prediction.h"
@@ -65,11 +66,14 @@ class Round {
 
   /// For drawing the others.
   const ConfirmedView& confirmedView() const { return view_; }
+  /// By ticks of the confirmed game for the others, of the predicted one for the own player.
+  const Flashes& flashes() const { return flashes_; }
   /// For drawing the own player: how far to have moved on from `prediction().predictedBefore()`, 0 … 1.
   double predictedFraction() const;
 
  private:
   void apply(const ConfirmedTicks& message);
+  void watchOthers();
   void check(std::uint32_t hash);
   void judge(const SlackReport& report);
   void setClock(std::uint32_t newest, Moment now);
@@ -97,6 +101,7 @@ class Round {
   std::int32_t slack_ = 0;
 
   ConfirmedView view_;
+  Flashes flashes_;
   RoundCount count_;
 };
 

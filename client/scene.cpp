@@ -10,6 +10,9 @@
 namespace platon {
 namespace {
 
+// Of white in a player's colour, at most.
+constexpr double kFlash = 0.6;
+
 // Small: longer than an edge it would not follow the surface.
 void shift(Pose& pose, const SolidMesh& mesh, glm::dvec2 offset) {
   const glm::dvec3 right = glm::cross(pose.up, pose.normal);
@@ -24,7 +27,8 @@ PlayerDrawing drawingOf(const SceneSource& source, const PlayerInTime& time, std
   player.slot = slot;
   player.pose = poseBetween(source.stage->mesh, time);
   if (own && source.ownOffset != Point()) shift(player.pose, source.stage->mesh, toUnits(source.ownOffset));
-  player.colour = playerColour(slot);
+  const double flash = slot < source.flashes.size() ? source.flashes[slot] : 0;
+  player.colour = glm::mix(playerColour(slot), Colour(1), static_cast<float>(kFlash * flash));
   player.number = std::to_string(slot + 1);
   if (slot < source.names.size()) player.name = source.names[slot];
   player.own = own;

@@ -26,6 +26,7 @@ struct SceneSource {
   std::optional<PlayerInTime> own;     ///< of the predicted game; without, the own player is as the others
   Point ownOffset;                     ///< added to the own player's place: subunits, in its own frame (+y its up)
   std::span<const std::string> names;  ///< by slot, UTF-8
+  std::span<const double> flashes;     ///< by slot, 0 … 1: how bright what has just happened to the player shows
 };
 
 /// One player as it is drawn: once, however many instances it has.

@@ -19,6 +19,16 @@ PlayerInTime ownPlayer(const Round& round) {
 
 }  // namespace
 
+// Everybody by the clock by which it is drawn.
+void SceneFeed::takeFlashes(const Round& round) {
+  const Prediction& prediction = round.prediction();
+  const double ownTick = double{1} * prediction.predictedTicks() - 1 + round.predictedFraction();
+  flashes_.assign(prediction.predicted().slots(), 0);
+  for (std::uint32_t slot = 0; slot < flashes_.size(); ++slot) {
+    flashes_[slot] = round.flashes().at(slot, slot == prediction.slot() ? ownTick : round.confirmedView().tick());
+  }
+}
+
 std::optional<Scene> SceneFeed::scene(const Session& session, Moment now) {
   const Round* const round = session.round();
   if (round == nullptr) return std::nullopt;
@@ -36,6 +46,8 @@ std::optional<Scene> SceneFeed::scene(const Session& session, Moment now) {
   source.own = ownPlayer(*round);
   source.ownOffset = prediction.smoothing(now);
   source.names = session.names();
+  takeFlashes(*round);
+  source.flashes = flashes_;
   return makeScene(source);
 }
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "client/moment.h"
 #include "client/scene.h"
@@ -18,8 +19,11 @@ class SceneFeed {
   std::optional<Scene> scene(const Session& session, Moment now);
 
  private:
+  void takeFlashes(const Round& round);
+
   std::shared_ptr<const Level> level_;
   std::shared_ptr<const Stage> stage_;   // of level_
+  std::vector<double> flashes_;          // by slot
 };
 
 }  // namespace platon

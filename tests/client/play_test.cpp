@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "client/finish_watch.h"
 #include "client/scene_feed.h"
 #include "client/settings_file.h"
+#include "tests/client/pressing.h"
 #include "tests/client/test_level.h"
 #include "tests/client/virtual_match.h"
 
@@ -68,6 +70,30 @@ TEST(SceneFeed, ShowsTheOwnPlayerAheadAndTheOthersAsConfirmed) {
   EXPECT_EQ(own.name, "someone");
   EXPECT_NE(own.pose.position, other.pose.position);   // the same run, seen a round trip apart
   EXPECT_EQ(scene->focus.position, own.pose.position);
+}
+
+// Of players that jump about: each is brighter for a moment after it has landed, and most of the time is not.
+TEST(SceneFeed, WhoLandsFlashes) {
+  LinkQuality line;
+  line.delayMs = 60;
+  line.jitterMs = 30;
+  VirtualMatch match({endlessLevel()}, 1);
+  match.join(line, pressing(1));
+  match.join(line, pressing(2));
+  match.run(seconds(3));
+  SceneFeed feed;
+  std::map<std::uint32_t, int> bright;
+  constexpr int kFrames = 900;
+  for (int frame = 0; frame < kFrames; ++frame) {
+    match.run(milliseconds(16));
+    const auto scene = feed.scene(match.session(0), match.now());
+    ASSERT_TRUE(scene.has_value());
+    for (const PlayerDrawing& player : scene->players) bright[player.slot] += player.colour != playerColour(player.slot);
+  }
+  for (const std::uint32_t slot : {0u, 1u}) {
+    EXPECT_GT(bright[slot], 10) << slot;
+    EXPECT_LT(bright[slot], kFrames / 2) << slot;
+  }
 }
 
 TEST(SceneFeed, TakesTheStageOfTheNextLevel) {
