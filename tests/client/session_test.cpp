@@ -113,6 +113,23 @@ TEST(Session, SlowFramesCostABufferButNoInputs) {
   EXPECT_EQ(gain.prediction.corrections, 0u);
 }
 
+// A picture that takes half a second now and then is no jitter of the line.
+TEST(Session, AHiccupDoesNotMakeTheLeadLonger) {
+  VirtualMatch match({endlessLevel()}, kSeed);
+  match.join(lineWith(20), pressing(kSeed));
+  match.run(seconds(12));
+  const Round& round = *match.session(0).round();
+  const double lead = round.lead();
+  for (int hiccup = 0; hiccup < 8; ++hiccup) {
+    match.setFrame(milliseconds(500));
+    match.run(milliseconds(500));
+    match.setFrame(milliseconds(4));
+    match.run(milliseconds(700));
+  }
+  match.run(seconds(1));
+  EXPECT_LT(round.lead(), lead + 1);
+}
+
 TEST(Session, KnowsWhoIsThere) {
   VirtualMatch match({endlessLevel()}, kSeed);
   match.join(lineWith(5), pressing(kSeed));
