@@ -1,5 +1,7 @@
 #include "client/connection.h"
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <stdexcept>
 #include <utility>
@@ -44,7 +46,7 @@ Connection::Connection(const ServerAddress& server, Moment now) {
   if (peer_ == nullptr) throw std::runtime_error("no connection can be made to " + server.text());
   peer_->roundTripTime = kFirstRoundTripMs;
   enet_peer_ping_interval(peer_, kPingIntervalMs);
-  enet_peer_timeout(peer_, kTimeoutLimit, kShortestTimeoutMs, kLongestTimeoutMs);
+  enet_peer_timeout(peer_, kTimeoutLimit, kLongestTimeoutMs, kLongestTimeoutMs);
 }
 
 Connection::~Connection() {
@@ -59,9 +61,25 @@ void Connection::keepUnthrottled() {
   peer_->packetThrottleDeceleration = 0;
 }
 
+// ENet would wait twice as long after each call that is not answered.
+void Connection::keepCalling() {
+  if (state_ != State::kConnecting || enet_list_empty(&peer_->sentReliableCommands)) return;
+  auto* const call = reinterpret_cast<ENetOutgoingCommand*>(enet_list_front(&peer_->sentReliableCommands));
+  constexpr auto kMost = static_cast<enet_uint32>(kBetweenCalls / std::chrono::milliseconds(1));
+  call->roundTripTimeout = std::min(call->roundTripTimeout, kMost);
+  peer_->nextTimeout = call->sentTime + call->roundTripTimeout;
+}
+
+ServerAddress Connection::address() const {
+  std::array<char, 16> text{};
+  enet_address_get_host_ip(&peer_->address, text.data(), text.size());
+  return {text.data(), peer_->address.port};
+}
+
 void Connection::service(Moment now, const Receiver& receiver) {
   tellTime(now);
   keepUnthrottled();
+  keepCalling();
   ENetEvent event{};
   while (enet_host_service(host_.get(), &event, 0) > 0) handle(event, receiver);
   countTraffic();
@@ -70,6 +88,7 @@ void Connection::service(Moment now, const Receiver& receiver) {
 void Connection::handle(const ENetEvent& event, const Receiver& receiver) {
   if (event.type == ENET_EVENT_TYPE_CONNECT) {
     state_ = State::kConnected;
+    enet_peer_timeout(peer_, kTimeoutLimit, kShortestTimeoutMs, kLongestTimeoutMs);
   } else if (event.type == ENET_EVENT_TYPE_DISCONNECT) {
     state_ = State::kClosed;
   } else if (event.type == ENET_EVENT_TYPE_RECEIVE) {

@@ -2,6 +2,7 @@
 
 #include <enet/enet.h>
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -32,6 +33,10 @@ struct Traffic {
 /// A connection to a server. The only place of the client that knows ENet.
 class Connection {
  public:
+  /// While a connection is being made the server is asked at least so often: it answers at once when it can be reached
+  /// again.
+  static constexpr Moment kBetweenCalls = std::chrono::milliseconds(500);
+
   enum class State { kConnecting, kConnected, kClosed };
   using Receiver = std::function<void(std::span<const std::uint8_t>)>;
 
@@ -51,6 +56,8 @@ class Connection {
   void close();
 
   State state() const { return state_; }
+  /// The server's address in numbers, for which no name has to be looked up.
+  ServerAddress address() const;
   const Traffic& traffic() const { return traffic_; }
 
  private:
@@ -60,6 +67,7 @@ class Connection {
 
   void handle(const ENetEvent& event, const Receiver& receiver);
   void keepUnthrottled();
+  void keepCalling();
   void countTraffic();
 
   std::unique_ptr<ENetHost, DestroyHost> host_;

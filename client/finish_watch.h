@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "client/session.h"
 
@@ -15,7 +16,8 @@ class FinishWatch {
   std::optional<std::string> look(const Session& session);
 
  private:
-  std::optional<std::uint32_t> reported_;   // round
+  std::optional<std::pair<std::uint32_t, std::uint32_t>> reported_;   // round and tick: a server that was started anew
+                                                                       // counts its rounds anew
 };
 
 }  // namespace platon

@@ -94,6 +94,11 @@ void LossyRelay::takeFromServer(Moment now) {
   while (std::optional<Datagram> datagram = take(serverSide_->handle, nullptr)) down_.send(std::move(*datagram), now);
 }
 
+void LossyRelay::setQuality(const LinkQuality& eachWay) {
+  up_.setQuality(eachWay);
+  down_.setQuality(eachWay);
+}
+
 void LossyRelay::pump(Moment now) {
   takeFromClient(now);
   takeFromServer(now);

@@ -22,6 +22,8 @@ class LossyRelay {
   /// Where the client finds the server now.
   ServerAddress address() const { return {"127.0.0.1", port_}; }
 
+  /// What comes from now on is subject to this.
+  void setQuality(const LinkQuality& eachWay);
   /// Takes in what has come and passes on what is due at `now`. To be called every few milliseconds at least.
   void pump(Moment now);
 

@@ -18,17 +18,25 @@ std::filesystem::path mismatchFolder() {
   return folder.empty() ? folder : folder / "mismatches";
 }
 
+// A server of one's own ends with the program.
+std::filesystem::path sessionFolder(const ClientOptions& options) {
+  const std::filesystem::path folder = dataFolder();
+  return folder.empty() || !options.server ? std::filesystem::path() : folder / "sessions";
+}
+
 }  // namespace
 
 MatchPlay::MatchPlay(const ClientOptions& options, const ServerAddress& server, Moment now)
     : server_(server),
-      client_(server, options.name, options.line, options.lineSeed, now),
+      sessionFile_(sessionFolder(options), server),
+      client_(server, options.name, options.line, options.lineSeed, now, sessionFile_.token()),
       mismatches_(mismatchFolder()) {}
 
 void MatchPlay::update(Moment now, const Controls& controls) {
   client_.update(now, controls);
   reportMismatch();
   reportOutage();
+  keepToken();
   if (client_->session() == nullptr) return;
   const std::optional<std::string> line = watch_.look(*client_->session());
   if (!line) return;
@@ -50,6 +58,12 @@ void MatchPlay::reportOutage() {
     std::fprintf(stderr, "platon-client: connected again\n");
 }
 
+void MatchPlay::keepToken() {
+  if (tokenKept_ || !client_->welcomed()) return;
+  sessionFile_.keep(client_->token());
+  tokenKept_ = true;
+}
+
 std::optional<Scene> MatchPlay::scene(Moment now) {
   std::optional<Scene> scene = client_->session() == nullptr ? std::nullopt : feed_.scene(*client_->session(), now);
   if (scene || !client_->outage()) lastScene_ = std::move(scene);
@@ -64,6 +78,8 @@ std::string MatchPlay::message() const {
 }
 
 void MatchPlay::leave(const Clock& clock) {
+  // During an outage the server hears nothing of it, and the player can still be taken up.
+  if (!client_->outage()) sessionFile_.forget();
   client_->leave();
   reportMismatch();
   const Controls nothing = [](const Game&, std::uint32_t) { return Input{}; };

@@ -11,14 +11,16 @@
 #include "client/relayed_client.h"
 #include "client/scene.h"
 #include "client/scene_feed.h"
+#include "client/session_file.h"
 
 namespace platon {
 
 /// What playing has in common with and without a window: the match over the network, what is drawn of it, what is told
-/// on standard output, and what is kept when the game was not the server's. On a simulated line when one is asked for.
+/// on standard output, what is kept when the game was not the server's, and what it takes to come back after a crash of
+/// the program. On a simulated line when one is asked for.
 class MatchPlay {
  public:
-  /// Begins to connect. Throws std::runtime_error when that cannot even begin.
+  /// Begins to connect; when this program ended without leaving, as the same player. Throws std::runtime_error when that cannot even begin.
   MatchPlay(const ClientOptions& options, const ServerAddress& server, Moment now);
 
   void update(Moment now, const Controls& controls);
@@ -34,8 +36,11 @@ class MatchPlay {
  private:
   void reportMismatch();
   void reportOutage();
+  void keepToken();
 
   ServerAddress server_;
+  SessionFile sessionFile_;
+  bool tokenKept_ = false;
   RelayedClient client_;
   SceneFeed feed_;
   FinishWatch watch_;

@@ -21,19 +21,20 @@ SessionToken freshToken() {
 }
 
 // At once, then after 1, 2, 4 … first pauses.
-Moment pauseAfter(std::uint32_t failed) {
-  if (failed == 0) return Moment{};
-  const std::uint32_t doublings = std::min(failed - 1, 16u);
+Moment pauseAfter(std::uint32_t answers) {
+  if (answers == 0) return Moment{};
+  const std::uint32_t doublings = std::min(answers - 1, 16u);
   return std::min(NetworkClient::kFirstPause * (1 << doublings), NetworkClient::kLongestPause);
 }
 
 }  // namespace
 
 NetworkClient::NetworkClient(const ServerAddress& server, const std::string& name, Moment now,
-                             const std::optional<ServerAddress>& way)
-    : server_(server), way_(way.value_or(server)), name_(name), waitingSince_(now) {
-  memory_.token = freshToken();
-  connection_.emplace(way_, now);
+                             const std::optional<ServerAddress>& way, const std::optional<SessionToken>& token)
+    : server_(server), name_(name), waitingSince_(now) {
+  memory_.token = token ? *token : freshToken();
+  connection_.emplace(way.value_or(server), now);
+  way_ = connection_->address();   // to look up a name takes long when there is no network
 }
 
 void NetworkClient::update(Moment now, const Controls& controls) {
@@ -75,7 +76,7 @@ void NetworkClient::watch(Moment now) {
   if (const std::optional<Session::Ending> found = trouble(now)) return lose(*found, now);
   welcomed_ = welcomed_ || (greeted_ && session_->welcome());
   if (!greeted_ || !plays(*session_)) return;
-  attempts_ = 0;
+  attempts_ = answers_ = 0;
   if (!outage_) return;
   outage_.reset();
   ++returns_;
@@ -108,7 +109,18 @@ void NetworkClient::lose(const Session::Ending& trouble, Moment now) {
     return;
   }
   if (!outage_) outage_ = trouble.reason;
-  retryAt_ = now + pauseAfter(attempts_++);
+  ++attempts_;
+  retryAt_ = now + pauseAfterLoss();
+  drop();
+}
+
+// Where nobody answers there is nobody to spare, and the patience was the pause.
+Moment NetworkClient::pauseAfterLoss() {
+  const bool unanswered = connection_ && !greeted_;
+  return unanswered ? Moment{} : pauseAfter(answers_++);
+}
+
+void NetworkClient::drop() {
   before_ = traffic();
   connection_.reset();
   greeted_ = false;
@@ -117,6 +129,7 @@ void NetworkClient::lose(const Session::Ending& trouble, Moment now) {
 void NetworkClient::leave() {
   leaving_ = true;
   if (session_) session_->leave();
+  if (!greeted_) drop();
 }
 
 std::optional<MismatchReport> NetworkClient::takeMismatch() {

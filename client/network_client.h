@@ -12,26 +12,28 @@
 namespace platon {
 
 /// Sessions with one server over connections to it. Knows for how long to wait for an answer and how to say what went
-/// wrong. A player who was once let in and loses the connection is taken back: it is tried again at once, then ever
-/// less often.
+/// wrong. A player who was once let in and loses the connection is taken back: the server is asked again at once, and goes
+/// on being asked (`Connection::kBetweenCalls`) until it answers. One that answers but does not let the client in, as
+/// it is full, is asked ever less often.
 class NetworkClient {
  public:
   /// Until when a server that is asked must have let the client in.
   static constexpr Moment kPatience = std::chrono::seconds(5);
-  /// Between the second attempt to come back and the third; doubled each time up to kLongestPause.
+  /// After the second answer that does not let the client in; doubled each time up to kLongestPause.
   static constexpr Moment kFirstPause = std::chrono::milliseconds(250);
-  static constexpr Moment kLongestPause = std::chrono::seconds(8);
+  static constexpr Moment kLongestPause = std::chrono::seconds(2);
   /// Attempts to get in at first, where a server is heard of at all.
   static constexpr std::uint32_t kFirstAttempts = 3;
 
-  /// Begins to connect to `server`, through `way` when the datagrams take another way. Throws std::runtime_error when
-  /// that cannot even begin.
+  /// Begins to connect to `server`, through `way` when the datagrams take another way. `token`: of a player that was
+  /// lost; without one a fresh token. Throws std::runtime_error when that cannot even begin.
   NetworkClient(const ServerAddress& server, const std::string& name, Moment now,
-                const std::optional<ServerAddress>& way = std::nullopt);
+                const std::optional<ServerAddress>& way = std::nullopt,
+                const std::optional<SessionToken>& token = std::nullopt);
 
   /// Receives, predicts up to `now`, sends. To be called every few milliseconds.
   void update(Moment now, const Controls& controls);
-  /// Says good-bye; `update` until `closed`.
+  /// Says good-bye; `update` until `closed`. That is at once when there is nobody to say it to.
   void leave();
 
   /// Whether there is no connection, nor one being made.
@@ -42,6 +44,11 @@ class NetworkClient {
   const std::optional<std::string>& outage() const { return outage_; }
   /// How often a lost game went on.
   std::uint32_t returns() const { return returns_; }
+
+  /// The secret that takes back the player. Not to be shown.
+  const SessionToken& token() const { return *memory_.token; }
+  /// Whether the server has let the client in, ever.
+  bool welcomed() const { return welcomed_; }
 
   /// Null until connected. After a loss, the last session until there is a new connection.
   const Session* session() const { return session_ ? &*session_ : nullptr; }
@@ -57,6 +64,8 @@ class NetworkClient {
   std::optional<Session::Ending> trouble(Moment now) const;
   void lose(const Session::Ending& trouble, Moment now);
   bool mayRetry(const Session::Ending& trouble) const;
+  Moment pauseAfterLoss();
+  void drop();
   void forward();
 
   ServerAddress server_;
@@ -69,6 +78,7 @@ class NetworkClient {
   Moment waitingSince_;               // connecting, or greeted
   bool welcomed_ = false;             // ever
   std::uint32_t attempts_ = 0;        // that have failed since there was a game
+  std::uint32_t answers_ = 0;         // those that were not just unanswered
   std::optional<Moment> retryAt_;
   std::optional<std::string> outage_;
   std::uint32_t returns_ = 0;

@@ -50,6 +50,8 @@ class NetworkConditions {
   void send(std::vector<std::uint8_t> datagram, Moment now);
   /// The next datagram that has arrived by `now`.
   std::optional<std::vector<std::uint8_t>> receive(Moment now);
+  /// What is sent from now on has this quality.
+  void setQuality(const LinkQuality& quality) { quality_ = quality; }
   /// Loses all that is on its way.
   void clear() { flying_.clear(); }
   /// Datagrams on their way.

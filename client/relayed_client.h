@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "client/lossy_relay.h"
@@ -12,9 +13,10 @@ namespace platon {
 /// A client on a simulated line, or on the real one when that is to be perfect.
 class RelayedClient {
  public:
-  /// Begins to connect; the seed is of the line's draws. Throws std::runtime_error when that cannot even begin.
+  /// Begins to connect, with the token of a lost player if one is given; the seed is of the line's draws. Throws
+  /// std::runtime_error when that cannot even begin.
   RelayedClient(const ServerAddress& server, const std::string& name, const LinkQuality& line, std::uint64_t seed,
-                Moment now);
+                Moment now, const std::optional<SessionToken>& token = std::nullopt);
 
   /// As of NetworkClient.
   void update(Moment now, const Controls& controls);

@@ -62,8 +62,7 @@ bool WindowPlay::goesOn(Moment now) const {
 
 void WindowPlay::tellEnding() {
   const std::string& reason = *match_.client().ending();
-  const Session* const session = match_.client().session();
-  if (session == nullptr || !session->welcome()) throw ClientError(ClientError::kFailed, reason);
+  if (!match_.client().welcomed()) throw ClientError(ClientError::kFailed, reason);
   std::fprintf(stderr, "platon-client: %s\n", reason.c_str());
   toldEnding_ = true;
 }

@@ -24,9 +24,10 @@ HostSettings withConnections(const ServerSettings& settings) {
   return host;
 }
 
-MatchSettings withRecordings(const ServerSettings& settings) {
+MatchSettings withTheRest(const ServerSettings& settings) {
   MatchSettings match = settings.match;
   match.record = !settings.recordings.empty();
+  match.playersPerOrigin = settings.host.connectionsPerAddress;
   return match;
 }
 
@@ -67,7 +68,7 @@ DedicatedServer::DedicatedServer(const ServerSettings& settings, std::vector<Lev
     : log_(std::move(log)),
       host_(withConnections(settings), steadyNow()),
       recordings_(folderOf(settings)),
-      match_(LevelRotation(std::move(levels)), withRecordings(settings)),
+      match_(LevelRotation(std::move(levels)), withTheRest(settings)),
       clock_(steadyNow()),
       reportAt_(steadyNow() + kReportInterval) {}
 
@@ -91,7 +92,7 @@ void DedicatedServer::take(const HostEvent& event, TimePoint now) {
   if (!host_.listensTo(event.client)) return;
   const auto message = decodeToServer(event.bytes);
   if (message) {
-    match_.receive(event.client, *message);
+    match_.receive(event.client, *message, host_.originOf(event.client));
     if (match_.isMember(event.client)) host_.admit(event.client);
     return;
   }

@@ -17,7 +17,7 @@ namespace platon {
 
 struct ServerSettings {
   HostSettings host;       ///< `connections` is set by the server
-  MatchSettings match;     ///< `record` is set by the server
+  MatchSettings match;     ///< `record` and `playersPerOrigin` are set by the server
   std::string recordings;  ///< folder for a recording of each round; empty: none are made
 };
 

@@ -273,6 +273,11 @@ bool Host::listensTo(ClientId client) const {
   return peer && !links_[peer->incomingPeerID].closing;
 }
 
+std::uint32_t Host::originOf(ClientId client) const {
+  const ENetPeer* peer = peerOf(client);
+  return !peer || isLoopback(peer->address) ? 0 : peer->address.host;
+}
+
 bool Host::empty() const {
   return std::none_of(links_.begin(), links_.end(), [](const Link& link) { return link.open; });
 }

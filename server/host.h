@@ -82,6 +82,8 @@ class Host {
   std::uint16_t port() const;
   /// False when the client is gone or its connection is ending.
   bool listensTo(ClientId client) const;
+  /// A number for the client's address, as `Match` wants it; 0 for loopback, and when the client is gone.
+  std::uint32_t originOf(ClientId client) const;
   /// Whether anybody is connected or connecting.
   bool empty() const;
   const HostCounters& counters() const { return counters_; }

@@ -40,19 +40,45 @@ Match::Match(LevelRotation rotation, MatchSettings settings)
   startRound();
 }
 
-void Match::receive(ClientId client, const ToServer& message) {
+void Match::receive(ClientId client, const ToServer& message, std::uint32_t origin) {
+  if (const Hello* hello = std::get_if<Hello>(&message)) return greet(client, *hello, origin);
   std::visit([this, client](const auto& body) { handle(client, body); }, message);
 }
 
-void Match::handle(ClientId client, const Hello& hello) {
-  if (isMember(client)) return;
+void Match::greet(ClientId client, const Hello& hello, std::uint32_t origin) {
+  if (isMember(client) || isDismissed(client)) return;
   std::optional<Refused> refused = wrongVersion(hello);
-  if (!refused && takeBack(client, hello)) return;
-  const std::optional<std::uint32_t> slot = freeSlot();
-  if (!refused && slot) return join(client, hello, *slot);
-  if (!refused) refused = full();
+  Member* member = refused ? nullptr : takeBack(client, hello);
+  if (!refused && !member) {
+    makeRoom(origin);
+    const std::optional<std::uint32_t> slot = freeSlot();
+    if (slot)
+      member = &join(client, hello, *slot);
+    else
+      refused = full();
+  }
+  if (member) return member->setOrigin(origin);
   outgoing_.push_back({client, true, true, encode(*refused)});
   note(MatchEvent::Kind::kRefused, client, 0, refused->reason);
+}
+
+// Told in this very tick that its connection ends: two that take a player from each other get no further turn.
+bool Match::isDismissed(ClientId client) const {
+  return std::any_of(outgoing_.begin(), outgoing_.end(),
+                     [client](const Outgoing& message) { return message.last && message.client == client; });
+}
+
+// Else who drops connection after connection would come to hold all slots.
+void Match::makeRoom(std::uint32_t origin) {
+  if (origin == 0) return;
+  const auto isOfOrigin = [origin](const Away& away) { return away.member.origin() == origin; };
+  auto count = std::count_if(away_.begin(), away_.end(), isOfOrigin);
+  for (const auto& [client, member] : members_) count += member.origin() == origin ? 1 : 0;
+  for (; count >= settings_.playersPerOrigin; --count) {
+    const auto longest = std::find_if(away_.begin(), away_.end(), isOfOrigin);
+    if (longest == away_.end()) return;
+    giveUp(longest);
+  }
 }
 
 Refused Match::full() const {
@@ -73,22 +99,23 @@ std::optional<std::uint32_t> Match::freeSlot() const {
   return std::nullopt;
 }
 
-void Match::join(ClientId client, const Hello& hello, std::uint32_t slot) {
+Member& Match::join(ClientId client, const Hello& hello, std::uint32_t slot) {
   if (idle() && history_.end() > 0) startRound();
   Member& member = members_.emplace(client, Member(slot, nameOf(hello, slot), hello.token)).first->second;
   member.joinAt(history_.end());
   introduce(client, member, hello);
   note(MatchEvent::Kind::kJoined, client, slot, member.name());
+  return member;
 }
 
-bool Match::takeBack(ClientId client, const Hello& hello) {
+Member* Match::takeBack(ClientId client, const Hello& hello) {
   std::optional<Member> known = hello.token ? extract(*hello.token) : std::nullopt;
-  if (!known) return false;
+  if (!known) return nullptr;
   Member& member = members_.emplace(client, std::move(*known)).first->second;
   member.takeUp(nameOf(hello, member.slot()));
   introduce(client, member, hello);
   note(MatchEvent::Kind::kReturned, client, member.slot(), member.name());
-  return true;
+  return &member;
 }
 
 // The client may be back before its old connection is known to be lost.
@@ -147,11 +174,13 @@ void Match::remove(ClientId client) {
 }
 
 void Match::forgetAway() {
-  while (!away_.empty() && now_ - away_.front().since >= kAwayTicks) {
-    const Member member = std::move(away_.front().member);
-    away_.erase(away_.begin());
-    removed(member, 0);
-  }
+  while (!away_.empty() && now_ - away_.front().since >= kAwayTicks) giveUp(away_.begin());
+}
+
+void Match::giveUp(std::vector<Away>::iterator away) {
+  const Member member = std::move(away->member);
+  away_.erase(away);
+  removed(member, 0);
 }
 
 void Match::removed(const Member& member, ClientId client) {

@@ -23,6 +23,7 @@ struct MatchSettings {
   std::uint32_t maxPlayers = 16;  ///< 1 … kMaxPlayers
   std::string serverName;         ///< a label
   bool record = false;            ///< every round
+  std::uint32_t playersPerOrigin = kMaxPlayers;  ///< of one origin, those included that are away
 };
 
 /// A message to one client.
@@ -44,13 +45,14 @@ class Match {
 
   /// Ticks for which the player of a lost connection can be taken back: 60 s.
   static constexpr std::uint64_t kAwayTicks = 60 * kTicksPerSecond;
-  /// Bytes of levels and states that one client is sent in one tick, and a piece more.
-  static constexpr std::size_t kTransferBytesPerTick = kChunkBytes;
+  /// Bytes of levels and states that one client is sent in one tick, and a piece more: the state of 256 players in three.
+  static constexpr std::size_t kTransferBytesPerTick = 2 * kChunkBytes;
 
   Match(LevelRotation rotation, MatchSettings settings);
 
-  /// A message from a client; the first has to be Hello.
-  void receive(ClientId client, const ToServer& message);
+  /// A message from a client; the first has to be Hello. `origin`: the network address it comes from, 0 where these do
+  /// not matter. Where one has as many players as it may, whoever of them has been away longest makes room for the next.
+  void receive(ClientId client, const ToServer& message, std::uint32_t origin = 0);
   /// The connection is gone. A player with a token stays, with the buttons it held for a second and then without, until
   /// a client takes it up or kAwayTicks have passed.
   void disconnect(ClientId client);
@@ -82,7 +84,8 @@ class Match {
   const Member* member(ClientId client) const;
 
  private:
-  void handle(ClientId client, const Hello& hello);
+  void greet(ClientId client, const Hello& hello, std::uint32_t origin);
+  void handle(ClientId, const Hello&) {}
   void handle(ClientId client, const LevelRequest& request);
   void handle(ClientId client, const Leave& leave);
   void handle(ClientId client, const PlayerInputs& inputs);
@@ -93,11 +96,14 @@ class Match {
   };
 
   Refused full() const;
-  void join(ClientId client, const Hello& hello, std::uint32_t slot);
-  bool takeBack(ClientId client, const Hello& hello);
+  Member& join(ClientId client, const Hello& hello, std::uint32_t slot);
+  Member* takeBack(ClientId client, const Hello& hello);
   std::optional<Member> extract(const SessionToken& token);
   void introduce(ClientId client, Member& member, const Hello& hello);
   void forgetAway();
+  void giveUp(std::vector<Away>::iterator away);
+  void makeRoom(std::uint32_t origin);
+  bool isDismissed(ClientId client) const;
   void removed(const Member& member, ClientId client);
   std::optional<std::uint32_t> freeSlot() const;
 

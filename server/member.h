@@ -31,6 +31,9 @@ class Member {
   const std::string& name() const { return name_; }
   /// Whether it was greeted with this token.
   bool has(const SessionToken& token) const { return token_ && sameToken(*token_, token); }
+  /// Where its client connects from, as Match is told.
+  std::uint32_t origin() const { return origin_; }
+  void setOrigin(std::uint32_t origin) { origin_ = origin; }
   /// Whether anybody could take it up.
   bool canBeTakenUp() const { return token_.has_value(); }
 
@@ -83,6 +86,7 @@ class Member {
   std::uint32_t slot_;
   std::string name_;
   std::optional<SessionToken> token_;
+  std::uint32_t origin_ = 0;
   InputBuffer inputs_;
   std::deque<Transfer> transfers_;
   LossMeter heard_;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <utility>
+#include <vector>
 
 #include "protocol/to_server.h"
 
@@ -12,7 +13,13 @@ namespace {
 
 constexpr Moment kStep = std::chrono::microseconds(500);
 
-ClientId idOf(std::size_t index) { return static_cast<ClientId>(index + 1); }
+/// Which no other client has.
+SessionToken tokenOf(ClientId id) {
+  SessionToken token{};
+  token[0] = static_cast<std::uint8_t>(id);
+  token[1] = static_cast<std::uint8_t>(id >> 8);
+  return token;
+}
 
 LinkQuality delayOf(const LinkQuality& line) {
   LinkQuality delay;
@@ -22,23 +29,57 @@ LinkQuality delayOf(const LinkQuality& line) {
 
 }  // namespace
 
-VirtualMatch::Client::Client(const LinkQuality& line, std::uint64_t seed, Controls buttons, Moment now)
-    : session("someone", now),
+VirtualMatch::Client::Client(ClientId number, const LinkQuality& line, std::uint64_t seed, Controls buttons)
+    : id(number),
       controls(std::move(buttons)),
       up(line, seed),
       down(line, seed + 1),
       reliableUp(delayOf(line), 0),
       reliableDown(delayOf(line), 0) {}
 
-VirtualMatch::VirtualMatch(std::vector<std::shared_ptr<const Level>> levels, std::uint64_t seed)
-    : match_(LevelRotation(std::move(levels)), MatchSettings{16, "test"}), seed_(seed) {
+VirtualMatch::VirtualMatch(std::vector<std::shared_ptr<const Level>> levels, std::uint64_t seed,
+                           std::uint32_t maxPlayers)
+    : match_(LevelRotation(std::move(levels)), MatchSettings{maxPlayers, "test"}), seed_(seed) {
   round_ = match_.round();
 }
 
 std::size_t VirtualMatch::join(const LinkQuality& line, Controls controls) {
-  clients_.push_back(
-      std::make_unique<Client>(line, seed_ + clients_.size() * 16, std::move(controls), now_));
+  const ClientId id = nextId_++;
+  clients_.push_back(std::make_unique<Client>(id, line, seed_ + clients_.size() * 16, std::move(controls)));
+  Session::Memory memory;
+  memory.token = tokenOf(id);
+  clients_.back()->session.emplace("someone", now_, std::move(memory));
   return clients_.size() - 1;
+}
+
+void VirtualMatch::breakOff(std::size_t index, std::optional<Moment> noticedAfter) {
+  Client& client = *clients_[index];
+  client.session->lose("the line is dead");
+  client.connected = false;
+  for (NetworkConditions* line : {&client.up, &client.down, &client.reliableUp, &client.reliableDown}) line->clear();
+  if (noticedAfter) losses_.push_back({now_ + *noticedAfter, client.id});
+}
+
+void VirtualMatch::comeBack(std::size_t index) {
+  Client& client = *clients_[index];
+  client.id = nextId_++;
+  client.connected = true;
+  client.session.emplace("someone", now_, client.session->memory());
+}
+
+VirtualMatch::Client* VirtualMatch::connectedAs(ClientId id) {
+  for (const auto& client : clients_) {
+    if (client->id == id && client->connected) return client.get();
+  }
+  return nullptr;
+}
+
+void VirtualMatch::tellOfLosses() {
+  std::erase_if(losses_, [this](const auto& loss) {
+    if (loss.first > now_) return false;
+    match_.disconnect(loss.second);
+    return true;
+  });
 }
 
 void VirtualMatch::tamper(std::size_t client, std::function<void(std::vector<std::uint8_t>&)> change) {
@@ -49,12 +90,16 @@ void VirtualMatch::run(Moment duration) {
   for (const Moment end = now_ + duration; now_ < end; now_ += kStep) {
     const Moment tickDue = std::chrono::seconds(100) + Moment((serverTicks_ + 1) * 1'000'000 / kTicksPerSecond);
     if (now_ >= tickDue) tickServer();
-    for (std::size_t index = 0; index < clients_.size(); ++index) carry(index);
+    tellOfLosses();
+    for (const auto& client : clients_) {
+      if (client->connected) carry(*client);
+    }
     if (now_ < nextFrame_) continue;
     nextFrame_ = now_ + frame_;
     for (const auto& client : clients_) {
-      client->session.update(now_, client->controls);
-      if (client->checked) check(client->session);
+      if (!client->connected) continue;
+      client->session->update(now_, client->controls);
+      if (client->checked) check(*client->session);
     }
   }
 }
@@ -73,26 +118,26 @@ void VirtualMatch::tickServer() {
     if (match_.round() == round_) hashes_[{round_, ticksInRound_}] = match_.game().hash();
   }
   for (Outgoing& message : match_.takeOutgoing()) {
-    Client& client = *clients_[message.client - 1];
-    client.tamper(message.bytes);
-    (message.reliable ? client.reliableDown : client.down).send(std::move(message.bytes), now_);
+    Client* const client = connectedAs(message.client);
+    if (client == nullptr) continue;
+    client->tamper(message.bytes);
+    (message.reliable ? client->reliableDown : client->down).send(std::move(message.bytes), now_);
   }
 }
 
-void VirtualMatch::carry(std::size_t index) {
-  Client& client = *clients_[index];
-  for (OutgoingMessage& message : client.session.takeOutgoing()) {
+void VirtualMatch::carry(Client& client) {
+  for (OutgoingMessage& message : client.session->takeOutgoing()) {
     (message.reliable ? client.reliableUp : client.up).send(std::move(message.bytes), now_);
   }
   for (NetworkConditions* line : {&client.reliableUp, &client.up}) {
     while (const auto bytes = line->receive(now_)) {
       const auto message = decodeToServer(*bytes);
       ASSERT_TRUE(message.has_value());
-      match_.receive(idOf(index), *message);
+      match_.receive(client.id, *message);
     }
   }
   for (NetworkConditions* line : {&client.reliableDown, &client.down}) {
-    while (const auto bytes = line->receive(now_)) client.session.receive(*bytes, now_);
+    while (const auto bytes = line->receive(now_)) client.session->receive(*bytes, now_);
   }
 }
 

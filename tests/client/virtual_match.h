@@ -21,10 +21,14 @@ namespace platon {
 /// as the transport below them would see to it.
 class VirtualMatch {
  public:
-  VirtualMatch(std::vector<std::shared_ptr<const Level>> levels, std::uint64_t seed);
+  VirtualMatch(std::vector<std::shared_ptr<const Level>> levels, std::uint64_t seed, std::uint32_t maxPlayers = 16);
 
   /// A client with these controls joins now; its index.
   std::size_t join(const LinkQuality& line, Controls controls);
+  /// The client's connection is lost, with all that is on its way. The server notices after so long, or never.
+  void breakOff(std::size_t client, std::optional<Moment> noticedAfter);
+  /// The client has a new connection over the same line, and what it remembers.
+  void comeBack(std::size_t client);
   /// How often clients update from now on; 4 ms at first.
   void setFrame(Moment frame) { frame_ = frame; }
   /// Every message to this client is handed to `change` on its way, from now on.
@@ -36,24 +40,30 @@ class VirtualMatch {
 
   Moment now() const { return now_; }
   Match& match() { return match_; }
-  const Session& session(std::size_t client) const { return clients_[client]->session; }
-  Session& session(std::size_t client) { return clients_[client]->session; }
-  std::optional<MismatchReport> takeMismatch(std::size_t client) { return clients_[client]->session.takeMismatch(); }
-  std::uint32_t slot(std::size_t client) const { return clients_[client]->session.welcome()->slot; }
+  const Session& session(std::size_t client) const { return *clients_[client]->session; }
+  Session& session(std::size_t client) { return *clients_[client]->session; }
+  std::optional<MismatchReport> takeMismatch(std::size_t client) { return clients_[client]->session->takeMismatch(); }
+  std::uint32_t slot(std::size_t client) const { return clients_[client]->session->welcome()->slot; }
+  /// The server's game by round and tick.
+  std::uint64_t hashOf(std::uint32_t round, std::uint32_t tick) const { return hashes_.at({round, tick}); }
 
  private:
   struct Client {
-    Client(const LinkQuality& line, std::uint64_t seed, Controls buttons, Moment now);
+    Client(ClientId number, const LinkQuality& line, std::uint64_t seed, Controls buttons);
 
-    Session session;
+    ClientId id;                     // of its connection
+    bool connected = true;
+    std::optional<Session> session;
     Controls controls;
     NetworkConditions up, down, reliableUp, reliableDown;
     std::function<void(std::vector<std::uint8_t>&)> tamper = [](std::vector<std::uint8_t>&) {};
     bool checked = true;
   };
 
+  Client* connectedAs(ClientId id);
+  void tellOfLosses();
   void tickServer();
-  void carry(std::size_t index);
+  void carry(Client& client);
   void check(const Session& session) const;
 
   Match match_;
@@ -63,6 +73,8 @@ class VirtualMatch {
   Moment nextFrame_ = now_;
   std::uint64_t serverTicks_ = 0;
   std::vector<std::unique_ptr<Client>> clients_;
+  ClientId nextId_ = 1;
+  std::vector<std::pair<Moment, ClientId>> losses_;   // that the server will notice
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint64_t> hashes_;   // of the server's game by round and tick
   std::uint32_t round_ = 0;
   std::uint32_t ticksInRound_ = 0;
