@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cstdio>
 
+#include "client/hollow_bot.h"
+
 namespace platon {
 
 namespace {
@@ -12,11 +14,13 @@ constexpr Moment kBeat = std::chrono::milliseconds(2);
 constexpr Moment kArrivals = std::chrono::seconds(1);       // in which all bots come
 constexpr Moment kFarewell = std::chrono::milliseconds(500);
 
+Moment duration(double seconds) { return Moment(static_cast<Moment::rep>(seconds * 1e6)); }
+
 }  // namespace
 
 std::vector<BotResult> BotFleet::play() {
   const Moment start = clock_.now();
-  const Moment end = start + Moment(static_cast<Moment::rep>(options_.seconds * 1e6));
+  const Moment end = start + duration(options_.seconds);
   const Moment spacing = std::min(kArrivals, (end - start) / 4) / options_.count;
   for (Moment now = start; now < end; now = clock_.now()) {
     const auto arrived = static_cast<std::size_t>(spacing.count() == 0 ? options_.count : (now - start) / spacing + 1);
@@ -32,8 +36,13 @@ std::vector<BotResult> BotFleet::play() {
 
 void BotFleet::add(Moment now) {
   const std::size_t number = bots_.size() + 1;
-  bots_.push_back(std::make_unique<Bot>(server_, "bot " + std::to_string(number), options_.line,
-                                        options_.seed * 1000003 + number, now));
+  bots_.push_back(make("bot " + std::to_string(number), options_.seed * 1000003 + number, now));
+}
+
+std::unique_ptr<Bot> BotFleet::make(const std::string& name, std::uint64_t seed, Moment now) const {
+  const Moment settle = duration(options_.settleSeconds);
+  if (options_.hollow) return std::make_unique<HollowBot>(server_, name, options_.line, seed, now, settle);
+  return std::make_unique<PlayingBot>(server_, name, options_.line, seed, now, settle);
 }
 
 void BotFleet::beat(Moment now) {

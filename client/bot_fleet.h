@@ -19,6 +19,8 @@ struct FleetOptions {
   double seconds = 10;
   std::uint64_t seed = 1;
   LinkQuality line;             ///< each way
+  bool hollow = false;          ///< bots that do not play the game
+  double settleSeconds = 0;     ///< from the first confirmed tick until a bot is measured
   std::string mismatchFolder;   ///< for reports of games that were not the server's; empty: none are written
 };
 
@@ -34,6 +36,7 @@ class BotFleet {
 
  private:
   void add(Moment now);
+  std::unique_ptr<Bot> make(const std::string& name, std::uint64_t seed, Moment now) const;
   void beat(Moment now);
   void leave();
 

@@ -35,6 +35,13 @@ void describe(CLI::App& app, Options& options) {
       ->capture_default_str();
   app.add_option("--mismatch-dir", options.fleet.mismatchFolder,
                  "Folder for reports of games that were not the server's, made when missing; none unless given");
+  app.add_flag("--hollow", options.fleet.hollow,
+               "Bots that greet, press buttons and confirm, but do not play the game: hundreds fit on one machine, to "
+               "load a server");
+  app.add_option("--settle", options.fleet.settleSeconds,
+                 "Seconds after its first tick from which on a bot is measured; mismatches, resyncs and the largest "
+                 "correction count from the start")
+      ->check(CLI::Range(0.0, 86400.0));
   app.add_flag("--json", options.json, "Print one JSON object");
   describeLineOptions(app, options.fleet.line);
 }
@@ -42,7 +49,8 @@ void describe(CLI::App& app, Options& options) {
 int play(const Options& options) {
   const std::vector<BotResult> results =
       BotFleet(options.fleet, parseServerAddress(options.host), steadyClock()).play();
-  const BotReport report = makeReport(results);
+  BotReport report = makeReport(results);
+  report.hollow = options.fleet.hollow;
   std::fputs((options.json ? toJson(report) : toText(report)).c_str(), stdout);
   const auto fallen = std::find_if(results.begin(), results.end(), [](const BotResult& bot) { return bot.ending; });
   if (fallen != results.end()) std::fprintf(stderr, "platon-bot: %s\n", fallen->ending->c_str());

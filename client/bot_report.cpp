@@ -14,6 +14,7 @@ struct Field {
   const char* name;
   double BotReport::*value;
   const char* meaning;
+  bool ofTheGame = false;   // known only to who plays it
 };
 
 constexpr std::array<Field, 18> kFields = {{
@@ -27,14 +28,14 @@ constexpr std::array<Field, 18> kFields = {{
     {"upBytesPerSecond", &BotReport::upBytesPerSecond, "up, bytes/s"},
     {"downPacketsPerSecond", &BotReport::downPacketsPerSecond, "down, packets/s"},
     {"upPacketsPerSecond", &BotReport::upPacketsPerSecond, "up, packets/s"},
-    {"correctionsPer1000Ticks", &BotReport::correctionsPer1000Ticks, "corrections per 1000 ticks"},
-    {"maxCorrectionSubunits", &BotReport::maxCorrectionSubunits, "largest correction, subunits"},
-    {"mispredictedPer1000Ticks", &BotReport::mispredictedPer1000Ticks, "mispredicted per 1000 ticks"},
-    {"missedInputsPer1000Ticks", &BotReport::missedInputsPer1000Ticks, "missed inputs per 1000 ticks"},
-    {"hashMismatches", &BotReport::hashMismatches, "hash mismatches"},
-    {"resyncs", &BotReport::resyncs, "resyncs"},
+    {"correctionsPer1000Ticks", &BotReport::correctionsPer1000Ticks, "corrections per 1000 ticks", true},
+    {"maxCorrectionSubunits", &BotReport::maxCorrectionSubunits, "largest correction, subunits", true},
+    {"mispredictedPer1000Ticks", &BotReport::mispredictedPer1000Ticks, "mispredicted per 1000 ticks", true},
+    {"missedInputsPer1000Ticks", &BotReport::missedInputsPer1000Ticks, "missed inputs per 1000 ticks", true},
+    {"hashMismatches", &BotReport::hashMismatches, "hash mismatches", true},
+    {"resyncs", &BotReport::resyncs, "resyncs", true},
     {"confirmedTicks", &BotReport::confirmedTicks, "confirmed ticks"},
-    {"returns", &BotReport::returns, "lost and came back"},
+    {"returns", &BotReport::returns, "lost and came back", true},
 }};
 
 void add(BotReport& sum, const BotResult& bot) {
@@ -58,6 +59,7 @@ void add(BotReport& sum, const BotResult& bot) {
   sum.resyncs += bot.round.resyncs;
   sum.confirmedTicks += bot.prediction.confirmedTicks;
   sum.returns += bot.returns;
+  sum.longestDatagramBytes = std::max(sum.longestDatagramBytes, bot.traffic.longestDatagram);
 }
 
 }  // namespace
@@ -76,14 +78,20 @@ BotReport makeReport(std::span<const BotResult> bots) {
 
 std::string toJson(const BotReport& report) {
   std::string json = fmt::format("{{\"connected\":{},\"failed\":{}", report.connected, report.failed);
-  for (const Field& field : kFields) json += fmt::format(",\"{}\":{:.6g}", field.name, report.*field.value);
-  return json + "}\n";
+  for (const Field& field : kFields) {
+    const bool known = !field.ofTheGame || !report.hollow;
+    json += fmt::format(",\"{}\":{}", field.name, known ? fmt::format("{:.6g}", report.*field.value) : "null");
+  }
+  return json + fmt::format(",\"longestDatagramBytes\":{}}}\n", report.longestDatagramBytes);
 }
 
 std::string toText(const BotReport& report) {
   std::string text = fmt::format("{} bots played to the end, {} failed; on average:\n", report.connected, report.failed);
-  for (const Field& field : kFields) text += fmt::format("  {:<30}{:>10.1f}\n", field.meaning, report.*field.value);
-  return text;
+  for (const Field& field : kFields) {
+    if (field.ofTheGame && report.hollow) continue;
+    text += fmt::format("  {:<30}{:>10.1f}\n", field.meaning, report.*field.value);
+  }
+  return text + fmt::format("  {:<30}{:>8}\n", "longest datagram of all, bytes", report.longestDatagramBytes);
 }
 
 }  // namespace platon

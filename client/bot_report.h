@@ -30,11 +30,13 @@ struct BotReport {
   double resyncs = 0;
   double confirmedTicks = 0;
   double returns = 0;
+  std::uint64_t longestDatagramBytes = 0;   ///< of all bots, either way, from the start: UDP payload
+  bool hollow = false;                      ///< the bots do not know how they would have been corrected
 };
 
 BotReport makeReport(std::span<const BotResult> bots);
 
-/// One JSON object.
+/// One JSON object; null for what hollow bots do not know.
 std::string toJson(const BotReport& report);
 /// A table for people.
 std::string toText(const BotReport& report);

@@ -2,6 +2,7 @@
 
 #include <enet/enet.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <functional>
@@ -19,14 +20,15 @@ struct Traffic {
   std::uint64_t sentPackets = 0;
   std::uint64_t receivedBytes = 0;
   std::uint64_t receivedPackets = 0;
+  std::uint64_t longestDatagram = 0;   ///< either way, bytes; of a difference: ever
 
   friend Traffic operator+(const Traffic& a, const Traffic& b) {
     return {a.sentBytes + b.sentBytes, a.sentPackets + b.sentPackets, a.receivedBytes + b.receivedBytes,
-            a.receivedPackets + b.receivedPackets};
+            a.receivedPackets + b.receivedPackets, std::max(a.longestDatagram, b.longestDatagram)};
   }
   friend Traffic operator-(const Traffic& a, const Traffic& b) {
     return {a.sentBytes - b.sentBytes, a.sentPackets - b.sentPackets, a.receivedBytes - b.receivedBytes,
-            a.receivedPackets - b.receivedPackets};
+            a.receivedPackets - b.receivedPackets, a.longestDatagram};
   }
 };
 

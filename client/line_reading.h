@@ -1,5 +1,8 @@
 #pragma once
 
+#include "client/clock_sync.h"
+#include "client/line_meter.h"
+
 namespace platon {
 
 /// How a line does, for people.
@@ -10,5 +13,8 @@ struct LineReading {
   double lostDownPercent = 0;  ///< of the last hundred messages
   double lostUpPercent = 0;
 };
+
+/// `clock`: null while there is none.
+LineReading readingOf(const LineMeter& line, const ClockSync* clock, double slackTicks);
 
 }  // namespace platon

@@ -21,6 +21,13 @@ struct PredictionCount {
   std::uint32_t missedInputs = 0;  ///< ticks for which the server decided another own input than was predicted
   std::uint32_t mispredicted = 0;  ///< ticks after which the own player was not where it was predicted at first
   std::uint32_t confirmedTicks = 0;
+
+  /// What has come since `before`; the largest and the last correction are those of `now`.
+  friend PredictionCount operator-(const PredictionCount& now, const PredictionCount& before) {
+    return {now.corrections - before.corrections,   now.maxSubunits,
+            now.lastSubunits,                       now.missedInputs - before.missedInputs,
+            now.mispredicted - before.mispredicted, now.confirmedTicks - before.confirmedTicks};
+  }
 };
 
 /// The two games of a client. The confirmed one moves in lockstep with the server by confirmed inputs alone. The

@@ -1,55 +1,24 @@
 #include "client/round.h"
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
 
 namespace platon {
-
-namespace {
-
-constexpr std::uint32_t kTicksBetweenReports = 4;
-// Between two calls: a quarter of a second. No line is to blame, and nobody shall be ahead by as much for ever after.
-constexpr std::uint32_t kHiccupTicks = 15;
-constexpr std::uint32_t kNotJudged = UINT32_MAX;
-constexpr std::uint32_t kRepeats = 2;   // of a change, each a tick after the one before
-constexpr Moment kIdleReport = std::chrono::milliseconds(80);
-
-}  // namespace
 
 Round::Round(std::uint32_t id, const std::shared_ptr<const Level>& level, std::uint32_t slot, double lead)
     : id_(id),
       prediction_(Game(level), slot),
-      lead_(lead),
+      clock_(lead),
       hash_(shortHash(prediction_.confirmed().hash())),
       watch_(id, prediction_.confirmed()) {}
 
 void Round::receive(const ConfirmedTicks& message, Moment now) {
-  const std::uint32_t newest = message.from + message.count;
-  // While catching up a message does not tell how far the server is.
-  if (message.count < kMaxTicksPerMessage) setClock(newest, now);
-  if (clock_ && message.line && message.line->slack) judge(*message.line->slack);
-  if (clock_ && clock_->reported()) lead_ = clock_->tick() - newest;
+  clock_.receive(message, now);
   const std::uint32_t confirmed = prediction_.confirmedTicks();
-  if (confirmed < message.from || confirmed >= newest) return;
+  if (confirmed < message.from || confirmed >= message.from + message.count) return;
   apply(message);
   view_.arrived(now);
   prediction_.reconcile(now);
   check(message.hash);
-}
-
-void Round::judge(const SlackReport& report) {
-  slack_ = report.slack;
-  // Of ticks that were predicted and sent together, the oldest must be in time.
-  const std::uint32_t older = burst_[report.tick % burst_.size()];
-  if (older <= report.tick) clock_->report(report.tick - older, report.slack - static_cast<std::int32_t>(older));
-}
-
-// The first message may have been a late one: until the server reports, the earliest of those that came counts.
-void Round::setClock(std::uint32_t newest, Moment now) {
-  if (clock_) return clock_->expect(newest + lead_);
-  clock_.emplace(newest + lead_, now);
-  firstInput_ = static_cast<std::uint32_t>(std::max(0.0, std::floor(clock_->tick())));
 }
 
 void Round::apply(const ConfirmedTicks& message) {
@@ -80,7 +49,7 @@ void Round::check(std::uint32_t hash) {
   const bool matches = hash_ == hash;
   if (!matches && !outOfStep_) {
     ++count_.hashMismatches;
-    tellMismatch_ = true;
+    schedule_.hurry();
   }
   if (matches)
     watch_.agreed(prediction_.confirmed());
@@ -105,17 +74,14 @@ void Round::receive(const StateChunk& last, std::span<const std::uint8_t> bytes,
 
 void Round::advance(Moment now, const Controls& controls) {
   view_.update(now);
-  if (!clock_) return;
-  const double shown = clock_->tick();
-  clock_->update(now);
-  const std::uint32_t before = std::max(prediction_.predictedTicks(), firstInput_);
-  const bool hiccup = clock_->tick() - shown >= kHiccupTicks;
-  while (prediction_.predictedTicks() + 1 <= clock_->tick()) {
+  clock_.update(now, prediction_.predictedTicks());
+  while (clock_.reaches(prediction_.predictedTicks())) {
     Input own;
     const std::uint32_t tick = prediction_.predictedTicks();
-    if (tick >= firstInput_) {
+    if (tick >= clock_.firstInput()) {
       own.buttons = controls(prediction_.predicted(), prediction_.slot()).buttons | Input::kPresent;
-      burst_[tick % burst_.size()] = hiccup ? kNotJudged : tick - before;
+      clock_.chose(tick);
+      schedule_.chose(own);
     }
     if (!prediction_.predict(own)) break;
     const std::uint32_t slot = prediction_.slot();
@@ -124,36 +90,20 @@ void Round::advance(Moment now, const Controls& controls) {
   }
 }
 
-bool Round::changedSinceReport() const {
-  for (std::uint32_t tick = std::max(sentTicks_, firstInput_); tick < prediction_.predictedTicks(); ++tick) {
-    if (tick == firstInput_ || prediction_.ownInput(tick) != prediction_.ownInput(tick - 1)) return true;
-  }
-  return false;
-}
-
-bool Round::worthSending(Moment now) const {
-  if (!sentAt_ || now - *sentAt_ >= kIdleReport || tellMismatch_) return true;
-  const std::uint32_t ticks = prediction_.predictedTicks();
-  if (ticks <= std::max(sentTicks_, firstInput_)) return false;
-  return repeats_ > 0 || ticks - sentTicks_ >= kTicksBetweenReports || changedSinceReport();
-}
-
 std::optional<PlayerInputs> Round::report(Moment now) {
-  if (!worthSending(now)) return std::nullopt;
+  if (!schedule_.due(now, prediction_.predictedTicks())) return std::nullopt;
   PlayerInputs message{id_, sync_, prediction_.confirmedTicks(), hash_, 0, {}};
-  message.first = std::max(message.confirmed, firstInput_);
+  message.first = std::max(message.confirmed, clock_.firstInput());
   for (std::uint32_t tick = message.first; tick < prediction_.predictedTicks(); ++tick) {
     message.inputs.push_back(prediction_.ownInput(tick));
   }
-  repeats_ = changedSinceReport() ? kRepeats : repeats_ - std::min(repeats_, 1u);
-  tellMismatch_ = false;
-  sentAt_ = now;
-  sentTicks_ = prediction_.predictedTicks();
+  schedule_.told(now, prediction_.predictedTicks());
   return message;
 }
 
 double Round::predictedFraction() const {
-  return clock_ ? std::clamp(clock_->tick() - prediction_.predictedTicks(), 0.0, 1.0) : 1.0;
+  const std::optional<ClockSync>& sync = clock_.sync();
+  return sync ? std::clamp(sync->tick() - prediction_.predictedTicks(), 0.0, 1.0) : 1.0;
 }
 
 }  // namespace platon

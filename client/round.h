@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -12,9 +11,11 @@
 #include "client/clock_sync.h"
 #include "client/confirmed_view.h"
 #include "client/flashes.h"
+#include "client/input_clock.h"
 #include "client/mismatch_watch.h"
 #include "client/moment.h"
 #include "client/prediction.h"
+#include "client/report_schedule.h"
 #include "protocol/full_state.h"
 #include "protocol/to_client.h"
 #include "protocol/to_server.h"
@@ -46,9 +47,9 @@ class Round {
   /// Nothing more is received in this round: what is wrong with the confirmed game and has not been put right.
   std::optional<Mismatch> abandonedMismatch() { return watch_.abandoned(); }
   /// None until the first ticks have been confirmed.
-  const std::optional<ClockSync>& clock() const { return clock_; }
+  const std::optional<ClockSync>& clock() const { return clock_.sync(); }
   /// Ticks that the prediction is ahead of the newest tick heard of; what was given while there is no clock.
-  double lead() const { return lead_; }
+  double lead() const { return clock_.lead(); }
 
   /// Messages of this round. What is not news is ignored.
   void receive(const ConfirmedTicks& message, Moment now);
@@ -58,11 +59,11 @@ class Round {
   /// Predicts up to `now`.
   void advance(Moment now, const Controls& controls);
 
-  /// What to send to the server now, if anything: at once when the own buttons have changed, and twice more, a tick
-  /// and two ticks later; else every fourth tick. All that is not confirmed is repeated every time.
+  /// What to send to the server now, if anything, as ReportSchedule has it. All that is not confirmed is repeated every
+  /// time.
   std::optional<PlayerInputs> report(Moment now);
   /// By how many ticks an own input last came before the server needed it; 0 before the first report.
-  std::int32_t slack() const { return slack_; }
+  std::int32_t slack() const { return clock_.slack(); }
 
   /// For drawing the others.
   const ConfirmedView& confirmedView() const { return view_; }
@@ -75,30 +76,17 @@ class Round {
   void apply(const ConfirmedTicks& message);
   void watchOthers();
   void check(std::uint32_t hash);
-  void judge(const SlackReport& report);
-  void setClock(std::uint32_t newest, Moment now);
-  bool changedSinceReport() const;
-  bool worthSending(Moment now) const;
 
   std::uint32_t id_;
   Prediction prediction_;
-  std::optional<ClockSync> clock_;
-  double lead_;
-  std::uint32_t firstInput_ = 0;            // own player is absent before, by the client's own doing
+  InputClock clock_;
+  ReportSchedule schedule_;
   std::uint8_t sync_ = 0;
   std::uint32_t hash_ = 0;                  // short, of the confirmed game
   bool outOfStep_ = false;                  // the last hash did not match
   MismatchWatch watch_;
   std::optional<Mismatch> mismatch_;
   std::vector<Input> inputs_;               // scratch
-
-  std::optional<Moment> sentAt_;
-  std::uint32_t sentTicks_ = 0;             // predictedTicks() when sent
-  std::array<std::uint32_t, Prediction::kMaxAhead> burst_{};   // by tick modulo kMaxAhead: ticks before it that were
-                                                               // predicted together with it
-  std::uint32_t repeats_ = 0;               // of the last change, still to be sent
-  bool tellMismatch_ = false;
-  std::int32_t slack_ = 0;
 
   ConfirmedView view_;
   Flashes flashes_;

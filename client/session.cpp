@@ -5,11 +5,11 @@
 #include <utility>
 #include <variant>
 
+#include "client/input_clock.h"
+
 namespace platon {
 
 namespace {
-
-constexpr double kFirstSpareTicks = 7;   // enough for 100 ms of jitter, of which nothing is known yet
 
 PredictionCount sum(const PredictionCount& past, const PredictionCount& now) {
   return {past.corrections + now.corrections, std::max(past.maxSubunits, now.maxSubunits), now.lastSubunits,
@@ -92,7 +92,7 @@ void Session::handle(const Welcome& message, Moment now) {
   if (welcome_) return end("the server welcomed this client twice", true);
   welcome_ = message;
   names_.resize(message.maxPlayers);
-  lead_ = toSeconds(now - helloAt_) * kTicksPerSecond + kFirstSpareTicks;
+  lead_ = InputClock::firstLead(now - helloAt_);
   if (!level(message.levelHash)) fetching_ = message.levelHash;   // follows by itself
   startRound(message.round, message.levelHash);
 }
@@ -178,14 +178,8 @@ void Session::closeRound() {
 }
 
 LineReading Session::reading() const {
-  LineReading reading;
-  reading.rttMs = toSeconds(line_.roundTrip()) * 1000;
-  reading.lostDownPercent = line_.lostDownPercent();
-  reading.lostUpPercent = line_.lostUpPercent();
-  if (!round_ || !round_->clock()) return reading;
-  reading.jitterMs = round_->clock()->jitterTicks() * 1000 / kTicksPerSecond;
-  reading.slackTicks = round_->slack();
-  return reading;
+  if (!round_ || !round_->clock()) return readingOf(line_, nullptr, 0);
+  return readingOf(line_, &*round_->clock(), round_->slack());
 }
 
 PredictionCount Session::predictionCount() const {

@@ -73,14 +73,15 @@ DedicatedServer::DedicatedServer(const ServerSettings& settings, std::vector<Lev
       reportAt_(steadyNow() + kReportInterval) {}
 
 void DedicatedServer::step(TimePoint now) {
+  const TimePoint begun = steadyNow();
   const bool wasIdle = match_.idle();
   receive(now);
-  if (wasIdle)
-    clock_ = TickClock(now);
-  else if (clock_.take(now))
-    match_.tick();
+  if (wasIdle) clock_ = TickClock(now);
+  const bool ticks = !wasIdle && clock_.take(now);
+  if (ticks) match_.tick();
   deliver(now);
   report(now);
+  if (ticks) tickTimes_.add(steadyNow() - begun);
 }
 
 void DedicatedServer::receive(TimePoint now) {
@@ -155,6 +156,10 @@ void DedicatedServer::stop(const std::string& reason) {
     host_.wait(std::chrono::milliseconds(10));
     host_.service(now);
   }
+  log_.info("ran", {{"ticks", tickTimes_.count()},
+                    {"p50Us", tickTimes_.quantile(0.5)},
+                    {"p99Us", tickTimes_.quantile(0.99)},
+                    {"longestUs", tickTimes_.longest()}});
 }
 
 }  // namespace platon

@@ -11,6 +11,7 @@
 #include "server/match.h"
 #include "server/recording_folder.h"
 #include "server/tick_clock.h"
+#include "server/tick_times.h"
 #include "server/time_point.h"
 
 namespace platon {
@@ -34,7 +35,7 @@ class DedicatedServer {
   void wait() const;
   /// Steps and waits until `stopAsked` becomes true, then says good-bye.
   void run(const std::atomic<bool>& stopAsked);
-  /// Says good-bye to all players and waits a moment for them to hear it.
+  /// Says good-bye to all players and waits a moment for them to hear it. Logs how long ticks took.
   void stop(const std::string& reason);
 
   /// These levels follow on the one that is being played.
@@ -48,6 +49,9 @@ class DedicatedServer {
   /// Messages that did not make sense.
   std::uint64_t brokenMessages() const { return brokenMessages_; }
   const HostCounters& hostCounters() const { return host_.counters(); }
+  /// How long the steps with a tick took, all that is done in them: what has come is taken in, the game is moved, what is
+  /// told is sent.
+  const TickTimes& tickTimes() const { return tickTimes_; }
 
  private:
   void receive(TimePoint now);
@@ -65,6 +69,7 @@ class DedicatedServer {
   HostCounters reported_;
   std::uint64_t reportedBroken_ = 0;
   TimePoint reportAt_;
+  TickTimes tickTimes_;
 };
 
 }  // namespace platon

@@ -50,7 +50,7 @@ class BadLineToBots : public BadLine {
   // Three bots play until each has got so many ticks, or has fallen out, or twenty seconds have passed.
   void play(const LinkQuality& line) {
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-      bots_.push_back(std::make_unique<Bot>(address(), "bot", line, seed, clock().now()));
+      bots_.push_back(std::make_unique<PlayingBot>(address(), "bot", line, seed, clock().now(), Moment{}));
     }
     const Moment end = clock().now() + seconds(20);
     for (Moment now = clock().now(); now < end && !done(); now = clock().now()) {

@@ -13,7 +13,7 @@ BotResult played(std::uint32_t ticks, std::uint32_t corrections) {
   bot.joined = true;
   bot.connectMs = 40;
   bot.seconds = 10;
-  bot.traffic = {12000, 300, 30000, 600};
+  bot.traffic = {12000, 300, 30000, 600, 1000 + corrections};
   bot.prediction.confirmedTicks = ticks;
   bot.prediction.corrections = corrections;
   bot.prediction.maxSubunits = static_cast<std::int32_t>(corrections) * 100;
@@ -35,6 +35,7 @@ TEST(BotReport, AveragesOverTheBotsThatPlayedToTheEnd) {
   EXPECT_DOUBLE_EQ(report.correctionsPer1000Ticks, 3);   // 0 and 6
   EXPECT_DOUBLE_EQ(report.maxCorrectionSubunits, 150);
   EXPECT_DOUBLE_EQ(report.confirmedTicks, 750);
+  EXPECT_EQ(report.longestDatagramBytes, 1003u);   // the longest, no average
 }
 
 TEST(BotReport, IsZeroWithoutAnyBot) {
@@ -50,7 +51,19 @@ TEST(BotReport, JsonHasExactlyTheAgreedKeys) {
             "\"downLossPercent\":0,\"upLossPercent\":0,\"downBytesPerSecond\":0,\"upBytesPerSecond\":0,"
             "\"downPacketsPerSecond\":0,\"upPacketsPerSecond\":0,\"correctionsPer1000Ticks\":0,"
             "\"maxCorrectionSubunits\":0,\"mispredictedPer1000Ticks\":0,\"missedInputsPer1000Ticks\":0,"
-            "\"hashMismatches\":0,\"resyncs\":0,\"confirmedTicks\":0,\"returns\":0}\n");
+            "\"hashMismatches\":0,\"resyncs\":0,\"confirmedTicks\":0,\"returns\":0,\"longestDatagramBytes\":0}\n");
+}
+
+TEST(BotReport, WhatHollowBotsCannotKnowIsNull) {
+  BotReport report;
+  report.hollow = true;
+  const std::string json = toJson(report);
+  for (const char* const key : {"correctionsPer1000Ticks", "maxCorrectionSubunits", "mispredictedPer1000Ticks",
+                                "missedInputsPer1000Ticks", "hashMismatches", "resyncs", "returns"}) {
+    EXPECT_NE(json.find("\"" + std::string(key) + "\":null"), std::string::npos) << json;
+  }
+  EXPECT_NE(json.find("\"confirmedTicks\":0,"), std::string::npos) << json;
+  EXPECT_EQ(toText(report).find("resyncs"), std::string::npos);
 }
 
 TEST(BotReport, TextNamesWhoFailed) {

@@ -54,6 +54,8 @@ TEST(NetworkClient, PlaysOnAServerOfItsOwn) {
   EXPECT_EQ(client.session()->roundCount().hashMismatches, 0u);
   EXPECT_GT(client.traffic().sentBytes, 0u);
   EXPECT_GT(client.traffic().receivedPackets, 30u);
+  EXPECT_GT(client.traffic().longestDatagram, 1000u);   // the level is longer
+  EXPECT_LE(client.traffic().longestDatagram, 1200u);
   client.leave();
   EXPECT_TRUE(updateUntil(client, [&] { return client.closed(); }));
   EXPECT_EQ(client.ending(), std::nullopt);

@@ -168,6 +168,28 @@ TEST_F(DedicatedServerTest, SaysGoodBye) {
   EXPECT_EQ(ann.fake().bye()->reason, "the server stops");
 }
 
+TEST_F(DedicatedServerTest, SaysHowLongItsTicksTook) {
+  start(4);
+  const TimePoint begin = steadyNow();
+  EXPECT_TRUE(plays(addPlayer("Ann"), 20));
+  const TickTimes& times = server_->tickTimes();
+  const std::uint64_t ticks = times.count();
+  EXPECT_GE(ticks, 20u);
+  EXPECT_GE(times.longest(), times.quantile(0.5));
+  EXPECT_LT(std::chrono::microseconds(times.longest()), steadyNow() - begin);
+  clients_.clear();
+  server_->stop("the server stops");
+  EXPECT_EQ(log_.back(), "ran ticks=" + std::to_string(ticks) + " p50Us=" + std::to_string(times.quantile(0.5)) +
+                             " p99Us=" + std::to_string(times.quantile(0.99)) +
+                             " longestUs=" + std::to_string(times.longest()));
+}
+
+TEST_F(DedicatedServerTest, AnEmptyServerRunsNoTicks) {
+  start(4);
+  for (int i = 0; i < 10; ++i) server_->step(steadyNow() + i * 100ms);
+  EXPECT_EQ(server_->tickTimes().count(), 0u);
+}
+
 TEST_F(DedicatedServerTest, APlayerWhoseConnectionBreaksStaysForAMinute) {
   start(4);
   EXPECT_TRUE(plays(addPlayer("Ann"), 2));

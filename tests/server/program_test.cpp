@@ -21,6 +21,11 @@ class ProgramTest : public testing::Test {
   ~ProgramTest() override { std::filesystem::remove(level_); }
 
   void write(const std::string& text) const { std::ofstream(level_) << text; }
+  static std::string lastLine(ServerProcess& server) {
+    std::string last;
+    for (std::string next = server.line(); !next.empty(); next = server.line()) last = next;
+    return last;
+  }
   static std::uint16_t portOf(const std::string& line) {
     return static_cast<std::uint16_t>(std::stoi(line.substr(line.rfind(':') + 1)));
   }
@@ -40,6 +45,7 @@ TEST_F(ProgramTest, ListensAndSaysGoodByeWhenStopped) {
     for (int i = 0; i < 500 && !ann.disconnected(); ++i, std::this_thread::sleep_for(4ms)) ann.step();
     EXPECT_TRUE(ann.fake().bye());
     EXPECT_EQ(server.wait(), 0);
+    EXPECT_TRUE(lastLine(server).starts_with("ran ticks="));
   }
 }
 

@@ -32,7 +32,7 @@ const std::vector<std::string> kKeys = {
     "connected", "failed", "connectMs", "rttMs", "jitterMs", "slackTicks", "downLossPercent", "upLossPercent",
     "downBytesPerSecond", "upBytesPerSecond", "downPacketsPerSecond", "upPacketsPerSecond", "correctionsPer1000Ticks",
     "maxCorrectionSubunits", "mispredictedPer1000Ticks", "missedInputsPer1000Ticks", "hashMismatches", "resyncs",
-    "confirmedTicks", "returns"};
+    "confirmedTicks", "returns", "longestDatagramBytes"};
 
 class Bots : public ServerTest {
  protected:
@@ -56,6 +56,21 @@ TEST_F(Bots, StayInStepOnAPerfectLine) {
   EXPECT_EQ(numbers.at("hashMismatches"), 0);
   EXPECT_EQ(numbers.at("resyncs"), 0);
   stopServer();
+}
+
+TEST_F(Bots, HollowOnesPlayAmongOthers) {
+  startServer();
+  Program hollow("platon-bot", {address(), "--count", "8", "--seconds", "7", "--hollow", "--delay", "30", "--json"});
+  const auto numbers = play({"--count", "2", "--seconds", "6", "--settle", "3"});
+  EXPECT_EQ(numbers.at("failed"), 0);
+  EXPECT_GT(numbers.at("confirmedTicks"), 100);
+  EXPECT_LT(numbers.at("confirmedTicks"), 200);   // of three seconds at most
+  EXPECT_EQ(numbers.at("hashMismatches"), 0);
+  EXPECT_EQ(hollow.wait(), 0) << hollow.errors();
+  EXPECT_EQ(hollow.output().rfind("{\"connected\":8,\"failed\":0,", 0), 0u) << hollow.output();
+  EXPECT_NE(hollow.output().find("\"resyncs\":null"), std::string::npos) << hollow.output();
+  stopServer();
+  EXPECT_EQ(server().errors().find("state differs"), std::string::npos) << server().errors();
 }
 
 TEST_F(Bots, StayInStepOnABadLine) {

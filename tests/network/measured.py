@@ -1,0 +1,121 @@
+"""The tables of a run."""
+
+import os
+from pathlib import Path
+
+from gates import worst
+from run_cells import DISTURBED, is_disturbed
+
+SUBUNITS = 1024   # in a level unit
+
+# Of DDNet 18 at 50 ticks a second, on a machine of this size: players, bytes a second down, per cent of a core.
+DDNET = ((16, 15700, 6.3), (64, 18800, 23.8))
+
+HEAD = """Written by `./platon bench --network` on {machine}: `platon-server` and `platon-bot` over loopback, every cell a \
+server and 16 bots that press buttons, for {seconds:g} s, {at_once} cells at a time; the numbers are averages over the bots, \
+from {settle:g} s after their first tick on. Loss, delay and jitter are each way, as platon-bot has them. Missed inputs, \
+mispredicted own ticks and corrections are in 1 000 ticks; the largest correction is that of the whole stay, with joining, in \
+level units; CPU is of a core, while all play. A cell is run once more when one of its processes waited \
+for a processor for more than {disturbed} % of the time, because the machine had other things to do: {busy}"""
+
+SCALE = """Each of these had the machine for itself, but for its bots: of 64 players 8, of 256 players 4 play the game, the \
+others are `--hollow`. A tick is all that the server does for it, from the datagrams that have come to those that go; times \
+are from the start to the end, with all joining within a second and all leaving at once, of which everybody is told."""
+
+WITHOUT = """A server listens {startMs:.1f} ms after its start (median of {starts}). With nobody there it takes \
+{idlePercent:.3f} % of a core, after all have left {leftPercent:.3f} %."""
+
+PEERS = """Beside DDNet 18 (50 ticks a second, states instead of inputs, each input of a player sent once), measured on a \
+machine of this size with as many players that move; Platon on a perfect line:"""
+
+
+def machine():
+    names = [line.split(":", 1)[1].strip() for line in Path("/proc/cpuinfo").read_text().splitlines()
+             if line.startswith("model name")]  # fmt: skip
+    return f"{names[0] if names else 'a machine'}, {os.cpu_count()} processors"
+
+
+def table(heads, rows):
+    lines = [heads, ["---"] * len(heads), *rows]
+    return "\n".join(f"| {' | '.join(map(str, line))} |" for line in lines)
+
+
+def kb(value):
+    return f"{value / 1000:.2f}"
+
+
+def matrix_table(results):
+    heads = ["loss, %", "delay, ms", "jitter, ms", "round trip, ms", "to join, ms", "down, kB/s", "up, kB/s", "missed",
+             "mispredicted", "corrections", "largest", "came back", "CPU, %"]  # fmt: skip
+    rows = []
+    for r in results:
+        cell = r["cell"]
+        rows.append([cell.loss, cell.delay, cell.jitter, f"{r['rttMs']:.0f}", f"{r['connectMs']:.0f}",
+                     kb(r["downBytesPerSecond"]), kb(r["upBytesPerSecond"]), f"{r['missedInputsPer1000Ticks']:.2f}",
+                     f"{r['mispredictedPer1000Ticks']:.2f}", f"{r['correctionsPer1000Ticks']:.2f}",
+                     f"{r['maxCorrectionSubunits'] / SUBUNITS:.1f}", f"{r['returns']:g}", f"{r['cpuPercent']:.2f}"])  # fmt: skip
+    return table(heads, rows)
+
+
+def scale_table(results):
+    heads = ["players", "line", "to join, ms", "down, kB/s", "up, kB/s", "missed", "longest datagram, bytes", "CPU, %",
+             "memory, MB", "tick, median, ms", "99th percentile", "longest"]  # fmt: skip
+    rows = []
+    for r in results:
+        cell = r["cell"]
+        rows.append([cell.players, cell.line if cell.line_options else "perfect", f"{r['connectMs']:.0f}", kb(r["downBytesPerSecond"]), kb(r["upBytesPerSecond"]),
+                     f"{r['missedInputsPer1000Ticks']:.2f}", r["longestDatagramBytes"], f"{r['cpuPercent']:.2f}",
+                     f"{r['memoryBytes'] / 1e6:.1f}", *(f"{r[key] / 1000:.2f}" for key in ("p50Us", "p99Us", "longestUs"))])  # fmt: skip
+    return table(heads, rows)
+
+
+def peer_table(results):
+    rows = []
+    for players, down, cpu in DDNET:
+        own = next(r for r in results if r["cell"].players == players and not r["cell"].line_options)
+        times = down / own["downBytesPerSecond"], cpu / own["cpuPercent"]
+        rows.append([players, f"{kb(own['downBytesPerSecond'])} kB/s", f"{down / 1000:.1f} kB/s ({times[0]:.1f} ×)",
+                     f"{own['cpuPercent']:.2f} %", f"{cpu} % ({times[1]:.1f} ×)"])  # fmt: skip
+    return table(["players", "down, a player", "DDNet", "server, of a core", "DDNet"], rows)
+
+
+def gate_table(judged):
+    rows = []
+    for gate, found in judged:
+        verdict = worst(found)
+        wrong = sum(not one.holds for one in found)
+        place = f" ({verdict.cell.name})" if verdict.cell and len(found) > 1 else ""
+        holds = "yes" if not wrong else f"**no**, {wrong} of {len(found)} cells" if len(found) > 1 else "**no**"
+        rows.append([gate.what, gate.aim, gate.text(verdict.value) + place, holds])
+    return table(["what", "aim", "worst of all cells", "holds"], rows)
+
+
+def summary(judged):
+    wrong = [gate.what for gate, found in judged if not all(verdict.holds for verdict in found)]
+    if not wrong:
+        return f"All {len(judged)} aims hold."
+    return f"Of {len(judged)} aims {len(wrong)} do not hold: {'; '.join(wrong)}."
+
+
+def busy(results):
+    """Which cells were never run undisturbed."""
+    names = [f"{r['cell'].name} ({r['waitPercent']:.0f} %)" for r in results if is_disturbed(r)]
+    return f"in the end it was so with {'; '.join(names)}." if names else "in the end it was so with none."
+
+
+def section(together, alone, without_players, judged):
+    """The part of the page that a run makes."""
+    first = together[0]["cell"]
+    head = HEAD.format(machine=machine(), seconds=first.seconds, settle=first.settle, at_once=without_players["atOnce"],
+                       disturbed=DISTURBED, busy=busy(together + alone))  # fmt: skip
+    parts = [head, summary(judged), gate_table(judged), "### Lines", matrix_table(together), "### Many players", SCALE,
+             scale_table(alone), WITHOUT.format(**without_players), "### Beside another game", PEERS, peer_table(alone)]  # fmt: skip
+    return "\n\n".join(parts)
+
+
+def text_report(results, without_players):
+    """For people, of whatever was run."""
+    parts = [matrix_table([r for r in results if not r["cell"].hollow]), scale_table(results)]
+    if without_players:
+        parts.append(WITHOUT.format(**without_players))
+    return "\n\n".join(parts)
