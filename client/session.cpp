@@ -106,8 +106,10 @@ void Session::handle(const Bye& message, Moment) {
   end(sentence("the server ended the game", message.reason), message.code != ByeCode::kServerStops);
 }
 
-void Session::handle(const RosterEntry& message, Moment) {
-  if (message.slot < names_.size()) names_[message.slot] = message.name;
+void Session::handle(const Roster& message, Moment) {
+  for (const RosterEntry& entry : message.entries) {
+    if (entry.slot < names_.size()) names_[entry.slot] = entry.name;
+  }
 }
 
 void Session::handle(const RoundStart& message, Moment) {

@@ -94,7 +94,7 @@ class Session {
   void handle(const Refused& message, Moment now);
   void handle(const LevelChunk& message, Moment now);
   void handle(const StateChunk& message, Moment now);
-  void handle(const RosterEntry& message, Moment now);
+  void handle(const Roster& message, Moment now);
   void handle(const RoundStart& message, Moment now);
   void handle(const RoundEnd& message, Moment now);
   void handle(const Bye& message, Moment now);

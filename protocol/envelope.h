@@ -23,7 +23,7 @@ class Envelope {
     std::memcpy(words_.data(), bytes.data(), bytes.size());
     const auto* start = reinterpret_cast<const std::uint8_t*>(words_.data());
     constexpr flatbuffers::uoffset_t depth = 4;
-    constexpr flatbuffers::uoffset_t tables = 4;
+    constexpr flatbuffers::uoffset_t tables = 4 + kMaxRosterEntries;
     flatbuffers::Verifier verifier(start, bytes.size(), depth, tables);
     if (verifier.VerifyBuffer<Root>(nullptr)) root_ = flatbuffers::GetRoot<Root>(start);
   }

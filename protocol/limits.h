@@ -29,6 +29,8 @@ inline constexpr std::size_t kMaxLevelBytes = kMostLevelBytes;
 inline constexpr std::size_t kMaxStateBytes = 1024 * 1024;
 /// Levels of which a client can say that it has them.
 inline constexpr std::size_t kMaxLevelsKnown = 8;
+/// Players that one message names; with the longest names it is well below `kMaxMessageBytes`.
+inline constexpr std::size_t kMaxRosterEntries = 64;
 /// Bytes of UTF-8.
 inline constexpr std::size_t kMaxNameBytes = 32;
 inline constexpr std::size_t kMaxReasonBytes = 200;

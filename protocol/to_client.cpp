@@ -169,9 +169,14 @@ std::optional<ToClient> read(const wire::StateChunk& table) {
                     table.total(), table.offset(), {bytes.begin(), bytes.end()}};
 }
 
-std::optional<ToClient> read(const wire::RosterEntry& table) {
-  RosterEntry message{table.slot(), textOf(table.name())};
-  if (message.slot >= kMaxPlayers || !isLabel(message.name, kMaxNameBytes)) return std::nullopt;
+std::optional<ToClient> read(const wire::Roster& table) {
+  if (!table.entries() || table.entries()->size() > kMaxRosterEntries) return std::nullopt;
+  Roster message;
+  for (const wire::RosterEntry* entry : *table.entries()) {
+    message.entries.push_back({entry->slot(), textOf(entry->name())});
+    const RosterEntry& last = message.entries.back();
+    if (last.slot >= kMaxPlayers || !isLabel(last.name, kMaxNameBytes)) return std::nullopt;
+  }
   return message;
 }
 
@@ -202,8 +207,8 @@ std::optional<ToClient> readBody(const wire::ToClient& root) {
       return read(*root.body_as_LevelChunk());
     case Body::StateChunk:
       return read(*root.body_as_StateChunk());
-    case Body::RosterEntry:
-      return read(*root.body_as_RosterEntry());
+    case Body::Roster:
+      return read(*root.body_as_Roster());
     case Body::RoundStart:
       return read(*root.body_as_RoundStart());
     case Body::RoundEnd:
@@ -259,10 +264,15 @@ Bytes encode(const StateChunk& message) {
       wire::CreateStateChunk(builder, message.round, message.tick, message.sync, message.total, message.offset, bytes));
 }
 
-Bytes encode(const RosterEntry& message) {
+Bytes encode(const Roster& message) {
+  assert(message.entries.size() <= kMaxRosterEntries);
   Builder builder;
-  const auto name = builder.CreateString(message.name);
-  return finish(builder, Body::RosterEntry, wire::CreateRosterEntry(builder, message.slot, name));
+  std::vector<flatbuffers::Offset<wire::RosterEntry>> entries;
+  for (const RosterEntry& entry : message.entries) {
+    const auto name = builder.CreateString(entry.name);
+    entries.push_back(wire::CreateRosterEntry(builder, entry.slot, name));
+  }
+  return finish(builder, Body::Roster, wire::CreateRoster(builder, builder.CreateVector(entries)));
 }
 
 Bytes encode(const RoundStart& message) {

@@ -56,12 +56,19 @@ struct StateChunk {
   friend bool operator==(const StateChunk&, const StateChunk&) = default;
 };
 
-/// Who plays a slot; an empty name: nobody does any more.
+/// An empty name: nobody plays the slot any more.
 struct RosterEntry {
   std::uint32_t slot = 0;
   std::string name;
 
   friend bool operator==(const RosterEntry&, const RosterEntry&) = default;
+};
+
+/// Who plays, as far as it has changed: for one that joins, all that are there.
+struct Roster {
+  std::vector<RosterEntry> entries;  ///< at most kMaxRosterEntries
+
+  friend bool operator==(const Roster&, const Roster&) = default;
 };
 
 /// A new round begins at its tick 0 with nobody present.
@@ -137,7 +144,7 @@ struct ConfirmedTicks {
 };
 
 using ToClient =
-    std::variant<Welcome, Refused, LevelChunk, StateChunk, RosterEntry, RoundStart, RoundEnd, Bye, ConfirmedTicks>;
+    std::variant<Welcome, Refused, LevelChunk, StateChunk, Roster, RoundStart, RoundEnd, Bye, ConfirmedTicks>;
 
 /// Reads a message from the server. Nothing when it is malformed or any value is outside its range.
 std::optional<ToClient> decodeToClient(std::span<const std::uint8_t> bytes);
@@ -147,7 +154,7 @@ std::vector<std::uint8_t> encode(const Welcome& message);
 std::vector<std::uint8_t> encode(const Refused& message);
 std::vector<std::uint8_t> encode(const LevelChunk& message);
 std::vector<std::uint8_t> encode(const StateChunk& message);
-std::vector<std::uint8_t> encode(const RosterEntry& message);
+std::vector<std::uint8_t> encode(const Roster& message);
 std::vector<std::uint8_t> encode(const RoundStart& message);
 std::vector<std::uint8_t> encode(const RoundEnd& message);
 std::vector<std::uint8_t> encode(const Bye& message);

@@ -19,6 +19,19 @@ std::string nameOf(const Hello& hello, std::uint32_t slot) {
   return hello.name.empty() ? "Player " + std::to_string(slot + 1) : hello.name;
 }
 
+// Names by slot, as few messages as they fit into.
+std::vector<std::vector<std::uint8_t>> rostersOf(const std::map<std::uint32_t, std::string>& names) {
+  std::vector<std::vector<std::uint8_t>> messages;
+  Roster roster;
+  for (auto name = names.begin(); name != names.end();) {
+    roster.entries.push_back({name->first, name->second});
+    if (++name != names.end() && roster.entries.size() < kMaxRosterEntries) continue;
+    messages.push_back(encode(roster));
+    roster.entries.clear();
+  }
+  return messages;
+}
+
 std::optional<Refused> wrongVersion(const Hello& hello) {
   if (hello.protocolVersion != kProtocolVersion) {
     return Refused{RefusalCode::kWrongProtocol, versionReason("protocols", kProtocolVersion, hello.protocolVersion)};
@@ -139,11 +152,11 @@ void Match::introduce(ClientId client, Member& member, const Hello& hello) {
   const LevelPointer& level = rotation_.current();
   send(client, encode(Welcome{member.slot(), round_, level->hash, settings_.maxPlayers, kTicksPerSecond,
                               settings_.serverName}));
-  for (const auto& [other, present] : members_) {
-    send(client, encode(RosterEntry{present.slot(), present.name()}));
-    if (other != client) send(other, encode(RosterEntry{member.slot(), member.name()}));
-  }
-  for (const Away& away : away_) send(client, encode(RosterEntry{away.member.slot(), away.member.name()}));
+  std::map<std::uint32_t, std::string> present;
+  for (const auto& [other, player] : members_) present[player.slot()] = player.name();
+  for (const Away& away : away_) present[away.member.slot()] = away.member.name();
+  for (const auto& roster : rostersOf(present)) send(client, roster);
+  rosterChanges_[member.slot()] = member.name();
   if (std::find(hello.levels.begin(), hello.levels.end(), level->hash) == hello.levels.end()) member.sendLevel(level);
   if (history_.end() > 0) sendState(member);
 }
@@ -186,7 +199,7 @@ void Match::giveUp(std::vector<Away>::iterator away) {
 void Match::removed(const Member& member, ClientId client) {
   note(MatchEvent::Kind::kLeft, client, member.slot(), member.name());
   if (idle()) recorder_.finish(game_);
-  sendAll(encode(RosterEntry{member.slot(), ""}));
+  rosterChanges_[member.slot()] = "";
 }
 
 void Match::handle(ClientId client, const PlayerInputs& inputs) {
@@ -219,6 +232,7 @@ void Match::sendState(Member& member) {
 
 void Match::tick() {
   forgetAway();
+  for (const auto& roster : rostersOf(std::exchange(rosterChanges_, {}))) sendAll(roster);
   if (idle()) return;
   ++now_;
   const std::vector<Input> inputs = decideInputs();
@@ -251,7 +265,7 @@ void Match::sendUpdates() {
     const bool due = (now_ + member.slot()) % interval == 0;
     const bool follows = member.started() && history_.covers(member.acknowledged());
     if (!due || !follows || member.acknowledged() == history_.end()) continue;
-    ConfirmedTicks ticks = history_.collect(member.nextPart());
+    ConfirmedTicks ticks = history_.collect(member.nextPart(history_.end()));
     member.sentUpTo(ticks.from + ticks.count, history_.end());
     ticks.line = member.takeLine();
     ticks.sequence = member.nextSequence();

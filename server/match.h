@@ -128,6 +128,7 @@ class Match {
   std::optional<std::uint32_t> overAt_;  // tick after which the round was over
   std::map<ClientId, Member> members_;
   std::vector<Away> away_;  // by since
+  std::map<std::uint32_t, std::string> rosterChanges_;  // since the last tick, names by slot; empty: gone
   std::vector<Outgoing> outgoing_;
   std::vector<MatchEvent> events_;
   MatchRecorder recorder_;

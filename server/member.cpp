@@ -67,6 +67,12 @@ bool Member::isCurrent(const PlayerInputs& message) const {
   return message.sync == sync_ && message.confirmed >= acknowledged_;
 }
 
+std::uint32_t Member::nextPart(std::uint32_t end) const {
+  const std::uint32_t from = std::max(rest_, acknowledged_);
+  const bool whole = rest_ > acknowledged_ || sequence_ % kWholeEvery == 0;
+  return whole || end < kRecentTicks ? from : std::max(from, end - kRecentTicks);
+}
+
 std::optional<LineReport> Member::takeLine() {
   std::optional<LineReport> line = std::exchange(line_, std::nullopt);
   if (!line) return line;

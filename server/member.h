@@ -24,6 +24,9 @@ class Member {
   /// Ticks between two full states: a client that never agrees costs one a second.
   static constexpr std::uint64_t kTicksBetweenStates = 60;
 
+  static constexpr std::uint32_t kRecentTicks = 8;
+  static constexpr std::uint8_t kWholeEvery = 4;   // of which 256 is a multiple
+
   Member(std::uint32_t slot, std::string name, const std::optional<SessionToken>& token)
       : slot_(slot), name_(std::move(name)), token_(token) {}
 
@@ -53,9 +56,10 @@ class Member {
   bool started() const { return started_; }
   /// Ticks of the round that the client is known to have.
   std::uint32_t acknowledged() const { return acknowledged_; }
-  /// Where the next message of ticks starts: where the last one ended when not all fitted in, else at the first tick
-  /// that is not acknowledged.
-  std::uint32_t nextPart() const { return std::max(rest_, acknowledged_); }
+  /// Where the next message of ticks starts, of which `end` are decided: where the last one ended when not all fitted
+  /// in, else, in every kWholeEvery-th message, at the first tick that is not acknowledged. The others repeat only the
+  /// last kRecentTicks: on a long line the rest is mostly not lost but on its way.
+  std::uint32_t nextPart(std::uint32_t end) const;
   /// A message of ticks ended at `tick`, when `end` were decided.
   void sentUpTo(std::uint32_t tick, std::uint32_t end) { rest_ = tick < end ? tick : 0; }
   /// What was heard since the last call.

@@ -173,7 +173,7 @@ void expectReportAtTheEnd(const std::function<void(VirtualMatch&)>& end) {
   match.tamper(0, [flipper](std::vector<std::uint8_t>& bytes) {
     (*flipper)(bytes);
     const auto message = decodeToClient(bytes);
-    if (message && std::holds_alternative<StateChunk>(*message)) bytes = encode(RosterEntry{1, ""});
+    if (message && std::holds_alternative<StateChunk>(*message)) bytes = encode(Roster());
   });
   match.run(seconds(4));
   EXPECT_FALSE(match.takeMismatch(0).has_value());

@@ -60,7 +60,8 @@ TEST(ToClient, RefusesValuesOutOfRange) {
   EXPECT_TRUE(refused(changed([](Welcome& w) { w.maxPlayers = 0; })));
   EXPECT_TRUE(refused(changed([](Welcome& w) { w.ticksPerSecond = 50; })));
   EXPECT_TRUE(refused(changed([](Welcome& w) { w.serverName = "\x1b[2J"; })));
-  EXPECT_TRUE(refused(RosterEntry{kMaxPlayers, "Ann"}));
+  EXPECT_TRUE(refused(Roster{{{1, "Ben"}, {kMaxPlayers, "Ann"}}}));
+  EXPECT_TRUE(refused(Roster{{{1, "Ben"}, {2, "a\nb"}}}));
   EXPECT_TRUE(refused(Refused{RefusalCode::kFull, "a\nb"}));
   EXPECT_TRUE(refused(Bye{ByeCode::kRemoved, std::string(kMaxReasonBytes + 1, 'a')}));
 }

@@ -64,7 +64,9 @@ class FakeClient {
   void handle(const Refused& message) { refused_ = message; }
   void handle(const LevelChunk& message);
   void handle(const StateChunk& message);
-  void handle(const RosterEntry& message) { roster_[message.slot] = message.name; }
+  void handle(const Roster& message) {
+    for (const RosterEntry& entry : message.entries) roster_[entry.slot] = entry.name;
+  }
   void handle(const RoundStart& message);
   void handle(const RoundEnd& message) { roundEnd_ = message; }
   void handle(const Bye& message) { bye_ = message; }

@@ -152,6 +152,32 @@ TEST_F(Reconnect, InputsOfTheLostClientAreForgotten) {
   EXPECT_EQ(decided.rbegin()->second, Input{Input::kPresent});
 }
 
+// Of four messages one repeats all that is not acknowledged, the others only the last ticks.
+TEST(MemberParts, RepeatWhatMayBeLostAndNowAndThenAll) {
+  Member member(0, "Ann", std::nullopt);
+  member.acknowledge(100);
+  std::vector<std::uint32_t> starts;
+  for (int message = 0; message < 5; ++message) {
+    starts.push_back(member.nextPart(140));
+    member.sentUpTo(140, 140);
+    member.nextSequence();
+  }
+  EXPECT_EQ(starts, (std::vector<std::uint32_t>{100, 132, 132, 132, 100}));
+  member.acknowledge(135);
+  EXPECT_EQ(member.nextPart(140), 135u);
+  EXPECT_EQ(member.nextPart(3), 135u);
+}
+
+TEST(MemberParts, GoOnWhereNotAllFittedIn) {
+  Member member(0, "Ann", std::nullopt);
+  member.acknowledge(100);
+  member.sentUpTo(340, 500);
+  member.nextSequence();
+  EXPECT_EQ(member.nextPart(500), 340u);
+  member.sentUpTo(500, 500);
+  EXPECT_EQ(member.nextPart(500), 492u);
+}
+
 TEST(MemberLine, TellsTheOldestNewInputThatChangesTheButtons) {
   const auto press = [](int buttons) { return Input{static_cast<std::uint8_t>(buttons | Input::kPresent)}; };
   Member member(0, "Ann", std::nullopt);
