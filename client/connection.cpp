@@ -7,18 +7,19 @@
 #include <stdexcept>
 #include <utility>
 
+#include "protocol/enet_repeats.h"
 #include "protocol/limits.h"
 
 namespace platon {
 
 namespace {
 
-// Taken for the round trip until one is measured: a lost greeting is repeated after this time, then twice as much …
+// Taken for the round trip until one is measured: a lost greeting is repeated after this time.
 constexpr enet_uint32 kFirstRoundTripMs = 100;
 constexpr enet_uint32 kPingIntervalMs = 2000;   // the messages of every tick show sooner that a line is dead
 constexpr enet_uint32 kTimeoutLimit = 32;
-constexpr enet_uint32 kShortestTimeoutMs = 3000;
-constexpr enet_uint32 kLongestTimeoutMs = 8000;
+// ENet counts acknowledgements that are missing, of which a bad line has many; Session knows sooner by its silence.
+constexpr enet_uint32 kTimeoutMs = 30000;
 
 ENetAddress resolve(const ServerAddress& server) {
   ENetAddress address{};
@@ -58,7 +59,7 @@ Connection::Connection(const ServerAddress& server, Moment now) {
   if (peer_ == nullptr) throw std::runtime_error("no connection can be made to " + server.text());
   peer_->roundTripTime = kFirstRoundTripMs;
   enet_peer_ping_interval(peer_, kPingIntervalMs);
-  enet_peer_timeout(peer_, kTimeoutLimit, kLongestTimeoutMs, kLongestTimeoutMs);
+  enet_peer_timeout(peer_, kTimeoutLimit, kTimeoutMs, kTimeoutMs);
 }
 
 Connection::~Connection() {
@@ -73,13 +74,8 @@ void Connection::keepUnthrottled() {
   peer_->packetThrottleDeceleration = 0;
 }
 
-// ENet would wait twice as long after each call that is not answered.
 void Connection::keepCalling() {
-  if (state_ != State::kConnecting || enet_list_empty(&peer_->sentReliableCommands)) return;
-  auto* const call = reinterpret_cast<ENetOutgoingCommand*>(enet_list_front(&peer_->sentReliableCommands));
-  constexpr auto kMost = static_cast<enet_uint32>(kBetweenCalls / std::chrono::milliseconds(1));
-  call->roundTripTimeout = std::min(call->roundTripTimeout, kMost);
-  peer_->nextTimeout = call->sentTime + call->roundTripTimeout;
+  if (state_ == State::kConnecting) limitPauses(*peer_, kBetweenCalls / std::chrono::milliseconds(1));
 }
 
 ServerAddress Connection::address() const {
@@ -100,7 +96,6 @@ void Connection::service(Moment now, const Receiver& receiver) {
 void Connection::handle(const ENetEvent& event, const Receiver& receiver) {
   if (event.type == ENET_EVENT_TYPE_CONNECT) {
     state_ = State::kConnected;
-    enet_peer_timeout(peer_, kTimeoutLimit, kShortestTimeoutMs, kLongestTimeoutMs);
   } else if (event.type == ENET_EVENT_TYPE_DISCONNECT) {
     state_ = State::kClosed;
   } else if (event.type == ENET_EVENT_TYPE_RECEIVE) {

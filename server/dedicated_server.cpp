@@ -10,7 +10,7 @@ namespace {
 
 // Beyond the players, so that those who find no place can be told.
 constexpr std::uint32_t kSpareConnections = 8;
-constexpr std::chrono::milliseconds kIdleWait{100};
+constexpr std::chrono::milliseconds kIdleWait{250};
 // A flood of datagrams shall not keep an empty server busy.
 constexpr std::chrono::milliseconds kIdleStep{2};
 constexpr std::chrono::milliseconds kByeWait{500};

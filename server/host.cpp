@@ -1,6 +1,7 @@
 #include "server/host.h"
 
 #include <enet/enet.h>
+#include <enet/time.h>
 #include <poll.h>
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include <cstring>
 #include <random>
 
+#include "protocol/enet_repeats.h"
 #include "protocol/limits.h"
 #include "server/datagram_check.h"
 
@@ -18,10 +20,12 @@ namespace {
 // one.
 constexpr enet_uint32 kMtu = 1200 - sizeof(enet_uint32);
 constexpr std::size_t kMaxWaitingBytes = 64 * 1024;
+// ENet counts acknowledgements that are missing, of which a bad line has many: that nothing is heard says more.
 constexpr enet_uint32 kTimeoutAttempts = 32;
-constexpr enet_uint32 kLeastTimeout = 3000;      // ms
-constexpr enet_uint32 kMostTimeout = 8000;       // ms
+constexpr enet_uint32 kTimeout = 30000;          // ms
+constexpr enet_uint32 kSilence = 5000;           // ms, of one that plays
 constexpr enet_uint32 kPingInterval = 2000;     // ms; the messages of every tick show sooner that a line is dead
+constexpr enet_uint32 kRepeatPause = 250;        // ms over two round trips until what is not acknowledged is repeated
 constexpr enet_uint32 kThrottleInterval = 5000;  // ms
 
 // A client sends at most one datagram of inputs a tick, and a few acknowledgements.
@@ -194,7 +198,7 @@ void Host::take(const ENetEvent& event, TimePoint now, std::vector<HostEvent>& e
     link.open = true;
     link.since = now;
     link.client = nextClient_++;
-    enet_peer_timeout(event.peer, kTimeoutAttempts, kLeastTimeout, kMostTimeout);
+    enet_peer_timeout(event.peer, kTimeoutAttempts, kTimeout, kTimeout);
     enet_peer_ping_interval(event.peer, kPingInterval);
     enet_peer_throttle_configure(event.peer, kThrottleInterval, ENET_PEER_PACKET_THROTTLE_SCALE, 0);
     assertLimits(*event.peer);
@@ -220,9 +224,11 @@ void Host::tend(std::size_t index, TimePoint now, std::vector<HostEvent>& events
     link.open = true;
   }
   assertLimits(peer);
+  limitPauses(peer, 2 * peer.roundTripTime + kRepeatPause);
   const bool greets = link.client && !link.closing;
-  if (link.admitted || now - link.since < (greets ? kAdmissionTime : kAnswerTime)) return;
-  ++counters_.expired;
+  const bool silent = ENET_TIME_DIFFERENCE(enet_time_get(), peer.lastReceiveTime) > kSilence;
+  if (link.admitted ? !silent : now - link.since < (greets ? kAdmissionTime : kAnswerTime)) return;
+  if (!link.admitted) ++counters_.expired;
   if (link.client) events.push_back({*link.client, true, {}});
   enet_peer_reset(&peer);
   link = Link(now);
