@@ -85,8 +85,11 @@ void NetworkClient::watch(Moment now) {
 std::optional<Session::Ending> NetworkClient::trouble(Moment now) const {
   if (greeted_ && session_->ending()) return session_->ending();
   const bool welcomed = greeted_ && session_->welcome();
-  if (!welcomed && (closed() || now - waitingSince_ > kPatience)) {
-    return Session::Ending{"no answer from " + server_.text() + " within 5 s: is platon-server running there?", false};
+  const Moment patience = greeted_ ? kGreetingPatience : kPatience;
+  if (!welcomed && (closed() || now - waitingSince_ > patience)) {
+    const std::string known = greeted_ ? "the server at " + server_.text() + " does not answer a greeting; try again"
+                                       : "no answer from " + server_.text() + " within 5 s: is platon-server running there?";
+    return Session::Ending{known, false};
   }
   if (closed()) return Session::Ending{"the connection to " + server_.text() + " is lost", false};
   return std::nullopt;

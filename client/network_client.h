@@ -17,8 +17,10 @@ namespace platon {
 /// it is full, is asked ever less often.
 class NetworkClient {
  public:
-  /// Until when a server that is asked must have let the client in.
+  /// Until when a server that is asked must have answered, and one that is greeted must have let the client in: where
+  /// much is lost a greeting takes some repetitions.
   static constexpr Moment kPatience = std::chrono::seconds(5);
+  static constexpr Moment kGreetingPatience = std::chrono::seconds(8);
   /// After the second answer that does not let the client in; doubled each time up to kLongestPause.
   static constexpr Moment kFirstPause = std::chrono::milliseconds(250);
   static constexpr Moment kLongestPause = std::chrono::seconds(2);

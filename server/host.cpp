@@ -25,7 +25,7 @@ constexpr enet_uint32 kTimeoutAttempts = 32;
 constexpr enet_uint32 kTimeout = 30000;          // ms
 constexpr enet_uint32 kSilence = 5000;           // ms, of one that plays
 constexpr enet_uint32 kPingInterval = 2000;     // ms; the messages of every tick show sooner that a line is dead
-constexpr enet_uint32 kRepeatPause = 250;        // ms over two round trips until what is not acknowledged is repeated
+constexpr enet_uint32 kRepeatPause = 150;        // ms over a round trip until what is not acknowledged is repeated
 constexpr enet_uint32 kThrottleInterval = 5000;  // ms
 
 // A client sends at most one datagram of inputs a tick, and a few acknowledgements.
@@ -224,7 +224,7 @@ void Host::tend(std::size_t index, TimePoint now, std::vector<HostEvent>& events
     link.open = true;
   }
   assertLimits(peer);
-  limitPauses(peer, 2 * peer.roundTripTime + kRepeatPause);
+  limitPauses(peer, peer.roundTripTime + kRepeatPause);
   const bool greets = link.client && !link.closing;
   const bool silent = ENET_TIME_DIFFERENCE(enet_time_get(), peer.lastReceiveTime) > kSilence;
   if (link.admitted ? !silent : now - link.since < (greets ? kAdmissionTime : kAnswerTime)) return;
