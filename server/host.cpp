@@ -1,7 +1,6 @@
 #include "server/host.h"
 
 #include <enet/enet.h>
-#include <enet/time.h>
 #include <poll.h>
 
 #include <algorithm>
@@ -23,7 +22,7 @@ constexpr std::size_t kMaxWaitingBytes = 64 * 1024;
 // ENet counts acknowledgements that are missing, of which a bad line has many: that nothing is heard says more.
 constexpr enet_uint32 kTimeoutAttempts = 32;
 constexpr enet_uint32 kTimeout = 30000;          // ms
-constexpr enet_uint32 kSilence = 5000;           // ms, of one that plays
+constexpr std::chrono::seconds kSilence{5};      // of one that plays
 constexpr enet_uint32 kPingInterval = 2000;     // ms; the messages of every tick show sooner that a line is dead
 constexpr enet_uint32 kRepeatPause = 150;        // ms over a round trip until what is not acknowledged is repeated
 constexpr enet_uint32 kThrottleInterval = 5000;  // ms
@@ -97,13 +96,14 @@ void assertLimits(ENetPeer& peer) {
 
 struct Host::Link {
   explicit Link(TimePoint now)
-      : since(now), datagrams(kDatagramsPerSecond, kDatagramBurst, now), bytes(kBytesPerSecond, kByteBurst, now) {}
+      : since(now), heardAt(now), datagrams(kDatagramsPerSecond, kDatagramBurst, now), bytes(kBytesPerSecond, kByteBurst, now) {}
 
   std::optional<ClientId> client;  // once connected
   bool open = false;
   bool admitted = false;
   bool closing = false;
   TimePoint since;  // open, connected, or to be closed
+  TimePoint heardAt;
   TokenBucket datagrams;
   TokenBucket bytes;
 };
@@ -152,6 +152,7 @@ bool Host::lets(TimePoint now) {
   const ENetAddress& sender = host_->receivedAddress;
   if (known.host != sender.host || known.port != sender.port) return false;
   Link& link = links_[head.peer];
+  link.heardAt = now;
   const auto bytes = static_cast<double>(host_->receivedDataLength);
   const bool within = link.datagrams.take(1, now) && link.bytes.take(bytes, now);
   if (!within) ++counters_.excessDatagrams;
@@ -226,8 +227,7 @@ void Host::tend(std::size_t index, TimePoint now, std::vector<HostEvent>& events
   assertLimits(peer);
   limitPauses(peer, peer.roundTripTime + kRepeatPause);
   const bool greets = link.client && !link.closing;
-  const bool silent = ENET_TIME_DIFFERENCE(enet_time_get(), peer.lastReceiveTime) > kSilence;
-  if (link.admitted ? !silent : now - link.since < (greets ? kAdmissionTime : kAnswerTime)) return;
+  if (link.admitted ? now - link.heardAt < kSilence : now - link.since < (greets ? kAdmissionTime : kAnswerTime)) return;
   if (!link.admitted) ++counters_.expired;
   if (link.client) events.push_back({*link.client, true, {}});
   enet_peer_reset(&peer);
