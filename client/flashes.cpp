@@ -8,10 +8,11 @@ void Flashes::look(std::uint32_t slot, std::uint32_t ticks, const PlayerState& p
   if (slot >= players_.size()) players_.resize(slot + 1);
   Watched& watched = players_[slot];
   if (ticks <= watched.newest) return;
+  const bool known = watched.newest != 0;   // who comes late or back has not seen what was before
   watched.newest = ticks;
   const bool stands = player.ground != Point();
   const bool lands = stands && watched.airTicks >= kAirTicks;
-  const bool finishes = player.finished != 0 && !watched.finished;
+  const bool finishes = known && player.finished != 0 && !watched.finished;
   watched.airTicks = stands || player.present == 0 ? 0 : watched.airTicks + 1;
   watched.finished = player.finished != 0;
   if (lands || finishes) watched.flashes[watched.count++ % watched.flashes.size()] = ticks;

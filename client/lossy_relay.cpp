@@ -80,11 +80,13 @@ void LossyRelay::takeFromClient(Moment now) {
   }
 }
 
-// The server must not take a new connection for the old one, nor the client hear what was meant for the old.
+// The server must not take a new connection for the old one, nor the client hear what was meant for the old: neither by
+// what comes, nor by the answer to an old greeting that would leave by the new way.
 void LossyRelay::takeUp(const sockaddr_in& client) {
   const bool first = client_.sin_port == 0;
   client_ = client;
   if (first) return;
+  up_.clear();
   down_.clear();
   serverSide_.emplace();
   connectToServer();   // as it could before

@@ -64,9 +64,10 @@ void MatchPlay::keepToken() {
   tokenKept_ = true;
 }
 
+// A session that has only just begun anew has an empty game.
 std::optional<Scene> MatchPlay::scene(Moment now) {
-  std::optional<Scene> scene = client_->session() == nullptr ? std::nullopt : feed_.scene(*client_->session(), now);
-  if (scene || !client_->outage()) lastScene_ = std::move(scene);
+  if (client_->outage()) return lastScene_;
+  lastScene_ = client_->session() == nullptr ? std::nullopt : feed_.scene(*client_->session(), now);
   return lastScene_;
 }
 

@@ -20,7 +20,8 @@ namespace platon {
 /// the program. On a simulated line when one is asked for.
 class MatchPlay {
  public:
-  /// Begins to connect; when this program ended without leaving, as the same player. Throws std::runtime_error when that cannot even begin.
+  /// Begins to connect; when this program ended without leaving, as the same player. Throws std::runtime_error when that
+  /// cannot even begin.
   MatchPlay(const ClientOptions& options, const ServerAddress& server, Moment now);
 
   void update(Moment now, const Controls& controls);

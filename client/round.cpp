@@ -76,8 +76,9 @@ void Round::advance(Moment now, const Controls& controls) {
   view_.update(now);
   clock_.update(now, prediction_.predictedTicks());
   while (clock_.reaches(prediction_.predictedTicks())) {
-    Input own;
     const std::uint32_t tick = prediction_.predictedTicks();
+    // Until the first own input the server goes on with what it holds: who has come back is there already.
+    Input own = prediction_.held()[prediction_.slot()];
     if (tick >= clock_.firstInput()) {
       own.buttons = controls(prediction_.predicted(), prediction_.slot()).buttons | Input::kPresent;
       clock_.chose(tick);

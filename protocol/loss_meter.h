@@ -13,7 +13,7 @@ class LossMeter {
   static constexpr std::size_t kWindow = 100;
 
   /// The message with this number has arrived, in any order, perhaps for the second time. Numbers go up by one, modulo
-  /// 256; of two that arrive one after the other they differ by less than 128.
+  /// 256. One of the kWindow up to the newest is taken to come late; so a gap must be shorter than 156.
   void heard(std::uint8_t sequence);
 
   /// The newest number heard; 0 before any.

@@ -23,6 +23,7 @@ constexpr std::size_t kMaxWaitingBytes = 64 * 1024;
 constexpr enet_uint32 kTimeoutAttempts = 32;
 constexpr enet_uint32 kTimeout = 30000;          // ms
 constexpr std::chrono::seconds kSilence{5};      // of one that plays
+constexpr std::chrono::seconds kDoubtful{1};     // likewise, after so long
 constexpr enet_uint32 kPingInterval = 2000;     // ms; the messages of every tick show sooner that a line is dead
 constexpr enet_uint32 kRepeatPause = 150;        // ms over a round trip until what is not acknowledged is repeated
 constexpr enet_uint32 kThrottleInterval = 5000;  // ms
@@ -161,12 +162,22 @@ bool Host::lets(TimePoint now) {
 
 bool Host::letsConnect(TimePoint now) {
   const bool loopback = isLoopback(host_->receivedAddress);
-  host_->duplicatePeers = loopback ? host_->peerCount : connectionsPerAddress_;
+  host_->duplicatePeers = loopback ? host_->peerCount : connectionsPerAddress_ + silentOfSender(now);
   const std::uint32_t bucket = (host_->receivedAddress.host * connectKey_) >> 22;
   static_assert(kConnectBuckets == std::size_t{1} << (32 - 22));
   const bool within = loopback || isRepeated() || connects_[bucket].take(1, now);
   if (!within) ++counters_.excessConnects;
   return within;
+}
+
+// Connections that are probably dead do not keep their owners from coming back over others.
+std::size_t Host::silentOfSender(TimePoint now) const {
+  std::size_t count = 0;
+  for (std::size_t index = 0; index < links_.size(); ++index) {
+    const bool same = host_->peers[index].address.host == host_->receivedAddress.host;
+    count += same && links_[index].admitted && now - links_[index].heardAt > kDoubtful ? 1 : 0;
+  }
+  return count;
 }
 
 // Repeated until it is answered, and takes no other place than the first time.

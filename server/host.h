@@ -96,6 +96,7 @@ class Host {
   bool lets(TimePoint now);
   bool letsConnect(TimePoint now);
   bool isRepeated() const;
+  std::size_t silentOfSender(TimePoint now) const;
   void take(const _ENetEvent& event, TimePoint now, std::vector<HostEvent>& events);
   void tend(std::size_t index, TimePoint now, std::vector<HostEvent>& events);
   _ENetPeer* peerOf(ClientId client) const;

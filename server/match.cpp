@@ -63,14 +63,17 @@ void Match::greet(ClientId client, const Hello& hello, std::uint32_t origin) {
   std::optional<Refused> refused = wrongVersion(hello);
   Member* member = refused ? nullptr : takeBack(client, hello);
   if (!refused && !member) {
-    makeRoom(origin);
+    makeRoom(origin, 1);
     const std::optional<std::uint32_t> slot = freeSlot();
     if (slot)
       member = &join(client, hello, *slot);
     else
       refused = full();
   }
-  if (member) return member->setOrigin(origin);
+  if (member) {
+    member->setOrigin(origin);
+    return makeRoom(origin, 0);
+  }
   outgoing_.push_back({client, true, true, encode(*refused)});
   note(MatchEvent::Kind::kRefused, client, 0, refused->reason);
 }
@@ -82,12 +85,12 @@ bool Match::isDismissed(ClientId client) const {
 }
 
 // Else who drops connection after connection would come to hold all slots.
-void Match::makeRoom(std::uint32_t origin) {
+void Match::makeRoom(std::uint32_t origin, std::uint32_t wanted) {
   if (origin == 0) return;
   const auto isOfOrigin = [origin](const Away& away) { return away.member.origin() == origin; };
-  auto count = std::count_if(away_.begin(), away_.end(), isOfOrigin);
+  auto count = wanted + std::count_if(away_.begin(), away_.end(), isOfOrigin);
   for (const auto& [client, member] : members_) count += member.origin() == origin ? 1 : 0;
-  for (; count >= settings_.playersPerOrigin; --count) {
+  for (; count > settings_.playersPerOrigin; --count) {
     const auto longest = std::find_if(away_.begin(), away_.end(), isOfOrigin);
     if (longest == away_.end()) return;
     giveUp(longest);
@@ -204,8 +207,10 @@ void Match::removed(const Member& member, ClientId client) {
 
 void Match::handle(ClientId client, const PlayerInputs& inputs) {
   const auto found = members_.find(client);
-  if (found == members_.end() || inputs.round != round_) return;
+  if (found == members_.end()) return;
   Member& member = found->second;
+  member.hear(inputs.sequence);
+  if (inputs.round != round_) return;
   member.take(inputs, history_.end());
   if (!member.isCurrent(inputs)) return;
   const bool ahead = inputs.confirmed > history_.end();

@@ -102,7 +102,7 @@ class Match {
   void introduce(ClientId client, Member& member, const Hello& hello);
   void forgetAway();
   void giveUp(std::vector<Away>::iterator away);
-  void makeRoom(std::uint32_t origin);
+  void makeRoom(std::uint32_t origin, std::uint32_t wanted);
   bool isDismissed(ClientId client) const;
   void removed(const Member& member, ClientId client);
   std::optional<std::uint32_t> freeSlot() const;

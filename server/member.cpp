@@ -35,8 +35,6 @@ void Member::take(const PlayerInputs& message, std::uint32_t decided) {
   for (std::size_t i = 0; i < message.inputs.size(); ++i) {
     inputs_.add(message.first + static_cast<std::uint32_t>(i), message.inputs[i]);
   }
-  heard_.heard(message.sequence);
-  if (!line_) line_.emplace();
   const std::uint32_t end = message.first + static_cast<std::uint32_t>(message.inputs.size());
   if (message.inputs.empty() || end <= newTick_) return;
   judge(message, decided);
@@ -44,9 +42,15 @@ void Member::take(const PlayerInputs& message, std::uint32_t decided) {
   lastInput_ = message.inputs.back();
 }
 
+void Member::hear(std::uint8_t sequence) {
+  heard_.heard(sequence);
+  if (!line_) line_.emplace();
+}
+
 void Member::judge(const PlayerInputs& message, std::uint32_t decided) {
   const std::uint32_t tick = judgedTick(message);
   const std::int64_t slack = std::clamp<std::int64_t>(std::int64_t{tick} - decided, -kMaxSlack, kMaxSlack);
+  if (!line_) line_.emplace();
   if (line_->slack && line_->slack->slack <= slack) return;
   line_->slack = SlackReport{tick, static_cast<std::int32_t>(slack)};
 }

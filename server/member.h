@@ -46,6 +46,8 @@ class Member {
   /// A new round begins; what was on its way from the old one is pointless.
   void startRound();
 
+  /// A message of inputs has come, of whatever round.
+  void hear(std::uint8_t sequence);
   /// Takes the inputs of a message of the current round, of which `decided` ticks are decided.
   void take(const PlayerInputs& message, std::uint32_t decided);
   /// Whether the message tells how far the client really is: it has the last state sent, and is not overtaken.

@@ -22,7 +22,7 @@ using std::chrono::seconds;
 
 constexpr const char* kLoopback = "127.0.0.1";
 
-/// A server that steps whenever its clients sleep: all in one thread and in real time.
+/// A server that steps whenever its clients sleep: on real sockets, in one thread and in a time of its own.
 class BadLine : public testing::Test {
  protected:
   ServerAddress address() const { return {kLoopback, server_.port()}; }
@@ -37,9 +37,10 @@ class BadLine : public testing::Test {
   }
 
   DedicatedServer server_{settings(), {endlessLevel()}, Log(LogFormat::kText, [](std::string_view) {})};
-  Clock clock_{steadyClock().now, [this](Moment until) {
-                 server_.step(std::chrono::steady_clock::now());
-                 steadyClock().sleepUntil(until);
+  Moment now_ = steadyClock().now();
+  Clock clock_{[this] { return now_; }, [this](Moment until) {
+                 server_.step(TimePoint(now_));
+                 now_ = until;
                }};
 };
 

@@ -115,6 +115,27 @@ TEST_P(ComeBack, TakesUpThePlayerWhereItStood) {
   EXPECT_EQ(match_.match().players(), GetParam().players);
 }
 
+// Whoever comes back sees the own player where it stands from the first picture on.
+TEST_P(ComeBack, PredictsThePlayerWhereItStands) {
+  joinAll();
+  match_.run(seconds(5));
+  const EntityState before = place();
+  const PredictionCount count = match_.session(kLost).predictionCount();
+  breakAndComeBack([&] { match_.run(GetParam().lasts); });
+  const Prediction& prediction = match_.session(kLost).round()->prediction();
+  for (const Moment end = match_.now() + seconds(2); match_.now() < end; match_.run(milliseconds(1))) {
+    ASSERT_LT(prediction.slot(), prediction.predicted().slots());
+    ASSERT_TRUE(prediction.predicted().player(prediction.slot()).present);
+    const EntityState& own = prediction.predicted().world().entities()[prediction.slot()];
+    ASSERT_EQ(own.position, before.position);
+    ASSERT_EQ(own.part, before.part);
+  }
+  const PredictionCount gained = match_.session(kLost).predictionCount() - count;
+  EXPECT_EQ(gained.missedInputs, 0u);
+  EXPECT_EQ(gained.mispredicted, 0u);
+  EXPECT_EQ(gained.corrections, 0u);
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Lines, ComeBack,
     testing::Values(Break{"Plain"}, Break{.what = "BeforeTheServerNotices", .noticed = std::nullopt},

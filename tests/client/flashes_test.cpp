@@ -66,6 +66,14 @@ TEST(Flashes, FinishingShowsOnce) {
   EXPECT_EQ(flashes.at(0, 50), 0);
 }
 
+TEST(Flashes, WhoHadFinishedBeforeIsNoNews) {
+  Flashes flashes;
+  PlayerState player = standing();
+  player.finished = 1;
+  for (std::uint32_t tick = 300; tick < 330; ++tick) flashes.look(0, tick, player);
+  for (std::uint32_t tick = 300; tick < 330; ++tick) EXPECT_EQ(flashes.at(0, tick), 0) << tick;
+}
+
 // Who looks later than the newest tick sees each in its time.
 TEST(Flashes, WaitForTheirTick) {
   Flashes flashes;

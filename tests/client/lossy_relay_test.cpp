@@ -133,6 +133,7 @@ TEST(LossyRelay, AClientOnAnotherPortHasAnotherWay) {
   pass(0);
   ASSERT_EQ(server.receive(&first), "one");
   server.send("to the first", first);
+  before.send("too late", relay.address().port);
   relay.pump(milliseconds(100));
   after.send("two", relay.address().port);
   pass(100);

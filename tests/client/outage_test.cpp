@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "client/lossy_relay.h"
+#include "client/match_play.h"
 #include "client/network_client.h"
 #include "client/steady_now.h"
 #include "protocol/to_client.h"
@@ -135,6 +136,28 @@ TEST_F(Outage, OfTheLineEndsWithinASecond) {
   EXPECT_FALSE(logged("left"));
   EXPECT_EQ(log_.find("joined"), log_.rfind("joined"));
   std::printf("at most %lld ms, %u returns\n", static_cast<long long>(longest / milliseconds(1)), client_->returns());
+}
+
+// Also between the greeting and the state of the game, when there is a round but nobody in it yet.
+TEST_F(Outage, KeepsThePictureUntilTheGameGoesOn) {
+  relay_.emplace(address(), goodLine(), 1);
+  MatchPlay play(ClientOptions(), relay_->address(), now_);
+  const auto showsThePlayer = [&] {
+    step();
+    play.update(now_, kRight);
+    const std::optional<Scene> scene = play.scene(now_);
+    return scene && !scene->players.empty() && scene->players.back().own;
+  };
+  const Moment settled = now_ + seconds(1);
+  while (now_ < settled) showsThePlayer();
+  for (const int ms : {500, 507, 514}) {
+    relay_->setQuality(deadLine());
+    while (!play.client().outage()) ASSERT_TRUE(showsThePlayer());
+    relay_->setQuality(goodLine());
+    while (play.client().outage()) ASSERT_TRUE(showsThePlayer());
+    for (const Moment end = now_ + milliseconds(ms); now_ < end;) ASSERT_TRUE(showsThePlayer());
+  }
+  EXPECT_EQ(play.client().returns(), 3u);
 }
 
 TEST_F(Outage, IsSeenWithinFourSeconds) {

@@ -41,8 +41,11 @@ TEST(LossMeter, TakesOvertakenAndRepeatedMessagesForHeard) {
 TEST(LossMeter, ALongGapIsAllLoss) {
   LossMeter meter;
   meter.heard(0);
-  meter.heard(120);
+  meter.heard(150);
+  EXPECT_EQ(meter.newest(), 150);
   EXPECT_EQ(meter.lostPercent(), 99);
+  meter.heard(40);   // 146 ahead rather than 110 back
+  EXPECT_EQ(meter.newest(), 40);
 }
 
 // A share of those since the first, as long as there are fewer than a hundred.
@@ -60,7 +63,7 @@ TEST(LossMeter, LeavesOutWhatIsTooOld) {
   meter.heard(9);
   EXPECT_EQ(meter.lostPercent(), 0);
   for (int message = 11; message < 200; ++message) meter.heard(number(message));
-  meter.heard(number(199 - 110));
+  meter.heard(number(199 - 99));
   EXPECT_EQ(meter.lostPercent(), 0);
   EXPECT_EQ(meter.newest(), 199);
 }

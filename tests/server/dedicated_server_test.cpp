@@ -118,6 +118,21 @@ TEST_F(DedicatedServerTest, NothingIsTakenFromAConnectionThatIsEnding) {
   EXPECT_EQ(server_->brokenMessages(), 1u);
 }
 
+// Each greeting is news to everybody: one connection has one.
+TEST_F(DedicatedServerTest, WhoHasLeftDoesNotGreetAgain) {
+  start(4);
+  EnetClient& eve = addPlayer("Eve");
+  EXPECT_TRUE(plays(eve, 2));
+  for (int again = 0; again < 20; ++again) {
+    eve.sendRaw(encode(Leave{}), true);
+    eve.sendRaw(encode(Hello{}), true);
+  }
+  EXPECT_TRUE(run([&] { return eve.disconnected(); }));
+  EXPECT_EQ(server_->match().players(), 0u);
+  EXPECT_EQ(std::count_if(log_.begin(), log_.end(), [](const std::string& line) { return line.starts_with("joined"); }),
+            1);
+}
+
 TEST_F(DedicatedServerTest, AFloodIsCutOffAndOthersPlayOn) {
   start(4);
   EnetClient& ann = addPlayer("Ann");

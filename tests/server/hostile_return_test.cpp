@@ -87,6 +87,21 @@ TEST_F(HostileReturn, WhoWasThrownOutGetsNoFurtherTurn) {
   EXPECT_LE(sent_[9], 5u);   // who else is there
 }
 
+// Two addresses that take each other's players over hold no more of them than two addresses may.
+TEST_F(HostileReturn, TakingOverFromAnotherAddressMakesRoomThere) {
+  Match match = matchFor(16, 4);
+  for (std::uint32_t cycle = 0; cycle < 16; ++cycle) {
+    const ClientId client = 1 + 2 * cycle;
+    greet(match, client, cycle, 1);
+    greet(match, client + 1, cycle, 2);
+    match.disconnect(client + 1);
+    tick(match);
+  }
+  greet(match, 99, 99, 3);
+  EXPECT_TRUE(match.isMember(99));
+  EXPECT_GE(events_[Kind::kLeft], 11u);
+}
+
 // A client that sends no random token has itself to blame, and nobody else has.
 TEST_F(HostileReturn, ATokenOfZerosIsOneLikeAnyOther) {
   Match match = matchFor(4);

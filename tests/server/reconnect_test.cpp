@@ -181,7 +181,11 @@ TEST(MemberParts, GoOnWhereNotAllFittedIn) {
 TEST(MemberLine, TellsTheOldestNewInputThatChangesTheButtons) {
   const auto press = [](int buttons) { return Input{static_cast<std::uint8_t>(buttons | Input::kPresent)}; };
   Member member(0, "Ann", std::nullopt);
-  member.take({1, 0, 0, 0, 10, {press(1), press(1), press(1)}, 5}, 8);
+  const auto take = [&member](const PlayerInputs& message, std::uint32_t decided) {
+    member.hear(message.sequence);
+    member.take(message, decided);
+  };
+  take({1, 0, 0, 0, 10, {press(1), press(1), press(1)}, 5}, 8);
   auto line = member.takeLine();
   ASSERT_TRUE(line && line->slack);
   EXPECT_EQ(line->sequence, 5);
@@ -189,19 +193,19 @@ TEST(MemberLine, TellsTheOldestNewInputThatChangesTheButtons) {
   EXPECT_FALSE(member.takeLine());
 
   // The message with the change at 13 was lost.
-  member.take({1, 0, 0, 0, 10, {press(1), press(1), press(1), press(2), press(2)}, 7}, 14);
+  take({1, 0, 0, 0, 10, {press(1), press(1), press(1), press(2), press(2)}, 7}, 14);
   line = member.takeLine();
   ASSERT_TRUE(line && line->slack);
   EXPECT_EQ(line->slack, (SlackReport{13, -1}));
   EXPECT_EQ(line->lostPercent, 33);
 
   // A change right after what is known, and a repetition that is no news.
-  member.take({1, 0, 0, 0, 15, {press(4)}, 8}, 14);
-  member.take({1, 0, 0, 0, 14, {press(2), press(4)}, 9}, 15);
+  take({1, 0, 0, 0, 15, {press(4)}, 8}, 14);
+  take({1, 0, 0, 0, 14, {press(2), press(4)}, 9}, 15);
   line = member.takeLine();
   ASSERT_TRUE(line && line->slack);
   EXPECT_EQ(line->slack, (SlackReport{15, 1}));
-  member.take({1, 0, 0, 0, 14, {press(2), press(4)}, 10}, 16);
+  take({1, 0, 0, 0, 14, {press(2), press(4)}, 10}, 16);
   line = member.takeLine();
   ASSERT_TRUE(line);
   EXPECT_FALSE(line->slack);

@@ -65,7 +65,7 @@ class Return : public ServerTest {
 
   // Who leaves before it plays has failed.
   static void leave(Program& program) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    std::this_thread::sleep_for(seconds(2));
     program.signal(SIGTERM);
     EXPECT_EQ(program.wait(), 0) << program.errors();
   }
@@ -83,7 +83,7 @@ TEST_F(Return, AfterTheServerStoodStill) {
   ann.waitForError("trying again");
   std::this_thread::sleep_for(seconds(2));
   server().signal(SIGCONT);
-  ann.waitForError("connected again", seconds(2));
+  ann.waitForError("connected again");
   server().waitForError("returned");
   EXPECT_EQ(bots.wait(), 0) << bots.errors();
   EXPECT_NE(bots.output().find("\"returns\":1"), std::string::npos) << bots.output();
