@@ -26,12 +26,11 @@ Prediction::Prediction(const Game& start, std::uint32_t slot)
 
 bool Prediction::present() const { return slot_ < confirmed_.slots() && confirmed_.player(slot_).present != 0; }
 
-bool Prediction::predict(Input own) {
-  if (predictedTicks_ - confirmedTicks_ >= kMaxAhead) return false;
+void Prediction::predict(Input own) {
+  assert(mayPredict());
   own_[predictedTicks_ % kMaxAhead] = own;
   advancePredicted(own);
   first_[(predictedTicks_ - 1) % kMaxAhead] = ownPlace(predicted_);
-  return true;
 }
 
 void Prediction::advancePredicted(Input own) {

@@ -43,8 +43,10 @@ class Prediction {
   /// `start` is the server's game after 0 ticks, `slot` (below kMaxPlayers) the own player's.
   Prediction(const Game& start, std::uint32_t slot);
 
-  /// Predicts the next tick with these buttons. False, and nothing done, when kMaxAhead ticks ahead already.
-  bool predict(Input own);
+  /// Whether the next tick may be predicted: fewer than kMaxAhead are.
+  bool mayPredict() const { return predictedTicks_ - confirmedTicks_ < kMaxAhead; }
+  /// Predicts the next tick with these buttons, where it may.
+  void predict(Input own);
 
   /// The server's decision on tick `confirmedTicks()`, by slot. At most kMaxPlayers.
   void confirm(std::span<const Input> inputs);

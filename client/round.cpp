@@ -75,7 +75,7 @@ void Round::receive(const StateChunk& last, std::span<const std::uint8_t> bytes,
 void Round::advance(Moment now, const Controls& controls) {
   view_.update(now);
   clock_.update(now, prediction_.predictedTicks());
-  while (clock_.reaches(prediction_.predictedTicks())) {
+  while (prediction_.mayPredict() && clock_.reaches(prediction_.predictedTicks())) {
     const std::uint32_t tick = prediction_.predictedTicks();
     // Until the first own input the server goes on with what it holds: who has come back is there already.
     Input own = prediction_.held()[prediction_.slot()];
@@ -84,11 +84,15 @@ void Round::advance(Moment now, const Controls& controls) {
       clock_.chose(tick);
       schedule_.chose(own);
     }
-    if (!prediction_.predict(own)) break;
-    const std::uint32_t slot = prediction_.slot();
-    const Game& game = prediction_.predicted();
-    if (slot < game.slots()) flashes_.look(slot, prediction_.predictedTicks(), game.player(slot));
+    prediction_.predict(own);
+    watchOwn();
   }
+}
+
+void Round::watchOwn() {
+  const std::uint32_t slot = prediction_.slot();
+  const Game& game = prediction_.predicted();
+  if (slot < game.slots()) flashes_.look(slot, prediction_.predictedTicks(), game.player(slot));
 }
 
 std::optional<PlayerInputs> Round::report(Moment now) {

@@ -75,6 +75,7 @@ class Round {
  private:
   void apply(const ConfirmedTicks& message);
   void watchOthers();
+  void watchOwn();
   void check(std::uint32_t hash);
 
   std::uint32_t id_;

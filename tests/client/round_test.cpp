@@ -97,6 +97,17 @@ TEST_F(RoundTest, ReportsChangesAtOnceAndElseEveryFourthTick) {
   EXPECT_LE(sentAt.size(), 40u / 4 + 2 * 3 + 1);
 }
 
+// Also when the server is silent for so long that no further tick may be predicted.
+TEST_F(RoundTest, AsksForTheButtonsOfEachTickOnce) {
+  round_.receive(server_.decide(10), now_);
+  std::uint32_t asked = 0;
+  for (int ms = 0; ms < 6000; ms += 10) {
+    round_.advance(std::chrono::milliseconds(ms), [&asked](const Game&, std::uint32_t) { return ++asked, Input(); });
+  }
+  EXPECT_FALSE(round_.prediction().mayPredict());
+  EXPECT_EQ(asked, round_.prediction().predictedTicks() - 16);   // absent before
+}
+
 TEST_F(RoundTest, IgnoresWhatItHasAndWhatLeavesAGap) {
   const ConfirmedTicks first = server_.decide(10);
   const ConfirmedTicks second = server_.decide(20);
