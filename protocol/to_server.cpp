@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstring>
 
 #include "protocol/byte_reader.h"
 #include "protocol/byte_writer.h"
@@ -69,13 +70,20 @@ std::optional<PlayerInputs> unpack(std::span<const std::uint8_t> bytes) {
   return message;
 }
 
+// The verifier does not see to it that wide numbers lie where they may be read.
+std::vector<std::uint64_t> levelsOf(const flatbuffers::Vector<std::uint64_t>& vector) {
+  std::vector<std::uint64_t> levels(vector.size());
+  if (!levels.empty()) std::memcpy(levels.data(), vector.Data(), levels.size() * sizeof(std::uint64_t));
+  for (std::uint64_t& level : levels) level = flatbuffers::EndianScalar(level);
+  return levels;
+}
+
 bool readSession(const wire::Hello& table, Hello& hello) {
   if (table.token()) {
     hello.token = tokenOf(spanOf(table.token()));
     if (!hello.token) return false;
   }
-  if (!table.levels()) return true;
-  hello.levels.assign(table.levels()->begin(), table.levels()->end());
+  if (table.levels()) hello.levels = levelsOf(*table.levels());
   return hello.levels.size() <= kMaxLevelsKnown;
 }
 
