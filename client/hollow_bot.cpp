@@ -6,15 +6,15 @@ namespace platon {
 
 HollowBot::HollowBot(const ServerAddress& server, const std::string& name, const LinkQuality& line, std::uint64_t seed,
                      Moment now, Moment settle)
-    : relay_(line.perfect() ? nullptr : std::make_unique<LossyRelay>(server, line, seed)),
-      connection_(relay_ ? relay_->address() : server, now),
+    : line_(server, line, seed),
+      connection_(line_.address(), now),
       name_(name),
       presser_(seed),
       buttons_([this] { return presser_.next(); }),
       measure_(now, settle) {}
 
 void HollowBot::update(Moment now) {
-  if (relay_) relay_->pump(now);
+  line_.pump(now);
   connection_.service(now, [this, now](std::span<const std::uint8_t> message) {
     if (session_) session_->receive(message, now);
   });
@@ -25,7 +25,7 @@ void HollowBot::update(Moment now) {
   }
   if (leaving_) connection_.close();
   connection_.flush(now);
-  if (relay_) relay_->pump(now);
+  line_.pump(now);
   measure_.update(now, ticks(), connection_.traffic());
 }
 

@@ -1,14 +1,13 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 
 #include "client/bot.h"
+#include "client/client_line.h"
 #include "client/connection.h"
 #include "client/hollow_session.h"
-#include "client/lossy_relay.h"
 
 namespace platon {
 
@@ -29,7 +28,7 @@ class HollowBot : public Bot {
   std::optional<std::string> ending() const { return session_ ? session_->ending() : std::nullopt; }
   PredictionCount ticks() const;
 
-  std::unique_ptr<LossyRelay> relay_;   // none on a perfect line
+  ClientLine line_;
   Connection connection_;
   std::string name_;
   std::optional<HollowSession> session_;   // once connected

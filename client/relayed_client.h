@@ -1,11 +1,10 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 
-#include "client/lossy_relay.h"
+#include "client/client_line.h"
 #include "client/network_client.h"
 
 namespace platon {
@@ -26,7 +25,7 @@ class RelayedClient {
   const NetworkClient* operator->() const { return &client_; }
 
  private:
-  std::unique_ptr<LossyRelay> relay_;  // none on a perfect line
+  ClientLine line_;
   NetworkClient client_;
 };
 

@@ -94,7 +94,7 @@ void DedicatedServer::take(const HostEvent& event, TimePoint now) {
   const auto message = decodeToServer(event.bytes);
   if (message) {
     const bool wasMember = match_.isMember(event.client);
-    match_.receive(event.client, *message, host_.originOf(event.client));
+    match_.receive(event.client, *message, event.origin);
     const bool isMember = match_.isMember(event.client);
     if (isMember) host_.admit(event.client);
     if (wasMember && !isMember) host_.close(event.client, now);   // who has left does not greet again

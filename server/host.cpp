@@ -48,6 +48,8 @@ std::uint32_t octet(std::uint32_t networkOrder) {
 
 bool isLoopback(const ENetAddress& address) { return octet(address.host) == 127; }
 
+std::uint32_t originOf(const ENetAddress& address) { return isLoopback(address) ? 0 : address.host; }
+
 // ENet stops sending, to all, at an address that the system cannot send to.
 bool canAnswer(const ENetAddress& address) {
   return address.port != 0 && octet(address.host) != 0 && octet(address.host) < 224;
@@ -97,7 +99,10 @@ void assertLimits(ENetPeer& peer) {
 
 struct Host::Link {
   explicit Link(TimePoint now)
-      : since(now), heardAt(now), datagrams(kDatagramsPerSecond, kDatagramBurst, now), bytes(kBytesPerSecond, kByteBurst, now) {}
+      : since(now),
+        heardAt(now),
+        datagrams(kDatagramsPerSecond, kDatagramBurst, now),
+        bytes(kBytesPerSecond, kByteBurst, now) {}
 
   std::optional<ClientId> client;  // once connected
   bool open = false;
@@ -215,11 +220,11 @@ void Host::take(const ENetEvent& event, TimePoint now, std::vector<HostEvent>& e
     enet_peer_throttle_configure(event.peer, kThrottleInterval, ENET_PEER_PACKET_THROTTLE_SCALE, 0);
     assertLimits(*event.peer);
   } else if (event.type == ENET_EVENT_TYPE_DISCONNECT) {
-    if (link.client) events.push_back({*link.client, true, {}});
+    if (link.client) events.push_back({*link.client, true, {}, 0});
     link = Link(now);
   } else if (event.type == ENET_EVENT_TYPE_RECEIVE) {
     const std::span<const std::uint8_t> bytes(event.packet->data, event.packet->dataLength);
-    if (link.client) events.push_back({*link.client, false, {bytes.begin(), bytes.end()}});
+    if (link.client) events.push_back({*link.client, false, {bytes.begin(), bytes.end()}, originOf(event.peer->address)});
     enet_packet_destroy(event.packet);
   }
 }
@@ -240,7 +245,7 @@ void Host::tend(std::size_t index, TimePoint now, std::vector<HostEvent>& events
   const bool greets = link.client && !link.closing;
   if (link.admitted ? now - link.heardAt < kSilence : now - link.since < (greets ? kAdmissionTime : kAnswerTime)) return;
   if (!link.admitted) ++counters_.expired;
-  if (link.client) events.push_back({*link.client, true, {}});
+  if (link.client) events.push_back({*link.client, true, {}, 0});
   enet_peer_reset(&peer);
   link = Link(now);
 }
@@ -288,11 +293,6 @@ std::uint16_t Host::port() const { return host_->address.port; }
 bool Host::listensTo(ClientId client) const {
   const ENetPeer* peer = peerOf(client);
   return peer && !links_[peer->incomingPeerID].closing;
-}
-
-std::uint32_t Host::originOf(ClientId client) const {
-  const ENetPeer* peer = peerOf(client);
-  return !peer || isLoopback(peer->address) ? 0 : peer->address.host;
 }
 
 bool Host::empty() const {

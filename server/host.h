@@ -47,6 +47,7 @@ struct HostEvent {
   ClientId client = 0;
   bool gone = false;  ///< the connection has ended; else `bytes` is a message
   std::vector<std::uint8_t> bytes;
+  std::uint32_t origin = 0;  ///< of a message: a number for its address, as `Match` wants it; 0 for loopback
 };
 
 /// The server's end of all connections, and the only place on this side that knows ENet. ENet by itself is not fit for
@@ -82,8 +83,6 @@ class Host {
   std::uint16_t port() const;
   /// False when the client is gone or its connection is ending.
   bool listensTo(ClientId client) const;
-  /// A number for the client's address, as `Match` wants it; 0 for loopback, and when the client is gone.
-  std::uint32_t originOf(ClientId client) const;
   /// Whether anybody is connected or connecting.
   bool empty() const;
   const HostCounters& counters() const { return counters_; }

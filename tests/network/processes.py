@@ -11,27 +11,41 @@ from pathlib import Path
 PATIENCE = 60
 
 
-def processor_seconds(process):
-    """(on the processor, waiting for one) so far. The kernel counts both in nanoseconds here, elsewhere in hundredths of
-    a second."""
-    used, waited = Path(f"/proc/{process.pid}/schedstat").read_text().split()[:2]
-    return int(used) / 1e9, int(waited) / 1e9
-
-
 class Failure(Exception):
     """A program did not do what it is there for."""
 
 
-class Server:
+class Program:
+    """One of the programs while it runs; it does not outlive this."""
+
+    def __init__(self, words, **streams):
+        self._process = subprocess.Popen(words, text=True, **streams)
+
+    def processor_seconds(self):
+        """(on the processor, waiting for one) so far. The kernel counts both in nanoseconds here, elsewhere in hundredths
+        of a second."""
+        used, waited = Path(f"/proc/{self._process.pid}/schedstat").read_text().split()[:2]
+        return int(used) / 1e9, int(waited) / 1e9
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        if self._process.poll() is None:
+            self._process.kill()
+            self._process.wait()
+
+
+class Server(Program):
     """A platon-server on a free port of the loopback interface."""
 
     def __init__(self, programs, level, players=16):
         self._lines = []
         self._changed = threading.Condition()
         begun = time.monotonic()
-        self._process = subprocess.Popen(
+        super().__init__(
             [programs / "platon-server", level, "--bind", "127.0.0.1", "--port", "0", "--max-players", str(players)],
-            stderr=subprocess.PIPE, text=True)  # fmt: skip
+            stderr=subprocess.PIPE)  # fmt: skip
         self._reader = threading.Thread(target=self._read, daemon=True)
         self._reader.start()
         self.address = self._wait_for(r"listening on (.*)").group(1)
@@ -56,9 +70,6 @@ class Server:
                 self._changed.wait(0.001)
         return found
 
-    def processor_seconds(self):
-        return processor_seconds(self._process)
-
     def memory_bytes(self):
         """The most it ever had."""
         status = Path(f"/proc/{self._process.pid}/status").read_text()
@@ -74,27 +85,16 @@ class Server:
             raise Failure(f"platon-server ended with {code}: {self._lines[-3:]}")
         return {key: int(value) for key, value in (word.split("=") for word in ran.group(1).split())}
 
-    def __enter__(self):
-        return self
 
-    def __exit__(self, *_):
-        if self._process.poll() is None:
-            self._process.kill()
-            self._process.wait()
-
-
-class Bots:
+class Bots(Program):
     """A process of platon-bot."""
 
     def __init__(self, programs, server, cell, count, hollow, seed):
         options = {"--count": count, "--seconds": cell.seconds, "--settle": cell.settle, "--seed": seed}
         words = [str(word) for pair in options.items() for word in pair]
         words += ["--json", *cell.line_options, *(["--hollow"] if hollow else [])]
-        self._process = subprocess.Popen([programs / "platon-bot", server.address, *words], stdout=subprocess.PIPE,
-                                         stderr=subprocess.PIPE, text=True)  # fmt: skip
-
-    def processor_seconds(self):
-        return processor_seconds(self._process)
+        super().__init__([programs / "platon-bot", server.address, *words], stdout=subprocess.PIPE,
+                         stderr=subprocess.PIPE)  # fmt: skip
 
     def result(self):
         """What it printed, and `said`, what it told of what went wrong."""
@@ -103,11 +103,3 @@ class Bots:
             return json.loads(output) | {"said": errors.strip()}
         except json.JSONDecodeError as error:
             raise Failure(f"platon-bot printed no result: {output} {errors}") from error
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *_):
-        if self._process.poll() is None:
-            self._process.kill()
-            self._process.wait()
