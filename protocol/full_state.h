@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "shared/game/input.h"
+#include "platon/game/input.h"
 
 namespace platon {
 

@@ -3,9 +3,9 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "shared/game/game.h"
-#include "shared/game/input.h"
-#include "shared/game/level.h"
+#include "platon/game/game.h"
+#include "platon/game/input.h"
+#include "platon/game/level.h"
 
 namespace platon {
 
@@ -25,7 +25,6 @@ inline constexpr std::size_t kMaxTickMessageBytes = 1160;
 /// Bytes of a level text or a state that one message carries.
 inline constexpr std::size_t kChunkBytes = 4 * 1024;
 
-inline constexpr std::size_t kMaxLevelBytes = kMostLevelBytes;
 inline constexpr std::size_t kMaxStateBytes = 1024 * 1024;
 /// Levels of which a client can say that it has them.
 inline constexpr std::size_t kMaxLevelsKnown = 8;

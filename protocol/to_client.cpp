@@ -87,7 +87,7 @@ void writeLine(ByteWriter& out, const ConfirmedTicks& message) {
 bool readLine(ByteReader& in, ConfirmedTicks& message) {
   const std::uint32_t head = in.varint();
   if (head == kNothingHeard) return in.ok();
-  LineReport line;
+  LinkReport line;
   line.sequence = in.byte();
   line.lostPercent = in.byte();
   if (head > kHeard) {

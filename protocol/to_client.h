@@ -7,8 +7,8 @@
 #include <variant>
 #include <vector>
 
+#include "platon/game/input.h"
 #include "protocol/limits.h"
-#include "shared/game/input.h"
 
 namespace platon {
 
@@ -120,12 +120,12 @@ struct SlackReport {
 };
 
 /// What the server has heard of the client since its last message of ticks.
-struct LineReport {
+struct LinkReport {
   std::uint8_t sequence = 0;         ///< of the newest message of inputs
   std::uint8_t lostPercent = 0;      ///< of the last messages of inputs, 0 … 100
   std::optional<SlackReport> slack;  ///< the least; nothing when no input was new
 
-  friend bool operator==(const LineReport&, const LineReport&) = default;
+  friend bool operator==(const LinkReport&, const LinkReport&) = default;
 };
 
 /// What the server decided for ticks from … from + count - 1: only what differs from the tick before. A client whose
@@ -136,7 +136,7 @@ struct ConfirmedTicks {
   std::uint32_t from = 0;
   std::uint32_t count = 0;           ///< 1 … kMaxTicksPerMessage
   std::uint32_t hash = 0;            ///< `shortHash` of the game advanced by from + count ticks
-  std::optional<LineReport> line;    ///< nothing when nothing was heard of the client since the last message
+  std::optional<LinkReport> line;    ///< nothing when nothing was heard of the client since the last message
   std::vector<InputChange> changes;  ///< by tick, then slot; at most kMaxChangesPerMessage
   std::uint8_t sequence = 0;         ///< one more than that of the last message of ticks to this client
 

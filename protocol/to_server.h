@@ -7,9 +7,9 @@
 #include <variant>
 #include <vector>
 
+#include "platon/game/input.h"
 #include "protocol/limits.h"
 #include "protocol/session_token.h"
-#include "shared/game/input.h"
 
 namespace platon {
 

@@ -1,17 +1,17 @@
-#include "shared/exact/angle.h"
+#include "platon/exact/angle.h"
 
 #include <array>
 #include <cstddef>
 
-#include "shared/exact/integer.h"
+#include "platon/exact/integer.h"
 
 namespace platon {
 namespace {
 
 constexpr int kTableBits = 60;
 constexpr std::int64_t kOne = std::int64_t{1} << kTableBits;
-// pi / 18000 (one hundredth of a degree in radians) times 2^60, from pi = 3.14159265358979323846264338.
-constexpr std::int64_t kHundredth = 201222762724365;
+// pi / 18000 (one centidegree in radians) times 2^60, from pi = 3.14159265358979323846264338.
+constexpr std::int64_t kCentidegree = 201222762724365;
 
 constexpr std::int64_t multiply(std::int64_t a, std::int64_t b) {
   return static_cast<std::int64_t>((int128{a} * b) >> kTableBits);
@@ -28,62 +28,64 @@ constexpr std::int64_t taylor(std::int64_t x, std::int64_t term, int firstDiviso
   return sum;
 }
 
-constexpr Direction directionOfHundredths(std::int32_t hundredths) {
-  const std::int64_t x = kHundredth * hundredths;
-  constexpr int shift = kTableBits - Direction::kFractionBits;
+constexpr Rotation rotationOfCentidegrees(std::int32_t centidegrees) {
+  const std::int64_t x = kCentidegree * centidegrees;
+  constexpr int shift = kTableBits - Rotation::kFractionBits;
   const std::int64_t half = std::int64_t{1} << (shift - 1);
   return {(taylor(x, kOne, 1) + half) >> shift, (taylor(x, x, 2) + half) >> shift};
 }
 
 template <std::size_t Count, std::int32_t Step>
-constexpr std::array<Direction, Count> makeTable() {
-  std::array<Direction, Count> table{};
+constexpr std::array<Rotation, Count> makeTable() {
+  std::array<Rotation, Count> table{};
   for (std::size_t i = 0; i < Count; ++i) {
-    table[i] = directionOfHundredths(static_cast<std::int32_t>(i) * Step);
+    table[i] = rotationOfCentidegrees(static_cast<std::int32_t>(i) * Step);
   }
   return table;
 }
 
-// An angle is whole degrees plus hundredths; the sum formulas join the two tables with one rounding.
+// An angle is whole degrees plus centidegrees; the sum formulas join the two tables with one rounding.
 constexpr auto kDegrees = makeTable<91, 100>();
-constexpr auto kHundredths = makeTable<100, 1>();
+constexpr auto kCentidegrees = makeTable<100, 1>();
 static_assert(kDegrees[0].cosine == std::int64_t{1} << 30 && kDegrees[0].sine == 0);
 static_assert(kDegrees[90].cosine == 0 && kDegrees[90].sine == std::int64_t{1} << 30);
 static_assert(kDegrees[30].sine == std::int64_t{1} << 29 && kDegrees[60].cosine == std::int64_t{1} << 29);
 
-constexpr std::int64_t roundToBits(std::int64_t value) {
-  return shiftRounded<Direction::kFractionBits>(value);
-}
+constexpr std::int64_t roundToBits(std::int64_t value) { return shiftRounded<Rotation::kFractionBits>(value); }
 
-Direction firstQuadrant(std::int32_t hundredths) {
-  const Direction whole = kDegrees[static_cast<std::size_t>(hundredths / 100)];
-  if (hundredths % 100 == 0) return whole;
-  const Direction part = kHundredths[static_cast<std::size_t>(hundredths % 100)];
+Rotation firstQuadrant(std::int32_t centidegrees) {
+  const Rotation whole = kDegrees[static_cast<std::size_t>(centidegrees / 100)];
+  if (centidegrees % 100 == 0) return whole;
+  const Rotation part = kCentidegrees[static_cast<std::size_t>(centidegrees % 100)];
   return {roundToBits(whole.cosine * part.cosine - whole.sine * part.sine),
           roundToBits(whole.sine * part.cosine + whole.cosine * part.sine)};
 }
 
 }  // namespace
 
-Direction directionOf(Angle angle) {
-  if (angle == Angle()) return Direction::none();   // mostly so, and quicker
+Rotation rotationOf(Angle angle) {
+  if (angle == Angle()) return Rotation::none();  // mostly so, and quicker
   constexpr std::int32_t quarter = Angle::kTurn / 4;
-  const Direction base = firstQuadrant(angle.hundredths() % quarter);
-  switch (angle.hundredths() / quarter) {
-    case 0: return base;
-    case 1: return {-base.sine, base.cosine};
-    case 2: return {-base.cosine, -base.sine};
-    default: return {base.sine, -base.cosine};
+  const Rotation base = firstQuadrant(angle.centidegrees() % quarter);
+  switch (angle.centidegrees() / quarter) {
+    case 0:
+      return base;
+    case 1:
+      return {-base.sine, base.cosine};
+    case 2:
+      return {-base.cosine, -base.sine};
+    default:
+      return {base.sine, -base.cosine};
   }
 }
 
-Point rotate(Point vector, Angle angle) { return rotate(vector, directionOf(angle)); }
+Point rotate(Point vector, Angle angle) { return rotate(vector, rotationOf(angle)); }
 
 Angle angleBetween(Point from, Point to) {
   // The cross product of `to` with the turned `from` changes sign once in each half turn: bisect the half turn that
   // holds the answer, then take the nearer of the two neighbours.
-  const auto side = [&](std::int32_t hundredths) {
-    const WideVector turned = rotateWide(from, directionOf(Angle(hundredths)));
+  const auto side = [&](std::int32_t centidegrees) {
+    const WideVector turned = rotateWide(from, rotationOf(Angle(centidegrees)));
     return int128{turned.x} * to.y - int128{turned.y} * to.x;
   };
   constexpr std::int32_t half = Angle::kTurn / 2;

@@ -2,9 +2,9 @@
 
 #include <cstdint>
 
-#include "shared/exact/angle.h"
-#include "shared/exact/integer.h"
-#include "shared/exact/point.h"
+#include "platon/exact/angle.h"
+#include "platon/exact/integer.h"
+#include "platon/exact/point.h"
 
 namespace platon {
 
@@ -16,18 +16,18 @@ class Hash {
   template <FixedInteger Integer>
   void add(Integer value) {
     state_ ^= static_cast<std::uint64_t>(value);
-    state_ *= 0x9e3779b97f4a7c15U;   // odd: 2^64 divided by the golden ratio
+    state_ *= 0x9e3779b97f4a7c15U;  // odd: 2^64 divided by the golden ratio
     state_ ^= state_ >> 32;
   }
   void add(Point point) {
     add((std::uint64_t{static_cast<std::uint32_t>(point.x)} << 32) | static_cast<std::uint32_t>(point.y));
   }
-  void add(Angle angle) { add(angle.hundredths()); }
+  void add(Angle angle) { add(angle.centidegrees()); }
 
   std::uint64_t value() const { return state_; }
 
  private:
-  std::uint64_t state_ = 0xcbf29ce484222325U;   // any but 0, which would map a first 0 to itself
+  std::uint64_t state_ = 0xcbf29ce484222325U;  // any but 0, which would map a first 0 to itself
 };
 
 /// Of bytes, of whatever type, and their number.

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "shared/exact/point.h"
+#include "platon/exact/point.h"
 
 namespace platon {
 

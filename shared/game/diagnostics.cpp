@@ -1,4 +1,4 @@
-#include "shared/game/diagnostics.h"
+#include "platon/game/diagnostics.h"
 
 #include <algorithm>
 #include <tuple>
@@ -13,7 +13,7 @@ std::string format(std::string_view file, const Diagnostic& found) {
 
 void Diagnostics::add(TextPosition at, bool error, std::string message) {
   hasError_ = hasError_ || error;
-  if (found_.size() == kMost) {
+  if (found_.size() == kMax) {
     full_ = true;
     return;
   }

@@ -12,9 +12,7 @@ struct Parameter {
   int128 numerator;
   int128 denominator;
 
-  friend bool operator<(Parameter a, Parameter b) {
-    return a.numerator * b.denominator < b.numerator * a.denominator;
-  }
+  friend bool operator<(Parameter a, Parameter b) { return a.numerator * b.denominator < b.numerator * a.denominator; }
 };
 
 std::int32_t roundFine(int128 value, int128 denominator) {
@@ -43,7 +41,8 @@ struct FaceArea::Range {
 FaceArea::FaceArea(std::span<const Point> polygon) {
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Point outward = -perpendicular(polygon[(i + 1) % polygon.size()] - polygon[i]);
-    sides_.push_back({outward, dot(outward, polygon[i]), static_cast<std::int64_t>(squareRootFloor(squaredLength(outward)))});
+    sides_.push_back(
+        {outward, dot(outward, polygon[i]), static_cast<std::int64_t>(squareRootFloor(squaredLength(outward)))});
   }
 }
 
@@ -53,9 +52,8 @@ bool FaceArea::contains(Point point) const {
 }
 
 bool FaceArea::reaches(Point point) const {
-  return std::all_of(sides_.begin(), sides_.end(), [&](const Side& side) {
-    return dot(side.outward, point) <= side.support + side.subunit;
-  });
+  return std::all_of(sides_.begin(), sides_.end(),
+                     [&](const Side& side) { return dot(side.outward, point) <= side.support + side.subunit; });
 }
 
 // The distances that are compared belong to lines that cross the side. With corners and ends bounded as above they

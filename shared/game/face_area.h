@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "shared/exact/integer.h"
-#include "shared/exact/point.h"
-#include "shared/physics/segment.h"
+#include "platon/exact/integer.h"
+#include "platon/exact/point.h"
+#include "platon/physics/segment.h"
 
 namespace platon {
 
@@ -24,7 +24,7 @@ struct FinePoint {
 class FaceArea {
  public:
   /// Coordinates that `cut` takes are at most this many level units in magnitude: twice the largest face size.
-  static constexpr std::int32_t kMostUnits = 131072;
+  static constexpr std::int32_t kMaxUnits = 131072;
 
   /// A face polygon: convex, counter-clockwise, coordinates below 2^26.
   explicit FaceArea(std::span<const Point> polygon);
@@ -40,9 +40,9 @@ class FaceArea {
 
  private:
   struct Side {
-    Point outward;          // normal of the edge, as long as the edge
-    std::int64_t support;   // outward . p of the points p on the edge
-    std::int64_t subunit;   // what outward . p grows by within one subunit beyond the edge, rounded down
+    Point outward;         // normal of the edge, as long as the edge
+    std::int64_t support;  // outward . p of the points p on the edge
+    std::int64_t subunit;  // what outward . p grows by within one subunit beyond the edge, rounded down
   };
   struct Range;
 

@@ -1,13 +1,13 @@
-#include "shared/game/game.h"
+#include "platon/game/game.h"
 
 #include <algorithm>
 #include <cassert>
 #include <utility>
 
+#include "platon/game/state_bytes.h"
+#include "platon/physics/map_part.h"
+#include "platon/physics/rules.h"
 #include "shared/exact/hash.h"
-#include "shared/game/state_bytes.h"
-#include "shared/physics/map_part.h"
-#include "shared/physics/rules.h"
 
 namespace platon {
 namespace {
@@ -30,8 +30,8 @@ class GameRules : public Rules {
   World& world_;
   std::vector<PlayerState>& players_;
   UnitNormals& unitNormals_;
-  std::uint32_t moved_ = ~std::uint32_t{0};   // the world moves one after the other
-  Point steep_;                               // of the player being moved
+  std::uint32_t moved_ = ~std::uint32_t{0};  // the world moves one after the other
+  Point steep_;                              // of the player being moved
 };
 
 }  // namespace
@@ -121,7 +121,7 @@ bool Game::touchesGoal(std::uint32_t slot) {
 
 bool Game::coversGoal(std::uint32_t slot, Point position, Angle angle) {
   const Point distance = level_->goal - position;
-  if (squaredLength(distance) > squaredLength(Point(kPlayerRadius + 1, 0))) return false;   // + 1: rounded vertices
+  if (squaredLength(distance) > squaredLength(Point(kPlayerRadius + 1, 0))) return false;  // + 1: rounded vertices
   const Convex* shape = world_.turnedShapeOf(slot, angle);
   goalSweep_.start(*shape, position, {});
   return goalSweep_.against({level_->goal, level_->goal}).has_value();

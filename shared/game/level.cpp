@@ -1,10 +1,10 @@
-#include "shared/game/level.h"
+#include "platon/game/level.h"
 
 #include <utility>
 
+#include "platon/game/stage.h"
 #include "shared/exact/hash.h"
 #include "shared/game/level_reader.h"
-#include "shared/game/stage.h"
 
 namespace platon {
 namespace {
@@ -34,13 +34,13 @@ std::shared_ptr<const Level> makeLevel(LevelDraft draft, World stage, std::strin
 }
 
 LevelResult tooLong() {
-  return {nullptr, {{1, 1, true, "the text has more than " + std::to_string(kMostLevelBytes) + " bytes"}}};
+  return {nullptr, {{1, 1, true, "the text has more than " + std::to_string(kMaxLevelBytes) + " bytes"}}};
 }
 
 }  // namespace
 
 LevelResult loadLevel(std::string_view text) {
-  if (text.size() > kMostLevelBytes) return tooLong();
+  if (text.size() > kMaxLevelBytes) return tooLong();
   Diagnostics diagnostics;
   LevelDraft draft = LevelReader(text, diagnostics).read();
   World stage;

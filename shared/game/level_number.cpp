@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "shared/exact/integer.h"
+#include "platon/exact/integer.h"
 
 namespace platon {
 namespace {
@@ -35,11 +35,11 @@ NumberFault parseNumber(std::string_view text, std::int64_t limit, LevelNumber& 
   const bool hasPoint = point < text.size();
   const std::string_view decimals = hasPoint ? text.substr(point + 1) : std::string_view();
   if (!allDigits(whole) || (hasPoint && !allDigits(decimals))) return NumberFault::kNotANumber;
-  if (decimals.size() > LevelNumber::kMostDecimals) return NumberFault::kTooManyDecimals;
+  if (decimals.size() > LevelNumber::kMaxDecimals) return NumberFault::kTooManyDecimals;
   const std::int64_t units = append(0, whole);
   if (units > limit) return NumberFault::kTooLarge;
   std::int64_t value = append(units, decimals);
-  for (std::size_t i = decimals.size(); i < LevelNumber::kMostDecimals; ++i) value *= 10;
+  for (std::size_t i = decimals.size(); i < LevelNumber::kMaxDecimals; ++i) value *= 10;
   if (value > limit * LevelNumber::kOne) return NumberFault::kTooLarge;
   number.tenThousandths = negative ? -value : value;
   return NumberFault::kNone;

@@ -8,7 +8,7 @@ namespace platon {
 
 /// A number of a level text, exactly.
 struct LevelNumber {
-  static constexpr int kMostDecimals = 4;
+  static constexpr int kMaxDecimals = 4;
   static constexpr std::int64_t kOne = 10000;
 
   std::int64_t tenThousandths = 0;

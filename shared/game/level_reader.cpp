@@ -57,7 +57,7 @@ struct LevelReader::Field {
   bool whole;
 
   static constexpr Field coordinate(std::string_view name) {
-    return {name, -FaceArea::kMostUnits, FaceArea::kMostUnits, false};
+    return {name, -FaceArea::kMaxUnits, FaceArea::kMaxUnits, false};
   }
 };
 
@@ -104,10 +104,16 @@ void LevelReader::readName(const LevelLine& line, std::string_view key, std::str
 void LevelReader::readHeader(const LevelLine& line) {
   const Field start[] = {faceField(), Field::coordinate("x"), Field::coordinate("y"), {"degrees", -360, 360, true}};
   switch (header_++) {
-    case 0: return readSolid(line);
-    case 1: draft_.start = readPlace(line, "the start is: face x y degrees", start); return;
-    case 2: draft_.goal = readPlace(line, "the goal is: face x y", std::span(start).first(3)); return;
-    default: return readFaceSize(line);
+    case 0:
+      return readSolid(line);
+    case 1:
+      draft_.start = readPlace(line, "the start is: face x y degrees", start);
+      return;
+    case 2:
+      draft_.goal = readPlace(line, "the goal is: face x y", std::span(start).first(3));
+      return;
+    default:
+      return readFaceSize(line);
   }
 }
 
@@ -128,7 +134,7 @@ void LevelReader::readSolid(const LevelLine& line) {
 }
 
 LevelReader::Field LevelReader::faceField() const {
-  const std::int64_t faces = draft_.solid ? PlatonicSolid::of(*draft_.solid).faces() : FaceArea::kMostUnits;
+  const std::int64_t faces = draft_.solid ? PlatonicSolid::of(*draft_.solid).faces() : FaceArea::kMaxUnits;
   return {"face", 0, faces - 1, true};
 }
 
@@ -145,7 +151,7 @@ std::optional<LevelPlace> LevelReader::readPlace(const LevelLine& line, std::str
 }
 
 void LevelReader::readFaceSize(const LevelLine& line) {
-  const Field field{"face size", kLeastFaceSize, kMostFaceSize, true};
+  const Field field{"face size", kLeastFaceSize, kMaxFaceSize, true};
   LevelNumber size;
   if (!readFields(line, "the face size is one number", {&field, 1}, {&size, 1})) return;
   draft_.faceSize = static_cast<std::int32_t>(size.whole());
@@ -184,10 +190,10 @@ void LevelReader::readSegment(const LevelLine& line) {
   if (segments_++ == 0 && faces_ == 0) {
     diagnostics_->error(at, "a line before the first '%': every face begins with a '%'");
   }
-  if (segments_ == kMostLines + 1) {
-    diagnostics_->error(at, "more than " + std::to_string(kMostLines) + " lines: take some away");
+  if (segments_ == kMaxLines + 1) {
+    diagnostics_->error(at, "more than " + std::to_string(kMaxLines) + " lines: take some away");
   }
-  if (good && segments_ <= kMostLines) addSegment(line, numbers);
+  if (good && segments_ <= kMaxLines) addSegment(line, numbers);
 }
 
 void LevelReader::addSegment(const LevelLine& line, std::span<const LevelNumber> numbers) {

@@ -9,15 +9,15 @@
 #include <string_view>
 #include <vector>
 
-#include "shared/exact/angle.h"
-#include "shared/exact/point.h"
-#include "shared/game/diagnostics.h"
+#include "platon/exact/angle.h"
+#include "platon/exact/point.h"
+#include "platon/game/diagnostics.h"
+#include "platon/game/solid.h"
+#include "platon/game/stage.h"
+#include "platon/physics/segment.h"
 #include "shared/game/face_area.h"
 #include "shared/game/level_number.h"
 #include "shared/game/level_text.h"
-#include "shared/game/solid.h"
-#include "shared/game/stage.h"
-#include "shared/physics/segment.h"
 
 namespace platon {
 
@@ -26,7 +26,7 @@ struct LevelPlace {
   std::uint32_t face = 0;
   Point point;
   Angle angle;
-  TextPosition at;      ///< of the x
+  TextPosition at;  ///< of the x
 };
 
 /// What could be read of a level text; complete when nothing was reported as an error.
@@ -35,7 +35,7 @@ struct LevelDraft {
   std::optional<std::int32_t> faceSize;
   std::optional<LevelPlace> start;
   std::optional<LevelPlace> goal;
-  std::vector<std::vector<Segment>> lines;    ///< one list per face once the solid is known
+  std::vector<std::vector<Segment>> lines;  ///< one list per face once the solid is known
   std::string title;
   std::string author;
 };
@@ -46,7 +46,7 @@ class LevelReader {
   /// Longest title and author, bytes.
   static constexpr std::size_t kLongestName = 100;
   /// Most lines of all faces together.
-  static constexpr std::size_t kMostLines = 200000;
+  static constexpr std::size_t kMaxLines = 200000;
 
   LevelReader(std::string_view text, Diagnostics& diagnostics) : text_(text, diagnostics), diagnostics_(&diagnostics) {}
 
@@ -85,12 +85,12 @@ class LevelReader {
   LevelText text_;
   Diagnostics* diagnostics_;
   LevelDraft draft_;
-  std::size_t header_ = 0;            // header lines met so far
-  std::size_t faces_ = 0;             // '%' met so far
+  std::size_t header_ = 0;  // header lines met so far
+  std::size_t faces_ = 0;   // '%' met so far
   std::size_t segments_ = 0;
-  std::optional<FaceArea> area_;      // once solid and face size are known
+  std::optional<FaceArea> area_;  // once solid and face size are known
   std::vector<Post> posts_;
-  std::vector<Placed> placed_;        // every line of the draft, with where it stands
+  std::vector<Placed> placed_;  // every line of the draft, with where it stands
 };
 
 }  // namespace platon

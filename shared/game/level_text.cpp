@@ -15,7 +15,7 @@ bool isBlank(char byte) { return byte == ' ' || byte == '\t'; }
 int columnOf(std::size_t index) { return static_cast<int>(index) + 1; }
 
 struct LeadByte {
-  std::size_t length;      // of the whole sequence, 0 when no sequence begins so
+  std::size_t length;  // of the whole sequence, 0 when no sequence begins so
   std::uint32_t bits;
   std::uint32_t smallest;  // code point that needs this length
 };
@@ -109,8 +109,10 @@ void LevelText::checkBytes(std::string_view content, std::size_t tokens, LevelLi
   const auto fault = firstFault(content);
   if (!fault) return;
   diagnostics_->error({line.number, columnOf(fault->index)}, fault->message);
-  if (fault->index < tokens) line.broken = true;
-  else line.comment = {};
+  if (fault->index < tokens)
+    line.broken = true;
+  else
+    line.comment = {};
 }
 
 }  // namespace platon

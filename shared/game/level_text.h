@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "shared/game/diagnostics.h"
+#include "platon/game/diagnostics.h"
 
 namespace platon {
 
@@ -16,16 +16,17 @@ struct LevelToken {
 
 /// One line of a level text.
 struct LevelLine {
-  int number = 0;                    ///< from 1
-  std::vector<LevelToken> tokens;    ///< none when a byte among them is forbidden, which has been reported
-  bool broken = false;               ///< has such a byte
-  int end = 1;                       ///< column behind the last token, or where one would stand
-  std::string_view comment;          ///< from the '#' on; empty when there is none
+  int number = 0;                  ///< from 1
+  std::vector<LevelToken> tokens;  ///< none when a byte among them is forbidden, which has been reported
+  bool broken = false;             ///< has such a byte
+  int end = 1;                     ///< column behind the last token, or where one would stand
+  std::string_view comment;        ///< from the '#' on; empty when there is none
   int commentColumn = 1;
 };
 
 /// Splits a level text into lines and tokens: LF or CRLF, spaces and tabs, '#' to the end of the line. A UTF-8 byte
-/// order mark at the beginning is passed over and not counted. Control bytes and broken UTF-8 are reported, once a line.
+/// order mark at the beginning is passed over and not counted. Control bytes and broken UTF-8 are reported, once a
+/// line.
 class LevelText {
  public:
   LevelText(std::string_view text, Diagnostics& diagnostics);

@@ -1,23 +1,23 @@
-#include "shared/game/player.h"
+#include "platon/game/player.h"
 
 #include <algorithm>
 #include <utility>
 #include <vector>
 
-#include "shared/exact/integer.h"
+#include "platon/exact/integer.h"
 
 namespace platon {
 namespace {
 
 // Subunits a tick, and subunits a tick squared; 60 ticks a second, 1024 subunits a unit.
-constexpr std::int32_t kRunSpeed = 3277;         // 192 units a second
+constexpr std::int32_t kRunSpeed = 3277;  // 192 units a second
 constexpr std::int32_t kGroundAcceleration = 410;
 constexpr std::int32_t kAirAcceleration = 205;
 constexpr std::int32_t kGroundFriction = 546;
 constexpr std::int32_t kAirFriction = 51;
 constexpr std::int32_t kGravity = 256;
-constexpr std::int32_t kJumpSpeed = 5734;        // about 62 units high
-constexpr std::int32_t kCutJumpSpeed = 1800;     // what is left of it when the button is let go
+constexpr std::int32_t kJumpSpeed = 5734;     // about 62 units high
+constexpr std::int32_t kCutJumpSpeed = 1800;  // what is left of it when the button is let go
 constexpr std::int32_t kFallSpeed = 12288;
 // A standing player is pressed to the ground by this much, so that it follows gentle slopes and edges; the press is no
 // part of the velocity.
@@ -61,7 +61,7 @@ void Player::tick(Input input) {
   fall();
   const Point press = scaled(-state_->ground, kPress);
   setVelocity(state_->velocity + press, up());
-  state_->ground = Point();   // until a contact says otherwise
+  state_->ground = Point();  // until a contact says otherwise
 }
 
 void Player::run(Input input) {
@@ -117,7 +117,7 @@ void Player::contact(Point normal, Point& steep) {
   const std::int32_t inwards = along(velocity, normal);
   if (inwards >= 0) return;
   if (landing && wasInAir) {
-    velocity = scaled(tangentOf(normal), velocity.x);   // a fall ends in a run, not in a slide down the slope
+    velocity = scaled(tangentOf(normal), velocity.x);  // a fall ends in a run, not in a slide down the slope
   } else {
     velocity -= scaled(normal, inwards);
   }
@@ -129,7 +129,7 @@ void Player::holdBetween(Point normal, Point& steep) {
   const bool opposite = (normal.x > 0 && steep.x < 0) || (normal.x < 0 && steep.x > 0);
   const bool upwards = normal.y > 0 || steep.y > 0;
   if (opposite && upwards && state_->ground == Point()) state_->ground = Point(0, PlayerState::kUnit);
-  if (normal.x != 0) steep = normal;   // a flat ceiling faces neither
+  if (normal.x != 0) steep = normal;  // a flat ceiling faces neither
 }
 
 }  // namespace platon

@@ -1,4 +1,4 @@
-#include "shared/game/recorder.h"
+#include "platon/game/recorder.h"
 
 #include <algorithm>
 #include <cassert>
@@ -10,7 +10,7 @@ namespace platon {
 
 Recorder::Recorder(const Game& start, std::uint32_t checkpointTicks)
     : checkpointTicks_(checkpointTicks), first_(start.tick()), state_(start.save()) {
-  assert(checkpointTicks >= 1 && checkpointTicks <= kMostCheckpointTicks);
+  assert(checkpointTicks >= 1 && checkpointTicks <= kMaxCheckpointTicks);
   const std::string& text = start.level().text;
   StateWriter head;
   head.append(kRecordingMagic);

@@ -1,10 +1,10 @@
-#include "shared/game/recording_reader.h"
+#include "platon/game/recording_reader.h"
 
 #include <algorithm>
 
+#include "platon/game/recording_format.h"
+#include "platon/game/state_bytes.h"
 #include "shared/exact/hash.h"
-#include "shared/game/recording_format.h"
-#include "shared/game/state_bytes.h"
 
 namespace platon {
 namespace {
@@ -49,7 +49,7 @@ void RecordingReader::readHead() {
   reader.read(textBytes);
   reader.read(complement);
   if (textBytes != ~complement) return damaged(0, "the length of the level text is wrong");
-  if (textBytes > kMostLevelBytes) return damaged(0, "the level text is too long for a level");
+  if (textBytes > kMaxLevelBytes) return damaged(0, "the level text is too long for a level");
   if (!truncatedUnless(kFixed + textBytes + kHashBytes)) return;
   const auto head = bytes_.first(kFixed + textBytes);
   if (readHash(bytes_.subspan(head.size())) != hashOf(head)) {
@@ -57,7 +57,8 @@ void RecordingReader::readHead() {
   }
   if (rules != kRulesVersion) {
     return damaged(kRecordingMagic.size(), "it was played by version " + std::to_string(rules) +
-                   " of the rules, this program plays by version " + std::to_string(kRulesVersion));
+                                               " of the rules, this program plays by version " +
+                                               std::to_string(kRulesVersion));
   }
   const auto text = head.subspan(kFixed);
   LevelResult result = loadLevel(std::string(text.begin(), text.end()));
@@ -101,7 +102,7 @@ std::optional<RecordedBlock> RecordingReader::readBody(std::span<const std::uint
   reader.read(slots);
   reader.read(stateBytes);
   const auto wrong = [&](std::string_view what) { return damaged(offset, what), std::nullopt; };
-  if (ticks > kMostCheckpointTicks || slots > kMaxPlayers) return wrong("the block is larger than any may be");
+  if (ticks > kMaxCheckpointTicks || slots > kMaxPlayers) return wrong("the block is larger than any may be");
   if (expected_ && block.first != *expected_) return wrong("the block does not follow on the one before");
   expected_ = block.first + ticks;
   const auto state = reader.take(stateBytes);

@@ -1,36 +1,26 @@
-#include "shared/game/solid.h"
+#include "platon/game/solid.h"
 
-#include "shared/exact/integer.h"
+#include "platon/exact/integer.h"
 #include "shared/exact/square_root.h"
 
 namespace platon {
 namespace {
 
 // The corners of every face, counter-clockwise from outside; all else follows from them.
-constexpr std::uint8_t kTetrahedronCorners[] = {
-    0, 1, 3,  1, 2, 3,  2, 0, 3,
-    1, 0, 2};
+constexpr std::uint8_t kTetrahedronCorners[] = {0, 1, 3, 1, 2, 3, 2, 0, 3, 1, 0, 2};
 
-constexpr std::uint8_t kHexahedronCorners[] = {
-    0, 1, 5, 4,  1, 2, 6, 5,  2, 3, 7, 6,  3, 0, 4, 7,
-    4, 5, 6, 7,
-    3, 2, 1, 0};
+constexpr std::uint8_t kHexahedronCorners[] = {0, 1, 5, 4, 1, 2, 6, 5, 2, 3, 7, 6, 3, 0, 4, 7, 4, 5, 6, 7, 3, 2, 1, 0};
 
-constexpr std::uint8_t kOctahedronCorners[] = {
-    0, 1, 4,  1, 2, 4,  2, 3, 4,  3, 0, 4,
-    1, 0, 5,  2, 1, 5,  3, 2, 5,  0, 3, 5};
+constexpr std::uint8_t kOctahedronCorners[] = {0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4, 1, 0, 5, 2, 1, 5, 3, 2, 5, 0, 3, 5};
 
-constexpr std::uint8_t kDodecahedronCorners[] = {
-    1, 0, 4, 3, 2,
-    0, 1, 6, 10, 5,  1, 2, 7, 11, 6,  2, 3, 8, 12, 7,  3, 4, 9, 13, 8,  4, 0, 5, 14, 9,
-    16, 15, 10, 6, 11,  17, 16, 11, 7, 12,  18, 17, 12, 8, 13,  19, 18, 13, 9, 14,  15, 19, 14, 5, 10,
-    15, 16, 17, 18, 19};
+constexpr std::uint8_t kDodecahedronCorners[] = {1,  0,  4,  3,  2,  0,  1,  6,  10, 5,  1,  2,  7,  11, 6,
+                                                 2,  3,  8,  12, 7,  3,  4,  9,  13, 8,  4,  0,  5,  14, 9,
+                                                 16, 15, 10, 6,  11, 17, 16, 11, 7,  12, 18, 17, 12, 8,  13,
+                                                 19, 18, 13, 9,  14, 15, 19, 14, 5,  10, 15, 16, 17, 18, 19};
 
-constexpr std::uint8_t kIcosahedronCorners[] = {
-    2, 1, 0,  3, 2, 0,  4, 3, 0,  5, 4, 0,  1, 5, 0,
-    1, 2, 6,  2, 3, 7,  3, 4, 8,  4, 5, 9,  5, 1, 10,
-    7, 6, 2,  8, 7, 3,  9, 8, 4,  10, 9, 5,  6, 10, 1,
-    6, 7, 11,  7, 8, 11,  8, 9, 11,  9, 10, 11,  10, 6, 11};
+constexpr std::uint8_t kIcosahedronCorners[] = {2, 1, 0, 3,  2, 0, 4, 3,  0, 5,  4,  0, 1, 5,  0, 1,  2,  6,  2, 3,
+                                                7, 3, 4, 8,  4, 5, 9, 5,  1, 10, 7,  6, 2, 8,  7, 3,  9,  8,  4, 10,
+                                                9, 5, 6, 10, 1, 6, 7, 11, 7, 8,  11, 8, 9, 11, 9, 10, 11, 10, 6, 11};
 
 }  // namespace
 
@@ -67,8 +57,8 @@ const PlatonicSolid& PlatonicSolid::of(SolidKind kind) {
 }
 
 std::string_view nameOf(SolidKind kind) {
-  static constexpr std::array<std::string_view, kSolidKinds> names = {
-      "TETRAHEDRON", "HEXAHEDRON", "OCTAHEDRON", "DODECAHEDRON", "ICOSAHEDRON"};
+  static constexpr std::array<std::string_view, kSolidKinds> names = {"TETRAHEDRON", "HEXAHEDRON", "OCTAHEDRON",
+                                                                      "DODECAHEDRON", "ICOSAHEDRON"};
   return names[static_cast<std::size_t>(kind)];
 }
 
@@ -110,7 +100,8 @@ std::vector<Point> facePolygon(SolidKind kind, std::int32_t faceSize) {
       const std::int32_t below = length(kTriangleInradius);
       return {{-half, -below}, {half, -below}, {0, length(kTriangleCircumradius)}};
     }
-    case 4: return {{-half, -half}, {half, -half}, {half, half}, {-half, half}};
+    case 4:
+      return {{-half, -half}, {half, -half}, {half, half}, {-half, half}};
     default: {
       const std::int32_t below = length(kPentagonInradius);
       const std::int32_t wide = length(kPentagonHalfDiagonal);
@@ -124,10 +115,10 @@ PrecisePoint edgeMiddle(SolidKind kind, std::int32_t faceSize, int edge) {
   // The radius of the circle inside a face with edge 1, over 2^62: 1 / (2 tan(180° / edges)).
   constexpr std::int64_t inradius[] = {1331279082078542925, 2305843009213693952, 3173720629326573981};
   const int edges = PlatonicSolid::of(kind).edgesPerFace();
-  const int128 length = int128{faceSize} * kSubunitsPerUnit * PrecisePoint::kOne;   // < 2^43
+  const int128 length = int128{faceSize} * kSubunitsPerUnit * PrecisePoint::kOne;  // < 2^43
   const auto radius = static_cast<std::int64_t>((length * inradius[edges - 3]) >> 62);
-  const Direction turn = directionOf(Angle(Angle::kTurn / edges * edge));
-  constexpr int128 one = int128{1} << Direction::kFractionBits;
+  const Rotation turn = rotationOf(Angle(Angle::kTurn / edges * edge));
+  constexpr int128 one = int128{1} << Rotation::kFractionBits;
   // (0, -radius), turned.
   return {static_cast<std::int64_t>(divideRounded(int128{radius} * turn.sine, one)),
           static_cast<std::int64_t>(divideRounded(-int128{radius} * turn.cosine, one))};

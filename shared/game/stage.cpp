@@ -1,11 +1,11 @@
-#include "shared/game/stage.h"
+#include "platon/game/stage.h"
 
 #include <stdexcept>
 
-#include "shared/exact/integer.h"
-#include "shared/game/player.h"
-#include "shared/physics/entity.h"
-#include "shared/physics/map_part.h"
+#include "platon/exact/integer.h"
+#include "platon/game/player.h"
+#include "platon/physics/entity.h"
+#include "platon/physics/map_part.h"
 
 namespace platon {
 namespace {
@@ -19,9 +19,7 @@ Point alongEdge(Point corner, Point other, std::int64_t edgeLength) {
 
 void addWarps(MapPart& part, SolidKind kind, std::int32_t faceSize, const std::vector<Point>& polygon) {
   const PlatonicSolid& solid = PlatonicSolid::of(kind);
-  const auto corner = [&](int index) {
-    return polygon[static_cast<std::size_t>(index) % polygon.size()];
-  };
+  const auto corner = [&](int index) { return polygon[static_cast<std::size_t>(index) % polygon.size()]; };
   for (int edge = 0; edge < solid.edgesPerFace(); ++edge) {
     const PlatonicSolid::Neighbour& behind = solid.neighbour(static_cast<int>(part.id()), edge);
     part.warp({corner(edge), corner(edge + 1)}, behind.face, {corner(behind.edge + 1), corner(behind.edge)},

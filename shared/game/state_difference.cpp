@@ -1,4 +1,4 @@
-#include "shared/game/state_difference.h"
+#include "platon/game/state_difference.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -8,7 +8,7 @@
 namespace platon {
 namespace {
 
-using FieldKey = std::pair<std::string, std::string>;   // owner and name
+using FieldKey = std::pair<std::string, std::string>;  // owner and name
 
 constexpr const char* kNothing = "nothing";
 
@@ -19,7 +19,7 @@ std::string textOf(Integer value) {
 
 std::string textOf(Point point) { return "(" + std::to_string(point.x) + ", " + std::to_string(point.y) + ")"; }
 
-std::string textOf(Angle angle) { return std::to_string(angle.hundredths()); }
+std::string textOf(Angle angle) { return std::to_string(angle.centidegrees()); }
 
 }  // namespace
 

@@ -5,7 +5,7 @@
 
 namespace platon {
 
-LineRef lineRef(const MapGeometry& part, std::uint32_t line) {
+SegmentRef segmentRef(const MapGeometry& part, std::uint32_t line) {
   return {part.id, line, part.isWarp(line), part.lines[line]};
 }
 
@@ -14,7 +14,7 @@ void Collider::begin(Rules& rules, Entity entity, std::vector<Region>& regions) 
   heedsNoWarp_ = rules.heedsNoWarp();
   entity_.emplace(entity);
   regions_ = &regions;
-  regions.resize(Instances::kMost);
+  regions.resize(Instances::kMax);
   pierced_.clear();
 }
 
@@ -32,7 +32,7 @@ std::optional<Sweep::Meeting> Collider::meet(const Placement& placement, Region&
 }
 
 bool Collider::blocks(const MapGeometry& part, std::uint32_t line) const {
-  return heedsNoWarp_ ? !part.isWarp(line) : !rules_->pierce(*entity_, lineRef(part, line));
+  return heedsNoWarp_ ? !part.isWarp(line) : !rules_->pierce(*entity_, segmentRef(part, line));
 }
 
 bool Collider::blocksOrNote(const Placement& placement, std::uint32_t line) {
@@ -50,8 +50,8 @@ std::optional<LegHit> Collider::first(const Instances& instances, Point from, Po
   return best;
 }
 
-void Collider::first(const Instances& instances, std::size_t index, Point from, Point to,
-                     std::optional<LegHit>& best, std::uint32_t but) {
+void Collider::first(const Instances& instances, std::size_t index, Point from, Point to, std::optional<LegHit>& best,
+                     std::uint32_t but) {
   if (isSettled(best)) return;
   const Placement& placement = instances.all()[index];
   Region& region = start(placement, *placement.shape, instances.at(index, from), placement.at(to));
@@ -66,7 +66,7 @@ void Collider::first(const Instances& instances, std::size_t index, Point from, 
 
 std::optional<LegHit> Collider::firstWarp(const Instances& instances, const Path& path,
                                           const std::optional<LegHit>& limit, const std::vector<Gate>& shut) {
-  if (limit && limit->hit.time.numerator == 0) return std::nullopt;   // `first` may then have left regions out
+  if (limit && limit->hit.time.numerator == 0) return std::nullopt;  // `first` may then have left regions out
   std::optional<LegHit> best;
   const LegHit* earliest = limit ? &*limit : nullptr;
   for (std::size_t i = 0; i < instances.all().size(); ++i) {

@@ -4,19 +4,19 @@
 #include <optional>
 #include <vector>
 
-#include "shared/physics/entity.h"
+#include "platon/physics/entity.h"
+#include "platon/physics/rules.h"
+#include "platon/physics/sweep.h"
 #include "shared/physics/instances.h"
 #include "shared/physics/region.h"
-#include "shared/physics/rules.h"
-#include "shared/physics/sweep.h"
 
 namespace platon {
 
 /// The line that stops a leg, or a warp line that it comes near.
 struct LegHit {
   std::size_t placement = 0;
-  std::uint32_t line = 0;         ///< index into the lines of the placement's part
-  Hit hit;                        ///< its time is of the leg
+  std::uint32_t line = 0;  ///< index into the lines of the placement's part
+  Hit hit;                 ///< its time is of the leg
 };
 
 /// Asks exact questions about one entity's instances and the lines round them. Rules decide which lines block.
@@ -96,7 +96,7 @@ class Collider {
   bool blocksOrNote(const Placement& placement, std::uint32_t line);
 
   Rules* rules_ = nullptr;
-  bool heedsNoWarp_ = false;   // the rules: warps neither block nor are noted
+  bool heedsNoWarp_ = false;  // the rules: warps neither block nor are noted
   std::optional<Entity> entity_;
   std::vector<Region>* regions_ = nullptr;
   std::vector<Pierced> pierced_;
@@ -104,6 +104,6 @@ class Collider {
 };
 
 /// `line` of `part` as rules see it.
-LineRef lineRef(const MapGeometry& part, std::uint32_t line);
+SegmentRef segmentRef(const MapGeometry& part, std::uint32_t line);
 
 }  // namespace platon

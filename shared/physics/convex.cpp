@@ -1,17 +1,15 @@
-#include "shared/physics/convex.h"
+#include "platon/physics/convex.h"
 
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
 
-#include "shared/exact/integer.h"
+#include "platon/exact/integer.h"
 
 namespace platon {
 namespace {
 
-std::string atVertex(std::size_t index, const char* what) {
-  return "vertex " + std::to_string(index + 1) + " " + what;
-}
+std::string atVertex(std::size_t index, const char* what) { return "vertex " + std::to_string(index + 1) + " " + what; }
 
 bool inHalfPlane(Point a, Point b) {
   // Directions in [0, half turn) come before those in [half turn, turn).
@@ -90,7 +88,7 @@ std::optional<Convex> Convex::turned(Angle angle) const {
   if (angle == Angle()) return *this;
   std::vector<Point> points;
   points.reserve(vertices_.size());
-  const Direction direction = directionOf(angle);
+  const Rotation direction = rotationOf(angle);
   for (const Point vertex : vertices_) points.push_back(rotate(vertex, direction));
   auto hull = convexHull(std::move(points));
   if (fault(hull)) return std::nullopt;

@@ -1,8 +1,8 @@
-#include "shared/physics/entity.h"
+#include "platon/physics/entity.h"
 
 #include <cassert>
 
-#include "shared/physics/world.h"
+#include "platon/physics/world.h"
 
 namespace platon {
 Entity::Entity(World& world, const intern::Convex& shape) : Entity(world, Convex(shape)) {}
@@ -28,9 +28,9 @@ void Entity::setVelocity(Point velocity, Angle frame) {
 
 void Entity::addVelocity(Point change) { setVelocity(velocity() + change); }
 
-void Entity::rotate(std::int32_t hundredths) {
-  assert(hundredths > -Angle::kTurn && hundredths < Angle::kTurn);
-  world_->state_.entities[index_].turn = hundredths;
+void Entity::rotate(std::int32_t centidegrees) {
+  assert(centidegrees > -Angle::kTurn && centidegrees < Angle::kTurn);
+  world_->state_.entities[index_].turn = centidegrees;
 }
 
 }  // namespace platon

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <utility>
 
-#include "shared/exact/integer.h"
+#include "platon/exact/integer.h"
 #include "shared/physics/slide.h"
 
 namespace platon {
@@ -40,7 +40,7 @@ void EntityStep::begin(Entity entity, EntityState& state, std::span<const Instan
 // touches.
 void EntityStep::translate(Point velocity, Angle heading) {
   takeVelocity(velocity, heading);
-  for (int legs = 0; legs < kMostLegs; ++legs) {
+  for (int legs = 0; legs < kMaxLegs; ++legs) {
     const Way way = nextWay();
     if (legs != 0 && way.whole == Point()) break;
     const Leg leg = admit(inRange(position() + way.part));
@@ -56,7 +56,7 @@ void EntityStep::translate(Point velocity, Angle heading) {
 // What rests does so exactly: a remainder alone moves nothing.
 void EntityStep::takeVelocity(Point velocity, Angle heading) {
   if (velocity == Point()) return;
-  const PrecisePoint exact = rotatePrecise(velocity, directionOf(heading)) + remainder_;
+  const PrecisePoint exact = rotatePrecise(velocity, rotationOf(heading)) + remainder_;
   wanted_ = rest_ = rounded(exact);
   remainder_ = exact - precise(rest_);
 }
@@ -104,7 +104,7 @@ void EntityStep::insertBehind(Leg& leg, const LegHit& met) {
     const Point target = inRange(leg.target);
     if (target == leg.target) {
       collider_.first(instances_, instances_.all().size() - 1, position(), target, leg.hit);
-    } else {   // coordinates end earlier behind the warp
+    } else {  // coordinates end earlier behind the warp
       leg.target = target;
       leg.hit = collider_.first(instances_, position(), target);
     }
@@ -142,9 +142,9 @@ bool EntityStep::allInRange(Point home) const {
 // spares turning the way into theirs. A way of less than a quarter of the coordinates is less than half of them after.
 bool EntityStep::isFarFromEnds(Point home) const {
   constexpr std::int32_t kNear = kCoordinateLimit / 4;
-  if (longerPart(home - position()) >= kNear) return false;
+  if (maxNorm(home - position()) >= kNear) return false;
   return std::all_of(instances_.all().begin(), instances_.all().end(),
-                     [](const Placement& placement) { return longerPart(placement.position) < kNear; });
+                     [](const Placement& placement) { return maxNorm(placement.position) < kNear; });
 }
 
 // Moves along the leg as far as it goes, and tells of what stopped it.
@@ -231,7 +231,7 @@ void EntityStep::passHome() {
 }
 
 void EntityStep::turnFrame(Angle turn) {
-  const Direction direction = directionOf(turn);
+  const Rotation direction = rotationOf(turn);
   const PrecisePoint rest = rotatePrecise(rest_, direction) + remainder_;
   rest_ = rest_ == Point() ? Point() : rounded(rest);
   remainder_ = rest - precise(rest_);

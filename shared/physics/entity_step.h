@@ -5,13 +5,13 @@
 #include <span>
 #include <vector>
 
+#include "platon/physics/entity.h"
+#include "platon/physics/rules.h"
+#include "platon/physics/step_observer.h"
 #include "shared/physics/collider.h"
-#include "shared/physics/entity.h"
 #include "shared/physics/instances.h"
-#include "shared/physics/rules.h"
 #include "shared/physics/shape_cache.h"
 #include "shared/physics/slide.h"
-#include "shared/physics/step_observer.h"
 
 namespace platon {
 
@@ -23,7 +23,7 @@ namespace platon {
 class EntityStep {
  public:
   /// I2: a step ends after this many legs at most; a displacement that needs more is cut short.
-  static constexpr int kMostLegs = 64;
+  static constexpr int kMaxLegs = 64;
   /// I3: the end of a line that stands out by no more than this is passed, not hit. Two ends that are meant to join,
   /// each off by up to 2 subunits along both axes, are up to 5.7 apart.
   static constexpr std::int32_t kNudge = 6;
@@ -38,7 +38,7 @@ class EntityStep {
     StepObserver* observer;
   };
   void begin(Entity entity, EntityState& state, std::span<const InstanceState> further, const Setting& setting);
-  void turn(std::int32_t hundredths);
+  void turn(std::int32_t centidegrees);
   /// By `velocity`, which `heading` turns into the frame of the home part.
   void translate(Point velocity, Angle heading);
   /// Adds the instances that the shape reaches where it stands. False when one cannot be placed.
@@ -131,11 +131,11 @@ class EntityStep {
   void observe();
 
   // entity_step_turn.cpp
-  bool tryTurn(std::int32_t hundredths);
-  void turnBy(std::int32_t hundredths);
-  LineRef refOf(const Collider::Pierced& pierced) const;
-  std::optional<LineRef> turnBlocker(std::int32_t hundredths, std::size_t from);
-  bool admitTurn(std::int32_t hundredths);
+  bool tryTurn(std::int32_t centidegrees);
+  void turnBy(std::int32_t centidegrees);
+  SegmentRef refOf(const Collider::Pierced& pierced) const;
+  std::optional<SegmentRef> turnBlocker(std::int32_t centidegrees, std::size_t from);
+  bool admitTurn(std::int32_t centidegrees);
 
   // entity_step_rules.cpp
   void callPierced(Point before);
@@ -155,12 +155,12 @@ class EntityStep {
   bool isFree_ = true;      // nothing was in the way in this step
   Instances instances_;
   Collider collider_;
-  std::vector<Collider::Gate> shut_;  // warps that nothing could be inserted behind, for the present leg
-  std::optional<Way> onwards_;        // where to after a nudge
-  std::optional<LegHit> slidAlong_;   // the last slide
-  std::optional<LegHit> stopBefore_;  // another one, where it has not moved since
-  std::optional<LegHit> stop_;        // what has stopped the entity where it stands
-  std::vector<Collider::Pierced> piercedBefore_;   // a part of a turn
+  std::vector<Collider::Gate> shut_;              // warps that nothing could be inserted behind, for the present leg
+  std::optional<Way> onwards_;                    // where to after a nudge
+  std::optional<LegHit> slidAlong_;               // the last slide
+  std::optional<LegHit> stopBefore_;              // another one, where it has not moved since
+  std::optional<LegHit> stop_;                    // what has stopped the entity where it stands
+  std::vector<Collider::Pierced> piercedBefore_;  // a part of a turn
   std::vector<Collider::Pierced> piercedAfter_;
   std::vector<Contact> contacts_;
   std::vector<Event> events_;

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <span>
 
-#include "shared/exact/integer.h"
+#include "platon/exact/integer.h"
 #include "shared/exact/lattice.h"
 #include "shared/physics/entity_step.h"
 #include "shared/physics/slide.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "shared/exact/integer.h"
+#include "platon/exact/integer.h"
 
 namespace platon {
 
@@ -22,7 +22,7 @@ Point clampedTo(const Segment& line, Point point) {
 void EntityStep::callContact(const LegHit& hit) {
   const Placement& placement = instances_.all()[hit.placement];
   Contact& contact = contacts_.emplace_back();
-  contact.line = lineRef(*placement.part, hit.line);
+  contact.line = segmentRef(*placement.part, hit.line);
   contact.instance = placement.id;
   contact.normal = normalOf(hit);
   contact.point = hit.hit.side == Hit::Side::kLine
@@ -42,7 +42,7 @@ void EntityStep::callPierced(Point before) {
     return std::tuple(a.placement, a.line, !a.begins) < std::tuple(b.placement, b.line, !b.begins);
   });
   for (const Event& event : events_) {
-    const LineRef line = lineRef(*instances_.all()[event.placement].part, event.line);
+    const SegmentRef line = segmentRef(*instances_.all()[event.placement].part, event.line);
     event.begins ? rules_->beginContact(*entity_, line) : rules_->endContact(*entity_, line);
   }
   for (Placement& placement : instances_.all()) placement.fresh = false;
@@ -53,7 +53,7 @@ void EntityStep::appendEvents(const Collider::Pierced& pierced, Point before) {
     const Placement& placement = instances_.all()[i];
     if (placement.id != pierced.instance || placement.part->id != pierced.part) continue;
     const Point from = placement.at(before);
-    if (from == placement.position && !placement.fresh) return;   // nothing begins or ends on the spot
+    if (from == placement.position && !placement.fresh) return;  // nothing begins or ends on the spot
     const auto meeting = collider_.against(placement, {from, placement.position}, pierced.line);
     if (!meeting) return;
     const bool wasInside = meeting->entered == Sweep::Meeting::kNone;
@@ -72,7 +72,7 @@ void EntityStep::callOver() {
     return std::tuple(a.placement, a.line) < std::tuple(b.placement, b.line);
   });
   for (const Event& event : events_) {
-    rules_->overContact(*entity_, lineRef(*instances_.all()[event.placement].part, event.line));
+    rules_->overContact(*entity_, segmentRef(*instances_.all()[event.placement].part, event.line));
   }
 }
 

@@ -1,7 +1,7 @@
 // What is left of a displacement slides along what stopped it.
 #include <utility>
 
-#include "shared/exact/integer.h"
+#include "platon/exact/integer.h"
 #include "shared/physics/entity_step.h"
 #include "shared/physics/slide.h"
 
@@ -24,8 +24,8 @@ bool EntityStep::outreaches(const LegHit& stop, bool back) const {
   if (stop.hit.side != Hit::Side::kLine) return false;
   const Placement& placement = instances_.all()[stop.placement];
   const Point tangent = perpendicular(stop.hit.normal);
-  return goesOnFor(longerPart(rest_), placement.shape->bounds(), placement.position,
-                   placement.part->lines[stop.line], back ? -tangent : tangent);
+  return goesOnFor(maxNorm(rest_), placement.shape->bounds(), placement.position, placement.part->lines[stop.line],
+                   back ? -tangent : tangent);
 }
 
 // How far home can slide, ahead or back, until the line that stopped it, or its end, lies no longer on the same edge of
@@ -35,7 +35,7 @@ Reach EntityStep::reachOf(const LegHit& stop, bool back) const {
   const Segment& line = placement.part->lines[stop.line];
   const Point way = reachAlong(*placement.shape, placement.position, line, normalOf(stop), back);
   Reach reach;
-  (back ? reach.behind : reach.ahead) = longerPart(rotate(way, placement.toHome));
+  (back ? reach.behind : reach.ahead) = maxNorm(rotate(way, placement.toHome));
   return reach;
 }
 

@@ -17,14 +17,14 @@ bool isIn(const std::vector<Collider::Pierced>& some, const Collider::Pierced& o
 
 }  // namespace
 
-// Where a part is not free, smaller ones are tried, down to a hundredth of a degree: the hull of a large turn holds
+// Where a part is not free, smaller ones are tried, down to a centidegree: the hull of a large turn holds
 // more than the shape sweeps over. Past a narrow place they grow again.
-void EntityStep::turn(std::int32_t hundredths) {
+void EntityStep::turn(std::int32_t centidegrees) {
   std::int32_t most = kTurnPart;
-  while (hundredths != 0) {
-    const std::int32_t part = std::clamp(hundredths, -most, most);
+  while (centidegrees != 0) {
+    const std::int32_t part = std::clamp(centidegrees, -most, most);
     if (tryTurn(part)) {
-      hundredths -= part;
+      centidegrees -= part;
       most = std::min(2 * most, kTurnPart);
     } else if (most = std::abs(part) / 2; most == 0) {
       if (const auto blocker = turnBlocker(part, 0)) rules_->touchContact(*entity_, *blocker);
@@ -33,21 +33,21 @@ void EntityStep::turn(std::int32_t hundredths) {
   }
 }
 
-bool EntityStep::tryTurn(std::int32_t hundredths) {
+bool EntityStep::tryTurn(std::int32_t centidegrees) {
   const std::size_t known = instances_.all().size();
-  if (turnBlocker(hundredths, 0) || !admitTurn(hundredths) || turnBlocker(hundredths, known)) return false;
-  turnBy(hundredths);
+  if (turnBlocker(centidegrees, 0) || !admitTurn(centidegrees) || turnBlocker(centidegrees, known)) return false;
+  turnBy(centidegrees);
   return true;
 }
 
 // Then pierceable lines are left and met, in this order.
-void EntityStep::turnBy(std::int32_t hundredths) {
+void EntityStep::turnBy(std::int32_t centidegrees) {
   piercedBefore_.clear();
   piercedAfter_.clear();
   for (const Placement& placement : instances_.all()) {
     if (!placement.fresh) collider_.appendPierced(placement, piercedBefore_);
   }
-  instances_.turn(hundredths);
+  instances_.turn(centidegrees);
   state_->angle = instances_.home().angle;
   observe();
   for (Placement& placement : instances_.all()) {
@@ -62,28 +62,28 @@ void EntityStep::turnBy(std::int32_t hundredths) {
   }
 }
 
-LineRef EntityStep::refOf(const Collider::Pierced& pierced) const {
+SegmentRef EntityStep::refOf(const Collider::Pierced& pierced) const {
   const auto& all = instances_.all();
   const auto found = std::find_if(all.begin(), all.end(),
                                   [&](const Placement& placement) { return placement.id == pierced.instance; });
-  return lineRef(*found->part, pierced.line);
+  return segmentRef(*found->part, pierced.line);
 }
 
 // The first line, home before other instances, that the turning shape would meet; the first instances may be left out.
-std::optional<LineRef> EntityStep::turnBlocker(std::int32_t hundredths, std::size_t from) {
+std::optional<SegmentRef> EntityStep::turnBlocker(std::int32_t centidegrees, std::size_t from) {
   for (std::size_t i = from; i < instances_.all().size(); ++i) {
     const Placement& placement = instances_.all()[i];
-    const Convex* hull = instances_.hullOfTurn(i, hundredths);
+    const Convex* hull = instances_.hullOfTurn(i, centidegrees);
     if (hull == nullptr) continue;
-    if (const auto line = collider_.overlapped(placement, *hull)) return lineRef(*placement.part, *line);
+    if (const auto line = collider_.overlapped(placement, *hull)) return segmentRef(*placement.part, *line);
   }
   return std::nullopt;
 }
 
 // Adds the instances that the turning shape reaches. False when one cannot be placed or the shape degenerates.
-bool EntityStep::admitTurn(std::int32_t hundredths) {
+bool EntityStep::admitTurn(std::int32_t centidegrees) {
   for (std::size_t i = 0; i < instances_.all().size(); ++i) {
-    const Convex* hull = instances_.hullOfTurn(i, hundredths);
+    const Convex* hull = instances_.hullOfTurn(i, centidegrees);
     if (hull == nullptr) return false;
     const MapGeometry& part = *instances_.all()[i].part;
     for (std::uint16_t warp = 0; warp < part.warps.size(); ++warp) {

@@ -1,8 +1,8 @@
-#include "shared/physics/grid.h"
+#include "platon/physics/grid.h"
 
 #include <algorithm>
 
-#include "shared/exact/integer.h"
+#include "platon/exact/integer.h"
 #include "shared/exact/square_root.h"
 
 namespace platon {

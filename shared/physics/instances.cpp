@@ -2,21 +2,21 @@
 
 #include <algorithm>
 
-#include "shared/exact/integer.h"
+#include "platon/exact/integer.h"
 #include "shared/exact/lattice.h"
 #include "shared/physics/collider.h"
 
 namespace platon {
 namespace {
 
-// Offsets by which a placement may be moved to be free; all within kMostError of a point that is itself at most
+// Offsets by which a placement may be moved to be free; all within kMaxError of a point that is itself at most
 // sqrt(1/2) from the ideal one.
-constexpr auto kOffsets = latticeDisc<Instances::kMostError + 1>();
+constexpr auto kOffsets = latticeDisc<Instances::kMaxError + 1>();
 
 constexpr std::int64_t squaredPrecise(std::int32_t subunits) {
   return subunits * PrecisePoint::kOne * subunits * PrecisePoint::kOne;
 }
-constexpr std::int64_t kMostSquaredError = squaredPrecise(Instances::kMostError);
+constexpr std::int64_t kMaxSquaredError = squaredPrecise(Instances::kMaxError);
 // Half the diagonal of a lattice cell is 0.71 subunits: what is closer than one cannot be bettered by much.
 constexpr std::int64_t kWorthMending = squaredPrecise(1);
 
@@ -58,7 +58,7 @@ void Instances::loadHome(const EntityState& state) {
   home.part = geometry_->find(state.part);
   home.angle = state.angle;
   home.shape = shapes_->turned(shapeIndex_, *base_, state.angle);
-  home.fromHome = home.toHome = Direction::none();
+  home.fromHome = home.toHome = Rotation::none();
   home.position = home.homeAnchor = home.anchor = state.position;
   home.id = state.id;
   home.fresh = state.fresh != 0;
@@ -81,8 +81,8 @@ void Instances::loadFurther(const InstanceState& instance) {
 }
 
 void Instances::turnFrames(Placement& placement) const {
-  placement.fromHome = directionOf(placement.angle - home().angle);
-  placement.toHome = directionOf(home().angle - placement.angle);
+  placement.fromHome = rotationOf(placement.angle - home().angle);
+  placement.toHome = rotationOf(home().angle - placement.angle);
 }
 
 void Instances::linkParent(std::size_t index, std::uint16_t parentId) {
@@ -149,7 +149,7 @@ bool Instances::linked(std::size_t index, std::uint16_t warp) const {
 bool Instances::fullBehind(std::size_t parent) const {
   int depth = 1;
   for (; placements_[parent].parent != Placement::kNone; parent = placements_[parent].parent) ++depth;
-  return placements_.size() == kMost || depth > kMostDepth;
+  return placements_.size() == kMax || depth > kMaxDepth;
 }
 
 bool Instances::insert(std::size_t parentIndex, std::uint16_t warpIndex, Collider& collider) {
@@ -172,7 +172,7 @@ bool Instances::insert(std::size_t parentIndex, std::uint16_t warpIndex, Collide
   child.id = takeId(nextId, [&](std::uint16_t id) {
     return std::any_of(placements_.begin(), placements_.end(), [&](const Placement& other) { return other.id == id; });
   });
-  const auto place = nearestFree(child, nullptr, through(warp, ideal(parentIndex)), kMostSquaredError + 1, collider);
+  const auto place = nearestFree(child, nullptr, through(warp, ideal(parentIndex)), kMaxSquaredError + 1, collider);
   if (!place) return false;
   nextId_ = nextId;
   child.position = child.anchor = *place;
@@ -186,28 +186,28 @@ void Instances::moveHomeTo(Point position) {
   home().position = home().anchor = home().homeAnchor = position;
 }
 
-void Instances::turn(std::int32_t hundredths) {
+void Instances::turn(std::int32_t centidegrees) {
   for (std::size_t i = 0; i < placements_.size(); ++i) {
-    placements_[i].shape = shapeTurned(i, hundredths);
-    placements_[i].angle = placements_[i].angle + Angle(hundredths);
+    placements_[i].shape = shapeTurned(i, centidegrees);
+    placements_[i].angle = placements_[i].angle + Angle(centidegrees);
   }
 }
 
-const Convex* Instances::hullOfTurn(std::size_t index, std::int32_t hundredths) {
-  return shapes_->hullOfTurn(shapeIndex_, *base_, placements_[index].angle, hundredths);
+const Convex* Instances::hullOfTurn(std::size_t index, std::int32_t centidegrees) {
+  return shapes_->hullOfTurn(shapeIndex_, *base_, placements_[index].angle, centidegrees);
 }
 
-const Convex* Instances::shapeTurned(std::size_t index, std::int32_t hundredths) {
-  return shapes_->turned(shapeIndex_, *base_, placements_[index].angle + Angle(hundredths));
+const Convex* Instances::shapeTurned(std::size_t index, std::int32_t centidegrees) {
+  return shapes_->turned(shapeIndex_, *base_, placements_[index].angle + Angle(centidegrees));
 }
 
 std::optional<Angle> Instances::passHome(PrecisePoint& remainder) {
-  const std::size_t next = heir();
+  const std::size_t next = nextHome();
   if (next == Placement::kNone) return std::nullopt;
   const Angle before = home().angle;
   const PrecisePoint there = through(home().part->warps[placements_[next].warp], precise(home().position) + remainder);
   undo_ = placements_;
-  reroot(next);
+  rehome(next);
   anchorAll();
   for (std::size_t i = 1; i < placements_.size(); ++i) {
     if (withinError(i)) continue;
@@ -223,7 +223,7 @@ std::optional<Angle> Instances::passHome(PrecisePoint& remainder) {
 // The child of home behind the warp line that the centre is beyond, on the way to the part that holds the centre.
 // Behind a corner the centre is beyond two warp lines, of which it has crossed one. Where roundings put the centre
 // outside all parts, home stays.
-std::size_t Instances::heir() const {
+std::size_t Instances::nextHome() const {
   if (placements_.size() == 1 || holdsCentre(0)) return Placement::kNone;
   for (std::size_t i = 1; i < placements_.size(); ++i) {
     const std::size_t child = childAbove(i);
@@ -259,18 +259,18 @@ bool Instances::holdsCentre(std::size_t index) const {
                      [&](const auto& warp) { return cross(warp.from.b - warp.from.a, centre - warp.from.a) >= 0; });
 }
 
-void Instances::reroot(std::size_t heir) {
+void Instances::rehome(std::size_t nextHome) {
   Placement& oldHome = placements_.front();
-  Placement& newHome = placements_[heir];
-  oldHome.parent = heir;
+  Placement& newHome = placements_[nextHome];
+  oldHome.parent = nextHome;
   oldHome.warp = newHome.wayBack;
   oldHome.wayBack = newHome.warp;
   newHome.parent = Placement::kNone;
   std::swap(oldHome, newHome);
   for (Placement& placement : placements_) {
     if (placement.parent == 0) {
-      placement.parent = heir;
-    } else if (placement.parent == heir) {
+      placement.parent = nextHome;
+    } else if (placement.parent == nextHome) {
       placement.parent = 0;
     }
   }
@@ -305,7 +305,7 @@ bool Instances::mendDrift(Collider& collider) {
 
 bool Instances::withinError(std::size_t index) const {
   return placements_[index].parent == Placement::kNone ||
-         squaredMiss(ideal(index), placements_[index].position) <= kMostSquaredError;
+         squaredMiss(ideal(index), placements_[index].position) <= kMaxSquaredError;
 }
 
 bool Instances::dropUnreached(std::int32_t margin, Collider& collider) {
@@ -355,10 +355,10 @@ std::int64_t Instances::squaredMiss(PrecisePoint ideal, Point point) {
 
 // The isometry of a warp turns about the middle of the line: so the way back is the exact inverse.
 PrecisePoint Instances::through(const Warp& warp, PrecisePoint point) {
-  const Direction turn = directionOf(warp.turn);
+  const Rotation turn = rotationOf(warp.turn);
   const int128 x = point.x - warp.fromMiddle.x;  // < 2^47; times 2^30 still far from 2^127
   const int128 y = point.y - warp.fromMiddle.y;
-  constexpr int128 one = int128{1} << Direction::kFractionBits;
+  constexpr int128 one = int128{1} << Rotation::kFractionBits;
   return {warp.ontoMiddle.x + static_cast<std::int64_t>(divideRounded(x * turn.cosine - y * turn.sine, one)),
           warp.ontoMiddle.y + static_cast<std::int64_t>(divideRounded(x * turn.sine + y * turn.cosine, one))};
 }

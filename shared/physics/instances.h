@@ -6,15 +6,15 @@
 #include <span>
 #include <vector>
 
-#include "shared/exact/angle.h"
-#include "shared/exact/precise_point.h"
-#include "shared/exact/point.h"
-#include "shared/physics/convex.h"
-#include "shared/physics/entity_state.h"
-#include "shared/physics/map_geometry.h"
+#include "platon/exact/angle.h"
+#include "platon/exact/point.h"
+#include "platon/exact/precise_point.h"
+#include "platon/physics/convex.h"
+#include "platon/physics/entity_state.h"
+#include "platon/physics/map_geometry.h"
+#include "platon/physics/step_observer.h"
 #include "shared/physics/placement.h"
 #include "shared/physics/shape_cache.h"
-#include "shared/physics/step_observer.h"
 
 namespace platon {
 
@@ -24,13 +24,13 @@ class Collider;
 class Instances {
  public:
   /// More than any shape between posts can reach; a displacement over more faces is walked in several legs.
-  static constexpr std::size_t kMost = 24;
-  /// Warps between home and any instance. Where only the rounded ends of the warp lines are known, every link of a chain
-  /// can be off by 0.7 subunits; I5 allows 4 in all.
-  static constexpr int kMostDepth = 4;
+  static constexpr std::size_t kMax = 24;
+  /// Warps between home and any instance. Where only the rounded ends of the warp lines are known, every link of a
+  /// chain can be off by 0.7 subunits; I5 allows 4 in all.
+  static constexpr int kMaxDepth = 4;
   /// An instance is never placed farther than this from where the true isometry puts it (I5 allows 4): one more
   /// rounding comes on top while it moves.
-  static constexpr std::int32_t kMostError = 3;
+  static constexpr std::int32_t kMaxError = 3;
 
   /// Shapes come from `shapes` and must outlive the instances. Costs little when nothing has changed since they were
   /// stored.
@@ -56,26 +56,26 @@ class Instances {
   /// Whether no instance may be added behind placement `parent`.
   bool fullBehind(std::size_t parent) const;
   /// Adds the instance behind a warp of placement `parent`, at the free lattice point nearest to the true placement.
-  /// False when the warp has no way back, the shape degenerates, or no point within kMostError is free.
+  /// False when the warp has no way back, the shape degenerates, or no point within kMaxError is free.
   bool insert(std::size_t parent, std::uint16_t warp, Collider& collider);
 
   /// Moves all instances along with home.
   void moveHomeTo(Point position);
   /// Turns all instances on the spot.
-  void turn(std::int32_t hundredths);
+  void turn(std::int32_t centidegrees);
   /// The shape of placement `index` if it were turned further; null when it degenerates.
-  const Convex* shapeTurned(std::size_t index, std::int32_t hundredths);
+  const Convex* shapeTurned(std::size_t index, std::int32_t centidegrees);
   /// The hull of that and of its present shape; null when it degenerates.
-  const Convex* hullOfTurn(std::size_t index, std::int32_t hundredths);
+  const Convex* hullOfTurn(std::size_t index, std::int32_t centidegrees);
 
   /// Whether the centre has crossed into the part of another instance.
-  bool homeIsDue() const { return heir() != Placement::kNone; }
+  bool homeIsDue() const { return nextHome() != Placement::kNone; }
   /// Moves every instance that has drifted by roundings back to the free lattice point nearest to its true placement;
   /// home stays. True when any moved.
   bool mendDrift(Collider& collider);
   /// Hands home to the instance whose part the centre has crossed into. No instance moves. Returns the turn from the
   /// old home's frame to the new one's; nothing when home is not due, or when an instance would then be farther than
-  /// kMostError from its true placement.
+  /// kMaxError from its true placement.
   /// `remainder`, which belongs to home's position, becomes that of the new home's: its exact place is kept.
   std::optional<Angle> passHome(PrecisePoint& remainder);
   /// Removes the instances whose warp line their parent, grown by `margin`, no longer reaches. True when any was.
@@ -88,11 +88,11 @@ class Instances {
   void loadFurther(const InstanceState& instance);
   void turnFrames(Placement& placement) const;
   void linkParent(std::size_t index, std::uint16_t parentId);
-  std::size_t heir() const;
+  std::size_t nextHome() const;
   std::size_t childAbove(std::size_t index) const;
   bool isBeyond(std::size_t index) const;
   bool holdsCentre(std::size_t index) const;
-  void reroot(std::size_t heir);
+  void rehome(std::size_t nextHome);
   void anchorAll();
   bool withinError(std::size_t index) const;
   bool reached(std::size_t index, std::int32_t margin, Collider& collider) const;
@@ -111,7 +111,7 @@ class Instances {
   std::uint32_t shapeIndex_ = 0;
   std::uint16_t nextId_ = 0;
   std::uint32_t crossings_ = 0;
-  bool hasPassedHome_ = false;   // since they were loaded
+  bool hasPassedHome_ = false;  // since they were loaded
   std::vector<Placement> placements_;
   // Room for work, kept so that a warmed-up step allocates nothing.
   std::vector<Placement> undo_;

@@ -1,4 +1,4 @@
-#include "shared/physics/map_geometry.h"
+#include "platon/physics/map_geometry.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -18,7 +18,7 @@ Segment reversed(const Segment& line) { return {line.b, line.a}; }
 }  // namespace
 
 const MapGeometry* Geometry::find(std::uint32_t id) const {
-  if (id < parts.size() && parts[id]->id == id) return parts[id].get();   // ids mostly count from 0
+  if (id < parts.size() && parts[id]->id == id) return parts[id].get();  // ids mostly count from 0
   const auto found = lowerBound(*this, id);
   return found != parts.end() && (*found)->id == id ? found->get() : nullptr;
 }

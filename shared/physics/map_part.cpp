@@ -1,14 +1,14 @@
-#include "shared/physics/map_part.h"
+#include "platon/physics/map_part.h"
 
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
-#include "shared/exact/integer.h"
-#include "shared/physics/entity.h"
+#include "platon/exact/integer.h"
+#include "platon/physics/entity.h"
+#include "platon/physics/world.h"
 #include "shared/physics/step_scratch.h"
-#include "shared/physics/world.h"
 
 namespace platon {
 namespace {
@@ -41,14 +41,15 @@ void MapPart::warp(Point p0, Point p1, std::uint32_t targetMap, Point t0, Point 
   warp({p0, p1}, targetMap, {t0, t1}, middle(p0, p1), middle(t0, t1));
 }
 
-void MapPart::warp(Segment from, std::uint32_t targetMap, Segment onto, PrecisePoint fromMiddle, PrecisePoint ontoMiddle) {
+void MapPart::warp(Segment from, std::uint32_t targetMap, Segment onto, PrecisePoint fromMiddle,
+                   PrecisePoint ontoMiddle) {
   for (const Point point : {from.a, from.b, onto.a, onto.b}) requireCoordinates(id_, point);
   const std::string where = "map part " + std::to_string(id_) + ", warp " + std::to_string(warps_.size());
   if (from.a == from.b || onto.a == onto.b) throw std::invalid_argument(where + ": the two ends are the same point");
   const Angle turn = angleBetween(from.b - from.a, onto.b - onto.a);
   if (!turnsOnto(from.b - from.a, onto.b - onto.a, turn)) {
     throw std::invalid_argument(where + ": the line and its image differ in length, or the turn between them is no " +
-                                "whole number of hundredths of a degree");
+                                "whole number of centidegrees");
   }
   if (!isNear(fromMiddle, middle(from.a, from.b)) || !isNear(ontoMiddle, middle(onto.a, onto.b))) {
     throw std::invalid_argument(where + ": a middle lies farther than a subunit from that of the ends");
@@ -64,7 +65,7 @@ void MapPart::initialize() {
   part.lines.shrink_to_fit();
   part.warps = std::move(warps_);
   part.grid = Grid(part.lines);
-  for (Rest& rest : world_->scratch_->rests) rest.forget();   // what leads here has been a dead end until now
+  for (Rest& rest : world_->scratch_->rests) rest.forget();  // what leads here has been a dead end until now
   world_->geometry_ = withPart(*world_->geometry_, std::move(part));
 }
 

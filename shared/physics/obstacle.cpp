@@ -1,4 +1,4 @@
-#include "shared/physics/obstacle.h"
+#include "platon/physics/obstacle.h"
 
 #include <algorithm>
 
@@ -39,7 +39,7 @@ Point Obstacle::featureOfSide(const Convex& shape, Point normal) {
 void Obstacle::become(const Convex& shape, const Segment& line) {
   shape_ = &shape;
   line_ = line;
-  likelyBarrier_ = 0;
+  separatingHint_ = 0;
   around_ = kEmpty;
   halfPlanes_.clear();
   halfPlanes_.reserve(shape.edges().size() + 2);

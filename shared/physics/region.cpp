@@ -3,15 +3,14 @@
 #include <algorithm>
 #include <limits>
 
-#include "shared/exact/integer.h"
+#include "platon/exact/integer.h"
 
 namespace platon {
 namespace {
 
 // Lines lie within the coordinates, so that a region need not reach beyond them.
 std::int32_t clamped(std::int64_t coordinate) {
-  return static_cast<std::int32_t>(
-      std::clamp<std::int64_t>(coordinate, -kCoordinateLimit, kCoordinateLimit));
+  return static_cast<std::int32_t>(std::clamp<std::int64_t>(coordinate, -kCoordinateLimit, kCoordinateLimit));
 }
 
 Box clamped(const Box& box) {
@@ -45,12 +44,11 @@ void Region::take(const MapGeometry& part, const Box& box) {
   part_ = &part;
   const Box wide = widened(clamped(box));
   covered_ = unbounded(wide);
-  linesBefore_ = lines_;   // no swap: both keep the room that they have once needed
+  linesBefore_ = lines_;  // no swap: both keep the room that they have once needed
   lines_.clear();
   part.grid.query(wide, lines_);
-  std::erase_if(lines_, [&](std::uint32_t line) {
-    return part.isWarp(line) || !wide.overlaps(boundsOf(part.lines[line]));
-  });
+  std::erase_if(lines_,
+                [&](std::uint32_t line) { return part.isWarp(line) || !wide.overlaps(boundsOf(part.lines[line])); });
   firstWarp_ = lines_.size();
   for (std::uint32_t line = part.lineOfWarp(0); line < part.lines.size(); ++line) {
     if (wide.overlaps(boundsOf(part.lines[line]))) lines_.push_back(line);

@@ -4,10 +4,10 @@
 #include <optional>
 #include <vector>
 
-#include "shared/physics/convex.h"
-#include "shared/physics/map_geometry.h"
-#include "shared/physics/obstacle.h"
-#include "shared/physics/segment.h"
+#include "platon/physics/convex.h"
+#include "platon/physics/map_geometry.h"
+#include "platon/physics/obstacle.h"
+#include "platon/physics/segment.h"
 
 namespace platon {
 
@@ -50,11 +50,11 @@ class Region {
   Box covered_;
   std::vector<std::uint32_t> lines_;
   std::size_t firstWarp_ = 0;
-  std::vector<Box> bounds_;            // by place
-  std::vector<std::uint32_t> known_;   // by place, the index of its obstacle: only of lines that have been asked for
+  std::vector<Box> bounds_;           // by place
+  std::vector<std::uint32_t> known_;  // by place, the index of its obstacle: only of lines that have been asked for
   std::vector<Obstacle> obstacles_;
-  std::vector<std::uint32_t> spare_;         // obstacles of lines that have been left, for their memory
-  std::vector<std::uint32_t> linesBefore_;   // room for work
+  std::vector<std::uint32_t> spare_;        // obstacles of lines that have been left, for their memory
+  std::vector<std::uint32_t> linesBefore_;  // room for work
   std::vector<std::uint32_t> knownBefore_;
 };
 

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "shared/physics/entity.h"
-#include "shared/physics/entity_state.h"
-#include "shared/physics/rules.h"
+#include "platon/physics/entity.h"
+#include "platon/physics/entity_state.h"
+#include "platon/physics/rules.h"
 
 namespace platon {
 

@@ -1,12 +1,12 @@
-#include "shared/physics/rules.h"
+#include "platon/physics/rules.h"
 
 namespace platon {
 
-bool Rules::pierce(const Entity&, const LineRef& line) const { return line.warp; }
-void Rules::beginContact(Entity&, const LineRef&) {}
-void Rules::overContact(Entity&, const LineRef&) {}
-void Rules::endContact(Entity&, const LineRef&) {}
+bool Rules::pierce(const Entity&, const SegmentRef& line) const { return line.warp; }
+void Rules::beginContact(Entity&, const SegmentRef&) {}
+void Rules::overContact(Entity&, const SegmentRef&) {}
+void Rules::endContact(Entity&, const SegmentRef&) {}
 void Rules::contact(Entity&, const Contact&) {}
-void Rules::touchContact(Entity&, const LineRef&) {}
+void Rules::touchContact(Entity&, const SegmentRef&) {}
 
 }  // namespace platon

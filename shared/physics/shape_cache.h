@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "shared/exact/angle.h"
-#include "shared/physics/convex.h"
+#include "platon/exact/angle.h"
+#include "platon/physics/convex.h"
 
 namespace platon {
 
@@ -20,8 +20,8 @@ class ShapeCache {
   /// the next `trim`.
   const Convex* turned(std::uint32_t index, const Convex& base, Angle angle);
 
-  /// The hull of the shape turned by `angle` and by `hundredths` more; null when one of these degenerates.
-  const Convex* hullOfTurn(std::uint32_t index, const Convex& base, Angle angle, std::int32_t hundredths);
+  /// The hull of the shape turned by `angle` and by `centidegrees` more; null when one of these degenerates.
+  const Convex* hullOfTurn(std::uint32_t index, const Convex& base, Angle angle, std::int32_t centidegrees);
 
   /// Forgets everything when more has gathered than a scene with face turns alone can need (free rotation). True when
   /// it did: then no shape from here is valid any more.

@@ -4,7 +4,7 @@
 #include <bit>
 #include <cstdlib>
 
-#include "shared/exact/integer.h"
+#include "platon/exact/integer.h"
 
 namespace platon {
 namespace {
@@ -107,7 +107,7 @@ bool goesOnFor(std::int32_t longest, const Box& shape, Point position, const Seg
   return left >= (std::int64_t{3} * longest + 16) * (std::int64_t{std::abs(tangent.x)} + std::abs(tangent.y));
 }
 
-Point turnedNormal(Point normal, Direction direction) {
+Point turnedNormal(Point normal, Rotation direction) {
   const WideVector turned = rotateWide(normal, direction);
   const auto longer = static_cast<std::uint64_t>(std::max(std::abs(turned.x), std::abs(turned.y)));
   int bits = std::max(static_cast<int>(std::bit_width(longer)) - kNormalBits, 0);

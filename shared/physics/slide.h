@@ -5,12 +5,12 @@
 #include <cstdlib>
 #include <limits>
 
-#include "shared/exact/angle.h"
-#include "shared/exact/fraction.h"
-#include "shared/exact/integer.h"
-#include "shared/exact/point.h"
-#include "shared/physics/convex.h"
-#include "shared/physics/segment.h"
+#include "platon/exact/angle.h"
+#include "platon/exact/fraction.h"
+#include "platon/exact/integer.h"
+#include "platon/exact/point.h"
+#include "platon/physics/convex.h"
+#include "platon/physics/segment.h"
 
 namespace platon {
 
@@ -31,12 +31,12 @@ Fraction shareOf(Point moved, Point whole);
 
 /// `displacement * time`, cut; time is at most 1.
 constexpr Point scaleTruncated(Point displacement, Fraction time) {
-  if (time.numerator == 0) return {};   // what touches already, the most frequent of all
+  if (time.numerator == 0) return {};  // what touches already, the most frequent of all
   return {scaleTruncated(displacement.x, time), scaleTruncated(displacement.y, time)};
 }
 
 /// The longer coordinate's magnitude.
-inline std::int32_t longerPart(Point vector) { return std::max(std::abs(vector.x), std::abs(vector.y)); }
+inline std::int32_t maxNorm(Point vector) { return std::max(std::abs(vector.x), std::abs(vector.y)); }
 
 /// `line` forbids `shape` a polygon; `position` touches its edge with outward normal `normal`. How far the position can
 /// go along perpendicular(normal), or with `back` the other way, until that edge ends: in whole subunits, cut.
@@ -48,8 +48,8 @@ Point reachAlong(const Convex& shape, Point position, const Segment& line, Point
 bool goesOnFor(std::int32_t longest, const Box& shape, Point position, const Segment& line, Point tangent);
 
 /// `normal` turned and scaled so that its coordinates use 29 bits: within 2^-27 of the true direction.
-Point turnedNormal(Point normal, Direction direction);
-inline Point turnedNormal(Point normal, Angle angle) { return turnedNormal(normal, directionOf(angle)); }
+Point turnedNormal(Point normal, Rotation direction);
+inline Point turnedNormal(Point normal, Angle angle) { return turnedNormal(normal, rotationOf(angle)); }
 
 /// One subunit along the axis in which `vector` is longest.
 Point dominantStep(Point vector);

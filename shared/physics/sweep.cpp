@@ -1,4 +1,4 @@
-#include "shared/physics/sweep.h"
+#include "platon/physics/sweep.h"
 
 namespace platon {
 namespace {
@@ -40,7 +40,7 @@ bool Sweep::isEmpty(const Meeting& meeting) {
 
 std::optional<Hit> Sweep::against(const Segment& line) const {
   if (misses(boundsOf(line))) return std::nullopt;
-  const Segment seen{line.a - position_, line.b - position_};   // from the position: it needs no product of its own
+  const Segment seen{line.a - position_, line.b - position_};  // from the position: it needs no product of its own
   Meeting meeting;
   std::size_t sides = 0;
   if (line.a != line.b) {
@@ -69,7 +69,7 @@ std::optional<Sweep::Meeting> Sweep::clip(Obstacle& obstacle) const {
   Meeting meeting;
   for (const std::uint32_t i : obstacle.boundariesNear(way_)) {
     if (clip(meeting, courseOf(obstacle.halfPlanes()[i]), i)) continue;
-    obstacle.expectBarrier(i);
+    obstacle.setSeparatingHint(i);
     return std::nullopt;
   }
   if (isEmpty(meeting)) return std::nullopt;

@@ -1,12 +1,12 @@
-#include "shared/physics/world.h"
+#include "platon/physics/world.h"
 
 #include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "platon/physics/entity.h"
 #include "shared/exact/hash.h"
-#include "shared/physics/entity.h"
 #include "shared/physics/step_scratch.h"
 
 namespace platon {
@@ -27,7 +27,10 @@ std::string named(std::uint32_t entity, std::uint32_t part) {
 World::World() : geometry_(std::make_shared<Geometry>()), rules_(nullptr), scratch_(std::make_unique<StepScratch>()) {}
 
 World::World(const World& other)
-    : geometry_(other.geometry_), shapes_(other.shapes_), state_(other.state_), rules_(other.rules_),
+    : geometry_(other.geometry_),
+      shapes_(other.shapes_),
+      state_(other.state_),
+      rules_(other.rules_),
       scratch_(std::make_unique<StepScratch>()) {}
 
 // Keeps its own derived state where that still fits, so that copying back and forth costs no rebuilding.
@@ -111,7 +114,7 @@ std::span<const InstanceState> World::instancesOf(std::uint32_t entity) const {
 
 Point World::positionOf(std::uint32_t entity, const InstanceState& instance) const {
   const EntityState& home = state_.entities[entity];
-  return instance.anchor + rotate(home.position - instance.homeAnchor, directionOf(instance.angle - home.angle));
+  return instance.anchor + rotate(home.position - instance.homeAnchor, rotationOf(instance.angle - home.angle));
 }
 
 const Convex& World::shapeOf(std::uint32_t entity) const { return *shapes_[state_.entities[entity].shape]; }
@@ -145,7 +148,8 @@ std::uint32_t World::add(const Convex& shape) {
 }
 
 void World::insert(std::uint32_t entity, std::uint32_t part, Point origin, Angle angle) {
-  if (geometry_->find(part) == nullptr) throw std::invalid_argument(named(entity, part) + "that part is not initialised");
+  if (geometry_->find(part) == nullptr)
+    throw std::invalid_argument(named(entity, part) + "that part is not initialised");
   for (const InstanceView& view : this->view(entity)) {
     if (view.part == part) throw std::invalid_argument(named(entity, part) + "it is there already: erase it first");
   }
@@ -173,7 +177,7 @@ void World::placeHome(std::uint32_t entity, std::uint32_t part, Point origin, An
 
 void World::placeFurther(std::uint32_t entity, std::uint32_t part, Point origin, Angle angle) {
   EntityState& state = state_.entities[entity];
-  if (state.instances + 1u >= Instances::kMost) throw std::invalid_argument(named(entity, part) + "too many instances");
+  if (state.instances + 1u >= Instances::kMax) throw std::invalid_argument(named(entity, part) + "too many instances");
   InstanceState instance;
   instance.part = part;
   instance.angle = angle;
@@ -243,14 +247,14 @@ void World::promoteFirst(EntityState& state, std::vector<InstanceState>& further
     instance.anchor += rotate(state.position - instance.homeAnchor, instance.angle - state.angle);
     instance.homeAnchor = further.front().anchor;
   }
-  const InstanceState heir = further.front();
-  state.part = heir.part;
-  state.position = heir.anchor;
+  const InstanceState nextHome = further.front();
+  state.part = nextHome.part;
+  state.position = nextHome.anchor;
   state.remainder = Point();
-  state.heading = state.heading + (heir.angle - state.angle);
-  state.angle = heir.angle;
-  state.id = heir.id;
-  state.fresh = heir.fresh;
+  state.heading = state.heading + (nextHome.angle - state.angle);
+  state.angle = nextHome.angle;
+  state.id = nextHome.id;
+  state.fresh = nextHome.fresh;
   further.erase(further.begin());
 }
 

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "shared/exact/integer.h"
+#include "platon/exact/integer.h"
+#include "platon/physics/world.h"
 #include "shared/physics/instances.h"
-#include "shared/physics/world.h"
 
 namespace platon {
 namespace {
@@ -30,12 +30,12 @@ bool hangsTogether(const Geometry& geometry, const EntityState& entity, std::spa
   const auto hang = [&](const InstanceState* instance) {
     const bool byHand = instance->parent == InstanceState::kNoParent;
     const bool fits = byHand || std::any_of(known.begin(), known.end(), [&](const Stand& stand) {
-      const MapGeometry& part = *geometry.find(stand.part);
-      if (stand.id != instance->parent || instance->warp >= part.warps.size()) return false;
-      const Warp& warp = part.warps[instance->warp];
-      return warp.target == instance->part && geometry.wayBack(part.id, warp) &&
-             stand.angle + warp.turn == instance->angle;
-    });
+                        const MapGeometry& part = *geometry.find(stand.part);
+                        if (stand.id != instance->parent || instance->warp >= part.warps.size()) return false;
+                        const Warp& warp = part.warps[instance->warp];
+                        return warp.target == instance->part && geometry.wayBack(part.id, warp) &&
+                               stand.angle + warp.turn == instance->angle;
+                      });
     if (fits) known.push_back({instance->id, instance->part, instance->angle});
     return fits;
   };
@@ -69,11 +69,10 @@ bool acceptsEntity(const Geometry& geometry, const Convex& shape, const EntitySt
   if (!isVelocity(entity.velocity) || !inRange(entity.position) || !isRemainder(entity.remainder)) return false;
   if (std::abs(std::int64_t{entity.turn}) >= Angle::kTurn) return false;
   if (entity.inserted == 0) return instances.empty();
-  if (geometry.find(entity.part) == nullptr || instances.size() >= Instances::kMost) return false;
+  if (geometry.find(entity.part) == nullptr || instances.size() >= Instances::kMax) return false;
   const auto accepted = [&](const InstanceState& instance) { return acceptsInstance(geometry, entity, instance); };
   return idsDiffer(entity, instances) && std::all_of(instances.begin(), instances.end(), accepted) &&
-         turns(shape, entity, instances) &&
-         hangsTogether(geometry, entity, instances);
+         turns(shape, entity, instances) && hangsTogether(geometry, entity, instances);
 }
 
 }  // namespace

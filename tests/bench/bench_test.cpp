@@ -11,7 +11,7 @@
 
 #include "tests/bench/engine.h"
 #include "tests/bench/report.h"
-#include "tests/oracle/json_reader.h"
+#include "tests/exactness/oracle/trace/json_reader.h"
 
 namespace platon::bench {
 namespace {

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "shared/exact/integer.h"
-#include "shared/exact/point.h"
-#include "shared/physics/convex.h"
-#include "shared/physics/segment.h"
+#include "platon/exact/integer.h"
+#include "platon/exact/point.h"
+#include "platon/physics/convex.h"
+#include "platon/physics/segment.h"
 
 namespace platon::bench {
 

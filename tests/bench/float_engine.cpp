@@ -10,15 +10,15 @@
 #include <type_traits>
 #include <vector>
 
-#include "shared/exact/integer.h"
-#include "shared/physics/grid.h"
+#include "platon/exact/integer.h"
+#include "platon/physics/grid.h"
 #include "tests/bench/engine.h"
 #include "tests/bench/float_sweep.h"
 
 namespace platon::bench {
 namespace {
 
-constexpr int kMostLegs = 16;
+constexpr int kMaxLegs = 16;
 // Units: many times what a coordinate of a few thousand units is rounded by.
 template <class Real>
 constexpr double kSlop = std::is_same_v<Real, float> ? 1.0 / 256 : 1.0 / (1 << 20);
@@ -69,8 +69,8 @@ class FloatEngine : public Engine {
   };
 
   static std::int32_t clamped(Real value) {
-    constexpr auto kMost = static_cast<Real>(kCoordinateLimit);
-    return static_cast<std::int32_t>(std::clamp(value, -kMost, kMost));
+    constexpr auto kMax = static_cast<Real>(kCoordinateLimit);
+    return static_cast<std::int32_t>(std::clamp(value, -kMax, kMax));
   }
   static Vector alongEdge(const Edge& edge) { return {-edge.normal.y, edge.normal.x}; }
 
@@ -128,7 +128,7 @@ class FloatEngine : public Engine {
   void move(Mover& mover) {
     Vector rest = mover.velocity;
     std::optional<Edge> held;
-    for (int leg = 0; leg < kMostLegs && dot(rest, rest) > 0; ++leg) {
+    for (int leg = 0; leg < kMaxLegs && dot(rest, rest) > 0; ++leg) {
       const Slide next = held ? slide(mover.position, rest, *held) : Slide{rest, 1};
       const auto stop = first(mover, next.way);
       const Real time = stop ? stop->time : 1;

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "shared/physics/convex.h"
-#include "shared/physics/segment.h"
+#include "platon/physics/convex.h"
+#include "platon/physics/segment.h"
 
 namespace platon::bench {
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <algorithm>
 #include <functional>
 #include <memory>
 #include <span>
@@ -11,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "shared/game/game.h"
-#include "tests/lockstep/button_presses.h"
-#include "tests/lockstep/lockstep_levels.h"
+#include "platon/game/game.h"
+#include "tests/determinism/lockstep_levels.h"
+#include "tests/sim/button_presses.h"
 
 namespace platon::bench {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "shared/physics/convex.h"
-#include "shared/physics/segment.h"
+#include "platon/physics/convex.h"
+#include "platon/physics/segment.h"
 
 namespace platon::bench {
 

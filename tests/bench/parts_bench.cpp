@@ -10,12 +10,12 @@
 #include <utility>
 #include <vector>
 
-#include "shared/exact/integer.h"
-#include "shared/game/level.h"
-#include "shared/game/player.h"
-#include "shared/game/solid.h"
-#include "shared/physics/map_part.h"
-#include "tests/lockstep/seeded_random.h"
+#include "platon/exact/integer.h"
+#include "platon/game/level.h"
+#include "platon/game/player.h"
+#include "platon/game/solid.h"
+#include "platon/physics/map_part.h"
+#include "tests/sim/seeded_random.h"
 
 namespace platon::bench {
 namespace {
@@ -28,7 +28,7 @@ constexpr std::int32_t kSpeed = kPlayerRadius / static_cast<std::int32_t>(kSteps
 
 class Piercing : public Rules {
  public:
-  bool pierce(const Entity&, const LineRef& line) const override { return line.warp; }
+  bool pierce(const Entity&, const SegmentRef& line) const override { return line.warp; }
 };
 
 // A mover that does the same small dance in every scene: to and fro by its own radius.

@@ -2,9 +2,9 @@
 #include <memory>
 #include <vector>
 
-#include "shared/physics/entity.h"
-#include "shared/physics/map_part.h"
-#include "shared/physics/world.h"
+#include "platon/physics/entity.h"
+#include "platon/physics/map_part.h"
+#include "platon/physics/world.h"
 #include "tests/bench/engine.h"
 
 namespace platon::bench {

@@ -72,7 +72,7 @@ HARD_CASES = """{0} steps in each. Deepest overlap after any step, in subunits, 
 their way / steps that ended more than 5 mm too high;
 - pressed into a notch: drift between the thousandth step and the last; gap that is left to the nearest line."""
 
-RESOLUTION = """Scenes of `tests/reference` for 100 ticks, each at 16 to 65 536 subunits a unit, against the ideal \
+RESOLUTION = """Scenes of `tests/exactness/reference` for 100 ticks, each at 16 to 65 536 subunits a unit, against the ideal \
 trajectory in rationals: the worst distance in units, and nanoseconds a step. A unit is a twelfth of a player's radius; the \
 game has 1 024 subunits in one. Platon goes from lattice point to lattice point: every leg is rounded by a subunit or two, and \
 a way of many legs adds them up. That makes {low:.0f} to {high:.0f} subunits here, whatever a subunit is, so the finer the \

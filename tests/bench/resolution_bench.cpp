@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "tests/bench/engine.h"
-#include "tests/reference/exact_mover.h"
-#include "tests/reference/lattice_error.h"
+#include "tests/exactness/reference/exact_mover.h"
+#include "tests/exactness/reference/lattice_error.h"
 
 namespace platon::bench {
 namespace {

@@ -15,8 +15,8 @@ struct ResolutionResult {
   double maxTrajectoryError = 0;  ///< over all scenes and ticks, level units
 };
 
-/// The scenes of tests/reference at 2^4 ... 2^16 subunits a unit, against their ideal trajectory in rationals. Run from
-/// the root of the tree.
+/// The scenes of tests/exactness/reference at 2^4 ... 2^16 subunits a unit, against their ideal trajectory in
+/// rationals. Run from the root of the tree.
 std::vector<ResolutionResult> benchResolutions(const Effort& effort);
 
 }  // namespace platon::bench

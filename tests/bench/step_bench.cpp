@@ -11,11 +11,11 @@
 #include <utility>
 #include <vector>
 
-#include "shared/exact/integer.h"
-#include "shared/physics/sweep.h"
+#include "platon/exact/integer.h"
+#include "platon/physics/sweep.h"
 #include "tests/bench/engine.h"
-#include "tests/lockstep/seeded_random.h"
 #include "tests/shared/physics/shapes.h"
+#include "tests/sim/seeded_random.h"
 
 namespace platon::bench {
 namespace {

@@ -13,12 +13,12 @@
 #include <string>
 #include <vector>
 
-#include "shared/exact/fraction.h"
-#include "shared/physics/sweep.h"
+#include "platon/exact/fraction.h"
+#include "platon/physics/sweep.h"
 #include "tests/bench/float_sweep.h"
 #include "tests/bench/overlap.h"
 #include "tests/bench/sweep_sets.h"
-#include "tests/oracle/sweep_oracle.h"
+#include "tests/exactness/oracle/sweep/sweep_oracle.h"
 
 namespace platon::bench {
 namespace {

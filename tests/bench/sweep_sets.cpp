@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "shared/exact/integer.h"
-#include "tests/lockstep/seeded_random.h"
+#include "platon/exact/integer.h"
 #include "tests/shared/physics/shapes.h"
+#include "tests/sim/seeded_random.h"
 
 namespace platon::bench {
 namespace {

@@ -73,8 +73,8 @@ void addParts(const std::vector<PartResult>& results, Lines& lines) {
 void addGames(const GameResults& results, Lines& lines) {
   lines.add("%s", "");
   for (const SnapshotResult& r : results.snapshots) {
-    lines.add("%s, %zu movers: %zu bytes; save %.0f ns, restore %.0f ns, hash %.0f ns", r.level.c_str(), r.movers, r.bytes,
-              r.saveNs.median, r.restoreNs.median, r.hashNs.median);
+    lines.add("%s, %zu movers: %zu bytes; save %.0f ns, restore %.0f ns, hash %.0f ns", r.level.c_str(), r.movers,
+              r.bytes, r.saveNs.median, r.restoreNs.median, r.hashNs.median);
   }
   for (const ResimulationResult& r : results.resimulations) {
     lines.add("%s, %zu players x %d ticks again: %.0f microseconds", r.level.c_str(), r.players, r.ticks,

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "tests/oracle/exact_geometry.h"
+#include "tests/exactness/oracle/exact_geometry.h"
 
 namespace platon::fuzz {
 
@@ -28,7 +28,9 @@ class ByteSource {
   }
   bool flag() { return (byte() & 1) != 0; }
   /// An index below `count`.
-  std::size_t below(std::size_t count) { return static_cast<std::size_t>(between(0, static_cast<std::int64_t>(count) - 1)); }
+  std::size_t below(std::size_t count) {
+    return static_cast<std::size_t>(between(0, static_cast<std::int64_t>(count) - 1));
+  }
   /// Each component -radius … radius, zero where the bytes have run out.
   oracle::Vec vector(std::int64_t radius) {
     const std::int64_t x = signedWithin(radius);

@@ -3,11 +3,11 @@
 
 #include <map>
 
-#include "shared/game/stage.h"
-#include "shared/physics/entity.h"
-#include "shared/physics/map_part.h"
+#include "platon/game/stage.h"
+#include "platon/physics/entity.h"
+#include "platon/physics/map_part.h"
+#include "tests/exactness/judge/step_checker.h"
 #include "tests/fuzz/fuzz_scene.h"
-#include "tests/judge/step_checker.h"
 
 namespace platon::fuzz {
 namespace {
@@ -29,8 +29,8 @@ Convex box(std::int32_t width, std::int32_t height) {
 /// Lets every line pass, and counts what is met.
 class CountedLines : public Rules {
  public:
-  bool pierce(const Entity&, const LineRef&) const override { return true; }
-  void beginContact(Entity&, const LineRef& line) override {
+  bool pierce(const Entity&, const SegmentRef&) const override { return true; }
+  void beginContact(Entity&, const SegmentRef& line) override {
     if (!line.warp) ++begun[{line.part, line.index}];
   }
 
@@ -47,7 +47,7 @@ TEST(FoundByFuzzingTest, ANewInstanceMeetsLinesOfItsOwnPartOnly) {
   left.warp({0, -end}, {0, end}, 1, {0, -end}, {0, end});
   left.initialize();
   MapPart right(world, 1);
-  right.line({-end, 0}, {end, 0});   // sticks out over the edge
+  right.line({-end, 0}, {end, 0});  // sticks out over the edge
   right.warp({0, end}, {0, -end}, 0, {0, end}, {0, -end});
   right.initialize();
   CountedLines rules;
@@ -70,7 +70,8 @@ TEST(FoundByFuzzingTest, AForbiddenTurnPlacesNothingRoundTheCorner) {
     World world = scene.stage;
     Entity entity(world, scene.shape);
     const Point corner = facePolygon(kind, kFaceSize)[1];
-    MapPart(world, 0).insert(entity, corner - Point(corner.x / 6, corner.y / 6), angleBetween(Point(1, 0), perpendicular(corner)));
+    MapPart(world, 0).insert(entity, corner - Point(corner.x / 6, corner.y / 6),
+                             angleBetween(Point(1, 0), perpendicular(corner)));
     for (const std::int32_t turn : {9000, 300, -18000, -300}) {
       entity.rotate(turn);
       world.solve(&checker);

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "platon/game/player.h"
+#include "platon/game/stage.h"
+#include "platon/physics/map_part.h"
 #include "shared/game/face_area.h"
-#include "shared/game/player.h"
-#include "shared/game/stage.h"
-#include "shared/physics/map_part.h"
-#include "tests/judge/conversions.h"
+#include "tests/exactness/judge/conversions.h"
 
 namespace platon::fuzz {
 namespace {
@@ -18,7 +18,7 @@ using judge::toPolygon;
 using oracle::Polygon;
 using oracle::Vec;
 
-constexpr std::size_t kMostLines = 24;
+constexpr std::size_t kMaxLines = 24;
 
 Polygon hullFrom(ByteSource& bytes, std::int64_t radius) {
   std::vector<Vec> points(bytes.below(10) + 3);
@@ -47,18 +47,27 @@ bool keepsItsCorners(const Polygon& polygon) {
 
 // Free lines, chains whose joints are off by a little, parallels of the shape's edges, points.
 std::vector<oracle::Segment> linesFrom(ByteSource& bytes, const Polygon& shape, std::int64_t radius) {
-  std::vector<oracle::Segment> lines(bytes.below(kMostLines + 1));
+  std::vector<oracle::Segment> lines(bytes.below(kMaxLines + 1));
   oracle::Segment last;
   for (oracle::Segment& line : lines) {
     const std::size_t edge = bytes.below(shape.size());
     const Vec along = shape[(edge + 1) % shape.size()] - shape[edge];
     const Vec a = bytes.flag() ? last.b + bytes.vector(2) : bytes.vector(radius);
     switch (bytes.below(5)) {
-      case 0: line = {a, a + (last.b - last.a) + bytes.vector(1)}; break;
-      case 1: line = {a, a}; break;
-      case 2: line = {a, a + bytes.between(-2, 2) * along}; break;
-      case 3: line = {a, last.a}; break;
-      default: line = {a, bytes.vector(radius)};
+      case 0:
+        line = {a, a + (last.b - last.a) + bytes.vector(1)};
+        break;
+      case 1:
+        line = {a, a};
+        break;
+      case 2:
+        line = {a, a + bytes.between(-2, 2) * along};
+        break;
+      case 3:
+        line = {a, last.a};
+        break;
+      default:
+        line = {a, bytes.vector(radius)};
     }
     last = line;
   }

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "shared/game/game.h"
+#include "platon/game/game.h"
 #include "tests/fuzz/byte_source.h"
 #include "tests/fuzz/fuzz_targets.h"
 
@@ -9,11 +9,13 @@ namespace platon::fuzz {
 namespace {
 
 constexpr int kTicksAfter = 4;
-constexpr std::size_t kMostEdits = 24;
+constexpr std::size_t kMaxEdits = 24;
 
 const std::shared_ptr<const Level>& level() {
   static const std::shared_ptr<const Level> loaded = loadLevel(
-      "TETRAHEDRON\n0 0 -55 0\n2 0 0\n240\n%\n-60 -69.2 60 -69.2\n-20 -30 20 -20\n%\n-30 0 30 10\n%\n%\n0 60 0 60\n").level;
+                                                         "TETRAHEDRON\n0 0 -55 0\n2 0 0\n240\n%\n-60 -69.2 60 "
+                                                         "-69.2\n-20 -30 20 -20\n%\n-30 0 30 10\n%\n%\n0 60 0 60\n")
+                                                         .level;
   return loaded;
 }
 
@@ -37,7 +39,7 @@ std::vector<std::uint8_t> editedSave(ByteSource& bytes) {
   const std::size_t slots = bytes.below(4) + 1;
   for (std::size_t ticks = bytes.below(64); ticks > 0; --ticks) game.advance(inputsFrom(bytes, slots));
   std::vector<std::uint8_t> saved = game.save();
-  for (std::size_t edits = bytes.below(kMostEdits); edits > 0; --edits) saved[bytes.below(saved.size())] = bytes.byte();
+  for (std::size_t edits = bytes.below(kMaxEdits); edits > 0; --edits) saved[bytes.below(saved.size())] = bytes.byte();
   return saved;
 }
 

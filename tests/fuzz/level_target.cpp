@@ -2,11 +2,11 @@
 #include <string_view>
 #include <tuple>
 
-#include "shared/game/game.h"
-#include "shared/game/level.h"
-#include "tests/judge/conversions.h"
+#include "platon/game/game.h"
+#include "platon/game/level.h"
+#include "tests/exactness/judge/conversions.h"
+#include "tests/exactness/oracle/trace/trace_map.h"
 #include "tests/fuzz/fuzz_targets.h"
-#include "tests/oracle/trace_map.h"
 
 namespace platon::fuzz {
 namespace {
@@ -29,7 +29,9 @@ std::string diagnosticsFault(const std::vector<Diagnostic>& found, std::string_v
       return "a message that cannot be printed";
     }
   }
-  const auto before = [](const auto& a, const auto& b) { return std::tie(a.line, a.column) < std::tie(b.line, b.column); };
+  const auto before = [](const auto& a, const auto& b) {
+    return std::tie(a.line, a.column) < std::tie(b.line, b.column);
+  };
   return std::is_sorted(found.begin(), found.end(), before) ? std::string() : "diagnostics out of order";
 }
 
@@ -42,7 +44,8 @@ oracle::TraceHeader headerOf(const Level& level) {
     oracle::TraceFace face;
     face.polygon = polygon;
     for (std::uint32_t i = 0; i < part->lineOfWarp(0); ++i) face.lines.push_back(toSegment(part->lines[i]));
-    for (const Warp& warp : part->warps) face.warps.push_back({toSegment(warp.from), warp.target, toSegment(warp.onto)});
+    for (const Warp& warp : part->warps)
+      face.warps.push_back({toSegment(warp.from), warp.target, toSegment(warp.onto)});
     header.faces.push_back(std::move(face));
   }
   return header;
@@ -72,10 +75,11 @@ std::string placesFault(const Level& level) {
 
 std::string levelSoundness(const Level& level, std::string_view text) {
   if (level.text != text) return "the level has another text";
-  if (level.faceSize < kLeastFaceSize || level.faceSize > kMostFaceSize) return "the face size is out of range";
+  if (level.faceSize < kLeastFaceSize || level.faceSize > kMaxFaceSize) return "the face size is out of range";
   if (level.title.size() > 100 || level.author.size() > 100) return "title or author too long";
   oracle::TraceReport report;
-  if (!oracle::TraceMap::make(headerOf(level), report) || !report.clean()) return "the stage: " + report.messages().front();
+  if (!oracle::TraceMap::make(headerOf(level), report) || !report.clean())
+    return "the stage: " + report.messages().front();
   return placesFault(level);
 }
 
@@ -92,7 +96,8 @@ std::string playFault(const std::shared_ptr<const Level>& level) {
 std::string levelFault(Bytes bytes) {
   const std::string text(bytes.begin(), bytes.end());
   const LevelResult result = loadLevel(text);
-  const bool refused = std::any_of(result.diagnostics.begin(), result.diagnostics.end(), [](auto& one) { return one.error; });
+  const bool refused =
+      std::any_of(result.diagnostics.begin(), result.diagnostics.end(), [](auto& one) { return one.error; });
   if (refused == (result.level != nullptr)) return "a level with errors, or none without";
   if (std::string fault = diagnosticsFault(result.diagnostics, text); !fault.empty()) return fault;
   if (!result.level) return {};

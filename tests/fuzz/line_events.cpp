@@ -7,27 +7,27 @@
 
 namespace platon::fuzz {
 
-void LineEvents::require(bool holds, const char* what, const LineRef& line) {
+void LineEvents::require(bool holds, const char* what, const SegmentRef& line) {
   if (!holds && fault_.empty()) fault_ = what + std::string(", line ") + std::to_string(line.index);
 }
 
-bool LineEvents::pierce(const Entity&, const LineRef& line) const {
+bool LineEvents::pierce(const Entity&, const SegmentRef& line) const {
   return line.warp || pierces(line.part, line.index);
 }
 
-void LineEvents::beginContact(Entity& entity, const LineRef& line) {
+void LineEvents::beginContact(Entity& entity, const SegmentRef& line) {
   require(pierce(entity, line), "beginContact of a line that blocks", line);
   if (line.warp || !pairs_) return;
   require(inside_.emplace(entity.index(), line.index).second, "a second beginContact", line);
 }
 
-void LineEvents::endContact(Entity& entity, const LineRef& line) {
+void LineEvents::endContact(Entity& entity, const SegmentRef& line) {
   require(pierce(entity, line), "endContact of a line that blocks", line);
   if (line.warp || !pairs_) return;
   require(inside_.erase({entity.index(), line.index}) == 1, "endContact without beginContact", line);
 }
 
-void LineEvents::overContact(Entity& entity, const LineRef& line) {
+void LineEvents::overContact(Entity& entity, const SegmentRef& line) {
   require(pierce(entity, line), "overContact of a line that blocks", line);
   if (line.warp || !pairs_) return;
   require(over_.emplace(entity.index(), line.index).second, "a second overContact", line);
@@ -39,7 +39,7 @@ void LineEvents::contact(Entity& entity, const Contact& contact) {
   require(contact.time >= Fraction{0, 1} && contact.time < Fraction{1, 1}, "contact out of time", contact.line);
 }
 
-void LineEvents::touchContact(Entity& entity, const LineRef& line) {
+void LineEvents::touchContact(Entity& entity, const SegmentRef& line) {
   require(!pierce(entity, line), "touchContact with a line that does not block", line);
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "shared/physics/rules.h"
+#include "platon/physics/rules.h"
 #include "tests/fuzz/fuzz_scene.h"
 
 namespace platon::fuzz {
@@ -19,20 +19,20 @@ class LineEvents : public Rules {
   bool pierces(std::uint32_t part, std::uint32_t line) const {
     return every_ != 0 && line < scene_.lines[part] && line % every_ == 0;
   }
-  bool pierce(const Entity& entity, const LineRef& line) const override;
-  void beginContact(Entity& entity, const LineRef& line) override;
-  void overContact(Entity& entity, const LineRef& line) override;
-  void endContact(Entity& entity, const LineRef& line) override;
+  bool pierce(const Entity& entity, const SegmentRef& line) const override;
+  void beginContact(Entity& entity, const SegmentRef& line) override;
+  void overContact(Entity& entity, const SegmentRef& line) override;
+  void endContact(Entity& entity, const SegmentRef& line) override;
   void contact(Entity& entity, const Contact& contact) override;
-  void touchContact(Entity& entity, const LineRef& line) override;
+  void touchContact(Entity& entity, const SegmentRef& line) override;
 
   /// What was wrong since the last call; empty when nothing was.
   std::string finishTick();
 
  private:
-  using Line = std::pair<std::uint32_t, std::uint32_t>;   // entity, line
+  using Line = std::pair<std::uint32_t, std::uint32_t>;  // entity, line
 
-  void require(bool holds, const char* what, const LineRef& line);
+  void require(bool holds, const char* what, const SegmentRef& line);
 
   const FuzzScene& scene_;
   std::size_t every_;

@@ -30,9 +30,12 @@ std::string stateFault(Bytes bytes) {
 std::string protocolFault(Bytes input) {
   ByteSource bytes(input);
   switch (bytes.below(3)) {
-    case 0: return roundTripFault(bytes.rest(), &decodeToServer);
-    case 1: return roundTripFault(bytes.rest(), &decodeToClient);
-    default: return stateFault(bytes.rest());
+    case 0:
+      return roundTripFault(bytes.rest(), &decodeToServer);
+    case 1:
+      return roundTripFault(bytes.rest(), &decodeToClient);
+    default:
+      return stateFault(bytes.rest());
   }
 }
 

@@ -1,8 +1,8 @@
 #include <algorithm>
 
-#include "shared/game/game.h"
-#include "shared/game/recorder.h"
-#include "shared/game/recording_reader.h"
+#include "platon/game/game.h"
+#include "platon/game/recorder.h"
+#include "platon/game/recording_reader.h"
 #include "tests/fuzz/byte_source.h"
 #include "tests/fuzz/fuzz_targets.h"
 #include "tests/shared/game/forged_recording.h"
@@ -10,7 +10,7 @@
 namespace platon::fuzz {
 namespace {
 
-constexpr std::uint32_t kMostTicks = 64;
+constexpr std::uint32_t kMaxTicks = 64;
 
 const std::shared_ptr<const Level>& level() {
   static const std::shared_ptr<const Level> loaded =
@@ -22,7 +22,7 @@ const std::shared_ptr<const Level>& level() {
 std::vector<std::uint8_t> recorded(ByteSource& bytes) {
   Game game(level());
   Recorder recorder(game, static_cast<std::uint32_t>(bytes.below(8)) + 1);
-  for (std::size_t ticks = bytes.below(kMostTicks); ticks > 0; --ticks) {
+  for (std::size_t ticks = bytes.below(kMaxTicks); ticks > 0; --ticks) {
     std::vector<Input> inputs(bytes.below(4));
     for (Input& input : inputs) input.buttons = (bytes.byte() & Input::kAll) | Input::kPresent;
     game.advance(inputs);
@@ -48,7 +48,7 @@ std::string play(const RecordedBlock& block) {
   if (!std::all_of(block.inputs.begin(), block.inputs.end(), isInput)) return "a block has an input that is none";
   Game game(level());
   if (!game.restore(block.state)) return {};
-  for (std::uint32_t tick = 0; tick < std::min(block.ticks(), kMostTicks); ++tick) game.advance(block.inputsOf(tick));
+  for (std::uint32_t tick = 0; tick < std::min(block.ticks(), kMaxTicks); ++tick) game.advance(block.inputsOf(tick));
   return {};
 }
 

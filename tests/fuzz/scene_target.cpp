@@ -1,12 +1,12 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "shared/physics/entity.h"
-#include "shared/physics/map_part.h"
-#include "tests/judge/conversions.h"
+#include "platon/physics/entity.h"
+#include "platon/physics/map_part.h"
+#include "tests/exactness/judge/conversions.h"
+#include "tests/exactness/judge/step_checker.h"
 #include "tests/fuzz/fuzz_targets.h"
 #include "tests/fuzz/line_events.h"
-#include "tests/judge/step_checker.h"
 
 namespace platon::fuzz {
 namespace {
@@ -16,9 +16,9 @@ using judge::toSegment;
 using judge::toVec;
 using oracle::Vec;
 
-constexpr std::size_t kMostEntities = 3;
-constexpr std::size_t kMostTicks = 16;
-constexpr std::int32_t kMostTurn = 1200;
+constexpr std::size_t kMaxEntities = 3;
+constexpr std::size_t kMaxTicks = 16;
+constexpr std::int32_t kMaxTurn = 1200;
 // A leg ends within a few subunits of where it should.
 constexpr long double kLegError = 8;
 
@@ -38,18 +38,23 @@ judge::JudgedScene judged(const FuzzScene& scene, const LineEvents& rules) {
 class Run {
  public:
   Run(ByteSource& bytes, const FuzzScene& scene)
-      : bytes_(bytes), scene_(scene), turning_(scene.turns && bytes.flag()),
-        rules_(scene, bytes.below(4), !scene.solid && !turning_), checker_(judged(scene, rules_)), world_(scene.stage), twin_(scene.stage) {
+      : bytes_(bytes),
+        scene_(scene),
+        turning_(scene.turns && bytes.flag()),
+        rules_(scene, bytes.below(4), !scene.solid && !turning_),
+        checker_(judged(scene, rules_)),
+        world_(scene.stage),
+        twin_(scene.stage) {
     world_.setRules(rules_);
     twin_.addShape(scene.shape);
   }
 
   std::string run() {
-    for (std::size_t i = bytes_.below(kMostEntities); ; --i) {
+    for (std::size_t i = bytes_.below(kMaxEntities);; --i) {
       if (std::string fault = addEntity(); !fault.empty()) return fault;
       if (i == 0) break;
     }
-    for (std::size_t tick = 0; tick < kMostTicks && !bytes_.empty(); ++tick) {
+    for (std::size_t tick = 0; tick < kMaxTicks && !bytes_.empty(); ++tick) {
       if (std::string fault = advance(); !fault.empty()) return "tick " + std::to_string(tick) + ": " + fault;
     }
     return {};
@@ -88,20 +93,27 @@ class Run {
     const std::vector<Point>& corners = scene_.shape.vertices();
     const Vec corner = toVec(corners[bytes_.below(corners.size())]);
     switch (bytes_.below(7)) {
-      case 0: return {};
-      case 1: return toPoint(bytes_.vector(scene_.scale / 8 + 1));
-      case 2: return toPoint(bytes_.vector(scene_.scale));
-      case 3: return toPoint(bytes_.vector(std::min<std::int64_t>(16 * scene_.scale, kVelocityLimit - 1)));
-      case 4: return toPoint(toVec(line.b) - corner - toVec(entity.position()) + bytes_.vector(1));
-      case 5: return toPoint(toVec(line.b - line.a) + bytes_.vector(1));
-      default: return entity.velocity();
+      case 0:
+        return {};
+      case 1:
+        return toPoint(bytes_.vector(scene_.scale / 8 + 1));
+      case 2:
+        return toPoint(bytes_.vector(scene_.scale));
+      case 3:
+        return toPoint(bytes_.vector(std::min<std::int64_t>(16 * scene_.scale, kVelocityLimit - 1)));
+      case 4:
+        return toPoint(toVec(line.b) - corner - toVec(entity.position()) + bytes_.vector(1));
+      case 5:
+        return toPoint(toVec(line.b - line.a) + bytes_.vector(1));
+      default:
+        return entity.velocity();
     }
   }
 
   Order orderFor(const Entity& entity) {
     Order order{anyVelocity(entity), 0};
     if (!isVelocity(order.velocity)) order.velocity = {};
-    if (turning_ && bytes_.flag()) order.turn = static_cast<std::int32_t>(bytes_.between(-kMostTurn, kMostTurn));
+    if (turning_ && bytes_.flag()) order.turn = static_cast<std::int32_t>(bytes_.between(-kMaxTurn, kMaxTurn));
     return order;
   }
 

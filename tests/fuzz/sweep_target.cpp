@@ -2,12 +2,12 @@
 #include <cstdlib>
 #include <optional>
 
-#include "shared/physics/convex.h"
-#include "shared/physics/sweep.h"
+#include "platon/physics/convex.h"
+#include "platon/physics/sweep.h"
+#include "tests/exactness/judge/conversions.h"
+#include "tests/exactness/oracle/sweep/sweep_oracle.h"
 #include "tests/fuzz/byte_source.h"
-#include "tests/judge/conversions.h"
 #include "tests/fuzz/fuzz_targets.h"
-#include "tests/oracle/sweep_oracle.h"
 
 namespace platon::fuzz {
 namespace {
@@ -64,11 +64,16 @@ oracle::Segment obstacle(ByteSource& bytes, const Polygon& shape, std::int64_t r
   const std::size_t edge = bytes.below(shape.size());
   const Vec along = shape[(edge + 1) % shape.size()] - shape[edge];
   switch (bytes.below(5)) {
-    case 0: return {a, a};
-    case 1: return {a, a + along};
-    case 2: return {a, a - bytes.between(1, 3) * along};
-    case 3: return {a, a + along + bytes.vector(1)};
-    default: return {a, bytes.vector(radius)};
+    case 0:
+      return {a, a};
+    case 1:
+      return {a, a + along};
+    case 2:
+      return {a, a - bytes.between(1, 3) * along};
+    case 3:
+      return {a, a + along + bytes.vector(1)};
+    default:
+      return {a, bytes.vector(radius)};
   }
 }
 
@@ -78,11 +83,16 @@ Vec place(ByteSource& bytes, const Polygon& forbidden, std::int64_t radius) {
   const Vec here = forbidden[corner];
   const Vec next = forbidden[(corner + 1) % forbidden.size()];
   switch (bytes.below(5)) {
-    case 0: return here + bytes.vector(1);
-    case 1: return here + bytes.between(-3, 3) * (next - here);
-    case 2: return {(here.x + next.x) / 2, (here.y + next.y) / 2};
-    case 3: return here + bytes.vector(16);
-    default: return bytes.vector(radius);
+    case 0:
+      return here + bytes.vector(1);
+    case 1:
+      return here + bytes.between(-3, 3) * (next - here);
+    case 2:
+      return {(here.x + next.x) / 2, (here.y + next.y) / 2};
+    case 3:
+      return here + bytes.vector(16);
+    default:
+      return bytes.vector(radius);
   }
 }
 

@@ -8,20 +8,23 @@
 #include <string>
 #include <vector>
 
-#include "shared/game/game.h"
-#include "shared/game/level.h"
+#include "platon/game/game.h"
+#include "platon/game/level.h"
 #include "tests/levels/solution.h"
 
 namespace platon {
 namespace {
 
+std::string stemOf(const std::string& path) { return std::filesystem::path(path).stem().string(); }
+
+/// In the order of the rotation: by the names of the files.
 std::vector<std::string> shippedLevels() {
-  std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator("levels")) {
-    if (entry.path().extension() == ".level") names.push_back(entry.path().stem().string());
+  std::vector<std::string> files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator("levels")) {
+    if (entry.path().extension() == ".level") files.push_back(entry.path().string());
   }
-  std::sort(names.begin(), names.end());
-  return names;
+  std::sort(files.begin(), files.end(), [](const auto& a, const auto& b) { return stemOf(a) < stemOf(b); });
+  return files;
 }
 
 std::string contentOf(const std::string& path) {
@@ -31,9 +34,9 @@ std::string contentOf(const std::string& path) {
 
 class ShippedLevelTest : public testing::TestWithParam<std::string> {
  protected:
-  std::string text() const { return contentOf("levels/" + GetParam() + ".level"); }
+  std::string text() const { return contentOf(GetParam()); }
   std::shared_ptr<const Level> level() const { return loadLevel(text()).level; }
-  std::vector<Input> solution() const { return readSolution("tests/levels/solutions/" + GetParam() + ".txt"); }
+  std::vector<Input> solution() const { return readSolution("tests/levels/solutions/" + stemOf(GetParam()) + ".txt"); }
 };
 
 TEST_P(ShippedLevelTest, HasNoFaultAndNothingOdd) {
@@ -76,7 +79,7 @@ TEST_P(ShippedLevelTest, SolutionGoesOverEdgesAndTurnsDown) {
     game.advance({&input, 1});
     const EntityState& player = game.world().entities()[0];
     faces.insert(player.part);
-    ups.insert({player.part, player.angle.hundredths()});
+    ups.insert({player.part, player.angle.centidegrees()});
   }
   EXPECT_GE(game.world().entities()[0].crossings, 3u);
   EXPECT_GE(faces.size(), 3u);
@@ -84,19 +87,21 @@ TEST_P(ShippedLevelTest, SolutionGoesOverEdgesAndTurnsDown) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ShippedLevelTest, testing::ValuesIn(shippedLevels()),
-                         [](const auto& spec) { return spec.param; });
+                         [](const auto& spec) { return stemOf(spec.param); });
 
 TEST(ShippedLevelsTest, EverySolidHasALevelAndTheFirstIsAHexahedron) {
   std::set<SolidKind> kinds;
-  for (const std::string& name : shippedLevels()) kinds.insert(loadLevel(contentOf("levels/" + name + ".level")).level->solid);
+  for (const std::string& name : shippedLevels()) kinds.insert(loadLevel(contentOf(name)).level->solid);
   EXPECT_EQ(kinds.size(), static_cast<std::size_t>(kSolidKinds));
-  EXPECT_EQ(loadLevel(contentOf("levels/" + shippedLevels().front() + ".level")).level->solid, SolidKind::kHexahedron);
+  EXPECT_EQ(loadLevel(contentOf(shippedLevels().front())).level->solid, SolidKind::kHexahedron);
 }
 
 TEST(ShippedLevelsTest, EverySolutionHasItsLevel) {
   for (const auto& entry : std::filesystem::directory_iterator("tests/levels/solutions")) {
-    const auto level = std::filesystem::path("levels") / entry.path().stem().concat(".level");
-    EXPECT_TRUE(std::filesystem::exists(level)) << entry.path();
+    const auto levels = shippedLevels();
+    const std::string name = entry.path().stem().string();
+    EXPECT_TRUE(std::any_of(levels.begin(), levels.end(), [&](const auto& level) { return stemOf(level) == name; }))
+        << entry.path();
   }
 }
 

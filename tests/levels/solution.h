@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "shared/game/input.h"
+#include "platon/game/input.h"
 
 namespace platon {
 

@@ -16,6 +16,7 @@ or does not fit, or when a test fails without any fault; 2 on wrong usage or wit
 
 import argparse
 import os
+import re
 import resource
 import subprocess
 import sys
@@ -31,6 +32,15 @@ TEST_SECONDS = 60
 TEST_BYTES = 4 << 30
 
 
+def programs_of_tests(root):
+    """Of each Suite.Test the program that has it, which is called as its file."""
+    programs = {}
+    for path in sorted((root / "tests").rglob("*_test.cpp")):
+        for suite, test in re.findall(r"TEST(?:_[FP])?\((\w+),\s*(\w+)\)", path.read_text(encoding="utf-8")):
+            programs[f"{suite}.{test}"] = path.stem
+    return programs
+
+
 def misfits(root):
     """What is wrong with the list of faults itself, in words."""
     names = [fault.name for fault in FAULTS]
@@ -38,7 +48,7 @@ def misfits(root):
     if usual < LEAST_FAULTS:
         yield f"{usual} usual faults are fewer than {LEAST_FAULTS}"
     yield from (f"{name}: this name is there twice" for name in sorted(set(names)) if names.count(name) > 1)
-    tests = "".join(path.read_text(encoding="utf-8") for path in sorted((root / "tests").rglob("*_test.cpp")))
+    programs = programs_of_tests(root)
     for fault in FAULTS:
         path = root / fault.file
         found = path.read_text(encoding="utf-8").count(fault.original) if path.is_file() else 0
@@ -46,8 +56,7 @@ def misfits(root):
             yield f"{fault.name}: its text occurs {found} times in {fault.file}, not once:\n    {fault.original}"
         if fault.original == fault.replaced:
             yield f"{fault.name}: changes nothing"
-        suite, test = fault.test.split(".")
-        if f"({suite}, {test})" not in tests:
+        if fault.test not in programs:
             yield f"{fault.name}: there is no test {fault.test}"
 
 
@@ -57,12 +66,14 @@ class Trial:
     def __init__(self, build, root):
         self._build = build
         self._root = root
+        self._programs = programs_of_tests(root)
 
     def require_sound(self, faults):
         """A test that fails without any fault would seem to catch all of them."""
-        for program in sorted({fault.program for fault in faults}):
+        tests = sorted({(self._programs[fault.test], fault.test) for fault in faults})
+        for program in sorted({program for program, _ in tests}):
             self._build.require_up_to_date(program)
-        for program, test in sorted({(fault.program, fault.test) for fault in faults}):
+        for program, test in tests:
             failure = self._failure(self._build.executable(program), test)
             if failure:
                 raise RuntimeError(f"{program} {test}, without any fault: {failure}")
@@ -75,7 +86,7 @@ class Trial:
             broken.parent.mkdir(parents=True)
             sound = (self._root / fault.file).read_text(encoding="utf-8")
             broken.write_text(sound.replace(fault.original, fault.replaced), encoding="utf-8")
-            program = self._build.with_overlay(fault.program, fault.file, overlay)
+            program = self._build.with_overlay(self._programs[fault.test], fault.file, overlay)
             return (self._failure(program, fault.test), True) if program else (None, False)
 
     def _failure(self, program, test):

@@ -93,7 +93,7 @@ class NinjaBuild:
         source = command.index("-c") + 1
         if self._absolute(command[source]) == str(self._root / file):
             command[source] = str(overlay / file)
-        return command + ["-w", "-iquote", str(overlay)]
+        return command + ["-w", "-iquote", str(overlay), "-iquote", str(overlay / "shared/include")]
 
     def _link(self, program, changed, output):
         """A library's object that is named itself, before the library, takes the place of the one inside."""

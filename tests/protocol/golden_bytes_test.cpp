@@ -39,9 +39,13 @@ const PlayerInputs kInputs{3,
                            {pressing(2), pressing(2), pressing(6), pressing(0), pressing(0), pressing(0), pressing(0),
                             pressing(0), pressing(0), pressing(0), pressing(0), pressing(0)},
                            18};
-const ConfirmedTicks kTicks{
-    3, 300, 8, 0x89abcdef, LineReport{17, 5, SlackReport{313, 4}}, {{300, 0, pressing(2)}, {300, 5, Input{}}, {307, 0, pressing(6)}},
-    96};
+const ConfirmedTicks kTicks{3,
+                            300,
+                            8,
+                            0x89abcdef,
+                            LinkReport{17, 5, SlackReport{313, 4}},
+                            {{300, 0, pressing(2)}, {300, 5, Input{}}, {307, 0, pressing(6)}},
+                            96};
 
 TEST(GoldenBytes, ThePageShowsWhatIsSent) {
   const auto page = documentedBytes();

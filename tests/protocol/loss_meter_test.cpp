@@ -44,7 +44,7 @@ TEST(LossMeter, ALongGapIsAllLoss) {
   meter.heard(150);
   EXPECT_EQ(meter.newest(), 150);
   EXPECT_EQ(meter.lostPercent(), 99);
-  meter.heard(40);   // 146 ahead rather than 110 back
+  meter.heard(40);  // 146 ahead rather than 110 back
   EXPECT_EQ(meter.newest(), 40);
 }
 

@@ -12,7 +12,9 @@ PlayerInputs manyInputs() {
 }
 
 ConfirmedTicks manyChanges() {
-  ConfirmedTicks message{UINT32_MAX, UINT32_MAX - kMaxTicksPerMessage, kMaxTicksPerMessage, 1, LineReport{255, 100, SlackReport{0, -1000}}, {}};
+  ConfirmedTicks message{
+      UINT32_MAX, UINT32_MAX - kMaxTicksPerMessage, kMaxTicksPerMessage, 1, LinkReport{255, 100, SlackReport{0, -1000}},
+      {}};
   for (std::uint32_t i = 0; i < kMaxChangesPerMessage; ++i) {
     const std::uint32_t tick = message.from + (i / 256 * (kMaxTicksPerMessage - 1));
     message.changes.push_back({tick, i % 256, i % 2 == 0 ? Input{} : pressing(31)});
@@ -39,38 +41,37 @@ std::vector<ToServer> sampleToServer() {
 }
 
 std::vector<ToClient> sampleToClient() {
-  return {
-      Welcome{3, 7, 0x0123456789abcdef, 16, kTicksPerSecond, "Platon"},
-      Welcome{255, 1, 0, 256, kTicksPerSecond, ""},
-      Refused{RefusalCode::kFull, "the server is full"},
-      Refused{RefusalCode::kOther, ""},
-      LevelChunk{5, 3, 0, {1, 2, 3}},
-      LevelChunk{5, kMaxLevelBytes, kMaxLevelBytes - kChunkBytes, std::vector<std::uint8_t>(kChunkBytes, 9)},
-      StateChunk{1, 2, 1, 4, 3, {7}},
-      StateChunk{UINT32_MAX, UINT32_MAX, 255, kMaxStateBytes, 0, std::vector<std::uint8_t>(kChunkBytes, 8)},
-      Roster{{{0, "Ann"}}},
-      Roster{{{255, ""}, {7, "Łukasz Żółć 世界 32 bytes"}}},
-      Roster{std::vector<RosterEntry>(kMaxRosterEntries, {3, std::string(kMaxNameBytes, 'x')})},
-      Roster{},
-      RoundStart{2, 17},
-      RoundEnd{2, 3600, 18},
-      Bye{ByeCode::kServerStops, "the server stops"},
-      ConfirmedTicks{1, 0, 1, 5, std::nullopt, {}},
-      ConfirmedTicks{1,
-                     100,
-                     120,
-                     0x01020304,
-                     LineReport{200, 7, SlackReport{104, 3}},
-                     {{100, 0, pressing(2)}, {103, 255, Input{}}, {219, 1, pressing(31)}}},
-      ConfirmedTicks{2,
-                     5,
-                     3,
-                     6,
-                     LineReport{0, 0, SlackReport{1, -4}},
-                     {{5, 0, pressing(1)}, {5, 1, pressing(0)}, {7, 0, pressing(0)}},
-                     255},
-      ConfirmedTicks{2, 5, 3, 6, LineReport{9, 100, std::nullopt}, {}},
-      manyChanges()};
+  return {Welcome{3, 7, 0x0123456789abcdef, 16, kTicksPerSecond, "Platon"},
+          Welcome{255, 1, 0, 256, kTicksPerSecond, ""},
+          Refused{RefusalCode::kFull, "the server is full"},
+          Refused{RefusalCode::kOther, ""},
+          LevelChunk{5, 3, 0, {1, 2, 3}},
+          LevelChunk{5, kMaxLevelBytes, kMaxLevelBytes - kChunkBytes, std::vector<std::uint8_t>(kChunkBytes, 9)},
+          StateChunk{1, 2, 1, 4, 3, {7}},
+          StateChunk{UINT32_MAX, UINT32_MAX, 255, kMaxStateBytes, 0, std::vector<std::uint8_t>(kChunkBytes, 8)},
+          Roster{{{0, "Ann"}}},
+          Roster{{{255, ""}, {7, "Łukasz Żółć 世界 32 bytes"}}},
+          Roster{std::vector<RosterEntry>(kMaxRosterEntries, {3, std::string(kMaxNameBytes, 'x')})},
+          Roster{},
+          RoundStart{2, 17},
+          RoundEnd{2, 3600, 18},
+          Bye{ByeCode::kServerStops, "the server stops"},
+          ConfirmedTicks{1, 0, 1, 5, std::nullopt, {}},
+          ConfirmedTicks{1,
+                         100,
+                         120,
+                         0x01020304,
+                         LinkReport{200, 7, SlackReport{104, 3}},
+                         {{100, 0, pressing(2)}, {103, 255, Input{}}, {219, 1, pressing(31)}}},
+          ConfirmedTicks{2,
+                         5,
+                         3,
+                         6,
+                         LinkReport{0, 0, SlackReport{1, -4}},
+                         {{5, 0, pressing(1)}, {5, 1, pressing(0)}, {7, 0, pressing(0)}},
+                         255},
+          ConfirmedTicks{2, 5, 3, 6, LinkReport{9, 100, std::nullopt}, {}},
+          manyChanges()};
 }
 
 }  // namespace platon

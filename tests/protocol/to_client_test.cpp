@@ -25,7 +25,8 @@ TEST(ToClient, ReadsBytesAtAnyAddress) {
 }
 
 TEST(ToClient, NoTickMessageIsLongerThanItsLimit) {
-  ConfirmedTicks message{UINT32_MAX, 0x7fffffff, kMaxTicksPerMessage, 1, LineReport{255, 100, SlackReport{0, -kMaxSlack}}, {}};
+  ConfirmedTicks message{
+      UINT32_MAX, 0x7fffffff, kMaxTicksPerMessage, 1, LinkReport{255, 100, SlackReport{0, -kMaxSlack}}, {}};
   // As many gaps of three ticks as there are, then everything else in the last tick.
   std::uint32_t slot = 0;
   for (std::uint32_t gap = 1; gap < kMaxTicksPerMessage / 3; ++gap) {
@@ -39,7 +40,7 @@ TEST(ToClient, NoTickMessageIsLongerThanItsLimit) {
 }
 
 TEST(ToClient, ChangesStaySmall) {
-  ConfirmedTicks nothing{3, 5000, 8, 0x01020304, LineReport{1, 0, SlackReport{5009, 2}}, {}};
+  ConfirmedTicks nothing{3, 5000, 8, 0x01020304, LinkReport{1, 0, SlackReport{5009, 2}}, {}};
   EXPECT_LE(encode(nothing).size(), 40u);
   ConfirmedTicks eight = nothing;
   for (std::uint32_t i = 0; i < 8; ++i) eight.changes.push_back({5000 + i, i, pressing(2)});
@@ -68,7 +69,7 @@ TEST(ToClient, RefusesValuesOutOfRange) {
 
 // By hand: `encode` asserts.
 TEST(ToClient, RefusesMoreThanAllLost) {
-  const ConfirmedTicks message{3, 300, 8, 0, LineReport{1, 100, std::nullopt}, {}};
+  const ConfirmedTicks message{3, 300, 8, 0, LinkReport{1, 100, std::nullopt}, {}};
   std::vector<std::uint8_t> bytes = encode(message);
   const auto lost = std::find(bytes.begin(), bytes.end(), 100);
   ASSERT_NE(lost, bytes.end());

@@ -10,7 +10,7 @@ import sys
 from pathlib import Path
 
 import source_text
-from dependency_table import DependencyTable, TableError
+from dependency_table import DependencyTable, TableError, place_of
 
 MAX_FILE_LINES = 400
 
@@ -92,7 +92,7 @@ def _check_quoted(path, header, table, root):
         if table.may_include_header(path, header):
             return None
         return f'"{header}" does not start at the root of the tree with a folder of docs/architecture.md'
-    if not (root / header).is_file():
+    if not (root / place_of(header)).is_file():
         return f'"{header}" does not exist'
     if table.may_include_folder(path, header) or table.may_include_header(path, header):
         return None

@@ -15,7 +15,15 @@ from dependency_table import DependencyTable, TableError
 
 ARCHITECTURE = (Path(__file__).parents[2] / "docs/architecture.md").read_text(encoding="utf-8")
 
-FOLDERS = ("shared/exact", "shared/physics", "shared/game", "protocol", "server", "client", "levels", "tests")
+SHARED = ["exact", "physics", "game"]
+CLIENT = ["time", "net", "netcode", "desync", "session", "bot", "demo", "scene", "ui", "gl", "play"]
+FOLDERS = (
+    [f"shared/include/platon/{name}" for name in SHARED]
+    + [f"shared/{name}" for name in SHARED]
+    + ["protocol", "server/match", "server/net", "server/app"]
+    + [f"client/{name}" for name in CLIENT]
+    + ["levels", "tests"]
+)
 
 
 class Tree(unittest.TestCase):
@@ -50,52 +58,68 @@ class Tree(unittest.TestCase):
 
 class Includes(Tree):
     def test_every_pair_of_folders(self):
-        shared = {"shared/exact", "shared/physics", "shared/game"}
+        public = [f"shared/include/platon/{name}" for name in SHARED]
+        rooms = {
+            "time": [], "net": ["time"], "netcode": ["time"], "desync": [],
+            "session": ["time", "net", "netcode", "desync"],
+            "bot": ["time", "net", "netcode", "desync", "session"],
+            "demo": ["netcode"], "scene": ["netcode"], "ui": ["netcode", "scene"], "gl": ["scene", "ui"],
+            "play": [name for name in CLIENT if name not in ("bot", "play")],
+        }  # fmt: skip
+        wordless = ("demo", "scene", "ui", "gl", "time")
         allowed = {
-            "shared/exact": set(),
-            "shared/physics": {"shared/exact"},
-            "shared/game": {"shared/exact", "shared/physics"},
-            "protocol": shared,
-            "server": shared | {"protocol"},
-            "client": shared | {"protocol"},
-            "levels": shared,
-            "tests": set(FOLDERS),
+            **{folder: public[:index] for index, folder in enumerate(public)},
+            "shared/exact": public[:1],
+            "shared/physics": public[:2] + ["shared/exact"],
+            "shared/game": public + ["shared/exact", "shared/physics"],
+            "protocol": public,
+            "server/match": public + ["protocol"],
+            "server/net": public + ["protocol", "server/match"],
+            "server/app": public + ["protocol", "server/match", "server/net"],
+            **{
+                f"client/{room}": public + ([] if room in wordless else ["protocol"]) + [f"client/{o}" for o in others]
+                for room, others in rooms.items()
+            },
+            "levels": public,
+            "tests": FOLDERS,
         }
+        self.assertEqual(sorted(allowed), sorted(FOLDERS))
         for source in FOLDERS:
             for target in FOLDERS:
-                text = f'\n#include "{target}/thing.h"\n'
+                header = f"{target.removeprefix('shared/include/')}/thing.h"
+                text = f'\n#include "{header}"\n'
                 if target == source or target in allowed[source]:
                     self.assert_allowed(f"{source}/file.cpp", text)
                 else:
-                    self.assert_refused(f"{source}/file.cpp", text, 2, f"may not include {target}/thing.h")
+                    self.assert_refused(f"{source}/file.cpp", text, 2, f"may not include {header}")
 
     def test_only_the_embedded_server_joins_both(self):
-        text = '#include "server/thing.h"\n'
-        self.assert_allowed("client/embedded_server.cpp", text)
-        self.assert_allowed("client/main.cpp", text)
-        self.assert_refused("client/main_menu.cpp", text, 1, "server/thing.h")
-        self.assert_refused("server/main.cpp", '#include "client/thing.h"\n', 1, "client/thing.h")
+        text = '#include "server/app/thing.h"\n'
+        self.assert_allowed("client/play/embedded_server.cpp", text)
+        self.assert_allowed("client/play/main.cpp", text)
+        self.assert_refused("client/play/main_menu.cpp", text, 1, "server/app/thing.h")
+        self.assert_refused("server/app/main.cpp", '#include "client/play/thing.h"\n', 1, "client/play/thing.h")
 
     def test_only_from_the_root_and_only_what_exists(self):
-        self.assert_refused("server/file.cpp", '#include "thing.h"\n', 1, "thing.h")
-        self.assert_refused("server/file.cpp", '#include "../shared/exact/thing.h"\n', 1, "../shared")
-        self.assert_refused("server/file.cpp", '#include "server/lost.h"\n', 1, "does not exist")
-        self.assert_refused("server/file.cpp", "#include <client/thing.h>\n", 1, "client/thing.h")
+        self.assert_refused("server/app/file.cpp", '#include "thing.h"\n', 1, "thing.h")
+        self.assert_refused("server/app/file.cpp", '#include "../shared/exact/thing.h"\n', 1, "../shared")
+        self.assert_refused("server/app/file.cpp", '#include "server/app/lost.h"\n', 1, "does not exist")
+        self.assert_refused("server/app/file.cpp", "#include <client/play/thing.h>\n", 1, "client/play/thing.h")
         self.assert_allowed("protocol/file.cpp", '#include "to_server_generated.h"\n')
-        self.assert_refused("server/file.cpp", '#include "to_server_generated.h"\n', 1, "to_server_generated.h")
+        self.assert_refused("server/app/file.cpp", '#include "to_server_generated.h"\n', 1, "to_server_generated.h")
 
     def test_outside_headers_have_their_files(self):
-        self.assert_allowed("server/host.cpp", "#include <enet/enet.h>\n")
-        self.assert_refused("server/match.cpp", "#include <enet/enet.h>\n", 1, "enet/enet.h")
-        self.assert_refused("server/match.cpp", "#include <sys/socket.h>\n", 1, "sys/socket.h")
-        self.assert_refused("server/match.cpp", "  #  include <GL/glew.h>\n", 1, "GL/glew.h")
+        self.assert_allowed("server/net/host.cpp", "#include <enet/enet.h>\n")
+        self.assert_refused("server/match/match.cpp", "#include <enet/enet.h>\n", 1, "enet/enet.h")
+        self.assert_refused("server/match/match.cpp", "#include <sys/socket.h>\n", 1, "sys/socket.h")
+        self.assert_refused("server/match/match.cpp", "  #  include <GL/glew.h>\n", 1, "GL/glew.h")
         self.assert_refused("protocol/file.cpp", '#include "sys/socket.h"\n', 1, "sys/socket.h")
-        self.assert_refused("client/file.cpp", "#include <unheard_of.h>\n", 1, "unheard_of.h")
+        self.assert_refused("client/play/file.cpp", "#include <unheard_of.h>\n", 1, "unheard_of.h")
         self.assert_allowed("tests/file.cpp", "#include <gtest/gtest.h>\n")
-        self.assert_allowed("client/file.cpp", "#include <vector>\n#include <chrono>\n")
+        self.assert_allowed("client/play/file.cpp", "#include <vector>\n#include <chrono>\n")
 
     def test_comments_and_strings_include_nothing(self):
-        self.assert_allowed("shared/exact/file.cpp", '// #include "server/thing.h"\n/*\n#include <iostream>\n*/\n')
+        self.assert_allowed("shared/exact/file.cpp", '// #include "server/app/thing.h"\n/*\n#include <iostream>\n*/\n')
 
     def test_folder_without_a_row(self):
         self.assert_refused("shared/utils/file.cpp", "\n", 1, "no row")
@@ -153,7 +177,7 @@ class Purity(Tree):
             self.assert_refused("shared/game/file.cpp", f"\nstd::{name}(a, b);\n", 2, f"std::{name}")
         self.assert_allowed("shared/game/file.cpp", "std::stable_sort(a, b);\nauto x = sort(a);\n")
         self.assert_allowed("shared/physics/grid.cpp", "std::sort(a, b);\n")
-        self.assert_allowed("server/file.cpp", "std::sort(a, b);\n")
+        self.assert_allowed("server/app/file.cpp", "std::sort(a, b);\n")
 
     def test_names_that_look_impure_but_are_not(self):
         self.assert_allowed(
@@ -169,12 +193,12 @@ class Purity(Tree):
 
     def test_clocks_outside_the_thin_files(self):
         text = "auto now = std::chrono::steady_clock::now();\n"
-        self.assert_refused("server/match.cpp", text, 1, "clock::now")
+        self.assert_refused("server/match/match.cpp", text, 1, "clock::now")
         self.assert_refused("protocol/file.cpp", text, 1, "clock::now")
-        self.assert_refused("client/file.cpp", "std::this_thread::sleep_for(pause);\n", 1, "sleep_for")
-        self.assert_allowed("server/main.cpp", text)
-        self.assert_allowed("server/match.cpp", 'auto s = "clock::now"; auto r = R"(clock::now)";  // clock::now\n')
-        self.assert_allowed("server/match.cpp", "void advance(std::chrono::steady_clock::time_point now);\n")
+        self.assert_refused("client/play/file.cpp", "std::this_thread::sleep_for(pause);\n", 1, "sleep_for")
+        self.assert_allowed("server/app/main.cpp", text)
+        self.assert_allowed("server/match/match.cpp", 'auto s = "clock::now"; auto r = R"(clock::now)";  // clock::now\n')
+        self.assert_allowed("server/match/match.cpp", "void advance(std::chrono::steady_clock::time_point now);\n")
 
 
 class Form(Tree):
@@ -185,18 +209,18 @@ class Form(Tree):
 
     def test_leftovers(self):
         for word in ("TO" "DO", "FIX" "ME", "XX" "X", "HA" "CK"):
-            self.assert_refused("client/file.cpp", f"\n// {word}: later\n", 2, word)
+            self.assert_refused("client/play/file.cpp", f"\n// {word}: later\n", 2, word)
             self.assert_refused("docs/page.md", f"{word}\n", 1, word)
-        self.assert_allowed("client/file.cpp", "// TO" "DOS\n")
+        self.assert_allowed("client/play/file.cpp", "// TO" "DOS\n")
 
     def test_machine_paths(self):
         for path in ("/ho" "me/somebody/x", "/wo" "rk/main", "/ro" "ot/.cache"):
-            self.assert_refused("client/file.cpp", f'auto path = "{path}";\n', 1, "path of one machine")
+            self.assert_refused("client/play/file.cpp", f'auto path = "{path}";\n', 1, "path of one machine")
         self.assert_allowed("docs/page.md", "See levels/root/a and /etc/platon/server.toml and https://a.org/home/x\n")
 
     def test_headers_and_names(self):
-        self.assert_refused("client/file.h", "// #pragma once\n", 1, "pragma once")
-        self.assert_refused("client/FileName.cpp", "\n", 1, "snake_case")
+        self.assert_refused("client/play/file.h", "// #pragma once\n", 1, "pragma once")
+        self.assert_refused("client/play/FileName.cpp", "\n", 1, "snake_case")
 
     def test_top_level(self):
         self.write("extra/file.txt", "\n")
@@ -209,10 +233,17 @@ class Tables(Tree):
     def test_the_page_is_the_rule(self):
         text = '#include "protocol/thing.h"\n'
         self.assert_refused("levels/file.cpp", text, 1, "protocol/thing.h")
-        row = "| `levels` | levels, their format, `platon-level` | `shared` |"
+        row = "| `levels` | levels by solid; `tool`: `platon-level` | `platon` |"
         self.assertIn(row, ARCHITECTURE)
         self.write("docs/architecture.md", ARCHITECTURE.replace(row, row[:-2] + " `protocol` |"))
         self.assert_allowed("levels/file.cpp", text)
+
+    def test_rows_go_one_way(self):
+        for cell in ("`platon` `server/app`", "`platon` `server`", "`client/time`"):
+            page = ARCHITECTURE.replace("alike | `platon` |", f"alike | {cell} |")
+            self.assertNotEqual(page, ARCHITECTURE)
+            with self.assertRaisesRegex(TableError, "protocol may include .*, whose row comes later"):
+                DependencyTable(page)
 
     def test_row_without_a_folder(self):
         shutil.rmtree(self.root / "levels")
@@ -234,7 +265,7 @@ class Functions(Tree):
         if ctags is None:
             self.skipTest("universal-ctags is not installed")
         for lines in (80, 81):
-            self.write("client/file.cpp", "int f() {\n" + "  g();\n" * (lines - 2) + "}\nint h() { return 1; }\n")
+            self.write("client/play/file.cpp", "int f() {\n" + "  g();\n" * (lines - 2) + "}\nint h() { return 1; }\n")
             functions = check_functions.function_lengths(ctags, self.root)
             self.assertEqual([(f[0], f[2], f[3]) for f in functions], [(lines, "f", 1), (1, "h", lines + 1)])
             over = [v for v in check_functions.violations(functions) if "more than 80" in v]
@@ -244,10 +275,10 @@ class Functions(Tree):
         self.assertEqual(check_functions.percentile([1, 2, 3, 4], 50), 2)
         self.assertEqual(check_functions.percentile(range(1, 101), 95), 95)
         self.assertEqual(check_functions.percentile([7], 95), 7)
-        short = [(1, "client/a.cpp", "f", 1)] * 100
+        short = [(1, "client/play/a.cpp", "f", 1)] * 100
         self.assertEqual(list(check_functions.violations(short)), [])
-        self.assertEqual(len(list(check_functions.violations([(9, "client/a.cpp", "f", 1)] * 100))), 1)
-        self.assertEqual(len(list(check_functions.violations(short + [(41, "client/a.cpp", "f", 1)] * 10))), 1)
+        self.assertEqual(len(list(check_functions.violations([(9, "client/play/a.cpp", "f", 1)] * 100))), 1)
+        self.assertEqual(len(list(check_functions.violations(short + [(41, "client/play/a.cpp", "f", 1)] * 10))), 1)
         self.assertEqual(len(list(check_functions.violations([(1, "tests/a.cpp", "f", 1)]))), 1)
 
 

@@ -1,4 +1,4 @@
-#include "shared/exact/angle.h"
+#include "platon/exact/angle.h"
 
 #include <gtest/gtest.h>
 
@@ -6,65 +6,66 @@
 #include <cstdlib>
 #include <numbers>
 
-#include "shared/exact/integer.h"
-#include "tests/lockstep/seeded_random.h"
+#include "platon/exact/integer.h"
+#include "tests/sim/seeded_random.h"
 
 namespace platon {
 namespace {
 
 constexpr std::uint64_t kSeed = 20240117;
-constexpr std::int64_t kOne = std::int64_t{1} << Direction::kFractionBits;
+constexpr std::int64_t kOne = std::int64_t{1} << Rotation::kFractionBits;
 
-long double radians(std::int32_t hundredths) {
-  return static_cast<long double>(hundredths) * std::numbers::pi_v<long double> / (Angle::kTurn / 2);
+long double radians(std::int32_t centidegrees) {
+  return static_cast<long double>(centidegrees) * std::numbers::pi_v<long double> / (Angle::kTurn / 2);
 }
 
 long double lengthOf(Point vector) { return std::hypot(static_cast<long double>(vector.x), vector.y); }
 
 TEST(AngleTest, TakesOffWholeTurns) {
-  EXPECT_EQ(Angle().hundredths(), 0);
+  EXPECT_EQ(Angle().centidegrees(), 0);
   EXPECT_EQ(Angle(36000), Angle());
-  EXPECT_EQ(Angle(-1).hundredths(), 35999);
+  EXPECT_EQ(Angle(-1).centidegrees(), 35999);
   EXPECT_EQ(Angle(-36000), Angle());
-  EXPECT_EQ(Angle(72001).hundredths(), 1);
-  EXPECT_EQ(Angle(INT32_MAX).hundredths(), INT32_MAX % 36000);
-  EXPECT_EQ(Angle(INT32_MIN).hundredths(), 36000 + INT32_MIN % 36000);
-  EXPECT_EQ(Angle::degrees(90).hundredths(), 9000);
-  EXPECT_EQ(Angle::degrees(-36).hundredths(), 32400);
-  EXPECT_EQ(Angle::degrees(725).hundredths(), 500);
-  EXPECT_EQ(Angle::degrees(INT32_MAX).hundredths(), INT32_MAX % 360 * 100);
+  EXPECT_EQ(Angle(72001).centidegrees(), 1);
+  EXPECT_EQ(Angle(INT32_MAX).centidegrees(), INT32_MAX % 36000);
+  EXPECT_EQ(Angle(INT32_MIN).centidegrees(), 36000 + INT32_MIN % 36000);
+  EXPECT_EQ(Angle::degrees(90).centidegrees(), 9000);
+  EXPECT_EQ(Angle::degrees(-36).centidegrees(), 32400);
+  EXPECT_EQ(Angle::degrees(725).centidegrees(), 500);
+  EXPECT_EQ(Angle::degrees(INT32_MAX).centidegrees(), INT32_MAX % 360 * 100);
 }
 
 TEST(AngleTest, AddsAndSubtractsWithinATurn) {
   for (std::int32_t a = 0; a < Angle::kTurn; a += 371) {
     EXPECT_EQ(Angle(a) + -Angle(a), Angle());
     for (std::int32_t b = 0; b < Angle::kTurn; b += 997) {
-      EXPECT_EQ((Angle(a) + Angle(b)).hundredths(), (a + b) % Angle::kTurn);
+      EXPECT_EQ((Angle(a) + Angle(b)).centidegrees(), (a + b) % Angle::kTurn);
       EXPECT_EQ(Angle(a) - Angle(b) + Angle(b), Angle(a));
     }
   }
 }
 
 TEST(AngleTest, EveryDirectionIsExactTo29Bits) {
-  for (std::int32_t hundredths = 0; hundredths < Angle::kTurn; ++hundredths) {
-    const Direction direction = directionOf(Angle(hundredths));
-    const long double cosine = std::cos(radians(hundredths)) * kOne;
-    const long double sine = std::sin(radians(hundredths)) * kOne;
-    ASSERT_LE(std::abs(static_cast<long double>(direction.cosine) - cosine), 2) << hundredths;
-    ASSERT_LE(std::abs(static_cast<long double>(direction.sine) - sine), 2) << hundredths;
+  for (std::int32_t centidegrees = 0; centidegrees < Angle::kTurn; ++centidegrees) {
+    const Rotation direction = rotationOf(Angle(centidegrees));
+    const long double cosine = std::cos(radians(centidegrees)) * kOne;
+    const long double sine = std::sin(radians(centidegrees)) * kOne;
+    ASSERT_LE(std::abs(static_cast<long double>(direction.cosine) - cosine), 2) << centidegrees;
+    ASSERT_LE(std::abs(static_cast<long double>(direction.sine) - sine), 2) << centidegrees;
   }
 }
 
 TEST(AngleTest, WholeDegreesAreRoundedCorrectly) {
   for (std::int32_t degrees = 0; degrees < 360; ++degrees) {
-    const Direction direction = directionOf(Angle::degrees(degrees));
+    const Rotation direction = rotationOf(Angle::degrees(degrees));
     EXPECT_EQ(direction.cosine, std::llround(std::cos(radians(degrees * 100)) * kOne)) << degrees;
     EXPECT_EQ(direction.sine, std::llround(std::sin(radians(degrees * 100)) * kOne)) << degrees;
   }
 }
 
 TEST(AngleTest, QuarterTurnsAreExact) {
-  for (const Point vector : {Point(1, 0), Point(0, 1), Point(7, -3), Point(kCoordinateLimit - 1, 1 - kCoordinateLimit)}) {
+  for (const Point vector :
+       {Point(1, 0), Point(0, 1), Point(7, -3), Point(kCoordinateLimit - 1, 1 - kCoordinateLimit)}) {
     EXPECT_EQ(rotate(vector, Angle()), vector);
     EXPECT_EQ(rotate(vector, Angle::degrees(90)), perpendicular(vector));
     EXPECT_EQ(rotate(vector, Angle::degrees(180)), -vector);
@@ -73,17 +74,17 @@ TEST(AngleTest, QuarterTurnsAreExact) {
 }
 
 TEST(AngleTest, QuarterAndHalfTurnsComposeExactly) {
-  for (std::int32_t hundredths = 0; hundredths < Angle::kTurn; ++hundredths) {
-    const Direction direction = directionOf(Angle(hundredths));
-    const Direction quarter = directionOf(Angle(hundredths) + Angle::degrees(90));
-    ASSERT_EQ(quarter.cosine, -direction.sine) << hundredths;
-    ASSERT_EQ(quarter.sine, direction.cosine) << hundredths;
+  for (std::int32_t centidegrees = 0; centidegrees < Angle::kTurn; ++centidegrees) {
+    const Rotation direction = rotationOf(Angle(centidegrees));
+    const Rotation quarter = rotationOf(Angle(centidegrees) + Angle::degrees(90));
+    ASSERT_EQ(quarter.cosine, -direction.sine) << centidegrees;
+    ASSERT_EQ(quarter.sine, direction.cosine) << centidegrees;
   }
 }
 
 TEST(AngleTest, SinesRiseInTheFirstQuarter) {
-  for (std::int32_t hundredths = 0; hundredths < 9000; ++hundredths) {
-    ASSERT_LT(directionOf(Angle(hundredths)).sine, directionOf(Angle(hundredths + 1)).sine) << hundredths;
+  for (std::int32_t centidegrees = 0; centidegrees < 9000; ++centidegrees) {
+    ASSERT_LT(rotationOf(Angle(centidegrees)).sine, rotationOf(Angle(centidegrees + 1)).sine) << centidegrees;
   }
 }
 
@@ -102,10 +103,10 @@ TEST(RotateTest, RoundsTheTrueRotation) {
   sim::SeededRandom random(kSeed);
   for (int i = 0; i < 20000; ++i) {
     const Point vector = random.vector((1 << (4 + i % 24)) - 1);
-    const auto hundredths = static_cast<std::int32_t>(random.below(Angle::kTurn));
-    const long double c = std::cos(radians(hundredths));
-    const long double s = std::sin(radians(hundredths));
-    const Point turned = rotate(vector, Angle(hundredths));
+    const auto centidegrees = static_cast<std::int32_t>(random.below(Angle::kTurn));
+    const long double c = std::cos(radians(centidegrees));
+    const long double s = std::sin(radians(centidegrees));
+    const Point turned = rotate(vector, Angle(centidegrees));
     const long double reach = 0.5L + lengthOf(vector) * std::ldexp(2.0L, -29);
     ASSERT_LE(std::abs(turned.x - (c * vector.x - s * vector.y)), reach) << "seed " << kSeed << ", round " << i;
     ASSERT_LE(std::abs(turned.y - (s * vector.x + c * vector.y)), reach) << "seed " << kSeed << ", round " << i;
@@ -126,17 +127,17 @@ TEST(RotateTest, ThereAndBackIsWithinASubunit) {
 
 TEST(RotateTest, LargestVectorsStayInRange) {
   constexpr std::int32_t most = 2 * (kCoordinateLimit - 1);
-  for (std::int32_t hundredths = 0; hundredths < Angle::kTurn; hundredths += 100) {
-    const Point turned = rotate(Point(most, most), Angle(hundredths));
-    const long double expected = most * (std::cos(radians(hundredths)) - std::sin(radians(hundredths)));
-    ASSERT_LE(std::abs(turned.x - expected), 8) << hundredths;
+  for (std::int32_t centidegrees = 0; centidegrees < Angle::kTurn; centidegrees += 100) {
+    const Point turned = rotate(Point(most, most), Angle(centidegrees));
+    const long double expected = most * (std::cos(radians(centidegrees)) - std::sin(radians(centidegrees)));
+    ASSERT_LE(std::abs(turned.x - expected), 8) << centidegrees;
   }
 }
 
 TEST(AngleBetweenTest, FindsEveryAngleOfALongVector) {
   const Point from(1 << 28, 0);
-  for (std::int32_t hundredths = 0; hundredths < Angle::kTurn; ++hundredths) {
-    ASSERT_EQ(angleBetween(from, rotate(from, Angle(hundredths))).hundredths(), hundredths);
+  for (std::int32_t centidegrees = 0; centidegrees < Angle::kTurn; ++centidegrees) {
+    ASSERT_EQ(angleBetween(from, rotate(from, Angle(centidegrees))).centidegrees(), centidegrees);
   }
 }
 

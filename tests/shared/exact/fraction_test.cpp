@@ -1,4 +1,4 @@
-#include "shared/exact/fraction.h"
+#include "platon/exact/fraction.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "tests/lockstep/seeded_random.h"
+#include "tests/sim/seeded_random.h"
 
 namespace platon {
 namespace {

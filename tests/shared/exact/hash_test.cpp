@@ -33,7 +33,9 @@ TEST(HashTest, HashesValuesNotTypes) {
 }
 
 template <class Value>
-concept Hashed = requires(Hash hash, Value value) { hash.add(value); };
+concept Hashed = requires(Hash hash, Value value) {
+  hash.add(value);
+};
 
 // `char` has a sign on some machines and none on others.
 static_assert(!Hashed<char> && !Hashed<wchar_t> && !Hashed<const void*> && !Hashed<float>);

@@ -1,4 +1,4 @@
-#include "shared/exact/integer.h"
+#include "platon/exact/integer.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "shared/exact/point.h"
+#include "platon/exact/point.h"
 
 #include <gtest/gtest.h>
 
-#include "shared/exact/integer.h"
+#include "platon/exact/integer.h"
 
 namespace platon {
 namespace {

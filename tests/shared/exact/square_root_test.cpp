@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/lockstep/seeded_random.h"
+#include "tests/sim/seeded_random.h"
 
 namespace platon {
 namespace {

@@ -6,14 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "shared/game/game.h"
-#include "shared/physics/entity.h"
-#include "shared/physics/map_part.h"
-#include "shared/physics/rules.h"
-#include "shared/physics/world.h"
-#include "tests/lockstep/button_presses.h"
-#include "tests/lockstep/lockstep_levels.h"
+#include "platon/game/game.h"
+#include "platon/physics/entity.h"
+#include "platon/physics/map_part.h"
+#include "platon/physics/rules.h"
+#include "platon/physics/world.h"
+#include "tests/determinism/lockstep_levels.h"
 #include "tests/shared/physics/shapes.h"
+#include "tests/sim/button_presses.h"
 
 namespace {
 
@@ -44,7 +44,7 @@ class RepeatedGame {
  public:
   explicit RepeatedGame(std::shared_ptr<const Level> level)
       : beginning_(std::move(level)), game_(beginning_), inputs_(kPlayers, Input{Input::kPresent}) {
-    beginning_.advance(inputs_);   // players enter, which adds to the state
+    beginning_.advance(inputs_);  // players enter, which adds to the state
   }
 
   /// Returns how many allocations that took. Room for work stays with the game.

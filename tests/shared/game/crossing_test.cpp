@@ -7,16 +7,16 @@
 #include <string>
 #include <vector>
 
-#include "shared/game/player.h"
-#include "shared/game/solid.h"
-#include "shared/game/stage.h"
-#include "shared/physics/entity.h"
+#include "platon/game/player.h"
+#include "platon/game/solid.h"
+#include "platon/game/stage.h"
+#include "platon/physics/entity.h"
+#include "platon/physics/map_part.h"
+#include "platon/physics/world.h"
 #include "shared/physics/entity_step.h"
-#include "shared/physics/map_part.h"
-#include "shared/physics/world.h"
-#include "tests/lockstep/seeded_random.h"
 #include "tests/shared/game/real_face.h"
 #include "tests/shared/physics/leg_checker.h"
+#include "tests/sim/seeded_random.h"
 
 namespace platon {
 namespace {
@@ -47,7 +47,8 @@ void forEachEdge(Visit&& visit) {
   for (const SolidKind kind : kAllSolids) {
     const PlatonicSolid& solid = PlatonicSolid::of(kind);
     for (int face = 0; face < solid.faces(); ++face) {
-      for (int edge = 0; edge < solid.edgesPerFace() && !testing::Test::HasFatalFailure(); ++edge) visit(kind, face, edge);
+      for (int edge = 0; edge < solid.edgesPerFace() && !testing::Test::HasFatalFailure(); ++edge)
+        visit(kind, face, edge);
     }
   }
 }
@@ -145,7 +146,8 @@ TEST(CrossingTest, DitheringOnAnEdgeDoesNotDrift) {
     EXPECT_EQ(checker.faults(), "") << nameOf(kind);
     EXPECT_GE(walk.entity.state().crossings, 99000u) << nameOf(kind);
     const bool back = walk.entity.part() == 0;
-    const Real at = back ? real(walk.entity.position()) : ideal.over(behind.face, behind.edge, real(walk.entity.position()));
+    const Real at =
+        back ? real(walk.entity.position()) : ideal.over(behind.face, behind.edge, real(walk.entity.position()));
     EXPECT_LE(length(at - from), back ? 4.0 : 12.0) << nameOf(kind);
   }
 }
@@ -219,10 +221,10 @@ struct Fling {
   std::int32_t speed;
   int lines;
   int ticks;
-  int hold;   // ticks between changes of the velocity
+  int hold;  // ticks between changes of the velocity
 };
 
-constexpr std::int32_t kMostTurn = 2000;   // hundredths of a degree a step
+constexpr std::int32_t kMaxTurn = 2000;  // centidegrees a step
 
 void fling(SolidKind kind, const Fling& how) {
   sim::SeededRandom random(kSeed + static_cast<std::uint64_t>(how.speed));
@@ -234,7 +236,7 @@ void fling(SolidKind kind, const Fling& how) {
   for (int tick = 0; tick < how.ticks; ++tick) {
     const std::uint64_t before = checker.legs();
     if (tick % how.hold == 0) entity.setVelocity(random.vector(how.speed));
-    if (tick % 5 == 0) entity.rotate(static_cast<std::int32_t>(random.below(2 * kMostTurn)) - kMostTurn);
+    if (tick % 5 == 0) entity.rotate(static_cast<std::int32_t>(random.below(2 * kMaxTurn)) - kMaxTurn);
     walk.world.solve(&checker);
     most = std::max(most, checker.legs() - before);
     visited[entity.part()] = true;
@@ -245,7 +247,7 @@ void fling(SolidKind kind, const Fling& how) {
   }
   // Each leg is told of at most where it admits, moves, passes home and drops; a turn that lines are close to is made,
   // and told, in many parts.
-  EXPECT_LE(most, 16u * EntityStep::kMostLegs) << nameOf(kind);
+  EXPECT_LE(most, 16u * EntityStep::kMaxLegs) << nameOf(kind);
   if (how.lines == 0) {
     EXPECT_EQ(std::count(visited.begin(), visited.end(), false), 0) << nameOf(kind) << ": every face was visited";
   }

@@ -7,27 +7,27 @@
 #include <string>
 #include <vector>
 
-#include "shared/game/player.h"
-#include "shared/game/solid.h"
-#include "shared/game/stage.h"
-#include "shared/physics/entity.h"
-#include "shared/physics/map_part.h"
-#include "shared/physics/world.h"
+#include "platon/game/player.h"
+#include "platon/game/solid.h"
+#include "platon/game/stage.h"
+#include "platon/physics/entity.h"
+#include "platon/physics/map_part.h"
+#include "platon/physics/world.h"
 #include "tests/shared/game/real_face.h"
 #include "tests/shared/physics/leg_checker.h"
 
 namespace platon {
 
 inline constexpr std::int32_t kFloorFaceSize = 480;
-inline constexpr double kFloorReach = 60000;   // to either side of the edge
+inline constexpr double kFloorReach = 60000;  // to either side of the edge
 
 /// A straight floor over one edge; a walker's right is along it.
 struct Floor {
   SolidKind kind;
   int face;
   int edge;
-  double along;   ///< the edge
-  double slant;   ///< of the floor from straight over the edge, degrees
+  double along;  ///< the edge
+  double slant;  ///< of the floor from straight over the edge, degrees
 
   RealFace ideal() const { return {kind, kFloorFaceSize}; }
   Real crossing() const { return ideal().onEdge(edge, along); }
@@ -54,7 +54,7 @@ struct Floor {
   }
 };
 
-inline Angle alignedWith(const Floor& floor) { return directionOf(floor.direction()); }
+inline Angle alignedWith(const Floor& floor) { return rotationOf(floor.direction()); }
 
 /// Puts the ball down `before` subunits before the edge and lets it come to rest.
 inline Entity settle(World& world, const Floor& floor, double before, Angle angle) {
@@ -79,9 +79,11 @@ inline void expectSmooth(const Floor& floor, Angle angle, double press) {
   for (int tick = 0; tick < 21; ++tick) {
     const double before = progress();
     world.solve(&checker);
-    ASSERT_GE(progress() - before, 4096 * 0.99) << floor.name() << ", tick " << tick << ", turned " << angle.hundredths();
+    ASSERT_GE(progress() - before, 4096 * 0.99)
+        << floor.name() << ", tick " << tick << ", turned " << angle.centidegrees();
     // Three for the step, and what the rounded ends of the floor put it off its straight line.
-    ASSERT_LE(std::abs(height() - settled), 3.5) << floor.name() << ", tick " << tick << ", turned " << angle.hundredths();
+    ASSERT_LE(std::abs(height() - settled), 3.5)
+        << floor.name() << ", tick " << tick << ", turned " << angle.centidegrees();
   }
   ASSERT_EQ(entity.part(), floor.behind());
   ASSERT_EQ(checker.faults(), "") << floor.name();

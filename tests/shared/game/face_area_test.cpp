@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-#include "shared/game/solid.h"
+#include "platon/game/solid.h"
 
 namespace platon {
 namespace {
@@ -69,7 +69,9 @@ bool isNearest(Point point, const ExactPoint& exact) {
 class Source {
  public:
   explicit Source(std::uint64_t seed) : random_(seed) {}
-  std::int64_t below(std::int64_t limit) { return static_cast<std::int64_t>(random_() % static_cast<std::uint64_t>(limit)); }
+  std::int64_t below(std::int64_t limit) {
+    return static_cast<std::int64_t>(random_() % static_cast<std::uint64_t>(limit));
+  }
   // A coordinate as a level text can give it, up to `most` units in magnitude.
   std::int64_t coordinate(std::int64_t most) { return (below(2 * most * 10000 + 1) - most * 10000) * 64; }
   FinePoint point(std::int64_t most) {
@@ -156,9 +158,9 @@ TEST(FaceAreaTest, CutEndsAreTheLatticePointsNearestToTheExactOnes) {
   Source source(seed);
   int cut = 0;
   for (int i = 0; i < 30000; ++i) {
-    const auto size = static_cast<std::int32_t>(i % 3 == 0 ? kMostFaceSize : 200 + source.below(2000));
+    const auto size = static_cast<std::int32_t>(i % 3 == 0 ? kMaxFaceSize : 200 + source.below(2000));
     const auto polygon = facePolygon(kKinds[static_cast<std::size_t>(i) % 3], size);
-    const std::int64_t most = i % 2 == 0 ? FaceArea::kMostUnits : size;
+    const std::int64_t most = i % 2 == 0 ? FaceArea::kMaxUnits : size;
     const FinePoint a = source.point(most);
     const FinePoint b = source.point(most);
     const auto found = FaceArea(polygon).cut(a, b);

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "shared/game/solid.h"
-#include "shared/physics/entity.h"
-#include "shared/physics/world.h"
+#include "platon/game/solid.h"
+#include "platon/physics/entity.h"
+#include "platon/physics/world.h"
 #include "tests/shared/game/edge_floor.h"
 
 namespace platon {
@@ -51,8 +51,8 @@ TEST(FloorOverEdgeTest, RunningBackIsAsSmooth) {
     entity.setVelocity(nearest(4096 * floor.direction() - 256 * floor.up()));
     for (int tick = 0; tick < 21; ++tick) world.solve();
     const Real there = floor.unfolded(entity);
-    entity.setVelocity(rotate(nearest(-4096 * floor.direction() - 256 * floor.up()),
-                              entity.rotation() - alignedWith(floor)));
+    entity.setVelocity(
+        rotate(nearest(-4096 * floor.direction() - 256 * floor.up()), entity.rotation() - alignedWith(floor)));
     for (int tick = 0; tick < 21; ++tick) world.solve();
     ASSERT_EQ(entity.part(), static_cast<std::uint32_t>(floor.face)) << floor.name();
     const Real way = floor.unfolded(entity) - there;

@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "platon/game/recorder.h"
+#include "platon/game/state_bytes.h"
 #include "shared/exact/hash.h"
-#include "shared/game/recorder.h"
-#include "shared/game/state_bytes.h"
 
 namespace platon {
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <string>
 
-#include "shared/game/game.h"
-#include "tests/lockstep/button_presses.h"
+#include "platon/game/game.h"
 #include "tests/shared/game/played_game.h"
+#include "tests/sim/button_presses.h"
 
 namespace platon {
 namespace {
@@ -127,7 +127,8 @@ TEST(GameRestoreTest, EveryByteThatIsRestoredShowsInTheHash) {
       ASSERT_NE(game.hash(), saved.hash()) << "byte " << at << ", bit " << bit;
       ASSERT_FALSE(game == saved);
       for (std::uint32_t slot = 0; slot < game.slots(); ++slot) {
-        ASSERT_EQ(game.player(slot).present, game.world().entities()[slot].inserted) << "byte " << at << ", bit " << bit;
+        ASSERT_EQ(game.player(slot).present, game.world().entities()[slot].inserted)
+            << "byte " << at << ", bit " << bit;
       }
     }
   }
@@ -167,7 +168,8 @@ TEST(GameRestoreTest, RefusedBytesChangeNothing) {
   Game game = saved;
   for (int round = 0; round < 20000; ++round) {
     auto bytes = sound;
-    for (int change = 0; change < 8; ++change) bytes[random.below(bytes.size())] = static_cast<std::uint8_t>(random.next());
+    for (int change = 0; change < 8; ++change)
+      bytes[random.below(bytes.size())] = static_cast<std::uint8_t>(random.next());
     if (game.restore(bytes)) {
       game = saved;
     } else {

@@ -1,14 +1,14 @@
-#include "shared/game/game.h"
+#include "platon/game/game.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 #include <string>
 
-#include "shared/physics/sweep.h"
-#include "tests/lockstep/button_presses.h"
+#include "platon/physics/sweep.h"
 #include "tests/shared/game/played_game.h"
 #include "tests/shared/physics/leg_checker.h"
+#include "tests/sim/button_presses.h"
 
 namespace platon {
 namespace {

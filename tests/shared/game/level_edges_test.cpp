@@ -5,9 +5,9 @@
 #include <random>
 #include <vector>
 
-#include "shared/exact/integer.h"
+#include "platon/exact/integer.h"
+#include "platon/game/solid.h"
 #include "shared/game/face_area.h"
-#include "shared/game/solid.h"
 
 namespace platon {
 namespace {
@@ -92,7 +92,7 @@ TEST(LevelEdgesTest, LinesOverAnEdgeMeetWithinThreeSubunits) {
   constexpr int tries = 60000;
   for (int i = 0; i < tries; ++i) {
     const auto kind = static_cast<SolidKind>(i % kSolidKinds);
-    const auto size = static_cast<std::int32_t>(i % 7 == 0 ? kMostFaceSize : 200 + i % 1500);
+    const auto size = static_cast<std::int32_t>(i % 7 == 0 ? kMaxFaceSize : 200 + i % 1500);
     const long double gap = gapOverAnEdge(kind, size, random);
     ASSERT_LE(gap, 3.0L) << nameOf(kind) << " " << size << ", seed " << seed;
     most = std::max(most, gap);

@@ -10,17 +10,20 @@
 #include <tuple>
 #include <vector>
 
-#include "shared/game/level.h"
+#include "platon/game/level.h"
 
 namespace platon {
 namespace {
 
 constexpr std::array<std::string_view, 4> kSeeds = {
-    "# title: One\n# author: Two\nTETRAHEDRON\n0 0 0 60\n1 0 100\n400\n%\n-150.5 -60 150.25 -60\n-300 40 300 40.0001\n%\n"
+    "# title: One\n# author: Two\nTETRAHEDRON\n0 0 0 60\n1 0 100\n400\n%\n-150.5 -60 150.25 -60\n-300 40 300 "
+    "40.0001\n%\n"
     "0 0 50 50\n%\n\n-1000 -50 1000 -50 # cut\n%\n7 7 7 7\n",
-    "HEXAHEDRON\r\n3 0 0 -90\r\n5 240 240\r\n480\r\n%\r\n-240 -240 240 -240\r\n%\r\n-240 0 0 240\r\n%\r\n%\r\n100 1 100 9\r\n%\r\n"
+    "HEXAHEDRON\r\n3 0 0 -90\r\n5 240 240\r\n480\r\n%\r\n-240 -240 240 -240\r\n%\r\n-240 0 0 240\r\n%\r\n%\r\n100 1 "
+    "100 9\r\n%\r\n"
     "%\r\n-999 -999 999 999\r\n",
-    "OCTAHEDRON\n7 0 -40 180\n0 0 200\n500\n%\n0 0 0 400\n%\n%\n%\n-250 -144.3376 250 -144.3376\n%\n%\n%\n0 288.6751 250 -144.3376\n%\n",
+    "OCTAHEDRON\n7 0 -40 180\n0 0 200\n500\n%\n0 0 0 400\n%\n%\n%\n-250 -144.3376 250 -144.3376\n%\n%\n%\n0 288.6751 "
+    "250 -144.3376\n%\n",
     "DODECAHEDRON\n11 0 0 36\n0 0 0\n65536\n%\n-40000 0 40000 0\n%\n%\n%\n%\n%\n%\n%\n%\n%\n-131072 5 131072 7\n%\n%\n"
     "32768.0001 -45101.2825 -32768 -45101.2828\n"};
 
@@ -37,9 +40,28 @@ class Mutator {
   std::size_t below(std::size_t limit) { return limit == 0 ? 0 : random_() % limit; }
 
   std::string piece() {
-    static constexpr std::array<std::string_view, 22> pieces = {
-        "%", "\n", "\r", " ", "\t", "#", "-", ".", "0", "99999", "240", "-240", "0.0001", "1e9", "%\n", "0 0 0 0\n",
-        "ICOSAHEDRON", "# title: x\n", "-500 0 500 0\n", "18446744073709551616", "\xc3\xa9", "\xef\xbb\xbf"};
+    static constexpr std::array<std::string_view, 22> pieces = {"%",
+                                                                "\n",
+                                                                "\r",
+                                                                " ",
+                                                                "\t",
+                                                                "#",
+                                                                "-",
+                                                                ".",
+                                                                "0",
+                                                                "99999",
+                                                                "240",
+                                                                "-240",
+                                                                "0.0001",
+                                                                "1e9",
+                                                                "%\n",
+                                                                "0 0 0 0\n",
+                                                                "ICOSAHEDRON",
+                                                                "# title: x\n",
+                                                                "-500 0 500 0\n",
+                                                                "18446744073709551616",
+                                                                "\xc3\xa9",
+                                                                "\xef\xbb\xbf"};
     if (below(4) == 0) return std::string(1, static_cast<char>(below(256)));
     return std::string(pieces[below(pieces.size())]);
   }
@@ -48,10 +70,18 @@ class Mutator {
     const std::size_t at = below(text.size() + 1);
     const std::size_t length = std::min(below(12), text.size() - at);
     switch (below(5)) {
-      case 0: text.insert(at, piece()); break;
-      case 1: text.erase(at, length); break;
-      case 2: text.replace(at, length, piece()); break;
-      case 3: text.insert(below(text.size() + 1), text.substr(at, length)); break;
+      case 0:
+        text.insert(at, piece());
+        break;
+      case 1:
+        text.erase(at, length);
+        break;
+      case 2:
+        text.replace(at, length, piece());
+        break;
+      case 3:
+        text.insert(below(text.size() + 1), text.substr(at, length));
+        break;
       default:
         if (at < text.size()) text[at] = static_cast<char>(text[at] ^ static_cast<char>(1 << below(8)));
     }
@@ -109,7 +139,8 @@ TEST(LevelFuzzTest, MutatedLevelsAreRefusedOrSound) {
   for (int i = 0; i < 20000 && !testing::Test::HasFailure(); ++i) {
     const std::string text = mutator.mutate(std::string(kSeeds[static_cast<std::size_t>(i) % kSeeds.size()]));
     const LevelResult result = loadLevel(text);
-    const bool error = std::any_of(result.diagnostics.begin(), result.diagnostics.end(), [](auto& one) { return one.error; });
+    const bool error =
+        std::any_of(result.diagnostics.begin(), result.diagnostics.end(), [](auto& one) { return one.error; });
     EXPECT_EQ(result.level == nullptr, error) << text;
     expectSound(result.diagnostics, text);
     if (result.level != nullptr) expectSound(*result.level, text);

@@ -35,8 +35,8 @@ TEST(LevelNumberTest, ReadsIntegersAndDecimals) {
 }
 
 TEST(LevelNumberTest, RefusesWhatIsNoNumber) {
-  for (const char* text : {"", "-", ".", "-.", "+1", "--1", "1-", ".5", "5.", "1.2.3", "1,5", "1e5", "0x10", "nan", "inf",
-                           "1 ", " 1", "1f", "１", "1.-2", "1.+2", "%"}) {
+  for (const char* text : {"",    "-",    ".",   "-.",  "+1", "--1", "1-", ".5", "5.",   "1.2.3", "1,5",
+                           "1e5", "0x10", "nan", "inf", "1 ", " 1",  "1f", "１", "1.-2", "1.+2",  "%"}) {
     EXPECT_EQ(faultOf(text), NumberFault::kNotANumber) << "'" << text << "'";
   }
   EXPECT_EQ(faultOf(std::string("1\0", 2)), NumberFault::kNotANumber);
@@ -57,8 +57,8 @@ TEST(LevelNumberTest, RefusesWhatIsBeyondTheLimit) {
 TEST(LevelNumberTest, SubunitsAreTheNearestAndSymmetric) {
   EXPECT_EQ(LevelNumber{10000}.subunits(), 1024);
   EXPECT_EQ(LevelNumber{5000}.subunits(), 512);
-  EXPECT_EQ(LevelNumber{4}.subunits(), 0);    // 0.4096
-  EXPECT_EQ(LevelNumber{5}.subunits(), 1);    // 0.512
+  EXPECT_EQ(LevelNumber{4}.subunits(), 0);  // 0.4096
+  EXPECT_EQ(LevelNumber{5}.subunits(), 1);  // 0.512
   EXPECT_EQ(LevelNumber{1310720000}.subunits(), 134217728);
   constexpr unsigned seed = 7;
   std::mt19937_64 random(seed);

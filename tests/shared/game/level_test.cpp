@@ -1,4 +1,4 @@
-#include "shared/game/level.h"
+#include "platon/game/level.h"
 
 #include <gtest/gtest.h>
 
@@ -87,7 +87,7 @@ TEST(LevelTest, LineEndsTabsBlankLinesAndCommentsDoNotMatter) {
 TEST(LevelTest, NamesCountOnlyBeforeTheFirstLine) {
   const auto level = load(replaced(kSample, "480\n", "480\n# title: Too late\n"));
   EXPECT_EQ(level->title, "A sample");
-  EXPECT_EQ(load(replaced(kSample, "# title: A sample", "#title:\tA # sample ")) ->title, "A # sample");
+  EXPECT_EQ(load(replaced(kSample, "# title: A sample", "#title:\tA # sample "))->title, "A # sample");
   EXPECT_EQ(load(replaced(kSample, "# title:", "# name:"))->title, "");
 }
 
@@ -149,7 +149,7 @@ TEST(LevelTest, WarningsDoNotRefuseALevel) {
 
 TEST(LevelTest, TextOfTheMostBytesIsReadAndOneMoreIsNot) {
   std::string text = std::string(kSample) + "#";
-  text.resize(kMostLevelBytes, '.');
+  text.resize(kMaxLevelBytes, '.');
   EXPECT_NE(load(text), nullptr);
   const auto result = loadLevel(text + ".");
   EXPECT_EQ(result.level, nullptr);
@@ -158,7 +158,7 @@ TEST(LevelTest, TextOfTheMostBytesIsReadAndOneMoreIsNot) {
 
 TEST(LevelTest, MostLinesAreReadAndOneMoreIsNot) {
   std::string text = "HEXAHEDRON\n0 0 0 0\n0 0 0\n1000\n%\n";
-  for (std::size_t i = 0; i < LevelReader::kMostLines; ++i) {
+  for (std::size_t i = 0; i < LevelReader::kMaxLines; ++i) {
     text += "-500 " + std::to_string(20 + i % 450) + " 500 " + std::to_string(20 + i / 450) + "\n";
   }
   const std::string rest = "%\n%\n%\n%\n%\n";
@@ -168,12 +168,12 @@ TEST(LevelTest, MostLinesAreReadAndOneMoreIsNot) {
 }
 
 TEST(LevelTest, FaultsWithoutEndFillNoMemory) {
-  const auto result = loadLevel(std::string(kMostLevelBytes / 2, '\n') + std::string(kMostLevelBytes / 2, '\0'));
+  const auto result = loadLevel(std::string(kMaxLevelBytes / 2, '\n') + std::string(kMaxLevelBytes / 2, '\0'));
   EXPECT_EQ(result.level, nullptr);
   std::string text;
-  while (text.size() < kMostLevelBytes - 2) text += "%\n";
+  while (text.size() < kMaxLevelBytes - 2) text += "%\n";
   const auto many = loadLevel("HEXAHEDRON\n0 0 0 0\n0 0 0\n480\n" + text.substr(0, text.size() - 100));
-  EXPECT_EQ(many.diagnostics.size(), Diagnostics::kMost + 1);
+  EXPECT_EQ(many.diagnostics.size(), Diagnostics::kMax + 1);
   EXPECT_EQ(many.diagnostics.back().message, "more faults follow, which are not listed: mend these first");
   EXPECT_TRUE(many.diagnostics.back().error);
 }

@@ -55,10 +55,16 @@ TEST(LevelTextTest, EmptyTextHasNoLines) {
 }
 
 TEST(LevelTextTest, ByteOrderMarkIsPassedOverOnlyAtTheBeginning) {
-  const auto first = scan("\xef\xbb\xbf" "abc\n");
+  const auto first = scan(
+      "\xef\xbb\xbf"
+      "abc\n");
   ASSERT_EQ(first.lines.size(), 1u);
   EXPECT_EQ(joined(first.lines[0]), "1:abc ");
-  EXPECT_EQ(joined(scan("abc\n\xef\xbb\xbf" "d").lines[1]), "1:\xef\xbb\xbf" "d ");
+  EXPECT_EQ(joined(scan("abc\n\xef\xbb\xbf"
+                        "d")
+                       .lines[1]),
+            "1:\xef\xbb\xbf"
+            "d ");
 }
 
 TEST(LevelTextTest, ReportsControlBytesWhereTheyStand) {
@@ -81,8 +87,8 @@ TEST(LevelTextTest, AcceptsUtf8InComments) {
 }
 
 TEST(LevelTextTest, ReportsBrokenUtf8) {
-  for (const char* bytes : {"\x80", "\xc3", "\xc3(", "\xc0\xaf", "\xe0\x80\x80", "\xe2\x82", "\xed\xa0\x80", "\xf0\x80\x80\x80",
-                            "\xf4\x90\x80\x80", "\xf8\x88\x80\x80\x80", "\xff", "\xfe"}) {
+  for (const char* bytes : {"\x80", "\xc3", "\xc3(", "\xc0\xaf", "\xe0\x80\x80", "\xe2\x82", "\xed\xa0\x80",
+                            "\xf0\x80\x80\x80", "\xf4\x90\x80\x80", "\xf8\x88\x80\x80\x80", "\xff", "\xfe"}) {
     const auto scanned = scan("# a" + std::string(bytes));
     ASSERT_EQ(scanned.diagnostics.size(), 1u);
     EXPECT_EQ(scanned.diagnostics[0], (Diagnostic{1, 4, true, "the text is no valid UTF-8 here"}));
@@ -94,7 +100,8 @@ TEST(LevelTextTest, EndOfTextIsBehindTheLastLine) {
   LevelText text("ab\ncd # e\n", diagnostics);
   EXPECT_EQ(text.lines(), 1);
   EXPECT_EQ(text.endOfLine(), 1);
-  for (LevelLine line; text.next(line);) {}
+  for (LevelLine line; text.next(line);) {
+  }
   EXPECT_EQ(text.lines(), 2);
   EXPECT_EQ(text.endOfLine(), 7);
 }

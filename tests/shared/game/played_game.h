@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "shared/exact/integer.h"
-#include "shared/game/game.h"
-#include "shared/game/level.h"
+#include "platon/exact/integer.h"
+#include "platon/game/game.h"
+#include "platon/game/level.h"
 
 namespace platon {
 

@@ -1,4 +1,4 @@
-#include "shared/game/player.h"
+#include "platon/game/player.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 namespace platon {
 namespace {
 
-constexpr std::int32_t kApothem = 12052;   // from the centre of the ball to its flat bottom
+constexpr std::int32_t kApothem = 12052;  // from the centre of the ball to its flat bottom
 constexpr std::int32_t kFloor = units(-200);
 constexpr std::int32_t kRunSpeed = 3277;
 
@@ -247,7 +247,8 @@ TEST(PlayerTest, AJumpPressedALittleEarlyWaitsForTheGround) {
 }
 
 TEST(PlayerTest, StandsOnASlopeWithoutCreeping) {
-  for (const char* slope : {"-240 -240 240 -200", "-240 -240 240 0", "-240 -240 240 240", "-240 100 240 -177", "-200 200 200 -220"}) {
+  for (const char* slope :
+       {"-240 -240 240 -200", "-240 -240 240 0", "-240 -240 240 240", "-240 100 240 -177", "-200 200 200 -220"}) {
     PlayedGame played = standingOn(slope, "0 0 80 0");
     played.run(100, kNone);
     ASSERT_TRUE(played.grounded()) << slope;
@@ -286,7 +287,8 @@ TEST(PlayerTest, RunsUpAndDownSlopesAtItsSpeed) {
 }
 
 TEST(PlayerTest, FollowsAGentleCrestAndDip) {
-  PlayedGame played = standingOn("-240 -160 -100 -160\n-100 -160 0 -153\n0 -153 100 -160\n100 -160 240 -150", "0 -200 -130 0");
+  PlayedGame played =
+      standingOn("-240 -160 -100 -160\n-100 -160 0 -153\n0 -153 100 -160\n100 -160 240 -150", "0 -200 -130 0");
   for (int tick = 0; tick < 160; ++tick) {
     played.run(1, Input::kRight);
     ASSERT_TRUE(played.grounded()) << tick << " at " << played.position().x;

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <numbers>
 
-#include "shared/exact/angle.h"
-#include "shared/exact/point.h"
-#include "shared/game/solid.h"
+#include "platon/exact/angle.h"
+#include "platon/exact/point.h"
+#include "platon/game/solid.h"
 
 namespace platon {
 
@@ -30,14 +30,14 @@ inline double dot(Real a, Real b) { return a.x * b.x + a.y * b.y; }
 /// A quarter turn counter-clockwise.
 inline Real left(Real a) { return {-a.y, a.x}; }
 inline Real turned(Real a, Angle angle) {
-  const double radians = angle.hundredths() * std::numbers::pi / 18000;
+  const double radians = angle.centidegrees() * std::numbers::pi / 18000;
   return {a.x * std::cos(radians) - a.y * std::sin(radians), a.x * std::sin(radians) + a.y * std::cos(radians)};
 }
 inline Point nearest(Real a) {
   return {static_cast<std::int32_t>(std::lround(a.x)), static_cast<std::int32_t>(std::lround(a.y))};
 }
-/// The direction of a vector to the nearest hundredth of a degree.
-inline Angle directionOf(Real a) {
+/// The direction of a vector to the nearest centidegree.
+inline Angle rotationOf(Real a) {
   return Angle(static_cast<std::int32_t>(std::lround(std::atan2(a.y, a.x) / std::numbers::pi * 18000)));
 }
 
@@ -45,18 +45,15 @@ inline Angle directionOf(Real a) {
 class RealFace {
  public:
   RealFace(SolidKind kind, std::int32_t faceSize)
-      : solid_(PlatonicSolid::of(kind)), edge_(1024.0 * faceSize),
+      : solid_(PlatonicSolid::of(kind)),
+        edge_(1024.0 * faceSize),
         inradius_(edge_ / 2 / std::tan(std::numbers::pi / solid_.edgesPerFace())) {}
 
   /// Out over an edge, one subunit long.
-  Real outwards(int edge) const {
-    return turned({0, -1}, Angle(edge * (Angle::kTurn / solid_.edgesPerFace())));
-  }
+  Real outwards(int edge) const { return turned({0, -1}, Angle(edge * (Angle::kTurn / solid_.edgesPerFace()))); }
   Real middle(int edge) const { return inradius_ * outwards(edge); }
   /// The point of an edge at a part `along` (0 … 1) of the way from its first corner to its second.
-  Real onEdge(int edge, double along) const {
-    return middle(edge) + (edge_ * (along - 0.5)) * left(outwards(edge));
-  }
+  Real onEdge(int edge, double along) const { return middle(edge) + (edge_ * (along - 0.5)) * left(outwards(edge)); }
   Real corner(int index) const { return onEdge(index, 0); }
   /// Where a point of `face`'s frame lies in the frame of the face behind `edge`, as if both were in one plane.
   Real over(int face, int edge, Real point) const {

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <string>
 
+#include "platon/game/recorder.h"
+#include "platon/game/recording_reader.h"
 #include "shared/exact/hash.h"
-#include "shared/game/recorder.h"
-#include "shared/game/recording_reader.h"
-#include "tests/lockstep/churn.h"
 #include "tests/shared/game/forged_recording.h"
 #include "tests/shared/game/played_game.h"
+#include "tests/sim/churn.h"
 
 namespace platon {
 namespace {
@@ -28,7 +28,7 @@ struct Played {
   Bytes recording;
   std::vector<std::vector<Input>> inputs;
   std::vector<std::uint64_t> hashes;
-  std::vector<Bytes> states;   // before each tick, and the last
+  std::vector<Bytes> states;  // before each tick, and the last
 };
 
 Played play(std::uint32_t ticks, std::uint32_t checkpointTicks, std::uint32_t slots = 3) {
@@ -229,7 +229,7 @@ TEST(RecordingTest, RefusesHeadsThatItCannotPlay) {
             "byte 8: it was played by version " + std::to_string(kRulesVersion + 1) +
                 " of the rules, this program plays by version " + std::to_string(kRulesVersion));
   EXPECT_TRUE(read(headOf(kRulesVersion, "CUBE\n")).fault.starts_with("byte 20: the level has an error: level:1:1: "));
-  const std::string tooLong(kMostLevelBytes + 1, '\n');
+  const std::string tooLong(kMaxLevelBytes + 1, '\n');
   EXPECT_EQ(read(headOf(kRulesVersion, tooLong)).fault, "byte 0: the level text is too long for a level");
   const std::string level = "HEXAHEDRON\n0 -100 -150 0\n";
   EXPECT_EQ(read(std::span(reinterpret_cast<const std::uint8_t*>(level.data()), level.size())).fault,

@@ -1,4 +1,4 @@
-#include "shared/game/solid.h"
+#include "platon/game/solid.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "shared/exact/integer.h"
+#include "platon/exact/integer.h"
 
 namespace platon {
 namespace {
@@ -23,7 +23,7 @@ struct Expected {
   int edgesPerFace;
   int vertices;
   int facesAtVertex;
-  int defect;           // of the angles round a vertex, degrees
+  int defect;  // of the angles round a vertex, degrees
 };
 
 constexpr std::array<Expected, kSolidKinds> kExpected = {{
@@ -153,7 +153,7 @@ void expectNearestPolygon(SolidKind kind, std::int32_t faceSize) {
 }
 
 TEST_P(SolidTest, PolygonIsTheNearestToTheRegularOne) {
-  for (const std::int32_t size : {kLeastFaceSize, 201, 480, 1000, 65535, kMostFaceSize}) {
+  for (const std::int32_t size : {kLeastFaceSize, 201, 480, 1000, 65535, kMaxFaceSize}) {
     expectNearestPolygon(GetParam().kind, size);
   }
   constexpr unsigned seed = 20240611;
@@ -178,8 +178,9 @@ TEST(FacePolygonTest, KnownCorners) {
             (std::vector<Point>{{-245760, -245760}, {245760, -245760}, {245760, 245760}, {-245760, 245760}}));
   EXPECT_EQ(facePolygon(SolidKind::kTetrahedron, 200),
             (std::vector<Point>{{-102400, -59121}, {102400, -59121}, {0, 118241}}));
-  EXPECT_EQ(facePolygon(SolidKind::kDodecahedron, 200),
-            (std::vector<Point>{{-102400, -140942}, {102400, -140942}, {165687, 53835}, {0, 174213}, {-165687, 53835}}));
+  EXPECT_EQ(
+      facePolygon(SolidKind::kDodecahedron, 200),
+      (std::vector<Point>{{-102400, -140942}, {102400, -140942}, {165687, 53835}, {0, 174213}, {-165687, 53835}}));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, SolidTest, testing::ValuesIn(kExpected),

@@ -1,4 +1,4 @@
-#include "shared/game/stage.h"
+#include "platon/game/stage.h"
 
 #include <gtest/gtest.h>
 
@@ -6,14 +6,14 @@
 #include <cmath>
 #include <vector>
 
-#include "shared/exact/integer.h"
+#include "platon/exact/integer.h"
 
 namespace platon {
 namespace {
 
 constexpr std::array kKinds = {SolidKind::kTetrahedron, SolidKind::kHexahedron, SolidKind::kOctahedron,
                                SolidKind::kDodecahedron, SolidKind::kIcosahedron};
-constexpr std::array<std::int32_t, 4> kSizes = {kLeastFaceSize, 333, 480, kMostFaceSize};
+constexpr std::array<std::int32_t, 4> kSizes = {kLeastFaceSize, 333, 480, kMaxFaceSize};
 
 double distance(Point a, Point b) { return std::sqrt(static_cast<double>(squaredLength(b - a))); }
 
@@ -88,7 +88,8 @@ TEST(StageTest, WarpsFollowTheSolid) {
     const PlatonicSolid& solid = PlatonicSolid::of(kind);
     for (const std::int32_t size : kSizes) {
       const auto polygon = facePolygon(kind, size);
-      const World world = buildStage(kind, size, std::vector<std::vector<Segment>>(static_cast<std::size_t>(solid.faces())));
+      const World world =
+          buildStage(kind, size, std::vector<std::vector<Segment>>(static_cast<std::size_t>(solid.faces())));
       for (int face = 0; face < solid.faces(); ++face) {
         const MapGeometry& part = *world.geometry().parts[static_cast<std::size_t>(face)];
         for (int edge = 0; edge < solid.edgesPerFace(); ++edge) {
@@ -111,7 +112,8 @@ TEST(StageTest, CutsContinueOverTheEdges) {
     const PlatonicSolid& solid = PlatonicSolid::of(kind);
     for (const std::int32_t size : kSizes) {
       const auto posts = postsOf(kind, size);
-      const World world = buildStage(kind, size, std::vector<std::vector<Segment>>(static_cast<std::size_t>(solid.faces())));
+      const World world =
+          buildStage(kind, size, std::vector<std::vector<Segment>>(static_cast<std::size_t>(solid.faces())));
       for (const auto& part : world.geometry().parts) {
         for (std::size_t edge = 0; edge < posts.size(); ++edge) {
           const Warp& warp = part->warps[edge];

@@ -1,4 +1,4 @@
-#include "shared/game/state_bytes.h"
+#include "platon/game/state_bytes.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

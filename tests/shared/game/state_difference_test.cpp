@@ -1,12 +1,12 @@
-#include "shared/game/state_difference.h"
+#include "platon/game/state_difference.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 #include <utility>
 
-#include "tests/lockstep/churn.h"
 #include "tests/shared/game/played_game.h"
+#include "tests/sim/churn.h"
 
 namespace platon {
 namespace {

@@ -1,4 +1,4 @@
-#include "shared/physics/convex.h"
+#include "platon/physics/convex.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "shared/exact/integer.h"
+#include "platon/exact/integer.h"
 #include "tests/shared/physics/shapes.h"
 
 namespace platon {
@@ -18,15 +18,15 @@ using testing::IsEmpty;
 using testing::Optional;
 
 constexpr std::uint64_t kSeed = 31;
-constexpr std::int32_t kMost = kCoordinateLimit - 1;
+constexpr std::int32_t kMax = kCoordinateLimit - 1;
 
 using Points = std::vector<Point>;
 
 TEST(ConvexFaultTest, AcceptsStrictlyConvexPolygons) {
   EXPECT_EQ(Convex::fault(Points{{0, 0}, {1, 0}, {0, 1}}), std::nullopt);
   EXPECT_EQ(Convex::fault(Points{{0, 0}, {10, 0}, {10, 10}, {0, 10}}), std::nullopt);
-  EXPECT_EQ(Convex::fault(Points{{-kMost, -kMost}, {kMost, -kMost}, {kMost, kMost}, {-kMost, kMost}}), std::nullopt);
-  EXPECT_EQ(Convex::fault(Points{{-kMost, -kMost}, {kMost, kMost - 1}, {kMost, kMost}}), std::nullopt);
+  EXPECT_EQ(Convex::fault(Points{{-kMax, -kMax}, {kMax, -kMax}, {kMax, kMax}, {-kMax, kMax}}), std::nullopt);
+  EXPECT_EQ(Convex::fault(Points{{-kMax, -kMax}, {kMax, kMax - 1}, {kMax, kMax}}), std::nullopt);
 }
 
 TEST(ConvexFaultTest, NeedsThreeVertices) {
@@ -36,8 +36,8 @@ TEST(ConvexFaultTest, NeedsThreeVertices) {
 
 TEST(ConvexFaultTest, NamesTheVertexOutOfRange) {
   const std::string reason = "lies outside the coordinates, which are below 2^29";
-  EXPECT_THAT(Convex::fault(Points{{0, 0}, {kMost + 1, 0}, {0, 1}}), Optional("vertex 2 " + reason));
-  EXPECT_THAT(Convex::fault(Points{{0, 0}, {1, 0}, {0, -kMost - 1}}), Optional("vertex 3 " + reason));
+  EXPECT_THAT(Convex::fault(Points{{0, 0}, {kMax + 1, 0}, {0, 1}}), Optional("vertex 2 " + reason));
+  EXPECT_THAT(Convex::fault(Points{{0, 0}, {1, 0}, {0, -kMax - 1}}), Optional("vertex 3 " + reason));
   EXPECT_THAT(Convex::fault(Points{{INT32_MIN, 0}, {1, 0}, {0, 1}}), Optional("vertex 1 " + reason));
 }
 
@@ -92,7 +92,8 @@ TEST(ConvexTest, EdgesLookInwards) {
     for (std::size_t edge = 0; edge < vertices.size(); ++edge) {
       const auto& [normal, support] = shape.edges()[edge];
       ASSERT_EQ(normal, perpendicular(vertices[(edge + 1) % vertices.size()] - vertices[edge]));
-      for (const Point vertex : vertices) ASSERT_GE(dot(normal, vertex), support) << "seed " << kSeed << ", round " << i;
+      for (const Point vertex : vertices)
+        ASSERT_GE(dot(normal, vertex), support) << "seed " << kSeed << ", round " << i;
       ASSERT_EQ(dot(normal, vertices[edge]), support);
       ASSERT_EQ(dot(normal, vertices[(edge + 1) % vertices.size()]), support);
     }
@@ -105,7 +106,7 @@ TEST(ConvexTest, KnowsBoundsAndCentre) {
   EXPECT_EQ(shape.bounds().high, Point(10, 11));
   EXPECT_EQ(shape.centre(), Point(5, 6)) << "21 / 4 and 22 / 4, halves away from zero";
   EXPECT_EQ(Convex(Points{{0, 0}, {-1, 0}, {-1, -2}}).centre(), Point(-1, -1));
-  EXPECT_EQ(Convex(Points{{-kMost, -kMost}, {kMost, -kMost}, {kMost, kMost}, {-kMost, kMost}}).centre(), Point());
+  EXPECT_EQ(Convex(Points{{-kMax, -kMax}, {kMax, -kMax}, {kMax, kMax}, {-kMax, kMax}}).centre(), Point());
   EXPECT_EQ(regular(16, 12288).centre(), Point());
 }
 
@@ -131,7 +132,8 @@ TEST(ConvexTurnedTest, KeepsItsFormUnderFaceTurns) {
       ASSERT_TRUE(turned);
       ASSERT_EQ(turned->vertices().size(), base.vertices().size());
       for (std::size_t i = 0; i < base.vertices().size(); ++i) {
-        EXPECT_EQ(turned->vertices()[i], rotate(base.vertices()[i], Angle::degrees(degrees))) << corners << " " << degrees;
+        EXPECT_EQ(turned->vertices()[i], rotate(base.vertices()[i], Angle::degrees(degrees)))
+            << corners << " " << degrees;
       }
     }
   }
@@ -158,7 +160,7 @@ TEST(ConvexTurnedTest, CanDegenerateWhenOnlyAFewSubunitsLarge) {
   const Convex sliver(Points{{0, 0}, {3, 1}, {2, 1}});
   EXPECT_EQ(sliver.turned(Angle::degrees(20)), std::nullopt);
   EXPECT_NE(sliver.turned(Angle::degrees(90)), std::nullopt);
-  EXPECT_EQ(square(kMost).turned(Angle::degrees(45)), std::nullopt) << "the corners would leave the coordinates";
+  EXPECT_EQ(square(kMax).turned(Angle::degrees(45)), std::nullopt) << "the corners would leave the coordinates";
 }
 
 TEST(ConvexHullTest, FewPoints) {
@@ -185,7 +187,8 @@ TEST(ConvexHullTest, IsTheSmallestConvexPolygonRoundThePoints) {
     ASSERT_EQ(Convex::fault(hull), std::nullopt) << "seed " << kSeed << ", round " << i;
     for (std::size_t k = 0; k < hull.size(); ++k) {
       const Point edge = hull[(k + 1) % hull.size()] - hull[k];
-      for (const Point point : points) ASSERT_GE(cross(edge, point - hull[k]), 0) << "seed " << kSeed << ", round " << i;
+      for (const Point point : points)
+        ASSERT_GE(cross(edge, point - hull[k]), 0) << "seed " << kSeed << ", round " << i;
     }
     const auto onHull = [&](Point point) { return std::find(hull.begin(), hull.end(), point) != hull.end(); };
     ASSERT_EQ(hull[0], *std::find_if(points.begin(), points.end(), onHull)) << "the first of the given points";

@@ -6,13 +6,13 @@
 #include <stdexcept>
 #include <string>
 
-#include "shared/physics/entity.h"
-#include "shared/physics/map_part.h"
-#include "shared/physics/world.h"
-#include "tests/lockstep/seeded_random.h"
+#include "platon/physics/entity.h"
+#include "platon/physics/map_part.h"
+#include "platon/physics/world.h"
 #include "tests/shared/physics/maps.h"
 #include "tests/shared/physics/recorded_rules.h"
 #include "tests/shared/physics/shapes.h"
+#include "tests/sim/seeded_random.h"
 
 namespace platon {
 namespace {
@@ -64,7 +64,7 @@ class MeddlingRules : public RecordedRules {
     if (what == 1) any.rotate(anyTurn(random_, 700));
     if (what == 2) entity.rotate(500);
   }
-  void touchContact(Entity& entity, const LineRef& line) override {
+  void touchContact(Entity& entity, const SegmentRef& line) override {
     RecordedRules::touchContact(entity, line);
     if (random_.below(8) != 0) entity.rotate(500);
   }

@@ -8,12 +8,12 @@
 #include <stdexcept>
 #include <string>
 
-#include "shared/exact/angle.h"
-#include "shared/exact/integer.h"
-#include "shared/exact/precise_point.h"
-#include "shared/physics/entity.h"
-#include "shared/physics/map_part.h"
-#include "shared/physics/world.h"
+#include "platon/exact/angle.h"
+#include "platon/exact/integer.h"
+#include "platon/exact/precise_point.h"
+#include "platon/physics/entity.h"
+#include "platon/physics/map_part.h"
+#include "platon/physics/world.h"
 #include "tests/shared/physics/leg_checker.h"
 #include "tests/shared/physics/plane_scene.h"
 #include "tests/shared/physics/shapes.h"
@@ -109,7 +109,7 @@ TEST(RemainderTest, AVelocityIsNotRoundedInATurnedFrame) {
   for (const std::int32_t heading : {1, 3600, 6000, 7200, 12345, 30000}) {
     Scene scene({}, square(10), {5, -5});
     scene.entity.setVelocity({37, -11}, Angle(heading));
-    const PrecisePoint velocity = rotatePrecise({37, -11}, directionOf(Angle(heading)));
+    const PrecisePoint velocity = rotatePrecise({37, -11}, rotationOf(Angle(heading)));
     PrecisePoint exact = precise({5, -5});
     for (int tick = 0; tick < 1000; ++tick) {
       scene.world.solve();
@@ -152,9 +152,9 @@ struct RandomScene {
 
 TEST(EntityStepTest, FlungAmongRandomLinesItNeverOverlaps) {
   const RandomScene scenes[] = {
-      {"tiny numbers", 40, 12, 30, 4, 20},     {"small", 400, 200, 60, 20, 150},
+      {"tiny numbers", 40, 12, 30, 4, 20},          {"small", 400, 200, 60, 20, 150},
       {"level", 400000, 200000, 150, 12288, 20000}, {"fast", 400000, 20000, 150, 12288, 1 << 27},
-      {"splinters", 3000, 40, 400, 60, 500},   {"largest", 1 << 28, 1 << 27, 60, 1 << 20, 1 << 26},
+      {"splinters", 3000, 40, 400, 60, 500},        {"largest", 1 << 28, 1 << 27, 60, 1 << 20, 1 << 26},
   };
   for (const RandomScene& kind : scenes) {
     sim::SeededRandom random(kSeed);
@@ -202,7 +202,7 @@ TEST(EntityStepTest, PilesOfLinesEndTheStep) {
     most = std::max(most, checker.legs() - before);
   }
   EXPECT_EQ(checker.faults(), "");
-  EXPECT_LE(most, static_cast<std::uint64_t>(EntityStep::kMostLegs) + 1);
+  EXPECT_LE(most, static_cast<std::uint64_t>(EntityStep::kMaxLegs) + 1);
 }
 
 // I3 on one face.
@@ -219,9 +219,11 @@ std::vector<Floor> floorsWithJoints(std::int32_t dx, std::int32_t dy) {
   for (const int off : {0, 1}) {
     Floor floor{"slope " + std::to_string(dx) + " " + std::to_string(dy) + ", off by " + std::to_string(off), {}};
     for (int i = -2; i < 12; ++i) {
-      const auto nudge = [&] { return static_cast<std::int32_t>(random.below(2 * static_cast<std::uint64_t>(off) + 1)) - off; };
-      floor.lines.push_back({Point(i * dx + nudge(), i * dy + nudge()),
-                             Point((i + 1) * dx + nudge(), (i + 1) * dy + nudge())});
+      const auto nudge = [&] {
+        return static_cast<std::int32_t>(random.below(2 * static_cast<std::uint64_t>(off) + 1)) - off;
+      };
+      floor.lines.push_back(
+          {Point(i * dx + nudge(), i * dy + nudge()), Point((i + 1) * dx + nudge(), (i + 1) * dy + nudge())});
     }
     for (std::size_t i = floor.lines.size(); i > 1; --i) std::swap(floor.lines[i - 1], floor.lines[random.below(i)]);
     floors.push_back(floor);
@@ -240,7 +242,7 @@ void expectSmoothRun(const Floor& floor, const Convex& shape, Point direction, s
   const Point up(static_cast<std::int32_t>(std::lround(-direction.y / length * 1.5 * reach)),
                  static_cast<std::int32_t>(std::lround(direction.x / length * 1.5 * reach)));
   Scene scene(floor.lines, shape, Point(direction.x / 2, direction.y / 2) + up);
-  for (int tick = 0; tick < 3000; ++tick) scene.step(down);   // settle
+  for (int tick = 0; tick < 3000; ++tick) scene.step(down);  // settle
   const auto height = [&](Point p) { return (-direction.y * double(p.x) + direction.x * double(p.y)) / length; };
   const double settled = height(scene.entity.position());
   const std::int64_t end = 9 * squaredLength(direction);
@@ -257,7 +259,8 @@ void expectSmoothRun(const Floor& floor, const Convex& shape, Point direction, s
 }
 
 TEST(SlideOverJointsTest, NeitherSlowsNorLifts) {
-  for (const Point direction : {Point(10000, 0), Point(10000, 1), Point(9000, 2500), Point(8001, -4999), Point(10000, 37)}) {
+  for (const Point direction :
+       {Point(10000, 0), Point(10000, 1), Point(9000, 2500), Point(8001, -4999), Point(10000, 37)}) {
     for (const Floor& floor : floorsWithJoints(direction.x, direction.y)) {
       for (const Convex& shape : {regular(16, 12288), square(9000), regular(5, 7000)}) {
         for (const std::int32_t press : {256, 512}) {
@@ -275,19 +278,35 @@ struct Passage {
   std::vector<Segment> lines;
   Point at;
   Point velocity;
-  std::int32_t least;   // x after 60 ticks
+  std::int32_t least;  // x after 60 ticks
 };
 
 TEST(SlideOverJointsTest, ComesPastEveryEnd) {
   const Passage passages[] = {
-      {"ends up to 4 subunits off", square(100), {{{-2638, -199}, {-3, 3}}, {{1, -1}, {2635, 199}}, {{2632, 201}, {5271, 404}}},
-       {-1328, 48}, {163, -3}, 5000},
-      {"an end in front of the next line", regular(5, 70), {{{-4, -1}, {1723, 237}}, {{-1719, -239}, {3, -3}}, {{1717, 243}, {3442, 479}}},
-       {-873, -20}, {67, -22}, 2500},
-      {"an edge flat on the next line", square(10), {{{1, -4}, {118, 18}}, {{115, 17}, {234, 32}}, {{-114, -21}, {-3, 3}}},
-       {-60, 5}, {6, -1}, 200},
-      {"another line close behind", square(100), {{{-1290, 50}, {2, 0}}, {{1250, -40}, {2530, -60}}, {{1, 2}, {1250, -38}}},
-       {-630, 150}, {30, -30}, 1000},
+      {"ends up to 4 subunits off",
+       square(100),
+       {{{-2638, -199}, {-3, 3}}, {{1, -1}, {2635, 199}}, {{2632, 201}, {5271, 404}}},
+       {-1328, 48},
+       {163, -3},
+       5000},
+      {"an end in front of the next line",
+       regular(5, 70),
+       {{{-4, -1}, {1723, 237}}, {{-1719, -239}, {3, -3}}, {{1717, 243}, {3442, 479}}},
+       {-873, -20},
+       {67, -22},
+       2500},
+      {"an edge flat on the next line",
+       square(10),
+       {{{1, -4}, {118, 18}}, {{115, 17}, {234, 32}}, {{-114, -21}, {-3, 3}}},
+       {-60, 5},
+       {6, -1},
+       200},
+      {"another line close behind",
+       square(100),
+       {{{-1290, 50}, {2, 0}}, {{1250, -40}, {2530, -60}}, {{1, 2}, {1250, -38}}},
+       {-630, 150},
+       {30, -30},
+       1000},
   };
   for (const Passage& passage : passages) {
     Scene scene(passage.lines, passage.shape, passage.at);
@@ -301,7 +320,8 @@ TEST(SlideOverJointsTest, ComesPastEveryEnd) {
 
 // A point and a slope stand below either flank; a nudge past the point lets it fall on.
 TEST(SlideOverJointsTest, APointAFewSubunitsInsideTheFlankIsPassed) {
-  Scene scene({{{23, -106}, {23, -106}}, {{-70, -141}, {-70, -141}}, {{-73, -148}, {248, 13}}}, square(100), {-132, -21});
+  Scene scene({{{23, -106}, {23, -106}}, {{-70, -141}, {-70, -141}}, {{-73, -148}, {248, 13}}}, square(100),
+              {-132, -21});
   for (int tick = 0; tick < 60; ++tick) scene.step({0, -263});
   EXPECT_LE(scene.entity.position().y, -10000);
 }

@@ -1,10 +1,10 @@
-#include "shared/physics/entity.h"
+#include "platon/physics/entity.h"
 
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 
-#include "shared/physics/world.h"
+#include "platon/physics/world.h"
 #include "tests/shared/physics/maps.h"
 #include "tests/shared/physics/shapes.h"
 

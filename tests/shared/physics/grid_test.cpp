@@ -1,4 +1,4 @@
-#include "shared/physics/grid.h"
+#include "platon/physics/grid.h"
 
 #include <gtest/gtest.h>
 
@@ -6,14 +6,14 @@
 #include <functional>
 #include <string>
 
-#include "shared/exact/integer.h"
-#include "tests/lockstep/seeded_random.h"
+#include "platon/exact/integer.h"
+#include "tests/sim/seeded_random.h"
 
 namespace platon {
 namespace {
 
 constexpr std::uint64_t kSeed = 5150;
-constexpr std::int32_t kMost = kCoordinateLimit - 1;
+constexpr std::int32_t kMax = kCoordinateLimit - 1;
 
 using Lines = std::vector<Segment>;
 
@@ -29,35 +29,48 @@ Point anywhere(sim::SeededRandom& random, std::int32_t extent) { return random.v
 const std::vector<Kind>& kinds() {
   constexpr std::int32_t wide = 1 << 26;
   static const std::vector<Kind> all = {
-      {"short", wide, [](auto& random, std::size_t) {
+      {"short", wide,
+       [](auto& random, std::size_t) {
          const Point a = anywhere(random, wide - 5000);
          return Segment{a, a + random.vector(5000)};
        }},
-      {"long", wide, [](auto& random, std::size_t) { return Segment{anywhere(random, wide), anywhere(random, wide)}; }},
-      {"diagonals", wide, [](auto&, std::size_t i) {
+      {"long", wide,
+       [](auto& random, std::size_t) {
+         return Segment{anywhere(random, wide), anywhere(random, wide)};
+       }},
+      {"diagonals", wide,
+       [](auto&, std::size_t i) {
          const auto shift = static_cast<std::int32_t>(i) * 3;
          return Segment{{-wide + shift, -wide}, {wide, wide - shift}};
        }},
-      {"clustered", wide, [](auto& random, std::size_t i) {
+      {"clustered", wide,
+       [](auto& random, std::size_t i) {
          const Point middle = i % 10 == 0 ? anywhere(random, wide - 300) : Point(1000, 1000);
          return Segment{middle + random.vector(300), middle + random.vector(300)};
        }},
-      {"axis", wide, [](auto& random, std::size_t i) {
+      {"axis", wide,
+       [](auto& random, std::size_t i) {
          const Point a = anywhere(random, wide);
          return i % 2 == 0 ? Segment{a, {-a.x, a.y}} : Segment{a, {a.x, -a.y}};
        }},
-      {"points", 200, [](auto& random, std::size_t) {
+      {"points", 200,
+       [](auto& random, std::size_t) {
          const Point a = anywhere(random, 200);
          return Segment{a, a};
        }},
-      {"one line", 100, [](auto&, std::size_t) { return Segment{{-70, -30}, {90, 50}}; }},
-      {"staircase", wide, [](auto&, std::size_t i) {
+      {"one line", 100,
+       [](auto&, std::size_t) {
+         return Segment{{-70, -30}, {90, 50}};
+       }},
+      {"staircase", wide,
+       [](auto&, std::size_t i) {
          const auto at = static_cast<std::int32_t>(i / 2) * 100 - (1 << 23);
          return i % 2 == 0 ? Segment{{at, at}, {at + 100, at}} : Segment{{at + 100, at}, {at + 100, at + 100}};
        }},
-      {"largest", kMost, [](auto& random, std::size_t) {
-         const Point a = anywhere(random, kMost / 2);
-         return Segment{{a.x < 0 ? -kMost : kMost, a.y * 2}, {a.y * 2, a.x < 0 ? kMost : -kMost}};
+      {"largest", kMax,
+       [](auto& random, std::size_t) {
+         const Point a = anywhere(random, kMax / 2);
+         return Segment{{a.x < 0 ? -kMax : kMax, a.y * 2}, {a.y * 2, a.x < 0 ? kMax : -kMax}};
        }},
   };
   return all;
@@ -99,8 +112,8 @@ void expectComplete(const Grid& grid, const Lines& lines, const Box& box, const 
 
 TEST(GridTest, WithoutLinesFindsNothing) {
   std::vector<std::uint32_t> found{7};
-  Grid().query({{-kMost, -kMost}, {kMost, kMost}}, found);
-  Grid(Lines{}).query({{-kMost, -kMost}, {kMost, kMost}}, found);
+  Grid().query({{-kMax, -kMax}, {kMax, kMax}}, found);
+  Grid(Lines{}).query({{-kMax, -kMax}, {kMax, kMax}}, found);
   EXPECT_EQ(found, std::vector<std::uint32_t>{7});
 }
 
@@ -121,10 +134,11 @@ TEST(GridTest, FindsEveryLineThatMeetsTheBox) {
         const Point low = anywhere(random, kind.extent);
         const Point size = random.vector(1 + kind.extent / (1 << (i % 24)));
         Box box{low, {low.x + std::abs(size.x), low.y + std::abs(size.y)}};
-        if (i % 3 == 0) box = boundsOf(lines[random.below(count)]);   // ends on borders of cells
+        if (i % 3 == 0) box = boundsOf(lines[random.below(count)]);  // ends on borders of cells
         if (i % 5 == 0) box.high = box.low;
-        ASSERT_NO_FATAL_FAILURE(expectComplete(grid, lines, box, std::string(kind.name) + ", " + std::to_string(count) +
-                                                                     " lines, seed " + std::to_string(kSeed)));
+        ASSERT_NO_FATAL_FAILURE(expectComplete(
+            grid, lines, box,
+            std::string(kind.name) + ", " + std::to_string(count) + " lines, seed " + std::to_string(kSeed)));
       }
     }
   }
@@ -134,7 +148,7 @@ TEST(GridTest, FindsAllInTheWholePlaneAndNothingNeedlessOutside) {
   for (const Kind& kind : kinds()) {
     const Lines lines = linesOf(kind, 500);
     std::vector<std::uint32_t> found;
-    Grid(lines).query({{-kMost - 1, -kMost - 1}, {kMost + 1, kMost + 1}}, found);
+    Grid(lines).query({{-kMax - 1, -kMax - 1}, {kMax + 1, kMax + 1}}, found);
     EXPECT_EQ(found.size(), lines.size()) << kind.name;
   }
 }

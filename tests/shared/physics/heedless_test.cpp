@@ -6,13 +6,13 @@
 #include <tuple>
 #include <vector>
 
-#include "shared/physics/entity.h"
-#include "shared/physics/map_part.h"
-#include "shared/physics/world.h"
-#include "tests/lockstep/seeded_random.h"
+#include "platon/physics/entity.h"
+#include "platon/physics/map_part.h"
+#include "platon/physics/world.h"
 #include "tests/shared/physics/maps.h"
 #include "tests/shared/physics/recorded_rules.h"
 #include "tests/shared/physics/shapes.h"
+#include "tests/sim/seeded_random.h"
 
 namespace platon {
 namespace {
@@ -27,7 +27,7 @@ class HeedlessRules : public RecordedRules {
 
 auto asTuple(const Contact& contact) {
   return std::tuple(contact.line.part, contact.line.index, contact.instance, contact.point.x, contact.point.y,
-                    contact.normal.x, contact.normal.y, contact.toHome.hundredths(), contact.time.numerator,
+                    contact.normal.x, contact.normal.y, contact.toHome.centidegrees(), contact.time.numerator,
                     contact.time.denominator);
 }
 
@@ -93,7 +93,7 @@ TEST_F(HeedlessTest, WhatRestsMeetsTheSameAsIfItWereMoved) {
   for (int tick = 0; tick < kTicks; ++tick) {
     if (tick % 60 == 0) changeWishes(other);
     const WorldState before = world_.save();
-    World moved = world_;   // knows of no rest
+    World moved = world_;  // knows of no rest
     HeedlessRules repeated;
     HeedlessRules found;
     world_.solve(repeated);

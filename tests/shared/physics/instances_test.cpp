@@ -9,11 +9,11 @@
 #include <numbers>
 #include <set>
 
-#include "shared/exact/integer.h"
-#include "shared/exact/precise_point.h"
-#include "shared/physics/entity.h"
-#include "shared/physics/map_part.h"
-#include "shared/physics/world.h"
+#include "platon/exact/integer.h"
+#include "platon/exact/precise_point.h"
+#include "platon/physics/entity.h"
+#include "platon/physics/map_part.h"
+#include "platon/physics/world.h"
 #include "tests/shared/physics/leg_checker.h"
 #include "tests/shared/physics/maps.h"
 #include "tests/shared/physics/shapes.h"
@@ -22,7 +22,7 @@ namespace platon {
 namespace {
 
 constexpr std::uint64_t kSeed = 606;
-constexpr std::int32_t kMost = kCoordinateLimit - 1;
+constexpr std::int32_t kMax = kCoordinateLimit - 1;
 
 // Two parts that share an edge 20000 long; in part 2 it has another place and direction.
 World turnedPair(Angle turn, Point edgeAt, const std::vector<Segment>& linesBehind = {}) {
@@ -39,7 +39,8 @@ World turnedPair(Angle turn, Point edgeAt, const std::vector<Segment>& linesBehi
   return world;
 }
 
-const std::vector<std::int32_t> kFaceTurns = {0, 3600, 6000, 7200, 9000, 10800, 12000, 14400, 18000, 25200, 30000, 1, 12345};
+const std::vector<std::int32_t> kFaceTurns = {0,     3600,  6000,  7200,  9000, 10800, 12000,
+                                              14400, 18000, 25200, 30000, 1,    12345};
 
 TEST(InstancesTest, AnInstanceComesBeforeItsPartIsReached) {
   World world = twoStrips();
@@ -56,18 +57,18 @@ TEST(InstancesTest, AnInstanceComesBeforeItsPartIsReached) {
 // Far out in the part behind: what the first part has room for, the second has not.
 TEST(InstancesTest, AWayEndsWhereCoordinatesEndBehindAnEdge) {
   for (const Angle turn : {Angle(), Angle(9000), Angle(6000)}) {
-    const Point outwards = rotate(Point(kMost - 30000, 0), turn);
+    const Point outwards = rotate(Point(kMax - 30000, 0), turn);
     World world = turnedPair(turn, outwards);
     Entity entity(world, square(100));
     MapPart(world, 1).insert(entity, {9000, 0}, Angle());
     for (int tick = 0; tick < 40; ++tick) {
       entity.setVelocity({100000, 3}, entity.rotation());
       world.solve();
-      ASSERT_TRUE(world.accepts(world.save())) << "tick " << tick << ", turned by " << turn.hundredths();
+      ASSERT_TRUE(world.accepts(world.save())) << "tick " << tick << ", turned by " << turn.centidegrees();
     }
     EXPECT_EQ(entity.part(), 2u);
     const Point position = entity.position();
-    EXPECT_GT(squaredLength(position), squaredLength(Point(kMost - 15000, 0))) << "it went on as far as it could";
+    EXPECT_GT(squaredLength(position), squaredLength(Point(kMax - 15000, 0))) << "it went on as far as it could";
   }
 }
 
@@ -109,9 +110,11 @@ TEST(InstancesTest, EveryTurnBetweenPartsIsExact) {
 // On a free way position and remainder together stay where a straight line leads, in the frame of either part.
 TEST(InstancesTest, PassingHomeKeepsWhatRoundingHasLeft) {
   using Wide = std::complex<long double>;
-  const auto wide = [](Point point) { return Wide(static_cast<long double>(point.x), static_cast<long double>(point.y)); };
-  const auto turnOf = [](std::int32_t hundredths) {
-    return std::polar(1.0L, static_cast<long double>(hundredths) * std::numbers::pi_v<long double> / 18000);
+  const auto wide = [](Point point) {
+    return Wide(static_cast<long double>(point.x), static_cast<long double>(point.y));
+  };
+  const auto turnOf = [](std::int32_t centidegrees) {
+    return std::polar(1.0L, static_cast<long double>(centidegrees) * std::numbers::pi_v<long double> / 18000);
   };
   for (const std::int32_t turn : kFaceTurns) {
     World world = turnedPair(Angle(turn), {-3000, 70000});
@@ -123,7 +126,8 @@ TEST(InstancesTest, PassingHomeKeepsWhatRoundingHasLeft) {
     const Segment onto = world.geometry().find(2)->warps[0].from;
     const Wide straight = Wide(5000, 1234) + 12.0L * turnOf(700) * Wide(1000, 100);
     const Wide expected = (wide(onto.a) + wide(onto.b)) / 2.0L + turnOf(turn) * (straight - Wide(10000, 0));
-    const Wide found = wide(entity.position()) + wide(entity.state().remainder) / static_cast<long double>(PrecisePoint::kOne);
+    const Wide found =
+        wide(entity.position()) + wide(entity.state().remainder) / static_cast<long double>(PrecisePoint::kOne);
     EXPECT_LE(std::abs(found - expected), 0.001L) << turn;
   }
 }
@@ -160,8 +164,8 @@ TEST(InstancesTest, DitheringOverAnEdgeDoesNotDrift) {
       world.solve(tick % 100 < 4 ? &checker : nullptr);
       if (tick % 100 == 3) checker.forget();
     }
-    const Point back = entity.part() == 1u ? entity.position()
-                                           : rotate(entity.position() - Point(-3000, 70000), -Angle(turn));
+    const Point back =
+        entity.part() == 1u ? entity.position() : rotate(entity.position() - Point(-3000, 70000), -Angle(turn));
     EXPECT_LE(std::abs(back.x - 9998), 9) << turn;
     EXPECT_LE(std::abs(back.y - 1234), 9) << turn;
     EXPECT_GT(entity.state().crossings, 9000u) << turn;
@@ -214,10 +218,10 @@ TEST(InstancesTest, AnIdStaysTakenWhileItsInstanceLives) {
 TEST(InstancesTest, NothingIsPlacedBeyondTheCoordinates) {
   World world;
   MapPart first(world, 1);
-  first.warp({1000, -1000}, {1000, 1000}, 2, {kMost - 10, 1000}, {kMost - 10, -1000});
+  first.warp({1000, -1000}, {1000, 1000}, 2, {kMax - 10, 1000}, {kMax - 10, -1000});
   first.initialize();
   MapPart second(world, 2);
-  second.warp({kMost - 10, -1000}, {kMost - 10, 1000}, 1, {1000, 1000}, {1000, -1000});
+  second.warp({kMax - 10, -1000}, {kMax - 10, 1000}, 1, {1000, 1000}, {1000, -1000});
   second.initialize();
   Entity entity(world, square(200));
   MapPart(world, 1).insert(entity, {0, 0}, Angle());
@@ -302,7 +306,7 @@ TEST(InstancesTest, LinesBehindAnEdgeActAsOnOnePlane) {
   struct Course {
     std::int32_t turn;
     Convex shape;
-    std::vector<Segment> lines;   // from the middle of the edge
+    std::vector<Segment> lines;  // from the middle of the edge
     Point at;
     Point velocity;
   };
@@ -318,7 +322,8 @@ TEST(InstancesTest, LinesBehindAnEdgeActAsOnOnePlane) {
     for (const Segment& line : course.lines) {
       const Segment shifted{line.a + Point(10000, 0), line.b + Point(10000, 0)};
       onPlane.push_back(shifted);
-      behind.push_back({edgeAt + rotate(shifted.a, Angle(course.turn)), edgeAt + rotate(shifted.b, Angle(course.turn))});
+      behind.push_back(
+          {edgeAt + rotate(shifted.a, Angle(course.turn)), edgeAt + rotate(shifted.b, Angle(course.turn))});
     }
     World plane;
     addPart(plane, 1, onPlane);
@@ -338,7 +343,8 @@ TEST(InstancesTest, LinesBehindAnEdgeActAsOnOnePlane) {
   }
 }
 
-// The floor behind the edge stops it where home passes; the part of (200, -50) along the ramp that begins there is left.
+// The floor behind the edge stops it where home passes; the part of (200, -50) along the ramp that begins there is
+// left.
 TEST(InstancesTest, WhatStoppedItInTheOldFrameHoldsNothingUpInTheNew) {
   for (const std::int32_t turn : {0, 9000, 18000, 27000}) {
     const Point edgeAt(-3000, 70000);

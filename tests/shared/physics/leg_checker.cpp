@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "shared/physics/sweep.h"
+#include "platon/physics/sweep.h"
 
 namespace platon {
 namespace {
@@ -14,12 +14,13 @@ struct Real {
 };
 
 Real real(PrecisePoint point) {
-  return {static_cast<long double>(point.x) / PrecisePoint::kOne, static_cast<long double>(point.y) / PrecisePoint::kOne};
+  return {static_cast<long double>(point.x) / PrecisePoint::kOne,
+          static_cast<long double>(point.y) / PrecisePoint::kOne};
 }
 
 // The warp as a rigid motion.
 Real through(const Warp& warp, Real point) {
-  const long double turn = warp.turn.hundredths() * std::numbers::pi_v<long double> / 18000;
+  const long double turn = warp.turn.centidegrees() * std::numbers::pi_v<long double> / 18000;
   const Real from = real(warp.fromMiddle);
   const Real onto = real(warp.ontoMiddle);
   const long double x = point.x - from.x;
@@ -57,7 +58,8 @@ void LegChecker::checkFree(std::uint32_t entity, const InstanceView& view, const
   Sweep sweep;
   sweep.start(shape, view.position, {});
   for (std::uint32_t line = 0; line < part.lines.size(); ++line) {
-    if (!part.isWarp(line) && sweep.against(part.lines[line])) fault(entity, view, "overlaps line " + std::to_string(line));
+    if (!part.isWarp(line) && sweep.against(part.lines[line]))
+      fault(entity, view, "overlaps line " + std::to_string(line));
   }
 }
 
@@ -71,7 +73,8 @@ void LegChecker::checkPath(std::uint32_t entity, const InstanceView& view, const
   Sweep sweep;
   sweep.start(shape, before.position, view.position - before.position);
   for (std::uint32_t line = 0; line < part.lines.size(); ++line) {
-    if (!part.isWarp(line) && sweep.against(part.lines[line])) fault(entity, view, "passed line " + std::to_string(line));
+    if (!part.isWarp(line) && sweep.against(part.lines[line]))
+      fault(entity, view, "passed line " + std::to_string(line));
   }
 }
 
@@ -101,12 +104,12 @@ void LegChecker::fault(std::uint32_t entity, const InstanceView& view, const std
   faults_ += "leg " + std::to_string(legs_) + ", entity " + std::to_string(entity) + ", instance " +
              std::to_string(view.id) + " in part " + std::to_string(view.part) + " at (" +
              std::to_string(view.position.x) + ", " + std::to_string(view.position.y) + ") turned " +
-             std::to_string(view.angle.hundredths()) + " " + what + "\n";
+             std::to_string(view.angle.centidegrees()) + " " + what + "\n";
 }
 
 const Convex& LegChecker::shapeOf(std::uint32_t entity, Angle angle) {
   const Convex& base = world_.shapeOf(entity);
-  const std::pair key(&base, angle.hundredths());
+  const std::pair key(&base, angle.centidegrees());
   const auto known = shapes_.find(key);
   return known != shapes_.end() ? known->second : shapes_.emplace(key, base.turned(angle).value()).first->second;
 }

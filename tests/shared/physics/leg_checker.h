@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "shared/physics/step_observer.h"
-#include "shared/physics/world.h"
+#include "platon/physics/step_observer.h"
+#include "platon/physics/world.h"
 
 namespace platon {
 
@@ -45,7 +45,7 @@ class LegChecker : public StepObserver {
   const Convex& shapeOf(std::uint32_t entity, Angle angle);
 
   const World& world_;
-  std::map<std::pair<std::uint32_t, std::uint16_t>, Known> last_;   // by entity and instance
+  std::map<std::pair<std::uint32_t, std::uint16_t>, Known> last_;  // by entity and instance
   std::map<std::pair<const Convex*, std::int32_t>, Convex> shapes_;
   std::string faults_;
   double worstError_ = 0;

@@ -1,4 +1,4 @@
-#include "shared/physics/map_geometry.h"
+#include "platon/physics/map_geometry.h"
 
 #include <gtest/gtest.h>
 

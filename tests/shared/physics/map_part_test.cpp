@@ -1,4 +1,4 @@
-#include "shared/physics/map_part.h"
+#include "platon/physics/map_part.h"
 
 #include <gtest/gtest.h>
 
@@ -6,15 +6,15 @@
 #include <stdexcept>
 #include <string>
 
-#include "shared/exact/integer.h"
-#include "shared/physics/entity.h"
-#include "shared/physics/world.h"
+#include "platon/exact/integer.h"
+#include "platon/physics/entity.h"
+#include "platon/physics/world.h"
 #include "tests/shared/physics/shapes.h"
 
 namespace platon {
 namespace {
 
-constexpr std::int32_t kMost = kCoordinateLimit - 1;
+constexpr std::int32_t kMax = kCoordinateLimit - 1;
 
 std::string refusal(const std::function<void()>& call) {
   try {
@@ -43,7 +43,7 @@ TEST(MapPartTest, LinesMayCrossRepeatAndBePoints) {
   MapPart face(world, 1);
   for (int i = 0; i < 3; ++i) face.line({-10, -10}, {10, 10});
   face.line({-10, 10}, {10, -10});
-  face.line({kMost, -kMost}, {kMost, -kMost});
+  face.line({kMax, -kMax}, {kMax, -kMax});
   face.initialize();
   EXPECT_EQ(world.geometry().find(1)->lines.size(), 5u);
 }
@@ -54,8 +54,8 @@ TEST(MapPartTest, RefusesCoordinatesOutOfRange) {
   const auto outside = [](const char* point) {
     return std::string("map part 7: the point ") + point + " lies outside the coordinates, which are below 2^29";
   };
-  EXPECT_EQ(refusal([&] { face.line({0, 0}, {kMost + 1, 5}); }), outside("(536870912, 5)"));
-  EXPECT_EQ(refusal([&] { face.line({0, -kMost - 1}, {0, 5}); }), outside("(0, -536870912)"));
+  EXPECT_EQ(refusal([&] { face.line({0, 0}, {kMax + 1, 5}); }), outside("(536870912, 5)"));
+  EXPECT_EQ(refusal([&] { face.line({0, -kMax - 1}, {0, 5}); }), outside("(0, -536870912)"));
   EXPECT_EQ(refusal([&] { face.warp({0, 0}, {INT32_MAX, 0}, 1, {0, 0}, {1, 0}); }), outside("(2147483647, 0)"));
   EXPECT_EQ(refusal([&] { face.warp({0, 0}, {1, 0}, 1, {0, 0}, {0, INT32_MIN}); }), outside("(0, -2147483648)"));
   face.initialize();
@@ -66,12 +66,17 @@ TEST(MapPartTest, RefusesWarpsThatAreNoIsometry) {
   World world;
   MapPart face(world, 7);
   face.warp({0, 0}, {100, 0}, 2, {0, 0}, {100, 0});
-  EXPECT_EQ(refusal([&] { face.warp({5, 5}, {5, 5}, 2, {0, 0}, {1, 0}); }),
+  EXPECT_EQ(refusal([&] {
+              face.warp({5, 5}, {5, 5}, 2, {0, 0}, {1, 0});
+            }),
             "map part 7, warp 1: the two ends are the same point");
-  EXPECT_EQ(refusal([&] { face.warp({0, 0}, {1, 0}, 2, {5, 5}, {5, 5}); }),
+  EXPECT_EQ(refusal([&] {
+              face.warp({0, 0}, {1, 0}, 2, {5, 5}, {5, 5});
+            }),
             "map part 7, warp 1: the two ends are the same point");
-  const std::string differs = "map part 7, warp 1: the line and its image differ in length, or the turn between them "
-                              "is no whole number of hundredths of a degree";
+  const std::string differs =
+      "map part 7, warp 1: the line and its image differ in length, or the turn between them "
+      "is no whole number of centidegrees";
   EXPECT_EQ(refusal([&] { face.warp({0, 0}, {100, 0}, 2, {0, 0}, {103, 0}); }), differs);
   EXPECT_EQ(refusal([&] { face.warp({0, 0}, {1000000, 0}, 2, {0, 0}, {1000000, 50}); }), differs);
   EXPECT_EQ(refusal([&] { face.warp({0, 0}, {100, 0}, 2, {0, 0}, {102, 0}); }), "") << "rounded ends are allowed for";
@@ -154,7 +159,7 @@ TEST_F(MapPartInsertTest, RefusesASecondTime) {
 }
 
 TEST_F(MapPartInsertTest, RefusesPlacesOutOfRange) {
-  EXPECT_EQ(refusal([&] { part.insert(entity, Point(kMost + 1, 0), Angle()); }),
+  EXPECT_EQ(refusal([&] { part.insert(entity, Point(kMax + 1, 0), Angle()); }),
             "map part 4: the point (536870912, 0) lies outside the coordinates, which are below 2^29");
   EXPECT_FALSE(entity.inserted());
 }

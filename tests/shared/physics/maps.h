@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "shared/physics/entity.h"
-#include "shared/physics/map_part.h"
-#include "shared/physics/world.h"
+#include "platon/physics/entity.h"
+#include "platon/physics/map_part.h"
+#include "platon/physics/world.h"
 
 namespace platon {
 

@@ -1,13 +1,13 @@
-#include "shared/physics/obstacle.h"
+#include "platon/physics/obstacle.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <optional>
 
-#include "shared/physics/sweep.h"
-#include "tests/lockstep/seeded_random.h"
+#include "platon/physics/sweep.h"
 #include "tests/shared/physics/shapes.h"
+#include "tests/sim/seeded_random.h"
 
 namespace platon {
 namespace {

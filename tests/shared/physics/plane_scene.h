@@ -2,10 +2,10 @@
 
 #include <vector>
 
-#include "shared/exact/angle.h"
-#include "shared/physics/entity.h"
-#include "shared/physics/map_part.h"
-#include "shared/physics/world.h"
+#include "platon/exact/angle.h"
+#include "platon/physics/entity.h"
+#include "platon/physics/map_part.h"
+#include "platon/physics/world.h"
 #include "tests/shared/physics/maps.h"
 
 namespace platon {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "shared/physics/rules.h"
+#include "platon/physics/rules.h"
 
 namespace platon {
 
@@ -19,23 +19,23 @@ class RecordedRules : public Rules {
   std::vector<std::string> calls;
   std::vector<Contact> contacts;
 
-  bool pierce(const Entity&, const LineRef& line) const override {
+  bool pierce(const Entity&, const SegmentRef& line) const override {
     return line.warp ? !walls.contains({line.part, line.index}) : pierceable.contains({line.part, line.index});
   }
-  void beginContact(Entity&, const LineRef& line) override { note("begin", line); }
-  void overContact(Entity&, const LineRef& line) override { note("over", line); }
-  void endContact(Entity&, const LineRef& line) override { note("end", line); }
+  void beginContact(Entity&, const SegmentRef& line) override { note("begin", line); }
+  void overContact(Entity&, const SegmentRef& line) override { note("over", line); }
+  void endContact(Entity&, const SegmentRef& line) override { note("end", line); }
   void contact(Entity&, const Contact& contact) override {
     note("contact", contact.line);
     contacts.push_back(contact);
   }
-  void touchContact(Entity&, const LineRef& line) override { note("touch", line); }
+  void touchContact(Entity&, const SegmentRef& line) override { note("touch", line); }
 
   /// What was called since the last question.
   std::vector<std::string> take() { return std::exchange(calls, {}); }
 
  private:
-  void note(const char* what, const LineRef& line) {
+  void note(const char* what, const SegmentRef& line) {
     calls.push_back(std::string(what) + " " + std::to_string(line.part) + ":" + std::to_string(line.index));
   }
 };

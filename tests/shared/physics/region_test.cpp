@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "shared/exact/integer.h"
-#include "tests/lockstep/seeded_random.h"
+#include "platon/exact/integer.h"
+#include "tests/sim/seeded_random.h"
 
 namespace platon {
 namespace {

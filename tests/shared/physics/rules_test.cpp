@@ -1,9 +1,9 @@
-#include "shared/physics/rules.h"
+#include "platon/physics/rules.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "shared/physics/world.h"
+#include "platon/physics/world.h"
 #include "tests/shared/physics/maps.h"
 #include "tests/shared/physics/recorded_rules.h"
 #include "tests/shared/physics/shapes.h"
@@ -36,8 +36,8 @@ class RulesTest : public testing::Test {
 TEST_F(RulesTest, LinesBlockAndWarpsDoNotByDefault) {
   build({{{-100, 0}, {100, 0}}}, {0, 50});
   const Rules plain;
-  EXPECT_FALSE(plain.pierce(*entity, LineRef{0, 0, false, {}}));
-  EXPECT_TRUE(plain.pierce(*entity, LineRef{0, 0, true, {}}));
+  EXPECT_FALSE(plain.pierce(*entity, SegmentRef{0, 0, false, {}}));
+  EXPECT_TRUE(plain.pierce(*entity, SegmentRef{0, 0, true, {}}));
 }
 
 TEST_F(RulesTest, AContactTellsWhatStoppedTheMover) {
@@ -126,8 +126,7 @@ TEST_F(RulesTest, AThinLineIsMetAndLeftWithinOneLeg) {
 TEST_F(RulesTest, SeveralLinesCallInTheOrderOfTime) {
   build({{{-100, -60}, {100, -60}}, {{-100, -15}, {100, -15}}, {{-100, -25}, {100, -25}}}, {0, 0});
   rules.pierceable = {{0, 0}, {0, 1}, {0, 2}};
-  EXPECT_THAT(step({0, -65}),
-              ElementsAre("begin 0:1", "begin 0:2", "end 0:1", "end 0:2", "begin 0:0", "over 0:0"));
+  EXPECT_THAT(step({0, -65}), ElementsAre("begin 0:1", "begin 0:2", "end 0:1", "end 0:2", "begin 0:0", "over 0:0"));
 }
 
 TEST_F(RulesTest, AtEqualTimesLinesCallByIndex) {
@@ -164,7 +163,7 @@ TEST_F(RulesTest, PlacedOnAPierceableLineItBeginsOnce) {
 TEST_F(RulesTest, LinesOutOfTheWayAreNotAskedAbout) {
   class Asking : public Rules {
    public:
-    bool pierce(const Entity&, const LineRef& line) const override {
+    bool pierce(const Entity&, const SegmentRef& line) const override {
       asked.insert(line.index);
       return false;
     }
@@ -204,7 +203,7 @@ TEST_F(RulesTest, TurningStopsAtTheLastFreeAngle) {
   entity->rotate(4500);
   world.solve(rules);
   EXPECT_THAT(rules.take(), ElementsAre("touch 0:0"));
-  const std::int32_t stopped = entity->rotation().hundredths();
+  const std::int32_t stopped = entity->rotation().centidegrees();
   // Half of the square's diagonal is 14.14 subunits: it reaches 12 between 13 and 14 degrees, rounded to the lattice.
   EXPECT_GT(stopped, 0);
   EXPECT_LT(stopped, 4500);
@@ -224,12 +223,12 @@ TEST_F(RulesTest, TurningStopsAtTheLastFreeAngleEitherWay) {
     turning.rotate(turn);
     copy.solve(rules);
     EXPECT_THAT(rules.take(), ElementsAre("touch 0:0"));
-    const std::int32_t stopped = turning.rotation().hundredths();
+    const std::int32_t stopped = turning.rotation().centidegrees();
     EXPECT_LE(reach(stopped), 11500);
     EXPECT_GT(reach(stopped + (turn > 0 ? 1 : -1)), 11500) << "from " << turn;
     copy.solve(rules);
     EXPECT_THAT(rules.take(), IsEmpty()) << "a turn is for one step";
-    EXPECT_EQ(turning.rotation().hundredths(), stopped);
+    EXPECT_EQ(turning.rotation().centidegrees(), stopped);
   }
 }
 
@@ -249,8 +248,8 @@ TEST_F(RulesTest, AFreeTurnIsExact) {
 TEST_F(RulesTest, ATurnMeetsAndLeavesPierceableLines) {
   build({{{12, -100}, {12, 100}}, {{-100, -12}, {100, -12}}}, {0, 0});
   rules.pierceable = {{0, 0}, {0, 1}};
-  const auto turn = [&](std::int32_t hundredths) {
-    entity->rotate(hundredths);
+  const auto turn = [&](std::int32_t centidegrees) {
+    entity->rotate(centidegrees);
     world.solve(rules);
     return rules.take();
   };
@@ -279,7 +278,9 @@ TEST_F(RulesTest, OfTwoLinesMetAtOnceTheFirstAddedStops) {
 
 class WarpRulesTest : public testing::Test {
  protected:
-  WarpRulesTest() : world(twoStrips()), entity(world, square(100)) { MapPart(world, 1).insert(entity, {800, 0}, Angle()); }
+  WarpRulesTest() : world(twoStrips()), entity(world, square(100)) {
+    MapPart(world, 1).insert(entity, {800, 0}, Angle());
+  }
 
   std::vector<std::string> step(Point velocity) {
     entity.setVelocity(velocity);

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "shared/physics/convex.h"
-#include "tests/lockstep/seeded_random.h"
+#include "platon/physics/convex.h"
+#include "tests/sim/seeded_random.h"
 
 namespace platon {
 

@@ -7,9 +7,9 @@
 #include <numbers>
 #include <utility>
 
-#include "shared/exact/integer.h"
-#include "tests/lockstep/seeded_random.h"
+#include "platon/exact/integer.h"
 #include "tests/shared/physics/shapes.h"
+#include "tests/sim/seeded_random.h"
 
 namespace platon {
 namespace {
@@ -96,14 +96,15 @@ TEST(TurnedNormalTest, Uses29BitsAndKeepsTheDirection) {
   for (int i = 0; i < 50000; ++i) {
     const Point normal = random.vector((2 << (i % 27)) - 1);
     if (normal == Point()) continue;
-    const auto hundredths = static_cast<std::int32_t>(random.below(Angle::kTurn));
-    const Point turned = turnedNormal(normal, Angle(hundredths));
+    const auto centidegrees = static_cast<std::int32_t>(random.below(Angle::kTurn));
+    const Point turned = turnedNormal(normal, Angle(centidegrees));
     const auto longest = std::max(std::abs(turned.x), std::abs(turned.y));
     ASSERT_LE(longest, 1 << 29) << "seed " << kSeed << ", round " << i;
     ASSERT_GE(longest, 1 << 28) << "seed " << kSeed << ", round " << i;
     const long double expected = std::atan2(static_cast<long double>(normal.y), static_cast<long double>(normal.x)) +
-                                 hundredths * std::numbers::pi_v<long double> / 18000;
-    const long double miss = std::atan2(static_cast<long double>(turned.y), static_cast<long double>(turned.x)) - expected;
+                                 centidegrees * std::numbers::pi_v<long double> / 18000;
+    const long double miss =
+        std::atan2(static_cast<long double>(turned.y), static_cast<long double>(turned.x)) - expected;
     ASSERT_LT(std::abs(std::sin(miss)), std::ldexp(1.0L, -27)) << "seed " << kSeed << ", round " << i;
     ASSERT_GT(std::cos(miss), 0.0L) << "seed " << kSeed << ", round " << i;
   }
@@ -141,7 +142,8 @@ Touching anyTouching(sim::SeededRandom& random) {
   if (along == Point()) along.x = 1;
   const auto parts = static_cast<std::int32_t>(1 + random.below(16));
   const Point a = random.vector(1000);
-  Touching scene{randomConvex(random, 300), {}, {a, {a.x + along.x * parts, a.y + along.y * parts}}, {along.y, -along.x}, {}};
+  Touching scene{
+      randomConvex(random, 300), {}, {a, {a.x + along.x * parts, a.y + along.y * parts}}, {along.y, -along.x}, {}};
   Point foot = scene.shape.vertices()[0];
   for (const Point vertex : scene.shape.vertices()) {
     if (dot(scene.normal, vertex) < dot(scene.normal, foot)) foot = vertex;
@@ -160,10 +162,10 @@ TEST(GoesOnForTest, ThenTheReachOfTheLineMakesNoDifference) {
     const auto [shape, position, line, normal, rest] = anyTouching(random);
     const Point tangent = perpendicular(normal);
     const bool back = dot(rest, tangent) < 0;
-    if (!goesOnFor(longerPart(rest), shape.bounds(), position, line, back ? -tangent : tangent)) continue;
+    if (!goesOnFor(maxNorm(rest), shape.bounds(), position, line, back ? -tangent : tangent)) continue;
     ++goOn;
     Reach reach;
-    (back ? reach.behind : reach.ahead) = longerPart(reachAlong(shape, position, line, normal, back));
+    (back ? reach.behind : reach.ahead) = maxNorm(reachAlong(shape, position, line, normal, back));
     ASSERT_EQ(slideAlong(rest, normal, reach), slideAlong(rest, normal)) << "seed " << kSeed << ", round " << i;
   }
   EXPECT_GT(goOn, 5000);

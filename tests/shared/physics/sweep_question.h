@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "shared/physics/sweep.h"
+#include "platon/physics/sweep.h"
 
 namespace platon {
 

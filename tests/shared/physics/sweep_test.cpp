@@ -1,4 +1,4 @@
-#include "shared/physics/sweep.h"
+#include "platon/physics/sweep.h"
 
 #include <gtest/gtest.h>
 
@@ -6,9 +6,9 @@
 #include <functional>
 #include <string>
 
-#include "shared/exact/integer.h"
-#include "tests/oracle/exact_geometry.h"
-#include "tests/oracle/sweep_oracle.h"
+#include "platon/exact/integer.h"
+#include "tests/exactness/oracle/exact_geometry.h"
+#include "tests/exactness/oracle/sweep/sweep_oracle.h"
 #include "tests/shared/physics/shapes.h"
 #include "tests/shared/physics/sweep_question.h"
 
@@ -16,7 +16,7 @@ namespace platon {
 namespace {
 
 constexpr std::uint64_t kSeed = 4711;
-constexpr std::int32_t kMost = kCoordinateLimit - 1;
+constexpr std::int32_t kMax = kCoordinateLimit - 1;
 
 std::string textOf(Point point) { return "(" + std::to_string(point.x) + ", " + std::to_string(point.y) + ") "; }
 
@@ -166,7 +166,8 @@ TEST(SweepTest, IsTheSameAnywhere) {
   forRandomQueries(20000, [](const SweepQuestion& query) {
     const Point shift(1 << 27, -(1 << 26) - 5);
     const auto here = answer(query);
-    const auto there = answer(mapped(query, [](Point p) { return p; }, shift));
+    const auto there = answer(mapped(
+        query, [](Point p) { return p; }, shift));
     ASSERT_NO_FATAL_FAILURE(expectSameTimes(here, there, query));
     if (!here) return;
     ASSERT_EQ(here->normal, there->normal);
@@ -261,8 +262,7 @@ TEST(SweepTest, OverlapsBetweenMeetingAndExitOnly) {
     for (const Point vertex : query.shape) shape.push_back(scaled(vertex));
     for (std::int32_t part = 0; part <= parts; ++part) {
       const oracle::Vec at = scaled(query.position) + part * oracle::Vec{query.displacement.x, query.displacement.y};
-      const bool overlaps =
-          oracle::OpenArea::standing(shape, at).meets({scaled(query.line.a), scaled(query.line.b)});
+      const bool overlaps = oracle::OpenArea::standing(shape, at).meets({scaled(query.line.a), scaled(query.line.b)});
       const Fraction time{part, parts};
       const bool within = hit && time < hit->exit && (time > hit->time || hit->side == Hit::Side::kInside);
       // Whether it still overlaps at the very end is told by no time.
@@ -297,7 +297,9 @@ TEST(SweepTest, NormalFacesTheMoverAndTheFeatureTouches) {
     ++ends;
     ASSERT_TRUE(hit->feature == query.line.a || hit->feature == query.line.b) << textOf(query);
     ASSERT_EQ(std::count_if(query.shape.begin(), query.shape.end(),
-                            [&](Point vertex) { return gap(vertex, hit->feature) == 0; }), 2) << textOf(query);
+                            [&](Point vertex) { return gap(vertex, hit->feature) == 0; }),
+              2)
+        << textOf(query);
   });
   EXPECT_GT(lines, 500);
   EXPECT_GT(ends, 500);
@@ -336,29 +338,29 @@ TEST(SweepTest, BoundsHoldAllThatIsPassed) {
 }
 
 TEST(SweepTest, IsExactAtTheEndsOfTheRange) {
-  const std::vector<Point> huge{{-kMost, -kMost}, {kMost, -kMost}, {kMost, kMost}, {-kMost, kMost}};
-  const auto touch = answer({huge, {kMost, kMost}, {-kMost, -kMost}, {{-kMost, kMost}, {kMost, -kMost}}});
+  const std::vector<Point> huge{{-kMax, -kMax}, {kMax, -kMax}, {kMax, kMax}, {-kMax, kMax}};
+  const auto touch = answer({huge, {kMax, kMax}, {-kMax, -kMax}, {{-kMax, kMax}, {kMax, -kMax}}});
   ASSERT_TRUE(touch);
   EXPECT_EQ(touch->time, (Fraction{0, 1}));
-  const std::vector<Point> sliver{{-kMost, -kMost}, {kMost, kMost - 1}, {kMost, kMost}};
-  const auto hit = answer({sliver, {kMost, -kMost}, {-2 * kMost, 2 * kMost}, {{-kMost, -kMost}, {kMost, kMost}}});
+  const std::vector<Point> sliver{{-kMax, -kMax}, {kMax, kMax - 1}, {kMax, kMax}};
+  const auto hit = answer({sliver, {kMax, -kMax}, {-2 * kMax, 2 * kMax}, {{-kMax, -kMax}, {kMax, kMax}}});
   ASSERT_TRUE(hit);
   EXPECT_LT(hit->time, (Fraction{1, 1}));
   // A line that leaves the diagonal by one subunit over the whole range: at its ends it is 2^-30 off lattice points.
   const std::vector<Point> above{{0, 0}, {1, 1}, {0, 1}};
-  const Segment diagonal{{-kMost, -kMost}, {kMost, kMost - 1}};
-  EXPECT_FALSE(answer({above, {-kMost, -kMost}, {}, diagonal}));
-  EXPECT_TRUE(answer({above, {-kMost + 1, -kMost}, {}, diagonal}));
-  EXPECT_FALSE(answer({above, {kMost - 2, kMost - 2}, {}, diagonal}));
-  EXPECT_TRUE(answer({above, {kMost - 2, kMost - 3}, {}, diagonal}));
+  const Segment diagonal{{-kMax, -kMax}, {kMax, kMax - 1}};
+  EXPECT_FALSE(answer({above, {-kMax, -kMax}, {}, diagonal}));
+  EXPECT_TRUE(answer({above, {-kMax + 1, -kMax}, {}, diagonal}));
+  EXPECT_FALSE(answer({above, {kMax - 2, kMax - 2}, {}, diagonal}));
+  EXPECT_TRUE(answer({above, {kMax - 2, kMax - 3}, {}, diagonal}));
 }
 
 TEST(SweepTest, TheLargestQueriesAgreeWithTheForbiddenPolygon) {
   sim::SeededRandom random(kSeed);
   const auto corner = [&] {
     const auto near = [&] { return static_cast<std::int32_t>(random.below(4)) * (random.below(2) == 0 ? 1 : 1 << 14); };
-    const std::int32_t x = kMost - near();
-    const std::int32_t y = kMost - near();
+    const std::int32_t x = kMax - near();
+    const std::int32_t y = kMax - near();
     return Point(random.below(2) == 0 ? x : -x, random.below(2) == 0 ? y : -y);
   };
   int hits = 0;

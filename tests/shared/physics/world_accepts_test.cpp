@@ -2,11 +2,11 @@
 
 #include <functional>
 
-#include "shared/exact/integer.h"
-#include "shared/physics/entity.h"
+#include "platon/exact/integer.h"
+#include "platon/physics/entity.h"
+#include "platon/physics/map_part.h"
+#include "platon/physics/world.h"
 #include "shared/physics/instances.h"
-#include "shared/physics/map_part.h"
-#include "shared/physics/world.h"
 #include "tests/shared/physics/maps.h"
 #include "tests/shared/physics/shapes.h"
 
@@ -37,7 +37,7 @@ class WorldAcceptsTest : public testing::Test {
   WorldState good;
 };
 
-constexpr std::int32_t kMost = kCoordinateLimit - 1;
+constexpr std::int32_t kMax = kCoordinateLimit - 1;
 
 TEST_F(WorldAcceptsTest, WhatItHasSaved) {
   ASSERT_EQ(good.instances.size(), 2u);
@@ -50,7 +50,7 @@ TEST_F(WorldAcceptsTest, HarmlessChanges) {
   EXPECT_TRUE(acceptsWith([](WorldState& s) { s.entities[0].velocity = {kVelocityLimit - 1, 1 - kVelocityLimit}; }));
   EXPECT_TRUE(acceptsWith([](WorldState& s) { s.entities[0].heading = Angle(12345); }));
   EXPECT_TRUE(acceptsWith([](WorldState& s) { s.entities[0].turn = -35999; }));
-  EXPECT_TRUE(acceptsWith([](WorldState& s) { s.entities[2].position = {kMost, -kMost}; }));
+  EXPECT_TRUE(acceptsWith([](WorldState& s) { s.entities[2].position = {kMax, -kMax}; }));
   EXPECT_TRUE(acceptsWith([](WorldState& s) { s.entities[0].crossings = 4000000000u; }));
 }
 
@@ -76,7 +76,7 @@ TEST_F(WorldAcceptsTest, NoWrongCountOfInstances) {
   EXPECT_FALSE(acceptsWith([](WorldState& s) { s.instances.push_back(s.instances.back()); }));
   EXPECT_FALSE(acceptsWith([](WorldState& s) {
     const InstanceState one = s.instances[1];
-    for (std::uint16_t id = 10; s.entities[1].instances < Instances::kMost; ++id) {
+    for (std::uint16_t id = 10; s.entities[1].instances < Instances::kMax; ++id) {
       s.instances.push_back(one);
       s.instances.back().id = id;
       ++s.entities[1].instances;
@@ -86,7 +86,7 @@ TEST_F(WorldAcceptsTest, NoWrongCountOfInstances) {
 }
 
 TEST_F(WorldAcceptsTest, NothingOutOfRange) {
-  EXPECT_FALSE(acceptsWith([](WorldState& s) { s.entities[0].position.x = kMost + 1; }));
+  EXPECT_FALSE(acceptsWith([](WorldState& s) { s.entities[0].position.x = kMax + 1; }));
   EXPECT_FALSE(acceptsWith([](WorldState& s) { s.entities[0].position.y = INT32_MIN; }));
   EXPECT_FALSE(acceptsWith([](WorldState& s) { s.entities[0].velocity.x = kVelocityLimit; }));
   EXPECT_FALSE(acceptsWith([](WorldState& s) { s.entities[0].velocity.y = -kVelocityLimit; }));
@@ -94,14 +94,14 @@ TEST_F(WorldAcceptsTest, NothingOutOfRange) {
   EXPECT_FALSE(acceptsWith([](WorldState& s) { s.entities[0].remainder.y = INT32_MIN; }));
   EXPECT_FALSE(acceptsWith([](WorldState& s) { s.entities[0].turn = 36000; }));
   EXPECT_FALSE(acceptsWith([](WorldState& s) { s.entities[0].turn = INT32_MIN; }));
-  EXPECT_FALSE(acceptsWith([](WorldState& s) { s.instances[0].anchor.y = -kMost - 1; }));
-  EXPECT_FALSE(acceptsWith([](WorldState& s) { s.instances[0].homeAnchor.x = kMost + 1; }));
+  EXPECT_FALSE(acceptsWith([](WorldState& s) { s.instances[0].anchor.y = -kMax - 1; }));
+  EXPECT_FALSE(acceptsWith([](WorldState& s) { s.instances[0].homeAnchor.x = kMax + 1; }));
 }
 
 TEST_F(WorldAcceptsTest, NoInstanceThatStandsOutOfRange) {
   EXPECT_FALSE(acceptsWith([](WorldState& s) {
-    s.instances[0].anchor.x = kMost - 100;
-    s.instances[0].homeAnchor.x = -kMost;
+    s.instances[0].anchor.x = kMax - 100;
+    s.instances[0].homeAnchor.x = -kMax;
   }));
 }
 

@@ -1,4 +1,4 @@
-#include "shared/physics/world.h"
+#include "platon/physics/world.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <set>
 #include <stdexcept>
 
-#include "shared/physics/entity.h"
-#include "shared/physics/map_part.h"
+#include "platon/physics/entity.h"
+#include "platon/physics/map_part.h"
 #include "tests/shared/physics/leg_checker.h"
 #include "tests/shared/physics/maps.h"
 #include "tests/shared/physics/shapes.h"
@@ -30,7 +30,8 @@ World busyWorld(std::uint64_t seed) {
   for (int i = 0; i < 40 && world.entities().size() < 4; ++i) {
     Entity entity(world, randomConvex(random, 60));
     try {
-      MapPart(world, i % 2 == 0 ? 1u : 2u).insert(entity, random.vector(900), Angle(static_cast<std::int32_t>(random.below(36000))));
+      MapPart(world, i % 2 == 0 ? 1u : 2u)
+          .insert(entity, random.vector(900), Angle(static_cast<std::int32_t>(random.below(36000))));
     } catch (const std::invalid_argument&) {
     }
   }
@@ -91,7 +92,7 @@ TEST(WorldTest, RestoredIntoAFreshWorldItGoesOnTheSame) {
   World world = busyWorld(kSeed);
   sim::SeededRandom random(kSeed);
   for (int tick = 0; tick < 150; ++tick) {
-    World fresh = busyWorld(kSeed);   // without regions or turned shapes of its own
+    World fresh = busyWorld(kSeed);  // without regions or turned shapes of its own
     fresh.restore(world.save());
     ASSERT_EQ(fresh, world);
     ASSERT_TRUE(fresh.accepts(world.save()));

@@ -1,0 +1,85 @@
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "client/bot/bot_fleet.h"
+#include "client/bot/bot_report.h"
+#include "client/net/condition_options.h"
+#include "client/net/server_address.h"
+#include "client/time/steady_now.h"
+#include "platon_version.h"
+
+namespace platon {
+
+namespace {
+
+constexpr int kFailed = 1;
+constexpr int kUsage = 2;
+
+struct Options {
+  std::string host;
+  FleetOptions fleet;
+  bool json = false;
+};
+
+void describe(CLI::App& app, Options& options) {
+  app.add_option("HOST", options.host, "The server, HOST or HOST:PORT")->required();
+  app.add_option("--count", options.fleet.count, "How many bots")->required()->check(CLI::Range(1, 256));
+  app.add_option("--seconds", options.fleet.seconds, "How long they play")->required()->check(CLI::Range(0.1, 86400.0));
+  app.add_option("--seed", options.fleet.seed, "Of the buttons and of the line; the same seed gives the same")
+      ->capture_default_str();
+  app.add_option("--desync-dir", options.fleet.desyncFolder,
+                 "Folder for reports of games that were not the server's, made when missing; none unless given");
+  app.add_flag("--hollow", options.fleet.hollow,
+               "Bots that greet, press buttons and confirm, but do not play the game: hundreds fit on one machine, to "
+               "load a server");
+  app.add_option("--settle", options.fleet.settleSeconds,
+                 "Seconds after its first tick from which on a bot is measured; desyncs, resyncs and the largest "
+                 "correction count from the start")
+      ->check(CLI::Range(0.0, 86400.0));
+  app.add_flag("--json", options.json, "Print one JSON object");
+  describeConditionOptions(app, options.fleet.line);
+}
+
+int play(const Options& options) {
+  const std::vector<BotResult> results =
+      BotFleet(options.fleet, parseServerAddress(options.host), steadyClock()).play();
+  BotReport report = makeReport(results);
+  report.hollow = options.fleet.hollow;
+  std::fputs((options.json ? toJson(report) : toText(report)).c_str(), stdout);
+  const auto fallen = std::find_if(results.begin(), results.end(), [](const BotResult& bot) { return bot.ending; });
+  if (fallen != results.end()) std::fprintf(stderr, "platon-bot: %s\n", fallen->ending->c_str());
+  return report.failed == 0 ? 0 : kFailed;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Headless clients of Platon that press buttons at random, on simulated lines.", "platon-bot");
+  app.set_version_flag("--version", "platon-bot " + std::string(kVersion));
+  Options options;
+  describe(app, options);
+  try {
+    app.parse(argc, argv);
+    return play(options);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);
+    std::fprintf(stderr, "platon-bot: %s (see platon-bot --help)\n", error.what());
+    return kUsage;
+  } catch (const std::invalid_argument& error) {
+    std::fprintf(stderr, "platon-bot: %s\n", error.what());
+    return kUsage;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "platon-bot: %s\n", error.what());
+    return kFailed;
+  }
+}
+
+}  // namespace
+
+}  // namespace platon
+
+int main(int argc, char** argv) { return platon::run(argc, argv); }

@@ -1,0 +1,98 @@
+#include "client/bot/bot_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace platon {
+
+namespace {
+
+struct Field {
+  const char* name;
+  double BotReport::*value;
+  const char* meaning;
+  bool ofTheGame = false;  // known only to who plays it
+};
+
+constexpr std::array<Field, 18> kFields = {{
+    {"connectMs", &BotReport::connectMs, "to join, ms"},
+    {"rttMs", &BotReport::rttMs, "round trip, ms"},
+    {"jitterMs", &BotReport::jitterMs, "jitter, ms"},
+    {"slackTicks", &BotReport::slackTicks, "inputs early by, ticks"},
+    {"downLossPercent", &BotReport::downLossPercent, "lost down, %"},
+    {"upLossPercent", &BotReport::upLossPercent, "lost up, %"},
+    {"downBytesPerSecond", &BotReport::downBytesPerSecond, "down, bytes/s"},
+    {"upBytesPerSecond", &BotReport::upBytesPerSecond, "up, bytes/s"},
+    {"downPacketsPerSecond", &BotReport::downPacketsPerSecond, "down, packets/s"},
+    {"upPacketsPerSecond", &BotReport::upPacketsPerSecond, "up, packets/s"},
+    {"correctionsPer1000Ticks", &BotReport::correctionsPer1000Ticks, "corrections per 1000 ticks", true},
+    {"maxCorrectionSubunits", &BotReport::maxCorrectionSubunits, "largest correction, subunits", true},
+    {"mispredictedPer1000Ticks", &BotReport::mispredictedPer1000Ticks, "mispredicted per 1000 ticks", true},
+    {"missedInputsPer1000Ticks", &BotReport::missedInputsPer1000Ticks, "missed inputs per 1000 ticks", true},
+    {"hashMismatches", &BotReport::hashMismatches, "hash desyncs", true},
+    {"resyncs", &BotReport::resyncs, "resyncs", true},
+    {"confirmedTicks", &BotReport::confirmedTicks, "confirmed ticks"},
+    {"returns", &BotReport::returns, "lost and came back", true},
+}};
+
+void add(BotReport& sum, const BotResult& bot) {
+  const double seconds = std::max(bot.seconds, 1e-3);
+  const double thousands = std::max(bot.prediction.confirmedTicks, 1u) / 1000.0;
+  sum.connectMs += bot.connectMs;
+  sum.rttMs += bot.line.rttMs;
+  sum.jitterMs += bot.line.jitterMs;
+  sum.slackTicks += bot.line.slackTicks;
+  sum.downLossPercent += bot.line.lostDownPercent;
+  sum.upLossPercent += bot.line.lostUpPercent;
+  sum.downBytesPerSecond += static_cast<double>(bot.traffic.receivedBytes) / seconds;
+  sum.upBytesPerSecond += static_cast<double>(bot.traffic.sentBytes) / seconds;
+  sum.downPacketsPerSecond += static_cast<double>(bot.traffic.receivedPackets) / seconds;
+  sum.upPacketsPerSecond += static_cast<double>(bot.traffic.sentPackets) / seconds;
+  sum.correctionsPer1000Ticks += bot.prediction.corrections / thousands;
+  sum.maxCorrectionSubunits += bot.prediction.maxSubunits;
+  sum.mispredictedPer1000Ticks += bot.prediction.mispredicted / thousands;
+  sum.missedInputsPer1000Ticks += bot.prediction.missedInputs / thousands;
+  sum.hashMismatches += bot.round.hashMismatches;
+  sum.resyncs += bot.round.resyncs;
+  sum.confirmedTicks += bot.prediction.confirmedTicks;
+  sum.returns += bot.returns;
+  sum.longestDatagramBytes = std::max(sum.longestDatagramBytes, bot.traffic.longestDatagram);
+}
+
+}  // namespace
+
+BotReport makeReport(std::span<const BotResult> bots) {
+  BotReport report;
+  for (const BotResult& bot : bots) {
+    const bool played = bot.joined && !bot.ending;
+    ++(played ? report.connected : report.failed);
+    if (played) add(report, bot);
+  }
+  if (report.connected == 0) return report;
+  for (const Field& field : kFields) report.*field.value /= report.connected;
+  return report;
+}
+
+std::string toJson(const BotReport& report) {
+  std::string json = fmt::format("{{\"connected\":{},\"failed\":{}", report.connected, report.failed);
+  for (const Field& field : kFields) {
+    const bool known = !field.ofTheGame || !report.hollow;
+    json += fmt::format(",\"{}\":{}", field.name, known ? fmt::format("{:.6g}", report.*field.value) : "null");
+  }
+  return json + fmt::format(",\"longestDatagramBytes\":{}}}\n", report.longestDatagramBytes);
+}
+
+std::string toText(const BotReport& report) {
+  std::string text =
+      fmt::format("{} bots played to the end, {} failed; on average:\n", report.connected, report.failed);
+  for (const Field& field : kFields) {
+    if (field.ofTheGame && report.hollow) continue;
+    text += fmt::format("  {:<30}{:>10.1f}\n", field.meaning, report.*field.value);
+  }
+  return text + fmt::format("  {:<30}{:>8}\n", "longest datagram of all, bytes", report.longestDatagramBytes);
+}
+
+}  // namespace platon

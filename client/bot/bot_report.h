@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "client/bot/bot.h"
+
+namespace platon {
+
+/// Averages over the bots that played to the end; zero when there are none.
+struct BotReport {
+  std::uint32_t connected = 0;  ///< bots that played to the end
+  std::uint32_t failed = 0;     ///< all others
+  double connectMs = 0;
+  double rttMs = 0;
+  double jitterMs = 0;    ///< of what goes up, as the clock takes it
+  double slackTicks = 0;  ///< by which inputs come before they are needed
+  double downLossPercent = 0;
+  double upLossPercent = 0;
+  double downBytesPerSecond = 0;  ///< UDP payload
+  double upBytesPerSecond = 0;
+  double downPacketsPerSecond = 0;
+  double upPacketsPerSecond = 0;
+  double correctionsPer1000Ticks = 0;
+  double maxCorrectionSubunits = 0;
+  double mispredictedPer1000Ticks = 0;
+  double missedInputsPer1000Ticks = 0;
+  double hashMismatches = 0;
+  double resyncs = 0;
+  double confirmedTicks = 0;
+  double returns = 0;
+  std::uint64_t longestDatagramBytes = 0;  ///< of all bots, either way, from the start: UDP payload
+  bool hollow = false;                     ///< the bots do not know how they would have been corrected
+};
+
+BotReport makeReport(std::span<const BotResult> bots);
+
+/// One JSON object; null for what hollow bots do not know.
+std::string toJson(const BotReport& report);
+/// A table for people.
+std::string toText(const BotReport& report);
+
+}  // namespace platon

@@ -1,0 +1,157 @@
+#include "client/demo/goal_distance.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <optional>
+
+#include "platon/physics/sweep.h"
+
+namespace platon {
+
+namespace {
+
+constexpr std::int32_t kSmallestCell = 12 * kSubunitsPerUnit;
+constexpr std::int32_t kCellsInAll = 8000;
+
+Convex square(std::int32_t r) { return Convex(std::vector<Point>{{-r, -r}, {r, -r}, {r, r}, {-r, r}}); }
+
+// What must fit between walls: less than the ball, as cells rarely lie in the middle of a gap. The goal itself may be
+// right at a wall.
+const Convex& probeFor(bool atGoal) {
+  static const Convex kTraveller = square(4 * kSubunitsPerUnit);
+  static const Convex kPoint = square(16);
+  return atGoal ? kPoint : kTraveller;
+}
+
+// Of a way, to within 8 %.
+std::int32_t lengthOf(Point way) {
+  const std::int32_t x = std::abs(way.x);
+  const std::int32_t y = std::abs(way.y);
+  return std::max(x, y) + std::min(x, y) * 2 / 5;
+}
+
+bool isFree(const Convex& probe, const MapGeometry& part, Point from, Point to) {
+  Sweep sweep;
+  sweep.start(probe, from, to - from);
+  std::vector<std::uint32_t> lines;
+  part.grid.query(sweep.bounds(), lines);
+  return std::none_of(lines.begin(), lines.end(), [&](std::uint32_t line) {
+    return !part.isWarp(line) && sweep.against(part.lines[line]).has_value();
+  });
+}
+
+const Warp* warpBehind(const MapGeometry& part, Point point) {
+  for (const Warp& warp : part.warps) {
+    if (cross(warp.from.b - warp.from.a, point - warp.from.a) < 0) return &warp;
+  }
+  return nullptr;
+}
+
+// Where one gets from `from` going straight to `to`, over at most one edge.
+std::optional<Place> reach(const Convex& probe, const Geometry& geometry, std::uint32_t face, Point from, Point to) {
+  const MapGeometry& part = *geometry.find(face);
+  if (!isFree(probe, part, from, to)) return std::nullopt;
+  const Warp* const warp = warpBehind(part, to);
+  if (warp == nullptr) return Place{face, to};
+  const auto beyond = [warp](Point point) { return warp->onto.a + rotate(point - warp->from.a, warp->turn); };
+  const MapGeometry& next = *geometry.find(warp->target);
+  if (!isFree(probe, next, beyond(from), beyond(to)) || warpBehind(next, beyond(to)) != nullptr) return std::nullopt;
+  return Place{warp->target, beyond(to)};
+}
+
+std::int32_t farthestCoordinate(const Geometry& geometry) {
+  std::int32_t farthest = 0;
+  for (const auto& part : geometry.parts) {
+    for (const Warp& warp : part->warps) {
+      farthest = std::max({farthest, std::abs(warp.from.a.x), std::abs(warp.from.a.y)});
+    }
+  }
+  return farthest;
+}
+
+std::int32_t cellsPerAxis(std::size_t faces) {
+  std::int32_t side = 1;
+  while ((side + 2) * (side + 2) * static_cast<std::int32_t>(faces) <= kCellsInAll) side += 2;
+  return side;
+}
+
+}  // namespace
+
+GoalDistance::GoalDistance(const Level& level) {
+  const Geometry& geometry = level.world.geometry();
+  const std::int32_t half = farthestCoordinate(geometry);
+  cellSize_ = std::max(kSmallestCell, 2 * half / cellsPerAxis(geometry.parts.size()) + 1);
+  side_ = 2 * ((half + cellSize_ / 2) / cellSize_) + 1;
+  distances_.assign(geometry.parts.size() * static_cast<std::size_t>(side_ * side_), kUnreachable);
+  spread(geometry, {level.goalFace, level.goal});
+}
+
+bool GoalDistance::onLattice(const Cell& cell) const {
+  return cell.column >= 0 && cell.row >= 0 && cell.column < side_ && cell.row < side_;
+}
+
+std::size_t GoalDistance::indexOf(const Cell& cell) const {
+  return (cell.face * static_cast<std::size_t>(side_) + static_cast<std::size_t>(cell.row)) *
+             static_cast<std::size_t>(side_) +
+         static_cast<std::size_t>(cell.column);
+}
+
+Point GoalDistance::centreOf(const Cell& cell) const {
+  return {(cell.column - side_ / 2) * cellSize_, (cell.row - side_ / 2) * cellSize_};
+}
+
+GoalDistance::Cell GoalDistance::cellAt(const Place& place) const {
+  const auto nearest = [this](std::int32_t coordinate) {
+    return std::clamp(divideRounded(coordinate, cellSize_) + side_ / 2, 0, side_ - 1);
+  };
+  return {place.part, nearest(place.position.x), nearest(place.position.y)};
+}
+
+void GoalDistance::spread(const Geometry& geometry, const Place& goal) {
+  const auto farther = [](const Reached& a, const Reached& b) { return a.distance > b.distance; };
+  std::vector<Reached> front;
+  spreadFrom(geometry, {0, goal}, front);
+  std::make_heap(front.begin(), front.end(), farther);
+  while (!front.empty()) {
+    std::pop_heap(front.begin(), front.end(), farther);
+    const Reached reached = front.back();
+    front.pop_back();
+    if (reached.distance > lookUp(cellAt(reached.place))) continue;
+    const std::size_t known = front.size();
+    spreadFrom(geometry, reached, front);
+    for (std::size_t i = known + 1; i <= front.size(); ++i) {
+      std::push_heap(front.begin(), front.begin() + static_cast<std::ptrdiff_t>(i), farther);
+    }
+  }
+}
+
+void GoalDistance::spreadFrom(const Geometry& geometry, const Reached& reached, std::vector<Reached>& front) {
+  const Point from = reached.place.position;
+  const Cell middle = cellAt(reached.place);
+  const Convex& probe = probeFor(reached.distance == 0);
+  for (std::int32_t i = 0; i < 9; ++i) {
+    const Point to = centreOf({middle.face, middle.column + i % 3 - 1, middle.row + i / 3 - 1});
+    const std::optional<Place> place = reach(probe, geometry, middle.face, from, to);
+    if (!place) continue;
+    const Cell cell = cellAt(*place);
+    const std::int32_t distance = reached.distance + lengthOf(to - from);
+    if (distance >= lookUp(cell)) continue;
+    distances_[indexOf(cell)] = distance;
+    front.push_back({distance, {cell.face, centreOf(cell)}});
+  }
+}
+
+std::int32_t GoalDistance::from(const Place& place) const {
+  const Cell middle = cellAt(place);
+  std::int32_t best = kUnreachable;
+  // The nearest cell itself can be cut off by the very floor that the place is on.
+  for (std::int32_t i = 0; i < 9; ++i) {
+    const Cell cell{middle.face, middle.column + i % 3 - 1, middle.row + i / 3 - 1};
+    const std::int32_t beyond = lookUp(cell);
+    if (beyond == kUnreachable) continue;
+    best = std::min(best, beyond + lengthOf(centreOf(cell) - place.position));
+  }
+  return best;
+}
+
+}  // namespace platon

@@ -1,0 +1,131 @@
+#include "client/gl/ball_painter.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "client/gl/shaders.h"
+#include "client/scene/face_view.h"
+
+namespace platon {
+namespace {
+
+constexpr int kDivisions = 6;  // of every edge of the icosahedron that is blown up to a ball
+
+struct BallMesh {
+  std::vector<glm::vec3> points;
+  std::vector<std::uint16_t> triangles;
+};
+
+using Corners = std::array<glm::dvec3, 3>;
+
+void addPoints(BallMesh& ball, const Corners& corners) {
+  for (int i = 0; i <= kDivisions; ++i) {
+    for (int j = 0; i + j <= kDivisions; ++j) {
+      const glm::dvec3 weights(kDivisions - i - j, i, j);
+      ball.points.emplace_back(
+          glm::normalize(corners[0] * weights.x + corners[1] * weights.y + corners[2] * weights.z));
+    }
+  }
+}
+
+// Rows of points, each one shorter than the one before.
+void addTriangles(BallMesh& ball, std::size_t first) {
+  const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
+    for (const std::size_t index : {a, b, c}) ball.triangles.push_back(static_cast<std::uint16_t>(index));
+  };
+  for (std::size_t length = kDivisions + 1; length > 1; --length) {
+    const std::size_t next = first + length;
+    for (std::size_t j = 0; j + 1 < length; ++j) {
+      add(first + j, next + j, first + j + 1);
+      if (j + 2 < length) add(next + j, next + j + 1, first + j + 1);
+    }
+    first = next;
+  }
+}
+
+BallMesh unitBall() {
+  const SolidMesh mesh(SolidKind::kIcosahedron, 1);
+  BallMesh ball;
+  for (int face = 0; face < mesh.faces(); ++face) {
+    const std::size_t first = ball.points.size();
+    addPoints(ball, {mesh.toWorld(face, mesh.polygon()[0]), mesh.toWorld(face, mesh.polygon()[1]),
+                     mesh.toWorld(face, mesh.polygon()[2])});
+    addTriangles(ball, first);
+  }
+  return ball;
+}
+
+// Where a ball is drawn: moved towards the eye and as much smaller, so that it looks the same, but its face does not
+// cut it in half, and the own player is in front of others at the same place.
+struct Placement {
+  glm::dvec3 centre{0};
+  glm::dvec3 toEye{0, 0, 1};
+  double radius = 0;
+};
+
+Placement placementOf(const PlayerDrawing& player, const Camera& camera) {
+  const glm::dvec3 way = camera.eye() - player.pose.position;
+  const double distance = glm::length(way);
+  const glm::dvec3 toEye = way / distance;
+  const double facing = glm::dot(player.pose.normal, toEye);
+  // Near the horizon less and less: beyond it a face does hide the ball.
+  const double lift = glm::clamp(facing * 8, 0.0, 1.0) / glm::max(facing, 0.3) + (player.own ? 2 : 0);
+  const double moved = glm::min(lift * StageModel::kPlayerRadius, distance / 2);
+  return {player.pose.position + toEye * moved, toEye, StageModel::kPlayerRadius * (distance - moved) / distance};
+}
+
+// From the plane through the front of the ball, units of its radius, the player's up upwards.
+glm::mat4 labelToClip(const PlayerDrawing& player, const Camera& camera, const Placement& ball) {
+  const glm::dvec3 right = glm::cross(player.pose.up, ball.toEye);
+  const glm::dvec3 across = glm::length(right) > 1e-6 ? glm::normalize(right) : camera.right();
+  const glm::dvec3 up = glm::cross(ball.toEye, across);
+  const glm::dvec3 front = ball.centre + ball.toEye * (ball.radius * 1.02);
+  const glm::dmat4 toWorld(glm::dvec4(across * ball.radius, 0), glm::dvec4(up * ball.radius, 0),
+                           glm::dvec4(ball.toEye * ball.radius, 0), glm::dvec4(front, 1));
+  return glm::mat4(camera.viewProjection() * toWorld);
+}
+
+Colour outlineOf(const PlayerDrawing& player) { return player.own ? Colour(1) : player.colour * 0.28F; }
+
+}  // namespace
+
+BallPainter::BallPainter() : program_("", shaders::kBallVertex, shaders::kBallFragment) {
+  const BallMesh ball = unitBall();
+  count_ = static_cast<GLsizei>(ball.triangles.size());
+  const auto bytes = [](const auto& values) { return static_cast<GLsizeiptr>(values.size() * sizeof(values[0])); };
+  glBindVertexArray(array_.name());
+  glBindBuffer(GL_ARRAY_BUFFER, points_.name());
+  glBufferData(GL_ARRAY_BUFFER, bytes(ball.points), ball.points.data(), GL_STATIC_DRAW);
+  glEnableVertexAttribArray(0);
+  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, triangles_.name());
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER, bytes(ball.triangles), ball.triangles.data(), GL_STATIC_DRAW);
+}
+
+void BallPainter::draw(const PlayerDrawing& player, const Camera& camera, TextPainter& text) {
+  const Placement ball = placementOf(player, camera);
+  const glm::dmat4 toWorld = glm::scale(glm::translate(glm::dmat4(1), ball.centre), glm::dvec3(ball.radius));
+  program_.use();
+  program_.set("toClip", glm::mat4(camera.viewProjection() * toWorld));
+  program_.set("colour", player.colour);
+  program_.set("outline", outlineOf(player));
+  program_.set("toEye", glm::vec3(ball.toEye));
+  program_.set("light", glm::vec3(lightOf(camera)));
+  glBindVertexArray(array_.name());
+  glEnable(GL_CULL_FACE);
+  glDrawElements(GL_TRIANGLES, count_, GL_UNSIGNED_SHORT, nullptr);
+  glDisable(GL_CULL_FACE);
+  const std::string label = player.finishedAfter ? "\u2713" : player.number;
+  const float size = label.size() > 2 ? 0.75F : 1.0F;
+  text.addCentred(label, {0, 0}, size, {0.06F, 0.06F, 0.09F, 0.92F});
+  text.flush(labelToClip(player, camera, ball), 0);
+}
+
+}  // namespace platon

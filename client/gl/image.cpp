@@ -1,0 +1,27 @@
+#include "client/gl/image.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <stdexcept>
+
+#include <stb/stb_image_write.h>
+
+namespace platon {
+
+void flipRows(Image& image) {
+  const std::ptrdiff_t row = std::ptrdiff_t{3} * image.width;
+  const auto pixels = image.pixels.begin();
+  for (std::ptrdiff_t top = 0, bottom = std::ptrdiff_t{image.height} - 1; top < bottom; ++top, --bottom) {
+    std::swap_ranges(pixels + top * row, pixels + (top + 1) * row, pixels + bottom * row);
+  }
+}
+
+void writePng(const Image& image, const std::string& file) {
+  const int width = static_cast<int>(image.width);
+  const int height = static_cast<int>(image.height);
+  if (stbi_write_png(file.c_str(), width, height, 3, image.pixels.data(), 3 * width) == 0) {
+    throw std::runtime_error("cannot write the picture " + file);
+  }
+}
+
+}  // namespace platon

@@ -1,0 +1,51 @@
+#include "client/gl/offscreen.h"
+
+#include <stdexcept>
+
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+
+#include "client/gl/gl_loader.h"
+
+namespace platon {
+namespace {
+
+void* openDisplay() {
+  void* display = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
+  if (display == EGL_NO_DISPLAY || eglInitialize(display, nullptr, nullptr) != EGL_TRUE) {
+    throw std::runtime_error("no off-screen OpenGL here: EGL has no surfaceless display (Mesa's libEGL is needed)");
+  }
+  return display;
+}
+
+void* openContext(void* display) {
+  const EGLint kConfig[] = {EGL_SURFACE_TYPE, EGL_DONT_CARE, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
+  const EGLint kContext[] = {
+      EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+      EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+  EGLConfig config = nullptr;
+  EGLint count = 0;
+  eglBindAPI(EGL_OPENGL_API);
+  if (eglChooseConfig(display, kConfig, &config, 1, &count) != EGL_TRUE || count == 0) return nullptr;
+  EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, kContext);
+  if (context == EGL_NO_CONTEXT) return nullptr;
+  return eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) == EGL_TRUE ? context : nullptr;
+}
+
+}  // namespace
+
+Offscreen::Offscreen() : display_(openDisplay()), context_(openContext(display_)) {
+  if (context_ == nullptr) {
+    eglTerminate(display_);
+    throw std::runtime_error("no off-screen OpenGL here: EGL gives no OpenGL 3.3 core context");
+  }
+  loadOpenGl();
+}
+
+Offscreen::~Offscreen() {
+  eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+  eglDestroyContext(display_, context_);
+  eglTerminate(display_);
+}
+
+}  // namespace platon

@@ -1,0 +1,57 @@
+#include "client/gl/overlay_painter.h"
+
+#include <cstddef>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "client/gl/shaders.h"
+
+namespace platon {
+
+OverlayPainter::OverlayPainter() : program_("", shaders::kPanelVertex, shaders::kPanelFragment) {
+  glBindVertexArray(array_.name());
+  glBindBuffer(GL_ARRAY_BUFFER, buffer_.name());
+  const auto attribute = [](GLuint index, GLint size, std::size_t offset) {
+    glEnableVertexAttribArray(index);
+    glVertexAttribPointer(index, size, GL_FLOAT, GL_FALSE, sizeof(Vertex), bufferOffset(offset));
+  };
+  attribute(0, 2, offsetof(Vertex, place));
+  attribute(1, 2, offsetof(Vertex, fromMiddle));
+  attribute(2, 3, offsetof(Vertex, form));
+  attribute(3, 4, offsetof(Vertex, colour));
+}
+
+void OverlayPainter::draw(const Overlay& overlay, float aspect, TextPainter& text) {
+  const glm::mat4 toClip = glm::ortho(0.0F, Overlay::kHeight * aspect, Overlay::kHeight, 0.0F);
+  drawPanels(overlay, toClip);
+  for (const Overlay::Text& line : overlay.texts) {
+    text.add(line.words, line.place, {line.size, 0}, {0, -line.size}, line.colour);
+  }
+  text.flush(toClip, 0.55F);
+}
+
+void OverlayPainter::add(const Overlay::Panel& panel) {
+  const glm::vec2 middle = (panel.low + panel.high) / 2.0F;
+  const glm::vec2 half = (panel.high - panel.low) / 2.0F;
+  const glm::vec2 signs[] = {{-1, -1}, {1, -1}, {1, 1}, {-1, -1}, {1, 1}, {-1, 1}};
+  for (const glm::vec2 sign : signs) {
+    // A little larger, for the smooth edge.
+    const glm::vec2 away = sign * (half + 1.0F);
+    vertices_.push_back({middle + away, away, glm::vec3(half, panel.radius), panel.colour});
+  }
+}
+
+void OverlayPainter::drawPanels(const Overlay& overlay, const glm::mat4& toClip) {
+  vertices_.clear();
+  for (const Overlay::Panel& panel : overlay.panels) add(panel);
+  if (vertices_.empty()) return;
+  program_.use();
+  program_.set("toClip", toClip);
+  glBindVertexArray(array_.name());
+  glBindBuffer(GL_ARRAY_BUFFER, buffer_.name());
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices_.size() * sizeof(Vertex)), vertices_.data(),
+               GL_STREAM_DRAW);
+  glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(vertices_.size()));
+}
+
+}  // namespace platon

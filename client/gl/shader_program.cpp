@@ -1,0 +1,54 @@
+#include "client/gl/shader_program.h"
+
+#include <array>
+#include <stdexcept>
+#include <string_view>
+
+namespace platon {
+namespace {
+
+constexpr const char* kVersionLine = "#version 330 core\n";
+
+GLuint compiled(GLenum kind, const std::string& shared, const std::string& source) {
+  const GLuint shader = glCreateShader(kind);
+  const std::array<const char*, 3> parts{kVersionLine, shared.c_str(), source.c_str()};
+  glShaderSource(shader, static_cast<GLsizei>(parts.size()), parts.data(), nullptr);
+  glCompileShader(shader);
+  GLint good = GL_FALSE;
+  glGetShaderiv(shader, GL_COMPILE_STATUS, &good);
+  if (good == GL_TRUE) return shader;
+  std::array<char, 2048> words{};
+  glGetShaderInfoLog(shader, static_cast<GLsizei>(words.size()), nullptr, words.data());
+  glDeleteShader(shader);
+  throw std::runtime_error(std::string("a shader does not compile: ") + words.data());
+}
+
+}  // namespace
+
+ShaderProgram::ShaderProgram(const std::string& shared, const std::string& vertex, const std::string& fragment) {
+  const GLuint first = compiled(GL_VERTEX_SHADER, shared, vertex);
+  const GLuint second = compiled(GL_FRAGMENT_SHADER, shared, fragment);
+  name_ = glCreateProgram();
+  glAttachShader(name_, first);
+  glAttachShader(name_, second);
+  glLinkProgram(name_);
+  glDeleteShader(first);
+  glDeleteShader(second);
+  GLint good = GL_FALSE;
+  glGetProgramiv(name_, GL_LINK_STATUS, &good);
+  if (good == GL_TRUE) return;
+  std::array<char, 2048> words{};
+  glGetProgramInfoLog(name_, static_cast<GLsizei>(words.size()), nullptr, words.data());
+  glDeleteProgram(name_);
+  throw std::runtime_error(std::string("shaders do not fit together: ") + words.data());
+}
+
+ShaderProgram::~ShaderProgram() { glDeleteProgram(name_); }
+
+GLint ShaderProgram::location(const char* uniform) {
+  const auto known = locations_.find(std::string_view(uniform));
+  if (known != locations_.end()) return known->second;
+  return locations_.emplace(uniform, glGetUniformLocation(name_, uniform)).first->second;
+}
+
+}  // namespace platon

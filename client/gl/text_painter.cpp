@@ -1,0 +1,61 @@
+#include "client/gl/text_painter.h"
+
+#include <array>
+#include <cstddef>
+
+#include "client/gl/shaders.h"
+
+namespace platon {
+
+TextPainter::TextPainter(const Font& font) : atlas_(font), program_("", shaders::kTextVertex, shaders::kTextFragment) {
+  glBindVertexArray(array_.name());
+  glBindBuffer(GL_ARRAY_BUFFER, buffer_.name());
+  const auto attribute = [](GLuint index, GLint size, std::size_t offset) {
+    glEnableVertexAttribArray(index);
+    glVertexAttribPointer(index, size, GL_FLOAT, GL_FALSE, sizeof(Vertex), bufferOffset(offset));
+  };
+  attribute(0, 2, offsetof(Vertex, place));
+  attribute(1, 2, offsetof(Vertex, texel));
+  attribute(2, 4, offsetof(Vertex, colour));
+}
+
+void TextPainter::add(std::string_view utf8, glm::vec2 origin, glm::vec2 along, glm::vec2 up, glm::vec4 colour) {
+  for (const char32_t point : codePointsOf(utf8)) {
+    const GlyphAtlas::Entry& glyph = atlas_.entry(point);
+    if (!glyph.blank) {
+      const auto corner = [&](bool right, bool top) {
+        const glm::vec2 at(right ? glyph.high.x : glyph.low.x, top ? glyph.high.y : glyph.low.y);
+        const glm::vec2 texel(right ? glyph.highTexel.x : glyph.lowTexel.x, top ? glyph.highTexel.y : glyph.lowTexel.y);
+        return Vertex{origin + at.x * along + at.y * up, texel, colour};
+      };
+      for (const auto& [right, top] :
+           {std::array{false, false}, {true, false}, {true, true}, {false, false}, {true, true}, {false, true}}) {
+        vertices_.push_back(corner(right, top));
+      }
+    }
+    origin += along * glyph.advance;
+  }
+}
+
+void TextPainter::addCentred(std::string_view utf8, glm::vec2 middle, float size, glm::vec4 colour) {
+  const glm::vec2 half(atlas_.font().width(utf8) / 2, Font::kCapitalHeight / 2);
+  add(utf8, middle - half * size, {size, 0}, {0, size}, colour);
+}
+
+void TextPainter::flush(const glm::mat4& toClip, float halo) {
+  if (vertices_.empty()) return;
+  program_.use();
+  program_.set("toClip", toClip);
+  program_.set("atlas", 0);
+  program_.set("halo", halo);
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, atlas_.texture());
+  glBindVertexArray(array_.name());
+  glBindBuffer(GL_ARRAY_BUFFER, buffer_.name());
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices_.size() * sizeof(Vertex)), vertices_.data(),
+               GL_STREAM_DRAW);
+  glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(vertices_.size()));
+  vertices_.clear();
+}
+
+}  // namespace platon

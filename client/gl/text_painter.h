@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+
+#include "client/gl/gl_handle.h"
+#include "client/gl/glyph_atlas.h"
+#include "client/gl/shader_program.h"
+
+namespace platon {
+
+/// Draws lines of text in a plane: on the screen, on a face, on a ball.
+class TextPainter {
+ public:
+  explicit TextPainter(const Font& font);
+
+  /// Adds a line. `origin` is the left end of its baseline, `along` and `up` are the axes of the letters, as long as
+  /// the text is large.
+  void add(std::string_view utf8, glm::vec2 origin, glm::vec2 along, glm::vec2 up, glm::vec4 colour);
+  /// Adds a line, upright where +y is up, with the middle of its capitals at `middle`.
+  void addCentred(std::string_view utf8, glm::vec2 middle, float size, glm::vec4 colour);
+  /// Draws and forgets all lines; `halo` is the opacity of the dark around the letters.
+  void flush(const glm::mat4& toClip, float halo);
+
+ private:
+  struct Vertex {
+    glm::vec2 place;
+    glm::vec2 texel;
+    glm::vec4 colour;
+  };
+
+  GlyphAtlas atlas_;
+  ShaderProgram program_;
+  GlVertexArray array_;
+  GlBuffer buffer_;
+  std::vector<Vertex> vertices_;
+};
+
+}  // namespace platon

@@ -1,0 +1,116 @@
+#include "client/net/lossy_relay.h"
+
+#include <arpa/inet.h>
+#include <netdb.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <array>
+#include <optional>
+#include <stdexcept>
+#include <vector>
+
+namespace platon {
+
+namespace {
+
+using Datagram = std::vector<std::uint8_t>;
+
+sockaddr_in resolve(const ServerAddress& server) {
+  addrinfo wanted{};
+  wanted.ai_family = AF_INET;
+  wanted.ai_socktype = SOCK_DGRAM;
+  addrinfo* found = nullptr;
+  const std::string port = std::to_string(server.port);
+  if (getaddrinfo(server.host.c_str(), port.c_str(), &wanted, &found) != 0) {
+    throw std::runtime_error("the host " + server.host + " is not known");
+  }
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_addr = reinterpret_cast<const sockaddr_in*>(found->ai_addr)->sin_addr;
+  address.sin_port = htons(server.port);
+  freeaddrinfo(found);
+  return address;
+}
+
+const sockaddr* generic(const sockaddr_in& address) { return reinterpret_cast<const sockaddr*>(&address); }
+sockaddr* generic(sockaddr_in& address) { return reinterpret_cast<sockaddr*>(&address); }
+
+std::uint16_t bindToLoopback(int handle) {
+  sockaddr_in own{};
+  own.sin_family = AF_INET;
+  own.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  socklen_t size = sizeof own;
+  if (bind(handle, generic(own), size) != 0 || getsockname(handle, generic(own), &size) != 0) {
+    throw std::runtime_error("no loopback port left for simulated network conditions");
+  }
+  return ntohs(own.sin_port);
+}
+
+std::optional<Datagram> take(int handle, sockaddr_in* sender) {
+  std::array<std::uint8_t, 65536> buffer;
+  socklen_t size = sizeof(sockaddr_in);
+  const ssize_t count = recvfrom(handle, buffer.data(), buffer.size(), 0,
+                                 sender == nullptr ? nullptr : generic(*sender), sender == nullptr ? nullptr : &size);
+  if (count < 0) return std::nullopt;
+  return Datagram(buffer.begin(), buffer.begin() + count);
+}
+
+}  // namespace
+
+LossyRelay::LossyRelay(const ServerAddress& server, const LinkQuality& eachWay, std::uint64_t seed)
+    : server_(resolve(server)), serverSide_(std::in_place), up_(eachWay, seed), down_(eachWay, ~seed) {
+  port_ = bindToLoopback(clientSide_.handle);
+  if (!connectToServer()) throw std::runtime_error("no way to " + server.text());
+}
+
+bool LossyRelay::connectToServer() const { return connect(serverSide_->handle, generic(server_), sizeof server_) == 0; }
+
+LossyRelay::Socket::Socket() : handle(socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)) {
+  if (handle < 0) throw std::runtime_error("no socket left for simulated network conditions");
+}
+
+LossyRelay::Socket::~Socket() { close(handle); }
+
+void LossyRelay::takeFromClient(Moment now) {
+  sockaddr_in sender{};
+  while (std::optional<Datagram> datagram = take(clientSide_.handle, &sender)) {
+    if (sender.sin_port != client_.sin_port) takeUp(sender);
+    up_.send(std::move(*datagram), now);
+  }
+}
+
+// The server must not take a new connection for the old one, nor the client hear what was meant for the old: neither by
+// what comes, nor by the answer to an old greeting that would leave by the new way.
+void LossyRelay::takeUp(const sockaddr_in& client) {
+  const bool first = client_.sin_port == 0;
+  client_ = client;
+  if (first) return;
+  up_.clear();
+  down_.clear();
+  serverSide_.emplace();
+  connectToServer();  // as it could before
+}
+
+void LossyRelay::takeFromServer(Moment now) {
+  while (std::optional<Datagram> datagram = take(serverSide_->handle, nullptr)) down_.send(std::move(*datagram), now);
+}
+
+void LossyRelay::setQuality(const LinkQuality& eachWay) {
+  up_.setQuality(eachWay);
+  down_.setQuality(eachWay);
+}
+
+void LossyRelay::pump(Moment now) {
+  takeFromClient(now);
+  takeFromServer(now);
+  // A full socket buffer loses datagrams, like any line.
+  while (const std::optional<Datagram> datagram = up_.receive(now)) {
+    (void)!send(serverSide_->handle, datagram->data(), datagram->size(), 0);
+  }
+  while (const std::optional<Datagram> datagram = down_.receive(now)) {
+    (void)!sendto(clientSide_.handle, datagram->data(), datagram->size(), 0, generic(client_), sizeof client_);
+  }
+}
+
+}  // namespace platon

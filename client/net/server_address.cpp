@@ -1,0 +1,47 @@
+#include "client/net/server_address.h"
+
+#include <charconv>
+#include <stdexcept>
+
+namespace platon {
+
+namespace {
+
+[[noreturn]] void refuse(std::string_view text, const char* why) {
+  throw std::invalid_argument("'" + std::string(text) + "' is no server address: " + why);
+}
+
+std::uint16_t parsePort(std::string_view text, std::string_view digits) {
+  std::uint16_t port = 0;
+  const char* const end = digits.data() + digits.size();
+  const auto [rest, error] = std::from_chars(digits.data(), end, port);
+  if (error != std::errc() || rest != end || port == 0) refuse(text, "the port after ':' is a number from 1 to 65535");
+  return port;
+}
+
+bool isHostCharacter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '-' || c == '_';
+}
+
+}  // namespace
+
+std::string ServerAddress::text() const { return host + ":" + std::to_string(port); }
+
+ServerAddress parseServerAddress(std::string_view text) {
+  const std::size_t colon = text.find(':');
+  ServerAddress address;
+  address.host = text.substr(0, colon);
+  if (colon != std::string_view::npos) {
+    if (text.find(':', colon + 1) != std::string_view::npos) {
+      refuse(text, "write HOST or HOST:PORT; IPv6 addresses are not supported");
+    }
+    address.port = parsePort(text, text.substr(colon + 1));
+  }
+  if (address.host.empty()) refuse(text, "the host is missing; write HOST or HOST:PORT");
+  for (const char c : address.host) {
+    if (!isHostCharacter(c)) refuse(text, "a host has letters, digits, '.', '-' and '_' only");
+  }
+  return address;
+}
+
+}  // namespace platon

@@ -1,0 +1,67 @@
+#include "client/netcode/interpolation_buffer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace platon {
+
+void InterpolationBuffer::restart(const Game& confirmed, std::uint32_t ticks) {
+  jumps_ += clock_ ? 1 : 0;
+  clock_.reset();
+  oldest_ = newest_ = arrived_ = ticks;
+  keep(confirmed);
+}
+
+void InterpolationBuffer::advanced(const Game& confirmed) {
+  ++newest_;
+  oldest_ = std::max(oldest_, newest_ < kKept ? 0 : newest_ - kKept + 1);
+  keep(confirmed);
+}
+
+void InterpolationBuffer::keep(const Game& confirmed) {
+  std::vector<PlayerSnapshot>& players = at(newest_);
+  players.clear();
+  for (std::uint32_t slot = 0; slot < confirmed.slots(); ++slot) players.push_back(snapshotOf(confirmed, slot));
+}
+
+void InterpolationBuffer::arrived(Moment now) {
+  if (newest_ == arrived_) return;
+  const bool stalled = newest_ - arrived_ > kJumpTicks;
+  // Of ticks that a restart or a stall has kept back, only the newest says something about the line.
+  if (stalled || !clock_) arrived_ = newest_ - 1;
+  measure(now);
+  if (clock_ && !stalled) return clock_->setTarget(targetLead());
+  jumps_ += clock_ ? 1 : 0;
+  startClock(now);
+}
+
+void InterpolationBuffer::measure(Moment now) {
+  while (arrived_ != newest_) lateness_.add(toTicks(now) - ++arrived_);
+  earliest_ = lateness_.quantile(0);
+  delay_ = std::min(lateness_.quantile(0.99) - earliest_ + 1 + kSpareTicks, double{1} * kMaxDelay);
+}
+
+void InterpolationBuffer::startClock(Moment now) {
+  const double target = toTicks(now) + targetLead();
+  clock_.emplace(std::clamp(target, double{1} * oldest_, double{1} * newest_), now, kMaxSlew, kJumpTicks);
+  clock_->setTarget(targetLead());
+}
+
+void InterpolationBuffer::update(Moment now) {
+  if (!clock_) return;
+  jumps_ += clock_->update(now) ? 1 : 0;
+  clock_->holdAt(newest_);
+}
+
+double InterpolationBuffer::tick() const {
+  return clock_ ? std::clamp(clock_->tick(), double{1} * oldest_, double{1} * newest_) : newest_;
+}
+
+PlayersInTime InterpolationBuffer::players() const {
+  const double shown = tick();
+  const std::uint32_t next = std::min(static_cast<std::uint32_t>(std::floor(shown)) + 1, newest_);
+  const std::uint32_t before = std::max(next, oldest_ + 1) - 1;
+  return {at(before), at(next), shown - before};
+}
+
+}  // namespace platon

@@ -1,0 +1,118 @@
+#include "client/netcode/prediction.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace platon {
+
+namespace {
+
+constexpr int kMaxWarps = 3;                                   // unfolds any two faces a correction can lie between
+constexpr std::int32_t kMaxSmoothed = 100 * kSubunitsPerUnit;  // farther, gliding there looks worse than a cut
+
+std::int32_t lengthOf(Point vector) {
+  return static_cast<std::int32_t>(std::lround(std::sqrt(static_cast<double>(squaredLength(vector)))));
+}
+
+Input at(std::span<const Input> inputs, std::size_t slot) { return slot < inputs.size() ? inputs[slot] : Input{}; }
+
+}  // namespace
+
+Prediction::Prediction(const Game& start, std::uint32_t slot)
+    : slot_(slot), confirmed_(start), predicted_(start), held_(slot + 1) {
+  assert(slot < kMaxPlayers);
+}
+
+bool Prediction::present() const { return slot_ < confirmed_.slots() && confirmed_.player(slot_).present != 0; }
+
+void Prediction::predict(Input own) {
+  assert(mayPredict());
+  own_[predictedTicks_ % kMaxAhead] = own;
+  advancePredicted(own);
+  first_[(predictedTicks_ - 1) % kMaxAhead] = ownPlace(predicted_);
+}
+
+void Prediction::advancePredicted(Input own) {
+  inputs_ = held_;
+  inputs_[slot_] = own;
+  const std::span<const EntityState> entities = predicted_.world().entities();
+  predictedBefore_.assign(entities.begin(), entities.end());
+  predicted_.advance(inputs_);
+  ++predictedTicks_;
+}
+
+void Prediction::confirm(std::span<const Input> inputs) {
+  assert(inputs.size() <= kMaxPlayers);
+  const bool wasPredicted = confirmedTicks_ < predictedTicks_;
+  if (wasPredicted) held_[slot_] = ownInput(confirmedTicks_);
+  if (wasPredicted && present() && at(inputs, slot_) != held_[slot_]) ++count_.missedInputs;
+  const std::size_t slots = std::max(inputs.size(), held_.size());
+  for (std::size_t slot = 0; slot < slots; ++slot) stale_ |= at(inputs, slot) != at(held_, slot);
+  hold(inputs);
+  confirmed_.advance(held_);
+  ++confirmedTicks_;
+  ++count_.confirmedTicks;
+  if (wasPredicted) judge();
+}
+
+void Prediction::judge() {
+  const std::optional<Place>& predicted = first_[(confirmedTicks_ - 1) % kMaxAhead];
+  const std::optional<Place> place = ownPlace(confirmed_);
+  if (predicted && place && *predicted != *place) ++count_.mispredicted;
+}
+
+void Prediction::hold(std::span<const Input> inputs) {
+  held_.assign(inputs.begin(), inputs.end());
+  held_.resize(std::max<std::size_t>(inputs.size(), slot_ + 1));
+}
+
+bool Prediction::restore(std::span<const std::uint8_t> state, std::uint32_t ticks, std::span<const Input> held) {
+  if (!confirmed_.restore(state)) return false;
+  confirmedTicks_ = ticks;
+  hold(held);
+  stale_ = true;
+  return true;
+}
+
+void Prediction::reconcile(Moment now) {
+  if (!stale_ && confirmedTicks_ <= predictedTicks_) return;
+  stale_ = false;
+  const std::uint32_t until = std::clamp(predictedTicks_, confirmedTicks_, confirmedTicks_ + kMaxAhead);
+  const std::optional<Place> before = until == predictedTicks_ ? ownPlace(predicted_) : std::nullopt;
+  replay(until);
+  if (before) compare(*before, now);
+}
+
+void Prediction::replay(std::uint32_t until) {
+  predicted_ = confirmed_;
+  predictedTicks_ = confirmedTicks_;
+  while (predictedTicks_ < until) advancePredicted(ownInput(predictedTicks_));
+}
+
+std::optional<Place> Prediction::ownPlace(const Game& game) const {
+  // Until the server has let the player in there is nothing to be wrong about.
+  if (!present() || slot_ >= game.slots() || game.player(slot_).present == 0) return std::nullopt;
+  const EntityState& entity = game.world().entities()[slot_];
+  return Place{entity.part, entity.position};
+}
+
+void Prediction::compare(const Place& before, Moment now) {
+  const std::optional<Place> after = ownPlace(predicted_);
+  if (!after || *after == before) return;
+  const Geometry& geometry = predicted_.world().geometry();
+  const std::optional<Point> old = unfold(geometry, before, after->part, after->position, kMaxWarps);
+  if (!old) return;
+  const Point back = *old - after->position;
+  const std::int32_t distance = lengthOf(back);
+  ++count_.corrections;
+  count_.lastSubunits = distance;
+  count_.maxSubunits = std::max(count_.maxSubunits, distance);
+  if (distance > kMaxSmoothed) {
+    fade_.clear();
+  } else {
+    fade_.add(rotate(back, -predicted_.world().entities()[slot_].angle), now);
+  }
+}
+
+}  // namespace platon

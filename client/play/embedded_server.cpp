@@ -1,0 +1,69 @@
+#include "client/play/embedded_server.h"
+
+#include <atomic>
+#include <cstdio>
+#include <string_view>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "client/play/client_error.h"
+#include "server/app/dedicated_server.h"
+#include "server/app/level_files.h"
+#include "server/app/startup_error.h"
+
+namespace platon {
+
+namespace {
+
+constexpr const char* kLoopback = "127.0.0.1";
+
+std::vector<LevelPointer> load(const std::string& levelFile) {
+  LoadedLevels loaded = loadLevelFiles(levelFile.empty() ? shippedLevelFiles() : std::vector<std::string>{levelFile});
+  for (const std::string& warning : loaded.warnings) std::fprintf(stderr, "%s\n", warning.c_str());
+  return std::move(loaded.levels);
+}
+
+ServerSettings settings() {
+  ServerSettings settings;
+  settings.host.bind = kLoopback;
+  settings.host.port = 0;
+  settings.match.serverName = "Platon";
+  return settings;
+}
+
+// What it has to tell is for an operator, and there is none.
+Log silentLog() {
+  return Log(LogFormat::kText, [](std::string_view) {});
+}
+
+}  // namespace
+
+struct EmbeddedServer::Running {
+  explicit Running(std::vector<LevelPointer> levels)
+      : server(settings(), std::move(levels), silentLog()), thread([this] { server.run(stop); }) {}
+  ~Running() {
+    stop = true;
+    thread.join();
+  }
+
+  DedicatedServer server;
+  std::atomic<bool> stop{false};
+  std::thread thread;  // last: runs as soon as the others are there
+};
+
+EmbeddedServer::EmbeddedServer(const std::string& levelFile) {
+  try {
+    running_ = std::make_unique<Running>(load(levelFile));
+  } catch (const StartupError& error) {
+    throw ClientError(error.exitCode(), error.what());
+  } catch (const HostError& error) {
+    throw ClientError(ClientError::kFailed, error.what());
+  }
+}
+
+EmbeddedServer::~EmbeddedServer() = default;
+
+ServerAddress EmbeddedServer::address() const { return {kLoopback, running_->server.port()}; }
+
+}  // namespace platon

@@ -1,0 +1,54 @@
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <optional>
+
+#include "client/play/client_error.h"
+#include "client/play/client_options.h"
+#include "client/play/embedded_server.h"
+#include "client/play/offscreen_play.h"
+#include "client/play/window_play.h"
+#include "client/time/steady_now.h"
+
+namespace platon {
+namespace {
+
+volatile std::sig_atomic_t stopSignal = 0;
+
+bool stopAsked() { return stopSignal != 0; }
+
+int play(int argc, char** argv) {
+  const std::optional<ClientOptions> options = readClientOptions(argc, argv);
+  if (!options) return 0;
+  std::signal(SIGTERM, [](int) { stopSignal = 1; });
+  std::signal(SIGINT, [](int) { stopSignal = 1; });
+  std::optional<EmbeddedServer> embedded;
+  if (!options->server) embedded.emplace(options->level);
+  const ServerAddress server = embedded ? embedded->address() : *options->server;
+  if (options->offscreen) {
+    OffscreenPlay(*options, server, steadyClock()).run(stopAsked);
+  } else {
+    WindowPlay(*options, server, steadyClock()).run(stopAsked);
+  }
+  return 0;
+}
+
+int fail(int exitCode, const char* prefix, const char* what) {
+  std::fprintf(stderr, "%s%s\n", prefix, what);
+  return exitCode;
+}
+
+}  // namespace
+}  // namespace platon
+
+int main(int argc, char** argv) {
+  using platon::ClientError;
+  try {
+    return platon::play(argc, argv);
+  } catch (const ClientError& error) {
+    const bool level = error.exitCode() == ClientError::kLevel;
+    return platon::fail(error.exitCode(), level ? "" : "platon-client: ", error.what());
+  } catch (const std::exception& error) {
+    return platon::fail(ClientError::kFailed, "platon-client: ", error.what());
+  }
+}

@@ -1,0 +1,46 @@
+#include "client/play/offscreen_play.h"
+
+#include <chrono>
+#include <cstdio>
+#include <string>
+
+#include "client/gl/image.h"
+#include "client/play/client_error.h"
+
+namespace platon {
+
+namespace {
+
+constexpr Moment kBeat = std::chrono::milliseconds(4);
+
+Moment fromSeconds(double seconds) { return Moment(static_cast<Moment::rep>(seconds * 1e6)); }
+
+}  // namespace
+
+OffscreenPlay::OffscreenPlay(const ClientOptions& options, const ServerAddress& server, const Clock& clock)
+    : options_(options), clock_(clock), match_(options, server, clock.now()) {}
+
+void OffscreenPlay::run(const std::function<bool()>& stopAsked) {
+  const Controls controls = [this](const Game& game, std::uint32_t slot) {
+    return options_.demo ? demo_.choose(game, slot) : Input{};
+  };
+  const Moment end = clock_.now() + fromSeconds(options_.seconds.value_or(kSeconds));
+  for (Moment now = clock_.now(); now < end && !stopAsked(); now = clock_.now()) {
+    match_.update(now, controls);
+    if (match_.client().ending()) throw ClientError(ClientError::kFailed, *match_.client().ending());
+    clock_.sleepUntil(now + kBeat);
+  }
+  if (!options_.screenshot.empty()) takeScreenshot();
+  const std::string unfinished = match_.message();
+  match_.leave(clock_);
+  if (!unfinished.empty()) throw ClientError(ClientError::kFailed, "the time was up while " + unfinished);
+}
+
+void OffscreenPlay::takeScreenshot() {
+  const std::optional<Scene> scene = match_.scene(clock_.now());
+  view_.draw(scene ? &*scene : nullptr, {match_.message(), false, false}, Settings(), Menu(), 0);
+  writePng(view_.read(), options_.screenshot);
+  std::printf("screenshot: %s\n", options_.screenshot.c_str());
+}
+
+}  // namespace platon

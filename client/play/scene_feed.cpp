@@ -1,0 +1,54 @@
+#include "client/play/scene_feed.h"
+
+namespace platon {
+
+namespace {
+
+// On its way from the predicted tick before the last; where it stands, when it was not there yet.
+PlayerInTime ownPlayer(const Round& round) {
+  const Prediction& prediction = round.prediction();
+  const std::span<const EntityState> before = prediction.predictedBefore();
+  PlayerInTime own;
+  own.now = own.before = snapshotOf(prediction.predicted(), prediction.slot());
+  own.fraction = round.predictedFraction();
+  if (prediction.slot() < before.size() && before[prediction.slot()].inserted != 0) {
+    own.before = snapshotOf(before[prediction.slot()]);
+  }
+  return own;
+}
+
+}  // namespace
+
+// Everybody by the clock by which it is drawn.
+void SceneFeed::takeFlashes(const Round& round) {
+  const Prediction& prediction = round.prediction();
+  const double ownTick = double{1} * prediction.predictedTicks() - 1 + round.predictedFraction();
+  flashes_.assign(prediction.predicted().slots(), 0);
+  for (std::uint32_t slot = 0; slot < flashes_.size(); ++slot) {
+    flashes_[slot] = round.flashes().at(slot, slot == prediction.slot() ? ownTick : round.interpolationBuffer().tick());
+  }
+}
+
+std::optional<Scene> SceneFeed::scene(const Session& session, Moment now) {
+  const Round* const round = session.round();
+  if (round == nullptr) return std::nullopt;
+  const Prediction& prediction = round->prediction();
+  if (prediction.confirmed().sharedLevel() != level_) {
+    level_ = prediction.confirmed().sharedLevel();
+    stage_ = makeStageModel(*level_);
+  }
+  SceneSource source;
+  source.stage = stage_;
+  source.game = &prediction.predicted();
+  source.fraction = round->predictedFraction();
+  source.others = round->interpolationBuffer().players();
+  source.ownSlot = prediction.slot();
+  source.own = ownPlayer(*round);
+  source.ownOffset = prediction.smoothing(now);
+  source.names = session.names();
+  takeFlashes(*round);
+  source.flashes = flashes_;
+  return makeScene(source);
+}
+
+}  // namespace platon

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "client/scene/scene.h"
+#include "client/scene/stage_model.h"
+#include "client/session/session.h"
+#include "client/time/moment.h"
+
+namespace platon {
+
+/// Makes what is drawn of a session.
+class SceneFeed {
+ public:
+  /// Nothing while no round is played.
+  std::optional<Scene> scene(const Session& session, Moment now);
+
+ private:
+  void takeFlashes(const Round& round);
+
+  std::shared_ptr<const Level> level_;
+  std::shared_ptr<const StageModel> stage_;  // of level_
+  std::vector<double> flashes_;              // by slot
+};
+
+}  // namespace platon

@@ -1,0 +1,88 @@
+#include "client/play/session_file.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <span>
+#include <string>
+#include <system_error>
+
+namespace platon {
+
+namespace {
+
+constexpr mode_t kOwnerOnly = S_IRUSR | S_IWUSR;
+
+// A host may be given as any text.
+std::string nameOf(const ServerAddress& server) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string name;
+  for (const char c : server.host) {
+    const bool plain =
+        (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '-';
+    const auto code = static_cast<unsigned char>(c);
+    if (plain)
+      name += c;
+    else
+      (name += '%').append({kDigits[code / 16u], kDigits[code % 16u]});
+  }
+  return name + "_" + std::to_string(server.port);
+}
+
+int openForOwner(const std::filesystem::path& path) {
+  return open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, kOwnerOnly);
+}
+
+// Whether the file is locked now, and still the one that its name leads to: whoever had it may have removed it.
+bool takeHold(int handle, bool& removed) {
+  struct stat status {};
+  const bool locked = flock(handle, LOCK_EX | LOCK_NB) == 0 && fstat(handle, &status) == 0;
+  removed = locked && status.st_nlink == 0;
+  return locked && !removed;
+}
+
+}  // namespace
+
+SessionFile::SessionFile(const std::filesystem::path& folder, const ServerAddress& server) {
+  if (folder.empty()) return;
+  std::error_code ignored;  // opening finds out
+  std::filesystem::create_directories(folder, ignored);
+  path_ = folder / nameOf(server);
+  for (bool removed = true; removed;) {
+    handle_ = openForOwner(path_);
+    if (handle_ < 0 || takeHold(handle_, removed)) return;
+    close(handle_);
+    handle_ = -1;
+  }
+}
+
+SessionFile::~SessionFile() {
+  if (!token()) forget();
+  if (handle_ >= 0) close(handle_);
+}
+
+std::optional<SessionToken> SessionFile::token() const {
+  std::array<std::uint8_t, SessionToken().size() + 1> bytes;
+  const ssize_t count = handle_ < 0 ? -1 : pread(handle_, bytes.data(), bytes.size(), 0);
+  return tokenOf(std::span(bytes).first(count < 0 ? 0 : static_cast<std::size_t>(count)));
+}
+
+// Cut short before, so that a file half written holds no token.
+void SessionFile::keep(const SessionToken& token) {
+  if (handle_ < 0) return;
+  const bool ready = fchmod(handle_, kOwnerOnly) == 0 && ftruncate(handle_, 0) == 0;
+  if (ready) (void)!pwrite(handle_, token.data(), token.size(), 0);
+}
+
+// Removed while it is locked: afterwards the name may lead to the file of another program.
+void SessionFile::forget() {
+  if (handle_ < 0) return;
+  unlink(path_.c_str());
+  close(handle_);
+  handle_ = -1;
+}
+
+}  // namespace platon

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "platon/exact/angle.h"
+#include "platon/exact/integer.h"
+#include "platon/exact/point.h"
+
+namespace platon {
+
+/// Where something stands on the solid, in space: level units, the solid's centre at the origin.
+struct Pose {
+  glm::dvec3 position{0, 0, 1};
+  glm::dvec3 up{0, 1, 0};      ///< unit, along the face
+  glm::dvec3 normal{0, 0, 1};  ///< unit, out of the face
+};
+
+/// Subunits to level units. Exact: every coordinate of the simulation is a double.
+inline glm::dvec2 toUnits(Point point) {
+  return {double{1} * point.x / kSubunitsPerUnit, double{1} * point.y / kSubunitsPerUnit};
+}
+
+/// To radians, counter-clockwise, in [0, 2π).
+inline double toRadians(Angle angle) { return angle.centidegrees() * (6.283185307179586 / Angle::kTurn); }
+
+/// What lies along the face with one normal, carried over onto another by the fold between them. The normals are not
+/// opposite.
+inline glm::dvec3 carried(glm::dvec3 vector, glm::dvec3 from, glm::dvec3 onto) {
+  return vector - (from + onto) * (glm::dot(onto, vector) / (1 + glm::dot(from, onto)));
+}
+
+}  // namespace platon

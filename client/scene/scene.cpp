@@ -1,0 +1,69 @@
+#include "client/scene/scene.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "client/scene/pose_between.h"
+
+namespace platon {
+namespace {
+
+// Of white in a player's colour, at most.
+constexpr double kFlash = 0.6;
+
+// Small: longer than an edge it would not follow the surface.
+void shift(Pose& pose, const SolidMesh& mesh, glm::dvec2 offset) {
+  const glm::dvec3 right = glm::cross(pose.up, pose.normal);
+  pose.position = mesh.onSurface(pose.position + offset.x * right + offset.y * pose.up);
+  const glm::dvec3 normal = mesh.normal(mesh.faceTowards(pose.position));
+  pose.up = carried(pose.up, pose.normal, normal);
+  pose.normal = normal;
+}
+
+PlayerDrawing drawingOf(const SceneSource& source, const PlayerInTime& time, std::uint32_t slot, bool own) {
+  PlayerDrawing player;
+  player.slot = slot;
+  player.pose = poseBetween(source.stage->mesh, time);
+  if (own && source.ownOffset != Point()) shift(player.pose, source.stage->mesh, toUnits(source.ownOffset));
+  const double flash = slot < source.flashes.size() ? source.flashes[slot] : 0;
+  player.colour = glm::mix(playerColour(slot), Colour(1), static_cast<float>(kFlash * flash));
+  player.number = std::to_string(slot + 1);
+  if (slot < source.names.size()) player.name = source.names[slot];
+  player.own = own;
+  if (time.now.finishedAt != 0) player.finishedAfter = double{1} * time.now.finishedAt / kTicksPerSecond;
+  return player;
+}
+
+void addPlayers(Scene& scene, const SceneSource& source) {
+  const auto add = [&](const PlayerInTime& time, std::uint32_t slot, bool own) {
+    if (time.before.present && time.now.present) scene.players.push_back(drawingOf(source, time, slot, own));
+  };
+  for (std::uint32_t slot = 0; slot < source.others.now.size(); ++slot) {
+    if (slot != source.ownSlot) add(source.others.at(slot), slot, false);
+  }
+  if (source.ownSlot) add(source.own ? *source.own : source.others.at(*source.ownSlot), *source.ownSlot, true);
+}
+
+Pose focusOf(const Scene& scene) {
+  if (!scene.players.empty()) return scene.players.back().own ? scene.players.back().pose : scene.players.front().pose;
+  const Marker& start = scene.stage->start;
+  return scene.stage->mesh.pose(start.face, start.place, start.angle);
+}
+
+}  // namespace
+
+Scene makeScene(const SceneSource& source) {
+  Scene scene;
+  scene.stage = source.stage;
+  addPlayers(scene, source);
+  scene.focus = focusOf(scene);
+  const double passed = std::max(0.0, source.game->tick() - 1 + source.fraction);
+  scene.seconds = passed / kTicksPerSecond;
+  scene.secondsLeft = double{1} * source.game->ticksLeft() / kTicksPerSecond;
+  scene.over = source.game->over();
+  return scene;
+}
+
+}  // namespace platon

@@ -1,0 +1,28 @@
+#include "client/time/slewing_clock.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace platon {
+
+SlewingClock::SlewingClock(double tick, Moment now, double maxSlew, double jumpTicks)
+    : now_(now), tick_(tick), lead_(tick - toTicks(now)), target_(lead_), maxSlew_(maxSlew), jumpTicks_(jumpTicks) {}
+
+bool SlewingClock::update(Moment now, bool atOnce) {
+  const double most = maxSlew_ * toTicks(now - now_);
+  const double missing = target_ - lead_;
+  const bool jumps = atOnce || std::abs(missing) > jumpTicks_;
+  lead_ += jumps ? missing : std::clamp(missing, -most, most);
+  jumps_ += jumps ? 1 : 0;
+  now_ = now;
+  tick_ = toTicks(now) + lead_;
+  return jumps;
+}
+
+void SlewingClock::holdAt(double tick) {
+  if (tick_ <= tick) return;
+  lead_ -= tick_ - tick;
+  tick_ = tick;
+}
+
+}  // namespace platon

@@ -1,0 +1,171 @@
+#include "client/ui/hud.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "client/ui/overlay_writer.h"
+
+namespace platon {
+namespace {
+
+using namespace overlay_colours;
+
+constexpr std::size_t kMaxRows = 12;
+constexpr std::size_t kLongestName = 20;  // code points shown in a list
+constexpr float kMargin = 16;
+
+constexpr std::array<std::array<const char*, 2>, 7> kHelp{{{"← →  or  A D", "run"},
+                                                           {"Space, ↑ or W", "jump, longer for higher"},
+                                                           {"R", "back to the start"},
+                                                           {"F1", "this help"},
+                                                           {"F3", "connection graph"},
+                                                           {"F11", "full screen"},
+                                                           {"Esc", "menu, comfort, leave"}}};
+
+std::string twoDigits(long value) { return std::string(value < 10 ? "0" : "") + std::to_string(value); }
+
+std::string finishWords(double seconds) {
+  const long centidegrees = std::lround(seconds * 100);
+  return std::to_string(centidegrees / 100) + "." + twoDigits(centidegrees % 100) + " s";
+}
+
+// Whole code points of UTF-8, cut with an ellipsis where there are too many.
+std::string shortened(const std::string& name) {
+  const auto starts = [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U; };
+  std::size_t points = 0;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    if (starts(name[i]) && ++points > kLongestName) return name.substr(0, i) + "…";
+  }
+  return name;
+}
+
+std::string nameOf(const PlayerDrawing& player) {
+  return player.name.empty() ? std::string("Player ") + player.number : shortened(player.name);
+}
+
+void addTitle(OverlayWriter& writer, const Scene& scene) {
+  const std::string solid(nameOf(scene.stage->mesh.solid().kind()));
+  const std::string title = scene.stage->title.empty() ? solid : scene.stage->title;
+  writer.left(title, {kMargin, kMargin + 22}, 24, kBright);
+  if (!scene.stage->title.empty()) writer.left(solid, {kMargin, kMargin + 42}, 12, kSoft);
+}
+
+void addClock(OverlayWriter& writer, const Scene& scene, float width) {
+  const bool urgent = scene.secondsLeft < 10;
+  writer.pill(clockWords(scene.secondsLeft), {width / 2, kMargin + 22}, 26, urgent ? kWarning : kBright);
+}
+
+// First those who have finished, by their time; then the others, by slot.
+std::vector<const PlayerDrawing*> inOrder(const Scene& scene) {
+  std::vector<const PlayerDrawing*> players;
+  for (const PlayerDrawing& player : scene.players) players.push_back(&player);
+  std::sort(players.begin(), players.end(), [](const PlayerDrawing* a, const PlayerDrawing* b) {
+    if (a->finishedAfter.has_value() != b->finishedAfter.has_value()) return a->finishedAfter.has_value();
+    if (a->finishedAfter != b->finishedAfter) return a->finishedAfter < b->finishedAfter;
+    return a->slot < b->slot;
+  });
+  return players;
+}
+
+void addRow(OverlayWriter& writer, const PlayerDrawing& player, float right, float top) {
+  constexpr float kRowWidth = 232;
+  const glm::vec2 dot(right - kRowWidth + 16, top + 13);
+  if (player.own) writer.panel({right - kRowWidth, top}, {right, top + 26}, 8, {0.30F, 0.36F, 0.55F, 0.55F});
+  writer.panel(dot - 9.0F, dot + 9.0F, 9, glm::vec4(player.colour, 1));
+  const float size = player.number.size() > 2 ? 9 : 11;
+  writer.centred(player.number, {dot.x, dot.y + size * 0.36F}, size, {0.05F, 0.05F, 0.08F, 1});
+  writer.left(nameOf(player), {dot.x + 18, top + 18}, 15, player.own ? kBright : kSoft);
+  if (player.finishedAfter)
+    writer.right(std::string("✓ ") + finishWords(*player.finishedAfter), {right - 10, top + 18}, 13, kGold);
+}
+
+void addPlayers(OverlayWriter& writer, const Scene& scene, float width) {
+  const std::vector<const PlayerDrawing*> players = inOrder(scene);
+  if (players.empty()) return;
+  const std::size_t rows = std::min(players.size(), kMaxRows);
+  const bool more = players.size() > rows;
+  const float right = width - kMargin;
+  const float height = 28.0F * static_cast<float>(rows + (more ? 1 : 0)) + 10;
+  writer.panel({right - 244, kMargin}, {right, kMargin + height}, 12, kPanel);
+  float top = kMargin + 6;
+  for (std::size_t i = 0; i < rows; ++i, top += 28) addRow(writer, *players[i], right - 6, top);
+  if (more)
+    writer.right(std::string("and ") + std::to_string(players.size() - rows) + " more", {right - 16, top + 18}, 13,
+                 kSoft);
+}
+
+void addNameTag(OverlayWriter& writer, const PlayerDrawing& player, const Camera& camera, float width) {
+  if (player.own || player.name.empty()) return;
+  // Those beyond the horizon are behind the solid.
+  if (glm::dot(player.pose.normal, camera.eye() - player.pose.position) <= 0) return;
+  const glm::dvec3 above = player.pose.position + camera.up() * (StageModel::kPlayerRadius * 1.35);
+  const glm::dvec4 clip = camera.viewProjection() * glm::dvec4(above, 1);
+  const glm::vec2 place((clip.x / clip.w + 1) / 2 * width, (1 - clip.y / clip.w) / 2 * Overlay::kHeight);
+  writer.centred(nameOf(player), place, 13, glm::vec4(glm::mix(player.colour, Colour(1), 0.35F), 0.9F));
+}
+
+void addVerdict(OverlayWriter& writer, const Scene& scene, float width) {
+  const bool hasOwn = !scene.players.empty() && scene.players.back().own;
+  const glm::vec2 middle(width / 2, Overlay::kHeight * 0.2F);
+  if (hasOwn && scene.players.back().finishedAfter) {
+    writer.pill(std::string("★  Goal in ") + finishWords(*scene.players.back().finishedAfter), middle, 30, kGold);
+  } else if (scene.over) {
+    writer.pill(scene.secondsLeft <= 0 ? "Time is up" : "Round over", middle, 30, kBright);
+  }
+}
+
+void addHelp(OverlayWriter& writer) {
+  const float height = 24.0F * kHelp.size() + 20;
+  const glm::vec2 low(kMargin, Overlay::kHeight - kMargin - height);
+  writer.panel(low, low + glm::vec2(400, height), 12, kPanel);
+  glm::vec2 place = low + glm::vec2(16, 27);
+  for (const auto& [keys, meaning] : kHelp) {
+    writer.left(keys, place, 14, kBright);
+    writer.left(meaning, place + glm::vec2(168, 0), 14, kSoft);
+    place.y += 24;
+  }
+}
+
+}  // namespace
+
+std::string clockWords(double seconds) {
+  if (seconds < 10) {
+    const auto tenths = static_cast<long>(std::ceil(seconds * 10 - 1e-6));
+    return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10);
+  }
+  const auto whole = static_cast<long>(std::ceil(seconds - 1e-6));
+  return std::to_string(whole / 60) + ":" + twoDigits(whole % 60);
+}
+
+Overlay makeEmptyHud(const HudStatus& status, const Font& font, float width) {
+  OverlayWriter writer(font);
+  writer.centred("Platon", {width / 2, Overlay::kHeight * 0.44F}, 64, kBright);
+  if (!status.message.empty()) {
+    writer.centred(status.message, {width / 2, Overlay::kHeight * 0.52F}, 20, status.warning ? kWarning : kSoft);
+  }
+  if (status.help) addHelp(writer);
+  return writer.take();
+}
+
+Overlay makeHud(const Scene& scene, const Camera& camera, const HudStatus& status, const Font& font) {
+  OverlayWriter writer(font);
+  const float width = Overlay::kHeight * static_cast<float>(camera.width()) / static_cast<float>(camera.height());
+  for (const PlayerDrawing& player : scene.players) addNameTag(writer, player, camera, width);
+  addTitle(writer, scene);
+  addClock(writer, scene, width);
+  addPlayers(writer, scene, width);
+  addVerdict(writer, scene, width);
+  if (status.help) addHelp(writer);
+  if (!status.message.empty()) {
+    writer.pill(status.message, {width / 2, Overlay::kHeight - 40}, 18, status.warning ? kWarning : kBright);
+  }
+  return writer.take();
+}
+
+}  // namespace platon

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include "client/ui/font.h"
+#include "client/ui/overlay.h"
+
+namespace platon {
+
+namespace overlay_colours {
+
+inline constexpr glm::vec4 kBright{0.97F, 0.97F, 1.0F, 1.0F};
+inline constexpr glm::vec4 kSoft{0.72F, 0.76F, 0.86F, 1.0F};
+inline constexpr glm::vec4 kGold{1.0F, 0.85F, 0.40F, 1.0F};
+inline constexpr glm::vec4 kWarning{1.0F, 0.55F, 0.42F, 1.0F};
+inline constexpr glm::vec4 kGood{0.50F, 0.90F, 0.62F, 1.0F};
+inline constexpr glm::vec4 kPanel{0.04F, 0.05F, 0.09F, 0.66F};
+inline constexpr glm::vec4 kChosen{0.24F, 0.34F, 0.60F, 0.85F};
+
+}  // namespace overlay_colours
+
+/// Puts an overlay together. Text places are on the baseline.
+class OverlayWriter {
+ public:
+  explicit OverlayWriter(const Font& font) : font_(&font) {}
+
+  void panel(glm::vec2 low, glm::vec2 high, float radius, glm::vec4 colour) {
+    overlay_.panels.push_back({low, high, radius, colour});
+  }
+  void left(std::string words, glm::vec2 place, float size, glm::vec4 colour) {
+    overlay_.texts.push_back({place, size, colour, std::move(words)});
+  }
+  void right(const std::string& words, glm::vec2 place, float size, glm::vec4 colour) {
+    left(words, {place.x - width(words, size), place.y}, size, colour);
+  }
+  void centred(const std::string& words, glm::vec2 place, float size, glm::vec4 colour) {
+    left(words, {place.x - width(words, size) / 2, place.y}, size, colour);
+  }
+  /// Words in the middle of a panel made for them.
+  void pill(const std::string& words, glm::vec2 middle, float size, glm::vec4 colour) {
+    const glm::vec2 half(width(words, size) / 2 + size, size * 0.9F);
+    panel(middle - half, middle + half, half.y, overlay_colours::kPanel);
+    centred(words, {middle.x, middle.y + size * Font::kCapitalHeight / 2}, size, colour);
+  }
+
+  float width(const std::string& words, float size) const { return font_->width(words) * size; }
+  Overlay take() { return std::move(overlay_); }
+
+ private:
+  const Font* font_;
+  Overlay overlay_;
+};
+
+}  // namespace platon

@@ -1,0 +1,79 @@
+#include "server/app/level_files.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "platon/game/diagnostics.h"
+#include "platon/game/level.h"
+#include "server/app/startup_error.h"
+
+namespace platon {
+namespace {
+
+namespace fs = std::filesystem;
+
+// One byte more than a level may have is enough to refuse it.
+std::string readFile(const std::string& path) {
+  const auto close = [](std::FILE* file) { std::fclose(file); };
+  const std::unique_ptr<std::FILE, decltype(close)> file(std::fopen(path.c_str(), "rb"), close);
+  std::string content;
+  if (file) {
+    content.resize(kMaxLevelBytes + 1);
+    content.resize(std::fread(content.data(), 1, content.size(), file.get()));
+  }
+  if (file && std::ferror(file.get()) == 0) return content;
+  throw StartupError(StartupError::kUsage,
+                     "cannot read the level '" + path + "': " + std::strerror(errno) + "; name an existing level file");
+}
+
+std::vector<std::string> levelFilesIn(const fs::path& folder) {
+  std::vector<std::string> files;
+  std::error_code fault;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder, fault)) {
+    if (entry.path().extension() == ".level") files.push_back(entry.path().string());
+  }
+  // A folder is a solid; the rotation goes by the names of the files, which begin with a number.
+  std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
+    return std::pair(a.filename(), a) < std::pair(b.filename(), b);
+  });
+  return files;
+}
+
+}  // namespace
+
+LoadedLevels loadLevelFiles(const std::vector<std::string>& paths) {
+  LoadedLevels loaded;
+  std::string all;
+  bool valid = true;
+  for (const std::string& path : paths) {
+    const LevelResult result = loadLevel(readFile(path));
+    for (const Diagnostic& diagnostic : result.diagnostics) {
+      loaded.warnings.push_back(format(path, diagnostic));
+      all += (all.empty() ? "" : "\n") + loaded.warnings.back();
+    }
+    valid = valid && result.level;
+    loaded.levels.push_back(result.level);
+  }
+  if (!valid) throw StartupError(StartupError::kLevel, all);
+  return loaded;
+}
+
+std::vector<std::string> shippedLevelFiles() {
+  std::error_code fault;
+  const fs::path program = fs::read_symlink("/proc/self/exe", fault).parent_path();
+  for (const fs::path& folder : {program / "../share/platon/levels", fs::path(PLATON_SOURCE_LEVELS)}) {
+    std::vector<std::string> files = levelFilesIn(folder.lexically_normal());
+    if (!files.empty()) return files;
+  }
+  throw StartupError(StartupError::kUsage, "the levels that come with the game are neither in '" +
+                                               (program / "../share/platon/levels").lexically_normal().string() +
+                                               "' nor in '" + PLATON_SOURCE_LEVELS +
+                                               "': name level files, such as platon-server my.level");
+}
+
+}  // namespace platon

@@ -1,0 +1,95 @@
+#include "server/app/recording_folder.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <system_error>
+#include <utility>
+
+#include "server/app/startup_error.h"
+
+namespace platon {
+namespace {
+
+constexpr std::size_t kLongestSlug = 40;
+const std::string kEnding = ".recording";
+
+// Lower case letters and digits, with a dash for all that stands between them.
+std::string slugOf(const std::string& title) {
+  std::string slug;
+  for (const char c : title) {
+    const char low = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    const bool plain = (low >= 'a' && low <= 'z') || (low >= '0' && low <= '9');
+    if (plain && slug.size() < kLongestSlug)
+      slug += low;
+    else if (!slug.empty() && slug.back() != '-')
+      slug += '-';
+  }
+  if (!slug.empty() && slug.back() == '-') slug.pop_back();
+  return slug;
+}
+
+[[noreturn]] void refuse(const std::filesystem::path& folder, const std::string& why) {
+  throw StartupError(StartupError::kUsage, "cannot write recordings to '" + folder.string() + "': " + why +
+                                               "; name another folder after --record");
+}
+
+}  // namespace
+
+std::string recordingName(RecordingFolder::Time start, std::uint32_t round, const std::string& title) {
+  const std::string slug = slugOf(title);
+  return fmt::format("{:%Y%m%dT%H%M%SZ}-round-{:04}{}", fmt::gmtime(std::chrono::system_clock::to_time_t(start)), round,
+                     slug.empty() ? "" : "-" + slug);
+}
+
+RecordingFolder::RecordingFolder(std::filesystem::path folder) : folder_(std::move(folder)) {
+  std::error_code error;
+  std::filesystem::create_directories(folder_, error);
+  if (error) refuse(folder_, error.message());
+  const std::filesystem::path trial = folder_ / ".platon-trial";
+  const std::unique_ptr<std::FILE, Close> file(std::fopen(trial.c_str(), "wb"));
+  if (!file) refuse(folder_, std::strerror(errno));
+  std::filesystem::remove(trial, error);
+}
+
+void RecordingFolder::write(const RecordingPiece& piece, Time now, Log& log) {
+  if (round_ != piece.round)
+    open(piece, now);
+  else if (!file_)
+    return;  // what came before could not be written
+  if (!file_ || !append(piece)) {
+    const std::string reason = std::strerror(errno);
+    log.warning("recording stopped", {{"file", path_.string()}, {"reason", reason}});
+    file_.reset();
+  } else if (piece.last) {
+    file_.reset();
+    log.info("recording finished",
+             {{"file", path_.string()}, {"ticks", std::uint64_t{piece.ticks}}, {"bytes", bytes_}});
+  }
+}
+
+// Never over a file that is there: another round with this number may have begun in the same second.
+void RecordingFolder::open(const RecordingPiece& piece, Time now) {
+  round_ = piece.round;
+  bytes_ = 0;
+  const std::string name = recordingName(now, round_, piece.title);
+  path_ = folder_ / (name + kEnding);
+  file_.reset(std::fopen(path_.c_str(), "wbx"));
+  for (int copy = 2; !file_ && errno == EEXIST; ++copy) {
+    path_ = folder_ / (name + "-" + std::to_string(copy) + kEnding);
+    file_.reset(std::fopen(path_.c_str(), "wbx"));
+  }
+}
+
+// Out of this program at once, so that its end loses nothing.
+bool RecordingFolder::append(const RecordingPiece& piece) {
+  bytes_ += piece.bytes.size();
+  return std::fwrite(piece.bytes.data(), 1, piece.bytes.size(), file_.get()) == piece.bytes.size() &&
+         std::fflush(file_.get()) == 0;
+}
+
+}  // namespace platon

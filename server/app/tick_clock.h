@@ -1,0 +1,41 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+
+#include "platon/game/game.h"
+#include "server/net/time_point.h"
+
+namespace platon {
+
+/// When the ticks of a match are due: kTicksPerSecond a second without drift.
+class TickClock {
+ public:
+  /// After a longer pause of the machine the ticks missed are not made up for.
+  static constexpr std::uint64_t kMaxBehind = kTicksPerSecond / 4;
+
+  explicit TickClock(TimePoint now) : start_(now) {}
+
+  /// When the next tick is due.
+  TimePoint next() const { return start_ + sinceStart(ticks_ + 1); }
+
+  /// True when a tick is due at `now`, which counts as done then.
+  bool take(TimePoint now) {
+    if (now < next()) return false;
+    if (now >= start_ + sinceStart(ticks_ + kMaxBehind))
+      *this = TickClock(now);
+    else
+      ++ticks_;
+    return true;
+  }
+
+ private:
+  static std::chrono::nanoseconds sinceStart(std::uint64_t ticks) {
+    return std::chrono::nanoseconds(ticks * 1'000'000'000 / kTicksPerSecond);
+  }
+
+  TimePoint start_;
+  std::uint64_t ticks_ = 0;
+};
+
+}  // namespace platon

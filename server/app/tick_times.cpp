@@ -1,0 +1,42 @@
+#include "server/app/tick_times.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace platon {
+
+// Times of one length in bits share 16 buckets, so that a bucket is never wider than a sixteenth of its times.
+std::size_t TickTimes::bucketOf(std::uint64_t microseconds) {
+  constexpr std::uint64_t kMax = (std::uint64_t{1} << kLongestBits) - 1;
+  const std::uint64_t time = std::min(microseconds, kMax);
+  const auto length = static_cast<unsigned>(std::bit_width(time));
+  const unsigned dropped = length > kBits + 1 ? length - kBits - 1 : 0;
+  return (std::size_t{dropped} << kBits) + static_cast<std::size_t>(time >> dropped);
+}
+
+std::uint64_t TickTimes::longestIn(std::size_t bucket) {
+  constexpr std::size_t kFirst = std::size_t{1} << kBits;
+  const std::size_t dropped = bucket < 2 * kFirst ? 0 : (bucket >> kBits) - 1;
+  const std::uint64_t kept = bucket - (dropped << kBits);
+  return ((kept + 1) << dropped) - 1;
+}
+
+void TickTimes::add(std::chrono::nanoseconds time) {
+  const auto microseconds = static_cast<std::uint64_t>(std::max<std::int64_t>(time / std::chrono::microseconds(1), 0));
+  ++ticks_[bucketOf(microseconds)];
+  ++count_;
+  longest_ = std::max(longest_, microseconds);
+}
+
+std::uint64_t TickTimes::quantile(double share) const {
+  const auto rank = static_cast<std::uint64_t>(std::ceil(share * static_cast<double>(count_)));
+  std::uint64_t seen = 0;
+  for (std::size_t bucket = 0; bucket < kBuckets; ++bucket) {
+    seen += ticks_[bucket];
+    if (seen > 0 && seen >= rank) return std::min(longestIn(bucket), longest_);
+  }
+  return 0;
+}
+
+}  // namespace platon

@@ -1,0 +1,30 @@
+#include "server/match/level_rotation.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace platon {
+
+LevelRotation::LevelRotation(std::vector<LevelPointer> levels) : levels_(std::move(levels)) {
+  assert(!levels_.empty());
+  advance();
+}
+
+void LevelRotation::advance() {
+  current_ = levels_[next_];
+  next_ = (next_ + 1) % levels_.size();
+}
+
+void LevelRotation::replace(std::vector<LevelPointer> levels) {
+  assert(!levels.empty());
+  levels_ = std::move(levels);
+  next_ = 0;
+}
+
+LevelPointer LevelRotation::find(std::uint64_t hash) const {
+  if (current_->hash == hash) return current_;
+  const auto found = std::find_if(levels_.begin(), levels_.end(), [hash](const auto& l) { return l->hash == hash; });
+  return found == levels_.end() ? nullptr : *found;
+}
+
+}  // namespace platon

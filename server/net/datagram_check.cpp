@@ -1,0 +1,80 @@
+#include "server/net/datagram_check.h"
+
+#include <enet/enet.h>
+
+#include <cstddef>
+#include <optional>
+
+namespace platon {
+namespace {
+
+using Bytes = std::span<const std::uint8_t>;
+
+// ENet sends in network byte order.
+std::uint16_t read16(Bytes bytes, std::size_t offset) {
+  return static_cast<std::uint16_t>(bytes[offset] << 8 | bytes[offset + 1]);
+}
+
+/// Where the command says how many bytes of data follow it; 0 when none do, nothing when a client must not send it.
+std::optional<std::size_t> lengthOffset(std::uint8_t command) {
+  switch (command) {
+    case ENET_PROTOCOL_COMMAND_ACKNOWLEDGE:
+    case ENET_PROTOCOL_COMMAND_CONNECT:
+    case ENET_PROTOCOL_COMMAND_DISCONNECT:
+    case ENET_PROTOCOL_COMMAND_PING:
+    case ENET_PROTOCOL_COMMAND_BANDWIDTH_LIMIT:
+    case ENET_PROTOCOL_COMMAND_THROTTLE_CONFIGURE:
+      return 0;
+    case ENET_PROTOCOL_COMMAND_SEND_RELIABLE:
+      return offsetof(ENetProtocolSendReliable, dataLength);
+    case ENET_PROTOCOL_COMMAND_SEND_UNRELIABLE:
+      return offsetof(ENetProtocolSendUnreliable, dataLength);
+    case ENET_PROTOCOL_COMMAND_SEND_UNSEQUENCED:
+      return offsetof(ENetProtocolSendUnsequenced, dataLength);
+    default:
+      return std::nullopt;
+  }
+}
+
+/// Bytes of the command at the front with its data; 0 when it is broken.
+std::size_t commandBytes(Bytes rest) {
+  const auto command = static_cast<std::uint8_t>(rest[0] & ENET_PROTOCOL_COMMAND_MASK);
+  const auto offset = lengthOffset(command);
+  if (!offset) return 0;
+  const std::size_t fixed = enet_protocol_command_size(command);
+  if (rest.size() < fixed) return 0;
+  const std::size_t data = *offset == 0 ? 0 : read16(rest, *offset);
+  return fixed + data <= rest.size() ? fixed + data : 0;
+}
+
+bool areCommands(Bytes rest) {
+  while (!rest.empty()) {
+    const std::size_t bytes = commandBytes(rest);
+    if (bytes == 0) return false;
+    rest = rest.subspan(bytes);
+  }
+  return true;
+}
+
+bool isConnect(Bytes commands) {
+  return (commands[0] & ENET_PROTOCOL_COMMAND_MASK) == ENET_PROTOCOL_COMMAND_CONNECT &&
+         commands.size() == sizeof(ENetProtocolConnect);
+}
+
+}  // namespace
+
+DatagramHead checkDatagram(Bytes datagram) {
+  constexpr std::size_t checksumBytes = sizeof(enet_uint32);
+  if (datagram.size() < sizeof(std::uint16_t)) return {};
+  const std::uint16_t head = read16(datagram, 0);
+  const bool timed = (head & ENET_PROTOCOL_HEADER_FLAG_SENT_TIME) != 0;
+  const std::size_t headBytes = (timed ? sizeof(ENetProtocolHeader) : sizeof(std::uint16_t)) + checksumBytes;
+  if ((head & ENET_PROTOCOL_HEADER_FLAG_COMPRESSED) != 0 || datagram.size() <= headBytes) return {};
+  const Bytes commands = datagram.subspan(headBytes);
+  if (!areCommands(commands)) return {};
+  const std::uint16_t peer = head & ENET_PROTOCOL_MAXIMUM_PEER_ID;
+  if (peer != ENET_PROTOCOL_MAXIMUM_PEER_ID) return {DatagramHead::Kind::kPeer, peer};
+  return {isConnect(commands) ? DatagramHead::Kind::kConnect : DatagramHead::Kind::kBroken, peer};
+}
+
+}  // namespace platon

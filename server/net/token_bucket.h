@@ -1,0 +1,34 @@
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+
+#include "server/net/time_point.h"
+
+namespace platon {
+
+/// A budget that fills at a steady rate up to a limit.
+class TokenBucket {
+ public:
+  /// Full at `now`; `perSecond` and `limit` are in whatever is budgeted.
+  TokenBucket(double perSecond, double limit, TimePoint now)
+      : perSecond_(perSecond), limit_(limit), level_(limit), updated_(now) {}
+
+  /// Takes `amount` when there is so much.
+  bool take(double amount, TimePoint now) {
+    const double seconds = std::chrono::duration<double>(now - updated_).count();
+    level_ = std::min(limit_, level_ + std::max(0.0, seconds) * perSecond_);
+    updated_ = now;
+    if (amount > level_) return false;
+    level_ -= amount;
+    return true;
+  }
+
+ private:
+  double perSecond_;
+  double limit_;
+  double level_;
+  TimePoint updated_;
+};
+
+}  // namespace platon

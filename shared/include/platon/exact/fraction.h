@@ -1,0 +1,33 @@
+#pragma once
+
+#include <compare>
+#include <cstdint>
+
+#include "platon/exact/integer.h"
+
+namespace platon {
+
+/// An exact quotient of two 64-bit integers; the denominator is positive. Not kept in lowest terms: two fractions are
+/// equal when their values are.
+struct Fraction {
+  std::int64_t numerator = 0;
+  std::int64_t denominator = 1;
+
+  friend constexpr bool operator==(Fraction a, Fraction b) {
+    return int128{a.numerator} * b.denominator == int128{b.numerator} * a.denominator;
+  }
+  friend constexpr std::strong_ordering operator<=>(Fraction a, Fraction b) {
+    const int128 left = int128{a.numerator} * b.denominator;
+    const int128 right = int128{b.numerator} * a.denominator;
+    return left < right   ? std::strong_ordering::less
+           : left > right ? std::strong_ordering::greater
+                          : std::strong_ordering::equal;
+  }
+};
+
+/// `value * fraction` rounded towards zero; the magnitude of the fraction is at most 1.
+constexpr std::int32_t scaleTruncated(std::int32_t value, Fraction fraction) {
+  return static_cast<std::int32_t>(scaleTruncated(value, fraction.numerator, fraction.denominator));
+}
+
+}  // namespace platon

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "platon/game/game.h"
+
+namespace platon {
+
+/// One field of a game's state as people read it.
+struct StateField {
+  std::string owner;  ///< "game", "entity 3", "entity 3 instance 1" or "player 3"
+  std::string name;
+  std::string value;  ///< points as (x, y), angles in centidegrees
+
+  friend bool operator==(const StateField&, const StateField&) = default;
+};
+
+/// All that is hashed and saved, in a fixed order.
+std::vector<StateField> fieldsOf(const Game& game);
+
+/// One field of two games on the same level; "nothing" where only the other has it.
+struct StateDifference {
+  std::string owner;
+  std::string field;
+  std::string left;
+  std::string right;
+
+  bool differs() const { return left != right; }
+};
+
+/// Every field that either has: in the order of the left game, then what only the right one has.
+std::vector<StateDifference> sideBySide(const Game& left, const Game& right);
+
+/// The first field in which the games differ, nothing when they are equal.
+std::optional<StateDifference> firstDifference(const Game& left, const Game& right);
+
+}  // namespace platon

@@ -1,0 +1,56 @@
+#include <gtest/gtest.h>
+
+#include "client/bot/bot.h"
+
+namespace platon {
+namespace {
+
+using std::chrono::seconds;
+
+PredictionCount counted(std::uint32_t ticks, std::uint32_t corrections, std::int32_t largest) {
+  PredictionCount count;
+  count.confirmedTicks = ticks;
+  count.corrections = corrections;
+  count.missedInputs = 2 * corrections;
+  count.mispredicted = 3 * corrections;
+  count.maxSubunits = largest;
+  return count;
+}
+
+TEST(BotMeasure, CountsFromTheFirstTickOn) {
+  BotMeasure measure(seconds(10), Moment{});
+  measure.update(seconds(11), counted(0, 0, 0), {100, 1, 200, 2, 90});
+  EXPECT_FALSE(measure.result(counted(0, 0, 0), {100, 1, 200, 2, 90}).joined);
+  measure.update(seconds(12), counted(3, 0, 0), {110, 2, 220, 3, 900});
+  measure.update(seconds(16), counted(243, 1, 70), {510, 12, 820, 23, 900});
+  const BotResult result = measure.result(counted(243, 1, 70), {510, 12, 820, 23, 900});
+  EXPECT_TRUE(result.joined);
+  EXPECT_DOUBLE_EQ(result.connectMs, 2000);
+  EXPECT_DOUBLE_EQ(result.seconds, 4);
+  EXPECT_EQ(result.traffic.sentBytes, 400u);
+  EXPECT_EQ(result.traffic.receivedPackets, 20u);
+  EXPECT_EQ(result.traffic.longestDatagram, 900u);
+  EXPECT_EQ(result.prediction.confirmedTicks, 243u);
+  EXPECT_EQ(result.prediction.corrections, 1u);
+}
+
+TEST(BotMeasure, LeavesOutTheTimeToSettle) {
+  BotMeasure measure(seconds(0), seconds(3));
+  measure.update(seconds(1), counted(1, 0, 0), {});
+  measure.update(seconds(3), counted(120, 5, 800), {100, 1, 200, 2, 90});
+  EXPECT_EQ(measure.result(counted(120, 5, 800), {}).seconds, 0);
+  EXPECT_EQ(measure.result(counted(120, 5, 800), {}).prediction.confirmedTicks, 0u);
+  measure.update(seconds(4), counted(180, 6, 800), {110, 1, 200, 2, 90});
+  measure.update(seconds(6), counted(300, 8, 800), {310, 2, 200, 2, 90});
+  const BotResult result = measure.result(counted(300, 8, 800), {310, 2, 200, 2, 90});
+  EXPECT_DOUBLE_EQ(result.seconds, 2);
+  EXPECT_EQ(result.traffic.sentBytes, 200u);
+  EXPECT_EQ(result.prediction.confirmedTicks, 120u);
+  EXPECT_EQ(result.prediction.corrections, 2u);
+  EXPECT_EQ(result.prediction.missedInputs, 4u);
+  EXPECT_EQ(result.prediction.mispredicted, 6u);
+  EXPECT_EQ(result.prediction.maxSubunits, 800);  // also before
+}
+
+}  // namespace
+}  // namespace platon

@@ -1,0 +1,40 @@
+#include "client/gl/image.h"
+
+#include <cstdio>
+#include <stdexcept>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <stb/stb_image.h>
+
+namespace platon {
+namespace {
+
+TEST(Image, FlipRows) {
+  Image image{1, 3, {1, 1, 1, 2, 2, 2, 3, 3, 3}};
+  flipRows(image);
+  EXPECT_EQ(image.pixels, (std::vector<std::uint8_t>{3, 3, 3, 2, 2, 2, 1, 1, 1}));
+}
+
+TEST(Image, WritesWhatAReaderReads) {
+  const Image image{2, 2, {255, 0, 0, 0, 255, 0, 0, 0, 255, 9, 8, 7}};
+  const std::string file = testing::TempDir() + "platon_image_test.png";
+  writePng(image, file);
+  int width = 0;
+  int height = 0;
+  int parts = 0;
+  unsigned char* pixels = stbi_load(file.c_str(), &width, &height, &parts, 3);
+  std::remove(file.c_str());
+  ASSERT_NE(pixels, nullptr);
+  EXPECT_EQ(width, 2);
+  EXPECT_EQ(height, 2);
+  EXPECT_EQ(std::vector<std::uint8_t>(pixels, pixels + 12), image.pixels);
+  stbi_image_free(pixels);
+}
+
+TEST(Image, AFileThatCannotBeWrittenIsAnError) {
+  EXPECT_THROW(writePng(Image{1, 1, {1, 2, 3}}, testing::TempDir() + "no_such_folder/picture.png"), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace platon

@@ -1,0 +1,319 @@
+#include "client/gl/renderer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "client/gl/game_view.h"
+#include "client/gl/gl_loader.h"
+#include "client/gl/offscreen.h"
+
+namespace platon {
+namespace {
+
+constexpr std::uint32_t kWidth = 640;
+constexpr std::uint32_t kHeight = 360;
+
+std::shared_ptr<const StageModel> stageOf(const std::string& solid, int faces, const std::string& linesOfFace0) {
+  std::string text = solid + "\n0 0 0 0\n0 60 80\n480\n%\n" + linesOfFace0;
+  for (int face = 1; face < faces; ++face) text += "%\n";
+  const LevelResult result = loadLevel(text);
+  if (!result.level) throw std::logic_error("test level: " + result.diagnostics.front().message);
+  return makeStageModel(*result.level);
+}
+
+std::shared_ptr<const StageModel> cube() { return stageOf("HEXAHEDRON", 6, "-200 -120 -60 -120\n"); }
+
+PlayerDrawing playerAt(const StageModel& stage, std::uint32_t slot, int face, glm::dvec2 place) {
+  PlayerDrawing player;
+  player.slot = slot;
+  player.pose = stage.mesh.pose(face, place, 0);
+  player.colour = playerColour(slot);
+  player.number = std::to_string(slot + 1);
+  return player;
+}
+
+Scene sceneOf(const std::shared_ptr<const StageModel>& stage, std::vector<PlayerDrawing> players = {}) {
+  Scene scene;
+  scene.stage = stage;
+  scene.players = std::move(players);
+  scene.focus = stage->mesh.pose(0, {0, 0}, 0);
+  return scene;
+}
+
+glm::vec3 pixel(const Image& image, glm::ivec2 at) {
+  const std::size_t first = 3 * (static_cast<std::size_t>(at.y) * image.width + static_cast<std::size_t>(at.x));
+  return glm::vec3(image.pixels[first], image.pixels[first + 1], image.pixels[first + 2]) / 255.0F;
+}
+
+double brightness(glm::vec3 colour) { return (colour.r + colour.g + colour.b) / 3; }
+
+class RenderTest : public testing::Test {
+ protected:
+  // Only the scene, no overlays.
+  Image draw(const Scene& scene, bool animated = true) {
+    camera_.set(scene.focus, scene.stage->mesh, kWidth, kHeight);
+    renderer_.draw(scene, camera_, {}, animated);
+    EXPECT_EQ(takeGlErrors(), "");
+    return renderer_.read();
+  }
+  Image drawEmpty() {
+    renderer_.drawEmpty(camera_, {});
+    return renderer_.read();
+  }
+  // Where the camera of the last picture sees a point, in pixels.
+  glm::ivec2 seen(glm::dvec3 point) const {
+    const glm::dvec4 clip = camera_.viewProjection() * glm::dvec4(point, 1);
+    return {static_cast<int>((clip.x / clip.w + 1) / 2 * kWidth),
+            static_cast<int>((1 - clip.y / clip.w) / 2 * kHeight)};
+  }
+  // Where the camera sees a point of face 0.
+  glm::ivec2 seen(const Scene& scene, glm::dvec2 point) const { return seen(scene.stage->mesh.toWorld(0, point)); }
+
+  Offscreen context_;
+  Font font_;
+  Renderer renderer_{kWidth, kHeight, font_};
+  Camera camera_;
+};
+
+TEST_F(RenderTest, TheSameSceneGivesTheSameBytes) {
+  const auto stage = cube();
+  const Scene scene = sceneOf(stage, {playerAt(*stage, 0, 0, {30, 20})});
+  const Image first = draw(scene);
+  EXPECT_EQ(draw(scene), first);
+}
+
+TEST(Render, AnotherContextGivesTheSameBytes) {
+  const auto stage = stageOf("ICOSAHEDRON", 20, "");
+  const Scene scene = sceneOf(stage, {playerAt(*stage, 4, 0, {30, 20})});
+  std::array<Image, 2> images;
+  for (Image& image : images) {
+    const Offscreen context;
+    GameView view(kWidth, kHeight);
+    view.draw(&scene, {.message = "Hello", .warning = false, .help = true}, Settings(), Menu(), 0.1);
+    EXPECT_EQ(takeGlErrors(), "");
+    image = view.read();
+  }
+  EXPECT_EQ(images[0], images[1]);
+}
+
+TEST_F(RenderTest, EverySolidCoversTheMiddleAndLeavesTheCorners) {
+  const std::array<std::pair<const char*, int>, 5> solids{
+      {{"TETRAHEDRON", 4}, {"HEXAHEDRON", 6}, {"OCTAHEDRON", 8}, {"DODECAHEDRON", 12}, {"ICOSAHEDRON", 20}}};
+  for (const auto& [name, faces] : solids) {
+    const Scene scene = sceneOf(stageOf(name, faces, ""));
+    const Image image = draw(scene);
+    const Image empty = drawEmpty();
+    for (const int x : {-20, 0, 20}) {
+      const glm::ivec2 at(static_cast<int>(kWidth / 2) + x, kHeight / 2);
+      EXPECT_GT(glm::distance(pixel(image, at), pixel(empty, at)), 0.1F) << name;
+    }
+    EXPECT_EQ(pixel(image, {1, 1}), pixel(empty, {1, 1})) << name;
+  }
+}
+
+TEST_F(RenderTest, EveryPlayerHasItsColourWhereTheSceneHasIt) {
+  const auto stage = cube();
+  std::vector<PlayerDrawing> players;
+  for (std::uint32_t slot = 0; slot < 8; ++slot) {
+    players.push_back(playerAt(*stage, slot, 0, {50.0 * slot - 175, slot % 2 == 0 ? -60 : -20}));
+  }
+  const Scene scene = sceneOf(stage, players);
+  const Image image = draw(scene);
+  for (const PlayerDrawing& player : players) {
+    // Beside the number, away from the light's reflection.
+    const glm::dvec3 beside = 0.7 * camera_.right() * StageModel::kPlayerRadius;
+    const glm::vec3 colour = pixel(image, seen(player.pose.position + beside));
+    std::uint32_t nearest = 0;
+    const auto likeness = [&](std::uint32_t slot) {
+      return glm::dot(glm::normalize(colour), glm::normalize(playerColour(slot)));
+    };
+    for (std::uint32_t slot = 0; slot < 8; ++slot) nearest = likeness(slot) > likeness(nearest) ? slot : nearest;
+    EXPECT_EQ(nearest, player.slot);
+    EXPECT_GT(likeness(player.slot), 0.97);
+  }
+}
+
+TEST_F(RenderTest, PlayersBehindTheSolidAreNotSeen) {
+  const auto stage = cube();
+  const Image without = draw(sceneOf(stage));
+  const int opposite = stage->mesh.faceTowards(-stage->mesh.normal(0));
+  EXPECT_EQ(draw(sceneOf(stage, {playerAt(*stage, 1, opposite, {20, 10})})), without);
+  EXPECT_NE(draw(sceneOf(stage, {playerAt(*stage, 1, 0, {20, 10})})), without);
+}
+
+TEST_F(RenderTest, TheOwnPlayerHasABrightOutline) {
+  const auto stage = cube();
+  std::array<double, 2> outlines{};
+  for (const bool own : {false, true}) {
+    PlayerDrawing player = playerAt(*stage, 2, 0, {40, 30});
+    player.own = own;
+    const Image image = draw(sceneOf(stage, {player}));
+    const glm::dvec3 rim = -0.94 * camera_.right() * StageModel::kPlayerRadius;
+    outlines[own ? 1 : 0] = brightness(pixel(image, seen(player.pose.position + rim)));
+  }
+  EXPECT_GT(outlines[1], 0.65);
+  EXPECT_LT(outlines[0], 0.4);
+}
+
+TEST_F(RenderTest, NumbersTellPlayersOfOneColourApart) {
+  const auto stage = cube();
+  PlayerDrawing one = playerAt(*stage, 0, 0, {40, 30});
+  PlayerDrawing other = one;
+  other.number = "8";
+  EXPECT_NE(draw(sceneOf(stage, {one})), draw(sceneOf(stage, {other})));
+}
+
+TEST_F(RenderTest, LinesAreBright) {
+  const Scene scene = sceneOf(cube());
+  const Image image = draw(scene);
+  for (const double x : {-190.0, -130.0, -70.0}) {
+    EXPECT_GT(brightness(pixel(image, seen(scene, {x, -120}))), 0.7) << x;
+    EXPECT_LT(brightness(pixel(image, seen(scene, {x, -140}))), 0.5) << x;
+  }
+}
+
+TEST_F(RenderTest, ALineThatLeavesTheFaceEndsAtItsEdge) {
+  const Scene scene = sceneOf(stageOf("HEXAHEDRON", 6, "0 100 240 100\n"));
+  const Image image = draw(scene);
+  const Image empty = drawEmpty();
+  EXPECT_GT(brightness(pixel(image, seen(scene, {232, 100}))), 0.7);
+  EXPECT_EQ(pixel(image, seen(scene, {246, 100})), pixel(empty, seen(scene, {246, 100})));
+}
+
+TEST_F(RenderTest, TheGoalGlowsOnItsFace) {
+  const Scene scene = sceneOf(cube());
+  const Image image = draw(scene, false);
+  const auto isGold = [](glm::vec3 colour) { return colour.r > 0.85F && colour.g > 0.65F && colour.b < 0.65F; };
+  for (const glm::dvec2 side : {glm::dvec2(1, 0), glm::dvec2(-1, 0), glm::dvec2(0, 1), glm::dvec2(0, -1)}) {
+    EXPECT_TRUE(isGold(pixel(image, seen(scene, glm::dvec2(60, 80) + side * StageModel::kGoalRadius))))
+        << side.x << " " << side.y;
+  }
+  EXPECT_GT(brightness(pixel(image, seen(scene, {60, 80}))), 0.8) << "the star in its middle";
+  Scene turned = scene;
+  turned.focus = scene.stage->mesh.pose(scene.stage->mesh.faceTowards(-scene.stage->mesh.normal(0)), {0, 0}, 0);
+  const Image behind = draw(turned, false);
+  int gold = 0;
+  for (int y = 0; y < static_cast<int>(kHeight); ++y) {
+    for (int x = 0; x < static_cast<int>(kWidth); ++x) gold += isGold(pixel(behind, {x, y})) ? 1 : 0;
+  }
+  EXPECT_EQ(gold, 0);
+}
+
+TEST_F(RenderTest, WithoutAnimationTimeChangesNothing) {
+  Scene scene = sceneOf(cube());
+  const Image still = draw(scene, false);
+  scene.seconds = 1.3;
+  EXPECT_EQ(draw(scene, false), still);
+  EXPECT_NE(draw(scene, true), still);
+}
+
+TEST_F(RenderTest, AnotherStageReplacesTheFirst) {
+  const Image first = draw(sceneOf(cube()));
+  const Image second = draw(sceneOf(stageOf("HEXAHEDRON", 6, "-200 -40 -60 -40\n")));
+  EXPECT_NE(first, second);
+  EXPECT_EQ(draw(sceneOf(cube())), first);
+}
+
+TEST_F(RenderTest, PanelsAndTextAreWhereTheySay) {
+  const Scene scene = sceneOf(cube());
+  const Image plain = draw(scene);
+  Overlay overlay;
+  overlay.panels.push_back({{100, 100}, {300, 200}, 0, {1, 0, 0, 1}});
+  overlay.texts.push_back({{400, 300}, 40, {0, 1, 0, 1}, "I"});
+  renderer_.draw(scene, camera_, std::array{overlay});
+  const Image image = renderer_.read();
+  EXPECT_EQ(pixel(image, {100, 75}), glm::vec3(1, 0, 0)) << "the virtual screen is twice as high as this picture";
+  EXPECT_EQ(pixel(image, {48, 75}), pixel(plain, {48, 75}));
+  const float stem = font_.advance(U'I') * 40 / 2;
+  EXPECT_GT(pixel(image, {static_cast<int>((400 + stem) / 2), 143}).g, 0.9F);
+}
+
+TEST_F(RenderTest, AntiAliasingSmoothsTheSolidsEdges) {
+  const Scene scene = sceneOf(cube());
+  Scene tilted = scene;
+  tilted.focus = scene.stage->mesh.pose(0, {0, 0}, 0.3);
+  const Image image = draw(tilted);
+  const Image empty = drawEmpty();
+  // Along a row, each change from dark to solid has a pixel in between.
+  int between = 0;
+  for (int y = 100; y < 260; ++y) {
+    for (int x = 1; x < 320; ++x) {
+      const auto covered = [&](int column) {
+        return glm::distance(pixel(image, {column, y}), pixel(empty, {column, y})) > 0.02F;
+      };
+      if (covered(x - 1) || !covered(x)) continue;
+      const double edge = brightness(pixel(image, {x, y}));
+      const double inside = brightness(pixel(image, {x + 1, y}));
+      between += edge < inside - 0.02 ? 1 : 0;
+      break;
+    }
+  }
+  EXPECT_GT(between, 40);
+}
+
+TEST(Render, SizesAndResizing) {
+  const Offscreen context;
+  const auto stage = cube();
+  const Scene scene = sceneOf(stage, {playerAt(*stage, 0, 0, {30, 20})});
+  GameView view(320, 180);
+  for (const auto& [width, height] : {std::pair(320U, 180U), {1U, 1U}, {641U, 359U}, {400U, 900U}, {1920U, 1080U}}) {
+    view.resize(width, height);
+    view.draw(&scene, {}, Settings(), Menu(), 0.1);
+    const Image image = view.read();
+    EXPECT_EQ(takeGlErrors(), "");
+    EXPECT_EQ(image.width, width);
+    EXPECT_EQ(image.height, height);
+    EXPECT_EQ(image.pixels.size(), std::size_t{3} * width * height);
+    EXPECT_GT(*std::max_element(image.pixels.begin(), image.pixels.end()), 40);
+  }
+  view.resize(0, 0);
+  view.draw(&scene, {}, Settings(), Menu(), 0.1);
+  EXPECT_EQ(view.read().width, 1920U) << "a minimised window keeps its picture";
+}
+
+TEST(Render, LargestAndSmallestSolids) {
+  const Offscreen context;
+  GameView view(kWidth, kHeight);
+  for (const char* size : {"200", "65536"}) {
+    const LevelResult result =
+        loadLevel(std::string("TETRAHEDRON\n0 0 0 0\n0 20 0\n") + size + "\n%\n-30 -20 30 -20\n%\n%\n%\n");
+    ASSERT_TRUE(result.level);
+    const auto stage = makeStageModel(*result.level);
+    const Scene scene = sceneOf(stage, {playerAt(*stage, 0, 0, {0, -8})});
+    view.draw(&scene, {}, Settings(), Menu(), 0.1);
+    const Image image = view.read();
+    EXPECT_EQ(takeGlErrors(), "");
+    Camera camera;
+    camera.set(scene.focus, stage->mesh, kWidth, kHeight);
+    const glm::dvec4 clip = camera.viewProjection() * glm::dvec4(stage->mesh.toWorld(0, {-24, -20}), 1);
+    const glm::ivec2 line(static_cast<int>((clip.x / clip.w + 1) / 2 * kWidth),
+                          static_cast<int>((1 - clip.y / clip.w) / 2 * kHeight));
+    EXPECT_GT(brightness(pixel(image, line)), 0.7) << size;
+  }
+}
+
+TEST(Render, WithoutAGameThereIsStillAPicture) {
+  const Offscreen context;
+  GameView view(kWidth, kHeight);
+  Menu menu;
+  menu.toggle();
+  Settings settings;
+  settings.netGraph = true;
+  view.netGraph().add({});
+  view.draw(nullptr, {.message = "Connecting", .warning = true, .help = true}, settings, menu, 0);
+  EXPECT_EQ(takeGlErrors(), "");
+  const Image image = view.read();
+  EXPECT_GT(*std::max_element(image.pixels.begin(), image.pixels.end()), 200);
+}
+
+}  // namespace
+}  // namespace platon

@@ -1,0 +1,89 @@
+#include "client/net/condition_options.h"
+
+#include <gtest/gtest.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace platon {
+namespace {
+
+LinkQuality read(std::vector<std::string> arguments) {
+  CLI::App app;
+  LinkQuality line;
+  describeConditionOptions(app, line);
+  std::reverse(arguments.begin(), arguments.end());  // as CLI11 takes them
+  app.parse(arguments);
+  return line;
+}
+
+// What is said of these arguments; empty when they are taken.
+std::string refusal(const std::vector<std::string>& arguments) {
+  try {
+    read(arguments);
+    return "";
+  } catch (const CLI::ParseError& error) {
+    return error.what();
+  }
+}
+
+TEST(LineOptions, WithoutAnyTheLineIsPerfect) { EXPECT_TRUE(read({}).perfect()); }
+
+struct Case {
+  std::string option;
+  double LinkQuality::*field;
+  double most;
+};
+
+const std::vector<Case> kCases = {{"--loss", &LinkQuality::lossPercent, 100},
+                                  {"--burst-loss", &LinkQuality::burstLossPercent, 100},
+                                  {"--delay", &LinkQuality::delayMs, 10000},
+                                  {"--jitter", &LinkQuality::jitterMs, 10000},
+                                  {"--duplicate", &LinkQuality::duplicatePercent, 100},
+                                  {"--reorder", &LinkQuality::reorderPercent, 100},
+                                  {"--rate", &LinkQuality::kilobytesPerSecond, 1000000},
+                                  {"--corrupt", &LinkQuality::corruptPercent, 100}};
+
+TEST(LineOptions, EachGoesWhereItBelongsAndNowhereElse) {
+  for (const Case& one : kCases) {
+    const LinkQuality line = read({one.option, "12.5"});
+    for (const Case& other : kCases) {
+      EXPECT_EQ(line.*other.field, one.option == other.option ? 12.5 : 0) << one.option << " in " << other.option;
+    }
+    EXPECT_FALSE(line.perfect()) << one.option;
+    EXPECT_TRUE(read({one.option, "0"}).perfect()) << one.option;
+  }
+}
+
+TEST(LineOptions, RefuseWhatIsOutOfRange) {
+  for (const Case& one : kCases) {
+    const auto most = std::to_string(static_cast<int>(one.most));
+    EXPECT_EQ(refusal({one.option, most}), "") << one.option;
+    for (const std::string& value : {std::string("-0.1"), most + ".1", std::string("nan"), std::string("much")}) {
+      EXPECT_EQ(refusal({one.option, value}), one.option + ": '" + value + "' is no number from 0 to " + most);
+    }
+  }
+}
+
+TEST(LineOptions, BurstsHaveALength) {
+  EXPECT_EQ(read({"--burst-loss", "3"}).burstLength, 4);
+  EXPECT_EQ(read({"--burst-length", "7.5", "--burst-loss", "3"}).burstLength, 7.5);
+  EXPECT_EQ(refusal({"--burst-loss", "3", "--burst-length", "0.9"}),
+            "--burst-length: '0.9' is no number from 1 to 10000");
+  EXPECT_EQ(refusal({"--burst-length", "7.5"}), "--burst-length requires --burst-loss");
+}
+
+TEST(LineOptions, AreListedInTheirGroup) {
+  CLI::App app;
+  LinkQuality line;
+  describeConditionOptions(app, line);
+  const std::string help = app.help();
+  const std::size_t group = help.find(std::string(kConditionGroup) + ":");
+  ASSERT_NE(group, std::string::npos) << help;
+  for (const Case& one : kCases) EXPECT_GT(help.find(one.option + " "), group) << help;
+}
+
+}  // namespace
+}  // namespace platon

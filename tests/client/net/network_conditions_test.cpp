@@ -1,0 +1,346 @@
+#include "client/net/network_conditions.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace platon {
+namespace {
+
+using std::chrono::microseconds;
+using std::chrono::milliseconds;
+
+constexpr int kDatagrams = 20000;
+
+struct Arrival {
+  int number;
+  Moment sent;
+  Moment received;
+};
+
+std::vector<std::uint8_t> numbered(int number) {
+  return {static_cast<std::uint8_t>(number & 0xff), static_cast<std::uint8_t>(number >> 8 & 0xff)};
+}
+
+// Sends one datagram every 10 ms and looks every millisecond.
+std::vector<Arrival> carry(const LinkQuality& quality, std::uint64_t seed) {
+  NetworkConditions line(quality, seed);
+  std::vector<Arrival> arrivals;
+  for (int ms = 0; ms < kDatagrams * 10 + 5000; ++ms) {
+    if (ms % 10 == 0 && ms / 10 < kDatagrams) line.send(numbered(ms / 10), milliseconds(ms));
+    while (const auto datagram = line.receive(milliseconds(ms))) {
+      const int number = (*datagram)[0] | (*datagram)[1] << 8;
+      arrivals.push_back({number, milliseconds(number * 10), milliseconds(ms)});
+    }
+  }
+  EXPECT_EQ(line.pending(), 0u);
+  return arrivals;
+}
+
+bool inOrder(const std::vector<Arrival>& arrivals) {
+  return std::is_sorted(arrivals.begin(), arrivals.end(),
+                        [](const Arrival& a, const Arrival& b) { return a.number < b.number; });
+}
+
+std::vector<std::pair<int, Moment>> keysOf(const std::vector<Arrival>& arrivals) {
+  std::vector<std::pair<int, Moment>> keys;
+  for (const Arrival& arrival : arrivals) keys.emplace_back(arrival.number, arrival.received);
+  return keys;
+}
+
+TEST(NetworkConditions, PerfectLineDeliversAtOnce) {
+  const LinkQuality perfect;
+  EXPECT_TRUE(perfect.perfect());
+  const auto arrivals = carry(perfect, 1);
+  ASSERT_EQ(arrivals.size(), std::size_t{kDatagrams});
+  EXPECT_TRUE(inOrder(arrivals));
+  for (const Arrival& arrival : arrivals) ASSERT_EQ(arrival.received, arrival.sent);
+}
+
+TEST(NetworkConditions, LosesItsShare) {
+  LinkQuality quality;
+  quality.lossPercent = 20;
+  EXPECT_FALSE(quality.perfect());
+  EXPECT_NEAR(static_cast<double>(carry(quality, 2).size()), kDatagrams * 0.8, kDatagrams * 0.01);
+}
+
+TEST(NetworkConditions, DelaysWithinBoundsAndInOrder) {
+  LinkQuality quality;
+  quality.delayMs = 50;
+  quality.jitterMs = 30;
+  const auto arrivals = carry(quality, 3);
+  ASSERT_EQ(arrivals.size(), std::size_t{kDatagrams});
+  EXPECT_TRUE(inOrder(arrivals));
+  Moment longest{};
+  for (const Arrival& arrival : arrivals) {
+    ASSERT_GE(arrival.received - arrival.sent, milliseconds(50));
+    ASSERT_LE(arrival.received - arrival.sent, milliseconds(81));
+    longest = std::max(longest, arrival.received - arrival.sent);
+  }
+  EXPECT_GT(longest, milliseconds(75));
+}
+
+TEST(NetworkConditions, DuplicatesItsShare) {
+  LinkQuality quality;
+  quality.duplicatePercent = 10;
+  std::map<int, int> copies;
+  for (const Arrival& arrival : carry(quality, 4)) ++copies[arrival.number];
+  EXPECT_EQ(copies.size(), std::size_t{kDatagrams});
+  const auto twice = std::count_if(copies.begin(), copies.end(), [](const auto& entry) { return entry.second == 2; });
+  EXPECT_NEAR(static_cast<double>(twice), kDatagrams * 0.1, kDatagrams * 0.01);
+}
+
+TEST(NetworkConditions, ReordersItsShare) {
+  LinkQuality quality;
+  quality.reorderPercent = 10;
+  const auto arrivals = carry(quality, 5);
+  ASSERT_EQ(arrivals.size(), std::size_t{kDatagrams});
+  int overtaken = 0;
+  int newest = -1;
+  for (const Arrival& arrival : arrivals) {
+    overtaken += arrival.number < newest ? 1 : 0;
+    newest = std::max(newest, arrival.number);
+  }
+  EXPECT_NEAR(overtaken, kDatagrams * 0.1, kDatagrams * 0.01);
+}
+
+// Whether each of many datagrams is lost.
+std::vector<bool> losses(const LinkQuality& quality, std::uint64_t seed, int datagrams) {
+  NetworkConditions line(quality, seed);
+  std::vector<bool> lost;
+  for (int i = 0; i < datagrams; ++i) {
+    line.send({0}, milliseconds(i));
+    lost.push_back(!line.receive(milliseconds(i)));
+  }
+  return lost;
+}
+
+double shareOf(const std::vector<bool>& lost) {
+  return static_cast<double>(std::count(lost.begin(), lost.end(), true)) / static_cast<double>(lost.size());
+}
+
+std::ptrdiff_t countRuns(const std::vector<bool>& lost) {
+  bool before = false;
+  return std::count_if(lost.begin(), lost.end(), [&](bool now) { return !std::exchange(before, now) && now; });
+}
+
+struct Bursts {
+  double percent;
+  double length;
+};
+
+class LossInBursts : public testing::TestWithParam<Bursts> {
+ protected:
+  static constexpr int kCount = 1000000;
+
+  LossInBursts() {
+    quality_.burstLossPercent = GetParam().percent;
+    quality_.burstLength = GetParam().length;
+  }
+
+  // Five standard deviations of the share lost: the states of a chain of two are correlated by a power of 1 − p − q.
+  double shareTolerance() const {
+    const double leave = 1 / GetParam().length;
+    const double correlation = 1 - leave / (1 - share_);
+    return 5 * std::sqrt(share_ * (1 - share_) / kCount * (1 + correlation) / (1 - correlation));
+  }
+
+  LinkQuality quality_;
+  double share_ = GetParam().percent / 100;
+};
+
+TEST_P(LossInBursts, LosesItsShareInRunsOfItsLength) {
+  EXPECT_FALSE(quality_.perfect());
+  const std::vector<bool> lost = losses(quality_, 8, kCount);
+  EXPECT_NEAR(shareOf(lost), share_, shareTolerance());
+  const auto runs = static_cast<double>(countRuns(lost));
+  const double length = GetParam().length;
+  EXPECT_NEAR(shareOf(lost) * kCount / runs, length, 5 * std::sqrt(length * (length - 1) / runs) + length / runs);
+}
+
+// Of what the bursts leave, the random loss takes its share, and neither changes the other.
+TEST_P(LossInBursts, ComesOnTopOfRandomLoss) {
+  quality_.lossPercent = 20;
+  const double left = (1 - share_) * 0.8;
+  const double random = 5 * std::sqrt(0.2 * 0.8 / kCount);
+  EXPECT_NEAR(1 - shareOf(losses(quality_, 9, kCount)), left, shareTolerance() * 0.8 + random);
+}
+
+INSTANTIATE_TEST_SUITE_P(NetworkConditions, LossInBursts,
+                         testing::Values(Bursts{1, 10}, Bursts{5, 1}, Bursts{10, 3.5}, Bursts{50, 4}, Bursts{90, 20}),
+                         [](const auto& test) { return "Case" + std::to_string(test.index); });
+
+TEST(NetworkConditions, KeepsTheShareWhereBurstsMustBeLonger) {
+  LinkQuality quality;
+  quality.burstLossPercent = 80;
+  quality.burstLength = 1;  // every second datagram at most
+  const std::vector<bool> lost = losses(quality, 10, 100000);
+  EXPECT_NEAR(shareOf(lost), 0.8, 0.01);
+  EXPECT_NEAR(shareOf(lost) * 100000 / static_cast<double>(countRuns(lost)), 4, 0.1);
+  quality.burstLossPercent = 100;
+  EXPECT_EQ(shareOf(losses(quality, 10, 1000)), 1);
+}
+
+struct Sent {
+  Moment at;
+  std::size_t bytes;
+};
+
+// When each of these datagrams arrives; nothing where it does not.
+std::vector<std::optional<Moment>> arrivalsOf(const LinkQuality& quality, const std::vector<Sent>& datagrams) {
+  NetworkConditions line(quality, 11);
+  std::vector<std::optional<Moment>> arrivals(datagrams.size());
+  std::size_t next = 0;
+  const Moment end = datagrams.back().at + std::chrono::seconds(5);
+  for (Moment now{}; now <= end; now += microseconds(500)) {
+    for (; next < datagrams.size() && datagrams[next].at <= now; ++next) {
+      line.send(std::vector<std::uint8_t>(datagrams[next].bytes, static_cast<std::uint8_t>(next)), now);
+    }
+    while (const auto datagram = line.receive(now)) arrivals[(*datagram)[0]] = now;
+  }
+  return arrivals;
+}
+
+TEST(NetworkConditions, RateSpacesWhatIsSentAtOnce) {
+  LinkQuality quality;
+  quality.kilobytesPerSecond = 10;
+  EXPECT_FALSE(quality.perfect());
+  const Moment start = milliseconds(7);
+  const auto arrivals =
+      arrivalsOf(quality, {{start, 100}, {start, 100}, {start, 50}, {start, 5}, {start + milliseconds(100), 100}});
+  const std::vector<std::optional<Moment>> expected = {start + milliseconds(10), start + milliseconds(20),
+                                                       start + milliseconds(25), start + microseconds(25500),
+                                                       start + milliseconds(110)};
+  EXPECT_EQ(arrivals, expected);
+}
+
+TEST(NetworkConditions, DelayBeginsAfterTheBottleneck) {
+  LinkQuality quality;
+  quality.kilobytesPerSecond = 10;
+  quality.delayMs = 30;
+  const std::vector<std::optional<Moment>> expected = {milliseconds(40), milliseconds(50)};
+  EXPECT_EQ(arrivalsOf(quality, {{Moment(0), 100}, {Moment(0), 100}}), expected);
+}
+
+// At 10 bytes a millisecond the sixth has to wait for just 250 ms, which is allowed.
+TEST(NetworkConditions, FullQueueDropsWhatComesLast) {
+  LinkQuality quality;
+  quality.kilobytesPerSecond = 10;
+  std::vector<Sent> datagrams(9, {Moment(0), 500});
+  datagrams.push_back({milliseconds(49), 1});
+  datagrams.push_back({milliseconds(50), 1});
+  const auto arrivals = arrivalsOf(quality, datagrams);
+  for (int i = 0; i < 6; ++i) EXPECT_EQ(arrivals[static_cast<std::size_t>(i)], milliseconds(50 * (i + 1))) << i;
+  for (std::size_t i = 6; i < 10; ++i) EXPECT_EQ(arrivals[i], std::nullopt) << i;
+  EXPECT_EQ(arrivals[10], microseconds(300500));  // behind what is left
+}
+
+TEST(NetworkConditions, QueueHoldsNoMoreHoweverMuchIsSent) {
+  LinkQuality quality;
+  quality.kilobytesPerSecond = 1;
+  NetworkConditions line(quality, 12);
+  std::size_t most = 0;
+  for (int ms = 0; ms < 60000; ++ms) {
+    line.send(std::vector<std::uint8_t>(10), milliseconds(ms));
+    while (line.receive(milliseconds(ms))) {
+    }
+    most = std::max(most, line.pending());
+  }
+  EXPECT_EQ(most, 26u);  // a quarter of a kilobyte, and the one that passes
+}
+
+TEST(NetworkConditions, LostDatagramsTakeTheirTimeAsWell) {
+  LinkQuality quality;
+  quality.kilobytesPerSecond = 10;
+  quality.lossPercent = 50;
+  const auto arrivals = arrivalsOf(quality, std::vector<Sent>(6, {Moment(0), 100}));
+  const auto lost = std::count(arrivals.begin(), arrivals.end(), std::nullopt);
+  EXPECT_GT(lost, 0);
+  EXPECT_LT(lost, 6);
+  for (std::size_t i = 0; i < arrivals.size(); ++i) {
+    EXPECT_EQ(arrivals[i].value_or(milliseconds(10) * (i + 1)), milliseconds(10) * (i + 1));
+  }
+}
+
+TEST(NetworkConditions, RateAboveTheLoadOnlyTakesTheTimeOfPassing) {
+  LinkQuality quality;
+  quality.kilobytesPerSecond = 2;  // 2 bytes a millisecond, of which one comes in 5
+  const auto arrivals = carry(quality, 13);
+  ASSERT_EQ(arrivals.size(), std::size_t{kDatagrams});
+  for (const Arrival& arrival : arrivals) ASSERT_EQ(arrival.received - arrival.sent, milliseconds(1));
+}
+
+// The draws are those of the same line without a limit.
+TEST(NetworkConditions, RateFarAboveTheLoadChangesNothing) {
+  LinkQuality quality;
+  quality.lossPercent = 10;
+  quality.jitterMs = 20;
+  quality.duplicatePercent = 5;
+  LinkQuality wide = quality;
+  wide.kilobytesPerSecond = 1e6;
+  EXPECT_EQ(keysOf(carry(wide, 14)), keysOf(carry(quality, 14)));
+}
+
+int flippedBits(const std::vector<std::uint8_t>& datagram, const std::vector<std::uint8_t>& sent) {
+  int count = 0;
+  for (std::size_t i = 0; i < sent.size(); ++i) count += std::popcount(static_cast<unsigned>(datagram[i] ^ sent[i]));
+  return count;
+}
+
+TEST(NetworkConditions, FlipsOneBitInItsShareOfCopies) {
+  LinkQuality quality;
+  quality.corruptPercent = 10;
+  EXPECT_FALSE(quality.perfect());
+  quality.duplicatePercent = 100;
+  NetworkConditions line(quality, 15);
+  const std::vector<std::uint8_t> sent = {0x00, 0xff, 0x5a, 0x12};
+  std::map<int, int> copies;  // by bits flipped
+  std::map<int, int> pairs;   // by copies that have been damaged
+  std::set<std::string> kinds;
+  for (int i = 0; i < kDatagrams; ++i) {
+    line.send(sent, milliseconds(i));
+    int damaged = 0;
+    while (const auto datagram = line.receive(milliseconds(i))) {
+      ASSERT_EQ(datagram->size(), sent.size());
+      ++copies[flippedBits(*datagram, sent)];
+      kinds.emplace(datagram->begin(), datagram->end());
+      damaged += *datagram == sent ? 0 : 1;
+    }
+    ++pairs[damaged];
+  }
+  EXPECT_EQ(copies.size(), 2u);
+  EXPECT_EQ(copies[0] + copies[1], 2 * kDatagrams);
+  EXPECT_NEAR(copies[1], 2 * kDatagrams * 0.1, 5 * std::sqrt(2 * kDatagrams * 0.1 * 0.9));
+  EXPECT_NEAR(pairs[2], kDatagrams * 0.01, 5 * std::sqrt(kDatagrams * 0.01));  // each on its own
+  EXPECT_EQ(kinds.size(), 33u);                                                // every bit has had its turn
+}
+
+TEST(NetworkConditions, AnEmptyDatagramHasNoBitToFlip) {
+  LinkQuality quality;
+  quality.corruptPercent = 100;
+  NetworkConditions line(quality, 16);
+  line.send({}, Moment(0));
+  EXPECT_EQ(line.receive(Moment(0)), std::vector<std::uint8_t>());
+}
+
+TEST(NetworkConditions, SameSeedSameDeliveries) {
+  LinkQuality quality;
+  quality.lossPercent = 10;
+  quality.burstLossPercent = 5;
+  quality.jitterMs = 20;
+  quality.reorderPercent = 5;
+  quality.kilobytesPerSecond = 0.25;
+  EXPECT_EQ(keysOf(carry(quality, 6)), keysOf(carry(quality, 6)));
+  EXPECT_NE(keysOf(carry(quality, 6)), keysOf(carry(quality, 7)));
+}
+
+}  // namespace
+}  // namespace platon

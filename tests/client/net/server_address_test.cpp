@@ -1,0 +1,42 @@
+#include "client/net/server_address.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <string>
+
+namespace platon {
+namespace {
+
+TEST(ServerAddress, HostAlone) {
+  const ServerAddress address = parseServerAddress("play.example.org");
+  EXPECT_EQ(address.host, "play.example.org");
+  EXPECT_EQ(address.port, 7777);
+  EXPECT_EQ(address.text(), "play.example.org:7777");
+}
+
+TEST(ServerAddress, HostAndPort) {
+  const ServerAddress address = parseServerAddress("127.0.0.1:65535");
+  EXPECT_EQ(address.host, "127.0.0.1");
+  EXPECT_EQ(address.port, 65535);
+}
+
+class BadAddress : public testing::TestWithParam<const char*> {};
+
+TEST_P(BadAddress, IsRefusedInOneSentence) {
+  try {
+    parseServerAddress(GetParam());
+    FAIL() << "'" << GetParam() << "' was taken";
+  } catch (const std::invalid_argument& error) {
+    const std::string what = error.what();
+    EXPECT_NE(what.find("'" + std::string(GetParam()) + "'"), std::string::npos) << what;
+    EXPECT_EQ(what.find('\n'), std::string::npos);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, BadAddress,
+                         testing::Values("", ":7777", "host:", "host:0", "host:65536", "host:77x", "host: 7", "host:-1",
+                                         "a:b:1", "[::1]:7777", "::1", "ho st", "host/7", "host:99999999999999999999"));
+
+}  // namespace
+}  // namespace platon

@@ -1,0 +1,149 @@
+#include "client/netcode/prediction.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <vector>
+
+#include "client/bot/button_presser.h"
+#include "tests/support/test_level.h"
+
+namespace platon {
+namespace {
+
+constexpr std::uint32_t kOwn = 1;
+constexpr Moment kNow = std::chrono::seconds(9);
+
+using Inputs = std::vector<Input>;
+
+Input present(std::uint8_t buttons) { return {static_cast<std::uint8_t>(buttons | Input::kPresent)}; }
+
+// What the prediction must be: the confirmed game moved on with the own inputs and what the others did last.
+Game predictedByHand(const Prediction& prediction) {
+  Game game = prediction.confirmed();
+  for (std::uint32_t tick = prediction.confirmedTicks(); tick < prediction.predictedTicks(); ++tick) {
+    Inputs inputs(prediction.held().begin(), prediction.held().end());
+    inputs.resize(std::max<std::size_t>(inputs.size(), kOwn + 1));
+    inputs[kOwn] = prediction.ownInput(tick);
+    game.advance(inputs);
+  }
+  return game;
+}
+
+TEST(Prediction, IsTheConfirmedGameReplayedWithOwnInputs) {
+  std::mt19937 random(5);
+  ButtonPresser own(1), other(2);
+  Game server(flatLevel());
+  Prediction prediction(server, kOwn);
+  std::uint32_t ahead = 0;
+  for (int step = 0; step < 1500; ++step) {
+    if (prediction.predictedTicks() - prediction.confirmedTicks() < ahead + 1) {
+      ASSERT_TRUE(prediction.mayPredict());
+      prediction.predict(present(own.next().buttons));
+    }
+    if (random() % 40 == 0) ahead = static_cast<std::uint32_t>(random() % 30);
+    for (auto batch = random() % 3; batch > 0; --batch) {
+      if (prediction.confirmedTicks() >= prediction.predictedTicks()) break;
+      // The server decides on the own input otherwise now and then, as when it came too late.
+      const Input decided = random() % 50 == 0 ? present(0) : prediction.ownInput(prediction.confirmedTicks());
+      const Inputs inputs = {present(other.next().buttons), decided};
+      server.advance(inputs);
+      prediction.confirm(inputs);
+    }
+    prediction.reconcile(kNow);
+    ASSERT_EQ(prediction.confirmed().hash(), server.hash()) << "step " << step;
+    ASSERT_EQ(prediction.predicted().hash(), predictedByHand(prediction).hash()) << "step " << step;
+  }
+  EXPECT_GT(prediction.count().corrections, 0u);
+  EXPECT_GT(prediction.count().missedInputs, 0u);
+}
+
+TEST(Prediction, NeedsNoCorrectionWhenInputsComeInTime) {
+  ButtonPresser own(3), other(4);
+  Prediction prediction(Game(flatLevel()), kOwn);
+  for (int tick = 0; tick < 600; ++tick) {
+    prediction.predict(present(own.next().buttons));
+    if (tick < 12) continue;
+    const Inputs inputs = {present(other.next().buttons), prediction.ownInput(prediction.confirmedTicks())};
+    prediction.confirm(inputs);
+    prediction.reconcile(kNow);
+  }
+  EXPECT_EQ(prediction.count().corrections, 0u);
+  EXPECT_EQ(prediction.count().missedInputs, 0u);
+  EXPECT_EQ(prediction.count().confirmedTicks, 588u);
+  EXPECT_EQ(prediction.smoothing(kNow), Point());
+}
+
+// Ten ticks of running right, of which the server says that nothing was pressed.
+Prediction corrected() {
+  Prediction prediction(Game(flatLevel()), kOwn);
+  const Inputs standing = {Input{}, present(0)};
+  for (int tick = 0; tick < 60; ++tick) prediction.confirm(standing);
+  prediction.reconcile(kNow);
+  for (int tick = 0; tick < 10; ++tick) prediction.predict(present(Input::kRight));
+  prediction.confirm(standing);
+  return prediction;
+}
+
+TEST(Prediction, MeasuresAndHidesACorrection) {
+  Prediction prediction = corrected();
+  const Point before = prediction.predicted().world().entities()[kOwn].position;
+  prediction.reconcile(kNow);
+  const Point after = prediction.predicted().world().entities()[kOwn].position;
+  ASSERT_NE(before, after);
+  EXPECT_EQ(before.y, after.y);
+  EXPECT_EQ(prediction.count().corrections, 1u);
+  EXPECT_EQ(prediction.count().missedInputs, 1u);
+  EXPECT_EQ(prediction.count().maxSubunits, before.x - after.x);
+  // The picture does not jump, and has come to the truth after 100 ms.
+  EXPECT_EQ(after + prediction.smoothing(kNow), before);
+  const Point half = prediction.smoothing(kNow + ErrorSmoothing::kDuration / 2);
+  EXPECT_NEAR(half.x, (before.x - after.x) / 2, 1);
+  EXPECT_EQ(prediction.smoothing(kNow + ErrorSmoothing::kDuration), Point());
+}
+
+TEST(Prediction, StopsFourSecondsAhead) {
+  Prediction prediction(Game(flatLevel()), kOwn);
+  for (std::uint32_t tick = 0; tick < Prediction::kMaxAhead; ++tick) {
+    ASSERT_TRUE(prediction.mayPredict());
+    prediction.predict(present(0));
+  }
+  EXPECT_FALSE(prediction.mayPredict());
+  EXPECT_EQ(prediction.predictedTicks(), Prediction::kMaxAhead);
+}
+
+TEST(Prediction, FollowsWhenTheServerIsAhead) {
+  Prediction prediction(Game(flatLevel()), kOwn);
+  const Inputs inputs = {present(Input::kLeft), present(Input::kRight)};
+  for (int tick = 0; tick < 50; ++tick) prediction.confirm(inputs);
+  prediction.reconcile(kNow);
+  EXPECT_EQ(prediction.predictedTicks(), 50u);
+  EXPECT_EQ(prediction.predicted().hash(), prediction.confirmed().hash());
+}
+
+TEST(Prediction, TakesTheServersState) {
+  Game server(flatLevel());
+  const Inputs inputs = {present(Input::kRight), present(Input::kRight), present(Input::kJump)};
+  for (int tick = 0; tick < 100; ++tick) server.advance(inputs);
+  Prediction prediction(Game(flatLevel()), kOwn);
+  for (int tick = 0; tick < 105; ++tick) prediction.predict(present(0));
+  ASSERT_TRUE(prediction.restore(server.save(), 100, inputs));
+  prediction.reconcile(kNow);
+  EXPECT_EQ(prediction.confirmedTicks(), 100u);
+  EXPECT_EQ(prediction.predictedTicks(), 105u);
+  EXPECT_EQ(prediction.confirmed().hash(), server.hash());
+  EXPECT_EQ(prediction.predicted().hash(), predictedByHand(prediction).hash());
+}
+
+TEST(Prediction, RefusesANonsensicalState) {
+  Prediction prediction(Game(flatLevel()), kOwn);
+  const std::uint64_t hash = prediction.confirmed().hash();
+  const std::vector<std::uint8_t> nonsense(17, 0xee);
+  EXPECT_FALSE(prediction.restore(nonsense, 5, {}));
+  EXPECT_EQ(prediction.confirmedTicks(), 0u);
+  EXPECT_EQ(prediction.confirmed().hash(), hash);
+}
+
+}  // namespace
+}  // namespace platon

@@ -1,0 +1,235 @@
+#include "client/scene/scene.h"
+
+#include <array>
+#include <cmath>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+namespace platon {
+namespace {
+
+constexpr std::array<std::string_view, 2> kNames{"Ada", "Grace"};
+
+std::shared_ptr<const Level> levelOf(const std::string& start, const std::string& goal, const std::string& lines) {
+  std::string text = "# title: Test\nHEXAHEDRON\n" + start + "\n" + goal + "\n480\n%\n" + lines;
+  for (int face = 1; face < 6; ++face) text += "%\n-240 -200 240 -200\n";
+  LevelResult result = loadLevel(text);
+  if (!result.level) throw std::logic_error("test level: " + result.diagnostics.front().message);
+  return result.level;
+}
+
+std::shared_ptr<const Level> floorLevel() { return levelOf("0 -150 -180 0", "2 0 0", "-240 -200 240 -200\n"); }
+
+Input pressing(int buttons) { return Input{static_cast<std::uint8_t>(Input::kPresent | buttons)}; }
+
+// Every slot does the same for some ticks.
+void run(Game& game, std::size_t players, int buttons, int ticks) {
+  const std::vector<Input> inputs(players, pressing(buttons));
+  for (int tick = 0; tick < ticks; ++tick) game.advance(inputs);
+}
+
+std::vector<PlayerSnapshot> playersOf(const Game& game) {
+  std::vector<PlayerSnapshot> players;
+  for (std::uint32_t slot = 0; slot < game.slots(); ++slot) players.push_back(snapshotOf(game, slot));
+  return players;
+}
+
+using Players = std::span<const PlayerSnapshot>;
+
+SceneSource sourceOf(const Game& game, Players before, Players now, double fraction) {
+  SceneSource source;
+  source.stage = makeStageModel(game.level());
+  source.game = &game;
+  source.others = {before, now, fraction};
+  return source;
+}
+
+// The game as it is after its last tick.
+Scene sceneOf(const Game& game) {
+  const std::vector<PlayerSnapshot> players = playersOf(game);
+  return makeScene(sourceOf(game, players, players, 1));
+}
+
+glm::dvec3 placeOf(const StageModel& stage, const EntityState& entity) {
+  return stage.mesh.toWorld(static_cast<int>(entity.part), toUnits(entity.position));
+}
+
+bool isOnSurface(const SolidMesh& mesh, glm::dvec3 point) {
+  return std::abs(glm::dot(mesh.normal(mesh.faceTowards(point)), point) - mesh.inradius()) < 1e-6;
+}
+
+TEST(Scene, PlayersStandWhereTheGameHasThem) {
+  Game game(floorLevel());
+  run(game, 3, Input::kRight, 40);
+  const Scene scene = sceneOf(game);
+  ASSERT_EQ(scene.players.size(), 3U);
+  for (const PlayerDrawing& player : scene.players) {
+    const EntityState& entity = game.world().entities()[player.slot];
+    EXPECT_LT(glm::distance(player.pose.position, placeOf(*scene.stage, entity)), 1e-9);
+    EXPECT_EQ(player.pose.normal, scene.stage->mesh.normal(static_cast<int>(entity.part)));
+    EXPECT_NEAR(glm::dot(player.pose.up, player.pose.normal), 0, 1e-12);
+    EXPECT_EQ(player.number, std::to_string(player.slot + 1));
+  }
+}
+
+TEST(Scene, APlayerWithSeveralInstancesIsDrawnOnce) {
+  Game game(levelOf("0 225 -180 0", "2 0 0", "-240 -200 240 -200\n"));
+  for (int tick = 0; tick < 60 && (tick == 0 || game.world().instancesOf(0).empty()); ++tick)
+    run(game, 1, Input::kRight, 1);
+  ASSERT_FALSE(game.world().instancesOf(0).empty()) << "the player does not reach over the edge";
+  EXPECT_EQ(sceneOf(game).players.size(), 1U);
+}
+
+TEST(Scene, AbsentPlayersAreNotDrawn) {
+  Game game(floorLevel());
+  run(game, 3, 0, 5);
+  game.advance(std::array{pressing(0), Input{}, pressing(0)});
+  const Scene scene = sceneOf(game);
+  ASSERT_EQ(scene.players.size(), 2U);
+  EXPECT_EQ(scene.players[0].slot, 0U);
+  EXPECT_EQ(scene.players[1].slot, 2U);
+}
+
+TEST(Scene, OwnIsAsPredictedOthersAsConfirmed) {
+  Game confirmed(floorLevel());
+  run(confirmed, 2, 0, 5);
+  Game predicted = confirmed;
+  run(predicted, 2, Input::kRight, 10);
+  const std::vector<PlayerSnapshot> players = playersOf(confirmed);
+  SceneSource source = sourceOf(predicted, players, players, 1);
+  source.own = {snapshotOf(predicted, 0), snapshotOf(predicted, 0), 1};
+  source.ownSlot = 0;
+  const Scene scene = makeScene(source);
+  ASSERT_EQ(scene.players.size(), 2U);
+  EXPECT_EQ(scene.players[0].slot, 1U);
+  EXPECT_FALSE(scene.players[0].own);
+  EXPECT_LT(glm::distance(scene.players[0].pose.position, placeOf(*scene.stage, confirmed.world().entities()[1])),
+            1e-9);
+  EXPECT_TRUE(scene.players[1].own);
+  EXPECT_LT(glm::distance(scene.players[1].pose.position, placeOf(*scene.stage, predicted.world().entities()[0])),
+            1e-9);
+  EXPECT_EQ(scene.focus.position, scene.players[1].pose.position);
+}
+
+TEST(Scene, FractionLeadsFromTheTickBeforeToTheLast) {
+  Game game(floorLevel());
+  run(game, 1, Input::kRight, 30);
+  const EntityState start = game.world().entities()[0];
+  const std::vector<PlayerSnapshot> before = playersOf(game);
+  run(game, 1, Input::kRight, 1);
+  const std::vector<PlayerSnapshot> now = playersOf(game);
+  SceneSource source = sourceOf(game, before, now, 0);
+  const glm::dvec3 first = placeOf(*source.stage, start);
+  const glm::dvec3 last = placeOf(*source.stage, game.world().entities()[0]);
+  ASSERT_GT(glm::distance(first, last), 0.5);
+  for (const double fraction : {0.0, 0.25, 1.0}) {
+    source.others.fraction = fraction;
+    EXPECT_LT(glm::distance(makeScene(source).players[0].pose.position, glm::mix(first, last, fraction)), 1e-9);
+  }
+}
+
+TEST(Scene, APlayerIsDrawnOnceItIsThereAtBothTicks) {
+  Game game(floorLevel());
+  run(game, 1, 0, 5);
+  const std::vector<PlayerSnapshot> alone = playersOf(game);
+  run(game, 2, 0, 1);
+  const std::vector<PlayerSnapshot> both = playersOf(game);
+  game.advance(std::array{pressing(0), Input{}});
+  const std::vector<PlayerSnapshot> aloneAgain = playersOf(game);
+  run(game, 2, 0, 1);
+  const std::vector<PlayerSnapshot> bothAgain = playersOf(game);
+  const auto drawn = [&game](Players before, Players now, double fraction) {
+    return makeScene(sourceOf(game, before, now, fraction)).players.size();
+  };
+  for (const double fraction : {0.0, 0.5, 1.0}) {
+    EXPECT_EQ(drawn(alone, both, fraction), 1U);
+    EXPECT_EQ(drawn(both, both, fraction), 2U);
+    EXPECT_EQ(drawn(both, aloneAgain, fraction), 1U);
+    EXPECT_EQ(drawn(aloneAgain, bothAgain, fraction), 1U);
+  }
+}
+
+TEST(Scene, AJumpBackToTheStartIsNotInterpolated) {
+  Game game(floorLevel());
+  run(game, 1, Input::kRight, 120);
+  const std::vector<PlayerSnapshot> before = playersOf(game);
+  run(game, 1, Input::kRestart, 1);
+  const std::vector<PlayerSnapshot> now = playersOf(game);
+  const Scene scene = makeScene(sourceOf(game, before, now, 0.5));
+  EXPECT_LT(glm::distance(scene.players[0].pose.position, placeOf(*scene.stage, game.world().entities()[0])), 1e-9);
+}
+
+TEST(Scene, OwnOffsetIsInThePlayersFrame) {
+  Game game(levelOf("0 0 0 90", "2 0 0", ""));
+  run(game, 1, 0, 1);
+  const std::vector<PlayerSnapshot> players = playersOf(game);
+  SceneSource source = sourceOf(game, players, players, 1);
+  source.ownSlot = 0;
+  const glm::dvec3 plain = makeScene(source).players[0].pose.position;
+  source.ownOffset = {3 * kSubunitsPerUnit, 5 * kSubunitsPerUnit};
+  const Scene scene = makeScene(source);
+  // Its up is the face's -x, its right the face's +y.
+  const glm::dmat4& toWorld = scene.stage->mesh.faceToWorld(0);
+  const glm::dvec3 moved = scene.players[0].pose.position - plain;
+  EXPECT_NEAR(glm::dot(moved, glm::dvec3(toWorld[0])), -5, 1e-6);
+  EXPECT_NEAR(glm::dot(moved, glm::dvec3(toWorld[1])), 3, 1e-6);
+  EXPECT_TRUE(isOnSurface(scene.stage->mesh, scene.players[0].pose.position));
+}
+
+// Up goes with the player over an edge: it does not tip over.
+TEST(Scene, OwnOffsetOverAnEdgeKeepsUpWhereItIs) {
+  Game game(levelOf("0 0 236 0", "2 0 0", ""));
+  run(game, 1, 0, 1);
+  const std::vector<PlayerSnapshot> players = playersOf(game);
+  SceneSource source = sourceOf(game, players, players, 1);
+  source.ownSlot = 0;
+  source.ownOffset = {0, 30 * kSubunitsPerUnit};
+  const Scene scene = makeScene(source);
+  const Pose& pose = scene.players[0].pose;
+  const glm::dvec3 above = scene.stage->mesh.normal(0);
+  ASSERT_LT(glm::dot(pose.normal, above), 0.5) << "the offset does not lead over the edge";
+  EXPECT_NEAR(glm::dot(pose.up, -above), 1, 1e-9);
+}
+
+TEST(Scene, NamesAndFinishedTimes) {
+  Game game(levelOf("0 -150 -180 0", "0 -150 -180", "-240 -200 240 -200\n"));
+  run(game, 3, 0, 7);
+  const std::vector<std::string> names(kNames.begin(), kNames.end());
+  const std::vector<PlayerSnapshot> players = playersOf(game);
+  SceneSource source = sourceOf(game, players, players, 1);
+  source.names = names;
+  const Scene scene = makeScene(source);
+  EXPECT_EQ(scene.players[0].name, "Ada");
+  EXPECT_EQ(scene.players[1].name, "Grace");
+  EXPECT_EQ(scene.players[2].name, "");
+  ASSERT_TRUE(scene.players[0].finishedAfter);
+  EXPECT_NEAR(*scene.players[0].finishedAfter, 1.0 / kTicksPerSecond, 1e-12);
+  EXPECT_TRUE(scene.over);
+}
+
+TEST(Scene, TheClockIsThatOfTheGame) {
+  Game game(floorLevel());
+  run(game, 1, 0, 90);
+  const Scene scene = sceneOf(game);
+  EXPECT_NEAR(scene.seconds, 1.5, 1e-12);
+  EXPECT_NEAR(scene.secondsLeft, (kRoundTicks - 90) / 60.0, 1e-9);
+  EXPECT_FALSE(scene.over);
+}
+
+TEST(Scene, WithoutPlayersTheStartIsInFocus) {
+  const Game game(levelOf("3 40 60 90", "0 0 0", ""));
+  const Scene scene = sceneOf(game);
+  EXPECT_TRUE(scene.players.empty());
+  EXPECT_LT(glm::distance(scene.focus.position, scene.stage->mesh.toWorld(3, {40, 60})), 1e-9);
+  EXPECT_LT(glm::distance(scene.focus.up, glm::dvec3(scene.stage->mesh.faceToWorld(3) * glm::dvec4(-1, 0, 0, 0))),
+            1e-9);
+}
+
+}  // namespace
+}  // namespace platon

@@ -1,0 +1,99 @@
+#include "client/scene/stage_model.h"
+
+#include <set>
+#include <stdexcept>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <glm/geometric.hpp>
+
+#include "client/scene/palette.h"
+
+namespace platon {
+namespace {
+
+std::shared_ptr<const StageModel> stageOf(const std::string& linesOfFace0) {
+  const LevelResult result =
+      loadLevel("# title: A title\nHEXAHEDRON\n0 -100 -150 90\n1 120 80\n480\n%\n" + linesOfFace0 + "%\n%\n%\n%\n%\n");
+  if (!result.level) throw std::logic_error("test level: " + result.diagnostics.front().message);
+  return makeStageModel(*result.level);
+}
+
+std::size_t ribbonsOf(const StageModel& stage) {
+  std::size_t count = 0;
+  for (const FaceDrawing& face : stage.faces) count += face.ribbons.size();
+  return count;
+}
+
+TEST(StageModel, HasWhatTheLevelHas) {
+  const auto stage = stageOf("-100 20.5 100 -40\n0 0 50 50\n");
+  EXPECT_EQ(stage->title, "A title");
+  EXPECT_EQ(stage->faces.size(), 6U);
+  ASSERT_EQ(stage->faces[0].ribbons.size(), 2U);
+  EXPECT_EQ(stage->faces[0].ribbons[0].a, glm::vec2(-100, 20.5));
+  EXPECT_EQ(stage->faces[0].ribbons[0].b, glm::vec2(100, -40));
+  EXPECT_EQ(ribbonsOf(*stage), 2U);
+  EXPECT_EQ(stage->start.face, 0);
+  EXPECT_EQ(stage->start.place, glm::vec2(-100, -150));
+  EXPECT_NEAR(stage->start.angle, 1.5707963, 1e-6);
+  EXPECT_EQ(stage->goal.face, 1);
+  EXPECT_EQ(stage->goal.place, glm::vec2(120, 80));
+}
+
+TEST(StageModel, ALineAlongAnEdgeIsSeenFromBothFaces) {
+  const auto stage = stageOf("-100 -240 60 -240\n");
+  const PlatonicSolid::Neighbour& below = stage->mesh.solid().neighbour(0, 0);
+  ASSERT_EQ(ribbonsOf(*stage), 2U);
+  ASSERT_EQ(stage->faces[below.face].ribbons.size(), 1U);
+  const Ribbon& here = stage->faces[0].ribbons[0];
+  const Ribbon& there = stage->faces[below.face].ribbons[0];
+  EXPECT_LT(glm::distance(stage->mesh.toWorld(0, here.a), stage->mesh.toWorld(below.face, there.a)), 1e-4);
+  EXPECT_LT(glm::distance(stage->mesh.toWorld(0, here.b), stage->mesh.toWorld(below.face, there.b)), 1e-4);
+}
+
+TEST(StageModel, AMarkerNearAnEdgeReachesOverIt) {
+  const auto stage = stageOf("");
+  const Marker marker{0, {0, -230}, 0};
+  const PlatonicSolid::Neighbour& below = stage->mesh.solid().neighbour(0, 0);
+  const auto beyond = markerOn(stage->mesh, below.face, marker, 20);
+  ASSERT_TRUE(beyond);
+  EXPECT_NEAR(glm::dot(glm::dvec2(beyond->place), stage->mesh.edgeNormals()[below.edge]), 250, 1e-3);
+  EXPECT_FALSE(markerOn(stage->mesh, below.face, marker, 5)) << "it does not reach that far";
+  EXPECT_FALSE(markerOn(stage->mesh, stage->mesh.solid().neighbour(0, 2).face, marker, 20)) << "the other side";
+  EXPECT_TRUE(markerOn(stage->mesh, 0, marker, 0));
+}
+
+TEST(StageModel, NumbersTellFacesApartWhicheverWayTheyAreTurned) {
+  const LevelResult result = loadLevel([] {
+    std::string text = "ICOSAHEDRON\n0 0 0 0\n1 0 0\n480\n";
+    for (int face = 0; face < 20; ++face) text += "%\n";
+    return text;
+  }());
+  ASSERT_TRUE(result.level);
+  std::set<std::string> labels;
+  const auto stage = makeStageModel(*result.level);
+  for (const FaceDrawing& face : stage->faces) labels.insert(face.label);
+  EXPECT_EQ(labels.size(), 20U);
+  EXPECT_TRUE(labels.contains("6.") && labels.contains("9."));
+}
+
+TEST(Palette, ColoursAreDistinct) {
+  for (int a = 0; a < 20; ++a) {
+    for (int b = 0; b < a; ++b) {
+      EXPECT_GT(glm::distance(faceColour(a), faceColour(b)), 0.02F) << a << " " << b;
+      const auto slotA = static_cast<std::uint32_t>(a);
+      EXPECT_GT(glm::distance(playerColour(slotA), playerColour(static_cast<std::uint32_t>(b))), 0.04F)
+          << a << " " << b;
+    }
+  }
+}
+
+TEST(Palette, KnownColours) {
+  EXPECT_LT(glm::distance(oklch(1, 0, 0), Colour(1)), 1e-3F);
+  EXPECT_LT(glm::distance(oklch(0, 0, 0), Colour(0)), 1e-3F);
+  // Red of sRGB by the definition of the space.
+  EXPECT_LT(glm::distance(oklch(0.62796, 0.25768, 29.234), Colour(1, 0, 0)), 2e-3F);
+}
+
+}  // namespace
+}  // namespace platon

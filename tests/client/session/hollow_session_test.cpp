@@ -1,0 +1,167 @@
+#include "client/session/hollow_session.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "client/bot/button_presser.h"
+#include "client/net/network_conditions.h"
+#include "server/match/match.h"
+#include "tests/support/test_level.h"
+
+namespace platon {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr ClientId kClient = 1;
+constexpr std::uint8_t kButtons = Input::kPresent - 1;
+
+/// The server's match and one hollow client, in virtual time.
+class HollowSessionTest : public testing::Test {
+ protected:
+  explicit HollowSessionTest(std::vector<std::shared_ptr<const Level>> levels = {endlessLevel()})
+      : match_(LevelRotation(std::move(levels)), MatchSettings{16, "test"}) {}
+
+  void join(const LinkQuality& line) {
+    up_.emplace(line, 1);
+    down_.emplace(line, 2);
+    session_.emplace("hollow", now_);
+  }
+
+  // Reliable messages go through the same line, so a test with losses begins to lose after joining.
+  void run(Moment duration) {
+    for (const Moment end = now_ + duration; now_ < end; now_ += milliseconds(1)) {
+      while ((ticks_ + 1) * 1'000'000 / kTicksPerSecond <= static_cast<std::uint64_t>(now_.count())) tick();
+      if (session_) carry();
+    }
+  }
+
+  std::uint32_t events(MatchEvent::Kind kind) {
+    std::uint32_t found = 0;
+    for (const MatchEvent& event : match_.takeEvents()) found += event.kind == kind ? 1 : 0;
+    return found;
+  }
+
+  // What the server decided for slot 0 and what was pressed, tick by tick.
+  std::vector<std::uint8_t> decided_;
+  std::vector<std::uint8_t> pressed_;
+
+  Match match_;
+  std::optional<HollowSession> session_;
+  bool losing_ = false;
+
+ private:
+  void tick() {
+    ++ticks_;
+    match_.tick();
+    if (session_ && match_.game().slots() > 0) decided_.push_back(match_.game().player(0).held & kButtons);
+    for (Outgoing& message : match_.takeOutgoing()) {
+      if (message.client == kClient && !(losing_ && ++sent_ % 3 == 0)) down_->send(std::move(message.bytes), now_);
+    }
+  }
+
+  void carry() {
+    session_->update(now_, [this] {
+      pressed_.push_back(presser_.next().buttons);
+      return Input{pressed_.back()};
+    });
+    for (OutgoingMessage& message : session_->takeOutgoing()) up_->send(std::move(message.bytes), now_);
+    while (const auto bytes = up_->receive(now_)) match_.receive(kClient, *decodeToServer(*bytes));
+    while (const auto bytes = down_->receive(now_)) session_->receive(*bytes, now_);
+  }
+
+  Moment now_{};
+  std::uint64_t ticks_ = 0;
+  std::uint32_t sent_ = 0;
+  std::optional<NetworkConditions> up_, down_;
+  ButtonPresser presser_{7};
+};
+
+LinkQuality lineWith(double delayMs) {
+  LinkQuality line;
+  line.delayMs = delayMs;
+  return line;
+}
+
+// To the server a player like others, whose inputs come in time and whose game is the server's.
+TEST_F(HollowSessionTest, NothingPressedIsMissed) {
+  join(lineWith(50));
+  run(std::chrono::seconds(5));
+  decided_.clear();
+  run(std::chrono::seconds(5));
+  ASSERT_GT(decided_.size(), 290u);
+  EXPECT_NE(std::search(pressed_.begin(), pressed_.end(), decided_.begin(), decided_.end()), pressed_.end());
+  EXPECT_GT(session_->confirmedTicks(), 570u);
+  EXPECT_GT(match_.member(kClient)->acknowledged() + 12, session_->confirmedTicks());
+  EXPECT_EQ(events(MatchEvent::Kind::kDesync), 0u);
+  EXPECT_NEAR(session_->reading().rttMs, 110, 20);
+}
+
+TEST_F(HollowSessionTest, KeepsUpWithLosses) {
+  join(lineWith(20));
+  run(std::chrono::seconds(1));
+  losing_ = true;
+  run(std::chrono::seconds(5));
+  EXPECT_GT(session_->confirmedTicks(), 330u);
+  EXPECT_EQ(events(MatchEvent::Kind::kDesync), 0u);
+}
+
+TEST_F(HollowSessionTest, TakesUpARoundThatIsPlayed) {
+  match_.receive(9, Hello{});
+  run(std::chrono::seconds(3));
+  join(lineWith(20));
+  run(std::chrono::seconds(3));
+  EXPECT_TRUE(match_.game().player(match_.member(kClient)->slot()).present);
+  EXPECT_GT(match_.member(kClient)->acknowledged(), 340u);
+  EXPECT_NEAR(session_->confirmedTicks(), 175, 10);  // those that it was there for
+  EXPECT_EQ(events(MatchEvent::Kind::kDesync), 0u);
+}
+
+class HollowRounds : public HollowSessionTest {
+ protected:
+  HollowRounds() : HollowSessionTest({flatLevel(), cornerLevel()}) {}
+};
+
+TEST_F(HollowRounds, PlaysTheNextRound) {
+  join(lineWith(20));
+  run(std::chrono::seconds(1));
+  // Another player runs into the goal of the first level.
+  match_.receive(9, Hello{});
+  const std::uint32_t round = match_.round();
+  for (std::uint32_t tick = 60; match_.round() == round && tick < 6000; ++tick) {
+    match_.receive(9, PlayerInputs{round, 77, 0, 0, tick, {Input{Input::kPresent | Input::kRight}}});
+    run(Moment(1'000'000 / kTicksPerSecond));
+  }
+  ASSERT_EQ(match_.round(), round + 1);
+  run(std::chrono::seconds(3));
+  const MatchPlayer& member = *match_.member(kClient);
+  ASSERT_LT(member.slot(), match_.game().slots());
+  EXPECT_TRUE(match_.game().player(member.slot()).present);
+  EXPECT_GT(member.acknowledged(), 150u);
+  EXPECT_EQ(events(MatchEvent::Kind::kDesync), 0u);
+}
+
+TEST_F(HollowSessionTest, SaysWhyItIsOver) {
+  HollowSession refused("x", Moment(0));
+  refused.receive(encode(Refused{RefusalCode::kFull, "server is full"}), Moment(0));
+  EXPECT_EQ(refused.ending(), "the server refused this client: server is full");
+  HollowSession confused("x", Moment(0));
+  confused.receive(std::vector<std::uint8_t>{1, 2, 3, 4}, Moment(0));
+  EXPECT_TRUE(confused.ending().has_value());
+}
+
+TEST_F(HollowSessionTest, LeavesAtOnce) {
+  join(lineWith(5));
+  run(std::chrono::seconds(1));
+  EXPECT_EQ(match_.players(), 1u);
+  session_->leave();
+  run(milliseconds(50));
+  EXPECT_TRUE(match_.idle());
+}
+
+}  // namespace
+}  // namespace platon

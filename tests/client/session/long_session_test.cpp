@@ -1,0 +1,69 @@
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include "client/bot/button_presser.h"
+#include "tests/exactness/judge/run_length.h"
+#include "tests/support/test_level.h"
+#include "tests/support/virtual_match.h"
+
+namespace platon {
+namespace {
+
+using std::chrono::seconds;
+
+constexpr std::uint64_t kSeed = 4711;
+constexpr std::uint32_t kBots = 8;
+
+// Now and then from the start to the goal, so that rounds end where it can be reached; else anything.
+Controls pressing(std::uint64_t seed) {
+  return [presser = std::make_shared<ButtonPresser>(seed)](const Game& game, std::uint32_t) {
+    const std::uint32_t phase = game.tick() % 1500;
+    if (phase < 700) return presser->next();
+    if (phase < 710) return Input{Input::kRestart};
+    const bool jumps = phase / 20 % 2 == 0;
+    return Input{static_cast<std::uint8_t>(Input::kRight | (jumps ? Input::kJump : 0))};
+  };
+}
+
+// From a good line to one that hardly can be played on.
+LinkQuality line(std::uint32_t number) {
+  LinkQuality quality;
+  quality.delayMs = 5 + 20 * number;
+  quality.jitterMs = 10 * number;
+  quality.lossPercent = 2 * number;
+  quality.duplicatePercent = number;
+  quality.reorderPercent = number;
+  return quality;
+}
+
+// No false alarm: over rounds and levels, on lines of every quality, no confirmed game is ever taken for wrong.
+TEST(LongSession, NoMismatchIsSeenWhereThereIsNone) {
+  const auto wanted = static_cast<std::uint64_t>(judge::runLength(100000, 1000000));
+  VirtualMatch match({flatLevel(), cornerLevel(), endlessLevel()}, kSeed);
+  for (std::uint32_t bot = 0; bot < kBots; ++bot) {
+    match.join(line(bot), pressing(kSeed + bot));
+    match.run(seconds(2 * bot));  // the last come late enough to need a full state
+  }
+  std::uint64_t ticks = 0;
+  for (; ticks < wanted && !HasFatalFailure(); match.run(seconds(10))) {
+    ticks = 0;
+    for (std::uint32_t bot = 0; bot < kBots; ++bot) ticks += match.session(bot).predictionCount().confirmedTicks;
+  }
+  for (std::uint32_t bot = 0; bot < kBots; ++bot) {
+    SCOPED_TRACE("bot " + std::to_string(bot) + ", seed " + std::to_string(kSeed));
+    EXPECT_EQ(match.session(bot).roundCount().hashMismatches, 0u);
+    EXPECT_FALSE(match.takeDesync(bot).has_value());
+  }
+  for (const MatchEvent& event : match.match().takeEvents()) {
+    EXPECT_NE(event.kind, MatchEvent::Kind::kDesync) << event.text;
+  }
+  std::printf("%llu ticks of %u bots in %u rounds\n", static_cast<unsigned long long>(ticks), kBots,
+              match.match().round());
+}
+
+}  // namespace
+}  // namespace platon

@@ -1,0 +1,80 @@
+#include "client/session/network_client.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <string>
+
+#include "client/play/client_error.h"
+#include "client/play/embedded_server.h"
+#include "client/time/steady_now.h"
+
+namespace platon {
+namespace {
+
+using std::chrono::milliseconds;
+
+const Controls kRight = [](const Game&, std::uint32_t) { return Input{Input::kRight}; };
+
+// Updates until `done` or ten seconds have passed; whether it is done.
+template <class Done>
+bool updateUntil(NetworkClient& client, Done done) {
+  const Clock clock = steadyClock();
+  const Moment end = clock.now() + std::chrono::seconds(10);
+  for (Moment now = clock.now(); now < end; now = clock.now()) {
+    client.update(now, kRight);
+    if (done()) return true;
+    clock.sleepUntil(now + milliseconds(2));
+  }
+  return false;
+}
+
+TEST(NetworkClient, SaysThatNobodyAnswers) {
+  const Moment start = std::chrono::hours(1);
+  NetworkClient client({"127.0.0.1", 1}, "", start);
+  for (Moment now = start; now <= start + NetworkClient::kPatience; now += milliseconds(50)) {
+    client.update(now, kRight);
+    ASSERT_EQ(client.ending(), std::nullopt);
+  }
+  client.update(start + NetworkClient::kPatience + milliseconds(1), kRight);
+  EXPECT_EQ(client.ending(), "no answer from 127.0.0.1:1 within 5 s: is platon-server running there?");
+}
+
+TEST(NetworkClient, SaysThatTheHostIsNotKnown) {
+  EXPECT_THROW(NetworkClient({"no such host", 1}, "", Moment(1)), std::runtime_error);
+}
+
+TEST(NetworkClient, PlaysOnAServerOfItsOwn) {
+  const EmbeddedServer server("levels/hexahedron/01_first_steps.level");
+  NetworkClient client(server.address(), "someone", steadyClock().now());
+  ASSERT_TRUE(updateUntil(client, [&] {
+    return client.session() != nullptr && client.session()->predictionCount().confirmedTicks > 60;
+  })) << client.ending().value_or("still waiting");
+  EXPECT_TRUE(client.session()->round()->prediction().present());
+  EXPECT_EQ(client.session()->roundCount().hashMismatches, 0u);
+  EXPECT_GT(client.traffic().sentBytes, 0u);
+  EXPECT_GT(client.traffic().receivedPackets, 30u);
+  EXPECT_GT(client.traffic().longestDatagram, 1000u);  // the level is longer
+  EXPECT_LE(client.traffic().longestDatagram, 1200u);
+  client.leave();
+  EXPECT_TRUE(updateUntil(client, [&] { return client.closed(); }));
+  EXPECT_EQ(client.ending(), std::nullopt);
+}
+
+TEST(EmbeddedServer, TellsWhatIsWrongWithALevel) {
+  try {
+    EmbeddedServer server("no/such.level");
+    FAIL();
+  } catch (const ClientError& error) {
+    EXPECT_EQ(error.exitCode(), ClientError::kUsage);
+  }
+  try {
+    EmbeddedServer server("LICENSE");
+    FAIL();
+  } catch (const ClientError& error) {
+    EXPECT_EQ(error.exitCode(), ClientError::kLevel);
+  }
+}
+
+}  // namespace
+}  // namespace platon

@@ -1,0 +1,309 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "client/net/lossy_relay.h"
+#include "client/play/match_play.h"
+#include "client/session/network_client.h"
+#include "client/time/steady_now.h"
+#include "protocol/to_client.h"
+#include "server/app/dedicated_server.h"
+#include "server/net/host.h"
+#include "tests/support/test_level.h"
+
+namespace platon {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+
+constexpr const char* kLoopback = "127.0.0.1";
+constexpr Moment kStep = milliseconds(4);
+constexpr Moment kAllowed = seconds(1);  // from when the server can be reached again to the first confirmed tick
+const Controls kRight = [](const Game&, std::uint32_t) { return Input{Input::kRight}; };
+
+LinkQuality goodLine() {
+  LinkQuality line;
+  line.delayMs = 30;
+  return line;
+}
+
+LinkQuality deadLine() {
+  LinkQuality line;
+  line.lossPercent = 100;
+  return line;
+}
+
+/// A server, a relay and clients on real sockets, in one thread and in a time of its own: a minute takes no minute.
+class Outage : public testing::Test {
+ protected:
+  Outage() { startServer(0, 4); }
+
+  void startServer(std::uint16_t port, std::uint32_t maxPlayers) {
+    ServerSettings settings;
+    settings.host.bind = kLoopback;
+    settings.host.port = port;
+    settings.match.maxPlayers = maxPlayers;
+    server_.emplace(settings, std::vector<LevelPointer>{endlessLevel()},
+                    Log(LogFormat::kText, [this](std::string_view line) { log_ += std::string(line) + "\n"; }));
+    port_ = server_->port();
+  }
+
+  // As when it is killed: nobody is told.
+  void killServer() { server_.reset(); }
+
+  ServerAddress address() const { return {kLoopback, port_}; }
+
+  // A client behind the relay, that has played a second.
+  void play() {
+    relay_.emplace(address(), goodLine(), 1);
+    client_.emplace(address(), "Ann", now_, relay_->address());
+    ASSERT_TRUE(runUntil(seconds(3), [this] { return ticks() > 60; }));
+  }
+
+  void step() {
+    now_ += kStep;
+    if (server_) server_->step(TimePoint(now_));
+    if (relay_) relay_->pump(now_);
+    if (client_) client_->update(now_, kRight);
+    if (other_) other_->update(now_, kRight);
+    if (relay_) relay_->pump(now_);
+  }
+
+  void run(Moment duration) {
+    for (const Moment end = now_ + duration; now_ < end;) step();
+  }
+
+  bool runUntil(Moment patience, const std::function<bool()>& done) {
+    for (const Moment end = now_ + patience; now_ < end && !done();) step();
+    return done();
+  }
+
+  // How long it takes until the client plays again.
+  Moment timeToPlay() {
+    const Moment begun = now_;
+    const std::uint32_t before = ticks();
+    EXPECT_TRUE(runUntil(seconds(20), [this, before] { return ticks() > before; }));
+    return now_ - begun;
+  }
+
+  std::uint32_t ticks() const {
+    return client_->session() == nullptr ? 0 : client_->session()->predictionCount().confirmedTicks;
+  }
+  std::uint32_t slot() const { return client_->session()->welcome()->slot; }
+  bool logged(const char* text) const { return log_.find(text) != std::string::npos; }
+
+  Moment now_ = steadyClock().now();
+  std::string log_;
+  std::optional<DedicatedServer> server_;
+  std::uint16_t port_ = 0;
+  std::optional<LossyRelay> relay_;
+  std::optional<NetworkClient> client_, other_;
+};
+
+// Whatever the moment at which the line is back.
+TEST_F(Outage, OfTheLineEndsWithinASecond) {
+  Moment longest{};
+  std::uint32_t outages = 0;
+  play();
+  for (const int ms : {2000, 3300, 4100, 4700, 6000, 8990, 9100, 13700, 14001, 26300, 33500, 55000}) {
+    SCOPED_TRACE(ms);
+    const PredictionCount before = client_->session()->predictionCount();
+    relay_->setQuality(deadLine());
+    run(milliseconds(ms));
+    EXPECT_EQ(client_->outage().has_value(), ms > 4000) << client_->outage().value_or("none");
+    relay_->setQuality(goodLine());
+    const Moment took = timeToPlay();
+    EXPECT_LE(took, kAllowed);
+    longest = std::max(longest, took);
+    run(seconds(2));
+    outages += ms > 4000 ? 1 : 0;
+    EXPECT_EQ(client_->outage(), std::nullopt);
+    EXPECT_EQ(client_->ending(), std::nullopt);
+    EXPECT_GT(client_->session()->predictionCount().confirmedTicks, before.confirmedTicks);
+    EXPECT_EQ(client_->session()->roundCount().hashMismatches, 0u);
+    EXPECT_EQ(slot(), 0u);
+    EXPECT_EQ(server_->match().players(), 1u);
+  }
+  EXPECT_GE(client_->returns(), outages);
+  EXPECT_FALSE(logged("left"));
+  EXPECT_EQ(log_.find("joined"), log_.rfind("joined"));
+  std::printf("at most %lld ms, %u returns\n", static_cast<long long>(longest / milliseconds(1)), client_->returns());
+}
+
+// Also between the greeting and the state of the game, when there is a round but nobody in it yet.
+TEST_F(Outage, KeepsThePictureUntilTheGameGoesOn) {
+  relay_.emplace(address(), goodLine(), 1);
+  MatchPlay play(ClientOptions(), relay_->address(), now_);
+  const auto showsThePlayer = [&] {
+    step();
+    play.update(now_, kRight);
+    const std::optional<Scene> scene = play.scene(now_);
+    return scene && !scene->players.empty() && scene->players.back().own;
+  };
+  const Moment settled = now_ + seconds(1);
+  while (now_ < settled) showsThePlayer();
+  for (const int ms : {500, 507, 514}) {
+    relay_->setQuality(deadLine());
+    while (!play.client().outage()) ASSERT_TRUE(showsThePlayer());
+    relay_->setQuality(goodLine());
+    while (play.client().outage()) ASSERT_TRUE(showsThePlayer());
+    for (const Moment end = now_ + milliseconds(ms); now_ < end;) ASSERT_TRUE(showsThePlayer());
+  }
+  EXPECT_EQ(play.client().returns(), 3u);
+}
+
+TEST_F(Outage, IsSeenWithinFourSeconds) {
+  play();
+  relay_->setQuality(deadLine());
+  ASSERT_TRUE(runUntil(seconds(10), [this] { return client_->outage().has_value(); }));
+  EXPECT_GT(ticks(), 60u);
+  ASSERT_NE(client_->session(), nullptr);  // the last, to be shown
+  EXPECT_TRUE(client_->session()->ending().has_value());
+}
+
+TEST_F(Outage, OfTheServerEndsWithinASecond) {
+  for (const int ms : {500, 5100, 9900, 31000}) {
+    SCOPED_TRACE(ms);
+    client_.reset();
+    play();
+    killServer();
+    run(milliseconds(ms));
+    startServer(port_, 4);
+    const Moment begun = now_;
+    ASSERT_TRUE(runUntil(seconds(10), [this] { return server_->match().players() == 1; }));
+    // A server that is killed and back within four seconds is not missed before they are over.
+    EXPECT_LE(now_ - begun, ms < 4000 ? Session::kSilence : kAllowed);
+    EXPECT_LE(timeToPlay(), kAllowed);
+    EXPECT_EQ(client_->session()->roundCount().hashMismatches, 0u);
+    run(seconds(1));
+  }
+}
+
+TEST_F(Outage, GoesOnWhileTheServerIsFull) {
+  play();
+  killServer();
+  run(seconds(5));
+  startServer(port_, 1);
+  other_.emplace(address(), "Ben", now_);
+  relay_->setQuality(deadLine());
+  ASSERT_TRUE(runUntil(seconds(2), [this] { return server_->match().players() == 1; }));
+  relay_->setQuality(goodLine());
+  run(seconds(30));
+  EXPECT_EQ(client_->ending(), std::nullopt);
+  ASSERT_TRUE(client_->outage().has_value());
+  EXPECT_TRUE(logged("refused"));
+  other_->leave();
+  const std::uint32_t before = ticks();
+  ASSERT_TRUE(runUntil(NetworkClient::kLongestPause + kAllowed, [&] { return ticks() > before; }));
+  EXPECT_EQ(client_->returns(), 1u);
+}
+
+TEST_F(Outage, AsksAFullServerEverLessOften) {
+  play();
+  killServer();
+  run(seconds(5));
+  startServer(port_, 1);
+  relay_->setQuality(deadLine());
+  other_.emplace(address(), "Ben", now_);
+  ASSERT_TRUE(runUntil(seconds(2), [this] { return server_->match().players() == 1; }));
+  relay_->setQuality(goodLine());
+  run(seconds(30));
+  std::size_t refusals = 0;
+  for (std::size_t at = 0; (at = log_.find("refused", at)) != std::string::npos; ++at) ++refusals;
+  EXPECT_GE(refusals, 12u);
+  EXPECT_LE(refusals, 18u);
+}
+
+TEST_F(Outage, EndsForGoodWithAServerOfAnotherVersion) {
+  play();
+  killServer();
+  run(seconds(5));
+  HostSettings settings;
+  settings.bind = kLoopback;
+  settings.port = port_;
+  Host host(settings, TimePoint(now_));
+  const auto refuse = [&] {
+    for (const HostEvent& event : host.service(TimePoint(now_))) {
+      if (event.gone) continue;
+      host.send(event.client, true, encode(Refused{RefusalCode::kWrongProtocol, "update your client"}));
+      host.close(event.client, TimePoint(now_));
+    }
+    host.flush(TimePoint(now_));
+    return client_->ending().has_value();
+  };
+  ASSERT_TRUE(runUntil(seconds(5), refuse));
+  EXPECT_EQ(client_->ending(), "the server refused this client: update your client");
+  EXPECT_TRUE(client_->welcomed());
+}
+
+TEST_F(Outage, CanBeLeftAtOnce) {
+  for (const int ms : {4500, 9100}) {
+    client_.reset();
+    play();
+    relay_->setQuality(deadLine());
+    run(milliseconds(ms));
+    ASSERT_TRUE(client_->outage().has_value());
+    client_->leave();
+    EXPECT_TRUE(client_->closed());
+    run(seconds(2));
+    EXPECT_TRUE(client_->closed());
+    relay_->setQuality(goodLine());
+    run(seconds(2));
+    EXPECT_EQ(server_->match().players(), 0u);  // nobody came back
+    EXPECT_FALSE(server_->match().idle());      // but could
+  }
+}
+
+TEST_F(Outage, CanBeTheLast) {
+  play();
+  relay_->setQuality(deadLine());
+  run(seconds(6));
+  ASSERT_TRUE(client_->outage().has_value());
+  client_.reset();
+  run(seconds(70));
+  EXPECT_TRUE(server_->match().idle());
+  EXPECT_TRUE(logged("left"));
+}
+
+TEST_F(Outage, OfTheProgramEndsWithItsToken) {
+  for (const int ms : {0, 2000, 50000}) {
+    SCOPED_TRACE(ms);
+    log_.clear();
+    play();
+    const SessionToken token = client_->token();
+    client_.reset();  // says nothing, as when it is killed
+    run(milliseconds(ms));
+    other_.emplace(address(), "Ben", now_);
+    run(seconds(1));  // somebody else has come meanwhile
+    const Moment begun = now_;
+    client_.emplace(address(), "Ann", now_, std::nullopt, token);
+    EXPECT_EQ(client_->token(), token);
+    ASSERT_TRUE(runUntil(kAllowed, [this] { return client_->session() != nullptr && ticks() > 0; }));
+    std::printf("after %lld ms\n", static_cast<long long>((now_ - begun) / milliseconds(1)));
+    EXPECT_EQ(slot(), 0u);
+    EXPECT_TRUE(logged("returned"));
+    EXPECT_EQ(client_->returns(), 0u);
+    run(seconds(2));
+    EXPECT_EQ(client_->session()->roundCount().hashMismatches, 0u);
+    EXPECT_EQ(server_->match().players(), 2u);
+    for (auto* leaver : {&client_, &other_}) (*leaver)->leave();
+    run(seconds(2));
+    ASSERT_TRUE(server_->match().idle());
+  }
+}
+
+TEST_F(Outage, WithoutATokenEveryClientHasItsOwn) {
+  play();
+  other_.emplace(address(), "Ben", now_);
+  EXPECT_NE(other_->token(), client_->token());
+}
+
+}  // namespace
+}  // namespace platon

@@ -1,0 +1,226 @@
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "client/bot/button_presser.h"
+#include "tests/support/test_level.h"
+#include "tests/support/virtual_match.h"
+
+namespace platon {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+
+constexpr std::uint64_t kSeed = 99;
+constexpr std::size_t kLost = 0;  // who loses the connection
+
+const Controls kRight = [](const Game&, std::uint32_t) { return Input{Input::kRight}; };
+
+Controls pressing(std::uint64_t seed) {
+  return [presser = std::make_shared<ButtonPresser>(seed)](const Game&, std::uint32_t) { return presser->next(); };
+}
+
+// Runs to the right for two seconds of the round, then stands.
+Controls settling() {
+  return [](const Game& game, std::uint32_t) { return game.tick() < 120 ? Input{Input::kRight} : Input{}; };
+}
+
+// How a client loses its connection and comes back.
+struct Break {
+  const char* what;
+  double delayMs = 30;  // each way
+  double lossPercent = 0;
+  std::size_t players = 2;
+  std::optional<Moment> noticed = seconds(3);  // by the server; else never
+  Moment lasts = seconds(6);
+};
+
+class ComeBack : public testing::TestWithParam<Break> {
+ protected:
+  void joinAll() {
+    LinkQuality line;
+    line.delayMs = GetParam().delayMs;
+    line.lossPercent = GetParam().lossPercent;
+    match_.join(line, settling());
+    for (std::size_t i = 1; i < GetParam().players; ++i) match_.join(line, pressing(kSeed + i));
+    match_.tamper(kLost, [this](std::vector<std::uint8_t>& bytes) {
+      const auto message = decodeToClient(bytes);
+      levelChunks_ += message && std::holds_alternative<LevelChunk>(*message) ? 1 : 0;
+    });
+  }
+
+  // Lets the connection break and be made again; time until the first tick is confirmed then.
+  Moment breakAndComeBack(const std::function<void()>& meanwhile) {
+    match_.breakOff(kLost, GetParam().noticed);
+    meanwhile();
+    const std::uint32_t before = match_.session(kLost).predictionCount().confirmedTicks;
+    const Moment begun = match_.now();
+    match_.comeBack(kLost);
+    while (match_.session(kLost).predictionCount().confirmedTicks == before && match_.now() < begun + seconds(20)) {
+      match_.run(milliseconds(1));
+    }
+    return match_.now() - begun;
+  }
+
+  Moment allowed() const {
+    const Moment roundTrip = milliseconds(static_cast<int>(2 * GetParam().delayMs));
+    // A lost message of ticks costs two more, as they go to more than four players.
+    const int ticks = GetParam().lossPercent > 0 ? 9 : 3;
+    return roundTrip + Moment(ticks * 1'000'000 / kTicksPerSecond);
+  }
+
+  EntityState place() { return match_.match().game().world().entities()[match_.slot(kLost)]; }
+
+  // Lets time pass during which nobody sees the player vanish.
+  void runWatched(Moment duration) {
+    const std::uint32_t slot = match_.slot(kLost);
+    for (const Moment end = match_.now() + duration; match_.now() < end; match_.run(milliseconds(50))) {
+      ASSERT_TRUE(match_.match().game().player(slot).present);
+      ASSERT_EQ(match_.session(1).names()[slot], "someone");
+      ASSERT_TRUE(match_.session(1).round()->prediction().confirmed().player(slot).present);
+    }
+  }
+
+  VirtualMatch match_{{endlessLevel()}, kSeed};
+  int levelChunks_ = 0;
+};
+
+TEST_P(ComeBack, TakesUpThePlayerWhereItStood) {
+  joinAll();
+  match_.run(seconds(5));
+  const std::uint32_t slot = match_.slot(kLost);
+  const EntityState before = place();
+  const std::uint32_t ticks = match_.session(kLost).predictionCount().confirmedTicks;
+  ASSERT_GT(ticks, 200u);
+  levelChunks_ = 0;
+  const Moment took = breakAndComeBack([&] { runWatched(GetParam().lasts); });
+  EXPECT_LE(took, allowed());
+  RecordProperty("milliseconds", std::to_string(took / milliseconds(1)));
+  std::printf("back after %lld ms\n", static_cast<long long>(took / milliseconds(1)));
+  EXPECT_EQ(match_.slot(kLost), slot);
+  EXPECT_EQ(place().position, before.position);
+  EXPECT_EQ(place().part, before.part);
+  runWatched(seconds(3));  // the confirmed game is the server's all the while
+  EXPECT_EQ(place().position, before.position);
+  EXPECT_EQ(levelChunks_, 0);
+  EXPECT_GT(match_.session(kLost).predictionCount().confirmedTicks, ticks + 120);
+  EXPECT_EQ(match_.session(kLost).roundCount().hashMismatches, 0u);
+  EXPECT_EQ(match_.session(kLost).roundCount().resyncs, 0u);
+  EXPECT_EQ(match_.match().players(), GetParam().players);
+}
+
+// Whoever comes back sees the own player where it stands from the first picture on.
+TEST_P(ComeBack, PredictsThePlayerWhereItStands) {
+  joinAll();
+  match_.run(seconds(5));
+  const EntityState before = place();
+  const PredictionCount count = match_.session(kLost).predictionCount();
+  breakAndComeBack([&] { match_.run(GetParam().lasts); });
+  const Prediction& prediction = match_.session(kLost).round()->prediction();
+  for (const Moment end = match_.now() + seconds(2); match_.now() < end; match_.run(milliseconds(1))) {
+    ASSERT_LT(prediction.slot(), prediction.predicted().slots());
+    ASSERT_TRUE(prediction.predicted().player(prediction.slot()).present);
+    const EntityState& own = prediction.predicted().world().entities()[prediction.slot()];
+    ASSERT_EQ(own.position, before.position);
+    ASSERT_EQ(own.part, before.part);
+  }
+  const PredictionCount gained = match_.session(kLost).predictionCount() - count;
+  EXPECT_EQ(gained.missedInputs, 0u);
+  EXPECT_EQ(gained.mispredicted, 0u);
+  EXPECT_EQ(gained.corrections, 0u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Lines, ComeBack,
+                         testing::Values(Break{"Plain"},
+                                         Break{.what = "BeforeTheServerNotices", .noticed = std::nullopt},
+                                         Break{.what = "AtOnce", .noticed = std::nullopt, .lasts = milliseconds(100)},
+                                         Break{.what = "SixteenPlayers", .players = 16},
+                                         Break{.what = "Losses", .lossPercent = 10, .players = 16},
+                                         Break{.what = "LongRoundTrip", .delayMs = 200},
+                                         Break{.what = "LongRoundTripLossesTakeover",
+                                               .delayMs = 200,
+                                               .lossPercent = 10,
+                                               .players = 16,
+                                               .noticed = std::nullopt},
+                                         Break{.what = "NearlyAMinute", .lasts = seconds(62)}),
+                         [](const testing::TestParamInfo<Break>& test) { return test.param.what; });
+
+class NextRound : public testing::Test {
+ protected:
+  static constexpr std::size_t kOther = 1;
+
+  // Both run into the goal of the first level.
+  void startWith(double delayMs) {
+    LinkQuality line;
+    line.delayMs = delayMs;
+    match_.join(line, kRight);
+    match_.join(line, kRight);
+    match_.run(milliseconds(1200));  // some way before the goal
+    ASSERT_EQ(match_.match().round(), 1u);
+  }
+
+  void expectToPlay(std::uint32_t round) {
+    match_.run(seconds(2));
+    ASSERT_NE(match_.session(kLost).round(), nullptr);
+    EXPECT_EQ(match_.session(kLost).round()->id(), round);
+    EXPECT_TRUE(match_.session(kLost).round()->prediction().present());
+    EXPECT_TRUE(match_.match().game().player(match_.slot(kLost)).present);
+    EXPECT_EQ(match_.session(kLost).roundCount().hashMismatches, 0u);
+    EXPECT_EQ(match_.match().players(), 2u);
+    const std::uint32_t missed = match_.session(kLost).predictionCount().missedInputs;
+    match_.run(seconds(1));
+    EXPECT_EQ(match_.session(kLost).predictionCount().missedInputs, missed);  // its inputs are taken
+  }
+
+  VirtualMatch match_{{flatLevel(), cornerLevel()}, kSeed};
+};
+
+TEST_F(NextRound, IsTakenUpInItsMiddle) {
+  startWith(40);
+  const std::uint32_t slot = match_.slot(kLost);
+  match_.breakOff(kLost, seconds(3));
+  while (match_.match().round() == 1) match_.run(milliseconds(100));
+  match_.run(milliseconds(800));
+  ASSERT_EQ(match_.match().round(), 2u);
+  EXPECT_EQ(match_.session(kOther).names()[slot], "someone");
+  EXPECT_FALSE(match_.match().game().player(slot).present);  // a round begins with nobody in it
+  match_.comeBack(kLost);
+  expectToPlay(2);
+  EXPECT_EQ(match_.slot(kLost), slot);
+  EXPECT_EQ(match_.session(kLost).round()->prediction().confirmed().level().hash, cornerLevel()->hash);
+}
+
+// The level, the state and the start of the round are all under way when the connection breaks again.
+TEST_F(NextRound, IsTakenUpWhateverIsInterrupted) {
+  for (int ms = 0; ms <= 400; ms += 20) {
+    SCOPED_TRACE(ms);
+    VirtualMatch match({flatLevel(), cornerLevel()}, kSeed + static_cast<std::uint64_t>(ms));
+    LinkQuality line;
+    line.delayMs = 60;
+    match.join(line, kRight);
+    match.join(line, kRight);
+    match.run(milliseconds(6500 + ms));  // the second round starts meanwhile
+    for (int again = 0; again < 4; ++again) {
+      match.breakOff(kLost, again % 2 == 0 ? std::optional<Moment>(milliseconds(1)) : std::nullopt);
+      match.run(milliseconds(7));
+      match.comeBack(kLost);
+      match.run(milliseconds(ms));
+    }
+    match.run(seconds(4));
+    ASSERT_NE(match.session(kLost).round(), nullptr);
+    EXPECT_EQ(match.session(kLost).round()->id(), match.match().round());
+    EXPECT_TRUE(match.session(kLost).round()->prediction().present());
+    EXPECT_EQ(match.slot(kLost), 0u);
+    EXPECT_EQ(match.match().players(), 2u);
+    EXPECT_EQ(match.session(kLost).roundCount().hashMismatches, 0u);
+  }
+}
+
+}  // namespace
+}  // namespace platon

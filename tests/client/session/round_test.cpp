@@ -1,0 +1,200 @@
+#include "client/session/round.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "tests/support/test_level.h"
+
+namespace platon {
+namespace {
+
+constexpr std::uint32_t kId = 7;
+constexpr std::uint32_t kSlot = 0;
+
+// A server's game of which another player has run right since the start.
+class Server {
+ public:
+  // The message about the ticks up to `ticks` that follow on the last one.
+  ConfirmedTicks decide(std::uint32_t ticks) {
+    ConfirmedTicks message;
+    message.round = kId;
+    message.from = ticks_;
+    message.count = ticks - ticks_;
+    if (ticks_ == 0) message.changes.push_back({0, 1, running_[1]});
+    for (; ticks_ < ticks; ++ticks_) game_.advance(running_);
+    message.hash = shortHash(game_.hash());
+    return message;
+  }
+
+  StateChunk state(std::uint8_t sync) const {
+    StateChunk chunk;
+    chunk.round = kId;
+    chunk.tick = ticks_;
+    chunk.sync = sync;
+    return chunk;
+  }
+
+  std::vector<std::uint8_t> stateBytes() const { return encode(FullState{running_, game_.save()}); }
+  std::uint64_t hash() const { return game_.hash(); }
+
+ private:
+  Game game_{endlessLevel()};
+  std::uint32_t ticks_ = 0;
+  std::vector<Input> running_ = {Input{}, Input{Input::kPresent | Input::kRight}};
+};
+
+class RoundTest : public testing::Test {
+ protected:
+  // Moves on to this time and says what is sent.
+  std::optional<PlayerInputs> update(int ms, Input pressed = {}) {
+    now_ = std::chrono::milliseconds(ms);
+    round_.advance(now_, [pressed](const Game&, std::uint32_t) { return pressed; });
+    return round_.report(now_);
+  }
+
+  Server server_;
+  Round round_{kId, endlessLevel(), kSlot, 6};
+  Moment now_{};
+};
+
+TEST_F(RoundTest, AsksForTicksBeforeItPlays) {
+  const auto first = update(0);
+  ASSERT_TRUE(first.has_value());
+  EXPECT_EQ(first->round, kId);
+  EXPECT_EQ(first->confirmed, 0u);
+  EXPECT_TRUE(first->inputs.empty());
+  EXPECT_FALSE(update(20).has_value());
+  EXPECT_TRUE(update(80).has_value());  // the first may be lost
+}
+
+TEST_F(RoundTest, PlaysAheadOfWhatItHears) {
+  round_.receive(server_.decide(100), now_);
+  EXPECT_EQ(round_.prediction().confirmedTicks(), 100u);
+  EXPECT_EQ(round_.prediction().confirmed().hash(), server_.hash());
+  const auto report = update(100, Input{Input::kRight});
+  ASSERT_TRUE(report.has_value());
+  EXPECT_EQ(round_.prediction().predictedTicks(), 112u);  // 6 ahead, and 6 ticks in 100 ms
+  EXPECT_EQ(report->confirmed, 100u);
+  EXPECT_EQ(report->hash, shortHash(server_.hash()));
+  EXPECT_EQ(report->first, 106u);  // it was not there before
+  ASSERT_EQ(report->inputs.size(), 6u);
+  for (const Input input : report->inputs) EXPECT_EQ(input.buttons, Input::kPresent | Input::kRight);
+}
+
+TEST_F(RoundTest, ReportsChangesAtOnceAndElseEveryFourthTick) {
+  round_.receive(server_.decide(1), now_);
+  std::vector<int> sentAt;
+  for (int tick = 1; tick <= 40; ++tick) {
+    const Input pressed{tick < 20 ? Input::kLeft : Input::kRight};
+    if (update(tick * 1000 / kTicksPerSecond + 1, pressed)) sentAt.push_back(tick);
+  }
+  for (std::size_t i = 1; i < sentAt.size(); ++i) EXPECT_LE(sentAt[i] - sentAt[i - 1], 4);
+  for (const int tick : {20, 21, 22}) {
+    EXPECT_EQ(std::count(sentAt.begin(), sentAt.end(), tick), 1) << tick;
+  }
+  EXPECT_LE(sentAt.size(), 40u / 4 + 2 * 3 + 1);
+}
+
+// Also when the server is silent for so long that no further tick may be predicted.
+TEST_F(RoundTest, AsksForTheButtonsOfEachTickOnce) {
+  round_.receive(server_.decide(10), now_);
+  std::uint32_t asked = 0;
+  for (int ms = 0; ms < 6000; ms += 10) {
+    round_.advance(std::chrono::milliseconds(ms), [&asked](const Game&, std::uint32_t) { return ++asked, Input(); });
+  }
+  EXPECT_FALSE(round_.prediction().mayPredict());
+  EXPECT_EQ(asked, round_.prediction().predictedTicks() - 16);  // absent before
+}
+
+TEST_F(RoundTest, IgnoresWhatItHasAndWhatLeavesAGap) {
+  const ConfirmedTicks first = server_.decide(10);
+  const ConfirmedTicks second = server_.decide(20);
+  ConfirmedTicks third = server_.decide(30);
+  round_.receive(first, now_);
+  round_.receive(third, now_);
+  EXPECT_EQ(round_.prediction().confirmedTicks(), 10u);
+  round_.receive(second, now_);
+  round_.receive(first, now_);
+  EXPECT_EQ(round_.prediction().confirmedTicks(), 20u);
+  // The same ticks again together with new ones: only the new ones count.
+  third.from = 15;
+  third.count = 15;
+  round_.receive(third, now_);
+  EXPECT_EQ(round_.prediction().confirmedTicks(), 30u);
+  EXPECT_EQ(round_.prediction().confirmed().hash(), server_.hash());
+  EXPECT_EQ(round_.count().hashMismatches, 0u);
+}
+
+TEST_F(RoundTest, TakesTheServersStateWhenItsOwnIsAnother) {
+  ConfirmedTicks wrong = server_.decide(10);
+  wrong.changes.clear();  // the other player is missing
+  round_.receive(wrong, now_);
+  EXPECT_EQ(round_.count().hashMismatches, 1u);
+  const auto told = update(60);
+  ASSERT_TRUE(told.has_value());
+  EXPECT_NE(told->hash, shortHash(server_.hash()));  // by which the server knows
+  round_.receive(server_.decide(12), now_);
+  EXPECT_EQ(round_.count().hashMismatches, 1u);  // still the same one
+
+  round_.receive(server_.state(3), server_.stateBytes(), now_);
+  EXPECT_EQ(round_.count().resyncs, 1u);
+  EXPECT_EQ(round_.prediction().confirmed().hash(), server_.hash());
+  EXPECT_EQ(round_.prediction().confirmedTicks(), 12u);
+  const auto next = update(120);
+  ASSERT_TRUE(next.has_value());
+  EXPECT_EQ(next->sync, 3);
+  EXPECT_EQ(next->hash, shortHash(server_.hash()));
+  round_.receive(server_.decide(20), now_);
+  EXPECT_EQ(round_.prediction().confirmed().hash(), server_.hash());
+  EXPECT_EQ(round_.count().hashMismatches, 1u);
+}
+
+TEST_F(RoundTest, TheStateOfALateJoinerIsNoResync) {
+  server_.decide(1000);
+  round_.receive(server_.state(1), server_.stateBytes(), now_);
+  EXPECT_EQ(round_.prediction().confirmedTicks(), 1000u);
+  EXPECT_EQ(round_.count().resyncs, 0u);
+}
+
+TEST_F(RoundTest, NonsenseForAStateChangesNothing) {
+  round_.receive(server_.decide(10), now_);
+  const std::vector<std::uint8_t> nonsense = {2, 128, 128, 9, 9, 9};
+  round_.receive(server_.state(1), nonsense, now_);
+  EXPECT_EQ(round_.prediction().confirmedTicks(), 10u);
+  EXPECT_EQ(update(60)->sync, 0);
+}
+
+TEST_F(RoundTest, ThePredictedFractionMovesThePictureOn) {
+  round_.receive(server_.decide(10), now_);
+  update(100);
+  EXPECT_NEAR(round_.predictedFraction(), 0, 1e-6);
+  update(104);
+  EXPECT_NEAR(round_.predictedFraction(), 0.24, 1e-6);
+}
+
+TEST_F(RoundTest, TheViewIsOfTheConfirmedGame) {
+  round_.receive(server_.decide(10), now_);
+  round_.receive(server_.decide(12), now_);
+  EXPECT_EQ(round_.interpolationBuffer().newest(), 12u);
+  const PlayersInTime players = round_.interpolationBuffer().players();
+  ASSERT_EQ(players.now.size(), 2u);
+  EXPECT_TRUE(players.now[1].present);
+  EXPECT_LT(round_.interpolationBuffer().tick(), 12);
+  const double before = round_.interpolationBuffer().tick();
+  update(10);
+  EXPECT_GT(round_.interpolationBuffer().tick(), before);
+}
+
+TEST_F(RoundTest, AFullStateStartsTheViewAnew) {
+  round_.receive(server_.decide(10), now_);
+  server_.decide(30);
+  round_.receive(server_.state(1), server_.stateBytes(), now_);
+  EXPECT_EQ(round_.interpolationBuffer().newest(), 30u);
+  EXPECT_EQ(round_.interpolationBuffer().tick(), 30);
+  EXPECT_EQ(round_.interpolationBuffer().jumps(), 1u);
+}
+
+}  // namespace
+}  // namespace platon

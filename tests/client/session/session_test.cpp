@@ -1,0 +1,178 @@
+#include "client/session/session.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+
+#include "tests/support/pressing.h"
+#include "tests/support/test_level.h"
+#include "tests/support/virtual_match.h"
+
+namespace platon {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+
+constexpr std::uint64_t kSeed = 20240607;
+
+LinkQuality lineWith(double delayMs, double jitterMs = 0, double loss = 0) {
+  LinkQuality line;
+  line.delayMs = delayMs;
+  line.jitterMs = jitterMs;
+  line.lossPercent = loss;
+  return line;
+}
+
+// What `run` adds to the counts of a client.
+struct Gain {
+  PredictionCount prediction;
+  std::uint32_t jumps = 0;
+};
+
+Gain gainOf(VirtualMatch& match, std::size_t client, Moment duration) {
+  const PredictionCount before = match.session(client).predictionCount();
+  const std::uint32_t jumps = match.session(client).round()->clock()->jumps();
+  match.run(duration);
+  const PredictionCount after = match.session(client).predictionCount();
+  return {{after.corrections - before.corrections, after.maxSubunits, 0, after.missedInputs - before.missedInputs,
+           after.mispredicted - before.mispredicted, after.confirmedTicks - before.confirmedTicks},
+          match.session(client).round()->clock()->jumps() - jumps};
+}
+
+class SteadyLine : public testing::TestWithParam<double> {};
+
+// On a line that only delays, nothing of the own player is ever predicted wrong, up to two seconds of round trip.
+TEST_P(SteadyLine, NeedsNoCorrection) {
+  VirtualMatch match({endlessLevel()}, kSeed);
+  match.join(lineWith(GetParam()), pressing(kSeed));
+  match.join(lineWith(20), pressing(kSeed + 1));
+  match.run(seconds(12));
+  const Gain gain = gainOf(match, 0, seconds(10));
+  EXPECT_GT(gain.prediction.confirmedTicks, 590u);
+  EXPECT_EQ(gain.prediction.missedInputs, 0u);
+  EXPECT_EQ(gain.prediction.corrections, 0u);
+  EXPECT_EQ(gain.prediction.mispredicted, 0u);
+  EXPECT_EQ(gain.jumps, 0u);
+  EXPECT_EQ(match.session(0).roundCount().hashMismatches, 0u);
+  EXPECT_EQ(match.session(0).roundCount().resyncs, 0u);
+}
+
+INSTANTIATE_TEST_SUITE_P(RoundTrips, SteadyLine, testing::Values(0.0, 25.0, 100.0, 400.0, 1000.0));
+
+TEST(Session, StaysInLockstepOnABadLine) {
+  VirtualMatch match({endlessLevel()}, kSeed);
+  LinkQuality line = lineWith(60, 40, 10);
+  line.duplicatePercent = 5;
+  line.reorderPercent = 5;
+  for (std::uint64_t i = 0; i < 3; ++i) match.join(line, pressing(kSeed + i));
+  match.run(seconds(10));
+  const Gain gain = gainOf(match, 1, seconds(20));
+  EXPECT_GT(gain.prediction.confirmedTicks, 1150u);
+  // A change of buttons is lost with its repetition once in a hundred: four changes a second, a few ticks each.
+  EXPECT_LT(gain.prediction.missedInputs, 60u);
+  EXPECT_EQ(match.session(1).roundCount().hashMismatches, 0u);
+  EXPECT_EQ(match.session(1).roundCount().resyncs, 0u);
+}
+
+TEST(Session, LateJoinerTakesUpTheRound) {
+  VirtualMatch match({endlessLevel()}, kSeed);
+  match.join(lineWith(30), pressing(kSeed));
+  match.run(seconds(40));
+  match.join(lineWith(80), pressing(kSeed + 1));
+  match.run(seconds(3));
+  const Gain gain = gainOf(match, 1, seconds(5));
+  EXPECT_TRUE(match.session(1).round()->prediction().present());
+  EXPECT_GT(gain.prediction.confirmedTicks, 290u);
+  EXPECT_EQ(gain.prediction.missedInputs, 0u);
+  EXPECT_EQ(match.session(1).roundCount().hashMismatches, 0u);
+}
+
+TEST(Session, PlaysTheNextRound) {
+  VirtualMatch match({flatLevel(), cornerLevel()}, kSeed);
+  const Controls right = [](const Game&, std::uint32_t) { return Input{Input::kRight}; };
+  match.join(lineWith(40), right);
+  match.join(lineWith(10), right);
+  match.run(seconds(15));
+  for (const std::size_t client : {0u, 1u}) {
+    ASSERT_NE(match.session(client).round(), nullptr);
+    EXPECT_GT(match.session(client).round()->id(), 1u);
+    EXPECT_EQ(match.session(client).round()->prediction().confirmed().level().hash, cornerLevel()->hash);
+    EXPECT_TRUE(match.session(client).round()->prediction().present());
+  }
+}
+
+TEST(Session, SlowFramesCostABufferButNoInputs) {
+  VirtualMatch match({endlessLevel()}, kSeed);
+  match.setFrame(milliseconds(100));
+  match.join(lineWith(20), pressing(kSeed));
+  match.run(seconds(12));
+  const Gain gain = gainOf(match, 0, seconds(10));
+  EXPECT_EQ(gain.prediction.missedInputs, 0u);
+  EXPECT_EQ(gain.prediction.corrections, 0u);
+}
+
+// A picture that takes half a second now and then is no jitter of the line.
+TEST(Session, AHiccupDoesNotMakeTheLeadLonger) {
+  VirtualMatch match({endlessLevel()}, kSeed);
+  match.join(lineWith(20), pressing(kSeed));
+  match.run(seconds(12));
+  const Round& round = *match.session(0).round();
+  const double lead = round.lead();
+  for (int hiccup = 0; hiccup < 8; ++hiccup) {
+    match.setFrame(milliseconds(500));
+    match.run(milliseconds(500));
+    match.setFrame(milliseconds(4));
+    match.run(milliseconds(700));
+  }
+  match.run(seconds(1));
+  EXPECT_LT(round.lead(), lead + 1);
+}
+
+TEST(Session, KnowsWhoIsThere) {
+  VirtualMatch match({endlessLevel()}, kSeed);
+  match.join(lineWith(5), pressing(kSeed));
+  match.join(lineWith(5), pressing(kSeed));
+  match.run(seconds(1));
+  const auto names = match.session(0).names();
+  ASSERT_EQ(names.size(), 16u);
+  EXPECT_EQ(names[match.slot(0)], "someone");
+  EXPECT_EQ(names[match.slot(1)], "someone");
+  EXPECT_EQ(names[5], "");
+}
+
+TEST(Session, SaysWhyItWasRefused) {
+  Session session("x", Moment(0));
+  session.receive(encode(Refused{RefusalCode::kFull, "server is full"}), Moment(0));
+  ASSERT_TRUE(session.ending().has_value());
+  EXPECT_NE(session.ending()->reason.find("server is full"), std::string::npos) << session.ending()->reason;
+  EXPECT_FALSE(session.ending()->forGood);
+}
+
+TEST(Session, EndsOnNonsense) {
+  Session session("x", Moment(0));
+  const std::vector<std::uint8_t> nonsense = {1, 2, 3, 4};
+  session.receive(nonsense, Moment(0));
+  EXPECT_TRUE(session.ending().has_value());
+}
+
+TEST(Session, EndsOnARoundBeforeTheWelcome) {
+  Session session("x", Moment(0));
+  session.receive(encode(RoundStart{1, 2}), Moment(0));
+  EXPECT_TRUE(session.ending().has_value());
+}
+
+TEST(Session, EndsWhenTheServerFallsSilent) {
+  Session session("x", Moment(0));
+  const Controls none = [](const Game&, std::uint32_t) { return Input{}; };
+  session.receive(encode(Welcome{0, 1, 2, 4, kTicksPerSecond, ""}), Moment(0));
+  session.update(Session::kSilence, none);
+  EXPECT_FALSE(session.ending().has_value());
+  session.update(Session::kSilence + milliseconds(1), none);
+  ASSERT_TRUE(session.ending().has_value());
+  EXPECT_FALSE(session.ending()->forGood);
+}
+
+}  // namespace
+}  // namespace platon

@@ -1,0 +1,149 @@
+#include "client/ui/hud.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+namespace platon {
+namespace {
+
+const Font& font() {
+  static const Font font;
+  return font;
+}
+
+std::shared_ptr<const StageModel> stage() {
+  const LevelResult result = loadLevel("# title: Corners\nHEXAHEDRON\n0 0 0 0\n1 0 0\n480\n%\n%\n%\n%\n%\n%\n");
+  if (!result.level) throw std::logic_error("test level: " + result.diagnostics.front().message);
+  return makeStageModel(*result.level);
+}
+
+Scene sceneOf(int players) {
+  Scene scene;
+  scene.stage = stage();
+  scene.secondsLeft = 83;
+  for (int i = 0; i < players; ++i) {
+    PlayerDrawing player;
+    player.slot = static_cast<std::uint32_t>(i);
+    player.pose = scene.stage->mesh.pose(0, {i * 10.0 - 50, 0}, 0);
+    player.number = std::to_string(i + 1);
+    player.name = "Name" + player.number;
+    scene.players.push_back(player);
+  }
+  scene.focus = scene.stage->mesh.pose(0, {0, 0}, 0);
+  return scene;
+}
+
+Overlay hudOf(const Scene& scene, const HudStatus& status = HudStatus()) {
+  Camera camera;
+  camera.set(scene.focus, scene.stage->mesh, 1280, 720);
+  return makeHud(scene, camera, status, font());
+}
+
+const Overlay::Text* find(const Overlay& overlay, const std::string& words) {
+  const auto found = std::find_if(overlay.texts.begin(), overlay.texts.end(),
+                                  [&](const Overlay::Text& text) { return text.words == words; });
+  return found == overlay.texts.end() ? nullptr : &*found;
+}
+
+long count(const Overlay& overlay, const std::string& words) {
+  return std::count_if(overlay.texts.begin(), overlay.texts.end(),
+                       [&](const Overlay::Text& text) { return text.words == words; });
+}
+
+TEST(Hud, ClockWords) {
+  EXPECT_EQ(clockWords(300), "5:00");
+  EXPECT_EQ(clockWords(299.01), "5:00");
+  EXPECT_EQ(clockWords(61), "1:01");
+  EXPECT_EQ(clockWords(10), "0:10");
+  EXPECT_EQ(clockWords(9.95), "10.0");
+  EXPECT_EQ(clockWords(9.9), "9.9");
+  EXPECT_EQ(clockWords(0), "0.0");
+}
+
+TEST(Hud, SaysTitleClockAndMessage) {
+  const Overlay hud = hudOf(sceneOf(1), {.message = "Connection lost", .warning = true, .help = false});
+  EXPECT_TRUE(find(hud, "Corners"));
+  EXPECT_TRUE(find(hud, "HEXAHEDRON"));
+  EXPECT_TRUE(find(hud, "1:23"));
+  EXPECT_TRUE(find(hud, "Connection lost"));
+}
+
+TEST(Hud, FinishedPlayersComeFirstByTheirTime) {
+  Scene scene = sceneOf(3);
+  scene.players[2].finishedAfter = 12.345;
+  scene.players[1].finishedAfter = 40;
+  const Overlay hud = hudOf(scene);
+  ASSERT_TRUE(find(hud, "✓ 12.35 s") || find(hud, "✓ 12.34 s"));
+  ASSERT_TRUE(find(hud, "✓ 40.00 s"));
+  // The first with these words is the tag over the ball; the list comes after.
+  const auto row = [&](const std::string& name) {
+    float lowest = 0;
+    for (const Overlay::Text& text : hud.texts) {
+      if (text.words == name && text.place.x > 1000) lowest = text.place.y;
+    }
+    return lowest;
+  };
+  EXPECT_LT(row("Name3"), row("Name2"));
+  EXPECT_LT(row("Name2"), row("Name1"));
+}
+
+TEST(Hud, OwnGoalIsAnnounced) {
+  Scene scene = sceneOf(2);
+  scene.players[1].own = true;
+  scene.players[1].finishedAfter = 7.5;
+  EXPECT_TRUE(find(hudOf(scene), "★  Goal in 7.50 s"));
+  scene.players[1].finishedAfter.reset();
+  scene.over = true;
+  EXPECT_TRUE(find(hudOf(scene), "Round over"));
+  scene.secondsLeft = 0;
+  EXPECT_TRUE(find(hudOf(scene), "Time is up"));
+}
+
+TEST(Hud, TagsAreOverPlayersInSightOnly) {
+  Scene scene = sceneOf(2);
+  EXPECT_EQ(count(hudOf(scene), "Name1"), 2);
+  scene.players[1].own = true;
+  EXPECT_EQ(count(hudOf(scene), "Name2"), 1) << "the own player needs no tag";
+  scene.players[0].pose = scene.stage->mesh.pose(5, {0, 0}, 0);
+  for (int face = 0; face < 6; ++face) {
+    scene.players[0].pose = scene.stage->mesh.pose(face, {0, 0}, 0);
+    EXPECT_EQ(count(hudOf(scene), "Name1"), face == 0 ? 2 : 1) << "face " << face;
+  }
+}
+
+TEST(Hud, ManyPlayersDoNotFillTheScreen) {
+  const Overlay hud = hudOf(sceneOf(64));
+  EXPECT_TRUE(find(hud, "and 52 more"));
+  for (const Overlay::Panel& panel : hud.panels) EXPECT_LT(panel.high.y, Overlay::kHeight * 0.6F);
+}
+
+TEST(Hud, LongNamesAreCutBetweenLetters) {
+  Scene scene = sceneOf(1);
+  scene.players[0].name.clear();
+  for (int i = 0; i < 40; ++i) scene.players[0].name += "ж";
+  std::string wanted;
+  for (int i = 0; i < 20; ++i) wanted += "ж";
+  EXPECT_TRUE(find(hudOf(scene), wanted + "…"));
+}
+
+TEST(Hud, NamelessPlayersAreCalledByTheirNumber) {
+  Scene scene = sceneOf(1);
+  scene.players[0].name.clear();
+  EXPECT_EQ(count(hudOf(scene), "Player 1"), 1);
+}
+
+TEST(Hud, HelpIsShownOnDemand) {
+  EXPECT_FALSE(find(hudOf(sceneOf(1)), "run"));
+  EXPECT_TRUE(find(hudOf(sceneOf(1), {.message = "", .warning = false, .help = true}), "run"));
+}
+
+TEST(Hud, WithoutAGameThereIsTheMessage) {
+  const Overlay hud = makeEmptyHud({.message = "Connecting", .warning = false, .help = false}, font(), 1280);
+  EXPECT_TRUE(find(hud, "Connecting"));
+  EXPECT_TRUE(find(hud, "Platon"));
+}
+
+}  // namespace
+}  // namespace platon

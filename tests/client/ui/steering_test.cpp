@@ -1,0 +1,73 @@
+#include "client/ui/steering.h"
+
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+namespace platon {
+namespace {
+
+constexpr double kQuarter = std::numbers::pi / 2;
+
+template <class... Key>
+HeldKeys holding(Key... keys) {
+  HeldKeys held;
+  ((held.*keys = true), ...);
+  return held;
+}
+
+int buttonsOf(Steering& steering, const HeldKeys& keys, double roll, ControlFrame frame) {
+  const Input input = steering.input(keys, roll, frame);
+  EXPECT_TRUE(input.has(Input::kPresent));
+  return input.buttons & ~Input::kPresent;
+}
+
+TEST(Steering, PlayersFrameIgnoresTheRoll) {
+  Steering steering;
+  for (const double roll : {0.0, kQuarter, -2.0, 3.1}) {
+    EXPECT_EQ(buttonsOf(steering, holding(&HeldKeys::left), roll, ControlFrame::kPlayer), Input::kLeft);
+    EXPECT_EQ(buttonsOf(steering, holding(&HeldKeys::right), roll, ControlFrame::kPlayer), Input::kRight);
+    EXPECT_EQ(buttonsOf(steering, holding(&HeldKeys::up), roll, ControlFrame::kPlayer), Input::kJump);
+    EXPECT_EQ(buttonsOf(steering, holding(&HeldKeys::down), roll, ControlFrame::kPlayer), Input::kDown);
+  }
+}
+
+// Turned a quarter counter-clockwise, the player's up is to the left of the screen and its right is upwards.
+TEST(Steering, ScreensFrameTurnsTheDirections) {
+  Steering steering;
+  const ControlFrame screen = ControlFrame::kScreen;
+  EXPECT_EQ(buttonsOf(steering, {}, kQuarter, screen), 0);
+  EXPECT_EQ(buttonsOf(steering, holding(&HeldKeys::left), kQuarter, screen), Input::kJump);
+  EXPECT_EQ(buttonsOf(steering, holding(&HeldKeys::up), kQuarter, screen), Input::kRight);
+  EXPECT_EQ(buttonsOf(steering, holding(&HeldKeys::right), kQuarter, screen), Input::kDown);
+  EXPECT_EQ(buttonsOf(steering, holding(&HeldKeys::down), kQuarter, screen), Input::kLeft);
+}
+
+TEST(Steering, UpsideDownLeftIsRight) {
+  for (const double roll : {2 * kQuarter, -2 * kQuarter, 2.6}) {
+    Steering steering;
+    buttonsOf(steering, {}, roll, ControlFrame::kScreen);
+    EXPECT_EQ(buttonsOf(steering, holding(&HeldKeys::left), roll, ControlFrame::kScreen), Input::kRight);
+  }
+}
+
+TEST(Steering, AHeldDirectionKeepsItsMeaning) {
+  Steering steering;
+  const ControlFrame screen = ControlFrame::kScreen;
+  buttonsOf(steering, {}, 0, screen);
+  for (const double roll : {0.0, 0.8, kQuarter, 3.0}) {
+    EXPECT_EQ(buttonsOf(steering, holding(&HeldKeys::right), roll, screen), Input::kRight);
+  }
+  buttonsOf(steering, {}, kQuarter, screen);
+  EXPECT_EQ(buttonsOf(steering, holding(&HeldKeys::right), kQuarter, screen), Input::kDown);
+}
+
+TEST(Steering, JumpAndRestartHaveNoDirection) {
+  Steering steering;
+  buttonsOf(steering, {}, kQuarter, ControlFrame::kScreen);
+  EXPECT_EQ(buttonsOf(steering, holding(&HeldKeys::jump, &HeldKeys::restart), kQuarter, ControlFrame::kScreen),
+            Input::kJump | Input::kRestart);
+}
+
+}  // namespace
+}  // namespace platon

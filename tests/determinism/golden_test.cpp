@@ -1,0 +1,67 @@
+// The golden recordings: what has been played once is played again to the last bit, by every build on every machine.
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "platon/game/recording_reader.h"
+#include "tests/determinism/lockstep_levels.h"
+#include "tests/sim/files.h"
+#include "tests/sim/verification.h"
+
+namespace platon::sim {
+namespace {
+
+constexpr std::size_t kMaxBytes = std::size_t{1} << 24;
+
+std::vector<std::string> goldenRecordings() { return filesIn("tests/determinism/golden", ".recording"); }
+
+class GoldenTest : public testing::TestWithParam<std::string> {};
+
+TEST_P(GoldenTest, PlaysTheSameAgain) {
+  const auto bytes = readBytes(GetParam(), kMaxBytes);
+  const Verification found = Verifier(bytes).run();
+  EXPECT_EQ(found.fault, "");
+  EXPECT_GE(found.ticks, 1800u);
+  EXPECT_EQ(found.slots, 8u);
+  ASSERT_FALSE(found.departure)
+      << "after tick " << found.departure->tick
+      << " it is another game. If the rules were to change, raise kRulesVersion in "
+         "shared/include/platon/game/game.h and run tests/determinism/golden/record.sh; if not, this is the fault.";
+}
+
+INSTANTIATE_TEST_SUITE_P(All, GoldenTest, testing::ValuesIn(goldenRecordings()),
+                         [](const auto& file) { return testName(file.param); });
+
+TEST(GoldenFilesTest, EveryLevelHasOneOfItsPresentText) {
+  std::set<std::uint64_t> recorded;
+  for (const std::string& path : goldenRecordings()) {
+    const auto bytes = readBytes(path, kMaxBytes);
+    const RecordingReader reader(bytes);
+    ASSERT_TRUE(reader.level()) << path << ": " << reader.fault();
+    recorded.insert(reader.level()->hash);
+  }
+  for (const std::string& path : lockstepLevels()) {
+    EXPECT_TRUE(recorded.contains(levelFrom(path)->hash))
+        << path << " has no golden recording: run tests/determinism/golden/record.sh";
+  }
+  EXPECT_EQ(recorded.size(), lockstepLevels().size());
+}
+
+// The hard levels are hard for something: players cross edges and have several instances.
+TEST(GoldenFilesTest, PlayersGetAround) {
+  std::uint64_t crossings = 0;
+  std::size_t mostInstances = 0;
+  for (const std::string& path : goldenRecordings()) {
+    const auto bytes = readBytes(path, kMaxBytes);
+    Verifier verifier(bytes);
+    verifier.run([&](std::span<const Input>, const Game& game) {
+      mostInstances = std::max(mostInstances, game.world().save().instances.size());
+    });
+    for (const EntityState& entity : verifier.game()->world().entities()) crossings += entity.crossings;
+  }
+  EXPECT_GT(crossings, 500u);
+  EXPECT_GT(mostInstances, 8u);
+}
+
+}  // namespace
+}  // namespace platon::sim

@@ -1,0 +1,109 @@
+// From nothing at all to many faces a tick.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "platon/exact/integer.h"
+#include "tests/exactness/hard_cases/judged_world.h"
+
+namespace platon::hard_cases {
+namespace {
+
+TEST(VelocitiesTest, NoneMovesNothing) {
+  HardScene scene("velocities/still.scene");
+  const WorldState before = scene.world.save();
+  scene.tick(scene.velocity);
+  const std::uint64_t hash = scene.world.hash();
+  for (int tick = 0; tick < 1000; ++tick) scene.tick(scene.velocity);
+  EXPECT_EQ(scene.world.hash(), hash);
+  EXPECT_EQ(scene.at(), before.entities[0].position);
+  EXPECT_TRUE(scene.rules.take().empty()) << "what is only touched is no contact";
+}
+
+TEST(VelocitiesTest, OneSubunitATickReachesTheWall) {
+  for (int x = -1; x <= 1; ++x) {
+    for (int y = -1; y <= 1; ++y) {
+      HardScene scene("velocities/one.scene");
+      for (int tick = 1; tick <= 1000; ++tick) {
+        scene.tick({x, y});
+        ASSERT_EQ(scene.at(), Point(tick * x, tick * y));
+        ASSERT_TRUE(scene.rules.contacts.empty());
+      }
+      for (int tick = 0; tick < 100; ++tick) scene.tick({x, y});
+      EXPECT_EQ(scene.at(), Point(1000 * x, 1000 * y));
+      EXPECT_EQ(scene.rules.contacts.empty(), x == 0 && y == 0);
+    }
+  }
+}
+
+/// A straight way round a solid, back to where it began: in a direction of the start face's x axis, so many times the
+/// edge's length, over so many edges.
+struct RoundTrip {
+  const char* level;
+  int crossings;
+  double edges;
+};
+
+// A tetrahedron unrolls into a lattice of triangles that repeats after two edges. Beside an edge of the octahedron and
+// of the icosahedron lies a straight belt of 6 and of 10 triangles. Half way between two opposite faces of the
+// dodecahedron a regular decagon goes through the middles of ten edges; its sides are half as long as diagonals.
+const RoundTrip kRoundTrips[] = {{"tetrahedron", 4, 2},
+                                 {"hexahedron", 4, 4},
+                                 {"octahedron", 6, 3},
+                                 {"dodecahedron", 10, 5 * std::numbers::phi},
+                                 {"icosahedron", 10, 5}};
+
+// Every crossing rounds what is left of the tick's displacement, by up to 0.71 subunits, and places the new home by its
+// own rounding, up to 0.71 more. These are independent of each other: the bound grows with their square root.
+double allowed(int crossings) { return 1 + 3 * std::sqrt(crossings * 0.5); }
+
+void expectRoundTrip(const RoundTrip& trip, int ticks, int rounds) {
+  HardLevel level("velocities/" + std::string(trip.level) + ".level");
+  ASSERT_TRUE(level.placeAtStart());
+  const double length = trip.edges * level.level->faceSize * kSubunitsPerUnit * rounds;
+  for (int tick = 0; tick < ticks; ++tick) {
+    const double from = std::round(length * tick / ticks);
+    level.push({static_cast<std::int32_t>(std::round(length * (tick + 1) / ticks) - from), 0});
+  }
+  EXPECT_EQ(level.entity().part(), level.level->startFace);
+  EXPECT_EQ(level.entity().rotation(), Angle());
+  EXPECT_EQ(level.entity().state().crossings, static_cast<std::uint32_t>(trip.crossings * rounds));
+  const Point off = level.at() - level.level->start;
+  EXPECT_LE(std::hypot(off.x, off.y), allowed(trip.crossings * rounds) + 0.71 * std::sqrt(ticks));
+  EXPECT_TRUE(level.rules.contacts.empty());
+}
+
+TEST(VelocitiesTest, AWholeFaceATick) {
+  for (const RoundTrip& trip : kRoundTrips) {
+    SCOPED_TRACE(trip.level);
+    expectRoundTrip(trip, trip.crossings, 1);
+    expectRoundTrip(trip, trip.crossings * 5, 5);
+  }
+}
+
+TEST(VelocitiesTest, ManyFacesATick) {
+  for (const RoundTrip& trip : kRoundTrips) {
+    for (const int rounds : {1, 2, 5}) {
+      SCOPED_TRACE(trip.level + std::string(", rounds ") + std::to_string(rounds));
+      expectRoundTrip(trip, 1, rounds);
+    }
+  }
+}
+
+TEST(VelocitiesTest, AtTheLimitAllLawsHold) {
+  for (const RoundTrip& trip : kRoundTrips) {
+    for (const Point velocity :
+         {Point(kVelocityLimit - 1, 0), Point(1 - kVelocityLimit, 123456789), Point(12345, 1 - kVelocityLimit)}) {
+      HardLevel level("velocities/" + std::string(trip.level) + ".level");
+      ASSERT_TRUE(level.placeAtStart());
+      for (int tick = 0; tick < 10; ++tick) level.push(velocity);
+      EXPECT_TRUE(level.lawful()) << trip.level;
+      EXPECT_GT(level.entity().state().crossings, 10u) << trip.level;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace platon::hard_cases

@@ -1,0 +1,80 @@
+// Into wedges at up to 2^28 subunits a tick.
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "platon/exact/angle.h"
+#include "platon/exact/integer.h"
+#include "tests/exactness/hard_cases/judged_world.h"
+
+namespace platon::hard_cases {
+namespace {
+
+/// A wedge has its apex at the origin: line 0 goes out from it on the left, line 1 comes back to it on the right.
+bool isInside(const HardScene& scene) {
+  const auto& lines = scene.world.geometry().parts[0]->lines;
+  const Point left = lines[0].b;
+  const Point right = lines[1].a;
+  for (const Point vertex : scene.shape.vertices()) {
+    const Point corner = scene.at() + vertex;
+    if (cross(left, corner) > 0 || cross(right, corner) < 0) return false;
+  }
+  return true;
+}
+
+/// How often a velocity is halved, so that all times between one tick and many are tried, and by what it is turned.
+struct Drive {
+  int halvings;
+  std::int32_t askew;  // centidegrees
+};
+
+const Drive kDrives[] = {{0, 0}, {0, 1}, {0, -7}, {0, 1500}, {0, -3000}, {3, 0}, {3, 400}, {7, 0}, {7, -13}};
+
+void driveInto(const std::string& name, Drive drive) {
+  HardScene scene("wedges/" + name + ".scene");
+  const Point whole = rotate(scene.velocity, Angle(drive.askew));
+  const Point velocity(whole.x >> drive.halvings, whole.y >> drive.halvings);
+  constexpr int most = 2000;
+  int ticks = 0;
+  for (Point before(0, 0); before != scene.at() && ticks < most; ++ticks) {
+    before = scene.at();
+    scene.tick(velocity);
+    ASSERT_TRUE(isInside(scene)) << "tick " << ticks << ", at " << scene.at().x << " " << scene.at().y;
+  }
+  ASSERT_LT(ticks, most) << "it comes to rest";
+  const Point rest = scene.at();
+  for (int tick = 0; tick < 1000 && scene.lawful(); ++tick) scene.tick(velocity);
+  EXPECT_EQ(scene.at(), rest);
+  scene.tick(-velocity);
+  EXPECT_GT(squaredLength(scene.at() - rest), squaredLength(Point(velocity.x / 2, velocity.y / 2)) / 4) << "out again";
+}
+
+TEST(WedgesTest, NothingGoesThroughTheApex) {
+  for (const char* kind : {"symmetric", "rotated", "steep"}) {
+    for (const char* degrees : {"10", "1", "0_1", "0_01"}) {
+      for (const Drive& drive : kDrives) {
+        const std::string name = std::string(kind) + "_" + degrees;
+        SCOPED_TRACE(name + ", halved " + std::to_string(drive.halvings) + " times, askew " +
+                     std::to_string(drive.askew));
+        driveInto(name, drive);
+      }
+    }
+  }
+}
+
+// Straight into a symmetric wedge: the flanks touch both lines, or are short of it by less than one subunit.
+TEST(WedgesTest, StraightItGoesAsFarAsItFits) {
+  for (const char* degrees : {"10", "1", "0_1", "0_01"}) {
+    HardScene scene(std::string("wedges/symmetric_") + degrees + ".scene");
+    scene.ticksToRest(scene.velocity, 20);
+    EXPECT_EQ(scene.at().y, 0);
+    const Point rest = scene.at();
+    EXPECT_TRUE(scene.checker.isFree(0, rest, Angle()));
+    EXPECT_FALSE(scene.checker.isFree(0, rest - Point(1, 0), Angle())) << degrees;
+  }
+}
+
+}  // namespace
+}  // namespace platon::hard_cases

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <vector>
+
+#include "platon/physics/segment.h"
+#include "tests/exactness/oracle/exact_geometry.h"
+
+/// Between the figures of the code under test and those of the oracle.
+namespace platon::judge {
+
+inline oracle::Vec toVec(Point point) { return {point.x, point.y}; }
+
+inline oracle::Segment toSegment(const Segment& line) { return {toVec(line.a), toVec(line.b)}; }
+
+inline oracle::Polygon toPolygon(const std::vector<Point>& points) {
+  oracle::Polygon polygon;
+  for (const Point point : points) polygon.push_back(toVec(point));
+  return polygon;
+}
+
+/// |components| < 2^31.
+inline Point toPoint(oracle::Vec v) { return {static_cast<std::int32_t>(v.x), static_cast<std::int32_t>(v.y)}; }
+
+inline Segment toSegment(const oracle::Segment& line) { return {toPoint(line.a), toPoint(line.b)}; }
+
+inline std::vector<Point> toPoints(const oracle::Polygon& polygon) {
+  std::vector<Point> points;
+  for (const oracle::Vec v : polygon) points.push_back(toPoint(v));
+  return points;
+}
+
+}  // namespace platon::judge

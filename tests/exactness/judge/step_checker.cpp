@@ -1,0 +1,129 @@
+#include "tests/exactness/judge/step_checker.h"
+
+#include "tests/exactness/judge/conversions.h"
+
+namespace platon::judge {
+namespace {
+
+// I2: no step has more moves than this.
+constexpr std::size_t kMaxMoves = 100;
+
+std::vector<oracle::Segment> blockingLines(const JudgedScene& scene, const MapGeometry& part) {
+  std::vector<oracle::Segment> lines;
+  for (std::uint32_t i = 0; i < part.lineOfWarp(0); ++i) {
+    if (!scene.pierces || !scene.pierces(part.id, i)) lines.push_back(toSegment(part.lines[i]));
+  }
+  return lines;
+}
+
+oracle::TraceHeader headerOf(const JudgedScene& scene) {
+  oracle::TraceHeader header;
+  header.solid = scene.solid ? nameOf(*scene.solid) : "PLANE";
+  header.shape = toPolygon(scene.shape.vertices());
+  for (const auto& part : scene.geometry.parts) {
+    oracle::TraceFace face;
+    if (scene.solid) face.polygon = toPolygon(facePolygon(*scene.solid, scene.faceSize));
+    face.lines = blockingLines(scene, *part);
+    for (const Warp& warp : part->warps) {
+      face.warps.push_back({toSegment(warp.from), warp.target, toSegment(warp.onto)});
+    }
+    header.faces.push_back(std::move(face));
+  }
+  return header;
+}
+
+/// Turning, instances that come and go, and passing home move nothing.
+std::size_t movesOf(const std::vector<oracle::TraceLeg>& legs) {
+  std::size_t moves = 0;
+  for (std::size_t i = 1; i < legs.size(); ++i) {
+    const oracle::TraceInstance* before = homeOf(legs[i - 1]);
+    const oracle::TraceInstance* after = homeOf(legs[i]);
+    if (before != nullptr && after != nullptr && before->id == after->id && before->position != after->position)
+      ++moves;
+  }
+  return moves;
+}
+
+}  // namespace
+
+struct StepChecker::Checkers {
+  Checkers(oracle::TraceMap made, oracle::TraceReport& report)
+      : map(std::move(made)),
+        shapes(map.shape(), report),
+        states(map, shapes, report),
+        motions(map, shapes, states, report) {}
+
+  oracle::TraceMap map;
+  oracle::ShapeLibrary shapes;
+  oracle::StateChecker states;
+  oracle::MotionChecker motions;
+};
+
+StepChecker::StepChecker(const JudgedScene& scene) : shape_(scene.shape) {
+  auto map = oracle::TraceMap::make(headerOf(scene), report_);
+  if (map) checkers_ = std::make_shared<Checkers>(std::move(*map), report_);
+}
+
+void StepChecker::leg(std::uint32_t entity, std::span<const InstanceView> instances) {
+  oracle::TraceLeg& leg = legs_[entity].emplace_back();
+  for (const InstanceView& view : instances) leg.push_back(converted(view));
+}
+
+oracle::TraceInstance StepChecker::converted(const InstanceView& view) const {
+  oracle::TraceInstance instance{
+      view.id, view.part, toVec(view.position), view.angle.centidegrees(), !view.hangs, view.parent, view.warp, {}};
+  const auto turned = shape_.turned(view.angle);
+  if (turned && !(*turned == shape_)) instance.shape = toPolygon(turned->vertices());
+  return instance;
+}
+
+std::string StepChecker::finishTick() {
+  tallies_.clear();
+  for (const auto& [entity, legs] : legs_) {
+    report_.atPlayer(entity);
+    tallies_[entity] = {legs.size() - 1, legs.back().size()};
+    if (checkers_) judge(legs);
+  }
+  legs_.clear();
+  return report_.clean() ? std::string() : report_.messages().front();
+}
+
+std::size_t StepChecker::moves(std::uint32_t entity) const {
+  const auto found = tallies_.find(entity);
+  return found == tallies_.end() ? 0 : found->second.moves;
+}
+
+std::size_t StepChecker::instances(std::uint32_t entity) const {
+  const auto found = tallies_.find(entity);
+  return found == tallies_.end() ? 0 : found->second.instances;
+}
+
+bool StepChecker::isFree(std::uint32_t part, Point position, Angle angle) {
+  if (!checkers_) return true;
+  const auto shape = shape_.turned(angle);
+  if (!shape) return true;
+  const auto area = oracle::OpenArea::standing(toPolygon(shape->vertices()), toVec(position));
+  for (const oracle::MapLine& line : checkers_->map.face(part).lines) {
+    if (area.meets(line.segment)) return false;
+  }
+  return true;
+}
+
+void StepChecker::judge(const std::vector<oracle::TraceLeg>& legs) {
+  oracle::StateChecker& states = checkers_->states;
+  if (const std::size_t moves = movesOf(legs); moves > kMaxMoves) {
+    report_.violate("I2", std::to_string(moves) + " moves");
+  }
+  if (!states.isTree(legs.front())) return;
+  states.checkPlacements(legs.front());
+  for (const oracle::TraceInstance& instance : legs.front()) states.checkFree(instance);
+  for (std::size_t i = 1; i < legs.size(); ++i) {
+    report_.atLeg(i);
+    if (!states.isTree(legs[i])) return;
+    states.checkPlacements(legs[i]);
+    checkers_->motions.check(legs[i - 1], legs[i]);
+  }
+  states.checkTickEnd(legs.back());
+}
+
+}  // namespace platon::judge

@@ -1,0 +1,32 @@
+// I3 over every edge of every solid, at all slopes and both ways.
+#include <gtest/gtest.h>
+
+#include "platon/game/solid.h"
+#include "tests/exactness/judge/run_length.h"
+#include "tests/shared/game/edge_floor.h"
+
+namespace platon::long_runs {
+namespace {
+
+class FloorSlopesTest : public testing::TestWithParam<SolidKind> {};
+
+// Over steeper floors the centre of the ball, which is above the floor, passes the edge too late for the way run here.
+TEST_P(FloorSlopesTest, RunningOverNeitherSlowsNorLifts) {
+  const PlatonicSolid& solid = PlatonicSolid::of(GetParam());
+  const auto step = static_cast<int>(judge::runLength(5, 1));
+  for (int face = 0; face < solid.faces(); ++face) {
+    for (int edge = 0; edge < solid.edgesPerFace(); ++edge) {
+      for (int slant = -60; slant <= 60; slant += step) {
+        const Floor floor{GetParam(), face, edge, 0.5, static_cast<double>(slant)};
+        ASSERT_NO_FATAL_FAILURE(expectSmooth(floor, alignedWith(floor), 256));
+        ASSERT_NO_FATAL_FAILURE(expectSmooth(floor, alignedWith(floor) + Angle::degrees(180), 60));
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Solids, FloorSlopesTest, testing::ValuesIn(kAllSolids),
+                         [](const auto& described) { return std::string(nameOf(described.param)); });
+
+}  // namespace
+}  // namespace platon::long_runs

@@ -1,0 +1,165 @@
+// I4: what rests under a constant press stays where it is, to the bit and for good.
+#include <gtest/gtest.h>
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "platon/game/player.h"
+#include "platon/game/stage.h"
+#include "platon/physics/entity.h"
+#include "platon/physics/map_part.h"
+#include "shared/game/face_area.h"
+#include "tests/exactness/judge/run_length.h"
+#include "tests/exactness/judge/step_checker.h"
+#include "tests/shared/game/real_face.h"
+
+namespace platon::long_runs {
+namespace {
+
+constexpr std::int32_t kSize = 240;
+constexpr int kSettling = 1000;
+
+/// Lines as if face and neighbour lay in one plane, round a point of the edge between them: x out over the edge, turned
+/// by the slant, y a quarter counter-clockwise of it. Subunits.
+struct Bed {
+  const char* name;
+  std::vector<std::pair<Real, Real>> lines;
+  Real start;
+  Real press;  // subunits a tick
+};
+
+std::vector<Bed> beds() {
+  return {
+      {"floor", {{{-60000, 0}, {60000, 0}}}, {0, 13000}, {0, -256}},
+      {"wedge", {{{-900, 0}, {-40000, 30000}}, {{-900, 0}, {25000, 44000}}}, {0, 34000}, {40, -300}},
+      {"blunt wedge", {{{0, -9000}, {-50000, 1000}}, {{0, -9000}, {50000, 3000}}}, {3000, 12000}, {0, -256}},
+      {"corner over the edge",
+       {{{-60000, -7000}, {9000, -7000}}, {{9000, -9000}, {12000, 50000}}},
+       {-5000, 9000},
+       {200, -256}},
+  };
+}
+
+/// A bed at an edge of a solid.
+struct Place {
+  SolidKind kind;
+  int face = 0;
+  int edge = 0;
+  double before = 0;  // of the edge, subunits
+  double slant = 0;   // degrees
+};
+
+std::ostream& operator<<(std::ostream& out, const Place& place) {
+  return out << nameOf(place.kind) << ", face " << place.face << ", edge " << place.edge << ", " << place.before
+             << " before it, slant " << place.slant;
+}
+
+FinePoint fine(Real point) {
+  const Point rounded = nearest(point);
+  return {std::int64_t{rounded.x} * FinePoint::kPerSubunit, std::int64_t{rounded.y} * FinePoint::kPerSubunit};
+}
+
+class Rest {
+ public:
+  Rest(const Bed& bed, const Place& place) : place_(place), ideal_(place.kind, kSize), world_(stage(bed)) {
+    Entity entity(world_, playerShape());
+    const auto angle = platon::rotationOf(turn({1, 0}));
+    const PlatonicSolid::Neighbour& behind = PlatonicSolid::of(place.kind).neighbour(place.face, place.edge);
+    const bool isBehind = !FaceArea(facePolygon(place.kind, kSize)).contains(nearest(at(bed.start)));
+    const Real start = isBehind ? ideal_.over(place.face, place.edge, at(bed.start)) : at(bed.start);
+    MapPart(world_, isBehind ? behind.face : static_cast<std::uint32_t>(place.face))
+        .insert(entity, nearest(start), isBehind ? angle + behind.turn : angle);
+    entity.setVelocity(rotate(nearest(turn(bed.press)), entity.rotation() - angle));
+  }
+
+  World& world() { return world_; }
+
+ private:
+  Real turn(Real vector) const {
+    return turned(vector, platon::rotationOf(ideal_.outwards(place_.edge)) +
+                              Angle(static_cast<std::int32_t>(place_.slant * 100)));
+  }
+  Real at(Real point) const {
+    return ideal_.onEdge(place_.edge, 0.5) - place_.before * ideal_.outwards(place_.edge) + turn(point);
+  }
+  World stage(const Bed& bed) const {
+    const FaceArea area(facePolygon(place_.kind, kSize));
+    std::vector<std::vector<Segment>> lines(static_cast<std::size_t>(PlatonicSolid::of(place_.kind).faces()));
+    const auto add = [&](int face, Real a, Real b) {
+      if (const auto cut = area.cut(fine(a), fine(b))) lines[static_cast<std::size_t>(face)].push_back(*cut);
+    };
+    const int behind = PlatonicSolid::of(place_.kind).neighbour(place_.face, place_.edge).face;
+    for (const auto& [a, b] : bed.lines) {
+      add(place_.face, at(a), at(b));
+      add(behind, ideal_.over(place_.face, place_.edge, at(a)), ideal_.over(place_.face, place_.edge, at(b)));
+    }
+    return buildStage(place_.kind, kSize, lines);
+  }
+
+  Place place_;
+  RealFace ideal_;
+  World world_;
+};
+
+/// What holds the entity.
+class Holds : public Rules {
+ public:
+  void contact(Entity&, const Contact&) override { ++count; }
+
+  int count = 0;
+};
+
+void expectRest(const Bed& bed, const Place& place, std::int64_t ticks) {
+  SCOPED_TRACE(testing::Message() << bed.name << " on " << place);
+  Rest rest(bed, place);
+  World& world = rest.world();
+  for (int tick = 0; tick < kSettling; ++tick) world.solve();
+  const WorldState settled = world.save();
+  Holds holds;
+  const Convex shape = playerShape();
+  judge::StepChecker checker({world.geometry(), shape, place.kind, kSize});
+  world.solve(holds, &checker);
+  ASSERT_EQ(checker.finishTick(), "");
+  ASSERT_GT(holds.count, 0) << "nothing presses";
+  for (std::int64_t tick = 1; tick < ticks; ++tick) {
+    ASSERT_EQ(world.save(), settled) << "moved in tick " << tick;
+    world.solve();
+  }
+  ASSERT_EQ(world.save(), settled);
+}
+
+class RestTest : public testing::TestWithParam<SolidKind> {};
+
+TEST_P(RestTest, NothingMovesUnderAConstantPress) {
+  const std::int64_t ticks = judge::runLength(100000, 1000000);
+  int placed = 0;
+  for (const Bed& bed : beds()) {
+    for (const double before : {0.0, 700.0}) {
+      const double slant = placed % 2 == 0 ? 20.0 : -12.3;
+      ASSERT_NO_FATAL_FAILURE(expectRest(bed, {GetParam(), placed % 4, placed % 3, before, slant}, ticks));
+      ++placed;
+    }
+  }
+}
+
+// Every edge of the solid, for a shorter time.
+TEST_P(RestTest, AtEveryEdge) {
+  const PlatonicSolid& solid = PlatonicSolid::of(GetParam());
+  const std::int64_t ticks = judge::runLength(100, 10000);
+  for (const Bed& bed : beds()) {
+    for (int face = 0; face < solid.faces(); ++face) {
+      for (int edge = 0; edge < solid.edgesPerFace(); ++edge) {
+        for (const double slant : {-33.0, 7.7}) {
+          ASSERT_NO_FATAL_FAILURE(expectRest(bed, {GetParam(), face, edge, 40, slant}, ticks));
+        }
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Solids, RestTest, testing::ValuesIn(kAllSolids),
+                         [](const auto& described) { return std::string(nameOf(described.param)); });
+
+}  // namespace
+}  // namespace platon::long_runs

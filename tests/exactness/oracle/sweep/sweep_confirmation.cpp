@@ -1,0 +1,103 @@
+#include <gmpxx.h>
+
+#include <algorithm>
+
+#include "tests/exactness/oracle/sweep/sweep_oracle.h"
+
+namespace platon::oracle {
+namespace {
+
+/// The shape where it stands after the given part of its path.
+class Placement {
+ public:
+  Placement(const SweepQuery& query, const mpq_class& time)
+      : query_(query),
+        x_(mpq_class(query.position.x) + time * query.displacement.x),
+        y_(mpq_class(query.position.y) + time * query.displacement.y) {}
+
+  /// The open shape has a point of the segment.
+  bool overlaps() const { return clip(true); }
+  /// The closed shape has a point of the segment.
+  bool touches() const { return clip(false); }
+
+  /// The whole shape lies on the far side of a line with this normal, the segment on the near side, and both reach it.
+  bool isSeparatedBy(Vec normal) const {
+    const auto height = [&](Vec v) -> mpq_class { return mpq_class(normal.x) * v.x + mpq_class(normal.y) * v.y; };
+    mpq_class lowest = height(query_.shape.front());
+    for (const Vec vertex : query_.shape) lowest = std::min<mpq_class>(lowest, height(vertex));
+    lowest += normal.x * x_ + normal.y * y_;
+    return lowest == std::max<mpq_class>(height(query_.obstacle.a), height(query_.obstacle.b));
+  }
+
+ private:
+  /// How far (times the edge's length) `point` lies inside of an edge.
+  mpq_class depth(std::size_t edge, Vec point) const {
+    const Vec start = query_.shape[edge];
+    const Vec along = query_.shape[(edge + 1) % query_.shape.size()] - start;
+    return along.x * (mpq_class(point.y - start.y) - y_) - along.y * (mpq_class(point.x - start.x) - x_);
+  }
+
+  /// True when the open or the closed shape leaves something of the segment.
+  bool clip(bool open) const {
+    mpq_class low = 0;
+    mpq_class high = 1;
+    for (std::size_t i = 0; i < query_.shape.size(); ++i) {
+      const mpq_class a = depth(i, query_.obstacle.a);
+      const mpq_class b = depth(i, query_.obstacle.b);
+      const int inner = std::max(sgn(a), sgn(b));
+      if (inner < 0 || (open && inner == 0)) return false;
+      if (a == b) continue;
+      const mpq_class crossing = a / (a - b);
+      if (a <= 0 && crossing > low) low = crossing;
+      if (b <= 0 && crossing < high) high = crossing;
+      if (low > high || (open && low == high)) return false;
+    }
+    return true;
+  }
+
+  const SweepQuery& query_;
+  mpq_class x_;
+  mpq_class y_;
+};
+
+/// True when the open shape overlaps the segment after `time`, however soon. Together with a touch at `time` this
+/// makes every moment in between an overlap, since the moments of overlap of two convex sets are an interval.
+bool overlapsSoonAfter(const SweepQuery& query, const mpq_class& time) {
+  // Numerator and denominator of every event are below 2^63, hence no interval of overlap is shorter than 2^-126.
+  mpq_class later = (1 - time) / 2;
+  for (int i = 0; i < 34; ++i, later /= 16)
+    if (Placement(query, time + later).overlaps()) return true;
+  return false;
+}
+
+bool isEdgeOfObstacle(const SweepQuery& query, Vec normal) {
+  const Polygon& shape = query.shape;
+  if (dot(query.obstacle.b - query.obstacle.a, normal) == 0 && query.obstacle.a != query.obstacle.b) return true;
+  for (std::size_t i = 0; i < shape.size(); ++i) {
+    const Vec along = shape[(i + 1) % shape.size()] - shape[i];
+    if (dot(along, normal) == 0 && cross(along, normal) > 0) return true;
+  }
+  return false;
+}
+
+bool confirmsHit(const SweepQuery& query, const SweepTruth& truth) {
+  mpq_class time(static_cast<std::int64_t>(truth.numerator), static_cast<std::int64_t>(truth.denominator));
+  time.canonicalize();
+  const Placement contact(query, time);
+  const auto isRightNormal = [&](Vec normal) {
+    return dot(normal, query.displacement) < 0 && isEdgeOfObstacle(query, normal) && contact.isSeparatedBy(normal);
+  };
+  return time >= 0 && time < 1 && contact.touches() && !contact.overlaps() && overlapsSoonAfter(query, time) &&
+         !truth.normals.empty() && std::all_of(truth.normals.begin(), truth.normals.end(), isRightNormal);
+}
+
+}  // namespace
+
+bool confirms(const SweepQuery& query, const SweepTruth& truth) {
+  if (truth.kind == SweepTruth::Kind::Overlap) return Placement(query, 0).overlaps();
+  if (Placement(query, 0).overlaps()) return false;
+  if (truth.kind == SweepTruth::Kind::Hit) return confirmsHit(query, truth);
+  return !OpenArea::swept(query.shape, query.position, query.displacement).meets(query.obstacle);
+}
+
+}  // namespace platon::oracle

@@ -1,0 +1,108 @@
+#include "tests/exactness/oracle/sweep/sweep_oracle.h"
+
+#include <algorithm>
+
+namespace platon::oracle {
+namespace {
+
+/// The place where the line of a path crosses into a convex polygon, as the time of the path.
+struct Entry {
+  Wide numerator = 0;
+  Wide denominator = 1;
+  std::vector<Vec> normals;
+};
+
+Vec outwardOf(const Polygon& polygon, std::size_t edge) {
+  const Vec along = polygon[(edge + 1) % polygon.size()] - polygon[edge];
+  return {along.y, -along.x};
+}
+
+/// Entry in the middle of the edge that starts at vertex `edge`.
+Entry throughEdge(const Polygon& polygon, std::size_t edge, Vec position, Vec displacement) {
+  const Vec along = polygon[(edge + 1) % polygon.size()] - polygon[edge];
+  return {cross(along, polygon[edge] - position), cross(along, displacement), {outwardOf(polygon, edge)}};
+}
+
+/// Entry through vertex `corner`: each of its two edges that faces the path may be named.
+Entry throughCorner(const Polygon& polygon, std::size_t corner, Vec position, Vec displacement) {
+  Entry entry{dot(polygon[corner] - position, displacement), dot(displacement, displacement), {}};
+  for (const std::size_t edge : {(corner + polygon.size() - 1) % polygon.size(), corner}) {
+    const Vec outward = outwardOf(polygon, edge);
+    if (dot(outward, displacement) < 0) entry.normals.push_back(outward);
+  }
+  return entry;
+}
+
+/// Where the line of the path crosses from outside into the open polygon; nothing when it misses or only touches it.
+/// Going round counter-clockwise, the vertices lie left of the path before the entry and right of it after.
+std::optional<Entry> findEntry(const Polygon& polygon, Vec position, Vec displacement) {
+  const std::size_t count = polygon.size();
+  std::vector<int> side(count);
+  for (std::size_t i = 0; i < count; ++i) side[i] = sign(cross(displacement, polygon[i] - position));
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t next = (i + 1) % count;
+    if (side[i] > 0 && side[next] < 0) return throughEdge(polygon, i, position, displacement);
+    if (side[i] > 0 && side[next] == 0 && side[(i + 2) % count] < 0)
+      return throughCorner(polygon, next, position, displacement);
+  }
+  return std::nullopt;
+}
+
+bool isInside(const Polygon& polygon, Vec point) {
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+    if (cross(polygon[(i + 1) % polygon.size()] - polygon[i], point - polygon[i]) <= 0) return false;
+  return true;
+}
+
+bool isPositiveMultiple(Vec a, Vec b) { return cross(a, b) == 0 && dot(a, b) > 0; }
+
+std::string toText(Wide value) {
+  std::string digits;
+  for (Wide rest = value < 0 ? -value : value; rest != 0 || digits.empty(); rest /= 10)
+    digits.push_back(static_cast<char>('0' + static_cast<int>(rest % 10)));
+  if (value < 0) digits.push_back('-');
+  return {digits.rbegin(), digits.rend()};
+}
+
+}  // namespace
+
+Polygon forbiddenPolygon(const SweepQuery& query) {
+  std::vector<Vec> differences;
+  differences.reserve(2 * query.shape.size());
+  for (const Vec vertex : query.shape) {
+    differences.push_back(query.obstacle.a - vertex);
+    differences.push_back(query.obstacle.b - vertex);
+  }
+  return convexHull(std::move(differences));
+}
+
+SweepTruth sweepTruth(const SweepQuery& query) {
+  using Kind = SweepTruth::Kind;
+  const Polygon forbidden = forbiddenPolygon(query);
+  if (isInside(forbidden, query.position)) return {Kind::Overlap, 0, 1, {}};
+  if (query.displacement == Vec{}) return {};
+  std::optional<Entry> entry = findEntry(forbidden, query.position, query.displacement);
+  if (!entry || entry->numerator < 0 || entry->numerator >= entry->denominator) return {};
+  return {Kind::Hit, entry->numerator, entry->denominator, std::move(entry->normals)};
+}
+
+bool agrees(const SweepTruth& truth, const SweepAnswer& answer) {
+  using Kind = SweepTruth::Kind;
+  if (truth.kind == Kind::Miss || !answer.hit) return (truth.kind == Kind::Miss) == !answer.hit;
+  if (truth.kind == Kind::Overlap) return answer.numerator == 0 && answer.denominator == 1 && answer.normal == Vec{};
+  // |truth| < 2^63 on both sides and the answer is int64: the products stay below 2^126.
+  return answer.denominator > 0 && truth.numerator * answer.denominator == truth.denominator * answer.numerator &&
+         std::any_of(truth.normals.begin(), truth.normals.end(),
+                     [&](Vec outward) { return isPositiveMultiple(outward, answer.normal); });
+}
+
+std::string toText(const SweepTruth& truth) {
+  if (truth.kind == SweepTruth::Kind::Miss) return "miss";
+  if (truth.kind == SweepTruth::Kind::Overlap) return "hit 0 1 0 0";
+  std::string text = "hit " + toText(truth.numerator) + " " + toText(truth.denominator);
+  for (const Vec& outward : truth.normals)
+    text += (&outward == &truth.normals.front() ? " " : " | ") + toText(outward.x) + " " + toText(outward.y);
+  return text;
+}
+
+}  // namespace platon::oracle

@@ -1,0 +1,96 @@
+#include "tests/exactness/oracle/sweep/sweep_oracle.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/exactness/oracle/sweep/sweep_families.h"
+
+namespace platon::oracle {
+namespace {
+
+const Polygon kSquare{{0, 0}, {10, 0}, {10, 10}, {0, 10}};
+
+std::string truth(const SweepQuery& query) {
+  const SweepTruth found = sweepTruth(query);
+  EXPECT_TRUE(confirms(query, found)) << toLine(query);
+  return toText(found);
+}
+
+TEST(SweepOracle, HitsAWall) {
+  EXPECT_EQ(truth({kSquare, {0, 0}, {20, 0}, {{15, -50}, {15, 50}}}), "hit 550 2200 -110 0");
+}
+
+TEST(SweepOracle, MissesAWallReachedAtTheEnd) {
+  EXPECT_EQ(truth({kSquare, {0, 0}, {5, 0}, {{15, -50}, {15, 50}}}), "miss");
+  EXPECT_EQ(truth({kSquare, {0, 0}, {6, 0}, {{15, -50}, {15, 50}}}), "hit 550 660 -110 0");
+}
+
+TEST(SweepOracle, SlidesAlongAWall) {
+  EXPECT_EQ(truth({kSquare, {0, 0}, {50, 0}, {{-50, 0}, {90, 0}}}), "miss");
+  EXPECT_EQ(truth({kSquare, {0, 0}, {50, -1}, {{-50, 0}, {90, 0}}}), "hit 0 150 0 150");
+}
+
+TEST(SweepOracle, SeesAPointInside) {
+  EXPECT_EQ(truth({kSquare, {0, 0}, {50, 0}, {{5, 5}, {5, 5}}}), "hit 0 1 0 0");
+  EXPECT_EQ(truth({kSquare, {0, 0}, {0, 0}, {{5, 5}, {5, 5}}}), "hit 0 1 0 0");
+  EXPECT_EQ(truth({kSquare, {0, 0}, {0, 0}, {{0, 5}, {0, 5}}}), "miss");
+}
+
+TEST(SweepOracle, NamesBothEdgesOfACorner) {
+  EXPECT_EQ(truth({kSquare, {0, 0}, {20, 20}, {{15, 15}, {15, 15}}}), "hit 200 800 -10 0 | 0 -10");
+}
+
+TEST(SweepOracle, NamesOnlyTheEnteredEdgeOfACorner) {
+  const SweepQuery query{kSquare, {0, 0}, {0, 20}, {{10, 20}, {20, 15}}};
+  EXPECT_EQ(truth({kSquare, {0, 0}, {20, 20}, {{15, 15}, {25, 10}}}), "hit 200 800 -10 0 | -5 -10");
+  EXPECT_EQ(truth(query), "miss");
+}
+
+TEST(SweepOracle, JudgesAnswersAsRationalsAndDirections) {
+  const SweepTruth wall = sweepTruth({kSquare, {0, 0}, {20, 0}, {{15, -50}, {15, 50}}});
+  const auto judge = [&](const char* line) { return agrees(wall, parseAnswer(line).value()); };
+  EXPECT_TRUE(judge("hit 1 4 -1 0"));
+  EXPECT_TRUE(judge("hit 25 100 -7 0"));
+  EXPECT_FALSE(judge("hit -1 -4 -1 0"));
+  EXPECT_FALSE(judge("hit 1 4 1 0"));
+  EXPECT_FALSE(judge("hit 1 4 0 0"));
+  EXPECT_FALSE(judge("hit 1 4 -1 1"));
+  EXPECT_FALSE(judge("hit 26 100 -7 0"));
+  EXPECT_FALSE(judge("miss"));
+  EXPECT_FALSE(judge("hit 0 1 0 0"));
+}
+
+TEST(SweepOracle, ReadsAnswersToTheLetter) {
+  EXPECT_TRUE(parseAnswer("miss"));
+  EXPECT_TRUE(parseAnswer("hit 0 1 0 0"));
+  for (const char* line : {"", "Miss", "miss ", "hit", "hit 0 1 0", "hit 0 1 0 0 0", "hit 0 1 0 0 ", "hit 0 1 0 x"})
+    EXPECT_FALSE(parseAnswer(line)) << line;
+}
+
+TEST(SweepOracle, DoesNotConfirmAWrongTruth) {
+  const SweepQuery query{kSquare, {0, 0}, {20, 0}, {{15, -50}, {15, 50}}};
+  const SweepTruth right = sweepTruth(query);
+  SweepTruth wrong = right;
+  wrong.numerator += 1;
+  EXPECT_FALSE(confirms(query, wrong));
+  wrong = right;
+  wrong.numerator -= 1;
+  EXPECT_FALSE(confirms(query, wrong));
+  wrong = right;
+  wrong.normals = {{-1, 1}};
+  EXPECT_FALSE(confirms(query, wrong));
+  EXPECT_FALSE(confirms(query, SweepTruth{}));
+  EXPECT_FALSE(confirms(query, {SweepTruth::Kind::Overlap, 0, 1, {}}));
+}
+
+TEST(SweepOracle, IsConfirmedByTheDefinition) {
+  constexpr std::uint64_t kSeed = 5;
+  RandomSource random(kSeed);
+  for (const SweepFamily& family : sweepFamilies())
+    for (int i = 0; i < 300; ++i) {
+      const SweepQuery query = makeQuery(family, random);
+      ASSERT_TRUE(confirms(query, sweepTruth(query))) << "seed " << kSeed << ": " << toLine(query);
+    }
+}
+
+}  // namespace
+}  // namespace platon::oracle

@@ -1,0 +1,185 @@
+#include "tests/exactness/oracle/trace/state_checker.h"
+
+#include <algorithm>
+
+namespace platon::oracle {
+namespace {
+
+/// What computing in reals may add to an exact distance, in subunits, with plenty to spare.
+constexpr long double kReal = 1e-6L;
+/// I5: how far an instance may be from where the true isometry puts it, in subunits.
+constexpr long double kPlacementTolerance = 4 + kReal;
+/// Two instances nearer than this, turned alike, are one placement.
+constexpr long double kSamePlacement = 8;
+/// I7: how far outside its home face a centre may be.
+constexpr long double kCentreTolerance = 4 + kReal;
+/// An instance farther behind its edge than this should have been dropped.
+constexpr std::int64_t kStale = 64;
+
+std::string name(const TraceInstance& instance) {
+  return "instance " + std::to_string(instance.id) + " in face " + std::to_string(instance.face) + " at " +
+         std::to_string(instance.position.x) + " " + std::to_string(instance.position.y);
+}
+
+bool isSamePlace(const TraceInstance& instance, std::int64_t face, std::int64_t angle, RealVec position) {
+  return instance.face == face && withoutTurns(instance.angle) == withoutTurns(angle) &&
+         distance(toReal(instance.position), position) <= kSamePlacement;
+}
+
+}  // namespace
+
+const TraceInstance* homeOf(const TraceLeg& leg) {
+  const auto home = std::find_if(leg.begin(), leg.end(), [](const TraceInstance& instance) { return instance.home; });
+  return home == leg.end() ? nullptr : &*home;
+}
+
+const TraceInstance* findInstance(const TraceLeg& leg, std::int64_t id) {
+  const auto found = std::find_if(leg.begin(), leg.end(), [&](const TraceInstance& i) { return i.id == id; });
+  return found == leg.end() ? nullptr : &*found;
+}
+
+bool StateChecker::isWellFormed(const TraceLeg& leg, const TraceInstance& instance) {
+  const auto isIndex = [](std::int64_t index, std::size_t count) {
+    return index >= 0 && index < static_cast<std::int64_t>(count);
+  };
+  if (!isIndex(instance.face, map_.faces().size()) || findInstance(leg, instance.id) != &instance) return false;
+  if (instance.home) return true;
+  const TraceInstance* parent = findInstance(leg, instance.parent);
+  if (parent == nullptr || parent == &instance || !isIndex(parent->face, map_.faces().size())) return false;
+  const MapFace& face = map_.face(parent->face);
+  return isIndex(instance.warp, face.warps.size()) &&
+         face.warps[static_cast<std::size_t>(instance.warp)].to == static_cast<std::size_t>(instance.face);
+}
+
+bool StateChecker::reachesHome(const TraceLeg& leg, const TraceInstance& instance) const {
+  const TraceInstance* at = &instance;
+  for (std::size_t i = 0; i < leg.size() && !at->home; ++i) at = findInstance(leg, at->parent);
+  return at->home;
+}
+
+bool StateChecker::isTree(const TraceLeg& leg) {
+  report_.noteInstances(leg.size());
+  const auto homes = std::count_if(leg.begin(), leg.end(), [](const TraceInstance& i) { return i.home; });
+  if (homes != 1) {
+    report_.violate("tree", std::to_string(homes) + " home instances");
+    return false;
+  }
+  for (const TraceInstance& instance : leg)
+    if (!isWellFormed(leg, instance)) {
+      report_.violate("tree", name(instance) + " has a wrong id, face or via");
+      return false;
+    }
+  for (const TraceInstance& instance : leg)
+    if (!reachesHome(leg, instance)) {
+      report_.violate("tree", name(instance) + " does not hang on home");
+      return false;
+    }
+  return true;
+}
+
+const MapWarp& StateChecker::warpOf(const TraceLeg& leg, const TraceInstance& instance) const {
+  return map_.face(findInstance(leg, instance.parent)->face).warps[static_cast<std::size_t>(instance.warp)];
+}
+
+RealVec StateChecker::placeFromHome(const TraceLeg& leg, const TraceInstance& instance) const {
+  if (instance.home) return toReal(instance.position);
+  return warpOf(leg, instance).motion.apply(placeFromHome(leg, *findInstance(leg, instance.parent)));
+}
+
+Isometry StateChecker::motionFromHome(const TraceLeg& leg, const TraceInstance& instance) const {
+  std::int64_t turn = 0;
+  for (const TraceInstance* at = &instance; !at->home; at = findInstance(leg, at->parent))
+    turn += warpOf(leg, *at).motion.turn();
+  return Isometry(turn, toReal(homeOf(leg)->position), placeFromHome(leg, instance));
+}
+
+void StateChecker::checkPlacement(const TraceLeg& leg, const TraceInstance& instance) {
+  if (instance.home) return;
+  const TraceInstance& parent = *findInstance(leg, instance.parent);
+  const Isometry& motion = warpOf(leg, instance).motion;
+  if (withoutTurns(parent.angle + motion.turn()) != withoutTurns(instance.angle))
+    report_.violate("I5 angle", name(instance) + ": angle " + std::to_string(instance.angle) + ", its parent's " +
+                                    std::to_string(parent.angle) + ", turn of the warp " +
+                                    std::to_string(motion.turn()));
+  const RealVec place = toReal(instance.position);
+  const long double error = distance(place, placeFromHome(leg, instance));
+  report_.notePlacementError(error);
+  if (error > kPlacementTolerance)
+    report_.violate("I5 home", name(instance) + " is off by " + std::to_string(error) + " from home");
+  const long double link = distance(place, motion.apply(toReal(parent.position)));
+  if (link > kPlacementTolerance)
+    report_.violate("I5 parent", name(instance) + " is off by " + std::to_string(link) + " from its parent");
+}
+
+void StateChecker::checkDuplicates(const TraceLeg& leg) {
+  for (std::size_t i = 0; i < leg.size(); ++i)
+    for (std::size_t j = i + 1; j < leg.size(); ++j)
+      if (isSamePlace(leg[i], leg[j].face, leg[j].angle, toReal(leg[j].position)))
+        report_.violate("duplicate", name(leg[i]) + " and " + name(leg[j]) + " are one placement");
+}
+
+void StateChecker::checkPlacements(const TraceLeg& leg) {
+  for (const TraceInstance& instance : leg) {
+    shapes_.of(instance);
+    checkPlacement(leg, instance);
+    checkCoverage(leg, instance);
+  }
+  checkDuplicates(leg);
+}
+
+bool StateChecker::isCovered(const TraceLeg& leg, const TraceInstance& instance, std::size_t warp) const {
+  const MapWarp& through = map_.face(instance.face).warps[warp];
+  if (!instance.home && warpOf(leg, instance).mirror == warp) return true;
+  const RealVec place = through.motion.apply(toReal(instance.position));
+  const std::int64_t angle = instance.angle + through.motion.turn();
+  return std::any_of(leg.begin(), leg.end(), [&](const TraceInstance& other) {
+    const bool hangs = !other.home && other.parent == instance.id && other.warp == static_cast<std::int64_t>(warp);
+    return hangs || isSamePlace(other, static_cast<std::int64_t>(through.to), angle, place);
+  });
+}
+
+bool StateChecker::reachesThrough(const TraceInstance& instance, const MapWarp& warp) {
+  const TurnedShape& shape = shapes_.of(instance);
+  if (!shape.box.moved(instance.position).touches(warp.box)) return false;
+  const OpenArea area = OpenArea::standing(shape.polygon, instance.position);
+  return area.meets(warp.from) && area.meets(warp.beyond);
+}
+
+void StateChecker::checkCoverage(const TraceLeg& leg, const TraceInstance& instance) {
+  const std::vector<MapWarp>& warps = map_.face(instance.face).warps;
+  for (std::size_t warp = 0; warp < warps.size(); ++warp)
+    if (reachesThrough(instance, warps[warp]) && !isCovered(leg, instance, warp))
+      report_.violate("coverage", name(instance) + " reaches through warp " + std::to_string(warp) + " into face " +
+                                      std::to_string(warps[warp].to) + ", where nothing hangs");
+}
+
+void StateChecker::checkFree(const TraceInstance& instance) {
+  const TurnedShape& shape = shapes_.of(instance);
+  const Box box = shape.box.moved(instance.position);
+  for (const MapLine& line : map_.face(instance.face).lines)
+    if (box.touches(line.box) && OpenArea::standing(shape.polygon, instance.position).meets(line.segment)) {
+      report_.violate("I1 place", name(instance) + " overlaps the line " + toText(line.segment));
+      return;
+    }
+}
+
+bool StateChecker::isStale(const TraceLeg& leg, const TraceInstance& instance) {
+  const TraceInstance& parent = *findInstance(leg, instance.parent);
+  const OpenArea area = OpenArea::standing(shapes_.of(parent).polygon, parent.position);
+  return !area.inset(-kStale).meets(warpOf(leg, instance).from);
+}
+
+void StateChecker::checkTickEnd(const TraceLeg& leg) {
+  const TraceInstance& home = *homeOf(leg);
+  for (const MapWarp& warp : map_.face(home.face).warps) {
+    const Vec along = warp.from.b - warp.from.a;
+    const long double outside = -static_cast<long double>(cross(along, home.position - warp.from.a)) /
+                                distance(toReal(warp.from.a), toReal(warp.from.b));
+    if (outside > kCentreTolerance)
+      report_.violate("I7", name(home) + " has its centre " + std::to_string(outside) + " outside");
+  }
+  for (const TraceInstance& instance : leg)
+    if (!instance.home && isStale(leg, instance)) report_.violate("stale", name(instance) + " is no longer reached");
+}
+
+}  // namespace platon::oracle

@@ -1,0 +1,88 @@
+#include <algorithm>
+#include <charconv>
+#include <fstream>
+#include <iostream>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tests/exactness/oracle/trace/trace_checker.h"
+#include "tests/exactness/oracle/trace/traced_run.h"
+
+namespace platon::oracle {
+namespace {
+
+constexpr const char* kUsage =
+    "usage: platon-trace-check FILE…\n"
+    "       platon-trace-check [--ticks T] [--crossings C] --run PROGRAM ARGUMENT…\n"
+    "Checks traces. The second form runs PROGRAM ARGUMENT… --trace PIPE and checks what it writes: it must exit 0,\n"
+    "write T ticks, and its players must have gone over at least C edges.\n";
+
+/// What a run must come to.
+struct Demands {
+  std::int64_t ticks = -1;
+  std::int64_t crossings = 0;
+};
+
+bool say(const std::string& what, const TraceReport& report) {
+  std::cout << what << ": " << report << '\n';
+  return report.clean();
+}
+
+int checkFile(const std::string& file) {
+  std::ifstream stream(file);
+  if (!stream) return std::cerr << "cannot read " << file << '\n', 2;
+  TraceChecker checker;
+  std::string line;
+  while (std::getline(stream, line) && checker.take(line)) {
+  }
+  checker.finish();
+  return say(file, checker.report()) ? 0 : 1;
+}
+
+int checkRun(const Demands& demands, const std::vector<std::string>& arguments) {
+  const auto [report, exitCode] = runTraced(arguments);
+  if (!say("trace", report)) return 1;
+  if (exitCode != 0) return std::cout << "the program exits " << exitCode << '\n', 1;
+  if (demands.ticks >= 0 && report.ticks != demands.ticks)
+    return std::cout << report.ticks << " ticks instead of " << demands.ticks << '\n', 1;
+  if (report.crossings < demands.crossings) return std::cout << "only " << report.crossings << " crossings\n", 1;
+  return 0;
+}
+
+bool parse(const std::string& text, std::int64_t& number) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc{} && end == text.data() + text.size() && number >= 0;
+}
+
+int usage() {
+  std::cerr << kUsage;
+  return 2;
+}
+
+int main(std::span<const std::string> arguments) {
+  Demands demands;
+  while (arguments.size() > 2 && (arguments[0] == "--ticks" || arguments[0] == "--crossings")) {
+    if (!parse(arguments[1], arguments[0] == "--ticks" ? demands.ticks : demands.crossings)) return usage();
+    arguments = arguments.subspan(2);
+  }
+  if (arguments.empty() || arguments[0] == "--help") return usage();
+  if (arguments[0] == "--run" && arguments.size() > 1)
+    return checkRun(demands, {arguments.begin() + 1, arguments.end()});
+  int worst = 0;
+  for (const std::string& file : arguments) worst = std::max(worst, checkFile(file));
+  return worst;
+}
+
+}  // namespace
+}  // namespace platon::oracle
+
+int main(int count, char** arguments) {
+  const std::vector<std::string> given(arguments + 1, arguments + count);
+  try {
+    return platon::oracle::main(given);
+  } catch (const std::exception& error) {
+    std::cerr << error.what() << '\n';
+    return 1;
+  }
+}

@@ -1,0 +1,266 @@
+#include "tests/exactness/oracle/trace/trace_checker.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/exactness/oracle/trace/sample_trace.h"
+
+namespace platon::oracle {
+namespace {
+
+using Laws = std::set<std::string>;
+
+/// A law is among those broken.
+void expectBroken(const SampleTrace& trace, const std::string& law) {
+  const Laws broken = brokenLaws(trace);
+  EXPECT_TRUE(broken.contains(law)) << law << " was not found; found " << broken.size() << ": "
+                                    << (broken.empty() ? "nothing" : *broken.begin());
+}
+
+/// Every instance with this id, wherever it occurs.
+template <typename Change>
+void changeAll(SampleTrace& trace, std::int64_t id, Change change) {
+  for (TraceTick& tick : trace.ticks)
+    for (TraceLeg& leg : tick.players[0].legs)
+      for (TraceInstance& instance : leg)
+        if (instance.id == id) change(instance);
+}
+
+void addLine(SampleTrace& trace, std::size_t face, const Segment& line) {
+  trace.header.faces[face].lines.push_back(line);
+}
+
+/// The face behind the right edge of face 0.
+std::size_t rightFace(const SampleTrace& trace) { return static_cast<std::size_t>(trace.header.faces[0].warps[1].to); }
+
+TEST(TraceChecker, FindsNothingInARightTrace) { EXPECT_EQ(brokenLaws(sampleTrace()), Laws{}); }
+
+TEST(TraceChecker, CountsWhatItSaw) {
+  const SampleTrace trace = sampleTrace();
+  TraceChecker checker;
+  ASSERT_TRUE(checker.take(toJson(trace.header)));
+  for (const TraceTick& tick : trace.ticks) ASSERT_TRUE(checker.take(toJson(tick)));
+  EXPECT_EQ(checker.report().ticks, 4);
+  EXPECT_EQ(checker.report().legs, 7);
+  EXPECT_EQ(checker.report().crossings, 1);
+  EXPECT_EQ(checker.report().facesVisited.size(), 2u);
+}
+
+TEST(TraceChecker, AcceptsATouch) {
+  SampleTrace trace = sampleTrace();
+  addLine(trace, 0, {{-5000, -500}, {150000, -500}});
+  EXPECT_EQ(brokenLaws(trace), Laws{});
+}
+
+TEST(TraceChecker, FindsAnOverlapAtTheStart) {
+  SampleTrace trace = sampleTrace();
+  addLine(trace, 0, {{1000, -499}, {1000, -20000}});
+  expectBroken(trace, "I1 place");
+}
+
+TEST(TraceChecker, FindsAPointInsideTheShape) {
+  SampleTrace trace = sampleTrace();
+  addLine(trace, 0, {{1000, 300}, {1000, 300}});
+  expectBroken(trace, "I1 place");
+}
+
+TEST(TraceChecker, FindsALineOneSubunitInTheWay) {
+  SampleTrace trace = sampleTrace();
+  addLine(trace, 0, {{50000, -499}, {50000, -20000}});
+  EXPECT_EQ(brokenLaws(trace), Laws{"I1 path"});
+}
+
+TEST(TraceChecker, FindsALineInTheWayOfAnInstanceAwayFromHome) {
+  SampleTrace trace = sampleTrace();
+  const Vec place = trace.leg(2, 1)[1].position;
+  addLine(trace, rightFace(trace), {place, place});
+  EXPECT_EQ(brokenLaws(trace), Laws{"I1 path"});
+}
+
+TEST(TraceChecker, FindsALineInTheWayOfAnInstanceThatAppears) {
+  SampleTrace trace = sampleTrace();
+  // The new instance has come a long way with home: through here, 1200 subunits before its end. That is outside its
+  // face, which the header check finds, too.
+  TraceInstance home = trace.leg(1, 2)[0];
+  home.position.x -= 1200;
+  const Vec place = behindWarp(trace.header, home, 1, 8).position;
+  addLine(trace, rightFace(trace), {place, place});
+  EXPECT_EQ(brokenLaws(trace), (Laws{"I1 path", "header"}));
+}
+
+TEST(TraceChecker, FindsATurnThroughALine) {
+  SampleTrace trace = sampleTrace();
+  trace.ticks.resize(1);
+  TraceInstance turned = trace.leg(0, 0)[0];
+  turned.angle = 9000;
+  turned.shape = {{800, -1000}, {800, 1000}, {-1200, 0}};
+  trace.leg(0, 1) = {turned};
+  EXPECT_EQ(brokenLaws(trace), Laws{});
+  // Beside the shape before and after, inside the hull of both.
+  const Vec corner = turned.position + Vec{-900, -600};
+  addLine(trace, 0, {corner, corner});
+  EXPECT_EQ(brokenLaws(trace), Laws{"I1 turn"});
+}
+
+TEST(TraceChecker, FindsAnInstanceFiveSubunitsOff) {
+  SampleTrace trace = sampleTrace();
+  changeAll(trace, 8, [](TraceInstance& instance) { instance.position.x += instance.home ? 0 : 5; });
+  expectBroken(trace, "I5 home");
+}
+
+TEST(TraceChecker, AcceptsAnInstanceFourSubunitsOff) {
+  SampleTrace trace = sampleTrace();
+  changeAll(trace, 8, [](TraceInstance& instance) { instance.position.x += 4; });
+  EXPECT_EQ(brokenLaws(trace), Laws{});
+}
+
+TEST(TraceChecker, FindsAnInstanceOffFromItsParentOnly) {
+  SampleTrace trace = sampleTrace();
+  TraceLeg& leg = trace.leg(1, 2);
+  leg[1].position.x += 3;
+  TraceInstance third = behindWarp(trace.header, leg[1], 0, 9);
+  const Segment onto = trace.header.faces[static_cast<std::size_t>(leg[1].face)].warps[0].onto;
+  const Vec along = onto.b - onto.a;
+  third.position = third.position + (along.x != 0 ? Vec{6, 0} : Vec{0, 6});
+  leg.push_back(third);
+  expectBroken(trace, "I5 parent");
+}
+
+TEST(TraceChecker, FindsAnAngleOneHundredthOff) {
+  SampleTrace trace = sampleTrace();
+  changeAll(trace, 8, [](TraceInstance& instance) { instance.angle += instance.home ? 0 : 1; });
+  expectBroken(trace, "I5 angle");
+}
+
+TEST(TraceChecker, FindsAMissingInstance) {
+  SampleTrace trace = sampleTrace();
+  trace.ticks.resize(2);
+  trace.leg(1, 2).pop_back();
+  EXPECT_EQ(brokenLaws(trace), Laws{"coverage"});
+}
+
+TEST(TraceChecker, FindsAPlacementThatIsThereTwice) {
+  SampleTrace trace = sampleTrace();
+  TraceLeg& leg = trace.leg(1, 2);
+  leg.push_back(leg[1]);
+  leg.back().id = 9;
+  expectBroken(trace, "duplicate");
+}
+
+TEST(TraceChecker, FindsAnInstanceThatStaysBehind) {
+  SampleTrace trace = sampleTrace();
+  trace.leg(3, 2) = trace.leg(3, 1);
+  EXPECT_EQ(brokenLaws(trace), Laws{"stale"});
+}
+
+TEST(TraceChecker, FindsAnInstanceThatDoesNotMoveAlong) {
+  SampleTrace trace = sampleTrace();
+  const Segment onto = trace.header.faces[0].warps[1].onto;
+  const Vec aside = onto.a.x == onto.b.x ? Vec{0, 3} : Vec{3, 0};
+  trace.leg(1, 2)[1].position = trace.leg(1, 2)[1].position + aside;
+  trace.leg(2, 0) = trace.leg(1, 2);
+  trace.leg(2, 1)[1].position = trace.leg(2, 1)[1].position - aside;
+  trace.leg(2, 2) = trace.leg(2, 1);
+  trace.ticks.resize(3);
+  expectBroken(trace, "I6");
+}
+
+TEST(TraceChecker, FindsAHomeThatDoesNotPass) {
+  SampleTrace trace = sampleTrace();
+  trace.leg(2, 2) = trace.leg(2, 1);
+  trace.ticks.resize(3);
+  EXPECT_EQ(brokenLaws(trace), Laws{"I7"});
+}
+
+TEST(TraceChecker, FindsAMoveWhereHomePasses) {
+  SampleTrace trace = sampleTrace();
+  trace.ticks[2].players[0].legs.erase(trace.ticks[2].players[0].legs.begin() + 1);
+  EXPECT_EQ(brokenLaws(trace), Laws{"home"});
+}
+
+TEST(TraceChecker, FindsALeapBetweenTicks) {
+  SampleTrace trace = sampleTrace();
+  trace.leg(1, 0)[0].position.y += 1;
+  EXPECT_EQ(brokenLaws(trace), Laws{"continuity"});
+}
+
+TEST(TraceChecker, AcceptsAPlayerThatAppearsAnywhere) {
+  SampleTrace trace = sampleTrace();
+  trace.ticks[1].players.push_back({1, {{trace.leg(0, 0)[0]}}});
+  EXPECT_EQ(brokenLaws(trace), Laws{});
+}
+
+TEST(TraceChecker, FindsAnIdThatChangesFaces) {
+  SampleTrace trace = sampleTrace();
+  trace.leg(1, 1)[0].face = 5;
+  expectBroken(trace, "ids");
+}
+
+TEST(TraceChecker, FindsTwoHomes) {
+  SampleTrace trace = sampleTrace();
+  trace.leg(1, 2)[1].home = true;
+  expectBroken(trace, "tree");
+}
+
+TEST(TraceChecker, FindsNoHome) {
+  SampleTrace trace = sampleTrace();
+  trace.leg(0, 0)[0].home = false;
+  expectBroken(trace, "tree");
+}
+
+TEST(TraceChecker, FindsAParentThatIsNotThere) {
+  SampleTrace trace = sampleTrace();
+  trace.leg(1, 2)[1].parent = 99;
+  expectBroken(trace, "tree");
+}
+
+TEST(TraceChecker, FindsAWarpThatLeadsElsewhere) {
+  SampleTrace trace = sampleTrace();
+  trace.leg(1, 2)[1].warp = 2;
+  expectBroken(trace, "tree");
+}
+
+TEST(TraceChecker, FindsAnIdThatIsThereTwice) {
+  SampleTrace trace = sampleTrace();
+  trace.leg(1, 2)[1].id = 7;
+  expectBroken(trace, "tree");
+}
+
+TEST(TraceChecker, FindsAShapeTwoSubunitsOff) {
+  SampleTrace trace = sampleTrace();
+  changeAll(trace, 8, [](TraceInstance& instance) { instance.shape[0].x += 2; });
+  EXPECT_EQ(brokenLaws(trace), Laws{"shape"});
+}
+
+TEST(TraceChecker, FindsAShapeThatIsLeftOut) {
+  SampleTrace trace = sampleTrace();
+  changeAll(trace, 8, [](TraceInstance& instance) { instance.shape.clear(); });
+  expectBroken(trace, "shape");
+}
+
+TEST(TraceChecker, FindsAShapeThatChangesAtOneAngle) {
+  SampleTrace trace = sampleTrace();
+  trace.leg(3, 2)[0].shape[0].x += 1;
+  expectBroken(trace, "shape");
+}
+
+TEST(TraceChecker, FindsTooManyLegs) {
+  SampleTrace trace = sampleTrace();
+  trace.ticks.resize(1);
+  trace.ticks[0].players[0].legs.assign(101, trace.leg(0, 0));
+  EXPECT_EQ(brokenLaws(trace), Laws{"I2"});
+}
+
+TEST(TraceChecker, ChecksAPlane) {
+  SampleTrace trace;
+  trace.header = {"PLANE", {{-10, -10}, {10, -10}, {0, 10}}, {{{}, {{{100, -50}, {100, 50}}}, {}}}};
+  TraceInstance mover;
+  TraceInstance there = mover;
+  there.position = {90, 0};
+  trace.ticks.push_back({1, "0123456789abcdef", {{0, {{mover}, {there}}}}});
+  EXPECT_EQ(brokenLaws(trace), Laws{});
+  trace.leg(0, 1)[0].position.x = 91;
+  EXPECT_EQ(brokenLaws(trace), Laws{"I1 path"});
+}
+
+}  // namespace
+}  // namespace platon::oracle

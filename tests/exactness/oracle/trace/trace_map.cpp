@@ -1,0 +1,94 @@
+#include "tests/exactness/oracle/trace/trace_map.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/exactness/oracle/trace/face_checks.h"
+
+namespace platon::oracle {
+namespace {
+
+constexpr std::int64_t kBeyond = 5;
+
+/// The edge moved outwards by kBeyond subunits and shortened by as much at both ends, which keeps it in the face
+/// behind also where that face's corners are acute.
+Segment beyond(const Segment& edge) {
+  const RealVec a = toReal(edge.a);
+  const RealVec b = toReal(edge.b);
+  const long double length = distance(a, b);
+  const RealVec along{(b.x - a.x) * kBeyond / length, (b.y - a.y) * kBeyond / length};
+  const auto rounded = [](long double x, long double y) { return Vec{std::llround(x), std::llround(y)}; };
+  return {rounded(a.x + along.x + along.y, a.y + along.y - along.x),
+          rounded(b.x - along.x + along.y, b.y - along.y - along.x)};
+}
+
+}  // namespace
+
+/// Builds a map step by step; each step may find that there is no going on.
+class TraceMapMaker {
+ public:
+  TraceMapMaker(const TraceHeader& header, TraceReport& report) : header_(header), report_(report) {}
+
+  std::optional<TraceMap> make() {
+    map_.shape_ = header_.shape;
+    map_.plane_ = header_.solid == "PLANE";
+    if (!isStrictlyConvex(header_.shape)) return refuse("shape is not strictly convex and counter-clockwise");
+    if (!(map_.plane_ ? makePlane() : makeSolid())) return std::nullopt;
+    return std::move(map_);
+  }
+
+ private:
+  std::nullopt_t refuse(const std::string& what) {
+    report_.violate("header", what);
+    return std::nullopt;
+  }
+
+  bool makePlane() {
+    const bool bare = header_.faces.size() == 1 && header_.faces[0].polygon.empty() && header_.faces[0].warps.empty();
+    if (!bare) report_.violate("header", "a plane has one face, without polygon and warps");
+    if (bare) makeFaces();
+    return bare;
+  }
+
+  bool makeSolid() {
+    const SolidNumbers* solid = findSolid(header_.solid);
+    if (solid == nullptr || header_.faces.size() != solid->faces) {
+      report_.violate("header", header_.solid + " with " + std::to_string(header_.faces.size()) + " faces");
+      return false;
+    }
+    FaceChecks checks(*solid, header_, report_);
+    if (!checks.areFacesRegular() || !checks.areWarpsGlued()) return false;
+    checks.checkCornersOfSolid();
+    checks.checkLines();
+    makeFaces();
+    for (std::size_t face = 0; face < map_.faces_.size(); ++face) makeWarps(checks, face);
+    return true;
+  }
+
+  void makeFaces() {
+    for (const TraceFace& face : header_.faces) {
+      MapFace& made = map_.faces_.emplace_back();
+      made.polygon = face.polygon;
+      for (const Segment& line : face.lines) made.lines.push_back({line, boxOf(line)});
+    }
+  }
+
+  void makeWarps(const FaceChecks& checks, std::size_t face) {
+    for (std::size_t index = 0; index < header_.faces[face].warps.size(); ++index) {
+      const TraceWarp& warp = header_.faces[face].warps[index];
+      map_.faces_[face].warps.push_back({warp.from, boxOf(warp.from).joined(boxOf(beyond(warp.from))),
+                                         beyond(warp.from), static_cast<std::size_t>(warp.to),
+                                         checks.mirrorOf(face, index), checks.motionOf(face, index)});
+    }
+  }
+
+  const TraceHeader& header_;
+  TraceReport& report_;
+  TraceMap map_;
+};
+
+std::optional<TraceMap> TraceMap::make(const TraceHeader& header, TraceReport& report) {
+  return TraceMapMaker(header, report).make();
+}
+
+}  // namespace platon::oracle

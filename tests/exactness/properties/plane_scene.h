@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <stdexcept>
+#include <vector>
+
+#include "platon/physics/entity.h"
+#include "platon/physics/map_part.h"
+#include "platon/physics/world.h"
+#include "tests/exactness/judge/conversions.h"
+#include "tests/exactness/oracle/trace/random_scene.h"
+#include "tests/exactness/properties/lattice_map.h"
+
+namespace platon::properties {
+
+/// Entities of one shape among lines on an endless plane, part 0.
+struct PlaneScene {
+  std::vector<Point> shape;
+  std::vector<Segment> lines;
+  std::vector<Point> entities;
+  std::int64_t scale = 0;  ///< about the size of the shape
+
+  static PlaneScene from(const oracle::Scene& scene) {
+    PlaneScene made{judge::toPoints(scene.shape), {}, judge::toPoints(scene.entities), scene.scale};
+    for (const oracle::Segment& line : scene.lines) made.lines.push_back(judge::toSegment(line));
+    return made;
+  }
+  PlaneScene mapped(const LatticeMap& map) const {
+    PlaneScene made{map.shape(shape), {}, {}, scale};
+    for (const Segment& line : lines) made.lines.push_back(map.line(line));
+    for (const Point place : entities) made.entities.push_back(map.place(place));
+    return made;
+  }
+  /// Throws std::invalid_argument when an entity is not free.
+  World world() const {
+    World world;
+    MapPart part(world, 0);
+    for (const Segment& line : lines) part.line(line.a, line.b);
+    part.initialize();
+    const Convex convex(shape);
+    for (const Point place : entities) {
+      Entity entity(world, convex);
+      part.insert(entity, place, Angle());
+    }
+    return world;
+  }
+};
+
+}  // namespace platon::properties

@@ -1,0 +1,210 @@
+// Laws of shapes, slides and grids that need no other implementation to compare with.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <vector>
+
+#include "platon/exact/integer.h"
+#include "platon/physics/convex.h"
+#include "platon/physics/grid.h"
+#include "shared/physics/slide.h"
+#include "tests/exactness/judge/conversions.h"
+#include "tests/exactness/oracle/sweep/random_shapes.h"
+#include "tests/exactness/properties/lattice_map.h"
+#include "tests/exactness/properties/seeded_cases.h"
+
+namespace platon::properties {
+namespace {
+
+using judge::toPoint;
+using judge::toPoints;
+using judge::toVec;
+using oracle::RandomSource;
+
+// Strictly convex polygons, and such that just fail to be: a corner moved, two swapped, one repeated, wound twice.
+std::vector<Point> anyPolygon(RandomSource& random) {
+  const std::int64_t scale = std::int64_t{1} << random.between(1, 24);
+  std::vector<Point> polygon =
+      toPoints(oracle::randomShape(random.oneIn(2) ? oracle::ShapeKind::Any : oracle::ShapeKind::Ball, scale, random));
+  Point& corner = polygon[random.below(polygon.size())];
+  switch (random.below(6)) {
+    case 0:
+      corner += toPoint(random.vector(2));
+      break;
+    case 1:
+      std::swap(corner, polygon[random.below(polygon.size())]);
+      break;
+    case 2:
+      corner = polygon[random.below(polygon.size())];
+      break;
+    case 3:
+      std::reverse(polygon.begin(), polygon.end());
+      break;
+    case 4:
+      polygon.insert(polygon.end(), polygon.begin(), polygon.end());
+      break;
+    default:
+      break;
+  }
+  return polygon;
+}
+
+TEST(ShapeLawsTest, AFaultIsOneInEveryPlaceTurnAndOrder) {
+  std::int64_t faults = 0;
+  constexpr std::int64_t cases = 100000;
+  forEachCase(cases, [&](RandomSource& random) {
+    const std::vector<Point> polygon = anyPolygon(random);
+    const bool faulty = Convex::fault(polygon).has_value();
+    faults += faulty ? 1 : 0;
+    EXPECT_EQ(faulty, !oracle::isStrictlyConvex(judge::toPolygon(polygon)));
+    const LatticeMap map = anyMap(random, 1 << 27);
+    std::vector<Point> mapped = map.shape(polygon);
+    for (Point& corner : mapped) corner += map.shift;
+    std::rotate(mapped.begin(), mapped.begin() + random.between(0, static_cast<std::int64_t>(mapped.size()) - 1),
+                mapped.end());
+    EXPECT_EQ(Convex::fault(mapped).has_value(), faulty);
+  });
+  EXPECT_GT(faults, cases / 10);
+  EXPECT_LT(faults, cases * 9 / 10);
+}
+
+// Many on few places, so that points are equal and collinear.
+std::vector<Point> anyCloud(RandomSource& random) {
+  const std::int64_t radius = random.oneIn(2) ? random.between(0, 4) : std::int64_t{1} << random.between(1, 28);
+  std::vector<Point> cloud(random.below(40) + 1);
+  for (Point& point : cloud) point = toPoint(random.vector(radius));
+  return cloud;
+}
+
+std::set<std::pair<std::int32_t, std::int32_t>> asSet(const std::vector<Point>& points) {
+  std::set<std::pair<std::int32_t, std::int32_t>> set;
+  for (const Point point : points) set.insert({point.x, point.y});
+  return set;
+}
+
+TEST(ShapeLawsTest, AHullIsItsOwnHull) {
+  forEachCase(50000, [](RandomSource& random) {
+    std::vector<Point> cloud = anyCloud(random);
+    const std::vector<Point> hull = convexHull(cloud);
+    const bool flat = Convex::fault(hull).has_value();
+    EXPECT_EQ(flat, hull.size() < 3);
+    EXPECT_EQ(asSet(convexHull(hull)), asSet(hull));
+    if (!flat) {
+      EXPECT_EQ(convexHull(hull), hull) << "another vertex comes first";
+    }
+    for (std::size_t i = 0; i < hull.size() && !flat; ++i) {
+      const Point along = hull[(i + 1) % hull.size()] - hull[i];
+      for (const Point point : cloud) EXPECT_GE(cross(along, point - hull[i]), 0) << "a point outside";
+    }
+    cloud.insert(cloud.end(), cloud.begin(), cloud.end());
+    std::reverse(cloud.begin(), cloud.end());
+    if (flat) return;
+    EXPECT_EQ(asSet(convexHull(cloud)), asSet(hull)) << "order and repeats matter";
+    const LatticeMap map = anyMap(random, 0);
+    EXPECT_EQ(asSet(convexHull(map.shape(cloud))), asSet(map.shape(hull)));
+  });
+}
+
+Point anyVector(RandomSource& random, std::int64_t most) {
+  Point vector;
+  while (vector == Point())
+    vector = {static_cast<std::int32_t>(anyInteger(random, most)), static_cast<std::int32_t>(anyInteger(random, most))};
+  return vector;
+}
+
+TEST(ShapeLawsTest, ASlideNeverLeadsIntoTheLineAndIsTheSameInEveryTurnAndMirror) {
+  forEachCase(500000, [](RandomSource& random) {
+    const Point normal = anyVector(random, (std::int64_t{1} << 29) - 1);
+    const Point displacement = anyVector(random, (std::int64_t{1} << 29) - 1);
+    const Point slid = slideAlong(displacement, normal);
+    EXPECT_GE(dot(slid, normal), 0);
+    EXPECT_LE(dot(slid, normal), std::max(std::abs(std::int64_t{normal.x}), std::abs(std::int64_t{normal.y})))
+        << "lifted by more than a subunit";
+    const LatticeMap map = anyMap(random, 0);
+    EXPECT_EQ(slideAlong(map.vector(displacement), map.vector(normal)), map.vector(slid));
+    const Point shorter(normal.x / 2, normal.y / 2);
+    if (shorter + shorter == normal) {
+      EXPECT_EQ(slideAlong(displacement, shorter), slid);
+    }
+  });
+}
+
+// Exactly diagonal vectors have no dominant axis: x is taken, which a quarter turn does not turn.
+TEST(ShapeLawsTest, ADominantStepTurnsWithItsVectorUnlessItIsDiagonal) {
+  forEachCase(50000, [](RandomSource& random) {
+    const Point vector = anyVector(random, 1 << 29);
+    LatticeMap map = anyMap(random, 0);
+    if (std::abs(vector.x) == std::abs(vector.y)) map.quarters &= 2;
+    if (map.mirror && vector.x == 0) return;
+    EXPECT_EQ(dominantStep(map.vector(vector)), map.vector(dominantStep(vector)));
+  });
+}
+
+// Exact: neither the box's axes nor the line's normal separate them.
+bool meets(const Segment& line, const Box& box) {
+  if (!boundsOf(line).overlaps(box)) return false;
+  const auto side = [&](std::int32_t x, std::int32_t y) {
+    return oracle::sign(oracle::cross(toVec(line.b) - toVec(line.a), oracle::Vec{x, y} - toVec(line.a)));
+  };
+  const int sum = side(box.low.x, box.low.y) + side(box.high.x, box.low.y) + side(box.high.x, box.high.y) +
+                  side(box.low.x, box.high.y);
+  return std::abs(sum) != 4;
+}
+
+std::vector<Segment> anyLines(RandomSource& random, std::int64_t radius) {
+  std::vector<Segment> lines(random.below(80));
+  const Point knot = toPoint(random.vector(radius));
+  for (Segment& line : lines) {
+    const Point a = toPoint(random.vector(radius));
+    const Point b = toPoint(random.vector(radius));
+    switch (random.below(6)) {
+      case 0:
+        line = {a, a};
+        break;
+      case 1:
+        line = {a, {b.x, a.y}};
+        break;
+      case 2:
+        line = {{knot.x, a.y}, {knot.x, b.y}};
+        break;
+      case 3:
+        line = {knot, b};
+        break;
+      case 4:
+        line = {knot, knot};
+        break;
+      default:
+        line = {a, b};
+    }
+  }
+  return lines;
+}
+
+TEST(ShapeLawsTest, AGridFindsEveryLineThatMeetsABox) {
+  std::int64_t found = 0;
+  forEachCase(20000, [&](RandomSource& random) {
+    const std::int64_t radius =
+        random.oneIn(4) ? platon::kCoordinateLimit - 1 : (std::int64_t{1} << random.between(1, 29)) - 1;
+    const std::vector<Segment> lines = anyLines(random, radius);
+    const Grid grid(lines);
+    for (int query = 0; query < 12; ++query) {
+      const Segment diagonal{toPoint(random.vector(radius)),
+                             toPoint(random.vector(random.oneIn(2) ? radius : radius / 8))};
+      const bool onLine = !lines.empty() && random.oneIn(3);
+      const Box box = boundsOf(onLine ? lines[random.below(lines.size())] : diagonal);
+      std::vector<std::uint32_t> out;
+      grid.query(box, out);
+      EXPECT_TRUE(std::is_sorted(out.begin(), out.end()) && std::adjacent_find(out.begin(), out.end()) == out.end());
+      for (std::uint32_t i = 0; i < lines.size(); ++i) {
+        if (!meets(lines[i], box)) continue;
+        ++found;
+        EXPECT_TRUE(std::binary_search(out.begin(), out.end(), i)) << "line " << i << " is missing";
+      }
+    }
+  });
+  EXPECT_GT(found, 1000000);
+}
+
+}  // namespace
+}  // namespace platon::properties

@@ -1,0 +1,142 @@
+// What must hold between different questions to the sweep, on queries made to be hard.
+#include <gmpxx.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "platon/exact/integer.h"
+#include "platon/physics/sweep.h"
+#include "tests/exactness/judge/conversions.h"
+#include "tests/exactness/oracle/sweep/sweep_families.h"
+#include "tests/exactness/properties/lattice_map.h"
+#include "tests/exactness/properties/seeded_cases.h"
+#include "tests/shared/physics/sweep_question.h"
+
+namespace platon::properties {
+namespace {
+
+using oracle::RandomSource;
+
+std::string described(const SweepQuestion& query) {
+  return oracle::toLine({judge::toPolygon(query.shape), judge::toVec(query.position), judge::toVec(query.displacement),
+                         judge::toSegment(query.line)});
+}
+
+SweepQuestion queryOf(const oracle::SweepFamily& family, RandomSource& random) {
+  const oracle::SweepQuery made = oracle::makeQuery(family, random);
+  return {judge::toPoints(made.shape), judge::toPoint(made.position), judge::toPoint(made.displacement),
+          judge::toSegment(made.obstacle)};
+}
+
+// `check` with one query of every family per case.
+template <class Check>
+void forEachQuery(std::int64_t cases, Check&& check) {
+  std::int64_t hits = 0;
+  std::int64_t misses = 0;
+  forEachCase(cases, [&](RandomSource& random) {
+    for (const oracle::SweepFamily& family : oracle::sweepFamilies()) {
+      const SweepQuestion query = queryOf(family, random);
+      const std::optional<Hit> hit = answer(query);
+      SCOPED_TRACE(described(query));
+      check(query, hit, random);
+      ++(hit ? hits : misses);
+    }
+  });
+  EXPECT_GT(hits, misses / 10);
+  EXPECT_GT(misses, hits / 10);
+}
+
+void expectSameTimes(const std::optional<Hit>& hit, const std::optional<Hit>& other) {
+  ASSERT_EQ(other.has_value(), hit.has_value());
+  if (!hit) return;
+  EXPECT_EQ(other->time, hit->time);
+  EXPECT_EQ(other->exit, hit->exit);
+  EXPECT_EQ(other->side == Hit::Side::kInside, hit->side == Hit::Side::kInside);
+}
+
+bool inRange(Point point) { return isCoordinate(point.x) && isCoordinate(point.y); }
+
+TEST(SweepLawsTest, EveryTurnMirrorAndPlaceGivesTheSame) {
+  forEachQuery(5000, [](const SweepQuestion& query, const std::optional<Hit>& hit, RandomSource& random) {
+    LatticeMap map = anyMap(random, kCoordinateLimit / 2);
+    const auto fits = [&] {
+      return inRange(map.place(query.position)) && inRange(map.place(query.line.a)) && inRange(map.place(query.line.b));
+    };
+    if (!fits()) map.shift = {};
+    const SweepQuestion mapped{map.shape(query.shape), map.place(query.position), map.vector(query.displacement),
+                               map.line(query.line)};
+    const std::optional<Hit> other = answer(mapped);
+    expectSameTimes(hit, other);
+    // Which of two edges met at once is named depends on their order, which a mirror turns round.
+    if (hit && other && !map.mirror) {
+      EXPECT_EQ(other->normal, map.vector(hit->normal));
+      EXPECT_EQ(other->side, hit->side);
+    }
+  });
+}
+
+TEST(SweepLawsTest, NeitherTheEndsOfTheLineNorTheFirstVertexMatter) {
+  forEachQuery(5000, [](const SweepQuestion& query, const std::optional<Hit>& hit, RandomSource& random) {
+    SweepQuestion other = query;
+    std::swap(other.line.a, other.line.b);
+    expectSameTimes(hit, answer(other));
+    const auto first = random.between(0, static_cast<std::int64_t>(query.shape.size()) - 1);
+    std::rotate(other.shape.begin(), other.shape.begin() + first, other.shape.end());
+    expectSameTimes(hit, answer(other));
+  });
+}
+
+TEST(SweepLawsTest, GrowingNeverLosesAHitNorDelaysIt) {
+  forEachQuery(5000, [](const SweepQuestion& query, const std::optional<Hit>& hit, RandomSource& random) {
+    std::optional<Hit> last = hit;
+    for (std::int32_t grown = 0; grown < 64;) {
+      grown += static_cast<std::int32_t>(random.between(1, 24));
+      const std::optional<Hit> next = answer(query, grown);
+      if (last) {
+        ASSERT_TRUE(next.has_value()) << "grown by " << grown;
+        EXPECT_LE(next->time, last->time) << "grown by " << grown;
+        EXPECT_GE(next->exit, last->exit) << "grown by " << grown;
+      }
+      last = next;
+    }
+  });
+}
+
+mpq_class rational(Fraction fraction) {
+  mpq_class value(mpz_class(fraction.numerator), mpz_class(fraction.denominator));
+  value.canonicalize();
+  return value;
+}
+
+Point times(std::int64_t factor, Point vector) {
+  return {static_cast<std::int32_t>(factor * vector.x), static_cast<std::int32_t>(factor * vector.y)};
+}
+
+// A displacement of many equal steps: as many as fit before the hit are free, one more meets the line at the same
+// place.
+TEST(SweepLawsTest, AllIsFreeBeforeTheHitAndMetAfterIt) {
+  forEachQuery(5000, [](const SweepQuestion& query, const std::optional<Hit>&, RandomSource& random) {
+    const std::int64_t steps = random.between(1, 1000);
+    SweepQuestion whole = query;
+    const Point step(query.displacement.x / static_cast<std::int32_t>(steps),
+                     query.displacement.y / static_cast<std::int32_t>(steps));
+    whole.displacement = times(steps, step);
+    const std::optional<Hit> hit = answer(whole);
+    const auto free =
+        hit ? static_cast<std::int64_t>(int128{hit->time.numerator} * steps / hit->time.denominator) : steps;
+    SweepQuestion part = whole;
+    part.displacement = times(free, step);
+    EXPECT_EQ(answer(part).has_value(), hit && hit->side == Hit::Side::kInside) << free << " of " << steps;
+    if (!hit) return;
+    part.displacement = times(free + 1, step);
+    const std::optional<Hit> shorter = answer(part);
+    ASSERT_TRUE(shorter.has_value()) << free + 1 << " of " << steps;
+    EXPECT_EQ(mpq_class(rational(hit->time) * steps), mpq_class(rational(shorter->time) * (free + 1)));
+  });
+}
+
+}  // namespace
+}  // namespace platon::properties

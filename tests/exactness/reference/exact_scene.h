@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "tests/exactness/oracle/exact_geometry.h"
+
+namespace platon::reference {
+
+/// A scene file with one entity: one convex mover among lines on the plane, driven by the same velocity in every tick.
+struct ExactScene {
+  oracle::Polygon shape;  ///< strictly convex, counter-clockwise, relative to the entity's position
+  std::vector<oracle::Segment> lines;
+  oracle::Vec start;
+  oracle::Vec velocity;  ///< a tick
+};
+
+/// Every number of a scene is below this in magnitude.
+inline constexpr std::int64_t kSceneLimit = std::int64_t{1} << 20;
+
+/// Throws std::runtime_error that names the line of what is wrong.
+ExactScene readScene(std::string_view text);
+
+/// The same scene in units that are `factor` times as fine.
+ExactScene scaled(const ExactScene& scene, std::int64_t factor);
+
+}  // namespace platon::reference

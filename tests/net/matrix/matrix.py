@@ -1,0 +1,54 @@
+#!/usr/bin/env python3
+"""Measures the network code: real servers and bots, over loopback, on simulated lines.
+
+usage: matrix.py ROOT (--write | --quick | --corners). The programs are those in the folder that PLATON_BIN names.
+--write runs everything and writes the tables into docs/netcode.md; --quick prints a shorter run; --corners runs a few
+short cells and checks only what does not depend on the machine. Exit code 1 when a gate does not hold, a line each.
+"""
+
+import os
+import sys
+from pathlib import Path
+
+import cells
+from gates import failures, judge
+from measured import section, text_report
+from page import replace_part, with_part
+from processes import Failure
+from run_cells import Runner
+
+LEVEL = "levels/icosahedron/05_the_long_way_round.level"
+PLANS = {"--write": cells.FULL, "--quick": cells.QUICK, "--corners": cells.CORNERS}
+
+
+def say(line):
+    print(line, file=sys.stderr, flush=True)
+
+
+def run(root, mode, programs):
+    page = root / "docs/netcode.md"
+    with_part(page.read_text(encoding="utf-8"), "")   # no run is made for nothing
+    together, alone, without_players = Runner(programs, root / LEVEL, say).plan(PLANS[mode])
+    judged = list(judge(together + alone, without_players, timings=mode != "--corners"))
+    if mode == "--write":
+        replace_part(page, section(together, alone, without_players, judged))
+    else:
+        print(text_report(together + alone, without_players))
+    return failures(judged)
+
+
+def main(arguments):
+    if len(arguments) != 2 or arguments[1] not in PLANS or "PLATON_BIN" not in os.environ:
+        print(__doc__, file=sys.stderr)
+        return 2
+    try:
+        failed = run(Path(arguments[0]).resolve(), arguments[1], Path(os.environ["PLATON_BIN"]))
+    except Failure as failure:
+        failed = [str(failure)]
+    for line in failed:
+        print(f"does not hold: {line}")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,105 @@
+"""The programs, as processes of this machine."""
+
+import json
+import re
+import signal
+import subprocess
+import threading
+import time
+from pathlib import Path
+
+PATIENCE = 60
+
+
+class Failure(Exception):
+    """A program did not do what it is there for."""
+
+
+class Program:
+    """One of the programs while it runs; it does not outlive this."""
+
+    def __init__(self, words, **streams):
+        self._process = subprocess.Popen(words, text=True, **streams)
+
+    def processor_seconds(self):
+        """(on the processor, waiting for one) so far. The kernel counts both in nanoseconds here, elsewhere in centidegrees
+        of a second."""
+        used, waited = Path(f"/proc/{self._process.pid}/schedstat").read_text().split()[:2]
+        return int(used) / 1e9, int(waited) / 1e9
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        if self._process.poll() is None:
+            self._process.kill()
+            self._process.wait()
+
+
+class Server(Program):
+    """A platon-server on a free port of the loopback interface."""
+
+    def __init__(self, programs, level, players=16):
+        self._lines = []
+        self._changed = threading.Condition()
+        begun = time.monotonic()
+        super().__init__(
+            [programs / "platon-server", level, "--bind", "127.0.0.1", "--port", "0", "--max-players", str(players)],
+            stderr=subprocess.PIPE)  # fmt: skip
+        self._reader = threading.Thread(target=self._read, daemon=True)
+        self._reader.start()
+        self.address = self._wait_for(r"listening on (.*)").group(1)
+        self.start_ms = (time.monotonic() - begun) * 1000
+
+    def _read(self):
+        for line in self._process.stderr:
+            with self._changed:
+                self._lines.append(line.rstrip("\n"))
+                self._changed.notify_all()
+
+    def find(self, pattern):
+        with self._changed:
+            return next((found for found in (re.fullmatch(pattern, line) for line in self._lines) if found), None)
+
+    def _wait_for(self, pattern):
+        end = time.monotonic() + PATIENCE
+        while not (found := self.find(pattern)):
+            if self._process.poll() is not None or time.monotonic() > end:
+                raise Failure(f"platon-server did not say '{pattern}' but {self._lines}")
+            with self._changed:
+                self._changed.wait(0.001)
+        return found
+
+    def memory_bytes(self):
+        """The most it ever had."""
+        status = Path(f"/proc/{self._process.pid}/status").read_text()
+        return int(re.search(r"VmHWM:\s*(\d+) kB", status).group(1)) * 1024
+
+    def stop(self):
+        """How long its ticks took: p50Us, p99Us, longestUs, ticks."""
+        self._process.send_signal(signal.SIGTERM)
+        code = self._process.wait(PATIENCE)
+        self._reader.join(PATIENCE)
+        ran = self.find(r"ran (.*)")
+        if code != 0 or not ran:
+            raise Failure(f"platon-server ended with {code}: {self._lines[-3:]}")
+        return {key: int(value) for key, value in (word.split("=") for word in ran.group(1).split())}
+
+
+class Bots(Program):
+    """A process of platon-bot."""
+
+    def __init__(self, programs, server, cell, count, hollow, seed):
+        options = {"--count": count, "--seconds": cell.seconds, "--settle": cell.settle, "--seed": seed}
+        words = [str(word) for pair in options.items() for word in pair]
+        words += ["--json", *cell.line_options, *(["--hollow"] if hollow else [])]
+        super().__init__([programs / "platon-bot", server.address, *words], stdout=subprocess.PIPE,
+                         stderr=subprocess.PIPE)  # fmt: skip
+
+    def result(self):
+        """What it printed, and `said`, what it told of what went wrong."""
+        output, errors = self._process.communicate(timeout=PATIENCE * 2)
+        try:
+            return json.loads(output) | {"said": errors.strip()}
+        except json.JSONDecodeError as error:
+            raise Failure(f"platon-bot printed no result: {output} {errors}") from error

@@ -1,0 +1,81 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "tests/support/program.h"
+
+namespace platon {
+namespace {
+
+using Arguments = std::vector<std::string>;
+
+struct Refusal {
+  const char* what;
+  std::string program;
+  Arguments arguments;
+  int exitCode;
+  std::string says;  // on standard error
+};
+
+class Refused : public testing::TestWithParam<Refusal> {};
+
+TEST_P(Refused, InOneLineWithItsExitCode) {
+  const Refusal& refusal = GetParam();
+  Program program(refusal.program, refusal.arguments);
+  EXPECT_EQ(program.wait(), refusal.exitCode) << program.errors();
+  const std::string errors = program.errors();
+  EXPECT_NE(errors.find(refusal.says), std::string::npos) << errors;
+  EXPECT_EQ(std::count(errors.begin(), errors.end(), '\n'), 1) << errors;
+}
+
+// Nobody listens on port 1 of a machine without a service from the seventies.
+const std::vector<Refusal> kRefusals = {
+    {"Option", "platon-client", {"--frobnicate"}, 2, "--frobnicate"},
+    {"Port", "platon-client", {"localhost:70000"}, 2, "'localhost:70000'"},
+    {"Seconds", "platon-client", {"--seconds", "soon"}, 2, "--seconds"},
+    {"Name", "platon-client", {"--name", std::string(33, 'x')}, 2, "--name"},
+    {"LevelOfAnotherServer", "platon-client", {"localhost", "--level", "x.level"}, 2, "--level"},
+    {"NoSuchLevel", "platon-client", {"--offscreen", "--level", "no/such.level"}, 2, "no/such.level"},
+    {"NoDisplay", "platon-client", {"--level", "levels/hexahedron/01_first_steps.level"}, 2, "--offscreen"},
+    {"NoServer",
+     "platon-client",
+     {"127.0.0.1:1", "--offscreen", "--seconds", "30"},
+     1,
+     "no answer from 127.0.0.1:1 within 5 s: is platon-server running there?"},
+    {"TimeUpBeforeAnyAnswer",
+     "platon-client",
+     {"127.0.0.1:1", "--offscreen", "--seconds", "1"},
+     1,
+     "the time was up while connecting to 127.0.0.1:1"},
+    {"BotCount", "platon-bot", {"localhost", "--count", "0", "--seconds", "1"}, 2, "--count"},
+    {"BotWithoutSeconds", "platon-bot", {"localhost", "--count", "1"}, 2, "--seconds"},
+    {"BotLoss", "platon-bot", {"localhost", "--count", "1", "--seconds", "1", "--loss", "101"}, 2, "--loss"},
+    {"BotPort", "platon-bot", {"localhost:x", "--count", "1", "--seconds", "1"}, 2, "'localhost:x'"},
+    {"BotNoServer", "platon-bot", {"127.0.0.1:1", "--count", "1", "--seconds", "7"}, 1, "no answer from 127.0.0.1:1"},
+};
+
+INSTANTIATE_TEST_SUITE_P(All, Refused, testing::ValuesIn(kRefusals),
+                         [](const testing::TestParamInfo<Refusal>& test) { return test.param.what; });
+
+TEST(Programs, TellEverythingThatIsWrongWithALevel) {
+  Program program("platon-client", {"--offscreen", "--level", "LICENSE"});
+  EXPECT_EQ(program.wait(), 3);
+  EXPECT_EQ(program.errors().rfind("LICENSE:1:1: error: ", 0), 0u) << program.errors();
+}
+
+TEST(Programs, TellTheirVersionAndHelp) {
+  for (const char* const name : {"platon-client", "platon-bot", "platon-server"}) {
+    Program version(name, {"--version"});
+    EXPECT_EQ(version.wait(), 0);
+    EXPECT_EQ(version.output().rfind(name, 0), 0u) << version.output();
+    Program help(name, {"--help"});
+    EXPECT_EQ(help.wait(), 0);
+    EXPECT_NE(help.output().find("--version"), std::string::npos) << help.output();
+    EXPECT_EQ(help.errors(), "");
+  }
+}
+
+}  // namespace
+}  // namespace platon

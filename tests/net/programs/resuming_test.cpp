@@ -1,0 +1,129 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "tests/support/program.h"
+#include "tests/support/server_fixture.h"
+
+namespace platon {
+namespace {
+
+namespace fs = std::filesystem;
+using std::chrono::seconds;
+
+class Return : public ServerTest {
+ protected:
+  Return() {
+    fs::remove_all(data_);
+    setenv("XDG_DATA_HOME", data_.c_str(), 1);
+  }
+  ~Return() override { fs::remove_all(data_); }
+
+  std::vector<std::string> client(const std::string& name) const {
+    return {address(), "--offscreen", "--name", name, "--seconds", "60"};
+  }
+
+  // The slot that the server's log names for this player in the first such line; -1 when there is none.
+  int slotIn(const std::string& message, const std::string& name) {
+    const std::string log = server().errors();
+    for (std::size_t at = 0; (at = log.find(message + " client=", at)) != std::string::npos; ++at) {
+      const std::string line = log.substr(at, log.find('\n', at) - at);
+      const std::size_t slot = line.find("slot=");
+      if (line.ends_with("name=\"" + name + "\"")) return std::stoi(line.substr(slot + 5));
+    }
+    return -1;
+  }
+
+  void waitForPlayers(const std::vector<std::string>& names) {
+    const auto end = std::chrono::steady_clock::now() + seconds(20);
+    for (const std::string& name : names) {
+      while (slotIn("joined", name) < 0 && std::chrono::steady_clock::now() < end) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      }
+      ASSERT_GE(slotIn("joined", name), 0) << name;
+    }
+  }
+
+  // Until the program has written down what it needs to come back.
+  void waitForFile() const {
+    const fs::path folder = data_ / "platon" / "sessions";
+    const auto isWritten = [](const auto& entry) { return entry.file_size() > 0; };
+    const auto end = std::chrono::steady_clock::now() + seconds(20);
+    while (std::chrono::steady_clock::now() < end) {
+      if (std::any_of(fs::directory_iterator(folder), fs::directory_iterator(), isWritten)) return;
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    FAIL() << "no token is kept";
+  }
+
+  // Who leaves before it plays has failed.
+  static void leave(Program& program) {
+    std::this_thread::sleep_for(seconds(2));
+    program.signal(SIGTERM);
+    EXPECT_EQ(program.wait(), 0) << program.errors();
+  }
+
+  fs::path data_ = fs::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name();
+};
+
+TEST_F(Return, AfterTheServerStoodStill) {
+  startServer();
+  Program ann("platon-client", client("Ann"));
+  waitForPlayers({"Ann"});
+  Program bots("platon-bot", {address(), "--count", "1", "--seconds", "14", "--json"});
+  server().waitForError("joined client=2");
+  server().signal(SIGSTOP);
+  ann.waitForError("trying again");
+  std::this_thread::sleep_for(seconds(2));
+  server().signal(SIGCONT);
+  ann.waitForError("connected again");
+  server().waitForError("returned");
+  EXPECT_EQ(bots.wait(), 0) << bots.errors();
+  EXPECT_NE(bots.output().find("\"returns\":1"), std::string::npos) << bots.output();
+  EXPECT_EQ(slotIn("returned", "Ann"), slotIn("joined", "Ann"));
+  leave(ann);
+  stopServer();
+}
+
+TEST_F(Return, OfAProgramThatWasKilled) {
+  startServer();
+  Program ben("platon-client", client("Ben"));
+  waitForPlayers({"Ben"});
+  Program ann("platon-client", client("Ann"));
+  waitForPlayers({"Ben", "Ann"});
+  EXPECT_EQ(slotIn("joined", "Ben"), 0);
+  EXPECT_EQ(slotIn("joined", "Ann"), 1);  // two programs, two players
+  waitForFile();
+  ben.signal(SIGKILL);
+  EXPECT_EQ(ben.wait(), 128 + SIGKILL);
+  Program again("platon-client", client("Ben"));
+  server().waitForError("returned");
+  EXPECT_EQ(slotIn("returned", "Ben"), 0);
+  EXPECT_EQ(slotIn("returned", "Ann"), -1);
+  leave(again);
+  leave(ann);
+  EXPECT_EQ(again.output() + again.errors() + ann.output() + ann.errors(), "");
+  EXPECT_TRUE(fs::is_empty(data_ / "platon" / "sessions"));
+  stopServer();
+}
+
+TEST_F(Return, NotOfOneThatHasLeft) {
+  startServer();
+  for (int i = 0; i < 2; ++i) {
+    Program ann("platon-client", client("Ann"));
+    server().waitForError("joined client=" + std::to_string(i + 1));
+    leave(ann);
+  }
+  EXPECT_EQ(slotIn("returned", "Ann"), -1);
+  stopServer();
+}
+
+}  // namespace
+}  // namespace platon

@@ -1,0 +1,241 @@
+#include "server/app/dedicated_server.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "tests/support/enet_client.h"
+#include "tests/support/raw_datagram.h"
+#include "tests/support/test_levels.h"
+
+namespace platon {
+namespace {
+
+using namespace std::chrono_literals;
+
+TimePoint steadyNow() { return std::chrono::steady_clock::now(); }
+
+/// A server and its clients over loopback, all in one thread and in real time.
+class DedicatedServerTest : public testing::Test {
+ protected:
+  void start(std::uint32_t maxPlayers) {
+    ServerSettings settings;
+    settings.host.bind = "127.0.0.1";
+    settings.match.maxPlayers = maxPlayers;
+    server_.emplace(settings, std::vector<LevelPointer>{levelOf(farGoalText())},
+                    Log(LogFormat::kText, [this](std::string_view line) { log_.emplace_back(line); }));
+  }
+
+  EnetClient& add(std::optional<FakeClient> client) {
+    clients_.push_back(std::make_unique<EnetClient>(server_->port(), std::move(client)));
+    return *clients_.back();
+  }
+  EnetClient& addPlayer(const std::string& name) {
+    return add(FakeClient(name, 10, [](std::uint32_t tick) { return static_cast<int>(tick / 7 % 8); }));
+  }
+
+  /// Until `done`, at most 4 s.
+  template <class Done>
+  bool run(Done done) {
+    const TimePoint end = steadyNow() + 4s;
+    for (TimePoint now = steadyNow(); now < end; now = steadyNow()) {
+      server_->step(now);
+      for (const auto& client : clients_) client->step();
+      if (done()) return true;
+      std::this_thread::sleep_for(4ms);
+    }
+    return false;
+  }
+
+  bool plays(EnetClient& client, std::uint32_t ticks) {
+    const std::uint32_t before = client.fake().confirmed();
+    return run([&] { return client.fake().confirmed() >= before + ticks; }) && client.fake().desyncs() == 0;
+  }
+
+  std::optional<DedicatedServer> server_;
+  std::vector<std::unique_ptr<EnetClient>> clients_;
+  std::vector<std::string> log_;
+};
+
+TEST_F(DedicatedServerTest, LetsPlayersPlay) {
+  start(4);
+  EXPECT_NE(server_->port(), 0);
+  EnetClient& ann = addPlayer("Ann");
+  EnetClient& ben = addPlayer("Ben");
+  EXPECT_TRUE(plays(ann, 40));
+  EXPECT_TRUE(plays(ben, 1));
+  EXPECT_EQ(server_->match().players(), 2u);
+  EXPECT_NE(std::find(log_.begin(), log_.end(), "joined client=1 slot=0 name=\"Ann\""), log_.end());
+}
+
+TEST_F(DedicatedServerTest, RefusesWhoFindsNoPlaceAndTellsWhy) {
+  start(1);
+  EXPECT_TRUE(plays(addPlayer("Ann"), 5));
+  EnetClient& ben = addPlayer("Ben");
+  EXPECT_TRUE(run([&] { return ben.disconnected(); }));
+  ASSERT_TRUE(ben.fake().refused());
+  EXPECT_EQ(ben.fake().refused()->code, RefusalCode::kFull);
+}
+
+TEST_F(DedicatedServerTest, BrokenDatagramsAreCountedAndDoNoHarm) {
+  start(4);
+  EnetClient& ann = addPlayer("Ann");
+  EXPECT_TRUE(plays(ann, 5));
+  const RawSocket attacker(server_->port());
+  attacker.send(Bytes(3000, 0xff));
+  attacker.send(Bytes{0});
+  attacker.send(fragmentDatagram(ann.peerAtServer(), ann.connectId()));
+  attacker.send(pingDatagram(900));
+  EXPECT_TRUE(run([&] { return server_->hostCounters().brokenDatagrams == 4; }))
+      << server_->hostCounters().brokenDatagrams;
+  EXPECT_TRUE(plays(ann, 5));
+}
+
+TEST_F(DedicatedServerTest, ABrokenMessageEndsOnlyItsOwnConnection) {
+  start(4);
+  EnetClient& ann = addPlayer("Ann");
+  EnetClient& eve = addPlayer("Eve");
+  EXPECT_TRUE(run([&] { return server_->match().players() == 2; }));
+  eve.sendRaw({1, 2, 3, 4, 5, 6, 7, 8}, true);
+  EXPECT_TRUE(run([&] { return server_->brokenMessages() == 1; }));
+  EXPECT_EQ(server_->match().players(), 1u);
+  EXPECT_TRUE(run([&] { return eve.disconnected(); }));
+  ASSERT_TRUE(eve.fake().bye());
+  EXPECT_EQ(eve.fake().bye()->code, ByeCode::kRemoved);
+  EXPECT_TRUE(plays(ann, 10));
+}
+
+// Nothing that follows is taken: a new Hello would bring the player back.
+TEST_F(DedicatedServerTest, NothingIsTakenFromAConnectionThatIsEnding) {
+  start(4);
+  EnetClient& eve = addPlayer("Eve");
+  EXPECT_TRUE(plays(eve, 2));
+  eve.sendRaw({1, 2, 3, 4, 5, 6, 7, 8}, true);
+  eve.sendRaw(encode(Hello{}), true);
+  eve.sendRaw({1, 2, 3, 4, 5, 6, 7, 8}, true);
+  EXPECT_TRUE(run([&] { return eve.disconnected(); }));
+  EXPECT_EQ(server_->match().players(), 0u);
+  EXPECT_EQ(server_->brokenMessages(), 1u);
+}
+
+// Each greeting is news to everybody: one connection has one.
+TEST_F(DedicatedServerTest, WhoHasLeftDoesNotGreetAgain) {
+  start(4);
+  EnetClient& eve = addPlayer("Eve");
+  EXPECT_TRUE(plays(eve, 2));
+  for (int again = 0; again < 20; ++again) {
+    eve.sendRaw(encode(Leave{}), true);
+    eve.sendRaw(encode(Hello{}), true);
+  }
+  EXPECT_TRUE(run([&] { return eve.disconnected(); }));
+  EXPECT_EQ(server_->match().players(), 0u);
+  EXPECT_EQ(std::count_if(log_.begin(), log_.end(), [](const std::string& line) { return line.starts_with("joined"); }),
+            1);
+}
+
+TEST_F(DedicatedServerTest, AFloodIsCutOffAndOthersPlayOn) {
+  start(4);
+  EnetClient& ann = addPlayer("Ann");
+  EnetClient& eve = addPlayer("Eve");
+  EXPECT_TRUE(run([&] { return server_->match().players() == 2; }));
+  const std::vector<std::uint8_t> useless = encode(LevelRequest{1});
+  for (int i = 0; i < 600; ++i) eve.sendRaw(useless, false);
+  EXPECT_TRUE(run([&] { return server_->hostCounters().excessDatagrams > 100; }));
+  EXPECT_TRUE(plays(ann, 10));
+}
+
+TEST_F(DedicatedServerTest, WhoDoesNotGetInInTimeIsForgotten) {
+  start(4);
+  const RawSocket attacker(server_->port());
+  attacker.send(connectDatagram(77));
+  EnetClient& silent = add(std::nullopt);
+  EXPECT_TRUE(run([&] { return silent.connected(); }));
+  EXPECT_TRUE(run([end = steadyNow() + 20ms] { return steadyNow() > end; }));  // the server has its answer
+  EXPECT_EQ(server_->hostCounters().brokenDatagrams, 0u);
+  EXPECT_EQ(server_->hostCounters().expired, 0u);
+  const TimePoint connected = steadyNow();
+  TimePoint now = connected + 2s;
+  server_->step(now);
+  EXPECT_EQ(server_->hostCounters().expired, 0u);
+  now = connected + 4s;
+  server_->step(now);
+  EXPECT_EQ(server_->hostCounters().expired, 1u);  // the one that never answered
+  for (const TimePoint begin = steadyNow(); server_->hostCounters().expired == 1u;) {
+    silent.step();  // answers, and says nothing
+    now += 100ms;
+    ASSERT_LT(now, begin + 11s);
+    server_->step(now);
+  }
+  EXPECT_GE(now, connected + 10s);
+}
+
+TEST_F(DedicatedServerTest, SaysGoodBye) {
+  start(4);
+  EnetClient& ann = addPlayer("Ann");
+  EXPECT_TRUE(plays(ann, 5));
+  std::thread stopping([this] { server_->stop("the server stops"); });
+  for (int i = 0; i < 200 && !ann.disconnected(); ++i) {
+    ann.step();
+    std::this_thread::sleep_for(4ms);
+  }
+  stopping.join();
+  ASSERT_TRUE(ann.fake().bye());
+  EXPECT_EQ(ann.fake().bye()->reason, "the server stops");
+}
+
+TEST_F(DedicatedServerTest, SaysHowLongItsTicksTook) {
+  start(4);
+  const TimePoint begin = steadyNow();
+  EXPECT_TRUE(plays(addPlayer("Ann"), 20));
+  const TickTimes& times = server_->tickTimes();
+  const std::uint64_t ticks = times.count();
+  EXPECT_GE(ticks, 20u);
+  EXPECT_GE(times.longest(), times.quantile(0.5));
+  EXPECT_LT(std::chrono::microseconds(times.longest()), steadyNow() - begin);
+  clients_.clear();
+  server_->stop("the server stops");
+  EXPECT_EQ(log_.back(), "ran ticks=" + std::to_string(ticks) + " p50Us=" + std::to_string(times.quantile(0.5)) +
+                             " p99Us=" + std::to_string(times.quantile(0.99)) +
+                             " longestUs=" + std::to_string(times.longest()));
+}
+
+TEST_F(DedicatedServerTest, AnEmptyServerRunsNoTicks) {
+  start(4);
+  for (int i = 0; i < 10; ++i) server_->step(steadyNow() + i * 100ms);
+  EXPECT_EQ(server_->tickTimes().count(), 0u);
+}
+
+TEST_F(DedicatedServerTest, APlayerWhoseConnectionBreaksStaysForAMinute) {
+  start(4);
+  EXPECT_TRUE(plays(addPlayer("Ann"), 2));
+  clients_.clear();
+  const TimePoint broken = steadyNow();
+  const auto pass = [&](int from, int to) {
+    for (int i = from; i < to; ++i) server_->step(broken + i * 10ms);
+  };
+  pass(0, 1000);  // the connection has timed out
+  EXPECT_EQ(server_->match().players(), 0u);
+  EXPECT_FALSE(server_->match().idle());
+  pass(1000, 9000);
+  EXPECT_TRUE(server_->match().idle());
+}
+
+TEST(Host, SaysWhyItCannotListen) {
+  const auto fault = [](const std::string& bind, std::uint16_t port) {
+    try {
+      const Host host({bind, port, 4, 4}, steadyNow());
+      return std::string("listens");
+    } catch (const HostError& error) {
+      return std::string(error.what());
+    }
+  };
+  const Host host({"127.0.0.1", 0, 4, 4}, steadyNow());
+  const std::string port = std::to_string(host.port());
+  EXPECT_EQ(fault("127.0.0.1", host.port()),
+            "cannot listen on 127.0.0.1:" + port +
+                ": Address already in use; stop the program that uses it or choose another port");
+  EXPECT_EQ(fault("here", 0), "cannot listen on 'here': it is no IPv4 address, such as 0.0.0.0 or 127.0.0.1");
+}
+
+}  // namespace
+}  // namespace platon

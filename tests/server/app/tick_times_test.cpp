@@ -1,0 +1,60 @@
+#include "server/app/tick_times.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+namespace platon {
+namespace {
+
+using std::chrono::microseconds;
+
+TEST(TickTimes, AreNoneAtFirst) {
+  const TickTimes times;
+  EXPECT_EQ(times.count(), 0u);
+  EXPECT_EQ(times.quantile(0.99), 0u);
+  EXPECT_EQ(times.longest(), 0u);
+}
+
+TEST(TickTimes, ShortOnesAreExact) {
+  TickTimes times;
+  for (int i = 1; i <= 31; ++i) times.add(microseconds(i));
+  EXPECT_EQ(times.quantile(0), 1u);
+  EXPECT_EQ(times.quantile(1.0 / 31), 1u);
+  EXPECT_EQ(times.quantile(0.5), 16u);
+  EXPECT_EQ(times.quantile(1), 31u);
+}
+
+TEST(TickTimes, QuantilesAreRoundedUpByASixteenthAtMost) {
+  for (std::uint64_t time = 1; time < 1'000'000; time += time / 50 + 1) {
+    TickTimes times;
+    times.add(microseconds(time));
+    times.add(microseconds(999'999));
+    EXPECT_GE(times.quantile(0.5), time);
+    EXPECT_LE(times.quantile(0.5), time + time / 16);
+  }
+}
+
+TEST(TickTimes, TheNinetyNinthPercentileLeavesOutOneInAHundred) {
+  TickTimes times;
+  for (int i = 0; i < 99; ++i) times.add(microseconds(10));
+  times.add(microseconds(5000));
+  EXPECT_EQ(times.quantile(0.99), 10u);
+  EXPECT_EQ(times.quantile(0.995), 5000u);
+  EXPECT_EQ(times.longest(), 5000u);
+  times.add(microseconds(5000));
+  EXPECT_EQ(times.quantile(0.99), 5000u);
+}
+
+TEST(TickTimes, TheLongestIsExactHoweverLong) {
+  TickTimes times;
+  times.add(std::chrono::seconds(7));
+  EXPECT_EQ(times.longest(), 7'000'000u);
+  EXPECT_EQ(times.quantile(1), 1'048'575u);
+  times.add(std::chrono::nanoseconds(-5));  // no monotonic clock gives this, but it is safe
+  EXPECT_EQ(times.quantile(0.5), 0u);
+  EXPECT_EQ(times.count(), 2u);
+}
+
+}  // namespace
+}  // namespace platon

@@ -1,0 +1,254 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "server/match/match.h"
+#include "tests/sim/verification.h"
+#include "tests/support/fake_client.h"
+#include "tests/support/test_levels.h"
+#include "tests/support/virtual_network.h"
+
+namespace platon {
+namespace {
+
+using Kind = MatchEvent::Kind;
+
+int running(std::uint32_t) { return Input::kRight; }
+
+SessionToken tokenNumber(std::uint32_t number) {
+  return {0xee, static_cast<std::uint8_t>(number), static_cast<std::uint8_t>(number >> 8)};
+}
+
+Hello hello(const std::string& name, std::optional<SessionToken> token) {
+  Hello hello;
+  hello.name = name;
+  hello.token = token;
+  return hello;
+}
+
+/// A match to which messages are handed without a network.
+class HostileReturn : public testing::Test {
+ protected:
+  static Match matchFor(std::uint32_t maxPlayers, std::uint32_t playersPerOrigin = kMaxPlayers) {
+    MatchSettings settings;
+    settings.maxPlayers = maxPlayers;
+    settings.playersPerOrigin = playersPerOrigin;
+    return Match(LevelRotation({levelOf(farGoalText())}), settings);
+  }
+
+  void greet(Match& match, ClientId client, std::uint32_t token, std::uint32_t origin = 0) {
+    match.receive(client, hello("P" + std::to_string(token), tokenNumber(token)), origin);
+  }
+
+  // One tick, its messages and events.
+  void tick(Match& match) {
+    match.tick();
+    sent_.clear();
+    for (const Outgoing& message : match.takeOutgoing()) ++sent_[message.client];
+    for (const MatchEvent& event : match.takeEvents()) ++events_[event.kind];
+  }
+
+  std::map<ClientId, std::size_t> sent_;
+  std::map<Kind, std::size_t> events_;
+};
+
+TEST_F(HostileReturn, ASecondHelloChangesNothing) {
+  Match match = matchFor(4);
+  greet(match, 1, 1);
+  greet(match, 1, 2);
+  greet(match, 1, 1);
+  tick(match);
+  EXPECT_EQ(match.players(), 1u);
+  EXPECT_EQ(match.member(1)->name(), "P1");
+  EXPECT_TRUE(match.member(1)->has(tokenNumber(1)));
+  EXPECT_EQ(events_[Kind::kJoined], 1u);
+  EXPECT_EQ(events_[Kind::kReturned], 0u);
+}
+
+// Two connections that throw each other out, with a burst of greetings before the server can close either.
+TEST_F(HostileReturn, WhoWasThrownOutGetsNoFurtherTurn) {
+  Match match = matchFor(4);
+  greet(match, 9, 9);
+  tick(match);
+  for (int i = 0; i < 200; ++i) {
+    greet(match, 1, 1);
+    greet(match, 2, 1);
+    greet(match, 3, 1);
+  }
+  tick(match);
+  EXPECT_EQ(match.players(), 2u);
+  EXPECT_TRUE(match.isMember(3));
+  EXPECT_LE(events_[Kind::kReturned], 2u);
+  EXPECT_LE(sent_[9], 5u);  // who else is there
+}
+
+// Two addresses that take each other's players over hold no more of them than two addresses may.
+TEST_F(HostileReturn, TakingOverFromAnotherAddressMakesRoomThere) {
+  Match match = matchFor(16, 4);
+  for (std::uint32_t cycle = 0; cycle < 16; ++cycle) {
+    const ClientId client = 1 + 2 * cycle;
+    greet(match, client, cycle, 1);
+    greet(match, client + 1, cycle, 2);
+    match.disconnect(client + 1);
+    tick(match);
+  }
+  greet(match, 99, 99, 3);
+  EXPECT_TRUE(match.isMember(99));
+  EXPECT_GE(events_[Kind::kLeft], 11u);
+}
+
+// A client that sends no random token has itself to blame, and nobody else has.
+TEST_F(HostileReturn, ATokenOfZerosIsOneLikeAnyOther) {
+  Match match = matchFor(4);
+  greet(match, 9, 9);
+  match.receive(1, hello("One", SessionToken{}));
+  match.receive(2, hello("Two", std::nullopt));
+  tick(match);
+  EXPECT_EQ(match.players(), 3u);
+  match.receive(3, hello("Three", SessionToken{}));
+  tick(match);
+  EXPECT_EQ(match.players(), 3u);
+  EXPECT_FALSE(match.isMember(1));
+  EXPECT_TRUE(match.isMember(2));
+  EXPECT_TRUE(match.isMember(9));
+}
+
+TEST_F(HostileReturn, AFullServerMayLoseAllAtOnce) {
+  Match match = matchFor(kMaxPlayers);
+  for (std::uint32_t i = 0; i < kMaxPlayers; ++i) greet(match, 1 + i, i);
+  for (int i = 0; i < 10; ++i) tick(match);
+  std::vector<std::uint32_t> slots;
+  for (std::uint32_t i = 0; i < kMaxPlayers; ++i) slots.push_back(match.member(1 + i)->slot());
+  for (std::uint32_t i = 0; i < kMaxPlayers; ++i) match.disconnect(1 + i);
+  tick(match);
+  EXPECT_TRUE(sent_.empty());
+  EXPECT_FALSE(match.idle());
+  greet(match, 999, 999);  // no place is free
+  EXPECT_FALSE(match.isMember(999));
+  for (std::uint32_t i = kMaxPlayers; i-- > kMaxPlayers / 2;) greet(match, 1001 + i, i);
+  tick(match);
+  EXPECT_EQ(match.players(), kMaxPlayers / 2);
+  for (std::uint32_t i = kMaxPlayers / 2; i < kMaxPlayers; ++i) EXPECT_EQ(match.member(1001 + i)->slot(), slots[i]);
+  for (std::uint64_t i = 0; i < Match::kAwayTicks + 2; ++i) match.tick();
+  tick(match);
+  EXPECT_EQ(events_[Kind::kLeft], kMaxPlayers / 2);
+  for (std::uint32_t i = 0; i < kMaxPlayers / 2; ++i) greet(match, 2001 + i, 2000 + i);
+  EXPECT_EQ(match.players(), kMaxPlayers);
+}
+
+TEST_F(HostileReturn, AMatchForOneKeepsThePlaceForItsPlayer) {
+  Match match = matchFor(1);
+  greet(match, 1, 1);
+  for (int i = 0; i < 10; ++i) tick(match);
+  match.disconnect(1);
+  greet(match, 2, 2);
+  EXPECT_FALSE(match.isMember(2));
+  tick(match);
+  greet(match, 3, 1);
+  ASSERT_TRUE(match.isMember(3));
+  EXPECT_EQ(match.member(3)->slot(), 0u);
+  match.disconnect(3);
+  for (std::uint64_t i = 0; i <= Match::kAwayTicks; ++i) tick(match);
+  EXPECT_TRUE(match.idle());
+  greet(match, 4, 4);
+  EXPECT_TRUE(match.isMember(4));
+}
+
+TEST_F(HostileReturn, WhoHasLeftIsNotLostAsWell) {
+  Match match = matchFor(4);
+  greet(match, 1, 1);
+  tick(match);
+  match.receive(1, Leave{});
+  match.disconnect(1);
+  tick(match);
+  EXPECT_TRUE(match.idle());
+  EXPECT_EQ(events_[Kind::kLeft], 1u);
+  EXPECT_EQ(events_[Kind::kLost], 0u);
+}
+
+// Else a few connections, dropped again and again, would fill the server for everybody.
+TEST_F(HostileReturn, OneAddressHoldsOnlyAsManySlotsAsConnections) {
+  constexpr std::uint32_t kEvil = 7, kGood = 8;
+  Match match = matchFor(16, 4);
+  greet(match, 1, 1, kGood);
+  greet(match, 2, 2, kGood);
+  tick(match);
+  match.disconnect(1);
+  for (std::uint32_t i = 0; i < 50; ++i) {
+    greet(match, 100 + i, 100 + i, kEvil);
+    tick(match);
+    match.disconnect(100 + i);
+  }
+  EXPECT_EQ(events_[Kind::kJoined], 52u);
+  EXPECT_EQ(events_[Kind::kLeft], 46u);  // the oldest of them
+  EXPECT_EQ(events_[Kind::kRefused], 0u);
+  greet(match, 200, 149, kEvil);
+  EXPECT_TRUE(match.isMember(200));
+  greet(match, 3, 1, kGood);
+  tick(match);
+  EXPECT_EQ(match.member(3)->slot(), 0u);  // it was kept
+  EXPECT_EQ(events_[Kind::kReturned], 2u);
+}
+
+TEST_F(HostileReturn, WhoIsThereNeedNotMakeRoom) {
+  Match match = matchFor(16, 2);
+  for (std::uint32_t i = 1; i <= 3; ++i) greet(match, i, i, 7);  // of which the transport below allows only two
+  tick(match);
+  EXPECT_EQ(match.players(), 3u);
+  EXPECT_EQ(events_[Kind::kLeft], 0u);
+}
+
+TEST(ReturnAfterATransfer, TheLevelComesFromItsStart) {
+  const std::string text = farGoalText() + std::string(20000, '\n');
+  VirtualNetwork network(Match(LevelRotation({levelOf(text)}), {4, "Test"}), {});
+  network.add(FakeClient("Ann", 12, running));
+  network.run(3);
+  network.breakOff(1);  // some pieces have come
+  network.run(200);
+  network.add(FakeClient(network.client(1), running));
+  network.run(60);
+  EXPECT_EQ(network.client(1).levels(), 0u);
+  EXPECT_EQ(network.client(2).levels(), 1u);
+  EXPECT_EQ(network.client(2).welcome()->slot, 0u);
+  EXPECT_GT(network.client(2).confirmed(), 200u);
+  EXPECT_EQ(network.client(2).desyncs(), 0u);
+  EXPECT_TRUE(network.match().game().player(0).present);
+}
+
+// A recording goes on while players are away, and is whole when the last of them is given up.
+TEST(ReturnAndTheRecording, TheWholeGameIsRecorded) {
+  VirtualNetwork network(Match(LevelRotation({levelOf(farGoalText())}), {4, "Test", true}), {2, 0, 0, 1});
+  network.add(FakeClient("Ann", 12, running));
+  network.add(FakeClient("Ben", 12, running));
+  network.run(100);
+  network.breakOff(1);
+  network.run(100);
+  network.breakOff(2);
+  network.run(100);
+  network.add(FakeClient(network.client(1), [](std::uint32_t) { return 0; }));
+  network.run(100);
+  network.breakOff(3);
+  network.run(Match::kAwayTicks + 10);
+  ASSERT_TRUE(network.match().idle());
+  std::vector<std::uint8_t> bytes;
+  std::size_t ends = 0;
+  for (const RecordingPiece& piece : network.match().takeRecording()) {
+    bytes.insert(bytes.end(), piece.bytes.begin(), piece.bytes.end());
+    ends += piece.last ? 1 : 0;
+  }
+  EXPECT_EQ(ends, 1u);
+  const sim::Verification found = sim::Verifier(bytes).run(
+      [&](std::span<const Input>, const Game& game) { EXPECT_EQ(game.hash(), network.hashOf(1, game.tick())); });
+  EXPECT_FALSE(found.departure.has_value());
+  EXPECT_EQ(found.fault, "");
+  EXPECT_EQ(found.ticks, network.match().game().tick());
+  EXPECT_GT(found.ticks, 390 + Match::kAwayTicks);
+}
+
+}  // namespace
+}  // namespace platon

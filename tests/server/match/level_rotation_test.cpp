@@ -1,0 +1,45 @@
+#include "server/match/level_rotation.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/test_levels.h"
+
+namespace platon {
+namespace {
+
+TEST(LevelRotation, PlaysAllInOrderForEver) {
+  const LevelPointer far = levelOf(farGoalText());
+  const LevelPointer near = levelOf(nearGoalText());
+  LevelRotation rotation({far, near});
+  for (int lap = 0; lap < 2; ++lap) {
+    EXPECT_EQ(rotation.current(), far);
+    EXPECT_EQ(rotation.next(), near);
+    rotation.advance();
+    EXPECT_EQ(rotation.current(), near);
+    EXPECT_EQ(rotation.next(), far);
+    rotation.advance();
+  }
+}
+
+TEST(LevelRotation, FindsByHash) {
+  const LevelPointer far = levelOf(farGoalText());
+  const LevelPointer near = levelOf(nearGoalText());
+  const LevelRotation rotation({far, near});
+  EXPECT_EQ(rotation.find(near->hash), near);
+  EXPECT_EQ(rotation.find(near->hash + far->hash + 1), nullptr);
+}
+
+TEST(LevelRotation, ReplacingKeepsTheLevelThatIsPlayed) {
+  const LevelPointer far = levelOf(farGoalText());
+  const LevelPointer near = levelOf(nearGoalText());
+  LevelRotation rotation({far});
+  rotation.replace({near});
+  EXPECT_EQ(rotation.current(), far);
+  EXPECT_EQ(rotation.find(far->hash), far);
+  rotation.advance();
+  EXPECT_EQ(rotation.current(), near);
+  EXPECT_EQ(rotation.find(far->hash), nullptr);
+}
+
+}  // namespace
+}  // namespace platon

@@ -1,0 +1,172 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <vector>
+
+#include "server/match/match.h"
+#include "tests/sim/verification.h"
+#include "tests/support/fake_client.h"
+#include "tests/support/test_levels.h"
+#include "tests/support/virtual_network.h"
+
+namespace platon {
+namespace {
+
+Match recordedMatch(const std::vector<std::string>& texts, std::uint32_t maxPlayers = 8) {
+  std::vector<LevelPointer> levels;
+  for (const std::string& text : texts) levels.push_back(levelOf(text));
+  return Match(LevelRotation(levels), {maxPlayers, "Test", true});
+}
+
+FakeClient player(std::uint32_t lead = 8) {
+  return FakeClient("P", lead, [lead](std::uint32_t tick) { return static_cast<int>(tick / lead % 8); });
+}
+
+struct Recording {
+  std::vector<std::uint8_t> bytes;
+  std::uint32_t ticks = 0;
+  bool finished = false;
+};
+
+/// What the match has given, by round.
+class Recordings {
+ public:
+  void take(Match& match) {
+    for (const RecordingPiece& piece : match.takeRecording()) {
+      Recording& whole = byRound_[piece.round];
+      EXPECT_FALSE(whole.finished) << "round " << piece.round;
+      EXPECT_FALSE(piece.bytes.empty());
+      whole.bytes.insert(whole.bytes.end(), piece.bytes.begin(), piece.bytes.end());
+      whole.ticks = piece.ticks;
+      whole.finished = piece.last;
+    }
+  }
+
+  std::size_t size() const { return byRound_.size(); }
+  const Recording& of(std::uint32_t round) const { return byRound_.at(round); }
+
+ private:
+  std::map<std::uint32_t, Recording> byRound_;
+};
+
+sim::Verification verified(const Recording& recording, const sim::Verifier::Played& played = {}) {
+  const sim::Verification found = sim::Verifier(recording.bytes).run(played);
+  EXPECT_FALSE(found.departure.has_value());
+  EXPECT_EQ(found.fault, "");
+  EXPECT_TRUE(recording.finished);
+  EXPECT_EQ(found.ticks, recording.ticks);
+  return found;
+}
+
+TEST(MatchRecording, IsMadeOnlyWhenAskedFor) {
+  VirtualNetwork network(Match(LevelRotation({levelOf(farGoalText())}), {8, "Test"}), {});
+  network.add(player());
+  network.run(200);
+  network.match().stop("");
+  EXPECT_TRUE(network.match().takeRecording().empty());
+}
+
+TEST(MatchRecording, IsTheGameAsItWasPlayed) {
+  VirtualNetwork network(recordedMatch({farGoalText()}), {3, 4, 0.2, 9});
+  network.add(player(20));
+  network.run(100);
+  network.add(player(24));
+  network.run(150);
+  network.leave(1);
+  network.run(90);
+  Match& match = network.match();
+  const std::uint64_t hash = match.game().hash();
+  const std::uint32_t ticks = match.game().tick();
+  match.stop("");
+  Recordings recordings;
+  recordings.take(match);
+  ASSERT_EQ(recordings.size(), 1u);
+  std::vector<std::uint32_t> present;  // number of players by tick
+  const sim::Verification found = verified(recordings.of(1), [&](std::span<const Input> inputs, const Game& game) {
+    EXPECT_EQ(game.hash(), network.hashOf(1, game.tick()));
+    const auto isPresent = [](Input input) { return input.has(Input::kPresent); };
+    present.push_back(static_cast<std::uint32_t>(std::count_if(inputs.begin(), inputs.end(), isPresent)));
+  });
+  EXPECT_EQ(found.firstTick, 0u);
+  EXPECT_EQ(found.ticks, ticks);
+  EXPECT_EQ(found.hash, hash);
+  EXPECT_EQ(found.slots, 2u);
+  ASSERT_EQ(present.size(), ticks);
+  EXPECT_EQ(present[90], 1u);
+  EXPECT_EQ(present[200], 2u);
+  EXPECT_EQ(present.back(), 1u);
+}
+
+// What has come out before the end is played again up to the last checkpoint.
+TEST(MatchRecording, ComesOutWhileItIsMade) {
+  VirtualNetwork network(recordedMatch({farGoalText()}), {});
+  network.add(player());
+  for (std::uint32_t tick = 1; tick <= 5 * kCheckpointTicks + 7; ++tick) network.tick();
+  Recordings recordings;
+  recordings.take(network.match());
+  const Recording& cut = recordings.of(1);
+  EXPECT_FALSE(cut.finished);
+  const sim::Verification found = sim::Verifier(cut.bytes).run();
+  EXPECT_FALSE(found.departure.has_value());
+  EXPECT_NE(found.fault, "");
+  EXPECT_GE(found.ticks + kCheckpointTicks, network.match().game().tick());
+  EXPECT_EQ(found.hash, network.hashOf(1, found.ticks));
+}
+
+TEST(MatchRecording, EachRoundHasItsOwn) {
+  VirtualNetwork network(recordedMatch({nearGoalText(), farGoalText()}), {});
+  network.add(player());
+  Recordings recordings;
+  for (int tick = 0; tick < 700; ++tick) {
+    network.tick();
+    recordings.take(network.match());
+  }
+  ASSERT_EQ(network.match().round(), 2u);
+  network.match().stop("");
+  recordings.take(network.match());
+  ASSERT_EQ(recordings.size(), 2u);
+  EXPECT_GE(verified(recordings.of(1)).ticks, Match::kPauseTicks);
+  EXPECT_EQ(sim::Verifier(recordings.of(1).bytes).game()->level().text, nearGoalText());
+  EXPECT_EQ(sim::Verifier(recordings.of(2).bytes).game()->level().text, farGoalText());
+  EXPECT_EQ(verified(recordings.of(2)).hash, network.match().game().hash());
+}
+
+TEST(MatchRecording, EndsWhenTheLastPlayerLeaves) {
+  VirtualNetwork network(recordedMatch({farGoalText()}), {});
+  network.add(player());
+  network.run(100);
+  network.leave(1);
+  Recordings recordings;
+  recordings.take(network.match());
+  EXPECT_EQ(verified(recordings.of(1)).hash, network.match().game().hash());
+  network.run(100);  // nobody is there
+  network.add(player());
+  network.run(100);
+  network.match().stop("");
+  recordings.take(network.match());
+  ASSERT_EQ(recordings.size(), 2u);
+  EXPECT_EQ(verified(recordings.of(2)).hash, network.match().game().hash());
+}
+
+TEST(MatchRecording, TakesAsManyPlayersAsThereCanBe) {
+  Match match = recordedMatch({farGoalText()}, kMaxPlayers);
+  for (ClientId client = 1; client <= kMaxPlayers; ++client) match.receive(client, Hello{});
+  Recordings recordings;
+  for (std::uint32_t tick = 0; tick < 2 * kCheckpointTicks + 10; ++tick) {
+    for (ClientId client = 1; client <= kMaxPlayers; ++client) {
+      const Input input{static_cast<std::uint8_t>((client + tick / 9) % 8 | Input::kPresent)};
+      match.receive(client, PlayerInputs{1, 0, 0, shortHash(levelOf(farGoalText())->hash), tick, {input}});
+    }
+    match.tick();
+    match.takeOutgoing();
+  }
+  match.stop("");
+  recordings.take(match);
+  const sim::Verification found = verified(recordings.of(1));
+  EXPECT_EQ(found.slots, kMaxPlayers);
+  EXPECT_EQ(found.hash, match.game().hash());
+}
+
+}  // namespace
+}  // namespace platon

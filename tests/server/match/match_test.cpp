@@ -1,0 +1,362 @@
+#include "server/match/match.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/fake_client.h"
+#include "tests/support/test_levels.h"
+#include "tests/support/virtual_network.h"
+
+namespace platon {
+namespace {
+
+using Kind = MatchEvent::Kind;
+
+Match matchOn(const std::string& text, std::uint32_t maxPlayers = 8) {
+  return Match(LevelRotation({levelOf(text)}), {maxPlayers, "Test"});
+}
+
+Input pressing(int buttons) { return Input{static_cast<std::uint8_t>(buttons | Input::kPresent)}; }
+
+// Changes every few ticks, another way for every seed.
+std::function<int(std::uint32_t)> busy(std::uint32_t seed) {
+  return [seed](std::uint32_t tick) { return static_cast<int>((tick / (5 + seed) * 2654435761u + seed) >> 28) & 7; };
+}
+
+FakeClient player(const std::string& name, std::uint32_t lead = 8, std::uint32_t seed = 1) {
+  return FakeClient(name, lead, busy(seed));
+}
+
+void expectInLockstep(VirtualNetwork& network, ClientId client) {
+  SCOPED_TRACE("client " + std::to_string(client));
+  const FakeClient& fake = network.client(client);
+  EXPECT_EQ(fake.desyncs(), 0u);
+  EXPECT_EQ(fake.round(), network.match().round());
+  for (const auto& [tick, hash] : fake.hashes()) ASSERT_EQ(hash, network.hashOf(fake.round(), tick)) << "tick " << tick;
+}
+
+TEST(Match, WelcomesAndIntroduces) {
+  VirtualNetwork network(matchOn(farGoalText()), {});
+  network.add(player("Ann"));
+  network.run(5);
+  network.add(player(""));
+  network.run(5);
+  const auto welcome = network.client(2).welcome();
+  ASSERT_TRUE(welcome);
+  EXPECT_EQ(welcome->slot, 1u);
+  EXPECT_EQ(welcome->maxPlayers, 8u);
+  EXPECT_EQ(welcome->serverName, "Test");
+  EXPECT_EQ(welcome->levelHash, levelOf(farGoalText())->hash);
+  const std::map<std::uint32_t, std::string> roster{{0, "Ann"}, {1, "Player 2"}};
+  EXPECT_EQ(network.client(1).roster(), roster);
+  EXPECT_EQ(network.client(2).roster(), roster);
+  network.leave(2);
+  network.run(5);
+  EXPECT_EQ(network.client(1).roster().at(1), "");
+}
+
+TEST(Match, RefusesWithAReason) {
+  Match match = matchOn(farGoalText(), 1);
+  const auto answer = [&match](ClientId client, const Hello& hello) {
+    match.receive(client, hello);
+    const std::vector<Outgoing> sent = match.takeOutgoing();
+    EXPECT_EQ(sent.size(), 1u);
+    EXPECT_TRUE(sent.at(0).reliable && sent.at(0).last);
+    EXPECT_FALSE(match.isMember(client));
+    return std::get<Refused>(*decodeToClient(sent.at(0).bytes));
+  };
+  const Refused protocol = answer(1, {kProtocolVersion + 1, 0, ""});
+  EXPECT_EQ(protocol.code, RefusalCode::kWrongProtocol);
+  EXPECT_EQ(protocol.reason,
+            "protocols differ: the server has version 2, your client 3; use the release of the server");
+  const Refused rules = answer(2, {kProtocolVersion, kRulesVersion - 1, ""});
+  EXPECT_EQ(rules.code, RefusalCode::kWrongRules);
+  EXPECT_EQ(rules.reason.substr(rules.reason.find(';')), "; update your client");
+  match.receive(3, Hello{});
+  match.takeOutgoing();
+  EXPECT_EQ(answer(4, Hello{}).code, RefusalCode::kFull);
+}
+
+TEST(Match, ListensToNobodyBeforeHello) {
+  Match match = matchOn(farGoalText());
+  match.receive(1, LevelRequest{levelOf(farGoalText())->hash});
+  match.receive(1, PlayerInputs{1, 0, 0, 0, 0, {Input{Input::kPresent}}});
+  match.receive(1, Leave{});
+  match.tick();
+  EXPECT_TRUE(match.idle());
+  EXPECT_TRUE(match.takeOutgoing().empty());
+  EXPECT_EQ(match.game().tick(), 0u);
+}
+
+TEST(Match, AllPlayTheSameGameWithoutLoss) {
+  VirtualNetwork network(matchOn(farGoalText()), {});
+  for (std::uint32_t i = 0; i < 6; ++i) network.add(player("P", 8, i));
+  network.run(600);
+  for (ClientId client = 1; client <= 6; ++client) {
+    expectInLockstep(network, client);
+    EXPECT_GE(network.client(client).confirmed() + 4, network.match().game().tick());
+    EXPECT_EQ(network.client(client).states(), 0u);
+    for (const auto& [tick, input] : network.client(client).decided()) {
+      if (tick < 20) continue;
+      ASSERT_EQ(input.buttons, busy(client - 1)(tick) | Input::kPresent) << "tick " << tick;
+    }
+  }
+  EXPECT_EQ(network.match().game().slots(), 6u);
+}
+
+TEST(Match, LossDelayAndReorderingChangeNothing) {
+  for (const std::uint64_t seed : {1u, 2u, 3u}) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    VirtualNetwork network(matchOn(farGoalText()), {4, 6, 0.25, seed});
+    for (std::uint32_t i = 0; i < 5; ++i) network.add(player("P", 30, i));
+    network.run(500);
+    for (ClientId client = 1; client <= 5; ++client) {
+      expectInLockstep(network, client);
+      EXPECT_GE(network.client(client).confirmed() + 40, network.match().game().tick());
+    }
+    EXPECT_EQ(network.count(Kind::kDesync), 0u);
+    EXPECT_LE(network.longest(), kMaxTickMessageBytes);
+  }
+}
+
+// More changes wait for their confirmation than one message holds.
+TEST(Match, ManyPlayersFarAwayAreServedInParts) {
+  VirtualNetwork network(matchOn(farGoalText(), 12), {30, 2, 0.02, 6});
+  for (std::uint32_t i = 0; i < 12; ++i) {
+    network.add(FakeClient("P", 80, [i](std::uint32_t tick) { return static_cast<int>((tick + i) % 2); }));
+  }
+  network.run(300);
+  EXPECT_GT(network.longest(), kMaxTickMessageBytes * 8 / 10);
+  for (ClientId client = 1; client <= 12; ++client) {
+    expectInLockstep(network, client);
+    EXPECT_GE(network.client(client).confirmed() + 60, network.match().game().tick());
+  }
+}
+
+TEST(Match, WorksAtARoundTripOfTwoSeconds) {
+  VirtualNetwork network(matchOn(farGoalText()), {60, 0, 0.05, 5});
+  network.add(player("Far", 130));
+  network.run(1200);
+  expectInLockstep(network, 1);
+  EXPECT_EQ(network.client(1).states(), 0u);
+  EXPECT_GE(network.client(1).confirmed() + 70, network.match().game().tick());
+  ASSERT_TRUE(network.client(1).slack());
+  EXPECT_GE(network.client(1).slack()->slack, 0);
+}
+
+// Up to a point the client's inputs come in time, then three ticks too late.
+TEST(Match, WhatComesTooLateIsReplacedByTheLastHeldAndTheSenderIsTold) {
+  VirtualNetwork network(matchOn(farGoalText()), {4, 0, 0, 1});
+  network.add(FakeClient("Late", 16, [](std::uint32_t tick) { return tick < 150 ? Input::kRight : Input::kLeft; }));
+  network.run(120);
+  network.client(1).setLead(5);
+  network.run(200);
+  expectInLockstep(network, 1);
+  const auto& decided = network.client(1).decided();
+  EXPECT_EQ(decided.at(110), pressing(Input::kRight));
+  EXPECT_EQ(decided.at(155), pressing(Input::kRight));
+  EXPECT_EQ(decided.rbegin()->second, pressing(0));
+  ASSERT_TRUE(network.client(1).slack());
+  EXPECT_EQ(network.client(1).slack()->slack, 5 - 2 * 4);
+  EXPECT_GT(network.match().member(1)->missedInputs(), 100u);
+}
+
+// Level and state come with the welcome: one way up, one down, and the game is there.
+TEST(Match, AJoinerHasTheGameAfterOneRoundTrip) {
+  VirtualNetwork network(matchOn(farGoalText()), {6, 0, 0, 1});
+  network.add(player("Early", 16, 1));
+  network.run(100);
+  network.add(player("Late", 16, 2));
+  network.run(2 * 6 + 1);
+  const FakeClient& late = network.client(2);
+  ASSERT_TRUE(late.game());
+  EXPECT_EQ(late.states(), 1u);
+  EXPECT_EQ(late.game()->hash(), network.hashOf(1, late.confirmed()));
+  EXPECT_GE(late.confirmed() + 6 + 2, network.match().game().tick());
+}
+
+TEST(Match, SlackIsTheLeadOfTheNewestInput) {
+  VirtualNetwork network(matchOn(farGoalText()), {2, 0, 0, 1});
+  network.add(player("Ann", 10));
+  network.run(100);
+  const auto slack = network.client(1).slack();
+  ASSERT_TRUE(slack);
+  EXPECT_EQ(slack->slack, 10 - 2 * 2);
+}
+
+TEST(Match, AGameThatDiffersGetsTheStateAndGoesOn) {
+  VirtualNetwork network(matchOn(farGoalText()), {2, 0, 0, 1});
+  network.add(player("Ann", 8, 1));
+  network.add(player("Ben", 8, 2));
+  network.run(200);
+  network.client(1).spoil();
+  network.run(200);
+  EXPECT_EQ(network.count(Kind::kDesync), 1u);
+  EXPECT_EQ(network.client(1).states(), 1u);
+  EXPECT_GT(network.client(1).desyncs(), 0u);
+  const FakeClient& healed = network.client(1);
+  EXPECT_EQ(healed.hashes().rbegin()->second, network.hashOf(1, healed.confirmed()));
+  EXPECT_GE(healed.confirmed() + 8, network.match().game().tick());
+  expectInLockstep(network, 2);
+}
+
+TEST(Match, AClientThatNeverAgreesCostsOneStateASecond) {
+  Match match = matchOn(farGoalText());
+  match.receive(1, Hello{});
+  std::uint8_t sync = 0;
+  for (int tick = 0; tick < 600; ++tick) {
+    match.receive(
+        1, PlayerInputs{1, sync, match.game().tick(), shortHash(match.game().hash()) + 1, match.game().tick(), {}});
+    match.tick();
+    for (const Outgoing& message : match.takeOutgoing()) {
+      const auto decoded = decodeToClient(message.bytes);
+      if (const auto* state = std::get_if<StateChunk>(&*decoded)) sync = state->sync;
+    }
+  }
+  std::size_t states = 0;
+  for (const MatchEvent& event : match.takeEvents()) states += event.kind == Kind::kDesync ? 1 : 0;
+  EXPECT_EQ(states, 10u);
+}
+
+TEST(Match, LateJoinersGetLevelStateAndInputs) {
+  VirtualNetwork network(matchOn(farGoalText()), {3, 2, 0.1, 3});
+  network.add(player("Early", 16, 1));
+  network.run(TickHistory::kTicks + 200);
+  network.add(player("Late", 16, 2));
+  network.run(200);
+  const FakeClient& late = network.client(2);
+  EXPECT_EQ(late.levels(), 1u);
+  EXPECT_EQ(late.states(), 1u);
+  EXPECT_EQ(network.count(Kind::kBehind), 0u);
+  EXPECT_EQ(network.count(Kind::kDesync), 0u);
+  expectInLockstep(network, 2);
+  expectInLockstep(network, 1);
+  EXPECT_TRUE(network.match().game().player(1).present);
+}
+
+TEST(Match, ASlotRestsForATickBeforeItIsGivenAway) {
+  VirtualNetwork network(matchOn(farGoalText(), 2), {});
+  network.add(player("Ann"));
+  network.add(player("Ben"));
+  network.run(60);
+  network.match().receive(2, Leave{});
+  network.match().receive(9, Hello{});
+  EXPECT_FALSE(network.match().isMember(9));
+  network.match().takeOutgoing();
+  network.run(1);
+  EXPECT_FALSE(network.match().game().player(1).present);
+  network.match().receive(9, Hello{});
+  ASSERT_TRUE(network.match().isMember(9));
+  EXPECT_EQ(network.match().member(9)->slot(), 1u);
+}
+
+TEST(Match, ARoundThatIsOverIsFollowedByTheNextLevel) {
+  const LevelPointer near = levelOf(nearGoalText());
+  const LevelPointer far = levelOf(farGoalText());
+  VirtualNetwork network(Match(LevelRotation({near, far}), {4, ""}), {2, 0, 0, 1});
+  network.add(player("Ann", 12, 1));
+  network.add(player("Ben", 12, 2));
+  network.run(60);
+  EXPECT_EQ(network.match().round(), 1u);
+  const auto end = network.client(1).roundEnd();
+  ASSERT_TRUE(end);
+  EXPECT_EQ(end->round, 1u);
+  EXPECT_EQ(end->nextLevelHash, far->hash);
+  network.run(Match::kPauseTicks + 60);
+  EXPECT_EQ(network.match().round(), 2u);
+  EXPECT_EQ(network.match().game().level().hash, far->hash);
+  for (const ClientId client : {1u, 2u}) {
+    EXPECT_EQ(network.client(client).levels(), 2u);
+    expectInLockstep(network, client);
+    EXPECT_GT(network.client(client).confirmed(), 20u);
+  }
+  EXPECT_EQ(network.count(Kind::kRoundEnd), 1u);
+  EXPECT_EQ(network.count(Kind::kDesync), 0u);
+}
+
+TEST(Match, WithoutClientsItStandsStillAndThenBeginsAnew) {
+  VirtualNetwork network(matchOn(farGoalText()), {});
+  network.add(player("Ann"));
+  network.run(100);
+  network.leave(1);
+  const std::uint32_t tick = network.match().game().tick();
+  network.run(100);
+  EXPECT_EQ(network.match().game().tick(), tick);
+  EXPECT_EQ(network.match().round(), 1u);
+  network.add(player("Ben"));
+  network.run(50);
+  EXPECT_EQ(network.match().round(), 2u);
+  expectInLockstep(network, 2);
+  EXPECT_EQ(network.client(2).states(), 0u);
+}
+
+TEST(Match, LevelTextsAreSentAtMostSoOftenARound) {
+  Match match = matchOn(farGoalText());
+  match.receive(1, Hello{});
+  std::uint32_t chunks = 0;
+  for (int tick = 0; tick < 100; ++tick) {
+    match.receive(1, LevelRequest{levelOf(farGoalText())->hash});
+    match.receive(1, LevelRequest{12345});
+    match.tick();
+    for (const Outgoing& message : match.takeOutgoing()) {
+      chunks += std::holds_alternative<LevelChunk>(*decodeToClient(message.bytes)) ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(chunks, MatchPlayer::kRequestsPerRound);
+}
+
+// One state, and what is decided until it is too old.
+TEST(Match, AClientThatConfirmsNothingIsSentLessAndLess) {
+  constexpr std::uint32_t players = 12;
+  Match match = matchOn(farGoalText(), players);
+  for (ClientId client = 1; client <= players; ++client) match.receive(client, Hello{});
+  match.takeOutgoing();
+  const std::uint32_t hash = shortHash(match.game().hash());
+  std::size_t longest = 0;
+  std::size_t sent = 0;
+  std::size_t mid = 0;
+  for (std::uint32_t tick = 0; tick < 2 * TickHistory::kTicks + 10; ++tick) {
+    for (ClientId client = 1; client <= players; ++client) {
+      const Input input{static_cast<std::uint8_t>(tick % 8 | Input::kPresent)};
+      match.receive(client, PlayerInputs{1, 0, 0, hash, tick, {input}});
+    }
+    match.tick();
+    sent = 0;
+    for (const Outgoing& message : match.takeOutgoing()) {
+      if (message.reliable) continue;
+      ++sent;
+      longest = std::max(longest, message.bytes.size());
+    }
+    EXPECT_LE(sent, players / 2);
+    if (tick == 10) mid = sent;
+  }
+  EXPECT_LE(longest, kMaxTickMessageBytes);
+  EXPECT_EQ(mid, players / 2);
+  EXPECT_EQ(sent, 0u);
+}
+
+TEST(Match, SaysGoodByeToAll) {
+  VirtualNetwork network(matchOn(farGoalText()), {});
+  network.add(player("Ann"));
+  network.add(player("Ben"));
+  network.run(20);
+  network.match().stop("the server stops");
+  network.run(5);
+  for (const ClientId client : {1u, 2u}) {
+    ASSERT_TRUE(network.client(client).bye());
+    EXPECT_EQ(network.client(client).bye()->code, ByeCode::kServerStops);
+  }
+  EXPECT_TRUE(network.match().idle());
+}
+
+TEST(Match, NewLevelsFollowOnTheCurrentOne) {
+  VirtualNetwork network(matchOn(nearGoalText()), {});
+  network.add(player("Ann"));
+  network.run(10);
+  network.match().setLevels({levelOf(farGoalText())});
+  EXPECT_EQ(network.match().game().level().hash, levelOf(nearGoalText())->hash);
+  network.run(Match::kPauseTicks + 20);
+  EXPECT_EQ(network.match().game().level().hash, levelOf(farGoalText())->hash);
+}
+
+}  // namespace
+}  // namespace platon

@@ -1,0 +1,62 @@
+#include <cstdio>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "platon_version.h"
+#include "tests/sim/commands.h"
+#include "tests/sim/report.h"
+#include "tests/sim/sim_options.h"
+
+namespace {
+
+constexpr std::string_view kHelp = R"(platon-sim: runs the simulation without server, client or clock
+
+  platon-sim run LEVEL [--players N] [--ticks T] [--seed S] [--drive play|churn|fling|push] [--max-speed U]
+                       [--velocity VX,VY] [--record FILE [--checkpoint-every TICKS]] [--trace FILE] [--json]
+      play: seeded button presses (default). churn: players also restart, come and go. fling: no game rules, every
+      tick each entity gets a seeded random velocity of up to U subunits a tick. push: no game rules, every tick each
+      entity gets this velocity in its own frame. --record keeps a game that is played: every input, the hash after
+      every tick, and the state every 60 ticks or as asked for.
+  platon-sim verify FILE [--from TICK] [--record FILE [--checkpoint-every TICKS]] [--json]
+      plays a recording again, from its start or from the last checkpoint before TICK, and compares every hash and
+      checkpoint. The first difference is named by tick, entity and field. --record keeps what is played here, in a
+      new file.
+  platon-sim world SCENE --ticks T [--seed S --max-speed U] [--trace FILE] [--json]
+      physics alone, on a scene file; with --max-speed a random velocity instead of the scene's
+  platon-sim sweep
+      one query a line on standard input: m x1 y1 ... xm ym  px py  vx vy  ax ay bx by
+      one answer a line: miss, or hit N D nx ny
+  platon-sim --help | --version
+
+Exit codes: 0 ok, 1 failed or another game, 2 usage, 3 invalid level, recording or scene.
+)";
+
+int dispatch(const std::vector<std::string>& arguments) {
+  using namespace platon::sim;
+  const std::map<std::string, int (*)(const std::vector<std::string>&)> commands{
+      {"run", runCommand}, {"verify", verifyCommand}, {"world", worldCommand}, {"sweep", sweepCommand}};
+  if (arguments.empty()) throw UsageError("no command: platon-sim --help lists them");
+  for (const std::string& argument : arguments) {
+    if (argument == "--help") return std::fputs(kHelp.data(), stdout), 0;
+    if (argument == "--version") return std::printf("platon-sim %s\n", platon::kVersion.data()), 0;
+  }
+  const auto command = commands.find(arguments.front());
+  if (command == commands.end()) {
+    throw UsageError("unknown command '" + arguments.front() + "': platon-sim --help lists them");
+  }
+  return command->second({arguments.begin() + 1, arguments.end()});
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return dispatch({argv + 1, argv + argc});
+  } catch (const platon::sim::UsageError& reason) {
+    return platon::sim::report(reason);
+  } catch (const platon::sim::InputError& reason) {
+    return platon::sim::report(reason);
+  }
+}

@@ -1,0 +1,108 @@
+#include "tests/sim/trace_writer.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "platon/physics/entity.h"
+#include "platon/physics/map_part.h"
+#include "tests/shared/physics/maps.h"
+#include "tests/shared/physics/shapes.h"
+#include "tests/sim/sim_options.h"
+
+namespace platon::sim {
+namespace {
+
+using testing::HasSubstr;
+
+std::string contentOf(const std::string& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+class TraceWriterTest : public testing::Test {
+ protected:
+  std::string path_ =
+      testing::TempDir() + "platon_trace_" + testing::UnitTest::GetInstance()->current_test_info()->name();
+};
+
+TEST_F(TraceWriterTest, ASceneIsOnePlane) {
+  World world;
+  addPart(world, 0, {{{-50, -20}, {50, -20}}, {{17, 8}, {17, 8}}});
+  Entity entity(world, square(10));
+  MapPart(world, 0).insert(entity, {0, 0}, Angle());
+  {
+    TraceWriter trace(path_);
+    trace.header(world, square(10), nullptr);
+    entity.setVelocity({0, -15});
+    world.solve(&trace);
+    trace.tick(1, 0xabc);
+    entity.setVelocity({});
+    world.solve(&trace);
+    trace.tick(2, 0xffffffffffffffffU);
+  }
+  EXPECT_EQ(
+      contentOf(path_),
+      "{\"solid\":\"PLANE\",\"subunits\":1024,\"shape\":[[-10,-10],[10,-10],[10,10],[-10,10]],\"faces\":"
+      "[{\"face\":0,\"polygon\":[],\"lines\":[[-50,-20,50,-20],[17,8,17,8]],\"warps\":[]}]}\n"
+      "{\"tick\":1,\"hash\":\"0000000000000abc\",\"players\":[{\"id\":0,\"legs\":["
+      "[{\"id\":0,\"face\":0,\"x\":0,\"y\":0,\"angle\":0}],[{\"id\":0,\"face\":0,\"x\":0,\"y\":-10,\"angle\":0}]]}]}\n"
+      "{\"tick\":2,\"hash\":\"ffffffffffffffff\",\"players\":[{\"id\":0,\"legs\":["
+      "[{\"id\":0,\"face\":0,\"x\":0,\"y\":-10,\"angle\":0}]]}]}\n");
+}
+
+TEST_F(TraceWriterTest, FurtherInstancesNameTheirWarp) {
+  World world = twoStrips();
+  Entity entity(world, square(100));
+  MapPart(world, 1).insert(entity, {950, 3}, Angle());
+  {
+    TraceWriter trace(path_);
+    trace.header(world, square(100), nullptr);
+    world.solve(&trace);
+    trace.tick(1, 0);
+  }
+  const std::string text = contentOf(path_);
+  EXPECT_THAT(text,
+              HasSubstr("\"warps\":[{\"from\":[1000,-5000,1000,5000],\"to\":2,\"onto\":[-1000,-5000,-1000,5000]}]"));
+  EXPECT_THAT(text, HasSubstr("[[{\"id\":0,\"face\":1,\"x\":950,\"y\":3,\"angle\":0},"
+                              "{\"id\":1,\"face\":2,\"x\":-1050,\"y\":3,\"angle\":0,\"via\":[0,0]}]"));
+}
+
+TEST_F(TraceWriterTest, TurnedShapesAreWrittenOut) {
+  World world;
+  addPart(world, 0, {});
+  Entity entity(world, square(10));
+  MapPart(world, 0).insert(entity, {0, 0}, Angle::degrees(45));
+  {
+    TraceWriter trace(path_);
+    trace.header(world, square(10), nullptr);
+    world.solve(&trace);
+    trace.tick(1, 0);
+  }
+  EXPECT_THAT(contentOf(path_), HasSubstr("\"angle\":4500,\"shape\":[[0,-14],[14,0],[0,14],[-14,0]]}"));
+}
+
+TEST_F(TraceWriterTest, EntitiesThatAreNowhereAreLeftOut) {
+  World world;
+  addPart(world, 0, {});
+  Entity absent(world, square(10));
+  Entity present(world, square(10));
+  MapPart(world, 0).insert(present, {0, 0}, Angle());
+  {
+    TraceWriter trace(path_);
+    trace.header(world, square(10), nullptr);
+    world.solve(&trace);
+    trace.tick(1, 0);
+  }
+  EXPECT_THAT(contentOf(path_), HasSubstr("\"players\":[{\"id\":1,\"legs\":"));
+}
+
+TEST_F(TraceWriterTest, RefusesAPlaceThatCannotBeWritten) {
+  EXPECT_THROW(TraceWriter(testing::TempDir() + "no/such/folder/trace"), UsageError);
+}
+
+}  // namespace
+}  // namespace platon::sim

@@ -1,0 +1,61 @@
+#include "tests/sim/verification.h"
+
+namespace platon::sim {
+
+Verifier::Verifier(std::span<const std::uint8_t> recording, std::uint32_t from) : reader_(recording) { start(from); }
+
+void Verifier::start(std::uint32_t from) {
+  block_ = reader_.next();
+  if (!block_) return;
+  if (from < block_->first) from = block_->first;
+  while (block_->ticks() != 0 && block_->first + block_->ticks() <= from) {
+    auto next = reader_.next();
+    if (!next) break;  // the recording ends here: the last there is
+    block_ = std::move(next);
+  }
+  Game game(reader_.level());
+  if (!game.restore(block_->state)) {
+    found_.fault = "byte " + std::to_string(block_->offset) + ": the state is none that this level could have";
+    return;
+  }
+  found_.firstTick = game.tick();
+  found_.hash = game.hash();
+  game_ = std::move(game);
+}
+
+Verification Verifier::run(const Played& played) {
+  for (; game_ && block_; block_ = reader_.next()) {
+    if (!matches(*block_)) break;
+    play(*block_, played);
+  }
+  if (found_.fault.empty()) found_.fault = reader_.fault();
+  if (game_) found_.slots = game_->slots();
+  return found_;
+}
+
+// At a checkpoint. Also says in which field the states differ when the hashes did before.
+bool Verifier::matches(const RecordedBlock& block) {
+  if (!found_.departure && game_->save() == block.state) return true;
+  Game recorded(reader_.level());
+  const bool sound = recorded.restore(block.state);
+  if (!found_.departure) {
+    found_.departure = Departure{block.first, game_->hash(), sound ? recorded.hash() : 0, {}, {}};
+  }
+  found_.departure->comparedAt = block.first;
+  if (sound) found_.departure->difference = firstDifference(*game_, recorded);
+  return false;
+}
+
+void Verifier::play(const RecordedBlock& block, const Played& played) {
+  for (std::uint32_t i = 0; i < block.ticks(); ++i) {
+    game_->advance(block.inputsOf(i));
+    const std::uint64_t hash = game_->hash();
+    if (played) played(block.inputsOf(i), *game_);
+    if (found_.departure) continue;
+    ++found_.ticks;
+    found_.hash = hash;
+    if (hash != block.hashes[i]) found_.departure = Departure{game_->tick(), hash, block.hashes[i], {}, {}};
+  }
+}
+
+}  // namespace platon::sim

@@ -1,0 +1,161 @@
+#include "tests/sim/verification.h"
+
+#include <gtest/gtest.h>
+
+#include "platon/game/recorder.h"
+#include "tests/shared/game/forged_recording.h"
+#include "tests/shared/game/played_game.h"
+#include "tests/sim/churn.h"
+
+namespace platon::sim {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+constexpr std::uint64_t kSeed = 50;
+
+std::shared_ptr<const Level> level() {
+  const std::string lines = "-240 -200 240 -200\n60 -90 150 -90\n-100 20 100 40";
+  static const auto loaded = cubeLevel("0 0 -180 0", {lines, lines, lines, lines, lines, lines});
+  return loaded;
+}
+
+// Plays `ticks`; `meddle` may change the game after each before it is recorded. Gives the recording.
+Bytes record(std::uint32_t ticks, std::uint32_t checkpointTicks, const std::function<void(Game&)>& meddle = {}) {
+  Game game(level());
+  Recorder recorder(game, checkpointTicks);
+  Churn churn(kSeed, 3);
+  for (std::uint32_t tick = 0; tick < ticks; ++tick) {
+    const auto& inputs = churn.next();
+    game.advance(inputs);
+    if (meddle) meddle(game);
+    recorder.record(inputs, game);
+  }
+  recorder.finish(game);
+  return recorder.takeBytes();
+}
+
+TEST(VerificationTest, TheSameGameHoldsToTheEnd) {
+  const Bytes bytes = record(500, 60);
+  const Verification found = Verifier(bytes).run();
+  EXPECT_EQ(found.firstTick, 0u);
+  EXPECT_EQ(found.ticks, 500u);
+  EXPECT_EQ(found.slots, 3u);
+  EXPECT_EQ(found.fault, "");
+  EXPECT_FALSE(found.departure);
+}
+
+TEST(VerificationTest, FromACheckpointItEndsTheSame) {
+  const Bytes bytes = record(500, 60);
+  const std::uint64_t hash = Verifier(bytes).run().hash;
+  for (const std::uint32_t from : {1u, 59u, 60u, 61u, 479u, 480u, 499u}) {
+    const Verification found = Verifier(bytes, from).run();
+    EXPECT_EQ(found.firstTick, from / 60 * 60);
+    EXPECT_EQ(found.ticks, 500 - found.firstTick);
+    EXPECT_EQ(found.hash, hash);
+    EXPECT_FALSE(found.departure);
+  }
+  const Verification beyond = Verifier(bytes, 100000).run();
+  EXPECT_EQ(beyond.firstTick, 500u);
+  EXPECT_EQ(beyond.ticks, 0u);
+  EXPECT_EQ(beyond.hash, hash);
+}
+
+// One bit of the saved state is changed after tick `at`, and the game plays on from there. False when the state would
+// be none.
+bool flipBit(Game& game, std::uint32_t at, std::size_t bit) {
+  if (game.tick() != at) return true;
+  Bytes bytes = game.save();
+  bytes[bit / 8] ^= static_cast<std::uint8_t>(1 << bit % 8);
+  return game.restore(bytes);
+}
+
+// Of any bit: with a checkpoint at every tick, the first tick and the very field are named.
+TEST(VerificationTest, AnyBitOfStateIsNamedByTickAndField) {
+  constexpr std::uint32_t kAt = 40;
+  Game honest(level());
+  Churn churn(kSeed, 3);
+  while (honest.tick() < kAt) honest.advance(churn.next());
+  int named = 0;
+  for (std::size_t bit = 0; bit < 8 * honest.save().size(); ++bit) {
+    Game changed = honest;
+    if (!flipBit(changed, kAt, bit) || changed.tick() != kAt) continue;
+    const auto expected = firstDifference(honest, changed);
+    ASSERT_TRUE(expected) << "bit " << bit;
+    const Bytes bytes = record(kAt + 1, 1, [&](Game& game) { flipBit(game, kAt, bit); });
+    const Verification found = Verifier(bytes).run();
+    ASSERT_TRUE(found.departure) << "bit " << bit;
+    EXPECT_EQ(found.departure->tick, kAt);
+    EXPECT_EQ(found.departure->comparedAt, kAt);
+    EXPECT_EQ(found.ticks, kAt);
+    ASSERT_TRUE(found.departure->difference) << "bit " << bit;
+    EXPECT_EQ(found.departure->difference->owner, expected->owner) << "bit " << bit;
+    EXPECT_EQ(found.departure->difference->field, expected->field) << "bit " << bit;
+    EXPECT_EQ(found.departure->difference->left, expected->left);
+    EXPECT_EQ(found.departure->difference->right, expected->right);
+    ++named;
+  }
+  EXPECT_GT(named, 300);
+}
+
+// With a checkpoint a second, the tick is exact still; the states are compared at the checkpoint that follows.
+TEST(VerificationTest, BetweenCheckpointsTheTickIsExact) {
+  const Bytes bytes = record(400, 60, [](Game& game) { flipBit(game, 130, 8 * 10); });
+  const Verification found = Verifier(bytes).run();
+  ASSERT_TRUE(found.departure);
+  EXPECT_EQ(found.departure->tick, 130u);
+  EXPECT_NE(found.departure->here, found.departure->recorded);
+  EXPECT_EQ(found.departure->comparedAt, 180u);
+}
+
+// The last state is compared too.
+TEST(VerificationTest, ADepartureBehindTheLastCheckpointIsComparedAtTheEnd) {
+  const Bytes bytes = record(130, 60, [](Game& game) { flipBit(game, 125, 8 * 10); });
+  const Verification found = Verifier(bytes).run();
+  ASSERT_TRUE(found.departure);
+  EXPECT_EQ(found.departure->tick, 125u);
+  EXPECT_EQ(found.departure->comparedAt, 130u);
+}
+
+TEST(VerificationTest, ATruncatedRecordingIsPlayedUpToWhereItEnds) {
+  const Bytes bytes = record(300, 60);
+  const Verification found = Verifier(std::span(bytes).first(bytes.size() - 1)).run();
+  EXPECT_EQ(found.ticks, 300u);
+  EXPECT_FALSE(found.departure);
+  EXPECT_TRUE(found.fault.starts_with("byte " + std::to_string(bytes.size() - 1) + ": the recording ends here"));
+
+  const Verification half = Verifier(std::span(bytes).first(bytes.size() / 2)).run();
+  EXPECT_GE(half.ticks, 60u);
+  EXPECT_LT(half.ticks, 300u);
+  EXPECT_EQ(half.ticks % 60, 0u);
+  EXPECT_FALSE(half.departure);
+}
+
+TEST(VerificationTest, OfATruncatedRecordingTheLastCheckpointIsTheLast) {
+  const Bytes bytes = record(300, 60);
+  const Verification found = Verifier(std::span(bytes).first(bytes.size() - 1000), 100000).run();
+  EXPECT_EQ(found.ticks, 60u);
+  EXPECT_GT(found.firstTick, 0u);
+  EXPECT_FALSE(found.fault.empty());
+  EXPECT_FALSE(found.departure);
+}
+
+TEST(VerificationTest, WhatIsNoRecordingCannotBePlayed) {
+  const Bytes bytes{1, 2, 3};
+  Verifier verifier(bytes);
+  EXPECT_EQ(verifier.game(), nullptr);
+  EXPECT_EQ(verifier.run().fault, "byte 0: this is no recording, or one of another format");
+}
+
+TEST(VerificationTest, AStateThatIsNoneIsRefused) {
+  ForgedRecording forged{Game(level())};
+  const std::size_t head = forged.bytes().size();
+  forged.setState({1, 2, 3});
+  forged.addBlock(0, 0, 0, {});
+  Verifier verifier(forged.bytes());
+  EXPECT_EQ(verifier.game(), nullptr);
+  EXPECT_EQ(verifier.run().fault, "byte " + std::to_string(head) + ": the state is none that this level could have");
+}
+
+}  // namespace
+}  // namespace platon::sim

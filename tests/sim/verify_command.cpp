@@ -1,0 +1,85 @@
+#include <chrono>
+#include <cstdio>
+
+#include "levels/tool/json_text.h"
+#include "tests/sim/commands.h"
+#include "tests/sim/files.h"
+#include "tests/sim/hex_digits.h"
+#include "tests/sim/recording_file.h"
+#include "tests/sim/sim_options.h"
+#include "tests/sim/verification.h"
+
+namespace platon::sim {
+namespace {
+
+// Weeks of eight players.
+constexpr std::size_t kMaxRecordingBytes = std::size_t{1} << 30;
+
+std::string jsonOf(const Departure& departure) {
+  std::string text = ",\"differs\":{\"tick\":" + std::to_string(departure.tick) + ",\"hash\":\"" +
+                     hexDigits(departure.here) + "\",\"recordedHash\":\"" + hexDigits(departure.recorded) + "\"";
+  if (departure.comparedAt) text += ",\"comparedAt\":" + std::to_string(*departure.comparedAt);
+  if (departure.difference) {
+    const StateDifference& found = *departure.difference;
+    text += ",\"entity\":" + jsonText(found.owner) + ",\"field\":" + jsonText(found.field) +
+            ",\"value\":" + jsonText(found.left) + ",\"recordedValue\":" + jsonText(found.right);
+  }
+  return text + "}";
+}
+
+void printJson(const std::string& path, const Verification& found, double timesRealTime) {
+  std::printf(
+      "{\"recording\":%s,\"firstTick\":%u,\"ticks\":%u,\"players\":%u,\"hash\":\"%016llx\",\"complete\":%s,"
+      "\"timesRealTime\":%.0f%s}\n",
+      jsonText(path).c_str(), found.firstTick, found.ticks, found.slots, static_cast<unsigned long long>(found.hash),
+      found.fault.empty() ? "true" : "false", timesRealTime, found.departure ? jsonOf(*found.departure).c_str() : "");
+}
+
+void printText(const std::string& path, const Verification& found, double timesRealTime) {
+  std::printf("recording %s\nfirst tick %u\nticks %u\nplayers %u\nhash %016llx\n%.0f times real time\n", path.c_str(),
+              found.firstTick, found.ticks, found.slots, static_cast<unsigned long long>(found.hash), timesRealTime);
+}
+
+std::string sentenceOf(const Departure& departure) {
+  std::string text = "after tick " + std::to_string(departure.tick) + " the hash is " + hexDigits(departure.here) +
+                     " here and " + hexDigits(departure.recorded) + " in the recording";
+  if (!departure.comparedAt) return text + "; it ends before the next checkpoint, so no field can be named";
+  text += departure.tick == *departure.comparedAt
+              ? "; there "
+              : "; at the next checkpoint, after tick " + std::to_string(*departure.comparedAt) + ", ";
+  if (!departure.difference) return text + "no field differs";
+  const StateDifference& found = *departure.difference;
+  return text + "the first field that differs is " + found.field + " of " + found.owner + ": " + found.left +
+         " here, " + found.right + " in the recording";
+}
+
+// Exit code 1 for another game, 3 for a recording that is not whole; the first is the graver.
+int complain(const std::string& path, const Verification& found) {
+  if (found.departure) std::fprintf(stderr, "%s: %s\n", path.c_str(), sentenceOf(*found.departure).c_str());
+  const std::string agree = "; " + std::to_string(found.ticks) + " ticks before it were played and agree";
+  if (!found.fault.empty()) {
+    std::fprintf(stderr, "%s: %s%s\n", path.c_str(), found.fault.c_str(), found.departure ? "" : agree.c_str());
+  }
+  return found.departure ? 1 : found.fault.empty() ? 0 : 3;
+}
+
+}  // namespace
+
+int verifyCommand(const std::vector<std::string>& arguments) {
+  const Options options(arguments, {"from", "record", "checkpoint-every"}, {"json"});
+  const std::string& path = options.onlyWord("platon-sim verify takes one recording: platon-sim verify FILE");
+  const auto from = static_cast<std::uint32_t>(options.number("from", 0, 0, ~std::uint32_t{0}));
+  const auto bytes = readBytes(path, kMaxRecordingBytes);
+  const auto begin = std::chrono::steady_clock::now();
+  Verifier verifier(bytes, from);
+  RecordingFile recording(options);
+  if (verifier.game() != nullptr) recording.start(*verifier.game(), OutputFile::Over::kNothing);
+  const Verification found = verifier.run([&](auto inputs, const Game& game) { recording.tick(inputs, game); });
+  if (verifier.game() != nullptr) recording.finish(*verifier.game());
+  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
+  const double timesRealTime = found.ticks / (kTicksPerSecond * spent.count());
+  if (verifier.game() != nullptr) (options.has("json") ? printJson : printText)(path, found, timesRealTime);
+  return complain(path, found);
+}
+
+}  // namespace platon::sim

@@ -1,0 +1,126 @@
+#include "tests/support/fake_client.h"
+
+#include <gtest/gtest.h>
+
+#include <string_view>
+
+#include "protocol/full_state.h"
+
+namespace platon {
+namespace {
+
+SessionToken newToken() {
+  static std::uint32_t players = 0;
+  ++players;
+  SessionToken token{};
+  for (std::size_t i = 0; i < 4; ++i) token[i] = static_cast<std::uint8_t>(players >> 8 * i);
+  return token;
+}
+
+}  // namespace
+
+FakeClient::FakeClient(std::string name, std::uint32_t lead, std::function<int(std::uint32_t)> buttons)
+    : lead_(lead), buttons_(std::move(buttons)), token_(newToken()) {
+  reliable_.push_back(encode(Hello{kProtocolVersion, kRulesVersion, std::move(name), token_}));
+}
+
+FakeClient::FakeClient(const FakeClient& lost, std::function<int(std::uint32_t)> buttons)
+    : lead_(lost.lead_), buttons_(std::move(buttons)), token_(lost.token_), texts_(lost.texts_) {
+  Hello hello;
+  hello.token = token_;
+  for (const auto& [hash, level] : texts_) hello.levels.push_back(hash);
+  reliable_.push_back(encode(hello));
+}
+
+std::optional<FakeClient::Bytes> FakeClient::inputs() {
+  if (!game_) return std::nullopt;
+  PlayerInputs message{round_, sync_,      confirmed_, shortHash(game_->hash()), std::max(confirmed_, firstInput_),
+                       {},     sequence_++};
+  for (std::uint32_t tick = message.first; tick <= confirmed_ + lead_; ++tick) {
+    message.inputs.push_back(Input{static_cast<std::uint8_t>(buttons_(tick) | Input::kPresent)});
+  }
+  return encode(message);
+}
+
+void FakeClient::receive(const Bytes& bytes) {
+  const auto message = decodeToClient(bytes);
+  ASSERT_TRUE(message);
+  std::visit([this](const auto& body) { handle(body); }, *message);
+}
+
+void FakeClient::handle(const Welcome& message) {
+  welcome_ = message;
+  startRound(message.round, message.levelHash);
+}
+
+void FakeClient::handle(const RoundStart& message) {
+  if (!startRound(message.round, message.levelHash)) reliable_.push_back(encode(LevelRequest{levelHash_}));
+}
+
+// False when the level has to come first.
+bool FakeClient::startRound(std::uint32_t round, std::uint64_t levelHash) {
+  round_ = round;
+  levelHash_ = levelHash;
+  game_.reset();
+  const bool known = texts_.contains(levelHash);
+  if (known) play();
+  return known;
+}
+
+void FakeClient::handle(const LevelChunk& message) {
+  if (!levelAssembly_.add(message.total, message.offset, message.bytes)) return;
+  const std::vector<std::uint8_t>& text = levelAssembly_.bytes();
+  const LevelResult level = loadLevel({reinterpret_cast<const char*>(text.data()), text.size()});
+  ASSERT_TRUE(level.level);
+  ASSERT_EQ(level.level->hash, message.hash);
+  ++levels_;
+  texts_[message.hash] = level.level;
+  if (message.hash == levelHash_ && !game_) play();
+}
+
+void FakeClient::play() {
+  game_.emplace(texts_[levelHash_]);
+  confirmed_ = 0;
+  firstInput_ = 0;
+  sync_ = 0;
+  held_.clear();
+  hashes_.clear();
+  decided_.clear();
+}
+
+void FakeClient::handle(const StateChunk& message) {
+  if (message.round != round_ || !stateAssembly_.add(message.total, message.offset, message.bytes)) return;
+  const auto state = decodeFullState(stateAssembly_.bytes());
+  ASSERT_TRUE(state);
+  ASSERT_TRUE(game_->restore(state->game));
+  held_ = state->held;
+  confirmed_ = message.tick;
+  sync_ = message.sync;
+  ++states_;
+}
+
+void FakeClient::handle(const ConfirmedTicks& message) {
+  if (message.line) line_ = message.line;
+  if (message.line && message.line->slack) slack_ = message.line->slack;
+  const std::uint32_t end = message.from + message.count;
+  if (!game_ || message.round != round_ || confirmed_ < message.from || confirmed_ >= end) return;
+  auto change = message.changes.begin();
+  while (change != message.changes.end() && change->tick < confirmed_) ++change;
+  for (; confirmed_ < end; ++confirmed_) {
+    for (; change != message.changes.end() && change->tick == confirmed_; ++change) {
+      if (held_.size() <= change->slot) held_.resize(change->slot + 1);
+      held_[change->slot] = change->input;
+    }
+    decided_[confirmed_] = welcome_->slot < held_.size() ? held_[welcome_->slot] : Input{};
+    game_->advance(held_);
+    hashes_[confirmed_ + 1] = game_->hash();
+  }
+  if (shortHash(game_->hash()) != message.hash) ++desyncs_;
+}
+
+void FakeClient::spoil() {
+  ASSERT_TRUE(game_);
+  game_->advance(std::vector<Input>(kMaxPlayers, Input{Input::kPresent}));
+}
+
+}  // namespace platon

@@ -1,0 +1,107 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "platon/game/game.h"
+#include "protocol/assembly.h"
+#include "protocol/to_client.h"
+#include "protocol/to_server.h"
+
+namespace platon {
+
+/// The least client that follows docs/protocol.md, without clock and network: it is told what arrives and asked what it
+/// sends. Written from the page, apart from the real client.
+class FakeClient {
+ public:
+  using Bytes = std::vector<std::uint8_t>;
+
+  /// `lead`: how many ticks ahead of the newest confirmed one it sends inputs. `buttons` gives what it presses by tick.
+  FakeClient(std::string name, std::uint32_t lead, std::function<int(std::uint32_t)> buttons);
+  /// Takes up the player of `lost`, whose levels it knows.
+  FakeClient(const FakeClient& lost, std::function<int(std::uint32_t)> buttons);
+
+  /// The reliable messages to send now.
+  std::vector<Bytes> takeReliable() { return std::exchange(reliable_, {}); }
+  /// The message of this tick; nothing while there is no game.
+  std::optional<Bytes> inputs();
+  void receive(const Bytes& message);
+
+  const std::optional<Welcome>& welcome() const { return welcome_; }
+  const std::optional<Refused>& refused() const { return refused_; }
+  const std::optional<Bye>& bye() const { return bye_; }
+  const std::map<std::uint32_t, std::string>& roster() const { return roster_; }
+  const std::optional<RoundEnd>& roundEnd() const { return roundEnd_; }
+
+  const SessionToken& token() const { return token_; }
+  std::uint32_t round() const { return round_; }
+  /// Ticks confirmed.
+  std::uint32_t confirmed() const { return confirmed_; }
+  const std::optional<Game>& game() const { return game_; }
+  /// Hash of the confirmed game after every tick of this round that it has played.
+  const std::map<std::uint32_t, std::uint64_t>& hashes() const { return hashes_; }
+  /// What the server decided for this client, by tick of this round.
+  const std::map<std::uint32_t, Input>& decided() const { return decided_; }
+  std::uint32_t desyncs() const { return desyncs_; }
+  std::uint32_t states() const { return states_; }
+  std::uint32_t levels() const { return levels_; }
+  /// What the server told last of this client's line.
+  const std::optional<LinkReport>& line() const { return line_; }
+  const std::optional<SlackReport>& slack() const { return slack_; }
+
+  void setLead(std::uint32_t lead) { lead_ = lead; }
+  /// Plays the confirmed game wrong from here on.
+  void spoil();
+
+ private:
+  void handle(const Welcome& message);
+  void handle(const Refused& message) { refused_ = message; }
+  void handle(const LevelChunk& message);
+  void handle(const StateChunk& message);
+  void handle(const Roster& message) {
+    for (const RosterEntry& entry : message.entries) roster_[entry.slot] = entry.name;
+  }
+  void handle(const RoundStart& message);
+  void handle(const RoundEnd& message) { roundEnd_ = message; }
+  void handle(const Bye& message) { bye_ = message; }
+  void handle(const ConfirmedTicks& message);
+
+  bool startRound(std::uint32_t round, std::uint64_t levelHash);
+  void play();
+
+  std::uint32_t lead_;
+  std::function<int(std::uint32_t)> buttons_;
+  SessionToken token_{};
+  std::vector<Bytes> reliable_;
+  std::map<std::uint64_t, std::shared_ptr<const Level>> texts_;
+  std::optional<Welcome> welcome_;
+  std::optional<Refused> refused_;
+  std::optional<Bye> bye_;
+  std::optional<RoundEnd> roundEnd_;
+  std::optional<LinkReport> line_;
+  std::optional<SlackReport> slack_;
+  std::map<std::uint32_t, std::string> roster_;
+  std::uint32_t round_ = 0;
+  std::uint64_t levelHash_ = 0;
+  std::uint8_t sync_ = 0;
+  std::uint8_t sequence_ = 0;
+  std::uint32_t confirmed_ = 0;
+  std::uint32_t firstInput_ = 0;
+  std::optional<Game> game_;
+  std::vector<Input> held_;
+  Assembly levelAssembly_;
+  Assembly stateAssembly_;
+  std::map<std::uint32_t, std::uint64_t> hashes_;
+  std::map<std::uint32_t, Input> decided_;
+  std::uint32_t desyncs_ = 0;
+  std::uint32_t states_ = 0;
+  std::uint32_t levels_ = 0;
+};
+
+}  // namespace platon

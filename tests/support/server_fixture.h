@@ -1,0 +1,47 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tests/support/program.h"
+
+namespace platon {
+
+/// A dedicated server on a free loopback port.
+class ServerTest : public testing::Test {
+ protected:
+  static inline const std::string kLevel = "levels/hexahedron/01_first_steps.level";
+
+  void startServer(std::vector<std::string> options = {}) {
+    options.insert(options.begin(), {kLevel, "--bind", "127.0.0.1", "--port", "0"});
+    server_ = std::make_unique<Program>("platon-server", options);
+    address_ = server_->waitForError("listening on ");
+  }
+
+  /// Another one at the same address.
+  void restartServer() {
+    const std::string port = address_.substr(address_.find(':') + 1);
+    server_ = std::make_unique<Program>("platon-server",
+                                        std::vector<std::string>{kLevel, "--bind", "127.0.0.1", "--port", port});
+    server_->waitForError("listening on ");
+  }
+
+  /// Ends the server, which has to go in good order.
+  void stopServer() {
+    server_->signal(SIGTERM);
+    EXPECT_EQ(server_->wait(), 0) << server_->errors();
+  }
+
+  const std::string& address() const { return address_; }
+  Program& server() { return *server_; }
+
+ private:
+  std::unique_ptr<Program> server_;
+  std::string address_;
+};
+
+}  // namespace platon

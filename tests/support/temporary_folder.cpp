@@ -1,0 +1,22 @@
+#include "tests/support/temporary_folder.h"
+
+#include <cerrno>
+#include <string>
+#include <system_error>
+
+#include <stdlib.h>
+
+namespace platon::oracle {
+
+TemporaryFolder::TemporaryFolder() {
+  std::string name = (std::filesystem::temp_directory_path() / "platon-check-XXXXXX").string();
+  if (mkdtemp(name.data()) == nullptr) throw std::system_error(errno, std::generic_category(), name);
+  path_ = name;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
+}  // namespace platon::oracle
