@@ -36,7 +36,7 @@ bool isFree(const Convex& probe, const MapGeometry& part, Point from, Point to) 
   std::vector<std::uint32_t> lines;
   part.grid.query(sweep.bounds(), lines);
   return std::none_of(lines.begin(), lines.end(), [&](std::uint32_t line) {
-    return !part.isWarp(line) && sweep.against(part.lines[line]).has_value();
+    return !part.isWarp(line) && sweep.against(part.segments[line]).has_value();
   });
 }
 

@@ -18,7 +18,7 @@ class GameRules : public Rules {
   GameRules(World& world, std::vector<PlayerState>& players, UnitNormals& unitNormals)
       : world_(world), players_(players), unitNormals_(unitNormals) {}
 
-  bool heedsNoWarp() const override { return true; }
+  bool ignoresWarps() const override { return true; }
   void contact(Entity& entity, const Contact& contact) override {
     if (entity.index() != moved_) steep_ = Point();
     moved_ = entity.index();

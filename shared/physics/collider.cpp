@@ -6,12 +6,12 @@
 namespace platon {
 
 SegmentRef segmentRef(const MapGeometry& part, std::uint32_t line) {
-  return {part.id, line, part.isWarp(line), part.lines[line]};
+  return {part.id, line, part.isWarp(line), part.segments[line]};
 }
 
 void Collider::begin(Rules& rules, Entity entity, std::vector<Region>& regions) {
   rules_ = &rules;
-  heedsNoWarp_ = rules.heedsNoWarp();
+  ignoresWarps_ = rules.ignoresWarps();
   entity_.emplace(entity);
   regions_ = &regions;
   regions.resize(Instances::kMax);
@@ -32,7 +32,7 @@ std::optional<Sweep::Meeting> Collider::meet(const Placement& placement, Region&
 }
 
 bool Collider::blocks(const MapGeometry& part, std::uint32_t line) const {
-  return heedsNoWarp_ ? !part.isWarp(line) : !rules_->pierce(*entity_, segmentRef(part, line));
+  return ignoresWarps_ ? !part.isWarp(line) : !rules_->pierce(*entity_, segmentRef(part, line));
 }
 
 bool Collider::blocksOrNote(const Placement& placement, std::uint32_t line) {
@@ -76,7 +76,7 @@ std::optional<LegHit> Collider::firstWarp(const Instances& instances, const Path
     bool started = false;
     for (std::size_t place = region.firstWarp(); place < region.lines().size(); ++place) {
       const std::uint32_t line = region.lines()[place];
-      const Gate gate{i, static_cast<std::uint16_t>(part.warpOfLine(line))};
+      const Gate gate{i, static_cast<std::uint16_t>(part.warpOfSegment(line))};
       if (instances.linked(i, gate.warp) || std::find(shut.begin(), shut.end(), gate) != shut.end()) continue;
       if (!std::exchange(started, true)) {
         const Point from = instances.at(i, path.from);
@@ -95,7 +95,7 @@ bool Collider::meetsWarp(const Instances& instances, const Gate& gate, const Con
   const Placement& placement = instances.all()[gate.placement];
   sweep_.start(shape, placement.position, {}, margin);
   return sweep_.against(placement.part->warps[gate.warp].from) && !instances.linked(gate.placement, gate.warp) &&
-         !blocks(*placement.part, placement.part->lineOfWarp(gate.warp));
+         !blocks(*placement.part, placement.part->segmentOfWarp(gate.warp));
 }
 
 bool Collider::isFree(const Instances& instances, Point from, Point to) {
@@ -114,7 +114,7 @@ bool Collider::isFree(const Placement& placement, Point from, Point to) {
 
 std::optional<std::uint32_t> Collider::overlapped(const Placement& placement, const Convex& shape) {
   for (const std::uint32_t line : start(placement, shape, placement.position, placement.position).lines()) {
-    if (sweep_.against(placement.part->lines[line]) && blocks(*placement.part, line)) return line;
+    if (sweep_.against(placement.part->segments[line]) && blocks(*placement.part, line)) return line;
   }
   return std::nullopt;
 }
@@ -141,7 +141,7 @@ std::optional<Hit> Collider::hit(const Placement& placement, const Path& path, s
 // Starts the sweep; null when that passes the bounds of the line.
 Obstacle* Collider::obstacleNear(const Placement& placement, const Path& path, std::uint32_t line) {
   sweep_.start(*placement.shape, path.from, path.to - path.from, path.margin);
-  if (sweep_.misses(boundsOf(placement.part->lines[line]))) return nullptr;
+  if (sweep_.misses(boundsOf(placement.part->segments[line]))) return nullptr;
   Region& region = regionOf(placement);
   auto place = region.isOf(*placement.part) ? region.placeOf(line) : std::nullopt;
   if (!place) {

@@ -85,18 +85,18 @@ class Collider {
   Region& start(const Placement& placement, const Convex& shape, Point from, Point to);
   Region& regionOf(const Placement& placement) { return (*regions_)[placement.region]; }
   bool isSettled(const std::optional<LegHit>& best) const {
-    return heedsNoWarp_ && best && best->hit.time.numerator == 0;
+    return ignoresWarps_ && best && best->hit.time.numerator == 0;
   }
   std::optional<Sweep::Meeting> meet(const Placement& placement, Region& region, std::size_t place);
   Obstacle* obstacleNear(const Placement& placement, const Path& path, std::uint32_t line);
   std::size_t endOfHeeded(const Region& region) const {
-    return heedsNoWarp_ ? region.firstWarp() : region.lines().size();
+    return ignoresWarps_ ? region.firstWarp() : region.lines().size();
   }
   bool blocks(const MapGeometry& part, std::uint32_t line) const;
   bool blocksOrNote(const Placement& placement, std::uint32_t line);
 
   Rules* rules_ = nullptr;
-  bool heedsNoWarp_ = false;  // the rules: warps neither block nor are noted
+  bool ignoresWarps_ = false;  // the rules: warps neither block nor are noted
   std::optional<Entity> entity_;
   std::vector<Region>* regions_ = nullptr;
   std::vector<Pierced> pierced_;

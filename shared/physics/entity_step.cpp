@@ -96,7 +96,7 @@ EntityStep::Leg EntityStep::admit(Point target) {
 }
 
 void EntityStep::insertBehind(Leg& leg, const LegHit& met) {
-  const auto warp = static_cast<std::uint16_t>(instances_.all()[met.placement].part->warpOfLine(met.line));
+  const auto warp = static_cast<std::uint16_t>(instances_.all()[met.placement].part->warpOfSegment(met.line));
   if (instances_.fullBehind(met.placement)) {
     leg.end = End::kFull;
     leg.hit = met;
@@ -120,7 +120,7 @@ void EntityStep::insertBehind(Leg& leg, const LegHit& met) {
 // Away from the warp line, or along it: nothing is missed without the instance behind it.
 bool EntityStep::leadsAway(const LegHit& met, Point target) const {
   const Placement& placement = instances_.all()[met.placement];
-  const Segment& line = placement.part->lines[met.line];
+  const Segment& line = placement.part->segments[met.line];
   return dot(perpendicular(line.b - line.a), placement.at(target) - placement.position) >= 0;
 }
 
@@ -206,7 +206,7 @@ std::optional<Point> EntityStep::firstFree(Point candidate, Point outwards, Poin
 // Of a warp line that the grown shape overlaps already: into its part.
 Point EntityStep::normalOf(const LegHit& hit) const {
   if (hit.hit.side != Hit::Side::kInside) return hit.hit.normal;
-  const Segment& line = instances_.all()[hit.placement].part->lines[hit.line];
+  const Segment& line = instances_.all()[hit.placement].part->segments[hit.line];
   return perpendicular(line.b - line.a);
 }
 

@@ -22,7 +22,7 @@ bool isTiny(const Convex& shape) {
 }  // namespace
 
 bool EntityStep::tryToPass(const Leg& leg, const Way& way, Point reached) {
-  if (leg.hit->hit.side != Hit::Side::kLineEnd) return false;
+  if (leg.hit->hit.side != Hit::Side::kSegmentEnd) return false;
   const Point moved = reached - position();
   const Point onwards = way.slides ? way.whole - moved : leg.target - reached;
   if (nudgePast(*leg.hit, {onwards, onwards, way.slides}, reached, restAfter(way, moved))) return true;
@@ -43,7 +43,7 @@ std::optional<LegHit> EntityStep::groundBehind(const LegHit& end, Point target, 
 // The end of a line that stands out a little from another one, which the entity slides along, is passed as that other
 // line's own direction tells: what is wanted may lead down to it more steeply.
 bool EntityStep::passAlong(const LegHit& end, const LegHit& ground, const Way& way, Point reached) {
-  if (end.hit.side != Hit::Side::kLineEnd) return false;
+  if (end.hit.side != Hit::Side::kSegmentEnd) return false;
   const Point left = restAfter(way, reached - position());
   const Point along = slideAlong(left, homeNormalOf(ground));
   if (along == Point() || dot(along, homeNormalOf(end)) >= 0 || !allInRange(reached + along)) return false;
@@ -109,7 +109,7 @@ bool EntityStep::leadsOn(const LegHit& end, Point from, Point to) {
   if (!next) return true;
   if (!isSameLine(*next, end)) return !isAtOnce(next->hit, to - from);
   const Point way = slideDirection(*next);
-  return next->hit.side == Hit::Side::kLine && dot(way, to - from) > 0 && dot(way, fromEnd(end)) > 0;
+  return next->hit.side == Hit::Side::kSegment && dot(way, to - from) > 0 && dot(way, fromEnd(end)) > 0;
 }
 
 // Whether the way meets the end again, or something else before it, at once. Most often it does, and the other lines
@@ -117,7 +117,7 @@ bool EntityStep::leadsOn(const LegHit& end, Point from, Point to) {
 bool EntityStep::meetsAtOnce(const LegHit& end, Point from, Point to) {
   const Placement& placement = instances_.all()[end.placement];
   const auto again = collider_.hit(placement, {placement.at(from), placement.at(to)}, end.line);
-  return again && again->side != Hit::Side::kLine && isAtOnce(*again, to - from);
+  return again && again->side != Hit::Side::kSegment && isAtOnce(*again, to - from);
 }
 
 bool EntityStep::isAtOnce(const Hit& hit, Point displacement) {
@@ -127,7 +127,7 @@ bool EntityStep::isAtOnce(const Hit& hit, Point displacement) {
 // From the end that was met to the other one, in home's frame. Below 2^30.
 Point EntityStep::fromEnd(const LegHit& end) const {
   const Placement& placement = instances_.all()[end.placement];
-  const Segment& line = placement.part->lines[end.line];
+  const Segment& line = placement.part->segments[end.line];
   const Point along = line.a == end.hit.feature ? line.b - line.a : line.a - line.b;
   return rotate(along, placement.toHome);
 }

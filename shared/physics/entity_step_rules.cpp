@@ -22,11 +22,11 @@ Point clampedTo(const Segment& line, Point point) {
 void EntityStep::callContact(const LegHit& hit) {
   const Placement& placement = instances_.all()[hit.placement];
   Contact& contact = contacts_.emplace_back();
-  contact.line = segmentRef(*placement.part, hit.line);
+  contact.segment = segmentRef(*placement.part, hit.line);
   contact.instance = placement.id;
   contact.normal = normalOf(hit);
-  contact.point = hit.hit.side == Hit::Side::kLine
-                      ? clampedTo(contact.line.segment, placement.position + hit.hit.feature)
+  contact.point = hit.hit.side == Hit::Side::kSegment
+                      ? clampedTo(contact.segment.ends, placement.position + hit.hit.feature)
                       : hit.hit.feature;
   contact.toHome = instances_.home().angle - placement.angle;
   contact.time = hit.hit.time;

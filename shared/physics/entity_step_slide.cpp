@@ -21,10 +21,10 @@ EntityStep::Way EntityStep::nextWay() {
 
 // Whether the line plainly goes on beyond all that is left of the displacement: then its reach need not be known.
 bool EntityStep::outreaches(const LegHit& stop, bool back) const {
-  if (stop.hit.side != Hit::Side::kLine) return false;
+  if (stop.hit.side != Hit::Side::kSegment) return false;
   const Placement& placement = instances_.all()[stop.placement];
   const Point tangent = perpendicular(stop.hit.normal);
-  return goesOnFor(maxNorm(rest_), placement.shape->bounds(), placement.position, placement.part->lines[stop.line],
+  return goesOnFor(maxNorm(rest_), placement.shape->bounds(), placement.position, placement.part->segments[stop.line],
                    back ? -tangent : tangent);
 }
 
@@ -32,7 +32,7 @@ bool EntityStep::outreaches(const LegHit& stop, bool back) const {
 // the shape.
 Reach EntityStep::reachOf(const LegHit& stop, bool back) const {
   const Placement& placement = instances_.all()[stop.placement];
-  const Segment& line = placement.part->lines[stop.line];
+  const Segment& line = placement.part->segments[stop.line];
   const Point way = reachAlong(*placement.shape, placement.position, line, normalOf(stop), back);
   Reach reach;
   (back ? reach.behind : reach.ahead) = maxNorm(rotate(way, placement.toHome));

@@ -91,7 +91,7 @@ void Instances::linkParent(std::size_t index, std::uint16_t parentId) {
     if (placements_[i].id == parentId) placement.parent = i;
   }
   const MapGeometry& part = *placements_[placement.parent].part;
-  placement.wayBack = *geometry_->wayBack(part.id, part.warps[placement.warp]);
+  placement.reverseWarp = *geometry_->reverseWarp(part.id, part.warps[placement.warp]);
 }
 
 void Instances::storeHome(EntityState& state) const {
@@ -130,8 +130,8 @@ void Instances::appendViews(std::vector<InstanceView>& out) const {
                       .position = placement.position,
                       .angle = placement.angle,
                       .home = &placement == &home()};
-    view.hangs = placement.parent != Placement::kNone;
-    if (view.hangs) {
+    view.hasParent = placement.parent != Placement::kNone;
+    if (view.hasParent) {
       view.parent = placements_[placement.parent].id;
       view.warp = placement.warp;
     }
@@ -141,7 +141,7 @@ void Instances::appendViews(std::vector<InstanceView>& out) const {
 
 bool Instances::linked(std::size_t index, std::uint16_t warp) const {
   const Placement& placement = placements_[index];
-  if (placement.parent != Placement::kNone && placement.wayBack == warp) return true;
+  if (placement.parent != Placement::kNone && placement.reverseWarp == warp) return true;
   return std::any_of(placements_.begin(), placements_.end(),
                      [&](const Placement& child) { return child.parent == index && child.warp == warp; });
 }
@@ -155,8 +155,8 @@ bool Instances::fullBehind(std::size_t parent) const {
 bool Instances::insert(std::size_t parentIndex, std::uint16_t warpIndex, Collider& collider) {
   const Placement& parent = placements_[parentIndex];
   const Warp& warp = parent.part->warps[warpIndex];
-  const auto wayBack = geometry_->wayBack(parent.part->id, warp);
-  if (!wayBack) return false;
+  const auto reverseWarp = geometry_->reverseWarp(parent.part->id, warp);
+  if (!reverseWarp) return false;
   Placement child;
   child.part = geometry_->find(warp.target);
   child.angle = parent.angle + warp.turn;
@@ -165,7 +165,7 @@ bool Instances::insert(std::size_t parentIndex, std::uint16_t warpIndex, Collide
   turnFrames(child);
   child.parent = parentIndex;
   child.warp = warpIndex;
-  child.wayBack = *wayBack;
+  child.reverseWarp = *reverseWarp;
   child.fresh = true;
   child.region = unusedRegion();
   std::uint16_t nextId = nextId_;
@@ -248,7 +248,7 @@ bool Instances::isBeyond(std::size_t index) const {
   const Placement& child = placements_[index];
   const Segment& out = home().part->warps[child.warp].from;
   if (cross(out.b - out.a, centreOf(home()) - out.a) >= 0) return false;
-  const Segment& in = child.part->warps[child.wayBack].from;
+  const Segment& in = child.part->warps[child.reverseWarp].from;
   return cross(in.b - in.a, centreOf(child) - in.a) >= 0;
 }
 
@@ -263,8 +263,8 @@ void Instances::rehome(std::size_t nextHome) {
   Placement& oldHome = placements_.front();
   Placement& newHome = placements_[nextHome];
   oldHome.parent = nextHome;
-  oldHome.warp = newHome.wayBack;
-  oldHome.wayBack = newHome.warp;
+  oldHome.warp = newHome.reverseWarp;
+  oldHome.reverseWarp = newHome.warp;
   newHome.parent = Placement::kNone;
   std::swap(oldHome, newHome);
   for (Placement& placement : placements_) {
@@ -333,7 +333,7 @@ bool Instances::reached(std::size_t index, std::int32_t margin, Collider& collid
   const Placement& child = placements_[index];
   if (child.parent == Placement::kNone) return true;
   const Placement& parent = placements_[child.parent];
-  return collider.against(parent, {parent.position, parent.position, margin}, parent.part->lineOfWarp(child.warp))
+  return collider.against(parent, {parent.position, parent.position, margin}, parent.part->segmentOfWarp(child.warp))
       .has_value();
 }
 

@@ -23,7 +23,7 @@ const MapGeometry* Geometry::find(std::uint32_t id) const {
   return found != parts.end() && (*found)->id == id ? found->get() : nullptr;
 }
 
-std::optional<std::uint16_t> Geometry::wayBack(std::uint32_t partId, const Warp& warp) const {
+std::optional<std::uint16_t> Geometry::reverseWarp(std::uint32_t partId, const Warp& warp) const {
   const MapGeometry* target = find(warp.target);
   if (target == nullptr) return std::nullopt;
   for (std::size_t i = 0; i < target->warps.size(); ++i) {

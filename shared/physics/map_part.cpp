@@ -60,11 +60,11 @@ void MapPart::warp(Segment from, std::uint32_t targetMap, Segment onto, PreciseP
 void MapPart::initialize() {
   MapGeometry part;
   part.id = id_;
-  part.lines = std::move(lines_);
-  for (const Warp& warp : warps_) part.lines.push_back(warp.from);
-  part.lines.shrink_to_fit();
+  part.segments = std::move(lines_);
+  for (const Warp& warp : warps_) part.segments.push_back(warp.from);
+  part.segments.shrink_to_fit();
   part.warps = std::move(warps_);
-  part.grid = Grid(part.lines);
+  part.grid = Grid(part.segments);
   for (Rest& rest : world_->scratch_->rests) rest.forget();  // what leads here has been a dead end until now
   world_->geometry_ = withPart(*world_->geometry_, std::move(part));
 }

@@ -22,9 +22,9 @@ struct Placement {
   Point position;
   Point homeAnchor;
   Point anchor;
-  std::size_t parent = kNone;  ///< index among the placements; none for home and when placed by hand
-  std::uint16_t warp = 0;      ///< of the parent's part, leads here
-  std::uint16_t wayBack = 0;   ///< of this part, leads to the parent
+  std::size_t parent = kNone;     ///< index among the placements; none for home and when placed by hand
+  std::uint16_t warp = 0;         ///< of the parent's part, leads here
+  std::uint16_t reverseWarp = 0;  ///< of this part, leads to the parent
   std::uint16_t id = 0;
   bool fresh = false;      ///< met no line yet
   std::size_t region = 0;  ///< index among the entity's regions

@@ -48,13 +48,13 @@ void Region::take(const MapGeometry& part, const Box& box) {
   lines_.clear();
   part.grid.query(wide, lines_);
   std::erase_if(lines_,
-                [&](std::uint32_t line) { return part.isWarp(line) || !wide.overlaps(boundsOf(part.lines[line])); });
+                [&](std::uint32_t line) { return part.isWarp(line) || !wide.overlaps(boundsOf(part.segments[line])); });
   firstWarp_ = lines_.size();
-  for (std::uint32_t line = part.lineOfWarp(0); line < part.lines.size(); ++line) {
-    if (wide.overlaps(boundsOf(part.lines[line]))) lines_.push_back(line);
+  for (std::uint32_t line = part.segmentOfWarp(0); line < part.segments.size(); ++line) {
+    if (wide.overlaps(boundsOf(part.segments[line]))) lines_.push_back(line);
   }
   bounds_.clear();
-  for (const std::uint32_t line : lines_) bounds_.push_back(boundsOf(part.lines[line]));
+  for (const std::uint32_t line : lines_) bounds_.push_back(boundsOf(part.segments[line]));
   knownBefore_ = known_;
   known_.assign(lines_.size(), kUnknown);
   if (!isSamePart) linesBefore_.assign(linesBefore_.size(), kUnknown);

@@ -35,7 +35,7 @@ class Region {
   Obstacle& obstacle(std::size_t place, const Convex& shape) {
     if (known_[place] == kUnknown) know(place);
     Obstacle& obstacle = obstacles_[known_[place]];
-    if (!obstacle.isOf(shape)) obstacle.become(shape, part_->lines[lines_[place]]);
+    if (!obstacle.isOf(shape)) obstacle.become(shape, part_->segments[lines_[place]]);
     return obstacle;
   }
 

@@ -12,7 +12,7 @@ namespace platon {
 
 /// A step without a turn that has left its entity exactly as it was. For as long as nothing about the entity changes,
 /// another step would do the same: it is repeated by telling the rules of the same contacts. Derived: no result depends
-/// on it, as long as lines block what they blocked before (`Rules::heedsNoWarp`) and no map part is added.
+/// on it, as long as lines block what they blocked before (`Rules::ignoresWarps`) and no map part is added.
 class Rest {
  public:
   /// Whether a step of this entity has been seen to change nothing.

@@ -13,8 +13,8 @@ Hit inside(const Sweep::Meeting& meeting) { return hitOf(meeting, {}, {}, Hit::S
 Hit hitByEdge(const Sweep::Meeting& meeting, const Convex& shape, std::size_t edge, const Segment& line) {
   const Point normal = shape.edges()[edge].normal;
   const std::int64_t alongLine = dot(normal, line.b - line.a);
-  if (alongLine == 0 && line.a != line.b) return hitOf(meeting, normal, shape.vertices()[edge], Hit::Side::kLine);
-  return hitOf(meeting, normal, alongLine > 0 ? line.b : line.a, Hit::Side::kLineEnd);
+  if (alongLine == 0 && line.a != line.b) return hitOf(meeting, normal, shape.vertices()[edge], Hit::Side::kSegment);
+  return hitOf(meeting, normal, alongLine > 0 ? line.b : line.a, Hit::Side::kSegmentEnd);
 }
 
 }  // namespace
@@ -57,7 +57,7 @@ std::optional<Hit> Sweep::against(const Segment& line) const {
   if (meeting.entered >= sides) return hitByEdge(meeting, *shape_, meeting.entered - sides, line);
   const Point left = perpendicular(line.b - line.a);
   const Point normal = meeting.entered == 0 ? left : -left;
-  return hitOf(meeting, normal, Obstacle::featureOfSide(*shape_, normal), Hit::Side::kLine);
+  return hitOf(meeting, normal, Obstacle::featureOfSide(*shape_, normal), Hit::Side::kSegment);
 }
 
 std::optional<Hit> Sweep::against(Obstacle& obstacle) const {
@@ -82,7 +82,7 @@ Hit Sweep::describe(const Obstacle& obstacle, const Meeting& meeting) {
     return hitByEdge(meeting, obstacle.shape(), meeting.entered - obstacle.sides(), obstacle.line());
   }
   return hitOf(meeting, obstacle.halfPlanes()[meeting.entered].normal, obstacle.featureOfSide(meeting.entered),
-               Hit::Side::kLine);
+               Hit::Side::kSegment);
 }
 
 }  // namespace platon

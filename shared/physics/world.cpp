@@ -15,7 +15,7 @@ namespace {
 // Of a world without rules.
 class HeedlessRules : public Rules {
  public:
-  bool heedsNoWarp() const override { return true; }
+  bool ignoresWarps() const override { return true; }
 };
 
 std::string named(std::uint32_t entity, std::uint32_t part) {
@@ -59,7 +59,7 @@ void World::solve(Rules& rules, StepObserver* observer) {
   if (scratch.shapes.trim()) scratch.forgetShapes();
   scratch.further.clear();
   scratch.provideFor(state_.entities.size());
-  const bool mayRepeat = observer == nullptr && rules.heedsNoWarp();
+  const bool mayRepeat = observer == nullptr && rules.ignoresWarps();
   std::size_t next = 0;
   for (std::uint32_t index = 0; index < state_.entities.size(); ++index) {
     EntityState& entity = state_.entities[index];
@@ -86,7 +86,7 @@ void World::move(std::uint32_t index, std::span<const InstanceState> further, Ru
   step.translate(entity.velocity, entity.heading);
   step.finish(scratch.further);
   const auto furtherAfter = std::span(scratch.further).subspan(first);
-  if (rules.heedsNoWarp()) scratch.rests[index].take(before, further, entity, furtherAfter, step.contacts());
+  if (rules.ignoresWarps()) scratch.rests[index].take(before, further, entity, furtherAfter, step.contacts());
 }
 
 void World::beginStep(std::uint32_t index, std::span<const InstanceState> further, Rules& rules,

@@ -33,7 +33,7 @@ bool hangsTogether(const Geometry& geometry, const EntityState& entity, std::spa
                         const MapGeometry& part = *geometry.find(stand.part);
                         if (stand.id != instance->parent || instance->warp >= part.warps.size()) return false;
                         const Warp& warp = part.warps[instance->warp];
-                        return warp.target == instance->part && geometry.wayBack(part.id, warp) &&
+                        return warp.target == instance->part && geometry.reverseWarp(part.id, warp) &&
                                stand.angle + warp.turn == instance->angle;
                       });
     if (fits) known.push_back({instance->id, instance->part, instance->angle});

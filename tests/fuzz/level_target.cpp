@@ -43,7 +43,7 @@ oracle::TraceHeader headerOf(const Level& level) {
   for (const auto& part : level.world.geometry().parts) {
     oracle::TraceFace face;
     face.polygon = polygon;
-    for (std::uint32_t i = 0; i < part->lineOfWarp(0); ++i) face.lines.push_back(toSegment(part->lines[i]));
+    for (std::uint32_t i = 0; i < part->segmentOfWarp(0); ++i) face.lines.push_back(toSegment(part->segments[i]));
     for (const Warp& warp : part->warps)
       face.warps.push_back({toSegment(warp.from), warp.target, toSegment(warp.onto)});
     header.faces.push_back(std::move(face));
@@ -67,8 +67,8 @@ std::string placesFault(const Level& level) {
   const auto shape = playerShape().turned(level.startAngle);
   const auto area = oracle::OpenArea::standing(toPolygon(shape->vertices()), toVec(level.start));
   const MapGeometry& part = *level.world.geometry().find(level.startFace);
-  for (std::uint32_t i = 0; i < part.lineOfWarp(0); ++i) {
-    if (area.meets(toSegment(part.lines[i]))) return "the start is not free";
+  for (std::uint32_t i = 0; i < part.segmentOfWarp(0); ++i) {
+    if (area.meets(toSegment(part.segments[i]))) return "the start is not free";
   }
   return {};
 }

@@ -34,9 +34,9 @@ void LineEvents::overContact(Entity& entity, const SegmentRef& line) {
 }
 
 void LineEvents::contact(Entity& entity, const Contact& contact) {
-  require(!pierce(entity, contact.line), "contact with a line that does not block", contact.line);
-  require(contact.normal != Point(), "contact without a normal", contact.line);
-  require(contact.time >= Fraction{0, 1} && contact.time < Fraction{1, 1}, "contact out of time", contact.line);
+  require(!pierce(entity, contact.segment), "contact with a line that does not block", contact.segment);
+  require(contact.normal != Point(), "contact without a normal", contact.segment);
+  require(contact.time >= Fraction{0, 1} && contact.time < Fraction{1, 1}, "contact out of time", contact.segment);
 }
 
 void LineEvents::touchContact(Entity& entity, const SegmentRef& line) {

@@ -89,7 +89,7 @@ class Run {
 
   Point anyVelocity(const Entity& entity) {
     const MapGeometry& part = *scene_.stage.geometry().find(entity.part());
-    const Segment& line = part.lines.empty() ? Segment{} : part.lines[bytes_.below(part.lines.size())];
+    const Segment& line = part.segments.empty() ? Segment{} : part.segments[bytes_.below(part.segments.size())];
     const std::vector<Point>& corners = scene_.shape.vertices();
     const Vec corner = toVec(corners[bytes_.below(corners.size())]);
     switch (bytes_.below(7)) {

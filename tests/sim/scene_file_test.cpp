@@ -31,7 +31,7 @@ TEST(SceneTest, HoldsWhatTheFileSays) {
   EXPECT_EQ(scene.world.entities()[1].position, Point(-60, 0));
   ASSERT_EQ(scene.world.geometry().parts.size(), 1u);
   EXPECT_EQ(scene.world.geometry().parts[0]->id, 0u);
-  EXPECT_EQ(scene.world.geometry().parts[0]->lines,
+  EXPECT_EQ(scene.world.geometry().parts[0]->segments,
             (std::vector<Segment>{{{-100, -50}, {100, -50}}, {{7, 7}, {7, 7}}}));
 }
 

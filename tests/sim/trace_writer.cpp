@@ -68,9 +68,9 @@ void TraceWriter::putFace(const MapGeometry& part, const std::vector<Point>& pol
   }
   put("],\"lines\":[");
   separator = "";
-  for (std::uint32_t i = 0; i < part.lineOfWarp(0); ++i) {
+  for (std::uint32_t i = 0; i < part.segmentOfWarp(0); ++i) {
     put(std::exchange(separator, ","));
-    put(part.lines[i]);
+    put(part.segments[i]);
   }
   put("],\"warps\":[");
   separator = "";
@@ -111,7 +111,7 @@ void TraceWriter::put(const InstanceView& instance) {
   put(std::int64_t{instance.position.y});
   put(",\"angle\":");
   put(std::int64_t{instance.angle.centidegrees()});
-  if (instance.hangs) {
+  if (instance.hasParent) {
     put(",\"via\":[");
     put(std::int64_t{instance.parent});
     put(",");

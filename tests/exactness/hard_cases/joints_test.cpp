@@ -240,7 +240,7 @@ TEST(JointsTest, ChainsInFiles) {
     SCOPED_TRACE(written.name);
     HardScene scene(std::string("joints/") + written.name + ".scene");
     const Floor floor{turned({1, 0}, written.slope)};
-    for (const Segment& line : scene.world.geometry().parts[0]->lines) {
+    for (const Segment& line : scene.world.geometry().parts[0]->segments) {
       ASSERT_LE(std::abs(floor.height(line.a)), (written.off + 0.5) * std::numbers::sqrt2);
       ASSERT_LE(std::abs(floor.height(line.b)), (written.off + 0.5) * std::numbers::sqrt2);
     }

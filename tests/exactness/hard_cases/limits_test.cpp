@@ -63,7 +63,7 @@ TEST(LimitsTest, ALargeShapeSlidesOnTheLongestLine) {
   scene.tick(scene.velocity);
   EXPECT_EQ(scene.at(), Point(-kVelocityLimit + 2 * kFastest, 0));
   EXPECT_EQ(scene.rules.contacts.size(), 1u);
-  EXPECT_EQ(scene.rules.contacts[0].line.index, 0u);
+  EXPECT_EQ(scene.rules.contacts[0].segment.index, 0u);
 }
 
 }  // namespace

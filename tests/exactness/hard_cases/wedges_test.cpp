@@ -14,7 +14,7 @@ namespace {
 
 /// A wedge has its apex at the origin: line 0 goes out from it on the left, line 1 comes back to it on the right.
 bool isInside(const HardScene& scene) {
-  const auto& lines = scene.world.geometry().parts[0]->lines;
+  const auto& lines = scene.world.geometry().parts[0]->segments;
   const Point left = lines[0].b;
   const Point right = lines[1].a;
   for (const Point vertex : scene.shape.vertices()) {

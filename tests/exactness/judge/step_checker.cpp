@@ -10,8 +10,8 @@ constexpr std::size_t kMaxMoves = 100;
 
 std::vector<oracle::Segment> blockingLines(const JudgedScene& scene, const MapGeometry& part) {
   std::vector<oracle::Segment> lines;
-  for (std::uint32_t i = 0; i < part.lineOfWarp(0); ++i) {
-    if (!scene.pierces || !scene.pierces(part.id, i)) lines.push_back(toSegment(part.lines[i]));
+  for (std::uint32_t i = 0; i < part.segmentOfWarp(0); ++i) {
+    if (!scene.pierces || !scene.pierces(part.id, i)) lines.push_back(toSegment(part.segments[i]));
   }
   return lines;
 }
@@ -71,7 +71,7 @@ void StepChecker::leg(std::uint32_t entity, std::span<const InstanceView> instan
 
 oracle::TraceInstance StepChecker::converted(const InstanceView& view) const {
   oracle::TraceInstance instance{
-      view.id, view.part, toVec(view.position), view.angle.centidegrees(), !view.hangs, view.parent, view.warp, {}};
+      view.id, view.part, toVec(view.position), view.angle.centidegrees(), !view.hasParent, view.parent, view.warp, {}};
   const auto turned = shape_.turned(view.angle);
   if (turned && !(*turned == shape_)) instance.shape = toPolygon(turned->vertices());
   return instance;

@@ -77,7 +77,7 @@ TEST(StageTest, EveryFaceIsAPartWithLinesPostsAndWarpsInThisOrder) {
       for (std::size_t i = 0; i < polygon.size(); ++i) {
         expected.push_back({polygon[i], polygon[(i + 1) % polygon.size()]});
       }
-      EXPECT_EQ(part.lines, expected);
+      EXPECT_EQ(part.segments, expected);
       EXPECT_EQ(part.warps.size(), polygon.size());
     }
   }

@@ -55,7 +55,7 @@ class MeddlingRules : public RecordedRules {
     pierceable = {{0, 1}, {1, 1}, {2, 1}};
   }
 
-  bool heedsNoWarp() const override { return heedless_; }
+  bool ignoresWarps() const override { return heedless_; }
   void contact(Entity& entity, const Contact& contact) override {
     RecordedRules::contact(entity, contact);
     const std::uint64_t what = random_.below(20);

@@ -22,11 +22,11 @@ constexpr int kTicks = 600;
 
 class HeedlessRules : public RecordedRules {
  public:
-  bool heedsNoWarp() const override { return true; }
+  bool ignoresWarps() const override { return true; }
 };
 
 auto asTuple(const Contact& contact) {
-  return std::tuple(contact.line.part, contact.line.index, contact.instance, contact.point.x, contact.point.y,
+  return std::tuple(contact.segment.part, contact.segment.index, contact.instance, contact.point.x, contact.point.y,
                     contact.normal.x, contact.normal.y, contact.toHome.centidegrees(), contact.time.numerator,
                     contact.time.denominator);
 }

@@ -191,7 +191,7 @@ TEST(InstancesTest, IdsComeRoundAgainWithoutMeetingALivingOne) {
       for (const InstanceView& view : world.view(0)) {
         ASSERT_TRUE(ids.insert(view.id).second) << next << ", tick " << tick;
         ASSERT_NE(view.id, InstanceState::kNoParent);
-        ASSERT_TRUE(view.home || view.hangs) << next << ", tick " << tick;
+        ASSERT_TRUE(view.home || view.hasParent) << next << ", tick " << tick;
       }
       ASSERT_TRUE(world.accepts(world.save()));
     }

@@ -57,8 +57,8 @@ void LegChecker::checkFree(std::uint32_t entity, const InstanceView& view, const
   const MapGeometry& part = *world_.geometry().find(view.part);
   Sweep sweep;
   sweep.start(shape, view.position, {});
-  for (std::uint32_t line = 0; line < part.lines.size(); ++line) {
-    if (!part.isWarp(line) && sweep.against(part.lines[line]))
+  for (std::uint32_t line = 0; line < part.segments.size(); ++line) {
+    if (!part.isWarp(line) && sweep.against(part.segments[line]))
       fault(entity, view, "overlaps line " + std::to_string(line));
   }
 }
@@ -72,8 +72,8 @@ void LegChecker::checkPath(std::uint32_t entity, const InstanceView& view, const
   const MapGeometry& part = *world_.geometry().find(view.part);
   Sweep sweep;
   sweep.start(shape, before.position, view.position - before.position);
-  for (std::uint32_t line = 0; line < part.lines.size(); ++line) {
-    if (!part.isWarp(line) && sweep.against(part.lines[line]))
+  for (std::uint32_t line = 0; line < part.segments.size(); ++line) {
+    if (!part.isWarp(line) && sweep.against(part.segments[line]))
       fault(entity, view, "passed line " + std::to_string(line));
   }
 }
@@ -81,7 +81,7 @@ void LegChecker::checkPath(std::uint32_t entity, const InstanceView& view, const
 void LegChecker::checkPlace(std::uint32_t entity, const InstanceView& view, std::span<const InstanceView> all) {
   std::vector<const Warp*> chain;
   const InstanceView* at = &view;
-  while (at->hangs && chain.size() <= all.size()) {
+  while (at->hasParent && chain.size() <= all.size()) {
     const InstanceView* parent = find(all, at->parent);
     if (parent == nullptr) return fault(entity, view, "hangs on nothing");
     const Warp& warp = world_.geometry().find(parent->part)->warps.at(at->warp);

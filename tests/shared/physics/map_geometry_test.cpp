@@ -10,10 +10,10 @@ namespace {
 MapGeometry part(std::uint32_t id, std::vector<Warp> warps = {}, std::vector<Segment> lines = {}) {
   MapGeometry made;
   made.id = id;
-  made.lines = std::move(lines);
-  for (const Warp& warp : warps) made.lines.push_back(warp.from);
+  made.segments = std::move(lines);
+  for (const Warp& warp : warps) made.segments.push_back(warp.from);
   made.warps = std::move(warps);
-  made.grid = Grid(made.lines);
+  made.grid = Grid(made.segments);
   return made;
 }
 
@@ -25,12 +25,12 @@ constexpr Segment reversed(const Segment& line) { return {line.b, line.a}; }
 TEST(MapGeometryTest, LinesComeBeforeWarps) {
   const MapGeometry made = part(1, {{kEast, 2, reversed(kWest), Angle()}, {kWest, 2, reversed(kEast), Angle()}},
                                 {{{0, 0}, {1, 1}}, {{2, 2}, {3, 3}}, {{4, 4}, {4, 4}}});
-  ASSERT_EQ(made.lines.size(), 5u);
+  ASSERT_EQ(made.segments.size(), 5u);
   for (std::uint32_t line = 0; line < 5; ++line) EXPECT_EQ(made.isWarp(line), line >= 3);
-  EXPECT_EQ(made.lineOfWarp(0), 3u);
-  EXPECT_EQ(made.lineOfWarp(1), 4u);
-  EXPECT_EQ(made.warpOfLine(4), 1u);
-  EXPECT_EQ(made.lines[made.lineOfWarp(1)], kWest);
+  EXPECT_EQ(made.segmentOfWarp(0), 3u);
+  EXPECT_EQ(made.segmentOfWarp(1), 4u);
+  EXPECT_EQ(made.warpOfSegment(4), 1u);
+  EXPECT_EQ(made.segments[made.segmentOfWarp(1)], kWest);
 }
 
 TEST(GeometryTest, PartsAreFoundByIdWhateverTheirOrder) {
@@ -68,12 +68,12 @@ TEST(GeometryTest, TheWayBackIsTheSameLineReversed) {
   const Warp other{{{0, 0}, {9, 0}}, 1, {{0, 9}, {9, 9}}, Angle()};
   const Warp back{kWest, 1, reversed(kEast), Angle()};
   auto geometry = withPart(Geometry(), part(1, {there}));
-  EXPECT_EQ(geometry->wayBack(1, there), std::nullopt) << "no target yet";
+  EXPECT_EQ(geometry->reverseWarp(1, there), std::nullopt) << "no target yet";
   geometry = withPart(*geometry, part(2, {other, back}));
-  EXPECT_EQ(geometry->wayBack(1, there), 1);
-  EXPECT_EQ(geometry->wayBack(2, back), 0);
-  EXPECT_EQ(geometry->wayBack(3, there), std::nullopt) << "it leads back to another part";
-  EXPECT_EQ(geometry->wayBack(2, other), std::nullopt);
+  EXPECT_EQ(geometry->reverseWarp(1, there), 1);
+  EXPECT_EQ(geometry->reverseWarp(2, back), 0);
+  EXPECT_EQ(geometry->reverseWarp(3, there), std::nullopt) << "it leads back to another part";
+  EXPECT_EQ(geometry->reverseWarp(2, other), std::nullopt);
 }
 
 TEST(GeometryTest, AWayBackOverAnotherLineIsNone) {
@@ -81,7 +81,7 @@ TEST(GeometryTest, AWayBackOverAnotherLineIsNone) {
   Warp shifted{kWest, 1, reversed(kEast), Angle()};
   shifted.from.a.y += 1;
   const auto geometry = withPart(*withPart(Geometry(), part(1, {there})), part(2, {shifted}));
-  EXPECT_EQ(geometry->wayBack(1, there), std::nullopt);
+  EXPECT_EQ(geometry->reverseWarp(1, there), std::nullopt);
 }
 
 TEST(GeometryTest, AWayBackOntoAnotherLineIsNone) {
@@ -89,15 +89,15 @@ TEST(GeometryTest, AWayBackOntoAnotherLineIsNone) {
   Warp shifted{kWest, 1, reversed(kEast), Angle()};
   shifted.onto.a.y += 1;
   const auto geometry = withPart(*withPart(Geometry(), part(1, {there})), part(2, {shifted}));
-  EXPECT_EQ(geometry->wayBack(1, there), std::nullopt);
+  EXPECT_EQ(geometry->reverseWarp(1, there), std::nullopt);
 }
 
 TEST(GeometryTest, APartMayLeadToItself) {
   const Warp right{kEast, 1, reversed(kWest), Angle()};
   const Warp left{kWest, 1, reversed(kEast), Angle()};
   const auto geometry = withPart(Geometry(), part(1, {right, left}));
-  EXPECT_EQ(geometry->wayBack(1, right), 1);
-  EXPECT_EQ(geometry->wayBack(1, left), 0);
+  EXPECT_EQ(geometry->reverseWarp(1, right), 1);
+  EXPECT_EQ(geometry->reverseWarp(1, left), 0);
 }
 
 }  // namespace

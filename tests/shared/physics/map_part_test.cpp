@@ -33,7 +33,7 @@ TEST(MapPartTest, TheExampleOfTheReport) {
   face.initialize();
   const MapGeometry* part = world.geometry().find(12345);
   ASSERT_NE(part, nullptr);
-  EXPECT_EQ(part->lines, (std::vector<Segment>{{{0, 0}, {-50, 20}}, {{-50, 20}, {100, 80}}}));
+  EXPECT_EQ(part->segments, (std::vector<Segment>{{{0, 0}, {-50, 20}}, {{-50, 20}, {100, 80}}}));
   EXPECT_TRUE(part->warps.empty());
   EXPECT_EQ(face.id(), 12345u);
 }
@@ -45,7 +45,7 @@ TEST(MapPartTest, LinesMayCrossRepeatAndBePoints) {
   face.line({-10, 10}, {10, -10});
   face.line({kMax, -kMax}, {kMax, -kMax});
   face.initialize();
-  EXPECT_EQ(world.geometry().find(1)->lines.size(), 5u);
+  EXPECT_EQ(world.geometry().find(1)->segments.size(), 5u);
 }
 
 TEST(MapPartTest, RefusesCoordinatesOutOfRange) {
@@ -59,7 +59,7 @@ TEST(MapPartTest, RefusesCoordinatesOutOfRange) {
   EXPECT_EQ(refusal([&] { face.warp({0, 0}, {INT32_MAX, 0}, 1, {0, 0}, {1, 0}); }), outside("(2147483647, 0)"));
   EXPECT_EQ(refusal([&] { face.warp({0, 0}, {1, 0}, 1, {0, 0}, {0, INT32_MIN}); }), outside("(0, -2147483648)"));
   face.initialize();
-  EXPECT_TRUE(world.geometry().find(7)->lines.empty()) << "what was refused is not in it";
+  EXPECT_TRUE(world.geometry().find(7)->segments.empty()) << "what was refused is not in it";
 }
 
 TEST(MapPartTest, RefusesWarpsThatAreNoIsometry) {

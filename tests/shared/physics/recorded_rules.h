@@ -26,7 +26,7 @@ class RecordedRules : public Rules {
   void overContact(Entity&, const SegmentRef& line) override { note("over", line); }
   void endContact(Entity&, const SegmentRef& line) override { note("end", line); }
   void contact(Entity&, const Contact& contact) override {
-    note("contact", contact.line);
+    note("contact", contact.segment);
     contacts.push_back(contact);
   }
   void touchContact(Entity&, const SegmentRef& line) override { note("touch", line); }

@@ -18,9 +18,9 @@ MapGeometry randomPart(std::uint32_t id, std::size_t lines) {
   part.id = id;
   for (std::size_t i = 0; i < lines; ++i) {
     const Point a = random.vector(1 << 20);
-    part.lines.push_back({a, a + random.vector(1 << 14)});
+    part.segments.push_back({a, a + random.vector(1 << 14)});
   }
-  part.grid = Grid(part.lines);
+  part.grid = Grid(part.segments);
   return part;
 }
 
@@ -28,8 +28,8 @@ void expectCovers(const Region& region, const MapGeometry& part, const Box& box)
   const auto& lines = region.lines();
   ASSERT_TRUE(std::is_sorted(lines.begin(), lines.end()));
   ASSERT_EQ(std::adjacent_find(lines.begin(), lines.end()), lines.end());
-  for (std::uint32_t i = 0; i < part.lines.size(); ++i) {
-    if (!box.overlaps(boundsOf(part.lines[i]))) continue;
+  for (std::uint32_t i = 0; i < part.segments.size(); ++i) {
+    if (!box.overlaps(boundsOf(part.segments[i]))) continue;
     std::vector<std::uint32_t> queried;
     part.grid.query(box, queried);
     if (!std::binary_search(queried.begin(), queried.end(), i)) continue;
@@ -68,8 +68,8 @@ TEST(RegionTest, FollowsIntoAnotherPart) {
 TEST(RegionTest, ReachesBeyondTheCoordinates) {
   MapGeometry part;
   constexpr std::int32_t most = kCoordinateLimit - 1;
-  part.lines = {{{-most, -most}, {-most, most}}, {{most, -most}, {most, most}}, {{0, 0}, {0, 0}}};
-  part.grid = Grid(part.lines);
+  part.segments = {{{-most, -most}, {-most, most}}, {{most, -most}, {most, most}}, {{0, 0}, {0, 0}}};
+  part.grid = Grid(part.segments);
   Region region;
   region.cover(part, {{most - 5, -7}, {2 * most, 2 * most}});
   expectCovers(region, part, {{most - 5, -7}, {most, most}});

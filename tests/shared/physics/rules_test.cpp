@@ -52,8 +52,8 @@ TEST_F(RulesTest, AContactTellsWhatStoppedTheMover) {
   EXPECT_LE(std::abs(contact.point.x), 10);
   EXPECT_EQ(contact.instance, 0);
   EXPECT_EQ(contact.toHome, Angle());
-  EXPECT_EQ(contact.line.segment, (Segment{{-100, -20}, {100, -20}}));
-  EXPECT_FALSE(contact.line.warp);
+  EXPECT_EQ(contact.segment.ends, (Segment{{-100, -20}, {100, -20}}));
+  EXPECT_FALSE(contact.segment.warp);
 }
 
 TEST_F(RulesTest, AContactIsCalledInEveryTickThatPresses) {
@@ -317,7 +317,7 @@ TEST_F(WarpRulesTest, AWarpThatIsNotPierceableIsAWall) {
   EXPECT_THAT(step({700, 0}), ElementsAre("contact 1:0"));
   EXPECT_EQ(entity.part(), 1u);
   EXPECT_EQ(entity.position(), Point(900, 0));
-  EXPECT_TRUE(rules.contacts.at(0).line.warp);
+  EXPECT_TRUE(rules.contacts.at(0).segment.warp);
   EXPECT_EQ(world.view(0).size(), 1u);
   EXPECT_THAT(step({700, 30}), ElementsAre("contact 1:0"));
   EXPECT_EQ(entity.position(), Point(900, 30)) << "it slides along";

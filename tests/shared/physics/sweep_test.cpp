@@ -77,7 +77,7 @@ TEST(SweepTest, MeetsALineHeadOn) {
   EXPECT_EQ(hit->exit, (Fraction{1, 1})) << "still under way at the end";
   EXPECT_EQ(cross(hit->normal, Point(0, 1)), 0);
   EXPECT_GT(hit->normal.y, 0);
-  EXPECT_EQ(hit->side, Hit::Side::kLine);
+  EXPECT_EQ(hit->side, Hit::Side::kSegment);
   EXPECT_EQ(hit->feature.y, -10);
 }
 
@@ -94,7 +94,7 @@ TEST(SweepTest, MeetsTheEndOfALineWithAnEdge) {
   const auto hit = answer({square(10).vertices(), {0, 0}, {0, -40}, {{3, -20}, {3, -60}}});
   ASSERT_TRUE(hit);
   EXPECT_EQ(hit->time, (Fraction{1, 4}));
-  EXPECT_EQ(hit->side, Hit::Side::kLineEnd);
+  EXPECT_EQ(hit->side, Hit::Side::kSegmentEnd);
   EXPECT_EQ(hit->feature, Point(3, -20));
   EXPECT_EQ(cross(hit->normal, Point(0, 1)), 0);
 }
@@ -104,7 +104,7 @@ TEST(SweepTest, MeetsAPoint) {
   ASSERT_TRUE(hit);
   EXPECT_EQ(hit->time, (Fraction{1, 2}));
   EXPECT_EQ(hit->exit, (Fraction{7, 10}));
-  EXPECT_EQ(hit->side, Hit::Side::kLineEnd);
+  EXPECT_EQ(hit->side, Hit::Side::kSegmentEnd);
   EXPECT_EQ(hit->feature, Point(60, 9));
   EXPECT_LT(hit->normal.x, 0);
   EXPECT_FALSE(answer({square(10).vertices(), {0, 0}, {100, 0}, {{60, 10}, {60, 10}}})) << "it only touches";
@@ -126,7 +126,7 @@ TEST(SweepTest, IntoATouchedLineIsMetAtOnce) {
   const auto hit = answer({square(10).vertices(), {0, 0}, {3, -1}, {{-50, -10}, {50, -10}}});
   ASSERT_TRUE(hit);
   EXPECT_EQ(hit->time, (Fraction{0, 1}));
-  EXPECT_EQ(hit->side, Hit::Side::kLine);
+  EXPECT_EQ(hit->side, Hit::Side::kSegment);
   EXPECT_GT(hit->normal.y, 0);
 }
 
@@ -147,7 +147,7 @@ TEST(SweepTest, SidesOfTheLineWinOverItsEnds) {
   const auto corner = answer({{{-10, 0}, {0, -10}, {10, 0}, {0, 10}}, {0, 20}, {0, -20}, {{0, 0}, {50, 0}}});
   ASSERT_TRUE(corner);
   EXPECT_EQ(corner->time, (Fraction{1, 2}));
-  EXPECT_EQ(corner->side, Hit::Side::kLine);
+  EXPECT_EQ(corner->side, Hit::Side::kSegment);
   EXPECT_EQ(corner->feature, Point(0, -10));
 }
 
@@ -172,7 +172,7 @@ TEST(SweepTest, IsTheSameAnywhere) {
     if (!here) return;
     ASSERT_EQ(here->normal, there->normal);
     ASSERT_EQ(here->side, there->side);
-    const Point expected = here->side == Hit::Side::kLineEnd ? here->feature + shift : here->feature;
+    const Point expected = here->side == Hit::Side::kSegmentEnd ? here->feature + shift : here->feature;
     ASSERT_EQ(there->feature, expected) << textOf(query);
   });
 }
@@ -287,7 +287,7 @@ TEST(SweepTest, NormalFacesTheMoverAndTheFeatureTouches) {
     const auto isVertex = [&](Point point) {
       return std::find(query.shape.begin(), query.shape.end(), point) != query.shape.end();
     };
-    if (hit->side == Hit::Side::kLine) {
+    if (hit->side == Hit::Side::kSegment) {
       ++lines;
       ASSERT_TRUE(isVertex(hit->feature)) << textOf(query);
       ASSERT_EQ(dot(hit->normal, query.line.b - query.line.a), 0) << textOf(query);

@@ -236,7 +236,7 @@ TEST(WorldTest, InsertingNearAnEdgePlacesTheInstanceBehindIt) {
   ASSERT_EQ(views.size(), 2u);
   EXPECT_EQ(views[1].part, 2u);
   EXPECT_EQ(views[1].position, Point(-1050, 33));
-  EXPECT_TRUE(views[1].hangs);
+  EXPECT_TRUE(views[1].hasParent);
   EXPECT_EQ(views[1].parent, views[0].id);
 }
 

@@ -26,16 +26,16 @@ struct Warp {
 struct MapGeometry {
   std::uint32_t id = 0;
   /// Regular lines, then the `from` of every warp.
-  std::vector<Segment> lines;
+  std::vector<Segment> segments;
   std::vector<Warp> warps;
   Grid grid;
 
-  bool isWarp(std::uint32_t line) const { return line >= lines.size() - warps.size(); }
-  std::uint32_t lineOfWarp(std::uint32_t warp) const {
-    return static_cast<std::uint32_t>(lines.size() - warps.size()) + warp;
+  bool isWarp(std::uint32_t segment) const { return segment >= segments.size() - warps.size(); }
+  std::uint32_t segmentOfWarp(std::uint32_t warp) const {
+    return static_cast<std::uint32_t>(segments.size() - warps.size()) + warp;
   }
-  std::uint32_t warpOfLine(std::uint32_t line) const {
-    return line - static_cast<std::uint32_t>(lines.size() - warps.size());
+  std::uint32_t warpOfSegment(std::uint32_t segment) const {
+    return segment - static_cast<std::uint32_t>(segments.size() - warps.size());
   }
 };
 
@@ -45,9 +45,9 @@ struct Geometry {
 
   /// Null when there is no such part.
   const MapGeometry* find(std::uint32_t id) const;
-  /// The index, in its target, of the warp that leads back over the same line; none when the target or that warp is
+  /// The index, in its target, of the warp that leads back over the same segment; none when the target or that warp is
   /// missing. A warp without a way back is a dead end: nothing passes it.
-  std::optional<std::uint16_t> wayBack(std::uint32_t partId, const Warp& warp) const;
+  std::optional<std::uint16_t> reverseWarp(std::uint32_t partId, const Warp& warp) const;
 };
 
 /// `geometry` with one more part. Throws std::invalid_argument when the id is taken already.

@@ -14,12 +14,12 @@ struct SegmentRef {
   std::uint32_t part = 0;   ///< id of the map part
   std::uint32_t index = 0;  ///< in the order in which the part's lines were added, warps after all others
   bool warp = false;
-  Segment segment;
+  Segment ends;
 };
 
 /// A mover stopped by a line.
 struct Contact {
-  SegmentRef line;
+  SegmentRef segment;
   std::uint16_t instance = 0;  ///< id of the entity's instance that met the line
   Point point;                 ///< where they touch, in the line's part, to the nearest subunit
   Point normal;                ///< exact, pointing from the line to the mover, in the line's part
@@ -39,7 +39,7 @@ class Rules {
 
   /// True promises that `pierce` is the one above, which lets pass through warps alone, and that the next three do
   /// nothing. None of these is called then, and warps cost no sweep except where an instance is to come into being.
-  virtual bool heedsNoWarp() const { return false; }
+  virtual bool ignoresWarps() const { return false; }
 
   /// A pierceable line is met, still overlapped at the end of the step, left.
   virtual void beginContact(Entity& entity, const SegmentRef& line);

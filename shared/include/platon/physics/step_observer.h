@@ -15,7 +15,7 @@ struct InstanceView {
   Point position;  ///< subunits, in the part's frame
   Angle angle;
   bool home = false;
-  bool hangs = false;        ///< on `parent` through `warp`; else home or placed by hand
+  bool hasParent = false;    ///< on `parent` through `warp`; else home or placed by hand
   std::uint16_t parent = 0;  ///< id of another instance
   std::uint16_t warp = 0;    ///< index among the warps of the parent's part
 };

@@ -15,15 +15,15 @@ namespace platon {
 struct Hit {
   /// Which edge of the obstacle was entered.
   enum class Side : std::uint8_t {
-    kInside,   ///< none: the shape overlapped the line already
-    kLine,     ///< a side of the line, with a vertex or a parallel edge of the shape
-    kLineEnd,  ///< an end of the line (or a point), with an edge of the shape
+    kInside,      ///< none: the shape overlapped the line already
+    kSegment,     ///< a side of the line, with a vertex or a parallel edge of the shape
+    kSegmentEnd,  ///< an end of the line (or a point), with an edge of the shape
   };
 
   Fraction time;  ///< of the displacement, in [0, 1)
   Fraction exit;  ///< when the shape leaves the line again, later than `time`; at most 1, which means later
   Point normal;   ///< outward normal of the edge entered; (0, 0) when inside. Below 2^30 a coordinate
-  Point feature;  ///< what touches: kLine, a vertex of the shape, relative to its position; kLineEnd, the end
+  Point feature;  ///< what touches: kSegment, a vertex of the shape, relative to its position; kSegmentEnd, the end
   Side side = Side::kInside;
 };
 
