@@ -19,7 +19,7 @@ constexpr std::size_t kMaxRows = 20000;
 std::string nameOf(const StateDifference& row) { return row.owner + " " + row.field; }
 
 std::string tableOf(const Game& own, const Game& server) {
-  std::vector<StateDifference> rows = sideBySide(own, server);
+  std::vector<StateDifference> rows = compareFields(own, server);
   const std::size_t left = rows.size() - std::min(rows.size(), kMaxRows);
   rows.resize(rows.size() - left);
   std::size_t name = 0;

@@ -151,7 +151,7 @@ std::optional<LevelPlace> LevelReader::readPlace(const LevelLine& line, std::str
 }
 
 void LevelReader::readFaceSize(const LevelLine& line) {
-  const Field field{"face size", kLeastFaceSize, kMaxFaceSize, true};
+  const Field field{"face size", kMinFaceSize, kMaxFaceSize, true};
   LevelNumber size;
   if (!readFields(line, "the face size is one number", {&field, 1}, {&size, 1})) return;
   draft_.faceSize = static_cast<std::int32_t>(size.whole());

@@ -45,7 +45,7 @@ std::vector<StateField> fieldsOf(const Game& game) {
   return fields;
 }
 
-std::vector<StateDifference> sideBySide(const Game& left, const Game& right) {
+std::vector<StateDifference> compareFields(const Game& left, const Game& right) {
   std::vector<StateDifference> rows;
   std::map<FieldKey, std::size_t> places;
   for (StateField& field : fieldsOf(left)) {
@@ -63,7 +63,7 @@ std::vector<StateDifference> sideBySide(const Game& left, const Game& right) {
 }
 
 std::optional<StateDifference> firstDifference(const Game& left, const Game& right) {
-  const auto rows = sideBySide(left, right);
+  const auto rows = compareFields(left, right);
   const auto first = std::find_if(rows.begin(), rows.end(), [](const StateDifference& row) { return row.differs(); });
   return first == rows.end() ? std::nullopt : std::optional(*first);
 }

@@ -23,8 +23,8 @@ TEST_P(GoldenTest, PlaysTheSameAgain) {
   EXPECT_EQ(found.fault, "");
   EXPECT_GE(found.ticks, 1800u);
   EXPECT_EQ(found.slots, 8u);
-  ASSERT_FALSE(found.departure)
-      << "after tick " << found.departure->tick
+  ASSERT_FALSE(found.divergence)
+      << "after tick " << found.divergence->tick
       << " it is another game. If the rules were to change, raise kRulesVersion in "
          "shared/include/platon/game/game.h and run tests/determinism/golden/record.sh; if not, this is the fault.";
 }

@@ -115,7 +115,7 @@ std::optional<Convex> solidShape(ByteSource& bytes, std::int64_t scale) {
 FinePoint fine(Vec v) { return {v.x * FinePoint::kPerSubunit, v.y * FinePoint::kPerSubunit}; }
 
 std::optional<FuzzScene> makeSolid(ByteSource& bytes, SolidKind kind) {
-  const auto faceSize = static_cast<std::int32_t>(bytes.between(kLeastFaceSize, kLeastFaceSize + 255));
+  const auto faceSize = static_cast<std::int32_t>(bytes.between(kMinFaceSize, kMinFaceSize + 255));
   const std::int64_t scale = bytes.between(1, 64) * kSubunitsPerUnit;
   const auto shape = solidShape(bytes, scale);
   if (!shape) return std::nullopt;

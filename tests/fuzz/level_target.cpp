@@ -75,7 +75,7 @@ std::string placesFault(const Level& level) {
 
 std::string levelSoundness(const Level& level, std::string_view text) {
   if (level.text != text) return "the level has another text";
-  if (level.faceSize < kLeastFaceSize || level.faceSize > kMaxFaceSize) return "the face size is out of range";
+  if (level.faceSize < kMinFaceSize || level.faceSize > kMaxFaceSize) return "the face size is out of range";
   if (level.title.size() > 100 || level.author.size() > 100) return "title or author too long";
   oracle::TraceReport report;
   if (!oracle::TraceMap::make(headerOf(level), report) || !report.clean())

@@ -35,14 +35,14 @@ Verification Verifier::run(const Played& played) {
 
 // At a checkpoint. Also says in which field the states differ when the hashes did before.
 bool Verifier::matches(const RecordedBlock& block) {
-  if (!found_.departure && game_->save() == block.state) return true;
+  if (!found_.divergence && game_->save() == block.state) return true;
   Game recorded(reader_.level());
   const bool sound = recorded.restore(block.state);
-  if (!found_.departure) {
-    found_.departure = Departure{block.first, game_->hash(), sound ? recorded.hash() : 0, {}, {}};
+  if (!found_.divergence) {
+    found_.divergence = Divergence{block.first, game_->hash(), sound ? recorded.hash() : 0, {}, {}};
   }
-  found_.departure->comparedAt = block.first;
-  if (sound) found_.departure->difference = firstDifference(*game_, recorded);
+  found_.divergence->comparedAt = block.first;
+  if (sound) found_.divergence->difference = firstDifference(*game_, recorded);
   return false;
 }
 
@@ -51,10 +51,10 @@ void Verifier::play(const RecordedBlock& block, const Played& played) {
     game_->advance(block.inputsOf(i));
     const std::uint64_t hash = game_->hash();
     if (played) played(block.inputsOf(i), *game_);
-    if (found_.departure) continue;
+    if (found_.divergence) continue;
     ++found_.ticks;
     found_.hash = hash;
-    if (hash != block.hashes[i]) found_.departure = Departure{game_->tick(), hash, block.hashes[i], {}, {}};
+    if (hash != block.hashes[i]) found_.divergence = Divergence{game_->tick(), hash, block.hashes[i], {}, {}};
   }
 }
 

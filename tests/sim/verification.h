@@ -14,7 +14,7 @@
 namespace platon::sim {
 
 /// Where a game that is played again leaves its recording.
-struct Departure {
+struct Divergence {
   std::uint32_t tick = 0;  ///< the first after which the hashes differ
   std::uint64_t here = 0;  ///< hash after it, as played
   std::uint64_t recorded = 0;
@@ -25,10 +25,10 @@ struct Departure {
 /// What playing a recording again has shown.
 struct Verification {
   std::uint32_t firstTick = 0;  ///< before the first tick played
-  std::uint32_t ticks = 0;      ///< played, up to and with that of the departure
+  std::uint32_t ticks = 0;      ///< played, up to and with that of the divergence
   std::uint32_t slots = 0;      ///< of the game at the end
   std::uint64_t hash = 0;       ///< of the game then
-  std::optional<Departure> departure;
+  std::optional<Divergence> divergence;
   std::string fault;  ///< of the recording; empty for a whole one
 };
 
@@ -42,7 +42,7 @@ class Verifier {
 
   /// The game before the first tick to be played; null when the recording cannot be played at all.
   const Game* game() const { return game_ ? &*game_ : nullptr; }
-  /// Plays on to the end, or to the first checkpoint behind a departure. Tells of every tick played.
+  /// Plays on to the end, or to the first checkpoint behind a divergence. Tells of every tick played.
   Verification run(const Played& played = {});
 
  private:

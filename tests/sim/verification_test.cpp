@@ -42,7 +42,7 @@ TEST(VerificationTest, TheSameGameHoldsToTheEnd) {
   EXPECT_EQ(found.ticks, 500u);
   EXPECT_EQ(found.slots, 3u);
   EXPECT_EQ(found.fault, "");
-  EXPECT_FALSE(found.departure);
+  EXPECT_FALSE(found.divergence);
 }
 
 TEST(VerificationTest, FromACheckpointItEndsTheSame) {
@@ -53,7 +53,7 @@ TEST(VerificationTest, FromACheckpointItEndsTheSame) {
     EXPECT_EQ(found.firstTick, from / 60 * 60);
     EXPECT_EQ(found.ticks, 500 - found.firstTick);
     EXPECT_EQ(found.hash, hash);
-    EXPECT_FALSE(found.departure);
+    EXPECT_FALSE(found.divergence);
   }
   const Verification beyond = Verifier(bytes, 100000).run();
   EXPECT_EQ(beyond.firstTick, 500u);
@@ -84,15 +84,15 @@ TEST(VerificationTest, AnyBitOfStateIsNamedByTickAndField) {
     ASSERT_TRUE(expected) << "bit " << bit;
     const Bytes bytes = record(kAt + 1, 1, [&](Game& game) { flipBit(game, kAt, bit); });
     const Verification found = Verifier(bytes).run();
-    ASSERT_TRUE(found.departure) << "bit " << bit;
-    EXPECT_EQ(found.departure->tick, kAt);
-    EXPECT_EQ(found.departure->comparedAt, kAt);
+    ASSERT_TRUE(found.divergence) << "bit " << bit;
+    EXPECT_EQ(found.divergence->tick, kAt);
+    EXPECT_EQ(found.divergence->comparedAt, kAt);
     EXPECT_EQ(found.ticks, kAt);
-    ASSERT_TRUE(found.departure->difference) << "bit " << bit;
-    EXPECT_EQ(found.departure->difference->owner, expected->owner) << "bit " << bit;
-    EXPECT_EQ(found.departure->difference->field, expected->field) << "bit " << bit;
-    EXPECT_EQ(found.departure->difference->left, expected->left);
-    EXPECT_EQ(found.departure->difference->right, expected->right);
+    ASSERT_TRUE(found.divergence->difference) << "bit " << bit;
+    EXPECT_EQ(found.divergence->difference->owner, expected->owner) << "bit " << bit;
+    EXPECT_EQ(found.divergence->difference->field, expected->field) << "bit " << bit;
+    EXPECT_EQ(found.divergence->difference->left, expected->left);
+    EXPECT_EQ(found.divergence->difference->right, expected->right);
     ++named;
   }
   EXPECT_GT(named, 300);
@@ -102,33 +102,33 @@ TEST(VerificationTest, AnyBitOfStateIsNamedByTickAndField) {
 TEST(VerificationTest, BetweenCheckpointsTheTickIsExact) {
   const Bytes bytes = record(400, 60, [](Game& game) { flipBit(game, 130, 8 * 10); });
   const Verification found = Verifier(bytes).run();
-  ASSERT_TRUE(found.departure);
-  EXPECT_EQ(found.departure->tick, 130u);
-  EXPECT_NE(found.departure->here, found.departure->recorded);
-  EXPECT_EQ(found.departure->comparedAt, 180u);
+  ASSERT_TRUE(found.divergence);
+  EXPECT_EQ(found.divergence->tick, 130u);
+  EXPECT_NE(found.divergence->here, found.divergence->recorded);
+  EXPECT_EQ(found.divergence->comparedAt, 180u);
 }
 
 // The last state is compared too.
-TEST(VerificationTest, ADepartureBehindTheLastCheckpointIsComparedAtTheEnd) {
+TEST(VerificationTest, ADivergenceBehindTheLastCheckpointIsComparedAtTheEnd) {
   const Bytes bytes = record(130, 60, [](Game& game) { flipBit(game, 125, 8 * 10); });
   const Verification found = Verifier(bytes).run();
-  ASSERT_TRUE(found.departure);
-  EXPECT_EQ(found.departure->tick, 125u);
-  EXPECT_EQ(found.departure->comparedAt, 130u);
+  ASSERT_TRUE(found.divergence);
+  EXPECT_EQ(found.divergence->tick, 125u);
+  EXPECT_EQ(found.divergence->comparedAt, 130u);
 }
 
 TEST(VerificationTest, ATruncatedRecordingIsPlayedUpToWhereItEnds) {
   const Bytes bytes = record(300, 60);
   const Verification found = Verifier(std::span(bytes).first(bytes.size() - 1)).run();
   EXPECT_EQ(found.ticks, 300u);
-  EXPECT_FALSE(found.departure);
+  EXPECT_FALSE(found.divergence);
   EXPECT_TRUE(found.fault.starts_with("byte " + std::to_string(bytes.size() - 1) + ": the recording ends here"));
 
   const Verification half = Verifier(std::span(bytes).first(bytes.size() / 2)).run();
   EXPECT_GE(half.ticks, 60u);
   EXPECT_LT(half.ticks, 300u);
   EXPECT_EQ(half.ticks % 60, 0u);
-  EXPECT_FALSE(half.departure);
+  EXPECT_FALSE(half.divergence);
 }
 
 TEST(VerificationTest, OfATruncatedRecordingTheLastCheckpointIsTheLast) {
@@ -137,7 +137,7 @@ TEST(VerificationTest, OfATruncatedRecordingTheLastCheckpointIsTheLast) {
   EXPECT_EQ(found.ticks, 60u);
   EXPECT_GT(found.firstTick, 0u);
   EXPECT_FALSE(found.fault.empty());
-  EXPECT_FALSE(found.departure);
+  EXPECT_FALSE(found.divergence);
 }
 
 TEST(VerificationTest, WhatIsNoRecordingCannotBePlayed) {

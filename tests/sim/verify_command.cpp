@@ -15,12 +15,12 @@ namespace {
 // Weeks of eight players.
 constexpr std::size_t kMaxRecordingBytes = std::size_t{1} << 30;
 
-std::string jsonOf(const Departure& departure) {
-  std::string text = ",\"differs\":{\"tick\":" + std::to_string(departure.tick) + ",\"hash\":\"" +
-                     hexDigits(departure.here) + "\",\"recordedHash\":\"" + hexDigits(departure.recorded) + "\"";
-  if (departure.comparedAt) text += ",\"comparedAt\":" + std::to_string(*departure.comparedAt);
-  if (departure.difference) {
-    const StateDifference& found = *departure.difference;
+std::string jsonOf(const Divergence& divergence) {
+  std::string text = ",\"differs\":{\"tick\":" + std::to_string(divergence.tick) + ",\"hash\":\"" +
+                     hexDigits(divergence.here) + "\",\"recordedHash\":\"" + hexDigits(divergence.recorded) + "\"";
+  if (divergence.comparedAt) text += ",\"comparedAt\":" + std::to_string(*divergence.comparedAt);
+  if (divergence.difference) {
+    const StateDifference& found = *divergence.difference;
     text += ",\"entity\":" + jsonText(found.owner) + ",\"field\":" + jsonText(found.field) +
             ",\"value\":" + jsonText(found.left) + ",\"recordedValue\":" + jsonText(found.right);
   }
@@ -32,7 +32,7 @@ void printJson(const std::string& path, const Verification& found, double timesR
       "{\"recording\":%s,\"firstTick\":%u,\"ticks\":%u,\"players\":%u,\"hash\":\"%016llx\",\"complete\":%s,"
       "\"timesRealTime\":%.0f%s}\n",
       jsonText(path).c_str(), found.firstTick, found.ticks, found.slots, static_cast<unsigned long long>(found.hash),
-      found.fault.empty() ? "true" : "false", timesRealTime, found.departure ? jsonOf(*found.departure).c_str() : "");
+      found.fault.empty() ? "true" : "false", timesRealTime, found.divergence ? jsonOf(*found.divergence).c_str() : "");
 }
 
 void printText(const std::string& path, const Verification& found, double timesRealTime) {
@@ -40,27 +40,27 @@ void printText(const std::string& path, const Verification& found, double timesR
               found.firstTick, found.ticks, found.slots, static_cast<unsigned long long>(found.hash), timesRealTime);
 }
 
-std::string sentenceOf(const Departure& departure) {
-  std::string text = "after tick " + std::to_string(departure.tick) + " the hash is " + hexDigits(departure.here) +
-                     " here and " + hexDigits(departure.recorded) + " in the recording";
-  if (!departure.comparedAt) return text + "; it ends before the next checkpoint, so no field can be named";
-  text += departure.tick == *departure.comparedAt
+std::string sentenceOf(const Divergence& divergence) {
+  std::string text = "after tick " + std::to_string(divergence.tick) + " the hash is " + hexDigits(divergence.here) +
+                     " here and " + hexDigits(divergence.recorded) + " in the recording";
+  if (!divergence.comparedAt) return text + "; it ends before the next checkpoint, so no field can be named";
+  text += divergence.tick == *divergence.comparedAt
               ? "; there "
-              : "; at the next checkpoint, after tick " + std::to_string(*departure.comparedAt) + ", ";
-  if (!departure.difference) return text + "no field differs";
-  const StateDifference& found = *departure.difference;
+              : "; at the next checkpoint, after tick " + std::to_string(*divergence.comparedAt) + ", ";
+  if (!divergence.difference) return text + "no field differs";
+  const StateDifference& found = *divergence.difference;
   return text + "the first field that differs is " + found.field + " of " + found.owner + ": " + found.left +
          " here, " + found.right + " in the recording";
 }
 
 // Exit code 1 for another game, 3 for a recording that is not whole; the first is the graver.
 int complain(const std::string& path, const Verification& found) {
-  if (found.departure) std::fprintf(stderr, "%s: %s\n", path.c_str(), sentenceOf(*found.departure).c_str());
+  if (found.divergence) std::fprintf(stderr, "%s: %s\n", path.c_str(), sentenceOf(*found.divergence).c_str());
   const std::string agree = "; " + std::to_string(found.ticks) + " ticks before it were played and agree";
   if (!found.fault.empty()) {
-    std::fprintf(stderr, "%s: %s%s\n", path.c_str(), found.fault.c_str(), found.departure ? "" : agree.c_str());
+    std::fprintf(stderr, "%s: %s%s\n", path.c_str(), found.fault.c_str(), found.divergence ? "" : agree.c_str());
   }
-  return found.departure ? 1 : found.fault.empty() ? 0 : 3;
+  return found.divergence ? 1 : found.fault.empty() ? 0 : 3;
 }
 
 }  // namespace

@@ -89,7 +89,7 @@ TEST(BotMismatch, IsWrittenToTheFolderAndPutRight) {
   const std::vector<std::uint8_t> bytes(recording.begin(), recording.end());
   const sim::Verification found = sim::Verifier(bytes).run();
   EXPECT_EQ(found.fault, "");
-  EXPECT_FALSE(found.departure.has_value());
+  EXPECT_FALSE(found.divergence.has_value());
   fs::remove_all(folder);
 }
 

@@ -100,7 +100,7 @@ TEST_F(MismatchWatchTest, BeginsAnewWithTheServersState) {
   EXPECT_EQ(found->agreedAt, kRight + 23);
   const sim::Verification played = sim::Verifier(found->recording).run();
   EXPECT_EQ(played.fault, "");
-  EXPECT_FALSE(played.departure.has_value());
+  EXPECT_FALSE(played.divergence.has_value());
   EXPECT_EQ(played.firstTick, kRight + 23);
   EXPECT_EQ(played.ticks, 50u);
   EXPECT_TRUE(reportOf(*found).summary.ends_with("after tick 173 no field differs any more"));
@@ -187,10 +187,10 @@ TEST_F(MismatchWatchTest, TheRecordingTellsWhenInputsDoNotExplainIt) {
   ASSERT_TRUE(found.has_value());
   const sim::Verification played = sim::Verifier(found->recording).run();
   EXPECT_EQ(played.fault, "");
-  ASSERT_TRUE(played.departure.has_value());
-  EXPECT_EQ(played.departure->tick, kRight + 1);
-  ASSERT_TRUE(played.departure->difference.has_value());
-  EXPECT_EQ(played.departure->difference->owner, "entity 0");
+  ASSERT_TRUE(played.divergence.has_value());
+  EXPECT_EQ(played.divergence->tick, kRight + 1);
+  ASSERT_TRUE(played.divergence->difference.has_value());
+  EXPECT_EQ(played.divergence->difference->owner, "entity 0");
 }
 
 TEST_F(MismatchWatchTest, TheReportHasEveryFieldOfBothGames) {

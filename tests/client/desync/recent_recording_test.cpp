@@ -20,7 +20,7 @@ void play(Game& game, RecentRecording& recording, std::uint32_t ticks) {
 
 sim::Verification verified(const std::vector<std::uint8_t>& bytes) {
   const sim::Verification found = sim::Verifier(bytes).run();
-  EXPECT_FALSE(found.departure.has_value());
+  EXPECT_FALSE(found.divergence.has_value());
   EXPECT_EQ(found.fault, "");
   return found;
 }

@@ -55,7 +55,7 @@ Ticks ticksOf(const std::string& summary) {
 void expectToVerify(const DesyncReport& report, std::uint32_t first) {
   const sim::Verification found = sim::Verifier(report.recording).run();
   EXPECT_EQ(found.fault, "");
-  EXPECT_FALSE(found.departure.has_value());
+  EXPECT_FALSE(found.divergence.has_value());
   EXPECT_EQ(found.firstTick, first);
 }
 

@@ -123,7 +123,7 @@ TEST(SolidLawsTest, NumbersOfFacesDoNotMatter) {
       if (!symmetry.onlyRenumbers() || symmetry.images[0].face == 0) continue;
       ++renumberings;
       forEachCase(200, [&](RandomSource& random) {
-        const auto size = static_cast<std::int32_t>(random.between(kLeastFaceSize, 300));
+        const auto size = static_cast<std::int32_t>(random.between(kMinFaceSize, 300));
         const Lines lines = anyLines(kind, size, random);
         const Placed start = anyStart(kind, size, random);
         auto one = tryRoll(kind, size, lines, start);
@@ -164,7 +164,7 @@ TEST(SolidLawsTest, EverySideOfTheHexahedronIsAlike) {
   forEachCase(4000, [&](RandomSource& random) {
     const SolidSymmetry& symmetry = symmetries[random.below(symmetries.size())];
     ASSERT_TRUE(symmetry.isExact());
-    const auto size = static_cast<std::int32_t>(random.between(kLeastFaceSize, 300));
+    const auto size = static_cast<std::int32_t>(random.between(kMinFaceSize, 300));
     const std::vector<Point> polygon = facePolygon(kind, size);
     const Placed start = anyStart(kind, size, random);
     Roll one(kind, size, Lines(6), start);

@@ -244,7 +244,7 @@ TEST(ReturnAndTheRecording, TheWholeGameIsRecorded) {
   EXPECT_EQ(ends, 1u);
   const sim::Verification found = sim::Verifier(bytes).run(
       [&](std::span<const Input>, const Game& game) { EXPECT_EQ(game.hash(), network.hashOf(1, game.tick())); });
-  EXPECT_FALSE(found.departure.has_value());
+  EXPECT_FALSE(found.divergence.has_value());
   EXPECT_EQ(found.fault, "");
   EXPECT_EQ(found.ticks, network.match().game().tick());
   EXPECT_GT(found.ticks, 390 + Match::kAwayTicks);

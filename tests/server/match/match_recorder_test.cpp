@@ -52,7 +52,7 @@ class Recordings {
 
 sim::Verification verified(const Recording& recording, const sim::Verifier::Played& played = {}) {
   const sim::Verification found = sim::Verifier(recording.bytes).run(played);
-  EXPECT_FALSE(found.departure.has_value());
+  EXPECT_FALSE(found.divergence.has_value());
   EXPECT_EQ(found.fault, "");
   EXPECT_TRUE(recording.finished);
   EXPECT_EQ(found.ticks, recording.ticks);
@@ -108,7 +108,7 @@ TEST(MatchRecording, ComesOutWhileItIsMade) {
   const Recording& cut = recordings.of(1);
   EXPECT_FALSE(cut.finished);
   const sim::Verification found = sim::Verifier(cut.bytes).run();
-  EXPECT_FALSE(found.departure.has_value());
+  EXPECT_FALSE(found.divergence.has_value());
   EXPECT_NE(found.fault, "");
   EXPECT_GE(found.ticks + kCheckpointTicks, network.match().game().tick());
   EXPECT_EQ(found.hash, network.hashOf(1, found.ticks));

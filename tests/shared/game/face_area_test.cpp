@@ -135,7 +135,7 @@ TEST(FaceAreaTest, ContainsItsEdgesButNothingBeyond) {
 
 TEST(FaceAreaTest, EveryEdgeIsALineOfItsFaceAsWritten) {
   for (const SolidKind kind : kKinds) {
-    for (std::int32_t size = kLeastFaceSize; size < 1500; size += 7) {
+    for (std::int32_t size = kMinFaceSize; size < 1500; size += 7) {
       const auto polygon = facePolygon(kind, size);
       const FaceArea area(polygon);
       for (std::size_t i = 0; i < polygon.size(); ++i) {

@@ -153,14 +153,14 @@ void expectNearestPolygon(SolidKind kind, std::int32_t faceSize) {
 }
 
 TEST_P(SolidTest, PolygonIsTheNearestToTheRegularOne) {
-  for (const std::int32_t size : {kLeastFaceSize, 201, 480, 1000, 65535, kMaxFaceSize}) {
+  for (const std::int32_t size : {kMinFaceSize, 201, 480, 1000, 65535, kMaxFaceSize}) {
     expectNearestPolygon(GetParam().kind, size);
   }
   constexpr unsigned seed = 20240611;
   SCOPED_TRACE(testing::Message() << "seed " << seed);
   std::mt19937 random(seed);
   for (int i = 0; i < 2000; ++i) {
-    expectNearestPolygon(GetParam().kind, kLeastFaceSize + static_cast<std::int32_t>(random() % 65337));
+    expectNearestPolygon(GetParam().kind, kMinFaceSize + static_cast<std::int32_t>(random() % 65337));
   }
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::array kKinds = {SolidKind::kTetrahedron, SolidKind::kHexahedron, SolidKind::kOctahedron,
                                SolidKind::kDodecahedron, SolidKind::kIcosahedron};
-constexpr std::array<std::int32_t, 4> kSizes = {kLeastFaceSize, 333, 480, kMaxFaceSize};
+constexpr std::array<std::int32_t, 4> kSizes = {kMinFaceSize, 333, 480, kMaxFaceSize};
 
 double distance(Point a, Point b) { return std::sqrt(static_cast<double>(squaredLength(b - a))); }
 

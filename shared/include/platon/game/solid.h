@@ -66,13 +66,13 @@ class PlatonicSolid {
 };
 
 /// Smallest and largest edge length of a face, level units.
-inline constexpr std::int32_t kLeastFaceSize = 200;
+inline constexpr std::int32_t kMinFaceSize = 200;
 inline constexpr std::int32_t kMaxFaceSize = 65536;
 
 /// The middle of an edge of every face, within 2^-28 of the edge length.
 PrecisePoint edgeMiddle(SolidKind kind, std::int32_t faceSize, int edge);
 
-/// The corners of every face with the given edge length in level units (kLeastFaceSize … kMaxFaceSize), in subunits,
+/// The corners of every face with the given edge length in level units (kMinFaceSize … kMaxFaceSize), in subunits,
 /// each coordinate the integer nearest to the true one. All are below 2^26.
 std::vector<Point> facePolygon(SolidKind kind, std::int32_t faceSize);
 

@@ -31,7 +31,7 @@ struct StateDifference {
 };
 
 /// Every field that either has: in the order of the left game, then what only the right one has.
-std::vector<StateDifference> sideBySide(const Game& left, const Game& right);
+std::vector<StateDifference> compareFields(const Game& left, const Game& right);
 
 /// The first field in which the games differ, nothing when they are equal.
 std::optional<StateDifference> firstDifference(const Game& left, const Game& right);
