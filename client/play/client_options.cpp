@@ -5,10 +5,10 @@
 #include <stdexcept>
 
 #include "client/net/condition_options.h"
-#include "client/play/client_error.h"
 #include "platon_version.h"
 #include "protocol/label.h"
 #include "protocol/limits.h"
+#include "protocol/program_error.h"
 
 namespace platon {
 
@@ -56,12 +56,12 @@ std::optional<ClientOptions> readClientOptions(int argc, const char* const* argv
     return options;
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() != 0) {
-      throw ClientError(ClientError::kUsage, std::string(error.what()) + " (see platon-client --help)");
+      throw ProgramError(ProgramError::kUsage, std::string(error.what()) + " (see platon-client --help)");
     }
     app.exit(error);
     return std::nullopt;
   } catch (const std::invalid_argument& error) {
-    throw ClientError(ClientError::kUsage, error.what());
+    throw ProgramError(ProgramError::kUsage, error.what());
   }
 }
 

@@ -23,7 +23,7 @@ struct ClientOptions {
 };
 
 /// Reads the command line. Nothing when only help or the version was asked for, which is then on standard output.
-/// Throws ClientError.
+/// Throws ProgramError.
 std::optional<ClientOptions> readClientOptions(int argc, const char* const* argv);
 
 }  // namespace platon

@@ -7,10 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "client/play/client_error.h"
+#include "protocol/program_error.h"
 #include "server/app/dedicated_server.h"
 #include "server/app/level_files.h"
-#include "server/app/startup_error.h"
 
 namespace platon {
 
@@ -55,10 +54,8 @@ struct EmbeddedServer::Running {
 EmbeddedServer::EmbeddedServer(const std::string& levelFile) {
   try {
     running_ = std::make_unique<Running>(load(levelFile));
-  } catch (const StartupError& error) {
-    throw ClientError(error.exitCode(), error.what());
   } catch (const HostError& error) {
-    throw ClientError(ClientError::kFailed, error.what());
+    throw ProgramError(ProgramError::kFailed, error.what());
   }
 }
 

@@ -11,7 +11,7 @@ namespace platon {
 class EmbeddedServer {
  public:
   /// Starts it on this level, or on the rotation that comes with the game when `levelFile` is empty. Throws
-  /// ClientError.
+  /// ProgramError.
   explicit EmbeddedServer(const std::string& levelFile);
   /// Stops it.
   ~EmbeddedServer();

@@ -3,12 +3,12 @@
 #include <exception>
 #include <optional>
 
-#include "client/play/client_error.h"
 #include "client/play/client_options.h"
 #include "client/play/embedded_server.h"
 #include "client/play/offscreen_play.h"
 #include "client/play/window_play.h"
 #include "client/time/steady_now.h"
+#include "protocol/program_error.h"
 
 namespace platon {
 namespace {
@@ -42,13 +42,13 @@ int fail(int exitCode, const char* prefix, const char* what) {
 }  // namespace platon
 
 int main(int argc, char** argv) {
-  using platon::ClientError;
+  using platon::ProgramError;
   try {
     return platon::play(argc, argv);
-  } catch (const ClientError& error) {
-    const bool level = error.exitCode() == ClientError::kLevel;
+  } catch (const ProgramError& error) {
+    const bool level = error.exitCode() == ProgramError::kLevel;
     return platon::fail(error.exitCode(), level ? "" : "platon-client: ", error.what());
   } catch (const std::exception& error) {
-    return platon::fail(ClientError::kFailed, "platon-client: ", error.what());
+    return platon::fail(ProgramError::kFailed, "platon-client: ", error.what());
   }
 }

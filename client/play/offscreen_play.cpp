@@ -5,7 +5,7 @@
 #include <string>
 
 #include "client/gl/image.h"
-#include "client/play/client_error.h"
+#include "protocol/program_error.h"
 
 namespace platon {
 
@@ -27,13 +27,13 @@ void OffscreenPlay::run(const std::function<bool()>& stopAsked) {
   const Moment end = clock_.now() + fromSeconds(options_.seconds.value_or(kSeconds));
   for (Moment now = clock_.now(); now < end && !stopAsked(); now = clock_.now()) {
     match_.update(now, controls);
-    if (match_.client().ending()) throw ClientError(ClientError::kFailed, *match_.client().ending());
+    if (match_.client().ending()) throw ProgramError(ProgramError::kFailed, *match_.client().ending());
     clock_.sleepUntil(now + kBeat);
   }
   if (!options_.screenshot.empty()) takeScreenshot();
   const std::string unfinished = match_.message();
   match_.leave(clock_);
-  if (!unfinished.empty()) throw ClientError(ClientError::kFailed, "the time was up while " + unfinished);
+  if (!unfinished.empty()) throw ProgramError(ProgramError::kFailed, "the time was up while " + unfinished);
 }
 
 void OffscreenPlay::takeScreenshot() {

@@ -17,7 +17,7 @@ class OffscreenPlay {
   /// Begins to connect. Throws std::runtime_error when that cannot even begin, or when there is no OpenGL.
   OffscreenPlay(const ClientOptions& options, const ServerAddress& server, const Clock& clock);
 
-  /// Until the time is over or `stopAsked`. Throws ClientError when the match ends before.
+  /// Until the time is over or `stopAsked`. Throws ProgramError when the match ends before.
   void run(const std::function<bool()>& stopAsked);
 
  private:

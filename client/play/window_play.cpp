@@ -7,7 +7,7 @@
 #include <string>
 
 #include "client/gl/image.h"
-#include "client/play/client_error.h"
+#include "protocol/program_error.h"
 
 namespace platon {
 
@@ -21,7 +21,7 @@ Window openWindow() {
   try {
     return Window("Platon", kWidth, kHeight);
   } catch (const std::runtime_error& error) {
-    throw ClientError(ClientError::kUsage, std::string(error.what()) + "; --offscreen plays without one");
+    throw ProgramError(ProgramError::kUsage, std::string(error.what()) + "; --offscreen plays without one");
   }
 }
 
@@ -62,7 +62,7 @@ bool WindowPlay::goesOn(Moment now) const {
 
 void WindowPlay::tellEnding() {
   const std::string& reason = *match_.client().ending();
-  if (!match_.client().welcomed()) throw ClientError(ClientError::kFailed, reason);
+  if (!match_.client().welcomed()) throw ProgramError(ProgramError::kFailed, reason);
   std::fprintf(stderr, "platon-client: %s\n", reason.c_str());
   toldEnding_ = true;
 }

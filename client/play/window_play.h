@@ -19,11 +19,11 @@ namespace platon {
 /// Plays in a window.
 class WindowPlay {
  public:
-  /// Begins to connect. Throws std::runtime_error when that cannot even begin, and ClientError when no window can be
+  /// Begins to connect. Throws std::runtime_error when that cannot even begin, and ProgramError when no window can be
   /// opened.
   WindowPlay(const ClientOptions& options, const ServerAddress& server, const Clock& clock);
 
-  /// Until the player leaves, the time is over or `stopAsked`. Throws ClientError when the server cannot be joined. A
+  /// Until the player leaves, the time is over or `stopAsked`. Throws ProgramError when the server cannot be joined. A
   /// match that ends later stays on the screen with the reason.
   void run(const std::function<bool()>& stopAsked);
 

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "protocol/label.h"
-#include "server/app/startup_error.h"
+#include "protocol/program_error.h"
 
 namespace platon {
 namespace {
@@ -21,7 +21,7 @@ struct Entry {
 
   [[noreturn]] void refuse(const std::string& why) const { refuseAt(value.source().begin, why); }
   [[noreturn]] void refuseAt(toml::source_position at, const std::string& why) const {
-    throw StartupError(StartupError::kUsage, file + ":" + std::to_string(at.line) + ":" + std::to_string(at.column) +
+    throw ProgramError(ProgramError::kUsage, file + ":" + std::to_string(at.line) + ":" + std::to_string(at.column) +
                                                  ": error: " + std::string(key.str()) + " " + why);
   }
 
@@ -94,7 +94,7 @@ toml::table parse(const std::string& path) {
     const toml::source_position at = error.source().begin;
     const bool read = at.line != 0;
     const std::string where = read ? ":" + std::to_string(at.line) + ":" + std::to_string(at.column) : "";
-    throw StartupError(StartupError::kUsage, path + where + ": error: " + std::string(error.description()) +
+    throw ProgramError(ProgramError::kUsage, path + where + ": error: " + std::string(error.description()) +
                                                  (read ? "" : "; name an existing file after --config"));
   }
 }

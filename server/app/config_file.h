@@ -7,7 +7,7 @@
 namespace platon {
 
 /// Reads a configuration file (docs/hosting.md) over `options`. Relative paths are seen from the file.
-/// Throws StartupError with file, line and column when it cannot be read, has an unknown key or a value that is not
+/// Throws ProgramError with file, line and column when it cannot be read, has an unknown key or a value that is not
 /// possible.
 void readConfigFile(const std::string& path, ServerOptions& options);
 

@@ -25,7 +25,7 @@ struct ServerSettings {
 /// A match on a socket: what `platon-server` runs, and a client that plays on its own.
 class DedicatedServer {
  public:
-  /// Opens the socket; `levels` has at least one. Throws HostError, and StartupError when no recording can be
+  /// Opens the socket; `levels` has at least one. Throws HostError, and ProgramError when no recording can be
   /// written.
   DedicatedServer(const ServerSettings& settings, std::vector<LevelPointer> levels, Log log);
 

@@ -10,7 +10,7 @@
 
 #include "platon/game/diagnostics.h"
 #include "platon/game/level.h"
-#include "server/app/startup_error.h"
+#include "protocol/program_error.h"
 
 namespace platon {
 namespace {
@@ -27,7 +27,7 @@ std::string readFile(const std::string& path) {
     content.resize(std::fread(content.data(), 1, content.size(), file.get()));
   }
   if (file && std::ferror(file.get()) == 0) return content;
-  throw StartupError(StartupError::kUsage,
+  throw ProgramError(ProgramError::kUsage,
                      "cannot read the level '" + path + "': " + std::strerror(errno) + "; name an existing level file");
 }
 
@@ -59,7 +59,7 @@ LoadedLevels loadLevelFiles(const std::vector<std::string>& paths) {
     valid = valid && result.level;
     loaded.levels.push_back(result.level);
   }
-  if (!valid) throw StartupError(StartupError::kLevel, all);
+  if (!valid) throw ProgramError(ProgramError::kLevel, all);
   return loaded;
 }
 
@@ -70,7 +70,7 @@ std::vector<std::string> shippedLevelFiles() {
     std::vector<std::string> files = levelFilesIn(folder.lexically_normal());
     if (!files.empty()) return files;
   }
-  throw StartupError(StartupError::kUsage, "the levels that come with the game are neither in '" +
+  throw ProgramError(ProgramError::kUsage, "the levels that come with the game are neither in '" +
                                                (program / "../share/platon/levels").lexically_normal().string() +
                                                "' nor in '" + PLATON_SOURCE_LEVELS +
                                                "': name level files, such as platon-server my.level");

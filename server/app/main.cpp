@@ -4,10 +4,10 @@
 #include <sstream>
 #include <string>
 
+#include "protocol/program_error.h"
 #include "server/app/dedicated_server.h"
 #include "server/app/level_files.h"
 #include "server/app/server_options.h"
-#include "server/app/startup_error.h"
 
 namespace platon {
 namespace {
@@ -51,7 +51,7 @@ void reload(DedicatedServer& server, ServerOptions& options, int argc, char** ar
     server.log().info(same ? "configuration and levels read again"
                            : "configuration and levels read again; address, port, numbers of players and recordings "
                              "change when the server is started anew");
-  } catch (const StartupError& error) {
+  } catch (const ProgramError& error) {
     std::istringstream faults(error.what());
     for (std::string fault; std::getline(faults, fault);) server.log().warning(fault);
     server.log().warning("configuration and levels stay as they are");
@@ -88,15 +88,15 @@ int fail(int exitCode, const std::string& prefix, const char* what) {
 }  // namespace platon
 
 int main(int argc, char** argv) {
-  using platon::StartupError;
+  using platon::ProgramError;
   try {
     return platon::serve(argc, argv);
-  } catch (const StartupError& error) {
-    const bool level = error.exitCode() == StartupError::kLevel;
+  } catch (const ProgramError& error) {
+    const bool level = error.exitCode() == ProgramError::kLevel;
     return platon::fail(error.exitCode(), level ? "" : "platon-server: ", error.what());
   } catch (const platon::HostError& error) {
-    return platon::fail(StartupError::kUsage, "platon-server: ", error.what());
+    return platon::fail(ProgramError::kUsage, "platon-server: ", error.what());
   } catch (const std::exception& error) {
-    return platon::fail(StartupError::kFailed, "platon-server: ", error.what());
+    return platon::fail(ProgramError::kFailed, "platon-server: ", error.what());
   }
 }

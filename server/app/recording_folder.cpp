@@ -10,7 +10,7 @@
 #include <system_error>
 #include <utility>
 
-#include "server/app/startup_error.h"
+#include "protocol/program_error.h"
 
 namespace platon {
 namespace {
@@ -34,7 +34,7 @@ std::string slugOf(const std::string& title) {
 }
 
 [[noreturn]] void refuse(const std::filesystem::path& folder, const std::string& why) {
-  throw StartupError(StartupError::kUsage, "cannot write recordings to '" + folder.string() + "': " + why +
+  throw ProgramError(ProgramError::kUsage, "cannot write recordings to '" + folder.string() + "': " + why +
                                                "; name another folder after --record");
 }
 

@@ -17,7 +17,7 @@ class RecordingFolder {
  public:
   using Time = std::chrono::system_clock::time_point;
 
-  /// Makes the folder when it is missing. Throws StartupError when no file can be written there.
+  /// Makes the folder when it is missing. Throws ProgramError when no file can be written there.
   explicit RecordingFolder(std::filesystem::path folder);
 
   /// Appends to the file of the piece's round; a new round's file is named after `now`. When that fails, the log says

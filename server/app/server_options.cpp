@@ -6,8 +6,8 @@
 
 #include "platon_version.h"
 #include "protocol/label.h"
+#include "protocol/program_error.h"
 #include "server/app/config_file.h"
-#include "server/app/startup_error.h"
 
 namespace platon {
 namespace {
@@ -77,7 +77,7 @@ std::optional<ServerOptions> readOptions(int argc, const char* const* argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() != 0) {
-      throw StartupError(StartupError::kUsage, oneLine(error.what()) + " (see platon-server --help)");
+      throw ProgramError(ProgramError::kUsage, oneLine(error.what()) + " (see platon-server --help)");
     }
     app.exit(error);
     return std::nullopt;

@@ -29,7 +29,7 @@ struct ServerOptions {
 
 /// Reads the command line, and the configuration file that it names: what both say is taken from the command line.
 /// Called again with the same arguments it reads the file anew. Nothing when only help or the version was asked for,
-/// which is then on standard output. Throws StartupError.
+/// which is then on standard output. Throws ProgramError.
 std::optional<ServerOptions> readOptions(int argc, const char* const* argv);
 
 }  // namespace platon

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "client/play/client_error.h"
+#include "protocol/program_error.h"
 
 namespace platon {
 namespace {
@@ -21,7 +21,7 @@ std::string fault(const std::vector<const char*>& arguments) {
   try {
     read(arguments);
     return "none";
-  } catch (const ClientError& error) {
+  } catch (const ProgramError& error) {
     return std::to_string(error.exitCode()) + " " + error.what();
   }
 }

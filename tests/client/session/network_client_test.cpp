@@ -5,9 +5,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "client/play/client_error.h"
 #include "client/play/embedded_server.h"
 #include "client/time/steady_now.h"
+#include "protocol/program_error.h"
 
 namespace platon {
 namespace {
@@ -65,14 +65,14 @@ TEST(EmbeddedServer, TellsWhatIsWrongWithALevel) {
   try {
     EmbeddedServer server("no/such.level");
     FAIL();
-  } catch (const ClientError& error) {
-    EXPECT_EQ(error.exitCode(), ClientError::kUsage);
+  } catch (const ProgramError& error) {
+    EXPECT_EQ(error.exitCode(), ProgramError::kUsage);
   }
   try {
     EmbeddedServer server("LICENSE");
     FAIL();
-  } catch (const ClientError& error) {
-    EXPECT_EQ(error.exitCode(), ClientError::kLevel);
+  } catch (const ProgramError& error) {
+    EXPECT_EQ(error.exitCode(), ProgramError::kLevel);
   }
 }
 

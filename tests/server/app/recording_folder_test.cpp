@@ -9,7 +9,7 @@
 #include <iterator>
 #include <vector>
 
-#include "server/app/startup_error.h"
+#include "protocol/program_error.h"
 
 namespace platon {
 namespace {
@@ -79,8 +79,8 @@ TEST_F(RecordingFolderTest, RefusesWhereNothingCanBeWritten) {
   try {
     RecordingFolder folder(folder_ / "games");
     FAIL();
-  } catch (const StartupError& error) {
-    EXPECT_EQ(error.exitCode(), StartupError::kUsage);
+  } catch (const ProgramError& error) {
+    EXPECT_EQ(error.exitCode(), ProgramError::kUsage);
     EXPECT_EQ(error.what(), "cannot write recordings to '" + (folder_ / "games").string() +
                                 "': Not a directory; name another folder after --record");
   }

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "protocol/program_error.h"
 #include "server/app/level_files.h"
-#include "server/app/startup_error.h"
 #include "tests/support/test_levels.h"
 
 namespace platon {
@@ -23,7 +23,7 @@ std::string fault(Call call) {
   try {
     call();
     return "none";
-  } catch (const StartupError& error) {
+  } catch (const ProgramError& error) {
     return std::to_string(error.exitCode()) + " " + error.what();
   }
 }
