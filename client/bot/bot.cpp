@@ -2,7 +2,7 @@
 
 namespace platon {
 
-void BotMeasure::update(Moment now, const PredictionCount& prediction, const Traffic& traffic) {
+void BotMeasure::update(Moment now, const PredictionStatistics& prediction, const Traffic& traffic) {
   now_ = now;
   if (!playingSince_ && prediction.confirmedTicks > 0) playingSince_ = now;
   if (!playingSince_ || countingSince_ || now - *playingSince_ < settle_) return;
@@ -11,7 +11,7 @@ void BotMeasure::update(Moment now, const PredictionCount& prediction, const Tra
   trafficBefore_ = traffic;
 }
 
-BotResult BotMeasure::result(const PredictionCount& prediction, const Traffic& traffic) const {
+BotResult BotMeasure::result(const PredictionStatistics& prediction, const Traffic& traffic) const {
   BotResult result;
   result.joined = playingSince_.has_value();
   if (!result.joined) return result;
@@ -32,8 +32,8 @@ void PlayingBot::update(Moment now) {
   measure_.update(now, prediction(), client_->traffic());
 }
 
-PredictionCount PlayingBot::prediction() const {
-  return client_->session() ? client_->session()->predictionCount() : PredictionCount();
+PredictionStatistics PlayingBot::prediction() const {
+  return client_->session() ? client_->session()->predictionStatistics() : PredictionStatistics();
 }
 
 BotResult PlayingBot::result() const {
@@ -42,7 +42,7 @@ BotResult PlayingBot::result() const {
   if (!result.joined) return result;
   result.line = client_->session()->reading();
   result.returns = client_->returns();
-  result.round = client_->session()->roundCount();
+  result.round = client_->session()->roundStatistics();
   return result;
 }
 

@@ -20,8 +20,8 @@ struct BotResult {
   std::uint32_t returns = 0;          ///< how often it lost the connection and came back
   double seconds = 0;                 ///< of the rates; 0 when it did not come to that
   Traffic traffic;                    ///< in these seconds
-  PredictionCount prediction;         ///< of a hollow bot: its ticks alone
-  RoundCount round;                   ///< of a hollow bot: nothing
+  PredictionStatistics prediction;    ///< of a hollow bot: its ticks alone
+  RoundStatistics round;              ///< of a hollow bot: nothing
 };
 
 /// A headless client that presses buttons.
@@ -47,9 +47,9 @@ class BotMeasure {
   BotMeasure(Moment now, Moment settle) : begunAt_(now), now_(now), settle_(settle) {}
 
   /// How far the bot is now.
-  void update(Moment now, const PredictionCount& prediction, const Traffic& traffic);
+  void update(Moment now, const PredictionStatistics& prediction, const Traffic& traffic);
   /// The part of a result that follows from this.
-  BotResult result(const PredictionCount& prediction, const Traffic& traffic) const;
+  BotResult result(const PredictionStatistics& prediction, const Traffic& traffic) const;
 
  private:
   Moment begunAt_;
@@ -57,7 +57,7 @@ class BotMeasure {
   Moment settle_;
   std::optional<Moment> playingSince_;
   std::optional<Moment> countingSince_;
-  PredictionCount predictionBefore_;
+  PredictionStatistics predictionBefore_;
   Traffic trafficBefore_;
 };
 
@@ -75,7 +75,7 @@ class PlayingBot : public Bot {
   BotResult result() const override;
 
  private:
-  PredictionCount prediction() const;
+  PredictionStatistics prediction() const;
 
   RelayedClient client_;
   ButtonPresser presser_;

@@ -32,7 +32,7 @@ constexpr std::array<Field, 18> kFields = {{
     {"maxCorrectionSubunits", &BotReport::maxCorrectionSubunits, "largest correction, subunits", true},
     {"mispredictedPer1000Ticks", &BotReport::mispredictedPer1000Ticks, "mispredicted per 1000 ticks", true},
     {"missedInputsPer1000Ticks", &BotReport::missedInputsPer1000Ticks, "missed inputs per 1000 ticks", true},
-    {"hashMismatches", &BotReport::hashMismatches, "hash desyncs", true},
+    {"hashMismatches", &BotReport::desyncs, "hash desyncs", true},
     {"resyncs", &BotReport::resyncs, "resyncs", true},
     {"confirmedTicks", &BotReport::confirmedTicks, "confirmed ticks"},
     {"returns", &BotReport::returns, "lost and came back", true},
@@ -55,7 +55,7 @@ void add(BotReport& sum, const BotResult& bot) {
   sum.maxCorrectionSubunits += bot.prediction.maxSubunits;
   sum.mispredictedPer1000Ticks += bot.prediction.mispredicted / thousands;
   sum.missedInputsPer1000Ticks += bot.prediction.missedInputs / thousands;
-  sum.hashMismatches += bot.round.hashMismatches;
+  sum.desyncs += bot.round.desyncs;
   sum.resyncs += bot.round.resyncs;
   sum.confirmedTicks += bot.prediction.confirmedTicks;
   sum.returns += bot.returns;

@@ -26,7 +26,7 @@ struct BotReport {
   double maxCorrectionSubunits = 0;
   double mispredictedPer1000Ticks = 0;
   double missedInputsPer1000Ticks = 0;
-  double hashMismatches = 0;
+  double desyncs = 0;
   double resyncs = 0;
   double confirmedTicks = 0;
   double returns = 0;

@@ -34,8 +34,8 @@ void HollowBot::leave() {
   if (session_) session_->leave();
 }
 
-PredictionCount HollowBot::ticks() const {
-  PredictionCount count;
+PredictionStatistics HollowBot::ticks() const {
+  PredictionStatistics count;
   if (session_) count.confirmedTicks = session_->confirmedTicks();
   return count;
 }

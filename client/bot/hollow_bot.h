@@ -26,7 +26,7 @@ class HollowBot : public Bot {
 
  private:
   std::optional<std::string> ending() const { return session_ ? session_->ending() : std::nullopt; }
-  PredictionCount ticks() const;
+  PredictionStatistics ticks() const;
 
   ClientLine line_;
   Connection connection_;

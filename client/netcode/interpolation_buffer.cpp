@@ -57,7 +57,7 @@ double InterpolationBuffer::tick() const {
   return clock_ ? std::clamp(clock_->tick(), double{1} * oldest_, double{1} * newest_) : newest_;
 }
 
-PlayersInTime InterpolationBuffer::players() const {
+InterpolatedPlayers InterpolationBuffer::players() const {
   const double shown = tick();
   const std::uint32_t next = std::min(static_cast<std::uint32_t>(std::floor(shown)) + 1, newest_);
   const std::uint32_t before = std::max(next, oldest_ + 1) - 1;

@@ -43,7 +43,7 @@ class InterpolationBuffer {
   void update(Moment now);
 
   /// The players as they are at `tick()`. Valid until `advanced` or `restart`.
-  PlayersInTime players() const;
+  InterpolatedPlayers players() const;
   /// What is looked at: from one tick to the next, at most `newest()`.
   double tick() const;
   /// Ticks of the confirmed game.

@@ -34,20 +34,20 @@ inline PlayerSnapshot snapshotOf(const Game& game, std::uint32_t slot) {
 }
 
 /// A player on its way from tick to tick. It is there if it is at both.
-struct PlayerInTime {
+struct InterpolatedPlayer {
   PlayerSnapshot before;
   PlayerSnapshot now;
   double fraction = 1;  ///< of the way from `before` to `now`, 0 … 1
 };
 
 /// All players by slot between one tick and the next.
-struct PlayersInTime {
+struct InterpolatedPlayers {
   std::span<const PlayerSnapshot> before;
   std::span<const PlayerSnapshot> now;
   double fraction = 1;  ///< 0 … 1
 
   /// Not present beyond the end of either.
-  PlayerInTime at(std::size_t slot) const {
+  InterpolatedPlayer at(std::size_t slot) const {
     if (slot >= before.size() || slot >= now.size()) return {};
     return {before[slot], now[slot], fraction};
   }

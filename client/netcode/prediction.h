@@ -14,7 +14,7 @@
 namespace platon {
 
 /// How well the own player was predicted.
-struct PredictionCount {
+struct PredictionStatistics {
   std::uint32_t corrections = 0;
   std::int32_t maxSubunits = 0;    ///< distance of old and new prediction at the same tick, along the surface
   std::int32_t lastSubunits = 0;   ///< of the last correction
@@ -23,7 +23,7 @@ struct PredictionCount {
   std::uint32_t confirmedTicks = 0;
 
   /// What has come since `before`; the largest and the last correction are those of `now`.
-  friend PredictionCount operator-(const PredictionCount& now, const PredictionCount& before) {
+  friend PredictionStatistics operator-(const PredictionStatistics& now, const PredictionStatistics& before) {
     return {now.corrections - before.corrections,
             now.maxSubunits,
             now.lastSubunits,
@@ -74,7 +74,7 @@ class Prediction {
   /// The own input predicted for `tick`, from confirmedTicks() to just before predictedTicks().
   Input ownInput(std::uint32_t tick) const { return own_[tick % kMaxAhead]; }
 
-  const PredictionCount& count() const { return count_; }
+  const PredictionStatistics& count() const { return count_; }
   /// What is to be added to the own player's predicted position to hide corrections: subunits, in the player's frame.
   Point smoothing(Moment now) const { return fade_.at(now); }
 
@@ -97,7 +97,7 @@ class Prediction {
   std::vector<Input> held_;                              // has slot_ always
   std::vector<Input> inputs_;                            // scratch
   std::vector<EntityState> predictedBefore_;
-  PredictionCount count_;
+  PredictionStatistics count_;
   ErrorSmoothing fade_;
 };
 

@@ -18,7 +18,7 @@ NetSample NetMeter::sample(const NetworkClient& client, Moment now) {
   sample.line = client.session()->reading();
   sample.downBytesPerSecond = static_cast<double>(gained.receivedBytes) / seconds;
   sample.upBytesPerSecond = static_cast<double>(gained.sentBytes) / seconds;
-  const PredictionCount count = client.session()->predictionCount();
+  const PredictionStatistics count = client.session()->predictionStatistics();
   if (std::exchange(corrections_, count.corrections) != count.corrections) {
     sample.correctionSubunits = count.lastSubunits;
   }

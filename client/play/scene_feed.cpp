@@ -5,10 +5,10 @@ namespace platon {
 namespace {
 
 // On its way from the predicted tick before the last; where it stands, when it was not there yet.
-PlayerInTime ownPlayer(const Round& round) {
+InterpolatedPlayer ownPlayer(const Round& round) {
   const Prediction& prediction = round.prediction();
   const std::span<const EntityState> before = prediction.predictedBefore();
-  PlayerInTime own;
+  InterpolatedPlayer own;
   own.now = own.before = snapshotOf(prediction.predicted(), prediction.slot());
   own.fraction = round.predictedFraction();
   if (prediction.slot() < before.size() && before[prediction.slot()].inserted != 0) {

@@ -60,7 +60,7 @@ Pose poseOf(const SolidMesh& mesh, const PlayerSnapshot& player) {
   return mesh.pose(static_cast<int>(player.part), toUnits(player.position), toRadians(player.angle));
 }
 
-Pose poseBetween(const SolidMesh& mesh, const PlayerInTime& player) {
+Pose poseBetween(const SolidMesh& mesh, const InterpolatedPlayer& player) {
   const Pose before = poseOf(mesh, player.before);
   const Pose now = poseOf(mesh, player.now);
   if (glm::distance(before.position, now.position) > kLongestWay) return now;

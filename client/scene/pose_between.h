@@ -13,6 +13,6 @@ Pose poseOf(const SolidMesh& mesh, const PlayerSnapshot& player);
 /// faces were laid flat. Round a corner, through a third face, it is the line through the solid seen from its centre.
 /// Up turns evenly within the face and goes with it over an edge. Ways too long for one tick are jumps, as back to the
 /// start, and not drawn in between: the player stands where it went. It must be present at both ends.
-Pose poseBetween(const SolidMesh& mesh, const PlayerInTime& player);
+Pose poseBetween(const SolidMesh& mesh, const InterpolatedPlayer& player);
 
 }  // namespace platon

@@ -22,7 +22,7 @@ void shift(Pose& pose, const SolidMesh& mesh, glm::dvec2 offset) {
   pose.normal = normal;
 }
 
-PlayerDrawing drawingOf(const SceneSource& source, const PlayerInTime& time, std::uint32_t slot, bool own) {
+PlayerDrawing drawingOf(const SceneSource& source, const InterpolatedPlayer& time, std::uint32_t slot, bool own) {
   PlayerDrawing player;
   player.slot = slot;
   player.pose = poseBetween(source.stage->mesh, time);
@@ -37,7 +37,7 @@ PlayerDrawing drawingOf(const SceneSource& source, const PlayerInTime& time, std
 }
 
 void addPlayers(Scene& scene, const SceneSource& source) {
-  const auto add = [&](const PlayerInTime& time, std::uint32_t slot, bool own) {
+  const auto add = [&](const InterpolatedPlayer& time, std::uint32_t slot, bool own) {
     if (time.before.present && time.now.present) scene.players.push_back(drawingOf(source, time, slot, own));
   };
   for (std::uint32_t slot = 0; slot < source.others.now.size(); ++slot) {

@@ -21,12 +21,12 @@ struct SceneSource {
   std::shared_ptr<const StageModel> stage;  ///< of the game's level
   const Game* game = nullptr;               ///< whose clock it is: the predicted game
   double fraction = 1;                      ///< of the game's last tick that has passed, 0 … 1
-  PlayersInTime others;                     ///< of the confirmed game; may hold the own player, too
+  InterpolatedPlayers others;               ///< of the confirmed game; may hold the own player, too
   std::optional<std::uint32_t> ownSlot;
-  std::optional<PlayerInTime> own;     ///< of the predicted game; without, the own player is as the others
-  Point ownOffset;                     ///< added to the own player's place: subunits, in its own frame (+y its up)
-  std::span<const std::string> names;  ///< by slot, UTF-8
-  std::span<const double> flashes;     ///< by slot, 0 … 1: how bright what has just happened to the player shows
+  std::optional<InterpolatedPlayer> own;  ///< of the predicted game; without, the own player is as the others
+  Point ownOffset;                        ///< added to the own player's place: subunits, in its own frame (+y its up)
+  std::span<const std::string> names;     ///< by slot, UTF-8
+  std::span<const double> flashes;        ///< by slot, 0 … 1: how bright what has just happened to the player shows
 };
 
 /// One player as it is drawn: once, however many instances it has.

@@ -48,7 +48,7 @@ void Round::check(std::uint32_t hash) {
   hash_ = shortHash(prediction_.confirmed().hash());
   const bool matches = hash_ == hash;
   if (!matches && !outOfStep_) {
-    ++count_.hashMismatches;
+    ++count_.desyncs;
     schedule_.hurry();
   }
   if (matches)

@@ -27,9 +27,9 @@ namespace platon {
 using Controls = std::function<Input(const Game& predicted, std::uint32_t slot)>;
 
 /// How well a client keeps in step with the server.
-struct RoundCount {
-  std::uint32_t hashMismatches = 0;  ///< the confirmed game was not the server's
-  std::uint32_t resyncs = 0;         ///< full states taken after the first ticks of the round were confirmed
+struct RoundStatistics {
+  std::uint32_t desyncs = 0;  ///< the confirmed game was not the server's
+  std::uint32_t resyncs = 0;  ///< full states taken after the first ticks of the round were confirmed
 };
 
 /// One round as a client lives it, from when it has the level: keeps the confirmed game in lockstep, the prediction as
@@ -41,7 +41,7 @@ class Round {
 
   std::uint32_t id() const { return id_; }
   const Prediction& prediction() const { return prediction_; }
-  const RoundCount& count() const { return count_; }
+  const RoundStatistics& count() const { return count_; }
   /// What was wrong with the confirmed game when the server's state last replaced it; each is given once.
   std::optional<Desync> takeDesync() { return std::exchange(desync_, std::nullopt); }
   /// Nothing more is received in this round: what is wrong with the confirmed game and has not been put right.
@@ -91,7 +91,7 @@ class Round {
 
   InterpolationBuffer view_;
   Flashes flashes_;
-  RoundCount count_;
+  RoundStatistics count_;
 };
 
 }  // namespace platon

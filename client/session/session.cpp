@@ -11,7 +11,7 @@ namespace platon {
 
 namespace {
 
-PredictionCount sum(const PredictionCount& past, const PredictionCount& now) {
+PredictionStatistics sum(const PredictionStatistics& past, const PredictionStatistics& now) {
   return {past.corrections + now.corrections,
           std::max(past.maxSubunits, now.maxSubunits),
           now.lastSubunits,
@@ -20,8 +20,8 @@ PredictionCount sum(const PredictionCount& past, const PredictionCount& now) {
           past.confirmedTicks + now.confirmedTicks};
 }
 
-RoundCount sum(const RoundCount& a, const RoundCount& b) {
-  return {a.hashMismatches + b.hashMismatches, a.resyncs + b.resyncs};
+RoundStatistics sum(const RoundStatistics& a, const RoundStatistics& b) {
+  return {a.desyncs + b.desyncs, a.resyncs + b.resyncs};
 }
 
 std::string sentence(std::string_view what, const std::string& reason) {
@@ -177,8 +177,8 @@ void Session::closeRound() {
   if (!round_) return;
   keep(round_->abandonedDesync());
   lead_ = round_->lead();
-  pastPrediction_ = predictionCount();
-  pastRounds_ = roundCount();
+  pastPrediction_ = predictionStatistics();
+  pastRounds_ = roundStatistics();
   round_.reset();
   state_.clear();
 }
@@ -188,10 +188,10 @@ LinkStatistics Session::reading() const {
   return readingOf(line_, &*round_->clock(), round_->slack());
 }
 
-PredictionCount Session::predictionCount() const {
+PredictionStatistics Session::predictionStatistics() const {
   return round_ ? sum(pastPrediction_, round_->prediction().count()) : pastPrediction_;
 }
 
-RoundCount Session::roundCount() const { return round_ ? sum(pastRounds_, round_->count()) : pastRounds_; }
+RoundStatistics Session::roundStatistics() const { return round_ ? sum(pastRounds_, round_->count()) : pastRounds_; }
 
 }  // namespace platon

@@ -34,8 +34,8 @@ class Session {
   struct Memory {
     std::optional<SessionToken> token;  ///< a fresh one, if this is the first session; without, no way back
     std::vector<std::shared_ptr<const Level>> levels;  ///< at most kMaxLevelsKnown, newest last
-    PredictionCount prediction;
-    RoundCount rounds;
+    PredictionStatistics prediction;
+    RoundStatistics rounds;
   };
 
   /// Why a session is over.
@@ -66,7 +66,7 @@ class Session {
 
   /// Nothing while it goes on.
   const std::optional<Ending>& ending() const { return ending_; }
-  Memory memory() const { return {token_, levels_, predictionCount(), roundCount()}; }
+  Memory memory() const { return {token_, levels_, predictionStatistics(), roundStatistics()}; }
 
   /// The own slot and the server's name, once welcomed.
   const std::optional<Welcome>& welcome() const { return welcome_; }
@@ -81,8 +81,8 @@ class Session {
   LinkStatistics reading() const;
 
   /// Over all rounds, those of the sessions before included.
-  PredictionCount predictionCount() const;
-  RoundCount roundCount() const;
+  PredictionStatistics predictionStatistics() const;
+  RoundStatistics roundStatistics() const;
 
  private:
   template <class Message>
@@ -123,9 +123,9 @@ class Session {
   std::optional<Round> round_;
   double lead_ = 0;
   std::optional<DesyncReport> desync_;
-  std::optional<Moment> desyncAt_;  // when the last was reported
-  PredictionCount pastPrediction_;  // of the rounds before
-  RoundCount pastRounds_;
+  std::optional<Moment> desyncAt_;       // when the last was reported
+  PredictionStatistics pastPrediction_;  // of the rounds before
+  RoundStatistics pastRounds_;
 };
 
 }  // namespace platon

@@ -79,7 +79,7 @@ TEST(BotMismatch, IsWrittenToTheFolderAndPutRight) {
   const std::vector<BotResult> results = BotFleet(options, server.address(), clock).play();
   const std::string said = testing::internal::GetCapturedStderr();
   ASSERT_EQ(results.size(), 1u);
-  EXPECT_EQ(results[0].round.hashMismatches, 1u);
+  EXPECT_EQ(results[0].round.desyncs, 1u);
   EXPECT_EQ(results[0].round.resyncs, 1u);
   EXPECT_EQ(results[0].ending, std::nullopt);
   EXPECT_TRUE(said.starts_with("platon-bot: bot 1: round 1: the game was not the server's after tick ")) << said;

@@ -7,8 +7,8 @@ namespace {
 
 using std::chrono::seconds;
 
-PredictionCount counted(std::uint32_t ticks, std::uint32_t corrections, std::int32_t largest) {
-  PredictionCount count;
+PredictionStatistics counted(std::uint32_t ticks, std::uint32_t corrections, std::int32_t largest) {
+  PredictionStatistics count;
   count.confirmedTicks = ticks;
   count.corrections = corrections;
   count.missedInputs = 2 * corrections;

@@ -57,7 +57,7 @@ class ConfirmedViewTest : public testing::Test {
 
   // What is drawn is what the runner was at both ticks, and as far between as the view is.
   void checkPlayers() const {
-    const PlayersInTime players = view_.players();
+    const InterpolatedPlayers players = view_.players();
     const auto before = static_cast<std::size_t>(view_.tick());
     ASSERT_LT(before, xs_.size());
     EXPECT_EQ(players.at(0).before.position.x, xs_[before - 1]);
@@ -79,7 +79,7 @@ TEST_F(ConfirmedViewTest, ShowsTheOnlyTickThereIs) {
   for (int i = 0; i < 9; ++i) game.advance(running_);
   view_.restart(game, 9);
   EXPECT_EQ(view_.tick(), 9);
-  const PlayersInTime players = view_.players();
+  const InterpolatedPlayers players = view_.players();
   ASSERT_EQ(players.before.size(), 1u);
   ASSERT_EQ(players.now.size(), 1u);
   EXPECT_EQ(players.before[0].position, game.world().entities()[0].position);

@@ -39,7 +39,7 @@ PlayerSnapshot standing(int face, glm::dvec2 point, Angle angle) {
 
 // One tick's way over an edge.
 struct Crossing {
-  PlayerInTime player;
+  InterpolatedPlayer player;
   int face = 0;
   int edge = 0;
 };
@@ -123,7 +123,7 @@ class PoseBetweenTest : public testing::TestWithParam<int> {
     }
   }
 
-  void checkWay(PlayerInTime player) const {
+  void checkWay(InterpolatedPlayer player) const {
     constexpr int kFine = 200;
     Pose last = poseOf(mesh_, player.before);
     for (int step = 0; step <= kFine; ++step) {
@@ -159,7 +159,7 @@ TEST_P(PoseBetweenTest, AWayOverAnEdgeIsStraightAndEvenOnTheFlatFaces) {
 
 TEST_P(PoseBetweenTest, BothEndsAreWhereThePlayerStands) {
   for (const double share : {0.1, 0.5, 0.9}) {
-    PlayerInTime player = crossing(1, 1, 30, 0.5, 12, share).player;
+    InterpolatedPlayer player = crossing(1, 1, 30, 0.5, 12, share).player;
     for (const double fraction : {0.0, 1.0}) {
       player.fraction = fraction;
       const Pose drawn = poseBetween(mesh_, player);

@@ -66,7 +66,7 @@ class BadLineToBots : public BadLine {
       const BotResult result = bot->result();
       EXPECT_EQ(result.ending, std::nullopt);
       EXPECT_GE(result.prediction.confirmedTicks, kTicks);
-      EXPECT_EQ(result.round.hashMismatches, 0u);
+      EXPECT_EQ(result.round.desyncs, 0u);
       EXPECT_EQ(result.round.resyncs, 0u);
     }
     EXPECT_EQ(server().brokenMessages(), 0u);
@@ -122,7 +122,7 @@ TEST_F(BadLineToThePlayer, HasItsDelayAndCanBeLeft) {
   MatchPlay play(options, address(), begun);
   EXPECT_EQ(play.message(), "connecting to " + address().text() + " …");  // not to the relay
   ASSERT_TRUE(updateUntil(play, seconds(10), [&] {
-    return play.client().session() != nullptr && play.client().session()->predictionCount().confirmedTicks > 30;
+    return play.client().session() != nullptr && play.client().session()->predictionStatistics().confirmedTicks > 30;
   })) << play.message();
   EXPECT_GE(play.client().session()->reading().rttMs, 120);
   ASSERT_EQ(server().match().players(), 1u);

@@ -63,8 +63,8 @@ void expectToVerify(const DesyncReport& report, std::uint32_t first) {
 void expectOneMismatch(VirtualMatch& match, std::size_t client) {
   match.setChecked(client, true);
   match.run(seconds(20));
-  EXPECT_EQ(match.session(client).roundCount().hashMismatches, 1u);
-  EXPECT_EQ(match.session(client).roundCount().resyncs, 1u);
+  EXPECT_EQ(match.session(client).roundStatistics().desyncs, 1u);
+  EXPECT_EQ(match.session(client).roundStatistics().resyncs, 1u);
   EXPECT_FALSE(match.takeDesync(client).has_value());
   EXPECT_TRUE(match.session(client).round()->prediction().present());
   std::size_t told = 0;
@@ -210,7 +210,7 @@ TEST(Desync, ThatComesAgainAndAgainIsReportedOnceAMinute) {
     reports += match.takeDesync(0) ? 1 : 0;
   }
   EXPECT_EQ(reports, 3);
-  EXPECT_GT(match.session(0).roundCount().hashMismatches, 60u);
+  EXPECT_GT(match.session(0).roundStatistics().desyncs, 60u);
 }
 
 }  // namespace

@@ -51,11 +51,11 @@ TEST(LongSession, NoMismatchIsSeenWhereThereIsNone) {
   std::uint64_t ticks = 0;
   for (; ticks < wanted && !HasFatalFailure(); match.run(seconds(10))) {
     ticks = 0;
-    for (std::uint32_t bot = 0; bot < kBots; ++bot) ticks += match.session(bot).predictionCount().confirmedTicks;
+    for (std::uint32_t bot = 0; bot < kBots; ++bot) ticks += match.session(bot).predictionStatistics().confirmedTicks;
   }
   for (std::uint32_t bot = 0; bot < kBots; ++bot) {
     SCOPED_TRACE("bot " + std::to_string(bot) + ", seed " + std::to_string(kSeed));
-    EXPECT_EQ(match.session(bot).roundCount().hashMismatches, 0u);
+    EXPECT_EQ(match.session(bot).roundStatistics().desyncs, 0u);
     EXPECT_FALSE(match.takeDesync(bot).has_value());
   }
   for (const MatchEvent& event : match.match().takeEvents()) {

@@ -48,10 +48,10 @@ TEST(NetworkClient, PlaysOnAServerOfItsOwn) {
   const EmbeddedServer server("levels/hexahedron/01_first_steps.level");
   NetworkClient client(server.address(), "someone", steadyClock().now());
   ASSERT_TRUE(updateUntil(client, [&] {
-    return client.session() != nullptr && client.session()->predictionCount().confirmedTicks > 60;
+    return client.session() != nullptr && client.session()->predictionStatistics().confirmedTicks > 60;
   })) << client.ending().value_or("still waiting");
   EXPECT_TRUE(client.session()->round()->prediction().present());
-  EXPECT_EQ(client.session()->roundCount().hashMismatches, 0u);
+  EXPECT_EQ(client.session()->roundStatistics().desyncs, 0u);
   EXPECT_GT(client.traffic().sentBytes, 0u);
   EXPECT_GT(client.traffic().receivedPackets, 30u);
   EXPECT_GT(client.traffic().longestDatagram, 1000u);  // the level is longer

@@ -94,7 +94,7 @@ class Outage : public testing::Test {
   }
 
   std::uint32_t ticks() const {
-    return client_->session() == nullptr ? 0 : client_->session()->predictionCount().confirmedTicks;
+    return client_->session() == nullptr ? 0 : client_->session()->predictionStatistics().confirmedTicks;
   }
   std::uint32_t slot() const { return client_->session()->welcome()->slot; }
   bool logged(const char* text) const { return log_.find(text) != std::string::npos; }
@@ -114,7 +114,7 @@ TEST_F(Outage, OfTheLineEndsWithinASecond) {
   play();
   for (const int ms : {2000, 3300, 4100, 4700, 6000, 8990, 9100, 13700, 14001, 26300, 33500, 55000}) {
     SCOPED_TRACE(ms);
-    const PredictionCount before = client_->session()->predictionCount();
+    const PredictionStatistics before = client_->session()->predictionStatistics();
     relay_->setQuality(deadLine());
     run(milliseconds(ms));
     EXPECT_EQ(client_->outage().has_value(), ms > 4000) << client_->outage().value_or("none");
@@ -126,8 +126,8 @@ TEST_F(Outage, OfTheLineEndsWithinASecond) {
     outages += ms > 4000 ? 1 : 0;
     EXPECT_EQ(client_->outage(), std::nullopt);
     EXPECT_EQ(client_->ending(), std::nullopt);
-    EXPECT_GT(client_->session()->predictionCount().confirmedTicks, before.confirmedTicks);
-    EXPECT_EQ(client_->session()->roundCount().hashMismatches, 0u);
+    EXPECT_GT(client_->session()->predictionStatistics().confirmedTicks, before.confirmedTicks);
+    EXPECT_EQ(client_->session()->roundStatistics().desyncs, 0u);
     EXPECT_EQ(slot(), 0u);
     EXPECT_EQ(server_->match().players(), 1u);
   }
@@ -181,7 +181,7 @@ TEST_F(Outage, OfTheServerEndsWithinASecond) {
     // A server that is killed and back within four seconds is not missed before they are over.
     EXPECT_LE(now_ - begun, ms < 4000 ? Session::kSilence : kAllowed);
     EXPECT_LE(timeToPlay(), kAllowed);
-    EXPECT_EQ(client_->session()->roundCount().hashMismatches, 0u);
+    EXPECT_EQ(client_->session()->roundStatistics().desyncs, 0u);
     run(seconds(1));
   }
 }
@@ -291,7 +291,7 @@ TEST_F(Outage, OfTheProgramEndsWithItsToken) {
     EXPECT_TRUE(logged("returned"));
     EXPECT_EQ(client_->returns(), 0u);
     run(seconds(2));
-    EXPECT_EQ(client_->session()->roundCount().hashMismatches, 0u);
+    EXPECT_EQ(client_->session()->roundStatistics().desyncs, 0u);
     EXPECT_EQ(server_->match().players(), 2u);
     for (auto* leaver : {&client_, &other_}) (*leaver)->leave();
     run(seconds(2));

@@ -59,10 +59,11 @@ class ComeBack : public testing::TestWithParam<Break> {
   Moment breakAndComeBack(const std::function<void()>& meanwhile) {
     match_.breakOff(kLost, GetParam().noticed);
     meanwhile();
-    const std::uint32_t before = match_.session(kLost).predictionCount().confirmedTicks;
+    const std::uint32_t before = match_.session(kLost).predictionStatistics().confirmedTicks;
     const Moment begun = match_.now();
     match_.comeBack(kLost);
-    while (match_.session(kLost).predictionCount().confirmedTicks == before && match_.now() < begun + seconds(20)) {
+    while (match_.session(kLost).predictionStatistics().confirmedTicks == before &&
+           match_.now() < begun + seconds(20)) {
       match_.run(milliseconds(1));
     }
     return match_.now() - begun;
@@ -96,7 +97,7 @@ TEST_P(ComeBack, TakesUpThePlayerWhereItStood) {
   match_.run(seconds(5));
   const std::uint32_t slot = match_.slot(kLost);
   const EntityState before = place();
-  const std::uint32_t ticks = match_.session(kLost).predictionCount().confirmedTicks;
+  const std::uint32_t ticks = match_.session(kLost).predictionStatistics().confirmedTicks;
   ASSERT_GT(ticks, 200u);
   levelChunks_ = 0;
   const Moment took = breakAndComeBack([&] { runWatched(GetParam().lasts); });
@@ -109,9 +110,9 @@ TEST_P(ComeBack, TakesUpThePlayerWhereItStood) {
   runWatched(seconds(3));  // the confirmed game is the server's all the while
   EXPECT_EQ(place().position, before.position);
   EXPECT_EQ(levelChunks_, 0);
-  EXPECT_GT(match_.session(kLost).predictionCount().confirmedTicks, ticks + 120);
-  EXPECT_EQ(match_.session(kLost).roundCount().hashMismatches, 0u);
-  EXPECT_EQ(match_.session(kLost).roundCount().resyncs, 0u);
+  EXPECT_GT(match_.session(kLost).predictionStatistics().confirmedTicks, ticks + 120);
+  EXPECT_EQ(match_.session(kLost).roundStatistics().desyncs, 0u);
+  EXPECT_EQ(match_.session(kLost).roundStatistics().resyncs, 0u);
   EXPECT_EQ(match_.match().players(), GetParam().players);
 }
 
@@ -120,7 +121,7 @@ TEST_P(ComeBack, PredictsThePlayerWhereItStands) {
   joinAll();
   match_.run(seconds(5));
   const EntityState before = place();
-  const PredictionCount count = match_.session(kLost).predictionCount();
+  const PredictionStatistics count = match_.session(kLost).predictionStatistics();
   breakAndComeBack([&] { match_.run(GetParam().lasts); });
   const Prediction& prediction = match_.session(kLost).round()->prediction();
   for (const Moment end = match_.now() + seconds(2); match_.now() < end; match_.run(milliseconds(1))) {
@@ -130,7 +131,7 @@ TEST_P(ComeBack, PredictsThePlayerWhereItStands) {
     ASSERT_EQ(own.position, before.position);
     ASSERT_EQ(own.part, before.part);
   }
-  const PredictionCount gained = match_.session(kLost).predictionCount() - count;
+  const PredictionStatistics gained = match_.session(kLost).predictionStatistics() - count;
   EXPECT_EQ(gained.missedInputs, 0u);
   EXPECT_EQ(gained.mispredicted, 0u);
   EXPECT_EQ(gained.corrections, 0u);
@@ -171,11 +172,11 @@ class NextRound : public testing::Test {
     EXPECT_EQ(match_.session(kLost).round()->id(), round);
     EXPECT_TRUE(match_.session(kLost).round()->prediction().present());
     EXPECT_TRUE(match_.match().game().player(match_.slot(kLost)).present);
-    EXPECT_EQ(match_.session(kLost).roundCount().hashMismatches, 0u);
+    EXPECT_EQ(match_.session(kLost).roundStatistics().desyncs, 0u);
     EXPECT_EQ(match_.match().players(), 2u);
-    const std::uint32_t missed = match_.session(kLost).predictionCount().missedInputs;
+    const std::uint32_t missed = match_.session(kLost).predictionStatistics().missedInputs;
     match_.run(seconds(1));
-    EXPECT_EQ(match_.session(kLost).predictionCount().missedInputs, missed);  // its inputs are taken
+    EXPECT_EQ(match_.session(kLost).predictionStatistics().missedInputs, missed);  // its inputs are taken
   }
 
   VirtualMatch match_{{flatLevel(), cornerLevel()}, kSeed};
@@ -218,7 +219,7 @@ TEST_F(NextRound, IsTakenUpWhateverIsInterrupted) {
     EXPECT_TRUE(match.session(kLost).round()->prediction().present());
     EXPECT_EQ(match.slot(kLost), 0u);
     EXPECT_EQ(match.match().players(), 2u);
-    EXPECT_EQ(match.session(kLost).roundCount().hashMismatches, 0u);
+    EXPECT_EQ(match.session(kLost).roundStatistics().desyncs, 0u);
   }
 }
 

@@ -96,8 +96,8 @@ TEST_P(Resync, TakesARoundTripAndLittleMore) {
                 static_cast<long long>(took / milliseconds(1)));
     match_.setChecked(0, true);
     match_.run(seconds(2));
-    EXPECT_EQ(match_.session(0).roundCount().hashMismatches, times);
-    EXPECT_EQ(match_.session(0).roundCount().resyncs, times);
+    EXPECT_EQ(match_.session(0).roundStatistics().desyncs, times);
+    EXPECT_EQ(match_.session(0).roundStatistics().resyncs, times);
   }
 }
 

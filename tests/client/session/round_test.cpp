@@ -124,19 +124,19 @@ TEST_F(RoundTest, IgnoresWhatItHasAndWhatLeavesAGap) {
   round_.receive(third, now_);
   EXPECT_EQ(round_.prediction().confirmedTicks(), 30u);
   EXPECT_EQ(round_.prediction().confirmed().hash(), server_.hash());
-  EXPECT_EQ(round_.count().hashMismatches, 0u);
+  EXPECT_EQ(round_.count().desyncs, 0u);
 }
 
 TEST_F(RoundTest, TakesTheServersStateWhenItsOwnIsAnother) {
   ConfirmedTicks wrong = server_.decide(10);
   wrong.changes.clear();  // the other player is missing
   round_.receive(wrong, now_);
-  EXPECT_EQ(round_.count().hashMismatches, 1u);
+  EXPECT_EQ(round_.count().desyncs, 1u);
   const auto told = update(60);
   ASSERT_TRUE(told.has_value());
   EXPECT_NE(told->hash, shortHash(server_.hash()));  // by which the server knows
   round_.receive(server_.decide(12), now_);
-  EXPECT_EQ(round_.count().hashMismatches, 1u);  // still the same one
+  EXPECT_EQ(round_.count().desyncs, 1u);  // still the same one
 
   round_.receive(server_.state(3), server_.stateBytes(), now_);
   EXPECT_EQ(round_.count().resyncs, 1u);
@@ -148,7 +148,7 @@ TEST_F(RoundTest, TakesTheServersStateWhenItsOwnIsAnother) {
   EXPECT_EQ(next->hash, shortHash(server_.hash()));
   round_.receive(server_.decide(20), now_);
   EXPECT_EQ(round_.prediction().confirmed().hash(), server_.hash());
-  EXPECT_EQ(round_.count().hashMismatches, 1u);
+  EXPECT_EQ(round_.count().desyncs, 1u);
 }
 
 TEST_F(RoundTest, TheStateOfALateJoinerIsNoResync) {
@@ -178,7 +178,7 @@ TEST_F(RoundTest, TheViewIsOfTheConfirmedGame) {
   round_.receive(server_.decide(10), now_);
   round_.receive(server_.decide(12), now_);
   EXPECT_EQ(round_.interpolationBuffer().newest(), 12u);
-  const PlayersInTime players = round_.interpolationBuffer().players();
+  const InterpolatedPlayers players = round_.interpolationBuffer().players();
   ASSERT_EQ(players.now.size(), 2u);
   EXPECT_TRUE(players.now[1].present);
   EXPECT_LT(round_.interpolationBuffer().tick(), 12);

@@ -27,15 +27,15 @@ LinkQuality lineWith(double delayMs, double jitterMs = 0, double loss = 0) {
 
 // What `run` adds to the counts of a client.
 struct Gain {
-  PredictionCount prediction;
+  PredictionStatistics prediction;
   std::uint32_t jumps = 0;
 };
 
 Gain gainOf(VirtualMatch& match, std::size_t client, Moment duration) {
-  const PredictionCount before = match.session(client).predictionCount();
+  const PredictionStatistics before = match.session(client).predictionStatistics();
   const std::uint32_t jumps = match.session(client).round()->clock()->jumps();
   match.run(duration);
-  const PredictionCount after = match.session(client).predictionCount();
+  const PredictionStatistics after = match.session(client).predictionStatistics();
   return {{after.corrections - before.corrections, after.maxSubunits, 0, after.missedInputs - before.missedInputs,
            after.mispredicted - before.mispredicted, after.confirmedTicks - before.confirmedTicks},
           match.session(client).round()->clock()->jumps() - jumps};
@@ -55,8 +55,8 @@ TEST_P(SteadyLine, NeedsNoCorrection) {
   EXPECT_EQ(gain.prediction.corrections, 0u);
   EXPECT_EQ(gain.prediction.mispredicted, 0u);
   EXPECT_EQ(gain.jumps, 0u);
-  EXPECT_EQ(match.session(0).roundCount().hashMismatches, 0u);
-  EXPECT_EQ(match.session(0).roundCount().resyncs, 0u);
+  EXPECT_EQ(match.session(0).roundStatistics().desyncs, 0u);
+  EXPECT_EQ(match.session(0).roundStatistics().resyncs, 0u);
 }
 
 INSTANTIATE_TEST_SUITE_P(RoundTrips, SteadyLine, testing::Values(0.0, 25.0, 100.0, 400.0, 1000.0));
@@ -72,8 +72,8 @@ TEST(Session, StaysInLockstepOnABadLine) {
   EXPECT_GT(gain.prediction.confirmedTicks, 1150u);
   // A change of buttons is lost with its repetition once in a hundred: four changes a second, a few ticks each.
   EXPECT_LT(gain.prediction.missedInputs, 60u);
-  EXPECT_EQ(match.session(1).roundCount().hashMismatches, 0u);
-  EXPECT_EQ(match.session(1).roundCount().resyncs, 0u);
+  EXPECT_EQ(match.session(1).roundStatistics().desyncs, 0u);
+  EXPECT_EQ(match.session(1).roundStatistics().resyncs, 0u);
 }
 
 TEST(Session, LateJoinerTakesUpTheRound) {
@@ -86,7 +86,7 @@ TEST(Session, LateJoinerTakesUpTheRound) {
   EXPECT_TRUE(match.session(1).round()->prediction().present());
   EXPECT_GT(gain.prediction.confirmedTicks, 290u);
   EXPECT_EQ(gain.prediction.missedInputs, 0u);
-  EXPECT_EQ(match.session(1).roundCount().hashMismatches, 0u);
+  EXPECT_EQ(match.session(1).roundStatistics().desyncs, 0u);
 }
 
 TEST(Session, PlaysTheNextRound) {

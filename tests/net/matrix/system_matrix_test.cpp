@@ -37,12 +37,12 @@ struct Counts {
 Counts countsOf(const VirtualMatch& match) {
   Counts counts;
   for (std::size_t player = 0; player < kPlayers; ++player) {
-    const PredictionCount prediction = match.session(player).predictionCount();
-    const RoundCount round = match.session(player).roundCount();
+    const PredictionStatistics prediction = match.session(player).predictionStatistics();
+    const RoundStatistics round = match.session(player).roundStatistics();
     counts.confirmed += prediction.confirmedTicks;
     counts.missed += prediction.missedInputs;
     counts.mispredicted += prediction.mispredicted;
-    counts.desyncs += round.hashMismatches;
+    counts.desyncs += round.desyncs;
     counts.resyncs += round.resyncs;
   }
   return counts;
