@@ -41,7 +41,7 @@ BotResult PlayingBot::result() const {
   result.ending = client_->ending() ? client_->ending() : client_->outage();
   if (!result.joined) return result;
   result.line = client_->session()->reading();
-  result.returns = client_->returns();
+  result.resumes = client_->resumes();
   result.round = client_->session()->roundStatistics();
   return result;
 }

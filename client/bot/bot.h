@@ -17,7 +17,7 @@ struct BotResult {
   std::optional<std::string> ending;  ///< why it fell out, if it did
   double connectMs = 0;               ///< from the first datagram to the first confirmed tick
   LinkStatistics line;                ///< at the end
-  std::uint32_t returns = 0;          ///< how often it lost the connection and came back
+  std::uint32_t resumes = 0;          ///< how often it lost the connection and came back
   double seconds = 0;                 ///< of the rates; 0 when it did not come to that
   Traffic traffic;                    ///< in these seconds
   PredictionStatistics prediction;    ///< of a hollow bot: its ticks alone

@@ -35,7 +35,7 @@ constexpr std::array<Field, 18> kFields = {{
     {"hashMismatches", &BotReport::desyncs, "hash desyncs", true},
     {"resyncs", &BotReport::resyncs, "resyncs", true},
     {"confirmedTicks", &BotReport::confirmedTicks, "confirmed ticks"},
-    {"returns", &BotReport::returns, "lost and came back", true},
+    {"resumes", &BotReport::resumes, "lost and came back", true},
 }};
 
 void add(BotReport& sum, const BotResult& bot) {
@@ -58,7 +58,7 @@ void add(BotReport& sum, const BotResult& bot) {
   sum.desyncs += bot.round.desyncs;
   sum.resyncs += bot.round.resyncs;
   sum.confirmedTicks += bot.prediction.confirmedTicks;
-  sum.returns += bot.returns;
+  sum.resumes += bot.resumes;
   sum.longestDatagramBytes = std::max(sum.longestDatagramBytes, bot.traffic.longestDatagram);
 }
 

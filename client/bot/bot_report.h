@@ -29,7 +29,7 @@ struct BotReport {
   double desyncs = 0;
   double resyncs = 0;
   double confirmedTicks = 0;
-  double returns = 0;
+  double resumes = 0;
   std::uint64_t longestDatagramBytes = 0;  ///< of all bots, either way, from the start: UDP payload
   bool hollow = false;                     ///< the bots do not know how they would have been corrected
 };

@@ -79,7 +79,7 @@ void NetworkClient::watch(Moment now) {
   attempts_ = answers_ = 0;
   if (!outage_) return;
   outage_.reset();
-  ++returns_;
+  ++resumes_;
 }
 
 std::optional<Session::Ending> NetworkClient::trouble(Moment now) const {

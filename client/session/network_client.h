@@ -45,7 +45,7 @@ class NetworkClient {
   /// Why there is no game at the moment, a sentence for the player; from when it was lost until it goes on.
   const std::optional<std::string>& outage() const { return outage_; }
   /// How often a lost game went on.
-  std::uint32_t returns() const { return returns_; }
+  std::uint32_t resumes() const { return resumes_; }
 
   /// The secret that takes back the player. Not to be shown.
   const SessionToken& token() const { return *memory_.token; }
@@ -83,7 +83,7 @@ class NetworkClient {
   std::uint32_t answers_ = 0;   // those that were not just unanswered
   std::optional<Moment> retryAt_;
   std::optional<std::string> outage_;
-  std::uint32_t returns_ = 0;
+  std::uint32_t resumes_ = 0;
   Traffic before_;  // of the connections before
   bool leaving_ = false;
   std::optional<std::string> ending_;

@@ -51,7 +51,7 @@ TEST(BotReport, JsonHasExactlyTheAgreedKeys) {
             "\"downLossPercent\":0,\"upLossPercent\":0,\"downBytesPerSecond\":0,\"upBytesPerSecond\":0,"
             "\"downPacketsPerSecond\":0,\"upPacketsPerSecond\":0,\"correctionsPer1000Ticks\":0,"
             "\"maxCorrectionSubunits\":0,\"mispredictedPer1000Ticks\":0,\"missedInputsPer1000Ticks\":0,"
-            "\"hashMismatches\":0,\"resyncs\":0,\"confirmedTicks\":0,\"returns\":0,\"longestDatagramBytes\":0}\n");
+            "\"hashMismatches\":0,\"resyncs\":0,\"confirmedTicks\":0,\"resumes\":0,\"longestDatagramBytes\":0}\n");
 }
 
 TEST(BotReport, WhatHollowBotsCannotKnowIsNull) {
@@ -59,7 +59,7 @@ TEST(BotReport, WhatHollowBotsCannotKnowIsNull) {
   report.hollow = true;
   const std::string json = toJson(report);
   for (const char* const key : {"correctionsPer1000Ticks", "maxCorrectionSubunits", "mispredictedPer1000Ticks",
-                                "missedInputsPer1000Ticks", "hashMismatches", "resyncs", "returns"}) {
+                                "missedInputsPer1000Ticks", "hashMismatches", "resyncs", "resumes"}) {
     EXPECT_NE(json.find("\"" + std::string(key) + "\":null"), std::string::npos) << json;
   }
   EXPECT_NE(json.find("\"confirmedTicks\":0,"), std::string::npos) << json;

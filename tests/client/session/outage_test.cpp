@@ -131,10 +131,10 @@ TEST_F(Outage, OfTheLineEndsWithinASecond) {
     EXPECT_EQ(slot(), 0u);
     EXPECT_EQ(server_->match().players(), 1u);
   }
-  EXPECT_GE(client_->returns(), outages);
+  EXPECT_GE(client_->resumes(), outages);
   EXPECT_FALSE(logged("left"));
   EXPECT_EQ(log_.find("joined"), log_.rfind("joined"));
-  std::printf("at most %lld ms, %u returns\n", static_cast<long long>(longest / milliseconds(1)), client_->returns());
+  std::printf("at most %lld ms, %u resumes\n", static_cast<long long>(longest / milliseconds(1)), client_->resumes());
 }
 
 // Also between the greeting and the state of the game, when there is a round but nobody in it yet.
@@ -156,7 +156,7 @@ TEST_F(Outage, KeepsThePictureUntilTheGameGoesOn) {
     while (play.client().outage()) ASSERT_TRUE(showsThePlayer());
     for (const Moment end = now_ + milliseconds(ms); now_ < end;) ASSERT_TRUE(showsThePlayer());
   }
-  EXPECT_EQ(play.client().returns(), 3u);
+  EXPECT_EQ(play.client().resumes(), 3u);
 }
 
 TEST_F(Outage, IsSeenWithinFourSeconds) {
@@ -202,7 +202,7 @@ TEST_F(Outage, GoesOnWhileTheServerIsFull) {
   other_->leave();
   const std::uint32_t before = ticks();
   ASSERT_TRUE(runUntil(NetworkClient::kLongestPause + kAllowed, [&] { return ticks() > before; }));
-  EXPECT_EQ(client_->returns(), 1u);
+  EXPECT_EQ(client_->resumes(), 1u);
 }
 
 TEST_F(Outage, AsksAFullServerEverLessOften) {
@@ -289,7 +289,7 @@ TEST_F(Outage, OfTheProgramEndsWithItsToken) {
     std::printf("after %lld ms\n", static_cast<long long>((now_ - begun) / milliseconds(1)));
     EXPECT_EQ(slot(), 0u);
     EXPECT_TRUE(logged("returned"));
-    EXPECT_EQ(client_->returns(), 0u);
+    EXPECT_EQ(client_->resumes(), 0u);
     run(seconds(2));
     EXPECT_EQ(client_->session()->roundStatistics().desyncs, 0u);
     EXPECT_EQ(server_->match().players(), 2u);

@@ -74,7 +74,7 @@ GATES = (
          applies=lambda cell: (cell.loss, cell.delay) == (2, 50) and cell.jitter <= 20, timing=True, **PER_CENT),
     Gate("games that were not the server's", "0", "hashMismatches", 0, shown="{:g}"),
     Gate("full states after the first ticks, a player", "0", "resyncs", 0, shown="{:.2g}"),
-    Gate("lost the connection and came back, loss ≤ 10 %", "0", "returns", 0, shown="{:.2g}",
+    Gate("lost the connection and came back, loss ≤ 10 %", "0", "resumes", 0, shown="{:.2g}",
          applies=lambda cell: cell.loss <= 10),
     Gate("bots that could not join or fell out", "0", "failed", 0, shown="{}"),
     Gate("rounds that ended while it was measured", "0", "roundOver", 0, shown="{}"),

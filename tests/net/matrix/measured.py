@@ -53,7 +53,7 @@ def matrix_table(results):
         rows.append([cell.loss, cell.delay, cell.jitter, f"{r['rttMs']:.0f}", f"{r['connectMs']:.0f}",
                      kb(r["downBytesPerSecond"]), kb(r["upBytesPerSecond"]), f"{r['missedInputsPer1000Ticks']:.2f}",
                      f"{r['mispredictedPer1000Ticks']:.2f}", f"{r['correctionsPer1000Ticks']:.2f}",
-                     f"{r['maxCorrectionSubunits'] / SUBUNITS:.1f}", f"{r['returns']:g}", f"{r['cpuPercent']:.2f}"])  # fmt: skip
+                     f"{r['maxCorrectionSubunits'] / SUBUNITS:.1f}", f"{r['resumes']:g}", f"{r['cpuPercent']:.2f}"])  # fmt: skip
     return table(heads, rows)
 
 

@@ -12,7 +12,7 @@ from run_cells import Runner, combined
 GOOD = {
     "connected": 16, "failed": 0, "connectMs": 30, "rttMs": 16, "downBytesPerSecond": 1700, "upBytesPerSecond": 1200,
     "correctionsPer1000Ticks": 0, "maxCorrectionSubunits": 1024, "mispredictedPer1000Ticks": 0,
-    "missedInputsPer1000Ticks": 0, "hashMismatches": 0, "resyncs": 0, "returns": 0, "longestDatagramBytes": 1180,
+    "missedInputsPer1000Ticks": 0, "hashMismatches": 0, "resyncs": 0, "resumes": 0, "longestDatagramBytes": 1180,
     "cpuPercent": 0.5, "memoryBytes": 9e6, "p50Us": 100, "p99Us": 300, "longestUs": 900, "ticks": 1500, "roundOver": 0,
     "waitPercent": 1, "said": "",
 }  # fmt: skip

@@ -47,7 +47,7 @@ const std::vector<std::string> kKeys = {"connected",
                                         "hashMismatches",
                                         "resyncs",
                                         "confirmedTicks",
-                                        "returns",
+                                        "resumes",
                                         "longestDatagramBytes"};
 
 class Bots : public ServerTest {

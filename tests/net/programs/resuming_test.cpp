@@ -86,7 +86,7 @@ TEST_F(Return, AfterTheServerStoodStill) {
   ann.waitForError("connected again");
   server().waitForError("returned");
   EXPECT_EQ(bots.wait(), 0) << bots.errors();
-  EXPECT_NE(bots.output().find("\"returns\":1"), std::string::npos) << bots.output();
+  EXPECT_NE(bots.output().find("\"resumes\":1"), std::string::npos) << bots.output();
   EXPECT_EQ(slotIn("returned", "Ann"), slotIn("joined", "Ann"));
   leave(ann);
   stopServer();
