@@ -110,7 +110,7 @@ AdvanceResult benchAdvance(const std::string& path, const Effort& effort) {
 }  // namespace
 
 GameResults benchGames(const Effort& effort) {
-  const auto paths = sim::shippedLevels();
+  const auto paths = shippedLevels();
   GameResults results;
   for (const std::string& path : paths) results.advances.push_back(benchAdvance(path, effort));
   const auto slowest = std::max_element(

@@ -5,20 +5,17 @@
 
 #include "platon/game/recording_reader.h"
 #include "tests/determinism/lockstep_levels.h"
-#include "tests/sim/files.h"
 #include "tests/sim/verification.h"
 
 namespace platon::sim {
 namespace {
-
-constexpr std::size_t kMaxBytes = std::size_t{1} << 24;
 
 std::vector<std::string> goldenRecordings() { return filesIn("tests/determinism/golden", ".recording"); }
 
 class GoldenTest : public testing::TestWithParam<std::string> {};
 
 TEST_P(GoldenTest, PlaysTheSameAgain) {
-  const auto bytes = readBytes(GetParam(), kMaxBytes);
+  const auto bytes = readBytes(GetParam());
   const Verification found = Verifier(bytes).run();
   EXPECT_EQ(found.fault, "");
   EXPECT_GE(found.ticks, 1800u);
@@ -35,7 +32,7 @@ INSTANTIATE_TEST_SUITE_P(All, GoldenTest, testing::ValuesIn(goldenRecordings()),
 TEST(GoldenFilesTest, EveryLevelHasOneOfItsPresentText) {
   std::set<std::uint64_t> recorded;
   for (const std::string& path : goldenRecordings()) {
-    const auto bytes = readBytes(path, kMaxBytes);
+    const auto bytes = readBytes(path);
     const RecordingReader reader(bytes);
     ASSERT_TRUE(reader.level()) << path << ": " << reader.fault();
     recorded.insert(reader.level()->hash);
@@ -52,7 +49,7 @@ TEST(GoldenFilesTest, PlayersGetAround) {
   std::uint64_t crossings = 0;
   std::size_t mostInstances = 0;
   for (const std::string& path : goldenRecordings()) {
-    const auto bytes = readBytes(path, kMaxBytes);
+    const auto bytes = readBytes(path);
     Verifier verifier(bytes);
     verifier.run([&](std::span<const Input>, const Game& game) {
       mostInstances = std::max(mostInstances, game.world().save().instances.size());

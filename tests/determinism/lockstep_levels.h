@@ -1,7 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
@@ -9,25 +7,9 @@
 #include <vector>
 
 #include "platon/game/level.h"
-#include "tests/sim/files.h"
+#include "tests/support/files.h"
 
 namespace platon::sim {
-
-/// The files with this ending in a folder and its subfolders, by name. Throws std::runtime_error when there is none,
-/// since tests of each would then pass.
-inline std::vector<std::string> filesIn(const std::string& folder, const std::string& ending) {
-  std::vector<std::string> found;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
-    if (entry.path().extension() == ending) found.push_back(entry.path().string());
-  }
-  if (found.empty()) throw std::runtime_error("no file " + folder + "/*" + ending);
-  std::sort(found.begin(), found.end(), [](const std::filesystem::path& a, const std::filesystem::path& b) {
-    return std::pair(a.filename(), a) < std::pair(b.filename(), b);
-  });
-  return found;
-}
-
-inline std::vector<std::string> shippedLevels() { return filesIn("levels", ".level"); }
 
 /// Every level that is shipped, and the hard ones beside the golden recordings.
 inline std::vector<std::string> lockstepLevels() {
@@ -38,8 +20,7 @@ inline std::vector<std::string> lockstepLevels() {
 
 /// Throws std::invalid_argument with the first error.
 inline std::shared_ptr<const Level> levelFrom(const std::string& path) {
-  const auto bytes = readBytes(path, kMaxLevelBytes + 1);
-  LevelResult result = loadLevel({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  LevelResult result = loadLevel(readText(path));
   if (!result.level) throw std::invalid_argument(format(path, result.diagnostics.at(0)));
   return result.level;
 }

@@ -1,13 +1,16 @@
 // Processes against each other: what differs between them (addresses, environment, where they stand) must not show.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
+#include <string>
+#include <vector>
 
 #include "platon/game/game.h"
 #include "platon/game/recorder.h"
 #include "tests/determinism/lockstep_levels.h"
 #include "tests/sim/churn.h"
-#include "tests/sim/files.h"
+#include "tests/support/files.h"
+#include "tests/support/process.h"
+#include "tests/support/temporary_folder.h"
 
 namespace platon::sim {
 namespace {
@@ -15,30 +18,32 @@ namespace {
 constexpr std::uint64_t kSeed = 5;
 constexpr std::uint32_t kPlayers = 6;
 constexpr int kTicks = 400;
-constexpr std::size_t kMaxBytes = std::size_t{1} << 24;
 
 using Bytes = std::vector<std::uint8_t>;
 
-std::string simPath() {
-  const char* folder = std::getenv("PLATON_BIN");
-  return std::filesystem::absolute(folder != nullptr ? folder : ".") / "platon-sim";
+ProcessOptions inFolder(const std::string& folder) {
+  ProcessOptions options;
+  options.folder = folder;
+  return options;
 }
 
 class ProcessesTest : public testing::TestWithParam<std::string> {
  protected:
-  // By a process of its own; `environment` stands before the program's name.
-  Bytes recordedBy(const std::string& environment) const {
-    const std::string file = testing::TempDir() + "platon_processes_" + testName(GetParam());
-    const std::string command = environment + " " + simPath() + " run " +
-                                std::filesystem::absolute(GetParam()).string() + " --drive churn --players " +
-                                std::to_string(kPlayers) + " --ticks " + std::to_string(kTicks) + " --seed " +
-                                std::to_string(kSeed) + " --record " + file + " >/dev/null 2>&1";
-    EXPECT_EQ(std::system(command.c_str()), 0) << command;
-    const Bytes bytes = readBytes(file, kMaxBytes);
-    std::remove(file.c_str());
-    return bytes;
+  // Records in a process of its own, started by the program and the arguments in `wrapper`.
+  Bytes recordedBy(const std::string& wrapper, const ProcessOptions& options = {}) const {
+    const TemporaryFolder folder;
+    const std::string file = folder / "recording";
+    std::vector<std::string> command = wordsOf(wrapper);
+    const std::vector<std::string> program =
+        platonCommand("platon-sim", {"run", std::filesystem::absolute(GetParam()), "--drive", "churn", "--players",
+                                     std::to_string(kPlayers), "--ticks", std::to_string(kTicks), "--seed",
+                                     std::to_string(kSeed), "--record", file});
+    command.insert(command.end(), program.begin(), program.end());
+    const ProcessResult result = runProcess(command, options);
+    EXPECT_EQ(result.exitCode, 0) << wrapper << ": " << result.errors;
+    return readBytes(file);
   }
-  // By this process.
+  // Records in this process.
   Bytes recordedHere() const {
     Game game(levelFrom(GetParam()));
     Recorder recorder(game);
@@ -55,10 +60,10 @@ class ProcessesTest : public testing::TestWithParam<std::string> {
 
 TEST_P(ProcessesTest, RecordTheSameBytes) {
   const Bytes here = recordedHere();
-  EXPECT_EQ(recordedBy("cd / && exec env"), here);
-  EXPECT_EQ(recordedBy("exec env MALLOC_PERTURB_=165"), here) << "memory that is used must have been written";
-  EXPECT_EQ(recordedBy("exec env -i LC_ALL=tr_TR.UTF-8 TZ=Asia/Kathmandu"), here);
-  EXPECT_EQ(recordedBy("exec setarch -R"), here) << "addresses must not show";
+  EXPECT_EQ(recordedBy("env", inFolder("/")), here);
+  EXPECT_EQ(recordedBy("env MALLOC_PERTURB_=165"), here) << "memory that is used must have been written";
+  EXPECT_EQ(recordedBy("env -i LC_ALL=tr_TR.UTF-8 TZ=Asia/Kathmandu"), here);
+  EXPECT_EQ(recordedBy("setarch -R"), here) << "addresses must not show";
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ProcessesTest, testing::ValuesIn(lockstepLevels()),

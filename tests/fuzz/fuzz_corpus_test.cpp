@@ -1,38 +1,27 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <cstdint>
+#include <string>
+#include <vector>
 
 #include "tests/fuzz/fuzz_targets.h"
+#include "tests/support/files.h"
 
 namespace platon::fuzz {
 namespace {
-
-namespace fs = std::filesystem;
 
 struct Target {
   const char* name;
   std::string (*fault)(Bytes);
 };
 
-std::vector<std::uint8_t> contentOf(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
-
 class FuzzCorpusTest : public testing::TestWithParam<Target> {};
 
 /// Every committed input: those by which the fuzzers reached something new, and those that once broke something.
 TEST_P(FuzzCorpusTest, HoldsForEveryCommittedInput) {
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(fs::path("tests/fuzz/corpus") / GetParam().name)) {
-    files.push_back(entry.path());
-  }
-  std::sort(files.begin(), files.end());
+  const std::vector<std::string> files = filesIn(std::string("tests/fuzz/corpus/") + GetParam().name, "");
   ASSERT_GE(files.size(), 10u);
-  for (const fs::path& file : files) EXPECT_EQ(GetParam().fault(contentOf(file)), "") << file;
+  for (const std::string& file : files) EXPECT_EQ(GetParam().fault(readBytes(file)), "") << file;
 }
 
 /// What a byte-wise fuzzer begins with.

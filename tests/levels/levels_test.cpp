@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <set>
 #include <string>
 #include <vector>
@@ -11,30 +9,16 @@
 #include "platon/game/game.h"
 #include "platon/game/level.h"
 #include "tests/levels/solution.h"
+#include "tests/support/files.h"
 
 namespace platon {
 namespace {
 
 std::string stemOf(const std::string& path) { return std::filesystem::path(path).stem().string(); }
 
-/// In the order of the rotation: by the names of the files.
-std::vector<std::string> shippedLevels() {
-  std::vector<std::string> files;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator("levels")) {
-    if (entry.path().extension() == ".level") files.push_back(entry.path().string());
-  }
-  std::sort(files.begin(), files.end(), [](const auto& a, const auto& b) { return stemOf(a) < stemOf(b); });
-  return files;
-}
-
-std::string contentOf(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 class ShippedLevelTest : public testing::TestWithParam<std::string> {
  protected:
-  std::string text() const { return contentOf(GetParam()); }
+  std::string text() const { return readText(GetParam()); }
   std::shared_ptr<const Level> level() const { return loadLevel(text()).level; }
   std::vector<Input> solution() const { return readSolution("tests/levels/solutions/" + stemOf(GetParam()) + ".txt"); }
 };
@@ -91,9 +75,9 @@ INSTANTIATE_TEST_SUITE_P(All, ShippedLevelTest, testing::ValuesIn(shippedLevels(
 
 TEST(ShippedLevelsTest, EverySolidHasALevelAndTheFirstIsAHexahedron) {
   std::set<SolidKind> kinds;
-  for (const std::string& name : shippedLevels()) kinds.insert(loadLevel(contentOf(name)).level->solid);
+  for (const std::string& name : shippedLevels()) kinds.insert(loadLevel(readText(name)).level->solid);
   EXPECT_EQ(kinds.size(), static_cast<std::size_t>(kSolidKinds));
-  EXPECT_EQ(loadLevel(contentOf(shippedLevels().front())).level->solid, SolidKind::kHexahedron);
+  EXPECT_EQ(loadLevel(readText(shippedLevels().front())).level->solid, SolidKind::kHexahedron);
 }
 
 TEST(ShippedLevelsTest, EverySolutionHasItsLevel) {

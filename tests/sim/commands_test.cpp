@@ -4,19 +4,18 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <iterator>
 #include <sstream>
-
-#include <sys/wait.h>
 
 #include "platon/game/game.h"
 #include "platon/game/recorder.h"
 #include "tests/sim/files.h"
 #include "tests/sim/sim_options.h"
+#include "tests/support/files.h"
+#include "tests/support/process.h"
+#include "tests/support/temporary_folder.h"
 
 namespace platon::sim {
 namespace {
@@ -25,28 +24,21 @@ using testing::HasSubstr;
 using testing::MatchesRegex;
 using testing::StartsWith;
 
-struct Output {
-  int status = 0;
-  std::string text;
-};
+ProcessResult runProgram(const std::string& arguments, const std::string& inputFile = "") {
+  ProcessOptions options;
+  options.inputFile = inputFile;
+  return runProcess(platonCommand("platon-sim", wordsOf(arguments)), options);
+}
 
-// Runs the program itself; what it says on either stream comes together.
-Output runProgram(const std::string& arguments) {
-  const char* folder = std::getenv("PLATON_BIN");
-  const std::string command = std::string(folder != nullptr ? folder : ".") + "/platon-sim " + arguments + " 2>&1";
-  std::FILE* pipe = popen(command.c_str(), "r");
-  Output output;
-  char buffer[512];
-  while (std::fgets(buffer, sizeof buffer, pipe) != nullptr) output.text += buffer;
-  const int status = pclose(pipe);
-  output.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  return output;
+// The path of a file in a folder that lives as long as this program.
+std::string pathOf(const std::string& name) {
+  static const TemporaryFolder folder;
+  return folder / name;
 }
 
 std::string fileWith(const std::string& name, const std::string& text) {
-  const std::string path = testing::TempDir() + "platon_commands_" + name;
-  std::ofstream(path) << text;
-  return path;
+  writeText(pathOf(name), text);
+  return pathOf(name);
 }
 
 std::string levelFile() {
@@ -132,7 +124,7 @@ TEST(RunCommandTest, PushedAlongTheFloorItCrossesTheEdge) {
 
 TEST(RunCommandTest, WritingATraceChangesNothing) {
   const std::string level = levelFile();
-  const std::string trace = testing::TempDir() + "platon_commands_trace";
+  const std::string trace = pathOf("trace");
   const std::vector<std::string> plain{level, "--ticks", "50", "--json"};
   std::vector<std::string> traced = plain;
   traced.insert(traced.end(), {"--trace", trace});
@@ -162,22 +154,17 @@ TEST(RunCommandTest, RefusesWhatItCannotFollow) {
   EXPECT_THROW(runCommand({level, "--ticks", "1", "--drive", "push"}), UsageError);
   EXPECT_THROW(runCommand({level, "--ticks", "1", "--drive", "push", "--velocity", "5"}), UsageError);
   EXPECT_THROW(runCommand({level, "--ticks", "1", "--drive", "push", "--velocity", "268435456,0"}), UsageError);
-  EXPECT_THROW(runCommand({testing::TempDir() + "no such level"}), UsageError);
+  EXPECT_THROW(runCommand({pathOf("no such level")}), UsageError);
 }
 
 // A recording of 300 ticks; its path.
 std::string recordedFile(const std::vector<std::string>& more = {}) {
-  const std::string path = testing::TempDir() + "platon_commands_recording";
+  const std::string path = pathOf("recording");
   std::vector<std::string> arguments{levelFile(), "--ticks", "300",      "--players", "3",
                                      "--drive",   "churn",   "--record", path};
   arguments.insert(arguments.end(), more.begin(), more.end());
   ran(arguments);
   return path;
-}
-
-std::string contentOf(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
 TEST(VerifyCommandTest, PrintsOneJsonObject) {
@@ -194,57 +181,57 @@ TEST(VerifyCommandTest, RecordsWhatItPlaysAgain) {
   const std::string again = path + "_again";
   std::remove(again.c_str());
   ran({path, "--record", again}, verifyCommand);
-  EXPECT_EQ(contentOf(again), contentOf(path));
+  EXPECT_EQ(readText(again), readText(path));
   std::remove(again.c_str());
   ran({path, "--record", again, "--checkpoint-every", "1"}, verifyCommand);
-  EXPECT_GT(contentOf(again).size(), contentOf(path).size());
+  EXPECT_GT(readText(again).size(), readText(path).size());
   EXPECT_EQ(hashIn(ran({again, "--json"}, verifyCommand)), hashIn(ran({path, "--json"}, verifyCommand)));
 }
 
 TEST(VerifyCommandTest, WritesOverNothing) {
   const std::string path = recordedFile();
-  const std::string content = contentOf(path);
+  const std::string content = readText(path);
   EXPECT_THROW(verifyCommand({path, "--from", "200", "--record", path}), UsageError);
-  EXPECT_EQ(contentOf(path), content);
-  const std::string none = testing::TempDir() + "platon_commands_none";
-  EXPECT_EQ(runProgram("verify " + levelFile() + " --record " + none).status, 3);
+  EXPECT_EQ(readText(path), content);
+  const std::string none = pathOf("none");
+  EXPECT_EQ(runProgram("verify " + levelFile() + " --record " + none).exitCode, 3);
   EXPECT_FALSE(std::filesystem::exists(none)) << "nothing was played";
 }
 
 TEST(VerifyCommandTest, OnlyGamesAreRecorded) {
-  EXPECT_THROW(runCommand({levelFile(), "--drive", "fling", "--record", testing::TempDir() + "r"}), UsageError);
-  EXPECT_THROW(runCommand({levelFile(), "--record", testing::TempDir() + "no such folder/r"}), UsageError);
+  EXPECT_THROW(runCommand({levelFile(), "--drive", "fling", "--record", pathOf("r")}), UsageError);
+  EXPECT_THROW(runCommand({levelFile(), "--record", pathOf("no such folder/r")}), UsageError);
   EXPECT_THROW(runCommand({levelFile(), "--checkpoint-every", "0"}), UsageError);
 }
 
 // Exit code and sentence, on a recording that a game of other physics left, a cut and a damaged one.
 TEST(VerifyCommandTest, SaysWhatIsWrong) {
   const std::string path = recordedFile({"--checkpoint-every", "50"});
-  const std::string content = contentOf(path);
+  const std::string content = readText(path);
 
   const std::string cut = fileWith("cut", content.substr(0, content.size() - 100));
-  const Output truncated = runProgram("verify " + cut);
-  EXPECT_EQ(truncated.status, 3);
-  EXPECT_THAT(truncated.text,
+  const ProcessResult truncated = runProgram("verify " + cut);
+  EXPECT_EQ(truncated.exitCode, 3);
+  EXPECT_THAT(truncated.errors,
               HasSubstr(cut + ": byte " + std::to_string(content.size() - 100) + ": the recording ends here"));
-  EXPECT_THAT(truncated.text, HasSubstr("; 300 ticks before it were played and agree"));
+  EXPECT_THAT(truncated.errors, HasSubstr("; 300 ticks before it were played and agree"));
 
   std::string damaged = content;
   damaged[content.size() / 2] = static_cast<char>(damaged[content.size() / 2] + 1);
-  const Output damage = runProgram("verify " + fileWith("damaged", damaged));
-  EXPECT_EQ(damage.status, 3);
-  EXPECT_THAT(damage.text, MatchesRegex("(.|\n)*: byte [0-9]+: (.|\n)*"));
+  const ProcessResult damage = runProgram("verify " + fileWith("damaged", damaged));
+  EXPECT_EQ(damage.exitCode, 3);
+  EXPECT_THAT(damage.errors, MatchesRegex("(.|\n)*: byte [0-9]+: (.|\n)*"));
 
-  EXPECT_EQ(runProgram("verify " + levelFile()).status, 3);
-  EXPECT_EQ(runProgram("verify").status, 2);
-  EXPECT_EQ(runProgram("verify " + testing::TempDir() + "no such file").status, 2);
-  EXPECT_EQ(runProgram("verify " + path).status, 0);
+  EXPECT_EQ(runProgram("verify " + levelFile()).exitCode, 3);
+  EXPECT_EQ(runProgram("verify").exitCode, 2);
+  EXPECT_EQ(runProgram("verify " + pathOf("no such file")).exitCode, 2);
+  EXPECT_EQ(runProgram("verify " + path).exitCode, 0);
 }
 
 // One bit of the state is not what is played: tick, entity and field are named, and the exit code is 1.
 TEST(VerifyCommandTest, NamesTickEntityAndField) {
-  const std::string path = testing::TempDir() + "platon_commands_another_game";
-  Game game(loadLevel(contentOf(levelFile())).level);
+  const std::string path = pathOf("another_game");
+  Game game(loadLevel(readText(levelFile())).level);
   Recorder recorder(game, 1);
   const std::vector<Input> inputs(2, Input{Input::kPresent | Input::kRight});
   for (int tick = 0; tick < 30; ++tick) {
@@ -261,11 +248,11 @@ TEST(VerifyCommandTest, NamesTickEntityAndField) {
   OutputFile file(path);
   file.write(recorder.takeBytes());
   file.close();
-  const Output found = runProgram("verify " + path);
-  EXPECT_EQ(found.status, 1);
-  EXPECT_THAT(found.text, HasSubstr(path + ": after tick 20 the hash is "));
-  EXPECT_THAT(found.text, HasSubstr("; there the first field that differs is position of entity 1: ("));
-  EXPECT_THAT(runProgram("verify --json " + path).text,
+  const ProcessResult found = runProgram("verify " + path);
+  EXPECT_EQ(found.exitCode, 1);
+  EXPECT_THAT(found.errors, HasSubstr(path + ": after tick 20 the hash is "));
+  EXPECT_THAT(found.errors, HasSubstr("; there the first field that differs is position of entity 1: ("));
+  EXPECT_THAT(runProgram("verify --json " + path).output,
               HasSubstr("\"comparedAt\":20,\"entity\":\"entity 1\",\"field\":\"position\",\"value\":\"("));
 }
 
@@ -280,25 +267,25 @@ TEST(WorldCommandTest, RunsAScene) {
 }
 
 TEST(ProgramTest, SaysWhatItIs) {
-  EXPECT_THAT(runProgram("--help").text, StartsWith("platon-sim: runs the simulation"));
-  EXPECT_EQ(runProgram("--help").status, 0);
-  EXPECT_EQ(runProgram("run --help").status, 0);
-  EXPECT_THAT(runProgram("--version").text, MatchesRegex("platon-sim [0-9]+\\.[0-9]+\\.[0-9]+\n"));
+  EXPECT_THAT(runProgram("--help").output, StartsWith("platon-sim: runs the simulation"));
+  EXPECT_EQ(runProgram("--help").exitCode, 0);
+  EXPECT_EQ(runProgram("run --help").exitCode, 0);
+  EXPECT_THAT(runProgram("--version").output, MatchesRegex("platon-sim [0-9]+\\.[0-9]+\\.[0-9]+\n"));
 }
 
 TEST(ProgramTest, ExitCodesSayWhatWentWrong) {
-  EXPECT_EQ(runProgram("").status, 2);
-  EXPECT_EQ(runProgram("swim").status, 2);
-  EXPECT_EQ(runProgram("run").status, 2);
-  EXPECT_EQ(runProgram("run --ticks many " + levelFile()).status, 2);
+  EXPECT_EQ(runProgram("").exitCode, 2);
+  EXPECT_EQ(runProgram("swim").exitCode, 2);
+  EXPECT_EQ(runProgram("run").exitCode, 2);
+  EXPECT_EQ(runProgram("run --ticks many " + levelFile()).exitCode, 2);
   const std::string broken = fileWith("broken", "HEXAHEDRON\n0 0 0 0\n0 0 0\n480\n");
-  const Output invalid = runProgram("run " + broken);
-  EXPECT_EQ(invalid.status, 3);
-  EXPECT_THAT(invalid.text, HasSubstr(broken + ":"));
-  EXPECT_THAT(invalid.text, HasSubstr(": error: "));
-  EXPECT_EQ(runProgram("world " + fileWith("bad", "line 1\n") + " --ticks 1").status, 3);
-  EXPECT_EQ(runProgram("sweep < " + fileWith("queries", "nothing\n")).status, 3);
-  EXPECT_EQ(runProgram("run --ticks 5 " + levelFile()).status, 0);
+  const ProcessResult invalid = runProgram("run " + broken);
+  EXPECT_EQ(invalid.exitCode, 3);
+  EXPECT_THAT(invalid.errors, HasSubstr(broken + ":"));
+  EXPECT_THAT(invalid.errors, HasSubstr(": error: "));
+  EXPECT_EQ(runProgram("world " + fileWith("bad", "line 1\n") + " --ticks 1").exitCode, 3);
+  EXPECT_EQ(runProgram("sweep", fileWith("queries", "nothing\n")).exitCode, 3);
+  EXPECT_EQ(runProgram("run --ticks 5 " + levelFile()).exitCode, 0);
 }
 
 }  // namespace

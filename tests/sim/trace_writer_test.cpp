@@ -3,30 +3,23 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <sstream>
-
 #include "platon/physics/entity.h"
 #include "platon/physics/map_part.h"
 #include "tests/shared/physics/maps.h"
 #include "tests/shared/physics/shapes.h"
 #include "tests/sim/sim_options.h"
+#include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
 
 namespace platon::sim {
 namespace {
 
 using testing::HasSubstr;
 
-std::string contentOf(const std::string& path) {
-  std::ostringstream text;
-  text << std::ifstream(path).rdbuf();
-  return text.str();
-}
-
 class TraceWriterTest : public testing::Test {
  protected:
-  std::string path_ =
-      testing::TempDir() + "platon_trace_" + testing::UnitTest::GetInstance()->current_test_info()->name();
+  const TemporaryFolder folder_;
+  const std::string path_ = folder_ / "trace";
 };
 
 TEST_F(TraceWriterTest, ASceneIsOnePlane) {
@@ -45,7 +38,7 @@ TEST_F(TraceWriterTest, ASceneIsOnePlane) {
     trace.tick(2, 0xffffffffffffffffU);
   }
   EXPECT_EQ(
-      contentOf(path_),
+      readText(path_),
       "{\"solid\":\"PLANE\",\"subunits\":1024,\"shape\":[[-10,-10],[10,-10],[10,10],[-10,10]],\"faces\":"
       "[{\"face\":0,\"polygon\":[],\"lines\":[[-50,-20,50,-20],[17,8,17,8]],\"warps\":[]}]}\n"
       "{\"tick\":1,\"hash\":\"0000000000000abc\",\"players\":[{\"id\":0,\"legs\":["
@@ -64,7 +57,7 @@ TEST_F(TraceWriterTest, FurtherInstancesNameTheirWarp) {
     world.solve(&trace);
     trace.tick(1, 0);
   }
-  const std::string text = contentOf(path_);
+  const std::string text = readText(path_);
   EXPECT_THAT(text,
               HasSubstr("\"warps\":[{\"from\":[1000,-5000,1000,5000],\"to\":2,\"onto\":[-1000,-5000,-1000,5000]}]"));
   EXPECT_THAT(text, HasSubstr("[[{\"id\":0,\"face\":1,\"x\":950,\"y\":3,\"angle\":0},"
@@ -82,7 +75,7 @@ TEST_F(TraceWriterTest, TurnedShapesAreWrittenOut) {
     world.solve(&trace);
     trace.tick(1, 0);
   }
-  EXPECT_THAT(contentOf(path_), HasSubstr("\"angle\":4500,\"shape\":[[0,-14],[14,0],[0,14],[-14,0]]}"));
+  EXPECT_THAT(readText(path_), HasSubstr("\"angle\":4500,\"shape\":[[0,-14],[14,0],[0,14],[-14,0]]}"));
 }
 
 TEST_F(TraceWriterTest, EntitiesThatAreNowhereAreLeftOut) {
@@ -97,11 +90,11 @@ TEST_F(TraceWriterTest, EntitiesThatAreNowhereAreLeftOut) {
     world.solve(&trace);
     trace.tick(1, 0);
   }
-  EXPECT_THAT(contentOf(path_), HasSubstr("\"players\":[{\"id\":1,\"legs\":"));
+  EXPECT_THAT(readText(path_), HasSubstr("\"players\":[{\"id\":1,\"legs\":"));
 }
 
 TEST_F(TraceWriterTest, RefusesAPlaceThatCannotBeWritten) {
-  EXPECT_THROW(TraceWriter(testing::TempDir() + "no/such/folder/trace"), UsageError);
+  EXPECT_THROW(TraceWriter(folder_ / "no/such/folder/trace"), UsageError);
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/program.h"
+#include "tests/support/process.h"
 
 namespace platon {
 
@@ -18,29 +18,29 @@ class ServerTest : public testing::Test {
 
   void startServer(std::vector<std::string> options = {}) {
     options.insert(options.begin(), {kLevel, "--bind", "127.0.0.1", "--port", "0"});
-    server_ = std::make_unique<Program>("platon-server", options);
+    server_ = std::make_unique<Process>(platonCommand("platon-server", options));
     address_ = server_->waitForError("listening on ");
   }
 
-  /// Another one at the same address.
+  /// Starts a new server at the same address.
   void restartServer() {
     const std::string port = address_.substr(address_.find(':') + 1);
-    server_ = std::make_unique<Program>("platon-server",
-                                        std::vector<std::string>{kLevel, "--bind", "127.0.0.1", "--port", port});
+    server_ =
+        std::make_unique<Process>(platonCommand("platon-server", {kLevel, "--bind", "127.0.0.1", "--port", port}));
     server_->waitForError("listening on ");
   }
 
-  /// Ends the server, which has to go in good order.
+  /// Stops the server and expects exit code 0.
   void stopServer() {
     server_->signal(SIGTERM);
     EXPECT_EQ(server_->wait(), 0) << server_->errors();
   }
 
   const std::string& address() const { return address_; }
-  Program& server() { return *server_; }
+  Process& server() { return *server_; }
 
  private:
-  std::unique_ptr<Program> server_;
+  std::unique_ptr<Process> server_;
   std::string address_;
 };
 

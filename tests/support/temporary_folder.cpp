@@ -6,10 +6,10 @@
 
 #include <stdlib.h>
 
-namespace platon::oracle {
+namespace platon {
 
 TemporaryFolder::TemporaryFolder() {
-  std::string name = (std::filesystem::temp_directory_path() / "platon-check-XXXXXX").string();
+  std::string name = (std::filesystem::temp_directory_path() / "platon-test-XXXXXX").string();
   if (mkdtemp(name.data()) == nullptr) throw std::system_error(errno, std::generic_category(), name);
   path_ = name;
 }
@@ -19,4 +19,4 @@ TemporaryFolder::~TemporaryFolder() {
   std::filesystem::remove_all(path_, ignored);
 }
 
-}  // namespace platon::oracle
+}  // namespace platon

@@ -2,22 +2,23 @@
 
 #include <filesystem>
 
-namespace platon::oracle {
+namespace platon {
 
-/// A new folder for files that are needed only as long as this object lives.
+/// A new folder, deleted with its contents by the destructor.
 class TemporaryFolder {
  public:
-  /// Throws std::system_error when there is no room for it.
+  /// Throws std::system_error when the folder cannot be made.
   TemporaryFolder();
+  ~TemporaryFolder();
   TemporaryFolder(const TemporaryFolder&) = delete;
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  /// Removes it with all that is in it.
-  ~TemporaryFolder();
 
-  std::filesystem::path operator/(const char* name) const { return path_ / name; }
+  const std::filesystem::path& path() const { return path_; }
+  /// The path of a file or folder in it.
+  std::filesystem::path operator/(const std::filesystem::path& name) const { return path_ / name; }
 
  private:
   std::filesystem::path path_;
 };
 
-}  // namespace platon::oracle
+}  // namespace platon

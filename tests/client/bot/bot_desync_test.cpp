@@ -1,9 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
@@ -13,13 +10,13 @@
 #include "server/match/match.h"
 #include "server/net/host.h"
 #include "tests/sim/verification.h"
+#include "tests/support/files.h"
 #include "tests/support/input_flipper.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/support/test_level.h"
 
 namespace platon {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr const char* kLoopback = "127.0.0.1";
 
@@ -58,15 +55,9 @@ class LyingServer {
   InputFlipper flipper_{60, 0, {}};
 };
 
-std::string content(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
-
 // The server steps whenever the bots sleep.
 TEST(BotMismatch, IsWrittenToTheFolderAndPutRight) {
-  const fs::path folder = fs::path(testing::TempDir()) / "platon_bot_mismatches";
-  fs::remove_all(folder);
+  const TemporaryFolder folder;
   LyingServer server;
   const Clock clock{steadyClock().now, [&](Moment until) {
                       server.step();
@@ -74,7 +65,7 @@ TEST(BotMismatch, IsWrittenToTheFolderAndPutRight) {
                     }};
   FleetOptions options;
   options.seconds = 4;
-  options.desyncFolder = folder.string();
+  options.desyncFolder = folder.path();
   testing::internal::CaptureStderr();
   const std::vector<BotResult> results = BotFleet(options, server.address(), clock).play();
   const std::string said = testing::internal::GetCapturedStderr();
@@ -84,13 +75,11 @@ TEST(BotMismatch, IsWrittenToTheFolderAndPutRight) {
   EXPECT_EQ(results[0].ending, std::nullopt);
   EXPECT_TRUE(said.starts_with("platon-bot: bot 1: round 1: the game was not the server's after tick ")) << said;
   EXPECT_TRUE(said.ends_with(" on the server; see " + (folder / "desync-1.txt").string() + "\n")) << said;
-  EXPECT_NE(content(folder / "desync-1.txt").find("\n! entity 0 position"), std::string::npos);
-  const std::string recording = content(folder / "desync-1.recording");
-  const std::vector<std::uint8_t> bytes(recording.begin(), recording.end());
+  EXPECT_NE(readText(folder / "desync-1.txt").find("\n! entity 0 position"), std::string::npos);
+  const std::vector<std::uint8_t> bytes = readBytes(folder / "desync-1.recording");
   const sim::Verification found = sim::Verifier(bytes).run();
   EXPECT_EQ(found.fault, "");
   EXPECT_FALSE(found.divergence.has_value());
-  fs::remove_all(folder);
 }
 
 }  // namespace

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <iterator>
+
+#include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
 
 namespace platon {
 namespace {
@@ -14,16 +16,10 @@ const DesyncReport kReport{"it was wrong", "all about it\n", {1, 2, 3}};
 
 class MismatchFolderTest : public testing::Test {
  protected:
-  MismatchFolderTest() { fs::remove_all(folder_); }
-  ~MismatchFolderTest() override { fs::remove_all(folder_); }
+  std::string content(const char* name) const { return readText(folder_ / name); }
 
-  std::string content(const char* name) const {
-    std::ifstream file(folder_ / name, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  }
-
-  fs::path folder_ =
-      fs::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name() / "deep";
+  const TemporaryFolder temporary_;
+  const fs::path folder_ = temporary_ / "deep";
 };
 
 TEST_F(MismatchFolderTest, WritesNothingWithoutAFolder) {
@@ -54,8 +50,7 @@ TEST_F(MismatchFolderTest, NoReportNamesTheRecordingOfAnother) {
 }
 
 TEST_F(MismatchFolderTest, SaysWhyNothingCouldBeWritten) {
-  fs::create_directories(folder_.parent_path());
-  std::ofstream(folder_) << "a file";
+  writeText(folder_, "a file");
   const std::string said = DesyncFolder(folder_).keep(kReport);
   EXPECT_TRUE(said.ends_with(": Not a directory")) << said;
 }

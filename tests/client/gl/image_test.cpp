@@ -1,11 +1,12 @@
 #include "client/gl/image.h"
 
-#include <cstdio>
 #include <stdexcept>
 #include <string>
 
 #include <gtest/gtest.h>
 #include <stb/stb_image.h>
+
+#include "tests/support/temporary_folder.h"
 
 namespace platon {
 namespace {
@@ -18,13 +19,13 @@ TEST(Image, FlipRows) {
 
 TEST(Image, WritesWhatAReaderReads) {
   const Image image{2, 2, {255, 0, 0, 0, 255, 0, 0, 0, 255, 9, 8, 7}};
-  const std::string file = testing::TempDir() + "platon_image_test.png";
+  const TemporaryFolder folder;
+  const std::string file = folder / "image.png";
   writePng(image, file);
   int width = 0;
   int height = 0;
   int parts = 0;
   unsigned char* pixels = stbi_load(file.c_str(), &width, &height, &parts, 3);
-  std::remove(file.c_str());
   ASSERT_NE(pixels, nullptr);
   EXPECT_EQ(width, 2);
   EXPECT_EQ(height, 2);
@@ -33,7 +34,7 @@ TEST(Image, WritesWhatAReaderReads) {
 }
 
 TEST(Image, AFileThatCannotBeWrittenIsAnError) {
-  EXPECT_THROW(writePng(Image{1, 1, {1, 2, 3}}, testing::TempDir() + "no_such_folder/picture.png"), std::runtime_error);
+  EXPECT_THROW(writePng(Image{1, 1, {1, 2, 3}}, TemporaryFolder() / "no_such_folder/picture.png"), std::runtime_error);
 }
 
 }  // namespace

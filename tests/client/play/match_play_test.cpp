@@ -2,7 +2,6 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <optional>
 #include <string>
@@ -11,7 +10,9 @@
 #include "client/play/finish_watch.h"
 #include "client/play/scene_feed.h"
 #include "client/play/settings_file.h"
+#include "tests/support/files.h"
 #include "tests/support/pressing.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/support/test_level.h"
 #include "tests/support/virtual_match.h"
 
@@ -115,13 +116,9 @@ TEST(SceneFeed, TakesTheStageOfTheNextLevel) {
 
 class SettingsFileTest : public testing::Test {
  protected:
-  SettingsFileTest() : folder_(testing::TempDir() + "platon_settings_test") {
-    std::filesystem::remove_all(folder_);
-    setenv("XDG_CONFIG_HOME", folder_.c_str(), 1);
-  }
-  ~SettingsFileTest() override { std::filesystem::remove_all(folder_); }
+  SettingsFileTest() { setenv("XDG_CONFIG_HOME", folder_.path().c_str(), 1); }
 
-  std::string folder_;
+  const TemporaryFolder folder_;
 };
 
 TEST_F(SettingsFileTest, KeepsWhatWasSaved) {
@@ -135,8 +132,8 @@ TEST_F(SettingsFileTest, KeepsWhatWasSaved) {
 TEST_F(SettingsFileTest, HasTheUsualOnesWithoutAFile) { EXPECT_EQ(SettingsFile().load().text(), Settings().text()); }
 
 TEST_F(SettingsFileTest, TellsOfAMistakeAndGoesOn) {
-  std::filesystem::create_directories(folder_ + "/platon");
-  std::ofstream(folder_ + "/platon/settings") << "zoom enormous\n";
+  std::filesystem::create_directories(folder_ / "platon");
+  writeText(folder_ / "platon/settings", "zoom enormous\n");
   testing::internal::CaptureStderr();
   EXPECT_EQ(SettingsFile().load().text(), Settings().text());
   EXPECT_NE(testing::internal::GetCapturedStderr().find("zoom"), std::string::npos);

@@ -7,6 +7,8 @@
 #include <optional>
 #include <string>
 
+#include "tests/support/temporary_folder.h"
+
 namespace platon {
 namespace {
 
@@ -18,9 +20,6 @@ const SessionToken kOther{9};
 
 class SessionFileTest : public testing::Test {
  protected:
-  SessionFileTest() { fs::remove_all(folder_.parent_path()); }
-  ~SessionFileTest() override { fs::remove_all(folder_.parent_path()); }
-
   std::size_t files() const {
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
   }
@@ -33,8 +32,8 @@ class SessionFileTest : public testing::Test {
     SessionFile(folder_, server).keep(token);
   }
 
-  fs::path folder_ =
-      fs::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name() / "deep";
+  const TemporaryFolder temporary_;
+  const fs::path folder_ = temporary_ / "deep";
 };
 
 TEST_F(SessionFileTest, GivesWhatWasKept) {

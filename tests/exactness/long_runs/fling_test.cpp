@@ -3,10 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -20,6 +17,7 @@
 #include "tests/exactness/judge/step_checker.h"
 #include "tests/exactness/oracle/random_source.h"
 #include "tests/fuzz/fuzz_scene.h"
+#include "tests/support/files.h"
 
 namespace platon::long_runs {
 namespace {
@@ -137,17 +135,11 @@ class Flight {
   Tally tally_;
 };
 
-std::vector<Field> shippedLevels() {
-  std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator("levels")) {
-    if (entry.path().extension() == ".level") files.push_back(entry.path());
-  }
-  std::sort(files.begin(), files.end());
+std::vector<Field> fieldsOfShippedLevels() {
   std::vector<Field> fields;
-  for (const auto& file : files) {
-    std::ifstream stream(file, std::ios::binary);
-    const auto level = loadLevel(std::string(std::istreambuf_iterator<char>(stream), {})).level;
-    if (level) fields.push_back({file.filename().string(), level->world, playerShape(), level->solid, level->faceSize});
+  for (const std::string& file : shippedLevels()) {
+    const auto level = loadLevel(readText(file)).level;
+    if (level) fields.push_back({file, level->world, playerShape(), level->solid, level->faceSize});
   }
   return fields;
 }
@@ -177,7 +169,7 @@ void report(const Tally& total) {
 }
 
 TEST(FlingTest, OverTheShippedLevels) {
-  const std::vector<Field> fields = shippedLevels();
+  const std::vector<Field> fields = fieldsOfShippedLevels();
   ASSERT_GE(fields.size(), 5u);
   RandomSource random(kSeed);
   Tally total;

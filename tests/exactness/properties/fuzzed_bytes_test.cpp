@@ -3,9 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
@@ -14,6 +11,7 @@
 #include "tests/fuzz/byte_source.h"
 #include "tests/fuzz/fuzz_scene.h"
 #include "tests/fuzz/fuzz_targets.h"
+#include "tests/support/files.h"
 
 namespace platon::properties {
 namespace {
@@ -67,20 +65,6 @@ TEST(FuzzedBytesTest, EveryMessageAndSavedGame) {
   });
 }
 
-std::vector<std::string> shippedLevels() {
-  std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator("levels")) {
-    if (entry.path().extension() == ".level") files.push_back(entry.path());
-  }
-  std::sort(files.begin(), files.end());
-  std::vector<std::string> texts;
-  for (const auto& file : files) {
-    std::ifstream stream(file, std::ios::binary);
-    texts.emplace_back(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
-  }
-  return texts;
-}
-
 // One digit for another most of the time, so that many remain levels.
 void edit(std::string& text, RandomSource& random) {
   constexpr std::string_view letters = "0123456789 -.\n%#AEH";
@@ -96,7 +80,8 @@ void edit(std::string& text, RandomSource& random) {
 }
 
 TEST(FuzzedBytesTest, EveryLevel) {
-  const std::vector<std::string> levels = shippedLevels();
+  std::vector<std::string> levels;
+  for (const std::string& file : shippedLevels()) levels.push_back(readText(file));
   ASSERT_GE(levels.size(), 5u);
   constexpr std::int64_t cases = 1500;
   std::int64_t accepted = 0;

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 
 #include "platon/physics/entity.h"
@@ -12,6 +10,7 @@
 #include "platon/physics/step_observer.h"
 #include "platon/physics/world.h"
 #include "tests/exactness/reference/exact_mover.h"
+#include "tests/support/files.h"
 
 namespace platon::reference {
 namespace {
@@ -65,11 +64,6 @@ class LatticeMover : public StepObserver {
   double most_ = 0;
 };
 
-std::string contentOf(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
-
 }  // namespace
 
 std::vector<LatticeError> latticeErrors(const std::string& name, const ExactScene& scene,
@@ -90,15 +84,13 @@ std::vector<LatticeError> latticeErrors(const std::string& name, const ExactScen
 
 std::vector<std::pair<std::string, ExactScene>> allScenes() {
   std::vector<std::pair<std::string, ExactScene>> scenes;
-  for (const auto& entry : std::filesystem::directory_iterator("tests/exactness/reference/scenes")) {
-    const auto& path = entry.path();
+  for (const std::string& file : filesIn("tests/exactness/reference/scenes", ".scene")) {
     try {
-      scenes.emplace_back(path.stem().string(), readScene(contentOf(path)));
+      scenes.emplace_back(std::filesystem::path(file).stem().string(), readScene(readText(file)));
     } catch (const std::runtime_error& error) {
-      throw std::runtime_error(path.string() + ": " + error.what());
+      throw std::runtime_error(file + ": " + error.what());
     }
   }
-  std::sort(scenes.begin(), scenes.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   return scenes;
 }
 

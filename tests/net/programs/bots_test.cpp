@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/program.h"
+#include "tests/support/process.h"
 #include "tests/support/server_fixture.h"
 
 namespace platon {
@@ -55,7 +55,7 @@ class Bots : public ServerTest {
   std::map<std::string, double> play(std::vector<std::string> options) {
     options.insert(options.begin(), address());
     options.push_back("--json");
-    Program bots("platon-bot", options);
+    Process bots(platonCommand("platon-bot", options));
     EXPECT_EQ(bots.wait(), 0) << bots.errors();
     return numbersOf(bots.output());
   }
@@ -76,7 +76,8 @@ TEST_F(Bots, StayInStepOnAPerfectLine) {
 
 TEST_F(Bots, HollowOnesPlayAmongOthers) {
   startServer();
-  Program hollow("platon-bot", {address(), "--count", "8", "--seconds", "7", "--hollow", "--delay", "30", "--json"});
+  Process hollow(platonCommand("platon-bot",
+                               {address(), "--count", "8", "--seconds", "7", "--hollow", "--delay", "30", "--json"}));
   const auto numbers = play({"--count", "2", "--seconds", "6", "--settle", "3"});
   EXPECT_EQ(numbers.at("failed"), 0);
   EXPECT_GT(numbers.at("confirmedTicks"), 0);

@@ -1,39 +1,22 @@
 #include <gtest/gtest.h>
 
-#include <cstdio>
-#include <fstream>
-#include <iterator>
 #include <string>
 
-#include "tests/support/program.h"
+#include "tests/support/files.h"
+#include "tests/support/process.h"
 #include "tests/support/server_fixture.h"
+#include "tests/support/temporary_folder.h"
 
 namespace platon {
 namespace {
-
-// Removes the file when the test is over.
-class Picture {
- public:
-  explicit Picture(const std::string& name) : path_(testing::TempDir() + name) { std::remove(path_.c_str()); }
-  ~Picture() { std::remove(path_.c_str()); }
-
-  const std::string& path() const { return path_; }
-  std::string bytes() const {
-    std::ifstream file(path_, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  }
-
- private:
-  std::string path_;
-};
 
 class Play : public ServerTest {};
 
 TEST_F(Play, TwoDemosFinishALevelAtOnce) {
   startServer();
-  Program ann("platon-client", {address(), "--offscreen", "--demo", "--name", "Ann", "--seconds", "40"});
-  Program bob("platon-client", {address(), "--offscreen", "--demo", "--name", "Bob", "--seconds", "40"});
-  for (Program* client : {&ann, &bob}) {
+  Process ann(platonCommand("platon-client", {address(), "--offscreen", "--demo", "--name", "Ann", "--seconds", "40"}));
+  Process bob(platonCommand("platon-client", {address(), "--offscreen", "--demo", "--name", "Bob", "--seconds", "40"}));
+  for (Process* client : {&ann, &bob}) {
     EXPECT_NE(client->waitForOutput("finished First steps in ", std::chrono::seconds(45)).find(" s"),
               std::string::npos);
     client->signal(SIGTERM);
@@ -44,20 +27,21 @@ TEST_F(Play, TwoDemosFinishALevelAtOnce) {
 }
 
 TEST_F(Play, ServerOfOnesOwnAndAPicture) {
-  const Picture picture("platon_play_test.png");
-  Program client("platon-client",
-                 {"--level", kLevel, "--offscreen", "--demo", "--seconds", "4", "--screenshot", picture.path()});
+  const TemporaryFolder folder;
+  const std::string picture = folder / "picture.png";
+  Process client(platonCommand(
+      "platon-client", {"--level", kLevel, "--offscreen", "--demo", "--seconds", "4", "--screenshot", picture}));
   EXPECT_EQ(client.wait(), 0) << client.errors();
-  EXPECT_NE(client.output().find(picture.path()), std::string::npos) << client.output();
+  EXPECT_NE(client.output().find(picture), std::string::npos) << client.output();
   EXPECT_EQ(client.errors(), "");
-  const std::string bytes = picture.bytes();
+  const std::string bytes = readText(picture);
   EXPECT_GT(bytes.size(), 20000u);  // an empty sky compresses better
   EXPECT_EQ(bytes.substr(0, 4), "\x89PNG");
 }
 
 TEST_F(Play, OutlivesARestartOfTheServer) {
   startServer();
-  Program client("platon-client", {address(), "--offscreen", "--demo", "--seconds", "60"});
+  Process client(platonCommand("platon-client", {address(), "--offscreen", "--demo", "--seconds", "60"}));
   client.waitForOutput("finished", std::chrono::seconds(45));
   stopServer();
   client.waitForError("platon-client: the server ended the game: the server stops; trying again");
@@ -71,7 +55,7 @@ TEST_F(Play, OutlivesARestartOfTheServer) {
 
 TEST_F(Play, SaysAtTheEndThatTheServerIsGone) {
   startServer();
-  Program client("platon-client", {address(), "--offscreen", "--seconds", "6"});
+  Process client(platonCommand("platon-client", {address(), "--offscreen", "--seconds", "6"}));
   server().waitForError("joined");
   stopServer();
   EXPECT_EQ(client.wait(), 1);
@@ -81,9 +65,9 @@ TEST_F(Play, SaysAtTheEndThatTheServerIsGone) {
 
 TEST_F(Play, IsRefusedByAFullServer) {
   startServer({"--max-players", "1"});
-  Program first("platon-client", {address(), "--offscreen", "--demo", "--seconds", "60"});
+  Process first(platonCommand("platon-client", {address(), "--offscreen", "--demo", "--seconds", "60"}));
   first.waitForOutput("finished", std::chrono::seconds(45));
-  Program second("platon-client", {address(), "--offscreen", "--seconds", "10"});
+  Process second(platonCommand("platon-client", {address(), "--offscreen", "--seconds", "10"}));
   EXPECT_EQ(second.wait(), 1);
   EXPECT_NE(second.errors().find("the server is full"), std::string::npos) << second.errors();
   first.signal(SIGINT);

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/program.h"
+#include "tests/support/process.h"
 
 namespace platon {
 namespace {
@@ -23,7 +23,7 @@ class Refused : public testing::TestWithParam<Refusal> {};
 
 TEST_P(Refused, InOneLineWithItsExitCode) {
   const Refusal& refusal = GetParam();
-  Program program(refusal.program, refusal.arguments);
+  Process program(platonCommand(refusal.program, refusal.arguments));
   EXPECT_EQ(program.wait(), refusal.exitCode) << program.errors();
   const std::string errors = program.errors();
   EXPECT_NE(errors.find(refusal.says), std::string::npos) << errors;
@@ -60,17 +60,17 @@ INSTANTIATE_TEST_SUITE_P(All, Refused, testing::ValuesIn(kRefusals),
                          [](const testing::TestParamInfo<Refusal>& test) { return test.param.what; });
 
 TEST(Programs, TellEverythingThatIsWrongWithALevel) {
-  Program program("platon-client", {"--offscreen", "--level", "LICENSE"});
+  Process program(platonCommand("platon-client", {"--offscreen", "--level", "LICENSE"}));
   EXPECT_EQ(program.wait(), 3);
   EXPECT_EQ(program.errors().rfind("LICENSE:1:1: error: ", 0), 0u) << program.errors();
 }
 
 TEST(Programs, TellTheirVersionAndHelp) {
   for (const char* const name : {"platon-client", "platon-bot", "platon-server"}) {
-    Program version(name, {"--version"});
+    Process version(platonCommand(name, {"--version"}));
     EXPECT_EQ(version.wait(), 0);
     EXPECT_EQ(version.output().rfind(name, 0), 0u) << version.output();
-    Program help(name, {"--help"});
+    Process help(platonCommand(name, {"--help"}));
     EXPECT_EQ(help.wait(), 0);
     EXPECT_NE(help.output().find("--version"), std::string::npos) << help.output();
     EXPECT_EQ(help.errors(), "");

@@ -9,8 +9,9 @@
 #include <thread>
 #include <vector>
 
-#include "tests/support/program.h"
+#include "tests/support/process.h"
 #include "tests/support/server_fixture.h"
+#include "tests/support/temporary_folder.h"
 
 namespace platon {
 namespace {
@@ -20,11 +21,7 @@ using std::chrono::seconds;
 
 class Return : public ServerTest {
  protected:
-  Return() {
-    fs::remove_all(data_);
-    setenv("XDG_DATA_HOME", data_.c_str(), 1);
-  }
-  ~Return() override { fs::remove_all(data_); }
+  Return() { setenv("XDG_DATA_HOME", data_.path().c_str(), 1); }
 
   std::vector<std::string> client(const std::string& name) const {
     return {address(), "--offscreen", "--name", name, "--seconds", "60"};
@@ -53,7 +50,7 @@ class Return : public ServerTest {
 
   // Until the program has written down what it needs to come back.
   void waitForFile() const {
-    const fs::path folder = data_ / "platon" / "sessions";
+    const fs::path folder = data_ / "platon/sessions";
     const auto isWritten = [](const auto& entry) { return entry.file_size() > 0; };
     const auto end = std::chrono::steady_clock::now() + seconds(20);
     while (std::chrono::steady_clock::now() < end) {
@@ -64,20 +61,20 @@ class Return : public ServerTest {
   }
 
   // Who leaves before it plays has failed.
-  static void leave(Program& program) {
+  static void leave(Process& program) {
     std::this_thread::sleep_for(seconds(2));
     program.signal(SIGTERM);
     EXPECT_EQ(program.wait(), 0) << program.errors();
   }
 
-  fs::path data_ = fs::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const TemporaryFolder data_;
 };
 
 TEST_F(Return, AfterTheServerStoodStill) {
   startServer();
-  Program ann("platon-client", client("Ann"));
+  Process ann(platonCommand("platon-client", client("Ann")));
   waitForPlayers({"Ann"});
-  Program bots("platon-bot", {address(), "--count", "1", "--seconds", "14", "--json"});
+  Process bots(platonCommand("platon-bot", {address(), "--count", "1", "--seconds", "14", "--json"}));
   server().waitForError("joined client=2");
   server().signal(SIGSTOP);
   ann.waitForError("trying again");
@@ -94,30 +91,30 @@ TEST_F(Return, AfterTheServerStoodStill) {
 
 TEST_F(Return, OfAProgramThatWasKilled) {
   startServer();
-  Program ben("platon-client", client("Ben"));
+  Process ben(platonCommand("platon-client", client("Ben")));
   waitForPlayers({"Ben"});
-  Program ann("platon-client", client("Ann"));
+  Process ann(platonCommand("platon-client", client("Ann")));
   waitForPlayers({"Ben", "Ann"});
   EXPECT_EQ(slotIn("joined", "Ben"), 0);
   EXPECT_EQ(slotIn("joined", "Ann"), 1);  // two programs, two players
   waitForFile();
   ben.signal(SIGKILL);
   EXPECT_EQ(ben.wait(), 128 + SIGKILL);
-  Program again("platon-client", client("Ben"));
+  Process again(platonCommand("platon-client", client("Ben")));
   server().waitForError("returned");
   EXPECT_EQ(slotIn("returned", "Ben"), 0);
   EXPECT_EQ(slotIn("returned", "Ann"), -1);
   leave(again);
   leave(ann);
   EXPECT_EQ(again.output() + again.errors() + ann.output() + ann.errors(), "");
-  EXPECT_TRUE(fs::is_empty(data_ / "platon" / "sessions"));
+  EXPECT_TRUE(fs::is_empty(data_ / "platon/sessions"));
   stopServer();
 }
 
 TEST_F(Return, NotOfOneThatHasLeft) {
   startServer();
   for (int i = 0; i < 2; ++i) {
-    Program ann("platon-client", client("Ann"));
+    Process ann(platonCommand("platon-client", client("Ann")));
     server().waitForError("joined client=" + std::to_string(i + 1));
     leave(ann);
   }

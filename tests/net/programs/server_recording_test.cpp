@@ -7,8 +7,9 @@
 #include <thread>
 #include <vector>
 
-#include "tests/support/program.h"
+#include "tests/support/process.h"
 #include "tests/support/server_fixture.h"
+#include "tests/support/temporary_folder.h"
 
 namespace platon {
 namespace {
@@ -18,12 +19,10 @@ namespace fs = std::filesystem;
 /// A server that records into a folder of its own.
 class Recordings : public ServerTest {
  protected:
-  Recordings() { fs::remove_all(folder_); }
-  ~Recordings() override { fs::remove_all(folder_); }
-
   void letBotsPlay() {
     startServer({"--record", folder_.string()});
-    Program bots("platon-bot", {address(), "--count", "3", "--seconds", "4", "--seed", "5", "--jitter", "20"});
+    Process bots(
+        platonCommand("platon-bot", {address(), "--count", "3", "--seconds", "4", "--seed", "5", "--jitter", "20"}));
     EXPECT_EQ(bots.wait(), 0) << bots.errors();
   }
 
@@ -33,19 +32,19 @@ class Recordings : public ServerTest {
     return found;
   }
 
-  fs::path folder_ =
-      fs::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name() / "games";
+  const TemporaryFolder temporary_;
+  const fs::path folder_ = temporary_ / "games";
 };
 
 TEST_F(Recordings, AreWholeWhenTheServerIsStopped) {
   letBotsPlay();
-  Program late("platon-bot", {address(), "--count", "1", "--seconds", "20"});
+  Process late(platonCommand("platon-bot", {address(), "--count", "1", "--seconds", "20"}));
   std::this_thread::sleep_for(std::chrono::seconds(2));
   stopServer();
   const std::vector<std::string> found = files();
   EXPECT_EQ(found.size(), 2u);  // of those who came first, and after them
   for (const std::string& file : found) {
-    Program verify("platon-sim", {"verify", file});
+    Process verify(platonCommand("platon-sim", {"verify", file}));
     EXPECT_EQ(verify.wait(), 0) << verify.errors();
     EXPECT_NE(server().errors().find("recording finished file=\"" + file + "\" ticks="), std::string::npos)
         << server().errors();
@@ -54,13 +53,13 @@ TEST_F(Recordings, AreWholeWhenTheServerIsStopped) {
 
 TEST_F(Recordings, AreGoodUpToWhereAServerWasKilled) {
   startServer({"--record", folder_.string()});
-  Program bots("platon-bot", {address(), "--count", "3", "--seconds", "20", "--seed", "5"});
+  Process bots(platonCommand("platon-bot", {address(), "--count", "3", "--seconds", "20", "--seed", "5"}));
   std::this_thread::sleep_for(std::chrono::seconds(4));
   server().signal(SIGKILL);
   EXPECT_EQ(server().wait(), 128 + SIGKILL);
   const std::vector<std::string> found = files();
   ASSERT_EQ(found.size(), 1u);
-  Program verify("platon-sim", {"verify", found[0]});
+  Process verify(platonCommand("platon-sim", {"verify", found[0]}));
   EXPECT_EQ(verify.wait(), 3) << verify.errors();
   EXPECT_NE(verify.errors().find("the recording ends here"), std::string::npos) << verify.errors();
   EXPECT_NE(verify.output().find("\nfirst tick 0\n"), std::string::npos) << verify.output();

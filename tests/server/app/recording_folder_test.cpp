@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <csignal>
-#include <fstream>
-#include <iterator>
 #include <vector>
 
 #include "protocol/program_error.h"
+#include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
 
 namespace platon {
 namespace {
@@ -21,22 +21,16 @@ constexpr RecordingFolder::Time kTime{std::chrono::seconds(1795284301)};  // 202
 /// A folder for one test, which is not there yet.
 class RecordingFolderTest : public testing::Test {
  protected:
-  RecordingFolderTest() { fs::remove_all(folder_); }
-  ~RecordingFolderTest() override { fs::remove_all(folder_); }
-
   std::vector<std::string> names() const {
     std::vector<std::string> found;
     for (const auto& entry : fs::directory_iterator(folder_)) found.push_back(entry.path().filename().string());
     std::sort(found.begin(), found.end());
     return found;
   }
-  std::string content(const std::string& name) const {
-    std::ifstream file(folder_ / name, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  }
+  std::string content(const std::string& name) const { return readText(folder_ / name); }
 
-  fs::path folder_ =
-      fs::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name() / "deep";
+  const TemporaryFolder temporary_;
+  const fs::path folder_ = temporary_ / "deep";
   std::vector<std::string> lines_;
   Log log_{LogFormat::kText, [this](std::string_view line) { lines_.emplace_back(line); }};
 };
@@ -74,8 +68,7 @@ TEST_F(RecordingFolderTest, WritesOverNothing) {
 }
 
 TEST_F(RecordingFolderTest, RefusesWhereNothingCanBeWritten) {
-  fs::create_directories(folder_.parent_path());
-  std::ofstream(folder_) << "a file";
+  writeText(folder_, "a file");
   try {
     RecordingFolder folder(folder_ / "games");
     FAIL();

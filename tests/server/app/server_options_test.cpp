@@ -7,6 +7,8 @@
 
 #include "protocol/program_error.h"
 #include "server/app/level_files.h"
+#include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/support/test_levels.h"
 
 namespace platon {
@@ -28,19 +30,14 @@ std::string fault(Call call) {
   }
 }
 
-/// A folder for one test.
 class OptionsTest : public testing::Test {
  protected:
-  OptionsTest() { std::filesystem::create_directories(folder_); }
-  ~OptionsTest() override { std::filesystem::remove_all(folder_); }
-
   std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name) << text;
-    return (folder_ / name).string();
+    writeText(folder_ / name, text);
+    return folder_ / name;
   }
 
-  std::filesystem::path folder_ =
-      std::filesystem::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name();
+  const TemporaryFolder folder_;
 };
 
 TEST_F(OptionsTest, DefaultsAreThoseOfTheManual) {

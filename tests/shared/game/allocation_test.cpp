@@ -105,7 +105,7 @@ TEST(TurningAllocationTest, AShapeThatHasBeenAllRoundTurnsOnWithoutAny) {
   EXPECT_EQ(turnRound(), 0u);
 }
 
-INSTANTIATE_TEST_SUITE_P(Shipped, AllocationTest, testing::ValuesIn(sim::shippedLevels()),
+INSTANTIATE_TEST_SUITE_P(Shipped, AllocationTest, testing::ValuesIn(shippedLevels()),
                          [](const auto& file) { return sim::testName(file.param); });
 
 }  // namespace

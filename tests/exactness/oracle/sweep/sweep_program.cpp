@@ -1,15 +1,18 @@
 #include "tests/exactness/oracle/sweep/sweep_program.h"
 
-#include <fstream>
-#include <stdexcept>
+#include <chrono>
+#include <sstream>
 
-#include "tests/support/child_process.h"
+#include "tests/support/files.h"
+#include "tests/support/process.h"
 
 namespace platon::oracle {
 namespace {
 
-std::vector<std::string> linesOf(const std::filesystem::path& file) {
-  std::ifstream stream(file);
+constexpr std::chrono::hours kLimit{1};
+
+std::vector<std::string> linesOf(const std::string& text) {
+  std::istringstream stream(text);
   std::vector<std::string> lines;
   for (std::string line; std::getline(stream, line);) lines.push_back(line);
   return lines;
@@ -18,14 +21,12 @@ std::vector<std::string> linesOf(const std::filesystem::path& file) {
 }  // namespace
 
 ProgramResult SweepProgram::run(const std::string& input) const {
-  const Redirections files{folder_ / "queries", folder_ / "answers", folder_ / "errors"};
-  if (!(std::ofstream(files.input, std::ios::binary) << input << std::flush))
-    throw std::runtime_error("cannot write " + files.input);
-  ProgramResult result;
-  result.exitCode = ChildProcess({program_, "sweep"}, files).wait();
-  result.output = linesOf(files.output);
-  result.errors = linesOf(files.errors);
-  return result;
+  ProcessOptions options;
+  options.inputFile = folder_ / "queries";
+  writeText(options.inputFile, input);
+  Process process({program_, "sweep"}, options);
+  const int exitCode = process.wait(kLimit);
+  return {exitCode, linesOf(process.output()), linesOf(process.errors())};
 }
 
 }  // namespace platon::oracle

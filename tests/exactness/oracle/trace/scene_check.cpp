@@ -1,12 +1,11 @@
 #include <charconv>
-#include <fstream>
 #include <iostream>
 #include <optional>
-#include <stdexcept>
 #include <string_view>
 
 #include "tests/exactness/oracle/trace/random_scene.h"
 #include "tests/exactness/oracle/trace/traced_run.h"
+#include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 
 namespace platon::oracle {
@@ -42,7 +41,7 @@ void checkScene(const std::string& program, const std::string& file, std::int64_
   RandomSource random(seed);
   const Scene scene = makeScene(random);
   const std::int64_t speed = std::max<std::int64_t>(1, (scene.scale / 8) << random.between(0, kSpeedRange));
-  if (!(std::ofstream(file) << toText(scene) << std::flush)) throw std::runtime_error("cannot write " + file);
+  writeText(file, toText(scene));
   const auto [report, exitCode] = runTraced(command(program, file, ticks, seed, speed));
   tally.legs += report.legs;
   tally.playerTicks += report.playerTicks;

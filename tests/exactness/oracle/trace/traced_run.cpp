@@ -10,7 +10,7 @@
 #include <unistd.h>
 
 #include "tests/exactness/oracle/trace/trace_checker.h"
-#include "tests/support/child_process.h"
+#include "tests/support/process.h"
 
 namespace platon::oracle {
 namespace {
@@ -37,11 +37,14 @@ TracedRun runTraced(std::vector<std::string> arguments) {
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
   arguments.insert(arguments.end(), {"--trace", "/dev/fd/" + std::to_string(ends[1])});
-  ChildProcess child(arguments, {}, ends[1]);
+  ProcessOptions options;
+  options.captureOutput = false;
+  options.inheritedDescriptor = ends[1];
+  Process program(arguments, options);
   close(ends[1]);
   TraceChecker checker;
   checkStream(ends[0], checker);
-  const int exitCode = child.wait();
+  const int exitCode = program.wait();
   return {checker.report(), exitCode};
 }
 
