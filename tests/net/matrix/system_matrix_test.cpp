@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <string>
 #include <tuple>
+#include <vector>
 
 #include "tests/support/pressing.h"
 #include "tests/support/test_level.h"
@@ -110,10 +112,22 @@ std::string nameOf(const testing::TestParamInfo<Matrix::ParamType>& test) {
   return "Loss" + whole(loss) + "Delay" + whole(delay) + "Jitter" + whole(jitter);
 }
 
-INSTANTIATE_TEST_SUITE_P(Lines, Matrix,
-                         testing::Combine(testing::Values(0.0, 2.0, 10.0, 20.0), testing::Values(0.0, 50.0, 200.0),
-                                          testing::Values(0.0, 20.0, 100.0)),
-                         nameOf);
+using Conditions = Matrix::ParamType;
+
+std::vector<Conditions> allConditions() {
+  std::vector<Conditions> all;
+  for (const double loss : {0.0, 2.0, 10.0, 20.0})
+    for (const double delay : {0.0, 50.0, 200.0})
+      for (const double jitter : {0.0, 20.0, 100.0}) all.emplace_back(loss, delay, jitter);
+  return all;
+}
+
+// The corners of the matrix that are hardest for each of the limits above.
+const std::vector<Conditions> kCorners = {{0, 0, 0},     {0, 200, 100}, {2, 0, 100},    {2, 200, 0},
+                                          {2, 200, 100}, {10, 0, 100},  {10, 200, 100}, {20, 200, 100}};
+
+INSTANTIATE_TEST_SUITE_P(NetworkConditions, Matrix,
+                         testing::ValuesIn(std::getenv("PLATON_LONG") != nullptr ? allConditions() : kCorners), nameOf);
 
 }  // namespace
 }  // namespace platon
