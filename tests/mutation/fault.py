@@ -1,4 +1,4 @@
-"""What a deliberate fault is."""
+"""The description of a deliberate fault."""
 
 from dataclasses import dataclass
 
@@ -8,7 +8,8 @@ PUBLIC_PHYSICS = "shared/include/platon/physics/"
 
 @dataclass(frozen=True)
 class Fault:
-    """`original` occurs once in `file`. `test` is Suite.Test. The usual ones, of every part a few, are tried for every change."""
+    """Replaces the only occurrence of `original` in `file`. `breaks` says what goes wrong; `test`, as Suite.Test, must fail.
+    The usual faults, a few of every part, are tried with every change, the others only with --all."""
 
     name: str
     file: str

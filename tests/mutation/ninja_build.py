@@ -1,4 +1,4 @@
-"""A build directory of Ninja, read only: test programs with changed sources are made out of it, but not in it."""
+"""Builds test programs with changed sources from the commands of a Ninja build, without writing into its directory."""
 
 import os
 import shlex
@@ -8,18 +8,18 @@ from pathlib import Path
 
 
 class BuildError(Exception):
-    """The build directory is none, or not the one of this tree as it is now."""
+    """The directory is not a Ninja build, or not up to date with the tree."""
 
 
 class Program:
-    """How one program is made: the commands that compile its objects, those of its libraries too, and that link it."""
+    """The commands that compile the objects of a program and of its libraries, and the command that links it."""
 
     def __init__(self, commands):
         self.objects = {}
         for command in map(shlex.split, commands[:-1]):
             if "-c" in command and "-o" in command:
                 self.objects[following(command, "-o")] = command
-        # Ninja's link command is ": && LINKER … && :", with a step of its own between the two where one is added.
+        # Ninja's link command is ": && LINKER … && :"; a custom build step comes after the linker.
         self.link = shlex.split(commands[-1].removeprefix(": && ").split(" && ")[0])
         self.path = following(self.link, "-o")
 
@@ -29,7 +29,7 @@ def following(command, option):
 
 
 def without_dependency_files(command):
-    """The command writes nothing but its output."""
+    """The command without the options that write further files."""
     left = []
     for word in command:
         if "--dependency-file=" in word:
@@ -48,7 +48,7 @@ class NinjaBuild:
         self._root = root.resolve()
         self._programs = {}
         if not (self._directory / "build.ninja").is_file():
-            raise BuildError(f"{directory} holds no build.ninja: build with the generator Ninja, as the presets do")
+            raise BuildError(f"{directory} has no build.ninja: build with a preset, which uses Ninja")
 
     def program(self, name):
         if name not in self._programs:
@@ -59,7 +59,7 @@ class NinjaBuild:
         return self._directory / self.program(name).path
 
     def require_up_to_date(self, name):
-        """Objects of another state of the tree could fail for a reason of their own."""
+        """Raises BuildError if a source is newer than the program."""
         program = self.program(name)
         executable = self.executable(name)
         if not executable.is_file():
@@ -70,9 +70,9 @@ class NinjaBuild:
                 raise BuildError(f"{name} is older than {source}: build first")
 
     def with_overlay(self, name, file, overlay):
-        """Compiles what depends on `file`, which is taken from `overlay`, and links the program with it.
+        """Compiles the sources that depend on `file`, which is taken from the folder `overlay`, and links the program.
 
-        Returns the program, in `overlay` too; None when it does not build.
+        Returns the path of the program in `overlay`, or None if it does not build.
         """
         program = self.program(name)
         changed = {}
@@ -83,20 +83,21 @@ class NinjaBuild:
             if not self._run(self._compile(command, changed[unit], file, overlay)):
                 return None
         if not changed:
-            raise BuildError(f"{name} is built without {file}")
+            raise BuildError(f"{name} does not depend on {file}")
         return overlay / "program" if self._run(self._link(program, changed, overlay / "program")) else None
 
     def _compile(self, command, output, file, overlay):
-        """Quoted includes are sought in the overlay first. Warnings are of no interest."""
+        """Finds quoted includes in the overlay first; without warnings, and without optimisation that costs time."""
         command = without_dependency_files(command)
         command[command.index("-o") + 1] = output
         source = command.index("-c") + 1
         if self._absolute(command[source]) == str(self._root / file):
             command[source] = str(overlay / file)
-        return command + ["-w", "-iquote", str(overlay), "-iquote", str(overlay / "shared/include")]
+        command = [word for word in command if word.split("=")[0] not in ("-flto", "-ffat-lto-objects")]
+        return command + ["-w", "-O1", "-iquote", str(overlay), "-iquote", str(overlay / "shared/include")]
 
     def _link(self, program, changed, output):
-        """A library's object that is named itself, before the library, takes the place of the one inside."""
+        """Names changed objects before the libraries, where they replace those inside."""
         command = without_dependency_files(program.link)
         command[command.index("-o") + 1] = str(output)
         named = [changed[unit] for unit in changed if unit not in command]
@@ -106,7 +107,7 @@ class NinjaBuild:
 
     @cached_property
     def _sources(self):
-        """Of each object, the files that it was compiled from."""
+        """{object: files it was compiled from}"""
         sources = {}
         for entry in self._ninja("deps").split("\n\n"):
             unit, *files = entry.strip().splitlines() or [""]
