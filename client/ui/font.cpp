@@ -5,6 +5,8 @@
 
 #include <stb/stb_truetype.h>
 
+#include "platon/game/utf8.h"
+
 // The assembler puts the file of the typeface into the program as it is.
 __asm__(
     ".section .rodata\n"
@@ -23,36 +25,6 @@ namespace {
 constexpr float kSamplesPerLine = 36;  // resolution of the fields
 constexpr int kPadding = 5;            // samples around the outline
 constexpr float kSlope = 24;           // change of distance value a sample
-constexpr char32_t kReplacement = 0xFFFD;
-
-// Bytes of the sequence that starts with `lead`; 0 when none does.
-std::size_t sequenceLength(unsigned char lead) {
-  if (lead < 0x80) return 1;
-  if (lead >= 0xC2 && lead < 0xE0) return 2;
-  if (lead >= 0xE0 && lead < 0xF0) return 3;
-  return lead >= 0xF0 && lead < 0xF5 ? 4 : 0;
-}
-
-bool isSurrogateOrOverlong(char32_t point, std::size_t length) {
-  const bool overlong = (length == 3 && point < 0x800) || (length == 4 && point < 0x10000);
-  return overlong || (point >= 0xD800 && point < 0xE000) || point > 0x10FFFF;
-}
-
-// Takes one code point off the front of `rest`, which is not empty.
-char32_t takeCodePoint(std::string_view& rest) {
-  const auto lead = static_cast<unsigned char>(rest[0]);
-  const std::size_t length = sequenceLength(lead);
-  char32_t point = length < 2 ? lead : lead & (0x7FU >> length);
-  bool good = length != 0 && length <= rest.size();
-  for (std::size_t i = 1; good && i < length; ++i) {
-    const auto next = static_cast<unsigned char>(rest[i]);
-    good = (next & 0xC0U) == 0x80U;
-    point = point << 6 | (next & 0x3FU);
-  }
-  good = good && !isSurrogateOrOverlong(point, length);
-  rest.remove_prefix(good ? length : 1);
-  return good ? point : kReplacement;
-}
 
 }  // namespace
 
@@ -60,8 +32,7 @@ std::u32string codePointsOf(std::string_view utf8) {
   std::u32string points;
   while (!utf8.empty()) {
     const char32_t point = takeCodePoint(utf8);
-    const bool control = point < 0x20 || (point >= 0x7F && point < 0xA0);
-    if (!control) points.push_back(point);
+    if (!isControlCharacter(point)) points.push_back(point);
   }
   return points;
 }

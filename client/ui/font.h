@@ -12,7 +12,7 @@ struct stbtt_fontinfo;
 
 namespace platon {
 
-/// The code points of UTF-8 text. A byte that fits nowhere becomes U+FFFD; control characters are left out.
+/// The code points of a UTF-8 text without its control characters. A malformed byte becomes U+FFFD.
 std::u32string codePointsOf(std::string_view utf8);
 
 /// The one typeface of the game, DejaVu Sans Bold, which is part of the program. Sizes count from the baseline of one
