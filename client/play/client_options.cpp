@@ -14,6 +14,29 @@ namespace platon {
 
 namespace {
 
+void describeFrameOptions(CLI::App& app, FrameOptions& frames) {
+  const char* const kGroup = "Moving picture";
+  app.add_option("--frames", frames.folder,
+                 "Write the frames of a demonstration to this folder; needs --offscreen, --demo and --level")
+      ->check(CLI::ExistingDirectory)
+      ->group(kGroup);
+  app.add_option("--fps", frames.perSecond, "Frames per second of play")
+      ->check(CLI::IsMember({1, 2, 3, 4, 5, 6, 10, 12, 15, 20, 30, 60}))
+      ->capture_default_str()
+      ->group(kGroup);
+  app.add_option("--from", frames.from, "Seconds of play before the first frame")
+      ->check(CLI::Range(0.0, 300.0))
+      ->group(kGroup);
+  app.add_option("--width", frames.width, "Pixels; the height is 9/16 of it")
+      ->check(CLI::Range(64, 3840))
+      ->capture_default_str()
+      ->group(kGroup);
+  app.add_option("--players", frames.players, "Players; each starts a second after the one before")
+      ->check(CLI::Range(1, 4))
+      ->capture_default_str()
+      ->group(kGroup);
+}
+
 void describe(CLI::App& app, ClientOptions& options, std::string& host) {
   app.add_option("HOST", host, "Server to play on, HOST or HOST:PORT; without one a server of your own is started");
   app.add_option("--level", options.level,
@@ -24,6 +47,7 @@ void describe(CLI::App& app, ClientOptions& options, std::string& host) {
   app.add_option("--seconds", options.seconds, "End after so many seconds; off-screen 10 unless given")
       ->check(CLI::Range(0.1, 86400.0));
   app.add_option("--screenshot", options.screenshot, "Write the last picture to this PNG file");
+  describeFrameOptions(app, options.frames);
   describeConditionOptions(app, options.line);
   app.add_option("--line-seed", options.lineSeed, "The same seed gives the same draws")
       ->capture_default_str()
@@ -35,6 +59,9 @@ void check(ClientOptions& options, const std::string& host) {
   if (options.server && !options.level.empty()) {
     throw std::invalid_argument("--level is for a server of your own; the server at " + options.server->text() +
                                 " chooses its levels itself");
+  }
+  if (!options.frames.folder.empty() && !(options.offscreen && options.demo && !options.level.empty())) {
+    throw std::invalid_argument("--frames needs --offscreen, --demo and --level FILE");
   }
   if (!isLabel(options.name, kMaxNameBytes)) {
     throw std::invalid_argument("--name takes at most " + std::to_string(kMaxNameBytes) +

@@ -6,6 +6,7 @@
 
 #include "client/net/network_conditions.h"
 #include "client/net/server_address.h"
+#include "client/play/frame_options.h"
 
 namespace platon {
 
@@ -18,8 +19,9 @@ struct ClientOptions {
   bool demo = false;
   std::optional<double> seconds;  ///< to play at most
   std::string screenshot;         ///< file for the last picture; empty: none
-  LinkQuality line;               ///< simulated on the way to the server, each way
-  std::uint64_t lineSeed = 1;     ///< of its draws
+  FrameOptions frames;
+  LinkQuality line;            ///< simulated on the way to the server, each way
+  std::uint64_t lineSeed = 1;  ///< of its draws
 };
 
 /// Reads the command line. Nothing when only help or the version was asked for, which is then on standard output.

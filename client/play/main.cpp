@@ -5,10 +5,12 @@
 
 #include "client/play/client_options.h"
 #include "client/play/embedded_server.h"
+#include "client/play/frame_play.h"
 #include "client/play/offscreen_play.h"
 #include "client/play/window_play.h"
 #include "client/time/steady_now.h"
 #include "protocol/program_error.h"
+#include "server/app/level_files.h"
 
 namespace platon {
 namespace {
@@ -22,6 +24,10 @@ int play(int argc, char** argv) {
   if (!options) return 0;
   std::signal(SIGTERM, [](int) { stopSignal = 1; });
   std::signal(SIGINT, [](int) { stopSignal = 1; });
+  if (!options->frames.folder.empty()) {
+    FramePlay(*options, loadLevelFiles({options->level}).levels.front()).run(stopAsked);
+    return 0;
+  }
   std::optional<EmbeddedServer> embedded;
   if (!options->server) embedded.emplace(options->level);
   const ServerAddress server = embedded ? embedded->address() : *options->server;

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace platon {
+
+/// A moving picture: frames of a game that the demonstration plays without server, window or clock.
+struct FrameOptions {
+  std::string folder;          ///< for 0000.png, 0001.png …; empty: no moving picture
+  int perSecond = 30;          ///< divides kTicksPerSecond
+  double from = 0;             ///< seconds of play before the first frame
+  std::uint32_t width = 1280;  ///< pixels; the height is 9/16 of it
+  std::uint32_t players = 1;   ///< each starts a second after the one before; the camera follows the first
+};
+
+}  // namespace platon

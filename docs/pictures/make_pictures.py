@@ -1,0 +1,85 @@
+#!/usr/bin/env python3
+"""Makes the pictures of README.md and docs/: the moving one and the stills. The plots come from ./platon bench.
+
+usage: make_pictures.py PLATON-CLIENT ROOT
+
+Needs ImageMagick's convert, gifsicle and pngquant. The game that is drawn has no clock, so a machine makes the same
+frames each time; other versions of Mesa or of these tools may give other bytes.
+"""
+
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+FOLDER = "docs/pictures"
+FRAMES_PER_SECOND = 20
+MAX_GIF_BYTES = 1_500_000
+
+FILM = {"name": "crossing.gif", "level": "hexahedron/01_first_steps", "from": 2.9, "seconds": 4.6, "width": 640}
+STILLS = [
+    {"name": "hexahedron.png", "level": "hexahedron/01_first_steps", "from": 5.2, "players": 2},
+    {"name": "icosahedron.png", "level": "icosahedron/05_the_long_way_round", "from": 4.0, "players": 2},
+]
+
+
+class PictureError(Exception):
+    """A picture could not be made."""
+
+
+def run(*command):
+    try:
+        subprocess.run([str(word) for word in command], check=True)
+    except OSError as error:
+        raise PictureError(f"cannot run {command[0]}: {error.strerror}") from error
+    except subprocess.CalledProcessError as error:
+        raise PictureError(f"{command[0]} failed with exit code {error.returncode}") from error
+
+
+def draw_frames(client, root, picture, folder, seconds):
+    """The frames of a picture, in order."""
+    options = ["--from", picture["from"], "--seconds", seconds, "--fps", FRAMES_PER_SECOND]
+    options += ["--width", picture.get("width", 1280), "--players", picture.get("players", 1)]
+    level = root / "levels" / (picture["level"] + ".level")
+    run(client, "--offscreen", "--demo", "--level", level, "--frames", folder, *options)
+    return sorted(Path(folder).glob("*.png"))
+
+
+def make_film(client, root, picture):
+    file = root / FOLDER / picture["name"]
+    with tempfile.TemporaryDirectory() as folder:
+        frames = draw_frames(client, root, picture, folder, picture["seconds"])
+        whole = Path(folder) / "whole.gif"
+        # The unit of -delay is a hundredth of a second. Dithering would change every pixel from frame to frame.
+        run("convert", "-delay", 100 // FRAMES_PER_SECOND, "-loop", 0, *frames, "+dither", "-colors", 255, whole)
+        run("gifsicle", "-O3", "--lossy=30", "--colors", 128, whole, "-o", file)
+    if file.stat().st_size > MAX_GIF_BYTES:
+        raise PictureError(f"{file} has {file.stat().st_size} bytes; {MAX_GIF_BYTES} are allowed")
+    return file
+
+
+def make_still(client, root, picture):
+    file = root / FOLDER / picture["name"]
+    with tempfile.TemporaryDirectory() as folder:
+        frame = draw_frames(client, root, picture, folder, 0.1)[0]
+        run("pngquant", "--speed", 1, "--strip", "--force", "--output", file, 256, frame)
+    return file
+
+
+def main(arguments):
+    if len(arguments) != 2:
+        print(__doc__, file=sys.stderr)
+        return 2
+    client, root = Path(arguments[0]).resolve(), Path(arguments[1]).resolve()
+    try:
+        print(make_film(client, root, FILM))
+        for picture in STILLS:
+            print(make_still(client, root, picture))
+    except PictureError as error:
+        print(f"make_pictures.py: {error}", file=sys.stderr)
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
