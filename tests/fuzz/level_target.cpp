@@ -65,10 +65,10 @@ std::string placesFault(const Level& level) {
   if (!isInside(polygon, toVec(level.start))) return "the start is outside its face";
   if (!isInside(polygon, toVec(level.goal))) return "the goal is outside its face";
   const auto shape = playerShape().turned(level.startAngle);
-  const auto area = oracle::OpenArea::standing(toPolygon(shape->vertices()), toVec(level.start));
+  const auto area = oracle::OpenArea::placed(toPolygon(shape->vertices()), toVec(level.start));
   const MapGeometry& part = *level.world.geometry().find(level.startFace);
   for (std::uint32_t i = 0; i < part.segmentOfWarp(0); ++i) {
-    if (area.meets(toSegment(part.segments[i]))) return "the start is not free";
+    if (area.intersects(toSegment(part.segments[i]))) return "the start is not free";
   }
   return {};
 }

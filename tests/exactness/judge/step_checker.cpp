@@ -80,7 +80,7 @@ oracle::TraceInstance StepChecker::converted(const InstanceView& view) const {
 std::string StepChecker::finishTick() {
   tallies_.clear();
   for (const auto& [entity, legs] : legs_) {
-    report_.atPlayer(entity);
+    report_.setPlayer(entity);
     tallies_[entity] = {legs.size() - 1, legs.back().size()};
     if (checkers_) judge(legs);
   }
@@ -102,9 +102,9 @@ bool StepChecker::isFree(std::uint32_t part, Point position, Angle angle) {
   if (!checkers_) return true;
   const auto shape = shape_.turned(angle);
   if (!shape) return true;
-  const auto area = oracle::OpenArea::standing(toPolygon(shape->vertices()), toVec(position));
+  const auto area = oracle::OpenArea::placed(toPolygon(shape->vertices()), toVec(position));
   for (const oracle::MapLine& line : checkers_->map.face(part).lines) {
-    if (area.meets(line.segment)) return false;
+    if (area.intersects(line.segment)) return false;
   }
   return true;
 }
@@ -118,7 +118,7 @@ void StepChecker::judge(const std::vector<oracle::TraceLeg>& legs) {
   states.checkPlacements(legs.front());
   for (const oracle::TraceInstance& instance : legs.front()) states.checkFree(instance);
   for (std::size_t i = 1; i < legs.size(); ++i) {
-    report_.atLeg(i);
+    report_.setLeg(i);
     if (!states.isTree(legs[i])) return;
     states.checkPlacements(legs[i]);
     checkers_->motions.check(legs[i - 1], legs[i]);

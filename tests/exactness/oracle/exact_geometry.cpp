@@ -6,7 +6,7 @@
 namespace platon::oracle {
 namespace {
 
-/// Upper half of the directions (0° … below 180°) before the lower one.
+/// 0 for directions from 0° to below 180°, 1 for the others.
 int half(Vec v) { return v.y > 0 || (v.y == 0 && v.x > 0) ? 0 : 1; }
 
 void addToChain(Polygon& chain, std::size_t fixed, Vec point) {
@@ -24,7 +24,7 @@ Wide supportOf(const Polygon& shape, Vec direction) {
   return best;
 }
 
-/// distance * |v| rounded up.
+/// distance * |v|, rounded up.
 Wide timesLength(std::int64_t distance, Vec v) {
   const long double length = std::hypot(static_cast<long double>(v.x), static_cast<long double>(v.y));
   return static_cast<Wide>(std::ceil(static_cast<long double>(distance) * length));
@@ -75,7 +75,7 @@ std::string toText(const Segment& segment) {
          std::to_string(segment.b.y);
 }
 
-OpenArea OpenArea::standing(const Polygon& shape, Vec position) { return swept(shape, position, {0, 0}); }
+OpenArea OpenArea::placed(const Polygon& shape, Vec position) { return swept(shape, position, {0, 0}); }
 
 OpenArea OpenArea::swept(const Polygon& shape, Vec from, Vec displacement) {
   OpenArea area;
@@ -101,10 +101,10 @@ OpenArea OpenArea::inset(std::int64_t distance) const {
   return area;
 }
 
-bool OpenArea::meets(const Segment& segment) const {
-  // The point a + u(b - a) is inside a side where depthA + u(depthB - depthA) > 0. The bounds on u are fractions with
-  // positive denominators; |depth| < 2^64 and, since normals and the segment's own extent are below 2^31,
-  // |denominator| < 2^63, so that every product fits.
+bool OpenArea::intersects(const Segment& segment) const {
+  // The point a + u(b - a) is inside a side if depthA + u(depthB - depthA) > 0. The bounds of u are fractions with
+  // positive denominators. |depth| < 2^64; |denominator| < 2^63, because the components of normals and of b - a are
+  // below 2^31. Hence every product fits.
   Wide lowNumerator = 0;
   Wide lowDenominator = 1;
   Wide highNumerator = 1;

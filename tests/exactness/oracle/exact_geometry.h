@@ -4,13 +4,12 @@
 #include <string>
 #include <vector>
 
-/// The checkers' own exact plane geometry. Nothing here comes from `shared/`: an error there must not be repeated by
-/// what checks it.
+/// Exact plane geometry of the checkers. It shares no code with `shared/`, so that both cannot have the same error.
 namespace platon::oracle {
 
 __extension__ using Wide = __int128;
 
-/// Coordinates that enter from outside are smaller than this in magnitude; sums of two of them stay below 2^31.
+/// Every input coordinate is below this in magnitude, so that the sum of two is below 2^31.
 inline constexpr std::int64_t kCoordinateLimit = std::int64_t{1} << 29;
 
 /// A lattice point or vector; each component below 2^32 in magnitude.
@@ -32,7 +31,7 @@ inline Wide dot(Vec a, Vec b) { return Wide{a.x} * b.x + Wide{a.y} * b.y; }
 
 inline int sign(Wide value) { return (value > 0) - (value < 0); }
 
-/// A closed segment; both ends equal = a point.
+/// A closed segment. It is a point if both ends are equal.
 struct Segment {
   Vec a;
   Vec b;
@@ -42,19 +41,19 @@ struct Segment {
 
 using Polygon = std::vector<Vec>;
 
-/// True when the vertices turn strictly left everywhere and go round exactly once.
+/// True if the polygon turns left at every vertex and winds around exactly once.
 bool isStrictlyConvex(const Polygon& polygon);
 
-/// The strictly convex hull, counter-clockwise (Andrew's monotone chain). Fewer than three vertices come back when
-/// all points are collinear.
+/// The strictly convex hull, counter-clockwise (Andrew's monotone chain). It has fewer than three vertices if all
+/// points are collinear.
 Polygon convexHull(std::vector<Vec> points);
 
-/// Smallest box around something, edges included.
+/// An axis-aligned bounding box, edges included.
 struct Box {
   Vec low;
   Vec high;
 
-  /// True when the interiors of the boxes, each grown to at least one point, may meet a common point.
+  /// True if the closed boxes have a common point.
   bool touches(const Box& other) const {
     return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y && other.low.y <= high.y;
   }
@@ -66,30 +65,30 @@ struct Box {
 Box boxOf(const Polygon& polygon);
 Box boxOf(const Segment& segment);
 
-/// For messages: the four numbers.
+/// The four coordinates, for messages.
 std::string toText(const Segment& segment);
 
-/// The open set of all points q with dot(outward, q) < bound.
+/// The open half-plane of all points q with dot(outward, q) < bound.
 struct HalfPlane {
   Vec outward;
   Wide bound = 0;
 };
 
-/// An open convex area as an intersection of open half-planes. Coordinates below 2^31, normals below 2^31.
+/// An open convex area: the intersection of open half-planes. Coordinates and normals are below 2^31 in magnitude.
 class OpenArea {
  public:
-  /// The open interior of `shape` (strictly convex, counter-clockwise) standing at `position`.
-  static OpenArea standing(const Polygon& shape, Vec position);
-  /// Every point that the open interior of `shape` covers while going straight from `from` to `from` + `displacement`,
-  /// which is the open convex hull of its first and its last placement.
+  /// The open interior of `shape` (strictly convex, counter-clockwise) at `position`.
+  static OpenArea placed(const Polygon& shape, Vec position);
+  /// The area that the open interior of `shape` covers on its straight path from `from` to `from` + `displacement`: the
+  /// open convex hull of both placements.
   static OpenArea swept(const Polygon& shape, Vec from, Vec displacement);
 
-  /// The same area with every side moved inwards by `distance` subunits (outwards where it is negative), give or take
-  /// less than one subunit: the only measure here that is not exact, meant for tolerances.
+  /// The area with every side moved inwards by `distance` subunits, outwards if `distance` is negative. Meant for
+  /// tolerances: unlike everything else here it is inexact, by less than one subunit.
   OpenArea inset(std::int64_t distance) const;
 
-  /// True when the closed segment has a point in the area. Exact.
-  bool meets(const Segment& segment) const;
+  /// True if the closed segment has a point in the area. Exact.
+  bool intersects(const Segment& segment) const;
 
  private:
   std::vector<HalfPlane> sides_;

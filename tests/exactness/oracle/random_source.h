@@ -8,7 +8,7 @@
 
 namespace platon::oracle {
 
-/// Seeded random numbers, the same with every standard library.
+/// Seeded random numbers that do not depend on the standard library.
 class RandomSource {
  public:
   explicit RandomSource(std::uint64_t seed) : engine_(seed) {}
@@ -17,7 +17,7 @@ class RandomSource {
   std::int64_t between(std::int64_t low, std::int64_t high) {
     return low + static_cast<std::int64_t>(engine_() % static_cast<std::uint64_t>(high - low + 1));
   }
-  /// True once in `count` times.
+  /// True with probability 1 / `count`.
   bool oneIn(std::int64_t count) { return between(1, count) == 1; }
   /// An index below `count`.
   std::size_t below(std::size_t count) { return static_cast<std::size_t>(engine_() % count); }

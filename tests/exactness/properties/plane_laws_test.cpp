@@ -86,7 +86,7 @@ struct Pair {
 TEST(PlaneLawsTest, EveryLegOfEveryScene) {
   std::size_t legs = 0;
   forEachCase(6000, [&](RandomSource& random) {
-    const PlaneScene scene = PlaneScene::from(oracle::makeScene(random));
+    const PlaneScene scene = PlaneScene::from(oracle::randomScene(random));
     World world = scene.world();
     const Convex shape(scene.shape);
     judge::StepChecker checker({world.geometry(), shape, std::nullopt, 0});
@@ -104,7 +104,7 @@ TEST(PlaneLawsTest, EveryLegOfEveryScene) {
 // The farthest that coordinates may be shifted: what moves stays in range.
 TEST(PlaneLawsTest, AShiftedSceneGoesTheSameWay) {
   forEachCase(10000, [](RandomSource& random) {
-    const PlaneScene scene = PlaneScene::from(oracle::makeScene(random));
+    const PlaneScene scene = PlaneScene::from(oracle::randomScene(random));
     const LatticeMap map{false, 0, toPoint(random.vector(scene.scale < 1 << 20 ? kCoordinateLimit / 2 : 1 << 20))};
     Pair pair(scene, scene.mapped(map), map);
     for (int tick = 0; tick < kTicks; ++tick)
@@ -114,7 +114,7 @@ TEST(PlaneLawsTest, AShiftedSceneGoesTheSameWay) {
 
 TEST(PlaneLawsTest, WhichEndOfALineIsTheFirstDoesNotMatter) {
   forEachCase(10000, [](RandomSource& random) {
-    const PlaneScene scene = PlaneScene::from(oracle::makeScene(random));
+    const PlaneScene scene = PlaneScene::from(oracle::randomScene(random));
     PlaneScene other = scene;
     for (Segment& line : other.lines) std::swap(line.a, line.b);
     Pair pair(scene, other, LatticeMap());
@@ -129,7 +129,7 @@ constexpr std::int64_t kSlow = 2;
 
 // Long lines in every direction but the diagonals: nothing meets an end of a line, so that nothing is nudged.
 PlaneScene generalScene(RandomSource& random) {
-  PlaneScene scene = PlaneScene::from(oracle::makeScene(random));
+  PlaneScene scene = PlaneScene::from(oracle::randomScene(random));
   scene.lines.clear();
   const std::int64_t radius = 6 * scene.scale;
   while (scene.lines.size() < 8) {

@@ -262,7 +262,8 @@ TEST(SweepTest, OverlapsBetweenMeetingAndExitOnly) {
     for (const Point vertex : query.shape) shape.push_back(scaled(vertex));
     for (std::int32_t part = 0; part <= parts; ++part) {
       const oracle::Vec at = scaled(query.position) + part * oracle::Vec{query.displacement.x, query.displacement.y};
-      const bool overlaps = oracle::OpenArea::standing(shape, at).meets({scaled(query.line.a), scaled(query.line.b)});
+      const bool overlaps =
+          oracle::OpenArea::placed(shape, at).intersects({scaled(query.line.a), scaled(query.line.b)});
       const Fraction time{part, parts};
       const bool within = hit && time < hit->exit && (time > hit->time || hit->side == Hit::Side::kInside);
       // Whether it still overlaps at the very end is told by no time.

@@ -10,7 +10,7 @@ namespace platon::oracle {
 namespace {
 
 struct BadLine {
-  std::string_view why;
+  std::string_view fault;
   std::string_view line;
 };
 
@@ -26,7 +26,7 @@ constexpr auto kBadLines = std::to_array<BadLine>({
     {"a word at the end", "3 0 0 10 0 0 10 0 0 1 1 5 5 6 6 x"},
     {"a letter on the last number", "3 0 0 10 0 0 10 0 0 1 1 5 5 6 6x"},
     {"a fraction", "3 0 0 10 0 0 10 0.5 0 1 1 5 5 6 6"},
-    {"a fraction with nothing behind the point", "3 0 0 10 0 0 10 0 0 1. 1 5 5 6 6"},
+    {"a fraction without digits after the point", "3 0 0 10 0 0 10 0 0 1. 1 5 5 6 6"},
     {"an exponent", "3 0 0 1e1 0 0 10 0 0 1 1 5 5 6 6"},
     {"hexadecimal", "3 0 0 0x10 0 0 10 0 0 1 1 5 5 6 6"},
     {"commas", "3,0,0,10,0,0,10,0,0,1,1,5,5,6,6"},
@@ -54,7 +54,7 @@ constexpr auto kBadLines = std::to_array<BadLine>({
     {"the first corner again at the end", "4 0 0 10 0 0 10 0 0 0 0 1 1 5 5 6 6"},
     {"all corners in one place", "3 7 7 7 7 7 7 0 0 1 1 5 5 6 6"},
     {"a corner that turns back", "4 0 0 10 0 5 0 0 10 0 0 1 1 5 5 6 6"},
-    {"twice round the same triangle", "6 0 0 10 0 0 10 0 0 10 0 0 10 0 0 1 1 5 5 6 6"},
+    {"the same triangle wound twice", "6 0 0 10 0 0 10 0 0 10 0 0 10 0 0 1 1 5 5 6 6"},
     {"a five-pointed star", "5 0 100 -59 -81 95 31 -95 31 59 -81 0 0 1 1 5 5 6 6"},
     {"crossing sides", "4 0 0 10 10 10 0 0 10 0 0 1 1 5 5 6 6"},
 });
@@ -66,19 +66,19 @@ bool isRefusal(std::string_view line, std::string_view prefix) {
 bool isRefused(const SweepProgram& program, const BadLine& bad, int goodLinesBefore) {
   std::string input;
   for (int i = 0; i < goodLinesBefore; ++i) input += kGood;
-  const ProgramResult result = program.run(input + std::string(bad.line) + "\n" + std::string(kGood));
+  const SweepRun result = program.run(input + std::string(bad.line) + "\n" + std::string(kGood));
   const std::string prefix = "line " + std::to_string(goodLinesBefore + 1) + ": ";
   const bool named = std::any_of(result.errors.begin(), result.errors.end(),
                                  [&](const std::string& line) { return isRefusal(line, prefix); });
   if (named && result.exitCode == kInvalid) return true;
-  std::cout << "bad line (" << bad.why << "): exit " << result.exitCode << " instead of " << kInvalid << ", \""
+  std::cout << "bad line (" << bad.fault << "): exit " << result.exitCode << " instead of " << kInvalid << ", \""
             << (result.errors.empty() ? "" : result.errors.front()) << "\" instead of \"" << prefix << "…\"\n  "
             << bad.line << '\n';
   return false;
 }
 
-bool isEmptyInputFine(const SweepProgram& program) {
-  const ProgramResult result = program.run("");
+bool isEmptyInputAccepted(const SweepProgram& program) {
+  const SweepRun result = program.run("");
   if (result.exitCode == 0 && result.output.empty()) return true;
   std::cout << "empty input: exit " << result.exitCode << " and " << result.output.size() << " answers\n";
   return false;
@@ -87,10 +87,10 @@ bool isEmptyInputFine(const SweepProgram& program) {
 }  // namespace
 
 int countBadLineFailures(const SweepProgram& program) {
-  int failures = isEmptyInputFine(program) ? 0 : 1;
+  int failures = isEmptyInputAccepted(program) ? 0 : 1;
   int goodLinesBefore = 0;
   for (const BadLine& bad : kBadLines) failures += isRefused(program, bad, goodLinesBefore++ % 4) ? 0 : 1;
-  std::cout << "bad lines: " << kBadLines.size() << " asked, " << failures << " disagreements\n";
+  std::cout << "bad lines: " << kBadLines.size() << " tried, " << failures << " failures\n";
   return failures;
 }
 

@@ -4,8 +4,9 @@
 
 namespace platon::oracle {
 
-/// Feeds the program one malformed line after another and empty input. Each must be refused by its line number with a
-/// reason and exit code 3, empty input be answered with nothing. Prints every disagreement; returns their count.
+/// Runs the program on empty input, which must give no answers, and on many malformed lines. Each malformed line must
+/// be refused with exit code 3 and a message that names the line's number and a reason. Prints every failure; returns
+/// their number.
 int countBadLineFailures(const SweepProgram& program);
 
 }  // namespace platon::oracle

@@ -6,7 +6,7 @@
 namespace platon::oracle {
 namespace {
 
-/// The hull of random points in a box: few corners, any orientation.
+/// The hull of random points in a box: a polygon with few corners.
 Polygon randomHull(std::size_t points, std::int64_t scale, RandomSource& random) {
   Polygon hull;
   do {
@@ -19,8 +19,8 @@ Polygon randomHull(std::size_t points, std::int64_t scale, RandomSource& random)
   return hull;
 }
 
-/// A rounded ellipse: `corners` points of it, fewer where rounding makes them collinear.
-Polygon roundShape(std::size_t corners, double width, double height, Vec centre) {
+/// A polygon of `corners` lattice points on an ellipse; fewer if rounding makes some collinear.
+Polygon ellipse(std::size_t corners, double width, double height, Vec centre) {
   std::vector<Vec> points(corners);
   for (std::size_t i = 0; i < corners; ++i) {
     const double angle = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(corners);
@@ -34,12 +34,12 @@ Polygon manyCorners(std::int64_t scale, RandomSource& random) {
   Polygon shape;
   while (!isStrictlyConvex(shape)) {
     const auto corners = static_cast<std::size_t>(random.between(17, 64));
-    shape = roundShape(corners, radius(), radius(), random.vector(scale / 2));
+    shape = ellipse(corners, radius(), radius(), random.vector(scale / 2));
   }
   return shape;
 }
 
-/// A triangle or quadrangle that is up to `scale` long and about one subunit wide.
+/// A triangle or quadrilateral up to `scale` long and about one subunit wide.
 Polygon needle(std::int64_t scale, RandomSource& random) {
   Polygon hull;
   do {
@@ -64,10 +64,10 @@ Polygon randomShape(ShapeKind kind, std::int64_t scale, RandomSource& random) {
   switch (kind) {
     case ShapeKind::Any:
       return randomHull(random.below(6) + 3, scale, random);
-    case ShapeKind::Many:
+    case ShapeKind::ManyCorners:
       return manyCorners(scale, random);
     case ShapeKind::Ball:
-      return roundShape(16, 12288, 12288, {});
+      return ellipse(16, 12288, 12288, {});
     case ShapeKind::Needle:
       return needle(scale, random);
     case ShapeKind::Box:
@@ -76,21 +76,21 @@ Polygon randomShape(ShapeKind kind, std::int64_t scale, RandomSource& random) {
   return {};
 }
 
-Segment randomLine(LineKind kind, const Polygon& shape, std::int64_t scale, RandomSource& random) {
+Segment randomObstacle(ObstacleKind kind, const Polygon& shape, std::int64_t scale, RandomSource& random) {
   const std::size_t edge = random.below(shape.size());
   const Vec along = shape[(edge + 1) % shape.size()] - shape[edge];
   const Vec a = random.vector(random.oneIn(2) ? scale : scale / 4 + 1);
   const std::int64_t factor = random.oneIn(2) ? 1 : -random.between(1, 3);
   switch (kind) {
-    case LineKind::Any:
+    case ObstacleKind::Any:
       return {a, random.oneIn(16) ? a : random.vector(scale)};
-    case LineKind::Point:
+    case ObstacleKind::Point:
       return {a, a};
-    case LineKind::Along:
+    case ObstacleKind::Parallel:
       return {a, a + factor * along};
-    case LineKind::Copy:
+    case ObstacleKind::EdgeCopy:
       return {a, random.oneIn(2) ? a + along : a - along};
-    case LineKind::Almost:
+    case ObstacleKind::NearlyParallel:
       return {a, a + factor * along + random.vector(1)};
   }
   return {};

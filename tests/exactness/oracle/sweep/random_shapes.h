@@ -4,10 +4,10 @@
 
 namespace platon::oracle {
 
-/// A strictly convex counter-clockwise polygon whose coordinates are mostly below `scale` in magnitude.
+/// A strictly convex, counter-clockwise polygon. Most of its coordinates are below `scale` in magnitude.
 Polygon randomShape(ShapeKind kind, std::int64_t scale, RandomSource& random);
 
-/// An obstacle for this polygon. May leave the coordinate range; the caller checks.
-Segment randomLine(LineKind kind, const Polygon& shape, std::int64_t scale, RandomSource& random);
+/// A segment as obstacle for this polygon. It may be out of the coordinate range: the caller checks that.
+Segment randomObstacle(ObstacleKind kind, const Polygon& shape, std::int64_t scale, RandomSource& random);
 
 }  // namespace platon::oracle

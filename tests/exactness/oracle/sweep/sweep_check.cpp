@@ -15,10 +15,10 @@ namespace {
 
 constexpr std::uint64_t kDefaultSeed = 20240607;
 constexpr std::uint64_t kDefaultCount = 1'000'000;
-/// The oracle itself is checked from the definition on every so many queries.
+/// The oracle itself is checked against the definition on every 16th query.
 constexpr std::size_t kConfirmEvery = 16;
 
-struct Tally {
+struct Totals {
   std::size_t queries = 0;
   std::size_t hits = 0;
   std::size_t overlaps = 0;
@@ -31,7 +31,7 @@ struct Tally {
     overlaps += truth.kind == SweepTruth::Kind::Overlap;
     corners += truth.normals.size() == 2;
   }
-  void add(const Tally& other) {
+  void add(const Totals& other) {
     queries += other.queries;
     hits += other.hits;
     overlaps += other.overlaps;
@@ -40,9 +40,9 @@ struct Tally {
   }
 };
 
-std::ostream& operator<<(std::ostream& stream, const Tally& tally) {
-  return stream << tally.queries << " queries, " << tally.hits << " hits (" << tally.corners << " through corners), "
-                << tally.overlaps << " overlaps, " << tally.disagreements << " disagreements";
+std::ostream& operator<<(std::ostream& stream, const Totals& totals) {
+  return stream << totals.queries << " queries, " << totals.hits << " hits (" << totals.corners << " through corners), "
+                << totals.overlaps << " overlaps, " << totals.disagreements << " disagreements";
 }
 
 std::vector<SweepQuery> makeBatch(const SweepFamily& family, std::size_t count, std::uint64_t seed) {
@@ -55,43 +55,43 @@ std::vector<SweepQuery> makeBatch(const SweepFamily& family, std::size_t count, 
 
 void printDisagreement(const SweepFamily& family, const SweepQuery& query, const SweepTruth& truth,
                        std::string_view answer) {
-  std::cout << "DISAGREEMENT in family \"" << family.name << "\"\n  query:  " << toLine(query)
-            << "\n  right:  " << toText(truth) << "\n  answer: " << answer << '\n';
+  std::cout << "DISAGREEMENT in family \"" << family.name << "\"\n  query:    " << toLine(query)
+            << "\n  expected: " << toText(truth) << "\n  answer:   " << answer << '\n';
 }
 
-/// Compares one answer; prints the first disagreement of a family.
-void compare(const SweepFamily& family, const SweepQuery& query, std::string_view line, Tally& tally) {
+/// Compares one answer with the oracle. Prints the first disagreement of a family.
+void compare(const SweepFamily& family, const SweepQuery& query, std::string_view line, Totals& totals) {
   const SweepTruth truth = sweepTruth(query);
-  if (tally.queries % kConfirmEvery == 0 && !confirms(query, truth))
+  if (totals.queries % kConfirmEvery == 0 && !confirms(query, truth))
     throw std::logic_error("the oracle contradicts the definition at " + toLine(query) + ": " + toText(truth));
-  tally.count(truth);
+  totals.count(truth);
   const std::optional<SweepAnswer> answer = parseAnswer(line);
   if (answer && agrees(truth, *answer)) return;
-  if (tally.disagreements++ == 0) printDisagreement(family, query, truth, line);
+  if (totals.disagreements++ == 0) printDisagreement(family, query, truth, line);
 }
 
-Tally checkFamily(const SweepProgram& program, const SweepFamily& family, std::size_t count, std::uint64_t seed) {
+Totals checkFamily(const SweepProgram& program, const SweepFamily& family, std::size_t count, std::uint64_t seed) {
   const std::vector<SweepQuery> queries = makeBatch(family, count, seed);
   std::string input;
   for (const SweepQuery& query : queries) input.append(toLine(query)).append("\n");
-  const ProgramResult result = program.run(input);
-  Tally tally;
+  const SweepRun result = program.run(input);
+  Totals totals;
   for (std::size_t i = 0; i < queries.size(); ++i)
-    compare(family, queries[i], i < result.output.size() ? result.output[i] : "(no answer)", tally);
+    compare(family, queries[i], i < result.output.size() ? result.output[i] : "(no answer)", totals);
   if (result.exitCode != 0 || result.output.size() != queries.size()) {
     std::cout << "family \"" << family.name << "\": exit " << result.exitCode << ", " << result.output.size()
               << " answers\n";
-    ++tally.disagreements;
+    ++totals.disagreements;
   }
-  std::cout << family.name << ": " << tally << std::endl;
-  return tally;
+  std::cout << family.name << ": " << totals << std::endl;
+  return totals;
 }
 
 int check(const SweepProgram& program, std::uint64_t count, std::uint64_t seed) {
   const std::span<const SweepFamily> families = sweepFamilies();
   const std::size_t each = (count + families.size() - 1) / families.size();
   std::cout << "seed " << seed << ", " << families.size() << " families\n";
-  Tally total;
+  Totals total;
   for (std::size_t i = 0; i < families.size(); ++i) total.add(checkFamily(program, families[i], each, seed + i));
   std::cout << "all: " << total << '\n';
   const int badLines = countBadLineFailures(program);

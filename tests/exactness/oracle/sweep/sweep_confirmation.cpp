@@ -7,7 +7,7 @@
 namespace platon::oracle {
 namespace {
 
-/// The shape where it stands after the given part of its path.
+/// The shape of a query at a given time.
 class Placement {
  public:
   Placement(const SweepQuery& query, const mpq_class& time)
@@ -15,12 +15,12 @@ class Placement {
         x_(mpq_class(query.position.x) + time * query.displacement.x),
         y_(mpq_class(query.position.y) + time * query.displacement.y) {}
 
-  /// The open shape has a point of the segment.
+  /// True if the open shape contains a point of the segment.
   bool overlaps() const { return clip(true); }
-  /// The closed shape has a point of the segment.
+  /// True if the closed shape contains a point of the segment.
   bool touches() const { return clip(false); }
 
-  /// The whole shape lies on the far side of a line with this normal, the segment on the near side, and both reach it.
+  /// True if a line with this normal separates shape and segment, and both touch that line.
   bool isSeparatedBy(Vec normal) const {
     const auto height = [&](Vec v) -> mpq_class { return mpq_class(normal.x) * v.x + mpq_class(normal.y) * v.y; };
     mpq_class lowest = height(query_.shape.front());
@@ -30,14 +30,14 @@ class Placement {
   }
 
  private:
-  /// How far (times the edge's length) `point` lies inside of an edge.
+  /// Signed distance of `point` from an edge, positive inside, times the edge's length.
   mpq_class depth(std::size_t edge, Vec point) const {
     const Vec start = query_.shape[edge];
     const Vec along = query_.shape[(edge + 1) % query_.shape.size()] - start;
     return along.x * (mpq_class(point.y - start.y) - y_) - along.y * (mpq_class(point.x - start.x) - x_);
   }
 
-  /// True when the open or the closed shape leaves something of the segment.
+  /// True if the open or the closed shape contains a part of the segment.
   bool clip(bool open) const {
     mpq_class low = 0;
     mpq_class high = 1;
@@ -60,10 +60,10 @@ class Placement {
   mpq_class y_;
 };
 
-/// True when the open shape overlaps the segment after `time`, however soon. Together with a touch at `time` this
-/// makes every moment in between an overlap, since the moments of overlap of two convex sets are an interval.
+/// True if the open shape overlaps the segment at times arbitrarily soon after `time`. The times at which two convex
+/// sets overlap are an interval, so an overlap a little later and a touch at `time` prove it.
 bool overlapsSoonAfter(const SweepQuery& query, const mpq_class& time) {
-  // Numerator and denominator of every event are below 2^63, hence no interval of overlap is shorter than 2^-126.
+  // Numerators and denominators of all event times are below 2^63, so no overlap is shorter than 2^-126.
   mpq_class later = (1 - time) / 2;
   for (int i = 0; i < 34; ++i, later /= 16)
     if (Placement(query, time + later).overlaps()) return true;
@@ -97,7 +97,7 @@ bool confirms(const SweepQuery& query, const SweepTruth& truth) {
   if (truth.kind == SweepTruth::Kind::Overlap) return Placement(query, 0).overlaps();
   if (Placement(query, 0).overlaps()) return false;
   if (truth.kind == SweepTruth::Kind::Hit) return confirmsHit(query, truth);
-  return !OpenArea::swept(query.shape, query.position, query.displacement).meets(query.obstacle);
+  return !OpenArea::swept(query.shape, query.position, query.displacement).intersects(query.obstacle);
 }
 
 }  // namespace platon::oracle

@@ -14,63 +14,63 @@ namespace {
 constexpr std::int64_t kLargest = kCoordinateLimit - 1;
 
 constexpr auto kFamilies = std::to_array<SweepFamily>({
-    {"tiny", 4, ShapeKind::Any, LineKind::Any, Aim::Anywhere},
-    {"small", 8, ShapeKind::Any, LineKind::Any, Aim::Anywhere},
-    {"small box", 8, ShapeKind::Box, LineKind::Any, Aim::Anywhere},
-    {"medium", 1000, ShapeKind::Any, LineKind::Any, Aim::Towards},
-    {"large", kLargest, ShapeKind::Any, LineKind::Any, Aim::Towards},
-    {"large anywhere", kLargest, ShapeKind::Any, LineKind::Any, Aim::Anywhere},
-    {"extreme box", kLargest, ShapeKind::Box, LineKind::Any, Aim::Anywhere},
-    {"ball like a player", 1 << 20, ShapeKind::Ball, LineKind::Any, Aim::Towards},
-    {"ball against a point", 1 << 20, ShapeKind::Ball, LineKind::Point, Aim::Corner},
-    {"many corners", 1 << 20, ShapeKind::Many, LineKind::Any, Aim::Towards},
-    {"many corners, parallel line", 1 << 20, ShapeKind::Many, LineKind::Along, Aim::Edge},
-    {"many corners, large", kLargest, ShapeKind::Many, LineKind::Almost, Aim::Corner},
-    {"point, small", 8, ShapeKind::Any, LineKind::Point, Aim::Corner},
-    {"point, large", kLargest, ShapeKind::Any, LineKind::Point, Aim::Towards},
-    {"corner, small", 30, ShapeKind::Any, LineKind::Any, Aim::Corner},
-    {"corner, medium", 5000, ShapeKind::Any, LineKind::Along, Aim::Corner},
-    {"corner, large", kLargest, ShapeKind::Any, LineKind::Any, Aim::Corner},
-    {"corner, needle", kLargest, ShapeKind::Needle, LineKind::Almost, Aim::Corner},
-    {"edge, small", 30, ShapeKind::Any, LineKind::Any, Aim::Edge},
-    {"edge, parallel line", 5000, ShapeKind::Any, LineKind::Along, Aim::Edge},
-    {"edge, large", kLargest, ShapeKind::Box, LineKind::Copy, Aim::Edge},
-    {"edge, ball", 1 << 20, ShapeKind::Ball, LineKind::Copy, Aim::Edge},
-    {"tangent, small", 30, ShapeKind::Any, LineKind::Any, Aim::Tangent},
-    {"tangent, large", kLargest, ShapeKind::Any, LineKind::Almost, Aim::Tangent},
-    {"starting, small", 30, ShapeKind::Any, LineKind::Any, Aim::Starting},
-    {"starting, parallel line", 1 << 20, ShapeKind::Ball, LineKind::Along, Aim::Starting},
-    {"starting, large", kLargest, ShapeKind::Any, LineKind::Copy, Aim::Starting},
-    {"starting, needle", kLargest, ShapeKind::Needle, LineKind::Any, Aim::Starting},
-    {"ending, small", 30, ShapeKind::Any, LineKind::Any, Aim::Ending},
-    {"ending, ball", 1 << 20, ShapeKind::Ball, LineKind::Along, Aim::Ending},
-    {"ending, large", kLargest, ShapeKind::Any, LineKind::Any, Aim::Ending},
-    {"ending, needle", kLargest, ShapeKind::Needle, LineKind::Almost, Aim::Ending},
-    {"overlapping, small", 30, ShapeKind::Any, LineKind::Any, Aim::Overlapping},
-    {"overlapping, large", kLargest, ShapeKind::Needle, LineKind::Any, Aim::Overlapping},
-    {"still, small", 8, ShapeKind::Any, LineKind::Any, Aim::Still},
-    {"still, large", kLargest, ShapeKind::Any, LineKind::Along, Aim::Still},
-    {"needles", 1 << 28, ShapeKind::Needle, LineKind::Almost, Aim::Towards},
-    {"almost along, small", 100, ShapeKind::Any, LineKind::Any, Aim::AlmostAlong},
-    {"almost along, large", kLargest, ShapeKind::Any, LineKind::Almost, Aim::AlmostAlong},
-    {"almost along, needle", kLargest, ShapeKind::Needle, LineKind::Almost, Aim::AlmostAlong},
+    {"tiny", 4, ShapeKind::Any, ObstacleKind::Any, Aim::Random},
+    {"small", 8, ShapeKind::Any, ObstacleKind::Any, Aim::Random},
+    {"small box", 8, ShapeKind::Box, ObstacleKind::Any, Aim::Random},
+    {"medium", 1000, ShapeKind::Any, ObstacleKind::Any, Aim::EndsNearCorner},
+    {"large", kLargest, ShapeKind::Any, ObstacleKind::Any, Aim::EndsNearCorner},
+    {"large anywhere", kLargest, ShapeKind::Any, ObstacleKind::Any, Aim::Random},
+    {"extreme box", kLargest, ShapeKind::Box, ObstacleKind::Any, Aim::Random},
+    {"ball of a player", 1 << 20, ShapeKind::Ball, ObstacleKind::Any, Aim::EndsNearCorner},
+    {"ball against a point", 1 << 20, ShapeKind::Ball, ObstacleKind::Point, Aim::ThroughCorner},
+    {"many corners", 1 << 20, ShapeKind::ManyCorners, ObstacleKind::Any, Aim::EndsNearCorner},
+    {"many corners, parallel line", 1 << 20, ShapeKind::ManyCorners, ObstacleKind::Parallel, Aim::AlongEdge},
+    {"many corners, large", kLargest, ShapeKind::ManyCorners, ObstacleKind::NearlyParallel, Aim::ThroughCorner},
+    {"point, small", 8, ShapeKind::Any, ObstacleKind::Point, Aim::ThroughCorner},
+    {"point, large", kLargest, ShapeKind::Any, ObstacleKind::Point, Aim::EndsNearCorner},
+    {"corner, small", 30, ShapeKind::Any, ObstacleKind::Any, Aim::ThroughCorner},
+    {"corner, medium", 5000, ShapeKind::Any, ObstacleKind::Parallel, Aim::ThroughCorner},
+    {"corner, large", kLargest, ShapeKind::Any, ObstacleKind::Any, Aim::ThroughCorner},
+    {"corner, needle", kLargest, ShapeKind::Needle, ObstacleKind::NearlyParallel, Aim::ThroughCorner},
+    {"edge, small", 30, ShapeKind::Any, ObstacleKind::Any, Aim::AlongEdge},
+    {"edge, parallel line", 5000, ShapeKind::Any, ObstacleKind::Parallel, Aim::AlongEdge},
+    {"edge, large", kLargest, ShapeKind::Box, ObstacleKind::EdgeCopy, Aim::AlongEdge},
+    {"edge, ball", 1 << 20, ShapeKind::Ball, ObstacleKind::EdgeCopy, Aim::AlongEdge},
+    {"tangent, small", 30, ShapeKind::Any, ObstacleKind::Any, Aim::Tangent},
+    {"tangent, large", kLargest, ShapeKind::Any, ObstacleKind::NearlyParallel, Aim::Tangent},
+    {"starts on the boundary, small", 30, ShapeKind::Any, ObstacleKind::Any, Aim::StartsOnBoundary},
+    {"starts on the boundary, parallel line", 1 << 20, ShapeKind::Ball, ObstacleKind::Parallel, Aim::StartsOnBoundary},
+    {"starts on the boundary, large", kLargest, ShapeKind::Any, ObstacleKind::EdgeCopy, Aim::StartsOnBoundary},
+    {"starts on the boundary, needle", kLargest, ShapeKind::Needle, ObstacleKind::Any, Aim::StartsOnBoundary},
+    {"ends on the boundary, small", 30, ShapeKind::Any, ObstacleKind::Any, Aim::EndsOnBoundary},
+    {"ends on the boundary, ball", 1 << 20, ShapeKind::Ball, ObstacleKind::Parallel, Aim::EndsOnBoundary},
+    {"ends on the boundary, large", kLargest, ShapeKind::Any, ObstacleKind::Any, Aim::EndsOnBoundary},
+    {"ends on the boundary, needle", kLargest, ShapeKind::Needle, ObstacleKind::NearlyParallel, Aim::EndsOnBoundary},
+    {"starts inside, small", 30, ShapeKind::Any, ObstacleKind::Any, Aim::StartsInside},
+    {"starts inside, large", kLargest, ShapeKind::Needle, ObstacleKind::Any, Aim::StartsInside},
+    {"no displacement, small", 8, ShapeKind::Any, ObstacleKind::Any, Aim::NoDisplacement},
+    {"no displacement, large", kLargest, ShapeKind::Any, ObstacleKind::Parallel, Aim::NoDisplacement},
+    {"needles", 1 << 28, ShapeKind::Needle, ObstacleKind::NearlyParallel, Aim::EndsNearCorner},
+    {"nearly along an edge, small", 100, ShapeKind::Any, ObstacleKind::Any, Aim::NearlyAlongEdge},
+    {"nearly along an edge, large", kLargest, ShapeKind::Any, ObstacleKind::NearlyParallel, Aim::NearlyAlongEdge},
+    {"nearly along an edge, needle", kLargest, ShapeKind::Needle, ObstacleKind::NearlyParallel, Aim::NearlyAlongEdge},
 });
 
-/// The shortest lattice vector of the same direction.
+/// The shortest lattice vector with the direction of v.
 Vec primitive(Vec v) {
   const std::int64_t divisor = std::gcd(v.x, v.y);
   return divisor == 0 ? v : Vec{v.x / divisor, v.y / divisor};
 }
 
-/// How often the primitive vector `step` fits into `scale`.
+/// How many steps fit into `scale`; at least one.
 std::int64_t stepsWithin(std::int64_t scale, Vec step) {
   return std::max<std::int64_t>(1, scale / std::max<std::int64_t>({1, std::abs(step.x), std::abs(step.y)}));
 }
 
-/// Sometimes one subunit, mostly nothing.
+/// Zero, or with probability 1/3 up to one subunit along each axis.
 Vec jitter(RandomSource& random) { return random.oneIn(3) ? random.vector(1) : Vec{}; }
 
-/// Places a query's path in respect of its forbidden polygon.
+/// Chooses position and displacement of a query relative to its forbidden polygon.
 class Aimer {
  public:
   Aimer(const SweepFamily& family, SweepQuery& query, RandomSource& random)
@@ -83,25 +83,25 @@ class Aimer {
 
   void aim() {
     switch (family_.aim) {
-      case Aim::Anywhere:
+      case Aim::Random:
         return set(random_.vector(family_.scale), random_.vector(family_.scale));
-      case Aim::Towards:
+      case Aim::EndsNearCorner:
         return towards(start_ + random_.vector(family_.scale / 4));
-      case Aim::Corner:
-        return throughCorner(primitive(random_.vector(reach())));
-      case Aim::Edge:
+      case Aim::ThroughCorner:
+        return throughCorner(primitive(random_.vector(directionLimit())));
+      case Aim::AlongEdge:
         return alongEdge();
       case Aim::Tangent:
         return throughCorner(primitive(before_ + along_));
-      case Aim::Starting:
+      case Aim::StartsOnBoundary:
         return set(boundaryPoint(), direction());
-      case Aim::Ending:
+      case Aim::EndsOnBoundary:
         return towards(boundaryPoint() + jitter(random_));
-      case Aim::Overlapping:
+      case Aim::StartsInside:
         return set(insidePoint(), random_.vector(family_.scale));
-      case Aim::Still:
+      case Aim::NoDisplacement:
         return set(stillPoint(), {});
-      case Aim::AlmostAlong:
+      case Aim::NearlyAlongEdge:
         return almostAlong();
     }
   }
@@ -117,8 +117,10 @@ class Aimer {
     set(position, end - position);
   }
 
-  /// Short directions give many lattice points on the path and hits at simple fractions; long ones give large terms.
-  std::int64_t reach() { return random_.oneIn(2) ? std::min<std::int64_t>(family_.scale, 5) : family_.scale / 4 + 1; }
+  /// Largest component of a direction. Short directions give hits at simple fractions, long ones at large terms.
+  std::int64_t directionLimit() {
+    return random_.oneIn(2) ? std::min<std::int64_t>(family_.scale, 5) : family_.scale / 4 + 1;
+  }
 
   void throughCorner(Vec step) {
     const std::int64_t most = stepsWithin(family_.scale, step);
@@ -179,7 +181,7 @@ SweepQuery makeQuery(const SweepFamily& family, RandomSource& random) {
   SweepQuery query;
   do {
     query.shape = randomShape(family.shape, family.scale, random);
-    query.obstacle = randomLine(family.line, query.shape, family.scale, random);
+    query.obstacle = randomObstacle(family.obstacle, query.shape, family.scale, random);
     Aimer(family, query, random).aim();
   } while (!isValid(query));
   return query;

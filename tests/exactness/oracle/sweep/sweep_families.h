@@ -8,37 +8,42 @@
 
 namespace platon::oracle {
 
-/// What the polygon is like.
-enum class ShapeKind { Any, Many, Ball, Needle, Box };
+/// Kind of polygon.
+enum class ShapeKind { Any, ManyCorners, Ball, Needle, Box };
 
-/// What the obstacle is like, where `Along`, `Copy` and `Almost` mean: parallel to an edge of the polygon, as long as
-/// it, and one subunit off parallel.
-enum class LineKind { Any, Point, Along, Copy, Almost };
-
-/// How position and displacement are chosen in respect of the forbidden polygon O.
-enum class Aim {
-  Anywhere,     ///< both at random
-  Towards,      ///< the end is near a random corner of O
-  Corner,       ///< exactly through a corner of O, or one subunit beside it
-  Edge,         ///< along the line of an edge of O, or one subunit beside it
-  Tangent,      ///< touches O in one corner only
-  Starting,     ///< starts on the boundary of O: in, out or along
-  Ending,       ///< ends on the boundary of O, or one subunit before or behind it
-  Overlapping,  ///< starts inside O
-  Still,        ///< no displacement; on the boundary, inside or outside
-  AlmostAlong,  ///< one subunit off parallel to an edge of O, close to it
+/// Kind of obstacle.
+enum class ObstacleKind {
+  Any,
+  Point,
+  Parallel,        ///< parallel to an edge of the polygon
+  EdgeCopy,        ///< parallel to an edge of the polygon, and as long
+  NearlyParallel,  ///< one subunit off parallel to an edge of the polygon
 };
 
-/// One kind of queries: every number is about `scale` or less.
+/// How position and displacement are chosen relative to the forbidden polygon O.
+enum class Aim {
+  Random,            ///< both at random
+  EndsNearCorner,    ///< the end is near a corner of O
+  ThroughCorner,     ///< exactly through a corner of O, or one subunit beside it
+  AlongEdge,         ///< along an edge of O, or one subunit beside it
+  Tangent,           ///< touches O in one corner only
+  StartsOnBoundary,  ///< starts on the boundary of O, in any direction
+  EndsOnBoundary,    ///< ends on the boundary of O, or one subunit beside it
+  StartsInside,      ///< starts inside O
+  NoDisplacement,    ///< on the boundary of O, inside or outside
+  NearlyAlongEdge,   ///< close to an edge of O, and up to two subunits off parallel to it
+};
+
+/// A family of queries whose numbers are at most about `scale`.
 struct SweepFamily {
   std::string_view name;
   std::int64_t scale;
   ShapeKind shape;
-  LineKind line;
+  ObstacleKind obstacle;
   Aim aim;
 };
 
-/// All families that the sweep check asks.
+/// All families of the sweep check.
 std::span<const SweepFamily> sweepFamilies();
 
 /// A valid random query of the family.

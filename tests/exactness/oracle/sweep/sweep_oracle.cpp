@@ -5,7 +5,7 @@
 namespace platon::oracle {
 namespace {
 
-/// The place where the line of a path crosses into a convex polygon, as the time of the path.
+/// Time at which the line of a path enters a convex polygon, and the normals of the edges entered.
 struct Entry {
   Wide numerator = 0;
   Wide denominator = 1;
@@ -17,13 +17,13 @@ Vec outwardOf(const Polygon& polygon, std::size_t edge) {
   return {along.y, -along.x};
 }
 
-/// Entry in the middle of the edge that starts at vertex `edge`.
+/// Entry through the interior of the edge that starts at vertex `edge`.
 Entry throughEdge(const Polygon& polygon, std::size_t edge, Vec position, Vec displacement) {
   const Vec along = polygon[(edge + 1) % polygon.size()] - polygon[edge];
   return {cross(along, polygon[edge] - position), cross(along, displacement), {outwardOf(polygon, edge)}};
 }
 
-/// Entry through vertex `corner`: each of its two edges that faces the path may be named.
+/// Entry through vertex `corner`: every adjacent edge that faces the path is a correct answer.
 Entry throughCorner(const Polygon& polygon, std::size_t corner, Vec position, Vec displacement) {
   Entry entry{dot(polygon[corner] - position, displacement), dot(displacement, displacement), {}};
   for (const std::size_t edge : {(corner + polygon.size() - 1) % polygon.size(), corner}) {
@@ -33,8 +33,8 @@ Entry throughCorner(const Polygon& polygon, std::size_t corner, Vec position, Ve
   return entry;
 }
 
-/// Where the line of the path crosses from outside into the open polygon; nothing when it misses or only touches it.
-/// Going round counter-clockwise, the vertices lie left of the path before the entry and right of it after.
+/// Where the line of the path enters the open polygon; nothing if it misses or only touches it. In counter-clockwise
+/// order, the vertices before the entry lie left of the path and those after it right.
 std::optional<Entry> findEntry(const Polygon& polygon, Vec position, Vec displacement) {
   const std::size_t count = polygon.size();
   std::vector<int> side(count);
@@ -58,8 +58,8 @@ bool isPositiveMultiple(Vec a, Vec b) { return cross(a, b) == 0 && dot(a, b) > 0
 
 std::string toText(Wide value) {
   std::string digits;
-  for (Wide rest = value < 0 ? -value : value; rest != 0 || digits.empty(); rest /= 10)
-    digits.push_back(static_cast<char>('0' + static_cast<int>(rest % 10)));
+  for (Wide remaining = value < 0 ? -value : value; remaining != 0 || digits.empty(); remaining /= 10)
+    digits.push_back(static_cast<char>('0' + static_cast<int>(remaining % 10)));
   if (value < 0) digits.push_back('-');
   return {digits.rbegin(), digits.rend()};
 }
@@ -90,7 +90,7 @@ bool agrees(const SweepTruth& truth, const SweepAnswer& answer) {
   using Kind = SweepTruth::Kind;
   if (truth.kind == Kind::Miss || !answer.hit) return (truth.kind == Kind::Miss) == !answer.hit;
   if (truth.kind == Kind::Overlap) return answer.numerator == 0 && answer.denominator == 1 && answer.normal == Vec{};
-  // |truth| < 2^63 on both sides and the answer is int64: the products stay below 2^126.
+  // All numerators and denominators are below 2^63, so the products are below 2^126.
   return answer.denominator > 0 && truth.numerator * answer.denominator == truth.denominator * answer.numerator &&
          std::any_of(truth.normals.begin(), truth.normals.end(),
                      [&](Vec outward) { return isPositiveMultiple(outward, answer.normal); });

@@ -15,58 +15,58 @@ std::string truth(const SweepQuery& query) {
   return toText(found);
 }
 
-TEST(SweepOracle, HitsAWall) {
+TEST(SweepOracle, HitsASegment) {
   EXPECT_EQ(truth({kSquare, {0, 0}, {20, 0}, {{15, -50}, {15, 50}}}), "hit 550 2200 -110 0");
 }
 
-TEST(SweepOracle, MissesAWallReachedAtTheEnd) {
+TEST(SweepOracle, MissesASegmentTouchedAtTheEnd) {
   EXPECT_EQ(truth({kSquare, {0, 0}, {5, 0}, {{15, -50}, {15, 50}}}), "miss");
   EXPECT_EQ(truth({kSquare, {0, 0}, {6, 0}, {{15, -50}, {15, 50}}}), "hit 550 660 -110 0");
 }
 
-TEST(SweepOracle, SlidesAlongAWall) {
+TEST(SweepOracle, MissesASegmentItSlidesAlong) {
   EXPECT_EQ(truth({kSquare, {0, 0}, {50, 0}, {{-50, 0}, {90, 0}}}), "miss");
   EXPECT_EQ(truth({kSquare, {0, 0}, {50, -1}, {{-50, 0}, {90, 0}}}), "hit 0 150 0 150");
 }
 
-TEST(SweepOracle, SeesAPointInside) {
+TEST(SweepOracle, ReportsAPointInsideAsOverlap) {
   EXPECT_EQ(truth({kSquare, {0, 0}, {50, 0}, {{5, 5}, {5, 5}}}), "hit 0 1 0 0");
   EXPECT_EQ(truth({kSquare, {0, 0}, {0, 0}, {{5, 5}, {5, 5}}}), "hit 0 1 0 0");
   EXPECT_EQ(truth({kSquare, {0, 0}, {0, 0}, {{0, 5}, {0, 5}}}), "miss");
 }
 
-TEST(SweepOracle, NamesBothEdgesOfACorner) {
+TEST(SweepOracle, AcceptsBothEdgesOfACorner) {
   EXPECT_EQ(truth({kSquare, {0, 0}, {20, 20}, {{15, 15}, {15, 15}}}), "hit 200 800 -10 0 | 0 -10");
 }
 
-TEST(SweepOracle, NamesOnlyTheEnteredEdgeOfACorner) {
+TEST(SweepOracle, AcceptsOnlyTheEnteredEdgeOfACorner) {
   const SweepQuery query{kSquare, {0, 0}, {0, 20}, {{10, 20}, {20, 15}}};
   EXPECT_EQ(truth({kSquare, {0, 0}, {20, 20}, {{15, 15}, {25, 10}}}), "hit 200 800 -10 0 | -5 -10");
   EXPECT_EQ(truth(query), "miss");
 }
 
-TEST(SweepOracle, JudgesAnswersAsRationalsAndDirections) {
-  const SweepTruth wall = sweepTruth({kSquare, {0, 0}, {20, 0}, {{15, -50}, {15, 50}}});
-  const auto judge = [&](const char* line) { return agrees(wall, parseAnswer(line).value()); };
-  EXPECT_TRUE(judge("hit 1 4 -1 0"));
-  EXPECT_TRUE(judge("hit 25 100 -7 0"));
-  EXPECT_FALSE(judge("hit -1 -4 -1 0"));
-  EXPECT_FALSE(judge("hit 1 4 1 0"));
-  EXPECT_FALSE(judge("hit 1 4 0 0"));
-  EXPECT_FALSE(judge("hit 1 4 -1 1"));
-  EXPECT_FALSE(judge("hit 26 100 -7 0"));
-  EXPECT_FALSE(judge("miss"));
-  EXPECT_FALSE(judge("hit 0 1 0 0"));
+TEST(SweepOracle, ComparesTimesAsRationalsAndNormalsAsDirections) {
+  const SweepTruth expected = sweepTruth({kSquare, {0, 0}, {20, 0}, {{15, -50}, {15, 50}}});
+  const auto isCorrect = [&](const char* line) { return agrees(expected, parseAnswer(line).value()); };
+  EXPECT_TRUE(isCorrect("hit 1 4 -1 0"));
+  EXPECT_TRUE(isCorrect("hit 25 100 -7 0"));
+  EXPECT_FALSE(isCorrect("hit -1 -4 -1 0"));
+  EXPECT_FALSE(isCorrect("hit 1 4 1 0"));
+  EXPECT_FALSE(isCorrect("hit 1 4 0 0"));
+  EXPECT_FALSE(isCorrect("hit 1 4 -1 1"));
+  EXPECT_FALSE(isCorrect("hit 26 100 -7 0"));
+  EXPECT_FALSE(isCorrect("miss"));
+  EXPECT_FALSE(isCorrect("hit 0 1 0 0"));
 }
 
-TEST(SweepOracle, ReadsAnswersToTheLetter) {
+TEST(SweepOracle, ParsesOnlyExactAnswers) {
   EXPECT_TRUE(parseAnswer("miss"));
   EXPECT_TRUE(parseAnswer("hit 0 1 0 0"));
   for (const char* line : {"", "Miss", "miss ", "hit", "hit 0 1 0", "hit 0 1 0 0 0", "hit 0 1 0 0 ", "hit 0 1 0 x"})
     EXPECT_FALSE(parseAnswer(line)) << line;
 }
 
-TEST(SweepOracle, DoesNotConfirmAWrongTruth) {
+TEST(SweepOracle, RejectsAWrongTruth) {
   const SweepQuery query{kSquare, {0, 0}, {20, 0}, {{15, -50}, {15, 50}}};
   const SweepTruth right = sweepTruth(query);
   SweepTruth wrong = right;
@@ -82,7 +82,7 @@ TEST(SweepOracle, DoesNotConfirmAWrongTruth) {
   EXPECT_FALSE(confirms(query, {SweepTruth::Kind::Overlap, 0, 1, {}}));
 }
 
-TEST(SweepOracle, IsConfirmedByTheDefinition) {
+TEST(SweepOracle, SatisfiesTheDefinition) {
   constexpr std::uint64_t kSeed = 5;
   RandomSource random(kSeed);
   for (const SweepFamily& family : sweepFamilies())

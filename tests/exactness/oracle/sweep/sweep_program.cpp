@@ -20,7 +20,7 @@ std::vector<std::string> linesOf(const std::string& text) {
 
 }  // namespace
 
-ProgramResult SweepProgram::run(const std::string& input) const {
+SweepRun SweepProgram::run(const std::string& input) const {
   ProcessOptions options;
   options.inputFile = folder_ / "queries";
   writeText(options.inputFile, input);

@@ -8,20 +8,20 @@
 
 namespace platon::oracle {
 
-/// What a run of the program left behind.
-struct ProgramResult {
+/// Exit code and output lines of a run.
+struct SweepRun {
   int exitCode = 0;
   std::vector<std::string> output;
   std::vector<std::string> errors;
 };
 
-/// A program that answers sweep queries, `PROGRAM sweep`, run over whole batches of lines.
+/// A program that answers sweep queries with `PROGRAM sweep`, one query per line.
 class SweepProgram {
  public:
   explicit SweepProgram(std::string program) : program_(std::move(program)) {}
 
-  /// Runs the program on this input to its end.
-  ProgramResult run(const std::string& input) const;
+  /// Runs the program on this input. Throws std::runtime_error if it takes longer than an hour.
+  SweepRun run(const std::string& input) const;
 
  private:
   std::string program_;

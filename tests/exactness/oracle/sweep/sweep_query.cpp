@@ -22,7 +22,7 @@ void append(std::string& line, Vec v) {
   append(line, v.y);
 }
 
-/// Takes " NUMBER" off the front of `text`.
+/// Removes " NUMBER" from the front of `text`.
 bool take(std::string_view& text, std::int64_t& number) {
   if (text.empty() || text.front() != ' ') return false;
   text.remove_prefix(1);

@@ -8,8 +8,8 @@
 
 namespace platon::oracle {
 
-/// One question of the sweep query format: when does the open polygon `shape`, standing at `position` and moving by
-/// `displacement` during t = 0 … 1, first meet `obstacle`?
+/// A query of the sweep query format: when does the open polygon `shape`, moving from `position` by `displacement`
+/// during t = 0 … 1, first hit `obstacle`?
 struct SweepQuery {
   Polygon shape;
   Vec position;
@@ -17,13 +17,13 @@ struct SweepQuery {
   Segment obstacle;
 };
 
-/// True when the question is well formed: strictly convex, counter-clockwise, every number below 2^29 in magnitude.
+/// True if the shape is strictly convex and counter-clockwise and every number is below 2^29 in magnitude.
 bool isValid(const SweepQuery& query);
 
-/// The question as one line without its line feed.
+/// The query as a line, without the line feed.
 std::string toLine(const SweepQuery& query);
 
-/// What a program answered.
+/// The answer of a program.
 struct SweepAnswer {
   bool hit = false;
   std::int64_t numerator = 0;
@@ -31,7 +31,7 @@ struct SweepAnswer {
   Vec normal;
 };
 
-/// Reads `miss` or `hit N D nx ny`; nothing when the line is neither to the letter.
+/// Parses `miss` or `hit N D nx ny`; nothing if the line is not exactly one of these.
 std::optional<SweepAnswer> parseAnswer(std::string_view line);
 
 }  // namespace platon::oracle

@@ -10,10 +10,10 @@ constexpr long double kSubunitsPerUnit = 1024;
 constexpr long double kRounding = 1;
 constexpr long double kSmallestSize = 200 * kSubunitsPerUnit;
 constexpr long double kLargestSize = 65536 * kSubunitsPerUnit;
-/// A line that blocks a corner starts no farther from it than this.
+/// Largest distance from a corner to the ends of a post that blocks it.
 constexpr long double kPostReach = 64;
 
-/// Distance of `point` to the left of the line through a and b.
+/// Distance of `point` from the line through a and b, positive on the left.
 long double leftOf(const Segment& line, Vec point) {
   return static_cast<long double>(cross(line.b - line.a, point - line.a)) / distance(toReal(line.a), toReal(line.b));
 }
@@ -46,7 +46,7 @@ bool FaceChecks::areFacesRegular() {
   const auto wrong = std::find_if(header_.faces.begin(), header_.faces.end(),
                                   [&](const TraceFace& face) { return !isRegular(face.polygon); });
   if (wrong == header_.faces.end()) return true;
-  failAt(static_cast<std::size_t>(wrong - header_.faces.begin()), "polygon is not the regular face of its size");
+  failAt(static_cast<std::size_t>(wrong - header_.faces.begin()), "polygon is not a regular face of this size");
   return false;
 }
 
@@ -73,7 +73,7 @@ bool FaceChecks::glue(std::size_t face, std::size_t index) {
   return true;
 }
 
-bool FaceChecks::leadsBack(std::size_t face, std::size_t edge) const {
+bool FaceChecks::hasMirror(std::size_t face, std::size_t edge) const {
   const Seam& there = seams_[face][edge];
   const Seam& back = seams_[there.face][there.edge];
   return back.face == face && back.edge == edge;
@@ -86,19 +86,20 @@ bool FaceChecks::areWarpsGlued() {
   for (std::size_t face = 0; face < count; ++face) {
     if (header_.faces[face].warps.size() != solid_.corners) return failAt(face, "not one warp for each edge"), false;
     for (std::size_t warp = 0; warp < solid_.corners; ++warp)
-      if (!glue(face, warp)) return failAt(face, "warp " + std::to_string(warp) + " joins no two edges"), false;
+      if (!glue(face, warp)) return failAt(face, "warp " + std::to_string(warp) + " does not join two edges"), false;
     std::vector<std::size_t> edges = edges_[face];
     std::sort(edges.begin(), edges.end());
     if (std::unique(edges.begin(), edges.end()) != edges.end()) return failAt(face, "two warps on one edge"), false;
   }
   for (std::size_t face = 0; face < count; ++face)
     for (std::size_t edge = 0; edge < solid_.corners; ++edge)
-      if (!leadsBack(face, edge)) return failAt(face, "edge " + std::to_string(edge) + ": warp without mirror"), false;
+      if (!hasMirror(face, edge))
+        return failAt(face, "edge " + std::to_string(edge) + ": its warp has no mirror"), false;
   return true;
 }
 
-std::size_t FaceChecks::facesRound(std::size_t face, std::size_t corner) const {
-  // Going through the edge that starts at the corner leads to the face where that corner ends the same edge, reversed.
+std::size_t FaceChecks::facesAroundCorner(std::size_t face, std::size_t corner) const {
+  // Crossing the edge that starts at the corner leads to a face in which the reversed edge ends at that corner.
   Seam at{face, corner};
   for (std::size_t count = 1; count <= header_.faces.size(); ++count) {
     const Seam next = seams_[at.face][at.edge];
@@ -108,7 +109,7 @@ std::size_t FaceChecks::facesRound(std::size_t face, std::size_t corner) const {
   return 0;
 }
 
-std::size_t FaceChecks::facesReached() const {
+std::size_t FaceChecks::connectedFaces() const {
   std::vector<std::size_t> found{0};
   for (std::size_t i = 0; i < found.size(); ++i)
     for (const Seam& seam : seams_[found[i]])
@@ -119,9 +120,9 @@ std::size_t FaceChecks::facesReached() const {
 void FaceChecks::checkCornersOfSolid() const {
   for (std::size_t face = 0; face < header_.faces.size(); ++face)
     for (std::size_t corner = 0; corner < solid_.corners; ++corner)
-      if (facesRound(face, corner) != solid_.degree)
-        failAt(face, "not " + std::to_string(solid_.degree) + " faces round corner " + std::to_string(corner));
-  if (facesReached() != header_.faces.size()) fail("faces do not hang together");
+      if (facesAroundCorner(face, corner) != solid_.facesPerCorner)
+        failAt(face, "not " + std::to_string(solid_.facesPerCorner) + " faces around corner " + std::to_string(corner));
+  if (connectedFaces() != header_.faces.size()) fail("the faces are not connected");
 }
 
 bool FaceChecks::isInside(std::size_t face, Vec point) const {

@@ -9,31 +9,31 @@
 
 namespace platon::oracle {
 
-/// Compares the faces of a header with those of its solid. The checks build on each other: call them in this order and
-/// stop at the first `false`.
+/// Compares the faces of a header with those of its solid. Each check needs the ones before it: call them in this order
+/// and stop at the first that returns false.
 class FaceChecks {
  public:
   FaceChecks(const SolidNumbers& solid, const TraceHeader& header, TraceReport& report)
       : solid_(solid), header_(header), report_(report) {}
 
-  /// Every face is the ideal one to 1 subunit, all of the same whole size of 200 … 65536 units.
+  /// All faces are regular within 1 subunit, with one common whole size of 200 … 65536 units.
   bool areFacesRegular();
-  /// Every edge has one warp, whose other end is the reversed edge of another face to 1 subunit, and that edge's warp
-  /// leads back.
+  /// Every edge has exactly one warp. It leads to the reversed edge of another face, within 1 subunit, and the warp of
+  /// that edge leads back.
   bool areWarpsGlued();
-  /// As many faces meet at every corner as at the solid's, and all faces hang together: with the numbers of faces and
-  /// corners there is then only one such solid.
+  /// Every corner has the solid's number of faces, and all faces are connected. Together with the number of faces and
+  /// of their corners this determines the solid.
   void checkCornersOfSolid() const;
-  /// Every line lies inside its face to 1 subunit, and every corner is blocked.
+  /// Every segment lies inside its face within 1 subunit, and every corner is blocked.
   void checkLines() const;
 
-  /// Index of the warp that leads back through this one.
+  /// Index of the mirror warp in the target face: the one that leads back.
   std::size_t mirrorOf(std::size_t face, std::size_t warp) const;
-  /// The ideal motion into the frame of the face behind.
+  /// The ideal motion from the frame of `face` to that of the target face.
   Isometry motionOf(std::size_t face, std::size_t warp) const;
 
  private:
-  /// Where an edge leads: another face's edge.
+  /// The edge of another face that an edge is glued to.
   struct Seam {
     std::size_t face = 0;
     std::size_t edge = 0;
@@ -43,9 +43,9 @@ class FaceChecks {
   bool glue(std::size_t face, std::size_t warp);
   std::optional<std::size_t> edgeAt(std::size_t face, const Segment& segment, long double tolerance) const;
   Segment edgeOf(std::size_t face, std::size_t edge) const;
-  bool leadsBack(std::size_t face, std::size_t edge) const;
-  std::size_t facesRound(std::size_t face, std::size_t corner) const;
-  std::size_t facesReached() const;
+  bool hasMirror(std::size_t face, std::size_t edge) const;
+  std::size_t facesAroundCorner(std::size_t face, std::size_t corner) const;
+  std::size_t connectedFaces() const;
   bool isInside(std::size_t face, Vec point) const;
   bool isBlocked(std::size_t face, std::size_t corner) const;
   bool blocks(const Segment& line, std::size_t face, std::size_t corner) const;

@@ -7,26 +7,25 @@
 
 namespace platon::oracle {
 
-/// The text is no JSON, or not the JSON that was asked for; the message ends with the column.
+/// The text is not JSON, or not the expected JSON. The message ends with the column.
 class JsonError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Walks through one JSON text from front to back without keeping it. The caller says what it expects next; anything
-/// else throws JsonError. Knows what traces and reports need: objects, arrays, numbers, strings
-/// without escapes.
+/// Pull parser for one JSON text. The caller asks for the value it expects next; anything else throws JsonError.
+/// Supports objects, arrays, numbers, and strings without escapes.
 class JsonReader {
  public:
-  /// The text must outlive the reader and what it returns.
+  /// The text must outlive the reader and the strings that it returns.
   explicit JsonReader(std::string_view text) : text_(text) {}
 
   std::int64_t integer();
-  /// Also one that is not whole.
+  /// Any finite number.
   double number();
   std::string_view string();
 
-  /// Calls `element()` where each element begins; it must read that element.
+  /// Calls `element()` at each element; it must read that element.
   template <typename Element>
   void array(Element element) {
     expect('[');
@@ -36,7 +35,7 @@ class JsonReader {
     expect(']');
   }
 
-  /// Calls `member(key)` where each value begins; it must read that value.
+  /// Calls `member(key)` at each value; it must read that value.
   template <typename Member>
   void object(Member member) {
     expect('{');
@@ -49,10 +48,10 @@ class JsonReader {
     expect('}');
   }
 
-  /// Nothing but white space may be left.
+  /// Expects the end of the text, after optional white space.
   void end();
 
-  /// Throws a JsonError about the present column.
+  /// Throws a JsonError that names the current column.
   [[noreturn]] void fail(const std::string& what) const;
 
  private:

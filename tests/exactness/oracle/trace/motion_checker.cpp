@@ -5,10 +5,12 @@
 namespace platon::oracle {
 namespace {
 
-/// I6: how far an instance's displacement may be from home's, in subunits, and what computing in reals may add.
+/// I6: largest difference, in subunits, between the displacement of an instance and that of home; plus the rounding of
+/// long double.
 constexpr long double kStepTolerance = 4 + 1e-6L;
-/// An instance that appears or vanishes during a leg does not show one end of its path; that end is known this well.
-constexpr std::int64_t kUnseenEnd = 3;
+/// Uncertainty, in subunits, of the end of a path that the trace does not show: the start of an instance that appears
+/// in a leg, and the end of one that vanishes.
+constexpr std::int64_t kUnknownEndTolerance = 3;
 
 std::string name(const TraceInstance& instance) {
   return "instance " + std::to_string(instance.id) + " in face " + std::to_string(instance.face);
@@ -25,50 +27,50 @@ Vec MotionChecker::stepOf(const TraceLeg& leg, const TraceInstance& instance, Ve
 
 void MotionChecker::checkPath(const TraceInstance& from, const TraceInstance& shaped, Vec displacement,
                               std::int64_t tolerance) {
-  const TurnedShape& shape = shapes_.of(shaped);
+  const RotatedShape& shape = shapes_.of(shaped);
   const Box box = shape.box.moved(from.position).joined(shape.box.moved(from.position + displacement));
   for (const MapLine& line : map_.face(from.face).lines) {
     if (!box.touches(line.box)) continue;
     const OpenArea area = OpenArea::swept(shape.polygon, from.position, displacement);
-    if (!(tolerance == 0 ? area : area.inset(tolerance)).meets(line.segment)) continue;
-    report_.violate("I1 path", name(from) + " going from " + toText(from.position) + " by " + toText(displacement) +
-                                   " meets the line " + oracle::toText(line.segment));
+    if (!(tolerance == 0 ? area : area.inset(tolerance)).intersects(line.segment)) continue;
+    report_.violate("I1 path", name(from) + " moving from " + toText(from.position) + " by " + toText(displacement) +
+                                   " intersects the segment " + oracle::toText(line.segment));
     return;
   }
 }
 
-void MotionChecker::checkTurn(const TraceInstance& before, const TraceInstance& after) {
+void MotionChecker::checkRotation(const TraceInstance& before, const TraceInstance& after) {
   std::vector<Vec> corners;
   for (const TraceInstance* instance : {&before, &after})
     for (const Vec corner : shapes_.of(*instance).polygon) corners.push_back(corner);
   const Polygon hull = convexHull(std::move(corners));
-  const OpenArea area = OpenArea::standing(hull, before.position);
+  const OpenArea area = OpenArea::placed(hull, before.position);
   const Box box = boxOf(hull).moved(before.position);
   for (const MapLine& line : map_.face(before.face).lines)
-    if (box.touches(line.box) && area.meets(line.segment)) {
+    if (box.touches(line.box) && area.intersects(line.segment)) {
       report_.violate("I1 turn", name(before) + " at " + toText(before.position) + " turning from " +
                                      std::to_string(before.angle) + " to " + std::to_string(after.angle) +
-                                     " meets the line " + oracle::toText(line.segment));
+                                     " intersects the segment " + oracle::toText(line.segment));
       return;
     }
 }
 
-void MotionChecker::checkStays(const TraceInstance& before, const TraceInstance& after) {
+void MotionChecker::checkUnmoved(const TraceInstance& before, const TraceInstance& after) {
   if (before.position != after.position || before.angle != after.angle)
     report_.violate("home",
-                    name(after) + " moves by " + toText(after.position - before.position) + " where home passes");
+                    name(after) + " moves by " + toText(after.position - before.position) + " in a leg that rehomes");
 }
 
-void MotionChecker::checkHomePassing(const TraceLeg& before, const TraceLeg& after) {
+void MotionChecker::checkRehome(const TraceLeg& before, const TraceLeg& after) {
   if (findInstance(before, homeOf(after)->id) == nullptr)
-    report_.violate("home", name(*homeOf(after)) + " is home from nowhere");
+    report_.violate("home", name(*homeOf(after)) + " is home but did not exist before");
   if (homeOf(before)->face != homeOf(after)->face) ++report_.crossings;
 }
 
-void MotionChecker::checkTogether(const TraceLeg& leg, const TraceInstance& before, const TraceInstance& after,
-                                  const HomeMove& home) {
-  if (withoutTurns(after.angle - before.angle) != withoutTurns(home.turn))
-    report_.violate("I6", name(after) + " does not turn as home does");
+void MotionChecker::checkMovesWithHome(const TraceLeg& leg, const TraceInstance& before, const TraceInstance& after,
+                                       const HomeMove& home) {
+  if (normalizedAngle(after.angle - before.angle) != normalizedAngle(home.turn))
+    report_.violate("I6", name(after) + " does not rotate like home");
   const RealVec expected = states_.motionFromHome(leg, after).turned(toReal(home.step));
   const Vec step = after.position - before.position;
   const long double error = distance(expected, toReal(step));
@@ -76,23 +78,23 @@ void MotionChecker::checkTogether(const TraceLeg& leg, const TraceInstance& befo
     report_.violate("I6", name(after) + " moves by " + toText(step) + ", off by " + std::to_string(error));
 }
 
-void MotionChecker::checkOld(const TraceLeg& leg, const TraceInstance& before, const TraceInstance& after,
-                             const HomeMove& home) {
+void MotionChecker::checkKeptInstance(const TraceLeg& leg, const TraceInstance& before, const TraceInstance& after,
+                                      const HomeMove& home) {
   if (before.face != after.face) {
     report_.violate("ids", name(after) + " was in face " + std::to_string(before.face));
     return;
   }
-  if (home.passes) checkStays(before, after);
-  if (before.angle != after.angle) checkTurn(before, after);
-  checkTogether(leg, before, after, home);
+  if (home.rehomes) checkUnmoved(before, after);
+  if (before.angle != after.angle) checkRotation(before, after);
+  checkMovesWithHome(leg, before, after, home);
   checkPath(before, after, after.position - before.position, 0);
 }
 
-void MotionChecker::checkNew(const TraceLeg& leg, const TraceInstance& instance, const HomeMove& home) {
+void MotionChecker::checkNewInstance(const TraceLeg& leg, const TraceInstance& instance, const HomeMove& home) {
   const Vec step = stepOf(leg, instance, home.step);
   TraceInstance start = instance;
   start.position = instance.position - step;
-  checkPath(start, instance, step, kUnseenEnd);
+  checkPath(start, instance, step, kUnknownEndTolerance);
   states_.checkFree(instance);
 }
 
@@ -105,17 +107,17 @@ MotionChecker::HomeMove MotionChecker::moveOfHome(const TraceLeg& before, const 
 
 void MotionChecker::check(const TraceLeg& before, const TraceLeg& after) {
   const HomeMove home = moveOfHome(before, after);
-  if (home.passes) checkHomePassing(before, after);
+  if (home.rehomes) checkRehome(before, after);
   for (const TraceInstance& instance : after) {
     const TraceInstance* const earlier = findInstance(before, instance.id);
     if (earlier == nullptr)
-      checkNew(after, instance, home);
+      checkNewInstance(after, instance, home);
     else
-      checkOld(after, *earlier, instance, home);
+      checkKeptInstance(after, *earlier, instance, home);
   }
-  for (const TraceInstance& gone : before)
-    if (home.step != Vec{} && findInstance(after, gone.id) == nullptr)
-      checkPath(gone, gone, stepOf(before, gone, home.step), kUnseenEnd);
+  for (const TraceInstance& vanished : before)
+    if (home.step != Vec{} && findInstance(after, vanished.id) == nullptr)
+      checkPath(vanished, vanished, stepOf(before, vanished, home.step), kUnknownEndTolerance);
 }
 
 }  // namespace platon::oracle

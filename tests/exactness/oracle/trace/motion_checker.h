@@ -4,33 +4,34 @@
 
 namespace platon::oracle {
 
-/// Checks how the instances of one player went from one moment to the next. Both must be trees.
+/// Checks how the instances of one player moved between two consecutive legs. Both must be trees.
 class MotionChecker {
  public:
   MotionChecker(const TraceMap& map, ShapeLibrary& shapes, StateChecker& states, TraceReport& report)
       : map_(map), shapes_(shapes), states_(states), report_(report) {}
 
-  /// Every instance goes straight and free (I1), turns free, and moves as home does (I6). Home passes only where
-  /// nothing moves.
+  /// The straight path and the rotation of every instance are free (I1), and every instance moves like home (I6). In a
+  /// leg that rehomes nothing moves.
   void check(const TraceLeg& before, const TraceLeg& after);
 
  private:
-  /// What the instance that is home afterwards did.
+  /// The motion of the instance that is home after the leg.
   struct HomeMove {
-    bool passes = false;
+    bool rehomes = false;
     Vec step;
     std::int64_t turn = 0;
   };
 
   static HomeMove moveOfHome(const TraceLeg& before, const TraceLeg& after);
-  void checkHomePassing(const TraceLeg& before, const TraceLeg& after);
-  void checkOld(const TraceLeg& leg, const TraceInstance& before, const TraceInstance& after, const HomeMove& home);
-  void checkNew(const TraceLeg& leg, const TraceInstance& instance, const HomeMove& home);
-  void checkStays(const TraceInstance& before, const TraceInstance& after);
-  void checkTogether(const TraceLeg& leg, const TraceInstance& before, const TraceInstance& after,
-                     const HomeMove& home);
-  void checkTurn(const TraceInstance& before, const TraceInstance& after);
-  /// `tolerance`: how far, in subunits, the sides of the shape are moved inwards first.
+  void checkRehome(const TraceLeg& before, const TraceLeg& after);
+  void checkKeptInstance(const TraceLeg& leg, const TraceInstance& before, const TraceInstance& after,
+                         const HomeMove& home);
+  void checkNewInstance(const TraceLeg& leg, const TraceInstance& instance, const HomeMove& home);
+  void checkUnmoved(const TraceInstance& before, const TraceInstance& after);
+  void checkMovesWithHome(const TraceLeg& leg, const TraceInstance& before, const TraceInstance& after,
+                          const HomeMove& home);
+  void checkRotation(const TraceInstance& before, const TraceInstance& after);
+  /// `tolerance`: distance in subunits by which the sides of the swept area are moved inwards first.
   void checkPath(const TraceInstance& from, const TraceInstance& shaped, Vec displacement, std::int64_t tolerance);
   Vec stepOf(const TraceLeg& leg, const TraceInstance& instance, Vec homeStep) const;
 

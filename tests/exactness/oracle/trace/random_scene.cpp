@@ -10,11 +10,11 @@ namespace {
 
 constexpr std::int64_t kEntities = 8;
 constexpr auto kShapes =
-    std::to_array({ShapeKind::Any, ShapeKind::Many, ShapeKind::Ball, ShapeKind::Needle, ShapeKind::Box});
+    std::to_array({ShapeKind::Any, ShapeKind::ManyCorners, ShapeKind::Ball, ShapeKind::Needle, ShapeKind::Box});
 
 Vec half(Vec v) { return {v.x / 2, v.y / 2}; }
 
-/// A chain of lines of which each goes on where the last one ended, up to two subunits off.
+/// A chain of segments, each starting within two subunits of the end of the last one.
 void addChain(Scene& scene, RandomSource& random) {
   const Vec step = random.vector(scene.scale);
   Vec at = random.vector(4 * scene.scale);
@@ -25,7 +25,7 @@ void addChain(Scene& scene, RandomSource& random) {
   }
 }
 
-/// Two lines that narrow to a wedge.
+/// Two segments that form a wedge.
 void addWedge(Scene& scene, RandomSource& random) {
   const Vec tip = random.vector(4 * scene.scale);
   const Vec axis = random.vector(4 * scene.scale);
@@ -34,7 +34,7 @@ void addWedge(Scene& scene, RandomSource& random) {
   scene.lines.push_back({tip + random.vector(1), tip + axis - side});
 }
 
-/// Two parallel lines about as far apart as the shape is wide: it fits, fits exactly, or does not fit.
+/// Two parallel segments about as far apart as the shape is wide: it fits with room, exactly, or not at all.
 void addCorridor(Scene& scene, RandomSource& random) {
   const Box box = boxOf(scene.shape);
   const Vec start = random.vector(3 * scene.scale);
@@ -59,10 +59,10 @@ void addLines(Scene& scene, RandomSource& random) {
         addCorridor(scene, random);
         break;
       case 3:
-        scene.lines.push_back(randomLine(LineKind::Along, scene.shape, 4 * scene.scale, random));
+        scene.lines.push_back(randomObstacle(ObstacleKind::Parallel, scene.shape, 4 * scene.scale, random));
         break;
       case 4:
-        scene.lines.push_back(randomLine(LineKind::Point, scene.shape, 4 * scene.scale, random));
+        scene.lines.push_back(randomObstacle(ObstacleKind::Point, scene.shape, 4 * scene.scale, random));
         break;
       default:
         scene.lines.push_back({random.vector(4 * scene.scale), random.vector(4 * scene.scale)});
@@ -76,11 +76,12 @@ void addLines(Scene& scene, RandomSource& random) {
 }
 
 bool isFree(const Scene& scene, Vec position) {
-  const OpenArea area = OpenArea::standing(scene.shape, position);
-  return std::none_of(scene.lines.begin(), scene.lines.end(), [&](const Segment& line) { return area.meets(line); });
+  const OpenArea area = OpenArea::placed(scene.shape, position);
+  return std::none_of(scene.lines.begin(), scene.lines.end(),
+                      [&](const Segment& line) { return area.intersects(line); });
 }
 
-std::string words(std::string_view keyword, const std::vector<Vec>& vectors) {
+std::string sceneLine(std::string_view keyword, const std::vector<Vec>& vectors) {
   std::string line(keyword);
   for (const Vec v : vectors) line.append(" ").append(std::to_string(v.x)).append(" ").append(std::to_string(v.y));
   return line.append("\n");
@@ -88,7 +89,7 @@ std::string words(std::string_view keyword, const std::vector<Vec>& vectors) {
 
 }  // namespace
 
-Scene makeScene(RandomSource& random) {
+Scene randomScene(RandomSource& random) {
   Scene scene;
   while (scene.entities.empty()) {
     scene = {};
@@ -106,9 +107,9 @@ Scene makeScene(RandomSource& random) {
 }
 
 std::string toText(const Scene& scene) {
-  std::string text = words("shape", scene.shape);
-  for (const Segment& line : scene.lines) text += words("line", {line.a, line.b});
-  for (const Vec entity : scene.entities) text += words("entity", {entity});
+  std::string text = sceneLine("shape", scene.shape);
+  for (const Segment& line : scene.lines) text += sceneLine("line", {line.a, line.b});
+  for (const Vec entity : scene.entities) text += sceneLine("entity", {entity});
   return text;
 }
 

@@ -7,18 +7,18 @@
 
 namespace platon::oracle {
 
-/// A scene in the form of a scene file's content, made to be hard: any convex shape among lines that meet, cross,
-/// nearly continue each other, narrow to wedges, or are single points.
+/// A random hard scene, as in a scene file: a convex shape among segments that meet, cross, nearly continue each other,
+/// form wedges, or are points.
 struct Scene {
   Polygon shape;
   std::vector<Segment> lines;
   std::vector<Vec> entities;
-  /// About the shape's own size; velocities should be measured by it.
+  /// About the size of the shape. Choose velocities relative to it.
   std::int64_t scale = 0;
 };
 
-/// A scene with at least one entity, all of them free.
-Scene makeScene(RandomSource& random);
+/// A scene with at least one entity. No entity overlaps a segment.
+Scene randomScene(RandomSource& random);
 
 /// The content of its scene file.
 std::string toText(const Scene& scene);

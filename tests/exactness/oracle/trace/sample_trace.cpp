@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::int64_t kSubunitsPerUnit = 1024;
 
-/// The quarter turns that carry direction `from` to direction `onto`.
+/// Number of quarter turns from direction `from` to direction `onto`.
 std::int64_t quarterTurns(Vec from, Vec onto) {
   std::int64_t turns = 0;
   for (; cross(from, onto) != 0 || dot(from, onto) < 0; ++turns) from = {-from.y, from.x};
@@ -30,7 +30,7 @@ TraceInstance homeAt(std::int64_t x) {
   return home;
 }
 
-/// The edge with the larger x: edge 1 of a hexahedron's face.
+/// The warp of edge 1, the right edge of a face of the hexahedron.
 constexpr std::size_t kRightWarp = 1;
 
 std::string bracketed(const std::string& text) { return std::string("[").append(text).append("]"); }
@@ -52,14 +52,14 @@ std::string toJson(const Polygon& polygon) {
   return list(polygon, [](Vec v) { return bracketed(std::to_string(v.x).append(",").append(std::to_string(v.y))); });
 }
 
-/// "key":value, with a comma behind it.
+/// "key":value, followed by a comma.
 std::string field(const std::string& key, const std::string& value) {
   return std::string("\"").append(key).append("\":").append(value).append(",");
 }
 
 std::string field(const std::string& key, std::int64_t value) { return field(key, std::to_string(value)); }
 
-/// An object of fields, whose last comma is dropped.
+/// An object of fields, without the last comma.
 std::string object(std::string fields) {
   fields.back() = '}';
   return std::string("{").append(fields);
@@ -123,7 +123,7 @@ TraceInstance behindWarp(const TraceHeader& header, const TraceInstance& parent,
   TraceInstance instance{id,
                          through.to,
                          through.onto.a + turned(parent.position - through.from.a, quarters),
-                         withoutTurns(parent.angle + quarters * kTurn / 4),
+                         normalizedAngle(parent.angle + quarters * kTurn / 4),
                          false,
                          parent.id,
                          static_cast<std::int64_t>(warp),
@@ -142,7 +142,7 @@ SampleTrace sampleTrace() {
   const auto pair = [&](std::int64_t x) -> TraceLeg {
     return {homeAt(x), behindWarp(header, homeAt(x), kRightWarp, 8)};
   };
-  const auto passed = [&](std::int64_t x) {
+  const auto rehomed = [&](std::int64_t x) {
     TraceLeg leg = pair(x);
     leg[0].home = false;
     leg[0].parent = leg[1].id;
@@ -155,11 +155,11 @@ SampleTrace sampleTrace() {
   const TraceLeg start{homeAt(1000)};
   const std::int64_t reaching = kSampleHalf - 500;
   const std::int64_t over = kSampleHalf + 500;
-  const TraceLeg left{passed(kSampleHalf + 3000)[1]};
+  const TraceLeg left{rehomed(kSampleHalf + 3000)[1]};
   const std::vector<std::vector<TraceLeg>> ticks{{start, start},
                                                  {start, {homeAt(90000)}, pair(reaching)},
-                                                 {pair(reaching), pair(over), passed(over)},
-                                                 {passed(over), passed(kSampleHalf + 3000), left}};
+                                                 {pair(reaching), pair(over), rehomed(over)},
+                                                 {rehomed(over), rehomed(kSampleHalf + 3000), left}};
   for (std::size_t tick = 0; tick < ticks.size(); ++tick)
     sample.ticks.push_back({static_cast<std::int64_t>(tick) + 1, "0123456789abcdef", {{0, ticks[tick]}}});
   return sample;
@@ -183,18 +183,18 @@ std::string toJson(const TraceTick& tick) {
                 field("players", list(tick.players, player)));
 }
 
-std::set<std::string> brokenLaws(const std::vector<std::string>& lines) {
+std::set<std::string> violatedRules(const std::vector<std::string>& lines) {
   TraceChecker checker;
   for (const std::string& line : lines)
-    if (!checker.take(line)) break;
+    if (!checker.checkLine(line)) break;
   checker.finish();
-  return checker.report().brokenLaws();
+  return checker.report().violatedRules();
 }
 
-std::set<std::string> brokenLaws(const SampleTrace& trace) {
+std::set<std::string> violatedRules(const SampleTrace& trace) {
   std::vector<std::string> lines{toJson(trace.header)};
   for (const TraceTick& tick : trace.ticks) lines.push_back(toJson(tick));
-  return brokenLaws(lines);
+  return violatedRules(lines);
 }
 
 }  // namespace platon::oracle

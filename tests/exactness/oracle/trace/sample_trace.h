@@ -8,34 +8,34 @@
 
 namespace platon::oracle {
 
-/// A small trace made by hand, to be broken in one place by each test.
+/// A small hand-made trace. Each test breaks it in one place.
 struct SampleTrace {
   TraceHeader header;
   std::vector<TraceTick> ticks;
 
-  /// The instances of leg entry `leg` of tick `tick`, counted from 0.
+  /// The instances of leg `entry` of tick `tick`, both counted from 0.
   TraceLeg& leg(std::size_t tick, std::size_t entry) { return ticks[tick].players[0].legs[entry]; }
 };
 
-/// Half the edge of the sample's faces, in subunits: where its edges are.
+/// Half the edge length of the sample's faces, in subunits.
 inline constexpr std::int64_t kSampleHalf = 204800;
 
-/// A hexahedron of size 400 with point posts and a triangle, which lies still for a tick (0), goes right until it
-/// reaches into the next face (1), goes on until its centre and so its home is there (2), and goes on until it has left
-/// the first face (3). Everything in it is right.
+/// A correct trace of a triangle on a hexahedron of size 400 with points as posts. In tick 0 the triangle rests; in
+/// tick 1 it moves right until it reaches into the next face; in tick 2 its centre crosses the edge, so that it
+/// rehomes; in tick 3 it leaves the first face.
 SampleTrace sampleTrace();
 
-/// The header of a solid by the corners of its faces, counter-clockwise seen from outside.
+/// The header of a solid. `faces` lists the corners of each face, counter-clockwise seen from outside.
 TraceHeader makeHeader(const std::string& solid, const std::vector<std::vector<int>>& faces, std::int64_t size);
 
-/// Where an instance at `position`, turned by `angle`, stands when it is seen from behind a warp of the sample.
+/// The instance that `parent` has behind a warp of the sample.
 TraceInstance behindWarp(const TraceHeader& header, const TraceInstance& parent, std::size_t warp, std::int64_t id);
 
 std::string toJson(const TraceHeader& header);
 std::string toJson(const TraceTick& tick);
 
-/// What the checker finds broken in the trace made of these lines, or of the sample.
-std::set<std::string> brokenLaws(const std::vector<std::string>& lines);
-std::set<std::string> brokenLaws(const SampleTrace& trace);
+/// The rules that the checker finds violated in a trace.
+std::set<std::string> violatedRules(const std::vector<std::string>& lines);
+std::set<std::string> violatedRules(const SampleTrace& trace);
 
 }  // namespace platon::oracle

@@ -11,7 +11,7 @@
 namespace platon::oracle {
 namespace {
 
-/// Slow against the shape, like it, and many times as fast.
+/// The largest speed is scale / 8 times a power of two of up to this exponent.
 constexpr std::int64_t kSpeedRange = 6;
 
 std::vector<std::string> command(const std::string& program, const std::string& file, std::int64_t ticks,
@@ -28,36 +28,36 @@ std::vector<std::string> command(const std::string& program, const std::string& 
           "--json"};
 }
 
-/// What all scenes came to.
-struct Tally {
+/// Totals over all scenes.
+struct Totals {
   std::int64_t legs = 0;
   std::int64_t playerTicks = 0;
   std::int64_t failures = 0;
 };
 
-/// Prints the scene when something is wrong.
+/// Prints the scene if a check fails.
 void checkScene(const std::string& program, const std::string& file, std::int64_t ticks, std::uint64_t seed,
-                Tally& tally) {
+                Totals& totals) {
   RandomSource random(seed);
-  const Scene scene = makeScene(random);
+  const Scene scene = randomScene(random);
   const std::int64_t speed = std::max<std::int64_t>(1, (scene.scale / 8) << random.between(0, kSpeedRange));
   writeText(file, toText(scene));
   const auto [report, exitCode] = runTraced(command(program, file, ticks, seed, speed));
-  tally.legs += report.legs;
-  tally.playerTicks += report.playerTicks;
+  totals.legs += report.legs;
+  totals.playerTicks += report.playerTicks;
   if (report.clean() && exitCode == 0 && report.ticks == ticks) return;
-  ++tally.failures;
+  ++totals.failures;
   std::cout << "seed " << seed << ", speed up to " << speed << ", exit " << exitCode << ": " << report << '\n'
             << toText(scene) << std::flush;
 }
 
 int check(const std::string& program, std::uint64_t scenes, std::int64_t ticks, std::uint64_t firstSeed) {
   const TemporaryFolder folder;
-  Tally tally;
-  for (std::uint64_t i = 0; i < scenes; ++i) checkScene(program, folder / "scene", ticks, firstSeed + i, tally);
-  std::cout << scenes << " scenes from seed " << firstSeed << ", " << ticks << " ticks each: " << tally.playerTicks
-            << " entity ticks, " << tally.legs << " legs, " << tally.failures << " failures\n";
-  return tally.failures == 0 ? 0 : 1;
+  Totals totals;
+  for (std::uint64_t i = 0; i < scenes; ++i) checkScene(program, folder / "scene", ticks, firstSeed + i, totals);
+  std::cout << scenes << " scenes from seed " << firstSeed << ", " << ticks << " ticks each: " << totals.playerTicks
+            << " entity ticks, " << totals.legs << " legs, " << totals.failures << " failures\n";
+  return totals.failures == 0 ? 0 : 1;
 }
 
 std::optional<std::int64_t> parse(std::string_view text) {

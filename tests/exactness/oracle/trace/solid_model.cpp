@@ -24,7 +24,7 @@ RealVec polar(long double radius, long double radians) {
 
 }  // namespace
 
-std::int64_t withoutTurns(std::int64_t centidegrees) { return (centidegrees % kTurn + kTurn) % kTurn; }
+std::int64_t normalizedAngle(std::int64_t centidegrees) { return (centidegrees % kTurn + kTurn) % kTurn; }
 
 const SolidNumbers* findSolid(std::string_view name) {
   const auto solid =
@@ -49,7 +49,7 @@ RealVec idealEdgeMiddle(std::size_t corners, long double edgeLength, std::size_t
 }
 
 Isometry::Isometry(std::int64_t turn, RealVec from, RealVec onto)
-    : turn_(withoutTurns(turn)),
+    : turn_(normalizedAngle(turn)),
       cosine_(std::cos(kPi * static_cast<long double>(turn_) / (kTurn / 2))),
       sine_(std::sin(kPi * static_cast<long double>(turn_) / (kTurn / 2))) {
   const RealVec carried = turned(from);

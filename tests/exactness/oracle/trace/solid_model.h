@@ -7,25 +7,25 @@
 
 namespace platon::oracle {
 
-/// Hundredths of a degree in a turn.
+/// Centidegrees of a full turn.
 inline constexpr std::int64_t kTurn = 36000;
 
-/// An angle without its whole turns, in [0, 36000).
-std::int64_t withoutTurns(std::int64_t centidegrees);
+/// The same angle in [0, 36000).
+std::int64_t normalizedAngle(std::int64_t centidegrees);
 
-/// A Platonic solid by its numbers: faces, corners of a face, faces round a corner.
+/// The numbers that determine a Platonic solid.
 struct SolidNumbers {
   std::string_view name;
   std::size_t faces = 0;
-  std::size_t corners = 0;
-  std::size_t degree = 0;
+  std::size_t corners = 0;  ///< of each face
+  std::size_t facesPerCorner = 0;
 };
 
-/// Nothing for a name that is none of the five.
+/// The solid with this name; nullptr if there is none.
 const SolidNumbers* findSolid(std::string_view name);
 
-/// A point of the real plane, in subunits. Good to about 1e-9 for all that a face can hold: enough to judge tolerances
-/// of whole subunits.
+/// A point or vector of the real plane, in subunits. Accurate to about 1e-9 on every face, which suffices for
+/// tolerances of whole subunits.
 struct RealVec {
   long double x = 0;
   long double y = 0;
@@ -34,21 +34,22 @@ struct RealVec {
 RealVec toReal(Vec v);
 long double distance(RealVec a, RealVec b);
 
-/// The corner of the ideal regular face: centre at the origin, edge 0 (corner 0 to 1) at the bottom, counter-clockwise.
+/// A corner of the ideal regular face. Its centre is the origin, edge 0 (corner 0 to 1) is at the bottom, and corners
+/// are numbered counter-clockwise.
 RealVec idealCorner(std::size_t corners, long double edgeLength, std::size_t index);
 
 /// The middle of the ideal edge from corner `index` to the next.
 RealVec idealEdgeMiddle(std::size_t corners, long double edgeLength, std::size_t index);
 
-/// A real motion of the plane: turn about the origin, then shift.
+/// A motion of the real plane: a rotation about the origin, then a translation.
 class Isometry {
  public:
   Isometry() = default;
-  /// Turns by exactly this angle and carries `from` to `onto`.
+  /// Rotates by `turn` centidegrees and maps `from` to `onto`.
   Isometry(std::int64_t turn, RealVec from, RealVec onto);
 
   RealVec apply(RealVec point) const;
-  /// What becomes of a displacement.
+  /// The rotation applied to a vector.
   RealVec turned(RealVec displacement) const;
   std::int64_t turn() const { return turn_; }
 

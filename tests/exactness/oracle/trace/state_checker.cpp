@@ -5,15 +5,15 @@
 namespace platon::oracle {
 namespace {
 
-/// What computing in reals may add to an exact distance, in subunits, with plenty to spare.
-constexpr long double kReal = 1e-6L;
-/// I5: how far an instance may be from where the true isometry puts it, in subunits.
-constexpr long double kPlacementTolerance = 4 + kReal;
-/// Two instances nearer than this, turned alike, are one placement.
+/// Bound of the rounding error of a distance computed in long double, in subunits.
+constexpr long double kRealError = 1e-6L;
+/// I5: largest distance, in subunits, of an instance from its image under the true isometry.
+constexpr long double kPlacementTolerance = 4 + kRealError;
+/// Instances of equal angle within this distance, in subunits, are the same placement.
 constexpr long double kSamePlacement = 8;
-/// I7: how far outside its home face a centre may be.
-constexpr long double kCentreTolerance = 4 + kReal;
-/// An instance farther behind its edge than this should have been dropped.
+/// I7: largest distance, in subunits, of the centre outside its home face.
+constexpr long double kCentreTolerance = 4 + kRealError;
+/// An instance whose parent is farther than this, in subunits, from the edge must be dropped.
 constexpr std::int64_t kStale = 64;
 
 std::string name(const TraceInstance& instance) {
@@ -22,7 +22,7 @@ std::string name(const TraceInstance& instance) {
 }
 
 bool isSamePlace(const TraceInstance& instance, std::int64_t face, std::int64_t angle, RealVec position) {
-  return instance.face == face && withoutTurns(instance.angle) == withoutTurns(angle) &&
+  return instance.face == face && normalizedAngle(instance.angle) == normalizedAngle(angle) &&
          distance(toReal(instance.position), position) <= kSamePlacement;
 }
 
@@ -51,7 +51,7 @@ bool StateChecker::isWellFormed(const TraceLeg& leg, const TraceInstance& instan
          face.warps[static_cast<std::size_t>(instance.warp)].to == static_cast<std::size_t>(instance.face);
 }
 
-bool StateChecker::reachesHome(const TraceLeg& leg, const TraceInstance& instance) const {
+bool StateChecker::isConnectedToHome(const TraceLeg& leg, const TraceInstance& instance) const {
   const TraceInstance* at = &instance;
   for (std::size_t i = 0; i < leg.size() && !at->home; ++i) at = findInstance(leg, at->parent);
   return at->home;
@@ -70,8 +70,8 @@ bool StateChecker::isTree(const TraceLeg& leg) {
       return false;
     }
   for (const TraceInstance& instance : leg)
-    if (!reachesHome(leg, instance)) {
-      report_.violate("tree", name(instance) + " does not hang on home");
+    if (!isConnectedToHome(leg, instance)) {
+      report_.violate("tree", name(instance) + " is not connected to home");
       return false;
     }
   return true;
@@ -81,28 +81,28 @@ const MapWarp& StateChecker::warpOf(const TraceLeg& leg, const TraceInstance& in
   return map_.face(findInstance(leg, instance.parent)->face).warps[static_cast<std::size_t>(instance.warp)];
 }
 
-RealVec StateChecker::placeFromHome(const TraceLeg& leg, const TraceInstance& instance) const {
+RealVec StateChecker::positionFromHome(const TraceLeg& leg, const TraceInstance& instance) const {
   if (instance.home) return toReal(instance.position);
-  return warpOf(leg, instance).motion.apply(placeFromHome(leg, *findInstance(leg, instance.parent)));
+  return warpOf(leg, instance).motion.apply(positionFromHome(leg, *findInstance(leg, instance.parent)));
 }
 
 Isometry StateChecker::motionFromHome(const TraceLeg& leg, const TraceInstance& instance) const {
   std::int64_t turn = 0;
   for (const TraceInstance* at = &instance; !at->home; at = findInstance(leg, at->parent))
     turn += warpOf(leg, *at).motion.turn();
-  return Isometry(turn, toReal(homeOf(leg)->position), placeFromHome(leg, instance));
+  return Isometry(turn, toReal(homeOf(leg)->position), positionFromHome(leg, instance));
 }
 
 void StateChecker::checkPlacement(const TraceLeg& leg, const TraceInstance& instance) {
   if (instance.home) return;
   const TraceInstance& parent = *findInstance(leg, instance.parent);
   const Isometry& motion = warpOf(leg, instance).motion;
-  if (withoutTurns(parent.angle + motion.turn()) != withoutTurns(instance.angle))
+  if (normalizedAngle(parent.angle + motion.turn()) != normalizedAngle(instance.angle))
     report_.violate("I5 angle", name(instance) + ": angle " + std::to_string(instance.angle) + ", its parent's " +
                                     std::to_string(parent.angle) + ", turn of the warp " +
                                     std::to_string(motion.turn()));
   const RealVec place = toReal(instance.position);
-  const long double error = distance(place, placeFromHome(leg, instance));
+  const long double error = distance(place, positionFromHome(leg, instance));
   report_.notePlacementError(error);
   if (error > kPlacementTolerance)
     report_.violate("I5 home", name(instance) + " is off by " + std::to_string(error) + " from home");
@@ -115,7 +115,7 @@ void StateChecker::checkDuplicates(const TraceLeg& leg) {
   for (std::size_t i = 0; i < leg.size(); ++i)
     for (std::size_t j = i + 1; j < leg.size(); ++j)
       if (isSamePlace(leg[i], leg[j].face, leg[j].angle, toReal(leg[j].position)))
-        report_.violate("duplicate", name(leg[i]) + " and " + name(leg[j]) + " are one placement");
+        report_.violate("duplicate", name(leg[i]) + " and " + name(leg[j]) + " are the same placement");
 }
 
 void StateChecker::checkPlacements(const TraceLeg& leg) {
@@ -133,16 +133,16 @@ bool StateChecker::isCovered(const TraceLeg& leg, const TraceInstance& instance,
   const RealVec place = through.motion.apply(toReal(instance.position));
   const std::int64_t angle = instance.angle + through.motion.turn();
   return std::any_of(leg.begin(), leg.end(), [&](const TraceInstance& other) {
-    const bool hangs = !other.home && other.parent == instance.id && other.warp == static_cast<std::int64_t>(warp);
-    return hangs || isSamePlace(other, static_cast<std::int64_t>(through.to), angle, place);
+    const bool isChild = !other.home && other.parent == instance.id && other.warp == static_cast<std::int64_t>(warp);
+    return isChild || isSamePlace(other, static_cast<std::int64_t>(through.to), angle, place);
   });
 }
 
 bool StateChecker::reachesThrough(const TraceInstance& instance, const MapWarp& warp) {
-  const TurnedShape& shape = shapes_.of(instance);
+  const RotatedShape& shape = shapes_.of(instance);
   if (!shape.box.moved(instance.position).touches(warp.box)) return false;
-  const OpenArea area = OpenArea::standing(shape.polygon, instance.position);
-  return area.meets(warp.from) && area.meets(warp.beyond);
+  const OpenArea area = OpenArea::placed(shape.polygon, instance.position);
+  return area.intersects(warp.from) && area.intersects(warp.beyond);
 }
 
 void StateChecker::checkCoverage(const TraceLeg& leg, const TraceInstance& instance) {
@@ -150,23 +150,23 @@ void StateChecker::checkCoverage(const TraceLeg& leg, const TraceInstance& insta
   for (std::size_t warp = 0; warp < warps.size(); ++warp)
     if (reachesThrough(instance, warps[warp]) && !isCovered(leg, instance, warp))
       report_.violate("coverage", name(instance) + " reaches through warp " + std::to_string(warp) + " into face " +
-                                      std::to_string(warps[warp].to) + ", where nothing hangs");
+                                      std::to_string(warps[warp].to) + ", where it has no instance");
 }
 
 void StateChecker::checkFree(const TraceInstance& instance) {
-  const TurnedShape& shape = shapes_.of(instance);
+  const RotatedShape& shape = shapes_.of(instance);
   const Box box = shape.box.moved(instance.position);
   for (const MapLine& line : map_.face(instance.face).lines)
-    if (box.touches(line.box) && OpenArea::standing(shape.polygon, instance.position).meets(line.segment)) {
-      report_.violate("I1 place", name(instance) + " overlaps the line " + toText(line.segment));
+    if (box.touches(line.box) && OpenArea::placed(shape.polygon, instance.position).intersects(line.segment)) {
+      report_.violate("I1 place", name(instance) + " overlaps the segment " + toText(line.segment));
       return;
     }
 }
 
 bool StateChecker::isStale(const TraceLeg& leg, const TraceInstance& instance) {
   const TraceInstance& parent = *findInstance(leg, instance.parent);
-  const OpenArea area = OpenArea::standing(shapes_.of(parent).polygon, parent.position);
-  return !area.inset(-kStale).meets(warpOf(leg, instance).from);
+  const OpenArea area = OpenArea::placed(shapes_.of(parent).polygon, parent.position);
+  return !area.inset(-kStale).intersects(warpOf(leg, instance).from);
 }
 
 void StateChecker::checkTickEnd(const TraceLeg& leg) {
@@ -179,7 +179,8 @@ void StateChecker::checkTickEnd(const TraceLeg& leg) {
       report_.violate("I7", name(home) + " has its centre " + std::to_string(outside) + " outside");
   }
   for (const TraceInstance& instance : leg)
-    if (!instance.home && isStale(leg, instance)) report_.violate("stale", name(instance) + " is no longer reached");
+    if (!instance.home && isStale(leg, instance))
+      report_.violate("stale", name(instance) + " is behind an edge that the shape no longer reaches");
 }
 
 }  // namespace platon::oracle

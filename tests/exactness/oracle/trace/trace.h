@@ -8,7 +8,7 @@
 
 namespace platon::oracle {
 
-/// A face's edge, and where the same two points lie in the face behind it.
+/// An edge of a face, and the same edge in the frame of the adjacent face `to`.
 struct TraceWarp {
   Segment from;
   std::int64_t to = 0;
@@ -28,21 +28,21 @@ struct TraceHeader {
   std::vector<TraceFace> faces;
 };
 
-/// One placement of a player's shape. `shape` is empty unless the trace gives one.
+/// One placement of a player's shape. `shape` is empty if the trace gives none.
 struct TraceInstance {
   std::int64_t id = 0;
   std::int64_t face = 0;
   Vec position;
   std::int64_t angle = 0;
   bool home = true;
-  std::int64_t parent = 0;  ///< where not home: id of the instance it hangs on
-  std::int64_t warp = 0;    ///< where not home: index in the parent's face
+  std::int64_t parent = 0;  ///< unless home: id of the parent instance
+  std::int64_t warp = 0;    ///< unless home: index of the warp in the parent's face
   Polygon shape;
 
   friend bool operator==(const TraceInstance&, const TraceInstance&) = default;
 };
 
-/// All instances of one player at one moment.
+/// All instances of one player after one leg of its step.
 using TraceLeg = std::vector<TraceInstance>;
 
 struct TracePlayer {
@@ -50,7 +50,7 @@ struct TracePlayer {
   std::vector<TraceLeg> legs;
 };
 
-/// Any further line of a trace.
+/// Every other line of a trace: one tick.
 struct TraceTick {
   std::int64_t tick = 0;
   std::string hash;

@@ -15,16 +15,17 @@ namespace {
 constexpr const char* kUsage =
     "usage: platon-trace-check FILE…\n"
     "       platon-trace-check [--ticks T] [--crossings C] --run PROGRAM ARGUMENT…\n"
-    "Checks traces. The second form runs PROGRAM ARGUMENT… --trace PIPE and checks what it writes: it must exit 0,\n"
-    "write T ticks, and its players must have gone over at least C edges.\n";
+    "Checks traces. The second form runs PROGRAM ARGUMENT… --trace PIPE and checks the trace that it writes. The "
+    "program\n"
+    "must exit with 0 and write T ticks, and its players must cross at least C edges.\n";
 
-/// What a run must come to.
-struct Demands {
+/// Conditions on a run.
+struct Requirements {
   std::int64_t ticks = -1;
   std::int64_t crossings = 0;
 };
 
-bool say(const std::string& what, const TraceReport& report) {
+bool printReport(const std::string& what, const TraceReport& report) {
   std::cout << what << ": " << report << '\n';
   return report.clean();
 }
@@ -34,19 +35,19 @@ int checkFile(const std::string& file) {
   if (!stream) return std::cerr << "cannot read " << file << '\n', 2;
   TraceChecker checker;
   std::string line;
-  while (std::getline(stream, line) && checker.take(line)) {
+  while (std::getline(stream, line) && checker.checkLine(line)) {
   }
   checker.finish();
-  return say(file, checker.report()) ? 0 : 1;
+  return printReport(file, checker.report()) ? 0 : 1;
 }
 
-int checkRun(const Demands& demands, const std::vector<std::string>& arguments) {
+int checkRun(const Requirements& requirements, const std::vector<std::string>& arguments) {
   const auto [report, exitCode] = runTraced(arguments);
-  if (!say("trace", report)) return 1;
-  if (exitCode != 0) return std::cout << "the program exits " << exitCode << '\n', 1;
-  if (demands.ticks >= 0 && report.ticks != demands.ticks)
-    return std::cout << report.ticks << " ticks instead of " << demands.ticks << '\n', 1;
-  if (report.crossings < demands.crossings) return std::cout << "only " << report.crossings << " crossings\n", 1;
+  if (!printReport("trace", report)) return 1;
+  if (exitCode != 0) return std::cout << "the program exits with " << exitCode << '\n', 1;
+  if (requirements.ticks >= 0 && report.ticks != requirements.ticks)
+    return std::cout << report.ticks << " ticks instead of " << requirements.ticks << '\n', 1;
+  if (report.crossings < requirements.crossings) return std::cout << "only " << report.crossings << " crossings\n", 1;
   return 0;
 }
 
@@ -61,14 +62,14 @@ int usage() {
 }
 
 int main(std::span<const std::string> arguments) {
-  Demands demands;
+  Requirements requirements;
   while (arguments.size() > 2 && (arguments[0] == "--ticks" || arguments[0] == "--crossings")) {
-    if (!parse(arguments[1], arguments[0] == "--ticks" ? demands.ticks : demands.crossings)) return usage();
+    if (!parse(arguments[1], arguments[0] == "--ticks" ? requirements.ticks : requirements.crossings)) return usage();
     arguments = arguments.subspan(2);
   }
   if (arguments.empty() || arguments[0] == "--help") return usage();
   if (arguments[0] == "--run" && arguments.size() > 1)
-    return checkRun(demands, {arguments.begin() + 1, arguments.end()});
+    return checkRun(requirements, {arguments.begin() + 1, arguments.end()});
   int worst = 0;
   for (const std::string& file : arguments) worst = std::max(worst, checkFile(file));
   return worst;

@@ -8,7 +8,7 @@
 namespace platon::oracle {
 namespace {
 
-/// I2: no step has more moves than this.
+/// I2: largest number of legs of a step.
 constexpr std::size_t kMaxLegs = 100;
 
 bool isSameState(TraceLeg a, TraceLeg b) {
@@ -21,9 +21,9 @@ bool isSameState(TraceLeg a, TraceLeg b) {
 
 }  // namespace
 
-bool TraceChecker::take(std::string_view line) {
+bool TraceChecker::checkLine(std::string_view line) {
   try {
-    return checkers_ == nullptr ? takeHeader(line) : takeTick(line);
+    return checkers_ == nullptr ? checkHeader(line) : checkTick(line);
   } catch (const JsonError& error) {
     report_.violate("format", error.what());
     return false;
@@ -34,40 +34,40 @@ void TraceChecker::finish() {
   if (checkers_ == nullptr && report_.clean()) report_.violate("format", "no header");
 }
 
-bool TraceChecker::takeHeader(std::string_view line) {
+bool TraceChecker::checkHeader(std::string_view line) {
   std::optional<TraceMap> map = TraceMap::make(readTraceHeader(line), report_);
   if (!map) return false;
   checkers_ = std::make_unique<Checkers>(std::move(*map), report_);
   return true;
 }
 
-bool TraceChecker::takeTick(std::string_view line) {
+bool TraceChecker::checkTick(std::string_view line) {
   const TraceTick tick = readTraceTick(line);
-  report_.atTick(tick.tick);
-  report_.atPlayer(-1);
+  report_.setTick(tick.tick);
+  report_.setPlayer(-1);
   if (lastTick_ && tick.tick != *lastTick_ + 1)
-    report_.violate("format", "tick after tick " + std::to_string(*lastTick_));
+    report_.violate("format", "does not follow tick " + std::to_string(*lastTick_));
   lastTick_ = tick.tick;
   ++report_.ticks;
   std::map<std::int64_t, TraceLeg> now;
-  for (const TracePlayer& player : tick.players) takePlayer(player, now);
+  for (const TracePlayer& player : tick.players) checkPlayer(player, now);
   last_ = std::move(now);
   return true;
 }
 
-bool TraceChecker::takeStart(const TracePlayer& player) {
+bool TraceChecker::checkStart(const TracePlayer& player) {
   const TraceLeg& start = player.legs.front();
   const auto earlier = last_.find(player.id);
   if (earlier != last_.end() && earlier->second == start) return true;
   if (earlier != last_.end() && !isSameState(earlier->second, start))
-    report_.violate("continuity", "starts elsewhere than the last tick ended");
+    report_.violate("continuity", "does not start where the last tick ended");
   if (!checkers_->states.isTree(start)) return false;
   checkers_->states.checkPlacements(start);
   for (const TraceInstance& instance : start) checkers_->states.checkFree(instance);
   return true;
 }
 
-bool TraceChecker::takeLeg(const TraceLeg& before, const TraceLeg& after) {
+bool TraceChecker::checkLeg(const TraceLeg& before, const TraceLeg& after) {
   if (before == after) return true;
   if (!checkers_->states.isTree(after)) return false;
   checkers_->states.checkPlacements(after);
@@ -75,18 +75,18 @@ bool TraceChecker::takeLeg(const TraceLeg& before, const TraceLeg& after) {
   return true;
 }
 
-void TraceChecker::takePlayer(const TracePlayer& player, std::map<std::int64_t, TraceLeg>& now) {
-  report_.atPlayer(player.id);
-  report_.atLeg(0);
+void TraceChecker::checkPlayer(const TracePlayer& player, std::map<std::int64_t, TraceLeg>& now) {
+  report_.setPlayer(player.id);
+  report_.setLeg(0);
   ++report_.playerTicks;
   if (player.legs.empty() || now.contains(player.id)) {
-    report_.violate("format", player.legs.empty() ? "player without legs" : "player twice");
+    report_.violate("format", player.legs.empty() ? "player without legs" : "player occurs twice");
     return;
   }
-  if (!takeStart(player)) return;
+  if (!checkStart(player)) return;
   for (std::size_t leg = 1; leg < player.legs.size(); ++leg) {
-    report_.atLeg(leg);
-    if (!takeLeg(player.legs[leg - 1], player.legs[leg])) return;
+    report_.setLeg(leg);
+    if (!checkLeg(player.legs[leg - 1], player.legs[leg])) return;
   }
   report_.noteLegs(player.legs.size() - 1);
   if (player.legs.size() > kMaxLegs) report_.violate("I2", std::to_string(player.legs.size()) + " legs");

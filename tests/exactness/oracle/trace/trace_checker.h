@@ -9,23 +9,23 @@
 
 namespace platon::oracle {
 
-/// Checks a trace line by line, keeping no more than the end of the last tick. Knows the laws of the world but nothing
-/// of how it is solved.
+/// Checks a trace line by line; keeps only the last state of each player. It knows the invariants of the simulation,
+/// but not its algorithm.
 class TraceChecker {
  public:
   TraceChecker() = default;
   TraceChecker(const TraceChecker&) = delete;
   TraceChecker& operator=(const TraceChecker&) = delete;
 
-  /// Takes the next line, without its line feed. False when the rest of the trace cannot be judged.
-  bool take(std::string_view line);
-  /// Says that there are no more lines.
+  /// Checks the next line, given without its line feed. Returns false if the rest of the trace cannot be checked.
+  bool checkLine(std::string_view line);
+  /// Call after the last line.
   void finish();
 
   const TraceReport& report() const { return report_; }
 
  private:
-  /// What is made from the header.
+  /// The checkers that the header determines.
   struct Checkers {
     Checkers(TraceMap header, TraceReport& report)
         : map(std::move(header)),
@@ -39,16 +39,16 @@ class TraceChecker {
     MotionChecker motions;
   };
 
-  bool takeHeader(std::string_view line);
-  bool takeTick(std::string_view line);
-  void takePlayer(const TracePlayer& player, std::map<std::int64_t, TraceLeg>& now);
-  bool takeStart(const TracePlayer& player);
-  bool takeLeg(const TraceLeg& before, const TraceLeg& after);
+  bool checkHeader(std::string_view line);
+  bool checkTick(std::string_view line);
+  void checkPlayer(const TracePlayer& player, std::map<std::int64_t, TraceLeg>& now);
+  bool checkStart(const TracePlayer& player);
+  bool checkLeg(const TraceLeg& before, const TraceLeg& after);
 
   TraceReport report_;
   std::unique_ptr<Checkers> checkers_;
   std::optional<std::int64_t> lastTick_;
-  std::map<std::int64_t, TraceLeg> last_;  ///< end of the last tick, by player
+  std::map<std::int64_t, TraceLeg> last_;  ///< last leg of the last tick, by player
 };
 
 }  // namespace platon::oracle

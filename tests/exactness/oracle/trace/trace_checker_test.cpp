@@ -7,16 +7,16 @@
 namespace platon::oracle {
 namespace {
 
-using Laws = std::set<std::string>;
+using RuleNames = std::set<std::string>;
 
-/// A law is among those broken.
-void expectBroken(const SampleTrace& trace, const std::string& law) {
-  const Laws broken = brokenLaws(trace);
-  EXPECT_TRUE(broken.contains(law)) << law << " was not found; found " << broken.size() << ": "
-                                    << (broken.empty() ? "nothing" : *broken.begin());
+/// Expects `rule` among the violated rules.
+void expectViolated(const SampleTrace& trace, const std::string& rule) {
+  const RuleNames violated = violatedRules(trace);
+  EXPECT_TRUE(violated.contains(rule)) << rule << " was not found; found " << violated.size() << ": "
+                                       << (violated.empty() ? "nothing" : *violated.begin());
 }
 
-/// Every instance with this id, wherever it occurs.
+/// Changes every instance with this id.
 template <typename Change>
 void changeAll(SampleTrace& trace, std::int64_t id, Change change) {
   for (TraceTick& tick : trace.ticks)
@@ -29,91 +29,91 @@ void addLine(SampleTrace& trace, std::size_t face, const Segment& line) {
   trace.header.faces[face].lines.push_back(line);
 }
 
-/// The face behind the right edge of face 0.
+/// The face beyond the right edge of face 0.
 std::size_t rightFace(const SampleTrace& trace) { return static_cast<std::size_t>(trace.header.faces[0].warps[1].to); }
 
-TEST(TraceChecker, FindsNothingInARightTrace) { EXPECT_EQ(brokenLaws(sampleTrace()), Laws{}); }
+TEST(TraceChecker, AcceptsACorrectTrace) { EXPECT_EQ(violatedRules(sampleTrace()), RuleNames{}); }
 
-TEST(TraceChecker, CountsWhatItSaw) {
+TEST(TraceChecker, CountsTicksLegsCrossingsAndFaces) {
   const SampleTrace trace = sampleTrace();
   TraceChecker checker;
-  ASSERT_TRUE(checker.take(toJson(trace.header)));
-  for (const TraceTick& tick : trace.ticks) ASSERT_TRUE(checker.take(toJson(tick)));
+  ASSERT_TRUE(checker.checkLine(toJson(trace.header)));
+  for (const TraceTick& tick : trace.ticks) ASSERT_TRUE(checker.checkLine(toJson(tick)));
   EXPECT_EQ(checker.report().ticks, 4);
   EXPECT_EQ(checker.report().legs, 7);
   EXPECT_EQ(checker.report().crossings, 1);
   EXPECT_EQ(checker.report().facesVisited.size(), 2u);
 }
 
-TEST(TraceChecker, AcceptsATouch) {
+TEST(TraceChecker, AcceptsATouchedSegment) {
   SampleTrace trace = sampleTrace();
   addLine(trace, 0, {{-5000, -500}, {150000, -500}});
-  EXPECT_EQ(brokenLaws(trace), Laws{});
+  EXPECT_EQ(violatedRules(trace), RuleNames{});
 }
 
 TEST(TraceChecker, FindsAnOverlapAtTheStart) {
   SampleTrace trace = sampleTrace();
   addLine(trace, 0, {{1000, -499}, {1000, -20000}});
-  expectBroken(trace, "I1 place");
+  expectViolated(trace, "I1 place");
 }
 
 TEST(TraceChecker, FindsAPointInsideTheShape) {
   SampleTrace trace = sampleTrace();
   addLine(trace, 0, {{1000, 300}, {1000, 300}});
-  expectBroken(trace, "I1 place");
+  expectViolated(trace, "I1 place");
 }
 
-TEST(TraceChecker, FindsALineOneSubunitInTheWay) {
+TEST(TraceChecker, FindsASegmentOneSubunitInTheWay) {
   SampleTrace trace = sampleTrace();
   addLine(trace, 0, {{50000, -499}, {50000, -20000}});
-  EXPECT_EQ(brokenLaws(trace), Laws{"I1 path"});
+  EXPECT_EQ(violatedRules(trace), RuleNames{"I1 path"});
 }
 
-TEST(TraceChecker, FindsALineInTheWayOfAnInstanceAwayFromHome) {
+TEST(TraceChecker, FindsASegmentInTheWayOfAnotherInstance) {
   SampleTrace trace = sampleTrace();
   const Vec place = trace.leg(2, 1)[1].position;
   addLine(trace, rightFace(trace), {place, place});
-  EXPECT_EQ(brokenLaws(trace), Laws{"I1 path"});
+  EXPECT_EQ(violatedRules(trace), RuleNames{"I1 path"});
 }
 
-TEST(TraceChecker, FindsALineInTheWayOfAnInstanceThatAppears) {
+TEST(TraceChecker, FindsASegmentInTheWayOfANewInstance) {
   SampleTrace trace = sampleTrace();
-  // The new instance has come a long way with home: through here, 1200 subunits before its end. That is outside its
-  // face, which the header check finds, too.
+  // A point on the path of the new instance, 1200 subunits before its end. It is outside the face, which violates
+  // "header" as well.
   TraceInstance home = trace.leg(1, 2)[0];
   home.position.x -= 1200;
   const Vec place = behindWarp(trace.header, home, 1, 8).position;
   addLine(trace, rightFace(trace), {place, place});
-  EXPECT_EQ(brokenLaws(trace), (Laws{"I1 path", "header"}));
+  EXPECT_EQ(violatedRules(trace), (RuleNames{"I1 path", "header"}));
 }
 
-TEST(TraceChecker, FindsATurnThroughALine) {
+TEST(TraceChecker, FindsARotationThroughASegment) {
   SampleTrace trace = sampleTrace();
   trace.ticks.resize(1);
   TraceInstance turned = trace.leg(0, 0)[0];
   turned.angle = 9000;
   turned.shape = {{800, -1000}, {800, 1000}, {-1200, 0}};
   trace.leg(0, 1) = {turned};
-  EXPECT_EQ(brokenLaws(trace), Laws{});
-  // Beside the shape before and after, inside the hull of both.
+  EXPECT_EQ(violatedRules(trace), RuleNames{});
+  // Outside the shape before and after the rotation, but inside the hull of both.
   const Vec corner = turned.position + Vec{-900, -600};
   addLine(trace, 0, {corner, corner});
-  EXPECT_EQ(brokenLaws(trace), Laws{"I1 turn"});
+  EXPECT_EQ(violatedRules(trace), RuleNames{"I1 turn"});
 }
 
-TEST(TraceChecker, FindsAnInstanceFiveSubunitsOff) {
+TEST(TraceChecker, RejectsAnInstanceFiveSubunitsOff) {
   SampleTrace trace = sampleTrace();
   changeAll(trace, 8, [](TraceInstance& instance) { instance.position.x += instance.home ? 0 : 5; });
-  expectBroken(trace, "I5 home");
+  expectViolated(trace, "I5 home");
 }
 
 TEST(TraceChecker, AcceptsAnInstanceFourSubunitsOff) {
   SampleTrace trace = sampleTrace();
   changeAll(trace, 8, [](TraceInstance& instance) { instance.position.x += 4; });
-  EXPECT_EQ(brokenLaws(trace), Laws{});
+  EXPECT_EQ(violatedRules(trace), RuleNames{});
 }
 
-TEST(TraceChecker, FindsAnInstanceOffFromItsParentOnly) {
+TEST(TraceChecker, FindsAnInstanceMisplacedRelativeToItsParent) {
   SampleTrace trace = sampleTrace();
   TraceLeg& leg = trace.leg(1, 2);
   leg[1].position.x += 3;
@@ -122,37 +122,37 @@ TEST(TraceChecker, FindsAnInstanceOffFromItsParentOnly) {
   const Vec along = onto.b - onto.a;
   third.position = third.position + (along.x != 0 ? Vec{6, 0} : Vec{0, 6});
   leg.push_back(third);
-  expectBroken(trace, "I5 parent");
+  expectViolated(trace, "I5 parent");
 }
 
-TEST(TraceChecker, FindsAnAngleOneHundredthOff) {
+TEST(TraceChecker, FindsAnAngleOneCentidegreeOff) {
   SampleTrace trace = sampleTrace();
   changeAll(trace, 8, [](TraceInstance& instance) { instance.angle += instance.home ? 0 : 1; });
-  expectBroken(trace, "I5 angle");
+  expectViolated(trace, "I5 angle");
 }
 
 TEST(TraceChecker, FindsAMissingInstance) {
   SampleTrace trace = sampleTrace();
   trace.ticks.resize(2);
   trace.leg(1, 2).pop_back();
-  EXPECT_EQ(brokenLaws(trace), Laws{"coverage"});
+  EXPECT_EQ(violatedRules(trace), RuleNames{"coverage"});
 }
 
-TEST(TraceChecker, FindsAPlacementThatIsThereTwice) {
+TEST(TraceChecker, FindsADuplicatePlacement) {
   SampleTrace trace = sampleTrace();
   TraceLeg& leg = trace.leg(1, 2);
   leg.push_back(leg[1]);
   leg.back().id = 9;
-  expectBroken(trace, "duplicate");
+  expectViolated(trace, "duplicate");
 }
 
-TEST(TraceChecker, FindsAnInstanceThatStaysBehind) {
+TEST(TraceChecker, FindsAStaleInstance) {
   SampleTrace trace = sampleTrace();
   trace.leg(3, 2) = trace.leg(3, 1);
-  EXPECT_EQ(brokenLaws(trace), Laws{"stale"});
+  EXPECT_EQ(violatedRules(trace), RuleNames{"stale"});
 }
 
-TEST(TraceChecker, FindsAnInstanceThatDoesNotMoveAlong) {
+TEST(TraceChecker, FindsAnInstanceThatDoesNotMoveWithHome) {
   SampleTrace trace = sampleTrace();
   const Segment onto = trace.header.faces[0].warps[1].onto;
   const Vec aside = onto.a.x == onto.b.x ? Vec{0, 3} : Vec{3, 0};
@@ -161,93 +161,93 @@ TEST(TraceChecker, FindsAnInstanceThatDoesNotMoveAlong) {
   trace.leg(2, 1)[1].position = trace.leg(2, 1)[1].position - aside;
   trace.leg(2, 2) = trace.leg(2, 1);
   trace.ticks.resize(3);
-  expectBroken(trace, "I6");
+  expectViolated(trace, "I6");
 }
 
-TEST(TraceChecker, FindsAHomeThatDoesNotPass) {
+TEST(TraceChecker, FindsAMissingRehome) {
   SampleTrace trace = sampleTrace();
   trace.leg(2, 2) = trace.leg(2, 1);
   trace.ticks.resize(3);
-  EXPECT_EQ(brokenLaws(trace), Laws{"I7"});
+  EXPECT_EQ(violatedRules(trace), RuleNames{"I7"});
 }
 
-TEST(TraceChecker, FindsAMoveWhereHomePasses) {
+TEST(TraceChecker, FindsAMoveInALegThatRehomes) {
   SampleTrace trace = sampleTrace();
   trace.ticks[2].players[0].legs.erase(trace.ticks[2].players[0].legs.begin() + 1);
-  EXPECT_EQ(brokenLaws(trace), Laws{"home"});
+  EXPECT_EQ(violatedRules(trace), RuleNames{"home"});
 }
 
-TEST(TraceChecker, FindsALeapBetweenTicks) {
+TEST(TraceChecker, FindsAJumpBetweenTicks) {
   SampleTrace trace = sampleTrace();
   trace.leg(1, 0)[0].position.y += 1;
-  EXPECT_EQ(brokenLaws(trace), Laws{"continuity"});
+  EXPECT_EQ(violatedRules(trace), RuleNames{"continuity"});
 }
 
-TEST(TraceChecker, AcceptsAPlayerThatAppearsAnywhere) {
+TEST(TraceChecker, AcceptsANewPlayerAnywhere) {
   SampleTrace trace = sampleTrace();
   trace.ticks[1].players.push_back({1, {{trace.leg(0, 0)[0]}}});
-  EXPECT_EQ(brokenLaws(trace), Laws{});
+  EXPECT_EQ(violatedRules(trace), RuleNames{});
 }
 
-TEST(TraceChecker, FindsAnIdThatChangesFaces) {
+TEST(TraceChecker, FindsAnIdThatChangesItsFace) {
   SampleTrace trace = sampleTrace();
   trace.leg(1, 1)[0].face = 5;
-  expectBroken(trace, "ids");
+  expectViolated(trace, "ids");
 }
 
 TEST(TraceChecker, FindsTwoHomes) {
   SampleTrace trace = sampleTrace();
   trace.leg(1, 2)[1].home = true;
-  expectBroken(trace, "tree");
+  expectViolated(trace, "tree");
 }
 
-TEST(TraceChecker, FindsNoHome) {
+TEST(TraceChecker, FindsAMissingHome) {
   SampleTrace trace = sampleTrace();
   trace.leg(0, 0)[0].home = false;
-  expectBroken(trace, "tree");
+  expectViolated(trace, "tree");
 }
 
-TEST(TraceChecker, FindsAParentThatIsNotThere) {
+TEST(TraceChecker, FindsAnUnknownParent) {
   SampleTrace trace = sampleTrace();
   trace.leg(1, 2)[1].parent = 99;
-  expectBroken(trace, "tree");
+  expectViolated(trace, "tree");
 }
 
-TEST(TraceChecker, FindsAWarpThatLeadsElsewhere) {
+TEST(TraceChecker, FindsAWarpToAnotherFace) {
   SampleTrace trace = sampleTrace();
   trace.leg(1, 2)[1].warp = 2;
-  expectBroken(trace, "tree");
+  expectViolated(trace, "tree");
 }
 
-TEST(TraceChecker, FindsAnIdThatIsThereTwice) {
+TEST(TraceChecker, FindsADuplicateId) {
   SampleTrace trace = sampleTrace();
   trace.leg(1, 2)[1].id = 7;
-  expectBroken(trace, "tree");
+  expectViolated(trace, "tree");
 }
 
 TEST(TraceChecker, FindsAShapeTwoSubunitsOff) {
   SampleTrace trace = sampleTrace();
   changeAll(trace, 8, [](TraceInstance& instance) { instance.shape[0].x += 2; });
-  EXPECT_EQ(brokenLaws(trace), Laws{"shape"});
+  EXPECT_EQ(violatedRules(trace), RuleNames{"shape"});
 }
 
-TEST(TraceChecker, FindsAShapeThatIsLeftOut) {
+TEST(TraceChecker, FindsAMissingShape) {
   SampleTrace trace = sampleTrace();
   changeAll(trace, 8, [](TraceInstance& instance) { instance.shape.clear(); });
-  expectBroken(trace, "shape");
+  expectViolated(trace, "shape");
 }
 
-TEST(TraceChecker, FindsAShapeThatChangesAtOneAngle) {
+TEST(TraceChecker, FindsTwoShapesAtOneAngle) {
   SampleTrace trace = sampleTrace();
   trace.leg(3, 2)[0].shape[0].x += 1;
-  expectBroken(trace, "shape");
+  expectViolated(trace, "shape");
 }
 
 TEST(TraceChecker, FindsTooManyLegs) {
   SampleTrace trace = sampleTrace();
   trace.ticks.resize(1);
   trace.ticks[0].players[0].legs.assign(101, trace.leg(0, 0));
-  EXPECT_EQ(brokenLaws(trace), Laws{"I2"});
+  EXPECT_EQ(violatedRules(trace), RuleNames{"I2"});
 }
 
 TEST(TraceChecker, ChecksAPlane) {
@@ -257,9 +257,9 @@ TEST(TraceChecker, ChecksAPlane) {
   TraceInstance there = mover;
   there.position = {90, 0};
   trace.ticks.push_back({1, "0123456789abcdef", {{0, {{mover}, {there}}}}});
-  EXPECT_EQ(brokenLaws(trace), Laws{});
+  EXPECT_EQ(violatedRules(trace), RuleNames{});
   trace.leg(0, 1)[0].position.x = 91;
-  EXPECT_EQ(brokenLaws(trace), Laws{"I1 path"});
+  EXPECT_EQ(violatedRules(trace), RuleNames{"I1 path"});
 }
 
 }  // namespace

@@ -5,9 +5,9 @@
 namespace platon::oracle {
 namespace {
 
-using Laws = std::set<std::string>;
+using RuleNames = std::set<std::string>;
 
-const Laws kFormat{"format"};
+const RuleNames kFormat{"format"};
 
 /// The sample's lines with the first occurrence of `old` in line `line` replaced.
 std::vector<std::string> linesWith(std::size_t line, const std::string& old, const std::string& replacement) {
@@ -19,74 +19,76 @@ std::vector<std::string> linesWith(std::size_t line, const std::string& old, con
   return lines[line].replace(at, old.size(), replacement), lines;
 }
 
-Laws lawsWith(std::size_t line, const std::string& old, const std::string& replacement) {
-  return brokenLaws(linesWith(line, old, replacement));
+RuleNames rulesViolatedWith(std::size_t line, const std::string& old, const std::string& replacement) {
+  return violatedRules(linesWith(line, old, replacement));
 }
 
-TEST(TraceFormat, TheSampleIsFine) { EXPECT_EQ(lawsWith(1, "\"tick\":1", "\"tick\" : 1"), Laws{}); }
-
-TEST(TraceFormat, NothingIsNoTrace) {
-  EXPECT_EQ(brokenLaws(std::vector<std::string>{}), kFormat);
-  EXPECT_EQ(brokenLaws(std::vector<std::string>{""}), kFormat);
+TEST(TraceFormat, AcceptsSpacesAroundAColon) {
+  EXPECT_EQ(rulesViolatedWith(1, "\"tick\":1", "\"tick\" : 1"), RuleNames{});
 }
 
-TEST(TraceFormat, EveryKeyMustBeThere) {
-  EXPECT_EQ(lawsWith(0, "\"subunits\":1024,", ""), kFormat);
-  EXPECT_EQ(lawsWith(0, "\"face\":3,", ""), kFormat);
-  EXPECT_EQ(lawsWith(1, "\"hash\":\"0123456789abcdef\",", ""), kFormat);
-  EXPECT_EQ(lawsWith(1, ",\"angle\":0", ""), kFormat);
+TEST(TraceFormat, AnEmptyTraceIsRefused) {
+  EXPECT_EQ(violatedRules(std::vector<std::string>{}), kFormat);
+  EXPECT_EQ(violatedRules(std::vector<std::string>{""}), kFormat);
 }
 
-TEST(TraceFormat, NoOtherKeyMayBeThere) {
-  EXPECT_EQ(lawsWith(0, "\"subunits\"", "\"size\":400,\"subunits\""), kFormat);
-  EXPECT_EQ(lawsWith(1, "\"angle\":0", "\"angle\":0,\"speed\":3"), kFormat);
-  EXPECT_EQ(lawsWith(1, "\"angle\":0", "\"angle\":0,\"angle\":0"), kFormat);
+TEST(TraceFormat, EveryKeyIsRequired) {
+  EXPECT_EQ(rulesViolatedWith(0, "\"subunits\":1024,", ""), kFormat);
+  EXPECT_EQ(rulesViolatedWith(0, "\"face\":3,", ""), kFormat);
+  EXPECT_EQ(rulesViolatedWith(1, "\"hash\":\"0123456789abcdef\",", ""), kFormat);
+  EXPECT_EQ(rulesViolatedWith(1, ",\"angle\":0", ""), kFormat);
 }
 
-TEST(TraceFormat, ValuesHaveTheirTypes) {
-  EXPECT_EQ(lawsWith(1, "\"x\":1000", "\"x\":1000.0"), kFormat);
-  EXPECT_EQ(lawsWith(1, "\"x\":1000", "\"x\":1e3"), kFormat);
-  EXPECT_EQ(lawsWith(1, "\"x\":1000", "\"x\":01000"), kFormat);
-  EXPECT_EQ(lawsWith(1, "\"x\":1000", "\"x\":\"1000\""), kFormat);
-  EXPECT_EQ(lawsWith(1, "\"x\":1000", "\"x\":null"), kFormat);
-  EXPECT_EQ(lawsWith(2, "\"via\":[7,1]", "\"via\":[7]"), kFormat);
-  EXPECT_EQ(lawsWith(2, "\"via\":[7,1]", "\"via\":[7,1,2]"), kFormat);
-  EXPECT_EQ(lawsWith(2, "\"via\":[7,1]", "\"via\":7"), kFormat);
+TEST(TraceFormat, UnknownAndRepeatedKeysAreRefused) {
+  EXPECT_EQ(rulesViolatedWith(0, "\"subunits\"", "\"size\":400,\"subunits\""), kFormat);
+  EXPECT_EQ(rulesViolatedWith(1, "\"angle\":0", "\"angle\":0,\"speed\":3"), kFormat);
+  EXPECT_EQ(rulesViolatedWith(1, "\"angle\":0", "\"angle\":0,\"angle\":0"), kFormat);
 }
 
-TEST(TraceFormat, NumbersAreInRange) {
-  EXPECT_EQ(lawsWith(1, "\"x\":1000", "\"x\":536870912"), kFormat);
-  EXPECT_EQ(lawsWith(1, "\"x\":1000", "\"x\":99999999999999999999"), kFormat);
-  EXPECT_EQ(lawsWith(0, "\"subunits\":1024", "\"subunits\":1000"), kFormat);
+TEST(TraceFormat, ValuesOfOtherTypesAreRefused) {
+  EXPECT_EQ(rulesViolatedWith(1, "\"x\":1000", "\"x\":1000.0"), kFormat);
+  EXPECT_EQ(rulesViolatedWith(1, "\"x\":1000", "\"x\":1e3"), kFormat);
+  EXPECT_EQ(rulesViolatedWith(1, "\"x\":1000", "\"x\":01000"), kFormat);
+  EXPECT_EQ(rulesViolatedWith(1, "\"x\":1000", "\"x\":\"1000\""), kFormat);
+  EXPECT_EQ(rulesViolatedWith(1, "\"x\":1000", "\"x\":null"), kFormat);
+  EXPECT_EQ(rulesViolatedWith(2, "\"via\":[7,1]", "\"via\":[7]"), kFormat);
+  EXPECT_EQ(rulesViolatedWith(2, "\"via\":[7,1]", "\"via\":[7,1,2]"), kFormat);
+  EXPECT_EQ(rulesViolatedWith(2, "\"via\":[7,1]", "\"via\":7"), kFormat);
+}
+
+TEST(TraceFormat, NumbersOutOfRangeAreRefused) {
+  EXPECT_EQ(rulesViolatedWith(1, "\"x\":1000", "\"x\":536870912"), kFormat);
+  EXPECT_EQ(rulesViolatedWith(1, "\"x\":1000", "\"x\":99999999999999999999"), kFormat);
+  EXPECT_EQ(rulesViolatedWith(0, "\"subunits\":1024", "\"subunits\":1000"), kFormat);
 }
 
 TEST(TraceFormat, HashesHaveSixteenDigits) {
-  EXPECT_EQ(lawsWith(1, "0123456789abcdef", "0123456789abcde"), kFormat);
-  EXPECT_EQ(lawsWith(1, "0123456789abcdef", "0123456789ABCDEF"), kFormat);
+  EXPECT_EQ(rulesViolatedWith(1, "0123456789abcdef", "0123456789abcde"), kFormat);
+  EXPECT_EQ(rulesViolatedWith(1, "0123456789abcdef", "0123456789ABCDEF"), kFormat);
 }
 
-TEST(TraceFormat, ALineIsOneValue) {
-  EXPECT_EQ(lawsWith(1, "}]]}]}", "}]]}]} x"), kFormat);
-  EXPECT_EQ(lawsWith(1, "}]]}]}", "}]]}],}"), kFormat);
-  EXPECT_EQ(lawsWith(1, "}]]}]}", "}]]}]"), kFormat);
-  EXPECT_EQ(lawsWith(1, "}]]}]}", "},]]}]}"), kFormat);
+TEST(TraceFormat, EveryLineIsOneJsonValue) {
+  EXPECT_EQ(rulesViolatedWith(1, "}]]}]}", "}]]}]} x"), kFormat);
+  EXPECT_EQ(rulesViolatedWith(1, "}]]}]}", "}]]}],}"), kFormat);
+  EXPECT_EQ(rulesViolatedWith(1, "}]]}]}", "}]]}]"), kFormat);
+  EXPECT_EQ(rulesViolatedWith(1, "}]]}]}", "},]]}]}"), kFormat);
 }
 
-TEST(TraceFormat, TicksFollowEachOther) { EXPECT_EQ(lawsWith(2, "\"tick\":2", "\"tick\":3"), kFormat); }
+TEST(TraceFormat, TicksAreConsecutive) { EXPECT_EQ(rulesViolatedWith(2, "\"tick\":2", "\"tick\":3"), kFormat); }
 
-TEST(TraceFormat, PlayersAreThereOnceAndHaveLegs) {
+TEST(TraceFormat, EveryPlayerOccursOnceAndHasLegs) {
   SampleTrace trace = sampleTrace();
   trace.ticks[0].players.push_back(trace.ticks[0].players[0]);
-  EXPECT_EQ(brokenLaws(trace), kFormat);
+  EXPECT_EQ(violatedRules(trace), kFormat);
   trace = sampleTrace();
   trace.ticks[0].players[0].legs.clear();
-  EXPECT_EQ(brokenLaws(trace), kFormat);
+  EXPECT_EQ(violatedRules(trace), kFormat);
 }
 
-TEST(TraceFormat, AShapeIsGivenOnlyWhereItDiffers) {
+TEST(TraceFormat, AShapeEqualToTheHeadersIsRefused) {
   SampleTrace trace = sampleTrace();
   trace.leg(0, 0)[0].shape = trace.header.shape;
-  EXPECT_TRUE(brokenLaws(trace).contains("format"));
+  EXPECT_TRUE(violatedRules(trace).contains("format"));
 }
 
 }  // namespace

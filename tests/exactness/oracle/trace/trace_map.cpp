@@ -10,8 +10,8 @@ namespace {
 
 constexpr std::int64_t kBeyond = 5;
 
-/// The edge moved outwards by kBeyond subunits and shortened by as much at both ends, which keeps it in the face
-/// behind also where that face's corners are acute.
+/// The edge moved outwards by kBeyond subunits and shortened by as much at both ends, so that it lies in the adjacent
+/// face even if that face has acute corners.
 Segment beyond(const Segment& edge) {
   const RealVec a = toReal(edge.a);
   const RealVec b = toReal(edge.b);
@@ -24,16 +24,15 @@ Segment beyond(const Segment& edge) {
 
 }  // namespace
 
-/// Builds a map step by step; each step may find that there is no going on.
-class TraceMapMaker {
+/// Builds a TraceMap from a header and checks the header.
+class TraceMapBuilder {
  public:
-  TraceMapMaker(const TraceHeader& header, TraceReport& report) : header_(header), report_(report) {}
+  TraceMapBuilder(const TraceHeader& header, TraceReport& report) : header_(header), report_(report) {}
 
   std::optional<TraceMap> make() {
     map_.shape_ = header_.shape;
-    map_.plane_ = header_.solid == "PLANE";
     if (!isStrictlyConvex(header_.shape)) return refuse("shape is not strictly convex and counter-clockwise");
-    if (!(map_.plane_ ? makePlane() : makeSolid())) return std::nullopt;
+    if (!(header_.solid == "PLANE" ? makePlane() : makeSolid())) return std::nullopt;
     return std::move(map_);
   }
 
@@ -68,7 +67,6 @@ class TraceMapMaker {
   void makeFaces() {
     for (const TraceFace& face : header_.faces) {
       MapFace& made = map_.faces_.emplace_back();
-      made.polygon = face.polygon;
       for (const Segment& line : face.lines) made.lines.push_back({line, boxOf(line)});
     }
   }
@@ -88,7 +86,7 @@ class TraceMapMaker {
 };
 
 std::optional<TraceMap> TraceMap::make(const TraceHeader& header, TraceReport& report) {
-  return TraceMapMaker(header, report).make();
+  return TraceMapBuilder(header, report).make();
 }
 
 }  // namespace platon::oracle

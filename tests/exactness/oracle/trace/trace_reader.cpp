@@ -21,27 +21,27 @@ constexpr std::array<std::string_view, 3> kTickKeys{"tick", "hash", "players"};
 constexpr std::size_t kViaKey = 5;
 constexpr std::size_t kShapeKey = 6;
 
-/// The keys of one object: every one at most once, no unknown one, none of the required ones missing.
+/// Checks the keys of one object: each at most once, none unknown, and no required key missing.
 class Keys {
  public:
-  /// The first `required` of the names must all come.
+  /// The first `required` names are required.
   Keys(const JsonReader& reader, std::span<const std::string_view> names, std::size_t required)
       : reader_(reader), names_(names), required_(required) {}
   Keys(const JsonReader& reader, std::span<const std::string_view> names) : Keys(reader, names, names.size()) {}
 
-  /// The place of `key` among the names.
+  /// Index of `key` in the names.
   std::size_t take(std::string_view key) {
     const auto name = std::find(names_.begin(), names_.end(), key);
     if (name == names_.end()) reader_.fail("unknown key \"" + std::string(key) + "\"");
     const auto index = static_cast<std::size_t>(name - names_.begin());
-    if (has(index)) reader_.fail("key \"" + std::string(key) + "\" twice");
+    if (has(index)) reader_.fail("key \"" + std::string(key) + "\" occurs twice");
     seen_ |= 1u << index;
     return index;
   }
   bool has(std::size_t index) const { return (seen_ >> index & 1u) != 0; }
   void finish() const {
     for (std::size_t i = 0; i < required_; ++i)
-      if (!has(i)) reader_.fail("key \"" + std::string(names_[i]) + "\" is missing before here");
+      if (!has(i)) reader_.fail("key \"" + std::string(names_[i]) + "\" is missing");
   }
 
  private:
@@ -63,10 +63,10 @@ std::array<std::int64_t, Count> readTuple(JsonReader& reader, Read read) {
   std::array<std::int64_t, Count> values{};
   std::size_t count = 0;
   reader.array([&] {
-    if (count == Count) reader.fail("array of more than " + std::to_string(Count));
+    if (count == Count) reader.fail("array longer than " + std::to_string(Count));
     values[count++] = read(reader);
   });
-  if (count != Count) reader.fail("array of less than " + std::to_string(Count));
+  if (count != Count) reader.fail("array shorter than " + std::to_string(Count));
   return values;
 }
 
@@ -109,7 +109,7 @@ TraceFace readFace(JsonReader& reader, std::int64_t index) {
   reader.object([&](std::string_view key) {
     switch (keys.take(key)) {
       case 0:
-        if (reader.integer() != index) reader.fail("faces not numbered in order");
+        if (reader.integer() != index) reader.fail("faces are not numbered in order");
         break;
       case 1:
         face.polygon = readPolygon(reader);
@@ -181,7 +181,7 @@ TracePlayer readPlayer(JsonReader& reader) {
 std::string readHash(JsonReader& reader) {
   const std::string_view hash = reader.string();
   if (hash.size() != kHashDigits || hash.find_first_not_of("0123456789abcdef") != std::string_view::npos)
-    reader.fail("hash that is not 16 hexadecimal digits");
+    reader.fail("hash must have 16 hexadecimal digits");
   return std::string(hash);
 }
 
@@ -197,7 +197,7 @@ TraceHeader readTraceHeader(std::string_view line) {
         header.solid = reader.string();
         break;
       case 1:
-        if (reader.integer() != kSubunitsPerUnit) reader.fail("subunits that are not 1024");
+        if (reader.integer() != kSubunitsPerUnit) reader.fail("subunits must be 1024");
         break;
       case 2:
         header.shape = readPolygon(reader);

@@ -6,8 +6,8 @@
 
 namespace platon::oracle {
 
-/// Reads a line of a trace to the letter: every key of the format once, no other, every value of its type, every
-/// coordinate below 2^29. Throws JsonError. What the numbers mean is not looked at.
+/// Parses a line of a trace. Throws JsonError unless every key of the format occurs exactly once, every value has its
+/// type and every coordinate is below 2^29. Does not check what the numbers mean.
 TraceHeader readTraceHeader(std::string_view line);
 TraceTick readTraceTick(std::string_view line);
 

@@ -1,6 +1,7 @@
 #include "tests/exactness/oracle/trace/traced_run.h"
 
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
@@ -15,9 +16,12 @@
 namespace platon::oracle {
 namespace {
 
+// Applies after the end of the trace.
+constexpr std::chrono::seconds kLimit{60};
+
 using Stream = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
-/// Reads to the end, or to where the trace cannot be judged any longer, and closes.
+/// Checks a trace up to its end, or up to a line after which it cannot be checked, and closes the descriptor.
 void checkStream(int descriptor, TraceChecker& checker) {
   const Stream stream(fdopen(descriptor, "r"), &std::fclose);
   char* buffer = nullptr;
@@ -25,7 +29,7 @@ void checkStream(int descriptor, TraceChecker& checker) {
   bool going = true;
   for (ssize_t length = 0; going && (length = getline(&buffer, &capacity, stream.get())) > 0;) {
     const auto size = static_cast<std::size_t>(length);
-    going = checker.take({buffer, buffer[size - 1] == '\n' ? size - 1 : size});
+    going = checker.checkLine({buffer, buffer[size - 1] == '\n' ? size - 1 : size});
   }
   std::free(buffer);
   checker.finish();
@@ -44,7 +48,7 @@ TracedRun runTraced(std::vector<std::string> arguments) {
   close(ends[1]);
   TraceChecker checker;
   checkStream(ends[0], checker);
-  const int exitCode = program.wait();
+  const int exitCode = program.wait(kLimit);
   return {checker.report(), exitCode};
 }
 

@@ -7,14 +7,15 @@
 
 namespace platon::oracle {
 
-/// What became of a program that wrote a trace.
+/// Result of a program that wrote a trace.
 struct TracedRun {
   TraceReport report;
   int exitCode = 0;
 };
 
-/// Runs a program (file name first) with `--trace` and a pipe added, and checks the trace as it comes. The program's
-/// other output goes where this one's goes. A trace that cannot be judged ends the program.
+/// Runs a program with `--trace PIPE` added to its arguments, the first of which is its file name, and checks the trace
+/// while it is written. Other output of the program goes to the standard output and error of the caller. Closes the
+/// pipe if the trace cannot be checked further.
 TracedRun runTraced(std::vector<std::string> arguments);
 
 }  // namespace platon::oracle
