@@ -62,7 +62,7 @@ TEST(FoundByFuzzingTest, ANewInstanceMeetsLinesOfItsOwnPartOnly) {
 
 /// Near a corner, a turn that the corner forbids was tried with all instances that it would need: some were placed
 /// twice, on both ways round the corner.
-TEST(FoundByFuzzingTest, AForbiddenTurnPlacesNothingRoundTheCorner) {
+TEST(FoundByFuzzingTest, ARefusedRotationAddsNoInstanceAroundACorner) {
   for (const SolidKind kind : {SolidKind::kTetrahedron, SolidKind::kHexahedron, SolidKind::kOctahedron,
                                SolidKind::kDodecahedron, SolidKind::kIcosahedron}) {
     const FuzzScene scene = stageOf(kind, {}, box(30 * kUnit, 3 * kUnit));

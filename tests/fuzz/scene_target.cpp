@@ -30,7 +30,7 @@ struct Order {
   std::int32_t turn = 0;
 };
 
-judge::JudgedScene judged(const FuzzScene& scene, const LineEvents& rules) {
+judge::CheckedScene judged(const FuzzScene& scene, const LineEvents& rules) {
   return {scene.stage.geometry(), scene.shape, scene.solid, scene.faceSize,
           [&rules](std::uint32_t part, std::uint32_t line) { return rules.pierces(part, line); }};
 }

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "platon/exact/integer.h"
-#include "tests/exactness/hard_cases/judged_world.h"
+#include "tests/exactness/hard_cases/checked_world.h"
 
 namespace platon::hard_cases {
 namespace {
@@ -22,9 +22,9 @@ std::vector<Point> positions(const HardScene& scene) {
   return all;
 }
 
-// Along a lattice vector nothing is ever rounded: every mover, also the one that touches both walls, goes in, through
-// and out, there and back, as if there were no walls.
-TEST(CorridorsTest, AlignedNothingTouches) {
+// Along a lattice vector nothing is rounded: every entity, even one that touches both walls, moves through the corridor
+// and back as if there were no walls.
+TEST(CorridorsTest, MovesAlongTheCorridorWithoutContact) {
   for (const char* name : kCorridors) {
     HardScene scene(std::string("corridors/") + name + ".scene");
     const std::vector<Point> start = positions(scene);
@@ -35,20 +35,20 @@ TEST(CorridorsTest, AlignedNothingTouches) {
       const int away = tick <= ticks ? tick : 2 * ticks - tick;
       for (std::uint32_t i = 0; i < start.size(); ++i) {
         ASSERT_EQ(scene.at(i), start[i] + Point(away * scene.velocity.x, away * scene.velocity.y))
-            << name << ", mover " << i << ", tick " << tick;
+            << name << ", entity " << i << ", tick " << tick;
       }
     }
     EXPECT_TRUE(scene.rules.take().empty()) << name << ": no contact";
   }
 }
 
-// Pressed against a wall of a corridor along an axis, a mover loses nothing of its speed along it.
-TEST(CorridorsTest, PressedAgainstAWallAlongAnAxisItSlides) {
+// In a corridor along an axis, an entity pressed against a wall keeps its speed along the wall.
+TEST(CorridorsTest, KeepsItsSpeedWhenPressedAgainstAWall) {
   for (const char* name : {"right", "up"}) {
     for (const std::int32_t press : {1, -1, 3, -350, 700, -70000}) {
       HardScene scene(std::string("corridors/") + name + ".scene");
       const Point across = scene.velocity.x == 0 ? Point(press, 0) : Point(0, press);
-      // First into the corridor, so that the press meets walls only.
+      // Enter the corridor first, so that the entity is pressed against walls only.
       for (int tick = 0; tick < 12; ++tick) scene.tick(scene.velocity);
       const std::vector<Point> start = positions(scene);
       for (int tick = 1; tick <= 40; ++tick) {
@@ -66,14 +66,14 @@ TEST(CorridorsTest, PressedAgainstAWallAlongAnAxisItSlides) {
   }
 }
 
-// Askew in any corridor no law is broken, and nothing leaves through a wall: its distance from the corridor's axis
-// stays below the clearance.
-TEST(CorridorsTest, AskewNothingLeaves) {
+// With a velocity at an angle to the corridor, all invariants hold and no entity passes a wall: its distance from the
+// corridor's axis stays within the clearance.
+TEST(CorridorsTest, StaysInsideAtASlant) {
   for (const char* name : kCorridors) {
     for (const double slant : {0.001, -0.001, 0.1, -0.5}) {
       HardScene scene(std::string("corridors/") + name + ".scene");
       const Point velocity = scene.velocity;
-      while (dot(scene.at(), velocity) < 0) scene.tick(velocity);  // to the middle
+      while (dot(scene.at(), velocity) < 0) scene.tick(velocity);  // until the middle
       const std::vector<Point> start = positions(scene);
       const Point aside(static_cast<std::int32_t>(std::lround(-slant * velocity.y)),
                         static_cast<std::int32_t>(std::lround(slant * velocity.x)));
@@ -83,15 +83,15 @@ TEST(CorridorsTest, AskewNothingLeaves) {
         scene.tick(Point(sign * velocity.x, sign * velocity.y) + aside);
         for (std::uint32_t i = 0; i < start.size(); ++i) {
           const double across = static_cast<double>(cross(velocity, scene.at(i) - start[i])) / length;
-          ASSERT_LE(std::abs(across), 4 + 1e-6) << name << ", slant " << slant << ", mover " << i;
+          ASSERT_LE(std::abs(across), 4 + 1e-6) << name << ", slant " << slant << ", entity " << i;
         }
       }
     }
   }
 }
 
-/// A gate at x = 0 between two points, or a corridor that begins there, at y = -1000 and y = 1000 + room; to the left
-/// of it a square of side 2000, its middle at y = above.
+/// A scene with a gate at x = 0, bounded by two points or by two segments at y = -1000 and y = 1000 + room, and to its
+/// left a square of side 2000 with its centre at y = above.
 std::string gate(bool points, std::int32_t room, std::int32_t above) {
   const auto post = [&](std::int32_t y) {
     const std::string height = std::to_string(y);
@@ -102,9 +102,9 @@ std::string gate(bool points, std::int32_t room, std::int32_t above) {
 }
 
 template <class Visit>
-void forEachGate(std::int32_t leastRoom, std::int32_t mostRoom, Visit&& visit) {
+void forEachGate(std::int32_t minRoom, std::int32_t maxRoom, Visit&& visit) {
   for (const bool points : {false, true}) {
-    for (std::int32_t room = leastRoom; room <= mostRoom; ++room) {
+    for (std::int32_t room = minRoom; room <= maxRoom; ++room) {
       for (std::int32_t above = -9; above <= 9; ++above) {
         const std::string name = std::string(points ? "points" : "corridor") + ", room " + std::to_string(room) + ", " +
                                  std::to_string(above) + " above";
@@ -116,8 +116,9 @@ void forEachGate(std::int32_t leastRoom, std::int32_t mostRoom, Visit&& visit) {
   }
 }
 
-// A nudge helps through a gate that is wide enough, when 6 subunits aside suffice; else the gate stops it (I3).
-TEST(CorridorsTest, UpToSixAsideItIsNudgedThroughAGate) {
+// An entity is nudged through a gate that is wide enough if a nudge of 6 subunits suffices; otherwise the gate stops it
+// (I3).
+TEST(CorridorsTest, IsNudgedThroughAGateByUpToSixSubunits) {
   for (const std::int32_t speed : {7, 300, 7001, 90000}) {
     forEachGate(0, 2, [&](HardScene& scene, std::int32_t room, std::int32_t above) {
       const std::int32_t aside = std::max(above - room, -above);
@@ -127,17 +128,17 @@ TEST(CorridorsTest, UpToSixAsideItIsNudgedThroughAGate) {
         return;
       }
       EXPECT_GE(scene.at().x, 1000) << "speed " << speed;
-      EXPECT_TRUE(scene.at().y >= 0 && scene.at().y <= room) << "no farther than it must";
+      EXPECT_TRUE(scene.at().y >= 0 && scene.at().y <= room) << "nudged farther than needed";
       EXPECT_TRUE(scene.rules.take().empty()) << "speed " << speed;
     });
   }
 }
 
-// Nothing is ever nudged through a gate that is narrower than the shape: the square stays before it.
-TEST(CorridorsTest, ThroughANarrowerGateNothingIsNudged) {
+// A gate that is narrower than the shape stops it.
+TEST(CorridorsTest, IsNotNudgedThroughANarrowGate) {
   for (const Point velocity : {Point(7, 0), Point(300, 0), Point(90000, 0), Point(300, 2), Point(7001, -3)}) {
     forEachGate(-13, -1, [&](HardScene& scene, std::int32_t, std::int32_t) {
-      // Not so long that what leads aside brings it round a point.
+      // Too few ticks for the slanted velocities to carry the square around a point.
       for (int tick = 0; tick < 300; ++tick) scene.tick(velocity);
       EXPECT_EQ(scene.at().x, -1000);
     });

@@ -1,26 +1,27 @@
-// Ends of lines against corners of shapes.
+// Ends of segments against corners of shapes.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 
 #include "platon/exact/fraction.h"
-#include "tests/exactness/hard_cases/judged_world.h"
+#include "tests/exactness/hard_cases/checked_world.h"
 #include "tests/exactness/hard_cases/sweep_cases.h"
 
 namespace platon::hard_cases {
 namespace {
 
-// A square that stands on its corner goes to the right; lines of many directions end at its leading corner, one subunit
-// beside it, and at its flanks.
-TEST(EndsTest, ASquareOnItsCorner) {
+// A square that stands on its corner moves to the right. Segments of many directions end at its leading corner, one
+// subunit beside it, and at its sides.
+TEST(EndsTest, SweepsAgainstEndsAreExact) {
   EXPECT_EQ(expectAnswers("ends/small"), 28u);
-  EXPECT_EQ(expectAnswers("ends/far"), 28u) << "the same more than a million times as large, off by one subunit still";
+  EXPECT_EQ(expectAnswers("ends/far"), 28u) << "over a million times as large, still off by one subunit";
 }
 
-// Tip on end, both edges of the tip are entered at once: the earlier one of the shape decides. Here it leads up to the
-// left, so that the mover slides off below the line: 1 000 aside and on, where the edge ends, and one subunit more.
-// Aside and on is half of what it wants, so that these 1 001 take 2 002; the rest goes straight on.
-TEST(EndsTest, StraightAtTheEndTheEarlierEdgeDecides) {
+// A corner that hits the end exactly enters both of its edges at once: the edge with the smaller index is the contact.
+// Here that edge leads up to the left, so the entity slides off below the segment, 1 000 subunits down and to the
+// right, and one subunit more. The slide has half the speed, so these 1 001 subunits use 2 002 of the displacement; the
+// remaining displacement is straight.
+TEST(EndsTest, ACornerAtAnEndSlidesAlongItsFirstEdge) {
   HardScene scene("ends/straight.scene");
   scene.tick(scene.velocity);
   ASSERT_EQ(scene.rules.contacts.size(), 1u);
@@ -31,16 +32,16 @@ TEST(EndsTest, StraightAtTheEndTheEarlierEdgeDecides) {
   EXPECT_EQ(scene.at(), Point(49000 + 1001 + (51000 - 2002), -1001));
   const Point before = scene.at();
   scene.tick(scene.velocity);
-  EXPECT_EQ(scene.at(), before + scene.velocity) << "beside the line";
+  EXPECT_EQ(scene.at(), before + scene.velocity) << "free beside the segment";
   for (int back = 0; back < 2; ++back) scene.tick(-scene.velocity);
   EXPECT_EQ(scene.at(), before - scene.velocity);
-  EXPECT_EQ(scene.rules.take().size(), 1u) << "nothing else was in the way";
+  EXPECT_EQ(scene.rules.take().size(), 1u) << "there are further contacts";
 }
 
-// After four ticks the tip is at the end. It slides off along the long edge (30 040, 11 900), and one subunit more:
-// that is 0.6 of the (50 066, 19 833) that the tick has along the edge. The 0.4 of the displacement that are left go
-// straight on, and so does all that follows, beside the line.
-TEST(EndsTest, ANeedlesTipSlidesOff) {
+// After four ticks the tip is at the end. It slides off along the long edge by (30 040, 11 900), and one subunit more.
+// That is 0.6 of (50 066, 19 833), the slide of a whole tick. The remaining 0.4 of the displacement, and all further
+// motion, is straight beside the segment.
+TEST(EndsTest, TheTipOfANeedleSlidesOffTheEnd) {
   HardScene scene("ends/slanted.scene");
   for (int tick = 0; tick < 4; ++tick) scene.tick(scene.velocity);
   EXPECT_EQ(scene.at(), Point(200000, 80000));
@@ -53,7 +54,7 @@ TEST(EndsTest, ANeedlesTipSlidesOff) {
   EXPECT_EQ(scene.at(), before + Point(5 * scene.velocity.x, 5 * scene.velocity.y));
 }
 
-TEST(EndsTest, StraightAtTheEndFarAway) {
+TEST(EndsTest, ACornerAtAFarEndSlidesAlongItsFirstEdge) {
   HardScene scene("ends/straight_far.scene");
   scene.tick(scene.velocity);
   EXPECT_EQ(scene.rules.contacts.at(0).point, Point(200000000, 0));
@@ -63,9 +64,9 @@ TEST(EndsTest, StraightAtTheEndFarAway) {
   EXPECT_EQ(scene.at(), Point(199000000 + edge + (left - 2 * edge), -edge)) << "a thousand times as large";
 }
 
-// A subunit beside the tip it slides off along an edge that is 999 long from there, and one subunit more: these take
-// 2 000 of the 50 999 that are left.
-TEST(EndsTest, OneSubunitAsideItSlidesOff) {
+// An end one subunit beside the corner: the entity slides off along the edge, of which 999 subunits remain, and one
+// subunit more. This uses 2 000 of the remaining 50 999.
+TEST(EndsTest, ACornerOneSubunitBesideTheEndSlidesOff) {
   HardScene above("ends/one_above.scene");
   HardScene below("ends/one_below.scene");
   above.tick(above.velocity);
@@ -77,7 +78,7 @@ TEST(EndsTest, OneSubunitAsideItSlidesOff) {
   EXPECT_EQ(below.at(), Point(49001 + 1000 + (50999 - 2000), 1000)) << "the mirror image";
 }
 
-TEST(EndsTest, ATouchedFlankIsNothing) {
+TEST(EndsTest, AnEndThatTouchesASideIsNoContact) {
   HardScene scene("ends/touched.scene");
   scene.tick(scene.velocity);
   EXPECT_EQ(scene.at(), Point(100000, 0));
@@ -86,14 +87,14 @@ TEST(EndsTest, ATouchedFlankIsNothing) {
   EXPECT_TRUE(scene.rules.take().empty());
 }
 
-// A bump of one subunit is passed over (I3): at most 3 aside, and no speed is lost.
-TEST(EndsTest, AClippedFlankPassesBeside) {
+// A bump of one subunit is nudged over (I3): at most 3 subunits to the side, without loss of speed.
+TEST(EndsTest, AnEndOneSubunitInsideIsPassed) {
   HardScene scene("ends/clipped.scene");
-  for (const int way : {1, -1}) {
+  for (const int direction : {1, -1}) {
     const Point before = scene.at();
-    scene.tick({way * scene.velocity.x, 0});
+    scene.tick({direction * scene.velocity.x, 0});
     const Point moved = scene.at() - before;
-    EXPECT_LE(std::abs(moved.x - way * 100000), 3);
+    EXPECT_LE(std::abs(moved.x - direction * 100000), 3);
     EXPECT_LE(std::abs(moved.y), 3);
     EXPECT_LE(scene.at().y, -1);
   }

@@ -1,34 +1,34 @@
-// Paths that leave a line at next to no angle.
+// Paths that are nearly parallel to a segment.
 #include <gtest/gtest.h>
 
 #include "platon/exact/fraction.h"
-#include "tests/exactness/hard_cases/judged_world.h"
+#include "tests/exactness/hard_cases/checked_world.h"
 #include "tests/exactness/hard_cases/sweep_cases.h"
 
 namespace platon::hard_cases {
 namespace {
 
-// For each power of ten from 1e-1 to 1e-15 radians: the corner touches the middle of the line at the end of its path;
-// is farther from it, then nearer to it, by the least that a lattice can tell, about 1e-9 subunits; the same by a whole
-// subunit.
-TEST(GrazingTest, DownToTheLeastAngles) { EXPECT_EQ(expectAnswers("grazing/by_angle"), 15u * 5u); }
+// For each power of ten from 1e-1 to 1e-15 radians, five queries. At the end of its path the corner touches the middle
+// of the segment; it is farther or nearer by the smallest distance on the lattice, about 1e-9 subunits; it is farther
+// or nearer by one subunit.
+TEST(GrazingTest, SweepsAtTheSmallestAnglesAreExact) { EXPECT_EQ(expectAnswers("grazing/by_angle"), 15u * 5u); }
 
-TEST(GrazingTest, ARiseOfOneIn200Millions) {
+TEST(GrazingTest, SlidesUpASlopeOfOneIn200Million) {
   HardScene scene("grazing/slope.scene");
   scene.tick(scene.velocity);
   ASSERT_EQ(scene.rules.contacts.size(), 1u);
   EXPECT_EQ(scene.rules.contacts[0].time, (Fraction{199999990, 200000000}));
   EXPECT_EQ(scene.rules.contacts[0].point, Point(0, 1));
-  EXPECT_EQ(scene.at(), Point(-1, 12)) << "nine more subunits along the line, rounded to its outer side";
+  EXPECT_EQ(scene.at(), Point(-1, 12)) << "nine subunits along the segment, rounded away from it";
   scene.tick(scene.velocity);
-  EXPECT_EQ(scene.at(), Point(199999999, 12)) << "above the whole of the line";
+  EXPECT_EQ(scene.at(), Point(199999999, 12)) << "above the whole segment";
   EXPECT_TRUE(scene.rules.contacts.empty());
   scene.tick(-scene.velocity);
   scene.tick({-1, 0});
-  EXPECT_EQ(scene.at(), Point(-2, 12)) << "and back";
+  EXPECT_EQ(scene.at(), Point(-2, 12)) << "after moving back";
 }
 
-TEST(GrazingTest, AnEndThatIsTouchedIsNoContact) {
+TEST(GrazingTest, ATouchedEndIsNoContact) {
   HardScene scene("grazing/touched_end.scene");
   for (int tick = 1; tick <= 2; ++tick) {
     scene.tick(scene.velocity);
@@ -39,7 +39,7 @@ TEST(GrazingTest, AnEndThatIsTouchedIsNoContact) {
   EXPECT_TRUE(scene.rules.take().empty());
 }
 
-TEST(GrazingTest, ThroughTheNarrowEndOfANarrowingGap) {
+TEST(GrazingTest, PassesANarrowingGapOfItsOwnWidth) {
   HardScene scene("grazing/narrowing.scene");
   for (int tick = 1; tick <= 4; ++tick) {
     scene.tick(scene.velocity);
@@ -50,11 +50,11 @@ TEST(GrazingTest, ThroughTheNarrowEndOfANarrowingGap) {
   EXPECT_TRUE(scene.rules.take().empty());
 }
 
-// The upper line comes down by two subunits in 400 000 000: at x = 0 its distance from the axis is 10.
-TEST(GrazingTest, NotThroughAGapThatIsOneSubunitTooNarrow) {
+// The upper segment descends by two subunits in 400 000 000: at x = 0 its distance from the axis is 10.
+TEST(GrazingTest, IsStoppedByAGapOneSubunitTooNarrow) {
   HardScene scene("grazing/too_narrow.scene");
-  EXPECT_LT(scene.ticksToRest(scene.velocity, 20), 20);
-  EXPECT_EQ(scene.at(), Point(-10, 0)) << "the upper corner in front is on the line";
+  EXPECT_LT(scene.ticksUntilRest(scene.velocity, 20), 20);
+  EXPECT_EQ(scene.at(), Point(-10, 0)) << "the upper front corner is on the segment";
   for (int tick = 0; tick < 100; ++tick) scene.tick(scene.velocity);
   EXPECT_EQ(scene.at(), Point(-10, 0));
   scene.tick(-scene.velocity);

@@ -1,4 +1,4 @@
-// Floors of loose segments: any order, any slope, no connectivity, ends that are a little off (I3).
+// Floors of separate segments in any order and at any slope, with ends that are slightly off (I3).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 #include "platon/physics/entity.h"
 #include "platon/physics/map_part.h"
 #include "platon/physics/world.h"
-#include "tests/exactness/hard_cases/judged_world.h"
+#include "tests/exactness/hard_cases/checked_world.h"
 #include "tests/exactness/judge/run_length.h"
 #include "tests/shared/game/real_face.h"
 #include "tests/sim/seeded_random.h"
@@ -25,28 +25,28 @@
 namespace platon::hard_cases {
 namespace {
 
-/// What is asked of every step along a floor.
-struct Promise {
-  double share;  ///< of the ideal progress
-  double slack;  ///< subunits less: each of the few legs of a step is cut to whole subunits
-  double lift;   ///< subunits above the ideal floor
+/// Bounds of every step along a floor.
+struct Bounds {
+  double minShare;   ///< least part of the ideal progress
+  double tolerance;  ///< subunits below that part: every leg is cut to whole subunits
+  double maxHeight;  ///< subunits above the ideal floor
 };
 
-/// Both ends of a joint may be off by 1 subunit in each axis: one is then 1.42 above the floor, and I3 leaves 3 more.
-constexpr Promise kNearlyCollinear = {0.99, 4, 1.42 + 3};
-/// Off by 2 in each axis, more than I3 speaks of.
-constexpr Promise kCoarse = {0.97, 6, 2 * 1.42 + 3};
+/// For ends off by 1 subunit along each axis: they are up to 1.42 above the floor, and I3 allows 3 more.
+constexpr Bounds kNearlyCollinear = {0.99, 4, 1.42 + 3};
+/// For ends off by 2 subunits along each axis, which is more than I3 covers.
+constexpr Bounds kCoarse = {0.97, 6, 2 * 1.42 + 3};
 
-/// What a nudge may take of a press without a contact, and a rounding or two more.
-constexpr double kUntold = 8;
+/// Largest part of the downward motion, in subunits, that a nudge and roundings may stop without a contact.
+constexpr double kMaxNudge = 8;
 
-constexpr double kRunUp = 40000;  // of floor before the start and behind the end, more than any shape is long
+constexpr double kMargin = 40000;  // floor before the start and after the end; longer than any shape
 
-class Numbers : public sim::SeededRandom {
+class FloorRandom : public sim::SeededRandom {
  public:
   using SeededRandom::SeededRandom;
 
-  /// From low to high, every order of magnitude as often as another.
+  /// A number between low and high; its logarithm is uniformly distributed.
   double between(double low, double high) {
     constexpr std::uint64_t steps = 1 << 20;
     return low * std::pow(high / low, static_cast<double>(below(steps)) / steps);
@@ -56,7 +56,7 @@ class Numbers : public sim::SeededRandom {
   }
 };
 
-/// The ideal floor goes through the origin; the mover is above it.
+/// The ideal floor: a line through the origin. The entity is above it.
 struct Floor {
   Real along;
 
@@ -70,7 +70,7 @@ struct Floor {
   }
 };
 
-/// A floor of segments with a mover on it.
+/// A floor of segments and an entity on it.
 struct Chain {
   Floor floor;
   Convex shape;
@@ -80,11 +80,11 @@ struct Chain {
   int ticks = 0;
 };
 
-Angle slopeFrom(Numbers& random) {
+Angle slopeFrom(FloorRandom& random) {
   return random.below(4) == 0 ? Angle::degrees(45 * random.whole(0, 7)) : Angle(random.whole(0, Angle::kTurn - 1));
 }
 
-/// Whether the lowest corner is a needle's tip, sharper than 30 degrees: the gap of a joint may be a hole for it.
+/// True if the lowest corner is sharper than 30 degrees: the gap at a joint may stop such a corner.
 bool standsOnATip(const Convex& shape, const Floor& floor) {
   const auto& corners = shape.vertices();
   const auto lower = [&](Point a, Point b) { return floor.height(a) < floor.height(b); };
@@ -95,8 +95,8 @@ bool standsOnATip(const Convex& shape, const Floor& floor) {
   return dot(ahead, behind) > std::cos(std::numbers::pi / 6) * length(ahead) * length(behind);
 }
 
-/// 3 to 20 corners on a circle; another one where these are on one line.
-Convex polygonFrom(Numbers& random, const Floor& floor) {
+/// A polygon of 3 to 20 points on a circle, without a sharp lowest corner.
+Convex polygonFrom(FloorRandom& random, const Floor& floor) {
   for (;;) {
     const double radius = random.between(100, 12000);
     std::vector<Point> corners;
@@ -110,7 +110,7 @@ Convex polygonFrom(Numbers& random, const Floor& floor) {
   }
 }
 
-Convex shapeFrom(Numbers& random, const Floor& floor) {
+Convex shapeFrom(FloorRandom& random, const Floor& floor) {
   const std::uint64_t kind = random.below(4);
   if (kind == 0) return playerShape();
   if (kind != 1) return polygonFrom(random, floor);
@@ -119,13 +119,14 @@ Convex shapeFrom(Numbers& random, const Floor& floor) {
   return Convex(std::vector<Point>{{-x, -y}, {x, -y}, {x, y}, {-x, y}});
 }
 
-/// From end to end, with every end off by up to `off` in each axis, one in four beginning before the last one's end.
-std::vector<Segment> linesFrom(Numbers& random, const Floor& floor, double shortest, double length, std::int32_t off) {
+/// Segments along the floor, with every end off by up to `off` along each axis. One in four overlaps the one before.
+std::vector<Segment> linesFrom(FloorRandom& random, const Floor& floor, double shortest, double length,
+                               std::int32_t off) {
   std::vector<Segment> lines;
   const auto end = [&](double at) {
     return nearest(at * floor.along) + Point(random.whole(-off, off), random.whole(-off, off));
   };
-  for (double at = -kRunUp; at < length + kRunUp;) {
+  for (double at = -kMargin; at < length + kMargin;) {
     const double overlap = random.below(4) == 0 ? random.between(1, shortest) : 0;
     const Point first = end(at - overlap);
     at += random.between(shortest, std::min(10 * shortest, 40000.0));
@@ -137,7 +138,7 @@ std::vector<Segment> linesFrom(Numbers& random, const Floor& floor, double short
 }
 
 Chain chainFrom(std::uint64_t seed, std::int32_t off) {
-  Numbers random(seed);
+  FloorRandom random(seed);
   const Floor floor{turned({1, 0}, slopeFrom(random))};
   const double shortest = random.between(300, 16000);
   const double speed = random.between(64, std::min(8000.0, shortest / 2));
@@ -160,22 +161,21 @@ World worldOf(const Chain& chain) {
   return world;
 }
 
-/// The worst that was seen.
-struct Figures {
+/// The worst values of all steps.
+struct WorstValues {
   std::int64_t steps = 0;
-  double share = HUGE_VAL;  ///< of the ideal progress, slack granted
-  double loss = -HUGE_VAL;  ///< subunits beyond the share
-  double lift = -HUGE_VAL;
+  double loss = -HUGE_VAL;    ///< subunits below the required part of the ideal progress
+  double height = -HUGE_VAL;  ///< subunits above the ideal floor
 
   void print() const {
-    std::cout << steps << " steps, most loss " << loss << " subunits beyond the promised share, highest " << lift
+    std::cout << steps << " steps; progress at most " << loss << " subunits below its bound, height at most " << height
               << " subunits above the floor\n";
   }
 };
 
-/// Goes along the floor for so many ticks.
-void expectKept(JudgedWorld& scene, const Floor& floor, Point velocity, int ticks, const Promise& promise,
-                Figures& worst) {
+/// Moves along the floor and expects that every step keeps within the bounds.
+void expectWithinBounds(CheckedWorld& scene, const Floor& floor, Point velocity, int ticks, const Bounds& bounds,
+                        WorstValues& worst) {
   const double ideal = floor.progress(velocity);
   const double lowest = floor.lowest(scene.shape);
   const Point down = nearest(-60 * floor.up());
@@ -185,67 +185,66 @@ void expectKept(JudgedWorld& scene, const Floor& floor, Point velocity, int tick
     SCOPED_TRACE("tick " + std::to_string(tick) + ", from " + testing::PrintToString(before));
     scene.tick(velocity);
     const double progress = floor.progress(scene.at() - before);
-    const double lift = floor.height(scene.at()) + lowest;
-    const double held = floor.height(scene.at() - before) - floor.height(velocity);
-    worst.share = std::min(worst.share, (progress + promise.slack) / ideal);
-    worst.loss = std::max(worst.loss, promise.share * ideal - progress);
-    worst.lift = std::max(worst.lift, lift);
+    const double height = floor.height(scene.at()) + lowest;
+    const double stopped = floor.height(scene.at() - before) - floor.height(velocity);
+    worst.loss = std::max(worst.loss, bounds.minShare * ideal - progress);
+    worst.height = std::max(worst.height, height);
     ++worst.steps;
-    ASSERT_GE(progress, promise.share * ideal - promise.slack);
-    ASSERT_LE(lift, promise.lift);
-    ASSERT_TRUE(held <= kUntold || !scene.rules.contacts.empty()) << "what holds it up is told";
-    ASSERT_TRUE(scene.lawful());
+    ASSERT_GE(progress, bounds.minShare * ideal - bounds.tolerance);
+    ASSERT_LE(height, bounds.maxHeight);
+    ASSERT_TRUE(stopped <= kMaxNudge || !scene.rules.contacts.empty()) << "stopped without a contact";
+    ASSERT_TRUE(scene.invariantsHold());
   }
 }
 
-void expectCrossed(std::uint64_t seed, std::int32_t off, const Promise& promise, Figures& worst) {
+void expectChainWithinBounds(std::uint64_t seed, std::int32_t off, const Bounds& bounds, WorstValues& worst) {
   const std::string name = "seed " + std::to_string(seed) + ", ends off by " + std::to_string(off);
   SCOPED_TRACE(name);
   const Chain chain = chainFrom(seed, off);
-  JudgedWorld scene(name, worldOf(chain), {.shape = chain.shape});
-  expectKept(scene, chain.floor, chain.velocity, chain.ticks, promise, worst);
+  CheckedWorld scene(name, worldOf(chain), {.shape = chain.shape});
+  expectWithinBounds(scene, chain.floor, chain.velocity, chain.ticks, bounds, worst);
 }
 
-void expectAllCrossed(std::int64_t chains, std::int32_t off, const Promise& promise) {
-  Figures worst;
+void expectChainsWithinBounds(std::int64_t chains, std::int32_t off, const Bounds& bounds) {
+  WorstValues worst;
   const auto count = static_cast<std::uint64_t>(judge::runLength(chains, 100 * chains));
   for (std::uint64_t seed = 0; seed < count && !testing::Test::HasFailure(); ++seed) {
-    expectCrossed(seed, off, promise, worst);
+    expectChainWithinBounds(seed, off, bounds, worst);
   }
   worst.print();
   EXPECT_GE(worst.steps, 370 * chains);
 }
 
-TEST(JointsTest, OffByOneAtEachEndNothingSnags) { expectAllCrossed(1600, 1, kNearlyCollinear); }
+TEST(JointsTest, EndsOffByOneSubunitDoNotStopTheEntity) { expectChainsWithinBounds(1600, 1, kNearlyCollinear); }
 
-TEST(JointsTest, OffByTwoAtEachEndNothingSticks) { expectAllCrossed(800, 2, kCoarse); }
+TEST(JointsTest, EndsOffByTwoSubunitsDoNotStopTheEntity) { expectChainsWithinBounds(800, 2, kCoarse); }
 
-/// A chain as a scene file, and how it was made.
-struct Written {
+/// A chain in a scene file, and its parameters.
+struct ChainFile {
   const char* name;
   Angle slope;
   std::int32_t off;
   int ticks;
 };
 
-const Written kWritten[] = {
+const ChainFile kChainFiles[] = {
     {"level", Angle(), 1, 98},
     {"diagonal", Angle(-4500), 1, 255},
     {"slanted", Angle(1114), 1, 134},
     {"rough", Angle(-933), 2, 264},
 };
 
-TEST(JointsTest, ChainsInFiles) {
-  for (const Written& written : kWritten) {
-    SCOPED_TRACE(written.name);
-    HardScene scene(std::string("joints/") + written.name + ".scene");
-    const Floor floor{turned({1, 0}, written.slope)};
+TEST(JointsTest, ChainsInSceneFilesStayWithinBounds) {
+  for (const ChainFile& file : kChainFiles) {
+    SCOPED_TRACE(file.name);
+    HardScene scene(std::string("joints/") + file.name + ".scene");
+    const Floor floor{turned({1, 0}, file.slope)};
     for (const Segment& line : scene.world.geometry().parts[0]->segments) {
-      ASSERT_LE(std::abs(floor.height(line.a)), (written.off + 0.5) * std::numbers::sqrt2);
-      ASSERT_LE(std::abs(floor.height(line.b)), (written.off + 0.5) * std::numbers::sqrt2);
+      ASSERT_LE(std::abs(floor.height(line.a)), (file.off + 0.5) * std::numbers::sqrt2);
+      ASSERT_LE(std::abs(floor.height(line.b)), (file.off + 0.5) * std::numbers::sqrt2);
     }
-    Figures worst;
-    expectKept(scene, floor, scene.velocity, written.ticks, written.off == 1 ? kNearlyCollinear : kCoarse, worst);
+    WorstValues worst;
+    expectWithinBounds(scene, floor, scene.velocity, file.ticks, file.off == 1 ? kNearlyCollinear : kCoarse, worst);
   }
 }
 

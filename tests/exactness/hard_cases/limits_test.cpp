@@ -1,9 +1,9 @@
-// At the ends of the coordinates and of the velocities.
+// Largest coordinates, velocities, segments and shapes.
 #include <gtest/gtest.h>
 
 #include "platon/exact/angle.h"
 #include "platon/exact/integer.h"
-#include "tests/exactness/hard_cases/judged_world.h"
+#include "tests/exactness/hard_cases/checked_world.h"
 #include "tests/exactness/hard_cases/sweep_cases.h"
 
 namespace platon::hard_cases {
@@ -12,10 +12,10 @@ namespace {
 constexpr std::int32_t kLast = kCoordinateLimit - 1;
 constexpr std::int32_t kFastest = kVelocityLimit - 1;
 
-// Displacements, lines and shapes as large as they may be, all at once.
-TEST(LimitsTest, TheLargestNumbers) { EXPECT_EQ(expectAnswers("limits/extremes"), 18u); }
+// Displacements, segments and shapes of the largest size, all at once.
+TEST(LimitsTest, SweepsWithTheLargestNumbersAreExact) { EXPECT_EQ(expectAnswers("limits/extremes"), 18u); }
 
-TEST(LimitsTest, BetweenTheLongestLines) {
+TEST(LimitsTest, StopsBetweenTheLongestSegments) {
   HardScene scene("limits/range.scene");
   const WorldState start = scene.world.save();
   for (std::int32_t quarter = 0; quarter < 4; ++quarter) {
@@ -23,28 +23,28 @@ TEST(LimitsTest, BetweenTheLongestLines) {
     WorldState placed = start;
     placed.entities[0].position = rotate(start.entities[0].position, turn);
     scene.world.restore(placed);
-    EXPECT_EQ(scene.ticksToRest(rotate(scene.velocity, turn), 10), 2);
-    EXPECT_EQ(scene.at(), rotate(Point(20, 0), turn)) << "both corners in front are on the diagonals";
+    EXPECT_EQ(scene.ticksUntilRest(rotate(scene.velocity, turn), 10), 2);
+    EXPECT_EQ(scene.at(), rotate(Point(20, 0), turn)) << "both front corners are on the diagonals";
     for (int tick = 0; tick < 1000; ++tick) scene.tick(rotate(scene.velocity, turn));
     EXPECT_EQ(scene.at(), rotate(Point(20, 0), turn));
     scene.tick(rotate(Point(kFastest, 0), turn));
     EXPECT_EQ(scene.at(), rotate(Point(20 + kFastest, 0), turn));
     scene.tick(rotate(Point(kFastest, 0), turn));
-    EXPECT_EQ(scene.at(), rotate(Point(kLast, 0), turn)) << "19 more would be out of range";
+    EXPECT_EQ(scene.at(), rotate(Point(kLast, 0), turn)) << "19 subunits farther would be out of range";
   }
 }
 
-TEST(LimitsTest, TheOutermostLinesHold) {
+TEST(LimitsTest, StopsAtTheOutermostSegments) {
   for (const int x : {-1, 0, 1}) {
     for (const int y : {-1, 0, 1}) {
       HardScene scene("limits/border.scene");
-      EXPECT_EQ(scene.ticksToRest({x * kFastest, y * kFastest}, 10), x == 0 && y == 0 ? 0 : 2);
+      EXPECT_EQ(scene.ticksUntilRest({x * kFastest, y * kFastest}, 10), x == 0 && y == 0 ? 0 : 2);
       EXPECT_EQ(scene.at(), Point(x * (kLast - 10), y * (kLast - 10)));
     }
   }
 }
 
-TEST(LimitsTest, WhereCoordinatesEndMoversStay) {
+TEST(LimitsTest, StopsAtTheEndOfTheCoordinateRange) {
   HardScene scene("limits/open.scene");
   const Point start[] = {{kLast, 0}, {kLast - 1, kLast}, {-kLast, -kLast}};
   scene.tick({kFastest, 0});
@@ -53,10 +53,10 @@ TEST(LimitsTest, WhereCoordinatesEndMoversStay) {
   EXPECT_EQ(scene.at(2), Point(-kLast + kFastest, -kLast));
   for (int tick = 0; tick < 5; ++tick) scene.tick({-kFastest, -kFastest});
   for (std::uint32_t i = 0; i < 3; ++i) EXPECT_EQ(scene.at(i).y, -kLast) << i;
-  EXPECT_TRUE(scene.lawful());
+  EXPECT_TRUE(scene.invariantsHold());
 }
 
-TEST(LimitsTest, ALargeShapeSlidesOnTheLongestLine) {
+TEST(LimitsTest, ALargeShapeSlidesOnTheLongestSegment) {
   HardScene scene("limits/largest.scene");
   scene.tick(scene.velocity);
   EXPECT_EQ(scene.at(), Point(-kVelocityLimit + kFastest, 0));

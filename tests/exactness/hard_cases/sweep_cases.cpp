@@ -9,7 +9,7 @@
 
 #include "platon/physics/convex.h"
 #include "platon/physics/sweep.h"
-#include "tests/exactness/hard_cases/judged_world.h"
+#include "tests/exactness/hard_cases/checked_world.h"
 #include "tests/exactness/judge/conversions.h"
 #include "tests/exactness/oracle/sweep/sweep_oracle.h"
 #include "tests/exactness/oracle/sweep/sweep_query.h"
@@ -31,21 +31,22 @@ oracle::SweepQuery parseQuery(const std::string& line) {
   query.shape.resize(count);
   for (Vec& vertex : query.shape) in >> vertex.x >> vertex.y;
   for (Vec* v : {&query.position, &query.displacement, &query.obstacle.a, &query.obstacle.b}) in >> v->x >> v->y;
-  if (!in || !isValid(query)) throw std::runtime_error("no query: " + line);
+  if (!in || !isValid(query)) throw std::runtime_error("not a query: " + line);
   return query;
 }
 
-// A mirroring first, then quarter turns.
-Vec moved(Vec v, int symmetry) {
+// Mirrors if the symmetry says so, then rotates by quarter turns.
+Vec transformed(Vec v, int symmetry) {
   if (symmetry >= kSymmetries / 2) v.x = -v.x;
   for (int quarter = symmetry % (kSymmetries / 2); quarter > 0; --quarter) v = {-v.y, v.x};
   return v;
 }
 
-SweepQuery moved(SweepQuery query, int symmetry) {
-  for (Vec& vertex : query.shape) vertex = moved(vertex, symmetry);
+SweepQuery transformed(SweepQuery query, int symmetry) {
+  for (Vec& vertex : query.shape) vertex = transformed(vertex, symmetry);
   if (symmetry >= kSymmetries / 2) std::reverse(query.shape.begin(), query.shape.end());
-  for (Vec* v : {&query.position, &query.displacement, &query.obstacle.a, &query.obstacle.b}) *v = moved(*v, symmetry);
+  for (Vec* v : {&query.position, &query.displacement, &query.obstacle.a, &query.obstacle.b})
+    *v = transformed(*v, symmetry);
   return query;
 }
 
@@ -62,30 +63,33 @@ void expectAnswer(const SweepQuery& query, const SweepAnswer& expected) {
   const oracle::SweepTruth truth = sweepTruth(query);
   EXPECT_TRUE(confirms(query, truth)) << toText(truth) << ": " << toLine(query);
   for (int symmetry = 0; symmetry < kSymmetries; ++symmetry) {
-    const SweepQuery asked = moved(query, symmetry);
-    const oracle::SweepTruth itsTruth = sweepTruth(asked);
-    SweepAnswer movedAnswer = expected;
-    movedAnswer.normal = moved(expected.normal, symmetry);
-    EXPECT_TRUE(agrees(itsTruth, movedAnswer)) << "the file is wrong, " << toText(itsTruth) << ": " << toLine(asked);
-    EXPECT_TRUE(agrees(itsTruth, answerOf(asked))) << "not " << toText(itsTruth) << ": " << toLine(asked);
+    const SweepQuery symmetricQuery = transformed(query, symmetry);
+    const oracle::SweepTruth symmetricTruth = sweepTruth(symmetricQuery);
+    SweepAnswer symmetricAnswer = expected;
+    symmetricAnswer.normal = transformed(expected.normal, symmetry);
+    EXPECT_TRUE(agrees(symmetricTruth, symmetricAnswer))
+        << "wrong answer in the file; correct: " << toText(symmetricTruth) << ": " << toLine(symmetricQuery);
+    EXPECT_TRUE(agrees(symmetricTruth, answerOf(symmetricQuery)))
+        << "wrong answer of Sweep; correct: " << toText(symmetricTruth) << ": " << toLine(symmetricQuery);
   }
 }
 
 }  // namespace
 
 std::size_t expectAnswers(const std::string& name) {
-  std::istringstream queries(readCase(name + ".queries"));
-  std::istringstream answers(readCase(name + ".answers"));
+  std::istringstream queries(readSceneFile(name + ".queries"));
+  std::istringstream answers(readSceneFile(name + ".answers"));
   std::string query;
   std::string answer;
   std::size_t count = 0;
   for (; std::getline(queries, query) && std::getline(answers, answer); ++count) {
     const auto expected = oracle::parseAnswer(answer);
-    if (!expected) throw std::runtime_error("no answer: " + answer);
+    if (!expected) throw std::runtime_error("not an answer: " + answer);
     SCOPED_TRACE(name + ", line " + std::to_string(count + 1));
     expectAnswer(parseQuery(query), *expected);
   }
-  EXPECT_TRUE(queries.eof() && !std::getline(answers, answer)) << name << ": as many answers as queries";
+  EXPECT_TRUE(queries.eof() && !std::getline(answers, answer))
+      << name << ": the number of answers differs from that of queries";
   return count;
 }
 

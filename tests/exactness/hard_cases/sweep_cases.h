@@ -4,9 +4,9 @@
 
 namespace platon::hard_cases {
 
-/// Asks every query of the file NAME.queries, and whatever becomes of it by the eight symmetries of the lattice: the
-/// answer must be that of the same line of NAME.answers, and so says the oracle, in two ways.
-/// `platon-sim sweep < NAME.queries` gives NAME.answers to the letter. Returns the number of queries in the file.
+/// Expects that `Sweep` answers each query of NAME.queries, in all eight symmetries of the lattice, with the same line
+/// of NAME.answers. The oracle must agree with the file, and its answer must satisfy the definition. `platon-sim sweep
+/// < NAME.queries` prints NAME.answers. Returns the number of queries.
 std::size_t expectAnswers(const std::string& name);
 
 }  // namespace platon::hard_cases

@@ -1,4 +1,4 @@
-// Movers that touch something when they start.
+// Entities that touch a segment at the start of the tick.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,15 +9,15 @@
 #include "platon/exact/angle.h"
 #include "platon/exact/fraction.h"
 #include "platon/physics/entity_state.h"
-#include "tests/exactness/hard_cases/judged_world.h"
+#include "tests/exactness/hard_cases/checked_world.h"
 
 namespace platon::hard_cases {
 namespace {
 
 struct Push {
   Point velocity;
-  Point moved;
-  bool stopped;  // a contact is called, and its time is 0
+  Point moved;   // the expected displacement
+  bool stopped;  // a contact at time 0 is expected
 };
 
 void expectMoves(const std::string& name, const std::vector<Push>& pushes) {
@@ -35,7 +35,7 @@ void expectMoves(const std::string& name, const std::vector<Push>& pushes) {
   }
 }
 
-TEST(TouchingTest, OnAFloor) {
+TEST(TouchingTest, MovesOnAFloor) {
   expectMoves("floor", {{{5, 3}, {5, 3}, false},
                         {{0, 1}, {0, 1}, false},
                         {{7, 0}, {7, 0}, false},
@@ -45,7 +45,7 @@ TEST(TouchingTest, OnAFloor) {
                         {{-1, -200000000}, {-1, 0}, true}});
 }
 
-TEST(TouchingTest, InACorner) {
+TEST(TouchingTest, MovesInACorner) {
   expectMoves("corner", {{{5, -5}, {0, 0}, true},
                          {{5, 0}, {0, 0}, true},
                          {{0, -5}, {0, 0}, true},
@@ -57,7 +57,7 @@ TEST(TouchingTest, InACorner) {
                          {{-5, 5}, {-5, 5}, false}});
 }
 
-TEST(TouchingTest, InAShaft) {
+TEST(TouchingTest, MovesInAShaft) {
   expectMoves("shaft", {{{0, 7}, {0, 7}, false},
                         {{5, 7}, {0, 7}, true},
                         {{-5, -7}, {0, -7}, true},
@@ -65,8 +65,8 @@ TEST(TouchingTest, InAShaft) {
                         {{-200000000, 0}, {0, 0}, true}});
 }
 
-// Of what goes into the slope, the part along it is cut to whole subunits in x and rounded up in y.
-TEST(TouchingTest, OnASlope) {
+// The slide along the slope is cut to whole subunits in x and rounded up in y.
+TEST(TouchingTest, MovesOnASlope) {
   expectMoves("slope", {{{300, 100}, {300, 100}, false},
                         {{-300, -100}, {-300, -100}, false},
                         {{-1, 3}, {-1, 3}, false},
@@ -77,9 +77,10 @@ TEST(TouchingTest, OnASlope) {
                         {{100, 0}, {90, 30}, true}});
 }
 
-// Where the exact contact is between lattice points, the mover stops at one no more than two steps from it, outside;
-// the slide is cut to whole subunits. Truncating the first of these ways would often end beyond the slope.
-TEST(TouchingTest, FromAboveItLandsOnTheSlopeAndSlides) {
+// If the exact contact is not a lattice point, the entity stops at a lattice point at most two steps away, on the free
+// side. The slide is cut to whole subunits. Truncating the displacement before the contact would often end beyond the
+// slope.
+TEST(TouchingTest, LandsOnASlopeAndSlides) {
   HardScene scene("touching/steeper.scene");
   for (const Point velocity : {Point(402, -670), Point(-401, -607), Point(-1000, -1399), Point(-503, -1900)}) {
     const double along = (5.0 * velocity.x + 3.0 * velocity.y) / 34;  // in units of the slope's (5, 3)
@@ -96,12 +97,12 @@ TEST(TouchingTest, FromAboveItLandsOnTheSlopeAndSlides) {
       const double y = start.y + part * velocity.y + (1 - part) * along * 3;
       ASSERT_LE(std::hypot(scene.at().x - x, scene.at().y - y), 2.24 + 1.42)
           << velocity.x << " " << velocity.y << ", " << i;
-      ASSERT_FALSE(scene.checker.isFree(0, scene.at() - Point(0, 3), Angle())) << "it stands on the slope";
+      ASSERT_FALSE(scene.checker.isFree(0, scene.at() - Point(0, 3), Angle())) << "not on the slope";
     }
   }
 }
 
-TEST(TouchingTest, OnTheEndOfALine) {
+TEST(TouchingTest, MovesOnTheEndOfASegment) {
   expectMoves("end", {{{0, -5}, {0, 0}, true},
                       {{5, -5}, {5, 0}, true},
                       {{5, 3}, {5, 3}, false},
@@ -109,9 +110,9 @@ TEST(TouchingTest, OnTheEndOfALine) {
                       {{50, 0}, {50, 0}, false}});
 }
 
-// Where a corner stands on a point, both edges are entered at once: the earlier one of the shape, which rises to the
-// right, is slid along.
-TEST(TouchingTest, ACornerOnAPoint) {
+// A corner on a point enters both edges at once. The contact is the edge with the smaller index, which rises to the
+// right.
+TEST(TouchingTest, MovesWithACornerOnAPoint) {
   expectMoves("point", {{{0, -50}, {-25, -25}, true},
                         {{-50, -50}, {-50, -50}, false},
                         {{50, -50}, {50, -50}, false},
@@ -119,8 +120,8 @@ TEST(TouchingTest, ACornerOnAPoint) {
                         {{0, 50}, {0, 50}, false}});
 }
 
-// The line leads away from the corner, half way between its two edges; the bottom edge is the earlier one.
-TEST(TouchingTest, ACornerOnTheEndOfALine) {
+// The segment leads away from the corner, halfway between its edges. The bottom edge has the smaller index.
+TEST(TouchingTest, MovesWithACornerOnTheEndOfASegment) {
   expectMoves("end_at_corner", {{{50, 0}, {50, 0}, false},
                                 {{0, -50}, {0, -50}, false},
                                 {{-50, -50}, {-50, -50}, false},

@@ -1,4 +1,4 @@
-// From nothing at all to many faces a tick.
+// Velocities from zero to many faces per tick.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -6,12 +6,12 @@
 #include <string>
 
 #include "platon/exact/integer.h"
-#include "tests/exactness/hard_cases/judged_world.h"
+#include "tests/exactness/hard_cases/checked_world.h"
 
 namespace platon::hard_cases {
 namespace {
 
-TEST(VelocitiesTest, NoneMovesNothing) {
+TEST(VelocitiesTest, ZeroMovesNothing) {
   HardScene scene("velocities/still.scene");
   const WorldState before = scene.world.save();
   scene.tick(scene.velocity);
@@ -19,10 +19,10 @@ TEST(VelocitiesTest, NoneMovesNothing) {
   for (int tick = 0; tick < 1000; ++tick) scene.tick(scene.velocity);
   EXPECT_EQ(scene.world.hash(), hash);
   EXPECT_EQ(scene.at(), before.entities[0].position);
-  EXPECT_TRUE(scene.rules.take().empty()) << "what is only touched is no contact";
+  EXPECT_TRUE(scene.rules.take().empty()) << "a touch is no contact";
 }
 
-TEST(VelocitiesTest, OneSubunitATickReachesTheWall) {
+TEST(VelocitiesTest, OneSubunitPerTickReachesTheWall) {
   for (int x = -1; x <= 1; ++x) {
     for (int y = -1; y <= 1; ++y) {
       HardScene scene("velocities/one.scene");
@@ -38,26 +38,25 @@ TEST(VelocitiesTest, OneSubunitATickReachesTheWall) {
   }
 }
 
-/// A straight way round a solid, back to where it began: in a direction of the start face's x axis, so many times the
-/// edge's length, over so many edges.
+/// A closed straight path around a solid, along the x axis of the start face.
 struct RoundTrip {
   const char* level;
   int crossings;
-  double edges;
+  double edges;  ///< length of the path, in edge lengths
 };
 
-// A tetrahedron unrolls into a lattice of triangles that repeats after two edges. Beside an edge of the octahedron and
-// of the icosahedron lies a straight belt of 6 and of 10 triangles. Half way between two opposite faces of the
-// dodecahedron a regular decagon goes through the middles of ten edges; its sides are half as long as diagonals.
+// The unfolded tetrahedron is a lattice of triangles that repeats after two edges. The octahedron and the icosahedron
+// have straight belts of 6 and 10 triangles. On the dodecahedron the path is the regular decagon halfway between two
+// opposite faces: it passes the middles of ten edges, and its sides are half as long as a diagonal of a face.
 const RoundTrip kRoundTrips[] = {{"tetrahedron", 4, 2},
                                  {"hexahedron", 4, 4},
                                  {"octahedron", 6, 3},
                                  {"dodecahedron", 10, 5 * std::numbers::phi},
                                  {"icosahedron", 10, 5}};
 
-// Every crossing rounds what is left of the tick's displacement, by up to 0.71 subunits, and places the new home by its
-// own rounding, up to 0.71 more. These are independent of each other: the bound grows with their square root.
-double allowed(int crossings) { return 1 + 3 * std::sqrt(crossings * 0.5); }
+// Bound of the error in subunits. Every crossing rounds the remaining displacement, by up to 0.71 subunits, and the
+// place of the new home, by up to 0.71 more. The roundings are independent, so they add up like a square root.
+double maxError(int crossings) { return 1 + 3 * std::sqrt(crossings * 0.5); }
 
 void expectRoundTrip(const RoundTrip& trip, int ticks, int rounds) {
   HardLevel level("velocities/" + std::string(trip.level) + ".level");
@@ -70,12 +69,12 @@ void expectRoundTrip(const RoundTrip& trip, int ticks, int rounds) {
   EXPECT_EQ(level.entity().part(), level.level->startFace);
   EXPECT_EQ(level.entity().rotation(), Angle());
   EXPECT_EQ(level.entity().state().crossings, static_cast<std::uint32_t>(trip.crossings * rounds));
-  const Point off = level.at() - level.level->start;
-  EXPECT_LE(std::hypot(off.x, off.y), allowed(trip.crossings * rounds) + 0.71 * std::sqrt(ticks));
+  const Point error = level.at() - level.level->start;
+  EXPECT_LE(std::hypot(error.x, error.y), maxError(trip.crossings * rounds) + 0.71 * std::sqrt(ticks));
   EXPECT_TRUE(level.rules.contacts.empty());
 }
 
-TEST(VelocitiesTest, AWholeFaceATick) {
+TEST(VelocitiesTest, ReturnsToTheStartAtOneFacePerTick) {
   for (const RoundTrip& trip : kRoundTrips) {
     SCOPED_TRACE(trip.level);
     expectRoundTrip(trip, trip.crossings, 1);
@@ -83,7 +82,7 @@ TEST(VelocitiesTest, AWholeFaceATick) {
   }
 }
 
-TEST(VelocitiesTest, ManyFacesATick) {
+TEST(VelocitiesTest, ReturnsToTheStartAtManyFacesPerTick) {
   for (const RoundTrip& trip : kRoundTrips) {
     for (const int rounds : {1, 2, 5}) {
       SCOPED_TRACE(trip.level + std::string(", rounds ") + std::to_string(rounds));
@@ -92,14 +91,14 @@ TEST(VelocitiesTest, ManyFacesATick) {
   }
 }
 
-TEST(VelocitiesTest, AtTheLimitAllLawsHold) {
+TEST(VelocitiesTest, InvariantsHoldAtTheLargestVelocity) {
   for (const RoundTrip& trip : kRoundTrips) {
     for (const Point velocity :
          {Point(kVelocityLimit - 1, 0), Point(1 - kVelocityLimit, 123456789), Point(12345, 1 - kVelocityLimit)}) {
       HardLevel level("velocities/" + std::string(trip.level) + ".level");
       ASSERT_TRUE(level.placeAtStart());
       for (int tick = 0; tick < 10; ++tick) level.push(velocity);
-      EXPECT_TRUE(level.lawful()) << trip.level;
+      EXPECT_TRUE(level.invariantsHold()) << trip.level;
       EXPECT_GT(level.entity().state().crossings, 10u) << trip.level;
     }
   }

@@ -5,7 +5,7 @@
 #include "platon/physics/segment.h"
 #include "tests/exactness/oracle/exact_geometry.h"
 
-/// Between the figures of the code under test and those of the oracle.
+/// Conversions between the types of the simulation and those of the oracle.
 namespace platon::judge {
 
 inline oracle::Vec toVec(Point point) { return {point.x, point.y}; }
@@ -18,7 +18,7 @@ inline oracle::Polygon toPolygon(const std::vector<Point>& points) {
   return polygon;
 }
 
-/// |components| < 2^31.
+/// Every component of `v` is below 2^31 in magnitude.
 inline Point toPoint(oracle::Vec v) { return {static_cast<std::int32_t>(v.x), static_cast<std::int32_t>(v.y)}; }
 
 inline Segment toSegment(const oracle::Segment& line) { return {toPoint(line.a), toPoint(line.b)}; }

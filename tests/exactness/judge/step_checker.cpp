@@ -5,10 +5,10 @@
 namespace platon::judge {
 namespace {
 
-// I2: no step has more moves than this.
+// I2: largest number of moves of a step.
 constexpr std::size_t kMaxMoves = 100;
 
-std::vector<oracle::Segment> blockingLines(const JudgedScene& scene, const MapGeometry& part) {
+std::vector<oracle::Segment> blockingSegments(const CheckedScene& scene, const MapGeometry& part) {
   std::vector<oracle::Segment> lines;
   for (std::uint32_t i = 0; i < part.segmentOfWarp(0); ++i) {
     if (!scene.pierces || !scene.pierces(part.id, i)) lines.push_back(toSegment(part.segments[i]));
@@ -16,14 +16,14 @@ std::vector<oracle::Segment> blockingLines(const JudgedScene& scene, const MapGe
   return lines;
 }
 
-oracle::TraceHeader headerOf(const JudgedScene& scene) {
+oracle::TraceHeader headerOf(const CheckedScene& scene) {
   oracle::TraceHeader header;
   header.solid = scene.solid ? nameOf(*scene.solid) : "PLANE";
   header.shape = toPolygon(scene.shape.vertices());
   for (const auto& part : scene.geometry.parts) {
     oracle::TraceFace face;
     if (scene.solid) face.polygon = toPolygon(facePolygon(*scene.solid, scene.faceSize));
-    face.lines = blockingLines(scene, *part);
+    face.lines = blockingSegments(scene, *part);
     for (const Warp& warp : part->warps) {
       face.warps.push_back({toSegment(warp.from), warp.target, toSegment(warp.onto)});
     }
@@ -32,7 +32,7 @@ oracle::TraceHeader headerOf(const JudgedScene& scene) {
   return header;
 }
 
-/// Turning, instances that come and go, and passing home move nothing.
+/// Number of legs that move the entity. Legs that only rotate, rehome, or add or drop instances do not count.
 std::size_t movesOf(const std::vector<oracle::TraceLeg>& legs) {
   std::size_t moves = 0;
   for (std::size_t i = 1; i < legs.size(); ++i) {
@@ -47,8 +47,8 @@ std::size_t movesOf(const std::vector<oracle::TraceLeg>& legs) {
 }  // namespace
 
 struct StepChecker::Checkers {
-  Checkers(oracle::TraceMap made, oracle::TraceReport& report)
-      : map(std::move(made)),
+  Checkers(oracle::TraceMap checkedMap, oracle::TraceReport& report)
+      : map(std::move(checkedMap)),
         shapes(map.shape(), report),
         states(map, shapes, report),
         motions(map, shapes, states, report) {}
@@ -59,7 +59,7 @@ struct StepChecker::Checkers {
   oracle::MotionChecker motions;
 };
 
-StepChecker::StepChecker(const JudgedScene& scene) : shape_(scene.shape) {
+StepChecker::StepChecker(const CheckedScene& scene) : shape_(scene.shape) {
   auto map = oracle::TraceMap::make(headerOf(scene), report_);
   if (map) checkers_ = std::make_shared<Checkers>(std::move(*map), report_);
 }
@@ -82,7 +82,7 @@ std::string StepChecker::finishTick() {
   for (const auto& [entity, legs] : legs_) {
     report_.setPlayer(entity);
     tallies_[entity] = {legs.size() - 1, legs.back().size()};
-    if (checkers_) judge(legs);
+    if (checkers_) checkStep(legs);
   }
   legs_.clear();
   return report_.clean() ? std::string() : report_.messages().front();
@@ -109,7 +109,7 @@ bool StepChecker::isFree(std::uint32_t part, Point position, Angle angle) {
   return true;
 }
 
-void StepChecker::judge(const std::vector<oracle::TraceLeg>& legs) {
+void StepChecker::checkStep(const std::vector<oracle::TraceLeg>& legs) {
   oracle::StateChecker& states = checkers_->states;
   if (const std::size_t moves = movesOf(legs); moves > kMaxMoves) {
     report_.violate("I2", std::to_string(moves) + " moves");

@@ -16,29 +16,30 @@
 
 namespace platon::judge {
 
-/// What the checkers must know of a world. Whatever is referred to must outlive them.
-struct JudgedScene {
+/// The static data of a world that the checkers need. The referenced objects must outlive the checker.
+struct CheckedScene {
   const Geometry& geometry;
-  const Convex& shape;             ///< of every entity
-  std::optional<SolidKind> solid;  ///< none: an endless plane, part 0
+  const Convex& shape;             ///< shape of every entity
+  std::optional<SolidKind> solid;  ///< nothing: an infinite plane, part 0
   std::int32_t faceSize = 0;       ///< level units; 0 on the plane
-  /// Whether line `index` of a part lets entities pass; warp lines always do. Empty: none does.
+  /// True if entities pass segment `index` of a part. They always pass warp segments. An empty function: they pass no
+  /// other.
   std::function<bool(std::uint32_t part, std::uint32_t index)> pierces = {};
 };
 
-/// Hands every leg of a world's steps to the checkers of the oracle: I1, I2, I5, I6 and I7.
+/// Checks every leg of a world's steps with the oracle: invariants I1, I2, I5, I6 and I7.
 class StepChecker : public StepObserver {
  public:
-  explicit StepChecker(const JudgedScene& scene);
+  explicit StepChecker(const CheckedScene& scene);
 
   void leg(std::uint32_t entity, std::span<const InstanceView> instances) override;
-  /// Judges all legs since the last call. What is wrong; empty when nothing is.
+  /// Checks all legs since the last call. Returns the first violation since construction; empty if there is none.
   std::string finishTick();
-  /// Moves in the last tick judged.
+  /// Moves of the entity in the last checked tick.
   std::size_t moves(std::uint32_t entity) const;
-  /// Instances after the last tick judged.
+  /// Instances of the entity after the last checked tick.
   std::size_t instances(std::uint32_t entity) const;
-  /// Whether the shape, turned by `angle`, may stand there.
+  /// True if the shape, rotated by `angle`, overlaps no segment at `position`.
   bool isFree(std::uint32_t part, Point position, Angle angle);
 
  private:
@@ -48,12 +49,12 @@ class StepChecker : public StepObserver {
     std::size_t instances = 0;
   };
   oracle::TraceInstance converted(const InstanceView& view) const;
-  void judge(const std::vector<oracle::TraceLeg>& legs);
+  void checkStep(const std::vector<oracle::TraceLeg>& legs);
 
   const Convex& shape_;
   oracle::TraceReport report_;
   std::shared_ptr<Checkers> checkers_;
-  std::map<std::uint32_t, std::vector<oracle::TraceLeg>> legs_;  // by entity, of this tick
+  std::map<std::uint32_t, std::vector<oracle::TraceLeg>> legs_;  // legs of this tick, by entity
   std::map<std::uint32_t, Tally> tallies_;
 };
 

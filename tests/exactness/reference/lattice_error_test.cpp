@@ -41,7 +41,7 @@ TEST_F(LatticeErrorTest, ThereAreScenesOfEveryKind) {
   }
 }
 
-TEST_F(LatticeErrorTest, NeverExceedsAFewSubunitsALeg) {
+TEST_F(LatticeErrorTest, NeverExceedsTwoSubunitsPerLeg) {
   for (const auto& [name, rows] : errors()) {
     ASSERT_EQ(rows.size(), kResolutions.size() * kTicks.size());
     for (const LatticeError& row : rows) {

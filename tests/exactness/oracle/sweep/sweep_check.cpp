@@ -111,7 +111,7 @@ int main(int count, char** arguments) {
   using namespace platon::oracle;
   const auto queries = count > 2 ? parseNumber(arguments[2]) : kDefaultCount;
   const auto seed = count > 3 ? parseNumber(arguments[3]) : kDefaultSeed;
-  if (count < 2 || count > 4 || !queries || !seed) {
+  if (count < 2 || count > 4 || queries.value_or(0) == 0 || !seed) {
     std::cerr << "usage: platon-sweep-check PLATON-SIM [QUERIES [SEED]]\n";
     return 2;
   }

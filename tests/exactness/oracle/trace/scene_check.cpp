@@ -63,7 +63,7 @@ int check(const std::string& program, std::uint64_t scenes, std::int64_t ticks, 
 std::optional<std::int64_t> parse(std::string_view text) {
   std::int64_t number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  const bool whole = error == std::errc{} && end == text.data() + text.size() && number >= 0;
+  const bool whole = error == std::errc{} && end == text.data() + text.size() && number > 0;
   return whole ? std::optional(number) : std::nullopt;
 }
 

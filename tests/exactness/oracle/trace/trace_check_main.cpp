@@ -38,13 +38,16 @@ int checkFile(const std::string& file) {
   while (std::getline(stream, line) && checker.checkLine(line)) {
   }
   checker.finish();
-  return printReport(file, checker.report()) ? 0 : 1;
+  if (!printReport(file, checker.report())) return 1;
+  if (checker.report().ticks == 0) return std::cout << "the trace has no ticks\n", 1;
+  return 0;
 }
 
 int checkRun(const Requirements& requirements, const std::vector<std::string>& arguments) {
   const auto [report, exitCode] = runTraced(arguments);
   if (!printReport("trace", report)) return 1;
   if (exitCode != 0) return std::cout << "the program exits with " << exitCode << '\n', 1;
+  if (report.ticks == 0) return std::cout << "the trace has no ticks\n", 1;
   if (requirements.ticks >= 0 && report.ticks != requirements.ticks)
     return std::cout << report.ticks << " ticks instead of " << requirements.ticks << '\n', 1;
   if (report.crossings < requirements.crossings) return std::cout << "only " << report.crossings << " crossings\n", 1;

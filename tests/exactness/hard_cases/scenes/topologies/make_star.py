@@ -1,4 +1,4 @@
-"""Prints star.scene: a thousand lines through one point, and a small square that is shot at it."""
+"""Prints star.scene: a thousand lines through one point, and a small square that moves towards it."""
 
 import math
 

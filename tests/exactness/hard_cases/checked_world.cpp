@@ -1,4 +1,4 @@
-#include "tests/exactness/hard_cases/judged_world.h"
+#include "tests/exactness/hard_cases/checked_world.h"
 
 #include <gtest/gtest.h>
 
@@ -14,45 +14,45 @@ namespace platon::hard_cases {
 namespace {
 
 std::shared_ptr<const Level> readLevel(const std::string& name) {
-  LevelResult result = loadLevel(readCase(name));
+  LevelResult result = loadLevel(readSceneFile(name));
   for (const Diagnostic& found : result.diagnostics) throw std::runtime_error(format(name, found));
   return result.level;
 }
 
 }  // namespace
 
-std::string readCase(const std::string& name) {
+std::string readSceneFile(const std::string& name) {
   std::string fault;
   const auto text = readLevelFile("tests/exactness/hard_cases/scenes/" + name, fault);
   if (!text) throw std::runtime_error(fault);
   return *text;
 }
 
-JudgedWorld::JudgedWorld(std::string name, World made, Setting setting)
-    : world(std::move(made)),
-      shape(std::move(setting.shape)),
-      rules(std::move(setting.rules)),
-      checker({world.geometry(), shape, setting.solid, setting.faceSize,
+CheckedWorld::CheckedWorld(std::string name, World initial, Options options)
+    : world(std::move(initial)),
+      shape(std::move(options.shape)),
+      rules(std::move(options.rules)),
+      checker({world.geometry(), shape, options.solid, options.faceSize,
                [this](std::uint32_t part, std::uint32_t line) {
                  return rules.pierceable.contains({part, line});
                }}),
       name_(std::move(name)) {}
 
-void JudgedWorld::tick(Point velocity) {
+void CheckedWorld::tick(Point velocity) {
   for (std::uint32_t i = 0; i < world.entities().size(); ++i) entity(i).setVelocity(velocity);
   tick();
 }
 
-void JudgedWorld::tick() {
+void CheckedWorld::tick() {
   rules.contacts.clear();
   world.solve(rules, &checker);
   const std::string fault = checker.finishTick();
-  if (fault.empty() || !lawful_) return;
-  lawful_ = false;
+  if (fault.empty() || !invariantsHold_) return;
+  invariantsHold_ = false;
   ADD_FAILURE() << name_ << ": " << fault;
 }
 
-int JudgedWorld::ticksToRest(Point velocity, int most) {
+int CheckedWorld::ticksUntilRest(Point velocity, int most) {
   for (int ticks = 0; ticks < most; ++ticks) {
     const WorldState before = world.save();
     tick(velocity);
@@ -68,13 +68,13 @@ int JudgedWorld::ticksToRest(Point velocity, int most) {
 HardScene::HardScene(const std::string& name, std::string_view text) : HardScene(name, sim::loadScene(name, text)) {}
 
 HardScene::HardScene(const std::string& name, sim::Scene scene)
-    : JudgedWorld(name, std::move(scene.world), {.shape = scene.shape}), velocity(scene.velocity) {}
+    : CheckedWorld(name, std::move(scene.world), {.shape = scene.shape}), velocity(scene.velocity) {}
 
-HardLevel::HardLevel(const std::string& name, RecordedRules given)
-    : HardLevel(name, readLevel(name), std::move(given)) {}
+HardLevel::HardLevel(const std::string& name, RecordedRules initialRules)
+    : HardLevel(name, readLevel(name), std::move(initialRules)) {}
 
-HardLevel::HardLevel(const std::string& name, std::shared_ptr<const Level> loaded, RecordedRules given)
-    : JudgedWorld(name, loaded->world, {playerShape(), loaded->solid, loaded->faceSize, std::move(given)}),
+HardLevel::HardLevel(const std::string& name, std::shared_ptr<const Level> loaded, RecordedRules initialRules)
+    : CheckedWorld(name, loaded->world, {playerShape(), loaded->solid, loaded->faceSize, std::move(initialRules)}),
       level(std::move(loaded)) {}
 
 bool HardLevel::place(std::uint32_t face, Point position, Angle angle) {
