@@ -9,58 +9,59 @@
 namespace platon {
 namespace {
 
-constexpr double kTangent = 0.365;     // of half the smaller angle of view, 40 degrees
-constexpr double kSmallestView = 460;  // level units from one side of the picture to the other
-constexpr double kLargestView = 760;
-constexpr double kViewOfFace = 1.3;  // in diameters of a face's incircle, between the two
+constexpr double kTangent = 0.365;  // tangent of half the smaller field of view: 40 degrees
+constexpr double kMinView = 460;    // shorter side of the picture at the player, level units
+constexpr double kMaxView = 760;
+constexpr double kViewOfFace = 1.3;  // the same in incircle diameters of a face, between the two bounds
 
-// The quaternion whose z is `back` and whose y is nearest to `up`.
-glm::dquat lookingBack(glm::dvec3 back, glm::dvec3 up) {
+// The orientation whose z axis is `back` and whose y axis is nearest to `up`.
+glm::dquat orientationOf(glm::dvec3 back, glm::dvec3 up) {
   glm::dvec3 right = glm::cross(up, back);
-  // An up along the line of sight has no nearest; any will do.
+  // If `up` is parallel to `back`, any direction across will do.
   if (glm::length(right) < 1e-9) right = glm::cross(glm::dvec3(back.y, back.z, back.x) + glm::dvec3(0.5, 0, 0), back);
   right = glm::normalize(right);
   return glm::normalize(glm::quat_cast(glm::dmat3(right, glm::cross(back, right), back)));
 }
 
-// The smallest turn from one unit vector to another; about `axis` where they are opposite.
-glm::dquat swingBetween(glm::dvec3 from, glm::dvec3 to, glm::dvec3 axis) {
+// The smallest rotation from one unit vector to another; about `axis` if they are opposite.
+glm::dquat rotationBetween(glm::dvec3 from, glm::dvec3 to, glm::dvec3 axis) {
   const double cosine = glm::dot(from, to);
   if (cosine < -1 + 1e-12) return glm::angleAxis(std::acos(-1.0), axis);
   const glm::dvec3 normal = glm::cross(from, to);
   return glm::normalize(glm::dquat(1 + cosine, normal.x, normal.y, normal.z));
 }
 
-// Radians counter-clockwise about `axis` from one vector across it to another.
+// Angle about `axis` between two vectors perpendicular to it, radians counter-clockwise.
 double angleAbout(glm::dvec3 axis, glm::dvec3 from, glm::dvec3 to) {
   return std::atan2(glm::dot(axis, glm::cross(from, to)), glm::dot(from, to));
 }
 
-glm::dquat shareOf(glm::dquat turn, double share) { return glm::slerp(glm::dquat(1, 0, 0, 0), turn, share); }
+glm::dquat partOf(glm::dquat turn, double part) { return glm::slerp(glm::dquat(1, 0, 0, 0), turn, part); }
 
-double shareIn(double speed, double seconds) { return -std::expm1(-speed * seconds); }
+// Part of the remaining distance covered in `seconds` by an exponential approach with this rate.
+double partIn(double rate, double seconds) { return -std::expm1(-rate * seconds); }
 
 }  // namespace
 
 void Camera::set(const Pose& player, const SolidMesh& stage, std::uint32_t w, std::uint32_t h) {
   resize(w, h);
-  orientation_ = lookingBack(glm::normalize(player.position), player.up);
-  distance_ = wantedDistance(player, stage);
+  orientation_ = orientationOf(glm::normalize(player.position), player.up);
+  distance_ = targetDistance(player, stage);
   radius_ = stage.circumradius();
 }
 
-// The way is split into a swing of the line of sight, which keeps the player in sight, and a roll about it, which may
-// be slow. Both go straight towards their end, so that the time may be split at will.
+// The rotation to the target is split into a swing of the line of sight, which keeps the player visible, and a roll
+// about it, which may be slow. Both decay exponentially, so the result does not depend on the frame rate.
 void Camera::lerp(const Pose& player, const SolidMesh& stage, double seconds) {
   if (comfort_.instantCut) return set(player, stage, width_, height_);
-  const glm::dquat target = lookingBack(glm::normalize(player.position), player.up);
+  const glm::dquat target = orientationOf(glm::normalize(player.position), player.up);
   const glm::dvec3 targetBack = target * glm::dvec3(0, 0, 1);
-  const glm::dquat swing = swingBetween(back(), targetBack, up());
+  const glm::dquat swing = rotationBetween(back(), targetBack, up());
   const double roll = angleAbout(targetBack, swing * up(), target * glm::dvec3(0, 1, 0));
-  const double follow = shareIn(kFollowSpeed, seconds);
-  orientation_ = shareOf(swing, follow) * orientation_;
-  orientation_ = glm::normalize(glm::angleAxis(rolledIn(roll, seconds), back()) * orientation_);
-  distance_ += (wantedDistance(player, stage) - distance_) * follow;
+  const double follow = partIn(kFollowSpeed, seconds);
+  orientation_ = partOf(swing, follow) * orientation_;
+  orientation_ = glm::normalize(glm::angleAxis(rollDuring(roll, seconds), back()) * orientation_);
+  distance_ += (targetDistance(player, stage) - distance_) * follow;
   radius_ = stage.circumradius();
 }
 
@@ -86,15 +87,15 @@ double Camera::rollOf(const Pose& player) const {
   return glm::length(seen) < 1e-9 ? 0 : angleAbout(back(), up(), seen);
 }
 
-double Camera::wantedDistance(const Pose& player, const SolidMesh& stage) const {
-  const double view = std::clamp(2 * stage.apothem() * kViewOfFace, kSmallestView, kLargestView) / zoom_;
+double Camera::targetDistance(const Pose& player, const SolidMesh& stage) const {
+  const double view = std::clamp(2 * stage.apothem() * kViewOfFace, kMinView, kMaxView) / zoom_;
   return glm::length(player.position) + view / 2 / kTangent;
 }
 
-double Camera::rolledIn(double roll, double seconds) const {
-  const double eased = roll * shareIn(comfort_.turnSpeed, seconds);
-  const double most = comfort_.reducedMotion ? kSlowRoll * seconds : std::abs(eased);
-  return std::clamp(eased, -most, most);
+double Camera::rollDuring(double roll, double seconds) const {
+  const double eased = roll * partIn(comfort_.turnSpeed, seconds);
+  const double maxRoll = comfort_.reducedMotion ? kSlowRoll * seconds : std::abs(eased);
+  return std::clamp(eased, -maxRoll, maxRoll);
 }
 
 }  // namespace platon

@@ -10,18 +10,18 @@
 
 namespace platon {
 
-/// A face as the camera sees it, in the face's frame. Computed in double, so that large solids do not tremble.
+/// Camera and light in the frame of a visible face. Computed in double precision, so that large solids do not jitter.
 struct FaceView {
   int face = 0;
   glm::mat4 toClip{1};
   glm::vec3 eye{0};
-  glm::vec3 light{0, 0, 1};  ///< towards it, unit
+  glm::vec3 light{0, 0, 1};  ///< unit vector towards the light
 };
 
-/// Towards the light, which the camera carries: unit, in space.
+/// Unit vector towards the light, in space. The light moves with the camera.
 glm::dvec3 lightOf(const Camera& camera);
 
-/// The faces whose outside the camera sees.
+/// The faces whose outer side faces the camera.
 std::vector<FaceView> visibleFaces(const SolidMesh& mesh, const Camera& camera);
 
 }  // namespace platon

@@ -7,7 +7,7 @@
 namespace platon {
 namespace {
 
-// Turns that leave any count of hues spread.
+// Multiples of the golden angle spread any number of hues, in degrees.
 constexpr double kGoldenAngle = 137.50776405003785;
 
 double gammaEncoded(double linear) {

@@ -6,17 +6,17 @@
 
 namespace platon {
 
-/// sRGB, each part in [0, 1]. Colour is never the only sign: every face and every player has a number, too.
+/// sRGB, each component in [0, 1]. Colour is never the only mark: faces and players have numbers, too.
 using Colour = glm::vec3;
 
-/// A colour by lightness [0, 1], chroma (0 grey … about 0.3) and hue in degrees, by the Oklab space of Björn Ottosson;
-/// cut to what sRGB can show.
+/// Converts from the Oklab colour space of Björn Ottosson: lightness [0, 1], chroma (0 grey … about 0.3) and hue in
+/// degrees. Clamped to the gamut of sRGB.
 Colour oklch(double lightness, double chroma, double hue);
 
-/// Of a face by its index: dark enough for lines to stand out, and unlike the faces next in number.
+/// Colour of a face: dark, so that segments stand out, and different from faces of nearby indices.
 Colour faceColour(int face);
 
-/// Of a player by its slot: bright, and unlike the slots next in number.
+/// Colour of a player: bright, and different from players of nearby slots.
 Colour playerColour(std::uint32_t slot);
 
 }  // namespace platon

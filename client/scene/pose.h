@@ -10,7 +10,7 @@
 
 namespace platon {
 
-/// Where something stands on the solid, in space: level units, the solid's centre at the origin.
+/// Position and orientation in space: level units, origin at the solid's centre.
 struct Pose {
   glm::dvec3 position{0, 0, 1};
   glm::dvec3 up{0, 1, 0};      ///< unit, along the face
@@ -22,12 +22,12 @@ inline glm::dvec2 toUnits(Point point) {
   return {double{1} * point.x / kSubunitsPerUnit, double{1} * point.y / kSubunitsPerUnit};
 }
 
-/// To radians, counter-clockwise, in [0, 2π).
+/// Angle in radians, counter-clockwise, in [0, 2π).
 inline double toRadians(Angle angle) { return angle.centidegrees() * (6.283185307179586 / Angle::kTurn); }
 
-/// What lies along the face with one normal, carried over onto another by the fold between them. The normals are not
+/// Rotates `vector` by the smallest rotation that takes the unit normal `from` to `onto`. The normals must not be
 /// opposite.
-inline glm::dvec3 carried(glm::dvec3 vector, glm::dvec3 from, glm::dvec3 onto) {
+inline glm::dvec3 rotatedBetween(glm::dvec3 vector, glm::dvec3 from, glm::dvec3 onto) {
   return vector - (from + onto) * (glm::dot(onto, vector) / (1 + glm::dot(from, onto)));
 }
 

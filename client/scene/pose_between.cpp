@@ -11,9 +11,9 @@
 namespace platon {
 namespace {
 
-// Level units in one tick: the fastest fall is 12, and slopes and jumps can add to it. A jump that is shorter passes
-// for a way and is over with the tick.
-constexpr double kLongestWay = 32;
+// Longest interpolated distance in one tick, level units: the fastest fall is 12, and slopes and jumps can add to it.
+// A shorter jump is interpolated, too; that lasts one tick.
+constexpr double kMaxTickDistance = 32;
 
 struct FacePoint {
   int face = 0;
@@ -24,17 +24,17 @@ FacePoint placeOf(const PlayerSnapshot& player) { return {static_cast<int>(playe
 
 glm::dvec2 moved(const glm::dmat4& frame, glm::dvec2 point) { return glm::dvec2(frame * glm::dvec4(point, 0, 1)); }
 
-// Nothing when the straight way does not lead over this edge.
+// Interpolates over one edge. Returns nothing if the straight path does not cross this edge.
 std::optional<FacePoint> overEdge(const SolidMesh& mesh, FacePoint before, int edge, FacePoint now, double fraction) {
   const glm::dmat4 unfolded = mesh.unfolded(before.face, edge);
   const glm::dvec2 outwards = mesh.edgeNormals()[static_cast<std::size_t>(edge)];
-  const glm::dvec2 way = moved(unfolded, now.point) - before.point;
+  const glm::dvec2 path = moved(unfolded, now.point) - before.point;
   const double inside = mesh.apothem() - glm::dot(outwards, before.point);
-  const double across = glm::dot(outwards, way);
+  const double across = glm::dot(outwards, path);
   if (inside < 0 || across <= inside) return std::nullopt;
-  const glm::dvec2 crossing = before.point + way * (inside / across);
+  const glm::dvec2 crossing = before.point + path * (inside / across);
   if (std::abs(glm::dot(glm::dvec2(-outwards.y, outwards.x), crossing)) > mesh.faceSize() / 2) return std::nullopt;
-  const glm::dvec2 flat = before.point + way * fraction;
+  const glm::dvec2 flat = before.point + path * fraction;
   if (across * fraction <= inside) return FacePoint{before.face, flat};
   return FacePoint{now.face, moved(glm::inverse(unfolded), flat)};
 }
@@ -49,8 +49,8 @@ std::optional<FacePoint> alongSurface(const SolidMesh& mesh, FacePoint before, F
 }
 
 glm::dvec3 upBetween(const Pose& before, const Pose& now, glm::dvec3 normal, double fraction) {
-  const glm::dvec3 last = carried(now.up, now.normal, normal);
-  const glm::dvec3 up = glm::mix(carried(before.up, before.normal, normal), last, fraction);
+  const glm::dvec3 last = rotatedBetween(now.up, now.normal, normal);
+  const glm::dvec3 up = glm::mix(rotatedBetween(before.up, before.normal, normal), last, fraction);
   return glm::normalize(glm::length(up) > 1e-6 ? up : last);
 }
 
@@ -63,7 +63,7 @@ Pose poseOf(const SolidMesh& mesh, const PlayerSnapshot& player) {
 Pose poseBetween(const SolidMesh& mesh, const InterpolatedPlayer& player) {
   const Pose before = poseOf(mesh, player.before);
   const Pose now = poseOf(mesh, player.now);
-  if (glm::distance(before.position, now.position) > kLongestWay) return now;
+  if (glm::distance(before.position, now.position) > kMaxTickDistance) return now;
   const auto place = alongSurface(mesh, placeOf(player.before), placeOf(player.now), player.fraction);
   const glm::dvec3 position = place ? mesh.toWorld(place->face, place->point)
                                     : mesh.onSurface(glm::mix(before.position, now.position, player.fraction));

@@ -6,13 +6,14 @@
 
 namespace platon {
 
-/// A player where it stands. It must be present.
+/// Pose of a player, which must be present.
 Pose poseOf(const SolidMesh& mesh, const PlayerSnapshot& player);
 
-/// A player on its way, which leads along the surface: straight and even within a face, and over an edge as if both
-/// faces were laid flat. Round a corner, through a third face, it is the line through the solid seen from its centre.
-/// Up turns evenly within the face and goes with it over an edge. Ways too long for one tick are jumps, as back to the
-/// start, and not drawn in between: the player stands where it went. It must be present at both ends.
+/// Interpolates the pose of a player between two ticks along the surface: linearly within a face, and over an edge
+/// linearly in the unfolded faces. Round a vertex, through a third face, the straight line through the solid is
+/// projected from the centre onto the surface. Up turns evenly within a face and folds with the faces at an edge. A
+/// distance too long for one tick is a jump, such as a restart, and gives the later pose. The player must be present at
+/// both ticks.
 Pose poseBetween(const SolidMesh& mesh, const InterpolatedPlayer& player);
 
 }  // namespace platon

@@ -10,15 +10,14 @@
 namespace platon {
 namespace {
 
-// Of white in a player's colour, at most.
-constexpr double kFlash = 0.6;
+constexpr double kFlash = 0.6;  // largest share of white in a player's colour
 
-// Small: longer than an edge it would not follow the surface.
+// Shifts a pose along the surface. `offset` is in the player's frame and shorter than an edge.
 void shift(Pose& pose, const SolidMesh& mesh, glm::dvec2 offset) {
   const glm::dvec3 right = glm::cross(pose.up, pose.normal);
   pose.position = mesh.onSurface(pose.position + offset.x * right + offset.y * pose.up);
   const glm::dvec3 normal = mesh.normal(mesh.faceTowards(pose.position));
-  pose.up = carried(pose.up, pose.normal, normal);
+  pose.up = rotatedBetween(pose.up, pose.normal, normal);
   pose.normal = normal;
 }
 
@@ -59,7 +58,7 @@ Scene makeScene(const SceneSource& source) {
   scene.stage = source.stage;
   addPlayers(scene, source);
   scene.focus = focusOf(scene);
-  const double passed = std::max(0.0, source.game->tick() - 1 + source.fraction);
+  const double passed = std::max(0.0, double{1} * source.game->tick() - 1 + source.fraction);
   scene.seconds = passed / kTicksPerSecond;
   scene.secondsLeft = double{1} * source.game->ticksLeft() / kTicksPerSecond;
   scene.over = source.game->over();

@@ -16,20 +16,20 @@
 
 namespace platon {
 
-/// All that a scene is made of. `stage` and `game` are set.
+/// Input of makeScene. `stage` and `game` must be set.
 struct SceneSource {
   std::shared_ptr<const StageModel> stage;  ///< of the game's level
-  const Game* game = nullptr;               ///< whose clock it is: the predicted game
-  double fraction = 1;                      ///< of the game's last tick that has passed, 0 … 1
-  InterpolatedPlayers others;               ///< of the confirmed game; may hold the own player, too
+  const Game* game = nullptr;               ///< the predicted game, whose clock is shown
+  double fraction = 1;                      ///< elapsed part of the last tick of `game`, 0 … 1
+  InterpolatedPlayers others;                     ///< from the interpolation buffer; may include the local player
   std::optional<std::uint32_t> ownSlot;
-  std::optional<InterpolatedPlayer> own;  ///< of the predicted game; without, the own player is as the others
-  Point ownOffset;                        ///< added to the own player's place: subunits, in its own frame (+y its up)
-  std::span<const std::string> names;     ///< by slot, UTF-8
-  std::span<const double> flashes;        ///< by slot, 0 … 1: how bright what has just happened to the player shows
+  std::optional<InterpolatedPlayer> own;  ///< from the predicted game; if unset, taken from `others`
+  Point ownOffset;                  ///< error smoothing of the local player: subunits, in its own frame (+y is its up)
+  std::span<const std::string> names;  ///< by slot, UTF-8
+  std::span<const double> flashes;     ///< by slot, 0 … 1: brightness of the flash after an event
 };
 
-/// One player as it is drawn: once, however many instances it has.
+/// One player as it is drawn, once even if it has several instances.
 struct PlayerDrawing {
   std::uint32_t slot = 0;
   Pose pose;
@@ -40,12 +40,12 @@ struct PlayerDrawing {
   std::optional<double> finishedAfter;  ///< seconds from the start of the round
 };
 
-/// One moment of the game as it is drawn. The only place where the exact game becomes floating point.
+/// One moment of the game as it is drawn, converted from exact to floating point.
 struct Scene {
   std::shared_ptr<const StageModel> stage;
-  std::vector<PlayerDrawing> players;  ///< by slot, the own last
-  Pose focus;                          ///< what the camera follows: the own player, else the first, else the start
-  double seconds = 0;                  ///< since the start of the round
+  std::vector<PlayerDrawing> players;  ///< by slot; the local player is last
+  Pose focus;          ///< target of the camera: the local player, else the first player, else the start
+  double seconds = 0;  ///< since the start of the round
   double secondsLeft = 0;
   bool over = false;
 };

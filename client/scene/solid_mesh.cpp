@@ -28,7 +28,7 @@ glm::dvec2 unit(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
 }  // namespace
 
-// The formulas are those of the regular polyhedron {p, q}: p edges a face, q faces a vertex.
+// Formulas of the regular polyhedron {p, q}: p edges per face, q faces per vertex.
 SolidMesh::SolidMesh(SolidKind kind, double faceSize) : solid_(&PlatonicSolid::of(kind)), faceSize_(faceSize) {
   const int p = solid_->edgesPerFace();
   const int q = facesPerVertex(kind);

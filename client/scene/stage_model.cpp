@@ -11,11 +11,11 @@ namespace platon {
 namespace {
 
 std::string labelOf(int face) {
-  const bool upsideDownToo = face == 6 || face == 9;
-  return std::to_string(face) + (upsideDownToo ? "." : "");
+  const bool ambiguous = face == 6 || face == 9;  // upside down, 6 looks like 9
+  return std::to_string(face) + (ambiguous ? "." : "");
 }
 
-// Half of a ribbon along an edge would be missing if it were drawn on its own face only.
+// A ribbon that lies along an edge is drawn on both faces: each clips it at the edge.
 void addOverEdges(StageModel& stage, int face, glm::dvec2 a, glm::dvec2 b) {
   const std::vector<glm::dvec2>& normals = stage.mesh.edgeNormals();
   for (std::size_t edge = 0; edge < normals.size(); ++edge) {
@@ -30,9 +30,9 @@ void addOverEdges(StageModel& stage, int face, glm::dvec2 a, glm::dvec2 b) {
 }
 
 void addRibbons(StageModel& stage, const Level& level, int face) {
-  for (const Segment& line : level.lines[static_cast<std::size_t>(face)]) {
-    const glm::dvec2 a = toUnits(line.a);
-    const glm::dvec2 b = toUnits(line.b);
+  for (const Segment& segment : level.lines[static_cast<std::size_t>(face)]) {
+    const glm::dvec2 a = toUnits(segment.a);
+    const glm::dvec2 b = toUnits(segment.b);
     stage.faces[static_cast<std::size_t>(face)].ribbons.push_back({a, b});
     addOverEdges(stage, face, a, b);
   }

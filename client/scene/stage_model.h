@@ -14,27 +14,27 @@
 
 namespace platon {
 
-/// A line drawn as a ribbon on its face; level units in the face's frame.
+/// A segment of the level as it is drawn; level units in the face's frame.
 struct Ribbon {
   glm::vec2 a{0};
   glm::vec2 b{0};
 };
 
-/// A face and what lies on it for good.
+/// A face with its segments and label.
 struct FaceDrawing {
   Colour colour{0};
-  std::string label;            ///< its index, as in the level file; a dot where it could be read upside down
-  std::vector<Ribbon> ribbons;  ///< also those parts of a neighbour's ribbons that reach over the edge
+  std::string label;            ///< its index in the level file; 6 and 9 have a dot
+  std::vector<Ribbon> ribbons;  ///< also a neighbour's ribbons that reach over the edge
 };
 
 /// A place on a face.
 struct Marker {
   int face = 0;
   glm::vec2 place{0};
-  double angle = 0;  ///< of its up from the face's +y, radians counter-clockwise
+  double angle = 0;  ///< from the face's +y to the marker's up, radians counter-clockwise
 };
 
-/// All of a level that is drawn and never moves.
+/// The drawn parts of a level that never move.
 struct StageModel {
   static constexpr double kRibbonWidth = 4;  ///< level units
   static constexpr double kGoalRadius = 16;
@@ -47,8 +47,8 @@ struct StageModel {
   std::string title;
 };
 
-/// `marker` in the frame of `face`, laid flat, when that is its face or a neighbour to whose edge it is nearer than
-/// `reach`.
+/// Returns `marker` in the frame of `face` if it lies on that face, or on an unfolded neighbour within `reach` of the
+/// common edge.
 std::optional<Marker> markerOn(const SolidMesh& mesh, int face, const Marker& marker, double reach);
 
 std::shared_ptr<const StageModel> makeStageModel(const Level& level);

@@ -33,7 +33,7 @@ double apart(const Camera& a, const Camera& b) {
   return glm::distance(a.eye(), b.eye()) + glm::distance(a.up(), b.up()) * a.height();
 }
 
-TEST(Camera, SetPutsThePlayerInTheMiddleWithItsUpUpwards) {
+TEST(Camera, SetShowsThePlayerUprightInTheMiddle) {
   RecordProperty("seed", static_cast<int>(kSeed));
   std::mt19937 random(kSeed);
   for (int kind = 0; kind < kSolidKinds; ++kind) {
@@ -56,7 +56,7 @@ TEST(Camera, SetPutsThePlayerInTheMiddleWithItsUpUpwards) {
   }
 }
 
-TEST(Camera, NothingStandsBetweenItAndThePlayer) {
+TEST(Camera, NothingIsBetweenTheCameraAndThePlayer) {
   std::mt19937 random(kSeed);
   for (int kind = 0; kind < kSolidKinds; ++kind) {
     const SolidMesh mesh(static_cast<SolidKind>(kind), kSize);
@@ -73,7 +73,7 @@ TEST(Camera, NothingStandsBetweenItAndThePlayer) {
   }
 }
 
-TEST(Camera, LerpArrives) {
+TEST(Camera, LerpReachesTheTarget) {
   std::mt19937 random(kSeed);
   for (int i = 0; i < 200; ++i) {
     const Pose from = randomPose(cube(), random);
@@ -101,7 +101,7 @@ TEST(Camera, LerpDoesNotDependOnTheFrameRate) {
   }
 }
 
-TEST(Camera, ZeroSecondsChangeNothing) {
+TEST(Camera, LerpByZeroSecondsChangesNothing) {
   std::mt19937 random(kSeed);
   Camera camera;
   camera.set(randomPose(cube(), random), cube(), 1280, 720);
@@ -110,8 +110,7 @@ TEST(Camera, ZeroSecondsChangeNothing) {
   EXPECT_LT(apart(camera, before), 1e-9);
 }
 
-// Up to where the ball is half over the edge and on, in steps of a fast run: the picture moves, but never jumps, though
-// the face's normal does.
+// A fast run over an edge: the camera turns continuously although the normal of the face jumps.
 TEST(Camera, CrossingAnEdgeTurnsContinuously) {
   for (int kind = 0; kind < kSolidKinds; ++kind) {
     const SolidMesh mesh(static_cast<SolidKind>(kind), kSize);
@@ -134,7 +133,7 @@ TEST(Camera, CrossingAnEdgeTurnsContinuously) {
   }
 }
 
-TEST(Camera, OppositeDirectionsAreNoTrouble) {
+TEST(Camera, OppositeDirectionsGiveAFiniteOrientation) {
   for (const double seconds : {0.0, 1e-9, 1.0 / 60, 10.0, 1e9}) {
     for (const double angle : {0.0, 1.0, 3.141592653589793}) {
       Camera camera;
@@ -154,7 +153,7 @@ TEST(Camera, OppositeDirectionsAreNoTrouble) {
   }
 }
 
-TEST(Camera, AnUpAlongTheLineOfSightIsNoTrouble) {
+TEST(Camera, AnUpAlongTheLineOfSightGivesAFiniteOrientation) {
   Pose player = cube().pose(2, {10, 20}, 0);
   player.up = glm::normalize(player.position);
   Camera camera;
@@ -164,7 +163,7 @@ TEST(Camera, AnUpAlongTheLineOfSightIsNoTrouble) {
   EXPECT_TRUE(std::isfinite(camera.up().x + camera.rollOf(player)));
 }
 
-TEST(Camera, InstantCutIsWhatSetGives) {
+TEST(Camera, InstantCutEqualsSet) {
   std::mt19937 random(kSeed);
   Camera camera;
   camera.set(randomPose(cube(), random), cube(), 1280, 720);
@@ -189,7 +188,7 @@ TEST(Camera, ReducedMotionBoundsTheRoll) {
   }
 }
 
-TEST(Camera, AFasterTurnGetsFurther) {
+TEST(Camera, AGreaterTurnSpeedRollsFaster) {
   const Pose turned = cube().pose(0, {0, 0}, 1.5);
   double last = 1.5;
   for (const double speed : {1.0, 5.0, 20.0}) {
@@ -202,7 +201,7 @@ TEST(Camera, AFasterTurnGetsFurther) {
   }
 }
 
-TEST(Camera, ZoomMakesThingsLarger) {
+TEST(Camera, ZoomMagnifies) {
   const Pose player = cube().pose(0, {0, 0}, 0);
   Camera camera;
   camera.set(player, cube(), 1280, 720);

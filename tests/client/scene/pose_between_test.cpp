@@ -16,7 +16,7 @@ namespace platon {
 namespace {
 
 constexpr double kSize = 480;
-constexpr double kLattice = 2.0 / kSubunitsPerUnit;  // what rounding both ends to the lattice can do
+constexpr double kLattice = 2.0 / kSubunitsPerUnit;  // error from rounding both ends to subunits
 constexpr double kNear = 6;
 constexpr int kSteps = 40;
 
@@ -37,7 +37,7 @@ PlayerSnapshot standing(int face, glm::dvec2 point, Angle angle) {
   return {static_cast<std::uint32_t>(face), toSubunits(point), angle, 0, true};
 }
 
-// One tick's way over an edge.
+// The path of one tick over an edge.
 struct Crossing {
   InterpolatedPlayer player;
   int face = 0;
@@ -46,25 +46,24 @@ struct Crossing {
 
 class PoseBetweenTest : public testing::TestWithParam<int> {
  protected:
-  // Over `edge` of `face`, `along` from its middle, `slant` from straight ahead; `way` units of which `share` on
-  // `face`.
-  Crossing crossing(int face, int edge, double along, double slant, double way, double share) const {
+  // Crosses `edge` of `face` at distance `along` from its middle and angle `slant` from its normal. The path is
+  // `length` units long; the part `share` of it lies on `face`.
+  Crossing crossing(int face, int edge, double along, double slant, double length, double share) const {
     const glm::dvec2 out = mesh_.edgeNormals()[static_cast<std::size_t>(edge)];
     const glm::dvec2 side(-out.y, out.x);
     const glm::dvec2 over = out * mesh_.apothem() + side * along;
     const glm::dvec2 direction = out * std::cos(slant) + side * std::sin(slant);
-    const glm::dvec4 beyond(over + direction * way * (1 - share), 0, 1);
+    const glm::dvec4 beyond(over + direction * length * (1 - share), 0, 1);
     const PlatonicSolid::Neighbour& next = mesh_.solid().neighbour(face, edge);
     const Angle up = Angle(face * 1700 + edge * 4300);
     Crossing result{{}, face, edge};
-    result.player.before = standing(face, over - direction * way * share, up);
+    result.player.before = standing(face, over - direction * length * share, up);
     result.player.now =
         standing(next.face, glm::dvec2(glm::inverse(mesh_.unfolded(face, edge)) * beyond), up + next.turn);
     return result;
   }
 
-  // Where a pose is as seen from the edge, from the picture in space alone: along it, and across it, more than 0
-  // behind.
+  // A pose in the frame of the edge: x along the edge, y across it, > 0 beyond it. Computed from space alone.
   struct FromEdge {
     glm::dvec2 place;
     glm::dvec2 up;
@@ -79,7 +78,7 @@ class PoseBetweenTest : public testing::TestWithParam<int> {
             {glm::dot(pose.up, along), glm::dot(pose.up, across)}};
   }
 
-  // Even along the way laid flat, on the surface, and up as it was.
+  // The interpolated path is linear in the unfolded faces and on the surface; up does not turn.
   void checkCrossing(Crossing crossing) const {
     crossing.player.fraction = 0;
     const FromEdge first = fromEdge(crossing, poseBetween(mesh_, crossing.player));
@@ -110,7 +109,7 @@ class PoseBetweenTest : public testing::TestWithParam<int> {
     return {-1, -1};
   }
 
-  // On the face, within kNear units of its corner.
+  // A random player on the face, within kNear units of its corner.
   PlayerSnapshot nearCorner(std::mt19937_64& random, int face, int corner) const {
     while (true) {
       const glm::dvec2 offset(draw(random, -kNear, kNear), draw(random, -kNear, kNear));
@@ -123,14 +122,14 @@ class PoseBetweenTest : public testing::TestWithParam<int> {
     }
   }
 
-  void checkWay(InterpolatedPlayer player) const {
+  void checkPath(InterpolatedPlayer player) const {
     constexpr int kFine = 200;
     Pose last = poseOf(mesh_, player.before);
     for (int step = 0; step <= kFine; ++step) {
       player.fraction = double{1} * step / kFine;
       const Pose pose = poseBetween(mesh_, player);
       EXPECT_TRUE(isOnSurface(mesh_, pose.position));
-      // Seen from the centre the surface is three times as steep as the line at most.
+      // The projection from the centre stretches a distance at most three times.
       EXPECT_LT(glm::distance(pose.position, last.position), 4 * 2 * kNear / kFine);
       EXPECT_NEAR(glm::dot(pose.up, pose.normal), 0, 1e-9);
       EXPECT_NEAR(glm::length(pose.up), 1, 1e-9);
@@ -142,22 +141,22 @@ class PoseBetweenTest : public testing::TestWithParam<int> {
   SolidMesh mesh_{static_cast<SolidKind>(GetParam()), kSize};
 };
 
-TEST_P(PoseBetweenTest, AWayOverAnEdgeIsStraightAndEvenOnTheFlatFaces) {
+TEST_P(PoseBetweenTest, APathOverAnEdgeIsLinearInTheUnfoldedFaces) {
   for (int face = 0; face < mesh_.faces(); ++face) {
     for (int edge = 0; edge < mesh_.solid().edgesPerFace(); ++edge) {
       std::mt19937_64 random(static_cast<std::uint64_t>(face * 8 + edge));
       for (int i = 0; i < 20; ++i) {
-        const double way = i % 2 == 0 ? 3.2 : 24;  // a run, and more than the fastest fall
-        SCOPED_TRACE("face " + std::to_string(face) + " edge " + std::to_string(edge) + " way " + std::to_string(i));
+        const double length = i % 2 == 0 ? 3.2 : 24;  // a run, and more than the fastest fall
+        SCOPED_TRACE("face " + std::to_string(face) + " edge " + std::to_string(edge) + " path " + std::to_string(i));
         checkCrossing(
-            crossing(face, edge, draw(random, -200, 200), draw(random, -1, 1), way, draw(random, 0.05, 0.95)));
+            crossing(face, edge, draw(random, -200, 200), draw(random, -1, 1), length, draw(random, 0.05, 0.95)));
         if (HasFailure()) return;
       }
     }
   }
 }
 
-TEST_P(PoseBetweenTest, BothEndsAreWhereThePlayerStands) {
+TEST_P(PoseBetweenTest, FractionsZeroAndOneAreTheEnds) {
   for (const double share : {0.1, 0.5, 0.9}) {
     InterpolatedPlayer player = crossing(1, 1, 30, 0.5, 12, share).player;
     for (const double fraction : {0.0, 1.0}) {
@@ -171,8 +170,8 @@ TEST_P(PoseBetweenTest, BothEndsAreWhereThePlayerStands) {
   }
 }
 
-// Also where the straight line leads past the common edge, or where there is none.
-TEST_P(PoseBetweenTest, AWayRoundACornerStaysOnTheSurfaceWithoutALeap) {
+// Also if the straight path misses the common edge, or if there is none.
+TEST_P(PoseBetweenTest, APathRoundAVertexStaysOnTheSurfaceAndDoesNotJump) {
   std::mt19937_64 random(1);
   for (int face = 0; face < mesh_.faces(); ++face) {
     for (int other = 0; other < mesh_.faces(); ++other) {
@@ -180,13 +179,13 @@ TEST_P(PoseBetweenTest, AWayRoundACornerStaysOnTheSurfaceWithoutALeap) {
         const auto [corner, otherCorner] = commonCorner(face, other);
         if (corner < 0 || face == other) continue;
         SCOPED_TRACE("from " + std::to_string(face) + " to " + std::to_string(other));
-        checkWay({nearCorner(random, face, corner), nearCorner(random, other, otherCorner), 0});
+        checkPath({nearCorner(random, face, corner), nearCorner(random, other, otherCorner), 0});
       }
     }
   }
 }
 
-TEST_P(PoseBetweenTest, UpTurnsWithinTheFace) {
+TEST_P(PoseBetweenTest, UpTurnsLinearlyWithinAFace) {
   const PlayerSnapshot before = standing(2, {10, 20}, Angle(1000));
   const PlayerSnapshot now = standing(2, {14, 20}, Angle(5000));
   const Pose middle = poseBetween(mesh_, {before, now, 0.5});
@@ -195,7 +194,7 @@ TEST_P(PoseBetweenTest, UpTurnsWithinTheFace) {
   EXPECT_LT(glm::distance(middle.up, expected.up), 1e-9);
 }
 
-TEST_P(PoseBetweenTest, AWayTooLongForOneTickIsAJump) {
+TEST_P(PoseBetweenTest, ADistanceTooLongForOneTickIsAJump) {
   const PlayerSnapshot before = standing(0, {0, 0}, Angle());
   const auto drawnAt = [&](double distance) {
     const PlayerSnapshot now = standing(0, {distance, 0}, Angle());

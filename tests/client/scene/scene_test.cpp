@@ -16,8 +16,8 @@ namespace {
 
 constexpr std::array<std::string_view, 2> kNames{"Ada", "Grace"};
 
-std::shared_ptr<const Level> levelOf(const std::string& start, const std::string& goal, const std::string& lines) {
-  std::string text = "# title: Test\nHEXAHEDRON\n" + start + "\n" + goal + "\n480\n%\n" + lines;
+std::shared_ptr<const Level> levelOf(const std::string& start, const std::string& goal, const std::string& segments) {
+  std::string text = "# title: Test\nHEXAHEDRON\n" + start + "\n" + goal + "\n480\n%\n" + segments;
   for (int face = 1; face < 6; ++face) text += "%\n-240 -200 240 -200\n";
   LevelResult result = loadLevel(text);
   if (!result.level) throw std::logic_error("test level: " + result.diagnostics.front().message);
@@ -28,7 +28,7 @@ std::shared_ptr<const Level> floorLevel() { return levelOf("0 -150 -180 0", "2 0
 
 Input pressing(int buttons) { return Input{static_cast<std::uint8_t>(Input::kPresent | buttons)}; }
 
-// Every slot does the same for some ticks.
+// Advances the game; all players press the same buttons.
 void run(Game& game, std::size_t players, int buttons, int ticks) {
   const std::vector<Input> inputs(players, pressing(buttons));
   for (int tick = 0; tick < ticks; ++tick) game.advance(inputs);
@@ -50,13 +50,13 @@ SceneSource sourceOf(const Game& game, Players before, Players now, double fract
   return source;
 }
 
-// The game as it is after its last tick.
+// The scene after the last tick.
 Scene sceneOf(const Game& game) {
   const std::vector<PlayerSnapshot> players = playersOf(game);
   return makeScene(sourceOf(game, players, players, 1));
 }
 
-glm::dvec3 placeOf(const StageModel& stage, const EntityState& entity) {
+glm::dvec3 positionOf(const StageModel& stage, const EntityState& entity) {
   return stage.mesh.toWorld(static_cast<int>(entity.part), toUnits(entity.position));
 }
 
@@ -64,14 +64,14 @@ bool isOnSurface(const SolidMesh& mesh, glm::dvec3 point) {
   return std::abs(glm::dot(mesh.normal(mesh.faceTowards(point)), point) - mesh.inradius()) < 1e-6;
 }
 
-TEST(Scene, PlayersStandWhereTheGameHasThem) {
+TEST(Scene, PlayersHaveThePositionsOfTheGame) {
   Game game(floorLevel());
   run(game, 3, Input::kRight, 40);
   const Scene scene = sceneOf(game);
   ASSERT_EQ(scene.players.size(), 3U);
   for (const PlayerDrawing& player : scene.players) {
     const EntityState& entity = game.world().entities()[player.slot];
-    EXPECT_LT(glm::distance(player.pose.position, placeOf(*scene.stage, entity)), 1e-9);
+    EXPECT_LT(glm::distance(player.pose.position, positionOf(*scene.stage, entity)), 1e-9);
     EXPECT_EQ(player.pose.normal, scene.stage->mesh.normal(static_cast<int>(entity.part)));
     EXPECT_NEAR(glm::dot(player.pose.up, player.pose.normal), 0, 1e-12);
     EXPECT_EQ(player.number, std::to_string(player.slot + 1));
@@ -82,7 +82,7 @@ TEST(Scene, APlayerWithSeveralInstancesIsDrawnOnce) {
   Game game(levelOf("0 225 -180 0", "2 0 0", "-240 -200 240 -200\n"));
   for (int tick = 0; tick < 60 && (tick == 0 || game.world().instancesOf(0).empty()); ++tick)
     run(game, 1, Input::kRight, 1);
-  ASSERT_FALSE(game.world().instancesOf(0).empty()) << "the player does not reach over the edge";
+  ASSERT_FALSE(game.world().instancesOf(0).empty()) << "the player does not cross the edge";
   EXPECT_EQ(sceneOf(game).players.size(), 1U);
 }
 
@@ -96,7 +96,7 @@ TEST(Scene, AbsentPlayersAreNotDrawn) {
   EXPECT_EQ(scene.players[1].slot, 2U);
 }
 
-TEST(Scene, OwnIsAsPredictedOthersAsConfirmed) {
+TEST(Scene, TheLocalPlayerIsPredictedAndTheOthersAreConfirmed) {
   Game confirmed(floorLevel());
   run(confirmed, 2, 0, 5);
   Game predicted = confirmed;
@@ -109,15 +109,15 @@ TEST(Scene, OwnIsAsPredictedOthersAsConfirmed) {
   ASSERT_EQ(scene.players.size(), 2U);
   EXPECT_EQ(scene.players[0].slot, 1U);
   EXPECT_FALSE(scene.players[0].own);
-  EXPECT_LT(glm::distance(scene.players[0].pose.position, placeOf(*scene.stage, confirmed.world().entities()[1])),
+  EXPECT_LT(glm::distance(scene.players[0].pose.position, positionOf(*scene.stage, confirmed.world().entities()[1])),
             1e-9);
   EXPECT_TRUE(scene.players[1].own);
-  EXPECT_LT(glm::distance(scene.players[1].pose.position, placeOf(*scene.stage, predicted.world().entities()[0])),
+  EXPECT_LT(glm::distance(scene.players[1].pose.position, positionOf(*scene.stage, predicted.world().entities()[0])),
             1e-9);
   EXPECT_EQ(scene.focus.position, scene.players[1].pose.position);
 }
 
-TEST(Scene, FractionLeadsFromTheTickBeforeToTheLast) {
+TEST(Scene, FractionInterpolatesBetweenTheLastTwoTicks) {
   Game game(floorLevel());
   run(game, 1, Input::kRight, 30);
   const EntityState start = game.world().entities()[0];
@@ -125,8 +125,8 @@ TEST(Scene, FractionLeadsFromTheTickBeforeToTheLast) {
   run(game, 1, Input::kRight, 1);
   const std::vector<PlayerSnapshot> now = playersOf(game);
   SceneSource source = sourceOf(game, before, now, 0);
-  const glm::dvec3 first = placeOf(*source.stage, start);
-  const glm::dvec3 last = placeOf(*source.stage, game.world().entities()[0]);
+  const glm::dvec3 first = positionOf(*source.stage, start);
+  const glm::dvec3 last = positionOf(*source.stage, game.world().entities()[0]);
   ASSERT_GT(glm::distance(first, last), 0.5);
   for (const double fraction : {0.0, 0.25, 1.0}) {
     source.others.fraction = fraction;
@@ -134,7 +134,7 @@ TEST(Scene, FractionLeadsFromTheTickBeforeToTheLast) {
   }
 }
 
-TEST(Scene, APlayerIsDrawnOnceItIsThereAtBothTicks) {
+TEST(Scene, APlayerIsDrawnWhilePresentAtBothTicks) {
   Game game(floorLevel());
   run(game, 1, 0, 5);
   const std::vector<PlayerSnapshot> alone = playersOf(game);
@@ -155,17 +155,17 @@ TEST(Scene, APlayerIsDrawnOnceItIsThereAtBothTicks) {
   }
 }
 
-TEST(Scene, AJumpBackToTheStartIsNotInterpolated) {
+TEST(Scene, ARestartIsNotInterpolated) {
   Game game(floorLevel());
   run(game, 1, Input::kRight, 120);
   const std::vector<PlayerSnapshot> before = playersOf(game);
   run(game, 1, Input::kRestart, 1);
   const std::vector<PlayerSnapshot> now = playersOf(game);
   const Scene scene = makeScene(sourceOf(game, before, now, 0.5));
-  EXPECT_LT(glm::distance(scene.players[0].pose.position, placeOf(*scene.stage, game.world().entities()[0])), 1e-9);
+  EXPECT_LT(glm::distance(scene.players[0].pose.position, positionOf(*scene.stage, game.world().entities()[0])), 1e-9);
 }
 
-TEST(Scene, OwnOffsetIsInThePlayersFrame) {
+TEST(Scene, TheSmoothingOffsetIsInThePlayersFrame) {
   Game game(levelOf("0 0 0 90", "2 0 0", ""));
   run(game, 1, 0, 1);
   const std::vector<PlayerSnapshot> players = playersOf(game);
@@ -182,8 +182,7 @@ TEST(Scene, OwnOffsetIsInThePlayersFrame) {
   EXPECT_TRUE(isOnSurface(scene.stage->mesh, scene.players[0].pose.position));
 }
 
-// Up goes with the player over an edge: it does not tip over.
-TEST(Scene, OwnOffsetOverAnEdgeKeepsUpWhereItIs) {
+TEST(Scene, TheSmoothingOffsetOverAnEdgeFoldsUpWithTheFaces) {
   Game game(levelOf("0 0 236 0", "2 0 0", ""));
   run(game, 1, 0, 1);
   const std::vector<PlayerSnapshot> players = playersOf(game);
@@ -193,11 +192,11 @@ TEST(Scene, OwnOffsetOverAnEdgeKeepsUpWhereItIs) {
   const Scene scene = makeScene(source);
   const Pose& pose = scene.players[0].pose;
   const glm::dvec3 above = scene.stage->mesh.normal(0);
-  ASSERT_LT(glm::dot(pose.normal, above), 0.5) << "the offset does not lead over the edge";
+  ASSERT_LT(glm::dot(pose.normal, above), 0.5) << "the offset does not cross the edge";
   EXPECT_NEAR(glm::dot(pose.up, -above), 1, 1e-9);
 }
 
-TEST(Scene, NamesAndFinishedTimes) {
+TEST(Scene, PlayersHaveTheirNamesAndFinishTimes) {
   Game game(levelOf("0 -150 -180 0", "0 -150 -180", "-240 -200 240 -200\n"));
   run(game, 3, 0, 7);
   const std::vector<std::string> names(kNames.begin(), kNames.end());
@@ -213,6 +212,16 @@ TEST(Scene, NamesAndFinishedTimes) {
   EXPECT_TRUE(scene.over);
 }
 
+TEST(Scene, SecondsAreZeroAtTickZero) {
+  const Game game(floorLevel());
+  ASSERT_EQ(game.tick(), 0U);
+  SceneSource source = sourceOf(game, {}, {}, 0);
+  for (const double fraction : {0.0, 0.5, 1.0}) {
+    source.fraction = fraction;
+    EXPECT_EQ(makeScene(source).seconds, 0) << fraction;
+  }
+}
+
 TEST(Scene, TheClockIsThatOfTheGame) {
   Game game(floorLevel());
   run(game, 1, 0, 90);
@@ -222,7 +231,7 @@ TEST(Scene, TheClockIsThatOfTheGame) {
   EXPECT_FALSE(scene.over);
 }
 
-TEST(Scene, WithoutPlayersTheStartIsInFocus) {
+TEST(Scene, WithoutPlayersTheFocusIsTheStart) {
   const Game game(levelOf("3 40 60 90", "0 0 0", ""));
   const Scene scene = sceneOf(game);
   EXPECT_TRUE(scene.players.empty());

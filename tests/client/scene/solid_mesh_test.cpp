@@ -41,7 +41,7 @@ TEST_P(SolidMeshTest, SharedVerticesCoincide) {
   }
 }
 
-TEST_P(SolidMeshTest, EveryEdgeLiesReversedOnItsNeighbours) {
+TEST_P(SolidMeshTest, EveryEdgeCoincidesReversedWithThatOfTheNeighbour) {
   const SolidMesh mesh(kind(), kSize);
   for (int face = 0; face < mesh.faces(); ++face) {
     for (int edge = 0; edge < corners(); ++edge) {
@@ -66,7 +66,7 @@ TEST_P(SolidMeshTest, UnfoldingKeepsTheCommonEdge) {
   }
 }
 
-TEST_P(SolidMeshTest, NormalsPointOutAndTheSolidIsConvex) {
+TEST_P(SolidMeshTest, NormalsPointOutwardsAndTheSolidIsConvex) {
   const SolidMesh mesh(kind(), kSize);
   for (int face = 0; face < mesh.faces(); ++face) {
     EXPECT_NEAR(glm::length(mesh.normal(face)), 1, 1e-12);
@@ -80,7 +80,7 @@ TEST_P(SolidMeshTest, NormalsPointOutAndTheSolidIsConvex) {
   }
 }
 
-TEST_P(SolidMeshTest, CornersLieOnTheCircumsphereAnEdgeApart) {
+TEST_P(SolidMeshTest, CornersLieOnTheCircumsphereOneEdgeLengthApart) {
   const SolidMesh mesh(kind(), kSize);
   for (int face = 0; face < mesh.faces(); ++face) {
     for (int corner = 0; corner < corners(); ++corner) {
@@ -101,7 +101,7 @@ TEST_P(SolidMeshTest, NeighboursMeetAtTheDihedralAngle) {
   }
 }
 
-TEST_P(SolidMeshTest, PolygonIsTheOneOfThePhysics) {
+TEST_P(SolidMeshTest, PolygonEqualsThatOfThePhysics) {
   const SolidMesh mesh(kind(), kSize);
   const std::vector<Point> exact = facePolygon(kind(), static_cast<std::int32_t>(kSize));
   ASSERT_EQ(exact.size(), mesh.polygon().size());
@@ -110,7 +110,7 @@ TEST_P(SolidMeshTest, PolygonIsTheOneOfThePhysics) {
   }
 }
 
-TEST_P(SolidMeshTest, APointIsOnItsFaceAndSoIsWhatIsBroughtBackToTheSurface) {
+TEST_P(SolidMeshTest, FaceTowardsAndOnSurfaceFindTheFaceOfAPoint) {
   const SolidMesh mesh(kind(), kSize);
   for (int face = 0; face < mesh.faces(); ++face) {
     const glm::dvec3 point = mesh.toWorld(face, mesh.polygon()[0] * 0.9);
@@ -119,8 +119,8 @@ TEST_P(SolidMeshTest, APointIsOnItsFaceAndSoIsWhatIsBroughtBackToTheSurface) {
   }
 }
 
-// Walking straight over an edge keeps up and place: the turn of the topology is the turn in space.
-TEST_P(SolidMeshTest, PoseIsCarriedOverEveryEdge) {
+// Crossing an edge along its normal keeps position and up: the turn of the topology is the rotation in space.
+TEST_P(SolidMeshTest, PoseIsContinuousOverEveryEdge) {
   const SolidMesh mesh(kind(), kSize);
   for (int face = 0; face < mesh.faces(); ++face) {
     for (int edge = 0; edge < corners(); ++edge) {
@@ -138,7 +138,7 @@ TEST_P(SolidMeshTest, PoseIsCarriedOverEveryEdge) {
   }
 }
 
-TEST(SolidMesh, KnownSizes) {
+TEST(SolidMesh, CircumradiiEqualTheKnownFormulas) {
   EXPECT_NEAR(SolidMesh(SolidKind::kTetrahedron, 1).circumradius(), std::sqrt(6.0) / 4, 1e-12);
   EXPECT_NEAR(SolidMesh(SolidKind::kHexahedron, 1).circumradius(), std::sqrt(3.0) / 2, 1e-12);
   EXPECT_NEAR(SolidMesh(SolidKind::kOctahedron, 1).circumradius(), std::sqrt(2.0) / 2, 1e-12);

@@ -7,14 +7,12 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include "client/scene/palette.h"
-
 namespace platon {
 namespace {
 
-std::shared_ptr<const StageModel> stageOf(const std::string& linesOfFace0) {
-  const LevelResult result =
-      loadLevel("# title: A title\nHEXAHEDRON\n0 -100 -150 90\n1 120 80\n480\n%\n" + linesOfFace0 + "%\n%\n%\n%\n%\n");
+std::shared_ptr<const StageModel> stageOf(const std::string& segmentsOfFace0) {
+  const LevelResult result = loadLevel("# title: A title\nHEXAHEDRON\n0 -100 -150 90\n1 120 80\n480\n%\n" +
+                                       segmentsOfFace0 + "%\n%\n%\n%\n%\n");
   if (!result.level) throw std::logic_error("test level: " + result.diagnostics.front().message);
   return makeStageModel(*result.level);
 }
@@ -25,7 +23,7 @@ std::size_t ribbonsOf(const StageModel& stage) {
   return count;
 }
 
-TEST(StageModel, HasWhatTheLevelHas) {
+TEST(StageModel, HasTheSegmentsMarkersAndTitleOfTheLevel) {
   const auto stage = stageOf("-100 20.5 100 -40\n0 0 50 50\n");
   EXPECT_EQ(stage->title, "A title");
   EXPECT_EQ(stage->faces.size(), 6U);
@@ -40,7 +38,7 @@ TEST(StageModel, HasWhatTheLevelHas) {
   EXPECT_EQ(stage->goal.place, glm::vec2(120, 80));
 }
 
-TEST(StageModel, ALineAlongAnEdgeIsSeenFromBothFaces) {
+TEST(StageModel, ASegmentAlongAnEdgeIsDrawnOnBothFaces) {
   const auto stage = stageOf("-100 -240 60 -240\n");
   const PlatonicSolid::Neighbour& below = stage->mesh.solid().neighbour(0, 0);
   ASSERT_EQ(ribbonsOf(*stage), 2U);
@@ -51,19 +49,19 @@ TEST(StageModel, ALineAlongAnEdgeIsSeenFromBothFaces) {
   EXPECT_LT(glm::distance(stage->mesh.toWorld(0, here.b), stage->mesh.toWorld(below.face, there.b)), 1e-4);
 }
 
-TEST(StageModel, AMarkerNearAnEdgeReachesOverIt) {
+TEST(StageModel, AMarkerNearAnEdgeIsAlsoOnTheNeighbour) {
   const auto stage = stageOf("");
   const Marker marker{0, {0, -230}, 0};
   const PlatonicSolid::Neighbour& below = stage->mesh.solid().neighbour(0, 0);
   const auto beyond = markerOn(stage->mesh, below.face, marker, 20);
   ASSERT_TRUE(beyond);
   EXPECT_NEAR(glm::dot(glm::dvec2(beyond->place), stage->mesh.edgeNormals()[below.edge]), 250, 1e-3);
-  EXPECT_FALSE(markerOn(stage->mesh, below.face, marker, 5)) << "it does not reach that far";
-  EXPECT_FALSE(markerOn(stage->mesh, stage->mesh.solid().neighbour(0, 2).face, marker, 20)) << "the other side";
+  EXPECT_FALSE(markerOn(stage->mesh, below.face, marker, 5)) << "the marker is farther from the edge";
+  EXPECT_FALSE(markerOn(stage->mesh, stage->mesh.solid().neighbour(0, 2).face, marker, 20)) << "the opposite edge";
   EXPECT_TRUE(markerOn(stage->mesh, 0, marker, 0));
 }
 
-TEST(StageModel, NumbersTellFacesApartWhicheverWayTheyAreTurned) {
+TEST(StageModel, FaceLabelsDifferAlsoUpsideDown) {
   const LevelResult result = loadLevel([] {
     std::string text = "ICOSAHEDRON\n0 0 0 0\n1 0 0\n480\n";
     for (int face = 0; face < 20; ++face) text += "%\n";
@@ -75,24 +73,6 @@ TEST(StageModel, NumbersTellFacesApartWhicheverWayTheyAreTurned) {
   for (const FaceDrawing& face : stage->faces) labels.insert(face.label);
   EXPECT_EQ(labels.size(), 20U);
   EXPECT_TRUE(labels.contains("6.") && labels.contains("9."));
-}
-
-TEST(Palette, ColoursAreDistinct) {
-  for (int a = 0; a < 20; ++a) {
-    for (int b = 0; b < a; ++b) {
-      EXPECT_GT(glm::distance(faceColour(a), faceColour(b)), 0.02F) << a << " " << b;
-      const auto slotA = static_cast<std::uint32_t>(a);
-      EXPECT_GT(glm::distance(playerColour(slotA), playerColour(static_cast<std::uint32_t>(b))), 0.04F)
-          << a << " " << b;
-    }
-  }
-}
-
-TEST(Palette, KnownColours) {
-  EXPECT_LT(glm::distance(oklch(1, 0, 0), Colour(1)), 1e-3F);
-  EXPECT_LT(glm::distance(oklch(0, 0, 0), Colour(0)), 1e-3F);
-  // Red of sRGB by the definition of the space.
-  EXPECT_LT(glm::distance(oklch(0.62796, 0.25768, 29.234), Colour(1, 0, 0)), 2e-3F);
 }
 
 }  // namespace
