@@ -3,11 +3,6 @@
 #include <algorithm>
 
 namespace platon {
-namespace {
-
-constexpr int kSize = 1536;
-
-}  // namespace
 
 GlyphAtlas::GlyphAtlas(const Font& font) : font_(&font) {
   glBindTexture(GL_TEXTURE_2D, texture_.name());
@@ -18,39 +13,48 @@ GlyphAtlas::GlyphAtlas(const Font& font) : font_(&font) {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 }
 
-const GlyphAtlas::Entry& GlyphAtlas::entry(char32_t codePoint) {
+const GlyphAtlas::Entry* GlyphAtlas::find(char32_t codePoint) {
   const auto known = entries_.find(codePoint);
-  if (known != entries_.end()) return known->second;
-  return entries_.emplace(codePoint, made(codePoint)).first->second;
+  if (known != entries_.end()) return &known->second;
+  const Font::Glyph glyph = font_->glyph(codePoint);
+  glm::ivec2 corner(0);
+  Entry entry;
+  // A glyph larger than the texture never fits; it stays blank.
+  const bool drawable = glyph.width > 0 && glyph.width <= kSize && glyph.height <= kSize;
+  if (drawable) {
+    if (!allocate(glyph.width, glyph.height, corner)) return nullptr;
+    entry = upload(glyph, corner);
+  }
+  return &entries_.emplace(codePoint, entry).first->second;
 }
 
-bool GlyphAtlas::place(int width, int height, glm::ivec2& corner) {
-  if (pen_.x + width > kSize) {
-    pen_ = {0, pen_.y + rowHeight_};
-    rowHeight_ = 0;
-  }
-  if (width > kSize || pen_.y + height > kSize) return false;
-  corner = pen_;
-  pen_.x += width;
-  rowHeight_ = std::max(rowHeight_, height);
+void GlyphAtlas::clear() {
+  entries_.clear();
+  pen_ = {0, 0};
+  rowHeight_ = 0;
+}
+
+bool GlyphAtlas::allocate(int width, int height, glm::ivec2& corner) {
+  const bool newRow = pen_.x + width > kSize;
+  const glm::ivec2 place = newRow ? glm::ivec2(0, pen_.y + rowHeight_) : pen_;
+  if (place.y + height > kSize) return false;
+  corner = place;
+  pen_ = {place.x + width, place.y};
+  rowHeight_ = newRow ? height : std::max(rowHeight_, height);
   return true;
 }
 
-GlyphAtlas::Entry GlyphAtlas::made(char32_t codePoint) {
-  Entry entry;
-  entry.advance = font_->advance(codePoint);
-  const Font::Glyph glyph = font_->glyph(codePoint);
-  glm::ivec2 corner(0);
-  if (glyph.width == 0 || !place(glyph.width, glyph.height, corner)) return entry;
+GlyphAtlas::Entry GlyphAtlas::upload(const Font::Glyph& glyph, glm::ivec2 corner) const {
   glBindTexture(GL_TEXTURE_2D, texture_.name());
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   glTexSubImage2D(GL_TEXTURE_2D, 0, corner.x, corner.y, glyph.width, glyph.height, GL_RED, GL_UNSIGNED_BYTE,
                   glyph.distances.data());
-  const glm::vec2 size(glyph.width, glyph.height);
+  Entry entry;
   entry.low = glyph.low;
   entry.high = glyph.high;
-  entry.lowTexel = (glm::vec2(corner) + glm::vec2(0, size.y)) / float{kSize};
-  entry.highTexel = (glm::vec2(corner) + glm::vec2(size.x, 0)) / float{kSize};
+  // The rows of a glyph start at its top, those of a texture at its bottom.
+  entry.lowTexel = glm::vec2(corner + glm::ivec2(0, glyph.height)) / float{kSize};
+  entry.highTexel = glm::vec2(corner + glm::ivec2(glyph.width, 0)) / float{kSize};
   entry.blank = false;
   return entry;
 }

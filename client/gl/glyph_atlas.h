@@ -9,32 +9,39 @@
 
 namespace platon {
 
-/// The glyphs used so far, in one texture. One that no longer fits stays blank.
+/// Cache of rasterised glyphs in one texture, which is filled in rows from the left.
 class GlyphAtlas {
  public:
+  /// A side of the texture in texels: enough for the visible names of 64 players without a glyph in common.
+  static constexpr int kSize = 2048;
+
   struct Entry {
-    glm::vec2 low{0};  ///< as in Font::Glyph
-    glm::vec2 high{0};
-    glm::vec2 lowTexel{0};  ///< where `low` is in the texture, 0 … 1
+    glm::vec2 low{0};       ///< as in Font::Glyph
+    glm::vec2 high{0};      ///< as in Font::Glyph
+    glm::vec2 lowTexel{0};  ///< texture coordinates of `low`, 0 … 1
     glm::vec2 highTexel{0};
-    float advance = 0;
     bool blank = true;
   };
 
+  /// `font` must outlive the atlas.
   explicit GlyphAtlas(const Font& font);
 
-  const Entry& entry(char32_t codePoint);
+  /// Returns the entry of a glyph and adds it if needed; null when the texture is full. Valid until `clear`.
+  const Entry* find(char32_t codePoint);
+  /// Removes all glyphs.
+  void clear();
+
   const Font& font() const { return *font_; }
   GLuint texture() const { return texture_.name(); }
 
  private:
-  bool place(int width, int height, glm::ivec2& corner);
-  Entry made(char32_t codePoint);
+  bool allocate(int width, int height, glm::ivec2& corner);
+  Entry upload(const Font::Glyph& glyph, glm::ivec2 corner) const;
 
   const Font* font_;
   GlTexture texture_;
   std::unordered_map<char32_t, Entry> entries_;
-  glm::ivec2 pen_{0};  // where the next glyph goes: rows of the texture are filled from the left
+  glm::ivec2 pen_{0};  // lower left corner of the next glyph
   int rowHeight_ = 0;
 };
 

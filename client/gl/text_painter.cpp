@@ -21,19 +21,8 @@ TextPainter::TextPainter(const Font& font) : atlas_(font), program_("", shaders:
 
 void TextPainter::add(std::string_view utf8, glm::vec2 origin, glm::vec2 along, glm::vec2 up, glm::vec4 colour) {
   for (const char32_t point : codePointsOf(utf8)) {
-    const GlyphAtlas::Entry& glyph = atlas_.entry(point);
-    if (!glyph.blank) {
-      const auto corner = [&](bool right, bool top) {
-        const glm::vec2 at(right ? glyph.high.x : glyph.low.x, top ? glyph.high.y : glyph.low.y);
-        const glm::vec2 texel(right ? glyph.highTexel.x : glyph.lowTexel.x, top ? glyph.highTexel.y : glyph.lowTexel.y);
-        return Vertex{origin + at.x * along + at.y * up, texel, colour};
-      };
-      for (const auto& [right, top] :
-           {std::array{false, false}, {true, false}, {true, true}, {false, false}, {true, true}, {false, true}}) {
-        vertices_.push_back(corner(right, top));
-      }
-    }
-    origin += along * glyph.advance;
+    glyphs_.push_back({point, origin, along, up, colour});
+    origin += along * atlas_.font().advance(point);
   }
 }
 
@@ -43,11 +32,38 @@ void TextPainter::addCentred(std::string_view utf8, glm::vec2 middle, float size
 }
 
 void TextPainter::flush(const glm::mat4& toClip, float halo) {
-  if (vertices_.empty()) return;
+  if (glyphs_.empty()) return;
   program_.use();
   program_.set("toClip", toClip);
   program_.set("atlas", 0);
   program_.set("halo", halo);
+  for (const PlacedGlyph& glyph : glyphs_) {
+    const GlyphAtlas::Entry* entry = atlas_.find(glyph.codePoint);
+    if (entry == nullptr) {
+      // The texture is full: draw what refers to it, then fill it anew.
+      drawVertices();
+      atlas_.clear();
+      entry = atlas_.find(glyph.codePoint);
+    }
+    if (!entry->blank) addVertices(glyph, *entry);
+  }
+  drawVertices();
+  glyphs_.clear();
+}
+
+void TextPainter::addVertices(const PlacedGlyph& glyph, const GlyphAtlas::Entry& entry) {
+  const auto corner = [&](bool right, bool top) {
+    const glm::vec2 at(right ? entry.high.x : entry.low.x, top ? entry.high.y : entry.low.y);
+    const glm::vec2 texel(right ? entry.highTexel.x : entry.lowTexel.x, top ? entry.highTexel.y : entry.lowTexel.y);
+    return Vertex{glyph.origin + at.x * glyph.along + at.y * glyph.up, texel, glyph.colour};
+  };
+  for (const auto& [right, top] :
+       {std::array{false, false}, {true, false}, {true, true}, {false, false}, {true, true}, {false, true}}) {
+    vertices_.push_back(corner(right, top));
+  }
+}
+
+void TextPainter::drawVertices() {
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, atlas_.texture());
   glBindVertexArray(array_.name());

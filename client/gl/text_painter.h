@@ -18,26 +18,37 @@ class TextPainter {
  public:
   explicit TextPainter(const Font& font);
 
-  /// Adds a line. `origin` is the left end of its baseline, `along` and `up` are the axes of the letters, as long as
-  /// the text is large.
+  /// Adds a line. `origin` is the left end of its baseline; `along` and `up` are the axes of the letters, and their
+  /// length is the size of the text.
   void add(std::string_view utf8, glm::vec2 origin, glm::vec2 along, glm::vec2 up, glm::vec4 colour);
   /// Adds a line, upright where +y is up, with the middle of its capitals at `middle`.
   void addCentred(std::string_view utf8, glm::vec2 middle, float size, glm::vec4 colour);
-  /// Draws and forgets all lines; `halo` is the opacity of the dark around the letters.
+  /// Draws and removes all lines. `halo` is the opacity of the dark outline around the letters.
   void flush(const glm::mat4& toClip, float halo);
 
  private:
+  struct PlacedGlyph {
+    char32_t codePoint;
+    glm::vec2 origin;
+    glm::vec2 along;
+    glm::vec2 up;
+    glm::vec4 colour;
+  };
   struct Vertex {
     glm::vec2 place;
     glm::vec2 texel;
     glm::vec4 colour;
   };
 
+  void addVertices(const PlacedGlyph& glyph, const GlyphAtlas::Entry& entry);
+  void drawVertices();
+
   GlyphAtlas atlas_;
   ShaderProgram program_;
   GlVertexArray array_;
   GlBuffer buffer_;
-  std::vector<Vertex> vertices_;
+  std::vector<PlacedGlyph> glyphs_;  // added since the last flush
+  std::vector<Vertex> vertices_;     // of glyphs_ that are in the atlas
 };
 
 }  // namespace platon
