@@ -8,7 +8,7 @@ namespace platon {
 namespace {
 
 constexpr GLsizei kStars = 900;
-constexpr float kUsualHeight = 720;
+constexpr float kReferenceHeight = 720;  // picture height at which a star has its nominal size
 
 }  // namespace
 
@@ -22,7 +22,7 @@ void BackgroundPainter::draw(const Camera& camera) {
   glDrawArrays(GL_TRIANGLES, 0, 3);
   stars_.use();
   stars_.set("toClip", glm::mat4(camera.viewProjection()));
-  stars_.set("pixels", static_cast<float>(camera.height()) / kUsualHeight);
+  stars_.set("pixels", static_cast<float>(camera.height()) / kReferenceHeight);
   glEnable(GL_PROGRAM_POINT_SIZE);
   glDrawArrays(GL_POINTS, 0, kStars);
 }

@@ -6,7 +6,7 @@
 
 namespace platon {
 
-/// Fills what nothing else covers: the dark, and stars that stand still in space.
+/// Draws the dark background and stars at fixed directions in space, behind everything else.
 class BackgroundPainter {
  public:
   BackgroundPainter();
@@ -16,7 +16,7 @@ class BackgroundPainter {
  private:
   ShaderProgram dark_;
   ShaderProgram stars_;
-  GlVertexArray array_;  // empty: all places come from their numbers
+  GlVertexArray array_;  // empty: the shaders compute positions from gl_VertexID
 };
 
 }  // namespace platon

@@ -16,7 +16,7 @@
 namespace platon {
 namespace {
 
-constexpr int kDivisions = 6;  // of every edge of the icosahedron that is blown up to a ball
+constexpr int kDivisions = 6;  // parts of each edge of the icosahedron that is subdivided into a ball
 
 struct BallMesh {
   std::vector<glm::vec3> points;
@@ -35,7 +35,7 @@ void addPoints(BallMesh& ball, const Corners& corners) {
   }
 }
 
-// Rows of points, each one shorter than the one before.
+// Triangulates a face. Its points are in rows, each one shorter than the row before.
 void addTriangles(BallMesh& ball, std::size_t first) {
   const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
     for (const std::size_t index : {a, b, c}) ball.triangles.push_back(static_cast<std::uint16_t>(index));
@@ -62,8 +62,8 @@ BallMesh unitBall() {
   return ball;
 }
 
-// Where a ball is drawn: moved towards the eye and as much smaller, so that it looks the same, but its face does not
-// cut it in half, and the own player is in front of others at the same place.
+// Where a ball is drawn: moved towards the eye and scaled down, so that it covers the same pixels, but its face does
+// not cut it, and the local player is in front of others at the same position.
 struct Placement {
   glm::dvec3 centre{0};
   glm::dvec3 toEye{0, 0, 1};
@@ -75,13 +75,13 @@ Placement placementOf(const PlayerDrawing& player, const Camera& camera) {
   const double distance = glm::length(way);
   const glm::dvec3 toEye = way / distance;
   const double facing = glm::dot(player.pose.normal, toEye);
-  // Near the horizon less and less: beyond it a face does hide the ball.
+  // The shift fades out near the horizon, so that a face behind the horizon hides the ball.
   const double lift = glm::clamp(facing * 8, 0.0, 1.0) / glm::max(facing, 0.3) + (player.own ? 2 : 0);
   const double moved = glm::min(lift * StageModel::kPlayerRadius, distance / 2);
   return {player.pose.position + toEye * moved, toEye, StageModel::kPlayerRadius * (distance - moved) / distance};
 }
 
-// From the plane through the front of the ball, units of its radius, the player's up upwards.
+// Transforms to clip space from the plane in front of the ball: units of its radius, +y is the player's up.
 glm::mat4 labelToClip(const PlayerDrawing& player, const Camera& camera, const Placement& ball) {
   const glm::dvec3 right = glm::cross(player.pose.up, ball.toEye);
   const glm::dvec3 across = glm::length(right) > 1e-6 ? glm::normalize(right) : camera.right();

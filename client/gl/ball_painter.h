@@ -8,7 +8,7 @@
 
 namespace platon {
 
-/// Draws players: small spheres with a number.
+/// Draws players: balls with a number.
 class BallPainter {
  public:
   BallPainter();

@@ -15,21 +15,21 @@
 
 namespace platon {
 
-/// What the player sees: the scene through the camera, head-up display, connection graph and menu. Needs the current
-/// OpenGL context of a Window or an Offscreen, which outlives it.
+/// Draws all that the player sees: scene, head-up display, connection graph and menu. Requires the current OpenGL
+/// context of a Window or an Offscreen, which must outlive it.
 class GameView {
  public:
-  /// Pictures of this size in pixels, at least 1 × 1. Throws std::runtime_error when OpenGL refuses something.
+  /// The pictures have this size in pixels, at least 1 × 1. Throws std::runtime_error on an OpenGL error.
   GameView(std::uint32_t width, std::uint32_t height);
 
-  /// Without effect when a size is 0.
+  /// No effect when a size is 0.
   void resize(std::uint32_t width, std::uint32_t height);
 
-  /// Draws the next picture, `seconds` after the last one. On another stage than before, the camera is there at once.
+  /// Draws the next picture, `seconds` after the last one. When the stage changes, the camera jumps to its target.
   /// `scene` is null while there is no game.
   void draw(const Scene* scene, const HudStatus& status, const Settings& settings, const Menu& menu, double seconds);
 
-  /// For Steering: how the focus of the last scene is turned on the screen.
+  /// Camera::rollOf the focus of the last scene, for Steering.
   double roll() const { return roll_; }
   NetGraph& netGraph() { return netGraph_; }
 
@@ -44,7 +44,7 @@ class GameView {
   Renderer renderer_;
   Camera camera_;
   NetGraph netGraph_;
-  std::weak_ptr<const StageModel> stage_;  // of the last scene
+  std::weak_ptr<const StageModel> stage_;  // stage of the last scene
   double roll_ = 0;
 };
 

@@ -7,7 +7,8 @@
 
 namespace platon {
 
-/// Owns one OpenGL object; `Create` and `Delete` make and free it. The context is current wherever one dies.
+/// Owns one OpenGL object, which `Create` and `Delete` create and delete. The context must be current when it is
+/// destroyed.
 template <GLuint (*Create)(), void (*Delete)(GLuint)>
 class GlHandle {
  public:
@@ -73,9 +74,9 @@ inline void deleteFramebuffer(GLuint name) { glDeleteFramebuffers(1, &name); }
 
 }  // namespace intern
 
-/// How OpenGL takes a place in the bound buffer, counted in bytes.
+/// Byte offset into the bound buffer, in the form that OpenGL expects.
 inline const void* bufferOffset(std::size_t bytes) {
-  return reinterpret_cast<const void*>(bytes);  // NOLINT(performance-no-int-to-ptr): never followed
+  return reinterpret_cast<const void*>(bytes);  // NOLINT(performance-no-int-to-ptr): never dereferenced
 }
 
 using GlBuffer = GlHandle<intern::createBuffer, intern::deleteBuffer>;

@@ -9,23 +9,24 @@ namespace platon {
 void loadOpenGl() {
   glewExperimental = GL_TRUE;
   const GLenum result = glewInit();
-  // Without X, GLEW built for GLX finds no display, but it has loaded all functions by then.
+  // Without X, GLEW built for GLX reports a missing display, but only after it has loaded all functions.
   if (result != GLEW_OK && result != GLEW_ERROR_NO_GLX_DISPLAY) {
-    throw std::runtime_error(std::string("OpenGL does not load: ") +
+    throw std::runtime_error(std::string("cannot load OpenGL: ") +
                              reinterpret_cast<const char*>(glewGetErrorString(result)));
   }
-  if (GLEW_VERSION_3_3 == GL_FALSE) throw std::runtime_error("OpenGL 3.3 is needed; this machine has less");
+  if (GLEW_VERSION_3_3 == GL_FALSE)
+    throw std::runtime_error("OpenGL 3.3 is required; this machine has an older version");
   while (glGetError() != GL_NO_ERROR) {
-    // GLEW's own questions may have left some.
+    // Clears errors that glewInit has caused.
   }
 }
 
 std::string takeGlErrors() {
-  std::string words;
+  std::string text;
   for (GLenum error = glGetError(); error != GL_NO_ERROR; error = glGetError()) {
-    words += (words.empty() ? "OpenGL error " : ", ") + std::to_string(error);
+    text += (text.empty() ? "OpenGL error " : ", ") + std::to_string(error);
   }
-  return words;
+  return text;
 }
 
 }  // namespace platon

@@ -4,10 +4,10 @@
 
 namespace platon {
 
-/// Finds the functions of the current OpenGL context. Throws std::runtime_error when it has less than OpenGL 3.3.
+/// Loads the functions of the current OpenGL context. Throws std::runtime_error below OpenGL 3.3.
 void loadOpenGl();
 
-/// The errors that OpenGL has noted since the last call, as words; empty when there are none.
+/// Returns and clears the recorded OpenGL errors as text; empty if there are none.
 std::string takeGlErrors();
 
 }  // namespace platon

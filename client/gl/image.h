@@ -6,7 +6,7 @@
 
 namespace platon {
 
-/// Red, green and blue, a byte each; rows from the top.
+/// A picture of one byte each for red, green and blue; rows from the top.
 struct Image {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
@@ -15,7 +15,7 @@ struct Image {
   friend bool operator==(const Image&, const Image&) = default;
 };
 
-/// Turns the picture upside down.
+/// Reverses the order of the rows.
 void flipRows(Image& image);
 
 /// Throws std::runtime_error when the file cannot be written.

@@ -13,7 +13,7 @@ namespace {
 void* openDisplay() {
   void* display = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
   if (display == EGL_NO_DISPLAY || eglInitialize(display, nullptr, nullptr) != EGL_TRUE) {
-    throw std::runtime_error("no off-screen OpenGL here: EGL has no surfaceless display (Mesa's libEGL is needed)");
+    throw std::runtime_error("cannot draw off-screen: EGL has no surfaceless display; install Mesa's libEGL");
   }
   return display;
 }
@@ -37,7 +37,7 @@ void* openContext(void* display) {
 Offscreen::Offscreen() : display_(openDisplay()), context_(openContext(display_)) {
   if (context_ == nullptr) {
     eglTerminate(display_);
-    throw std::runtime_error("no off-screen OpenGL here: EGL gives no OpenGL 3.3 core context");
+    throw std::runtime_error("cannot draw off-screen: EGL has no OpenGL 3.3 core context");
   }
   loadOpenGl();
 }

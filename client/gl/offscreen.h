@@ -2,11 +2,11 @@
 
 namespace platon {
 
-/// An OpenGL 3.3 core context without a window or display, by surfaceless EGL; current from construction to
-/// destruction. Pictures are drawn into a RenderTarget. The same scene gives the same bytes.
+/// An OpenGL 3.3 core context without window and display, by surfaceless EGL. It is current from construction to
+/// destruction. Pictures are drawn into a RenderTarget. Equal scenes give equal bytes.
 class Offscreen {
  public:
-  /// Throws std::runtime_error when the machine has no such OpenGL.
+  /// Throws std::runtime_error when the machine has no surfaceless EGL or no OpenGL 3.3.
   Offscreen();
   ~Offscreen();
   Offscreen(const Offscreen&) = delete;

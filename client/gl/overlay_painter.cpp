@@ -25,7 +25,7 @@ void OverlayPainter::draw(const Overlay& overlay, float aspect, TextPainter& tex
   const glm::mat4 toClip = glm::ortho(0.0F, Overlay::kHeight * aspect, Overlay::kHeight, 0.0F);
   drawPanels(overlay, toClip);
   for (const Overlay::Text& line : overlay.texts) {
-    text.add(line.words, line.place, {line.size, 0}, {0, -line.size}, line.colour);
+    text.add(line.content, line.place, {line.size, 0}, {0, -line.size}, line.colour);
   }
   text.flush(toClip, 0.55F);
 }
@@ -35,7 +35,7 @@ void OverlayPainter::add(const Overlay::Panel& panel) {
   const glm::vec2 half = (panel.high - panel.low) / 2.0F;
   const glm::vec2 signs[] = {{-1, -1}, {1, -1}, {1, 1}, {-1, -1}, {1, 1}, {-1, 1}};
   for (const glm::vec2 sign : signs) {
-    // A little larger, for the smooth edge.
+    // One unit larger on each side, for the anti-aliased edge.
     const glm::vec2 away = sign * (half + 1.0F);
     vertices_.push_back({middle + away, away, glm::vec3(half, panel.radius), panel.colour});
   }

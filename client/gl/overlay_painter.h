@@ -13,12 +13,12 @@
 
 namespace platon {
 
-/// Draws overlays over a finished picture.
+/// Draws overlays on top of the scene.
 class OverlayPainter {
  public:
   OverlayPainter();
 
-  /// On a picture with this ratio of width to height.
+  /// `aspect` is the ratio of width to height of the picture.
   void draw(const Overlay& overlay, float aspect, TextPainter& text);
 
  private:

@@ -15,16 +15,16 @@ void attach(GLenum slot, const GlRenderbuffer& buffer, GLenum format, GLsizei sa
 
 void requireComplete() {
   if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-    throw std::runtime_error("the graphics driver refuses a picture of this size");
+    throw std::runtime_error("the graphics driver does not support pictures of this size");
   }
 }
 
 }  // namespace
 
 RenderTarget::RenderTarget(std::uint32_t width, std::uint32_t height, int samples) : width_(width), height_(height) {
-  GLint most = 0;
-  glGetIntegerv(GL_MAX_SAMPLES, &most);
-  const GLsizei used = std::min(samples, most);
+  GLint maxSamples = 0;
+  glGetIntegerv(GL_MAX_SAMPLES, &maxSamples);
+  const GLsizei used = std::min(samples, maxSamples);
   const auto w = static_cast<GLsizei>(width);
   const auto h = static_cast<GLsizei>(height);
   glBindFramebuffer(GL_FRAMEBUFFER, sampled_.name());

@@ -7,22 +7,23 @@
 
 namespace platon {
 
-/// What is drawn into: a multisampled picture with depth, and the plain picture that it is resolved to.
+/// A multisampled picture with depth, and the plain picture that it is resolved to.
 class RenderTarget {
  public:
-  /// In pixels, at least 1. `samples` as far as the driver has them. Throws std::runtime_error when the driver refuses.
+  /// `width` × `height` in pixels, at least 1 × 1. `samples` per pixel, limited by the driver. Throws
+  /// std::runtime_error when the driver does not support the size.
   RenderTarget(std::uint32_t width, std::uint32_t height, int samples);
 
   std::uint32_t width() const { return width_; }
   std::uint32_t height() const { return height_; }
 
-  /// Drawing goes to the multisampled picture.
+  /// Directs drawing to the multisampled picture.
   void bindSampled() const;
-  /// Resolves; from now on drawing goes to the plain picture, which has no depth.
+  /// Resolves the multisampled picture and directs drawing to the plain one, which has no depth.
   void resolve() const;
-  /// Copies the plain picture to the window's, of the same size.
+  /// Copies the plain picture to the window, which must have the same size.
   void present() const;
-  /// The plain picture.
+  /// Returns the plain picture.
   Image read() const;
 
  private:

@@ -5,20 +5,20 @@
 namespace platon {
 namespace {
 
-// What lies on a face is drawn at the face's own depth, just in front.
-class OnTheFace {
+// While it exists, drawing on a face passes the depth test against that face and writes no depth.
+class DecalScope {
  public:
-  OnTheFace() {
+  DecalScope() {
     glDepthMask(GL_FALSE);
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(-1, -2);
   }
-  ~OnTheFace() {
+  ~DecalScope() {
     glDisable(GL_POLYGON_OFFSET_FILL);
     glDepthMask(GL_TRUE);
   }
-  OnTheFace(const OnTheFace&) = delete;
-  OnTheFace& operator=(const OnTheFace&) = delete;
+  DecalScope(const DecalScope&) = delete;
+  DecalScope& operator=(const DecalScope&) = delete;
 };
 
 void beginPicture() {
@@ -47,7 +47,7 @@ void Renderer::draw(const Scene& scene, const Camera& camera, std::span<const Ov
   beginPicture();
   stagePainter_.draw(scene.stage, views);
   {
-    const OnTheFace onTheFace;
+    const DecalScope scope;
     stagePainter_.drawOnFaces(scene, views, animated ? static_cast<float>(scene.seconds) : 0, textPainter_);
   }
   for (const PlayerDrawing& player : scene.players) ballPainter_.draw(player, camera, textPainter_);

@@ -17,28 +17,28 @@
 
 namespace platon {
 
-/// Draws scenes with OpenGL 3.3 core, in the context that is current from its construction to its destruction.
+/// Draws scenes with OpenGL 3.3 core. The context must be current from construction to destruction.
 class Renderer {
  public:
   static constexpr int kSamples = 4;
 
-  /// Of pictures of this size in pixels, at least 1 × 1. Throws std::runtime_error when OpenGL refuses something.
-  /// `font` outlives it.
+  /// The pictures have this size in pixels, at least 1 × 1. `font` must outlive the renderer. Throws
+  /// std::runtime_error on an OpenGL error.
   Renderer(std::uint32_t width, std::uint32_t height, const Font& font);
 
-  /// Keeps the picture's old size when the new one is 0 or no other.
+  /// No effect when a size is 0 or both are unchanged.
   void resize(std::uint32_t width, std::uint32_t height);
 
-  /// Draws the scene as `camera`, which has been told the same size, sees it; then the overlays, in order. Without
-  /// `animated`, nothing moves that the players do not move.
+  /// Draws the scene as `camera` sees it, then the overlays, in order. The camera must have the size of the picture.
+  /// Without `animated`, decorations such as the goal's glow stand still.
   void draw(const Scene& scene, const Camera& camera, std::span<const Overlay> overlays, bool animated = true);
 
-  /// The same without a game: overlays on the dark.
+  /// Draws the background and the overlays.
   void drawEmpty(const Camera& camera, std::span<const Overlay> overlays);
 
-  /// Copies the last picture to the window, which has the same size.
+  /// Copies the last picture to the window, which must have the same size.
   void present() const { target_.present(); }
-  /// The last picture.
+  /// Returns the last picture.
   Image read() const { return target_.read(); }
 
  private:

@@ -14,13 +14,13 @@ GLuint compiled(GLenum kind, const std::string& shared, const std::string& sourc
   const std::array<const char*, 3> parts{kVersionLine, shared.c_str(), source.c_str()};
   glShaderSource(shader, static_cast<GLsizei>(parts.size()), parts.data(), nullptr);
   glCompileShader(shader);
-  GLint good = GL_FALSE;
-  glGetShaderiv(shader, GL_COMPILE_STATUS, &good);
-  if (good == GL_TRUE) return shader;
-  std::array<char, 2048> words{};
-  glGetShaderInfoLog(shader, static_cast<GLsizei>(words.size()), nullptr, words.data());
+  GLint succeeded = GL_FALSE;
+  glGetShaderiv(shader, GL_COMPILE_STATUS, &succeeded);
+  if (succeeded == GL_TRUE) return shader;
+  std::array<char, 2048> message{};
+  glGetShaderInfoLog(shader, static_cast<GLsizei>(message.size()), nullptr, message.data());
   glDeleteShader(shader);
-  throw std::runtime_error(std::string("a shader does not compile: ") + words.data());
+  throw std::runtime_error(std::string("cannot compile a shader: ") + message.data());
 }
 
 }  // namespace
@@ -34,13 +34,13 @@ ShaderProgram::ShaderProgram(const std::string& shared, const std::string& verte
   glLinkProgram(name_);
   glDeleteShader(first);
   glDeleteShader(second);
-  GLint good = GL_FALSE;
-  glGetProgramiv(name_, GL_LINK_STATUS, &good);
-  if (good == GL_TRUE) return;
-  std::array<char, 2048> words{};
-  glGetProgramInfoLog(name_, static_cast<GLsizei>(words.size()), nullptr, words.data());
+  GLint succeeded = GL_FALSE;
+  glGetProgramiv(name_, GL_LINK_STATUS, &succeeded);
+  if (succeeded == GL_TRUE) return;
+  std::array<char, 2048> message{};
+  glGetProgramInfoLog(name_, static_cast<GLsizei>(message.size()), nullptr, message.data());
   glDeleteProgram(name_);
-  throw std::runtime_error(std::string("shaders do not fit together: ") + words.data());
+  throw std::runtime_error(std::string("cannot link shaders: ") + message.data());
 }
 
 ShaderProgram::~ShaderProgram() { glDeleteProgram(name_); }

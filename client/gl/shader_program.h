@@ -12,17 +12,17 @@
 
 namespace platon {
 
-/// A linked pair of shaders and its uniforms by name.
+/// A linked vertex and fragment shader, with access to the uniforms by name.
 class ShaderProgram {
  public:
-  /// `shared` stands before both; sources are GLSL 3.30 without the #version line. Throws std::runtime_error with the
-  /// driver's words when one does not compile.
+  /// Sources are GLSL 3.30 without the #version line; `shared` is prepended to both. Throws std::runtime_error with the
+  /// driver's message when they do not compile or link.
   ShaderProgram(const std::string& shared, const std::string& vertex, const std::string& fragment);
   ~ShaderProgram();
   ShaderProgram(const ShaderProgram&) = delete;
   ShaderProgram& operator=(const ShaderProgram&) = delete;
 
-  /// Draws from now on use it; `set` acts on the program in use.
+  /// Makes this the program of the following draw calls and of `set`.
   void use() const { glUseProgram(name_); }
 
   void set(const char* uniform, int value) { glUniform1i(location(uniform), value); }
@@ -33,7 +33,7 @@ class ShaderProgram {
   void set(const char* uniform, const glm::mat4& value) {
     glUniformMatrix4fv(location(uniform), 1, GL_FALSE, &value[0][0]);
   }
-  /// At least one.
+  /// `values` must not be empty.
   void set(const char* uniform, std::span<const glm::vec2> values) {
     glUniform2fv(location(uniform), static_cast<GLsizei>(values.size()), &values[0][0]);
   }

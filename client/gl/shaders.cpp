@@ -3,7 +3,7 @@
 namespace platon::shaders {
 
 const char* const kFaceGeometry = R"(
-uniform vec2 edges[5];    // outward; those that a face lacks repeat another
+uniform vec2 edges[5];    // outward normals; a face with fewer edges repeats its last one
 uniform float apothem;
 
 float depthInFace(vec2 place) {
@@ -63,7 +63,7 @@ layout(location = 0) in vec4 ends;
 uniform mat4 toClip;
 uniform float reach;
 out vec2 place;
-out vec2 along;           // from the first end, and across
+out vec2 along;           // x: distance from the first end, y: distance across
 flat out vec2 direction;
 flat out float extent;
 
@@ -85,7 +85,7 @@ flat in vec2 direction;
 flat in float extent;
 uniform vec3 light;
 uniform float halfWidth;
-uniform float shadow;     // 1 for the dark around it, 0 for the rod
+uniform float shadow;     // 1: draw the shadow, 0: draw the rod
 out vec4 result;
 
 void main() {
@@ -114,7 +114,7 @@ uniform vec2 centre;
 uniform float reach;
 uniform float angle;
 out vec2 place;
-out vec2 at;              // from the centre, turned with the marker
+out vec2 at;              // offset from the centre in the marker's frame
 
 void main() {
   at = (vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0 - 1.0) * reach;
@@ -129,7 +129,7 @@ in vec2 place;
 in vec2 at;
 uniform int kind;         // 0 goal, 1 start, 2 shadow
 uniform float radius;
-uniform float seconds;    // for what moves of itself
+uniform float seconds;    // time of the animation
 out vec4 result;
 
 // Signed distance to a five-pointed star.
@@ -146,7 +146,7 @@ float star(vec2 p, float size) {
   return length(p - side * part) * sign(p.y * side.x - p.x * side.y);
 }
 
-// 1 inside of an outline at distance 0, smooth over a pixel.
+// Coverage of a shape by its signed distance: 1 inside, 0 outside, smooth over one pixel.
 float filled(float distance) { return clamp(0.5 - distance / fwidth(distance), 0.0, 1.0); }
 
 vec4 over(vec4 below, vec3 colour, float alpha) {
@@ -229,15 +229,15 @@ out vec4 result;
 
 void main() {
   vec3 shade = mix(vec3(0.108, 0.130, 0.200), vec3(0.030, 0.036, 0.066), min(dot(screen, screen) * 0.5, 1.0));
-  // Less than a step of the colours, so that no bands show.
+  // Dithering by less than one colour step hides banding.
   float grain = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
   result = vec4(shade + (grain - 0.5) / 255.0, 1);
 }
 )";
 
 const char* const kStarVertex = R"(
-uniform mat4 toClip;      // of directions, without a place
-uniform float pixels;     // per unit of size
+uniform mat4 toClip;      // applied to directions: w = 0
+uniform float pixels;     // per unit of star size
 out float glow;
 
 float random(float seed) { return fract(sin(float(gl_VertexID) * 12.9898 + seed) * 43758.5453); }
@@ -282,7 +282,7 @@ const char* const kTextFragment = R"(
 in vec2 texel;
 in vec4 colour;
 uniform sampler2D atlas;
-uniform float halo;       // opacity of the dark around the letters
+uniform float halo;       // opacity of the dark outline around the letters
 out vec4 result;
 
 void main() {
@@ -298,7 +298,7 @@ void main() {
 const char* const kPanelVertex = R"(
 layout(location = 0) in vec2 corner;
 layout(location = 1) in vec2 fromMiddle;
-layout(location = 2) in vec3 form;        // half the width, half the height, radius of the corners
+layout(location = 2) in vec3 form;        // half width, half height, corner radius
 layout(location = 3) in vec4 colourOfPanel;
 uniform mat4 toClip;
 out vec2 at;

@@ -2,22 +2,22 @@
 
 namespace platon::shaders {
 
-// GLSL 3.30 without the #version line. Colours are sRGB values and blended as such.
+// GLSL 3.30 without the #version line. Colours are blended as sRGB values, without conversion to linear light.
 
-/// Stands before the shaders of everything that lies on a face: `depthInFace` is the distance to the nearest edge.
+/// Prepended to all shaders that draw on a face. Defines `depthInFace`, the distance to the nearest edge.
 extern const char* const kFaceGeometry;
 
 extern const char* const kFaceVertex;
 extern const char* const kFaceFragment;
-/// Lines of a level: rounded rods, and before them the dark they leave on the face.
+/// Segments of a level: rods with round ends, and their shadows on the face.
 extern const char* const kRibbonVertex;
 extern const char* const kRibbonFragment;
-/// Round things on a face: goal, start, shadows.
+/// Round markers on a face: goal, start, shadow of a player.
 extern const char* const kMarkerVertex;
 extern const char* const kMarkerFragment;
 extern const char* const kBallVertex;
 extern const char* const kBallFragment;
-/// Fills what nothing else covers.
+/// The dark background.
 extern const char* const kBackgroundVertex;
 extern const char* const kBackgroundFragment;
 extern const char* const kStarVertex;

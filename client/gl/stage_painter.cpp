@@ -12,12 +12,12 @@
 namespace platon {
 namespace {
 
-constexpr std::size_t kMaxEdges = 5;  // of a face
-constexpr float kShadowReach = 8;     // level units beside a line
+constexpr std::size_t kMaxEdges = 5;  // edges of a face
+constexpr float kShadowReach = 8;     // width of a segment's shadow, level units
 constexpr float kGridStep = 60;
-constexpr float kLargeFace = 700;  // apothem from which one number in the middle is not enough
+constexpr float kLargeFace = 700;  // apothem from which a face has several numbers
 constexpr float kLabelStep = 640;
-constexpr float kGoalReach = 4;  // radii that its glow reaches
+constexpr float kGoalReach = 4;  // radius of the goal's glow in goal radii
 constexpr glm::vec4 kLabelColour(1, 1, 1, 0.13F);
 
 template <class Value>

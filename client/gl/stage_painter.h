@@ -13,14 +13,14 @@
 
 namespace platon {
 
-/// Draws the solid and all that lies on its faces.
+/// Draws the solid and everything on its faces.
 class StagePainter {
  public:
   StagePainter();
 
-  /// The solid's outside: fills the depth, too.
+  /// Draws the faces, with depth.
   void draw(const std::shared_ptr<const StageModel>& stage, std::span<const FaceView> views);
-  /// Lines, marks, numbers and the players' shadows, in front of the faces. `seconds` drives what moves of itself.
+  /// Draws segments, markers, face numbers and shadows on the faces. `seconds` is the time of the animation.
   void drawOnFaces(const Scene& scene, std::span<const FaceView> views, float seconds, TextPainter& text);
 
  private:
@@ -32,7 +32,7 @@ class StagePainter {
   struct Look {
     int kind = 0;  // as in the shader
     float radius = 0;
-    float reach = 0;  // of all that is drawn
+    float reach = 0;  // half side of the square that is drawn
   };
 
   void load(const StageModel& stage);
@@ -49,10 +49,10 @@ class StagePainter {
   ShaderProgram marker_;
   GlVertexArray faceArray_;
   GlVertexArray ribbonArray_;
-  GlVertexArray markerArray_;  // empty: its corners come from their numbers
+  GlVertexArray markerArray_;  // empty: the shader computes the corners from gl_VertexID
   GlBuffer corners_;
   GlBuffer ends_;
-  std::vector<Ribbons> ribbons_;  // of every face, in ends_
+  std::vector<Ribbons> ribbons_;  // by face: its part of ends_
 };
 
 }  // namespace platon

@@ -1,5 +1,8 @@
 #include "client/gl/window.h"
 
+#include <algorithm>
+#include <array>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -11,16 +14,64 @@
 namespace platon {
 namespace {
 
-constexpr float kDeadZone = 0.4F;
+std::optional<Key> keyOf(int glfwKey) {
+  constexpr std::array<std::pair<int, Key>, 15> kKeys{{{GLFW_KEY_LEFT, Key::kArrowLeft},
+                                                       {GLFW_KEY_RIGHT, Key::kArrowRight},
+                                                       {GLFW_KEY_UP, Key::kArrowUp},
+                                                       {GLFW_KEY_DOWN, Key::kArrowDown},
+                                                       {GLFW_KEY_A, Key::kA},
+                                                       {GLFW_KEY_D, Key::kD},
+                                                       {GLFW_KEY_W, Key::kW},
+                                                       {GLFW_KEY_S, Key::kS},
+                                                       {GLFW_KEY_SPACE, Key::kSpace},
+                                                       {GLFW_KEY_ENTER, Key::kEnter},
+                                                       {GLFW_KEY_R, Key::kR},
+                                                       {GLFW_KEY_ESCAPE, Key::kEscape},
+                                                       {GLFW_KEY_F1, Key::kF1},
+                                                       {GLFW_KEY_F3, Key::kF3},
+                                                       {GLFW_KEY_F11, Key::kF11}}};
+  const auto found = std::find_if(kKeys.begin(), kKeys.end(), [&](const auto& pair) { return pair.first == glfwKey; });
+  return found == kKeys.end() ? std::nullopt : std::optional(found->second);
+}
 
-std::string lastFault() {
-  const char* words = nullptr;
-  glfwGetError(&words);
-  return words != nullptr ? words : "no reason given";
+KeyEvent::Kind kindOf(int glfwAction) {
+  if (glfwAction == GLFW_RELEASE) return KeyEvent::Kind::kRelease;
+  return glfwAction == GLFW_REPEAT ? KeyEvent::Kind::kRepeat : KeyEvent::Kind::kPress;
+}
+
+GamepadState stateOf(const GLFWgamepadstate& glfwState) {
+  const auto down = [&glfwState](int button) { return glfwState.buttons[button] == GLFW_PRESS; };
+  GamepadState state;
+  state.stickX = glfwState.axes[GLFW_GAMEPAD_AXIS_LEFT_X];
+  state.stickY = glfwState.axes[GLFW_GAMEPAD_AXIS_LEFT_Y];
+  state.dpadLeft = down(GLFW_GAMEPAD_BUTTON_DPAD_LEFT);
+  state.dpadRight = down(GLFW_GAMEPAD_BUTTON_DPAD_RIGHT);
+  state.dpadUp = down(GLFW_GAMEPAD_BUTTON_DPAD_UP);
+  state.dpadDown = down(GLFW_GAMEPAD_BUTTON_DPAD_DOWN);
+  state.a = down(GLFW_GAMEPAD_BUTTON_A);
+  state.start = down(GLFW_GAMEPAD_BUTTON_START);
+  state.back = down(GLFW_GAMEPAD_BUTTON_BACK);
+  return state;
+}
+
+std::vector<GamepadState> readGamepads() {
+  std::vector<GamepadState> gamepads;
+  for (int joystick = GLFW_JOYSTICK_1; joystick <= GLFW_JOYSTICK_LAST; ++joystick) {
+    GLFWgamepadstate state;
+    if (glfwJoystickIsGamepad(joystick) != GLFW_TRUE || glfwGetGamepadState(joystick, &state) != GLFW_TRUE) continue;
+    gamepads.push_back(stateOf(state));
+  }
+  return gamepads;
+}
+
+std::string lastError() {
+  const char* description = nullptr;
+  glfwGetError(&description);
+  return description != nullptr ? description : "unknown error";
 }
 
 GLFWwindow* openWindow(const std::string& title, int width, int height) {
-  if (glfwInit() != GLFW_TRUE) throw std::runtime_error("no window can be opened: " + lastFault());
+  if (glfwInit() != GLFW_TRUE) throw std::runtime_error("cannot open a window: " + lastError());
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
@@ -30,9 +81,9 @@ GLFWwindow* openWindow(const std::string& title, int width, int height) {
   glfwWindowHint(GLFW_STENCIL_BITS, 0);
   GLFWwindow* handle = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
   if (handle == nullptr) {
-    const std::string fault = lastFault();
+    const std::string error = lastError();
     glfwTerminate();
-    throw std::runtime_error("no window can be opened: " + fault);
+    throw std::runtime_error("cannot open a window: " + error);
   }
   return handle;
 }
@@ -60,14 +111,8 @@ Window::~Window() {
 
 void Window::poll() {
   glfwPollEvents();
-  const auto down = [this](int key) { return glfwGetKey(handle_, key) == GLFW_PRESS; };
-  held_.left = down(GLFW_KEY_LEFT) || down(GLFW_KEY_A);
-  held_.right = down(GLFW_KEY_RIGHT) || down(GLFW_KEY_D);
-  held_.up = down(GLFW_KEY_UP) || down(GLFW_KEY_W);
-  held_.down = down(GLFW_KEY_DOWN) || down(GLFW_KEY_S);
-  held_.jump = down(GLFW_KEY_SPACE);
-  held_.restart = down(GLFW_KEY_R);
-  pollGamepads();
+  const std::vector<KeyEvent> gamepadEvents = gamepadKeys_.update(readGamepads());
+  keyEvents_.insert(keyEvents_.end(), gamepadEvents.begin(), gamepadEvents.end());
   int width = 0;
   int height = 0;
   glfwGetFramebufferSize(handle_, &width, &height);
@@ -77,7 +122,7 @@ void Window::poll() {
 
 bool Window::closing() const { return glfwWindowShouldClose(handle_) == GLFW_TRUE; }
 
-std::vector<Window::Press> Window::takePresses() { return std::exchange(presses_, {}); }
+std::vector<KeyEvent> Window::takeKeyEvents() { return std::exchange(keyEvents_, {}); }
 
 void Window::setFullscreen(bool fullscreen) {
   const bool isFullscreen = glfwGetWindowMonitor(handle_) != nullptr;
@@ -97,79 +142,10 @@ void Window::setFullscreen(bool fullscreen) {
 void Window::show() { glfwSwapBuffers(handle_); }
 
 void Window::onKey(GLFWwindow* handle, int key, int /*scancode*/, int action, int mods) {
-  if (action == GLFW_RELEASE) return;
-  auto& presses = static_cast<Window*>(glfwGetWindowUserPointer(handle))->presses_;
-  switch (key) {
-    case GLFW_KEY_ESCAPE:
-      presses.push_back(Press::kMenu);
-      break;
-    case GLFW_KEY_UP:
-    case GLFW_KEY_W:
-      presses.push_back(Press::kUp);
-      break;
-    case GLFW_KEY_DOWN:
-    case GLFW_KEY_S:
-      presses.push_back(Press::kDown);
-      break;
-    case GLFW_KEY_LEFT:
-    case GLFW_KEY_A:
-      presses.push_back(Press::kLeft);
-      break;
-    case GLFW_KEY_RIGHT:
-    case GLFW_KEY_D:
-      presses.push_back(Press::kRight);
-      break;
-    case GLFW_KEY_ENTER:
-      presses.push_back((mods & GLFW_MOD_ALT) != 0 ? Press::kFullscreen : Press::kChoose);
-      break;
-    case GLFW_KEY_SPACE:
-      presses.push_back(Press::kChoose);
-      break;
-    case GLFW_KEY_F1:
-      presses.push_back(Press::kHelp);
-      break;
-    case GLFW_KEY_F3:
-      presses.push_back(Press::kNetGraph);
-      break;
-    case GLFW_KEY_F11:
-      presses.push_back(Press::kFullscreen);
-      break;
-    default:
-      break;
-  }
-}
-
-void Window::pollGamepads() {
-  Buttons now;
-  for (int joystick = GLFW_JOYSTICK_1; joystick <= GLFW_JOYSTICK_LAST; ++joystick) {
-    GLFWgamepadstate state;
-    if (glfwJoystickIsGamepad(joystick) != GLFW_TRUE || glfwGetGamepadState(joystick, &state) != GLFW_TRUE) continue;
-    const auto down = [&state](int button) { return state.buttons[button] == GLFW_PRESS; };
-    const float x = state.axes[GLFW_GAMEPAD_AXIS_LEFT_X];
-    const float y = state.axes[GLFW_GAMEPAD_AXIS_LEFT_Y];
-    now.left |= down(GLFW_GAMEPAD_BUTTON_DPAD_LEFT) || x < -kDeadZone;
-    now.right |= down(GLFW_GAMEPAD_BUTTON_DPAD_RIGHT) || x > kDeadZone;
-    now.up |= down(GLFW_GAMEPAD_BUTTON_DPAD_UP) || y < -kDeadZone;
-    now.down |= down(GLFW_GAMEPAD_BUTTON_DPAD_DOWN) || y > kDeadZone;
-    now.choose |= down(GLFW_GAMEPAD_BUTTON_A);
-    now.menu |= down(GLFW_GAMEPAD_BUTTON_START);
-    held_.restart |= down(GLFW_GAMEPAD_BUTTON_BACK);
-  }
-  held_.left |= now.left;
-  held_.right |= now.right;
-  held_.down |= now.down;
-  held_.jump |= now.choose;
-  press(now.menu, gamepad_.menu, Press::kMenu);
-  press(now.choose, gamepad_.choose, Press::kChoose);
-  press(now.up, gamepad_.up, Press::kUp);
-  press(now.down, gamepad_.down, Press::kDown);
-  press(now.left, gamepad_.left, Press::kLeft);
-  press(now.right, gamepad_.right, Press::kRight);
-  gamepad_ = now;
-}
-
-void Window::press(bool now, bool before, Press what) {
-  if (now && !before) presses_.push_back(what);
+  const std::optional<Key> known = keyOf(key);
+  if (!known) return;
+  auto& window = *static_cast<Window*>(glfwGetWindowUserPointer(handle));
+  window.keyEvents_.push_back({*known, kindOf(action), (mods & GLFW_MOD_ALT) != 0});
 }
 
 }  // namespace platon

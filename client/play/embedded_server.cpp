@@ -31,7 +31,7 @@ ServerSettings settings() {
   return settings;
 }
 
-// What it has to tell is for an operator, and there is none.
+// The messages are for the operator of a server; a player needs none of them.
 Log silentLog() {
   return Log(LogFormat::kText, [](std::string_view) {});
 }
@@ -48,7 +48,7 @@ struct EmbeddedServer::Running {
 
   DedicatedServer server;
   std::atomic<bool> stop{false};
-  std::thread thread;  // last: runs as soon as the others are there
+  std::thread thread;  // last: uses the members above from its start
 };
 
 EmbeddedServer::EmbeddedServer(const std::string& levelFile) {

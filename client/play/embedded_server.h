@@ -7,13 +7,12 @@
 
 namespace platon {
 
-/// A server of the player's own: the same as a dedicated one, on a loopback port, in a thread of this program.
+/// A dedicated server on a free loopback port, in a thread of this program.
 class EmbeddedServer {
  public:
-  /// Starts it on this level, or on the rotation that comes with the game when `levelFile` is empty. Throws
-  /// ProgramError.
+  /// Starts the server on this level, or on the shipped levels when `levelFile` is empty. Throws ProgramError.
   explicit EmbeddedServer(const std::string& levelFile);
-  /// Stops it.
+  /// Stops the server.
   ~EmbeddedServer();
   EmbeddedServer(const EmbeddedServer&) = delete;
   EmbeddedServer& operator=(const EmbeddedServer&) = delete;

@@ -17,7 +17,7 @@ namespace {
 
 volatile std::sig_atomic_t stopSignal = 0;
 
-bool stopAsked() { return stopSignal != 0; }
+bool stopRequested() { return stopSignal != 0; }
 
 int play(int argc, char** argv) {
   const std::optional<ClientOptions> options = readClientOptions(argc, argv);
@@ -32,9 +32,9 @@ int play(int argc, char** argv) {
   if (!options->server) embedded.emplace(options->level);
   const ServerAddress server = embedded ? embedded->address() : *options->server;
   if (options->offscreen) {
-    OffscreenPlay(*options, server, steadyClock()).run(stopAsked);
+    OffscreenPlay(*options, server, steadyClock()).run(stopRequested);
   } else {
-    WindowPlay(*options, server, steadyClock()).run(stopAsked);
+    WindowPlay(*options, server, steadyClock()).run(stopRequested);
   }
   return 0;
 }

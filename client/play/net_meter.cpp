@@ -15,7 +15,7 @@ NetSample NetMeter::sample(const NetworkClient& client, Moment now) {
   const double seconds = std::max(toSeconds(now - then.at), 1e-3);
 
   NetSample sample;
-  sample.line = client.session()->reading();
+  sample.link = client.session()->reading();
   sample.downBytesPerSecond = static_cast<double>(gained.receivedBytes) / seconds;
   sample.upBytesPerSecond = static_cast<double>(gained.sentBytes) / seconds;
   const PredictionStatistics count = client.session()->predictionStatistics();

@@ -16,7 +16,7 @@ namespace {
 
 constexpr mode_t kOwnerOnly = S_IRUSR | S_IWUSR;
 
-// A host may be given as any text.
+// File name for a server. The host is user input: characters that could form a path are percent-encoded.
 std::string nameOf(const ServerAddress& server) {
   constexpr std::string_view kDigits = "0123456789abcdef";
   std::string name;
@@ -36,8 +36,8 @@ int openForOwner(const std::filesystem::path& path) {
   return open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, kOwnerOnly);
 }
 
-// Whether the file is locked now, and still the one that its name leads to: whoever had it may have removed it.
-bool takeHold(int handle, bool& removed) {
+// Locks the file. `removed`: locked, but its previous owner has removed it from the folder.
+bool lock(int handle, bool& removed) {
   struct stat status {};
   const bool locked = flock(handle, LOCK_EX | LOCK_NB) == 0 && fstat(handle, &status) == 0;
   removed = locked && status.st_nlink == 0;
@@ -48,12 +48,12 @@ bool takeHold(int handle, bool& removed) {
 
 SessionFile::SessionFile(const std::filesystem::path& folder, const ServerAddress& server) {
   if (folder.empty()) return;
-  std::error_code ignored;  // opening finds out
+  std::error_code ignored;  // openForOwner fails then
   std::filesystem::create_directories(folder, ignored);
   path_ = folder / nameOf(server);
   for (bool removed = true; removed;) {
     handle_ = openForOwner(path_);
-    if (handle_ < 0 || takeHold(handle_, removed)) return;
+    if (handle_ < 0 || lock(handle_, removed)) return;
     close(handle_);
     handle_ = -1;
   }
@@ -70,14 +70,14 @@ std::optional<SessionToken> SessionFile::token() const {
   return tokenOf(std::span(bytes).first(count < 0 ? 0 : static_cast<std::size_t>(count)));
 }
 
-// Cut short before, so that a file half written holds no token.
+// Empties the file first: a half-written file holds no token.
 void SessionFile::keep(const SessionToken& token) {
   if (handle_ < 0) return;
   const bool ready = fchmod(handle_, kOwnerOnly) == 0 && ftruncate(handle_, 0) == 0;
   if (ready) (void)!pwrite(handle_, token.data(), token.size(), 0);
 }
 
-// Removed while it is locked: afterwards the name may lead to the file of another program.
+// Removes the file while it is locked: after that, the name may belong to the file of another client.
 void SessionFile::forget() {
   if (handle_ < 0) return;
   unlink(path_.c_str());

@@ -8,22 +8,22 @@
 
 namespace platon {
 
-/// Where the token of a server's player outlives the program: after a crash the next start has it and gets the player
-/// back. One file a server, for its owner's eyes only. It is locked as long as this lives, so that of two programs
-/// that play on the same server at once only the first has the file: the other must not take its player.
+/// Keeps the session token of a server on disk, so that a client that has crashed resumes its player at the next start.
+/// One file per server, readable only by its owner. The object locks the file while it lives: of two clients on the
+/// same server, only the first uses the file, and the second cannot resume the first one's player.
 class SessionFile {
  public:
-  /// Takes hold of the file of this server, making folder and file. Where that is not to be had, or the folder is
-  /// empty, all the rest has no effect.
+  /// Locks the file of this server; creates folder and file if needed. If that fails, or `folder` is empty, the object
+  /// stores nothing.
   SessionFile(const std::filesystem::path& folder, const ServerAddress& server);
   ~SessionFile();
   SessionFile(const SessionFile&) = delete;
   SessionFile& operator=(const SessionFile&) = delete;
 
-  /// What was kept last and not forgotten.
+  /// The stored token, if there is one.
   std::optional<SessionToken> token() const;
   void keep(const SessionToken& token);
-  /// Removes the file, and lets go of it: nothing is kept after that. An empty one goes by itself.
+  /// Removes the file. The object stores nothing after that. The destructor removes a file without a token.
   void forget();
 
  private:

@@ -3,35 +3,58 @@
 #include <cstdio>
 #include <fstream>
 #include <iterator>
-#include <string>
 #include <system_error>
-
-#include "client/play/user_folders.h"
+#include <utility>
 
 namespace platon {
 
-SettingsFile::SettingsFile() {
-  const std::filesystem::path folder = configFolder();
+namespace {
+
+// Returns the file behind `path` if that is a symbolic link: a rename would replace the link.
+std::filesystem::path withoutLinks(const std::filesystem::path& path) {
+  std::error_code error;
+  const std::filesystem::path resolved = std::filesystem::canonical(path, error);
+  return error ? path : resolved;
+}
+
+bool replaceFile(const std::filesystem::path& path, const std::string& text) {
+  std::filesystem::path unfinished = path;
+  unfinished += ".new";
+  std::ofstream file(unfinished, std::ios::binary | std::ios::trunc);
+  file << text;
+  file.close();
+  std::error_code error;
+  if (file) std::filesystem::rename(unfinished, path, error);
+  return file && !error;
+}
+
+}  // namespace
+
+SettingsFile::SettingsFile(const std::filesystem::path& folder) {
   if (!folder.empty()) path_ = folder / "settings";
 }
 
-Settings SettingsFile::load() const {
-  std::ifstream file(path_);
+Settings SettingsFile::load() {
+  std::ifstream file(path_, std::ios::binary);
   if (!file) return {};
   const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  const SettingsResult result = parseSettings(text);
-  if (result.error.empty()) return result.settings;
-  std::fprintf(stderr, "platon-client: %s: %s\n", path_.c_str(), result.error.c_str());
-  return {};
+  SettingsResult result = parseSettings(text);
+  for (const std::string& error : result.errors) {
+    std::fprintf(stderr, "platon-client: %s: %s\n", path_.c_str(), error.c_str());
+  }
+  unknownLines_ = std::move(result.unknownLines);
+  return result.settings;
 }
 
 void SettingsFile::save(const Settings& settings) const {
   if (path_.empty()) return;
-  std::error_code ignored;  // the stream finds out
+  std::error_code ignored;  // writing reports the error
   std::filesystem::create_directories(path_.parent_path(), ignored);
-  std::ofstream file(path_);
-  file << settings.text();
-  if (!file.flush()) std::fprintf(stderr, "platon-client: cannot write %s; settings are not kept\n", path_.c_str());
+  std::string text = settings.text();
+  for (const std::string& line : unknownLines_) text += line + "\n";
+  if (!replaceFile(withoutLinks(path_), text)) {
+    std::fprintf(stderr, "platon-client: cannot write %s; the settings are not saved\n", path_.c_str());
+  }
 }
 
 }  // namespace platon

@@ -8,13 +8,13 @@ namespace {
 
 constexpr const char* kName = "platon";
 
-// As the XDG Base Directory Specification has it.
-std::filesystem::path folder(const char* variable, const char* belowHome) {
-  const char* const said = std::getenv(variable);
-  if (said != nullptr && *said != '\0') return std::filesystem::path(said) / kName;
+// By the XDG Base Directory Specification.
+std::filesystem::path folder(const char* variable, const char* defaultInHome) {
+  const char* const base = std::getenv(variable);
+  if (base != nullptr && *base != '\0') return std::filesystem::path(base) / kName;
   const char* const home = std::getenv("HOME");
   if (home == nullptr || *home == '\0') return {};
-  return std::filesystem::path(home) / belowHome / kName;
+  return std::filesystem::path(home) / defaultInHome / kName;
 }
 
 }  // namespace

@@ -4,9 +4,10 @@
 
 namespace platon {
 
-/// The game's folder for what the user chose; empty when the user has no such place.
+/// `platon` in XDG_CONFIG_HOME, by default in ~/.config: the player's settings. Empty without a home folder.
 std::filesystem::path configFolder();
-/// The game's folder for what it keeps for the user; likewise.
+/// `platon` in XDG_DATA_HOME, by default in ~/.local/share: session tokens and desync reports. Empty without a home
+/// folder.
 std::filesystem::path dataFolder();
 
 }  // namespace platon

@@ -15,13 +15,13 @@ namespace {
 
 constexpr int kWidth = 1280;
 constexpr int kHeight = 720;
-constexpr Moment kShortestFrame = std::chrono::milliseconds(2);  // where showing does not wait for a screen
+constexpr Moment kMinFrameTime = std::chrono::milliseconds(2);  // for drivers that do not wait for the vertical blank
 
 Window openWindow() {
   try {
     return Window("Platon", kWidth, kHeight);
   } catch (const std::runtime_error& error) {
-    throw ProgramError(ProgramError::kUsage, std::string(error.what()) + "; --offscreen plays without one");
+    throw ProgramError(ProgramError::kUsage, std::string(error.what()) + "; to play without one, use --offscreen");
   }
 }
 
@@ -30,86 +30,57 @@ Window openWindow() {
 WindowPlay::WindowPlay(const ClientOptions& options, const ServerAddress& server, const Clock& clock)
     : options_(options),
       clock_(clock),
-      settings_(settingsFile_.load()),
+      interface_(settingsFile_.load()),
       window_(openWindow()),
       view_(std::max(window_.pixelWidth(), 1u), std::max(window_.pixelHeight(), 1u)),
       match_(options, server, clock.now()),
-      begunAt_(clock.now()),
-      drawnAt_(begunAt_) {
-  if (settings_.fullscreen) window_.setFullscreen(true);
-}
+      startedAt_(clock.now()),
+      drawnAt_(startedAt_) {}
 
-void WindowPlay::run(const std::function<bool()>& stopAsked) {
+void WindowPlay::run(const std::function<bool()>& stopRequested) {
   const Controls controls = [this](const Game& game, std::uint32_t slot) { return choose(game, slot); };
-  for (Moment now = clock_.now(); goesOn(now) && !stopAsked(); now = clock_.now()) {
-    window_.poll();
-    takePresses();
+  for (Moment now = clock_.now(); shouldContinue(now) && !stopRequested(); now = clock_.now()) {
+    handleKeys();
     match_.update(now, controls);
-    if (match_.client().ending() && !toldEnding_) tellEnding();
+    if (match_.client().ending() && !endingReported_) reportEnding();
     draw(now);
     window_.show();
-    clock_.sleepUntil(now + kShortestFrame);
+    clock_.sleepUntil(now + kMinFrameTime);
   }
   if (!options_.screenshot.empty()) takeScreenshot();
-  settingsFile_.save(settings_);
+  settingsFile_.save(interface_.settings());
   match_.leave(clock_);
 }
 
-bool WindowPlay::goesOn(Moment now) const {
-  const bool timeLeft = !options_.seconds || toSeconds(now - begunAt_) < *options_.seconds;
-  return timeLeft && !window_.closing() && !menu_.leaving();
+bool WindowPlay::shouldContinue(Moment now) const {
+  const bool timeLeft = !options_.seconds || toSeconds(now - startedAt_) < *options_.seconds;
+  return timeLeft && !window_.closing() && !interface_.menu().leaving();
 }
 
-void WindowPlay::tellEnding() {
+void WindowPlay::reportEnding() {
   const std::string& reason = *match_.client().ending();
   if (!match_.client().welcomed()) throw ProgramError(ProgramError::kFailed, reason);
   std::fprintf(stderr, "platon-client: %s\n", reason.c_str());
-  toldEnding_ = true;
+  endingReported_ = true;
 }
 
-void WindowPlay::takePresses() {
-  for (const Window::Press press : window_.takePresses()) take(press);
-}
-
-void WindowPlay::take(Window::Press press) {
-  switch (press) {
-    case Window::Press::kMenu:
-      return menu_.toggle();
-    case Window::Press::kUp:
-      return menu_.take(Menu::Step::kUp, settings_);
-    case Window::Press::kDown:
-      return menu_.take(Menu::Step::kDown, settings_);
-    case Window::Press::kLeft:
-      return menu_.take(Menu::Step::kLess, settings_);
-    case Window::Press::kRight:
-      return menu_.take(Menu::Step::kMore, settings_);
-    case Window::Press::kChoose:
-      if (menu_.open()) menu_.choose(settings_);
-      break;
-    case Window::Press::kHelp:
-      help_ = !help_;
-      break;
-    case Window::Press::kNetGraph:
-      settings_.netGraph = !settings_.netGraph;
-      break;
-    case Window::Press::kFullscreen:
-      settings_.fullscreen = !settings_.fullscreen;
-      break;
-  }
-  window_.setFullscreen(settings_.fullscreen);
+void WindowPlay::handleKeys() {
+  window_.poll();
+  for (const KeyEvent& event : window_.takeKeyEvents()) interface_.handle(event);
+  window_.setFullscreen(interface_.settings().fullscreen);
 }
 
 Input WindowPlay::choose(const Game& game, std::uint32_t slot) {
   if (options_.demo) return demo_.choose(game, slot);
-  return steering_.input(menu_.open() ? HeldKeys() : window_.held(), view_.roll(), settings_.controls);
+  return steering_.input(interface_.takeHeld(), view_.roll(), interface_.settings().controls);
 }
 
 void WindowPlay::draw(Moment now) {
   view_.resize(window_.pixelWidth(), window_.pixelHeight());
   const std::optional<Scene> scene = match_.scene(now);
   if (scene) view_.netGraph().add(meter_.sample(match_.client(), now));
-  const HudStatus status{match_.message(), match_.client().ending().has_value(), help_};
-  view_.draw(scene ? &*scene : nullptr, status, settings_, menu_, toSeconds(now - drawnAt_));
+  const HudStatus status{match_.message(), match_.client().ending().has_value(), interface_.helpShown()};
+  view_.draw(scene ? &*scene : nullptr, status, interface_.settings(), interface_.menu(), toSeconds(now - drawnAt_));
   view_.present();
   drawnAt_ = now;
 }

@@ -9,47 +9,44 @@
 #include "client/play/match_play.h"
 #include "client/play/net_meter.h"
 #include "client/play/settings_file.h"
+#include "client/play/user_folders.h"
 #include "client/time/clock.h"
-#include "client/ui/menu.h"
-#include "client/ui/settings.h"
 #include "client/ui/steering.h"
+#include "client/ui/user_interface.h"
 
 namespace platon {
 
 /// Plays in a window.
 class WindowPlay {
  public:
-  /// Begins to connect. Throws std::runtime_error when that cannot even begin, and ProgramError when no window can be
+  /// Starts to connect. Throws std::runtime_error when connecting cannot start, and ProgramError when no window can be
   /// opened.
   WindowPlay(const ClientOptions& options, const ServerAddress& server, const Clock& clock);
 
-  /// Until the player leaves, the time is over or `stopAsked`. Throws ProgramError when the server cannot be joined. A
-  /// match that ends later stays on the screen with the reason.
-  void run(const std::function<bool()>& stopAsked);
+  /// Plays until the player leaves, the time limit of the options is reached or `stopRequested`. Throws ProgramError
+  /// when the server cannot be joined. When a match ends later, its last picture stays on the screen with the reason.
+  void run(const std::function<bool()>& stopRequested);
 
  private:
-  bool goesOn(Moment now) const;
-  void takePresses();
-  void take(Window::Press press);
-  void tellEnding();
+  bool shouldContinue(Moment now) const;
+  void handleKeys();
+  void reportEnding();
   Input choose(const Game& game, std::uint32_t slot);
   void draw(Moment now);
   void takeScreenshot();
 
   ClientOptions options_;
   Clock clock_;
-  SettingsFile settingsFile_;
-  Settings settings_;
+  SettingsFile settingsFile_{configFolder()};
+  UserInterface interface_;
   Window window_;
   GameView view_;
   MatchPlay match_;
-  Menu menu_;
   Steering steering_;
   Demo demo_;
   NetMeter meter_;
-  bool help_ = false;
-  bool toldEnding_ = false;
-  Moment begunAt_;
+  bool endingReported_ = false;
+  Moment startedAt_;
   Moment drawnAt_;
 };
 

@@ -7,7 +7,7 @@
 
 #include "platon/game/utf8.h"
 
-// The assembler puts the file of the typeface into the program as it is.
+// Embeds the font file in the program.
 __asm__(
     ".section .rodata\n"
     ".balign 16\n"
@@ -22,9 +22,9 @@ extern "C" const unsigned char platonFontData[];
 namespace platon {
 namespace {
 
-constexpr float kSamplesPerLine = 36;  // resolution of the fields
+constexpr float kSamplesPerLine = 36;  // resolution of the distance fields
 constexpr int kPadding = 5;            // samples around the outline
-constexpr float kSlope = 24;           // change of distance value a sample
+constexpr float kSlope = 24;           // change of the distance value per sample
 
 }  // namespace
 
@@ -38,7 +38,7 @@ std::u32string codePointsOf(std::string_view utf8) {
 }
 
 Font::Font() : info_(std::make_unique<stbtt_fontinfo>()) {
-  if (stbtt_InitFont(info_.get(), platonFontData, 0) == 0) throw std::runtime_error("the built-in typeface is broken");
+  if (stbtt_InitFont(info_.get(), platonFontData, 0) == 0) throw std::runtime_error("the built-in font cannot be read");
   scale_ = stbtt_ScaleForPixelHeight(info_.get(), 1);
 }
 

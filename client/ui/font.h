@@ -15,17 +15,17 @@ namespace platon {
 /// The code points of a UTF-8 text without its control characters. A malformed byte becomes U+FFFD.
 std::u32string codePointsOf(std::string_view utf8);
 
-/// The one typeface of the game, DejaVu Sans Bold, which is part of the program. Sizes count from the baseline of one
-/// line to that of the next; +y is up.
+/// The typeface of the game, DejaVu Sans Bold, compiled into the program. The size of text is the distance between the
+/// baselines of two lines; +y is up.
 class Font {
  public:
-  /// A glyph as a field of distances to its outline, which can be drawn sharply at any size.
+  /// A glyph as a signed distance field, which can be drawn sharply at any size.
   struct Glyph {
-    glm::vec2 low{0};  ///< of the field, from the pen's place on the baseline, at size 1
-    glm::vec2 high{0};
-    int width = 0;  ///< of the field in samples; 0 for a blank
-    int height = 0;
-    std::vector<std::uint8_t> distances;  ///< rows from the top; kOnOutline on the outline, more inside
+    glm::vec2 low{0};   ///< lower left corner of the field, from the pen position on the baseline, at size 1
+    glm::vec2 high{0};  ///< upper right corner
+    int width = 0;      ///< samples; 0 for a blank
+    int height = 0;     ///< samples
+    std::vector<std::uint8_t> distances;  ///< rows from the top; kOnOutline on the outline, greater inside
   };
   static constexpr int kOnOutline = 128;
 
@@ -35,9 +35,9 @@ class Font {
   Font& operator=(const Font&) = delete;
 
   Glyph glyph(char32_t codePoint) const;
-  /// How far the pen moves on, at size 1.
+  /// Horizontal distance to the next glyph, at size 1.
   float advance(char32_t codePoint) const;
-  /// Of a whole line, at size 1.
+  /// Width of a line of text, at size 1.
   float width(std::string_view utf8) const;
   /// Height of a capital letter at size 1.
   static constexpr float kCapitalHeight = 0.626F;

@@ -17,30 +17,30 @@ namespace {
 using namespace overlay_colours;
 
 constexpr std::size_t kMaxRows = 12;
-constexpr std::size_t kLongestName = 20;  // code points shown in a list
+constexpr std::size_t kMaxNameLength = 20;  // code points shown of a name
 constexpr float kMargin = 16;
 
 constexpr std::array<std::array<const char*, 2>, 7> kHelp{{{"← →  or  A D", "run"},
-                                                           {"Space, ↑ or W", "jump, longer for higher"},
+                                                           {"Space, ↑ or W", "jump; hold to jump higher"},
                                                            {"R", "back to the start"},
-                                                           {"F1", "this help"},
+                                                           {"F1", "help"},
                                                            {"F3", "connection graph"},
                                                            {"F11", "full screen"},
-                                                           {"Esc", "menu, comfort, leave"}}};
+                                                           {"Esc", "menu: settings, leave"}}};
 
 std::string twoDigits(long value) { return std::string(value < 10 ? "0" : "") + std::to_string(value); }
 
-std::string finishWords(double seconds) {
-  const long centidegrees = std::lround(seconds * 100);
-  return std::to_string(centidegrees / 100) + "." + twoDigits(centidegrees % 100) + " s";
+std::string finishText(double seconds) {
+  const long hundredths = std::lround(seconds * 100);
+  return std::to_string(hundredths / 100) + "." + twoDigits(hundredths % 100) + " s";
 }
 
-// Whole code points of UTF-8, cut with an ellipsis where there are too many.
+// Cuts a name of more than kMaxNameLength code points and appends an ellipsis.
 std::string shortened(const std::string& name) {
   const auto starts = [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U; };
   std::size_t points = 0;
   for (std::size_t i = 0; i < name.size(); ++i) {
-    if (starts(name[i]) && ++points > kLongestName) return name.substr(0, i) + "…";
+    if (starts(name[i]) && ++points > kMaxNameLength) return name.substr(0, i) + "…";
   }
   return name;
 }
@@ -58,10 +58,10 @@ void addTitle(OverlayWriter& writer, const Scene& scene) {
 
 void addClock(OverlayWriter& writer, const Scene& scene, float width) {
   const bool urgent = scene.secondsLeft < 10;
-  writer.pill(clockWords(scene.secondsLeft), {width / 2, kMargin + 22}, 26, urgent ? kWarning : kBright);
+  writer.pill(clockText(scene.secondsLeft), {width / 2, kMargin + 22}, 26, urgent ? kWarning : kBright);
 }
 
-// First those who have finished, by their time; then the others, by slot.
+// Players who have finished, by time; then the others, by slot.
 std::vector<const PlayerDrawing*> inOrder(const Scene& scene) {
   std::vector<const PlayerDrawing*> players;
   for (const PlayerDrawing& player : scene.players) players.push_back(&player);
@@ -82,7 +82,7 @@ void addRow(OverlayWriter& writer, const PlayerDrawing& player, float right, flo
   writer.centred(player.number, {dot.x, dot.y + size * 0.36F}, size, {0.05F, 0.05F, 0.08F, 1});
   writer.left(nameOf(player), {dot.x + 18, top + 18}, 15, player.own ? kBright : kSoft);
   if (player.finishedAfter)
-    writer.right(std::string("✓ ") + finishWords(*player.finishedAfter), {right - 10, top + 18}, 13, kGold);
+    writer.right(std::string("✓ ") + finishText(*player.finishedAfter), {right - 10, top + 18}, 13, kGold);
 }
 
 void addPlayers(OverlayWriter& writer, const Scene& scene, float width) {
@@ -102,7 +102,7 @@ void addPlayers(OverlayWriter& writer, const Scene& scene, float width) {
 
 void addNameTag(OverlayWriter& writer, const PlayerDrawing& player, const Camera& camera, float width) {
   if (player.own || player.name.empty()) return;
-  // Those beyond the horizon are behind the solid.
+  // Players whose face looks away from the camera are hidden by the solid.
   if (glm::dot(player.pose.normal, camera.eye() - player.pose.position) <= 0) return;
   const glm::dvec3 above = player.pose.position + camera.up() * (StageModel::kPlayerRadius * 1.35);
   const glm::dvec4 clip = camera.viewProjection() * glm::dvec4(above, 1);
@@ -110,11 +110,11 @@ void addNameTag(OverlayWriter& writer, const PlayerDrawing& player, const Camera
   writer.centred(nameOf(player), place, 13, glm::vec4(glm::mix(player.colour, Colour(1), 0.35F), 0.9F));
 }
 
-void addVerdict(OverlayWriter& writer, const Scene& scene, float width) {
+void addResult(OverlayWriter& writer, const Scene& scene, float width) {
   const bool hasOwn = !scene.players.empty() && scene.players.back().own;
   const glm::vec2 middle(width / 2, Overlay::kHeight * 0.2F);
   if (hasOwn && scene.players.back().finishedAfter) {
-    writer.pill(std::string("★  Goal in ") + finishWords(*scene.players.back().finishedAfter), middle, 30, kGold);
+    writer.pill(std::string("★  Goal in ") + finishText(*scene.players.back().finishedAfter), middle, 30, kGold);
   } else if (scene.over) {
     writer.pill(scene.secondsLeft <= 0 ? "Time is up" : "Round over", middle, 30, kBright);
   }
@@ -134,7 +134,7 @@ void addHelp(OverlayWriter& writer) {
 
 }  // namespace
 
-std::string clockWords(double seconds) {
+std::string clockText(double seconds) {
   if (seconds < 10) {
     const auto tenths = static_cast<long>(std::ceil(seconds * 10 - 1e-6));
     return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10);
@@ -160,7 +160,7 @@ Overlay makeHud(const Scene& scene, const Camera& camera, const HudStatus& statu
   addTitle(writer, scene);
   addClock(writer, scene, width);
   addPlayers(writer, scene, width);
-  addVerdict(writer, scene, width);
+  addResult(writer, scene, width);
   if (status.help) addHelp(writer);
   if (!status.message.empty()) {
     writer.pill(status.message, {width / 2, Overlay::kHeight - 40}, 18, status.warning ? kWarning : kBright);

@@ -9,20 +9,20 @@
 
 namespace platon {
 
-/// What the head-up display says besides the scene.
+/// What the head-up display shows besides the scene.
 struct HudStatus {
-  std::string message;   ///< state of the connection, a reason; empty: nothing to say
-  bool warning = false;  ///< the message is about something wrong
-  bool help = false;     ///< show what the keys do
+  std::string message;   ///< state of the connection or why the game ended; empty: none
+  bool warning = false;  ///< the message reports an error
+  bool help = false;     ///< show the table of keys
 };
 
-/// `minutes:seconds`, tenths in the last ten seconds. `seconds` ≥ 0.
-std::string clockWords(double seconds);
+/// Time left as `minutes:seconds`; below ten seconds with tenths. `seconds` ≥ 0.
+std::string clockText(double seconds);
 
-/// What there is to say while there is no game; `width` of the virtual screen.
+/// The display while there is no game. `width` is that of the virtual screen.
 Overlay makeEmptyHud(const HudStatus& status, const Font& font, float width);
 
-/// Title, clock, players, those who have finished, name tags, message and help.
+/// Title, clock, list of players, name tags, result, message and help.
 Overlay makeHud(const Scene& scene, const Camera& camera, const HudStatus& status, const Font& font);
 
 }  // namespace platon

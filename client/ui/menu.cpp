@@ -23,14 +23,14 @@ enum Item {
   kItems
 };
 
-constexpr std::array<const char*, kItems> kNames{"Resume",         "Camera turns",       "Cut at once",
-                                                 "Reduced motion", "Left and right are", "Picture size",
-                                                 "Full screen",    "Connection graph",   "Leave the game"};
+constexpr std::array<const char*, kItems> kNames{"Resume",         "Camera turn speed",    "Instant camera cut",
+                                                 "Reduced motion", "Controls relative to", "Zoom",
+                                                 "Full screen",    "Connection graph",     "Leave the game"};
 constexpr std::array<double, 5> kTurnSpeeds{2, 4, 7, 12, 30};
-constexpr std::array<const char*, 5> kTurnWords{"very slowly", "slowly", "normally", "fast", "very fast"};
+constexpr std::array<const char*, 5> kTurnSpeedNames{"very slow", "slow", "normal", "fast", "very fast"};
 constexpr std::array<double, 7> kZooms{0.5, 0.65, 0.8, 1, 1.25, 1.6, 2};
 
-// Index of the step that is nearest to the value.
+// Index of the step nearest to the value.
 template <std::size_t Count>
 int nearest(const std::array<double, Count>& steps, double value) {
   const auto closer = [value](double a, double b) { return std::abs(a - value) < std::abs(b - value); };
@@ -47,13 +47,13 @@ std::string valueOf(int item, const Settings& settings) {
   const auto onOff = [](bool flag) { return flag ? "on" : "off"; };
   switch (item) {
     case kTurnSpeed:
-      return kTurnWords[static_cast<std::size_t>(nearest(kTurnSpeeds, settings.comfort.turnSpeed))];
+      return kTurnSpeedNames[static_cast<std::size_t>(nearest(kTurnSpeeds, settings.comfort.turnSpeed))];
     case kInstantCut:
       return onOff(settings.comfort.instantCut);
     case kReducedMotion:
       return onOff(settings.comfort.reducedMotion);
     case kControls:
-      return settings.controls == ControlFrame::kPlayer ? "the player's" : "the screen's";
+      return settings.controls == ControlFrame::kPlayer ? "the player" : "the screen";
     case kZoom:
       return std::to_string(std::lround(settings.zoom * 100)) + " %";
     case kFullscreen:
@@ -67,7 +67,7 @@ std::string valueOf(int item, const Settings& settings) {
 
 }  // namespace
 
-void Menu::take(Step step, Settings& settings) {
+void Menu::step(Step step, Settings& settings) {
   if (!open_) return;
   if (step == Step::kUp) item_ = (item_ + kItems - 1) % kItems;
   if (step == Step::kDown) item_ = (item_ + 1) % kItems;

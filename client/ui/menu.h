@@ -6,7 +6,7 @@
 
 namespace platon {
 
-/// The menu over the game: comfort, controls, leaving. The game goes on beneath it.
+/// The menu over the game: settings and leaving. The game continues beneath it.
 class Menu {
  public:
   enum class Step { kUp, kDown, kLess, kMore };
@@ -16,12 +16,12 @@ class Menu {
   /// The player chose to leave the game.
   bool leaving() const { return leaving_; }
 
-  /// Moves between the items, or changes the chosen one; without effect while closed.
-  void take(Step step, Settings& settings);
-  /// Acts on the chosen item: changes it, goes back to the game or leaves it.
+  /// Selects another item, or changes the setting of the selected one. No effect while the menu is closed.
+  void step(Step step, Settings& settings);
+  /// Activates the selected item: changes its setting, closes the menu or leaves the game. No effect while closed.
   void choose(Settings& settings);
 
-  /// `width` of the virtual screen.
+  /// The picture of the menu; empty while it is closed. `width` is that of the virtual screen.
   Overlay overlay(const Settings& settings, const Font& font, float width) const;
 
  private:

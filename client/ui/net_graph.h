@@ -9,24 +9,24 @@
 
 namespace platon {
 
-/// How the connection does: one sample a frame.
+/// Link statistics of one frame.
 struct NetSample {
-  LinkStatistics line;
-  double aheadTicks = 0;          ///< how far the prediction is ahead of what is confirmed
-  double correctionSubunits = 0;  ///< of the own player's prediction in this frame; 0 when it held
-  double corrections = 0;         ///< of the whole session
-  double lastCorrection = 0;      ///< subunits; 0 before the first
+  LinkStatistics link;
+  double aheadTicks = 0;          ///< predicted ticks that are not confirmed yet
+  double correctionSubunits = 0;  ///< correction of the local player in this frame; 0 if none
+  double corrections = 0;         ///< number in this session
+  double lastCorrection = 0;      ///< size of the last correction, subunits; 0 before the first
   double downBytesPerSecond = 0;
   double upBytesPerSecond = 0;
 };
 
-/// The last seconds of a connection as a picture.
+/// Graph of the round trip and the corrections of the last frames, with the latest link statistics.
 class NetGraph {
  public:
   static constexpr std::size_t kSamples = 180;
 
   void add(const NetSample& sample);
-  /// Corner panel; `width` of the virtual screen. Empty without samples.
+  /// A panel in the lower right corner; empty without samples. `width` is that of the virtual screen.
   Overlay overlay(const Font& font, float width) const;
 
  private:

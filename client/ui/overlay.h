@@ -8,7 +8,7 @@
 
 namespace platon {
 
-/// Flat things in front of the picture. Places are on a virtual screen that is 720 high, +y down.
+/// Panels and text in front of the scene. Positions are on a virtual screen that is 720 high, +y down.
 struct Overlay {
   static constexpr float kHeight = 720;
 
@@ -24,7 +24,7 @@ struct Overlay {
     glm::vec2 place{0};  ///< left end of the baseline
     float size = 16;
     glm::vec4 colour{1};
-    std::string words;  ///< UTF-8
+    std::string content;  ///< UTF-8
   };
 
   std::vector<Panel> panels;  ///< drawn first, in order

@@ -20,7 +20,7 @@ inline constexpr glm::vec4 kChosen{0.24F, 0.34F, 0.60F, 0.85F};
 
 }  // namespace overlay_colours
 
-/// Puts an overlay together. Text places are on the baseline.
+/// Builds an overlay. Text positions are on the baseline.
 class OverlayWriter {
  public:
   explicit OverlayWriter(const Font& font) : font_(&font) {}
@@ -28,23 +28,23 @@ class OverlayWriter {
   void panel(glm::vec2 low, glm::vec2 high, float radius, glm::vec4 colour) {
     overlay_.panels.push_back({low, high, radius, colour});
   }
-  void left(std::string words, glm::vec2 place, float size, glm::vec4 colour) {
-    overlay_.texts.push_back({place, size, colour, std::move(words)});
+  void left(std::string text, glm::vec2 place, float size, glm::vec4 colour) {
+    overlay_.texts.push_back({place, size, colour, std::move(text)});
   }
-  void right(const std::string& words, glm::vec2 place, float size, glm::vec4 colour) {
-    left(words, {place.x - width(words, size), place.y}, size, colour);
+  void right(const std::string& text, glm::vec2 place, float size, glm::vec4 colour) {
+    left(text, {place.x - width(text, size), place.y}, size, colour);
   }
-  void centred(const std::string& words, glm::vec2 place, float size, glm::vec4 colour) {
-    left(words, {place.x - width(words, size) / 2, place.y}, size, colour);
+  void centred(const std::string& text, glm::vec2 place, float size, glm::vec4 colour) {
+    left(text, {place.x - width(text, size) / 2, place.y}, size, colour);
   }
-  /// Words in the middle of a panel made for them.
-  void pill(const std::string& words, glm::vec2 middle, float size, glm::vec4 colour) {
-    const glm::vec2 half(width(words, size) / 2 + size, size * 0.9F);
+  /// Text centred on a panel that fits it.
+  void pill(const std::string& text, glm::vec2 middle, float size, glm::vec4 colour) {
+    const glm::vec2 half(width(text, size) / 2 + size, size * 0.9F);
     panel(middle - half, middle + half, half.y, overlay_colours::kPanel);
-    centred(words, {middle.x, middle.y + size * Font::kCapitalHeight / 2}, size, colour);
+    centred(text, {middle.x, middle.y + size * Font::kCapitalHeight / 2}, size, colour);
   }
 
-  float width(const std::string& words, float size) const { return font_->width(words) * size; }
+  float width(const std::string& text, float size) const { return font_->width(text) * size; }
   Overlay take() { return std::move(overlay_); }
 
  private:

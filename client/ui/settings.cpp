@@ -1,57 +1,78 @@
 #include "client/ui/settings.h"
 
-#include <array>
 #include <charconv>
-#include <cmath>
+#include <functional>
 #include <sstream>
 
 namespace platon {
 namespace {
 
-constexpr double kLeastTurnSpeed = 1;
+constexpr double kMinTurnSpeed = 1;
 constexpr double kMaxTurnSpeed = 30;
-constexpr double kLeastZoom = 0.5;
+constexpr double kMinZoom = 0.5;
 constexpr double kMaxZoom = 2;
 
-// Each reads one value; false when it is none.
-bool read(std::string_view value, bool& flag) {
+// Each `parse` stores a valid value and returns true; otherwise it changes nothing and returns false.
+bool parse(std::string_view value, bool& flag) {
   if (value != "on" && value != "off") return false;
   flag = value == "on";
   return true;
 }
 
-bool read(std::string_view value, double& number, double least, double most) {
-  double read = 0;
-  const auto [end, fault] = std::from_chars(value.data(), value.data() + value.size(), read);
-  if (fault != std::errc() || end != value.data() + value.size()) return false;
-  if (!(read >= least && read <= most)) return false;
-  number = read;
+bool parse(std::string_view value, double& number, double min, double max) {
+  double parsed = 0;
+  const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), parsed);
+  if (error != std::errc() || end != value.data() + value.size()) return false;
+  if (!(parsed >= min && parsed <= max)) return false;
+  number = parsed;
   return true;
 }
 
-bool read(std::string_view value, ControlFrame& frame) {
+bool parse(std::string_view value, ControlFrame& frame) {
   if (value != "player" && value != "screen") return false;
   frame = value == "screen" ? ControlFrame::kScreen : ControlFrame::kPlayer;
   return true;
 }
 
-// What is wrong with it; empty when nothing is.
-std::string readLine(std::string_view name, std::string_view value, Settings& settings) {
-  if (name == "turn-speed") {
-    return read(value, settings.comfort.turnSpeed, kLeastTurnSpeed, kMaxTurnSpeed)
-               ? ""
-               : "turn-speed is a number from 1 to 30";
+// One setting of the file. `parse` stores a valid value.
+struct Entry {
+  std::string_view name;
+  std::string_view allowed;
+  std::function<bool(std::string_view)> parse;
+};
+
+std::vector<Entry> entriesOf(Settings& settings) {
+  const auto flag = [](std::string_view name, bool& target) {
+    return Entry{name, "on or off", [&target](std::string_view value) { return parse(value, target); }};
+  };
+  CameraComfort& comfort = settings.comfort;
+  return {
+      {"turn-speed", "a number from 1 to 30",
+       [&comfort](std::string_view value) { return parse(value, comfort.turnSpeed, kMinTurnSpeed, kMaxTurnSpeed); }},
+      {"zoom", "a number from 0.5 to 2",
+       [&settings](std::string_view value) { return parse(value, settings.zoom, kMinZoom, kMaxZoom); }},
+      {"controls", "player or screen", [&settings](std::string_view value) { return parse(value, settings.controls); }},
+      flag("instant-cut", comfort.instantCut),
+      flag("reduced-motion", comfort.reducedMotion),
+      flag("fullscreen", settings.fullscreen),
+      flag("net-graph", settings.netGraph)};
+}
+
+void parseLine(const std::string& line, const std::string& where, SettingsResult& result) {
+  std::istringstream words(line);
+  std::string name;
+  std::string value;
+  std::string extra;
+  if (!(words >> name)) return;
+  words >> value >> extra;
+  for (const Entry& entry : entriesOf(result.settings)) {
+    if (entry.name != name) continue;
+    if (extra.empty() && entry.parse(value)) return;
+    result.errors.push_back(where + name + " must be " + std::string(entry.allowed));
+    return;
   }
-  if (name == "zoom") return read(value, settings.zoom, kLeastZoom, kMaxZoom) ? "" : "zoom is a number from 0.5 to 2";
-  if (name == "controls") return read(value, settings.controls) ? "" : "controls is player or screen";
-  const std::array<std::pair<std::string_view, bool*>, 4> flags{{{"instant-cut", &settings.comfort.instantCut},
-                                                                 {"reduced-motion", &settings.comfort.reducedMotion},
-                                                                 {"fullscreen", &settings.fullscreen},
-                                                                 {"net-graph", &settings.netGraph}}};
-  for (const auto& [flag, place] : flags) {
-    if (name == flag) return read(value, *place) ? "" : std::string(name) + " is on or off";
-  }
-  return "there is no setting '" + std::string(name) + "'";
+  result.unknownLines.push_back(line);
+  result.errors.push_back(where + "unknown setting '" + name + "'");
 }
 
 const char* onOff(bool flag) { return flag ? "on" : "off"; }
@@ -71,17 +92,7 @@ SettingsResult parseSettings(std::string_view text) {
   std::istringstream lines{std::string(text)};
   std::string line;
   for (int number = 1; std::getline(lines, line); ++number) {
-    std::istringstream words(line);
-    std::string name;
-    std::string value;
-    if (!(words >> name)) continue;
-    words >> value;
-    std::string rest;
-    const std::string fault = words >> rest ? "one value is enough" : readLine(name, value, result.settings);
-    if (!fault.empty()) {
-      result.error = "line " + std::to_string(number) + ": " + fault;
-      return result;
-    }
+    parseLine(line, "line " + std::to_string(number) + ": ", result);
   }
   return result;
 }

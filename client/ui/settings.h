@@ -2,13 +2,14 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
-#include "client/scene/camera.h"
-#include "client/ui/steering.h"
+#include "client/scene/camera_comfort.h"
+#include "client/ui/control_frame.h"
 
 namespace platon {
 
-/// What a player may choose; all of it at any time.
+/// The player's settings. Each may change at any time.
 struct Settings {
   CameraComfort comfort;
   ControlFrame controls = ControlFrame::kPlayer;
@@ -16,15 +17,17 @@ struct Settings {
   bool fullscreen = false;
   bool netGraph = false;
 
-  /// As lines `name value`, which `parseSettings` reads.
+  /// The settings as lines `name value`, the format of `parseSettings`.
   std::string text() const;
 };
 
 struct SettingsResult {
-  Settings settings;  ///< with the usual value for what the text does not name
-  std::string error;  ///< empty, or what is wrong with the first bad line and how to mend it
+  Settings settings;                      ///< defaults where the text has no valid line
+  std::vector<std::string> errors;        ///< one for each bad line: its number, what is wrong and what is allowed
+  std::vector<std::string> unknownLines;  ///< lines that name no setting of this version, unchanged
 };
 
+/// Parses settings. A bad line does not affect the others.
 SettingsResult parseSettings(std::string_view text);
 
 }  // namespace platon

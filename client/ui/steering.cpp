@@ -3,12 +3,13 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <numbers>
 
 namespace platon {
 
 Input Steering::input(const HeldKeys& keys, double roll, ControlFrame frame) {
-  // Counter-clockwise from the right.
+  // Directions counter-clockwise from the right.
   const std::array<bool, 4> held{keys.right, keys.up, keys.left, keys.down};
   constexpr std::array<std::uint8_t, 4> kButtons{Input::kRight, Input::kJump, Input::kLeft, Input::kDown};
   const bool anyHeld = keys.right || keys.up || keys.left || keys.down;

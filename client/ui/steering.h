@@ -1,33 +1,20 @@
 #pragma once
 
-#include <cstdint>
-
+#include "client/ui/control_frame.h"
+#include "client/ui/held_keys.h"
 #include "platon/game/input.h"
 
 namespace platon {
 
-/// Whose left and right the keys mean. The two differ while the camera rolls.
-enum class ControlFrame : std::uint8_t { kPlayer, kScreen };
-
-/// What is held down. Directions are those of the keys.
-struct HeldKeys {
-  bool left = false;
-  bool right = false;
-  bool up = false;
-  bool down = false;
-  bool jump = false;
-  bool restart = false;
-};
-
-/// Turns held keys into the player's buttons.
+/// Turns held keys into the player's input.
 class Steering {
  public:
-  /// `roll` is Camera::rollOf the player. Relative to the screen, a direction keeps its meaning until all are let go:
-  /// otherwise running over an edge would turn round.
+  /// `roll` is Camera::rollOf(player). In ControlFrame::kScreen, the held directions keep their meaning until all of
+  /// them are released; otherwise a player who runs over an edge would turn round.
   Input input(const HeldKeys& keys, double roll, ControlFrame frame);
 
  private:
-  int quarters_ = 0;  // that the player is turned on the screen, counter-clockwise, as the held keys take it
+  int quarters_ = 0;  // counter-clockwise quarter turns of the player on the screen when the held keys were pressed
 };
 
 }  // namespace platon

@@ -11,13 +11,13 @@
 namespace platon {
 namespace {
 
-TEST(Image, FlipRows) {
+TEST(Image, FlipRowsReversesTheRows) {
   Image image{1, 3, {1, 1, 1, 2, 2, 2, 3, 3, 3}};
   flipRows(image);
   EXPECT_EQ(image.pixels, (std::vector<std::uint8_t>{3, 3, 3, 2, 2, 2, 1, 1, 1}));
 }
 
-TEST(Image, WritesWhatAReaderReads) {
+TEST(Image, AWrittenPngIsReadBack) {
   const Image image{2, 2, {255, 0, 0, 0, 255, 0, 0, 0, 255, 9, 8, 7}};
   const TemporaryFolder folder;
   const std::string file = folder / "image.png";
@@ -33,7 +33,7 @@ TEST(Image, WritesWhatAReaderReads) {
   stbi_image_free(pixels);
 }
 
-TEST(Image, AFileThatCannotBeWrittenIsAnError) {
+TEST(Image, AnUnwritableFileIsAnError) {
   EXPECT_THROW(writePng(Image{1, 1, {1, 2, 3}}, TemporaryFolder() / "no_such_folder/picture.png"), std::runtime_error);
 }
 

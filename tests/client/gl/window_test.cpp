@@ -1,19 +1,37 @@
 #include "client/gl/window.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdlib>
+#include <optional>
 #include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <GL/glew.h>
+#include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 
 #include "client/gl/game_view.h"
 #include "client/gl/gl_loader.h"
+#include "client/ui/input_mapper.h"
+#include "tests/client/gl/desktop.h"
+#include "tests/client/gl/fake_gamepad.h"
 
+// Runs on a virtual display with a window manager (on_display.sh).
 namespace platon {
 namespace {
 
-// What the window is about to show.
+using Kind = KeyEvent::Kind;
+using Events = std::vector<KeyEvent>;
+
+constexpr std::uint32_t kScreenWidth = 1280;
+constexpr std::uint32_t kScreenHeight = 1024;
+constexpr int kWidth = 640;
+constexpr int kHeight = 360;
+
+// The picture that the window is about to show.
 Image backBuffer(const Window& window) {
   Image image{window.pixelWidth(), window.pixelHeight(), {}};
   image.pixels.resize(std::size_t{3} * image.width * image.height);
@@ -26,34 +44,233 @@ Image backBuffer(const Window& window) {
   return image;
 }
 
-// Starts within Xvfb; a machine without it has no display to open a window on.
-TEST(Window, ShowsThePictureAlsoInFullScreen) {
-  if (std::getenv("DISPLAY") == nullptr) GTEST_SKIP() << "no display";
-  Window window("Platon", 640, 360);
-  ASSERT_GT(window.pixelWidth(), 0U);
-  GameView view(window.pixelWidth(), window.pixelHeight());
-  for (const bool fullscreen : {false, true, false}) {
-    window.setFullscreen(fullscreen);
-    for (int i = 0; i < 20; ++i) window.poll();
-    view.resize(window.pixelWidth(), window.pixelHeight());
-    view.draw(nullptr, {.message = "Hello", .warning = false, .help = true}, Settings(), Menu(), 0);
-    view.present();
+class WindowTest : public testing::Test {
+ protected:
+  WindowTest() {
+    EXPECT_TRUE(pollUntil([&] { return has(GLFW_FOCUSED); })) << "the window manager does not focus the window";
+    window_.takeKeyEvents();
+  }
+  ~WindowTest() override { fakeGamepad.reset(); }
+
+  template <class Done>
+  bool pollUntil(Done done) {
+    return updateUntil([this] { window_.poll(); }, done);
+  }
+  // Polls until there are `count` key events.
+  Events pollEvents(std::size_t count) {
+    Events events;
+    pollUntil([&] {
+      for (const KeyEvent& event : window_.takeKeyEvents()) events.push_back(event);
+      return events.size() >= count;
+    });
+    return events;
+  }
+  bool has(int attribute) const { return glfwGetWindowAttrib(handle_, attribute) == GLFW_TRUE; }
+  bool hasSize(std::uint32_t width, std::uint32_t height) const {
+    return window_.pixelWidth() == width && window_.pixelHeight() == height;
+  }
+  // Draws frames until the window shows the picture of the renderer: after a resize, the driver needs a frame to resize
+  // its buffers.
+  void expectShowsThePicture() {
+    Image expected;
+    Image shown;
+    const auto drawFrame = [&] {
+      window_.poll();
+      view_.resize(window_.pixelWidth(), window_.pixelHeight());
+      view_.draw(nullptr, {.message = "Hello", .warning = false, .help = true}, Settings(), Menu(), 0);
+      view_.present();
+      expected = view_.read();
+      shown = backBuffer(window_);
+      window_.show();
+    };
+    drawFrame();
+    EXPECT_TRUE(updateUntil(drawFrame, [&] { return shown == expected; }));
     EXPECT_EQ(takeGlErrors(), "");
-    EXPECT_EQ(backBuffer(window), view.read());
-    window.show();
-    EXPECT_EQ(window.held().left, false);
-    EXPECT_FALSE(window.closing());
+    EXPECT_EQ(expected.width, window_.pixelWidth());
+    EXPECT_EQ(expected.height, window_.pixelHeight());
+  }
+
+  Window window_{"Platon", kWidth, kHeight};
+  GLFWwindow* handle_ = glfwGetCurrentContext();
+  GameView view_{kWidth, kHeight};
+};
+
+TEST_F(WindowTest, OpensWithTheRequestedSizeAndShowsThePicture) {
+  EXPECT_TRUE(hasSize(kWidth, kHeight));
+  EXPECT_FALSE(window_.closing());
+  expectShowsThePicture();
+}
+
+TEST_F(WindowTest, EveryKeyIsDelivered) {
+  constexpr std::array<std::pair<const char*, Key>, 15> kKeys{{{"Left", Key::kArrowLeft},
+                                                               {"Right", Key::kArrowRight},
+                                                               {"Up", Key::kArrowUp},
+                                                               {"Down", Key::kArrowDown},
+                                                               {"a", Key::kA},
+                                                               {"d", Key::kD},
+                                                               {"w", Key::kW},
+                                                               {"s", Key::kS},
+                                                               {"space", Key::kSpace},
+                                                               {"Return", Key::kEnter},
+                                                               {"r", Key::kR},
+                                                               {"Escape", Key::kEscape},
+                                                               {"F1", Key::kF1},
+                                                               {"F3", Key::kF3},
+                                                               {"F11", Key::kF11}}};
+  for (const auto& [name, key] : kKeys) {
+    xdotool(std::string("key ") + name);
+    EXPECT_EQ(pollEvents(2), (Events{{key, Kind::kPress}, {key, Kind::kRelease}})) << name;
   }
 }
 
-TEST(Window, WithoutADisplayThereIsAReason) {
-  if (std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr) GTEST_SKIP() << "there is one";
-  try {
-    const Window window("Platon", 640, 360);
-    FAIL() << "a window opened";
-  } catch (const std::runtime_error& error) {
-    EXPECT_EQ(std::string(error.what()).rfind("no window can be opened: ", 0), 0U) << error.what();
+TEST_F(WindowTest, OtherKeysAreIgnored) {
+  xdotool("key q F5 space");
+  EXPECT_EQ(pollEvents(2), (Events{{Key::kSpace, Kind::kPress}, {Key::kSpace, Kind::kRelease}}));
+}
+
+TEST_F(WindowTest, AltIsPartOfTheEvent) {
+  xdotool("key alt+Return");
+  const Events events = pollEvents(2);
+  ASSERT_FALSE(events.empty());
+  EXPECT_EQ(events.front(), (KeyEvent{Key::kEnter, Kind::kPress, true}));
+}
+
+TEST_F(WindowTest, AHeldKeyRepeats) {
+  xdotool("keydown Down");
+  const Events events = pollEvents(3);
+  xdotool("keyup Down");
+  ASSERT_GE(events.size(), 3U);
+  EXPECT_EQ(events[0], (KeyEvent{Key::kArrowDown, Kind::kPress}));
+  EXPECT_EQ(events[1], (KeyEvent{Key::kArrowDown, Kind::kRepeat}));
+  EXPECT_EQ(events[2], (KeyEvent{Key::kArrowDown, Kind::kRepeat}));
+}
+
+TEST_F(WindowTest, AKeyTapShorterThanAFrameIsNotLost) {
+  xdotool("key space");  // pressed and released before the next poll
+  InputMapper mapper;
+  for (const KeyEvent& event : pollEvents(2)) mapper.handle(event, false);
+  EXPECT_TRUE(mapper.takeHeld().jump);
+  EXPECT_FALSE(mapper.takeHeld().jump);
+}
+
+TEST_F(WindowTest, EveryGamepadButtonIsDelivered) {
+  constexpr std::array<std::pair<int, Key>, 7> kButtons{{{GLFW_GAMEPAD_BUTTON_DPAD_LEFT, Key::kPadLeft},
+                                                         {GLFW_GAMEPAD_BUTTON_DPAD_RIGHT, Key::kPadRight},
+                                                         {GLFW_GAMEPAD_BUTTON_DPAD_UP, Key::kPadUp},
+                                                         {GLFW_GAMEPAD_BUTTON_DPAD_DOWN, Key::kPadDown},
+                                                         {GLFW_GAMEPAD_BUTTON_A, Key::kPadA},
+                                                         {GLFW_GAMEPAD_BUTTON_START, Key::kPadStart},
+                                                         {GLFW_GAMEPAD_BUTTON_BACK, Key::kPadBack}}};
+  for (const auto& [button, key] : kButtons) {
+    fakeGamepad.emplace().buttons[button] = GLFW_PRESS;
+    window_.poll();
+    EXPECT_EQ(window_.takeKeyEvents(), (Events{{key, Kind::kPress}}));
+    fakeGamepad.emplace();
+    window_.poll();
+    EXPECT_EQ(window_.takeKeyEvents(), (Events{{key, Kind::kRelease}}));
   }
+}
+
+TEST_F(WindowTest, TheLeftStickIsDelivered) {
+  constexpr std::array<std::pair<std::pair<int, float>, Key>, 4> kDirections{
+      {{{GLFW_GAMEPAD_AXIS_LEFT_X, -1}, Key::kPadLeft},
+       {{GLFW_GAMEPAD_AXIS_LEFT_X, 1}, Key::kPadRight},
+       {{GLFW_GAMEPAD_AXIS_LEFT_Y, -1}, Key::kPadUp},
+       {{GLFW_GAMEPAD_AXIS_LEFT_Y, 1}, Key::kPadDown}}};
+  for (const auto& [deflection, key] : kDirections) {
+    fakeGamepad.emplace().axes[deflection.first] = deflection.second;
+    window_.poll();
+    EXPECT_EQ(window_.takeKeyEvents(), (Events{{key, Kind::kPress}}));
+    fakeGamepad.reset();
+    window_.poll();
+    EXPECT_EQ(window_.takeKeyEvents(), (Events{{key, Kind::kRelease}})) << "the gamepad was disconnected";
+  }
+}
+
+TEST_F(WindowTest, AResizedWindowShowsAPictureOfItsSize) {
+  xdotool("getactivewindow windowsize 800 500");
+  ASSERT_TRUE(pollUntil([&] { return hasSize(800, 500); }));
+  expectShowsThePicture();
+}
+
+TEST_F(WindowTest, FullScreenCoversTheScreenAndEndsAtTheFormerPlace) {
+  xdotool("getactivewindow windowmove 100 80");
+  int x = 0;
+  int y = 0;
+  ASSERT_TRUE(pollUntil([&] {
+    glfwGetWindowPos(handle_, &x, &y);
+    return x >= 100 && y >= 80;
+  }));
+  window_.setFullscreen(true);
+  ASSERT_TRUE(pollUntil([&] { return hasSize(kScreenWidth, kScreenHeight); }));
+  expectShowsThePicture();
+  window_.setFullscreen(true);
+  window_.setFullscreen(false);
+  EXPECT_TRUE(pollUntil([&] {
+    int formerX = 0;
+    int formerY = 0;
+    glfwGetWindowPos(handle_, &formerX, &formerY);
+    return hasSize(kWidth, kHeight) && formerX == x && formerY == y;
+  }));
+  expectShowsThePicture();
+}
+
+TEST_F(WindowTest, AWindowWithoutFocusReleasesItsKeysAndGetsNoOthers) {
+  xdotool("keydown Right");
+  ASSERT_FALSE(pollEvents(1).empty());
+  GLFWwindow* const other = glfwCreateWindow(200, 200, "other", nullptr, nullptr);
+  ASSERT_NE(other, nullptr);
+  glfwSetInputMode(other, GLFW_STICKY_KEYS, GLFW_TRUE);
+  // Key repeat may come first.
+  const KeyEvent release{Key::kArrowRight, Kind::kRelease};
+  EXPECT_TRUE(pollUntil([&] {
+    const Events events = window_.takeKeyEvents();
+    return !events.empty() && events.back() == release;
+  }));
+  ASSERT_TRUE(pollUntil([&] { return glfwGetWindowAttrib(other, GLFW_FOCUSED) == GLFW_TRUE; }));
+  xdotool("keyup Right key space");
+  ASSERT_TRUE(pollUntil([&] { return glfwGetKey(other, GLFW_KEY_SPACE) == GLFW_PRESS; }));
+  glfwDestroyWindow(other);
+  ASSERT_TRUE(pollUntil([&] { return has(GLFW_FOCUSED); }));
+  EXPECT_EQ(window_.takeKeyEvents(), Events());
+}
+
+TEST_F(WindowTest, AMinimisedWindowContinuesAndIsRestored) {
+  xdotool("getactivewindow windowminimize");
+  ASSERT_TRUE(pollUntil([&] { return has(GLFW_ICONIFIED); }));
+  for (int frame = 0; frame < 3; ++frame) {
+    window_.poll();
+    view_.resize(window_.pixelWidth(), window_.pixelHeight());
+    view_.draw(nullptr, {}, Settings(), Menu(), 0);
+    view_.present();
+    window_.show();
+    EXPECT_EQ(takeGlErrors(), "");
+  }
+  EXPECT_FALSE(window_.closing());
+  glfwRestoreWindow(handle_);
+  ASSERT_TRUE(pollUntil([&] { return !has(GLFW_ICONIFIED) && has(GLFW_FOCUSED) && hasSize(kWidth, kHeight); }));
+  expectShowsThePicture();
+  xdotool("key space");
+  EXPECT_EQ(pollEvents(2), (Events{{Key::kSpace, Kind::kPress}, {Key::kSpace, Kind::kRelease}}));
+}
+
+TEST_F(WindowTest, TheWindowManagerClosesTheWindow) {
+  xdotool("key alt+F4");
+  EXPECT_TRUE(pollUntil([&] { return window_.closing(); }));
+}
+
+TEST(Window, WithoutADisplayTheReasonIsStated) {
+  const char* const display = std::getenv("DISPLAY");
+  ASSERT_NE(display, nullptr) << "run this test by ctest";
+  const std::string saved = display;
+  unsetenv("DISPLAY");
+  try {
+    const Window window("Platon", kWidth, kHeight);
+    ADD_FAILURE() << "a window opened";
+  } catch (const std::runtime_error& error) {
+    EXPECT_EQ(std::string(error.what()).find("cannot open a window: "), 0U) << error.what();
+  }
+  setenv("DISPLAY", saved.c_str(), 1);
 }
 
 }  // namespace

@@ -1,18 +1,12 @@
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <filesystem>
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "client/play/finish_watch.h"
 #include "client/play/scene_feed.h"
-#include "client/play/settings_file.h"
-#include "tests/support/files.h"
 #include "tests/support/pressing.h"
-#include "tests/support/temporary_folder.h"
 #include "tests/support/test_level.h"
 #include "tests/support/virtual_match.h"
 
@@ -112,31 +106,6 @@ TEST(SceneFeed, TakesTheStageOfTheNextLevel) {
   EXPECT_EQ(first->stage, same->stage);
   EXPECT_NE(first->stage, next->stage);
   EXPECT_NE(first->stage->goal.face, next->stage->goal.face);
-}
-
-class SettingsFileTest : public testing::Test {
- protected:
-  SettingsFileTest() { setenv("XDG_CONFIG_HOME", folder_.path().c_str(), 1); }
-
-  const TemporaryFolder folder_;
-};
-
-TEST_F(SettingsFileTest, KeepsWhatWasSaved) {
-  Settings settings;
-  settings.zoom = 1.5;
-  settings.netGraph = true;
-  SettingsFile().save(settings);
-  EXPECT_EQ(SettingsFile().load().text(), settings.text());
-}
-
-TEST_F(SettingsFileTest, HasTheUsualOnesWithoutAFile) { EXPECT_EQ(SettingsFile().load().text(), Settings().text()); }
-
-TEST_F(SettingsFileTest, TellsOfAMistakeAndGoesOn) {
-  std::filesystem::create_directories(folder_ / "platon");
-  writeText(folder_ / "platon/settings", "zoom enormous\n");
-  testing::internal::CaptureStderr();
-  EXPECT_EQ(SettingsFile().load().text(), Settings().text());
-  EXPECT_NE(testing::internal::GetCapturedStderr().find("zoom"), std::string::npos);
 }
 
 }  // namespace

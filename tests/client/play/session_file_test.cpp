@@ -36,7 +36,7 @@ class SessionFileTest : public testing::Test {
   const fs::path folder_ = temporary_ / "deep";
 };
 
-TEST_F(SessionFileTest, GivesWhatWasKept) {
+TEST_F(SessionFileTest, ReturnsTheStoredToken) {
   EXPECT_EQ(kept(), std::nullopt);
   keep(kToken);
   EXPECT_EQ(kept(), kToken);
@@ -44,7 +44,7 @@ TEST_F(SessionFileTest, GivesWhatWasKept) {
   EXPECT_EQ(kept(), kOther);
 }
 
-TEST_F(SessionFileTest, KnowsTheServersApart) {
+TEST_F(SessionFileTest, KeepsOneTokenPerServer) {
   keep(kToken);
   keep(kOther, {kServer.host, 7778});
   EXPECT_EQ(kept(), kToken);
@@ -52,7 +52,7 @@ TEST_F(SessionFileTest, KnowsTheServersApart) {
   EXPECT_EQ(kept({"example.org", 7777}), std::nullopt);
 }
 
-TEST_F(SessionFileTest, ForgetsWhenTold) {
+TEST_F(SessionFileTest, ForgetRemovesTheFile) {
   keep(kToken);
   SessionFile file(folder_, kServer);
   file.forget();
@@ -62,12 +62,12 @@ TEST_F(SessionFileTest, ForgetsWhenTold) {
   EXPECT_EQ(kept(), std::nullopt);
 }
 
-TEST_F(SessionFileTest, LeavesNothingWhenNothingWasKept) {
+TEST_F(SessionFileTest, LeavesNoFileWithoutAToken) {
   SessionFile(folder_, kServer);
   EXPECT_EQ(files(), 0u);
 }
 
-TEST_F(SessionFileTest, BelongsToOneAtATime) {
+TEST_F(SessionFileTest, ASecondObjectCannotUseTheFile) {
   std::optional<SessionFile> first(std::in_place, folder_, kServer);
   first->keep(kToken);
   SessionFile second(folder_, kServer);
@@ -76,11 +76,11 @@ TEST_F(SessionFileTest, BelongsToOneAtATime) {
   second.forget();
   EXPECT_EQ(first->token(), kToken);
   first.reset();
-  EXPECT_EQ(second.token(), std::nullopt);  // it has none for good
+  EXPECT_EQ(second.token(), std::nullopt) << "the second object never owned the file";
   EXPECT_EQ(kept(), kToken);
 }
 
-TEST_F(SessionFileTest, TheNextAfterWhoForgotHasAFileOfItsOwn) {
+TEST_F(SessionFileTest, AfterForgetTheNextObjectOwnsANewFile) {
   SessionFile first(folder_, kServer);
   first.keep(kToken);
   first.forget();
@@ -91,7 +91,7 @@ TEST_F(SessionFileTest, TheNextAfterWhoForgotHasAFileOfItsOwn) {
   EXPECT_EQ(SessionFile(folder_, kServer).token(), std::nullopt);
 }
 
-TEST_F(SessionFileTest, IsForItsOwnerOnly) {
+TEST_F(SessionFileTest, IsReadableOnlyByItsOwner) {
   fs::create_directories(folder_);
   const fs::path path = folder_ / "play.example.org_7777";
   std::ofstream(path) << "x";
@@ -103,7 +103,7 @@ TEST_F(SessionFileTest, IsForItsOwnerOnly) {
   EXPECT_EQ(fs::status(path).permissions(), fs::perms(0600));
 }
 
-TEST_F(SessionFileTest, TakesNothingThatIsNoToken) {
+TEST_F(SessionFileTest, IgnoresAFileOfAnotherLength) {
   fs::create_directories(folder_);
   for (const std::size_t size : {0u, 1u, 15u, 17u, 4096u}) {
     std::ofstream(folder_ / "play.example.org_7777") << std::string(size, 'x');
@@ -111,7 +111,7 @@ TEST_F(SessionFileTest, TakesNothingThatIsNoToken) {
   }
 }
 
-TEST_F(SessionFileTest, NoHostLeadsOutOfTheFolder) {
+TEST_F(SessionFileTest, NoHostNameLeavesTheFolder) {
   for (const char* const host : {"..", "../..", "/etc/passwd", "a/b", "", "ü", "a%b", "a_b"}) {
     keep(kToken, {host, 1});
     EXPECT_EQ(kept({host, 1}), kToken) << host;
@@ -120,7 +120,7 @@ TEST_F(SessionFileTest, NoHostLeadsOutOfTheFolder) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_.parent_path()), fs::directory_iterator()), 1);
 }
 
-TEST_F(SessionFileTest, FollowsNoLink) {
+TEST_F(SessionFileTest, DoesNotFollowSymbolicLinks) {
   fs::create_directories(folder_);
   const fs::path target = folder_.parent_path() / "target";
   std::ofstream(target) << "mine";
@@ -130,7 +130,7 @@ TEST_F(SessionFileTest, FollowsNoLink) {
   EXPECT_EQ(fs::file_size(target), 4u);
 }
 
-TEST_F(SessionFileTest, WithoutAPlaceNothingIsKept) {
+TEST_F(SessionFileTest, WithoutAUsableFolderNothingIsStored) {
   SessionFile nowhere(fs::path(), kServer);
   nowhere.keep(kToken);
   EXPECT_EQ(nowhere.token(), std::nullopt);

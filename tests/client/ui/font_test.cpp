@@ -8,12 +8,12 @@
 namespace platon {
 namespace {
 
-TEST(Font, CodePointsOfGoodText) {
+TEST(Font, DecodesValidText) {
   EXPECT_EQ(codePointsOf("aé€😀"), U"aé€😀");
   EXPECT_EQ(codePointsOf(""), U"");
 }
 
-TEST(Font, EveryBadByteIsReplaced) {
+TEST(Font, ReplacesEveryInvalidByte) {
   EXPECT_EQ(codePointsOf("a\x80z"), U"a\uFFFDz");
   EXPECT_EQ(codePointsOf("\xC3"), U"\uFFFD");
   EXPECT_EQ(codePointsOf("\xC3("), U"\uFFFD(");
@@ -24,9 +24,9 @@ TEST(Font, EveryBadByteIsReplaced) {
   EXPECT_EQ(codePointsOf("\xFF"), U"\uFFFD");
 }
 
-TEST(Font, ControlCharactersAreLeftOut) { EXPECT_EQ(codePointsOf("a\n\x7F\xC2\x85z"), U"az"); }
+TEST(Font, OmitsControlCharacters) { EXPECT_EQ(codePointsOf("a\n\x7F\xC2\x85z"), U"az"); }
 
-TEST(Font, HasTheGlyphsThatTheGameUses) {
+TEST(Font, HasTheGlyphsOfTheGame) {
   const Font font;
   const Font::Glyph missing = font.glyph(U'\uE000');
   for (const char32_t point : std::u32string(U"09AZaz✓★←→↑‹›…é")) {
@@ -40,7 +40,7 @@ TEST(Font, HasTheGlyphsThatTheGameUses) {
   EXPECT_EQ(font.glyph(U' ').width, 0);
 }
 
-TEST(Font, CapitalsAreAsHighAsTheySay) {
+TEST(Font, CapitalsHaveTheStatedHeight) {
   const Font font;
   const Font::Glyph glyph = font.glyph(U'H');
   std::ptrdiff_t highest = glyph.height;

@@ -41,28 +41,28 @@ Overlay hudOf(const Scene& scene, const HudStatus& status = HudStatus()) {
   return makeHud(scene, camera, status, font());
 }
 
-const Overlay::Text* find(const Overlay& overlay, const std::string& words) {
+const Overlay::Text* find(const Overlay& overlay, const std::string& content) {
   const auto found = std::find_if(overlay.texts.begin(), overlay.texts.end(),
-                                  [&](const Overlay::Text& text) { return text.words == words; });
+                                  [&](const Overlay::Text& text) { return text.content == content; });
   return found == overlay.texts.end() ? nullptr : &*found;
 }
 
-long count(const Overlay& overlay, const std::string& words) {
+long count(const Overlay& overlay, const std::string& content) {
   return std::count_if(overlay.texts.begin(), overlay.texts.end(),
-                       [&](const Overlay::Text& text) { return text.words == words; });
+                       [&](const Overlay::Text& text) { return text.content == content; });
 }
 
-TEST(Hud, ClockWords) {
-  EXPECT_EQ(clockWords(300), "5:00");
-  EXPECT_EQ(clockWords(299.01), "5:00");
-  EXPECT_EQ(clockWords(61), "1:01");
-  EXPECT_EQ(clockWords(10), "0:10");
-  EXPECT_EQ(clockWords(9.95), "10.0");
-  EXPECT_EQ(clockWords(9.9), "9.9");
-  EXPECT_EQ(clockWords(0), "0.0");
+TEST(Hud, ClockShowsMinutesAndThenTenths) {
+  EXPECT_EQ(clockText(300), "5:00");
+  EXPECT_EQ(clockText(299.01), "5:00");
+  EXPECT_EQ(clockText(61), "1:01");
+  EXPECT_EQ(clockText(10), "0:10");
+  EXPECT_EQ(clockText(9.95), "10.0");
+  EXPECT_EQ(clockText(9.9), "9.9");
+  EXPECT_EQ(clockText(0), "0.0");
 }
 
-TEST(Hud, SaysTitleClockAndMessage) {
+TEST(Hud, ShowsTitleClockAndMessage) {
   const Overlay hud = hudOf(sceneOf(1), {.message = "Connection lost", .warning = true, .help = false});
   EXPECT_TRUE(find(hud, "Corners"));
   EXPECT_TRUE(find(hud, "HEXAHEDRON"));
@@ -77,11 +77,11 @@ TEST(Hud, FinishedPlayersComeFirstByTheirTime) {
   const Overlay hud = hudOf(scene);
   ASSERT_TRUE(find(hud, "✓ 12.35 s") || find(hud, "✓ 12.34 s"));
   ASSERT_TRUE(find(hud, "✓ 40.00 s"));
-  // The first with these words is the tag over the ball; the list comes after.
+  // The list of players is on the right; a name further left is a tag.
   const auto row = [&](const std::string& name) {
     float lowest = 0;
     for (const Overlay::Text& text : hud.texts) {
-      if (text.words == name && text.place.x > 1000) lowest = text.place.y;
+      if (text.content == name && text.place.x > 1000) lowest = text.place.y;
     }
     return lowest;
   };
@@ -89,7 +89,7 @@ TEST(Hud, FinishedPlayersComeFirstByTheirTime) {
   EXPECT_LT(row("Name2"), row("Name1"));
 }
 
-TEST(Hud, OwnGoalIsAnnounced) {
+TEST(Hud, ShowsTheResultOfTheLocalPlayer) {
   Scene scene = sceneOf(2);
   scene.players[1].own = true;
   scene.players[1].finishedAfter = 7.5;
@@ -101,25 +101,24 @@ TEST(Hud, OwnGoalIsAnnounced) {
   EXPECT_TRUE(find(hudOf(scene), "Time is up"));
 }
 
-TEST(Hud, TagsAreOverPlayersInSightOnly) {
+TEST(Hud, OnlyVisibleOtherPlayersHaveNameTags) {
   Scene scene = sceneOf(2);
   EXPECT_EQ(count(hudOf(scene), "Name1"), 2);
   scene.players[1].own = true;
-  EXPECT_EQ(count(hudOf(scene), "Name2"), 1) << "the own player needs no tag";
-  scene.players[0].pose = scene.stage->mesh.pose(5, {0, 0}, 0);
+  EXPECT_EQ(count(hudOf(scene), "Name2"), 1) << "the local player has no tag";
   for (int face = 0; face < 6; ++face) {
     scene.players[0].pose = scene.stage->mesh.pose(face, {0, 0}, 0);
     EXPECT_EQ(count(hudOf(scene), "Name1"), face == 0 ? 2 : 1) << "face " << face;
   }
 }
 
-TEST(Hud, ManyPlayersDoNotFillTheScreen) {
+TEST(Hud, TheListOfPlayersIsLimited) {
   const Overlay hud = hudOf(sceneOf(64));
   EXPECT_TRUE(find(hud, "and 52 more"));
   for (const Overlay::Panel& panel : hud.panels) EXPECT_LT(panel.high.y, Overlay::kHeight * 0.6F);
 }
 
-TEST(Hud, LongNamesAreCutBetweenLetters) {
+TEST(Hud, LongNamesAreCutBetweenCodePoints) {
   Scene scene = sceneOf(1);
   scene.players[0].name.clear();
   for (int i = 0; i < 40; ++i) scene.players[0].name += "ж";
@@ -128,18 +127,18 @@ TEST(Hud, LongNamesAreCutBetweenLetters) {
   EXPECT_TRUE(find(hudOf(scene), wanted + "…"));
 }
 
-TEST(Hud, NamelessPlayersAreCalledByTheirNumber) {
+TEST(Hud, PlayersWithoutANameHaveTheirNumber) {
   Scene scene = sceneOf(1);
   scene.players[0].name.clear();
   EXPECT_EQ(count(hudOf(scene), "Player 1"), 1);
 }
 
-TEST(Hud, HelpIsShownOnDemand) {
+TEST(Hud, ShowsHelpOnRequest) {
   EXPECT_FALSE(find(hudOf(sceneOf(1)), "run"));
   EXPECT_TRUE(find(hudOf(sceneOf(1), {.message = "", .warning = false, .help = true}), "run"));
 }
 
-TEST(Hud, WithoutAGameThereIsTheMessage) {
+TEST(Hud, ShowsTheMessageWithoutAGame) {
   const Overlay hud = makeEmptyHud({.message = "Connecting", .warning = false, .help = false}, font(), 1280);
   EXPECT_TRUE(find(hud, "Connecting"));
   EXPECT_TRUE(find(hud, "Platon"));

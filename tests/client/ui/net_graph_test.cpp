@@ -8,9 +8,9 @@
 namespace platon {
 namespace {
 
-NetSample worst(double rttMs) {
+NetSample sampleOf(double rttMs) {
   NetSample sample;
-  sample.line = {rttMs, 345, -12, 100, 20};
+  sample.link = {rttMs, 345, -12, 100, 20};
   sample.aheadTicks = 123;
   sample.correctionSubunits = 5;
   sample.corrections = 9999;
@@ -25,11 +25,11 @@ TEST(NetGraph, EmptyWithoutSamples) {
   EXPECT_TRUE(NetGraph().overlay(font, 1280).panels.empty());
 }
 
-TEST(NetGraph, StaysInItsPanelWhateverTheSamples) {
+TEST(NetGraph, BarsAndTextStayInThePanel) {
   const Font font;
   NetGraph graph;
   for (std::size_t i = 0; i < NetGraph::kSamples * 2; ++i) {
-    graph.add(worst(i % 7 == 0 ? 4000 : 0));
+    graph.add(sampleOf(i % 7 == 0 ? 4000 : 0));
   }
   const Overlay overlay = graph.overlay(font, 1280);
   ASSERT_EQ(overlay.panels.size(), NetGraph::kSamples + 1) << "one bar for each of the last samples";
@@ -43,7 +43,7 @@ TEST(NetGraph, StaysInItsPanelWhateverTheSamples) {
     EXPECT_LE(bar.high.y, frame.high.y);
   }
   for (const Overlay::Text& text : overlay.texts) {
-    EXPECT_LT(text.place.x + font.width(text.words) * text.size, frame.high.x) << text.words;
+    EXPECT_LT(text.place.x + font.width(text.content) * text.size, frame.high.x) << text.content;
   }
   for (std::size_t line = 1; line < overlay.texts.size(); ++line) {
     EXPECT_GT(overlay.texts[line].place.y, overlay.texts[line - 1].place.y);
@@ -51,23 +51,23 @@ TEST(NetGraph, StaysInItsPanelWhateverTheSamples) {
   EXPECT_LT(overlay.texts.back().place.y, frame.high.y);
 }
 
-TEST(NetGraph, SaysHowTheLineDoes) {
+TEST(NetGraph, ShowsTheLatestLinkStatistics) {
   const Font font;
   NetGraph graph;
-  graph.add(worst(1234));
+  graph.add(sampleOf(1234));
   const Overlay overlay = graph.overlay(font, 1280);
-  std::vector<std::string> words;
-  for (const Overlay::Text& text : overlay.texts) words.push_back(text.words);
-  const std::vector<std::string> expected = {"round trip 1234 ms, jitter 345 ms", "123 ticks ahead, -12 to spare",
-                                             "lost 100 % down, 20 % up", "9999 corrections, the last by 1.5 units",
-                                             "12.3 kB/s down, 1.0 up"};
-  EXPECT_EQ(words, expected);
+  std::vector<std::string> lines;
+  for (const Overlay::Text& text : overlay.texts) lines.push_back(text.content);
+  const std::vector<std::string> expected = {"round trip 1234 ms, jitter 345 ms", "lead 123 ticks, slack -12 ticks",
+                                             "lost 100 % down, 20 % up", "9999 corrections, the last of 1.5 units",
+                                             "12.3 kB/s down, 1.0 kB/s up"};
+  EXPECT_EQ(lines, expected);
 }
 
 TEST(NetGraph, CorrectionsHaveAnotherColour) {
   const Font font;
   NetGraph graph;
-  NetSample sample = worst(20);
+  NetSample sample = sampleOf(20);
   sample.correctionSubunits = 0;
   graph.add(sample);
   sample.correctionSubunits = 9;

@@ -1,40 +1,54 @@
 #include "client/ui/settings.h"
 
+#include <string>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 namespace platon {
 namespace {
 
-TEST(Settings, TextIsReadBackAsItWas) {
+using Lines = std::vector<std::string>;
+
+TEST(Settings, ParsingReversesText) {
   Settings settings;
   settings.comfort = {.turnSpeed = 12.5, .instantCut = true, .reducedMotion = true};
   settings.controls = ControlFrame::kScreen;
   settings.zoom = 1.25;
   settings.fullscreen = true;
   settings.netGraph = true;
-  const SettingsResult read = parseSettings(settings.text());
-  EXPECT_EQ(read.error, "");
-  EXPECT_EQ(read.settings.text(), settings.text());
-  EXPECT_NE(read.settings.text(), Settings().text());
+  const SettingsResult result = parseSettings(settings.text());
+  EXPECT_EQ(result.errors, Lines());
+  EXPECT_EQ(result.unknownLines, Lines());
+  EXPECT_EQ(result.settings.text(), settings.text());
+  EXPECT_NE(result.settings.text(), Settings().text());
 }
 
-TEST(Settings, EmptyLinesAndMissingSettingsAreFine) {
-  const SettingsResult read = parseSettings("\n  \nzoom 2\n");
-  EXPECT_EQ(read.error, "");
-  EXPECT_EQ(read.settings.zoom, 2);
-  EXPECT_EQ(read.settings.comfort.turnSpeed, Settings().comfort.turnSpeed);
+TEST(Settings, EmptyLinesAndMissingSettingsAreAllowed) {
+  const SettingsResult result = parseSettings("\n  \nzoom 2\n");
+  EXPECT_EQ(result.errors, Lines());
+  EXPECT_EQ(result.settings.zoom, 2);
+  EXPECT_EQ(result.settings.comfort.turnSpeed, Settings().comfort.turnSpeed);
 }
 
-TEST(Settings, BadLinesAreNamed) {
-  EXPECT_EQ(parseSettings("zoom 1\nturn-speed 0\n").error, "line 2: turn-speed is a number from 1 to 30");
-  EXPECT_EQ(parseSettings("zoom nan\n").error, "line 1: zoom is a number from 0.5 to 2");
-  EXPECT_EQ(parseSettings("zoom 1e999\n").error, "line 1: zoom is a number from 0.5 to 2");
-  EXPECT_EQ(parseSettings("zoom 1x\n").error, "line 1: zoom is a number from 0.5 to 2");
-  EXPECT_EQ(parseSettings("zoom\n").error, "line 1: zoom is a number from 0.5 to 2");
-  EXPECT_EQ(parseSettings("zoom 1 2\n").error, "line 1: one value is enough");
-  EXPECT_EQ(parseSettings("controls mine\n").error, "line 1: controls is player or screen");
-  EXPECT_EQ(parseSettings("fullscreen yes\n").error, "line 1: fullscreen is on or off");
-  EXPECT_EQ(parseSettings("colour red\n").error, "line 1: there is no setting 'colour'");
+TEST(Settings, EveryBadLineIsReportedAndAffectsNoOther) {
+  const SettingsResult result = parseSettings("turn-speed 0\nfullscreen on\ncolour red\nzoom 2 1\nnet-graph on");
+  EXPECT_EQ(result.errors, (Lines{"line 1: turn-speed must be a number from 1 to 30",
+                                  "line 3: unknown setting 'colour'", "line 4: zoom must be a number from 0.5 to 2"}));
+  EXPECT_EQ(result.unknownLines, Lines{"colour red"});
+  Settings expected;
+  expected.fullscreen = true;
+  expected.netGraph = true;
+  EXPECT_EQ(result.settings.text(), expected.text());
+}
+
+TEST(Settings, BadValuesAreReported) {
+  const std::string zoom = "line 1: zoom must be a number from 0.5 to 2";
+  for (const char* line : {"zoom nan", "zoom 1e999", "zoom 1x", "zoom", "zoom 1 2", "zoom 0.49", "zoom 2.01"}) {
+    EXPECT_EQ(parseSettings(line).errors, Lines{zoom}) << line;
+  }
+  EXPECT_EQ(parseSettings("controls mine\n").errors, Lines{"line 1: controls must be player or screen"});
+  EXPECT_EQ(parseSettings("fullscreen yes\n").errors, Lines{"line 1: fullscreen must be on or off"});
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ int buttonsOf(Steering& steering, const HeldKeys& keys, double roll, ControlFram
   return input.buttons & ~Input::kPresent;
 }
 
-TEST(Steering, PlayersFrameIgnoresTheRoll) {
+TEST(Steering, ThePlayersFrameIgnoresTheRoll) {
   Steering steering;
   for (const double roll : {0.0, kQuarter, -2.0, 3.1}) {
     EXPECT_EQ(buttonsOf(steering, holding(&HeldKeys::left), roll, ControlFrame::kPlayer), Input::kLeft);
@@ -32,8 +32,8 @@ TEST(Steering, PlayersFrameIgnoresTheRoll) {
   }
 }
 
-// Turned a quarter counter-clockwise, the player's up is to the left of the screen and its right is upwards.
-TEST(Steering, ScreensFrameTurnsTheDirections) {
+// After a quarter turn counter-clockwise, the player's up points left on the screen and its right points up.
+TEST(Steering, TheScreensFrameTurnsTheDirections) {
   Steering steering;
   const ControlFrame screen = ControlFrame::kScreen;
   EXPECT_EQ(buttonsOf(steering, {}, kQuarter, screen), 0);

@@ -1,0 +1,38 @@
+#include "client/ui/gamepad_keys.h"
+
+#include <array>
+#include <cstddef>
+#include <utility>
+
+namespace platon {
+namespace {
+
+std::bitset<kKeyCount> keysOf(const GamepadState& pad) {
+  const std::array<std::pair<Key, bool>, 7> states{
+      {{Key::kPadLeft, pad.dpadLeft || pad.stickX < -GamepadKeys::kDeadZone},
+       {Key::kPadRight, pad.dpadRight || pad.stickX > GamepadKeys::kDeadZone},
+       {Key::kPadUp, pad.dpadUp || pad.stickY < -GamepadKeys::kDeadZone},
+       {Key::kPadDown, pad.dpadDown || pad.stickY > GamepadKeys::kDeadZone},
+       {Key::kPadA, pad.a},
+       {Key::kPadStart, pad.start},
+       {Key::kPadBack, pad.back}}};
+  std::bitset<kKeyCount> keys;
+  for (const auto& [key, down] : states) keys.set(static_cast<std::size_t>(key), down);
+  return keys;
+}
+
+}  // namespace
+
+std::vector<KeyEvent> GamepadKeys::update(std::span<const GamepadState> gamepads) {
+  std::bitset<kKeyCount> down;
+  for (const GamepadState& pad : gamepads) down |= keysOf(pad);
+  std::vector<KeyEvent> events;
+  for (std::size_t i = 0; i < kKeyCount; ++i) {
+    if (down[i] == down_[i]) continue;
+    events.push_back({static_cast<Key>(i), down[i] ? KeyEvent::Kind::kPress : KeyEvent::Kind::kRelease});
+  }
+  down_ = down;
+  return events;
+}
+
+}  // namespace platon

@@ -1,0 +1,18 @@
+#pragma once
+
+namespace platon {
+
+/// State of one gamepad. Buttons have their Xbox names.
+struct GamepadState {
+  float stickX = 0;  ///< left stick, -1 … 1, + right
+  float stickY = 0;  ///< -1 … 1, + down
+  bool dpadLeft = false;
+  bool dpadRight = false;
+  bool dpadUp = false;
+  bool dpadDown = false;
+  bool a = false;
+  bool start = false;
+  bool back = false;
+};
+
+}  // namespace platon

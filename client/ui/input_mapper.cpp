@@ -1,0 +1,88 @@
+#include "client/ui/input_mapper.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <initializer_list>
+
+namespace platon {
+namespace {
+
+std::optional<Action> menuActionOf(Key key) {
+  switch (key) {
+    case Key::kArrowUp:
+    case Key::kW:
+    case Key::kPadUp:
+      return Action::kMenuUp;
+    case Key::kArrowDown:
+    case Key::kS:
+    case Key::kPadDown:
+      return Action::kMenuDown;
+    case Key::kArrowLeft:
+    case Key::kA:
+    case Key::kPadLeft:
+      return Action::kMenuLess;
+    case Key::kArrowRight:
+    case Key::kD:
+    case Key::kPadRight:
+      return Action::kMenuMore;
+    case Key::kSpace:
+    case Key::kEnter:
+    case Key::kPadA:
+      return Action::kMenuChoose;
+    default:
+      return std::nullopt;
+  }
+}
+
+std::optional<Action> toggleOf(const KeyEvent& event) {
+  switch (event.key) {
+    case Key::kEscape:
+    case Key::kPadStart:
+      return Action::kToggleMenu;
+    case Key::kF1:
+      return Action::kToggleHelp;
+    case Key::kF3:
+      return Action::kToggleNetGraph;
+    case Key::kF11:
+      return Action::kToggleFullscreen;
+    case Key::kEnter:
+      return event.alt ? std::optional(Action::kToggleFullscreen) : std::nullopt;
+    default:
+      return std::nullopt;
+  }
+}
+
+}  // namespace
+
+std::optional<Action> InputMapper::handle(const KeyEvent& event, bool menuOpen) {
+  const auto index = static_cast<std::size_t>(event.key);
+  if (menuOpen) pressed_.reset();
+  if (event.kind == KeyEvent::Kind::kRelease) held_.reset(index);
+  if (event.kind == KeyEvent::Kind::kPress && !menuOpen) {
+    held_.set(index);
+    pressed_.set(index);
+  }
+  if (event.kind == KeyEvent::Kind::kRelease) return std::nullopt;
+  const bool first = event.kind == KeyEvent::Kind::kPress;
+  if (const std::optional<Action> toggle = toggleOf(event)) return first ? toggle : std::nullopt;
+  const std::optional<Action> action = menuOpen ? menuActionOf(event.key) : std::nullopt;
+  return first || action != Action::kMenuChoose ? action : std::nullopt;
+}
+
+HeldKeys InputMapper::takeHeld() {
+  const std::bitset<kKeyCount> active = held_ | pressed_;
+  pressed_.reset();
+  const auto any = [&active](std::initializer_list<Key> keys) {
+    return std::any_of(keys.begin(), keys.end(), [&](Key key) { return active[static_cast<std::size_t>(key)]; });
+  };
+  HeldKeys keys;
+  keys.left = any({Key::kArrowLeft, Key::kA, Key::kPadLeft});
+  keys.right = any({Key::kArrowRight, Key::kD, Key::kPadRight});
+  keys.up = any({Key::kArrowUp, Key::kW});  // not the gamepad's: pushing the stick up must not jump
+  keys.down = any({Key::kArrowDown, Key::kS, Key::kPadDown});
+  keys.jump = any({Key::kSpace, Key::kPadA});
+  keys.restart = any({Key::kR, Key::kPadBack});
+  return keys;
+}
+
+}  // namespace platon

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace platon {
+
+/// The keys and gamepad buttons that the client uses.
+enum class Key : std::uint8_t {
+  kArrowLeft,
+  kArrowRight,
+  kArrowUp,
+  kArrowDown,
+  kA,
+  kD,
+  kW,
+  kS,
+  kSpace,
+  kEnter,
+  kR,
+  kEscape,
+  kF1,
+  kF3,
+  kF11,
+  kPadLeft,  ///< D-pad or left stick, as the next three
+  kPadRight,
+  kPadUp,
+  kPadDown,
+  kPadA,
+  kPadStart,
+  kPadBack
+};
+inline constexpr std::size_t kKeyCount = static_cast<std::size_t>(Key::kPadBack) + 1;
+
+/// A change of one key.
+struct KeyEvent {
+  enum class Kind : std::uint8_t { kPress, kRepeat, kRelease };
+
+  Key key = Key::kSpace;
+  Kind kind = Kind::kPress;
+  bool alt = false;  ///< Alt was held
+
+  friend bool operator==(const KeyEvent&, const KeyEvent&) = default;
+};
+
+}  // namespace platon

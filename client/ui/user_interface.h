@@ -1,0 +1,33 @@
+#pragma once
+
+#include "client/ui/held_keys.h"
+#include "client/ui/input_mapper.h"
+#include "client/ui/key.h"
+#include "client/ui/menu.h"
+#include "client/ui/settings.h"
+
+namespace platon {
+
+/// Menu, settings and help, as the player's keys change them.
+class UserInterface {
+ public:
+  explicit UserInterface(const Settings& settings) : settings_(settings) {}
+
+  void handle(const KeyEvent& event);
+  /// Returns the controls of the next tick; none while the menu is open. Called once a tick.
+  HeldKeys takeHeld();
+
+  const Menu& menu() const { return menu_; }
+  const Settings& settings() const { return settings_; }
+  bool helpShown() const { return helpShown_; }
+
+ private:
+  void perform(Action action);
+
+  Settings settings_;
+  Menu menu_;
+  InputMapper mapper_;
+  bool helpShown_ = false;
+};
+
+}  // namespace platon

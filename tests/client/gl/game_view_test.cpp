@@ -1,0 +1,104 @@
+#include "client/gl/game_view.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "client/gl/gl_loader.h"
+#include "client/gl/offscreen.h"
+#include "tests/client/gl/test_stage.h"
+
+namespace platon {
+namespace {
+
+constexpr std::uint32_t kWidth = 320;
+constexpr std::uint32_t kHeight = 180;
+
+Image drawn(GameView& view, const Scene* scene, const Settings& settings = {}, const Menu& menu = {}) {
+  view.draw(scene, {}, settings, menu, 0.1);
+  EXPECT_EQ(takeGlErrors(), "");
+  return view.read();
+}
+
+class GameViewTest : public testing::Test {
+ protected:
+  Offscreen context_;
+  std::shared_ptr<const StageModel> stage_ = cube();
+  Scene scene_ = sceneOf(stage_, {playerAt(*stage_, 0, 0, {30, 20})});
+};
+
+TEST_F(GameViewTest, AResizedViewDrawsThePictureOfANewViewOfThatSize) {
+  GameView resized(kWidth, kHeight);
+  for (const auto& [width, height] : {std::pair(320U, 180U), {1U, 1U}, {641U, 359U}, {400U, 900U}, {1920U, 1080U}}) {
+    GameView fresh(width, height);
+    resized.resize(width, height);
+    const Image expected = drawn(fresh, &scene_);
+    ASSERT_EQ(expected.width, width);
+    ASSERT_EQ(expected.height, height);
+    ASSERT_EQ(expected.pixels.size(), std::size_t{3} * width * height);
+    EXPECT_EQ(drawn(resized, &scene_), expected) << width << " × " << height;
+  }
+}
+
+TEST_F(GameViewTest, TheStageIsInTheMiddleOfEverySize) {
+  GameView view(kWidth, kHeight);
+  for (const auto& [width, height] : {std::pair(641U, 359U), {400U, 900U}, {1920U, 1080U}}) {
+    view.resize(width, height);
+    const Image stage = drawn(view, &scene_);
+    const Image empty = drawn(view, nullptr);
+    const glm::ivec2 corner(2, static_cast<int>(height) - 3);
+    const glm::ivec2 left(static_cast<int>(width) / 2 - static_cast<int>(std::min(width, height)) / 5,
+                          static_cast<int>(height) / 2);
+    EXPECT_EQ(pixel(stage, corner), pixel(empty, corner)) << "background, " << width << " × " << height;
+    EXPECT_GT(brightness(pixel(stage, left)), brightness(pixel(empty, left)) + 0.1) << width << " × " << height;
+  }
+}
+
+TEST_F(GameViewTest, AMinimisedWindowKeepsItsPicture) {
+  GameView view(kWidth, kHeight);
+  const Image before = drawn(view, &scene_);
+  for (const auto& [width, height] : {std::pair(0U, 0U), {0U, 100U}, {100U, 0U}}) {
+    view.resize(width, height);
+    EXPECT_EQ(drawn(view, &scene_), before);
+  }
+}
+
+TEST_F(GameViewTest, TheMenuAndTheNetGraphAreOnTheScreenWhenTheyAreOn) {
+  GameView view(kWidth, kHeight);
+  view.netGraph().add({});
+  const Image plain = drawn(view, &scene_);
+  Menu menu;
+  menu.toggle();
+  EXPECT_NE(drawn(view, &scene_, {}, menu), plain);
+  Settings settings;
+  settings.netGraph = true;
+  EXPECT_NE(drawn(view, &scene_, settings), plain);
+  EXPECT_EQ(drawn(view, &scene_), plain);
+}
+
+TEST_F(GameViewTest, OnAnotherStageTheCameraJumpsToItsTarget) {
+  Scene turned = sceneOf(cube());
+  turned.focus = turned.stage->mesh.pose(3, {40, 50}, 1);
+  GameView fresh(kWidth, kHeight);
+  const Image expected = drawn(fresh, &turned);
+  GameView view(kWidth, kHeight);
+  drawn(view, &scene_);
+  EXPECT_EQ(drawn(view, &turned), expected);
+  EXPECT_NEAR(view.roll(), 0, 1e-9);
+}
+
+TEST_F(GameViewTest, OnTheSameStageTheCameraMovesGradually) {
+  GameView view(kWidth, kHeight);
+  drawn(view, &scene_);
+  Scene turned = scene_;
+  turned.focus = stage_->mesh.pose(0, {0, 0}, 1);
+  drawn(view, &turned);
+  EXPECT_GT(view.roll(), 0.3);
+  EXPECT_LT(view.roll(), 0.7);
+}
+
+}  // namespace
+}  // namespace platon

@@ -1,0 +1,114 @@
+#include "client/play/settings_file.h"
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace platon {
+namespace {
+
+namespace fs = std::filesystem;
+
+class SettingsFileTest : public testing::Test {
+ protected:
+  SettingsFileTest() { fs::remove_all(folder_.parent_path()); }
+  ~SettingsFileTest() override { fs::remove_all(folder_.parent_path()); }
+
+  void write(const std::string& text) const {
+    fs::create_directories(folder_);
+    std::ofstream(path_) << text;
+  }
+  std::string read() const {
+    std::ifstream file(path_);
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  }
+  // Starts and ends a game that changes nothing.
+  Settings playOnce() const {
+    SettingsFile file(folder_);
+    const Settings settings = file.load();
+    file.save(settings);
+    return settings;
+  }
+
+  fs::path folder_ = fs::path(testing::TempDir()) / "platon_settings_file_test" /
+                     testing::UnitTest::GetInstance()->current_test_info()->name() / "folder";
+  fs::path path_ = folder_ / "settings";
+};
+
+TEST_F(SettingsFileTest, WithoutAFileTheSettingsAreTheDefaults) {
+  EXPECT_EQ(SettingsFile(folder_).load().text(), Settings().text());
+  EXPECT_FALSE(fs::exists(path_));
+}
+
+TEST_F(SettingsFileTest, SavedSettingsAreLoaded) {
+  Settings settings;
+  settings.zoom = 2;
+  settings.fullscreen = true;
+  SettingsFile(folder_).save(settings);
+  EXPECT_EQ(SettingsFile(folder_).load().text(), settings.text());
+}
+
+TEST_F(SettingsFileTest, OneBadLineDoesNotLoseTheOtherSettings) {
+  write("turn-speed 12\nzoom huge\ncontrols screen\nfullscreen on\n");
+  testing::internal::CaptureStderr();
+  const Settings settings = playOnce();
+  EXPECT_EQ(testing::internal::GetCapturedStderr(),
+            "platon-client: " + path_.string() + ": line 2: zoom must be a number from 0.5 to 2\n");
+  EXPECT_EQ(settings.comfort.turnSpeed, 12);
+  EXPECT_EQ(settings.zoom, Settings().zoom);
+  EXPECT_EQ(settings.controls, ControlFrame::kScreen);
+  EXPECT_TRUE(settings.fullscreen);
+  EXPECT_EQ(read(), settings.text());
+}
+
+TEST_F(SettingsFileTest, LinesOfUnknownSettingsAreKept) {
+  write("colour-blind  on  # of a later version\nzoom 2\nvolume 7\n");
+  testing::internal::CaptureStderr();
+  Settings settings = playOnce();
+  settings = playOnce();
+  testing::internal::GetCapturedStderr();
+  EXPECT_EQ(settings.zoom, 2);
+  EXPECT_EQ(read(), settings.text() + "colour-blind  on  # of a later version\nvolume 7\n");
+}
+
+TEST_F(SettingsFileTest, SavingReplacesTheFileAndLeavesNoOther) {
+  write("zoom 2\n");
+  std::ifstream before(path_);
+  playOnce();
+  const std::string old{std::istreambuf_iterator<char>(before), std::istreambuf_iterator<char>()};
+  EXPECT_EQ(old, "zoom 2\n") << "the file was overwritten in place, so that it could be left half written";
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
+}
+
+TEST_F(SettingsFileTest, AnUnwritableFileIsReportedAndKept) {
+  write("zoom 2\n");
+  fs::create_directory(folder_ / "settings.new");
+  testing::internal::CaptureStderr();
+  SettingsFile(folder_).save(Settings());
+  EXPECT_EQ(testing::internal::GetCapturedStderr(),
+            "platon-client: cannot write " + path_.string() + "; the settings are not saved\n");
+  EXPECT_EQ(read(), "zoom 2\n");
+}
+
+TEST_F(SettingsFileTest, ASymbolicLinkStaysALink) {
+  const fs::path target = folder_.parent_path() / "target";
+  fs::create_directories(folder_);
+  std::ofstream(target) << "zoom 2\n";
+  fs::create_symlink(target, path_);
+  const Settings settings = playOnce();
+  EXPECT_TRUE(fs::is_symlink(path_));
+  EXPECT_EQ(read(), settings.text());
+}
+
+TEST_F(SettingsFileTest, WithoutAFolderNothingIsSaved) {
+  SettingsFile file{fs::path()};
+  testing::internal::CaptureStderr();
+  file.save(file.load());
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+}  // namespace
+}  // namespace platon

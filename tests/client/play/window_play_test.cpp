@@ -1,0 +1,146 @@
+#include "client/play/window_play.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <GLFW/glfw3.h>
+#include <gtest/gtest.h>
+
+#include "client/play/embedded_server.h"
+#include "client/time/steady_now.h"
+#include "tests/client/gl/desktop.h"
+#include "tests/client/gl/fake_gamepad.h"
+
+// Runs on a virtual display with a window manager (on_display.sh).
+namespace platon {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kFullscreenItem = 6;  // below Resume
+
+std::string keys(const std::string& key, int times) {
+  std::string command = "key";
+  for (int i = 0; i < times; ++i) command += " " + key;
+  return command;
+}
+
+// One step of a test: do something once, then play until a condition holds.
+struct Step {
+  std::function<void()> act;
+  std::function<bool()> until;
+};
+
+class WindowPlayTest : public testing::Test {
+ protected:
+  WindowPlayTest() {
+    fs::remove_all(folder_);
+    setenv("XDG_CONFIG_HOME", folder_.c_str(), 1);
+    options_.level = "levels/hexahedron/01_first_steps.level";
+    options_.seconds = 60;  // a test that does not end by itself fails
+  }
+  ~WindowPlayTest() override {
+    fakeGamepad.reset();
+    fs::remove_all(folder_);
+  }
+
+  // Plays until the player leaves or all steps are done.
+  void play(std::vector<Step> steps) {
+    const EmbeddedServer server(options_.level);
+    WindowPlay play(options_, server.address(), steadyClock());
+    steps.insert(steps.begin(), {[] {}, [] { return has(GLFW_FOCUSED); }});
+    const Moment start = steadyClock().now();
+    std::size_t next = 0;
+    bool acted = false;
+    play.run([&] {
+      if (next == steps.size()) return true;
+      if (!std::exchange(acted, true)) steps[next].act();
+      if (steps[next].until()) {
+        ++next;
+        acted = false;
+      }
+      return false;
+    });
+    stepsDone_ = next == steps.size();
+    timeIsUp_ = toSeconds(steadyClock().now() - start) >= *options_.seconds;
+  }
+
+  static bool has(int attribute) { return glfwGetWindowAttrib(glfwGetCurrentContext(), attribute) == GLFW_TRUE; }
+  static bool isFullscreen() {
+    int width = 0;
+    int height = 0;
+    glfwGetWindowSize(glfwGetCurrentContext(), &width, &height);
+    return glfwGetWindowMonitor(glfwGetCurrentContext()) != nullptr && width == 1280 && height == 1024;
+  }
+
+  std::string savedSettings() const {
+    std::ifstream file(folder_ / "platon" / "settings");
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  }
+
+  ClientOptions options_;
+  fs::path folder_ = fs::path(testing::TempDir()) / "platon_window_play_test" /
+                     testing::UnitTest::GetInstance()->current_test_info()->name();
+  bool stepsDone_ = false;
+  bool timeIsUp_ = false;
+};
+
+TEST_F(WindowPlayTest, FullScreenByTheRightArrowInTheMenuIsFullScreen) {
+  play({{[] { xdotool("key Escape " + keys("Down", kFullscreenItem).substr(4) + " Right"); }, isFullscreen},
+        {[] { xdotool("key Left"); }, [] { return !isFullscreen(); }},
+        {[] { xdotool("key Right"); }, isFullscreen}});
+  EXPECT_TRUE(stepsDone_);
+  Settings expected;
+  expected.fullscreen = true;
+  EXPECT_EQ(savedSettings(), expected.text());
+}
+
+TEST_F(WindowPlayTest, FullScreenByKey) {
+  play({{[] { xdotool("key F11"); }, isFullscreen},
+        {[] { xdotool("key alt+Return"); }, [] { return !isFullscreen(); }}});
+  EXPECT_TRUE(stepsDone_);
+  EXPECT_EQ(savedSettings(), Settings().text());
+}
+
+TEST_F(WindowPlayTest, StartsInFullScreenIfTheSettingsSaySo) {
+  fs::create_directories(folder_ / "platon");
+  std::ofstream(folder_ / "platon" / "settings") << "fullscreen on\n";
+  play({{[] {}, isFullscreen}});
+  EXPECT_TRUE(stepsDone_);
+}
+
+TEST_F(WindowPlayTest, TheMenuLeavesTheGame) {
+  play({{[] { xdotool("key Escape Up Return"); }, [] { return false; }}});
+  EXPECT_FALSE(timeIsUp_);
+  EXPECT_EQ(savedSettings(), Settings().text());
+}
+
+TEST_F(WindowPlayTest, AGamepadMovesThroughTheMenu) {
+  const auto push = [](int button) { fakeGamepad.emplace().buttons[button] = GLFW_PRESS; };
+  // Each state of the gamepad lasts one frame.
+  std::vector<Step> steps;
+  const auto tap = [&](int button) {
+    steps.push_back({[=] { push(button); }, [] { return true; }});
+    steps.push_back({[] { fakeGamepad.emplace(); }, [] { return true; }});
+  };
+  tap(GLFW_GAMEPAD_BUTTON_START);
+  for (int i = 0; i < kFullscreenItem; ++i) tap(GLFW_GAMEPAD_BUTTON_DPAD_DOWN);
+  tap(GLFW_GAMEPAD_BUTTON_A);
+  steps.push_back({[] {}, isFullscreen});
+  play(std::move(steps));
+  EXPECT_TRUE(stepsDone_);
+}
+
+TEST_F(WindowPlayTest, ClosingTheWindowLeavesTheGame) {
+  play({{[] { xdotool("key alt+F4"); }, [] { return false; }}});
+  EXPECT_FALSE(timeIsUp_);
+}
+
+}  // namespace
+}  // namespace platon

@@ -1,0 +1,83 @@
+#include "client/ui/gamepad_keys.h"
+
+#include <array>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace platon {
+namespace {
+
+using Kind = KeyEvent::Kind;
+using Events = std::vector<KeyEvent>;
+
+GamepadState pushed(float x, float y) {
+  GamepadState state;
+  state.stickX = x;
+  state.stickY = y;
+  return state;
+}
+
+Events update(GamepadKeys& keys, const GamepadState& state) { return keys.update(std::array{state}); }
+
+TEST(GamepadKeys, EveryButtonIsPressedAndReleasedOnce) {
+  constexpr std::array<std::pair<bool GamepadState::*, Key>, 7> kButtons{{{&GamepadState::dpadLeft, Key::kPadLeft},
+                                                                          {&GamepadState::dpadRight, Key::kPadRight},
+                                                                          {&GamepadState::dpadUp, Key::kPadUp},
+                                                                          {&GamepadState::dpadDown, Key::kPadDown},
+                                                                          {&GamepadState::a, Key::kPadA},
+                                                                          {&GamepadState::start, Key::kPadStart},
+                                                                          {&GamepadState::back, Key::kPadBack}}};
+  for (const auto& [button, key] : kButtons) {
+    GamepadKeys keys;
+    GamepadState state;
+    state.*button = true;
+    EXPECT_EQ(update(keys, state), (Events{{key, Kind::kPress}}));
+    EXPECT_EQ(update(keys, state), Events());
+    EXPECT_EQ(update(keys, {}), (Events{{key, Kind::kRelease}}));
+    EXPECT_EQ(update(keys, {}), Events());
+  }
+}
+
+TEST(GamepadKeys, TheStickPressesItsDirectionBeyondTheDeadZone) {
+  constexpr float kBeyond = GamepadKeys::kDeadZone + 0.01F;
+  const std::array<std::pair<GamepadState, Key>, 4> directions{{{pushed(-kBeyond, 0), Key::kPadLeft},
+                                                                {pushed(kBeyond, 0), Key::kPadRight},
+                                                                {pushed(0, -kBeyond), Key::kPadUp},
+                                                                {pushed(0, kBeyond), Key::kPadDown}}};
+  for (const auto& [state, key] : directions) {
+    GamepadKeys keys;
+    EXPECT_EQ(update(keys, state), (Events{{key, Kind::kPress}}));
+  }
+  GamepadKeys keys;
+  const float edge = GamepadKeys::kDeadZone;
+  for (const GamepadState& state : {pushed(edge, edge), pushed(-edge, -edge)}) EXPECT_EQ(update(keys, state), Events());
+}
+
+TEST(GamepadKeys, StickAndDirectionalPadAreOneKey) {
+  GamepadKeys keys;
+  GamepadState both = pushed(-1, 0);
+  both.dpadLeft = true;
+  EXPECT_EQ(update(keys, both), (Events{{Key::kPadLeft, Kind::kPress}}));
+  EXPECT_EQ(update(keys, pushed(-1, 0)), Events());
+  EXPECT_EQ(update(keys, {}), (Events{{Key::kPadLeft, Kind::kRelease}}));
+}
+
+TEST(GamepadKeys, SeveralGamepadsActAsOne) {
+  GamepadKeys keys;
+  GamepadState a;
+  a.a = true;
+  EXPECT_EQ(keys.update(std::array{a, pushed(1, 0)}),
+            (Events{{Key::kPadRight, Kind::kPress}, {Key::kPadA, Kind::kPress}}));
+  EXPECT_EQ(keys.update(std::array{GamepadState(), a}), (Events{{Key::kPadRight, Kind::kRelease}}));
+}
+
+TEST(GamepadKeys, ADisconnectedGamepadReleasesItsKeys) {
+  GamepadKeys keys;
+  update(keys, pushed(1, 0));
+  EXPECT_EQ(keys.update({}), (Events{{Key::kPadRight, Kind::kRelease}}));
+}
+
+}  // namespace
+}  // namespace platon

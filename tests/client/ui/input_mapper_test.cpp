@@ -1,0 +1,187 @@
+#include "client/ui/input_mapper.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+namespace platon {
+namespace {
+
+using Kind = KeyEvent::Kind;
+
+void press(InputMapper& mapper, Key key, bool menuOpen = false) { mapper.handle({key, Kind::kPress}, menuOpen); }
+void release(InputMapper& mapper, Key key, bool menuOpen = false) { mapper.handle({key, Kind::kRelease}, menuOpen); }
+
+HeldKeys only(bool HeldKeys::*control) {
+  HeldKeys held;
+  held.*control = true;
+  return held;
+}
+
+// The control of the game that a key holds; none for keys of the user interface.
+bool HeldKeys::*controlOf(Key key) {
+  switch (key) {
+    case Key::kArrowLeft:
+    case Key::kA:
+    case Key::kPadLeft:
+      return &HeldKeys::left;
+    case Key::kArrowRight:
+    case Key::kD:
+    case Key::kPadRight:
+      return &HeldKeys::right;
+    case Key::kArrowUp:
+    case Key::kW:
+      return &HeldKeys::up;
+    case Key::kArrowDown:
+    case Key::kS:
+    case Key::kPadDown:
+      return &HeldKeys::down;
+    case Key::kSpace:
+    case Key::kPadA:
+      return &HeldKeys::jump;
+    case Key::kR:
+    case Key::kPadBack:
+      return &HeldKeys::restart;
+    default:
+      return nullptr;
+  }
+}
+
+std::optional<Action> menuActionOf(Key key) {
+  InputMapper mapper;
+  return mapper.handle({key, Kind::kPress}, true);
+}
+
+TEST(InputMapper, EveryKeyHoldsItsControlUntilItIsReleased) {
+  for (std::size_t i = 0; i < kKeyCount; ++i) {
+    const Key key = static_cast<Key>(i);
+    bool HeldKeys::*const control = controlOf(key);
+    const HeldKeys expected = control == nullptr ? HeldKeys() : only(control);
+    InputMapper mapper;
+    press(mapper, key);
+    for (int tick = 0; tick < 3; ++tick) EXPECT_EQ(mapper.takeHeld(), expected) << i;
+    release(mapper, key);
+    EXPECT_EQ(mapper.takeHeld(), HeldKeys()) << i;
+  }
+}
+
+TEST(InputMapper, AControlIsHeldWhileOneOfItsKeysIs) {
+  InputMapper mapper;
+  press(mapper, Key::kArrowLeft);
+  press(mapper, Key::kA);
+  mapper.takeHeld();
+  release(mapper, Key::kArrowLeft);
+  EXPECT_EQ(mapper.takeHeld(), only(&HeldKeys::left));
+  release(mapper, Key::kA);
+  EXPECT_EQ(mapper.takeHeld(), HeldKeys());
+}
+
+TEST(InputMapper, AKeyTapShorterThanAFrameIsNotLost) {
+  InputMapper mapper;
+  press(mapper, Key::kSpace);
+  release(mapper, Key::kSpace);
+  EXPECT_EQ(mapper.takeHeld(), only(&HeldKeys::jump));
+  EXPECT_EQ(mapper.takeHeld(), HeldKeys()) << "a tap lasts one tick";
+}
+
+TEST(InputMapper, ATapOverSeveralFramesWithoutATickIsNotLost) {
+  InputMapper mapper;
+  press(mapper, Key::kR);
+  mapper.handle({Key::kR, Kind::kRepeat}, false);
+  release(mapper, Key::kR);
+  EXPECT_EQ(mapper.takeHeld(), only(&HeldKeys::restart));
+  EXPECT_EQ(mapper.takeHeld(), HeldKeys());
+}
+
+TEST(InputMapper, AKeyPressedInTheMenuIsNotPassedToTheGameUntilItIsPressedAgain) {
+  for (const Key key : {Key::kSpace, Key::kPadA, Key::kArrowLeft, Key::kR}) {
+    InputMapper mapper;
+    press(mapper, key, true);
+    EXPECT_EQ(mapper.takeHeld(), HeldKeys()) << "the menu has just closed";
+    mapper.handle({key, Kind::kRepeat}, false);
+    EXPECT_EQ(mapper.takeHeld(), HeldKeys());
+    release(mapper, key);
+    EXPECT_EQ(mapper.takeHeld(), HeldKeys());
+    press(mapper, key);
+    EXPECT_NE(mapper.takeHeld(), HeldKeys());
+  }
+}
+
+TEST(InputMapper, AKeyHeldSinceBeforeTheMenuIsStillHeldAfterIt) {
+  InputMapper mapper;
+  press(mapper, Key::kArrowRight);
+  press(mapper, Key::kEscape);
+  press(mapper, Key::kEscape, true);
+  EXPECT_EQ(mapper.takeHeld(), only(&HeldKeys::right));
+}
+
+TEST(InputMapper, AKeyReleasedInTheMenuIsNotHeldAfterIt) {
+  InputMapper mapper;
+  press(mapper, Key::kArrowRight);
+  release(mapper, Key::kArrowRight, true);
+  EXPECT_EQ(mapper.takeHeld(), HeldKeys());
+}
+
+TEST(InputMapper, ATapBeforeTheMenuOpensIsNotPassedOnAfterIt) {
+  InputMapper mapper;
+  press(mapper, Key::kSpace);
+  release(mapper, Key::kSpace);
+  press(mapper, Key::kEscape);
+  press(mapper, Key::kEscape, true);
+  EXPECT_EQ(mapper.takeHeld(), HeldKeys());
+}
+
+TEST(InputMapper, KeysOfTheMenu) {
+  for (const Key key : {Key::kArrowUp, Key::kW, Key::kPadUp}) EXPECT_EQ(menuActionOf(key), Action::kMenuUp);
+  for (const Key key : {Key::kArrowDown, Key::kS, Key::kPadDown}) EXPECT_EQ(menuActionOf(key), Action::kMenuDown);
+  for (const Key key : {Key::kArrowLeft, Key::kA, Key::kPadLeft}) EXPECT_EQ(menuActionOf(key), Action::kMenuLess);
+  for (const Key key : {Key::kArrowRight, Key::kD, Key::kPadRight}) EXPECT_EQ(menuActionOf(key), Action::kMenuMore);
+  for (const Key key : {Key::kSpace, Key::kEnter, Key::kPadA}) EXPECT_EQ(menuActionOf(key), Action::kMenuChoose);
+  for (const Key key : {Key::kR, Key::kPadBack}) EXPECT_EQ(menuActionOf(key), std::nullopt);
+}
+
+TEST(InputMapper, KeysOfTheMenuHaveNoActionWhileItIsClosed) {
+  for (const Key key : {Key::kArrowUp, Key::kS, Key::kPadLeft, Key::kD, Key::kSpace, Key::kEnter, Key::kPadA}) {
+    InputMapper mapper;
+    EXPECT_EQ(mapper.handle({key, Kind::kPress}, false), std::nullopt);
+  }
+}
+
+constexpr std::array<std::pair<KeyEvent, Action>, 6> kToggles{
+    {{{Key::kEscape}, Action::kToggleMenu},
+     {{Key::kPadStart}, Action::kToggleMenu},
+     {{Key::kF1}, Action::kToggleHelp},
+     {{Key::kF3}, Action::kToggleNetGraph},
+     {{Key::kF11}, Action::kToggleFullscreen},
+     {{Key::kEnter, Kind::kPress, true}, Action::kToggleFullscreen}}};
+
+TEST(InputMapper, TogglesActWithAndWithoutTheMenu) {
+  for (const bool menuOpen : {false, true}) {
+    for (const auto& [event, action] : kToggles) EXPECT_EQ(InputMapper().handle(event, menuOpen), action);
+  }
+}
+
+TEST(InputMapper, ReleasesHaveNoAction) {
+  for (std::size_t i = 0; i < kKeyCount; ++i) {
+    const KeyEvent event{static_cast<Key>(i), Kind::kRelease};
+    EXPECT_EQ(InputMapper().handle(event, true), std::nullopt) << i;
+    EXPECT_EQ(InputMapper().handle(event, false), std::nullopt) << i;
+  }
+}
+
+TEST(InputMapper, KeyRepeatMovesThroughTheMenuButTogglesAndChoosesNothing) {
+  const auto repeated = [](KeyEvent event) {
+    event.kind = Kind::kRepeat;
+    return InputMapper().handle(event, true);
+  };
+  EXPECT_EQ(repeated({Key::kArrowDown}), Action::kMenuDown);
+  EXPECT_EQ(repeated({Key::kArrowRight}), Action::kMenuMore);
+  EXPECT_EQ(repeated({Key::kSpace}), std::nullopt);
+  for (const auto& [event, action] : kToggles) EXPECT_EQ(repeated(event), std::nullopt);
+}
+
+}  // namespace
+}  // namespace platon
