@@ -1,0 +1,78 @@
+#include <algorithm>
+#include <charconv>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <iostream>
+#include <string_view>
+#include <vector>
+
+#include "platon/game/game.h"
+#include "platon/physics/sweep.h"
+#include "tests/bench/sweep_sets.h"
+#include "tests/determinism/lockstep_levels.h"
+#include "tests/sim/button_presses.h"
+
+namespace platon::bench {
+namespace {
+
+constexpr const char* kUsage =
+    "usage: platon-instruction-count advance|sweep COUNT\n"
+    "Calls Game::advance for eight players, or Sweep on a set of questions, COUNT times on fixed input.\n"
+    "check_instructions.py runs it under callgrind.\n";
+
+constexpr const char* kLevel = "tests/determinism/golden/levels/crowd.level";
+constexpr std::uint64_t kSeed = 3;
+constexpr std::size_t kPlayers = 8;
+constexpr std::size_t kQuestions = 1000;
+
+std::uint64_t advance(std::int64_t ticks) {
+  Game game(sim::levelFrom(kLevel));
+  std::vector<sim::ButtonPresses> presses;
+  for (std::uint32_t slot = 0; slot < kPlayers; ++slot) presses.emplace_back(kSeed, slot);
+  std::vector<Input> inputs(kPlayers);
+  for (std::int64_t tick = 0; tick < ticks; ++tick) {
+    for (std::size_t slot = 0; slot < kPlayers; ++slot) inputs[slot] = presses[slot].next();
+    game.advance(inputs);
+  }
+  return game.hash();
+}
+
+std::uint64_t sweep(std::int64_t times) {
+  const std::vector<SweepSet> sets = sweepSets(kQuestions);
+  const auto set = std::find_if(sets.begin(), sets.end(), [](const SweepSet& each) { return each.name == "random"; });
+  Sweep sweep;
+  std::uint64_t hits = 0;
+  for (std::int64_t i = 0; i < times; ++i) {
+    for (const SweepQuestion& question : set->questions) {
+      sweep.start(set->shapes[question.shape], question.position, question.displacement);
+      hits += sweep.against(question.line).has_value() ? 1 : 0;
+    }
+  }
+  return hits;
+}
+
+int main(int count, char** arguments) {
+  std::int64_t times = 0;
+  const std::string_view what = count == 3 ? arguments[1] : "";
+  const std::string_view number = count == 3 ? arguments[2] : "";
+  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), times);
+  if ((what != "advance" && what != "sweep") || error != std::errc{} || end != number.data() + number.size()) {
+    std::cerr << kUsage;
+    return 2;
+  }
+  std::cout << (what == "advance" ? advance(times) : sweep(times)) << '\n';
+  return 0;
+}
+
+}  // namespace
+}  // namespace platon::bench
+
+int main(int count, char** arguments) {
+  try {
+    return platon::bench::main(count, arguments);
+  } catch (const std::exception& error) {
+    std::cerr << error.what() << '\n';
+    return 1;
+  }
+}
