@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Measures the length of every C++ function by universal-ctags.
+"""Measures the length of every C++ function with universal-ctags.
 
-usage: check_functions.py ROOT. None may be longer than 80 lines; outside tests/ the median is at most 8 lines and the
-95th percentile at most 40. Exit 1 when a bound does not hold, 77 (skipped) without universal-ctags.
+usage: check_functions.py ROOT. No function may be longer than 80 lines; outside tests/ the median is at most 8 lines and
+the 95th percentile at most 40. Exit 1 if a bound is exceeded, 77 (skipped) without universal-ctags.
 """
 
 import json
@@ -18,7 +18,7 @@ FOLDERS = ("shared", "protocol", "server", "client", "levels", "tests")
 
 
 def function_lengths(ctags, root):
-    """[(lines, path, name, first line)] of every function defined in the tree."""
+    """[(lines, path, name, first line)] of every function in the tree."""
     files = [p.relative_to(root).as_posix() for f in FOLDERS for p in (root / f).rglob("*") if p.suffix in (".h", ".cpp")]
     command = [ctags, "-L", "-", "--languages=C++", "--langmap=C++:.cpp.h", "--c++-kinds=f", "--fields=+ne",
                "--output-format=json", "-f", "-"]  # fmt: skip
@@ -28,7 +28,7 @@ def function_lengths(ctags, root):
 
 
 def percentile(lengths, percent):
-    """The smallest length that at least `percent` of 100 do not exceed."""
+    """The smallest length that at least `percent` per cent of the lengths do not exceed."""
     ordered = sorted(lengths)
     return ordered[max(0, -(-len(ordered) * percent // 100) - 1)]
 
@@ -45,7 +45,7 @@ def violations(functions):
           f"95th percentile {percentile(lengths, 95)}, longest {max(lengths)} lines")  # fmt: skip
     for percent, bound in ((50, MAX_MEDIAN), (95, MAX_PERCENTILE_95)):
         if percentile(lengths, percent) > bound:
-            yield f"the {percent}th percentile of the functions' lengths is more than {bound} lines"
+            yield f"the {percent}th percentile of the function lengths is more than {bound} lines"
 
 
 def main(arguments):

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Refuses variables in libraries that may hold only code and constants.
 
-usage: check_globals.py OBJDUMP ARCHIVE…. Each object in a writable section is a line on stdout; exit 1 when there is
-any. A local static that is written once counts too: its guard is writable.
+usage: check_globals.py OBJDUMP ARCHIVE…. Prints each object in a writable section; exit 1 if there are any. A local
+static that is written once counts too: its guard is writable.
 """
 
 import re
@@ -10,15 +10,15 @@ import subprocess
 import sys
 
 _SYMBOL = re.compile(r"^[0-9a-f]+ (?P<flags>.{7}) (?P<section>\S+)\t[0-9a-f]+\s+(?:\.hidden )?(?P<name>.+)$")
-# Tables of constants that hold addresses (.data.rel.ro) are written by the loader only, before the program starts.
+# The loader writes tables of constants that hold addresses (.data.rel.ro) before the program starts; nothing else does.
 _WRITABLE = re.compile(r"\.t?(?:data|bss)(?!\.rel\.ro)")
 
 
 def writable_objects(symbol_table):
-    """(section, name) of every variable in `objdump --syms` output."""
+    """Yields (section, name) of every variable in the output of `objdump --syms`."""
     for match in filter(None, map(_SYMBOL.match, symbol_table.splitlines())):
         is_section = "d" in match["flags"]
-        # Where an exception finds its handler; clang's, in every object that may throw.
+        # Clang adds it to every object that may throw; it leads an exception to its handler.
         is_unwinder = match["name"].startswith("DW.ref.")
         if _WRITABLE.match(match["section"]) and not is_section and not is_unwinder:
             yield match["section"], match["name"]

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Checks what the tree promises of itself: dependencies, the purity of shared/, lengths, leftovers.
+"""Checks the structure of the tree: dependencies, the purity of shared/, lengths, leftovers.
 
-usage: check_structure.py ROOT. Each violation is a line `file:line: what` on stdout; exit 1 when there is any.
+usage: check_structure.py ROOT. Prints each violation as `file:line: what`; exit 1 if there are any.
 """
 
 import os
@@ -10,9 +10,10 @@ import sys
 from pathlib import Path
 
 import source_text
-from dependency_table import DependencyTable, TableError, place_of
+from dependency_table import DependencyTable, TableError, path_of
 
 MAX_FILE_LINES = 400
+MAX_FOLDER_FILES = 40
 
 TOP_LEVEL = {
     "CMakeLists.txt", "shared", "server", "client", "protocol", "levels", "tests",
@@ -37,7 +38,7 @@ STANDARD_HEADERS = PURE_HEADERS | set(
     typeindex typeinfo unordered_map unordered_set valarray""".split()
 )
 
-# Refused in shared/ also where they are not qualified.
+# Refused in shared/, qualified or not.
 IMPURE_WORDS = set(
     """float double unordered_map unordered_set unordered_multimap unordered_multiset chrono gettimeofday clock_gettime
     rand srand random_device mt19937 mt19937_64 minstd_rand cout cerr clog cin printf fprintf puts fputs fopen fread
@@ -47,22 +48,22 @@ IMPURE_WORDS = set(
     this_thread pthread_self priority_queue make_heap push_heap pop_heap sort_heap""".split()
 )
 
-# Refused in shared/ as names of the standard library only: a World has a hash, too.
+# Refused in shared/ as names of the standard library only: World has a member hash.
 IMPURE_STANDARD_NAMES = set(
     "hash time clock random thread mutex atomic locale system shuffle sample partition".split()
 )
 
-# Refused in shared/ wherever a name is like this: compilers' own functions, randomness of one library.
+# Names refused in shared/: compiler built-ins, and random distributions, which differ between libraries.
 IMPURE_NAMES = re.compile(r"__builtin_\w+|__sync_\w+|__atomic_\w+|\w+_distribution")
 
-# What shows how a machine lays out or places its objects.
+# Code whose result depends on how a machine lays out or places its objects.
 BIT_FIELD = re.compile(r"^(?![ \t]*(?:case|class|struct|enum)\b)[\w: \t]*\w[ \t]+[A-Za-z_]\w*[ \t]*:[ \t]*\w+[ \t]*[;,{=]",
                        re.MULTILINE)  # fmt: skip
 ADDRESS_ORDER = re.compile(r"std::(?:(?:multi)?(?:map|set)\s*<[^;(){},]*?(?:\*|_ptr\s*<)"
                            r"|(?:less|greater|owner_less)\s*<[^;(){}]*?\*)")  # fmt: skip
 LAYOUT = (
-    (BIT_FIELD, "a bit-field is laid out as the compiler likes"),
-    (ADDRESS_ORDER, "an order of addresses differs from run to run"),
+    (BIT_FIELD, "the layout of a bit-field depends on the compiler"),
+    (ADDRESS_ORDER, "an order by address differs from run to run"),
 )
 
 LEFTOVERS = re.compile(r"\b(?:TO" r"DO|FIX" r"ME|XX" r"X|HA" r"CK)\b")
@@ -71,7 +72,7 @@ FILE_NAME = re.compile(r"[a-z0-9]+(?:_[a-z0-9]+)*\.(?:h|cpp)")
 
 
 def tree_files(root):
-    """Every text file of the project, as (path relative to root, content), without what git does not keep."""
+    """Yields (path relative to root, content) of every text file, except build outputs."""
     for directory, names, files in os.walk(root):
         relative = Path(directory).relative_to(root)
         names[:] = sorted(n for n in names if n not in (".git", "__pycache__") and (relative / n).as_posix() != "build")
@@ -84,15 +85,15 @@ def tree_files(root):
 def check_top_level(root):
     for entry in sorted(os.listdir(root)):
         if entry not in TOP_LEVEL and not entry.startswith("."):
-            yield f"{entry}:1: the top level is fixed: move this into one of its folders"
+            yield f"{entry}:1: no such file belongs at the top level: move it into a folder"
 
 
 def _check_quoted(path, header, table, root):
     if table.folder_of(header) is None:
         if table.may_include_header(path, header):
             return None
-        return f'"{header}" does not start at the root of the tree with a folder of docs/architecture.md'
-    if not (root / place_of(header)).is_file():
+        return f'"{header}" is not a path from the root of the tree in a folder of docs/architecture.md'
+    if not (root / path_of(header)).is_file():
         return f'"{header}" does not exist'
     if table.may_include_folder(path, header) or table.may_include_header(path, header):
         return None
@@ -109,7 +110,7 @@ def _check_angled(path, header, table):
 
 def check_includes(path, text, table, root):
     if table.folder_of(path) is None:
-        yield f"{path}:1: this folder has no row in docs/architecture.md"
+        yield f"{path}:1: its folder has no row in docs/architecture.md"
         return
     for line, header, quoted in source_text.includes_of(text):
         wrong = _check_quoted(path, header, table, root) if quoted else _check_angled(path, header, table)
@@ -140,7 +141,7 @@ def check_purity(path, text):
 
 def check_cpp_form(path, text):
     if not FILE_NAME.fullmatch(Path(path).name):
-        yield f"{path}:1: the file's name is not in snake_case"
+        yield f"{path}:1: the file name is not in snake_case"
     if path.endswith(".h") and "#pragma once" not in source_text.code_of(text):
         yield f"{path}:1: the header lacks #pragma once"
 
@@ -155,14 +156,23 @@ def check_text(path, text):
             yield f"{path}:{source_text.line_of(text, match.start())}: '{match.group()}' {what}"
 
 
+def check_folder_sizes(paths):
+    folders = [path.rpartition("/")[0] for path in paths]
+    for folder in sorted(set(folders)):
+        if folders.count(folder) > MAX_FOLDER_FILES:
+            yield f"{folder}:1: {folders.count(folder)} files, more than {MAX_FOLDER_FILES}"
+
+
 def check_tree(root):
-    """Every violation in the tree."""
+    """Yields every violation in the tree."""
     table = DependencyTable((root / "docs/architecture.md").read_text(encoding="utf-8"))
     yield from check_top_level(root)
     for folder in table.folders():
         if not (root / folder).is_dir():
             yield f"docs/architecture.md:1: the folder {folder} has a row but does not exist"
-    for path, text in tree_files(root):
+    files = list(tree_files(root))
+    yield from check_folder_sizes([path for path, _ in files])
+    for path, text in files:
         yield from check_text(path, text)
         if Path(path).suffix in CPP_SUFFIXES:
             yield from check_cpp_form(path, text)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Feeds the structure checks one violation each, and what looks like one but is none."""
+"""Tests each structure check on a tree with one violation, and on code that only resembles one."""
 
 import shutil
 import sys
@@ -27,7 +27,7 @@ FOLDERS = (
 
 
 class Tree(unittest.TestCase):
-    """A temporary tree with the real page of dependencies and one header in every folder."""
+    """A temporary tree with the real docs/architecture.md and one header in every folder."""
 
     def setUp(self):
         self.root = Path(tempfile.mkdtemp(prefix="platon-structure-"))
@@ -93,14 +93,14 @@ class Includes(Tree):
                 else:
                     self.assert_refused(f"{source}/file.cpp", text, 2, f"may not include {header}")
 
-    def test_only_the_embedded_server_joins_both(self):
+    def test_only_the_embedded_server_includes_both_sides(self):
         text = '#include "server/app/thing.h"\n'
         self.assert_allowed("client/play/embedded_server.cpp", text)
         self.assert_allowed("client/play/main.cpp", text)
         self.assert_refused("client/play/main_menu.cpp", text, 1, "server/app/thing.h")
         self.assert_refused("server/app/main.cpp", '#include "client/play/thing.h"\n', 1, "client/play/thing.h")
 
-    def test_only_from_the_root_and_only_what_exists(self):
+    def test_includes_name_existing_files_from_the_root(self):
         self.assert_refused("server/app/file.cpp", '#include "thing.h"\n', 1, "thing.h")
         self.assert_refused("server/app/file.cpp", '#include "../shared/exact/thing.h"\n', 1, "../shared")
         self.assert_refused("server/app/file.cpp", '#include "server/app/lost.h"\n', 1, "does not exist")
@@ -160,7 +160,7 @@ class Purity(Tree):
                       "std::sort(a, b, std::less<const int*>());"):  # fmt: skip
             found = self.violations("shared/game/file.cpp", f"\n{order}\n")
             self.assertIn("shared/game/file.cpp:2: ", " ".join(found))
-            self.assertIn("an order of addresses", " ".join(found), order)
+            self.assertIn("an order by address", " ".join(found), order)
 
     def test_order_by_value_is_allowed(self):
         self.assert_allowed(
@@ -172,7 +172,7 @@ class Purity(Tree):
             "public:\nA() : a_(1), b_{2} {}\nconst auto v = p ? q : 3;\n",
         )
 
-    def test_sorts_that_leave_equal_keys_open(self):
+    def test_sorts_that_leave_the_order_of_equal_elements_open(self):
         for name in ("sort", "partial_sort", "nth_element", "ranges::sort"):
             self.assert_refused("shared/game/file.cpp", f"\nstd::{name}(a, b);\n", 2, f"std::{name}")
         self.assert_allowed("shared/game/file.cpp", "std::stable_sort(a, b);\nauto x = sort(a);\n")
@@ -222,6 +222,13 @@ class Form(Tree):
         self.assert_refused("client/play/file.h", "// #pragma once\n", 1, "pragma once")
         self.assert_refused("client/play/FileName.cpp", "\n", 1, "snake_case")
 
+    def test_full_folders(self):
+        for index in range(39):  # with the header of the folder 40 files
+            self.write(f"client/play/file_{index}.cpp", "\n")
+        self.assertEqual(list(check_tree(self.root)), [])
+        self.write("client/play/one_more.cpp", "\n")
+        self.assertEqual(list(check_tree(self.root)), ["client/play:1: 41 files, more than 40"])
+
     def test_top_level(self):
         self.write("extra/file.txt", "\n")
         found = list(check_tree(self.root))
@@ -230,7 +237,7 @@ class Form(Tree):
 
 
 class Tables(Tree):
-    def test_the_page_is_the_rule(self):
+    def test_the_table_decides(self):
         text = '#include "protocol/thing.h"\n'
         self.assert_refused("levels/file.cpp", text, 1, "protocol/thing.h")
         row = "| `levels` | levels by solid; `tool`: `platon-level` | `platon` |"
@@ -296,7 +303,7 @@ class Globals(unittest.TestCase):
 
 
 class SourceText(unittest.TestCase):
-    def test_blanks_keep_the_shape(self):
+    def test_blanks_keep_lines_and_columns(self):
         text = 'int a; // b\nauto s = "c\\"d"; /* e\nf */ g\n'
         code = source_text.code_of(text)
         self.assertEqual(len(code), len(text))

@@ -1,11 +1,11 @@
-"""The tables of docs/architecture.md, which say what may depend on what."""
+"""The tables of docs/architecture.md, which define the allowed dependencies."""
 
 import fnmatch
 import re
 
 
 class TableError(Exception):
-    """The page lacks a table or a table cannot be understood."""
+    """A table is missing or malformed."""
 
 
 def _cells(line):
@@ -42,13 +42,13 @@ def _matches(path, patterns):
 PUBLIC_HEADERS = "shared/include/"
 
 
-def place_of(header):
-    """Where an included file of the project lies, from the root of the tree."""
+def path_of(header):
+    """The path, from the root of the tree, of a file that is included as `header`."""
     return PUBLIC_HEADERS + header if header.startswith("platon/") else header
 
 
 class DependencyTable:
-    """Answers from the three tables: folders, headers and words."""
+    """The three tables: folders, headers and words."""
 
     def __init__(self, text):
         self._folders = {}
@@ -56,13 +56,13 @@ class DependencyTable:
             names = _names(row[0])
             if len(names) != 1:
                 raise TableError(f"table folders: one folder a row, not {row[0]}")
-            self._folders[names[0]] = [place_of(name + "/")[:-1] for name in _names(row[2])]
+            self._folders[names[0]] = [path_of(name + "/")[:-1] for name in _names(row[2])]
         self._refuse_cycles()
         self._headers = [(_names(row[0]), _names(row[1])) for row in _table(text, "headers")]
         self._words = [(_names(row[0]), _names(row[1])) for row in _table(text, "words")]
 
     def _refuse_cycles(self):
-        """Every folder comes after those that it may include, so that dependencies go one way."""
+        """Raises TableError if a folder may include one of a later row: dependencies go one way."""
         seen = set()
         for folder, allowed in self._folders.items():
             for name in allowed:
@@ -76,17 +76,17 @@ class DependencyTable:
         return list(self._folders)
 
     def folder_of(self, path):
-        """The folder, of those with a row, that holds the file; None when there is none."""
-        return next((folder for folder in self._folders if place_of(path).startswith(folder + "/")), None)
+        """The folder with a row that holds the file; None if there is none."""
+        return next((folder for folder in self._folders if path_of(path).startswith(folder + "/")), None)
 
     def may_include_folder(self, path, header):
-        """True when the row of the file's folder lets it include this file of the project."""
+        """True if the row of the file's folder allows it to include this file of the project."""
         folder = self.folder_of(path)
         allowed = [folder] + self._folders.get(folder, [])
-        return any(place_of(header).startswith(name + "/") for name in allowed if name)
+        return any(path_of(header).startswith(name + "/") for name in allowed if name)
 
     def may_include_header(self, path, header):
-        """True when the table of headers lets this file include it."""
+        """True if the table of headers allows this file to include the header."""
         for headers, files in self._headers:
             named = any(name in ("*", header) or (name.endswith("/") and header.startswith(name)) for name in headers)
             if named and _matches(path, files):
@@ -94,5 +94,5 @@ class DependencyTable:
         return False
 
     def forbidden_words(self, path):
-        """The words that this file may not use."""
+        """The words that this file may not contain."""
         return {word for words, files in self._words if not _matches(path, files) for word in words}

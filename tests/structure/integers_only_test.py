@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Shows that the compiler flag under which shared/ is compiled once more refuses every calculation with a float.
+"""Tests that the compiler option of the target platon_integers_only refuses every calculation with a float.
 
-usage: integers_only_test.py COMPILER. What only folds or copies a float, and `long double`, passes the compiler; names
-and literals are refused by check_structure.py.
+usage: integers_only_test.py COMPILER. Code that only folds or copies a float, and `long double`, passes the compiler;
+check_structure.py refuses their names and literals.
 """
 
 import subprocess
@@ -31,7 +31,7 @@ class IntegersOnly(unittest.TestCase):
             for code in FLOATS:
                 self.assertFalse(compiles(code, optimised), f"{optimised}: {code}")
 
-    def test_integers_are_not(self):
+    def test_integers_are_accepted(self):
         code = "#include <map>\n#include <string>\n#include <vector>\n__int128 f(__int128 x, long y) { return x / y; }"
         self.assertTrue(compiles(code, "-O3"))
 

@@ -1,4 +1,4 @@
-"""C++ text without what the compiler does not see as code."""
+"""C++ text without comments and strings."""
 
 import re
 
@@ -24,7 +24,7 @@ def _blank(text):
 
 
 def code_of(text, keep_strings=False):
-    """The text with comments, and unless kept also strings, replaced by blanks of the same shape."""
+    """The text with comments replaced by blanks, and strings too unless kept. Lines and columns stay the same."""
 
     def replaced(match):
         kind = match.lastgroup if match.lastgroup != "mark" else "raw"
@@ -40,15 +40,15 @@ def line_of(text, offset):
 
 
 def includes_of(text):
-    """(line, header, quoted) of every #include that is not in a comment."""
+    """Yields (line, header, quoted) of every #include outside comments."""
     code = code_of(text, keep_strings=True)
     for match in _INCLUDE.finditer(code):
         yield line_of(code, match.start("open")), match["name"], match["open"] == '"'
 
 
 def words_of(code):
-    """(offset, word) of every identifier and number in code_of's result, without those of #include lines. A name of
-    the standard library that it qualifies keeps its `std::`."""
+    """Yields (offset, word) of every identifier and number in the result of code_of, except in #include lines. Names
+    of the standard library keep a written `std::`."""
     without_includes = _INCLUDE_LINE.sub(lambda match: _blank(match.group()), code)
     for match in _TOKEN.finditer(without_includes):
         if match.lastgroup in ("word", "number"):
@@ -56,7 +56,7 @@ def words_of(code):
 
 
 def is_float_literal(word):
-    """True for 1.5, 1e3, 1.f and the like; false for 1'000u, 0x1e5 and names."""
+    """True for 1.5, 1e3, 1.f; false for 1'000u, 0x1e5 and names."""
     if word[:2].lower() == "0x":
         return "p" in word.lower()
     return "." in word or bool(re.fullmatch(r"[\d']+[eE]\d*[fFlL]?", word))
