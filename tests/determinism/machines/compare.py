@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Runs the simulation on several machines and compares their hashes.
 
-Without --ticks every recording in tests/determinism/golden is verified on each machine; with --ticks N one level of each solid is
-played there for N ticks by 8 players with seeded presses; --drive is that of platon-sim run.
-Exit 0: all the same; 1: something differs or fails; 2: usage.
+Without --ticks, each machine verifies every recording in tests/determinism/golden. With --ticks N, 8 players with seeded
+button presses play one level of each solid for N ticks on each machine; --drive is that of platon-sim run.
+Exit 0 if all hashes are equal, 1 if one differs or a machine fails, 2 on wrong usage.
 """
 
 import argparse
@@ -24,17 +24,17 @@ PLAYERS = 8
 
 @dataclass
 class Outcome:
-    """What one machine made of one recording or level; `fault` is why it counts as nothing."""
+    """Result of one machine for one case; `fault` says why it has no valid hash."""
 
     hash: str = ""
     ticks: int = 0
     seconds: float = 0.0
-    said: str = ""
+    output: str = ""
     fault: str = ""
 
 
 def first_level_of_each_solid(levels):
-    """Level files, one for each solid that has any, by name."""
+    """The first level file, by name, of each solid."""
     chosen = {}
     for path in sorted(levels):
         words = (line.split("#")[0].split() for line in path.read_text(encoding="utf-8").splitlines())
@@ -44,7 +44,7 @@ def first_level_of_each_solid(levels):
 
 
 def cases_of(options):
-    """What is run on each machine: (name, arguments of platon-sim)."""
+    """[(name, arguments of platon-sim)] of the runs on each machine."""
     if options.ticks is None:
         files = sorted(options.golden.glob("*.recording"))
         return [(file.stem, ["verify", file, "--json"]) for file in files]
@@ -57,7 +57,7 @@ def run(machine, builds, arguments):
     """Runs platon-sim once."""
     start = time.monotonic()
     done = subprocess.run(machine.command(builds, arguments), capture_output=True, text=True, errors="replace")
-    outcome = Outcome(seconds=time.monotonic() - start, said=(done.stdout + done.stderr).strip())
+    outcome = Outcome(seconds=time.monotonic() - start, output=(done.stdout + done.stderr).strip())
     try:
         answer = json.loads(done.stdout)
         outcome.hash, outcome.ticks = str(answer["hash"]), int(answer["ticks"])
@@ -70,7 +70,7 @@ def run(machine, builds, arguments):
 
 
 def run_all(machines, cases, builds, jobs):
-    """{(machine, case): Outcome}, one process for each, with a line on stderr as each ends."""
+    """{(machine, case): Outcome}; a process for each, and a line on stderr as each ends."""
     outcomes = {}
     with ThreadPoolExecutor(jobs) as pool:
         futures = {
@@ -87,20 +87,20 @@ def run_all(machines, cases, builds, jobs):
 
 
 def expected(outcomes, case):
-    """The hash that most machines give for a case, of equally frequent ones the first machine's; None without any."""
+    """The most frequent hash of a case, at a tie that of the first machine; None if there is no hash."""
     hashes = Counter(outcome.hash for (_, of), outcome in outcomes.items() if of == case and not outcome.fault)
     return max(hashes, key=hashes.get) if hashes else None
 
 
 def differences(outcomes):
-    """A sentence for each machine and case that is not as expected."""
+    """Yields a sentence for each unexpected outcome."""
     for (machine, case), outcome in outcomes.items():
         hash_expected = expected(outcomes, case)
         if outcome.fault:
-            yield f"{machine} {outcome.fault} on {case}; platon-sim said: {outcome.said or 'nothing'}"
+            yield f"{machine} {outcome.fault} on {case}; platon-sim printed: {outcome.output or 'nothing'}"
         elif outcome.hash != hash_expected:
             yield (f"{machine} differs on {case}: {outcome.hash} after {outcome.ticks} ticks, where most machines have "
-                   f"{hash_expected}; platon-sim said: {outcome.said}")  # fmt: skip
+                   f"{hash_expected}; platon-sim printed: {outcome.output}")  # fmt: skip
 
 
 def _cell(outcome, hash_expected):
@@ -123,7 +123,7 @@ def table(machines, cases, outcomes, built):
 
 
 def build_all(machines, options):
-    """Seconds that each machine took to build."""
+    """{machine: seconds of its build}"""
     built = {}
     for machine in machines:
         machine.check()
@@ -140,7 +140,7 @@ def progress(line):
 
 
 def compare(machines, options):
-    """Builds, runs, prints the table; the exit code."""
+    """Builds, runs and prints the table; returns the exit code."""
     cases = cases_of(options)
     if not cases:
         progress(f"nothing to compare: no recording in {options.golden}, no level in {options.levels}")
@@ -151,7 +151,7 @@ def compare(machines, options):
     found = list(differences(outcomes))
     for sentence in found:
         print(sentence)
-    print("some differ" if found else f"{len(machines)} machines, {len(cases)} cases: all the same")
+    print("some hashes differ" if found else f"{len(machines)} machines, {len(cases)} cases: all hashes are equal")
     return 1 if found else 0
 
 
@@ -168,12 +168,12 @@ def parsed(arguments):
     parser.add_argument("--levels", type=Path, default=ROOT / "levels", metavar="DIR")
     options = parser.parse_args(arguments)
     if options.ticks is not None and options.ticks < 1:
-        parser.error("--ticks takes a number from 1 on")
+        parser.error("--ticks needs a number of at least 1")
     if options.ticks is not None and len(options.machines) == 1:
-        parser.error("--ticks compares machines with each other: name two or more")
+        parser.error("--ticks compares machines with each other: name at least two")
     unknown = [name for name in options.machines if name not in MACHINES]
     if unknown:
-        parser.error(f"no machine '{unknown[0]}': they are {', '.join(MACHINES)}")
+        parser.error(f"no machine '{unknown[0]}'; the machines are {', '.join(MACHINES)}")
     return options
 
 

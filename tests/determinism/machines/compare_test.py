@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Compares machines that are not there: what stands in for platon-sim says what the recording's file tells it to."""
+"""Tests the comparison with a stand-in for platon-sim, which prints what the recording file contains."""
 
 import contextlib
 import io
@@ -37,9 +37,9 @@ class Comparison(unittest.TestCase):
         (self.folder / "stand_in.py").write_text(STAND_IN, encoding="utf-8")
 
     def compared(self, *recordings):
-        """The exit code and what is printed, for recordings given as {machine: (what platon-sim prints, exit code)}."""
-        for number, said in enumerate(recordings):
-            (self.folder / f"r{number}.recording").write_text(json.dumps(said), encoding="utf-8")
+        """(exit code, output) for recordings given as {machine: (output of platon-sim, its exit code)}."""
+        for number, printed in enumerate(recordings):
+            (self.folder / f"r{number}.recording").write_text(json.dumps(printed), encoding="utf-8")
         names = recordings[0] if recordings else ["one"]
         runner = (sys.executable, str(self.folder / "stand_in.py"))
         machines = [StandIn(name, "", (), (), runner) for name in names]
@@ -50,38 +50,38 @@ class Comparison(unittest.TestCase):
         return code, out.getvalue()
 
     @staticmethod
-    def says(hash_, code=0):
+    def gives(hash_, code=0):
         return json.dumps({"ticks": 7, "hash": hash_}), code
 
-    def test_all_the_same(self):
-        a, b = self.says("a" * 16), self.says("b" * 16)
+    def test_equal_hashes(self):
+        a, b = self.gives("a" * 16), self.gives("b" * 16)
         code, text = self.compared({"one": a, "two": a}, {"one": b, "two": b})
         self.assertEqual(code, 0, text)
-        self.assertIn("2 machines, 2 cases: all the same", text)
+        self.assertIn("2 machines, 2 cases: all hashes are equal", text)
         self.assertRegex(text, r"\| r0 \| 7 \| a{16} \| \d+\.\d s \| \d+\.\d s \|")
         self.assertIn("[4/4] ", text)
 
-    def test_another_hash(self):
-        code, text = self.compared({"one": self.says("a" * 16), "two": self.says("a" * 16), "odd": self.says("c" * 16)})
+    def test_a_different_hash(self):
+        code, text = self.compared({"one": self.gives("a" * 16), "two": self.gives("a" * 16), "odd": self.gives("c" * 16)})
         self.assertEqual(code, 1)
         self.assertIn("odd differs on r0: cccccccccccccccc after 7 ticks, where most machines have aaaaaaaaaaaaaaaa", text)
         self.assertRegex(text, r"\| r0 \| 7 \| a{16} \|[^|]* s \|[^|]* s \| c{16} [\d.]+ s \|")
 
-    def test_a_recording_that_differs(self):
+    def test_a_run_that_differs_from_the_recording(self):
         differs = ('{"ticks":7,"hash":"aaaaaaaaaaaaaaaa"} tick 5, entity 0, position', 1)
-        code, text = self.compared({"one": self.says("a" * 16), "odd": differs})
+        code, text = self.compared({"one": self.gives("a" * 16), "odd": differs})
         self.assertEqual(code, 1)
-        self.assertIn("odd differs from the recording (exit code 1) on r0; platon-sim said: " + differs[0], text)
-        self.assertEqual(self.compared({"only": self.says("a" * 16, code=1)})[0], 1)
+        self.assertIn("odd differs from the recording (exit code 1) on r0; platon-sim printed: " + differs[0], text)
+        self.assertEqual(self.compared({"only": self.gives("a" * 16, code=1)})[0], 1)
 
     def test_other_failures(self):
-        for said, sentence in (
-            (("broken", 3), "odd finds the recording damaged (exit code 3) on r0; platon-sim said: broken"),
-            (("", 99), "odd fails (exit code 99) on r0; platon-sim said: nothing"),
-            (("hello", 0), "odd gave no hash on r0; platon-sim said: hello"),
-            (("[]", 0), "odd gave no hash on r0; platon-sim said: []"),
+        for printed, sentence in (
+            (("broken", 3), "odd finds the recording damaged (exit code 3) on r0; platon-sim printed: broken"),
+            (("", 99), "odd fails (exit code 99) on r0; platon-sim printed: nothing"),
+            (("hello", 0), "odd gave no hash on r0; platon-sim printed: hello"),
+            (("[]", 0), "odd gave no hash on r0; platon-sim printed: []"),
         ):
-            code, text = self.compared({"odd": said, "one": self.says("a" * 16)})
+            code, text = self.compared({"odd": printed, "one": self.gives("a" * 16)})
             self.assertEqual(code, 1, text)
             self.assertIn(sentence, text)
 
@@ -92,7 +92,7 @@ class Comparison(unittest.TestCase):
 
 
 class Cases(unittest.TestCase):
-    def test_a_level_of_each_solid(self):
+    def test_one_level_of_each_solid(self):
         cases = compare.cases_of(compare.parsed(["--ticks", "9", "--seed", "4"]))
         self.assertEqual(len(cases), 5)
         for name, arguments in cases:
@@ -100,7 +100,7 @@ class Cases(unittest.TestCase):
             self.assertEqual(sorted((ROOT / "levels").glob(f"*/{name}.level")), [arguments[1]])
             self.assertEqual(arguments[2:], ["--players", 8, "--ticks", 9, "--seed", 4, "--drive", "play", "--json"])
 
-    def test_the_first_by_name(self):
+    def test_the_first_level_by_name_is_chosen(self):
         folder = Path(tempfile.mkdtemp(prefix="platon-machines-"))
         self.addCleanup(shutil.rmtree, folder)
         for name, text in (("b", "# HEXAHEDRON\n\nOCTAHEDRON # x\n"), ("a", "OCTAHEDRON\n"), ("c", "HEXAHEDRON\n")):
@@ -108,10 +108,10 @@ class Cases(unittest.TestCase):
         self.assertEqual([p.name for p in compare.first_level_of_each_solid(folder.iterdir())], ["a", "c"])
 
     def test_unknown_machine(self):
-        with self.assertRaises(SystemExit) as stop, contextlib.redirect_stderr(io.StringIO()) as said:
+        with self.assertRaises(SystemExit) as stop, contextlib.redirect_stderr(io.StringIO()) as stderr:
             compare.parsed(["vax"])
         self.assertEqual(stop.exception.code, 2)
-        self.assertIn("no machine 'vax'", said.getvalue())
+        self.assertIn("no machine 'vax'", stderr.getvalue())
 
 
 class Needs(unittest.TestCase):
@@ -126,11 +126,11 @@ class Needs(unittest.TestCase):
         self.assertIn("s390x-linux-gnu-g++, qemu-s390x", str(reason.exception))
         self.assertIn("g++-s390x-linux-gnu qemu-user", str(reason.exception))
 
-    def test_a_build_that_fails_says_how(self):
+    def test_a_failing_build_shows_its_output(self):
         broken = Machine("broken", "", (), ("-DCMAKE_CXX_COMPILER=no-such-compiler",))
         folder = tempfile.mkdtemp(prefix="platon-machines-")
         self.addCleanup(shutil.rmtree, folder)
-        with self.assertRaisesRegex(MachineError, "(?s)broken does not configure:.*no-such-compiler"):
+        with self.assertRaisesRegex(MachineError, "(?s)broken: configure failed:.*no-such-compiler"):
             broken.build(folder, 1, "")
 
 

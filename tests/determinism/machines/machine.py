@@ -1,4 +1,4 @@
-"""The machines on which the simulation must give the same bits: how each is built, and how its programs are run."""
+"""The machines on which the simulation must give equal hashes: how to build for each and run its programs."""
 
 import os
 import re
@@ -10,19 +10,19 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[2]
 
-# Seconds of a build may be many, but one that hangs must not.
+# Seconds.
 BUILD_TIMEOUT = 1800
 
 _NEED = re.compile(r"^(?P<package>\S+)\s+(?P<probe>(?:tool|file):\S+)$", re.MULTILINE)
 
 
 class MachineError(Exception):
-    """Why a machine cannot be used, as a sentence for the user."""
+    """A sentence that says why a machine cannot be used."""
 
 
 @dataclass(frozen=True)
 class Machine:
-    """One way to build and run platon-sim. `needs` are probes of the lists in ./platon, which know their packages."""
+    """One way to build and run platon-sim. `needs` are probes in the package lists of ./platon."""
 
     name: str
     what: str
@@ -32,15 +32,15 @@ class Machine:
     program: str = "bin/platon-sim"
 
     def command(self, builds, arguments):
-        """The command line that runs platon-sim with these arguments on this machine."""
+        """The command that runs platon-sim with these arguments on this machine."""
         return [*self.runner, str(Path(builds) / self.name / self.program), *map(str, arguments)]
 
     def missing(self):
-        """What this machine needs and does not find."""
+        """The probes of missing tools and files."""
         return [probe for probe in self.needs if not _found(probe)]
 
     def check(self):
-        """Raises MachineError with the packages to install when anything is missing."""
+        """Raises MachineError, with the packages to install, if anything is missing."""
         missing = self.missing()
         if missing:
             names = ", ".join(probe.partition(":")[2] for probe in missing)
@@ -48,7 +48,7 @@ class Machine:
             raise MachineError(f"{self.name} needs {names}, not found here: apt-get install {packages}")
 
     def build(self, builds, jobs, launcher):
-        """Builds platon-sim; raises MachineError with the end of the output when that fails."""
+        """Builds platon-sim. Raises MachineError, with the end of the output, on failure."""
         self.check()
         directory = Path(builds) / self.name
         configure = ["cmake", "-S", ROOT, "-B", directory, "-G", "Ninja", *_COMMON, *self.options]
@@ -61,7 +61,7 @@ class Machine:
         done = subprocess.run(list(map(str, command)), capture_output=True, text=True, timeout=BUILD_TIMEOUT)
         if done.returncode != 0:
             end = "\n".join((done.stdout + done.stderr).splitlines()[-40:])
-            raise MachineError(f"{self.name} does not {what}:\n{end}")
+            raise MachineError(f"{self.name}: {what} failed:\n{end}")
 
 
 def _found(probe):
@@ -70,11 +70,11 @@ def _found(probe):
 
 
 def package_of(probe, platon=ROOT / "platon"):
-    """The Debian package that the lists in ./platon name for a probe."""
+    """The Debian package of a probe, from the package lists of ./platon."""
     for need in _NEED.finditer(platon.read_text(encoding="utf-8")):
         if need["probe"] == probe:
             return need["package"]
-    raise KeyError(f"{platon} names no package for {probe}")
+    raise KeyError(f"{platon} has no package for {probe}")
 
 
 _COMMON = ("-DPLATON_SIM_ONLY=ON", "-DBUILD_TESTING=OFF")
@@ -89,10 +89,10 @@ def _native(name, what, compiler, kind, flags, sanitize=""):
 
 
 def _emulated(name, what, triple, emulator):
-    # At -O3, which the emulators run a little faster than -O2. Static: no search for libraries under emulation.
+    # Emulators run -O3 a little faster than -O2. Static linking avoids a search for libraries under emulation.
     options = (f"-DCMAKE_TOOLCHAIN_FILE={HERE / name}.cmake", "-DCMAKE_BUILD_TYPE=Release",
                "-DCMAKE_EXE_LINKER_FLAGS=-static")  # fmt: skip
-    needs = (*_TOOLS, f"tool:{triple}-linux-gnu-g++", "tool:qemu-s390x")  # one package has all emulators
+    needs = (*_TOOLS, f"tool:{triple}-linux-gnu-g++", "tool:qemu-s390x")  # one package holds all emulators
     return Machine(name, what, needs, options, (emulator,))
 
 
