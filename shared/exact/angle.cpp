@@ -17,10 +17,10 @@ constexpr std::int64_t multiply(std::int64_t a, std::int64_t b) {
   return static_cast<std::int64_t>((int128{a} * b) >> kTableBits);
 }
 
-// The Taylor series: for arguments up to a quarter turn, 24 terms leave less than 2^-60.
+// Taylor series of sine or cosine, 12 terms. For arguments up to a quarter turn the error is below 2^-60.
 constexpr std::int64_t taylor(std::int64_t x, std::int64_t term, int firstDivisor) {
   std::int64_t sum = term;
-  const std::int64_t square = multiply(x, x / 4);  // x^2 / 4, so that pi^2 / 4 stays below 2^63 / 2^60
+  const std::int64_t square = multiply(x, x / 4);  // x^2 / 4, at most pi^2 / 16
   for (int n = firstDivisor; n < firstDivisor + 24; n += 2) {
     term = -4 * (multiply(term, square) / (n * (n + 1)));
     sum += term;
@@ -44,7 +44,7 @@ constexpr std::array<Rotation, Count> makeTable() {
   return table;
 }
 
-// An angle is whole degrees plus centidegrees; the sum formulas join the two tables with one rounding.
+// Tables of whole degrees and of centidegrees; the angle addition formulas combine them with one rounding.
 constexpr auto kDegrees = makeTable<91, 100>();
 constexpr auto kCentidegrees = makeTable<100, 1>();
 static_assert(kDegrees[0].cosine == std::int64_t{1} << 30 && kDegrees[0].sine == 0);
@@ -64,7 +64,7 @@ Rotation firstQuadrant(std::int32_t centidegrees) {
 }  // namespace
 
 Rotation rotationOf(Angle angle) {
-  if (angle == Angle()) return Rotation::none();  // mostly so, and quicker
+  if (angle == Angle()) return Rotation::none();  // fast path: usually zero
   constexpr std::int32_t quarter = Angle::kTurn / 4;
   const Rotation base = firstQuadrant(angle.centidegrees() % quarter);
   switch (angle.centidegrees() / quarter) {
@@ -82,8 +82,8 @@ Rotation rotationOf(Angle angle) {
 Point rotate(Point vector, Angle angle) { return rotate(vector, rotationOf(angle)); }
 
 Angle angleBetween(Point from, Point to) {
-  // The cross product of `to` with the turned `from` changes sign once in each half turn: bisect the half turn that
-  // holds the answer, then take the nearer of the two neighbours.
+  // The cross product of the rotated `from` with `to` changes sign once in each half turn: bisects the half turn that
+  // contains the angle, then returns the nearer of the two neighbouring centidegrees.
   const auto side = [&](std::int32_t centidegrees) {
     const WideVector turned = rotateWide(from, rotationOf(Angle(centidegrees)));
     return int128{turned.x} * to.y - int128{turned.y} * to.x;

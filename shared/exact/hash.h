@@ -8,11 +8,12 @@
 
 namespace platon {
 
-/// A 64-bit hash of integers, the same on every machine: it works on values, not on bytes in memory. Each step is a
-/// bijection of the state for a given value and of the value for a given state, so that a single change always shows.
+/// A 64-bit hash of a sequence of integers. Hashes values, not memory, so the result is the same on every platform.
+/// Each step is a bijection of the state for a given value, and of the value for a given state: two sequences of equal
+/// length that differ in one value always have different hashes. Not cryptographic.
 class Hash {
  public:
-  /// A negative number counts as its value modulo 2^64, so that the width of its type does not matter.
+  /// Adds `value` modulo 2^64; the width of its type does not influence the hash.
   template <FixedInteger Integer>
   void add(Integer value) {
     state_ ^= static_cast<std::uint64_t>(value);
@@ -27,10 +28,10 @@ class Hash {
   std::uint64_t value() const { return state_; }
 
  private:
-  std::uint64_t state_ = 0xcbf29ce484222325U;  // any but 0, which would map a first 0 to itself
+  std::uint64_t state_ = 0xcbf29ce484222325U;  // not 0: a first value of 0 would leave 0 unchanged
 };
 
-/// Of bytes, of whatever type, and their number.
+/// Hash of the size and the bytes of a container whose elements are one byte wide.
 template <class Bytes>
 std::uint64_t hashOf(const Bytes& bytes) {
   Hash hash;

@@ -8,7 +8,7 @@
 
 namespace platon {
 
-/// The number of lattice points at most kRadius from the origin.
+/// Number of lattice points within kRadius of the origin.
 template <std::int32_t kRadius>
 constexpr std::size_t latticeDiscSize() {
   std::size_t count = 0;
@@ -18,7 +18,7 @@ constexpr std::size_t latticeDiscSize() {
   return count;
 }
 
-/// Those points, nearest first; equally near ones by y, then x.
+/// The lattice points within kRadius of the origin, nearest first; points at equal distance are ordered by y, then x.
 template <std::int32_t kRadius>
 constexpr std::array<Point, latticeDiscSize<kRadius>()> latticeDisc() {
   std::array<Point, latticeDiscSize<kRadius>()> disc{};

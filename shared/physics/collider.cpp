@@ -5,8 +5,8 @@
 
 namespace platon {
 
-SegmentRef segmentRef(const MapGeometry& part, std::uint32_t line) {
-  return {part.id, line, part.isWarp(line), part.segments[line]};
+SegmentRef segmentRef(const MapGeometry& part, std::uint32_t segment) {
+  return {part.id, segment, part.isWarp(segment), part.segments[segment]};
 }
 
 void Collider::begin(Rules& rules, Entity entity, std::vector<Region>& regions) {
@@ -21,52 +21,52 @@ void Collider::begin(Rules& rules, Entity entity, std::vector<Region>& regions) 
 Region& Collider::start(const Placement& placement, const Convex& shape, Point from, Point to) {
   sweep_.start(shape, from, to - from);
   Region& region = regionOf(placement);
-  region.cover(*placement.part, sweep_.bounds().grown(kReach));
+  region.cover(*placement.part, sweep_.bounds().grown(kRegionMargin));
   return region;
 }
 
-// What the line at a place of the placement's region is to the sweep that has been started with the placement's shape.
-std::optional<Sweep::Meeting> Collider::meet(const Placement& placement, Region& region, std::size_t place) {
-  if (sweep_.misses(region.bounds(place))) return std::nullopt;
-  return sweep_.meet(region.obstacle(place, *placement.shape));
+// Clips the path of sweep_, which must have been started with the placement's shape, against the segment at `entry`.
+std::optional<Sweep::ClipInterval> Collider::clip(const Placement& placement, Region& region, std::size_t entry) {
+  if (sweep_.misses(region.bounds(entry))) return std::nullopt;
+  return sweep_.clip(region.obstacle(entry, *placement.shape));
 }
 
-bool Collider::blocks(const MapGeometry& part, std::uint32_t line) const {
-  return ignoresWarps_ ? !part.isWarp(line) : !rules_->pierce(*entity_, segmentRef(part, line));
+bool Collider::blocks(const MapGeometry& part, std::uint32_t segment) const {
+  return ignoresWarps_ ? !part.isWarp(segment) : !rules_->pierce(*entity_, segmentRef(part, segment));
 }
 
-bool Collider::blocksOrNote(const Placement& placement, std::uint32_t line) {
-  if (blocks(*placement.part, line)) return true;
-  const Pierced pierced{placement.id, placement.part->id, line};
+bool Collider::blocksOrRecord(const Placement& placement, std::uint32_t segment) {
+  if (blocks(*placement.part, segment)) return true;
+  const Pierced pierced{placement.id, placement.part->id, segment};
   if (std::find(pierced_.begin(), pierced_.end(), pierced) == pierced_.end()) pierced_.push_back(pierced);
   return false;
 }
 
-std::optional<LegHit> Collider::first(const Instances& instances, Point from, Point to, const LegHit* but) {
+std::optional<LegHit> Collider::first(const Instances& instances, Point from, Point to, const LegHit* ignored) {
   std::optional<LegHit> best;
   for (std::size_t i = 0; i < instances.all().size(); ++i) {
-    first(instances, i, from, to, best, but != nullptr && i == but->placement ? but->line : kNoLine);
+    first(instances, i, from, to, best, ignored != nullptr && i == ignored->placement ? ignored->segment : kNoSegment);
   }
   return best;
 }
 
 void Collider::first(const Instances& instances, std::size_t index, Point from, Point to, std::optional<LegHit>& best,
-                     std::uint32_t but) {
-  if (isSettled(best)) return;
+                     std::uint32_t ignored) {
+  if (isFinal(best)) return;
   const Placement& placement = instances.all()[index];
   Region& region = start(placement, *placement.shape, instances.at(index, from), placement.at(to));
-  for (std::size_t place = 0; place < endOfHeeded(region) && !isSettled(best); ++place) {
-    const std::uint32_t line = region.lines()[place];
-    if (line == but) continue;
-    const auto meeting = meet(placement, region, place);
-    if (!meeting || !blocksOrNote(placement, line) || (best && meeting->enter >= best->hit.time)) continue;
-    best = LegHit{index, line, Sweep::describe(region.obstacle(place, *placement.shape), *meeting)};
+  for (std::size_t entry = 0; entry < checkedEntries(region) && !isFinal(best); ++entry) {
+    const std::uint32_t segment = region.segments()[entry];
+    if (segment == ignored) continue;
+    const auto interval = clip(placement, region, entry);
+    if (!interval || !blocksOrRecord(placement, segment) || (best && interval->enter >= best->hit.time)) continue;
+    best = LegHit{index, segment, Sweep::hitOf(region.obstacle(entry, *placement.shape), *interval)};
   }
 }
 
 std::optional<LegHit> Collider::firstWarp(const Instances& instances, const Path& path,
-                                          const std::optional<LegHit>& limit, const std::vector<Gate>& shut) {
-  if (limit && limit->hit.time.numerator == 0) return std::nullopt;  // `first` may then have left regions out
+                                          const std::optional<LegHit>& limit, const std::vector<WarpRef>& refused) {
+  if (limit && limit->hit.time.numerator == 0) return std::nullopt;  // `first` may have skipped regions
   std::optional<LegHit> best;
   const LegHit* earliest = limit ? &*limit : nullptr;
   for (std::size_t i = 0; i < instances.all().size(); ++i) {
@@ -74,28 +74,30 @@ std::optional<LegHit> Collider::firstWarp(const Instances& instances, const Path
     const MapGeometry& part = *placement.part;
     Region& region = regionOf(placement);
     bool started = false;
-    for (std::size_t place = region.firstWarp(); place < region.lines().size(); ++place) {
-      const std::uint32_t line = region.lines()[place];
-      const Gate gate{i, static_cast<std::uint16_t>(part.warpOfSegment(line))};
-      if (instances.linked(i, gate.warp) || std::find(shut.begin(), shut.end(), gate) != shut.end()) continue;
+    for (std::size_t entry = region.firstWarp(); entry < region.segments().size(); ++entry) {
+      const std::uint32_t segment = region.segments()[entry];
+      const WarpRef ref{i, static_cast<std::uint16_t>(part.warpOfSegment(segment))};
+      if (instances.hasInstanceBehind(i, ref.warp) || std::find(refused.begin(), refused.end(), ref) != refused.end())
+        continue;
       if (!std::exchange(started, true)) {
         const Point from = instances.at(i, path.from);
         sweep_.start(*placement.shape, from, placement.at(path.to) - from, path.margin);
       }
-      const auto meeting = meet(placement, region, place);
-      if (!meeting || (earliest && meeting->enter >= earliest->hit.time) || blocks(part, line)) continue;
-      best = LegHit{i, line, Sweep::describe(region.obstacle(place, *placement.shape), *meeting)};
+      const auto interval = clip(placement, region, entry);
+      if (!interval || (earliest && interval->enter >= earliest->hit.time) || blocks(part, segment)) continue;
+      best = LegHit{i, segment, Sweep::hitOf(region.obstacle(entry, *placement.shape), *interval)};
       earliest = &*best;
     }
   }
   return best;
 }
 
-bool Collider::meetsWarp(const Instances& instances, const Gate& gate, const Convex& shape, std::int32_t margin) {
-  const Placement& placement = instances.all()[gate.placement];
+bool Collider::reachesWarp(const Instances& instances, const WarpRef& ref, const Convex& shape, std::int32_t margin) {
+  const Placement& placement = instances.all()[ref.placement];
   sweep_.start(shape, placement.position, {}, margin);
-  return sweep_.against(placement.part->warps[gate.warp].from) && !instances.linked(gate.placement, gate.warp) &&
-         !blocks(*placement.part, placement.part->segmentOfWarp(gate.warp));
+  return sweep_.against(placement.part->warps[ref.warp].from) &&
+         !instances.hasInstanceBehind(ref.placement, ref.warp) &&
+         !blocks(*placement.part, placement.part->segmentOfWarp(ref.warp));
 }
 
 bool Collider::isFree(const Instances& instances, Point from, Point to) {
@@ -106,49 +108,49 @@ bool Collider::isFree(const Instances& instances, Point from, Point to) {
 
 bool Collider::isFree(const Placement& placement, Point from, Point to) {
   Region& region = start(placement, *placement.shape, from, to);
-  for (std::size_t place = 0; place < endOfHeeded(region); ++place) {
-    if (meet(placement, region, place) && blocksOrNote(placement, region.lines()[place])) return false;
+  for (std::size_t entry = 0; entry < checkedEntries(region); ++entry) {
+    if (clip(placement, region, entry) && blocksOrRecord(placement, region.segments()[entry])) return false;
   }
   return true;
 }
 
 std::optional<std::uint32_t> Collider::overlapped(const Placement& placement, const Convex& shape) {
-  for (const std::uint32_t line : start(placement, shape, placement.position, placement.position).lines()) {
-    if (sweep_.against(placement.part->segments[line]) && blocks(*placement.part, line)) return line;
+  for (const std::uint32_t segment : start(placement, shape, placement.position, placement.position).segments()) {
+    if (sweep_.against(placement.part->segments[segment]) && blocks(*placement.part, segment)) return segment;
   }
   return std::nullopt;
 }
 
 void Collider::appendPierced(const Placement& placement, std::vector<Pierced>& out) {
   Region& region = start(placement, *placement.shape, placement.position, placement.position);
-  for (std::size_t place = 0; place < endOfHeeded(region); ++place) {
-    const std::uint32_t line = region.lines()[place];
-    if (!meet(placement, region, place) || blocks(*placement.part, line)) continue;
-    out.push_back({placement.id, placement.part->id, line});
+  for (std::size_t entry = 0; entry < checkedEntries(region); ++entry) {
+    const std::uint32_t segment = region.segments()[entry];
+    if (!clip(placement, region, entry) || blocks(*placement.part, segment)) continue;
+    out.push_back({placement.id, placement.part->id, segment});
   }
 }
 
-std::optional<Sweep::Meeting> Collider::against(const Placement& placement, const Path& path, std::uint32_t line) {
-  Obstacle* obstacle = obstacleNear(placement, path, line);
-  return obstacle ? sweep_.meet(*obstacle) : std::nullopt;
+std::optional<Sweep::ClipInterval> Collider::clip(const Placement& placement, const Path& path, std::uint32_t segment) {
+  Obstacle* obstacle = obstacleNear(placement, path, segment);
+  return obstacle ? sweep_.clip(*obstacle) : std::nullopt;
 }
 
-std::optional<Hit> Collider::hit(const Placement& placement, const Path& path, std::uint32_t line) {
-  Obstacle* obstacle = obstacleNear(placement, path, line);
+std::optional<Hit> Collider::hit(const Placement& placement, const Path& path, std::uint32_t segment) {
+  Obstacle* obstacle = obstacleNear(placement, path, segment);
   return obstacle ? sweep_.against(*obstacle) : std::nullopt;
 }
 
-// Starts the sweep; null when that passes the bounds of the line.
-Obstacle* Collider::obstacleNear(const Placement& placement, const Path& path, std::uint32_t line) {
+// Starts sweep_ along the path. Null when the path misses the bounding box of the segment.
+Obstacle* Collider::obstacleNear(const Placement& placement, const Path& path, std::uint32_t segment) {
   sweep_.start(*placement.shape, path.from, path.to - path.from, path.margin);
-  if (sweep_.misses(boundsOf(placement.part->segments[line]))) return nullptr;
+  if (sweep_.misses(boundsOf(placement.part->segments[segment]))) return nullptr;
   Region& region = regionOf(placement);
-  auto place = region.isOf(*placement.part) ? region.placeOf(line) : std::nullopt;
-  if (!place) {
-    region.cover(*placement.part, sweep_.bounds().grown(kReach));
-    place = region.placeOf(line);
+  auto entry = region.belongsTo(*placement.part) ? region.entryOf(segment) : std::nullopt;
+  if (!entry) {
+    region.cover(*placement.part, sweep_.bounds().grown(kRegionMargin));
+    entry = region.entryOf(segment);
   }
-  return place ? &region.obstacle(*place, *placement.shape) : nullptr;
+  return entry ? &region.obstacle(*entry, *placement.shape) : nullptr;
 }
 
 }  // namespace platon

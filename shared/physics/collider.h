@@ -12,98 +12,105 @@
 
 namespace platon {
 
-/// The line that stops a leg, or a warp line that it comes near.
+/// The segment that stops a leg, or a warp segment that a leg reaches.
 struct LegHit {
-  std::size_t placement = 0;
-  std::uint32_t line = 0;  ///< index into the lines of the placement's part
-  Hit hit;                 ///< its time is of the leg
+  std::size_t placement = 0;  ///< index of the placement that hits the segment
+  std::uint32_t segment = 0;  ///< index into the segments of the placement's part
+  Hit hit;                    ///< times are fractions of the leg
 };
 
-/// Asks exact questions about one entity's instances and the lines round them. Rules decide which lines block.
+/// Exact collision queries for all instances of one entity. The rules decide which segments block.
 class Collider {
  public:
-  /// Regions cover this much beyond the straight path of a leg: room for its margins, and for candidates for its end.
-  static constexpr std::int32_t kReach = 8;
-  static constexpr std::uint32_t kNoLine = ~std::uint32_t{0};
+  /// Regions extend this far, in subunits, beyond the path of a leg, so that queries with a margin and for positions
+  /// near the end of the leg do not refill them.
+  static constexpr std::int32_t kRegionMargin = 8;
+  static constexpr std::uint32_t kNoSegment = ~std::uint32_t{0};
 
-  /// A pierceable line that an instance has met.
+  /// A pierceable segment that an instance has reached.
   struct Pierced {
     std::uint16_t instance;
     std::uint32_t part;
-    std::uint32_t line;
+    std::uint32_t segment;
 
     friend bool operator==(const Pierced&, const Pierced&) = default;
   };
 
-  /// A warp of a placement.
-  struct Gate {
+  /// A warp of the part of a placement.
+  struct WarpRef {
     std::size_t placement;
     std::uint16_t warp;
 
-    friend bool operator==(const Gate&, const Gate&) = default;
+    friend bool operator==(const WarpRef&, const WarpRef&) = default;
   };
-  /// A move of shapes grown by a margin.
+  /// A straight move of a shape with a margin.
   struct Path {
     Point from;
     Point to;
     std::int32_t margin = 0;
   };
 
-  /// `regions` are the entity's, one for each placement's region index.
+  /// Starts a step. `regions` belong to the entity and are indexed by Placement::region.
   void begin(Rules& rules, Entity entity, std::vector<Region>& regions);
 
-  /// The earliest blocking line in the way of any instance when home moves straight from `from` to `to`; at equal
-  /// times the first placement and the line with the lowest index. Notes the pierceable lines met. As if the line of
-  /// `but` were not there.
-  std::optional<LegHit> first(const Instances& instances, Point from, Point to, const LegHit* but = nullptr);
-  /// As above for placement `index` alone and without line `but`; replaces `best` when it finds an earlier one.
+  /// The earliest hit of any instance on a blocking segment when the home instance moves straight from `from` to `to`.
+  /// At equal times, the first placement and the lowest segment index win. Records pierceable segments on the path. The
+  /// segment of `ignored` is skipped.
+  std::optional<LegHit> first(const Instances& instances, Point from, Point to, const LegHit* ignored = nullptr);
+  /// As above for placement `index` only and without segment `ignored`. Replaces `best` by an earlier hit.
   void first(const Instances& instances, std::size_t index, Point from, Point to, std::optional<LegHit>& best,
-             std::uint32_t but = kNoLine);
-  /// The earliest pierceable warp line, without an instance behind it and not among `shut`, that any instance meets
-  /// before `limit`. To be asked after `first` for the same way, whose regions it searches; margin <= kReach.
+             std::uint32_t ignored = kNoSegment);
+  /// The earliest hit, before `limit`, of any instance on a pierceable warp segment that has no instance behind it and
+  /// is not in `refused`. Must follow a call of `first` for the same path, whose regions it searches. Requires
+  /// path.margin <= kRegionMargin.
   std::optional<LegHit> firstWarp(const Instances& instances, const Path& path, const std::optional<LegHit>& limit,
-                                  const std::vector<Gate>& shut);
-  /// Whether `shape`, grown by `margin`, meets a pierceable warp line of the placement that has no instance behind it.
-  bool meetsWarp(const Instances& instances, const Gate& gate, const Convex& shape, std::int32_t margin);
+                                  const std::vector<WarpRef>& refused);
+  /// Whether `shape` with `margin`, at the position of the placement, overlaps the segment of a pierceable warp that
+  /// has no instance behind it.
+  bool reachesWarp(const Instances& instances, const WarpRef& ref, const Convex& shape, std::int32_t margin);
 
-  /// Whether no blocking line is in the way of any instance when home moves straight from `from` to `to`.
+  /// Whether no instance hits a blocking segment when the home instance moves straight from `from` to `to`.
   bool isFree(const Instances& instances, Point from, Point to);
-  /// The same for one placement in its own part's frame; from = to asks whether it may stand there.
+  /// As above for one placement, in the frame of its part. With from == to, tests a position.
   bool isFree(const Placement& placement, Point from, Point to);
-  /// The first blocking line, by index, that overlaps `shape` at the placement's position.
+  /// The blocking segment of lowest index that overlaps `shape` at the position of the placement.
   std::optional<std::uint32_t> overlapped(const Placement& placement, const Convex& shape);
-  /// Appends the pierceable lines, by index, that the placement overlaps where it stands.
+  /// Appends the pierceable segments, in order of their indices, that the placement overlaps at its position.
   void appendPierced(const Placement& placement, std::vector<Pierced>& out);
 
-  /// What one line does to one placement that moves along `path` in its own part's frame.
-  std::optional<Sweep::Meeting> against(const Placement& placement, const Path& path, std::uint32_t line);
-  std::optional<Hit> hit(const Placement& placement, const Path& path, std::uint32_t line);
+  /// Clips a path of one placement, in the frame of its part, against the obstacle of one segment.
+  std::optional<Sweep::ClipInterval> clip(const Placement& placement, const Path& path, std::uint32_t segment);
+  /// The collision of such a path with one segment.
+  std::optional<Hit> hit(const Placement& placement, const Path& path, std::uint32_t segment);
 
+  /// All pierceable segments recorded since `begin`, each once per instance.
   const std::vector<Pierced>& pierced() const { return pierced_; }
 
  private:
   Region& start(const Placement& placement, const Convex& shape, Point from, Point to);
   Region& regionOf(const Placement& placement) { return (*regions_)[placement.region]; }
-  bool isSettled(const std::optional<LegHit>& best) const {
+  // Whether no later test can find an earlier hit or must record a pierceable segment.
+  bool isFinal(const std::optional<LegHit>& best) const {
     return ignoresWarps_ && best && best->hit.time.numerator == 0;
   }
-  std::optional<Sweep::Meeting> meet(const Placement& placement, Region& region, std::size_t place);
-  Obstacle* obstacleNear(const Placement& placement, const Path& path, std::uint32_t line);
-  std::size_t endOfHeeded(const Region& region) const {
-    return ignoresWarps_ ? region.firstWarp() : region.lines().size();
+  std::optional<Sweep::ClipInterval> clip(const Placement& placement, Region& region, std::size_t entry);
+  Obstacle* obstacleNear(const Placement& placement, const Path& path, std::uint32_t segment);
+  // The number of entries, from the first, whose segments may block or are recorded.
+  std::size_t checkedEntries(const Region& region) const {
+    return ignoresWarps_ ? region.firstWarp() : region.segments().size();
   }
-  bool blocks(const MapGeometry& part, std::uint32_t line) const;
-  bool blocksOrNote(const Placement& placement, std::uint32_t line);
+  bool blocks(const MapGeometry& part, std::uint32_t segment) const;
+  bool blocksOrRecord(const Placement& placement, std::uint32_t segment);
 
   Rules* rules_ = nullptr;
-  bool ignoresWarps_ = false;  // the rules: warps neither block nor are noted
+  bool ignoresWarps_ = false;  // Rules::ignoresWarps of rules_
   std::optional<Entity> entity_;
   std::vector<Region>* regions_ = nullptr;
   std::vector<Pierced> pierced_;
   Sweep sweep_;
 };
 
-/// `line` of `part` as rules see it.
-SegmentRef segmentRef(const MapGeometry& part, std::uint32_t line);
+/// The reference to segment number `segment` of `part` that is passed to rules.
+SegmentRef segmentRef(const MapGeometry& part, std::uint32_t segment);
 
 }  // namespace platon

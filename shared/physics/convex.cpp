@@ -11,23 +11,23 @@ namespace {
 
 std::string atVertex(std::size_t index, const char* what) { return "vertex " + std::to_string(index + 1) + " " + what; }
 
-bool inHalfPlane(Point a, Point b) {
-  // Directions in [0, half turn) come before those in [half turn, turn).
+bool inSameHalfPlane(Point a, Point b) {
+  // The upper half plane is the angles in [0°, 180°), the lower one those in [180°, 360°).
   const auto lower = [](Point d) { return d.y < 0 || (d.y == 0 && d.x < 0); };
   return lower(a) == lower(b);
 }
 
-// Edges that turn left at every vertex can still wind round more than once: their directions must come back to the
-// start after exactly one turn, which is one step from the lower half plane to the upper one.
+// A polygon that turns left at every vertex can still wind round more than once. With one winding, the directions of
+// the edges change between the half planes exactly twice.
 bool windsOnce(std::span<const Point> vertices) {
-  int halfTurns = 0;
+  int changes = 0;
   const std::size_t count = vertices.size();
   for (std::size_t i = 0; i < count; ++i) {
     const Point edge = vertices[(i + 1) % count] - vertices[i];
     const Point next = vertices[(i + 2) % count] - vertices[(i + 1) % count];
-    if (!inHalfPlane(edge, next)) ++halfTurns;
+    if (!inSameHalfPlane(edge, next)) ++changes;
   }
-  return halfTurns == 2;
+  return changes == 2;
 }
 
 bool lexicographic(Point a, Point b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
@@ -52,16 +52,16 @@ std::optional<std::string> Convex::fault(std::span<const Point> vertices) {
   if (count < 3) return "a shape needs at least 3 vertices, not " + std::to_string(count);
   for (std::size_t i = 0; i < count; ++i) {
     if (!isCoordinate(vertices[i].x) || !isCoordinate(vertices[i].y)) {
-      return atVertex(i, "lies outside the coordinates, which are below 2^29");
+      return atVertex(i, "is out of range: coordinates must be below 2^29 in magnitude");
     }
   }
   for (std::size_t i = 0; i < count; ++i) {
     const Point here = vertices[(i + 1) % count];
     const std::int64_t turn = cross(here - vertices[i], vertices[(i + 2) % count] - here);
-    if (turn == 0) return atVertex((i + 1) % count, "lies on a line with its neighbours: leave it out");
-    if (turn < 0) return atVertex((i + 1) % count, "turns clockwise: a shape is convex and counter-clockwise");
+    if (turn == 0) return atVertex((i + 1) % count, "is collinear with its neighbours: remove it");
+    if (turn < 0) return atVertex((i + 1) % count, "turns clockwise: a shape must be convex and counter-clockwise");
   }
-  if (!windsOnce(vertices)) return "the edges wind round more than once";
+  if (!windsOnce(vertices)) return "the edges wind around more than once";
   return std::nullopt;
 }
 
@@ -88,8 +88,8 @@ std::optional<Convex> Convex::turned(Angle angle) const {
   if (angle == Angle()) return *this;
   std::vector<Point> points;
   points.reserve(vertices_.size());
-  const Rotation direction = rotationOf(angle);
-  for (const Point vertex : vertices_) points.push_back(rotate(vertex, direction));
+  const Rotation rotation = rotationOf(angle);
+  for (const Point vertex : vertices_) points.push_back(rotate(vertex, rotation));
   auto hull = convexHull(std::move(points));
   if (fault(hull)) return std::nullopt;
   return Convex(std::move(hull));

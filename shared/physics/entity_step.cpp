@@ -10,7 +10,8 @@
 namespace platon {
 namespace {
 
-// An instance outlives its use a little, so that none flickers.
+// An instance is dropped only at this distance from its warp segment, in subunits. Larger than the margin of insertion,
+// so that instances are not dropped and inserted in turn.
 constexpr std::int32_t kDropMargin = 8;
 
 Point halved(Point displacement) { return {displacement.x / 2, displacement.y / 2}; }
@@ -18,61 +19,61 @@ Point halved(Point displacement) { return {displacement.x / 2, displacement.y / 
 }  // namespace
 
 void EntityStep::begin(Entity entity, EntityState& state, std::span<const InstanceState> further,
-                       const Setting& setting) {
+                       const Context& context) {
   entity_.emplace(entity);
   state_ = &state;
-  rules_ = &setting.rules;
-  observer_ = setting.observer;
-  instances_.load(setting.geometry, setting.shapes, setting.base, state, further);
-  collider_.begin(setting.rules, entity, setting.regions);
-  wanted_ = rest_ = Point();
+  rules_ = &context.rules;
+  observer_ = context.observer;
+  instances_.load(context.geometry, context.shapes, context.base, state, further);
+  collider_.begin(context.rules, entity, context.regions);
+  tickDisplacement_ = remaining_ = Point();
   remainder_ = {state.remainder.x, state.remainder.y};
-  isFree_ = true;
+  unobstructed_ = true;
   stop_.reset();
-  stopBefore_.reset();
-  slidAlong_.reset();
-  onwards_.reset();
+  previousStop_.reset();
+  lastSlide_.reset();
+  planAfterNudge_.reset();
   contacts_.clear();
   observe();
 }
 
-// What the entity wants stays as it is while it slides: a line takes only what leads into it, for as long as it
+// tickDisplacement_ does not change during slides: a segment removes only the component towards it, and only while it
 // touches.
 void EntityStep::translate(Point velocity, Angle heading) {
-  takeVelocity(velocity, heading);
+  startTranslation(velocity, heading);
   for (int legs = 0; legs < kMaxLegs; ++legs) {
-    const Way way = nextWay();
-    if (legs != 0 && way.whole == Point()) break;
-    const Leg leg = admit(inRange(position() + way.part));
+    const LegPlan plan = planLeg();
+    if (legs != 0 && plan.uncut == Point()) break;
+    const Leg leg = prepareLeg(clampToRange(position() + plan.displacement));
     const bool moves = leg.target != position();
-    follow(leg, way);
-    passHome();
-    if (rest_ == Point() || !moves) break;
+    executeLeg(leg, plan);
+    rehome();
+    if (remaining_ == Point() || !moves) break;
   }
   if (stop_ && instances_.dropUnreached(kDropMargin, collider_)) observe();
-  keepRemainder();
+  storeRemainder();
 }
 
-// What rests does so exactly: a remainder alone moves nothing.
-void EntityStep::takeVelocity(Point velocity, Angle heading) {
+// Without velocity, a remainder does not move the entity (I4).
+void EntityStep::startTranslation(Point velocity, Angle heading) {
   if (velocity == Point()) return;
   const PrecisePoint exact = rotatePrecise(velocity, rotationOf(heading)) + remainder_;
-  wanted_ = rest_ = rounded(exact);
-  remainder_ = exact - precise(rest_);
+  tickDisplacement_ = remaining_ = rounded(exact);
+  remainder_ = exact - precise(remaining_);
 }
 
-// Where something was in the way, the exact place means nothing any more.
-void EntityStep::keepRemainder() {
-  const bool keeps =
-      isFree_ && rest_ == Point() && std::max(std::abs(remainder_.x), std::abs(remainder_.y)) <= kRemainderLimit;
+// Discards the remainder after a contact.
+void EntityStep::storeRemainder() {
+  const bool isKept = unobstructed_ && remaining_ == Point() &&
+                      std::max(std::abs(remainder_.x), std::abs(remainder_.y)) <= kRemainderLimit;
   state_->remainder =
-      keeps ? Point(static_cast<std::int32_t>(remainder_.x), static_cast<std::int32_t>(remainder_.y)) : Point();
+      isKept ? Point(static_cast<std::int32_t>(remainder_.x), static_cast<std::int32_t>(remainder_.y)) : Point();
 }
 
 bool EntityStep::settle() {
-  const Leg leg = admit(position());
-  passHome();
-  return leg.end == End::kReached && shut_.empty();
+  const Leg leg = prepareLeg(position());
+  rehome();
+  return leg.end == End::kReached && refusedWarps_.empty();
 }
 
 void EntityStep::finish(std::vector<InstanceState>& further) {
@@ -80,112 +81,114 @@ void EntityStep::finish(std::vector<InstanceState>& further) {
   store(further);
 }
 
-// Instances have to be there before the leg begins: then their shape is still outside their part, and free.
-EntityStep::Leg EntityStep::admit(Point target) {
-  shut_.clear();
+// Instances are inserted before the leg, while their shape is still outside the part and therefore free.
+EntityStep::Leg EntityStep::prepareLeg(Point target) {
+  refusedWarps_.clear();
   const std::size_t before = instances_.all().size();
   Leg leg{target, End::kReached, collider_.first(instances_, position(), target)};
   if (leg.hit) leg.end = End::kStopped;
   while (leg.end == End::kReached || leg.end == End::kStopped) {
-    const auto met = collider_.firstWarp(instances_, {position(), leg.target, kInsertMargin}, leg.hit, shut_);
-    if (!met) break;
-    insertBehind(leg, *met);
+    const auto warpHit =
+        collider_.firstWarp(instances_, {position(), leg.target, kInsertMargin}, leg.hit, refusedWarps_);
+    if (!warpHit) break;
+    insertInstanceBehind(leg, *warpHit);
   }
   if (instances_.all().size() != before) observe();
   return leg;
 }
 
-void EntityStep::insertBehind(Leg& leg, const LegHit& met) {
-  const auto warp = static_cast<std::uint16_t>(instances_.all()[met.placement].part->warpOfSegment(met.line));
-  if (instances_.fullBehind(met.placement)) {
+void EntityStep::insertInstanceBehind(Leg& leg, const LegHit& warpHit) {
+  const auto warp =
+      static_cast<std::uint16_t>(instances_.all()[warpHit.placement].part->warpOfSegment(warpHit.segment));
+  if (instances_.isFullBehind(warpHit.placement)) {
     leg.end = End::kFull;
-    leg.hit = met;
-  } else if (instances_.insert(met.placement, warp, collider_)) {
-    const Point target = inRange(leg.target);
+    leg.hit = warpHit;
+  } else if (instances_.insert(warpHit.placement, warp, collider_)) {
+    const Point target = clampToRange(leg.target);
     if (target == leg.target) {
       collider_.first(instances_, instances_.all().size() - 1, position(), target, leg.hit);
-    } else {  // coordinates end earlier behind the warp
+    } else {  // the new instance reaches the coordinate limit earlier
       leg.target = target;
       leg.hit = collider_.first(instances_, position(), target);
     }
     leg.end = leg.hit ? End::kStopped : End::kReached;
-  } else if (leadsAway(met, leg.target)) {
-    shut_.push_back({met.placement, warp});
+  } else if (movesAwayFromWarp(warpHit, leg.target)) {
+    refusedWarps_.push_back({warpHit.placement, warp});
   } else {
     leg.end = End::kRefused;
-    leg.hit = met;
+    leg.hit = warpHit;
   }
 }
 
-// Away from the warp line, or along it: nothing is missed without the instance behind it.
-bool EntityStep::leadsAway(const LegHit& met, Point target) const {
-  const Placement& placement = instances_.all()[met.placement];
-  const Segment& line = placement.part->segments[met.line];
-  return dot(perpendicular(line.b - line.a), placement.at(target) - placement.position) >= 0;
+// Whether the leg leads away from the warp segment or along it. It then does not need the instance behind the warp.
+bool EntityStep::movesAwayFromWarp(const LegHit& warpHit, Point target) const {
+  const Placement& placement = instances_.all()[warpHit.placement];
+  const Segment& segment = placement.part->segments[warpHit.segment];
+  return dot(perpendicular(segment.b - segment.a), placement.at(target) - placement.position) >= 0;
 }
 
-// Coordinates end at 2^29 in every part's frame: a displacement beyond is shortened until it stays inside.
-Point EntityStep::inRange(Point target) const {
+// Shortens a displacement until all instances stay within the coordinate limit.
+Point EntityStep::clampToRange(Point target) const {
   while (target != position() && !allInRange(target)) target = position() + halved(target - position());
   return target;
 }
 
 bool EntityStep::allInRange(Point home) const {
-  if (isFarFromEnds(home)) return true;
+  if (isFarFromLimit(home)) return true;
   return std::all_of(instances_.all().begin(), instances_.all().end(), [&](const Placement& placement) {
     const Point at = placement.at(home);
     return isCoordinate(at.x) && isCoordinate(at.y);
   });
 }
 
-// Whether neither home nor another instance could come near the end of coordinates on its way, whatever its frame:
-// spares turning the way into theirs. A way of less than a quarter of the coordinates is less than half of them after.
-bool EntityStep::isFarFromEnds(Point home) const {
+// Fast path of allInRange: whether the positions and the displacement are so small that no instance can reach the
+// coordinate limit in any frame. A rotation at most doubles the maxNorm of a displacement.
+bool EntityStep::isFarFromLimit(Point home) const {
   constexpr std::int32_t kNear = kCoordinateLimit / 4;
   if (maxNorm(home - position()) >= kNear) return false;
   return std::all_of(instances_.all().begin(), instances_.all().end(),
                      [](const Placement& placement) { return maxNorm(placement.position) < kNear; });
 }
 
-// Moves along the leg as far as it goes, and tells of what stopped it.
-void EntityStep::follow(const Leg& leg, const Way& way) {
+// Moves to the end of the leg and reports the segment that stopped it.
+void EntityStep::executeLeg(const Leg& leg, const LegPlan& plan) {
   if (leg.end == End::kReached) {
-    const Point end = stop_ ? shortOfTurning(leg.target) : leg.target;
+    const Point end = stop_ ? stopBeforeReversal(leg.target) : leg.target;
     const bool stays = end == position();
-    moveAlong(way, end);
-    if (stays) rest_ = Point();
+    moveAlong(plan, end);
+    if (stays) remaining_ = Point();
     return;
   }
   const Point displacement = leg.target - position();
   const Point reached = position() + scaleTruncated(displacement, leg.hit->hit.time);
-  if (leg.end == End::kStopped && tryToPass(leg, way, reached)) return;
-  const Point end = stopBefore(*leg.hit, displacement);
+  if (leg.end == End::kStopped && tryPassEnd(leg, plan, reached)) return;
+  const Point end = contactPosition(*leg.hit, displacement);
   if (leg.end == End::kStopped && stop_ && isWedge(*leg.hit, end)) {
-    restIn(*leg.hit, way);
+    stopInWedge(*leg.hit, plan);
     return;
   }
-  moveAlong(way, end);
+  moveAlong(plan, end);
   if (leg.end == End::kFull) return;
-  isFree_ = false;
+  unobstructed_ = false;
   callContact(*leg.hit);
-  stopBefore_ = std::exchange(stop_, leg.hit);
+  previousStop_ = std::exchange(stop_, leg.hit);
 }
 
-void EntityStep::moveAlong(const Way& way, Point end) {
+void EntityStep::moveAlong(const LegPlan& plan, Point end) {
   const Point start = position();
   moveTo(end);
   callPierced(start);
-  rest_ = restAfter(way, end - start);
+  remaining_ = remainingAfter(plan, end - start);
 }
 
-Point EntityStep::restAfter(const Way& way, Point moved) const {
-  return rest_ - (way.slides ? scaleTruncated(rest_, shareOf(moved, way.whole)) : moved);
+Point EntityStep::remainingAfter(const LegPlan& plan, Point moved) const {
+  return remaining_ - (plan.slides ? scaleTruncated(remaining_, fractionCovered(moved, plan.uncut)) : moved);
 }
 
-// A truncated contact point is only a candidate: it can lie inside the obstacle by up to a subunit. At most two steps
-// along the dominant axis of the normal lead out of the entered edge; where other lines or instances are in the way of
-// that too, shorter moves are tried, and at last none, which is always free.
-Point EntityStep::stopBefore(const LegHit& hit, Point displacement) {
+// The lattice point at which a hit stops the home instance. The truncated contact point can be inside the obstacle by
+// up to a subunit, so it is only a candidate, as are the points one and two steps along the dominant axis of the
+// normal, which are outside the entered edge. When none is free, shorter moves are tried, and finally no move.
+Point EntityStep::contactPosition(const LegHit& hit, Point displacement) {
   const Point outwards = dominantStep(homeNormalOf(hit));
   Point move = scaleTruncated(displacement, hit.hit.time);
   while (move != Point()) {
@@ -203,11 +206,11 @@ std::optional<Point> EntityStep::firstFree(Point candidate, Point outwards, Poin
   return std::nullopt;
 }
 
-// Of a warp line that the grown shape overlaps already: into its part.
+// The normal of a hit. For a warp segment that the shape with margin overlaps already: the direction into its part.
 Point EntityStep::normalOf(const LegHit& hit) const {
   if (hit.hit.side != Hit::Side::kInside) return hit.hit.normal;
-  const Segment& line = instances_.all()[hit.placement].part->segments[hit.line];
-  return perpendicular(line.b - line.a);
+  const Segment& segment = instances_.all()[hit.placement].part->segments[hit.segment];
+  return perpendicular(segment.b - segment.a);
 }
 
 Point EntityStep::homeNormalOf(const LegHit& hit) const {
@@ -215,12 +218,12 @@ Point EntityStep::homeNormalOf(const LegHit& hit) const {
   return hit.placement == 0 ? normal : turnedNormal(normal, instances_.all()[hit.placement].toHome);
 }
 
-// The centre may have crossed several parts; each passing turns the frame, and what is left of the displacement with
-// it. Instances are dropped only afterwards: dropping first would let a fast mover escape the solid.
-void EntityStep::passHome() {
-  while (instances_.homeIsDue()) {
-    if (instances_.mendDrift(collider_)) observe();
-    const auto turn = instances_.passHome(remainder_);
+// The centre may have crossed several parts. Each rehome rotates the frame and with it the remaining displacement.
+// Instances are dropped only afterwards: a fast entity could otherwise leave the solid.
+void EntityStep::rehome() {
+  while (instances_.needsRehome()) {
+    if (instances_.correctDrift(collider_)) observe();
+    const auto turn = instances_.rehome(remainder_);
     if (!turn) break;
     turnFrame(*turn);
     instances_.storeHome(*state_);
@@ -231,15 +234,17 @@ void EntityStep::passHome() {
 }
 
 void EntityStep::turnFrame(Angle turn) {
-  const Rotation direction = rotationOf(turn);
-  const PrecisePoint rest = rotatePrecise(rest_, direction) + remainder_;
-  rest_ = rest_ == Point() ? Point() : rounded(rest);
-  remainder_ = rest - precise(rest_);
-  wanted_ = rotate(wanted_, direction);
-  if (onwards_) onwards_ = Way{rotate(onwards_->part, direction), rotate(onwards_->whole, direction), onwards_->slides};
-  stop_.reset();  // indices were of the old order
-  stopBefore_.reset();
-  slidAlong_.reset();
+  const Rotation rotation = rotationOf(turn);
+  const PrecisePoint remaining = rotatePrecise(remaining_, rotation) + remainder_;
+  remaining_ = remaining_ == Point() ? Point() : rounded(remaining);
+  remainder_ = remaining - precise(remaining_);
+  tickDisplacement_ = rotate(tickDisplacement_, rotation);
+  if (planAfterNudge_)
+    planAfterNudge_ = LegPlan{rotate(planAfterNudge_->displacement, rotation), rotate(planAfterNudge_->uncut, rotation),
+                              planAfterNudge_->slides};
+  stop_.reset();  // the indices of the placements have changed
+  previousStop_.reset();
+  lastSlide_.reset();
 }
 
 void EntityStep::moveTo(Point position) {
@@ -247,7 +252,7 @@ void EntityStep::moveTo(Point position) {
   instances_.moveHomeTo(position);
   state_->position = position;
   stop_.reset();
-  stopBefore_.reset();
+  previousStop_.reset();
   observe();
 }
 

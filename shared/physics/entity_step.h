@@ -15,21 +15,21 @@
 
 namespace platon {
 
-/// Moves one entity by one tick. The stages, in this order: turn; then leg by leg until the displacement is used up:
-/// admit the instances that the leg needs and find the earliest hit of any of them, choose the lattice point to move
-/// to, move all instances, call the rules in the order of time, choose the way on (along the line, for as long as it
-/// touches), pass home, drop instances. Each entity has its own, kept between steps for its buffers, and for its
-/// instances where they are still what the state says.
+/// Moves one entity by one tick. The entity is rotated first; then its displacement is used up in legs (straight
+/// moves). Stages of a leg, in this order: insert the instances that it needs and find the earliest hit of any
+/// instance; choose the lattice point to move to; move all instances; call the rules in order of time; change the home
+/// instance if necessary; drop instances that are no longer needed. After a hit, the next leg slides along the segment.
+/// Each entity has its own EntityStep, which keeps buffers and instances between ticks.
 class EntityStep {
  public:
-  /// I2: a step ends after this many legs at most; a displacement that needs more is cut short.
+  /// I2: limit of legs in a step. The rest of the displacement is discarded.
   static constexpr int kMaxLegs = 64;
-  /// I3: the end of a line that stands out by no more than this is passed, not hit. Two ends that are meant to join,
-  /// each off by up to 2 subunits along both axes, are up to 5.7 apart.
+  /// I3: a segment end that protrudes by at most this many subunits does not stop an entity. Two ends that are meant to
+  /// join, each off by up to 2 subunits along both axes, are up to 5.7 subunits apart.
   static constexpr std::int32_t kNudge = 6;
 
-  /// Prepares for an entity that is in a part. Everything handed over must live until `finish`.
-  struct Setting {
+  /// What a step works with. All references must stay valid until `finish`.
+  struct Context {
     const Geometry& geometry;
     const Convex& base;
     ShapeCache& shapes;
@@ -37,94 +37,98 @@ class EntityStep {
     Rules& rules;
     StepObserver* observer;
   };
-  void begin(Entity entity, EntityState& state, std::span<const InstanceState> further, const Setting& setting);
+  /// Starts the step of an entity that is in a part.
+  void begin(Entity entity, EntityState& state, std::span<const InstanceState> further, const Context& context);
+  /// Rotates the entity by `centidegrees`, or as far as no segment blocks it.
   void turn(std::int32_t centidegrees);
-  /// By `velocity`, which `heading` turns into the frame of the home part.
+  /// Moves the entity by `velocity`, which `heading` rotates into the frame of the home part.
   void translate(Point velocity, Angle heading);
-  /// Adds the instances that the shape reaches where it stands. False when one cannot be placed.
+  /// Adds the instances that the shape reaches at its position. Returns false when one cannot be placed.
   bool settle();
-  /// Whether no instance overlaps a blocking line.
+  /// Whether no instance overlaps a blocking segment.
   bool isFree() { return collider_.isFree(instances_, instances_.home().position, instances_.home().position); }
-  /// Hands everything back; `further` gets the instances beyond home.
+  /// Writes the state of the entity and appends its further instances to `further`.
   void store(std::vector<InstanceState>& further) const { instances_.store(*state_, further); }
-  /// Calls the contacts that last and stores.
+  /// Calls Rules::overContact for all overlapped segments, then stores.
   void finish(std::vector<InstanceState>& further);
-  /// All that the rules have been told of since `begin`.
+  /// All contacts reported to the rules since `begin`.
   std::span<const Contact> contacts() const { return contacts_; }
 
  private:
-  // What is closer to a line than this touches it, as far as the lattice can tell.
-  static constexpr std::int32_t kPlay = 2;
-  // An instance comes into being before its part is reached: when the shape, grown by this, meets the warp.
+  // An entity within this distance of a segment, in subunits, counts as touching it: the lattice may have no nearer
+  // point.
+  static constexpr std::int32_t kContactGap = 2;
+  // An instance is inserted when the shape with this margin, in subunits, reaches the warp segment: before the shape
+  // enters the part.
   static constexpr std::int32_t kInsertMargin = 4;
 
   enum class End : std::uint8_t {
     kReached,
-    kStopped,  // by a blocking line
-    kRefused,  // an instance it needs cannot be placed
-    kFull,     // it needs more instances than there may be at once
+    kStopped,  // hit a blocking segment
+    kRefused,  // an instance that the leg needs cannot be placed
+    kFull,     // the limit of instances is reached
   };
   struct Leg {
     Point target;
     End end = End::kReached;
-    std::optional<LegHit> hit;  // the line, or the warp line, that ends it
+    std::optional<LegHit> hit;  // the blocking segment or warp segment that ends it
   };
-  /// Where the next leg is to lead.
-  struct Way {
-    Point part;   // as far as the line that it slides along goes
-    Point whole;  // if that line went on for ever
-    bool slides = false;
+  // The displacement of the next leg.
+  struct LegPlan {
+    Point displacement;   // ends with the segment that the leg slides along
+    Point uncut;          // the same for a segment without end
+    bool slides = false;  // whether the leg slides along a segment
   };
   struct Event {
     Fraction time;
     bool begins;
     std::size_t placement;
-    std::uint32_t line;
+    std::uint32_t segment;
   };
 
-  void takeVelocity(Point velocity, Angle heading);
-  void keepRemainder();
-  Leg admit(Point target);
-  void insertBehind(Leg& leg, const LegHit& met);
-  bool leadsAway(const LegHit& met, Point target) const;
-  Point inRange(Point target) const;
+  void startTranslation(Point velocity, Angle heading);
+  void storeRemainder();
+  Leg prepareLeg(Point target);
+  void insertInstanceBehind(Leg& leg, const LegHit& warpHit);
+  bool movesAwayFromWarp(const LegHit& warpHit, Point target) const;
+  Point clampToRange(Point target) const;
   bool allInRange(Point home) const;
-  bool isFarFromEnds(Point home) const;
-  void follow(const Leg& leg, const Way& way);
-  void moveAlong(const Way& way, Point end);
-  Point restAfter(const Way& way, Point moved) const;
-  Point stopBefore(const LegHit& hit, Point displacement);
+  bool isFarFromLimit(Point home) const;
+  void executeLeg(const Leg& leg, const LegPlan& plan);
+  void moveAlong(const LegPlan& plan, Point end);
+  Point remainingAfter(const LegPlan& plan, Point moved) const;
+  Point contactPosition(const LegHit& hit, Point displacement);
   std::optional<Point> firstFree(Point candidate, Point outwards, Point displacement);
   Point normalOf(const LegHit& hit) const;
   Point homeNormalOf(const LegHit& hit) const;
-  void passHome();
+  void rehome();
   void turnFrame(Angle turn);
 
   // entity_step_slide.cpp
-  Way nextWay();
-  bool outreaches(const LegHit& stop, bool back) const;
-  Reach reachOf(const LegHit& stop, bool back) const;
-  Point outOf(const LegHit& stop, Point slid) const;
+  LegPlan planLeg();
+  bool segmentOutlasts(const LegHit& stop, bool back) const;
+  SlideLimits slideLimits(const LegHit& stop, bool back) const;
+  Point keepOutside(const LegHit& stop, Point slide) const;
   Point slideDirection(const LegHit& hit) const;
-  bool leadsBack(const LegHit& line) const;
+  bool leadsBack(const LegHit& hit) const;
   bool isWedge(const LegHit& next, Point end) const;
-  void restIn(const LegHit& next, const Way& way);
-  Point shortOfTurning(Point target);
-  bool isTurnedBack(Point end);
-  static bool isApart(Point normal, Point way);
-  static bool isSameLine(const LegHit& a, const std::optional<LegHit>& b);
+  void stopInWedge(const LegHit& next, const LegPlan& plan);
+  Point stopBeforeReversal(Point target);
+  bool isReversedAt(Point end);
+  static bool exceedsContactGap(Point normal, Point displacement);
+  static bool isSameSegment(const LegHit& a, const std::optional<LegHit>& b);
 
   // entity_step_ends.cpp
-  bool tryToPass(const Leg& leg, const Way& way, Point reached);
+  bool tryPassEnd(const Leg& leg, const LegPlan& plan, Point reached);
   std::optional<LegHit> groundBehind(const LegHit& end, Point target, Point reached);
-  bool passAlong(const LegHit& end, const LegHit& ground, const Way& way, Point reached);
-  bool nudgePast(const LegHit& end, const Way& onwards, Point reached, Point left);
+  bool passEndAlong(const LegHit& end, const LegHit& ground, const LegPlan& plan, Point reached);
+  bool nudgePast(const LegHit& end, const LegPlan& onwards, Point reached, Point remaining);
   std::optional<Point> nudge(const LegHit& hit, Point target, Point reached);
   bool grazes(const LegHit& hit, Point target, Point reached) const;
-  bool leadsOn(const LegHit& end, Point from, Point to);
-  bool meetsAtOnce(const LegHit& end, Point from, Point to);
-  static bool isAtOnce(const Hit& hit, Point displacement);
-  Point fromEnd(const LegHit& end) const;
+  bool continuesPast(const LegHit& end, Point from, Point to);
+  bool hitsEndAgain(const LegHit& end, Point from, Point to);
+  static bool isImmediate(const Hit& hit, Point displacement);
+  Point awayFromEnd(const LegHit& end) const;
 
   void moveTo(Point position);
   Point position() const { return instances_.home().position; }
@@ -135,7 +139,7 @@ class EntityStep {
   void turnBy(std::int32_t centidegrees);
   SegmentRef refOf(const Collider::Pierced& pierced) const;
   std::optional<SegmentRef> turnBlocker(std::int32_t centidegrees, std::size_t from);
-  bool admitTurn(std::int32_t centidegrees);
+  bool insertInstancesForTurn(std::int32_t centidegrees);
 
   // entity_step_rules.cpp
   void callPierced(Point before);
@@ -143,24 +147,24 @@ class EntityStep {
   void callContact(const LegHit& hit);
   void callOver();
   void appendOverlap(const Collider::Pierced& pierced);
-  bool overlaps(const Placement& placement, std::uint32_t line);
+  bool overlaps(const Placement& placement, std::uint32_t segment);
 
   std::optional<Entity> entity_;
   EntityState* state_ = nullptr;
   Rules* rules_ = nullptr;
   StepObserver* observer_ = nullptr;
-  Point wanted_;            // the whole displacement, in the frame of the present home
-  Point rest_;              // what is left of it
-  PrecisePoint remainder_;  // what rounding has left of position and rest
-  bool isFree_ = true;      // nothing was in the way in this step
+  Point tickDisplacement_;    // displacement of the whole tick, in the frame of the current home part
+  Point remaining_;           // displacement still to be used
+  PrecisePoint remainder_;    // exact position minus lattice position, including the rounding of remaining_
+  bool unobstructed_ = true;  // whether nothing was hit in this step
   Instances instances_;
   Collider collider_;
-  std::vector<Collider::Gate> shut_;              // warps that nothing could be inserted behind, for the present leg
-  std::optional<Way> onwards_;                    // where to after a nudge
-  std::optional<LegHit> slidAlong_;               // the last slide
-  std::optional<LegHit> stopBefore_;              // another one, where it has not moved since
-  std::optional<LegHit> stop_;                    // what has stopped the entity where it stands
-  std::vector<Collider::Pierced> piercedBefore_;  // a part of a turn
+  std::vector<Collider::WarpRef> refusedWarps_;   // warps of this leg behind which no instance can be placed
+  std::optional<LegPlan> planAfterNudge_;         // the next leg, after a nudge
+  std::optional<LegHit> lastSlide_;               // the segment of the last slide
+  std::optional<LegHit> previousStop_;            // the stop before stop_ at the same position
+  std::optional<LegHit> stop_;                    // the segment that stopped the entity at its current position
+  std::vector<Collider::Pierced> piercedBefore_;  // before and after one part of a rotation
   std::vector<Collider::Pierced> piercedAfter_;
   std::vector<Contact> contacts_;
   std::vector<Event> events_;

@@ -1,4 +1,4 @@
-// How ends of lines that stand out a little are passed (I3).
+// Passing segment ends that protrude slightly (I3).
 #include <algorithm>
 #include <span>
 
@@ -10,10 +10,10 @@
 namespace platon {
 namespace {
 
-// Sideways steps; the first of all, no step, is none.
+// Offsets of a nudge, nearest first. The first one is (0, 0) and is not used.
 constexpr auto kNudgeOffsets = latticeDisc<EntityStep::kNudge>();
 
-// A nudge would bring a shape hardly larger than itself to the other side of the end, to and fro for ever.
+// Whether the shape is too small for nudges: it could be nudged to either side of an end in turn.
 bool isTiny(const Convex& shape) {
   const Point size = shape.bounds().high - shape.bounds().low;
   return std::max(size.x, size.y) < 8 * EntityStep::kNudge;
@@ -21,68 +21,69 @@ bool isTiny(const Convex& shape) {
 
 }  // namespace
 
-bool EntityStep::tryToPass(const Leg& leg, const Way& way, Point reached) {
+bool EntityStep::tryPassEnd(const Leg& leg, const LegPlan& plan, Point reached) {
   if (leg.hit->hit.side != Hit::Side::kSegmentEnd) return false;
   const Point moved = reached - position();
-  const Point onwards = way.slides ? way.whole - moved : leg.target - reached;
-  if (nudgePast(*leg.hit, {onwards, onwards, way.slides}, reached, restAfter(way, moved))) return true;
+  const Point onwards = plan.slides ? plan.uncut - moved : leg.target - reached;
+  if (nudgePast(*leg.hit, {onwards, onwards, plan.slides}, reached, remainingAfter(plan, moved))) return true;
   const auto ground = groundBehind(*leg.hit, leg.target, reached);
-  return ground && passAlong(*leg.hit, *ground, way, reached);
+  return ground && passEndAlong(*leg.hit, *ground, plan, reached);
 }
 
-// What the entity would meet, close by, if the line whose end it has met were not there.
+// The hit that follows within kContactGap when the segment whose end was hit is ignored.
 std::optional<LegHit> EntityStep::groundBehind(const LegHit& end, Point target, Point reached) {
   const Point displacement = target - position();
   const Point beyond = reached + displacement;
   if (!allInRange(beyond)) return std::nullopt;
   const auto ground = collider_.first(instances_, reached, beyond, &end);
   if (!ground || ground->hit.side == Hit::Side::kInside) return std::nullopt;
-  return isApart(homeNormalOf(*ground), scaleTruncated(displacement, ground->hit.time)) ? std::nullopt : ground;
+  return exceedsContactGap(homeNormalOf(*ground), scaleTruncated(displacement, ground->hit.time)) ? std::nullopt
+                                                                                                  : ground;
 }
 
-// The end of a line that stands out a little from another one, which the entity slides along, is passed as that other
-// line's own direction tells: what is wanted may lead down to it more steeply.
-bool EntityStep::passAlong(const LegHit& end, const LegHit& ground, const Way& way, Point reached) {
+// Passes a segment end that protrudes from another segment (the ground), on which the entity slides. The direction is
+// that of the ground, because the remaining displacement may point more steeply towards it.
+bool EntityStep::passEndAlong(const LegHit& end, const LegHit& ground, const LegPlan& plan, Point reached) {
   if (end.hit.side != Hit::Side::kSegmentEnd) return false;
-  const Point left = restAfter(way, reached - position());
-  const Point along = slideAlong(left, homeNormalOf(ground));
+  const Point remaining = remainingAfter(plan, reached - position());
+  const Point along = slideAlong(remaining, homeNormalOf(ground));
   if (along == Point() || dot(along, homeNormalOf(end)) >= 0 || !allInRange(reached + along)) return false;
-  if (!nudgePast(end, {along, along, true}, reached, left)) return false;
+  if (!nudgePast(end, {along, along, true}, reached, remaining)) return false;
   callContact(ground);
   return true;
 }
 
-// I3: goes on beside the end of a line, where a nudge clears it. `onwards` is where to from there, `left` what will be
-// left of the displacement.
-bool EntityStep::nudgePast(const LegHit& end, const Way& onwards, Point reached, Point left) {
-  if (onwards.part == Point() || isSameLine(end, slidAlong_)) return false;
-  const auto nudged = nudge(end, reached + onwards.part, reached);
+// I3: continues beside a segment end if a nudge clears it. `onwards` becomes the plan of the next leg and `remaining`
+// the remaining displacement.
+bool EntityStep::nudgePast(const LegHit& end, const LegPlan& onwards, Point reached, Point remaining) {
+  if (onwards.displacement == Point() || isSameSegment(end, lastSlide_)) return false;
+  const auto nudged = nudge(end, reached + onwards.displacement, reached);
   if (!nudged) return false;
   const Point start = position();
-  isFree_ = false;
+  unobstructed_ = false;
   moveTo(*nudged);
   callPierced(start);
-  rest_ = left;
-  onwards_ = onwards;
+  remaining_ = remaining;
+  planAfterNudge_ = onwards;
   return true;
 }
 
-// I3: an end of a line that a step of a few subunits to the side clears is passed, not hit. The way must lead on from
-// there, so that nothing at rest is ever nudged to and fro; and past the end, where a slide would lead beside it.
+// I3: the position, at most kNudge subunits beside `reached`, from which the segment end is passed. The path must
+// continue from there, so that an entity at rest is not nudged back and forth, and must lead past the end.
 std::optional<Point> EntityStep::nudge(const LegHit& hit, Point target, Point reached) {
   const Placement& placement = instances_.all()[hit.placement];
   if (isTiny(*placement.shape) || !grazes(hit, target, reached)) return std::nullopt;
   for (const Point offset : std::span(kNudgeOffsets).subspan(1)) {
     const Point from = reached + offset;
     const Point to = target + offset;
-    const bool leadsPast = dot(to - position(), wanted_) > 0 && dot(to - position(), homeNormalOf(hit)) < 0;
+    const bool leadsPast = dot(to - position(), tickDisplacement_) > 0 && dot(to - position(), homeNormalOf(hit)) < 0;
     if (!leadsPast || !allInRange(to)) continue;
-    if (leadsOn(hit, from, to) && collider_.isFree(instances_, position(), from)) return from;
+    if (continuesPast(hit, from, to) && collider_.isFree(instances_, position(), from)) return from;
   }
   return std::nullopt;
 }
 
-// Whether the end of the line passes within kNudge of either flank of the shape: else no nudge can clear it.
+// Whether the segment end is within kNudge of a flank of the shape. Otherwise no nudge can clear it.
 // Bounds: side < 2^30, differences < 2^31, so that products are < 2^62.
 bool EntityStep::grazes(const LegHit& hit, Point target, Point reached) const {
   const Placement& placement = instances_.all()[hit.placement];
@@ -101,34 +102,33 @@ bool EntityStep::grazes(const LegHit& hit, Point target, Point reached) const {
   return depth <= 0 || depth * depth <= int128{kNudge * kNudge} * squaredLength(side);
 }
 
-// Whether the way from `from` to `to` passes the end, and leads either along its line, away from that end, or some way
-// on.
-bool EntityStep::leadsOn(const LegHit& end, Point from, Point to) {
-  if (meetsAtOnce(end, from, to)) return false;
+// Whether the path from `from` to `to` passes the end and then either continues for more than a nudge or slides along
+// the segment, away from the end.
+bool EntityStep::continuesPast(const LegHit& end, Point from, Point to) {
+  if (hitsEndAgain(end, from, to)) return false;
   const auto next = collider_.first(instances_, from, to);
   if (!next) return true;
-  if (!isSameLine(*next, end)) return !isAtOnce(next->hit, to - from);
-  const Point way = slideDirection(*next);
-  return next->hit.side == Hit::Side::kSegment && dot(way, to - from) > 0 && dot(way, fromEnd(end)) > 0;
+  if (!isSameSegment(*next, end)) return !isImmediate(next->hit, to - from);
+  const Point direction = slideDirection(*next);
+  return next->hit.side == Hit::Side::kSegment && dot(direction, to - from) > 0 && dot(direction, awayFromEnd(end)) > 0;
 }
 
-// Whether the way meets the end again, or something else before it, at once. Most often it does, and the other lines
-// need not be asked.
-bool EntityStep::meetsAtOnce(const LegHit& end, Point from, Point to) {
+// Fast path of continuesPast: whether the path immediately hits the same end again, which is usual.
+bool EntityStep::hitsEndAgain(const LegHit& end, Point from, Point to) {
   const Placement& placement = instances_.all()[end.placement];
-  const auto again = collider_.hit(placement, {placement.at(from), placement.at(to)}, end.line);
-  return again && again->side != Hit::Side::kSegment && isAtOnce(*again, to - from);
+  const auto again = collider_.hit(placement, {placement.at(from), placement.at(to)}, end.segment);
+  return again && again->side != Hit::Side::kSegment && isImmediate(*again, to - from);
 }
 
-bool EntityStep::isAtOnce(const Hit& hit, Point displacement) {
+bool EntityStep::isImmediate(const Hit& hit, Point displacement) {
   return squaredLength(scaleTruncated(displacement, hit.time)) <= squaredLength(Point(kNudge, kNudge));
 }
 
-// From the end that was met to the other one, in home's frame. Below 2^30.
-Point EntityStep::fromEnd(const LegHit& end) const {
+// The vector from the end that was hit to the other end, in the frame of the home part. Coordinates below 2^30.
+Point EntityStep::awayFromEnd(const LegHit& end) const {
   const Placement& placement = instances_.all()[end.placement];
-  const Segment& line = placement.part->segments[end.line];
-  const Point along = line.a == end.hit.feature ? line.b - line.a : line.a - line.b;
+  const Segment& segment = placement.part->segments[end.segment];
+  const Point along = segment.a == end.hit.feature ? segment.b - segment.a : segment.a - segment.b;
   return rotate(along, placement.toHome);
 }
 

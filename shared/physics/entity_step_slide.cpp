@@ -1,4 +1,4 @@
-// What is left of a displacement slides along what stopped it.
+// Slides along the segment that stopped a leg.
 #include <utility>
 
 #include "platon/exact/integer.h"
@@ -7,108 +7,108 @@
 
 namespace platon {
 
-EntityStep::Way EntityStep::nextWay() {
-  if (onwards_) return *std::exchange(onwards_, std::nullopt);
-  if (!stop_) return {rest_, rest_, false};
-  slidAlong_ = stop_;
+EntityStep::LegPlan EntityStep::planLeg() {
+  if (planAfterNudge_) return *std::exchange(planAfterNudge_, std::nullopt);
+  if (!stop_) return {remaining_, remaining_, false};
+  lastSlide_ = stop_;
   const Point normal = homeNormalOf(*stop_);
-  const Point whole = slideAlong(rest_, normal);
-  if (whole == Point()) return {whole, whole, true};
-  const bool back = dot(rest_, perpendicular(normal)) < 0;
-  const Point part = outreaches(*stop_, back) ? whole : slideAlong(rest_, normal, reachOf(*stop_, back));
-  return {outOf(*stop_, part), whole, true};
+  const Point uncut = slideAlong(remaining_, normal);
+  if (uncut == Point()) return {uncut, uncut, true};
+  const bool back = dot(remaining_, perpendicular(normal)) < 0;
+  const Point slide = segmentOutlasts(*stop_, back) ? uncut : slideAlong(remaining_, normal, slideLimits(*stop_, back));
+  return {keepOutside(*stop_, slide), uncut, true};
 }
 
-// Whether the line plainly goes on beyond all that is left of the displacement: then its reach need not be known.
-bool EntityStep::outreaches(const LegHit& stop, bool back) const {
+// Fast path of slideLimits: whether the segment certainly extends beyond the whole remaining displacement.
+bool EntityStep::segmentOutlasts(const LegHit& stop, bool back) const {
   if (stop.hit.side != Hit::Side::kSegment) return false;
   const Placement& placement = instances_.all()[stop.placement];
   const Point tangent = perpendicular(stop.hit.normal);
-  return goesOnFor(maxNorm(rest_), placement.shape->bounds(), placement.position, placement.part->segments[stop.line],
-                   back ? -tangent : tangent);
+  return extendsBeyond(maxNorm(remaining_), placement.shape->bounds(), placement.position,
+                       placement.part->segments[stop.segment], back ? -tangent : tangent);
 }
 
-// How far home can slide, ahead or back, until the line that stopped it, or its end, lies no longer on the same edge of
-// the shape.
-Reach EntityStep::reachOf(const LegHit& stop, bool back) const {
+// How far the home instance can slide, forward or back, until the obstacle edge that stopped it ends.
+SlideLimits EntityStep::slideLimits(const LegHit& stop, bool back) const {
   const Placement& placement = instances_.all()[stop.placement];
-  const Segment& line = placement.part->segments[stop.line];
-  const Point way = reachAlong(*placement.shape, placement.position, line, normalOf(stop), back);
-  Reach reach;
-  (back ? reach.behind : reach.ahead) = maxNorm(rotate(way, placement.toHome));
-  return reach;
+  const Segment& segment = placement.part->segments[stop.segment];
+  const Point toEnd = displacementToEdgeEnd(*placement.shape, placement.position, segment, normalOf(stop), back);
+  SlideLimits limits;
+  (back ? limits.backward : limits.forward) = maxNorm(rotate(toEnd, placement.toHome));
+  return limits;
 }
 
-// The instance that met the line moves by its own rounding of the displacement, which could lead into the line again: a
-// few subunits outwards prevent that. Bounds: normal < 2^30, displacement < 2^31.
-Point EntityStep::outOf(const LegHit& stop, Point slid) const {
+// The instance that hit the segment rounds the displacement in its own frame, which could move it into the segment.
+// Adds up to kNudge subunits outwards to prevent that. Bounds: normal < 2^30, displacement < 2^31.
+Point EntityStep::keepOutside(const LegHit& stop, Point slide) const {
   const Placement& placement = instances_.all()[stop.placement];
   const Point outwards = dominantStep(homeNormalOf(stop));
-  for (int steps = 0; steps < kNudge && slid != Point(); ++steps, slid += outwards) {
-    if (dot(normalOf(stop), placement.at(position() + slid) - placement.position) >= 0) break;
+  for (int steps = 0; steps < kNudge && slide != Point(); ++steps, slide += outwards) {
+    if (dot(normalOf(stop), placement.at(position() + slide) - placement.position) >= 0) break;
   }
-  return slid;
+  return slide;
 }
 
-// Which way the entity slides along a line that it meets: towards the part of what it wants that the line leaves. Not
-// scaled; zero when nothing is left.
+// The direction of a slide along the segment of `hit`: that of the tangential component of the tick's displacement. Not
+// normalised; (0, 0) when there is no such component.
 Point EntityStep::slideDirection(const LegHit& hit) const {
   const Point tangent = perpendicular(homeNormalOf(hit));
-  const std::int64_t along = dot(wanted_, tangent);
+  const std::int64_t along = dot(tickDisplacement_, tangent);
   return along == 0 ? Point() : along > 0 ? tangent : -tangent;
 }
 
-// Whether the way along this line leads into what stopped the entity, and not onwards; or has been tried from here.
-bool EntityStep::leadsBack(const LegHit& line) const {
-  const Point way = slideDirection(line);
-  const bool intoStop = dot(way, homeNormalOf(*stop_)) < 0 && dot(way, slideDirection(*stop_)) <= 0;
-  return intoStop || isSameLine(line, stop_) || isSameLine(line, stopBefore_);
+// Whether a slide along the segment of `hit` would lead back into the current stop, or has been tried at this position.
+bool EntityStep::leadsBack(const LegHit& hit) const {
+  const Point direction = slideDirection(hit);
+  const bool intoStop = dot(direction, homeNormalOf(*stop_)) < 0 && dot(direction, slideDirection(*stop_)) <= 0;
+  return intoStop || isSameSegment(hit, stop_) || isSameSegment(hit, previousStop_);
 }
 
-// Whether the next line, which would stop the slide at `end`, leads back again, and nothing would be gained on the way.
-// What is wanted rises with every other move, so that no sequence of them brings an entity that rests back to where it
-// was.
+// Whether the slide is caught in a wedge: it gains nothing in the direction of the tick's displacement up to `end`,
+// where the segment of `next` would lead it back. Every other move gains something, so no sequence of moves returns a
+// resting entity to a previous position (I4).
 bool EntityStep::isWedge(const LegHit& next, Point end) const {
-  return dot(end - position(), wanted_) <= 0 && leadsBack(next);
+  return dot(end - position(), tickDisplacement_) <= 0 && leadsBack(next);
 }
 
-// Whether a way to a line with this normal is longer than the lattice leaves open. Bounds: normal < 2^30, way < 2^31.
-bool EntityStep::isApart(Point normal, Point way) {
-  const int128 depth = dot(normal, way);
-  return depth * depth > int128{kPlay * kPlay} * squaredLength(normal);
+// Whether a displacement moves farther than kContactGap along `normal`. Bounds: normal < 2^30, displacement < 2^31.
+bool EntityStep::exceedsContactGap(Point normal, Point displacement) {
+  const int128 depth = dot(normal, displacement);
+  return depth * depth > int128{kContactGap * kContactGap} * squaredLength(normal);
 }
 
-// Between two lines that each lead into the other, the lattice leaves places a little above both, and each line would
-// send the entity to the other side in turn, for ever. A slide that gains nothing stops before it would be turned back.
-Point EntityStep::shortOfTurning(Point target) {
-  Point way = target - position();
-  while (way != Point()) {
-    const Point end = position() + way;
+// Near a wedge, some lattice points are slightly above both segments, and each segment would send the entity to the
+// other one in turn. A slide that gains nothing is therefore shortened until it ends before its reversal.
+Point EntityStep::stopBeforeReversal(Point target) {
+  Point slide = target - position();
+  while (slide != Point()) {
+    const Point end = position() + slide;
     const bool isFree = end == target || collider_.isFree(instances_, position(), end);
-    if (isFree && (dot(way, wanted_) > 0 || !isTurnedBack(end))) return end;
-    way = slideAlong({way.x / 2, way.y / 2}, homeNormalOf(*stop_));
+    if (isFree && (dot(slide, tickDisplacement_) > 0 || !isReversedAt(end))) return end;
+    slide = slideAlong({slide.x / 2, slide.y / 2}, homeNormalOf(*stop_));
   }
   return position();
 }
 
-bool EntityStep::isTurnedBack(Point end) {
-  const Point target = end + wanted_;
+bool EntityStep::isReversedAt(Point end) {
+  const Point target = end + tickDisplacement_;
   if (!allInRange(target)) return false;
   const auto next = collider_.first(instances_, end, target, &*stop_);
-  return next && !isApart(homeNormalOf(*next), scaleTruncated(wanted_, next->hit.time)) && leadsBack(*next);
+  return next && leadsBack(*next) &&
+         !exceedsContactGap(homeNormalOf(*next), scaleTruncated(tickDisplacement_, next->hit.time));
 }
 
-// Between two lines nothing is left of the displacement; but an end that can be passed is no wedge.
-void EntityStep::restIn(const LegHit& next, const Way& way) {
+// Discards the remaining displacement in a wedge, unless one of the two is a segment end that can be passed.
+void EntityStep::stopInWedge(const LegHit& next, const LegPlan& plan) {
   const LegHit stop = *stop_;
-  if (passAlong(stop, next, way, position())) return;
-  isFree_ = false;
+  if (passEndAlong(stop, next, plan, position())) return;
+  unobstructed_ = false;
   callContact(next);
-  rest_ = Point();
+  remaining_ = Point();
 }
 
-bool EntityStep::isSameLine(const LegHit& a, const std::optional<LegHit>& b) {
-  return b && a.placement == b->placement && a.line == b->line;
+bool EntityStep::isSameSegment(const LegHit& a, const std::optional<LegHit>& b) {
+  return b && a.placement == b->placement && a.segment == b->segment;
 }
 
 }  // namespace platon

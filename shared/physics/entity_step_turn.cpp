@@ -7,26 +7,26 @@
 namespace platon {
 namespace {
 
-// A shape is turned in parts of at most 5 degrees: the corners then bulge out of the hull of old and new shape by less
-// than 1/1000 of the radius.
-constexpr std::int32_t kTurnPart = 500;
+// Limit of one part of a rotation, in centidegrees (5°). The arcs of the vertices then extend beyond the hull of the
+// old and the new shape by less than 1/1000 of the radius.
+constexpr std::int32_t kMaxTurnStep = 500;
 
-bool isIn(const std::vector<Collider::Pierced>& some, const Collider::Pierced& one) {
-  return std::find(some.begin(), some.end(), one) != some.end();
+bool contains(const std::vector<Collider::Pierced>& all, const Collider::Pierced& one) {
+  return std::find(all.begin(), all.end(), one) != all.end();
 }
 
 }  // namespace
 
-// Where a part is not free, smaller ones are tried, down to a centidegree: the hull of a large turn holds
-// more than the shape sweeps over. Past a narrow place they grow again.
+// Rotates in parts. When a part is blocked, smaller ones are tried, down to a centidegree, because the hull of a large
+// part is larger than the area that the shape sweeps. After a free part the size doubles again.
 void EntityStep::turn(std::int32_t centidegrees) {
-  std::int32_t most = kTurnPart;
+  std::int32_t limit = kMaxTurnStep;
   while (centidegrees != 0) {
-    const std::int32_t part = std::clamp(centidegrees, -most, most);
+    const std::int32_t part = std::clamp(centidegrees, -limit, limit);
     if (tryTurn(part)) {
       centidegrees -= part;
-      most = std::min(2 * most, kTurnPart);
-    } else if (most = std::abs(part) / 2; most == 0) {
+      limit = std::min(2 * limit, kMaxTurnStep);
+    } else if (limit = std::abs(part) / 2; limit == 0) {
       if (const auto blocker = turnBlocker(part, 0)) rules_->touchContact(*entity_, *blocker);
       return;
     }
@@ -35,12 +35,13 @@ void EntityStep::turn(std::int32_t centidegrees) {
 
 bool EntityStep::tryTurn(std::int32_t centidegrees) {
   const std::size_t known = instances_.all().size();
-  if (turnBlocker(centidegrees, 0) || !admitTurn(centidegrees) || turnBlocker(centidegrees, known)) return false;
+  if (turnBlocker(centidegrees, 0) || !insertInstancesForTurn(centidegrees) || turnBlocker(centidegrees, known))
+    return false;
   turnBy(centidegrees);
   return true;
 }
 
-// Then pierceable lines are left and met, in this order.
+// Rotates all instances and calls the rules: first endContact, then beginContact.
 void EntityStep::turnBy(std::int32_t centidegrees) {
   piercedBefore_.clear();
   piercedAfter_.clear();
@@ -55,10 +56,10 @@ void EntityStep::turnBy(std::int32_t centidegrees) {
     placement.fresh = false;
   }
   for (const Collider::Pierced& one : piercedBefore_) {
-    if (!isIn(piercedAfter_, one)) rules_->endContact(*entity_, refOf(one));
+    if (!contains(piercedAfter_, one)) rules_->endContact(*entity_, refOf(one));
   }
   for (const Collider::Pierced& one : piercedAfter_) {
-    if (!isIn(piercedBefore_, one)) rules_->beginContact(*entity_, refOf(one));
+    if (!contains(piercedBefore_, one)) rules_->beginContact(*entity_, refOf(one));
   }
 }
 
@@ -66,29 +67,30 @@ SegmentRef EntityStep::refOf(const Collider::Pierced& pierced) const {
   const auto& all = instances_.all();
   const auto found = std::find_if(all.begin(), all.end(),
                                   [&](const Placement& placement) { return placement.id == pierced.instance; });
-  return segmentRef(*found->part, pierced.line);
+  return segmentRef(*found->part, pierced.segment);
 }
 
-// The first line, home before other instances, that the turning shape would meet; the first instances may be left out.
+// The first segment that blocks the rotation, in order of the instances starting at `from`.
 std::optional<SegmentRef> EntityStep::turnBlocker(std::int32_t centidegrees, std::size_t from) {
   for (std::size_t i = from; i < instances_.all().size(); ++i) {
     const Placement& placement = instances_.all()[i];
     const Convex* hull = instances_.hullOfTurn(i, centidegrees);
     if (hull == nullptr) continue;
-    if (const auto line = collider_.overlapped(placement, *hull)) return segmentRef(*placement.part, *line);
+    if (const auto segment = collider_.overlapped(placement, *hull)) return segmentRef(*placement.part, *segment);
   }
   return std::nullopt;
 }
 
-// Adds the instances that the turning shape reaches. False when one cannot be placed or the shape degenerates.
-bool EntityStep::admitTurn(std::int32_t centidegrees) {
+// Adds the instances that the rotating shape reaches. Returns false when one cannot be placed or the rotated shape is
+// degenerate.
+bool EntityStep::insertInstancesForTurn(std::int32_t centidegrees) {
   for (std::size_t i = 0; i < instances_.all().size(); ++i) {
     const Convex* hull = instances_.hullOfTurn(i, centidegrees);
     if (hull == nullptr) return false;
     const MapGeometry& part = *instances_.all()[i].part;
     for (std::uint16_t warp = 0; warp < part.warps.size(); ++warp) {
-      if (!collider_.meetsWarp(instances_, {i, warp}, *hull, kInsertMargin)) continue;
-      if (instances_.fullBehind(i) || !instances_.insert(i, warp, collider_)) return false;
+      if (!collider_.reachesWarp(instances_, {i, warp}, *hull, kInsertMargin)) continue;
+      if (instances_.isFullBehind(i) || !instances_.insert(i, warp, collider_)) return false;
     }
   }
   return true;

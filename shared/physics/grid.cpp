@@ -8,14 +8,14 @@
 namespace platon {
 namespace {
 
-// Measured on random, long and clustered lines: more references than this a line cost memory and no longer save time.
-constexpr std::size_t kReferencesPerLine = 6;
+// More references per segment use memory without saving time. Measured on random, long and clustered segments.
+constexpr std::size_t kMaxReferencesPerSegment = 6;
 
-// Inner borders of `cells` slices that hold about equally many of the coordinates.
+// Inner borders that divide the coordinates into `cells` slices of about equal counts.
 std::vector<std::int32_t> chooseBorders(std::vector<std::int32_t> coordinates, std::size_t cells) {
   std::sort(coordinates.begin(), coordinates.end());
   std::vector<std::int32_t> borders;
-  // In 64 bits also where std::size_t has 32.
+  // i is 64 bits wide so that the product does not overflow a 32-bit std::size_t.
   for (std::uint64_t i = 1; i < cells; ++i) {
     borders.push_back(coordinates[static_cast<std::size_t>(i * coordinates.size() / cells)]);
   }
@@ -35,8 +35,8 @@ struct Span {
   std::int64_t low, high;
 };
 
-// Where the line (a below or level with b) runs while its y is within [low, high], rounded outwards.
-// Bounds: differences < 2^30, products < 2^60.
+// The x range of segment ab, with a.y <= b.y, for y in [low, high], rounded outwards. Bounds: differences < 2^30,
+// products < 2^60.
 Span xRange(Point a, Point b, std::int64_t low, std::int64_t high) {
   if (a.y == b.y) return {std::min(a.x, b.x), std::max(a.x, b.x)};
   const std::int64_t width = std::int64_t{b.x} - a.x;
@@ -48,18 +48,18 @@ Span xRange(Point a, Point b, std::int64_t low, std::int64_t high) {
 
 }  // namespace
 
-Grid::Grid(std::span<const Segment> lines) {
-  auto cells = static_cast<std::size_t>(std::max<std::uint64_t>(1, squareRootFloor<std::uint64_t>(lines.size())));
-  while (!build(lines, cells, kReferencesPerLine * lines.size()) && cells > 1) cells /= 2;
+Grid::Grid(std::span<const Segment> segments) {
+  auto cells = static_cast<std::size_t>(std::max<std::uint64_t>(1, squareRootFloor<std::uint64_t>(segments.size())));
+  while (!build(segments, cells, kMaxReferencesPerSegment * segments.size()) && cells > 1) cells /= 2;
 }
 
-// A line belongs to the cells of its points, a point on a border to the cell before it. A query covers the cells on
-// both sides of a border that it touches, so that nothing is missed.
+// Visits the cells of all points of the segment. A point on a border belongs to the lower cell only; queries include
+// the cells on both sides of a border that they touch.
 template <class Visit>
-void Grid::forEachCell(const Segment& line, Visit&& visit) const {
-  const bool upwards = line.a.y <= line.b.y;
-  const Point a = upwards ? line.a : line.b;
-  const Point b = upwards ? line.b : line.a;
+void Grid::forEachCell(const Segment& segment, Visit&& visit) const {
+  const bool upwards = segment.a.y <= segment.b.y;
+  const Point a = upwards ? segment.a : segment.b;
+  const Point b = upwards ? segment.b : segment.a;
   const std::size_t stride = columns_.size() + 1;
   const std::size_t lastRow = bordersBelow(rows_, b.y);
   for (std::size_t row = bordersBelow(rows_, a.y); row <= lastRow; ++row) {
@@ -71,26 +71,26 @@ void Grid::forEachCell(const Segment& line, Visit&& visit) const {
   }
 }
 
-bool Grid::build(std::span<const Segment> lines, std::size_t cellsPerAxis, std::size_t mostReferences) {
+bool Grid::build(std::span<const Segment> segments, std::size_t cellsPerAxis, std::size_t maxReferences) {
   std::vector<std::int32_t> xs;
   std::vector<std::int32_t> ys;
-  for (const Segment& line : lines) {
-    xs.insert(xs.end(), {line.a.x, line.b.x});
-    ys.insert(ys.end(), {line.a.y, line.b.y});
+  for (const Segment& segment : segments) {
+    xs.insert(xs.end(), {segment.a.x, segment.b.x});
+    ys.insert(ys.end(), {segment.a.y, segment.b.y});
   }
   columns_ = chooseBorders(std::move(xs), cellsPerAxis);
   rows_ = chooseBorders(std::move(ys), cellsPerAxis);
   firsts_.assign((columns_.size() + 1) * (rows_.size() + 1) + 1, 0);
   std::size_t references = 0;
-  for (const Segment& line : lines) {
-    forEachCell(line, [&](std::size_t cell) { ++firsts_[cell + 1], ++references; });
-    if (references > mostReferences && cellsPerAxis > 1) return false;
+  for (const Segment& segment : segments) {
+    forEachCell(segment, [&](std::size_t cell) { ++firsts_[cell + 1], ++references; });
+    if (references > maxReferences && cellsPerAxis > 1) return false;
   }
   for (std::size_t i = 1; i < firsts_.size(); ++i) firsts_[i] += firsts_[i - 1];
   references_.resize(firsts_.back());
   std::vector<std::uint32_t> next(firsts_.begin(), firsts_.end() - 1);
-  for (std::uint32_t i = 0; i < lines.size(); ++i) {
-    forEachCell(lines[i], [&](std::size_t cell) { references_[next[cell]++] = i; });
+  for (std::uint32_t i = 0; i < segments.size(); ++i) {
+    forEachCell(segments[i], [&](std::size_t cell) { references_[next[cell]++] = i; });
   }
   return true;
 }

@@ -9,16 +9,16 @@
 namespace platon {
 namespace {
 
-// Offsets by which a placement may be moved to be free; all within kMaxError of a point that is itself at most
-// sqrt(1/2) from the ideal one.
+// Candidate offsets from the lattice point nearest to the exact position, which is at most sqrt(1/2) from it. Contains
+// all lattice points within kMaxError of the exact position.
 constexpr auto kOffsets = latticeDisc<Instances::kMaxError + 1>();
 
 constexpr std::int64_t squaredPrecise(std::int32_t subunits) {
   return subunits * PrecisePoint::kOne * subunits * PrecisePoint::kOne;
 }
 constexpr std::int64_t kMaxSquaredError = squaredPrecise(Instances::kMaxError);
-// Half the diagonal of a lattice cell is 0.71 subunits: what is closer than one cannot be bettered by much.
-constexpr std::int64_t kWorthMending = squaredPrecise(1);
+// Smaller errors are not corrected: the nearest lattice point can be 0.71 subunits (half a cell diagonal) away.
+constexpr std::int64_t kMinSquaredDrift = squaredPrecise(1);
 
 }  // namespace
 
@@ -26,12 +26,12 @@ void Instances::load(const Geometry& geometry, ShapeCache& shapes, const Convex&
                      std::span<const InstanceState> further) {
   nextId_ = state.nextId;
   crossings_ = state.crossings;
-  if (geometry_ == &geometry && isAsStored(state, further)) return;
+  if (geometry_ == &geometry && matches(state, further)) return;
   geometry_ = &geometry;
   shapes_ = &shapes;
   base_ = &base;
   shapeIndex_ = state.shape;
-  hasPassedHome_ = false;
+  hasRehomed_ = false;
   placements_.clear();
   loadHome(state);
   for (const InstanceState& instance : further) loadFurther(instance);
@@ -40,10 +40,10 @@ void Instances::load(const Geometry& geometry, ShapeCache& shapes, const Convex&
   }
 }
 
-// Mostly an entity is as its last step has left it. Not asked where home has passed since: of several warps over one
-// line the way back may then be another than the one that loading finds.
-bool Instances::isAsStored(const EntityState& state, std::span<const InstanceState> further) const {
-  if (hasPassedHome_ || placements_.size() != further.size() + 1 || shapeIndex_ != state.shape) return false;
+// Fast path of `load`: whether the placements already hold this state, which is usual. Not valid after a rehome: when
+// several warps share a segment, loading may choose another reverse warp than the rehome did.
+bool Instances::matches(const EntityState& state, std::span<const InstanceState> further) const {
+  if (hasRehomed_ || placements_.size() != further.size() + 1 || shapeIndex_ != state.shape) return false;
   EntityState stored = state;
   storeHome(stored);
   if (stored != state) return false;
@@ -139,14 +139,14 @@ void Instances::appendViews(std::vector<InstanceView>& out) const {
   }
 }
 
-bool Instances::linked(std::size_t index, std::uint16_t warp) const {
+bool Instances::hasInstanceBehind(std::size_t index, std::uint16_t warp) const {
   const Placement& placement = placements_[index];
   if (placement.parent != Placement::kNone && placement.reverseWarp == warp) return true;
   return std::any_of(placements_.begin(), placements_.end(),
                      [&](const Placement& child) { return child.parent == index && child.warp == warp; });
 }
 
-bool Instances::fullBehind(std::size_t parent) const {
+bool Instances::isFullBehind(std::size_t parent) const {
   int depth = 1;
   for (; placements_[parent].parent != Placement::kNone; parent = placements_[parent].parent) ++depth;
   return placements_.size() == kMax || depth > kMaxDepth;
@@ -169,13 +169,13 @@ bool Instances::insert(std::size_t parentIndex, std::uint16_t warpIndex, Collide
   child.fresh = true;
   child.region = unusedRegion();
   std::uint16_t nextId = nextId_;
-  child.id = takeId(nextId, [&](std::uint16_t id) {
+  child.id = allocateId(nextId, [&](std::uint16_t id) {
     return std::any_of(placements_.begin(), placements_.end(), [&](const Placement& other) { return other.id == id; });
   });
-  const auto place = nearestFree(child, nullptr, through(warp, ideal(parentIndex)), kMaxSquaredError + 1, collider);
-  if (!place) return false;
+  const auto position = nearestFree(child, nullptr, warp.map(ideal(parentIndex)), kMaxSquaredError + 1, collider);
+  if (!position) return false;
   nextId_ = nextId;
-  child.position = child.anchor = *place;
+  child.position = child.anchor = *position;
   child.homeAnchor = home().position;
   placements_.push_back(child);
   return true;
@@ -201,13 +201,14 @@ const Convex* Instances::shapeTurned(std::size_t index, std::int32_t centidegree
   return shapes_->turned(shapeIndex_, *base_, placements_[index].angle + Angle(centidegrees));
 }
 
-std::optional<Angle> Instances::passHome(PrecisePoint& remainder) {
+std::optional<Angle> Instances::rehome(PrecisePoint& remainder) {
   const std::size_t next = nextHome();
   if (next == Placement::kNone) return std::nullopt;
   const Angle before = home().angle;
-  const PrecisePoint there = through(home().part->warps[placements_[next].warp], precise(home().position) + remainder);
+  const Warp& warp = home().part->warps[placements_[next].warp];
+  const PrecisePoint there = warp.map(precise(home().position) + remainder);
   undo_ = placements_;
-  rehome(next);
+  makeHome(next);
   anchorAll();
   for (std::size_t i = 1; i < placements_.size(); ++i) {
     if (withinError(i)) continue;
@@ -215,28 +216,28 @@ std::optional<Angle> Instances::passHome(PrecisePoint& remainder) {
     return std::nullopt;
   }
   ++crossings_;
-  hasPassedHome_ = true;
+  hasRehomed_ = true;
   remainder = there - precise(home().position);
   return home().angle - before;
 }
 
-// The child of home behind the warp line that the centre is beyond, on the way to the part that holds the centre.
-// Behind a corner the centre is beyond two warp lines, of which it has crossed one. Where roundings put the centre
-// outside all parts, home stays.
+// The child of the home instance that must become home: the one whose warp the centre has crossed, preferably on the
+// branch to the part that contains the centre. Near a corner the centre can be beyond two warp segments although it has
+// crossed only one. kNone when the home part contains the centre, or when by rounding no part does.
 std::size_t Instances::nextHome() const {
   if (placements_.size() == 1 || holdsCentre(0)) return Placement::kNone;
   for (std::size_t i = 1; i < placements_.size(); ++i) {
-    const std::size_t child = childAbove(i);
-    if (child != Placement::kNone && isBeyond(child) && holdsCentre(i)) return child;
+    const std::size_t child = childOfHome(i);
+    if (child != Placement::kNone && isBeyondWarp(child) && holdsCentre(i)) return child;
   }
   for (std::size_t i = 1; i < placements_.size(); ++i) {
-    if (placements_[i].parent == 0 && isBeyond(i)) return i;
+    if (placements_[i].parent == 0 && isBeyondWarp(i)) return i;
   }
   return Placement::kNone;
 }
 
-// The child of home that placement `index` hangs on, or is.
-std::size_t Instances::childAbove(std::size_t index) const {
+// The ancestor of placement `index`, or the placement itself, that is a child of the home instance. kNone if none is.
+std::size_t Instances::childOfHome(std::size_t index) const {
   while (placements_[index].parent != 0) {
     index = placements_[index].parent;
     if (index == Placement::kNone) return index;
@@ -244,7 +245,7 @@ std::size_t Instances::childAbove(std::size_t index) const {
   return index;
 }
 
-bool Instances::isBeyond(std::size_t index) const {
+bool Instances::isBeyondWarp(std::size_t index) const {
   const Placement& child = placements_[index];
   const Segment& out = home().part->warps[child.warp].from;
   if (cross(out.b - out.a, centreOf(home()) - out.a) >= 0) return false;
@@ -259,7 +260,7 @@ bool Instances::holdsCentre(std::size_t index) const {
                      [&](const auto& warp) { return cross(warp.from.b - warp.from.a, centre - warp.from.a) >= 0; });
 }
 
-void Instances::rehome(std::size_t nextHome) {
+void Instances::makeHome(std::size_t nextHome) {
   Placement& oldHome = placements_.front();
   Placement& newHome = placements_[nextHome];
   oldHome.parent = nextHome;
@@ -284,17 +285,17 @@ void Instances::anchorAll() {
   }
 }
 
-// A crossing to and fro inverts a rounded placement each time: without mending, the roundings of an entity that
-// dithers on an edge would add up.
-bool Instances::mendDrift(Collider& collider) {
+// Every rehome inverts a rounded placement. Without this correction the rounding errors of an entity that crosses an
+// edge back and forth would accumulate.
+bool Instances::correctDrift(Collider& collider) {
   bool any = false;
   for (std::size_t i = 1; i < placements_.size(); ++i) {
     Placement& placement = placements_[i];
     if (placement.parent == Placement::kNone) continue;
     const PrecisePoint target = ideal(i);
-    const std::int64_t miss = squaredMiss(target, placement.position);
-    if (miss <= kWorthMending) continue;
-    const auto better = nearestFree(placement, &placement.position, target, miss, collider);
+    const std::int64_t error = squaredError(target, placement.position);
+    if (error <= kMinSquaredDrift) continue;
+    const auto better = nearestFree(placement, &placement.position, target, error, collider);
     if (!better || *better == placement.position) continue;
     placement.position = placement.anchor = *better;
     placement.homeAnchor = home().position;
@@ -305,15 +306,15 @@ bool Instances::mendDrift(Collider& collider) {
 
 bool Instances::withinError(std::size_t index) const {
   return placements_[index].parent == Placement::kNone ||
-         squaredMiss(ideal(index), placements_[index].position) <= kMaxSquaredError;
+         squaredError(ideal(index), placements_[index].position) <= kMaxSquaredError;
 }
 
 bool Instances::dropUnreached(std::int32_t margin, Collider& collider) {
   if (placements_.size() == 1) return false;
   kept_.clear();
-  for (std::size_t i = 0; i < placements_.size(); ++i) kept_.push_back(reached(i, margin, collider));
+  for (std::size_t i = 0; i < placements_.size(); ++i) kept_.push_back(isReached(i, margin, collider));
   if (std::find(kept_.begin(), kept_.end(), 0) == kept_.end()) return false;
-  for (std::size_t i = 0; i < placements_.size(); ++i) kept_[i] = hangs(i) ? kept_[i] : 0;
+  for (std::size_t i = 0; i < placements_.size(); ++i) kept_[i] = isConnected(i) ? kept_[i] : 0;
   const auto keptBefore = [&](std::size_t index) {
     return static_cast<std::size_t>(std::count(kept_.begin(), kept_.begin() + static_cast<std::ptrdiff_t>(index), 1));
   };
@@ -329,53 +330,45 @@ bool Instances::dropUnreached(std::int32_t margin, Collider& collider) {
   return true;
 }
 
-bool Instances::reached(std::size_t index, std::int32_t margin, Collider& collider) const {
+bool Instances::isReached(std::size_t index, std::int32_t margin, Collider& collider) const {
   const Placement& child = placements_[index];
   if (child.parent == Placement::kNone) return true;
   const Placement& parent = placements_[child.parent];
-  return collider.against(parent, {parent.position, parent.position, margin}, parent.part->segmentOfWarp(child.warp))
+  return collider.clip(parent, {parent.position, parent.position, margin}, parent.part->segmentOfWarp(child.warp))
       .has_value();
 }
 
-// Whether all that the placement hangs on is kept.
-bool Instances::hangs(std::size_t index) const {
+// Whether the placement and all its ancestors are kept.
+bool Instances::isConnected(std::size_t index) const {
   for (; index != Placement::kNone; index = placements_[index].parent) {
     if (kept_[index] == 0) return false;
   }
   return true;
 }
 
-std::int64_t Instances::squaredMiss(PrecisePoint ideal, Point point) {
-  constexpr std::int64_t limit = 1000 * PrecisePoint::kOne;  // farther is simply far; keeps the square in range
+std::int64_t Instances::squaredError(PrecisePoint ideal, Point point) {
+  constexpr std::int64_t limit = 1000 * PrecisePoint::kOne;  // clamped so that the square fits 64 bits
   const PrecisePoint wide = precise(point);
   const std::int64_t x = std::clamp(wide.x - ideal.x, -limit, limit);
   const std::int64_t y = std::clamp(wide.y - ideal.y, -limit, limit);
   return x * x + y * y;
 }
 
-// The isometry of a warp turns about the middle of the line: so the way back is the exact inverse.
-PrecisePoint Instances::through(const Warp& warp, PrecisePoint point) {
-  const Rotation turn = rotationOf(warp.turn);
-  const int128 x = point.x - warp.fromMiddle.x;  // < 2^47; times 2^30 still far from 2^127
-  const int128 y = point.y - warp.fromMiddle.y;
-  constexpr int128 one = int128{1} << Rotation::kFractionBits;
-  return {warp.ontoMiddle.x + static_cast<std::int64_t>(divideRounded(x * turn.cosine - y * turn.sine, one)),
-          warp.ontoMiddle.y + static_cast<std::int64_t>(divideRounded(x * turn.sine + y * turn.cosine, one))};
-}
-
+// The exact position of placement `index`: the position of its root mapped through the chain of warps.
 PrecisePoint Instances::ideal(std::size_t index) const {
   const Placement& placement = placements_[index];
   if (placement.parent == Placement::kNone) return precise(placement.position);
-  return through(placements_[placement.parent].part->warps[placement.warp], ideal(placement.parent));
+  return placements_[placement.parent].part->warps[placement.warp].map(ideal(placement.parent));
 }
 
-// `from` is where the placement moves from; null when it is put down.
+// The lattice point nearest to `ideal`, with a squared error below `closerThan`, that the placement may move to from
+// `from`, or be placed at when `from` is null. Nothing when none is free.
 std::optional<Point> Instances::nearestFree(const Placement& placement, const Point* from, PrecisePoint ideal,
                                             std::int64_t closerThan, Collider& collider) {
   const Point nearest = rounded(ideal);
   for (const Point offset : kOffsets) {
     const Point candidate = nearest + offset;
-    if (squaredMiss(ideal, candidate) >= closerThan || !isCoordinate(candidate.x) || !isCoordinate(candidate.y))
+    if (squaredError(ideal, candidate) >= closerThan || !isCoordinate(candidate.x) || !isCoordinate(candidate.y))
       continue;
     if (collider.isFree(placement, from != nullptr ? *from : candidate, candidate)) return candidate;
   }

@@ -20,25 +20,27 @@ namespace platon {
 
 class Collider;
 
-/// The home and further instances of one entity, a tree that hangs together by warps. Home comes first.
+/// The instances of one entity during a step: the home instance, at index 0, and the further instances. Instances that
+/// were reached through a warp have a parent; these links form a tree with the home instance as root.
 class Instances {
  public:
-  /// More than any shape between posts can reach; a displacement over more faces is walked in several legs.
+  /// Limit of instances at a time. More than any shape between posts can reach; a displacement across more faces is
+  /// divided into several legs.
   static constexpr std::size_t kMax = 24;
-  /// Warps between home and any instance. Where only the rounded ends of the warp lines are known, every link of a
-  /// chain can be off by 0.7 subunits; I5 allows 4 in all.
+  /// Limit of warps between the home instance and another instance. When only the rounded ends of the warp segments are
+  /// known, each warp adds an error of up to 0.7 subunits, and I5 allows 4.
   static constexpr int kMaxDepth = 4;
-  /// An instance is never placed farther than this from where the true isometry puts it (I5 allows 4): one more
-  /// rounding comes on top while it moves.
+  /// Limit of the distance between a new instance and its exact position, in subunits. One less than I5 allows, because
+  /// motion adds one more rounding.
   static constexpr std::int32_t kMaxError = 3;
 
-  /// Shapes come from `shapes` and must outlive the instances. Costs little when nothing has changed since they were
-  /// stored.
+  /// Reads the instances from saved state. Fast when the state is the one last stored. `geometry`, `shapes` and `base`
+  /// must outlive the use of the instances.
   void load(const Geometry& geometry, ShapeCache& shapes, const Convex& base, const EntityState& state,
             std::span<const InstanceState> further);
-  /// Writes what concerns home back.
+  /// Writes the state of the home instance.
   void storeHome(EntityState& state) const;
-  /// Writes everything back; `further` gets the instances beyond home.
+  /// Writes the state of all instances; appends the further instances to `further`.
   void store(EntityState& state, std::vector<InstanceState>& further) const;
 
   std::vector<Placement>& all() { return placements_; }
@@ -46,60 +48,60 @@ class Instances {
   Placement& home() { return placements_.front(); }
   const Placement& home() const { return placements_.front(); }
   void appendViews(std::vector<InstanceView>& out) const;
-  /// Where placement `index` is when home is at `home`: nothing is turned for where home is now.
+  /// Position of placement `index` when the home instance is at `home`. Fast for the current home position.
   Point at(std::size_t index, Point home) const {
     return home == this->home().position ? placements_[index].position : placements_[index].at(home);
   }
 
-  /// Whether the instance behind this warp of placement `index` exists.
-  bool linked(std::size_t index, std::uint16_t warp) const;
-  /// Whether no instance may be added behind placement `parent`.
-  bool fullBehind(std::size_t parent) const;
-  /// Adds the instance behind a warp of placement `parent`, at the free lattice point nearest to the true placement.
-  /// False when the warp has no way back, the shape degenerates, or no point within kMaxError is free.
+  /// Whether the neighbour of placement `index` across this warp exists: its parent or one of its children.
+  bool hasInstanceBehind(std::size_t index, std::uint16_t warp) const;
+  /// Whether kMax or kMaxDepth forbids another child of placement `parent`.
+  bool isFullBehind(std::size_t parent) const;
+  /// Adds a child of placement `parent` across a warp, at the free lattice point nearest to its exact position. Returns
+  /// false when the warp has no reverse warp, the rotated shape is degenerate, or no point within kMaxError is free.
   bool insert(std::size_t parent, std::uint16_t warp, Collider& collider);
 
-  /// Moves all instances along with home.
+  /// Moves the home instance to `position` and all others with it.
   void moveHomeTo(Point position);
-  /// Turns all instances on the spot.
+  /// Rotates all instances about their positions.
   void turn(std::int32_t centidegrees);
-  /// The shape of placement `index` if it were turned further; null when it degenerates.
+  /// The shape of placement `index` rotated by further `centidegrees`. Null when it is degenerate.
   const Convex* shapeTurned(std::size_t index, std::int32_t centidegrees);
-  /// The hull of that and of its present shape; null when it degenerates.
+  /// The convex hull of the current shape of placement `index` and of shapeTurned. Null when it is degenerate.
   const Convex* hullOfTurn(std::size_t index, std::int32_t centidegrees);
 
-  /// Whether the centre has crossed into the part of another instance.
-  bool homeIsDue() const { return nextHome() != Placement::kNone; }
-  /// Moves every instance that has drifted by roundings back to the free lattice point nearest to its true placement;
-  /// home stays. True when any moved.
-  bool mendDrift(Collider& collider);
-  /// Hands home to the instance whose part the centre has crossed into. No instance moves. Returns the turn from the
-  /// old home's frame to the new one's; nothing when home is not due, or when an instance would then be farther than
-  /// kMaxError from its true placement.
-  /// `remainder`, which belongs to home's position, becomes that of the new home's: its exact place is kept.
-  std::optional<Angle> passHome(PrecisePoint& remainder);
-  /// Removes the instances whose warp line their parent, grown by `margin`, no longer reaches. True when any was.
+  /// Whether the centre of the shape has crossed into the part of another instance, which then has to become home.
+  bool needsRehome() const { return nextHome() != Placement::kNone; }
+  /// Corrects drift: moves every further instance whose rounding error has grown to the free lattice point nearest to
+  /// its exact position. Returns whether any moved.
+  bool correctDrift(Collider& collider);
+  /// Makes the instance into whose part the centre has crossed the home instance. No instance moves. Returns the
+  /// rotation from the old home frame to the new one. Returns nothing, and changes nothing, when no rehome is needed or
+  /// when an instance would be farther than kMaxError from its exact position. Converts `remainder`, which belongs to
+  /// the home position, so that position plus remainder stay the same point.
+  std::optional<Angle> rehome(PrecisePoint& remainder);
+  /// Removes the instances whose parent, with `margin`, no longer reaches the warp segment. Returns whether any was
+  /// removed.
   bool dropUnreached(std::int32_t margin, Collider& collider);
 
  private:
-  bool isAsStored(const EntityState& state, std::span<const InstanceState> further) const;
+  bool matches(const EntityState& state, std::span<const InstanceState> further) const;
   InstanceState stateOf(const Placement& placement) const;
   void loadHome(const EntityState& state);
   void loadFurther(const InstanceState& instance);
   void turnFrames(Placement& placement) const;
   void linkParent(std::size_t index, std::uint16_t parentId);
   std::size_t nextHome() const;
-  std::size_t childAbove(std::size_t index) const;
-  bool isBeyond(std::size_t index) const;
+  std::size_t childOfHome(std::size_t index) const;
+  bool isBeyondWarp(std::size_t index) const;
   bool holdsCentre(std::size_t index) const;
-  void rehome(std::size_t nextHome);
+  void makeHome(std::size_t nextHome);
   void anchorAll();
   bool withinError(std::size_t index) const;
-  bool reached(std::size_t index, std::int32_t margin, Collider& collider) const;
-  bool hangs(std::size_t index) const;
+  bool isReached(std::size_t index, std::int32_t margin, Collider& collider) const;
+  bool isConnected(std::size_t index) const;
   PrecisePoint ideal(std::size_t index) const;
-  static PrecisePoint through(const Warp& warp, PrecisePoint point);
-  static std::int64_t squaredMiss(PrecisePoint ideal, Point point);
+  static std::int64_t squaredError(PrecisePoint ideal, Point point);
   static std::optional<Point> nearestFree(const Placement& placement, const Point* from, PrecisePoint ideal,
                                           std::int64_t closerThan, Collider& collider);
   std::size_t unusedRegion() const;
@@ -111,9 +113,9 @@ class Instances {
   std::uint32_t shapeIndex_ = 0;
   std::uint16_t nextId_ = 0;
   std::uint32_t crossings_ = 0;
-  bool hasPassedHome_ = false;  // since they were loaded
+  bool hasRehomed_ = false;  // since load
   std::vector<Placement> placements_;
-  // Room for work, kept so that a warmed-up step allocates nothing.
+  // Work space, kept between steps to avoid allocations.
   std::vector<Placement> undo_;
   std::vector<std::uint8_t> kept_;
 };

@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "platon/exact/integer.h"
+
 namespace platon {
 namespace {
 
@@ -13,12 +15,29 @@ auto lowerBound(const Geometry& geometry, std::uint32_t id) {
                           [](const auto& part, std::uint32_t wanted) { return part->id < wanted; });
 }
 
-Segment reversed(const Segment& line) { return {line.b, line.a}; }
+Segment reversed(const Segment& segment) { return {segment.b, segment.a}; }
+
+// Rotates `point` about `centre` and moves `centre` to `image`. Differences are below 2^47 and products below 2^78.
+PrecisePoint rotatedAbout(PrecisePoint point, PrecisePoint centre, PrecisePoint image, Rotation rotation) {
+  constexpr int128 one = int128{1} << Rotation::kFractionBits;
+  const int128 x = point.x - centre.x;
+  const int128 y = point.y - centre.y;
+  return {image.x + static_cast<std::int64_t>(divideRounded(x * rotation.cosine - y * rotation.sine, one)),
+          image.y + static_cast<std::int64_t>(divideRounded(x * rotation.sine + y * rotation.cosine, one))};
+}
 
 }  // namespace
 
+PrecisePoint Warp::map(PrecisePoint point) const {
+  return rotatedAbout(point, fromMiddle, ontoMiddle, rotationOf(turn));
+}
+
+PrecisePoint Warp::mapBack(PrecisePoint point) const {
+  return rotatedAbout(point, ontoMiddle, fromMiddle, rotationOf(-turn));
+}
+
 const MapGeometry* Geometry::find(std::uint32_t id) const {
-  if (id < parts.size() && parts[id]->id == id) return parts[id].get();  // ids mostly count from 0
+  if (id < parts.size() && parts[id]->id == id) return parts[id].get();  // fast path: ids usually count from 0
   const auto found = lowerBound(*this, id);
   return found != parts.end() && (*found)->id == id ? found->get() : nullptr;
 }
@@ -37,7 +56,7 @@ std::optional<std::uint16_t> Geometry::reverseWarp(std::uint32_t partId, const W
 
 std::shared_ptr<const Geometry> withPart(const Geometry& geometry, MapGeometry part) {
   if (geometry.find(part.id) != nullptr) {
-    throw std::invalid_argument("map part " + std::to_string(part.id) + " is initialised already: ids are unique");
+    throw std::invalid_argument("map part " + std::to_string(part.id) + " is already initialised: ids must be unique");
   }
   auto extended = std::make_shared<Geometry>(geometry);
   const auto place = extended->parts.begin() + (lowerBound(geometry, part.id) - geometry.parts.begin());

@@ -16,13 +16,14 @@ namespace {
 void requireCoordinates(std::uint32_t part, Point point) {
   if (isCoordinate(point.x) && isCoordinate(point.y)) return;
   throw std::invalid_argument("map part " + std::to_string(part) + ": the point (" + std::to_string(point.x) + ", " +
-                              std::to_string(point.y) + ") lies outside the coordinates, which are below 2^29");
+                              std::to_string(point.y) +
+                              ") is out of range: coordinates must be below 2^29 in magnitude");
 }
 
-// The rotation table is exact to 2^-29 of the length; 2 subunits allow for ends that were rounded.
+// Allows 2 subunits for the rounding of the ends; the error of the rotation is below 2^-29 of the length.
 bool turnsOnto(Point from, Point onto, Angle turn) {
-  const Point miss = rotate(from, turn) - onto;
-  return squaredLength(miss) <= 2 * 2;
+  const Point error = rotate(from, turn) - onto;
+  return squaredLength(error) <= 2 * 2;
 }
 
 bool isNear(PrecisePoint a, PrecisePoint b) {
@@ -34,7 +35,7 @@ bool isNear(PrecisePoint a, PrecisePoint b) {
 void MapPart::line(Point p0, Point p1) {
   requireCoordinates(id_, p0);
   requireCoordinates(id_, p1);
-  lines_.push_back({p0, p1});
+  segments_.push_back({p0, p1});
 }
 
 void MapPart::warp(Point p0, Point p1, std::uint32_t targetMap, Point t0, Point t1) {
@@ -45,14 +46,16 @@ void MapPart::warp(Segment from, std::uint32_t targetMap, Segment onto, PreciseP
                    PrecisePoint ontoMiddle) {
   for (const Point point : {from.a, from.b, onto.a, onto.b}) requireCoordinates(id_, point);
   const std::string where = "map part " + std::to_string(id_) + ", warp " + std::to_string(warps_.size());
-  if (from.a == from.b || onto.a == onto.b) throw std::invalid_argument(where + ": the two ends are the same point");
+  if (from.a == from.b || onto.a == onto.b)
+    throw std::invalid_argument(where + ": the two ends of the segment are equal");
   const Angle turn = angleBetween(from.b - from.a, onto.b - onto.a);
   if (!turnsOnto(from.b - from.a, onto.b - onto.a, turn)) {
-    throw std::invalid_argument(where + ": the line and its image differ in length, or the turn between them is no " +
-                                "whole number of centidegrees");
+    throw std::invalid_argument(where +
+                                ": the segment and its image differ in length, or the rotation between them is " +
+                                "not a whole number of centidegrees");
   }
   if (!isNear(fromMiddle, middle(from.a, from.b)) || !isNear(ontoMiddle, middle(onto.a, onto.b))) {
-    throw std::invalid_argument(where + ": a middle lies farther than a subunit from that of the ends");
+    throw std::invalid_argument(where + ": a midpoint is more than 1 subunit from the midpoint of the two ends");
   }
   warps_.push_back({from, targetMap, onto, turn, fromMiddle, ontoMiddle});
 }
@@ -60,20 +63,20 @@ void MapPart::warp(Segment from, std::uint32_t targetMap, Segment onto, PreciseP
 void MapPart::initialize() {
   MapGeometry part;
   part.id = id_;
-  part.segments = std::move(lines_);
+  part.segments = std::move(segments_);
   for (const Warp& warp : warps_) part.segments.push_back(warp.from);
   part.segments.shrink_to_fit();
   part.warps = std::move(warps_);
   part.grid = Grid(part.segments);
-  for (Rest& rest : world_->scratch_->rests) rest.forget();  // what leads here has been a dead end until now
+  for (Rest& rest : world_->scratch_->rests) rest.forget();  // warps to this part can be passed from now on
   world_->geometry_ = withPart(*world_->geometry_, std::move(part));
 }
 
-void MapPart::insert(Entity& character, const Point& origin, Angle angle) {
+void MapPart::insert(Entity& entity, const Point& origin, Angle angle) {
   requireCoordinates(id_, origin);
-  world_->insert(character.index(), id_, origin, angle);
+  world_->insert(entity.index(), id_, origin, angle);
 }
 
-void MapPart::erase(Entity& character) { world_->erase(character.index(), id_); }
+void MapPart::erase(Entity& entity) { world_->erase(entity.index(), id_); }
 
 }  // namespace platon

@@ -10,26 +10,26 @@
 
 namespace platon {
 
-/// One instance of an entity while it is being moved.
+/// The working copy of one instance of an entity during a step. See InstanceState for the anchors.
 struct Placement {
   static constexpr std::size_t kNone = ~std::size_t{0};
 
   const MapGeometry* part = nullptr;
-  const Convex* shape = nullptr;  ///< turned by `angle`
+  const Convex* shape = nullptr;  ///< the entity's shape rotated by `angle`
   Angle angle;
-  Rotation fromHome;  ///< turns the home part's frame into this part's
-  Rotation toHome;    ///< and back
+  Rotation fromHome;  ///< from the frame of the home part to the frame of this part
+  Rotation toHome;    ///< from the frame of this part to the frame of the home part
   Point position;
   Point homeAnchor;
   Point anchor;
-  std::size_t parent = kNone;     ///< index among the placements; none for home and when placed by hand
-  std::uint16_t warp = 0;         ///< of the parent's part, leads here
-  std::uint16_t reverseWarp = 0;  ///< of this part, leads to the parent
+  std::size_t parent = kNone;     ///< index among the placements; kNone when there is no parent
+  std::uint16_t warp = 0;         ///< index, in the parent's part, of the warp to this part
+  std::uint16_t reverseWarp = 0;  ///< index, in this part, of the warp to the parent's part
   std::uint16_t id = 0;
-  bool fresh = false;      ///< met no line yet
+  bool fresh = false;      ///< added in this leg: overlaps with pierceable segments are not reported yet
   std::size_t region = 0;  ///< index among the entity's regions
 
-  /// Where this instance is when home is at `home`.
+  /// The position of this instance when the home instance is at `home`.
   Point at(Point home) const {
     const Point moved = home - homeAnchor;
     return anchor + (fromHome == Rotation::none() ? moved : rotate(moved, fromHome));

@@ -8,7 +8,7 @@
 namespace platon {
 namespace {
 
-// Lines lie within the coordinates, so that a region need not reach beyond them.
+// Segments are within the coordinate limit, so a region never extends beyond it.
 std::int32_t clamped(std::int64_t coordinate) {
   return static_cast<std::int32_t>(std::clamp<std::int64_t>(coordinate, -kCoordinateLimit, kCoordinateLimit));
 }
@@ -17,7 +17,7 @@ Box clamped(const Box& box) {
   return {{clamped(box.low.x), clamped(box.low.y)}, {clamped(box.high.x), clamped(box.high.y)}};
 }
 
-// Half the box's own size on every side: a mover at constant speed then queries the grid every few steps.
+// Adds half the size of the box on every side: a mover at constant speed then refills its region every few steps only.
 Box widened(const Box& box) {
   const std::int64_t marginX = (std::int64_t{box.high.x} - box.low.x) / 2;
   const std::int64_t marginY = (std::int64_t{box.high.y} - box.low.y) / 2;
@@ -25,7 +25,7 @@ Box widened(const Box& box) {
           {clamped(box.high.x + marginX), clamped(box.high.y + marginY)}};
 }
 
-// All beyond the coordinates is covered where there is nothing more to come.
+// A box that extends to the coordinate limit covers everything beyond it.
 Box unbounded(Box box) {
   using Limits = std::numeric_limits<std::int32_t>;
   if (box.low.x == -kCoordinateLimit) box.low.x = Limits::min();
@@ -37,59 +37,60 @@ Box unbounded(Box box) {
 
 }  // namespace
 
-// Of warp lines, all whose bounds reach into the box are taken, though the grid may know that they pass it: a corner of
-// a grown shape reaches farther than its bounds.
-void Region::take(const MapGeometry& part, const Box& box) {
+// Warp segments are selected by their bounding boxes, not by the grid: the corner of a shape with a margin extends
+// beyond the bounds of the sweep, so a segment that the grid excludes may still be hit.
+void Region::refill(const MapGeometry& part, const Box& box) {
   const bool isSamePart = part_ == &part;
   part_ = &part;
   const Box wide = widened(clamped(box));
   covered_ = unbounded(wide);
-  linesBefore_ = lines_;  // no swap: both keep the room that they have once needed
-  lines_.clear();
-  part.grid.query(wide, lines_);
-  std::erase_if(lines_,
-                [&](std::uint32_t line) { return part.isWarp(line) || !wide.overlaps(boundsOf(part.segments[line])); });
-  firstWarp_ = lines_.size();
-  for (std::uint32_t line = part.segmentOfWarp(0); line < part.segments.size(); ++line) {
-    if (wide.overlaps(boundsOf(part.segments[line]))) lines_.push_back(line);
+  previousSegments_ = segments_;  // not swapped: both vectors keep their capacity
+  segments_.clear();
+  part.grid.query(wide, segments_);
+  std::erase_if(segments_, [&](std::uint32_t segment) {
+    return part.isWarp(segment) || !wide.overlaps(boundsOf(part.segments[segment]));
+  });
+  firstWarp_ = segments_.size();
+  for (std::uint32_t segment = part.segmentOfWarp(0); segment < part.segments.size(); ++segment) {
+    if (wide.overlaps(boundsOf(part.segments[segment]))) segments_.push_back(segment);
   }
   bounds_.clear();
-  for (const std::uint32_t line : lines_) bounds_.push_back(boundsOf(part.segments[line]));
-  knownBefore_ = known_;
-  known_.assign(lines_.size(), kUnknown);
-  if (!isSamePart) linesBefore_.assign(linesBefore_.size(), kUnknown);
-  keepKnown();
+  for (const std::uint32_t segment : segments_) bounds_.push_back(boundsOf(part.segments[segment]));
+  previousObstacles_ = obstacleOf_;
+  obstacleOf_.assign(segments_.size(), kNoObstacle);
+  if (!isSamePart) previousSegments_.assign(previousSegments_.size(), kNoObstacle);
+  keepObstacles();
 }
 
-// What a line is to the shape stays the same for as long as it is near.
-void Region::keepKnown() {
-  auto line = lines_.begin();
-  for (std::size_t before = 0; before < linesBefore_.size(); ++before) {
-    if (knownBefore_[before] == kUnknown) continue;
-    line = std::lower_bound(line, lines_.end(), linesBefore_[before]);
-    if (line != lines_.end() && *line == linesBefore_[before]) {
-      known_[static_cast<std::size_t>(line - lines_.begin())] = knownBefore_[before];
+// Reassigns the obstacles of segments that are still in the region; the others become unused.
+void Region::keepObstacles() {
+  auto segment = segments_.begin();
+  for (std::size_t before = 0; before < previousSegments_.size(); ++before) {
+    if (previousObstacles_[before] == kNoObstacle) continue;
+    segment = std::lower_bound(segment, segments_.end(), previousSegments_[before]);
+    if (segment != segments_.end() && *segment == previousSegments_[before]) {
+      obstacleOf_[static_cast<std::size_t>(segment - segments_.begin())] = previousObstacles_[before];
     } else {
-      spare_.push_back(knownBefore_[before]);
+      unused_.push_back(previousObstacles_[before]);
     }
   }
 }
 
-void Region::know(std::size_t place) {
-  if (spare_.empty()) {
-    known_[place] = static_cast<std::uint32_t>(obstacles_.size());
+void Region::allocateObstacle(std::size_t entry) {
+  if (unused_.empty()) {
+    obstacleOf_[entry] = static_cast<std::uint32_t>(obstacles_.size());
     obstacles_.emplace_back();
     return;
   }
-  known_[place] = spare_.back();
-  spare_.pop_back();
-  obstacles_[known_[place]].forget();
+  obstacleOf_[entry] = unused_.back();
+  unused_.pop_back();
+  obstacles_[obstacleOf_[entry]].reset();
 }
 
-std::optional<std::size_t> Region::placeOf(std::uint32_t line) const {
-  const auto found = std::lower_bound(lines_.begin(), lines_.end(), line);
-  if (found == lines_.end() || *found != line) return std::nullopt;
-  return static_cast<std::size_t>(found - lines_.begin());
+std::optional<std::size_t> Region::entryOf(std::uint32_t segment) const {
+  const auto found = std::lower_bound(segments_.begin(), segments_.end(), segment);
+  if (found == segments_.end() || *found != segment) return std::nullopt;
+  return static_cast<std::size_t>(found - segments_.begin());
 }
 
 }  // namespace platon

@@ -11,51 +11,52 @@
 
 namespace platon {
 
-/// The small subset of a map part's lines round one instance, as in the report. Derived: it only saves grid queries,
-/// and no result depends on it. A query of the grid before each leg instead makes the steps of 64 movers among 100 or
-/// 10 000 lines take more than half as long again.
+/// The region of the report: a cache of the segments near one instance and of their obstacles. Derived state;
+/// influences speed only. Querying the grid before each leg instead makes a step of 64 movers among 100 or 10 000
+/// segments more than half as slow again.
 class Region {
  public:
-  /// Makes sure that every line that may meet `box` is in the region. The region reaches some way beyond the box, so
-  /// that a mover stays inside for several steps.
+  /// Ensures that the region contains every segment that touches `box`. The covered area is larger than `box`, so that
+  /// a mover stays inside it for several steps.
   void cover(const MapGeometry& part, const Box& box) {
-    if (part_ != &part || !covered_.contains(box)) take(part, box);
+    if (part_ != &part || !covered_.contains(box)) refill(part, box);
   }
-  bool isOf(const MapGeometry& part) const { return part_ == &part; }
+  /// Whether the region was last filled from this part.
+  bool belongsTo(const MapGeometry& part) const { return part_ == &part; }
 
-  /// Indices into the part's lines, ascending.
-  const std::vector<std::uint32_t>& lines() const { return lines_; }
-  /// The place among them of the first line of a warp; their number when there is none.
+  /// The segments of the region as ascending indices into the part's segments. A position in this list is an "entry".
+  const std::vector<std::uint32_t>& segments() const { return segments_; }
+  /// The first entry that belongs to a warp; the number of entries when there is none.
   std::size_t firstWarp() const { return firstWarp_; }
-  /// The place of a line among them; none when it is far away.
-  std::optional<std::size_t> placeOf(std::uint32_t line) const;
-  /// Of the line at this place among them.
-  const Box& bounds(std::size_t place) const { return bounds_[place]; }
-  /// What the line at this place is to `shape`, which must live as long as the region is asked.
-  Obstacle& obstacle(std::size_t place, const Convex& shape) {
-    if (known_[place] == kUnknown) know(place);
-    Obstacle& obstacle = obstacles_[known_[place]];
-    if (!obstacle.isOf(shape)) obstacle.become(shape, part_->segments[lines_[place]]);
+  /// The entry of a segment; nothing when the segment is not in the region.
+  std::optional<std::size_t> entryOf(std::uint32_t segment) const;
+  /// Bounding box of the segment at `entry`.
+  const Box& bounds(std::size_t entry) const { return bounds_[entry]; }
+  /// The obstacle of the segment at `entry` for `shape`, which must outlive the region's use.
+  Obstacle& obstacle(std::size_t entry, const Convex& shape) {
+    if (obstacleOf_[entry] == kNoObstacle) allocateObstacle(entry);
+    Obstacle& obstacle = obstacles_[obstacleOf_[entry]];
+    if (!obstacle.belongsTo(shape)) obstacle.build(shape, part_->segments[segments_[entry]]);
     return obstacle;
   }
 
  private:
-  static constexpr std::uint32_t kUnknown = ~std::uint32_t{0};
+  static constexpr std::uint32_t kNoObstacle = ~std::uint32_t{0};
 
-  void take(const MapGeometry& part, const Box& box);
-  void keepKnown();
-  void know(std::size_t place);
+  void refill(const MapGeometry& part, const Box& box);
+  void keepObstacles();
+  void allocateObstacle(std::size_t entry);
 
   const MapGeometry* part_ = nullptr;
   Box covered_;
-  std::vector<std::uint32_t> lines_;
+  std::vector<std::uint32_t> segments_;
   std::size_t firstWarp_ = 0;
-  std::vector<Box> bounds_;           // by place
-  std::vector<std::uint32_t> known_;  // by place, the index of its obstacle: only of lines that have been asked for
+  std::vector<Box> bounds_;                // by entry
+  std::vector<std::uint32_t> obstacleOf_;  // by entry: index into obstacles_, or kNoObstacle before the first query
   std::vector<Obstacle> obstacles_;
-  std::vector<std::uint32_t> spare_;        // obstacles of lines that have been left, for their memory
-  std::vector<std::uint32_t> linesBefore_;  // room for work
-  std::vector<std::uint32_t> knownBefore_;
+  std::vector<std::uint32_t> unused_;            // indices of obstacles whose segments left the region
+  std::vector<std::uint32_t> previousSegments_;  // work space of refill
+  std::vector<std::uint32_t> previousObstacles_;
 };
 
 }  // namespace platon

@@ -9,8 +9,8 @@ void Rest::repeat(Entity entity, Rules& rules, std::vector<InstanceState>& furth
   further.insert(further.end(), further_.begin(), further_.end());
 }
 
-void Rest::take(const EntityState& before, std::span<const InstanceState> further, const EntityState& after,
-                std::span<const InstanceState> furtherAfter, std::span<const Contact> contacts) {
+void Rest::record(const EntityState& before, std::span<const InstanceState> further, const EntityState& after,
+                  std::span<const InstanceState> furtherAfter, std::span<const Contact> contacts) {
   known_ = before.turn == 0 && before == after &&
            std::equal(further.begin(), further.end(), furtherAfter.begin(), furtherAfter.end());
   if (!known_) return;

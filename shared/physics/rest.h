@@ -10,21 +10,22 @@
 
 namespace platon {
 
-/// A step without a turn that has left its entity exactly as it was. For as long as nothing about the entity changes,
-/// another step would do the same: it is repeated by telling the rules of the same contacts. Derived: no result depends
-/// on it, as long as lines block what they blocked before (`Rules::ignoresWarps`) and no map part is added.
+/// Records a step, without rotation, that did not change its entity. While the state of the entity is the same, the
+/// next step would have the same result, so it is replaced by repeating the contacts. Derived state; influences speed
+/// only. Valid while the same segments block (hence only with Rules::ignoresWarps) and no map part is added.
 class Rest {
  public:
-  /// Whether a step of this entity has been seen to change nothing.
-  bool isOf(const EntityState& state, std::span<const InstanceState> further) const {
+  /// Whether a step from this state was recorded as changing nothing.
+  bool matches(const EntityState& state, std::span<const InstanceState> further) const {
     return known_ && state == state_ && std::equal(further.begin(), further.end(), further_.begin(), further_.end());
   }
-  /// Calls what that step called and hands back its instances.
+  /// Reports the contacts of the recorded step to `rules` and appends its instances to `further`.
   void repeat(Entity entity, Rules& rules, std::vector<InstanceState>& further) const;
 
-  /// A step led from `before` and `further` to `after` and `furtherAfter`, and met `contacts`.
-  void take(const EntityState& before, std::span<const InstanceState> further, const EntityState& after,
-            std::span<const InstanceState> furtherAfter, std::span<const Contact> contacts);
+  /// Records a step from `before` and `further` to `after` and `furtherAfter` with these contacts, if it changed
+  /// nothing. Otherwise forgets the previous record.
+  void record(const EntityState& before, std::span<const InstanceState> further, const EntityState& after,
+              std::span<const InstanceState> furtherAfter, std::span<const Contact> contacts);
   void forget() { known_ = false; }
 
  private:

@@ -2,7 +2,7 @@
 
 namespace platon {
 
-bool Rules::pierce(const Entity&, const SegmentRef& line) const { return line.warp; }
+bool Rules::pierce(const Entity&, const SegmentRef& segment) const { return segment.warp; }
 void Rules::beginContact(Entity&, const SegmentRef&) {}
 void Rules::overContact(Entity&, const SegmentRef&) {}
 void Rules::endContact(Entity&, const SegmentRef&) {}

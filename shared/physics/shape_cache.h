@@ -13,18 +13,19 @@
 
 namespace platon {
 
-/// Turned shapes and the hulls of turns, made once each. Derived: no result depends on what is cached.
+/// Cache of rotated shapes and of the hulls used to test rotations. Derived state; influences speed only.
 class ShapeCache {
  public:
-  /// `base`, which is shape number `index` of its world, turned by `angle`; null when it degenerates there. Valid until
-  /// the next `trim`.
+  /// `base`, the world's shape number `index`, rotated by `angle`. Null when the result is degenerate. Valid until the
+  /// cache is cleared by `trim`.
   const Convex* turned(std::uint32_t index, const Convex& base, Angle angle);
 
-  /// The hull of the shape turned by `angle` and by `centidegrees` more; null when one of these degenerates.
+  /// The convex hull of the shape rotated by `angle` and of the shape rotated by `angle` + `centidegrees`. Null when
+  /// one of these is degenerate.
   const Convex* hullOfTurn(std::uint32_t index, const Convex& base, Angle angle, std::int32_t centidegrees);
 
-  /// Forgets everything when more has gathered than a scene with face turns alone can need (free rotation). True when
-  /// it did: then no shape from here is valid any more.
+  /// Clears the cache when it holds more than 1024 shapes, which only free rotation can cause. Returns whether it did;
+  /// all pointers from this cache are invalid then.
   bool trim();
 
  private:

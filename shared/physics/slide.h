@@ -14,44 +14,47 @@
 
 namespace platon {
 
-/// How far a slide may go along perpendicular(normal) and back, in subunits along the longer axis.
-struct Reach {
-  std::int32_t ahead = std::numeric_limits<std::int32_t>::max();
-  std::int32_t behind = std::numeric_limits<std::int32_t>::max();
+/// How far a slide may go along perpendicular(normal) and in the opposite direction, in subunits along the dominant
+/// axis.
+struct SlideLimits {
+  std::int32_t forward = std::numeric_limits<std::int32_t>::max();
+  std::int32_t backward = std::numeric_limits<std::int32_t>::max();
 };
 
-/// What is left of a displacement along an edge with outward normal `normal` (not zero, below 2^30): its part along the
-/// edge, cut to whole subunits, then rounded to the outer side, so that it never leads inwards:
-/// dot(result, normal) >= 0. (0, 0) when less than a subunit is left. |displacement| < 2^30 a coordinate. It ends a
-/// subunit beyond `reach`.
-Point slideAlong(Point displacement, Point normal, Reach reach = {});
+/// The component of `displacement` along an edge with outward normal `normal`, truncated to whole subunits along the
+/// dominant axis and rounded outwards along the other: dot(result, normal) >= 0. At most one subunit longer than
+/// `limits`. (0, 0) when the component is shorter than a subunit. Requires |displacement| < 2^30 and |normal| < 2^30
+/// per coordinate, and normal != (0, 0).
+Point slideAlong(Point displacement, Point normal, SlideLimits limits = {});
 
-/// How much of `whole`, not zero, has been covered by moving by `moved`, judged along the longer axis: 0 to 1.
-Fraction shareOf(Point moved, Point whole);
+/// The fraction of the displacement `whole` that the displacement `moved` covers, measured along the dominant axis of
+/// `whole` and clamped to [0, 1]. Requires whole != (0, 0).
+Fraction fractionCovered(Point moved, Point whole);
 
-/// `displacement * time`, cut; time is at most 1.
+/// `displacement * time` with both coordinates rounded towards zero. Requires 0 <= time <= 1.
 constexpr Point scaleTruncated(Point displacement, Fraction time) {
-  if (time.numerator == 0) return {};  // what touches already, the most frequent of all
+  if (time.numerator == 0) return {};  // fast path: the shape usually touches the segment already
   return {scaleTruncated(displacement.x, time), scaleTruncated(displacement.y, time)};
 }
 
-/// The longer coordinate's magnitude.
+/// The larger of |x| and |y|.
 inline std::int32_t maxNorm(Point vector) { return std::max(std::abs(vector.x), std::abs(vector.y)); }
 
-/// `line` forbids `shape` a polygon; `position` touches its edge with outward normal `normal`. How far the position can
-/// go along perpendicular(normal), or with `back` the other way, until that edge ends: in whole subunits, cut.
-Point reachAlong(const Convex& shape, Point position, const Segment& line, Point normal, bool back);
+/// The displacement from `position` to the end of the obstacle edge that it touches. The obstacle is that of `segment`
+/// for `shape`; the edge has the outward normal `normal`. Measured along perpendicular(normal), or against it with
+/// `back`, and truncated to whole subunits.
+Point displacementToEdgeEnd(const Convex& shape, Point position, const Segment& segment, Point normal, bool back);
 
-/// Whether a line parallel to `tangent` goes on, ahead of all of a shape of these bounds, for more than twice as far as
-/// a displacement of up to `longest` along either axis can lead: whatever frame it is measured in, and however rounded.
-/// False may be an understatement. longest < 2^28, |tangent| < 2^30 a coordinate.
-bool goesOnFor(std::int32_t longest, const Box& shape, Point position, const Segment& line, Point tangent);
+/// Whether `segment`, which is parallel to `tangent`, extends beyond a shape with bounding box `shape` at `position` by
+/// more than twice any displacement whose coordinates are at most `longest`, in any frame and after rounding. A
+/// conservative test: false does not imply the opposite. Requires longest < 2^28 and |tangent| < 2^30 per coordinate.
+bool extendsBeyond(std::int32_t longest, const Box& shape, Point position, const Segment& segment, Point tangent);
 
-/// `normal` turned and scaled so that its coordinates use 29 bits: within 2^-27 of the true direction.
-Point turnedNormal(Point normal, Rotation direction);
+/// `normal` rotated and scaled so that the larger coordinate uses 29 bits. The direction is exact to 2^-27.
+Point turnedNormal(Point normal, Rotation rotation);
 inline Point turnedNormal(Point normal, Angle angle) { return turnedNormal(normal, rotationOf(angle)); }
 
-/// One subunit along the axis in which `vector` is longest.
+/// The unit vector along the dominant axis of `vector`.
 Point dominantStep(Point vector);
 
 }  // namespace platon

@@ -10,17 +10,17 @@
 
 namespace platon {
 
-/// Derived state of a world: rebuilt when missing, never saved, without influence on any result.
+/// Derived state of a world: caches and buffers. Not saved or copied; influences speed only.
 class StepScratch {
  public:
-  /// Makes room for this many entities.
+  /// Ensures that there is an element for each of this many entities.
   void provideFor(std::size_t entities) {
     if (steps.size() >= entities) return;
     regions.resize(entities);
     rests.resize(entities);
     steps.resize(entities);
   }
-  /// Drops what points to shapes of the cache.
+  /// Discards everything that points to cached shapes.
   void forgetShapes() {
     regions.clear();
     steps.clear();
@@ -30,7 +30,7 @@ class StepScratch {
   std::vector<std::vector<Region>> regions;  ///< by entity
   std::vector<Rest> rests;                   ///< by entity
   std::vector<EntityStep> steps;             ///< by entity
-  std::vector<InstanceState> further;        ///< the instances of all entities after the step
+  std::vector<InstanceState> further;        ///< further instances of all entities after the step
 };
 
 }  // namespace platon

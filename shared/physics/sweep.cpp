@@ -3,86 +3,88 @@
 namespace platon {
 namespace {
 
-Hit hitOf(const Sweep::Meeting& meeting, Point normal, Point feature, Hit::Side side) {
-  return {.time = meeting.enter, .exit = meeting.exit, .normal = normal, .feature = feature, .side = side};
+Hit makeHit(const Sweep::ClipInterval& interval, Point normal, Point feature, Hit::Side side) {
+  return {.time = interval.enter, .exit = interval.exit, .normal = normal, .feature = feature, .side = side};
 }
 
-Hit inside(const Sweep::Meeting& meeting) { return hitOf(meeting, {}, {}, Hit::Side::kInside); }
+Hit insideHit(const Sweep::ClipInterval& interval) { return makeHit(interval, {}, {}, Hit::Side::kInside); }
 
-// Of an edge of the shape that touches an end of the line, or all of it when the two are parallel.
-Hit hitByEdge(const Sweep::Meeting& meeting, const Convex& shape, std::size_t edge, const Segment& line) {
+// The hit of an edge of the shape on an end of the segment, or on its side when the two are parallel.
+Hit edgeHit(const Sweep::ClipInterval& interval, const Convex& shape, std::size_t edge, const Segment& segment) {
   const Point normal = shape.edges()[edge].normal;
-  const std::int64_t alongLine = dot(normal, line.b - line.a);
-  if (alongLine == 0 && line.a != line.b) return hitOf(meeting, normal, shape.vertices()[edge], Hit::Side::kSegment);
-  return hitOf(meeting, normal, alongLine > 0 ? line.b : line.a, Hit::Side::kSegmentEnd);
+  const std::int64_t along = dot(normal, segment.b - segment.a);
+  if (along == 0 && segment.a != segment.b) {
+    return makeHit(interval, normal, shape.vertices()[edge], Hit::Side::kSegment);
+  }
+  return makeHit(interval, normal, along > 0 ? segment.b : segment.a, Hit::Side::kSegmentEnd);
 }
 
 }  // namespace
 
-// One half plane more, which the way crosses.
-void Sweep::cross(Meeting& meeting, Course course, std::size_t halfPlane) {
-  if (course.start >= 0) {
-    const Fraction time{course.start, course.start - course.end};
-    if (meeting.entered != Meeting::kNone && time <= meeting.enter) return;
-    meeting.enter = time;
-    meeting.entered = halfPlane;
+// Intersects `interval` with a half plane whose boundary the displacement crosses.
+void Sweep::cross(ClipInterval& interval, EndDistances distances, std::size_t halfPlane) {
+  if (distances.start >= 0) {
+    const Fraction time{distances.start, distances.start - distances.end};
+    if (interval.entered != ClipInterval::kNone && time <= interval.enter) return;
+    interval.enter = time;
+    interval.entered = halfPlane;
   } else {
-    const Fraction time{-course.start, course.end - course.start};
-    if (meeting.endsInside || time < meeting.exit) meeting.exit = time;
-    meeting.endsInside = false;
+    const Fraction time{-distances.start, distances.end - distances.start};
+    if (interval.endsInside || time < interval.exit) interval.exit = time;
+    interval.endsInside = false;
   }
 }
 
-// Whether nothing of the way is inside. What comes in and stays, or is in from the beginning, is in for some time.
-bool Sweep::isEmpty(const Meeting& meeting) {
-  return meeting.entered != Meeting::kNone && !meeting.endsInside && meeting.enter >= meeting.exit;
+// Whether the interval has no interior. It has one when the displacement starts or ends inside.
+bool Sweep::isEmpty(const ClipInterval& interval) {
+  return interval.entered != ClipInterval::kNone && !interval.endsInside && interval.enter >= interval.exit;
 }
 
-std::optional<Hit> Sweep::against(const Segment& line) const {
-  if (misses(boundsOf(line))) return std::nullopt;
-  const Segment seen{line.a - position_, line.b - position_};  // from the position: it needs no product of its own
-  Meeting meeting;
+std::optional<Hit> Sweep::against(const Segment& segment) const {
+  if (misses(boundsOf(segment))) return std::nullopt;
+  const Segment relative{segment.a - position_, segment.b - position_};  // saves the products with position_
+  ClipInterval interval;
   std::size_t sides = 0;
-  if (line.a != line.b) {
-    for (const Obstacle::HalfPlane& side : Obstacle::ofSides(*shape_, seen)) {
-      if (!clip(meeting, courseFrom(side.offset, side), sides++)) return std::nullopt;
+  if (segment.a != segment.b) {
+    for (const Obstacle::HalfPlane& side : Obstacle::sideHalfPlanes(*shape_, relative)) {
+      if (!intersect(interval, endDistances(side.offset, side), sides++)) return std::nullopt;
     }
   }
   for (std::size_t edge = 0; edge < shape_->edges().size(); ++edge) {
-    const auto half = Obstacle::ofEdge(shape_->edges()[edge], seen);
-    if (!clip(meeting, courseFrom(half.offset, half), sides + edge)) return std::nullopt;
+    const auto half = Obstacle::edgeHalfPlane(shape_->edges()[edge], relative);
+    if (!intersect(interval, endDistances(half.offset, half), sides + edge)) return std::nullopt;
   }
-  if (isEmpty(meeting)) return std::nullopt;
-  if (meeting.entered == Meeting::kNone) return inside(meeting);
-  if (meeting.entered >= sides) return hitByEdge(meeting, *shape_, meeting.entered - sides, line);
-  const Point left = perpendicular(line.b - line.a);
-  const Point normal = meeting.entered == 0 ? left : -left;
-  return hitOf(meeting, normal, Obstacle::featureOfSide(*shape_, normal), Hit::Side::kSegment);
+  if (isEmpty(interval)) return std::nullopt;
+  if (interval.entered == ClipInterval::kNone) return insideHit(interval);
+  if (interval.entered >= sides) return edgeHit(interval, *shape_, interval.entered - sides, segment);
+  const Point left = perpendicular(segment.b - segment.a);
+  const Point normal = interval.entered == 0 ? left : -left;
+  return makeHit(interval, normal, Obstacle::sideFeature(*shape_, normal), Hit::Side::kSegment);
 }
 
 std::optional<Hit> Sweep::against(Obstacle& obstacle) const {
-  const auto meeting = meet(obstacle);
-  return meeting ? std::optional(describe(obstacle, *meeting)) : std::nullopt;
+  const auto interval = clip(obstacle);
+  return interval ? std::optional(hitOf(obstacle, *interval)) : std::nullopt;
 }
 
-std::optional<Sweep::Meeting> Sweep::clip(Obstacle& obstacle) const {
-  Meeting meeting;
-  for (const std::uint32_t i : obstacle.boundariesNear(way_)) {
-    if (clip(meeting, courseOf(obstacle.halfPlanes()[i]), i)) continue;
+std::optional<Sweep::ClipInterval> Sweep::clipToHalfPlanes(Obstacle& obstacle) const {
+  ClipInterval interval;
+  for (const std::uint32_t i : obstacle.relevantHalfPlanes(path_)) {
+    if (intersect(interval, endDistancesTo(obstacle.halfPlanes()[i]), i)) continue;
     obstacle.setSeparatingHint(i);
     return std::nullopt;
   }
-  if (isEmpty(meeting)) return std::nullopt;
-  return meeting;
+  if (isEmpty(interval)) return std::nullopt;
+  return interval;
 }
 
-Hit Sweep::describe(const Obstacle& obstacle, const Meeting& meeting) {
-  if (meeting.entered == Meeting::kNone) return inside(meeting);
-  if (meeting.entered >= obstacle.sides()) {
-    return hitByEdge(meeting, obstacle.shape(), meeting.entered - obstacle.sides(), obstacle.line());
+Hit Sweep::hitOf(const Obstacle& obstacle, const ClipInterval& interval) {
+  if (interval.entered == ClipInterval::kNone) return insideHit(interval);
+  if (interval.entered >= obstacle.sideCount()) {
+    return edgeHit(interval, obstacle.shape(), interval.entered - obstacle.sideCount(), obstacle.segment());
   }
-  return hitOf(meeting, obstacle.halfPlanes()[meeting.entered].normal, obstacle.featureOfSide(meeting.entered),
-               Hit::Side::kSegment);
+  return makeHit(interval, obstacle.halfPlanes()[interval.entered].normal, obstacle.sideFeature(interval.entered),
+                 Hit::Side::kSegment);
 }
 
 }  // namespace platon

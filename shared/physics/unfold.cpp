@@ -4,28 +4,29 @@ namespace platon {
 
 namespace {
 
-Point broughtBack(const Warp& warp, Point beyond) { return warp.from.a + rotate(beyond - warp.onto.a, -warp.turn); }
+std::int64_t squaredDistance(PrecisePoint a, PrecisePoint b) { return squaredLength(rounded(a - b)); }
 
-Point takenOver(const Warp& warp, Point here) { return warp.onto.a + rotate(here - warp.from.a, warp.turn); }
-
-void keepNearer(std::optional<Point>& best, std::optional<Point> candidate, Point near) {
-  if (!candidate) return;
-  if (!best || squaredLength(*candidate - near) < squaredLength(*best - near)) best = candidate;
+std::optional<PrecisePoint> unfoldPrecise(const Geometry& geometry, const Place& place, std::uint32_t part,
+                                          PrecisePoint near, int maxWarps) {
+  if (place.part == part) return precise(place.position);
+  const MapGeometry* const here = geometry.find(part);
+  if (here == nullptr || maxWarps == 0) return std::nullopt;
+  std::optional<PrecisePoint> best;
+  for (const Warp& warp : here->warps) {
+    const auto beyond = unfoldPrecise(geometry, place, warp.target, warp.map(near), maxWarps - 1);
+    if (!beyond) continue;
+    const PrecisePoint candidate = warp.mapBack(*beyond);
+    if (!best || squaredDistance(candidate, near) < squaredDistance(*best, near)) best = candidate;
+  }
+  return best;
 }
 
 }  // namespace
 
 std::optional<Point> unfold(const Geometry& geometry, const Place& place, std::uint32_t part, Point near,
                             int maxWarps) {
-  if (place.part == part) return place.position;
-  const MapGeometry* const here = geometry.find(part);
-  if (here == nullptr || maxWarps == 0) return std::nullopt;
-  std::optional<Point> best;
-  for (const Warp& warp : here->warps) {
-    const std::optional<Point> beyond = unfold(geometry, place, warp.target, takenOver(warp, near), maxWarps - 1);
-    if (beyond) keepNearer(best, broughtBack(warp, *beyond), near);
-  }
-  return best;
+  const auto position = unfoldPrecise(geometry, place, part, precise(near), maxWarps);
+  return position ? std::optional(rounded(*position)) : std::nullopt;
 }
 
 }  // namespace platon

@@ -12,8 +12,8 @@
 namespace platon {
 namespace {
 
-// Of a world without rules.
-class HeedlessRules : public Rules {
+// The rules of a world on which setRules was not called.
+class DefaultRules : public Rules {
  public:
   bool ignoresWarps() const override { return true; }
 };
@@ -33,7 +33,7 @@ World::World(const World& other)
       rules_(other.rules_),
       scratch_(std::make_unique<StepScratch>()) {}
 
-// Keeps its own derived state where that still fits, so that copying back and forth costs no rebuilding.
+// Keeps the derived state of this world when it is still valid, so that repeated assignment does not rebuild it.
 World& World::operator=(const World& other) {
   if (geometry_ != other.geometry_ || shapes_ != other.shapes_) {
     geometry_ = other.geometry_;
@@ -50,8 +50,8 @@ World& World::operator=(World&&) noexcept = default;
 World::~World() = default;
 
 void World::solve(StepObserver* observer) {
-  HeedlessRules heedless;
-  solve(rules_ != nullptr ? *rules_ : heedless, observer);
+  DefaultRules defaults;
+  solve(rules_ != nullptr ? *rules_ : defaults, observer);
 }
 
 void World::solve(Rules& rules, StepObserver* observer) {
@@ -66,7 +66,7 @@ void World::solve(Rules& rules, StepObserver* observer) {
     const std::span<const InstanceState> further(state_.instances.data() + next, entity.instances);
     next += entity.instances;
     if (entity.inserted == 0) continue;
-    if (mayRepeat && scratch.rests[index].isOf(entity, further)) {
+    if (mayRepeat && scratch.rests[index].matches(entity, further)) {
       scratch.rests[index].repeat(Entity(*this, index), rules, scratch.further);
     } else {
       move(index, further, rules, observer);
@@ -86,23 +86,23 @@ void World::move(std::uint32_t index, std::span<const InstanceState> further, Ru
   step.translate(entity.velocity, entity.heading);
   step.finish(scratch.further);
   const auto furtherAfter = std::span(scratch.further).subspan(first);
-  if (rules.ignoresWarps()) scratch.rests[index].take(before, further, entity, furtherAfter, step.contacts());
+  if (rules.ignoresWarps()) scratch.rests[index].record(before, further, entity, furtherAfter, step.contacts());
 }
 
 void World::beginStep(std::uint32_t index, std::span<const InstanceState> further, Rules& rules,
                       StepObserver* observer) {
-  const EntityStep::Setting setting{*geometry_, shapeOf(index), scratch_->shapes, scratch_->regions[index],
+  const EntityStep::Context context{*geometry_, shapeOf(index), scratch_->shapes, scratch_->regions[index],
                                     rules,      observer};
-  scratch_->steps[index].begin(Entity(*this, index), state_.entities[index], further, setting);
+  scratch_->steps[index].begin(Entity(*this, index), state_.entities[index], further, context);
 }
 
 void World::restore(const WorldState& state) { state_ = state; }
 
 std::uint64_t World::hash() const {
   Hash hash;
-  const auto take = [&](const char*, const auto& field) { hash.add(field); };
-  for (const EntityState& entity : state_.entities) EntityState::visit(entity, take);
-  for (const InstanceState& instance : state_.instances) InstanceState::visit(instance, take);
+  const auto add = [&](const char*, const auto& field) { hash.add(field); };
+  for (const EntityState& entity : state_.entities) EntityState::visit(entity, add);
+  for (const InstanceState& instance : state_.instances) InstanceState::visit(instance, add);
   return hash.value();
 }
 
@@ -149,19 +149,20 @@ std::uint32_t World::add(const Convex& shape) {
 
 void World::insert(std::uint32_t entity, std::uint32_t part, Point origin, Angle angle) {
   if (geometry_->find(part) == nullptr)
-    throw std::invalid_argument(named(entity, part) + "that part is not initialised");
+    throw std::invalid_argument(named(entity, part) + "the part is not initialised");
   for (const InstanceView& view : this->view(entity)) {
-    if (view.part == part) throw std::invalid_argument(named(entity, part) + "it is there already: erase it first");
+    if (view.part == part)
+      throw std::invalid_argument(named(entity, part) + "the entity is already in this part: erase it first");
   }
   if (!shapeOf(entity).turned(angle)) {
-    throw std::invalid_argument(named(entity, part) + "the shape has no area left when it is turned and rounded");
+    throw std::invalid_argument(named(entity, part) + "the shape is degenerate when rotated by this angle and rounded");
   }
   const WorldState before = state_;
   state_.entities[entity].inserted == 0 ? placeHome(entity, part, origin, angle)
                                         : placeFurther(entity, part, origin, angle);
   if (settle(entity)) return;
   state_ = before;
-  throw std::invalid_argument(named(entity, part) + "the shape overlaps a line there");
+  throw std::invalid_argument(named(entity, part) + "the shape overlaps a blocking segment");
 }
 
 void World::placeHome(std::uint32_t entity, std::uint32_t part, Point origin, Angle angle) {
@@ -170,7 +171,7 @@ void World::placeHome(std::uint32_t entity, std::uint32_t part, Point origin, An
   state.position = origin;
   state.angle = angle;
   state.remainder = Point();
-  state.id = takeId(state.nextId, [](std::uint16_t) { return false; });
+  state.id = allocateId(state.nextId, [](std::uint16_t) { return false; });
   state.inserted = 1;
   state.fresh = 1;
 }
@@ -184,7 +185,7 @@ void World::placeFurther(std::uint32_t entity, std::uint32_t part, Point origin,
   instance.homeAnchor = state.position;
   instance.anchor = origin;
   const auto others = instancesOf(entity);
-  instance.id = takeId(state.nextId, [&](std::uint16_t id) {
+  instance.id = allocateId(state.nextId, [&](std::uint16_t id) {
     return id == state.id ||
            std::any_of(others.begin(), others.end(), [&](const InstanceState& other) { return other.id == id; });
   });
@@ -192,13 +193,13 @@ void World::placeFurther(std::uint32_t entity, std::uint32_t part, Point origin,
   replaceInstances(entity, [&](std::vector<InstanceState>& further) { further.push_back(instance); });
 }
 
-// Adds the instances that the shape reaches. False when any overlaps a line.
+// Adds the instances that the shape reaches at its position. Returns false when one overlaps a blocking segment.
 bool World::settle(std::uint32_t entity) {
-  HeedlessRules heedless;
+  DefaultRules defaults;
   const auto known = instancesOf(entity);
   const std::vector<InstanceState> before(known.begin(), known.end());
   scratch_->provideFor(state_.entities.size());
-  beginStep(entity, before, rules_ != nullptr ? *rules_ : heedless, nullptr);
+  beginStep(entity, before, rules_ != nullptr ? *rules_ : defaults, nullptr);
   EntityStep& step = scratch_->steps[entity];
   if (!step.isFree() || !step.settle() || !step.isFree()) return false;
   replaceInstances(entity, [&](std::vector<InstanceState>& further) {
@@ -227,7 +228,7 @@ bool World::isIn(std::uint32_t entity, std::uint32_t part) const {
                                             [&](const InstanceState& instance) { return instance.part == part; }));
 }
 
-// The instances that hang on others go with them; the next step brings back those still needed.
+// Also removes all instances with a parent; the next step adds those again that are still needed.
 void World::erase(std::uint32_t entity, std::uint32_t part) {
   if (!isIn(entity, part)) return;
   EntityState& state = state_.entities[entity];
@@ -239,7 +240,7 @@ void World::erase(std::uint32_t entity, std::uint32_t part) {
   });
 }
 
-// Makes the first of the instances placed by hand the home of the entity, and anchors the others to it where they are.
+// Makes the first further instance the home instance and anchors the others to it at their current positions.
 void World::promoteFirst(EntityState& state, std::vector<InstanceState>& further) {
   state.inserted = further.empty() ? 0 : 1;
   if (further.empty()) return;

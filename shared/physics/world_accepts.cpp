@@ -1,4 +1,4 @@
-// The check of a state that comes from outside.
+// Validation of a state of unknown origin.
 #include <algorithm>
 #include <cstdlib>
 
@@ -15,31 +15,32 @@ bool isRemainder(Point point) {
 }
 bool isFlag(std::uint16_t value) { return value <= 1; }
 
-// Where an instance stands that another one may hang on.
-struct Stand {
+// An instance that may be the parent of others.
+struct Parent {
   std::uint16_t id;
   std::uint32_t part;
   Angle angle;
 };
 
-// Instances are stored so that some order of hanging them up exists; a ring has none.
-bool hangsTogether(const Geometry& geometry, const EntityState& entity, std::span<const InstanceState> instances) {
-  std::vector<Stand> known{{entity.id, entity.part, entity.angle}};
+// Whether the chain of parents of every instance leads to the home instance or to one placed by MapPart::insert.
+// Rejects cycles. Instances may be stored in any order.
+bool isConnected(const Geometry& geometry, const EntityState& entity, std::span<const InstanceState> instances) {
+  std::vector<Parent> known{{entity.id, entity.part, entity.angle}};
   std::vector<const InstanceState*> open;
   for (const InstanceState& instance : instances) open.push_back(&instance);
-  const auto hang = [&](const InstanceState* instance) {
-    const bool byHand = instance->parent == InstanceState::kNoParent;
-    const bool fits = byHand || std::any_of(known.begin(), known.end(), [&](const Stand& stand) {
-                        const MapGeometry& part = *geometry.find(stand.part);
-                        if (stand.id != instance->parent || instance->warp >= part.warps.size()) return false;
+  const auto connect = [&](const InstanceState* instance) {
+    const bool isRoot = instance->parent == InstanceState::kNoParent;
+    const bool fits = isRoot || std::any_of(known.begin(), known.end(), [&](const Parent& parent) {
+                        const MapGeometry& part = *geometry.find(parent.part);
+                        if (parent.id != instance->parent || instance->warp >= part.warps.size()) return false;
                         const Warp& warp = part.warps[instance->warp];
                         return warp.target == instance->part && geometry.reverseWarp(part.id, warp) &&
-                               stand.angle + warp.turn == instance->angle;
+                               parent.angle + warp.turn == instance->angle;
                       });
     if (fits) known.push_back({instance->id, instance->part, instance->angle});
     return fits;
   };
-  while (std::erase_if(open, hang) != 0) {
+  while (std::erase_if(open, connect) != 0) {
   }
   return open.empty();
 }
@@ -50,14 +51,14 @@ bool acceptsInstance(const Geometry& geometry, const EntityState& entity, const 
          inRange(instance.anchor + rotate(entity.position - instance.homeAnchor, instance.angle - entity.angle));
 }
 
-bool idsDiffer(const EntityState& entity, std::span<const InstanceState> instances) {
+bool hasUniqueIds(const EntityState& entity, std::span<const InstanceState> instances) {
   std::vector<std::uint16_t> ids{entity.id};
   for (const InstanceState& instance : instances) ids.push_back(instance.id);
   std::sort(ids.begin(), ids.end());
   return std::adjacent_find(ids.begin(), ids.end()) == ids.end() && ids.back() != InstanceState::kNoParent;
 }
 
-bool turns(const Convex& shape, const EntityState& entity, std::span<const InstanceState> instances) {
+bool isShapeValid(const Convex& shape, const EntityState& entity, std::span<const InstanceState> instances) {
   return shape.turned(entity.angle) && std::all_of(instances.begin(), instances.end(), [&](const auto& instance) {
            return shape.turned(instance.angle).has_value();
          });
@@ -71,8 +72,8 @@ bool acceptsEntity(const Geometry& geometry, const Convex& shape, const EntitySt
   if (entity.inserted == 0) return instances.empty();
   if (geometry.find(entity.part) == nullptr || instances.size() >= Instances::kMax) return false;
   const auto accepted = [&](const InstanceState& instance) { return acceptsInstance(geometry, entity, instance); };
-  return idsDiffer(entity, instances) && std::all_of(instances.begin(), instances.end(), accepted) &&
-         turns(shape, entity, instances) && hangsTogether(geometry, entity, instances);
+  return hasUniqueIds(entity, instances) && std::all_of(instances.begin(), instances.end(), accepted) &&
+         isShapeValid(shape, entity, instances) && isConnected(geometry, entity, instances);
 }
 
 }  // namespace

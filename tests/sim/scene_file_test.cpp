@@ -54,7 +54,7 @@ TEST(SceneTest, EveryFaultHasItsPlace) {
   EXPECT_EQ(faultsOf(sound + "velocity 268435456 0"), "s:3:1: error: a velocity is below 2^28 subunits a tick");
   EXPECT_EQ(faultsOf("shape 0 0 9 0 0\nentity 0 0"), "s:1:1: error: coordinates come in pairs");
   EXPECT_EQ(faultsOf("shape 0 0 0 9 9 0\nentity 0 0"),
-            "s:1:1: error: vertex 2 turns clockwise: a shape is convex and counter-clockwise");
+            "s:1:1: error: vertex 2 turns clockwise: a shape must be convex and counter-clockwise");
 }
 
 TEST(SceneTest, ShapeAndEntityAreNeeded) {
@@ -72,7 +72,7 @@ TEST(SceneTest, AllFaultsAreReported) {
 
 TEST(SceneTest, AnEntityNeedsAFreePlace) {
   EXPECT_EQ(faultsOf("shape 0 0 9 0 0 9\nline 1 1 2 2\nentity 50 50\nentity 0 0\n"),
-            "s:4:1: error: entity 1 in map part 0: the shape overlaps a line there");
+            "s:4:1: error: entity 1 in map part 0: the shape overlaps a blocking segment");
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ long double radians(std::int32_t centidegrees) {
 
 long double lengthOf(Point vector) { return std::hypot(static_cast<long double>(vector.x), vector.y); }
 
-TEST(AngleTest, TakesOffWholeTurns) {
+TEST(AngleTest, ReducesToOneTurn) {
   EXPECT_EQ(Angle().centidegrees(), 0);
   EXPECT_EQ(Angle(36000), Angle());
   EXPECT_EQ(Angle(-1).centidegrees(), 35999);
@@ -35,7 +35,7 @@ TEST(AngleTest, TakesOffWholeTurns) {
   EXPECT_EQ(Angle::degrees(INT32_MAX).centidegrees(), INT32_MAX % 360 * 100);
 }
 
-TEST(AngleTest, AddsAndSubtractsWithinATurn) {
+TEST(AngleTest, AddsModuloATurn) {
   for (std::int32_t a = 0; a < Angle::kTurn; a += 371) {
     EXPECT_EQ(Angle(a) + -Angle(a), Angle());
     for (std::int32_t b = 0; b < Angle::kTurn; b += 997) {
@@ -45,7 +45,7 @@ TEST(AngleTest, AddsAndSubtractsWithinATurn) {
   }
 }
 
-TEST(AngleTest, EveryDirectionIsExactTo29Bits) {
+TEST(AngleTest, RotationsAreExactTo29Bits) {
   for (std::int32_t centidegrees = 0; centidegrees < Angle::kTurn; ++centidegrees) {
     const Rotation direction = rotationOf(Angle(centidegrees));
     const long double cosine = std::cos(radians(centidegrees)) * kOne;
@@ -88,7 +88,7 @@ TEST(AngleTest, SinesRiseInTheFirstQuarter) {
   }
 }
 
-TEST(RotateTest, HalfATurnFirstOrLastGivesTheSame) {
+TEST(RotateTest, RoundingIsSymmetric) {
   sim::SeededRandom random(kSeed);
   for (int i = 0; i < 20000; ++i) {
     const Point vector = random.vector(1 << (4 + i % 24));
@@ -99,7 +99,7 @@ TEST(RotateTest, HalfATurnFirstOrLastGivesTheSame) {
   }
 }
 
-TEST(RotateTest, RoundsTheTrueRotation) {
+TEST(RotateTest, RoundsTheExactRotation) {
   sim::SeededRandom random(kSeed);
   for (int i = 0; i < 20000; ++i) {
     const Point vector = random.vector((1 << (4 + i % 24)) - 1);
@@ -114,7 +114,7 @@ TEST(RotateTest, RoundsTheTrueRotation) {
   }
 }
 
-TEST(RotateTest, ThereAndBackIsWithinASubunit) {
+TEST(RotateTest, InverseIsWithinASubunit) {
   sim::SeededRandom random(kSeed);
   for (int i = 0; i < 20000; ++i) {
     const Point vector = random.vector((1 << 26) - 1);
@@ -141,7 +141,7 @@ TEST(AngleBetweenTest, FindsEveryAngleOfALongVector) {
   }
 }
 
-TEST(AngleBetweenTest, LengthsDoNotMatter) {
+TEST(AngleBetweenTest, IsIndependentOfLengths) {
   sim::SeededRandom random(kSeed);
   for (int i = 0; i < 5000; ++i) {
     const Point from = random.vector(1 << 20);
@@ -153,7 +153,7 @@ TEST(AngleBetweenTest, LengthsDoNotMatter) {
   }
 }
 
-TEST(AngleBetweenTest, IsTheNearestHundredthAlsoForShortVectors) {
+TEST(AngleBetweenTest, RoundsToNearestCentidegree) {
   for (int x = -9; x <= 9; ++x) {
     for (int y = -9; y <= 9; ++y) {
       if (x == 0 && y == 0) continue;
@@ -166,7 +166,7 @@ TEST(AngleBetweenTest, IsTheNearestHundredthAlsoForShortVectors) {
   }
 }
 
-TEST(AngleBetweenTest, StraightAheadAndStraightBack) {
+TEST(AngleBetweenTest, IsExactForQuarterTurns) {
   for (const Point vector : {Point(1, 0), Point(-5, 3), Point(kCoordinateLimit, -1), Point(0, -kCoordinateLimit)}) {
     EXPECT_EQ(angleBetween(vector, vector), Angle());
     EXPECT_EQ(angleBetween(vector, -vector), Angle::degrees(180));

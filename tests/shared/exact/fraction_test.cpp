@@ -39,7 +39,7 @@ TEST(FractionTest, ComparesByValue) {
   EXPECT_EQ(Fraction(), (Fraction{0, 7}));
 }
 
-TEST(FractionTest, TellsNeighboursNear2To62Apart) {
+TEST(FractionTest, DistinguishesNeighboursNear2To62) {
   EXPECT_LT((Fraction{kHuge - 2, kHuge - 1}), (Fraction{kHuge - 1, kHuge}));
   EXPECT_LT((Fraction{kHuge - 1, kHuge}), (Fraction{1, 1}));
   EXPECT_EQ((Fraction{kHuge, kHuge}), (Fraction{1, 1}));
@@ -83,7 +83,7 @@ TEST(ScaleTruncatedTest, RoundsTowardsZero) {
   EXPECT_EQ(scaleTruncated(1 << 30, {kHuge - 1, kHuge}), (1 << 30) - 1);
 }
 
-TEST(ScaleTruncatedTest, IsTheLastWholeNumberBeforeTheProduct) {
+TEST(ScaleTruncatedTest, TruncatesTheExactProduct) {
   sim::SeededRandom random(kSeed);
   for (int i = 0; i < 100000; ++i) {
     const auto denominator = 1 + randomBelow(random, 1 + i % 62);

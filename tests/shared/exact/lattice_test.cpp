@@ -8,7 +8,7 @@
 namespace platon {
 namespace {
 
-TEST(LatticeTest, TheDiscIsComplete) {
+TEST(LatticeTest, DiscIsComplete) {
   EXPECT_EQ(latticeDiscSize<0>(), 1u);
   EXPECT_EQ(latticeDiscSize<1>(), 5u);
   EXPECT_EQ(latticeDiscSize<6>(), 113u);  // Gauss's circle problem, N(6)
@@ -20,7 +20,7 @@ TEST(LatticeTest, TheDiscIsComplete) {
   }
 }
 
-TEST(LatticeTest, NearestFirstThenByRow) {
+TEST(LatticeTest, DiscIsSortedByDistanceThenRow) {
   const auto disc = latticeDisc<6>();
   EXPECT_EQ(disc.front(), Point());
   EXPECT_TRUE(std::is_sorted(disc.begin(), disc.end(), [](Point a, Point b) {

@@ -7,7 +7,7 @@
 namespace platon {
 namespace {
 
-TEST(PointTest, IsAVector) {
+TEST(PointTest, AddsAndSubtracts) {
   EXPECT_EQ(Point(3, 4) + Point(-1, 2), Point(2, 6));
   EXPECT_EQ(Point(3, 4) - Point(-1, 2), Point(4, 2));
   EXPECT_EQ(-Point(3, -4), Point(-3, 4));
@@ -19,7 +19,7 @@ TEST(PointTest, IsAVector) {
   EXPECT_NE(Point(1, 2), Point(2, 1));
 }
 
-TEST(PointTest, ProductsHaveTheirSigns) {
+TEST(PointTest, ProductsHaveTheseSigns) {
   EXPECT_EQ(dot(Point(3, 4), Point(2, -1)), 2);
   EXPECT_EQ(cross(Point(1, 0), Point(0, 1)), 1);
   EXPECT_EQ(cross(Point(0, 1), Point(1, 0)), -1);
@@ -27,7 +27,7 @@ TEST(PointTest, ProductsHaveTheirSigns) {
   EXPECT_EQ(perpendicular(Point(2, 1)), Point(-1, 2));
 }
 
-TEST(PointTest, ProductsOfDifferencesAreExact) {
+TEST(PointTest, ProductsAreExactUpToTheBounds) {
   constexpr std::int32_t most = 2 * (kCoordinateLimit - 1);
   constexpr std::int64_t square = std::int64_t{most} * most;
   EXPECT_EQ(dot(Point(most, most), Point(most, most)), 2 * square);

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint64_t kSeed = 99;
 
-TEST(SquareRootTest, SmallOnes) {
+TEST(SquareRootTest, RoundsDownForAllSmallValues) {
   std::int64_t root = 0;
   for (std::int64_t value = 0; value < 5000; ++value) {
     if ((root + 1) * (root + 1) <= value) ++root;
@@ -27,7 +27,7 @@ TEST(SquareRootTest, ChangesExactlyAtSquares) {
   }
 }
 
-TEST(SquareRootTest, TheLargest) {
+TEST(SquareRootTest, IsExactForTheLargestValues) {
   const int128 most = (int128{1} << 124) - 1;
   EXPECT_TRUE(squareRootFloor(most) == (int128{1} << 62) - 1);
   EXPECT_EQ(squareRootFloor((std::int64_t{1} << 62) - 1), (std::int64_t{1} << 31) - 1);

@@ -35,14 +35,14 @@ TEST(ConvexFaultTest, NeedsThreeVertices) {
 }
 
 TEST(ConvexFaultTest, NamesTheVertexOutOfRange) {
-  const std::string reason = "lies outside the coordinates, which are below 2^29";
+  const std::string reason = "is out of range: coordinates must be below 2^29 in magnitude";
   EXPECT_THAT(Convex::fault(Points{{0, 0}, {kMax + 1, 0}, {0, 1}}), Optional("vertex 2 " + reason));
   EXPECT_THAT(Convex::fault(Points{{0, 0}, {1, 0}, {0, -kMax - 1}}), Optional("vertex 3 " + reason));
   EXPECT_THAT(Convex::fault(Points{{INT32_MIN, 0}, {1, 0}, {0, 1}}), Optional("vertex 1 " + reason));
 }
 
-TEST(ConvexFaultTest, NamesTheVertexOnALine) {
-  const std::string reason = "lies on a line with its neighbours: leave it out";
+TEST(ConvexFaultTest, NamesTheCollinearVertex) {
+  const std::string reason = "is collinear with its neighbours: remove it";
   EXPECT_THAT(Convex::fault(Points{{0, 0}, {5, 0}, {10, 0}, {10, 10}}), Optional("vertex 2 " + reason));
   EXPECT_THAT(Convex::fault(Points{{5, 0}, {10, 0}, {10, 10}, {0, 0}}), Optional("vertex 1 " + reason));
   EXPECT_THAT(Convex::fault(Points{{0, 0}, {0, 0}, {10, 0}, {10, 10}}), Optional("vertex 2 " + reason)) << "twice";
@@ -51,20 +51,20 @@ TEST(ConvexFaultTest, NamesTheVertexOnALine) {
 }
 
 TEST(ConvexFaultTest, NamesTheVertexThatTurnsClockwise) {
-  const std::string reason = "turns clockwise: a shape is convex and counter-clockwise";
+  const std::string reason = "turns clockwise: a shape must be convex and counter-clockwise";
   EXPECT_THAT(Convex::fault(Points{{0, 0}, {0, 10}, {10, 10}, {10, 0}}), Optional("vertex 2 " + reason));
   EXPECT_THAT(Convex::fault(Points{{0, 0}, {10, 0}, {10, 10}, {9, 1}}), Optional("vertex 4 " + reason)) << "a dent";
   EXPECT_THAT(Convex::fault(Points{{0, 0}, {10, 10}, {10, 0}, {0, 10}}), Optional("vertex 2 " + reason)) << "a bow tie";
 }
 
-TEST(ConvexFaultTest, RefusesPolygonsThatWindTwice) {
+TEST(ConvexFaultTest, RejectsPolygonsThatWindTwice) {
   const Convex pentagon = regular(5, 1000);
   Points star;
   for (std::size_t i = 0; i < 5; ++i) star.push_back(pentagon.vertices()[2 * i % 5]);
-  EXPECT_THAT(Convex::fault(star), Optional(std::string("the edges wind round more than once")));
+  EXPECT_THAT(Convex::fault(star), Optional(std::string("the edges wind around more than once")));
   Points twice = pentagon.vertices();
   for (const Point vertex : pentagon.vertices()) twice.push_back(vertex);
-  EXPECT_THAT(Convex::fault(twice), Optional(std::string("the edges wind round more than once")));
+  EXPECT_THAT(Convex::fault(twice), Optional(std::string("the edges wind around more than once")));
 }
 
 TEST(ConvexTest, ThrowsTheFault) {
@@ -83,7 +83,7 @@ TEST(ConvexTest, ThrowsTheFault) {
   EXPECT_THROW(Convex{draft}, std::invalid_argument);
 }
 
-TEST(ConvexTest, EdgesLookInwards) {
+TEST(ConvexTest, EdgeNormalsPointInwards) {
   sim::SeededRandom random(kSeed);
   for (int i = 0; i < 500; ++i) {
     const Convex shape = randomConvex(random, 1 << (2 + i % 26));
@@ -100,7 +100,7 @@ TEST(ConvexTest, EdgesLookInwards) {
   }
 }
 
-TEST(ConvexTest, KnowsBoundsAndCentre) {
+TEST(ConvexTest, ComputesBoundsAndCentre) {
   const Convex shape(Points{{0, 0}, {10, 0}, {10, 11}, {1, 11}});
   EXPECT_EQ(shape.bounds().low, Point(0, 0));
   EXPECT_EQ(shape.bounds().high, Point(10, 11));
@@ -110,7 +110,7 @@ TEST(ConvexTest, KnowsBoundsAndCentre) {
   EXPECT_EQ(regular(16, 12288).centre(), Point());
 }
 
-TEST(ConvexTest, EqualShapesHaveEqualVerticesInOrder) {
+TEST(ConvexTest, EqualityComparesVerticesInOrder) {
   EXPECT_EQ(square(5), square(5));
   EXPECT_FALSE(square(5) == square(6));
   EXPECT_FALSE(Convex(Points{{0, 0}, {1, 0}, {0, 1}}) == Convex(Points{{1, 0}, {0, 1}, {0, 0}}));
@@ -124,7 +124,7 @@ TEST(ConvexTurnedTest, QuarterTurnsAreExact) {
   EXPECT_EQ(regular(16, 12288).turned(Angle::degrees(90))->bounds().high, regular(16, 12288).bounds().high);
 }
 
-TEST(ConvexTurnedTest, KeepsItsFormUnderFaceTurns) {
+TEST(ConvexTurnedTest, FaceTurnsKeepTheNumberOfVertices) {
   for (const int degrees : {36, 60, 72, 108, 120, 144, 180, 216, 252, 288, 300, 324}) {
     for (const int corners : {3, 4, 5, 6, 8, 16}) {
       const Convex base = regular(corners, 12288);
@@ -139,7 +139,7 @@ TEST(ConvexTurnedTest, KeepsItsFormUnderFaceTurns) {
   }
 }
 
-TEST(ConvexTurnedTest, HoldsEveryTurnedVertex) {
+TEST(ConvexTurnedTest, ContainsEveryRotatedVertex) {
   sim::SeededRandom random(kSeed);
   for (int i = 0; i < 3000; ++i) {
     const Convex base = randomConvex(random, 3 << (i % 20));
@@ -156,14 +156,14 @@ TEST(ConvexTurnedTest, HoldsEveryTurnedVertex) {
   }
 }
 
-TEST(ConvexTurnedTest, CanDegenerateWhenOnlyAFewSubunitsLarge) {
+TEST(ConvexTurnedTest, TinyShapesCanDegenerate) {
   const Convex sliver(Points{{0, 0}, {3, 1}, {2, 1}});
   EXPECT_EQ(sliver.turned(Angle::degrees(20)), std::nullopt);
   EXPECT_NE(sliver.turned(Angle::degrees(90)), std::nullopt);
   EXPECT_EQ(square(kMax).turned(Angle::degrees(45)), std::nullopt) << "the corners would leave the coordinates";
 }
 
-TEST(ConvexHullTest, FewPoints) {
+TEST(ConvexHullTest, HandlesFewPoints) {
   EXPECT_THAT(convexHull({}), IsEmpty());
   EXPECT_THAT(convexHull({{1, 2}}), ElementsAre(Point(1, 2)));
   EXPECT_LT(convexHull({{0, 0}, {1, 1}, {2, 2}, {1, 1}}).size(), 3u);
@@ -172,7 +172,7 @@ TEST(ConvexHullTest, FewPoints) {
   EXPECT_THAT(convexHull({{1, 1}, {0, 0}, {9, 0}, {0, 9}}), ElementsAre(Point(0, 0), Point(9, 0), Point(0, 9)));
 }
 
-TEST(ConvexHullTest, IsTheSmallestConvexPolygonRoundThePoints) {
+TEST(ConvexHullTest, IsTheSmallestConvexPolygonAroundThePoints) {
   sim::SeededRandom random(kSeed);
   for (int i = 0; i < 3000; ++i) {
     Points points;

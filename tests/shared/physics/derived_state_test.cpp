@@ -115,7 +115,7 @@ class DerivedStateTest : public testing::TestWithParam<std::uint64_t> {
   WorldState saved_;
 };
 
-TEST_P(DerivedStateTest, AWorldThatHasLivedLongDoesWhatAFreshCopyDoes) {
+TEST_P(DerivedStateTest, LongLivedWorldsStepLikeFreshCopies) {
   World assigned;  // which keeps its derived state, too
   Watcher watcher;
   for (int tick = 0; tick < kTicks; ++tick) {

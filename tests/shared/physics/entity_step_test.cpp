@@ -29,14 +29,14 @@ TEST(EntityStepTest, MovesFreelyByItsVelocity) {
   EXPECT_EQ(scene.step({}), Point(1005, 2));
 }
 
-TEST(EntityStepTest, StopsAtALineAndSlidesAlongIt) {
+TEST(EntityStepTest, StopsAtASegmentAndSlidesAlongIt) {
   Scene scene({{{-1000, -20}, {1000, -20}}}, square(10), {0, 0});
   EXPECT_EQ(scene.step({30, -60}), Point(30, -10)) << "the part along the line is kept whole";
   EXPECT_EQ(scene.step({-7, -1}), Point(23, -10));
   EXPECT_EQ(scene.step({0, 4}), Point(23, -6));
 }
 
-TEST(EntityStepTest, ACornerTakesAllOfIt) {
+TEST(EntityStepTest, CornersStopTheWholeDisplacement) {
   Scene scene({{{-1000, -20}, {1000, -20}}, {{40, -1000}, {40, 1000}}}, square(10), {0, 0});
   EXPECT_EQ(scene.step({100, -100}), Point(30, -10));
   EXPECT_EQ(scene.step({100, -100}), Point(30, -10));
@@ -50,7 +50,7 @@ TEST(EntityStepTest, FitsExactlyThroughAGap) {
   EXPECT_EQ(narrow.step({100, 0}).x, -10);
 }
 
-TEST(EntityStepTest, ThinLinesStopTheFastest) {
+TEST(EntityStepTest, ShortSegmentsStopTheFastestEntity) {
   Scene scene({{{100000, 0}, {100000, 1}}}, square(10), {0, 0});
   EXPECT_EQ(scene.step({kVelocityLimit - 1, 0}).x, 100000 - 10);
   Scene point({{{100000, 3}, {100000, 3}}}, square(10), {0, 0});
@@ -65,7 +65,7 @@ class CountedContacts : public Rules {
 };
 
 // A nudge would lead it clear of the end, and nobody would know that it stands on something.
-TEST(EntityStepTest, SlidingOnTheEndOfALineIsAContact) {
+TEST(EntityStepTest, SlidingOnASegmentEndIsAContact) {
   Scene scene({{{92, -100}, {92, -1000}}}, square(100), {0, 0});
   CountedContacts rules;
   scene.entity.setVelocity({5, -5});
@@ -74,7 +74,7 @@ TEST(EntityStepTest, SlidingOnTheEndOfALineIsAContact) {
   EXPECT_EQ(rules.count, 1);
 }
 
-TEST(EntityStepTest, StaysInsideTheCoordinates) {
+TEST(EntityStepTest, StaysInTheCoordinateRange) {
   Scene scene({}, square(10), {0, 0});
   for (int tick = 0; tick < 20; ++tick) {
     const Point at = scene.step({kVelocityLimit - 1, 1 - kVelocityLimit});
@@ -84,7 +84,7 @@ TEST(EntityStepTest, StaysInsideTheCoordinates) {
 }
 
 // Truncating each component of the way to a contact crosses such lines.
-TEST(EntityStepTest, NeverEndsInsideALineByRounding) {
+TEST(EntityStepTest, RoundingNeverCausesAnOverlap) {
   for (int nx = -4; nx <= 4; ++nx) {
     for (int ny = -4; ny <= 4; ++ny) {
       if (nx == 0 && ny == 0) continue;
@@ -105,7 +105,7 @@ TEST(EntityStepTest, NeverEndsInsideALineByRounding) {
 // In a turned frame a velocity has no whole coordinates: rounding leaves a remainder.
 
 // Moves freely; the first and every later place is the lattice point nearest to the exact one.
-TEST(RemainderTest, AVelocityIsNotRoundedInATurnedFrame) {
+TEST(RemainderTest, RotatedVelocitiesAreNotRounded) {
   for (const std::int32_t heading : {1, 3600, 6000, 7200, 12345, 30000}) {
     Scene scene({}, square(10), {5, -5});
     scene.entity.setVelocity({37, -11}, Angle(heading));
@@ -121,7 +121,7 @@ TEST(RemainderTest, AVelocityIsNotRoundedInATurnedFrame) {
 }
 
 // Of (1, 0) turned by 60 degrees half a subunit each way is left, which would be rounded to a whole one.
-TEST(RemainderTest, WithoutVelocityItMovesNothing) {
+TEST(RemainderTest, RemaindersAloneMoveNothing) {
   Scene scene({}, square(10), {0, 0});
   scene.entity.setVelocity({1, 0}, Angle::degrees(60));
   scene.world.solve();
@@ -130,7 +130,7 @@ TEST(RemainderTest, WithoutVelocityItMovesNothing) {
   for (int tick = 0; tick < 4; ++tick) ASSERT_EQ(scene.step({}), Point(1, 1)) << tick;
 }
 
-TEST(RemainderTest, AContactEndsIt) {
+TEST(RemainderTest, ContactsDiscardTheRemainder) {
   Scene scene({{{100, -1000}, {100, 1000}}}, square(10), {0, 0});
   scene.entity.setVelocity({50, 0}, Angle(3600));
   for (int tick = 0; tick < 2; ++tick) scene.world.solve();
@@ -150,7 +150,7 @@ struct RandomScene {
   std::int32_t speed;
 };
 
-TEST(EntityStepTest, FlungAmongRandomLinesItNeverOverlaps) {
+TEST(EntityStepTest, NeverOverlapsRandomSegments) {
   const RandomScene scenes[] = {
       {"tiny numbers", 40, 12, 30, 4, 20},          {"small", 400, 200, 60, 20, 150},
       {"level", 400000, 200000, 150, 12288, 20000}, {"fast", 400000, 20000, 150, 12288, 1 << 27},
@@ -184,7 +184,7 @@ TEST(EntityStepTest, FlungAmongRandomLinesItNeverOverlaps) {
   }
 }
 
-TEST(EntityStepTest, PilesOfLinesEndTheStep) {
+TEST(EntityStepTest, StepsEndAmongManySegments) {
   std::vector<Segment> lines;
   for (int i = 0; i < 200; ++i) {
     const Point end = rotate(Point(4000, 0), Angle(i * 180));
@@ -281,7 +281,7 @@ struct Passage {
   std::int32_t least;  // x after 60 ticks
 };
 
-TEST(SlideOverJointsTest, ComesPastEveryEnd) {
+TEST(SlideOverJointsTest, PassesEverySegmentEnd) {
   const Passage passages[] = {
       {"ends up to 4 subunits off",
        square(100),
@@ -319,7 +319,7 @@ TEST(SlideOverJointsTest, ComesPastEveryEnd) {
 }
 
 // A point and a slope stand below either flank; a nudge past the point lets it fall on.
-TEST(SlideOverJointsTest, APointAFewSubunitsInsideTheFlankIsPassed) {
+TEST(SlideOverJointsTest, PassesAPointSlightlyInsideTheFlank) {
   Scene scene({{{23, -106}, {23, -106}}, {{-70, -141}, {-70, -141}}, {{-73, -148}, {248, 13}}}, square(100),
               {-132, -21});
   for (int tick = 0; tick < 60; ++tick) scene.step({0, -263});

@@ -11,7 +11,7 @@
 namespace platon {
 namespace {
 
-TEST(EntityTest, TheExampleOfTheReport) {
+TEST(EntityTest, RunsTheExampleOfTheReport) {
   World world;
   intern::Convex shape;
   shape.vertices.push_back(Point(0, 0));
@@ -24,7 +24,7 @@ TEST(EntityTest, TheExampleOfTheReport) {
   EXPECT_FALSE(entity.inserted());
 }
 
-TEST(EntityTest, TheReportsEntityInTheReportsMap) {
+TEST(EntityTest, MovesInTheMapOfTheReport) {
   World world;
   MapPart face(world, 12345);
   face.line(Point(0, 0), Point(-50, 20));
@@ -47,7 +47,7 @@ TEST(EntityTest, TheReportsEntityInTheReportsMap) {
   EXPECT_FALSE(entity.inserted());
 }
 
-TEST(EntityTest, RefusesADraftThatIsNotConvex) {
+TEST(EntityTest, RejectsShapesThatAreNotConvex) {
   World world;
   intern::Convex draft;
   draft.vertices = {{0, 0}, {0, 10}, {10, 10}, {10, 0}};
@@ -55,7 +55,7 @@ TEST(EntityTest, RefusesADraftThatIsNotConvex) {
   EXPECT_TRUE(world.entities().empty());
 }
 
-TEST(EntityTest, IsAHandle) {
+TEST(EntityTest, HandlesShareTheirState) {
   World world;
   addPart(world, 0, {});
   Entity entity(world, square(5));
@@ -68,7 +68,7 @@ TEST(EntityTest, IsAHandle) {
   EXPECT_EQ(second.shape(), square(6));
 }
 
-TEST(EntityTest, EqualShapesAreKeptOnce) {
+TEST(EntityTest, EqualShapesAreStoredOnce) {
   World world;
   const Entity a(world, square(5));
   const Entity b(world, square(6));
@@ -78,7 +78,7 @@ TEST(EntityTest, EqualShapesAreKeptOnce) {
   EXPECT_EQ(world.addShape(square(6)), b.state().shape);
 }
 
-TEST(EntityTest, VelocityAddsUp) {
+TEST(EntityTest, AddsVelocities) {
   World world;
   Entity entity(world, square(5));
   entity.setVelocity({kVelocityLimit - 1, 1 - kVelocityLimit});
@@ -87,7 +87,7 @@ TEST(EntityTest, VelocityAddsUp) {
   EXPECT_EQ(entity.velocity(), Point(-1, 1));
 }
 
-TEST(EntityTest, VelocityIsCarriedAcrossAnEdge) {
+TEST(EntityTest, VelocityRotatesAcrossAnEdge) {
   World world;
   MapPart first(world, 1);
   first.warp({1000, -5000}, {1000, 5000}, 2, {-5000, -1000}, {5000, -1000});

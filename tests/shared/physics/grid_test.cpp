@@ -110,21 +110,21 @@ void expectComplete(const Grid& grid, const Lines& lines, const Box& box, const 
   }
 }
 
-TEST(GridTest, WithoutLinesFindsNothing) {
+TEST(GridTest, FindsNothingWithoutSegments) {
   std::vector<std::uint32_t> found{7};
   Grid().query({{-kMax, -kMax}, {kMax, kMax}}, found);
   Grid(Lines{}).query({{-kMax, -kMax}, {kMax, kMax}}, found);
   EXPECT_EQ(found, std::vector<std::uint32_t>{7});
 }
 
-TEST(GridTest, AppendsBehindWhatIsThere) {
+TEST(GridTest, AppendsToTheResult) {
   const Lines lines{{{0, 0}, {10, 0}}, {{0, 5}, {10, 5}}};
   std::vector<std::uint32_t> found{9, 1};
   Grid(lines).query({{0, 0}, {10, 10}}, found);
   EXPECT_EQ(found, (std::vector<std::uint32_t>{9, 1, 0, 1}));
 }
 
-TEST(GridTest, FindsEveryLineThatMeetsTheBox) {
+TEST(GridTest, FindsEverySegmentThatTouchesTheBox) {
   for (const Kind& kind : kinds()) {
     for (const std::size_t count : {1u, 2u, 3u, 17u, 300u, 2000u}) {
       const Lines lines = linesOf(kind, count);
@@ -144,7 +144,7 @@ TEST(GridTest, FindsEveryLineThatMeetsTheBox) {
   }
 }
 
-TEST(GridTest, FindsAllInTheWholePlaneAndNothingNeedlessOutside) {
+TEST(GridTest, FindsAllSegmentsInTheWholePlane) {
   for (const Kind& kind : kinds()) {
     const Lines lines = linesOf(kind, 500);
     std::vector<std::uint32_t> found;
@@ -153,7 +153,7 @@ TEST(GridTest, FindsAllInTheWholePlaneAndNothingNeedlessOutside) {
   }
 }
 
-TEST(GridTest, ASmallBoxAmongShortLinesFindsFew) {
+TEST(GridTest, SmallBoxesFindFewShortSegments) {
   const Lines lines = linesOf(kinds()[0], 10000);
   const Grid grid(lines);
   sim::SeededRandom random(kSeed);
@@ -167,7 +167,7 @@ TEST(GridTest, ASmallBoxAmongShortLinesFindsFew) {
   EXPECT_LT(all, 1000 * 40u) << "of 10000 lines each";
 }
 
-TEST(GridTest, StaysWithin64BytesALineWithTheLine) {
+TEST(GridTest, UsesAtMost64BytesPerSegment) {
   for (const Kind& kind : kinds()) {
     for (const std::size_t count : {1000u, 10000u, 100000u}) {
       const Grid grid(linesOf(kind, count));

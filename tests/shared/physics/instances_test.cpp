@@ -42,7 +42,7 @@ World turnedPair(Angle turn, Point edgeAt, const std::vector<Segment>& linesBehi
 const std::vector<std::int32_t> kFaceTurns = {0,     3600,  6000,  7200,  9000, 10800, 12000,
                                               14400, 18000, 25200, 30000, 1,    12345};
 
-TEST(InstancesTest, AnInstanceComesBeforeItsPartIsReached) {
+TEST(InstancesTest, InsertsInstancesBeforeTheirPartIsReached) {
   World world = twoStrips();
   Entity entity(world, square(100));
   MapPart(world, 1).insert(entity, {800, 0}, Angle());
@@ -55,7 +55,7 @@ TEST(InstancesTest, AnInstanceComesBeforeItsPartIsReached) {
 }
 
 // Far out in the part behind: what the first part has room for, the second has not.
-TEST(InstancesTest, AWayEndsWhereCoordinatesEndBehindAnEdge) {
+TEST(InstancesTest, StopsAtTheCoordinateLimitBehindAnEdge) {
   for (const Angle turn : {Angle(), Angle(9000), Angle(6000)}) {
     const Point outwards = rotate(Point(kMax - 30000, 0), turn);
     World world = turnedPair(turn, outwards);
@@ -72,7 +72,7 @@ TEST(InstancesTest, AWayEndsWhereCoordinatesEndBehindAnEdge) {
   }
 }
 
-TEST(InstancesTest, AnInstanceOutlivesItsUseALittle) {
+TEST(InstancesTest, DropsInstancesOnlyBeyondAMargin) {
   World world = twoStrips();
   Entity entity(world, square(100));
   MapPart(world, 1).insert(entity, {905, 0}, Angle());
@@ -89,7 +89,7 @@ TEST(InstancesTest, AnInstanceOutlivesItsUseALittle) {
   EXPECT_EQ(world.view(0).size(), 1u) << "8 subunits from the edge";
 }
 
-TEST(InstancesTest, EveryTurnBetweenPartsIsExact) {
+TEST(InstancesTest, TurnsBetweenPartsAreExact) {
   for (const std::int32_t turn : kFaceTurns) {
     World world = turnedPair(Angle(turn), {-3000, 70000});
     Entity entity(world, regular(16, 3000));
@@ -108,7 +108,7 @@ TEST(InstancesTest, EveryTurnBetweenPartsIsExact) {
 }
 
 // On a free way position and remainder together stay where a straight line leads, in the frame of either part.
-TEST(InstancesTest, PassingHomeKeepsWhatRoundingHasLeft) {
+TEST(InstancesTest, RehomeKeepsTheRemainder) {
   using Wide = std::complex<long double>;
   const auto wide = [](Point point) {
     return Wide(static_cast<long double>(point.x), static_cast<long double>(point.y));
@@ -132,7 +132,7 @@ TEST(InstancesTest, PassingHomeKeepsWhatRoundingHasLeft) {
   }
 }
 
-TEST(InstancesTest, BackOverTheEdgeItIsWhereItWas) {
+TEST(InstancesTest, CrossingBackReturnsToTheStart) {
   sim::SeededRandom random(kSeed);
   for (const std::int32_t turn : kFaceTurns) {
     for (int round = 0; round < 20; ++round) {
@@ -153,7 +153,7 @@ TEST(InstancesTest, BackOverTheEdgeItIsWhereItWas) {
   }
 }
 
-TEST(InstancesTest, DitheringOverAnEdgeDoesNotDrift) {
+TEST(InstancesTest, CrossingBackAndForthDoesNotDrift) {
   for (const std::int32_t turn : kFaceTurns) {
     World world = turnedPair(Angle(turn), {-3000, 70000});
     Entity entity(world, regular(16, 3000));
@@ -174,7 +174,7 @@ TEST(InstancesTest, DitheringOverAnEdgeDoesNotDrift) {
   }
 }
 
-TEST(InstancesTest, IdsComeRoundAgainWithoutMeetingALivingOne) {
+TEST(InstancesTest, IdsWrapAroundWithoutCollisions) {
   for (const std::uint16_t next : std::initializer_list<std::uint16_t>{0, 1, 65530, 65533, 65534}) {
     World world = twoStrips();
     Entity entity(world, square(100));
@@ -200,7 +200,7 @@ TEST(InstancesTest, IdsComeRoundAgainWithoutMeetingALivingOne) {
   }
 }
 
-TEST(InstancesTest, AnIdStaysTakenWhileItsInstanceLives) {
+TEST(InstancesTest, IdsInUseAreSkipped) {
   World world = twoStrips();
   Entity entity(world, square(100));
   MapPart(world, 1).insert(entity, {850, 0}, Angle());
@@ -215,7 +215,7 @@ TEST(InstancesTest, AnIdStaysTakenWhileItsInstanceLives) {
   EXPECT_EQ(world.view(0)[1].id, 6);
 }
 
-TEST(InstancesTest, NothingIsPlacedBeyondTheCoordinates) {
+TEST(InstancesTest, InsertsNothingOutsideTheCoordinateRange) {
   World world;
   MapPart first(world, 1);
   first.warp({1000, -1000}, {1000, 1000}, 2, {kMax - 10, 1000}, {kMax - 10, -1000});
@@ -232,7 +232,7 @@ TEST(InstancesTest, NothingIsPlacedBeyondTheCoordinates) {
   EXPECT_LE(entity.position().x, 800);
 }
 
-TEST(InstancesTest, AWarpWithoutAWayBackIsADeadEnd) {
+TEST(InstancesTest, WarpsWithoutReverseWarpBlock) {
   World world;
   addLeftStrip(world);
   Entity entity(world, square(100));
@@ -248,7 +248,7 @@ TEST(InstancesTest, AWarpWithoutAWayBackIsADeadEnd) {
 }
 
 // A line of the part behind sticks out over the edge: an instance would stand on it.
-TEST(InstancesTest, AnEdgeBehindWhichNoPlaceIsFreeIsAWall) {
+TEST(InstancesTest, EdgesWithoutFreePositionBehindBlock) {
   World world = twoStrips({}, {{{-1200, 0}, {0, 0}}});
   Entity entity(world, square(100));
   MapPart(world, 1).insert(entity, {850, 0}, Angle());
@@ -262,7 +262,7 @@ TEST(InstancesTest, AnEdgeBehindWhichNoPlaceIsFreeIsAWall) {
   EXPECT_LE(entity.position().x, 900);
 }
 
-TEST(InstancesTest, ALoopOfOnePartLeadsBackIntoIt) {
+TEST(InstancesTest, PartsMayWarpToThemselves) {
   World world;
   MapPart ring(world, 1);
   ring.warp({1000, -5000}, {1000, 5000}, 1, {-1000, -5000}, {-1000, 5000});
@@ -282,7 +282,7 @@ TEST(InstancesTest, ALoopOfOnePartLeadsBackIntoIt) {
 }
 
 // The line has to continue behind the edge: the shape hangs over on both sides.
-TEST(InstancesTest, AWallBehindAnyEdgeStopsAtOnce) {
+TEST(InstancesTest, SegmentsBehindAnEdgeStopAllInstances) {
   for (const std::int32_t turn : kFaceTurns) {
     const Point edgeAt(-3000, 70000);
     const auto behind = [&](Point p) { return edgeAt + rotate(p, Angle(turn)); };
@@ -302,7 +302,7 @@ TEST(InstancesTest, AWallBehindAnyEdgeStopsAtOnce) {
 }
 
 // An edge only divides the map: with lines behind it a mover does what it does on one plane, but for roundings.
-TEST(InstancesTest, LinesBehindAnEdgeActAsOnOnePlane) {
+TEST(InstancesTest, SegmentsBehindAnEdgeActAsOnOnePlane) {
   struct Course {
     std::int32_t turn;
     Convex shape;
@@ -345,7 +345,7 @@ TEST(InstancesTest, LinesBehindAnEdgeActAsOnOnePlane) {
 
 // The floor behind the edge stops it where home passes; the part of (200, -50) along the ramp that begins there is
 // left.
-TEST(InstancesTest, WhatStoppedItInTheOldFrameHoldsNothingUpInTheNew) {
+TEST(InstancesTest, RehomeForgetsTheStopOfTheOldFrame) {
   for (const std::int32_t turn : {0, 9000, 18000, 27000}) {
     const Point edgeAt(-3000, 70000);
     const auto behind = [&](Point p) { return edgeAt + rotate(p, Angle(turn)); };

@@ -22,7 +22,7 @@ constexpr Segment kWest{{-100, 50}, {-100, -50}};
 
 constexpr Segment reversed(const Segment& line) { return {line.b, line.a}; }
 
-TEST(MapGeometryTest, LinesComeBeforeWarps) {
+TEST(MapGeometryTest, OtherSegmentsPrecedeWarps) {
   const MapGeometry made = part(1, {{kEast, 2, reversed(kWest), Angle()}, {kWest, 2, reversed(kEast), Angle()}},
                                 {{{0, 0}, {1, 1}}, {{2, 2}, {3, 3}}, {{4, 4}, {4, 4}}});
   ASSERT_EQ(made.segments.size(), 5u);
@@ -33,7 +33,7 @@ TEST(MapGeometryTest, LinesComeBeforeWarps) {
   EXPECT_EQ(made.segments[made.segmentOfWarp(1)], kWest);
 }
 
-TEST(GeometryTest, PartsAreFoundByIdWhateverTheirOrder) {
+TEST(GeometryTest, FindsPartsById) {
   auto geometry = std::make_shared<const Geometry>();
   for (const std::uint32_t id : {7u, 0u, 4000000000u, 12345u}) geometry = withPart(*geometry, part(id));
   ASSERT_EQ(geometry->parts.size(), 4u);
@@ -46,7 +46,7 @@ TEST(GeometryTest, PartsAreFoundByIdWhateverTheirOrder) {
   for (std::size_t i = 1; i < 4; ++i) EXPECT_LT(geometry->parts[i - 1]->id, geometry->parts[i]->id);
 }
 
-TEST(GeometryTest, ExtendingLeavesTheOldAsItWas) {
+TEST(GeometryTest, WithPartDoesNotChangeTheOriginal) {
   const auto before = withPart(Geometry(), part(1));
   const auto after = withPart(*before, part(2));
   EXPECT_EQ(before->find(2), nullptr);
@@ -59,11 +59,11 @@ TEST(GeometryTest, IdsAreUnique) {
     withPart(*geometry, part(5));
     FAIL();
   } catch (const std::invalid_argument& reason) {
-    EXPECT_STREQ(reason.what(), "map part 5 is initialised already: ids are unique");
+    EXPECT_STREQ(reason.what(), "map part 5 is already initialised: ids must be unique");
   }
 }
 
-TEST(GeometryTest, TheWayBackIsTheSameLineReversed) {
+TEST(GeometryTest, ReverseWarpUsesTheReversedSegment) {
   const Warp there{kEast, 2, reversed(kWest), Angle()};
   const Warp other{{{0, 0}, {9, 0}}, 1, {{0, 9}, {9, 9}}, Angle()};
   const Warp back{kWest, 1, reversed(kEast), Angle()};
@@ -76,7 +76,7 @@ TEST(GeometryTest, TheWayBackIsTheSameLineReversed) {
   EXPECT_EQ(geometry->reverseWarp(2, other), std::nullopt);
 }
 
-TEST(GeometryTest, AWayBackOverAnotherLineIsNone) {
+TEST(GeometryTest, ReverseWarpMustStartAtTheSameSegment) {
   const Warp there{kEast, 2, reversed(kWest), Angle()};
   Warp shifted{kWest, 1, reversed(kEast), Angle()};
   shifted.from.a.y += 1;
@@ -84,7 +84,7 @@ TEST(GeometryTest, AWayBackOverAnotherLineIsNone) {
   EXPECT_EQ(geometry->reverseWarp(1, there), std::nullopt);
 }
 
-TEST(GeometryTest, AWayBackOntoAnotherLineIsNone) {
+TEST(GeometryTest, ReverseWarpMustLeadToTheSameSegment) {
   const Warp there{kEast, 2, reversed(kWest), Angle()};
   Warp shifted{kWest, 1, reversed(kEast), Angle()};
   shifted.onto.a.y += 1;
@@ -92,7 +92,7 @@ TEST(GeometryTest, AWayBackOntoAnotherLineIsNone) {
   EXPECT_EQ(geometry->reverseWarp(1, there), std::nullopt);
 }
 
-TEST(GeometryTest, APartMayLeadToItself) {
+TEST(GeometryTest, FindsReverseWarpsWithinOnePart) {
   const Warp right{kEast, 1, reversed(kWest), Angle()};
   const Warp left{kWest, 1, reversed(kEast), Angle()};
   const auto geometry = withPart(Geometry(), part(1, {right, left}));

@@ -25,7 +25,7 @@ std::string refusal(const std::function<void()>& call) {
   return "";
 }
 
-TEST(MapPartTest, TheExampleOfTheReport) {
+TEST(MapPartTest, RunsTheExampleOfTheReport) {
   World world;
   MapPart face(world, 12345);
   face.line(Point(0, 0), Point(-50, 20));
@@ -38,7 +38,7 @@ TEST(MapPartTest, TheExampleOfTheReport) {
   EXPECT_EQ(face.id(), 12345u);
 }
 
-TEST(MapPartTest, LinesMayCrossRepeatAndBePoints) {
+TEST(MapPartTest, SegmentsMayCrossRepeatAndBePoints) {
   World world;
   MapPart face(world, 1);
   for (int i = 0; i < 3; ++i) face.line({-10, -10}, {10, 10});
@@ -48,11 +48,12 @@ TEST(MapPartTest, LinesMayCrossRepeatAndBePoints) {
   EXPECT_EQ(world.geometry().find(1)->segments.size(), 5u);
 }
 
-TEST(MapPartTest, RefusesCoordinatesOutOfRange) {
+TEST(MapPartTest, RejectsCoordinatesOutOfRange) {
   World world;
   MapPart face(world, 7);
   const auto outside = [](const char* point) {
-    return std::string("map part 7: the point ") + point + " lies outside the coordinates, which are below 2^29";
+    return std::string("map part 7: the point ") + point +
+           " is out of range: coordinates must be below 2^29 in magnitude";
   };
   EXPECT_EQ(refusal([&] { face.line({0, 0}, {kMax + 1, 5}); }), outside("(536870912, 5)"));
   EXPECT_EQ(refusal([&] { face.line({0, -kMax - 1}, {0, 5}); }), outside("(0, -536870912)"));
@@ -62,27 +63,27 @@ TEST(MapPartTest, RefusesCoordinatesOutOfRange) {
   EXPECT_TRUE(world.geometry().find(7)->segments.empty()) << "what was refused is not in it";
 }
 
-TEST(MapPartTest, RefusesWarpsThatAreNoIsometry) {
+TEST(MapPartTest, RejectsWarpsThatAreNotIsometries) {
   World world;
   MapPart face(world, 7);
   face.warp({0, 0}, {100, 0}, 2, {0, 0}, {100, 0});
   EXPECT_EQ(refusal([&] {
               face.warp({5, 5}, {5, 5}, 2, {0, 0}, {1, 0});
             }),
-            "map part 7, warp 1: the two ends are the same point");
+            "map part 7, warp 1: the two ends of the segment are equal");
   EXPECT_EQ(refusal([&] {
               face.warp({0, 0}, {1, 0}, 2, {5, 5}, {5, 5});
             }),
-            "map part 7, warp 1: the two ends are the same point");
+            "map part 7, warp 1: the two ends of the segment are equal");
   const std::string differs =
-      "map part 7, warp 1: the line and its image differ in length, or the turn between them "
-      "is no whole number of centidegrees";
+      "map part 7, warp 1: the segment and its image differ in length, or the rotation between them "
+      "is not a whole number of centidegrees";
   EXPECT_EQ(refusal([&] { face.warp({0, 0}, {100, 0}, 2, {0, 0}, {103, 0}); }), differs);
   EXPECT_EQ(refusal([&] { face.warp({0, 0}, {1000000, 0}, 2, {0, 0}, {1000000, 50}); }), differs);
   EXPECT_EQ(refusal([&] { face.warp({0, 0}, {100, 0}, 2, {0, 0}, {102, 0}); }), "") << "rounded ends are allowed for";
 }
 
-TEST(MapPartTest, WarpsKnowTheirTurn) {
+TEST(MapPartTest, ComputesTheTurnOfWarps) {
   World world;
   MapPart face(world, 7);
   face.line({0, 0}, {1, 1});
@@ -97,11 +98,11 @@ TEST(MapPartTest, WarpsKnowTheirTurn) {
   EXPECT_TRUE(world.geometry().find(7)->isWarp(1));
 }
 
-TEST(MapPartTest, RefusesATakenId) {
+TEST(MapPartTest, RejectsDuplicateIds) {
   World world;
   MapPart(world, 3).initialize();
   MapPart again(world, 3);
-  EXPECT_EQ(refusal([&] { again.initialize(); }), "map part 3 is initialised already: ids are unique");
+  EXPECT_EQ(refusal([&] { again.initialize(); }), "map part 3 is already initialised: ids must be unique");
 }
 
 class MapPartInsertTest : public testing::Test {
@@ -125,32 +126,32 @@ TEST_F(MapPartInsertTest, PlacesTheEntity) {
   EXPECT_EQ(entity.part(), 4u);
 }
 
-TEST_F(MapPartInsertTest, TouchingIsFree) {
+TEST_F(MapPartInsertTest, AcceptsTouchingPositions) {
   part.insert(entity, Point(40, 0), Angle());
   EXPECT_EQ(entity.position(), Point(40, 0));
 }
 
-TEST_F(MapPartInsertTest, RefusesAPlaceThatIsNotFree) {
+TEST_F(MapPartInsertTest, RejectsOverlappingPositions) {
   const WorldState before = world.save();
   EXPECT_EQ(refusal([&] { part.insert(entity, Point(41, 0), Angle()); }),
-            "entity 0 in map part 4: the shape overlaps a line there");
+            "entity 0 in map part 4: the shape overlaps a blocking segment");
   EXPECT_EQ(refusal([&] { part.insert(entity, Point(38, 0), Angle::degrees(45)); }),
-            "entity 0 in map part 4: the shape overlaps a line there");
+            "entity 0 in map part 4: the shape overlaps a blocking segment");
   EXPECT_EQ(world.save(), before);
   EXPECT_FALSE(entity.inserted());
 }
 
-TEST_F(MapPartInsertTest, RefusesAPartThatIsNotInitialised) {
+TEST_F(MapPartInsertTest, RejectsPartsThatAreNotInitialised) {
   MapPart missing(world, 9);
   EXPECT_EQ(refusal([&] { missing.insert(entity, Point(0, 0), Angle()); }),
-            "entity 0 in map part 9: that part is not initialised");
+            "entity 0 in map part 9: the part is not initialised");
 }
 
-TEST_F(MapPartInsertTest, RefusesASecondTime) {
+TEST_F(MapPartInsertTest, RejectsASecondInsertion) {
   part.insert(entity, Point(0, 0), Angle());
   const WorldState before = world.save();
   EXPECT_EQ(refusal([&] { part.insert(entity, Point(9, 9), Angle()); }),
-            "entity 0 in map part 4: it is there already: erase it first");
+            "entity 0 in map part 4: the entity is already in this part: erase it first");
   EXPECT_EQ(world.save(), before);
   part.erase(entity);
   EXPECT_FALSE(entity.inserted());
@@ -158,20 +159,20 @@ TEST_F(MapPartInsertTest, RefusesASecondTime) {
   EXPECT_EQ(entity.position(), Point(9, 9));
 }
 
-TEST_F(MapPartInsertTest, RefusesPlacesOutOfRange) {
+TEST_F(MapPartInsertTest, RejectsPositionsOutOfRange) {
   EXPECT_EQ(refusal([&] { part.insert(entity, Point(kMax + 1, 0), Angle()); }),
-            "map part 4: the point (536870912, 0) lies outside the coordinates, which are below 2^29");
+            "map part 4: the point (536870912, 0) is out of range: coordinates must be below 2^29 in magnitude");
   EXPECT_FALSE(entity.inserted());
 }
 
-TEST_F(MapPartInsertTest, RefusesAnAngleAtWhichTheShapeDegenerates) {
+TEST_F(MapPartInsertTest, RejectsAnglesAtWhichTheShapeDegenerates) {
   Entity sliver(world, Convex(std::vector<Point>{{0, 0}, {3, 1}, {2, 1}}));
   EXPECT_EQ(refusal([&] { part.insert(sliver, Point(0, 0), Angle::degrees(20)); }),
-            "entity 1 in map part 4: the shape has no area left when it is turned and rounded");
+            "entity 1 in map part 4: the shape is degenerate when rotated by this angle and rounded");
   EXPECT_FALSE(sliver.inserted());
 }
 
-TEST_F(MapPartInsertTest, ErasingWhereItIsNotChangesNothing) {
+TEST_F(MapPartInsertTest, ErasingFromAnotherPartChangesNothing) {
   MapPart other(world, 5);
   other.initialize();
   other.erase(entity);

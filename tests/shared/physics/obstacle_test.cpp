@@ -21,7 +21,7 @@ bool same(const std::optional<Hit>& a, const std::optional<Hit>& b) {
 }
 
 // What an obstacle remembers of one question must not show in the answer to the next.
-TEST(ObstacleTest, AnswersAsOneThatIsMadeAnew) {
+TEST(ObstacleTest, CachedQueriesEqualFreshQueries) {
   sim::SeededRandom random(kSeed);
   const Convex shape = regular(8, 1000);
   Sweep sweep;
@@ -30,7 +30,7 @@ TEST(ObstacleTest, AnswersAsOneThatIsMadeAnew) {
     const Point a = random.vector(1500);
     const Segment line{a, round % 10 == 0 ? a : a + random.vector(3000)};
     Obstacle obstacle;
-    obstacle.become(shape, line);
+    obstacle.build(shape, line);
     Point at = random.vector(4000);
     for (int step = 0; step < 200; ++step) {
       const Point way = step % 5 == 0 ? Point() : random.vector(step % 7 == 0 ? 5000 : 300);
@@ -47,18 +47,18 @@ TEST(ObstacleTest, AnswersAsOneThatIsMadeAnew) {
   EXPECT_GT(met, 4000);
 }
 
-TEST(ObstacleTest, ItsBoundariesAreAllThatABoxReachesOver) {
+TEST(ObstacleTest, OtherHalfPlanesContainTheBox) {
   sim::SeededRandom random(kSeed);
   const Convex shape = regular(8, 1000);
   Obstacle obstacle;
-  obstacle.become(shape, {{-700, 100}, {900, -300}});
+  obstacle.build(shape, {{-700, 100}, {900, -300}});
   ASSERT_EQ(obstacle.halfPlanes().size(), shape.vertices().size() + 2);
   for (int i = 0; i < 2000; ++i) {
     const Point low = random.vector(2500);
     const auto width = static_cast<std::int32_t>(random.below(600));
     const auto height = static_cast<std::int32_t>(random.below(600));
     const Box way{low, low + Point(width, height)};
-    const auto boundaries = obstacle.boundariesNear(way);
+    const auto boundaries = obstacle.relevantHalfPlanes(way);
     for (std::uint32_t j = 0; j < obstacle.halfPlanes().size(); ++j) {
       if (std::find(boundaries.begin(), boundaries.end(), j) != boundaries.end()) continue;
       const Obstacle::HalfPlane& half = obstacle.halfPlanes()[j];

@@ -25,7 +25,7 @@ MapGeometry randomPart(std::uint32_t id, std::size_t lines) {
 }
 
 void expectCovers(const Region& region, const MapGeometry& part, const Box& box) {
-  const auto& lines = region.lines();
+  const auto& lines = region.segments();
   ASSERT_TRUE(std::is_sorted(lines.begin(), lines.end()));
   ASSERT_EQ(std::adjacent_find(lines.begin(), lines.end()), lines.end());
   for (std::uint32_t i = 0; i < part.segments.size(); ++i) {
@@ -37,9 +37,9 @@ void expectCovers(const Region& region, const MapGeometry& part, const Box& box)
   }
 }
 
-TEST(RegionTest, IsEmptyAtFirst) { EXPECT_TRUE(Region().lines().empty()); }
+TEST(RegionTest, IsEmptyAtFirst) { EXPECT_TRUE(Region().segments().empty()); }
 
-TEST(RegionTest, CoversAMoverWhereverItGoes) {
+TEST(RegionTest, CoversEveryQueriedBox) {
   const MapGeometry part = randomPart(1, 2000);
   sim::SeededRandom random(kSeed);
   Region region;
@@ -53,7 +53,7 @@ TEST(RegionTest, CoversAMoverWhereverItGoes) {
   }
 }
 
-TEST(RegionTest, FollowsIntoAnotherPart) {
+TEST(RegionTest, RefillsForAnotherPart) {
   const MapGeometry first = randomPart(1, 500);
   const MapGeometry second = randomPart(2, 500);
   Region region;
@@ -74,7 +74,7 @@ TEST(RegionTest, ReachesBeyondTheCoordinates) {
   region.cover(part, {{most - 5, -7}, {2 * most, 2 * most}});
   expectCovers(region, part, {{most - 5, -7}, {most, most}});
   region.cover(part, {{-2 * most, -2 * most}, {2 * most, 2 * most}});
-  EXPECT_EQ(region.lines().size(), 3u);
+  EXPECT_EQ(region.segments().size(), 3u);
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ void expectRest(const std::vector<Segment>& lines, const Convex& shape, Point ab
   }
 }
 
-TEST(RestTest, NothingMovesWhereNothingCan) {
+TEST(RestTest, ComesToRest) {
   const Point gravity(0, -256);
   const Convex ball = regular(16, 12288);
   for (const Convex& shape : {ball, square(9000), regular(5, 7000), regular(3, 9000)}) {
@@ -37,7 +37,7 @@ TEST(RestTest, NothingMovesWhereNothingCan) {
 }
 
 // Each of these lines leads to another one that leads back, or to an end.
-TEST(RestTest, WhatIsTurnedBackStops) {
+TEST(RestTest, ReversedSlidesStop) {
   expectRest({{{133, -97}, {417, -59}}, {{-12, -82}, {84, -98}}}, regular(5, 70), {37, 99}, {0, -54}, "line to line");
   expectRest({{{0, -15}, {0, -15}}, {{-8, -19}, {29, -114}}, {{-16, -17}, {-66, -2}}, {{9, 6}, {9, 6}}}, square(10),
              {21, 6}, {-29, -7}, "point, line and point");
@@ -46,14 +46,14 @@ TEST(RestTest, WhatIsTurnedBackStops) {
 }
 
 // Where it comes to rest among these depends on which lines have been tried from there.
-TEST(RestTest, ALineTriedFromTheSamePlaceIsNotTriedAgain) {
+TEST(RestTest, SegmentsAreTriedOncePerPosition) {
   Scene scene({{{108, -56}, {232, 98}}, {{194, -31}, {359, 119}}, {{156, 28}, {118, -70}}, {{78, -53}, {-541, -89}}},
               square(100), {-203, 170});
   for (int tick = 0; tick < 100; ++tick) scene.step({43, -32});
   EXPECT_EQ(scene.entity.position(), Point(10, 47));
 }
 
-TEST(RestTest, NothingMovesForLong) {
+TEST(RestTest, StaysAtRestForLong) {
   const Convex ball = regular(16, 12288);
   expectRest({{{-90000, 0}, {90000, 0}}}, ball, {17, 20000}, {0, -256}, "flat", 100000);
   expectRest({{{-90000, 50000}, {0, 0}}, {{0, 0}, {90000, 60001}}}, ball, {0, 60000}, {0, -256}, "V notch", 100000);
@@ -61,7 +61,7 @@ TEST(RestTest, NothingMovesForLong) {
   expectRest({{{5, 0}, {5, -50000}}}, ball, {0, 12500}, {0, -256}, "end of a line", 100000);
 }
 
-TEST(RestTest, APressStraightIntoASlopeMovesNothing) {
+TEST(RestTest, PressingIntoASlopeMovesNothing) {
   for (const Point slope : {Point(3, 1), Point(1, 1), Point(7, -3), Point(-2, 5), Point(1000, 1), Point(16384, 9459)}) {
     const double length = std::hypot(slope.x, slope.y);
     const auto stretched = [](Point vector, double factor) {
@@ -77,7 +77,7 @@ TEST(RestTest, APressStraightIntoASlopeMovesNothing) {
 }
 
 // A slide led off the end of a line, and a nudge past that end back onto it, in turn, for ever.
-TEST(RestTest, NothingIsNudgedBackOntoTheLineThatItSlidOff) {
+TEST(RestTest, IsNotNudgedBackOntoItsLastSlide) {
   struct {
     Segment line;
     Convex shape;
@@ -94,18 +94,18 @@ TEST(RestTest, NothingIsNudgedBackOntoTheLineThatItSlidOff) {
 }
 
 // A nudge off either ledge would be free, but the point under the middle would stop it there at once.
-TEST(RestTest, NothingIsNudgedToWhereTheNextLineStopsIt) {
+TEST(RestTest, IsNotNudgedToAnImmediateStop) {
   Scene scene({{{98, -100}, {500, -300}}, {{-98, -100}, {-500, -300}}, {{0, -100}, {0, -100}}}, square(100), {0, 0});
   for (int tick = 0; tick < 4; ++tick) ASSERT_EQ(scene.step({0, -100}), Point(0, 0)) << tick;
 }
 
 // It slides down a slope against a point two subunits above its bottom: a nudge over that would lift it.
-TEST(RestTest, APressDownwardsLiftsNothing) {
+TEST(RestTest, PressingDownwardsLiftsNothing) {
   Scene scene({{{-5100, 100}, {4900, -300}}, {{105, -98}, {105, -98}}}, square(100), {0, 0});
   for (int tick = 0; tick < 4; ++tick) ASSERT_EQ(scene.step({0, -256}), Point(5, 0)) << tick;
 }
 
-TEST(RestTest, OnTheEndOfALine) {
+TEST(RestTest, RestsOnSegmentEnds) {
   // The flat bottom of a square rests on an end as on anything, wherever it carries.
   for (const std::int32_t x : {-8000, -3000, 0, 5, 4000, 8990}) {
     expectRest({{{x, 0}, {x, -50000}}}, square(9000), {0, 9500}, {0, -256}, "end of a line");

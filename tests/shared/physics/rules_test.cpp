@@ -33,14 +33,14 @@ class RulesTest : public testing::Test {
   std::optional<Entity> entity;
 };
 
-TEST_F(RulesTest, LinesBlockAndWarpsDoNotByDefault) {
+TEST_F(RulesTest, SegmentsBlockAndWarpsDoNotByDefault) {
   build({{{-100, 0}, {100, 0}}}, {0, 50});
   const Rules plain;
   EXPECT_FALSE(plain.pierce(*entity, SegmentRef{0, 0, false, {}}));
   EXPECT_TRUE(plain.pierce(*entity, SegmentRef{0, 0, true, {}}));
 }
 
-TEST_F(RulesTest, AContactTellsWhatStoppedTheMover) {
+TEST_F(RulesTest, ContactDescribesTheCollision) {
   build({{{-100, -20}, {100, -20}}}, {0, 0});
   EXPECT_THAT(step({0, -30}), ElementsAre("contact 0:0"));
   EXPECT_EQ(entity->position(), Point(0, -10));
@@ -56,7 +56,7 @@ TEST_F(RulesTest, AContactTellsWhatStoppedTheMover) {
   EXPECT_FALSE(contact.segment.warp);
 }
 
-TEST_F(RulesTest, AContactIsCalledInEveryTickThatPresses) {
+TEST_F(RulesTest, PressingCallsContactInEveryTick) {
   build({{{-100, -10}, {100, -10}}}, {0, 0});
   for (int tick = 0; tick < 5; ++tick) {
     EXPECT_THAT(step({0, -1}), ElementsAre("contact 0:0"));
@@ -66,7 +66,7 @@ TEST_F(RulesTest, AContactIsCalledInEveryTickThatPresses) {
   EXPECT_THAT(step({0, 5}), IsEmpty());
 }
 
-TEST_F(RulesTest, AnEndOfALineTouchesWhereItIs) {
+TEST_F(RulesTest, ContactPointOfASegmentEndIsTheEnd) {
   build({{{3, -20}, {3, -90}}}, {0, 0});
   EXPECT_THAT(step({0, -40}), ElementsAre("contact 0:0"));
   EXPECT_EQ(rules.contacts.at(0).point, Point(3, -20));
@@ -74,7 +74,7 @@ TEST_F(RulesTest, AnEndOfALineTouchesWhereItIs) {
   EXPECT_GT(rules.contacts.at(0).normal.y, 0);
 }
 
-TEST_F(RulesTest, ALineShorterThanTheEdgeOnItTouchesOnItself) {
+TEST_F(RulesTest, ContactPointIsOnTheSegment) {
   build({{{4, -20}, {7, -20}}}, {0, 0});
   EXPECT_THAT(step({0, -40}), ElementsAre("contact 0:0"));
   EXPECT_EQ(rules.contacts.at(0).point.y, -20);
@@ -82,7 +82,7 @@ TEST_F(RulesTest, ALineShorterThanTheEdgeOnItTouchesOnItself) {
   EXPECT_LE(rules.contacts.at(0).point.x, 7);
 }
 
-TEST_F(RulesTest, AContactOnASlopeKnowsItsExactNormal) {
+TEST_F(RulesTest, ContactNormalOnASlopeIsExact) {
   build({{{-300, -300}, {300, 0}}}, {0, 0});
   EXPECT_THAT(step({0, -500}), ElementsAre("contact 0:0"));
   const Point normal = rules.contacts.at(0).normal;
@@ -92,7 +92,7 @@ TEST_F(RulesTest, AContactOnASlopeKnowsItsExactNormal) {
   EXPECT_LE(squaredLength(rules.contacts.at(0).point - Point(10, -145)), 2);
 }
 
-TEST_F(RulesTest, APierceableLineBeginsLastsAndEnds) {
+TEST_F(RulesTest, PierceableSegmentsCallBeginOverAndEnd) {
   build({{{-100, -15}, {100, -15}}}, {0, 0});
   rules.pierceable = {{0, 0}};
   EXPECT_THAT(step({0, -5}), IsEmpty()) << "touching is no contact";
@@ -105,7 +105,7 @@ TEST_F(RulesTest, APierceableLineBeginsLastsAndEnds) {
   EXPECT_EQ(entity->position(), Point(3, -31));
 }
 
-TEST_F(RulesTest, AContactThatEndsWithTheTickEndsInIt) {
+TEST_F(RulesTest, EndContactIsCalledAtTheEndOfTheTick) {
   build({{{-100, -15}, {100, -15}}}, {0, 0});
   rules.pierceable = {{0, 0}};
   EXPECT_THAT(step({0, -15}), ElementsAre("begin 0:0", "over 0:0"));
@@ -115,7 +115,7 @@ TEST_F(RulesTest, AContactThatEndsWithTheTickEndsInIt) {
   EXPECT_THAT(step({0, 19}), ElementsAre("end 0:0"));
 }
 
-TEST_F(RulesTest, AThinLineIsMetAndLeftWithinOneLeg) {
+TEST_F(RulesTest, BeginAndEndMayOccurInOneLeg) {
   build({{{0, -15}, {1, -15}}, {{-3, -200}, {-3, -200}}}, {0, 0});
   rules.pierceable = {{0, 0}, {0, 1}};
   EXPECT_THAT(step({0, -100}), ElementsAre("begin 0:0", "end 0:0"));
@@ -123,20 +123,20 @@ TEST_F(RulesTest, AThinLineIsMetAndLeftWithinOneLeg) {
   EXPECT_EQ(entity->position(), Point(0, -300));
 }
 
-TEST_F(RulesTest, SeveralLinesCallInTheOrderOfTime) {
+TEST_F(RulesTest, EventsAreOrderedByTime) {
   build({{{-100, -60}, {100, -60}}, {{-100, -15}, {100, -15}}, {{-100, -25}, {100, -25}}}, {0, 0});
   rules.pierceable = {{0, 0}, {0, 1}, {0, 2}};
   EXPECT_THAT(step({0, -65}), ElementsAre("begin 0:1", "begin 0:2", "end 0:1", "end 0:2", "begin 0:0", "over 0:0"));
 }
 
-TEST_F(RulesTest, AtEqualTimesLinesCallByIndex) {
+TEST_F(RulesTest, SimultaneousEventsAreOrderedByIndex) {
   build({{{-100, -15}, {-5, -15}}, {{5, -15}, {100, -15}}, {{-100, 0}, {100, 0}}}, {0, 30});
   rules.pierceable = {{0, 0}, {0, 1}, {0, 2}};
   EXPECT_THAT(step({0, -40}), ElementsAre("begin 0:2", "begin 0:0", "begin 0:1", "end 0:2", "over 0:0", "over 0:1"));
   EXPECT_THAT(step({1, 0}), ElementsAre("over 0:0", "over 0:1"));
 }
 
-TEST_F(RulesTest, PiercedLinesComeBeforeTheContactThatEndsTheLeg) {
+TEST_F(RulesTest, PiercedSegmentsPrecedeTheContactOfTheLeg) {
   build({{{-100, -40}, {100, -40}}, {{-100, -15}, {100, -15}}, {{-100, -35}, {100, -35}}, {{-100, -45}, {100, -45}}},
         {0, 0});
   rules.pierceable = {{0, 1}, {0, 2}, {0, 3}};
@@ -144,14 +144,14 @@ TEST_F(RulesTest, PiercedLinesComeBeforeTheContactThatEndsTheLeg) {
       << "line 3 lies behind the wall";
 }
 
-TEST_F(RulesTest, LinesMetAfterASlideComeAfterTheContact) {
+TEST_F(RulesTest, EventsOfASlideFollowTheContact) {
   build({{{-500, -20}, {500, -20}}, {{15, -500}, {15, 500}}}, {0, 0});
   rules.pierceable = {{0, 1}};
   EXPECT_THAT(step({3, -20}), ElementsAre("contact 0:0"));
   EXPECT_THAT(step({40, -20}), ElementsAre("contact 0:0", "begin 0:1", "end 0:1"));
 }
 
-TEST_F(RulesTest, PlacedOnAPierceableLineItBeginsOnce) {
+TEST_F(RulesTest, BeginIsCalledOnceAfterInsertion) {
   rules.pierceable = {{0, 0}};
   world.setRules(rules);
   build({{{-100, 0}, {100, 0}}}, {0, 0});
@@ -160,7 +160,7 @@ TEST_F(RulesTest, PlacedOnAPierceableLineItBeginsOnce) {
   EXPECT_THAT(step({0, 30}), ElementsAre("end 0:0"));
 }
 
-TEST_F(RulesTest, LinesOutOfTheWayAreNotAskedAbout) {
+TEST_F(RulesTest, PierceIsCalledForSegmentsOnThePathOnly) {
   class Asking : public Rules {
    public:
     bool pierce(const Entity&, const SegmentRef& line) const override {
@@ -190,7 +190,7 @@ TEST_F(RulesTest, RulesMayChangeTheVelocityOfTheNextStep) {
   EXPECT_EQ(entity->position(), Point(0, -3));
 }
 
-TEST_F(RulesTest, SetRulesAreTheOnesOfSolve) {
+TEST_F(RulesTest, SolveUsesTheRulesOfSetRules) {
   build({{{-100, -20}, {100, -20}}}, {0, 0});
   world.setRules(rules);
   entity->setVelocity({0, -30});
@@ -198,7 +198,7 @@ TEST_F(RulesTest, SetRulesAreTheOnesOfSolve) {
   EXPECT_THAT(rules.take(), ElementsAre("contact 0:0"));
 }
 
-TEST_F(RulesTest, TurningStopsAtTheLastFreeAngle) {
+TEST_F(RulesTest, RotationStopsAtTheLastFreeAngle) {
   build({{{12, -100}, {12, 100}}}, {0, 0});
   entity->rotate(4500);
   world.solve(rules);
@@ -212,7 +212,7 @@ TEST_F(RulesTest, TurningStopsAtTheLastFreeAngle) {
   EXPECT_GT(reach(stopped + 1), 12) << "one hundredth more would overlap";
 }
 
-TEST_F(RulesTest, TurningStopsAtTheLastFreeAngleEitherWay) {
+TEST_F(RulesTest, RotationStopsAtTheLastFreeAngleInBothDirections) {
   addPart(world, 0, {{{11500, -30000}, {11500, 30000}}});
   Entity large(world, square(10000));
   MapPart(world, 0).insert(large, {0, 0}, Angle());
@@ -232,7 +232,7 @@ TEST_F(RulesTest, TurningStopsAtTheLastFreeAngleEitherWay) {
   }
 }
 
-TEST_F(RulesTest, AFreeTurnIsExact) {
+TEST_F(RulesTest, FreeRotationsAreExact) {
   build({{{20, -100}, {20, 100}}}, {0, 0});
   std::int32_t expected = 0;
   for (const std::int32_t turn : {1, 499, 500, 501, 9000, -17, 35999, -35999}) {
@@ -245,7 +245,7 @@ TEST_F(RulesTest, AFreeTurnIsExact) {
   EXPECT_THAT(rules.take(), IsEmpty());
 }
 
-TEST_F(RulesTest, ATurnMeetsAndLeavesPierceableLines) {
+TEST_F(RulesTest, RotationsCallBeginAndEnd) {
   build({{{12, -100}, {12, 100}}, {{-100, -12}, {100, -12}}}, {0, 0});
   rules.pierceable = {{0, 0}, {0, 1}};
   const auto turn = [&](std::int32_t centidegrees) {
@@ -262,7 +262,7 @@ TEST_F(RulesTest, ATurnMeetsAndLeavesPierceableLines) {
   EXPECT_EQ(entity->rotation(), Angle(18000));
 }
 
-TEST_F(RulesTest, PlacedOnAPierceableLineATurnBeginsOnce) {
+TEST_F(RulesTest, RotationAfterInsertionCallsBeginOnce) {
   rules.pierceable = {{0, 0}};
   world.setRules(rules);
   build({{{0, -100}, {0, 100}}}, {0, 0});
@@ -271,7 +271,7 @@ TEST_F(RulesTest, PlacedOnAPierceableLineATurnBeginsOnce) {
   EXPECT_THAT(step({1, 0}), ElementsAre("over 0:0"));
 }
 
-TEST_F(RulesTest, OfTwoLinesMetAtOnceTheFirstAddedStops) {
+TEST_F(RulesTest, TheLowestIndexWinsAtEqualTimes) {
   build({{{-100, -30}, {100, -30}}, {{-100, -20}, {0, -20}}, {{-5, -20}, {100, -20}}}, {0, 0});
   EXPECT_THAT(step({0, -30}), ElementsAre("contact 0:1"));
 }
@@ -293,7 +293,7 @@ class WarpRulesTest : public testing::Test {
   Entity entity;
 };
 
-TEST_F(WarpRulesTest, BothInstancesCrossTheirWarpLine) {
+TEST_F(WarpRulesTest, BothInstancesReportTheirWarps) {
   EXPECT_THAT(step({100, 0}), IsEmpty()) << "touching";
   EXPECT_THAT(step({50, 0}), ElementsAre("begin 1:0", "begin 2:0", "over 1:0", "over 2:0"));
   EXPECT_THAT(step({0, 0}), ElementsAre("over 1:0", "over 2:0"));
@@ -306,13 +306,13 @@ TEST_F(WarpRulesTest, BothInstancesCrossTheirWarpLine) {
   EXPECT_EQ(world.view(0).size(), 1u);
 }
 
-TEST_F(WarpRulesTest, AWarpPassedWithinOneTickBeginsAndEnds) {
+TEST_F(WarpRulesTest, WarpsCrossedInOneTickBeginAndEnd) {
   EXPECT_THAT(step({700, 0}), ElementsAre("begin 1:0", "begin 2:0", "end 1:0", "end 2:0"));
   EXPECT_EQ(entity.part(), 2u);
   EXPECT_EQ(entity.position(), Point(-500, 0));
 }
 
-TEST_F(WarpRulesTest, AWarpThatIsNotPierceableIsAWall) {
+TEST_F(WarpRulesTest, WarpsThatAreNotPierceableBlock) {
   rules.walls = {{1, 0}};
   EXPECT_THAT(step({700, 0}), ElementsAre("contact 1:0"));
   EXPECT_EQ(entity.part(), 1u);
@@ -323,7 +323,7 @@ TEST_F(WarpRulesTest, AWarpThatIsNotPierceableIsAWall) {
   EXPECT_EQ(entity.position(), Point(900, 30)) << "it slides along";
 }
 
-TEST(WarpContactTest, AWallBehindTheEdgeStopsBothInstances) {
+TEST(WarpContactTest, ASegmentBehindTheEdgeStopsBothInstances) {
   World world = twoStrips({}, {{{-900, -5000}, {-900, 5000}}});
   RecordedRules rules;
   Entity entity(world, square(100));
@@ -340,7 +340,7 @@ TEST(WarpContactTest, AWallBehindTheEdgeStopsBothInstances) {
   EXPECT_NE(contact.instance, entity.state().id);
 }
 
-TEST(WarpContactTest, TurnedPartsTellTheTurnToHome) {
+TEST(WarpContactTest, ToHomeIsTheTurnBetweenTheParts) {
   World world;
   MapPart first(world, 1);
   first.warp({1000, -5000}, {1000, 5000}, 2, {-5000, -1000}, {5000, -1000});

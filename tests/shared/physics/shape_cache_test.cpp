@@ -7,7 +7,7 @@
 namespace platon {
 namespace {
 
-TEST(ShapeCacheTest, TurnsAsTheShapeDoes) {
+TEST(ShapeCacheTest, ReturnsTheRotatedShape) {
   const Convex base = regular(16, 12288);
   ShapeCache cache;
   for (std::int32_t angle = 0; angle < Angle::kTurn; angle += 600) {
@@ -18,12 +18,12 @@ TEST(ShapeCacheTest, TurnsAsTheShapeDoes) {
   }
 }
 
-TEST(ShapeCacheTest, WithoutTurningItIsTheBase) {
+TEST(ShapeCacheTest, ReturnsTheBaseForAngleZero) {
   const Convex base = square(5);
   EXPECT_EQ(ShapeCache().turned(3, base, Angle()), &base);
 }
 
-TEST(ShapeCacheTest, TellsShapesApart) {
+TEST(ShapeCacheTest, DistinguishesShapes) {
   const Convex small = square(5);
   const Convex large = square(50);
   ShapeCache cache;
@@ -31,7 +31,7 @@ TEST(ShapeCacheTest, TellsShapesApart) {
   EXPECT_EQ(*cache.turned(1, large, Angle::degrees(45)), *large.turned(Angle::degrees(45)));
 }
 
-TEST(ShapeCacheTest, TheHullOfATurnHoldsBothEnds) {
+TEST(ShapeCacheTest, HullOfTurnContainsBothShapes) {
   const Convex base = square(5000);
   ShapeCache cache;
   const Convex* hull = cache.hullOfTurn(0, base, Angle(300), 450);
@@ -45,7 +45,7 @@ TEST(ShapeCacheTest, TheHullOfATurnHoldsBothEnds) {
   EXPECT_NE(*cache.hullOfTurn(1, square(50), Angle(300), 450), *hull);
 }
 
-TEST(ShapeCacheTest, ForgetsHullsTooWhenTheyGather) {
+TEST(ShapeCacheTest, TrimClearsHulls) {
   const Convex base = square(5000);
   ShapeCache cache;
   int turns = 0;
@@ -54,7 +54,7 @@ TEST(ShapeCacheTest, ForgetsHullsTooWhenTheyGather) {
   EXPECT_FALSE(cache.trim());
 }
 
-TEST(ShapeCacheTest, RemembersThatAShapeDegenerates) {
+TEST(ShapeCacheTest, CachesDegenerateShapes) {
   const Convex sliver(std::vector<Point>{{0, 0}, {3, 1}, {2, 1}});
   ShapeCache cache;
   EXPECT_EQ(cache.turned(0, sliver, Angle::degrees(20)), nullptr);
@@ -62,7 +62,7 @@ TEST(ShapeCacheTest, RemembersThatAShapeDegenerates) {
   EXPECT_EQ(cache.hullOfTurn(0, sliver, Angle(), 2000), nullptr);
 }
 
-TEST(ShapeCacheTest, TrimmingChangesNoShape) {
+TEST(ShapeCacheTest, TrimChangesNoResult) {
   const Convex base = regular(8, 5000);
   ShapeCache cache;
   const Convex* kept = cache.turned(0, base, Angle(1));

@@ -36,7 +36,7 @@ void expectSlides(Point displacement, Point normal) {
   ASSERT_GE(std::abs(slidAlong), std::abs(along) - 2.13L);
 }
 
-TEST(SlideTest, AlongAnAxisItKeepsTheOtherPart) {
+TEST(SlideTest, KeepsTheComponentAlongAnAxis) {
   EXPECT_EQ(slideAlong({7, -3}, {0, 1}), Point(7, 0));
   EXPECT_EQ(slideAlong({7, -3}, {0, 1000}), Point(7, 0));
   EXPECT_EQ(slideAlong({7, 3}, {0, -2}), Point(7, 0));
@@ -44,13 +44,13 @@ TEST(SlideTest, AlongAnAxisItKeepsTheOtherPart) {
   EXPECT_EQ(slideAlong({-7, -3}, {5, 0}), Point(0, -3));
 }
 
-TEST(SlideTest, StraightIntoALineNothingIsLeft) {
+TEST(SlideTest, IsZeroStraightIntoTheSegment) {
   EXPECT_EQ(slideAlong({0, -100}, {0, 1}), Point());
   EXPECT_EQ(slideAlong({-300, -400}, {3, 4}), Point());
   EXPECT_EQ(slideAlong({1 << 29, 1 << 29}, {-1, -1}), Point());
 }
 
-TEST(SlideTest, AlongADiagonal) {
+TEST(SlideTest, RoundsOutwardsAlongADiagonal) {
   EXPECT_EQ(slideAlong({10, 0}, {-1, 1}), Point(5, 5));
   EXPECT_EQ(slideAlong({0, -10}, {-1, 1}), Point(-5, -5));
   EXPECT_EQ(slideAlong({10, 0}, {1, 1}), Point(5, -5));
@@ -59,13 +59,13 @@ TEST(SlideTest, AlongADiagonal) {
   EXPECT_EQ(slideAlong({9, 0}, {1, 3}), Point(8, -2)) << "on this side outwards is up, too";
 }
 
-TEST(SlideTest, LessThanASubunitIsNothing) {
+TEST(SlideTest, IsZeroBelowASubunit) {
   EXPECT_EQ(slideAlong({1, 0}, {-1, 3}), Point());
   EXPECT_EQ(slideAlong({0, 0}, {-1, 3}), Point());
   EXPECT_EQ(slideAlong({1, -1000}, {0, 1}), Point(1, 0));
 }
 
-TEST(SlideTest, SmallOnesAll) {
+TEST(SlideTest, HoldsForAllSmallVectors) {
   for (int nx = -5; nx <= 5; ++nx) {
     for (int ny = -5; ny <= 5; ++ny) {
       if (nx == 0 && ny == 0) continue;
@@ -78,7 +78,7 @@ TEST(SlideTest, SmallOnesAll) {
   }
 }
 
-TEST(SlideTest, RandomOnesUpToTheBounds) {
+TEST(SlideTest, HoldsForRandomVectorsUpToTheBounds) {
   sim::SeededRandom random(kSeed);
   for (int i = 0; i < 200000; ++i) {
     const Point displacement = random.vector((2 << (i % 27)) - 1);
@@ -118,7 +118,7 @@ TEST(TurnedNormalTest, QuarterTurnsAreExact) {
   }
 }
 
-TEST(DominantStepTest, GoesAlongTheLongerAxis) {
+TEST(DominantStepTest, FollowsTheDominantAxis) {
   EXPECT_EQ(dominantStep({5, 3}), Point(1, 0));
   EXPECT_EQ(dominantStep({-5, 3}), Point(-1, 0));
   EXPECT_EQ(dominantStep({2, 3}), Point(0, 1));
@@ -155,18 +155,18 @@ Touching anyTouching(sim::SeededRandom& random) {
   return scene;
 }
 
-TEST(GoesOnForTest, ThenTheReachOfTheLineMakesNoDifference) {
+TEST(ExtendsBeyondTest, LimitsDoNotCutTheSlideThen) {
   sim::SeededRandom random(kSeed);
   int goOn = 0;
   for (int i = 0; i < 100000; ++i) {
     const auto [shape, position, line, normal, rest] = anyTouching(random);
     const Point tangent = perpendicular(normal);
     const bool back = dot(rest, tangent) < 0;
-    if (!goesOnFor(maxNorm(rest), shape.bounds(), position, line, back ? -tangent : tangent)) continue;
+    if (!extendsBeyond(maxNorm(rest), shape.bounds(), position, line, back ? -tangent : tangent)) continue;
     ++goOn;
-    Reach reach;
-    (back ? reach.behind : reach.ahead) = maxNorm(reachAlong(shape, position, line, normal, back));
-    ASSERT_EQ(slideAlong(rest, normal, reach), slideAlong(rest, normal)) << "seed " << kSeed << ", round " << i;
+    SlideLimits limits;
+    (back ? limits.backward : limits.forward) = maxNorm(displacementToEdgeEnd(shape, position, line, normal, back));
+    ASSERT_EQ(slideAlong(rest, normal, limits), slideAlong(rest, normal)) << "seed " << kSeed << ", round " << i;
   }
   EXPECT_GT(goOn, 5000);
 }

@@ -70,7 +70,7 @@ SweepQuestion mapped(const SweepQuestion& query, const std::function<Point(Point
   return image;
 }
 
-TEST(SweepTest, MeetsALineHeadOn) {
+TEST(SweepTest, HitsASegmentHeadOn) {
   const auto hit = answer({square(10).vertices(), {0, 0}, {0, -40}, {{-50, -30}, {50, -30}}});
   ASSERT_TRUE(hit);
   EXPECT_EQ(hit->time, (Fraction{1, 2}));
@@ -81,7 +81,7 @@ TEST(SweepTest, MeetsALineHeadOn) {
   EXPECT_EQ(hit->feature.y, -10);
 }
 
-TEST(SweepTest, MeetsALineFromBothSides) {
+TEST(SweepTest, HitsASegmentFromBothSides) {
   for (const int side : {-1, 1}) {
     const auto hit = answer({square(10).vertices(), {0, 0}, {0, 40 * side}, {{-50, 30 * side}, {50, 30 * side}}});
     ASSERT_TRUE(hit);
@@ -90,7 +90,7 @@ TEST(SweepTest, MeetsALineFromBothSides) {
   }
 }
 
-TEST(SweepTest, MeetsTheEndOfALineWithAnEdge) {
+TEST(SweepTest, HitsASegmentEndWithAnEdge) {
   const auto hit = answer({square(10).vertices(), {0, 0}, {0, -40}, {{3, -20}, {3, -60}}});
   ASSERT_TRUE(hit);
   EXPECT_EQ(hit->time, (Fraction{1, 4}));
@@ -99,7 +99,7 @@ TEST(SweepTest, MeetsTheEndOfALineWithAnEdge) {
   EXPECT_EQ(cross(hit->normal, Point(0, 1)), 0);
 }
 
-TEST(SweepTest, MeetsAPoint) {
+TEST(SweepTest, HitsAPoint) {
   const auto hit = answer({square(10).vertices(), {0, 0}, {100, 0}, {{60, 9}, {60, 9}}});
   ASSERT_TRUE(hit);
   EXPECT_EQ(hit->time, (Fraction{1, 2}));
@@ -110,7 +110,7 @@ TEST(SweepTest, MeetsAPoint) {
   EXPECT_FALSE(answer({square(10).vertices(), {0, 0}, {100, 0}, {{60, 10}, {60, 10}}})) << "it only touches";
 }
 
-TEST(SweepTest, TouchingIsNoMeeting) {
+TEST(SweepTest, TouchingIsNoHit) {
   const auto box = square(10).vertices();
   const Segment floor{{-50, -10}, {50, -10}};
   EXPECT_FALSE(answer({box, {0, 0}, {0, 0}, floor}));
@@ -122,7 +122,7 @@ TEST(SweepTest, TouchingIsNoMeeting) {
   EXPECT_TRUE(answer({box, {0, 20}, {0, -21}, floor}));
 }
 
-TEST(SweepTest, IntoATouchedLineIsMetAtOnce) {
+TEST(SweepTest, HitsATouchedSegmentImmediately) {
   const auto hit = answer({square(10).vertices(), {0, 0}, {3, -1}, {{-50, -10}, {50, -10}}});
   ASSERT_TRUE(hit);
   EXPECT_EQ(hit->time, (Fraction{0, 1}));
@@ -130,7 +130,7 @@ TEST(SweepTest, IntoATouchedLineIsMetAtOnce) {
   EXPECT_GT(hit->normal.y, 0);
 }
 
-TEST(SweepTest, OverlapAtTheStartHasNoNormal) {
+TEST(SweepTest, InitialOverlapHasNoNormal) {
   for (const Point displacement : {Point(), Point(100, 0), Point(0, -1)}) {
     const auto hit = answer({square(10).vertices(), {0, 0}, displacement, {{-5, 0}, {-5, 40}}});
     ASSERT_TRUE(hit);
@@ -140,7 +140,7 @@ TEST(SweepTest, OverlapAtTheStartHasNoNormal) {
   }
 }
 
-TEST(SweepTest, SidesOfTheLineWinOverItsEnds) {
+TEST(SweepTest, SidesTakePrecedenceOverEnds) {
   // Straight onto the end: the left side and an edge of the shape are entered at the same time.
   const auto hit = answer({square(10).vertices(), {0, 30}, {0, -40}, {{10, 0}, {50, 0}}});
   EXPECT_FALSE(hit) << "only touches";
@@ -151,7 +151,7 @@ TEST(SweepTest, SidesOfTheLineWinOverItsEnds) {
   EXPECT_EQ(corner->feature, Point(0, -10));
 }
 
-TEST(SweepTest, AgreesWithTheForbiddenPolygon) {
+TEST(SweepTest, AgreesWithTheOracle) {
   forRandomQueries(20000, [](const SweepQuestion& query) {
     const oracle::SweepTruth truth = truthOf(query);
     const auto hit = answer(query);
@@ -162,7 +162,7 @@ TEST(SweepTest, AgreesWithTheForbiddenPolygon) {
   });
 }
 
-TEST(SweepTest, IsTheSameAnywhere) {
+TEST(SweepTest, IsTranslationInvariant) {
   forRandomQueries(20000, [](const SweepQuestion& query) {
     const Point shift(1 << 27, -(1 << 26) - 5);
     const auto here = answer(query);
@@ -177,7 +177,7 @@ TEST(SweepTest, IsTheSameAnywhere) {
   });
 }
 
-TEST(SweepTest, IsTheSameInEveryQuarterTurn) {
+TEST(SweepTest, IsInvariantUnderQuarterTurns) {
   forRandomQueries(20000, [](const SweepQuestion& query) {
     const auto here = answer(query);
     const auto turned = answer(mapped(query, perpendicular, {}));
@@ -189,7 +189,7 @@ TEST(SweepTest, IsTheSameInEveryQuarterTurn) {
   });
 }
 
-TEST(SweepTest, IsTheSameInAMirror) {
+TEST(SweepTest, IsMirrorInvariant) {
   forRandomQueries(20000, [](const SweepQuestion& query) {
     SweepQuestion image = mapped(query, [](Point p) { return Point(-p.x, p.y); }, {});
     std::reverse(image.shape.begin(), image.shape.end());
@@ -197,7 +197,7 @@ TEST(SweepTest, IsTheSameInAMirror) {
   });
 }
 
-TEST(SweepTest, EndsOfALineAreAlike) {
+TEST(SweepTest, IsIndependentOfTheDirectionOfTheSegment) {
   forRandomQueries(20000, [](const SweepQuestion& query) {
     SweepQuestion reversed = query;
     std::swap(reversed.line.a, reversed.line.b);
@@ -211,7 +211,7 @@ TEST(SweepTest, EndsOfALineAreAlike) {
   });
 }
 
-TEST(SweepTest, ALineIsMetWhereItsPartsAre) {
+TEST(SweepTest, HitsASegmentWhereItsPartsAreHit) {
   sim::SeededRandom random(kSeed);
   for (int i = 0; i < 20000; ++i) {
     SweepQuestion query = randomQuery(random, i);
@@ -236,7 +236,7 @@ TEST(SweepTest, ALineIsMetWhereItsPartsAre) {
 }
 
 // Backwards the shape enters where it left and leaves where it entered.
-TEST(SweepTest, RunsBackwards) {
+TEST(SweepTest, ReversedSweepsMirrorTheTimes) {
   forRandomQueries(20000, [](const SweepQuestion& query) {
     SweepQuestion reversed = query;
     reversed.position = query.position + query.displacement;
@@ -253,7 +253,7 @@ TEST(SweepTest, RunsBackwards) {
 }
 
 // At each twelfth of the way the shape overlaps the line exactly when the time is between meeting and exit.
-TEST(SweepTest, OverlapsBetweenMeetingAndExitOnly) {
+TEST(SweepTest, OverlapsOnlyBetweenTimeAndExit) {
   forRandomQueries(4000, [](const SweepQuestion& query) {
     constexpr std::int32_t parts = 12;
     const auto hit = answer(query);
@@ -273,7 +273,7 @@ TEST(SweepTest, OverlapsBetweenMeetingAndExitOnly) {
   });
 }
 
-TEST(SweepTest, NormalFacesTheMoverAndTheFeatureTouches) {
+TEST(SweepTest, NormalFacesTheShapeAndTheFeatureTouches) {
   int lines = 0;
   int ends = 0;
   forRandomQueries(20000, [&](const SweepQuestion& query) {
@@ -306,7 +306,7 @@ TEST(SweepTest, NormalFacesTheMoverAndTheFeatureTouches) {
   EXPECT_GT(ends, 500);
 }
 
-TEST(SweepTest, GrowingMeetsEarlierAndLeavesLater) {
+TEST(SweepTest, LargerMarginsHitEarlierAndExitLater) {
   forRandomQueries(20000, [](const SweepQuestion& query) {
     std::optional<Hit> smaller = answer(query);
     for (const std::int32_t grown : {1, 2, 4, 8, 100}) {
@@ -321,7 +321,7 @@ TEST(SweepTest, GrowingMeetsEarlierAndLeavesLater) {
   });
 }
 
-TEST(SweepTest, GrowsByAtLeastTheMargin) {
+TEST(SweepTest, EdgesMoveByAtLeastTheMargin) {
   const auto box = square(10).vertices();
   for (const std::int32_t grown : {1, 4, 8}) {
     const Segment line{{10 + grown, -5}, {10 + grown, 5}};
@@ -330,7 +330,7 @@ TEST(SweepTest, GrowsByAtLeastTheMargin) {
   }
 }
 
-TEST(SweepTest, BoundsHoldAllThatIsPassed) {
+TEST(SweepTest, BoundsContainTheWholePath) {
   const Convex shape = square(10);
   Sweep sweep;
   sweep.start(shape, {100, -100}, {-7, 5}, 3);
@@ -356,7 +356,7 @@ TEST(SweepTest, IsExactAtTheEndsOfTheRange) {
   EXPECT_TRUE(answer({above, {kMax - 2, kMax - 3}, {}, diagonal}));
 }
 
-TEST(SweepTest, TheLargestQueriesAgreeWithTheForbiddenPolygon) {
+TEST(SweepTest, LargestQueriesAgreeWithTheOracle) {
   sim::SeededRandom random(kSeed);
   const auto corner = [&] {
     const auto near = [&] { return static_cast<std::int32_t>(random.below(4)) * (random.below(2) == 0 ? 1 : 1 << 14); };

@@ -39,14 +39,14 @@ class WorldAcceptsTest : public testing::Test {
 
 constexpr std::int32_t kMax = kCoordinateLimit - 1;
 
-TEST_F(WorldAcceptsTest, WhatItHasSaved) {
+TEST_F(WorldAcceptsTest, AcceptsSavedStates) {
   ASSERT_EQ(good.instances.size(), 2u);
   EXPECT_TRUE(world.accepts(good));
   EXPECT_TRUE(world.accepts(WorldState()));
   EXPECT_TRUE(twoStrips().accepts(WorldState()));
 }
 
-TEST_F(WorldAcceptsTest, HarmlessChanges) {
+TEST_F(WorldAcceptsTest, AcceptsOtherValidValues) {
   EXPECT_TRUE(acceptsWith([](WorldState& s) { s.entities[0].velocity = {kVelocityLimit - 1, 1 - kVelocityLimit}; }));
   EXPECT_TRUE(acceptsWith([](WorldState& s) { s.entities[0].heading = Angle(12345); }));
   EXPECT_TRUE(acceptsWith([](WorldState& s) { s.entities[0].turn = -35999; }));
@@ -54,12 +54,12 @@ TEST_F(WorldAcceptsTest, HarmlessChanges) {
   EXPECT_TRUE(acceptsWith([](WorldState& s) { s.entities[0].crossings = 4000000000u; }));
 }
 
-TEST_F(WorldAcceptsTest, NoStateOfAnotherWorld) {
+TEST_F(WorldAcceptsTest, RejectsStatesOfAnotherWorld) {
   EXPECT_FALSE(World().accepts(good)) << "it knows no such shape or part";
   EXPECT_FALSE(twoStrips().accepts(good));
 }
 
-TEST_F(WorldAcceptsTest, NoIndexThatLeadsAstray) {
+TEST_F(WorldAcceptsTest, RejectsInvalidIndices) {
   EXPECT_FALSE(acceptsWith([](WorldState& s) { s.entities[0].shape = 3; }));
   EXPECT_FALSE(acceptsWith([](WorldState& s) { s.entities[0].shape = 0xffffffff; }));
   EXPECT_FALSE(acceptsWith([](WorldState& s) { s.entities[2].part = 3; }));
@@ -68,7 +68,7 @@ TEST_F(WorldAcceptsTest, NoIndexThatLeadsAstray) {
   EXPECT_FALSE(acceptsWith([](WorldState& s) { s.instances[0].warp = 0xffff; }));
 }
 
-TEST_F(WorldAcceptsTest, NoWrongCountOfInstances) {
+TEST_F(WorldAcceptsTest, RejectsWrongInstanceCounts) {
   EXPECT_FALSE(acceptsWith([](WorldState& s) { s.entities[0].instances = 0; }));
   EXPECT_FALSE(acceptsWith([](WorldState& s) { s.entities[0].instances = 2; }));
   EXPECT_FALSE(acceptsWith([](WorldState& s) { s.entities[1].instances = 0xffff; }));
@@ -85,7 +85,7 @@ TEST_F(WorldAcceptsTest, NoWrongCountOfInstances) {
   })) << "more instances than there may be";
 }
 
-TEST_F(WorldAcceptsTest, NothingOutOfRange) {
+TEST_F(WorldAcceptsTest, RejectsValuesOutOfRange) {
   EXPECT_FALSE(acceptsWith([](WorldState& s) { s.entities[0].position.x = kMax + 1; }));
   EXPECT_FALSE(acceptsWith([](WorldState& s) { s.entities[0].position.y = INT32_MIN; }));
   EXPECT_FALSE(acceptsWith([](WorldState& s) { s.entities[0].velocity.x = kVelocityLimit; }));
@@ -98,25 +98,25 @@ TEST_F(WorldAcceptsTest, NothingOutOfRange) {
   EXPECT_FALSE(acceptsWith([](WorldState& s) { s.instances[0].homeAnchor.x = kMax + 1; }));
 }
 
-TEST_F(WorldAcceptsTest, NoInstanceThatStandsOutOfRange) {
+TEST_F(WorldAcceptsTest, RejectsInstancesOutOfRange) {
   EXPECT_FALSE(acceptsWith([](WorldState& s) {
     s.instances[0].anchor.x = kMax - 100;
     s.instances[0].homeAnchor.x = -kMax;
   }));
 }
 
-TEST_F(WorldAcceptsTest, NoFlagThatIsNone) {
+TEST_F(WorldAcceptsTest, RejectsInvalidFlags) {
   EXPECT_FALSE(acceptsWith([](WorldState& s) { s.entities[0].inserted = 2; }));
   EXPECT_FALSE(acceptsWith([](WorldState& s) { s.entities[0].fresh = 2; }));
   EXPECT_FALSE(acceptsWith([](WorldState& s) { s.instances[0].fresh = 0xffff; }));
 }
 
-TEST_F(WorldAcceptsTest, NoInstancesOfAnEntityThatIsNowhere) {
+TEST_F(WorldAcceptsTest, RejectsInstancesOfEntitiesInNoPart) {
   EXPECT_FALSE(acceptsWith([](WorldState& s) { s.entities[0].inserted = 0; }));
   EXPECT_TRUE(acceptsWith([](WorldState& s) { s.entities[2].inserted = 0; }));
 }
 
-TEST_F(WorldAcceptsTest, NoInstanceThatHangsOnNothing) {
+TEST_F(WorldAcceptsTest, RejectsUnconnectedInstances) {
   EXPECT_FALSE(acceptsWith([](WorldState& s) { s.instances[0].parent = 7; }));
   EXPECT_FALSE(acceptsWith([](WorldState& s) { s.instances[0].parent = s.instances[0].id; })) << "on itself";
   EXPECT_FALSE(acceptsWith([](WorldState& s) { s.instances[0].part = 1; })) << "its warp leads elsewhere";
@@ -134,7 +134,7 @@ TEST_F(WorldAcceptsTest, NoInstanceThatHangsOnNothing) {
   })) << "a ring";
 }
 
-TEST_F(WorldAcceptsTest, InstancesInAnyOrderThatHangsTogether) {
+TEST_F(WorldAcceptsTest, AcceptsInstancesInAnyOrder) {
   const auto chained = [](WorldState& s, bool swapped) {
     InstanceState second = s.instances[0];
     second.id = 9;
@@ -147,20 +147,20 @@ TEST_F(WorldAcceptsTest, InstancesInAnyOrderThatHangsTogether) {
   EXPECT_TRUE(acceptsWith([&](WorldState& s) { chained(s, true); }));
 }
 
-TEST_F(WorldAcceptsTest, NoIdTwiceAndNoIdThatMeansNone) {
+TEST_F(WorldAcceptsTest, RejectsDuplicateAndReservedIds) {
   EXPECT_FALSE(acceptsWith([](WorldState& s) { s.instances[1].id = s.entities[1].id; }));
   EXPECT_FALSE(acceptsWith([](WorldState& s) { s.entities[2].id = InstanceState::kNoParent; }));
   EXPECT_FALSE(acceptsWith([](WorldState& s) { s.instances[1].id = InstanceState::kNoParent; }));
   EXPECT_FALSE(acceptsWith([](WorldState& s) { s.entities[0].nextId = InstanceState::kNoParent; }));
 }
 
-TEST_F(WorldAcceptsTest, NoAngleAtWhichTheShapeDegenerates) {
+TEST_F(WorldAcceptsTest, RejectsAnglesAtWhichTheShapeIsDegenerate) {
   EXPECT_FALSE(acceptsWith([](WorldState& s) { s.entities[2].angle = Angle::degrees(20); }));
   EXPECT_TRUE(acceptsWith([](WorldState& s) { s.entities[2].angle = Angle::degrees(90); }));
 }
 
 // Whatever is accepted can be stepped.
-TEST_F(WorldAcceptsTest, RandomChangesAreRefusedOrHarmless) {
+TEST_F(WorldAcceptsTest, AcceptedStatesCanBeStepped) {
   constexpr std::uint64_t seed = 2024;
   sim::SeededRandom random(seed);
   int accepted = 0;

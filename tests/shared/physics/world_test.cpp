@@ -47,7 +47,7 @@ void drive(World& world, sim::SeededRandom& random) {
   world.solve();
 }
 
-TEST(WorldTest, NothingHappensInAnEmptyWorld) {
+TEST(WorldTest, EmptyWorldsDoNotChange) {
   World world;
   world.solve();
   EXPECT_TRUE(world.entities().empty());
@@ -75,7 +75,7 @@ TEST(WorldTest, CopiesAreIndependent) {
   EXPECT_EQ(&copy.geometry(), &world.geometry()) << "what never changes is shared";
 }
 
-TEST(WorldTest, TheSameCallsGiveTheSameBits) {
+TEST(WorldTest, EqualCallsGiveEqualStates) {
   World one = busyWorld(kSeed);
   World two = busyWorld(kSeed);
   sim::SeededRandom randomOne(kSeed);
@@ -88,7 +88,7 @@ TEST(WorldTest, TheSameCallsGiveTheSameBits) {
   }
 }
 
-TEST(WorldTest, RestoredIntoAFreshWorldItGoesOnTheSame) {
+TEST(WorldTest, RestoredWorldsContinueIdentically) {
   World world = busyWorld(kSeed);
   sim::SeededRandom random(kSeed);
   for (int tick = 0; tick < 150; ++tick) {
@@ -104,7 +104,7 @@ TEST(WorldTest, RestoredIntoAFreshWorldItGoesOnTheSame) {
   }
 }
 
-TEST(WorldTest, RewindingGivesTheSameAgain) {
+TEST(WorldTest, RewoundWorldsRepeatTheirSteps) {
   World world = busyWorld(kSeed);
   sim::SeededRandom random(kSeed);
   for (int round = 0; round < 20; ++round) {
@@ -118,7 +118,7 @@ TEST(WorldTest, RewindingGivesTheSameAgain) {
   }
 }
 
-TEST(WorldTest, MovedWorldsCarryOn) {
+TEST(WorldTest, MovedWorldsContinue) {
   World world = busyWorld(kSeed);
   World expected = world;
   World moved = std::move(world);
@@ -150,7 +150,7 @@ void forEachChange(State& state, const std::function<void(const char*)>& check) 
   });
 }
 
-TEST(WorldTest, EverySingleChangeShowsInHashAndComparison) {
+TEST(WorldTest, EveryFieldIsHashedAndCompared) {
   World world = twoStrips();
   Entity entity(world, square(100));
   MapPart(world, 1).insert(entity, {950, 0}, Angle());
@@ -170,7 +170,7 @@ TEST(WorldTest, EverySingleChangeShowsInHashAndComparison) {
   EXPECT_EQ(hashes.size(), 1u + 14 + 3 + 8 + 2) << "14 fields with three points, 8 fields with two points";
 }
 
-TEST(WorldTest, StateIsAsSmallAsPromised) {
+TEST(WorldTest, StatesHaveTheDocumentedSize) {
   EXPECT_LE(sizeof(EntityState), 128u);
   EXPECT_LE(sizeof(InstanceState), 32u);
 }
@@ -197,7 +197,7 @@ TEST(WorldTest, AnEntityMayBeInSeveralPartsAtOnce) {
   EXPECT_EQ(world.view(0)[2].position, Point(1490, 40));
 }
 
-TEST(WorldTest, ErasingHomePromotesAnotherWhereItStands) {
+TEST(WorldTest, ErasingHomeMakesAnotherInstanceHome) {
   World world;
   for (const std::uint32_t id : {0u, 1u, 2u}) addPart(world, id, {});
   Entity entity(world, square(10));
@@ -228,7 +228,7 @@ TEST(WorldTest, ErasingHomePromotesAnotherWhereItStands) {
   EXPECT_TRUE(world.view(0).empty());
 }
 
-TEST(WorldTest, InsertingNearAnEdgePlacesTheInstanceBehindIt) {
+TEST(WorldTest, InsertingNearAnEdgeAddsTheInstanceBehindIt) {
   World world = twoStrips();
   Entity entity(world, square(100));
   MapPart(world, 1).insert(entity, {950, 33}, Angle());
@@ -240,7 +240,7 @@ TEST(WorldTest, InsertingNearAnEdgePlacesTheInstanceBehindIt) {
   EXPECT_EQ(views[1].parent, views[0].id);
 }
 
-TEST(WorldTest, InsertingBeyondAnEdgePassesHomeOn) {
+TEST(WorldTest, InsertingBeyondAnEdgeRehomes) {
   World world = twoStrips();
   Entity entity(world, square(100));
   MapPart(world, 1).insert(entity, {1040, 33}, Angle());
@@ -248,7 +248,7 @@ TEST(WorldTest, InsertingBeyondAnEdgePassesHomeOn) {
   EXPECT_EQ(entity.position(), Point(-960, 33));
 }
 
-TEST(WorldTest, AWallBehindAnEdgeMakesAPlaceUnfree) {
+TEST(WorldTest, SegmentsBehindAnEdgeBlockInsertion) {
   World world = twoStrips({}, {{{-980, -50}, {-980, 50}}});
   Entity entity(world, square(100));
   EXPECT_THROW(MapPart(world, 1).insert(entity, {950, 0}, Angle()), std::invalid_argument);
@@ -257,7 +257,7 @@ TEST(WorldTest, AWallBehindAnEdgeMakesAPlaceUnfree) {
   EXPECT_TRUE(entity.inserted());
 }
 
-TEST(WorldTest, RemovingTakesTheEntityOutOfAllParts) {
+TEST(WorldTest, RemovedEntitiesAreInNoPart) {
   World world = busyWorld(kSeed);
   World other = world;
   for (std::uint32_t i = 0; i < world.entities().size(); ++i) {
@@ -269,7 +269,7 @@ TEST(WorldTest, RemovingTakesTheEntityOutOfAllParts) {
   EXPECT_TRUE(world.accepts(world.save()));
 }
 
-TEST(WorldTest, EntitiesDoNotMeetEachOther) {
+TEST(WorldTest, EntitiesDoNotCollide) {
   World world;
   addPart(world, 0, {});
   Entity one(world, square(10));
@@ -282,7 +282,7 @@ TEST(WorldTest, EntitiesDoNotMeetEachOther) {
   EXPECT_EQ(two.position(), Point(0, 0));
 }
 
-TEST(WorldTest, TheObserverChangesNothing) {
+TEST(WorldTest, ObserversDoNotChangeTheResult) {
   World watched = busyWorld(kSeed);
   World alone = busyWorld(kSeed);
   LegChecker checker(watched);

@@ -7,8 +7,8 @@
 
 namespace platon {
 
-/// An exact quotient of two 64-bit integers; the denominator is positive. Not kept in lowest terms: two fractions are
-/// equal when their values are.
+/// An exact quotient of two 64-bit integers with a positive denominator. Fractions are not reduced to lowest terms;
+/// comparison is by value.
 struct Fraction {
   std::int64_t numerator = 0;
   std::int64_t denominator = 1;
@@ -25,7 +25,7 @@ struct Fraction {
   }
 };
 
-/// `value * fraction` rounded towards zero; the magnitude of the fraction is at most 1.
+/// `value * fraction` rounded towards zero. Requires -1 <= fraction <= 1.
 constexpr std::int32_t scaleTruncated(std::int32_t value, Fraction fraction) {
   return static_cast<std::int32_t>(scaleTruncated(value, fraction.numerator, fraction.denominator));
 }

@@ -8,7 +8,7 @@
 
 namespace platon {
 
-/// A position in 65 536ths of a subunit, for what has to be known better than it can be placed.
+/// A position or displacement in subunits with 16 fractional bits, for values that must be finer than the lattice.
 struct PrecisePoint {
   static constexpr int kBits = 16;
   static constexpr std::int64_t kOne = std::int64_t{1} << kBits;
@@ -19,25 +19,26 @@ struct PrecisePoint {
   friend constexpr bool operator==(const PrecisePoint&, const PrecisePoint&) = default;
 };
 
+/// The lattice point `point` as a PrecisePoint; exact.
 constexpr PrecisePoint precise(Point point) { return {point.x * PrecisePoint::kOne, point.y * PrecisePoint::kOne}; }
 
 constexpr PrecisePoint operator+(PrecisePoint a, PrecisePoint b) { return {a.x + b.x, a.y + b.y}; }
 constexpr PrecisePoint operator-(PrecisePoint a, PrecisePoint b) { return {a.x - b.x, a.y - b.y}; }
 
-/// The nearest whole point, halves away from zero. The coordinates must fit.
+/// The nearest lattice point, halves away from zero. The result must fit `int32`.
 constexpr Point rounded(PrecisePoint point) {
   return {static_cast<std::int32_t>(shiftRounded<PrecisePoint::kBits>(point.x)),
           static_cast<std::int32_t>(shiftRounded<PrecisePoint::kBits>(point.y))};
 }
 
-/// `vector` turned. |vector| < 2^31 a coordinate.
-constexpr PrecisePoint rotatePrecise(Point vector, Rotation direction) {
+/// Rotates `vector` and rounds to 16 fractional bits. Requires |vector| < 2^31 per coordinate.
+constexpr PrecisePoint rotatePrecise(Point vector, Rotation rotation) {
   constexpr int bits = Rotation::kFractionBits - PrecisePoint::kBits;
-  const WideVector turned = rotateWide(vector, direction);
+  const WideVector turned = rotateWide(vector, rotation);
   return {shiftRounded<bits>(turned.x), shiftRounded<bits>(turned.y)};
 }
 
-/// Half way between two points, exactly.
+/// The exact midpoint of `a` and `b`.
 constexpr PrecisePoint middle(Point a, Point b) {
   return {(std::int64_t{a.x} + b.x) * (PrecisePoint::kOne / 2), (std::int64_t{a.y} + b.y) * (PrecisePoint::kOne / 2)};
 }

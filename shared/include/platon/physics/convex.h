@@ -14,38 +14,41 @@ namespace platon {
 
 namespace intern {
 
-/// The draft of a shape: vertices are pushed one by one and checked when an entity is made of it.
+/// The vertices of a shape under construction. Checked when an Entity is created from it.
 struct Convex {
   std::vector<Point> vertices;
 };
 
 }  // namespace intern
 
-/// A strictly convex polygon in counter-clockwise order, immutable. Its interior is open: touching is no overlap.
+/// An immutable, strictly convex polygon with vertices in counter-clockwise order. Its interior is open: touching a
+/// segment is not an overlap.
 class Convex {
  public:
-  /// An edge of the polygon as an edge of every obstacle that the polygon makes of a line (docs/exactness.md, the
-  /// theorem): `normal` points out of the obstacle, that is into the polygon.
+  /// An edge of the polygon. Every obstacle of the polygon has an edge parallel to it (docs/exactness.md); `normal` is
+  /// the outward normal of that obstacle edge, so it points into the polygon.
   struct Edge {
     Point normal;
-    std::int64_t support;  ///< normal . vertex, the same at both ends of the edge
+    std::int64_t support;  ///< dot(normal, vertex), equal for both ends of the edge
   };
 
-  /// Why `vertices` is no strictly convex counter-clockwise polygon of coordinates below 2^29; nothing when it is.
+  /// Checks that `vertices` form a strictly convex, counter-clockwise polygon with coordinates below 2^29. Returns the
+  /// first fault as an English sentence, or nothing when there is none.
   static std::optional<std::string> fault(std::span<const Point> vertices);
 
-  /// Throws std::invalid_argument with the fault.
+  /// Throws std::invalid_argument with the text of fault() when `vertices` are not valid.
   explicit Convex(std::vector<Point> vertices);
   explicit Convex(const intern::Convex& draft) : Convex(draft.vertices) {}
 
   const std::vector<Point>& vertices() const { return vertices_; }
   const std::vector<Edge>& edges() const { return edges_; }
   const Box& bounds() const { return bounds_; }
-  /// The mean of the vertices, rounded: the point that decides which map part an entity is at home in.
+  /// The mean of the vertices, rounded. An entity's home part is the map part that contains this point.
   Point centre() const { return centre_; }
 
-  /// The smallest convex polygon round the vertices turned by `angle` and rounded; turning by nothing gives the same
-  /// vertices. A shape of a few subunits can degenerate when rounded; then there is none.
+  /// The convex hull of the vertices rotated by `angle` about the origin and rounded to the lattice; the shape itself
+  /// for angle 0. Returns nothing when the result is degenerate (possible for shapes of a few subunits) or out of
+  /// range.
   std::optional<Convex> turned(Angle angle) const;
 
   friend bool operator==(const Convex& a, const Convex& b) { return a.vertices_ == b.vertices_; }
@@ -57,8 +60,8 @@ class Convex {
   Point centre_;
 };
 
-/// The convex hull, strictly convex and counter-clockwise, beginning with the vertex that comes first in `points`.
-/// Fewer than three vertices when the points lie on one line.
+/// The convex hull of `points`: strictly convex, counter-clockwise, starting with the hull vertex that comes first in
+/// `points`. Fewer than three vertices when all points are collinear.
 std::vector<Point> convexHull(std::vector<Point> points);
 
 }  // namespace platon

@@ -11,37 +11,40 @@ namespace platon {
 
 class World;
 
-/// A convex shape with position, velocity and rotation. The object is a handle: all state lives in the world, so that
-/// a world can be copied, saved and restored as a value. It must not outlive the world.
+/// A handle to a moving convex shape. All state is stored in the world, so that worlds can be copied, saved and
+/// restored; the handle must not outlive its world. Units: subunits, subunits per tick, centidegrees.
 class Entity {
  public:
-  /// Adds an entity to the world. Throws std::invalid_argument when the draft is not strictly convex and
-  /// counter-clockwise.
+  /// Adds an entity to the world. It is in no map part until MapPart::insert. Throws std::invalid_argument when the
+  /// shape is not strictly convex and counter-clockwise.
   Entity(World& world, const intern::Convex& shape);
   Entity(World& world, const Convex& shape);
-  /// The entity that the world already has under this index.
+  /// A handle to the existing entity `index`.
   Entity(World& world, std::uint32_t index) : world_(&world), index_(index) {}
 
-  /// In the frame of the home part, subunits.
+  /// Position of the home instance in the frame of the home part.
   Point position() const;
-  /// Subunits a tick in the frame of the home part.
+  /// Velocity in the frame of the home part, rounded to whole subunits per tick.
   Point velocity() const;
-  /// Of the shape in the frame of the home part.
+  /// Rotation of the shape in the frame of the home part.
   Angle rotation() const;
-  /// Id of the map part that the entity's centre is on.
+  /// Id of the home part: the map part that contains the centre of the shape.
   std::uint32_t part() const;
+  /// Whether the entity is in a map part.
   bool inserted() const;
 
-  /// |velocity| < 2^28 a coordinate.
+  /// Sets the velocity in the frame of the home part. Requires |velocity| < 2^28 per coordinate.
   void setVelocity(Point velocity);
-  /// `velocity` in a frame that is turned by `frame` from the home part's: it is carried over edges and never rounded.
+  /// Sets the velocity in a frame rotated by `frame` against the home part. Both values are stored unrounded, and
+  /// `frame` is updated when the home part changes.
   void setVelocity(Point velocity, Angle frame);
+  /// Adds `change`, given in the frame of the home part, to the velocity.
   void addVelocity(Point change);
-  /// Turns the shape at the next step by this many centidegrees (positive counter-clockwise, less than a
-  /// whole turn), as far as it is free to turn.
+  /// Rotates the shape by `centidegrees` at the start of the next step, or as far as no segment blocks it. Positive is
+  /// counter-clockwise; less than a whole turn in magnitude. Replaces an earlier request of the same tick.
   void rotate(std::int32_t centidegrees);
 
-  /// Without turning: the shape it was made of.
+  /// The shape as it was passed to the constructor, unrotated.
   const Convex& shape() const;
   std::uint32_t index() const { return index_; }
   World& world() const { return *world_; }

@@ -7,32 +7,33 @@
 
 namespace platon {
 
-/// Every velocity is below this in magnitude, subunits a tick.
+/// The coordinates of a velocity are below this in magnitude, subunits per tick.
 inline constexpr std::int32_t kVelocityLimit = std::int32_t{1} << 28;
 
-/// True when `velocity` may be an entity's.
+/// Whether `velocity` is in the range of velocities.
 constexpr bool isVelocity(Point velocity) {
   return velocity.x > -kVelocityLimit && velocity.x < kVelocityLimit && velocity.y > -kVelocityLimit &&
          velocity.y < kVelocityLimit;
 }
 
-/// An instance of an entity beyond its home. Its position is `anchor + (home position - homeAnchor)` turned by the
-/// difference of the two angles and rounded, so that rounding never accumulates.
+/// State of an instance other than the home instance (a "further instance"). Its position is `anchor` plus
+/// `home position - homeAnchor` rotated by the difference of the two angles and rounded. The position is computed from
+/// the anchors in every tick, so rounding errors do not accumulate.
 struct InstanceState {
   static constexpr std::uint16_t kNoParent = 0xffff;
 
-  std::uint32_t part = 0;
-  Angle angle;                       ///< of the shape in this part's frame
-  Point homeAnchor;                  ///< in the home part's frame
-  Point anchor;                      ///< the same point in this part's frame
-  std::uint16_t id = 0;              ///< stable while the instance lives
-  std::uint16_t parent = kNoParent;  ///< id of the instance it hangs on; none when placed by hand
-  std::uint16_t warp = 0;            ///< index of the warp in the parent's part that leads here
-  std::uint16_t fresh = 0;           ///< 1 until the first step after it was placed by hand
+  std::uint32_t part = 0;            ///< id of the map part
+  Angle angle;                       ///< rotation of the shape in the frame of this part
+  Point homeAnchor;                  ///< a position of the home instance, in the frame of the home part
+  Point anchor;                      ///< the position of this instance at that time, in the frame of this part
+  std::uint16_t id = 0;              ///< constant while the instance exists
+  std::uint16_t parent = kNoParent;  ///< id of the parent instance; kNoParent when placed by MapPart::insert
+  std::uint16_t warp = 0;            ///< index of the warp from the parent's part to this part
+  std::uint16_t fresh = 0;           ///< 1 from MapPart::insert until the next step, else 0
 
   friend bool operator==(const InstanceState&, const InstanceState&) = default;
 
-  /// Every field by name, in the order in which it is hashed and saved.
+  /// Calls `visitor(name, field)` for every field, in the order of hashing and saving.
   template <class State, class Visitor>
   static void visit(State& state, Visitor&& visitor) {
     visitor("part", state.part);
@@ -47,10 +48,10 @@ struct InstanceState {
 };
 static_assert(sizeof(InstanceState) <= 32);
 
-/// Takes the first id from `next` on that is not `used` by an instance of the entity. Ids come round again after 65 535
-/// instances; kNoParent is none.
+/// Returns the first id, starting at `next`, for which `used` is false, and sets `next` to its successor. Ids wrap
+/// round after 65 535; kNoParent is never returned.
 template <class Used>
-std::uint16_t takeId(std::uint16_t& next, Used&& used) {
+std::uint16_t allocateId(std::uint16_t& next, Used&& used) {
   const auto after = [](std::uint16_t id) { return static_cast<std::uint16_t>((id + 1) % InstanceState::kNoParent); };
   while (used(next)) next = after(next);
   const std::uint16_t taken = next;
@@ -58,27 +59,27 @@ std::uint16_t takeId(std::uint16_t& next, Used&& used) {
   return taken;
 }
 
-/// All of an entity that is saved and hashed, but for its further instances.
+/// The saved and hashed state of an entity, without its further instances.
 struct EntityState {
   std::uint32_t shape = 0;      ///< index into the world's shapes
-  std::uint32_t part = 0;       ///< home part
-  Point position;               ///< in the home part's frame, subunits
-  Point velocity;               ///< subunits a tick; turned by `heading` it is in the home part's frame
-  Point remainder;              ///< what rounding to the lattice has left, in 65 536ths of a subunit: free
-                                ///< ways over edges would drift without it; 0 after any contact
-  Angle heading;                ///< the turns of all crossings since the velocity was set: never rounded
-  Angle angle;                  ///< of the shape in the home part's frame
-  std::int32_t turn = 0;        ///< still to be turned at the next step, centidegrees
-  std::uint16_t id = 0;         ///< of the home instance
-  std::uint16_t nextId = 0;     ///< for the next instance
+  std::uint32_t part = 0;       ///< id of the home part
+  Point position;               ///< in the frame of the home part, subunits
+  Point velocity;               ///< subunits per tick, in a frame rotated by `heading` against the home part
+  Point remainder;              ///< exact position minus `position`, in 2^-16 subunits; 0 after a contact.
+                                ///< Without it, free motion in a rotated frame would drift
+  Angle heading;                ///< rotation from the frame of `velocity` to the frame of the home part
+  Angle angle;                  ///< rotation of the shape in the frame of the home part
+  std::int32_t turn = 0;        ///< rotation requested for the next step, centidegrees
+  std::uint16_t id = 0;         ///< id of the home instance
+  std::uint16_t nextId = 0;     ///< first candidate for the id of the next instance
   std::uint16_t instances = 0;  ///< number of further instances
-  std::uint16_t inserted = 0;   ///< 0 while the entity is in no part
-  std::uint16_t fresh = 0;      ///< 1 until the first step after it was placed by hand
-  std::uint32_t crossings = 0;  ///< times that home has passed to another part
+  std::uint16_t inserted = 0;   ///< 1 while the entity is in a map part, else 0
+  std::uint16_t fresh = 0;      ///< 1 from MapPart::insert until the next step, else 0
+  std::uint32_t crossings = 0;  ///< number of changes of the home part
 
   friend bool operator==(const EntityState&, const EntityState&) = default;
 
-  /// Every field by name, in the order in which it is hashed and saved.
+  /// Calls `visitor(name, field)` for every field, in the order of hashing and saving.
   template <class State, class Visitor>
   static void visit(State& state, Visitor&& visitor) {
     visitor("shape", state.shape);
@@ -99,8 +100,8 @@ struct EntityState {
 };
 static_assert(sizeof(EntityState) <= 128);
 
-/// The greatest remainder: an instance stands off its true place by 4 subunits at most, and roundings add less than 1
-/// each.
+/// Bound of a remainder's coordinates, 2^-16 subunits: 8 subunits. An instance is at most 4 subunits from its exact
+/// place (I5), and each rounding adds less than 1.
 inline constexpr std::int32_t kRemainderLimit = 8 << 16;
 
 }  // namespace platon

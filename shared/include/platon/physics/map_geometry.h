@@ -12,45 +12,55 @@
 
 namespace platon {
 
-/// A line that leads to another map part: what lies behind `from` there continues behind `onto` here.
+/// A directed segment that connects two map parts: the surface continues across it into the target part. The map from
+/// one frame into the other is the isometry that rotates by `turn` and takes `fromMiddle` to `ontoMiddle`.
 struct Warp {
-  Segment from;                  ///< in this part; the part lies on its left
-  std::uint32_t target = 0;      ///< id of the other part
-  Segment onto;                  ///< the same two points in the other part, which lies on its right
-  Angle turn;                    ///< what is added to an angle here to get it there
-  PrecisePoint fromMiddle = {};  ///< the middle of the line, better than its rounded ends tell
-  PrecisePoint ontoMiddle = {};  ///< and where it lies in the other part
+  Segment from;                  ///< in this part, which is on its left
+  std::uint32_t target = 0;      ///< id of the target part
+  Segment onto;                  ///< the same two points in the target part, which is on its right
+  Angle turn;                    ///< added to an angle in this part, gives the angle in the target part
+  PrecisePoint fromMiddle = {};  ///< midpoint of `from`, more exact than its rounded ends
+  PrecisePoint ontoMiddle = {};  ///< the same point in the target part
+
+  /// Maps `point` from the frame of this part into the frame of the target, rounded to 2^-16 subunits. Exact in 128
+  /// bits up to that rounding. Requires |point| < 2^46 per coordinate, in 2^-16 subunits.
+  PrecisePoint map(PrecisePoint point) const;
+  /// The inverse of `map`, up to its rounding.
+  PrecisePoint mapBack(PrecisePoint point) const;
 };
 
-/// What an initialised map part holds. Immutable, shared by any number of worlds and threads.
+/// The geometry of an initialised map part. Immutable; may be shared by any number of worlds and threads.
 struct MapGeometry {
   std::uint32_t id = 0;
-  /// Regular lines, then the `from` of every warp.
+  /// The segments added by MapPart::line, followed by the `from` segment of every warp.
   std::vector<Segment> segments;
   std::vector<Warp> warps;
   Grid grid;
 
+  /// Whether the segment with this index belongs to a warp.
   bool isWarp(std::uint32_t segment) const { return segment >= segments.size() - warps.size(); }
+  /// Index of the segment that belongs to the warp with this index.
   std::uint32_t segmentOfWarp(std::uint32_t warp) const {
     return static_cast<std::uint32_t>(segments.size() - warps.size()) + warp;
   }
+  /// Inverse of segmentOfWarp. Requires isWarp(segment).
   std::uint32_t warpOfSegment(std::uint32_t segment) const {
     return segment - static_cast<std::uint32_t>(segments.size() - warps.size());
   }
 };
 
-/// All map parts of a world, by ascending id.
+/// All map parts of a world, sorted by id.
 struct Geometry {
   std::vector<std::shared_ptr<const MapGeometry>> parts;
 
-  /// Null when there is no such part.
+  /// The part with this id, or null when there is none.
   const MapGeometry* find(std::uint32_t id) const;
-  /// The index, in its target, of the warp that leads back over the same segment; none when the target or that warp is
-  /// missing. A warp without a way back is a dead end: nothing passes it.
+  /// Index, in the target part, of the warp that leads back across the same segment. Nothing when the target or that
+  /// warp does not exist; entities cannot pass such a warp.
   std::optional<std::uint16_t> reverseWarp(std::uint32_t partId, const Warp& warp) const;
 };
 
-/// `geometry` with one more part. Throws std::invalid_argument when the id is taken already.
+/// A copy of `geometry` with `part` added. Throws std::invalid_argument when a part with the same id exists.
 std::shared_ptr<const Geometry> withPart(const Geometry& geometry, MapGeometry part);
 
 }  // namespace platon

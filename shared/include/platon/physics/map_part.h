@@ -12,43 +12,46 @@ namespace platon {
 class Entity;
 class World;
 
-/// A map partition: lines and warps are added one after another, then `initialize` hands them, preprocessed and from
-/// now on immutable, to the world. The object itself is only a handle and must not outlive the world.
+/// Builder and handle of one map partition. Add segments and warps, then call `initialize` once: the geometry is
+/// preprocessed, becomes immutable and is added to the world. The handle must not outlive its world.
 class MapPart {
  public:
-  /// `id` is unique in the world.
+  /// `id` must be unique in the world by the time of `initialize`.
   MapPart(World& world, std::uint32_t id) : world_(&world), id_(id) {}
 
-  /// Adds a line between two points below 2^29; both equal make a point. Lines may cross and repeat.
-  /// Throws std::invalid_argument on a coordinate out of range.
+  /// Adds a segment. Two equal ends make a point, which blocks too. Segments may cross and repeat. Throws
+  /// std::invalid_argument when a coordinate is not below 2^29 in magnitude.
   void line(Point p0, Point p1);
 
-  /// Adds a line that leads to part `targetMap`, where the same two points are t0 and t1. This part lies on the left
-  /// of p0 -> p1. The turn between the two is a whole number of centidegrees, to within 2 subunits at the
-  /// ends; throws std::invalid_argument otherwise. The target needs a warp back before an entity comes near.
+  /// Adds a warp from segment p0 p1 to part `targetMap`, in which the same two points are t0 and t1. This part is on
+  /// the left of p0 -> p1. Entities can pass only when the target has the reverse warp. Throws std::invalid_argument
+  /// unless both segments have the same length and differ by a whole number of centidegrees, up to 2 subunits at the
+  /// ends.
   void warp(Point p0, Point p1, std::uint32_t targetMap, Point t0, Point t1);
 
-  /// As above, with the true middles of the line and its image, which lie within 1 subunit of those of the rounded
-  /// ends: instances are then placed by them, so that chains of warps add up no roundings.
+  /// As above, with exact midpoints: instances are placed relative to them, so the rounding of the ends does not
+  /// accumulate over chains of warps. Throws std::invalid_argument when one is more than 1 subunit from the midpoint of
+  /// the rounded ends.
   void warp(Segment from, std::uint32_t targetMap, Segment onto, PrecisePoint fromMiddle, PrecisePoint ontoMiddle);
 
-  /// Builds the grid and adds the part to the world. Throws std::invalid_argument when the id is taken.
+  /// Builds the grid and adds the part to the world. Throws std::invalid_argument when a part with the same id exists.
   void initialize();
 
-  /// Places an instance of the entity here, with its position at `origin` and turned by `angle`. The first instance is
-  /// the entity's home; a further one in another part moves with it from now on. Throws std::invalid_argument when the
-  /// part is not initialised, when the entity is in it already, or when a blocking line overlaps the shape there.
-  void insert(Entity& character, const Point& origin, Angle angle);
+  /// Places an instance of the entity in this part, at position `origin` and rotated by `angle`. The first instance of
+  /// an entity is its home instance; instances in other parts move with it. Throws std::invalid_argument when the part
+  /// is not initialised, the entity is already in it, the coordinates are out of range, or a blocking segment overlaps
+  /// the shape.
+  void insert(Entity& entity, const Point& origin, Angle angle);
 
-  /// Takes the entity's instances out of this part. Without effect when it has none here.
-  void erase(Entity& character);
+  /// Removes the entity's instances from this part. No effect when there are none.
+  void erase(Entity& entity);
 
   std::uint32_t id() const { return id_; }
 
  private:
   World* world_;
   std::uint32_t id_;
-  std::vector<Segment> lines_;
+  std::vector<Segment> segments_;
   std::vector<Warp> warps_;
 };
 

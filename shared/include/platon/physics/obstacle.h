@@ -13,69 +13,72 @@
 
 namespace platon {
 
-/// All positions at which a shape S overlaps a line L (docs/exactness.md, the theorem): the open polygon L + (-S), as
-/// the half planes that it is the intersection of. These belong to both sides of L and to the edges of -S; no vertex
-/// of the polygon is computed. Made once for a shape and a line and asked many times. Nothing is rounded.
+/// The configuration-space obstacle of a segment L for a convex shape S: all positions at which S overlaps L. It is the
+/// open convex polygon L + (-S) (docs/exactness.md), stored as the half planes whose intersection it is: the two sides
+/// of L, then the edges of -S. Its vertices are not computed. Exact. Built once for a shape and a segment, then queried
+/// by many sweeps.
 ///
-/// Bounds: coordinates < 2^29, so |normal| < 2^30, normal . vertex < 2^60 and |offset| < 2^61; of a line that is seen
-/// from a position, whose coordinates are < 2^30, |offset| < 1.5 * 2^61.
+/// Bounds: with coordinates < 2^29, |normal| < 2^30, dot(normal, vertex) < 2^60 and |offset| < 2^61. With a segment
+/// given relative to a position, whose coordinates are < 2^30, |offset| < 1.5 * 2^61.
 class Obstacle {
  public:
-  /// The positions with normal . position + offset < 0; `normal` points out of the obstacle.
+  /// The positions p with dot(normal, p) + offset < 0. `normal` points out of the obstacle.
   struct HalfPlane {
     Point normal;
     std::int64_t offset;
-    /// What a step of one along both axes changes the distance by, at most. Below 2^31.
-    std::int32_t slope() const { return std::abs(normal.x) + std::abs(normal.y); }
+    /// |normal.x| + |normal.y|, below 2^31.
+    std::int32_t oneNorm() const { return std::abs(normal.x) + std::abs(normal.y); }
   };
 
   /// The half plane of an edge of the shape.
-  static HalfPlane ofEdge(const Convex::Edge& edge, const Segment& line) {
-    return {edge.normal, edge.support - std::max(dot(edge.normal, line.a), dot(edge.normal, line.b))};
+  static HalfPlane edgeHalfPlane(const Convex::Edge& edge, const Segment& segment) {
+    return {edge.normal, edge.support - std::max(dot(edge.normal, segment.a), dot(edge.normal, segment.b))};
   }
-  /// Those of the left and of the right side of a line that is no point.
-  static std::array<HalfPlane, 2> ofSides(const Convex& shape, const Segment& line);
-  /// What touches where a side with this normal is entered: the first vertex of the shape, relative to its position,
-  /// that lies farthest back along the normal.
-  static Point featureOfSide(const Convex& shape, Point normal);
+  /// The half planes of the left and the right side of the segment. Requires segment.a != segment.b.
+  static std::array<HalfPlane, 2> sideHalfPlanes(const Convex& shape, const Segment& segment);
+  /// The vertex of the shape that touches a side with this normal: the first one with the smallest dot(normal, vertex).
+  static Point sideFeature(const Convex& shape, Point normal);
 
-  /// Room for an obstacle: of no shape yet.
+  /// An empty obstacle; call `build` before any query.
   Obstacle() = default;
 
-  /// Becomes what `line` is to `shape`, which must live as long as it is asked.
-  void become(const Convex& shape, const Segment& line);
-  /// Is of no shape again; keeps its memory.
-  void forget() { shape_ = nullptr; }
-  bool isOf(const Convex& shape) const { return shape_ == &shape; }
+  /// Computes the obstacle of `segment` for `shape`. The shape must outlive the obstacle's use.
+  void build(const Convex& shape, const Segment& segment);
+  /// Makes the obstacle empty and keeps its memory.
+  void reset() { shape_ = nullptr; }
+  /// Whether the obstacle was built for this shape object.
+  bool belongsTo(const Convex& shape) const { return shape_ == &shape; }
 
   const Convex& shape() const { return *shape_; }
-  const Segment& line() const { return line_; }
-  /// First the left and the right side of the line, which a point does not have, then the edges of the shape.
+  const Segment& segment() const { return segment_; }
+  /// The left and the right side of the segment (omitted for a point), then one half plane per edge of the shape.
   std::span<const HalfPlane> halfPlanes() const { return halfPlanes_; }
-  std::size_t sides() const { return line_.a == line_.b ? 0 : 2; }
+  /// Number of sides at the start of halfPlanes(): 2, or 0 for a point.
+  std::size_t sideCount() const { return segment_.a == segment_.b ? 0 : 2; }
 
-  /// A half plane that has shut out a whole way before, and is likely to do so again. No result depends on it.
+  /// Index of the half plane that excluded the last displacement. Tried first; influences speed only.
   std::size_t separatingHint() const { return separatingHint_; }
   void setSeparatingHint(std::size_t halfPlane) { separatingHint_ = halfPlane; }
 
-  /// The half planes, by ascending index, that positions within `way` may lie outside of: all others hold the whole
-  /// box. They are few, and none deep inside; found for some way round the box and kept until one leads out of that.
-  std::span<const std::uint32_t> boundariesNear(const Box& way) {
-    if (!around_.contains(way)) findBoundaries(way);
-    return boundaries_;
+  /// Indices, ascending, of all half planes that do not contain the whole box `positions`. May include others. Cached
+  /// for a larger box, so that consecutive steps of a mover do not recompute it.
+  std::span<const std::uint32_t> relevantHalfPlanes(const Box& positions) {
+    if (!relevantBox_.contains(positions)) findRelevant(positions);
+    return relevant_;
   }
-  Point featureOfSide(std::size_t side) const { return features_[side]; }
+  /// The vertex of the shape that touches side 0 or 1.
+  Point sideFeature(std::size_t side) const { return features_[side]; }
 
  private:
-  void findBoundaries(const Box& way);
+  void findRelevant(const Box& positions);
 
   const Convex* shape_ = nullptr;
-  Segment line_;
+  Segment segment_;
   std::vector<HalfPlane> halfPlanes_;
   std::array<Point, 2> features_;
   std::size_t separatingHint_ = 0;
-  Box around_;
-  std::vector<std::uint32_t> boundaries_;
+  Box relevantBox_;
+  std::vector<std::uint32_t> relevant_;
 };
 
 }  // namespace platon

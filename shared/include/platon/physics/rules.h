@@ -9,47 +9,50 @@
 
 namespace platon {
 
-/// A line as rules see it.
+/// A segment of a map part, as passed to rules.
 struct SegmentRef {
   std::uint32_t part = 0;   ///< id of the map part
-  std::uint32_t index = 0;  ///< in the order in which the part's lines were added, warps after all others
-  bool warp = false;
-  Segment ends;
+  std::uint32_t index = 0;  ///< order of MapPart::line calls, followed by the warps in order of MapPart::warp calls
+  bool warp = false;        ///< whether the segment belongs to a warp
+  Segment ends;             ///< in the frame of the part
 };
 
-/// A mover stopped by a line.
+/// A collision of an entity with a blocking segment.
 struct Contact {
   SegmentRef segment;
-  std::uint16_t instance = 0;  ///< id of the entity's instance that met the line
-  Point point;                 ///< where they touch, in the line's part, to the nearest subunit
-  Point normal;                ///< exact, pointing from the line to the mover, in the line's part
-  Angle toHome;                ///< what is added to an angle in the line's part to get it in the home part
-  Fraction time;               ///< of the leg
+  std::uint16_t instance = 0;  ///< id of the instance that hit the segment
+  Point point;                 ///< point of contact in the frame of the segment's part, to the nearest subunit
+  Point normal;                ///< exact direction from the segment to the entity, in the frame of the segment's part
+  Angle toHome;                ///< added to an angle in the segment's part, gives the angle in the home part
+  Fraction time;               ///< fraction of the leg, in [0, 1)
 };
 
-/// What the world does on collision events. `solve` calls each once per event, in the order of time within the step;
-/// at equal times home comes before other instances, and these by age; then lines by index.
+/// Decides which segments block and receives collision events. World::solve calls each method once per event, ordered
+/// by time within the step. Events at equal times are ordered by instance (home first, then by age), then by segment
+/// index.
 class Rules {
  public:
   virtual ~Rules() = default;
 
-  /// Whether the entity passes through the line. Asked for lines in its path only; must depend on nothing but state
-  /// and arguments.
-  virtual bool pierce(const Entity& entity, const SegmentRef& line) const;
+  /// Whether the entity passes through the segment. Called for segments near its path only. The result must depend only
+  /// on the state of the world and the arguments. Default: warps can be passed, other segments block.
+  virtual bool pierce(const Entity& entity, const SegmentRef& segment) const;
 
-  /// True promises that `pierce` is the one above, which lets pass through warps alone, and that the next three do
-  /// nothing. None of these is called then, and warps cost no sweep except where an instance is to come into being.
+  /// Return true to promise that `pierce` is not overridden and that beginContact, overContact and endContact do
+  /// nothing. None of the four is called then, which saves the tests against warps.
   virtual bool ignoresWarps() const { return false; }
 
-  /// A pierceable line is met, still overlapped at the end of the step, left.
-  virtual void beginContact(Entity& entity, const SegmentRef& line);
-  virtual void overContact(Entity& entity, const SegmentRef& line);
-  virtual void endContact(Entity& entity, const SegmentRef& line);
+  /// The entity begins to overlap a pierceable segment.
+  virtual void beginContact(Entity& entity, const SegmentRef& segment);
+  /// The entity overlaps a pierceable segment at the end of the step.
+  virtual void overContact(Entity& entity, const SegmentRef& segment);
+  /// The entity no longer overlaps a pierceable segment.
+  virtual void endContact(Entity& entity, const SegmentRef& segment);
 
-  /// A blocking line stops the entity; what is left of the displacement slides along it.
+  /// A blocking segment stops the entity. The remaining displacement slides along the segment.
   virtual void contact(Entity& entity, const Contact& contact);
-  /// A blocking line stops the entity from turning.
-  virtual void touchContact(Entity& entity, const SegmentRef& line);
+  /// A blocking segment stops the rotation of the entity.
+  virtual void touchContact(Entity& entity, const SegmentRef& segment);
 };
 
 }  // namespace platon

@@ -6,7 +6,7 @@
 
 namespace platon {
 
-/// A line of a map part in subunits. Both ends equal make a point, which blocks too.
+/// A wall of a map part, in subunits. Equal ends make a point, which blocks too.
 struct Segment {
   Point a;
   Point b;
@@ -19,23 +19,26 @@ struct Box {
   Point low;
   Point high;
 
+  /// Whether the boxes have a point in common; touching counts.
   constexpr bool overlaps(const Box& other) const {
     return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y && other.low.y <= high.y;
   }
   constexpr bool contains(const Box& other) const {
     return low.x <= other.low.x && other.high.x <= high.x && low.y <= other.low.y && other.high.y <= high.y;
   }
+  /// The box enlarged by `margin` on every side.
   constexpr Box grown(std::int32_t margin) const { return {low - Point(margin, margin), high + Point(margin, margin)}; }
-  /// The box moved along `displacement`, with all it passes over.
+  /// The bounding box of this box moved along `displacement`.
   constexpr Box swept(Point displacement) const {
     return {{low.x + std::min(displacement.x, 0), low.y + std::min(displacement.y, 0)},
             {high.x + std::max(displacement.x, 0), high.y + std::max(displacement.y, 0)}};
   }
 };
 
-constexpr Box boundsOf(const Segment& line) {
-  return {{std::min(line.a.x, line.b.x), std::min(line.a.y, line.b.y)},
-          {std::max(line.a.x, line.b.x), std::max(line.a.y, line.b.y)}};
+/// The bounding box of `segment`.
+constexpr Box boundsOf(const Segment& segment) {
+  return {{std::min(segment.a.x, segment.b.x), std::min(segment.a.y, segment.b.y)},
+          {std::max(segment.a.x, segment.b.x), std::max(segment.a.y, segment.b.y)}};
 }
 
 }  // namespace platon

@@ -8,23 +8,24 @@
 
 namespace platon {
 
-/// One instance of an entity as it stands.
+/// The current placement of one instance of an entity.
 struct InstanceView {
   std::uint16_t id = 0;
   std::uint32_t part = 0;
-  Point position;  ///< subunits, in the part's frame
-  Angle angle;
+  Point position;  ///< subunits, in the frame of the part
+  Angle angle;     ///< rotation of the shape in the frame of the part
   bool home = false;
-  bool hasParent = false;    ///< on `parent` through `warp`; else home or placed by hand
-  std::uint16_t parent = 0;  ///< id of another instance
-  std::uint16_t warp = 0;    ///< index among the warps of the parent's part
+  bool hasParent = false;    ///< false for the home instance and for those placed by MapPart::insert
+  std::uint16_t parent = 0;  ///< id of the parent instance, when hasParent
+  std::uint16_t warp = 0;    ///< index of the warp in the parent's part, when hasParent
 };
 
-/// Is told where an entity's instances stand at the start of a step, after every leg, and before and after home
-/// passes. For traces and checkers; must not touch the world.
+/// Observes a step, for traces and checkers. Must not modify the world.
 class StepObserver {
  public:
   virtual ~StepObserver() = default;
+  /// Called with all instances of an entity, home first: at the start of its step, after every leg (a straight move of
+  /// all instances) and after every other change of the instances.
   virtual void leg(std::uint32_t entity, std::span<const InstanceView> instances) = 0;
 };
 

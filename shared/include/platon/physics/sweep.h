@@ -11,101 +11,104 @@
 
 namespace platon {
 
-/// The first meeting of a moving shape with a line.
+/// The first collision of a moving shape with a segment.
 struct Hit {
-  /// Which edge of the obstacle was entered.
+  /// The kind of obstacle edge that was entered.
   enum class Side : std::uint8_t {
-    kInside,      ///< none: the shape overlapped the line already
-    kSegment,     ///< a side of the line, with a vertex or a parallel edge of the shape
-    kSegmentEnd,  ///< an end of the line (or a point), with an edge of the shape
+    kInside,      ///< none: the shape overlapped the segment at the start
+    kSegment,     ///< a side of the segment touches a vertex or a parallel edge of the shape
+    kSegmentEnd,  ///< an end of the segment (or a point) touches an edge of the shape
   };
 
-  Fraction time;  ///< of the displacement, in [0, 1)
-  Fraction exit;  ///< when the shape leaves the line again, later than `time`; at most 1, which means later
-  Point normal;   ///< outward normal of the edge entered; (0, 0) when inside. Below 2^30 a coordinate
-  Point feature;  ///< what touches: kSegment, a vertex of the shape, relative to its position; kSegmentEnd, the end
+  Fraction time;  ///< start of the overlap as a fraction of the displacement, in [0, 1)
+  Fraction exit;  ///< end of the overlap, in (time, 1]; 1 when the overlap lasts to the end of the displacement
+  Point normal;   ///< outward normal of the entered edge, coordinates below 2^30; (0, 0) for kInside
+  Point feature;  ///< kSegment: touching vertex of the shape, relative to its position; kSegmentEnd: touching end
   Side side = Side::kInside;
 };
 
-/// The exact swept test: a convex shape S moves from `position` along `displacement`; a line L forbids the open
-/// polygon L + (-S). The displacement is clipped against the edges of that polygon. No rounding anywhere.
+/// Exact swept collision test. A convex shape S moves from `position` along `displacement`; its position must not enter
+/// the open polygon L + (-S) of a segment L (see Obstacle). The displacement is clipped against the half planes of that
+/// polygon (Cyrus–Beck). No value is rounded.
 ///
-/// Bounds: coordinates < 2^29, so |normal| < 2^30, normal . vertex and normal . position < 2^60 each and every signed
-/// speed below is < 2^61, every signed distance < 1.5 * 2^62. Times compare through 128 bits.
+/// Bounds: with coordinates < 2^29, |normal| < 2^30; dot(normal, vertex) and dot(normal, position) are < 2^60,
+/// dot(normal, displacement) < 2^61, and signed distances < 1.5 * 2^62. Times are compared in 128 bits.
 class Sweep {
  public:
-  /// When a displacement is inside an obstacle, by which edge it gets there, and whether it is there in the end.
-  struct Meeting {
+  /// The part of the displacement that is inside an obstacle.
+  struct ClipInterval {
     static constexpr std::size_t kNone = ~std::size_t{0};
 
     Fraction enter{0, 1};
     Fraction exit{1, 1};
-    std::size_t entered = kNone;  ///< index of a half plane; none when it is inside from the beginning
-    bool endsInside = true;
+    std::size_t entered = kNone;  ///< index of the half plane crossed at `enter`; kNone when inside at the start
+    bool endsInside = true;       ///< whether the end of the displacement is inside
   };
 
-  /// Prepares for any number of lines. `grown` > 0 moves every edge of the obstacle outwards by at least that many
-  /// subunits (by grown * (|nx| + |ny|) / |n|). The shape must outlive the sweep.
-  void start(const Convex& shape, Point position, Point displacement, std::int32_t grown = 0) {
+  /// Prepares tests against any number of segments. A `margin` > 0 moves every edge of the obstacles outwards by
+  /// margin * (|nx| + |ny|) / |n| subunits, where n is its normal: at least `margin`. The shape must outlive the sweep.
+  void start(const Convex& shape, Point position, Point displacement, std::int32_t margin = 0) {
     shape_ = &shape;
     position_ = position;
     displacement_ = displacement;
-    grown_ = grown;
-    way_ = Box{position, position}.swept(displacement);
-    const Point margin(grown, grown);
-    bounds_ = {way_.low + shape.bounds().low - margin, way_.high + shape.bounds().high + margin};
+    margin_ = margin;
+    path_ = Box{position, position}.swept(displacement);
+    const Point grown(margin, margin);
+    bounds_ = {path_.low + shape.bounds().low - grown, path_.high + shape.bounds().high + grown};
   }
 
-  /// The first meeting with `line`: the infimum of the times in [0, 1] at which the open shape meets it. Touching, and
-  /// a meeting that begins at time 1, are none. Where two edges are entered at once, the sides of the line win over
-  /// its ends and earlier edges of the shape over later ones.
-  std::optional<Hit> against(const Segment& line) const;
-  /// The same; `obstacle` must be of the shape.
+  /// The first collision with `segment`; `time` is the infimum of the times in [0, 1] at which the open shape overlaps
+  /// it. Touching is no collision, nor is an overlap that begins at time 1. When several edges are entered at the same
+  /// time, sides of the segment take precedence over its ends, and earlier edges of the shape over later ones.
+  std::optional<Hit> against(const Segment& segment) const;
+  /// As above with a prebuilt obstacle, which must belong to the shape of this sweep.
   std::optional<Hit> against(Obstacle& obstacle) const;
 
-  /// Both parts of `against`: whether and when, then what touches. Lines that `misses` are not asked for.
-  std::optional<Meeting> meet(Obstacle& obstacle) const {
-    // Of most lines nearby the same edge keeps the shape away, step by step: that is told at once.
-    const Course likely = courseOf(obstacle.halfPlanes()[obstacle.separatingHint()]);
-    if (likely.start >= 0 && likely.end >= 0) return std::nullopt;
-    return clip(obstacle);
+  /// First half of `against`: clips the displacement against the obstacle. Nothing when they do not overlap. The bounds
+  /// of the segment must not be missed (see `misses`).
+  std::optional<ClipInterval> clip(Obstacle& obstacle) const {
+    // Fast path: the half plane that excluded the last displacement usually excludes this one.
+    const EndDistances hint = endDistancesTo(obstacle.halfPlanes()[obstacle.separatingHint()]);
+    if (hint.start >= 0 && hint.end >= 0) return std::nullopt;
+    return clipToHalfPlanes(obstacle);
   }
-  static Hit describe(const Obstacle& obstacle, const Meeting& meeting);
+  /// Second half of `against`: the collision that belongs to the result of `clip`.
+  static Hit hitOf(const Obstacle& obstacle, const ClipInterval& interval);
 
-  /// Whether the moving shape stays away from a line within these bounds.
-  bool misses(const Box& boundsOfLine) const { return !bounds_.overlaps(boundsOfLine); }
-  /// All that the moving shape passes over, grown.
+  /// Whether the bounding box of the moving shape is disjoint from the bounding box of a segment.
+  bool misses(const Box& segmentBounds) const { return !bounds_.overlaps(segmentBounds); }
+  /// Bounding box of the shape over the whole displacement, including the margin.
   const Box& bounds() const { return bounds_; }
 
  private:
-  // The signed distances from a half plane, grown, at both ends of the displacement, times the length of the normal.
-  struct Course {
+  // Signed distances from a half plane at both ends of the displacement, times the length of its normal.
+  struct EndDistances {
     std::int64_t start;
     std::int64_t end;
   };
-  Course courseFrom(std::int64_t start, const Obstacle::HalfPlane& half) const {
-    if (grown_ != 0) start -= std::int64_t{half.slope()} * grown_;
+  EndDistances endDistances(std::int64_t start, const Obstacle::HalfPlane& half) const {
+    if (margin_ != 0) start -= std::int64_t{half.oneNorm()} * margin_;
     return {start, start + dot(half.normal, displacement_)};
   }
-  Course courseOf(const Obstacle::HalfPlane& half) const {
-    return courseFrom(dot(half.normal, position_) + half.offset, half);
+  EndDistances endDistancesTo(const Obstacle::HalfPlane& half) const {
+    return endDistances(dot(half.normal, position_) + half.offset, half);
   }
-  // One half plane more: false when it shuts out all of the way.
-  static bool clip(Meeting& meeting, Course course, std::size_t halfPlane) {
-    if (course.start < 0 && course.end < 0) return true;
-    if (course.start >= 0 && course.end >= 0) return false;
-    cross(meeting, course, halfPlane);
+  // Intersects `interval` with a half plane. False when the half plane excludes the whole displacement.
+  static bool intersect(ClipInterval& interval, EndDistances distances, std::size_t halfPlane) {
+    if (distances.start < 0 && distances.end < 0) return true;
+    if (distances.start >= 0 && distances.end >= 0) return false;
+    cross(interval, distances, halfPlane);
     return true;
   }
-  static void cross(Meeting& meeting, Course course, std::size_t halfPlane);
-  static bool isEmpty(const Meeting& meeting);
-  std::optional<Meeting> clip(Obstacle& obstacle) const;
+  static void cross(ClipInterval& interval, EndDistances distances, std::size_t halfPlane);
+  static bool isEmpty(const ClipInterval& interval);
+  std::optional<ClipInterval> clipToHalfPlanes(Obstacle& obstacle) const;
 
   const Convex* shape_ = nullptr;
   Point position_;
   Point displacement_;
-  std::int32_t grown_ = 0;
-  Box way_;  // of the position
+  std::int32_t margin_ = 0;
+  Box path_;  // bounding box of the positions
   Box bounds_;
 };
 

@@ -15,16 +15,16 @@ namespace platon {
 
 class StepScratch;
 
-/// The basic state of a world: all that decides its future besides its static geometry, shapes and rules.
+/// The saved state of a world. Together with the geometry, the shapes and the rules it determines all later states.
 struct WorldState {
   std::vector<EntityState> entities;
-  std::vector<InstanceState> instances;  ///< of all entities, in their order
+  std::vector<InstanceState> instances;  ///< further instances of all entities, in order of the entities
 
   friend bool operator==(const WorldState&, const WorldState&) = default;
 };
 
-/// The collection of entities and map parts that interact. A value: copies share static geometry and have a state of
-/// their own; the same state and the same calls give the same bits on every machine.
+/// A collection of map parts and of the entities that move on them. Has value semantics: a copy has its own state and
+/// shares the immutable geometry. Deterministic: equal states and equal calls give identical states on every platform.
 class World {
  public:
   World();
@@ -34,40 +34,43 @@ class World {
   World& operator=(World&&) noexcept;
   ~World();
 
-  /// The rules that `solve()` calls; they must outlive the last call.
+  /// Sets the rules for `solve()`. They must outlive the last call of it.
   void setRules(Rules& rules) { rules_ = &rules; }
 
-  /// Advances all entities by one tick, in the order of their indices. `observer`, when given, is told of every leg.
+  /// Advances all entities by one tick, in order of their indices. Reports every leg to `observer` unless it is null.
   void solve(StepObserver* observer = nullptr);
-  /// The same under other rules.
+  /// As above, with other rules than those of setRules.
   void solve(Rules& rules, StepObserver* observer = nullptr);
 
+  /// The current state; valid until the world changes. Copy it to keep it.
   const WorldState& save() const { return state_; }
-  /// The state must come from a world with the same parts and shapes.
+  /// Replaces the state. Requires accepts(state).
   void restore(const WorldState& state);
-  /// Of the state, the same on every machine.
+  /// Hash of the state, identical on every platform.
   std::uint64_t hash() const;
   friend bool operator==(const World& a, const World& b) { return a.state_ == b.state_; }
 
   const Geometry& geometry() const { return *geometry_; }
   std::span<const EntityState> entities() const { return state_.entities; }
-  /// The entity's instances beyond its home.
+  /// The further instances of the entity (all but its home instance).
   std::span<const InstanceState> instancesOf(std::uint32_t entity) const;
-  /// Where an instance of the entity beyond its home stands, in its own part's frame.
+  /// Position of a further instance of the entity, in the frame of the instance's part.
   Point positionOf(std::uint32_t entity, const InstanceState& instance) const;
+  /// The unrotated shape of the entity.
   const Convex& shapeOf(std::uint32_t entity) const;
-  /// The same turned by `angle`, made once: valid until the world is solved or assigned to. Null when it degenerates.
+  /// The shape of the entity rotated by `angle`, from a cache. Null when the rotated shape is degenerate. Valid until
+  /// the world is solved or assigned to.
   const Convex* turnedShapeOf(std::uint32_t entity, Angle angle);
-  /// Every instance as it stands, home first.
+  /// All instances of the entity, home first.
   std::vector<InstanceView> view(std::uint32_t entity) const;
 
-  /// Makes a shape known; an entity may be made of it, or of a state that was saved with it. Returns its index, the
-  /// same for equal shapes.
+  /// Registers a shape and returns its index. Equal shapes get the same index. A state can be restored only when its
+  /// shapes are registered in the same order.
   std::uint32_t addShape(const Convex& shape);
-  /// Whether `state` could have been saved by a world with these parts and shapes: no index leads astray, all
-  /// coordinates are in range, and every instance hangs on another by a warp that leads there or was placed by hand.
+  /// Validates a state of unknown origin: all indices exist, all values are in range, instance ids are unique, and
+  /// every further instance either has no parent or is reached from its parent by the named warp.
   bool accepts(const WorldState& state) const;
-  /// Takes the entity out of all parts.
+  /// Removes the entity from all parts. Its index stays valid.
   void remove(std::uint32_t entity);
 
  private:
@@ -91,7 +94,7 @@ class World {
   std::vector<std::shared_ptr<const Convex>> shapes_;
   WorldState state_;
   Rules* rules_;
-  std::unique_ptr<StepScratch> scratch_;  // derived
+  std::unique_ptr<StepScratch> scratch_;  // derived state, not saved
 };
 
 }  // namespace platon

@@ -40,9 +40,9 @@ void expectSameContacts(const RecordedRules& one, const RecordedRules& other) {
 
 // A closed room of two strips with random lines; entities that want the same for a second at a time, so that many come
 // to rest.
-class HeedlessTest : public testing::Test {
+class IgnoresWarpsTest : public testing::Test {
  protected:
-  HeedlessTest() : world_(strips()) {
+  IgnoresWarpsTest() : world_(strips()) {
     for (int i = 0; i < 60 && world_.entities().size() < 4; ++i) {
       Entity entity(world_, square(40));
       try {
@@ -74,7 +74,7 @@ class HeedlessTest : public testing::Test {
   World world_;
 };
 
-TEST_F(HeedlessTest, MovesAndMeetsTheSameAsWhoHeedsAll) {
+TEST_F(IgnoresWarpsTest, HasTheSameResultsAndContacts) {
   World other = world_;
   for (int tick = 0; tick < kTicks; ++tick) {
     if (tick % 60 == 0) changeWishes(other);
@@ -87,7 +87,7 @@ TEST_F(HeedlessTest, MovesAndMeetsTheSameAsWhoHeedsAll) {
   }
 }
 
-TEST_F(HeedlessTest, WhatRestsMeetsTheSameAsIfItWereMoved) {
+TEST_F(IgnoresWarpsTest, RepeatedStepsEqualComputedSteps) {
   World other = world_;
   int resting = 0;
   for (int tick = 0; tick < kTicks; ++tick) {
@@ -107,7 +107,7 @@ TEST_F(HeedlessTest, WhatRestsMeetsTheSameAsIfItWereMoved) {
   EXPECT_GT(resting, kTicks / 4) << "hardly anything has come to rest";
 }
 
-TEST(HeedlessWayTest, APartThatIsAddedWakesWhatRestsBeforeItsEdge) {
+TEST(IgnoresWarpsWorldTest, AddingAPartWakesRestingEntities) {
   World world;
   addLeftStrip(world);
   Entity entity(world, square(100));
@@ -121,7 +121,7 @@ TEST(HeedlessWayTest, APartThatIsAddedWakesWhatRestsBeforeItsEdge) {
 }
 
 // The floor is met at once, and by its index before the line that is pierced.
-TEST(HeedlessWayTest, WhoHeedsWarpsHearsOfWhatIsPiercedWhereItStands) {
+TEST(IgnoresWarpsWorldTest, OtherRulesStillReceiveOverContact) {
   World world = twoStrips({{{-500, -100}, {500, -100}}, {{0, -90}, {0, 500}}});
   Entity entity(world, square(100));
   RecordedRules rules;
