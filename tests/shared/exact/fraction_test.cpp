@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint64_t kSeed = 7001;
 constexpr std::int64_t kHuge = (std::int64_t{1} << 62) - 1;
 
-// By continued fractions, in 64 bits alone: whole parts first, then the remainders turned over.
+// Comparison by continued fractions in 64 bits: integer parts first, then the reciprocals of the remainders.
 std::strong_ordering compared(Fraction a, Fraction b) {
   const std::int64_t wholeA = divideFloor(a.numerator, a.denominator);
   const std::int64_t wholeB = divideFloor(b.numerator, b.denominator);

@@ -1,4 +1,4 @@
-// Derived state must not show: a world that has lived long does what a fresh copy of it does, whatever happens to it.
+// Derived state must not influence results: a long-lived world steps exactly like a fresh copy of it.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -47,15 +47,15 @@ void addTorusPart(World& world, std::uint32_t id, sim::SeededRandom& random) {
 }
 
 // Gives any entity another velocity or turn where one is stopped; on every call the same, for the same seed.
-class MeddlingRules : public RecordedRules {
+class InterferingRules : public RecordedRules {
  public:
-  MeddlingRules(bool heedless, std::uint64_t seed) : heedless_(heedless), random_(seed) {
-    if (heedless) return;
+  InterferingRules(bool ignoresWarps, std::uint64_t seed) : ignoresWarps_(ignoresWarps), random_(seed) {
+    if (ignoresWarps) return;
     walls = {{1, 13}, {2, 12}};
     pierceable = {{0, 1}, {1, 1}, {2, 1}};
   }
 
-  bool ignoresWarps() const override { return heedless_; }
+  bool ignoresWarps() const override { return ignoresWarps_; }
   void contact(Entity& entity, const Contact& contact) override {
     RecordedRules::contact(entity, contact);
     const std::uint64_t what = random_.below(20);
@@ -70,7 +70,7 @@ class MeddlingRules : public RecordedRules {
   }
 
  private:
-  bool heedless_;
+  bool ignoresWarps_;
   sim::SeededRandom random_;
 };
 
@@ -96,8 +96,8 @@ class DerivedStateTest : public testing::TestWithParam<std::uint64_t> {
     }
   }
   bool oneIn(std::uint64_t times) { return random_.below(times) == 0; }
-  // From outside, between two ticks.
-  void meddle(int tick) {
+  // Random changes between two ticks.
+  void interfere(int tick) {
     const auto index = static_cast<std::uint32_t>(random_.below(world_.entities().size()));
     Entity entity(world_, index);
     if (oneIn(15)) entity.setVelocity(random_.vector(oneIn(2) ? 60 : 700));
@@ -119,11 +119,11 @@ TEST_P(DerivedStateTest, LongLivedWorldsStepLikeFreshCopies) {
   World assigned;  // which keeps its derived state, too
   Watcher watcher;
   for (int tick = 0; tick < kTicks; ++tick) {
-    meddle(tick);
-    const bool heedless = !oneIn(8);
-    MeddlingRules known(heedless, random_.next());
-    MeddlingRules found = known;
-    MeddlingRules watched = known;
+    interfere(tick);
+    const bool ignoresWarps = !oneIn(8);
+    InterferingRules known(ignoresWarps, random_.next());
+    InterferingRules found = known;
+    InterferingRules watched = known;
     World fresh = world_;
     assigned = world_;
     world_.solve(known, oneIn(10) ? &watcher : nullptr);
@@ -134,7 +134,8 @@ TEST_P(DerivedStateTest, LongLivedWorldsStepLikeFreshCopies) {
     ASSERT_EQ(known.take(), found.calls) << "seed " << GetParam() << ", tick " << tick;
     ASSERT_EQ(found.calls, watched.calls) << "seed " << GetParam() << ", tick " << tick;
     for (const std::string& call : found.calls) {
-      ASSERT_TRUE(!heedless || call.starts_with("contact") || call.starts_with("touch")) << call << ", tick " << tick;
+      ASSERT_TRUE(!ignoresWarps || call.starts_with("contact") || call.starts_with("touch"))
+          << call << ", tick " << tick;
     }
   }
 }

@@ -31,7 +31,7 @@ TEST(EntityStepTest, MovesFreelyByItsVelocity) {
 
 TEST(EntityStepTest, StopsAtASegmentAndSlidesAlongIt) {
   Scene scene({{{-1000, -20}, {1000, -20}}}, square(10), {0, 0});
-  EXPECT_EQ(scene.step({30, -60}), Point(30, -10)) << "the part along the line is kept whole";
+  EXPECT_EQ(scene.step({30, -60}), Point(30, -10)) << "the component along the segment is kept";
   EXPECT_EQ(scene.step({-7, -1}), Point(23, -10));
   EXPECT_EQ(scene.step({0, 4}), Point(23, -6));
 }
@@ -64,7 +64,7 @@ class CountedContacts : public Rules {
   int count = 0;
 };
 
-// A nudge would lead it clear of the end, and nobody would know that it stands on something.
+// A nudge past the end would hide the contact from the rules.
 TEST(EntityStepTest, SlidingOnASegmentEndIsAContact) {
   Scene scene({{{92, -100}, {92, -1000}}}, square(100), {0, 0});
   CountedContacts rules;
@@ -83,7 +83,7 @@ TEST(EntityStepTest, StaysInTheCoordinateRange) {
   EXPECT_GT(scene.entity.position().x, kCoordinateLimit - 3);
 }
 
-// Truncating each component of the way to a contact crosses such lines.
+// Truncating each coordinate of the displacement to a contact would cross these segments.
 TEST(EntityStepTest, RoundingNeverCausesAnOverlap) {
   for (int nx = -4; nx <= 4; ++nx) {
     for (int ny = -4; ny <= 4; ++ny) {
@@ -102,9 +102,8 @@ TEST(EntityStepTest, RoundingNeverCausesAnOverlap) {
   }
 }
 
-// In a turned frame a velocity has no whole coordinates: rounding leaves a remainder.
-
-// Moves freely; the first and every later place is the lattice point nearest to the exact one.
+// In a rotated frame a velocity has no integer coordinates. In free motion every position is the lattice point nearest
+// to the exact one.
 TEST(RemainderTest, RotatedVelocitiesAreNotRounded) {
   for (const std::int32_t heading : {1, 3600, 6000, 7200, 12345, 30000}) {
     Scene scene({}, square(10), {5, -5});
@@ -120,7 +119,7 @@ TEST(RemainderTest, RotatedVelocitiesAreNotRounded) {
   }
 }
 
-// Of (1, 0) turned by 60 degrees half a subunit each way is left, which would be rounded to a whole one.
+// (1, 0) rotated by 60° leaves a remainder of half a subunit, which would be rounded to a whole one.
 TEST(RemainderTest, RemaindersAloneMoveNothing) {
   Scene scene({}, square(10), {0, 0});
   scene.entity.setVelocity({1, 0}, Angle::degrees(60));
@@ -212,7 +211,7 @@ struct Floor {
   std::vector<Segment> lines;
 };
 
-// Joints at every 10000 subunits, whose two ends are up to 2 subunits apart each way, in a shuffled order.
+// Joints every 10 000 subunits, with two ends that are up to 2 subunits apart on each axis; segments in random order.
 std::vector<Floor> floorsWithJoints(std::int32_t dx, std::int32_t dy) {
   std::vector<Floor> floors;
   sim::SeededRandom random(kSeed);
@@ -231,7 +230,7 @@ std::vector<Floor> floorsWithJoints(std::int32_t dx, std::int32_t dy) {
   return floors;
 }
 
-// Runs along a floor from (0, 0) towards (10 dx, 10 dy), pressed on it.
+// Runs along a floor from (0, 0) towards (10 dx, 10 dy), pressed against it.
 void expectSmoothRun(const Floor& floor, const Convex& shape, Point direction, std::int32_t press) {
   const double length = std::hypot(direction.x, direction.y);
   const Point along(static_cast<std::int32_t>(std::lround(direction.x / length * 4096)),
@@ -271,7 +270,7 @@ TEST(SlideOverJointsTest, NeitherSlowsNorLifts) {
   }
 }
 
-// Each is a way past the ends of lines that fit each other within a few subunits; the mover must come through.
+// Segment ends that meet within a few subunits; the entity must pass them.
 struct Passage {
   const char* name;
   Convex shape;
@@ -318,7 +317,7 @@ TEST(SlideOverJointsTest, PassesEverySegmentEnd) {
   }
 }
 
-// A point and a slope stand below either flank; a nudge past the point lets it fall on.
+// A point and a slope below the two flanks; a nudge past the point lets the entity fall.
 TEST(SlideOverJointsTest, PassesAPointSlightlyInsideTheFlank) {
   Scene scene({{{23, -106}, {23, -106}}, {{-70, -141}, {-70, -141}}, {{-73, -148}, {248, 13}}}, square(100),
               {-132, -21});

@@ -25,7 +25,7 @@ struct Kind {
 
 Point anywhere(sim::SeededRandom& random, std::int32_t extent) { return random.vector(extent); }
 
-// Lines of every habit that a level, or an enemy of the grid, may have.
+// Distributions of segments: typical levels and worst cases of the grid.
 const std::vector<Kind>& kinds() {
   constexpr std::int32_t wide = 1 << 26;
   static const std::vector<Kind> all = {
@@ -83,7 +83,7 @@ Lines linesOf(const Kind& kind, std::size_t count) {
   return lines;
 }
 
-// Exact: boxes overlap and the box's corners do not all lie on one side.
+// Exact test: the bounding boxes overlap, and the corners of the box are not all on one side of the segment.
 bool meets(const Segment& line, const Box& box) {
   if (!box.overlaps(boundsOf(line))) return false;
   if (line.a == line.b) return true;

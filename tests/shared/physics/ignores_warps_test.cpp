@@ -1,4 +1,4 @@
-// Rules that heed no warp: shorter ways through a step, and steps that are repeated, must not show.
+// The fast paths for rules that ignore warps, and repeated steps at rest, must not change any result.
 #include <gtest/gtest.h>
 
 #include <stdexcept>
@@ -20,7 +20,7 @@ namespace {
 constexpr std::uint64_t kSeed = 31;
 constexpr int kTicks = 600;
 
-class HeedlessRules : public RecordedRules {
+class WarpIgnoringRules : public RecordedRules {
  public:
   bool ignoresWarps() const override { return true; }
 };
@@ -38,8 +38,8 @@ void expectSameContacts(const RecordedRules& one, const RecordedRules& other) {
   }
 }
 
-// A closed room of two strips with random lines; entities that want the same for a second at a time, so that many come
-// to rest.
+// A closed room of two strips with random segments. Velocities change once per second, so that many entities come to
+// rest.
 class IgnoresWarpsTest : public testing::Test {
  protected:
   IgnoresWarpsTest() : world_(strips()) {
@@ -62,7 +62,7 @@ class IgnoresWarpsTest : public testing::Test {
     }
     return twoStrips(lines[0], lines[1]);
   }
-  void changeWishes(World& other) {
+  void changeVelocities(World& other) {
     for (std::uint32_t i = 0; i < world_.entities().size(); ++i) {
       const Point velocity = random_.vector(150);
       Entity(world_, i).setVelocity(velocity);
@@ -77,13 +77,13 @@ class IgnoresWarpsTest : public testing::Test {
 TEST_F(IgnoresWarpsTest, HasTheSameResultsAndContacts) {
   World other = world_;
   for (int tick = 0; tick < kTicks; ++tick) {
-    if (tick % 60 == 0) changeWishes(other);
-    HeedlessRules heedless;
-    RecordedRules heeding;
-    world_.solve(heedless);
-    other.solve(heeding);
+    if (tick % 60 == 0) changeVelocities(other);
+    WarpIgnoringRules ignoring;
+    RecordedRules recording;
+    world_.solve(ignoring);
+    other.solve(recording);
     ASSERT_EQ(world_, other) << "seed " << kSeed << ", tick " << tick;
-    expectSameContacts(heedless, heeding);
+    expectSameContacts(ignoring, recording);
   }
 }
 
@@ -91,11 +91,11 @@ TEST_F(IgnoresWarpsTest, RepeatedStepsEqualComputedSteps) {
   World other = world_;
   int resting = 0;
   for (int tick = 0; tick < kTicks; ++tick) {
-    if (tick % 60 == 0) changeWishes(other);
+    if (tick % 60 == 0) changeVelocities(other);
     const WorldState before = world_.save();
     World moved = world_;  // knows of no rest
-    HeedlessRules repeated;
-    HeedlessRules found;
+    WarpIgnoringRules repeated;
+    WarpIgnoringRules found;
     world_.solve(repeated);
     moved.solve(found);
     ASSERT_EQ(world_, moved) << "seed " << kSeed << ", tick " << tick;
@@ -104,7 +104,7 @@ TEST_F(IgnoresWarpsTest, RepeatedStepsEqualComputedSteps) {
       resting += before.entities[i] == world_.entities()[i] ? 1 : 0;
     }
   }
-  EXPECT_GT(resting, kTicks / 4) << "hardly anything has come to rest";
+  EXPECT_GT(resting, kTicks / 4) << "too few entities have come to rest";
 }
 
 TEST(IgnoresWarpsWorldTest, AddingAPartWakesRestingEntities) {
@@ -120,7 +120,7 @@ TEST(IgnoresWarpsWorldTest, AddingAPartWakesRestingEntities) {
   EXPECT_EQ(entity.part(), 2u);
 }
 
-// The floor is met at once, and by its index before the line that is pierced.
+// The floor is hit immediately and has a lower index than the pierceable segment.
 TEST(IgnoresWarpsWorldTest, OtherRulesStillReceiveOverContact) {
   World world = twoStrips({{{-500, -100}, {500, -100}}, {{0, -90}, {0, 500}}});
   Entity entity(world, square(100));

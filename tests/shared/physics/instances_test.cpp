@@ -24,7 +24,7 @@ namespace {
 constexpr std::uint64_t kSeed = 606;
 constexpr std::int32_t kMax = kCoordinateLimit - 1;
 
-// Two parts that share an edge 20000 long; in part 2 it has another place and direction.
+// Two parts that share an edge of length 20 000, at another position and angle in part 2.
 World turnedPair(Angle turn, Point edgeAt, const std::vector<Segment>& linesBehind = {}) {
   World world;
   const Segment edge{{10000, -10000}, {10000, 10000}};
@@ -54,7 +54,7 @@ TEST(InstancesTest, InsertsInstancesBeforeTheirPartIsReached) {
   EXPECT_EQ(world.view(0).size(), 2u) << "3 subunits from the edge";
 }
 
-// Far out in the part behind: what the first part has room for, the second has not.
+// The edge is near the coordinate limit of the second part only.
 TEST(InstancesTest, StopsAtTheCoordinateLimitBehindAnEdge) {
   for (const Angle turn : {Angle(), Angle(9000), Angle(6000)}) {
     const Point outwards = rotate(Point(kMax - 30000, 0), turn);
@@ -68,7 +68,7 @@ TEST(InstancesTest, StopsAtTheCoordinateLimitBehindAnEdge) {
     }
     EXPECT_EQ(entity.part(), 2u);
     const Point position = entity.position();
-    EXPECT_GT(squaredLength(position), squaredLength(Point(kMax - 15000, 0))) << "it went on as far as it could";
+    EXPECT_GT(squaredLength(position), squaredLength(Point(kMax - 15000, 0))) << "it stops near the limit";
   }
 }
 
@@ -107,7 +107,7 @@ TEST(InstancesTest, TurnsBetweenPartsAreExact) {
   }
 }
 
-// On a free way position and remainder together stay where a straight line leads, in the frame of either part.
+// In free motion, position plus remainder follow a straight line across the edge.
 TEST(InstancesTest, RehomeKeepsTheRemainder) {
   using Wide = std::complex<long double>;
   const auto wide = [](Point point) {
@@ -227,7 +227,7 @@ TEST(InstancesTest, InsertsNothingOutsideTheCoordinateRange) {
   MapPart(world, 1).insert(entity, {0, 0}, Angle());
   entity.setVelocity({100, 0});
   for (int tick = 0; tick < 20; ++tick) world.solve();
-  EXPECT_EQ(entity.part(), 1u) << "the instance would stand out of range: the edge is shut";
+  EXPECT_EQ(entity.part(), 1u) << "the new instance would be out of range, so the edge blocks";
   EXPECT_GE(entity.position().x, 790);
   EXPECT_LE(entity.position().x, 800);
 }
@@ -247,7 +247,7 @@ TEST(InstancesTest, WarpsWithoutReverseWarpBlock) {
   EXPECT_LE(entity.position().x, 600);
 }
 
-// A line of the part behind sticks out over the edge: an instance would stand on it.
+// A segment of the part behind crosses the edge, so that a new instance would overlap it.
 TEST(InstancesTest, EdgesWithoutFreePositionBehindBlock) {
   World world = twoStrips({}, {{{-1200, 0}, {0, 0}}});
   Entity entity(world, square(100));
@@ -281,7 +281,7 @@ TEST(InstancesTest, PartsMayWarpToThemselves) {
   EXPECT_EQ(entity.position().y, 400);
 }
 
-// The line has to continue behind the edge: the shape hangs over on both sides.
+// The shape extends over both sides of the edge when it hits the segment.
 TEST(InstancesTest, SegmentsBehindAnEdgeStopAllInstances) {
   for (const std::int32_t turn : kFaceTurns) {
     const Point edgeAt(-3000, 70000);
@@ -301,7 +301,7 @@ TEST(InstancesTest, SegmentsBehindAnEdgeStopAllInstances) {
   }
 }
 
-// An edge only divides the map: with lines behind it a mover does what it does on one plane, but for roundings.
+// An edge only divides the map: the motion is that on one plane, up to rounding.
 TEST(InstancesTest, SegmentsBehindAnEdgeActAsOnOnePlane) {
   struct Course {
     std::int32_t turn;
@@ -343,8 +343,8 @@ TEST(InstancesTest, SegmentsBehindAnEdgeActAsOnOnePlane) {
   }
 }
 
-// The floor behind the edge stops it where home passes; the part of (200, -50) along the ramp that begins there is
-// left.
+// The floor behind the edge stops the entity where it rehomes. The component of (200, -50) along the ramp that begins
+// there remains.
 TEST(InstancesTest, RehomeForgetsTheStopOfTheOldFrame) {
   for (const std::int32_t turn : {0, 9000, 18000, 27000}) {
     const Point edgeAt(-3000, 70000);

@@ -18,7 +18,7 @@ Real real(PrecisePoint point) {
           static_cast<long double>(point.y) / PrecisePoint::kOne};
 }
 
-// The warp as a rigid motion.
+// The isometry of the warp in floating point.
 Real through(const Warp& warp, Real point) {
   const long double turn = warp.turn.centidegrees() * std::numbers::pi_v<long double> / 18000;
   const Real from = real(warp.fromMiddle);

@@ -12,21 +12,21 @@
 
 namespace platon {
 
-/// Watches every leg of a world's steps and checks, line by line and without a grid, what must always hold: no instance
-/// overlaps a blocking line or passes one (I1), and every instance stands where its warps put it (I5). Warps are taken
-/// as pierceable, all other lines as blocking.
+/// Checks every leg of a world's steps by brute force, without a grid: no instance overlaps or crosses a blocking
+/// segment (I1), and every instance is at the position that its warps determine (I5). Treats warps as pierceable and
+/// all other segments as blocking.
 class LegChecker : public StepObserver {
  public:
   /// The world must outlive the checker and keep its address.
   explicit LegChecker(const World& world) : world_(world) {}
 
   void leg(std::uint32_t entity, std::span<const InstanceView> instances) override;
-  /// Instances carry on from where they stand now; call before each step when entities are inserted anew in between.
+  /// Forgets the last positions. Call after every change of positions that is not a step.
   void forget() { last_.clear(); }
 
-  /// Everything that was wrong, one line each; empty when all is well. The first few suffice.
+  /// The violations found, one per line, limited to about 2000 characters. Empty when there are none.
   const std::string& faults() const { return faults_; }
-  /// Farthest that any instance stood from where the true isometry puts it, subunits.
+  /// Largest distance of an instance from its exact position, in subunits.
   double worstError() const { return worstError_; }
   std::size_t mostInstances() const { return mostInstances_; }
   std::uint64_t legs() const { return legs_; }

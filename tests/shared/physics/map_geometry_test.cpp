@@ -2,10 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <stdexcept>
+
+#include "tests/sim/seeded_random.h"
 
 namespace platon {
 namespace {
+
+constexpr std::uint64_t kSeed = 2718;
 
 MapGeometry part(std::uint32_t id, std::vector<Warp> warps = {}, std::vector<Segment> lines = {}) {
   MapGeometry made;
@@ -31,6 +36,38 @@ TEST(MapGeometryTest, OtherSegmentsPrecedeWarps) {
   EXPECT_EQ(made.segmentOfWarp(1), 4u);
   EXPECT_EQ(made.warpOfSegment(4), 1u);
   EXPECT_EQ(made.segments[made.segmentOfWarp(1)], kWest);
+}
+
+// A warp between segments of length 100 whose frames differ by `turn`.
+Warp turnedWarp(Angle turn) {
+  const Segment onto{Point(3000, -70) + rotate(kEast.a, turn), Point(3000, -70) + rotate(kEast.b, turn)};
+  return {kEast, 2, onto, turn, middle(kEast.a, kEast.b), middle(onto.a, onto.b)};
+}
+
+TEST(WarpTest, MapsTheMidpointToItsImage) {
+  for (const std::int32_t turn : {0, 3600, 6000, 7200, 9000, 12345}) {
+    const Warp warp = turnedWarp(Angle(turn));
+    EXPECT_EQ(warp.map(warp.fromMiddle), warp.ontoMiddle) << turn;
+    EXPECT_EQ(warp.mapBack(warp.ontoMiddle), warp.fromMiddle) << turn;
+  }
+}
+
+TEST(WarpTest, RotatesAboutTheMidpoint) {
+  const Warp warp = turnedWarp(Angle::degrees(90));
+  EXPECT_EQ(warp.map(precise({100, 0})), precise({3000, 30}));
+  EXPECT_EQ(warp.map(precise({107, 2})), precise({2998, 37}));
+  EXPECT_EQ(warp.mapBack(precise({2998, 37})), precise({107, 2}));
+}
+
+TEST(WarpTest, MapBackIsTheInverseUpToRounding) {
+  sim::SeededRandom random(kSeed);
+  for (int i = 0; i < 20000; ++i) {
+    const Warp warp = turnedWarp(Angle(static_cast<std::int32_t>(random.below(Angle::kTurn))));
+    const PrecisePoint point = precise(random.vector((2 << (i % 10)) - 1)) + PrecisePoint{i % 65536, -i % 65536};
+    const PrecisePoint error = warp.mapBack(warp.map(point)) - point;
+    ASSERT_LE(std::abs(error.x), 2) << "seed " << kSeed << ", round " << i;
+    ASSERT_LE(std::abs(error.y), 2) << "seed " << kSeed << ", round " << i;
+  }
 }
 
 TEST(GeometryTest, FindsPartsById) {

@@ -9,14 +9,14 @@
 
 namespace platon {
 
-/// Adds a part of these lines to the world.
+/// Adds a part with these segments to the world.
 inline void addPart(World& world, std::uint32_t id, const std::vector<Segment>& lines) {
   MapPart part(world, id);
   for (const Segment& line : lines) part.line(line.a, line.b);
   part.initialize();
 }
 
-/// Part 1, a strip 2000 wide round its origin: its right edge is the left edge of part 2.
+/// Adds part 1, a strip of width 2000 centred on its origin. Its right edge is the left edge of part 2.
 inline void addLeftStrip(World& world, const std::vector<Segment>& lines = {}) {
   MapPart part(world, 1);
   for (const Segment& line : lines) part.line(line.a, line.b);
@@ -24,7 +24,7 @@ inline void addLeftStrip(World& world, const std::vector<Segment>& lines = {}) {
   part.initialize();
 }
 
-/// Part 2, as wide: its left edge is the right edge of part 1.
+/// Adds part 2, a strip of the same width. Its left edge is the right edge of part 1.
 inline void addRightStrip(World& world, const std::vector<Segment>& lines = {}) {
   MapPart part(world, 2);
   for (const Segment& line : lines) part.line(line.a, line.b);
@@ -32,7 +32,7 @@ inline void addRightStrip(World& world, const std::vector<Segment>& lines = {}) 
   part.initialize();
 }
 
-/// Both, side by side.
+/// A world of both strips.
 inline World twoStrips(const std::vector<Segment>& first = {}, const std::vector<Segment>& second = {}) {
   World world;
   addLeftStrip(world, first);

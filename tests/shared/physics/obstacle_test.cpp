@@ -20,7 +20,7 @@ bool same(const std::optional<Hit>& a, const std::optional<Hit>& b) {
          a->side == b->side;
 }
 
-// What an obstacle remembers of one question must not show in the answer to the next.
+// The caches of an obstacle must not influence any result.
 TEST(ObstacleTest, CachedQueriesEqualFreshQueries) {
   sim::SeededRandom random(kSeed);
   const Convex shape = regular(8, 1000);

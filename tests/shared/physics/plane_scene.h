@@ -10,7 +10,7 @@
 
 namespace platon {
 
-/// One part with these lines and an entity in it.
+/// A world with one part and one entity in it.
 struct Scene {
   Scene(const std::vector<Segment>& lines, const Convex& shape, Point at) : entity(make(lines, shape, at)) {}
 

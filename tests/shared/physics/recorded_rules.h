@@ -10,10 +10,10 @@
 
 namespace platon {
 
-/// Writes down every call: "begin 1:3" is the beginning of a contact with line 3 of part 1.
+/// Records every call as text: "begin 1:3" is beginContact with segment 3 of part 1.
 class RecordedRules : public Rules {
  public:
-  /// Lines that are passed through besides warps, by part and index; warps in `walls` are not.
+  /// Segments that can be passed in addition to warps, and warps that block, by part and index.
   std::set<std::pair<std::uint32_t, std::uint32_t>> pierceable;
   std::set<std::pair<std::uint32_t, std::uint32_t>> walls;
   std::vector<std::string> calls;
@@ -31,7 +31,7 @@ class RecordedRules : public Rules {
   }
   void touchContact(Entity&, const SegmentRef& line) override { note("touch", line); }
 
-  /// What was called since the last question.
+  /// Returns and clears the recorded calls.
   std::vector<std::string> take() { return std::exchange(calls, {}); }
 
  private:

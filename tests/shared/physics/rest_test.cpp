@@ -1,4 +1,4 @@
-// I4: what rests does so exactly.
+// I4: an entity at rest does not move at all.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -36,7 +36,7 @@ TEST(RestTest, ComesToRest) {
   }
 }
 
-// Each of these lines leads to another one that leads back, or to an end.
+// Each of these segments leads a slide to another one that leads it back, or to an end.
 TEST(RestTest, ReversedSlidesStop) {
   expectRest({{{133, -97}, {417, -59}}, {{-12, -82}, {84, -98}}}, regular(5, 70), {37, 99}, {0, -54}, "line to line");
   expectRest({{{0, -15}, {0, -15}}, {{-8, -19}, {29, -114}}, {{-16, -17}, {-66, -2}}, {{9, 6}, {9, 6}}}, square(10),
@@ -45,7 +45,7 @@ TEST(RestTest, ReversedSlidesStop) {
              square(100), {-203, 170}, {43, -32}, "ends of lines");
 }
 
-// Where it comes to rest among these depends on which lines have been tried from there.
+// The resting position depends on which segments were tried at it.
 TEST(RestTest, SegmentsAreTriedOncePerPosition) {
   Scene scene({{{108, -56}, {232, 98}}, {{194, -31}, {359, 119}}, {{156, 28}, {118, -70}}, {{78, -53}, {-541, -89}}},
               square(100), {-203, 170});
@@ -76,7 +76,7 @@ TEST(RestTest, PressingIntoASlopeMovesNothing) {
   }
 }
 
-// A slide led off the end of a line, and a nudge past that end back onto it, in turn, for ever.
+// A slide must not leave a segment at its end and be nudged back onto it in turn.
 TEST(RestTest, IsNotNudgedBackOntoItsLastSlide) {
   struct {
     Segment line;
@@ -93,20 +93,21 @@ TEST(RestTest, IsNotNudgedBackOntoItsLastSlide) {
   }
 }
 
-// A nudge off either ledge would be free, but the point under the middle would stop it there at once.
+// A nudge off either ledge would be free, but the point in the middle would stop the entity immediately.
 TEST(RestTest, IsNotNudgedToAnImmediateStop) {
   Scene scene({{{98, -100}, {500, -300}}, {{-98, -100}, {-500, -300}}, {{0, -100}, {0, -100}}}, square(100), {0, 0});
   for (int tick = 0; tick < 4; ++tick) ASSERT_EQ(scene.step({0, -100}), Point(0, 0)) << tick;
 }
 
-// It slides down a slope against a point two subunits above its bottom: a nudge over that would lift it.
+// The entity slides down a slope against a point 2 subunits above its bottom edge. A nudge over the point would lift
+// it.
 TEST(RestTest, PressingDownwardsLiftsNothing) {
   Scene scene({{{-5100, 100}, {4900, -300}}, {{105, -98}, {105, -98}}}, square(100), {0, 0});
   for (int tick = 0; tick < 4; ++tick) ASSERT_EQ(scene.step({0, -256}), Point(5, 0)) << tick;
 }
 
 TEST(RestTest, RestsOnSegmentEnds) {
-  // The flat bottom of a square rests on an end as on anything, wherever it carries.
+  // The bottom edge of a square rests on a segment end at any x.
   for (const std::int32_t x : {-8000, -3000, 0, 5, 4000, 8990}) {
     expectRest({{{x, 0}, {x, -50000}}}, square(9000), {0, 9500}, {0, -256}, "end of a line");
     expectRest({{{x, 0}, {x - 50000, -20000}}}, square(9000), {0, 9500}, {0, -256}, "end of a slope");

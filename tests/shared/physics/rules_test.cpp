@@ -141,7 +141,7 @@ TEST_F(RulesTest, PiercedSegmentsPrecedeTheContactOfTheLeg) {
         {0, 0});
   rules.pierceable = {{0, 1}, {0, 2}, {0, 3}};
   EXPECT_THAT(step({0, -90}), ElementsAre("begin 0:1", "end 0:1", "begin 0:2", "contact 0:0", "over 0:2"))
-      << "line 3 lies behind the wall";
+      << "segment 3 is behind the wall";
 }
 
 TEST_F(RulesTest, EventsOfASlideFollowTheContact) {
@@ -204,12 +204,12 @@ TEST_F(RulesTest, RotationStopsAtTheLastFreeAngle) {
   world.solve(rules);
   EXPECT_THAT(rules.take(), ElementsAre("touch 0:0"));
   const std::int32_t stopped = entity->rotation().centidegrees();
-  // Half of the square's diagonal is 14.14 subunits: it reaches 12 between 13 and 14 degrees, rounded to the lattice.
+  // Half of the diagonal of the square is 14.14 subunits; a corner reaches x = 12 between 13° and 14°.
   EXPECT_GT(stopped, 0);
   EXPECT_LT(stopped, 4500);
   const auto reach = [&](std::int32_t angle) { return square(10).turned(Angle(angle))->bounds().high.x; };
   EXPECT_LE(reach(stopped), 12);
-  EXPECT_GT(reach(stopped + 1), 12) << "one hundredth more would overlap";
+  EXPECT_GT(reach(stopped + 1), 12) << "one more centidegree would overlap";
 }
 
 TEST_F(RulesTest, RotationStopsAtTheLastFreeAngleInBothDirections) {
@@ -227,7 +227,7 @@ TEST_F(RulesTest, RotationStopsAtTheLastFreeAngleInBothDirections) {
     EXPECT_LE(reach(stopped), 11500);
     EXPECT_GT(reach(stopped + (turn > 0 ? 1 : -1)), 11500) << "from " << turn;
     copy.solve(rules);
-    EXPECT_THAT(rules.take(), IsEmpty()) << "a turn is for one step";
+    EXPECT_THAT(rules.take(), IsEmpty()) << "a rotation is requested for one step";
     EXPECT_EQ(turning.rotation().centidegrees(), stopped);
   }
 }
@@ -298,7 +298,7 @@ TEST_F(WarpRulesTest, BothInstancesReportTheirWarps) {
   EXPECT_THAT(step({50, 0}), ElementsAre("begin 1:0", "begin 2:0", "over 1:0", "over 2:0"));
   EXPECT_THAT(step({0, 0}), ElementsAre("over 1:0", "over 2:0"));
   EXPECT_EQ(entity.part(), 1u);
-  EXPECT_THAT(step({100, 0}), ElementsAre("over 2:0", "over 1:0")) << "home has passed";
+  EXPECT_THAT(step({100, 0}), ElementsAre("over 2:0", "over 1:0")) << "the home instance has changed";
   EXPECT_EQ(entity.part(), 2u);
   EXPECT_EQ(entity.position(), Point(-950, 0));
   EXPECT_THAT(step({60, 0}), ElementsAre("end 2:0", "end 1:0"));

@@ -8,12 +8,12 @@
 
 namespace platon {
 
-/// A square round the origin with sides of 2 * `reach`.
+/// A square centred on the origin with sides of length 2 * `reach`.
 inline Convex square(std::int32_t reach) {
   return Convex(std::vector<Point>{{-reach, -reach}, {reach, -reach}, {reach, reach}, {-reach, reach}});
 }
 
-/// The regular polygon with this circumradius, rounded, an edge at the bottom when `corners` is a multiple of four.
+/// The regular polygon with this circumradius, rounded to the lattice. An edge is at the bottom.
 inline Convex regular(int corners, std::int32_t radius) {
   std::vector<Point> vertices;
   const std::int32_t step = Angle::kTurn / corners;
@@ -21,7 +21,7 @@ inline Convex regular(int corners, std::int32_t radius) {
   return Convex(vertices);
 }
 
-/// The hull of a few points of a disc round `middle`, with three corners or more.
+/// The convex hull of 3 to 12 random points around `middle`.
 inline Convex randomConvex(sim::SeededRandom& random, std::int32_t radius, Point middle = {}) {
   for (;;) {
     std::vector<Point> points;

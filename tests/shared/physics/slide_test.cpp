@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::uint64_t kSeed = 12;
 
-// What must hold of every slide. A displacement that leads outwards is not slid by the step, but obeys the same.
+// The laws of every slide. They also hold for displacements that lead outwards, which a step does not slide.
 void expectSlides(Point displacement, Point normal) {
   const Point slid = slideAlong(displacement, normal);
   ASSERT_GE(dot(slid, normal), 0) << "never inwards";
@@ -28,11 +28,11 @@ void expectSlides(Point displacement, Point normal) {
   const auto lengthOf = [](Point p) { return std::hypot(static_cast<long double>(p.x), p.y); };
   ASSERT_LE(lengthOf(slid), lengthOf(displacement) + 0.71L) << "longer by the rounding outwards at most";
   if (slid == Point()) {
-    ASSERT_LT(std::abs(along), 1.42L) << "less than a subunit along the longer axis was left";
+    ASSERT_LT(std::abs(along), 1.42L) << "shorter than a subunit along the dominant axis";
     return;
   }
   ASSERT_GT(along * slidAlong, 0.0L) << "forwards";
-  // At most a subunit is cut off along the longer axis, and the other one is rounded by less than one.
+  // Truncation removes less than a subunit along the dominant axis; the other axis is rounded by less than one.
   ASSERT_GE(std::abs(slidAlong), std::abs(along) - 2.13L);
 }
 
@@ -55,8 +55,8 @@ TEST(SlideTest, RoundsOutwardsAlongADiagonal) {
   EXPECT_EQ(slideAlong({0, -10}, {-1, 1}), Point(-5, -5));
   EXPECT_EQ(slideAlong({10, 0}, {1, 1}), Point(5, -5));
   EXPECT_EQ(slideAlong({10, 0}, {-1, 3}), Point(9, 3));
-  EXPECT_EQ(slideAlong({9, 0}, {-1, 3}), Point(8, 3)) << "8.1 and 2.7: cut, then rounded to the outer side";
-  EXPECT_EQ(slideAlong({9, 0}, {1, 3}), Point(8, -2)) << "on this side outwards is up, too";
+  EXPECT_EQ(slideAlong({9, 0}, {-1, 3}), Point(8, 3)) << "8.1 is truncated to 8, then y is rounded outwards";
+  EXPECT_EQ(slideAlong({9, 0}, {1, 3}), Point(8, -2)) << "outwards is upwards here, too";
 }
 
 TEST(SlideTest, IsZeroBelowASubunit) {
@@ -127,7 +127,7 @@ TEST(DominantStepTest, FollowsTheDominantAxis) {
   EXPECT_EQ(dominantStep({INT32_MIN, 1}), Point(-1, 0));
 }
 
-// A shape that touches a line and is to go `rest`, along it one way or the other.
+// A shape that touches a segment, and a displacement `rest` along it in either direction.
 struct Touching {
   Convex shape;
   Point position;

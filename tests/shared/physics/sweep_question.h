@@ -8,7 +8,7 @@
 
 namespace platon {
 
-/// One question to the sweep.
+/// The input of one sweep test.
 struct SweepQuestion {
   std::vector<Point> shape;
   Point position;

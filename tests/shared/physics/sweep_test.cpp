@@ -36,7 +36,7 @@ oracle::SweepTruth truthOf(const SweepQuestion& query) {
   return sweepTruth(question);
 }
 
-// Small numbers bring touching, tangential and coincident cases; large ones the bounds.
+// Small numbers produce touching, tangential and coincident cases, large ones the bounds.
 SweepQuestion randomQuery(sim::SeededRandom& random, int round) {
   const std::int32_t scale = round % 2 == 0 ? 6 : 2 << (round % 23);
   SweepQuestion query;
@@ -74,7 +74,7 @@ TEST(SweepTest, HitsASegmentHeadOn) {
   const auto hit = answer({square(10).vertices(), {0, 0}, {0, -40}, {{-50, -30}, {50, -30}}});
   ASSERT_TRUE(hit);
   EXPECT_EQ(hit->time, (Fraction{1, 2}));
-  EXPECT_EQ(hit->exit, (Fraction{1, 1})) << "still under way at the end";
+  EXPECT_EQ(hit->exit, (Fraction{1, 1})) << "the overlap lasts to the end";
   EXPECT_EQ(cross(hit->normal, Point(0, 1)), 0);
   EXPECT_GT(hit->normal.y, 0);
   EXPECT_EQ(hit->side, Hit::Side::kSegment);
@@ -235,7 +235,7 @@ TEST(SweepTest, HitsASegmentWhereItsPartsAreHit) {
   }
 }
 
-// Backwards the shape enters where it left and leaves where it entered.
+// The reversed sweep enters where the original exits, and exits where it enters.
 TEST(SweepTest, ReversedSweepsMirrorTheTimes) {
   forRandomQueries(20000, [](const SweepQuestion& query) {
     SweepQuestion reversed = query;
@@ -252,7 +252,8 @@ TEST(SweepTest, ReversedSweepsMirrorTheTimes) {
   });
 }
 
-// At each twelfth of the way the shape overlaps the line exactly when the time is between meeting and exit.
+// At each twelfth of the displacement, the shape overlaps the segment exactly when the time is between `time` and
+// `exit`.
 TEST(SweepTest, OverlapsOnlyBetweenTimeAndExit) {
   forRandomQueries(4000, [](const SweepQuestion& query) {
     constexpr std::int32_t parts = 12;
@@ -266,7 +267,7 @@ TEST(SweepTest, OverlapsOnlyBetweenTimeAndExit) {
           oracle::OpenArea::placed(shape, at).intersects({scaled(query.line.a), scaled(query.line.b)});
       const Fraction time{part, parts};
       const bool within = hit && time < hit->exit && (time > hit->time || hit->side == Hit::Side::kInside);
-      // Whether it still overlaps at the very end is told by no time.
+      // An exit of 1 does not say whether the shape overlaps at the end.
       if (part == parts && hit && hit->exit == Fraction{1, 1}) continue;
       ASSERT_EQ(overlaps, within) << textOf(query) << "part " << part;
     }
@@ -347,7 +348,8 @@ TEST(SweepTest, IsExactAtTheEndsOfTheRange) {
   const auto hit = answer({sliver, {kMax, -kMax}, {-2 * kMax, 2 * kMax}, {{-kMax, -kMax}, {kMax, kMax}}});
   ASSERT_TRUE(hit);
   EXPECT_LT(hit->time, (Fraction{1, 1}));
-  // A line that leaves the diagonal by one subunit over the whole range: at its ends it is 2^-30 off lattice points.
+  // A segment that deviates from the diagonal by one subunit over the whole range: near its ends it is 2^-30 subunits
+  // from lattice points.
   const std::vector<Point> above{{0, 0}, {1, 1}, {0, 1}};
   const Segment diagonal{{-kMax, -kMax}, {kMax, kMax - 1}};
   EXPECT_FALSE(answer({above, {-kMax, -kMax}, {}, diagonal}));

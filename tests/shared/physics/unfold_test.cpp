@@ -17,7 +17,7 @@ class UnfoldTest : public testing::Test {
 
 TEST_F(UnfoldTest, KeepsPlacesInThePart) { EXPECT_EQ(unfold(geometry_, {2, Point(3, 4)}, 2, Point(), 0), Point(3, 4)); }
 
-// Faces 0 to 3 of the hexahedron are a ring without any turn, 480 units each.
+// Faces 0 to 3 of the hexahedron form a ring without rotation; each is 480 units wide.
 TEST_F(UnfoldTest, UnfoldsNeighboursIntoThePlane) {
   EXPECT_EQ(unfold(geometry_, {1, Point(-200 * kUnit, 7)}, 0, Point(200 * kUnit, 0), 1), Point(280 * kUnit, 7));
   EXPECT_EQ(unfold(geometry_, {3, Point(200 * kUnit, 7)}, 0, Point(-200 * kUnit, 0), 1), Point(-280 * kUnit, 7));
@@ -34,7 +34,7 @@ TEST_F(UnfoldTest, CrossesAtMostMaxWarps) {
   EXPECT_EQ(unfold(geometry_, {2, Point()}, 0, Point(), 1), std::nullopt);
 }
 
-// There and back is where it was, for every pair of neighbours.
+// Unfolding back gives the original position, for every pair of neighbours.
 TEST_F(UnfoldTest, UnfoldingBackIsTheInverse) {
   for (const auto& part : geometry_.parts) {
     for (const Warp& warp : part->warps) {

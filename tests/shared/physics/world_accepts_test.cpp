@@ -13,7 +13,7 @@
 namespace platon {
 namespace {
 
-// An entity over the edge between the strips and one placed by hand in both.
+// One entity across the edge between the strips, and one inserted into both.
 class WorldAcceptsTest : public testing::Test {
  protected:
   WorldAcceptsTest() : world(twoStrips()) {
@@ -120,7 +120,7 @@ TEST_F(WorldAcceptsTest, RejectsUnconnectedInstances) {
   EXPECT_FALSE(acceptsWith([](WorldState& s) { s.instances[0].parent = 7; }));
   EXPECT_FALSE(acceptsWith([](WorldState& s) { s.instances[0].parent = s.instances[0].id; })) << "on itself";
   EXPECT_FALSE(acceptsWith([](WorldState& s) { s.instances[0].part = 1; })) << "its warp leads elsewhere";
-  EXPECT_FALSE(acceptsWith([](WorldState& s) { s.instances[0].angle = Angle(1); })) << "it turns otherwise";
+  EXPECT_FALSE(acceptsWith([](WorldState& s) { s.instances[0].angle = Angle(1); })) << "its warp has another turn";
   EXPECT_FALSE(acceptsWith([](WorldState& s) { s.entities[0].angle = Angle(1); }));
   EXPECT_FALSE(acceptsWith([](WorldState& s) {
     InstanceState second = s.instances[0];
@@ -131,7 +131,7 @@ TEST_F(WorldAcceptsTest, RejectsUnconnectedInstances) {
     s.instances[0].parent = 9;
     s.instances.insert(s.instances.begin() + 1, second);
     ++s.entities[0].instances;
-  })) << "a ring";
+  })) << "a cycle";
 }
 
 TEST_F(WorldAcceptsTest, AcceptsInstancesInAnyOrder) {
@@ -159,7 +159,6 @@ TEST_F(WorldAcceptsTest, RejectsAnglesAtWhichTheShapeIsDegenerate) {
   EXPECT_TRUE(acceptsWith([](WorldState& s) { s.entities[2].angle = Angle::degrees(90); }));
 }
 
-// Whatever is accepted can be stepped.
 TEST_F(WorldAcceptsTest, AcceptedStatesCanBeStepped) {
   constexpr std::uint64_t seed = 2024;
   sim::SeededRandom random(seed);

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::uint64_t kSeed = 77;
 
-// Two strips with random lines in them and a few entities under way.
+// Two strips with random segments and up to four entities.
 World busyWorld(std::uint64_t seed) {
   sim::SeededRandom random(seed);
   std::vector<Segment> first;
@@ -72,7 +72,7 @@ TEST(WorldTest, CopiesAreIndependent) {
   for (int tick = 0; tick < 50; ++tick) drive(copy, random);
   EXPECT_EQ(world, before);
   EXPECT_FALSE(copy == world);
-  EXPECT_EQ(&copy.geometry(), &world.geometry()) << "what never changes is shared";
+  EXPECT_EQ(&copy.geometry(), &world.geometry()) << "geometry is shared";
 }
 
 TEST(WorldTest, EqualCallsGiveEqualStates) {
@@ -129,7 +129,7 @@ TEST(WorldTest, MovedWorldsContinue) {
   EXPECT_EQ(moved, expected);
 }
 
-// Changes one integer of the state after another.
+// Calls `check` after changing each integer of the state in turn.
 template <class State>
 void forEachChange(State& state, const std::function<void(const char*)>& check) {
   State::visit(state, [&](const char* name, auto& field) {
@@ -193,7 +193,7 @@ TEST(WorldTest, AnEntityMayBeInSeveralPartsAtOnce) {
   EXPECT_EQ(views[1].position, Point(980, 550)) << "moves with home, turned";
   EXPECT_EQ(views[2].position, Point(1450, 20));
   world.solve();
-  EXPECT_EQ(entity.position(), Point(90, 40)) << "the line in part 2 stops all of them";
+  EXPECT_EQ(entity.position(), Point(90, 40)) << "the segment in part 2 stops all of them";
   EXPECT_EQ(world.view(0)[2].position, Point(1490, 40));
 }
 

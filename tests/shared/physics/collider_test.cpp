@@ -1,0 +1,118 @@
+#include "shared/physics/collider.h"
+
+#include <gtest/gtest.h>
+
+#include "platon/physics/map_part.h"
+#include "platon/physics/world.h"
+#include "tests/shared/physics/maps.h"
+#include "tests/shared/physics/recorded_rules.h"
+#include "tests/shared/physics/shapes.h"
+
+namespace platon {
+namespace {
+
+// A square of 20 by 20 at the origin of part 0, and a collider for it.
+class ColliderTest : public testing::Test {
+ protected:
+  void build(const std::vector<Segment>& segments) {
+    addPart(world_, 0, segments);
+    Entity entity(world_, square(10));
+    MapPart(world_, 0).insert(entity, {0, 0}, Angle());
+    instances_.load(world_.geometry(), shapes_, world_.shapeOf(0), world_.entities()[0], world_.instancesOf(0));
+    collider_.begin(rules_, entity, regions_);
+  }
+  const Placement& home() const { return instances_.home(); }
+
+  World world_;
+  RecordedRules rules_;
+  ShapeCache shapes_;
+  Instances instances_;
+  std::vector<Region> regions_;
+  Collider collider_;
+};
+
+TEST_F(ColliderTest, FindsTheEarliestHit) {
+  build({{{-100, -60}, {100, -60}}, {{-100, -30}, {100, -30}}, {{-100, 50}, {100, 50}}});
+  const auto hit = collider_.first(instances_, {0, 0}, {0, -80});
+  ASSERT_TRUE(hit);
+  EXPECT_EQ(hit->placement, 0u);
+  EXPECT_EQ(hit->segment, 1u);
+  EXPECT_EQ(hit->hit.time, (Fraction{1, 4}));
+  EXPECT_FALSE(collider_.first(instances_, {0, 0}, {0, -20})) << "it only touches";
+}
+
+TEST_F(ColliderTest, TheLowestIndexWinsAtEqualTimes) {
+  build({{{0, -30}, {100, -30}}, {{-100, -30}, {5, -30}}});
+  EXPECT_EQ(collider_.first(instances_, {0, 0}, {0, -80})->segment, 0u);
+}
+
+TEST_F(ColliderTest, SkipsTheIgnoredSegment) {
+  build({{{-100, -30}, {100, -30}}, {{-100, -60}, {100, -60}}});
+  const auto nearest = collider_.first(instances_, {0, 0}, {0, -80});
+  ASSERT_TRUE(nearest);
+  const auto next = collider_.first(instances_, {0, 0}, {0, -80}, &*nearest);
+  ASSERT_TRUE(next);
+  EXPECT_EQ(next->segment, 1u);
+}
+
+TEST_F(ColliderTest, RecordsPierceableSegmentsOnce) {
+  build({{{-100, -30}, {100, -30}}, {{-100, 40}, {100, 40}}});
+  rules_.pierceable = {{0, 0}, {0, 1}};
+  for (int i = 0; i < 3; ++i) EXPECT_FALSE(collider_.first(instances_, {0, 0}, {0, -80}));
+  ASSERT_EQ(collider_.pierced().size(), 1u);
+  EXPECT_EQ(collider_.pierced()[0], (Collider::Pierced{home().id, 0, 0}));
+}
+
+TEST_F(ColliderTest, TouchingPathsAndPositionsAreFree) {
+  build({{{-100, -10}, {100, -10}}, {{50, -100}, {50, 100}}});
+  EXPECT_TRUE(collider_.isFree(instances_, {0, 0}, {40, 0}));
+  EXPECT_FALSE(collider_.isFree(instances_, {0, 0}, {41, 0}));
+  EXPECT_TRUE(collider_.isFree(home(), {40, 0}, {40, 0}));
+  EXPECT_FALSE(collider_.isFree(home(), {41, 0}, {41, 0}));
+  EXPECT_FALSE(collider_.isFree(home(), {0, -1}, {0, -1}));
+}
+
+TEST_F(ColliderTest, FindsOverlappedSegments) {
+  build({{{12, -100}, {12, 100}}, {{11, -100}, {11, 100}}, {{0, 13}, {0, 13}}});
+  EXPECT_EQ(collider_.overlapped(home(), square(10)), std::nullopt);
+  EXPECT_EQ(collider_.overlapped(home(), square(12)), 1u);
+  EXPECT_EQ(collider_.overlapped(home(), square(20)), 0u);
+  rules_.pierceable = {{0, 0}, {0, 1}};
+  EXPECT_EQ(collider_.overlapped(home(), square(20)), 2u);
+}
+
+TEST_F(ColliderTest, ClipsAPathAgainstOneSegment) {
+  build({{{-100, -30}, {100, -30}}, {{500, 0}, {500, 9}}});
+  const auto interval = collider_.clip(home(), {{0, 0}, {0, -80}}, 0);
+  ASSERT_TRUE(interval);
+  EXPECT_EQ(interval->enter, (Fraction{1, 4}));
+  EXPECT_EQ(interval->exit, (Fraction{1, 2}));
+  EXPECT_FALSE(interval->endsInside);
+  EXPECT_FALSE(collider_.clip(home(), {{0, 0}, {0, -80}}, 1));
+  EXPECT_FALSE(collider_.clip(home(), {{0, 0}, {0, -20}}, 0));
+  EXPECT_TRUE(collider_.clip(home(), {{0, 0}, {0, -20}, 1}, 0)) << "with a margin";
+  EXPECT_EQ(collider_.hit(home(), {{0, 0}, {0, -80}}, 0)->side, Hit::Side::kSegment);
+}
+
+TEST_F(ColliderTest, FindsWarpsWithoutInstanceBehind) {
+  world_ = twoStrips();
+  Entity entity(world_, square(100));
+  MapPart(world_, 1).insert(entity, {0, 0}, Angle());
+  instances_.load(world_.geometry(), shapes_, world_.shapeOf(0), world_.entities()[0], world_.instancesOf(0));
+  collider_.begin(rules_, entity, regions_);
+  const Collider::Path path{{0, 0}, {1000, 0}, 4};
+  const auto find = [&](const std::vector<Collider::WarpRef>& refused) {
+    const auto stop = collider_.first(instances_, path.from, path.to);
+    return collider_.firstWarp(instances_, path, stop, refused);
+  };
+  const auto hit = find({});
+  ASSERT_TRUE(hit);
+  EXPECT_EQ(hit->segment, 0u);
+  EXPECT_EQ(hit->hit.time, (Fraction{896, 1000})) << "900 subunits less the margin";
+  EXPECT_FALSE(find({{0, 0}}));
+  EXPECT_FALSE(collider_.reachesWarp(instances_, {0, 0}, square(996), 4));
+  EXPECT_TRUE(collider_.reachesWarp(instances_, {0, 0}, square(997), 4));
+}
+
+}  // namespace
+}  // namespace platon
