@@ -17,7 +17,8 @@ Box clamped(const Box& box) {
   return {{clamped(box.low.x), clamped(box.low.y)}, {clamped(box.high.x), clamped(box.high.y)}};
 }
 
-// Adds half the size of the box on every side: a mover at constant speed then refills its region every few steps only.
+// Adds half the size of the box on every side: an entity at constant speed then refills its region every few steps
+// only.
 Box widened(const Box& box) {
   const std::int64_t marginX = (std::int64_t{box.high.x} - box.low.x) / 2;
   const std::int64_t marginY = (std::int64_t{box.high.y} - box.low.y) / 2;

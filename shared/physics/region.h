@@ -17,7 +17,7 @@ namespace platon {
 class Region {
  public:
   /// Ensures that the region contains every segment that touches `box`. The covered area is larger than `box`, so that
-  /// a mover stays inside it for several steps.
+  /// an entity stays inside it for several steps.
   void cover(const MapGeometry& part, const Box& box) {
     if (part_ != &part || !covered_.contains(box)) refill(part, box);
   }

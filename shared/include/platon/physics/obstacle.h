@@ -61,7 +61,7 @@ class Obstacle {
   void setSeparatingHint(std::size_t halfPlane) { separatingHint_ = halfPlane; }
 
   /// Indices, ascending, of all half planes that do not contain the whole box `positions`. May include others. Cached
-  /// for a larger box, so that consecutive steps of a mover do not recompute it.
+  /// for a larger box, so that consecutive steps of an entity do not recompute it.
   std::span<const std::uint32_t> relevantHalfPlanes(const Box& positions) {
     if (!relevantBox_.contains(positions)) findRelevant(positions);
     return relevant_;
