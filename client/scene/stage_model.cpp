@@ -30,7 +30,7 @@ void addOverEdges(StageModel& stage, int face, glm::dvec2 a, glm::dvec2 b) {
 }
 
 void addRibbons(StageModel& stage, const Level& level, int face) {
-  for (const Segment& segment : level.lines[static_cast<std::size_t>(face)]) {
+  for (const Segment& segment : level.segments[static_cast<std::size_t>(face)]) {
     const glm::dvec2 a = toUnits(segment.a);
     const glm::dvec2 b = toUnits(segment.b);
     stage.faces[static_cast<std::size_t>(face)].ribbons.push_back({a, b});

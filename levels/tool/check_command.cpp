@@ -14,35 +14,36 @@ namespace {
 constexpr int kCannotRead = 2;
 constexpr int kInvalidLevel = 3;
 
-struct Checked {
+struct CheckedLevel {
   std::string file;
   LevelResult result;
 };
 
-const char* severity(const Diagnostic& found) { return found.error ? "error" : "warning"; }
+const char* severity(const Diagnostic& diagnostic) { return diagnostic.error ? "error" : "warning"; }
 
-std::size_t errorsOf(const Checked& checked) {
-  const auto& found = checked.result.diagnostics;
-  return static_cast<std::size_t>(std::count_if(found.begin(), found.end(), [](const auto& one) { return one.error; }));
+std::size_t errorsOf(const CheckedLevel& checked) {
+  const auto& all = checked.result.diagnostics;
+  return static_cast<std::size_t>(std::count_if(all.begin(), all.end(), [](const auto& one) { return one.error; }));
 }
 
 std::size_t linesOf(const Level& level) {
   std::size_t lines = 0;
-  for (const auto& face : level.lines) lines += face.size();
+  for (const auto& face : level.segments) lines += face.size();
   return lines;
 }
 
-void printDiagnostics(const Checked& checked) {
-  for (const Diagnostic& found : checked.result.diagnostics) {
-    std::fprintf(stderr, "%s\n", format(checked.file, found).c_str());
+void printDiagnostics(const CheckedLevel& checked) {
+  for (const Diagnostic& diagnostic : checked.result.diagnostics) {
+    std::fprintf(stderr, "%s\n", format(checked.file, diagnostic).c_str());
   }
 }
 
+// "1 line", "2 lines".
 std::string counted(std::size_t count, const std::string& noun) {
   return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
-std::string verdict(const Checked& checked) {
+std::string resultLine(const CheckedLevel& checked) {
   const std::size_t errors = errorsOf(checked);
   const std::size_t warnings = checked.result.diagnostics.size() - errors;
   const std::string tail = warnings == 0 ? "" : ", " + counted(warnings, "warning");
@@ -51,9 +52,10 @@ std::string verdict(const Checked& checked) {
   return checked.file + ": ok, " + std::string(nameOf(level.solid)) + ", " + counted(linesOf(level), "line") + tail;
 }
 
-std::string jsonOf(const Diagnostic& found) {
-  return "{\"line\":" + std::to_string(found.line) + ",\"column\":" + std::to_string(found.column) +
-         ",\"severity\":\"" + std::string(severity(found)) + "\",\"message\":" + jsonText(found.message) + "}";
+std::string jsonOf(const Diagnostic& diagnostic) {
+  return "{\"line\":" + std::to_string(diagnostic.line) + ",\"column\":" + std::to_string(diagnostic.column) +
+         ",\"severity\":\"" + std::string(severity(diagnostic)) + "\",\"message\":" + jsonText(diagnostic.message) +
+         "}";
 }
 
 std::string jsonOf(const Level& level) {
@@ -62,28 +64,28 @@ std::string jsonOf(const Level& level) {
          ",\"author\":" + jsonText(level.author);
 }
 
-std::string jsonOf(const Checked& checked) {
+std::string jsonOf(const CheckedLevel& checked) {
   const LevelResult& result = checked.result;
   std::string json = "{\"file\":" + jsonText(checked.file) + ",\"ok\":" + (result.level ? "true" : "false");
   if (result.level) json += jsonOf(*result.level);
   json += ",\"diagnostics\":[";
-  for (const Diagnostic& found : result.diagnostics) {
-    if (&found != &result.diagnostics.front()) json += ",";
-    json += jsonOf(found);
+  for (const Diagnostic& diagnostic : result.diagnostics) {
+    if (&diagnostic != &result.diagnostics.front()) json += ",";
+    json += jsonOf(diagnostic);
   }
   return json + "]}";
 }
 
-void printJson(const std::vector<Checked>& all) {
+void printJson(const std::vector<CheckedLevel>& all) {
   std::string json = "{\"levels\":[";
-  for (const Checked& checked : all) json += (&checked == &all.front() ? "" : ",") + jsonOf(checked);
+  for (const CheckedLevel& checked : all) json += (&checked == &all.front() ? "" : ",") + jsonOf(checked);
   std::puts((json + "]}").c_str());
 }
 
 }  // namespace
 
 int checkLevels(const std::vector<std::string>& files, bool json) {
-  std::vector<Checked> all;
+  std::vector<CheckedLevel> all;
   bool unreadable = false;
   for (const std::string& file : files) {
     std::string fault;
@@ -95,12 +97,12 @@ int checkLevels(const std::vector<std::string>& files, bool json) {
     }
     all.push_back({file, loadLevel(*text)});
     printDiagnostics(all.back());
-    if (!json) std::puts(verdict(all.back()).c_str());
+    if (!json) std::puts(resultLine(all.back()).c_str());
   }
   if (json) printJson(all);
   if (unreadable) return kCannotRead;
-  const bool good = std::all_of(all.begin(), all.end(), [](const Checked& one) { return one.result.level != nullptr; });
-  return good ? 0 : kInvalidLevel;
+  const bool valid = std::all_of(all.begin(), all.end(), [](const auto& one) { return one.result.level != nullptr; });
+  return valid ? 0 : kInvalidLevel;
 }
 
 }  // namespace platon

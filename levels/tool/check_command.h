@@ -5,8 +5,9 @@
 
 namespace platon {
 
-/// Checks level files: every error and warning goes to stderr as `file:line:column: error: …`, the result to stdout,
-/// with `json` as one JSON object. Returns the exit code: 0, 3 when a level has an error, 2 when a file cannot be read.
+/// Checks level files. Prints every error and warning to stderr as `file:line:column: error: …`, and the result to
+/// stdout: a line per file, or one JSON object with `json`. Returns the exit code: 0, 2 when a file cannot be read, 3
+/// when a level has an error.
 int checkLevels(const std::vector<std::string>& files, bool json);
 
 }  // namespace platon

@@ -5,8 +5,8 @@
 
 namespace platon {
 
-/// `text` as a JSON string, quotes included. Bytes that are no printable ASCII are written as they are when they are
-/// part of valid UTF-8, which is the caller's care; control bytes are escaped.
+/// `text`, which must be valid UTF-8, as a JSON string with its quotes. Escapes quotes, backslashes and the control
+/// characters below U+0020.
 std::string jsonText(std::string_view text);
 
 }  // namespace platon

@@ -5,8 +5,8 @@
 
 namespace platon {
 
-/// The content of a level file. Of a file that is too long for a level as much as shows that it is. Nothing when the
-/// file cannot be read; then `fault` says why.
+/// Returns the content of a level file, at most kMaxLevelBytes + 1 bytes of it. Returns nothing and sets `fault` when
+/// the file cannot be read.
 std::optional<std::string> readLevelFile(const std::string& path, std::string& fault);
 
 }  // namespace platon

@@ -14,15 +14,15 @@ constexpr int kFailed = 1;
 constexpr int kUsage = 2;
 
 int run(int argc, char** argv) {
-  CLI::App app("Checks levels of Platon. Their format is in docs/level_format.md.", "platon-level");
+  CLI::App app("Checks Platon levels. docs/level_format.md describes the format.", "platon-level");
   app.set_version_flag("--version", "platon-level " + std::string(platon::kVersion));
   app.require_subcommand(1);
 
   std::vector<std::string> files;
   bool json = false;
-  CLI::App* check = app.add_subcommand("check", "Report all errors and warnings of level files");
+  CLI::App* check = app.add_subcommand("check", "Print all errors and warnings of level files");
   check->add_option("FILE", files, "Level files")->required();
-  check->add_flag("--json", json, "Print one JSON object on stdout");
+  check->add_flag("--json", json, "Print one JSON object to stdout");
 
   try {
     app.parse(argc, argv);

@@ -6,9 +6,9 @@
 
 namespace platon {
 
-std::string format(std::string_view file, const Diagnostic& found) {
-  return std::string(file) + ":" + std::to_string(found.line) + ":" + std::to_string(found.column) +
-         (found.error ? ": error: " : ": warning: ") + found.message;
+std::string format(std::string_view file, const Diagnostic& diagnostic) {
+  return std::string(file) + ":" + std::to_string(diagnostic.line) + ":" + std::to_string(diagnostic.column) +
+         (diagnostic.error ? ": error: " : ": warning: ") + diagnostic.message;
 }
 
 void Diagnostics::add(TextPosition at, bool error, std::string message) {
@@ -26,7 +26,7 @@ std::vector<Diagnostic> Diagnostics::take() {
   });
   if (full_) {
     const Diagnostic last = found_.back();
-    found_.push_back({last.line, last.column, hasError_, "more faults follow, which are not listed: mend these first"});
+    found_.push_back({last.line, last.column, hasError_, "too many errors; fix these first"});
   }
   return std::move(found_);
 }

@@ -7,7 +7,7 @@
 namespace platon {
 namespace {
 
-// Parameter of a point between two ends, numerator / denominator in [0, 1].
+// Position of a point on a line: 0 at its first end, 1 at its last. numerator / denominator is in [0, 1].
 struct Parameter {
   int128 numerator;
   int128 denominator;
@@ -28,7 +28,7 @@ Point pointAt(FinePoint a, FinePoint b, Parameter at) {
   return {along(a.x, b.x), along(a.y, b.y)};
 }
 
-// A normal is the difference of two corners, a coordinate is at most 2^17 units = 625 * 2^27 fine: below 2^64.
+// Below 2^64: a normal is the difference of two corners, and a coordinate is at most 2^17 units, 625 * 2^27 fine.
 int128 dotFine(Point normal, FinePoint point) { return int128{normal.x} * point.x + int128{normal.y} * point.y; }
 
 }  // namespace
@@ -51,13 +51,13 @@ bool FaceArea::contains(Point point) const {
                      [&](const Side& side) { return dot(side.outward, point) <= side.support; });
 }
 
-bool FaceArea::reaches(Point point) const {
+bool FaceArea::containsWithinSubunit(Point point) const {
   return std::all_of(sides_.begin(), sides_.end(),
                      [&](const Side& side) { return dot(side.outward, point) <= side.support + side.subunit; });
 }
 
-// The distances that are compared belong to lines that cross the side. With corners and ends bounded as above they
-// are below 10^19, the denominators below 1.6 * 10^19, so that their products stay below 2^127.
+// Clips a–b at every side (Cyrus–Beck); `grown` moves the sides one subunit outwards. The numerators compared are below
+// 10^19 and the denominators below 1.6 * 10^19, so that their products stay below 2^127.
 std::optional<FaceArea::Range> FaceArea::clip(FinePoint a, FinePoint b, bool grown) const {
   Range range;
   for (const Side& side : sides_) {
@@ -72,19 +72,20 @@ std::optional<FaceArea::Range> FaceArea::clip(FinePoint a, FinePoint b, bool gro
   return range;
 }
 
-// Only ends beside a slanted edge need it; of the lattice points on the face's side one is never farther than this.
-Point FaceArea::settle(Point nearest) const {
-  if (reaches(nearest)) return nearest;
+// The lattice point nearest to `point` that is at most one subunit outside. Differs from `point` only beside a slanted
+// edge; such a point always exists within 2 subunits.
+Point FaceArea::nearestInside(Point point) const {
+  if (containsWithinSubunit(point)) return point;
   constexpr std::int32_t window = 2;
   std::optional<Point> best;
   for (std::int32_t dy = -window; dy <= window; ++dy) {
     for (std::int32_t dx = -window; dx <= window; ++dx) {
       const Point step(dx, dy);
-      if (!reaches(nearest + step)) continue;
+      if (!containsWithinSubunit(point + step)) continue;
       if (!best || squaredLength(step) < squaredLength(*best)) best = step;
     }
   }
-  return best ? nearest + *best : nearest;
+  return best ? point + *best : point;
 }
 
 std::optional<Segment> FaceArea::cut(FinePoint a, FinePoint b) const {
@@ -95,8 +96,8 @@ std::optional<Segment> FaceArea::cut(FinePoint a, FinePoint b) const {
   if (!range) return std::nullopt;
   const Point first = roundFine(a);
   const Point last = roundFine(b);
-  return Segment{reaches(first) ? first : settle(pointAt(a, b, range->first)),
-                 reaches(last) ? last : settle(pointAt(a, b, range->last))};
+  return Segment{containsWithinSubunit(first) ? first : nearestInside(pointAt(a, b, range->first)),
+                 containsWithinSubunit(last) ? last : nearestInside(pointAt(a, b, range->last))};
 }
 
 }  // namespace platon

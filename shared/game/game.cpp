@@ -12,7 +12,7 @@
 namespace platon {
 namespace {
 
-// Hands what the world reports to the player that it happened to.
+// Passes each contact to the player that has it.
 class GameRules : public Rules {
  public:
   GameRules(World& world, std::vector<PlayerState>& players, UnitNormals& unitNormals)
@@ -30,8 +30,8 @@ class GameRules : public Rules {
   World& world_;
   std::vector<PlayerState>& players_;
   UnitNormals& unitNormals_;
-  std::uint32_t moved_ = ~std::uint32_t{0};  // the world moves one after the other
-  Point steep_;                              // of the player being moved
+  std::uint32_t moved_ = ~std::uint32_t{0};  // slot being moved: the world moves one entity after the other
+  Point steep_;                              // normal of its last contact that was too steep to be ground
 };
 
 }  // namespace
@@ -42,7 +42,7 @@ Game::Game(std::shared_ptr<const Level> level) : level_(std::move(level)), world
 
 void Game::advance(std::span<const Input> inputs, StepObserver* observer) {
   assert(inputs.size() <= kMaxPlayers);
-  admit(inputs);
+  addAndRemovePlayers(inputs);
   for (std::uint32_t slot = 0; slot < players_.size(); ++slot) {
     if (players_[slot].present == 0) continue;
     const Input input = inputs[slot];
@@ -53,21 +53,21 @@ void Game::advance(std::span<const Input> inputs, StepObserver* observer) {
   GameRules rules(world_, players_, unitNormals_);
   world_.solve(rules, observer);
   ++tick_;
-  judge();
+  updateFinishes();
 }
 
 std::uint32_t Game::ticksLeft() const { return tick_ < kRoundTicks ? kRoundTicks - tick_ : 0; }
 
-void Game::admit(std::span<const Input> inputs) {
+void Game::addAndRemovePlayers(std::span<const Input> inputs) {
   for (std::uint32_t slot = 0; slot < std::max(inputs.size(), players_.size()); ++slot) {
     const bool wanted = slot < inputs.size() && inputs[slot].has(Input::kPresent);
     const bool present = slot < players_.size() && players_[slot].present != 0;
-    if (wanted && !present) enter(slot);
-    if (!wanted && present) leave(slot);
+    if (wanted && !present) addPlayer(slot);
+    if (!wanted && present) removePlayer(slot);
   }
 }
 
-void Game::enter(std::uint32_t slot) {
+void Game::addPlayer(std::uint32_t slot) {
   while (players_.size() <= slot) {
     Entity(world_, playerShape());
     players_.emplace_back();
@@ -77,7 +77,7 @@ void Game::enter(std::uint32_t slot) {
   spawn(slot);
 }
 
-// Loading made sure that the start is free.
+// The insertion cannot fail: loadLevel has checked that the start is free.
 void Game::spawn(std::uint32_t slot) {
   PlayerState& player = players_[slot];
   player.velocity = player.ground = {};
@@ -87,12 +87,12 @@ void Game::spawn(std::uint32_t slot) {
   MapPart(world_, level_->startFace).insert(entity, level_->start, level_->startAngle);
 }
 
-void Game::leave(std::uint32_t slot) {
+void Game::removePlayer(std::uint32_t slot) {
   world_.remove(slot);
   players_[slot] = {};
 }
 
-void Game::judge() {
+void Game::updateFinishes() {
   std::uint32_t present = 0;
   std::uint32_t finished = 0;
   for (std::uint32_t slot = 0; slot < players_.size(); ++slot) {
@@ -108,26 +108,27 @@ void Game::judge() {
   if ((present != 0 && finished == present) || tick_ >= kRoundTicks) over_ = 1;
 }
 
-// With any instance: the goal may lie just behind an edge.
+// Checks every instance, because the goal may lie just behind an edge.
 bool Game::touchesGoal(std::uint32_t slot) {
   const EntityState& entity = world_.entities()[slot];
-  if (entity.part == level_->goalFace && coversGoal(slot, entity.position, entity.angle)) return true;
+  if (entity.part == level_->goalFace && containsGoal(slot, entity.position, entity.angle)) return true;
   if (entity.instances == 0) return false;
   const auto instances = world_.instancesOf(slot);
   return std::any_of(instances.begin(), instances.end(), [&](const InstanceState& instance) {
-    return instance.part == level_->goalFace && coversGoal(slot, world_.positionOf(slot, instance), instance.angle);
+    return instance.part == level_->goalFace && containsGoal(slot, world_.positionOf(slot, instance), instance.angle);
   });
 }
 
-bool Game::coversGoal(std::uint32_t slot, Point position, Angle angle) {
+bool Game::containsGoal(std::uint32_t slot, Point position, Angle angle) {
   const Point distance = level_->goal - position;
-  if (squaredLength(distance) > squaredLength(Point(kPlayerRadius + 1, 0))) return false;  // + 1: rounded vertices
+  constexpr std::int32_t reach = kPlayerRadius + 1;  // vertices are rounded
+  if (squaredLength(distance) > squaredLength(Point(reach, 0))) return false;
   const Convex* shape = world_.turnedShapeOf(slot, angle);
   goalSweep_.start(*shape, position, {});
   return goalSweep_.against({level_->goal, level_->goal}).has_value();
 }
 
-// Everything besides level and world, by name, in the order in which it is hashed and saved.
+// Visits every field besides level and world by name, in the order in which they are hashed and saved.
 template <class Self, class Visitor>
 void Game::visit(Self& self, Visitor&& visitor) {
   visitor("tick", self.tick_);
@@ -166,7 +167,7 @@ bool Game::restore(std::span<const std::uint8_t> bytes) {
     EntityState::visit(entity, read);
     instances += entity.instances;
   }
-  if (!reader.sound() || instances > reader.left()) return false;
+  if (!reader.ok() || instances > reader.remaining()) return false;
   state.instances.resize(instances);
   for (InstanceState& instance : state.instances) InstanceState::visit(instance, read);
   Game restored(level_);
@@ -180,7 +181,7 @@ bool Game::restore(std::span<const std::uint8_t> bytes) {
   return true;
 }
 
-// Of `state`, whether it fits the players that stand beside it.
+// True when `state` is valid for this level and fits players_.
 bool Game::accepts(const WorldState& state) const {
   if (over_ > 1 || !world_.accepts(state)) return false;
   for (std::size_t slot = 0; slot < players_.size(); ++slot) {

@@ -11,10 +11,10 @@ namespace {
 
 void checkStart(const World& stage, const LevelPlace& start, Diagnostics& diagnostics) {
   if (isFreeForPlayer(stage, start.face, start.point, start.angle)) return;
-  diagnostics.error(start.at, "the start is not free: a line or a corner overlaps the player there");
+  diagnostics.error(start.at, "the start is blocked: a line or a corner overlaps the player there");
 }
 
-// The draft is complete.
+// `draft` is complete: reading it has reported no error.
 std::shared_ptr<const Level> makeLevel(LevelDraft draft, World stage, std::string_view text) {
   auto level = std::make_shared<Level>();
   level->solid = *draft.solid;
@@ -24,7 +24,7 @@ std::shared_ptr<const Level> makeLevel(LevelDraft draft, World stage, std::strin
   level->startAngle = draft.start->angle;
   level->goalFace = draft.goal->face;
   level->goal = draft.goal->point;
-  level->lines = std::move(draft.lines);
+  level->segments = std::move(draft.segments);
   level->title = std::move(draft.title);
   level->author = std::move(draft.author);
   level->text = text;
@@ -34,7 +34,7 @@ std::shared_ptr<const Level> makeLevel(LevelDraft draft, World stage, std::strin
 }
 
 LevelResult tooLong() {
-  return {nullptr, {{1, 1, true, "the text has more than " + std::to_string(kMaxLevelBytes) + " bytes"}}};
+  return {nullptr, {{1, 1, true, "the level file is longer than " + std::to_string(kMaxLevelBytes) + " bytes"}}};
 }
 
 }  // namespace
@@ -45,7 +45,7 @@ LevelResult loadLevel(std::string_view text) {
   LevelDraft draft = LevelReader(text, diagnostics).read();
   World stage;
   if (draft.solid && draft.faceSize && draft.start) {
-    stage = buildStage(*draft.solid, *draft.faceSize, draft.lines);
+    stage = buildStage(*draft.solid, *draft.faceSize, draft.segments);
     checkStart(stage, *draft.start, diagnostics);
   }
   LevelResult result;

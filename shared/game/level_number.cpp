@@ -12,7 +12,7 @@ bool allDigits(std::string_view text) {
   return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-// `value` with the digits appended; stays where it is once it is beyond any limit, so that it cannot overflow.
+// `value` with decimal digits appended. Stops growing beyond 2^40, above every limit, so that it cannot overflow.
 std::int64_t append(std::int64_t value, std::string_view digits) {
   constexpr std::int64_t beyond = std::int64_t{1} << 40;
   for (const char digit : digits) {

@@ -8,8 +8,8 @@
 namespace platon {
 namespace {
 
-constexpr std::string_view kHeaderNames[] = {"the solid, such as HEXAHEDRON", "the start: face x y degrees",
-                                             "the goal: face x y", "the face size"};
+constexpr std::string_view kHeaderNames[] = {"the solid, such as HEXAHEDRON", "the start (face x y degrees)",
+                                             "the goal (face x y)", "the face size"};
 
 bool isFaceMark(const LevelToken& token) { return token.text == "%"; }
 
@@ -33,7 +33,7 @@ FinePoint finePoint(const LevelNumber& x, const LevelNumber& y) {
 
 bool isPoint(FinePoint a, FinePoint b) { return a.x == b.x && a.y == b.y; }
 
-// What a line outside the face leaves where it touches the edge. `segment` is the part of a–b on the face.
+// True when a longer line a–b only touches the face. `segment` is its part on the face.
 bool isTouch(FinePoint a, FinePoint b, const Segment& segment) {
   constexpr std::int64_t longest = 2;
   constexpr std::int64_t longestFine = (longest + 1) * FinePoint::kPerSubunit;
@@ -42,14 +42,14 @@ bool isTouch(FinePoint a, FinePoint b, const Segment& segment) {
 }
 
 bool insidePost(const Post& post, const Segment& line) {
-  // The cut goes clockwise round the corner, which lies on its right.
+  // The cut runs clockwise about the corner, so that the corner is on its right.
   const Point along = post.cut.b - post.cut.a;
   return cross(along, line.a - post.cut.a) <= 0 && cross(along, line.b - post.cut.a) <= 0;
 }
 
 }  // namespace
 
-// One number of a line: what it is called in messages and what it may be.
+// A number of a line: its name in messages and its range.
 struct LevelReader::Field {
   std::string_view name;
   std::int64_t low;
@@ -70,7 +70,7 @@ LevelDraft LevelReader::read() {
 
 void LevelReader::readLine(const LevelLine& line) {
   if (header_ == 0) readComment(line);
-  if (line.broken) {
+  if (line.invalid) {
     if (header_ < kHeaderLines) ++header_;
     return;
   }
@@ -92,10 +92,10 @@ void LevelReader::readName(const LevelLine& line, std::string_view key, std::str
   const std::string_view value = trimmed(content.substr(key.size()));
   const TextPosition at{line.number, line.commentColumn};
   if (!name.empty()) {
-    diagnostics_->error(at, "a second '" + std::string(key) + "': give it once");
-  } else if (value.size() > kLongestName) {
+    diagnostics_->error(at, "second '" + std::string(key) + "': remove one of them");
+  } else if (value.size() > kMaxNameBytes) {
     diagnostics_->error(at, "'" + std::string(key) + "' has " + std::to_string(value.size()) + " bytes: at most " +
-                                std::to_string(kLongestName) + " are allowed");
+                                std::to_string(kMaxNameBytes) + " are allowed");
   } else {
     name = value;
   }
@@ -107,10 +107,10 @@ void LevelReader::readHeader(const LevelLine& line) {
     case 0:
       return readSolid(line);
     case 1:
-      draft_.start = readPlace(line, "the start is: face x y degrees", start);
+      draft_.start = readPlace(line, "the start is 'face x y degrees'", start);
       return;
     case 2:
-      draft_.goal = readPlace(line, "the goal is: face x y", std::span(start).first(3));
+      draft_.goal = readPlace(line, "the goal is 'face x y'", std::span(start).first(3));
       return;
     default:
       return readFaceSize(line);
@@ -123,13 +123,13 @@ void LevelReader::readSolid(const LevelLine& line) {
   if (!draft_.solid) {
     diagnostics_->error({line.number, name.column},
                         "unknown solid " + quoted(name.text) +
-                            ": it is TETRAHEDRON, HEXAHEDRON, OCTAHEDRON, DODECAHEDRON or ICOSAHEDRON");
+                            ": use TETRAHEDRON, HEXAHEDRON, OCTAHEDRON, DODECAHEDRON or ICOSAHEDRON");
     return;
   }
-  draft_.lines.resize(static_cast<std::size_t>(PlatonicSolid::of(*draft_.solid).faces()));
+  draft_.segments.resize(static_cast<std::size_t>(PlatonicSolid::of(*draft_.solid).faces()));
   if (line.tokens.size() > 1) {
     diagnostics_->error({line.number, line.tokens[1].column},
-                        "the solid stands alone on its line: take " + quoted(line.tokens[1].text) + " away");
+                        "unexpected " + quoted(line.tokens[1].text) + " after the solid: remove it");
   }
 }
 
@@ -164,20 +164,20 @@ void LevelReader::readFaceMark(const LevelLine& line) {
   const TextPosition at{line.number, line.tokens[0].column};
   reportMissingHeader(at);
   ++faces_;
-  const std::size_t most = draft_.lines.size();
+  const std::size_t most = draft_.segments.size();
   if (draft_.solid && faces_ > most) {
-    diagnostics_->error(at, "one '%' too many: this is number " + std::to_string(faces_) + ", but the solid has " +
+    diagnostics_->error(at, "too many '%': this is number " + std::to_string(faces_) + ", but the solid has " +
                                 std::to_string(most) + " faces");
   }
   if (line.tokens.size() > 1) {
     diagnostics_->error({line.number, line.tokens[1].column},
-                        "'%' stands alone on its line: move " + quoted(line.tokens[1].text) + " to the next");
+                        "unexpected " + quoted(line.tokens[1].text) + " after '%': move it to the next line");
   }
 }
 
 void LevelReader::reportMissingHeader(TextPosition at) {
   for (; header_ < kHeaderLines; ++header_) {
-    diagnostics_->error(at, "a line is missing before this: " + std::string(kHeaderNames[header_]));
+    diagnostics_->error(at, "missing line: " + std::string(kHeaderNames[header_]));
   }
 }
 
@@ -185,36 +185,36 @@ void LevelReader::readSegment(const LevelLine& line) {
   static constexpr std::array<Field, 4> fields = {Field::coordinate("x0"), Field::coordinate("y0"),
                                                   Field::coordinate("x1"), Field::coordinate("y1")};
   std::array<LevelNumber, 4> numbers;
-  const bool good = readFields(line, "a line is: x0 y0 x1 y1", fields, numbers);
+  const bool good = readFields(line, "a line is 'x0 y0 x1 y1'", fields, numbers);
   const TextPosition at{line.number, line.tokens[0].column};
   if (segments_++ == 0 && faces_ == 0) {
-    diagnostics_->error(at, "a line before the first '%': every face begins with a '%'");
+    diagnostics_->error(at, "line before the first '%': every face begins with a '%'");
   }
   if (segments_ == kMaxLines + 1) {
-    diagnostics_->error(at, "more than " + std::to_string(kMaxLines) + " lines: take some away");
+    diagnostics_->error(at, "more than " + std::to_string(kMaxLines) + " lines: remove some");
   }
   if (good && segments_ <= kMaxLines) addSegment(line, numbers);
 }
 
 void LevelReader::addSegment(const LevelLine& line, std::span<const LevelNumber> numbers) {
-  if (!area_ || faces_ == 0 || faces_ > draft_.lines.size()) return;
+  if (!area_ || faces_ == 0 || faces_ > draft_.segments.size()) return;
   const TextPosition at{line.number, line.tokens[0].column};
   const FinePoint a = finePoint(numbers[0], numbers[1]);
   const FinePoint b = finePoint(numbers[2], numbers[3]);
   const auto segment = area_->cut(a, b);
   if (!segment) {
-    diagnostics_->error(at, "the line lies wholly outside its face");
+    diagnostics_->error(at, "the line is outside its face");
     return;
   }
   if (isPoint(a, b)) {
-    diagnostics_->warning(at, "a line without length: it blocks as a point");
+    diagnostics_->warning(at, "the line has no length: it blocks as a point");
   } else if (isTouch(a, b, *segment)) {
-    diagnostics_->warning(at, "hardly anything of the line is on its face");
+    diagnostics_->warning(at, "the line only touches its face");
   }
   if (std::any_of(posts_.begin(), posts_.end(), [&](const Post& post) { return insidePost(post, *segment); })) {
-    diagnostics_->warning(at, "the line lies wholly in a corner of its face, which is blocked already");
+    diagnostics_->warning(at, "the line has no effect: it is in a corner of its face, which blocks already");
   }
-  draft_.lines[faces_ - 1].push_back(*segment);
+  draft_.segments[faces_ - 1].push_back(*segment);
   placed_.push_back({faces_ - 1, *segment, at});
 }
 
@@ -226,10 +226,10 @@ bool LevelReader::readFields(const LevelLine& line, std::string_view what, std::
   }
   if (line.tokens.size() < fields.size()) {
     diagnostics_->error({line.number, line.end},
-                        std::string(what) + "; " + std::string(fields[line.tokens.size()].name) + " is missing");
+                        "missing " + std::string(fields[line.tokens.size()].name) + ": " + std::string(what));
   } else if (line.tokens.size() > fields.size()) {
     const LevelToken& extra = line.tokens[fields.size()];
-    diagnostics_->error({line.number, extra.column}, std::string(what) + "; " + quoted(extra.text) + " is too much");
+    diagnostics_->error({line.number, extra.column}, "unexpected " + quoted(extra.text) + ": " + std::string(what));
   }
   return good && line.tokens.size() == fields.size();
 }
@@ -259,35 +259,36 @@ bool LevelReader::readField(const LevelLine& line, std::size_t index, const Fiel
 
 void LevelReader::checkInside(std::optional<LevelPlace>& place, std::string_view what) {
   if (!place || !area_ || area_->contains(place->point)) return;
-  diagnostics_->error(place->at, std::string(what) + " lies outside its face");
+  diagnostics_->error(place->at, std::string(what) + " is outside its face");
   place.reset();
 }
 
-void LevelReader::warnOfRepeats() {
-  const auto key = [](const Placed& placed) {
+void LevelReader::warnOfDuplicates() {
+  const auto key = [](const PlacedSegment& placed) {
     const auto [a, b] = placed.segment;
     const bool swapped = std::tie(b.x, b.y) < std::tie(a.x, a.y);
     const Point first = swapped ? b : a;
     const Point last = swapped ? a : b;
     return std::tuple(placed.face, first.x, first.y, last.x, last.y);
   };
-  std::stable_sort(placed_.begin(), placed_.end(), [&](const Placed& a, const Placed& b) { return key(a) < key(b); });
+  std::stable_sort(placed_.begin(), placed_.end(),
+                   [&](const PlacedSegment& a, const PlacedSegment& b) { return key(a) < key(b); });
   for (std::size_t i = 1; i < placed_.size(); ++i) {
     if (key(placed_[i - 1]) != key(placed_[i])) continue;
-    diagnostics_->warning(placed_[i].at, "the same line as in line " + std::to_string(placed_[i - 1].at.line));
+    diagnostics_->warning(placed_[i].at, "duplicate of line " + std::to_string(placed_[i - 1].at.line));
   }
 }
 
 void LevelReader::finish() {
   const TextPosition end{text_.lines(), text_.endOfLine()};
   reportMissingHeader(end);
-  if (draft_.solid && faces_ < draft_.lines.size()) {
-    diagnostics_->error(end, "the text ends after " + std::to_string(faces_) + " of " +
-                                 std::to_string(draft_.lines.size()) + " faces: each needs a '%'");
+  if (draft_.solid && faces_ < draft_.segments.size()) {
+    diagnostics_->error(end, "the level ends after " + std::to_string(faces_) + " of " +
+                                 std::to_string(draft_.segments.size()) + " faces: each begins with a '%'");
   }
   checkInside(draft_.start, "the start");
   checkInside(draft_.goal, "the goal");
-  warnOfRepeats();
+  warnOfDuplicates();
 }
 
 }  // namespace platon

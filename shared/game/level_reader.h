@@ -21,31 +21,31 @@
 
 namespace platon {
 
-/// A point of a level with the place in the text that gives it.
+/// The start or the goal of a level.
 struct LevelPlace {
   std::uint32_t face = 0;
   Point point;
-  Angle angle;
-  TextPosition at;  ///< of the x
+  Angle angle;      ///< of the start
+  TextPosition at;  ///< where its x stands in the text
 };
 
-/// What could be read of a level text; complete when nothing was reported as an error.
+/// The content of a level text. Complete when no error was reported.
 struct LevelDraft {
   std::optional<SolidKind> solid;
   std::optional<std::int32_t> faceSize;
   std::optional<LevelPlace> start;
   std::optional<LevelPlace> goal;
-  std::vector<std::vector<Segment>> lines;  ///< one list per face once the solid is known
+  std::vector<std::vector<Segment>> segments;  ///< one list per face once the solid is known
   std::string title;
   std::string author;
 };
 
-/// Reads a level text line by line, reporting every fault. It does not know which places are free.
+/// Reads a level text line by line and reports every error, except that it does not check whether the start is free.
 class LevelReader {
  public:
-  /// Longest title and author, bytes.
-  static constexpr std::size_t kLongestName = 100;
-  /// Most lines of all faces together.
+  /// Longest title and longest author in bytes.
+  static constexpr std::size_t kMaxNameBytes = 100;
+  /// Largest number of lines on all faces together.
   static constexpr std::size_t kMaxLines = 200000;
 
   LevelReader(std::string_view text, Diagnostics& diagnostics) : text_(text, diagnostics), diagnostics_(&diagnostics) {}
@@ -54,7 +54,7 @@ class LevelReader {
 
  private:
   struct Field;
-  struct Placed {
+  struct PlacedSegment {
     std::size_t face;
     Segment segment;
     TextPosition at;
@@ -79,18 +79,18 @@ class LevelReader {
   void reportMissingHeader(TextPosition at);
   void prepareFaces();
   void checkInside(std::optional<LevelPlace>& place, std::string_view what);
-  void warnOfRepeats();
+  void warnOfDuplicates();
   void finish();
 
   LevelText text_;
   Diagnostics* diagnostics_;
   LevelDraft draft_;
-  std::size_t header_ = 0;  // header lines met so far
-  std::size_t faces_ = 0;   // '%' met so far
-  std::size_t segments_ = 0;
-  std::optional<FaceArea> area_;  // once solid and face size are known
+  std::size_t header_ = 0;        // header lines read so far
+  std::size_t faces_ = 0;         // '%' read so far
+  std::size_t segments_ = 0;      // lines of faces read so far, one segment each
+  std::optional<FaceArea> area_;  // set once solid and face size are known, and so are posts_
   std::vector<Post> posts_;
-  std::vector<Placed> placed_;  // every line of the draft, with where it stands
+  std::vector<PlacedSegment> placed_;  // every segment of the draft with its position in the text
 };
 
 }  // namespace platon

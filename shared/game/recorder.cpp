@@ -9,7 +9,7 @@
 namespace platon {
 
 Recorder::Recorder(const Game& start, std::uint32_t checkpointTicks)
-    : checkpointTicks_(checkpointTicks), first_(start.tick()), state_(start.save()) {
+    : checkpointTicks_(checkpointTicks), firstTick_(start.tick()), state_(start.save()) {
   assert(checkpointTicks >= 1 && checkpointTicks <= kMaxCheckpointTicks);
   const std::string& text = start.level().text;
   StateWriter head;
@@ -33,12 +33,12 @@ void Recorder::finish(const Game& game) {
   addBlock(game);
 }
 
-// Writes the block away and begins the next.
+// Appends the block to bytes_ and begins the next one.
 void Recorder::addBlock(const Game& game) {
   std::size_t slots = 0;
   for (const auto& inputs : inputs_) slots = std::max(slots, inputs.size());
   StateWriter body;
-  body.add(first_);
+  body.add(firstTick_);
   body.add(static_cast<std::uint16_t>(hashes_.size()));
   body.add(static_cast<std::uint16_t>(slots));
   body.add(static_cast<std::uint32_t>(state_.size()));
@@ -54,7 +54,7 @@ void Recorder::addBlock(const Game& game) {
   block.add(hashOf(body.bytes()));
   bytes_.insert(bytes_.end(), block.bytes().begin(), block.bytes().end());
 
-  first_ = game.tick();
+  firstTick_ = game.tick();
   state_ = game.save();
   inputs_.clear();
   hashes_.clear();

@@ -17,7 +17,7 @@ std::uint64_t readHash(std::span<const std::uint8_t> bytes) {
   return hash;
 }
 
-// The runs of one slot, which together are as long as the block. False when they are not, or no such input exists.
+// Reads the runs of one slot. False when they are not as long as the block, or one has an invalid input.
 bool readRuns(StateReader& reader, std::uint32_t slot, RecordedBlock& block) {
   for (std::uint32_t tick = 0; tick < block.ticks();) {
     std::uint16_t length = 0;
@@ -38,9 +38,9 @@ void RecordingReader::readHead() {
   constexpr std::size_t kFixed = kRecordingMagic.size() + 3 * sizeof(std::uint32_t);
   const std::size_t shared = std::min(bytes_.size(), kRecordingMagic.size());
   if (!std::equal(bytes_.begin(), bytes_.begin() + static_cast<std::ptrdiff_t>(shared), kRecordingMagic.begin())) {
-    return damaged(0, "this is no recording, or one of another format");
+    return setDamaged(0, "not a recording, or an unsupported version");
   }
-  if (!truncatedUnless(kFixed)) return;
+  if (!hasBytes(kFixed)) return;
   StateReader reader(bytes_.subspan(kRecordingMagic.size()));
   std::uint32_t textBytes = 0;
   std::uint32_t complement = 0;
@@ -48,45 +48,47 @@ void RecordingReader::readHead() {
   reader.read(rules);
   reader.read(textBytes);
   reader.read(complement);
-  if (textBytes != ~complement) return damaged(0, "the length of the level text is wrong");
-  if (textBytes > kMaxLevelBytes) return damaged(0, "the level text is too long for a level");
-  if (!truncatedUnless(kFixed + textBytes + kHashBytes)) return;
+  if (textBytes != ~complement) return setDamaged(0, "the length of the level text is wrong");
+  if (textBytes > kMaxLevelBytes) {
+    return setDamaged(0, "the level text is longer than " + std::to_string(kMaxLevelBytes) + " bytes");
+  }
+  if (!hasBytes(kFixed + textBytes + kHashBytes)) return;
   const auto head = bytes_.first(kFixed + textBytes);
   if (readHash(bytes_.subspan(head.size())) != hashOf(head)) {
-    return damaged(0, "the check sum of the head is wrong");
+    return setDamaged(0, "the checksum of the head is wrong");
   }
   if (rules != kRulesVersion) {
-    return damaged(kRecordingMagic.size(), "it was played by version " + std::to_string(rules) +
-                                               " of the rules, this program plays by version " +
-                                               std::to_string(kRulesVersion));
+    return setDamaged(kRecordingMagic.size(), "recorded with version " + std::to_string(rules) +
+                                                  " of the rules, but this program has version " +
+                                                  std::to_string(kRulesVersion));
   }
   const auto text = head.subspan(kFixed);
   LevelResult result = loadLevel(std::string(text.begin(), text.end()));
-  if (!result.level) return damaged(kFixed, "the level has an error: " + format("level", result.diagnostics.front()));
+  if (!result.level) return setDamaged(kFixed, "the level is invalid: " + format("level", result.diagnostics.front()));
   level_ = std::move(result.level);
   offset_ = head.size() + kHashBytes;
 }
 
 std::optional<RecordedBlock> RecordingReader::next() {
   constexpr std::size_t kLengths = 2 * sizeof(std::uint32_t);
-  if (state_ != State::kReading || !truncatedUnless(kLengths)) return std::nullopt;
+  if (state_ != State::kReading || !hasBytes(kLengths)) return std::nullopt;
   StateReader reader(bytes_.subspan(offset_));
   std::uint32_t length = 0;
   std::uint32_t complement = 0;
   reader.read(length);
   reader.read(complement);
-  if (length != ~complement) return damaged(offset_, "the length of the block is wrong"), std::nullopt;
-  if (!truncatedUnless(std::uint64_t{length} + kLengths + kHashBytes)) return std::nullopt;
+  if (length != ~complement) return setDamaged(offset_, "the length of the block is wrong"), std::nullopt;
+  if (!hasBytes(std::uint64_t{length} + kLengths + kHashBytes)) return std::nullopt;
   const auto body = reader.take(length);
   std::uint64_t hash = 0;
   reader.read(hash);
-  if (hash != hashOf(body)) return damaged(offset_, "the check sum of the block is wrong"), std::nullopt;
+  if (hash != hashOf(body)) return setDamaged(offset_, "the checksum of the block is wrong"), std::nullopt;
   auto block = readBody(body, offset_);
   if (!block) return std::nullopt;
   offset_ += reader.next();
   if (block->ticks() != 0) return block;
   state_ = State::kComplete;
-  if (offset_ != bytes_.size()) damaged(offset_, "something follows the end");
+  if (offset_ != bytes_.size()) setDamaged(offset_, "unexpected bytes after the end of the recording");
   return block;
 }
 
@@ -97,38 +99,46 @@ std::optional<RecordedBlock> RecordingReader::readBody(std::span<const std::uint
   std::uint16_t slots = 0;
   std::uint32_t stateBytes = 0;
   block.offset = offset;
-  reader.read(block.first);
+  reader.read(block.firstTick);
   reader.read(ticks);
   reader.read(slots);
   reader.read(stateBytes);
-  const auto wrong = [&](std::string_view what) { return damaged(offset, what), std::nullopt; };
-  if (ticks > kMaxCheckpointTicks || slots > kMaxPlayers) return wrong("the block is larger than any may be");
-  if (expected_ && block.first != *expected_) return wrong("the block does not follow on the one before");
-  expected_ = block.first + ticks;
+  const auto refuse = [&](std::string_view what) { return setDamaged(offset, what), std::nullopt; };
+  if (ticks > kMaxCheckpointTicks || slots > kMaxPlayers) return refuse("the block has too many ticks or slots");
+  if (expectedTick_ && block.firstTick != *expectedTick_) {
+    return refuse("the block begins at tick " + std::to_string(block.firstTick) + " instead of tick " +
+                  std::to_string(*expectedTick_));
+  }
+  expectedTick_ = block.firstTick + ticks;
   const auto state = reader.take(stateBytes);
   block.state.assign(state.begin(), state.end());
   block.slots = slots;
   block.hashes.resize(ticks);
   block.inputs.resize(std::size_t{ticks} * slots);
   for (std::uint32_t slot = 0; slot < slots; ++slot) {
-    if (!readRuns(reader, slot, block)) return wrong("the inputs of the block are none");
+    if (!readRuns(reader, slot, block)) return refuse("the block has invalid inputs");
   }
   for (std::uint64_t& hash : block.hashes) reader.read(hash);
-  if (!reader.finished()) return wrong("the block is longer or shorter than what is in it");
+  if (!reader.finished()) return refuse("the length of the block does not match its content");
   return block;
 }
 
-// Whether so many more bytes are there.
-bool RecordingReader::truncatedUnless(std::uint64_t count) {
+// True when `count` bytes follow; otherwise the recording is truncated.
+bool RecordingReader::hasBytes(std::uint64_t count) {
   if (bytes_.size() - offset_ >= count) return true;
   state_ = State::kTruncated;
-  fault_ = "byte " + std::to_string(bytes_.size()) + ": the recording ends here, ";
-  fault_ += offset_ == bytes_.size() ? "before its end is marked"
-                                     : "in the middle of what begins at byte " + std::to_string(offset_);
+  fault_ = "byte " + std::to_string(bytes_.size()) + ": the recording is truncated ";
+  if (!level_) {
+    fault_ += "within the head";
+  } else if (offset_ == bytes_.size()) {
+    fault_ += "before the block that marks its end";
+  } else {
+    fault_ += "within the block at byte " + std::to_string(offset_);
+  }
   return false;
 }
 
-void RecordingReader::damaged(std::size_t offset, std::string_view what) {
+void RecordingReader::setDamaged(std::size_t offset, std::string_view what) {
   state_ = State::kDamaged;
   fault_ = "byte " + std::to_string(offset) + ": " + std::string(what);
 }

@@ -6,7 +6,7 @@
 namespace platon {
 namespace {
 
-// The corners of every face, counter-clockwise from outside; all else follows from them.
+// Vertices at the corners of every face, in order of faces and corners. All neighbours are computed from them.
 constexpr std::uint8_t kTetrahedronCorners[] = {0, 1, 3, 1, 2, 3, 2, 0, 3, 1, 0, 2};
 
 constexpr std::uint8_t kHexahedronCorners[] = {0, 1, 5, 4, 1, 2, 6, 5, 2, 3, 7, 6, 3, 0, 4, 7, 4, 5, 6, 7, 3, 2, 1, 0};
@@ -24,18 +24,17 @@ constexpr std::uint8_t kIcosahedronCorners[] = {2, 1, 0, 3,  2, 0, 4, 3,  0, 5, 
 
 }  // namespace
 
-constexpr PlatonicSolid::PlatonicSolid(SolidKind kind, int edgesPerFace, std::span<const std::uint8_t> corners)
-    : kind_(kind), edgesPerFace_(edgesPerFace), faces_(static_cast<int>(corners.size()) / edgesPerFace) {
-  for (std::size_t i = 0; i < corners.size(); ++i) corners_[i] = corners[i];
+constexpr PlatonicSolid::PlatonicSolid(SolidKind kind, int edgesPerFace, std::span<const std::uint8_t> vertices)
+    : kind_(kind), edgesPerFace_(edgesPerFace), faces_(static_cast<int>(vertices.size()) / edgesPerFace) {
+  for (std::size_t i = 0; i < vertices.size(); ++i) vertices_[i] = vertices[i];
   for (int face = 0; face < faces_; ++face) {
-    for (int edge = 0; edge < edgesPerFace_; ++edge) neighbours_[slot(face, edge)] = find(face, edge);
+    for (int edge = 0; edge < edgesPerFace_; ++edge) neighbours_[indexOf(face, edge)] = findNeighbour(face, edge);
   }
 }
 
-// Edge i runs in direction i turns of 360° / edges; behind it the same direction is that of the neighbour's edge,
-// reversed.
-constexpr PlatonicSolid::Neighbour PlatonicSolid::find(int face, int edge) const {
-  const auto corner = [this](int of, int at) { return corners_[slot(of, at % edgesPerFace_)]; };
+// Edge i of a face has the direction i * 360° / edges. The shared edge has the opposite direction in the neighbour.
+constexpr PlatonicSolid::Neighbour PlatonicSolid::findNeighbour(int face, int edge) const {
+  const auto corner = [this](int of, int at) { return vertices_[indexOf(of, at % edgesPerFace_)]; };
   for (int other = 0; other < faces_; ++other) {
     for (int back = 0; back < edgesPerFace_; ++back) {
       if (corner(other, back) != corner(face, edge + 1) || corner(other, back + 1) != corner(face, edge)) continue;
@@ -64,8 +63,8 @@ std::string_view nameOf(SolidKind kind) {
 
 namespace {
 
-// A length of sqrt((whole + fives * sqrt(5)) / divisor) edges: every coordinate of a regular triangle, square and
-// pentagon with edge 1 is one of these, or 0.
+// The number sqrt((whole + fives * sqrt(5)) / divisor). Every coordinate of a regular triangle, square or pentagon with
+// edge 1 is 0, such a number, or its negative.
 struct Surd {
   int whole;
   int fives;
@@ -78,11 +77,11 @@ constexpr Surd kTriangleCircumradius{1, 0, 3};
 constexpr Surd kPentagonInradius{5, 2, 20};
 constexpr Surd kPentagonCircumradius{5, 1, 10};
 constexpr Surd kPentagonHalfDiagonal{6, 2, 16};
-constexpr Surd kPentagonShoulder{5, -1, 40};  // how far the widest corners lie above the centre
+constexpr Surd kPentagonShoulder{5, -1, 40};  // height of the two outermost corners above the centre
 
-/// `edge` times the surd to the nearest integer. Exact for edges up to 2^26: 4 * edge^2 < 2^55, its square times
-/// 5 * fives^2 is below 2^115, and floors commute with whole divisions and with the outer root. An irrational number
-/// has no ties.
+// `edge` * `surd`, rounded to the nearest integer. Exact for edges up to 2^26: 4 * edge^2 < 2^55, and its square times
+// 5 * fives^2 is below 2^115. Rounding down before the division and before the outer root does not change their
+// rounded-down results. There are no ties: `edge` is even, and all the numbers but kHalf are irrational.
 std::int32_t nearest(std::int64_t edge, Surd surd) {
   const int128 square = int128{4} * edge * edge;
   const int128 fives = squareRootFloor(5 * square * square * surd.fives * surd.fives);
@@ -112,14 +111,14 @@ std::vector<Point> facePolygon(SolidKind kind, std::int32_t faceSize) {
 }
 
 PrecisePoint edgeMiddle(SolidKind kind, std::int32_t faceSize, int edge) {
-  // The radius of the circle inside a face with edge 1, over 2^62: 1 / (2 tan(180° / edges)).
+  // Radius of the inscribed circle of a face with edge 1, 1 / (2 tan(180° / edges)), times 2^62; by edges from 3.
   constexpr std::int64_t inradius[] = {1331279082078542925, 2305843009213693952, 3173720629326573981};
   const int edges = PlatonicSolid::of(kind).edgesPerFace();
   const int128 length = int128{faceSize} * kSubunitsPerUnit * PrecisePoint::kOne;  // < 2^43
   const auto radius = static_cast<std::int64_t>((length * inradius[edges - 3]) >> 62);
   const Rotation turn = rotationOf(Angle(Angle::kTurn / edges * edge));
   constexpr int128 one = int128{1} << Rotation::kFractionBits;
-  // (0, -radius), turned.
+  // (0, -radius), rotated.
   return {static_cast<std::int64_t>(divideRounded(int128{radius} * turn.sine, one)),
           static_cast<std::int64_t>(divideRounded(-int128{radius} * turn.cosine, one))};
 }

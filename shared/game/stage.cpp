@@ -42,14 +42,14 @@ std::vector<Post> postsOf(SolidKind kind, std::int32_t faceSize) {
   return posts;
 }
 
-World buildStage(SolidKind kind, std::int32_t faceSize, std::span<const std::vector<Segment>> lines) {
+World buildStage(SolidKind kind, std::int32_t faceSize, std::span<const std::vector<Segment>> segments) {
   World world;
   const PlatonicSolid& solid = PlatonicSolid::of(kind);
   const std::vector<Point> polygon = facePolygon(kind, faceSize);
   const std::vector<Post> posts = postsOf(kind, faceSize);
   for (int face = 0; face < solid.faces(); ++face) {
     MapPart part(world, static_cast<std::uint32_t>(face));
-    for (const Segment& line : lines[static_cast<std::size_t>(face)]) part.line(line.a, line.b);
+    for (const Segment& segment : segments[static_cast<std::size_t>(face)]) part.line(segment.a, segment.b);
     for (const Post& post : posts) {
       part.line(post.cut.a, post.cut.b);
       part.line(post.corner, post.corner);

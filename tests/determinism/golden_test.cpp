@@ -1,4 +1,4 @@
-// The golden recordings: what has been played once is played again to the last bit, by every build on every machine.
+// Every build on every machine replays the golden recordings bit by bit.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -14,22 +14,22 @@ std::vector<std::string> goldenRecordings() { return filesIn("tests/determinism/
 
 class GoldenTest : public testing::TestWithParam<std::string> {};
 
-TEST_P(GoldenTest, PlaysTheSameAgain) {
+TEST_P(GoldenTest, ReplaysTheSameGame) {
   const auto bytes = readBytes(GetParam());
   const Verification found = Verifier(bytes).run();
   EXPECT_EQ(found.fault, "");
   EXPECT_GE(found.ticks, 1800u);
   EXPECT_EQ(found.slots, 8u);
   ASSERT_FALSE(found.divergence)
-      << "after tick " << found.divergence->tick
-      << " it is another game. If the rules were to change, raise kRulesVersion in "
-         "shared/include/platon/game/game.h and run tests/determinism/golden/record.sh; if not, this is the fault.";
+      << "desync at tick " << found.divergence->tick
+      << ". If the rules were changed on purpose, raise kRulesVersion in shared/include/platon/game/game.h and run "
+         "tests/determinism/golden/record.sh; otherwise the change broke the game.";
 }
 
 INSTANTIATE_TEST_SUITE_P(All, GoldenTest, testing::ValuesIn(goldenRecordings()),
                          [](const auto& file) { return testName(file.param); });
 
-TEST(GoldenFilesTest, EveryLevelHasOneOfItsPresentText) {
+TEST(GoldenFilesTest, EveryLevelHasARecordingOfItsCurrentText) {
   std::set<std::uint64_t> recorded;
   for (const std::string& path : goldenRecordings()) {
     const auto bytes = readBytes(path);
@@ -44,8 +44,7 @@ TEST(GoldenFilesTest, EveryLevelHasOneOfItsPresentText) {
   EXPECT_EQ(recorded.size(), lockstepLevels().size());
 }
 
-// The hard levels are hard for something: players cross edges and have several instances.
-TEST(GoldenFilesTest, PlayersGetAround) {
+TEST(GoldenFilesTest, PlayersCrossEdgesAndHaveSeveralInstances) {
   std::uint64_t crossings = 0;
   std::size_t mostInstances = 0;
   for (const std::string& path : goldenRecordings()) {

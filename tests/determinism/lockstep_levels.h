@@ -11,21 +11,21 @@
 
 namespace platon::sim {
 
-/// Every level that is shipped, and the hard ones beside the golden recordings.
+/// The shipped levels and the hard levels beside the golden recordings.
 inline std::vector<std::string> lockstepLevels() {
   std::vector<std::string> all = shippedLevels();
   for (std::string& hard : filesIn("tests/determinism/golden/levels", ".level")) all.push_back(std::move(hard));
   return all;
 }
 
-/// Throws std::invalid_argument with the first error.
+/// Loads a level file. Throws std::invalid_argument with its first error.
 inline std::shared_ptr<const Level> levelFrom(const std::string& path) {
   LevelResult result = loadLevel(readText(path));
   if (!result.level) throw std::invalid_argument(format(path, result.diagnostics.at(0)));
   return result.level;
 }
 
-/// For the name of a test: the file's, without folder and ending.
+/// Name of the test of a file: `level_` and the file name without extension.
 inline std::string testName(const std::string& path) { return "level_" + std::filesystem::path(path).stem().string(); }
 
 }  // namespace platon::sim

@@ -1,4 +1,4 @@
-// Processes against each other: what differs between them (addresses, environment, where they stand) must not show.
+// Processes record the same bytes whatever differs between them: addresses, environment, working directory.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -29,7 +29,7 @@ ProcessOptions inFolder(const std::string& folder) {
 
 class ProcessesTest : public testing::TestWithParam<std::string> {
  protected:
-  // Records in a process of its own, started by the program and the arguments in `wrapper`.
+  // Records in another process, which is started by the program and the arguments in `wrapper`.
   Bytes recordedBy(const std::string& wrapper, const ProcessOptions& options = {}) const {
     const TemporaryFolder folder;
     const std::string file = folder / "recording";
@@ -61,9 +61,9 @@ class ProcessesTest : public testing::TestWithParam<std::string> {
 TEST_P(ProcessesTest, RecordTheSameBytes) {
   const Bytes here = recordedHere();
   EXPECT_EQ(recordedBy("env", inFolder("/")), here);
-  EXPECT_EQ(recordedBy("env MALLOC_PERTURB_=165"), here) << "memory that is used must have been written";
+  EXPECT_EQ(recordedBy("env MALLOC_PERTURB_=165"), here) << "memory is read before it is written";
   EXPECT_EQ(recordedBy("env -i LC_ALL=tr_TR.UTF-8 TZ=Asia/Kathmandu"), here);
-  EXPECT_EQ(recordedBy("setarch -R"), here) << "addresses must not show";
+  EXPECT_EQ(recordedBy("setarch -R"), here) << "addresses change the result";
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ProcessesTest, testing::ValuesIn(lockstepLevels()),

@@ -1,6 +1,8 @@
-// One game against itself: saved and restored, rolled back, taken up in the middle. What is derived and not saved
-// (regions, room for work) must never show in what comes next.
+// A game stays the same when it is saved and restored, copied or rolled back at any tick: derived data that is not
+// saved (regions, buffers) must not change any later state.
 #include <gtest/gtest.h>
+
+#include <stdexcept>
 
 #include "platon/game/game.h"
 #include "tests/determinism/lockstep_levels.h"
@@ -19,8 +21,8 @@ class SyncTest : public testing::TestWithParam<std::string> {
   std::shared_ptr<const Level> level() const { return levelFrom(GetParam()); }
 };
 
-// The inputs of a game, and what it came to.
-struct Course {
+// A game as it was played, by tick.
+struct History {
   std::vector<std::vector<Input>> inputs;
   std::vector<std::vector<std::uint8_t>> states;  // before each tick
   std::vector<std::uint64_t> hashes;              // after each tick
@@ -28,88 +30,89 @@ struct Course {
   std::size_t ticks() const { return inputs.size(); }
 };
 
-Course courseOf(const std::shared_ptr<const Level>& level, std::int64_t ticks) {
+History historyOf(const std::shared_ptr<const Level>& level, std::int64_t ticks) {
   Game game(level);
   Churn churn(kSeed, kSlots);
-  Course course;
+  History history;
   for (std::int64_t tick = 0; tick < ticks; ++tick) {
-    course.states.push_back(game.save());
-    course.inputs.push_back(churn.next());
-    game.advance(course.inputs.back());
-    course.hashes.push_back(game.hash());
+    history.states.push_back(game.save());
+    history.inputs.push_back(churn.next());
+    game.advance(history.inputs.back());
+    history.hashes.push_back(game.hash());
   }
-  return course;
+  if (history.hashes.empty()) throw std::invalid_argument("a history without ticks tests nothing");
+  return history;
 }
 
-TEST_P(SyncTest, AFreshGameTakesUpAnyTick) {
+TEST_P(SyncTest, ANewGameContinuesFromAnySavedTick) {
   const auto level = this->level();
-  const Course course = courseOf(level, judge::runLength(900, 18000));
-  for (std::size_t tick = 0; tick < course.ticks(); ++tick) {
+  const History history = historyOf(level, judge::runLength(900, 18000));
+  for (std::size_t tick = 0; tick < history.ticks(); ++tick) {
     Game fresh(level);
-    ASSERT_TRUE(fresh.restore(course.states[tick])) << "before tick " << tick;
-    ASSERT_EQ(fresh.save(), course.states[tick]);
-    fresh.advance(course.inputs[tick]);
-    ASSERT_EQ(fresh.hash(), course.hashes[tick]) << "after tick " << tick << ", seed " << kSeed;
+    ASSERT_TRUE(fresh.restore(history.states[tick])) << "before tick " << tick;
+    ASSERT_EQ(fresh.save(), history.states[tick]);
+    fresh.advance(history.inputs[tick]);
+    ASSERT_EQ(fresh.hash(), history.hashes[tick]) << "after tick " << tick << ", seed " << kSeed;
   }
 }
 
-TEST_P(SyncTest, ACopyGoesOnAsTheOriginal) {
+TEST_P(SyncTest, ACopyContinuesAsTheOriginal) {
   const auto level = this->level();
-  const Course course = courseOf(level, judge::runLength(900, 18000));
+  const History history = historyOf(level, judge::runLength(900, 18000));
   Game game(level);
-  for (std::size_t tick = 0; tick < course.ticks(); ++tick) {
+  for (std::size_t tick = 0; tick < history.ticks(); ++tick) {
     Game copy = game;
-    copy.advance(course.inputs[tick]);
-    ASSERT_EQ(copy.hash(), course.hashes[tick]) << "after tick " << tick << ", seed " << kSeed;
+    copy.advance(history.inputs[tick]);
+    ASSERT_EQ(copy.hash(), history.hashes[tick]) << "after tick " << tick << ", seed " << kSeed;
     game = std::move(copy);
   }
 }
 
-// One and the same game, back by k ticks after every tick and forward again.
-TEST_P(SyncTest, RolledBackByAnyNumberOfTicksItReplaysTheSame) {
+// Rolls one game back by k ticks after every tick and replays them.
+TEST_P(SyncTest, RollbackByAnyNumberOfTicksReplaysTheSame) {
   const auto level = this->level();
-  const Course course = courseOf(level, judge::runLength(200, 3600));
+  const History history = historyOf(level, judge::runLength(200, 3600));
   for (std::size_t k = 1; k <= kMaxRollback; ++k) {
     Game game(level);
-    for (std::size_t tick = 0; tick < course.ticks(); ++tick) {
+    for (std::size_t tick = 0; tick < history.ticks(); ++tick) {
       const std::size_t from = tick + 1 < k ? 0 : tick + 1 - k;
-      ASSERT_TRUE(game.restore(course.states[from]));
+      ASSERT_TRUE(game.restore(history.states[from]));
       for (std::size_t replayed = from; replayed <= tick; ++replayed) {
-        game.advance(course.inputs[replayed]);
-        ASSERT_EQ(game.hash(), course.hashes[replayed])
+        game.advance(history.inputs[replayed]);
+        ASSERT_EQ(game.hash(), history.hashes[replayed])
             << "back by " << k << " from tick " << tick << ", after tick " << replayed << ", seed " << kSeed;
       }
     }
   }
 }
 
-// As a client does it: ahead by k ticks on inputs that turn out wrong, then back to what was decided.
-TEST_P(SyncTest, WrongPredictionsLeaveNoTrace) {
+// Predicts up to kMaxRollback ticks with wrong inputs, as a client does, then restores the confirmed state.
+TEST_P(SyncTest, WrongPredictionsDoNotChangeTheConfirmedGame) {
   const auto level = this->level();
-  const Course course = courseOf(level, judge::runLength(400, 3600));
+  const History history = historyOf(level, judge::runLength(400, 3600));
   Churn wrong(kSeed + 1, kSlots);
   SeededRandom random(kSeed);
   Game game(level);
-  for (std::size_t tick = 0; tick < course.ticks(); ++tick) {
+  for (std::size_t tick = 0; tick < history.ticks(); ++tick) {
     for (std::uint64_t ahead = random.below(kMaxRollback); ahead > 0; --ahead) game.advance(wrong.next());
-    ASSERT_TRUE(game.restore(course.states[tick]));
-    game.advance(course.inputs[tick]);
-    ASSERT_EQ(game.hash(), course.hashes[tick]) << "after tick " << tick << ", seed " << kSeed;
+    ASSERT_TRUE(game.restore(history.states[tick]));
+    game.advance(history.inputs[tick]);
+    ASSERT_EQ(game.hash(), history.hashes[tick]) << "after tick " << tick << ", seed " << kSeed;
   }
 }
 
-// Somebody joins: state, then inputs, and one more player for all.
-TEST_P(SyncTest, WhoJoinsInTheMiddleSeesTheSame) {
+// A client joins every 60 ticks: it gets the state, then inputs that include one more player.
+TEST_P(SyncTest, AClientThatJoinsLateStaysInLockstep) {
   const auto level = this->level();
-  const Course course = courseOf(level, 600);
+  const History history = historyOf(level, 600);
   Game server(level);
   std::vector<Game> clients;
-  for (std::size_t tick = 0; tick < course.ticks(); ++tick) {
+  for (std::size_t tick = 0; tick < history.ticks(); ++tick) {
     if (tick % 60 == 0) {
       clients.emplace_back(level);
       ASSERT_TRUE(clients.back().restore(server.save()));
     }
-    std::vector<Input> inputs = course.inputs[tick];
+    std::vector<Input> inputs = history.inputs[tick];
     inputs.resize(kSlots + clients.size(), Input{Input::kPresent | Input::kRight});
     server.advance(inputs);
     for (Game& client : clients) {

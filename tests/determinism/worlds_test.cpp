@@ -1,4 +1,5 @@
-// Several games and worlds in one process: side by side, on threads that share static geometry, and in another order.
+// Several games and worlds in one process do not influence each other: interleaved, on threads that share static
+// geometry, and with entities in another order.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -31,8 +32,8 @@ std::vector<std::uint64_t> hashesOf(const std::shared_ptr<const Level>& level, s
   return hashes;
 }
 
-// Games on one level take turns, a few ticks each; another game with other inputs comes between.
-TEST_P(WorldsTest, GamesSideBySideDoNotTouch) {
+// Five games on one level advance by turns, a few ticks each, and between them another game with other inputs.
+TEST_P(WorldsTest, InterleavedGamesDoNotInfluenceEachOther) {
   const auto level = this->level();
   const auto alone = hashesOf(level, kSeed, 600);
   struct Turn {
@@ -54,7 +55,7 @@ TEST_P(WorldsTest, GamesSideBySideDoNotTouch) {
   }
 }
 
-// A level's static geometry, its turned shapes and its grid are shared; each thread has worlds of its own.
+// Threads share the static geometry of a level, its rotated shapes and its grid; each has its own world.
 TEST_P(WorldsTest, ThreadsThatShareALevelAgree) {
   const auto level = this->level();
   const auto alone = hashesOf(level, kSeed, 600);
@@ -65,7 +66,7 @@ TEST_P(WorldsTest, ThreadsThatShareALevelAgree) {
   for (const auto& hashes : found) EXPECT_EQ(hashes, alone);
 }
 
-// The order of entities decides the hash and nothing else: they do not meet.
+// Entities do not collide with each other, so that their order changes the hash alone.
 TEST_P(WorldsTest, EntitiesMoveTheSameInAnyOrder) {
   const auto level = this->level();
   const auto flung = [&](const std::vector<std::uint32_t>& order) {
@@ -89,25 +90,25 @@ TEST_P(WorldsTest, EntitiesMoveTheSameInAnyOrder) {
   EXPECT_EQ(flung({3, 0, 5, 1, 4, 2}), inOrder);
 }
 
-// Nor does a player's way depend on who else is there, on which slot it has or on when the others came.
-TEST_P(WorldsTest, APlayerMovesTheSameInAnyCompany) {
+// A player's path does not depend on the other players, on its slot, or on when others join.
+TEST_P(WorldsTest, APlayerMovesTheSameWithAnyOtherPlayers) {
   const auto level = this->level();
-  const auto wayOf = [&](std::uint32_t slot, std::uint32_t slots) {
+  const auto pathOf = [&](std::uint32_t slot, std::uint32_t slots) {
     Game game(level);
     Churn churn(kSeed, slots);
     ButtonPresses own(kSeed, 99);
-    std::vector<EntityState> way;
+    std::vector<EntityState> path;
     for (int tick = 0; tick < 600; ++tick) {
       std::vector<Input> inputs = churn.next();
       inputs[slot] = own.next();
       game.advance(inputs);
-      way.push_back(game.world().entities()[slot]);
+      path.push_back(game.world().entities()[slot]);
     }
-    return way;
+    return path;
   };
-  const auto alone = wayOf(0, 1);
-  EXPECT_EQ(wayOf(0, 8), alone);
-  EXPECT_EQ(wayOf(5, 8), alone);
+  const auto alone = pathOf(0, 1);
+  EXPECT_EQ(pathOf(0, 8), alone);
+  EXPECT_EQ(pathOf(5, 8), alone);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, WorldsTest, testing::ValuesIn(lockstepLevels()),

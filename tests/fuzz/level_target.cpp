@@ -61,7 +61,8 @@ bool isInside(const oracle::Polygon& polygon, Vec point) {
 
 std::string placesFault(const Level& level) {
   const oracle::Polygon polygon = toPolygon(facePolygon(level.solid, level.faceSize));
-  if (level.startFace >= level.lines.size() || level.goalFace >= level.lines.size()) return "a face that is not there";
+  if (level.startFace >= level.segments.size() || level.goalFace >= level.segments.size())
+    return "a face that is not there";
   if (!isInside(polygon, toVec(level.start))) return "the start is outside its face";
   if (!isInside(polygon, toVec(level.goal))) return "the goal is outside its face";
   const auto shape = playerShape().turned(level.startAngle);

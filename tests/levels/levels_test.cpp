@@ -23,7 +23,7 @@ class ShippedLevelTest : public testing::TestWithParam<std::string> {
   std::vector<Input> solution() const { return readSolution("tests/levels/solutions/" + stemOf(GetParam()) + ".txt"); }
 };
 
-TEST_P(ShippedLevelTest, HasNoFaultAndNothingOdd) {
+TEST_P(ShippedLevelTest, HasNoErrorsAndNoWarnings) {
   const LevelResult result = loadLevel(text());
   for (const Diagnostic& one : result.diagnostics) {
     ADD_FAILURE() << GetParam() << ":" << one.line << ":" << one.column << ": " << one.message;
@@ -33,12 +33,12 @@ TEST_P(ShippedLevelTest, HasNoFaultAndNothingOdd) {
   EXPECT_FALSE(result.level->author.empty());
 }
 
-TEST_P(ShippedLevelTest, NoFaceIsEmptyOrCrowded) {
+TEST_P(ShippedLevelTest, EveryFaceHas3To40Segments) {
   const auto level = this->level();
   ASSERT_NE(level, nullptr);
-  for (std::size_t face = 0; face < level->lines.size(); ++face) {
-    EXPECT_GE(level->lines[face].size(), 3u) << "face " << face;
-    EXPECT_LE(level->lines[face].size(), 40u) << "face " << face;
+  for (std::size_t face = 0; face < level->segments.size(); ++face) {
+    EXPECT_GE(level->segments[face].size(), 3u) << "face " << face;
+    EXPECT_LE(level->segments[face].size(), 40u) << "face " << face;
   }
 }
 
@@ -54,8 +54,8 @@ TEST_P(ShippedLevelTest, IsFinishedByItsSolution) {
   EXPECT_GT(game.ticksLeft(), 0u);
 }
 
-// What makes it a puzzle of this game: the way goes over edges, and round corners, which turns what is down.
-TEST_P(ShippedLevelTest, SolutionGoesOverEdgesAndTurnsDown) {
+// The solution must use the solid: it crosses edges, and comes back to a face with another up direction.
+TEST_P(ShippedLevelTest, TheSolutionCrossesEdgesAndTurnsUp) {
   Game game(level());
   std::set<std::uint32_t> faces;
   std::set<std::pair<std::uint32_t, std::int32_t>> ups;
@@ -67,7 +67,7 @@ TEST_P(ShippedLevelTest, SolutionGoesOverEdgesAndTurnsDown) {
   }
   EXPECT_GE(game.world().entities()[0].crossings, 3u);
   EXPECT_GE(faces.size(), 3u);
-  EXPECT_GT(ups.size(), faces.size()) << "down is never other than before on the same face";
+  EXPECT_GT(ups.size(), faces.size()) << "every face is visited with one up direction only";
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ShippedLevelTest, testing::ValuesIn(shippedLevels()),

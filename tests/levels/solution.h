@@ -7,8 +7,8 @@
 
 namespace platon {
 
-/// Reads a solution, one input a tick: lines of `ticks button…`, buttons being `wait`, `left`, `right`, `jump` and
-/// `down`; `#` starts a comment. Throws std::runtime_error with file and line on anything else.
+/// Reads the solution of a level: one input per tick. A line is `ticks button…` with the buttons `wait`, `left`,
+/// `right`, `jump` and `down`; `#` starts a comment. Throws std::runtime_error with file and line on an invalid line.
 std::vector<Input> readSolution(const std::string& path);
 
 }  // namespace platon

@@ -1,28 +1,29 @@
-"""Faults in how games are recorded and read again."""
+"""Faults in writing and reading recordings."""
 
 from fault import Fault, at_length
 
 GAME = "shared/game/"
 
 RECORDING_FAULTS = [
-    Fault("check-sum-not-read", GAME + "recording_reader.cpp",
+    Fault("checksum-not-compared", GAME + "recording_reader.cpp",
           "if (hash != hashOf(body)) return", "if (false) return",
-          "a damaged block is played",
-          "RecordingTest.AnyFlippedBitIsFound"),
+          "a damaged block is replayed",
+          "RecordingReaderTest.FindsEveryFlippedBit"),
     at_length("end-not-marked", GAME + "recorder.cpp",
               "  if (!hashes_.empty()) addBlock(game);\n  addBlock(game);", "  if (!hashes_.empty()) addBlock(game);",
-              "a whole recording cannot be told from one that was cut off",
-              "RecordingTest.HoldsWhatWasPlayed"),
+              "a complete recording looks like a truncated one",
+              "RecorderTest.ARecordingContainsTheGameAsPlayed"),
     at_length("slots-of-the-first-tick", GAME + "recorder.cpp",
               "slots = std::max(slots, inputs.size());", "if (slots == 0) slots = inputs.size();",
-              "who joins inside a block is not recorded before the next",
-              "RecordingTest.SlotsMayBecomeMoreInsideABlock"),
+              "a player who joins within a block is not recorded before the next block",
+              "RecorderTest.ABlockHasTheSlotsOfPlayersWhoJoinInIt"),
     at_length("runs-beyond-the-block", GAME + "recording_reader.cpp",
               "length == 0 || length > block.ticks() - tick ||", "length == 0 || length > kMaxCheckpointTicks ||",
-              "a forged run of inputs is written behind the block",
-              "RecordingTest.RefusesRunsThatAreNone"),
+              "a forged run of inputs is written past the end of the block",
+              "RecordingReaderTest.RefusesInvalidRuns"),
     at_length("blocks-in-any-order", GAME + "recording_reader.cpp",
-              "if (expected_ && block.first != *expected_)", "if (expected_ && block.first < *expected_)",
+              "if (expectedTick_ && block.firstTick != *expectedTick_)",
+              "if (expectedTick_ && block.firstTick < *expectedTick_)",
               "a block may be missing",
-              "RecordingTest.RefusesBlocksOutOfOrder"),
+              "RecordingReaderTest.RefusesBlocksOutOfOrder"),
 ]

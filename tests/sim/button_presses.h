@@ -7,11 +7,12 @@
 
 namespace platon::sim {
 
-/// Seeded presses like a person's: every few tenths of a second a button changes.
+/// Seeded inputs of a player who changes buttons at the pace of a person: every 5 to 44 ticks.
 class ButtonPresses {
  public:
   ButtonPresses(std::uint64_t seed, std::uint32_t slot) : random_(seed * 0x100000001b3U + slot) {}
 
+  /// Input of the next tick.
   Input next() {
     if (ticksLeft_ == 0) {
       ticksLeft_ = 5 + random_.below(40);

@@ -5,7 +5,7 @@
 namespace platon::sim {
 namespace {
 
-TEST(ButtonPressesTest, TheSameSeedAndSlotPressTheSame) {
+TEST(ButtonPressesTest, TheSameSeedAndSlotGiveTheSameInputs) {
   ButtonPresses one(7, 3);
   ButtonPresses two(7, 3);
   ButtonPresses other(7, 4);
@@ -18,7 +18,7 @@ TEST(ButtonPressesTest, TheSameSeedAndSlotPressTheSame) {
   EXPECT_GT(different, 300);
 }
 
-TEST(ButtonPressesTest, PressesEverythingThatMovesAPlayer) {
+TEST(ButtonPressesTest, PressesLeftRightAndJumpAtThePaceOfAPerson) {
   ButtonPresses presses(1, 0);
   int left = 0;
   int right = 0;
@@ -38,7 +38,7 @@ TEST(ButtonPressesTest, PressesEverythingThatMovesAPlayer) {
   }
   for (const int count : {left, right, jump}) EXPECT_GT(count, 1000);
   EXPECT_GT(changes, 100);
-  EXPECT_LT(changes, 1000) << "like a person's";
+  EXPECT_LT(changes, 1000) << "at most ten changes a second";
 }
 
 }  // namespace

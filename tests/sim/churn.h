@@ -9,14 +9,14 @@
 
 namespace platon::sim {
 
-/// Seeded inputs of players who press every button and restart, and who come and go: all that a recording can hold.
+/// Seeded inputs of players who press every button, restart, leave and join: everything a recording can contain.
 class Churn {
  public:
   Churn(std::uint64_t seed, std::uint32_t slots) : random_(seed), present_(slots, true), inputs_(slots) {
     for (std::uint32_t slot = 0; slot < slots; ++slot) presses_.emplace_back(seed, slot);
   }
 
-  /// Of the next tick, by slot.
+  /// Inputs of the next tick, by slot.
   const std::vector<Input>& next() {
     for (std::size_t slot = 0; slot < inputs_.size(); ++slot) {
       if (random_.below(present_[slot] ? 900 : 60) == 0) present_[slot] = !present_[slot];

@@ -5,7 +5,8 @@
 
 namespace platon::sim {
 
-/// The commands of platon-sim. They write results to stdout, return the exit code, and throw UsageError or InputError.
+/// The commands of platon-sim. Each prints its result to stdout and returns the exit code. Throws UsageError or
+/// InputError.
 int runCommand(const std::vector<std::string>& arguments);
 int verifyCommand(const std::vector<std::string>& arguments);
 int worldCommand(const std::vector<std::string>& arguments);

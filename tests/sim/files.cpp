@@ -8,13 +8,13 @@
 
 namespace platon::sim {
 
-std::vector<std::uint8_t> readBytes(const std::string& path, std::size_t most) {
+std::vector<std::uint8_t> readBytes(const std::string& path, std::size_t maxBytes) {
   const auto close = [](std::FILE* file) { std::fclose(file); };
   const std::unique_ptr<std::FILE, decltype(close)> file(std::fopen(path.c_str(), "rb"), close);
   std::vector<std::uint8_t> bytes;
   for (std::size_t got = 1; file != nullptr && got != 0;) {
     const std::size_t had = bytes.size();
-    bytes.resize(std::min(most, had + (std::size_t{1} << 16)));
+    bytes.resize(std::min(maxBytes, had + (std::size_t{1} << 16)));
     got = std::fread(bytes.data() + had, 1, bytes.size() - had, file.get());
     bytes.resize(had + got);
   }
@@ -22,8 +22,8 @@ std::vector<std::uint8_t> readBytes(const std::string& path, std::size_t most) {
   throw UsageError("cannot read '" + path + "': " + std::strerror(errno));
 }
 
-OutputFile::OutputFile(const std::string& path, Over over)
-    : path_(path), file_(std::fopen(path.c_str(), over == Over::kNothing ? "wbx" : "wb")) {
+OutputFile::OutputFile(const std::string& path, Mode mode)
+    : path_(path), file_(std::fopen(path.c_str(), mode == Mode::kCreateNew ? "wbx" : "wb")) {
   if (!file_) throw UsageError("cannot write '" + path + "': " + std::strerror(errno));
 }
 

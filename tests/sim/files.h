@@ -11,21 +11,22 @@
 
 namespace platon::sim {
 
-/// The content of a file, of a longer one the first `most` bytes; throws UsageError when it cannot be read.
-std::vector<std::uint8_t> readBytes(const std::string& path, std::size_t most);
+/// The first `maxBytes` bytes of a file. Throws UsageError when it cannot be read.
+std::vector<std::uint8_t> readBytes(const std::string& path, std::size_t maxBytes);
 
-/// A file that is written from its start. Throws UsageError when it cannot be opened and InputError when what was
-/// written did not arrive.
+/// A file opened for writing. Throws UsageError when it cannot be opened, InputError when a write fails.
 class OutputFile {
  public:
-  /// What may be lost for it.
-  enum class Over { kAnything, kNothing };
+  enum class Mode {
+    kReplace,    ///< replaces an existing file
+    kCreateNew,  ///< refuses an existing file
+  };
 
-  explicit OutputFile(const std::string& path, Over over = Over::kAnything);
+  explicit OutputFile(const std::string& path, Mode mode = Mode::kReplace);
 
   void write(std::string_view text) { write(text.data(), text.size()); }
   void write(std::span<const std::uint8_t> bytes) { write(bytes.data(), bytes.size()); }
-  /// To be called after the last write.
+  /// Flushes the file; must be called after the last write.
   void close();
 
  private:

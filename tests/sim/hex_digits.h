@@ -7,7 +7,7 @@
 
 namespace platon::sim {
 
-/// All 16 of them.
+/// `value` as 16 hexadecimal digits.
 inline std::string hexDigits(std::uint64_t value) {
   std::array<char, 17> text{};
   std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(value));

@@ -11,40 +11,43 @@
 
 namespace {
 
-constexpr std::string_view kHelp = R"(platon-sim: runs the simulation without server, client or clock
+constexpr std::string_view kHelp = R"(platon-sim: runs the simulation without server, client or clock.
 
   platon-sim run LEVEL [--players N] [--ticks T] [--seed S] [--drive play|churn|fling|push] [--max-speed U]
                        [--velocity VX,VY] [--record FILE [--checkpoint-every TICKS]] [--trace FILE] [--json]
-      play: seeded button presses (default). churn: players also restart, come and go. fling: no game rules, every
-      tick each entity gets a seeded random velocity of up to U subunits a tick. push: no game rules, every tick each
-      entity gets this velocity in its own frame. --record keeps a game that is played: every input, the hash after
-      every tick, and the state every 60 ticks or as asked for.
+      Runs a level.
+      --drive play    seeded button presses (default)
+      --drive churn   like play; players also restart, leave and join
+      --drive fling   no game rules: every tick each entity gets a random velocity of up to U subunits a tick
+      --drive push    no game rules: every tick each entity gets the velocity VX,VY in its own frame
+      --record FILE   writes a recording (play and churn only) with a checkpoint every 60 ticks, or every TICKS
+      --trace FILE    writes every leg of every step as JSON lines
   platon-sim verify FILE [--from TICK] [--record FILE [--checkpoint-every TICKS]] [--json]
-      plays a recording again, from its start or from the last checkpoint before TICK, and compares every hash and
-      checkpoint. The first difference is named by tick, entity and field. --record keeps what is played here, in a
-      new file.
+      Replays a recording from its start, or from the last checkpoint before TICK, and compares every hash and
+      checkpoint. Reports the first difference by tick, entity and field. --record writes the replayed game to a new
+      file.
   platon-sim world SCENE --ticks T [--seed S --max-speed U] [--trace FILE] [--json]
-      physics alone, on a scene file; with --max-speed a random velocity instead of the scene's
+      Runs a scene file, physics alone. With --max-speed, velocities are random instead of the scene's.
   platon-sim sweep
-      one query a line on standard input: m x1 y1 ... xm ym  px py  vx vy  ax ay bx by
-      one answer a line: miss, or hit N D nx ny
+      Reads one query a line from standard input: m x1 y1 ... xm ym  px py  vx vy  ax ay bx by
+      Prints one answer a line: miss, or hit N D nx ny
   platon-sim --help | --version
 
-Exit codes: 0 ok, 1 failed or another game, 2 usage, 3 invalid level, recording or scene.
+Exit codes: 0 ok, 1 failed or the replay differs, 2 usage, 3 invalid level, recording or scene.
 )";
 
 int dispatch(const std::vector<std::string>& arguments) {
   using namespace platon::sim;
   const std::map<std::string, int (*)(const std::vector<std::string>&)> commands{
       {"run", runCommand}, {"verify", verifyCommand}, {"world", worldCommand}, {"sweep", sweepCommand}};
-  if (arguments.empty()) throw UsageError("no command: platon-sim --help lists them");
+  if (arguments.empty()) throw UsageError("no command given (see platon-sim --help)");
   for (const std::string& argument : arguments) {
     if (argument == "--help") return std::fputs(kHelp.data(), stdout), 0;
     if (argument == "--version") return std::printf("platon-sim %s\n", platon::kVersion.data()), 0;
   }
   const auto command = commands.find(arguments.front());
   if (command == commands.end()) {
-    throw UsageError("unknown command '" + arguments.front() + "': platon-sim --help lists them");
+    throw UsageError("unknown command '" + arguments.front() + "' (see platon-sim --help)");
   }
   return command->second({arguments.begin() + 1, arguments.end()});
 }

@@ -6,12 +6,12 @@ RecordingFile::RecordingFile(const Options& options)
     : checkpointTicks_(
           static_cast<std::uint32_t>(options.number("checkpoint-every", kCheckpointTicks, 1, kMaxCheckpointTicks))),
       path_(options.text("record", "")) {
-  if (options.has("record") && path_.empty()) throw UsageError("--record needs a file");
+  if (options.has("record") && path_.empty()) throw UsageError("--record needs a file name");
 }
 
-void RecordingFile::start(const Game& game, OutputFile::Over over) {
+void RecordingFile::start(const Game& game, OutputFile::Mode mode) {
   if (!wanted()) return;
-  file_.emplace(path_, over);
+  file_.emplace(path_, mode);
   recorder_.emplace(game, checkpointTicks_);
 }
 

@@ -11,16 +11,19 @@
 
 namespace platon::sim {
 
-/// What `--record FILE` and `--checkpoint-every TICKS` ask for; does nothing without the first.
+/// Recording of a command, by its options `--record FILE` and `--checkpoint-every TICKS`. Without `--record`, all
+/// functions do nothing.
 class RecordingFile {
  public:
   explicit RecordingFile(const Options& options);
 
+  /// True when there is an option `--record`.
   bool wanted() const { return !path_.empty(); }
-  /// Before the first tick. Throws UsageError when the file cannot be written.
-  void start(const Game& game, OutputFile::Over over = OutputFile::Over::kAnything);
-  /// `game` has just been advanced by `inputs`.
+  /// Opens the file; `game` is the game before the first tick. Throws UsageError when the file cannot be opened.
+  void start(const Game& game, OutputFile::Mode mode = OutputFile::Mode::kReplace);
+  /// Records one tick: `game` has just been advanced by `inputs`.
   void tick(std::span<const Input> inputs, const Game& game);
+  /// Marks the end of the recording and flushes the file.
   void finish(const Game& game);
 
  private:

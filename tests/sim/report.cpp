@@ -6,12 +6,12 @@
 
 namespace platon::sim {
 
-int report(const std::exception& reason) {
-  if (dynamic_cast<const UsageError*>(&reason) != nullptr) {
-    std::fprintf(stderr, "platon-sim: %s\n", reason.what());
+int report(const std::exception& error) {
+  if (dynamic_cast<const UsageError*>(&error) != nullptr) {
+    std::fprintf(stderr, "platon-sim: %s\n", error.what());
     return 2;
   }
-  if (*reason.what() != '\0') std::fprintf(stderr, "%s\n", reason.what());
+  if (*error.what() != '\0') std::fprintf(stderr, "%s\n", error.what());
   return 3;
 }
 

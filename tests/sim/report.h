@@ -4,8 +4,8 @@
 
 namespace platon::sim {
 
-/// Says on stderr why the program ends, and returns its exit code: 2 after a UsageError, 3 after anything else, which
-/// is an InputError or a refusal by the simulation.
-int report(const std::exception& reason);
+/// Prints the error to stderr and returns the exit code of the program: 2 for a UsageError, 3 for an InputError and for
+/// an exception of the simulation.
+int report(const std::exception& error);
 
 }  // namespace platon::sim

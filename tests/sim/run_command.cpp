@@ -40,7 +40,7 @@ struct Summary {
   std::uint64_t hash = 0;
   std::uint64_t crossings = 0;
   std::uint64_t goals = 0;
-  double nanoseconds = 0;  // a mover and tick
+  double nanoseconds = 0;  // per entity and tick
 };
 
 std::uint64_t crossingsOf(const World& world) {
@@ -49,8 +49,8 @@ std::uint64_t crossingsOf(const World& world) {
   return sum;
 }
 
-// Calls `tick` so often, timed, and after each, not timed, `ticked` with the number of ticks done.
-Summary drive(std::int64_t ticks, std::size_t movers, const std::function<void()>& tick,
+// Calls `tick` `ticks` times and measures it. After each, calls `ticked` with the number of ticks so far, not measured.
+Summary drive(std::int64_t ticks, std::size_t entities, const std::function<void()>& tick,
               const std::function<void(std::uint64_t)>& ticked) {
   std::chrono::steady_clock::duration spent{};
   for (std::int64_t i = 1; i <= ticks; ++i) {
@@ -60,7 +60,7 @@ Summary drive(std::int64_t ticks, std::size_t movers, const std::function<void()
     ticked(static_cast<std::uint64_t>(i));
   }
   Summary summary;
-  const auto steps = static_cast<double>(ticks) * static_cast<double>(movers);
+  const auto steps = static_cast<double>(ticks) * static_cast<double>(entities);
   if (steps > 0) summary.nanoseconds = std::chrono::duration<double, std::nano>(spent).count() / steps;
   return summary;
 }
@@ -74,11 +74,11 @@ struct Run {
   RecordingFile* recording;
 };
 
-// `decide` gives the inputs of the next tick.
-Summary play(const Run& run, const std::function<std::span<const Input>()>& decide) {
+// Plays a game. `nextInputs` returns the inputs of the next tick.
+Summary play(const Run& run, const std::function<std::span<const Input>()>& nextInputs) {
   Game game(run.level);
   std::span<const Input> inputs;
-  const auto tick = [&] { game.advance(inputs = decide(), run.trace); };
+  const auto tick = [&] { game.advance(inputs = nextInputs(), run.trace); };
   const auto ticked = [&](std::uint64_t number) {
     if (run.trace != nullptr) run.trace->tick(number, game.hash());
     run.recording->tick(inputs, game);
@@ -107,13 +107,13 @@ Summary playChurn(const Run& run) {
   return play(run, [&] { return std::span(churn.next()); });
 }
 
-// Physics alone: `velocity` decides for every entity before each tick.
-Summary move(World& world, std::int64_t ticks, TraceWriter* trace, const std::function<void(Entity&)>& velocity) {
+// Runs physics alone. Calls `setVelocity` for every entity before each tick.
+Summary move(World& world, std::int64_t ticks, TraceWriter* trace, const std::function<void(Entity&)>& setVelocity) {
   const auto count = static_cast<std::uint32_t>(world.entities().size());
   const auto tick = [&] {
     for (std::uint32_t i = 0; i < count; ++i) {
       Entity entity(world, i);
-      velocity(entity);
+      setVelocity(entity);
     }
     world.solve(trace);
   };
@@ -126,13 +126,13 @@ Summary move(World& world, std::int64_t ticks, TraceWriter* trace, const std::fu
   return summary;
 }
 
-Summary withoutRules(const Run& run, const std::function<void(Entity&)>& velocity) {
+Summary runWithoutRules(const Run& run, const std::function<void(Entity&)>& setVelocity) {
   World world = run.level->world;
   for (std::uint32_t slot = 0; slot < run.players; ++slot) {
     Entity entity(world, playerShape());
     MapPart(world, run.level->startFace).insert(entity, run.level->start, run.level->startAngle);
   }
-  return move(world, run.ticks, run.trace, velocity);
+  return move(world, run.ticks, run.trace, setVelocity);
 }
 
 Point velocityOption(const Options& options) {
@@ -143,24 +143,24 @@ Point velocityOption(const Options& options) {
                      ? std::nullopt
                      : wholeNumber(std::string_view(text).substr(comma + 1), -kVelocityLimit + 1, kVelocityLimit - 1);
   if (x && y) return {static_cast<std::int32_t>(*x), static_cast<std::int32_t>(*y)};
-  throw UsageError("--drive push needs --velocity VX,VY: whole subunits a tick, below 2^28 in magnitude");
+  throw UsageError("--drive push needs --velocity VX,VY: integers below 2^28 in magnitude, in subunits a tick");
 }
 
 Summary dispatch(const Run& run, const Options& options) {
   const std::string drive = options.text("drive", "play");
-  const auto most = static_cast<std::int32_t>(options.number("max-speed", 8192, 0, kVelocityLimit - 1));
+  const auto maxSpeed = static_cast<std::int32_t>(options.number("max-speed", 8192, 0, kVelocityLimit - 1));
   if (drive == "play") return playPresses(run);
   if (drive == "churn") return playChurn(run);
-  if (run.recording->wanted()) throw UsageError("--record keeps games: it goes with --drive play and churn alone");
+  if (run.recording->wanted()) throw UsageError("--record works only with --drive play or churn");
   if (drive == "fling") {
     SeededRandom random(run.seed);
-    return withoutRules(run, [&](Entity& entity) { entity.setVelocity(random.vector(most)); });
+    return runWithoutRules(run, [&](Entity& entity) { entity.setVelocity(random.vector(maxSpeed)); });
   }
   if (drive == "push") {
     const Point velocity = velocityOption(options);
-    return withoutRules(run, [&](Entity& entity) { entity.setVelocity(rotate(velocity, entity.rotation())); });
+    return runWithoutRules(run, [&](Entity& entity) { entity.setVelocity(rotate(velocity, entity.rotation())); });
   }
-  throw UsageError("--drive is play, churn, fling or push, not '" + drive + "'");
+  throw UsageError("--drive must be play, churn, fling or push, not '" + drive + "'");
 }
 
 std::unique_ptr<TraceWriter> openTrace(const Options& options) {
@@ -190,7 +190,7 @@ int runCommand(const std::vector<std::string>& arguments) {
                            ? "{\"level\":%s,\"players\":%u,\"ticks\":%lld,\"seed\":%llu,\"hash\":\"%016llx\","
                              "\"crossings\":%llu,\"goals\":%llu,\"nsPerPlayerTick\":%.1f}\n"
                            : "level %s\nplayers %u\nticks %lld\nseed %llu\nhash %016llx\ncrossings %llu\ngoals %llu\n"
-                             "%.1f ns a player and tick\n";
+                             "%.1f ns per player and tick\n";
   std::printf(layout, (options.has("json") ? jsonText(path) : path).c_str(), run.players,
               static_cast<long long>(run.ticks), static_cast<unsigned long long>(run.seed),
               static_cast<unsigned long long>(summary.hash), static_cast<unsigned long long>(summary.crossings),
@@ -202,19 +202,19 @@ int worldCommand(const std::vector<std::string>& arguments) {
   const Options options(arguments, {"ticks", "seed", "max-speed", "trace"}, {"json"});
   const std::string& path = options.onlyWord("platon-sim world takes one scene file: platon-sim world SCENE --ticks T");
   const auto ticks = options.number("ticks", 3600, 0, kMaxTicks);
-  const auto most = static_cast<std::int32_t>(options.number("max-speed", 0, 0, kVelocityLimit - 1));
+  const auto maxSpeed = static_cast<std::int32_t>(options.number("max-speed", 0, 0, kVelocityLimit - 1));
   const auto trace = openTrace(options);
   Scene scene = loadScene(path, readText(path));
   if (trace) trace->header(scene.world, scene.shape, nullptr);
   SeededRandom random(options.seed());
   const Summary summary = move(scene.world, ticks, trace.get(), [&](Entity& entity) {
-    entity.setVelocity(options.has("max-speed") ? random.vector(most) : scene.velocity);
+    entity.setVelocity(options.has("max-speed") ? random.vector(maxSpeed) : scene.velocity);
   });
   if (trace) trace->close();
   const char* layout = options.has("json") ? "{\"scene\":%s,\"entities\":%zu,\"ticks\":%lld,\"hash\":\"%016llx\","
                                              "\"nsPerEntityTick\":%.1f}\n"
                                            : "scene %s\nentities %zu\nticks %lld\nhash %016llx\n"
-                                             "%.1f ns an entity and tick\n";
+                                             "%.1f ns per entity and tick\n";
   std::printf(layout, (options.has("json") ? jsonText(path) : path).c_str(), scene.world.entities().size(),
               static_cast<long long>(ticks), static_cast<unsigned long long>(summary.hash), summary.nanoseconds);
   return 0;

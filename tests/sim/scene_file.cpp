@@ -50,7 +50,7 @@ class Reader {
     } else if (name.text == "velocity") {
       velocity(words);
     } else {
-      fault(name, "'" + std::string(name.text) + "' is no word of a scene: use shape, line, entity or velocity");
+      fault(name, "unknown word '" + std::string(name.text) + "': use shape, line, entity or velocity");
     }
   }
 
@@ -88,11 +88,11 @@ class Reader {
     std::vector<std::int32_t> numbers;
     for (std::size_t i = 1; i < words.size(); ++i) {
       const auto number = wholeNumber(words[i].text, -kCoordinateLimit + 1, kCoordinateLimit - 1);
-      if (!number) fault(words[i], "'" + std::string(words[i].text) + "' is no whole number below 2^29 in magnitude");
+      if (!number) fault(words[i], "'" + std::string(words[i].text) + "' is not an integer below 2^29 in magnitude");
       numbers.push_back(static_cast<std::int32_t>(number.value_or(0)));
     }
     if (numbers.size() % 2 != 0) {
-      fault(words.front(), "coordinates come in pairs");
+      fault(words.front(), "odd number of coordinates");
       return std::nullopt;
     }
     std::vector<Point> points;
@@ -101,7 +101,7 @@ class Reader {
   }
 
   void shape(const std::vector<Word>& words) {
-    if (shapeSeen_) fault(words.front(), "a scene has one shape");
+    if (shapeSeen_) fault(words.front(), "second shape: remove one of them");
     shapeSeen_ = true;
     shape_ = pointsOf(words, 0);
     if (!shape_) return;
@@ -109,10 +109,10 @@ class Reader {
   }
 
   void velocity(const std::vector<Word>& words) {
-    if (velocity_) fault(words.front(), "a scene has one velocity");
+    if (velocity_) fault(words.front(), "second velocity: remove one of them");
     const auto points = pointsOf(words, 1);
     velocity_ = points ? points->front() : Point();
-    if (!isVelocity(*velocity_)) fault(words.front(), "a velocity is below 2^28 subunits a tick");
+    if (!isVelocity(*velocity_)) fault(words.front(), "the velocity must be below 2^28 subunits a tick");
   }
 
   void place(Scene& scene, MapPart& part, const Placed& placed) {

@@ -10,8 +10,8 @@
 
 namespace platon::sim {
 
-/// A scene file: physics alone, on one map part without warps. Lines are words and whole numbers in subunits; `#`
-/// begins a comment.
+/// A scene: entities of one shape on one map part without warps, without game rules. A line of a scene file is a word
+/// with integers in subunits; `#` starts a comment:
 ///   shape x y x y …        counter-clockwise, once
 ///   line x0 y0 x1 y1       any number
 ///   entity x y             one or more
@@ -22,7 +22,7 @@ struct Scene {
   Point velocity;
 };
 
-/// Throws InputError with every fault as `file:line:column: error: …`, a line each.
+/// Reads a scene. Throws InputError with one line `file:line:column: error: …` per error.
 Scene loadScene(const std::string& file, std::string_view text);
 
 }  // namespace platon::sim

@@ -6,7 +6,7 @@
 
 namespace platon::sim {
 
-/// Seeded numbers that are the same everywhere (SplitMix64, Steele, Lea and Flood 2014).
+/// Pseudo-random numbers that depend on the seed alone, on every machine (SplitMix64, Steele, Lea and Flood 2014).
 class SeededRandom {
  public:
   explicit SeededRandom(std::uint64_t seed) : state_(seed) {}
@@ -18,15 +18,16 @@ class SeededRandom {
     z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
     return z ^ (z >> 31);
   }
-  /// In [0, bound); bound > 0. The bias is below 2^-32 for the bounds used here.
+  /// A number in [0, bound), bound > 0. The bias is below 2^-32 for the bounds used here.
   std::uint64_t below(std::uint64_t bound) { return (next() >> 32) * bound >> 32; }
-  /// A vector of length `most` at most, evenly spread over the disc. most < 2^28.
-  Point vector(std::int32_t most) {
+  /// A vector uniformly distributed over the disc of radius `maxLength` < 2^28.
+  Point vector(std::int32_t maxLength) {
     for (;;) {
-      const auto span = static_cast<std::uint64_t>(most) * 2 + 1;
-      const auto y = static_cast<std::int32_t>(below(span)) - most;  // not as arguments: compilers differ in the order
-      const Point point(static_cast<std::int32_t>(below(span)) - most, y);
-      if (squaredLength(point) <= std::int64_t{most} * most) return point;
+      const auto span = static_cast<std::uint64_t>(maxLength) * 2 + 1;
+      // Drawn in a statement of its own: the order in which arguments are evaluated depends on the compiler.
+      const auto y = static_cast<std::int32_t>(below(span)) - maxLength;
+      const Point point(static_cast<std::int32_t>(below(span)) - maxLength, y);
+      if (squaredLength(point) <= std::int64_t{maxLength} * maxLength) return point;
     }
   }
 

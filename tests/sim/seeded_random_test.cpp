@@ -33,11 +33,11 @@ TEST(SeededRandomTest, VectorsFillTheDisc) {
   for (const int count : quarters) EXPECT_GT(count, 800);
   EXPECT_GT(longest, 990 * 990);
   EXPECT_EQ(random.vector(0), Point());
-  constexpr std::int32_t most = (1 << 28) - 1;
-  EXPECT_LE(squaredLength(random.vector(most)), std::int64_t{most} * most);
+  constexpr std::int32_t maxLength = (1 << 28) - 1;
+  EXPECT_LE(squaredLength(random.vector(maxLength)), std::int64_t{maxLength} * maxLength);
 }
 
-// y is drawn first, whatever the compiler: 6457827717110365317 and 3203168211198807973 are the first two numbers.
+// y comes from the first number, 6457827717110365317, and x from the second, 3203168211198807973, with every compiler.
 TEST(SeededRandomTest, AVectorIsTheSameOnEveryMachine) {
   SeededRandom random(1234567);
   EXPECT_EQ(random.vector(1000), Point(-653, -300));

@@ -21,7 +21,7 @@ Options::Options(const std::vector<std::string>& arguments, const std::vector<st
     if (contains(flags, name) && equals == std::string::npos) {
       values_[name] = "";
     } else if (!contains(valued, name)) {
-      throw UsageError("unknown option " + *argument + ": platon-sim --help lists them");
+      throw UsageError("unknown option " + *argument + " (see platon-sim --help)");
     } else if (equals != std::string::npos) {
       values_[name] = argument->substr(equals + 1);
     } else if (argument + 1 == arguments.end()) {
@@ -42,7 +42,7 @@ std::int64_t Options::number(const std::string& name, std::int64_t fallback, std
   if (!has(name)) return fallback;
   const auto value = wholeNumber(values_.at(name), low, high);
   if (value) return *value;
-  throw UsageError("--" + name + " takes a whole number from " + std::to_string(low) + " to " + std::to_string(high) +
+  throw UsageError("--" + name + " must be an integer from " + std::to_string(low) + " to " + std::to_string(high) +
                    ", not '" + values_.at(name) + "'");
 }
 

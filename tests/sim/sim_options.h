@@ -10,33 +10,34 @@
 
 namespace platon::sim {
 
-/// A command line that cannot be followed: exit code 2. The text says what is wrong and how to mend it.
+/// An invalid command line, or a file that cannot be opened: exit code 2.
 class UsageError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// A file that cannot be used as what it should be: exit code 3. Nothing more to say when the text is empty.
+/// An invalid input file, or a failed write: exit code 3. With an empty text, nothing is printed.
 class InputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// The arguments of one command: words and `--name value` options. Written here, because platon-sim needs nothing but
-/// the standard library on any machine that it is to be compared on.
+/// The arguments of one command: words, `--name value` options and `--name` flags. platon-sim does not use CLI11, so
+/// that it builds with the standard library alone on every machine it is compared on.
 class Options {
  public:
-  /// `valued` and `flags` list the options that the command knows, without dashes. Throws UsageError.
+  /// `valued` and `flags` are the names of the command's options, without dashes. Throws UsageError on another option.
   Options(const std::vector<std::string>& arguments, const std::vector<std::string>& valued,
           const std::vector<std::string>& flags);
 
   const std::vector<std::string>& words() const { return words_; }
   bool has(const std::string& name) const { return values_.count(name) != 0; }
   std::string text(const std::string& name, const std::string& fallback) const;
-  /// A whole number in [low, high]; throws UsageError otherwise.
+  /// The value of an option, an integer in [low, high]; `fallback` without the option. Throws UsageError otherwise.
   std::int64_t number(const std::string& name, std::int64_t fallback, std::int64_t low, std::int64_t high) const;
+  /// The value of `--seed`; 1 without the option.
   std::uint64_t seed() const;
-  /// The one word that the command takes; throws UsageError with `usage` otherwise.
+  /// The word of a command that takes exactly one; throws UsageError with the text `usage` otherwise.
   const std::string& onlyWord(const char* usage) const;
 
  private:
@@ -44,7 +45,7 @@ class Options {
   std::map<std::string, std::string> values_;
 };
 
-/// The whole of `text` as a number in [low, high].
+/// Parses `text` as an integer in [low, high]; nothing when it is none.
 std::optional<std::int64_t> wholeNumber(std::string_view text, std::int64_t low, std::int64_t high);
 
 }  // namespace platon::sim

@@ -22,7 +22,7 @@ std::string refusal(const std::function<void()>& call) {
   return "";
 }
 
-TEST(OptionsTest, TellsWordsFromOptions) {
+TEST(OptionsTest, SeparatesWordsFromOptions) {
   const Options options = parsed({"one", "--ticks", "5", "two", "--json", "--trace=a=b"});
   EXPECT_THAT(options.words(), ElementsAre("one", "two"));
   EXPECT_TRUE(options.has("json"));
@@ -34,14 +34,14 @@ TEST(OptionsTest, TellsWordsFromOptions) {
   EXPECT_THAT(parsed({}).words(), IsEmpty());
 }
 
-TEST(OptionsTest, RefusesWhatItDoesNotKnow) {
-  EXPECT_EQ(refusal([] { parsed({"--tick", "5"}); }), "unknown option --tick: platon-sim --help lists them");
-  EXPECT_EQ(refusal([] { parsed({"--json=1"}); }), "unknown option --json=1: platon-sim --help lists them");
+TEST(OptionsTest, RefusesUnknownOptionsAndMissingValues) {
+  EXPECT_EQ(refusal([] { parsed({"--tick", "5"}); }), "unknown option --tick (see platon-sim --help)");
+  EXPECT_EQ(refusal([] { parsed({"--json=1"}); }), "unknown option --json=1 (see platon-sim --help)");
   EXPECT_EQ(refusal([] { parsed({"--ticks"}); }), "option --ticks needs a value");
 }
 
-TEST(OptionsTest, NumbersAreWholeAndInRange) {
-  const std::string range = "--ticks takes a whole number from -5 to 10, not '";
+TEST(OptionsTest, NumbersAreIntegersInRange) {
+  const std::string range = "--ticks must be an integer from -5 to 10, not '";
   for (const char* wrong : {"11", "-6", "", "x", "1x", " 1", "1.0", "99999999999999999999"}) {
     EXPECT_EQ(refusal([&] { parsed({"--ticks", wrong}).number("ticks", 0, -5, 10); }), range + wrong + "'");
   }

@@ -17,7 +17,7 @@ class BadLine : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// The numbers of one query line, one after another.
+// Reads the numbers of one query.
 class Numbers {
  public:
   explicit Numbers(std::string_view line) : rest_(line) { skipSpace(); }
@@ -27,8 +27,8 @@ class Numbers {
     const std::string_view word = rest_.substr(0, rest_.find_first_of(" \t\r"));
     const auto number = wholeNumber(word, low, high);
     if (!number) {
-      throw BadLine("'" + std::string(word.substr(0, 32)) + "' should be " + what + ", a whole number from " +
-                    std::to_string(low) + " to " + std::to_string(high));
+      throw BadLine("'" + std::string(word.substr(0, 32)) + "' is not valid as " + what +
+                    ": expected an integer from " + std::to_string(low) + " to " + std::to_string(high));
     }
     rest_.remove_prefix(word.size());
     skipSpace();
@@ -65,7 +65,7 @@ void query(const std::string& line, Sweep& sweep) {
   const Point displacement = numbers.point("a coordinate of the displacement");
   const Point a = numbers.point("a coordinate of the segment");
   const Point b = numbers.point("a coordinate of the segment");
-  if (!numbers.empty()) throw BadLine("there is more on the line than one query");
+  if (!numbers.empty()) throw BadLine("unexpected text after the query");
   if (const auto reason = Convex::fault(vertices)) throw BadLine(*reason);
   const Convex shape(std::move(vertices));
   sweep.start(shape, position, displacement);
@@ -76,20 +76,20 @@ void query(const std::string& line, Sweep& sweep) {
 
 int sweepCommand(const std::vector<std::string>& arguments) {
   const Options options(arguments, {}, {});
-  if (!options.words().empty()) throw UsageError("platon-sim sweep takes no arguments: queries come on standard input");
+  if (!options.words().empty()) throw UsageError("platon-sim sweep takes no arguments; it reads standard input");
   std::ios::sync_with_stdio(false);
   Sweep sweep;
-  bool sound = true;
+  bool valid = true;
   std::string line;
   for (long number = 1; std::getline(std::cin, line); ++number) {
     try {
       query(line, sweep);
     } catch (const BadLine& reason) {
       std::fprintf(stderr, "line %ld: %s\n", number, reason.what());
-      sound = false;
+      valid = false;
     }
   }
-  return sound ? 0 : 3;
+  return valid ? 0 : 3;
 }
 
 }  // namespace platon::sim

@@ -17,18 +17,18 @@
 
 namespace platon::sim {
 
-/// Writes the trace of the contract: a header line with all static geometry, then one JSON line a tick.
+/// Writes a trace as JSON lines: first all static geometry, then one line per tick with the legs of every entity.
 class TraceWriter : public StepObserver {
  public:
   /// Throws UsageError when `path` cannot be written.
   explicit TraceWriter(const std::string& path) : file_(path) {}
 
-  /// `level` is null for a scene, which has one face without warps.
+  /// Writes the header line. `level` is null for a scene.
   void header(const World& world, const Convex& shape, const Level* level);
   void leg(std::uint32_t entity, std::span<const InstanceView> instances) override;
-  /// Ends the tick; all legs since the last call belong to it.
+  /// Writes the line of tick `number`, with all legs since the last call.
   void tick(std::uint64_t number, std::uint64_t hash);
-  /// To be called after the last tick.
+  /// Flushes the file; must be called after the last tick.
   void close() { file_.close(); }
 
  private:
@@ -44,9 +44,9 @@ class TraceWriter : public StepObserver {
 
   OutputFile file_;
   std::string line_;
-  std::map<std::uint32_t, std::string> legs_;  // by entity, the leg entries of this tick
+  std::map<std::uint32_t, std::string> legs_;  // JSON of the legs of this tick, by entity
   std::optional<Convex> shape_;
-  std::map<std::int32_t, std::string> shapes_;  // by angle, empty where the vertices are the header's
+  std::map<std::int32_t, std::string> shapes_;  // JSON by angle; empty where the vertices equal those of the header
 };
 
 }  // namespace platon::sim

@@ -22,7 +22,7 @@ class TraceWriterTest : public testing::Test {
   const std::string path_ = folder_ / "trace";
 };
 
-TEST_F(TraceWriterTest, ASceneIsOnePlane) {
+TEST_F(TraceWriterTest, WritesASceneAsOnePlane) {
   World world;
   addPart(world, 0, {{{-50, -20}, {50, -20}}, {{17, 8}, {17, 8}}});
   Entity entity(world, square(10));
@@ -47,7 +47,7 @@ TEST_F(TraceWriterTest, ASceneIsOnePlane) {
       "[{\"id\":0,\"face\":0,\"x\":0,\"y\":-10,\"angle\":0}]]}]}\n");
 }
 
-TEST_F(TraceWriterTest, FurtherInstancesNameTheirWarp) {
+TEST_F(TraceWriterTest, WritesTheWarpOfFurtherInstances) {
   World world = twoStrips();
   Entity entity(world, square(100));
   MapPart(world, 1).insert(entity, {950, 3}, Angle());
@@ -64,7 +64,7 @@ TEST_F(TraceWriterTest, FurtherInstancesNameTheirWarp) {
                               "{\"id\":1,\"face\":2,\"x\":-1050,\"y\":3,\"angle\":0,\"via\":[0,0]}]"));
 }
 
-TEST_F(TraceWriterTest, TurnedShapesAreWrittenOut) {
+TEST_F(TraceWriterTest, WritesRotatedShapes) {
   World world;
   addPart(world, 0, {});
   Entity entity(world, square(10));
@@ -78,7 +78,7 @@ TEST_F(TraceWriterTest, TurnedShapesAreWrittenOut) {
   EXPECT_THAT(readText(path_), HasSubstr("\"angle\":4500,\"shape\":[[0,-14],[14,0],[0,14],[-14,0]]}"));
 }
 
-TEST_F(TraceWriterTest, EntitiesThatAreNowhereAreLeftOut) {
+TEST_F(TraceWriterTest, OmitsEntitiesThatAreNotInserted) {
   World world;
   addPart(world, 0, {});
   Entity absent(world, square(10));
@@ -93,7 +93,7 @@ TEST_F(TraceWriterTest, EntitiesThatAreNowhereAreLeftOut) {
   EXPECT_THAT(readText(path_), HasSubstr("\"players\":[{\"id\":1,\"legs\":"));
 }
 
-TEST_F(TraceWriterTest, RefusesAPlaceThatCannotBeWritten) {
+TEST_F(TraceWriterTest, RefusesAFileThatCannotBeWritten) {
   EXPECT_THROW(TraceWriter(folder_ / "no/such/folder/trace"), UsageError);
 }
 

@@ -7,15 +7,15 @@ Verifier::Verifier(std::span<const std::uint8_t> recording, std::uint32_t from) 
 void Verifier::start(std::uint32_t from) {
   block_ = reader_.next();
   if (!block_) return;
-  if (from < block_->first) from = block_->first;
-  while (block_->ticks() != 0 && block_->first + block_->ticks() <= from) {
+  if (from < block_->firstTick) from = block_->firstTick;
+  while (block_->ticks() != 0 && block_->firstTick + block_->ticks() <= from) {
     auto next = reader_.next();
-    if (!next) break;  // the recording ends here: the last there is
+    if (!next) break;  // truncated: start with the last block
     block_ = std::move(next);
   }
   Game game(reader_.level());
   if (!game.restore(block_->state)) {
-    found_.fault = "byte " + std::to_string(block_->offset) + ": the state is none that this level could have";
+    found_.fault = "byte " + std::to_string(block_->offset) + ": the state of the block is not valid on this level";
     return;
   }
   found_.firstTick = game.tick();
@@ -33,16 +33,16 @@ Verification Verifier::run(const Played& played) {
   return found_;
 }
 
-// At a checkpoint. Also says in which field the states differ when the hashes did before.
+// Compares the states at a checkpoint. After a divergence, also finds the first field that differs.
 bool Verifier::matches(const RecordedBlock& block) {
   if (!found_.divergence && game_->save() == block.state) return true;
   Game recorded(reader_.level());
-  const bool sound = recorded.restore(block.state);
+  const bool valid = recorded.restore(block.state);
   if (!found_.divergence) {
-    found_.divergence = Divergence{block.first, game_->hash(), sound ? recorded.hash() : 0, {}, {}};
+    found_.divergence = Divergence{block.firstTick, game_->hash(), valid ? recorded.hash() : 0, {}, {}};
   }
-  found_.divergence->comparedAt = block.first;
-  if (sound) found_.divergence->difference = firstDifference(*game_, recorded);
+  found_.divergence->comparedAt = block.firstTick;
+  if (valid) found_.divergence->difference = firstDifference(*game_, recorded);
   return false;
 }
 

@@ -13,36 +13,36 @@
 
 namespace platon::sim {
 
-/// Where a game that is played again leaves its recording.
+/// First difference between a replay and its recording.
 struct Divergence {
-  std::uint32_t tick = 0;  ///< the first after which the hashes differ
-  std::uint64_t here = 0;  ///< hash after it, as played
-  std::uint64_t recorded = 0;
-  std::optional<std::uint32_t> comparedAt;    ///< the first checkpoint from `tick` on; nothing when none is left
-  std::optional<StateDifference> difference;  ///< there, played against recorded; nothing when no field differs
+  std::uint32_t tick = 0;                     ///< first tick after which the hashes differ
+  std::uint64_t replayed = 0;                 ///< hash of the replay after that tick
+  std::uint64_t recorded = 0;                 ///< hash in the recording
+  std::optional<std::uint32_t> comparedAt;    ///< first checkpoint at or after `tick`; nothing when there is none
+  std::optional<StateDifference> difference;  ///< at comparedAt, replay left; nothing when no field differs
 };
 
-/// What playing a recording again has shown.
+/// Result of a replay.
 struct Verification {
-  std::uint32_t firstTick = 0;  ///< before the first tick played
-  std::uint32_t ticks = 0;      ///< played, up to and with that of the divergence
-  std::uint32_t slots = 0;      ///< of the game at the end
-  std::uint64_t hash = 0;       ///< of the game then
+  std::uint32_t firstTick = 0;  ///< tick of the game before the replay
+  std::uint32_t ticks = 0;      ///< number of ticks replayed, up to and including that of the divergence
+  std::uint32_t slots = 0;      ///< slots of the game at the end
+  std::uint64_t hash = 0;       ///< hash of the game after the last of `ticks`
   std::optional<Divergence> divergence;
-  std::string fault;  ///< of the recording; empty for a whole one
+  std::string fault;  ///< error in the recording; empty for a complete one
 };
 
-/// Plays a recording and compares the hash after every tick and the state at every checkpoint.
+/// Replays a recording and compares the hash after every tick and the state at every checkpoint.
 class Verifier {
  public:
   using Played = std::function<void(std::span<const Input>, const Game&)>;
 
-  /// From the start of the recording, or from the last checkpoint at or before tick `from`.
+  /// Starts at the last checkpoint at or before tick `from`.
   explicit Verifier(std::span<const std::uint8_t> recording, std::uint32_t from = 0);
 
-  /// The game before the first tick to be played; null when the recording cannot be played at all.
+  /// The game; null when the recording cannot be replayed at all.
   const Game* game() const { return game_ ? &*game_ : nullptr; }
-  /// Plays on to the end, or to the first checkpoint behind a divergence. Tells of every tick played.
+  /// Replays to the end, or to the first checkpoint after a divergence. Calls `played` after every tick.
   Verification run(const Played& played = {});
 
  private:
@@ -51,7 +51,7 @@ class Verifier {
   void play(const RecordedBlock& block, const Played& played);
 
   RecordingReader reader_;
-  std::optional<RecordedBlock> block_;  // to be played next
+  std::optional<RecordedBlock> block_;  // next to be replayed
   std::optional<Game> game_;
   Verification found_;
 };

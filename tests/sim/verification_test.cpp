@@ -20,22 +20,22 @@ std::shared_ptr<const Level> level() {
   return loaded;
 }
 
-// Plays `ticks`; `meddle` may change the game after each before it is recorded. Gives the recording.
-Bytes record(std::uint32_t ticks, std::uint32_t checkpointTicks, const std::function<void(Game&)>& meddle = {}) {
+// Records a game; `change` may change it after each tick, before the tick is recorded.
+Bytes record(std::uint32_t ticks, std::uint32_t checkpointTicks, const std::function<void(Game&)>& change = {}) {
   Game game(level());
   Recorder recorder(game, checkpointTicks);
   Churn churn(kSeed, 3);
   for (std::uint32_t tick = 0; tick < ticks; ++tick) {
     const auto& inputs = churn.next();
     game.advance(inputs);
-    if (meddle) meddle(game);
+    if (change) change(game);
     recorder.record(inputs, game);
   }
   recorder.finish(game);
   return recorder.takeBytes();
 }
 
-TEST(VerificationTest, TheSameGameHoldsToTheEnd) {
+TEST(VerificationTest, AnUnchangedRecordingDoesNotDiverge) {
   const Bytes bytes = record(500, 60);
   const Verification found = Verifier(bytes).run();
   EXPECT_EQ(found.firstTick, 0u);
@@ -45,7 +45,7 @@ TEST(VerificationTest, TheSameGameHoldsToTheEnd) {
   EXPECT_FALSE(found.divergence);
 }
 
-TEST(VerificationTest, FromACheckpointItEndsTheSame) {
+TEST(VerificationTest, AReplayFromACheckpointEndsTheSame) {
   const Bytes bytes = record(500, 60);
   const std::uint64_t hash = Verifier(bytes).run().hash;
   for (const std::uint32_t from : {1u, 59u, 60u, 61u, 479u, 480u, 499u}) {
@@ -61,8 +61,7 @@ TEST(VerificationTest, FromACheckpointItEndsTheSame) {
   EXPECT_EQ(beyond.hash, hash);
 }
 
-// One bit of the saved state is changed after tick `at`, and the game plays on from there. False when the state would
-// be none.
+// Changes one bit of the state after tick `at`. False when the changed state is invalid.
 bool flipBit(Game& game, std::uint32_t at, std::size_t bit) {
   if (game.tick() != at) return true;
   Bytes bytes = game.save();
@@ -70,8 +69,8 @@ bool flipBit(Game& game, std::uint32_t at, std::size_t bit) {
   return game.restore(bytes);
 }
 
-// Of any bit: with a checkpoint at every tick, the first tick and the very field are named.
-TEST(VerificationTest, AnyBitOfStateIsNamedByTickAndField) {
+// With a checkpoint at every tick, the tick and the field of any changed bit are found.
+TEST(VerificationTest, FindsTickAndFieldOfEveryChangedBit) {
   constexpr std::uint32_t kAt = 40;
   Game honest(level());
   Churn churn(kSeed, 3);
@@ -98,18 +97,16 @@ TEST(VerificationTest, AnyBitOfStateIsNamedByTickAndField) {
   EXPECT_GT(named, 300);
 }
 
-// With a checkpoint a second, the tick is exact still; the states are compared at the checkpoint that follows.
-TEST(VerificationTest, BetweenCheckpointsTheTickIsExact) {
+TEST(VerificationTest, FindsTheTickAndComparesStatesAtTheNextCheckpoint) {
   const Bytes bytes = record(400, 60, [](Game& game) { flipBit(game, 130, 8 * 10); });
   const Verification found = Verifier(bytes).run();
   ASSERT_TRUE(found.divergence);
   EXPECT_EQ(found.divergence->tick, 130u);
-  EXPECT_NE(found.divergence->here, found.divergence->recorded);
+  EXPECT_NE(found.divergence->replayed, found.divergence->recorded);
   EXPECT_EQ(found.divergence->comparedAt, 180u);
 }
 
-// The last state is compared too.
-TEST(VerificationTest, ADivergenceBehindTheLastCheckpointIsComparedAtTheEnd) {
+TEST(VerificationTest, ComparesStatesAtTheEndAfterTheLastCheckpoint) {
   const Bytes bytes = record(130, 60, [](Game& game) { flipBit(game, 125, 8 * 10); });
   const Verification found = Verifier(bytes).run();
   ASSERT_TRUE(found.divergence);
@@ -117,12 +114,12 @@ TEST(VerificationTest, ADivergenceBehindTheLastCheckpointIsComparedAtTheEnd) {
   EXPECT_EQ(found.divergence->comparedAt, 130u);
 }
 
-TEST(VerificationTest, ATruncatedRecordingIsPlayedUpToWhereItEnds) {
+TEST(VerificationTest, ReplaysATruncatedRecordingToItsEnd) {
   const Bytes bytes = record(300, 60);
   const Verification found = Verifier(std::span(bytes).first(bytes.size() - 1)).run();
   EXPECT_EQ(found.ticks, 300u);
   EXPECT_FALSE(found.divergence);
-  EXPECT_TRUE(found.fault.starts_with("byte " + std::to_string(bytes.size() - 1) + ": the recording ends here"));
+  EXPECT_TRUE(found.fault.starts_with("byte " + std::to_string(bytes.size() - 1) + ": the recording is truncated"));
 
   const Verification half = Verifier(std::span(bytes).first(bytes.size() / 2)).run();
   EXPECT_GE(half.ticks, 60u);
@@ -131,7 +128,7 @@ TEST(VerificationTest, ATruncatedRecordingIsPlayedUpToWhereItEnds) {
   EXPECT_FALSE(half.divergence);
 }
 
-TEST(VerificationTest, OfATruncatedRecordingTheLastCheckpointIsTheLast) {
+TEST(VerificationTest, StartsAtTheLastCheckpointOfATruncatedRecording) {
   const Bytes bytes = record(300, 60);
   const Verification found = Verifier(std::span(bytes).first(bytes.size() - 1000), 100000).run();
   EXPECT_EQ(found.ticks, 60u);
@@ -140,21 +137,22 @@ TEST(VerificationTest, OfATruncatedRecordingTheLastCheckpointIsTheLast) {
   EXPECT_FALSE(found.divergence);
 }
 
-TEST(VerificationTest, WhatIsNoRecordingCannotBePlayed) {
+TEST(VerificationTest, RefusesBytesThatAreNotARecording) {
   const Bytes bytes{1, 2, 3};
   Verifier verifier(bytes);
   EXPECT_EQ(verifier.game(), nullptr);
-  EXPECT_EQ(verifier.run().fault, "byte 0: this is no recording, or one of another format");
+  EXPECT_EQ(verifier.run().fault, "byte 0: not a recording, or an unsupported version");
 }
 
-TEST(VerificationTest, AStateThatIsNoneIsRefused) {
+TEST(VerificationTest, RefusesAnInvalidState) {
   ForgedRecording forged{Game(level())};
   const std::size_t head = forged.bytes().size();
   forged.setState({1, 2, 3});
   forged.addBlock(0, 0, 0, {});
   Verifier verifier(forged.bytes());
   EXPECT_EQ(verifier.game(), nullptr);
-  EXPECT_EQ(verifier.run().fault, "byte " + std::to_string(head) + ": the state is none that this level could have");
+  EXPECT_EQ(verifier.run().fault,
+            "byte " + std::to_string(head) + ": the state of the block is not valid on this level");
 }
 
 }  // namespace

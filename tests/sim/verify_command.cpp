@@ -12,12 +12,12 @@
 namespace platon::sim {
 namespace {
 
-// Weeks of eight players.
+// Longest recording that is read: weeks of play by eight players.
 constexpr std::size_t kMaxRecordingBytes = std::size_t{1} << 30;
 
 std::string jsonOf(const Divergence& divergence) {
   std::string text = ",\"differs\":{\"tick\":" + std::to_string(divergence.tick) + ",\"hash\":\"" +
-                     hexDigits(divergence.here) + "\",\"recordedHash\":\"" + hexDigits(divergence.recorded) + "\"";
+                     hexDigits(divergence.replayed) + "\",\"recordedHash\":\"" + hexDigits(divergence.recorded) + "\"";
   if (divergence.comparedAt) text += ",\"comparedAt\":" + std::to_string(*divergence.comparedAt);
   if (divergence.difference) {
     const StateDifference& found = *divergence.difference;
@@ -41,22 +41,20 @@ void printText(const std::string& path, const Verification& found, double timesR
 }
 
 std::string sentenceOf(const Divergence& divergence) {
-  std::string text = "after tick " + std::to_string(divergence.tick) + " the hash is " + hexDigits(divergence.here) +
-                     " here and " + hexDigits(divergence.recorded) + " in the recording";
-  if (!divergence.comparedAt) return text + "; it ends before the next checkpoint, so no field can be named";
-  text += divergence.tick == *divergence.comparedAt
-              ? "; there "
-              : "; at the next checkpoint, after tick " + std::to_string(*divergence.comparedAt) + ", ";
+  std::string text = "desync at tick " + std::to_string(divergence.tick) + ": hash " + hexDigits(divergence.replayed) +
+                     " replayed, " + hexDigits(divergence.recorded) + " recorded; ";
+  if (!divergence.comparedAt) return text + "the recording ends before the next checkpoint, so that no field is known";
+  text += "at the checkpoint of tick " + std::to_string(*divergence.comparedAt) + ", ";
   if (!divergence.difference) return text + "no field differs";
   const StateDifference& found = *divergence.difference;
-  return text + "the first field that differs is " + found.field + " of " + found.owner + ": " + found.left +
-         " here, " + found.right + " in the recording";
+  return text + found.field + " of " + found.owner + " is the first field that differs: " + found.left + " replayed, " +
+         found.right + " recorded";
 }
 
-// Exit code 1 for another game, 3 for a recording that is not whole; the first is the graver.
-int complain(const std::string& path, const Verification& found) {
+// Prints what is wrong and returns the exit code: 1 for a divergence, else 3 for an incomplete recording.
+int reportFaults(const std::string& path, const Verification& found) {
   if (found.divergence) std::fprintf(stderr, "%s: %s\n", path.c_str(), sentenceOf(*found.divergence).c_str());
-  const std::string agree = "; " + std::to_string(found.ticks) + " ticks before it were played and agree";
+  const std::string agree = "; the " + std::to_string(found.ticks) + " ticks before agree";
   if (!found.fault.empty()) {
     std::fprintf(stderr, "%s: %s%s\n", path.c_str(), found.fault.c_str(), found.divergence ? "" : agree.c_str());
   }
@@ -67,19 +65,19 @@ int complain(const std::string& path, const Verification& found) {
 
 int verifyCommand(const std::vector<std::string>& arguments) {
   const Options options(arguments, {"from", "record", "checkpoint-every"}, {"json"});
-  const std::string& path = options.onlyWord("platon-sim verify takes one recording: platon-sim verify FILE");
+  const std::string& path = options.onlyWord("platon-sim verify needs one recording: platon-sim verify FILE");
   const auto from = static_cast<std::uint32_t>(options.number("from", 0, 0, ~std::uint32_t{0}));
   const auto bytes = readBytes(path, kMaxRecordingBytes);
   const auto begin = std::chrono::steady_clock::now();
   Verifier verifier(bytes, from);
   RecordingFile recording(options);
-  if (verifier.game() != nullptr) recording.start(*verifier.game(), OutputFile::Over::kNothing);
+  if (verifier.game() != nullptr) recording.start(*verifier.game(), OutputFile::Mode::kCreateNew);
   const Verification found = verifier.run([&](auto inputs, const Game& game) { recording.tick(inputs, game); });
   if (verifier.game() != nullptr) recording.finish(*verifier.game());
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
   const double timesRealTime = found.ticks / (kTicksPerSecond * spent.count());
   if (verifier.game() != nullptr) (options.has("json") ? printJson : printText)(path, found, timesRealTime);
-  return complain(path, found);
+  return reportFaults(path, found);
 }
 
 }  // namespace platon::sim

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the hard levels of tests/determinism/golden/levels: places that a simulation gets wrong, if any, on one machine alone."""
+"""Writes the hard levels of tests/determinism/golden/levels: geometry on which machines are most likely to disagree."""
 
 import math
 import pathlib
@@ -21,7 +21,7 @@ def number(value):
 
 
 def distance(line, point):
-    """Of a point from a line (x0, y0, x1, y1)."""
+    """Distance of a point from a line (x0, y0, x1, y1)."""
     x0, y0, x1, y1 = line
     dx, dy = x1 - x0, y1 - y0
     length = dx * dx + dy * dy
@@ -30,7 +30,7 @@ def distance(line, point):
 
 
 def write(name, title, solid, size, start, faces):
-    """`faces`: for each face its lines. Lines that would overlap the player at the start are left out."""
+    """Writes a level. `faces` holds the lines of each face; lines that would overlap the player at the start are omitted."""
     lines = [f"# title: {title}", "# author: The Platon project", solid,
              f"0 {number(start[0])} {number(start[1])} 0", f"{FACES[solid] - 1} 0 0", str(size)]
     for face, content in enumerate(faces):
@@ -41,32 +41,32 @@ def write(name, title, solid, size, start, faces):
     path.write_text("\n".join(lines) + "\n")
 
 
-def off(source, most):
+def offset(source, most):
     return source.randint(-most, most) * SUBUNIT
 
 
-def somewhere(source, reach):
-    """A point of the disc."""
+def random_point(source, reach):
+    """A random point of the disc of radius `reach`."""
     radius, angle = reach * math.sqrt(source.random()), source.uniform(0, 2 * math.pi)
     return radius * math.cos(angle), radius * math.sin(angle)
 
 
 def joints(source, solid="HEXAHEDRON", size=480):
-    """Floors in pieces whose ends miss each other by up to two subunits, at three slopes, across every edge."""
+    """Floors across every edge, at three slopes, in pieces whose ends are up to two subunits apart."""
     faces = []
     for face in range(FACES[solid]):
         lines = []
         for level, slope in ((-200, 0), (-90, 0.01 * (face - 2)), (40, 0.2)):
             xs = [-240 + 20 * i for i in range(25)]
             for left, right in zip(xs, xs[1:]):
-                lines.append((left + off(source, 2), level + slope * left + off(source, 2),
-                              right + off(source, 2), level + slope * right + off(source, 2)))
+                lines.append((left + offset(source, 2), level + slope * left + offset(source, 2),
+                              right + offset(source, 2), level + slope * right + offset(source, 2)))
         faces.append(lines)
     write("joints", "Loose joints", solid, size, (0, -180), faces)
 
 
 def wedges(source, solid="OCTAHEDRON", size=600):
-    """Pairs of lines that open by a tenth of a degree to ten degrees, in every direction."""
+    """Wedges of two lines with angles from 0.1 to 10 degrees, in every direction."""
     reach = inner_radius(solid, size) * 0.9
     faces = []
     for _ in range(FACES[solid]):
@@ -89,29 +89,29 @@ def points(source, solid="DODECAHEDRON", size=300):
     for _ in range(FACES[solid]):
         lines = [(-size / 2, -120, size / 2, -120)]
         for _ in range(40):
-            x, y = somewhere(source, reach)
-            lines.append((x, y, x + (1 + source.randrange(3)) * SUBUNIT, y + off(source, 3)))
+            x, y = random_point(source, reach)
+            lines.append((x, y, x + (1 + source.randrange(3)) * SUBUNIT, y + offset(source, 3)))
         lines.append((0, 0, 0, 0))
         faces.append(lines)
     write("points", "Points", solid, size, (0, -90), faces)
 
 
 def crowd(source, solid="ICOSAHEDRON", size=500):
-    """Lines of any length and direction, many of them over the edges."""
+    """Lines of any length and direction, many of them across edges."""
     reach = inner_radius(solid, size)
     faces = []
     for _ in range(FACES[solid]):
         lines = []
         for _ in range(18):
-            x, y = somewhere(source, reach)
-            length, way = source.uniform(1, 160), source.uniform(0, 2 * math.pi)
-            lines.append((x, y, x + length * math.cos(way), y + length * math.sin(way)))
+            x, y = random_point(source, reach)
+            length, direction = source.uniform(1, 160), source.uniform(0, 2 * math.pi)
+            lines.append((x, y, x + length * math.cos(direction), y + length * math.sin(direction)))
         faces.append(lines)
     write("crowd", "Crowd", solid, size, (0, 0), faces)
 
 
 def corners(source, solid="TETRAHEDRON", size=200):
-    """The smallest face, where a player reaches the same face twice round a corner; lines point into the corners."""
+    """The smallest face, on which a player has two instances on one face at a corner; lines point into the corners."""
     outer = size / math.sqrt(3)
     faces = []
     for _ in range(FACES[solid]):
@@ -128,13 +128,13 @@ def corners(source, solid="TETRAHEDRON", size=200):
 
 
 def far(source, solid="HEXAHEDRON", size=65536):
-    """The largest face: coordinates of 2^25 subunits, long lines at the slightest slopes, the start near an edge."""
+    """The largest face: coordinates of 2^25 subunits, long lines with minimal slopes, the start near an edge."""
     half = size / 2
     faces = []
     for _ in range(FACES[solid]):
-        lines = [(-half, -half + 100 + 60 * i + off(source, 400), half, -half + 100 + 60 * i + off(source, 400))
+        lines = [(-half, -half + 100 + 60 * i + offset(source, 400), half, -half + 100 + 60 * i + offset(source, 400))
                  for i in range(6)]
-        lines += [(half - 60 - 50 * i, -half + 600, half - 60 - 50 * i + off(source, 9), half) for i in range(6)]
+        lines += [(half - 60 - 50 * i, -half + 600, half - 60 - 50 * i + offset(source, 9), half) for i in range(6)]
         faces.append(lines)
     write("far", "Far out", solid, size, (half - 100, -half + 130), faces)
 

@@ -1,4 +1,4 @@
-// Counts every allocation of the program: what has been played before must be played again without any.
+// Counts the allocations of the program: a replay of what has been played before must not allocate.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -27,7 +27,7 @@ void* allocate(std::size_t size) {
 
 }  // namespace
 
-// The forms for arrays, and those that return null, call these.
+// The array forms and the non-throwing forms call these.
 void* operator new(std::size_t size) { return allocate(size); }
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
@@ -39,15 +39,15 @@ constexpr std::uint64_t kSeed = 20;
 constexpr std::uint32_t kPlayers = 8;
 constexpr int kTicks = 2000;
 
-/// Eight players press buttons, the same ones from the same beginning every time.
+/// A game of eight players that can be played repeatedly from the same state with the same buttons.
 class RepeatedGame {
  public:
   explicit RepeatedGame(std::shared_ptr<const Level> level)
       : beginning_(std::move(level)), game_(beginning_), inputs_(kPlayers, Input{Input::kPresent}) {
-    beginning_.advance(inputs_);  // players enter, which adds to the state
+    beginning_.advance(inputs_);  // adds the players
   }
 
-  /// Returns how many allocations that took. Room for work stays with the game.
+  /// Plays from the beginning and returns the number of allocations. The game keeps its buffers.
   std::size_t play() {
     game_ = beginning_;
     std::vector<sim::ButtonPresses> presses;
@@ -72,17 +72,17 @@ class RepeatedGame {
 
 class AllocationTest : public testing::TestWithParam<std::string> {};
 
-TEST_P(AllocationTest, APlayedGameIsPlayedAgainWithoutAny) {
+TEST_P(AllocationTest, PlayingAgainDoesNotAllocate) {
   RepeatedGame game(sim::levelFrom(GetParam()));
-  ASSERT_GT(game.play(), 0u) << "nothing is counted";
+  ASSERT_GT(game.play(), 0u) << "allocations are not counted";
   game.play();
   const std::uint64_t hash = game.hash();
   EXPECT_EQ(game.play(), 0u) << "seed " << kSeed;
   EXPECT_EQ(game.hash(), hash) << "another game was played, seed " << kSeed;
 }
 
-// Its shapes and the hulls of its turns are made in the first round.
-TEST(TurningAllocationTest, AShapeThatHasBeenAllRoundTurnsOnWithoutAny) {
+// The first full turn makes the rotated shapes and the hulls of the rotations.
+TEST(TurningAllocationTest, TurningAgainDoesNotAllocate) {
   constexpr std::int32_t kTurn = 200;
   World world;
   MapPart part(world, 0);
@@ -99,8 +99,8 @@ TEST(TurningAllocationTest, AShapeThatHasBeenAllRoundTurnsOnWithoutAny) {
     }
     return allocations - before;
   };
-  ASSERT_GT(turnRound(), 0u) << "nothing is counted";
-  EXPECT_EQ(world.entities()[0].angle, Angle()) << "nothing was in its way";
+  ASSERT_GT(turnRound(), 0u) << "allocations are not counted";
+  EXPECT_EQ(world.entities()[0].angle, Angle()) << "no line has blocked the rotation";
   turnRound();
   EXPECT_EQ(turnRound(), 0u);
 }

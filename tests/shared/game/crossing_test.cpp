@@ -1,4 +1,4 @@
-// Movers that cross the edges of every solid.
+// Entities that cross the edges of every solid.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -53,7 +53,7 @@ void forEachEdge(Visit&& visit) {
   }
 }
 
-TEST(CrossingTest, WarpsTurnAboutTheTrueMiddlesOfEdges) {
+TEST(CrossingTest, WarpsRotateAboutTheMidpointsOfEdges) {
   for (const std::int32_t size : {200, 333, 480, 65536}) {
     forEachEdge([&](SolidKind kind, int face, int edge) {
       const RealFace ideal(kind, size);
@@ -69,7 +69,7 @@ TEST(CrossingTest, WarpsTurnAboutTheTrueMiddlesOfEdges) {
   }
 }
 
-// Straight over an edge and back.
+// Moves an entity over an edge and back.
 void crossAndReturn(SolidKind kind, std::int32_t size, int face, int edge, double along, double slant) {
   const RealFace ideal(kind, size);
   const PlatonicSolid::Neighbour& behind = PlatonicSolid::of(kind).neighbour(face, edge);
@@ -85,7 +85,7 @@ void crossAndReturn(SolidKind kind, std::int32_t size, int face, int edge, doubl
   ASSERT_EQ(walk.entity.rotation(), start + behind.turn);
   ASSERT_EQ(walk.entity.state().crossings, 1u);
   const Real expected = ideal.over(face, edge, real(from) + 10 * real(velocity));
-  // Each tick behind the edge rounds the displacement once.
+  // Every tick behind the edge rounds the displacement once.
   ASSERT_LE(length(real(walk.entity.position()) - expected), 3 + 5 * 0.71);
   walk.entity.setVelocity(nearest(-10 * real(walk.entity.velocity())));
   walk.world.solve(&checker);
@@ -95,7 +95,7 @@ void crossAndReturn(SolidKind kind, std::int32_t size, int face, int edge, doubl
   ASSERT_EQ(checker.faults(), "");
 }
 
-TEST(CrossingTest, EveryEdgeAtManyPlacesAndAngles) {
+TEST(CrossingTest, CrossesEveryEdgeAtManyPlacesAndAngles) {
   forEachEdge([](SolidKind kind, int face, int edge) {
     for (const std::int32_t size : {200, 480, 65536}) {
       for (const double along : {0.3, 0.5, 0.68}) {
@@ -108,7 +108,7 @@ TEST(CrossingTest, EveryEdgeAtManyPlacesAndAngles) {
   });
 }
 
-TEST(CrossingTest, OneTickForthAndOneBackEndsWithin3Subunits) {
+TEST(CrossingTest, CrossingAndReturningEndsWithin3Subunits) {
   sim::SeededRandom random(kSeed);
   forEachEdge([&](SolidKind kind, int face, int edge) {
     const RealFace ideal(kind, 480);
@@ -128,7 +128,7 @@ TEST(CrossingTest, OneTickForthAndOneBackEndsWithin3Subunits) {
   });
 }
 
-TEST(CrossingTest, DitheringOnAnEdgeDoesNotDrift) {
+TEST(CrossingTest, RepeatedCrossingsDoNotDrift) {
   for (const SolidKind kind : kAllSolids) {
     const RealFace ideal(kind, 480);
     const int edge = 1;
@@ -158,7 +158,7 @@ double distanceFromCorners(const RealFace& ideal, int corners, Point at) {
   return least;
 }
 
-// The ball never has a vertex of the solid inside.
+// The shape never contains a vertex of the solid.
 TEST(CrossingTest, CornersBlock) {
   constexpr double apothem = 12051;
   for (const SolidKind kind : kAllSolids) {
@@ -187,7 +187,7 @@ TEST(CrossingTest, CornersBlock) {
   }
 }
 
-TEST(CrossingTest, StraightIntoACornerNothingMoves) {
+TEST(CrossingTest, AnEntityPushedIntoACornerRests) {
   Walk walk(SolidKind::kHexahedron, 200, noLines(SolidKind::kHexahedron), 0, {0, 0});
   walk.entity.setVelocity({3000, 3000});
   for (int tick = 0; tick < 60; ++tick) walk.world.solve();
@@ -198,7 +198,7 @@ TEST(CrossingTest, StraightIntoACornerNothingMoves) {
   EXPECT_EQ(walk.entity.position(), before);
 }
 
-// Lines here and there on every face, and one entity where it is free.
+// Random lines on every face, and one entity at a free place.
 Walk flungWalk(SolidKind kind, std::int32_t size, int linesPerFace, sim::SeededRandom& random) {
   Lines lines = noLines(kind);
   const auto reach = static_cast<std::int32_t>(RealFace(kind, size).inradius());
@@ -243,17 +243,18 @@ void fling(SolidKind kind, const Fling& how) {
     ASSERT_EQ(checker.faults(), "") << nameOf(kind) << ", tick " << tick << ", seed " << kSeed;
     ASSERT_TRUE(walk.world.accepts(walk.world.save()));
     const Real centre = real(entity.position());
-    ASSERT_LT(length(centre), 2.01 * RealFace(kind, how.size).inradius() + 8) << "home is on its face";
+    ASSERT_LT(length(centre), 2.01 * RealFace(kind, how.size).inradius() + 8) << "home is far outside its face";
   }
-  // Each leg is told of at most where it admits, moves, passes home and drops; a turn that lines are close to is made,
-  // and told, in many parts.
+  // The observer is called up to four times a leg: for inserted instances, the move, a rehome and removed instances. A
+  // rotation close to lines is made in many parts, with a call for each.
+  EXPECT_GT(most, 0u) << nameOf(kind) << ": no leg was observed";
   EXPECT_LE(most, 16u * EntityStep::kMaxLegs) << nameOf(kind);
   if (how.lines == 0) {
     EXPECT_EQ(std::count(visited.begin(), visited.end(), false), 0) << nameOf(kind) << ": every face was visited";
   }
 }
 
-TEST(CrossingTest, FlungAmongLinesAllHolds) {
+TEST(CrossingTest, InvariantsHoldAmongLines) {
   for (const SolidKind kind : kAllSolids) {
     ASSERT_NO_FATAL_FAILURE(fling(kind, {480, 20000, 4, 1500, 20}));
     ASSERT_NO_FATAL_FAILURE(fling(kind, {200, 8000, 3, 1500, 30}));
@@ -261,7 +262,7 @@ TEST(CrossingTest, FlungAmongLinesAllHolds) {
   }
 }
 
-TEST(CrossingTest, OverDozensOfFacesInATickAllHolds) {
+TEST(CrossingTest, InvariantsHoldOverDozensOfFacesInATick) {
   for (const SolidKind kind : kAllSolids) {
     ASSERT_NO_FATAL_FAILURE(fling(kind, {200, 2000000, 0, 300, 1}));
     ASSERT_NO_FATAL_FAILURE(fling(kind, {200, 1 << 27, 0, 150, 1}));
@@ -270,8 +271,8 @@ TEST(CrossingTest, OverDozensOfFacesInATickAllHolds) {
   }
 }
 
-// Round the middle of four faces a displacement of several tours comes back to its line.
-TEST(CrossingTest, StraightAheadItGoesRoundTheCube) {
+// A displacement of three times round the cube ends where it began.
+TEST(CrossingTest, GoesStraightRoundTheCube) {
   for (const Point direction : {Point(1, 0), Point(-1, 0), Point(0, 1), Point(0, -1)}) {
     Walk walk(SolidKind::kHexahedron, 200, noLines(SolidKind::kHexahedron), 0, {100, -300});
     const std::int32_t tour = 4 * 200 * 1024;

@@ -19,22 +19,22 @@
 namespace platon {
 
 inline constexpr std::int32_t kFloorFaceSize = 480;
-inline constexpr double kFloorReach = 60000;  // to either side of the edge
+inline constexpr double kFloorReach = 60000;  // length of the floor on either side of the edge
 
-/// A straight floor over one edge; a walker's right is along it.
+/// A straight floor across one edge; right is along it.
 struct Floor {
   SolidKind kind;
   int face;
   int edge;
-  double along;  ///< the edge
-  double slant;  ///< of the floor from straight over the edge, degrees
+  double along;  ///< where the floor crosses the edge: 0 at its first corner, 1 at its second
+  double slant;  ///< angle between the floor and the normal of the edge, degrees
 
   RealFace ideal() const { return {kind, kFloorFaceSize}; }
   Real crossing() const { return ideal().onEdge(edge, along); }
   Real direction() const { return turned(ideal().outwards(edge), Angle(static_cast<std::int32_t>(slant * 100))); }
   Real up() const { return left(direction()); }
   std::uint32_t behind() const { return PlatonicSolid::of(kind).neighbour(face, edge).face; }
-  /// A position in the frame of `face` as if all were in one plane.
+  /// The position of the entity in the frame of `face`, with both faces in one plane.
   Real unfolded(const Entity& entity) const {
     const Real at = real(entity.position());
     if (entity.part() == static_cast<std::uint32_t>(face)) return at;
@@ -56,18 +56,18 @@ struct Floor {
 
 inline Angle alignedWith(const Floor& floor) { return rotationOf(floor.direction()); }
 
-/// Puts the ball down `before` subunits before the edge and lets it come to rest.
+/// Drops a player `before` subunits before the edge and lets it come to rest.
 inline Entity settle(World& world, const Floor& floor, double before, Angle angle) {
   Entity entity(world, playerShape());
   const Real start = floor.crossing() - before * floor.direction() + 12400.0 * floor.up();
   MapPart(world, static_cast<std::uint32_t>(floor.face)).insert(entity, nearest(start), angle);
-  // Beyond the edge, home is in the part behind it from the beginning.
+  // With a start beyond the edge, the entity's home is in the part behind it from the beginning.
   entity.setVelocity(rotate(nearest(-256 * floor.up()), entity.rotation() - angle));
   for (int tick = 0; tick < 10; ++tick) world.solve();
   return entity;
 }
 
-/// Runs over the edge, pressed on the floor by `press` subunits a tick, and neither slows nor lifts.
+/// Runs over the edge, pressed to the floor by `press` subunits a tick; expects that the speed and the height stay.
 inline void expectSmooth(const Floor& floor, Angle angle, double press) {
   World world = floor.build();
   Entity entity = settle(world, floor, 45000, angle);
@@ -81,7 +81,7 @@ inline void expectSmooth(const Floor& floor, Angle angle, double press) {
     world.solve(&checker);
     ASSERT_GE(progress() - before, 4096 * 0.99)
         << floor.name() << ", tick " << tick << ", turned " << angle.centidegrees();
-    // Three for the step, and what the rounded ends of the floor put it off its straight line.
+    // 3 for the step, and 0.5 because the ends of the floor are rounded.
     ASSERT_LE(std::abs(height() - settled), 3.5)
         << floor.name() << ", tick " << tick << ", turned " << angle.centidegrees();
   }

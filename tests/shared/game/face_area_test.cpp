@@ -23,7 +23,7 @@ FinePoint units(std::int64_t x, std::int64_t y) {
 
 FinePoint fine(Point point) { return {point.x * FinePoint::kPerSubunit, point.y * FinePoint::kPerSubunit}; }
 
-// How far a point is beyond the edge that it is farthest beyond, subunits; negative inside.
+// Distance of a point outside the edge that it is farthest outside of, in subunits; negative inside.
 double beyond(const std::vector<Point>& polygon, Point point) {
   double most = -1e9;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -39,7 +39,7 @@ struct ExactPoint {
   mpq_class y;
 };
 
-// The ends of the part of a–b in the polygon by the textbook, in rationals; empty when there is none.
+// The ends of the part of a–b inside the polygon, clipped in rationals; empty when there is none.
 std::vector<ExactPoint> exactCut(const std::vector<Point>& polygon, FinePoint a, FinePoint b) {
   const ExactPoint from{mpq_class(a.x, 625), mpq_class(a.y, 625)};
   const ExactPoint to{mpq_class(b.x, 625), mpq_class(b.y, 625)};
@@ -66,13 +66,13 @@ bool isNearest(Point point, const ExactPoint& exact) {
   return abs(point.x - exact.x) <= half && abs(point.y - exact.y) <= half;
 }
 
-class Source {
+class RandomPoints {
  public:
-  explicit Source(std::uint64_t seed) : random_(seed) {}
+  explicit RandomPoints(std::uint64_t seed) : random_(seed) {}
   std::int64_t below(std::int64_t limit) {
     return static_cast<std::int64_t>(random_() % static_cast<std::uint64_t>(limit));
   }
-  // A coordinate as a level text can give it, up to `most` units in magnitude.
+  // A coordinate with four decimals, as level texts have them, up to `most` units in magnitude.
   std::int64_t coordinate(std::int64_t most) { return (below(2 * most * 10000 + 1) - most * 10000) * 64; }
   FinePoint point(std::int64_t most) {
     const std::int64_t x = coordinate(most);
@@ -83,7 +83,7 @@ class Source {
   std::mt19937_64 random_;
 };
 
-TEST(FaceAreaTest, LineInsideIsOnlyRounded) {
+TEST(FaceAreaTest, ALineInsideIsOnlyRounded) {
   const FaceArea area(facePolygon(SolidKind::kHexahedron, 480));
   EXPECT_EQ(area.cut(units(-240, -200), units(100, -200)),
             (Segment{{-240 * 1024, -200 * 1024}, {100 * 1024, -200 * 1024}}));
@@ -91,7 +91,7 @@ TEST(FaceAreaTest, LineInsideIsOnlyRounded) {
   EXPECT_EQ(area.cut(units(3, 4), units(3, 4)), (Segment{{3072, 4096}, {3072, 4096}}));
 }
 
-TEST(FaceAreaTest, LineThatLeavesEndsOnTheEdge) {
+TEST(FaceAreaTest, ALineThatLeavesTheFaceIsCutAtTheEdge) {
   const FaceArea area(facePolygon(SolidKind::kHexahedron, 480));
   EXPECT_EQ(area.cut(units(0, 0), units(300, 0)), (Segment{{0, 0}, {245760, 0}}));
   EXPECT_EQ(area.cut(units(-300, 50), units(300, 50)), (Segment{{-245760, 51200}, {245760, 51200}}));
@@ -99,7 +99,7 @@ TEST(FaceAreaTest, LineThatLeavesEndsOnTheEdge) {
   EXPECT_EQ(area.cut(units(220, 0), units(260, 30)), (Segment{{225280, 0}, {245760, 15360}}));
 }
 
-TEST(FaceAreaTest, LineOutsideIsNone) {
+TEST(FaceAreaTest, ALineOutsideGivesNothing) {
   const FaceArea square(facePolygon(SolidKind::kHexahedron, 480));
   EXPECT_FALSE(square.cut(units(241, -100), units(241, 100)));
   EXPECT_FALSE(square.cut(units(200, 300), units(300, 200)));
@@ -110,7 +110,7 @@ TEST(FaceAreaTest, LineOutsideIsNone) {
   EXPECT_TRUE(triangle.cut(units(-200, 270), units(200, 280)));
 }
 
-TEST(FaceAreaTest, OneSubunitOutsideCountsAsOnTheEdge) {
+TEST(FaceAreaTest, ALineOneSubunitOutsideIsOnTheEdge) {
   const FaceArea area(facePolygon(SolidKind::kHexahedron, 480));
   const Segment beside{{245761, -1000}, {245761, 1000}};
   EXPECT_EQ(area.cut(fine(beside.a), fine(beside.b)), beside);
@@ -119,7 +119,7 @@ TEST(FaceAreaTest, OneSubunitOutsideCountsAsOnTheEdge) {
   EXPECT_EQ(area.cut(fine({0, 0}), fine({245762, 0})), (Segment{{0, 0}, {245760, 0}}));
 }
 
-TEST(FaceAreaTest, ContainsItsEdgesButNothingBeyond) {
+TEST(FaceAreaTest, ContainsItsEdgesButNoPointOutside) {
   for (const SolidKind kind : kKinds) {
     const auto polygon = facePolygon(kind, 333);
     const FaceArea area(polygon);
@@ -133,7 +133,7 @@ TEST(FaceAreaTest, ContainsItsEdgesButNothingBeyond) {
   }
 }
 
-TEST(FaceAreaTest, EveryEdgeIsALineOfItsFaceAsWritten) {
+TEST(FaceAreaTest, ALineWrittenAlongAnEdgeIsTheEdge) {
   for (const SolidKind kind : kKinds) {
     for (std::int32_t size = kMinFaceSize; size < 1500; size += 7) {
       const auto polygon = facePolygon(kind, size);
@@ -152,21 +152,21 @@ TEST(FaceAreaTest, EveryEdgeIsALineOfItsFaceAsWritten) {
   }
 }
 
-TEST(FaceAreaTest, CutEndsAreTheLatticePointsNearestToTheExactOnes) {
+TEST(FaceAreaTest, CutEndsAreTheExactOnesRoundedToTheNearest) {
   constexpr std::uint64_t seed = 11;
   SCOPED_TRACE(testing::Message() << "seed " << seed);
-  Source source(seed);
+  RandomPoints random(seed);
   int cut = 0;
   for (int i = 0; i < 30000; ++i) {
-    const auto size = static_cast<std::int32_t>(i % 3 == 0 ? kMaxFaceSize : 200 + source.below(2000));
+    const auto size = static_cast<std::int32_t>(i % 3 == 0 ? kMaxFaceSize : 200 + random.below(2000));
     const auto polygon = facePolygon(kKinds[static_cast<std::size_t>(i) % 3], size);
     const std::int64_t most = i % 2 == 0 ? FaceArea::kMaxUnits : size;
-    const FinePoint a = source.point(most);
-    const FinePoint b = source.point(most);
+    const FinePoint a = random.point(most);
+    const FinePoint b = random.point(most);
     const auto found = FaceArea(polygon).cut(a, b);
     const auto expected = exactCut(polygon, a, b);
     if (expected.empty()) {
-      // Only lines within a subunit of the face, which random ones hardly ever are.
+      // `cut` may still find a line that is within one subunit of the face.
       EXPECT_LE(found ? beyond(polygon, found->a) : 0, 1.0);
       continue;
     }
@@ -180,21 +180,21 @@ TEST(FaceAreaTest, CutEndsAreTheLatticePointsNearestToTheExactOnes) {
   EXPECT_GT(cut, 5000);
 }
 
-TEST(FaceAreaTest, LinesBesideAnEdgeNeverEndMoreThanASubunitBeyond) {
+TEST(FaceAreaTest, NoEndIsMoreThanOneSubunitOutside) {
   constexpr std::uint64_t seed = 12;
   SCOPED_TRACE(testing::Message() << "seed " << seed);
-  Source source(seed);
+  RandomPoints random(seed);
   int kept = 0;
   for (int i = 0; i < 60000; ++i) {
     const auto polygon = facePolygon(kKinds[static_cast<std::size_t>(i) % 3], static_cast<std::int32_t>(200 + i % 97));
-    const auto corner = static_cast<std::size_t>(source.below(static_cast<std::int64_t>(polygon.size())));
+    const auto corner = static_cast<std::size_t>(random.below(static_cast<std::int64_t>(polygon.size())));
     const Point from = polygon[corner];
     const Point to = polygon[(corner + 1) % polygon.size()];
-    const auto near = [&](Point base) {  // up to three subunits from the end of an edge, or a bit farther along it
+    const auto near = [&](Point base) {  // up to 1.5 subunits beside the edge, at its end or 0.1 edges farther along it
       const FinePoint exact = fine(base);
-      const std::int64_t along = source.below(3) - 1;
-      return FinePoint{exact.x + along * (to.x - from.x) * 64 + source.below(3750) - 1875,
-                       exact.y + along * (to.y - from.y) * 64 + source.below(3750) - 1875};
+      const std::int64_t along = random.below(3) - 1;
+      return FinePoint{exact.x + along * (to.x - from.x) * 64 + random.below(3750) - 1875,
+                       exact.y + along * (to.y - from.y) * 64 + random.below(3750) - 1875};
     };
     const auto found = FaceArea(polygon).cut(near(from), near(to));
     if (!found) continue;

@@ -1,4 +1,4 @@
-// Floors that continue over the edges of a solid: sliding along them (I3) and resting on them (I4).
+// Floors that continue across the edges of a solid: sliding without a snag (I3) and resting (I4).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,14 +29,14 @@ void forEachFloor(Visit&& visit) {
   }
 }
 
-TEST(FloorOverEdgeTest, RunningOverNeitherSlowsNorLifts) {
+TEST(FloorOverEdgeTest, RunningKeepsSpeedAndHeight) {
   forEachFloor([](const Floor& floor) {
     expectSmooth(floor, alignedWith(floor), 256);
     expectSmooth(floor, Angle(1234), 256);
   });
 }
 
-TEST(FloorOverEdgeTest, AHardPressMakesNoDifference) {
+TEST(FloorOverEdgeTest, RunningIsTheSameUnderAnyPress) {
   forEachFloor([](const Floor& floor) {
     if (floor.along != 0.5) return;
     expectSmooth(floor, alignedWith(floor), 60);
@@ -44,7 +44,7 @@ TEST(FloorOverEdgeTest, AHardPressMakesNoDifference) {
   });
 }
 
-TEST(FloorOverEdgeTest, RunningBackIsAsSmooth) {
+TEST(FloorOverEdgeTest, RunningBackKeepsSpeedAndHeight) {
   forEachFloor([](const Floor& floor) {
     World world = floor.build();
     Entity entity = settle(world, floor, 45000, alignedWith(floor));
@@ -61,8 +61,8 @@ TEST(FloorOverEdgeTest, RunningBackIsAsSmooth) {
   });
 }
 
-// On, before and behind the edge, straight and slanted.
-TEST(FloorOverEdgeTest, AtRestOnAnEdgeNothingMoves) {
+// At rest on, before and behind the edge, on straight and slanted floors.
+TEST(FloorOverEdgeTest, APlayerAtRestDoesNotMove) {
   forEachFloor([](const Floor& floor) {
     if (floor.along != 0.5 || std::abs(floor.slant) < 15 || floor.face > 3) return;
     for (const double before : {-9000.0, -1.0, 0.0, 2.0}) {
@@ -78,7 +78,7 @@ TEST(FloorOverEdgeTest, AtRestOnAnEdgeNothingMoves) {
   });
 }
 
-TEST(FloorOverEdgeTest, AtRestForLong) {
+TEST(FloorOverEdgeTest, APlayerAtRestDoesNotMoveIn100000Ticks) {
   for (const SolidKind kind : kAllSolids) {
     const Floor floor{kind, 1, 2, 0.5, 20};
     World world = floor.build();

@@ -11,14 +11,14 @@
 
 namespace platon {
 
-/// A recording by someone who can make check sums too: its blocks hold what no Recorder would write.
+/// A recording with correct checksums and blocks that no Recorder would write.
 class ForgedRecording {
  public:
   explicit ForgedRecording(const Game& start) : state_(start.save()), bytes_(Recorder(start).takeBytes()) {}
 
-  /// The state of the blocks that follow.
+  /// Sets the state of the blocks added from now on.
   void setState(std::vector<std::uint8_t> state) { state_ = std::move(state); }
-  /// `rest`: the runs and the hashes.
+  /// Adds a block; `rest` holds its runs and its hashes.
   void addBlock(std::uint32_t first, std::uint16_t ticks, std::uint16_t slots, const std::vector<std::uint8_t>& rest) {
     StateWriter body;
     body.add(first);
@@ -29,7 +29,7 @@ class ForgedRecording {
     body.append(rest);
     addBody(body.bytes());
   }
-  /// A block of any bytes.
+  /// Adds a block with any body.
   void addBody(std::span<const std::uint8_t> body) {
     StateWriter block;
     block.add(static_cast<std::uint32_t>(body.size()));

@@ -1,4 +1,4 @@
-// Saving a game and restoring it from bytes, sound or not.
+// Saving a game and restoring it from valid and invalid bytes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ std::shared_ptr<const Level> level() {
   return loaded;
 }
 
-// A game with players here and there, at least two instances of them behind an edge.
+// A game of five slots, advanced until its players have at least two instances besides home.
 Game playedToAnEdge() {
   Game game(level());
   std::vector<sim::ButtonPresses> presses;
@@ -39,7 +39,7 @@ std::vector<Input> someInputs(const Game& game, sim::SeededRandom& random) {
   return inputs;
 }
 
-TEST(GameRestoreTest, AtEveryTickItIsTheSame) {
+TEST(GameRestoreTest, TheRestoredGameIsTheSameAtEveryTick) {
   Game game(level());
   Game other(level());
   std::vector<sim::ButtonPresses> presses;
@@ -64,7 +64,7 @@ TEST(GameRestoreTest, AtEveryTickItIsTheSame) {
   }
 }
 
-TEST(GameRestoreTest, ARoundThatIsOverIsRestoredOver) {
+TEST(GameRestoreTest, RestoresThatTheRoundIsOver) {
   Game game(level());
   for (std::uint32_t tick = 0; tick < kRoundTicks; ++tick) game.advance({});
   ASSERT_TRUE(game.over());
@@ -73,7 +73,7 @@ TEST(GameRestoreTest, ARoundThatIsOverIsRestoredOver) {
   EXPECT_TRUE(other.over());
 }
 
-TEST(GameRestoreTest, SixtyFourPlayersTakeLessThan8Kilobytes) {
+TEST(GameRestoreTest, AStateOf64PlayersIsSmallerThan8Kilobytes) {
   Game game(level());
   const std::vector<Input> inputs(64, Input{Input::kPresent | Input::kRight});
   for (int tick = 0; tick < 100; ++tick) game.advance(inputs);
@@ -95,7 +95,7 @@ TEST(GameRestoreTest, RefusesEveryWrongLength) {
   EXPECT_EQ(game, before);
 }
 
-TEST(GameRestoreTest, RefusesMorePlayersThanThereMayBe) {
+TEST(GameRestoreTest, RefusesTooManyPlayers) {
   Game game(level());
   const std::vector<std::uint8_t> tooMany{0x01, 0x01};
   EXPECT_FALSE(game.restore(tooMany));
@@ -105,14 +105,14 @@ TEST(GameRestoreTest, RefusesMorePlayersThanThereMayBe) {
   EXPECT_FALSE(game.restore(zeros));
 }
 
-TEST(GameRestoreTest, AnotherLevelsStateIsRefusedOrHarmless) {
+TEST(GameRestoreTest, AStateOfAnotherLevelIsRefusedOrPlayable) {
   Game tetrahedron(levelOf("TETRAHEDRON\n0 0 0 0\n1 0 0\n480\n%\n%\n%\n%\n"));
   const Game saved = playedToAnEdge();
   if (tetrahedron.restore(saved.save())) tetrahedron.advance({});
   EXPECT_EQ(tetrahedron.level().solid, SolidKind::kTetrahedron);
 }
 
-TEST(GameRestoreTest, EveryByteThatIsRestoredShowsInTheHash) {
+TEST(GameRestoreTest, EveryRestoredByteChangesTheHash) {
   const Game saved = playedToAnEdge();
   const auto bytes = saved.save();
   int accepted = 0;
@@ -135,15 +135,15 @@ TEST(GameRestoreTest, EveryByteThatIsRestoredShowsInTheHash) {
   EXPECT_GT(accepted, 500);
 }
 
-// Changed bytes are refused, and leave the game as it was, or give a state that can be played on.
-TEST(GameRestoreTest, RandomChangesAreRefusedOrHarmless) {
+// Changed bytes are either refused, and the game is unchanged, or give a state that can be advanced.
+TEST(GameRestoreTest, RandomChangesAreRefusedOrPlayable) {
   const Game saved = playedToAnEdge();
-  const auto sound = saved.save();
+  const auto valid = saved.save();
   sim::SeededRandom random(kSeed);
   int accepted = 0;
   Game game = saved;
   for (int round = 0; round < 100000; ++round) {
-    auto bytes = sound;
+    auto bytes = valid;
     const std::uint64_t changes = 1 + random.below(4);
     for (std::uint64_t change = 0; change < changes; ++change) {
       bytes[random.below(bytes.size())] = static_cast<std::uint8_t>(random.next());
@@ -161,13 +161,13 @@ TEST(GameRestoreTest, RandomChangesAreRefusedOrHarmless) {
   EXPECT_LT(accepted, 99000);
 }
 
-TEST(GameRestoreTest, RefusedBytesChangeNothing) {
+TEST(GameRestoreTest, RefusedBytesLeaveTheGameUnchanged) {
   const Game saved = playedToAnEdge();
-  const auto sound = saved.save();
+  const auto valid = saved.save();
   sim::SeededRandom random(kSeed + 1);
   Game game = saved;
   for (int round = 0; round < 20000; ++round) {
-    auto bytes = sound;
+    auto bytes = valid;
     for (int change = 0; change < 8; ++change)
       bytes[random.below(bytes.size())] = static_cast<std::uint8_t>(random.next());
     if (game.restore(bytes)) {
@@ -178,7 +178,7 @@ TEST(GameRestoreTest, RefusedBytesChangeNothing) {
   }
 }
 
-TEST(GameRestoreTest, NoiseIsRefused) {
+TEST(GameRestoreTest, RandomBytesAreRefusedOrPlayable) {
   sim::SeededRandom random(kSeed);
   Game game(level());
   for (int round = 0; round < 20000; ++round) {

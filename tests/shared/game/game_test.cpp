@@ -26,7 +26,7 @@ std::shared_ptr<const Level> busyLevel() {
   return cubeLevel("0 0 -180 0", {kLedges, kLedges, kLedges, kLedges, kLedges, kLedges}, "2 0 100");
 }
 
-// Players that press seeded buttons, come and go.
+// Seeded inputs of players who press buttons, restart, leave and join.
 class Crowd {
  public:
   explicit Crowd(std::uint64_t seed) : random_(seed) {
@@ -50,7 +50,7 @@ class Crowd {
   bool away_[4] = {false, true, false, true};
 };
 
-TEST(GameTest, BeginsEmpty) {
+TEST(GameTest, ANewGameHasNoPlayers) {
   const Game game(flatLevel());
   EXPECT_EQ(game.tick(), 0u);
   EXPECT_EQ(game.ticksLeft(), kRoundTicks);
@@ -59,7 +59,7 @@ TEST(GameTest, BeginsEmpty) {
   EXPECT_EQ(game.level().solid, SolidKind::kHexahedron);
 }
 
-TEST(GameTest, PlayersComeAndGoByTheirInput) {
+TEST(GameTest, PlayersJoinAndLeaveByTheirInput) {
   PlayedGame played(flatLevel());
   played.hold(2, kNone);
   played.advance();
@@ -80,10 +80,10 @@ TEST(GameTest, PlayersComeAndGoByTheirInput) {
   EXPECT_TRUE(played.game.world().view(2).empty());
   played.hold(2, kNone);
   played.advance();
-  EXPECT_EQ(played.entity(2).position.x, 0) << "back at the start";
+  EXPECT_EQ(played.entity(2).position.x, 0) << "the player joins at the start";
 }
 
-TEST(GameTest, SlotsBeyondTheInputsAreAbsent) {
+TEST(GameTest, SlotsWithoutInputHaveNoPlayer) {
   PlayedGame played(flatLevel());
   played.hold(1, kNone);
   played.advance(3);
@@ -96,7 +96,7 @@ TEST(GameTest, SlotsBeyondTheInputsAreAbsent) {
   EXPECT_EQ(played.game.slots(), 2u);
 }
 
-TEST(GameTest, AsManyPlayersAsThereMayBe) {
+TEST(GameTest, PlaysWithTheLargestNumberOfPlayers) {
   Game game(flatLevel());
   const std::vector<Input> inputs(kMaxPlayers, Input{Input::kPresent | Input::kRight});
   for (int tick = 0; tick < 30; ++tick) game.advance(inputs);
@@ -118,22 +118,22 @@ TEST(GameTest, TouchingTheGoalFinishes) {
   ASSERT_EQ(played.player().finished, 1);
   EXPECT_EQ(played.player().finishedAt, played.game.tick());
   EXPECT_TRUE(played.game.over());
-  // The ball's right side has just passed the goal.
+  // The right side of the player has just passed the goal.
   const std::int32_t past = played.position().x + 12052 - units(100);
   EXPECT_GT(past, 0);
   EXPECT_LE(past, 3277 + 1000);
   const std::uint32_t finishedAt = played.player().finishedAt;
   played.run(50, Input::kRight);
-  EXPECT_EQ(played.player().finishedAt, finishedAt) << "once";
+  EXPECT_EQ(played.player().finishedAt, finishedAt) << "a player finishes once";
   EXPECT_TRUE(played.game.over());
 }
 
-TEST(GameTest, AGoalJustBehindAnEdgeIsReachedByTheInstanceThere) {
+TEST(GameTest, AnInstanceBehindAnEdgeTouchesTheGoalThere) {
   PlayedGame played(flatLevel("1 -236 -190"));
   played.run(30, kNone);
   while (played.player().finished == 0 && played.game.tick() < 400) played.run(1, Input::kRight);
   EXPECT_EQ(played.player().finished, 1);
-  EXPECT_EQ(played.entity().part, 0u) << "the centre is still before the edge";
+  EXPECT_EQ(played.entity().part, 0u) << "the centre has not crossed the edge";
 }
 
 TEST(GameTest, ARoundEndsWhenAllPresentHaveFinished) {
@@ -147,14 +147,14 @@ TEST(GameTest, ARoundEndsWhenAllPresentHaveFinished) {
   PlayedGame other = played;
   other.release(1);
   other.advance();
-  EXPECT_TRUE(other.game.over()) << "who is left has finished";
+  EXPECT_TRUE(other.game.over()) << "every player still present has finished";
   played.hold(1, Input::kRight);
   for (int tick = 0; tick < 300 && played.player(1).finished == 0; ++tick) played.advance();
   EXPECT_TRUE(played.game.over());
   EXPECT_LT(played.player(0).finishedAt, played.player(1).finishedAt);
 }
 
-TEST(GameTest, OnceOverItStaysOver) {
+TEST(GameTest, ARoundThatIsOverStaysOver) {
   PlayedGame played(flatLevel("0 100 -190"));
   for (int tick = 0; tick < 300 && !played.game.over(); ++tick) played.run(1, Input::kRight);
   ASSERT_TRUE(played.game.over());
@@ -162,10 +162,10 @@ TEST(GameTest, OnceOverItStaysOver) {
   const Point before = played.position();
   played.run(5, Input::kRight);
   EXPECT_TRUE(played.game.over());
-  EXPECT_NE(played.position(), before) << "players may go on moving";
+  EXPECT_NE(played.position(), before) << "players can still move";
 }
 
-TEST(GameTest, ARoundEndsWhenTimeIsUp) {
+TEST(GameTest, ARoundEndsWhenTheTimeIsUp) {
   Game game(flatLevel());
   for (std::uint32_t tick = 1; tick < kRoundTicks; ++tick) game.advance({});
   EXPECT_FALSE(game.over());
@@ -178,7 +178,7 @@ TEST(GameTest, ARoundEndsWhenTimeIsUp) {
   EXPECT_EQ(game.tick(), kRoundTicks + 1);
 }
 
-TEST(GameTest, RestartGoesBackToTheStart) {
+TEST(GameTest, RestartMovesThePlayerToTheStart) {
   PlayedGame played(flatLevel());
   PlayedGame fresh(flatLevel());
   fresh.run(1, Input::kRestart);
@@ -188,10 +188,10 @@ TEST(GameTest, RestartGoesBackToTheStart) {
   EXPECT_EQ(played.player(), fresh.player());
   const Point before = played.position();
   played.run(10, Input::kRestart | Input::kRight);
-  EXPECT_GT(played.position().x, before.x) << "held down it restarts once";
+  EXPECT_GT(played.position().x, before.x) << "a held button restarts once";
 }
 
-TEST(GameTest, RestartKeepsWhatIsFinished) {
+TEST(GameTest, RestartKeepsTheFinish) {
   PlayedGame played(flatLevel("0 100 -190"));
   played.run(1, kNone);
   for (int tick = 0; tick < 300 && played.player().finished == 0; ++tick) played.run(1, Input::kRight);
@@ -214,7 +214,7 @@ TEST(GameTest, TheSameInputsGiveTheSameGame) {
     ASSERT_EQ(one.hash(), two.hash());
     hashes.insert(one.hash());
   }
-  EXPECT_EQ(hashes.size(), 1500u) << "every tick is another state";
+  EXPECT_EQ(hashes.size(), 1500u) << "every tick has another hash";
 }
 
 TEST(GameTest, CopiesAreIndependent) {
@@ -231,7 +231,7 @@ TEST(GameTest, CopiesAreIndependent) {
   EXPECT_NE(copy.hash(), hash);
 }
 
-TEST(GameTest, WhatAPredictedCopyDoesIsWhatTheGameDoes) {
+TEST(GameTest, APredictedCopyBecomesTheConfirmedGame) {
   Game confirmed(busyLevel());
   Game predicted(busyLevel());
   Crowd crowd(kSeed);
@@ -250,7 +250,7 @@ TEST(GameTest, WhatAPredictedCopyDoesIsWhatTheGameDoes) {
   EXPECT_EQ(predicted, confirmed);
 }
 
-TEST(GameTest, NobodyEverOverlapsALine) {
+TEST(GameTest, NoPlayerEverOverlapsALine) {
   Game game(busyLevel());
   LegChecker checker(game.world());
   Crowd crowd(kSeed);

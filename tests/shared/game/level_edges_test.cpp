@@ -1,3 +1,4 @@
+// Lines written on both faces of an edge continue over it.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,7 +18,7 @@ struct Place {
   long double y;
 };
 
-// The corners of a regular polygon with this edge length, unrounded.
+// Corners of the regular polygon with this edge length, not rounded.
 std::vector<Place> regularPolygon(int count, long double edge) {
   const long double step = 2 * std::acos(-1.0L) / count;
   std::vector<Place> corners;
@@ -29,20 +30,20 @@ std::vector<Place> regularPolygon(int count, long double edge) {
   return corners;
 }
 
-// What lies at `along` edge lengths from corner `corner` on the way to `next`, and `beyond` of them to its right.
+// The point at `along` edge lengths from `corner` towards `next`, and `beyond` edge lengths to the right of the edge.
 Place besideEdge(const Place& corner, const Place& next, long double along, long double beyond) {
   const long double dx = next.x - corner.x;
   const long double dy = next.y - corner.y;
   return {corner.x + along * dx + beyond * dy, corner.y + along * dy - beyond * dx};
 }
 
-// As a level text gives it: four decimals.
+// The point as a level text gives it: with four decimals.
 FinePoint written(const Place& place) {
   const auto decimal = [](long double units) { return std::llround(units * 10000) * FinePoint::kPerTenThousandth; };
   return {decimal(place.x), decimal(place.y)};
 }
 
-// The end of the line nearest to the edge from `corner`, as a place along and beyond the edge, in subunits.
+// The end of the line that is nearer to the edge from `corner`, in subunits along and beyond the edge.
 Place endAtEdge(const std::vector<Point>& polygon, std::size_t corner, const Segment& line) {
   const Point from = polygon[corner];
   const Point edge = polygon[(corner + 1) % polygon.size()] - from;
@@ -56,8 +57,8 @@ Place endAtEdge(const std::vector<Point>& polygon, std::size_t corner, const Seg
   return std::abs(a.y) < std::abs(b.y) ? a : b;
 }
 
-// A line that goes over an edge at an angle of at least 30 degrees is written on both faces. How far its two cut ends
-// are apart when the faces are unfolded, in subunits.
+// Writes a line that crosses an edge at an angle of at least 30 degrees on both faces, and returns the distance between
+// its two cut ends when the faces are unfolded, in subunits.
 long double gapOverAnEdge(SolidKind kind, std::int32_t size, std::mt19937_64& random) {
   const int edges = PlatonicSolid::of(kind).edgesPerFace();
   const auto true_ = regularPolygon(edges, size);
@@ -84,7 +85,7 @@ long double gapOverAnEdge(SolidKind kind, std::int32_t size, std::mt19937_64& ra
   return std::hypot(one.x - (length - other.x), one.y + other.y);
 }
 
-TEST(LevelEdgesTest, LinesOverAnEdgeMeetWithinThreeSubunits) {
+TEST(LevelEdgesTest, LinesAcrossAnEdgeMeetWithin3Subunits) {
   constexpr std::uint64_t seed = 99;
   std::mt19937_64 random(seed);
   long double most = 0;

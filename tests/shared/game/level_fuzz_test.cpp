@@ -90,6 +90,7 @@ class Mutator {
   std::mt19937 random_;
 };
 
+// Distance of a point outside the edge that it is farthest outside of, in subunits; negative inside.
 long double beyond(const std::vector<Point>& polygon, Point point) {
   long double most = -1e9L;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -100,23 +101,23 @@ long double beyond(const std::vector<Point>& polygon, Point point) {
   return most;
 }
 
-void expectSound(const Level& level, const std::string& text) {
+void expectValid(const Level& level, const std::string& text) {
   const auto polygon = facePolygon(level.solid, level.faceSize);
-  ASSERT_EQ(level.lines.size(), static_cast<std::size_t>(PlatonicSolid::of(level.solid).faces()));
-  for (const auto& face : level.lines) {
+  ASSERT_EQ(level.segments.size(), static_cast<std::size_t>(PlatonicSolid::of(level.solid).faces()));
+  for (const auto& face : level.segments) {
     for (const Segment& line : face) {
       ASSERT_LE(beyond(polygon, line.a), 1.0L) << text;
       ASSERT_LE(beyond(polygon, line.b), 1.0L) << text;
     }
   }
-  EXPECT_LT(level.startFace, level.lines.size());
-  EXPECT_LT(level.goalFace, level.lines.size());
+  EXPECT_LT(level.startFace, level.segments.size());
+  EXPECT_LT(level.goalFace, level.segments.size());
   EXPECT_LE(beyond(polygon, level.start), 0.0L) << text;
   EXPECT_LE(beyond(polygon, level.goal), 0.0L) << text;
   EXPECT_EQ(level.text, text);
 }
 
-void expectSound(const std::vector<Diagnostic>& diagnostics, const std::string& text) {
+void expectValid(const std::vector<Diagnostic>& diagnostics, const std::string& text) {
   const auto lines = std::max<std::ptrdiff_t>(1, std::count(text.begin(), text.end(), '\n') + 1);
   for (const Diagnostic& one : diagnostics) {
     EXPECT_GE(one.line, 1) << text;
@@ -130,27 +131,27 @@ void expectSound(const std::vector<Diagnostic>& diagnostics, const std::string& 
   })) << text;
 }
 
-TEST(LevelFuzzTest, MutatedLevelsAreRefusedOrSound) {
+TEST(LevelFuzzTest, AMutatedLevelIsRefusedOrValid) {
   constexpr unsigned seed = 31337;
   SCOPED_TRACE(testing::Message() << "seed " << seed);
   Mutator mutator(seed);
-  int good = 0;
-  int bad = 0;
+  int valid = 0;
+  int invalid = 0;
   for (int i = 0; i < 20000 && !testing::Test::HasFailure(); ++i) {
     const std::string text = mutator.mutate(std::string(kSeeds[static_cast<std::size_t>(i) % kSeeds.size()]));
     const LevelResult result = loadLevel(text);
     const bool error =
         std::any_of(result.diagnostics.begin(), result.diagnostics.end(), [](auto& one) { return one.error; });
     EXPECT_EQ(result.level == nullptr, error) << text;
-    expectSound(result.diagnostics, text);
-    if (result.level != nullptr) expectSound(*result.level, text);
-    ++(result.level != nullptr ? good : bad);
+    expectValid(result.diagnostics, text);
+    if (result.level != nullptr) expectValid(*result.level, text);
+    ++(result.level != nullptr ? valid : invalid);
   }
-  EXPECT_GT(good, 500);
-  EXPECT_GT(bad, 2000);
+  EXPECT_GT(valid, 500);
+  EXPECT_GT(invalid, 2000);
 }
 
-TEST(LevelFuzzTest, SeedsAreGoodLevels) {
+TEST(LevelFuzzTest, SeedsAreValidLevels) {
   for (const std::string_view seed : kSeeds) EXPECT_NE(loadLevel(seed).level, nullptr) << seed;
 }
 

@@ -34,7 +34,7 @@ TEST(LevelNumberTest, ReadsIntegersAndDecimals) {
   EXPECT_EQ(tenThousandths(std::string(1000, '0') + "1"), 10000);
 }
 
-TEST(LevelNumberTest, RefusesWhatIsNoNumber) {
+TEST(LevelNumberTest, RefusesTextThatIsNotANumber) {
   for (const char* text : {"",    "-",    ".",   "-.",  "+1", "--1", "1-", ".5", "5.",   "1.2.3", "1,5",
                            "1e5", "0x10", "nan", "inf", "1 ", " 1",  "1f", "１", "1.-2", "1.+2",  "%"}) {
     EXPECT_EQ(faultOf(text), NumberFault::kNotANumber) << "'" << text << "'";
@@ -42,19 +42,19 @@ TEST(LevelNumberTest, RefusesWhatIsNoNumber) {
   EXPECT_EQ(faultOf(std::string("1\0", 2)), NumberFault::kNotANumber);
 }
 
-TEST(LevelNumberTest, RefusesAFifthDecimalEvenWhenZero) {
+TEST(LevelNumberTest, RefusesAFifthDecimalEvenIfItIsZero) {
   EXPECT_EQ(faultOf("1.00000"), NumberFault::kTooManyDecimals);
   EXPECT_EQ(faultOf("-0.12345"), NumberFault::kTooManyDecimals);
 }
 
-TEST(LevelNumberTest, RefusesWhatIsBeyondTheLimit) {
+TEST(LevelNumberTest, RefusesNumbersAboveTheLimit) {
   for (const std::string text : {"131072.0001", "-131072.0001", "131073", "4294967296", "18446744073709551616"}) {
     EXPECT_EQ(faultOf(text), NumberFault::kTooLarge) << text;
   }
   EXPECT_EQ(faultOf(std::string(5000, '9') + ".9"), NumberFault::kTooLarge);
 }
 
-TEST(LevelNumberTest, SubunitsAreTheNearestAndSymmetric) {
+TEST(LevelNumberTest, RoundsToTheNearestSubunit) {
   EXPECT_EQ(LevelNumber{10000}.subunits(), 1024);
   EXPECT_EQ(LevelNumber{5000}.subunits(), 512);
   EXPECT_EQ(LevelNumber{4}.subunits(), 0);  // 0.4096

@@ -54,7 +54,7 @@ TEST(LevelTextTest, EmptyTextHasNoLines) {
   EXPECT_TRUE(scan("\xef\xbb\xbf").lines.empty());
 }
 
-TEST(LevelTextTest, ByteOrderMarkIsPassedOverOnlyAtTheBeginning) {
+TEST(LevelTextTest, SkipsAByteOrderMarkOnlyAtTheBeginning) {
   const auto first = scan(
       "\xef\xbb\xbf"
       "abc\n");
@@ -67,7 +67,7 @@ TEST(LevelTextTest, ByteOrderMarkIsPassedOverOnlyAtTheBeginning) {
             "d ");
 }
 
-TEST(LevelTextTest, ReportsControlBytesWhereTheyStand) {
+TEST(LevelTextTest, ReportsControlCharactersAtTheirPosition) {
   const auto scanned = scan(std::string_view("ab\0c\n\x1b[1m # \x07\n1 2 # \x7f\n3\r4\n# \xc2\x85\n", 30));
   ASSERT_EQ(scanned.diagnostics.size(), 5u);
   const std::string tail = ": only tabs and line ends (LF or CR LF) are allowed";
@@ -76,9 +76,9 @@ TEST(LevelTextTest, ReportsControlBytesWhereTheyStand) {
   EXPECT_EQ(scanned.diagnostics[2], (Diagnostic{3, 7, true, "control character 0x7f" + tail}));
   EXPECT_EQ(scanned.diagnostics[3], (Diagnostic{4, 2, true, "control character 0x0d" + tail}));
   EXPECT_EQ(scanned.diagnostics[4], (Diagnostic{5, 3, true, "control character 0x85" + tail}));
-  EXPECT_TRUE(scanned.lines[0].broken);
+  EXPECT_TRUE(scanned.lines[0].invalid);
   EXPECT_TRUE(scanned.lines[0].tokens.empty());
-  EXPECT_FALSE(scanned.lines[2].broken) << "the byte is in the comment";
+  EXPECT_FALSE(scanned.lines[2].invalid) << "the control character is in the comment";
   EXPECT_EQ(joined(scanned.lines[2]), "1:1 3:2 ");
 }
 
@@ -86,16 +86,16 @@ TEST(LevelTextTest, AcceptsUtf8InComments) {
   EXPECT_TRUE(scan("# title: \xc3\x84pfel \xe2\x82\xac \xf0\x9f\x8d\x8e \xef\xbf\xbf\n").diagnostics.empty());
 }
 
-TEST(LevelTextTest, ReportsBrokenUtf8) {
+TEST(LevelTextTest, ReportsMalformedUtf8) {
   for (const char* bytes : {"\x80", "\xc3", "\xc3(", "\xc0\xaf", "\xe0\x80\x80", "\xe2\x82", "\xed\xa0\x80",
                             "\xf0\x80\x80\x80", "\xf4\x90\x80\x80", "\xf8\x88\x80\x80\x80", "\xff", "\xfe"}) {
     const auto scanned = scan("# a" + std::string(bytes));
     ASSERT_EQ(scanned.diagnostics.size(), 1u);
-    EXPECT_EQ(scanned.diagnostics[0], (Diagnostic{1, 4, true, "the text is no valid UTF-8 here"}));
+    EXPECT_EQ(scanned.diagnostics[0], (Diagnostic{1, 4, true, "invalid UTF-8: save the file as UTF-8"}));
   }
 }
 
-TEST(LevelTextTest, EndOfTextIsBehindTheLastLine) {
+TEST(LevelTextTest, TheEndOfTheTextIsAfterTheLastByteOfItsLastLine) {
   Diagnostics diagnostics;
   LevelText text("ab\ncd # e\n", diagnostics);
   EXPECT_EQ(text.lines(), 1);

@@ -15,14 +15,14 @@ namespace platon {
 
 inline constexpr std::uint8_t kNone = 0;
 
-/// The level of this text. Throws std::invalid_argument with the first error.
+/// Loads a level text. Throws std::invalid_argument with its first error.
 inline std::shared_ptr<const Level> levelOf(const std::string& text) {
   LevelResult result = loadLevel(text);
   if (!result.level) throw std::invalid_argument(format("level", result.diagnostics.at(0)));
   return result.level;
 }
 
-/// A hexahedron 480 wide; `lines` holds the lines of each face in turn. The goal is out of the way unless given.
+/// A hexahedron with face size 480. `start` and `goal` are lines of a level text, `lines` those of each face in turn.
 inline std::shared_ptr<const Level> cubeLevel(const std::string& start, std::vector<std::string> lines,
                                               const std::string& goal = "5 0 0") {
   lines.resize(6);
@@ -31,21 +31,22 @@ inline std::shared_ptr<const Level> cubeLevel(const std::string& start, std::vec
   return levelOf(text);
 }
 
-/// A game that a test plays: every slot holds its buttons until told otherwise.
+/// A game played by a test. Each slot keeps its buttons until they are changed.
 class PlayedGame {
  public:
   explicit PlayedGame(std::shared_ptr<const Level> level) : game(std::move(level)) {}
 
-  /// Advances with these buttons pressed by the player in slot 0.
+  /// Sets the buttons of slot 0 and advances.
   void run(int ticks, std::uint8_t buttons) {
     hold(0, buttons);
     for (int tick = 0; tick < ticks; ++tick) game.advance(held_);
   }
-  /// From the next tick on.
+  /// Sets the buttons of a slot; the player joins if there is none.
   void hold(std::size_t slot, std::uint8_t buttons) {
     if (held_.size() <= slot) held_.resize(slot + 1);
     held_[slot].buttons = static_cast<std::uint8_t>(buttons | Input::kPresent);
   }
+  /// Removes the player of a slot with the next tick.
   void release(std::size_t slot) { held_.at(slot) = Input(); }
   void advance(int ticks = 1) {
     for (int tick = 0; tick < ticks; ++tick) game.advance(held_);
@@ -62,7 +63,7 @@ class PlayedGame {
   std::vector<Input> held_;
 };
 
-/// Level units in subunits.
+/// `count` level units in subunits.
 constexpr std::int32_t units(std::int32_t count) { return count * kSubunitsPerUnit; }
 
 }  // namespace platon

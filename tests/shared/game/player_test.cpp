@@ -12,9 +12,10 @@
 namespace platon {
 namespace {
 
-constexpr std::int32_t kApothem = 12052;  // from the centre of the ball to its flat bottom
+constexpr std::int32_t kApothem = 12052;  // from the centre of the player to its bottom edge
 constexpr std::int32_t kFloor = units(-200);
 constexpr std::int32_t kRunSpeed = 3277;
+constexpr std::int32_t kJumpHeight = 61380;
 
 const std::string kFlat = "-240 -200 240 -200";
 
@@ -31,7 +32,7 @@ TEST(PlayerTest, IsARegular16Gon) {
   EXPECT_EQ(shape.centre(), Point());
   EXPECT_EQ(shape.bounds().low, Point(-kApothem, -kApothem));
   EXPECT_EQ(shape.bounds().high, Point(kApothem, kApothem));
-  EXPECT_EQ(*shape.turned(Angle::degrees(90)) == shape, false) << "the same polygon, counted from another corner";
+  EXPECT_EQ(*shape.turned(Angle::degrees(90)) == shape, false) << "the same polygon, but with another first vertex";
 }
 
 TEST(PlayerTest, FallsAndComesToRest) {
@@ -49,7 +50,7 @@ TEST(PlayerTest, FallsAndComesToRest) {
   EXPECT_EQ(played.position(), rest);
 }
 
-void expectToStandAndGetOut(const std::string& start, const std::string& lines) {
+void expectToStandAndJumpOut(const std::string& start, const std::string& lines) {
   SCOPED_TRACE(lines);
   PlayedGame played(cubeLevel(start, {lines}));
   played.run(200, kNone);
@@ -61,15 +62,15 @@ void expectToStandAndGetOut(const std::string& start, const std::string& lines) 
   EXPECT_GT(played.position().y, rest.y + units(30));
 }
 
-TEST(PlayerTest, BetweenTwoSteepLinesItStandsAndGetsOut) {
-  expectToStandAndGetOut("0 0 0 0", "-100 0 0 -173\n0 -173 100 0");
+TEST(PlayerTest, StandsBetweenTwoSteepLinesAndCanJumpOut) {
+  expectToStandAndJumpOut("0 0 0 0", "-100 0 0 -173\n0 -173 100 0");
 }
 
-TEST(PlayerTest, BetweenASteepLineAndAWallOrAnOverhangToo) {
-  expectToStandAndGetOut("0 -60 30 0", "-100 0 0 -173\n0 -173 0 50");
-  expectToStandAndGetOut("0 60 30 0", "100 0 0 -173\n0 -173 0 50");
-  expectToStandAndGetOut("0 -60 30 0", "-100 0 0 -173\n0 -173 -30 50");
-  expectToStandAndGetOut("0 60 30 0", "100 0 0 -173\n0 -173 30 50");
+TEST(PlayerTest, StandsBetweenASteepLineAndAWallOrOverhang) {
+  expectToStandAndJumpOut("0 -60 30 0", "-100 0 0 -173\n0 -173 0 50");
+  expectToStandAndJumpOut("0 60 30 0", "100 0 0 -173\n0 -173 0 50");
+  expectToStandAndJumpOut("0 -60 30 0", "-100 0 0 -173\n0 -173 -30 50");
+  expectToStandAndJumpOut("0 60 30 0", "100 0 0 -173\n0 -173 30 50");
 }
 
 TEST(PlayerTest, FallsNoFasterThanTheLimit) {
@@ -80,11 +81,11 @@ TEST(PlayerTest, FallsNoFasterThanTheLimit) {
     fastest = std::min(fastest, played.player().velocity.y);
   }
   EXPECT_EQ(fastest, -12288);
-  EXPECT_GE(played.entity().crossings, 4u) << "once round the cube";
+  EXPECT_GE(played.entity().crossings, 4u) << "the fall goes round the cube";
   EXPECT_EQ(played.entity().angle, Angle());
 }
 
-TEST(PlayerTest, RunsUpToItsSpeed) {
+TEST(PlayerTest, AcceleratesToTheRunSpeed) {
   for (const int way : {-1, 1}) {
     PlayedGame played = standingOn(kFlat);
     const std::uint8_t button = way < 0 ? Input::kLeft : Input::kRight;
@@ -98,7 +99,7 @@ TEST(PlayerTest, RunsUpToItsSpeed) {
   }
 }
 
-TEST(PlayerTest, BothWaysAtOnceIsNeither) {
+TEST(PlayerTest, LeftAndRightTogetherDoNothing) {
   PlayedGame played = standingOn(kFlat);
   const Point before = played.position();
   played.run(20, Input::kLeft | Input::kRight);
@@ -119,7 +120,7 @@ TEST(PlayerTest, StopsByFriction) {
   EXPECT_EQ(played.position(), rest);
 }
 
-TEST(PlayerTest, AWallTakesTheSpeed) {
+TEST(PlayerTest, AWallStopsARun) {
   PlayedGame played = standingOn(kFlat + "\n100 -200 100 0");
   played.run(120, Input::kRight);
   EXPECT_EQ(played.position(), Point(units(100) - kApothem, kFloor + kApothem));
@@ -127,13 +128,14 @@ TEST(PlayerTest, AWallTakesTheSpeed) {
   EXPECT_TRUE(played.grounded());
 }
 
-// Speed before the first tick of the jump less the gravity of every tick: 22 ticks rise.
-TEST(PlayerTest, AJumpRisesBy60Units) {
+// The jump height: 61380 subunits, 59.94 units. The speed is 5734 and falls by the gravity of 256 in each tick, the
+// first one included, so that the player rises for 22 ticks.
+TEST(PlayerTest, JumpHeightIs61380Subunits) {
   PlayedGame played = standingOn(kFlat);
   const std::int32_t ground = played.position().y;
   std::int32_t rise = 0;
   for (int tick = 1; 5734 - 256 * tick > 0; ++tick) rise += 5734 - 256 * tick;
-  EXPECT_EQ(rise, 61380);
+  EXPECT_EQ(rise, kJumpHeight);
   std::int32_t peak = 0;
   int airborne = 0;
   do {
@@ -141,12 +143,12 @@ TEST(PlayerTest, AJumpRisesBy60Units) {
     peak = std::max(peak, played.position().y - ground);
     ++airborne;
   } while (!played.grounded() && airborne < 1000);
-  EXPECT_EQ(peak, rise);
+  EXPECT_EQ(peak, kJumpHeight);
   EXPECT_EQ(airborne, 44);
   EXPECT_EQ(played.position().y, ground);
 }
 
-TEST(PlayerTest, HeldDownTheButtonJumpsOnce) {
+TEST(PlayerTest, AHeldButtonJumpsOnce) {
   PlayedGame played = standingOn(kFlat);
   const std::int32_t ground = played.position().y;
   played.run(50, Input::kJump);
@@ -157,7 +159,7 @@ TEST(PlayerTest, HeldDownTheButtonJumpsOnce) {
   }
   played.run(1, kNone);
   played.run(1, Input::kJump);
-  EXPECT_GT(played.position().y, ground) << "pressed anew";
+  EXPECT_GT(played.position().y, ground) << "pressed again";
 }
 
 std::int32_t peakOfJumpHeldFor(int ticks) {
@@ -171,8 +173,8 @@ std::int32_t peakOfJumpHeldFor(int ticks) {
   return peak;
 }
 
-TEST(PlayerTest, AJumpIsAsHighAsTheButtonIsHeld) {
-  // Let go at once: one tick at full speed, then what is left of it: 1800 less gravity, 7 ticks long.
+TEST(PlayerTest, JumpHeightGrowsWithTheTimeTheButtonIsHeld) {
+  // Released after one tick: one tick at full speed, then 7 ticks from a speed of 1800.
   std::int32_t least = 5734 - 256;
   for (int tick = 1; 1800 - 256 * tick > 0; ++tick) least += 1800 - 256 * tick;
   EXPECT_EQ(peakOfJumpHeldFor(1), least);
@@ -182,11 +184,11 @@ TEST(PlayerTest, AJumpIsAsHighAsTheButtonIsHeld) {
     EXPECT_GT(peak, last) << ticks;
     last = peak;
   }
-  EXPECT_EQ(peakOfJumpHeldFor(22), 61380);
-  EXPECT_EQ(peakOfJumpHeldFor(40), 61380);
+  EXPECT_EQ(peakOfJumpHeldFor(22), kJumpHeight);
+  EXPECT_EQ(peakOfJumpHeldFor(40), kJumpHeight);
 }
 
-TEST(PlayerTest, ACeilingEndsTheRise) {
+TEST(PlayerTest, ACeilingEndsAJump) {
   PlayedGame played = standingOn(kFlat + "\n-100 -150 100 -150");
   std::int32_t peak = played.position().y;
   int airborne = 0;
@@ -198,7 +200,7 @@ TEST(PlayerTest, ACeilingEndsTheRise) {
   EXPECT_LT(airborne, 30);
 }
 
-// Off the ledge at x = 0, then `late` ticks in the air before the button is pressed.
+// Runs off the ledge at x = 0 and presses the button after `late` ticks in the air.
 bool jumpsAfterLedge(int late) {
   PlayedGame played = standingOn("-240 0 0 0", "0 -60 20 0");
   played.run(60, kNone);
@@ -212,12 +214,12 @@ bool jumpsAfterLedge(int late) {
   return played.player().velocity.y > 0;
 }
 
-TEST(PlayerTest, MayJumpALittleAfterTheLedge) {
+TEST(PlayerTest, CanJumpUntil4TicksAfterALedge) {
   for (int late = 0; late <= 4; ++late) EXPECT_TRUE(jumpsAfterLedge(late)) << late;
   for (int late = 5; late <= 12; ++late) EXPECT_FALSE(jumpsAfterLedge(late)) << late;
 }
 
-TEST(PlayerTest, DoesNotJumpTwiceFromOneLedge) {
+TEST(PlayerTest, DoesNotJumpAgainInTheAir) {
   PlayedGame played = standingOn(kFlat);
   played.run(2, Input::kJump);
   played.run(1, kNone);
@@ -226,7 +228,7 @@ TEST(PlayerTest, DoesNotJumpTwiceFromOneLedge) {
   EXPECT_EQ(played.player().velocity.y, speed - 256);
 }
 
-// Presses the button `early` ticks before the tick in which a falling player first stands.
+// Presses the button `early` ticks before the tick in which a falling player lands.
 bool jumpsWhenPressedEarly(int early) {
   PlayedGame falling(cubeLevel("0 0 -100 0", {kFlat}));
   falling.run(1, kNone);
@@ -241,12 +243,12 @@ bool jumpsWhenPressedEarly(int early) {
   return false;
 }
 
-TEST(PlayerTest, AJumpPressedALittleEarlyWaitsForTheGround) {
+TEST(PlayerTest, AJumpPressedUpTo5TicksEarlyIsMadeOnLanding) {
   for (int early = 0; early <= 5; ++early) EXPECT_TRUE(jumpsWhenPressedEarly(early)) << early;
   for (int early = 6; early <= 12; ++early) EXPECT_FALSE(jumpsWhenPressedEarly(early)) << early;
 }
 
-TEST(PlayerTest, StandsOnASlopeWithoutCreeping) {
+TEST(PlayerTest, RestsOnASlope) {
   for (const char* slope :
        {"-240 -240 240 -200", "-240 -240 240 0", "-240 -240 240 240", "-240 100 240 -177", "-200 200 200 -220"}) {
     PlayedGame played = standingOn(slope, "0 0 80 0");
@@ -261,7 +263,7 @@ TEST(PlayerTest, StandsOnASlopeWithoutCreeping) {
   }
 }
 
-TEST(PlayerTest, SlidesDownWhatIsTooSteep) {
+TEST(PlayerTest, SlidesDownASteepLine) {
   PlayedGame played = standingOn("-100 -240 100 240", "0 -30 0 0");
   const Point before = played.position();
   played.run(30, kNone);
@@ -269,7 +271,7 @@ TEST(PlayerTest, SlidesDownWhatIsTooSteep) {
   EXPECT_LT(played.position().y, before.y - units(20));
 }
 
-TEST(PlayerTest, RunsUpAndDownSlopesAtItsSpeed) {
+TEST(PlayerTest, RunsUpAndDownSlopesAtTheRunSpeed) {
   for (const char* slope : {"-240 -240 240 -60", "-240 -240 240 240", "-240 200 240 -100"}) {
     for (const std::uint8_t way : {Input::kLeft, Input::kRight}) {
       PlayedGame played = standingOn(slope, "0 0 80 0");
@@ -286,7 +288,7 @@ TEST(PlayerTest, RunsUpAndDownSlopesAtItsSpeed) {
   }
 }
 
-TEST(PlayerTest, FollowsAGentleCrestAndDip) {
+TEST(PlayerTest, StaysOnTheGroundOverAGentleCrestAndDip) {
   PlayedGame played =
       standingOn("-240 -160 -100 -160\n-100 -160 0 -153\n0 -153 100 -160\n100 -160 240 -150", "0 -200 -130 0");
   for (int tick = 0; tick < 160; ++tick) {
@@ -294,10 +296,10 @@ TEST(PlayerTest, FollowsAGentleCrestAndDip) {
     ASSERT_TRUE(played.grounded()) << tick << " at " << played.position().x;
     if (played.position().x > units(200)) return;
   }
-  FAIL() << "it should have got across";
+  FAIL() << "the player did not get across";
 }
 
-// Once round the four side faces of the cube on one floor.
+// Runs once round the four side faces.
 TEST(PlayerTest, RunsRoundTheCubeOnALevelFloor) {
   PlayedGame played(cubeLevel("0 0 -180 0", {kFlat, kFlat, kFlat, kFlat}));
   played.run(60, kNone);
@@ -314,8 +316,9 @@ TEST(PlayerTest, RunsRoundTheCubeOnALevelFloor) {
   EXPECT_EQ(played.entity().angle, Angle());
 }
 
-// Up over the top edge, right over the next, and down again: three faces meet at the corner, 90 degrees are missing.
-TEST(PlayerTest, AWayRoundACornerTurnsUpByAQuarter) {
+// Crosses the three edges of a corner: up, right, and down again. The angles at a corner of the cube add up to 270
+// degrees, 90 less than on a plane.
+TEST(PlayerTest, APathRoundACornerTurnsUpBy90Degrees) {
   const std::string first = "90 215 170 215\n0 40 0 230";
   const std::string top = "180 -215 240 -215";
   PlayedGame played(cubeLevel("0 130 230 0", {first, "", "", "", top}));
@@ -331,11 +334,11 @@ TEST(PlayerTest, AWayRoundACornerTurnsUpByAQuarter) {
   EXPECT_EQ(parts, (std::vector<std::uint32_t>{4, 1, 0}));
   EXPECT_EQ(played.entity().angle, Angle::degrees(270));
   EXPECT_TRUE(played.grounded());
-  EXPECT_EQ(played.position().x, kApothem) << "it stands on the line that was a wall";
-  EXPECT_EQ(played.player().ground, Point(0, PlayerState::kUnit)) << "in its own frame";
+  EXPECT_EQ(played.position().x, kApothem) << "the player stands on the line that was a wall";
+  EXPECT_EQ(played.player().ground, Point(0, PlayerState::kUnit)) << "in the player's own frame";
 }
 
-TEST(PlayerTest, InItsOwnFrameEveryStartIsAlike) {
+TEST(PlayerTest, MovesTheSameInItsOwnFrameForEveryStartAngle) {
   for (const int degrees : {0, 90, 180, 270}) {
     const std::string box = "-200 -200 200 -200\n200 -200 200 200\n200 200 -200 200\n-200 200 -200 -200";
     PlayedGame played(cubeLevel("0 0 0 " + std::to_string(degrees), {box}));
@@ -350,7 +353,7 @@ TEST(PlayerTest, InItsOwnFrameEveryStartIsAlike) {
   }
 }
 
-TEST(PlayerTest, AMirroredLevelIsPlayedInAMirror) {
+TEST(PlayerTest, AMirroredLevelGivesAMirroredPath) {
   const std::string lines = "-240 -200 100 -200\n100 -200 160 -150\n20 -120 80 -120";
   const std::string mirrored = "240 -200 -100 -200\n-100 -200 -160 -150\n-20 -120 -80 -120";
   PlayedGame one(cubeLevel("0 0 -180 0", {lines}));

@@ -14,7 +14,7 @@ namespace platon {
 inline constexpr std::array kAllSolids = {SolidKind::kTetrahedron, SolidKind::kHexahedron, SolidKind::kOctahedron,
                                           SolidKind::kDodecahedron, SolidKind::kIcosahedron};
 
-/// A point or vector of the real plane, in subunits.
+/// A point or vector in subunits, in floating point.
 struct Real {
   double x = 0;
   double y = 0;
@@ -36,12 +36,12 @@ inline Real turned(Real a, Angle angle) {
 inline Point nearest(Real a) {
   return {static_cast<std::int32_t>(std::lround(a.x)), static_cast<std::int32_t>(std::lround(a.y))};
 }
-/// The direction of a vector to the nearest centidegree.
+/// The angle of a vector from the x axis, rounded to the nearest centidegree.
 inline Angle rotationOf(Real a) {
   return Angle(static_cast<std::int32_t>(std::lround(std::atan2(a.y, a.x) / std::numbers::pi * 18000)));
 }
 
-/// The ideal face of a solid, of which the game's polygon is the rounded image; all faces of a solid are alike.
+/// A face of a solid before its corners are rounded. All faces of a solid are equal.
 class RealFace {
  public:
   RealFace(SolidKind kind, std::int32_t faceSize)
@@ -49,13 +49,13 @@ class RealFace {
         edge_(1024.0 * faceSize),
         inradius_(edge_ / 2 / std::tan(std::numbers::pi / solid_.edgesPerFace())) {}
 
-  /// Out over an edge, one subunit long.
+  /// The outward unit normal of an edge.
   Real outwards(int edge) const { return turned({0, -1}, Angle(edge * (Angle::kTurn / solid_.edgesPerFace()))); }
   Real middle(int edge) const { return inradius_ * outwards(edge); }
-  /// The point of an edge at a part `along` (0 … 1) of the way from its first corner to its second.
+  /// A point of an edge; `along` is 0 at its first corner and 1 at its second.
   Real onEdge(int edge, double along) const { return middle(edge) + (edge_ * (along - 0.5)) * left(outwards(edge)); }
   Real corner(int index) const { return onEdge(index, 0); }
-  /// Where a point of `face`'s frame lies in the frame of the face behind `edge`, as if both were in one plane.
+  /// A point in the frame of `face`, transformed to the frame of the face behind `edge`, with both faces in one plane.
   Real over(int face, int edge, Real point) const {
     const PlatonicSolid::Neighbour& behind = solid_.neighbour(face, edge);
     return middle(behind.edge) + turned(point - middle(edge), behind.turn);

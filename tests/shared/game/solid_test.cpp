@@ -23,7 +23,7 @@ struct Expected {
   int edgesPerFace;
   int vertices;
   int facesAtVertex;
-  int defect;  // of the angles round a vertex, degrees
+  int defect;  // 360 degrees minus the sum of the angles at a vertex
 };
 
 constexpr std::array<Expected, kSolidKinds> kExpected = {{
@@ -46,7 +46,7 @@ class SolidTest : public testing::TestWithParam<Expected> {
   }
 };
 
-TEST_P(SolidTest, CountsFacesEdgesAndVertices) {
+TEST_P(SolidTest, HasItsNumbersOfFacesEdgesAndVertices) {
   EXPECT_EQ(nameOf(GetParam().kind), GetParam().name);
   EXPECT_EQ(solid().kind(), GetParam().kind);
   EXPECT_EQ(solid().faces(), GetParam().faces);
@@ -58,16 +58,16 @@ TEST_P(SolidTest, CountsFacesEdgesAndVertices) {
   EXPECT_EQ(*vertices.begin(), 0);
   EXPECT_EQ(*vertices.rbegin(), count - 1);
   const int edges = GetParam().faces * GetParam().edgesPerFace / 2;
-  EXPECT_EQ(count - edges + GetParam().faces, 2) << "Euler";
+  EXPECT_EQ(count - edges + GetParam().faces, 2) << "Euler's formula";
 }
 
-TEST_P(SolidTest, FacesMeetAtEveryVertexInTheSameNumber) {
+TEST_P(SolidTest, EveryVertexHasTheSameNumberOfFaces) {
   std::vector<int> faces(static_cast<std::size_t>(GetParam().vertices));
   forEachEdge([&](int face, int edge) { ++faces[static_cast<std::size_t>(solid().vertex(face, edge))]; });
   for (const int count : faces) EXPECT_EQ(count, GetParam().facesAtVertex);
 }
 
-TEST_P(SolidTest, EveryEdgeHasOneMirrorReversed) {
+TEST_P(SolidTest, EveryEdgeIsReversedInTheNeighbour) {
   const int corners = solid().edgesPerFace();
   std::set<std::pair<int, int>> mirrors;
   forEachEdge([&](int face, int edge) {
@@ -83,21 +83,21 @@ TEST_P(SolidTest, EveryEdgeHasOneMirrorReversed) {
   EXPECT_EQ(static_cast<int>(mirrors.size()), solid().faces() * corners);
 }
 
-TEST_P(SolidTest, TwoFacesShareOneEdgeAtMost) {
+TEST_P(SolidTest, TwoFacesShareAtMostOneEdge) {
   std::set<std::pair<int, int>> pairs;
   forEachEdge([&](int face, int edge) {
     EXPECT_TRUE(pairs.insert({face, solid().neighbour(face, edge).face}).second) << face << ", edge " << edge;
   });
 }
 
-TEST_P(SolidTest, CrossingAndComingBackIsNoTurn) {
+TEST_P(SolidTest, CrossingAnEdgeAndReturningTurnsByZero) {
   forEachEdge([&](int face, int edge) {
     const auto& there = solid().neighbour(face, edge);
     EXPECT_EQ(there.turn + solid().neighbour(there.face, there.edge).turn, Angle());
   });
 }
 
-TEST_P(SolidTest, TurnMapsEveryEdgeOnItsMirrorReversed) {
+TEST_P(SolidTest, TurnMapsEveryEdgeToTheReversedEdgeOfTheNeighbour) {
   const int step = Angle::kTurn / solid().edgesPerFace();
   forEachEdge([&](int face, int edge) {
     const auto& there = solid().neighbour(face, edge);
@@ -105,14 +105,14 @@ TEST_P(SolidTest, TurnMapsEveryEdgeOnItsMirrorReversed) {
   });
 }
 
-TEST_P(SolidTest, GoingRoundAVertexTurnsByTheDefect) {
+TEST_P(SolidTest, APathRoundAVertexTurnsByTheAngularDefect) {
   const int corners = solid().edgesPerFace();
   forEachEdge([&](int first, int firstCorner) {
     Angle turn;
     int face = first;
     int corner = firstCorner;
     for (int step = 0; step < GetParam().facesAtVertex; ++step) {
-      // Counter-clockwise round a corner one leaves the face over the edge that ends there.
+      // A counter-clockwise path about a corner leaves the face over the edge that ends there.
       const auto& there = solid().neighbour(face, (corner + corners - 1) % corners);
       turn = turn + there.turn;
       face = there.face;
@@ -125,8 +125,8 @@ TEST_P(SolidTest, GoingRoundAVertexTurnsByTheDefect) {
   });
 }
 
-// The laws above hold for any numbering of the faces; levels rely on this one.
-TEST(HexahedronTest, FourFacesFormARingWithOneAboveAndOneBelow) {
+// The laws above hold for any numbering of the faces; level files rely on this one.
+TEST(HexahedronTest, Faces0To3FormARingBetween4And5) {
   const PlatonicSolid& solid = PlatonicSolid::of(SolidKind::kHexahedron);
   for (int face = 0; face < 4; ++face) {
     EXPECT_EQ(solid.neighbour(face, 1).face, (face + 1) % 4);
@@ -152,7 +152,7 @@ void expectNearestPolygon(SolidKind kind, std::int32_t faceSize) {
   }
 }
 
-TEST_P(SolidTest, PolygonIsTheNearestToTheRegularOne) {
+TEST_P(SolidTest, PolygonCornersAreRoundedToTheNearestSubunit) {
   for (const std::int32_t size : {kMinFaceSize, 201, 480, 1000, 65535, kMaxFaceSize}) {
     expectNearestPolygon(GetParam().kind, size);
   }
@@ -164,7 +164,7 @@ TEST_P(SolidTest, PolygonIsTheNearestToTheRegularOne) {
   }
 }
 
-TEST_P(SolidTest, PolygonIsSymmetricAndLiesOnItsFirstEdge) {
+TEST_P(SolidTest, PolygonIsSymmetricWithAHorizontalFirstEdge) {
   const auto polygon = facePolygon(GetParam().kind, 777);
   EXPECT_EQ(polygon[0], Point(-777 * 512, polygon[1].y));
   EXPECT_EQ(polygon[1].x, 777 * 512);

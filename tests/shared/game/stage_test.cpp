@@ -21,10 +21,10 @@ double distanceToLine(Point point, const Segment& line) {
   return std::abs(static_cast<double>(cross(line.b - line.a, point - line.a))) / distance(line.a, line.b);
 }
 
-// Where a point of the line `from` of a warp lies in the part behind it.
+// A point of the line `from` of a warp, in the frame of the part behind it.
 Point through(const Warp& warp, Point point) { return warp.onto.a + rotate(point - warp.from.a, warp.turn); }
 
-TEST(StageTest, PostsKeepTheirDistanceFromEveryCorner) {
+TEST(StageTest, CutsAre32To57SubunitsFromTheirCorner) {
   for (const SolidKind kind : kKinds) {
     for (const std::int32_t size : kSizes) {
       const auto polygon = facePolygon(kind, size);
@@ -40,7 +40,7 @@ TEST(StageTest, PostsKeepTheirDistanceFromEveryCorner) {
   }
 }
 
-TEST(StageTest, EndsOfACutLieOnTheEdges) {
+TEST(StageTest, EndsOfCutsAreOnTheEdges) {
   for (const SolidKind kind : kKinds) {
     for (const std::int32_t size : kSizes) {
       const auto polygon = facePolygon(kind, size);
@@ -55,7 +55,7 @@ TEST(StageTest, EndsOfACutLieOnTheEdges) {
   }
 }
 
-TEST(StageTest, EveryFaceIsAPartWithLinesPostsAndWarpsInThisOrder) {
+TEST(StageTest, EveryPartHasLinesThenPostsThenWarps) {
   for (const SolidKind kind : kKinds) {
     const PlatonicSolid& solid = PlatonicSolid::of(kind);
     std::vector<std::vector<Segment>> lines(static_cast<std::size_t>(solid.faces()));
@@ -83,7 +83,7 @@ TEST(StageTest, EveryFaceIsAPartWithLinesPostsAndWarpsInThisOrder) {
   }
 }
 
-TEST(StageTest, WarpsFollowTheSolid) {
+TEST(StageTest, WarpsMatchTheTopologyOfTheSolid) {
   for (const SolidKind kind : kKinds) {
     const PlatonicSolid& solid = PlatonicSolid::of(kind);
     for (const std::int32_t size : kSizes) {
@@ -98,7 +98,7 @@ TEST(StageTest, WarpsFollowTheSolid) {
           EXPECT_EQ(warp.target, behind.face);
           EXPECT_EQ(warp.turn, behind.turn) << nameOf(kind) << " " << size;
           EXPECT_LE(distance(through(warp, warp.from.b), warp.onto.b), 2.0);
-          // The neighbour's centre lies behind the edge, as far as this one's before it.
+          // The centre of the neighbour is on the other side of the edge.
           const Segment mirrored{through(warp, warp.from.a), through(warp, warp.from.b)};
           EXPECT_LT(cross(mirrored.b - mirrored.a, -mirrored.a), 0);
         }
@@ -107,7 +107,7 @@ TEST(StageTest, WarpsFollowTheSolid) {
   }
 }
 
-TEST(StageTest, CutsContinueOverTheEdges) {
+TEST(StageTest, CutsContinueAcrossEdges) {
   for (const SolidKind kind : kKinds) {
     const PlatonicSolid& solid = PlatonicSolid::of(kind);
     for (const std::int32_t size : kSizes) {
@@ -117,7 +117,7 @@ TEST(StageTest, CutsContinueOverTheEdges) {
       for (const auto& part : world.geometry().parts) {
         for (std::size_t edge = 0; edge < posts.size(); ++edge) {
           const Warp& warp = part->warps[edge];
-          // The cut of the corner where the edge begins goes on as that of the corner where its mirror ends.
+          // The cut at the first corner of the edge continues as the cut at the last corner of the neighbour's edge.
           const auto behind = solid.neighbour(static_cast<int>(part->id), static_cast<int>(edge)).edge;
           const std::size_t corner = (std::size_t{behind} + 1) % posts.size();
           EXPECT_LE(distance(through(warp, posts[edge].cut.b), posts[corner].cut.a), 3.0);
@@ -127,7 +127,7 @@ TEST(StageTest, CutsContinueOverTheEdges) {
   }
 }
 
-TEST(StageTest, NoPlayerStandsOnACorner) {
+TEST(StageTest, CornersAreNotFreeForAPlayer) {
   for (const SolidKind kind : kKinds) {
     const auto faces = static_cast<std::size_t>(PlatonicSolid::of(kind).faces());
     const World world = buildStage(kind, 480, std::vector<std::vector<Segment>>(faces));
@@ -139,7 +139,7 @@ TEST(StageTest, NoPlayerStandsOnACorner) {
         const Point inside(corner.x - corner.x / 64, corner.y - corner.y / 64);
         EXPECT_FALSE(isFreeForPlayer(world, face, inside, Angle()));
       }
-      EXPECT_TRUE(isFreeForPlayer(world, face, {0, polygon[0].y}, Angle())) << "an edge is no obstacle";
+      EXPECT_TRUE(isFreeForPlayer(world, face, {0, polygon[0].y}, Angle())) << "edges do not block";
     }
     EXPECT_TRUE(world.entities().empty());
   }

@@ -8,7 +8,7 @@ namespace {
 
 using testing::ElementsAre;
 
-TEST(StateBytesTest, LeastSignificantByteFirst) {
+TEST(StateBytesTest, IntegersAreLittleEndian) {
   StateWriter writer;
   writer.add(std::uint8_t{0x12});
   writer.add(std::uint16_t{0x3456});
@@ -36,7 +36,7 @@ TEST(StateBytesTest, ReadsBackWhatWasWritten) {
   reader.read(large);
   reader.read(least);
   reader.read(small);
-  EXPECT_EQ(reader.left(), 12u);
+  EXPECT_EQ(reader.remaining(), 12u);
   EXPECT_FALSE(reader.finished());
   reader.read(point);
   reader.read(angle);
@@ -48,21 +48,21 @@ TEST(StateBytesTest, ReadsBackWhatWasWritten) {
   EXPECT_EQ(angle, Angle(35999));
 }
 
-TEST(StateBytesTest, PastTheEndThereAreZerosAndNoEnd) {
+TEST(StateBytesTest, ReadingPastTheEndGivesZeroAndAnError) {
   const std::vector<std::uint8_t> bytes{1, 2, 3};
   StateReader reader(bytes);
   std::uint32_t value = 7;
   reader.read(value);
   EXPECT_EQ(value, 0u);
-  EXPECT_FALSE(reader.sound());
+  EXPECT_FALSE(reader.ok());
   EXPECT_FALSE(reader.finished());
   std::uint8_t byte = 7;
   reader.read(byte);
-  EXPECT_EQ(byte, 0) << "nothing is read after a fault";
+  EXPECT_EQ(byte, 0) << "nothing is read after an error";
   EXPECT_FALSE(reader.finished());
 }
 
-TEST(StateBytesTest, RefusesAnglesThatAreNone) {
+TEST(StateBytesTest, RefusesAnglesOutOfRange) {
   for (const std::int32_t wrong : {-1, 36000, INT32_MAX, INT32_MIN}) {
     StateWriter writer;
     writer.add(wrong);
@@ -71,21 +71,21 @@ TEST(StateBytesTest, RefusesAnglesThatAreNone) {
     Angle angle(5);
     reader.read(angle);
     EXPECT_EQ(angle, Angle());
-    EXPECT_FALSE(reader.sound());
-    EXPECT_EQ(reader.left(), 0u);
+    EXPECT_FALSE(reader.ok());
+    EXPECT_EQ(reader.remaining(), 0u);
   }
 }
 
-TEST(StateBytesTest, WhatIsLeftOverIsAFault) {
+TEST(StateBytesTest, IsNotFinishedWhileBytesRemain) {
   const std::vector<std::uint8_t> bytes{1, 2};
   StateReader reader(bytes);
   std::uint8_t byte = 0;
   reader.read(byte);
-  EXPECT_TRUE(reader.sound());
+  EXPECT_TRUE(reader.ok());
   EXPECT_FALSE(reader.finished());
 }
 
-TEST(StateBytesTest, NothingIsReadFromNothing) {
+TEST(StateBytesTest, ReadingFromNoBytesIsAnError) {
   StateReader reader({});
   EXPECT_TRUE(reader.finished());
   std::uint8_t byte = 0;

@@ -16,7 +16,7 @@ std::shared_ptr<const Level> level() {
   return loaded;
 }
 
-TEST(StateDifferenceTest, EqualGamesHaveNone) {
+TEST(StateDifferenceTest, EqualGamesDoNotDiffer) {
   Game game(level());
   sim::Churn churn(3, 4);
   for (int tick = 0; tick < 300; ++tick) {
@@ -26,7 +26,7 @@ TEST(StateDifferenceTest, EqualGamesHaveNone) {
   }
 }
 
-TEST(StateDifferenceTest, NoFieldIsListedTwice) {
+TEST(StateDifferenceTest, ListsEveryFieldOnce) {
   PlayedGame played(level());
   played.hold(1, Input::kRight);
   played.run(200, Input::kRight);
@@ -38,7 +38,7 @@ TEST(StateDifferenceTest, NoFieldIsListedTwice) {
   EXPECT_TRUE(names.contains({"player 0", "held"}));
 }
 
-TEST(StateDifferenceTest, NamesFieldAndBothValues) {
+TEST(StateDifferenceTest, NamesTheFieldAndBothValues) {
   PlayedGame still(level());
   PlayedGame moving(level());
   still.run(1, kNone);
@@ -51,19 +51,19 @@ TEST(StateDifferenceTest, NamesFieldAndBothValues) {
   EXPECT_EQ(found->right, "136");
 }
 
-// Every single bit of the state that makes another state shows in the field that has it.
-TEST(StateDifferenceTest, AnyBitShows) {
+// Every bit of the saved state belongs to a field.
+TEST(StateDifferenceTest, FindsEveryBit) {
   PlayedGame played(level());
   played.hold(1, Input::kRight);
   played.run(100, Input::kLeft);
   auto bytes = played.game.save();
-  int sound = 0;
+  int valid = 0;
   std::set<std::string> fields;
   for (std::size_t bit = 0; bit < 8 * bytes.size(); ++bit) {
     bytes[bit / 8] ^= static_cast<std::uint8_t>(1 << bit % 8);
     Game other(level());
     if (other.restore(bytes)) {
-      ++sound;
+      ++valid;
       const auto found = firstDifference(played.game, other);
       ASSERT_TRUE(found) << "bit " << bit;
       ASSERT_NE(found->left, found->right);
@@ -72,11 +72,11 @@ TEST(StateDifferenceTest, AnyBitShows) {
     }
     bytes[bit / 8] ^= static_cast<std::uint8_t>(1 << bit % 8);
   }
-  EXPECT_GT(sound, 500);
+  EXPECT_GT(valid, 500);
   EXPECT_GE(fields.size(), 15u);
 }
 
-TEST(StateDifferenceTest, WhatOnlyOneHasIsNothingToTheOther) {
+TEST(StateDifferenceTest, FindsAPlayerThatOnlyOneGameHas) {
   PlayedGame one(level());
   PlayedGame two(level());
   one.run(1, kNone);

@@ -7,36 +7,36 @@
 
 namespace platon {
 
-/// A fault of a level text, or something odd in it. Line and column count from 1, columns in bytes.
+/// An error or a warning about a level text. Line and column count from 1, columns in bytes.
 struct Diagnostic {
   int line = 0;
   int column = 0;
-  bool error = true;
+  bool error = true;  ///< false for a warning
   std::string message;
 
   friend bool operator==(const Diagnostic&, const Diagnostic&) = default;
 };
 
-/// As compilers write it: `file:line:column: error: message`.
-std::string format(std::string_view file, const Diagnostic& found);
+/// `file:line:column: error: message`, as compilers print it.
+std::string format(std::string_view file, const Diagnostic& diagnostic);
 
-/// Where in a text something stands.
+/// A position in a text, both from 1, columns in bytes.
 struct TextPosition {
   int line = 1;
   int column = 1;
 };
 
-/// Collects all that is found in one text.
+/// Collects the diagnostics of one text.
 class Diagnostics {
  public:
-  /// So many are kept that no text written by a person reaches it, and so few that a hostile one cannot fill memory.
+  /// Most diagnostics kept. A hostile text cannot fill memory with them; no text written by a person has so many.
   static constexpr std::size_t kMax = 20000;
 
   void error(TextPosition at, std::string message) { add(at, true, std::move(message)); }
   void warning(TextPosition at, std::string message) { add(at, false, std::move(message)); }
 
   bool hasError() const { return hasError_; }
-  /// Everything found, in the order of the text. The last one says so when there was more than is kept.
+  /// All diagnostics in the order of the text. When some were dropped, one more at the end says so.
   std::vector<Diagnostic> take();
 
  private:
@@ -47,7 +47,7 @@ class Diagnostics {
   bool full_ = false;
 };
 
-/// `text` in quotes, fit to be printed: at most 32 bytes, all but printable ASCII as '?'.
+/// `text` in quotes for a message: at most 32 bytes; every byte but printable ASCII becomes '?'.
 std::string quoted(std::string_view text);
 
 }  // namespace platon

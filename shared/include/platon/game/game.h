@@ -16,18 +16,18 @@ namespace platon {
 
 inline constexpr int kTicksPerSecond = 60;
 inline constexpr std::uint32_t kMaxPlayers = 256;
-/// A round lasts this long at most: five minutes.
+/// Longest round: five minutes.
 inline constexpr std::uint32_t kRoundTicks = 5 * 60 * kTicksPerSecond;
-/// Changes whenever the same inputs could give another game.
+/// Version of the game's rules. Must be raised with every change after which the same inputs give other hashes.
 inline constexpr std::uint32_t kRulesVersion = 3;
 
-/// One round on one level: World, players, goal and round clock. A value: copying it gives an independent game.
+/// One round on one level: the world, the players, the goal and the round clock. A copy is an independent game.
 class Game {
  public:
   explicit Game(std::shared_ptr<const Level> level);
 
-  /// Moves the game by one tick; `inputs` by slot, at most kMaxPlayers, slots beyond its end are absent. The only
-  /// thing that does: server, prediction, replay and tests all call it.
+  /// Advances the game by one tick. `inputs` holds one input per slot, at most kMaxPlayers; a slot beyond its end has
+  /// no player. Server, prediction, replay and tests all call this function; nothing else advances a game.
   void advance(std::span<const Input> inputs, StepObserver* observer = nullptr);
 
   const Level& level() const { return *level_; }
@@ -36,33 +36,34 @@ class Game {
 
   /// Ticks advanced so far.
   std::uint32_t tick() const { return tick_; }
-  /// Ticks until time is up.
+  /// Ticks until the time is up.
   std::uint32_t ticksLeft() const;
-  /// All present players, at least one, have finished, or time is up. Players may go on moving.
+  /// True once all players present, at least one, have finished, or the time is up. Players can still move.
   bool over() const { return over_ != 0; }
 
-  /// Slots that have ever been used; slot == index of the player's entity in the world.
+  /// Number of slots used so far. The slot is also the index of the player's entity in the world.
   std::uint32_t slots() const { return static_cast<std::uint32_t>(players_.size()); }
   /// slot < slots().
   const PlayerState& player(std::uint32_t slot) const { return players_[slot]; }
 
-  /// Of everything that decides the future; the same on every machine.
+  /// Hash of the whole state; the same on every machine.
   std::uint64_t hash() const;
-  /// All basic state as bytes, little-endian, without the level.
+  /// The whole state as bytes, little-endian, without the level and without derived data.
   std::vector<std::uint8_t> save() const;
-  /// False, and the game unchanged, when `bytes` is not a state that `save` could have given for this level.
+  /// Restores a state saved on the same level. Returns false and leaves the game unchanged when `bytes` is no valid
+  /// state.
   bool restore(std::span<const std::uint8_t> bytes);
 
   friend bool operator==(const Game& a, const Game& b);
 
  private:
-  void admit(std::span<const Input> inputs);
-  void enter(std::uint32_t slot);
+  void addAndRemovePlayers(std::span<const Input> inputs);
+  void addPlayer(std::uint32_t slot);
   void spawn(std::uint32_t slot);
-  void leave(std::uint32_t slot);
-  void judge();
+  void removePlayer(std::uint32_t slot);
+  void updateFinishes();
   bool touchesGoal(std::uint32_t slot);
-  bool coversGoal(std::uint32_t slot, Point position, Angle angle);
+  bool containsGoal(std::uint32_t slot, Point position, Angle angle);
   bool accepts(const WorldState& state) const;
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor);
@@ -73,7 +74,7 @@ class Game {
   std::uint32_t tick_ = 0;
   std::uint8_t over_ = 0;
   UnitNormals unitNormals_;  // derived
-  Sweep goalSweep_;          // room for work
+  Sweep goalSweep_;          // derived: buffer for containsGoal
 };
 
 }  // namespace platon

@@ -10,25 +10,25 @@
 
 namespace platon {
 
-/// All of a player that is saved and hashed besides its entity. Vectors are in the player's own frame (+y is the
-/// player's up), so that walking over an edge never rounds them.
+/// State of a player besides its entity; all of it is saved and hashed. Vectors are in the player's own frame, whose +y
+/// is the player's up, so that crossing an edge never rounds them.
 struct PlayerState {
-  /// A unit vector in the own frame has this length.
+  /// Length of a unit vector in the own frame.
   static constexpr std::int32_t kUnit = 1 << 14;
 
   Point velocity;                ///< subunits a tick
-  Point ground;                  ///< unit normal of the ground stood on; (0, 0) in the air
-  std::uint32_t finishedAt = 0;  ///< tick of the finish
-  std::uint8_t present = 0;
-  std::uint8_t finished = 0;    ///< has touched the goal this round
-  std::uint8_t held = 0;        ///< buttons of the last tick
-  std::uint8_t coyote = 0;      ///< ticks left in which a jump still counts as from the ground
-  std::uint8_t jumpBuffer = 0;  ///< ticks left in which a pressed jump waits for the ground
-  std::uint8_t rising = 0;      ///< in a jump that ends early when the button is let go
+  Point ground;                  ///< unit normal of the ground; (0, 0) in the air
+  std::uint32_t finishedAt = 0;  ///< tick in which the player touched the goal
+  std::uint8_t present = 0;      ///< 1: the slot has a player
+  std::uint8_t finished = 0;     ///< 1: the player has touched the goal in this round
+  std::uint8_t held = 0;         ///< buttons of the last tick
+  std::uint8_t coyote = 0;       ///< ticks left in which the player may still jump after leaving the ground
+  std::uint8_t jumpBuffer = 0;   ///< ticks left in which a jump pressed in the air is made on landing
+  std::uint8_t rising = 0;       ///< 1: in the rise of a jump, which releasing the button cuts short
 
   friend bool operator==(const PlayerState&, const PlayerState&) = default;
 
-  /// Every field by name, in the order in which it is hashed and saved.
+  /// Visits every field by name, in the order in which they are hashed and saved.
   template <class State, class Visitor>
   static void visit(State& state, Visitor&& visitor) {
     visitor("velocity", state.velocity);
@@ -43,32 +43,32 @@ struct PlayerState {
   }
 };
 
-/// The player's radius in subunits.
+/// Radius of the player in subunits, to the vertices of its shape.
 inline constexpr std::int32_t kPlayerRadius = 12 * 1024;
 
-/// The player's figure: a ball, for the world a regular 16-gon with an edge at the bottom.
+/// Shape of the player, which is drawn as a ball: a regular 16-gon with a horizontal edge at the bottom.
 Convex playerShape();
 
-/// A player of the game: an entity that buttons move. A handle like Entity.
+/// An entity moved by buttons. A handle, as Entity is: it owns neither the entity nor the state.
 class Player : public Entity {
  public:
   Player(World& world, std::uint32_t slot, PlayerState& state) : Entity(world, slot), state_(&state) {}
 
-  /// Processes the buttons and updates the velocity, before the world is solved.
+  /// Updates the velocity by the buttons of one tick. Called before World::solve.
   void tick(Input input);
-  /// Takes out of the velocity what a line stops, and remembers the ground; called while the world is solved. `normal`
-  /// is the line's, a unit vector in the own frame. `steep`, (0, 0) at the start of each tick, keeps that of the last
-  /// line that was too steep to be ground.
+  /// Removes the component of the velocity that points into a segment, and sets the ground. Called during World::solve.
+  /// `normal` is the segment's unit normal in the own frame. `steep` carries the normal of the last segment that was
+  /// too steep to be ground from one contact to the next; the caller sets it to (0, 0) at the start of each tick.
   void contact(Point normal, Point& steep);
 
-  /// The player's up in the frame of its face is +y turned by this.
+  /// Rotation from the face's +y to the player's up.
   Angle up() const { return rotation(); }
 
  private:
   void run(Input input);
   void jump(Input input);
   void fall();
-  void holdBetween(Point normal, Point& steep);
+  void standInWedge(Point normal, Point& steep);
 
   PlayerState* state_;
 };

@@ -12,22 +12,22 @@
 
 namespace platon {
 
-/// Makes the recording of a game while it is played, as bytes that can be written away as they come: what is cut off
-/// loses no more than what follows the last checkpoint.
+/// Encodes the recording of a game while it is played. Its bytes can be written to a file as they come; a recording cut
+/// off anywhere loses only the ticks after its last checkpoint.
 class Recorder {
  public:
-  /// `start` is the game before the first tick to be recorded, perhaps in the middle of its round. `checkpointTicks`:
-  /// 1 … kMaxCheckpointTicks.
+  /// `start` is the game before the first recorded tick; it may be in the middle of its round. `checkpointTicks` is 1 …
+  /// kMaxCheckpointTicks.
   explicit Recorder(const Game& start, std::uint32_t checkpointTicks = kCheckpointTicks);
 
-  /// `game` has just been advanced by `inputs`.
+  /// Records one tick: `game` has just been advanced by `inputs`.
   void record(std::span<const Input> inputs, const Game& game) { record(inputs, game, game.hash()); }
-  /// The same where the game's hash is known already.
+  /// Records one tick where the caller already knows the hash of `game`.
   void record(std::span<const Input> inputs, const Game& game, std::uint64_t hash);
-  /// Nothing follows: marks the end, so that a recording that was cut off can be told from a whole one.
+  /// Marks the end, which tells a complete recording from one that was cut off. Nothing may be recorded afterwards.
   void finish(const Game& game);
 
-  /// The bytes since the last call.
+  /// Returns the bytes encoded since the last call.
   std::vector<std::uint8_t> takeBytes() { return std::exchange(bytes_, {}); }
 
  private:
@@ -36,11 +36,11 @@ class Recorder {
 
   std::uint32_t checkpointTicks_;
   std::vector<std::uint8_t> bytes_;
-  // The block that is being filled.
-  std::uint32_t first_;                     // tick before which it starts
-  std::vector<std::uint8_t> state_;         // then
+  // The block being filled.
+  std::uint32_t firstTick_;                 // ticks the game had advanced before the block
+  std::vector<std::uint8_t> state_;         // of the game at that time
   std::vector<std::vector<Input>> inputs_;  // by tick, by slot
-  std::vector<std::uint64_t> hashes_;       // by tick
+  std::vector<std::uint64_t> hashes_;       // of the game after each tick
 };
 
 }  // namespace platon

@@ -7,23 +7,23 @@
 
 namespace platon {
 
-// A recording is a game as it was played: level text, rules version, every input of every tick, the hash after every
-// tick, and the whole state at checkpoints. It needs nothing else to be played again, from its start or from any
-// checkpoint. Integers stand with their lowest byte first:
+// A recording holds the level text, the rules version, every input of every tick, the hash after every tick, and the
+// whole state at checkpoints. It can be replayed from its start or from any checkpoint without further data. Integers
+// are little-endian:
 //
-//   head         magic, rules version u32, length of the level text u32, its complement u32, the text, check sum u64
-//                of all that
-//   blocks       length of the body u32, its complement u32, the body, check sum u64 of the body
+//   head         magic, rules version u32, length of the level text u32, its complement u32, the text, checksum u64 of
+//                all these bytes
+//   blocks       length of the body u32, its complement u32, the body, checksum u64 of the body
 //     body       first tick u32, ticks u16, slots u16, length of the state u32, the state before the first tick
-//                for each slot runs that add up to the ticks: ticks u16, buttons u8
-//                for each tick the hash u64 of the game after it
-//   the end      a block of 0 ticks with the last state
+//                for each slot, runs whose ticks add up to those of the block: ticks u16, buttons u8
+//                for each tick, the hash u64 of the game after it
+//   end          a block of 0 ticks with the last state
 
-/// The first bytes; the last digit is the version of the format.
+/// First bytes of a recording; the last digit is the version of the format.
 inline constexpr std::string_view kRecordingMagic = "PLATREC1";
-/// Ticks from one checkpoint to the next, unless another number is asked for.
+/// Default number of ticks from one checkpoint to the next.
 inline constexpr std::uint32_t kCheckpointTicks = kTicksPerSecond;
-/// The most that a recording may have between two.
+/// Largest number of ticks from one checkpoint to the next.
 inline constexpr std::uint32_t kMaxCheckpointTicks = 3600;
 
 }  // namespace platon

@@ -12,7 +12,7 @@
 
 namespace platon {
 
-/// Appends integers as bytes, least significant first, on every machine.
+/// Encodes integers as little-endian bytes on every machine.
 class StateWriter {
  public:
   template <FixedInteger Integer>
@@ -25,7 +25,7 @@ class StateWriter {
     add(point.y);
   }
   void add(Angle angle) { add(angle.centidegrees()); }
-  /// Another writer's bytes, or text.
+  /// Appends bytes or text as they are.
   template <class Bytes>
   void append(const Bytes& bytes) {
     bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
@@ -38,7 +38,8 @@ class StateWriter {
   std::vector<std::uint8_t> bytes_;
 };
 
-/// Reads them back. Past the end, or on a value that no state holds, it reads zeros and says so at the end.
+/// Decodes what StateWriter has encoded. Reading past the end, or an angle out of range, gives zero and makes ok()
+/// false.
 class StateReader {
  public:
   explicit StateReader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
@@ -46,8 +47,8 @@ class StateReader {
   template <FixedInteger Integer>
   void read(Integer& value) {
     std::make_unsigned_t<Integer> bits = 0;
-    if (left() < sizeof(Integer)) {
-      sound_ = false;
+    if (remaining() < sizeof(Integer)) {
+      ok_ = false;
       next_ = bytes_.size();
     } else {
       for (std::size_t i = 0; i < sizeof(Integer); ++i) {
@@ -65,32 +66,34 @@ class StateReader {
     std::int32_t centidegrees = 0;
     read(centidegrees);
     if (centidegrees < 0 || centidegrees >= Angle::kTurn) {
-      sound_ = false;
+      ok_ = false;
       centidegrees = 0;
     }
     angle = Angle(centidegrees);
   }
 
-  /// The next bytes as they are.
+  /// Returns the next `count` bytes, or as many as remain.
   std::span<const std::uint8_t> take(std::size_t count) {
-    if (left() < count) {
-      sound_ = false;
-      count = left();
+    if (remaining() < count) {
+      ok_ = false;
+      count = remaining();
     }
     next_ += count;
     return bytes_.subspan(next_ - count, count);
   }
 
+  /// Index of the next byte.
   std::size_t next() const { return next_; }
-  std::size_t left() const { return bytes_.size() - next_; }
-  /// Nothing was missing, wrong or left over.
-  bool finished() const { return sound_ && left() == 0; }
-  bool sound() const { return sound_; }
+  std::size_t remaining() const { return bytes_.size() - next_; }
+  /// False after a read past the end or of a value out of range.
+  bool ok() const { return ok_; }
+  /// True when every byte has been read, without an error.
+  bool finished() const { return ok_ && remaining() == 0; }
 
  private:
   std::span<const std::uint8_t> bytes_;
   std::size_t next_ = 0;
-  bool sound_ = true;
+  bool ok_ = true;
 };
 
 }  // namespace platon

@@ -8,7 +8,7 @@
 
 namespace platon {
 
-/// One field of a game's state as people read it.
+/// One field of a game's state as text.
 struct StateField {
   std::string owner;  ///< "game", "entity 3", "entity 3 instance 1" or "player 3"
   std::string name;
@@ -17,10 +17,10 @@ struct StateField {
   friend bool operator==(const StateField&, const StateField&) = default;
 };
 
-/// All that is hashed and saved, in a fixed order.
+/// Every field that is hashed and saved, in a fixed order.
 std::vector<StateField> fieldsOf(const Game& game);
 
-/// One field of two games on the same level; "nothing" where only the other has it.
+/// The values of one field in two games on the same level; "nothing" for a game without this field.
 struct StateDifference {
   std::string owner;
   std::string field;
@@ -30,10 +30,10 @@ struct StateDifference {
   bool differs() const { return left != right; }
 };
 
-/// Every field that either has: in the order of the left game, then what only the right one has.
+/// Every field of either game: those of the left game in their order, then those that only the right game has.
 std::vector<StateDifference> compareFields(const Game& left, const Game& right);
 
-/// The first field in which the games differ, nothing when they are equal.
+/// The first field in which the games differ; nothing when they are equal.
 std::optional<StateDifference> firstDifference(const Game& left, const Game& right);
 
 }  // namespace platon

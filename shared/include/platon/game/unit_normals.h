@@ -9,11 +9,11 @@
 
 namespace platon {
 
-/// Normals of contacts, turned and scaled to the length of a unit (PlayerState::kUnit). The same few lines are met tick
-/// after tick and a root is dear, so that each is kept until another takes its place. Derived: no result depends on it.
+/// Computes unit normals (length PlayerState::kUnit) of contacts and caches them, because a player touches the same few
+/// segments tick after tick and a square root is slow. Derived data: no result depends on the cache.
 class UnitNormals {
  public:
-  /// `normal`, not zero and below 2^30 a coordinate, turned by `turn`.
+  /// Unit vector of `normal` rotated by `turn`. `normal` is not (0, 0); its coordinates are below 2^30.
   Point of(Point normal, Angle turn) {
     Entry& entry = entries_[slotOf(normal, turn)];
     if (entry.normal != normal || entry.turn != turn) entry = {normal, turn, computed(normal, turn)};
@@ -28,7 +28,7 @@ class UnitNormals {
   };
   static constexpr int kSlotBits = 6;
 
-  // The high bits of a product mix all that it was made of.
+  // Multiplicative hashing: the high bits of a product depend on all bits of its factors.
   static std::size_t slotOf(Point normal, Angle turn) {
     const auto x = static_cast<std::uint64_t>(normal.x) * 0x9e3779b97f4a7c15U;
     const auto y = static_cast<std::uint64_t>(normal.y) * 0xc2b2ae3d27d4eb4fU;

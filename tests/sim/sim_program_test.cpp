@@ -1,0 +1,46 @@
+// The program platon-sim: help, version and exit codes.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/sim/command_testing.h"
+
+namespace platon::sim {
+namespace {
+
+using testing::HasSubstr;
+using testing::MatchesRegex;
+using testing::StartsWith;
+
+TEST(SimProgramTest, PrintsHelpAndVersion) {
+  const ProcessResult help = runProgram("--help");
+  EXPECT_EQ(help.exitCode, 0);
+  EXPECT_THAT(help.output, StartsWith("platon-sim: runs the simulation"));
+  EXPECT_EQ(runProgram("run --help").output, help.output);
+  EXPECT_EQ(runProgram("run --help").exitCode, 0);
+  EXPECT_THAT(runProgram("--version").output, MatchesRegex("platon-sim [0-9]+\\.[0-9]+\\.[0-9]+\n"));
+}
+
+TEST(SimProgramTest, UsageErrorsExitWith2AndPrintNothingToStdout) {
+  for (const std::string& arguments : {std::string(), std::string("swim"), std::string("run"),
+                                       "run --ticks many " + levelFile(), "run --unknown " + levelFile()}) {
+    const ProcessResult result = runProgram(arguments);
+    EXPECT_EQ(result.exitCode, 2) << arguments;
+    EXPECT_EQ(result.output, "") << arguments;
+    EXPECT_THAT(result.errors, StartsWith("platon-sim: ")) << arguments;
+  }
+}
+
+TEST(SimProgramTest, InvalidInputFilesExitWith3) {
+  const std::string level = fileWith("invalid", "HEXAHEDRON\n0 0 0 0\n0 0 0\n480\n");
+  const ProcessResult result = runProgram("run " + level);
+  EXPECT_EQ(result.exitCode, 3);
+  EXPECT_THAT(result.errors, StartsWith(level + ":"));
+  EXPECT_THAT(result.errors, HasSubstr(": error: "));
+  EXPECT_EQ(runProgram("world " + fileWith("scene", "line 1\n") + " --ticks 1").exitCode, 3);
+  EXPECT_EQ(runProgram("sweep", fileWith("queries", "nothing\n")).exitCode, 3);
+}
+
+TEST(SimProgramTest, ARunExitsWith0) { EXPECT_EQ(runProgram("run --ticks 5 " + levelFile()).exitCode, 0); }
+
+}  // namespace
+}  // namespace platon::sim

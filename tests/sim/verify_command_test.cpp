@@ -1,0 +1,106 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "platon/game/recorder.h"
+#include "tests/sim/command_testing.h"
+#include "tests/sim/files.h"
+#include "tests/sim/sim_options.h"
+
+namespace platon::sim {
+namespace {
+
+using testing::HasSubstr;
+using testing::MatchesRegex;
+
+TEST(VerifyCommandTest, PrintsOneJsonObject) {
+  const std::string path = recordedFile();
+  const std::string json = outputOf(verifyCommand, {path, "--json"});
+  EXPECT_THAT(json, MatchesRegex("\\{\"recording\":\"[^\"]*\",\"firstTick\":0,\"ticks\":300,\"players\":3,"
+                                 "\"hash\":\"[0-9a-f]+\",\"complete\":true,\"timesRealTime\":[0-9]+\\}\n"));
+  EXPECT_EQ(
+      hashIn(json),
+      hashIn(outputOf(runCommand, {levelFile(), "--ticks", "300", "--players", "3", "--drive", "churn", "--json"})));
+  EXPECT_THAT(outputOf(verifyCommand, {path, "--from", "130", "--json"}),
+              HasSubstr("\"firstTick\":120,\"ticks\":180,"));
+}
+
+TEST(VerifyCommandTest, RecordsTheReplay) {
+  const std::string path = recordedFile();
+  const std::string copy = path + "_copy";
+  std::remove(copy.c_str());
+  outputOf(verifyCommand, {path, "--record", copy});
+  EXPECT_EQ(readText(copy), readText(path));
+  std::remove(copy.c_str());
+  outputOf(verifyCommand, {path, "--record", copy, "--checkpoint-every", "1"});
+  EXPECT_GT(readText(copy).size(), readText(path).size());
+  EXPECT_EQ(hashIn(outputOf(verifyCommand, {copy, "--json"})), hashIn(outputOf(verifyCommand, {path, "--json"})));
+}
+
+TEST(VerifyCommandTest, ReplacesNoFile) {
+  const std::string path = recordedFile();
+  const std::string content = readText(path);
+  EXPECT_THROW(verifyCommand({path, "--from", "200", "--record", path}), UsageError);
+  EXPECT_EQ(readText(path), content);
+  const std::string none = pathOf("none");
+  EXPECT_EQ(runProgram("verify " + levelFile() + " --record " + none).exitCode, 3);
+  EXPECT_FALSE(std::filesystem::exists(none)) << "nothing was replayed";
+}
+
+TEST(VerifyCommandTest, NamesTheErrorOfTruncatedAndDamagedRecordings) {
+  const std::string path = recordedFile({"--checkpoint-every", "50"});
+  const std::string content = readText(path);
+
+  const std::string cut = fileWith("cut", content.substr(0, content.size() - 100));
+  const ProcessResult truncated = runProgram("verify " + cut);
+  EXPECT_EQ(truncated.exitCode, 3);
+  EXPECT_THAT(truncated.errors,
+              HasSubstr(cut + ": byte " + std::to_string(content.size() - 100) + ": the recording is truncated"));
+  EXPECT_THAT(truncated.errors, HasSubstr("; the 300 ticks before agree"));
+
+  std::string damaged = content;
+  damaged[content.size() / 2] = static_cast<char>(damaged[content.size() / 2] + 1);
+  const ProcessResult damage = runProgram("verify " + fileWith("damaged", damaged));
+  EXPECT_EQ(damage.exitCode, 3);
+  EXPECT_THAT(damage.errors, MatchesRegex("(.|\n)*: byte [0-9]+: (.|\n)*"));
+
+  EXPECT_EQ(runProgram("verify " + levelFile()).exitCode, 3);
+  EXPECT_EQ(runProgram("verify").exitCode, 2);
+  EXPECT_EQ(runProgram("verify " + pathOf("no such file")).exitCode, 2);
+  EXPECT_EQ(runProgram("verify " + path).exitCode, 0);
+}
+
+// The recording differs from the replay in one bit of the position of entity 1.
+TEST(VerifyCommandTest, NamesTickEntityAndFieldOfADesync) {
+  const std::string path = pathOf("another_game");
+  Game game(loadLevel(readText(levelFile())).level);
+  Recorder recorder(game, 1);
+  const std::vector<Input> inputs(2, Input{Input::kPresent | Input::kRight});
+  for (int tick = 0; tick < 30; ++tick) {
+    game.advance(inputs);
+    if (tick == 19) {
+      auto state = game.save();
+      constexpr std::size_t kPositionOfEntity1 = 2 + 58 + 8;
+      state[kPositionOfEntity1] ^= 1;
+      ASSERT_TRUE(game.restore(state));
+    }
+    recorder.record(inputs, game);
+  }
+  recorder.finish(game);
+  OutputFile file(path);
+  file.write(recorder.takeBytes());
+  file.close();
+  const ProcessResult found = runProgram("verify " + path);
+  EXPECT_EQ(found.exitCode, 1);
+  EXPECT_THAT(found.errors, HasSubstr(path + ": desync at tick 20: hash "));
+  EXPECT_THAT(found.errors,
+              HasSubstr("at the checkpoint of tick 20, position of entity 1 is the first field that differs: ("));
+  EXPECT_THAT(runProgram("verify --json " + path).output,
+              HasSubstr("\"comparedAt\":20,\"entity\":\"entity 1\",\"field\":\"position\",\"value\":\"("));
+}
+
+}  // namespace
+}  // namespace platon::sim
