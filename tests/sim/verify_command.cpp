@@ -54,7 +54,7 @@ std::string sentenceOf(const Divergence& divergence) {
 // Prints what is wrong and returns the exit code: 1 for a divergence, else 3 for an incomplete recording.
 int reportFaults(const std::string& path, const Verification& found) {
   if (found.divergence) std::fprintf(stderr, "%s: %s\n", path.c_str(), sentenceOf(*found.divergence).c_str());
-  const std::string agree = "; the " + std::to_string(found.ticks) + " ticks before agree";
+  const std::string agree = found.ticks == 0 ? "" : "; the " + std::to_string(found.ticks) + " ticks before agree";
   if (!found.fault.empty()) {
     std::fprintf(stderr, "%s: %s%s\n", path.c_str(), found.fault.c_str(), found.divergence ? "" : agree.c_str());
   }

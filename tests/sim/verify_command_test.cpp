@@ -67,7 +67,9 @@ TEST(VerifyCommandTest, NamesTheErrorOfTruncatedAndDamagedRecordings) {
   EXPECT_EQ(damage.exitCode, 3);
   EXPECT_THAT(damage.errors, MatchesRegex("(.|\n)*: byte [0-9]+: (.|\n)*"));
 
-  EXPECT_EQ(runProgram("verify " + levelFile()).exitCode, 3);
+  const ProcessResult level = runProgram("verify " + levelFile());
+  EXPECT_EQ(level.exitCode, 3);
+  EXPECT_EQ(level.errors, levelFile() + ": byte 0: not a recording, or an unsupported version\n");
   EXPECT_EQ(runProgram("verify").exitCode, 2);
   EXPECT_EQ(runProgram("verify " + pathOf("no such file")).exitCode, 2);
   EXPECT_EQ(runProgram("verify " + path).exitCode, 0);
