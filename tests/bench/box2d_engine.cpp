@@ -1,4 +1,4 @@
-// Box2D 2.4 as its manual asks: metres, bullets of fixed rotation, edges that are hit from both sides, no gravity.
+// Box2D 2.4, set up as its manual recommends: metres, bullets with fixed rotation, two-sided edges, no gravity.
 #include <box2d/box2d.h>
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 namespace platon::bench {
 namespace {
 
-constexpr int kVelocityIterations = 8;  // recommended, as the next
+constexpr int kVelocityIterations = 8;  // recommended by the manual, like the next
 constexpr int kPositionIterations = 3;
 
 float metres(double subunits) { return static_cast<float>(subunits / kSubunitsPerMetre); }
@@ -52,7 +52,7 @@ class Box2dEngine : public Engine {
       ground->CreateFixture(&fixture);
     }
   }
-  // Movers do not meet each other.
+  // Movers do not collide with each other.
   void addMover(const b2PolygonShape& shape, Point position) {
     b2BodyDef body;
     body.type = b2_dynamicBody;

@@ -1,5 +1,6 @@
-// Chipmunk 7 has no continuous collision; its manual's remedies for fast things are thicker lines and smaller steps. So
-// it takes as many a tick as keep the fastest mover below half its radius a step, and lines are given its slop.
+// Chipmunk 7. It has no continuous collision detection; for fast bodies its manual recommends thicker segments and
+// smaller steps. Each tick is divided so that the fastest mover moves less than half its radius per step, and segments
+// get a radius of Chipmunk's slop.
 #include <chipmunk/chipmunk.h>
 
 #include <algorithm>
@@ -13,7 +14,7 @@
 namespace platon::bench {
 namespace {
 
-constexpr cpFloat kSlop = 0.005;  // metres; it lets shapes overlap by so much, so lines are as much thicker
+constexpr cpFloat kSlop = 0.005;  // metres; Chipmunk lets shapes overlap by the slop
 
 cpFloat metres(double subunits) { return subunits / kSubunitsPerMetre; }
 
@@ -66,9 +67,8 @@ class ChipmunkEngine : public Engine {
     cpShapeSetElasticity(shape, 0);
     shapes_.push_back(cpSpaceAddShape(space_.get(), shape));
   }
-  // Without moment it does not turn; in one group movers do not meet each other.
-  // It moves by its velocity before it looks for collisions, so that the velocity must be set in between, where its
-  // solver corrects it: that is what the callback is for.
+  // A body with infinite moment does not rotate. Movers of one group do not collide with each other. Chipmunk moves a
+  // body before it detects collisions, so the callback sets the velocity between the two, where the solver corrects it.
   void addMover(const std::vector<cpVect>& vertices, Point position, cpVect& wanted) {
     cpBody* const body = cpSpaceAddBody(space_.get(), cpBodyNew(1, INFINITY));
     cpBodySetUserData(body, &wanted);
@@ -84,8 +84,8 @@ class ChipmunkEngine : public Engine {
 
   std::unique_ptr<cpSpace, void (*)(cpSpace*)> space_;
   cpFloat radius_ = 0;
-  cpFloat fastest_ = 0;         // metres a step
-  std::vector<cpVect> wanted_;  // metres a second, by mover
+  cpFloat fastest_ = 0;         // metres per step
+  std::vector<cpVect> wanted_;  // metres per second, by mover
   std::vector<cpShape*> shapes_;
   std::vector<cpBody*> movers_;
 };

@@ -12,38 +12,39 @@
 
 namespace platon::bench {
 
-/// Subunits in one metre, wherever an engine counts in metres: a player's diameter is then 1.5 m, as their manuals ask.
+/// Subunits per metre, for engines that use metres. The diameter of a player is then 1.5 m, a size their manuals
+/// recommend.
 inline constexpr double kSubunitsPerMetre = 16384;
-/// Steps in one second.
 inline constexpr double kStepsPerSecond = 60;
 
-/// A place, subunits.
+/// A position or a velocity, in subunits or subunits per step.
 struct Place {
   double x = 0;
   double y = 0;
 };
 
-/// What is given to every engine alike: lines that stand, movers of one convex shape of at most eight vertices.
+/// A scene for every engine: static segments, and movers of one convex shape with at most eight vertices.
 struct Scene {
   std::vector<Segment> lines;
   Convex shape;
   std::vector<Point> movers;
-  double subunitsPerUnit = kSubunitsPerUnit;  ///< a player's radius is 12 units: for what engines measure by it
+  double subunitsPerUnit =
+      kSubunitsPerUnit;  ///< of the scene's coordinates; the slop of the float engines depends on it
 };
 
-/// A physics engine with a scene in it, used as its manual recommends for a fast character: no gravity of its own, no
-/// friction, no bounce, no turning; the caller sets velocities.
+/// A physics engine with a scene, set up as its manual recommends for a fast character: without gravity, friction,
+/// bounce or rotation. The caller sets the velocities.
 class Engine {
  public:
   virtual ~Engine() = default;
 
-  /// Subunits a step, of the next one.
+  /// Sets the velocity for the next step, in subunits per step.
   virtual void setVelocity(std::size_t mover, Place velocity) = 0;
   virtual void step() = 0;
   virtual Place position(std::size_t mover) const = 0;
 };
 
-/// A kind of engine, by its name in the report.
+/// An engine and its name in the report.
 struct EngineKind {
   std::string name;
   std::unique_ptr<Engine> (*make)(const Scene& scene);
@@ -55,7 +56,7 @@ std::unique_ptr<Engine> makeFloat64(const Scene& scene);
 std::unique_ptr<Engine> makeBox2d(const Scene& scene);
 std::unique_ptr<Engine> makeChipmunk(const Scene& scene);
 
-/// All of them, Platon first.
+/// All engines, Platon first.
 const std::vector<EngineKind>& engineKinds();
 
 }  // namespace platon::bench

@@ -1,6 +1,6 @@
-// The same algorithm in floating point, as one would write it without exactness: swept Minkowski sum, the lines out of
-// the same grid, sliding along the edge that is met as far as that goes. It keeps a slop between mover and lines, for
-// without one it falls through at the first rounding. It lacks what passes the ends of lines that stand out.
+// The same algorithm in floating point: swept Minkowski sum, the same grid, and slides along the edge hit up to its
+// end. It keeps a slop between mover and segments; without one it falls through at the first rounding. It does not
+// nudge.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -19,7 +19,7 @@ namespace platon::bench {
 namespace {
 
 constexpr int kMaxLegs = 16;
-// Units: many times what a coordinate of a few thousand units is rounded by.
+// Level units; many times the rounding error of a coordinate of a few thousand units.
 template <class Real>
 constexpr double kSlop = std::is_same_v<Real, float> ? 1.0 / 256 : 1.0 / (1 << 20);
 
@@ -54,17 +54,17 @@ class FloatEngine : public Engine {
   struct Mover {
     Vector position;
     Vector velocity;
-    Box covered;  // what `near` is for
+    Box covered;  // area whose segments are in `near`
     std::vector<std::uint32_t> near;
   };
-  // A meeting, brought forward to where the slop is left.
+  // A hit, moved forward in time so that the slop remains.
   struct Stop {
-    Real time;  // part of the way
+    Real time;  // part of the displacement
     Edge edge;  // its normal has length one
   };
-  // Along an edge, as far as it goes; `share` of the displacement takes it there.
+  // A slide along an edge up to its end. It uses `share` of the remaining displacement.
   struct Slide {
-    Vector way;
+    Vector displacement;
     Real share;
   };
 
@@ -91,7 +91,7 @@ class FloatEngine : public Engine {
     grid_.query(mover.covered, mover.near);
   }
 
-  // Looks a few slops ahead, so that the slop is left wherever the way ends.
+  // Sweeps a few slops farther than the displacement, so that the slop remains wherever the displacement ends.
   std::optional<Stop> first(Mover& mover, Vector way) {
     constexpr Real kAhead = 4;
     const Real all = length(way);
@@ -108,33 +108,34 @@ class FloatEngine : public Engine {
       Edge edge = sweep.edge(a, b);
       edge.normal = edge.normal * (1 / length(edge.normal));
       const Real approach = -dot(way, edge.normal);
-      if (approach <= 0) continue;  // already overlapped, on the way out
+      if (approach <= 0) continue;  // overlaps already and moves out
       const Real early = std::max<Real>(0, *time * farther - slop_ / approach);
       if (early < (best ? best->time : Real{1})) best = Stop{early, edge};
     }
     return best;
   }
 
-  Slide slide(Vector position, Vector rest, const Edge& edge) const {
+  Slide slide(Vector position, Vector remaining, const Edge& edge) const {
     const Vector tangent = alongEdge(edge);
-    const Real along = dot(rest, tangent);
+    const Real along = dot(remaining, tangent);
     if (along == 0) return {{}, 1};
     const Real reach = along > 0 ? dot(edge.to - position, tangent) : dot(position - edge.from, tangent);
-    // At the end already, and met again: rounding cannot tell this edge from the next.
+    // At the end already, and hit again: rounding hides which of the two edges it is.
     const Real share = reach > 0 ? std::min<Real>((reach + slop_) / std::abs(along), 1) : 1;
     return {tangent * (along * share), share};
   }
 
   void move(Mover& mover) {
-    Vector rest = mover.velocity;
+    Vector remaining = mover.velocity;
     std::optional<Edge> held;
-    for (int leg = 0; leg < kMaxLegs && dot(rest, rest) > 0; ++leg) {
-      const Slide next = held ? slide(mover.position, rest, *held) : Slide{rest, 1};
-      const auto stop = first(mover, next.way);
+    for (int leg = 0; leg < kMaxLegs && dot(remaining, remaining) > 0; ++leg) {
+      const Slide next = held ? slide(mover.position, remaining, *held) : Slide{remaining, 1};
+      const auto stop = first(mover, next.displacement);
       const Real time = stop ? stop->time : 1;
-      mover.position = mover.position + next.way * time;
-      rest = rest * (1 - time * next.share);
-      const bool wedged = held && stop && dot(slide(mover.position, rest, stop->edge).way, held->normal) < 0;
+      mover.position = mover.position + next.displacement * time;
+      remaining = remaining * (1 - time * next.share);
+      const bool wedged =
+          held && stop && dot(slide(mover.position, remaining, stop->edge).displacement, held->normal) < 0;
       if (wedged) return;
       held = stop ? std::optional(stop->edge) : std::nullopt;
     }

@@ -30,8 +30,8 @@ FloatVector<Real> toFloat(Point point) {
   return {static_cast<Real>(point.x), static_cast<Real>(point.y)};
 }
 
-/// The edge of an obstacle that a sweep enters. `from` and `to` are its ends, as positions of the shape, in
-/// the direction of the normal turned left.
+/// The edge of the obstacle that a sweep enters. `from` and `to` are its ends, as positions of the shape; the direction
+/// from one to the other is the normal rotated a quarter turn counter-clockwise.
 template <class Real>
 struct FloatEdge {
   FloatVector<Real> normal;  ///< outward, of any length
@@ -39,7 +39,7 @@ struct FloatEdge {
   FloatVector<Real> to;
 };
 
-/// A convex shape as the sweep needs it.
+/// A convex shape, prepared for sweeps.
 template <class Real>
 struct FloatShape {
   explicit FloatShape(const Convex& shape) {
@@ -53,14 +53,14 @@ struct FloatShape {
   }
 
   std::vector<FloatVector<Real>> vertices;
-  std::vector<FloatVector<Real>> normals;  ///< of the obstacle that the shape makes of a point
+  std::vector<FloatVector<Real>> normals;  ///< outward normals of the obstacle
   std::vector<Real> supports;
-  FloatVector<Real> low;  ///< of its bounds
+  FloatVector<Real> low;  ///< corners of the bounding box
   FloatVector<Real> high;
 };
 
-/// What is done with `Sweep` in integers, written as one would in floating point: the displacement is clipped against
-/// the half planes of line (+) -shape. The shape must outlive it.
+/// `Sweep` in floating point: clips the displacement against the half-planes of the Minkowski sum of the segment and
+/// the mirrored shape. The shape must outlive it.
 template <class Real>
 class FloatSweep {
  public:
@@ -73,7 +73,7 @@ class FloatSweep {
     high_ = {std::max(position.x, end.x) + shape.high.x, std::max(position.y, end.y) + shape.high.y};
   }
 
-  /// The time of the first meeting: 0 when it overlaps from the start.
+  /// Time of the hit with the segment from a to b; 0 if the shape overlaps it at the start.
   std::optional<Real> against(Vector a, Vector b) {
     if (misses(a, b)) return std::nullopt;
     enter_ = 0;
@@ -88,7 +88,7 @@ class FloatSweep {
     if (!(enter_ < exit_)) return std::nullopt;
     return enter_;
   }
-  /// What the last meeting, with the line from a to b, entered; of an overlap, the edge that is nearest.
+  /// The edge entered by the last hit, which was with the segment from a to b. For an overlap, the nearest edge.
   FloatEdge<Real> edge(Vector a, Vector b) const { return entered_ ? edgeAt(edge_, a, b) : nearest(a, b); }
 
  private:
@@ -130,7 +130,7 @@ class FloatSweep {
     const std::size_t count = shape_.normals.size();
     return index < count ? shape_.normals[index] : left * static_cast<Real>(index == count ? 1 : -1);
   }
-  // Between the farthest of all differences of an end of the line and a vertex that lie outermost.
+  // Edge `index` of the obstacle: its ends are differences of an end of the segment and a vertex of the shape.
   FloatEdge<Real> edgeAt(std::size_t index, Vector a, Vector b) const {
     const Vector normal = normalAt(index, a, b);
     const Vector tangent{-normal.y, normal.x};
@@ -169,12 +169,12 @@ class FloatSweep {
   const FloatShape<Real>& shape_;
   Vector position_;
   Vector displacement_;
-  Vector low_;  // all that the moving shape passes over
+  Vector low_;  // bounding box of the swept area
   Vector high_;
   Real enter_ = 0;
   Real exit_ = 1;
   bool entered_ = false;
-  std::size_t edge_ = 0;  // index of a shape's edge; behind these, the left and the right side of the line
+  std::size_t edge_ = 0;  // index of a shape's edge; after those, the left and the right side of the segment
 };
 
 }  // namespace platon::bench

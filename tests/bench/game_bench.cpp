@@ -19,10 +19,10 @@ namespace {
 
 constexpr std::uint64_t kSeed = 3;
 
-// Players that press buttons as people do.
-class Presses {
+// Inputs of players who press buttons like people.
+class PlayerInputs {
  public:
-  explicit Presses(std::size_t players) : inputs_(players) {
+  explicit PlayerInputs(std::size_t players) : inputs_(players) {
     for (std::uint32_t slot = 0; slot < players; ++slot) presses_.emplace_back(kSeed, slot);
   }
   std::span<const Input> next() {
@@ -45,10 +45,10 @@ struct Session {
   }
 
   Game game;
-  Presses presses;
+  PlayerInputs presses;
 };
 
-// Of `work` on average over `times`.
+// Average nanoseconds of `work`, called `times` times.
 template <class Work>
 double averageOf(std::int64_t times, Work&& work) {
   return nanosecondsOf([&] {
@@ -77,7 +77,7 @@ SnapshotResult benchSnapshot(const std::string& path, const Effort& effort) {
   return {sim::testName(path), kMovers, bytes, spreads[0], spreads[1], spreads[2]};
 }
 
-// As a client does it after a correction: back to what is confirmed, forward again.
+// The reconciliation of a client: copies the confirmed game and advances it to the predicted tick.
 ResimulationResult benchResimulation(const std::string& path, std::size_t players, int ticks, const Effort& effort) {
   Session session(sim::levelFrom(path), players);
   std::vector<std::vector<Input>> inputs;

@@ -24,7 +24,7 @@ struct ResimulationResult {
   Spread microseconds;
 };
 
-/// Of one player in one tick.
+/// Cost of one player in one tick.
 struct AdvanceResult {
   std::string level;
   std::size_t players = 0;
@@ -32,12 +32,12 @@ struct AdvanceResult {
 };
 
 struct GameResults {
-  std::vector<AdvanceResult> advances;            ///< each shipped level, eight players
-  std::vector<SnapshotResult> snapshots;          ///< 64 movers, on the slowest of these levels
-  std::vector<ResimulationResult> resimulations;  ///< 16 players x 15 ticks, 64 x 60, on the same
+  std::vector<AdvanceResult> advances;            ///< every shipped level with eight players
+  std::vector<SnapshotResult> snapshots;          ///< 64 movers on the slowest of these levels
+  std::vector<ResimulationResult> resimulations;  ///< on the same level: 16 players for 15 ticks, 64 for 60
 };
 
-/// Run from the root of the tree, for the levels.
+/// Requires the root of the tree as working folder.
 GameResults benchGames(const Effort& effort);
 
 }  // namespace platon::bench

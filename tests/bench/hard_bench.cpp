@@ -22,9 +22,9 @@ constexpr std::uint64_t kSeed = 33;
 constexpr std::int64_t kSteps = 100000;
 constexpr std::int32_t kRadius = 12 * kSubunitsPerUnit;
 constexpr std::int32_t kMetre = static_cast<std::int32_t>(kSubunitsPerMetre);
-constexpr double kPop = kSubunitsPerMetre / 200;  // 5 mm: what Box2D calls its slop
+constexpr double kPop = kSubunitsPerMetre / 200;  // 5 mm, the slop of Box2D
 
-// One engine in one case: its scene, the mover's way so far, what has been seen.
+// One engine in one hard case.
 class Trial {
  public:
   Trial(const EngineKind& kind, Scene scene, const std::string& name) : kind_(kind), scene_(std::move(scene)) {
@@ -42,7 +42,7 @@ class Trial {
   }
   Place position() const { return engine_->position(0); }
   const Scene& scene() const { return scene_; }
-  // To the nearest line; below 0 where it is overlapped.
+  // Distance to the nearest segment; negative if the shape overlaps it.
   double gap() const {
     const Place now = position();
     long double least = std::numeric_limits<long double>::infinity();
@@ -58,13 +58,13 @@ class Trial {
   HardResult result_;
 };
 
-// Of one octagon, three quarters of a metre in radius.
+// A scene with one octagon with a radius of 0.75 m.
 Scene sceneOf(std::vector<Segment> lines, Point start) {
   return {.lines = std::move(lines), .shape = regular(8, kRadius), .movers = {start}};
 }
 
-// A room of three walls, counter-clockwise: two of them meet in a tenth of a degree far to the right. It becomes too
-// narrow for the mover near `middle`; floating point is finest near 0.
+// A triangular room, counter-clockwise, with an angle of 0.1 degrees far to the right. At `middle` it becomes too
+// narrow for the mover. Floating point is most accurate near 0.
 Scene wedge(Point middle) {
   constexpr double kHalfAngle = 0.05 / 180 * 3.14159265358979;
   constexpr std::int32_t kBefore = 700 * kMetre;
@@ -85,9 +85,9 @@ bool isInside(Place at, const std::vector<Segment>& walls) {
   });
 }
 
-// Half a second into the narrow end, a third of a second out again, up to 30 degrees aside in either direction.
-HardResult driven(const EngineKind& kind, const std::string& name, double metresPerSecond, std::int64_t steps,
-                  Point middle = {}) {
+// Moves for half a second into the narrow end and for a third of a second back, up to 30 degrees off the axis.
+HardResult moveIntoWedge(const EngineKind& kind, const std::string& name, double metresPerSecond, std::int64_t steps,
+                         Point middle = {}) {
   constexpr std::int64_t kIn = 30;
   constexpr std::int64_t kOut = 20;
   Trial trial(kind, wedge(middle), name);
@@ -104,13 +104,13 @@ HardResult driven(const EngineKind& kind, const std::string& name, double metres
   return trial.result();
 }
 
-// A straight floor in pieces whose ends are off by up to `most` subunits.
-Scene looseFloor(std::int32_t most, std::int32_t pieces) {
+// A straight floor of segments whose ends are off by up to `limit` subunits.
+Scene floorOfPieces(std::int32_t limit, std::int32_t pieces) {
   constexpr std::int32_t kPiece = 2 * kMetre;
   sim::SeededRandom random(kSeed);
   std::vector<Segment> lines;
   const auto off = [&] {
-    return static_cast<std::int32_t>(random.below(2 * static_cast<std::uint64_t>(most) + 1)) - most;
+    return static_cast<std::int32_t>(random.below(2 * static_cast<std::uint64_t>(limit) + 1)) - limit;
   };
   const auto near = [&](std::int32_t x) {
     const std::int32_t y = off();
@@ -120,16 +120,16 @@ Scene looseFloor(std::int32_t most, std::int32_t pieces) {
     const Point a = near(i * kPiece);
     lines.push_back({a, near((i + 1) * kPiece)});
   }
-  return sceneOf(std::move(lines), {0, kRadius / 8 + 2 * most});
+  return sceneOf(std::move(lines), {0, kRadius / 8 + 2 * limit});
 }
 
-// Pushed along it at 10 m/s and down; at its end, from the start again.
-HardResult pushed(const EngineKind& kind, const std::string& name, std::int32_t most, std::int64_t steps) {
+// Moves along the floor at 10 m/s and down. Restarts at its end.
+HardResult moveAlongFloor(const EngineKind& kind, const std::string& name, std::int32_t limit, std::int64_t steps) {
   constexpr std::int32_t kPieces = 50;
   constexpr std::int64_t kSettling = 60;
   constexpr double kSpeed = 10 * kSubunitsPerMetre / kStepsPerSecond;
   constexpr double kEnd = (kPieces - 4) * 2.0 * kMetre;
-  Trial trial(kind, looseFloor(most, kPieces), name);
+  Trial trial(kind, floorOfPieces(limit, kPieces), name);
   const double fallen = -2 * kRadius;
   double resting = 0;
   std::int64_t settling = 0;
@@ -140,7 +140,7 @@ HardResult pushed(const EngineKind& kind, const std::string& name, std::int32_t 
     if (++settling == kSettling) resting = after.y;
     if (settling > kSettling) {
       trial.result().speedDrops += after.x - before.x < 0.99 * kSpeed;
-      trial.result().pops += after.y > resting + 2 * most + kPop;
+      trial.result().pops += after.y > resting + 2 * limit + kPop;
     }
     if (after.x < kEnd && after.y > fallen) continue;
     trial.result().tunnelled += after.y <= fallen;
@@ -150,8 +150,8 @@ HardResult pushed(const EngineKind& kind, const std::string& name, std::int32_t 
   return trial.result();
 }
 
-// Pressed down into a notch of two slopes.
-HardResult pressed(const EngineKind& kind, const std::string& name, std::int64_t steps) {
+// Moves down into a notch between two slopes and rests.
+HardResult restInNotch(const EngineKind& kind, const std::string& name, std::int64_t steps) {
   const std::int64_t settled = std::min<std::int64_t>(1000, steps / 2);
   Trial trial(kind, sceneOf({{{-3 * kMetre, 0}, {0, -3 * kMetre}}, {{0, -3 * kMetre}, {5 * kMetre, kMetre}}}, {}),
               name);
@@ -172,13 +172,13 @@ std::vector<HardResult> benchHardCases(const Effort& effort) {
   const std::int64_t steps = kSteps / effort.share;
   std::vector<HardResult> results;
   for (const EngineKind& kind : engineKinds()) {
-    results.push_back(driven(kind, "wedge-10-m/s", 10, steps));
-    results.push_back(driven(kind, "wedge-100-m/s", 100, steps));
-    results.push_back(driven(kind, "wedge-1000-m/s", 1000, steps));
-    results.push_back(driven(kind, "wedge-far-100-m/s", 100, steps, {30000 * kMetre, 20000 * kMetre}));
-    results.push_back(pushed(kind, "joints-2-subunits", 2, steps));
-    results.push_back(pushed(kind, "joints-1-mm", kMetre / 1000, steps));
-    results.push_back(pressed(kind, "rest-in-a-notch", steps));
+    results.push_back(moveIntoWedge(kind, "wedge-10-m/s", 10, steps));
+    results.push_back(moveIntoWedge(kind, "wedge-100-m/s", 100, steps));
+    results.push_back(moveIntoWedge(kind, "wedge-1000-m/s", 1000, steps));
+    results.push_back(moveIntoWedge(kind, "wedge-far-100-m/s", 100, steps, {30000 * kMetre, 20000 * kMetre}));
+    results.push_back(moveAlongFloor(kind, "joints-2-subunits", 2, steps));
+    results.push_back(moveAlongFloor(kind, "joints-1-mm", kMetre / 1000, steps));
+    results.push_back(restInNotch(kind, "rest-in-a-notch", steps));
   }
   std::stable_sort(results.begin(), results.end(),
                    [](const HardResult& a, const HardResult& b) { return a.name < b.name; });

@@ -12,17 +12,15 @@ struct HardResult {
   std::string name;
   std::string engine;
   std::int64_t steps = 0;
-  double maxOverlap = 0;        ///< of the mover and any line after any step: the shortest way out, subunits
-  std::int64_t tunnelled = 0;   ///< times that it was outside the closed room, or below the floor, afterwards; it is
-                                ///< then put back
-  std::int64_t speedDrops = 0;  ///< steps that made less than 99 % of the way along a straight floor
-  std::int64_t pops = 0;        ///< steps after which it stood more than 5 mm above where it rests on that floor
-  double restDrift = 0;         ///< between the thousandth step and the last, pressed into one place, subunits
-  double restGap = 0;  ///< what is left, pressed into one place, between it and the nearest line, subunits; below 0
-                       ///< where it overlaps
+  double maxOverlap = 0;        ///< largest penetration depth after any step, subunits
+  std::int64_t tunnelled = 0;   ///< how often the mover left the closed room or fell below the floor; it is then reset
+  std::int64_t speedDrops = 0;  ///< steps with less than 99 % of the ideal progress along a straight floor
+  std::int64_t pops = 0;        ///< steps that end more than 5 mm above the height of rest on that floor
+  double restDrift = 0;         ///< motion at rest, from the thousandth step to the last, subunits
+  double restGap = 0;           ///< distance to the nearest segment at rest, subunits; negative if it overlaps
 };
 
-/// Every engine in every hard case; at least 10^5 steps each, less by the effort's share.
+/// Measures every engine in every hard case, with 10^5 / effort.share steps each.
 std::vector<HardResult> benchHardCases(const Effort& effort);
 
 }  // namespace platon::bench

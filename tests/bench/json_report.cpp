@@ -23,7 +23,7 @@ class JsonObject {
   requires std::is_integral_v<Integer> JsonObject& add(std::string_view name, Integer value) {
     return raw(name, std::to_string(value));
   }
-  /// The median under the name itself, the ends of the spread beside it.
+  /// Adds the median as NAME and the ends of the spread as NAMELow and NAMEHigh.
   JsonObject& add(std::string_view name, const Spread& spread) {
     add(name, spread.median);
     add(std::string(name) + "Low", spread.low);
@@ -117,7 +117,7 @@ JsonObject objectOf(const AdvanceResult& result) {
       .add("nsPerPlayerTick", result.nsPerPlayerTick);
 }
 
-// What made the program, for the page that quotes it.
+// How the program was built, for the generated report.
 JsonObject buildObject(int passes) {
 #if defined(__AVX2__)
   const std::string machine = " for x86-64-v3";

@@ -14,7 +14,7 @@ namespace {
 
 using namespace platon::bench;
 
-// Debian's Chipmunk greets on stdout, which is for results: while it lives, that goes to stderr.
+// Redirects stdout to stderr while it exists: Debian's Chipmunk prints a greeting, and stdout is for results.
 class StdoutToStderr {
  public:
   StdoutToStderr() : stdout_(dup(STDOUT_FILENO)) { dup2(STDERR_FILENO, STDOUT_FILENO); }
@@ -40,17 +40,17 @@ Report run(const Effort& effort) {
 int main(int argc, char** argv) {
   bool quick = false;
   bool json = false;
-  CLI::App app("platon-bench: speed against error, beside other engines.", "platon-bench");
+  CLI::App app("platon-bench: measures speed and error of Platon and of other engines.", "platon-bench");
   app.set_version_flag("--version", "platon-bench " + std::string(platon::kVersion));
-  app.add_flag("--quick", quick, "a tenth of the work, in under a minute");
-  app.add_flag("--json", json, "one JSON object on stdout");
+  app.add_flag("--quick", quick, "do a tenth of the work, in less than a minute");
+  app.add_flag("--json", json, "print one JSON object");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& reason) {
     return app.exit(reason) == 0 ? 0 : 2;
   }
   try {
-    std::filesystem::current_path(PLATON_ROOT);  // levels and scenes are found from there
+    std::filesystem::current_path(PLATON_ROOT);  // paths of levels and scenes are relative to it
     const Report report = run(quick ? Effort::quick() : Effort());
     std::printf("%s\n", (json ? toJson(report) : toText(report)).c_str());
     return 0;

@@ -7,7 +7,7 @@
 
 namespace platon::bench {
 
-/// Medians and spread of passes.
+/// Median, minimum and maximum of several passes.
 struct Spread {
   double median = 0;
   double low = 0;
@@ -16,14 +16,14 @@ struct Spread {
 
 Spread spreadOf(std::vector<double> passes);
 
-/// Runs all `contenders` once, then once more and so on, so that what else the machine does hits all alike. Each
-/// returns what it measured in that pass.
+/// Runs all `contenders` alternately, `passes` times each, so that other load on the machine affects all alike. Each
+/// returns the value that it measured in the pass.
 std::vector<Spread> interleaved(const std::vector<std::function<double()>>& contenders, int passes);
 
-/// Nanoseconds of the processor that this thread has had: those that other programs took from it do not count.
+/// Processor time of this thread, in nanoseconds. Time of other programs does not count.
 double processorTime();
 
-/// Nanoseconds of the processor that `work` takes.
+/// Processor time of `work`, in nanoseconds.
 template <class Work>
 double nanosecondsOf(Work&& work) {
   const double start = processorTime();
@@ -31,17 +31,17 @@ double nanosecondsOf(Work&& work) {
   return processorTime() - start;
 }
 
-/// Makes the compiler believe that `value` is needed.
+/// Keeps the compiler from removing the computation of `value`.
 template <class Value>
 void keep(const Value& value) {
   asm volatile("" : : "g"(&value) : "memory");
 }
 
-/// How thorough the run is.
+/// Amount of work of a run.
 struct Effort {
-  int passes = 15;                    ///< at least five
-  std::int64_t share = 1;             ///< work is divided by this
-  std::size_t mostSegments = 100000;  ///< in a scene
+  int passes = 15;                   ///< at least five
+  std::int64_t share = 1;            ///< work is divided by this
+  std::size_t maxSegments = 100000;  ///< per scene
 
   static Effort quick() { return {.passes = 5, .share = 10}; }
 };

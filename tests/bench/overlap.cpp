@@ -7,8 +7,8 @@
 
 namespace platon::bench {
 
-// In 64 bits of mantissa, so that lattice points are judged without rounding: the obstacle's sides are the line's and
-// the shape's own.
+// long double has 64 bits of mantissa, which is exact for lattice points. The sides of the obstacle are those of the
+// segment and of the shape.
 long double separationOf(const Convex& shape, long double x, long double y, const Segment& line) {
   using Vector = FloatVector<long double>;
   const Vector position{x, y};

@@ -5,11 +5,11 @@
 
 namespace platon::bench {
 
-/// How far `shape`, at (x, y), is from the line along the direction in which that is most; where it overlaps, the
-/// shortest way out, negative. Subunits.
+/// Largest distance, over the normals of all sides, by which `shape` at (x, y) is separated from the segment. If they
+/// overlap it is negative: the penetration depth. Subunits.
 long double separationOf(const Convex& shape, long double x, long double y, const Segment& line);
 
-/// How deep it is in the line; 0 when it is outside or touches. Subunits.
+/// Penetration depth of `shape` at (x, y); 0 if it does not overlap the segment. Subunits.
 double overlapOf(const Convex& shape, long double x, long double y, const Segment& line);
 
 }  // namespace platon::bench

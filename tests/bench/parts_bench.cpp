@@ -23,33 +23,33 @@ namespace {
 constexpr std::uint64_t kSeed = 41;
 constexpr std::int32_t kFace = 480;  // level units
 constexpr std::int32_t kHalf = kFace / 2 * kSubunitsPerUnit;
-constexpr std::int64_t kStepsOfOneWay = 16;
-constexpr std::int32_t kSpeed = kPlayerRadius / static_cast<std::int32_t>(kStepsOfOneWay);
+constexpr std::int64_t kStepsPerMove = 16;
+constexpr std::int32_t kSpeed = kPlayerRadius / static_cast<std::int32_t>(kStepsPerMove);
 
 class Piercing : public Rules {
  public:
   bool pierce(const Entity&, const SegmentRef& line) const override { return line.warp; }
 };
 
-// A mover that does the same small dance in every scene: to and fro by its own radius.
-class Dance {
+// A mover that moves to and fro by its radius.
+class Oscillation {
  public:
-  Dance(World world, Rules* rules, std::int32_t turn, Point velocity)
+  Oscillation(World world, Rules* rules, std::int32_t turn, Point velocity)
       : world_(std::move(world)), rules_(rules), turn_(turn), velocity_(velocity) {}
 
   PartResult result(const std::string& scene) const {
-    const auto ways = static_cast<double>(steps_ / kStepsOfOneWay);
+    const auto moves = static_cast<double>(steps_ / kStepsPerMove);
     return {scene,
-            1 + static_cast<double>(furtherInstances_) / ways,
+            1 + static_cast<double>(furtherInstances_) / moves,
             static_cast<double>(world_.entities()[0].crossings) / static_cast<double>(steps_),
             {}};
   }
-  // Nanoseconds a step.
+  // Nanoseconds per step.
   double run(std::int64_t steps) {
     const std::int64_t end = steps_ + steps;
     const double spent = nanosecondsOf([&] {
       while (steps_ < end) {
-        goOneWay();
+        moveOnce();
         furtherInstances_ += world_.instancesOf(0).size();
       }
     });
@@ -57,9 +57,9 @@ class Dance {
   }
 
  private:
-  void goOneWay() {
-    const std::int32_t sign = steps_ / kStepsOfOneWay % 2 == 0 ? 1 : -1;
-    for (std::int64_t i = 0; i < kStepsOfOneWay; ++i, ++steps_) {
+  void moveOnce() {
+    const std::int32_t sign = steps_ / kStepsPerMove % 2 == 0 ? 1 : -1;
+    for (std::int64_t i = 0; i < kStepsPerMove; ++i, ++steps_) {
       Entity entity(world_, 0);
       entity.setVelocity({sign * velocity_.x, sign * velocity_.y}, entity.rotation());
       if (turn_ != 0) entity.rotate(turn_);
@@ -75,7 +75,7 @@ class Dance {
   std::size_t furtherInstances_ = 0;
 };
 
-// The same few lines on a plane and on each face of a cube, away from its middle and its edges; level units.
+// The segments of the plane and of each face of the cube, away from its centre and edges; level units.
 std::vector<Segment> someLines() {
   sim::SeededRandom random(kSeed);
   std::vector<Segment> lines;
@@ -124,12 +124,12 @@ std::vector<PartResult> benchParts(const Effort& effort) {
   static Piercing piercing;
   struct Scene {
     std::string name;
-    std::unique_ptr<Dance> dance;
+    std::unique_ptr<Oscillation> oscillation;
   };
   std::vector<Scene> scenes;
   const auto add = [&](const std::string& name, World world, Rules* rules, std::int32_t turn,
                        Point velocity = {kSpeed, 0}) {
-    scenes.push_back({name, std::make_unique<Dance>(std::move(world), rules, turn, velocity)});
+    scenes.push_back({name, std::make_unique<Oscillation>(std::move(world), rules, turn, velocity)});
   };
   constexpr Point kSlow{kSpeed / 64, 0};
   add("plane, at rest", with(plane(), {}), nullptr, 0, {});
@@ -143,13 +143,14 @@ std::vector<PartResult> benchParts(const Effort& effort) {
   add("solid, at a corner", with(cube(), kCorner), nullptr, 0, kSlow);
   add("solid, at a corner, turning by 5°", with(cube(), kCorner), nullptr, 500, kSlow);
   add("solid, at a corner, turning by 4.99°", with(cube(), kCorner), nullptr, 499, kSlow);
-  const std::int64_t steps = std::max(kStepsOfOneWay, 20000 / effort.share / kStepsOfOneWay * kStepsOfOneWay);
+  const std::int64_t steps = std::max(kStepsPerMove, 20000 / effort.share / kStepsPerMove * kStepsPerMove);
   std::vector<std::function<double()>> passes;
-  for (const Scene& scene : scenes) passes.push_back([dance = scene.dance.get(), steps] { return dance->run(steps); });
+  for (const Scene& scene : scenes)
+    passes.push_back([oscillation = scene.oscillation.get(), steps] { return oscillation->run(steps); });
   const auto spreads = interleaved(passes, effort.passes);
   std::vector<PartResult> results;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
-    results.push_back(scenes[i].dance->result(scenes[i].name));
+    results.push_back(scenes[i].oscillation->result(scenes[i].name));
     results.back().nsPerStep = spreads[i];
   }
   return results;

@@ -7,16 +7,15 @@
 
 namespace platon::bench {
 
-/// One mover's step in a scene that has, or has not, what is measured.
+/// Cost of a step of one mover in a scene with or without a certain part.
 struct PartResult {
   std::string scene;
-  double instances = 0;  ///< on average
-  double crossings = 0;  ///< a step
+  double instances = 0;  ///< average number of instances
+  double crossings = 0;  ///< per step
   Spread nsPerStep;
 };
 
-/// What each part of the world costs where it is not needed, and what it costs where it is: warps, instances,
-/// crossings, rotation, rules.
+/// Measures what warps, instances, crossings, rotation and rules cost a step that uses them, and one that does not.
 std::vector<PartResult> benchParts(const Effort& effort);
 
 }  // namespace platon::bench

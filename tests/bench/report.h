@@ -13,7 +13,7 @@
 
 namespace platon::bench {
 
-/// All that one run measures.
+/// Results of a run.
 struct Report {
   int passes = 0;
   std::vector<SweepResult> sweeps;
@@ -24,14 +24,14 @@ struct Report {
   GameResults games;
 };
 
-/// Measures everything; tells `begins` the name of each part first, for the whole takes minutes. Run from the root of
-/// the tree, where levels and scenes are.
+/// Runs all benchmarks, which takes minutes. Calls `begins` with the name of each part before it starts. Requires the
+/// root of the tree as working folder.
 Report runAll(const Effort& effort, const std::function<void(const char*)>& begins);
 
-/// One JSON object. Times are medians; beside each stands the lowest and the highest of the passes.
+/// One JSON object. Times are medians; the lowest and the highest pass are given as well.
 std::string toJson(const Report& report);
 
-/// Tables for people.
+/// Tables for reading.
 std::string toText(const Report& report);
 
 }  // namespace platon::bench

@@ -30,20 +30,20 @@ Scene toScene(const ExactScene& exact) {
   return scene;
 }
 
-// Positions after each tick, in sixteenths of a unit.
-std::vector<Place> idealWay(const ExactScene& scene) {
+// Ideal positions after each tick, in sixteenths of a unit.
+std::vector<Place> idealTrajectory(const ExactScene& scene) {
   reference::ExactMover mover(scene);
-  std::vector<Place> way;
+  std::vector<Place> trajectory;
   for (int tick = 0; tick < kTicks; ++tick) {
     mover.tick();
-    way.push_back({mover.position().x.get_d(), mover.position().y.get_d()});
+    trajectory.push_back({mover.position().x.get_d(), mover.position().y.get_d()});
   }
-  return way;
+  return trajectory;
 }
 
 struct Course {
   ExactScene scene;
-  std::vector<Place> way;
+  std::vector<Place> trajectory;
 };
 
 class Runs {
@@ -51,7 +51,7 @@ class Runs {
   Runs(const EngineKind& kind, const std::vector<Course>& courses, std::int64_t resolution)
       : kind_(kind), courses_(courses), factor_(resolution / kSceneSubunits) {}
 
-  // Every scene once: nanoseconds a step; remembers the greatest error.
+  // Runs every scene once and keeps the largest error. Returns nanoseconds per step.
   double run() {
     double spent = 0;
     for (const Course& course : courses_) {
@@ -60,7 +60,7 @@ class Runs {
       scene.subunitsPerUnit = static_cast<double>(factor_ * kSceneSubunits);
       const auto engine = kind_.make(scene);
       const Place velocity{static_cast<double>(fine.velocity.x), static_cast<double>(fine.velocity.y)};
-      for (const Place ideal : course.way) {
+      for (const Place ideal : course.trajectory) {
         spent += nanosecondsOf([&] {
           engine->setVelocity(0, velocity);
           engine->step();
@@ -89,12 +89,13 @@ class Runs {
 
 std::vector<ResolutionResult> benchResolutions(const Effort& effort) {
   std::vector<Course> courses;
-  for (auto& [name, scene] : reference::allScenes()) courses.push_back({scene, idealWay(scene)});
+  for (auto& [name, scene] : reference::allScenes()) courses.push_back({scene, idealTrajectory(scene)});
   std::vector<std::unique_ptr<Runs>> runs;
   std::vector<std::function<double()>> passes;
   std::vector<ResolutionResult> results;
   for (const EngineKind& kind : engineKinds()) {
-    if (kind.name != "platon" && !kind.name.starts_with("float")) continue;  // the others move by forces
+    if (kind.name != "platon" && !kind.name.starts_with("float"))
+      continue;  // the others move by forces, so they follow another trajectory
     for (std::int64_t resolution = kSceneSubunits; resolution <= kFinest; resolution *= 2) {
       runs.push_back(std::make_unique<Runs>(kind, courses, resolution));
       passes.push_back([run = runs.back().get()] { return run->run(); });

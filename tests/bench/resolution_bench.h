@@ -15,8 +15,8 @@ struct ResolutionResult {
   double maxTrajectoryError = 0;  ///< over all scenes and ticks, level units
 };
 
-/// The scenes of tests/exactness/reference at 2^4 ... 2^16 subunits a unit, against their ideal trajectory in
-/// rationals. Run from the root of the tree.
+/// Measures the scenes of tests/exactness/reference at 2^4 ... 2^16 subunits per unit against their exact trajectories.
+/// Requires the root of the tree as working folder.
 std::vector<ResolutionResult> benchResolutions(const Effort& effort);
 
 }  // namespace platon::bench

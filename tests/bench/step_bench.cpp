@@ -24,7 +24,7 @@ constexpr std::uint64_t kSeed = 8;
 constexpr std::int32_t kRadius = 12 * kSubunitsPerUnit;
 constexpr std::int32_t kSpeed = kRadius / 2;  // 22 m/s
 constexpr std::int32_t kLongestLine = 6 * kRadius;
-constexpr std::int32_t kSpacing = 6 * kRadius;  // one line in each square of this side
+constexpr std::int32_t kSpacing = 6 * kRadius;  // side of the square that holds one segment on average
 constexpr int kStepsOfOneVelocity = 30;
 
 bool isFree(const Convex& shape, Point position, const std::vector<Segment>& lines) {
@@ -33,7 +33,7 @@ bool isFree(const Convex& shape, Point position, const std::vector<Segment>& lin
   return std::none_of(lines.begin(), lines.end(), [&](const Segment& line) { return sweep.against(line).has_value(); });
 }
 
-// As many lines as asked for, about evenly spread over a square that grows with their number, and a wall round it.
+// `segments` segments, evenly distributed over a square that grows with their number, and four walls around it.
 Scene sceneOf(std::size_t segments, std::size_t movers) {
   sim::SeededRandom random(kSeed);
   const auto half = static_cast<std::int32_t>(std::sqrt(static_cast<double>(segments)) * kSpacing / 2);
@@ -77,7 +77,7 @@ class Runner {
   Runner(const EngineKind& kind, const Scene& scene) : random_(kSeed) {
     const Scene bare{.lines = {}, .shape = scene.shape, .movers = {}};
     const Scene still{.lines = scene.lines, .shape = scene.shape, .movers = {}};
-    kind.make(still);  // what is taken once and for all
+    kind.make(still);  // so that allocations made only once do not count
     const double withLines = heapBytesOf(kind, still);
     bytesPerSegment_ = (withLines - heapBytesOf(kind, bare)) / static_cast<double>(scene.lines.size());
     const std::size_t before = heapBytes();
@@ -90,7 +90,7 @@ class Runner {
   double bytesPerSegment() const { return bytesPerSegment_; }
   double bytesPerMover() const { return bytesPerMover_; }
 
-  // Nanoseconds a mover and step.
+  // Nanoseconds per mover and step.
   double run(std::int64_t steps) {
     const std::int64_t velocities = (steps + kStepsOfOneVelocity - 1) / kStepsOfOneVelocity;
     const double spent = nanosecondsOf([&] {
@@ -119,7 +119,7 @@ class Runner {
   std::vector<Point> velocities_;
 };
 
-// All scenes with so many movers take turns, too: their costs are compared with each other.
+// All scenes with this number of movers are measured alternately, because their costs are compared.
 std::vector<StepResult> benchScenes(std::size_t movers, const Effort& effort) {
   const std::int64_t steps =
       std::max<std::int64_t>(kStepsOfOneVelocity, 60000 / static_cast<std::int64_t>(movers) / effort.share);
@@ -127,7 +127,7 @@ std::vector<StepResult> benchScenes(std::size_t movers, const Effort& effort) {
   std::vector<std::function<double()>> passes;
   std::vector<StepResult> results;
   for (const std::size_t segments : {100u, 1000u, 10000u, 100000u}) {
-    if (segments > effort.mostSegments) break;
+    if (segments > effort.maxSegments) break;
     const Scene scene = sceneOf(segments, movers);
     for (const EngineKind& kind : engineKinds()) {
       Runner* const runner = runners.emplace_back(std::make_unique<Runner>(kind, scene)).get();

@@ -11,12 +11,12 @@ struct StepResult {
   std::string engine;
   std::size_t segments = 0;
   std::size_t movers = 0;
-  Spread nsPerStep;            ///< of one mover
-  double bytesPerSegment = 0;  ///< what the lines add to the heap that the engine takes, without movers
-  double bytesPerMover = 0;    ///< what the movers add to that after a second, with what is kept about lines near them
+  Spread nsPerStep;            ///< per mover
+  double bytesPerSegment = 0;  ///< heap that segments add, without movers
+  double bytesPerMover = 0;    ///< heap that movers add after a second, including caches of nearby segments
 };
 
-/// Movers flung about among random segments, every engine with the same ones.
+/// Measures movers with random velocities among random segments. Every engine gets the same scenes.
 std::vector<StepResult> benchSteps(const Effort& effort);
 
 }  // namespace platon::bench

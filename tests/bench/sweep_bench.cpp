@@ -25,7 +25,7 @@ namespace {
 
 constexpr std::size_t kQuestions = 20000;
 
-// Part of the displacement, exactly what the engine has told; nothing when it sees no meeting.
+// Time of the hit, exactly as the engine reports it; nothing if it reports none.
 using Answer = std::optional<mpq_class>;
 
 __extension__ using Wide = __int128;
@@ -77,7 +77,7 @@ class FloatSweeps {
   std::vector<FloatShape<Real>> shapes_;
 };
 
-// b2TimeOfImpact, which Box2D itself uses for bullets; it stops a little in front, by its slop.
+// b2TimeOfImpact, which Box2D uses for bullets. It stops before the contact, by the slop.
 class Box2dSweeps {
  public:
   explicit Box2dSweeps(const SweepSet& set) : scale_(set.subunitsPerMetre) {
@@ -131,33 +131,34 @@ oracle::SweepTruth truthOf(const SweepSet& set, const SweepQuestion& question) {
   return sweepTruth(query);
 }
 
-// How deep the shape is in the line when it has moved by this part of the displacement.
+// Penetration depth of the shape at this time.
 double overlapAt(const SweepSet& set, const SweepQuestion& question, long double time) {
   return overlapOf(set.shapes[question.shape], question.position.x + question.displacement.x * time,
                    question.position.y + question.displacement.y * time, question.line);
 }
 
-// The deepest of a few moments on the way.
-double overlapOnTheWay(const SweepSet& set, const SweepQuestion& question, const mpq_class& from) {
-  constexpr int kMoments = 64;
-  double most = 0;
-  for (int i = 0; i <= kMoments; ++i) {
+// The largest penetration depth at 65 times from `from` to 1.
+double maxOverlap(const SweepSet& set, const SweepQuestion& question, const mpq_class& from) {
+  constexpr int kSamples = 64;
+  double largest = 0;
+  for (int i = 0; i <= kSamples; ++i) {
     const double start = from.get_d();
-    most = std::max(most, overlapAt(set, question, start + (1 - start) * i / static_cast<long double>(kMoments)));
+    largest = std::max(largest, overlapAt(set, question, start + (1 - start) * i / static_cast<long double>(kSamples)));
   }
-  return most;
+  return largest;
 }
 
-// Times are compared as rationals, so that no rounding of the judge's counts as an engine's.
-void judge(const SweepSet& set, const SweepQuestion& question, const oracle::SweepTruth& truth, const Answer& answer,
-           SweepResult& result) {
+// Compares an answer with the truth and counts errors. Times are compared as rationals, so that the comparison adds no
+// rounding.
+void compare(const SweepSet& set, const SweepQuestion& question, const oracle::SweepTruth& truth, const Answer& answer,
+             SweepResult& result) {
   using Kind = oracle::SweepTruth::Kind;
   const mpq_class time = rational(truth.numerator, truth.denominator);
   const bool meets = truth.kind != Kind::Miss;
   result.meetings += meets;
   if (meets && !answer) {
     ++result.missed;
-    result.maxOverlap = std::max(result.maxOverlap, overlapOnTheWay(set, question, time));
+    result.maxOverlap = std::max(result.maxOverlap, maxOverlap(set, question, time));
   }
   if (!meets && answer) ++result.falseHits;
   if (truth.kind != Kind::Hit || !answer) return;
@@ -168,7 +169,7 @@ void judge(const SweepSet& set, const SweepQuestion& question, const oracle::Swe
 struct Contender {
   std::string engine;
   std::function<Answer(const SweepQuestion&)> ask;
-  std::function<double()> pass;  // nanoseconds a query
+  std::function<double()> pass;  // nanoseconds per query
 };
 
 template <class Sweeps>
@@ -207,7 +208,7 @@ std::vector<SweepResult> benchSet(const SweepSet& set, const Effort& effort) {
   }
   for (const SweepQuestion& question : set.questions) {
     const oracle::SweepTruth truth = truthOf(set, question);
-    for (std::size_t i = 0; i < all.size(); ++i) judge(set, question, truth, all[i].ask(question), results[i]);
+    for (std::size_t i = 0; i < all.size(); ++i) compare(set, question, truth, all[i].ask(question), results[i]);
   }
   std::vector<std::function<double()>> passes;
   for (const Contender& one : all) passes.push_back(one.pass);

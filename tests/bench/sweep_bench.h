@@ -12,15 +12,14 @@ struct SweepResult {
   std::string engine;
   Spread nsPerQuery;
   std::size_t questions = 0;
-  std::size_t meetings = 0;   ///< questions of which the true answer is a meeting
-  std::size_t missed = 0;     ///< meetings that the engine does not see
-  std::size_t falseHits = 0;  ///< meetings that there are none of
-  double maxTimeError = 0;    ///< part of the displacement; of the meetings that it sees
-  double maxOverlap = 0;      ///< how deep the shape is in the line at the time the engine tells, or on a way that it
-                              ///< calls free; subunits
+  std::size_t meetings = 0;   ///< questions whose correct answer is a hit
+  std::size_t missed = 0;     ///< hits that the engine does not report
+  std::size_t falseHits = 0;  ///< reported hits where there is none
+  double maxTimeError = 0;    ///< of the reported hits, as part of the displacement
+  double maxOverlap = 0;      ///< penetration depth at the reported time, or on a path reported as free; subunits
 };
 
-/// Every set by every engine that can sweep a polygon: Chipmunk cannot.
+/// Measures every set with every engine that can sweep a polygon. Chipmunk cannot.
 std::vector<SweepResult> benchSweeps(const Effort& effort);
 
 }  // namespace platon::bench

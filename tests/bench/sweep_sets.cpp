@@ -19,15 +19,15 @@ namespace {
 
 constexpr std::uint64_t kSeed = 12;
 constexpr std::size_t kShapes = 32;
-constexpr std::int32_t kRadius = 12 * kSubunitsPerUnit;  // a player's
+constexpr std::int32_t kRadius = 12 * kSubunitsPerUnit;  // radius of a player
 constexpr std::int32_t kSpeed = 3 * kRadius;
-constexpr std::int32_t kFarScale = 4096;  // subunits a metre, where 1e5 m are meant
+constexpr std::int32_t kFarScale = 4096;  // subunits per metre in far-1e5
 
 using sim::SeededRandom;
 using Make = std::function<SweepQuestion(SeededRandom&, const Convex&)>;
 using MakeShapes = std::function<std::vector<Convex>(SeededRandom&)>;
 
-// Regular ones of radii in [least, 2 * least * 2^spread), turned by any angle.
+// Regular polygons with radii in [least, 2 * least * 2^spread), at random angles.
 MakeShapes polygons(int corners, std::int32_t least = kRadius / 2, std::uint64_t spread = 1) {
   return [=](SeededRandom& random) {
     std::vector<Convex> shapes;
@@ -73,34 +73,35 @@ Make farAway(std::int32_t distance) {
   };
 }
 
-// The vertex that lies farthest along `direction`.
+// The vertex farthest in `direction`.
 Point farthest(const Convex& shape, Point direction) {
   return *std::max_element(shape.vertices().begin(), shape.vertices().end(),
                            [&](Point u, Point v) { return dot(direction, u) < dot(direction, v); });
 }
 
-// A vector of length `most` at most, on this side.
-Point towards(SeededRandom& random, Point side, std::int32_t most) {
-  const Point vector = random.vector(most);
+// A random vector with components of up to `limit`, in the half-plane of `side`.
+Point towards(SeededRandom& random, Point side, std::int32_t limit) {
+  const Point vector = random.vector(limit);
   return dot(vector, side) < 0 ? Point() - vector : vector;
 }
 
-// The vertex that lies farthest aside passes the line's end, give or take two subunits; the line leads away or along.
+// The outermost vertex on one side passes the end of the segment within two subunits. The segment leads away or is
+// parallel to the path.
 SweepQuestion grazingQuestion(SeededRandom& random, const Convex& shape) {
   SweepQuestion question = randomQuestion(random, shape);
   const Point left = perpendicular(question.displacement);
   const Point side = random.below(2) == 0 ? left : Point() - left;
-  const auto way = static_cast<std::int64_t>(random.below(1024));
+  const auto part = static_cast<std::int64_t>(random.below(1024));
   const Point passed = question.position + farthest(shape, side) +
-                       Point(static_cast<std::int32_t>(question.displacement.x * way / 1024),
-                             static_cast<std::int32_t>(question.displacement.y * way / 1024));
+                       Point(static_cast<std::int32_t>(question.displacement.x * part / 1024),
+                             static_cast<std::int32_t>(question.displacement.y * part / 1024));
   question.line.a = passed + random.vector(2);
   question.line.b =
       question.line.a + (random.below(2) == 0 ? towards(random, side, 6 * kRadius) : question.displacement);
   return question;
 }
 
-// Straight at an end: right over it, or so far that the foremost vertex just reaches it, give or take two subunits.
+// Straight at an end: across it, or so far that the foremost vertex reaches it within two subunits.
 SweepQuestion endPointQuestion(SeededRandom& random, const Convex& shape) {
   SweepQuestion question = randomQuestion(random, shape);
   question.line.a = question.position + question.displacement;
@@ -109,7 +110,7 @@ SweepQuestion endPointQuestion(SeededRandom& random, const Convex& shape) {
   return question;
 }
 
-// Every line is of one length in every direction.
+// Segments of one length in random directions.
 Make lineOf(std::int32_t length) {
   return [length](SeededRandom& random, const Convex&) {
     const Point half = rotate(Point((length + 1) / 2, 0), Angle(static_cast<std::int32_t>(random.below(Angle::kTurn))));
@@ -118,7 +119,7 @@ Make lineOf(std::int32_t length) {
   };
 }
 
-// A vertex of the shape lies on the line, and the line is a tangent there.
+// A segment along an edge of the shape: the shape touches it at the start.
 SweepQuestion touchingQuestion(SeededRandom& random, const Convex& shape) {
   const auto index = static_cast<std::size_t>(random.below(shape.vertices().size()));
   const Point vertex = shape.vertices()[index];
@@ -128,7 +129,7 @@ SweepQuestion touchingQuestion(SeededRandom& random, const Convex& shape) {
 
 bool isInRange(Point point) { return std::max(std::abs(point.x), std::abs(point.y)) < kCoordinateLimit; }
 
-// A third leads right to a point of the line.
+// Half of the displacements lead to the middle of the segment, if they are in range.
 SweepQuestion fullRangeQuestion(SeededRandom& random, const Convex&) {
   const auto anywhere = [&] {
     const auto coordinate = [&] {
@@ -147,7 +148,7 @@ SweepQuestion fullRangeQuestion(SeededRandom& random, const Convex&) {
   return question;
 }
 
-// {x, y} with x * a.x + y * a.y = 1, for coprime coordinates (the extended algorithm of Euclid).
+// {x, y} with x * a.x + y * a.y = 1, for coprime coordinates (extended Euclidean algorithm).
 Point bezout(Point a) {
   std::int64_t remainder[2] = {a.x, a.y};
   Point factors[2] = {{1, 0}, {0, 1}};
@@ -161,8 +162,8 @@ Point bezout(Point a) {
   return remainder[0] > 0 ? factors[0] : Point() - factors[0];
 }
 
-// Vectors that are almost parallel to `along`, which has coprime coordinates: cross(along, v) = `product`, and of all
-// such vectors v is one about `share` times as long.
+// Vectors v almost parallel to `along`, which has coprime coordinates: cross(along, v) = `product`, and v is about
+// `share` times as long.
 class Parallels {
  public:
   explicit Parallels(Point along) : along_(along) {
@@ -183,8 +184,8 @@ class Parallels {
   Point step_;
 };
 
-// The displacement and the line, both of the longest, are within 1e-17 to 1e-13 rad of parallel, and the vertex that
-// comes nearest starts less than a subunit beside the line: it ends on either side of it.
+// The displacement and the segment have the largest length and are 1e-17 to 1e-13 rad off parallel. The nearest vertex
+// starts less than one subunit beside the segment and ends on either side of it.
 SweepQuestion sliverQuestion(SeededRandom& random, const Convex& shape) {
   for (;;) {
     const Point along = random.vector(kCoordinateLimit / 2);

@@ -26,7 +26,7 @@ class Lines {
 };
 
 void addSweeps(const std::vector<SweepResult>& results, Lines& lines) {
-  lines.add("\n%-14s %-13s %9s %19s %7s %7s %7s %11s %11s", "sweep", "engine", "ns", "passes", "meets", "missed",
+  lines.add("\n%-14s %-13s %9s %19s %7s %7s %7s %11s %11s", "sweep", "engine", "ns", "passes", "hits", "missed",
             "false", "time error", "overlap");
   for (const SweepResult& r : results) {
     const double share = 100.0 * static_cast<double>(r.meetings) / static_cast<double>(r.questions);
@@ -37,8 +37,8 @@ void addSweeps(const std::vector<SweepResult>& results, Lines& lines) {
 }
 
 void addSteps(const std::vector<StepResult>& results, Lines& lines) {
-  lines.add("\n%-13s %9s %7s %9s %19s %12s %13s", "step", "segments", "movers", "ns", "passes", "bytes a line",
-            "bytes a mover");
+  lines.add("\n%-13s %9s %7s %9s %19s %12s %13s", "step", "segments", "movers", "ns", "passes", "bytes/segment",
+            "bytes/mover");
   for (const StepResult& r : results) {
     lines.add("%-13s %9zu %7zu %9.1f %9.1f %9.1f %12.1f %13.0f", r.engine.c_str(), r.segments, r.movers,
               r.nsPerStep.median, r.nsPerStep.low, r.nsPerStep.high, r.bytesPerSegment, r.bytesPerMover);
@@ -56,7 +56,7 @@ void addHardCases(const std::vector<HardResult>& results, Lines& lines) {
 }
 
 void addResolutions(const std::vector<ResolutionResult>& results, Lines& lines) {
-  lines.add("\n%-13s %14s %9s %16s", "resolution", "subunits a unit", "ns", "error in units");
+  lines.add("\n%-13s %14s %9s %16s", "resolution", "subunits/unit", "ns", "error in units");
   for (const ResolutionResult& r : results) {
     lines.add("%-13s %14lld %9.1f %16.3e", r.engine.c_str(), static_cast<long long>(r.subunitsPerUnit),
               r.nsPerStep.median, r.maxTrajectoryError);
@@ -77,11 +77,11 @@ void addGames(const GameResults& results, Lines& lines) {
               r.bytes, r.saveNs.median, r.restoreNs.median, r.hashNs.median);
   }
   for (const ResimulationResult& r : results.resimulations) {
-    lines.add("%s, %zu players x %d ticks again: %.0f microseconds", r.level.c_str(), r.players, r.ticks,
+    lines.add("%s, %zu players x %d ticks resimulated: %.0f microseconds", r.level.c_str(), r.players, r.ticks,
               r.microseconds.median);
   }
   for (const AdvanceResult& r : results.advances) {
-    lines.add("%-30s %zu players: %.0f ns a player and tick (%.0f to %.0f)", r.level.c_str(), r.players,
+    lines.add("%-30s %zu players: %.0f ns per player and tick (%.0f to %.0f)", r.level.c_str(), r.players,
               r.nsPerPlayerTick.median, r.nsPerPlayerTick.low, r.nsPerPlayerTick.high);
   }
 }
