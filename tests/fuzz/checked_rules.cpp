@@ -1,4 +1,4 @@
-#include "tests/fuzz/line_events.h"
+#include "tests/fuzz/checked_rules.h"
 
 #include <algorithm>
 #include <iterator>
@@ -7,49 +7,49 @@
 
 namespace platon::fuzz {
 
-void LineEvents::require(bool holds, const char* what, const SegmentRef& line) {
-  if (!holds && fault_.empty()) fault_ = what + std::string(", line ") + std::to_string(line.index);
+void CheckedRules::require(bool holds, const char* what, const SegmentRef& line) {
+  if (!holds && fault_.empty()) fault_ = what + std::string(", segment ") + std::to_string(line.index);
 }
 
-bool LineEvents::pierce(const Entity&, const SegmentRef& line) const {
+bool CheckedRules::pierce(const Entity&, const SegmentRef& line) const {
   return line.warp || pierces(line.part, line.index);
 }
 
-void LineEvents::beginContact(Entity& entity, const SegmentRef& line) {
-  require(pierce(entity, line), "beginContact of a line that blocks", line);
+void CheckedRules::beginContact(Entity& entity, const SegmentRef& line) {
+  require(pierce(entity, line), "beginContact with a blocking segment", line);
   if (line.warp || !pairs_) return;
   require(inside_.emplace(entity.index(), line.index).second, "a second beginContact", line);
 }
 
-void LineEvents::endContact(Entity& entity, const SegmentRef& line) {
-  require(pierce(entity, line), "endContact of a line that blocks", line);
+void CheckedRules::endContact(Entity& entity, const SegmentRef& line) {
+  require(pierce(entity, line), "endContact with a blocking segment", line);
   if (line.warp || !pairs_) return;
   require(inside_.erase({entity.index(), line.index}) == 1, "endContact without beginContact", line);
 }
 
-void LineEvents::overContact(Entity& entity, const SegmentRef& line) {
-  require(pierce(entity, line), "overContact of a line that blocks", line);
+void CheckedRules::overContact(Entity& entity, const SegmentRef& line) {
+  require(pierce(entity, line), "overContact with a blocking segment", line);
   if (line.warp || !pairs_) return;
   require(over_.emplace(entity.index(), line.index).second, "a second overContact", line);
 }
 
-void LineEvents::contact(Entity& entity, const Contact& contact) {
-  require(!pierce(entity, contact.segment), "contact with a line that does not block", contact.segment);
+void CheckedRules::contact(Entity& entity, const Contact& contact) {
+  require(!pierce(entity, contact.segment), "contact with a pierceable segment", contact.segment);
   require(contact.normal != Point(), "contact without a normal", contact.segment);
-  require(contact.time >= Fraction{0, 1} && contact.time < Fraction{1, 1}, "contact out of time", contact.segment);
+  require(contact.time >= Fraction{0, 1} && contact.time < Fraction{1, 1}, "contact time not in [0, 1)", contact.segment);
 }
 
-void LineEvents::touchContact(Entity& entity, const SegmentRef& line) {
-  require(!pierce(entity, line), "touchContact with a line that does not block", line);
+void CheckedRules::touchContact(Entity& entity, const SegmentRef& line) {
+  require(!pierce(entity, line), "touchContact with a pierceable segment", line);
 }
 
-std::string LineEvents::finishTick() {
-  std::vector<Line> differing;
+std::string CheckedRules::finishTick() {
+  std::vector<Overlap> differing;
   std::set_symmetric_difference(inside_.begin(), inside_.end(), over_.begin(), over_.end(),
                                 std::back_inserter(differing));
   if (fault_.empty() && pairs_ && !differing.empty()) {
     const auto [entity, line] = differing.front();
-    fault_ = "entity " + std::to_string(entity) + ", line " + std::to_string(line) +
+    fault_ = "entity " + std::to_string(entity) + ", segment " + std::to_string(line) +
              (over_.contains(differing.front()) ? ": overContact without beginContact" : ": endContact is missing");
   }
   over_.clear();

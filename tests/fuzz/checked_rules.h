@@ -9,12 +9,12 @@
 
 namespace platon::fuzz {
 
-/// Rules that let every n-th line of a scene pass, and the laws of the calls that a world owes them.
-class LineEvents : public Rules {
+/// Rules that make every n-th segment of a scene pierceable and check the calls that a world makes.
+class CheckedRules : public Rules {
  public:
-  /// `every` 0: none passes. `pairs`: whether beginnings and ends must come in pairs, which they do for entities that
-  /// have one instance and do not turn.
-  LineEvents(const FuzzScene& scene, std::size_t every, bool pairs) : scene_(scene), every_(every), pairs_(pairs) {}
+  /// `every` = 0: no segment is pierceable. `pairs`: beginContact and endContact must come in pairs, as they do for
+  /// entities with one instance and no rotation.
+  CheckedRules(const FuzzScene& scene, std::size_t every, bool pairs) : scene_(scene), every_(every), pairs_(pairs) {}
 
   bool pierces(std::uint32_t part, std::uint32_t line) const {
     return every_ != 0 && line < scene_.lines[part] && line % every_ == 0;
@@ -26,19 +26,19 @@ class LineEvents : public Rules {
   void contact(Entity& entity, const Contact& contact) override;
   void touchContact(Entity& entity, const SegmentRef& line) override;
 
-  /// What was wrong since the last call; empty when nothing was.
+  /// Returns the first fault since the last call; empty if there is none.
   std::string finishTick();
 
  private:
-  using Line = std::pair<std::uint32_t, std::uint32_t>;  // entity, line
+  using Overlap = std::pair<std::uint32_t, std::uint32_t>;  // entity, segment
 
   void require(bool holds, const char* what, const SegmentRef& line);
 
   const FuzzScene& scene_;
   std::size_t every_;
   bool pairs_;
-  std::set<Line> inside_;
-  std::set<Line> over_;
+  std::set<Overlap> inside_;
+  std::set<Overlap> over_;
   std::string fault_;
 };
 

@@ -1,4 +1,4 @@
-// What the fuzzers once broke, by hand and by name.
+// Faults that the fuzzers found, one test each.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -26,8 +26,8 @@ Convex box(std::int32_t width, std::int32_t height) {
   return Convex({{-width, -height}, {width, -height}, {width, height}, {-width, height}});
 }
 
-/// Lets every line pass, and counts what is met.
-class CountedLines : public Rules {
+/// Makes every segment pierceable and counts the contacts that begin.
+class CountingRules : public Rules {
  public:
   bool pierce(const Entity&, const SegmentRef&) const override { return true; }
   void beginContact(Entity&, const SegmentRef& line) override {
@@ -37,9 +37,9 @@ class CountedLines : public Rules {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> begun;
 };
 
-/// An instance about to be placed had no id yet: what it overlapped there was told of the entity's first instance, by
-/// the index of a line of another part.
-TEST(FoundByFuzzingTest, ANewInstanceMeetsLinesOfItsOwnPartOnly) {
+/// A new instance had no id yet, so its contacts were reported for the entity's first instance, with the index of a
+/// segment of another part.
+TEST(FoundByFuzzingTest, ANewInstanceTouchesOnlySegmentsOfItsPart) {
   constexpr std::int32_t end = 100 * kUnit;
   World world;
   MapPart left(world, 0);
@@ -47,10 +47,10 @@ TEST(FoundByFuzzingTest, ANewInstanceMeetsLinesOfItsOwnPartOnly) {
   left.warp({0, -end}, {0, end}, 1, {0, -end}, {0, end});
   left.initialize();
   MapPart right(world, 1);
-  right.line({-end, 0}, {end, 0});  // sticks out over the edge
+  right.line({-end, 0}, {end, 0});  // continues across the edge
   right.warp({0, end}, {0, -end}, 0, {0, end}, {0, -end});
   right.initialize();
-  CountedLines rules;
+  CountingRules rules;
   world.setRules(rules);
   Entity entity(world, box(kUnit, kUnit));
   left.insert(entity, {-6 * kUnit, 0}, Angle());
@@ -60,8 +60,8 @@ TEST(FoundByFuzzingTest, ANewInstanceMeetsLinesOfItsOwnPartOnly) {
   EXPECT_EQ(rules.begun, (decltype(rules.begun){{{0, 0}, 1}, {{1, 0}, 1}}));
 }
 
-/// Near a corner, a turn that the corner forbids was tried with all instances that it would need: some were placed
-/// twice, on both ways round the corner.
+/// A rotation that a corner stops was tried with all instances that it would need. Some were added twice, once on each
+/// way around the corner.
 TEST(FoundByFuzzingTest, ARefusedRotationAddsNoInstanceAroundACorner) {
   for (const SolidKind kind : {SolidKind::kTetrahedron, SolidKind::kHexahedron, SolidKind::kOctahedron,
                                SolidKind::kDodecahedron, SolidKind::kIcosahedron}) {
@@ -75,7 +75,7 @@ TEST(FoundByFuzzingTest, ARefusedRotationAddsNoInstanceAroundACorner) {
     for (const std::int32_t turn : {9000, 300, -18000, -300}) {
       entity.rotate(turn);
       world.solve(&checker);
-      EXPECT_EQ(checker.finishTick(), "") << nameOf(kind) << ", turn by " << turn;
+      EXPECT_EQ(checker.finishTick(), "") << nameOf(kind) << ", rotated by " << turn;
     }
   }
 }

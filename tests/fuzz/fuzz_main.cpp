@@ -1,4 +1,4 @@
-// One fuzzer: PLATON_FUZZ_TARGET is the function that judges.
+// Entry point of a fuzzer. PLATON_FUZZ_TARGET is the function in fuzz_targets.h that it calls.
 #include <cstdio>
 #include <cstdlib>
 

@@ -26,9 +26,9 @@ Polygon hullFrom(ByteSource& bytes, std::int64_t radius) {
   return oracle::convexHull(std::move(points));
 }
 
-// Turning rounds each corner by less than one subunit: a corner that stands out by more than that three times over
-// from the line through its neighbours remains one.
-bool standsOut(const Polygon& polygon, std::size_t corner) {
+// Rotation rounds each corner by less than one subunit. A corner more than three subunits from the line through its
+// neighbours therefore stays convex.
+bool staysConvex(const Polygon& polygon, std::size_t corner) {
   const Vec before = polygon[corner];
   const Vec here = polygon[(corner + 1) % polygon.size()];
   const Vec after = polygon[(corner + 2) % polygon.size()];
@@ -38,14 +38,14 @@ bool standsOut(const Polygon& polygon, std::size_t corner) {
   return height > 3;
 }
 
-bool keepsItsCorners(const Polygon& polygon) {
+bool staysConvexWhenRotated(const Polygon& polygon) {
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    if (!standsOut(polygon, i)) return false;
+    if (!staysConvex(polygon, i)) return false;
   }
   return true;
 }
 
-// Free lines, chains whose joints are off by a little, parallels of the shape's edges, points.
+// Random segments, chains whose joints are slightly off, parallels to edges of the shape, and points.
 std::vector<oracle::Segment> linesFrom(ByteSource& bytes, const Polygon& shape, std::int64_t radius) {
   std::vector<oracle::Segment> lines(bytes.below(kMaxLines + 1));
   oracle::Segment last;
@@ -92,10 +92,11 @@ std::optional<FuzzScene> makePlane(ByteSource& bytes) {
     ++count;
   }
   part.initialize();
-  return FuzzScene{std::move(stage), std::nullopt, 0, {count}, Convex(toPoints(shape)), scale, keepsItsCorners(shape)};
+  return FuzzScene{
+      std::move(stage), std::nullopt, 0, {count}, Convex(toPoints(shape)), scale, staysConvexWhenRotated(shape)};
 }
 
-// With the mean of the corners, which decides what part is home, at the origin.
+// Moves the mean of the corners, which determines the home part, to the origin.
 Polygon centred(Polygon polygon) {
   Vec sum;
   for (const Vec corner : polygon) sum = sum + corner;
@@ -104,11 +105,11 @@ Polygon centred(Polygon polygon) {
   return polygon;
 }
 
-// On a solid every shape is turned.
+// A shape that stays convex when rotated, as every shape on a solid is.
 std::optional<Convex> solidShape(ByteSource& bytes, std::int64_t scale) {
   if (bytes.flag()) return playerShape();
   const Polygon hull = hullFrom(bytes, scale);
-  if (hull.size() < 3 || !keepsItsCorners(hull)) return std::nullopt;
+  if (hull.size() < 3 || !staysConvexWhenRotated(hull)) return std::nullopt;
   return Convex(toPoints(centred(hull)));
 }
 

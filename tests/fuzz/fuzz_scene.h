@@ -11,18 +11,18 @@
 
 namespace platon::fuzz {
 
-/// Static geometry and a shape, on one endless plane or on a solid.
+/// Static geometry, on an infinite plane or on a solid, and a shape.
 struct FuzzScene {
   World stage;                     ///< without entities
-  std::optional<SolidKind> solid;  ///< none: a plane, part 0
+  std::optional<SolidKind> solid;  ///< nothing: a plane, part 0
   std::int32_t faceSize = 0;       ///< level units; 0 on the plane
-  std::vector<std::size_t> lines;  ///< by part, how many lines are neither posts nor warps
+  std::vector<std::size_t> lines;  ///< number of segments by part, without posts and warps
   Convex shape;
-  std::int64_t scale = 0;  ///< about the size of shape and lines, subunits
-  bool turns = false;      ///< every corner of the shape stays one however it is turned and rounded
+  std::int64_t scale = 0;  ///< about the size of the shape and the segments, subunits
+  bool turns = false;      ///< the shape stays strictly convex at every angle
 };
 
-/// Nothing when the bytes give no strictly convex shape.
+/// Makes a scene from bytes. Returns nothing if they give no strictly convex shape.
 std::optional<FuzzScene> makeFuzzScene(ByteSource& bytes);
 
 }  // namespace platon::fuzz

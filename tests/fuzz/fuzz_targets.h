@@ -4,24 +4,24 @@
 #include <span>
 #include <string>
 
-/// What is fuzzed. Each target makes its input of any bytes, hands it to the code under test and judges what comes out;
-/// it returns what is wrong, in words, or an empty text.
+/// Fuzz targets. Each makes an input from any bytes, runs the code under test with it and checks the result. It returns
+/// a description of the fault found, or an empty string.
 namespace platon::fuzz {
 
 using Bytes = std::span<const std::uint8_t>;
 
-/// A shape, a displacement and a line: `Sweep` against two evaluations that share nothing with it.
+/// A shape, a displacement and a segment: compares `Sweep` with two independent evaluations.
 std::string sweepFault(Bytes bytes);
-/// A shape among lines, on the plane or on a solid, for some ticks: every leg of the world against the laws I1, I2, I5
-/// and I6, contacts in pairs, and a world restored from a saved state in step with the first.
+/// Entities among segments, on the plane or on a solid, for some ticks: checks the invariants I1, I2, I5 and I6 in
+/// every leg, the order of contacts, and that a world restored from a saved state moves like the first.
 std::string sceneFault(Bytes bytes);
-/// A level text: refused with a reason, or everything that `Level` promises.
+/// A level text: it is refused with a diagnostic, or the level is valid.
 std::string levelFault(Bytes bytes);
-/// A saved game, perhaps forged: refused and without effect, or a game that goes on.
+/// A saved game, possibly forged: it is refused without effect, or the game can be continued.
 std::string gameStateFault(Bytes bytes);
-/// A recording, sound or forged: read to its end or refused, and nothing read that no game could have played.
+/// A recording, valid or forged: it is read to its end or refused, and every block read is one that a game can play.
 std::string recordingFault(Bytes bytes);
-/// A message from the network: refused, or the same again when encoded and decoded.
+/// A network message: it is refused, or equals itself after encoding and decoding.
 std::string protocolFault(Bytes bytes);
 
 }  // namespace platon::fuzz

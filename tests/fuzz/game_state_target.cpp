@@ -19,7 +19,7 @@ const std::shared_ptr<const Level>& level() {
   return loaded;
 }
 
-class LegCount : public StepObserver {
+class LegCounter : public StepObserver {
  public:
   void leg(std::uint32_t, std::span<const InstanceView>) override { ++count_; }
   std::size_t take() { return std::exchange(count_, 0); }
@@ -43,13 +43,13 @@ std::vector<std::uint8_t> editedSave(ByteSource& bytes) {
   return saved;
 }
 
-std::string goOn(Game game, ByteSource& bytes) {
-  LegCount legs;
+std::string continueFault(Game game, ByteSource& bytes) {
+  LegCounter legs;
   for (int tick = 0; tick < kTicksAfter; ++tick) {
     game.advance(inputsFrom(bytes, std::min<std::size_t>(game.slots() + 1, kMaxPlayers)), &legs);
-    if (legs.take() > 100 * std::size_t{game.slots()}) return "a step of too many legs";
+    if (legs.take() > 100 * std::size_t{game.slots()}) return "a step has too many legs";
     Game again(level());
-    if (!again.restore(game.save()) || !(again == game)) return "a game that went on from a state is no state itself";
+    if (!again.restore(game.save()) || !(again == game)) return "a game continued from a state has an invalid state";
   }
   return {};
 }
@@ -62,14 +62,14 @@ std::string gameStateFault(Bytes input) {
   if (bytes.flag()) {
     state = editedSave(bytes);
   } else {
-    const Bytes rest = bytes.rest();
-    state.assign(rest.begin(), rest.end());
+    const Bytes remaining = bytes.remaining();
+    state.assign(remaining.begin(), remaining.end());
   }
   Game game(level());
   const std::uint64_t before = game.hash();
   if (!game.restore(state)) return game.hash() == before ? std::string() : "a refused state changes the game";
-  if (game.save() != state) return "a restored state is saved as another one";
-  return goOn(game, bytes);
+  if (game.save() != state) return "a restored state differs when saved again";
+  return continueFault(game, bytes);
 }
 
 }  // namespace platon::fuzz

@@ -26,7 +26,7 @@ std::string diagnosticsFault(const std::vector<Diagnostic>& found, std::string_v
     if (!inText) return "a diagnostic outside the text";
     const auto printable = [](char c) { return c >= ' ' && c <= '~'; };
     if (one.message.empty() || !std::all_of(one.message.begin(), one.message.end(), printable)) {
-      return "a message that cannot be printed";
+      return "a message with unprintable characters";
     }
   }
   const auto before = [](const auto& a, const auto& b) {
@@ -62,7 +62,7 @@ bool isInside(const oracle::Polygon& polygon, Vec point) {
 std::string placesFault(const Level& level) {
   const oracle::Polygon polygon = toPolygon(facePolygon(level.solid, level.faceSize));
   if (level.startFace >= level.segments.size() || level.goalFace >= level.segments.size())
-    return "a face that is not there";
+    return "start or goal on a missing face";
   if (!isInside(polygon, toVec(level.start))) return "the start is outside its face";
   if (!isInside(polygon, toVec(level.goal))) return "the goal is outside its face";
   const auto shape = playerShape().turned(level.startAngle);
@@ -74,13 +74,13 @@ std::string placesFault(const Level& level) {
   return {};
 }
 
-std::string levelSoundness(const Level& level, std::string_view text) {
-  if (level.text != text) return "the level has another text";
+std::string validityFault(const Level& level, std::string_view text) {
+  if (level.text != text) return "the level has a different text";
   if (level.faceSize < kMinFaceSize || level.faceSize > kMaxFaceSize) return "the face size is out of range";
   if (level.title.size() > 100 || level.author.size() > 100) return "title or author too long";
   oracle::TraceReport report;
   if (!oracle::TraceMap::make(headerOf(level), report) || !report.clean())
-    return "the stage: " + report.messages().front();
+    return "invalid stage: " + report.messages().front();
   return placesFault(level);
 }
 
@@ -99,10 +99,10 @@ std::string levelFault(Bytes bytes) {
   const LevelResult result = loadLevel(text);
   const bool refused =
       std::any_of(result.diagnostics.begin(), result.diagnostics.end(), [](auto& one) { return one.error; });
-  if (refused == (result.level != nullptr)) return "a level with errors, or none without";
+  if (refused == (result.level != nullptr)) return "a level despite errors, or no level without errors";
   if (std::string fault = diagnosticsFault(result.diagnostics, text); !fault.empty()) return fault;
   if (!result.level) return {};
-  std::string fault = levelSoundness(*result.level, text);
+  std::string fault = validityFault(*result.level, text);
   return fault.empty() ? playFault(result.level) : fault;
 }
 

@@ -10,19 +10,19 @@
 namespace platon::fuzz {
 namespace {
 
-// What is let in is within its limits: `encode` asserts them.
+// A decoded message is within its limits, which `encode` asserts.
 template <class Message>
 std::string roundTripFault(Bytes bytes, std::optional<Message> (*decode)(Bytes)) {
   const std::optional<Message> message = decode(bytes);
   if (!message) return {};
   const auto again = std::visit([](const auto& body) { return encode(body); }, *message);
-  return decode(again) == message ? std::string() : "a message is another one when encoded and decoded";
+  return decode(again) == message ? std::string() : "a message differs after encoding and decoding";
 }
 
 std::string stateFault(Bytes bytes) {
   const std::optional<FullState> state = decodeFullState(bytes);
   if (!state || decodeFullState(encode(*state)) == state) return {};
-  return "a full state is another one when encoded and decoded";
+  return "a full state differs after encoding and decoding";
 }
 
 }  // namespace
@@ -31,11 +31,11 @@ std::string protocolFault(Bytes input) {
   ByteSource bytes(input);
   switch (bytes.below(3)) {
     case 0:
-      return roundTripFault(bytes.rest(), &decodeToServer);
+      return roundTripFault(bytes.remaining(), &decodeToServer);
     case 1:
-      return roundTripFault(bytes.rest(), &decodeToClient);
+      return roundTripFault(bytes.remaining(), &decodeToClient);
     default:
-      return stateFault(bytes.rest());
+      return stateFault(bytes.remaining());
   }
 }
 

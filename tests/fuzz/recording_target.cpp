@@ -18,7 +18,7 @@ const std::shared_ptr<const Level>& level() {
   return loaded;
 }
 
-// Played as the bytes say, in blocks of a few ticks.
+// A valid recording of a game with inputs from the bytes, in blocks of a few ticks.
 std::vector<std::uint8_t> recorded(ByteSource& bytes) {
   Game game(level());
   Recorder recorder(game, static_cast<std::uint32_t>(bytes.below(8)) + 1);
@@ -32,7 +32,7 @@ std::vector<std::uint8_t> recorded(ByteSource& bytes) {
   return recorder.takeBytes();
 }
 
-// Whatever the bytes say, under sound check sums.
+// Random blocks with valid checksums.
 std::vector<std::uint8_t> forged(ByteSource& bytes) {
   ForgedRecording recording{Game(level())};
   for (std::size_t blocks = bytes.below(4); blocks > 0; --blocks) {
@@ -44,23 +44,25 @@ std::vector<std::uint8_t> forged(ByteSource& bytes) {
 }
 
 std::string play(const RecordedBlock& block) {
-  if (block.inputs.size() != std::size_t{block.ticks()} * block.slots) return "a block has not one input for each slot";
-  if (!std::all_of(block.inputs.begin(), block.inputs.end(), isInput)) return "a block has an input that is none";
+  if (block.inputs.size() != std::size_t{block.ticks()} * block.slots)
+    return "a block does not have one input per slot and tick";
+  if (!std::all_of(block.inputs.begin(), block.inputs.end(), isInput)) return "a block has an invalid input";
   Game game(level());
   if (!game.restore(block.state)) return {};
   for (std::uint32_t tick = 0; tick < std::min(block.ticks(), kMaxTicks); ++tick) game.advance(block.inputsOf(tick));
   return {};
 }
 
-std::string readFault(Bytes recording, bool isSound) {
+std::string readFault(Bytes recording, bool isValid) {
   RecordingReader reader(recording);
   while (const auto block = reader.next()) {
     if (std::string fault = play(*block); !fault.empty()) return fault;
   }
   using State = RecordingReader::State;
   if (reader.state() == State::kReading) return "reading ends before the recording does";
-  if ((reader.state() == State::kComplete) != reader.fault().empty()) return "a fault has no words, or words no fault";
-  return isSound && reader.state() != State::kComplete ? "a sound recording is refused" : std::string();
+  if ((reader.state() == State::kComplete) != reader.fault().empty())
+    return "fault message and reader state contradict each other";
+  return isValid && reader.state() != State::kComplete ? "a valid recording is refused" : std::string();
 }
 
 }  // namespace
@@ -69,7 +71,7 @@ std::string recordingFault(Bytes input) {
   ByteSource bytes(input);
   if (bytes.flag()) return readFault(recorded(bytes), true);
   if (bytes.flag()) return readFault(forged(bytes), false);
-  return readFault(bytes.rest(), false);
+  return readFault(bytes.remaining(), false);
 }
 
 }  // namespace platon::fuzz

@@ -5,8 +5,8 @@
 #include "platon/physics/map_part.h"
 #include "tests/exactness/judge/conversions.h"
 #include "tests/exactness/judge/step_checker.h"
+#include "tests/fuzz/checked_rules.h"
 #include "tests/fuzz/fuzz_targets.h"
-#include "tests/fuzz/line_events.h"
 
 namespace platon::fuzz {
 namespace {
@@ -19,18 +19,18 @@ using oracle::Vec;
 constexpr std::size_t kMaxEntities = 3;
 constexpr std::size_t kMaxTicks = 16;
 constexpr std::int32_t kMaxTurn = 1200;
-// A leg ends within a few subunits of where it should.
+// Largest rounding error of a leg, subunits.
 constexpr long double kLegError = 8;
 
 long double lengthOf(Point v) { return std::hypot(static_cast<long double>(v.x), static_cast<long double>(v.y)); }
 
-// What an entity is to do in one tick.
+// Velocity and rotation of an entity in one tick.
 struct Order {
   Point velocity;
   std::int32_t turn = 0;
 };
 
-judge::CheckedScene judged(const FuzzScene& scene, const LineEvents& rules) {
+judge::CheckedScene checkedScene(const FuzzScene& scene, const CheckedRules& rules) {
   return {scene.stage.geometry(), scene.shape, scene.solid, scene.faceSize,
           [&rules](std::uint32_t part, std::uint32_t line) { return rules.pierces(part, line); }};
 }
@@ -42,7 +42,7 @@ class Run {
         scene_(scene),
         turning_(scene.turns && bytes.flag()),
         rules_(scene, bytes.below(4), !scene.solid && !turning_),
-        checker_(judged(scene, rules_)),
+        checker_(checkedScene(scene, rules_)),
         world_(scene.stage),
         twin_(scene.stage) {
     world_.setRules(rules_);
@@ -74,10 +74,10 @@ class Run {
     } catch (const std::invalid_argument&) {
       return free && !scene_.solid ? "a free place is refused" : std::string();
     }
-    return free ? std::string() : "an entity is put where it overlaps a line";
+    return free ? std::string() : "an entity is inserted where it overlaps a segment";
   }
 
-  // On a solid inside the face.
+  // A random place; on a solid, inside the face.
   Point startIn(std::uint32_t part) {
     Vec place = bytes_.vector(scene_.solid ? std::int64_t{scene_.faceSize} * kSubunitsPerUnit : 4 * scene_.scale);
     for (const Warp& warp : scene_.stage.geometry().parts[part]->warps) {
@@ -118,12 +118,12 @@ class Run {
   }
 
   std::string advance() {
-    if (bytes_.below(4) == 1 && !takeOver()) return "a saved state is not accepted";
+    if (bytes_.below(4) == 1 && !restoreTwin()) return "a saved state is not accepted";
     std::vector<Order> orders;
     for (std::uint32_t i = 0; i < entities(); ++i) {
       orders.push_back(orderFor(Entity(world_, i)));
-      give(world_, i, orders.back());
-      if (following_) give(twin_, i, orders.back());
+      apply(world_, i, orders.back());
+      if (hasTwin_) apply(twin_, i, orders.back());
     }
     const WorldState before = world_.save();
     world_.solve(&checker_);
@@ -133,25 +133,25 @@ class Run {
     return fault.empty() ? twinFault() : fault;
   }
 
-  static void give(World& world, std::uint32_t index, const Order& order) {
+  static void apply(World& world, std::uint32_t index, const Order& order) {
     Entity entity(world, index);
     entity.setVelocity(order.velocity);
     entity.rotate(order.turn);
   }
 
-  // A world that never saw the past goes on from here.
-  bool takeOver() {
+  // Restores the twin world from the saved state. From then on both must move in the same way.
+  bool restoreTwin() {
     if (!twin_.accepts(world_.save())) return false;
     twin_.restore(world_.save());
-    following_ = true;
+    hasTwin_ = true;
     return true;
   }
 
   std::string twinFault() {
-    if (!following_) return {};
-    LineEvents rules = rules_;
+    if (!hasTwin_) return {};
+    CheckedRules rules = rules_;
     twin_.solve(rules);
-    if (twin_ != world_) return "a restored world goes another way";
+    if (twin_ != world_) return "a restored world moves differently";
     return twin_.hash() == world_.hash() ? std::string() : "equal worlds have different hashes";
   }
 
@@ -161,10 +161,10 @@ class Run {
       const EntityState& is = world_.entities()[i];
       const bool still = orders[i].velocity == Point() && orders[i].turn == 0;
       if (still && (is.position != was.position || is.part != was.part || is.angle != was.angle)) {
-        return "an entity moves that should rest";
+        return "an entity without velocity or rotation moves";
       }
-      const long double most = lengthOf(orders[i].velocity) + kLegError * static_cast<long double>(checker_.moves(i));
-      if (!scene_.solid && lengthOf(is.position - was.position) > most) return "an entity goes too far";
+      const long double limit = lengthOf(orders[i].velocity) + kLegError * static_cast<long double>(checker_.moves(i));
+      if (!scene_.solid && lengthOf(is.position - was.position) > limit) return "an entity moves too far";
     }
     return {};
   }
@@ -172,11 +172,11 @@ class Run {
   ByteSource& bytes_;
   const FuzzScene& scene_;
   bool turning_;
-  LineEvents rules_;
+  CheckedRules rules_;
   judge::StepChecker checker_;
   World world_;
   World twin_;
-  bool following_ = false;
+  bool hasTwin_ = false;
 };
 
 }  // namespace

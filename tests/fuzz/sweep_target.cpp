@@ -25,20 +25,20 @@ struct Ratio {
   Wide numerator = 0;
   Wide denominator = 1;
 
-  // |numerator|, |denominator| < 2^63.
+  // Numerators and denominators are below 2^63 in magnitude.
   friend bool operator<(Ratio a, Ratio b) { return a.numerator * b.denominator < b.numerator * a.denominator; }
   bool is(Fraction other) const { return numerator * other.denominator == other.numerator * denominator; }
 };
 
-/// While the path is inside the forbidden polygon.
-struct Stay {
+/// Times at which the path enters and leaves the forbidden polygon.
+struct ClipInterval {
   Ratio enter;
   Ratio exit{1, 1};
 };
 
-// Every side of the whole forbidden polygon, moved outwards by `grown` along each axis, cuts the path.
-std::optional<Stay> stayOf(const SweepQuery& query, std::int64_t grown) {
-  Stay stay;
+// Clips the path against all sides of the forbidden polygon, which are moved outwards by `grown` along each axis.
+std::optional<ClipInterval> clipIntervalOf(const SweepQuery& query, std::int64_t grown) {
+  ClipInterval interval;
   const Polygon polygon = oracle::forbiddenPolygon(query);
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec along = polygon[(i + 1) % polygon.size()] - polygon[i];
@@ -47,10 +47,10 @@ std::optional<Stay> stayOf(const SweepQuery& query, std::int64_t grown) {
     const Wide beyond = oracle::dot(outward, query.position - polygon[i]) - margin;
     const Wide speed = oracle::dot(outward, query.displacement);
     if (beyond >= 0 && speed >= 0) return std::nullopt;
-    if (beyond >= 0) stay.enter = std::max(stay.enter, {beyond, -speed});
-    if (beyond < 0 && speed > 0) stay.exit = std::min(stay.exit, {-beyond, speed});
+    if (beyond >= 0) interval.enter = std::max(interval.enter, {beyond, -speed});
+    if (beyond < 0 && speed > 0) interval.exit = std::min(interval.exit, {-beyond, speed});
   }
-  return stay.enter < stay.exit ? std::optional(stay) : std::nullopt;
+  return interval.enter < interval.exit ? std::optional(interval) : std::nullopt;
 }
 
 Polygon corners(ByteSource& bytes, std::int64_t radius) {
@@ -77,7 +77,7 @@ oracle::Segment obstacle(ByteSource& bytes, const Polygon& shape, std::int64_t r
   }
 }
 
-// On or beside a corner or an edge of the forbidden polygon, or anywhere.
+// A point on or near a corner or an edge of the forbidden polygon, or a random one.
 Vec place(ByteSource& bytes, const Polygon& forbidden, std::int64_t radius) {
   const std::size_t corner = bytes.below(forbidden.size());
   const Vec here = forbidden[corner];
@@ -104,16 +104,16 @@ SweepQuery queryFrom(ByteSource& bytes, const Polygon& shape, std::int64_t radiu
   return query;
 }
 
-std::string compared(const std::optional<Hit>& hit, const std::optional<Stay>& stay) {
-  if (hit.has_value() != stay.has_value()) return stay ? "a hit is missed" : "a false hit";
+std::string compared(const std::optional<Hit>& hit, const std::optional<ClipInterval>& interval) {
+  if (hit.has_value() != interval.has_value()) return interval ? "missed hit" : "false hit";
   if (!hit) return {};
-  if (hit->time.denominator <= 0 || !stay->enter.is(hit->time)) return "a wrong time";
-  if (hit->exit.denominator <= 0 || !stay->exit.is(hit->exit)) return "a wrong exit";
+  if (hit->time.denominator <= 0 || !interval->enter.is(hit->time)) return "wrong time";
+  if (hit->exit.denominator <= 0 || !interval->exit.is(hit->exit)) return "wrong exit";
   return {};
 }
 
-// What a shape that is grown by a square meets, the grown sweep meets, too. Beyond that it may pass over the tips of
-// sharp corners, which stick out farther.
+// The grown sweep must hit every segment that the shape grown by a square hits. It may miss others near the tips of
+// sharp corners, which extend farther.
 bool mayMiss(SweepQuery query, std::int64_t grown) {
   std::vector<Vec> points;
   for (const Vec vertex : query.shape) {
@@ -122,14 +122,14 @@ bool mayMiss(SweepQuery query, std::int64_t grown) {
     }
   }
   query.shape = oracle::convexHull(std::move(points));
-  return !stayOf(query, 0);
+  return !clipIntervalOf(query, 0);
 }
 
 std::string answerFault(const SweepQuery& query, const std::optional<Hit>& hit) {
   oracle::SweepAnswer answer;
   if (hit) answer = {true, hit->time.numerator, hit->time.denominator, toVec(hit->normal)};
   const oracle::SweepTruth truth = sweepTruth(query);
-  return agrees(truth, answer) ? std::string() : "not " + toText(truth);
+  return agrees(truth, answer) ? std::string() : "wrong answer; correct: " + toText(truth);
 }
 
 std::string described(const std::string& fault, const SweepQuery& query, std::int64_t grown) {
@@ -144,7 +144,8 @@ std::string sweepFault(Bytes input) {
   const std::int64_t radius = (std::int64_t{1} << bytes.between(1, 29)) - 1;
   Polygon shape = corners(bytes, radius);
   const bool convex = oracle::isStrictlyConvex(shape);
-  if (Convex::fault(toPoints(shape)).has_value() == convex) return "wrong about whether a polygon is strictly convex";
+  if (Convex::fault(toPoints(shape)).has_value() == convex)
+    return "wrong decision whether a polygon is strictly convex";
   if (!convex) shape = oracle::convexHull(std::move(shape));
   if (shape.size() < 3) return {};
   const SweepQuery query = queryFrom(bytes, shape, radius);
@@ -154,9 +155,9 @@ std::string sweepFault(Bytes input) {
     Sweep sweep;
     sweep.start(figure, toPoint(query.position), toPoint(query.displacement), grown);
     const auto hit = sweep.against(toSegment(query.obstacle));
-    auto stay = stayOf(query, grown);
-    if (!hit && grown != 0 && mayMiss(query, grown)) stay.reset();
-    std::string fault = compared(hit, stay);
+    auto interval = clipIntervalOf(query, grown);
+    if (!hit && grown != 0 && mayMiss(query, grown)) interval.reset();
+    std::string fault = compared(hit, interval);
     if (fault.empty() && grown == 0) fault = answerFault(query, hit);
     if (!fault.empty()) return described(fault, query, grown);
   }

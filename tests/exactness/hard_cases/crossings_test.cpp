@@ -139,7 +139,7 @@ TEST(CrossingsTest, ReturnsToTheStartAcrossEveryEdge) {
 TEST(CrossingsTest, ReturnsToTheStartAroundEveryCorner) {
   constexpr double clearance = kRadius + 64;
   int flights = 0;
-  int mostCrossings = 0;
+  int maxCrossings = 0;
   double largestError = 0;
   forEachFlight("empty", 4, [&](const Flight& flight, HardLevel& level) {
     if (flight.steepness() < 0.25) return;
@@ -152,11 +152,11 @@ TEST(CrossingsTest, ReturnsToTheStartAroundEveryCorner) {
     EXPECT_LE(back->error, maxError(back->crossings));
     expectStartFaceAndAngle(flight, level);
     largestError = std::max(largestError, back->error);
-    mostCrossings = std::max(mostCrossings, back->crossings);
+    maxCrossings = std::max(maxCrossings, back->crossings);
     ++flights;
   });
   RecordProperty("flights", flights);
-  RecordProperty("mostCrossings", mostCrossings);
+  RecordProperty("maxCrossings", maxCrossings);
   RecordProperty("maxError", std::to_string(largestError));
   EXPECT_GE(flights, 3000);
 }

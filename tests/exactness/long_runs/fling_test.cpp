@@ -1,5 +1,5 @@
-// Entities flung about: shipped levels and random ones, every solid, at any speed. A part of all steps is judged leg by
-// leg, the others just run.
+// Entities at random velocities on shipped levels and random fields of every solid. The oracle checks every leg of the
+// first ticks of each round.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,15 +26,14 @@ using oracle::RandomSource;
 
 constexpr std::uint64_t kSeed = 20;
 constexpr std::size_t kEntities = 4;
-// Judged are the first ticks of each round.
-constexpr int kRound = 1024;
-constexpr int kJudged = 64;
-// Powers of two, subunits a tick. The judge counts every crossing as moves, and takes more than a hundred for endless:
-// what it sees crosses a few faces in a tick only.
+constexpr int kRound = 1024;  // ticks of a round
+constexpr int kChecked = 64;  // ticks of a round that are checked
+// Largest velocities in subunits per tick, as powers of two. The oracle allows at most 100 moves per step, and every
+// crossing needs some, so checked entities may cross only a few faces per tick.
 constexpr std::int64_t kFastest = 24;
-constexpr std::int64_t kFastestJudged = 19;
+constexpr std::int64_t kFastestChecked = 19;
 
-/// A stage without entities, and their shape.
+/// A stage without entities, and the shape of the entities to insert.
 struct Field {
   std::string name;
   World stage;
@@ -45,22 +44,22 @@ struct Field {
 
 struct Tally {
   std::int64_t steps = 0;
-  std::int64_t judgedSteps = 0;
-  std::int64_t judgedLegs = 0;
+  std::int64_t checkedSteps = 0;
+  std::int64_t checkedLegs = 0;
   std::int64_t crossings = 0;
-  std::size_t mostInstances = 0;
+  std::size_t maxInstances = 0;
 
   Tally& operator+=(const Tally& other) {
     steps += other.steps;
-    judgedSteps += other.judgedSteps;
-    judgedLegs += other.judgedLegs;
+    checkedSteps += other.checkedSteps;
+    checkedLegs += other.checkedLegs;
     crossings += other.crossings;
-    mostInstances = std::max(mostInstances, other.mostInstances);
+    maxInstances = std::max(maxInstances, other.maxInstances);
     return *this;
   }
 };
 
-/// Some entities on a field.
+/// Up to four entities on a field.
 class Flight {
  public:
   Flight(const Field& field, RandomSource& random)
@@ -75,8 +74,8 @@ class Flight {
     judge::StepChecker checker({field_.stage.geometry(), field_.shape, field_.solid, field_.faceSize});
     for (int tick = 0; tick < kRound; ++tick) {
       fling(tick);
-      world_.solve(tick < kJudged ? &checker : nullptr);
-      if (tick < kJudged) {
+      world_.solve(tick < kChecked ? &checker : nullptr);
+      if (tick < kChecked) {
         ASSERT_EQ(checker.finishTick(), "") << field_.name << ", tick " << tick << " of a round, seed " << kSeed;
         count(checker);
       }
@@ -87,7 +86,7 @@ class Flight {
   }
 
  private:
-  // Home is where the centre is.
+  // Inserts an entity at a random place, with its centre in the part, unless it overlaps a segment there.
   void tryToAdd() {
     const auto part = static_cast<std::uint32_t>(random_.below(field_.stage.geometry().parts.size()));
     const oracle::Vec anywhere = random_.vector(std::int64_t{field_.faceSize} * kSubunitsPerUnit / 2);
@@ -106,12 +105,12 @@ class Flight {
     ++count_;
   }
 
-  // Every speed from a crawl to over the whole solid in one tick; now and then a turn.
+  // Sets random velocities, from 2^4 subunits per tick to several times around the solid, and sometimes a rotation.
   void fling(int tick) {
     for (std::uint32_t i = 0; i < count_; ++i) {
       if (tick != 0 && !random_.oneIn(24)) continue;
       Entity entity(world_, i);
-      const std::int64_t fastest = tick < kJudged ? kFastestJudged : kFastest;
+      const std::int64_t fastest = tick < kChecked ? kFastestChecked : kFastest;
       const oracle::Vec velocity =
           random_.vector(std::int64_t{1} << random_.between(4, random_.oneIn(8) ? fastest : 15));
       entity.setVelocity({static_cast<std::int32_t>(velocity.x), static_cast<std::int32_t>(velocity.y)});
@@ -121,9 +120,9 @@ class Flight {
 
   void count(const judge::StepChecker& checker) {
     for (std::uint32_t i = 0; i < count_; ++i) {
-      ++tally_.judgedSteps;
-      tally_.judgedLegs += static_cast<std::int64_t>(checker.moves(i));
-      tally_.mostInstances = std::max(tally_.mostInstances, checker.instances(i));
+      ++tally_.checkedSteps;
+      tally_.checkedLegs += static_cast<std::int64_t>(checker.moves(i));
+      tally_.maxInstances = std::max(tally_.maxInstances, checker.instances(i));
     }
   }
 
@@ -144,7 +143,7 @@ std::vector<Field> fieldsOfShippedLevels() {
   return fields;
 }
 
-// Lines of every kind, also such that are nearly continued or parallel; the ball or another shape.
+// Random segments, some nearly continued or parallel; the ball or another shape.
 Field randomField(SolidKind kind, RandomSource& random) {
   for (;;) {
     std::vector<std::uint8_t> bytes(600);
@@ -164,11 +163,11 @@ void fly(const Field& field, RandomSource& random, std::int64_t rounds, Tally& t
 }
 
 void report(const Tally& total) {
-  std::cout << total.steps << " steps, of these judged " << total.judgedSteps << " with " << total.judgedLegs
-            << " legs; " << total.crossings << " crossings, up to " << total.mostInstances << " instances\n";
+  std::cout << total.steps << " steps, of which " << total.checkedSteps << " checked with " << total.checkedLegs
+            << " legs; " << total.crossings << " crossings, up to " << total.maxInstances << " instances\n";
 }
 
-TEST(FlingTest, OverTheShippedLevels) {
+TEST(FlingTest, InvariantsHoldOnTheShippedLevels) {
   const std::vector<Field> fields = fieldsOfShippedLevels();
   ASSERT_GE(fields.size(), 5u);
   RandomSource random(kSeed);
@@ -180,7 +179,7 @@ TEST(FlingTest, OverTheShippedLevels) {
   EXPECT_GT(total.crossings, total.steps / 200);
 }
 
-TEST(FlingTest, OverRandomFields) {
+TEST(FlingTest, InvariantsHoldOnRandomFields) {
   RandomSource random(kSeed);
   Tally total;
   constexpr std::int64_t roundsOnEach = 4;

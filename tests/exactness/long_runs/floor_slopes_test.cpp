@@ -1,4 +1,4 @@
-// I3 over every edge of every solid, at all slopes and both ways.
+// I3 on floors that cross every edge of every solid, at all slopes and in both directions.
 #include <gtest/gtest.h>
 
 #include "platon/game/solid.h"
@@ -10,8 +10,8 @@ namespace {
 
 class FloorSlopesTest : public testing::TestWithParam<SolidKind> {};
 
-// Over steeper floors the centre of the ball, which is above the floor, passes the edge too late for the way run here.
-TEST_P(FloorSlopesTest, RunningOverNeitherSlowsNorLifts) {
+// On steeper floors the centre of the ball, which is above the floor, crosses the edge only after the end of this run.
+TEST_P(FloorSlopesTest, CrossingAnEdgeNeitherSlowsNorLifts) {
   const PlatonicSolid& solid = PlatonicSolid::of(GetParam());
   const auto step = static_cast<int>(judge::runLength(5, 1));
   for (int face = 0; face < solid.faces(); ++face) {

@@ -11,24 +11,24 @@
 
 namespace platon::long_runs {
 
-/// Where a point that goes straight over the ideal faces of a solid is. Its crossings are those of an entity: it
-/// changes faces together with the home of the entity that it is told of, so that both are always in one frame.
+/// A point that moves straight over the ideal faces of a solid. It observes an entity and changes faces when the entity
+/// rehomes, so that both are always in the same frame.
 ///
-/// Good to 1e-7 subunits after a million crossings: each is one isometry in `long double`, off by a few 2^-64 of the
-/// size of a face, and the direction is never turned twice.
+/// Accurate to 1e-7 subunits after a million crossings: each is one isometry in `long double`, with an error of a few
+/// 2^-64 of the face size, and the direction is computed from the total rotation.
 class IdealWalk : public StepObserver {
  public:
   IdealWalk(SolidKind kind, std::int32_t faceSize, std::uint32_t face, Point start);
 
   void leg(std::uint32_t entity, std::span<const InstanceView> instances) override;
-  /// `velocity` of the walker, given in the frame it began in.
+  /// Moves by `velocity`, given in the frame of the start.
   void advance(Point velocity) { place_ = sum(place_, turned(velocity)); }
 
   oracle::RealVec place() const { return place_; }
-  /// All turns of the frame so far.
+  /// Rotation from the frame of the start to the current frame.
   Angle heading() const { return heading_; }
   std::int64_t crossings() const { return crossings_; }
-  /// The same vector in the present frame.
+  /// `vector`, given in the frame of the start, in the current frame.
   oracle::RealVec turned(Point vector) const;
 
  private:

@@ -1,4 +1,4 @@
-// I4: what rests under a constant press stays where it is, to the bit and for good.
+// I4: an entity that rests under a constant velocity never moves again, not by one bit.
 #include <gtest/gtest.h>
 
 #include <ostream>
@@ -20,16 +20,17 @@ namespace {
 constexpr std::int32_t kSize = 240;
 constexpr int kSettling = 1000;
 
-/// Lines as if face and neighbour lay in one plane, round a point of the edge between them: x out over the edge, turned
-/// by the slant, y a quarter counter-clockwise of it. Subunits.
-struct Bed {
+/// Segments that hold the entity, in subunits. The frame unfolds a face and its neighbour into one plane: the origin is
+/// on their common edge, x points across the edge, rotated by the slant, and y is a quarter turn counter-clockwise of
+/// x.
+struct Support {
   const char* name;
   std::vector<std::pair<Real, Real>> lines;
   Real start;
-  Real press;  // subunits a tick
+  Real velocity;  // subunits per tick
 };
 
-std::vector<Bed> beds() {
+std::vector<Support> supports() {
   return {
       {"floor", {{{-60000, 0}, {60000, 0}}}, {0, 13000}, {0, -256}},
       {"wedge", {{{-900, 0}, {-40000, 30000}}, {{-900, 0}, {25000, 44000}}}, {0, 34000}, {40, -300}},
@@ -41,12 +42,12 @@ std::vector<Bed> beds() {
   };
 }
 
-/// A bed at an edge of a solid.
+/// Where a support is on a solid.
 struct Place {
   SolidKind kind;
   int face = 0;
   int edge = 0;
-  double before = 0;  // of the edge, subunits
+  double before = 0;  // distance of the origin before the edge, subunits
   double slant = 0;   // degrees
 };
 
@@ -60,17 +61,18 @@ FinePoint fine(Real point) {
   return {std::int64_t{rounded.x} * FinePoint::kPerSubunit, std::int64_t{rounded.y} * FinePoint::kPerSubunit};
 }
 
-class Rest {
+class RestingBall {
  public:
-  Rest(const Bed& bed, const Place& place) : place_(place), ideal_(place.kind, kSize), world_(stage(bed)) {
+  RestingBall(const Support& support, const Place& place)
+      : place_(place), ideal_(place.kind, kSize), world_(stage(support)) {
     Entity entity(world_, playerShape());
     const auto angle = platon::rotationOf(turn({1, 0}));
     const PlatonicSolid::Neighbour& behind = PlatonicSolid::of(place.kind).neighbour(place.face, place.edge);
-    const bool isBehind = !FaceArea(facePolygon(place.kind, kSize)).contains(nearest(at(bed.start)));
-    const Real start = isBehind ? ideal_.over(place.face, place.edge, at(bed.start)) : at(bed.start);
+    const bool isBehind = !FaceArea(facePolygon(place.kind, kSize)).contains(nearest(at(support.start)));
+    const Real start = isBehind ? ideal_.over(place.face, place.edge, at(support.start)) : at(support.start);
     MapPart(world_, isBehind ? behind.face : static_cast<std::uint32_t>(place.face))
         .insert(entity, nearest(start), isBehind ? angle + behind.turn : angle);
-    entity.setVelocity(rotate(nearest(turn(bed.press)), entity.rotation() - angle));
+    entity.setVelocity(rotate(nearest(turn(support.velocity)), entity.rotation() - angle));
   }
 
   World& world() { return world_; }
@@ -83,14 +85,14 @@ class Rest {
   Real at(Real point) const {
     return ideal_.onEdge(place_.edge, 0.5) - place_.before * ideal_.outwards(place_.edge) + turn(point);
   }
-  World stage(const Bed& bed) const {
+  World stage(const Support& support) const {
     const FaceArea area(facePolygon(place_.kind, kSize));
     std::vector<std::vector<Segment>> lines(static_cast<std::size_t>(PlatonicSolid::of(place_.kind).faces()));
     const auto add = [&](int face, Real a, Real b) {
       if (const auto cut = area.cut(fine(a), fine(b))) lines[static_cast<std::size_t>(face)].push_back(*cut);
     };
     const int behind = PlatonicSolid::of(place_.kind).neighbour(place_.face, place_.edge).face;
-    for (const auto& [a, b] : bed.lines) {
+    for (const auto& [a, b] : support.lines) {
       add(place_.face, at(a), at(b));
       add(behind, ideal_.over(place_.face, place_.edge, at(a)), ideal_.over(place_.face, place_.edge, at(b)));
     }
@@ -102,26 +104,26 @@ class Rest {
   World world_;
 };
 
-/// What holds the entity.
-class Holds : public Rules {
+/// Counts contacts.
+class ContactCounter : public Rules {
  public:
   void contact(Entity&, const Contact&) override { ++count; }
 
   int count = 0;
 };
 
-void expectRest(const Bed& bed, const Place& place, std::int64_t ticks) {
-  SCOPED_TRACE(testing::Message() << bed.name << " on " << place);
-  Rest rest(bed, place);
+void expectRest(const Support& support, const Place& place, std::int64_t ticks) {
+  SCOPED_TRACE(testing::Message() << support.name << " on " << place);
+  RestingBall rest(support, place);
   World& world = rest.world();
   for (int tick = 0; tick < kSettling; ++tick) world.solve();
   const WorldState settled = world.save();
-  Holds holds;
+  ContactCounter contacts;
   const Convex shape = playerShape();
   judge::StepChecker checker({world.geometry(), shape, place.kind, kSize});
-  world.solve(holds, &checker);
+  world.solve(contacts, &checker);
   ASSERT_EQ(checker.finishTick(), "");
-  ASSERT_GT(holds.count, 0) << "nothing presses";
+  ASSERT_GT(contacts.count, 0) << "no contact";
   for (std::int64_t tick = 1; tick < ticks; ++tick) {
     ASSERT_EQ(world.save(), settled) << "moved in tick " << tick;
     world.solve();
@@ -131,27 +133,27 @@ void expectRest(const Bed& bed, const Place& place, std::int64_t ticks) {
 
 class RestTest : public testing::TestWithParam<SolidKind> {};
 
-TEST_P(RestTest, NothingMovesUnderAConstantPress) {
+TEST_P(RestTest, NothingMovesUnderAConstantVelocity) {
   const std::int64_t ticks = judge::runLength(100000, 1000000);
   int placed = 0;
-  for (const Bed& bed : beds()) {
+  for (const Support& support : supports()) {
     for (const double before : {0.0, 700.0}) {
       const double slant = placed % 2 == 0 ? 20.0 : -12.3;
-      ASSERT_NO_FATAL_FAILURE(expectRest(bed, {GetParam(), placed % 4, placed % 3, before, slant}, ticks));
+      ASSERT_NO_FATAL_FAILURE(expectRest(support, {GetParam(), placed % 4, placed % 3, before, slant}, ticks));
       ++placed;
     }
   }
 }
 
-// Every edge of the solid, for a shorter time.
-TEST_P(RestTest, AtEveryEdge) {
+// Every edge of the solid, for fewer ticks.
+TEST_P(RestTest, NothingMovesAtEveryEdge) {
   const PlatonicSolid& solid = PlatonicSolid::of(GetParam());
   const std::int64_t ticks = judge::runLength(100, 10000);
-  for (const Bed& bed : beds()) {
+  for (const Support& support : supports()) {
     for (int face = 0; face < solid.faces(); ++face) {
       for (int edge = 0; edge < solid.edgesPerFace(); ++edge) {
         for (const double slant : {-33.0, 7.7}) {
-          ASSERT_NO_FATAL_FAILURE(expectRest(bed, {GetParam(), face, edge, 40, slant}, ticks));
+          ASSERT_NO_FATAL_FAILURE(expectRest(support, {GetParam(), face, edge, 40, slant}, ticks));
         }
       }
     }

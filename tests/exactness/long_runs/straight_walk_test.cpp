@@ -1,4 +1,4 @@
-// Straight round every solid, many thousand times: where a walker is after n crossings, and how it is turned.
+// Straight paths around every solid: position and angle after thousands of crossings.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -20,16 +20,17 @@ namespace {
 constexpr std::int32_t kSize = 200;
 constexpr std::int32_t kEdge = kSize * kSubunitsPerUnit;
 
-// On a closed geodesic, far from every corner: no post is ever met.
+/// A closed straight path, far from all corners, so that no post is hit.
 struct Walk {
   const char* name;
   SolidKind kind;
   Point start;      // on face 0
-  Point direction;  // of the velocity; a lattice direction, so that the walk closes exactly
+  Point direction;  // direction of the velocity; a lattice vector, so that the path closes exactly
 };
 
-// Triangles: along an edge, and straight over one, aside from the opposite corner. Pentagons: along the diagonal, half
-// way between it and the corner. Squares: along an edge, and diagonally through the middles of two edges.
+// Triangles: parallel to an edge, and at a right angle to an edge, away from the opposite corner. Pentagons: parallel
+// to a diagonal, halfway between it and the corner. Squares: parallel to an edge, and diagonally through the middles of
+// two edges.
 constexpr Walk kWalks[] = {
     {"TetrahedronAlong", SolidKind::kTetrahedron, {0, kEdge / 7}, {1, 0}},
     {"TetrahedronAcross", SolidKind::kTetrahedron, {kEdge / 4, 0}, {0, 1}},
@@ -42,7 +43,7 @@ constexpr Walk kWalks[] = {
     {"IcosahedronAcross", SolidKind::kIcosahedron, {kEdge / 4, 0}, {0, 1}},
 };
 
-// Subunits a tick: a run, about a face, more than one.
+// Subunits per tick: from 1/50 of a face to more than one face.
 constexpr std::int32_t kSpeeds[] = {4093, 43457, 100003, 302632};
 
 struct Drift {
@@ -53,10 +54,10 @@ struct Drift {
   long double perRoot() const { return distance / std::sqrt(static_cast<long double>(crossings)); }
 };
 
-// Farther to the side of its geodesic than this, a walker may meet a post.
+// Largest distance from the ideal path at which no post can be hit.
 constexpr std::int32_t kClearance = kEdge / 10;
 
-/// Walks until `crossings` are done or the way is left; the drift at each power of two and at the end.
+/// Moves an entity along a path and records its drift at each power of two of the crossings and at the end.
 class WalkRun {
  public:
   WalkRun(const Walk& walk, std::int32_t speed)
@@ -70,6 +71,7 @@ class WalkRun {
     entity.setVelocity(velocity_);
   }
 
+  // Ends after `crossings` or when the entity leaves the clearance.
   void run(std::int64_t crossings) {
     bool ends = false;
     for (std::int64_t next = 1; !ends && !testing::Test::HasFatalFailure();) {
@@ -84,14 +86,14 @@ class WalkRun {
   std::vector<Drift> drifts;
 
  private:
-  class Unstopped : public Rules {
+  class NoContactRules : public Rules {
    public:
-    void contact(Entity&, const Contact&) override { FAIL() << "a walker on a clear way is stopped"; }
+    void contact(Entity&, const Contact&) override { FAIL() << "contact on a free path"; }
   };
 
   void step() {
     ideal_.advance(velocity_);
-    world_.solve(unstopped_, &ideal_);
+    world_.solve(rules_, &ideal_);
     ++ticks_;
     const EntityState& state = world_.entities()[0];
     ASSERT_EQ(state.heading, ideal_.heading());
@@ -110,13 +112,13 @@ class WalkRun {
   Point velocity_;
   World world_;
   IdealWalk ideal_;
-  Unstopped unstopped_;
+  NoContactRules rules_;
   std::int64_t ticks_ = 0;
 };
 
 class StraightWalkTest : public testing::TestWithParam<Walk> {
  protected:
-  /// All speeds of the walk; `check` gets every drift.
+  /// Runs the path at every speed and calls `check` with every drift.
   template <class Check>
   void forEachDrift(Check&& check) {
     const std::int64_t crossings = judge::runLength(10000, 1000000);
@@ -127,25 +129,25 @@ class StraightWalkTest : public testing::TestWithParam<Walk> {
       if (HasFatalFailure()) return;
       const Drift& last = run.drifts.back();
       std::cout << GetParam().name << " at " << speed << ": " << last.crossings << " crossings, drift " << last.distance
-                << ", " << last.perRoot() << " times the root\n";
+                << ", " << last.perRoot() << " times the square root of the crossings\n";
     }
   }
 };
 
-/// Each tick rounds one displacement, by at most the half diagonal of the lattice; where home passes, a placement is
-/// within a subunit of the true one. Squares turn by quarters, which rounds nothing.
-TEST_P(StraightWalkTest, DriftsByNoMoreThanItsRoundings) {
+/// Each tick rounds one displacement, by at most half the diagonal of a lattice cell; each rehome adds at most one
+/// subunit. On the hexahedron frames rotate by quarter turns, which are exact.
+TEST_P(StraightWalkTest, DriftIsAtMostTheSumOfTheRoundings) {
   const bool exact = GetParam().kind == SolidKind::kHexahedron;
   forEachDrift([&](const Drift& drift, std::int32_t speed) {
-    const auto most =
+    const auto limit =
         exact ? 1e-3L
               : std::sqrt(0.5L) * static_cast<long double>(drift.ticks) + static_cast<long double>(drift.crossings);
-    EXPECT_LE(drift.distance, most) << "at " << speed << " after " << drift.crossings << " crossings";
+    EXPECT_LE(drift.distance, limit) << "at " << speed << " after " << drift.crossings << " crossings";
   });
 }
 
-/// Roundings that went either way at random would add up to the root of their number.
-TEST_P(StraightWalkTest, DriftsByTheRootOfItsCrossings) {
+/// Independent roundings add up like a square root of their number.
+TEST_P(StraightWalkTest, DriftGrowsLikeTheSquareRootOfTheCrossings) {
   forEachDrift([](const Drift& drift, std::int32_t speed) {
     EXPECT_LE(drift.perRoot(), 4) << "at " << speed << " after " << drift.crossings << " crossings";
   });

@@ -1,4 +1,4 @@
-// I4 between two lines of the plane: what is pressed into a wedge comes to rest, for good.
+// I4 between two segments on the plane: an entity that rests in a wedge never moves again.
 #include <gtest/gtest.h>
 
 #include <iostream>
@@ -18,7 +18,7 @@ using judge::toPoint;
 using oracle::RandomSource;
 using properties::PlaneScene;
 
-// Longer than any slide into the wedge takes at these speeds, or the mover is still on its way.
+// More ticks than a slide into the wedge takes at these speeds.
 constexpr int kSettling = 600;
 
 struct Pressed {
@@ -45,8 +45,9 @@ std::ostream& operator<<(std::ostream& out, const Pressed& pressed) {
 
 std::vector<Point> square(std::int32_t half) { return {{-half, -half}, {half, -half}, {half, half}, {-half, half}}; }
 
-/// Where a mover is tick by tick: it either stays where it is, or never comes back. Whether it stays.
-bool restsOrGoesOn(const Pressed& pressed, std::int64_t ticks) {
+/// Expects that after settling the entity either never moves again or never returns to the same state. Returns true if
+/// it rests.
+bool expectRestOrEscape(const Pressed& pressed, std::int64_t ticks) {
   World world = pressed.scene.world();
   Entity(world, 0).setVelocity(pressed.velocity);
   for (int tick = 0; tick < kSettling; ++tick) world.solve();
@@ -55,7 +56,7 @@ bool restsOrGoesOn(const Pressed& pressed, std::int64_t ticks) {
   const bool still = world.save() == settled;
   for (std::int64_t tick = 1; tick < ticks; ++tick) {
     if (still != (world.save() == settled)) {
-      ADD_FAILURE() << (still ? "moves after it rested\n" : "comes back\n") << pressed;
+      ADD_FAILURE() << (still ? "moves after it rested\n" : "returns to an earlier state\n") << pressed;
       return false;
     }
     world.solve();
@@ -63,16 +64,16 @@ bool restsOrGoesOn(const Pressed& pressed, std::int64_t ticks) {
   return still;
 }
 
-TEST(WedgeRestTest, TheSmallestWedges) {
+TEST(WedgeRestTest, RestsInTheSmallestWedges) {
   for (const Point velocity : {Point(0, -3), Point(0, -4), Point(1, -3), Point(-2, -6)}) {
     const PlaneScene valley{square(1), {{{0, 0}, {-2, 1}}, {{0, 0}, {2, 1}}}, {{0, 11}}, 1};
-    restsOrGoesOn({valley, velocity}, 100);
-    const PlaneScene aslant{square(1), {{{0, 0}, {-8, 5}}, {{0, 0}, {6, -1}}}, {{0, 11}}, 1};
-    restsOrGoesOn({aslant, velocity}, 100);
+    expectRestOrEscape({valley, velocity}, 100);
+    const PlaneScene skewed{square(1), {{{0, 0}, {-8, 5}}, {{0, 0}, {6, -1}}}, {{0, 11}}, 1};
+    expectRestOrEscape({skewed, velocity}, 100);
   }
 }
 
-// Begins between the lines and is pressed towards their tip, give or take a third.
+// Starts between the segments; the velocity points towards their apex, varied by up to a third.
 Pressed anyWedge(RandomSource& random) {
   const std::int64_t scale = std::int64_t{1} << random.between(3, 15);
   Pressed pressed;
@@ -90,17 +91,17 @@ Pressed anyWedge(RandomSource& random) {
   return pressed;
 }
 
-TEST(WedgeRestTest, RandomWedges) {
+TEST(WedgeRestTest, RestsInRandomWedges) {
   const std::int64_t ticks = judge::runLength(8, 100000);
   std::int64_t resting = 0;
   properties::forEachCase(6000, [&](RandomSource& random) {
     const Pressed pressed = anyWedge(random);
     try {
-      resting += restsOrGoesOn(pressed, ticks) ? 1 : 0;
-    } catch (const std::invalid_argument&) {  // does not begin free
+      resting += expectRestOrEscape(pressed, ticks) ? 1 : 0;
+    } catch (const std::invalid_argument&) {  // the start is not free
     }
   });
-  std::cout << resting << " rest\n";
+  std::cout << resting << " entities rest\n";
   EXPECT_GE(resting, 200);
 }
 

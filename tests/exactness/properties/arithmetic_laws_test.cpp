@@ -1,4 +1,4 @@
-// Laws of the exact numbers, on random, degenerate and extreme ones; GMP is the judge.
+// Laws of exact arithmetic on random, degenerate and extreme values, compared with GMP.
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ using oracle::RandomSource;
 constexpr std::int64_t kCases = 200000;
 constexpr std::int64_t kLargest = std::int64_t{1} << 62;
 
-// |value| < 2^126.
+// Requires |value| < 2^126.
 mpz_class big(int128 value) {
   constexpr int bits = 62;
   const int128 magnitude = value < 0 ? -value : value;
@@ -37,12 +37,12 @@ mpq_class rational(Fraction fraction) {
   return value;
 }
 
-Point anyPoint(RandomSource& random, std::int64_t most) {
-  return {static_cast<std::int32_t>(anyInteger(random, most)), static_cast<std::int32_t>(anyInteger(random, most))};
+Point anyPoint(RandomSource& random, std::int64_t limit) {
+  return {static_cast<std::int32_t>(anyInteger(random, limit)), static_cast<std::int32_t>(anyInteger(random, limit))};
 }
 
-// Any; or the same as, opposite to, a multiple of or one off `other`.
-Point relatedTo(Point other, RandomSource& random, std::int32_t most) {
+// A random vector, or one equal to, opposite to, half of, or one unit off `other` or its perpendicular.
+Point relatedTo(Point other, RandomSource& random, std::int32_t limit) {
   const Point turned = random.oneIn(2) ? other : perpendicular(other);
   switch (random.below(5)) {
     case 0:
@@ -52,18 +52,18 @@ Point relatedTo(Point other, RandomSource& random, std::int32_t most) {
     case 2:
       return {turned.x / 2, turned.y / 2};
     case 3:
-      return {std::clamp(turned.x + 1, -most, most), turned.y};
+      return {std::clamp(turned.x + 1, -limit, limit), turned.y};
     default:
-      return anyPoint(random, most);
+      return anyPoint(random, limit);
   }
 }
 
 TEST(ArithmeticLawsTest, ProductsAreExactAndBilinear) {
-  constexpr std::int32_t most = (1 << 30) - 1;
+  constexpr std::int32_t limit = (1 << 30) - 1;
   forEachCase(kCases, [](RandomSource& random) {
-    const Point a = anyPoint(random, most);
-    const Point b = relatedTo(a, random, most);
-    const Point c = anyPoint(random, most);
+    const Point a = anyPoint(random, limit);
+    const Point b = relatedTo(a, random, limit);
+    const Point c = anyPoint(random, limit);
     EXPECT_EQ(big(dot(a, c)), mpz_class(a.x) * c.x + mpz_class(a.y) * c.y);
     EXPECT_EQ(big(cross(a, c)), mpz_class(a.x) * c.y - mpz_class(a.y) * c.x);
     EXPECT_EQ(dot(a, b), dot(b, a));
@@ -83,7 +83,7 @@ Fraction anyFraction(RandomSource& random) {
   return {anyInteger(random, kLargest), 1 + std::abs(anyInteger(random, kLargest - 1))};
 }
 
-// Any; equal in other terms; or as near as 64 bits allow.
+// A random fraction, or one equal to `other` in other terms, or one that is nearly equal.
 Fraction near(Fraction other, RandomSource& random) {
   const std::int64_t factor = random.between(2, 9);
   const bool small = other.denominator < kLargest / 9 && std::abs(other.numerator) < kLargest / 9;
@@ -101,7 +101,7 @@ Fraction near(Fraction other, RandomSource& random) {
 
 int signOf(std::strong_ordering order) { return (order > 0) - (order < 0); }
 
-TEST(ArithmeticLawsTest, FractionsAreOrderedAsTheRationals) {
+TEST(ArithmeticLawsTest, FractionsAreOrderedLikeRationals) {
   forEachCase(kCases, [](RandomSource& random) {
     const Fraction a = anyFraction(random);
     const Fraction b = near(a, random);
@@ -119,12 +119,12 @@ TEST(ArithmeticLawsTest, FractionsAreOrderedAsTheRationals) {
   });
 }
 
-TEST(ArithmeticLawsTest, AScaledValueIsTheLastWholeOneTowardsZero) {
+TEST(ArithmeticLawsTest, ScalingTruncatesTowardsZero) {
   forEachCase(kCases, [](RandomSource& random) {
     const auto value = static_cast<std::int32_t>(anyInteger(random, (std::int64_t{1} << 31) - 1));
     const std::int64_t denominator = 1 + std::abs(anyInteger(random, kLargest - 1));
     const std::int64_t numerator = anyInteger(random, denominator);
-    const mpz_class expected = big(value) * big(numerator) / big(denominator);  // GMP truncates too
+    const mpz_class expected = big(value) * big(numerator) / big(denominator);  // GMP truncates as well
     EXPECT_EQ(big(scaleTruncated(value, {numerator, denominator})), expected);
     EXPECT_EQ(scaleTruncated(-value, {numerator, denominator}), -scaleTruncated(value, {numerator, denominator}));
   });
@@ -150,7 +150,7 @@ void expectDivisions(Integer numerator, Integer denominator) {
   EXPECT_EQ(divideFloor<Integer>(-numerator, denominator), -divideCeiling(numerator, denominator));
 }
 
-TEST(ArithmeticLawsTest, DivisionsRoundByTheirDefinitions) {
+TEST(ArithmeticLawsTest, DivisionsRoundAsDefined) {
   forEachCase(kCases, [](RandomSource& random) {
     const std::int64_t denominator = 1 + std::abs(anyInteger(random, kLargest - 1));
     const std::int64_t numerator = anyInteger(random, kLargest);
@@ -161,7 +161,7 @@ TEST(ArithmeticLawsTest, DivisionsRoundByTheirDefinitions) {
   });
 }
 
-TEST(ArithmeticLawsTest, ASquareRootIsTheLargestBelow) {
+TEST(ArithmeticLawsTest, TheSquareRootIsRoundedDown) {
   forEachCase(kCases / 5, [](RandomSource& random) {
     const int128 root = std::abs(anyInteger(random, kLargest - 1));
     for (const int128 value : {root * root - 1, root * root, root * root + random.between(0, 1) * root}) {
@@ -173,11 +173,11 @@ TEST(ArithmeticLawsTest, ASquareRootIsTheLargestBelow) {
   });
 }
 
-TEST(ArithmeticLawsTest, AnglesAreAGroup) {
+TEST(ArithmeticLawsTest, AnglesFormAGroup) {
   forEachCase(kCases, [](RandomSource& random) {
-    constexpr std::int64_t most = (1 << 30) - 1;
-    const auto wide = static_cast<std::int32_t>(anyInteger(random, most));
-    const auto other = static_cast<std::int32_t>(anyInteger(random, most));
+    constexpr std::int64_t limit = (1 << 30) - 1;
+    const auto wide = static_cast<std::int32_t>(anyInteger(random, limit));
+    const auto other = static_cast<std::int32_t>(anyInteger(random, limit));
     const Angle a(wide);
     const Angle b(other);
     const Angle c(static_cast<std::int32_t>(random.between(0, Angle::kTurn)));
@@ -194,7 +194,7 @@ TEST(ArithmeticLawsTest, AnglesAreAGroup) {
 }
 
 // Positions on a face are below 2^26.
-TEST(ArithmeticLawsTest, TurningThereAndBackIsWithinASubunit) {
+TEST(ArithmeticLawsTest, RotatingThereAndBackIsWithinOneSubunit) {
   forEachCase(kCases, [](RandomSource& random) {
     const Point point = anyPoint(random, (1 << 26) - 1);
     const Angle angle(static_cast<std::int32_t>(random.between(0, Angle::kTurn - 1)));
@@ -204,7 +204,7 @@ TEST(ArithmeticLawsTest, TurningThereAndBackIsWithinASubunit) {
   });
 }
 
-TEST(ArithmeticLawsTest, QuarterTurnsAreExactAndCommuteWithEveryTurn) {
+TEST(ArithmeticLawsTest, QuarterTurnsAreExactAndCommuteWithRotations) {
   forEachCase(kCases, [](RandomSource& random) {
     const Point point = anyPoint(random, kCoordinateLimit - 1);
     const Angle angle(static_cast<std::int32_t>(random.between(0, Angle::kTurn - 1)));

@@ -1,4 +1,4 @@
-// The judges of the fuzzers, on random strings instead of found ones: I1 to I7 on scenes of every kind.
+// Runs the targets of the fuzzers on seeded random bytes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,25 +19,25 @@ namespace {
 using oracle::RandomSource;
 using ByteString = std::vector<std::uint8_t>;
 
-// Uniform, or mostly small numbers with zeros between, which make small distances and equal choices.
+// Uniform bytes, or small ones with many zeros, which give small distances and repeated choices.
 ByteString anyBytes(RandomSource& random, std::int64_t longest) {
   ByteString bytes(static_cast<std::size_t>(random.between(1, longest)));
-  const std::int64_t most = std::array{255, 255, 15, 3}[random.below(4)];
+  const std::int64_t limit = std::array{255, 255, 15, 3}[random.below(4)];
   const std::int64_t zeros = random.between(2, 20);
   for (std::uint8_t& byte : bytes)
-    byte = random.oneIn(zeros) ? std::uint8_t{0} : static_cast<std::uint8_t>(random.between(0, most));
+    byte = random.oneIn(zeros) ? std::uint8_t{0} : static_cast<std::uint8_t>(random.between(0, limit));
   return bytes;
 }
 
-// Whether the string makes geometry, and has bytes left for entities and ticks.
-bool makesAScene(const ByteString& bytes, bool& onSolid) {
+// True if the bytes give a scene, with at least 16 bytes left for entities and ticks.
+bool givesAScene(const ByteString& bytes, bool& onSolid) {
   fuzz::ByteSource source(bytes);
   const auto scene = fuzz::makeFuzzScene(source);
   onSolid = scene && scene->solid;
-  return scene && source.rest().size() > 16;
+  return scene && source.remaining().size() > 16;
 }
 
-TEST(FuzzedBytesTest, EveryLegOfEveryScene) {
+TEST(FuzzedBytesTest, InvariantsHoldInEveryScene) {
   constexpr std::int64_t cases = 20000;
   std::int64_t planes = 0;
   std::int64_t solids = 0;
@@ -45,7 +45,7 @@ TEST(FuzzedBytesTest, EveryLegOfEveryScene) {
     const ByteString bytes = anyBytes(random, 600);
     EXPECT_EQ(fuzz::sceneFault(bytes), "");
     bool onSolid = false;
-    if (makesAScene(bytes, onSolid)) ++(onSolid ? solids : planes);
+    if (givesAScene(bytes, onSolid)) ++(onSolid ? solids : planes);
   });
   RecordProperty("planes", std::to_string(planes));
   RecordProperty("solids", std::to_string(solids));
@@ -53,11 +53,11 @@ TEST(FuzzedBytesTest, EveryLegOfEveryScene) {
   EXPECT_GE(solids, cases / 8);
 }
 
-TEST(FuzzedBytesTest, EverySweep) {
+TEST(FuzzedBytesTest, EverySweepIsExact) {
   forEachCase(60000, [](RandomSource& random) { EXPECT_EQ(fuzz::sweepFault(anyBytes(random, 200)), ""); });
 }
 
-TEST(FuzzedBytesTest, EveryMessageAndSavedGame) {
+TEST(FuzzedBytesTest, EveryMessageAndSavedGameIsReadOrRefused) {
   forEachCase(4000, [](RandomSource& random) {
     const ByteString bytes = anyBytes(random, 400);
     EXPECT_EQ(fuzz::protocolFault(bytes), "");
@@ -65,7 +65,7 @@ TEST(FuzzedBytesTest, EveryMessageAndSavedGame) {
   });
 }
 
-// One digit for another most of the time, so that many remain levels.
+// Mostly replaces one digit by another, so that many texts remain valid levels.
 void edit(std::string& text, RandomSource& random) {
   constexpr std::string_view letters = "0123456789 -.\n%#AEH";
   const std::size_t at = random.below(text.size());
@@ -79,7 +79,7 @@ void edit(std::string& text, RandomSource& random) {
   }
 }
 
-TEST(FuzzedBytesTest, EveryLevel) {
+TEST(FuzzedBytesTest, EveryLevelIsReadOrRefused) {
   std::vector<std::string> levels;
   for (const std::string& file : shippedLevels()) levels.push_back(readText(file));
   ASSERT_GE(levels.size(), 5u);

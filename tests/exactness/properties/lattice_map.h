@@ -10,8 +10,7 @@
 
 namespace platon::properties {
 
-/// A motion of the plane that takes lattice points to lattice points: first a mirror (x becomes -x), then quarter
-/// turns, then a shift.
+/// A symmetry of the lattice: an optional mirror (x becomes -x), then quarter turns, then a translation.
 struct LatticeMap {
   bool mirror = false;
   int quarters = 0;  ///< counter-clockwise, 0 … 3
@@ -24,7 +23,7 @@ struct LatticeMap {
   }
   Point place(Point p) const { return vector(p) + shift; }
   Segment line(const Segment& line) const { return {place(line.a), place(line.b)}; }
-  /// A polygon round a position; a mirror turns its order round, so that it is counter-clockwise again.
+  /// A polygon relative to a position. A mirror reverses the order of its vertices, so that it stays counter-clockwise.
   std::vector<Point> shape(std::vector<Point> vertices) const {
     for (Point& vertex : vertices) vertex = vector(vertex);
     if (mirror) std::reverse(vertices.begin(), vertices.end());
@@ -32,9 +31,9 @@ struct LatticeMap {
   }
 };
 
-/// Shifted by `farthest` along each axis at most.
-inline LatticeMap anyMap(oracle::RandomSource& random, std::int64_t farthest) {
-  const oracle::Vec shift = random.vector(farthest);
+/// A random symmetry, with a translation of up to `maxShift` along each axis.
+inline LatticeMap anyMap(oracle::RandomSource& random, std::int64_t maxShift) {
+  const oracle::Vec shift = random.vector(maxShift);
   return {random.oneIn(2),
           static_cast<int>(random.below(4)),
           {static_cast<std::int32_t>(shift.x), static_cast<std::int32_t>(shift.y)}};

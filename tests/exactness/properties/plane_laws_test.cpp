@@ -1,4 +1,4 @@
-// Hard random scenes on the plane: every leg judged, and the same scene in another place, turn, mirror or order.
+// Hard random scenes on the plane: every leg is checked, and symmetric scenes must move symmetrically.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,20 +18,20 @@ using oracle::RandomSource;
 
 constexpr int kTicks = 12;
 
-// Of every order of size up to `fastest` times the scene's own, along lines, and at rest.
+// Zero, along a segment, or random, with components of up to `fastest` times the scale of the scene.
 Point anyVelocity(const PlaneScene& scene, std::int64_t fastest, RandomSource& random) {
   const Segment& line = scene.lines[random.below(scene.lines.size())];
-  const std::int64_t most = fastest * scene.scale;
+  const std::int64_t limit = fastest * scene.scale;
   switch (random.below(6)) {
     case 0:
       return {};
     case 1:
       return toPoint(random.vector(scene.scale / 8 + 1));
     case 2:
-      return toPoint(random.vector(most));
+      return toPoint(random.vector(limit));
     case 3: {
       oracle::Vec along = judge::toVec(line.b - line.a) + random.vector(1);
-      while (std::abs(along.x) > most || std::abs(along.y) > most) along = {along.x / 2, along.y / 2};
+      while (std::abs(along.x) > limit || std::abs(along.y) > limit) along = {along.x / 2, along.y / 2};
       return toPoint(along);
     }
     default:
@@ -39,7 +39,7 @@ Point anyVelocity(const PlaneScene& scene, std::int64_t fastest, RandomSource& r
   }
 }
 
-/// Where home was after each leg, by entity.
+/// Records the position of home after each leg, by entity.
 class Path : public StepObserver {
  public:
   void leg(std::uint32_t entity, std::span<const InstanceView> instances) override {
@@ -59,12 +59,12 @@ std::vector<Point> anyVelocities(const PlaneScene& scene, RandomSource& random, 
   return velocities;
 }
 
-/// Two worlds that should go the same way, one of them mapped.
-struct Pair {
-  Pair(const PlaneScene& scene, const PlaneScene& other, const LatticeMap& mapping)
+/// Two worlds that must move in the same way, the second one mapped by a symmetry.
+struct WorldPair {
+  WorldPair(const PlaneScene& scene, const PlaneScene& other, const LatticeMap& mapping)
       : one(scene.world()), two(other.world()), map(mapping) {}
 
-  /// Both advance by a tick; whether every leg was the same.
+  /// Runs one tick in both. Returns true if all legs are equal.
   bool advance(const std::vector<Point>& velocities) {
     Path first;
     Path second;
@@ -83,7 +83,7 @@ struct Pair {
   LatticeMap map;
 };
 
-TEST(PlaneLawsTest, EveryLegOfEveryScene) {
+TEST(PlaneLawsTest, InvariantsHoldInEveryLeg) {
   std::size_t legs = 0;
   forEachCase(6000, [&](RandomSource& random) {
     const PlaneScene scene = PlaneScene::from(oracle::randomScene(random));
@@ -101,33 +101,33 @@ TEST(PlaneLawsTest, EveryLegOfEveryScene) {
   EXPECT_GE(legs, 200000u);
 }
 
-// The farthest that coordinates may be shifted: what moves stays in range.
-TEST(PlaneLawsTest, AShiftedSceneGoesTheSameWay) {
+// The shift is as large as the coordinate range of the moving entities permits.
+TEST(PlaneLawsTest, AShiftedSceneMovesInTheSameWay) {
   forEachCase(10000, [](RandomSource& random) {
     const PlaneScene scene = PlaneScene::from(oracle::randomScene(random));
     const LatticeMap map{false, 0, toPoint(random.vector(scene.scale < 1 << 20 ? kCoordinateLimit / 2 : 1 << 20))};
-    Pair pair(scene, scene.mapped(map), map);
+    WorldPair pair(scene, scene.mapped(map), map);
     for (int tick = 0; tick < kTicks; ++tick)
       ASSERT_TRUE(pair.advance(anyVelocities(scene, random))) << "tick " << tick;
   });
 }
 
-TEST(PlaneLawsTest, WhichEndOfALineIsTheFirstDoesNotMatter) {
+TEST(PlaneLawsTest, TheDirectionOfASegmentDoesNotMatter) {
   forEachCase(10000, [](RandomSource& random) {
     const PlaneScene scene = PlaneScene::from(oracle::randomScene(random));
     PlaneScene other = scene;
     for (Segment& line : other.lines) std::swap(line.a, line.b);
-    Pair pair(scene, other, LatticeMap());
+    WorldPair pair(scene, other, LatticeMap());
     for (int tick = 0; tick < kTicks; ++tick)
       ASSERT_TRUE(pair.advance(anyVelocities(scene, random))) << "tick " << tick;
   });
 }
 
-// In all ticks nothing gets from the middle of a scene to the ends of its long lines, which are 2^27 away: at most
-// 12 * 2 * sqrt(2) * 2^22, and the roundings.
+// Slow enough that no entity gets from the middle of a scene to the ends of its long segments, which are 2^27 away: it
+// moves at most 12 * 2 * sqrt(2) * 2^22, and the roundings.
 constexpr std::int64_t kSlow = 2;
 
-// Long lines in every direction but the diagonals: nothing meets an end of a line, so that nothing is nudged.
+// Long segments in every direction except the diagonals. No entity reaches an end, so that none is nudged.
 PlaneScene generalScene(RandomSource& random) {
   PlaneScene scene = PlaneScene::from(oracle::randomScene(random));
   scene.lines.clear();
@@ -142,8 +142,8 @@ PlaneScene generalScene(RandomSource& random) {
   return scene;
 }
 
-// Entities that are free.
-void settle(PlaneScene& scene, RandomSource& random) {
+// Replaces the entities by up to four at random free places.
+void placeEntities(PlaneScene& scene, RandomSource& random) {
   scene.entities.clear();
   for (int tries = 0; tries < 400 && scene.entities.size() < 4; ++tries) {
     PlaneScene one = scene;
@@ -156,14 +156,14 @@ void settle(PlaneScene& scene, RandomSource& random) {
   }
 }
 
-TEST(PlaneLawsTest, ATurnedOrMirroredSceneGoesTheSameWayWhereNothingIsNudgedOrDiagonal) {
+TEST(PlaneLawsTest, ARotatedOrMirroredSceneMovesInTheSameWay) {
   std::size_t entities = 0;
   forEachCase(8000, [&](RandomSource& random) {
     PlaneScene scene = generalScene(random);
-    settle(scene, random);
+    placeEntities(scene, random);
     entities += scene.entities.size();
     const LatticeMap map = anyMap(random, 1 << 20);
-    Pair pair(scene, scene.mapped(map), map);
+    WorldPair pair(scene, scene.mapped(map), map);
     for (int tick = 0; tick < kTicks; ++tick) {
       ASSERT_TRUE(pair.advance(anyVelocities(scene, random, kSlow)))
           << "tick " << tick << ", mirror " << map.mirror << ", quarters " << map.quarters;
@@ -172,17 +172,17 @@ TEST(PlaneLawsTest, ATurnedOrMirroredSceneGoesTheSameWayWhereNothingIsNudgedOrDi
   EXPECT_GE(entities, 8000u);
 }
 
-// In general position no two lines are met at the same time.
-TEST(PlaneLawsTest, TheOrderOfLinesInGeneralPositionDoesNotMatter) {
+// In general position no two segments are hit at the same time.
+TEST(PlaneLawsTest, TheOrderOfSegmentsDoesNotMatter) {
   forEachCase(8000, [](RandomSource& random) {
     PlaneScene scene = generalScene(random);
-    settle(scene, random);
+    placeEntities(scene, random);
     PlaneScene other = scene;
     for (std::size_t i = other.lines.size(); i > 1; --i) std::swap(other.lines[i - 1], other.lines[random.below(i)]);
     for (Segment& line : other.lines) {
       if (random.oneIn(2)) std::swap(line.a, line.b);
     }
-    Pair pair(scene, other, LatticeMap());
+    WorldPair pair(scene, other, LatticeMap());
     for (int tick = 0; tick < kTicks; ++tick)
       ASSERT_TRUE(pair.advance(anyVelocities(scene, random, kSlow))) << "tick " << tick;
   });

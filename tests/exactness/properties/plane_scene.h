@@ -13,7 +13,7 @@
 
 namespace platon::properties {
 
-/// Entities of one shape among lines on an endless plane, part 0.
+/// Entities of one shape among segments on an infinite plane, part 0.
 struct PlaneScene {
   std::vector<Point> shape;
   std::vector<Segment> lines;
@@ -31,7 +31,7 @@ struct PlaneScene {
     for (const Point place : entities) made.entities.push_back(map.place(place));
     return made;
   }
-  /// Throws std::invalid_argument when an entity is not free.
+  /// Throws std::invalid_argument if an entity overlaps a segment.
   World world() const {
     World world;
     MapPart part(world, 0);

@@ -1,4 +1,4 @@
-// Laws of shapes, slides and grids that need no other implementation to compare with.
+// Laws of shapes, slides and grids.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ using judge::toPoints;
 using judge::toVec;
 using oracle::RandomSource;
 
-// Strictly convex polygons, and such that just fail to be: a corner moved, two swapped, one repeated, wound twice.
+// Strictly convex polygons, and some that just fail to be: with a moved, swapped or repeated corner, or wound twice.
 std::vector<Point> anyPolygon(RandomSource& random) {
   const std::int64_t scale = std::int64_t{1} << random.between(1, 24);
   std::vector<Point> polygon =
@@ -50,7 +50,7 @@ std::vector<Point> anyPolygon(RandomSource& random) {
   return polygon;
 }
 
-TEST(ShapeLawsTest, AFaultIsOneInEveryPlaceTurnAndOrder) {
+TEST(ShapeLawsTest, ConvexityDoesNotDependOnPlaceRotationOrFirstVertex) {
   std::int64_t faults = 0;
   constexpr std::int64_t cases = 100000;
   forEachCase(cases, [&](RandomSource& random) {
@@ -69,7 +69,7 @@ TEST(ShapeLawsTest, AFaultIsOneInEveryPlaceTurnAndOrder) {
   EXPECT_LT(faults, cases * 9 / 10);
 }
 
-// Many on few places, so that points are equal and collinear.
+// Random points; half of the time in a small box, so that some are equal or collinear.
 std::vector<Point> anyCloud(RandomSource& random) {
   const std::int64_t radius = random.oneIn(2) ? random.between(0, 4) : std::int64_t{1} << random.between(1, 28);
   std::vector<Point> cloud(random.below(40) + 1);
@@ -83,7 +83,7 @@ std::set<std::pair<std::int32_t, std::int32_t>> asSet(const std::vector<Point>& 
   return set;
 }
 
-TEST(ShapeLawsTest, AHullIsItsOwnHull) {
+TEST(ShapeLawsTest, TheHullOfAHullIsItself) {
   forEachCase(50000, [](RandomSource& random) {
     std::vector<Point> cloud = anyCloud(random);
     const std::vector<Point> hull = convexHull(cloud);
@@ -91,7 +91,7 @@ TEST(ShapeLawsTest, AHullIsItsOwnHull) {
     EXPECT_EQ(flat, hull.size() < 3);
     EXPECT_EQ(asSet(convexHull(hull)), asSet(hull));
     if (!flat) {
-      EXPECT_EQ(convexHull(hull), hull) << "another vertex comes first";
+      EXPECT_EQ(convexHull(hull), hull) << "starts at another vertex";
     }
     for (std::size_t i = 0; i < hull.size() && !flat; ++i) {
       const Point along = hull[(i + 1) % hull.size()] - hull[i];
@@ -100,27 +100,28 @@ TEST(ShapeLawsTest, AHullIsItsOwnHull) {
     cloud.insert(cloud.end(), cloud.begin(), cloud.end());
     std::reverse(cloud.begin(), cloud.end());
     if (flat) return;
-    EXPECT_EQ(asSet(convexHull(cloud)), asSet(hull)) << "order and repeats matter";
+    EXPECT_EQ(asSet(convexHull(cloud)), asSet(hull)) << "depends on order or repetition";
     const LatticeMap map = anyMap(random, 0);
     EXPECT_EQ(asSet(convexHull(map.shape(cloud))), asSet(map.shape(hull)));
   });
 }
 
-Point anyVector(RandomSource& random, std::int64_t most) {
+Point anyVector(RandomSource& random, std::int64_t limit) {
   Point vector;
   while (vector == Point())
-    vector = {static_cast<std::int32_t>(anyInteger(random, most)), static_cast<std::int32_t>(anyInteger(random, most))};
+    vector = {static_cast<std::int32_t>(anyInteger(random, limit)),
+              static_cast<std::int32_t>(anyInteger(random, limit))};
   return vector;
 }
 
-TEST(ShapeLawsTest, ASlideNeverLeadsIntoTheLineAndIsTheSameInEveryTurnAndMirror) {
+TEST(ShapeLawsTest, ASlideLeadsAlongTheSegmentAndIsSymmetric) {
   forEachCase(500000, [](RandomSource& random) {
     const Point normal = anyVector(random, (std::int64_t{1} << 29) - 1);
     const Point displacement = anyVector(random, (std::int64_t{1} << 29) - 1);
     const Point slid = slideAlong(displacement, normal);
     EXPECT_GE(dot(slid, normal), 0);
     EXPECT_LE(dot(slid, normal), std::max(std::abs(std::int64_t{normal.x}), std::abs(std::int64_t{normal.y})))
-        << "lifted by more than a subunit";
+        << "lifted by more than one subunit";
     const LatticeMap map = anyMap(random, 0);
     EXPECT_EQ(slideAlong(map.vector(displacement), map.vector(normal)), map.vector(slid));
     const Point shorter(normal.x / 2, normal.y / 2);
@@ -130,8 +131,8 @@ TEST(ShapeLawsTest, ASlideNeverLeadsIntoTheLineAndIsTheSameInEveryTurnAndMirror)
   });
 }
 
-// Exactly diagonal vectors have no dominant axis: x is taken, which a quarter turn does not turn.
-TEST(ShapeLawsTest, ADominantStepTurnsWithItsVectorUnlessItIsDiagonal) {
+// A diagonal vector has no dominant axis. dominantStep chooses x, which does not rotate with the vector.
+TEST(ShapeLawsTest, TheDominantStepRotatesWithItsVector) {
   forEachCase(50000, [](RandomSource& random) {
     const Point vector = anyVector(random, 1 << 29);
     LatticeMap map = anyMap(random, 0);
@@ -141,8 +142,8 @@ TEST(ShapeLawsTest, ADominantStepTurnsWithItsVectorUnlessItIsDiagonal) {
   });
 }
 
-// Exact: neither the box's axes nor the line's normal separate them.
-bool meets(const Segment& line, const Box& box) {
+// Exact: true if neither an axis nor the normal of the segment separates them.
+bool overlaps(const Segment& line, const Box& box) {
   if (!boundsOf(line).overlaps(box)) return false;
   const auto side = [&](std::int32_t x, std::int32_t y) {
     return oracle::sign(oracle::cross(toVec(line.b) - toVec(line.a), oracle::Vec{x, y} - toVec(line.a)));
@@ -181,7 +182,7 @@ std::vector<Segment> anyLines(RandomSource& random, std::int64_t radius) {
   return lines;
 }
 
-TEST(ShapeLawsTest, AGridFindsEveryLineThatMeetsABox) {
+TEST(ShapeLawsTest, AGridFindsEverySegmentThatOverlapsABox) {
   std::int64_t found = 0;
   forEachCase(20000, [&](RandomSource& random) {
     const std::int64_t radius =
@@ -197,7 +198,7 @@ TEST(ShapeLawsTest, AGridFindsEveryLineThatMeetsABox) {
       grid.query(box, out);
       EXPECT_TRUE(std::is_sorted(out.begin(), out.end()) && std::adjacent_find(out.begin(), out.end()) == out.end());
       for (std::uint32_t i = 0; i < lines.size(); ++i) {
-        if (!meets(lines[i], box)) continue;
+        if (!overlaps(lines[i], box)) continue;
         ++found;
         EXPECT_TRUE(std::binary_search(out.begin(), out.end(), i)) << "line " << i << " is missing";
       }

@@ -1,4 +1,4 @@
-// Solids are alike from every side: a scene that a rotation of the solid takes to another one goes the same way.
+// Rotations of a solid onto itself: a scene and its image must move in the same way.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,17 +25,17 @@ using Lines = std::vector<std::vector<Segment>>;
 
 constexpr int kTicks = 40;
 
-struct Placed {
+struct Placement {
   std::uint32_t face = 0;
   Point position;
   Angle angle;
 
-  friend bool operator==(const Placed&, const Placed&) = default;
+  friend bool operator==(const Placement&, const Placement&) = default;
 };
 
-Placed mapped(const SolidSymmetry& symmetry, const Placed& placed) {
-  const Angle turn = symmetry.turn(placed.face);
-  return {symmetry.images[placed.face].face, rotate(placed.position, turn), placed.angle + turn};
+Placement mapped(const SolidSymmetry& symmetry, const Placement& placement) {
+  const Angle turn = symmetry.turn(placement.face);
+  return {symmetry.images[placement.face].face, rotate(placement.position, turn), placement.angle + turn};
 }
 
 Lines mapped(const SolidSymmetry& symmetry, const Lines& lines) {
@@ -49,7 +49,7 @@ Lines mapped(const SolidSymmetry& symmetry, const Lines& lines) {
   return images;
 }
 
-/// Where home was after each leg.
+/// Records the placement of home after each leg.
 class HomePath : public StepObserver {
  public:
   void leg(std::uint32_t, std::span<const InstanceView> instances) override {
@@ -57,26 +57,26 @@ class HomePath : public StepObserver {
     places.push_back({home.part, home.position, home.angle});
   }
 
-  std::vector<Placed> places;
+  std::vector<Placement> places;
 };
 
-/// Counts what stops the entity.
-class Stops : public Rules {
+/// Counts contacts.
+class ContactCounter : public Rules {
  public:
   void contact(Entity&, const Contact&) override { ++count; }
 
   int count = 0;
 };
 
-/// A ball on a solid; the angle of its shape is that of its frame.
-struct Roll {
-  Roll(SolidKind kind, std::int32_t size, const Lines& lines, const Placed& start)
+/// A world with one ball on a solid.
+struct BallWorld {
+  BallWorld(SolidKind kind, std::int32_t size, const Lines& lines, const Placement& start)
       : world(buildStage(kind, size, lines)) {
     Entity ball(world, playerShape());
     MapPart(world, start.face).insert(ball, start.position, start.angle);
   }
   Entity ball() { return {world, 0}; }
-  std::vector<Placed> advance(Rules& rules) {
+  std::vector<Placement> advance(Rules& rules) {
     HomePath path;
     world.solve(rules, &path);
     return path.places;
@@ -99,23 +99,23 @@ Lines anyLines(SolidKind kind, std::int32_t size, RandomSource& random) {
   return lines;
 }
 
-std::optional<Roll> tryRoll(SolidKind kind, std::int32_t size, const Lines& lines, const Placed& start) {
+std::optional<BallWorld> tryBallWorld(SolidKind kind, std::int32_t size, const Lines& lines, const Placement& start) {
   try {
-    return std::optional<Roll>(std::in_place, kind, size, lines, start);
+    return std::optional<BallWorld>(std::in_place, kind, size, lines, start);
   } catch (const std::invalid_argument&) {
     return std::nullopt;
   }
 }
 
-Placed anyStart(SolidKind kind, std::int32_t size, RandomSource& random) {
+Placement anyStart(SolidKind kind, std::int32_t size, RandomSource& random) {
   const auto faces = static_cast<std::size_t>(PlatonicSolid::of(kind).faces());
   return {static_cast<std::uint32_t>(random.below(faces)),
           toPoint(random.vector(std::int64_t{size} * kSubunitsPerUnit / 4)),
           Angle(static_cast<std::int32_t>(random.between(0, Angle::kTurn - 1)))};
 }
 
-// Renumbering the faces of octahedron and icosahedron changes nothing at all, whatever is in the way.
-TEST(SolidLawsTest, NumbersOfFacesDoNotMatter) {
+// Some rotations of the octahedron and the icosahedron only renumber faces. They must not change the motion.
+TEST(SolidLawsTest, FaceNumbersDoNotMatter) {
   int renumberings = 0;
   std::int64_t crossings = 0;
   for (const SolidKind kind : {SolidKind::kOctahedron, SolidKind::kIcosahedron}) {
@@ -125,18 +125,18 @@ TEST(SolidLawsTest, NumbersOfFacesDoNotMatter) {
       forEachCase(200, [&](RandomSource& random) {
         const auto size = static_cast<std::int32_t>(random.between(kMinFaceSize, 300));
         const Lines lines = anyLines(kind, size, random);
-        const Placed start = anyStart(kind, size, random);
-        auto one = tryRoll(kind, size, lines, start);
+        const Placement start = anyStart(kind, size, random);
+        auto one = tryBallWorld(kind, size, lines, start);
         if (!one) return;
-        Roll two(kind, size, mapped(symmetry, lines), mapped(symmetry, start));
+        BallWorld two(kind, size, mapped(symmetry, lines), mapped(symmetry, start));
         for (int tick = 0; tick < kTicks; ++tick) {
           const Point velocity = toPoint(random.vector(std::int64_t{size} << random.between(0, 10)));
-          Stops stops;
+          ContactCounter contacts;
           one->ball().setVelocity(velocity);
           two.ball().setVelocity(velocity);
-          auto places = one->advance(stops);
-          for (Placed& placed : places) placed = mapped(symmetry, placed);
-          ASSERT_EQ(two.advance(stops), places) << nameOf(kind) << ", tick " << tick;
+          auto places = one->advance(contacts);
+          for (Placement& placement : places) placement = mapped(symmetry, placement);
+          ASSERT_EQ(two.advance(contacts), places) << nameOf(kind) << ", tick " << tick;
         }
         crossings += one->ball().state().crossings;
       });
@@ -146,17 +146,17 @@ TEST(SolidLawsTest, NumbersOfFacesDoNotMatter) {
   EXPECT_GE(crossings, 5000);
 }
 
-// No post is near enough to stop the ball or to nudge it.
-bool isClear(const Placed& placed, const std::vector<Point>& polygon) {
+// True if no post is near enough to stop or nudge the ball.
+bool isClear(const Placement& placement, const std::vector<Point>& polygon) {
   constexpr std::int64_t clearance = kPlayerRadius + 2 * kPostReach;
   for (const Point corner : polygon) {
-    if (squaredLength(placed.position - corner) < clearance * clearance) return false;
+    if (squaredLength(placement.position - corner) < clearance * clearance) return false;
   }
   return true;
 }
 
-// All 24 rotations of the hexahedron are exact on the lattice, and the ball's flight from face to face with them.
-TEST(SolidLawsTest, EverySideOfTheHexahedronIsAlike) {
+// All 24 rotations of the hexahedron are exact on the lattice.
+TEST(SolidLawsTest, RotationsOfTheHexahedronPreserveTheMotion) {
   constexpr SolidKind kind = SolidKind::kHexahedron;
   const std::vector<SolidSymmetry> symmetries = symmetriesOf(PlatonicSolid::of(kind));
   ASSERT_EQ(symmetries.size(), 24u);
@@ -166,19 +166,19 @@ TEST(SolidLawsTest, EverySideOfTheHexahedronIsAlike) {
     ASSERT_TRUE(symmetry.isExact());
     const auto size = static_cast<std::int32_t>(random.between(kMinFaceSize, 300));
     const std::vector<Point> polygon = facePolygon(kind, size);
-    const Placed start = anyStart(kind, size, random);
-    Roll one(kind, size, Lines(6), start);
-    Roll two(kind, size, Lines(6), mapped(symmetry, start));
+    const Placement start = anyStart(kind, size, random);
+    BallWorld one(kind, size, Lines(6), start);
+    BallWorld two(kind, size, Lines(6), mapped(symmetry, start));
     const Point velocity = toPoint(random.vector(std::int64_t{size} << random.between(4, 9)));
     one.ball().setVelocity(velocity);
     two.ball().setVelocity(rotate(velocity, symmetry.turn(start.face)));
-    Stops stops;
-    const auto clear = [&](const Placed& placed) { return stops.count == 0 && isClear(placed, polygon); };
+    ContactCounter contacts;
+    const auto clear = [&](const Placement& placement) { return contacts.count == 0 && isClear(placement, polygon); };
     for (int tick = 0; tick < kTicks; ++tick) {
-      auto places = one.advance(stops);
+      auto places = one.advance(contacts);
       if (!std::all_of(places.begin(), places.end(), clear)) break;
-      for (Placed& placed : places) placed = mapped(symmetry, placed);
-      ASSERT_EQ(two.advance(stops), places) << "tick " << tick;
+      for (Placement& placement : places) placement = mapped(symmetry, placement);
+      ASSERT_EQ(two.advance(contacts), places) << "tick " << tick;
     }
     crossings += one.ball().state().crossings;
   });

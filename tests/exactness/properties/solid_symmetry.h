@@ -16,21 +16,21 @@ namespace platon::properties {
 struct SolidSymmetry {
   struct Image {
     std::uint32_t face = 0;
-    int edge = 0;  ///< onto which edge 0 comes
+    int edge = 0;  ///< image of edge 0
   };
   std::vector<Image> images;  ///< by face
   int edgesPerFace = 0;
 
-  /// What is added to an angle in a face's frame to get it in the frame of the image.
+  /// Rotation from the frame of a face to the frame of its image.
   Angle turn(std::uint32_t face) const { return Angle(images[face].edge * (Angle::kTurn / edgesPerFace)); }
-  /// Whether it takes lattice points to lattice points: every frame turns by quarters.
+  /// True if it maps lattice points to lattice points: every frame rotates by quarter turns.
   bool isExact() const {
     for (std::uint32_t face = 0; face < images.size(); ++face) {
       if (turn(face).centidegrees() % (Angle::kTurn / 4) != 0) return false;
     }
     return true;
   }
-  /// Whether every frame stays as it is: faces change their numbers, nothing else.
+  /// True if it only changes the numbers of faces: no frame rotates.
   bool onlyRenumbers() const {
     for (const Image& image : images) {
       if (image.edge != 0) return false;
@@ -39,7 +39,7 @@ struct SolidSymmetry {
   }
 };
 
-/// The rotation that takes edge 0 of face 0 to this edge: one for each edge of each face.
+/// The rotation that maps edge 0 of face 0 to this edge.
 inline SolidSymmetry symmetryOf(const PlatonicSolid& solid, SolidSymmetry::Image firstImage) {
   const int edges = solid.edgesPerFace();
   SolidSymmetry symmetry{std::vector<SolidSymmetry::Image>(static_cast<std::size_t>(solid.faces())), edges};
@@ -63,7 +63,7 @@ inline SolidSymmetry symmetryOf(const PlatonicSolid& solid, SolidSymmetry::Image
   return symmetry;
 }
 
-/// All rotations of the solid, the identity among them.
+/// All rotations of the solid, including the identity: one for each edge of each face.
 inline std::vector<SolidSymmetry> symmetriesOf(const PlatonicSolid& solid) {
   std::vector<SolidSymmetry> all;
   for (std::uint32_t face = 0; face < static_cast<std::uint32_t>(solid.faces()); ++face) {

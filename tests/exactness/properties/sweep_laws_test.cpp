@@ -1,4 +1,4 @@
-// What must hold between different questions to the sweep, on queries made to be hard.
+// Laws that relate the answers to different sweep queries, on families of hard queries.
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 
@@ -31,7 +31,7 @@ SweepQuestion queryOf(const oracle::SweepFamily& family, RandomSource& random) {
           judge::toSegment(made.obstacle)};
 }
 
-// `check` with one query of every family per case.
+// Calls `check` with one query of every family per case.
 template <class Check>
 void forEachQuery(std::int64_t cases, Check&& check) {
   std::int64_t hits = 0;
@@ -59,7 +59,7 @@ void expectSameTimes(const std::optional<Hit>& hit, const std::optional<Hit>& ot
 
 bool inRange(Point point) { return isCoordinate(point.x) && isCoordinate(point.y); }
 
-TEST(SweepLawsTest, EveryTurnMirrorAndPlaceGivesTheSame) {
+TEST(SweepLawsTest, AnswersAreSymmetric) {
   forEachQuery(5000, [](const SweepQuestion& query, const std::optional<Hit>& hit, RandomSource& random) {
     LatticeMap map = anyMap(random, kCoordinateLimit / 2);
     const auto fits = [&] {
@@ -70,7 +70,7 @@ TEST(SweepLawsTest, EveryTurnMirrorAndPlaceGivesTheSame) {
                                map.line(query.line)};
     const std::optional<Hit> other = answer(mapped);
     expectSameTimes(hit, other);
-    // Which of two edges met at once is named depends on their order, which a mirror turns round.
+    // If two edges are hit at once, their order decides which is named. A mirror reverses that order.
     if (hit && other && !map.mirror) {
       EXPECT_EQ(other->normal, map.vector(hit->normal));
       EXPECT_EQ(other->side, hit->side);
@@ -78,7 +78,7 @@ TEST(SweepLawsTest, EveryTurnMirrorAndPlaceGivesTheSame) {
   });
 }
 
-TEST(SweepLawsTest, NeitherTheEndsOfTheLineNorTheFirstVertexMatter) {
+TEST(SweepLawsTest, SegmentDirectionAndFirstVertexDoNotMatter) {
   forEachQuery(5000, [](const SweepQuestion& query, const std::optional<Hit>& hit, RandomSource& random) {
     SweepQuestion other = query;
     std::swap(other.line.a, other.line.b);
@@ -89,7 +89,7 @@ TEST(SweepLawsTest, NeitherTheEndsOfTheLineNorTheFirstVertexMatter) {
   });
 }
 
-TEST(SweepLawsTest, GrowingNeverLosesAHitNorDelaysIt) {
+TEST(SweepLawsTest, GrowingNeitherLosesNorDelaysAHit) {
   forEachQuery(5000, [](const SweepQuestion& query, const std::optional<Hit>& hit, RandomSource& random) {
     std::optional<Hit> last = hit;
     for (std::int32_t grown = 0; grown < 64;) {
@@ -115,9 +115,8 @@ Point times(std::int64_t factor, Point vector) {
   return {static_cast<std::int32_t>(factor * vector.x), static_cast<std::int32_t>(factor * vector.y)};
 }
 
-// A displacement of many equal steps: as many as fit before the hit are free, one more meets the line at the same
-// place.
-TEST(SweepLawsTest, AllIsFreeBeforeTheHitAndMetAfterIt) {
+// A displacement of equal steps: those before the hit are free, and one more step hits the segment at the same place.
+TEST(SweepLawsTest, APartOfTheDisplacementHitsAtTheSamePlace) {
   forEachQuery(5000, [](const SweepQuestion& query, const std::optional<Hit>&, RandomSource& random) {
     const std::int64_t steps = random.between(1, 1000);
     SweepQuestion whole = query;

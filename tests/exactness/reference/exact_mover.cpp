@@ -10,14 +10,14 @@ namespace {
 
 using oracle::Vec;
 
-// Far more than a double is off by, far less than any scene.
+// More than the rounding errors of double, less than the size of any scene.
 constexpr double kMargin = 1;
 
 RationalVec rational(Vec v) { return {mpq_class(v.x), mpq_class(v.y)}; }
 
 mpq_class dot(const RationalVec& a, const RationalVec& b) { return a.x * b.x + a.y * b.y; }
 
-bool mayMeet(const oracle::Box& box, const RationalVec& from, const RationalVec& by) {
+bool mayHit(const oracle::Box& box, const RationalVec& from, const RationalVec& by) {
   const auto overlaps = [](double a, double step, std::int64_t low, std::int64_t high) {
     return std::min(a, a + step) - kMargin <= static_cast<double>(high) &&
            std::max(a, a + step) + kMargin >= static_cast<double>(low);
@@ -49,9 +49,9 @@ ExactMover::ExactMover(const ExactScene& scene)
   }
 }
 
-// The part of [0, 1) inside all sides.
-std::optional<ExactMover::Hit> ExactMover::meet(const Obstacle& obstacle, const RationalVec& from,
-                                                const RationalVec& by) {
+// Clips [0, 1) against all sides.
+std::optional<ExactMover::Hit> ExactMover::hitOf(const Obstacle& obstacle, const RationalVec& from,
+                                                 const RationalVec& by) {
   Hit hit{0, &obstacle, nullptr};
   mpq_class exit = 1;
   for (const Side& side : obstacle.sides) {
@@ -70,11 +70,11 @@ std::optional<ExactMover::Hit> ExactMover::meet(const Obstacle& obstacle, const 
   return hit.time < exit ? std::optional(hit) : std::nullopt;
 }
 
-std::optional<ExactMover::Hit> ExactMover::first(const RationalVec& by) const {
+std::optional<ExactMover::Hit> ExactMover::firstHit(const RationalVec& by) const {
   std::optional<Hit> best;
   for (const Obstacle& obstacle : obstacles_) {
-    if (!mayMeet(obstacle.box, position_, by)) continue;
-    const auto hit = meet(obstacle, position_, by);
+    if (!mayHit(obstacle.box, position_, by)) continue;
+    const auto hit = hitOf(obstacle, position_, by);
     if (hit && (!best || hit->time < best->time)) best = hit;
   }
   return best;
@@ -84,19 +84,19 @@ void ExactMover::advance(const mpq_class& time, const RationalVec& by) {
   position_.x += time * by.x;
   position_.y += time * by.y;
   ++legs_;
-  if (bits() > kMaxBits) throw std::runtime_error("the exact position has outgrown its bits");
+  if (bits() > kMaxBits) throw std::runtime_error("the exact position needs more than 2^16 bits");
 }
 
-RationalVec ExactMover::along(const Side& side, const RationalVec& rest) {
-  const mpq_class inwards = (side.x * rest.x + side.y * rest.y) / side.squaredLength;
-  return {rest.x - inwards * side.x, rest.y - inwards * side.y};
+RationalVec ExactMover::along(const Side& side, const RationalVec& remaining) {
+  const mpq_class inwards = (side.x * remaining.x + side.y * remaining.y) / side.squaredLength;
+  return {remaining.x - inwards * side.x, remaining.y - inwards * side.y};
 }
 
-ExactMover::Slide ExactMover::slide(const Side& side, const RationalVec& rest) const {
-  const RationalVec whole = along(side, rest);
+ExactMover::Slide ExactMover::slide(const Side& side, const RationalVec& remaining) const {
+  const RationalVec whole = along(side, remaining);
   const mpq_class length = dot(whole, whole);
   if (length == 0) return {whole, 1};
-  // Counter-clockwise round an obstacle its inside is to the left.
+  // The inside of an obstacle is to the left of its counter-clockwise sides.
   const bool forwards = whole.y * side.x - whole.x * side.y > 0;
   const RationalVec end = rational(forwards ? side.end : side.start);
   const mpq_class reach = dot({end.x - position_.x, end.y - position_.y}, whole) / length;
@@ -104,31 +104,33 @@ ExactMover::Slide ExactMover::slide(const Side& side, const RationalVec& rest) c
   return {{share * whole.x, share * whole.y}, share};
 }
 
-const ExactMover::Side* ExactMover::holding(const Hit& hit, const RationalVec& rest) const {
-  if (slide(*hit.side, rest).share != 0) return hit.side;
-  const RationalVec whole = along(*hit.side, rest);
+const ExactMover::Side* ExactMover::blockingSide(const Hit& hit, const RationalVec& remaining) const {
+  if (slide(*hit.side, remaining).share != 0) return hit.side;
+  const RationalVec whole = along(*hit.side, remaining);
   const bool forwards = whole.y * hit.side->x - whole.x * hit.side->y > 0;
   return &hit.obstacle->sides[forwards ? hit.side->after : hit.side->before];
 }
 
 void ExactMover::tick() {
-  RationalVec rest = velocity_;
-  const Side* stop = nullptr;  // what the mover slides along
+  RationalVec remaining = velocity_;
+  const Side* contact = nullptr;  // the side that the mover slides along
   for (;;) {
-    const Slide next = stop == nullptr ? Slide{rest, 1} : slide(*stop, rest);
-    const auto hit = first(next.way);
+    const Slide next = contact == nullptr ? Slide{remaining, 1} : slide(*contact, remaining);
+    const auto hit = firstHit(next.displacement);
     const mpq_class time = hit ? hit->time : 1;
-    advance(time, next.way);
-    const mpq_class left = 1 - time * next.share;
-    rest = {left * rest.x, left * rest.y};
-    if (left == 0 || (next.way.x == 0 && next.way.y == 0)) return;
+    advance(time, next.displacement);
+    const mpq_class unused = 1 - time * next.share;
+    remaining = {unused * remaining.x, unused * remaining.y};
+    if (unused == 0 || (next.displacement.x == 0 && next.displacement.y == 0)) return;
     if (!hit) {
-      stop = nullptr;
+      contact = nullptr;
       continue;
     }
-    const Side* met = holding(*hit, rest);
-    if (stop != nullptr && dot({mpq_class(stop->x), mpq_class(stop->y)}, along(*met, rest)) < 0 && time == 0) return;
-    stop = met;
+    const Side* blocking = blockingSide(*hit, remaining);
+    if (contact != nullptr && dot({mpq_class(contact->x), mpq_class(contact->y)}, along(*blocking, remaining)) < 0 &&
+        time == 0)
+      return;
+    contact = blocking;
   }
 }
 

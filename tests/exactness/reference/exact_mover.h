@@ -16,36 +16,37 @@ struct RationalVec {
   mpq_class y;
 };
 
-/// Follows the ideal trajectory of a scene's mover: it goes straight to the exact point of contact; from there the part
-/// of what it wants that leads along the edge entered takes it on, to the next contact or to the end of that edge,
-/// where it is as free as before. All numbers are rationals and none is ever rounded, so that the error is zero. Shares
-/// nothing with the world that it judges.
+/// Computes the ideal trajectory of a scene's mover. The mover moves straight to the exact contact, then slides: the
+/// projection of the remaining displacement onto the edge moves it to the next contact or to the end of the edge, after
+/// which it moves freely. All numbers are rationals and nothing is rounded, so the error is zero. Shares no code with
+/// the simulation.
 ///
-/// A displacement ends early where the mover is wedged: where the edge met next sends it back to the one that it slides
-/// along. Through a corner of an obstacle the side along the line is entered, as the sweep has it.
+/// The motion of a tick ends early if the mover is wedged: sliding along either of two edges leads into the other. A
+/// path through a corner of an obstacle enters the side parallel to the segment, like `Sweep`.
 class ExactMover {
  public:
-  /// Rationals grow with every new edge: a position that needs more bits than this is given up.
+  /// Largest number of bits of a coordinate. Rationals grow with every edge; a longer one is an error.
   static constexpr std::size_t kMaxBits = std::size_t{1} << 16;
 
   explicit ExactMover(const ExactScene& scene);
 
-  /// Moves by one tick. Throws std::runtime_error when the numbers outgrow kMaxBits.
+  /// Moves by one tick. Throws std::runtime_error if a coordinate needs more than kMaxBits, or if the mover starts
+  /// inside an obstacle.
   void tick();
 
   const RationalVec& position() const { return position_; }
-  /// Straight pieces of the way so far, those of length zero included.
+  /// Number of legs so far, including those of length zero.
   std::size_t legs() const { return legs_; }
   /// Bits of the largest numerator or denominator of the position.
   std::size_t bits() const;
 
  private:
-  /// outward . p < bound inside the obstacle; from `start` to `end` counter-clockwise.
+  /// A side of an obstacle: (x, y) . p < bound inside. `start` and `end` are in counter-clockwise order.
   struct Side {
     mpz_class x, y, bound, squaredLength;
     oracle::Vec start, end;
     bool alongLine;
-    std::size_t before, after;  // the neighbours, by index
+    std::size_t before, after;  // indices of the adjacent sides
   };
   struct Obstacle {
     std::vector<Side> sides;
@@ -56,18 +57,18 @@ class ExactMover {
     const Obstacle* obstacle;
     const Side* side;
   };
-  /// Along a side, as far as it goes; `share` of what is left of the displacement takes it there.
+  /// A slide along a side up to its end. It uses `share` of the remaining displacement.
   struct Slide {
-    RationalVec way;
+    RationalVec displacement;
     mpq_class share;
   };
 
-  static std::optional<Hit> meet(const Obstacle& obstacle, const RationalVec& from, const RationalVec& by);
-  std::optional<Hit> first(const RationalVec& by) const;
-  static RationalVec along(const Side& side, const RationalVec& rest);
-  Slide slide(const Side& side, const RationalVec& rest) const;
-  /// At the end of a side, the next one where that holds the mover, too.
-  const Side* holding(const Hit& hit, const RationalVec& rest) const;
+  static std::optional<Hit> hitOf(const Obstacle& obstacle, const RationalVec& from, const RationalVec& by);
+  std::optional<Hit> firstHit(const RationalVec& by) const;
+  static RationalVec along(const Side& side, const RationalVec& remaining);
+  Slide slide(const Side& side, const RationalVec& remaining) const;
+  /// The side that blocks the mover: the side hit, or the adjacent one if the mover is already at the end of that side.
+  const Side* blockingSide(const Hit& hit, const RationalVec& remaining) const;
   void advance(const mpq_class& time, const RationalVec& by);
 
   std::vector<Obstacle> obstacles_;

@@ -13,11 +13,11 @@ using oracle::Vec;
 std::vector<Vec> vectorsOf(std::istringstream& words) {
   std::vector<std::int64_t> numbers;
   for (std::int64_t number = 0; words >> number;) {
-    if (std::abs(number) >= kSceneLimit) throw std::runtime_error("a number of 2^20 or more");
+    if (std::abs(number) >= kSceneLimit) throw std::runtime_error("numbers must be below 2^20");
     numbers.push_back(number);
   }
-  if (!words.eof()) throw std::runtime_error("something that is no whole number");
-  if (numbers.size() % 2 != 0) throw std::runtime_error("half a pair of numbers");
+  if (!words.eof()) throw std::runtime_error("not a whole number");
+  if (numbers.size() % 2 != 0) throw std::runtime_error("odd number of coordinates");
   std::vector<Vec> vectors;
   for (std::size_t i = 0; i < numbers.size(); i += 2) vectors.push_back({numbers[i], numbers[i + 1]});
   return vectors;
@@ -37,7 +37,7 @@ void take(ExactScene& scene, const std::string& line) {
   } else if (name == "velocity" && vectors.size() == 1) {
     scene.velocity = vectors[0];
   } else {
-    throw std::runtime_error("no line of a scene: " + line);
+    throw std::runtime_error("not a line of a scene: " + line);
   }
 }
 

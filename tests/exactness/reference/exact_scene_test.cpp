@@ -10,7 +10,7 @@ namespace {
 
 constexpr const char* kScene = "# a comment\nshape 0 0 4 0 0 3\n\nline -5 -6 7 8\nentity 1 2\nvelocity -3 4\n";
 
-TEST(ExactSceneTest, ReadsEveryWord) {
+TEST(ExactSceneTest, ReadsEveryKeyword) {
   const ExactScene scene = readScene(kScene);
   EXPECT_EQ(scene.shape, (oracle::Polygon{{0, 0}, {4, 0}, {0, 3}}));
   EXPECT_EQ(scene.lines, (std::vector<oracle::Segment>{{{-5, -6}, {7, 8}}}));
@@ -26,7 +26,7 @@ TEST(ExactSceneTest, ScalesEverything) {
   EXPECT_EQ(scene.velocity, (oracle::Vec{-192, 256}));
 }
 
-TEST(ExactSceneTest, NamesTheLineOfAFault) {
+TEST(ExactSceneTest, ErrorsNameTheirLine) {
   const auto faultOf = [](const std::string& text) {
     try {
       readScene(text);
@@ -36,11 +36,11 @@ TEST(ExactSceneTest, NamesTheLineOfAFault) {
     return std::string();
   };
   const std::string shape = "shape 0 0 4 0 0 3\n";
-  EXPECT_EQ(faultOf(shape + "line 1 2 3\n"), "line 2: half a pair of numbers");
-  EXPECT_EQ(faultOf(shape + "line 1 2 3 x\n"), "line 2: something that is no whole number");
-  EXPECT_EQ(faultOf(shape + "entity 1048576 0\n"), "line 2: a number of 2^20 or more");
-  EXPECT_EQ(faultOf(shape + "\nsegment 1 2 3 4\n"), "line 3: no line of a scene: segment 1 2 3 4");
-  EXPECT_EQ(faultOf("shape 0 0 0 3 4 0\n"), "line 1: no line of a scene: shape 0 0 0 3 4 0");
+  EXPECT_EQ(faultOf(shape + "line 1 2 3\n"), "line 2: odd number of coordinates");
+  EXPECT_EQ(faultOf(shape + "line 1 2 3 x\n"), "line 2: not a whole number");
+  EXPECT_EQ(faultOf(shape + "entity 1048576 0\n"), "line 2: numbers must be below 2^20");
+  EXPECT_EQ(faultOf(shape + "\nsegment 1 2 3 4\n"), "line 3: not a line of a scene: segment 1 2 3 4");
+  EXPECT_EQ(faultOf("shape 0 0 0 3 4 0\n"), "line 1: not a line of a scene: shape 0 0 0 3 4 0");
   EXPECT_EQ(faultOf("entity 0 0\n"), "the scene has no shape");
 }
 

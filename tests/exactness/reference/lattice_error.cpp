@@ -23,7 +23,7 @@ Convex toConvex(const oracle::Polygon& polygon) {
   return Convex(std::move(points));
 }
 
-/// The world's mover at one resolution.
+/// The simulated mover at one resolution.
 class LatticeMover : public StepObserver {
  public:
   LatticeMover(const ExactScene& scene, std::int64_t resolution)
@@ -39,19 +39,19 @@ class LatticeMover : public StepObserver {
 
   void tick(const RationalVec& ideal) {
     Entity(world_, 0).setVelocity(velocity_);
-    legs_ -= 1;  // the first report of a step is where it starts
+    legs_ -= 1;  // the observer is also called at the start of the step
     world_.solve(this);
     const Point at = world_.entities()[0].position;
     const mpq_class dx = at.x - ideal.x * factor_;
     const mpq_class dy = at.y - ideal.y * factor_;
     distance_ = std::hypot(dx.get_d(), dy.get_d());
-    most_ = std::max(most_, distance_);
+    max_ = std::max(max_, distance_);
   }
 
   void leg(std::uint32_t, std::span<const InstanceView>) override { ++legs_; }
 
   LatticeError report(const std::string& scene, std::int64_t ticks) const {
-    return {scene, resolution_, ticks, legs_, distance_, most_};
+    return {scene, resolution_, ticks, legs_, distance_, max_};
   }
 
  private:
@@ -61,7 +61,7 @@ class LatticeMover : public StepObserver {
   std::int64_t factor_;
   std::int64_t legs_ = 0;
   double distance_ = 0;
-  double most_ = 0;
+  double max_ = 0;
 };
 
 }  // namespace

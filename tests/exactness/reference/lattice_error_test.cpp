@@ -11,13 +11,13 @@ namespace {
 constexpr auto kResolutions = std::to_array<std::int64_t>({1 << 4, 1 << 8, 1 << 10, 1 << 12, 1 << 16});
 constexpr auto kTicks = std::to_array<std::int64_t>({1, 60, 600, 3600});
 
-/// A leg cuts its displacement to whole subunits and rounds to the outer side: less than a subunit along each axis,
-/// another one or two outwards, of which the next leg takes back what is too much.
+/// A leg cuts its displacement to whole subunits, which loses less than one along each axis, and rounds away from the
+/// segment by one or two, which the next leg corrects.
 constexpr double kSubunitsPerLeg = 2;
 
 class LatticeErrorTest : public testing::Test {
  protected:
-  /// None of these scenes lets trajectories part that were close: level and slanted ground, hollows and gentle waves.
+  /// The scenes have level and slanted floors, hollows and gentle waves, on which nearby trajectories stay together.
   static const std::map<std::string, std::vector<LatticeError>>& errors() {
     static const auto measured = [] {
       std::map<std::string, std::vector<LatticeError>> all;
@@ -30,12 +30,12 @@ class LatticeErrorTest : public testing::Test {
     for (const LatticeError& row : rows) {
       if (row.subunitsPerUnit == resolution && row.ticks == kTicks.back()) return row.units();
     }
-    ADD_FAILURE() << "nothing measured at " << resolution;
+    ADD_FAILURE() << "no measurement at " << resolution;
     return 0;
   }
 };
 
-TEST_F(LatticeErrorTest, ThereAreScenesOfEveryKind) {
+TEST_F(LatticeErrorTest, EverySceneIsMeasured) {
   for (const char* name : {"bowl", "ceiling", "channel", "downhill", "floor", "uphill", "waves"}) {
     EXPECT_TRUE(errors().contains(name)) << name;
   }
@@ -45,14 +45,14 @@ TEST_F(LatticeErrorTest, NeverExceedsTwoSubunitsPerLeg) {
   for (const auto& [name, rows] : errors()) {
     ASSERT_EQ(rows.size(), kResolutions.size() * kTicks.size());
     for (const LatticeError& row : rows) {
-      EXPECT_LE(row.mostSubunits, kSubunitsPerLeg * static_cast<double>(row.legs))
+      EXPECT_LE(row.maxSubunits, kSubunitsPerLeg * static_cast<double>(row.legs))
           << name << " at " << row.subunitsPerUnit << " after " << row.ticks;
     }
   }
 }
 
-/// With the law above: the error grows no faster than linearly in time.
-TEST_F(LatticeErrorTest, LegsAreFew) {
+/// With NeverExceedsTwoSubunitsPerLeg: the error grows at most linearly in time.
+TEST_F(LatticeErrorTest, TicksHaveAtMostThreeLegs) {
   for (const auto& [name, rows] : errors()) {
     for (const LatticeError& row : rows) {
       EXPECT_LE(row.legs, 3 * row.ticks) << name << " at " << row.subunitsPerUnit;
@@ -60,7 +60,7 @@ TEST_F(LatticeErrorTest, LegsAreFew) {
   }
 }
 
-TEST_F(LatticeErrorTest, TheFirstTickTouchesTheGroundInEveryScene) {
+TEST_F(LatticeErrorTest, TheFirstTickHasAContactInEveryScene) {
   for (const auto& [name, rows] : errors()) {
     for (const LatticeError& row : rows) {
       if (row.ticks != 1) continue;
@@ -69,7 +69,7 @@ TEST_F(LatticeErrorTest, TheFirstTickTouchesTheGroundInEveryScene) {
   }
 }
 
-/// 4096 times as fine is 4096 times as good, give or take a factor of 16 by which roundings happen to cancel.
+/// At a resolution 4096 times as fine the error is 4096 times as small, up to a factor of 16.
 TEST_F(LatticeErrorTest, ShrinksInProportionToTheResolution) {
   for (const auto& [name, rows] : errors()) {
     const double coarse = unitsAt(rows, kResolutions.front());
@@ -78,19 +78,19 @@ TEST_F(LatticeErrorTest, ShrinksInProportionToTheResolution) {
   }
 }
 
-/// Where two slopes hold it, wherever it came from. In the coarsest lattice it stops before that, when the slide of a
-/// tick is less than a subunit.
-TEST_F(LatticeErrorTest, IsForgottenWhereTheMoverComesToRest) {
+/// The mover rests between two slopes, whatever its path was. At the coarsest resolution it stops earlier, because the
+/// slide of a tick is less than one subunit.
+TEST_F(LatticeErrorTest, IsSmallWhereTheMoverRests) {
   constexpr double restSubunits = 12;
   for (const LatticeError& row : errors().at("bowl")) {
     if (row.ticks != kTicks.back() || row.subunitsPerUnit == kResolutions.front()) continue;
     EXPECT_LE(row.subunits, restSubunits) << row.subunitsPerUnit;
-    EXPECT_GT(row.mostSubunits, restSubunits) << "the way there was too short, at " << row.subunitsPerUnit;
+    EXPECT_GT(row.maxSubunits, restSubunits) << "no larger error before the rest, at " << row.subunitsPerUnit;
   }
 }
 
-TEST_F(LatticeErrorTest, IsNothingWhereNothingIsRounded) {
-  for (const LatticeError& row : errors().at("floor")) EXPECT_EQ(row.mostSubunits, 0) << row.subunitsPerUnit;
+TEST_F(LatticeErrorTest, IsZeroWithoutRounding) {
+  for (const LatticeError& row : errors().at("floor")) EXPECT_EQ(row.maxSubunits, 0) << row.subunitsPerUnit;
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// platon-reference: how far the world's movers are from the ideal trajectory, for every scene of the reference.
+// platon-reference: prints the distance of the simulated mover from the ideal one, for every scene of the reference.
 #include <array>
 #include <cstdio>
 #include <cstring>
@@ -20,12 +20,12 @@ void print(const LatticeError& error, bool json, bool first) {
   if (json && !first) std::printf(",\n");
   std::printf(layout, error.scene.c_str(), static_cast<long long>(error.subunitsPerUnit),
               static_cast<long long>(error.ticks), static_cast<long long>(error.legs), error.subunits,
-              error.mostSubunits, error.units());
+              error.maxSubunits, error.units());
 }
 
 void printAll(bool json) {
   std::printf(json ? "{\"trajectories\":[" : "%-12s %6s %6s %7s %10s %10s %12s\n", "scene", "per u", "ticks", "legs",
-              "subunits", "most", "units");
+              "subunits", "max", "units");
   bool first = true;
   for (const auto& [name, scene] : platon::reference::allScenes()) {
     for (const LatticeError& error : latticeErrors(name, scene, kResolutions, kTicks)) {

@@ -123,16 +123,16 @@ class Aimer {
   }
 
   void throughCorner(Vec step) {
-    const std::int64_t most = stepsWithin(family_.scale, step);
-    const std::int64_t ahead = random_.between(0, most / 2);
-    set(start_ - ahead * step + jitter(random_), random_.between(ahead / 2, most) * step + jitter(random_));
+    const std::int64_t maxSteps = stepsWithin(family_.scale, step);
+    const std::int64_t ahead = random_.between(0, maxSteps / 2);
+    set(start_ - ahead * step + jitter(random_), random_.between(ahead / 2, maxSteps) * step + jitter(random_));
   }
 
   void alongEdge() {
     const Vec step = random_.oneIn(2) ? primitive(along_) : -primitive(along_);
-    const std::int64_t most = stepsWithin(family_.scale, step);
-    const Vec from = start_ + random_.between(-most / 2, most / 2) * step;
-    set(from + jitter(random_), random_.between(0, most) * step + (random_.oneIn(4) ? random_.vector(1) : Vec{}));
+    const std::int64_t maxSteps = stepsWithin(family_.scale, step);
+    const Vec from = start_ + random_.between(-maxSteps / 2, maxSteps / 2) * step;
+    set(from + jitter(random_), random_.between(0, maxSteps) * step + (random_.oneIn(4) ? random_.vector(1) : Vec{}));
   }
 
   void almostAlong() {
