@@ -1,4 +1,4 @@
-"""What the network code has to hold, and whether a run holds it. The one place with these numbers."""
+"""The limits of the network code, and whether a run keeps them. The only place with these numbers."""
 
 from dataclasses import dataclass
 from typing import Callable
@@ -8,20 +8,20 @@ TICK_MS = 1000 / 60
 
 @dataclass(frozen=True)
 class Gate:
-    """Of every cell that `applies` says, `key` is at most `most`, a number or a function of the cell. `timing`: depends on
-    how fast the machine is and what else it does."""
+    """In every cell for which `applies` is true, `key` is at most `max`, a number or a function of the cell. `timing`: the
+    value depends on the speed and the load of the machine."""
 
     what: str
     aim: str
     key: str
-    most: float | Callable
+    max: float | Callable
     applies: Callable = lambda cell: True
     timing: bool = False
     shown: str = "{:.4g}"
     scale: float = 1
 
     def limit(self, cell):
-        return self.most(cell) if callable(self.most) else self.most
+        return self.max(cell) if callable(self.max) else self.max
 
     def text(self, value):
         return self.shown.format(value * self.scale)
@@ -32,7 +32,7 @@ class Verdict:
     gate: Gate
     value: float
     limit: float
-    cell: object   # None: a server without players
+    cell: object   # None for a server without players
 
     @property
     def holds(self):
@@ -44,9 +44,8 @@ class Verdict:
         return f"{self.gate.what}: {self.gate.text(self.value)}, above {self.gate.text(self.limit)} ({place})"
 
 
-def most_to_connect(cell):
-    """Milliseconds. Three round trips of the line at its slowest, which are connection, greeting and first inputs, and two
-    ticks."""
+def max_connect_ms(cell):
+    """Three of the longest round trips, for connection, greeting and first inputs, and two ticks; milliseconds."""
     return 3 * 2 * (cell.delay + cell.jitter) + 2 * TICK_MS
 
 
@@ -72,44 +71,44 @@ GATES = (
          applies=lambda cell: cell.loss <= 10, timing=True, **PER_CENT),
     Gate("own ticks mispredicted, delay 50 ms, loss 2 %, jitter ≤ 20 ms", "≤ 0.5 %", "mispredictedPer1000Ticks", 5,
          applies=lambda cell: (cell.loss, cell.delay) == (2, 50) and cell.jitter <= 20, timing=True, **PER_CENT),
-    Gate("games that were not the server's", "0", "hashMismatches", 0, shown="{:g}"),
-    Gate("full states after the first ticks, a player", "0", "resyncs", 0, shown="{:.2g}"),
-    Gate("lost the connection and came back, loss ≤ 10 %", "0", "resumes", 0, shown="{:.2g}",
+    Gate("desyncs", "0", "hashMismatches", 0, shown="{:g}"),
+    Gate("resyncs, a player", "0", "resyncs", 0, shown="{:.2g}"),
+    Gate("disconnected and resumed, loss ≤ 10 %", "0", "returns", 0, shown="{:.2g}",
          applies=lambda cell: cell.loss <= 10),
-    Gate("bots that could not join or fell out", "0", "failed", 0, shown="{}"),
-    Gate("rounds that ended while it was measured", "0", "roundOver", 0, shown="{}"),
-    Gate("to join, perfect line", "≤ 300 ms", "connectMs", 300, timing=True, shown="{:.0f} ms",
+    Gate("bots that failed to join or to stay", "0", "failed", 0, shown="{}"),
+    Gate("rounds that ended during the measurement", "0", "roundOver", 0, shown="{}"),
+    Gate("to join, perfect network", "≤ 300 ms", "connectMs", 300, timing=True, shown="{:.0f} ms",
          applies=perfect),
-    Gate("to join, other lines without loss", "≤ 6 × (delay + jitter) + 2 ticks", "connectMs", most_to_connect,
+    Gate("to join, other conditions without loss", "≤ 6 × (delay + jitter) + 2 ticks", "connectMs", max_connect_ms,
          timing=True, shown="{:.0f} ms", applies=lambda cell: cell.loss == 0 and not perfect(cell)),
     Gate("server, 16 players", "≤ 1 % of a core", "cpuPercent", 1, applies=_players(16), **CORE),
     Gate("server, 64 players", "≤ 4 % of a core", "cpuPercent", 4, applies=_players(64), **CORE),
     Gate("server, 256 players", "≤ 20 % of a core", "cpuPercent", 20, applies=_players(256), **CORE),
     Gate("a tick of 256 players, 99th percentile", "≤ 4 ms", "p99Us", 4000, applies=_players(256), timing=True,
          shown="{:.2f} ms", scale=0.001),
-    Gate("server's memory", "≤ 16 MB", "memoryBytes", 16e6, timing=True, shown="{:.1f} MB", scale=1e-6),
+    Gate("memory of the server", "≤ 16 MB", "memoryBytes", 16e6, timing=True, shown="{:.1f} MB", scale=1e-6),
 )  # fmt: skip
 
 WITHOUT_PLAYERS = (
-    Gate("a server that nobody has joined", "≤ 0.1 % of a core", "idlePercent", 0.1, **IDLE),
-    Gate("a server that all have left", "≤ 0.1 % of a core", "leftPercent", 0.1, **IDLE),
-    Gate("from the start until it listens, median", "≤ 20 ms", "startMs", 20, timing=True, shown="{:.1f} ms"),
+    Gate("idle server, never joined", "≤ 0.1 % of a core", "idlePercent", 0.1, **IDLE),
+    Gate("idle server, all players gone", "≤ 0.1 % of a core", "leftPercent", 0.1, **IDLE),
+    Gate("start until it listens, median", "≤ 20 ms", "startMs", 20, timing=True, shown="{:.1f} ms"),
 )
 
 
 def verdicts(gate, results):
-    """Of one gate, cell by cell."""
+    """A verdict for each cell to which the gate applies."""
     return [Verdict(gate, result[gate.key], gate.limit(result["cell"]), result["cell"])
             for result in results if gate.applies(result["cell"])]  # fmt: skip
 
 
 def worst(found):
-    """The one that is farthest above its limit, or nearest to it."""
+    """The verdict farthest above its limit, or nearest to it."""
     return max(found, key=lambda verdict: (not verdict.holds, verdict.value / (verdict.limit or 1)))
 
 
 def judge(results, without_players, timings):
-    """(gate, all its verdicts) of those that say something of this run."""
+    """Yields (gate, its verdicts) for every gate that applies to this run."""
     for gate in GATES:
         found = verdicts(gate, results)
         if found and (timings or not gate.timing):

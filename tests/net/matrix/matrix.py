@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Measures the network code: real servers and bots, over loopback, on simulated lines.
+"""Measures the network code with real servers and bots over loopback, under simulated network conditions.
 
-usage: matrix.py ROOT (--write | --quick | --corners). The programs are those in the folder that PLATON_BIN names.
---write runs everything and writes the tables into docs/netcode.md; --quick prints a shorter run; --corners runs a few
-short cells and checks only what does not depend on the machine. Exit code 1 when a gate does not hold, a line each.
+usage: matrix.py ROOT (--write | --quick | --corners). PLATON_BIN names the folder of the programs. --write runs
+all cells and writes the tables of docs/netcode.md; --quick prints a shorter run; --corners runs a few short cells and
+checks only what does not depend on the speed of the machine. Prints every limit that is exceeded; exit 1 if there is one.
 """
 
 import os
@@ -27,7 +27,7 @@ def say(line):
 
 def run(root, mode, programs):
     page = root / "docs/netcode.md"
-    with_part(page.read_text(encoding="utf-8"), "")   # no run is made for nothing
+    with_part(page.read_text(encoding="utf-8"), "")  # fails before the run, not after it
     together, alone, without_players = Runner(programs, root / LEVEL, say).plan(PLANS[mode])
     judged = list(judge(together + alone, without_players, timings=mode != "--corners"))
     if mode == "--write":
@@ -46,7 +46,7 @@ def main(arguments):
     except Failure as failure:
         failed = [str(failure)]
     for line in failed:
-        print(f"does not hold: {line}")
+        print(f"exceeded: {line}")
     return 1 if failed else 0
 
 

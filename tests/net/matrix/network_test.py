@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Feeds the gates numbers that hold and numbers that do not, and the page its parts."""
+"""Tests the limits, the cells, repeated attempts and the written page, without servers and bots."""
 
 import unittest
 
 import measured
 import page
 from cells import CORNERS, FULL, QUICK, Cell
-from gates import GATES, WITHOUT_PLAYERS, failures, judge, most_to_connect, worst
+from gates import GATES, WITHOUT_PLAYERS, failures, judge, max_connect_ms, worst
 from run_cells import Runner, combined
 
 GOOD = {
@@ -14,7 +14,7 @@ GOOD = {
     "correctionsPer1000Ticks": 0, "maxCorrectionSubunits": 1024, "mispredictedPer1000Ticks": 0,
     "missedInputsPer1000Ticks": 0, "hashMismatches": 0, "resyncs": 0, "resumes": 0, "longestDatagramBytes": 1180,
     "cpuPercent": 0.5, "memoryBytes": 9e6, "p50Us": 100, "p99Us": 300, "longestUs": 900, "ticks": 1500, "roundOver": 0,
-    "waitPercent": 1, "said": "",
+    "waitPercent": 1, "errors": "",
 }  # fmt: skip
 EMPTY = {"startMs": 9, "starts": 9, "atOnce": 6, "idlePercent": 0.02, "leftPercent": 0.03}
 
@@ -23,57 +23,57 @@ def result(cell, **changes):
     return GOOD | {"cell": cell} | changes
 
 
-def lines(cell, empty=None, timings=True, **changes):
+def exceeded(cell, empty=None, timings=True, **changes):
     return failures(judge([result(cell, **changes)], empty or EMPTY, timings))
 
 
 class Gates(unittest.TestCase):
     def assert_just_fails(self, cell, key, most, step=0.001, timings=True):
-        self.assertEqual(lines(cell, timings=timings, **{key: most}), [], key)
-        found = lines(cell, timings=timings, **{key: most + step})
+        self.assertEqual(exceeded(cell, timings=timings, **{key: most}), [], key)
+        found = exceeded(cell, timings=timings, **{key: most + step})
         self.assertEqual(len(found), 1, f"{key}: {found}")
         self.assertIn(cell.name, found[0])
 
-    def test_each_where_it_applies(self):
-        line = Cell()
-        self.assert_just_fails(line, "downBytesPerSecond", 3000)
+    def test_each_limit_in_cells_to_which_it_applies(self):
+        cell = Cell()
+        self.assert_just_fails(cell, "downBytesPerSecond", 3000)
         self.assert_just_fails(Cell(players=64), "downBytesPerSecond", 6000)
-        self.assert_just_fails(line, "upBytesPerSecond", 1500)
-        self.assert_just_fails(line, "longestDatagramBytes", 1200, 1)
+        self.assert_just_fails(cell, "upBytesPerSecond", 1500)
+        self.assert_just_fails(cell, "longestDatagramBytes", 1200, 1)
         self.assert_just_fails(Cell(10, 200, 100), "missedInputsPer1000Ticks", 1)
         self.assert_just_fails(Cell(2, 50, 20), "mispredictedPer1000Ticks", 5)
         for key in ("hashMismatches", "resyncs", "failed", "roundOver"):
             self.assert_just_fails(Cell(20, 200, 100), key, 0, 1)
-        self.assert_just_fails(line, "connectMs", 300)
-        self.assert_just_fails(line, "cpuPercent", 1)
+        self.assert_just_fails(cell, "connectMs", 300)
+        self.assert_just_fails(cell, "cpuPercent", 1)
         self.assert_just_fails(Cell(players=64), "cpuPercent", 4)
         self.assert_just_fails(Cell(players=256), "cpuPercent", 20)
         self.assert_just_fails(Cell(players=256), "p99Us", 4000, 1)
-        self.assert_just_fails(line, "memoryBytes", 16e6, 1)
+        self.assert_just_fails(cell, "memoryBytes", 16e6, 1)
 
-    def test_none_elsewhere(self):
-        self.assertEqual(lines(Cell(20), missedInputsPer1000Ticks=500, connectMs=9000), [])
-        self.assertEqual(lines(Cell(2, 50, 100), mispredictedPer1000Ticks=100), [])
-        self.assertEqual(lines(Cell(players=256), downBytesPerSecond=9000), [])
+    def test_limits_are_ignored_in_other_cells(self):
+        self.assertEqual(exceeded(Cell(20), missedInputsPer1000Ticks=500, connectMs=9000), [])
+        self.assertEqual(exceeded(Cell(2, 50, 100), mispredictedPer1000Ticks=100), [])
+        self.assertEqual(exceeded(Cell(players=256), downBytesPerSecond=9000), [])
 
-    def test_joining_is_given_three_round_trips(self):
+    def test_joining_may_take_three_round_trips(self):
         slow = Cell(0, 50, 20)
-        self.assertAlmostEqual(most_to_connect(slow), 420 + 2000 / 60)
-        self.assert_just_fails(slow, "connectMs", most_to_connect(slow))
+        self.assertAlmostEqual(max_connect_ms(slow), 420 + 2000 / 60)
+        self.assert_just_fails(slow, "connectMs", max_connect_ms(slow))
 
-    def test_the_worst_is_told(self):
+    def test_the_worst_verdict(self):
         results = [result(Cell(failed), failed=failed) for failed in (0, 1, 3, 2)]
         found = next(found for gate, found in judge(results, EMPTY, True) if gate.key == "failed")
         self.assertEqual(worst(found).value, 3)
 
     def test_servers_without_players(self):
         for key, most in (("idlePercent", 0.1), ("leftPercent", 0.1), ("startMs", 20)):
-            self.assertEqual(lines(Cell(), EMPTY | {key: most}), [])
-            self.assertEqual(len(lines(Cell(), EMPTY | {key: most + 0.01})), 1, key)
+            self.assertEqual(exceeded(Cell(), EMPTY | {key: most}), [])
+            self.assertEqual(len(exceeded(Cell(), EMPTY | {key: most + 0.01})), 1, key)
 
-    def test_timings_only_when_asked(self):
+    def test_timings_are_judged_only_on_request(self):
         slow = {"connectMs": 9000, "cpuPercent": 90, "p99Us": 90000, "memoryBytes": 1e9, "mispredictedPer1000Ticks": 900}
-        self.assertEqual(lines(Cell(2, 50, 0), EMPTY | {"startMs": 900}, timings=False, **slow), [])
+        self.assertEqual(exceeded(Cell(2, 50, 0), EMPTY | {"startMs": 900}, timings=False, **slow), [])
         self.assert_just_fails(Cell(), "downBytesPerSecond", 3000, timings=False)
 
     def test_the_full_run_has_a_cell_for_every_gate(self):
@@ -85,9 +85,9 @@ class Gates(unittest.TestCase):
 
 
 class Cells(unittest.TestCase):
-    def test_options_of_the_line(self):
-        self.assertEqual(Cell(2, 0, 20).line_options, ["--loss", "2", "--jitter", "20"])
-        self.assertEqual(Cell().line_options, [])
+    def test_options_of_the_conditions(self):
+        self.assertEqual(Cell(2, 0, 20).condition_options, ["--loss", "2", "--jitter", "20"])
+        self.assertEqual(Cell().condition_options, [])
 
     def test_processes(self):
         self.assertEqual(Cell(players=64, hollow=56).groups, [(56, True), (8, False)])
@@ -98,9 +98,9 @@ class Cells(unittest.TestCase):
         for plan in (FULL, QUICK, CORNERS):
             for cell in plan.together + plan.alone:
                 self.assertGreater(cell.seconds, cell.settle + 3)
-                self.assertGreater(cell.players, cell.hollow, "somebody has to tell what it is like")
+                self.assertGreater(cell.players, cell.hollow, "no bot simulates the game")
 
-    def test_bots_with_and_without_the_game_together(self):
+    def test_hollow_and_playing_bots_are_combined(self):
         hollow = GOOD | {"connected": 48, "hashMismatches": None, "resyncs": None, "downBytesPerSecond": 100, "failed": 1,
                          "longestDatagramBytes": 1199, "missedInputsPer1000Ticks": None}  # fmt: skip
         found = combined([hollow, GOOD | {"failed": 2, "missedInputsPer1000Ticks": 0.5}])
@@ -108,14 +108,14 @@ class Cells(unittest.TestCase):
         self.assertEqual(found["downBytesPerSecond"], (48 * 100 + 16 * 1700) / 64)
         self.assertEqual((found["missedInputsPer1000Ticks"], found["hashMismatches"]), (0.5, 0))
 
-    def test_nobody_got_in(self):
+    def test_no_bot_connected(self):
         found = combined([GOOD | {"connected": 0, "failed": 16}])
         self.assertEqual((found["failed"], found["downBytesPerSecond"]), (16, 0))
 
 
 class Attempts(unittest.TestCase):
     def waits_of(self, *waits):
-        """Of the result, and how often the cell was run."""
+        """(wait of the result, number of runs)"""
         left = list(waits)
         runner = Runner(None, None, lambda line: None)
         runner._try = lambda cell: result(cell, waitPercent=left.pop(0))
@@ -133,17 +133,17 @@ class Page(unittest.TestCase):
         together = [result(FULL.together[0]), result(FULL.together[1], **changes)]
         return measured.section(together, alone, EMPTY, list(judge(together + alone, EMPTY, True)))
 
-    def test_says_that_all_holds_only_when_it_does(self):
-        self.assertIn("aims hold.", self.section())
+    def test_claims_success_only_without_failures(self):
+        self.assertIn("limits are kept.", self.section())
         self.assertNotIn("**no**", self.section())
         text = self.section(upBytesPerSecond=1600)
-        self.assertIn("1 do not hold: up, a player.", text)
+        self.assertRegex(text, r"1 of \d+ limits are exceeded: up, a player\.")
         self.assertIn("| up, a player | ≤ 1.5 kB/s | 1.60 kB/s (16 players, loss 0 %, delay 50 ms, jitter 0 ms) | **no**", text)
-        self.assertNotIn("aims hold.", text)
+        self.assertNotIn("limits are kept.", text)
 
     def test_names_the_cells_that_were_disturbed(self):
-        self.assertIn("it was so with none.", self.section())
-        self.assertIn("it was so with 16 players, loss 0 %, delay 50 ms, jitter 0 ms (39 %).", self.section(waitPercent=39.1))
+        self.assertIn("No cell was disturbed in both attempts.", self.section())
+        self.assertIn("Disturbed in both attempts: 16 players, loss 0 %, delay 50 ms, jitter 0 ms (39 %).", self.section(waitPercent=39.1))
 
     def test_peers_are_compared_with_the_numbers_of_the_run(self):
         self.assertIn("| 16 | 1.70 kB/s | 15.7 kB/s (9.2 ×) | 0.50 % | 6.3 % (12.6 ×) |", self.section())

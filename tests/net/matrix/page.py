@@ -1,11 +1,11 @@
-"""The part of a page that is written by a program."""
+"""The part of a page that a program writes."""
 
 BEGIN = "<!-- measured: by ./platon bench --network, do not edit by hand -->"
 END = "<!-- end of measured -->"
 
 
 class PageError(Exception):
-    """The page has no such part."""
+    """The marks of the part are missing."""
 
 
 def with_part(text, part):

@@ -1,4 +1,4 @@
-"""The programs, as processes of this machine."""
+"""platon-server and platon-bot as child processes."""
 
 import json
 import re
@@ -8,22 +8,22 @@ import threading
 import time
 from pathlib import Path
 
-PATIENCE = 60
+TIMEOUT_SECONDS = 60
 
 
 class Failure(Exception):
-    """A program did not do what it is there for."""
+    """A program failed, or did not answer in time."""
 
 
 class Program:
-    """One of the programs while it runs; it does not outlive this."""
+    """A running program, killed on exit of the context."""
 
     def __init__(self, words, **streams):
         self._process = subprocess.Popen(words, text=True, **streams)
 
     def processor_seconds(self):
-        """(on the processor, waiting for one) so far. The kernel counts both in nanoseconds here, elsewhere in centidegrees
-        of a second."""
+        """(seconds on a processor, seconds waiting for one) so far. schedstat counts nanoseconds, /proc/PID/stat only
+        hundredths of a second."""
         used, waited = Path(f"/proc/{self._process.pid}/schedstat").read_text().split()[:2]
         return int(used) / 1e9, int(waited) / 1e9
 
@@ -62,27 +62,27 @@ class Server(Program):
             return next((found for found in (re.fullmatch(pattern, line) for line in self._lines) if found), None)
 
     def _wait_for(self, pattern):
-        end = time.monotonic() + PATIENCE
+        end = time.monotonic() + TIMEOUT_SECONDS
         while not (found := self.find(pattern)):
             if self._process.poll() is not None or time.monotonic() > end:
-                raise Failure(f"platon-server did not say '{pattern}' but {self._lines}")
+                raise Failure(f"platon-server did not print '{pattern}', but {self._lines}")
             with self._changed:
                 self._changed.wait(0.001)
         return found
 
     def memory_bytes(self):
-        """The most it ever had."""
+        """The largest resident memory so far."""
         status = Path(f"/proc/{self._process.pid}/status").read_text()
         return int(re.search(r"VmHWM:\s*(\d+) kB", status).group(1)) * 1024
 
     def stop(self):
-        """How long its ticks took: p50Us, p99Us, longestUs, ticks."""
+        """Stops the server. Returns the durations of its ticks: p50Us, p99Us, longestUs, ticks."""
         self._process.send_signal(signal.SIGTERM)
-        code = self._process.wait(PATIENCE)
-        self._reader.join(PATIENCE)
+        code = self._process.wait(TIMEOUT_SECONDS)
+        self._reader.join(TIMEOUT_SECONDS)
         ran = self.find(r"ran (.*)")
         if code != 0 or not ran:
-            raise Failure(f"platon-server ended with {code}: {self._lines[-3:]}")
+            raise Failure(f"platon-server exited with {code}: {self._lines[-3:]}")
         return {key: int(value) for key, value in (word.split("=") for word in ran.group(1).split())}
 
 
@@ -92,14 +92,14 @@ class Bots(Program):
     def __init__(self, programs, server, cell, count, hollow, seed):
         options = {"--count": count, "--seconds": cell.seconds, "--settle": cell.settle, "--seed": seed}
         words = [str(word) for pair in options.items() for word in pair]
-        words += ["--json", *cell.line_options, *(["--hollow"] if hollow else [])]
+        words += ["--json", *cell.condition_options, *(["--hollow"] if hollow else [])]
         super().__init__([programs / "platon-bot", server.address, *words], stdout=subprocess.PIPE,
                          stderr=subprocess.PIPE)  # fmt: skip
 
     def result(self):
-        """What it printed, and `said`, what it told of what went wrong."""
-        output, errors = self._process.communicate(timeout=PATIENCE * 2)
+        """The JSON object that it printed, and `errors`, its error output."""
+        output, errors = self._process.communicate(timeout=TIMEOUT_SECONDS * 2)
         try:
-            return json.loads(output) | {"said": errors.strip()}
+            return json.loads(output) | {"errors": errors.strip()}
         except json.JSONDecodeError as error:
             raise Failure(f"platon-bot printed no result: {output} {errors}") from error

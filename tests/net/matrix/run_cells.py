@@ -1,4 +1,4 @@
-"""Runs cells and puts together what their programs tell."""
+"""Runs cells and combines the results of their programs."""
 
 import contextlib
 import statistics
@@ -8,31 +8,30 @@ from concurrent.futures import ThreadPoolExecutor
 from cells import ARRIVAL, Cell
 from processes import Bots, Server
 
-# A cell whose processes wait for a processor for more of the time, in per cent, tells of the machine and not of them.
+# Per cent of the time. If a process waits longer for a processor, the cell measures the load of the machine.
 DISTURBED = 30
 ATTEMPTS = 2
 
-# Of all bots, each as often as there are bots in its process.
+# Averages over all bots: weighted by the number of bots in each process.
 MEANS = ("connectMs", "downBytesPerSecond", "upBytesPerSecond")
 
 
 def combined(groups):
-    """One result of those of several processes of bots. What a bot without the game cannot know is that of the others."""
+    """Combines the results of several processes of bots. Values that hollow bots do not have come from the others."""
     players = [group for group in groups if group["hashMismatches"] is not None]
     result = dict(players[0]) if players else {}
     connected = sum(group["connected"] for group in groups)
     for key in MEANS:
         result[key] = sum(group[key] * group["connected"] for group in groups) / max(connected, 1)
     result["connected"] = connected
-    result["said"] = "; ".join(group["said"] for group in groups if group["said"])
+    result["errors"] = "; ".join(group["errors"] for group in groups if group["errors"])
     result["failed"] = sum(group["failed"] for group in groups)
     result["longestDatagramBytes"] = max(group["longestDatagramBytes"] for group in groups)
     return result
 
 
 def _watch(processes, seconds):
-    """The first process's share of a processor over this time, and the largest share of it that any of them waited for
-    one; both in per cent."""
+    """(processor time of the first process, longest waiting time of any process), in per cent of the time watched."""
     before, begun = [process.processor_seconds() for process in processes], time.monotonic()
     time.sleep(seconds)
     after, passed = [process.processor_seconds() for process in processes], time.monotonic() - begun
@@ -45,7 +44,7 @@ def is_disturbed(result):
 
 
 class Runner:
-    """`attempts`: how often a cell is tried on a machine that has other things to do."""
+    """Runs cells, each up to `attempts` times if the machine is busy with other work."""
 
     def __init__(self, programs, level, say, attempts=ATTEMPTS):
         self._programs = programs
@@ -54,8 +53,8 @@ class Runner:
         self._attempts = attempts
 
     def cell(self, cell):
-        """What the bots and the server say of it, `cpuPercent` of the server and `waitPercent` while all play. Of
-        several attempts the one that waited least."""
+        """The results of bots and server, with `cpuPercent` of the server and `waitPercent` while all play; of several
+        attempts the one with the shortest wait."""
         tried = []
         while len(tried) < self._attempts:
             tried.append(self._try(cell))
@@ -82,11 +81,11 @@ class Runner:
     def _words(result):
         keys = ("connectMs", "downBytesPerSecond", "upBytesPerSecond", "missedInputsPer1000Ticks", "cpuPercent", "p99Us",
                 "waitPercent")  # fmt: skip
-        said = f"; {result['said']}" if result["said"] else ""
-        return ", ".join(f"{key} {result[key]:.4g}" for key in keys) + said
+        errors = f"; {result['errors']}" if result["errors"] else ""
+        return ", ".join(f"{key} {result[key]:.4g}" for key in keys) + errors
 
     def plan(self, plan):
-        """(results of the cells, what a server without players does)"""
+        """(results of `together`, results of `alone`, result of a server without players)"""
         with ThreadPoolExecutor(plan.at_once) as pool:
             together = sorted(pool.map(self.cell, plan.together), key=lambda result: result["cell"].sort_key)
         alone = [self.cell(cell) for cell in plan.alone]
