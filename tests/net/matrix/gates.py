@@ -73,7 +73,7 @@ GATES = (
          applies=lambda cell: (cell.loss, cell.delay) == (2, 50) and cell.jitter <= 20, timing=True, **PER_CENT),
     Gate("desyncs", "0", "hashMismatches", 0, shown="{:g}"),
     Gate("resyncs, a player", "0", "resyncs", 0, shown="{:.2g}"),
-    Gate("disconnected and resumed, loss ≤ 10 %", "0", "returns", 0, shown="{:.2g}",
+    Gate("disconnected and resumed, loss ≤ 10 %", "0", "resumes", 0, shown="{:.2g}",
          applies=lambda cell: cell.loss <= 10),
     Gate("bots that failed to join or to stay", "0", "failed", 0, shown="{}"),
     Gate("rounds that ended during the measurement", "0", "roundOver", 0, shown="{}"),
