@@ -7,14 +7,15 @@
 
 namespace platon {
 
-/// Puts the pieces of a level text or a state together again. One piece out of order spoils the whole; a piece at
-/// offset 0 starts anew.
+/// Joins the pieces of a level text or a full state. A piece out of order discards what was joined so far; a piece at
+/// offset 0 starts a new whole.
 class Assembly {
  public:
-  /// True when this piece completes the whole. Takes no more memory than has arrived.
+  /// Adds a piece of a whole of `total` bytes. True when it completes the whole. Memory grows with the bytes received,
+  /// not with `total`.
   bool add(std::uint32_t total, std::uint32_t offset, std::span<const std::uint8_t> piece);
 
-  /// What has arrived so far.
+  /// The bytes joined so far.
   const std::vector<std::uint8_t>& bytes() const { return bytes_; }
   void clear();
 

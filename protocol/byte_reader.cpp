@@ -3,12 +3,12 @@
 namespace platon {
 
 std::uint8_t ByteReader::byte() {
-  if (rest_.empty()) {
+  if (remaining_.empty()) {
     ok_ = false;
     return 0;
   }
-  const std::uint8_t value = rest_.front();
-  rest_ = rest_.subspan(1);
+  const std::uint8_t value = remaining_.front();
+  remaining_ = remaining_.subspan(1);
   return value;
 }
 
@@ -23,8 +23,8 @@ std::uint32_t ByteReader::varint() {
   for (int shift = 0; shift < 35; shift += 7) {
     const std::uint8_t next = byte();
     const bool overflows = shift == 28 && next > 0x0f;
-    const bool needless = shift > 0 && next == 0;
-    if (!ok_ || overflows || needless) break;
+    const bool tooLong = shift > 0 && next == 0;
+    if (!ok_ || overflows || tooLong) break;
     value |= std::uint32_t{next & 0x7fu} << shift;
     if (next < 0x80) return value;
   }

@@ -12,11 +12,11 @@
 
 namespace platon {
 
-/// A received FlatBuffer whose structure has been verified; what its fields say has not.
+/// A received FlatBuffer whose structure has been verified. The values of its fields are not checked.
 template <class Root>
 class Envelope {
  public:
-  /// Copies the bytes: FlatBuffers reads words, which must be aligned.
+  /// Copies the bytes, since FlatBuffers needs them aligned.
   explicit Envelope(std::span<const std::uint8_t> bytes) {
     if (bytes.empty() || bytes.size() > kMaxMessageBytes) return;
     words_.resize((bytes.size() + sizeof(std::uint64_t) - 1) / sizeof(std::uint64_t));
@@ -28,7 +28,7 @@ class Envelope {
     if (verifier.VerifyBuffer<Root>(nullptr)) root_ = flatbuffers::GetRoot<Root>(start);
   }
 
-  /// Null when the bytes are no such FlatBuffer.
+  /// Null when the bytes are not a valid FlatBuffer of this type.
   const Root* root() const { return root_; }
 
  private:
@@ -41,7 +41,7 @@ inline std::vector<std::uint8_t> bytesOf(const flatbuffers::FlatBufferBuilder& b
   return {builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize()};
 }
 
-/// Missing fields read as empty.
+/// A missing field reads as empty.
 inline std::span<const std::uint8_t> spanOf(const flatbuffers::Vector<std::uint8_t>* vector) {
   return vector ? std::span<const std::uint8_t>(vector->data(), vector->size()) : std::span<const std::uint8_t>();
 }

@@ -24,7 +24,7 @@ std::optional<FullState> decodeFullState(std::span<const std::uint8_t> bytes) {
     if (!isInput(state.held.back())) return std::nullopt;
   }
   if (!in.ok()) return std::nullopt;
-  state.game.assign(in.rest().begin(), in.rest().end());
+  state.game.assign(in.remaining().begin(), in.remaining().end());
   return state;
 }
 

@@ -9,16 +9,16 @@
 
 namespace platon {
 
-/// All that a client needs to take up a round in the middle: what the pieces of `StateChunk` make together.
+/// All that a client needs to join a round in progress: the payload of the `StateChunk` messages.
 struct FullState {
-  std::vector<Input> held;         ///< what each slot did in the last tick, the base of the next changes
-  std::vector<std::uint8_t> game;  ///< as `Game::save` gives it
+  std::vector<Input> held;         ///< input of each slot in the last tick; later changes are relative to it
+  std::vector<std::uint8_t> game;  ///< result of `Game::save`
 
   friend bool operator==(const FullState&, const FullState&) = default;
 };
 
 std::vector<std::uint8_t> encode(const FullState& state);
-/// Nothing when the bytes cannot come from `encode`; `game` is still to be checked by `Game::restore`.
+/// Nothing when the bytes are malformed. `game` is not checked: `Game::restore` does that.
 std::optional<FullState> decodeFullState(std::span<const std::uint8_t> bytes);
 
 }  // namespace platon

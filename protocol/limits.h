@@ -9,41 +9,44 @@
 
 namespace platon {
 
-/// Changes whenever a message changes its form or meaning. Both sides must have the same.
+/// Version of the messages. It changes whenever the layout or meaning of a message does; both sides must have the same.
 inline constexpr std::uint32_t kProtocolVersion = 2;
 inline constexpr std::uint16_t kDefaultPort = 7777;
 
-/// Transport channels: everything reliable goes over one, so that it arrives in the order in which it was sent.
+/// Channels of the transport. All reliable messages share one, so that they arrive in the order in which they were
+/// sent.
 inline constexpr std::uint8_t kReliableChannel = 0;
 inline constexpr std::uint8_t kTickChannel = 1;
 inline constexpr std::size_t kChannels = 2;
 
-/// No message is longer, in bytes.
+/// Longest message, bytes.
 inline constexpr std::size_t kMaxMessageBytes = 8 * 1024;
-/// No unreliable message is longer, in bytes, so that a datagram with all its envelopes stays within 1200.
+/// Longest unreliable message, bytes: with all headers its datagram stays within 1200 bytes.
 inline constexpr std::size_t kMaxTickMessageBytes = 1160;
-/// Bytes of a level text or a state that one message carries.
+/// Bytes of a level text or a full state in one message.
 inline constexpr std::size_t kChunkBytes = 4 * 1024;
 
+/// Longest full state, bytes.
 inline constexpr std::size_t kMaxStateBytes = 1024 * 1024;
-/// Levels of which a client can say that it has them.
+/// Levels that a client may list in `Hello` as known.
 inline constexpr std::size_t kMaxLevelsKnown = 8;
-/// Players that one message names; with the longest names it is well below `kMaxMessageBytes`.
+/// Names in one `Roster`. With the longest names the message is well below `kMaxMessageBytes`.
 inline constexpr std::size_t kMaxRosterEntries = 64;
-/// Bytes of UTF-8.
+/// Longest name of a player or a server, and longest reason shown to a player, bytes of UTF-8.
 inline constexpr std::size_t kMaxNameBytes = 32;
 inline constexpr std::size_t kMaxReasonBytes = 200;
 
-/// Inputs in one message of a client: more than 2 s of round trip and 1 s of buffer.
+/// Inputs in one message of a client: enough for a round trip of 2 s and a buffer of 1 s.
 inline constexpr std::uint32_t kMaxInputsPerMessage = 256;
-/// Ticks and changes of input in one message of the server. Any one tick fits, and the longest message is below
-/// `kMaxTickMessageBytes`: a change takes three bytes instead of two only when it is three ticks after the last one.
+/// Ticks and input changes in one message of the server. Every single tick fits, and the longest message is below
+/// `kMaxTickMessageBytes`: a change takes two bytes, or three when at least three ticks lie between it and the last
+/// one.
 inline constexpr std::uint32_t kMaxTicksPerMessage = 240;
 inline constexpr std::uint32_t kMaxChangesPerMessage = 512;
-/// Slack is reported within plus and minus this, in ticks.
+/// Slack is clamped to plus or minus this, ticks.
 inline constexpr std::int32_t kMaxSlack = 1000;
 
-/// What per-tick messages carry of a state hash. A difference that it hides once shows in a later tick.
+/// The part of a state hash that per-tick messages carry. A difference that it hides in one tick shows in a later one.
 constexpr std::uint32_t shortHash(std::uint64_t hash) { return static_cast<std::uint32_t>(hash); }
 
 }  // namespace platon

@@ -4,7 +4,7 @@
 
 namespace platon {
 
-void LossMeter::heard(std::uint8_t sequence) {
+void LossMeter::received(std::uint8_t sequence) {
   const auto back = static_cast<std::uint8_t>(newest_ - sequence);
   if (known_ > 0 && back < kWindow) {
     if (back < known_) arrived_.set(back);

@@ -6,23 +6,23 @@
 
 namespace platon {
 
-/// Which of the numbered messages of the other side were lost.
+/// Measures which numbered messages of the other side were lost.
 class LossMeter {
  public:
-  /// Messages that are looked back on.
+  /// Messages over which the loss is measured.
   static constexpr std::size_t kWindow = 100;
 
-  /// The message with this number has arrived, in any order, perhaps for the second time. Numbers go up by one, modulo
-  /// 256. One of the kWindow up to the newest is taken to come late; so a gap must be shorter than 156.
-  void heard(std::uint8_t sequence);
+  /// The message with this number has arrived, in any order and perhaps twice. Numbers go up by one, modulo 256. A
+  /// number within the kWindow before the newest counts as late, any other as newer, so gaps must be shorter than 156.
+  void received(std::uint8_t sequence);
 
-  /// The newest number heard; 0 before any.
+  /// The newest number received; 0 before any.
   std::uint8_t newest() const { return newest_; }
-  /// Of the last kWindow messages up to the newest, or of those since the first; 0 … 100.
+  /// Per cent lost of the last kWindow messages, or of all since the first when these are fewer; 0 … 100.
   std::uint8_t lostPercent() const;
 
  private:
-  std::bitset<kWindow> arrived_;  // [i]: the i-th before the newest
+  std::bitset<kWindow> arrived_;  // bit i: the message i before the newest
   std::size_t known_ = 0;         // messages from the first to the newest, at most kWindow
   std::uint8_t newest_ = 0;
 };

@@ -8,11 +8,11 @@
 
 namespace platon {
 
-/// The secret by which a client that lost its connection gets its player back: 16 random bytes of its own choice, told
-/// to the server with the first greeting. So it works as well when the answer to that was lost.
+/// Secret with which a client resumes its player after its connection was lost: 16 random bytes that the client chooses
+/// and sends in its first `Hello`. It works even when the answer to that message is lost.
 using SessionToken = std::array<std::uint8_t, 16>;
 
-/// Nothing when the bytes are not as many as a token has.
+/// Nothing when the number of bytes is not that of a token.
 inline std::optional<SessionToken> tokenOf(std::span<const std::uint8_t> bytes) {
   SessionToken token;
   if (bytes.size() != token.size()) return std::nullopt;
@@ -20,7 +20,7 @@ inline std::optional<SessionToken> tokenOf(std::span<const std::uint8_t> bytes) 
   return token;
 }
 
-/// In a time that does not tell how much of a guess was right.
+/// Compares in constant time, so that timing does not reveal how many bytes of a guess are right.
 inline bool sameToken(const SessionToken& a, const SessionToken& b) {
   std::uint8_t difference = 0;
   for (std::size_t i = 0; i < a.size(); ++i) difference |= static_cast<std::uint8_t>(a[i] ^ b[i]);

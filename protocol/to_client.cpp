@@ -17,8 +17,8 @@ using Builder = flatbuffers::FlatBufferBuilder;
 using Bytes = std::vector<std::uint8_t>;
 using Body = wire::ToClientBody;
 
-// A change of input is two bytes: buttons and presence with the ticks since the last change on top, then the slot.
-// kLongGap on top says that the ticks less kLongGap follow.
+// An input change is two bytes: buttons and presence, with the ticks since the last change in the high bits, then the
+// slot. kLongGap in the high bits means that a varint follows the first byte: the ticks minus kLongGap.
 constexpr std::uint8_t kWirePresent = 1 << 5;
 constexpr std::uint8_t kWireButtons = kWirePresent - 1;
 constexpr int kGapShift = 6;
@@ -61,7 +61,7 @@ bool readChanges(ByteReader& in, ConfirmedTicks& message) {
   return true;
 }
 
-// The sign in the lowest bit, so that small numbers stay short.
+// Zigzag encoding: the sign in the lowest bit, so that small numbers stay short.
 std::uint32_t packSigned(std::int32_t value) {
   const auto bits = static_cast<std::uint32_t>(value);
   return value < 0 ? ~(bits << 1) : bits << 1;
@@ -71,32 +71,32 @@ std::int32_t unpackSigned(std::uint32_t packed) {
   return static_cast<std::int32_t>(packed & 1 ? ~(packed >> 1) : packed >> 1);
 }
 
-// Before a report on the line. Above kHeard: one more than the slack, whose tick follows as seen from `from`.
-constexpr std::uint32_t kNothingHeard = 0;
-constexpr std::uint32_t kHeard = 1;
+// First number of a link report. Greater values contain the slack, whose tick follows relative to `from`.
+constexpr std::uint32_t kNoReport = 0;
+constexpr std::uint32_t kReportWithoutSlack = 1;
 
-void writeLine(ByteWriter& out, const ConfirmedTicks& message) {
-  if (!message.line) return out.varint(kNothingHeard);
-  const std::optional<SlackReport>& slack = message.line->slack;
-  out.varint(slack ? kHeard + 1 + packSigned(slack->slack) : kHeard);
-  out.byte(message.line->sequence);
-  out.byte(message.line->lostPercent);
+void writeLinkReport(ByteWriter& out, const ConfirmedTicks& message) {
+  if (!message.link) return out.varint(kNoReport);
+  const std::optional<SlackReport>& slack = message.link->slack;
+  out.varint(slack ? kReportWithoutSlack + 1 + packSigned(slack->slack) : kReportWithoutSlack);
+  out.byte(message.link->sequence);
+  out.byte(message.link->lostPercent);
   if (slack) out.varint(packSigned(static_cast<std::int32_t>(slack->tick - message.from)));
 }
 
-bool readLine(ByteReader& in, ConfirmedTicks& message) {
+bool readLinkReport(ByteReader& in, ConfirmedTicks& message) {
   const std::uint32_t head = in.varint();
-  if (head == kNothingHeard) return in.ok();
-  LinkReport line;
-  line.sequence = in.byte();
-  line.lostPercent = in.byte();
-  if (head > kHeard) {
+  if (head == kNoReport) return in.ok();
+  LinkReport report;
+  report.sequence = in.byte();
+  report.lostPercent = in.byte();
+  if (head > kReportWithoutSlack) {
     const auto tick = message.from + static_cast<std::uint32_t>(unpackSigned(in.varint()));
-    line.slack = SlackReport{tick, unpackSigned(head - kHeard - 1)};
-    if (line.slack->slack < -kMaxSlack || line.slack->slack > kMaxSlack) return false;
+    report.slack = SlackReport{tick, unpackSigned(head - kReportWithoutSlack - 1)};
+    if (report.slack->slack < -kMaxSlack || report.slack->slack > kMaxSlack) return false;
   }
-  message.line = line;
-  return in.ok() && line.lostPercent <= 100;
+  message.link = report;
+  return in.ok() && report.lostPercent <= 100;
 }
 
 Bytes pack(const ConfirmedTicks& message) {
@@ -106,7 +106,7 @@ Bytes pack(const ConfirmedTicks& message) {
   out.varint(message.count);
   out.fixed32(message.hash);
   out.byte(message.sequence);
-  writeLine(out, message);
+  writeLinkReport(out, message);
   std::uint32_t lastTick = message.from;
   for (const InputChange& change : message.changes) {
     writeChange(out, change, change.tick - lastTick);
@@ -125,12 +125,12 @@ std::optional<ToClient> unpack(std::span<const std::uint8_t> bytes) {
   message.sequence = in.byte();
   const bool counts =
       message.count >= 1 && message.count <= kMaxTicksPerMessage && message.from <= UINT32_MAX - message.count;
-  if (!in.ok() || !counts || !readLine(in, message) || !readChanges(in, message)) return std::nullopt;
+  if (!in.ok() || !counts || !readLinkReport(in, message) || !readChanges(in, message)) return std::nullopt;
   return message;
 }
 
-bool isPiece(std::uint32_t total, std::size_t most, std::uint32_t offset, std::size_t size) {
-  return total <= most && size >= 1 && size <= kChunkBytes && offset <= total && size <= total - offset;
+bool isPiece(std::uint32_t total, std::size_t maxTotal, std::uint32_t offset, std::size_t size) {
+  return total <= maxTotal && size >= 1 && size <= kChunkBytes && offset <= total && size <= total - offset;
 }
 
 std::optional<ToClient> read(const wire::Welcome& table) {
@@ -295,8 +295,8 @@ Bytes encode(const Bye& message) {
 Bytes encode(const ConfirmedTicks& message) {
   assert(message.count >= 1 && message.count <= kMaxTicksPerMessage);
   assert(message.changes.size() <= kMaxChangesPerMessage);
-  assert(!message.line || message.line->lostPercent <= 100);
-  assert(!message.line || !message.line->slack || std::abs(message.line->slack->slack) <= kMaxSlack);
+  assert(!message.link || message.link->lostPercent <= 100);
+  assert(!message.link || !message.link->slack || std::abs(message.link->slack->slack) <= kMaxSlack);
   Builder builder;
   const auto ticks = builder.CreateVector(pack(message));
   wire::ToClientBuilder table(builder);

@@ -13,8 +13,8 @@
 namespace platon {
 namespace {
 
-// A run of equal inputs is one byte: the buttons below kButtonBits, their count above; a count of 0 says that the
-// count less kLongRun follows.
+// A run of equal inputs is one byte: the buttons in the low kButtonBits, the length above them. A length of 0 means
+// that a varint follows: the length minus kLongRun.
 constexpr int kButtonBits = 5;
 constexpr std::uint8_t kButtons = (1 << kButtonBits) - 1;
 constexpr std::uint32_t kLongRun = 8;
@@ -70,7 +70,7 @@ std::optional<PlayerInputs> unpack(std::span<const std::uint8_t> bytes) {
   return message;
 }
 
-// The verifier does not see to it that wide numbers lie where they may be read.
+// Copies the numbers, since the verifier does not guarantee that they are aligned.
 std::vector<std::uint64_t> levelsOf(const flatbuffers::Vector<std::uint64_t>& vector) {
   std::vector<std::uint64_t> levels(vector.size());
   if (!levels.empty()) std::memcpy(levels.data(), vector.Data(), levels.size() * sizeof(std::uint64_t));
@@ -87,7 +87,7 @@ bool readSession(const wire::Hello& table, Hello& hello) {
   return hello.levels.size() <= kMaxLevelsKnown;
 }
 
-// Of a client of another version nothing else is read: its Hello may have another form.
+// Reads only the version of a client with another one: the layout of its Hello may differ.
 std::optional<ToServer> readHello(const wire::Hello& table) {
   Hello hello;
   hello.protocolVersion = table.protocol_version();

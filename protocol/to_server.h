@@ -16,46 +16,48 @@ namespace platon {
 /// First message of a client. Reliable.
 struct Hello {
   std::uint32_t protocolVersion = kProtocolVersion;
-  std::uint32_t rulesVersion = kRulesVersion;  ///< meaningful when the protocol version is ours
-  std::string name;                            ///< a clean label (`isLabel`); empty: the server makes one up
-  std::optional<SessionToken> token{};         ///< takes back the player that was greeted with the same
-  std::vector<std::uint64_t> levels{};         ///< hashes of levels that need not be sent; at most kMaxLevelsKnown
+  std::uint32_t rulesVersion = kRulesVersion;  ///< meaningful only if protocolVersion is kProtocolVersion
+  std::string name;                            ///< a label (`isLabel`); empty: the server chooses one
+  std::optional<SessionToken> token{};         ///< resumes the player that joined with the same token
+  std::vector<std::uint64_t> levels{};         ///< hashes of known levels; at most kMaxLevelsKnown
 
   friend bool operator==(const Hello&, const Hello&) = default;
 };
 
-/// Asks for the text of a level that the server has named. Reliable.
+/// Requests the text of a level that the server has named. Reliable.
 struct LevelRequest {
   std::uint64_t hash = 0;
 
   friend bool operator==(const LevelRequest&, const LevelRequest&) = default;
 };
 
-/// The player goes. Reliable.
+/// The player leaves. Reliable.
 struct Leave {
   friend bool operator==(const Leave&, const Leave&) = default;
 };
 
-/// Where the client stands, and every input of its own that the server has not confirmed. Unsequenced, every tick or
-/// two; the first one of a round tells the server that the client has the level and starts.
+/// Progress of the client's confirmed game, and all inputs of its player that the server has not confirmed.
+/// Unsequenced. Sent in the tick in which the input changes and in the two ticks after it, otherwise every fourth tick,
+/// and every 80 ms while there are no inputs. The first one of a round tells the server that the client has the level
+/// and starts.
 struct PlayerInputs {
   std::uint32_t round = 0;
-  std::uint8_t sync = 0;        ///< of the last full state taken in this round; 0: started at tick 0 by itself
-  std::uint32_t confirmed = 0;  ///< ticks by which the confirmed game has advanced in this round
+  std::uint8_t sync = 0;  ///< number of the last full state restored in this round; 0: the client started at tick 0
+  std::uint32_t confirmed = 0;  ///< ticks of this round that the confirmed game has advanced
   std::uint32_t hash = 0;       ///< `shortHash` of the confirmed game
   std::uint32_t first = 0;      ///< tick of the first input; at least `confirmed`
   std::vector<Input> inputs;    ///< of consecutive ticks, each with kPresent; at most kMaxInputsPerMessage
-  std::uint8_t sequence = 0;    ///< one more than that of the last message of inputs
+  std::uint8_t sequence = 0;    ///< one more than in the last PlayerInputs, modulo 256
 
   friend bool operator==(const PlayerInputs&, const PlayerInputs&) = default;
 };
 
 using ToServer = std::variant<Hello, LevelRequest, Leave, PlayerInputs>;
 
-/// Reads a message from a client. Nothing when it is malformed or any value is outside its range.
+/// Decodes a message from a client. Nothing when it is malformed or a value is out of range.
 std::optional<ToServer> decodeToServer(std::span<const std::uint8_t> bytes);
 
-/// The values must be within the limits above.
+/// Encodes a message, whose values must be within the limits above.
 std::vector<std::uint8_t> encode(const Hello& message);
 std::vector<std::uint8_t> encode(const LevelRequest& message);
 std::vector<std::uint8_t> encode(const Leave& message);

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "protocol/enet_repeats.h"
+#include "protocol/enet_settings.h"
 #include "protocol/limits.h"
 
 namespace platon {
@@ -75,7 +75,7 @@ void Connection::keepUnthrottled() {
 }
 
 void Connection::keepCalling() {
-  if (state_ == State::kConnecting) limitPauses(*peer_, kBetweenCalls / std::chrono::milliseconds(1));
+  if (state_ == State::kConnecting) limitRetransmissionTimeout(*peer_, kBetweenCalls / std::chrono::milliseconds(1));
 }
 
 ServerAddress Connection::address() const {

@@ -23,7 +23,7 @@ void InputClock::receive(const ConfirmedTicks& message, Moment now) {
   const std::uint32_t newest = message.from + message.count;
   // While catching up a message does not tell how far the server is.
   if (message.count < kMaxTicksPerMessage) set(newest, now);
-  if (sync_ && message.line && message.line->slack) judge(*message.line->slack);
+  if (sync_ && message.link && message.link->slack) judge(*message.link->slack);
   if (sync_ && sync_->reported()) lead_ = sync_->tick() - newest;
 }
 

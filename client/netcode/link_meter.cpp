@@ -14,14 +14,14 @@ std::uint8_t LinkMeter::send(Moment now) {
 }
 
 void LinkMeter::receive(const ConfirmedTicks& message, Moment now) {
-  down_.heard(message.sequence);
-  if (!message.line) return;
-  const std::uint8_t heard = message.line->sequence;
+  down_.received(message.sequence);
+  if (!message.link) return;
+  const std::uint8_t heard = message.link->sequence;
   const auto open = static_cast<std::uint8_t>(next_ - unheard_);
   // Told before, by a message that has overtaken this one, or never sent.
   if (static_cast<std::uint8_t>(heard - unheard_) >= open) return;
   unheard_ = static_cast<std::uint8_t>(heard + 1);
-  lostUp_ = message.line->lostPercent;
+  lostUp_ = message.link->lostPercent;
   const Moment sample = now - sentAt_[heard];
   roundTrip_ = roundTrip_ == Moment{} ? sample : roundTrip_ + (sample - roundTrip_) / kSmoothing;
 }

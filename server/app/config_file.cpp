@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view kKeys = "levels, bind, port, max-players, max-per-address, name, log-format and record";
 
-/// One key of the file and its value, and where a fault of it is reported.
+/// A key of the file and its value. Errors are thrown as ProgramError with the position in the file.
 struct Entry {
   const std::string& file;
   const toml::key& key;
@@ -27,40 +27,40 @@ struct Entry {
 
   std::string text() const {
     if (const auto found = value.value_exact<std::string>()) return *found;
-    refuse("needs a text in quotes");
+    refuse("must be a text in quotes");
   }
 
   std::uint32_t number(std::int64_t least, std::int64_t most) const {
     const auto found = value.value_exact<std::int64_t>();
     if (found && *found >= least && *found <= most) return static_cast<std::uint32_t>(*found);
-    refuse("needs a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+    refuse("must be a whole number from " + std::to_string(least) + " to " + std::to_string(most));
   }
 };
 
 std::string readName(const Entry& entry) {
   std::string name = entry.text();
   if (!isLabel(name, kMaxNameBytes)) {
-    entry.refuse("needs a text of at most " + std::to_string(kMaxNameBytes) + " bytes without control characters");
+    entry.refuse("must be a text of at most " + std::to_string(kMaxNameBytes) + " bytes without control characters");
   }
   return name;
 }
 
 LogFormat readLogFormat(const Entry& entry) {
   const std::string text = entry.text();
-  if (text != "text" && text != "json") entry.refuse("needs \"text\" or \"json\"");
+  if (text != "text" && text != "json") entry.refuse("must be \"text\" or \"json\"");
   return text == "json" ? LogFormat::kJson : LogFormat::kText;
 }
 
-std::string besideFile(const Entry& entry, const std::string& path) {
+std::string relativeToFile(const Entry& entry, const std::string& path) {
   return (std::filesystem::path(entry.file).parent_path() / path).string();
 }
 
 std::vector<std::string> readLevels(const Entry& entry) {
   const toml::array* list = entry.value.as_array();
-  if (!list) entry.refuse("needs a list of files: [\"a.level\", \"b.level\"]");
+  if (!list) entry.refuse("must be a list of files: [\"a.level\", \"b.level\"]");
   std::vector<std::string> files;
   for (const toml::node& item : *list) {
-    files.push_back(besideFile(entry, Entry{entry.file, entry.key, item}.text()));
+    files.push_back(relativeToFile(entry, Entry{entry.file, entry.key, item}.text()));
   }
   return files;
 }
@@ -82,9 +82,9 @@ void readEntry(const Entry& entry, ServerOptions& options) {
   else if (key == "log-format")
     options.logFormat = readLogFormat(entry);
   else if (key == "record")
-    options.record = entry.text().empty() ? "" : besideFile(entry, entry.text());
+    options.record = entry.text().empty() ? "" : relativeToFile(entry, entry.text());
   else
-    entry.refuseAt(entry.key.source().begin, "is no key of the configuration; it may hold " + std::string(kKeys));
+    entry.refuseAt(entry.key.source().begin, "is not a key of the configuration; the keys are " + std::string(kKeys));
 }
 
 toml::table parse(const std::string& path) {
@@ -92,10 +92,10 @@ toml::table parse(const std::string& path) {
     return toml::parse_file(path);
   } catch (const toml::parse_error& error) {
     const toml::source_position at = error.source().begin;
-    const bool read = at.line != 0;
-    const std::string where = read ? ":" + std::to_string(at.line) + ":" + std::to_string(at.column) : "";
+    const bool hasPosition = at.line != 0;
+    const std::string where = hasPosition ? ":" + std::to_string(at.line) + ":" + std::to_string(at.column) : "";
     throw ProgramError(ProgramError::kUsage, path + where + ": error: " + std::string(error.description()) +
-                                                 (read ? "" : "; name an existing file after --config"));
+                                                 (hasPosition ? "" : "; name an existing file after --config"));
   }
 }
 

@@ -6,9 +6,9 @@
 
 namespace platon {
 
-/// Reads a configuration file (docs/hosting.md) over `options`. Relative paths are seen from the file.
-/// Throws ProgramError with file, line and column when it cannot be read, has an unknown key or a value that is not
-/// possible.
+/// Reads a configuration file (docs/hosting.md) into `options`; options that it does not contain keep their values.
+/// Paths are relative to the folder of the file. Throws ProgramError, with file, line and column, when the file cannot
+/// be read or has an unknown key or an invalid value.
 void readConfigFile(const std::string& path, ServerOptions& options);
 
 }  // namespace platon

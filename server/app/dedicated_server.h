@@ -17,48 +17,46 @@
 namespace platon {
 
 struct ServerSettings {
-  HostSettings host;       ///< `connections` is set by the server
-  MatchSettings match;     ///< `record` and `playersPerOrigin` are set by the server
-  std::string recordings;  ///< folder for a recording of each round; empty: none are made
+  HostSettings host;       ///< `connections` is ignored: the server derives it from the number of players
+  MatchSettings match;     ///< `record` and `playersPerOrigin` are ignored: the server derives them
+  std::string recordings;  ///< folder for a recording of each round; empty: no recordings
 };
 
-/// A match on a socket: what `platon-server` runs, and a client that plays on its own.
+/// A match on a socket. `platon-server` runs one, and so does a client without a server address.
 class DedicatedServer {
  public:
-  /// Opens the socket; `levels` has at least one. Throws HostError, and ProgramError when no recording can be
-  /// written.
+  /// Opens the socket; `levels` must not be empty. Throws HostError, and ProgramError when no recording can be written.
   DedicatedServer(const ServerSettings& settings, std::vector<LevelPointer> levels, Log log);
 
-  /// Takes in what has arrived, runs at most one tick, if it is due, and sends.
+  /// Receives messages, runs one tick if it is due, and sends messages.
   void step(TimePoint now);
-  /// Sleeps until the next step has something to do, or a signal is caught.
+  /// Sleeps until the next tick is due or, without players, until a datagram or a signal arrives or 250 ms have passed.
   void wait() const;
-  /// Steps and waits until `stopAsked` becomes true, then says good-bye.
-  void run(const std::atomic<bool>& stopAsked);
-  /// Says good-bye to all players and waits a moment for them to hear it. Logs how long ticks took.
+  /// Steps and waits until `stopRequested` becomes true, then stops.
+  void run(const std::atomic<bool>& stopRequested);
+  /// Tells all clients the reason, waits at most half a second for their acknowledgements, and logs the tick times.
   void stop(const std::string& reason);
 
-  /// These levels follow on the one that is being played.
+  /// Plays these levels after the current one.
   void setLevels(std::vector<LevelPointer> levels) { match_.setLevels(std::move(levels)); }
   void setName(std::string name) { match_.setServerName(std::move(name)); }
 
-  /// The port it listens on.
+  /// The port that it listens on.
   std::uint16_t port() const { return host_.port(); }
   Log& log() { return log_; }
   const Match& match() const { return match_; }
-  /// Messages that did not make sense.
+  /// Number of malformed messages received.
   std::uint64_t brokenMessages() const { return brokenMessages_; }
   const HostCounters& hostCounters() const { return host_.counters(); }
-  /// How long the steps with a tick took, all that is done in them: what has come is taken in, the game is moved, what
-  /// is told is sent.
+  /// Durations of the steps that ran a tick: receiving, advancing the game, sending.
   const TickTimes& tickTimes() const { return tickTimes_; }
 
  private:
   void receive(TimePoint now);
-  void take(const HostEvent& event, TimePoint now);
-  void deliver(TimePoint now);
-  void record();
-  void report(TimePoint now);
+  void handle(const HostEvent& event, TimePoint now);
+  void send(TimePoint now);
+  void writeRecordings();
+  void logRejected(TimePoint now);
 
   Log log_;
   Host host_;
@@ -66,9 +64,9 @@ class DedicatedServer {
   Match match_;
   TickClock clock_;
   std::uint64_t brokenMessages_ = 0;
-  HostCounters reported_;
-  std::uint64_t reportedBroken_ = 0;
-  TimePoint reportAt_;
+  HostCounters logged_;  // at the last logRejected, as the next
+  std::uint64_t loggedBroken_ = 0;
+  TimePoint nextLogAt_;
   TickTimes tickTimes_;
 };
 

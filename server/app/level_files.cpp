@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// One byte more than a level may have is enough to refuse it.
+// Reads at most one byte more than a level may have: enough for loadLevel to refuse it.
 std::string readFile(const std::string& path) {
   const auto close = [](std::FILE* file) { std::fclose(file); };
   const std::unique_ptr<std::FILE, decltype(close)> file(std::fopen(path.c_str(), "rb"), close);
@@ -37,7 +37,7 @@ std::vector<std::string> levelFilesIn(const fs::path& folder) {
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder, fault)) {
     if (entry.path().extension() == ".level") files.push_back(entry.path().string());
   }
-  // A folder is a solid; the rotation goes by the names of the files, which begin with a number.
+  // There is a folder for each solid. The order is that of the file names, which begin with a number.
   std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
     return std::pair(a.filename(), a) < std::pair(b.filename(), b);
   });
@@ -70,10 +70,10 @@ std::vector<std::string> shippedLevelFiles() {
     std::vector<std::string> files = levelFilesIn(folder.lexically_normal());
     if (!files.empty()) return files;
   }
-  throw ProgramError(ProgramError::kUsage, "the levels that come with the game are neither in '" +
+  throw ProgramError(ProgramError::kUsage, "cannot find the levels of the game, neither in '" +
                                                (program / "../share/platon/levels").lexically_normal().string() +
                                                "' nor in '" + PLATON_SOURCE_LEVELS +
-                                               "': name level files, such as platon-server my.level");
+                                               "'; name level files, such as platon-server my.level");
 }
 
 }  // namespace platon

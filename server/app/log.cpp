@@ -4,12 +4,11 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <cstdio>
 
 namespace platon {
 namespace {
 
-// Control characters are the only others that JSON does not take as they are.
+// Escapes quotes, backslashes and control characters, as JSON requires.
 std::string quoted(std::string_view text) {
   std::string out = "\"";
   for (const char c : text) {
@@ -28,26 +27,18 @@ std::string valueOf(const LogField& field) {
   return quoted(std::get<std::string>(field.value));
 }
 
-std::string timeOfDay() {
+std::string utcTime() {
   const auto now = std::chrono::time_point_cast<std::chrono::milliseconds>(std::chrono::system_clock::now());
   return fmt::format("{:%Y-%m-%dT%H:%M:%S}.{:03}Z", fmt::gmtime(std::chrono::system_clock::to_time_t(now)),
                      now.time_since_epoch().count() % 1000);
 }
 
-void writeToStderr(std::string_view line) {
-  std::string whole(line);
-  whole += '\n';
-  std::fwrite(whole.data(), 1, whole.size(), stderr);
-}
-
 }  // namespace
-
-Log::Log(LogFormat format) : Log(format, writeToStderr) {}
 
 void Log::write(std::string_view severity, std::string_view message, std::initializer_list<LogField> fields) {
   const bool json = format_ == LogFormat::kJson;
   std::string line(message);
-  if (json) line = fmt::format(R"({{"time":"{}","level":"{}","message":{})", timeOfDay(), severity, quoted(message));
+  if (json) line = fmt::format(R"({{"time":"{}","level":"{}","message":{})", utcTime(), severity, quoted(message));
   for (const LogField& field : fields) {
     line +=
         json ? fmt::format(R"(,"{}":{})", field.key, valueOf(field)) : fmt::format(" {}={}", field.key, valueOf(field));

@@ -11,20 +11,17 @@ namespace platon {
 
 enum class LogFormat { kText, kJson };
 
-/// One thing said about an event.
+/// A key and its value in a log line.
 struct LogField {
   std::string_view key;
   std::variant<std::uint64_t, std::string> value;
 };
 
-/// What a server tells its operator: one line an event, either `message key=value …` or a JSON object that also has
-/// the time of day.
+/// The server's log: one line per event, either `message key=value …` or a JSON object that also has the time (UTC).
 class Log {
  public:
-  /// `sink` takes each line, without its end.
+  /// `sink` receives each line, without a line feed.
   Log(LogFormat format, std::function<void(std::string_view)> sink) : format_(format), sink_(std::move(sink)) {}
-  /// Writes to standard error.
-  explicit Log(LogFormat format);
 
   void setFormat(LogFormat format) { format_ = format; }
 

@@ -1,3 +1,6 @@
+#include <signal.h>
+#include <unistd.h>
+
 #include <csignal>
 #include <cstdio>
 #include <exception>
@@ -5,6 +8,7 @@
 #include <string>
 
 #include "protocol/program_error.h"
+#include "server/app/async_line_writer.h"
 #include "server/app/dedicated_server.h"
 #include "server/app/level_files.h"
 #include "server/app/server_options.h"
@@ -12,10 +16,10 @@
 namespace platon {
 namespace {
 
-volatile std::sig_atomic_t stopAsked = 0;
-volatile std::sig_atomic_t reloadAsked = 0;
+volatile std::sig_atomic_t stopRequested = 0;
+volatile std::sig_atomic_t reloadRequested = 0;
 
-// Without SA_RESTART, so that a sleeping server wakes up.
+// Sets a signal handler without SA_RESTART, so that a signal ends the server's sleep.
 void onSignal(int signal, void (*handler)(int)) {
   struct sigaction action {};
   action.sa_handler = handler;
@@ -48,30 +52,32 @@ void reload(DedicatedServer& server, ServerOptions& options, int argc, char** ar
     const bool same = fresh.bind == options.bind && fresh.port == options.port &&
                       fresh.maxPlayers == options.maxPlayers && fresh.maxPerAddress == options.maxPerAddress &&
                       fresh.record == options.record;
-    server.log().info(same ? "configuration and levels read again"
-                           : "configuration and levels read again; address, port, numbers of players and recordings "
-                             "change when the server is started anew");
+    server.log().info(same ? "configuration and levels reloaded"
+                           : "configuration and levels reloaded; restart the server to change address, port, player "
+                             "limits and recordings");
   } catch (const ProgramError& error) {
-    std::istringstream faults(error.what());
-    for (std::string fault; std::getline(faults, fault);) server.log().warning(fault);
-    server.log().warning("configuration and levels stay as they are");
+    std::istringstream errors(error.what());
+    for (std::string line; std::getline(errors, line);) server.log().warning(line);
+    server.log().warning("configuration and levels not reloaded");
   }
 }
 
 int serve(int argc, char** argv) {
   auto options = readOptions(argc, argv);
   if (!options) return 0;
-  Log log(options->logFormat);
+  AsyncLineWriter errors(STDERR_FILENO);
+  Log log(options->logFormat, [&errors](std::string_view line) { errors.write(line); });
   DedicatedServer server(settingsOf(*options), levelsOf(*options, log), log);
-  onSignal(SIGTERM, [](int) { stopAsked = 1; });
-  onSignal(SIGINT, [](int) { stopAsked = 1; });
-  onSignal(SIGHUP, [](int) { reloadAsked = 1; });
+  onSignal(SIGTERM, [](int) { stopRequested = 1; });
+  onSignal(SIGINT, [](int) { stopRequested = 1; });
+  onSignal(SIGHUP, [](int) { reloadRequested = 1; });
   server.log().info("listening on " + options->bind + ":" + std::to_string(server.port()));
-  while (stopAsked == 0) {
-    if (reloadAsked != 0) {
-      reloadAsked = 0;
+  while (stopRequested == 0) {
+    if (reloadRequested != 0) {
+      reloadRequested = 0;
       reload(server, *options, argc, argv);
     }
+    if (const std::uint64_t lines = errors.takeDropped()) server.log().warning("log lines dropped", {{"lines", lines}});
     server.step(std::chrono::steady_clock::now());
     server.wait();
   }
@@ -89,6 +95,7 @@ int fail(int exitCode, const std::string& prefix, const char* what) {
 
 int main(int argc, char** argv) {
   using platon::ProgramError;
+  signal(SIGPIPE, SIG_IGN);  // an error message that nobody reads must not change the exit code
   try {
     return platon::serve(argc, argv);
   } catch (const ProgramError& error) {

@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kLongestSlug = 40;
 const std::string kEnding = ".recording";
 
-// Lower case letters and digits, with a dash for all that stands between them.
+// The letters and digits of a title in lower case, with a dash for every run of other characters.
 std::string slugOf(const std::string& title) {
   std::string slug;
   for (const char c : title) {
@@ -60,7 +60,7 @@ void RecordingFolder::write(const RecordingPiece& piece, Time now, Log& log) {
   if (round_ != piece.round)
     open(piece, now);
   else if (!file_)
-    return;  // what came before could not be written
+    return;  // an earlier piece could not be written
   if (!file_ || !append(piece)) {
     const std::string reason = std::strerror(errno);
     log.warning("recording stopped", {{"file", path_.string()}, {"reason", reason}});
@@ -72,7 +72,7 @@ void RecordingFolder::write(const RecordingPiece& piece, Time now, Log& log) {
   }
 }
 
-// Never over a file that is there: another round with this number may have begun in the same second.
+// Never overwrites a file: another server may have started a round with this number in the same second.
 void RecordingFolder::open(const RecordingPiece& piece, Time now) {
   round_ = piece.round;
   bytes_ = 0;
@@ -85,7 +85,7 @@ void RecordingFolder::open(const RecordingPiece& piece, Time now) {
   }
 }
 
-// Out of this program at once, so that its end loses nothing.
+// Flushes at once, so that nothing is lost when the program is killed.
 bool RecordingFolder::append(const RecordingPiece& piece) {
   bytes_ += piece.bytes.size();
   return std::fwrite(piece.bytes.data(), 1, piece.bytes.size(), file_.get()) == piece.bytes.size() &&

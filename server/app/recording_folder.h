@@ -12,16 +12,16 @@
 
 namespace platon {
 
-/// The folder that recordings are written to, a file for each round.
+/// A folder to which recordings are written, one file for each round.
 class RecordingFolder {
  public:
   using Time = std::chrono::system_clock::time_point;
 
-  /// Makes the folder when it is missing. Throws ProgramError when no file can be written there.
+  /// Creates the folder if it is missing. Throws ProgramError when no file can be written there.
   explicit RecordingFolder(std::filesystem::path folder);
 
-  /// Appends to the file of the piece's round; a new round's file is named after `now`. When that fails, the log says
-  /// why, and what follows of the round is left out.
+  /// Appends a piece to the file of its round. The file of a new round is named after `now`. When writing fails, the
+  /// reason is logged and the rest of the round is not recorded.
   void write(const RecordingPiece& piece, Time now, Log& log);
 
  private:
@@ -33,13 +33,14 @@ class RecordingFolder {
   bool append(const RecordingPiece& piece);
 
   std::filesystem::path folder_;
-  std::uint32_t round_ = 0;                 // of the file
-  std::filesystem::path path_;              // of the file
+  std::uint32_t round_ = 0;                 // round of the file
+  std::filesystem::path path_;              // path of the file
   std::unique_ptr<std::FILE, Close> file_;  // null when it could not be written
-  std::uint64_t bytes_ = 0;                 // written to it
+  std::uint64_t bytes_ = 0;                 // bytes written to the file
 };
 
-/// `20261121T180501Z-round-0003-first-steps`: sorts by time. The title may be any text.
+/// Name of a recording, such as `20261121T180501Z-round-0003-first-steps`. Names sort by time. The title may be any
+/// text.
 std::string recordingName(RecordingFolder::Time start, std::uint32_t round, const std::string& title);
 
 }  // namespace platon

@@ -15,10 +15,10 @@ namespace {
 std::string checkName(const std::string& name) {
   return isLabel(name, kMaxNameBytes)
              ? ""
-             : "the name may have at most " + std::to_string(kMaxNameBytes) + " bytes and no control characters";
+             : "the name must have at most " + std::to_string(kMaxNameBytes) + " bytes and no control characters";
 }
 
-/// What the command line says; nothing of what it does not.
+/// Options given on the command line.
 struct CommandLine {
   std::string config;
   std::vector<std::string> levels;
@@ -33,22 +33,24 @@ struct CommandLine {
 
 void declare(CLI::App& app, CommandLine& line) {
   app.set_version_flag("--version", "platon-server " + std::string(kVersion));
-  app.add_option("LEVEL", line.levels, "Level files, played in this order; none: the levels that come with the game");
-  app.add_option("--bind", line.bind, "IPv4 address to listen on; default 0.0.0.0, which is all of this machine");
-  app.add_option("--port", line.port, "UDP port; default 7777; 0: any that is free")->check(CLI::Range(0, UINT16_MAX));
-  app.add_option("--max-players", line.maxPlayers, "Players at most; default 16")->check(CLI::Range(1u, kMaxPlayers));
-  app.add_option("--max-per-address", line.maxPerAddress, "Connections from one address at most; default 4")
+  app.add_option("LEVEL", line.levels, "Level files, played in this order; default: the levels of the game");
+  app.add_option("--bind", line.bind, "IPv4 address to listen on; default 0.0.0.0: all addresses of this machine");
+  app.add_option("--port", line.port, "UDP port; default 7777; 0: any free port")->check(CLI::Range(0, UINT16_MAX));
+  app.add_option("--max-players", line.maxPlayers, "Largest number of players; default 16")
+      ->check(CLI::Range(1u, kMaxPlayers));
+  app.add_option("--max-per-address", line.maxPerAddress, "Largest number of connections from one address; default 4")
       ->check(CLI::Range(1u, kMaxPerAddress));
-  app.add_option("--name", line.name, "What the server is called; default Platon")->check(checkName);
-  app.add_option("--config", line.config, "Configuration file (docs/hosting.md); the command line goes before it");
-  app.add_option("--log-format", line.logFormat, "Form of the log; default text")
+  app.add_option("--name", line.name, "Name of the server; default Platon")->check(checkName);
+  app.add_option("--config", line.config, "Configuration file (docs/hosting.md); command-line options override it");
+  app.add_option("--log-format", line.logFormat, "Format of the log; default text")
       ->check(CLI::IsMember({"text", "json"}));
-  app.add_option("--record", line.record, "Folder for a recording of each round, made when missing; none unless given");
+  app.add_option("--record", line.record,
+                 "Folder for a recording of each round, created if missing; default: no recordings");
 }
 
 template <class Value>
-void apply(const std::optional<Value>& said, Value& option) {
-  if (said) option = *said;
+void apply(const std::optional<Value>& given, Value& option) {
+  if (given) option = *given;
 }
 
 void apply(const CommandLine& line, ServerOptions& options) {

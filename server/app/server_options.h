@@ -10,26 +10,25 @@
 
 namespace platon {
 
-/// Connections from one address that may be asked for.
+/// Largest value of --max-per-address.
 inline constexpr std::uint32_t kMaxPerAddress = 4000;
 
-/// What a server is told by command line and configuration file.
+/// Options of the server, from command line and configuration file.
 struct ServerOptions {
-  std::vector<std::string> levels;  ///< files; none: the shipped rotation
+  std::vector<std::string> levels;  ///< files; empty: the levels of the game
   std::string bind = "0.0.0.0";
-  std::uint16_t port = kDefaultPort;  ///< 0: any that is free
+  std::uint16_t port = kDefaultPort;  ///< 0: any free port
   std::uint32_t maxPlayers = 16;      ///< 1 … kMaxPlayers
-  std::uint32_t maxPerAddress = 4;    ///< connections from one address; 1 … kMaxPerAddress
+  std::uint32_t maxPerAddress = 4;    ///< connections of one address; 1 … kMaxPerAddress
   std::string name = "Platon";        ///< a label
   LogFormat logFormat = LogFormat::kText;
-  std::string record;  ///< folder for a recording of each round; empty: none
+  std::string record;  ///< folder for a recording of each round; empty: no recordings
 
   friend bool operator==(const ServerOptions&, const ServerOptions&) = default;
 };
 
-/// Reads the command line, and the configuration file that it names: what both say is taken from the command line.
-/// Called again with the same arguments it reads the file anew. Nothing when only help or the version was asked for,
-/// which is then on standard output. Throws ProgramError.
+/// Reads the command line and the configuration file that it names. Command-line options override the file. Returns
+/// nothing after printing help or version. Throws ProgramError.
 std::optional<ServerOptions> readOptions(int argc, const char* const* argv);
 
 }  // namespace platon

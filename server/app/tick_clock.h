@@ -8,18 +8,18 @@
 
 namespace platon {
 
-/// When the ticks of a match are due: kTicksPerSecond a second without drift.
+/// Tells when the ticks of a match are due: kTicksPerSecond a second, without drift.
 class TickClock {
  public:
-  /// After a longer pause of the machine the ticks missed are not made up for.
+  /// After a pause of more than this many ticks, the missed ticks are skipped.
   static constexpr std::uint64_t kMaxBehind = kTicksPerSecond / 4;
 
   explicit TickClock(TimePoint now) : start_(now) {}
 
-  /// When the next tick is due.
+  /// Time of the next tick.
   TimePoint next() const { return start_ + sinceStart(ticks_ + 1); }
 
-  /// True when a tick is due at `now`, which counts as done then.
+  /// True when a tick is due at `now`; the clock then moves on to the one after it.
   bool take(TimePoint now) {
     if (now < next()) return false;
     if (now >= start_ + sinceStart(ticks_ + kMaxBehind))

@@ -6,7 +6,7 @@
 
 namespace platon {
 
-// Times of one length in bits share 16 buckets, so that a bucket is never wider than a sixteenth of its times.
+// Durations with the same number of bits share 16 buckets, so that a bucket spans at most a sixteenth of its durations.
 std::size_t TickTimes::bucketOf(std::uint64_t microseconds) {
   constexpr std::uint64_t kMax = (std::uint64_t{1} << kLongestBits) - 1;
   const std::uint64_t time = std::min(microseconds, kMax);

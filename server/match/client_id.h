@@ -4,7 +4,7 @@
 
 namespace platon {
 
-/// A connection of a client, never used twice.
+/// Number of a client's connection. Numbers are never reused.
 using ClientId = std::uint32_t;
 
 }  // namespace platon

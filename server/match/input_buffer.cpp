@@ -8,18 +8,18 @@ bool InputBuffer::add(std::uint32_t tick, Input input) {
   return true;
 }
 
-Input InputBuffer::take() {
-  std::optional<Input>& slot = at(next_);
+Input InputBuffer::decide() {
+  std::optional<Input>& input = at(next_);
   ++next_;
-  if (slot) {
-    held_ = *slot;
-    silence_ = 0;
-    slot.reset();
-  } else if (held_.has(Input::kPresent)) {
+  if (input) {
+    last_ = *input;
+    ticksWithoutInput_ = 0;
+    input.reset();
+  } else if (last_.has(Input::kPresent)) {
     ++missed_;
-    if (++silence_ > kHoldTicks) held_ = Input{Input::kPresent};
+    if (++ticksWithoutInput_ > kHoldTicks) last_ = Input{Input::kPresent};
   }
-  return held_;
+  return last_;
 }
 
 }  // namespace platon

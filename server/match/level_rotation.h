@@ -10,21 +10,21 @@ namespace platon {
 
 using LevelPointer = std::shared_ptr<const Level>;
 
-/// The levels that a server plays, one after another, for ever.
+/// The levels that a server plays, in order, starting over after the last.
 class LevelRotation {
  public:
-  /// Starts at the first; there is at least one.
+  /// Starts at the first level; `levels` must not be empty.
   explicit LevelRotation(std::vector<LevelPointer> levels);
 
   const LevelPointer& current() const { return current_; }
-  /// What comes after the current one.
+  /// The level after the current one.
   const LevelPointer& next() const { return levels_[next_]; }
   void advance();
 
-  /// The current level stays what it is; the first of the new ones comes next.
+  /// Replaces the levels, of which there must be one. The current level stays; the first of the new ones is next.
   void replace(std::vector<LevelPointer> levels);
 
-  /// The level with this hash of its text: the current one or one of the rotation; null when there is none.
+  /// The current level or level of the rotation whose text has this hash; null when there is none.
   LevelPointer find(std::uint64_t hash) const;
 
  private:

@@ -10,16 +10,16 @@ namespace platon {
 namespace {
 
 std::string versionReason(std::string_view what, std::uint32_t ours, std::uint32_t theirs) {
-  const std::string_view mend = theirs < ours ? "update your client" : "use the release of the server";
+  const std::string_view remedy = theirs < ours ? "update your client" : "use the release of the server";
   return std::string(what) + " differ: the server has version " + std::to_string(ours) + ", your client " +
-         std::to_string(theirs) + "; " + std::string(mend);
+         std::to_string(theirs) + "; " + std::string(remedy);
 }
 
 std::string nameOf(const Hello& hello, std::uint32_t slot) {
   return hello.name.empty() ? "Player " + std::to_string(slot + 1) : hello.name;
 }
 
-// Names by slot, as few messages as they fit into.
+// Encodes names by slot in as few messages as possible.
 std::vector<std::vector<std::uint8_t>> rostersOf(const std::map<std::uint32_t, std::string>& names) {
   std::vector<std::vector<std::uint8_t>> messages;
   Roster roster;
@@ -54,189 +54,193 @@ Match::Match(LevelRotation rotation, MatchSettings settings)
 }
 
 void Match::receive(ClientId client, const ToServer& message, std::uint32_t origin) {
-  if (const Hello* hello = std::get_if<Hello>(&message)) return greet(client, *hello, origin);
+  if (const Hello* hello = std::get_if<Hello>(&message)) return handleHello(client, *hello, origin);
   std::visit([this, client](const auto& body) { handle(client, body); }, message);
 }
 
-void Match::greet(ClientId client, const Hello& hello, std::uint32_t origin) {
-  if (isMember(client) || isDismissed(client)) return;
+void Match::handleHello(ClientId client, const Hello& hello, std::uint32_t origin) {
+  if (isPlaying(client) || isClosing(client)) return;
   std::optional<Refused> refused = wrongVersion(hello);
-  MatchPlayer* member = refused ? nullptr : takeBack(client, hello);
-  if (!refused && !member) {
-    makeRoom(origin, 1);
+  MatchPlayer* player = refused ? nullptr : resume(client, hello);
+  if (!refused && !player) {
+    evictDisconnected(origin, 1);
     const std::optional<std::uint32_t> slot = freeSlot();
     if (slot)
-      member = &join(client, hello, *slot);
+      player = &join(client, hello, *slot);
     else
-      refused = full();
+      refused = refuseFull();
   }
-  if (member) {
-    member->setOrigin(origin);
-    return makeRoom(origin, 0);
+  if (player) {
+    player->setOrigin(origin);
+    return evictDisconnected(origin, 0);
   }
   outgoing_.push_back({client, true, true, encode(*refused)});
-  note(MatchEvent::Kind::kRefused, client, 0, refused->reason);
+  addEvent(MatchEvent::Kind::kRefused, client, 0, refused->reason);
 }
 
-// Told in this very tick that its connection ends: two that take a player from each other get no further turn.
-bool Match::isDismissed(ClientId client) const {
+// Two connections with the same token would otherwise resume the player from each other many times in one tick.
+bool Match::isClosing(ClientId client) const {
   return std::any_of(outgoing_.begin(), outgoing_.end(),
                      [client](const Outgoing& message) { return message.last && message.client == client; });
 }
 
-// Else who drops connection after connection would come to hold all slots.
-void Match::makeRoom(std::uint32_t origin, std::uint32_t wanted) {
+// Removes disconnected players of an origin until it has room for `wanted` more. Without this limit a client that drops
+// one connection after another could occupy all slots.
+void Match::evictDisconnected(std::uint32_t origin, std::uint32_t wanted) {
   if (origin == 0) return;
-  const auto isOfOrigin = [origin](const Away& away) { return away.member.origin() == origin; };
-  auto count = wanted + std::count_if(away_.begin(), away_.end(), isOfOrigin);
-  for (const auto& [client, member] : members_) count += member.origin() == origin ? 1 : 0;
+  const auto isOfOrigin = [origin](const Disconnected& entry) { return entry.player.origin() == origin; };
+  auto count = wanted + std::count_if(disconnected_.begin(), disconnected_.end(), isOfOrigin);
+  for (const auto& [client, player] : players_) count += player.origin() == origin ? 1 : 0;
   for (; count > settings_.playersPerOrigin; --count) {
-    const auto longest = std::find_if(away_.begin(), away_.end(), isOfOrigin);
-    if (longest == away_.end()) return;
-    giveUp(longest);
+    const auto longest = std::find_if(disconnected_.begin(), disconnected_.end(), isOfOrigin);
+    if (longest == disconnected_.end()) return;
+    removeDisconnected(longest);
   }
 }
 
-Refused Match::full() const {
+Refused Match::refuseFull() const {
   const std::string players = std::to_string(settings_.maxPlayers);
   return {RefusalCode::kFull, "the server is full (" + players + " players): try again later"};
 }
 
-// A slot that was left rests until a tick has been decided without it, so that nobody takes over a player.
+// A slot is free only after a tick was decided without a player in it, so that its player disappears from the game.
 std::optional<std::uint32_t> Match::freeSlot() const {
   std::set<std::uint32_t> taken;
-  for (const auto& [client, member] : members_) taken.insert(member.slot());
-  for (const Away& away : away_) taken.insert(away.member.slot());
+  for (const auto& [client, player] : players_) taken.insert(player.slot());
+  for (const Disconnected& entry : disconnected_) taken.insert(entry.player.slot());
   const std::vector<Input>& held = history_.held();
   for (std::uint32_t slot = 0; slot < settings_.maxPlayers; ++slot) {
-    const bool rests = !idle() && slot < held.size() && held[slot].has(Input::kPresent);
-    if (!taken.contains(slot) && !rests) return slot;
+    const bool present = !idle() && slot < held.size() && held[slot].has(Input::kPresent);
+    if (!taken.contains(slot) && !present) return slot;
   }
   return std::nullopt;
 }
 
 MatchPlayer& Match::join(ClientId client, const Hello& hello, std::uint32_t slot) {
   if (idle() && history_.end() > 0) startRound();
-  MatchPlayer& member = members_.emplace(client, MatchPlayer(slot, nameOf(hello, slot), hello.token)).first->second;
-  member.joinAt(history_.end());
-  introduce(client, member, hello);
-  note(MatchEvent::Kind::kJoined, client, slot, member.name());
-  return member;
+  MatchPlayer& player = players_.emplace(client, MatchPlayer(slot, nameOf(hello, slot), hello.token)).first->second;
+  player.joinAt(history_.end());
+  sendWelcome(client, player, hello);
+  addEvent(MatchEvent::Kind::kJoined, client, slot, player.name());
+  return player;
 }
 
-MatchPlayer* Match::takeBack(ClientId client, const Hello& hello) {
-  std::optional<MatchPlayer> known = hello.token ? extract(*hello.token) : std::nullopt;
+MatchPlayer* Match::resume(ClientId client, const Hello& hello) {
+  std::optional<MatchPlayer> known = hello.token ? extractPlayer(*hello.token) : std::nullopt;
   if (!known) return nullptr;
-  MatchPlayer& member = members_.emplace(client, std::move(*known)).first->second;
-  member.takeUp(nameOf(hello, member.slot()));
-  introduce(client, member, hello);
-  note(MatchEvent::Kind::kReturned, client, member.slot(), member.name());
-  return &member;
+  MatchPlayer& player = players_.emplace(client, std::move(*known)).first->second;
+  player.resume(nameOf(hello, player.slot()));
+  sendWelcome(client, player, hello);
+  addEvent(MatchEvent::Kind::kResumed, client, player.slot(), player.name());
+  return &player;
 }
 
-// The client may be back before its old connection is known to be lost.
-std::optional<MatchPlayer> Match::extract(const SessionToken& token) {
-  for (auto away = away_.begin(); away != away_.end(); ++away) {
-    if (!away->member.has(token)) continue;
-    MatchPlayer member = std::move(away->member);
-    away_.erase(away);
-    return member;
+// Also takes a player that still counts as connected: its client may reconnect before the server notices the loss.
+std::optional<MatchPlayer> Match::extractPlayer(const SessionToken& token) {
+  for (auto entry = disconnected_.begin(); entry != disconnected_.end(); ++entry) {
+    if (!entry->player.hasToken(token)) continue;
+    MatchPlayer player = std::move(entry->player);
+    disconnected_.erase(entry);
+    return player;
   }
-  for (auto& [client, member] : members_) {
-    if (!member.has(token)) continue;
-    outgoing_.push_back({client, true, true, encode(Bye{ByeCode::kRemoved, "you play over another connection now"})});
-    return std::move(members_.extract(client).mapped());
+  for (auto& [client, player] : players_) {
+    if (!player.hasToken(token)) continue;
+    const Bye bye{ByeCode::kRemoved, "your player was resumed over another connection"};
+    outgoing_.push_back({client, true, true, encode(bye)});
+    return std::move(players_.extract(client).mapped());
   }
   return std::nullopt;
 }
 
-// All that a client needs to play, without being asked for it.
-void Match::introduce(ClientId client, MatchPlayer& member, const Hello& hello) {
+// Sends all that a client needs to play: Welcome, names, level text, state.
+void Match::sendWelcome(ClientId client, MatchPlayer& player, const Hello& hello) {
   const LevelPointer& level = rotation_.current();
-  send(client, encode(Welcome{member.slot(), round_, level->hash, settings_.maxPlayers, kTicksPerSecond,
+  send(client, encode(Welcome{player.slot(), round_, level->hash, settings_.maxPlayers, kTicksPerSecond,
                               settings_.serverName}));
-  std::map<std::uint32_t, std::string> present;
-  for (const auto& [other, player] : members_) present[player.slot()] = player.name();
-  for (const Away& away : away_) present[away.member.slot()] = away.member.name();
-  for (const auto& roster : rostersOf(present)) send(client, roster);
-  rosterChanges_[member.slot()] = member.name();
-  if (std::find(hello.levels.begin(), hello.levels.end(), level->hash) == hello.levels.end()) member.sendLevel(level);
-  if (history_.end() > 0) sendState(member);
+  std::map<std::uint32_t, std::string> names;
+  for (const auto& [other, present] : players_) names[present.slot()] = present.name();
+  for (const Disconnected& entry : disconnected_) names[entry.player.slot()] = entry.player.name();
+  for (const auto& roster : rostersOf(names)) send(client, roster);
+  rosterChanges_[player.slot()] = player.name();
+  if (std::find(hello.levels.begin(), hello.levels.end(), level->hash) == hello.levels.end()) player.sendLevel(level);
+  if (history_.end() > 0) sendState(player);
 }
 
 void Match::handle(ClientId client, const LevelRequest& request) {
-  const auto found = members_.find(client);
+  const auto found = players_.find(client);
   const LevelPointer level = rotation_.find(request.hash);
-  if (found != members_.end() && level) found->second.sendLevel(level);
+  if (found != players_.end() && level) found->second.sendLevel(level);
 }
 
 void Match::handle(ClientId client, const Leave&) { remove(client); }
 
 void Match::disconnect(ClientId client) {
-  const auto found = members_.find(client);
-  if (found == members_.end()) return;
-  if (!found->second.canBeTakenUp()) return remove(client);
-  note(MatchEvent::Kind::kLost, client, found->second.slot(), found->second.name());
-  away_.push_back({std::move(found->second), now_});
-  members_.erase(found);
+  const auto found = players_.find(client);
+  if (found == players_.end()) return;
+  if (!found->second.canResume()) return remove(client);
+  addEvent(MatchEvent::Kind::kConnectionLost, client, found->second.slot(), found->second.name());
+  disconnected_.push_back({std::move(found->second), now_});
+  players_.erase(found);
 }
 
 void Match::remove(ClientId client) {
-  const auto found = members_.find(client);
-  if (found == members_.end()) return;
-  const MatchPlayer member = std::move(found->second);
-  members_.erase(found);
-  removed(member, client);
+  const auto found = players_.find(client);
+  if (found == players_.end()) return;
+  const MatchPlayer player = std::move(found->second);
+  players_.erase(found);
+  playerLeft(player, client);
 }
 
-void Match::forgetAway() {
-  while (!away_.empty() && now_ - away_.front().since >= kAwayTicks) giveUp(away_.begin());
+void Match::expireDisconnected() {
+  while (!disconnected_.empty() && now_ - disconnected_.front().since >= kResumeTicks) {
+    removeDisconnected(disconnected_.begin());
+  }
 }
 
-void Match::giveUp(std::vector<Away>::iterator away) {
-  const MatchPlayer member = std::move(away->member);
-  away_.erase(away);
-  removed(member, 0);
+void Match::removeDisconnected(std::vector<Disconnected>::iterator disconnected) {
+  const MatchPlayer player = std::move(disconnected->player);
+  disconnected_.erase(disconnected);
+  playerLeft(player, 0);
 }
 
-void Match::removed(const MatchPlayer& member, ClientId client) {
-  note(MatchEvent::Kind::kLeft, client, member.slot(), member.name());
+void Match::playerLeft(const MatchPlayer& player, ClientId client) {
+  addEvent(MatchEvent::Kind::kLeft, client, player.slot(), player.name());
   if (idle()) recorder_.finish(game_);
-  rosterChanges_[member.slot()] = "";
+  rosterChanges_[player.slot()] = "";
 }
 
 void Match::handle(ClientId client, const PlayerInputs& inputs) {
-  const auto found = members_.find(client);
-  if (found == members_.end()) return;
-  MatchPlayer& member = found->second;
-  member.hear(inputs.sequence);
+  const auto found = players_.find(client);
+  if (found == players_.end()) return;
+  MatchPlayer& player = found->second;
+  player.countMessage(inputs.sequence);
   if (inputs.round != round_) return;
-  member.take(inputs, history_.end());
-  if (!member.isCurrent(inputs)) return;
+  player.addInputs(inputs, history_.end());
+  if (!player.isCurrent(inputs)) return;
   const bool ahead = inputs.confirmed > history_.end();
   if (!ahead && !history_.covers(inputs.confirmed)) {
-    return resync(client, member, MatchEvent::Kind::kBehind, inputs.confirmed);
+    return resync(client, player, MatchEvent::Kind::kResync, inputs.confirmed);
   }
   if (ahead || inputs.hash != history_.hashAfter(inputs.confirmed)) {
-    return resync(client, member, MatchEvent::Kind::kDesync, inputs.confirmed);
+    return resync(client, player, MatchEvent::Kind::kDesync, inputs.confirmed);
   }
-  member.acknowledge(inputs.confirmed);
+  player.acknowledge(inputs.confirmed);
 }
 
-void Match::resync(ClientId client, MatchPlayer& member, MatchEvent::Kind why, std::uint32_t confirmed) {
-  if (!member.mayTakeState(now_)) return;
-  sendState(member);
-  note(why, client, member.slot(),
-       "round " + std::to_string(round_) + " tick " + std::to_string(confirmed) + ", state of tick " +
-           std::to_string(history_.end()));
+void Match::resync(ClientId client, MatchPlayer& player, MatchEvent::Kind cause, std::uint32_t confirmed) {
+  if (!player.maySendState(now_)) return;
+  sendState(player);
+  addEvent(cause, client, player.slot(),
+           "round " + std::to_string(round_) + " tick " + std::to_string(confirmed) + ", state of tick " +
+               std::to_string(history_.end()));
 }
 
-void Match::sendState(MatchPlayer& member) {
-  member.sendState(round_, history_.end(), encode(FullState{history_.held(), game_.save()}), now_);
+void Match::sendState(MatchPlayer& player) {
+  player.sendState(round_, history_.end(), encode(FullState{history_.held(), game_.save()}), now_);
 }
 
 void Match::tick() {
-  forgetAway();
+  expireDisconnected();
   for (const auto& roster : rostersOf(std::exchange(rosterChanges_, {}))) sendAll(roster);
   if (idle()) return;
   ++now_;
@@ -246,53 +250,68 @@ void Match::tick() {
   const std::uint64_t hash = game_.hash();
   if (settings_.record) recorder_.record(inputs, game_, hash);
   history_.append(inputs, shortHash(hash));
-  sendUpdates();
-  watchRound();
+  sendTransfers();
+  sendTicks();
+  finishRound();
 }
 
 std::vector<Input> Match::decideInputs() {
   std::vector<Input> inputs;
-  const auto decide = [&inputs](MatchPlayer& member) {
-    const Input input = member.decide();
+  const auto decide = [&inputs](MatchPlayer& player) {
+    const Input input = player.decideInput();
     if (!input.has(Input::kPresent)) return;
-    if (inputs.size() <= member.slot()) inputs.resize(member.slot() + 1);
-    inputs[member.slot()] = input;
+    if (inputs.size() <= player.slot()) inputs.resize(player.slot() + 1);
+    inputs[player.slot()] = input;
   };
-  for (auto& [client, member] : members_) decide(member);
-  for (Away& away : away_) decide(away.member);
+  for (auto& [client, player] : players_) decide(player);
+  for (Disconnected& entry : disconnected_) decide(entry.player);
   return inputs;
 }
 
-void Match::sendUpdates() {
-  const std::uint64_t interval = members_.size() <= kFewPlayers ? 1 : 2;
-  for (auto& [client, member] : members_) {
-    sendPieces(client, member);
-    const bool due = (now_ + member.slot()) % interval == 0;
-    const bool follows = member.started() && history_.covers(member.acknowledged());
-    if (!due || !follows || member.acknowledged() == history_.end()) continue;
-    ConfirmedTicks ticks = history_.collect(member.nextPart(history_.end()));
-    member.sentUpTo(ticks.from + ticks.count, history_.end());
-    ticks.line = member.takeLine();
-    ticks.sequence = member.nextSequence();
+// Clients take turns: when the pieces of one tick do not suffice for all, the next tick continues with the next client.
+void Match::sendTransfers() {
+  std::size_t left = kMaxPiecesPerTick;
+  auto next = players_.lower_bound(nextTransfer_);
+  for (std::size_t visited = 0; visited < players_.size() && left > 0; ++visited) {
+    if (next == players_.end()) next = players_.begin();
+    left -= sendPieces(next->first, next->second, left);
+    ++next;
+  }
+  nextTransfer_ = next == players_.end() ? 0 : next->first;
+}
+
+std::size_t Match::sendPieces(ClientId client, MatchPlayer& player, std::size_t maxPieces) {
+  std::size_t pieces = 0;
+  for (std::size_t bytes = 0; bytes < kTransferBytesPerTick && pieces < maxPieces; ++pieces) {
+    auto piece = player.nextPiece();
+    if (!piece) break;
+    bytes += piece->size();
+    send(client, std::move(*piece));
+  }
+  return pieces;
+}
+
+void Match::sendTicks() {
+  const std::uint64_t interval = players_.size() <= kFewPlayers ? 1 : 2;
+  for (auto& [client, player] : players_) {
+    const bool due = (now_ + player.slot()) % interval == 0;
+    const bool follows = player.started() && history_.covers(player.acknowledged());
+    if (!due || !follows || player.acknowledged() == history_.end()) continue;
+    ConfirmedTicks ticks = history_.collect(player.nextTickToSend(history_.end()));
+    player.ticksSent(ticks.from + ticks.count, history_.end());
+    ticks.link = player.takeLinkReport();
+    ticks.sequence = player.nextSequence();
     outgoing_.push_back({client, false, false, encode(ticks)});
   }
 }
 
-void Match::sendPieces(ClientId client, MatchPlayer& member) {
-  for (std::size_t sent = 0; sent < kTransferBytesPerTick;) {
-    auto piece = member.nextPiece();
-    if (!piece) return;
-    sent += piece->size();
-    send(client, std::move(*piece));
-  }
-}
-
-void Match::watchRound() {
+// Ends the round when the game is over, and starts the next one after the pause.
+void Match::finishRound() {
   const std::uint32_t tick = history_.end();
   if (!overAt_ && game_.over()) {
     overAt_ = tick;
     sendAll(encode(RoundEnd{round_, tick, rotation_.next()->hash}));
-    note(MatchEvent::Kind::kRoundEnd, 0, 0, std::to_string(tick));
+    events_.push_back({MatchEvent::Kind::kRoundEnd, 0, 0, "", tick});
   } else if (overAt_ && tick - *overAt_ >= kPauseTicks) {
     rotation_.advance();
     startRound();
@@ -306,22 +325,22 @@ void Match::startRound() {
   game_ = Game(rotation_.current());
   history_ = TickHistory(round_, shortHash(game_.hash()));
   overAt_.reset();
-  for (auto& [client, member] : members_) member.startRound();
-  for (Away& away : away_) away.member.startRound();
-  note(MatchEvent::Kind::kRoundStart, 0, 0, rotation_.current()->title);
+  for (auto& [client, player] : players_) player.startRound();
+  for (Disconnected& entry : disconnected_) entry.player.startRound();
+  addEvent(MatchEvent::Kind::kRoundStart, 0, 0, rotation_.current()->title);
 }
 
 void Match::stop(const std::string& reason) {
   const std::vector<std::uint8_t> bye = encode(Bye{ByeCode::kServerStops, reason});
-  for (const auto& [client, member] : members_) outgoing_.push_back({client, true, true, bye});
-  members_.clear();
-  away_.clear();
+  for (const auto& [client, player] : players_) outgoing_.push_back({client, true, true, bye});
+  players_.clear();
+  disconnected_.clear();
   recorder_.finish(game_);
 }
 
-const MatchPlayer* Match::member(ClientId client) const {
-  const auto found = members_.find(client);
-  return found == members_.end() ? nullptr : &found->second;
+const MatchPlayer* Match::player(ClientId client) const {
+  const auto found = players_.find(client);
+  return found == players_.end() ? nullptr : &found->second;
 }
 
 void Match::send(ClientId client, std::vector<std::uint8_t> bytes) {
@@ -329,11 +348,11 @@ void Match::send(ClientId client, std::vector<std::uint8_t> bytes) {
 }
 
 void Match::sendAll(const std::vector<std::uint8_t>& bytes) {
-  for (const auto& [client, member] : members_) send(client, bytes);
+  for (const auto& [client, player] : players_) send(client, bytes);
 }
 
-void Match::note(MatchEvent::Kind kind, ClientId client, std::uint32_t slot, std::string text) {
-  events_.push_back({kind, client, slot, std::move(text)});
+void Match::addEvent(MatchEvent::Kind kind, ClientId client, std::uint32_t slot, std::string text) {
+  events_.push_back({kind, client, slot, std::move(text), 0});
 }
 
 }  // namespace platon

@@ -22,104 +22,109 @@ namespace platon {
 struct MatchSettings {
   std::uint32_t maxPlayers = 16;                 ///< 1 … kMaxPlayers
   std::string serverName;                        ///< a label
-  bool record = false;                           ///< every round
-  std::uint32_t playersPerOrigin = kMaxPlayers;  ///< of one origin, those included that are away
+  bool record = false;                           ///< record every round
+  std::uint32_t playersPerOrigin = kMaxPlayers;  ///< players of one origin, disconnected ones included
 };
 
 /// A message to one client.
 struct Outgoing {
   ClientId client = 0;
-  bool reliable = false;  ///< else unsequenced
-  bool last = false;      ///< the connection ends when it has arrived
+  bool reliable = false;  ///< otherwise unsequenced
+  bool last = false;      ///< close the connection once the message has arrived
   std::vector<std::uint8_t> bytes;
 };
 
-/// The authority: it decides every player's input for every tick, moves the game with them and tells all clients what
-/// it decided. Knows neither socket nor clock: messages come in decoded, go out encoded, and time is calls of `tick`.
+/// The authority over the game: decides the input of every player for every tick, advances the game with them and sends
+/// the decided inputs to all clients. Uses neither sockets nor clocks: messages come in decoded and go out encoded, and
+/// time passes by calls of `tick`.
 class Match {
  public:
   /// Ticks from the end of a round to the start of the next: 5 s.
   static constexpr std::uint32_t kPauseTicks = 5 * kTicksPerSecond;
-  /// Up to so many players, each is told of every tick; of more, only every second tick.
+  /// Up to this many connected players, each is sent every tick; otherwise every second tick.
   static constexpr std::size_t kFewPlayers = 4;
 
-  /// Ticks for which the player of a lost connection can be taken back: 60 s.
-  static constexpr std::uint64_t kAwayTicks = 60 * kTicksPerSecond;
-  /// Bytes of levels and states that one client is sent in one tick, and a piece more: the state of 256 players in
-  /// three.
+  /// Ticks for which a disconnected player can be resumed: 60 s.
+  static constexpr std::uint64_t kResumeTicks = 60 * kTicksPerSecond;
+  /// Bytes of levels and states sent to one client in one tick; the last piece may exceed it.
   static constexpr std::size_t kTransferBytesPerTick = 2 * kChunkBytes;
+  /// Pieces of levels and states sent to all clients together in one tick.
+  static constexpr std::size_t kMaxPiecesPerTick = 128;
 
   Match(LevelRotation rotation, MatchSettings settings);
 
-  /// A message from a client; the first has to be Hello. `origin`: the network address it comes from, 0 where these do
-  /// not matter. Where one has as many players as it may, whoever of them has been away longest makes room for the
-  /// next.
+  /// Handles a message from a client, of which the first has to be Hello. `origin` is the network address of the
+  /// client, 0 for one without a limit of players. When an origin has more players than allowed, the player of it that
+  /// has been disconnected longest is removed.
   void receive(ClientId client, const ToServer& message, std::uint32_t origin = 0);
-  /// The connection is gone. A player with a token stays, with the buttons it held for a second and then without, until
-  /// a client takes it up or kAwayTicks have passed.
+  /// The connection of a client was lost. A player with a token stays until a client resumes it or kResumeTicks have
+  /// passed; its buttons are held for one second and then released.
   void disconnect(ClientId client);
-  /// The client is thrown out, and its player with it.
+  /// Removes the player of a client at once.
   void remove(ClientId client);
-  /// Decides the inputs of one tick and moves the game. Without any client the match stands still.
+  /// Decides the inputs of one tick and advances the game. Without any player the game stands still.
   void tick();
-  /// Says good-bye to all.
+  /// Removes all players and tells their clients the reason.
   void stop(const std::string& reason);
-  /// These levels follow on the current one.
+  /// Plays these levels after the current one.
   void setLevels(std::vector<LevelPointer> levels) { rotation_.replace(std::move(levels)); }
 
   void setServerName(std::string name) { settings_.serverName = std::move(name); }
 
-  /// What is to be sent, in order, since the last call.
+  /// Messages to send, in order, since the last call.
   std::vector<Outgoing> takeOutgoing() { return std::exchange(outgoing_, {}); }
-  /// What has happened since the last call.
+  /// Events since the last call.
   std::vector<MatchEvent> takeEvents() { return std::exchange(events_, {}); }
-  /// What the recordings of the rounds have grown by since the last call. A recording ends where its game does: when
-  /// the next round starts, when the last player leaves, and when the match is stopped.
+  /// Pieces of recordings since the last call. A recording ends when the next round starts, when the last player
+  /// leaves, or when the match is stopped.
   std::vector<RecordingPiece> takeRecording() { return recorder_.take(); }
 
-  bool idle() const { return members_.empty() && away_.empty(); }
-  std::size_t players() const { return members_.size(); }
-  bool isMember(ClientId client) const { return members_.contains(client); }
+  /// Whether the match has no players, neither connected nor disconnected ones.
+  bool idle() const { return players_.empty() && disconnected_.empty(); }
+  /// Number of connected players.
+  std::size_t players() const { return players_.size(); }
+  bool isPlaying(ClientId client) const { return players_.contains(client); }
   std::uint32_t round() const { return round_; }
   const Game& game() const { return game_; }
-  /// Null when the client is no member.
-  const MatchPlayer* member(ClientId client) const;
+  /// The player of a client; null when it has none.
+  const MatchPlayer* player(ClientId client) const;
 
  private:
-  void greet(ClientId client, const Hello& hello, std::uint32_t origin);
+  struct Disconnected {
+    MatchPlayer player;
+    std::uint64_t since = 0;  // value of now_
+  };
+
+  void handleHello(ClientId client, const Hello& hello, std::uint32_t origin);
   void handle(ClientId, const Hello&) {}
   void handle(ClientId client, const LevelRequest& request);
   void handle(ClientId client, const Leave& leave);
   void handle(ClientId client, const PlayerInputs& inputs);
 
-  struct Away {
-    MatchPlayer member;
-    std::uint64_t since = 0;  // now_
-  };
-
-  Refused full() const;
+  Refused refuseFull() const;
   MatchPlayer& join(ClientId client, const Hello& hello, std::uint32_t slot);
-  MatchPlayer* takeBack(ClientId client, const Hello& hello);
-  std::optional<MatchPlayer> extract(const SessionToken& token);
-  void introduce(ClientId client, MatchPlayer& member, const Hello& hello);
-  void forgetAway();
-  void giveUp(std::vector<Away>::iterator away);
-  void makeRoom(std::uint32_t origin, std::uint32_t wanted);
-  bool isDismissed(ClientId client) const;
-  void removed(const MatchPlayer& member, ClientId client);
+  MatchPlayer* resume(ClientId client, const Hello& hello);
+  std::optional<MatchPlayer> extractPlayer(const SessionToken& token);
+  void sendWelcome(ClientId client, MatchPlayer& player, const Hello& hello);
+  void expireDisconnected();
+  void removeDisconnected(std::vector<Disconnected>::iterator disconnected);
+  void evictDisconnected(std::uint32_t origin, std::uint32_t wanted);
+  bool isClosing(ClientId client) const;
+  void playerLeft(const MatchPlayer& player, ClientId client);
   std::optional<std::uint32_t> freeSlot() const;
 
   void startRound();
   std::vector<Input> decideInputs();
-  void watchRound();
-  void resync(ClientId client, MatchPlayer& member, MatchEvent::Kind why, std::uint32_t confirmed);
-  void sendState(MatchPlayer& member);
-  void sendPieces(ClientId client, MatchPlayer& member);
-  void sendUpdates();
+  void finishRound();
+  void resync(ClientId client, MatchPlayer& player, MatchEvent::Kind cause, std::uint32_t confirmed);
+  void sendState(MatchPlayer& player);
+  void sendTransfers();
+  std::size_t sendPieces(ClientId client, MatchPlayer& player, std::size_t maxPieces);
+  void sendTicks();
 
   void send(ClientId client, std::vector<std::uint8_t> bytes);
   void sendAll(const std::vector<std::uint8_t>& bytes);
-  void note(MatchEvent::Kind kind, ClientId client, std::uint32_t slot, std::string text);
+  void addEvent(MatchEvent::Kind kind, ClientId client, std::uint32_t slot, std::string text);
 
   LevelRotation rotation_;
   MatchSettings settings_;
@@ -127,10 +132,11 @@ class Match {
   std::uint64_t now_ = 0;  // ticks over all rounds
   Game game_;
   TickHistory history_;
-  std::optional<std::uint32_t> overAt_;  // tick after which the round was over
-  std::map<ClientId, MatchPlayer> members_;
-  std::vector<Away> away_;                              // by since
-  std::map<std::uint32_t, std::string> rosterChanges_;  // since the last tick, names by slot; empty: gone
+  std::optional<std::uint32_t> overAt_;                 // ticks of the round when its end was detected
+  std::map<ClientId, MatchPlayer> players_;             // connected ones
+  std::vector<Disconnected> disconnected_;              // ordered by since
+  ClientId nextTransfer_ = 0;                           // client whose transfers go on first in the next tick
+  std::map<std::uint32_t, std::string> rosterChanges_;  // names by slot since the last tick; empty: the player left
   std::vector<Outgoing> outgoing_;
   std::vector<MatchEvent> events_;
   MatchRecorder recorder_;

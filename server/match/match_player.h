@@ -16,78 +16,82 @@
 
 namespace platon {
 
-/// A client that has a slot: its inputs, how far it has followed the round, and what is on its way to it.
+/// A player of the match and what the server knows of its client: inputs, acknowledged ticks, transfers in progress.
 class MatchPlayer {
  public:
-  /// Level texts that a client may ask for in one round.
-  static constexpr std::uint32_t kRequestsPerRound = 8;
-  /// Ticks between two full states: a client that never agrees costs one a second.
+  /// Level texts that a client may request in one round.
+  static constexpr std::uint32_t kMaxLevelsPerRound = 8;
+  /// Least ticks between two full states, so that a client that never agrees costs one a second.
   static constexpr std::uint64_t kTicksBetweenStates = 60;
 
+  /// Ticks that most messages of ticks repeat.
   static constexpr std::uint32_t kRecentTicks = 8;
-  static constexpr std::uint8_t kWholeEvery = 4;  // of which 256 is a multiple
+  /// Every so many messages repeat all unacknowledged ticks. Divides 256, the period of the sequence numbers.
+  static constexpr std::uint8_t kFullRepeatInterval = 4;
 
   MatchPlayer(std::uint32_t slot, std::string name, const std::optional<SessionToken>& token)
       : slot_(slot), name_(std::move(name)), token_(token) {}
 
   std::uint32_t slot() const { return slot_; }
   const std::string& name() const { return name_; }
-  /// Whether it was greeted with this token.
-  bool has(const SessionToken& token) const { return token_ && sameToken(*token_, token); }
-  /// Where its client connects from, as Match is told.
+  /// Whether the player joined with this token.
+  bool hasToken(const SessionToken& token) const { return token_ && sameToken(*token_, token); }
+  /// Network address of the client, as passed to `Match::receive`.
   std::uint32_t origin() const { return origin_; }
   void setOrigin(std::uint32_t origin) { origin_ = origin; }
-  /// Whether anybody could take it up.
-  bool canBeTakenUp() const { return token_.has_value(); }
+  /// Whether a client can resume the player, that is, whether it joined with a token.
+  bool canResume() const { return token_.has_value(); }
 
-  /// The player is taken up by another client, which knows nothing of what was sent.
-  void takeUp(std::string name);
+  /// Another client resumes the player. It knows nothing of what was sent to the last one.
+  void resume(std::string name);
 
-  /// A new round begins; what was on its way from the old one is pointless.
+  /// A new round starts. A transfer of a state of the old round is cancelled.
   void startRound();
 
-  /// A message of inputs has come, of whatever round.
-  void hear(std::uint8_t sequence);
-  /// Takes the inputs of a message of the current round, of which `decided` ticks are decided.
-  void take(const PlayerInputs& message, std::uint32_t decided);
-  /// Whether the message tells how far the client really is: it has the last state sent, and is not overtaken.
+  /// Counts a message of inputs, of any round, for the link report.
+  void countMessage(std::uint8_t sequence);
+  /// Stores the inputs of a message of the current round, of which `decided` ticks are decided.
+  void addInputs(const PlayerInputs& message, std::uint32_t decided);
+  /// Whether the message tells the client's present progress: the client has restored the last state sent, and the
+  /// message is not older than another one received.
   bool isCurrent(const PlayerInputs& message) const;
   void acknowledge(std::uint32_t confirmed) { acknowledged_ = confirmed; }
 
-  /// Whether the client follows the round: from when it joined, or in later rounds has said so.
+  /// Whether ticks are sent to the client: in the round in which it joined, and in a later one once it has sent inputs.
   bool started() const { return started_; }
-  /// Ticks of the round that the client is known to have.
+  /// Ticks of the round that the client has acknowledged.
   std::uint32_t acknowledged() const { return acknowledged_; }
-  /// Where the next message of ticks starts, of which `end` are decided: where the last one ended when not all fitted
-  /// in, else, in every kWholeEvery-th message, at the first tick that is not acknowledged. The others repeat only the
-  /// last kRecentTicks: on a long line the rest is mostly not lost but on its way.
-  std::uint32_t nextPart(std::uint32_t end) const;
-  /// A message of ticks ended at `tick`, when `end` were decided.
-  void sentUpTo(std::uint32_t tick, std::uint32_t end) { rest_ = tick < end ? tick : 0; }
-  /// What was heard since the last call.
-  std::optional<LinkReport> takeLine();
-  /// The number of the next message of ticks.
+  /// First tick of the next message of ticks, when `end` ticks are decided. After a message that could not hold all
+  /// ticks: the tick at which it stopped. Otherwise, in every kFullRepeatInterval-th message: the first unacknowledged
+  /// tick. In the others: at most kRecentTicks before the end, since on a long connection the earlier ones are mostly
+  /// not lost but still unacknowledged.
+  std::uint32_t nextTickToSend(std::uint32_t end) const;
+  /// A message with the ticks before `tick` was sent, when `end` ticks were decided.
+  void ticksSent(std::uint32_t tick, std::uint32_t end) { continueAt_ = tick < end ? tick : 0; }
+  /// Link report since the last call; nothing when no message of inputs has arrived.
+  std::optional<LinkReport> takeLinkReport();
+  /// Sequence number of the next message of ticks.
   std::uint8_t nextSequence() { return sequence_++; }
 
-  /// The input of the player for the next tick.
-  Input decide() { return inputs_.take(); }
+  /// Decides the input of the player for the next tick.
+  Input decideInput() { return inputs_.decide(); }
   std::uint64_t missedInputs() const { return inputs_.missed(); }
-  /// Ticks of the round before this one are decided without this player.
+  /// The player joins: ticks of the round before `tick` are decided without it.
   void joinAt(std::uint32_t tick) { inputs_ = InputBuffer(tick); }
 
-  /// Puts a level text on its way, unless it is already or the client has asked too often.
+  /// Starts the transfer of a level text, unless it is in progress or the client has requested too many.
   void sendLevel(const LevelPointer& level);
-  /// Whether a state may be sent at this tick of the match, counted over all rounds.
-  bool mayTakeState(std::uint64_t now) const { return now >= nextState_; }
-  /// Puts a full state, after `tick` ticks of the round, on its way.
+  /// Whether a full state may be sent at this tick of the match, counted over all rounds.
+  bool maySendState(std::uint64_t now) const { return now >= nextStateAt_; }
+  /// Starts the transfer of a full state after `tick` ticks of the round.
   void sendState(std::uint32_t round, std::uint32_t tick, std::vector<std::uint8_t> state, std::uint64_t now);
-  /// The next piece on its way; nothing when there is none.
+  /// The next message of the transfers in progress; nothing when there are none.
   std::optional<std::vector<std::uint8_t>> nextPiece();
 
  private:
-  void forget();
-  void judge(const PlayerInputs& message, std::uint32_t decided);
-  std::uint32_t judgedTick(const PlayerInputs& message) const;
+  void resetProgress();
+  void measureSlack(const PlayerInputs& message, std::uint32_t decided);
+  std::uint32_t measuredTick(const PlayerInputs& message) const;
 
   std::uint32_t slot_;
   std::string name_;
@@ -95,16 +99,16 @@ class MatchPlayer {
   std::uint32_t origin_ = 0;
   InputBuffer inputs_;
   std::deque<Transfer> transfers_;
-  LossMeter heard_;
-  std::optional<LinkReport> line_;
-  std::uint32_t newTick_ = 0;  // of this and all later ticks of the round no input has come
-  Input lastInput_;            // of the tick before
+  LossMeter loss_;  // of the messages of inputs
+  std::optional<LinkReport> linkReport_;
+  std::uint32_t inputsEnd_ = 0;  // one past the newest tick of the round for which an input has arrived
+  Input newestInput_;            // for tick inputsEnd_ - 1
   std::uint8_t sequence_ = 0;
   std::uint32_t acknowledged_ = 0;
-  std::uint32_t rest_ = 0;  // start of what did not fit in the last message of ticks
-  std::uint32_t requests_ = 0;
-  std::uint64_t nextState_ = 0;
-  std::uint8_t sync_ = 0;  // of the last state sent in this round
+  std::uint32_t continueAt_ = 0;  // tick at which the last message of ticks stopped; 0: it held all
+  std::uint32_t levelRequests_ = 0;
+  std::uint64_t nextStateAt_ = 0;
+  std::uint8_t sync_ = 0;  // number of the last state sent in this round
   bool started_ = true;
 };
 

@@ -10,17 +10,17 @@ void MatchRecorder::begin(std::uint32_t round, const Game& game) {
 
 void MatchRecorder::record(std::span<const Input> inputs, const Game& game, std::uint64_t hash) {
   recorder_->record(inputs, game, hash);
-  give(game, false);
+  addPiece(game, false);
 }
 
 void MatchRecorder::finish(const Game& game) {
   if (!recorder_) return;
   recorder_->finish(game);
-  give(game, true);
+  addPiece(game, true);
   recorder_.reset();
 }
 
-void MatchRecorder::give(const Game& game, bool last) {
+void MatchRecorder::addPiece(const Game& game, bool last) {
   std::vector<std::uint8_t> bytes = recorder_->takeBytes();
   if (bytes.empty()) return;
   pieces_.push_back({round_, game.level().title, game.tick(), last, std::move(bytes)});

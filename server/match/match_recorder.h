@@ -13,30 +13,30 @@
 
 namespace platon {
 
-/// Bytes of a round's recording that follow on those given before.
+/// The next bytes of a round's recording.
 struct RecordingPiece {
   std::uint32_t round = 0;
-  std::string title;        ///< of the level
-  std::uint32_t ticks = 0;  ///< of the round so far
-  bool last = false;        ///< nothing follows in this round
+  std::string title;        ///< title of the level
+  std::uint32_t ticks = 0;  ///< ticks of the round so far
+  bool last = false;        ///< the recording of this round ends with these bytes
   std::vector<std::uint8_t> bytes;
 };
 
-/// Makes one recording of each round, as pieces that can be written away as they come.
+/// Makes a recording of each round, in pieces that can be written to a file while the round goes on.
 class MatchRecorder {
  public:
-  /// `game` is about to be advanced in round `round`. Begins a recording unless one is being made.
+  /// Starts a recording of `game` in round `round`, unless one is in progress. Call it before each advance.
   void begin(std::uint32_t round, const Game& game);
-  /// `game` has just been advanced by `inputs`, and now has this hash.
+  /// Records that `game` was advanced by `inputs` and now has this hash.
   void record(std::span<const Input> inputs, const Game& game, std::uint64_t hash);
-  /// The game goes no further; nothing when none was begun.
+  /// Ends the recording, if one is in progress, with the game's final state.
   void finish(const Game& game);
 
   /// The pieces since the last call, in order.
   std::vector<RecordingPiece> take() { return std::exchange(pieces_, {}); }
 
  private:
-  void give(const Game& game, bool last);
+  void addPiece(const Game& game, bool last);
 
   std::uint32_t round_ = 0;
   std::optional<Recorder> recorder_;

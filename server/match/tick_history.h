@@ -10,28 +10,29 @@
 
 namespace platon {
 
-/// What has been decided in a round: the inputs of the last ticks, as changes, and the hash after each, to be sent to
-/// every client until it has them.
+/// The last decided ticks of a round: their input changes, and the hash of the game after each. They are sent to every
+/// client until it acknowledges them.
 class TickHistory {
  public:
-  /// Ticks that can be repeated: 10 s. Whoever is further behind needs a full state.
+  /// Ticks kept: 10 s. A client that is further behind needs a full state.
   static constexpr std::size_t kTicks = 600;
 
-  /// A round of which nothing is decided; `hash` is the short hash of its game.
+  /// A round without decided ticks; `hash` is the short hash of its game.
   TickHistory(std::uint32_t round, std::uint32_t hash);
 
-  /// The inputs by slot of the next tick, and the short hash of the game after it.
+  /// Adds the next tick: its inputs by slot, and the short hash of the game after it.
   void append(std::span<const Input> inputs, std::uint32_t hash);
 
-  /// Ticks decided so far.
+  /// Number of decided ticks.
   std::uint32_t end() const { return end_; }
-  /// Whether a client that has the first `confirmed` ticks can be sent the rest.
+  /// Whether all ticks from `confirmed` on are kept.
   bool covers(std::uint32_t confirmed) const { return confirmed <= end_ && confirmed >= end_ - entries_.size(); }
-  /// Short hash of the game after `confirmed` ticks, which are covered.
+  /// Short hash of the game after `confirmed` ticks, which must be covered.
   std::uint32_t hashAfter(std::uint32_t confirmed) const;
-  /// The oldest of the ticks from `confirmed` on, covered and not the end, that fit one message; no slack.
+  /// A message with the ticks from `confirmed` on, as many as fit, without link report. `confirmed` must be covered and
+  /// before the end.
   ConfirmedTicks collect(std::uint32_t confirmed) const;
-  /// The inputs of the last tick decided, by slot; slots beyond its end are absent.
+  /// Inputs of the last decided tick by slot; slots beyond its end are absent.
   const std::vector<Input>& held() const { return held_; }
 
  private:
@@ -44,8 +45,8 @@ class TickHistory {
 
   std::uint32_t round_;
   std::uint32_t end_ = 0;
-  std::uint32_t baseHash_;     // before the first entry
-  std::deque<Entry> entries_;  // of ticks end_ - size … end_ - 1
+  std::uint32_t baseHash_;     // hash before the first entry
+  std::deque<Entry> entries_;  // ticks end_ - size … end_ - 1
   std::vector<Input> held_;
 };
 

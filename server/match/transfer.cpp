@@ -12,22 +12,22 @@ std::span<const std::uint8_t> bytesOf(const std::string& text) {
 
 }  // namespace
 
-Transfer::Transfer(const LevelPointer& level) : owner_(level), rest_(bytesOf(level->text)) {
+Transfer::Transfer(const LevelPointer& level) : owner_(level), remaining_(bytesOf(level->text)) {
   LevelChunk chunk;
   chunk.hash = level->hash;
-  chunk.total = static_cast<std::uint32_t>(rest_.size());
+  chunk.total = static_cast<std::uint32_t>(remaining_.size());
   chunk_ = chunk;
 }
 
 Transfer::Transfer(std::uint32_t round, std::uint32_t tick, std::uint8_t sync, std::vector<std::uint8_t> bytes) {
   const auto whole = std::make_shared<const std::vector<std::uint8_t>>(std::move(bytes));
   owner_ = whole;
-  rest_ = *whole;
+  remaining_ = *whole;
   StateChunk chunk;
   chunk.round = round;
   chunk.tick = tick;
   chunk.sync = sync;
-  chunk.total = static_cast<std::uint32_t>(rest_.size());
+  chunk.total = static_cast<std::uint32_t>(remaining_.size());
   chunk_ = chunk;
 }
 
@@ -36,10 +36,10 @@ bool Transfer::isLevel(std::uint64_t hash) const {
   return chunk && chunk->hash == hash;
 }
 
-std::vector<std::uint8_t> Transfer::next() {
+std::vector<std::uint8_t> Transfer::nextPiece() {
   assert(!done());
-  const auto piece = rest_.first(std::min(rest_.size(), kChunkBytes));
-  rest_ = rest_.subspan(piece.size());
+  const auto piece = remaining_.first(std::min(remaining_.size(), kChunkBytes));
+  remaining_ = remaining_.subspan(piece.size());
   return std::visit(
       [piece](auto& chunk) {
         chunk.bytes.assign(piece.begin(), piece.end());

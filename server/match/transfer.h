@@ -11,24 +11,24 @@
 
 namespace platon {
 
-/// A level text or a full state on its way to one client, piece by piece.
+/// A level text or a full state that is sent to one client in pieces.
 class Transfer {
  public:
   explicit Transfer(const LevelPointer& level);
-  /// `bytes` is an encoded FullState after `tick` ticks of `round`.
+  /// `bytes` is the encoded FullState after `tick` ticks of `round`; `sync` is its number in the round.
   Transfer(std::uint32_t round, std::uint32_t tick, std::uint8_t sync, std::vector<std::uint8_t> bytes);
 
   bool isState() const { return std::holds_alternative<StateChunk>(chunk_); }
-  /// Whether this is the level with that hash.
+  /// Whether this is the level with this hash.
   bool isLevel(std::uint64_t hash) const;
-  bool done() const { return rest_.empty(); }
-  /// The next message; not when done.
-  std::vector<std::uint8_t> next();
+  bool done() const { return remaining_.empty(); }
+  /// The next message. Must not be called when done.
+  std::vector<std::uint8_t> nextPiece();
 
  private:
-  std::variant<LevelChunk, StateChunk> chunk_;  // the next piece, but for its bytes
-  std::shared_ptr<const void> owner_;           // of what rest_ looks at
-  std::span<const std::uint8_t> rest_;
+  std::variant<LevelChunk, StateChunk> chunk_;  // the next piece, without its bytes
+  std::shared_ptr<const void> owner_;           // owns the bytes of remaining_
+  std::span<const std::uint8_t> remaining_;
 };
 
 }  // namespace platon

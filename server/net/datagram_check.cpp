@@ -10,12 +10,13 @@ namespace {
 
 using Bytes = std::span<const std::uint8_t>;
 
-// ENet sends in network byte order.
+// Reads a number in network byte order.
 std::uint16_t read16(Bytes bytes, std::size_t offset) {
   return static_cast<std::uint16_t>(bytes[offset] << 8 | bytes[offset + 1]);
 }
 
-/// Where the command says how many bytes of data follow it; 0 when none do, nothing when a client must not send it.
+/// Offset of the field with the number of data bytes after the command; 0 for a command without data, nothing for one
+/// that a client must not send.
 std::optional<std::size_t> lengthOffset(std::uint8_t command) {
   switch (command) {
     case ENET_PROTOCOL_COMMAND_ACKNOWLEDGE:
@@ -36,22 +37,22 @@ std::optional<std::size_t> lengthOffset(std::uint8_t command) {
   }
 }
 
-/// Bytes of the command at the front with its data; 0 when it is broken.
-std::size_t commandBytes(Bytes rest) {
-  const auto command = static_cast<std::uint8_t>(rest[0] & ENET_PROTOCOL_COMMAND_MASK);
+/// Length of the first command with its data; 0 when it is broken.
+std::size_t commandBytes(Bytes commands) {
+  const auto command = static_cast<std::uint8_t>(commands[0] & ENET_PROTOCOL_COMMAND_MASK);
   const auto offset = lengthOffset(command);
   if (!offset) return 0;
   const std::size_t fixed = enet_protocol_command_size(command);
-  if (rest.size() < fixed) return 0;
-  const std::size_t data = *offset == 0 ? 0 : read16(rest, *offset);
-  return fixed + data <= rest.size() ? fixed + data : 0;
+  if (commands.size() < fixed) return 0;
+  const std::size_t data = *offset == 0 ? 0 : read16(commands, *offset);
+  return fixed + data <= commands.size() ? fixed + data : 0;
 }
 
-bool areCommands(Bytes rest) {
-  while (!rest.empty()) {
-    const std::size_t bytes = commandBytes(rest);
+bool areCommands(Bytes commands) {
+  while (!commands.empty()) {
+    const std::size_t bytes = commandBytes(commands);
     if (bytes == 0) return false;
-    rest = rest.subspan(bytes);
+    commands = commands.subspan(bytes);
   }
   return true;
 }

@@ -5,21 +5,21 @@
 
 namespace platon {
 
-/// What a datagram is before ENet reads it.
+/// Kind of a datagram, found before ENet reads it.
 struct DatagramHead {
   enum class Kind {
-    kBroken,   ///< nothing that a client of ours would send
-    kConnect,  ///< asks for a connection
-    kPeer,     ///< for the connection `peer`
+    kBroken,   ///< no client sends it
+    kConnect,  ///< requests a connection
+    kPeer,     ///< belongs to the connection `peer`
   };
 
   Kind kind = Kind::kBroken;
   std::uint16_t peer = 0;
 };
 
-/// Walks over the commands of a datagram with a checksum, as ENet 1.3 lays them out, without looking at the checksum.
-/// Broken is what does not fit its own lengths, what only a server sends, and what a client never needs but costs
-/// ENet memory: compression, and fragments, of which a single one makes ENet allocate 128 KiB.
+/// Checks the commands of a datagram in the layout of ENet 1.3 with a checksum; the checksum itself is not verified. A
+/// datagram is broken when its lengths do not match, when it has a command that only servers send, or when it uses what
+/// no client needs and costs ENet memory: compression, or fragments, one of which makes ENet allocate 128 KiB.
 DatagramHead checkDatagram(std::span<const std::uint8_t> datagram);
 
 }  // namespace platon

@@ -7,14 +7,14 @@
 
 namespace platon {
 
-/// A budget that fills at a steady rate up to a limit.
+/// A budget that refills at a constant rate up to a limit.
 class TokenBucket {
  public:
-  /// Full at `now`; `perSecond` and `limit` are in whatever is budgeted.
+  /// Starts full. `perSecond` and `limit` are in the unit of the budget, such as bytes.
   TokenBucket(double perSecond, double limit, TimePoint now)
       : perSecond_(perSecond), limit_(limit), level_(limit), updated_(now) {}
 
-  /// Takes `amount` when there is so much.
+  /// Takes `amount` from the budget. False, and nothing is taken, when less is left.
   bool take(double amount, TimePoint now) {
     const double seconds = std::chrono::duration<double>(now - updated_).count();
     level_ = std::min(limit_, level_ + std::max(0.0, seconds) * perSecond_);

@@ -7,7 +7,7 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-TEST(Assembly, PutsPiecesTogether) {
+TEST(Assembly, JoinsPieces) {
   Assembly assembly;
   EXPECT_FALSE(assembly.add(5, 0, Bytes{1, 2}));
   EXPECT_FALSE(assembly.add(5, 2, Bytes{3, 4}));
@@ -15,7 +15,7 @@ TEST(Assembly, PutsPiecesTogether) {
   EXPECT_EQ(assembly.bytes(), Bytes({1, 2, 3, 4, 5}));
 }
 
-TEST(Assembly, StartsAnewAtOffsetZero) {
+TEST(Assembly, APieceAtOffsetZeroStartsANewWhole) {
   Assembly assembly;
   EXPECT_FALSE(assembly.add(5, 0, Bytes{1, 2}));
   EXPECT_FALSE(assembly.add(3, 0, Bytes{7}));
@@ -23,21 +23,21 @@ TEST(Assembly, StartsAnewAtOffsetZero) {
   EXPECT_EQ(assembly.bytes(), Bytes({7, 8, 9}));
 }
 
-TEST(Assembly, OnePieceOutOfOrderSpoilsTheWhole) {
-  const auto spoilt = [](std::uint32_t total, std::uint32_t offset, const Bytes& piece) {
+TEST(Assembly, APieceOutOfOrderDiscardsTheWhole) {
+  const auto discarded = [](std::uint32_t total, std::uint32_t offset, const Bytes& piece) {
     Assembly assembly;
     assembly.add(4, 0, Bytes{1, 2});
     const bool done = assembly.add(total, offset, piece) || assembly.add(4, 2, Bytes{3, 4});
     return !done && assembly.bytes().empty();
   };
-  EXPECT_TRUE(spoilt(4, 3, {4}));
-  EXPECT_TRUE(spoilt(4, 1, {2}));
-  EXPECT_TRUE(spoilt(5, 2, {3}));
-  EXPECT_TRUE(spoilt(4, 2, {3, 4, 5}));
-  EXPECT_TRUE(spoilt(4, 2, {}));
+  EXPECT_TRUE(discarded(4, 3, {4}));
+  EXPECT_TRUE(discarded(4, 1, {2}));
+  EXPECT_TRUE(discarded(5, 2, {3}));
+  EXPECT_TRUE(discarded(4, 2, {3, 4, 5}));
+  EXPECT_TRUE(discarded(4, 2, {}));
 }
 
-TEST(Assembly, TakesNothingAfterTheEnd) {
+TEST(Assembly, RefusesAPieceAfterTheEnd) {
   Assembly assembly;
   EXPECT_TRUE(assembly.add(1, 0, Bytes{1}));
   EXPECT_FALSE(assembly.add(1, 1, Bytes{2}));

@@ -7,7 +7,7 @@
 namespace platon {
 namespace {
 
-TEST(FullState, ReadsWhatWasWritten) {
+TEST(FullState, DecodesWhatWasEncoded) {
   const FullState empty;
   EXPECT_EQ(decodeFullState(encode(empty)), empty);
   const FullState state{{pressing(3), Input{}, pressing(31)}, {1, 2, 3, 4}};
@@ -16,12 +16,12 @@ TEST(FullState, ReadsWhatWasWritten) {
   EXPECT_EQ(decodeFullState(encode(most)), most);
 }
 
-TEST(FullState, RefusesWhatCannotBe) {
+TEST(FullState, RefusesMalformedBytes) {
   using Bytes = std::vector<std::uint8_t>;
   EXPECT_FALSE(decodeFullState(Bytes{}));
   EXPECT_FALSE(decodeFullState(Bytes{2, 0x80}));
-  EXPECT_FALSE(decodeFullState(Bytes{1, 0x01}));  // buttons of nobody
-  EXPECT_FALSE(decodeFullState(Bytes{1, 0xc0}));  // no such button
+  EXPECT_FALSE(decodeFullState(Bytes{1, 0x01}));  // buttons of an absent player
+  EXPECT_FALSE(decodeFullState(Bytes{1, 0xc0}));  // an unknown button
   EXPECT_FALSE(decodeFullState(encode(FullState{std::vector<Input>(kMaxPlayers + 1), {}})));
 }
 

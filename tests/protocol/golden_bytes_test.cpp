@@ -30,7 +30,7 @@ std::map<std::string, Bytes> documentedBytes() {
   return blocks;
 }
 
-// What the page explains byte by byte.
+// The messages that the page explains byte by byte.
 const PlayerInputs kInputs{3,
                            1,
                            300,
@@ -47,7 +47,7 @@ const ConfirmedTicks kTicks{3,
                             {{300, 0, pressing(2)}, {300, 5, Input{}}, {307, 0, pressing(6)}},
                             96};
 
-TEST(GoldenBytes, ThePageShowsWhatIsSent) {
+TEST(GoldenBytes, TheDocumentedBytesAreThoseOfTheEncoder) {
   const auto page = documentedBytes();
   EXPECT_EQ(page.size(), 3u);
   const std::pair<const char*, Bytes> sent[] = {
@@ -58,7 +58,7 @@ TEST(GoldenBytes, ThePageShowsWhatIsSent) {
   }
 }
 
-TEST(GoldenBytes, ThePageCanBeRead) {
+TEST(GoldenBytes, TheDocumentedBytesAreDecoded) {
   const auto page = documentedBytes();
   ASSERT_TRUE(page.contains("inputs") && page.contains("ticks") && page.contains("hello"));
   EXPECT_EQ(decodeToServer(page.at("inputs")), ToServer(kInputs));

@@ -9,7 +9,7 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// Changes, swaps, cuts or adds a few bytes.
+/// Changes, swaps, removes or inserts a few bytes.
 Bytes mutated(Bytes bytes, std::mt19937_64& random) {
   const auto changes = 1 + random() % 4;
   for (std::uint64_t i = 0; i < changes && !bytes.empty(); ++i) {
@@ -44,9 +44,9 @@ Bytes noise(std::mt19937_64& random) {
   return bytes;
 }
 
-/// Whatever is let in is within its limits: `encode` asserts them, and gives back the same value.
+/// Checks that a decoded message is within its limits, which `encode` asserts, and encodes to an equal one.
 template <class Variant>
-void expectSound(const std::optional<Variant>& decoded, std::optional<Variant> (*decode)(std::span<const std::uint8_t>),
+void expectValid(const std::optional<Variant>& decoded, std::optional<Variant> (*decode)(std::span<const std::uint8_t>),
                  std::uint64_t& accepted) {
   if (!decoded) return;
   ++accepted;
@@ -64,7 +64,7 @@ void attack(const std::vector<Variant>& samples, std::optional<Variant> (*decode
   std::uint64_t accepted = 0;
   for (int round = 0; round < rounds; ++round) {
     const Bytes bytes = round % 8 == 0 ? noise(random) : mutated(encoded[random() % encoded.size()], random);
-    expectSound(decode(bytes), decode, accepted);
+    expectValid(decode(bytes), decode, accepted);
     if (testing::Test::HasFatalFailure()) return;
   }
   EXPECT_GT(accepted, 0u);
@@ -72,9 +72,9 @@ void attack(const std::vector<Variant>& samples, std::optional<Variant> (*decode
 
 constexpr int kRounds = 150000;
 
-TEST(HostileBytes, NeverBecomeAnUnsoundMessageToTheServer) { attack(sampleToServer(), &decodeToServer, kRounds); }
+TEST(HostileBytes, NeverDecodeToAnInvalidMessageToTheServer) { attack(sampleToServer(), &decodeToServer, kRounds); }
 
-TEST(HostileBytes, NeverBecomeAnUnsoundMessageToTheClient) { attack(sampleToClient(), &decodeToClient, kRounds); }
+TEST(HostileBytes, NeverDecodeToAnInvalidMessageToTheClient) { attack(sampleToClient(), &decodeToClient, kRounds); }
 
 }  // namespace
 }  // namespace platon

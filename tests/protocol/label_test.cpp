@@ -9,7 +9,7 @@ namespace {
 
 using namespace std::string_literals;
 
-TEST(Label, TakesWhatCanBeShown) {
+TEST(Label, AcceptsTextThatCanBeShown) {
   for (const auto& text :
        {""s, "Ann"s, "a b"s, "Łukasz"s, "世界"s, "\xf0\x9f\x8e\xb2"s, "\xef\xbf\xbd"s, "\xf4\x8f\xbf\xbf"s}) {
     EXPECT_TRUE(isLabel(text, 32)) << text;
@@ -23,14 +23,14 @@ TEST(Label, RefusesControlCharactersLineBreaksAndDirectionMarks) {
   }
 }
 
-TEST(Label, RefusesWhatIsNoUtf8) {
+TEST(Label, RefusesInvalidUtf8) {
   for (const auto& text : {"\x80"s, "\xc3"s, "\xc3("s, "\xc0\xaf"s, "\xe0\x80\xaf"s, "\xed\xa0\x80"s,
                            "\xf0\x80\x80\xaf"s, "\xf4\x90\x80\x80"s, "\xf8\x88\x80\x80\x80"s, "\xe4\xb8"s, "\xff"s}) {
     EXPECT_FALSE(isLabel(text, 32)) << testing::PrintToString(text);
   }
 }
 
-TEST(Label, CountsBytes) {
+TEST(Label, LimitsTheNumberOfBytes) {
   EXPECT_TRUE(isLabel("1234", 4));
   EXPECT_FALSE(isLabel("12345", 4));
   EXPECT_FALSE(isLabel("世界", 5));

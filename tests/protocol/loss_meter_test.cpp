@@ -9,61 +9,59 @@ namespace {
 
 std::uint8_t number(int message) { return static_cast<std::uint8_t>(message); }
 
-TEST(LossMeter, KnowsNothingBeforeTheFirst) {
+TEST(LossMeter, ReportsNoLossBeforeTheFirstMessage) {
   LossMeter meter;
   EXPECT_EQ(meter.lostPercent(), 0);
-  meter.heard(200);
+  meter.received(200);
   EXPECT_EQ(meter.lostPercent(), 0);
   EXPECT_EQ(meter.newest(), 200);
 }
 
-TEST(LossMeter, CountsWhatIsMissingOfTheLastHundred) {
+TEST(LossMeter, CountsLossOverTheLastHundredMessages) {
   LossMeter meter;
   for (int message = 250; message < 1250; ++message) {
-    if (message % 5 != 0) meter.heard(number(message));
+    if (message % 5 != 0) meter.received(number(message));
   }
   EXPECT_EQ(meter.lostPercent(), 20);
-  for (int message = 1250; message < 1350; ++message) meter.heard(number(message));
+  for (int message = 1250; message < 1350; ++message) meter.received(number(message));
   EXPECT_EQ(meter.lostPercent(), 0);
 }
 
-TEST(LossMeter, TakesOvertakenAndRepeatedMessagesForHeard) {
+TEST(LossMeter, LateAndRepeatedMessagesCountAsReceived) {
   LossMeter meter;
   for (int message = 0; message < 300; message += 2) {
-    meter.heard(number(message + 1));
-    meter.heard(number(message));
-    meter.heard(number(message + 1));
+    meter.received(number(message + 1));
+    meter.received(number(message));
+    meter.received(number(message + 1));
   }
   EXPECT_EQ(meter.lostPercent(), 0);
   EXPECT_EQ(meter.newest(), number(299));
 }
 
-TEST(LossMeter, ALongGapIsAllLoss) {
+TEST(LossMeter, ALongGapCountsAsLoss) {
   LossMeter meter;
-  meter.heard(0);
-  meter.heard(150);
+  meter.received(0);
+  meter.received(150);
   EXPECT_EQ(meter.newest(), 150);
   EXPECT_EQ(meter.lostPercent(), 99);
-  meter.heard(40);  // 146 ahead rather than 110 back
+  meter.received(40);  // 146 ahead rather than 110 back
   EXPECT_EQ(meter.newest(), 40);
 }
 
-// A share of those since the first, as long as there are fewer than a hundred.
-TEST(LossMeter, BeginsWithWhatItHas) {
+TEST(LossMeter, StartsWithFewerThanAHundredMessages) {
   LossMeter meter;
-  meter.heard(10);
-  meter.heard(13);
+  meter.received(10);
+  meter.received(13);
   EXPECT_EQ(meter.lostPercent(), 50);
 }
 
-// What came before the first one, or too late to be looked back on, says nothing.
-TEST(LossMeter, LeavesOutWhatIsTooOld) {
+TEST(LossMeter, IgnoresMessagesBeforeTheWindow) {
   LossMeter meter;
-  meter.heard(10);
-  meter.heard(9);
+  meter.received(10);
+  meter.received(9);
   EXPECT_EQ(meter.lostPercent(), 0);
-  for (int message = 11; message < 200; ++message) meter.heard(number(message));
-  meter.heard(number(199 - 99));
+  for (int message = 11; message < 200; ++message) meter.received(number(message));
+  meter.received(number(199 - 99));
   EXPECT_EQ(meter.lostPercent(), 0);
   EXPECT_EQ(meter.newest(), 199);
 }

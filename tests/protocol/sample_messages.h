@@ -9,11 +9,11 @@ namespace platon {
 
 inline Input pressing(int buttons) { return Input{static_cast<std::uint8_t>(buttons | Input::kPresent)}; }
 
-/// At least one message of every kind, with values at both ends of their ranges.
+/// At least one message of each kind, with the smallest and largest values.
 std::vector<ToServer> sampleToServer();
 std::vector<ToClient> sampleToClient();
 
-/// Whatever the message is, as it goes over the wire.
+/// Encodes a message of any kind.
 template <class Variant>
 std::vector<std::uint8_t> encodeAny(const Variant& message) {
   return std::visit([](const auto& body) { return encode(body); }, message);

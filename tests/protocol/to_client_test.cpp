@@ -9,14 +9,14 @@
 namespace platon {
 namespace {
 
-TEST(ToClient, ReadsWhatWasWritten) {
+TEST(ToClient, DecodesWhatWasEncoded) {
   const std::vector<ToClient> samples = sampleToClient();
   for (std::size_t i = 0; i < samples.size(); ++i) {
     EXPECT_EQ(decodeToClient(encodeAny(samples[i])), samples[i]) << "sample " << i;
   }
 }
 
-TEST(ToClient, ReadsBytesAtAnyAddress) {
+TEST(ToClient, DecodesBytesAtAnyAddress) {
   for (const ToClient& sample : sampleToClient()) {
     std::vector<std::uint8_t> shifted = encodeAny(sample);
     shifted.insert(shifted.begin(), 0);
@@ -24,10 +24,10 @@ TEST(ToClient, ReadsBytesAtAnyAddress) {
   }
 }
 
-TEST(ToClient, NoTickMessageIsLongerThanItsLimit) {
+TEST(ToClient, TheLongestTickMessageIsWithinItsLimit) {
   ConfirmedTicks message{
       UINT32_MAX, 0x7fffffff, kMaxTicksPerMessage, 1, LinkReport{255, 100, SlackReport{0, -kMaxSlack}}, {}};
-  // As many gaps of three ticks as there are, then everything else in the last tick.
+  // As many gaps of three ticks as possible, then all other changes in the last tick.
   std::uint32_t slot = 0;
   for (std::uint32_t gap = 1; gap < kMaxTicksPerMessage / 3; ++gap) {
     message.changes.push_back({message.from + 3 * gap, slot = 0, pressing(31)});
@@ -39,7 +39,7 @@ TEST(ToClient, NoTickMessageIsLongerThanItsLimit) {
   EXPECT_LE(encode(message).size(), kMaxTickMessageBytes);
 }
 
-TEST(ToClient, ChangesStaySmall) {
+TEST(ToClient, AChangeTakesTwoBytes) {
   ConfirmedTicks nothing{3, 5000, 8, 0x01020304, LinkReport{1, 0, SlackReport{5009, 2}}, {}};
   EXPECT_LE(encode(nothing).size(), 40u);
   ConfirmedTicks eight = nothing;
@@ -67,8 +67,8 @@ TEST(ToClient, RefusesValuesOutOfRange) {
   EXPECT_TRUE(refused(Bye{ByeCode::kRemoved, std::string(kMaxReasonBytes + 1, 'a')}));
 }
 
-// By hand: `encode` asserts.
-TEST(ToClient, RefusesMoreThanAllLost) {
+// Changes the encoded byte, since `encode` asserts the range.
+TEST(ToClient, RefusesALossAboveHundredPerCent) {
   const ConfirmedTicks message{3, 300, 8, 0, LinkReport{1, 100, std::nullopt}, {}};
   std::vector<std::uint8_t> bytes = encode(message);
   const auto lost = std::find(bytes.begin(), bytes.end(), 100);
@@ -78,7 +78,7 @@ TEST(ToClient, RefusesMoreThanAllLost) {
   EXPECT_FALSE(decodeToClient(bytes));
 }
 
-TEST(ToClient, RefusesPiecesThatDoNotFit) {
+TEST(ToClient, RefusesPiecesBeyondTheirTotal) {
   const auto refused = [](std::uint32_t total, std::uint32_t offset, std::size_t size) {
     const std::vector<std::uint8_t> bytes(size);
     const bool level = decodeToClient(encode(LevelChunk{1, total, offset, bytes})).has_value();
@@ -96,7 +96,7 @@ TEST(ToClient, RefusesPiecesThatDoNotFit) {
   EXPECT_FALSE(decodeToClient(encode(StateChunk{1, 1, 0, 1, 0, {1}})));
 }
 
-TEST(ToClient, CodesOfANewerServerReadAsOther) {
+TEST(ToClient, UnknownCodesDecodeAsOther) {
   const auto refused = decodeToClient(encode(Refused{static_cast<RefusalCode>(77), "why"}));
   ASSERT_TRUE(refused);
   EXPECT_EQ(std::get<Refused>(*refused).code, RefusalCode::kOther);

@@ -10,14 +10,14 @@
 namespace platon {
 namespace {
 
-TEST(ToServer, ReadsWhatWasWritten) {
+TEST(ToServer, DecodesWhatWasEncoded) {
   const std::vector<ToServer> samples = sampleToServer();
   for (std::size_t i = 0; i < samples.size(); ++i) {
     EXPECT_EQ(decodeToServer(encodeAny(samples[i])), samples[i]) << "sample " << i;
   }
 }
 
-TEST(ToServer, ReadsBytesAtAnyAddress) {
+TEST(ToServer, DecodesBytesAtAnyAddress) {
   for (const ToServer& sample : sampleToServer()) {
     std::vector<std::uint8_t> shifted = encodeAny(sample);
     shifted.insert(shifted.begin(), 0);
@@ -25,15 +25,15 @@ TEST(ToServer, ReadsBytesAtAnyAddress) {
   }
 }
 
-// The Hello of a newer client may look different otherwise; that it is newer must always be readable.
-TEST(ToServer, OfAnotherVersionOnlyTheVersionIsRead) {
+// The layout of a newer Hello may differ, but its version must stay readable.
+TEST(ToServer, AHelloOfAnotherVersionDecodesToItsVersionOnly) {
   const auto decoded = decodeToServer(encode(Hello{kProtocolVersion + 1, 7, "\x1b[2J"}));
   ASSERT_TRUE(decoded);
   EXPECT_EQ(std::get<Hello>(*decoded).protocolVersion, kProtocolVersion + 1);
   EXPECT_EQ(std::get<Hello>(*decoded).name, "");
 }
 
-TEST(ToServer, RefusesNamesThatCannotBeShown) {
+TEST(ToServer, RefusesNamesThatAreNoLabels) {
   EXPECT_FALSE(decodeToServer(encode(Hello{kProtocolVersion, kRulesVersion, "a\nb"})));
   EXPECT_FALSE(decodeToServer(encode(Hello{kProtocolVersion, kRulesVersion, std::string(kMaxNameBytes + 1, 'a')})));
 }
@@ -48,7 +48,7 @@ TEST(ToServer, RefusesATokenOfAnotherLength) {
   EXPECT_FALSE(decodeToServer(bytes));
 }
 
-TEST(ToServer, RefusesEveryShortenedMessageOrReadsPartOfTheSame) {
+TEST(ToServer, AShortenedMessageNeverDecodesToAnotherKind) {
   for (const ToServer& sample : sampleToServer()) {
     const std::vector<std::uint8_t> whole = encodeAny(sample);
     for (std::size_t size = 0; size < whole.size(); ++size) {
@@ -59,7 +59,7 @@ TEST(ToServer, RefusesEveryShortenedMessageOrReadsPartOfTheSame) {
   }
 }
 
-TEST(ToServer, RefusesWhatIsTooLong) {
+TEST(ToServer, RefusesMessagesAboveTheLargestSize) {
   std::vector<std::uint8_t> bytes = encode(Leave{});
   bytes.resize(kMaxMessageBytes);
   EXPECT_TRUE(decodeToServer(bytes));
@@ -67,7 +67,7 @@ TEST(ToServer, RefusesWhatIsTooLong) {
   EXPECT_FALSE(decodeToServer(bytes));
 }
 
-TEST(ToServer, InputsStaySmall) {
+TEST(ToServer, HeldInputsTakeOneRun) {
   PlayerInputs held{3, 1, 5000, 0x01020304, 5000, std::vector<Input>(12, pressing(2))};
   EXPECT_LE(encode(held).size(), 36u);
 }

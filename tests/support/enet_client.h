@@ -15,16 +15,17 @@ namespace platon {
 /// A FakeClient on a real ENet connection over loopback.
 class EnetClient {
  public:
+  /// Without a `client` it connects and sends nothing by itself.
   EnetClient(std::uint16_t port, std::optional<FakeClient> client);
 
-  /// Takes in what has arrived and sends what is to be sent.
+  /// Receives what has arrived and sends the client's messages.
   void step();
-  /// Sends these bytes instead of a message.
+  /// Sends bytes as a message.
   void sendRaw(const std::vector<std::uint8_t>& bytes, bool reliable);
 
   FakeClient& fake() { return *client_; }
   bool connected() const { return connected_; }
-  /// Whether the server ended the connection.
+  /// Whether the server closed the connection.
   bool disconnected() const { return disconnected_; }
   std::uint16_t peerAtServer() const;
   std::uint32_t connectId() const;

@@ -24,8 +24,11 @@ FakeClient::FakeClient(std::string name, std::uint32_t lead, std::function<int(s
   reliable_.push_back(encode(Hello{kProtocolVersion, kRulesVersion, std::move(name), token_}));
 }
 
-FakeClient::FakeClient(const FakeClient& lost, std::function<int(std::uint32_t)> buttons)
-    : lead_(lost.lead_), buttons_(std::move(buttons)), token_(lost.token_), texts_(lost.texts_) {
+FakeClient::FakeClient(const FakeClient& disconnected, std::function<int(std::uint32_t)> buttons)
+    : lead_(disconnected.lead_),
+      buttons_(std::move(buttons)),
+      token_(disconnected.token_),
+      texts_(disconnected.texts_) {
   Hello hello;
   hello.token = token_;
   for (const auto& [hash, level] : texts_) hello.levels.push_back(hash);
@@ -57,7 +60,7 @@ void FakeClient::handle(const RoundStart& message) {
   if (!startRound(message.round, message.levelHash)) reliable_.push_back(encode(LevelRequest{levelHash_}));
 }
 
-// False when the level has to come first.
+// False when the level is unknown.
 bool FakeClient::startRound(std::uint32_t round, std::uint64_t levelHash) {
   round_ = round;
   levelHash_ = levelHash;
@@ -100,8 +103,8 @@ void FakeClient::handle(const StateChunk& message) {
 }
 
 void FakeClient::handle(const ConfirmedTicks& message) {
-  if (message.line) line_ = message.line;
-  if (message.line && message.line->slack) slack_ = message.line->slack;
+  if (message.link) linkReport_ = message.link;
+  if (message.link && message.link->slack) slack_ = message.link->slack;
   const std::uint32_t end = message.from + message.count;
   if (!game_ || message.round != round_ || confirmed_ < message.from || confirmed_ >= end) return;
   auto change = message.changes.begin();
@@ -118,7 +121,7 @@ void FakeClient::handle(const ConfirmedTicks& message) {
   if (shortHash(game_->hash()) != message.hash) ++desyncs_;
 }
 
-void FakeClient::spoil() {
+void FakeClient::corruptGame() {
   ASSERT_TRUE(game_);
   game_->advance(std::vector<Input>(kMaxPlayers, Input{Input::kPresent}));
 }

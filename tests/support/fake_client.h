@@ -16,20 +16,21 @@
 
 namespace platon {
 
-/// The least client that follows docs/protocol.md, without clock and network: it is told what arrives and asked what it
-/// sends. Written from the page, apart from the real client.
+/// A minimal client that implements docs/protocol.md without clock or network. It shares no code with the real client
+/// except the messages.
 class FakeClient {
  public:
   using Bytes = std::vector<std::uint8_t>;
 
-  /// `lead`: how many ticks ahead of the newest confirmed one it sends inputs. `buttons` gives what it presses by tick.
+  /// `lead`: number of ticks for which it sends inputs ahead of the confirmed tick. `buttons` returns the pressed
+  /// buttons of a tick.
   FakeClient(std::string name, std::uint32_t lead, std::function<int(std::uint32_t)> buttons);
-  /// Takes up the player of `lost`, whose levels it knows.
-  FakeClient(const FakeClient& lost, std::function<int(std::uint32_t)> buttons);
+  /// Resumes the player of `disconnected` and knows its levels.
+  FakeClient(const FakeClient& disconnected, std::function<int(std::uint32_t)> buttons);
 
   /// The reliable messages to send now.
   std::vector<Bytes> takeReliable() { return std::exchange(reliable_, {}); }
-  /// The message of this tick; nothing while there is no game.
+  /// The PlayerInputs message of this tick; nothing while there is no game.
   std::optional<Bytes> inputs();
   void receive(const Bytes& message);
 
@@ -41,23 +42,24 @@ class FakeClient {
 
   const SessionToken& token() const { return token_; }
   std::uint32_t round() const { return round_; }
-  /// Ticks confirmed.
+  /// Number of confirmed ticks.
   std::uint32_t confirmed() const { return confirmed_; }
   const std::optional<Game>& game() const { return game_; }
-  /// Hash of the confirmed game after every tick of this round that it has played.
+  /// Hash of the confirmed game by number of ticks played in this round.
   const std::map<std::uint32_t, std::uint64_t>& hashes() const { return hashes_; }
-  /// What the server decided for this client, by tick of this round.
+  /// Inputs that the server decided for this client, by tick of this round.
   const std::map<std::uint32_t, Input>& decided() const { return decided_; }
   std::uint32_t desyncs() const { return desyncs_; }
   std::uint32_t states() const { return states_; }
   std::uint32_t levels() const { return levels_; }
-  /// What the server told last of this client's line.
-  const std::optional<LinkReport>& line() const { return line_; }
+  /// The last link report.
+  const std::optional<LinkReport>& linkReport() const { return linkReport_; }
+  /// The slack of the last link report that had one.
   const std::optional<SlackReport>& slack() const { return slack_; }
 
   void setLead(std::uint32_t lead) { lead_ = lead; }
-  /// Plays the confirmed game wrong from here on.
-  void spoil();
+  /// Changes the confirmed game, so that it is in desync.
+  void corruptGame();
 
  private:
   void handle(const Welcome& message);
@@ -84,7 +86,7 @@ class FakeClient {
   std::optional<Refused> refused_;
   std::optional<Bye> bye_;
   std::optional<RoundEnd> roundEnd_;
-  std::optional<LinkReport> line_;
+  std::optional<LinkReport> linkReport_;
   std::optional<SlackReport> slack_;
   std::map<std::uint32_t, std::string> roster_;
   std::uint32_t round_ = 0;

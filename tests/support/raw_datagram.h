@@ -9,15 +9,14 @@ namespace platon {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// Where the first command stands in the datagrams below: after number of the peer, time and checksum.
+/// Offset of the first command in the datagrams below, after peer number, time and checksum.
 inline constexpr std::size_t kCommandAt = 8;
 
-/// Datagrams as ENet sends them, made by hand. The checksum is right for a peer whose connection has this id (0 for one
-/// that asks to connect).
+/// Datagrams in ENet's format. The checksum is valid for a connection with this id, 0 for one that is requested.
 Bytes connectDatagram(std::uint32_t connectId);
 Bytes pingDatagram(std::uint16_t peer, std::uint32_t connectId = 0);
 Bytes unsequencedDatagram(std::uint16_t peer, std::uint16_t dataBytes, std::uint32_t connectId = 0);
-/// The first of a million fragments.
+/// The first of a million fragments of a message.
 Bytes fragmentDatagram(std::uint16_t peer, std::uint32_t connectId = 0);
 
 /// A UDP socket on loopback that sends to a port of loopback.

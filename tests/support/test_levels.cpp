@@ -19,7 +19,7 @@ std::string nearGoalText() { return withGoal("0 -100 -150"); }
 
 LevelPointer levelOf(const std::string& text) {
   LevelResult result = loadLevel(text);
-  if (!result.level) throw std::runtime_error("the test's level is invalid");
+  if (!result.level) throw std::runtime_error("the level of the test is invalid");
   return result.level;
 }
 

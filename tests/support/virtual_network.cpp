@@ -12,14 +12,14 @@ FakeClient& VirtualNetwork::add(FakeClient client) {
   return *links_.back().client;
 }
 
-void VirtualNetwork::breakOff(ClientId client) {
+void VirtualNetwork::disconnect(ClientId client) {
   links_[client - 1].connected = false;
   match_.disconnect(client);
 }
 
 void VirtualNetwork::leave(ClientId client) {
   match_.receive(client, Leave{});
-  breakOff(client);
+  disconnect(client);
 }
 
 void VirtualNetwork::run(std::uint32_t ticks) {
@@ -31,7 +31,7 @@ void VirtualNetwork::tick() {
   for (Link& link : links_) {
     if (!link.connected) continue;
     for (Bytes& bytes : link.client->takeReliable()) post(link.up, std::move(bytes));
-    if (auto bytes = link.client->inputs()) post(link.upLoose, std::move(*bytes));
+    if (auto bytes = link.client->inputs()) post(link.upUnsequenced, std::move(*bytes));
   }
   deliverToMatch();
   match_.tick();
@@ -42,7 +42,7 @@ void VirtualNetwork::tick() {
 void VirtualNetwork::deliverToMatch() {
   for (std::size_t i = 0; i < links_.size(); ++i) {
     if (!links_[i].connected) continue;
-    receive(links_[i].up, links_[i].upLoose, [this, i](const Bytes& bytes) {
+    receive(links_[i].up, links_[i].upUnsequenced, [this, i](const Bytes& bytes) {
       const auto message = decodeToServer(bytes);
       ASSERT_TRUE(message);
       match_.receive(static_cast<ClientId>(i + 1), *message);
@@ -55,7 +55,7 @@ void VirtualNetwork::deliverToClients() {
     Link& link = links_[message.client - 1];
     if (!message.reliable) {
       longest_ = std::max(longest_, message.bytes.size());
-      post(link.downLoose, std::move(message.bytes));
+      post(link.downUnsequenced, std::move(message.bytes));
     } else {
       post(link.down, std::move(message.bytes));
     }
@@ -63,7 +63,7 @@ void VirtualNetwork::deliverToClients() {
   for (MatchEvent& event : match_.takeEvents()) events_.push_back(std::move(event));
   for (Link& link : links_) {
     if (!link.connected) continue;
-    receive(link.down, link.downLoose, [&link](const Bytes& bytes) { link.client->receive(bytes); });
+    receive(link.down, link.downUnsequenced, [&link](const Bytes& bytes) { link.client->receive(bytes); });
   }
 }
 
@@ -79,11 +79,12 @@ void VirtualNetwork::post(std::vector<Parcel>& queue, Bytes bytes) {
 }
 
 template <class Take>
-void VirtualNetwork::receive(std::deque<Parcel>& queue, std::vector<Parcel>& loose, Take take) {
+void VirtualNetwork::receive(std::deque<Parcel>& queue, std::vector<Parcel>& unsequenced, Take take) {
   for (; !queue.empty() && queue.front().due <= now_; queue.pop_front()) take(queue.front().bytes);
-  const auto due = std::partition(loose.begin(), loose.end(), [this](const Parcel& p) { return p.due > now_; });
-  for (auto parcel = due; parcel != loose.end(); ++parcel) take(parcel->bytes);
-  loose.erase(due, loose.end());
+  const auto due =
+      std::partition(unsequenced.begin(), unsequenced.end(), [this](const Parcel& p) { return p.due > now_; });
+  for (auto parcel = due; parcel != unsequenced.end(); ++parcel) take(parcel->bytes);
+  unsequenced.erase(due, unsequenced.end());
 }
 
 std::size_t VirtualNetwork::count(MatchEvent::Kind kind) const {

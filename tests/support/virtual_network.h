@@ -11,33 +11,33 @@
 
 namespace platon {
 
-/// A match and its clients in virtual time: what is sent arrives some ticks later; of the unsequenced messages some are
-/// lost and all may overtake each other.
+/// A match and its clients in virtual time. Messages arrive some ticks later; unsequenced ones can be lost or
+/// reordered.
 class VirtualNetwork {
  public:
   struct Conditions {
     std::uint32_t delay = 1;   ///< ticks, each way
-    std::uint32_t jitter = 0;  ///< up to so many ticks more
-    double loss = 0;           ///< share of unsequenced messages
+    std::uint32_t jitter = 0;  ///< largest additional delay, ticks
+    double loss = 0;           ///< share of unsequenced messages that is lost, 0 … 1
     std::uint64_t seed = 1;
   };
 
   VirtualNetwork(Match match, Conditions conditions)
       : match_(std::move(match)), conditions_(conditions), random_(conditions.seed) {}
 
-  /// Adds a client under the next number, from 1 on.
+  /// Adds a client with the next number; the first is 1.
   FakeClient& add(FakeClient client);
-  /// The client's connection breaks.
-  void breakOff(ClientId client);
-  /// The client goes.
+  /// The client's connection is lost.
+  void disconnect(ClientId client);
+  /// The client leaves.
   void leave(ClientId client);
-  /// One tick of everything.
+  /// Runs one tick of the match, the clients and the network.
   void tick();
   void run(std::uint32_t ticks);
 
   Match& match() { return match_; }
   FakeClient& client(ClientId client) { return *links_[client - 1].client; }
-  /// Everything that has happened in the match.
+  /// All events of the match so far.
   const std::vector<MatchEvent>& events() const { return events_; }
   std::size_t count(MatchEvent::Kind kind) const;
   /// The longest unsequenced message to a client so far.
@@ -54,15 +54,15 @@ class VirtualNetwork {
   struct Link {
     std::unique_ptr<FakeClient> client;
     bool connected = true;
-    std::deque<Parcel> up, down;             // reliable, in order
-    std::vector<Parcel> upLoose, downLoose;  // unsequenced
+    std::deque<Parcel> up, down;  // reliable, in order
+    std::vector<Parcel> upUnsequenced, downUnsequenced;
   };
 
   std::uint64_t arrival();
   void post(std::deque<Parcel>& queue, Bytes bytes);
   void post(std::vector<Parcel>& queue, Bytes bytes);
   template <class Take>
-  void receive(std::deque<Parcel>& queue, std::vector<Parcel>& loose, Take take);
+  void receive(std::deque<Parcel>& queue, std::vector<Parcel>& unsequenced, Take take);
   void deliverToMatch();
   void deliverToClients();
 

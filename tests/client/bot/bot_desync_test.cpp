@@ -44,7 +44,7 @@ class LyingServer {
 
  private:
   void take(const HostEvent& event) {
-    if (event.gone) return match_.disconnect(event.client);
+    if (event.disconnected) return match_.disconnect(event.client);
     if (const auto message = decodeToServer(event.bytes)) match_.receive(event.client, *message);
     host_.admit(event.client);
   }

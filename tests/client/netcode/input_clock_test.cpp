@@ -18,7 +18,7 @@ ConfirmedTicks ticks(std::uint32_t from, std::uint32_t count) {
 
 ConfirmedTicks withSlack(std::uint32_t from, std::uint32_t count, SlackReport slack) {
   ConfirmedTicks message = ticks(from, count);
-  message.line = LinkReport{0, 0, slack};
+  message.link = LinkReport{0, 0, slack};
   return message;
 }
 

@@ -18,7 +18,7 @@ class LineMeterTest : public testing::Test {
   void hear(int ms, std::optional<std::uint8_t> heard, std::uint8_t lost = 0) {
     ConfirmedTicks message;
     message.sequence = sequence_++;
-    if (heard) message.line = LinkReport{*heard, lost, {}};
+    if (heard) message.link = LinkReport{*heard, lost, {}};
     meter_.receive(message, milliseconds(ms));
   }
 

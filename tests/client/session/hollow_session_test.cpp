@@ -96,7 +96,7 @@ TEST_F(HollowSessionTest, NothingPressedIsMissed) {
   ASSERT_GT(decided_.size(), 290u);
   EXPECT_NE(std::search(pressed_.begin(), pressed_.end(), decided_.begin(), decided_.end()), pressed_.end());
   EXPECT_GT(session_->confirmedTicks(), 570u);
-  EXPECT_GT(match_.member(kClient)->acknowledged() + 12, session_->confirmedTicks());
+  EXPECT_GT(match_.player(kClient)->acknowledged() + 12, session_->confirmedTicks());
   EXPECT_EQ(events(MatchEvent::Kind::kDesync), 0u);
   EXPECT_NEAR(session_->reading().rttMs, 110, 20);
 }
@@ -115,8 +115,8 @@ TEST_F(HollowSessionTest, TakesUpARoundThatIsPlayed) {
   run(std::chrono::seconds(3));
   join(lineWith(20));
   run(std::chrono::seconds(3));
-  EXPECT_TRUE(match_.game().player(match_.member(kClient)->slot()).present);
-  EXPECT_GT(match_.member(kClient)->acknowledged(), 340u);
+  EXPECT_TRUE(match_.game().player(match_.player(kClient)->slot()).present);
+  EXPECT_GT(match_.player(kClient)->acknowledged(), 340u);
   EXPECT_NEAR(session_->confirmedTicks(), 175, 10);  // those that it was there for
   EXPECT_EQ(events(MatchEvent::Kind::kDesync), 0u);
 }
@@ -138,7 +138,7 @@ TEST_F(HollowRounds, PlaysTheNextRound) {
   }
   ASSERT_EQ(match_.round(), round + 1);
   run(std::chrono::seconds(3));
-  const MatchPlayer& member = *match_.member(kClient);
+  const MatchPlayer& member = *match_.player(kClient);
   ASSERT_LT(member.slot(), match_.game().slots());
   EXPECT_TRUE(match_.game().player(member.slot()).present);
   EXPECT_GT(member.acknowledged(), 150u);

@@ -288,7 +288,7 @@ TEST_F(Outage, OfTheProgramEndsWithItsToken) {
     ASSERT_TRUE(runUntil(kAllowed, [this] { return client_->session() != nullptr && ticks() > 0; }));
     std::printf("after %lld ms\n", static_cast<long long>((now_ - begun) / milliseconds(1)));
     EXPECT_EQ(slot(), 0u);
-    EXPECT_TRUE(logged("returned"));
+    EXPECT_TRUE(logged("resumed"));
     EXPECT_EQ(client_->resumes(), 0u);
     run(seconds(2));
     EXPECT_EQ(client_->session()->roundStatistics().desyncs, 0u);

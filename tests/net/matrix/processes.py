@@ -80,7 +80,7 @@ class Server(Program):
         self._process.send_signal(signal.SIGTERM)
         code = self._process.wait(TIMEOUT_SECONDS)
         self._reader.join(TIMEOUT_SECONDS)
-        ran = self.find(r"ran (.*)")
+        ran = self.find(r"tick times (.*)")
         if code != 0 or not ran:
             raise Failure(f"platon-server exited with {code}: {self._lines[-3:]}")
         return {key: int(value) for key, value in (word.split("=") for word in ran.group(1).split())}

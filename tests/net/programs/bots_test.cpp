@@ -87,7 +87,7 @@ TEST_F(Bots, HollowOnesPlayAmongOthers) {
   EXPECT_EQ(hollow.output().rfind("{\"connected\":8,\"failed\":0,", 0), 0u) << hollow.output();
   EXPECT_NE(hollow.output().find("\"resyncs\":null"), std::string::npos) << hollow.output();
   stopServer();
-  EXPECT_EQ(server().errors().find("state differs"), std::string::npos) << server().errors();
+  EXPECT_EQ(server().errors().find("desync"), std::string::npos) << server().errors();
 }
 
 TEST_F(Bots, StayInStepOnABadLine) {

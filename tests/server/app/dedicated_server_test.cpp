@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <thread>
 
 #include "tests/support/enet_client.h"
@@ -18,12 +19,12 @@ TimePoint steadyNow() { return std::chrono::steady_clock::now(); }
 /// A server and its clients over loopback, all in one thread and in real time.
 class DedicatedServerTest : public testing::Test {
  protected:
-  void start(std::uint32_t maxPlayers) {
+  void start(std::uint32_t maxPlayers, const std::string& level = farGoalText(), LogFormat format = LogFormat::kText) {
     ServerSettings settings;
     settings.host.bind = "127.0.0.1";
     settings.match.maxPlayers = maxPlayers;
-    server_.emplace(settings, std::vector<LevelPointer>{levelOf(farGoalText())},
-                    Log(LogFormat::kText, [this](std::string_view line) { log_.emplace_back(line); }));
+    server_.emplace(settings, std::vector<LevelPointer>{levelOf(level)},
+                    Log(format, [this](std::string_view line) { log_.emplace_back(line); }));
   }
 
   EnetClient& add(std::optional<FakeClient> client) {
@@ -34,7 +35,7 @@ class DedicatedServerTest : public testing::Test {
     return add(FakeClient(name, 10, [](std::uint32_t tick) { return static_cast<int>(tick / 7 % 8); }));
   }
 
-  /// Until `done`, at most 4 s.
+  /// Runs until `done`, for at most 4 s.
   template <class Done>
   bool run(Done done) {
     const TimePoint end = steadyNow() + 4s;
@@ -57,7 +58,7 @@ class DedicatedServerTest : public testing::Test {
   std::vector<std::string> log_;
 };
 
-TEST_F(DedicatedServerTest, LetsPlayersPlay) {
+TEST_F(DedicatedServerTest, PlayersPlay) {
   start(4);
   EXPECT_NE(server_->port(), 0);
   EnetClient& ann = addPlayer("Ann");
@@ -68,7 +69,7 @@ TEST_F(DedicatedServerTest, LetsPlayersPlay) {
   EXPECT_NE(std::find(log_.begin(), log_.end(), "joined client=1 slot=0 name=\"Ann\""), log_.end());
 }
 
-TEST_F(DedicatedServerTest, RefusesWhoFindsNoPlaceAndTellsWhy) {
+TEST_F(DedicatedServerTest, RefusesAClientWhenFull) {
   start(1);
   EXPECT_TRUE(plays(addPlayer("Ann"), 5));
   EnetClient& ben = addPlayer("Ben");
@@ -77,7 +78,7 @@ TEST_F(DedicatedServerTest, RefusesWhoFindsNoPlaceAndTellsWhy) {
   EXPECT_EQ(ben.fake().refused()->code, RefusalCode::kFull);
 }
 
-TEST_F(DedicatedServerTest, BrokenDatagramsAreCountedAndDoNoHarm) {
+TEST_F(DedicatedServerTest, BrokenDatagramsAreCountedAndIgnored) {
   start(4);
   EnetClient& ann = addPlayer("Ann");
   EXPECT_TRUE(plays(ann, 5));
@@ -91,7 +92,7 @@ TEST_F(DedicatedServerTest, BrokenDatagramsAreCountedAndDoNoHarm) {
   EXPECT_TRUE(plays(ann, 5));
 }
 
-TEST_F(DedicatedServerTest, ABrokenMessageEndsOnlyItsOwnConnection) {
+TEST_F(DedicatedServerTest, AMalformedMessageEndsOnlyItsOwnConnection) {
   start(4);
   EnetClient& ann = addPlayer("Ann");
   EnetClient& eve = addPlayer("Eve");
@@ -105,8 +106,8 @@ TEST_F(DedicatedServerTest, ABrokenMessageEndsOnlyItsOwnConnection) {
   EXPECT_TRUE(plays(ann, 10));
 }
 
-// Nothing that follows is taken: a new Hello would bring the player back.
-TEST_F(DedicatedServerTest, NothingIsTakenFromAConnectionThatIsEnding) {
+// A Hello after the malformed message would otherwise let the client join again.
+TEST_F(DedicatedServerTest, MessagesOfAClosingConnectionAreIgnored) {
   start(4);
   EnetClient& eve = addPlayer("Eve");
   EXPECT_TRUE(plays(eve, 2));
@@ -118,8 +119,8 @@ TEST_F(DedicatedServerTest, NothingIsTakenFromAConnectionThatIsEnding) {
   EXPECT_EQ(server_->brokenMessages(), 1u);
 }
 
-// Each greeting is news to everybody: one connection has one.
-TEST_F(DedicatedServerTest, WhoHasLeftDoesNotGreetAgain) {
+// Otherwise one connection could cause a Roster to all clients with each Leave and Hello.
+TEST_F(DedicatedServerTest, AClientThatHasLeftCannotJoinAgainOverTheSameConnection) {
   start(4);
   EnetClient& eve = addPlayer("Eve");
   EXPECT_TRUE(plays(eve, 2));
@@ -133,7 +134,7 @@ TEST_F(DedicatedServerTest, WhoHasLeftDoesNotGreetAgain) {
             1);
 }
 
-TEST_F(DedicatedServerTest, AFloodIsCutOffAndOthersPlayOn) {
+TEST_F(DedicatedServerTest, AFloodIsDroppedAndOthersPlayOn) {
   start(4);
   EnetClient& ann = addPlayer("Ann");
   EnetClient& eve = addPlayer("Eve");
@@ -144,13 +145,13 @@ TEST_F(DedicatedServerTest, AFloodIsCutOffAndOthersPlayOn) {
   EXPECT_TRUE(plays(ann, 10));
 }
 
-TEST_F(DedicatedServerTest, WhoDoesNotGetInInTimeIsForgotten) {
+TEST_F(DedicatedServerTest, ConnectionsThatDoNotJoinInTimeExpire) {
   start(4);
   const RawSocket attacker(server_->port());
   attacker.send(connectDatagram(77));
   EnetClient& silent = add(std::nullopt);
   EXPECT_TRUE(run([&] { return silent.connected(); }));
-  EXPECT_TRUE(run([end = steadyNow() + 20ms] { return steadyNow() > end; }));  // the server has its answer
+  EXPECT_TRUE(run([end = steadyNow() + 20ms] { return steadyNow() > end; }));  // the handshake is complete
   EXPECT_EQ(server_->hostCounters().brokenDatagrams, 0u);
   EXPECT_EQ(server_->hostCounters().expired, 0u);
   const TimePoint connected = steadyNow();
@@ -159,9 +160,9 @@ TEST_F(DedicatedServerTest, WhoDoesNotGetInInTimeIsForgotten) {
   EXPECT_EQ(server_->hostCounters().expired, 0u);
   now = connected + 4s;
   server_->step(now);
-  EXPECT_EQ(server_->hostCounters().expired, 1u);  // the one that never answered
+  EXPECT_EQ(server_->hostCounters().expired, 1u);  // the one without a handshake
   for (const TimePoint begin = steadyNow(); server_->hostCounters().expired == 1u;) {
-    silent.step();  // answers, and says nothing
+    silent.step();  // acknowledges, but sends no message
     now += 100ms;
     ASSERT_LT(now, begin + 11s);
     server_->step(now);
@@ -169,7 +170,7 @@ TEST_F(DedicatedServerTest, WhoDoesNotGetInInTimeIsForgotten) {
   EXPECT_GE(now, connected + 10s);
 }
 
-TEST_F(DedicatedServerTest, SaysGoodBye) {
+TEST_F(DedicatedServerTest, StoppingTellsTheClientsTheReason) {
   start(4);
   EnetClient& ann = addPlayer("Ann");
   EXPECT_TRUE(plays(ann, 5));
@@ -183,7 +184,7 @@ TEST_F(DedicatedServerTest, SaysGoodBye) {
   EXPECT_EQ(ann.fake().bye()->reason, "the server stops");
 }
 
-TEST_F(DedicatedServerTest, SaysHowLongItsTicksTook) {
+TEST_F(DedicatedServerTest, LogsTheTickTimesWhenItStops) {
   start(4);
   const TimePoint begin = steadyNow();
   EXPECT_TRUE(plays(addPlayer("Ann"), 20));
@@ -194,18 +195,30 @@ TEST_F(DedicatedServerTest, SaysHowLongItsTicksTook) {
   EXPECT_LT(std::chrono::microseconds(times.longest()), steadyNow() - begin);
   clients_.clear();
   server_->stop("the server stops");
-  EXPECT_EQ(log_.back(), "ran ticks=" + std::to_string(ticks) + " p50Us=" + std::to_string(times.quantile(0.5)) +
+  EXPECT_EQ(log_.back(), "tick times ticks=" + std::to_string(ticks) + " p50Us=" + std::to_string(times.quantile(0.5)) +
                              " p99Us=" + std::to_string(times.quantile(0.99)) +
                              " longestUs=" + std::to_string(times.longest()));
 }
 
-TEST_F(DedicatedServerTest, AnEmptyServerRunsNoTicks) {
+TEST_F(DedicatedServerTest, TheLogHasTheTicksOfARoundAsANumber) {
+  start(4, nearGoalText(), LogFormat::kJson);
+  EnetClient& ann = addPlayer("Ann");
+  EXPECT_TRUE(run([&] { return ann.fake().roundEnd().has_value(); }));
+  const std::string ticks = std::to_string(ann.fake().roundEnd()->tick);
+  EXPECT_EQ(std::count_if(log_.begin(), log_.end(),
+                          [&ticks](const std::string& line) {
+                            return line.ends_with(R"("message":"round over","ticks":)" + ticks + "}");
+                          }),
+            1);
+}
+
+TEST_F(DedicatedServerTest, AServerWithoutPlayersRunsNoTicks) {
   start(4);
   for (int i = 0; i < 10; ++i) server_->step(steadyNow() + i * 100ms);
   EXPECT_EQ(server_->tickTimes().count(), 0u);
 }
 
-TEST_F(DedicatedServerTest, APlayerWhoseConnectionBreaksStaysForAMinute) {
+TEST_F(DedicatedServerTest, ADisconnectedPlayerStaysForAMinute) {
   start(4);
   EXPECT_TRUE(plays(addPlayer("Ann"), 2));
   clients_.clear();
@@ -218,23 +231,6 @@ TEST_F(DedicatedServerTest, APlayerWhoseConnectionBreaksStaysForAMinute) {
   EXPECT_FALSE(server_->match().idle());
   pass(1000, 9000);
   EXPECT_TRUE(server_->match().idle());
-}
-
-TEST(Host, SaysWhyItCannotListen) {
-  const auto fault = [](const std::string& bind, std::uint16_t port) {
-    try {
-      const Host host({bind, port, 4, 4}, steadyNow());
-      return std::string("listens");
-    } catch (const HostError& error) {
-      return std::string(error.what());
-    }
-  };
-  const Host host({"127.0.0.1", 0, 4, 4}, steadyNow());
-  const std::string port = std::to_string(host.port());
-  EXPECT_EQ(fault("127.0.0.1", host.port()),
-            "cannot listen on 127.0.0.1:" + port +
-                ": Address already in use; stop the program that uses it or choose another port");
-  EXPECT_EQ(fault("here", 0), "cannot listen on 'here': it is no IPv4 address, such as 0.0.0.0 or 127.0.0.1");
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 namespace platon {
 namespace {
 
-TEST(Log, WritesALineAnEvent) {
+TEST(Log, WritesOneLinePerEvent) {
   std::vector<std::string> lines;
   Log log(LogFormat::kText, [&lines](std::string_view line) { lines.emplace_back(line); });
   log.info("listening on 0.0.0.0:7777");
@@ -15,7 +15,7 @@ TEST(Log, WritesALineAnEvent) {
   EXPECT_EQ(lines, (std::vector<std::string>{"listening on 0.0.0.0:7777", "joined slot=3 name=\"a\\\"b\""}));
 }
 
-TEST(Log, WritesJsonWithTheTimeOfDay) {
+TEST(Log, WritesJsonWithTheTime) {
   std::string line;
   Log log(LogFormat::kJson, [&line](std::string_view text) { line = text; });
   log.warning("kept \"out\"", {{"count", std::uint64_t{3}}, {"name", std::string("a\nb\\")}});

@@ -18,7 +18,6 @@ namespace fs = std::filesystem;
 
 constexpr RecordingFolder::Time kTime{std::chrono::seconds(1795284301)};  // 2026-11-21 18:05:01 UTC
 
-/// A folder for one test, which is not there yet.
 class RecordingFolderTest : public testing::Test {
  protected:
   std::vector<std::string> names() const {
@@ -35,18 +34,18 @@ class RecordingFolderTest : public testing::Test {
   Log log_{LogFormat::kText, [this](std::string_view line) { lines_.emplace_back(line); }};
 };
 
-TEST(RecordingName, IsMadeOfTimeRoundAndTitle) {
+TEST(RecordingName, ConsistsOfTimeRoundAndTitle) {
   EXPECT_EQ(recordingName(kTime, 3, "First steps"), "20261121T180501Z-round-0003-first-steps");
   EXPECT_EQ(recordingName(kTime, 12345, ""), "20261121T180501Z-round-12345");
   EXPECT_EQ(recordingName(kTime, 1, "../ß \"x/y\"!"), "20261121T180501Z-round-0001-x-y");
   EXPECT_EQ(recordingName(kTime, 1, std::string(100, 'A')).size(), 68u);
 }
 
-TEST_F(RecordingFolderTest, HasAFileForEachRound) {
+TEST_F(RecordingFolderTest, WritesAFileForEachRound) {
   RecordingFolder folder(folder_);
   EXPECT_TRUE(names().empty());
   folder.write({1, "One", 60, false, {'a', 'b'}}, kTime, log_);
-  EXPECT_EQ(content("20261121T180501Z-round-0001-one.recording"), "ab");  // while it goes on
+  EXPECT_EQ(content("20261121T180501Z-round-0001-one.recording"), "ab");  // before the round ends
   folder.write({1, "One", 70, true, {'c'}}, kTime + std::chrono::seconds(2), log_);
   folder.write({2, "Two", 60, false, {'d'}}, kTime + std::chrono::seconds(3), log_);
   EXPECT_EQ(names(), (std::vector<std::string>{"20261121T180501Z-round-0001-one.recording",
@@ -56,7 +55,7 @@ TEST_F(RecordingFolderTest, HasAFileForEachRound) {
   EXPECT_EQ(lines_, (std::vector<std::string>{"recording finished file=\"" + path + "\" ticks=70 bytes=3"}));
 }
 
-TEST_F(RecordingFolderTest, WritesOverNothing) {
+TEST_F(RecordingFolderTest, NeverOverwritesAFile) {
   for (const char letter : {'a', 'b', 'c'}) {
     const auto byte = static_cast<std::uint8_t>(letter);
     RecordingFolder(folder_).write({1, "", 1, true, {byte}}, kTime, log_);
@@ -67,7 +66,7 @@ TEST_F(RecordingFolderTest, WritesOverNothing) {
   EXPECT_EQ(content("20261121T180501Z-round-0001-3.recording"), "c");
 }
 
-TEST_F(RecordingFolderTest, RefusesWhereNothingCanBeWritten) {
+TEST_F(RecordingFolderTest, RefusesAFolderThatIsNotWritable) {
   writeText(folder_, "a file");
   try {
     RecordingFolder folder(folder_ / "games");
@@ -79,8 +78,8 @@ TEST_F(RecordingFolderTest, RefusesWhereNothingCanBeWritten) {
   }
 }
 
-// The limit on a file's size stands for a full disk.
-TEST_F(RecordingFolderTest, SaysOnceThatARoundCannotBeWrittenAndTriesTheNext) {
+// Simulates a full disk by a limit on the size of files.
+TEST_F(RecordingFolderTest, LogsAFailedWriteOnceAndRecordsTheNextRound) {
   RecordingFolder folder(folder_);
   folder.write({1, "", 60, false, {1, 2, 3}}, kTime, log_);
   const auto before = std::signal(SIGXFSZ, SIG_IGN);
@@ -102,7 +101,7 @@ TEST_F(RecordingFolderTest, SaysOnceThatARoundCannotBeWrittenAndTriesTheNext) {
   EXPECT_EQ(lines_.size(), 2u);
 }
 
-TEST_F(RecordingFolderTest, SaysThatAFileCannotBeMade) {
+TEST_F(RecordingFolderTest, LogsOnceThatAFileCannotBeCreated) {
   RecordingFolder folder(folder_);
   fs::remove_all(folder_);
   folder.write({1, "", 60, false, {1}}, kTime, log_);

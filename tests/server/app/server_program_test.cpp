@@ -33,7 +33,7 @@ class ProgramTest : public testing::Test {
   const std::string level_ = folder_ / "test.level";
 };
 
-TEST_F(ProgramTest, ListensAndSaysGoodByeWhenStopped) {
+TEST_F(ProgramTest, ListensAndTellsTheClientsWhenStopped) {
   for (const int number : {SIGTERM, SIGINT}) {
     Process server(platonCommand("platon-server", {level_, "--port", "0", "--bind", "127.0.0.1"}));
     const std::string line = server.nextErrorLine();
@@ -45,28 +45,28 @@ TEST_F(ProgramTest, ListensAndSaysGoodByeWhenStopped) {
     for (int i = 0; i < 500 && !ann.disconnected(); ++i, std::this_thread::sleep_for(4ms)) ann.step();
     EXPECT_TRUE(ann.fake().bye());
     EXPECT_EQ(server.wait(), 0);
-    EXPECT_TRUE(lastLine(server).starts_with("ran ticks="));
+    EXPECT_TRUE(lastLine(server).starts_with("tick times ticks="));
   }
 }
 
-TEST_F(ProgramTest, ReadsLevelsAgainOnHangUp) {
+TEST_F(ProgramTest, ReloadsLevelsOnHangUp) {
   Process server(platonCommand("platon-server", {level_, "--port", "0", "--bind", "127.0.0.1"}));
   server.nextErrorLine();
-  EXPECT_EQ(server.nextErrorLine(), "round starts level=\"\"");
+  EXPECT_EQ(server.nextErrorLine(), "round started level=\"\"");
   write("CUBE\n");
   server.signal(SIGHUP);
   std::string line = server.nextErrorLine();
   EXPECT_TRUE(line.starts_with(level_ + ":1:1: error: ")) << line;
   while (line.starts_with(level_)) line = server.nextErrorLine();
-  EXPECT_EQ(line, "configuration and levels stay as they are");
+  EXPECT_EQ(line, "configuration and levels not reloaded");
   write(nearGoalText());
   server.signal(SIGHUP);
-  EXPECT_EQ(server.nextErrorLine(), "configuration and levels read again");
+  EXPECT_EQ(server.nextErrorLine(), "configuration and levels reloaded");
   server.signal(SIGTERM);
   EXPECT_EQ(server.wait(), 0);
 }
 
-TEST_F(ProgramTest, FaultsEndItWithTheCodesOfTheManual) {
+TEST_F(ProgramTest, ExitCodesAreThoseOfTheManual) {
   const auto ends = [](const std::vector<std::string>& arguments, int code, const std::string& start) {
     Process server(platonCommand("platon-server", arguments));
     const std::string first = server.nextErrorLine();

@@ -9,14 +9,14 @@ namespace {
 
 using std::chrono::microseconds;
 
-TEST(TickTimes, AreNoneAtFirst) {
+TEST(TickTimes, StartEmpty) {
   const TickTimes times;
   EXPECT_EQ(times.count(), 0u);
   EXPECT_EQ(times.quantile(0.99), 0u);
   EXPECT_EQ(times.longest(), 0u);
 }
 
-TEST(TickTimes, ShortOnesAreExact) {
+TEST(TickTimes, ShortDurationsAreExact) {
   TickTimes times;
   for (int i = 1; i <= 31; ++i) times.add(microseconds(i));
   EXPECT_EQ(times.quantile(0), 1u);
@@ -35,7 +35,7 @@ TEST(TickTimes, QuantilesAreRoundedUpByASixteenthAtMost) {
   }
 }
 
-TEST(TickTimes, TheNinetyNinthPercentileLeavesOutOneInAHundred) {
+TEST(TickTimes, TheNinetyNinthPercentileIgnoresOneInAHundred) {
   TickTimes times;
   for (int i = 0; i < 99; ++i) times.add(microseconds(10));
   times.add(microseconds(5000));
@@ -46,12 +46,12 @@ TEST(TickTimes, TheNinetyNinthPercentileLeavesOutOneInAHundred) {
   EXPECT_EQ(times.quantile(0.99), 5000u);
 }
 
-TEST(TickTimes, TheLongestIsExactHoweverLong) {
+TEST(TickTimes, TheLongestIsAlwaysExact) {
   TickTimes times;
   times.add(std::chrono::seconds(7));
   EXPECT_EQ(times.longest(), 7'000'000u);
   EXPECT_EQ(times.quantile(1), 1'048'575u);
-  times.add(std::chrono::nanoseconds(-5));  // no monotonic clock gives this, but it is safe
+  times.add(std::chrono::nanoseconds(-5));  // a monotonic clock never gives this
   EXPECT_EQ(times.quantile(0.5), 0u);
   EXPECT_EQ(times.count(), 2u);
 }

@@ -31,8 +31,8 @@ Hello hello(const std::string& name, std::optional<SessionToken> token) {
   return hello;
 }
 
-/// A match to which messages are handed without a network.
-class HostileReturn : public testing::Test {
+/// A match that receives messages without a network.
+class HostileResume : public testing::Test {
  protected:
   static Match matchFor(std::uint32_t maxPlayers, std::uint32_t playersPerOrigin = kMaxPlayers) {
     MatchSettings settings;
@@ -45,7 +45,7 @@ class HostileReturn : public testing::Test {
     match.receive(client, hello("P" + std::to_string(token), tokenNumber(token)), origin);
   }
 
-  // One tick, its messages and events.
+  // Runs one tick and counts its messages and events.
   void tick(Match& match) {
     match.tick();
     sent_.clear();
@@ -57,21 +57,21 @@ class HostileReturn : public testing::Test {
   std::map<Kind, std::size_t> events_;
 };
 
-TEST_F(HostileReturn, ASecondHelloChangesNothing) {
+TEST_F(HostileResume, ASecondHelloChangesNothing) {
   Match match = matchFor(4);
   greet(match, 1, 1);
   greet(match, 1, 2);
   greet(match, 1, 1);
   tick(match);
   EXPECT_EQ(match.players(), 1u);
-  EXPECT_EQ(match.member(1)->name(), "P1");
-  EXPECT_TRUE(match.member(1)->has(tokenNumber(1)));
+  EXPECT_EQ(match.player(1)->name(), "P1");
+  EXPECT_TRUE(match.player(1)->hasToken(tokenNumber(1)));
   EXPECT_EQ(events_[Kind::kJoined], 1u);
-  EXPECT_EQ(events_[Kind::kReturned], 0u);
+  EXPECT_EQ(events_[Kind::kResumed], 0u);
 }
 
-// Two connections that throw each other out, with a burst of greetings before the server can close either.
-TEST_F(HostileReturn, WhoWasThrownOutGetsNoFurtherTurn) {
+// Two connections with one token send many Hellos before the server can close either.
+TEST_F(HostileResume, AConnectionThatIsClosingCannotResume) {
   Match match = matchFor(4);
   greet(match, 9, 9);
   tick(match);
@@ -82,13 +82,13 @@ TEST_F(HostileReturn, WhoWasThrownOutGetsNoFurtherTurn) {
   }
   tick(match);
   EXPECT_EQ(match.players(), 2u);
-  EXPECT_TRUE(match.isMember(3));
-  EXPECT_LE(events_[Kind::kReturned], 2u);
-  EXPECT_LE(sent_[9], 5u);  // who else is there
+  EXPECT_TRUE(match.isPlaying(3));
+  EXPECT_LE(events_[Kind::kResumed], 2u);
+  EXPECT_LE(sent_[9], 5u);  // names only
 }
 
-// Two addresses that take each other's players over hold no more of them than two addresses may.
-TEST_F(HostileReturn, TakingOverFromAnotherAddressMakesRoomThere) {
+// Two addresses that resume each other's players hold no more players than two addresses may.
+TEST_F(HostileResume, ResumingFromAnotherAddressCountsAgainstThatAddress) {
   Match match = matchFor(16, 4);
   for (std::uint32_t cycle = 0; cycle < 16; ++cycle) {
     const ClientId client = 1 + 2 * cycle;
@@ -98,12 +98,11 @@ TEST_F(HostileReturn, TakingOverFromAnotherAddressMakesRoomThere) {
     tick(match);
   }
   greet(match, 99, 99, 3);
-  EXPECT_TRUE(match.isMember(99));
+  EXPECT_TRUE(match.isPlaying(99));
   EXPECT_GE(events_[Kind::kLeft], 11u);
 }
 
-// A client that sends no random token has itself to blame, and nobody else has.
-TEST_F(HostileReturn, ATokenOfZerosIsOneLikeAnyOther) {
+TEST_F(HostileResume, ATokenOfZerosIsATokenLikeAnyOther) {
   Match match = matchFor(4);
   greet(match, 9, 9);
   match.receive(1, hello("One", SessionToken{}));
@@ -113,53 +112,53 @@ TEST_F(HostileReturn, ATokenOfZerosIsOneLikeAnyOther) {
   match.receive(3, hello("Three", SessionToken{}));
   tick(match);
   EXPECT_EQ(match.players(), 3u);
-  EXPECT_FALSE(match.isMember(1));
-  EXPECT_TRUE(match.isMember(2));
-  EXPECT_TRUE(match.isMember(9));
+  EXPECT_FALSE(match.isPlaying(1));
+  EXPECT_TRUE(match.isPlaying(2));
+  EXPECT_TRUE(match.isPlaying(9));
 }
 
-TEST_F(HostileReturn, AFullServerMayLoseAllAtOnce) {
+TEST_F(HostileResume, AllPlayersOfAFullServerCanDisconnectAtOnce) {
   Match match = matchFor(kMaxPlayers);
   for (std::uint32_t i = 0; i < kMaxPlayers; ++i) greet(match, 1 + i, i);
   for (int i = 0; i < 10; ++i) tick(match);
   std::vector<std::uint32_t> slots;
-  for (std::uint32_t i = 0; i < kMaxPlayers; ++i) slots.push_back(match.member(1 + i)->slot());
+  for (std::uint32_t i = 0; i < kMaxPlayers; ++i) slots.push_back(match.player(1 + i)->slot());
   for (std::uint32_t i = 0; i < kMaxPlayers; ++i) match.disconnect(1 + i);
   tick(match);
   EXPECT_TRUE(sent_.empty());
   EXPECT_FALSE(match.idle());
-  greet(match, 999, 999);  // no place is free
-  EXPECT_FALSE(match.isMember(999));
+  greet(match, 999, 999);  // no slot is free
+  EXPECT_FALSE(match.isPlaying(999));
   for (std::uint32_t i = kMaxPlayers; i-- > kMaxPlayers / 2;) greet(match, 1001 + i, i);
   tick(match);
   EXPECT_EQ(match.players(), kMaxPlayers / 2);
-  for (std::uint32_t i = kMaxPlayers / 2; i < kMaxPlayers; ++i) EXPECT_EQ(match.member(1001 + i)->slot(), slots[i]);
-  for (std::uint64_t i = 0; i < Match::kAwayTicks + 2; ++i) match.tick();
+  for (std::uint32_t i = kMaxPlayers / 2; i < kMaxPlayers; ++i) EXPECT_EQ(match.player(1001 + i)->slot(), slots[i]);
+  for (std::uint64_t i = 0; i < Match::kResumeTicks + 2; ++i) match.tick();
   tick(match);
   EXPECT_EQ(events_[Kind::kLeft], kMaxPlayers / 2);
   for (std::uint32_t i = 0; i < kMaxPlayers / 2; ++i) greet(match, 2001 + i, 2000 + i);
   EXPECT_EQ(match.players(), kMaxPlayers);
 }
 
-TEST_F(HostileReturn, AMatchForOneKeepsThePlaceForItsPlayer) {
+TEST_F(HostileResume, AMatchForOneKeepsTheSlotForItsDisconnectedPlayer) {
   Match match = matchFor(1);
   greet(match, 1, 1);
   for (int i = 0; i < 10; ++i) tick(match);
   match.disconnect(1);
   greet(match, 2, 2);
-  EXPECT_FALSE(match.isMember(2));
+  EXPECT_FALSE(match.isPlaying(2));
   tick(match);
   greet(match, 3, 1);
-  ASSERT_TRUE(match.isMember(3));
-  EXPECT_EQ(match.member(3)->slot(), 0u);
+  ASSERT_TRUE(match.isPlaying(3));
+  EXPECT_EQ(match.player(3)->slot(), 0u);
   match.disconnect(3);
-  for (std::uint64_t i = 0; i <= Match::kAwayTicks; ++i) tick(match);
+  for (std::uint64_t i = 0; i <= Match::kResumeTicks; ++i) tick(match);
   EXPECT_TRUE(match.idle());
   greet(match, 4, 4);
-  EXPECT_TRUE(match.isMember(4));
+  EXPECT_TRUE(match.isPlaying(4));
 }
 
-TEST_F(HostileReturn, WhoHasLeftIsNotLostAsWell) {
+TEST_F(HostileResume, APlayerThatHasLeftIsNotReportedAsLost) {
   Match match = matchFor(4);
   greet(match, 1, 1);
   tick(match);
@@ -168,11 +167,11 @@ TEST_F(HostileReturn, WhoHasLeftIsNotLostAsWell) {
   tick(match);
   EXPECT_TRUE(match.idle());
   EXPECT_EQ(events_[Kind::kLeft], 1u);
-  EXPECT_EQ(events_[Kind::kLost], 0u);
+  EXPECT_EQ(events_[Kind::kConnectionLost], 0u);
 }
 
-// Else a few connections, dropped again and again, would fill the server for everybody.
-TEST_F(HostileReturn, OneAddressHoldsOnlyAsManySlotsAsConnections) {
+// Otherwise one client that drops connection after connection would occupy all slots.
+TEST_F(HostileResume, AnAddressHoldsOnlyAsManySlotsAsItMayHaveConnections) {
   constexpr std::uint32_t kEvil = 7, kGood = 8;
   Match match = matchFor(16, 4);
   greet(match, 1, 1, kGood);
@@ -185,17 +184,17 @@ TEST_F(HostileReturn, OneAddressHoldsOnlyAsManySlotsAsConnections) {
     match.disconnect(100 + i);
   }
   EXPECT_EQ(events_[Kind::kJoined], 52u);
-  EXPECT_EQ(events_[Kind::kLeft], 46u);  // the oldest of them
+  EXPECT_EQ(events_[Kind::kLeft], 46u);  // those disconnected longest
   EXPECT_EQ(events_[Kind::kRefused], 0u);
   greet(match, 200, 149, kEvil);
-  EXPECT_TRUE(match.isMember(200));
+  EXPECT_TRUE(match.isPlaying(200));
   greet(match, 3, 1, kGood);
   tick(match);
-  EXPECT_EQ(match.member(3)->slot(), 0u);  // it was kept
-  EXPECT_EQ(events_[Kind::kReturned], 2u);
+  EXPECT_EQ(match.player(3)->slot(), 0u);  // its player was kept
+  EXPECT_EQ(events_[Kind::kResumed], 2u);
 }
 
-TEST_F(HostileReturn, WhoIsThereNeedNotMakeRoom) {
+TEST_F(HostileResume, ConnectedPlayersAreNeverEvicted) {
   Match match = matchFor(16, 2);
   for (std::uint32_t i = 1; i <= 3; ++i) greet(match, i, i, 7);  // of which the transport below allows only two
   tick(match);
@@ -203,12 +202,12 @@ TEST_F(HostileReturn, WhoIsThereNeedNotMakeRoom) {
   EXPECT_EQ(events_[Kind::kLeft], 0u);
 }
 
-TEST(ReturnAfterATransfer, TheLevelComesFromItsStart) {
+TEST(ResumeDuringATransfer, TheLevelIsSentAgainFromItsStart) {
   const std::string text = farGoalText() + std::string(20000, '\n');
   VirtualNetwork network(Match(LevelRotation({levelOf(text)}), {4, "Test"}), {});
   network.add(FakeClient("Ann", 12, running));
   network.run(3);
-  network.breakOff(1);  // some pieces have come
+  network.disconnect(1);  // some pieces have arrived
   network.run(200);
   network.add(FakeClient(network.client(1), running));
   network.run(60);
@@ -220,20 +219,20 @@ TEST(ReturnAfterATransfer, TheLevelComesFromItsStart) {
   EXPECT_TRUE(network.match().game().player(0).present);
 }
 
-// A recording goes on while players are away, and is whole when the last of them is given up.
-TEST(ReturnAndTheRecording, TheWholeGameIsRecorded) {
+// The recording goes on while players are disconnected, and ends when the last of them is removed.
+TEST(ResumeWhileRecording, TheWholeGameIsRecorded) {
   VirtualNetwork network(Match(LevelRotation({levelOf(farGoalText())}), {4, "Test", true}), {2, 0, 0, 1});
   network.add(FakeClient("Ann", 12, running));
   network.add(FakeClient("Ben", 12, running));
   network.run(100);
-  network.breakOff(1);
+  network.disconnect(1);
   network.run(100);
-  network.breakOff(2);
+  network.disconnect(2);
   network.run(100);
   network.add(FakeClient(network.client(1), [](std::uint32_t) { return 0; }));
   network.run(100);
-  network.breakOff(3);
-  network.run(Match::kAwayTicks + 10);
+  network.disconnect(3);
+  network.run(Match::kResumeTicks + 10);
   ASSERT_TRUE(network.match().idle());
   std::vector<std::uint8_t> bytes;
   std::size_t ends = 0;
@@ -247,7 +246,7 @@ TEST(ReturnAndTheRecording, TheWholeGameIsRecorded) {
   EXPECT_FALSE(found.divergence.has_value());
   EXPECT_EQ(found.fault, "");
   EXPECT_EQ(found.ticks, network.match().game().tick());
-  EXPECT_GT(found.ticks, 390 + Match::kAwayTicks);
+  EXPECT_GT(found.ticks, 390 + Match::kResumeTicks);
 }
 
 }  // namespace

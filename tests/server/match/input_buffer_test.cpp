@@ -10,26 +10,26 @@ namespace {
 
 Input pressing(int buttons) { return Input{static_cast<std::uint8_t>(buttons | Input::kPresent)}; }
 
-TEST(InputBuffer, IsAbsentUntilTheFirstInputsTick) {
+TEST(InputBuffer, ThePlayerIsAbsentUntilItsFirstInput) {
   InputBuffer buffer(10);
   EXPECT_TRUE(buffer.add(12, pressing(1)));
-  EXPECT_EQ(buffer.take(), Input{});
-  EXPECT_EQ(buffer.take(), Input{});
-  EXPECT_EQ(buffer.take(), pressing(1));
+  EXPECT_EQ(buffer.decide(), Input{});
+  EXPECT_EQ(buffer.decide(), Input{});
+  EXPECT_EQ(buffer.decide(), pressing(1));
   EXPECT_EQ(buffer.next(), 13u);
   EXPECT_EQ(buffer.missed(), 0u);
 }
 
-TEST(InputBuffer, HoldsTheLastInputAndReleasesItAfterASecond) {
+TEST(InputBuffer, HoldsTheLastInputForASecondAndThenReleasesIt) {
   InputBuffer buffer;
   buffer.add(0, pressing(Input::kRight));
-  buffer.take();
-  for (std::uint32_t i = 0; i < InputBuffer::kHoldTicks; ++i) EXPECT_EQ(buffer.take(), pressing(Input::kRight)) << i;
-  EXPECT_EQ(buffer.take(), pressing(0));
+  buffer.decide();
+  for (std::uint32_t i = 0; i < InputBuffer::kHoldTicks; ++i) EXPECT_EQ(buffer.decide(), pressing(Input::kRight)) << i;
+  EXPECT_EQ(buffer.decide(), pressing(0));
   EXPECT_EQ(buffer.missed(), InputBuffer::kHoldTicks + 1u);
 }
 
-TEST(InputBuffer, DropsDecidedRepeatedAndFarTicks) {
+TEST(InputBuffer, IgnoresInputsForDecidedKnownAndFarTicks) {
   InputBuffer buffer(5);
   EXPECT_FALSE(buffer.add(4, pressing(1)));
   EXPECT_TRUE(buffer.add(5, pressing(1)));
@@ -37,12 +37,12 @@ TEST(InputBuffer, DropsDecidedRepeatedAndFarTicks) {
   EXPECT_TRUE(buffer.add(5 + InputBuffer::kWindow - 1, pressing(3)));
   EXPECT_FALSE(buffer.add(5 + InputBuffer::kWindow, pressing(4)));
   EXPECT_FALSE(buffer.add(UINT32_MAX, pressing(4)));
-  EXPECT_EQ(buffer.take(), pressing(1));
+  EXPECT_EQ(buffer.decide(), pressing(1));
   EXPECT_FALSE(buffer.add(5, pressing(2)));
 }
 
-// In whatever order inputs come, each tick is decided by the first that came for it in time, or as the tick before.
-TEST(InputBuffer, DecidesLikeAnUnboundedTable) {
+// Compared with a table without bounds, on inputs in random order. A tick without input repeats the one before.
+TEST(InputBuffer, DecidesEachTickByItsFirstInputInTime) {
   constexpr std::uint64_t seed = 7;
   SCOPED_TRACE("seed " + std::to_string(seed));
   std::mt19937_64 random(seed);
@@ -56,7 +56,7 @@ TEST(InputBuffer, DecidesLikeAnUnboundedTable) {
       EXPECT_EQ(buffer.add(target, input), table.emplace(target, input).second);
     }
     if (table.contains(tick)) last = table.at(tick);
-    ASSERT_EQ(buffer.take(), last) << "tick " << tick;
+    ASSERT_EQ(buffer.decide(), last) << "tick " << tick;
   }
 }
 

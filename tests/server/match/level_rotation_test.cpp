@@ -7,7 +7,7 @@
 namespace platon {
 namespace {
 
-TEST(LevelRotation, PlaysAllInOrderForEver) {
+TEST(LevelRotation, StartsOverAfterTheLastLevel) {
   const LevelPointer far = levelOf(farGoalText());
   const LevelPointer near = levelOf(nearGoalText());
   LevelRotation rotation({far, near});
@@ -21,7 +21,7 @@ TEST(LevelRotation, PlaysAllInOrderForEver) {
   }
 }
 
-TEST(LevelRotation, FindsByHash) {
+TEST(LevelRotation, FindsALevelByItsHash) {
   const LevelPointer far = levelOf(farGoalText());
   const LevelPointer near = levelOf(nearGoalText());
   const LevelRotation rotation({far, near});
@@ -29,7 +29,7 @@ TEST(LevelRotation, FindsByHash) {
   EXPECT_EQ(rotation.find(near->hash + far->hash + 1), nullptr);
 }
 
-TEST(LevelRotation, ReplacingKeepsTheLevelThatIsPlayed) {
+TEST(LevelRotation, ReplacingKeepsTheCurrentLevel) {
   const LevelPointer far = levelOf(farGoalText());
   const LevelPointer near = levelOf(nearGoalText());
   LevelRotation rotation({far});

@@ -29,7 +29,7 @@ struct Recording {
   bool finished = false;
 };
 
-/// What the match has given, by round.
+/// The recordings of a match by round.
 class Recordings {
  public:
   void take(Match& match) {
@@ -59,7 +59,7 @@ sim::Verification verified(const Recording& recording, const sim::Verifier::Play
   return found;
 }
 
-TEST(MatchRecording, IsMadeOnlyWhenAskedFor) {
+TEST(MatchRecorder, RecordsOnlyWhenRequested) {
   VirtualNetwork network(Match(LevelRotation({levelOf(farGoalText())}), {8, "Test"}), {});
   network.add(player());
   network.run(200);
@@ -67,7 +67,7 @@ TEST(MatchRecording, IsMadeOnlyWhenAskedFor) {
   EXPECT_TRUE(network.match().takeRecording().empty());
 }
 
-TEST(MatchRecording, IsTheGameAsItWasPlayed) {
+TEST(MatchRecorder, TheRecordingReplaysToTheSameHashes) {
   VirtualNetwork network(recordedMatch({farGoalText()}), {3, 4, 0.2, 9});
   network.add(player(20));
   network.run(100);
@@ -98,8 +98,8 @@ TEST(MatchRecording, IsTheGameAsItWasPlayed) {
   EXPECT_EQ(present.back(), 1u);
 }
 
-// What has come out before the end is played again up to the last checkpoint.
-TEST(MatchRecording, ComesOutWhileItIsMade) {
+// An incomplete recording can be verified up to its last checkpoint.
+TEST(MatchRecorder, PiecesAreVerifiableWhileTheRoundGoesOn) {
   VirtualNetwork network(recordedMatch({farGoalText()}), {});
   network.add(player());
   for (std::uint32_t tick = 1; tick <= 5 * kCheckpointTicks + 7; ++tick) network.tick();
@@ -114,7 +114,7 @@ TEST(MatchRecording, ComesOutWhileItIsMade) {
   EXPECT_EQ(found.hash, network.hashOf(1, found.ticks));
 }
 
-TEST(MatchRecording, EachRoundHasItsOwn) {
+TEST(MatchRecorder, EachRoundHasARecording) {
   VirtualNetwork network(recordedMatch({nearGoalText(), farGoalText()}), {});
   network.add(player());
   Recordings recordings;
@@ -132,7 +132,7 @@ TEST(MatchRecording, EachRoundHasItsOwn) {
   EXPECT_EQ(verified(recordings.of(2)).hash, network.match().game().hash());
 }
 
-TEST(MatchRecording, EndsWhenTheLastPlayerLeaves) {
+TEST(MatchRecorder, ARecordingEndsWhenTheLastPlayerLeaves) {
   VirtualNetwork network(recordedMatch({farGoalText()}), {});
   network.add(player());
   network.run(100);
@@ -140,7 +140,7 @@ TEST(MatchRecording, EndsWhenTheLastPlayerLeaves) {
   Recordings recordings;
   recordings.take(network.match());
   EXPECT_EQ(verified(recordings.of(1)).hash, network.match().game().hash());
-  network.run(100);  // nobody is there
+  network.run(100);  // without players
   network.add(player());
   network.run(100);
   network.match().stop("");
@@ -149,7 +149,7 @@ TEST(MatchRecording, EndsWhenTheLastPlayerLeaves) {
   EXPECT_EQ(verified(recordings.of(2)).hash, network.match().game().hash());
 }
 
-TEST(MatchRecording, TakesAsManyPlayersAsThereCanBe) {
+TEST(MatchRecorder, RecordsTheLargestNumberOfPlayers) {
   Match match = recordedMatch({farGoalText()}, kMaxPlayers);
   for (ClientId client = 1; client <= kMaxPlayers; ++client) match.receive(client, Hello{});
   Recordings recordings;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/support/fake_client.h"
 #include "tests/support/test_levels.h"
 #include "tests/support/virtual_network.h"
@@ -17,7 +19,7 @@ Match matchOn(const std::string& text, std::uint32_t maxPlayers = 8) {
 
 Input pressing(int buttons) { return Input{static_cast<std::uint8_t>(buttons | Input::kPresent)}; }
 
-// Changes every few ticks, another way for every seed.
+// Buttons that change every few ticks, in a different way for each seed.
 std::function<int(std::uint32_t)> busy(std::uint32_t seed) {
   return [seed](std::uint32_t tick) { return static_cast<int>((tick / (5 + seed) * 2654435761u + seed) >> 28) & 7; };
 }
@@ -31,10 +33,11 @@ void expectInLockstep(VirtualNetwork& network, ClientId client) {
   const FakeClient& fake = network.client(client);
   EXPECT_EQ(fake.desyncs(), 0u);
   EXPECT_EQ(fake.round(), network.match().round());
+  ASSERT_FALSE(fake.hashes().empty());
   for (const auto& [tick, hash] : fake.hashes()) ASSERT_EQ(hash, network.hashOf(fake.round(), tick)) << "tick " << tick;
 }
 
-TEST(Match, WelcomesAndIntroduces) {
+TEST(Match, SendsWelcomeAndTheNamesOfAllPlayers) {
   VirtualNetwork network(matchOn(farGoalText()), {});
   network.add(player("Ann"));
   network.run(5);
@@ -54,14 +57,14 @@ TEST(Match, WelcomesAndIntroduces) {
   EXPECT_EQ(network.client(1).roster().at(1), "");
 }
 
-TEST(Match, RefusesWithAReason) {
+TEST(Match, RefusesAClientWithAReason) {
   Match match = matchOn(farGoalText(), 1);
   const auto answer = [&match](ClientId client, const Hello& hello) {
     match.receive(client, hello);
     const std::vector<Outgoing> sent = match.takeOutgoing();
     EXPECT_EQ(sent.size(), 1u);
     EXPECT_TRUE(sent.at(0).reliable && sent.at(0).last);
-    EXPECT_FALSE(match.isMember(client));
+    EXPECT_FALSE(match.isPlaying(client));
     return std::get<Refused>(*decodeToClient(sent.at(0).bytes));
   };
   const Refused protocol = answer(1, {kProtocolVersion + 1, 0, ""});
@@ -76,7 +79,7 @@ TEST(Match, RefusesWithAReason) {
   EXPECT_EQ(answer(4, Hello{}).code, RefusalCode::kFull);
 }
 
-TEST(Match, ListensToNobodyBeforeHello) {
+TEST(Match, IgnoresAllMessagesBeforeHello) {
   Match match = matchOn(farGoalText());
   match.receive(1, LevelRequest{levelOf(farGoalText())->hash});
   match.receive(1, PlayerInputs{1, 0, 0, 0, 0, {Input{Input::kPresent}}});
@@ -87,7 +90,7 @@ TEST(Match, ListensToNobodyBeforeHello) {
   EXPECT_EQ(match.game().tick(), 0u);
 }
 
-TEST(Match, AllPlayTheSameGameWithoutLoss) {
+TEST(Match, AllClientsPlayTheSameGame) {
   VirtualNetwork network(matchOn(farGoalText()), {});
   for (std::uint32_t i = 0; i < 6; ++i) network.add(player("P", 8, i));
   network.run(600);
@@ -103,7 +106,7 @@ TEST(Match, AllPlayTheSameGameWithoutLoss) {
   EXPECT_EQ(network.match().game().slots(), 6u);
 }
 
-TEST(Match, LossDelayAndReorderingChangeNothing) {
+TEST(Match, ClientsStayInLockstepUnderLossDelayAndReordering) {
   for (const std::uint64_t seed : {1u, 2u, 3u}) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     VirtualNetwork network(matchOn(farGoalText()), {4, 6, 0.25, seed});
@@ -118,8 +121,8 @@ TEST(Match, LossDelayAndReorderingChangeNothing) {
   }
 }
 
-// More changes wait for their confirmation than one message holds.
-TEST(Match, ManyPlayersFarAwayAreServedInParts) {
+// More changes are unacknowledged than one message holds.
+TEST(Match, ChangesThatExceedOneMessageAreSentInParts) {
   VirtualNetwork network(matchOn(farGoalText(), 12), {30, 2, 0.02, 6});
   for (std::uint32_t i = 0; i < 12; ++i) {
     network.add(FakeClient("P", 80, [i](std::uint32_t tick) { return static_cast<int>((tick + i) % 2); }));
@@ -143,8 +146,8 @@ TEST(Match, WorksAtARoundTripOfTwoSeconds) {
   EXPECT_GE(network.client(1).slack()->slack, 0);
 }
 
-// Up to a point the client's inputs come in time, then three ticks too late.
-TEST(Match, WhatComesTooLateIsReplacedByTheLastHeldAndTheSenderIsTold) {
+// From tick 120 on the inputs arrive three ticks too late.
+TEST(Match, ALateInputIsReplacedByTheLastOneAndReportedToItsClient) {
   VirtualNetwork network(matchOn(farGoalText()), {4, 0, 0, 1});
   network.add(FakeClient("Late", 16, [](std::uint32_t tick) { return tick < 150 ? Input::kRight : Input::kLeft; }));
   network.run(120);
@@ -157,11 +160,11 @@ TEST(Match, WhatComesTooLateIsReplacedByTheLastHeldAndTheSenderIsTold) {
   EXPECT_EQ(decided.rbegin()->second, pressing(0));
   ASSERT_TRUE(network.client(1).slack());
   EXPECT_EQ(network.client(1).slack()->slack, 5 - 2 * 4);
-  EXPECT_GT(network.match().member(1)->missedInputs(), 100u);
+  EXPECT_GT(network.match().player(1)->missedInputs(), 100u);
 }
 
-// Level and state come with the welcome: one way up, one down, and the game is there.
-TEST(Match, AJoinerHasTheGameAfterOneRoundTrip) {
+// Level and state follow Welcome without a request.
+TEST(Match, AClientThatJoinsHasTheGameAfterOneRoundTrip) {
   VirtualNetwork network(matchOn(farGoalText()), {6, 0, 0, 1});
   network.add(player("Early", 16, 1));
   network.run(100);
@@ -183,23 +186,23 @@ TEST(Match, SlackIsTheLeadOfTheNewestInput) {
   EXPECT_EQ(slack->slack, 10 - 2 * 2);
 }
 
-TEST(Match, AGameThatDiffersGetsTheStateAndGoesOn) {
+TEST(Match, AClientWithADesyncGetsTheStateAndPlaysOn) {
   VirtualNetwork network(matchOn(farGoalText()), {2, 0, 0, 1});
   network.add(player("Ann", 8, 1));
   network.add(player("Ben", 8, 2));
   network.run(200);
-  network.client(1).spoil();
+  network.client(1).corruptGame();
   network.run(200);
   EXPECT_EQ(network.count(Kind::kDesync), 1u);
   EXPECT_EQ(network.client(1).states(), 1u);
   EXPECT_GT(network.client(1).desyncs(), 0u);
-  const FakeClient& healed = network.client(1);
-  EXPECT_EQ(healed.hashes().rbegin()->second, network.hashOf(1, healed.confirmed()));
-  EXPECT_GE(healed.confirmed() + 8, network.match().game().tick());
+  const FakeClient& recovered = network.client(1);
+  EXPECT_EQ(recovered.hashes().rbegin()->second, network.hashOf(1, recovered.confirmed()));
+  EXPECT_GE(recovered.confirmed() + 8, network.match().game().tick());
   expectInLockstep(network, 2);
 }
 
-TEST(Match, AClientThatNeverAgreesCostsOneStateASecond) {
+TEST(Match, AClientThatStaysInDesyncGetsOneStateASecond) {
   Match match = matchOn(farGoalText());
   match.receive(1, Hello{});
   std::uint8_t sync = 0;
@@ -217,7 +220,7 @@ TEST(Match, AClientThatNeverAgreesCostsOneStateASecond) {
   EXPECT_EQ(states, 10u);
 }
 
-TEST(Match, LateJoinersGetLevelStateAndInputs) {
+TEST(Match, AClientThatJoinsLateGetsLevelStateAndInputs) {
   VirtualNetwork network(matchOn(farGoalText()), {3, 2, 0.1, 3});
   network.add(player("Early", 16, 1));
   network.run(TickHistory::kTicks + 200);
@@ -226,30 +229,30 @@ TEST(Match, LateJoinersGetLevelStateAndInputs) {
   const FakeClient& late = network.client(2);
   EXPECT_EQ(late.levels(), 1u);
   EXPECT_EQ(late.states(), 1u);
-  EXPECT_EQ(network.count(Kind::kBehind), 0u);
+  EXPECT_EQ(network.count(Kind::kResync), 0u);
   EXPECT_EQ(network.count(Kind::kDesync), 0u);
   expectInLockstep(network, 2);
   expectInLockstep(network, 1);
   EXPECT_TRUE(network.match().game().player(1).present);
 }
 
-TEST(Match, ASlotRestsForATickBeforeItIsGivenAway) {
+TEST(Match, ASlotIsFreeOnlyAfterATickWithoutItsPlayer) {
   VirtualNetwork network(matchOn(farGoalText(), 2), {});
   network.add(player("Ann"));
   network.add(player("Ben"));
   network.run(60);
   network.match().receive(2, Leave{});
   network.match().receive(9, Hello{});
-  EXPECT_FALSE(network.match().isMember(9));
+  EXPECT_FALSE(network.match().isPlaying(9));
   network.match().takeOutgoing();
   network.run(1);
   EXPECT_FALSE(network.match().game().player(1).present);
   network.match().receive(9, Hello{});
-  ASSERT_TRUE(network.match().isMember(9));
-  EXPECT_EQ(network.match().member(9)->slot(), 1u);
+  ASSERT_TRUE(network.match().isPlaying(9));
+  EXPECT_EQ(network.match().player(9)->slot(), 1u);
 }
 
-TEST(Match, ARoundThatIsOverIsFollowedByTheNextLevel) {
+TEST(Match, TheNextRoundIsPlayedOnTheNextLevel) {
   const LevelPointer near = levelOf(nearGoalText());
   const LevelPointer far = levelOf(farGoalText());
   VirtualNetwork network(Match(LevelRotation({near, far}), {4, ""}), {2, 0, 0, 1});
@@ -273,7 +276,7 @@ TEST(Match, ARoundThatIsOverIsFollowedByTheNextLevel) {
   EXPECT_EQ(network.count(Kind::kDesync), 0u);
 }
 
-TEST(Match, WithoutClientsItStandsStillAndThenBeginsAnew) {
+TEST(Match, WithoutPlayersTheGameStandsStillAndTheNextPlayerStartsANewRound) {
   VirtualNetwork network(matchOn(farGoalText()), {});
   network.add(player("Ann"));
   network.run(100);
@@ -289,7 +292,7 @@ TEST(Match, WithoutClientsItStandsStillAndThenBeginsAnew) {
   EXPECT_EQ(network.client(2).states(), 0u);
 }
 
-TEST(Match, LevelTextsAreSentAtMostSoOftenARound) {
+TEST(Match, LimitsTheLevelsThatAClientRequestsInARound) {
   Match match = matchOn(farGoalText());
   match.receive(1, Hello{});
   std::uint32_t chunks = 0;
@@ -301,11 +304,10 @@ TEST(Match, LevelTextsAreSentAtMostSoOftenARound) {
       chunks += std::holds_alternative<LevelChunk>(*decodeToClient(message.bytes)) ? 1 : 0;
     }
   }
-  EXPECT_EQ(chunks, MatchPlayer::kRequestsPerRound);
+  EXPECT_EQ(chunks, MatchPlayer::kMaxLevelsPerRound);
 }
 
-// One state, and what is decided until it is too old.
-TEST(Match, AClientThatConfirmsNothingIsSentLessAndLess) {
+TEST(Match, AClientThatAcknowledgesNothingIsSentLessAndLess) {
   constexpr std::uint32_t players = 12;
   Match match = matchOn(farGoalText(), players);
   for (ClientId client = 1; client <= players; ++client) match.receive(client, Hello{});
@@ -334,7 +336,7 @@ TEST(Match, AClientThatConfirmsNothingIsSentLessAndLess) {
   EXPECT_EQ(sent, 0u);
 }
 
-TEST(Match, SaysGoodByeToAll) {
+TEST(Match, StoppingTellsAllClientsTheReason) {
   VirtualNetwork network(matchOn(farGoalText()), {});
   network.add(player("Ann"));
   network.add(player("Ben"));
@@ -348,7 +350,17 @@ TEST(Match, SaysGoodByeToAll) {
   EXPECT_TRUE(network.match().idle());
 }
 
-TEST(Match, NewLevelsFollowOnTheCurrentOne) {
+TEST(Match, TheEndOfARoundIsAnEventWithItsTicks) {
+  VirtualNetwork network(matchOn(nearGoalText()), {});
+  network.add(player("Ann"));
+  network.run(20);
+  ASSERT_EQ(network.count(Kind::kRoundEnd), 1u);
+  const auto end = std::find_if(network.events().begin(), network.events().end(),
+                                [](const MatchEvent& event) { return event.kind == Kind::kRoundEnd; });
+  EXPECT_EQ(end->ticks, network.client(1).roundEnd()->tick);
+}
+
+TEST(Match, NewLevelsArePlayedAfterTheCurrentOne) {
   VirtualNetwork network(matchOn(nearGoalText()), {});
   network.add(player("Ann"));
   network.run(10);

@@ -9,7 +9,7 @@ namespace {
 
 Input pressing(int buttons) { return Input{static_cast<std::uint8_t>(buttons | Input::kPresent)}; }
 
-TEST(TickHistory, BeginsWithTheHashOfTheNewGame) {
+TEST(TickHistory, StartsWithTheHashOfTheNewGame) {
   const TickHistory history(4, 99);
   EXPECT_EQ(history.end(), 0u);
   EXPECT_TRUE(history.covers(0));
@@ -17,7 +17,7 @@ TEST(TickHistory, BeginsWithTheHashOfTheNewGame) {
   EXPECT_EQ(history.hashAfter(0), 99u);
 }
 
-TEST(TickHistory, TellsOnlyChanges) {
+TEST(TickHistory, CollectsOnlyChanges) {
   TickHistory history(4, 99);
   history.append(std::vector<Input>{pressing(1), pressing(0)}, 100);
   history.append(std::vector<Input>{pressing(1), pressing(0)}, 101);
@@ -31,7 +31,7 @@ TEST(TickHistory, TellsOnlyChanges) {
   EXPECT_EQ(history.held(), (std::vector<Input>{pressing(2), Input{}}));
 }
 
-TEST(TickHistory, ForgetsWhatIsOld) {
+TEST(TickHistory, KeepsOnlyTheLastTicks) {
   TickHistory history(1, 0);
   for (std::uint32_t tick = 0; tick < TickHistory::kTicks + 5; ++tick) history.append({}, tick + 1);
   EXPECT_FALSE(history.covers(4));
@@ -42,8 +42,8 @@ TEST(TickHistory, ForgetsWhatIsOld) {
   EXPECT_EQ(history.collect(5).count, kMaxTicksPerMessage);
 }
 
-// Whoever collects piece after piece has seen every input, and every piece fits.
-TEST(TickHistory, PiecesMakeTheWhole) {
+// On random inputs; every message is within its limit.
+TEST(TickHistory, ConsecutiveMessagesContainEveryInput) {
   constexpr std::uint64_t seed = 11;
   SCOPED_TRACE("seed " + std::to_string(seed));
   std::mt19937_64 random(seed);

@@ -19,7 +19,7 @@ TEST(Transfer, SendsAWholeLevelInPieces) {
   bool done = false;
   int pieces = 0;
   for (; !transfer.done(); ++pieces) {
-    const auto piece = std::get<LevelChunk>(*decodeToClient(transfer.next()));
+    const auto piece = std::get<LevelChunk>(*decodeToClient(transfer.nextPiece()));
     EXPECT_EQ(piece.hash, level->hash);
     done = assembly.add(piece.total, piece.offset, piece.bytes);
   }
@@ -36,7 +36,7 @@ TEST(Transfer, SendsAWholeStateInPieces) {
   Assembly assembly;
   for (const bool last : {false, true}) {
     ASSERT_FALSE(transfer.done());
-    const auto piece = std::get<StateChunk>(*decodeToClient(transfer.next()));
+    const auto piece = std::get<StateChunk>(*decodeToClient(transfer.nextPiece()));
     EXPECT_EQ(piece.round, 3u);
     EXPECT_EQ(piece.tick, 500u);
     EXPECT_EQ(piece.sync, 2);

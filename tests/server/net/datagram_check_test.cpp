@@ -11,26 +11,26 @@ namespace {
 
 using Kind = DatagramHead::Kind;
 
-TEST(DatagramCheck, KnowsConnectionsFromPeers) {
+TEST(DatagramCheck, TellsRequestsToConnectFromDatagramsOfPeers) {
   EXPECT_EQ(checkDatagram(connectDatagram(1)).kind, Kind::kConnect);
   const DatagramHead head = checkDatagram(pingDatagram(7));
   EXPECT_EQ(head.kind, Kind::kPeer);
   EXPECT_EQ(head.peer, 7);
 }
 
-TEST(DatagramCheck, RefusesWhatClientsDoNotSend) {
+TEST(DatagramCheck, RejectsDatagramsThatClientsDoNotSend) {
   EXPECT_EQ(checkDatagram(fragmentDatagram(7)).kind, Kind::kBroken);
   Bytes compressed = pingDatagram(7);
   compressed[0] |= 0x40;
   EXPECT_EQ(checkDatagram(compressed).kind, Kind::kBroken);
-  Bytes pingOfNobody = pingDatagram(0xfff);
-  EXPECT_EQ(checkDatagram(pingOfNobody).kind, Kind::kBroken);
+  Bytes pingWithoutPeer = pingDatagram(0xfff);
+  EXPECT_EQ(checkDatagram(pingWithoutPeer).kind, Kind::kBroken);
   Bytes verify = pingDatagram(7);
   verify[kCommandAt] = 0x83;
   EXPECT_EQ(checkDatagram(verify).kind, Kind::kBroken);
 }
 
-TEST(DatagramCheck, RefusesLengthsThatDoNotFit) {
+TEST(DatagramCheck, RejectsLengthsThatDoNotMatch) {
   for (const Bytes& whole : {connectDatagram(1), pingDatagram(7), unsequencedDatagram(7, 20)}) {
     EXPECT_NE(checkDatagram(whole).kind, Kind::kBroken);
     for (std::size_t size = 0; size < whole.size(); ++size) {
@@ -42,7 +42,7 @@ TEST(DatagramCheck, RefusesLengthsThatDoNotFit) {
   }
 }
 
-TEST(DatagramCheck, SurvivesAnything) {
+TEST(DatagramCheck, HandlesRandomDatagrams) {
   constexpr std::uint64_t seed = 3;
   SCOPED_TRACE("seed " + std::to_string(seed));
   std::mt19937_64 random(seed);

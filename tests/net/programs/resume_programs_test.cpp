@@ -19,15 +19,15 @@ namespace {
 namespace fs = std::filesystem;
 using std::chrono::seconds;
 
-class Return : public ServerTest {
+class ResumePrograms : public ServerTest {
  protected:
-  Return() { setenv("XDG_DATA_HOME", data_.path().c_str(), 1); }
+  ResumePrograms() { setenv("XDG_DATA_HOME", data_.path().c_str(), 1); }
 
   std::vector<std::string> client(const std::string& name) const {
     return {address(), "--offscreen", "--name", name, "--seconds", "60"};
   }
 
-  // The slot that the server's log names for this player in the first such line; -1 when there is none.
+  // Slot of the player in the first such line of the server's log; -1 when there is none.
   int slotIn(const std::string& message, const std::string& name) {
     const std::string log = server().errors();
     for (std::size_t at = 0; (at = log.find(message + " client=", at)) != std::string::npos; ++at) {
@@ -48,7 +48,7 @@ class Return : public ServerTest {
     }
   }
 
-  // Until the program has written down what it needs to come back.
+  // Waits until the program has saved the token with which it can resume.
   void waitForFile() const {
     const fs::path folder = data_ / "platon/sessions";
     const auto isWritten = [](const auto& entry) { return entry.file_size() > 0; };
@@ -57,10 +57,10 @@ class Return : public ServerTest {
       if (std::any_of(fs::directory_iterator(folder), fs::directory_iterator(), isWritten)) return;
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
-    FAIL() << "no token is kept";
+    FAIL() << "no token is saved";
   }
 
-  // Who leaves before it plays has failed.
+  // A client that leaves before it plays exits with 1.
   static void leave(Process& program) {
     std::this_thread::sleep_for(seconds(2));
     program.signal(SIGTERM);
@@ -70,7 +70,7 @@ class Return : public ServerTest {
   const TemporaryFolder data_;
 };
 
-TEST_F(Return, AfterTheServerStoodStill) {
+TEST_F(ResumePrograms, ClientsResumeAfterTheServerWasSuspended) {
   startServer();
   Process ann(platonCommand("platon-client", client("Ann")));
   waitForPlayers({"Ann"});
@@ -81,15 +81,15 @@ TEST_F(Return, AfterTheServerStoodStill) {
   std::this_thread::sleep_for(seconds(2));
   server().signal(SIGCONT);
   ann.waitForError("connected again");
-  server().waitForError("returned");
+  server().waitForError("resumed");
   EXPECT_EQ(bots.wait(), 0) << bots.errors();
   EXPECT_NE(bots.output().find("\"resumes\":1"), std::string::npos) << bots.output();
-  EXPECT_EQ(slotIn("returned", "Ann"), slotIn("joined", "Ann"));
+  EXPECT_EQ(slotIn("resumed", "Ann"), slotIn("joined", "Ann"));
   leave(ann);
   stopServer();
 }
 
-TEST_F(Return, OfAProgramThatWasKilled) {
+TEST_F(ResumePrograms, AProgramResumesThePlayerOfAKilledOne) {
   startServer();
   Process ben(platonCommand("platon-client", client("Ben")));
   waitForPlayers({"Ben"});
@@ -101,9 +101,9 @@ TEST_F(Return, OfAProgramThatWasKilled) {
   ben.signal(SIGKILL);
   EXPECT_EQ(ben.wait(), 128 + SIGKILL);
   Process again(platonCommand("platon-client", client("Ben")));
-  server().waitForError("returned");
-  EXPECT_EQ(slotIn("returned", "Ben"), 0);
-  EXPECT_EQ(slotIn("returned", "Ann"), -1);
+  server().waitForError("resumed");
+  EXPECT_EQ(slotIn("resumed", "Ben"), 0);
+  EXPECT_EQ(slotIn("resumed", "Ann"), -1);
   leave(again);
   leave(ann);
   EXPECT_EQ(again.output() + again.errors() + ann.output() + ann.errors(), "");
@@ -111,14 +111,14 @@ TEST_F(Return, OfAProgramThatWasKilled) {
   stopServer();
 }
 
-TEST_F(Return, NotOfOneThatHasLeft) {
+TEST_F(ResumePrograms, AProgramDoesNotResumeAPlayerThatHasLeft) {
   startServer();
   for (int i = 0; i < 2; ++i) {
     Process ann(platonCommand("platon-client", client("Ann")));
     server().waitForError("joined client=" + std::to_string(i + 1));
     leave(ann);
   }
-  EXPECT_EQ(slotIn("returned", "Ann"), -1);
+  EXPECT_EQ(slotIn("resumed", "Ann"), -1);
   stopServer();
 }
 

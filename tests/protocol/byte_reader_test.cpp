@@ -1,6 +1,7 @@
+#include "protocol/byte_reader.h"
+
 #include <gtest/gtest.h>
 
-#include "protocol/byte_reader.h"
 #include "protocol/byte_writer.h"
 
 namespace platon {
@@ -8,23 +9,7 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-Bytes varint(std::uint32_t value) {
-  ByteWriter out;
-  out.varint(value);
-  return out.take();
-}
-
-TEST(ByteWriter, WritesTheLowestBitsFirst) {
-  EXPECT_EQ(varint(0), Bytes({0}));
-  EXPECT_EQ(varint(127), Bytes({127}));
-  EXPECT_EQ(varint(300), Bytes({0xac, 0x02}));
-  EXPECT_EQ(varint(UINT32_MAX), Bytes({0xff, 0xff, 0xff, 0xff, 0x0f}));
-  ByteWriter out;
-  out.fixed32(0x01020304);
-  EXPECT_EQ(out.take(), Bytes({4, 3, 2, 1}));
-}
-
-TEST(ByteReader, ReadsWhatWasWritten) {
+TEST(ByteReader, ReadsWhatByteWriterWrites) {
   for (int bit = 0; bit < 32; ++bit) {
     for (const std::uint32_t value : {1u << bit, (1u << bit) - 1, ~0u >> bit}) {
       ByteWriter out;
@@ -41,7 +26,7 @@ TEST(ByteReader, ReadsWhatWasWritten) {
   }
 }
 
-TEST(ByteReader, RefusesWhatByteWriterNeverWrites) {
+TEST(ByteReader, RefusesVarintsThatAreCutOffTooLongOrTooGreat) {
   for (const Bytes& bytes : {Bytes{}, Bytes{0x80}, Bytes{0x80, 0x00}, Bytes{0xff, 0xff, 0xff, 0xff, 0x10},
                              Bytes{0xff, 0xff, 0xff, 0xff, 0x8f, 0x01}}) {
     ByteReader in(bytes);
@@ -57,6 +42,13 @@ TEST(ByteReader, StaysBadAfterReadingPastTheEnd) {
   EXPECT_FALSE(in.ok());
   EXPECT_EQ(in.byte(), 0u);
   EXPECT_FALSE(in.ok());
+}
+
+TEST(ByteReader, RemainingStartsAfterTheBytesRead) {
+  const Bytes bytes{1, 2, 3};
+  ByteReader in(bytes);
+  in.byte();
+  EXPECT_EQ(Bytes(in.remaining().begin(), in.remaining().end()), Bytes({2, 3}));
 }
 
 }  // namespace

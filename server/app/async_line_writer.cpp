@@ -1,0 +1,48 @@
+#include "server/app/async_line_writer.h"
+
+#include <signal.h>
+#include <spdlog/async_logger.h>
+#include <spdlog/details/thread_pool.h>
+
+#include <future>
+#include <utility>
+
+#include "server/app/descriptor_sink.h"
+
+namespace platon {
+namespace {
+
+// Signals stay with the main thread, which they wake up. A write to a closed pipe then fails instead of raising
+// SIGPIPE.
+void blockSignals() {
+  sigset_t all;
+  sigfillset(&all);
+  pthread_sigmask(SIG_BLOCK, &all, nullptr);
+}
+
+}  // namespace
+
+AsyncLineWriter::AsyncLineWriter(int descriptor)
+    : sink_(std::make_shared<DescriptorSink>(descriptor)),
+      thread_(std::make_shared<spdlog::details::thread_pool>(kQueueLines, 1, blockSignals)),
+      logger_(std::make_shared<spdlog::async_logger>("log", sink_, thread_,
+                                                     spdlog::async_overflow_policy::overrun_oldest)) {}
+
+AsyncLineWriter::~AsyncLineWriter() {
+  const std::future<void> flushed = sink_->flushed();
+  logger_->flush();
+  if (flushed.wait_for(kFlushTime) == std::future_status::timeout) sink_->discard();
+  thread_.reset();  // joins
+}
+
+void AsyncLineWriter::write(std::string_view line) {
+  logger_->log(spdlog::level::info, spdlog::string_view_t(line.data(), line.size()));
+}
+
+std::uint64_t AsyncLineWriter::takeDropped() {
+  if (thread_->queue_size() > kQueueLines / 2) return 0;
+  const std::uint64_t dropped = thread_->overrun_counter();
+  return dropped - std::exchange(reportedDropped_, dropped);
+}
+
+}  // namespace platon

@@ -1,0 +1,117 @@
+#include "server/app/async_line_writer.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <optional>
+#include <string>
+
+namespace platon {
+namespace {
+
+/// A pipe into which an AsyncLineWriter writes.
+class AsyncLineWriterTest : public testing::Test {
+ protected:
+  AsyncLineWriterTest() {
+    int ends[2];
+    if (pipe(ends) != 0) throw std::runtime_error("cannot make a pipe");
+    reader_ = ends[0];
+    descriptor_ = ends[1];
+    writer_.emplace(descriptor_);
+  }
+  ~AsyncLineWriterTest() override {
+    close(descriptor_);
+    close(reader_);
+  }
+
+  // Everything written until now and the end of the pipe. Call it after the writer is gone.
+  std::string readAll() {
+    close(descriptor_);
+    std::string text;
+    char buffer[4096];
+    for (ssize_t size; (size = read(reader_, buffer, sizeof buffer)) > 0;) {
+      text.append(buffer, static_cast<std::size_t>(size));
+    }
+    return text;
+  }
+
+  // Writes to the pipe until it takes no more. What it sets holds for the descriptor only until the end of this
+  // function.
+  void fillPipe() const {
+    const int flags = fcntl(descriptor_, F_GETFL);
+    fcntl(descriptor_, F_SETFL, flags | O_NONBLOCK);
+    const std::string block(4096, '.');
+    while (::write(descriptor_, block.data(), block.size()) > 0) continue;
+    fcntl(descriptor_, F_SETFL, flags);
+  }
+
+  int reader_ = -1;
+  int descriptor_ = -1;
+  std::optional<AsyncLineWriter> writer_;
+};
+
+TEST_F(AsyncLineWriterTest, WritesLinesInOrder) {
+  writer_->write("one");
+  writer_->write("");
+  writer_->write("two {} %v");
+  writer_.reset();
+  EXPECT_EQ(readAll(), "one\n\ntwo {} %v\n");
+}
+
+TEST_F(AsyncLineWriterTest, TheDestructorWritesTheWholeQueue) {
+  std::string expected;
+  for (int i = 0; i < 1000; ++i) {
+    writer_->write(std::to_string(i));
+    expected += std::to_string(i) + "\n";
+  }
+  writer_.reset();
+  EXPECT_EQ(readAll(), expected);
+}
+
+TEST_F(AsyncLineWriterTest, ALineLongerThanThePipeBufferIsWrittenWhole) {
+  const std::string line(20000, 'x');
+  writer_->write(line);
+  writer_.reset();
+  EXPECT_EQ(readAll(), line + "\n");
+}
+
+// Without a reader a write raises SIGPIPE, which would end this test.
+TEST_F(AsyncLineWriterTest, ALogWhoseReaderIsGoneDropsItsLines) {
+  close(reader_);
+  reader_ = -1;
+  for (int i = 0; i < 10; ++i) writer_->write("nobody reads this");
+  writer_.reset();
+}
+
+TEST_F(AsyncLineWriterTest, AFullPipeBlocksNeitherWriteNorDestructor) {
+  fillPipe();
+  for (std::size_t i = 0; i < 3 * AsyncLineWriter::kQueueLines; ++i) writer_->write("nobody reads this");
+  writer_.reset();
+}
+
+TEST_F(AsyncLineWriterTest, LinesDroppedFromTheFullQueueAreCountedOnceTheReaderReadsAgain) {
+  fillPipe();
+  constexpr std::size_t kLines = AsyncLineWriter::kQueueLines + 500;
+  for (std::size_t i = 0; i < kLines; ++i) writer_->write("line " + std::to_string(i));
+  EXPECT_EQ(writer_->takeDropped(), 0u);  // the queue is full
+  std::uint64_t dropped = 0;
+  std::string text;
+  char buffer[4096];
+  while (dropped == 0) {
+    const ssize_t size = read(reader_, buffer, sizeof buffer);
+    ASSERT_GT(size, 0);
+    text.append(buffer, static_cast<std::size_t>(size));
+    dropped = writer_->takeDropped();
+  }
+  // One line may have left the queue and wait for the pipe.
+  EXPECT_GE(dropped, 499u);
+  EXPECT_LE(dropped, 500u);
+  EXPECT_EQ(writer_->takeDropped(), 0u);  // each is counted once
+  writer_.reset();
+  text += readAll();
+  EXPECT_TRUE(text.ends_with("line " + std::to_string(kLines - 1) + "\n"));  // the oldest were dropped
+}
+
+}  // namespace
+}  // namespace platon

@@ -1,0 +1,190 @@
+#include "server/match/match_player.h"
+
+#include <gtest/gtest.h>
+
+#include <variant>
+
+#include "tests/support/test_levels.h"
+
+namespace platon {
+namespace {
+
+Input pressing(int buttons) { return Input{static_cast<std::uint8_t>(buttons | Input::kPresent)}; }
+
+void receive(MatchPlayer& player, const PlayerInputs& message, std::uint32_t decided) {
+  player.countMessage(message.sequence);
+  player.addInputs(message, decided);
+}
+
+class MatchPlayerTest : public testing::Test {
+ protected:
+  std::optional<SlackReport> takeSlack() {
+    const auto report = player_.takeLinkReport();
+    return report ? report->slack : std::nullopt;
+  }
+
+  // Number of level texts among the messages of all transfers.
+  std::uint32_t takeLevels() {
+    std::uint32_t levels = 0;
+    for (auto piece = player_.nextPiece(); piece; piece = player_.nextPiece()) {
+      levels += std::holds_alternative<LevelChunk>(*decodeToClient(*piece)) ? 1 : 0;
+    }
+    return levels;
+  }
+
+  MatchPlayer player_{0, "Ann", SessionToken{1, 2, 3}};
+};
+
+// One message in four starts at the first unacknowledged tick, the others eight ticks before the end.
+TEST_F(MatchPlayerTest, EveryFourthMessageRepeatsAllUnacknowledgedTicks) {
+  player_.acknowledge(100);
+  std::vector<std::uint32_t> starts;
+  for (int message = 0; message < 5; ++message) {
+    starts.push_back(player_.nextTickToSend(140));
+    player_.ticksSent(140, 140);
+    player_.nextSequence();
+  }
+  EXPECT_EQ(starts, (std::vector<std::uint32_t>{100, 132, 132, 132, 100}));
+  player_.acknowledge(135);
+  EXPECT_EQ(player_.nextTickToSend(140), 135u);
+  EXPECT_EQ(player_.nextTickToSend(3), 135u);
+}
+
+TEST_F(MatchPlayerTest, AMessageContinuesWhereTheLastOneWasFull) {
+  player_.acknowledge(100);
+  player_.ticksSent(340, 500);
+  player_.nextSequence();
+  EXPECT_EQ(player_.nextTickToSend(500), 340u);
+  player_.ticksSent(500, 500);
+  EXPECT_EQ(player_.nextTickToSend(500), 492u);
+}
+
+TEST_F(MatchPlayerTest, WithoutAMessageThereIsNoLinkReport) { EXPECT_FALSE(player_.takeLinkReport()); }
+
+TEST_F(MatchPlayerTest, SlackIsThatOfTheNewestInputWhenNothingChanges) {
+  receive(player_, {1, 0, 0, 0, 10, {pressing(1), pressing(1), pressing(1)}, 5}, 8);
+  EXPECT_EQ(takeSlack(), (SlackReport{12, 4}));
+  EXPECT_FALSE(player_.takeLinkReport());
+}
+
+TEST_F(MatchPlayerTest, SlackIsThatOfTheOldestNewInputThatChangesTheButtons) {
+  receive(player_, {1, 0, 0, 0, 10, {pressing(1), pressing(1), pressing(1)}, 5}, 8);
+  player_.takeLinkReport();
+  // The message with the change at tick 13 was lost.
+  receive(player_, {1, 0, 0, 0, 10, {pressing(1), pressing(1), pressing(1), pressing(2), pressing(2)}, 7}, 14);
+  EXPECT_EQ(takeSlack(), (SlackReport{13, -1}));
+  // A change in the first input after the known ones.
+  receive(player_, {1, 0, 0, 0, 15, {pressing(4)}, 8}, 14);
+  EXPECT_EQ(takeSlack(), (SlackReport{15, 1}));
+}
+
+TEST_F(MatchPlayerTest, TheSmallestSlackSinceTheLastReportIsReported) {
+  receive(player_, {1, 0, 0, 0, 10, {pressing(1)}, 1}, 9);
+  receive(player_, {1, 0, 0, 0, 11, {pressing(2)}, 2}, 14);
+  receive(player_, {1, 0, 0, 0, 12, {pressing(1)}, 3}, 11);
+  EXPECT_EQ(takeSlack(), (SlackReport{11, -3}));
+}
+
+TEST_F(MatchPlayerTest, SlackIsClamped) {
+  receive(player_, {1, 0, 0, 0, 100000, {pressing(1)}, 1}, 0);
+  EXPECT_EQ(takeSlack(), (SlackReport{100000, kMaxSlack}));
+}
+
+TEST_F(MatchPlayerTest, RepeatedInputsHaveNoSlack) {
+  receive(player_, {1, 0, 0, 0, 14, {pressing(2), pressing(4)}, 9}, 15);
+  player_.takeLinkReport();
+  receive(player_, {1, 0, 0, 0, 14, {pressing(2), pressing(4)}, 10}, 16);
+  const auto report = player_.takeLinkReport();
+  ASSERT_TRUE(report);
+  EXPECT_FALSE(report->slack);
+  EXPECT_EQ(report->sequence, 10);
+}
+
+TEST_F(MatchPlayerTest, LossIsMeasuredOnSequenceNumbers) {
+  receive(player_, {1, 0, 0, 0, 10, {pressing(1)}, 5}, 8);
+  receive(player_, {1, 0, 0, 0, 10, {pressing(1)}, 7}, 8);
+  const auto report = player_.takeLinkReport();
+  ASSERT_TRUE(report);
+  EXPECT_EQ(report->lostPercent, 33);
+  EXPECT_EQ(report->sequence, 7);
+}
+
+TEST_F(MatchPlayerTest, AMessageBeforeTheLastStateOrAcknowledgementIsNotCurrent) {
+  const auto message = [](std::uint8_t sync, std::uint32_t confirmed) {
+    return PlayerInputs{1, sync, confirmed, 0, confirmed, {}, 0};
+  };
+  player_.acknowledge(20);
+  EXPECT_TRUE(player_.isCurrent(message(0, 20)));
+  EXPECT_FALSE(player_.isCurrent(message(0, 19)));
+  player_.sendState(1, 30, {1, 2, 3}, 0);
+  EXPECT_FALSE(player_.isCurrent(message(0, 30)));
+  EXPECT_TRUE(player_.isCurrent(message(1, 30)));
+}
+
+TEST_F(MatchPlayerTest, StatesAreASecondApart) {
+  EXPECT_TRUE(player_.maySendState(0));
+  player_.sendState(1, 30, {1, 2, 3}, 100);
+  EXPECT_FALSE(player_.maySendState(159));
+  EXPECT_TRUE(player_.maySendState(160));
+}
+
+TEST_F(MatchPlayerTest, NumbersOfStatesSkipZero) {
+  for (int i = 0; i < 256; ++i) player_.sendState(1, 1, {1}, 0);
+  const auto piece = player_.nextPiece();
+  ASSERT_TRUE(piece);
+  EXPECT_EQ(std::get<StateChunk>(*decodeToClient(*piece)).sync, 1);
+  EXPECT_FALSE(player_.nextPiece());  // a new state replaces the transfer of the last one
+}
+
+TEST_F(MatchPlayerTest, ALevelInTransferIsNotSentTwice) {
+  const LevelPointer level = levelOf(farGoalText());
+  player_.sendLevel(level);
+  player_.sendLevel(level);
+  EXPECT_EQ(takeLevels(), 1u);
+}
+
+TEST_F(MatchPlayerTest, LevelsPerRoundAreLimited) {
+  const LevelPointer level = levelOf(farGoalText());
+  std::uint32_t levels = 0;
+  for (std::uint32_t i = 0; i < 2 * MatchPlayer::kMaxLevelsPerRound; ++i) {
+    player_.sendLevel(level);
+    levels += takeLevels();
+  }
+  EXPECT_EQ(levels, MatchPlayer::kMaxLevelsPerRound);
+  player_.startRound();
+  player_.sendLevel(level);
+  EXPECT_EQ(takeLevels(), 1u);
+}
+
+TEST_F(MatchPlayerTest, ANewRoundCancelsTheTransferOfAStateButNotOfALevel) {
+  player_.sendState(1, 30, {1, 2, 3}, 0);
+  player_.sendLevel(levelOf(farGoalText()));
+  player_.startRound();
+  EXPECT_EQ(takeLevels(), 1u);
+  EXPECT_FALSE(player_.started());
+}
+
+TEST_F(MatchPlayerTest, ResumingKeepsSlotAndTokenAndDiscardsAllElse) {
+  player_.acknowledge(20);
+  player_.sendLevel(levelOf(farGoalText()));
+  receive(player_, {1, 0, 0, 0, 0, {pressing(1)}, 5}, 0);
+  player_.resume("Anna");
+  EXPECT_EQ(player_.slot(), 0u);
+  EXPECT_EQ(player_.name(), "Anna");
+  EXPECT_TRUE(player_.hasToken(SessionToken{1, 2, 3}));
+  EXPECT_EQ(player_.acknowledged(), 0u);
+  EXPECT_FALSE(player_.nextPiece());
+  EXPECT_FALSE(player_.takeLinkReport());
+  EXPECT_EQ(player_.decideInput(), Input{});
+}
+
+TEST_F(MatchPlayerTest, OnlyAPlayerWithATokenCanBeResumed) {
+  EXPECT_TRUE(player_.canResume());
+  EXPECT_FALSE(player_.hasToken(SessionToken{1, 2, 4}));
+  const MatchPlayer without(0, "Ben", std::nullopt);
+  EXPECT_FALSE(without.canResume());
+  EXPECT_FALSE(without.hasToken(SessionToken{}));
+}
+
+}  // namespace
+}  // namespace platon

@@ -1,0 +1,39 @@
+#include "server/net/token_bucket.h"
+
+#include <gtest/gtest.h>
+
+namespace platon {
+namespace {
+
+using namespace std::chrono_literals;
+
+const TimePoint kStart{1h};
+
+TEST(TokenBucket, StartsFull) {
+  TokenBucket bucket(10, 3, kStart);
+  EXPECT_TRUE(bucket.take(2, kStart));
+  EXPECT_TRUE(bucket.take(1, kStart));
+  EXPECT_FALSE(bucket.take(1, kStart));
+}
+
+TEST(TokenBucket, RefillsAtItsRate) {
+  TokenBucket bucket(10, 3, kStart);
+  EXPECT_TRUE(bucket.take(3, kStart));
+  EXPECT_FALSE(bucket.take(1, kStart + 99ms));
+  EXPECT_TRUE(bucket.take(1, kStart + 101ms));
+}
+
+TEST(TokenBucket, NeverHoldsMoreThanItsLimit) {
+  TokenBucket bucket(10, 3, kStart);
+  EXPECT_FALSE(bucket.take(4, kStart + 1h));
+  EXPECT_TRUE(bucket.take(3, kStart + 1h));
+}
+
+TEST(TokenBucket, TimeThatGoesBackAddsNothing) {
+  TokenBucket bucket(10, 3, kStart);
+  EXPECT_TRUE(bucket.take(3, kStart));
+  EXPECT_FALSE(bucket.take(1, kStart - 1s));
+}
+
+}  // namespace
+}  // namespace platon
