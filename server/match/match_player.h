@@ -52,7 +52,7 @@ class MatchPlayer {
   void countMessage(std::uint8_t sequence);
   /// Stores the inputs of a message of the current round, of which `decided` ticks are decided.
   void addInputs(const PlayerInputs& message, std::uint32_t decided);
-  /// Whether the message tells the client's present progress: the client has restored the last state sent, and the
+  /// Whether the message reports the client's present progress: the client has restored the last state sent, and the
   /// message is not older than another one received.
   bool isCurrent(const PlayerInputs& message) const;
   void acknowledge(std::uint32_t confirmed) { acknowledged_ = confirmed; }

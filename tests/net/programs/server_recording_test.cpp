@@ -42,7 +42,7 @@ TEST_F(Recordings, AreWholeWhenTheServerIsStopped) {
   std::this_thread::sleep_for(std::chrono::seconds(2));
   stopServer();
   const std::vector<std::string> found = files();
-  EXPECT_EQ(found.size(), 2u);  // of those who came first, and after them
+  EXPECT_EQ(found.size(), 2u);  // one of the first bots, one of the later one
   for (const std::string& file : found) {
     Process verify(platonCommand("platon-sim", {"verify", file}));
     EXPECT_EQ(verify.wait(), 0) << verify.errors();

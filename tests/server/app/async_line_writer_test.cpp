@@ -25,7 +25,7 @@ class AsyncLineWriterTest : public testing::Test {
     close(reader_);
   }
 
-  // Everything written until now and the end of the pipe. Call it after the writer is gone.
+  // Reads the pipe to its end. Call it after the writer is gone.
   std::string readAll() {
     close(descriptor_);
     std::string text;
@@ -36,8 +36,7 @@ class AsyncLineWriterTest : public testing::Test {
     return text;
   }
 
-  // Writes to the pipe until it takes no more. What it sets holds for the descriptor only until the end of this
-  // function.
+  // Writes to the pipe until it is full. The pipe is non-blocking only until this function ends.
   void fillPipe() const {
     const int flags = fcntl(descriptor_, F_GETFL);
     fcntl(descriptor_, F_SETFL, flags | O_NONBLOCK);

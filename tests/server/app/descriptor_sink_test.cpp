@@ -61,7 +61,7 @@ TEST(DescriptorSink, WritesNothingAfterDiscard) {
   EXPECT_EQ(read(pipe.reader, &byte, 1), -1);
 }
 
-TEST(DescriptorSink, DropsTheLinesOfAClosedDescriptor) {
+TEST(DescriptorSink, ALineForAClosedDescriptorIsDropped) {
   int closed = -1;
   {
     const Pipe pipe;

@@ -20,7 +20,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// platon-server with a named pipe as standard error, which the test reads or does not.
+/// platon-server with a named pipe as standard error. The test decides whether it is read.
 class UnreadLogTest : public testing::Test {
  protected:
   UnreadLogTest() {
@@ -38,7 +38,7 @@ class UnreadLogTest : public testing::Test {
   }
   ~UnreadLogTest() override { closeReader(); }
 
-  // Without its line feed; empty at the end of the log.
+  // The next line of the log without its line feed; empty at the end of the log.
   std::string nextLine() const {
     std::string line;
     for (char byte = 0; read(reader_, &byte, 1) == 1 && byte != '\n';) line += byte;
@@ -50,7 +50,7 @@ class UnreadLogTest : public testing::Test {
     reader_ = -1;
   }
 
-  // Writes to the pipe until it takes no more.
+  // Writes to the pipe until it is full.
   void fillPipe() const {
     const int writer = open(pipe_.c_str(), O_WRONLY | O_NONBLOCK);
     const std::string block(4096, '.');

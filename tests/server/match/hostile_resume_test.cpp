@@ -196,7 +196,7 @@ TEST_F(HostileResume, AnAddressHoldsOnlyAsManySlotsAsItMayHaveConnections) {
 
 TEST_F(HostileResume, ConnectedPlayersAreNeverEvicted) {
   Match match = matchFor(16, 2);
-  for (std::uint32_t i = 1; i <= 3; ++i) greet(match, i, i, 7);  // of which the transport below allows only two
+  for (std::uint32_t i = 1; i <= 3; ++i) greet(match, i, i, 7);  // Host would accept only two of them
   tick(match);
   EXPECT_EQ(match.players(), 3u);
   EXPECT_EQ(events_[Kind::kLeft], 0u);
