@@ -231,7 +231,7 @@ TEST_F(Outage, EndsForGoodWithAServerOfAnotherVersion) {
   Host host(settings, TimePoint(now_));
   const auto refuse = [&] {
     for (const HostEvent& event : host.service(TimePoint(now_))) {
-      if (event.gone) continue;
+      if (event.disconnected) continue;
       host.send(event.client, true, encode(Refused{RefusalCode::kWrongProtocol, "update your client"}));
       host.close(event.client, TimePoint(now_));
     }
