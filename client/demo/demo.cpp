@@ -4,8 +4,8 @@ namespace platon {
 
 namespace {
 
-constexpr std::uint32_t kTicksOfRest = 10;                // longer than a pressed jump waits
-constexpr std::uint32_t kPatience = 5 * kTicksPerSecond;  // to come to rest
+constexpr std::uint32_t kTicksOfRest = 10;  // longer than a jump press is buffered
+constexpr std::uint32_t kMaxTicksToRest = 5 * kTicksPerSecond;
 
 }  // namespace
 
@@ -22,7 +22,7 @@ Input Demo::choose(const Game& game, std::uint32_t slot) {
   const Motion now = motionOf(game, slot);
   if (step_ < plan_.size() && now == expected_[step_]) return plan_[step_++];
   plan_.clear();
-  return rest(game, slot, now);
+  return waitForRest(game, slot, now);
 }
 
 void Demo::startRound(const Game& game) {
@@ -30,38 +30,38 @@ void Demo::startRound(const Game& game) {
   level_ = game.sharedLevel();
   plan_.clear();
   planner_.reset();
-  before_.reset();
+  last_.reset();
   waitedTicks_ = 0;
 }
 
-Input Demo::rest(const Game& game, std::uint32_t slot, const Motion& now) {
-  restingTicks_ = before_ == now ? restingTicks_ + 1 : 0;
-  before_ = now;
+Input Demo::waitForRest(const Game& game, std::uint32_t slot, const Motion& now) {
+  restingTicks_ = last_ == now ? restingTicks_ + 1 : 0;
+  last_ = now;
   if (restingTicks_ < kTicksOfRest) {
     planner_.reset();
-    return ++waitedTicks_ > kPatience ? startOver() : Input{};
+    return ++waitedTicks_ > kMaxTicksToRest ? restartPlayer() : Input{};
   }
   waitedTicks_ = 0;
-  return think(game, slot);
+  return continuePlanning(game, slot);
 }
 
-Input Demo::think(const Game& game, std::uint32_t slot) {
+Input Demo::continuePlanning(const Game& game, std::uint32_t slot) {
   if (!planner_) planner_.emplace(game, slot, *distance_);
   switch (planner_->work(effort_)) {
     case Planner::Status::kSearching:
       break;
-    case Planner::Status::kNoWay:
-      return startOver();
+    case Planner::Status::kNoPlan:
+      return restartPlayer();
     case Planner::Status::kFound:
-      adopt(game, slot);
+      adoptPlan(game, slot);
   }
   return {};
 }
 
-void Demo::adopt(const Game& start, std::uint32_t slot) {
+void Demo::adoptPlan(const Game& start, std::uint32_t slot) {
   plan_ = planner_->plan();
   planner_.reset();
-  before_.reset();
+  last_.reset();
   step_ = 0;
   expected_.clear();
   Game game = start;
@@ -73,9 +73,9 @@ void Demo::adopt(const Game& start, std::uint32_t slot) {
   }
 }
 
-Input Demo::startOver() {
+Input Demo::restartPlayer() {
   planner_.reset();
-  before_.reset();
+  last_.reset();
   waitedTicks_ = 0;
   return {Input::kRestart};
 }

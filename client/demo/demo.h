@@ -11,20 +11,20 @@
 
 namespace platon {
 
-/// Plays by itself: lets the player come to rest, plans a way to the goal from there and follows it. When the game
-/// turns out otherwise than planned, it comes to rest and plans again; when there is no way left, it goes back to the
-/// start. Knows no more than a player does: the predicted game.
+/// Plays the game automatically: waits until the player rests, plans inputs that lead to the goal, and presses them. If
+/// the game departs from the plan, it waits for rest and plans again; if there is no plan, it restarts the player. It
+/// uses only the predicted game, like a human player.
 class Demo {
  public:
-  /// `effort`: ticks tried out at most for each tick of the game, which bounds the time that one takes.
+  /// `effort`: maximum number of ticks simulated for planning per tick of the game.
   explicit Demo(std::uint32_t effort = 1500) : effort_(effort) {}
 
-  /// The buttons for the next tick of `game`; nothing while `slot` is not in play. Another level or an earlier tick
-  /// than before is a new round.
+  /// Input for the next tick of `game`; empty while `slot` is absent or has finished. Another level or an earlier tick
+  /// than in the last call starts a new round.
   Input choose(const Game& game, std::uint32_t slot);
 
  private:
-  /// What tells whether a plan still holds.
+  /// The part of the player's state that must match the plan.
   struct Motion {
     std::uint32_t part = 0;
     Point position;
@@ -36,22 +36,22 @@ class Demo {
 
   static Motion motionOf(const Game& game, std::uint32_t slot);
   void startRound(const Game& game);
-  Input rest(const Game& game, std::uint32_t slot, const Motion& now);
-  Input think(const Game& game, std::uint32_t slot);
-  void adopt(const Game& start, std::uint32_t slot);
-  Input startOver();
+  Input waitForRest(const Game& game, std::uint32_t slot, const Motion& now);
+  Input continuePlanning(const Game& game, std::uint32_t slot);
+  void adoptPlan(const Game& start, std::uint32_t slot);
+  Input restartPlayer();
 
   std::uint32_t effort_;
   std::shared_ptr<const Level> level_;
   std::uint32_t tick_ = 0;
   std::optional<GoalDistance> distance_;
 
-  std::optional<Planner> planner_;  // while thinking, which is done at rest
+  std::optional<Planner> planner_;  // while planning
   std::vector<Input> plan_;
-  std::vector<Motion> expected_;  // at the start of every tick of the plan
-  std::size_t step_ = 0;          // of the plan
+  std::vector<Motion> expected_;  // before each tick of the plan
+  std::size_t step_ = 0;          // next tick of the plan
 
-  std::optional<Motion> before_;
+  std::optional<Motion> last_;  // motion in the last call
   std::uint32_t restingTicks_ = 0;
   std::uint32_t waitedTicks_ = 0;
 };

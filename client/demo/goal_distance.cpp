@@ -10,33 +10,33 @@ namespace platon {
 
 namespace {
 
-constexpr std::int32_t kSmallestCell = 12 * kSubunitsPerUnit;
-constexpr std::int32_t kCellsInAll = 8000;
+constexpr std::int32_t kMinCellSize = 12 * kSubunitsPerUnit;
+constexpr std::int32_t kMaxCells = 8000;
 
 Convex square(std::int32_t r) { return Convex(std::vector<Point>{{-r, -r}, {r, -r}, {r, r}, {-r, r}}); }
 
-// What must fit between walls: less than the ball, as cells rarely lie in the middle of a gap. The goal itself may be
-// right at a wall.
+// The square that must fit between segments. Smaller than the ball, because cell centres rarely lie in the middle of a
+// gap; at the goal almost a point, because the goal may touch a segment.
 const Convex& probeFor(bool atGoal) {
-  static const Convex kTraveller = square(4 * kSubunitsPerUnit);
+  static const Convex kSmallBall = square(4 * kSubunitsPerUnit);
   static const Convex kPoint = square(16);
-  return atGoal ? kPoint : kTraveller;
+  return atGoal ? kPoint : kSmallBall;
 }
 
-// Of a way, to within 8 %.
-std::int32_t lengthOf(Point way) {
-  const std::int32_t x = std::abs(way.x);
-  const std::int32_t y = std::abs(way.y);
+// Approximate length, error at most 8 %.
+std::int32_t lengthOf(Point vector) {
+  const std::int32_t x = std::abs(vector.x);
+  const std::int32_t y = std::abs(vector.y);
   return std::max(x, y) + std::min(x, y) * 2 / 5;
 }
 
 bool isFree(const Convex& probe, const MapGeometry& part, Point from, Point to) {
   Sweep sweep;
   sweep.start(probe, from, to - from);
-  std::vector<std::uint32_t> lines;
-  part.grid.query(sweep.bounds(), lines);
-  return std::none_of(lines.begin(), lines.end(), [&](std::uint32_t line) {
-    return !part.isWarp(line) && sweep.against(part.segments[line]).has_value();
+  std::vector<std::uint32_t> segments;
+  part.grid.query(sweep.bounds(), segments);
+  return std::none_of(segments.begin(), segments.end(), [&](std::uint32_t segment) {
+    return !part.isWarp(segment) && sweep.against(part.segments[segment]).has_value();
   });
 }
 
@@ -47,7 +47,7 @@ const Warp* warpBehind(const MapGeometry& part, Point point) {
   return nullptr;
 }
 
-// Where one gets from `from` going straight to `to`, over at most one edge.
+// The place reached on a straight path from `from` to `to` across at most one edge; nothing if a segment blocks it.
 std::optional<Place> reach(const Convex& probe, const Geometry& geometry, std::uint32_t face, Point from, Point to) {
   const MapGeometry& part = *geometry.find(face);
   if (!isFree(probe, part, from, to)) return std::nullopt;
@@ -71,7 +71,7 @@ std::int32_t farthestCoordinate(const Geometry& geometry) {
 
 std::int32_t cellsPerAxis(std::size_t faces) {
   std::int32_t side = 1;
-  while ((side + 2) * (side + 2) * static_cast<std::int32_t>(faces) <= kCellsInAll) side += 2;
+  while ((side + 2) * (side + 2) * static_cast<std::int32_t>(faces) <= kMaxCells) side += 2;
   return side;
 }
 
@@ -80,13 +80,13 @@ std::int32_t cellsPerAxis(std::size_t faces) {
 GoalDistance::GoalDistance(const Level& level) {
   const Geometry& geometry = level.world.geometry();
   const std::int32_t half = farthestCoordinate(geometry);
-  cellSize_ = std::max(kSmallestCell, 2 * half / cellsPerAxis(geometry.parts.size()) + 1);
+  cellSize_ = std::max(kMinCellSize, 2 * half / cellsPerAxis(geometry.parts.size()) + 1);
   side_ = 2 * ((half + cellSize_ / 2) / cellSize_) + 1;
   distances_.assign(geometry.parts.size() * static_cast<std::size_t>(side_ * side_), kUnreachable);
   spread(geometry, {level.goalFace, level.goal});
 }
 
-bool GoalDistance::onLattice(const Cell& cell) const {
+bool GoalDistance::onGrid(const Cell& cell) const {
   return cell.column >= 0 && cell.row >= 0 && cell.column < side_ && cell.row < side_;
 }
 
@@ -144,7 +144,7 @@ void GoalDistance::spreadFrom(const Geometry& geometry, const Reached& reached, 
 std::int32_t GoalDistance::from(const Place& place) const {
   const Cell middle = cellAt(place);
   std::int32_t best = kUnreachable;
-  // The nearest cell itself can be cut off by the very floor that the place is on.
+  // Also tries the neighbouring cells: a floor can separate the place from the centre of its own cell.
   for (std::int32_t i = 0; i < 9; ++i) {
     const Cell cell{middle.face, middle.column + i % 3 - 1, middle.row + i / 3 - 1};
     const std::int32_t beyond = lookUp(cell);

@@ -8,15 +8,15 @@
 
 namespace platon {
 
-/// How far it is to a level's goal along the surface and round its walls, as a small ball flies that knows no gravity.
-/// Measured once on a lattice over every face; a guide for searching, not an exact distance.
+/// Approximate distance to a level's goal along the surface and around segments, for a small ball without gravity.
+/// Computed once on a grid over every face (Dijkstra's algorithm); a heuristic for searching, not an exact distance.
 class GoalDistance {
  public:
   static constexpr std::int32_t kUnreachable = INT32_MAX;
 
   explicit GoalDistance(const Level& level);
 
-  /// Subunits from `place` to the goal; kUnreachable when walls shut it off.
+  /// Subunits from `place` to the goal; kUnreachable if segments enclose it.
   std::int32_t from(const Place& place) const;
 
  private:
@@ -27,20 +27,20 @@ class GoalDistance {
   };
   struct Reached {
     std::int32_t distance = 0;
-    Place place;  // the centre of a cell, but for the goal itself
+    Place place;  // centre of a cell, or the goal
   };
 
-  bool onLattice(const Cell& cell) const;
+  bool onGrid(const Cell& cell) const;
   std::size_t indexOf(const Cell& cell) const;
   Point centreOf(const Cell& cell) const;
   Cell cellAt(const Place& place) const;
-  std::int32_t lookUp(const Cell& cell) const { return onLattice(cell) ? distances_[indexOf(cell)] : kUnreachable; }
+  std::int32_t lookUp(const Cell& cell) const { return onGrid(cell) ? distances_[indexOf(cell)] : kUnreachable; }
 
   void spread(const Geometry& geometry, const Place& goal);
   void spreadFrom(const Geometry& geometry, const Reached& reached, std::vector<Reached>& front);
 
   std::int32_t cellSize_;  // subunits
-  std::int32_t side_;      // cells along each axis of a face, odd: a face's origin is the centre of its middle cell
+  std::int32_t side_;      // cells along each axis of a face; odd, so that the origin is the centre of a cell
   std::vector<std::int32_t> distances_;
 };
 

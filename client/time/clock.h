@@ -6,10 +6,10 @@
 
 namespace platon {
 
-/// The time as a program sees it: handed to whatever runs by itself.
+/// Monotonic clock, passed to every class that runs its own loop. Tests pass one that they control.
 struct Clock {
   std::function<Moment()> now;             ///< never decreases
-  std::function<void(Moment)> sleepUntil;  ///< returns at once when that has passed
+  std::function<void(Moment)> sleepUntil;  ///< returns at once if that moment has passed
 };
 
 }  // namespace platon

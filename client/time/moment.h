@@ -4,11 +4,10 @@
 
 namespace platon {
 
-/// Monotonic time since any one origin. Nothing in the client's library reads a clock: every caller says what time it
-/// is, so that tests run in a time of their own.
+/// Monotonic time since an arbitrary origin. Client classes never read a clock: callers pass the current moment, so
+/// that tests can run in virtual time.
 using Moment = std::chrono::microseconds;
 
-/// Seconds of it.
 constexpr double toSeconds(Moment moment) { return std::chrono::duration<double>(moment).count(); }
 
 }  // namespace platon

@@ -7,7 +7,7 @@
 
 namespace platon {
 
-/// The last `kSize` of some samples.
+/// Quantiles of the last `kSize` samples.
 template <std::size_t kSize>
 class QuantileWindow {
  public:
@@ -19,7 +19,8 @@ class QuantileWindow {
 
   bool empty() const { return count_ == 0; }
 
-  /// The least sample that `share` (0 … 1) of them do not exceed; 0 gives the least of all. Not empty.
+  /// The smallest sample that is at least as large as `share` (0 … 1) of all samples; 0 gives the minimum. The window
+  /// must not be empty.
   double quantile(double share) const {
     std::array<double, kSize> sorted = samples_;
     const double rank = std::max(1.0, std::ceil(share * static_cast<double>(count_)));
@@ -29,7 +30,7 @@ class QuantileWindow {
   }
 
  private:
-  std::array<double, kSize> samples_{};  // a ring, of which count_ are filled
+  std::array<double, kSize> samples_{};  // ring buffer; the first count_ are valid
   std::size_t next_ = 0;
   std::size_t count_ = 0;
 };

@@ -9,10 +9,10 @@ SlewingClock::SlewingClock(double tick, Moment now, double maxSlew, double jumpT
     : now_(now), tick_(tick), lead_(tick - toTicks(now)), target_(lead_), maxSlew_(maxSlew), jumpTicks_(jumpTicks) {}
 
 bool SlewingClock::update(Moment now, bool atOnce) {
-  const double most = maxSlew_ * toTicks(now - now_);
+  const double maxChange = maxSlew_ * toTicks(now - now_);
   const double missing = target_ - lead_;
   const bool jumps = atOnce || std::abs(missing) > jumpTicks_;
-  lead_ += jumps ? missing : std::clamp(missing, -most, most);
+  lead_ += jumps ? missing : std::clamp(missing, -maxChange, maxChange);
   jumps_ += jumps ? 1 : 0;
   now_ = now;
   tick_ = toTicks(now) + lead_;

@@ -9,25 +9,25 @@ namespace platon {
 
 constexpr double toTicks(Moment moment) { return toSeconds(moment) * kTicksPerSecond; }
 
-/// A clock in ticks: 60 × real time plus a lead, which it brings slowly towards a target. A pure function of the times
-/// it is given.
+/// A clock that counts ticks: 60 × real time + lead. It slews its lead slowly towards a target lead, and jumps if it is
+/// too far off. A pure function of the times passed in.
 class SlewingClock {
  public:
-  /// Shows `tick` at `now`, which is its target, too. Slews by at most `maxSlew` of real time; jumps when it is more
-  /// than `jumpTicks` off its target.
+  /// Shows `tick` at `now`; the target is the lead this gives. The lead changes by at most `maxSlew` × elapsed time,
+  /// and jumps when it is more than `jumpTicks` off its target.
   SlewingClock(double tick, Moment now, double maxSlew, double jumpTicks);
 
-  /// Lets time pass; `now` never decreases. `atOnce`: reaches its target, by a jump. True when it has jumped.
+  /// Advances to `now`, which never decreases. `atOnce`: jumps to the target. Returns whether the clock jumped.
   bool update(Moment now, bool atOnce = false);
-  /// Stands at `tick` if it is beyond: its lead becomes less by what it has to wait.
+  /// Sets the clock back to `tick` if it shows more, by reducing its lead.
   void holdAt(double tick);
   void setTarget(double lead) { target_ = lead; }
   double target() const { return target_; }
 
   double tick() const { return tick_; }
-  /// Of `tick()` over 60 × real time.
+  /// `tick()` minus 60 × real time.
   double lead() const { return lead_; }
-  /// Ticks that it is ahead (positive) or behind of its target.
+  /// Lead minus target, ticks: positive when the clock is ahead.
   double error() const { return lead_ - target_; }
   std::uint32_t jumps() const { return jumps_; }
 

@@ -7,7 +7,7 @@
 
 namespace platon {
 
-/// The machine's monotonic clock; for the programs only.
+/// The system's monotonic clock. Only programs and tests may use it.
 inline Clock steadyClock() {
   using Steady = std::chrono::steady_clock;
   return {[] { return std::chrono::duration_cast<Moment>(Steady::now().time_since_epoch()); },

@@ -4,8 +4,6 @@
 
 #include <cmath>
 
-#include "client/time/quantile_window.h"
-
 namespace platon {
 namespace {
 
@@ -15,7 +13,7 @@ constexpr Moment kStart = std::chrono::seconds(50);
 constexpr double kSlew = 0.05;
 constexpr double kJump = 30;
 
-TEST(SlewingClock, SlewsToItsTargetByTheGivenShareAtMost) {
+TEST(SlewingClock, SlewsToItsTargetByAtMostTheGivenShare) {
   for (const double off : {-10.0, 10.0}) {
     SlewingClock clock(100, kStart, kSlew, kJump);
     clock.setTarget(clock.lead() + off);
@@ -26,13 +24,13 @@ TEST(SlewingClock, SlewsToItsTargetByTheGivenShareAtMost) {
       EXPECT_LE(std::abs(clock.tick() - last - 0.6), 0.6 * kSlew + 1e-9);
       last = clock.tick();
     }
-    EXPECT_NEAR(clock.error(), 0, 1e-9);  // 10 ticks at 3 a second
+    EXPECT_NEAR(clock.error(), 0, 1e-9);  // 10 ticks at 3 per second
     EXPECT_NEAR(clock.tick(), 100 + 300 + off, 1e-6);
     EXPECT_EQ(clock.jumps(), 0u);
   }
 }
 
-TEST(SlewingClock, JumpsWhenItIsFartherOffOrTold) {
+TEST(SlewingClock, JumpsBeyondTheGivenErrorOrOnRequest) {
   SlewingClock clock(100, kStart, kSlew, kJump);
   clock.setTarget(clock.lead() + 29);
   EXPECT_FALSE(clock.update(kStart));
@@ -45,7 +43,7 @@ TEST(SlewingClock, JumpsWhenItIsFartherOffOrTold) {
   EXPECT_EQ(clock.jumps(), 2u);
 }
 
-TEST(SlewingClock, WaitsWhereItIsHeldAndGoesOnFromThere) {
+TEST(SlewingClock, HoldAtSetsTheClockBackAndItCatchesUp) {
   SlewingClock clock(100, kStart, kSlew, kJump);
   clock.update(kStart + milliseconds(100));
   clock.holdAt(107);
@@ -55,19 +53,6 @@ TEST(SlewingClock, WaitsWhereItIsHeldAndGoesOnFromThere) {
   EXPECT_NEAR(clock.error(), -2, 1e-9);
   clock.update(kStart + milliseconds(200));
   EXPECT_NEAR(clock.tick(), 104 + 6 * (1 + kSlew), 1e-6);
-}
-
-TEST(QuantileWindow, CountsFromTheLeast) {
-  QuantileWindow<100> window;
-  EXPECT_TRUE(window.empty());
-  window.add(7);
-  EXPECT_FALSE(window.empty());
-  for (const double share : {0.0, 0.5, 0.99, 1.0}) EXPECT_EQ(window.quantile(share), 7);
-  for (int i = 0; i < 100; ++i) window.add((i * 37) % 100);  // each of 0 … 99; the 7 before has gone
-  EXPECT_EQ(window.quantile(0), 0);
-  EXPECT_EQ(window.quantile(0.5), 49);
-  EXPECT_EQ(window.quantile(0.99), 98);
-  EXPECT_EQ(window.quantile(1), 99);
 }
 
 }  // namespace
