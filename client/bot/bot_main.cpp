@@ -9,7 +9,7 @@
 
 #include "client/bot/bot_fleet.h"
 #include "client/bot/bot_report.h"
-#include "client/net/condition_options.h"
+#include "client/bot/condition_options.h"
 #include "client/net/server_address.h"
 #include "client/time/steady_now.h"
 #include "platon_version.h"
@@ -28,22 +28,24 @@ struct Options {
 };
 
 void describe(CLI::App& app, Options& options) {
-  app.add_option("HOST", options.host, "The server, HOST or HOST:PORT")->required();
-  app.add_option("--count", options.fleet.count, "How many bots")->required()->check(CLI::Range(1, 256));
-  app.add_option("--seconds", options.fleet.seconds, "How long they play")->required()->check(CLI::Range(0.1, 86400.0));
-  app.add_option("--seed", options.fleet.seed, "Of the buttons and of the line; the same seed gives the same")
+  app.add_option("HOST", options.host, "Server address, HOST or HOST:PORT")->required();
+  app.add_option("--count", options.fleet.count, "Number of bots")->required()->check(CLI::Range(1, 256));
+  app.add_option("--seconds", options.fleet.seconds, "Duration in seconds")
+      ->required()
+      ->check(CLI::Range(0.1, 86400.0));
+  app.add_option("--seed", options.fleet.seed, "Seed of the buttons and of the simulated network conditions")
       ->capture_default_str();
   app.add_option("--desync-dir", options.fleet.desyncFolder,
-                 "Folder for reports of games that were not the server's, made when missing; none unless given");
+                 "Folder for desync reports, created if missing; without it none are written");
   app.add_flag("--hollow", options.fleet.hollow,
-               "Bots that greet, press buttons and confirm, but do not play the game: hundreds fit on one machine, to "
-               "load a server");
+               "Bots without a game, to load a server: they join, send inputs and acknowledge ticks; hundreds run on "
+               "one machine");
   app.add_option("--settle", options.fleet.settleSeconds,
-                 "Seconds after its first tick from which on a bot is measured; desyncs, resyncs and the largest "
-                 "correction count from the start")
+                 "Seconds after its first tick before a bot is measured; desyncs, resyncs and the largest correction "
+                 "are counted from the start")
       ->check(CLI::Range(0.0, 86400.0));
   app.add_flag("--json", options.json, "Print one JSON object");
-  describeConditionOptions(app, options.fleet.line);
+  addConditionOptions(app, options.fleet.quality);
 }
 
 int play(const Options& options) {
@@ -52,13 +54,13 @@ int play(const Options& options) {
   BotReport report = makeReport(results);
   report.hollow = options.fleet.hollow;
   std::fputs((options.json ? toJson(report) : toText(report)).c_str(), stdout);
-  const auto fallen = std::find_if(results.begin(), results.end(), [](const BotResult& bot) { return bot.ending; });
-  if (fallen != results.end()) std::fprintf(stderr, "platon-bot: %s\n", fallen->ending->c_str());
+  const auto failed = std::find_if(results.begin(), results.end(), [](const BotResult& bot) { return bot.ending; });
+  if (failed != results.end()) std::fprintf(stderr, "platon-bot: %s\n", failed->ending->c_str());
   return report.failed == 0 ? 0 : kFailed;
 }
 
 int run(int argc, char** argv) {
-  CLI::App app("Headless clients of Platon that press buttons at random, on simulated lines.", "platon-bot");
+  CLI::App app("Headless clients of Platon that press buttons at random.", "platon-bot");
   app.set_version_flag("--version", "platon-bot " + std::string(kVersion));
   Options options;
   describe(app, options);

@@ -14,39 +14,39 @@ struct Field {
   const char* name;
   double BotReport::*value;
   const char* meaning;
-  bool ofTheGame = false;  // known only to who plays it
+  bool needsGame = false;  // unknown to hollow bots
 };
 
 constexpr std::array<Field, 18> kFields = {{
-    {"connectMs", &BotReport::connectMs, "to join, ms"},
+    {"connectMs", &BotReport::connectMs, "time to join, ms"},
     {"rttMs", &BotReport::rttMs, "round trip, ms"},
     {"jitterMs", &BotReport::jitterMs, "jitter, ms"},
-    {"slackTicks", &BotReport::slackTicks, "inputs early by, ticks"},
-    {"downLossPercent", &BotReport::downLossPercent, "lost down, %"},
-    {"upLossPercent", &BotReport::upLossPercent, "lost up, %"},
+    {"slackTicks", &BotReport::slackTicks, "input slack, ticks"},
+    {"downLossPercent", &BotReport::downLossPercent, "loss down, %"},
+    {"upLossPercent", &BotReport::upLossPercent, "loss up, %"},
     {"downBytesPerSecond", &BotReport::downBytesPerSecond, "down, bytes/s"},
     {"upBytesPerSecond", &BotReport::upBytesPerSecond, "up, bytes/s"},
     {"downPacketsPerSecond", &BotReport::downPacketsPerSecond, "down, packets/s"},
     {"upPacketsPerSecond", &BotReport::upPacketsPerSecond, "up, packets/s"},
     {"correctionsPer1000Ticks", &BotReport::correctionsPer1000Ticks, "corrections per 1000 ticks", true},
     {"maxCorrectionSubunits", &BotReport::maxCorrectionSubunits, "largest correction, subunits", true},
-    {"mispredictedPer1000Ticks", &BotReport::mispredictedPer1000Ticks, "mispredicted per 1000 ticks", true},
+    {"mispredictedPer1000Ticks", &BotReport::mispredictedPer1000Ticks, "mispredictions per 1000 ticks", true},
     {"missedInputsPer1000Ticks", &BotReport::missedInputsPer1000Ticks, "missed inputs per 1000 ticks", true},
-    {"hashMismatches", &BotReport::desyncs, "hash desyncs", true},
+    {"hashMismatches", &BotReport::desyncs, "desyncs", true},
     {"resyncs", &BotReport::resyncs, "resyncs", true},
     {"confirmedTicks", &BotReport::confirmedTicks, "confirmed ticks"},
-    {"resumes", &BotReport::resumes, "lost and came back", true},
+    {"resumes", &BotReport::resumes, "resumes", true},
 }};
 
 void add(BotReport& sum, const BotResult& bot) {
   const double seconds = std::max(bot.seconds, 1e-3);
   const double thousands = std::max(bot.prediction.confirmedTicks, 1u) / 1000.0;
   sum.connectMs += bot.connectMs;
-  sum.rttMs += bot.line.rttMs;
-  sum.jitterMs += bot.line.jitterMs;
-  sum.slackTicks += bot.line.slackTicks;
-  sum.downLossPercent += bot.line.lostDownPercent;
-  sum.upLossPercent += bot.line.lostUpPercent;
+  sum.rttMs += bot.link.rttMs;
+  sum.jitterMs += bot.link.jitterMs;
+  sum.slackTicks += bot.link.slackTicks;
+  sum.downLossPercent += bot.link.lostDownPercent;
+  sum.upLossPercent += bot.link.lostUpPercent;
   sum.downBytesPerSecond += static_cast<double>(bot.traffic.receivedBytes) / seconds;
   sum.upBytesPerSecond += static_cast<double>(bot.traffic.sentBytes) / seconds;
   sum.downPacketsPerSecond += static_cast<double>(bot.traffic.receivedPackets) / seconds;
@@ -79,20 +79,19 @@ BotReport makeReport(std::span<const BotResult> bots) {
 std::string toJson(const BotReport& report) {
   std::string json = fmt::format("{{\"connected\":{},\"failed\":{}", report.connected, report.failed);
   for (const Field& field : kFields) {
-    const bool known = !field.ofTheGame || !report.hollow;
+    const bool known = !field.needsGame || !report.hollow;
     json += fmt::format(",\"{}\":{}", field.name, known ? fmt::format("{:.6g}", report.*field.value) : "null");
   }
   return json + fmt::format(",\"longestDatagramBytes\":{}}}\n", report.longestDatagramBytes);
 }
 
 std::string toText(const BotReport& report) {
-  std::string text =
-      fmt::format("{} bots played to the end, {} failed; on average:\n", report.connected, report.failed);
+  std::string text = fmt::format("{} bots played to the end, {} failed. Averages:\n", report.connected, report.failed);
   for (const Field& field : kFields) {
-    if (field.ofTheGame && report.hollow) continue;
+    if (field.needsGame && report.hollow) continue;
     text += fmt::format("  {:<30}{:>10.1f}\n", field.meaning, report.*field.value);
   }
-  return text + fmt::format("  {:<30}{:>8}\n", "longest datagram of all, bytes", report.longestDatagramBytes);
+  return text + fmt::format("  {:<30}{:>8}\n", "longest datagram, bytes", report.longestDatagramBytes);
 }
 
 }  // namespace platon

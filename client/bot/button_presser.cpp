@@ -8,7 +8,7 @@ namespace platon {
 
 Input ButtonPresser::next() {
   if (ticksLeft_ == 0) {
-    held_ = somethingElse();
+    held_ = otherButtons();
     const std::uint32_t shortest = kTicksPerSecond / 6;
     ticksLeft_ = shortest + below(kTicksPerSecond / 3 - shortest + 1);
   }
@@ -16,18 +16,18 @@ Input ButtonPresser::next() {
   return {held_};
 }
 
-std::uint8_t ButtonPresser::somethingElse() {
-  // Mostly on the run and often in the air; standing still is the exception.
-  static constexpr std::array<std::uint8_t, 8> kHabits = {Input::kRight,
-                                                          Input::kLeft,
-                                                          Input::kRight | Input::kJump,
-                                                          Input::kLeft | Input::kJump,
-                                                          Input::kRight,
-                                                          Input::kJump,
-                                                          0,
-                                                          Input::kLeft | Input::kDown};
+std::uint8_t ButtonPresser::otherButtons() {
+  // Weighted towards running and jumping.
+  static constexpr std::array<std::uint8_t, 8> kCombinations = {Input::kRight,
+                                                                Input::kLeft,
+                                                                Input::kRight | Input::kJump,
+                                                                Input::kLeft | Input::kJump,
+                                                                Input::kRight,
+                                                                Input::kJump,
+                                                                0,
+                                                                Input::kLeft | Input::kDown};
   std::uint8_t chosen = held_;
-  while (chosen == held_) chosen = kHabits[below(kHabits.size())];
+  while (chosen == held_) chosen = kCombinations[below(kCombinations.size())];
   return chosen;
 }
 

@@ -4,17 +4,17 @@
 
 namespace platon {
 
-HollowBot::HollowBot(const ServerAddress& server, const std::string& name, const LinkQuality& line, std::uint64_t seed,
-                     Moment now, Moment settle)
-    : line_(server, line, seed),
-      connection_(line_.address(), now),
+HollowBot::HollowBot(const ServerAddress& server, const std::string& name, const LinkQuality& quality,
+                     std::uint64_t seed, Moment now, Moment settle)
+    : route_(server, quality, seed),
+      connection_(route_.address(), now),
       name_(name),
       presser_(seed),
       buttons_([this] { return presser_.next(); }),
       measure_(now, settle) {}
 
 void HollowBot::update(Moment now) {
-  line_.pump(now);
+  route_.pump(now);
   connection_.service(now, [this, now](std::span<const std::uint8_t> message) {
     if (session_) session_->receive(message, now);
   });
@@ -25,8 +25,8 @@ void HollowBot::update(Moment now) {
   }
   if (leaving_) connection_.close();
   connection_.flush(now);
-  line_.pump(now);
-  measure_.update(now, ticks(), connection_.traffic());
+  route_.pump(now);
+  measure_.update(now, prediction(), connection_.traffic());
 }
 
 void HollowBot::leave() {
@@ -34,17 +34,17 @@ void HollowBot::leave() {
   if (session_) session_->leave();
 }
 
-PredictionStatistics HollowBot::ticks() const {
-  PredictionStatistics count;
-  if (session_) count.confirmedTicks = session_->confirmedTicks();
-  return count;
+PredictionStatistics HollowBot::prediction() const {
+  PredictionStatistics statistics;
+  if (session_) statistics.confirmedTicks = session_->confirmedTicks();
+  return statistics;
 }
 
 BotResult HollowBot::result() const {
-  BotResult result = measure_.result(ticks(), connection_.traffic());
+  BotResult result = measure_.result(prediction(), connection_.traffic());
   result.ending = ending();
-  if (!result.ending && closed()) result.ending = "the connection is lost";
-  if (result.joined) result.line = session_->reading();
+  if (!result.ending && closed()) result.ending = "lost the connection";
+  if (result.joined) result.link = session_->linkStatistics();
   return result;
 }
 

@@ -5,18 +5,18 @@
 #include <string>
 
 #include "client/bot/bot.h"
-#include "client/net/client_line.h"
+#include "client/bot/button_presser.h"
+#include "client/bot/server_route.h"
 #include "client/net/connection.h"
 #include "client/session/hollow_session.h"
 
 namespace platon {
 
-/// A bot that does not play the game, for loading a server with players: hundreds of them fit on one machine. It does
-/// not come back when it loses the connection.
+/// A bot without a game, for loading a server: hundreds run on one machine. It does not reconnect.
 class HollowBot : public Bot {
  public:
-  /// As of PlayingBot.
-  HollowBot(const ServerAddress& server, const std::string& name, const LinkQuality& line, std::uint64_t seed,
+  /// As for PlayingBot.
+  HollowBot(const ServerAddress& server, const std::string& name, const LinkQuality& quality, std::uint64_t seed,
             Moment now, Moment settle);
 
   void update(Moment now) override;
@@ -26,12 +26,12 @@ class HollowBot : public Bot {
 
  private:
   std::optional<std::string> ending() const { return session_ ? session_->ending() : std::nullopt; }
-  PredictionStatistics ticks() const;
+  PredictionStatistics prediction() const;
 
-  ClientLine line_;
+  ServerRoute route_;
   Connection connection_;
   std::string name_;
-  std::optional<HollowSession> session_;  // once connected
+  std::optional<HollowSession> session_;  // empty until connected
   ButtonPresser presser_;
   HollowSession::Buttons buttons_;
   BotMeasure measure_;

@@ -8,56 +8,52 @@
 namespace platon {
 
 DesyncDetector::DesyncDetector(std::uint32_t round, const Game& start)
-    : round_(round), agreedAt_(start.tick()), recording_(start) {}
+    : round_(round), matchedAt_(start.tick()), recording_(start) {}
 
 void DesyncDetector::advanced(std::span<const Input> inputs, const Game& game) {
   recording_.record(inputs, game);
-  if (!wrong_) return;
+  if (!pending_) return;
   states_.push_back(game);
   if (states_.size() > kMaxStates) states_.pop_front();
 }
 
-void DesyncDetector::agreed(const Game& game) {
-  agreedAt_ = game.tick();
-  wrong_.reset();
+void DesyncDetector::hashMatched(const Game& game) {
+  matchedAt_ = game.tick();
+  pending_.reset();
   states_.clear();
 }
 
-void DesyncDetector::differs(const Game& game, std::uint32_t serverHash) {
-  if (wrong_) return;
-  wrong_ = Wrong{game.tick(), shortHash(game.hash()), serverHash};
+void DesyncDetector::hashDiffered(const Game& game, std::uint32_t serverHash) {
+  if (pending_) return;
+  pending_ = Pending{game.tick(), shortHash(game.hash()), serverHash};
   states_.push_back(game);
 }
 
-std::optional<Desync> DesyncDetector::replaced(const Game& server, std::span<const Input> held) {
+std::optional<Desync> DesyncDetector::resynced(const Game& server, std::span<const Input> held) {
   std::optional<Desync> found;
-  if (wrong_) {
-    const Game* const same = stateAfter(server.tick());
-    found = desync(same != nullptr ? *same : states_.back());
-    const std::uint32_t missing = server.tick() - std::min(found->own.tick(), server.tick());
-    // The inputs of the last of them came with the state.
-    if (missing > 0 && missing <= kMaxStates) {
-      found->guessedTicks = missing - 1;
-      for (std::uint32_t i = 0; i < missing; ++i) found->own.advance(held);
-    }
+  if (pending_) {
+    const Game* const same = stateAt(server.tick());
+    found = makeDesync(same != nullptr ? *same : states_.back());
+    // The server's state contains the inputs of its last tick.
+    if (found->own.tick() + 1 == server.tick()) found->own.advance(held);
     found->server = server;
   }
   *this = DesyncDetector(round_, server);
   return found;
 }
 
-std::optional<Desync> DesyncDetector::abandoned() {
-  if (!wrong_) return std::nullopt;
-  return desync(states_.back());
+std::optional<Desync> DesyncDetector::ended() {
+  if (!pending_) return std::nullopt;
+  return makeDesync(states_.back());
 }
 
-Desync DesyncDetector::desync(Game own) {
+Desync DesyncDetector::makeDesync(Game own) {
   std::vector<std::uint8_t> recording = recording_.finish(states_.back());
-  return {round_,         agreedAt_, wrong_->tick, wrong_->ownHash,     wrong_->serverHash,
-          std::move(own), 0,         std::nullopt, std::move(recording)};
+  return {round_,         matchedAt_,   pending_->tick,      pending_->ownHash, pending_->serverHash,
+          std::move(own), std::nullopt, std::move(recording)};
 }
 
-const Game* DesyncDetector::stateAfter(std::uint32_t tick) const {
+const Game* DesyncDetector::stateAt(std::uint32_t tick) const {
   const auto found =
       std::find_if(states_.begin(), states_.end(), [tick](const Game& game) { return game.tick() == tick; });
   return found == states_.end() ? nullptr : &*found;

@@ -10,40 +10,41 @@ namespace platon {
 
 namespace {
 
-// A new file only: nothing that is there is written over. 0 or the error.
+// Creates a file; never overwrites one. Returns 0 or the error number.
 template <class Bytes>
-int write(const std::filesystem::path& path, const Bytes& bytes) {
+int createFile(const std::filesystem::path& path, const Bytes& bytes) {
   std::FILE* const file = std::fopen(path.c_str(), "wbx");
   if (file == nullptr) return errno;
-  const bool whole = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
-  const int error = whole ? 0 : errno;
+  const bool complete = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
+  const int error = complete ? 0 : errno;
   return std::fclose(file) == 0 ? error : errno;
 }
 
-std::string notKept(const std::filesystem::path& path, int error) {
-  return "; the report could not be written to " + path.string() + ": " + std::strerror(error);
+std::string failure(const std::filesystem::path& path, int error) {
+  return "; cannot write " + path.string() + ": " + std::strerror(error);
 }
 
 }  // namespace
 
-std::string DesyncFolder::keep(const DesyncReport& report) const {
+std::string DesyncFolder::write(const DesyncReport& report) const {
   if (folder_.empty()) return report.summary;
-  std::error_code ignored;  // opening finds out
+  std::error_code ignored;  // createFile reports the error
   std::filesystem::create_directories(folder_, ignored);
   for (int number = 1; number <= kMaxReports; ++number) {
     const std::string name = "desync-" + std::to_string(number);
     const std::filesystem::path text = folder_ / (name + ".txt");
     const std::filesystem::path recording = folder_ / (name + ".recording");
-    // The number is free when neither is there. The recording comes first, so that no text names another's.
+    // Both files must be new. The recording is created first, so that no text names the recording of another report.
     if (std::filesystem::exists(text, ignored)) continue;
-    const int error = write(recording, report.recording);
+    const int error = createFile(recording, report.recording);
     if (error == EEXIST) continue;
-    if (error != 0) return report.summary + notKept(recording, error);
-    const int textError = write(text, report.text + "\nRecording of the own game: " + recording.string() + "\n");
-    return report.summary + (textError == 0 ? "; see " + text.string() : notKept(text, textError));
+    if (error != 0) return report.summary + failure(recording, error);
+    const int textError =
+        createFile(text, report.text + "\nRecording of the client's game: " + recording.string() + "\n");
+    return report.summary + (textError == 0 ? "; see " + text.string() : failure(text, textError));
   }
-  return report.summary + "; not written, for " + folder_.string() + " has " + std::to_string(kMaxReports) +
-         " reports already: remove those that are no longer needed";
+  return report.summary + "; not written: " + folder_.string() + " already has " + std::to_string(kMaxReports) +
+         " reports; remove those you do not need";
 }
 
 }  // namespace platon

@@ -8,17 +8,18 @@
 
 namespace platon {
 
-/// The folder that reports of desyncs are written to. Never more than a few, of a few MiB at most: a server that
-/// lies could cause any number.
+/// The folder to which desync reports are written. Holds at most kMaxReports reports of a few MiB each, because a
+/// malicious server can cause any number of desyncs.
 class DesyncFolder {
  public:
   static constexpr int kMaxReports = 10;
 
-  /// Made when the first report comes; empty: none are written.
+  /// The folder is created with the first report. Empty path: no reports are written.
   explicit DesyncFolder(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  /// Writes the report and its recording. What to log, one sentence: the summary, and where the report is or why not.
-  std::string keep(const DesyncReport& report) const;
+  /// Writes the report and its recording. Returns a log message: the summary, and the path of the report or why it was
+  /// not written.
+  std::string write(const DesyncReport& report) const;
 
  private:
   std::filesystem::path folder_;

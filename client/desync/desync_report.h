@@ -8,10 +8,10 @@
 
 namespace platon {
 
-/// A desync as people read it.
+/// Human-readable report of a desync.
 struct DesyncReport {
-  std::string summary;                  ///< one sentence without its end: tick, field, both values
-  std::string text;                     ///< all there is to say but the recording; lines
+  std::string summary;                  ///< one line without a full stop: ticks, field and both values
+  std::string text;                     ///< everything except the recording, several lines
   std::vector<std::uint8_t> recording;  ///< of the client's game
 };
 

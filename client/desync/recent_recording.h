@@ -12,27 +12,27 @@
 
 namespace platon {
 
-/// The recording of a game's last minutes, in bounded memory: the oldest goes as the newest comes.
+/// Recording of the last minutes of a game, in bounded memory.
 class RecentRecording {
  public:
-  /// Nothing is written away, so checkpoints only serve to drop what is old.
+  /// Old ticks are dropped in blocks of this size.
   static constexpr std::uint32_t kTicksBetweenCheckpoints = 10 * kTicksPerSecond;
-  /// A whole round of 16 players has about a quarter of it.
+  /// Soft limit; a whole round of 16 players takes about a quarter of it.
   static constexpr std::size_t kMaxBytes = std::size_t{1} << 20;
 
-  /// `start` is the game before the first tick to be recorded.
+  /// `start`: the game before the first recorded tick.
   explicit RecentRecording(const Game& start);
 
-  /// `game` has just been advanced by `inputs`.
+  /// `game` has been advanced by `inputs`.
   void record(std::span<const Input> inputs, const Game& game);
-  /// The recording, which ends with `game`. Nothing more can be recorded.
+  /// Ends the recording with the state `game` and returns it. `record` must not be called afterwards.
   std::vector<std::uint8_t> finish(const Game& game);
 
  private:
   Recorder recorder_;
-  std::vector<std::uint8_t> head_;
-  std::deque<std::vector<std::uint8_t>> blocks_;  // from one checkpoint to the next
-  std::size_t bytes_ = 0;                         // of the blocks
+  std::vector<std::uint8_t> header_;
+  std::deque<std::vector<std::uint8_t>> blocks_;  // one per checkpoint, oldest first
+  std::size_t blockBytes_ = 0;                    // total size of blocks_
 };
 
 }  // namespace platon

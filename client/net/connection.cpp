@@ -14,29 +14,20 @@ namespace platon {
 
 namespace {
 
-// Taken for the round trip until one is measured: a lost greeting is repeated after this time.
-constexpr enet_uint32 kFirstRoundTripMs = 100;
-constexpr enet_uint32 kPingIntervalMs = 2000;  // the messages of every tick show sooner that a line is dead
-constexpr enet_uint32 kTimeoutLimit = 32;
-// ENet counts acknowledgements that are missing, of which a bad line has many; Session knows sooner by its silence.
-constexpr enet_uint32 kTimeoutMs = 30000;
+// Round trip assumed until one is measured. A lost connection request is sent again after this time.
+constexpr enet_uint32 kInitialRoundTripMs = 100;
 
 ENetAddress resolve(const ServerAddress& server) {
   ENetAddress address{};
   if (enet_address_set_host(&address, server.host.c_str()) != 0) {
-    throw std::runtime_error("the host " + server.host + " is not known");
+    throw std::runtime_error("cannot resolve host " + server.host);
   }
   address.port = server.port;
   return address;
 }
 
-// ENet goes by the wall clock unless told otherwise.
-void tellTime(Moment now) {
-  enet_time_set(static_cast<enet_uint32>(std::chrono::duration_cast<std::chrono::milliseconds>(now).count()));
-}
-
-// Of this thread, since it was last asked for. ENet gives every whole datagram, sent or received, to the checksum, and
-// tells the length of each nowhere else.
+// Longest datagram that this thread has sent or received since countTraffic() last reset it. Measured in the checksum
+// function, the only place where ENet reveals the length of each datagram.
 thread_local std::uint64_t longestDatagram = 0;
 
 enet_uint32 measuringChecksum(const ENetBuffer* buffers, std::size_t count) {
@@ -50,32 +41,29 @@ enet_uint32 measuringChecksum(const ENetBuffer* buffers, std::size_t count) {
 
 Connection::Connection(const ServerAddress& server, Moment now) {
   const ENetAddress address = resolve(server);
-  tellTime(now);
+  setEnetTime(now);
   host_.reset(enet_host_create(nullptr, 1, kChannels, 0, 0));
-  if (!host_) throw std::runtime_error("no socket left for a connection");
+  if (!host_) throw std::runtime_error("cannot open a UDP socket");
   host_->checksum = measuringChecksum;
   host_->maximumPacketSize = kMaxMessageBytes;
   peer_ = enet_host_connect(host_.get(), &address, kChannels, 0);
-  if (peer_ == nullptr) throw std::runtime_error("no connection can be made to " + server.text());
-  peer_->roundTripTime = kFirstRoundTripMs;
-  enet_peer_ping_interval(peer_, kPingIntervalMs);
-  enet_peer_timeout(peer_, kTimeoutLimit, kTimeoutMs, kTimeoutMs);
+  if (peer_ == nullptr) throw std::runtime_error("cannot connect to " + server.text());
+  peer_->roundTripTime = kInitialRoundTripMs;
+  configurePeer(*peer_);
 }
 
 Connection::~Connection() {
   if (state_ != State::kClosed) enet_peer_reset(peer_);
 }
 
-void Connection::keepUnthrottled() {
-  if (state_ != State::kConnected) return;  // until then the server must echo what it was first told
-  // ENet would drop unreliable packets whenever the round trip grows, and lets the other side ask for it.
-  peer_->packetThrottle = ENET_PEER_PACKET_THROTTLE_SCALE;
-  peer_->packetThrottleLimit = ENET_PEER_PACKET_THROTTLE_SCALE;
-  peer_->packetThrottleDeceleration = 0;
+// Otherwise ENet would drop unreliable packets whenever the round trip grows, and the server could request that.
+void Connection::disableThrottle() {
+  if (state_ != State::kConnected) return;  // while connecting, the server must echo the original values
+  unthrottle(*peer_);
 }
 
-void Connection::keepCalling() {
-  if (state_ == State::kConnecting) limitRetransmissionTimeout(*peer_, kBetweenCalls / std::chrono::milliseconds(1));
+void Connection::limitRequestInterval() {
+  if (state_ == State::kConnecting) limitRetransmissionTimeout(*peer_, kRequestInterval / std::chrono::milliseconds(1));
 }
 
 ServerAddress Connection::address() const {
@@ -85,11 +73,14 @@ ServerAddress Connection::address() const {
 }
 
 void Connection::service(Moment now, const Receiver& receiver) {
-  tellTime(now);
-  keepUnthrottled();
-  keepCalling();
+  setEnetTime(now);
+  disableThrottle();
+  limitRequestInterval();
   ENetEvent event{};
-  while (enet_host_service(host_.get(), &event, 0) > 0) handle(event, receiver);
+  for (std::uint32_t events = 0; events < kMaxMessagesPerService; ++events) {
+    if (enet_host_service(host_.get(), &event, 0) <= 0) break;
+    handle(event, receiver);
+  }
   countTraffic();
 }
 
@@ -105,7 +96,7 @@ void Connection::handle(const ENetEvent& event, const Receiver& receiver) {
 }
 
 void Connection::flush(Moment now) {
-  tellTime(now);
+  setEnetTime(now);
   enet_host_flush(host_.get());
   countTraffic();
 }
@@ -119,11 +110,7 @@ void Connection::countTraffic() {
 }
 
 void Connection::send(std::span<const std::uint8_t> message, bool reliable) {
-  if (state_ != State::kConnected) return;
-  const enet_uint32 flags = reliable ? ENET_PACKET_FLAG_RELIABLE : ENET_PACKET_FLAG_UNSEQUENCED;
-  ENetPacket* const packet = enet_packet_create(message.data(), message.size(), flags);
-  const std::uint8_t channel = reliable ? kReliableChannel : kTickChannel;
-  if (packet != nullptr && enet_peer_send(peer_, channel, packet) != 0) enet_packet_destroy(packet);
+  if (state_ == State::kConnected) sendMessage(*peer_, message, reliable);
 }
 
 void Connection::close() {

@@ -14,51 +14,53 @@
 
 namespace platon {
 
-/// What went over the wire: UDP payload, acknowledgements and resent packets included.
+/// Network traffic: UDP payload, acknowledgements and retransmissions included.
 struct Traffic {
   std::uint64_t sentBytes = 0;
   std::uint64_t sentPackets = 0;
   std::uint64_t receivedBytes = 0;
   std::uint64_t receivedPackets = 0;
-  std::uint64_t longestDatagram = 0;  ///< either way, bytes; of a difference: ever
+  std::uint64_t longestDatagram = 0;  ///< sent or received, bytes
 
   friend Traffic operator+(const Traffic& a, const Traffic& b) {
     return {a.sentBytes + b.sentBytes, a.sentPackets + b.sentPackets, a.receivedBytes + b.receivedBytes,
             a.receivedPackets + b.receivedPackets, std::max(a.longestDatagram, b.longestDatagram)};
   }
+  /// The traffic from `b` to `a`; `longestDatagram` stays that of `a`.
   friend Traffic operator-(const Traffic& a, const Traffic& b) {
     return {a.sentBytes - b.sentBytes, a.sentPackets - b.sentPackets, a.receivedBytes - b.receivedBytes,
             a.receivedPackets - b.receivedPackets, a.longestDatagram};
   }
 };
 
-/// A connection to a server. The only place of the client that knows ENet.
+/// A connection to a server over ENet. The only class of the client that calls ENet.
 class Connection {
  public:
-  /// While a connection is being made the server is asked at least so often: it answers at once when it can be reached
-  /// again.
-  static constexpr Moment kBetweenCalls = std::chrono::milliseconds(500);
+  /// Longest pause between two connection requests.
+  static constexpr Moment kRequestInterval = std::chrono::milliseconds(500);
+  /// Messages that one `service` delivers at most; further ones wait for the next call.
+  static constexpr std::uint32_t kMaxMessagesPerService = 512;
 
   enum class State { kConnecting, kConnected, kClosed };
   using Receiver = std::function<void(std::span<const std::uint8_t>)>;
 
-  /// Begins to connect. Throws std::runtime_error when the host is not known or no socket can be had.
+  /// Starts to connect. Throws std::runtime_error if the host name cannot be resolved or no socket is available.
   Connection(const ServerAddress& server, Moment now);
   ~Connection();
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
 
-  /// Receives what has come and sends what is due, never waits. Every message goes to `receiver`.
+  /// Passes received messages to `receiver` and sends queued datagrams. Does not block.
   void service(Moment now, const Receiver& receiver);
-  /// Sends what is queued.
+  /// Sends the queued messages.
   void flush(Moment now);
-  /// Queues a message for the next `flush` or `service`. Without effect unless connected.
+  /// Queues a message for the next `flush` or `service`. No effect unless connected.
   void send(std::span<const std::uint8_t> message, bool reliable);
-  /// Closes when all that was queued has arrived.
+  /// Closes the connection once all queued messages have been acknowledged.
   void close();
 
   State state() const { return state_; }
-  /// The server's address in numbers, for which no name has to be looked up.
+  /// The server's resolved address: an IPv4 address instead of a host name.
   ServerAddress address() const;
   const Traffic& traffic() const { return traffic_; }
 
@@ -68,8 +70,8 @@ class Connection {
   };
 
   void handle(const ENetEvent& event, const Receiver& receiver);
-  void keepUnthrottled();
-  void keepCalling();
+  void disableThrottle();
+  void limitRequestInterval();
   void countTraffic();
 
   std::unique_ptr<ENetHost, DestroyHost> host_;

@@ -23,7 +23,7 @@ sockaddr_in resolve(const ServerAddress& server) {
   addrinfo* found = nullptr;
   const std::string port = std::to_string(server.port);
   if (getaddrinfo(server.host.c_str(), port.c_str(), &wanted, &found) != 0) {
-    throw std::runtime_error("the host " + server.host + " is not known");
+    throw std::runtime_error("cannot resolve host " + server.host);
   }
   sockaddr_in address{};
   address.sin_family = AF_INET;
@@ -42,12 +42,12 @@ std::uint16_t bindToLoopback(int handle) {
   own.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
   socklen_t size = sizeof own;
   if (bind(handle, generic(own), size) != 0 || getsockname(handle, generic(own), &size) != 0) {
-    throw std::runtime_error("no loopback port left for simulated network conditions");
+    throw std::runtime_error("cannot open a loopback port for simulated network conditions");
   }
   return ntohs(own.sin_port);
 }
 
-std::optional<Datagram> take(int handle, sockaddr_in* sender) {
+std::optional<Datagram> receive(int handle, sockaddr_in* sender) {
   std::array<std::uint8_t, 65536> buffer;
   socklen_t size = sizeof(sockaddr_in);
   const ssize_t count = recvfrom(handle, buffer.data(), buffer.size(), 0,
@@ -61,39 +61,40 @@ std::optional<Datagram> take(int handle, sockaddr_in* sender) {
 LossyRelay::LossyRelay(const ServerAddress& server, const LinkQuality& eachWay, std::uint64_t seed)
     : server_(resolve(server)), serverSide_(std::in_place), up_(eachWay, seed), down_(eachWay, ~seed) {
   port_ = bindToLoopback(clientSide_.handle);
-  if (!connectToServer()) throw std::runtime_error("no way to " + server.text());
+  if (!connectToServer()) throw std::runtime_error("cannot reach " + server.text());
 }
 
 bool LossyRelay::connectToServer() const { return connect(serverSide_->handle, generic(server_), sizeof server_) == 0; }
 
 LossyRelay::Socket::Socket() : handle(socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)) {
-  if (handle < 0) throw std::runtime_error("no socket left for simulated network conditions");
+  if (handle < 0) throw std::runtime_error("cannot open a UDP socket for simulated network conditions");
 }
 
 LossyRelay::Socket::~Socket() { close(handle); }
 
-void LossyRelay::takeFromClient(Moment now) {
+void LossyRelay::receiveFromClient(Moment now) {
   sockaddr_in sender{};
-  while (std::optional<Datagram> datagram = take(clientSide_.handle, &sender)) {
-    if (sender.sin_port != client_.sin_port) takeUp(sender);
+  while (std::optional<Datagram> datagram = receive(clientSide_.handle, &sender)) {
+    if (sender.sin_port != client_.sin_port) setClient(sender);
     up_.send(std::move(*datagram), now);
   }
 }
 
-// The server must not take a new connection for the old one, nor the client hear what was meant for the old: neither by
-// what comes, nor by the answer to an old greeting that would leave by the new way.
-void LossyRelay::takeUp(const sockaddr_in& client) {
+// Keeps two connections apart that follow each other: drops all datagrams of the old one, and uses a new socket, so
+// that the server sees a new address and cannot answer the old connection over the new one.
+void LossyRelay::setClient(const sockaddr_in& client) {
   const bool first = client_.sin_port == 0;
   client_ = client;
   if (first) return;
   up_.clear();
   down_.clear();
   serverSide_.emplace();
-  connectToServer();  // as it could before
+  connectToServer();  // cannot fail: the constructor has connected to the same address
 }
 
-void LossyRelay::takeFromServer(Moment now) {
-  while (std::optional<Datagram> datagram = take(serverSide_->handle, nullptr)) down_.send(std::move(*datagram), now);
+void LossyRelay::receiveFromServer(Moment now) {
+  while (std::optional<Datagram> datagram = receive(serverSide_->handle, nullptr))
+    down_.send(std::move(*datagram), now);
 }
 
 void LossyRelay::setQuality(const LinkQuality& eachWay) {
@@ -102,9 +103,9 @@ void LossyRelay::setQuality(const LinkQuality& eachWay) {
 }
 
 void LossyRelay::pump(Moment now) {
-  takeFromClient(now);
-  takeFromServer(now);
-  // A full socket buffer loses datagrams, like any line.
+  receiveFromClient(now);
+  receiveFromServer(now);
+  // Ignores errors: a datagram that the socket does not accept is lost.
   while (const std::optional<Datagram> datagram = up_.receive(now)) {
     (void)!send(serverSide_->handle, datagram->data(), datagram->size(), 0);
   }

@@ -10,21 +10,21 @@
 
 namespace platon {
 
-/// Stands between one client on this machine and a server: forwards whole UDP datagrams both ways under simulated
-/// network conditions. All that the client sends and gets is subject to them, handshake, acknowledgements and resent
-/// packets included, as on a real bad line. A client that begins anew from another port has another way to the server,
-/// too, as through a router.
+/// Forwards UDP datagrams between one local client and a server under simulated network conditions, both ways. The
+/// conditions affect every datagram: handshakes, acknowledgements and retransmissions too. A client that reconnects
+/// from another port gets another port towards the server, as behind a router.
 class LossyRelay {
  public:
-  /// Opens two sockets. Throws std::runtime_error when the host is unknown or no socket can be had.
+  /// Opens two sockets. Throws std::runtime_error if the host name cannot be resolved or no socket is available.
+  /// `eachWay`: the conditions in each direction; the random numbers of both are derived from `seed`.
   LossyRelay(const ServerAddress& server, const LinkQuality& eachWay, std::uint64_t seed);
 
-  /// Where the client finds the server now.
+  /// The address to which the client has to connect.
   ServerAddress address() const { return {"127.0.0.1", port_}; }
 
-  /// What comes from now on is subject to this.
+  /// Applies to datagrams received from now on.
   void setQuality(const LinkQuality& eachWay);
-  /// Takes in what has come and passes on what is due at `now`. To be called every few milliseconds at least.
+  /// Receives datagrams and forwards those that are due at `now`. Call every few milliseconds.
   void pump(Moment now);
 
  private:
@@ -37,15 +37,15 @@ class LossyRelay {
   };
 
   bool connectToServer() const;
-  void takeUp(const sockaddr_in& client);
-  void takeFromClient(Moment now);
-  void takeFromServer(Moment now);
+  void setClient(const sockaddr_in& client);
+  void receiveFromClient(Moment now);
+  void receiveFromServer(Moment now);
 
   sockaddr_in server_;
   Socket clientSide_;
   std::optional<Socket> serverSide_;
   std::uint16_t port_ = 0;
-  sockaddr_in client_{};  // port 0 until the client has sent something
+  sockaddr_in client_{};  // port 0 until the client has sent a datagram
   NetworkConditions up_;
   NetworkConditions down_;
 };

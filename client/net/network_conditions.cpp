@@ -7,7 +7,7 @@ namespace platon {
 
 namespace {
 
-constexpr double kSlowestRate = 0.001;
+constexpr double kMinRate = 0.001;
 
 Moment milliseconds(double count) { return Moment(static_cast<Moment::rep>(count * 1000)); }
 
@@ -21,22 +21,22 @@ bool LinkQuality::perfect() const {
 void NetworkConditions::send(std::vector<std::uint8_t> datagram, Moment now) {
   const std::optional<Moment> passed = passBottleneck(datagram.size(), now);
   if (!passed) return;
-  const bool inBurst = isInBurst();  // bursts go on, whatever else is lost
-  if (happens(quality_.lossPercent) || inBurst) return;
+  const bool inBurst = drawBurst();  // also for datagrams lost otherwise: the state changes with each datagram
+  if (chance(quality_.lossPercent) || inBurst) return;
   const Moment due = dueTime(*passed);
-  if (happens(quality_.duplicatePercent)) launch(datagram, due);
-  launch(std::move(datagram), due);
+  if (chance(quality_.duplicatePercent)) deliverAt(datagram, due);
+  deliverAt(std::move(datagram), due);
 }
 
 std::optional<Moment> NetworkConditions::passBottleneck(std::size_t bytes, Moment now) {
   if (quality_.kilobytesPerSecond <= 0) return now;
   const Moment turn = std::max(now, freeAt_);
-  if (turn - now > kQueue) return std::nullopt;
-  freeAt_ = turn + milliseconds(static_cast<double>(bytes) / std::max(quality_.kilobytesPerSecond, kSlowestRate));
+  if (turn - now > kMaxQueueTime) return std::nullopt;
+  freeAt_ = turn + milliseconds(static_cast<double>(bytes) / std::max(quality_.kilobytesPerSecond, kMinRate));
   return freeAt_;
 }
 
-bool NetworkConditions::isInBurst() {
+bool NetworkConditions::drawBurst() {
   const double share = quality_.burstLossPercent / 100;
   if (share <= 0) return false;
   const double odds = share / (1 - share);
@@ -47,16 +47,16 @@ bool NetworkConditions::isInBurst() {
 
 Moment NetworkConditions::dueTime(Moment now) {
   const Moment due = now + milliseconds(quality_.delayMs + draw() * quality_.jitterMs);
-  if (happens(quality_.reorderPercent)) return due + kReorderDelay;
+  if (chance(quality_.reorderPercent)) return due + kReorderDelay;
   lastDue_ = std::max(lastDue_, due);
   return lastDue_;
 }
 
-void NetworkConditions::launch(std::vector<std::uint8_t> datagram, Moment due) {
-  if (quality_.corruptPercent > 0 && happens(quality_.corruptPercent)) corrupt(datagram);
-  const auto place = std::upper_bound(flying_.begin(), flying_.end(), due,
-                                      [](Moment moment, const Flying& other) { return moment < other.due; });
-  flying_.insert(place, {due, std::move(datagram)});
+void NetworkConditions::deliverAt(std::vector<std::uint8_t> datagram, Moment due) {
+  if (quality_.corruptPercent > 0 && chance(quality_.corruptPercent)) corrupt(datagram);
+  const auto place = std::upper_bound(inFlight_.begin(), inFlight_.end(), due,
+                                      [](Moment moment, const InFlight& other) { return moment < other.due; });
+  inFlight_.insert(place, {due, std::move(datagram)});
 }
 
 void NetworkConditions::corrupt(std::vector<std::uint8_t>& datagram) {
@@ -66,9 +66,9 @@ void NetworkConditions::corrupt(std::vector<std::uint8_t>& datagram) {
 }
 
 std::optional<std::vector<std::uint8_t>> NetworkConditions::receive(Moment now) {
-  if (flying_.empty() || flying_.front().due > now) return std::nullopt;
-  std::vector<std::uint8_t> datagram = std::move(flying_.front().datagram);
-  flying_.erase(flying_.begin());
+  if (inFlight_.empty() || inFlight_.front().due > now) return std::nullopt;
+  std::vector<std::uint8_t> datagram = std::move(inFlight_.front().datagram);
+  inFlight_.erase(inFlight_.begin());
   return datagram;
 }
 

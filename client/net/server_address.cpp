@@ -8,14 +8,15 @@ namespace platon {
 namespace {
 
 [[noreturn]] void refuse(std::string_view text, const char* why) {
-  throw std::invalid_argument("'" + std::string(text) + "' is no server address: " + why);
+  throw std::invalid_argument("'" + std::string(text) + "' is not a server address: " + why);
 }
 
 std::uint16_t parsePort(std::string_view text, std::string_view digits) {
   std::uint16_t port = 0;
   const char* const end = digits.data() + digits.size();
   const auto [rest, error] = std::from_chars(digits.data(), end, port);
-  if (error != std::errc() || rest != end || port == 0) refuse(text, "the port after ':' is a number from 1 to 65535");
+  if (error != std::errc() || rest != end || port == 0)
+    refuse(text, "the port after ':' must be a number from 1 to 65535");
   return port;
 }
 
@@ -39,7 +40,7 @@ ServerAddress parseServerAddress(std::string_view text) {
   }
   if (address.host.empty()) refuse(text, "the host is missing; write HOST or HOST:PORT");
   for (const char c : address.host) {
-    if (!isHostCharacter(c)) refuse(text, "a host has letters, digits, '.', '-' and '_' only");
+    if (!isHostCharacter(c)) refuse(text, "a host may contain only letters, digits, '.', '-' and '_'");
   }
   return address;
 }

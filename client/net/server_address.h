@@ -8,7 +8,7 @@
 
 namespace platon {
 
-/// Where a server is: a host name or IPv4 address, and a UDP port.
+/// Address of a server: a host name or IPv4 address, and a UDP port.
 struct ServerAddress {
   std::string host;
   std::uint16_t port = kDefaultPort;
@@ -17,7 +17,7 @@ struct ServerAddress {
   std::string text() const;
 };
 
-/// Reads `HOST[:PORT]`. Throws std::invalid_argument with one sentence saying what is wrong and how it is written.
+/// Parses `HOST[:PORT]`. Throws std::invalid_argument with a sentence that names the error and the format.
 ServerAddress parseServerAddress(std::string_view text);
 
 }  // namespace platon

@@ -9,37 +9,36 @@
 
 namespace platon {
 
-/// Hides corrections of the own player: what the picture still lags behind the prediction. Each correction on its own
-/// fades evenly to nothing within 100 ms of when it came. In the player's own frame, so that crossing an edge does not
-/// disturb it.
+/// Hides corrections of the local player's prediction: the offset between drawn and predicted position. Each correction
+/// fades linearly to zero within 100 ms. Offsets are in the player's own frame, so that crossing an edge does not
+/// disturb them.
 ///
-/// Corrections come at most once for each message of the server, of which it sends 60 a second: 6 in 100 ms, and after
-/// a stall more. Should kMax be fading when another one comes, the oldest fades with the one after it.
+/// At most one correction comes with each of the server's 60 messages per second: 6 within 100 ms, more after a stall.
+/// If more than kMax are fading, the oldest is dropped.
 class ErrorSmoothing {
  public:
   static constexpr Moment kDuration = std::chrono::milliseconds(100);
   static constexpr std::size_t kMax = 32;
 
-  /// The prediction jumped at `now`, which never decreases; `back` leads from where it is to where it was, subunits,
-  /// own frame.
-  void add(Point back, Moment now);
-  /// What to add to the predicted position at `now`; by less than a subunit for each correction nearer to nothing.
+  /// The prediction was corrected at `now`, which never decreases. `offset`: old minus new position, subunits, in the
+  /// player's own frame.
+  void add(Point offset, Moment now);
+  /// The offset to add to the predicted position at `now`. Each fading correction is rounded towards zero.
   Point at(Moment now) const;
   void clear() { count_ = 0; }
 
  private:
-  struct Fading {
-    Point whole;
+  struct Correction {
+    Point offset;
     Moment start{};
 
-    Moment left(Moment now) const;
+    Moment remaining(Moment now) const;
     Point at(Moment now) const;
   };
 
-  void dropFirst();
-  void joinFirstTwo(Moment now);
+  void dropOldest();
 
-  std::array<Fading, kMax> fading_;  // the first count_, by start
+  std::array<Correction, kMax> corrections_;  // the first count_ are fading, oldest first
   std::size_t count_ = 0;
 };
 

@@ -9,16 +9,16 @@ void InterpolationBuffer::restart(const Game& confirmed, std::uint32_t ticks) {
   jumps_ += clock_ ? 1 : 0;
   clock_.reset();
   oldest_ = newest_ = arrived_ = ticks;
-  keep(confirmed);
+  keepNewest(confirmed);
 }
 
 void InterpolationBuffer::advanced(const Game& confirmed) {
   ++newest_;
   oldest_ = std::max(oldest_, newest_ < kKept ? 0 : newest_ - kKept + 1);
-  keep(confirmed);
+  keepNewest(confirmed);
 }
 
-void InterpolationBuffer::keep(const Game& confirmed) {
+void InterpolationBuffer::keepNewest(const Game& confirmed) {
   std::vector<PlayerSnapshot>& players = at(newest_);
   players.clear();
   for (std::uint32_t slot = 0; slot < confirmed.slots(); ++slot) players.push_back(snapshotOf(confirmed, slot));
@@ -27,7 +27,7 @@ void InterpolationBuffer::keep(const Game& confirmed) {
 void InterpolationBuffer::arrived(Moment now) {
   if (newest_ == arrived_) return;
   const bool stalled = newest_ - arrived_ > kJumpTicks;
-  // Of ticks that a restart or a stall has kept back, only the newest says something about the line.
+  // Older ticks were held back by a restart or a stall, so their lateness does not describe the connection.
   if (stalled || !clock_) arrived_ = newest_ - 1;
   measure(now);
   if (clock_ && !stalled) return clock_->setTarget(targetLead());
@@ -37,8 +37,8 @@ void InterpolationBuffer::arrived(Moment now) {
 
 void InterpolationBuffer::measure(Moment now) {
   while (arrived_ != newest_) lateness_.add(toTicks(now) - ++arrived_);
-  earliest_ = lateness_.quantile(0);
-  delay_ = std::min(lateness_.quantile(0.99) - earliest_ + 1 + kSpareTicks, double{1} * kMaxDelay);
+  minLateness_ = lateness_.quantile(0);
+  delay_ = std::min(lateness_.quantile(0.99) - minLateness_ + 1 + kSpareTicks, double{1} * kMaxDelay);
 }
 
 void InterpolationBuffer::startClock(Moment now) {
@@ -58,10 +58,10 @@ double InterpolationBuffer::tick() const {
 }
 
 InterpolatedPlayers InterpolationBuffer::players() const {
+  if (oldest_ == newest_) return {at(newest_), at(newest_), 0};
   const double shown = tick();
-  const std::uint32_t next = std::min(static_cast<std::uint32_t>(std::floor(shown)) + 1, newest_);
-  const std::uint32_t before = std::max(next, oldest_ + 1) - 1;
-  return {at(before), at(next), shown - before};
+  const std::uint32_t before = std::min(static_cast<std::uint32_t>(std::floor(shown)), newest_ - 1);
+  return {at(before), at(before + 1), shown - before};
 }
 
 }  // namespace platon

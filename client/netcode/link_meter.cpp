@@ -8,7 +8,7 @@ constexpr int kSmoothing = 8;
 
 }  // namespace
 
-std::uint8_t LinkMeter::send(Moment now) {
+std::uint8_t LinkMeter::nextSequence(Moment now) {
   sentAt_[next_] = now;
   return next_++;
 }
@@ -16,13 +16,13 @@ std::uint8_t LinkMeter::send(Moment now) {
 void LinkMeter::receive(const ConfirmedTicks& message, Moment now) {
   down_.received(message.sequence);
   if (!message.link) return;
-  const std::uint8_t heard = message.link->sequence;
-  const auto open = static_cast<std::uint8_t>(next_ - unheard_);
-  // Told before, by a message that has overtaken this one, or never sent.
-  if (static_cast<std::uint8_t>(heard - unheard_) >= open) return;
-  unheard_ = static_cast<std::uint8_t>(heard + 1);
+  const std::uint8_t reported = message.link->sequence;
+  const auto pending = static_cast<std::uint8_t>(next_ - oldestPending_);
+  // Reported before by a message that overtook this one, or never sent.
+  if (static_cast<std::uint8_t>(reported - oldestPending_) >= pending) return;
+  oldestPending_ = static_cast<std::uint8_t>(reported + 1);
   lostUp_ = message.link->lostPercent;
-  const Moment sample = now - sentAt_[heard];
+  const Moment sample = now - sentAt_[reported];
   roundTrip_ = roundTrip_ == Moment{} ? sample : roundTrip_ + (sample - roundTrip_) / kSmoothing;
 }
 

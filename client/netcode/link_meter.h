@@ -9,25 +9,25 @@
 
 namespace platon {
 
-/// What the line of a session is like, measured by the messages of every tick.
+/// Measures round trip and loss of a connection from the sequence numbers of PlayerInputs and ConfirmedTicks.
 class LinkMeter {
  public:
-  /// The number for the message of inputs that is sent now.
-  std::uint8_t send(Moment now);
+  /// The sequence number for a PlayerInputs message sent at `now`.
+  std::uint8_t nextSequence(Moment now);
   void receive(const ConfirmedTicks& message, Moment now);
 
-  /// Smoothed over some ten messages. From an input's departure until ticks come that were decided after it arrived: it
-  /// includes what the server waits for its next tick and its next message.
+  /// Time from sending an input to receiving ticks decided after it arrived, so it includes the server's wait for its
+  /// next tick and message. Smoothed over about 8 messages; 0 before the first.
   Moment roundTrip() const { return roundTrip_; }
-  /// Of the last hundred messages of ticks, 0 … 100.
+  /// Lost messages among the last hundred from the server, per cent.
   std::uint32_t lostDownPercent() const { return down_.lostPercent(); }
-  /// Of the last hundred messages of inputs, as the server says, 0 … 100.
+  /// Lost messages among the last hundred to the server, as it reports them, per cent.
   std::uint32_t lostUpPercent() const { return lostUp_; }
 
  private:
-  std::array<Moment, 256> sentAt_{};  // by number
+  std::array<Moment, 256> sentAt_{};  // by sequence number
   std::uint8_t next_ = 0;
-  std::uint8_t unheard_ = 0;  // the oldest number that the server has not told of
+  std::uint8_t oldestPending_ = 0;  // the server has not reported this number or a later one
   LossMeter down_;
   std::uint32_t lostUp_ = 0;
   Moment roundTrip_{};

@@ -5,15 +5,15 @@
 
 namespace platon {
 
-LinkStatistics readingOf(const LinkMeter& line, const ClockSync* clock, double slackTicks) {
-  LinkStatistics reading;
-  reading.rttMs = toSeconds(line.roundTrip()) * 1000;
-  reading.lostDownPercent = line.lostDownPercent();
-  reading.lostUpPercent = line.lostUpPercent();
-  if (clock == nullptr) return reading;
-  reading.jitterMs = clock->jitterTicks() * 1000 / kTicksPerSecond;
-  reading.slackTicks = slackTicks;
-  return reading;
+LinkStatistics makeLinkStatistics(const LinkMeter& meter, const PredictionClock* clock) {
+  LinkStatistics statistics;
+  statistics.rttMs = toSeconds(meter.roundTrip()) * 1000;
+  statistics.lostDownPercent = meter.lostDownPercent();
+  statistics.lostUpPercent = meter.lostUpPercent();
+  if (clock == nullptr) return statistics;
+  statistics.jitterMs = clock->jitterTicks() * 1000 / kTicksPerSecond;
+  statistics.slackTicks = clock->slack();
+  return statistics;
 }
 
 }  // namespace platon

@@ -1,20 +1,20 @@
 #pragma once
 
-#include "client/netcode/clock_sync.h"
 #include "client/netcode/link_meter.h"
+#include "client/netcode/prediction_clock.h"
 
 namespace platon {
 
-/// How a line does, for people.
+/// Quality of a connection in display units.
 struct LinkStatistics {
-  double rttMs = 0;            ///< smoothed; with what the server waits for its next tick and its next message
-  double jitterMs = 0;         ///< of what goes up: 99th percentile less median; 0 while there is no clock
-  double slackTicks = 0;       ///< by which an own input last came before it was needed; negative: too late
+  double rttMs = 0;            ///< smoothed; includes the server's wait for its next tick and message
+  double jitterMs = 0;         ///< of messages to the server: 99th percentile minus median of their lateness
+  double slackTicks = 0;       ///< ticks by which the last reported input was early; negative: too late
   double lostDownPercent = 0;  ///< of the last hundred messages
   double lostUpPercent = 0;
 };
 
-/// `clock`: null while there is none.
-LinkStatistics readingOf(const LinkMeter& line, const ClockSync* clock, double slackTicks);
+/// `clock`: null while no round runs; jitter and slack are 0 then.
+LinkStatistics makeLinkStatistics(const LinkMeter& meter, const PredictionClock* clock);
 
 }  // namespace platon

@@ -11,20 +11,20 @@
 
 namespace platon {
 
-/// What is drawn of a player, as it is after some tick.
+/// State of a player after a tick, as far as it is drawn.
 struct PlayerSnapshot {
   std::uint32_t part = 0;
   Point position;                ///< in the part's frame, subunits
-  Angle angle;                   ///< up is the part's +y turned by this
+  Angle angle;                   ///< up is the part's +y rotated by this angle
   std::uint32_t finishedAt = 0;  ///< tick of the finish; 0: not finished
-  bool present = false;          ///< else the rest means nothing
+  bool present = false;          ///< if false, the other fields are meaningless
 };
 
 inline PlayerSnapshot snapshotOf(const EntityState& entity) {
   return {entity.part, entity.position, entity.angle, 0, entity.inserted != 0};
 }
 
-/// Not present when the slot was never used.
+/// A slot that was never used is not present.
 inline PlayerSnapshot snapshotOf(const Game& game, std::uint32_t slot) {
   if (slot >= game.slots()) return {};
   PlayerSnapshot snapshot = snapshotOf(game.world().entities()[slot]);
@@ -33,20 +33,20 @@ inline PlayerSnapshot snapshotOf(const Game& game, std::uint32_t slot) {
   return snapshot;
 }
 
-/// A player on its way from tick to tick. It is there if it is at both.
+/// A player between two ticks. Present only if present in both snapshots.
 struct InterpolatedPlayer {
   PlayerSnapshot before;
   PlayerSnapshot now;
-  double fraction = 1;  ///< of the way from `before` to `now`, 0 … 1
+  double fraction = 1;  ///< 0 at `before` … 1 at `now`
 };
 
-/// All players by slot between one tick and the next.
+/// All players between two ticks, by slot.
 struct InterpolatedPlayers {
   std::span<const PlayerSnapshot> before;
   std::span<const PlayerSnapshot> now;
-  double fraction = 1;  ///< 0 … 1
+  double fraction = 1;  ///< 0 at `before` … 1 at `now`
 
-  /// Not present beyond the end of either.
+  /// Not present if the slot is missing in `before` or `now`.
   InterpolatedPlayer at(std::size_t slot) const {
     if (slot >= before.size() || slot >= now.size()) return {};
     return {before[slot], now[slot], fraction};

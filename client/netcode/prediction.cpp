@@ -8,8 +8,8 @@ namespace platon {
 
 namespace {
 
-constexpr int kMaxWarps = 3;                                   // unfolds any two faces a correction can lie between
-constexpr std::int32_t kMaxSmoothed = 100 * kSubunitsPerUnit;  // farther, gliding there looks worse than a cut
+constexpr int kMaxWarps = 3;                                   // enough for any two faces within a correction
+constexpr std::int32_t kMaxSmoothed = 100 * kSubunitsPerUnit;  // larger corrections are shown at once
 
 std::int32_t lengthOf(Point vector) {
   return static_cast<std::int32_t>(std::lround(std::sqrt(static_cast<double>(squaredLength(vector)))));
@@ -26,11 +26,14 @@ Prediction::Prediction(const Game& start, std::uint32_t slot)
 
 bool Prediction::present() const { return slot_ < confirmed_.slots() && confirmed_.player(slot_).present != 0; }
 
+// The tick of a full state comes from the server and may be close to 2^32.
+std::uint32_t Prediction::maxAhead() const { return std::min(kMaxAhead, UINT32_MAX - confirmedTicks_); }
+
 void Prediction::predict(Input own) {
   assert(mayPredict());
   own_[predictedTicks_ % kMaxAhead] = own;
   advancePredicted(own);
-  first_[(predictedTicks_ - 1) % kMaxAhead] = ownPlace(predicted_);
+  firstPredicted_[(predictedTicks_ - 1) % kMaxAhead] = ownPlace(predicted_);
 }
 
 void Prediction::advancePredicted(Input own) {
@@ -46,20 +49,20 @@ void Prediction::confirm(std::span<const Input> inputs) {
   assert(inputs.size() <= kMaxPlayers);
   const bool wasPredicted = confirmedTicks_ < predictedTicks_;
   if (wasPredicted) held_[slot_] = ownInput(confirmedTicks_);
-  if (wasPredicted && present() && at(inputs, slot_) != held_[slot_]) ++count_.missedInputs;
+  if (wasPredicted && present() && at(inputs, slot_) != held_[slot_]) ++statistics_.missedInputs;
   const std::size_t slots = std::max(inputs.size(), held_.size());
   for (std::size_t slot = 0; slot < slots; ++slot) stale_ |= at(inputs, slot) != at(held_, slot);
   hold(inputs);
   confirmed_.advance(held_);
   ++confirmedTicks_;
-  ++count_.confirmedTicks;
-  if (wasPredicted) judge();
+  ++statistics_.confirmedTicks;
+  if (wasPredicted) countMisprediction();
 }
 
-void Prediction::judge() {
-  const std::optional<Place>& predicted = first_[(confirmedTicks_ - 1) % kMaxAhead];
-  const std::optional<Place> place = ownPlace(confirmed_);
-  if (predicted && place && *predicted != *place) ++count_.mispredicted;
+void Prediction::countMisprediction() {
+  const std::optional<Place>& predicted = firstPredicted_[(confirmedTicks_ - 1) % kMaxAhead];
+  const std::optional<Place> confirmed = ownPlace(confirmed_);
+  if (predicted && confirmed && *predicted != *confirmed) ++statistics_.mispredicted;
 }
 
 void Prediction::hold(std::span<const Input> inputs) {
@@ -78,10 +81,10 @@ bool Prediction::restore(std::span<const std::uint8_t> state, std::uint32_t tick
 void Prediction::reconcile(Moment now) {
   if (!stale_ && confirmedTicks_ <= predictedTicks_) return;
   stale_ = false;
-  const std::uint32_t until = std::clamp(predictedTicks_, confirmedTicks_, confirmedTicks_ + kMaxAhead);
+  const std::uint32_t until = std::clamp(predictedTicks_, confirmedTicks_, confirmedTicks_ + maxAhead());
   const std::optional<Place> before = until == predictedTicks_ ? ownPlace(predicted_) : std::nullopt;
   replay(until);
-  if (before) compare(*before, now);
+  if (before) correct(*before, now);
 }
 
 void Prediction::replay(std::uint32_t until) {
@@ -90,28 +93,28 @@ void Prediction::replay(std::uint32_t until) {
   while (predictedTicks_ < until) advancePredicted(ownInput(predictedTicks_));
 }
 
+// Nothing until the server has let the local player in: nothing can be mispredicted before.
 std::optional<Place> Prediction::ownPlace(const Game& game) const {
-  // Until the server has let the player in there is nothing to be wrong about.
   if (!present() || slot_ >= game.slots() || game.player(slot_).present == 0) return std::nullopt;
   const EntityState& entity = game.world().entities()[slot_];
   return Place{entity.part, entity.position};
 }
 
-void Prediction::compare(const Place& before, Moment now) {
+void Prediction::correct(const Place& before, Moment now) {
   const std::optional<Place> after = ownPlace(predicted_);
   if (!after || *after == before) return;
   const Geometry& geometry = predicted_.world().geometry();
   const std::optional<Point> old = unfold(geometry, before, after->part, after->position, kMaxWarps);
   if (!old) return;
-  const Point back = *old - after->position;
-  const std::int32_t distance = lengthOf(back);
-  ++count_.corrections;
-  count_.lastSubunits = distance;
-  count_.maxSubunits = std::max(count_.maxSubunits, distance);
+  const Point offset = *old - after->position;
+  const std::int32_t distance = lengthOf(offset);
+  ++statistics_.corrections;
+  statistics_.lastSubunits = distance;
+  statistics_.maxSubunits = std::max(statistics_.maxSubunits, distance);
   if (distance > kMaxSmoothed) {
-    fade_.clear();
+    smoothing_.clear();
   } else {
-    fade_.add(rotate(back, -predicted_.world().entities()[slot_].angle), now);
+    smoothing_.add(rotate(offset, -predicted_.world().entities()[slot_].angle), now);
   }
 }
 

@@ -13,16 +13,16 @@
 
 namespace platon {
 
-/// How well the own player was predicted.
+/// Accuracy of the local player's prediction.
 struct PredictionStatistics {
   std::uint32_t corrections = 0;
-  std::int32_t maxSubunits = 0;    ///< distance of old and new prediction at the same tick, along the surface
-  std::int32_t lastSubunits = 0;   ///< of the last correction
-  std::uint32_t missedInputs = 0;  ///< ticks for which the server decided another own input than was predicted
-  std::uint32_t mispredicted = 0;  ///< ticks after which the own player was not where it was predicted at first
+  std::int32_t maxSubunits = 0;    ///< largest correction: distance of old and new prediction along the surface
+  std::int32_t lastSubunits = 0;   ///< last correction
+  std::uint32_t missedInputs = 0;  ///< ticks for which the server decided another local input than was predicted
+  std::uint32_t mispredicted = 0;  ///< ticks whose confirmed local position differs from the first prediction
   std::uint32_t confirmedTicks = 0;
 
-  /// What has come since `before`; the largest and the last correction are those of `now`.
+  /// The counts gained since `before`; `maxSubunits` and `lastSubunits` stay those of `now`.
   friend PredictionStatistics operator-(const PredictionStatistics& now, const PredictionStatistics& before) {
     return {now.corrections - before.corrections,
             now.maxSubunits,
@@ -33,30 +33,31 @@ struct PredictionStatistics {
   }
 };
 
-/// The two games of a client. The confirmed one moves in lockstep with the server by confirmed inputs alone. The
-/// predicted one is a copy of it, replayed ahead with the own inputs that are not confirmed yet; the others are taken
-/// to hold what they held last. It is replayed only when something confirmed differs from what was predicted.
+/// The two games of a client. The confirmed game runs in lockstep with the server, with confirmed inputs only. The
+/// predicted game is a copy of it advanced with the unconfirmed local inputs; the other players are assumed to keep
+/// their last confirmed input. Reconciliation replays it only if a confirmed input or state differs from the
+/// prediction.
 ///
-/// A tick here is one call of Game::advance in this round; a game that is over counts them no more, this class does.
+/// Ticks are calls of Game::advance in this round. Game::tick stops when the game is over; these do not.
 class Prediction {
  public:
-  /// Ticks that the prediction may be ahead of what is confirmed: more than four seconds.
+  /// Maximum number of predicted ticks ahead of the confirmed game: more than 4 s.
   static constexpr std::uint32_t kMaxAhead = 256;
 
-  /// `start` is the server's game after 0 ticks, `slot` (below kMaxPlayers) the own player's.
+  /// `start`: the server's game after 0 ticks. `slot`: the local player's, below kMaxPlayers.
   Prediction(const Game& start, std::uint32_t slot);
 
-  /// Whether the next tick may be predicted: fewer than kMaxAhead are.
-  bool mayPredict() const { return predictedTicks_ - confirmedTicks_ < kMaxAhead; }
-  /// Predicts the next tick with these buttons, where it may.
+  /// Whether `predict` may be called.
+  bool mayPredict() const { return predictedTicks_ - confirmedTicks_ < maxAhead(); }
+  /// Predicts one tick with this local input.
   void predict(Input own);
 
-  /// The server's decision on tick `confirmedTicks()`, by slot. At most kMaxPlayers.
+  /// Advances the confirmed game by the server's inputs for tick `confirmedTicks()`, by slot. At most kMaxPlayers.
   void confirm(std::span<const Input> inputs);
-  /// Replaces the confirmed game by the server's after `ticks`, in whose last tick the slots did `held`. False, and
-  /// nothing changed, when the state is no valid one.
+  /// Replaces the confirmed game by the server's state after `ticks` ticks, of which the last one had the inputs
+  /// `held`. Returns false and changes nothing if the state is invalid.
   bool restore(std::span<const std::uint8_t> state, std::uint32_t ticks, std::span<const Input> held);
-  /// Replays what has been predicted where that is needed; to be called after a batch of `confirm` or `restore`.
+  /// Replays the prediction where needed. Call after a batch of `confirm` or `restore`.
   void reconcile(Moment now);
 
   const Game& confirmed() const { return confirmed_; }
@@ -64,41 +65,42 @@ class Prediction {
   std::uint32_t confirmedTicks() const { return confirmedTicks_; }
   std::uint32_t predictedTicks() const { return predictedTicks_; }
   std::uint32_t slot() const { return slot_; }
-  /// What the server decided last, by slot; absent beyond its end.
+  /// Last confirmed inputs, by slot. Slots beyond the end are absent.
   std::span<const Input> held() const { return held_; }
-  /// The predicted world's entities one tick before `predicted()`.
+  /// Entities of the predicted world one tick before `predicted()`.
   std::span<const EntityState> predictedBefore() const { return predictedBefore_; }
-  /// The server has let the own player in.
+  /// Whether the local player is present in the confirmed game.
   bool present() const;
 
-  /// The own input predicted for `tick`, from confirmedTicks() to just before predictedTicks().
+  /// The local input predicted for `tick`, which is in confirmedTicks() … predictedTicks() − 1.
   Input ownInput(std::uint32_t tick) const { return own_[tick % kMaxAhead]; }
 
-  const PredictionStatistics& count() const { return count_; }
-  /// What is to be added to the own player's predicted position to hide corrections: subunits, in the player's frame.
-  Point smoothing(Moment now) const { return fade_.at(now); }
+  const PredictionStatistics& statistics() const { return statistics_; }
+  /// Offset to add to the local player's predicted position to hide corrections: subunits, in the player's own frame.
+  Point smoothing(Moment now) const { return smoothing_.at(now); }
 
  private:
+  std::uint32_t maxAhead() const;
   void hold(std::span<const Input> inputs);
   std::optional<Place> ownPlace(const Game& game) const;
-  void judge();
+  void countMisprediction();
   void replay(std::uint32_t until);
   void advancePredicted(Input own);
-  void compare(const Place& before, Moment now);
+  void correct(const Place& before, Moment now);
 
   std::uint32_t slot_;
   Game confirmed_;
   Game predicted_;
   std::uint32_t confirmedTicks_ = 0;
   std::uint32_t predictedTicks_ = 0;
-  bool stale_ = false;                                   // what is confirmed is not what was predicted
-  std::array<Input, kMaxAhead> own_{};                   // by tick modulo kMaxAhead
-  std::array<std::optional<Place>, kMaxAhead> first_{};  // own place after it as predicted at first, likewise
-  std::vector<Input> held_;                              // has slot_ always
-  std::vector<Input> inputs_;                            // scratch
+  bool stale_ = false;                                            // the confirmed game differs from the predicted one
+  std::array<Input, kMaxAhead> own_{};                            // by tick modulo kMaxAhead
+  std::array<std::optional<Place>, kMaxAhead> firstPredicted_{};  // local position after the tick, likewise
+  std::vector<Input> held_;                                       // always contains slot_
+  std::vector<Input> inputs_;                                     // scratch
   std::vector<EntityState> predictedBefore_;
-  PredictionStatistics count_;
-  ErrorSmoothing fade_;
+  PredictionStatistics statistics_;
+  ErrorSmoothing smoothing_;
 };
 
 }  // namespace platon

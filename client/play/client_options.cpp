@@ -4,7 +4,6 @@
 
 #include <stdexcept>
 
-#include "client/net/condition_options.h"
 #include "platon_version.h"
 #include "protocol/label.h"
 #include "protocol/limits.h"
@@ -38,33 +37,29 @@ void describeFrameOptions(CLI::App& app, FrameOptions& frames) {
 }
 
 void describe(CLI::App& app, ClientOptions& options, std::string& host) {
-  app.add_option("HOST", host, "Server to play on, HOST or HOST:PORT; without one a server of your own is started");
+  app.add_option("HOST", host, "Server address, HOST or HOST:PORT; without it an embedded server is started");
   app.add_option("--level", options.level,
-                 "Level file for the server of your own; else the levels that come with Platon");
-  app.add_option("--name", options.name, "How others see you");
+                 "Level file for the embedded server; default: the levels shipped with Platon");
+  app.add_option("--name", options.name, "Your name, as other players see it");
   app.add_flag("--offscreen", options.offscreen, "Play without a window; needs no display");
-  app.add_flag("--demo", options.demo, "Let the program find the way to the goal by itself");
-  app.add_option("--seconds", options.seconds, "End after so many seconds; off-screen 10 unless given")
+  app.add_flag("--demo", options.demo, "Let the program play by itself");
+  app.add_option("--seconds", options.seconds, "Exit after this many seconds; default with --offscreen: 10")
       ->check(CLI::Range(0.1, 86400.0));
-  app.add_option("--screenshot", options.screenshot, "Write the last picture to this PNG file");
+  app.add_option("--screenshot", options.screenshot, "Write the last frame to this PNG file");
   describeFrameOptions(app, options.frames);
-  describeConditionOptions(app, options.line);
-  app.add_option("--line-seed", options.lineSeed, "The same seed gives the same draws")
-      ->capture_default_str()
-      ->group(kConditionGroup);
 }
 
 void check(ClientOptions& options, const std::string& host) {
   if (!host.empty()) options.server = parseServerAddress(host);
   if (options.server && !options.level.empty()) {
-    throw std::invalid_argument("--level is for a server of your own; the server at " + options.server->text() +
-                                " chooses its levels itself");
+    throw std::invalid_argument("--level works only with the embedded server; the server at " + options.server->text() +
+                                " chooses its own levels");
   }
   if (!options.frames.folder.empty() && !(options.offscreen && options.demo && !options.level.empty())) {
     throw std::invalid_argument("--frames needs --offscreen, --demo and --level FILE");
   }
   if (!isLabel(options.name, kMaxNameBytes)) {
-    throw std::invalid_argument("--name takes at most " + std::to_string(kMaxNameBytes) +
+    throw std::invalid_argument("--name must be at most " + std::to_string(kMaxNameBytes) +
                                 " bytes of UTF-8 without control characters");
   }
 }

@@ -5,49 +5,46 @@
 
 #include "client/desync/desync_folder.h"
 #include "client/play/client_options.h"
-#include "client/play/finish_watch.h"
 #include "client/play/scene_feed.h"
 #include "client/play/session_file.h"
 #include "client/scene/scene.h"
-#include "client/session/relayed_client.h"
+#include "client/session/network_client.h"
 #include "client/time/clock.h"
 #include "client/time/moment.h"
 
 namespace platon {
 
-/// What playing has in common with and without a window: the match over the network, what is drawn of it, what is told
-/// on standard output, what is kept when the game was not the server's, and what it takes to come back after a crash of
-/// the program. On a simulated line when one is asked for.
+/// The common part of playing with and without a window: runs the network client, creates scenes to draw, writes desync
+/// reports, and keeps the token that resumes the player after a crash of the program.
 class MatchPlay {
  public:
-  /// Begins to connect; when this program ended without leaving, as the same player. Throws std::runtime_error when
-  /// that cannot even begin.
+  /// Starts to connect, and resumes the player if the program ended without leaving. Throws std::runtime_error if the
+  /// host name cannot be resolved or no socket is available.
   MatchPlay(const ClientOptions& options, const ServerAddress& server, Moment now);
 
   void update(Moment now, const Controls& controls);
-  /// Nothing before a round is played. While the connection is being made again, the last one.
+  /// Empty before the first round. During an outage, the last scene.
   std::optional<Scene> scene(Moment now);
-  /// State of the connection for the player; empty while all is well.
+  /// Connection status for the player; empty while the match runs.
   std::string message() const;
-  /// Says good-bye and gives that half a second to arrive.
+  /// Leaves the match; takes at most half a second.
   void leave(const Clock& clock);
 
-  const NetworkClient& client() const { return *client_; }
+  const NetworkClient& client() const { return client_; }
 
  private:
   void reportDesync();
   void reportOutage();
-  void keepToken();
+  void saveToken();
 
   ServerAddress server_;
   SessionFile sessionFile_;
-  bool tokenKept_ = false;
-  RelayedClient client_;
-  SceneFeed feed_;
-  FinishWatch watch_;
-  DesyncFolder desyncs_;
+  bool tokenSaved_ = false;
+  NetworkClient client_;
+  SceneFeed sceneFeed_;
+  DesyncFolder desyncFolder_;
   std::optional<Scene> lastScene_;
-  std::optional<std::string> toldOutage_;
+  std::optional<std::string> reportedOutage_;
 };
 
 }  // namespace platon

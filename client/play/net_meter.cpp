@@ -10,23 +10,22 @@ NetSample NetMeter::sample(const NetworkClient& client, Moment now) {
   const Traffic traffic = client.traffic();
   readings_.push_back({now, traffic});
   while (now - readings_.front().at > std::chrono::seconds(1)) readings_.pop_front();
-  const Reading& then = readings_.front();
-  const Traffic gained = traffic - then.traffic;
-  const double seconds = std::max(toSeconds(now - then.at), 1e-3);
+  const Reading& oldest = readings_.front();
+  const Traffic recent = traffic - oldest.traffic;
+  const double seconds = std::max(toSeconds(now - oldest.at), 1e-3);
 
   NetSample sample;
-  sample.link = client.session()->reading();
-  sample.downBytesPerSecond = static_cast<double>(gained.receivedBytes) / seconds;
-  sample.upBytesPerSecond = static_cast<double>(gained.sentBytes) / seconds;
-  const PredictionStatistics count = client.session()->predictionStatistics();
-  if (std::exchange(corrections_, count.corrections) != count.corrections) {
-    sample.correctionSubunits = count.lastSubunits;
+  sample.link = client.session()->linkStatistics();
+  sample.downBytesPerSecond = static_cast<double>(recent.receivedBytes) / seconds;
+  sample.upBytesPerSecond = static_cast<double>(recent.sentBytes) / seconds;
+  const PredictionStatistics prediction = client.session()->predictionStatistics();
+  if (std::exchange(corrections_, prediction.corrections) != prediction.corrections) {
+    sample.correctionSubunits = prediction.lastSubunits;
   }
-  sample.corrections = count.corrections;
-  sample.lastCorrection = count.lastSubunits;
+  sample.corrections = prediction.corrections;
+  sample.lastCorrection = prediction.lastSubunits;
   if (const Round* const round = client.session()->round()) {
-    const Prediction& prediction = round->prediction();
-    sample.aheadTicks = double{1} * prediction.predictedTicks() - prediction.confirmedTicks();
+    sample.aheadTicks = double{1} * round->prediction().predictedTicks() - round->prediction().confirmedTicks();
   }
   return sample;
 }

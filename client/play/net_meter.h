@@ -9,16 +9,16 @@
 
 namespace platon {
 
-/// Takes samples of how a connection does, for the graph.
+/// Samples the state of a connection for the network graph.
 class NetMeter {
  public:
-  /// One sample, of this frame; rates are over the last second. The client is connected.
+  /// Call once per frame. Rates are averages over the last second. The client must have a session.
   NetSample sample(const NetworkClient& client, Moment now);
 
  private:
   struct Reading {
     Moment at;
-    Traffic traffic;
+    Traffic traffic;  // total
   };
 
   std::deque<Reading> readings_;  // of the last second, oldest first

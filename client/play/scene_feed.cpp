@@ -4,7 +4,7 @@ namespace platon {
 
 namespace {
 
-// On its way from the predicted tick before the last; where it stands, when it was not there yet.
+// Between the last two predicted ticks; at the last one if the player was absent in the one before.
 InterpolatedPlayer ownPlayer(const Round& round) {
   const Prediction& prediction = round.prediction();
   const std::span<const EntityState> before = prediction.predictedBefore();
@@ -19,13 +19,14 @@ InterpolatedPlayer ownPlayer(const Round& round) {
 
 }  // namespace
 
-// Everybody by the clock by which it is drawn.
-void SceneFeed::takeFlashes(const Round& round) {
+// Each player's flash at the tick at which the player is drawn.
+void SceneFeed::updateFlashes(const Round& round) {
   const Prediction& prediction = round.prediction();
   const double ownTick = double{1} * prediction.predictedTicks() - 1 + round.predictedFraction();
   flashes_.assign(prediction.predicted().slots(), 0);
   for (std::uint32_t slot = 0; slot < flashes_.size(); ++slot) {
-    flashes_[slot] = round.flashes().at(slot, slot == prediction.slot() ? ownTick : round.interpolationBuffer().tick());
+    flashes_[slot] =
+        round.flashes().brightness(slot, slot == prediction.slot() ? ownTick : round.interpolationBuffer().tick());
   }
 }
 
@@ -46,7 +47,7 @@ std::optional<Scene> SceneFeed::scene(const Session& session, Moment now) {
   source.own = ownPlayer(*round);
   source.ownOffset = prediction.smoothing(now);
   source.names = session.names();
-  takeFlashes(*round);
+  updateFlashes(*round);
   source.flashes = flashes_;
   return makeScene(source);
 }

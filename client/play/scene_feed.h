@@ -12,14 +12,14 @@
 
 namespace platon {
 
-/// Makes what is drawn of a session.
+/// Creates the scene to draw from a session.
 class SceneFeed {
  public:
-  /// Nothing while no round is played.
+  /// Nothing while the session has no round.
   std::optional<Scene> scene(const Session& session, Moment now);
 
  private:
-  void takeFlashes(const Round& round);
+  void updateFlashes(const Round& round);
 
   std::shared_ptr<const Level> level_;
   std::shared_ptr<const StageModel> stage_;  // of level_

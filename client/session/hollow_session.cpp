@@ -4,12 +4,14 @@
 #include <utility>
 #include <variant>
 
+#include "protocol/to_server.h"
+
 namespace platon {
 
 namespace {
 
-// Of a state that was never sent. The server takes the inputs of a message with it, and does not judge its hash.
-constexpr std::uint8_t kNoSync = 255;
+// Number of a full state that was never sent. The server accepts the inputs of such a message and ignores its hash.
+constexpr std::uint8_t kUnknownSync = 255;
 
 }  // namespace
 
@@ -27,12 +29,17 @@ void HollowSession::receive(std::span<const std::uint8_t> bytes, Moment now) {
   if (ending_) return;
   const std::optional<ToClient> message = decodeToClient(bytes);
   if (message) return std::visit([&](const auto& content) { handle(content, now); }, *message);
-  ending_ = "the server sent a message that this client does not understand";
+  ending_ = "protocol error: malformed message from the server";
+}
+
+void HollowSession::startRound(std::uint32_t id, double lead) {
+  round_ = Round(id, lead);
+  round_.confirmed.sync = kUnknownSync;
+  state_.clear();
 }
 
 void HollowSession::handle(const Welcome& message, Moment now) {
-  round_ = message.round;
-  clock_ = InputClock(InputClock::firstLead(now - helloAt_));
+  startRound(message.round, PredictionClock::initialLead(now - helloAt_));
 }
 
 void HollowSession::handle(const Refused& message, Moment) {
@@ -42,72 +49,52 @@ void HollowSession::handle(const Refused& message, Moment) {
 void HollowSession::handle(const Bye& message, Moment) { ending_ = "the server ended the game: " + message.reason; }
 
 void HollowSession::handle(const LevelChunk& message, Moment) {
-  ready_ = ready_ || levelText_.add(message.total, message.offset, message.bytes);
+  hasLevel_ = hasLevel_ || levelText_.add(message.total, message.offset, message.bytes);
 }
 
-void HollowSession::handle(const RoundStart& message, Moment) {
-  round_ = message.round;
-  clock_ = InputClock(clock_.lead());
-  schedule_ = ReportSchedule();
-  standing_ = Standing();
-  hash_.reset();
-  next_ = 0;
-  state_.clear();
-  pastTicks_ += std::exchange(heardTicks_, 0);
-}
+void HollowSession::handle(const RoundStart& message, Moment) { startRound(message.round, round_.clock.lead()); }
 
-// The hash of the state is not told, but that of the ticks which follow on it will be.
+// The hash of this state is unknown until the ticks after it arrive.
 void HollowSession::handle(const StateChunk& message, Moment) {
-  if (message.round != round_ || !state_.add(message.total, message.offset, message.bytes)) return;
+  if (message.round != round_.id || !state_.add(message.total, message.offset, message.bytes)) return;
   state_.clear();
-  standing_ = {message.tick, message.sync};
-  hash_.reset();
+  round_.confirmed = {message.tick, 0, kUnknownSync};
+  round_.sync = message.sync;
 }
 
 void HollowSession::handle(const ConfirmedTicks& message, Moment now) {
-  line_.receive(message, now);
-  if (message.round != round_ || !ready_) return;
-  clock_.receive(message, now);
+  linkMeter_.receive(message, now);
+  if (message.round != round_.id || !hasLevel_) return;
+  round_.clock.receive(message, now);
   const std::uint32_t newest = message.from + message.count;
-  if (standing_.ticks < message.from || standing_.ticks >= newest) return;
-  heardTicks_ += newest - standing_.ticks;
-  standing_.ticks = newest;
-  hash_ = message.hash;
+  const std::uint32_t confirmed = round_.confirmed.ticks;
+  if (confirmed < message.from || confirmed >= newest) return;
+  confirmedTicks_ += newest - confirmed;
+  round_.confirmed = {newest, message.hash, round_.sync};
 }
 
 void HollowSession::update(Moment now, const Buttons& buttons) {
-  if (ending_ || !ready_) return;
-  choose(now, buttons);
-  if (!schedule_.due(now, next_)) return;
-  PlayerInputs message = report();
-  message.sequence = line_.send(now);
-  schedule_.told(now, next_);
-  outgoing_.push_back({encode(message), false});
+  if (ending_ || !hasLevel_) return;
+  chooseInputs(now, buttons);
+  std::optional<PlayerInputs> message = round_.sender.takeMessage(now, round_.confirmed);
+  if (!message) return;
+  message->sequence = linkMeter_.nextSequence(now);
+  outgoing_.push_back({encode(*message), false});
 }
 
-void HollowSession::choose(Moment now, const Buttons& buttons) {
-  next_ = std::max(next_, standing_.ticks);
-  clock_.update(now, next_);
-  for (; clock_.reaches(next_) && next_ - standing_.ticks < own_.size(); ++next_) {
-    Input& own = own_[next_ % own_.size()];
-    own = Input();
-    if (next_ < clock_.firstInput()) continue;
-    own.buttons = buttons().buttons | Input::kPresent;
-    clock_.chose(next_);
-    schedule_.chose(own);
+void HollowSession::chooseInputs(Moment now, const Buttons& buttons) {
+  const std::uint32_t confirmed = round_.confirmed.ticks;
+  const std::uint32_t end = confirmed + std::min(kMaxInputsPerMessage, UINT32_MAX - confirmed);
+  round_.next = std::max(round_.next, confirmed);
+  round_.clock.update(now, round_.next);
+  for (; round_.next < end && round_.clock.reaches(round_.next); ++round_.next) {
+    if (round_.next < round_.clock.firstInput()) continue;
+    const auto pressed = static_cast<std::uint8_t>(buttons().buttons | Input::kPresent);
+    round_.clock.inputChosen(round_.next);
+    round_.sender.add(round_.next, Input{pressed});
   }
 }
 
-PlayerInputs HollowSession::report() {
-  const std::uint8_t sync = hash_ ? standing_.sync : kNoSync;
-  PlayerInputs message{round_, sync, standing_.ticks, hash_.value_or(0), 0, {}};
-  message.first = std::max(standing_.ticks, clock_.firstInput());
-  for (std::uint32_t tick = message.first; tick < next_; ++tick) message.inputs.push_back(own_[tick % own_.size()]);
-  return message;
-}
-
-LinkStatistics HollowSession::reading() const {
-  return readingOf(line_, clock_.sync() ? &*clock_.sync() : nullptr, clock_.slack());
-}
+LinkStatistics HollowSession::linkStatistics() const { return makeLinkStatistics(linkMeter_, &round_.clock); }
 
 }  // namespace platon

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -9,45 +8,49 @@
 #include <utility>
 #include <vector>
 
-#include "client/netcode/input_clock.h"
+#include "client/netcode/input_sender.h"
 #include "client/netcode/link_meter.h"
 #include "client/netcode/link_statistics.h"
-#include "client/netcode/report_schedule.h"
-#include "client/session/session.h"
+#include "client/netcode/prediction_clock.h"
+#include "client/session/outgoing_message.h"
 #include "client/time/moment.h"
 #include "protocol/assembly.h"
 #include "protocol/to_client.h"
-#include "protocol/to_server.h"
 
 namespace platon {
 
-/// A client's part in a match without the game: it greets, keeps the clock, presses buttons and confirms what it is
-/// told with the hash that it is told, as if it had computed it. To the server it is a player like others, to the
-/// machine it costs next to nothing, however many players there are. It never knows better than the server: nothing is
-/// ever mispredicted or out of step. Levels of later rounds it does not fetch.
+/// A session without a game, for loading a server with many players at little cost. It joins, sends inputs in time and
+/// acknowledges confirmed ticks with the hash that the server sent, so the server treats it like any other player. It
+/// never detects a desync, and does not download the levels of later rounds.
 class HollowSession {
  public:
-  /// The buttons of the next tick.
+  /// Returns the input for the next tick.
   using Buttons = std::function<Input()>;
 
-  /// As of Session, but for good: without a token, there is no way back.
+  /// As for Session, but without a token: the player cannot be resumed.
   HollowSession(const std::string& name, Moment now);
   void receive(std::span<const std::uint8_t> bytes, Moment now);
   void update(Moment now, const Buttons& buttons);
   void leave();
   std::vector<OutgoingMessage> takeOutgoing() { return std::exchange(outgoing_, {}); }
-  /// Why it is over, a sentence.
+  /// Why the session has ended; empty while it runs.
   const std::optional<std::string>& ending() const { return ending_; }
 
-  /// Over all rounds.
-  std::uint32_t confirmedTicks() const { return pastTicks_ + heardTicks_; }
-  LinkStatistics reading() const;
+  /// Confirmed ticks of all rounds.
+  std::uint32_t confirmedTicks() const { return confirmedTicks_; }
+  LinkStatistics linkStatistics() const;
 
  private:
-  /// How far it can say to be, and how it says so.
-  struct Standing {
-    std::uint32_t ticks = 0;
+  // A round without a game.
+  struct Round {
+    Round(std::uint32_t roundId, double lead) : id(roundId), clock(lead), sender(roundId) {}
+
+    std::uint32_t id;
+    PredictionClock clock;
+    InputSender sender;
+    ConfirmedState confirmed;
     std::uint8_t sync = 0;
+    std::uint32_t next = 0;  // first tick without an input
   };
 
   template <class Message>
@@ -60,26 +63,18 @@ class HollowSession {
   void handle(const Bye& message, Moment now);
   void handle(const ConfirmedTicks& message, Moment now);
 
-  void choose(Moment now, const Buttons& buttons);
-  PlayerInputs report();
+  void startRound(std::uint32_t id, double lead);
+  void chooseInputs(Moment now, const Buttons& buttons);
 
   Moment helloAt_;
   std::optional<std::string> ending_;
   std::vector<OutgoingMessage> outgoing_;
-  LinkMeter line_;
+  LinkMeter linkMeter_;
   Assembly levelText_;
   Assembly state_;
-  bool ready_ = false;  // has the level, as a player would
-
-  std::uint32_t round_ = 0;
-  InputClock clock_{0};
-  ReportSchedule schedule_;
-  Standing standing_;
-  std::optional<std::uint32_t> hash_;              // short, of the game there; none until the server has told one
-  std::uint32_t next_ = 0;                         // tick of the next input
-  std::array<Input, kMaxInputsPerMessage> own_{};  // by tick modulo their number
-  std::uint32_t heardTicks_ = 0;                   // of the round
-  std::uint32_t pastTicks_ = 0;                    // of the rounds before
+  bool hasLevel_ = false;
+  Round round_{0, 0};
+  std::uint32_t confirmedTicks_ = 0;
 };
 
 }  // namespace platon

@@ -9,135 +9,130 @@ namespace platon {
 
 namespace {
 
-bool plays(const Session& session) {
+bool hasConfirmedTicks(const Session& session) {
   return session.round() != nullptr && session.round()->prediction().confirmedTicks() > 0;
 }
 
-SessionToken freshToken() {
-  if (sodium_init() < 0) throw std::runtime_error("this system gives no random numbers");
+SessionToken randomToken() {
+  if (sodium_init() < 0) throw std::runtime_error("cannot get random numbers from the system");
   SessionToken token;
   randombytes_buf(token.data(), token.size());
   return token;
 }
 
-// At once, then after 1, 2, 4 … first pauses.
-Moment pauseAfter(std::uint32_t answers) {
-  if (answers == 0) return Moment{};
-  const std::uint32_t doublings = std::min(answers - 1, 16u);
-  return std::min(NetworkClient::kFirstPause * (1 << doublings), NetworkClient::kLongestPause);
+// 0 after the first answered attempt, then kFirstPause × 1, 2, 4 …
+Moment pauseAfter(std::uint32_t answered) {
+  if (answered == 0) return Moment{};
+  const std::uint32_t doublings = std::min(answered - 1, 16u);
+  return std::min(NetworkClient::kFirstPause * (1 << doublings), NetworkClient::kMaxPause);
 }
 
 }  // namespace
 
 NetworkClient::NetworkClient(const ServerAddress& server, const std::string& name, Moment now,
-                             const std::optional<ServerAddress>& way, const std::optional<SessionToken>& token)
-    : server_(server), name_(name), waitingSince_(now) {
-  memory_.token = token ? *token : freshToken();
-  connection_.emplace(way.value_or(server), now);
-  way_ = connection_->address();  // to look up a name takes long when there is no network
+                             const std::optional<ServerAddress>& relay, const std::optional<SessionToken>& token)
+    : server_(server), name_(name), state_(Connecting{now}) {
+  memory_.token = token ? *token : randomToken();
+  connection_.emplace(relay.value_or(server), now);
+  resolved_ = connection_->address();
 }
 
 void NetworkClient::update(Moment now, const Controls& controls) {
-  if (retryAt_ && now >= *retryAt_ && !leaving_) connect(now);
+  if (const auto* paused = std::get_if<Paused>(&state_); paused != nullptr && now >= paused->until) connect(now);
   if (!connection_) return;
   connection_->service(now, [this, now](std::span<const std::uint8_t> message) {
-    if (greeted_) session_->receive(message, now);
+    if (is<InSession>()) session_->receive(message, now);
   });
-  if (!greeted_ && connection_->state() == Connection::State::kConnected) greet(now);
-  if (!ending_ && !leaving_) watch(now);
-  if (!connection_ || !greeted_) return;
-  if (!leaving_ && !ending_) session_->update(now, controls);
-  forward();
+  if (is<Connecting>()) checkConnecting(now);
+  if (is<InSession>()) checkSession(now);
+  if (!connection_ || is<Connecting>()) return;
+  if (is<InSession>()) session_->update(now, controls);
+  sendOutgoing();
   connection_->flush(now);
 }
 
-void NetworkClient::forward() {
+void NetworkClient::sendOutgoing() {
   for (const OutgoingMessage& message : session_->takeOutgoing()) connection_->send(message.bytes, message.reliable);
-  if (leaving_) connection_->close();
+  if (is<Leaving>()) connection_->close();
 }
 
 void NetworkClient::connect(Moment now) {
-  retryAt_.reset();
-  waitingSince_ = now;
+  state_ = Connecting{now};
   try {
-    connection_.emplace(way_, now);
+    connection_.emplace(resolved_, now);
   } catch (const std::runtime_error& error) {
-    lose({error.what(), false}, now);
+    fail({error.what(), false}, now);
   }
 }
 
-void NetworkClient::greet(Moment now) {
+void NetworkClient::startSession(Moment now) {
   session_.emplace(name_, now, memory_);
-  greeted_ = true;
-  waitingSince_ = now;
+  state_ = InSession{now};
 }
 
-void NetworkClient::watch(Moment now) {
-  if (const std::optional<Session::Ending> found = trouble(now)) return lose(*found, now);
-  welcomed_ = welcomed_ || (greeted_ && session_->welcome());
-  if (!greeted_ || !plays(*session_)) return;
-  attempts_ = answers_ = 0;
-  if (!outage_) return;
-  outage_.reset();
-  ++resumes_;
+void NetworkClient::checkConnecting(Moment now) {
+  if (connection_->state() == Connection::State::kConnected) return startSession(now);
+  if (!closed() && now - std::get<Connecting>(state_).since <= kConnectTimeout) return;
+  fail({"no answer from " + server_.text() + " within 5 s: is platon-server running there?", false}, now);
 }
 
-std::optional<Session::Ending> NetworkClient::trouble(Moment now) const {
-  if (greeted_ && session_->ending()) return session_->ending();
-  const bool welcomed = greeted_ && session_->welcome();
-  const Moment patience = greeted_ ? kGreetingPatience : kPatience;
-  if (!welcomed && (closed() || now - waitingSince_ > patience)) {
-    const std::string known = greeted_
-                                  ? "the server at " + server_.text() + " does not answer a greeting; try again"
-                                  : "no answer from " + server_.text() + " within 5 s: is platon-server running there?";
-    return Session::Ending{known, false};
+void NetworkClient::checkSession(Moment now) {
+  const bool timedOut = now - std::get<InSession>(state_).since > kWelcomeTimeout;
+  if (session_->ending()) return fail(*session_->ending(), now);
+  if (!session_->welcome() && (closed() || timedOut)) {
+    return fail({"the server at " + server_.text() + " did not respond in time; try again", false}, now);
   }
-  if (closed()) return Session::Ending{"the connection to " + server_.text() + " is lost", false};
-  return std::nullopt;
+  if (closed()) return fail({"lost the connection to " + server_.text(), false}, now);
+  welcomed_ = welcomed_ || session_->welcome();
+  if (!hasConfirmedTicks(*session_)) return;
+  if (recovery_.outage) ++resumes_;
+  recovery_ = Recovery();
 }
 
-// A server of which nothing was heard is not there; one that answers may take some repetitions on a bad line.
+// Without an answer at the first attempt there is no server; one that answers may lose some messages.
 bool NetworkClient::mayRetry(const Session::Ending& trouble) const {
-  if (trouble.forGood) return false;
-  return welcomed_ || (greeted_ && !session_->ending() && attempts_ + 1 < kFirstAttempts);
+  if (trouble.permanent) return false;
+  return welcomed_ || (is<InSession>() && !session_->ending() && recovery_.failed + 1 < kMaxFirstAttempts);
 }
 
-void NetworkClient::lose(const Session::Ending& trouble, Moment now) {
-  const bool again = mayRetry(trouble);
-  if (greeted_) {
+void NetworkClient::fail(const Session::Ending& trouble, Moment now) {
+  const bool retries = mayRetry(trouble);
+  if (is<InSession>()) {
     session_->lose(trouble.reason);
     memory_ = session_->memory();
   }
-  if (!again) {
+  if (retries) {
+    if (!recovery_.outage) recovery_.outage = trouble.reason;
+    ++recovery_.failed;
+    const Moment pause = pauseAfterFailure();
+    dropConnection();
+    state_ = Paused{now + pause};
+  } else {
+    if (!is<InSession>()) dropConnection();
     ending_ = trouble.reason;
-    return;
+    state_ = Ended();
   }
-  if (!outage_) outage_ = trouble.reason;
-  ++attempts_;
-  retryAt_ = now + pauseAfterLoss();
-  drop();
 }
 
-// Where nobody answers there is nobody to spare, and the patience was the pause.
-Moment NetworkClient::pauseAfterLoss() {
-  const bool unanswered = connection_ && !greeted_;
-  return unanswered ? Moment{} : pauseAfter(answers_++);
+// No pause after an unanswered attempt: its timeout was long enough.
+Moment NetworkClient::pauseAfterFailure() {
+  const bool unanswered = connection_ && is<Connecting>();
+  return unanswered ? Moment{} : pauseAfter(recovery_.answered++);
 }
 
-void NetworkClient::drop() {
-  before_ = traffic();
+void NetworkClient::dropConnection() {
+  pastTraffic_ = traffic();
   connection_.reset();
-  greeted_ = false;
 }
 
 void NetworkClient::leave() {
-  leaving_ = true;
-  if (session_) session_->leave();
-  if (!greeted_) drop();
+  if (is<InSession>()) session_->leave();
+  if (is<Connecting>() || is<Paused>()) dropConnection();
+  state_ = Leaving();
 }
 
 std::optional<DesyncReport> NetworkClient::takeDesync() { return session_ ? session_->takeDesync() : std::nullopt; }
 
-Traffic NetworkClient::traffic() const { return connection_ ? before_ + connection_->traffic() : before_; }
+Traffic NetworkClient::traffic() const { return connection_ ? pastTraffic_ + connection_->traffic() : pastTraffic_; }
 
 }  // namespace platon

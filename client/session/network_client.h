@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <variant>
 
 #include "client/net/connection.h"
 #include "client/net/server_address.h"
@@ -11,82 +12,103 @@
 
 namespace platon {
 
-/// Sessions with one server over connections to it. Knows for how long to wait for an answer and how to say what went
-/// wrong. A player who was once let in and loses the connection is taken back: the server is asked again at once, and
-/// goes on being asked (`Connection::kBetweenCalls`) until it answers. One that answers but does not let the client in,
-/// as it is full, is asked ever less often.
+/// Runs sessions with one server over connections to it, and reconnects. A player that has been accepted once and loses
+/// its connection is resumed: the client reconnects at once and keeps requesting a connection
+/// (`Connection::kRequestInterval`) until the server answers. If the server answers but does not accept the client, for
+/// example because it is full, the pauses between attempts grow.
 class NetworkClient {
  public:
-  /// Until when a server that is asked must have answered, and one that is greeted must have let the client in: where
-  /// much is lost a greeting takes some repetitions.
-  static constexpr Moment kPatience = std::chrono::seconds(5);
-  static constexpr Moment kGreetingPatience = std::chrono::seconds(8);
-  /// After the second answer that does not let the client in; doubled each time up to kLongestPause.
+  /// Maximum time for the connection to be established.
+  static constexpr Moment kConnectTimeout = std::chrono::seconds(5);
+  /// Maximum time from Hello to Welcome; long enough for several retransmissions.
+  static constexpr Moment kWelcomeTimeout = std::chrono::seconds(8);
+  /// Pause after the second attempt that the server answered; doubled with each further one up to kMaxPause.
   static constexpr Moment kFirstPause = std::chrono::milliseconds(250);
-  static constexpr Moment kLongestPause = std::chrono::seconds(2);
-  /// Attempts to get in at first, where a server is heard of at all.
-  static constexpr std::uint32_t kFirstAttempts = 3;
+  static constexpr Moment kMaxPause = std::chrono::seconds(2);
+  /// Attempts to join for the first time, if the server answers connection requests.
+  static constexpr std::uint32_t kMaxFirstAttempts = 3;
 
-  /// Begins to connect to `server`, through `way` when the datagrams take another way. `token`: of a player that was
-  /// lost; without one a fresh token. Throws std::runtime_error when that cannot even begin.
+  /// Starts to connect to `server`, through the relay at `relay` if given. `token`: of the player to resume; a random
+  /// one if not given. Throws std::runtime_error if the host name cannot be resolved or no socket is available.
   NetworkClient(const ServerAddress& server, const std::string& name, Moment now,
-                const std::optional<ServerAddress>& way = std::nullopt,
+                const std::optional<ServerAddress>& relay = std::nullopt,
                 const std::optional<SessionToken>& token = std::nullopt);
 
-  /// Receives, predicts up to `now`, sends. To be called every few milliseconds.
+  /// Receives, predicts up to `now` and sends. Call every few milliseconds.
   void update(Moment now, const Controls& controls);
-  /// Says good-bye; `update` until `closed`. That is at once when there is nobody to say it to.
+  /// Leaves the match. Keep calling `update` until `closed`. Closes at once if there is no session.
   void leave();
 
-  /// Whether there is no connection, nor one being made.
+  /// Whether there is no connection, established or in progress.
   bool closed() const { return !connection_ || connection_->state() == Connection::State::kClosed; }
-  /// Why the game is over for good, a sentence for the player; nothing while it goes on.
+  /// Why the match has ended for good, a sentence for the player; empty while it goes on.
   const std::optional<std::string>& ending() const { return ending_; }
-  /// Why there is no game at the moment, a sentence for the player; from when it was lost until it goes on.
-  const std::optional<std::string>& outage() const { return outage_; }
-  /// How often a lost game went on.
+  /// Why the match is interrupted, a sentence for the player; empty once it goes on.
+  const std::optional<std::string>& outage() const { return recovery_.outage; }
+  /// How often the match went on after an outage.
   std::uint32_t resumes() const { return resumes_; }
 
-  /// The secret that takes back the player. Not to be shown.
+  /// The secret that identifies the player to resume. Do not log it.
   const SessionToken& token() const { return *memory_.token; }
-  /// Whether the server has let the client in, ever.
+  /// Whether the server has ever accepted the client.
   bool welcomed() const { return welcomed_; }
 
-  /// Null until connected. After a loss, the last session until there is a new connection.
+  /// The session; null before the first connection. During an outage, the last session.
   const Session* session() const { return session_ ? &*session_ : nullptr; }
-  /// What was last found wrong with the confirmed game; each is given once.
+  /// The last desync report; each is returned once.
   std::optional<DesyncReport> takeDesync();
-  /// Over all connections.
+  /// Total of all connections.
   Traffic traffic() const;
 
  private:
+  struct Connecting {
+    Moment since;
+  };
+  // session_ runs over connection_.
+  struct InSession {
+    Moment since;
+  };
+  // There is no connection.
+  struct Paused {
+    Moment until;
+  };
+  // ending_ is set. The connection of the last session may be open still.
+  struct Ended {};
+  struct Leaving {};
+
+  // Attempts to connect since the match was last played.
+  struct Recovery {
+    std::optional<std::string> outage;
+    std::uint32_t failed = 0;
+    std::uint32_t answered = 0;  // of the failed ones, those that the server answered
+  };
+
+  template <class State>
+  bool is() const {
+    return std::holds_alternative<State>(state_);
+  }
   void connect(Moment now);
-  void greet(Moment now);
-  void watch(Moment now);
-  std::optional<Session::Ending> trouble(Moment now) const;
-  void lose(const Session::Ending& trouble, Moment now);
+  void startSession(Moment now);
+  void checkConnecting(Moment now);
+  void checkSession(Moment now);
   bool mayRetry(const Session::Ending& trouble) const;
-  Moment pauseAfterLoss();
-  void drop();
-  void forward();
+  void fail(const Session::Ending& trouble, Moment now);
+  Moment pauseAfterFailure();
+  void dropConnection();
+  void sendOutgoing();
 
   ServerAddress server_;
-  ServerAddress way_;
-  Session::Memory memory_;  // for the next session
+  ServerAddress resolved_;  // of the server or relay; looking up a name again could block during an outage
   std::string name_;
+  Session::Memory memory_;  // for the next session
+  std::variant<Connecting, InSession, Paused, Ended, Leaving> state_;
   std::optional<Connection> connection_;
   std::optional<Session> session_;
-  bool greeted_ = false;        // session_ is over connection_
-  Moment waitingSince_;         // connecting, or greeted
-  bool welcomed_ = false;       // ever
-  std::uint32_t attempts_ = 0;  // that have failed since there was a game
-  std::uint32_t answers_ = 0;   // those that were not just unanswered
-  std::optional<Moment> retryAt_;
-  std::optional<std::string> outage_;
-  std::uint32_t resumes_ = 0;
-  Traffic before_;  // of the connections before
-  bool leaving_ = false;
+  Recovery recovery_;
   std::optional<std::string> ending_;
+  bool welcomed_ = false;
+  std::uint32_t resumes_ = 0;
+  Traffic pastTraffic_;  // of earlier connections
 };
 
 }  // namespace platon

@@ -8,20 +8,21 @@ Round::Round(std::uint32_t id, const std::shared_ptr<const Level>& level, std::u
     : id_(id),
       prediction_(Game(level), slot),
       clock_(lead),
+      inputSender_(id),
       hash_(shortHash(prediction_.confirmed().hash())),
-      watch_(id, prediction_.confirmed()) {}
+      desyncDetector_(id, prediction_.confirmed()) {}
 
 void Round::receive(const ConfirmedTicks& message, Moment now) {
   clock_.receive(message, now);
   const std::uint32_t confirmed = prediction_.confirmedTicks();
   if (confirmed < message.from || confirmed >= message.from + message.count) return;
-  apply(message);
-  view_.arrived(now);
+  applyTicks(message);
+  interpolationBuffer_.arrived(now);
   prediction_.reconcile(now);
-  check(message.hash);
+  checkHash(message.hash);
 }
 
-void Round::apply(const ConfirmedTicks& message) {
+void Round::applyTicks(const ConfirmedTicks& message) {
   inputs_.assign(prediction_.held().begin(), prediction_.held().end());
   auto change = message.changes.begin();
   while (change != message.changes.end() && change->tick < prediction_.confirmedTicks()) ++change;
@@ -31,84 +32,76 @@ void Round::apply(const ConfirmedTicks& message) {
       inputs_[change->slot] = change->input;
     }
     prediction_.confirm(inputs_);
-    watch_.advanced(inputs_, prediction_.confirmed());
-    view_.advanced(prediction_.confirmed());
-    watchOthers();
+    desyncDetector_.advanced(inputs_, prediction_.confirmed());
+    interpolationBuffer_.advanced(prediction_.confirmed());
+    observeOthers();
   }
 }
 
-void Round::watchOthers() {
+void Round::observeOthers() {
   const Game& game = prediction_.confirmed();
   for (std::uint32_t slot = 0; slot < game.slots(); ++slot) {
-    if (slot != prediction_.slot()) flashes_.look(slot, prediction_.confirmedTicks(), game.player(slot));
+    if (slot != prediction_.slot()) flashes_.observe(slot, prediction_.confirmedTicks(), game.player(slot));
   }
 }
 
-void Round::check(std::uint32_t hash) {
-  hash_ = shortHash(prediction_.confirmed().hash());
-  const bool matches = hash_ == hash;
-  if (!matches && !outOfStep_) {
-    ++count_.desyncs;
-    schedule_.hurry();
+void Round::checkHash(std::uint32_t serverHash) {
+  const Game& game = prediction_.confirmed();
+  hash_ = shortHash(game.hash());
+  const bool differs = hash_ != serverHash;
+  if (differs && !hashDiffered_) {
+    ++statistics_.desyncs;
+    inputSender_.sendSoon();  // the server sees the hash in the message and sends its full state
   }
-  if (matches)
-    watch_.agreed(prediction_.confirmed());
+  if (differs)
+    desyncDetector_.hashDiffered(game, serverHash);
   else
-    watch_.differs(prediction_.confirmed(), hash);
-  // The server learns it from the hash in the report and answers with the full state.
-  outOfStep_ = !matches;
+    desyncDetector_.hashMatched(game);
+  hashDiffered_ = differs;
 }
 
 void Round::receive(const StateChunk& last, std::span<const std::uint8_t> bytes, Moment now) {
   const std::optional<FullState> state = decodeFullState(bytes);
   const bool hadTicks = prediction_.confirmedTicks() > 0;
   if (!state || !prediction_.restore(state->game, last.tick, state->held)) return;
-  view_.restart(prediction_.confirmed(), last.tick);
+  interpolationBuffer_.restart(prediction_.confirmed(), last.tick);
   prediction_.reconcile(now);
-  desync_ = watch_.replaced(prediction_.confirmed(), prediction_.held());
+  desync_ = desyncDetector_.resynced(prediction_.confirmed(), prediction_.held());
   sync_ = last.sync;
   hash_ = shortHash(prediction_.confirmed().hash());
-  outOfStep_ = false;
-  if (hadTicks) ++count_.resyncs;
+  hashDiffered_ = false;
+  if (hadTicks) ++statistics_.resyncs;
 }
 
 void Round::advance(Moment now, const Controls& controls) {
-  view_.update(now);
+  interpolationBuffer_.update(now);
   clock_.update(now, prediction_.predictedTicks());
   while (prediction_.mayPredict() && clock_.reaches(prediction_.predictedTicks())) {
     const std::uint32_t tick = prediction_.predictedTicks();
-    // Until the first own input the server goes on with what it holds: who has come back is there already.
+    // Before the first local input the server keeps applying the held one: a resumed player is present already.
     Input own = prediction_.held()[prediction_.slot()];
     if (tick >= clock_.firstInput()) {
       own.buttons = controls(prediction_.predicted(), prediction_.slot()).buttons | Input::kPresent;
-      clock_.chose(tick);
-      schedule_.chose(own);
+      clock_.inputChosen(tick);
+      inputSender_.add(tick, own);
     }
     prediction_.predict(own);
-    watchOwn();
+    observeOwn();
   }
 }
 
-void Round::watchOwn() {
+void Round::observeOwn() {
   const std::uint32_t slot = prediction_.slot();
   const Game& game = prediction_.predicted();
-  if (slot < game.slots()) flashes_.look(slot, prediction_.predictedTicks(), game.player(slot));
+  if (slot < game.slots()) flashes_.observe(slot, prediction_.predictedTicks(), game.player(slot));
 }
 
-std::optional<PlayerInputs> Round::report(Moment now) {
-  if (!schedule_.due(now, prediction_.predictedTicks())) return std::nullopt;
-  PlayerInputs message{id_, sync_, prediction_.confirmedTicks(), hash_, 0, {}};
-  message.first = std::max(message.confirmed, clock_.firstInput());
-  for (std::uint32_t tick = message.first; tick < prediction_.predictedTicks(); ++tick) {
-    message.inputs.push_back(prediction_.ownInput(tick));
-  }
-  schedule_.told(now, prediction_.predictedTicks());
-  return message;
+std::optional<PlayerInputs> Round::takeMessage(Moment now) {
+  return inputSender_.takeMessage(now, {prediction_.confirmedTicks(), hash_, sync_});
 }
 
 double Round::predictedFraction() const {
-  const std::optional<ClockSync>& sync = clock_.sync();
-  return sync ? std::clamp(sync->tick() - prediction_.predictedTicks(), 0.0, 1.0) : 1.0;
+  return clock_.running() ? std::clamp(clock_.tick() - prediction_.predictedTicks(), 0.0, 1.0) : 1.0;
 }
 
 }  // namespace platon

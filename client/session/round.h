@@ -9,12 +9,11 @@
 #include <vector>
 
 #include "client/desync/desync_detector.h"
-#include "client/netcode/clock_sync.h"
-#include "client/netcode/flashes.h"
-#include "client/netcode/input_clock.h"
+#include "client/netcode/input_sender.h"
 #include "client/netcode/interpolation_buffer.h"
+#include "client/netcode/player_flashes.h"
 #include "client/netcode/prediction.h"
-#include "client/netcode/report_schedule.h"
+#include "client/netcode/prediction_clock.h"
 #include "client/time/moment.h"
 #include "platon/game/game.h"
 #include "protocol/full_state.h"
@@ -23,75 +22,68 @@
 
 namespace platon {
 
-/// Chooses the buttons of slot `slot` for the next tick of `predicted`; asked once for every tick.
+/// Returns the input of `slot` for the next tick of `predicted`. Called once per tick.
 using Controls = std::function<Input(const Game& predicted, std::uint32_t slot)>;
 
-/// How well a client keeps in step with the server.
+/// Desyncs and resyncs of a client.
 struct RoundStatistics {
-  std::uint32_t desyncs = 0;  ///< the confirmed game was not the server's
-  std::uint32_t resyncs = 0;  ///< full states taken after the first ticks of the round were confirmed
+  std::uint32_t desyncs = 0;  ///< times that the hash of the confirmed game differed from the server's
+  std::uint32_t resyncs = 0;  ///< full states taken after the first confirmed ticks of a round
 };
 
-/// One round as a client lives it, from when it has the level: keeps the confirmed game in lockstep, the prediction as
-/// far ahead as the line demands, and says what to tell the server.
+/// The client's side of one round, from the moment it has the level: keeps the confirmed game in lockstep with the
+/// server, predicts ahead, and creates the messages with the local inputs.
 class Round {
  public:
-  /// `lead`: ticks that a client must be ahead of the newest tick it hears of, as far as is known.
+  /// `lead`: initial number of ticks that the prediction is ahead of the newest tick received.
   Round(std::uint32_t id, const std::shared_ptr<const Level>& level, std::uint32_t slot, double lead);
 
   std::uint32_t id() const { return id_; }
   const Prediction& prediction() const { return prediction_; }
-  const RoundStatistics& count() const { return count_; }
-  /// What was wrong with the confirmed game when the server's state last replaced it; each is given once.
-  std::optional<Desync> takeDesync() { return std::exchange(desync_, std::nullopt); }
-  /// Nothing more is received in this round: what is wrong with the confirmed game and has not been put right.
-  std::optional<Desync> abandonedDesync() { return watch_.abandoned(); }
-  /// None until the first ticks have been confirmed.
-  const std::optional<ClockSync>& clock() const { return clock_.sync(); }
-  /// Ticks that the prediction is ahead of the newest tick heard of; what was given while there is no clock.
-  double lead() const { return clock_.lead(); }
+  const RoundStatistics& statistics() const { return statistics_; }
+  const PredictionClock& clock() const { return clock_; }
+  /// Players of the confirmed game for drawing the others.
+  const InterpolationBuffer& interpolationBuffer() const { return interpolationBuffer_; }
+  /// By ticks of the confirmed game for the others, of the predicted game for the local player.
+  const PlayerFlashes& flashes() const { return flashes_; }
+  /// For drawing the local player: 0 at `prediction().predictedBefore()` … 1 at `prediction().predicted()`.
+  double predictedFraction() const;
 
-  /// Messages of this round. What is not news is ignored.
+  /// The desync that the last resync ended; each is returned once.
+  std::optional<Desync> takeDesync() { return std::exchange(desync_, std::nullopt); }
+  /// The round ends: returns the desync that no resync has ended, if any.
+  std::optional<Desync> endDesync() { return desyncDetector_.ended(); }
+
+  /// Messages of this round. Ticks that are confirmed already, or that leave a gap, are ignored.
   void receive(const ConfirmedTicks& message, Moment now);
-  /// `bytes`: what the pieces that `last` completes make together.
+  /// `last`: the chunk that completes the state `bytes`. An invalid state is ignored.
   void receive(const StateChunk& last, std::span<const std::uint8_t> bytes, Moment now);
 
   /// Predicts up to `now`.
   void advance(Moment now, const Controls& controls);
 
-  /// What to send to the server now, if anything, as ReportSchedule has it. All that is not confirmed is repeated every
-  /// time.
-  std::optional<PlayerInputs> report(Moment now);
-  /// By how many ticks an own input last came before the server needed it; 0 before the first report.
-  std::int32_t slack() const { return clock_.slack(); }
-
-  /// For drawing the others.
-  const InterpolationBuffer& interpolationBuffer() const { return view_; }
-  /// By ticks of the confirmed game for the others, of the predicted one for the own player.
-  const Flashes& flashes() const { return flashes_; }
-  /// For drawing the own player: how far to have moved on from `prediction().predictedBefore()`, 0 … 1.
-  double predictedFraction() const;
+  /// The message to send at `now`, without its sequence number; nothing if none is due.
+  std::optional<PlayerInputs> takeMessage(Moment now);
 
  private:
-  void apply(const ConfirmedTicks& message);
-  void watchOthers();
-  void watchOwn();
-  void check(std::uint32_t hash);
+  void applyTicks(const ConfirmedTicks& message);
+  void observeOthers();
+  void observeOwn();
+  void checkHash(std::uint32_t serverHash);
 
   std::uint32_t id_;
   Prediction prediction_;
-  InputClock clock_;
-  ReportSchedule schedule_;
-  std::uint8_t sync_ = 0;
-  std::uint32_t hash_ = 0;  // short, of the confirmed game
-  bool outOfStep_ = false;  // the last hash did not match
-  DesyncDetector watch_;
+  PredictionClock clock_;
+  InputSender inputSender_;
+  InterpolationBuffer interpolationBuffer_;
+  PlayerFlashes flashes_;
+  std::uint8_t sync_ = 0;      // of the last full state taken
+  std::uint32_t hash_ = 0;     // short hash of the confirmed game
+  bool hashDiffered_ = false;  // the last hash differed from the server's
+  DesyncDetector desyncDetector_;
   std::optional<Desync> desync_;
+  RoundStatistics statistics_;
   std::vector<Input> inputs_;  // scratch
-
-  InterpolationBuffer view_;
-  Flashes flashes_;
-  RoundStatistics count_;
 };
 
 }  // namespace platon

@@ -5,7 +5,7 @@
 #include <utility>
 #include <variant>
 
-#include "client/netcode/input_clock.h"
+#include "client/netcode/prediction_clock.h"
 
 namespace platon {
 
@@ -24,7 +24,7 @@ RoundStatistics sum(const RoundStatistics& a, const RoundStatistics& b) {
   return {a.desyncs + b.desyncs, a.resyncs + b.resyncs};
 }
 
-std::string sentence(std::string_view what, const std::string& reason) {
+std::string withReason(std::string_view what, const std::string& reason) {
   return reason.empty() ? std::string(what) : std::string(what) + ": " + reason;
 }
 
@@ -32,7 +32,7 @@ std::string sentence(std::string_view what, const std::string& reason) {
 
 Session::Session(const std::string& name, Moment now, Memory memory)
     : helloAt_(now),
-      heardAt_(now),
+      receivedAt_(now),
       token_(memory.token),
       levels_(std::move(memory.levels)),
       pastPrediction_(memory.prediction),
@@ -51,21 +51,21 @@ void Session::send(const Message& message, bool reliable) {
 
 std::vector<OutgoingMessage> Session::takeOutgoing() { return std::exchange(outgoing_, {}); }
 
-void Session::end(std::string reason, bool forGood) {
-  ending_ = Ending{std::move(reason), forGood};
-  if (round_) keep(round_->abandonedDesync());
+void Session::end(std::string reason, bool permanent) {
+  ending_ = Ending{std::move(reason), permanent};
+  if (round_) reportDesync(round_->endDesync());
 }
 
-void Session::keep(std::optional<Desync> desync) {
-  if (!desync || (desyncAt_ && heardAt_ - *desyncAt_ < kBetweenReports)) return;
-  desyncAt_ = heardAt_;
+void Session::reportDesync(std::optional<Desync> desync) {
+  if (!desync || (reportedAt_ && receivedAt_ - *reportedAt_ < kReportInterval)) return;
+  reportedAt_ = receivedAt_;
   desync_ = reportOf(std::move(*desync));
 }
 
 void Session::leave() {
   if (ending_) return;
   send(Leave{}, true);
-  if (round_) keep(round_->abandonedDesync());
+  if (round_) reportDesync(round_->endDesync());
 }
 
 void Session::lose(std::string reason) {
@@ -74,39 +74,39 @@ void Session::lose(std::string reason) {
 
 void Session::receive(std::span<const std::uint8_t> bytes, Moment now) {
   if (ending_) return;
-  heardAt_ = now;
+  receivedAt_ = now;
   const std::optional<ToClient> message = decodeToClient(bytes);
-  if (!message) return end("the server sent a message that this client does not understand", true);
+  if (!message) return end("protocol error: malformed message from the server", true);
   std::visit([&](const auto& content) { handle(content, now); }, *message);
 }
 
 void Session::update(Moment now, const Controls& controls) {
   if (ending_) return;
-  if (welcome_ && now - heardAt_ > kSilence) return end("the server has fallen silent", false);
+  if (welcome_ && now - receivedAt_ > kTimeout) return end("connection timed out", false);
   if (!round_) return;
   round_->advance(now, controls);
-  std::optional<PlayerInputs> report = round_->report(now);
-  if (!report) return;
-  report->sequence = line_.send(now);
-  send(*report, false);
+  std::optional<PlayerInputs> message = round_->takeMessage(now);
+  if (!message) return;
+  message->sequence = linkMeter_.nextSequence(now);
+  send(*message, false);
 }
 
 void Session::handle(const Welcome& message, Moment now) {
-  if (welcome_) return end("the server welcomed this client twice", true);
+  if (welcome_) return end("protocol error: second Welcome from the server", true);
   welcome_ = message;
   names_.resize(message.maxPlayers);
-  lead_ = InputClock::firstLead(now - helloAt_);
-  if (!level(message.levelHash)) fetching_ = message.levelHash;  // follows by itself
+  lead_ = PredictionClock::initialLead(now - helloAt_);
+  if (!level(message.levelHash)) requestedLevel_ = message.levelHash;  // sent without a request
   startRound(message.round, message.levelHash);
 }
 
-// A server that is full, or stops, may have a place later.
+// A full server may have a free slot later, and a stopping one may restart.
 void Session::handle(const Refused& message, Moment) {
-  end(sentence("the server refused this client", message.reason), message.code != RefusalCode::kFull);
+  end(withReason("the server refused this client", message.reason), message.code != RefusalCode::kFull);
 }
 
 void Session::handle(const Bye& message, Moment) {
-  end(sentence("the server ended the game", message.reason), message.code != ByeCode::kServerStops);
+  end(withReason("the server ended the game", message.reason), message.code != ByeCode::kServerStops);
 }
 
 void Session::handle(const Roster& message, Moment) {
@@ -116,14 +116,14 @@ void Session::handle(const Roster& message, Moment) {
 }
 
 void Session::handle(const RoundStart& message, Moment) {
-  if (!welcome_) return end("the server started a round before it welcomed this client", true);
+  if (!welcome_) return end("protocol error: RoundStart before Welcome", true);
   startRound(message.round, message.levelHash);
 }
 
-void Session::handle(const RoundEnd& message, Moment) { fetch(message.nextLevelHash); }
+void Session::handle(const RoundEnd& message, Moment) { requestLevel(message.nextLevelHash); }
 
 void Session::handle(const ConfirmedTicks& message, Moment now) {
-  line_.receive(message, now);
+  linkMeter_.receive(message, now);
   if (round_ && round_->id() == message.round) round_->receive(message, now);
 }
 
@@ -131,21 +131,21 @@ void Session::handle(const StateChunk& message, Moment now) {
   if (!round_ || round_->id() != message.round) return;
   if (!state_.add(message.total, message.offset, message.bytes)) return;
   round_->receive(message, state_.bytes(), now);
-  keep(round_->takeDesync());
+  reportDesync(round_->takeDesync());
   state_.clear();
 }
 
 void Session::handle(const LevelChunk& message, Moment) {
-  if (message.hash != fetching_ || !levelText_.add(message.total, message.offset, message.bytes)) return;
+  if (message.hash != requestedLevel_ || !levelText_.add(message.total, message.offset, message.bytes)) return;
   const std::vector<std::uint8_t>& bytes = levelText_.bytes();
   LevelResult result = loadLevel(std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
-  fetching_.reset();
+  requestedLevel_.reset();
   levelText_.clear();
   if (!result.level || result.level->hash != message.hash)
-    return end("the server sent a level that is no valid one", true);
+    return end("protocol error: invalid level from the server", true);
   if (levels_.size() == kMaxLevelsKnown) levels_.erase(levels_.begin());
   levels_.push_back(std::move(result.level));
-  if (next_) startRound(next_->round, next_->levelHash);
+  if (pendingRound_) startRound(pendingRound_->round, pendingRound_->levelHash);
 }
 
 std::shared_ptr<const Level> Session::level(std::uint64_t hash) const {
@@ -154,9 +154,9 @@ std::shared_ptr<const Level> Session::level(std::uint64_t hash) const {
   return found == levels_.end() ? nullptr : *found;
 }
 
-void Session::fetch(std::uint64_t levelHash) {
-  if (fetching_ == levelHash || level(levelHash)) return;
-  fetching_ = levelHash;
+void Session::requestLevel(std::uint64_t levelHash) {
+  if (requestedLevel_ == levelHash || level(levelHash)) return;
+  requestedLevel_ = levelHash;
   levelText_.clear();
   send(LevelRequest{levelHash}, true);
 }
@@ -165,33 +165,34 @@ void Session::startRound(std::uint32_t round, std::uint64_t levelHash) {
   closeRound();
   const std::shared_ptr<const Level> known = level(levelHash);
   if (known) {
-    next_.reset();
+    pendingRound_.reset();
     round_.emplace(round, known, welcome_->slot, lead_);
   } else {
-    next_ = RoundStart{round, levelHash};
-    fetch(levelHash);
+    pendingRound_ = RoundStart{round, levelHash};
+    requestLevel(levelHash);
   }
 }
 
 void Session::closeRound() {
   if (!round_) return;
-  keep(round_->abandonedDesync());
-  lead_ = round_->lead();
+  reportDesync(round_->endDesync());
+  lead_ = round_->clock().lead();
   pastPrediction_ = predictionStatistics();
   pastRounds_ = roundStatistics();
   round_.reset();
   state_.clear();
 }
 
-LinkStatistics Session::reading() const {
-  if (!round_ || !round_->clock()) return readingOf(line_, nullptr, 0);
-  return readingOf(line_, &*round_->clock(), round_->slack());
+LinkStatistics Session::linkStatistics() const {
+  return makeLinkStatistics(linkMeter_, round_ ? &round_->clock() : nullptr);
 }
 
 PredictionStatistics Session::predictionStatistics() const {
-  return round_ ? sum(pastPrediction_, round_->prediction().count()) : pastPrediction_;
+  return round_ ? sum(pastPrediction_, round_->prediction().statistics()) : pastPrediction_;
 }
 
-RoundStatistics Session::roundStatistics() const { return round_ ? sum(pastRounds_, round_->count()) : pastRounds_; }
+RoundStatistics Session::roundStatistics() const {
+  return round_ ? sum(pastRounds_, round_->statistics()) : pastRounds_;
+}
 
 }  // namespace platon

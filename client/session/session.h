@@ -11,6 +11,7 @@
 #include "client/desync/desync_report.h"
 #include "client/netcode/link_meter.h"
 #include "client/netcode/link_statistics.h"
+#include "client/session/outgoing_message.h"
 #include "client/session/round.h"
 #include "client/time/moment.h"
 #include "platon/game/level.h"
@@ -20,67 +21,61 @@
 
 namespace platon {
 
-/// A message for the server, encoded.
-struct OutgoingMessage {
-  std::vector<std::uint8_t> bytes;
-  bool reliable = false;  ///< on the reliable channel; else unsequenced on the tick channel
-};
-
-/// A client's whole part in a match, from Hello to Bye: greets, fetches levels, plays the rounds, knows who else is
-/// there. Has no socket and no clock: what arrives is handed in, what is to be sent is taken out, and the time is told.
+/// The client's side of a match over one connection, from Hello to Bye: joins, downloads levels, plays the rounds and
+/// keeps the roster. It has no socket and no clock: the caller passes received messages and the time, and takes the
+/// messages to send.
 class Session {
  public:
-  /// What is worth keeping of a session for the next one with the same server.
+  /// State that the next session with the same server continues with.
   struct Memory {
-    std::optional<SessionToken> token;  ///< a fresh one, if this is the first session; without, no way back
+    std::optional<SessionToken> token;  ///< identifies the player to resume; without one it cannot be resumed
     std::vector<std::shared_ptr<const Level>> levels;  ///< at most kMaxLevelsKnown, newest last
     PredictionStatistics prediction;
     RoundStatistics rounds;
   };
 
-  /// Why a session is over.
+  /// Why a session has ended.
   struct Ending {
-    std::string reason;    ///< a sentence for the player
-    bool forGood = false;  ///< trying again is of no use
+    std::string reason;      ///< one sentence for the player
+    bool permanent = false;  ///< reconnecting would fail too
   };
 
-  /// A server that has welcomed the client but says nothing for this long has gone.
-  static constexpr Moment kSilence = std::chrono::seconds(4);
-  /// Of desyncs that come faster, only the first is reported; all are counted.
-  static constexpr Moment kBetweenReports = std::chrono::minutes(1);
+  /// A session ends if it receives nothing for this long after Welcome.
+  static constexpr Moment kTimeout = std::chrono::seconds(4);
+  /// Minimum time between two desync reports. Further desyncs are only counted.
+  static constexpr Moment kReportInterval = std::chrono::minutes(1);
 
-  /// `name` is a clean label of at most kMaxNameBytes, perhaps empty. `now`: when the connection was made. `memory`:
-  /// takes back the player of the session before and goes on with its counts.
+  /// `name`: a valid label of at most kMaxNameBytes; may be empty. `now`: when the connection was established.
+  /// `memory`: of the previous session, whose player and statistics this one resumes.
   Session(const std::string& name, Moment now, Memory memory = {});
 
-  /// A message from the server. One that makes no sense ends the session.
+  /// A message from the server. A malformed message ends the session.
   void receive(std::span<const std::uint8_t> bytes, Moment now);
-  /// Predicts up to `now` and tells the server. To be called every few milliseconds.
+  /// Predicts up to `now` and queues a message to the server when one is due. Call every few milliseconds.
   void update(Moment now, const Controls& controls);
-  /// Says good-bye; the connection may be closed once this is sent.
+  /// Queues a Leave message. The connection may be closed once it is sent.
   void leave();
-  /// The connection is gone for this reason.
+  /// Ends the session because its connection was lost.
   void lose(std::string reason);
-  /// What has to be sent, oldest first; each is given once.
+  /// Queued messages, oldest first; each is returned once.
   std::vector<OutgoingMessage> takeOutgoing();
 
-  /// Nothing while it goes on.
+  /// Empty while the session runs.
   const std::optional<Ending>& ending() const { return ending_; }
   Memory memory() const { return {token_, levels_, predictionStatistics(), roundStatistics()}; }
 
-  /// The own slot and the server's name, once welcomed.
+  /// Local slot and server name; empty until the server has accepted the client.
   const std::optional<Welcome>& welcome() const { return welcome_; }
-  /// The round that is played, once its level is there. Rounds differ by their id.
+  /// The current round; null until its level has been received.
   const Round* round() const { return round_ ? &*round_ : nullptr; }
-  /// Names by slot; empty where nobody plays.
+  /// Player names by slot; an empty name means a free slot.
   std::span<const std::string> names() const { return names_; }
 
-  /// What was last found wrong with the confirmed game; each is given once.
+  /// The last desync report; each is returned once.
   std::optional<DesyncReport> takeDesync() { return std::exchange(desync_, std::nullopt); }
 
-  LinkStatistics reading() const;
-
-  /// Over all rounds, those of the sessions before included.
+  LinkStatistics linkStatistics() const;
+  /// Totals of all rounds, those of previous sessions included.
   PredictionStatistics predictionStatistics() const;
   RoundStatistics roundStatistics() const;
 
@@ -88,7 +83,7 @@ class Session {
   template <class Message>
   void send(const Message& message, bool reliable);
   void end(std::string reason, bool forGood);
-  void keep(std::optional<Desync> desync);
+  void reportDesync(std::optional<Desync> desync);
 
   void handle(const Welcome& message, Moment now);
   void handle(const Refused& message, Moment now);
@@ -101,30 +96,30 @@ class Session {
   void handle(const ConfirmedTicks& message, Moment now);
 
   std::shared_ptr<const Level> level(std::uint64_t hash) const;
-  void fetch(std::uint64_t levelHash);
+  void requestLevel(std::uint64_t levelHash);
   void startRound(std::uint32_t round, std::uint64_t levelHash);
   void closeRound();
 
   Moment helloAt_;
-  Moment heardAt_;
+  Moment receivedAt_;  // last message
   std::optional<Ending> ending_;
-  LinkMeter line_;
+  LinkMeter linkMeter_;
   std::optional<Welcome> welcome_;
   std::vector<std::string> names_;
   std::vector<OutgoingMessage> outgoing_;
 
   std::optional<SessionToken> token_;
-  std::vector<std::shared_ptr<const Level>> levels_;  // the last few, newest last
-  std::optional<std::uint64_t> fetching_;             // hash of the level on its way
+  std::vector<std::shared_ptr<const Level>> levels_;  // at most kMaxLevelsKnown, newest last
+  std::optional<std::uint64_t> requestedLevel_;       // hash of the level being received
   Assembly levelText_;
   Assembly state_;
 
-  std::optional<RoundStart> next_;  // waits for its level
+  std::optional<RoundStart> pendingRound_;  // waits for its level
   std::optional<Round> round_;
   double lead_ = 0;
   std::optional<DesyncReport> desync_;
-  std::optional<Moment> desyncAt_;       // when the last was reported
-  PredictionStatistics pastPrediction_;  // of the rounds before
+  std::optional<Moment> reportedAt_;     // last desync report
+  PredictionStatistics pastPrediction_;  // of earlier rounds
   RoundStatistics pastRounds_;
 };
 

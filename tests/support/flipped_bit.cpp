@@ -12,13 +12,13 @@ bool differOnlyIn(const Game& game, const Game& other, const std::string& owner,
   const auto here = fieldsOf(game);
   const auto there = fieldsOf(other);
   if (here.size() != there.size()) return false;
-  bool named = false;
+  bool differs = false;
   for (std::size_t i = 0; i < here.size(); ++i) {
     if (here[i] == there[i]) continue;
     if (here[i].owner != owner || here[i].name != field) return false;
-    named = true;
+    differs = true;
   }
-  return named;
+  return differs;
 }
 
 }  // namespace
@@ -32,7 +32,7 @@ std::vector<std::uint8_t> flippedBit(const Game& game, const std::string& owner,
     if (other.restore(state) && differOnlyIn(game, other, owner, field)) return state;
     state[bit / 8] ^= mask;
   }
-  throw std::logic_error("no bit of the state is " + field + " of " + owner + " alone");
+  throw std::logic_error("no single bit changes only " + field + " of " + owner);
 }
 
 }  // namespace platon

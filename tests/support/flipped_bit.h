@@ -8,8 +8,8 @@
 
 namespace platon {
 
-/// The saved state of `game` with one bit flipped, so that `owner`'s `field` is another and nothing else, and restoring
-/// takes it; of the bits that do that the first. Throws std::logic_error when none does.
+/// The saved state of `game` with one bit flipped, such that it can be restored and differs only in `owner`'s `field`.
+/// Of several such bits the first. Throws std::logic_error if there is none.
 std::vector<std::uint8_t> flippedBit(const Game& game, const std::string& owner, const std::string& field);
 
 }  // namespace platon

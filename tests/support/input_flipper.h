@@ -9,11 +9,11 @@
 
 namespace platon {
 
-/// Presses another button in the first change of a slot from `from` on that passes.
+/// Toggles a button in the first input change of `slot` at or after tick `from`, in messages to a client.
 struct InputFlipper {
   std::uint32_t from = 0;
   std::uint8_t slot = 0;
-  std::optional<std::uint32_t> tick;  // of the change
+  std::optional<std::uint32_t> tick;  // of the modified change
 
   void operator()(std::vector<std::uint8_t>& bytes) {
     auto message = decodeToClient(bytes);

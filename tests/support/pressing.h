@@ -8,7 +8,7 @@
 
 namespace platon {
 
-/// Buttons as a person presses them, another way for every seed.
+/// Controls that press random buttons.
 inline Controls pressing(std::uint64_t seed) {
   return [presser = std::make_shared<ButtonPresser>(seed)](const Game&, std::uint32_t) { return presser->next(); };
 }

@@ -6,13 +6,14 @@
 
 namespace platon {
 
-/// A hexahedron with a floor on each face, which shuts off face 5; the goal is to the right of the start.
+/// A hexahedron with a floor on each face, which makes face 5 unreachable. The goal is on the floor to the right of the
+/// start.
 std::shared_ptr<const Level> flatLevel();
 
-/// The same, but the goal is on the next face to the right, behind a low wall.
+/// Like flatLevel, but the goal is on the next face to the right, behind a low wall.
 std::shared_ptr<const Level> cornerLevel();
 
-/// The same, but the goal is out of reach.
+/// Like flatLevel, but the goal is unreachable.
 std::shared_ptr<const Level> endlessLevel();
 
 }  // namespace platon

@@ -13,7 +13,7 @@ namespace {
 
 constexpr Moment kStep = std::chrono::microseconds(500);
 
-/// Which no other client has.
+/// Unique per client.
 SessionToken tokenOf(ClientId id) {
   SessionToken token{};
   token[0] = static_cast<std::uint8_t>(id);
@@ -21,21 +21,21 @@ SessionToken tokenOf(ClientId id) {
   return token;
 }
 
-LinkQuality delayOf(const LinkQuality& line) {
+LinkQuality delayOf(const LinkQuality& quality) {
   LinkQuality delay;
-  delay.delayMs = line.delayMs;
+  delay.delayMs = quality.delayMs;
   return delay;
 }
 
 }  // namespace
 
-VirtualMatch::Client::Client(ClientId number, const LinkQuality& line, std::uint64_t seed, Controls buttons)
+VirtualMatch::Client::Client(ClientId number, const LinkQuality& quality, std::uint64_t seed, Controls buttons)
     : id(number),
       controls(std::move(buttons)),
-      up(line, seed),
-      down(line, seed + 1),
-      reliableUp(delayOf(line), 0),
-      reliableDown(delayOf(line), 0) {}
+      up(quality, seed),
+      down(quality, seed + 1),
+      reliableUp(delayOf(quality), 0),
+      reliableDown(delayOf(quality), 0) {}
 
 VirtualMatch::VirtualMatch(std::vector<std::shared_ptr<const Level>> levels, std::uint64_t seed,
                            std::uint32_t maxPlayers)
@@ -43,24 +43,24 @@ VirtualMatch::VirtualMatch(std::vector<std::shared_ptr<const Level>> levels, std
   round_ = match_.round();
 }
 
-std::size_t VirtualMatch::join(const LinkQuality& line, Controls controls) {
+std::size_t VirtualMatch::join(const LinkQuality& quality, Controls controls) {
   const ClientId id = nextId_++;
-  clients_.push_back(std::make_unique<Client>(id, line, seed_ + clients_.size() * 16, std::move(controls)));
+  clients_.push_back(std::make_unique<Client>(id, quality, seed_ + clients_.size() * 16, std::move(controls)));
   Session::Memory memory;
   memory.token = tokenOf(id);
   clients_.back()->session.emplace("someone", now_, std::move(memory));
   return clients_.size() - 1;
 }
 
-void VirtualMatch::breakOff(std::size_t index, std::optional<Moment> noticedAfter) {
+void VirtualMatch::disconnect(std::size_t index, std::optional<Moment> detectedAfter) {
   Client& client = *clients_[index];
-  client.session->lose("the line is dead");
+  client.session->lose("connection lost");
   client.connected = false;
-  for (NetworkConditions* line : {&client.up, &client.down, &client.reliableUp, &client.reliableDown}) line->clear();
-  if (noticedAfter) losses_.push_back({now_ + *noticedAfter, client.id});
+  for (NetworkConditions* link : {&client.up, &client.down, &client.reliableUp, &client.reliableDown}) link->clear();
+  if (detectedAfter) losses_.push_back({now_ + *detectedAfter, client.id});
 }
 
-void VirtualMatch::comeBack(std::size_t index) {
+void VirtualMatch::resume(std::size_t index) {
   Client& client = *clients_[index];
   client.id = nextId_++;
   client.connected = true;
@@ -74,7 +74,7 @@ VirtualMatch::Client* VirtualMatch::connectedAs(ClientId id) {
   return nullptr;
 }
 
-void VirtualMatch::tellOfLosses() {
+void VirtualMatch::detectLosses() {
   std::erase_if(losses_, [this](const auto& loss) {
     if (loss.first > now_) return false;
     match_.disconnect(loss.second);
@@ -90,9 +90,9 @@ void VirtualMatch::run(Moment duration) {
   for (const Moment end = now_ + duration; now_ < end; now_ += kStep) {
     const Moment tickDue = std::chrono::seconds(100) + Moment((serverTicks_ + 1) * 1'000'000 / kTicksPerSecond);
     if (now_ >= tickDue) tickServer();
-    tellOfLosses();
+    detectLosses();
     for (const auto& client : clients_) {
-      if (client->connected) carry(*client);
+      if (client->connected) transfer(*client);
     }
     if (now_ < nextFrame_) continue;
     nextFrame_ = now_ + frame_;
@@ -106,15 +106,15 @@ void VirtualMatch::run(Moment duration) {
 
 void VirtualMatch::tickServer() {
   ++serverTicks_;
-  const bool stood = match_.idle();
-  if (!stood) {
+  const bool idle = match_.idle();
+  if (!idle) {
     if (match_.round() != round_) {
       round_ = match_.round();
       ticksInRound_ = 0;
     }
     ++ticksInRound_;
     match_.tick();
-    // A round that has just begun has had no tick yet.
+    // The tick may have started the next round, which has had no tick yet.
     if (match_.round() == round_) hashes_[{round_, ticksInRound_}] = match_.game().hash();
   }
   for (Outgoing& message : match_.takeOutgoing()) {
@@ -125,19 +125,19 @@ void VirtualMatch::tickServer() {
   }
 }
 
-void VirtualMatch::carry(Client& client) {
+void VirtualMatch::transfer(Client& client) {
   for (OutgoingMessage& message : client.session->takeOutgoing()) {
     (message.reliable ? client.reliableUp : client.up).send(std::move(message.bytes), now_);
   }
-  for (NetworkConditions* line : {&client.reliableUp, &client.up}) {
-    while (const auto bytes = line->receive(now_)) {
+  for (NetworkConditions* link : {&client.reliableUp, &client.up}) {
+    while (const auto bytes = link->receive(now_)) {
       const auto message = decodeToServer(*bytes);
       ASSERT_TRUE(message.has_value());
       match_.receive(client.id, *message);
     }
   }
-  for (NetworkConditions* line : {&client.reliableDown, &client.down}) {
-    while (const auto bytes = line->receive(now_)) client.session->receive(*bytes, now_);
+  for (NetworkConditions* link : {&client.reliableDown, &client.down}) {
+    while (const auto bytes = link->receive(now_)) client.session->receive(*bytes, now_);
   }
 }
 

@@ -16,26 +16,27 @@
 
 namespace platon {
 
-/// A match and its clients in one thread and in a time of its own: sessions on one side, the server's Match on the
-/// other, simulated lines in between. Unreliable messages are subject to the line; reliable ones to its delay alone,
-/// as the transport below them would see to it.
+/// A match and its clients in one thread and in virtual time: client sessions and the server's Match, connected by
+/// simulated links. Unreliable messages are subject to all conditions of a link, reliable ones only to its delay, as if
+/// the transport below retransmitted them.
 class VirtualMatch {
  public:
   VirtualMatch(std::vector<std::shared_ptr<const Level>> levels, std::uint64_t seed, std::uint32_t maxPlayers = 16);
 
-  /// A client with these controls joins now; its index.
-  std::size_t join(const LinkQuality& line, Controls controls);
-  /// The client's connection is lost, with all that is on its way. The server notices after so long, or never.
-  void breakOff(std::size_t client, std::optional<Moment> noticedAfter);
-  /// The client has a new connection over the same line, and what it remembers.
-  void comeBack(std::size_t client);
-  /// How often clients update from now on; 4 ms at first.
+  /// A client with these controls joins now. Returns its index.
+  std::size_t join(const LinkQuality& quality, Controls controls);
+  /// The client's connection is lost, with all messages in flight. The server detects it after `detectedAfter`;
+  /// nothing: never.
+  void disconnect(std::size_t client, std::optional<Moment> detectedAfter);
+  /// The client reconnects over the same link and continues with the memory of its last session.
+  void resume(std::size_t client);
+  /// Time between two updates of the clients; default 4 ms.
   void setFrame(Moment frame) { frame_ = frame; }
-  /// Every message to this client is handed to `change` on its way, from now on.
+  /// From now on, `change` may modify every message to this client.
   void tamper(std::size_t client, std::function<void(std::vector<std::uint8_t>&)> change);
-  /// Whether `run` checks this client; all are checked at first.
+  /// Whether `run` checks this client. Default: true.
   void setChecked(std::size_t client, bool checked) { clients_[client]->checked = checked; }
-  /// Lets time pass. Checks all the while, for every client, that its confirmed game is the server's.
+  /// Lets time pass. Checks after each update of a client that its confirmed game equals the server's.
   void run(Moment duration);
 
   Moment now() const { return now_; }
@@ -44,14 +45,14 @@ class VirtualMatch {
   Session& session(std::size_t client) { return *clients_[client]->session; }
   std::optional<DesyncReport> takeDesync(std::size_t client) { return clients_[client]->session->takeDesync(); }
   std::uint32_t slot(std::size_t client) const { return clients_[client]->session->welcome()->slot; }
-  /// The server's game by round and tick.
+  /// Hash of the server's game.
   std::uint64_t hashOf(std::uint32_t round, std::uint32_t tick) const { return hashes_.at({round, tick}); }
 
  private:
   struct Client {
-    Client(ClientId number, const LinkQuality& line, std::uint64_t seed, Controls buttons);
+    Client(ClientId number, const LinkQuality& quality, std::uint64_t seed, Controls buttons);
 
-    ClientId id;  // of its connection
+    ClientId id;  // of the current connection
     bool connected = true;
     std::optional<Session> session;
     Controls controls;
@@ -61,9 +62,9 @@ class VirtualMatch {
   };
 
   Client* connectedAs(ClientId id);
-  void tellOfLosses();
+  void detectLosses();
   void tickServer();
-  void carry(Client& client);
+  void transfer(Client& client);
   void check(const Session& session) const;
 
   Match match_;
@@ -74,8 +75,8 @@ class VirtualMatch {
   std::uint64_t serverTicks_ = 0;
   std::vector<std::unique_ptr<Client>> clients_;
   ClientId nextId_ = 1;
-  std::vector<std::pair<Moment, ClientId>> losses_;                          // that the server will notice
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint64_t> hashes_;  // of the server's game by round and tick
+  std::vector<std::pair<Moment, ClientId>> losses_;  // when the server detects which lost connection
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint64_t> hashes_;  // of the server's game, by round and tick
   std::uint32_t round_ = 0;
   std::uint32_t ticksInRound_ = 0;
 };

@@ -21,9 +21,9 @@ BotResult played(std::uint32_t ticks, std::uint32_t corrections) {
 }
 
 TEST(BotReport, AveragesOverTheBotsThatPlayedToTheEnd) {
-  BotResult fell = played(1, 1000);
-  fell.ending = "gone";
-  const std::vector<BotResult> bots = {played(1000, 0), fell, played(500, 3), BotResult()};
+  BotResult dropped = played(1, 1000);
+  dropped.ending = "gone";
+  const std::vector<BotResult> bots = {played(1000, 0), dropped, played(500, 3), BotResult()};
   const BotReport report = makeReport(bots);
   EXPECT_EQ(report.connected, 2u);
   EXPECT_EQ(report.failed, 2u);
@@ -35,7 +35,7 @@ TEST(BotReport, AveragesOverTheBotsThatPlayedToTheEnd) {
   EXPECT_DOUBLE_EQ(report.correctionsPer1000Ticks, 3);  // 0 and 6
   EXPECT_DOUBLE_EQ(report.maxCorrectionSubunits, 150);
   EXPECT_DOUBLE_EQ(report.confirmedTicks, 750);
-  EXPECT_EQ(report.longestDatagramBytes, 1003u);  // the longest, no average
+  EXPECT_EQ(report.longestDatagramBytes, 1003u);  // maximum, not average
 }
 
 TEST(BotReport, IsZeroWithoutAnyBot) {
@@ -45,7 +45,7 @@ TEST(BotReport, IsZeroWithoutAnyBot) {
   EXPECT_EQ(report.rttMs, 0);
 }
 
-TEST(BotReport, JsonHasExactlyTheAgreedKeys) {
+TEST(BotReport, JsonHasExactlyTheDocumentedKeys) {
   EXPECT_EQ(toJson(BotReport()),
             "{\"connected\":0,\"failed\":0,\"connectMs\":0,\"rttMs\":0,\"jitterMs\":0,\"slackTicks\":0,"
             "\"downLossPercent\":0,\"upLossPercent\":0,\"downBytesPerSecond\":0,\"upBytesPerSecond\":0,"
@@ -54,7 +54,7 @@ TEST(BotReport, JsonHasExactlyTheAgreedKeys) {
             "\"hashMismatches\":0,\"resyncs\":0,\"confirmedTicks\":0,\"resumes\":0,\"longestDatagramBytes\":0}\n");
 }
 
-TEST(BotReport, WhatHollowBotsCannotKnowIsNull) {
+TEST(BotReport, StatisticsUnknownToHollowBotsAreNull) {
   BotReport report;
   report.hollow = true;
   const std::string json = toJson(report);
@@ -66,7 +66,7 @@ TEST(BotReport, WhatHollowBotsCannotKnowIsNull) {
   EXPECT_EQ(toText(report).find("resyncs"), std::string::npos);
 }
 
-TEST(BotReport, TextNamesWhoFailed) {
+TEST(BotReport, TextShowsFailedBots) {
   BotReport report;
   report.failed = 3;
   EXPECT_NE(toText(report).find("3 failed"), std::string::npos);

@@ -29,7 +29,7 @@ TEST(ButtonPresser, ChangesThreeToSixTimesASecond) {
   EXPECT_GE(used.size(), 5u);
 }
 
-TEST(ButtonPresser, SameSeedSamePresses) {
+TEST(ButtonPresser, TheSameSeedGivesTheSameInputs) {
   ButtonPresser a(3), b(3), c(4);
   int different = 0;
   for (int tick = 0; tick < 1000; ++tick) {

@@ -12,9 +12,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const DesyncReport kReport{"it was wrong", "all about it\n", {1, 2, 3}};
+const DesyncReport kReport{"a desync", "details\n", {1, 2, 3}};
 
-class MismatchFolderTest : public testing::Test {
+class DesyncFolderTest : public testing::Test {
  protected:
   std::string content(const char* name) const { return readText(folder_ / name); }
 
@@ -22,36 +22,34 @@ class MismatchFolderTest : public testing::Test {
   const fs::path folder_ = temporary_ / "deep";
 };
 
-TEST_F(MismatchFolderTest, WritesNothingWithoutAFolder) {
-  EXPECT_EQ(DesyncFolder(fs::path()).keep(kReport), "it was wrong");
-}
+TEST_F(DesyncFolderTest, WritesNothingWithoutAPath) { EXPECT_EQ(DesyncFolder(fs::path()).write(kReport), "a desync"); }
 
-TEST_F(MismatchFolderTest, KeepsReportAndRecording) {
-  EXPECT_EQ(DesyncFolder(folder_).keep(kReport), "it was wrong; see " + (folder_ / "desync-1.txt").string());
+TEST_F(DesyncFolderTest, WritesReportAndRecording) {
+  EXPECT_EQ(DesyncFolder(folder_).write(kReport), "a desync; see " + (folder_ / "desync-1.txt").string());
   EXPECT_EQ(content("desync-1.txt"),
-            "all about it\n\nRecording of the own game: " + (folder_ / "desync-1.recording").string() + "\n");
+            "details\n\nRecording of the client's game: " + (folder_ / "desync-1.recording").string() + "\n");
   EXPECT_EQ(content("desync-1.recording"), "\1\2\3");
 }
 
-TEST_F(MismatchFolderTest, NeverFillsADisk) {
-  for (int i = 0; i < DesyncFolder::kMaxReports; ++i) DesyncFolder(folder_).keep(kReport);
-  const std::string said = DesyncFolder(folder_).keep({"it was wrong again", "", {}});
-  EXPECT_TRUE(said.starts_with("it was wrong again; not written, for ")) << said;
+TEST_F(DesyncFolderTest, WritesAtMostTenReports) {
+  for (int i = 0; i < DesyncFolder::kMaxReports; ++i) DesyncFolder(folder_).write(kReport);
+  const std::string said = DesyncFolder(folder_).write({"a desync again", "", {}});
+  EXPECT_TRUE(said.starts_with("a desync again; not written: ")) << said;
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 2 * DesyncFolder::kMaxReports);
   EXPECT_EQ(content("desync-10.recording"), "\1\2\3");
 }
 
-TEST_F(MismatchFolderTest, NoReportNamesTheRecordingOfAnother) {
-  DesyncFolder(folder_).keep(kReport);
+TEST_F(DesyncFolderTest, NeverOverwritesARecording) {
+  DesyncFolder(folder_).write(kReport);
   fs::remove(folder_ / "desync-1.txt");
-  EXPECT_EQ(DesyncFolder(folder_).keep({"again", "", {4}}), "again; see " + (folder_ / "desync-2.txt").string());
+  EXPECT_EQ(DesyncFolder(folder_).write({"again", "", {4}}), "again; see " + (folder_ / "desync-2.txt").string());
   EXPECT_EQ(content("desync-1.recording"), "\1\2\3");
   EXPECT_EQ(content("desync-2.recording"), "\4");
 }
 
-TEST_F(MismatchFolderTest, SaysWhyNothingCouldBeWritten) {
+TEST_F(DesyncFolderTest, NamesTheErrorWhenItCannotWrite) {
   writeText(folder_, "a file");
-  const std::string said = DesyncFolder(folder_).keep(kReport);
+  const std::string said = DesyncFolder(folder_).write(kReport);
   EXPECT_TRUE(said.ends_with(": Not a directory")) << said;
 }
 

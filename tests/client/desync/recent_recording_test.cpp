@@ -25,7 +25,7 @@ sim::Verification verified(const std::vector<std::uint8_t>& bytes) {
   return found;
 }
 
-TEST(RecentRecording, HasTheWholeGameWhileItIsShort) {
+TEST(RecentRecording, ContainsTheWholeGameWhileItIsShort) {
   for (const std::uint32_t ticks : {0u, 1u, kBlock - 1, kBlock, 2 * kBlock + 17}) {
     Game game(endlessLevel());
     RecentRecording recording(game);
@@ -37,7 +37,7 @@ TEST(RecentRecording, HasTheWholeGameWhileItIsShort) {
   }
 }
 
-TEST(RecentRecording, ForgetsTheOldestAndNeverGrowsBeyondItsBound) {
+TEST(RecentRecording, DropsTheOldestTicksBeyondItsSizeLimit) {
   constexpr std::uint32_t kTicks = 200000;
   Game game(endlessLevel());
   RecentRecording recording(game);

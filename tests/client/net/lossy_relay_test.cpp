@@ -18,7 +18,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-// A UDP socket on a loopback port of its own.
+// A UDP socket on a free loopback port.
 class Socket {
  public:
   Socket() : handle_(socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK, 0)) {
@@ -40,7 +40,7 @@ class Socket {
     ASSERT_EQ(sendto(handle_, text.data(), text.size(), 0, reinterpret_cast<const sockaddr*>(&to), sizeof to),
               static_cast<ssize_t>(text.size()));
   }
-  // Loopback is fast, but not at once.
+  // Waits up to 50 ms for a datagram.
   std::optional<std::string> receive(std::uint16_t* sender = nullptr) {
     char buffer[256];
     sockaddr_in from{};
@@ -76,7 +76,7 @@ void pumpFor(LossyRelay& relay, Moment from, Moment until) {
   }
 }
 
-TEST(LossyRelay, CarriesDatagramsThereAndBackWithTheirDelay) {
+TEST(LossyRelay, ForwardsDatagramsBothWaysWithDelay) {
   Socket client, server;
   LinkQuality slow;
   slow.delayMs = 30;
@@ -93,11 +93,11 @@ TEST(LossyRelay, CarriesDatagramsThereAndBackWithTheirDelay) {
   EXPECT_EQ(client.receive(), "answer");
 }
 
-TEST(LossyRelay, LosesEverythingOnADeadLine) {
+TEST(LossyRelay, DropsEverythingAtFullLoss) {
   Socket client, server;
-  LinkQuality dead;
-  dead.lossPercent = 100;
-  LossyRelay relay({"localhost", server.port()}, dead, 1);
+  LinkQuality lossy;
+  lossy.lossPercent = 100;
+  LossyRelay relay({"localhost", server.port()}, lossy, 1);
   client.send("question", relay.address().port);
   pumpFor(relay, milliseconds(0), milliseconds(20));
   EXPECT_EQ(server.receive(), std::nullopt);
@@ -113,18 +113,18 @@ std::string fault(Call call) {
   }
 }
 
-TEST(LossyRelay, SaysLikeAConnectionThatTheHostIsNotKnown) {
+TEST(LossyRelay, ReportsAnUnknownHostLikeAConnection) {
   const ServerAddress nowhere{"no such host", 1};
-  EXPECT_EQ(fault([&] { LossyRelay(nowhere, LinkQuality(), 1); }), "the host no such host is not known");
-  EXPECT_EQ(fault([&] { Connection(nowhere, Moment(1)); }), "the host no such host is not known");
+  EXPECT_EQ(fault([&] { LossyRelay(nowhere, LinkQuality(), 1); }), "cannot resolve host no such host");
+  EXPECT_EQ(fault([&] { Connection(nowhere, Moment(1)); }), "cannot resolve host no such host");
 }
 
-// As through a router: the server sees another address, and what it sends to the old one is lost.
-TEST(LossyRelay, AClientOnAnotherPortHasAnotherWay) {
+// As behind a router: the server sees a new address, and datagrams to the old one are lost.
+TEST(LossyRelay, AClientOnANewPortGetsANewPortTowardsTheServer) {
   Socket server, before, after;
-  LinkQuality line;
-  line.delayMs = 50;
-  LossyRelay relay({"127.0.0.1", server.port()}, line, 1);
+  LinkQuality quality;
+  quality.delayMs = 50;
+  LossyRelay relay({"127.0.0.1", server.port()}, quality, 1);
   const auto pass = [&relay](int fromMs) {
     for (int ms = fromMs; ms < fromMs + 60; ++ms) relay.pump(milliseconds(ms));
   };

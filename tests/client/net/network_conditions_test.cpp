@@ -30,18 +30,18 @@ std::vector<std::uint8_t> numbered(int number) {
   return {static_cast<std::uint8_t>(number & 0xff), static_cast<std::uint8_t>(number >> 8 & 0xff)};
 }
 
-// Sends one datagram every 10 ms and looks every millisecond.
-std::vector<Arrival> carry(const LinkQuality& quality, std::uint64_t seed) {
-  NetworkConditions line(quality, seed);
+// Sends one datagram every 10 ms and receives every millisecond.
+std::vector<Arrival> transmit(const LinkQuality& quality, std::uint64_t seed) {
+  NetworkConditions link(quality, seed);
   std::vector<Arrival> arrivals;
   for (int ms = 0; ms < kDatagrams * 10 + 5000; ++ms) {
-    if (ms % 10 == 0 && ms / 10 < kDatagrams) line.send(numbered(ms / 10), milliseconds(ms));
-    while (const auto datagram = line.receive(milliseconds(ms))) {
+    if (ms % 10 == 0 && ms / 10 < kDatagrams) link.send(numbered(ms / 10), milliseconds(ms));
+    while (const auto datagram = link.receive(milliseconds(ms))) {
       const int number = (*datagram)[0] | (*datagram)[1] << 8;
       arrivals.push_back({number, milliseconds(number * 10), milliseconds(ms)});
     }
   }
-  EXPECT_EQ(line.pending(), 0u);
+  EXPECT_EQ(link.pending(), 0u);
   return arrivals;
 }
 
@@ -56,27 +56,27 @@ std::vector<std::pair<int, Moment>> keysOf(const std::vector<Arrival>& arrivals)
   return keys;
 }
 
-TEST(NetworkConditions, PerfectLineDeliversAtOnce) {
+TEST(NetworkConditions, APerfectLinkDeliversAtOnce) {
   const LinkQuality perfect;
   EXPECT_TRUE(perfect.perfect());
-  const auto arrivals = carry(perfect, 1);
+  const auto arrivals = transmit(perfect, 1);
   ASSERT_EQ(arrivals.size(), std::size_t{kDatagrams});
   EXPECT_TRUE(inOrder(arrivals));
   for (const Arrival& arrival : arrivals) ASSERT_EQ(arrival.received, arrival.sent);
 }
 
-TEST(NetworkConditions, LosesItsShare) {
+TEST(NetworkConditions, LosesTheGivenShare) {
   LinkQuality quality;
   quality.lossPercent = 20;
   EXPECT_FALSE(quality.perfect());
-  EXPECT_NEAR(static_cast<double>(carry(quality, 2).size()), kDatagrams * 0.8, kDatagrams * 0.01);
+  EXPECT_NEAR(static_cast<double>(transmit(quality, 2).size()), kDatagrams * 0.8, kDatagrams * 0.01);
 }
 
-TEST(NetworkConditions, DelaysWithinBoundsAndInOrder) {
+TEST(NetworkConditions, DelaysWithinItsBoundsAndKeepsTheOrder) {
   LinkQuality quality;
   quality.delayMs = 50;
   quality.jitterMs = 30;
-  const auto arrivals = carry(quality, 3);
+  const auto arrivals = transmit(quality, 3);
   ASSERT_EQ(arrivals.size(), std::size_t{kDatagrams});
   EXPECT_TRUE(inOrder(arrivals));
   Moment longest{};
@@ -88,20 +88,20 @@ TEST(NetworkConditions, DelaysWithinBoundsAndInOrder) {
   EXPECT_GT(longest, milliseconds(75));
 }
 
-TEST(NetworkConditions, DuplicatesItsShare) {
+TEST(NetworkConditions, DuplicatesTheGivenShare) {
   LinkQuality quality;
   quality.duplicatePercent = 10;
   std::map<int, int> copies;
-  for (const Arrival& arrival : carry(quality, 4)) ++copies[arrival.number];
+  for (const Arrival& arrival : transmit(quality, 4)) ++copies[arrival.number];
   EXPECT_EQ(copies.size(), std::size_t{kDatagrams});
   const auto twice = std::count_if(copies.begin(), copies.end(), [](const auto& entry) { return entry.second == 2; });
   EXPECT_NEAR(static_cast<double>(twice), kDatagrams * 0.1, kDatagrams * 0.01);
 }
 
-TEST(NetworkConditions, ReordersItsShare) {
+TEST(NetworkConditions, ReordersTheGivenShare) {
   LinkQuality quality;
   quality.reorderPercent = 10;
-  const auto arrivals = carry(quality, 5);
+  const auto arrivals = transmit(quality, 5);
   ASSERT_EQ(arrivals.size(), std::size_t{kDatagrams});
   int overtaken = 0;
   int newest = -1;
@@ -114,11 +114,11 @@ TEST(NetworkConditions, ReordersItsShare) {
 
 // Whether each of many datagrams is lost.
 std::vector<bool> losses(const LinkQuality& quality, std::uint64_t seed, int datagrams) {
-  NetworkConditions line(quality, seed);
+  NetworkConditions link(quality, seed);
   std::vector<bool> lost;
   for (int i = 0; i < datagrams; ++i) {
-    line.send({0}, milliseconds(i));
-    lost.push_back(!line.receive(milliseconds(i)));
+    link.send({0}, milliseconds(i));
+    lost.push_back(!link.receive(milliseconds(i)));
   }
   return lost;
 }
@@ -146,7 +146,8 @@ class LossInBursts : public testing::TestWithParam<Bursts> {
     quality_.burstLength = GetParam().length;
   }
 
-  // Five standard deviations of the share lost: the states of a chain of two are correlated by a power of 1 − p − q.
+  // Five standard deviations of the share lost. The states of a two-state Markov chain n steps apart are correlated by
+  // (1 − p − q)^n.
   double shareTolerance() const {
     const double leave = 1 / GetParam().length;
     const double correlation = 1 - leave / (1 - share_);
@@ -157,7 +158,7 @@ class LossInBursts : public testing::TestWithParam<Bursts> {
   double share_ = GetParam().percent / 100;
 };
 
-TEST_P(LossInBursts, LosesItsShareInRunsOfItsLength) {
+TEST_P(LossInBursts, LosesTheGivenShareInRunsOfTheGivenMeanLength) {
   EXPECT_FALSE(quality_.perfect());
   const std::vector<bool> lost = losses(quality_, 8, kCount);
   EXPECT_NEAR(shareOf(lost), share_, shareTolerance());
@@ -166,8 +167,7 @@ TEST_P(LossInBursts, LosesItsShareInRunsOfItsLength) {
   EXPECT_NEAR(shareOf(lost) * kCount / runs, length, 5 * std::sqrt(length * (length - 1) / runs) + length / runs);
 }
 
-// Of what the bursts leave, the random loss takes its share, and neither changes the other.
-TEST_P(LossInBursts, ComesOnTopOfRandomLoss) {
+TEST_P(LossInBursts, IsIndependentOfRandomLoss) {
   quality_.lossPercent = 20;
   const double left = (1 - share_) * 0.8;
   const double random = 5 * std::sqrt(0.2 * 0.8 / kCount);
@@ -178,10 +178,10 @@ INSTANTIATE_TEST_SUITE_P(NetworkConditions, LossInBursts,
                          testing::Values(Bursts{1, 10}, Bursts{5, 1}, Bursts{10, 3.5}, Bursts{50, 4}, Bursts{90, 20}),
                          [](const auto& test) { return "Case" + std::to_string(test.index); });
 
-TEST(NetworkConditions, KeepsTheShareWhereBurstsMustBeLonger) {
+TEST(NetworkConditions, KeepsTheShareByLongerBurstsIfNeeded) {
   LinkQuality quality;
   quality.burstLossPercent = 80;
-  quality.burstLength = 1;  // every second datagram at most
+  quality.burstLength = 1;  // would allow a share of one half at most
   const std::vector<bool> lost = losses(quality, 10, 100000);
   EXPECT_NEAR(shareOf(lost), 0.8, 0.01);
   EXPECT_NEAR(shareOf(lost) * 100000 / static_cast<double>(countRuns(lost)), 4, 0.1);
@@ -194,22 +194,22 @@ struct Sent {
   std::size_t bytes;
 };
 
-// When each of these datagrams arrives; nothing where it does not.
+// Arrival time of each datagram; nothing for lost ones.
 std::vector<std::optional<Moment>> arrivalsOf(const LinkQuality& quality, const std::vector<Sent>& datagrams) {
-  NetworkConditions line(quality, 11);
+  NetworkConditions link(quality, 11);
   std::vector<std::optional<Moment>> arrivals(datagrams.size());
   std::size_t next = 0;
   const Moment end = datagrams.back().at + std::chrono::seconds(5);
   for (Moment now{}; now <= end; now += microseconds(500)) {
     for (; next < datagrams.size() && datagrams[next].at <= now; ++next) {
-      line.send(std::vector<std::uint8_t>(datagrams[next].bytes, static_cast<std::uint8_t>(next)), now);
+      link.send(std::vector<std::uint8_t>(datagrams[next].bytes, static_cast<std::uint8_t>(next)), now);
     }
-    while (const auto datagram = line.receive(now)) arrivals[(*datagram)[0]] = now;
+    while (const auto datagram = link.receive(now)) arrivals[(*datagram)[0]] = now;
   }
   return arrivals;
 }
 
-TEST(NetworkConditions, RateSpacesWhatIsSentAtOnce) {
+TEST(NetworkConditions, RateSpacesDatagramsSentTogether) {
   LinkQuality quality;
   quality.kilobytesPerSecond = 10;
   EXPECT_FALSE(quality.perfect());
@@ -222,7 +222,7 @@ TEST(NetworkConditions, RateSpacesWhatIsSentAtOnce) {
   EXPECT_EQ(arrivals, expected);
 }
 
-TEST(NetworkConditions, DelayBeginsAfterTheBottleneck) {
+TEST(NetworkConditions, DelayStartsAfterTheBottleneck) {
   LinkQuality quality;
   quality.kilobytesPerSecond = 10;
   quality.delayMs = 30;
@@ -230,8 +230,8 @@ TEST(NetworkConditions, DelayBeginsAfterTheBottleneck) {
   EXPECT_EQ(arrivalsOf(quality, {{Moment(0), 100}, {Moment(0), 100}}), expected);
 }
 
-// At 10 bytes a millisecond the sixth has to wait for just 250 ms, which is allowed.
-TEST(NetworkConditions, FullQueueDropsWhatComesLast) {
+// At 10 bytes per millisecond the sixth datagram waits exactly 250 ms, which is allowed.
+TEST(NetworkConditions, AFullQueueDropsNewDatagrams) {
   LinkQuality quality;
   quality.kilobytesPerSecond = 10;
   std::vector<Sent> datagrams(9, {Moment(0), 500});
@@ -240,24 +240,24 @@ TEST(NetworkConditions, FullQueueDropsWhatComesLast) {
   const auto arrivals = arrivalsOf(quality, datagrams);
   for (int i = 0; i < 6; ++i) EXPECT_EQ(arrivals[static_cast<std::size_t>(i)], milliseconds(50 * (i + 1))) << i;
   for (std::size_t i = 6; i < 10; ++i) EXPECT_EQ(arrivals[i], std::nullopt) << i;
-  EXPECT_EQ(arrivals[10], microseconds(300500));  // behind what is left
+  EXPECT_EQ(arrivals[10], microseconds(300500));  // after the queued ones
 }
 
-TEST(NetworkConditions, QueueHoldsNoMoreHoweverMuchIsSent) {
+TEST(NetworkConditions, TheQueueIsBounded) {
   LinkQuality quality;
   quality.kilobytesPerSecond = 1;
-  NetworkConditions line(quality, 12);
+  NetworkConditions link(quality, 12);
   std::size_t most = 0;
   for (int ms = 0; ms < 60000; ++ms) {
-    line.send(std::vector<std::uint8_t>(10), milliseconds(ms));
-    while (line.receive(milliseconds(ms))) {
+    link.send(std::vector<std::uint8_t>(10), milliseconds(ms));
+    while (link.receive(milliseconds(ms))) {
     }
-    most = std::max(most, line.pending());
+    most = std::max(most, link.pending());
   }
-  EXPECT_EQ(most, 26u);  // a quarter of a kilobyte, and the one that passes
+  EXPECT_EQ(most, 26u);  // 250 bytes waiting and one datagram passing
 }
 
-TEST(NetworkConditions, LostDatagramsTakeTheirTimeAsWell) {
+TEST(NetworkConditions, LostDatagramsOccupyTheBottleneck) {
   LinkQuality quality;
   quality.kilobytesPerSecond = 10;
   quality.lossPercent = 50;
@@ -270,23 +270,22 @@ TEST(NetworkConditions, LostDatagramsTakeTheirTimeAsWell) {
   }
 }
 
-TEST(NetworkConditions, RateAboveTheLoadOnlyTakesTheTimeOfPassing) {
+TEST(NetworkConditions, ARateAboveTheLoadAddsOnlyTheTransmissionTime) {
   LinkQuality quality;
-  quality.kilobytesPerSecond = 2;  // 2 bytes a millisecond, of which one comes in 5
-  const auto arrivals = carry(quality, 13);
+  quality.kilobytesPerSecond = 2;  // 2 bytes per millisecond; the load is 0.2
+  const auto arrivals = transmit(quality, 13);
   ASSERT_EQ(arrivals.size(), std::size_t{kDatagrams});
   for (const Arrival& arrival : arrivals) ASSERT_EQ(arrival.received - arrival.sent, milliseconds(1));
 }
 
-// The draws are those of the same line without a limit.
-TEST(NetworkConditions, RateFarAboveTheLoadChangesNothing) {
+TEST(NetworkConditions, ARateFarAboveTheLoadChangesNoDelivery) {
   LinkQuality quality;
   quality.lossPercent = 10;
   quality.jitterMs = 20;
   quality.duplicatePercent = 5;
   LinkQuality wide = quality;
   wide.kilobytesPerSecond = 1e6;
-  EXPECT_EQ(keysOf(carry(wide, 14)), keysOf(carry(quality, 14)));
+  EXPECT_EQ(keysOf(transmit(wide, 14)), keysOf(transmit(quality, 14)));
 }
 
 int flippedBits(const std::vector<std::uint8_t>& datagram, const std::vector<std::uint8_t>& sent) {
@@ -295,20 +294,20 @@ int flippedBits(const std::vector<std::uint8_t>& datagram, const std::vector<std
   return count;
 }
 
-TEST(NetworkConditions, FlipsOneBitInItsShareOfCopies) {
+TEST(NetworkConditions, FlipsOneBitInTheGivenShareOfCopies) {
   LinkQuality quality;
   quality.corruptPercent = 10;
   EXPECT_FALSE(quality.perfect());
   quality.duplicatePercent = 100;
-  NetworkConditions line(quality, 15);
+  NetworkConditions link(quality, 15);
   const std::vector<std::uint8_t> sent = {0x00, 0xff, 0x5a, 0x12};
   std::map<int, int> copies;  // by bits flipped
-  std::map<int, int> pairs;   // by copies that have been damaged
+  std::map<int, int> pairs;   // by number of damaged copies
   std::set<std::string> kinds;
   for (int i = 0; i < kDatagrams; ++i) {
-    line.send(sent, milliseconds(i));
+    link.send(sent, milliseconds(i));
     int damaged = 0;
-    while (const auto datagram = line.receive(milliseconds(i))) {
+    while (const auto datagram = link.receive(milliseconds(i))) {
       ASSERT_EQ(datagram->size(), sent.size());
       ++copies[flippedBits(*datagram, sent)];
       kinds.emplace(datagram->begin(), datagram->end());
@@ -319,27 +318,27 @@ TEST(NetworkConditions, FlipsOneBitInItsShareOfCopies) {
   EXPECT_EQ(copies.size(), 2u);
   EXPECT_EQ(copies[0] + copies[1], 2 * kDatagrams);
   EXPECT_NEAR(copies[1], 2 * kDatagrams * 0.1, 5 * std::sqrt(2 * kDatagrams * 0.1 * 0.9));
-  EXPECT_NEAR(pairs[2], kDatagrams * 0.01, 5 * std::sqrt(kDatagrams * 0.01));  // each on its own
-  EXPECT_EQ(kinds.size(), 33u);                                                // every bit has had its turn
+  EXPECT_NEAR(pairs[2], kDatagrams * 0.01, 5 * std::sqrt(kDatagrams * 0.01));  // independently
+  EXPECT_EQ(kinds.size(), 33u);                                                // each of the 32 bits, and none
 }
 
-TEST(NetworkConditions, AnEmptyDatagramHasNoBitToFlip) {
+TEST(NetworkConditions, DeliversAnEmptyDatagramUncorrupted) {
   LinkQuality quality;
   quality.corruptPercent = 100;
-  NetworkConditions line(quality, 16);
-  line.send({}, Moment(0));
-  EXPECT_EQ(line.receive(Moment(0)), std::vector<std::uint8_t>());
+  NetworkConditions link(quality, 16);
+  link.send({}, Moment(0));
+  EXPECT_EQ(link.receive(Moment(0)), std::vector<std::uint8_t>());
 }
 
-TEST(NetworkConditions, SameSeedSameDeliveries) {
+TEST(NetworkConditions, TheSameSeedGivesTheSameDeliveries) {
   LinkQuality quality;
   quality.lossPercent = 10;
   quality.burstLossPercent = 5;
   quality.jitterMs = 20;
   quality.reorderPercent = 5;
   quality.kilobytesPerSecond = 0.25;
-  EXPECT_EQ(keysOf(carry(quality, 6)), keysOf(carry(quality, 6)));
-  EXPECT_NE(keysOf(carry(quality, 6)), keysOf(carry(quality, 7)));
+  EXPECT_EQ(keysOf(transmit(quality, 6)), keysOf(transmit(quality, 6)));
+  EXPECT_NE(keysOf(transmit(quality, 6)), keysOf(transmit(quality, 7)));
 }
 
 }  // namespace

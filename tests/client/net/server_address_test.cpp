@@ -8,7 +8,7 @@
 namespace platon {
 namespace {
 
-TEST(ServerAddress, HostAlone) {
+TEST(ServerAddress, HostOnly) {
   const ServerAddress address = parseServerAddress("play.example.org");
   EXPECT_EQ(address.host, "play.example.org");
   EXPECT_EQ(address.port, 7777);
@@ -26,7 +26,7 @@ class BadAddress : public testing::TestWithParam<const char*> {};
 TEST_P(BadAddress, IsRefusedInOneSentence) {
   try {
     parseServerAddress(GetParam());
-    FAIL() << "'" << GetParam() << "' was taken";
+    FAIL() << "'" << GetParam() << "' was accepted";
   } catch (const std::invalid_argument& error) {
     const std::string what = error.what();
     EXPECT_NE(what.find("'" + std::string(GetParam()) + "'"), std::string::npos) << what;

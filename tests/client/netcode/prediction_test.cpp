@@ -19,8 +19,8 @@ using Inputs = std::vector<Input>;
 
 Input present(std::uint8_t buttons) { return {static_cast<std::uint8_t>(buttons | Input::kPresent)}; }
 
-// What the prediction must be: the confirmed game moved on with the own inputs and what the others did last.
-Game predictedByHand(const Prediction& prediction) {
+// The expected prediction: the confirmed game advanced with the local inputs and the held inputs of the others.
+Game expectedPrediction(const Prediction& prediction) {
   Game game = prediction.confirmed();
   for (std::uint32_t tick = prediction.confirmedTicks(); tick < prediction.predictedTicks(); ++tick) {
     Inputs inputs(prediction.held().begin(), prediction.held().end());
@@ -31,7 +31,7 @@ Game predictedByHand(const Prediction& prediction) {
   return game;
 }
 
-TEST(Prediction, IsTheConfirmedGameReplayedWithOwnInputs) {
+TEST(Prediction, EqualsTheConfirmedGameAdvancedWithLocalInputs) {
   std::mt19937 random(5);
   ButtonPresser own(1), other(2);
   Game server(flatLevel());
@@ -45,7 +45,7 @@ TEST(Prediction, IsTheConfirmedGameReplayedWithOwnInputs) {
     if (random() % 40 == 0) ahead = static_cast<std::uint32_t>(random() % 30);
     for (auto batch = random() % 3; batch > 0; --batch) {
       if (prediction.confirmedTicks() >= prediction.predictedTicks()) break;
-      // The server decides on the own input otherwise now and then, as when it came too late.
+      // Now and then the server decides another local input, as for one that arrived too late.
       const Input decided = random() % 50 == 0 ? present(0) : prediction.ownInput(prediction.confirmedTicks());
       const Inputs inputs = {present(other.next().buttons), decided};
       server.advance(inputs);
@@ -53,13 +53,13 @@ TEST(Prediction, IsTheConfirmedGameReplayedWithOwnInputs) {
     }
     prediction.reconcile(kNow);
     ASSERT_EQ(prediction.confirmed().hash(), server.hash()) << "step " << step;
-    ASSERT_EQ(prediction.predicted().hash(), predictedByHand(prediction).hash()) << "step " << step;
+    ASSERT_EQ(prediction.predicted().hash(), expectedPrediction(prediction).hash()) << "step " << step;
   }
-  EXPECT_GT(prediction.count().corrections, 0u);
-  EXPECT_GT(prediction.count().missedInputs, 0u);
+  EXPECT_GT(prediction.statistics().corrections, 0u);
+  EXPECT_GT(prediction.statistics().missedInputs, 0u);
 }
 
-TEST(Prediction, NeedsNoCorrectionWhenInputsComeInTime) {
+TEST(Prediction, NeedsNoCorrectionWhenInputsArriveInTime) {
   ButtonPresser own(3), other(4);
   Prediction prediction(Game(flatLevel()), kOwn);
   for (int tick = 0; tick < 600; ++tick) {
@@ -69,13 +69,13 @@ TEST(Prediction, NeedsNoCorrectionWhenInputsComeInTime) {
     prediction.confirm(inputs);
     prediction.reconcile(kNow);
   }
-  EXPECT_EQ(prediction.count().corrections, 0u);
-  EXPECT_EQ(prediction.count().missedInputs, 0u);
-  EXPECT_EQ(prediction.count().confirmedTicks, 588u);
+  EXPECT_EQ(prediction.statistics().corrections, 0u);
+  EXPECT_EQ(prediction.statistics().missedInputs, 0u);
+  EXPECT_EQ(prediction.statistics().confirmedTicks, 588u);
   EXPECT_EQ(prediction.smoothing(kNow), Point());
 }
 
-// Ten ticks of running right, of which the server says that nothing was pressed.
+// Predicts ten ticks of running right; the server decides that nothing was pressed in the first one.
 Prediction corrected() {
   Prediction prediction(Game(flatLevel()), kOwn);
   const Inputs standing = {Input{}, present(0)};
@@ -86,17 +86,17 @@ Prediction corrected() {
   return prediction;
 }
 
-TEST(Prediction, MeasuresAndHidesACorrection) {
+TEST(Prediction, MeasuresAndSmoothsACorrection) {
   Prediction prediction = corrected();
   const Point before = prediction.predicted().world().entities()[kOwn].position;
   prediction.reconcile(kNow);
   const Point after = prediction.predicted().world().entities()[kOwn].position;
   ASSERT_NE(before, after);
   EXPECT_EQ(before.y, after.y);
-  EXPECT_EQ(prediction.count().corrections, 1u);
-  EXPECT_EQ(prediction.count().missedInputs, 1u);
-  EXPECT_EQ(prediction.count().maxSubunits, before.x - after.x);
-  // The picture does not jump, and has come to the truth after 100 ms.
+  EXPECT_EQ(prediction.statistics().corrections, 1u);
+  EXPECT_EQ(prediction.statistics().missedInputs, 1u);
+  EXPECT_EQ(prediction.statistics().maxSubunits, before.x - after.x);
+  // The drawn position does not jump, and equals the prediction after 100 ms.
   EXPECT_EQ(after + prediction.smoothing(kNow), before);
   const Point half = prediction.smoothing(kNow + ErrorSmoothing::kDuration / 2);
   EXPECT_NEAR(half.x, (before.x - after.x) / 2, 1);
@@ -113,7 +113,7 @@ TEST(Prediction, StopsFourSecondsAhead) {
   EXPECT_EQ(prediction.predictedTicks(), Prediction::kMaxAhead);
 }
 
-TEST(Prediction, FollowsWhenTheServerIsAhead) {
+TEST(Prediction, FollowsAServerThatIsAhead) {
   Prediction prediction(Game(flatLevel()), kOwn);
   const Inputs inputs = {present(Input::kLeft), present(Input::kRight)};
   for (int tick = 0; tick < 50; ++tick) prediction.confirm(inputs);
@@ -122,7 +122,7 @@ TEST(Prediction, FollowsWhenTheServerIsAhead) {
   EXPECT_EQ(prediction.predicted().hash(), prediction.confirmed().hash());
 }
 
-TEST(Prediction, TakesTheServersState) {
+TEST(Prediction, RestoresTheServersState) {
   Game server(flatLevel());
   const Inputs inputs = {present(Input::kRight), present(Input::kRight), present(Input::kJump)};
   for (int tick = 0; tick < 100; ++tick) server.advance(inputs);
@@ -133,16 +133,34 @@ TEST(Prediction, TakesTheServersState) {
   EXPECT_EQ(prediction.confirmedTicks(), 100u);
   EXPECT_EQ(prediction.predictedTicks(), 105u);
   EXPECT_EQ(prediction.confirmed().hash(), server.hash());
-  EXPECT_EQ(prediction.predicted().hash(), predictedByHand(prediction).hash());
+  EXPECT_EQ(prediction.predicted().hash(), expectedPrediction(prediction).hash());
 }
 
-TEST(Prediction, RefusesANonsensicalState) {
+TEST(Prediction, RefusesAnInvalidState) {
   Prediction prediction(Game(flatLevel()), kOwn);
   const std::uint64_t hash = prediction.confirmed().hash();
-  const std::vector<std::uint8_t> nonsense(17, 0xee);
-  EXPECT_FALSE(prediction.restore(nonsense, 5, {}));
+  const std::vector<std::uint8_t> invalid(17, 0xee);
+  EXPECT_FALSE(prediction.restore(invalid, 5, {}));
   EXPECT_EQ(prediction.confirmedTicks(), 0u);
   EXPECT_EQ(prediction.confirmed().hash(), hash);
+}
+
+// The tick of a full state comes from the server.
+TEST(Prediction, StopsAtTheLargestTick) {
+  Game server(flatLevel());
+  Prediction prediction(server, kOwn);
+  for (int tick = 0; tick < 5; ++tick) prediction.predict(present(0));
+  ASSERT_TRUE(prediction.restore(server.save(), UINT32_MAX - 3, {}));
+  prediction.reconcile(kNow);
+  EXPECT_EQ(prediction.predictedTicks(), UINT32_MAX - 3);
+  for (int tick = 0; tick < 3; ++tick) {
+    ASSERT_TRUE(prediction.mayPredict());
+    prediction.predict(present(0));
+  }
+  EXPECT_FALSE(prediction.mayPredict());
+  ASSERT_TRUE(prediction.restore(server.save(), UINT32_MAX - 3, {}));
+  prediction.reconcile(kNow);
+  EXPECT_EQ(prediction.predictedTicks(), UINT32_MAX);
 }
 
 }  // namespace

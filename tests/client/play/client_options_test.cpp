@@ -16,7 +16,7 @@ std::optional<ClientOptions> read(std::vector<const char*> arguments) {
   return readClientOptions(static_cast<int>(arguments.size()), arguments.data());
 }
 
-// The exit code and the sentence.
+// Exit code and message.
 std::string fault(const std::vector<const char*>& arguments) {
   try {
     read(arguments);
@@ -26,41 +26,41 @@ std::string fault(const std::vector<const char*>& arguments) {
   }
 }
 
-TEST(ClientOptions, WithoutAnyItPlaysOnAServerOfItsOwnOverAPerfectLine) {
+TEST(ClientOptions, DefaultToAnEmbeddedServerAndAWindow) {
   const auto options = read({});
   ASSERT_TRUE(options);
   EXPECT_EQ(options->server, std::nullopt);
   EXPECT_EQ(options->seconds, std::nullopt);
   EXPECT_FALSE(options->demo || options->offscreen);
-  EXPECT_TRUE(options->line.perfect());
-  EXPECT_EQ(options->lineSeed, 1u);
+  EXPECT_EQ(options->level + options->name + options->screenshot, "");
 }
 
-TEST(ClientOptions, TakesALineAndItsSeed) {
-  const auto options = read({"example.org:7800", "--loss", "2", "--rate", "16", "--line-seed", "18446744073709551615"});
-  ASSERT_TRUE(options);
-  ASSERT_TRUE(options->server);
+TEST(ClientOptions, ReadTheServerAddress) {
+  const auto options = read({"example.org:7800", "--name", "Ann", "--seconds", "2.5"});
+  ASSERT_TRUE(options && options->server);
   EXPECT_EQ(options->server->text(), "example.org:7800");
-  EXPECT_EQ(options->line.lossPercent, 2);
-  EXPECT_EQ(options->line.kilobytesPerSecond, 16);
-  EXPECT_EQ(options->lineSeed, 18446744073709551615u);
+  EXPECT_EQ(options->name, "Ann");
+  EXPECT_EQ(options->seconds, 2.5);
 }
 
-TEST(ClientOptions, RefusesALineThatThereIsNot) {
-  EXPECT_EQ(fault({"--corrupt", "101"}), "2 --corrupt: '101' is no number from 0 to 100 (see platon-client --help)");
-  EXPECT_EQ(fault({"--burst-length", "3"}), "2 --burst-length requires --burst-loss (see platon-client --help)");
-  EXPECT_EQ(fault({"--line-seed", "any"}).substr(0, 2), "2 ");
+TEST(ClientOptions, RefuseALevelForARemoteServer) {
+  EXPECT_EQ(fault({"example.org", "--level", "any.level"}),
+            "2 --level works only with the embedded server; the server at example.org:7777 chooses its own levels");
 }
 
-TEST(ClientOptions, ListsTheLineInAGroupOfItsOwn) {
+TEST(ClientOptions, RefuseAnInvalidName) {
+  EXPECT_EQ(fault({"--name", "a\tb"}), "2 --name must be at most 32 bytes of UTF-8 without control characters");
+}
+
+TEST(ClientOptions, DoNotSimulateNetworkConditions) { EXPECT_EQ(fault({"--loss", "2"}).substr(0, 2), "2 "); }
+
+TEST(ClientOptions, PrintTheHelp) {
   testing::internal::CaptureStdout();
   EXPECT_EQ(read({"--help"}), std::nullopt);
   const std::string help = testing::internal::GetCapturedStdout();
-  const std::size_t group = help.find("\nSimulated line:\n");
-  ASSERT_NE(group, std::string::npos) << help;
-  EXPECT_LT(help.find("--demo"), group);
-  EXPECT_GT(help.find("--burst-loss"), group);
-  EXPECT_GT(help.find("--line-seed"), group);
+  for (const char* const option : {"HOST", "--level", "--name", "--offscreen", "--demo", "--seconds", "--screenshot"}) {
+    EXPECT_NE(help.find(option), std::string::npos) << option;
+  }
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ constexpr int kFrames = 625;  // 10 s
 const Controls kRight = [](const Game&, std::uint32_t) { return Input{Input::kRight}; };
 const Controls kNothing = [](const Game&, std::uint32_t) { return Input{}; };
 
-// How far a runner to the right has come round the solid, from its picture alone.
+// Measures how far a player that runs right has moved around the solid, from its drawn pose.
 class Odometer {
  public:
   double read(const Scene& scene, const Pose& pose) {
@@ -39,29 +39,29 @@ class Odometer {
   double faces_ = 0;
 };
 
-struct Line {
+struct Conditions {
   std::string name;
   LinkQuality quality;
-  int idle = 0;  // players who do nothing; of five players each is told every second tick only
+  int idle = 0;  // idle players; with five players the server sends every second tick only
 };
 
-// Somebody runs round the solid on a good line, seen by somebody who stands at the end of `line`.
-class Watching {
+// One player runs around the solid, and another one watches it under simulated network conditions.
+class Viewer {
  public:
-  Watching(const Line& line, std::uint64_t seed) : match_({endlessLevel()}, seed) {
+  Viewer(const Conditions& conditions, std::uint64_t seed) : match_({endlessLevel()}, seed) {
     match_.join(LinkQuality(), kRight);
-    match_.join(line.quality, kNothing);
-    for (int i = 0; i < line.idle; ++i) match_.join(LinkQuality(), kNothing);
+    match_.join(conditions.quality, kNothing);
+    for (int i = 0; i < conditions.idle; ++i) match_.join(LinkQuality(), kNothing);
   }
 
   void pass(Moment duration) { match_.run(duration); }
-  // On the picture since the last call, units.
-  double way() {
+  // Drawn movement since the last call, units.
+  double movement() {
     const std::optional<Scene> scene = feed_.scene(match_.session(1), match_.now());
     const double now = odometer_.read(*scene, scene->players.front().pose);
     return now - std::exchange(last_, now);
   }
-  const InterpolationBuffer* view() const {
+  const InterpolationBuffer* buffer() const {
     const Round* const round = match_.session(1).round();
     return round == nullptr ? nullptr : &round->interpolationBuffer();
   }
@@ -74,45 +74,45 @@ class Watching {
   double last_ = 0;
 };
 
-LinkQuality lineOf(double loss, double jitter, double delay) {
-  LinkQuality line;
-  line.lossPercent = loss;
-  line.jitterMs = jitter;
-  line.delayMs = delay;
-  return line;
+LinkQuality qualityOf(double loss, double jitter, double delay) {
+  LinkQuality quality;
+  quality.lossPercent = loss;
+  quality.jitterMs = jitter;
+  quality.delayMs = delay;
+  return quality;
 }
 
-class EvenMotionTest : public testing::TestWithParam<Line> {};
+class EvenMotionTest : public testing::TestWithParam<Conditions> {};
 
-// The view runs with real time within 5 %, and 1 % of the ticks may come too late for it; the lattice rounds each way
-// by less than a thousandth.
-TEST_P(EvenMotionTest, OthersMoveWithTheirOwnSpeed) {
+// The interpolation clock slews by at most 5 %, 1 % of the ticks may arrive too late for it, and the lattice rounds
+// each movement by less than 0.1 %.
+TEST_P(EvenMotionTest, OthersMoveAtTheirTrueSpeed) {
   constexpr int kSeeds = 10;
   constexpr double kSlew = InterpolationBuffer::kMaxSlew + 0.001;
   int uneven = 0;
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
-    Watching watching(GetParam(), seed);
-    watching.pass(seconds(5));
-    watching.way();
-    const double speed = double{1} * watching.game().player(0).velocity.x / kSubunitsPerUnit;
+    Viewer viewer(GetParam(), seed);
+    viewer.pass(seconds(5));
+    viewer.movement();
+    const double speed = double{1} * viewer.game().player(0).velocity.x / kSubunitsPerUnit;
     const double truth = speed * kTicksPerSecond * toSeconds(kFrame);
     ASSERT_GT(truth, 3);
     for (int frame = 0; frame < kFrames; ++frame) {
-      watching.pass(kFrame);
-      uneven += std::abs(watching.way() / truth - 1) > kSlew ? 1 : 0;
+      viewer.pass(kFrame);
+      uneven += std::abs(viewer.movement() / truth - 1) > kSlew ? 1 : 0;
     }
   }
   EXPECT_LE(uneven, kSeeds * kFrames / 100) << "of seeds 1 to " << kSeeds;
 }
 
-// When the ticks came, measured from outside.
+// Measures when ticks arrive, independently of the interpolation buffer.
 class Arrivals {
  public:
-  // Time, ticks of it, and the newest tick then.
-  void see(double time, std::uint32_t newest) {
+  // `time` in ticks.
+  void observe(double time, std::uint32_t newest) {
     for (; seen_ < newest; ++seen_) lateness_.push_back(time - (seen_ + 1));
   }
-  // Lateness of the last 512 ticks beyond the least of them, which `share` of them do not exceed.
+  // Quantile of the lateness of the last 512 ticks, relative to its minimum.
   double lateness(double share) const {
     std::vector<double> last(lateness_.end() - 512, lateness_.end());
     std::sort(last.begin(), last.end());
@@ -124,31 +124,33 @@ class Arrivals {
   std::vector<double> lateness_;
 };
 
-TEST_P(EvenMotionTest, TheViewIsBehindByTheLatenessThereIs) {
-  constexpr Moment kStep = std::chrono::microseconds(500);  // of the match
-  constexpr double kResolution = 0.05;                      // ticks: that step
-  constexpr double kClientFrame = 0.24;                     // ticks: the view was told the time 4 ms ago
-  Watching watching(GetParam(), 7);
+TEST_P(EvenMotionTest, TheInterpolationDelayMatchesTheMeasuredLateness) {
+  constexpr Moment kStep = std::chrono::microseconds(500);  // time step of the match
+  constexpr double kResolution = 0.05;                      // ticks: one time step
+  constexpr double kClientFrame = 0.24;                     // ticks: the last update was up to 4 ms ago
+  Viewer viewer(GetParam(), 7);
   Arrivals arrivals;
   for (Moment passed{}; passed < seconds(20); passed += kStep) {
-    watching.pass(kStep);
-    const InterpolationBuffer* const view = watching.view();
-    if (view == nullptr) continue;
-    arrivals.see(toSeconds(passed) * kTicksPerSecond, view->newest());
+    viewer.pass(kStep);
+    const InterpolationBuffer* const buffer = viewer.buffer();
+    if (buffer == nullptr) continue;
+    arrivals.observe(toSeconds(passed) * kTicksPerSecond, buffer->newest());
     if (passed < seconds(15) || passed % kFrame != Moment::zero()) continue;
     const double delay = arrivals.lateness(0.99) + 1 + InterpolationBuffer::kSpareTicks;
-    ASSERT_NEAR(view->targetDelay(), delay, kResolution);
-    const double behind = view->newest() - view->tick() - kClientFrame - kResolution;
-    ASSERT_LE(behind, delay - std::min(view->error(), 0.0));
+    ASSERT_NEAR(buffer->targetDelay(), delay, kResolution);
+    const double behind = buffer->newest() - buffer->tick() - kClientFrame - kResolution;
+    ASSERT_LE(behind, delay - std::min(buffer->error(), 0.0));
     ASSERT_LE(behind, arrivals.lateness(1) + 1 + InterpolationBuffer::kSpareTicks);
   }
-  EXPECT_EQ(watching.view()->jumps(), 0u);
+  EXPECT_EQ(viewer.buffer()->jumps(), 0u);
 }
 
-INSTANTIATE_TEST_SUITE_P(OnLines, EvenMotionTest,
-                         testing::Values(Line{"Perfect", lineOf(0, 0, 0)}, Line{"Jitter", lineOf(0, 100, 0)},
-                                         Line{"LossAndJitter", lineOf(10, 100, 0)}, Line{"Delay", lineOf(0, 0, 200)},
-                                         Line{"EverySecondTickWithLossAndJitter", lineOf(10, 100, 0), 3}),
+INSTANTIATE_TEST_SUITE_P(Conditions, EvenMotionTest,
+                         testing::Values(Conditions{"Perfect", qualityOf(0, 0, 0)},
+                                         Conditions{"Jitter", qualityOf(0, 100, 0)},
+                                         Conditions{"LossAndJitter", qualityOf(10, 100, 0)},
+                                         Conditions{"Delay", qualityOf(0, 0, 200)},
+                                         Conditions{"EverySecondTickWithLossAndJitter", qualityOf(10, 100, 0), 3}),
                          [](const auto& instance) { return instance.param.name; });
 
 }  // namespace

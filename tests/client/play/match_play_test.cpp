@@ -1,111 +1,91 @@
+#include "client/play/match_play.h"
+
 #include <gtest/gtest.h>
 
-#include <map>
+#include <stdexcept>
 #include <string>
-#include <vector>
 
-#include "client/play/finish_watch.h"
-#include "client/play/scene_feed.h"
-#include "tests/support/pressing.h"
-#include "tests/support/test_level.h"
-#include "tests/support/virtual_match.h"
+#include "client/net/lossy_relay.h"
+#include "tests/support/loopback_server.h"
 
 namespace platon {
 namespace {
 
-using std::chrono::milliseconds;
 using std::chrono::seconds;
 
-const Controls kRight = [](const Game&, std::uint32_t) { return Input{Input::kRight}; };
-const Controls kNothing = [](const Game&, std::uint32_t) { return Input{}; };
-
-TEST(FinishWatch, TellsOfEveryLevelOnce) {
-  VirtualMatch match({flatLevel()}, 1);
-  match.join(LinkQuality(), kRight);
-  FinishWatch watch;
-  std::vector<std::string> lines;
-  for (int step = 0; step < 200; ++step) {
-    match.run(milliseconds(100));
-    if (const auto line = watch.look(match.session(0))) lines.push_back(*line);
+/// A player behind a relay with simulated network conditions.
+class MatchPlayTest : public testing::Test {
+ protected:
+  // Updates until `done`, at most for `timeout`. Returns whether it is done.
+  template <class Done>
+  bool updateUntil(Moment timeout, Done done) {
+    const auto update = [this](Moment now) {
+      relay_->pump(now);
+      play_->update(now, [](const Game&, std::uint32_t) { return Input{Input::kRight}; });
+      relay_->pump(now);
+    };
+    return server_.runUntil(timeout, update, done);
   }
-  // Some two seconds to the goal and five until the next round.
-  ASSERT_GE(lines.size(), 2u);
-  ASSERT_LE(lines.size(), 4u);
-  for (const std::string& line : lines) EXPECT_EQ(line.rfind("finished the level in 1.", 0), 0u) << line;
-}
 
-TEST(FinishWatch, SaysNothingOfOthers) {
-  VirtualMatch match({flatLevel()}, 1);
-  match.join(LinkQuality(), kRight);
-  match.join(LinkQuality(), kNothing);
-  match.run(seconds(5));
-  FinishWatch runner, idler;
-  EXPECT_TRUE(runner.look(match.session(0)).has_value());
-  EXPECT_FALSE(runner.look(match.session(0)).has_value());
-  EXPECT_FALSE(idler.look(match.session(1)).has_value());
-}
-
-TEST(SceneFeed, ShowsTheOwnPlayerAheadAndTheOthersAsConfirmed) {
-  LinkQuality line;
-  line.delayMs = 100;
-  VirtualMatch match({endlessLevel()}, 1);
-  match.join(line, kRight);
-  match.join(line, kRight);
-  SceneFeed feed;
-  EXPECT_FALSE(feed.scene(match.session(0), match.now()).has_value());
-  match.run(milliseconds(1500));
-  const auto scene = feed.scene(match.session(0), match.now());
-  ASSERT_TRUE(scene.has_value());
-  ASSERT_EQ(scene->players.size(), 2u);
-  const PlayerDrawing& other = scene->players[0];
-  const PlayerDrawing& own = scene->players[1];
-  EXPECT_FALSE(other.own);
-  EXPECT_TRUE(own.own);
-  EXPECT_EQ(own.slot, match.slot(0));
-  EXPECT_EQ(own.name, "someone");
-  EXPECT_NE(own.pose.position, other.pose.position);  // the same run, seen a round trip apart
-  EXPECT_EQ(scene->focus.position, own.pose.position);
-}
-
-// Of players that jump about: each is brighter for a moment after it has landed, and most of the time is not.
-TEST(SceneFeed, WhoLandsFlashes) {
-  LinkQuality line;
-  line.delayMs = 60;
-  line.jitterMs = 30;
-  VirtualMatch match({endlessLevel()}, 1);
-  match.join(line, pressing(1));
-  match.join(line, pressing(2));
-  match.run(seconds(3));
-  SceneFeed feed;
-  std::map<std::uint32_t, int> bright;
-  constexpr int kFrames = 900;
-  for (int frame = 0; frame < kFrames; ++frame) {
-    match.run(milliseconds(16));
-    const auto scene = feed.scene(match.session(0), match.now());
-    ASSERT_TRUE(scene.has_value());
-    for (const PlayerDrawing& player : scene->players)
-      bright[player.slot] += player.colour != playerColour(player.slot);
+  void connect(const LinkQuality& quality) {
+    relay_.emplace(server_.address(), quality, 1);
+    play_.emplace(ClientOptions(), relay_->address(), server_.clock().now());
   }
-  for (const std::uint32_t slot : {0u, 1u}) {
-    EXPECT_GT(bright[slot], 10) << slot;
-    EXPECT_LT(bright[slot], kFrames / 2) << slot;
-  }
+
+  LoopbackServer server_;
+  std::optional<LossyRelay> relay_;
+  std::optional<MatchPlay> play_;
+};
+
+TEST_F(MatchPlayTest, PlaysUnderDelayAndLeaves) {
+  LinkQuality quality;
+  quality.delayMs = 60;
+  connect(quality);
+  EXPECT_EQ(play_->message(), "connecting to " + relay_->address().text() + " …");
+  EXPECT_FALSE(play_->scene(server_.clock().now()).has_value());
+  ASSERT_TRUE(updateUntil(seconds(10), [&] {
+    return play_->client().session() != nullptr &&
+           play_->client().session()->predictionStatistics().confirmedTicks > 30;
+  })) << play_->message();
+  EXPECT_EQ(play_->message(), "");
+  EXPECT_TRUE(play_->scene(server_.clock().now()).has_value());
+  EXPECT_GE(play_->client().session()->linkStatistics().rttMs, 120);
+  ASSERT_EQ(server_.server().match().players(), 1u);
+  relay_->setQuality(LinkQuality());
+  const Clock clock{server_.clock().now, [this](Moment until) {
+                      relay_->pump(server_.clock().now());
+                      server_.clock().sleepUntil(until);
+                      relay_->pump(until);
+                    }};
+  play_->leave(clock);
+  EXPECT_TRUE(play_->client().closed());
+  EXPECT_EQ(server_.server().match().players(), 0u);
 }
 
-TEST(SceneFeed, TakesTheStageOfTheNextLevel) {
-  VirtualMatch match({flatLevel(), cornerLevel()}, 1);
-  match.join(LinkQuality(), kRight);
-  SceneFeed feed;
-  match.run(seconds(1));
-  const auto first = feed.scene(match.session(0), match.now());
-  match.run(milliseconds(100));
-  const auto same = feed.scene(match.session(0), match.now());
-  match.run(seconds(8));
-  const auto next = feed.scene(match.session(0), match.now());
-  ASSERT_TRUE(first && same && next);
-  EXPECT_EQ(first->stage, same->stage);
-  EXPECT_NE(first->stage, next->stage);
-  EXPECT_NE(first->stage->goal.face, next->stage->goal.face);
+TEST_F(MatchPlayTest, DoesNotJoinUnderFullLoss) {
+  LinkQuality quality;
+  quality.lossPercent = 100;
+  connect(quality);
+  EXPECT_FALSE(updateUntil(seconds(1), [&] { return play_->client().session() != nullptr; }));
+  EXPECT_EQ(server_.server().match().players(), 0u);
+}
+
+TEST_F(MatchPlayTest, ReportsWhyTheMatchEnded) {
+  ClientOptions options;
+  MatchPlay play(options, {"127.0.0.1", 1}, Moment{});
+  for (Moment now{}; now <= seconds(6); now += std::chrono::milliseconds(50)) {
+    play.update(now, [](const Game&, std::uint32_t) { return Input{}; });
+  }
+  EXPECT_EQ(play.message(), "no answer from 127.0.0.1:1 within 5 s: is platon-server running there?");
+}
+
+TEST_F(MatchPlayTest, ThrowsForAnUnknownHost) {
+  try {
+    MatchPlay(ClientOptions(), {"no such host", 1}, server_.clock().now());
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_EQ(std::string(error.what()), "cannot resolve host no such host");
+  }
 }
 
 }  // namespace

@@ -29,25 +29,25 @@ Controls standing() {
 }
 
 LinkQuality delayed(double delayMs) {
-  LinkQuality line;
-  line.delayMs = delayMs;
-  line.jitterMs = 5;
-  return line;
+  LinkQuality quality;
+  quality.delayMs = delayMs;
+  quality.jitterMs = 5;
+  return quality;
 }
 
-// The ticks that a report names.
+// The ticks that a summary names.
 struct Ticks {
-  unsigned wrong = 0;
-  unsigned right = 0;
+  unsigned desync = 0;
+  unsigned match = 0;
   unsigned compared = 0;
 };
 
 Ticks ticksOf(const std::string& summary) {
   Ticks ticks;
-  const int read = std::sscanf(summary.c_str(),
-                               "round 1: the game was not the server's after tick %u, and was after tick %u; after "
-                               "tick %u the first field",
-                               &ticks.wrong, &ticks.right, &ticks.compared);
+  const int read =
+      std::sscanf(summary.c_str(),
+                  "round 1: desync at tick %u, last match at tick %u; first difference at tick %u: ", &ticks.desync,
+                  &ticks.match, &ticks.compared);
   EXPECT_EQ(read, 3) << summary;
   return ticks;
 }
@@ -59,25 +59,26 @@ void expectToVerify(const DesyncReport& report, std::uint32_t first) {
   EXPECT_EQ(found.firstTick, first);
 }
 
-// One client, which has been told a wrong thing, is put right once and stays in step for ever after.
-void expectOneMismatch(VirtualMatch& match, std::size_t client) {
+// After its one desync the client has been resynced once and stays in lockstep.
+void expectOneDesync(VirtualMatch& match, std::size_t client) {
   match.setChecked(client, true);
   match.run(seconds(20));
   EXPECT_EQ(match.session(client).roundStatistics().desyncs, 1u);
   EXPECT_EQ(match.session(client).roundStatistics().resyncs, 1u);
   EXPECT_FALSE(match.takeDesync(client).has_value());
   EXPECT_TRUE(match.session(client).round()->prediction().present());
-  std::size_t told = 0;
-  for (const MatchEvent& event : match.match().takeEvents()) told += event.kind == MatchEvent::Kind::kDesync ? 1 : 0;
-  EXPECT_EQ(told, 1u);
+  std::size_t logged = 0;
+  for (const MatchEvent& event : match.match().takeEvents()) logged += event.kind == MatchEvent::Kind::kDesync ? 1 : 0;
+  EXPECT_EQ(logged, 1u);
 }
 
-/// Flips a bit of the first full state that passes.
+/// Flips a bit in the first full state sent to the client.
 struct StateFlipper {
   std::string owner;
   std::string field;
-  std::optional<std::uint32_t> tick;  // of the state
-  std::string was, is;                // value of the field
+  std::optional<std::uint32_t> tick;  // of that state
+  std::string original;
+  std::string flipped;  // value of the field
 
   void operator()(std::vector<std::uint8_t>& bytes) {
     auto message = decodeToClient(bytes);
@@ -87,26 +88,26 @@ struct StateFlipper {
     Game game(endlessLevel());
     ASSERT_TRUE(state && game.restore(state->game));
     state->game = flippedBit(game, owner, field);
-    Game flipped(endlessLevel());
-    ASSERT_TRUE(flipped.restore(state->game));
-    const auto difference = firstDifference(game, flipped);
+    Game other(endlessLevel());
+    ASSERT_TRUE(other.restore(state->game));
+    const auto difference = firstDifference(game, other);
     tick = chunk->tick;
-    was = difference->left;
-    is = difference->right;
+    original = difference->left;
+    flipped = difference->right;
     chunk->bytes = encode(*state);
     bytes = encode(*chunk);
   }
 };
 
 struct Flipped {
-  const char* owner;  // with the slot behind
+  const char* owner;  // without the slot number
   const char* field;
 };
 
 class FlippedField : public testing::TestWithParam<Flipped> {};
 
-// Of a player that stands still, so that the field stays what it is until both games are compared.
-TEST_P(FlippedField, IsFoundNamedAndPutRight) {
+// The field of a player that stands still, so that it keeps its value until the games are compared.
+TEST_P(FlippedField, IsReportedAndResynced) {
   VirtualMatch match({endlessLevel()}, kSeed);
   match.join(delayed(10), pressing(kSeed));
   match.join(delayed(10), standing());
@@ -122,23 +123,23 @@ TEST_P(FlippedField, IsFoundNamedAndPutRight) {
   ASSERT_TRUE(report.has_value());
   const Ticks ticks = ticksOf(report->summary);
   ASSERT_TRUE(flipper->tick.has_value());
-  EXPECT_EQ(ticks.right, *flipper->tick);
-  EXPECT_GT(ticks.wrong, ticks.right);
-  EXPECT_LE(ticks.wrong, ticks.right + 30);  // one round trip
-  EXPECT_GE(ticks.compared, ticks.right + MatchPlayer::kTicksBetweenStates);
-  EXPECT_LE(ticks.compared, ticks.right + MatchPlayer::kTicksBetweenStates + 30);
-  EXPECT_TRUE(report->summary.ends_with("is " + flipper->field + " of " + flipper->owner + ": " + flipper->is +
-                                        " here, " + flipper->was + " on the server"))
+  EXPECT_EQ(ticks.match, *flipper->tick);
+  EXPECT_GT(ticks.desync, ticks.match);
+  EXPECT_LE(ticks.desync, ticks.match + 30);  // one round trip
+  EXPECT_GE(ticks.compared, ticks.match + MatchPlayer::kTicksBetweenStates);
+  EXPECT_LE(ticks.compared, ticks.match + MatchPlayer::kTicksBetweenStates + 30);
+  EXPECT_TRUE(report->summary.ends_with(": " + flipper->field + " of " + flipper->owner + " is " + flipper->flipped +
+                                        " on the client, " + flipper->original + " on the server"))
       << report->summary;
   expectToVerify(*report, *flipper->tick);
-  expectOneMismatch(match, 2);
+  expectOneDesync(match, 2);
 }
 
 INSTANTIATE_TEST_SUITE_P(Fields, FlippedField,
                          testing::Values(Flipped{"entity ", "position"}, Flipped{"player ", "finishedAt"}),
                          [](const testing::TestParamInfo<Flipped>& test) { return test.param.field; });
 
-TEST(Desync, WrongInputIsFoundNamedAndPutRight) {
+TEST(Desync, AWrongInputIsReportedAndResynced) {
   VirtualMatch match({endlessLevel()}, kSeed);
   match.join(delayed(10), pressing(kSeed));
   match.join(delayed(60), pressing(kSeed + 1));
@@ -153,18 +154,18 @@ TEST(Desync, WrongInputIsFoundNamedAndPutRight) {
   ASSERT_TRUE(report.has_value());
   const Ticks ticks = ticksOf(report->summary);
   ASSERT_TRUE(flipper->tick.has_value());
-  EXPECT_LE(ticks.right, *flipper->tick);
-  EXPECT_GE(ticks.right + 10, *flipper->tick);
-  EXPECT_GT(ticks.wrong, *flipper->tick);
-  EXPECT_LE(ticks.wrong, *flipper->tick + 10);
+  EXPECT_LE(ticks.match, *flipper->tick);
+  EXPECT_GE(ticks.match + 10, *flipper->tick);
+  EXPECT_GT(ticks.desync, *flipper->tick);
+  EXPECT_LE(ticks.desync, *flipper->tick + 10);
   EXPECT_LE(ticks.compared, *flipper->tick + 30);
-  EXPECT_NE(report->summary.find(" of entity " + std::to_string(flipper->slot) + ": "), std::string::npos)
+  EXPECT_NE(report->summary.find(" of entity " + std::to_string(flipper->slot) + " is "), std::string::npos)
       << report->summary;
-  expectToVerify(*report, 3);  // the state it joined with: its Hello took 50 ms longer than the first one's
-  expectOneMismatch(match, 1);
+  expectToVerify(*report, 3);  // the tick of the state with which it joined
+  expectOneDesync(match, 1);
 }
 
-// The state is lost for good, which the transport below would not let happen but for the end of the session.
+// The full state never arrives, as if the session ended before.
 void expectReportAtTheEnd(const std::function<void(VirtualMatch&)>& end) {
   VirtualMatch match({endlessLevel()}, kSeed);
   match.join(delayed(10), pressing(kSeed));
@@ -181,19 +182,17 @@ void expectReportAtTheEnd(const std::function<void(VirtualMatch&)>& end) {
   match.run(seconds(1));
   const auto report = match.takeDesync(0);
   ASSERT_TRUE(report.has_value());
-  EXPECT_TRUE(report->summary.ends_with("; the server's state has not come, so that no field can be named"))
-      << report->summary;
+  EXPECT_TRUE(report->summary.ends_with("; the server's state did not arrive")) << report->summary;
   expectToVerify(*report, 0);
 }
 
-TEST(Desync, ThatIsNeverPutRightIsReportedAtTheEnd) {
+TEST(Desync, WithoutAResyncIsReportedAtTheEndOfTheSession) {
   expectReportAtTheEnd([](VirtualMatch& match) { match.match().stop("enough"); });
   expectReportAtTheEnd([](VirtualMatch& match) { match.session(0).leave(); });
   expectReportAtTheEnd([](VirtualMatch& match) { match.session(0).lose("gone"); });
 }
 
-// A server that lies can make a client report once a minute at most.
-TEST(Desync, ThatComesAgainAndAgainIsReportedOnceAMinute) {
+TEST(Desync, RepeatedDesyncsAreReportedOnceAMinute) {
   VirtualMatch match({endlessLevel()}, kSeed);
   match.join(delayed(10), pressing(kSeed));
   match.setChecked(0, false);

@@ -7,7 +7,6 @@
 
 #include "client/play/embedded_server.h"
 #include "client/time/steady_now.h"
-#include "protocol/program_error.h"
 
 namespace platon {
 namespace {
@@ -16,7 +15,7 @@ using std::chrono::milliseconds;
 
 const Controls kRight = [](const Game&, std::uint32_t) { return Input{Input::kRight}; };
 
-// Updates until `done` or ten seconds have passed; whether it is done.
+// Updates until `done`, at most 10 s. Returns whether it is done.
 template <class Done>
 bool updateUntil(NetworkClient& client, Done done) {
   const Clock clock = steadyClock();
@@ -29,51 +28,36 @@ bool updateUntil(NetworkClient& client, Done done) {
   return false;
 }
 
-TEST(NetworkClient, SaysThatNobodyAnswers) {
+TEST(NetworkClient, ReportsThatNoServerAnswers) {
   const Moment start = std::chrono::hours(1);
   NetworkClient client({"127.0.0.1", 1}, "", start);
-  for (Moment now = start; now <= start + NetworkClient::kPatience; now += milliseconds(50)) {
+  for (Moment now = start; now <= start + NetworkClient::kConnectTimeout; now += milliseconds(50)) {
     client.update(now, kRight);
     ASSERT_EQ(client.ending(), std::nullopt);
   }
-  client.update(start + NetworkClient::kPatience + milliseconds(1), kRight);
+  client.update(start + NetworkClient::kConnectTimeout + milliseconds(1), kRight);
   EXPECT_EQ(client.ending(), "no answer from 127.0.0.1:1 within 5 s: is platon-server running there?");
 }
 
-TEST(NetworkClient, SaysThatTheHostIsNotKnown) {
+TEST(NetworkClient, ThrowsForAnUnknownHost) {
   EXPECT_THROW(NetworkClient({"no such host", 1}, "", Moment(1)), std::runtime_error);
 }
 
-TEST(NetworkClient, PlaysOnAServerOfItsOwn) {
+TEST(NetworkClient, PlaysOnAnEmbeddedServer) {
   const EmbeddedServer server("levels/hexahedron/01_first_steps.level");
   NetworkClient client(server.address(), "someone", steadyClock().now());
   ASSERT_TRUE(updateUntil(client, [&] {
     return client.session() != nullptr && client.session()->predictionStatistics().confirmedTicks > 60;
-  })) << client.ending().value_or("still waiting");
+  })) << client.ending().value_or("timed out");
   EXPECT_TRUE(client.session()->round()->prediction().present());
   EXPECT_EQ(client.session()->roundStatistics().desyncs, 0u);
   EXPECT_GT(client.traffic().sentBytes, 0u);
   EXPECT_GT(client.traffic().receivedPackets, 30u);
-  EXPECT_GT(client.traffic().longestDatagram, 1000u);  // the level is longer
+  EXPECT_GT(client.traffic().longestDatagram, 1000u);  // a chunk of the level
   EXPECT_LE(client.traffic().longestDatagram, 1200u);
   client.leave();
   EXPECT_TRUE(updateUntil(client, [&] { return client.closed(); }));
   EXPECT_EQ(client.ending(), std::nullopt);
-}
-
-TEST(EmbeddedServer, TellsWhatIsWrongWithALevel) {
-  try {
-    EmbeddedServer server("no/such.level");
-    FAIL();
-  } catch (const ProgramError& error) {
-    EXPECT_EQ(error.exitCode(), ProgramError::kUsage);
-  }
-  try {
-    EmbeddedServer server("LICENSE");
-    FAIL();
-  } catch (const ProgramError& error) {
-    EXPECT_EQ(error.exitCode(), ProgramError::kLevel);
-  }
 }
 
 }  // namespace

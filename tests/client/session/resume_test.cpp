@@ -18,7 +18,7 @@ using std::chrono::milliseconds;
 using std::chrono::seconds;
 
 constexpr std::uint64_t kSeed = 99;
-constexpr std::size_t kLost = 0;  // who loses the connection
+constexpr std::size_t kLost = 0;  // the client that loses its connection
 
 const Controls kRight = [](const Game&, std::uint32_t) { return Input{Input::kRight}; };
 
@@ -31,37 +31,37 @@ Controls settling() {
   return [](const Game& game, std::uint32_t) { return game.tick() < 120 ? Input{Input::kRight} : Input{}; };
 }
 
-// How a client loses its connection and comes back.
+// A lost connection.
 struct Break {
   const char* what;
   double delayMs = 30;  // each way
   double lossPercent = 0;
   std::size_t players = 2;
-  std::optional<Moment> noticed = seconds(3);  // by the server; else never
+  std::optional<Moment> noticed = seconds(3);  // when the server detects it; nothing: never
   Moment lasts = seconds(6);
 };
 
-class ComeBack : public testing::TestWithParam<Break> {
+class Resume : public testing::TestWithParam<Break> {
  protected:
   void joinAll() {
-    LinkQuality line;
-    line.delayMs = GetParam().delayMs;
-    line.lossPercent = GetParam().lossPercent;
-    match_.join(line, settling());
-    for (std::size_t i = 1; i < GetParam().players; ++i) match_.join(line, pressing(kSeed + i));
+    LinkQuality quality;
+    quality.delayMs = GetParam().delayMs;
+    quality.lossPercent = GetParam().lossPercent;
+    match_.join(quality, settling());
+    for (std::size_t i = 1; i < GetParam().players; ++i) match_.join(quality, pressing(kSeed + i));
     match_.tamper(kLost, [this](std::vector<std::uint8_t>& bytes) {
       const auto message = decodeToClient(bytes);
       levelChunks_ += message && std::holds_alternative<LevelChunk>(*message) ? 1 : 0;
     });
   }
 
-  // Lets the connection break and be made again; time until the first tick is confirmed then.
-  Moment breakAndComeBack(const std::function<void()>& meanwhile) {
-    match_.breakOff(kLost, GetParam().noticed);
+  // Breaks the connection and resumes. Returns the time from reconnecting to the first confirmed tick.
+  Moment breakAndResume(const std::function<void()>& meanwhile) {
+    match_.disconnect(kLost, GetParam().noticed);
     meanwhile();
     const std::uint32_t before = match_.session(kLost).predictionStatistics().confirmedTicks;
     const Moment begun = match_.now();
-    match_.comeBack(kLost);
+    match_.resume(kLost);
     while (match_.session(kLost).predictionStatistics().confirmedTicks == before &&
            match_.now() < begun + seconds(20)) {
       match_.run(milliseconds(1));
@@ -71,15 +71,15 @@ class ComeBack : public testing::TestWithParam<Break> {
 
   Moment allowed() const {
     const Moment roundTrip = milliseconds(static_cast<int>(2 * GetParam().delayMs));
-    // A lost message of ticks costs two more, as they go to more than four players.
+    // With more than four players messages come every second tick, so a lost one costs two ticks.
     const int ticks = GetParam().lossPercent > 0 ? 9 : 3;
     return roundTrip + Moment(ticks * 1'000'000 / kTicksPerSecond);
   }
 
   EntityState place() { return match_.match().game().world().entities()[match_.slot(kLost)]; }
 
-  // Lets time pass during which nobody sees the player vanish.
-  void runWatched(Moment duration) {
+  // Checks all the while that the player stays present for the others.
+  void runAndCheckPresence(Moment duration) {
     const std::uint32_t slot = match_.slot(kLost);
     for (const Moment end = match_.now() + duration; match_.now() < end; match_.run(milliseconds(50))) {
       ASSERT_TRUE(match_.match().game().player(slot).present);
@@ -92,7 +92,7 @@ class ComeBack : public testing::TestWithParam<Break> {
   int levelChunks_ = 0;
 };
 
-TEST_P(ComeBack, TakesUpThePlayerWhereItStood) {
+TEST_P(Resume, ResumesThePlayerAtItsPlace) {
   joinAll();
   match_.run(seconds(5));
   const std::uint32_t slot = match_.slot(kLost);
@@ -100,14 +100,14 @@ TEST_P(ComeBack, TakesUpThePlayerWhereItStood) {
   const std::uint32_t ticks = match_.session(kLost).predictionStatistics().confirmedTicks;
   ASSERT_GT(ticks, 200u);
   levelChunks_ = 0;
-  const Moment took = breakAndComeBack([&] { runWatched(GetParam().lasts); });
+  const Moment took = breakAndResume([&] { runAndCheckPresence(GetParam().lasts); });
   EXPECT_LE(took, allowed());
   RecordProperty("milliseconds", std::to_string(took / milliseconds(1)));
-  std::printf("back after %lld ms\n", static_cast<long long>(took / milliseconds(1)));
+  std::printf("resumed after %lld ms\n", static_cast<long long>(took / milliseconds(1)));
   EXPECT_EQ(match_.slot(kLost), slot);
   EXPECT_EQ(place().position, before.position);
   EXPECT_EQ(place().part, before.part);
-  runWatched(seconds(3));  // the confirmed game is the server's all the while
+  runAndCheckPresence(seconds(3));
   EXPECT_EQ(place().position, before.position);
   EXPECT_EQ(levelChunks_, 0);
   EXPECT_GT(match_.session(kLost).predictionStatistics().confirmedTicks, ticks + 120);
@@ -116,13 +116,13 @@ TEST_P(ComeBack, TakesUpThePlayerWhereItStood) {
   EXPECT_EQ(match_.match().players(), GetParam().players);
 }
 
-// Whoever comes back sees the own player where it stands from the first picture on.
-TEST_P(ComeBack, PredictsThePlayerWhereItStands) {
+// From the first frame on.
+TEST_P(Resume, PredictsThePlayerAtItsPlace) {
   joinAll();
   match_.run(seconds(5));
   const EntityState before = place();
   const PredictionStatistics count = match_.session(kLost).predictionStatistics();
-  breakAndComeBack([&] { match_.run(GetParam().lasts); });
+  breakAndResume([&] { match_.run(GetParam().lasts); });
   const Prediction& prediction = match_.session(kLost).round()->prediction();
   for (const Moment end = match_.now() + seconds(2); match_.now() < end; match_.run(milliseconds(1))) {
     ASSERT_LT(prediction.slot(), prediction.predicted().slots());
@@ -137,7 +137,7 @@ TEST_P(ComeBack, PredictsThePlayerWhereItStands) {
   EXPECT_EQ(gained.corrections, 0u);
 }
 
-INSTANTIATE_TEST_SUITE_P(Lines, ComeBack,
+INSTANTIATE_TEST_SUITE_P(Connections, Resume,
                          testing::Values(Break{"Plain"},
                                          Break{.what = "BeforeTheServerNotices", .noticed = std::nullopt},
                                          Break{.what = "AtOnce", .noticed = std::nullopt, .lasts = milliseconds(100)},
@@ -156,13 +156,13 @@ class NextRound : public testing::Test {
  protected:
   static constexpr std::size_t kOther = 1;
 
-  // Both run into the goal of the first level.
+  // Both players run to the goal of the first level.
   void startWith(double delayMs) {
-    LinkQuality line;
-    line.delayMs = delayMs;
-    match_.join(line, kRight);
-    match_.join(line, kRight);
-    match_.run(milliseconds(1200));  // some way before the goal
+    LinkQuality quality;
+    quality.delayMs = delayMs;
+    match_.join(quality, kRight);
+    match_.join(quality, kRight);
+    match_.run(milliseconds(1200));  // before the goal
     ASSERT_EQ(match_.match().round(), 1u);
   }
 
@@ -176,41 +176,41 @@ class NextRound : public testing::Test {
     EXPECT_EQ(match_.match().players(), 2u);
     const std::uint32_t missed = match_.session(kLost).predictionStatistics().missedInputs;
     match_.run(seconds(1));
-    EXPECT_EQ(match_.session(kLost).predictionStatistics().missedInputs, missed);  // its inputs are taken
+    EXPECT_EQ(match_.session(kLost).predictionStatistics().missedInputs, missed);  // its inputs arrive in time
   }
 
   VirtualMatch match_{{flatLevel(), cornerLevel()}, kSeed};
 };
 
-TEST_F(NextRound, IsTakenUpInItsMiddle) {
+TEST_F(NextRound, IsJoinedByAResumedPlayer) {
   startWith(40);
   const std::uint32_t slot = match_.slot(kLost);
-  match_.breakOff(kLost, seconds(3));
+  match_.disconnect(kLost, seconds(3));
   while (match_.match().round() == 1) match_.run(milliseconds(100));
   match_.run(milliseconds(800));
   ASSERT_EQ(match_.match().round(), 2u);
   EXPECT_EQ(match_.session(kOther).names()[slot], "someone");
-  EXPECT_FALSE(match_.match().game().player(slot).present);  // a round begins with nobody in it
-  match_.comeBack(kLost);
+  EXPECT_FALSE(match_.match().game().player(slot).present);  // a round starts with all players absent
+  match_.resume(kLost);
   expectToPlay(2);
   EXPECT_EQ(match_.slot(kLost), slot);
   EXPECT_EQ(match_.session(kLost).round()->prediction().confirmed().level().hash, cornerLevel()->hash);
 }
 
-// The level, the state and the start of the round are all under way when the connection breaks again.
-TEST_F(NextRound, IsTakenUpWhateverIsInterrupted) {
+// Interrupts the transfers of level, full state and round start at various points.
+TEST_F(NextRound, IsJoinedWhateverTransferIsInterrupted) {
   for (int ms = 0; ms <= 400; ms += 20) {
     SCOPED_TRACE(ms);
     VirtualMatch match({flatLevel(), cornerLevel()}, kSeed + static_cast<std::uint64_t>(ms));
-    LinkQuality line;
-    line.delayMs = 60;
-    match.join(line, kRight);
-    match.join(line, kRight);
+    LinkQuality quality;
+    quality.delayMs = 60;
+    match.join(quality, kRight);
+    match.join(quality, kRight);
     match.run(milliseconds(6500 + ms));  // the second round starts meanwhile
     for (int again = 0; again < 4; ++again) {
-      match.breakOff(kLost, again % 2 == 0 ? std::optional<Moment>(milliseconds(1)) : std::nullopt);
+      match.disconnect(kLost, again % 2 == 0 ? std::optional<Moment>(milliseconds(1)) : std::nullopt);
       match.run(milliseconds(7));
-      match.comeBack(kLost);
+      match.resume(kLost);
       match.run(milliseconds(ms));
     }
     match.run(seconds(4));

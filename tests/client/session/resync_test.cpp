@@ -17,13 +17,13 @@ using std::chrono::milliseconds;
 using std::chrono::seconds;
 
 constexpr std::uint64_t kSeed = 5;
-constexpr Moment kAllowed = milliseconds(100);  // beyond the round trip
+constexpr Moment kAllowed = milliseconds(100);  // in addition to the round trip
 
 Controls pressing(std::uint64_t seed) {
   return [presser = std::make_shared<ButtonPresser>(seed)](const Game&, std::uint32_t) { return presser->next(); };
 }
 
-/// Players who press buttons for two seconds and then lose their connections: they stay, and cost nothing.
+/// Adds players that press buttons for two seconds and then disconnect. They stay in the game and cost no bandwidth.
 void addCrowd(VirtualMatch& match, std::uint32_t count) {
   constexpr ClientId kFirst = 1000;
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -32,7 +32,7 @@ void addCrowd(VirtualMatch& match, std::uint32_t count) {
     match.match().receive(kFirst + i, hello);
     PlayerInputs message;
     message.round = match.match().round();
-    message.sync = UINT8_MAX;  // none that was sent
+    message.sync = UINT8_MAX;  // unknown to the server
     message.first = match.match().game().tick() + 1;
     ButtonPresser presser(kSeed + i);
     for (int tick = 0; tick < 120; ++tick) {
@@ -46,9 +46,9 @@ void addCrowd(VirtualMatch& match, std::uint32_t count) {
 class Resync : public testing::TestWithParam<std::tuple<std::uint32_t, int>> {
  protected:
   Resync() {
-    LinkQuality line;
-    line.delayMs = roundTripMs() / 2.0;
-    match_.join(line, pressing(kSeed));
+    LinkQuality quality;
+    quality.delayMs = roundTripMs() / 2.0;
+    match_.join(quality, pressing(kSeed));
     match_.run(seconds(2));
     addCrowd(match_, players() - 1);
     match_.run(seconds(3));
@@ -57,40 +57,40 @@ class Resync : public testing::TestWithParam<std::tuple<std::uint32_t, int>> {
   std::uint32_t players() const { return std::get<0>(GetParam()); }
   int roundTripMs() const { return std::get<1>(GetParam()); }
 
-  bool isTheServers() {
+  bool matchesServer() {
     const Prediction& prediction = match_.session(0).round()->prediction();
     return prediction.confirmed().hash() == match_.hashOf(match_.match().round(), prediction.confirmedTicks());
   }
 
-  Moment timeToBeRight() {
-    const Moment wrong = match_.now();
-    while (!isTheServers() && match_.now() < wrong + seconds(5)) match_.run(milliseconds(1));
-    return match_.now() - wrong;
+  Moment timeToMatch() {
+    const Moment start = match_.now();
+    while (!matchesServer() && match_.now() < start + seconds(5)) match_.run(milliseconds(1));
+    return match_.now() - start;
   }
 
-  // From now on an input comes wrong; when the first wrong tick is there.
-  void goWrong() {
+  // Changes an input on the way to the client, and runs until its game differs.
+  void desync() {
     const auto flipper = std::make_shared<InputFlipper>();
     flipper->from = match_.match().game().tick();
     flipper->slot = static_cast<std::uint8_t>(match_.slot(0));
     match_.setChecked(0, false);
     match_.tamper(0, [flipper](std::vector<std::uint8_t>& bytes) { (*flipper)(bytes); });
     const Moment end = match_.now() + seconds(5);
-    while (isTheServers() && match_.now() < end) match_.run(milliseconds(1));
+    while (matchesServer() && match_.now() < end) match_.run(milliseconds(1));
   }
 
   VirtualMatch match_{{endlessLevel()}, kSeed, kMaxPlayers};
 };
 
-// From the arrival of a wrong tick until the confirmed game is the server's again.
-TEST_P(Resync, TakesARoundTripAndLittleMore) {
+// From the first differing tick until the confirmed game matches again.
+TEST_P(Resync, TakesAtMost100MillisecondsMoreThanARoundTrip) {
   std::uint32_t present = 0;
   for (std::uint32_t slot = 0; slot < players(); ++slot) present += match_.match().game().player(slot).present ? 1 : 0;
   ASSERT_EQ(present, players());
   for (std::uint32_t times = 1; times <= 2; ++times) {
-    goWrong();
-    ASSERT_FALSE(isTheServers());
-    const Moment took = timeToBeRight();
+    desync();
+    ASSERT_FALSE(matchesServer());
+    const Moment took = timeToMatch();
     EXPECT_LE(took, milliseconds(roundTripMs()) + kAllowed);
     std::printf("%zu bytes, after %lld ms\n", match_.match().game().save().size(),
                 static_cast<long long>(took / milliseconds(1)));

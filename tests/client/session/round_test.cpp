@@ -13,10 +13,10 @@ namespace {
 constexpr std::uint32_t kId = 7;
 constexpr std::uint32_t kSlot = 0;
 
-// A server's game of which another player has run right since the start.
+// A server's game in which one other player runs right from the start.
 class Server {
  public:
-  // The message about the ticks up to `ticks` that follow on the last one.
+  // Advances to `ticks` and returns the message with the ticks since the last call.
   ConfirmedTicks decide(std::uint32_t ticks) {
     ConfirmedTicks message;
     message.round = kId;
@@ -47,11 +47,11 @@ class Server {
 
 class RoundTest : public testing::Test {
  protected:
-  // Moves on to this time and says what is sent.
+  // Advances to this time and returns the message to send.
   std::optional<PlayerInputs> update(int ms, Input pressed = {}) {
     now_ = std::chrono::milliseconds(ms);
     round_.advance(now_, [pressed](const Game&, std::uint32_t) { return pressed; });
-    return round_.report(now_);
+    return round_.takeMessage(now_);
   }
 
   Server server_;
@@ -59,7 +59,7 @@ class RoundTest : public testing::Test {
   Moment now_{};
 };
 
-TEST_F(RoundTest, AsksForTicksBeforeItPlays) {
+TEST_F(RoundTest, SendsItsStateBeforeTheFirstTicks) {
   const auto first = update(0);
   ASSERT_TRUE(first.has_value());
   EXPECT_EQ(first->round, kId);
@@ -69,7 +69,7 @@ TEST_F(RoundTest, AsksForTicksBeforeItPlays) {
   EXPECT_TRUE(update(80).has_value());  // the first may be lost
 }
 
-TEST_F(RoundTest, PlaysAheadOfWhatItHears) {
+TEST_F(RoundTest, PredictsAheadOfConfirmedTicks) {
   round_.receive(server_.decide(100), now_);
   EXPECT_EQ(round_.prediction().confirmedTicks(), 100u);
   EXPECT_EQ(round_.prediction().confirmed().hash(), server_.hash());
@@ -78,12 +78,12 @@ TEST_F(RoundTest, PlaysAheadOfWhatItHears) {
   EXPECT_EQ(round_.prediction().predictedTicks(), 112u);  // 6 ahead, and 6 ticks in 100 ms
   EXPECT_EQ(report->confirmed, 100u);
   EXPECT_EQ(report->hash, shortHash(server_.hash()));
-  EXPECT_EQ(report->first, 106u);  // it was not there before
+  EXPECT_EQ(report->first, 106u);  // absent before
   ASSERT_EQ(report->inputs.size(), 6u);
   for (const Input input : report->inputs) EXPECT_EQ(input.buttons, Input::kPresent | Input::kRight);
 }
 
-TEST_F(RoundTest, ReportsChangesAtOnceAndElseEveryFourthTick) {
+TEST_F(RoundTest, SendsChangesAtOnceElseEveryFourthTick) {
   round_.receive(server_.decide(1), now_);
   std::vector<int> sentAt;
   for (int tick = 1; tick <= 40; ++tick) {
@@ -97,18 +97,18 @@ TEST_F(RoundTest, ReportsChangesAtOnceAndElseEveryFourthTick) {
   EXPECT_LE(sentAt.size(), 40u / 4 + 2 * 3 + 1);
 }
 
-// Also when the server is silent for so long that no further tick may be predicted.
-TEST_F(RoundTest, AsksForTheButtonsOfEachTickOnce) {
+// Also after the maximum number of predicted ticks.
+TEST_F(RoundTest, CallsControlsOncePerTick) {
   round_.receive(server_.decide(10), now_);
-  std::uint32_t asked = 0;
+  std::uint32_t calls = 0;
   for (int ms = 0; ms < 6000; ms += 10) {
-    round_.advance(std::chrono::milliseconds(ms), [&asked](const Game&, std::uint32_t) { return ++asked, Input(); });
+    round_.advance(std::chrono::milliseconds(ms), [&calls](const Game&, std::uint32_t) { return ++calls, Input(); });
   }
   EXPECT_FALSE(round_.prediction().mayPredict());
-  EXPECT_EQ(asked, round_.prediction().predictedTicks() - 16);  // absent before
+  EXPECT_EQ(calls, round_.prediction().predictedTicks() - 16);  // absent before
 }
 
-TEST_F(RoundTest, IgnoresWhatItHasAndWhatLeavesAGap) {
+TEST_F(RoundTest, IgnoresKnownTicksAndGaps) {
   const ConfirmedTicks first = server_.decide(10);
   const ConfirmedTicks second = server_.decide(20);
   ConfirmedTicks third = server_.decide(30);
@@ -118,28 +118,28 @@ TEST_F(RoundTest, IgnoresWhatItHasAndWhatLeavesAGap) {
   round_.receive(second, now_);
   round_.receive(first, now_);
   EXPECT_EQ(round_.prediction().confirmedTicks(), 20u);
-  // The same ticks again together with new ones: only the new ones count.
+  // Of a message with known and new ticks only the new ones are applied.
   third.from = 15;
   third.count = 15;
   round_.receive(third, now_);
   EXPECT_EQ(round_.prediction().confirmedTicks(), 30u);
   EXPECT_EQ(round_.prediction().confirmed().hash(), server_.hash());
-  EXPECT_EQ(round_.count().desyncs, 0u);
+  EXPECT_EQ(round_.statistics().desyncs, 0u);
 }
 
-TEST_F(RoundTest, TakesTheServersStateWhenItsOwnIsAnother) {
+TEST_F(RoundTest, ResyncsAfterADesync) {
   ConfirmedTicks wrong = server_.decide(10);
   wrong.changes.clear();  // the other player is missing
   round_.receive(wrong, now_);
-  EXPECT_EQ(round_.count().desyncs, 1u);
-  const auto told = update(60);
-  ASSERT_TRUE(told.has_value());
-  EXPECT_NE(told->hash, shortHash(server_.hash()));  // by which the server knows
+  EXPECT_EQ(round_.statistics().desyncs, 1u);
+  const auto message = update(60);
+  ASSERT_TRUE(message.has_value());
+  EXPECT_NE(message->hash, shortHash(server_.hash()));  // shows the desync to the server
   round_.receive(server_.decide(12), now_);
-  EXPECT_EQ(round_.count().desyncs, 1u);  // still the same one
+  EXPECT_EQ(round_.statistics().desyncs, 1u);  // the same desync
 
   round_.receive(server_.state(3), server_.stateBytes(), now_);
-  EXPECT_EQ(round_.count().resyncs, 1u);
+  EXPECT_EQ(round_.statistics().resyncs, 1u);
   EXPECT_EQ(round_.prediction().confirmed().hash(), server_.hash());
   EXPECT_EQ(round_.prediction().confirmedTicks(), 12u);
   const auto next = update(120);
@@ -148,25 +148,25 @@ TEST_F(RoundTest, TakesTheServersStateWhenItsOwnIsAnother) {
   EXPECT_EQ(next->hash, shortHash(server_.hash()));
   round_.receive(server_.decide(20), now_);
   EXPECT_EQ(round_.prediction().confirmed().hash(), server_.hash());
-  EXPECT_EQ(round_.count().desyncs, 1u);
+  EXPECT_EQ(round_.statistics().desyncs, 1u);
 }
 
-TEST_F(RoundTest, TheStateOfALateJoinerIsNoResync) {
+TEST_F(RoundTest, TheFirstStateIsNoResync) {
   server_.decide(1000);
   round_.receive(server_.state(1), server_.stateBytes(), now_);
   EXPECT_EQ(round_.prediction().confirmedTicks(), 1000u);
-  EXPECT_EQ(round_.count().resyncs, 0u);
+  EXPECT_EQ(round_.statistics().resyncs, 0u);
 }
 
-TEST_F(RoundTest, NonsenseForAStateChangesNothing) {
+TEST_F(RoundTest, IgnoresAnInvalidState) {
   round_.receive(server_.decide(10), now_);
-  const std::vector<std::uint8_t> nonsense = {2, 128, 128, 9, 9, 9};
-  round_.receive(server_.state(1), nonsense, now_);
+  const std::vector<std::uint8_t> invalid = {2, 128, 128, 9, 9, 9};
+  round_.receive(server_.state(1), invalid, now_);
   EXPECT_EQ(round_.prediction().confirmedTicks(), 10u);
   EXPECT_EQ(update(60)->sync, 0);
 }
 
-TEST_F(RoundTest, ThePredictedFractionMovesThePictureOn) {
+TEST_F(RoundTest, PredictedFractionFollowsTheClock) {
   round_.receive(server_.decide(10), now_);
   update(100);
   EXPECT_NEAR(round_.predictedFraction(), 0, 1e-6);
@@ -174,7 +174,7 @@ TEST_F(RoundTest, ThePredictedFractionMovesThePictureOn) {
   EXPECT_NEAR(round_.predictedFraction(), 0.24, 1e-6);
 }
 
-TEST_F(RoundTest, TheViewIsOfTheConfirmedGame) {
+TEST_F(RoundTest, TheInterpolationBufferFollowsTheConfirmedGame) {
   round_.receive(server_.decide(10), now_);
   round_.receive(server_.decide(12), now_);
   EXPECT_EQ(round_.interpolationBuffer().newest(), 12u);
@@ -187,13 +187,33 @@ TEST_F(RoundTest, TheViewIsOfTheConfirmedGame) {
   EXPECT_GT(round_.interpolationBuffer().tick(), before);
 }
 
-TEST_F(RoundTest, AFullStateStartsTheViewAnew) {
+TEST_F(RoundTest, AFullStateRestartsTheInterpolationBuffer) {
   round_.receive(server_.decide(10), now_);
   server_.decide(30);
   round_.receive(server_.state(1), server_.stateBytes(), now_);
   EXPECT_EQ(round_.interpolationBuffer().newest(), 30u);
   EXPECT_EQ(round_.interpolationBuffer().tick(), 30);
   EXPECT_EQ(round_.interpolationBuffer().jumps(), 1u);
+}
+
+// The tick of a full state comes from the server.
+TEST_F(RoundTest, AcceptsAStateOfTheLargestTick) {
+  StateChunk chunk = server_.state(1);
+  chunk.tick = UINT32_MAX - 2;
+  round_.receive(chunk, server_.stateBytes(), now_);
+  ConfirmedTicks last;
+  last.round = kId;
+  last.from = UINT32_MAX - 2;
+  last.count = 1;
+  round_.receive(last, now_);
+  EXPECT_EQ(round_.prediction().confirmedTicks(), UINT32_MAX - 1);
+  for (int ms = 0; ms <= 1000; ms += 10) {
+    const auto message = update(ms);
+    if (message) {
+      EXPECT_TRUE(decodeToServer(encode(*message)).has_value());
+    }
+  }
+  EXPECT_EQ(round_.prediction().predictedTicks(), UINT32_MAX);
 }
 
 }  // namespace

@@ -17,15 +17,15 @@ using std::chrono::seconds;
 
 constexpr std::uint64_t kSeed = 20240607;
 
-LinkQuality lineWith(double delayMs, double jitterMs = 0, double loss = 0) {
-  LinkQuality line;
-  line.delayMs = delayMs;
-  line.jitterMs = jitterMs;
-  line.lossPercent = loss;
-  return line;
+LinkQuality qualityOf(double delayMs, double jitterMs = 0, double loss = 0) {
+  LinkQuality quality;
+  quality.delayMs = delayMs;
+  quality.jitterMs = jitterMs;
+  quality.lossPercent = loss;
+  return quality;
 }
 
-// What `run` adds to the counts of a client.
+// Statistics gained during a run.
 struct Gain {
   PredictionStatistics prediction;
   std::uint32_t jumps = 0;
@@ -33,21 +33,21 @@ struct Gain {
 
 Gain gainOf(VirtualMatch& match, std::size_t client, Moment duration) {
   const PredictionStatistics before = match.session(client).predictionStatistics();
-  const std::uint32_t jumps = match.session(client).round()->clock()->jumps();
+  const std::uint32_t jumps = match.session(client).round()->clock().jumps();
   match.run(duration);
   const PredictionStatistics after = match.session(client).predictionStatistics();
   return {{after.corrections - before.corrections, after.maxSubunits, 0, after.missedInputs - before.missedInputs,
            after.mispredicted - before.mispredicted, after.confirmedTicks - before.confirmedTicks},
-          match.session(client).round()->clock()->jumps() - jumps};
+          match.session(client).round()->clock().jumps() - jumps};
 }
 
-class SteadyLine : public testing::TestWithParam<double> {};
+class ConstantDelay : public testing::TestWithParam<double> {};
 
-// On a line that only delays, nothing of the own player is ever predicted wrong, up to two seconds of round trip.
-TEST_P(SteadyLine, NeedsNoCorrection) {
+// Up to a round trip of 2 s.
+TEST_P(ConstantDelay, NeedsNoCorrection) {
   VirtualMatch match({endlessLevel()}, kSeed);
-  match.join(lineWith(GetParam()), pressing(kSeed));
-  match.join(lineWith(20), pressing(kSeed + 1));
+  match.join(qualityOf(GetParam()), pressing(kSeed));
+  match.join(qualityOf(20), pressing(kSeed + 1));
   match.run(seconds(12));
   const Gain gain = gainOf(match, 0, seconds(10));
   EXPECT_GT(gain.prediction.confirmedTicks, 590u);
@@ -59,28 +59,29 @@ TEST_P(SteadyLine, NeedsNoCorrection) {
   EXPECT_EQ(match.session(0).roundStatistics().resyncs, 0u);
 }
 
-INSTANTIATE_TEST_SUITE_P(RoundTrips, SteadyLine, testing::Values(0.0, 25.0, 100.0, 400.0, 1000.0));
+INSTANTIATE_TEST_SUITE_P(RoundTrips, ConstantDelay, testing::Values(0.0, 25.0, 100.0, 400.0, 1000.0));
 
-TEST(Session, StaysInLockstepOnABadLine) {
+TEST(Session, StaysInLockstepUnderLossAndJitter) {
   VirtualMatch match({endlessLevel()}, kSeed);
-  LinkQuality line = lineWith(60, 40, 10);
-  line.duplicatePercent = 5;
-  line.reorderPercent = 5;
-  for (std::uint64_t i = 0; i < 3; ++i) match.join(line, pressing(kSeed + i));
+  LinkQuality quality = qualityOf(60, 40, 10);
+  quality.duplicatePercent = 5;
+  quality.reorderPercent = 5;
+  for (std::uint64_t i = 0; i < 3; ++i) match.join(quality, pressing(kSeed + i));
   match.run(seconds(10));
   const Gain gain = gainOf(match, 1, seconds(20));
   EXPECT_GT(gain.prediction.confirmedTicks, 1150u);
-  // A change of buttons is lost with its repetition once in a hundred: four changes a second, a few ticks each.
+  // About four changes of buttons per second; of a hundred, about one is lost with its repetition and costs a few
+  // ticks.
   EXPECT_LT(gain.prediction.missedInputs, 60u);
   EXPECT_EQ(match.session(1).roundStatistics().desyncs, 0u);
   EXPECT_EQ(match.session(1).roundStatistics().resyncs, 0u);
 }
 
-TEST(Session, LateJoinerTakesUpTheRound) {
+TEST(Session, ALateJoinerPlaysTheRunningRound) {
   VirtualMatch match({endlessLevel()}, kSeed);
-  match.join(lineWith(30), pressing(kSeed));
+  match.join(qualityOf(30), pressing(kSeed));
   match.run(seconds(40));
-  match.join(lineWith(80), pressing(kSeed + 1));
+  match.join(qualityOf(80), pressing(kSeed + 1));
   match.run(seconds(3));
   const Gain gain = gainOf(match, 1, seconds(5));
   EXPECT_TRUE(match.session(1).round()->prediction().present());
@@ -92,8 +93,8 @@ TEST(Session, LateJoinerTakesUpTheRound) {
 TEST(Session, PlaysTheNextRound) {
   VirtualMatch match({flatLevel(), cornerLevel()}, kSeed);
   const Controls right = [](const Game&, std::uint32_t) { return Input{Input::kRight}; };
-  match.join(lineWith(40), right);
-  match.join(lineWith(10), right);
+  match.join(qualityOf(40), right);
+  match.join(qualityOf(10), right);
   match.run(seconds(15));
   for (const std::size_t client : {0u, 1u}) {
     ASSERT_NE(match.session(client).round(), nullptr);
@@ -103,37 +104,37 @@ TEST(Session, PlaysTheNextRound) {
   }
 }
 
-TEST(Session, SlowFramesCostABufferButNoInputs) {
+TEST(Session, SlowFramesCauseNoMissedInputs) {
   VirtualMatch match({endlessLevel()}, kSeed);
   match.setFrame(milliseconds(100));
-  match.join(lineWith(20), pressing(kSeed));
+  match.join(qualityOf(20), pressing(kSeed));
   match.run(seconds(12));
   const Gain gain = gainOf(match, 0, seconds(10));
   EXPECT_EQ(gain.prediction.missedInputs, 0u);
   EXPECT_EQ(gain.prediction.corrections, 0u);
 }
 
-// A picture that takes half a second now and then is no jitter of the line.
-TEST(Session, AHiccupDoesNotMakeTheLeadLonger) {
+// Single frames of half a second are no jitter of the connection.
+TEST(Session, AStallDoesNotIncreaseTheLead) {
   VirtualMatch match({endlessLevel()}, kSeed);
-  match.join(lineWith(20), pressing(kSeed));
+  match.join(qualityOf(20), pressing(kSeed));
   match.run(seconds(12));
   const Round& round = *match.session(0).round();
-  const double lead = round.lead();
-  for (int hiccup = 0; hiccup < 8; ++hiccup) {
+  const double lead = round.clock().lead();
+  for (int stall = 0; stall < 8; ++stall) {
     match.setFrame(milliseconds(500));
     match.run(milliseconds(500));
     match.setFrame(milliseconds(4));
     match.run(milliseconds(700));
   }
   match.run(seconds(1));
-  EXPECT_LT(round.lead(), lead + 1);
+  EXPECT_LT(round.clock().lead(), lead + 1);
 }
 
-TEST(Session, KnowsWhoIsThere) {
+TEST(Session, KeepsTheRoster) {
   VirtualMatch match({endlessLevel()}, kSeed);
-  match.join(lineWith(5), pressing(kSeed));
-  match.join(lineWith(5), pressing(kSeed));
+  match.join(qualityOf(5), pressing(kSeed));
+  match.join(qualityOf(5), pressing(kSeed));
   match.run(seconds(1));
   const auto names = match.session(0).names();
   ASSERT_EQ(names.size(), 16u);
@@ -142,36 +143,38 @@ TEST(Session, KnowsWhoIsThere) {
   EXPECT_EQ(names[5], "");
 }
 
-TEST(Session, SaysWhyItWasRefused) {
+TEST(Session, ReportsTheReasonOfARefusal) {
   Session session("x", Moment(0));
   session.receive(encode(Refused{RefusalCode::kFull, "server is full"}), Moment(0));
   ASSERT_TRUE(session.ending().has_value());
   EXPECT_NE(session.ending()->reason.find("server is full"), std::string::npos) << session.ending()->reason;
-  EXPECT_FALSE(session.ending()->forGood);
+  EXPECT_FALSE(session.ending()->permanent);
 }
 
-TEST(Session, EndsOnNonsense) {
+TEST(Session, EndsOnAMalformedMessage) {
   Session session("x", Moment(0));
-  const std::vector<std::uint8_t> nonsense = {1, 2, 3, 4};
-  session.receive(nonsense, Moment(0));
-  EXPECT_TRUE(session.ending().has_value());
+  const std::vector<std::uint8_t> malformed = {1, 2, 3, 4};
+  session.receive(malformed, Moment(0));
+  ASSERT_TRUE(session.ending().has_value());
+  EXPECT_EQ(session.ending()->reason, "protocol error: malformed message from the server");
+  EXPECT_TRUE(session.ending()->permanent);
 }
 
-TEST(Session, EndsOnARoundBeforeTheWelcome) {
+TEST(Session, EndsOnRoundStartBeforeWelcome) {
   Session session("x", Moment(0));
   session.receive(encode(RoundStart{1, 2}), Moment(0));
   EXPECT_TRUE(session.ending().has_value());
 }
 
-TEST(Session, EndsWhenTheServerFallsSilent) {
+TEST(Session, TimesOutWhenTheServerIsSilent) {
   Session session("x", Moment(0));
   const Controls none = [](const Game&, std::uint32_t) { return Input{}; };
   session.receive(encode(Welcome{0, 1, 2, 4, kTicksPerSecond, ""}), Moment(0));
-  session.update(Session::kSilence, none);
+  session.update(Session::kTimeout, none);
   EXPECT_FALSE(session.ending().has_value());
-  session.update(Session::kSilence + milliseconds(1), none);
+  session.update(Session::kTimeout + milliseconds(1), none);
   ASSERT_TRUE(session.ending().has_value());
-  EXPECT_FALSE(session.ending()->forGood);
+  EXPECT_FALSE(session.ending()->permanent);
 }
 
 }  // namespace

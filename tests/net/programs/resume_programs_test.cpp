@@ -77,10 +77,10 @@ TEST_F(ResumePrograms, ClientsResumeAfterTheServerWasSuspended) {
   Process bots(platonCommand("platon-bot", {address(), "--count", "1", "--seconds", "14", "--json"}));
   server().waitForError("joined client=2");
   server().signal(SIGSTOP);
-  ann.waitForError("trying again");
+  ann.waitForError("reconnecting");
   std::this_thread::sleep_for(seconds(2));
   server().signal(SIGCONT);
-  ann.waitForError("connected again");
+  ann.waitForError("reconnected");
   server().waitForError("resumed");
   EXPECT_EQ(bots.wait(), 0) << bots.errors();
   EXPECT_NE(bots.output().find("\"resumes\":1"), std::string::npos) << bots.output();

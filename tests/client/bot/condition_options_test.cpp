@@ -1,4 +1,4 @@
-#include "client/net/condition_options.h"
+#include "client/bot/condition_options.h"
 
 #include <gtest/gtest.h>
 #include <CLI/CLI.hpp>
@@ -12,14 +12,14 @@ namespace {
 
 LinkQuality read(std::vector<std::string> arguments) {
   CLI::App app;
-  LinkQuality line;
-  describeConditionOptions(app, line);
-  std::reverse(arguments.begin(), arguments.end());  // as CLI11 takes them
+  LinkQuality quality;
+  addConditionOptions(app, quality);
+  std::reverse(arguments.begin(), arguments.end());  // the order that CLI11 expects
   app.parse(arguments);
-  return line;
+  return quality;
 }
 
-// What is said of these arguments; empty when they are taken.
+// The error message; empty if the arguments are accepted.
 std::string refusal(const std::vector<std::string>& arguments) {
   try {
     read(arguments);
@@ -29,12 +29,12 @@ std::string refusal(const std::vector<std::string>& arguments) {
   }
 }
 
-TEST(LineOptions, WithoutAnyTheLineIsPerfect) { EXPECT_TRUE(read({}).perfect()); }
+TEST(ConditionOptions, DefaultToPerfectConditions) { EXPECT_TRUE(read({}).perfect()); }
 
 struct Case {
   std::string option;
   double LinkQuality::*field;
-  double most;
+  double max;
 };
 
 const std::vector<Case> kCases = {{"--loss", &LinkQuality::lossPercent, 100},
@@ -46,41 +46,41 @@ const std::vector<Case> kCases = {{"--loss", &LinkQuality::lossPercent, 100},
                                   {"--rate", &LinkQuality::kilobytesPerSecond, 1000000},
                                   {"--corrupt", &LinkQuality::corruptPercent, 100}};
 
-TEST(LineOptions, EachGoesWhereItBelongsAndNowhereElse) {
+TEST(ConditionOptions, EachSetsItsFieldOnly) {
   for (const Case& one : kCases) {
-    const LinkQuality line = read({one.option, "12.5"});
+    const LinkQuality quality = read({one.option, "12.5"});
     for (const Case& other : kCases) {
-      EXPECT_EQ(line.*other.field, one.option == other.option ? 12.5 : 0) << one.option << " in " << other.option;
+      EXPECT_EQ(quality.*other.field, one.option == other.option ? 12.5 : 0) << one.option << " in " << other.option;
     }
-    EXPECT_FALSE(line.perfect()) << one.option;
+    EXPECT_FALSE(quality.perfect()) << one.option;
     EXPECT_TRUE(read({one.option, "0"}).perfect()) << one.option;
   }
 }
 
-TEST(LineOptions, RefuseWhatIsOutOfRange) {
+TEST(ConditionOptions, RefuseValuesOutOfRange) {
   for (const Case& one : kCases) {
-    const auto most = std::to_string(static_cast<int>(one.most));
-    EXPECT_EQ(refusal({one.option, most}), "") << one.option;
-    for (const std::string& value : {std::string("-0.1"), most + ".1", std::string("nan"), std::string("much")}) {
-      EXPECT_EQ(refusal({one.option, value}), one.option + ": '" + value + "' is no number from 0 to " + most);
+    const auto max = std::to_string(static_cast<int>(one.max));
+    EXPECT_EQ(refusal({one.option, max}), "") << one.option;
+    for (const std::string& value : {std::string("-0.1"), max + ".1", std::string("nan"), std::string("much")}) {
+      EXPECT_EQ(refusal({one.option, value}), one.option + ": '" + value + "' is not a number from 0 to " + max);
     }
   }
 }
 
-TEST(LineOptions, BurstsHaveALength) {
+TEST(ConditionOptions, BurstLengthNeedsBurstLoss) {
   EXPECT_EQ(read({"--burst-loss", "3"}).burstLength, 4);
   EXPECT_EQ(read({"--burst-length", "7.5", "--burst-loss", "3"}).burstLength, 7.5);
   EXPECT_EQ(refusal({"--burst-loss", "3", "--burst-length", "0.9"}),
-            "--burst-length: '0.9' is no number from 1 to 10000");
+            "--burst-length: '0.9' is not a number from 1 to 10000");
   EXPECT_EQ(refusal({"--burst-length", "7.5"}), "--burst-length requires --burst-loss");
 }
 
-TEST(LineOptions, AreListedInTheirGroup) {
+TEST(ConditionOptions, HaveTheirOwnGroupInTheHelp) {
   CLI::App app;
-  LinkQuality line;
-  describeConditionOptions(app, line);
+  LinkQuality quality;
+  addConditionOptions(app, quality);
   const std::string help = app.help();
-  const std::size_t group = help.find(std::string(kConditionGroup) + ":");
+  const std::size_t group = help.find("Simulated network conditions, each way:");
   ASSERT_NE(group, std::string::npos) << help;
   for (const Case& one : kCases) EXPECT_GT(help.find(one.option + " "), group) << help;
 }

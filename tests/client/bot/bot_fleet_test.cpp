@@ -12,24 +12,23 @@
 #include "tests/sim/verification.h"
 #include "tests/support/files.h"
 #include "tests/support/input_flipper.h"
+#include "tests/support/loopback_server.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test_level.h"
 
 namespace platon {
 namespace {
 
-constexpr const char* kLoopback = "127.0.0.1";
-
 HostSettings loopback() {
   HostSettings settings;
-  settings.bind = kLoopback;
+  settings.bind = "127.0.0.1";
   return settings;
 }
 
-/// A server on a socket that once tells a wrong input.
-class LyingServer {
+/// A server on a socket that sends one wrong input.
+class FaultyServer {
  public:
-  ServerAddress address() const { return {kLoopback, host_.port()}; }
+  ServerAddress address() const { return {"127.0.0.1", host_.port()}; }
 
   void step() {
     const TimePoint now = std::chrono::steady_clock::now();
@@ -56,9 +55,9 @@ class LyingServer {
 };
 
 // The server steps whenever the bots sleep.
-TEST(BotMismatch, IsWrittenToTheFolderAndPutRight) {
+TEST(BotFleet, WritesADesyncReportAndResyncs) {
   const TemporaryFolder folder;
-  LyingServer server;
+  FaultyServer server;
   const Clock clock{steadyClock().now, [&](Moment until) {
                       server.step();
                       steadyClock().sleepUntil(until);
@@ -68,18 +67,56 @@ TEST(BotMismatch, IsWrittenToTheFolderAndPutRight) {
   options.desyncFolder = folder.path();
   testing::internal::CaptureStderr();
   const std::vector<BotResult> results = BotFleet(options, server.address(), clock).play();
-  const std::string said = testing::internal::GetCapturedStderr();
+  const std::string log = testing::internal::GetCapturedStderr();
   ASSERT_EQ(results.size(), 1u);
   EXPECT_EQ(results[0].round.desyncs, 1u);
   EXPECT_EQ(results[0].round.resyncs, 1u);
   EXPECT_EQ(results[0].ending, std::nullopt);
-  EXPECT_TRUE(said.starts_with("platon-bot: bot 1: round 1: the game was not the server's after tick ")) << said;
-  EXPECT_TRUE(said.ends_with(" on the server; see " + (folder / "desync-1.txt").string() + "\n")) << said;
+  EXPECT_TRUE(log.starts_with("platon-bot: bot 1: round 1: desync at tick ")) << log;
+  EXPECT_TRUE(log.ends_with(" on the server; see " + (folder / "desync-1.txt").string() + "\n")) << log;
   EXPECT_NE(readText(folder / "desync-1.txt").find("\n! entity 0 position"), std::string::npos);
   const std::vector<std::uint8_t> bytes = readBytes(folder / "desync-1.recording");
   const sim::Verification found = sim::Verifier(bytes).run();
   EXPECT_EQ(found.fault, "");
   EXPECT_FALSE(found.divergence.has_value());
+}
+
+FleetOptions threeBots(bool hollow) {
+  FleetOptions options;
+  options.count = 3;
+  options.seconds = 4;
+  options.hollow = hollow;
+  return options;
+}
+
+TEST(BotFleet, PlaysForTheGivenTimeAndLeaves) {
+  for (const bool hollow : {false, true}) {
+    LoopbackServer server;
+    const Moment start = server.clock().now();
+    const std::vector<BotResult> results = BotFleet(threeBots(hollow), server.address(), server.clock()).play();
+    const double seconds = toSeconds(server.clock().now() - start);
+    EXPECT_GE(seconds, 4);
+    EXPECT_LT(seconds, 4.5);  // the bots leave before the timeout
+    ASSERT_EQ(results.size(), 3u);
+    for (const BotResult& result : results) {
+      EXPECT_EQ(result.ending, std::nullopt);
+      EXPECT_GT(result.prediction.confirmedTicks, 100u);
+    }
+    EXPECT_EQ(server.server().match().players(), 0u);
+  }
+}
+
+TEST(BotFleet, CountsBotsThatNeverJoined) {
+  Moment now{};
+  const Clock clock{[&] { return now; }, [&](Moment until) { now = until; }};
+  FleetOptions options = threeBots(false);
+  options.seconds = 7;
+  const std::vector<BotResult> results = BotFleet(options, {"127.0.0.1", 1}, clock).play();
+  ASSERT_EQ(results.size(), 3u);
+  for (const BotResult& result : results) {
+    EXPECT_FALSE(result.joined);
+    EXPECT_TRUE(result.ending.has_value());
+  }
 }
 
 }  // namespace

@@ -1,0 +1,26 @@
+#include "client/netcode/input_sender.h"
+
+#include <algorithm>
+
+namespace platon {
+
+void InputSender::add(std::uint32_t tick, Input input) {
+  if (!first_) first_ = tick;
+  end_ = tick + 1;
+  inputs_[tick % inputs_.size()] = input;
+  schedule_.addInput(input);
+}
+
+std::optional<PlayerInputs> InputSender::takeMessage(Moment now, const ConfirmedState& confirmed) {
+  const std::uint32_t end = std::max(end_, confirmed.ticks);
+  if (!schedule_.due(now, end)) return std::nullopt;
+  schedule_.sent(now, end);
+  PlayerInputs message{round_, confirmed.sync, confirmed.ticks, confirmed.hash, 0, {}};
+  message.first = std::max(confirmed.ticks, first_.value_or(0));
+  // A full state of an earlier tick can leave more unconfirmed inputs than a message may hold.
+  const auto count = std::min<std::uint32_t>(end - std::min(message.first, end), kMaxInputsPerMessage);
+  for (std::uint32_t i = 0; i < count; ++i) message.inputs.push_back(inputs_[(message.first + i) % inputs_.size()]);
+  return message;
+}
+
+}  // namespace platon

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "client/netcode/send_schedule.h"
+#include "client/time/moment.h"
+#include "platon/game/input.h"
+#include "protocol/to_server.h"
+
+namespace platon {
+
+/// Progress of the client's confirmed game, reported in every PlayerInputs message.
+struct ConfirmedState {
+  std::uint32_t ticks = 0;  ///< confirmed ticks of the round
+  std::uint32_t hash = 0;   ///< `shortHash` of the confirmed game
+  std::uint8_t sync = 0;    ///< of the last full state taken in this round; 0: none
+};
+
+/// Sends the local player's inputs of one round. Every message repeats all inputs that the server has not confirmed.
+class InputSender {
+ public:
+  explicit InputSender(std::uint32_t round) : round_(round) {}
+
+  /// The local input for `tick`. Ticks increase from call to call; those skipped must be confirmed already.
+  void add(std::uint32_t tick, Input input);
+  /// Makes the next message due at once.
+  void sendSoon() { schedule_.sendSoon(); }
+
+  /// The message to send at `now`, without its sequence number; nothing if none is due. At most kMaxInputsPerMessage
+  /// inputs, the oldest first.
+  std::optional<PlayerInputs> takeMessage(Moment now, const ConfirmedState& confirmed);
+
+ private:
+  std::uint32_t round_;
+  SendSchedule schedule_;
+  std::optional<std::uint32_t> first_;                // first tick added; the local player is absent before it
+  std::uint32_t end_ = 0;                             // one past the last tick added
+  std::array<Input, kMaxInputsPerMessage> inputs_{};  // by tick modulo its size
+};
+
+}  // namespace platon

@@ -1,0 +1,80 @@
+#include "client/bot/playing_bot.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "tests/support/loopback_server.h"
+
+namespace platon {
+namespace {
+
+using std::chrono::seconds;
+
+class PlayingBots : public testing::Test {
+ protected:
+  static constexpr std::uint32_t kTicks = 120;
+
+  // Three bots play until each has confirmed kTicks.
+  void play(const LinkQuality& quality) {
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+      bots_.push_back(
+          std::make_unique<PlayingBot>(server_.address(), "bot", quality, seed, server_.clock().now(), Moment{}));
+    }
+    const auto update = [this](Moment now) {
+      for (const auto& bot : bots_) bot->update(now);
+    };
+    const auto done = [this] {
+      return std::all_of(bots_.begin(), bots_.end(), [](const auto& bot) {
+        return bot->closed() || bot->result().prediction.confirmedTicks >= kTicks;
+      });
+    };
+    EXPECT_TRUE(server_.runUntil(seconds(20), update, done));
+  }
+
+  void expectLockstep() {
+    ASSERT_EQ(bots_.size(), 3u);
+    for (const auto& bot : bots_) {
+      const BotResult result = bot->result();
+      EXPECT_EQ(result.ending, std::nullopt);
+      EXPECT_GE(result.prediction.confirmedTicks, kTicks);
+      EXPECT_EQ(result.round.desyncs, 0u);
+      EXPECT_EQ(result.round.resyncs, 0u);
+    }
+    EXPECT_EQ(server_.server().brokenMessages(), 0u);
+  }
+
+  LoopbackServer server_;
+  std::vector<std::unique_ptr<Bot>> bots_;
+};
+
+// The checksum must detect all flipped bits: an undetected one would be a malformed or wrong message.
+TEST_F(PlayingBots, StayInLockstepWithCorruptedDatagrams) {
+  LinkQuality quality;
+  quality.corruptPercent = 5;
+  play(quality);
+  expectLockstep();
+}
+
+TEST_F(PlayingBots, StayInLockstepWithBurstLossAndLowBandwidth) {
+  LinkQuality quality;
+  quality.burstLossPercent = 5;
+  quality.burstLength = 5;
+  quality.kilobytesPerSecond = 8;
+  play(quality);
+  expectLockstep();
+}
+
+TEST_F(PlayingBots, ReportAnUnreachableServer) {
+  PlayingBot bot({"127.0.0.1", 1}, "bot", LinkQuality(), 1, Moment{}, Moment{});
+  for (Moment now{}; now <= seconds(6); now += std::chrono::milliseconds(50)) bot.update(now);
+  EXPECT_TRUE(bot.closed());
+  EXPECT_FALSE(bot.result().joined);
+  EXPECT_EQ(bot.result().ending, "no answer from 127.0.0.1:1 within 5 s: is platon-server running there?");
+}
+
+}  // namespace
+}  // namespace platon

@@ -1,0 +1,74 @@
+#include "client/desync/desync_report.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "platon/game/state_difference.h"
+#include "tests/support/flipped_bit.h"
+#include "tests/support/test_level.h"
+
+namespace platon {
+namespace {
+
+Game gameAfter(std::uint32_t ticks) {
+  Game game(endlessLevel());
+  const std::vector<Input> inputs = {Input{Input::kPresent}, Input{Input::kPresent | Input::kRight}};
+  for (std::uint32_t i = 0; i < ticks; ++i) game.advance(inputs);
+  return game;
+}
+
+Desync desyncOf(Game own, std::optional<Game> server) {
+  return {5, 100, 103, 0xa, 0xb, std::move(own), std::move(server), {1, 2, 3}};
+}
+
+TEST(DesyncReport, NamesTheFirstDifferingField) {
+  const Game server = gameAfter(104);
+  Game own = server;
+  ASSERT_TRUE(own.restore(flippedBit(own, "entity 0", "position")));
+  const auto difference = firstDifference(own, server);
+  ASSERT_TRUE(difference.has_value());
+  const DesyncReport report = reportOf(desyncOf(own, server));
+  EXPECT_EQ(
+      report.summary,
+      "round 5: desync at tick 103, last match at tick 100; first difference at tick 104: position of entity 0 is " +
+          difference->left + " on the client, " + difference->right + " on the server");
+  EXPECT_EQ(report.recording, (std::vector<std::uint8_t>{1, 2, 3}));
+}
+
+TEST(DesyncReport, ListsEveryFieldOfBothGamesAndMarksTheDifferingOnes) {
+  const Game server = gameAfter(104);
+  Game own = server;
+  ASSERT_TRUE(own.restore(flippedBit(own, "entity 0", "position")));
+  const std::string text = reportOf(desyncOf(own, server)).text;
+  std::size_t marked = 0;
+  for (const StateField& field : fieldsOf(server)) {
+    const std::size_t at = text.find("\n  " + field.owner + " " + field.name + " ");
+    const std::size_t markedAt = text.find("\n! " + field.owner + " " + field.name + " ");
+    EXPECT_NE(at == std::string::npos, markedAt == std::string::npos) << field.owner << " " << field.name;
+    marked += markedAt == std::string::npos ? 0 : 1;
+  }
+  EXPECT_EQ(marked, 1u) << text;
+  EXPECT_NE(text.find("rules version"), std::string::npos);
+}
+
+TEST(DesyncReport, SaysThatTheServersStateDidNotArrive) {
+  const DesyncReport report = reportOf(desyncOf(gameAfter(110), std::nullopt));
+  EXPECT_EQ(report.summary, "round 5: desync at tick 103, last match at tick 100; the server's state did not arrive");
+  EXPECT_EQ(report.text.find("server state"), std::string::npos);
+}
+
+TEST(DesyncReport, SaysThatTheStatesAreOfDifferentTicks) {
+  const DesyncReport report = reportOf(desyncOf(gameAfter(103), gameAfter(110)));
+  EXPECT_TRUE(report.summary.ends_with("; client state at tick 103, server state at tick 110")) << report.summary;
+}
+
+TEST(DesyncReport, SaysThatTheDifferenceIsGone) {
+  const DesyncReport report = reportOf(desyncOf(gameAfter(110), gameAfter(110)));
+  EXPECT_TRUE(report.summary.ends_with("; no difference at tick 110")) << report.summary;
+}
+
+}  // namespace
+}  // namespace platon

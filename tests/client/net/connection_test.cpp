@@ -1,0 +1,141 @@
+#include "client/net/connection.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "client/time/steady_now.h"
+#include "server/net/host.h"
+
+namespace platon {
+namespace {
+
+using std::chrono::milliseconds;
+
+using Bytes = std::vector<std::uint8_t>;
+
+/// A client's connection and the server's host on loopback, in one thread and in virtual time.
+class ConnectionTest : public testing::Test {
+ protected:
+  // One millisecond of both sides.
+  void step() {
+    now_ += milliseconds(1);
+    stepServer();
+    connection_.service(now_, [this](std::span<const std::uint8_t> message) {
+      received_.emplace_back(message.begin(), message.end());
+    });
+    connection_.flush(now_);
+  }
+
+  void stepServer() {
+    for (HostEvent& event : host_.service(TimePoint(now_))) {
+      client_ = event.client;
+      if (event.disconnected) ++disconnects_;
+      if (!event.disconnected) atServer_.push_back(std::move(event.bytes));
+    }
+    host_.flush(TimePoint(now_));
+  }
+
+  template <class Done>
+  bool stepUntil(Done done) {
+    for (int ms = 0; ms < 5000 && !done(); ++ms) step();
+    return done();
+  }
+
+  // Connects and sends a first message, by which the server learns the client's number.
+  void connect() {
+    ASSERT_TRUE(stepUntil([this] { return connection_.state() == Connection::State::kConnected; }));
+    connection_.send(Bytes{1, 2, 3}, true);
+    ASSERT_TRUE(stepUntil([this] { return !atServer_.empty(); }));
+    host_.admit(client_);
+  }
+
+  static HostSettings loopback() {
+    HostSettings settings;
+    settings.bind = "127.0.0.1";
+    return settings;
+  }
+
+  Moment now_ = steadyClock().now();
+  Host host_{loopback(), TimePoint(now_)};
+  Connection connection_{{"localhost", host_.port()}, now_};
+  ClientId client_ = 0;
+  int disconnects_ = 0;
+  std::vector<Bytes> atServer_;
+  std::vector<Bytes> received_;
+};
+
+TEST_F(ConnectionTest, DeliversMessagesBothWays) {
+  EXPECT_EQ(connection_.state(), Connection::State::kConnecting);
+  connect();
+  EXPECT_EQ(atServer_.front(), (Bytes{1, 2, 3}));
+  host_.send(client_, true, Bytes{4});
+  host_.send(client_, false, Bytes{5, 6});
+  ASSERT_TRUE(stepUntil([this] { return received_.size() == 2; }));
+  std::sort(received_.begin(), received_.end());
+  EXPECT_EQ(received_, (std::vector<Bytes>{{4}, {5, 6}}));
+}
+
+TEST_F(ConnectionTest, ResolvesTheAddress) { EXPECT_EQ(connection_.address().host, "127.0.0.1"); }
+
+TEST_F(ConnectionTest, SendsNothingUntilConnected) {
+  connection_.send(Bytes{9}, true);
+  connect();
+  EXPECT_EQ(atServer_, (std::vector<Bytes>{{1, 2, 3}}));
+}
+
+TEST_F(ConnectionTest, ClosesAfterQueuedMessagesHaveArrived) {
+  connect();
+  connection_.send(Bytes(500, 7), true);
+  connection_.close();
+  ASSERT_TRUE(stepUntil([this] { return connection_.state() == Connection::State::kClosed; }));
+  EXPECT_EQ(atServer_.back(), Bytes(500, 7));
+  EXPECT_TRUE(stepUntil([this] { return disconnects_ == 1; }));
+}
+
+TEST_F(ConnectionTest, CountsItsTraffic) {
+  connect();
+  const Traffic before = connection_.traffic();
+  EXPECT_GT(before.sentPackets, 1u);
+  EXPECT_GT(before.receivedPackets, 0u);
+  host_.send(client_, false, Bytes(1000, 3));
+  ASSERT_TRUE(stepUntil([this] { return !received_.empty(); }));
+  EXPECT_GT((connection_.traffic() - before).receivedBytes, 1000u);
+  EXPECT_GT(connection_.traffic().longestDatagram, 1000u);
+}
+
+// A server that sends faster than the client handles messages must not stop the client.
+TEST_F(ConnectionTest, ServiceDeliversABoundedNumberOfMessages) {
+  constexpr std::size_t kMessages = 3 * Connection::kMaxMessagesPerService;
+  connect();
+  for (std::size_t i = 0; i < kMessages; ++i) {
+    host_.send(client_, true, Bytes{static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(i >> 8)});
+  }
+  std::size_t largest = 0;
+  ASSERT_TRUE(stepUntil([&] {
+    const std::size_t before = received_.size();
+    for (int i = 0; i < 20; ++i) stepServer();  // lets messages pile up
+    step();
+    largest = std::max(largest, received_.size() - before);
+    return received_.size() == kMessages;
+  }));
+  EXPECT_EQ(largest, Connection::kMaxMessagesPerService);
+  for (std::size_t i = 0; i < kMessages; ++i) {
+    ASSERT_EQ(received_[i], (Bytes{static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(i >> 8)}));
+  }
+}
+
+TEST(Connection, ThrowsForAnUnknownHost) {
+  try {
+    Connection({"no such host", 1}, Moment(1));
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_EQ(std::string(error.what()), "cannot resolve host no such host");
+  }
+}
+
+}  // namespace
+}  // namespace platon

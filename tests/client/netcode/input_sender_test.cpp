@@ -1,0 +1,83 @@
+#include "client/netcode/input_sender.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace platon {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr std::uint32_t kRound = 7;
+
+Input pressing(std::uint32_t tick) { return {static_cast<std::uint8_t>(Input::kPresent | tick % 8)}; }
+
+void addTicks(InputSender& sender, std::uint32_t from, std::uint32_t to) {
+  for (std::uint32_t tick = from; tick < to; ++tick) sender.add(tick, pressing(tick));
+}
+
+TEST(InputSender, ReportsTheConfirmedStateBeforeTheFirstInput) {
+  InputSender sender(kRound);
+  const auto message = sender.takeMessage(milliseconds(0), {5, 0xabcd, 3});
+  ASSERT_TRUE(message.has_value());
+  EXPECT_EQ(*message, (PlayerInputs{kRound, 3, 5, 0xabcd, 5, {}}));
+  EXPECT_FALSE(sender.takeMessage(milliseconds(79), {5, 0xabcd, 3}).has_value());
+  EXPECT_TRUE(sender.takeMessage(milliseconds(80), {5, 0xabcd, 3}).has_value());
+}
+
+TEST(InputSender, SendsAllUnconfirmedInputsInOrder) {
+  InputSender sender(kRound);
+  addTicks(sender, 20, 30);
+  const auto first = sender.takeMessage(milliseconds(0), {12, 0, 0});
+  ASSERT_TRUE(first.has_value());
+  EXPECT_EQ(first->first, 20u);  // the local player is absent before
+  ASSERT_EQ(first->inputs.size(), 10u);
+  for (std::uint32_t i = 0; i < 10; ++i) EXPECT_EQ(first->inputs[i], pressing(20 + i));
+  addTicks(sender, 30, 31);
+  const auto second = sender.takeMessage(milliseconds(16), {26, 0, 0});
+  ASSERT_TRUE(second.has_value());
+  EXPECT_EQ(second->first, 26u);
+  ASSERT_EQ(second->inputs.size(), 5u);
+  EXPECT_EQ(second->inputs.back(), pressing(30));
+}
+
+TEST(InputSender, SendsNoInputsWhenAllAreConfirmed) {
+  InputSender sender(kRound);
+  addTicks(sender, 0, 10);
+  const auto message = sender.takeMessage(milliseconds(0), {40, 0, 0});
+  ASSERT_TRUE(message.has_value());
+  EXPECT_EQ(message->first, 40u);
+  EXPECT_TRUE(message->inputs.empty());
+}
+
+// A full state of an earlier tick than the last one, which only a faulty server sends.
+TEST(InputSender, NeverSendsMoreInputsThanAMessageHolds) {
+  InputSender sender(kRound);
+  addTicks(sender, 0, 1000);
+  const auto message = sender.takeMessage(milliseconds(0), {100, 0, 0});
+  ASSERT_TRUE(message.has_value());
+  EXPECT_EQ(message->inputs.size(), kMaxInputsPerMessage);
+}
+
+TEST(InputSender, AcceptsTicksUpToTheLargest) {
+  InputSender sender(kRound);
+  addTicks(sender, UINT32_MAX - 3, UINT32_MAX);
+  const auto message = sender.takeMessage(milliseconds(0), {UINT32_MAX - 2, 0, 0});
+  ASSERT_TRUE(message.has_value());
+  EXPECT_EQ(message->first, UINT32_MAX - 2);
+  EXPECT_EQ(message->inputs.size(), 2u);
+  EXPECT_EQ(decodeToServer(encode(*message)), ToServer(*message));
+}
+
+TEST(InputSender, SendSoonSendsWithoutANewInput) {
+  InputSender sender(kRound);
+  sender.takeMessage(milliseconds(0), {});
+  EXPECT_FALSE(sender.takeMessage(milliseconds(1), {}).has_value());
+  sender.sendSoon();
+  EXPECT_TRUE(sender.takeMessage(milliseconds(1), {}).has_value());
+  EXPECT_FALSE(sender.takeMessage(milliseconds(1), {}).has_value());
+}
+
+}  // namespace
+}  // namespace platon

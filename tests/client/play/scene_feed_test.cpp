@@ -1,0 +1,83 @@
+#include "client/play/scene_feed.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "tests/support/pressing.h"
+#include "tests/support/test_level.h"
+#include "tests/support/virtual_match.h"
+
+namespace platon {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+
+const Controls kRight = [](const Game&, std::uint32_t) { return Input{Input::kRight}; };
+
+TEST(SceneFeed, ShowsTheLocalPlayerPredictedAndTheOthersInterpolated) {
+  LinkQuality quality;
+  quality.delayMs = 100;
+  VirtualMatch match({endlessLevel()}, 1);
+  match.join(quality, kRight);
+  match.join(quality, kRight);
+  SceneFeed feed;
+  EXPECT_FALSE(feed.scene(match.session(0), match.now()).has_value());
+  match.run(milliseconds(1500));
+  const auto scene = feed.scene(match.session(0), match.now());
+  ASSERT_TRUE(scene.has_value());
+  ASSERT_EQ(scene->players.size(), 2u);
+  const PlayerDrawing& other = scene->players[0];
+  const PlayerDrawing& own = scene->players[1];
+  EXPECT_FALSE(other.own);
+  EXPECT_TRUE(own.own);
+  EXPECT_EQ(own.slot, match.slot(0));
+  EXPECT_EQ(own.name, "someone");
+  EXPECT_NE(own.pose.position, other.pose.position);  // both run alike, but are drawn at different ticks
+  EXPECT_EQ(scene->focus.position, own.pose.position);
+}
+
+// Jumping players are brighter for a short time after each landing.
+TEST(SceneFeed, LandingPlayersFlash) {
+  LinkQuality quality;
+  quality.delayMs = 60;
+  quality.jitterMs = 30;
+  VirtualMatch match({endlessLevel()}, 1);
+  match.join(quality, pressing(1));
+  match.join(quality, pressing(2));
+  match.run(seconds(3));
+  SceneFeed feed;
+  std::map<std::uint32_t, int> bright;
+  constexpr int kFrames = 900;
+  for (int frame = 0; frame < kFrames; ++frame) {
+    match.run(milliseconds(16));
+    const auto scene = feed.scene(match.session(0), match.now());
+    ASSERT_TRUE(scene.has_value());
+    for (const PlayerDrawing& player : scene->players)
+      bright[player.slot] += player.colour != playerColour(player.slot);
+  }
+  for (const std::uint32_t slot : {0u, 1u}) {
+    EXPECT_GT(bright[slot], 10) << slot;
+    EXPECT_LT(bright[slot], kFrames / 2) << slot;
+  }
+}
+
+TEST(SceneFeed, ChangesTheStageWithTheLevel) {
+  VirtualMatch match({flatLevel(), cornerLevel()}, 1);
+  match.join(LinkQuality(), kRight);
+  SceneFeed feed;
+  match.run(seconds(1));
+  const auto first = feed.scene(match.session(0), match.now());
+  match.run(milliseconds(100));
+  const auto same = feed.scene(match.session(0), match.now());
+  match.run(seconds(8));
+  const auto next = feed.scene(match.session(0), match.now());
+  ASSERT_TRUE(first && same && next);
+  EXPECT_EQ(first->stage, same->stage);
+  EXPECT_NE(first->stage, next->stage);
+  EXPECT_NE(first->stage->goal.face, next->stage->goal.face);
+}
+
+}  // namespace
+}  // namespace platon

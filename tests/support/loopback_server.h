@@ -1,0 +1,55 @@
+#pragma once
+
+#include <memory>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "client/net/server_address.h"
+#include "client/time/clock.h"
+#include "client/time/steady_now.h"
+#include "server/app/dedicated_server.h"
+#include "tests/support/test_level.h"
+
+namespace platon {
+
+/// A server on a loopback socket, and a virtual clock. Sleeping on the clock steps the server once and advances the
+/// time, so that server and clients run in one thread.
+class LoopbackServer {
+ public:
+  ServerAddress address() const { return {kLoopback, server_.port()}; }
+  DedicatedServer& server() { return server_; }
+  const Clock& clock() const { return clock_; }
+
+  /// Calls `update(now)` every 2 ms until `done()` returns true, for at most `timeout` of virtual time. Returns whether
+  /// it is done.
+  template <class Update, class Done>
+  bool runUntil(Moment timeout, Update update, Done done) {
+    const Moment end = now_ + timeout;
+    while (now_ < end) {
+      update(now_);
+      if (done()) return true;
+      clock_.sleepUntil(now_ + std::chrono::milliseconds(2));
+    }
+    return false;
+  }
+
+ private:
+  static constexpr const char* kLoopback = "127.0.0.1";
+
+  static ServerSettings settings() {
+    ServerSettings settings;
+    settings.host.bind = kLoopback;
+    return settings;
+  }
+
+  DedicatedServer server_{settings(), {endlessLevel()}, Log(LogFormat::kText, [](std::string_view) {})};
+  Moment now_ = steadyClock().now();
+  Clock clock_{[this] { return now_; },
+               [this](Moment until) {
+                 server_.step(TimePoint(now_));
+                 now_ = until;
+               }};
+};
+
+}  // namespace platon
