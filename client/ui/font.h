@@ -12,7 +12,7 @@ struct stbtt_fontinfo;
 
 namespace platon {
 
-/// The code points of a UTF-8 text without its control characters. A malformed byte becomes U+FFFD.
+/// Decodes UTF-8. Each invalid byte becomes U+FFFD; control characters are omitted.
 std::u32string codePointsOf(std::string_view utf8);
 
 /// The typeface of the game, DejaVu Sans Bold, compiled into the program. The size of text is the distance between the

@@ -4,12 +4,14 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <string_view>
 #include <vector>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "client/ui/overlay_writer.h"
+#include "platon/game/utf8.h"
 
 namespace platon {
 namespace {
@@ -37,12 +39,9 @@ std::string finishText(double seconds) {
 
 // Cuts a name of more than kMaxNameLength code points and appends an ellipsis.
 std::string shortened(const std::string& name) {
-  const auto starts = [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U; };
-  std::size_t points = 0;
-  for (std::size_t i = 0; i < name.size(); ++i) {
-    if (starts(name[i]) && ++points > kMaxNameLength) return name.substr(0, i) + "…";
-  }
-  return name;
+  std::string_view rest = name;
+  for (std::size_t i = 0; i < kMaxNameLength && !rest.empty(); ++i) takeCodePoint(rest);
+  return rest.empty() ? name : name.substr(0, name.size() - rest.size()) + "…";
 }
 
 std::string nameOf(const PlayerDrawing& player) {

@@ -27,12 +27,17 @@ std::string withTenths(double value) {
 std::string kilobytes(double bytesPerSecond) { return withTenths(bytesPerSecond / 1000); }
 std::string units(double subunits) { return withTenths(subunits / kSubunitsPerUnit); }
 
+std::string correctionsText(const NetSample& sample) {
+  if (sample.corrections == 0) return "no corrections";
+  return rounded(sample.corrections) + " corrections, the last of " + units(sample.lastCorrection) + " units";
+}
+
 std::array<std::string, 5> textOf(const NetSample& sample) {
   const LinkStatistics& link = sample.link;
   return {"round trip " + rounded(link.rttMs) + " ms, jitter " + rounded(link.jitterMs) + " ms",
           "lead " + rounded(sample.aheadTicks) + " ticks, slack " + rounded(link.slackTicks) + " ticks",
           "lost " + rounded(link.lostDownPercent) + " % down, " + rounded(link.lostUpPercent) + " % up",
-          rounded(sample.corrections) + " corrections, the last of " + units(sample.lastCorrection) + " units",
+          correctionsText(sample),
           kilobytes(sample.downBytesPerSecond) + " kB/s down, " + kilobytes(sample.upBytesPerSecond) + " kB/s up"};
 }
 

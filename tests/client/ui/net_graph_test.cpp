@@ -22,7 +22,9 @@ NetSample sampleOf(double rttMs) {
 
 TEST(NetGraph, EmptyWithoutSamples) {
   const Font font;
-  EXPECT_TRUE(NetGraph().overlay(font, 1280).panels.empty());
+  const Overlay overlay = NetGraph().overlay(font, 1280);
+  EXPECT_TRUE(overlay.panels.empty());
+  EXPECT_TRUE(overlay.texts.empty());
 }
 
 TEST(NetGraph, BarsAndTextStayInThePanel) {
@@ -42,6 +44,7 @@ TEST(NetGraph, BarsAndTextStayInThePanel) {
     EXPECT_LE(bar.high.x, frame.high.x);
     EXPECT_LE(bar.high.y, frame.high.y);
   }
+  ASSERT_EQ(overlay.texts.size(), 5U);
   for (const Overlay::Text& text : overlay.texts) {
     EXPECT_LT(text.place.x + font.width(text.content) * text.size, frame.high.x) << text.content;
   }
@@ -62,6 +65,15 @@ TEST(NetGraph, ShowsTheLatestLinkStatistics) {
                                              "lost 100 % down, 20 % up", "9999 corrections, the last of 1.5 units",
                                              "12.3 kB/s down, 1.0 kB/s up"};
   EXPECT_EQ(lines, expected);
+}
+
+TEST(NetGraph, ShowsThatThereWereNoCorrections) {
+  const Font font;
+  NetGraph graph;
+  graph.add(NetSample());
+  const Overlay overlay = graph.overlay(font, 1280);
+  ASSERT_EQ(overlay.texts.size(), 5U);
+  EXPECT_EQ(overlay.texts[3].content, "no corrections");
 }
 
 TEST(NetGraph, CorrectionsHaveAnotherColour) {
