@@ -1,16 +1,16 @@
 #include "client/play/embedded_server.h"
 
 #include <chrono>
-#include <cstdio>
-#include <fstream>
-#include <optional>
 #include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 
 #include "client/session/network_client.h"
 #include "client/time/steady_now.h"
 #include "protocol/program_error.h"
+#include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
 
 namespace platon {
 namespace {
@@ -63,10 +63,10 @@ TEST(EmbeddedServer, AMissingLevelFileIsAUsageError) {
 }
 
 TEST(EmbeddedServer, AnInvalidLevelIsALevelError) {
-  const std::string file = testing::TempDir() + "platon_embedded_server_test.level";
-  std::ofstream(file) << "CUBE\n";
+  const TemporaryFolder folder;
+  const std::string file = folder / "invalid.level";
+  writeText(file, "CUBE\n");
   const auto [exitCode, message] = errorOf(file);
-  std::remove(file.c_str());
   EXPECT_EQ(exitCode, ProgramError::kLevel);
   EXPECT_EQ(message.find(file + ":1:1: error: "), 0U) << message;
 }

@@ -7,6 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
+
 namespace platon {
 namespace {
 
@@ -14,17 +17,11 @@ namespace fs = std::filesystem;
 
 class SettingsFileTest : public testing::Test {
  protected:
-  SettingsFileTest() { fs::remove_all(folder_.parent_path()); }
-  ~SettingsFileTest() override { fs::remove_all(folder_.parent_path()); }
-
   void write(const std::string& text) const {
     fs::create_directories(folder_);
-    std::ofstream(path_) << text;
+    writeText(path_, text);
   }
-  std::string read() const {
-    std::ifstream file(path_);
-    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  }
+  std::string read() const { return readText(path_); }
   // Starts and ends a game that changes nothing.
   Settings playOnce() const {
     SettingsFile file(folder_);
@@ -33,9 +30,9 @@ class SettingsFileTest : public testing::Test {
     return settings;
   }
 
-  fs::path folder_ = fs::path(testing::TempDir()) / "platon_settings_file_test" /
-                     testing::UnitTest::GetInstance()->current_test_info()->name() / "folder";
-  fs::path path_ = folder_ / "settings";
+  const TemporaryFolder temporary_;
+  const fs::path folder_ = temporary_ / "folder";
+  const fs::path path_ = folder_ / "settings";
 };
 
 TEST_F(SettingsFileTest, WithoutAFileTheSettingsAreTheDefaults) {
@@ -94,9 +91,9 @@ TEST_F(SettingsFileTest, AnUnwritableFileIsReportedAndKept) {
 }
 
 TEST_F(SettingsFileTest, ASymbolicLinkStaysALink) {
-  const fs::path target = folder_.parent_path() / "target";
+  const fs::path target = temporary_ / "target";
   fs::create_directories(folder_);
-  std::ofstream(target) << "zoom 2\n";
+  writeText(target, "zoom 2\n");
   fs::create_symlink(target, path_);
   const Settings settings = playOnce();
   EXPECT_TRUE(fs::is_symlink(path_));

@@ -1,10 +1,9 @@
 #include "client/play/window_play.h"
 
+#include <cstddef>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <functional>
-#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,12 +15,12 @@
 #include "client/time/steady_now.h"
 #include "tests/client/gl/desktop.h"
 #include "tests/client/gl/fake_gamepad.h"
+#include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
 
 // Runs on a virtual display with a window manager (on_display.sh).
 namespace platon {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr int kFullscreenItem = 6;  // below Resume
 
@@ -40,15 +39,11 @@ struct Step {
 class WindowPlayTest : public testing::Test {
  protected:
   WindowPlayTest() {
-    fs::remove_all(folder_);
-    setenv("XDG_CONFIG_HOME", folder_.c_str(), 1);
+    setenv("XDG_CONFIG_HOME", folder_.path().c_str(), 1);
     options_.level = "levels/hexahedron/01_first_steps.level";
     options_.seconds = 60;  // a test that does not end by itself fails
   }
-  ~WindowPlayTest() override {
-    fakeGamepad.reset();
-    fs::remove_all(folder_);
-  }
+  ~WindowPlayTest() override { fakeGamepad.reset(); }
 
   // Plays until the player leaves or all steps are done.
   void play(std::vector<Step> steps) {
@@ -79,14 +74,10 @@ class WindowPlayTest : public testing::Test {
     return glfwGetWindowMonitor(glfwGetCurrentContext()) != nullptr && width == 1280 && height == 1024;
   }
 
-  std::string savedSettings() const {
-    std::ifstream file(folder_ / "platon" / "settings");
-    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  }
+  std::string savedSettings() const { return readText(folder_ / "platon/settings"); }
 
   ClientOptions options_;
-  fs::path folder_ = fs::path(testing::TempDir()) / "platon_window_play_test" /
-                     testing::UnitTest::GetInstance()->current_test_info()->name();
+  const TemporaryFolder folder_;
   bool stepsDone_ = false;
   bool timeIsUp_ = false;
 };
@@ -109,8 +100,8 @@ TEST_F(WindowPlayTest, FullScreenByKey) {
 }
 
 TEST_F(WindowPlayTest, StartsInFullScreenIfTheSettingsSaySo) {
-  fs::create_directories(folder_ / "platon");
-  std::ofstream(folder_ / "platon" / "settings") << "fullscreen on\n";
+  std::filesystem::create_directories(folder_ / "platon");
+  writeText(folder_ / "platon/settings", "fullscreen on\n");
   play({{[] {}, isFullscreen}});
   EXPECT_TRUE(stepsDone_);
 }
