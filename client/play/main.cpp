@@ -25,7 +25,7 @@ int play(int argc, char** argv) {
   std::signal(SIGTERM, [](int) { stopSignal = 1; });
   std::signal(SIGINT, [](int) { stopSignal = 1; });
   if (!options->frames.folder.empty()) {
-    FramePlay(*options, loadLevelFiles({options->level}).levels.front()).run(stopAsked);
+    FramePlay(*options, loadLevelFiles({options->level}).levels.front()).run(stopRequested);
     return 0;
   }
   std::optional<EmbeddedServer> embedded;
