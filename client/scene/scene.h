@@ -21,10 +21,10 @@ struct SceneSource {
   std::shared_ptr<const StageModel> stage;  ///< of the game's level
   const Game* game = nullptr;               ///< the predicted game, whose clock is shown
   double fraction = 1;                      ///< elapsed part of the last tick of `game`, 0 … 1
-  InterpolatedPlayers others;                     ///< from the interpolation buffer; may include the local player
+  InterpolatedPlayers others;               ///< from the interpolation buffer; may include the local player
   std::optional<std::uint32_t> ownSlot;
   std::optional<InterpolatedPlayer> own;  ///< from the predicted game; if unset, taken from `others`
-  Point ownOffset;                  ///< error smoothing of the local player: subunits, in its own frame (+y is its up)
+  Point ownOffset;  ///< error smoothing of the local player: subunits, in its own frame (+y is its up)
   std::span<const std::string> names;  ///< by slot, UTF-8
   std::span<const double> flashes;     ///< by slot, 0 … 1: brightness of the flash after an event
 };
