@@ -10,7 +10,7 @@ COLOURS = {
     "chipmunk-7.0": "#c0392b",
 }
 
-# Points that lie on each other still show.
+# The marks differ so that points at the same place can be told apart.
 MARKS = {"platon": 4, "float32": 5, "float64": 7, "box2d-2.4": 9, "chipmunk-7.0": 11}
 
 HEAD = """set terminal svg size 820,460 font 'sans,14' background '#ffffff'
@@ -26,7 +26,7 @@ set key outside right top reverse Left
 
 
 class Plots:
-    """Draws into one folder."""
+    """Draws plots into one folder."""
 
     def __init__(self, folder):
         self._folder = folder

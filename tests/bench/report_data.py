@@ -1,14 +1,14 @@
-"""What platon-bench --json printed, by set, case and engine."""
+"""Access to the output of platon-bench --json by set, case and engine."""
 
 ENGINES = ("platon", "float32", "float64", "box2d-2.4", "chipmunk-7.0")
 
-# Where whole steps are compared.
+# The scene in which whole steps are compared.
 MOVERS = 64
 SEGMENTS = 10000
 
 
 def count(number):
-    """Digits in groups of three."""
+    """The number with its digits in groups of three."""
     return f"{number:,}".replace(",", " ")
 
 
@@ -34,7 +34,7 @@ class ReportData:
         return list(dict.fromkeys((r["segments"], r["movers"]) for r in self.report["step"]))
 
     def sweep(self, set_name, engine):
-        """None where the engine cannot answer."""
+        """None if the engine cannot answer the set."""
         return self._sweeps.get((set_name, engine))
 
     def step(self, engine, segments, movers=MOVERS):
@@ -47,7 +47,7 @@ class ReportData:
         return self._cases[name, engine]
 
     def on_ladder(self, engine, resolution):
-        """None where the engine does not take part."""
+        """None if the engine has no result at this resolution."""
         return self._ladder.get((engine, resolution))
 
     def sweeps_of(self, engine):
@@ -57,17 +57,17 @@ class ReportData:
         return [r for r in self.report["hardCases"] if r["engine"] == engine]
 
     def wrong(self, engine):
-        """Meetings missed and meetings that are none, in all sets."""
+        """Number of missed and false hits in all sets."""
         return sum(r["missed"] + r["false"] for r in self.sweeps_of(engine))
 
     def time_error(self, engine):
         return max(r["maxTimeError"] for r in self.sweeps_of(engine))
 
     def overlap(self, engine):
-        """The deepest of the hard cases."""
+        """Deepest overlap of all hard cases."""
         return max(r["maxOverlap"] for r in self.cases_of(engine))
 
     def median_sweep_ns(self, engine):
-        """Of the sets that every engine with sweeps can answer."""
+        """Median over the sets that every engine with sweeps can answer."""
         times = sorted(r["nsPerQuery"] for r in self.sweeps_of(engine) if self.sweep(r["set"], "box2d-2.4"))
         return times[len(times) // 2]

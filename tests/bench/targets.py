@@ -1,16 +1,16 @@
-"""What the simulation is aimed at, and whether a run holds it."""
+"""The aims of the simulation, and whether a run meets them."""
 
 from report_data import MOVERS, SEGMENTS, count
 
 PEERS = ("box2d-2.4", "chipmunk-7.0")
 RANDOM_SETS = ("random", "random-12-gon")
 
-# Of its time in the same run, where a sweep in whole numbers is above its bound in nanoseconds.
+# Largest ratio to the time of float64 if a sweep takes longer than its limit in nanoseconds.
 AS_FLOAT64 = 1.1
 
 
 def _sweep_row(data, name, sets, most):
-    """Every one of the sets is within `most` ns, or as fast as float64."""
+    """Every set takes at most `most` ns a query, or about the time of float64."""
     worst = None
     for set_name in sets:
         ns, float_ns = (data.sweep(set_name, engine)["nsPerQuery"] for engine in ("platon", "float64"))
@@ -29,11 +29,11 @@ def _speed_rows(data):
     share = own / data.step_ns(best, SEGMENTS)
     many = data.step_ns("platon", 100000)
     growth = many / data.step_ns("platon", 100)
-    where = f"a step, {MOVERS} movers, {count(SEGMENTS)} segments"
-    yield where, "≤ 250 ns a mover", f"{own:.0f} ns", own <= 250
-    yield where + ", beside the best peer", "≤ 0.5", f"{share:.2f} × {best}", share <= 0.5
-    yield f"a step, {MOVERS} movers, 100 000 segments", "≤ 400 ns a mover", f"{many:.0f} ns", many <= 400
-    yield "the same, beside that with 100 segments", "≤ 1.6", f"{growth:.2f}", growth <= 1.6
+    where = f"a step, {MOVERS} bodies, {count(SEGMENTS)} segments"
+    yield where, "≤ 250 ns a body", f"{own:.0f} ns", own <= 250
+    yield where + ", relative to the best peer", "≤ 0.5", f"{share:.2f} × {best}", share <= 0.5
+    yield f"a step, {MOVERS} bodies, 100 000 segments", "≤ 400 ns a body", f"{many:.0f} ns", many <= 400
+    yield "the same, relative to 100 segments", "≤ 1.6", f"{growth:.2f}", growth <= 1.6
 
 
 def _state_rows(report):
@@ -41,10 +41,10 @@ def _state_rows(report):
     shot = report["snapshot"]
     time = shot["saveNs"] + shot["restoreNs"]
     yield "memory of a segment", "≤ 64 bytes", f"{size:.1f} bytes", size <= 64
-    yield f"{shot['movers']} movers saved and restored", "< 1 µs", f"{time:.0f} ns", time < 1000
-    yield f"{shot['movers']} movers, saved", "< 8 192 bytes", f"{count(shot['bytes'])} bytes", shot["bytes"] < 8192
+    yield f"{shot['movers']} bodies saved and restored", "< 1 µs", f"{time:.0f} ns", time < 1000
+    yield f"{shot['movers']} bodies, saved", "< 8 192 bytes", f"{count(shot['bytes'])} bytes", shot["bytes"] < 8192
     again = next(r for r in report["resimulation"] if (r["players"], r["ticks"]) == (64, 60))["microseconds"]
-    yield "64 players, 60 ticks once more", "≤ 2 ms", f"{again / 1000:.2f} ms", again <= 2000
+    yield "64 players, replay of 60 ticks", "≤ 2 ms", f"{again / 1000:.2f} ms", again <= 2000
     slowest = max(report["advance"], key=lambda r: r["nsPerPlayerTick"])
     time = slowest["nsPerPlayerTick"]
     yield "`Game::advance`, a player, the slowest level", "≤ 300 ns", f"{time:.0f} ns ({slowest['level']})", time <= 300
@@ -52,10 +52,10 @@ def _state_rows(report):
 
 def _exactness_rows(data):
     wrong, error = data.wrong("platon"), data.time_error("platon")
-    yield "sweeps answered wrongly; error of time", "0; 0", f"{wrong}; {error:g}", (wrong, error) == (0, 0)
+    yield "wrong sweeps; error of the time", "0; 0", f"{wrong}; {error:g}", (wrong, error) == (0, 0)
     cases = [data.hard_case(name, "platon") for name in data.cases()]
     overlap, outside = max(r["maxOverlap"] for r in cases), sum(r["tunnelled"] for r in cases)
-    yield "overlap; tunnelling, hard cases", "0; 0", f"{overlap:g}; {outside}", (overlap, outside) == (0, 0)
+    yield "overlap; tunnelling, in hard cases", "0; 0", f"{overlap:g}; {outside}", (overlap, outside) == (0, 0)
     drift = max(r["restDrift"] for r in cases)
     yield "drift at rest", "0", f"{drift:g}", drift == 0
     for name in [name for name in data.cases() if name.startswith("joints")]:
@@ -65,7 +65,7 @@ def _exactness_rows(data):
 
 
 def target_rows(data):
-    """(what, aim, measured, whether it holds), line by line."""
+    """Rows of (name, aim, measured, whether it is met)."""
     yield from _exactness_rows(data)
     yield from _speed_rows(data)
     yield from _state_rows(data.report)

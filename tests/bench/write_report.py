@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes docs/speed_vs_error.md and its plots from what platon-bench --json has printed.
+"""Writes docs/speed_vs_error.md and its plots from the output of platon-bench --json.
 
 usage: write_report.py REPORT.json ROOT
 """
@@ -17,7 +17,7 @@ from targets import target_rows
 
 PICTURES = "docs/pictures"
 
-# Where a plot with a logarithmic axis shows an error of 0.
+# Where a logarithmic axis shows an error of 0.
 NO_TIME_ERROR = 1e-19
 NO_OVERLAP = 1e-5
 
@@ -36,13 +36,13 @@ def short(value):
 
 
 def spread(result, key, digits=0):
-    """Median, and the lowest and highest pass."""
+    """Median, lowest and highest pass as text."""
     median, low, high = (f"{result[key + end]:.{digits}f}" for end in ("", "Low", "High"))
     return f"{median} ({low}–{high})"
 
 
 def by_engine(rows, find, cell, first=""):
-    """A row for each of `rows` and a column for each engine; empty where `find` finds nothing."""
+    """A row for each of `rows` and a column for each engine; a cell is empty if `find` returns None."""
     lines = []
     for row in rows:
         found = [find(row, engine) for engine in ENGINES]
@@ -54,19 +54,19 @@ def draw_all(data, folder):
     plots = Plots(folder)
     plots.points(
         "speed_error_step",
-        {"title": "Whole steps", "x": f"ns a mover and step, {MOVERS} movers, {count(SEGMENTS)} segments",
+        {"title": "Whole steps", "x": f"ns per body and step, {MOVERS} bodies, {count(SEGMENTS)} segments",
          "y": "deepest overlap in the hard cases, subunits"},
         {engine: (data.step_ns(engine, SEGMENTS), data.overlap(engine)) for engine in ENGINES},
         NO_OVERLAP)  # fmt: skip
     plots.points(
         "speed_error_sweep",
-        {"title": "Sweeps", "x": "ns a query, median of the sets", "y": "worst error of time, part of the displacement"},
+        {"title": "Sweeps", "x": "ns a query, median of the sets", "y": "largest error of the time, relative to the displacement"},
         {engine: (data.median_sweep_ns(engine), data.time_error(engine)) for engine in ENGINES if data.sweeps_of(engine)},
         NO_TIME_ERROR)  # fmt: skip
     sizes = list(dict.fromkeys(segments for segments, _ in data.scenes()))
     plots.curves(
         "cost_segments",
-        {"title": "Cost of a step", "x": "segments", "y": f"ns a mover and step, {MOVERS} movers"},
+        {"title": "Cost of a step", "x": "segments", "y": f"ns per body and step, {MOVERS} bodies"},
         {engine: [(n, data.step_ns(engine, n)) for n in sizes] for engine in ENGINES})  # fmt: skip
     ladder = {}
     for result in data.report["resolution"]:
@@ -81,7 +81,7 @@ def sweep_tables(data):
     met = {r["set"]: f"{100 * r['meetings'] / r['questions']:.0f} %" for r in data.sweeps_of("platon")}
     times = by_engine(data.sets(), data.sweep, lambda r: spread(r, "nsPerQuery"), "ns a query")
     errors = by_engine(
-        [f"{name}, {met[name]} meet" for name in data.sets()],
+        [f"{name}, {met[name]} hit" for name in data.sets()],
         lambda row, engine: data.sweep(row.split(",")[0], engine),
         lambda r: f"{count(r['missed'])} / {count(r['false'])}; " + "; ".join(short(r[key]) for key in ("maxTimeError", "maxOverlap")),
     )
@@ -93,7 +93,7 @@ def step_tables(data):
     sizes = list(dict.fromkeys(segments for segments, _ in data.scenes()))
     layout = "{bytesPerSegment:.1f}; {bytesPerMover:.0f}"
     memory = [[count(n), *(layout.format(**data.step(e, n)) for e in ENGINES)] for n in sizes]
-    return STEPS, table(["segments", "movers", *ENGINES], times), MEMORY, table(["segments", *ENGINES], memory)
+    return STEPS, table(["segments", "bodies", *ENGINES], times), MEMORY, table(["segments", *ENGINES], memory)
 
 
 def hard_case_tables(data):
@@ -131,16 +131,16 @@ def part_tables(data):
     for r in data.report["parts"]:
         times = f"{r['nsPerStep'] / plain:.2f}"
         rows.append([r["scene"], spread(r, "nsPerStep"), times, f"{r['instances']:.2f}", f"{r['crossingsPerStep']:.4f}"])
-    return text, table(["one mover's step", "ns", "× the plain plane", "instances", "crossings a step"], rows)
+    return text, table(["step of one body", "ns", "× the plain plane", "instances", "crossings a step"], rows)
 
 
 def game_tables(data):
     shot = data.report["snapshot"]
-    rows = [[f"{end} {shot['movers']} movers, {count(shot['bytes'])} bytes, {shot['level']}", spread(shot, f"{end}Ns") + " ns"]
+    rows = [[f"{end} {shot['movers']} bodies, {count(shot['bytes'])} bytes, {shot['level']}", spread(shot, f"{end}Ns") + " ns"]
             for end in ("save", "restore", "hash")]  # fmt: skip
-    rows += [[f"{r['players']} players, {r['ticks']} ticks once more, {r['level']}", spread(r, "microseconds") + " µs"]
+    rows += [[f"{r['players']} players, {r['ticks']} ticks replayed, {r['level']}", spread(r, "microseconds") + " µs"]
              for r in data.report["resimulation"]]  # fmt: skip
-    rows += [[f"`Game::advance`, {r['level']}, a player of {r['players']}", spread(r, "nsPerPlayerTick") + " ns"]
+    rows += [[f"`Game::advance`, {r['level']}, per player of {r['players']}", spread(r, "nsPerPlayerTick") + " ns"]
              for r in data.report["advance"]]  # fmt: skip
     return (table(["", "median (spread)"], rows),)
 
@@ -158,14 +158,14 @@ def document(report):
     data = ReportData(report)
     held = [[name, aim, measured, "yes" if holds else "**no**"] for name, aim, measured, holds in target_rows(data)]
     sections = {
-        "What the run shows": ["\n".join(f"- {verdict}" for verdict in verdicts(data))],
-        "What was aimed at": [AIMED, table(["what", "aim", "measured", "holds"], held)],
+        "Results": ["\n".join(f"- {verdict}" for verdict in verdicts(data))],
+        "Aims": [AIMED, table(["what", "aim", "measured", "holds"], held)],
         "How each engine is used": [ENGINES_USED],
         "Sweeps": sweep_tables(data),
         "Whole steps": step_tables(data),
         "Hard cases": hard_case_tables(data),
         "Resolution": ladder_tables(data),
-        "What a scene does not need": part_tables(data),
+        "Cost of features": part_tables(data),
         "Games": game_tables(data),
     }
     text = [HEAD.format(machine=machine(), **report["build"])]
