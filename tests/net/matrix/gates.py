@@ -73,13 +73,13 @@ GATES = (
          applies=lambda cell: (cell.loss, cell.delay) == (2, 50) and cell.jitter <= 20, timing=True, **PER_CENT),
     Gate("desyncs", "0", "hashMismatches", 0, shown="{:g}"),
     Gate("resyncs, a player", "0", "resyncs", 0, shown="{:.2g}"),
-    Gate("disconnected and resumed, loss ≤ 10 %", "0", "resumes", 0, shown="{:.2g}",
+    Gate("resumes, loss ≤ 10 %", "0", "resumes", 0, shown="{:.2g}",
          applies=lambda cell: cell.loss <= 10),
-    Gate("bots that failed to join or to stay", "0", "failed", 0, shown="{}"),
+    Gate("bots that could not join or were disconnected", "0", "failed", 0, shown="{}"),
     Gate("rounds that ended during the measurement", "0", "roundOver", 0, shown="{}"),
-    Gate("to join, perfect network", "≤ 300 ms", "connectMs", 300, timing=True, shown="{:.0f} ms",
+    Gate("time to join, perfect connection", "≤ 300 ms", "connectMs", 300, timing=True, shown="{:.0f} ms",
          applies=perfect),
-    Gate("to join, other conditions without loss", "≤ 6 × (delay + jitter) + 2 ticks", "connectMs", max_connect_ms,
+    Gate("time to join, other connections without loss", "≤ 6 × (delay + jitter) + 2 ticks", "connectMs", max_connect_ms,
          timing=True, shown="{:.0f} ms", applies=lambda cell: cell.loss == 0 and not perfect(cell)),
     Gate("server, 16 players", "≤ 1 % of a core", "cpuPercent", 1, applies=_players(16), **CORE),
     Gate("server, 64 players", "≤ 4 % of a core", "cpuPercent", 4, applies=_players(64), **CORE),
@@ -90,9 +90,9 @@ GATES = (
 )  # fmt: skip
 
 WITHOUT_PLAYERS = (
-    Gate("idle server, never joined", "≤ 0.1 % of a core", "idlePercent", 0.1, **IDLE),
-    Gate("idle server, all players gone", "≤ 0.1 % of a core", "leftPercent", 0.1, **IDLE),
-    Gate("start until it listens, median", "≤ 20 ms", "startMs", 20, timing=True, shown="{:.1f} ms"),
+    Gate("server before anybody joins", "≤ 0.1 % of a core", "idlePercent", 0.1, **IDLE),
+    Gate("server after all have left", "≤ 0.1 % of a core", "leftPercent", 0.1, **IDLE),
+    Gate("from start to listening, median", "≤ 20 ms", "startMs", 20, timing=True, shown="{:.1f} ms"),
 )
 
 

@@ -1,4 +1,4 @@
-"""The report of a run: its tables and sentences."""
+"""The tables of a run."""
 
 import os
 from pathlib import Path
@@ -8,25 +8,25 @@ from run_cells import DISTURBED, is_disturbed
 
 SUBUNITS = 1024   # in a level unit
 
-# DDNet 18 at 50 ticks a second on a machine of this size: (players, bytes a second down, per cent of a core).
+# Of DDNet 18 at 50 ticks a second, on a machine of this size: players, bytes a second down, per cent of a core.
 DDNET = ((16, 15700, 6.3), (64, 18800, 23.8))
 
-HEAD = """Written by `./platon bench --network` on {machine}, with `platon-server` and `platon-bot` over loopback. Each \
-cell is a server and 16 bots that press buttons for {seconds:g} s; {at_once} cells run at a time. The numbers are averages \
-over the bots, from {settle:g} s after their first tick on. Loss, delay and jitter are those of each way. Missed inputs, \
-mispredicted own ticks and corrections are counted per 1 000 ticks; the largest correction, in level units, includes \
-joining; CPU is the share of a core while all play. A cell is repeated once if one of its processes waited for a processor \
-for more than {disturbed} % of the time. {busy}"""
+HEAD = """Written by `./platon bench --network` on {machine}. Each cell is one `platon-server` and 16 `platon-bot` players on \
+loopback that press buttons for {seconds:g} s; {at_once} cells run at a time. The numbers are averages over the bots, from \
+{settle:g} s after their first tick. Loss, delay and jitter apply in each direction. Missed inputs, mispredicted own ticks and \
+corrections are counted in 1 000 ticks. The largest correction is in level units and includes joining. CPU is the share of one \
+core while all bots play. A cell is repeated once if one of its processes waited for a processor for more than {disturbed} % of \
+the time; cells that were still disturbed: {busy}"""
 
-SCALE = """These cells run one after another. Of 64 players 8, and of 256 players 4 simulate the game; the others are \
-`--hollow`. The time of a tick includes receiving and sending its datagrams. Times are those of the whole run: all players \
-join within one second, and all leave at once."""
+SCALE = """Each of these servers had the machine for itself and its bots. Of 64 players 8 advance the game, of 256 players 4; \
+the others are `--hollow`. A tick is all work of the server for it, from receiving to sending. Times of ticks cover the whole \
+run: all bots join within a second and leave at the same time."""
 
-WITHOUT = """A server listens {startMs:.1f} ms after its start (median of {starts}). Without players it takes \
-{idlePercent:.3f} % of a core, and {leftPercent:.3f} % after all players have left."""
+WITHOUT = """A server listens {startMs:.1f} ms after its start (median of {starts}). Before anybody joins it takes \
+{idlePercent:.3f} % of a core, and {leftPercent:.3f} % after all have left."""
 
-PEERS = """DDNet 18 sends states instead of inputs 50 times a second, and each input of a player once. It was measured on a \
-machine of this size with as many moving players; Platon on a perfect network:"""
+PEERS = """DDNet 18 (50 ticks a second, sends states, sends each input once) was measured on a machine of this size with as \
+many moving players. Platon's numbers are those of a perfect connection:"""
 
 
 def machine():
@@ -46,7 +46,7 @@ def kb(value):
 
 def matrix_table(results):
     heads = ["loss, %", "delay, ms", "jitter, ms", "round trip, ms", "to join, ms", "down, kB/s", "up, kB/s", "missed",
-             "mispredicted", "corrections", "largest", "resumed", "CPU, %"]  # fmt: skip
+             "mispredicted", "corrections", "largest", "resumes", "CPU, %"]  # fmt: skip
     rows = []
     for r in results:
         cell = r["cell"]
@@ -58,7 +58,7 @@ def matrix_table(results):
 
 
 def scale_table(results):
-    heads = ["players", "network", "to join, ms", "down, kB/s", "up, kB/s", "missed", "longest datagram, bytes", "CPU, %",
+    heads = ["players", "connection", "to join, ms", "down, kB/s", "up, kB/s", "missed", "longest datagram, bytes", "CPU, %",
              "memory, MB", "tick, median, ms", "99th percentile", "longest"]  # fmt: skip
     rows = []
     for r in results:
@@ -72,7 +72,7 @@ def scale_table(results):
 def peer_table(results):
     rows = []
     for players, down, cpu in DDNET:
-        own = next(r for r in results if r["cell"].players == players and not r["cell"].condition_options)
+        own = next(r for r in results if r["cell"].players == players and not r["cell"].line_options)
         times = down / own["downBytesPerSecond"], cpu / own["cpuPercent"]
         rows.append([players, f"{kb(own['downBytesPerSecond'])} kB/s", f"{down / 1000:.1f} kB/s ({times[0]:.1f} ×)",
                      f"{own['cpuPercent']:.2f} %", f"{cpu} % ({times[1]:.1f} ×)"])  # fmt: skip
@@ -87,34 +87,34 @@ def gate_table(judged):
         place = f" ({verdict.cell.name})" if verdict.cell and len(found) > 1 else ""
         holds = "yes" if not wrong else f"**no**, {wrong} of {len(found)} cells" if len(found) > 1 else "**no**"
         rows.append([gate.what, gate.aim, gate.text(verdict.value) + place, holds])
-    return table(["what", "limit", "worst cell", "kept"], rows)
+    return table(["what", "aim", "worst of all cells", "holds"], rows)
 
 
 def summary(judged):
     wrong = [gate.what for gate, found in judged if not all(verdict.holds for verdict in found)]
     if not wrong:
-        return f"All {len(judged)} limits are kept."
-    return f"{len(wrong)} of {len(judged)} limits are exceeded: {'; '.join(wrong)}."
+        return f"All {len(judged)} aims hold."
+    return f"Of {len(judged)} aims {len(wrong)} do not hold: {'; '.join(wrong)}."
 
 
 def busy(results):
-    """Names the cells that were disturbed in every attempt."""
+    """Which cells were never run undisturbed."""
     names = [f"{r['cell'].name} ({r['waitPercent']:.0f} %)" for r in results if is_disturbed(r)]
-    return f"Disturbed in both attempts: {'; '.join(names)}." if names else "No cell was disturbed in both attempts."
+    return f"{'; '.join(names) or 'none'}."
 
 
 def section(together, alone, without_players, judged):
-    """The part of docs/netcode.md that a run writes."""
+    """The part of the page that a run makes."""
     first = together[0]["cell"]
     head = HEAD.format(machine=machine(), seconds=first.seconds, settle=first.settle, at_once=without_players["atOnce"],
                        disturbed=DISTURBED, busy=busy(together + alone))  # fmt: skip
-    parts = [head, summary(judged), gate_table(judged), "### Network conditions", matrix_table(together), "### Many players", SCALE,
-             scale_table(alone), WITHOUT.format(**without_players), "### Compared with another game", PEERS, peer_table(alone)]  # fmt: skip
+    parts = [head, summary(judged), gate_table(judged), "### Connections", matrix_table(together), "### Many players", SCALE,
+             scale_table(alone), WITHOUT.format(**without_players), "### Beside another game", PEERS, peer_table(alone)]  # fmt: skip
     return "\n\n".join(parts)
 
 
 def text_report(results, without_players):
-    """The report of a shorter run, as text."""
+    """For people, of whatever was run."""
     parts = [matrix_table([r for r in results if not r["cell"].hollow]), scale_table(results)]
     if without_players:
         parts.append(WITHOUT.format(**without_players))

@@ -1,11 +1,11 @@
-"""The part of a page that a program writes."""
+"""The generated part of docs/netcode.md."""
 
 BEGIN = "<!-- measured: by ./platon bench --network, do not edit by hand -->"
 END = "<!-- end of measured -->"
 
 
 class PageError(Exception):
-    """The marks of the part are missing."""
+    """The page lacks the markers of its generated part."""
 
 
 def with_part(text, part):
