@@ -47,7 +47,7 @@ def _state_rows(report):
     yield "64 players, replay of 60 ticks", "≤ 2 ms", f"{again / 1000:.2f} ms", again <= 2000
     slowest = max(report["advance"], key=lambda r: r["nsPerPlayerTick"])
     time = slowest["nsPerPlayerTick"]
-    yield "`Game::advance`, a player, the slowest level", "≤ 300 ns", f"{time:.0f} ns ({slowest['level']})", time <= 300
+    yield "`Game::advance`, per player, slowest level", "≤ 300 ns", f"{time:.0f} ns ({slowest['level']})", time <= 300
 
 
 def _exactness_rows(data):

@@ -17,7 +17,7 @@ MAX_FOLDER_FILES = 40
 
 TOP_LEVEL = {
     "CMakeLists.txt", "shared", "server", "client", "protocol", "levels", "tests",
-    "README.md", "LICENSE", "CMakePresets.json", "platon", "docs", "build", "CMakeUserPresets.json",
+    "README.md", "CONTRIBUTING.md", "CHANGELOG.md", "SECURITY.md", "LICENSE", "CMakePresets.json", "platon", "docs", "build", "CMakeUserPresets.json",
 }  # fmt: skip
 
 CPP_SUFFIXES = {".h", ".cpp"}

@@ -1,0 +1,246 @@
+#!/usr/bin/env python3
+"""Compares the figures in the docs with what the programs and sources give.
+
+usage: figures_test.py ROOT BUILD [--write]
+
+Each error is a line `page: what`; exit 1 if there is any. --write corrects the figures in the pages instead.
+"""
+
+import functools
+import json
+import re
+import subprocess
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Callable
+
+NUMBER = r"[\d ]*\d(?:\.\d+)?"
+
+
+class FigureError(Exception):
+    """A figure cannot be computed."""
+
+
+@dataclass(frozen=True)
+class Figures:
+    """The numbers in `sentence`, whose places are marked {}, are those that `compute` returns, as text."""
+
+    page: str
+    sentence: str
+    compute: Callable
+
+    def pattern(self):
+        return re.compile(f"({NUMBER})".join(re.escape(part) for part in self.sentence.split("{}")))
+
+
+class Sources:
+    """Figures from the programs in the build folder and from the sources."""
+
+    def __init__(self, root, build):
+        self.root = root
+        self.build = build
+
+    @functools.cache
+    def run(self, *command):
+        """Standard output of a program, which is run once."""
+        tests = self.build / "tests/bin"
+        program = tests / command[0] if (tests / command[0]).exists() else self.build / "bin" / command[0]
+        words = [str(word).replace("platon-sim", str(self.build / "bin/platon-sim")) for word in command[1:]]
+        finished = subprocess.run([program, *words], cwd=self.root, capture_output=True, text=True)
+        if finished.returncode != 0:
+            raise FigureError(f"{' '.join(map(str, command))} exits with {finished.returncode}: {finished.stderr.strip()}")
+        return finished.stdout
+
+    def constant(self, file, name):
+        """The value of a constant of integers."""
+        text = (self.root / file).read_text(encoding="utf-8")
+        found = re.search(rf"\b{name}(?: = ([^;]+)|\{{([^}}]+)\}});", text)
+        if not found:
+            raise FigureError(f"{file} has no constant {name}")
+        value = re.sub(r"std::(?:size_t|uint64_t)\{(\d+)\}", r"\1", found[1] or found[2])
+        value = re.sub(r"std::chrono::(?:milli)?(?:seconds|minutes)\((\d+)\)", r"\1", value).replace("'", "")
+        value = value.replace("kTicksPerSecond", "60")
+        if not re.fullmatch(r"[\d\s*+/<.()-]+", value):
+            raise FigureError(f"{file}: {name} = {value} is not understood")
+        return eval(value)   # digits and operators only
+
+
+def grouped(value):
+    """Digits in groups of three, as the docs write them."""
+    whole, point, rest = str(value).partition(".")
+    return f"{int(whole):,}".replace(",", " ") + point + rest
+
+
+def constant(file, name, scale=1):
+    def compute(sources):
+        value = sources.constant(file, name) * scale
+        return [grouped(int(value) if value == int(value) else value)]
+    return compute
+
+
+def sweep_check(sources):
+    output = sources.run("platon-sweep-check", "platon-sim", 10000)
+    disagreements = int(re.search(r"^all: .*?(\d+) disagreements", output, re.MULTILINE)[1])
+    lines = re.search(r"^bad lines: (\d+) asked, (\d+) disagreements", output, re.MULTILINE)
+    return [str(disagreements + int(lines[2])), "1 000 000", lines[1]]
+
+
+def scene_check(sources):
+    output = sources.run("platon-scene-check", "platon-sim", 100, 2000, 1)
+    return [grouped(number) for number in re.search(r"(\d+) entity ticks, (\d+) legs, (\d+) failures", output).groups()]
+
+
+def joints(sources, line):
+    """Steps, loss and lift, the latter two rounded up."""
+    output = sources.run("joints_test")
+    steps, loss, lift = re.findall(r"^(\d+) steps\D+([\d.]+)\D+([\d.]+)", output, re.MULTILINE)[line]
+    return grouped(steps), float(loss), float(lift)
+
+
+def round_up(value, digits):
+    return f"{-(-value * 10**digits // 1) / 10**digits:.{digits}f}"
+
+
+def first_joints(sources):
+    steps, loss, lift = joints(sources, 0)
+    return [steps, round_up(loss, 2), round_up(lift, 2)]
+
+
+def second_joints(sources):
+    steps, loss, lift = joints(sources, 1)
+    return [steps, round_up(loss, 2), round_up(lift, 1)]
+
+
+def trajectory(sources):
+    """Distances of four scenes after 1, 60 and 3 600 ticks."""
+    found = {}
+    for result in json.loads(sources.run("platon-reference", "--json"))["trajectories"]:
+        if result["subunitsPerUnit"] == 1024:
+            found[result["scene"], result["ticks"]] = f"{result['errorSubunits']:.1f}"
+    return [found[scene, ticks] for scene in ("bowl", "waves", "uphill", "floor") for ticks in (1, 60, 3600)]
+
+
+def mutations(sources):
+    command = [sys.executable, "-B", "tests/mutation/mutate.py", "--check"]
+    output = subprocess.run(command, cwd=sources.root, capture_output=True, text=True, check=True).stdout
+    count = re.search(r"(\d+) faults, 0 misfits", output)[1]
+    return [count, count]
+
+
+def jump(sources):
+    """Run speed in units a tick, height and width of a jump in units."""
+    file = "shared/game/player.cpp"
+    speed, gravity, run = (sources.constant(file, name) for name in ("kJumpSpeed", "kGravity", "kRunSpeed"))
+    rising = [speed - gravity * tick for tick in range(1, speed // gravity + 1)]
+    return [f"{run / 1024:.1f}", f"{sum(rising) / 1024:.1f}", f"{2 * len(rising) * run / 1024:.0f}"]
+
+
+def nudge(sources):
+    radius = sources.constant("shared/physics/entity_step.h", "kNudge")
+    span = range(-radius, radius + 1)
+    return [str(radius), str(sum(0 < x * x + y * y <= radius * radius for x in span for y in span))]
+
+
+def golden_hash(sources, name):
+    """Ticks and hash of a golden recording."""
+    recording = f"tests/determinism/golden/{name}.recording"
+    result = json.loads(sources.run("platon-sim", "verify", recording, "--json"))
+    return [str(result["ticks"]), result["hash"]]
+
+
+def quoted(page, pattern):
+    """The first number that the pattern finds in another page."""
+    def compute(sources):
+        found = re.search(pattern, (sources.root / page).read_text(encoding="utf-8"))
+        if not found:
+            raise FigureError(f"{page} has no '{pattern}'")
+        return [found[1]]
+    return compute
+
+
+STEP = "shared/physics/entity_step.h"
+LIMITS = "protocol/limits.h"
+BUFFER = "client/netcode/interpolation_buffer.h"
+
+FIGURES = [
+    Figures("docs/exactness.md", "at most {} moves (`EntityStep::kMaxLegs`)", constant(STEP, "kMaxLegs")),
+    Figures("docs/exactness.md", "the checker allows {} entries", constant("tests/exactness/oracle/trace/trace_checker.cpp", "kMaxLegs")),
+    Figures("docs/exactness.md", "`EntityStep::kNudge` = {} subunits clears it, the step tries {} offsets", nudge),
+    Figures("docs/exactness.md", "{} of {} differ; {} kinds of malformed line", sweep_check),
+    Figures("docs/exactness.md", "{} entity ticks, {} legs, {} failures", scene_check),
+    Figures("docs/exactness.md", "{} steps; none makes less than 99 % of the wanted progress minus {}; none ends more than {} above", first_joints),
+    Figures("docs/exactness.md", "{} steps; none makes less than 97 % minus {}; none ends more than {} above", second_joints),
+    Figures("docs/exactness.md", "bowl {}, {}, {}; waves {}, {}, {}; uphill {}, {}, {}; floor {}, {}, {}", trajectory),
+    Figures("docs/exactness.md", "{} of {} are caught", mutations),
+    Figures("docs/level_format.md", "runs at {} units a tick (60 ticks a second). A jump is {} units high and about {} units wide", jump),
+    Figures("docs/level_format.md", "at most {} MiB", constant("shared/include/platon/game/level.h", "kMaxLevelBytes", 1 / (1 << 20))),
+    Figures("docs/hosting.md", "wakes every {} ms", constant("server/app/dedicated_server.cpp", "kIdleWait")),
+    Figures("docs/netcode.md", "within {} ms (`ErrorSmoothing::kDuration`)", constant("client/netcode/error_smoothing.h", "kDuration")),
+    Figures("docs/netcode.md", "keeps the players of the last {} ticks", constant(BUFFER, "kKept")),
+    Figures("docs/netcode.md", "lateness of the last {} ticks", constant(BUFFER, "kWindow")),
+    Figures("docs/netcode.md", "and at most {} ticks. This is 25 ms", constant(BUFFER, "kMaxDelay")),
+    Figures("docs/netcode.md", "a folder takes at most {} reports", constant("client/desync/desync_folder.h", "kMaxReports")),
+    Figures("docs/protocol.md", "one FlatBuffer of at most {} bytes", constant(LIMITS, "kMaxMessageBytes")),
+    Figures("README.md", "**{} ×** | the step time of Chipmunk", quoted("docs/speed_vs_error.md", r"\| (\d\.\d+) × chipmunk-7.0 \|")),
+    Figures("README.md", "and {} × that of Box2D 2.4", quoted("docs/speed_vs_error.md", r"(\d\.\d+) times that of box2d-2.4")),
+    Figures("README.md", "A Platon step takes {} × the time", quoted("docs/speed_vs_error.md", r"(\d\.\d+) times that of float64")),
+    Figures("README.md", "**{} kB/s** | from the server to each of 16", quoted("docs/netcode.md", r"\| 16 \| (\d\.\d+) kB/s \|")),
+]  # fmt: skip
+
+HASH = re.compile(r"^\| (\w+) \| (\d+) \| ([0-9a-f]{16}) \|", re.MULTILINE)
+
+
+def golden_errors(sources):
+    """The first table of hashes in docs/determinism.md is that of the golden recordings."""
+    text = (sources.root / "docs/determinism.md").read_text(encoding="utf-8")
+    documented = {name: [ticks, value] for name, ticks, value in HASH.findall(text) if ticks == "1800"}
+    recorded = {path.stem for path in (sources.root / "tests/determinism/golden").glob("*.recording")}
+    if recorded != documented.keys():
+        yield f"docs/determinism.md: the table of hashes lists {sorted(documented)}, not {sorted(recorded)}"
+    for name in sorted(recorded & documented.keys()):
+        actual = golden_hash(sources, name)
+        if actual != documented[name]:
+            yield f"docs/determinism.md: {name} is {documented[name]}, not {actual}"
+
+
+def compare(sources, figures, write):
+    """The errors of one sentence; with `write` a wrong sentence is corrected."""
+    page = sources.root / figures.page
+    text = page.read_text(encoding="utf-8")
+    found = figures.pattern().search(text)
+    if not found:
+        yield f"{figures.page}: no sentence '{figures.sentence}'"
+        return
+    actual, documented = figures.compute(sources), [number.strip() for number in found.groups()]
+    if actual == documented:
+        return
+    documented_sentence, sentence = figures.sentence.format(*documented), figures.sentence.format(*actual)
+    if write:
+        page.write_text(text.replace(documented_sentence, sentence), encoding="utf-8")
+    else:
+        yield f"{figures.page}: '{documented_sentence}' should be '{sentence}'"
+
+
+def errors_of(sources, write):
+    for figures in FIGURES:
+        try:
+            yield from compare(sources, figures, write)
+        except FigureError as error:
+            yield f"{figures.page}: '{figures.sentence}': {error}"
+    yield from golden_errors(sources)
+
+
+def main(arguments):
+    write = arguments[2:] == ["--write"]
+    if len(arguments) != 2 and not write:
+        print(__doc__, file=sys.stderr)
+        return 2
+    errors = list(errors_of(Sources(*(Path(argument).resolve() for argument in arguments[:2])), write))
+    for error in errors:
+        print(error)
+    return 1 if errors else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
