@@ -72,7 +72,7 @@ def scale_table(results):
 def peer_table(results):
     rows = []
     for players, down, cpu in DDNET:
-        own = next(r for r in results if r["cell"].players == players and not r["cell"].line_options)
+        own = next(r for r in results if r["cell"].players == players and not r["cell"].condition_options)
         times = down / own["downBytesPerSecond"], cpu / own["cpuPercent"]
         rows.append([players, f"{kb(own['downBytesPerSecond'])} kB/s", f"{down / 1000:.1f} kB/s ({times[0]:.1f} ×)",
                      f"{own['cpuPercent']:.2f} %", f"{cpu} % ({times[1]:.1f} ×)"])  # fmt: skip
