@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks the structure of the tree: dependencies, the purity of shared/, lengths, leftovers.
+"""Checks the structure of the tree: dependencies, the purity of shared/, lengths, leftovers, tests of units.
 
 usage: check_structure.py ROOT. Prints each violation as `file:line: what`; exit 1 if there are any.
 """
@@ -11,6 +11,7 @@ from pathlib import Path
 
 import source_text
 from dependency_table import DependencyTable, TableError, path_of
+from unit_tests import check_units
 
 MAX_FILE_LINES = 400
 MAX_FOLDER_FILES = 40
@@ -164,7 +165,7 @@ def check_folder_sizes(paths):
 
 
 def check_tree(root):
-    """Yields every violation in the tree."""
+    """Yields every violation in the tree, except units without tests."""
     table = DependencyTable((root / "docs/architecture.md").read_text(encoding="utf-8"))
     yield from check_top_level(root)
     for folder in table.folders():
@@ -187,7 +188,8 @@ def main(arguments):
         print("usage: check_structure.py ROOT", file=sys.stderr)
         return 2
     try:
-        violations = list(check_tree(Path(arguments[1])))
+        root = Path(arguments[1])
+        violations = [*check_tree(root), *check_units([path for path, _ in tree_files(root)])]
     except (OSError, TableError) as error:
         violations = [f"docs/architecture.md:1: {error}"]
     for violation in violations:

@@ -12,6 +12,7 @@ import check_globals
 import source_text
 from check_structure import check_tree
 from dependency_table import DependencyTable, TableError
+from unit_tests import check_units
 
 ARCHITECTURE = (Path(__file__).parents[2] / "docs/architecture.md").read_text(encoding="utf-8")
 
@@ -287,6 +288,23 @@ class Functions(Tree):
         self.assertEqual(len(list(check_functions.violations([(9, "client/play/a.cpp", "f", 1)] * 100))), 1)
         self.assertEqual(len(list(check_functions.violations(short + [(41, "client/play/a.cpp", "f", 1)] * 10))), 1)
         self.assertEqual(len(list(check_functions.violations([(1, "tests/a.cpp", "f", 1)]))), 1)
+
+
+class Units(unittest.TestCase):
+    def test_every_unit_has_a_test(self):
+        paths = ["server/app/log.cpp", "server/app/log.h", "tests/server/app/log_test.cpp", "tests/support/helper.cpp"]
+        self.assertEqual(list(check_units(paths, {})), [])
+        found = list(check_units([*paths, "levels/tool/main.cpp"], {}))
+        self.assertEqual(len(found), 1)
+        self.assertTrue(found[0].startswith("levels/tool/main.cpp:1: no test file is called main_test.cpp"), found)
+
+    def test_exceptions(self):
+        self.assertEqual(list(check_units(["server/app/main.cpp"], {"server/app/main.cpp": "reason"})), [])
+
+    def test_needless_exceptions_are_refused(self):
+        tested = ["server/app/log.cpp", "tests/server/app/log_test.cpp"]
+        self.assertRegex(next(check_units(tested, {"server/app/log.cpp": "reason"})), "^server/app/log.cpp:1: it has a test")
+        self.assertRegex(next(check_units([], {"server/app/log.cpp": "reason"})), "^server/app/log.cpp:1: it does not exist")
 
 
 class Globals(unittest.TestCase):

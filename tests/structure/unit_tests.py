@@ -1,0 +1,42 @@
+"""The rule that every unit of the product has a test file of its name, and the units that are excepted."""
+
+UNIT_FOLDERS = ("shared/", "protocol/", "server/", "client/", "levels/tool/")
+
+# {unit: which tests check it instead}
+EXCEPTIONS = {
+    "client/bot/bot_main.cpp": "tests/net/programs runs platon-bot",
+    "client/gl/background_painter.cpp": "renderer_test compares its pixels",
+    "client/gl/ball_painter.cpp": "renderer_test compares its pixels",
+    "client/gl/gl_loader.cpp": "every test that draws loads OpenGL",
+    "client/gl/overlay_painter.cpp": "renderer_test compares its pixels",
+    "client/gl/shaders.cpp": "holds the text of the shaders, which renderer_test compiles",
+    "client/gl/stage_painter.cpp": "renderer_test compares its pixels",
+    "client/play/frame_play.cpp": "tests/net/programs runs platon-client",
+    "client/play/main.cpp": "tests/net/programs runs platon-client",
+    "client/play/offscreen_play.cpp": "tests/net/programs runs platon-client --offscreen",
+    "levels/tool/main.cpp": "level_check_test runs platon-level",
+    "server/app/main.cpp": "server_program_test runs platon-server",
+    "shared/physics/entity_step_ends.cpp": "a part of the step: entity_step_test",
+    "shared/physics/entity_step_rules.cpp": "a part of the step: entity_step_test",
+    "shared/physics/entity_step_slide.cpp": "a part of the step: entity_step_test",
+    "shared/physics/entity_step_turn.cpp": "a part of the step: entity_step_test",
+}
+
+
+def _stem(path):
+    return path.rpartition("/")[2].removesuffix(".cpp")
+
+
+def check_units(paths, exceptions=None):
+    """Yields a violation for each unit without a test of its name, and for each needless exception."""
+    exceptions = EXCEPTIONS if exceptions is None else exceptions
+    units = [path for path in paths if path.endswith(".cpp") and path.startswith(UNIT_FOLDERS)]
+    tests = {_stem(path) for path in paths if path.startswith("tests/") and path.endswith("_test.cpp")}
+    for unit in units:
+        tested = f"{_stem(unit)}_test" in tests
+        if not tested and unit not in exceptions:
+            yield f"{unit}:1: no test file is called {_stem(unit)}_test.cpp; add it, or say why in tests/structure/unit_tests.py"
+        if tested and unit in exceptions:
+            yield f"{unit}:1: it has a test file: delete its exception from tests/structure/unit_tests.py"
+    for unit in sorted(set(exceptions) - set(units)):
+        yield f"{unit}:1: it does not exist: delete its exception from tests/structure/unit_tests.py"
