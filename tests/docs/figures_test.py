@@ -82,7 +82,7 @@ def constant(file, name, scale=1):
 def sweep_check(sources):
     output = sources.run("platon-sweep-check", "platon-sim", 10000)
     disagreements = int(re.search(r"^all: .*?(\d+) disagreements", output, re.MULTILINE)[1])
-    lines = re.search(r"^bad lines: (\d+) asked, (\d+) disagreements", output, re.MULTILINE)
+    lines = re.search(r"^bad lines: (\d+) tried, (\d+) failures", output, re.MULTILINE)
     return [str(disagreements + int(lines[2])), "1 000 000", lines[1]]
 
 

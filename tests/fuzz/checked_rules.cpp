@@ -36,7 +36,8 @@ void CheckedRules::overContact(Entity& entity, const SegmentRef& line) {
 void CheckedRules::contact(Entity& entity, const Contact& contact) {
   require(!pierce(entity, contact.segment), "contact with a pierceable segment", contact.segment);
   require(contact.normal != Point(), "contact without a normal", contact.segment);
-  require(contact.time >= Fraction{0, 1} && contact.time < Fraction{1, 1}, "contact time not in [0, 1)", contact.segment);
+  require(contact.time >= Fraction{0, 1} && contact.time < Fraction{1, 1}, "contact time not in [0, 1)",
+          contact.segment);
 }
 
 void CheckedRules::touchContact(Entity& entity, const SegmentRef& line) {

@@ -93,8 +93,8 @@ def gate_table(judged):
 def summary(judged):
     wrong = [gate.what for gate, found in judged if not all(verdict.holds for verdict in found)]
     if not wrong:
-        return f"All {len(judged)} aims hold."
-    return f"Of {len(judged)} aims {len(wrong)} do not hold: {'; '.join(wrong)}."
+        return f"All {len(judged)} limits are kept."
+    return f"{len(wrong)} of {len(judged)} limits are exceeded: {'; '.join(wrong)}."
 
 
 def busy(results):
