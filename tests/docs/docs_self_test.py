@@ -25,7 +25,7 @@ class Names(unittest.TestCase):
         return list(names_test.check_links(self.root, PAGE, text))
 
     def words(self, *words):
-        return list(names_test.check_words(self.root, words, "--known kKnown", {"known_test"}))
+        return list(names_test.check_words(self.root, words, "--known kKnown", {"known_test"}, {"Known": {"member", "kKnown"}}))
 
     def test_existing_links_are_accepted(self):
         self.assertEqual(self.links("[a](page.md) [b](page.md#one-head-two) [c](https://example.org)"), [])
@@ -37,12 +37,14 @@ class Names(unittest.TestCase):
         self.assertEqual(self.links("[a](page.md#three)"), ["page.md has no heading for the link page.md#three"])
 
     def test_existing_names_are_accepted(self):
-        self.assertEqual(self.words("docs/page.md", "docs/*.md", "known_test", "--known", "Class::kKnown", "word"), [])
+        self.assertEqual(self.words("docs/page.md", "docs/*.md", "known_test", "--known", "Known::kKnown", "word", "Known::member(x)"), [])
 
     def test_missing_names_are_errors(self):
         self.assertEqual(self.words("docs/other.md"), ["the path docs/other.md does not exist"])
         self.assertEqual(self.words("other_test"), ["there is no test other_test"])
         self.assertEqual(self.words("--other"), ["no source has the option --other"])
+        self.assertEqual(self.words("Known::other"), ["no class has the member Known::other"])
+        self.assertEqual(self.words("Other::member"), ["no class has the member Other::member"])
         self.assertEqual(self.words("kOther"), ["no source has the constant kOther"])
 
     def test_words_are_taken_from_spans_and_blocks(self):
