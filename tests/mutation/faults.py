@@ -82,7 +82,7 @@ FAULTS = [
               "the feature of a hit is the wrong end of the segment",
               "SweepTest.NormalFacesTheShapeAndTheFeatureTouches"),
     Fault("margin-is-nothing", PUBLIC_PHYSICS + "sweep.h",
-          "std::int64_t{half.oneNorm()} * margin_;", "std::int64_t{half.slope()} * (margin_ - margin_);",
+          "std::int64_t{half.oneNorm()} * margin_;", "std::int64_t{half.oneNorm()} * 0;",
           "the margin of a sweep has no effect",
           "SweepTest.EdgesMoveByAtLeastTheMargin"),
     at_length("bounds-without-the-way", PUBLIC_PHYSICS + "sweep.h", "position}.swept(displacement)", "position}",
