@@ -35,7 +35,7 @@ std::optional<Desync> DesyncDetector::resynced(const Game& server, std::span<con
     const Game* const same = stateAt(server.tick());
     found = makeDesync(same != nullptr ? *same : states_.back());
     // The server's state contains the inputs of its last tick.
-    if (found->own.tick() + 1 == server.tick()) found->own.advance(held);
+    if (found->client.tick() + 1 == server.tick()) found->client.advance(held);
     found->server = server;
   }
   *this = DesyncDetector(round_, server);
@@ -47,10 +47,11 @@ std::optional<Desync> DesyncDetector::ended() {
   return makeDesync(states_.back());
 }
 
-Desync DesyncDetector::makeDesync(Game own) {
+Desync DesyncDetector::makeDesync(Game client) {
   std::vector<std::uint8_t> recording = recording_.finish(states_.back());
-  return {round_,         matchedAt_,   pending_->tick,      pending_->ownHash, pending_->serverHash,
-          std::move(own), std::nullopt, std::move(recording)};
+  return {
+      round_,       matchedAt_,          pending_->tick, pending_->clientHash, pending_->serverHash, std::move(client),
+      std::nullopt, std::move(recording)};
 }
 
 const Game* DesyncDetector::stateAt(std::uint32_t tick) const {

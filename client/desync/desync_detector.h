@@ -17,9 +17,9 @@ struct Desync {
   std::uint32_t round = 0;
   std::uint32_t matchedAt = 0;          ///< last tick before the desync at which the hashes matched
   std::uint32_t tick = 0;               ///< first tick at which the hashes differed
-  std::uint32_t ownHash = 0;            ///< short hash of the client's game after `tick`
+  std::uint32_t clientHash = 0;         ///< short hash of the client's game after `tick`
   std::uint32_t serverHash = 0;         ///< short hash of the server's game after `tick`
-  Game own;                             ///< the client's game at the server's tick if available, else its last state
+  Game client;                          ///< the client's game at the server's tick if available, else its last state
   std::optional<Game> server;           ///< the server's full state; empty if it never arrived
   std::vector<std::uint8_t> recording;  ///< of the client's confirmed game
 };
@@ -49,11 +49,11 @@ class DesyncDetector {
  private:
   struct Pending {
     std::uint32_t tick;
-    std::uint32_t ownHash;
+    std::uint32_t clientHash;
     std::uint32_t serverHash;
   };
 
-  Desync makeDesync(Game own);
+  Desync makeDesync(Game client);
   const Game* stateAt(std::uint32_t tick) const;
 
   std::uint32_t round_;

@@ -18,8 +18,8 @@ constexpr std::size_t kMaxRows = 20000;
 
 std::string nameOf(const StateDifference& row) { return row.owner + " " + row.field; }
 
-std::string tableOf(const Game& own, const Game& server) {
-  std::vector<StateDifference> rows = compareFields(own, server);
+std::string tableOf(const Game& client, const Game& server) {
+  std::vector<StateDifference> rows = compareFields(client, server);
   const std::size_t omitted = rows.size() - std::min(rows.size(), kMaxRows);
   rows.resize(rows.size() - omitted);
   std::size_t nameWidth = 0;
@@ -39,27 +39,27 @@ std::string tableOf(const Game& own, const Game& server) {
 
 std::string differenceOf(const Desync& desync) {
   if (!desync.server) return "the server's state did not arrive";
-  const std::uint32_t own = desync.own.tick();
+  const std::uint32_t client = desync.client.tick();
   const std::uint32_t server = desync.server->tick();
-  if (own != server) return fmt::format("client state at tick {}, server state at tick {}", own, server);
-  const auto difference = firstDifference(desync.own, *desync.server);
-  if (!difference) return fmt::format("no difference at tick {}", own);
-  return fmt::format("first difference at tick {}: {} of {} is {} on the client, {} on the server", own,
+  if (client != server) return fmt::format("client state at tick {}, server state at tick {}", client, server);
+  const auto difference = firstDifference(desync.client, *desync.server);
+  if (!difference) return fmt::format("no difference at tick {}", client);
+  return fmt::format("first difference at tick {}: {} of {} is {} on the client, {} on the server", client,
                      difference->field, difference->owner, difference->left, difference->right);
 }
 
-std::string stateLine(const char* whose, const Game& game) {
-  return fmt::format("{:<24}tick {}, hash {:016x}\n", whose, game.tick(), game.hash());
+std::string stateLine(const char* label, const Game& game) {
+  return fmt::format("{:<24}tick {}, hash {:016x}\n", label, game.tick(), game.hash());
 }
 
 std::string headOf(const Desync& desync) {
-  const Level& level = desync.own.level();
+  const Level& level = desync.client.level();
   std::string text = fmt::format("{:<24}{}\n{:<24}{:016x}\n{:<24}{}\n{:<24}{}\n", "level", level.title, "level hash",
                                  level.hash, "round", desync.round, "rules version", kRulesVersion);
   text += fmt::format("{:<24}tick {}\n", "last match", desync.matchedAt);
   text += fmt::format("{:<24}tick {}, short hash {:08x} on the client, {:08x} on the server\n", "desync", desync.tick,
-                      desync.ownHash, desync.serverHash);
-  text += stateLine("client state", desync.own);
+                      desync.clientHash, desync.serverHash);
+  text += stateLine("client state", desync.client);
   text += desync.server ? stateLine("server state", *desync.server) : "";
   return text;
 }
@@ -72,7 +72,7 @@ DesyncReport reportOf(Desync desync) {
   report.summary = fmt::format("round {}: desync at tick {}, last match at tick {}; {}", desync.round, desync.tick,
                                desync.matchedAt, difference);
   report.text = headOf(desync) + difference + "\n";
-  if (desync.server) report.text += "\nField, client, server:\n" + tableOf(desync.own, *desync.server);
+  if (desync.server) report.text += "\nField, client, server:\n" + tableOf(desync.client, *desync.server);
   report.recording = std::move(desync.recording);
   return report;
 }

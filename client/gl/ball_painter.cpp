@@ -76,7 +76,7 @@ Placement placementOf(const PlayerDrawing& player, const Camera& camera) {
   const glm::dvec3 toEye = way / distance;
   const double facing = glm::dot(player.pose.normal, toEye);
   // The shift fades out near the horizon, so that a face behind the horizon hides the ball.
-  const double lift = glm::clamp(facing * 8, 0.0, 1.0) / glm::max(facing, 0.3) + (player.own ? 2 : 0);
+  const double lift = glm::clamp(facing * 8, 0.0, 1.0) / glm::max(facing, 0.3) + (player.local ? 2 : 0);
   const double moved = glm::min(lift * StageModel::kPlayerRadius, distance / 2);
   return {player.pose.position + toEye * moved, toEye, StageModel::kPlayerRadius * (distance - moved) / distance};
 }
@@ -92,7 +92,7 @@ glm::mat4 labelToClip(const PlayerDrawing& player, const Camera& camera, const P
   return glm::mat4(camera.viewProjection() * toWorld);
 }
 
-Colour outlineOf(const PlayerDrawing& player) { return player.own ? Colour(1) : player.colour * 0.28F; }
+Colour outlineOf(const PlayerDrawing& player) { return player.local ? Colour(1) : player.colour * 0.28F; }
 
 }  // namespace
 

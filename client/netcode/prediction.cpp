@@ -29,16 +29,16 @@ bool Prediction::present() const { return slot_ < confirmed_.slots() && confirme
 // The tick of a full state comes from the server and may be close to 2^32.
 std::uint32_t Prediction::maxAhead() const { return std::min(kMaxAhead, UINT32_MAX - confirmedTicks_); }
 
-void Prediction::predict(Input own) {
+void Prediction::predict(Input local) {
   assert(mayPredict());
-  own_[predictedTicks_ % kMaxAhead] = own;
-  advancePredicted(own);
-  firstPredicted_[(predictedTicks_ - 1) % kMaxAhead] = ownPlace(predicted_);
+  localInputs_[predictedTicks_ % kMaxAhead] = local;
+  advancePredicted(local);
+  firstPredicted_[(predictedTicks_ - 1) % kMaxAhead] = localPlace(predicted_);
 }
 
-void Prediction::advancePredicted(Input own) {
+void Prediction::advancePredicted(Input local) {
   inputs_ = held_;
-  inputs_[slot_] = own;
+  inputs_[slot_] = local;
   const std::span<const EntityState> entities = predicted_.world().entities();
   predictedBefore_.assign(entities.begin(), entities.end());
   predicted_.advance(inputs_);
@@ -48,7 +48,7 @@ void Prediction::advancePredicted(Input own) {
 void Prediction::confirm(std::span<const Input> inputs) {
   assert(inputs.size() <= kMaxPlayers);
   const bool wasPredicted = confirmedTicks_ < predictedTicks_;
-  if (wasPredicted) held_[slot_] = ownInput(confirmedTicks_);
+  if (wasPredicted) held_[slot_] = localInput(confirmedTicks_);
   if (wasPredicted && present() && at(inputs, slot_) != held_[slot_]) ++statistics_.missedInputs;
   const std::size_t slots = std::max(inputs.size(), held_.size());
   for (std::size_t slot = 0; slot < slots; ++slot) stale_ |= at(inputs, slot) != at(held_, slot);
@@ -61,7 +61,7 @@ void Prediction::confirm(std::span<const Input> inputs) {
 
 void Prediction::countMisprediction() {
   const std::optional<Place>& predicted = firstPredicted_[(confirmedTicks_ - 1) % kMaxAhead];
-  const std::optional<Place> confirmed = ownPlace(confirmed_);
+  const std::optional<Place> confirmed = localPlace(confirmed_);
   if (predicted && confirmed && *predicted != *confirmed) ++statistics_.mispredicted;
 }
 
@@ -82,7 +82,7 @@ void Prediction::reconcile(Moment now) {
   if (!stale_ && confirmedTicks_ <= predictedTicks_) return;
   stale_ = false;
   const std::uint32_t until = std::clamp(predictedTicks_, confirmedTicks_, confirmedTicks_ + maxAhead());
-  const std::optional<Place> before = until == predictedTicks_ ? ownPlace(predicted_) : std::nullopt;
+  const std::optional<Place> before = until == predictedTicks_ ? localPlace(predicted_) : std::nullopt;
   replay(until);
   if (before) correct(*before, now);
 }
@@ -90,18 +90,18 @@ void Prediction::reconcile(Moment now) {
 void Prediction::replay(std::uint32_t until) {
   predicted_ = confirmed_;
   predictedTicks_ = confirmedTicks_;
-  while (predictedTicks_ < until) advancePredicted(ownInput(predictedTicks_));
+  while (predictedTicks_ < until) advancePredicted(localInput(predictedTicks_));
 }
 
 // Nothing until the server has let the local player in: nothing can be mispredicted before.
-std::optional<Place> Prediction::ownPlace(const Game& game) const {
+std::optional<Place> Prediction::localPlace(const Game& game) const {
   if (!present() || slot_ >= game.slots() || game.player(slot_).present == 0) return std::nullopt;
   const EntityState& entity = game.world().entities()[slot_];
   return Place{entity.part, entity.position};
 }
 
 void Prediction::correct(const Place& before, Moment now) {
-  const std::optional<Place> after = ownPlace(predicted_);
+  const std::optional<Place> after = localPlace(predicted_);
   if (!after || *after == before) return;
   const Geometry& geometry = predicted_.world().geometry();
   const std::optional<Point> old = unfold(geometry, before, after->part, after->position, kMaxWarps);

@@ -50,7 +50,7 @@ class Prediction {
   /// Whether `predict` may be called.
   bool mayPredict() const { return predictedTicks_ - confirmedTicks_ < maxAhead(); }
   /// Predicts one tick with this local input.
-  void predict(Input own);
+  void predict(Input local);
 
   /// Advances the confirmed game by the server's inputs for tick `confirmedTicks()`, by slot. At most kMaxPlayers.
   void confirm(std::span<const Input> inputs);
@@ -73,7 +73,7 @@ class Prediction {
   bool present() const;
 
   /// The local input predicted for `tick`, which is in confirmedTicks() … predictedTicks() − 1.
-  Input ownInput(std::uint32_t tick) const { return own_[tick % kMaxAhead]; }
+  Input localInput(std::uint32_t tick) const { return localInputs_[tick % kMaxAhead]; }
 
   const PredictionStatistics& statistics() const { return statistics_; }
   /// Offset to add to the local player's predicted position to hide corrections: subunits, in the player's own frame.
@@ -82,10 +82,10 @@ class Prediction {
  private:
   std::uint32_t maxAhead() const;
   void hold(std::span<const Input> inputs);
-  std::optional<Place> ownPlace(const Game& game) const;
+  std::optional<Place> localPlace(const Game& game) const;
   void countMisprediction();
   void replay(std::uint32_t until);
-  void advancePredicted(Input own);
+  void advancePredicted(Input local);
   void correct(const Place& before, Moment now);
 
   std::uint32_t slot_;
@@ -94,7 +94,7 @@ class Prediction {
   std::uint32_t confirmedTicks_ = 0;
   std::uint32_t predictedTicks_ = 0;
   bool stale_ = false;                                            // the confirmed game differs from the predicted one
-  std::array<Input, kMaxAhead> own_{};                            // by tick modulo kMaxAhead
+  std::array<Input, kMaxAhead> localInputs_{};                    // by tick modulo kMaxAhead
   std::array<std::optional<Place>, kMaxAhead> firstPredicted_{};  // local position after the tick, likewise
   std::vector<Input> held_;                                       // always contains slot_
   std::vector<Input> inputs_;                                     // scratch

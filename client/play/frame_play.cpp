@@ -61,7 +61,7 @@ void FramePlay::writeFrame(std::uint32_t frame) {
   source.stage = stage_;
   source.game = &game_;
   source.others = {players_, players_, 1};
-  source.ownSlot = 0;
+  source.localSlot = 0;
   source.names = names_;
   const Scene scene = makeScene(source);
   view_.draw(&scene, HudStatus(), Settings(), Menu(), double{1} / options_.perSecond);

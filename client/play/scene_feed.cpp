@@ -5,16 +5,16 @@ namespace platon {
 namespace {
 
 // Between the last two predicted ticks; at the last one if the player was absent in the one before.
-InterpolatedPlayer ownPlayer(const Round& round) {
+InterpolatedPlayer localPlayer(const Round& round) {
   const Prediction& prediction = round.prediction();
   const std::span<const EntityState> before = prediction.predictedBefore();
-  InterpolatedPlayer own;
-  own.now = own.before = snapshotOf(prediction.predicted(), prediction.slot());
-  own.fraction = round.predictedFraction();
+  InterpolatedPlayer local;
+  local.now = local.before = snapshotOf(prediction.predicted(), prediction.slot());
+  local.fraction = round.predictedFraction();
   if (prediction.slot() < before.size() && before[prediction.slot()].inserted != 0) {
-    own.before = snapshotOf(before[prediction.slot()]);
+    local.before = snapshotOf(before[prediction.slot()]);
   }
-  return own;
+  return local;
 }
 
 }  // namespace
@@ -22,11 +22,11 @@ InterpolatedPlayer ownPlayer(const Round& round) {
 // Each player's flash at the tick at which the player is drawn.
 void SceneFeed::updateFlashes(const Round& round) {
   const Prediction& prediction = round.prediction();
-  const double ownTick = double{1} * prediction.predictedTicks() - 1 + round.predictedFraction();
+  const double localTick = double{1} * prediction.predictedTicks() - 1 + round.predictedFraction();
   flashes_.assign(prediction.predicted().slots(), 0);
   for (std::uint32_t slot = 0; slot < flashes_.size(); ++slot) {
     flashes_[slot] =
-        round.flashes().brightness(slot, slot == prediction.slot() ? ownTick : round.interpolationBuffer().tick());
+        round.flashes().brightness(slot, slot == prediction.slot() ? localTick : round.interpolationBuffer().tick());
   }
 }
 
@@ -43,9 +43,9 @@ std::optional<Scene> SceneFeed::scene(const Session& session, Moment now) {
   source.game = &prediction.predicted();
   source.fraction = round->predictedFraction();
   source.others = round->interpolationBuffer().players();
-  source.ownSlot = prediction.slot();
-  source.own = ownPlayer(*round);
-  source.ownOffset = prediction.smoothing(now);
+  source.localSlot = prediction.slot();
+  source.local = localPlayer(*round);
+  source.localOffset = prediction.smoothing(now);
   source.names = session.names();
   updateFlashes(*round);
   source.flashes = flashes_;

@@ -21,32 +21,34 @@ void shift(Pose& pose, const SolidMesh& mesh, glm::dvec2 offset) {
   pose.normal = normal;
 }
 
-PlayerDrawing drawingOf(const SceneSource& source, const InterpolatedPlayer& time, std::uint32_t slot, bool own) {
+PlayerDrawing drawingOf(const SceneSource& source, const InterpolatedPlayer& time, std::uint32_t slot, bool local) {
   PlayerDrawing player;
   player.slot = slot;
   player.pose = poseBetween(source.stage->mesh, time);
-  if (own && source.ownOffset != Point()) shift(player.pose, source.stage->mesh, toUnits(source.ownOffset));
+  if (local && source.localOffset != Point()) shift(player.pose, source.stage->mesh, toUnits(source.localOffset));
   const double flash = slot < source.flashes.size() ? source.flashes[slot] : 0;
   player.colour = glm::mix(playerColour(slot), Colour(1), static_cast<float>(kFlash * flash));
   player.number = std::to_string(slot + 1);
   if (slot < source.names.size()) player.name = source.names[slot];
-  player.own = own;
+  player.local = local;
   if (time.now.finishedAt != 0) player.finishedAfter = double{1} * time.now.finishedAt / kTicksPerSecond;
   return player;
 }
 
 void addPlayers(Scene& scene, const SceneSource& source) {
-  const auto add = [&](const InterpolatedPlayer& time, std::uint32_t slot, bool own) {
-    if (time.before.present && time.now.present) scene.players.push_back(drawingOf(source, time, slot, own));
+  const auto add = [&](const InterpolatedPlayer& time, std::uint32_t slot, bool local) {
+    if (time.before.present && time.now.present) scene.players.push_back(drawingOf(source, time, slot, local));
   };
   for (std::uint32_t slot = 0; slot < source.others.now.size(); ++slot) {
-    if (slot != source.ownSlot) add(source.others.at(slot), slot, false);
+    if (slot != source.localSlot) add(source.others.at(slot), slot, false);
   }
-  if (source.ownSlot) add(source.own ? *source.own : source.others.at(*source.ownSlot), *source.ownSlot, true);
+  if (source.localSlot)
+    add(source.local ? *source.local : source.others.at(*source.localSlot), *source.localSlot, true);
 }
 
 Pose focusOf(const Scene& scene) {
-  if (!scene.players.empty()) return scene.players.back().own ? scene.players.back().pose : scene.players.front().pose;
+  if (!scene.players.empty())
+    return scene.players.back().local ? scene.players.back().pose : scene.players.front().pose;
   const Marker& start = scene.stage->start;
   return scene.stage->mesh.pose(start.face, start.place, start.angle);
 }

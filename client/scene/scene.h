@@ -22,9 +22,9 @@ struct SceneSource {
   const Game* game = nullptr;               ///< the predicted game, whose clock is shown
   double fraction = 1;                      ///< elapsed part of the last tick of `game`, 0 … 1
   InterpolatedPlayers others;               ///< from the interpolation buffer; may include the local player
-  std::optional<std::uint32_t> ownSlot;
-  std::optional<InterpolatedPlayer> own;  ///< from the predicted game; if unset, taken from `others`
-  Point ownOffset;  ///< error smoothing of the local player: subunits, in its own frame (+y is its up)
+  std::optional<std::uint32_t> localSlot;
+  std::optional<InterpolatedPlayer> local;  ///< from the predicted game; if unset, taken from `others`
+  Point localOffset;  ///< error smoothing of the local player: subunits, in its own frame (+y is its up)
   std::span<const std::string> names;  ///< by slot, UTF-8
   std::span<const double> flashes;     ///< by slot, 0 … 1: brightness of the flash after an event
 };
@@ -36,7 +36,7 @@ struct PlayerDrawing {
   Colour colour{1};
   std::string number;  ///< slot + 1
   std::string name;
-  bool own = false;
+  bool local = false;
   std::optional<double> finishedAfter;  ///< seconds from the start of the round
 };
 

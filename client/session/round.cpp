@@ -79,18 +79,18 @@ void Round::advance(Moment now, const Controls& controls) {
   while (prediction_.mayPredict() && clock_.reaches(prediction_.predictedTicks())) {
     const std::uint32_t tick = prediction_.predictedTicks();
     // Before the first local input the server keeps applying the held one: a resumed player is present already.
-    Input own = prediction_.held()[prediction_.slot()];
+    Input local = prediction_.held()[prediction_.slot()];
     if (tick >= clock_.firstInput()) {
-      own.buttons = controls(prediction_.predicted(), prediction_.slot()).buttons | Input::kPresent;
+      local.buttons = controls(prediction_.predicted(), prediction_.slot()).buttons | Input::kPresent;
       clock_.inputChosen(tick);
-      inputSender_.add(tick, own);
+      inputSender_.add(tick, local);
     }
-    prediction_.predict(own);
-    observeOwn();
+    prediction_.predict(local);
+    observeLocal();
   }
 }
 
-void Round::observeOwn() {
+void Round::observeLocal() {
   const std::uint32_t slot = prediction_.slot();
   const Game& game = prediction_.predicted();
   if (slot < game.slots()) flashes_.observe(slot, prediction_.predictedTicks(), game.player(slot));

@@ -68,7 +68,7 @@ class Round {
  private:
   void applyTicks(const ConfirmedTicks& message);
   void observeOthers();
-  void observeOwn();
+  void observeLocal();
   void checkHash(std::uint32_t serverHash);
 
   std::uint32_t id_;

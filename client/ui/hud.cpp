@@ -75,11 +75,11 @@ std::vector<const PlayerDrawing*> inOrder(const Scene& scene) {
 void addRow(OverlayWriter& writer, const PlayerDrawing& player, float right, float top) {
   constexpr float kRowWidth = 232;
   const glm::vec2 dot(right - kRowWidth + 16, top + 13);
-  if (player.own) writer.panel({right - kRowWidth, top}, {right, top + 26}, 8, {0.30F, 0.36F, 0.55F, 0.55F});
+  if (player.local) writer.panel({right - kRowWidth, top}, {right, top + 26}, 8, {0.30F, 0.36F, 0.55F, 0.55F});
   writer.panel(dot - 9.0F, dot + 9.0F, 9, glm::vec4(player.colour, 1));
   const float size = player.number.size() > 2 ? 9 : 11;
   writer.centred(player.number, {dot.x, dot.y + size * 0.36F}, size, {0.05F, 0.05F, 0.08F, 1});
-  writer.left(nameOf(player), {dot.x + 18, top + 18}, 15, player.own ? kBright : kSoft);
+  writer.left(nameOf(player), {dot.x + 18, top + 18}, 15, player.local ? kBright : kSoft);
   if (player.finishedAfter)
     writer.right(std::string("✓ ") + finishText(*player.finishedAfter), {right - 10, top + 18}, 13, kGold);
 }
@@ -100,7 +100,7 @@ void addPlayers(OverlayWriter& writer, const Scene& scene, float width) {
 }
 
 void addNameTag(OverlayWriter& writer, const PlayerDrawing& player, const Camera& camera, float width) {
-  if (player.own || player.name.empty()) return;
+  if (player.local || player.name.empty()) return;
   // Players whose face looks away from the camera are hidden by the solid.
   if (glm::dot(player.pose.normal, camera.eye() - player.pose.position) <= 0) return;
   const glm::dvec3 above = player.pose.position + camera.up() * (StageModel::kPlayerRadius * 1.35);
@@ -110,9 +110,9 @@ void addNameTag(OverlayWriter& writer, const PlayerDrawing& player, const Camera
 }
 
 void addResult(OverlayWriter& writer, const Scene& scene, float width) {
-  const bool hasOwn = !scene.players.empty() && scene.players.back().own;
+  const bool hasLocal = !scene.players.empty() && scene.players.back().local;
   const glm::vec2 middle(width / 2, Overlay::kHeight * 0.2F);
-  if (hasOwn && scene.players.back().finishedAfter) {
+  if (hasLocal && scene.players.back().finishedAfter) {
     writer.pill(std::string("★  Goal in ") + finishText(*scene.players.back().finishedAfter), middle, 30, kGold);
   } else if (scene.over) {
     writer.pill(scene.secondsLeft <= 0 ? "Time is up" : "Round over", middle, 30, kBright);

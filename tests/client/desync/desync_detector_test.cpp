@@ -20,7 +20,7 @@ class DesyncDetectorTest : public testing::Test {
  protected:
   DesyncDetectorTest() {
     play(kMatching);
-    detector_.hashMatched(own_);
+    detector_.hashMatched(client_);
   }
 
   void playServer(std::uint32_t ticks) {
@@ -28,8 +28,8 @@ class DesyncDetectorTest : public testing::Test {
   }
   void playOwn(std::uint32_t ticks) {
     for (std::uint32_t i = 0; i < ticks; ++i) {
-      own_.advance(inputs_);
-      detector_.advanced(inputs_, own_);
+      client_.advance(inputs_);
+      detector_.advanced(inputs_, client_);
     }
   }
   void play(std::uint32_t ticks) {
@@ -39,14 +39,14 @@ class DesyncDetectorTest : public testing::Test {
 
   // Flips a bit in the client's game, plays three ticks and compares hashes.
   void desync() {
-    ASSERT_TRUE(own_.restore(flippedBit(own_, "entity 0", "position")));
+    ASSERT_TRUE(client_.restore(flippedBit(client_, "entity 0", "position")));
     play(3);
-    ASSERT_NE(own_.hash(), server_.hash());
-    detector_.hashDiffered(own_, shortHash(server_.hash()));
+    ASSERT_NE(client_.hash(), server_.hash());
+    detector_.hashDiffered(client_, shortHash(server_.hash()));
   }
 
   void expectPosition(const Desync& desync) {
-    const auto difference = firstDifference(desync.own, *desync.server);
+    const auto difference = firstDifference(desync.client, *desync.server);
     ASSERT_TRUE(difference.has_value());
     EXPECT_EQ(difference->owner, "entity 0");
     EXPECT_EQ(difference->field, "position");
@@ -54,8 +54,8 @@ class DesyncDetectorTest : public testing::Test {
 
   std::vector<Input> inputs_{kStands, kRuns};
   Game server_{endlessLevel()};
-  Game own_ = server_;
-  DesyncDetector detector_{5, own_};
+  Game client_ = server_;
+  DesyncDetector detector_{5, client_};
 };
 
 TEST_F(DesyncDetectorTest, ReportsNothingWithoutADesync) {
@@ -65,23 +65,23 @@ TEST_F(DesyncDetectorTest, ReportsNothingWithoutADesync) {
 
 TEST_F(DesyncDetectorTest, AMatchingHashDiscardsAPendingDesync) {
   desync();
-  detector_.hashMatched(own_);
+  detector_.hashMatched(client_);
   EXPECT_FALSE(detector_.ended().has_value());
-  detector_.hashDiffered(own_, shortHash(server_.hash()));
+  detector_.hashDiffered(client_, shortHash(server_.hash()));
   EXPECT_TRUE(detector_.ended().has_value());
 }
 
 TEST_F(DesyncDetectorTest, ComparesAtTheServersTick) {
   desync();
   play(20);
-  const Game own = own_;
+  const Game client = client_;
   const auto found = detector_.resynced(server_, inputs_);
   ASSERT_TRUE(found.has_value());
   EXPECT_EQ(found->round, 5u);
   EXPECT_EQ(found->matchedAt, kMatching);
   EXPECT_EQ(found->tick, kMatching + 3);
-  EXPECT_NE(found->ownHash, found->serverHash);
-  EXPECT_EQ(found->own, own);
+  EXPECT_NE(found->clientHash, found->serverHash);
+  EXPECT_EQ(found->client, client);
   EXPECT_EQ(found->server, server_);
   expectPosition(*found);
 }
@@ -91,9 +91,9 @@ TEST_F(DesyncDetectorTest, StartsAnewAfterAResync) {
   play(20);
   ASSERT_TRUE(detector_.resynced(server_, inputs_).has_value());
   EXPECT_FALSE(detector_.ended().has_value());
-  own_ = server_;
+  client_ = server_;
   play(50);
-  detector_.hashDiffered(own_, shortHash(own_.hash()) + 1);
+  detector_.hashDiffered(client_, shortHash(client_.hash()) + 1);
   const auto found = detector_.resynced(server_, inputs_);
   ASSERT_TRUE(found.has_value());
   EXPECT_EQ(found->matchedAt, kMatching + 23);
@@ -107,11 +107,11 @@ TEST_F(DesyncDetectorTest, StartsAnewAfterAResync) {
 TEST_F(DesyncDetectorTest, GoesBackWhenTheClientIsAhead) {
   desync();
   play(20);
-  const Game own = own_;
+  const Game client = client_;
   playOwn(7);
   const auto found = detector_.resynced(server_, inputs_);
   ASSERT_TRUE(found.has_value());
-  EXPECT_EQ(found->own, own);
+  EXPECT_EQ(found->client, client);
   expectPosition(*found);
 }
 
@@ -121,20 +121,20 @@ TEST_F(DesyncDetectorTest, AdvancesByTheLastTickOfTheState) {
   play(20);
   inputs_[0] = kRuns;
   playServer(1);
-  Game own = own_;
-  own.advance(inputs_);
+  Game client = client_;
+  client.advance(inputs_);
   const auto found = detector_.resynced(server_, inputs_);
   ASSERT_TRUE(found.has_value());
-  EXPECT_EQ(found->own, own);
+  EXPECT_EQ(found->client, client);
 }
 
 // The inputs of the ticks between are unknown.
-TEST_F(DesyncDetectorTest, KeepsTheLastOwnStateWhenMoreTicksAreMissing) {
+TEST_F(DesyncDetectorTest, KeepsTheLastClientStateWhenMoreTicksAreMissing) {
   desync();
   playServer(2);
   const auto found = detector_.resynced(server_, inputs_);
   ASSERT_TRUE(found.has_value());
-  EXPECT_EQ(found->own, own_);
+  EXPECT_EQ(found->client, client_);
   EXPECT_EQ(found->server, server_);
 }
 
@@ -144,7 +144,7 @@ TEST_F(DesyncDetectorTest, KeepsOnlyTheLastStates) {
   playOwn(5 + static_cast<std::uint32_t>(DesyncDetector::kMaxStates));
   const auto found = detector_.resynced(server_, inputs_);
   ASSERT_TRUE(found.has_value());
-  EXPECT_EQ(found->own, own_);
+  EXPECT_EQ(found->client, client_);
 }
 
 TEST_F(DesyncDetectorTest, ReportsADesyncAtTheEndOfTheRound) {
@@ -153,7 +153,7 @@ TEST_F(DesyncDetectorTest, ReportsADesyncAtTheEndOfTheRound) {
   const auto found = detector_.ended();
   ASSERT_TRUE(found.has_value());
   EXPECT_FALSE(found->server.has_value());
-  EXPECT_EQ(found->own, own_);
+  EXPECT_EQ(found->client, client_);
 }
 
 // As after a memory fault: replaying the recording shows where the game departs from its inputs.

@@ -20,17 +20,17 @@ Game gameAfter(std::uint32_t ticks) {
   return game;
 }
 
-Desync desyncOf(Game own, std::optional<Game> server) {
-  return {5, 100, 103, 0xa, 0xb, std::move(own), std::move(server), {1, 2, 3}};
+Desync desyncOf(Game client, std::optional<Game> server) {
+  return {5, 100, 103, 0xa, 0xb, std::move(client), std::move(server), {1, 2, 3}};
 }
 
 TEST(DesyncReport, NamesTheFirstDifferingField) {
   const Game server = gameAfter(104);
-  Game own = server;
-  ASSERT_TRUE(own.restore(flippedBit(own, "entity 0", "position")));
-  const auto difference = firstDifference(own, server);
+  Game client = server;
+  ASSERT_TRUE(client.restore(flippedBit(client, "entity 0", "position")));
+  const auto difference = firstDifference(client, server);
   ASSERT_TRUE(difference.has_value());
-  const DesyncReport report = reportOf(desyncOf(own, server));
+  const DesyncReport report = reportOf(desyncOf(client, server));
   EXPECT_EQ(
       report.summary,
       "round 5: desync at tick 103, last match at tick 100; first difference at tick 104: position of entity 0 is " +
@@ -40,9 +40,9 @@ TEST(DesyncReport, NamesTheFirstDifferingField) {
 
 TEST(DesyncReport, ListsEveryFieldOfBothGamesAndMarksTheDifferingOnes) {
   const Game server = gameAfter(104);
-  Game own = server;
-  ASSERT_TRUE(own.restore(flippedBit(own, "entity 0", "position")));
-  const std::string text = reportOf(desyncOf(own, server)).text;
+  Game client = server;
+  ASSERT_TRUE(client.restore(flippedBit(client, "entity 0", "position")));
+  const std::string text = reportOf(desyncOf(client, server)).text;
   std::size_t marked = 0;
   for (const StateField& field : fieldsOf(server)) {
     const std::size_t at = text.find("\n  " + field.owner + " " + field.name + " ");

@@ -122,12 +122,12 @@ TEST_F(RenderTest, PlayersBehindTheSolidAreHidden) {
 TEST_F(RenderTest, TheLocalPlayerHasABrightOutline) {
   const auto stage = cube();
   std::array<double, 2> outlines{};
-  for (const bool own : {false, true}) {
+  for (const bool local : {false, true}) {
     PlayerDrawing player = playerAt(*stage, 2, 0, {40, 30});
-    player.own = own;
+    player.local = local;
     const Image image = draw(sceneOf(stage, {player}));
     const glm::dvec3 rim = -0.94 * camera_.right() * StageModel::kPlayerRadius;
-    outlines[own ? 1 : 0] = brightness(pixel(image, pixelOf(player.pose.position + rim)));
+    outlines[local ? 1 : 0] = brightness(pixel(image, pixelOf(player.pose.position + rim)));
   }
   EXPECT_GT(outlines[1], 0.65);
   EXPECT_LT(outlines[0], 0.4);

@@ -12,7 +12,7 @@
 namespace platon {
 namespace {
 
-constexpr std::uint32_t kOwn = 1;
+constexpr std::uint32_t kLocal = 1;
 constexpr Moment kNow = std::chrono::seconds(9);
 
 using Inputs = std::vector<Input>;
@@ -24,8 +24,8 @@ Game expectedPrediction(const Prediction& prediction) {
   Game game = prediction.confirmed();
   for (std::uint32_t tick = prediction.confirmedTicks(); tick < prediction.predictedTicks(); ++tick) {
     Inputs inputs(prediction.held().begin(), prediction.held().end());
-    inputs.resize(std::max<std::size_t>(inputs.size(), kOwn + 1));
-    inputs[kOwn] = prediction.ownInput(tick);
+    inputs.resize(std::max<std::size_t>(inputs.size(), kLocal + 1));
+    inputs[kLocal] = prediction.localInput(tick);
     game.advance(inputs);
   }
   return game;
@@ -33,20 +33,20 @@ Game expectedPrediction(const Prediction& prediction) {
 
 TEST(Prediction, EqualsTheConfirmedGameAdvancedWithLocalInputs) {
   std::mt19937 random(5);
-  ButtonPresser own(1), other(2);
+  ButtonPresser local(1), other(2);
   Game server(flatLevel());
-  Prediction prediction(server, kOwn);
+  Prediction prediction(server, kLocal);
   std::uint32_t ahead = 0;
   for (int step = 0; step < 1500; ++step) {
     if (prediction.predictedTicks() - prediction.confirmedTicks() < ahead + 1) {
       ASSERT_TRUE(prediction.mayPredict());
-      prediction.predict(present(own.next().buttons));
+      prediction.predict(present(local.next().buttons));
     }
     if (random() % 40 == 0) ahead = static_cast<std::uint32_t>(random() % 30);
     for (auto batch = random() % 3; batch > 0; --batch) {
       if (prediction.confirmedTicks() >= prediction.predictedTicks()) break;
       // Now and then the server decides another local input, as for one that arrived too late.
-      const Input decided = random() % 50 == 0 ? present(0) : prediction.ownInput(prediction.confirmedTicks());
+      const Input decided = random() % 50 == 0 ? present(0) : prediction.localInput(prediction.confirmedTicks());
       const Inputs inputs = {present(other.next().buttons), decided};
       server.advance(inputs);
       prediction.confirm(inputs);
@@ -60,12 +60,12 @@ TEST(Prediction, EqualsTheConfirmedGameAdvancedWithLocalInputs) {
 }
 
 TEST(Prediction, NeedsNoCorrectionWhenInputsArriveInTime) {
-  ButtonPresser own(3), other(4);
-  Prediction prediction(Game(flatLevel()), kOwn);
+  ButtonPresser local(3), other(4);
+  Prediction prediction(Game(flatLevel()), kLocal);
   for (int tick = 0; tick < 600; ++tick) {
-    prediction.predict(present(own.next().buttons));
+    prediction.predict(present(local.next().buttons));
     if (tick < 12) continue;
-    const Inputs inputs = {present(other.next().buttons), prediction.ownInput(prediction.confirmedTicks())};
+    const Inputs inputs = {present(other.next().buttons), prediction.localInput(prediction.confirmedTicks())};
     prediction.confirm(inputs);
     prediction.reconcile(kNow);
   }
@@ -77,7 +77,7 @@ TEST(Prediction, NeedsNoCorrectionWhenInputsArriveInTime) {
 
 // Predicts ten ticks of running right; the server decides that nothing was pressed in the first one.
 Prediction corrected() {
-  Prediction prediction(Game(flatLevel()), kOwn);
+  Prediction prediction(Game(flatLevel()), kLocal);
   const Inputs standing = {Input{}, present(0)};
   for (int tick = 0; tick < 60; ++tick) prediction.confirm(standing);
   prediction.reconcile(kNow);
@@ -88,9 +88,9 @@ Prediction corrected() {
 
 TEST(Prediction, MeasuresAndSmoothsACorrection) {
   Prediction prediction = corrected();
-  const Point before = prediction.predicted().world().entities()[kOwn].position;
+  const Point before = prediction.predicted().world().entities()[kLocal].position;
   prediction.reconcile(kNow);
-  const Point after = prediction.predicted().world().entities()[kOwn].position;
+  const Point after = prediction.predicted().world().entities()[kLocal].position;
   ASSERT_NE(before, after);
   EXPECT_EQ(before.y, after.y);
   EXPECT_EQ(prediction.statistics().corrections, 1u);
@@ -104,7 +104,7 @@ TEST(Prediction, MeasuresAndSmoothsACorrection) {
 }
 
 TEST(Prediction, StopsFourSecondsAhead) {
-  Prediction prediction(Game(flatLevel()), kOwn);
+  Prediction prediction(Game(flatLevel()), kLocal);
   for (std::uint32_t tick = 0; tick < Prediction::kMaxAhead; ++tick) {
     ASSERT_TRUE(prediction.mayPredict());
     prediction.predict(present(0));
@@ -114,7 +114,7 @@ TEST(Prediction, StopsFourSecondsAhead) {
 }
 
 TEST(Prediction, FollowsAServerThatIsAhead) {
-  Prediction prediction(Game(flatLevel()), kOwn);
+  Prediction prediction(Game(flatLevel()), kLocal);
   const Inputs inputs = {present(Input::kLeft), present(Input::kRight)};
   for (int tick = 0; tick < 50; ++tick) prediction.confirm(inputs);
   prediction.reconcile(kNow);
@@ -126,7 +126,7 @@ TEST(Prediction, RestoresTheServersState) {
   Game server(flatLevel());
   const Inputs inputs = {present(Input::kRight), present(Input::kRight), present(Input::kJump)};
   for (int tick = 0; tick < 100; ++tick) server.advance(inputs);
-  Prediction prediction(Game(flatLevel()), kOwn);
+  Prediction prediction(Game(flatLevel()), kLocal);
   for (int tick = 0; tick < 105; ++tick) prediction.predict(present(0));
   ASSERT_TRUE(prediction.restore(server.save(), 100, inputs));
   prediction.reconcile(kNow);
@@ -137,7 +137,7 @@ TEST(Prediction, RestoresTheServersState) {
 }
 
 TEST(Prediction, RefusesAnInvalidState) {
-  Prediction prediction(Game(flatLevel()), kOwn);
+  Prediction prediction(Game(flatLevel()), kLocal);
   const std::uint64_t hash = prediction.confirmed().hash();
   const std::vector<std::uint8_t> invalid(17, 0xee);
   EXPECT_FALSE(prediction.restore(invalid, 5, {}));
@@ -148,7 +148,7 @@ TEST(Prediction, RefusesAnInvalidState) {
 // The tick of a full state comes from the server.
 TEST(Prediction, StopsAtTheLargestTick) {
   Game server(flatLevel());
-  Prediction prediction(server, kOwn);
+  Prediction prediction(server, kLocal);
   for (int tick = 0; tick < 5; ++tick) prediction.predict(present(0));
   ASSERT_TRUE(prediction.restore(server.save(), UINT32_MAX - 3, {}));
   prediction.reconcile(kNow);

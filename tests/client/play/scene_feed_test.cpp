@@ -29,13 +29,13 @@ TEST(SceneFeed, ShowsTheLocalPlayerPredictedAndTheOthersInterpolated) {
   ASSERT_TRUE(scene.has_value());
   ASSERT_EQ(scene->players.size(), 2u);
   const PlayerDrawing& other = scene->players[0];
-  const PlayerDrawing& own = scene->players[1];
-  EXPECT_FALSE(other.own);
-  EXPECT_TRUE(own.own);
-  EXPECT_EQ(own.slot, match.slot(0));
-  EXPECT_EQ(own.name, "someone");
-  EXPECT_NE(own.pose.position, other.pose.position);  // both run alike, but are drawn at different ticks
-  EXPECT_EQ(scene->focus.position, own.pose.position);
+  const PlayerDrawing& local = scene->players[1];
+  EXPECT_FALSE(other.local);
+  EXPECT_TRUE(local.local);
+  EXPECT_EQ(local.slot, match.slot(0));
+  EXPECT_EQ(local.name, "someone");
+  EXPECT_NE(local.pose.position, other.pose.position);  // both run alike, but are drawn at different ticks
+  EXPECT_EQ(scene->focus.position, local.pose.position);
 }
 
 // Jumping players are brighter for a short time after each landing.

@@ -103,15 +103,15 @@ TEST(Scene, TheLocalPlayerIsPredictedAndTheOthersAreConfirmed) {
   run(predicted, 2, Input::kRight, 10);
   const std::vector<PlayerSnapshot> players = playersOf(confirmed);
   SceneSource source = sourceOf(predicted, players, players, 1);
-  source.own = {snapshotOf(predicted, 0), snapshotOf(predicted, 0), 1};
-  source.ownSlot = 0;
+  source.local = {snapshotOf(predicted, 0), snapshotOf(predicted, 0), 1};
+  source.localSlot = 0;
   const Scene scene = makeScene(source);
   ASSERT_EQ(scene.players.size(), 2U);
   EXPECT_EQ(scene.players[0].slot, 1U);
-  EXPECT_FALSE(scene.players[0].own);
+  EXPECT_FALSE(scene.players[0].local);
   EXPECT_LT(glm::distance(scene.players[0].pose.position, positionOf(*scene.stage, confirmed.world().entities()[1])),
             1e-9);
-  EXPECT_TRUE(scene.players[1].own);
+  EXPECT_TRUE(scene.players[1].local);
   EXPECT_LT(glm::distance(scene.players[1].pose.position, positionOf(*scene.stage, predicted.world().entities()[0])),
             1e-9);
   EXPECT_EQ(scene.focus.position, scene.players[1].pose.position);
@@ -170,9 +170,9 @@ TEST(Scene, TheSmoothingOffsetIsInThePlayersFrame) {
   run(game, 1, 0, 1);
   const std::vector<PlayerSnapshot> players = playersOf(game);
   SceneSource source = sourceOf(game, players, players, 1);
-  source.ownSlot = 0;
+  source.localSlot = 0;
   const glm::dvec3 plain = makeScene(source).players[0].pose.position;
-  source.ownOffset = {3 * kSubunitsPerUnit, 5 * kSubunitsPerUnit};
+  source.localOffset = {3 * kSubunitsPerUnit, 5 * kSubunitsPerUnit};
   const Scene scene = makeScene(source);
   // Its up is the face's -x, its right the face's +y.
   const glm::dmat4& toWorld = scene.stage->mesh.faceToWorld(0);
@@ -187,8 +187,8 @@ TEST(Scene, TheSmoothingOffsetOverAnEdgeFoldsUpWithTheFaces) {
   run(game, 1, 0, 1);
   const std::vector<PlayerSnapshot> players = playersOf(game);
   SceneSource source = sourceOf(game, players, players, 1);
-  source.ownSlot = 0;
-  source.ownOffset = {0, 30 * kSubunitsPerUnit};
+  source.localSlot = 0;
+  source.localOffset = {0, 30 * kSubunitsPerUnit};
   const Scene scene = makeScene(source);
   const Pose& pose = scene.players[0].pose;
   const glm::dvec3 above = scene.stage->mesh.normal(0);

@@ -145,7 +145,7 @@ TEST_F(Outage, ShowsTheLastSceneUntilThePlayerIsResumed) {
     step();
     play.update(now_, kRight);
     const std::optional<Scene> scene = play.scene(now_);
-    return scene && !scene->players.empty() && scene->players.back().own;
+    return scene && !scene->players.empty() && scene->players.back().local;
   };
   const Moment settled = now_ + seconds(1);
   while (now_ < settled) showsThePlayer();

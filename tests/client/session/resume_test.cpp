@@ -127,9 +127,9 @@ TEST_P(Resume, PredictsThePlayerAtItsPlace) {
   for (const Moment end = match_.now() + seconds(2); match_.now() < end; match_.run(milliseconds(1))) {
     ASSERT_LT(prediction.slot(), prediction.predicted().slots());
     ASSERT_TRUE(prediction.predicted().player(prediction.slot()).present);
-    const EntityState& own = prediction.predicted().world().entities()[prediction.slot()];
-    ASSERT_EQ(own.position, before.position);
-    ASSERT_EQ(own.part, before.part);
+    const EntityState& local = prediction.predicted().world().entities()[prediction.slot()];
+    ASSERT_EQ(local.position, before.position);
+    ASSERT_EQ(local.part, before.part);
   }
   const PredictionStatistics gained = match_.session(kLost).predictionStatistics() - count;
   EXPECT_EQ(gained.missedInputs, 0u);

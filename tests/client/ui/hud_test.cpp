@@ -91,7 +91,7 @@ TEST(Hud, FinishedPlayersComeFirstByTheirTime) {
 
 TEST(Hud, ShowsTheResultOfTheLocalPlayer) {
   Scene scene = sceneOf(2);
-  scene.players[1].own = true;
+  scene.players[1].local = true;
   scene.players[1].finishedAfter = 7.5;
   EXPECT_TRUE(find(hudOf(scene), "★  Goal in 7.50 s"));
   scene.players[1].finishedAfter.reset();
@@ -104,7 +104,7 @@ TEST(Hud, ShowsTheResultOfTheLocalPlayer) {
 TEST(Hud, OnlyVisibleOtherPlayersHaveNameTags) {
   Scene scene = sceneOf(2);
   EXPECT_EQ(count(hudOf(scene), "Name1"), 2);
-  scene.players[1].own = true;
+  scene.players[1].local = true;
   EXPECT_EQ(count(hudOf(scene), "Name2"), 1) << "the local player has no tag";
   for (int face = 0; face < 6; ++face) {
     scene.players[0].pose = scene.stage->mesh.pose(face, {0, 0}, 0);
