@@ -2,17 +2,17 @@
 
 namespace platon {
 
-bool Assembly::add(std::uint32_t total, std::uint32_t offset, std::span<const std::uint8_t> piece) {
+bool Assembly::add(std::uint32_t total, std::uint32_t offset, std::span<const std::uint8_t> chunk) {
   if (offset == 0) {
     clear();
     total_ = total;
   }
-  const bool inOrder = total == total_ && offset == bytes_.size() && piece.size() <= total - bytes_.size();
-  if (!inOrder || piece.empty()) {
+  const bool inOrder = total == total_ && offset == bytes_.size() && chunk.size() <= total - bytes_.size();
+  if (!inOrder || chunk.empty()) {
     clear();
     return false;
   }
-  bytes_.insert(bytes_.end(), piece.begin(), piece.end());
+  bytes_.insert(bytes_.end(), chunk.begin(), chunk.end());
   return bytes_.size() == total_;
 }
 

@@ -7,13 +7,13 @@
 
 namespace platon {
 
-/// Joins the pieces of a level text or a full state. A piece out of order discards what was joined so far; a piece at
-/// offset 0 starts a new whole.
+/// Joins the chunks of a level text or a full state. A chunk out of order discards all chunks received so far; a chunk
+/// at offset 0 starts over.
 class Assembly {
  public:
-  /// Adds a piece of a whole of `total` bytes. True when it completes the whole. Memory grows with the bytes received,
-  /// not with `total`.
-  bool add(std::uint32_t total, std::uint32_t offset, std::span<const std::uint8_t> piece);
+  /// Adds a chunk of a text or state of `total` bytes. Returns true if it is the last one. Memory grows with the bytes
+  /// received, not with `total`.
+  bool add(std::uint32_t total, std::uint32_t offset, std::span<const std::uint8_t> chunk);
 
   /// The bytes joined so far.
   const std::vector<std::uint8_t>& bytes() const { return bytes_; }

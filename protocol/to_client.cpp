@@ -129,7 +129,7 @@ std::optional<ToClient> unpack(std::span<const std::uint8_t> bytes) {
   return message;
 }
 
-bool isPiece(std::uint32_t total, std::size_t maxTotal, std::uint32_t offset, std::size_t size) {
+bool isChunk(std::uint32_t total, std::size_t maxTotal, std::uint32_t offset, std::size_t size) {
   return total <= maxTotal && size >= 1 && size <= kChunkBytes && offset <= total && size <= total - offset;
 }
 
@@ -158,13 +158,13 @@ std::optional<ToClient> read(const wire::Refused& table) {
 
 std::optional<ToClient> read(const wire::LevelChunk& table) {
   const auto bytes = spanOf(table.bytes());
-  if (!isPiece(table.total(), kMaxLevelBytes, table.offset(), bytes.size())) return std::nullopt;
+  if (!isChunk(table.total(), kMaxLevelBytes, table.offset(), bytes.size())) return std::nullopt;
   return LevelChunk{table.hash(), table.total(), table.offset(), {bytes.begin(), bytes.end()}};
 }
 
 std::optional<ToClient> read(const wire::StateChunk& table) {
   const auto bytes = spanOf(table.bytes());
-  if (!isPiece(table.total(), kMaxStateBytes, table.offset(), bytes.size()) || table.sync() == 0) return std::nullopt;
+  if (!isChunk(table.total(), kMaxStateBytes, table.offset(), bytes.size()) || table.sync() == 0) return std::nullopt;
   return StateChunk{table.round(), table.tick(),   table.sync(),
                     table.total(), table.offset(), {bytes.begin(), bytes.end()}};
 }

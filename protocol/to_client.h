@@ -34,7 +34,7 @@ struct Refused {
   friend bool operator==(const Refused&, const Refused&) = default;
 };
 
-/// A piece of a level text. Pieces arrive in order.
+/// A part of a level text. Chunks arrive in order.
 struct LevelChunk {
   std::uint64_t hash = 0;
   std::uint32_t total = 0;          ///< bytes of the whole text, 1 … kMaxLevelBytes
@@ -44,7 +44,7 @@ struct LevelChunk {
   friend bool operator==(const LevelChunk&, const LevelChunk&) = default;
 };
 
-/// A piece of an encoded `FullState`. Pieces arrive in order; only offset and bytes differ between them.
+/// A part of an encoded `FullState`. Chunks arrive in order; only offset and bytes differ between them.
 struct StateChunk {
   std::uint32_t round = 0;
   std::uint32_t tick = 0;

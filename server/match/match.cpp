@@ -268,27 +268,27 @@ std::vector<Input> Match::decideInputs() {
   return inputs;
 }
 
-// Clients take turns: when the pieces of one tick do not suffice for all, the next tick continues with the next client.
+// Clients take turns: if the chunks of one tick do not suffice for all, the next tick continues with the next client.
 void Match::sendTransfers() {
-  std::size_t left = kMaxPiecesPerTick;
+  std::size_t left = kMaxChunksPerTick;
   auto next = players_.lower_bound(nextTransfer_);
   for (std::size_t visited = 0; visited < players_.size() && left > 0; ++visited) {
     if (next == players_.end()) next = players_.begin();
-    left -= sendPieces(next->first, next->second, left);
+    left -= sendChunks(next->first, next->second, left);
     ++next;
   }
   nextTransfer_ = next == players_.end() ? 0 : next->first;
 }
 
-std::size_t Match::sendPieces(ClientId client, MatchPlayer& player, std::size_t maxPieces) {
-  std::size_t pieces = 0;
-  for (std::size_t bytes = 0; bytes < kTransferBytesPerTick && pieces < maxPieces; ++pieces) {
-    auto piece = player.nextPiece();
-    if (!piece) break;
-    bytes += piece->size();
-    send(client, std::move(*piece));
+std::size_t Match::sendChunks(ClientId client, MatchPlayer& player, std::size_t maxChunks) {
+  std::size_t chunks = 0;
+  for (std::size_t bytes = 0; bytes < kTransferBytesPerTick && chunks < maxChunks; ++chunks) {
+    auto chunk = player.nextChunk();
+    if (!chunk) break;
+    bytes += chunk->size();
+    send(client, std::move(*chunk));
   }
-  return pieces;
+  return chunks;
 }
 
 void Match::sendTicks() {

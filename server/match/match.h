@@ -46,10 +46,10 @@ class Match {
 
   /// Ticks for which a disconnected player can be resumed: 60 s.
   static constexpr std::uint64_t kResumeTicks = 60 * kTicksPerSecond;
-  /// Bytes of levels and states sent to one client in one tick; the last piece may exceed it.
+  /// Bytes of levels and states sent to one client in one tick; the last chunk may exceed it.
   static constexpr std::size_t kTransferBytesPerTick = 2 * kChunkBytes;
-  /// Pieces of levels and states sent to all clients together in one tick.
-  static constexpr std::size_t kMaxPiecesPerTick = 128;
+  /// Chunks of levels and states sent to all clients together in one tick.
+  static constexpr std::size_t kMaxChunksPerTick = 128;
 
   Match(LevelRotation rotation, MatchSettings settings);
 
@@ -119,7 +119,7 @@ class Match {
   void resync(ClientId client, MatchPlayer& player, MatchEvent::Kind cause, std::uint32_t confirmed);
   void sendState(MatchPlayer& player);
   void sendTransfers();
-  std::size_t sendPieces(ClientId client, MatchPlayer& player, std::size_t maxPieces);
+  std::size_t sendChunks(ClientId client, MatchPlayer& player, std::size_t maxChunks);
   void sendTicks();
 
   void send(ClientId client, std::vector<std::uint8_t> bytes);

@@ -101,11 +101,11 @@ void MatchPlayer::sendState(std::uint32_t round, std::uint32_t tick, std::vector
   transfers_.emplace_back(round, tick, sync_, std::move(state));
 }
 
-std::optional<std::vector<std::uint8_t>> MatchPlayer::nextPiece() {
+std::optional<std::vector<std::uint8_t>> MatchPlayer::nextChunk() {
   if (transfers_.empty()) return std::nullopt;
-  std::vector<std::uint8_t> piece = transfers_.front().nextPiece();
+  std::vector<std::uint8_t> chunk = transfers_.front().nextChunk();
   if (transfers_.front().done()) transfers_.pop_front();
-  return piece;
+  return chunk;
 }
 
 }  // namespace platon

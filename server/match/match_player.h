@@ -86,7 +86,7 @@ class MatchPlayer {
   /// Starts the transfer of a full state after `tick` ticks of the round.
   void sendState(std::uint32_t round, std::uint32_t tick, std::vector<std::uint8_t> state, std::uint64_t now);
   /// The next message of the transfers in progress; nothing when there are none.
-  std::optional<std::vector<std::uint8_t>> nextPiece();
+  std::optional<std::vector<std::uint8_t>> nextChunk();
 
  private:
   void resetProgress();

@@ -36,15 +36,15 @@ bool Transfer::isLevel(std::uint64_t hash) const {
   return chunk && chunk->hash == hash;
 }
 
-std::vector<std::uint8_t> Transfer::nextPiece() {
+std::vector<std::uint8_t> Transfer::nextChunk() {
   assert(!done());
-  const auto piece = remaining_.first(std::min(remaining_.size(), kChunkBytes));
-  remaining_ = remaining_.subspan(piece.size());
+  const auto bytes = remaining_.first(std::min(remaining_.size(), kChunkBytes));
+  remaining_ = remaining_.subspan(bytes.size());
   return std::visit(
-      [piece](auto& chunk) {
-        chunk.bytes.assign(piece.begin(), piece.end());
+      [bytes](auto& chunk) {
+        chunk.bytes.assign(bytes.begin(), bytes.end());
         std::vector<std::uint8_t> message = encode(chunk);
-        chunk.offset += static_cast<std::uint32_t>(piece.size());
+        chunk.offset += static_cast<std::uint32_t>(bytes.size());
         return message;
       },
       chunk_);

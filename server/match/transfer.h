@@ -11,7 +11,7 @@
 
 namespace platon {
 
-/// A level text or a full state that is sent to one client in pieces.
+/// A level text or a full state that is sent to one client in chunks.
 class Transfer {
  public:
   explicit Transfer(const LevelPointer& level);
@@ -23,10 +23,10 @@ class Transfer {
   bool isLevel(std::uint64_t hash) const;
   bool done() const { return remaining_.empty(); }
   /// The next message. Must not be called when done.
-  std::vector<std::uint8_t> nextPiece();
+  std::vector<std::uint8_t> nextChunk();
 
  private:
-  std::variant<LevelChunk, StateChunk> chunk_;  // the next piece, without its bytes
+  std::variant<LevelChunk, StateChunk> chunk_;  // the next chunk, without its bytes
   std::shared_ptr<const void> owner_;           // owns the bytes of remaining_
   std::span<const std::uint8_t> remaining_;
 };

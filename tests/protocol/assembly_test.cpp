@@ -7,7 +7,7 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-TEST(Assembly, JoinsPieces) {
+TEST(Assembly, JoinsChunks) {
   Assembly assembly;
   EXPECT_FALSE(assembly.add(5, 0, Bytes{1, 2}));
   EXPECT_FALSE(assembly.add(5, 2, Bytes{3, 4}));
@@ -15,7 +15,7 @@ TEST(Assembly, JoinsPieces) {
   EXPECT_EQ(assembly.bytes(), Bytes({1, 2, 3, 4, 5}));
 }
 
-TEST(Assembly, APieceAtOffsetZeroStartsANewWhole) {
+TEST(Assembly, AChunkAtOffsetZeroStartsOver) {
   Assembly assembly;
   EXPECT_FALSE(assembly.add(5, 0, Bytes{1, 2}));
   EXPECT_FALSE(assembly.add(3, 0, Bytes{7}));
@@ -23,11 +23,11 @@ TEST(Assembly, APieceAtOffsetZeroStartsANewWhole) {
   EXPECT_EQ(assembly.bytes(), Bytes({7, 8, 9}));
 }
 
-TEST(Assembly, APieceOutOfOrderDiscardsTheWhole) {
-  const auto discarded = [](std::uint32_t total, std::uint32_t offset, const Bytes& piece) {
+TEST(Assembly, AChunkOutOfOrderDiscardsAllChunks) {
+  const auto discarded = [](std::uint32_t total, std::uint32_t offset, const Bytes& chunk) {
     Assembly assembly;
     assembly.add(4, 0, Bytes{1, 2});
-    const bool done = assembly.add(total, offset, piece) || assembly.add(4, 2, Bytes{3, 4});
+    const bool done = assembly.add(total, offset, chunk) || assembly.add(4, 2, Bytes{3, 4});
     return !done && assembly.bytes().empty();
   };
   EXPECT_TRUE(discarded(4, 3, {4}));
@@ -37,7 +37,7 @@ TEST(Assembly, APieceOutOfOrderDiscardsTheWhole) {
   EXPECT_TRUE(discarded(4, 2, {}));
 }
 
-TEST(Assembly, RefusesAPieceAfterTheEnd) {
+TEST(Assembly, RefusesAChunkAfterTheEnd) {
   Assembly assembly;
   EXPECT_TRUE(assembly.add(1, 0, Bytes{1}));
   EXPECT_FALSE(assembly.add(1, 1, Bytes{2}));

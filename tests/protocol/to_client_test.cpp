@@ -78,7 +78,7 @@ TEST(ToClient, RefusesALossAboveHundredPerCent) {
   EXPECT_FALSE(decodeToClient(bytes));
 }
 
-TEST(ToClient, RefusesPiecesBeyondTheirTotal) {
+TEST(ToClient, RefusesChunksBeyondTheirTotal) {
   const auto refused = [](std::uint32_t total, std::uint32_t offset, std::size_t size) {
     const std::vector<std::uint8_t> bytes(size);
     const bool level = decodeToClient(encode(LevelChunk{1, total, offset, bytes})).has_value();

@@ -207,7 +207,7 @@ TEST(ResumeDuringATransfer, TheLevelIsSentAgainFromItsStart) {
   VirtualNetwork network(Match(LevelRotation({levelOf(text)}), {4, "Test"}), {});
   network.add(FakeClient("Ann", 12, running));
   network.run(3);
-  network.disconnect(1);  // some pieces have arrived
+  network.disconnect(1);  // some chunks have arrived
   network.run(200);
   network.add(FakeClient(network.client(1), running));
   network.run(60);

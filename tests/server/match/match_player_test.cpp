@@ -26,8 +26,8 @@ class MatchPlayerTest : public testing::Test {
   // Number of level texts among the messages of all transfers.
   std::uint32_t takeLevels() {
     std::uint32_t levels = 0;
-    for (auto piece = player_.nextPiece(); piece; piece = player_.nextPiece()) {
-      levels += std::holds_alternative<LevelChunk>(*decodeToClient(*piece)) ? 1 : 0;
+    for (auto chunk = player_.nextChunk(); chunk; chunk = player_.nextChunk()) {
+      levels += std::holds_alternative<LevelChunk>(*decodeToClient(*chunk)) ? 1 : 0;
     }
     return levels;
   }
@@ -130,10 +130,10 @@ TEST_F(MatchPlayerTest, StatesAreASecondApart) {
 
 TEST_F(MatchPlayerTest, NumbersOfStatesSkipZero) {
   for (int i = 0; i < 256; ++i) player_.sendState(1, 1, {1}, 0);
-  const auto piece = player_.nextPiece();
-  ASSERT_TRUE(piece);
-  EXPECT_EQ(std::get<StateChunk>(*decodeToClient(*piece)).sync, 1);
-  EXPECT_FALSE(player_.nextPiece());  // a new state replaces the transfer of the last one
+  const auto chunk = player_.nextChunk();
+  ASSERT_TRUE(chunk);
+  EXPECT_EQ(std::get<StateChunk>(*decodeToClient(*chunk)).sync, 1);
+  EXPECT_FALSE(player_.nextChunk());  // a new state replaces the transfer of the last one
 }
 
 TEST_F(MatchPlayerTest, ALevelInTransferIsNotSentTwice) {
@@ -173,7 +173,7 @@ TEST_F(MatchPlayerTest, ResumingKeepsSlotAndTokenAndDiscardsAllElse) {
   EXPECT_EQ(player_.name(), "Anna");
   EXPECT_TRUE(player_.hasToken(SessionToken{1, 2, 3}));
   EXPECT_EQ(player_.acknowledged(), 0u);
-  EXPECT_FALSE(player_.nextPiece());
+  EXPECT_FALSE(player_.nextChunk());
   EXPECT_FALSE(player_.takeLinkReport());
   EXPECT_EQ(player_.decideInput(), Input{});
 }

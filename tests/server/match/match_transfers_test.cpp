@@ -14,44 +14,44 @@ Match matchOn(const std::string& text, std::uint32_t maxPlayers) {
   return Match(LevelRotation({levelOf(text)}), {maxPlayers, "Test"});
 }
 
-// All clients together get kMaxPiecesPerTick pieces a tick, in turns, until each has the whole level.
-TEST(MatchTransfers, SendsABoundedNumberOfPiecesPerTick) {
-  constexpr std::uint32_t kPiecesEach = 10;
+// All clients together get kMaxChunksPerTick chunks a tick, in turns, until each has the whole level.
+TEST(MatchTransfers, SendsABoundedNumberOfChunksPerTick) {
+  constexpr std::uint32_t kChunksEach = 10;
   std::string text = farGoalText();
-  text.resize(kPiecesEach * kChunkBytes, '\n');
+  text.resize(kChunksEach * kChunkBytes, '\n');
   Match match = matchOn(text, kMaxPlayers);
   for (ClientId client = 1; client <= kMaxPlayers; ++client) match.receive(client, Hello{});
-  std::map<ClientId, std::uint32_t> pieces;
-  for (std::uint32_t left = kMaxPlayers * kPiecesEach; left > 0;) {
+  std::map<ClientId, std::uint32_t> chunks;
+  for (std::uint32_t left = kMaxPlayers * kChunksEach; left > 0;) {
     match.tick();
     std::uint32_t sent = 0;
     for (const Outgoing& message : match.takeOutgoing()) {
       if (!std::holds_alternative<LevelChunk>(*decodeToClient(message.bytes))) continue;
-      ++pieces[message.client];
+      ++chunks[message.client];
       ++sent;
     }
-    ASSERT_EQ(sent, std::min<std::uint32_t>(left, Match::kMaxPiecesPerTick));
+    ASSERT_EQ(sent, std::min<std::uint32_t>(left, Match::kMaxChunksPerTick));
     left -= sent;
-    const auto [fewest, most] = std::minmax_element(pieces.begin(), pieces.end(),
+    const auto [fewest, most] = std::minmax_element(chunks.begin(), chunks.end(),
                                                     [](const auto& a, const auto& b) { return a.second < b.second; });
-    if (pieces.size() == kMaxPlayers) {
+    if (chunks.size() == kMaxPlayers) {
       ASSERT_LE(most->second, fewest->second + 2);
     }
   }
-  for (const auto& [client, count] : pieces) EXPECT_EQ(count, kPiecesEach) << client;
+  for (const auto& [client, count] : chunks) EXPECT_EQ(count, kChunksEach) << client;
 }
 
-TEST(MatchTransfers, AFewClientsGetTwoPiecesATickEach) {
+TEST(MatchTransfers, AFewClientsGetTwoChunksATickEach) {
   std::string text = farGoalText();
   text.resize(10 * kChunkBytes, '\n');
   Match match = matchOn(text, 3);
   for (ClientId client = 1; client <= 3; ++client) match.receive(client, Hello{});
   match.tick();
-  std::map<ClientId, std::uint32_t> pieces;
+  std::map<ClientId, std::uint32_t> chunks;
   for (const Outgoing& message : match.takeOutgoing()) {
-    pieces[message.client] += std::holds_alternative<LevelChunk>(*decodeToClient(message.bytes)) ? 1 : 0;
+    chunks[message.client] += std::holds_alternative<LevelChunk>(*decodeToClient(message.bytes)) ? 1 : 0;
   }
-  EXPECT_EQ(pieces, (std::map<ClientId, std::uint32_t>{{1, 2}, {2, 2}, {3, 2}}));
+  EXPECT_EQ(chunks, (std::map<ClientId, std::uint32_t>{{1, 2}, {2, 2}, {3, 2}}));
 }
 
 }  // namespace

@@ -58,15 +58,15 @@ TEST(TickHistory, ConsecutiveMessagesContainEveryInput) {
   }
   std::vector<Input> held(kMaxPlayers);
   for (std::uint32_t tick = 0; tick < history.end();) {
-    const ConfirmedTicks piece = history.collect(tick);
-    ASSERT_GE(piece.count, 1u);
-    ASSERT_LE(encode(piece).size(), kMaxTickMessageBytes);
-    auto change = piece.changes.begin();
-    for (const std::uint32_t end = tick + piece.count; tick < end; ++tick) {
-      for (; change != piece.changes.end() && change->tick == tick; ++change) held[change->slot] = change->input;
+    const ConfirmedTicks message = history.collect(tick);
+    ASSERT_GE(message.count, 1u);
+    ASSERT_LE(encode(message).size(), kMaxTickMessageBytes);
+    auto change = message.changes.begin();
+    for (const std::uint32_t end = tick + message.count; tick < end; ++tick) {
+      for (; change != message.changes.end() && change->tick == tick; ++change) held[change->slot] = change->input;
       ASSERT_EQ(held, decided[tick]) << "tick " << tick;
     }
-    ASSERT_EQ(piece.hash, history.hashAfter(tick));
+    ASSERT_EQ(message.hash, history.hashAfter(tick));
   }
 }
 

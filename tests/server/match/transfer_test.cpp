@@ -10,25 +10,25 @@
 namespace platon {
 namespace {
 
-TEST(Transfer, SendsAWholeLevelInPieces) {
+TEST(Transfer, SendsAWholeLevelInChunks) {
   const LevelPointer level = levelOf(farGoalText() + "#" + std::string(10000, 'x') + "\n");
   Transfer transfer(level);
   EXPECT_TRUE(transfer.isLevel(level->hash));
   EXPECT_FALSE(transfer.isLevel(level->hash + 1));
   Assembly assembly;
   bool done = false;
-  int pieces = 0;
-  for (; !transfer.done(); ++pieces) {
-    const auto piece = std::get<LevelChunk>(*decodeToClient(transfer.nextPiece()));
-    EXPECT_EQ(piece.hash, level->hash);
-    done = assembly.add(piece.total, piece.offset, piece.bytes);
+  int chunks = 0;
+  for (; !transfer.done(); ++chunks) {
+    const auto chunk = std::get<LevelChunk>(*decodeToClient(transfer.nextChunk()));
+    EXPECT_EQ(chunk.hash, level->hash);
+    done = assembly.add(chunk.total, chunk.offset, chunk.bytes);
   }
-  EXPECT_EQ(pieces, 3);
+  EXPECT_EQ(chunks, 3);
   EXPECT_TRUE(done);
   EXPECT_EQ(std::string(assembly.bytes().begin(), assembly.bytes().end()), level->text);
 }
 
-TEST(Transfer, SendsAWholeStateInPieces) {
+TEST(Transfer, SendsAWholeStateInChunks) {
   std::vector<std::uint8_t> state(2 * kChunkBytes);
   std::iota(state.begin(), state.end(), std::uint8_t{0});
   Transfer transfer(3, 500, 2, state);
@@ -36,11 +36,11 @@ TEST(Transfer, SendsAWholeStateInPieces) {
   Assembly assembly;
   for (const bool last : {false, true}) {
     ASSERT_FALSE(transfer.done());
-    const auto piece = std::get<StateChunk>(*decodeToClient(transfer.nextPiece()));
-    EXPECT_EQ(piece.round, 3u);
-    EXPECT_EQ(piece.tick, 500u);
-    EXPECT_EQ(piece.sync, 2);
-    EXPECT_EQ(assembly.add(piece.total, piece.offset, piece.bytes), last);
+    const auto chunk = std::get<StateChunk>(*decodeToClient(transfer.nextChunk()));
+    EXPECT_EQ(chunk.round, 3u);
+    EXPECT_EQ(chunk.tick, 500u);
+    EXPECT_EQ(chunk.sync, 2);
+    EXPECT_EQ(assembly.add(chunk.total, chunk.offset, chunk.bytes), last);
   }
   EXPECT_TRUE(transfer.done());
   EXPECT_EQ(assembly.bytes(), state);
