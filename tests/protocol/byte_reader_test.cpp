@@ -26,7 +26,7 @@ TEST(ByteReader, ReadsWhatByteWriterWrites) {
   }
 }
 
-TEST(ByteReader, RefusesVarintsThatAreCutOffTooLongOrTooGreat) {
+TEST(ByteReader, RefusesVarintsThatAreTruncatedTooLongOrTooLarge) {
   for (const Bytes& bytes : {Bytes{}, Bytes{0x80}, Bytes{0x80, 0x00}, Bytes{0xff, 0xff, 0xff, 0xff, 0x10},
                              Bytes{0xff, 0xff, 0xff, 0xff, 0x8f, 0x01}}) {
     ByteReader in(bytes);

@@ -86,7 +86,7 @@ TEST_F(DesyncDetectorTest, ComparesAtTheServersTick) {
   expectPosition(*found);
 }
 
-TEST_F(DesyncDetectorTest, StartsAnewAfterAResync) {
+TEST_F(DesyncDetectorTest, StartsOverAfterAResync) {
   desync();
   play(20);
   ASSERT_TRUE(detector_.resynced(server_, inputs_).has_value());
@@ -104,7 +104,7 @@ TEST_F(DesyncDetectorTest, StartsAnewAfterAResync) {
   EXPECT_EQ(played.ticks, 50u);
 }
 
-TEST_F(DesyncDetectorTest, GoesBackWhenTheClientIsAhead) {
+TEST_F(DesyncDetectorTest, ComparesAnEarlierStateWhenTheClientIsAhead) {
   desync();
   play(20);
   const Game client = client_;

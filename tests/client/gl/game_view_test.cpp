@@ -66,7 +66,7 @@ TEST_F(GameViewTest, AMinimisedWindowKeepsItsPicture) {
   }
 }
 
-TEST_F(GameViewTest, TheMenuAndTheNetGraphAreOnTheScreenWhenTheyAreOn) {
+TEST_F(GameViewTest, TheMenuAndTheNetGraphAreDrawnWhenEnabled) {
   GameView view(kWidth, kHeight);
   view.netGraph().add({});
   const Image plain = drawn(view, &scene_);

@@ -193,7 +193,7 @@ TEST_F(WindowTest, AResizedWindowShowsAPictureOfItsSize) {
   expectShowsThePicture();
 }
 
-TEST_F(WindowTest, FullScreenCoversTheScreenAndEndsAtTheFormerPlace) {
+TEST_F(WindowTest, FullScreenCoversTheScreenAndThenRestoresTheFormerPosition) {
   xdotool("getactivewindow windowmove 100 80");
   int x = 0;
   int y = 0;

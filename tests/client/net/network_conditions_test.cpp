@@ -56,7 +56,7 @@ std::vector<std::pair<int, Moment>> keysOf(const std::vector<Arrival>& arrivals)
   return keys;
 }
 
-TEST(NetworkConditions, APerfectLinkDeliversAtOnce) {
+TEST(NetworkConditions, PerfectConditionsDeliverAtOnce) {
   const LinkQuality perfect;
   EXPECT_TRUE(perfect.perfect());
   const auto arrivals = transmit(perfect, 1);

@@ -37,7 +37,7 @@ TEST(LinkStatistics, ConvertsToDisplayUnits) {
   EXPECT_EQ(statistics.lostDownPercent, 0);
 }
 
-TEST(LinkStatistics, WithoutAClockHasOnlyTheMeter) {
+TEST(LinkStatistics, WithoutAClockHasOnlyTheValuesOfTheMeter) {
   LinkMeter meter;
   meter.receive(confirmed(0, {meter.nextSequence(milliseconds(1)), 7, SlackReport{0, 4}}), milliseconds(21));
   const LinkStatistics statistics = makeLinkStatistics(meter, nullptr);

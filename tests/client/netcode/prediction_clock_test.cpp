@@ -237,7 +237,7 @@ TEST(PredictionClock, TheLeastDelayedMessageSetsTheClockUntilTheFirstReport) {
   EXPECT_FALSE(clock.reaches(25));
 }
 
-TEST(PredictionClock, InitialLeadIsTheGreetingTimePlusSevenTicks) {
+TEST(PredictionClock, InitialLeadIsTheAnswerTimePlusSevenTicks) {
   EXPECT_NEAR(PredictionClock::initialLead(milliseconds(100)), 13, 1e-9);
 }
 

@@ -34,7 +34,7 @@ class UserFoldersTest : public testing::Test {
   std::array<std::optional<std::string>, kVariables.size()> saved_;
 };
 
-TEST_F(UserFoldersTest, AreEmptyWithoutAHome) {
+TEST_F(UserFoldersTest, AreEmptyWithoutAHomeFolder) {
   EXPECT_EQ(configFolder(), "");
   EXPECT_EQ(dataFolder(), "");
   setenv("HOME", "", 1);
@@ -42,7 +42,7 @@ TEST_F(UserFoldersTest, AreEmptyWithoutAHome) {
   EXPECT_EQ(dataFolder(), "");
 }
 
-TEST_F(UserFoldersTest, AreInTheHomeByDefault) {
+TEST_F(UserFoldersTest, AreInTheHomeFolderByDefault) {
   setenv("HOME", "/somewhere", 1);
   setenv("XDG_CONFIG_HOME", "", 1);
   EXPECT_EQ(configFolder(), "/somewhere/.config/platon");

@@ -82,7 +82,7 @@ class WindowPlayTest : public testing::Test {
   bool timeIsUp_ = false;
 };
 
-TEST_F(WindowPlayTest, FullScreenByTheRightArrowInTheMenuIsFullScreen) {
+TEST_F(WindowPlayTest, TheRightArrowInTheMenuTurnsFullScreenOn) {
   play({{[] { xdotool("key Escape " + keys("Down", kFullscreenItem).substr(4) + " Right"); }, isFullscreen},
         {[] { xdotool("key Left"); }, [] { return !isFullscreen(); }},
         {[] { xdotool("key Right"); }, isFullscreen}});
@@ -92,7 +92,7 @@ TEST_F(WindowPlayTest, FullScreenByTheRightArrowInTheMenuIsFullScreen) {
   EXPECT_EQ(savedSettings(), expected.text());
 }
 
-TEST_F(WindowPlayTest, FullScreenByKey) {
+TEST_F(WindowPlayTest, AKeyTurnsFullScreenOnAndOff) {
   play({{[] { xdotool("key F11"); }, isFullscreen},
         {[] { xdotool("key alt+Return"); }, [] { return !isFullscreen(); }}});
   EXPECT_TRUE(stepsDone_);

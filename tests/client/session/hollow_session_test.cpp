@@ -163,7 +163,7 @@ TEST_F(HollowSessionTest, LeaveRemovesThePlayer) {
 }
 
 // Only a faulty server sends these states: the messages to it must stay within the limits of the protocol.
-TEST_F(HollowSessionTest, LimitsItsInputsWhateverTickAStateHas) {
+TEST_F(HollowSessionTest, LimitsItsInputsAfterAStateOfAnyTick) {
   HollowSession session("x", Moment(0));
   session.receive(encode(Welcome{0, 1, 2, 4, kTicksPerSecond, ""}), Moment(0));
   session.receive(encode(LevelChunk{2, 1, 0, {'x'}}), Moment(0));

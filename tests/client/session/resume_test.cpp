@@ -198,7 +198,7 @@ TEST_F(NextRound, IsJoinedByAResumedPlayer) {
 }
 
 // Interrupts the transfers of level, full state and round start at various points.
-TEST_F(NextRound, IsJoinedWhateverTransferIsInterrupted) {
+TEST_F(NextRound, IsJoinedAfterAnInterruptedTransfer) {
   for (int ms = 0; ms <= 400; ms += 20) {
     SCOPED_TRACE(ms);
     VirtualMatch match({flatLevel(), cornerLevel()}, kSeed + static_cast<std::uint64_t>(ms));

@@ -69,7 +69,7 @@ TEST(Menu, EverySettingCanBeChangedAndStaysValid) {
   EXPECT_TRUE(menu.open());
 }
 
-TEST(Menu, AllOfItIsOnTheScreen) {
+TEST(Menu, TheWholeMenuIsOnTheScreen) {
   Menu menu;
   const Settings settings;
   menu.toggle();

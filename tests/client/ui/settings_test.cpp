@@ -10,7 +10,7 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-TEST(Settings, ParsingReversesText) {
+TEST(Settings, ParsingTheTextGivesTheSameSettings) {
   Settings settings;
   settings.comfort = {.turnSpeed = 12.5, .instantCut = true, .reducedMotion = true};
   settings.controls = ControlFrame::kScreen;

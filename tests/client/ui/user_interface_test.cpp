@@ -48,7 +48,7 @@ TEST(UserInterface, NoControlIsHeldWhileTheMenuIsOpen) {
   EXPECT_TRUE(interface.takeHeld().right) << "the key is still down";
 }
 
-TEST(UserInterface, FullScreenByTheRightArrowInTheMenuIsOn) {
+TEST(UserInterface, TheRightArrowInTheMenuTurnsFullScreenOn) {
   for (const Key key : {Key::kArrowRight, Key::kArrowLeft, Key::kPadRight, Key::kEnter}) {
     UserInterface interface { Settings() };
     tap(interface, Key::kEscape);

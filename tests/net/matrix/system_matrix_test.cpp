@@ -80,7 +80,7 @@ class Matrix : public testing::TestWithParam<std::tuple<double, double, double>>
 };
 
 // Sixteen players on such lines: that every confirmed game is the server's is checked by VirtualMatch at every update.
-TEST_P(Matrix, FeelsLocal) {
+TEST_P(Matrix, InputsArriveInTimeAndGamesStayInLockstep) {
   VirtualMatch match({endlessLevel()}, kSeed);
   for (std::size_t player = 0; player < kPlayers; ++player) {
     match.join(line(), pressing(kSeed + player));

@@ -61,7 +61,7 @@ class Bots : public ServerTest {
   }
 };
 
-TEST_F(Bots, StayInStepOnAPerfectLine) {
+TEST_F(Bots, StayInLockstepUnderPerfectConditions) {
   startServer();
   const auto numbers = play({"--count", "4", "--seconds", "6", "--seed", "3"});
   ASSERT_EQ(numbers.size(), kKeys.size());
@@ -74,7 +74,7 @@ TEST_F(Bots, StayInStepOnAPerfectLine) {
   stopServer();
 }
 
-TEST_F(Bots, HollowOnesPlayAmongOthers) {
+TEST_F(Bots, HollowBotsPlayTogetherWithOthers) {
   startServer();
   Process hollow(platonCommand("platon-bot",
                                {address(), "--count", "8", "--seconds", "7", "--hollow", "--delay", "30", "--json"}));
@@ -90,7 +90,7 @@ TEST_F(Bots, HollowOnesPlayAmongOthers) {
   EXPECT_EQ(server().errors().find("desync"), std::string::npos) << server().errors();
 }
 
-TEST_F(Bots, StayInStepOnABadLine) {
+TEST_F(Bots, StayInLockstepUnderBadConditions) {
   startServer();
   const auto numbers = play({"--count", "4", "--seconds", "8", "--seed", "3", "--loss", "10", "--delay", "40",
                              "--jitter", "20", "--duplicate", "3", "--reorder", "3"});

@@ -23,7 +23,7 @@ TEST_F(Play, TwoDemosFinishALevelTogether) {
   stopServer();
 }
 
-TEST_F(Play, ServerOfOnesOwnAndAPicture) {
+TEST_F(Play, PlaysOnAnEmbeddedServerAndSavesAScreenshot) {
   const TemporaryFolder folder;
   const std::string picture = folder / "picture.png";
   Process client(platonCommand(
@@ -36,7 +36,7 @@ TEST_F(Play, ServerOfOnesOwnAndAPicture) {
   EXPECT_EQ(bytes.substr(0, 4), "\x89PNG");
 }
 
-TEST_F(Play, OutlivesARestartOfTheServer) {
+TEST_F(Play, ReconnectsAfterARestartOfTheServer) {
   startServer();
   Process client(platonCommand("platon-client", {address(), "--offscreen", "--demo", "--seconds", "60"}));
   server().waitForError("round over", std::chrono::seconds(45));
@@ -50,7 +50,7 @@ TEST_F(Play, OutlivesARestartOfTheServer) {
   stopServer();
 }
 
-TEST_F(Play, SaysAtTheEndThatTheServerIsGone) {
+TEST_F(Play, ReportsAtTheEndThatTheServerHasStopped) {
   startServer();
   Process client(platonCommand("platon-client", {address(), "--offscreen", "--seconds", "6"}));
   server().waitForError("joined");

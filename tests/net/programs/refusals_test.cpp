@@ -21,7 +21,7 @@ struct Refusal {
 
 class Refused : public testing::TestWithParam<Refusal> {};
 
-TEST_P(Refused, InOneLineWithItsExitCode) {
+TEST_P(Refused, WithOneLineAndItsExitCode) {
   const Refusal& refusal = GetParam();
   Process program(platonCommand(refusal.program, refusal.arguments));
   EXPECT_EQ(program.wait(), refusal.exitCode) << program.errors();
@@ -59,13 +59,13 @@ const std::vector<Refusal> kRefusals = {
 INSTANTIATE_TEST_SUITE_P(All, Refused, testing::ValuesIn(kRefusals),
                          [](const testing::TestParamInfo<Refusal>& test) { return test.param.what; });
 
-TEST(Programs, TellEverythingThatIsWrongWithALevel) {
+TEST(Programs, PrintTheErrorsOfALevel) {
   Process program(platonCommand("platon-client", {"--offscreen", "--level", "LICENSE"}));
   EXPECT_EQ(program.wait(), 3);
   EXPECT_EQ(program.errors().rfind("LICENSE:1:1: error: ", 0), 0u) << program.errors();
 }
 
-TEST(Programs, TellTheirVersionAndHelp) {
+TEST(Programs, PrintTheirVersionAndHelp) {
   for (const char* const name : {"platon-client", "platon-bot", "platon-server"}) {
     Process version(platonCommand(name, {"--version"}));
     EXPECT_EQ(version.wait(), 0);

@@ -89,7 +89,7 @@ TEST_F(ResumePrograms, ClientsResumeAfterTheServerWasSuspended) {
   stopServer();
 }
 
-TEST_F(ResumePrograms, AProgramResumesThePlayerOfAKilledOne) {
+TEST_F(ResumePrograms, AProgramResumesThePlayerOfAKilledProgram) {
   startServer();
   Process ben(platonCommand("platon-client", client("Ben")));
   waitForPlayers({"Ben"});

@@ -36,7 +36,7 @@ class Recordings : public ServerTest {
   const fs::path folder_ = temporary_ / "games";
 };
 
-TEST_F(Recordings, AreWholeWhenTheServerIsStopped) {
+TEST_F(Recordings, AreCompleteWhenTheServerIsStopped) {
   letBotsPlay();
   Process late(platonCommand("platon-bot", {address(), "--count", "1", "--seconds", "20"}));
   std::this_thread::sleep_for(std::chrono::seconds(2));
@@ -51,7 +51,7 @@ TEST_F(Recordings, AreWholeWhenTheServerIsStopped) {
   }
 }
 
-TEST_F(Recordings, AreGoodUpToWhereAServerWasKilled) {
+TEST_F(Recordings, AreValidUpToTheTickAtWhichTheServerWasKilled) {
   startServer({"--record", folder_.string()});
   Process bots(platonCommand("platon-bot", {address(), "--count", "3", "--seconds", "20", "--seed", "5"}));
   std::this_thread::sleep_for(std::chrono::seconds(4));

@@ -134,7 +134,7 @@ TEST_F(DedicatedServerTest, AClientThatHasLeftCannotJoinAgainOverTheSameConnecti
             1);
 }
 
-TEST_F(DedicatedServerTest, AFloodIsDroppedAndOthersPlayOn) {
+TEST_F(DedicatedServerTest, AFloodIsDroppedAndOtherClientsKeepPlaying) {
   start(4);
   EnetClient& ann = addPlayer("Ann");
   EnetClient& eve = addPlayer("Eve");

@@ -158,7 +158,7 @@ TEST_F(HostileResume, AMatchForOneKeepsTheSlotForItsDisconnectedPlayer) {
   EXPECT_TRUE(match.isPlaying(4));
 }
 
-TEST_F(HostileResume, APlayerThatHasLeftIsNotReportedAsLost) {
+TEST_F(HostileResume, APlayerThatHasLeftIsNotReportedAsDisconnected) {
   Match match = matchFor(4);
   greet(match, 1, 1);
   tick(match);

@@ -99,7 +99,7 @@ TEST(MatchRecorder, TheRecordingReplaysToTheSameHashes) {
 }
 
 // An incomplete recording can be verified up to its last checkpoint.
-TEST(MatchRecorder, PiecesAreVerifiableWhileTheRoundGoesOn) {
+TEST(MatchRecorder, PiecesCanBeVerifiedDuringTheRound) {
   VirtualNetwork network(recordedMatch({farGoalText()}), {});
   network.add(player());
   for (std::uint32_t tick = 1; tick <= 5 * kCheckpointTicks + 7; ++tick) network.tick();

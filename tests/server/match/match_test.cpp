@@ -187,7 +187,7 @@ TEST(Match, SlackIsTheLeadOfTheNewestInput) {
   EXPECT_EQ(slack->slack, 10 - 2 * 2);
 }
 
-TEST(Match, AClientWithADesyncGetsTheStateAndPlaysOn) {
+TEST(Match, AClientWithADesyncGetsTheStateAndKeepsPlaying) {
   VirtualNetwork network(matchOn(farGoalText()), {2, 0, 0, 1});
   network.add(player("Ann", 8, 1));
   network.add(player("Ben", 8, 2));
@@ -277,7 +277,7 @@ TEST(Match, TheNextRoundIsPlayedOnTheNextLevel) {
   EXPECT_EQ(network.count(Kind::kDesync), 0u);
 }
 
-TEST(Match, WithoutPlayersTheGameStandsStillAndTheNextPlayerStartsANewRound) {
+TEST(Match, WithoutPlayersTheGameIsPausedAndTheNextPlayerStartsANewRound) {
   VirtualNetwork network(matchOn(farGoalText()), {});
   network.add(player("Ann"));
   network.run(100);

@@ -63,7 +63,7 @@ TEST(Host, SaysWhyItCannotListen) {
   EXPECT_EQ(errorOf("here", 0), "cannot listen on 'here': not an IPv4 address, such as 0.0.0.0 or 127.0.0.1");
 }
 
-TEST_F(HostTest, PassesOnTheMessagesOfAClient) {
+TEST_F(HostTest, DeliversTheMessagesOfAClient) {
   EXPECT_TRUE(host_.empty());
   const ClientId client = connect();
   EXPECT_FALSE(host_.empty());
