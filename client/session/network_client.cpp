@@ -90,26 +90,26 @@ void NetworkClient::checkSession(Moment now) {
 }
 
 // Without an answer at the first attempt there is no server; one that answers may lose some messages.
-bool NetworkClient::mayRetry(const Session::Ending& trouble) const {
-  if (trouble.permanent) return false;
+bool NetworkClient::mayRetry(const Session::Ending& failure) const {
+  if (failure.permanent) return false;
   return welcomed_ || (is<InSession>() && !session_->ending() && recovery_.failed + 1 < kMaxFirstAttempts);
 }
 
-void NetworkClient::fail(const Session::Ending& trouble, Moment now) {
-  const bool retries = mayRetry(trouble);
+void NetworkClient::fail(const Session::Ending& failure, Moment now) {
+  const bool retries = mayRetry(failure);
   if (is<InSession>()) {
-    session_->lose(trouble.reason);
+    session_->connectionLost(failure.reason);
     memory_ = session_->memory();
   }
   if (retries) {
-    if (!recovery_.outage) recovery_.outage = trouble.reason;
+    if (!recovery_.outage) recovery_.outage = failure.reason;
     ++recovery_.failed;
     const Moment pause = pauseAfterFailure();
     dropConnection();
     state_ = Paused{now + pause};
   } else {
     if (!is<InSession>()) dropConnection();
-    ending_ = trouble.reason;
+    ending_ = failure.reason;
     state_ = Ended();
   }
 }

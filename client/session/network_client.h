@@ -91,8 +91,8 @@ class NetworkClient {
   void startSession(Moment now);
   void checkConnecting(Moment now);
   void checkSession(Moment now);
-  bool mayRetry(const Session::Ending& trouble) const;
-  void fail(const Session::Ending& trouble, Moment now);
+  bool mayRetry(const Session::Ending& failure) const;
+  void fail(const Session::Ending& failure, Moment now);
   Moment pauseAfterFailure();
   void dropConnection();
   void sendOutgoing();

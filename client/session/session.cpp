@@ -68,7 +68,7 @@ void Session::leave() {
   if (round_) reportDesync(round_->endDesync());
 }
 
-void Session::lose(std::string reason) {
+void Session::connectionLost(std::string reason) {
   if (!ending_) end(std::move(reason), false);
 }
 

@@ -55,8 +55,8 @@ class Session {
   void update(Moment now, const Controls& controls);
   /// Queues a Leave message. The connection may be closed once it is sent.
   void leave();
-  /// Ends the session because its connection was lost.
-  void lose(std::string reason);
+  /// The connection was lost: ends the session.
+  void connectionLost(std::string reason);
   /// Queued messages, oldest first; each is returned once.
   std::vector<OutgoingMessage> takeOutgoing();
 
@@ -82,7 +82,7 @@ class Session {
  private:
   template <class Message>
   void send(const Message& message, bool reliable);
-  void end(std::string reason, bool forGood);
+  void end(std::string reason, bool permanent);
   void reportDesync(std::optional<Desync> desync);
 
   void handle(const Welcome& message, Moment now);

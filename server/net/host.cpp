@@ -76,7 +76,7 @@ ENetHost* open(const HostSettings& settings) {
                   std::strerror(fault) + remedyFor(fault));
 }
 
-// Has to be repeated, since the client can change these values at any time.
+// Must be repeated, since the client can change these values at any time.
 void resetLimits(ENetPeer& peer) {
   peer.mtu = kMtu;
   unthrottle(peer);
@@ -84,10 +84,10 @@ void resetLimits(ENetPeer& peer) {
 
 }  // namespace
 
-struct Host::Link {
-  explicit Link(TimePoint now)
+struct Host::Connection {
+  explicit Connection(TimePoint now)
       : since(now),
-        heardAt(now),
+        receivedAt(now),
         datagrams(kDatagramsPerSecond, kDatagramBurst, now),
         bytes(kBytesPerSecond, kByteBurst, now) {}
 
@@ -95,8 +95,8 @@ struct Host::Link {
   bool open = false;               // connected or connecting
   bool admitted = false;
   bool closing = false;
-  TimePoint since;    // when it became open, connected or closing, whichever came last
-  TimePoint heardAt;  // when the last datagram arrived
+  TimePoint since;       // when it became open, connected or closing, whichever came last
+  TimePoint receivedAt;  // when the last datagram arrived
   TokenBucket datagrams;
   TokenBucket bytes;
 };
@@ -112,7 +112,7 @@ struct Host::Service : ENetEvent {
 Host::Host(const HostSettings& settings, TimePoint now)
     : host_(open(settings), enet_host_destroy),
       connectionsPerAddress_(settings.connectionsPerAddress),
-      links_(settings.connections, Link(now)),
+      connections_(settings.connections, Connection(now)),
       connects_(kConnectBuckets, TokenBucket(kConnectsPerSecond, kConnectBurst, now)),
       connectKey_(std::random_device()() | 1) {
   enet_socket_get_address(host_->socket, &host_->address);  // for the port, when 0 was requested
@@ -135,7 +135,7 @@ int Host::intercept(ENetHost*, ENetEvent* event) {
 bool Host::acceptsDatagram(TimePoint now) {
   const DatagramHead head = checkDatagram({host_->receivedData, host_->receivedDataLength});
   const bool broken = head.kind == DatagramHead::Kind::kBroken || !canSendTo(host_->receivedAddress) ||
-                      (head.kind == DatagramHead::Kind::kPeer && head.peer >= links_.size());
+                      (head.kind == DatagramHead::Kind::kPeer && head.peer >= connections_.size());
   if (broken) {
     ++counters_.brokenDatagrams;
     return false;
@@ -144,17 +144,17 @@ bool Host::acceptsDatagram(TimePoint now) {
   const ENetAddress& known = host_->peers[head.peer].address;
   const ENetAddress& sender = host_->receivedAddress;
   if (known.host != sender.host || known.port != sender.port) return false;
-  Link& link = links_[head.peer];
-  link.heardAt = now;
+  Connection& connection = connections_[head.peer];
+  connection.receivedAt = now;
   const auto bytes = static_cast<double>(host_->receivedDataLength);
-  const bool within = link.datagrams.take(1, now) && link.bytes.take(bytes, now);
+  const bool within = connection.datagrams.take(1, now) && connection.bytes.take(bytes, now);
   if (!within) ++counters_.excessDatagrams;
   return within;
 }
 
 bool Host::acceptsConnect(TimePoint now) {
   const bool loopback = isLoopback(host_->receivedAddress);
-  host_->duplicatePeers = loopback ? host_->peerCount : connectionsPerAddress_ + silentLinksOfSender(now);
+  host_->duplicatePeers = loopback ? host_->peerCount : connectionsPerAddress_ + silentConnectionsOfSender(now);
   const std::uint32_t bucket = (host_->receivedAddress.host * connectKey_) >> 22;
   static_assert(kConnectBuckets == std::size_t{1} << (32 - 22));
   const bool within = loopback || isRetransmittedConnect() || connects_[bucket].take(1, now);
@@ -164,11 +164,11 @@ bool Host::acceptsConnect(TimePoint now) {
 
 // Connections of the sender that are probably lost. They do not count against the limit of its address, so that its
 // clients can reconnect.
-std::size_t Host::silentLinksOfSender(TimePoint now) const {
+std::size_t Host::silentConnectionsOfSender(TimePoint now) const {
   std::size_t count = 0;
-  for (std::size_t index = 0; index < links_.size(); ++index) {
+  for (std::size_t index = 0; index < connections_.size(); ++index) {
     const bool same = host_->peers[index].address.host == host_->receivedAddress.host;
-    count += same && links_[index].admitted && now - links_[index].heardAt > kSilenceSuspected ? 1 : 0;
+    count += same && connections_[index].admitted && now - connections_[index].receivedAt > kSilenceSuspected ? 1 : 0;
   }
   return count;
 }
@@ -192,60 +192,61 @@ std::vector<HostEvent> Host::service(TimePoint now) {
     while (enet_host_check_events(host_.get(), &event) > 0) handle(event, now, events);
     if (result == 0) break;
   }
-  for (std::size_t index = 0; index < links_.size(); ++index) maintain(index, now, events);
+  for (std::size_t index = 0; index < connections_.size(); ++index) maintain(index, now, events);
   return events;
 }
 
 void Host::handle(const ENetEvent& event, TimePoint now, std::vector<HostEvent>& events) {
-  Link& link = links_[event.peer->incomingPeerID];
+  Connection& connection = connections_[event.peer->incomingPeerID];
   if (event.type == ENET_EVENT_TYPE_CONNECT) {
-    if (!link.open) link = Link(now);  // otherwise its first datagram came in an earlier call
-    link.open = true;
-    link.since = now;
-    link.client = nextClient_++;
+    if (!connection.open) connection = Connection(now);  // otherwise its first datagram came in an earlier call
+    connection.open = true;
+    connection.since = now;
+    connection.client = nextClient_++;
     configurePeer(*event.peer);
     enet_peer_throttle_configure(event.peer, kThrottleIntervalMs, ENET_PEER_PACKET_THROTTLE_SCALE, 0);
     resetLimits(*event.peer);
   } else if (event.type == ENET_EVENT_TYPE_DISCONNECT) {
-    if (link.client) events.push_back({*link.client, true, {}, 0});
-    link = Link(now);
+    if (connection.client) events.push_back({*connection.client, true, {}, 0});
+    connection = Connection(now);
   } else if (event.type == ENET_EVENT_TYPE_RECEIVE) {
     const std::span<const std::uint8_t> bytes(event.packet->data, event.packet->dataLength);
-    if (link.client)
-      events.push_back({*link.client, false, {bytes.begin(), bytes.end()}, originOf(event.peer->address)});
+    if (connection.client)
+      events.push_back({*connection.client, false, {bytes.begin(), bytes.end()}, originOf(event.peer->address)});
     enet_packet_destroy(event.packet);
   }
 }
 
-// Watches over one connection: notices new ones, resets their limits, ends those that have timed out.
+// Maintains one connection: detects a new one, resets its limits, ends it if it has timed out.
 void Host::maintain(std::size_t index, TimePoint now, std::vector<HostEvent>& events) {
-  Link& link = links_[index];
+  Connection& connection = connections_[index];
   ENetPeer& peer = host_->peers[index];
   if (peer.state == ENET_PEER_STATE_DISCONNECTED) {
-    if (link.open) link = Link(now);
+    if (connection.open) connection = Connection(now);
     return;
   }
-  if (!link.open) {
-    link = Link(now);
-    link.open = true;
+  if (!connection.open) {
+    connection = Connection(now);
+    connection.open = true;
   }
   resetLimits(peer);
   limitRetransmissionTimeout(peer, peer.roundTripTime + kRetransmissionDelayMs);
-  const auto patience = link.client && !link.closing ? kAdmissionTime : kAnswerTime;
-  if (link.admitted ? now - link.heardAt < kSilenceTimeout : now - link.since < patience) return;
-  if (!link.admitted) ++counters_.expired;
-  if (link.client) events.push_back({*link.client, true, {}, 0});
+  const auto timeout = connection.client && !connection.closing ? kAdmissionTime : kAnswerTime;
+  if (connection.admitted ? now - connection.receivedAt < kSilenceTimeout : now - connection.since < timeout) return;
+  if (!connection.admitted) ++counters_.expired;
+  if (connection.client) events.push_back({*connection.client, true, {}, 0});
   enet_peer_reset(&peer);
-  link = Link(now);
+  connection = Connection(now);
 }
 
 ENetPeer* Host::peerOf(ClientId client) const {
-  const auto found = std::find_if(links_.begin(), links_.end(), [client](const Link& l) { return l.client == client; });
-  return found == links_.end() ? nullptr : &host_->peers[found - links_.begin()];
+  const auto found = std::find_if(connections_.begin(), connections_.end(),
+                                  [client](const Connection& connection) { return connection.client == client; });
+  return found == connections_.end() ? nullptr : &host_->peers[found - connections_.begin()];
 }
 
 void Host::admit(ClientId client) {
-  if (const ENetPeer* peer = peerOf(client)) links_[peer->incomingPeerID].admitted = true;
+  if (const ENetPeer* peer = peerOf(client)) connections_[peer->incomingPeerID].admitted = true;
 }
 
 void Host::send(ClientId client, bool reliable, std::span<const std::uint8_t> message) {
@@ -255,10 +256,10 @@ void Host::send(ClientId client, bool reliable, std::span<const std::uint8_t> me
 void Host::close(ClientId client, TimePoint now) {
   ENetPeer* peer = peerOf(client);
   if (!peer) return;
-  Link& link = links_[peer->incomingPeerID];
-  link.admitted = false;
-  link.closing = true;
-  link.since = now;
+  Connection& connection = connections_[peer->incomingPeerID];
+  connection.admitted = false;
+  connection.closing = true;
+  connection.since = now;
   enet_peer_disconnect_later(peer, 0);
 }
 
@@ -276,11 +277,12 @@ std::uint16_t Host::port() const { return host_->address.port; }
 
 bool Host::isOpen(ClientId client) const {
   const ENetPeer* peer = peerOf(client);
-  return peer && !links_[peer->incomingPeerID].closing;
+  return peer && !connections_[peer->incomingPeerID].closing;
 }
 
 bool Host::empty() const {
-  return std::none_of(links_.begin(), links_.end(), [](const Link& link) { return link.open; });
+  return std::none_of(connections_.begin(), connections_.end(),
+                      [](const Connection& connection) { return connection.open; });
 }
 
 }  // namespace platon

@@ -19,7 +19,7 @@ struct _ENetEvent;
 
 namespace platon {
 
-/// The socket cannot be opened; `what()` is one sentence that states the cause and the remedy.
+/// The socket cannot be opened; `what()` is one sentence that states the cause and how to correct it.
 class HostError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -88,22 +88,22 @@ class Host {
   const HostCounters& counters() const { return counters_; }
 
  private:
-  struct Link;  // state of one ENet peer
+  struct Connection;  // state of one ENet peer
   struct Service;
 
   static int intercept(_ENetHost* host, _ENetEvent* event);
   bool acceptsDatagram(TimePoint now);
   bool acceptsConnect(TimePoint now);
   bool isRetransmittedConnect() const;
-  std::size_t silentLinksOfSender(TimePoint now) const;
+  std::size_t silentConnectionsOfSender(TimePoint now) const;
   void handle(const _ENetEvent& event, TimePoint now, std::vector<HostEvent>& events);
   void maintain(std::size_t index, TimePoint now, std::vector<HostEvent>& events);
   _ENetPeer* peerOf(ClientId client) const;
 
   std::unique_ptr<_ENetHost, void (*)(_ENetHost*)> host_;
   std::uint32_t connectionsPerAddress_;
-  std::vector<Link> links_;            // by index of the ENet peer
-  std::vector<TokenBucket> connects_;  // by a keyed hash of the address
+  std::vector<Connection> connections_;  // by index of the ENet peer
+  std::vector<TokenBucket> connects_;    // by a keyed hash of the address
   std::uint32_t connectKey_;
   ClientId nextClient_ = 1;
   HostCounters counters_;

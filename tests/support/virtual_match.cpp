@@ -54,7 +54,7 @@ std::size_t VirtualMatch::join(const LinkQuality& quality, Controls controls) {
 
 void VirtualMatch::disconnect(std::size_t index, std::optional<Moment> detectedAfter) {
   Client& client = *clients_[index];
-  client.session->lose("connection lost");
+  client.session->connectionLost("connection lost");
   client.connected = false;
   for (NetworkConditions* link : {&client.up, &client.down, &client.reliableUp, &client.reliableDown}) link->clear();
   if (detectedAfter) losses_.push_back({now_ + *detectedAfter, client.id});

@@ -26,7 +26,7 @@ class DesyncDetectorTest : public testing::Test {
   void playServer(std::uint32_t ticks) {
     for (std::uint32_t i = 0; i < ticks; ++i) server_.advance(inputs_);
   }
-  void playOwn(std::uint32_t ticks) {
+  void playClient(std::uint32_t ticks) {
     for (std::uint32_t i = 0; i < ticks; ++i) {
       client_.advance(inputs_);
       detector_.advanced(inputs_, client_);
@@ -34,7 +34,7 @@ class DesyncDetectorTest : public testing::Test {
   }
   void play(std::uint32_t ticks) {
     playServer(ticks);
-    playOwn(ticks);
+    playClient(ticks);
   }
 
   // Flips a bit in the client's game, plays three ticks and compares hashes.
@@ -108,7 +108,7 @@ TEST_F(DesyncDetectorTest, ComparesAnEarlierStateWhenTheClientIsAhead) {
   desync();
   play(20);
   const Game client = client_;
-  playOwn(7);
+  playClient(7);
   const auto found = detector_.resynced(server_, inputs_);
   ASSERT_TRUE(found.has_value());
   EXPECT_EQ(found->client, client);
@@ -141,7 +141,7 @@ TEST_F(DesyncDetectorTest, KeepsTheLastClientStateWhenMoreTicksAreMissing) {
 TEST_F(DesyncDetectorTest, KeepsOnlyTheLastStates) {
   desync();
   playServer(5);
-  playOwn(5 + static_cast<std::uint32_t>(DesyncDetector::kMaxStates));
+  playClient(5 + static_cast<std::uint32_t>(DesyncDetector::kMaxStates));
   const auto found = detector_.resynced(server_, inputs_);
   ASSERT_TRUE(found.has_value());
   EXPECT_EQ(found->client, client_);

@@ -189,7 +189,7 @@ void expectReportAtTheEnd(const std::function<void(VirtualMatch&)>& end) {
 TEST(Desync, WithoutAResyncIsReportedAtTheEndOfTheSession) {
   expectReportAtTheEnd([](VirtualMatch& match) { match.match().stop("enough"); });
   expectReportAtTheEnd([](VirtualMatch& match) { match.session(0).leave(); });
-  expectReportAtTheEnd([](VirtualMatch& match) { match.session(0).lose("gone"); });
+  expectReportAtTheEnd([](VirtualMatch& match) { match.session(0).connectionLost("gone"); });
 }
 
 TEST(Desync, RepeatedDesyncsAreReportedOnceAMinute) {

@@ -18,7 +18,7 @@ using std::chrono::milliseconds;
 using std::chrono::seconds;
 
 constexpr std::uint64_t kSeed = 99;
-constexpr std::size_t kLost = 0;  // the client that loses its connection
+constexpr std::size_t kDisconnected = 0;  // the client whose connection is lost
 
 const Controls kRight = [](const Game&, std::uint32_t) { return Input{Input::kRight}; };
 
@@ -31,17 +31,16 @@ Controls settling() {
   return [](const Game& game, std::uint32_t) { return game.tick() < 120 ? Input{Input::kRight} : Input{}; };
 }
 
-// A lost connection.
-struct Break {
+struct ConnectionLoss {
   const char* what;
   double delayMs = 30;  // each way
   double lossPercent = 0;
   std::size_t players = 2;
-  std::optional<Moment> noticed = seconds(3);  // when the server detects it; nothing: never
-  Moment lasts = seconds(6);
+  std::optional<Moment> detectedAfter = seconds(3);  // time until the server detects it; nothing: never
+  Moment duration = seconds(6);
 };
 
-class Resume : public testing::TestWithParam<Break> {
+class Resume : public testing::TestWithParam<ConnectionLoss> {
  protected:
   void joinAll() {
     LinkQuality quality;
@@ -49,20 +48,20 @@ class Resume : public testing::TestWithParam<Break> {
     quality.lossPercent = GetParam().lossPercent;
     match_.join(quality, settling());
     for (std::size_t i = 1; i < GetParam().players; ++i) match_.join(quality, pressing(kSeed + i));
-    match_.tamper(kLost, [this](std::vector<std::uint8_t>& bytes) {
+    match_.tamper(kDisconnected, [this](std::vector<std::uint8_t>& bytes) {
       const auto message = decodeToClient(bytes);
       levelChunks_ += message && std::holds_alternative<LevelChunk>(*message) ? 1 : 0;
     });
   }
 
-  // Breaks the connection and resumes. Returns the time from reconnecting to the first confirmed tick.
-  Moment breakAndResume(const std::function<void()>& meanwhile) {
-    match_.disconnect(kLost, GetParam().noticed);
+  // Disconnects the client and resumes its player. Returns the time from reconnecting to the first confirmed tick.
+  Moment disconnectAndResume(const std::function<void()>& meanwhile) {
+    match_.disconnect(kDisconnected, GetParam().detectedAfter);
     meanwhile();
-    const std::uint32_t before = match_.session(kLost).predictionStatistics().confirmedTicks;
+    const std::uint32_t before = match_.session(kDisconnected).predictionStatistics().confirmedTicks;
     const Moment begun = match_.now();
-    match_.resume(kLost);
-    while (match_.session(kLost).predictionStatistics().confirmedTicks == before &&
+    match_.resume(kDisconnected);
+    while (match_.session(kDisconnected).predictionStatistics().confirmedTicks == before &&
            match_.now() < begun + seconds(20)) {
       match_.run(milliseconds(1));
     }
@@ -76,11 +75,11 @@ class Resume : public testing::TestWithParam<Break> {
     return roundTrip + Moment(ticks * 1'000'000 / kTicksPerSecond);
   }
 
-  EntityState place() { return match_.match().game().world().entities()[match_.slot(kLost)]; }
+  EntityState place() { return match_.match().game().world().entities()[match_.slot(kDisconnected)]; }
 
   // Checks all the while that the player stays present for the others.
   void runAndCheckPresence(Moment duration) {
-    const std::uint32_t slot = match_.slot(kLost);
+    const std::uint32_t slot = match_.slot(kDisconnected);
     for (const Moment end = match_.now() + duration; match_.now() < end; match_.run(milliseconds(50))) {
       ASSERT_TRUE(match_.match().game().player(slot).present);
       ASSERT_EQ(match_.session(1).names()[slot], "someone");
@@ -95,24 +94,24 @@ class Resume : public testing::TestWithParam<Break> {
 TEST_P(Resume, ResumesThePlayerAtItsPlace) {
   joinAll();
   match_.run(seconds(5));
-  const std::uint32_t slot = match_.slot(kLost);
+  const std::uint32_t slot = match_.slot(kDisconnected);
   const EntityState before = place();
-  const std::uint32_t ticks = match_.session(kLost).predictionStatistics().confirmedTicks;
+  const std::uint32_t ticks = match_.session(kDisconnected).predictionStatistics().confirmedTicks;
   ASSERT_GT(ticks, 200u);
   levelChunks_ = 0;
-  const Moment took = breakAndResume([&] { runAndCheckPresence(GetParam().lasts); });
+  const Moment took = disconnectAndResume([&] { runAndCheckPresence(GetParam().duration); });
   EXPECT_LE(took, allowed());
   RecordProperty("milliseconds", std::to_string(took / milliseconds(1)));
   std::printf("resumed after %lld ms\n", static_cast<long long>(took / milliseconds(1)));
-  EXPECT_EQ(match_.slot(kLost), slot);
+  EXPECT_EQ(match_.slot(kDisconnected), slot);
   EXPECT_EQ(place().position, before.position);
   EXPECT_EQ(place().part, before.part);
   runAndCheckPresence(seconds(3));
   EXPECT_EQ(place().position, before.position);
   EXPECT_EQ(levelChunks_, 0);
-  EXPECT_GT(match_.session(kLost).predictionStatistics().confirmedTicks, ticks + 120);
-  EXPECT_EQ(match_.session(kLost).roundStatistics().desyncs, 0u);
-  EXPECT_EQ(match_.session(kLost).roundStatistics().resyncs, 0u);
+  EXPECT_GT(match_.session(kDisconnected).predictionStatistics().confirmedTicks, ticks + 120);
+  EXPECT_EQ(match_.session(kDisconnected).roundStatistics().desyncs, 0u);
+  EXPECT_EQ(match_.session(kDisconnected).roundStatistics().resyncs, 0u);
   EXPECT_EQ(match_.match().players(), GetParam().players);
 }
 
@@ -121,9 +120,9 @@ TEST_P(Resume, PredictsThePlayerAtItsPlace) {
   joinAll();
   match_.run(seconds(5));
   const EntityState before = place();
-  const PredictionStatistics count = match_.session(kLost).predictionStatistics();
-  breakAndResume([&] { match_.run(GetParam().lasts); });
-  const Prediction& prediction = match_.session(kLost).round()->prediction();
+  const PredictionStatistics count = match_.session(kDisconnected).predictionStatistics();
+  disconnectAndResume([&] { match_.run(GetParam().duration); });
+  const Prediction& prediction = match_.session(kDisconnected).round()->prediction();
   for (const Moment end = match_.now() + seconds(2); match_.now() < end; match_.run(milliseconds(1))) {
     ASSERT_LT(prediction.slot(), prediction.predicted().slots());
     ASSERT_TRUE(prediction.predicted().player(prediction.slot()).present);
@@ -131,26 +130,27 @@ TEST_P(Resume, PredictsThePlayerAtItsPlace) {
     ASSERT_EQ(local.position, before.position);
     ASSERT_EQ(local.part, before.part);
   }
-  const PredictionStatistics gained = match_.session(kLost).predictionStatistics() - count;
+  const PredictionStatistics gained = match_.session(kDisconnected).predictionStatistics() - count;
   EXPECT_EQ(gained.missedInputs, 0u);
   EXPECT_EQ(gained.mispredicted, 0u);
   EXPECT_EQ(gained.corrections, 0u);
 }
 
-INSTANTIATE_TEST_SUITE_P(Connections, Resume,
-                         testing::Values(Break{"Plain"},
-                                         Break{.what = "BeforeTheServerNotices", .noticed = std::nullopt},
-                                         Break{.what = "AtOnce", .noticed = std::nullopt, .lasts = milliseconds(100)},
-                                         Break{.what = "SixteenPlayers", .players = 16},
-                                         Break{.what = "Losses", .lossPercent = 10, .players = 16},
-                                         Break{.what = "LongRoundTrip", .delayMs = 200},
-                                         Break{.what = "LongRoundTripLossesTakeover",
-                                               .delayMs = 200,
-                                               .lossPercent = 10,
-                                               .players = 16,
-                                               .noticed = std::nullopt},
-                                         Break{.what = "NearlyAMinute", .lasts = seconds(62)}),
-                         [](const testing::TestParamInfo<Break>& test) { return test.param.what; });
+INSTANTIATE_TEST_SUITE_P(
+    Connections, Resume,
+    testing::Values(ConnectionLoss{"Plain"},
+                    ConnectionLoss{.what = "BeforeTheServerDetectsIt", .detectedAfter = std::nullopt},
+                    ConnectionLoss{.what = "AtOnce", .detectedAfter = std::nullopt, .duration = milliseconds(100)},
+                    ConnectionLoss{.what = "SixteenPlayers", .players = 16},
+                    ConnectionLoss{.what = "Losses", .lossPercent = 10, .players = 16},
+                    ConnectionLoss{.what = "LongRoundTrip", .delayMs = 200},
+                    ConnectionLoss{.what = "LongRoundTripLossesUndetected",
+                                   .delayMs = 200,
+                                   .lossPercent = 10,
+                                   .players = 16,
+                                   .detectedAfter = std::nullopt},
+                    ConnectionLoss{.what = "NearlyAMinute", .duration = seconds(62)}),
+    [](const testing::TestParamInfo<ConnectionLoss>& test) { return test.param.what; });
 
 class NextRound : public testing::Test {
  protected:
@@ -168,15 +168,15 @@ class NextRound : public testing::Test {
 
   void expectToPlay(std::uint32_t round) {
     match_.run(seconds(2));
-    ASSERT_NE(match_.session(kLost).round(), nullptr);
-    EXPECT_EQ(match_.session(kLost).round()->id(), round);
-    EXPECT_TRUE(match_.session(kLost).round()->prediction().present());
-    EXPECT_TRUE(match_.match().game().player(match_.slot(kLost)).present);
-    EXPECT_EQ(match_.session(kLost).roundStatistics().desyncs, 0u);
+    ASSERT_NE(match_.session(kDisconnected).round(), nullptr);
+    EXPECT_EQ(match_.session(kDisconnected).round()->id(), round);
+    EXPECT_TRUE(match_.session(kDisconnected).round()->prediction().present());
+    EXPECT_TRUE(match_.match().game().player(match_.slot(kDisconnected)).present);
+    EXPECT_EQ(match_.session(kDisconnected).roundStatistics().desyncs, 0u);
     EXPECT_EQ(match_.match().players(), 2u);
-    const std::uint32_t missed = match_.session(kLost).predictionStatistics().missedInputs;
+    const std::uint32_t missed = match_.session(kDisconnected).predictionStatistics().missedInputs;
     match_.run(seconds(1));
-    EXPECT_EQ(match_.session(kLost).predictionStatistics().missedInputs, missed);  // its inputs arrive in time
+    EXPECT_EQ(match_.session(kDisconnected).predictionStatistics().missedInputs, missed);  // its inputs arrive in time
   }
 
   VirtualMatch match_{{flatLevel(), cornerLevel()}, kSeed};
@@ -184,17 +184,17 @@ class NextRound : public testing::Test {
 
 TEST_F(NextRound, IsJoinedByAResumedPlayer) {
   startWith(40);
-  const std::uint32_t slot = match_.slot(kLost);
-  match_.disconnect(kLost, seconds(3));
+  const std::uint32_t slot = match_.slot(kDisconnected);
+  match_.disconnect(kDisconnected, seconds(3));
   while (match_.match().round() == 1) match_.run(milliseconds(100));
   match_.run(milliseconds(800));
   ASSERT_EQ(match_.match().round(), 2u);
   EXPECT_EQ(match_.session(kOther).names()[slot], "someone");
   EXPECT_FALSE(match_.match().game().player(slot).present);  // a round starts with all players absent
-  match_.resume(kLost);
+  match_.resume(kDisconnected);
   expectToPlay(2);
-  EXPECT_EQ(match_.slot(kLost), slot);
-  EXPECT_EQ(match_.session(kLost).round()->prediction().confirmed().level().hash, cornerLevel()->hash);
+  EXPECT_EQ(match_.slot(kDisconnected), slot);
+  EXPECT_EQ(match_.session(kDisconnected).round()->prediction().confirmed().level().hash, cornerLevel()->hash);
 }
 
 // Interrupts the transfers of level, full state and round start at various points.
@@ -208,18 +208,18 @@ TEST_F(NextRound, IsJoinedAfterAnInterruptedTransfer) {
     match.join(quality, kRight);
     match.run(milliseconds(6500 + ms));  // the second round starts meanwhile
     for (int again = 0; again < 4; ++again) {
-      match.disconnect(kLost, again % 2 == 0 ? std::optional<Moment>(milliseconds(1)) : std::nullopt);
+      match.disconnect(kDisconnected, again % 2 == 0 ? std::optional<Moment>(milliseconds(1)) : std::nullopt);
       match.run(milliseconds(7));
-      match.resume(kLost);
+      match.resume(kDisconnected);
       match.run(milliseconds(ms));
     }
     match.run(seconds(4));
-    ASSERT_NE(match.session(kLost).round(), nullptr);
-    EXPECT_EQ(match.session(kLost).round()->id(), match.match().round());
-    EXPECT_TRUE(match.session(kLost).round()->prediction().present());
-    EXPECT_EQ(match.slot(kLost), 0u);
+    ASSERT_NE(match.session(kDisconnected).round(), nullptr);
+    EXPECT_EQ(match.session(kDisconnected).round()->id(), match.match().round());
+    EXPECT_TRUE(match.session(kDisconnected).round()->prediction().present());
+    EXPECT_EQ(match.slot(kDisconnected), 0u);
     EXPECT_EQ(match.match().players(), 2u);
-    EXPECT_EQ(match.session(kLost).roundStatistics().desyncs, 0u);
+    EXPECT_EQ(match.session(kDisconnected).roundStatistics().desyncs, 0u);
   }
 }
 
