@@ -18,7 +18,7 @@ struct FullState {
 };
 
 std::vector<std::uint8_t> encode(const FullState& state);
-/// Nothing when the bytes are malformed. `game` is not checked: `Game::restore` does that.
+/// Returns nothing if the bytes are malformed. `game` is not checked: `Game::restore` does that.
 std::optional<FullState> decodeFullState(std::span<const std::uint8_t> bytes);
 
 }  // namespace platon

@@ -5,7 +5,7 @@
 
 namespace platon {
 
-/// An error that ends a program; `what()` states the cause and how to mend it. `what()` is one line, except for an
+/// An error that ends a program; `what()` states the cause and how to correct it. `what()` is one line, except for an
 /// invalid level: then it has one line per error found.
 class ProgramError : public std::runtime_error {
  public:

@@ -12,7 +12,7 @@ namespace platon {
 /// and sends in its first `Hello`. It works even when the answer to that message is lost.
 using SessionToken = std::array<std::uint8_t, 16>;
 
-/// Nothing when the number of bytes is not that of a token.
+/// Returns nothing if the number of bytes is not that of a token.
 inline std::optional<SessionToken> tokenOf(std::span<const std::uint8_t> bytes) {
   SessionToken token;
   if (bytes.size() != token.size()) return std::nullopt;

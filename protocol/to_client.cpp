@@ -71,7 +71,7 @@ std::int32_t unpackSigned(std::uint32_t packed) {
   return static_cast<std::int32_t>(packed & 1 ? ~(packed >> 1) : packed >> 1);
 }
 
-// First number of a link report. Greater values contain the slack, whose tick follows relative to `from`.
+// First number of a link report. Larger values encode the slack; the tick of the slack follows, relative to `from`.
 constexpr std::uint32_t kNoReport = 0;
 constexpr std::uint32_t kReportWithoutSlack = 1;
 

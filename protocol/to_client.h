@@ -146,7 +146,7 @@ struct ConfirmedTicks {
 using ToClient =
     std::variant<Welcome, Refused, LevelChunk, StateChunk, Roster, RoundStart, RoundEnd, Bye, ConfirmedTicks>;
 
-/// Decodes a message from the server. Nothing when it is malformed or a value is out of range.
+/// Decodes a message from the server. Returns nothing if it is malformed or a value is out of range.
 std::optional<ToClient> decodeToClient(std::span<const std::uint8_t> bytes);
 
 /// Encodes a message, whose values must be within the limits above.

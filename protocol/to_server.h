@@ -54,7 +54,7 @@ struct PlayerInputs {
 
 using ToServer = std::variant<Hello, LevelRequest, Leave, PlayerInputs>;
 
-/// Decodes a message from a client. Nothing when it is malformed or a value is out of range.
+/// Decodes a message from a client. Returns nothing if it is malformed or a value is out of range.
 std::optional<ToServer> decodeToServer(std::span<const std::uint8_t> bytes);
 
 /// Encodes a message, whose values must be within the limits above.

@@ -15,8 +15,8 @@ constexpr std::int32_t kMaxCells = 8000;
 
 Convex square(std::int32_t r) { return Convex(std::vector<Point>{{-r, -r}, {r, -r}, {r, r}, {-r, r}}); }
 
-// The square that must fit between segments. Smaller than the ball, because cell centres rarely lie in the middle of a
-// gap; at the goal almost a point, because the goal may touch a segment.
+// The square that must fit between segments. It is smaller than the ball, because cell centres rarely lie in the middle
+// of a gap. At the goal it is almost a point, because the goal may touch a segment.
 const Convex& probeFor(bool atGoal) {
   static const Convex kSmallBall = square(4 * kSubunitsPerUnit);
   static const Convex kPoint = square(16);

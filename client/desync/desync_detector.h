@@ -41,7 +41,7 @@ class DesyncDetector {
   void hashDiffered(const Game& game, std::uint32_t serverHash);
 
   /// The client's game has been replaced by the server's state, whose last tick had the inputs `held`. Returns the
-  /// pending desync, if any, and starts anew.
+  /// pending desync, if any, and starts over.
   std::optional<Desync> resynced(const Game& server, std::span<const Input> held);
   /// The round ends without a resync. Returns the pending desync, if any.
   std::optional<Desync> ended();

@@ -62,8 +62,8 @@ BallMesh unitBall() {
   return ball;
 }
 
-// Where a ball is drawn: moved towards the eye and scaled down, so that it covers the same pixels, but its face does
-// not cut it, and the local player is in front of others at the same position.
+// Where a ball is drawn: moved towards the eye and scaled down, so that it covers the same pixels and its face does
+// not cut it. The local player is in front of others at the same position.
 struct Placement {
   glm::dvec3 centre{0};
   glm::dvec3 toEye{0, 0, 1};

@@ -15,7 +15,7 @@
 
 namespace platon {
 
-/// Draws all that the player sees: scene, head-up display, connection graph and menu. Requires the current OpenGL
+/// Draws the whole picture: scene, head-up display, net graph and menu. Requires the current OpenGL
 /// context of a Window or an Offscreen, which must outlive it.
 class GameView {
  public:

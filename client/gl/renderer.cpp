@@ -5,7 +5,7 @@
 namespace platon {
 namespace {
 
-// While it exists, drawing on a face passes the depth test against that face and writes no depth.
+// While an instance exists, drawing on a face passes the depth test against that face and writes no depth.
 class DecalScope {
  public:
   DecalScope() {

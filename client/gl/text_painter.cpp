@@ -40,7 +40,7 @@ void TextPainter::flush(const glm::mat4& toClip, float halo) {
   for (const PlacedGlyph& glyph : glyphs_) {
     const GlyphAtlas::Entry* entry = atlas_.find(glyph.codePoint);
     if (entry == nullptr) {
-      // The texture is full: draw what refers to it, then fill it anew.
+      // The texture is full: draw the vertices that refer to it, then refill it.
       drawVertices();
       atlas_.clear();
       entry = atlas_.find(glyph.codePoint);

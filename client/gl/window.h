@@ -33,7 +33,7 @@ class Window {
   std::uint32_t pixelWidth() const { return pixelWidth_; }
   std::uint32_t pixelHeight() const { return pixelHeight_; }
 
-  /// Covers the primary monitor, or restores the previous position and size. No effect when already so.
+  /// Covers the primary monitor, or restores the previous position and size. No effect if already in that state.
   void setFullscreen(bool fullscreen);
   /// Shows what has been drawn; waits for the vertical blank of the screen.
   void show();

@@ -80,7 +80,7 @@ void LossyRelay::receiveFromClient(Moment now) {
   }
 }
 
-// Keeps two connections apart that follow each other: drops all datagrams of the old one, and uses a new socket, so
+// Separates successive connections: drops all datagrams of the old one, and uses a new socket, so
 // that the server sees a new address and cannot answer the old connection over the new one.
 void LossyRelay::setClient(const sockaddr_in& client) {
   const bool first = client_.sin_port == 0;

@@ -12,7 +12,7 @@ namespace platon {
 
 /// Forwards UDP datagrams between one local client and a server under simulated network conditions, both ways. The
 /// conditions affect every datagram: handshakes, acknowledgements and retransmissions too. A client that reconnects
-/// from another port gets another port towards the server, as behind a router.
+/// from another port gets another port towards the server, as behind a NAT router.
 class LossyRelay {
  public:
   /// Opens two sockets. Throws std::runtime_error if the host name cannot be resolved or no socket is available.

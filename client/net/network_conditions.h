@@ -29,12 +29,12 @@ struct LinkQuality {
 /// same seed, datagrams and times give the same deliveries on every platform. Burst loss and corruption consume no
 /// random numbers while their percentages are 0.
 ///
-/// Bandwidth: a datagram of n bytes occupies the link for n / kilobytesPerSecond, in the order of sending; datagrams
-/// that are lost afterwards occupy it too. A datagram that would have to wait longer than kMaxQueueTime is dropped.
-/// Delay and jitter start when a datagram has passed this bottleneck.
+/// Bandwidth: a datagram of n bytes occupies the connection for n / kilobytesPerSecond, in the order of sending;
+/// datagrams that are lost afterwards occupy it too. A datagram that would have to wait longer than kMaxQueueTime is
+/// dropped. Delay and jitter start when a datagram has passed this bottleneck.
 ///
-/// Burst loss (Gilbert's model): the link is in one of two states, which may change before each datagram; within a
-/// burst all are lost. With share s and mean burst length L, a burst ends with probability 1 / L and starts with
+/// Burst loss (Gilbert's model): the connection is in one of two states, which may change before each datagram; within
+/// a burst all are lost. With share s and mean burst length L, a burst ends with probability 1 / L and starts with
 /// probability s / (L (1 − s)), so that a share s of all datagrams is lost. If L < s / (1 − s), where bursts would
 /// have to overlap, the mean length is s / (1 − s) instead.
 ///

@@ -23,7 +23,7 @@ class InputSender {
  public:
   explicit InputSender(std::uint32_t round) : round_(round) {}
 
-  /// The local input for `tick`. Ticks increase from call to call; those skipped must be confirmed already.
+  /// The local input for `tick`. Ticks increase from call to call; skipped ticks must already be confirmed.
   void add(std::uint32_t tick, Input input);
   /// Makes the next message due at once.
   void sendSoon() { schedule_.sendSoon(); }

@@ -18,7 +18,7 @@ void LinkMeter::receive(const ConfirmedTicks& message, Moment now) {
   if (!message.link) return;
   const std::uint8_t reported = message.link->sequence;
   const auto pending = static_cast<std::uint8_t>(next_ - oldestPending_);
-  // Reported before by a message that overtook this one, or never sent.
+  // The number was reported by a message that overtook this one, or was never sent.
   if (static_cast<std::uint8_t>(reported - oldestPending_) >= pending) return;
   oldestPending_ = static_cast<std::uint8_t>(reported + 1);
   lostUp_ = message.link->lostPercent;

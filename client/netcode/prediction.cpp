@@ -93,7 +93,7 @@ void Prediction::replay(std::uint32_t until) {
   while (predictedTicks_ < until) advancePredicted(localInput(predictedTicks_));
 }
 
-// Nothing until the server has let the local player in: nothing can be mispredicted before.
+// Returns nothing until the local player is present: before that, nothing can be mispredicted.
 std::optional<Place> Prediction::localPlace(const Game& game) const {
   if (!present() || slot_ >= game.slots() || game.player(slot_).present == 0) return std::nullopt;
   const EntityState& entity = game.world().entities()[slot_];

@@ -37,8 +37,8 @@ class PredictionClock {
   /// `lead`: initial number of ticks ahead of the newest tick received.
   explicit PredictionClock(double lead) : lead_(lead) {}
 
-  /// The initial lead of a client for which the server took `greeting` to answer its Hello.
-  static double initialLead(Moment greeting) { return toTicks(greeting) + kInitialSpareTicks; }
+  /// The initial lead of a client whose Hello was answered after `answerTime`.
+  static double initialLead(Moment answerTime) { return toTicks(answerTime) + kInitialSpareTicks; }
 
   /// Any ConfirmedTicks message of the round, even one without new ticks.
   void receive(const ConfirmedTicks& message, Moment now);

@@ -42,7 +42,7 @@ void describe(CLI::App& app, ClientOptions& options, std::string& host) {
                  "Level file for the embedded server; default: the levels shipped with Platon");
   app.add_option("--name", options.name, "Your name, as other players see it");
   app.add_flag("--offscreen", options.offscreen, "Play without a window; needs no display");
-  app.add_flag("--demo", options.demo, "Let the program play by itself");
+  app.add_flag("--demo", options.demo, "Let the program play automatically");
   app.add_option("--seconds", options.seconds, "Exit after this many seconds; default with --offscreen: 10")
       ->check(CLI::Range(0.1, 86400.0));
   app.add_option("--screenshot", options.screenshot, "Write the last frame to this PNG file");

@@ -9,7 +9,7 @@
 
 namespace platon {
 
-/// Samples the state of a connection for the network graph.
+/// Samples the state of a connection for the net graph.
 class NetMeter {
  public:
   /// Call once per frame. Rates are averages over the last second. The client must have a session.

@@ -33,7 +33,7 @@ void OffscreenPlay::run(const std::function<bool()>& stopAsked) {
   if (!options_.screenshot.empty()) takeScreenshot();
   const std::string unfinished = match_.message();
   match_.leave(clock_);
-  if (!unfinished.empty()) throw ProgramError(ProgramError::kFailed, "the time was up while " + unfinished);
+  if (!unfinished.empty()) throw ProgramError(ProgramError::kFailed, "time limit reached: " + unfinished);
 }
 
 void OffscreenPlay::takeScreenshot() {

@@ -11,13 +11,13 @@
 
 namespace platon {
 
-/// Plays without a window, and draws the last moment when a screenshot is wanted.
+/// Plays without a window. Draws the last frame if a screenshot is requested.
 class OffscreenPlay {
  public:
-  /// Begins to connect. Throws std::runtime_error when that cannot even begin, or when there is no OpenGL.
+  /// Starts to connect. Throws std::runtime_error when connecting cannot start or when there is no OpenGL.
   OffscreenPlay(const ClientOptions& options, const ServerAddress& server, const Clock& clock);
 
-  /// Until the time is over or `stopAsked`. Throws ProgramError when the match ends before.
+  /// Plays until the time limit or `stopAsked`. Throws ProgramError when the match ends earlier.
   void run(const std::function<bool()>& stopAsked);
 
  private:

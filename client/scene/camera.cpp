@@ -17,7 +17,7 @@ constexpr double kViewOfFace = 1.3;  // the same in incircle diameters of a face
 // The orientation whose z axis is `back` and whose y axis is nearest to `up`.
 glm::dquat orientationOf(glm::dvec3 back, glm::dvec3 up) {
   glm::dvec3 right = glm::cross(up, back);
-  // If `up` is parallel to `back`, any direction across will do.
+  // If `up` is parallel to `back`, any perpendicular direction is used.
   if (glm::length(right) < 1e-9) right = glm::cross(glm::dvec3(back.y, back.z, back.x) + glm::dvec3(0.5, 0, 0), back);
   right = glm::normalize(right);
   return glm::normalize(glm::quat_cast(glm::dmat3(right, glm::cross(back, right), back)));

@@ -6,7 +6,7 @@
 
 namespace platon {
 
-/// sRGB, each component in [0, 1]. Colour is never the only mark: faces and players have numbers, too.
+/// sRGB, each component in [0, 1]. Colour is never the only distinction: faces and players also have numbers.
 using Colour = glm::vec3;
 
 /// Converts from the Oklab colour space of Björn Ottosson: lightness [0, 1], chroma (0 grey … about 0.3) and hue in

@@ -41,11 +41,11 @@ class NetworkClient {
 
   /// Whether there is no connection, established or in progress.
   bool closed() const { return !connection_ || connection_->state() == Connection::State::kClosed; }
-  /// Why the match has ended for good, a sentence for the player; empty while it goes on.
+  /// Why the match has ended permanently, a sentence for the player; empty until then.
   const std::optional<std::string>& ending() const { return ending_; }
-  /// Why the match is interrupted, a sentence for the player; empty once it goes on.
+  /// Why the match is interrupted, a sentence for the player; empty while it is not.
   const std::optional<std::string>& outage() const { return recovery_.outage; }
-  /// How often the match went on after an outage.
+  /// How often the client resumed its player or rejoined after an outage.
   std::uint32_t resumes() const { return resumes_; }
 
   /// The secret that identifies the player to resume. Do not log it.

@@ -18,7 +18,8 @@ namespace platon {
 class DescriptorSink;
 
 /// Writes lines to a file descriptor from a thread of its own, by spdlog's asynchronous logger. The caller never waits
-/// for the reader: when the queue is full the oldest lines are dropped, and when the reader is gone all are.
+/// for the reader: when the queue is full the oldest lines are dropped, and when the reader has closed the descriptor
+/// all are.
 class AsyncLineWriter {
  public:
   /// Lines that the queue holds.

@@ -27,7 +27,7 @@ struct Entry {
 
   std::string text() const {
     if (const auto found = value.value_exact<std::string>()) return *found;
-    refuse("must be a text in quotes");
+    refuse("must be a string in quotes");
   }
 
   std::uint32_t number(std::int64_t least, std::int64_t most) const {
@@ -40,7 +40,7 @@ struct Entry {
 std::string readName(const Entry& entry) {
   std::string name = entry.text();
   if (!isLabel(name, kMaxNameBytes)) {
-    entry.refuse("must be a text of at most " + std::to_string(kMaxNameBytes) + " bytes without control characters");
+    entry.refuse("must be a string of at most " + std::to_string(kMaxNameBytes) + " bytes without control characters");
   }
   return name;
 }

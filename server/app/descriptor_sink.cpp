@@ -12,7 +12,7 @@
 namespace platon {
 namespace {
 
-constexpr int kPollMs = 20;  // so often `discard` is noticed
+constexpr int kPollMs = 20;  // interval at which `discard` is checked
 
 }  // namespace
 

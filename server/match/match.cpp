@@ -135,7 +135,7 @@ MatchPlayer* Match::resume(ClientId client, const Hello& hello) {
   return &player;
 }
 
-// Also takes a player that still counts as connected: its client may reconnect before the server notices the loss.
+// Also takes a player that still counts as connected: its client may reconnect before the server detects the loss.
 std::optional<MatchPlayer> Match::extractPlayer(const SessionToken& token) {
   for (auto entry = disconnected_.begin(); entry != disconnected_.end(); ++entry) {
     if (!entry->player.hasToken(token)) continue;

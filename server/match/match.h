@@ -62,7 +62,7 @@ class Match {
   void disconnect(ClientId client);
   /// Removes the player of a client at once.
   void remove(ClientId client);
-  /// Decides the inputs of one tick and advances the game. Without any player the game stands still.
+  /// Decides the inputs of one tick and advances the game. Without any player the game is paused.
   void tick();
   /// Removes all players and tells their clients the reason.
   void stop(const std::string& reason);

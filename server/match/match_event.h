@@ -10,10 +10,10 @@ struct MatchEvent {
   enum class Kind {
     kJoined,          ///< text: the player's name
     kRefused,         ///< text: the reason
-    kConnectionLost,  ///< the player stays for a while; text: its name
+    kConnectionLost,  ///< the player can be resumed; text: its name
     kResumed,         ///< text: the player's name
     kLeft,            ///< text: the player's name
-    kDesync,          ///< the client's game differed; text: round, tick of the client's hash, tick of the state sent
+    kDesync,          ///< the client's game differs; text: round, tick of the client's hash, tick of the state sent
     kResync,          ///< the client lacked ticks that can no longer be repeated; text: as for kDesync
     kRoundStart,      ///< text: the level's title
     kRoundEnd,        ///< ticks: length of the round

@@ -21,12 +21,12 @@ class MatchPlayer {
  public:
   /// Level texts that a client may request in one round.
   static constexpr std::uint32_t kMaxLevelsPerRound = 8;
-  /// Least ticks between two full states, so that a client that never agrees costs one a second.
+  /// Minimum number of ticks between two full states: a client in permanent desync gets one a second.
   static constexpr std::uint64_t kTicksBetweenStates = 60;
 
-  /// Ticks that most messages of ticks repeat.
+  /// Maximum number of ticks in a message that does not repeat all unacknowledged ticks.
   static constexpr std::uint32_t kRecentTicks = 8;
-  /// Every so many messages repeat all unacknowledged ticks. Divides 256, the period of the sequence numbers.
+  /// One message in this many repeats all unacknowledged ticks. Divides 256, the period of the sequence numbers.
   static constexpr std::uint8_t kFullRepeatInterval = 4;
 
   MatchPlayer(std::uint32_t slot, std::string name, const std::optional<SessionToken>& token)
@@ -42,7 +42,7 @@ class MatchPlayer {
   /// Whether a client can resume the player, that is, whether it joined with a token.
   bool canResume() const { return token_.has_value(); }
 
-  /// Another client resumes the player. It knows nothing of what was sent to the last one.
+  /// Another client resumes the player. It has received nothing that was sent to the previous one.
   void resume(std::string name);
 
   /// A new round starts. A transfer of a state of the old round is cancelled.
@@ -52,7 +52,7 @@ class MatchPlayer {
   void countMessage(std::uint8_t sequence);
   /// Stores the inputs of a message of the current round, of which `decided` ticks are decided.
   void addInputs(const PlayerInputs& message, std::uint32_t decided);
-  /// Whether the message reports the client's present progress: the client has restored the last state sent, and the
+  /// Whether the message reports the client's current progress: the client has restored the last state sent, and the
   /// message is not older than another one received.
   bool isCurrent(const PlayerInputs& message) const;
   void acknowledge(std::uint32_t confirmed) { acknowledged_ = confirmed; }
@@ -63,8 +63,8 @@ class MatchPlayer {
   std::uint32_t acknowledged() const { return acknowledged_; }
   /// First tick of the next message of ticks, when `end` ticks are decided. After a message that could not hold all
   /// ticks: the tick at which it stopped. Otherwise, in every kFullRepeatInterval-th message: the first unacknowledged
-  /// tick. In the others: at most kRecentTicks before the end, since on a long connection the earlier ones are mostly
-  /// not lost but still unacknowledged.
+  /// tick. In the others: at most kRecentTicks before the end, since with a long round trip most earlier
+  /// ticks are not lost, only not acknowledged yet.
   std::uint32_t nextTickToSend(std::uint32_t end) const;
   /// A message with the ticks before `tick` was sent, when `end` ticks were decided.
   void ticksSent(std::uint32_t tick, std::uint32_t end) { continueAt_ = tick < end ? tick : 0; }

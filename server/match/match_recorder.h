@@ -22,7 +22,7 @@ struct RecordingPiece {
   std::vector<std::uint8_t> bytes;
 };
 
-/// Makes a recording of each round, in pieces that can be written to a file while the round goes on.
+/// Makes a recording of each round, in pieces that can be written to a file during the round.
 class MatchRecorder {
  public:
   /// Starts a recording of `game` in round `round`, unless one is in progress. Call it before each advance.

@@ -54,7 +54,7 @@ TEST_P(ShippedLevelTest, IsFinishedByItsSolution) {
   EXPECT_GT(game.ticksLeft(), 0u);
 }
 
-// The solution must use the solid: it crosses edges, and comes back to a face with another up direction.
+// The solution must use the solid: it crosses edges, and visits a face again with another up direction.
 TEST_P(ShippedLevelTest, TheSolutionCrossesEdgesAndTurnsUp) {
   Game game(level());
   std::set<std::uint32_t> faces;

@@ -15,7 +15,7 @@ namespace platon {
 /// A FakeClient on a real ENet connection over loopback.
 class EnetClient {
  public:
-  /// Without a `client` it connects and sends nothing by itself.
+  /// Without a `client` it connects and sends only the bytes given to `sendRaw`.
   EnetClient(std::uint16_t port, std::optional<FakeClient> client);
 
   /// Receives what has arrived and sends the client's messages.

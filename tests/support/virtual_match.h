@@ -17,8 +17,8 @@
 namespace platon {
 
 /// A match and its clients in one thread and in virtual time: client sessions and the server's Match, connected by
-/// simulated links. Unreliable messages are subject to all conditions of a link, reliable ones only to its delay, as if
-/// the transport below retransmitted them.
+/// simulated connections. Unreliable messages are subject to all simulated conditions, reliable ones only to the delay,
+/// as if the transport below retransmitted them.
 class VirtualMatch {
  public:
   VirtualMatch(std::vector<std::shared_ptr<const Level>> levels, std::uint64_t seed, std::uint32_t maxPlayers = 16);
@@ -28,7 +28,7 @@ class VirtualMatch {
   /// The client's connection is lost, with all messages in flight. The server detects it after `detectedAfter`;
   /// nothing: never.
   void disconnect(std::size_t client, std::optional<Moment> detectedAfter);
-  /// The client reconnects over the same link and continues with the memory of its last session.
+  /// The client reconnects under the same conditions and continues with the memory of its last session.
   void resume(std::size_t client);
   /// Time between two updates of the clients; default 4 ms.
   void setFrame(Moment frame) { frame_ = frame; }

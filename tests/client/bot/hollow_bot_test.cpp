@@ -35,7 +35,7 @@ TEST_F(HollowBotTest, PlaysUnderSimulatedNetworkConditions) {
   EXPECT_EQ(result.ending, std::nullopt);
   EXPECT_TRUE(result.joined);
   EXPECT_GE(result.link.rttMs, 80);
-  EXPECT_GE(result.connectMs, 160);  // connection and greeting
+  EXPECT_GE(result.connectMs, 160);  // connection and Hello
   EXPECT_GT(result.traffic.sentBytes, 0u);
   EXPECT_EQ(server_.server().match().players(), 1u);
   EXPECT_EQ(server_.server().brokenMessages(), 0u);

@@ -32,7 +32,7 @@ class HollowSessionTest : public testing::Test {
     session_.emplace("hollow", now_);
   }
 
-  // Reliable messages use the same simulated link, so tests drop messages only after joining.
+  // Reliable messages use the same simulated connection, so tests drop messages only after joining.
   void run(Moment duration) {
     for (const Moment end = now_ + duration; now_ < end; now_ += milliseconds(1)) {
       while ((ticks_ + 1) * 1'000'000 / kTicksPerSecond <= static_cast<std::uint64_t>(now_.count())) tick();
@@ -137,10 +137,10 @@ TEST_F(HollowRounds, PlaysTheNextRound) {
   }
   ASSERT_EQ(match_.round(), round + 1);
   run(std::chrono::seconds(3));
-  const MatchPlayer& member = *match_.player(kClient);
-  ASSERT_LT(member.slot(), match_.game().slots());
-  EXPECT_TRUE(match_.game().player(member.slot()).present);
-  EXPECT_GT(member.acknowledged(), 150u);
+  const MatchPlayer& player = *match_.player(kClient);
+  ASSERT_LT(player.slot(), match_.game().slots());
+  EXPECT_TRUE(match_.game().player(player.slot()).present);
+  EXPECT_GT(player.acknowledged(), 150u);
   EXPECT_EQ(events(MatchEvent::Kind::kDesync), 0u);
 }
 

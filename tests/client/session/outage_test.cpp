@@ -243,7 +243,7 @@ TEST_F(Outage, EndsWithAServerOfAnotherVersion) {
   EXPECT_TRUE(client_->welcomed());
 }
 
-TEST_F(Outage, CanBeLeft) {
+TEST_F(Outage, TheClientCanLeave) {
   for (const int ms : {4500, 9100}) {
     client_.reset();
     play();

@@ -134,7 +134,7 @@ TEST(InputMapper, ATapBeforeTheMenuOpensIsNotPassedOnAfterIt) {
   EXPECT_EQ(mapper.takeHeld(), HeldKeys());
 }
 
-TEST(InputMapper, KeysOfTheMenu) {
+TEST(InputMapper, MenuKeysHaveTheirActions) {
   for (const Key key : {Key::kArrowUp, Key::kW, Key::kPadUp}) EXPECT_EQ(menuActionOf(key), Action::kMenuUp);
   for (const Key key : {Key::kArrowDown, Key::kS, Key::kPadDown}) EXPECT_EQ(menuActionOf(key), Action::kMenuDown);
   for (const Key key : {Key::kArrowLeft, Key::kA, Key::kPadLeft}) EXPECT_EQ(menuActionOf(key), Action::kMenuLess);
@@ -143,7 +143,7 @@ TEST(InputMapper, KeysOfTheMenu) {
   for (const Key key : {Key::kR, Key::kPadBack}) EXPECT_EQ(menuActionOf(key), std::nullopt);
 }
 
-TEST(InputMapper, KeysOfTheMenuHaveNoActionWhileItIsClosed) {
+TEST(InputMapper, MenuKeysHaveNoActionWhileTheMenuIsClosed) {
   for (const Key key : {Key::kArrowUp, Key::kS, Key::kPadLeft, Key::kD, Key::kSpace, Key::kEnter, Key::kPadA}) {
     InputMapper mapper;
     EXPECT_EQ(mapper.handle({key, Kind::kPress}, false), std::nullopt);

@@ -6,15 +6,15 @@ LOSSES = (0, 2, 10, 20)
 DELAYS = (0, 50, 200)
 JITTERS = (0, 20, 100)
 
-# Seconds. All bots join in the first one. A bot is not measured until its clock has settled, so long after its first tick.
+# Seconds: all bots join within ARRIVAL; a bot is measured from SETTLE after its first tick, when its clock has settled.
 ARRIVAL = 1
 SETTLE = 4
 
 
 @dataclass(frozen=True)
 class Cell:
-    """`loss` in per cent, `delay` and `jitter` in ms, each way, as in the options of platon-bot. `hollow`: how many of the
-    players do not simulate the game, since one machine is too slow for so many that do."""
+    """`loss` in per cent, `delay` and `jitter` in ms, each way, as in the options of platon-bot. `hollow`: number of
+    players that do not simulate the game, since one machine is too slow to simulate it for all."""
 
     loss: int = 0
     delay: int = 0
@@ -72,6 +72,6 @@ def _scale(seconds):
 FULL = Plan(_matrix(LOSSES, DELAYS, JITTERS, 25), 4, _scale(25), idle=10, starts=9)
 QUICK = Plan(_matrix((0, 10), (0, 200), (0, 100), 10), 4, _scale(12)[1:], idle=2, starts=3)
 
-# A few cells, for the limits that do not depend on the speed of the machine.
+# A few cells, for the limits that are independent of the speed of the machine.
 CORNERS = Plan(tuple(Cell(*conditions, seconds=10, settle=3) for conditions in
                      ((0, 0, 0), (2, 200, 100), (10, 50, 20), (20, 0, 20))), 4)  # fmt: skip

@@ -1,4 +1,4 @@
-"""The limits of the network code, and whether a run keeps them. The only place with these numbers."""
+"""The limits of the network code, and whether a run is within them. These numbers are only here."""
 
 from dataclasses import dataclass
 from typing import Callable
@@ -45,7 +45,7 @@ class Verdict:
 
 
 def max_connect_ms(cell):
-    """Three of the longest round trips, for connection, greeting and first inputs, and two ticks; milliseconds."""
+    """Milliseconds: two ticks and three of the longest round trips, for connection, Hello and first inputs."""
     return 3 * 2 * (cell.delay + cell.jitter) + 2 * TICK_MS
 
 

@@ -8,7 +8,7 @@ from run_cells import DISTURBED, is_disturbed
 
 SUBUNITS = 1024   # in a level unit
 
-# Of DDNet 18 at 50 ticks a second, on a machine of this size: players, bytes a second down, per cent of a core.
+# Measured on DDNet 18 at 50 ticks a second, on a machine of this size: players, bytes a second down, per cent of a core.
 DDNET = ((16, 15700, 6.3), (64, 18800, 23.8))
 
 HEAD = """Written by `./platon bench --network` on {machine}. Each cell is one `platon-server` and 16 `platon-bot` players on \
@@ -98,7 +98,7 @@ def summary(judged):
 
 
 def busy(results):
-    """Which cells were never run undisturbed."""
+    """The cells that were disturbed in every attempt."""
     names = [f"{r['cell'].name} ({r['waitPercent']:.0f} %)" for r in results if is_disturbed(r)]
     return f"{'; '.join(names) or 'none'}."
 
@@ -114,7 +114,7 @@ def section(together, alone, without_players, judged):
 
 
 def text_report(results, without_players):
-    """For people, of whatever was run."""
+    """The results as text for the terminal."""
     parts = [matrix_table([r for r in results if not r["cell"].hollow]), scale_table(results)]
     if without_players:
         parts.append(WITHOUT.format(**without_players))

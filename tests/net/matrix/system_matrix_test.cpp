@@ -22,7 +22,7 @@ constexpr std::size_t kPlayers = 16;
 constexpr Moment kSettling = seconds(10);
 constexpr Moment kMeasured = seconds(12);
 
-// Of all players together.
+// Totals of all players.
 struct Counts {
   double confirmed = 0;
   double missed = 0;
@@ -53,37 +53,38 @@ Counts countsOf(const VirtualMatch& match) {
 /// Loss in per cent, delay and jitter in milliseconds, each way.
 class Matrix : public testing::TestWithParam<std::tuple<double, double, double>> {
  protected:
-  static LinkQuality line() {
-    LinkQuality line;
-    std::tie(line.lossPercent, line.delayMs, line.jitterMs) = GetParam();
-    return line;
+  static LinkQuality quality() {
+    LinkQuality quality;
+    std::tie(quality.lossPercent, quality.delayMs, quality.jitterMs) = GetParam();
+    return quality;
   }
 
   static double percent(double part, double whole) { return 100 * part / whole; }
 
-  // What lies between the server's tick and the newest a client can have: the way, its jitter, the server's pause
-  // between messages, and the next few when one is lost.
-  static double ticksOnTheWay() {
-    const double wayMs = line().delayMs + line().jitterMs;
-    return wayMs * kTicksPerSecond / 1000 + 2 + (line().lossPercent > 0 ? 10 : 0);
+  // Ticks by which a client may be behind the server: delay, jitter, the server's pause between messages, and the
+  // messages after a lost one until one arrives.
+  static double maxTicksBehind() {
+    const double transitMs = quality().delayMs + quality().jitterMs;
+    return transitMs * kTicksPerSecond / 1000 + 2 + (quality().lossPercent > 0 ? 10 : 0);
   }
 
-  static void expectInStep(VirtualMatch& match) {
+  static void expectInLockstep(VirtualMatch& match) {
     for (std::size_t player = 0; player < kPlayers; ++player) {
       const Round* const round = match.session(player).round();
       ASSERT_NE(round, nullptr);
       EXPECT_EQ(round->id(), match.match().round());
       EXPECT_TRUE(round->prediction().present());
-      EXPECT_GE(round->prediction().confirmedTicks() + ticksOnTheWay(), match.match().game().tick()) << player;
+      EXPECT_GE(round->prediction().confirmedTicks() + maxTicksBehind(), match.match().game().tick()) << player;
     }
   }
 };
 
-// Sixteen players on such lines: that every confirmed game is the server's is checked by VirtualMatch at every update.
+// Sixteen players under these conditions. VirtualMatch checks at every update that each confirmed game equals the
+// server's.
 TEST_P(Matrix, InputsArriveInTimeAndGamesStayInLockstep) {
   VirtualMatch match({endlessLevel()}, kSeed);
   for (std::size_t player = 0; player < kPlayers; ++player) {
-    match.join(line(), pressing(kSeed + player));
+    match.join(quality(), pressing(kSeed + player));
     match.run(milliseconds(60));
   }
   match.run(kSettling);
@@ -91,18 +92,18 @@ TEST_P(Matrix, InputsArriveInTimeAndGamesStayInLockstep) {
   match.run(kMeasured);
   const Counts all = countsOf(match);
   const Counts counts = all - before;
-  expectInStep(match);
+  expectInLockstep(match);
   EXPECT_EQ(all.desyncs, 0u);
   EXPECT_EQ(all.resyncs, 0u);
-  EXPECT_GT(counts.confirmed, kPlayers * (toSeconds(kMeasured) * kTicksPerSecond - ticksOnTheWay()));
-  if (line().lossPercent <= 10) {
+  EXPECT_GT(counts.confirmed, kPlayers * (toSeconds(kMeasured) * kTicksPerSecond - maxTicksBehind()));
+  if (quality().lossPercent <= 10) {
     EXPECT_LT(percent(counts.missed, counts.confirmed), 0.1);
   }
-  if (line().lossPercent <= 2) {
+  if (quality().lossPercent <= 2) {
     EXPECT_LT(percent(counts.mispredicted, counts.confirmed), 0.5);
   }
   std::printf("loss %g %%, delay %g ms, jitter %g ms: missed %.4f %%, mispredicted %.4f %% (seed %llu)\n",
-              line().lossPercent, line().delayMs, line().jitterMs, percent(counts.missed, counts.confirmed),
+              quality().lossPercent, quality().delayMs, quality().jitterMs, percent(counts.missed, counts.confirmed),
               percent(counts.mispredicted, counts.confirmed), static_cast<unsigned long long>(kSeed));
 }
 
@@ -122,7 +123,7 @@ std::vector<Conditions> allConditions() {
   return all;
 }
 
-// The corners of the matrix that are hardest for each of the limits above.
+// The corners of the matrix that are hardest for the limits above.
 const std::vector<Conditions> kCorners = {{0, 0, 0},     {0, 200, 100}, {2, 0, 100},    {2, 200, 0},
                                           {2, 200, 100}, {10, 0, 100},  {10, 200, 100}, {20, 200, 100}};
 

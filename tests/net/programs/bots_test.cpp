@@ -11,7 +11,7 @@
 namespace platon {
 namespace {
 
-// The numbers of a flat JSON object; fails the test when it is none.
+// The numbers of a flat JSON object. Fails the test if the text is not one.
 std::map<std::string, double> numbersOf(const std::string& json) {
   std::map<std::string, double> numbers;
   const char* at = json.c_str();
@@ -81,7 +81,7 @@ TEST_F(Bots, HollowBotsPlayTogetherWithOthers) {
   const auto numbers = play({"--count", "2", "--seconds", "6", "--settle", "3"});
   EXPECT_EQ(numbers.at("failed"), 0);
   EXPECT_GT(numbers.at("confirmedTicks"), 0);
-  EXPECT_LT(numbers.at("confirmedTicks"), 270);  // of three seconds at most, and what had been held up before
+  EXPECT_LT(numbers.at("confirmedTicks"), 270);  // three seconds at most, and the ticks that were delayed before
   EXPECT_EQ(numbers.at("hashMismatches"), 0);
   EXPECT_EQ(hollow.wait(), 0) << hollow.errors();
   EXPECT_EQ(hollow.output().rfind("{\"connected\":8,\"failed\":0,", 0), 0u) << hollow.output();
@@ -97,7 +97,7 @@ TEST_F(Bots, StayInLockstepUnderBadConditions) {
   EXPECT_EQ(numbers.at("connected"), 4);
   EXPECT_EQ(numbers.at("failed"), 0);
   EXPECT_GT(numbers.at("confirmedTicks"), 200);
-  EXPECT_GE(numbers.at("rttMs"), 80);  // the line is in effect
+  EXPECT_GE(numbers.at("rttMs"), 80);  // the simulated conditions are in effect
   EXPECT_EQ(numbers.at("hashMismatches"), 0);
   EXPECT_EQ(numbers.at("resyncs"), 0);
   stopServer();

@@ -12,11 +12,11 @@ namespace {
 using Arguments = std::vector<std::string>;
 
 struct Refusal {
-  const char* what;
+  const char* name;
   std::string program;
   Arguments arguments;
   int exitCode;
-  std::string says;  // on standard error
+  std::string message;  // on standard error
 };
 
 class Refused : public testing::TestWithParam<Refusal> {};
@@ -26,11 +26,11 @@ TEST_P(Refused, WithOneLineAndItsExitCode) {
   Process program(platonCommand(refusal.program, refusal.arguments));
   EXPECT_EQ(program.wait(), refusal.exitCode) << program.errors();
   const std::string errors = program.errors();
-  EXPECT_NE(errors.find(refusal.says), std::string::npos) << errors;
+  EXPECT_NE(errors.find(refusal.message), std::string::npos) << errors;
   EXPECT_EQ(std::count(errors.begin(), errors.end(), '\n'), 1) << errors;
 }
 
-// Nobody listens on port 1 of a machine without a service from the seventies.
+// No program listens on UDP port 1.
 const std::vector<Refusal> kRefusals = {
     {"Option", "platon-client", {"--frobnicate"}, 2, "--frobnicate"},
     {"Port", "platon-client", {"localhost:70000"}, 2, "'localhost:70000'"},
@@ -44,11 +44,11 @@ const std::vector<Refusal> kRefusals = {
      {"127.0.0.1:1", "--offscreen", "--seconds", "30"},
      1,
      "no answer from 127.0.0.1:1 within 5 s: is platon-server running there?"},
-    {"TimeUpBeforeAnyAnswer",
+    {"TimeLimitBeforeAnyAnswer",
      "platon-client",
      {"127.0.0.1:1", "--offscreen", "--seconds", "1"},
      1,
-     "the time was up while connecting to 127.0.0.1:1"},
+     "time limit reached: connecting to 127.0.0.1:1"},
     {"BotCount", "platon-bot", {"localhost", "--count", "0", "--seconds", "1"}, 2, "--count"},
     {"BotWithoutSeconds", "platon-bot", {"localhost", "--count", "1"}, 2, "--seconds"},
     {"BotLoss", "platon-bot", {"localhost", "--count", "1", "--seconds", "1", "--loss", "101"}, 2, "--loss"},
@@ -57,7 +57,7 @@ const std::vector<Refusal> kRefusals = {
 };
 
 INSTANTIATE_TEST_SUITE_P(All, Refused, testing::ValuesIn(kRefusals),
-                         [](const testing::TestParamInfo<Refusal>& test) { return test.param.what; });
+                         [](const testing::TestParamInfo<Refusal>& test) { return test.param.name; });
 
 TEST(Programs, PrintTheErrorsOfALevel) {
   Process program(platonCommand("platon-client", {"--offscreen", "--level", "LICENSE"}));

@@ -27,7 +27,7 @@ class ResumePrograms : public ServerTest {
     return {address(), "--offscreen", "--name", name, "--seconds", "60"};
   }
 
-  // Slot of the player in the first such line of the server's log; -1 when there is none.
+  // Slot of the player in the first line of the server's log with this message and name; -1 if there is none.
   int slotIn(const std::string& message, const std::string& name) {
     const std::string log = server().errors();
     for (std::size_t at = 0; (at = log.find(message + " client=", at)) != std::string::npos; ++at) {
@@ -60,7 +60,7 @@ class ResumePrograms : public ServerTest {
     FAIL() << "no token is saved";
   }
 
-  // A client that leaves before it plays exits with 1.
+  // Waits before leaving: a client that leaves before it plays exits with 1.
   static void leave(Process& program) {
     std::this_thread::sleep_for(seconds(2));
     program.signal(SIGTERM);

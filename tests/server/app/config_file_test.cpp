@@ -68,12 +68,12 @@ TEST_F(ConfigFileTest, ErrorsHaveALineAndAColumn) {
   EXPECT_EQ(errorOf("max-players = 0"), ":1:15: error: max-players must be a whole number from 1 to 256");
   EXPECT_EQ(errorOf("max-players = 257"), ":1:15: error: max-players must be a whole number from 1 to 256");
   EXPECT_EQ(errorOf("max-per-address = 4001"), ":1:19: error: max-per-address must be a whole number from 1 to 4000");
-  EXPECT_EQ(errorOf("name = 3"), ":1:8: error: name must be a text in quotes");
+  EXPECT_EQ(errorOf("name = 3"), ":1:8: error: name must be a string in quotes");
   EXPECT_EQ(errorOf("name = \"\\u0007\""),
-            ":1:8: error: name must be a text of at most 32 bytes without control characters");
+            ":1:8: error: name must be a string of at most 32 bytes without control characters");
   EXPECT_EQ(errorOf("levels = \"a\""), ":1:10: error: levels must be a list of files: [\"a.level\", \"b.level\"]");
-  EXPECT_EQ(errorOf("levels = [1]"), ":1:11: error: levels must be a text in quotes");
-  EXPECT_EQ(errorOf("record = true"), ":1:10: error: record must be a text in quotes");
+  EXPECT_EQ(errorOf("levels = [1]"), ":1:11: error: levels must be a string in quotes");
+  EXPECT_EQ(errorOf("record = true"), ":1:10: error: record must be a string in quotes");
   EXPECT_EQ(errorOf("log-format = \"xml\""), ":1:14: error: log-format must be \"text\" or \"json\"");
   EXPECT_EQ(errorOf("port = ").substr(0, 13), ":1:8: error: ");
 }
