@@ -18,7 +18,7 @@ namespace platon {
 /// kEnetTimeoutMs. Both limits are generous: server and client end a silent connection earlier by themselves.
 inline constexpr enet_uint32 kEnetTimeoutAttempts = 32;
 inline constexpr enet_uint32 kEnetTimeoutMs = 30000;
-/// Time between ENet's pings. It may be long, since the messages of every tick show sooner that a connection is lost.
+/// Time between ENet's pings. It may be long: the absence of per-tick messages shows a lost connection earlier.
 inline constexpr enet_uint32 kEnetPingIntervalMs = 2000;
 
 /// Sets ENet's clock, which otherwise is the wall clock, to a monotonic time. Call it before every other use of ENet.

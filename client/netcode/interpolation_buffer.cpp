@@ -14,7 +14,7 @@ void InterpolationBuffer::restart(const Game& confirmed, std::uint32_t ticks) {
 
 void InterpolationBuffer::advanced(const Game& confirmed) {
   ++newest_;
-  oldest_ = std::max(oldest_, newest_ < kKept ? 0 : newest_ - kKept + 1);
+  oldest_ = std::max(oldest_, newest_ < kMaxSnapshots ? 0 : newest_ - kMaxSnapshots + 1);
   keepNewest(confirmed);
 }
 

@@ -56,17 +56,18 @@ class InterpolationBuffer {
   std::uint32_t jumps() const { return jumps_; }
 
  private:
-  static constexpr std::size_t kWindow = 512;  // ticks: 8.5 s
-  static constexpr std::uint32_t kKept = 64;   // ticks; more than kMaxDelay + kJumpTicks
+  static constexpr std::size_t kWindow = 512;         // ticks: 8.5 s
+  static constexpr std::uint32_t kMaxSnapshots = 64;  // ticks; more than kMaxDelay + kJumpTicks
 
-  std::vector<PlayerSnapshot>& at(std::uint32_t tick) { return snapshots_[tick % kKept]; }
-  const std::vector<PlayerSnapshot>& at(std::uint32_t tick) const { return snapshots_[tick % kKept]; }
+  std::vector<PlayerSnapshot>& at(std::uint32_t tick) { return snapshots_[tick % kMaxSnapshots]; }
+  const std::vector<PlayerSnapshot>& at(std::uint32_t tick) const { return snapshots_[tick % kMaxSnapshots]; }
   void keepNewest(const Game& confirmed);
   void measure(Moment now);
   void startClock(Moment now);
   double targetLead() const { return -minLateness_ - delay_; }
 
-  std::array<std::vector<PlayerSnapshot>, kKept> snapshots_;  // oldest_ … newest_, by tick modulo kKept; by slot
+  std::array<std::vector<PlayerSnapshot>, kMaxSnapshots>
+      snapshots_;  // oldest_ … newest_, by tick modulo kMaxSnapshots; by slot
   std::uint32_t oldest_ = 0;
   std::uint32_t newest_ = 0;
   std::uint32_t arrived_ = 0;         // newest_ at the last arrival

@@ -11,7 +11,7 @@ void PlayerFlashes::observe(std::uint32_t slot, std::uint32_t ticks, const Playe
   const bool first = observed.newest == 0;
   observed.newest = ticks;
   const bool stands = player.ground != Point();
-  const bool lands = stands && observed.airTicks >= kAirTicks;
+  const bool lands = stands && observed.airTicks >= kMinAirTicks;
   // A player that had finished before the first observation does not flash.
   const bool finishes = !first && player.finished != 0 && !observed.finished;
   observed.airTicks = stands || player.present == 0 ? 0 : observed.airTicks + 1;

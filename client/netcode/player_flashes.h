@@ -13,8 +13,8 @@ namespace platon {
 /// tick of its event: replaying ticks adds none, and it shows when the viewer's clock reaches that tick.
 class PlayerFlashes {
  public:
-  static constexpr std::uint32_t kTicks = 12;     ///< duration of a flash
-  static constexpr std::uint32_t kAirTicks = 20;  ///< minimum time in the air for a landing to flash
+  static constexpr std::uint32_t kTicks = 12;        ///< duration of a flash
+  static constexpr std::uint32_t kMinAirTicks = 20;  ///< minimum time in the air for a landing to flash
 
   /// `player` is the state of `slot` after `ticks` ticks. Ignored unless `ticks` exceeds that of all earlier calls for
   /// this slot.

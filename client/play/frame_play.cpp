@@ -35,8 +35,8 @@ FramePlay::FramePlay(const ClientOptions& options, std::shared_ptr<const Level> 
   for (std::uint32_t slot = 0; slot < options_.players; ++slot) names_.emplace_back(kNames[slot % kNames.size()]);
 }
 
-void FramePlay::run(const std::function<bool()>& stopAsked) {
-  for (std::uint32_t tick = 0; tick < endTick_ && !stopAsked(); ++tick) {
+void FramePlay::run(const std::function<bool()>& stopRequested) {
+  for (std::uint32_t tick = 0; tick < endTick_ && !stopRequested(); ++tick) {
     advance();
     if (tick >= firstTick_ && (tick - firstTick_) % ticksPerFrame_ == 0) {
       writeFrame((tick - firstTick_) / ticksPerFrame_);

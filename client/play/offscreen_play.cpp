@@ -11,7 +11,7 @@ namespace platon {
 
 namespace {
 
-constexpr Moment kBeat = std::chrono::milliseconds(4);
+constexpr Moment kUpdateInterval = std::chrono::milliseconds(4);
 
 Moment fromSeconds(double seconds) { return Moment(static_cast<Moment::rep>(seconds * 1e6)); }
 
@@ -20,15 +20,15 @@ Moment fromSeconds(double seconds) { return Moment(static_cast<Moment::rep>(seco
 OffscreenPlay::OffscreenPlay(const ClientOptions& options, const ServerAddress& server, const Clock& clock)
     : options_(options), clock_(clock), match_(options, server, clock.now()) {}
 
-void OffscreenPlay::run(const std::function<bool()>& stopAsked) {
+void OffscreenPlay::run(const std::function<bool()>& stopRequested) {
   const Controls controls = [this](const Game& game, std::uint32_t slot) {
     return options_.demo ? demo_.choose(game, slot) : Input{};
   };
   const Moment end = clock_.now() + fromSeconds(options_.seconds.value_or(kSeconds));
-  for (Moment now = clock_.now(); now < end && !stopAsked(); now = clock_.now()) {
+  for (Moment now = clock_.now(); now < end && !stopRequested(); now = clock_.now()) {
     match_.update(now, controls);
     if (match_.client().ending()) throw ProgramError(ProgramError::kFailed, *match_.client().ending());
-    clock_.sleepUntil(now + kBeat);
+    clock_.sleepUntil(now + kUpdateInterval);
   }
   if (!options_.screenshot.empty()) takeScreenshot();
   const std::string unfinished = match_.message();

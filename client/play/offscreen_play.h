@@ -17,8 +17,8 @@ class OffscreenPlay {
   /// Starts to connect. Throws std::runtime_error when connecting cannot start or when there is no OpenGL.
   OffscreenPlay(const ClientOptions& options, const ServerAddress& server, const Clock& clock);
 
-  /// Plays until the time limit or `stopAsked`. Throws ProgramError when the match ends earlier.
-  void run(const std::function<bool()>& stopAsked);
+  /// Plays until the time limit or `stopRequested`. Throws ProgramError when the match ends earlier.
+  void run(const std::function<bool()>& stopRequested);
 
  private:
   static constexpr double kSeconds = 10;

@@ -11,7 +11,7 @@ namespace platon {
 namespace {
 
 // Returns the file behind `path` if that is a symbolic link: a rename would replace the link.
-std::filesystem::path withoutLinks(const std::filesystem::path& path) {
+std::filesystem::path resolveLink(const std::filesystem::path& path) {
   std::error_code error;
   const std::filesystem::path resolved = std::filesystem::canonical(path, error);
   return error ? path : resolved;
@@ -52,7 +52,7 @@ void SettingsFile::save(const Settings& settings) const {
   std::filesystem::create_directories(path_.parent_path(), ignored);
   std::string text = settings.text();
   for (const std::string& line : unknownLines_) text += line + "\n";
-  if (!replaceFile(withoutLinks(path_), text)) {
+  if (!replaceFile(resolveLink(path_), text)) {
     std::fprintf(stderr, "platon-client: cannot write %s; the settings are not saved\n", path_.c_str());
   }
 }

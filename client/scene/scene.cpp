@@ -10,7 +10,7 @@
 namespace platon {
 namespace {
 
-constexpr double kFlash = 0.6;  // largest share of white in a player's colour
+constexpr double kMaxWhite = 0.6;  // largest share of white in a player's colour
 
 // Shifts a pose along the surface. `offset` is in the player's frame and shorter than an edge.
 void shift(Pose& pose, const SolidMesh& mesh, glm::dvec2 offset) {
@@ -27,7 +27,7 @@ PlayerDrawing drawingOf(const SceneSource& source, const InterpolatedPlayer& tim
   player.pose = poseBetween(source.stage->mesh, time);
   if (local && source.localOffset != Point()) shift(player.pose, source.stage->mesh, toUnits(source.localOffset));
   const double flash = slot < source.flashes.size() ? source.flashes[slot] : 0;
-  player.colour = glm::mix(playerColour(slot), Colour(1), static_cast<float>(kFlash * flash));
+  player.colour = glm::mix(playerColour(slot), Colour(1), static_cast<float>(kMaxWhite * flash));
   player.number = std::to_string(slot + 1);
   if (slot < source.names.size()) player.name = source.names[slot];
   player.local = local;

@@ -89,7 +89,7 @@ void NetworkClient::checkSession(Moment now) {
   recovery_ = Recovery();
 }
 
-// Without an answer at the first attempt there is no server; one that answers may lose some messages.
+// If the first attempt is not answered, there is no server. A server that answers may lose some messages.
 bool NetworkClient::mayRetry(const Session::Ending& failure) const {
   if (failure.permanent) return false;
   return welcomed_ || (is<InSession>() && !session_->ending() && recovery_.failed + 1 < kMaxFirstAttempts);
@@ -114,7 +114,7 @@ void NetworkClient::fail(const Session::Ending& failure, Moment now) {
   }
 }
 
-// No pause after an unanswered attempt: its timeout was long enough.
+// No pause after an unanswered attempt, because its timeout is long enough.
 Moment NetworkClient::pauseAfterFailure() {
   const bool unanswered = connection_ && is<Connecting>();
   return unanswered ? Moment{} : pauseAfter(recovery_.answered++);

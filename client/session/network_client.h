@@ -12,10 +12,10 @@
 
 namespace platon {
 
-/// Runs sessions with one server over connections to it, and reconnects. A player that has been accepted once and loses
-/// its connection is resumed: the client reconnects at once and keeps requesting a connection
-/// (`Connection::kRequestInterval`) until the server answers. If the server answers but does not accept the client, for
-/// example because it is full, the pauses between attempts grow.
+/// Runs sessions with one server over connections to it. When the connection of an accepted client is lost, reconnects
+/// at once to resume the player, and keeps requesting a connection (`Connection::kRequestInterval`) until the server
+/// answers. If the server answers but does not accept the client, for example because it is full, the pauses between
+/// attempts grow.
 class NetworkClient {
  public:
   /// Maximum time for the connection to be established.

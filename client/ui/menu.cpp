@@ -128,7 +128,7 @@ Overlay Menu::overlay(const Settings& settings, const Font& font, float width) c
     const bool chosen = item == item_;
     if (chosen) {
       writer.panel({middle.x - half.x + 16, top}, {middle.x + half.x - 16, top + kRowHeight - 4}, 9,
-                   overlay_colours::kChosen);
+                   overlay_colours::kSelected);
     }
     const glm::vec4 colour = chosen ? overlay_colours::kBright : overlay_colours::kSoft;
     const std::string value = valueOf(item, settings);

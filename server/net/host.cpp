@@ -268,9 +268,9 @@ void Host::flush(TimePoint now) {
   enet_host_flush(host_.get());
 }
 
-void Host::wait(std::chrono::milliseconds atMost) const {
+void Host::wait(std::chrono::milliseconds timeout) const {
   pollfd socket{host_->socket, POLLIN, 0};
-  poll(&socket, 1, static_cast<int>(atMost.count()));
+  poll(&socket, 1, static_cast<int>(timeout.count()));
 }
 
 std::uint16_t Host::port() const { return host_->address.port; }

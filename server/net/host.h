@@ -77,8 +77,8 @@ class Host {
   /// Sends the queued messages.
   void flush(TimePoint now);
 
-  /// Sleeps until a datagram arrives, a signal is caught or `atMost` has passed.
-  void wait(std::chrono::milliseconds atMost) const;
+  /// Sleeps until a datagram arrives, a signal is caught or `timeout` has passed.
+  void wait(std::chrono::milliseconds timeout) const;
 
   std::uint16_t port() const;
   /// False when the client is disconnected or its connection is closing.

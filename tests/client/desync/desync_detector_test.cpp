@@ -11,7 +11,7 @@
 namespace platon {
 namespace {
 
-constexpr std::uint32_t kMatching = 100;  // ticks for which both games match
+constexpr std::uint32_t kMatchingTicks = 100;  // ticks for which both games match
 constexpr Input kStands{Input::kPresent};
 constexpr Input kRuns{Input::kPresent | Input::kRight};
 
@@ -19,7 +19,7 @@ constexpr Input kRuns{Input::kPresent | Input::kRight};
 class DesyncDetectorTest : public testing::Test {
  protected:
   DesyncDetectorTest() {
-    play(kMatching);
+    play(kMatchingTicks);
     detector_.hashMatched(client_);
   }
 
@@ -78,8 +78,8 @@ TEST_F(DesyncDetectorTest, ComparesAtTheServersTick) {
   const auto found = detector_.resynced(server_, inputs_);
   ASSERT_TRUE(found.has_value());
   EXPECT_EQ(found->round, 5u);
-  EXPECT_EQ(found->matchedAt, kMatching);
-  EXPECT_EQ(found->tick, kMatching + 3);
+  EXPECT_EQ(found->matchedAt, kMatchingTicks);
+  EXPECT_EQ(found->tick, kMatchingTicks + 3);
   EXPECT_NE(found->clientHash, found->serverHash);
   EXPECT_EQ(found->client, client);
   EXPECT_EQ(found->server, server_);
@@ -96,11 +96,11 @@ TEST_F(DesyncDetectorTest, StartsOverAfterAResync) {
   detector_.hashDiffered(client_, shortHash(client_.hash()) + 1);
   const auto found = detector_.resynced(server_, inputs_);
   ASSERT_TRUE(found.has_value());
-  EXPECT_EQ(found->matchedAt, kMatching + 23);
+  EXPECT_EQ(found->matchedAt, kMatchingTicks + 23);
   const sim::Verification played = sim::Verifier(found->recording).run();
   EXPECT_EQ(played.fault, "");
   EXPECT_FALSE(played.divergence.has_value());
-  EXPECT_EQ(played.firstTick, kMatching + 23);
+  EXPECT_EQ(played.firstTick, kMatchingTicks + 23);
   EXPECT_EQ(played.ticks, 50u);
 }
 
@@ -165,7 +165,7 @@ TEST_F(DesyncDetectorTest, TheRecordingShowsADesyncThatInputsDoNotExplain) {
   const sim::Verification played = sim::Verifier(found->recording).run();
   EXPECT_EQ(played.fault, "");
   ASSERT_TRUE(played.divergence.has_value());
-  EXPECT_EQ(played.divergence->tick, kMatching + 1);
+  EXPECT_EQ(played.divergence->tick, kMatchingTicks + 1);
   ASSERT_TRUE(played.divergence->difference.has_value());
   EXPECT_EQ(played.divergence->difference->owner, "entity 0");
 }

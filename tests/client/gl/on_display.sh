@@ -3,7 +3,7 @@
 # Runs a program on a virtual X display of 1280 × 1024 pixels with a window manager, and exits with its exit code.
 set -euo pipefail
 
-patience=60 # seconds for the display and for the window manager to start
+timeout=60 # seconds for the display and for the window manager to start
 folder=$(mktemp -d)
 started=()
 
@@ -27,13 +27,13 @@ mkfifo "$folder/display" "$folder/manager"
 # Xvfb chooses a free display and writes its number when it accepts clients.
 Xvfb -displayfd 3 -screen 0 1280x1024x24 -nolisten tcp 3>"$folder/display" >"$folder/xvfb.log" 2>&1 &
 started=($!)
-read -r -t "$patience" number <"$folder/display" || fail "Xvfb does not start"
+read -r -t "$timeout" number <"$folder/display" || fail "Xvfb does not start"
 export DISPLAY=:$number
 unset WAYLAND_DISPLAY
 
 # openbox runs the startup command when it manages the display.
 HOME=$folder openbox --sm-disable --startup "sh -c 'echo ready >$folder/manager'" >"$folder/openbox.log" 2>&1 &
 started=($! "${started[@]}")
-read -r -t "$patience" _ <"$folder/manager" || fail "openbox does not start"
+read -r -t "$timeout" _ <"$folder/manager" || fail "openbox does not start"
 
 "$@"

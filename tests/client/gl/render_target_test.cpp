@@ -45,7 +45,7 @@ TEST_F(RenderTargetTest, RowsAreReadFromTheTop) {
   target.bindSampled();
   clear(0, 0, 0);
   glEnable(GL_SCISSOR_TEST);
-  glScissor(0, 1, 1, 1);  // OpenGL counts from the bottom
+  glScissor(0, 1, 1, 1);  // OpenGL counts rows from the bottom
   clear(1, 1, 1);
   glDisable(GL_SCISSOR_TEST);
   target.resolve();

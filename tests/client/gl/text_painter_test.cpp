@@ -56,7 +56,7 @@ class TextPainterTest : public testing::Test {
     EXPECT_EQ(takeGlErrors(), "");
     return target_.read();
   }
-  Image drawFresh(const std::string& text) {
+  Image drawWithNewPainter(const std::string& text) {
     TextPainter painter(font_);
     return draw(painter, text);
   }
@@ -67,7 +67,7 @@ class TextPainterTest : public testing::Test {
 };
 
 TEST_F(TextPainterTest, TextIsWhereItIsAdded) {
-  const Image image = drawFresh("I");
+  const Image image = drawWithNewPainter("I");
   const auto bright = [&](int x, int y) {
     return image.pixels[3 * (static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(x))] > 200;
   };
@@ -87,15 +87,15 @@ TEST_F(TextPainterTest, FlushRemovesAllText) {
 TEST_F(TextPainterTest, TwoHundredHostileNamesOneAfterAnotherDoNotBlankTheText) {
   TextPainter painter(font_);
   for (int i = 0; i < 200; ++i) draw(painter, hostileName(i));
-  EXPECT_LE(difference(draw(painter, "Platon"), drawFresh("Platon")), 2);
+  EXPECT_LE(difference(draw(painter, "Platon"), drawWithNewPainter("Platon")), 2);
 }
 
 TEST_F(TextPainterTest, TwoHundredHostileNamesAtOnceDoNotBlankTheText) {
   TextPainter painter(font_);
   std::string all;
   for (int i = 0; i < 200; ++i) all += hostileName(i);
-  EXPECT_LE(difference(draw(painter, "Platon", all), drawFresh("Platon")), 2);
-  EXPECT_LE(difference(draw(painter, hostileName(7), "Platon" + all), drawFresh(hostileName(7))), 2);
+  EXPECT_LE(difference(draw(painter, "Platon", all), drawWithNewPainter("Platon")), 2);
+  EXPECT_LE(difference(draw(painter, hostileName(7), "Platon" + all), drawWithNewPainter(hostileName(7))), 2);
 }
 
 }  // namespace

@@ -49,11 +49,11 @@ TEST(PlayerFlashes, ReplayedTicksAreIgnored) {
 
 TEST(PlayerFlashes, AShortFallDoesNotFlash) {
   PlayerFlashes flashes;
-  fall(flashes, 0, 10 + PlayerFlashes::kAirTicks - 1);
-  EXPECT_EQ(flashes.brightness(0, 10 + PlayerFlashes::kAirTicks - 1), 0);
+  fall(flashes, 0, 10 + PlayerFlashes::kMinAirTicks - 1);
+  EXPECT_EQ(flashes.brightness(0, 10 + PlayerFlashes::kMinAirTicks - 1), 0);
   PlayerFlashes others;
-  fall(others, 0, 10 + PlayerFlashes::kAirTicks);
-  EXPECT_EQ(others.brightness(0, 10 + PlayerFlashes::kAirTicks), 1);
+  fall(others, 0, 10 + PlayerFlashes::kMinAirTicks);
+  EXPECT_EQ(others.brightness(0, 10 + PlayerFlashes::kMinAirTicks), 1);
 }
 
 TEST(PlayerFlashes, AFinishFlashesOnce) {
@@ -79,12 +79,12 @@ TEST(PlayerFlashes, EachShowsAtItsOwnTick) {
   PlayerFlashes flashes;
   std::uint32_t tick = 0;
   for (int landing = 0; landing < 3; ++landing) {
-    for (std::uint32_t air = 0; air < PlayerFlashes::kAirTicks; ++air) flashes.observe(0, ++tick, falling());
+    for (std::uint32_t air = 0; air < PlayerFlashes::kMinAirTicks; ++air) flashes.observe(0, ++tick, falling());
     flashes.observe(0, ++tick, standing());
   }
   for (std::uint32_t landing = 1; landing <= 3; ++landing) {
-    EXPECT_EQ(flashes.brightness(0, landing * (PlayerFlashes::kAirTicks + 1)), 1) << landing;
-    EXPECT_EQ(flashes.brightness(0, landing * (PlayerFlashes::kAirTicks + 1) - 1), 0) << landing;
+    EXPECT_EQ(flashes.brightness(0, landing * (PlayerFlashes::kMinAirTicks + 1)), 1) << landing;
+    EXPECT_EQ(flashes.brightness(0, landing * (PlayerFlashes::kMinAirTicks + 1) - 1), 0) << landing;
   }
 }
 

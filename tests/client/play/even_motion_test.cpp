@@ -23,7 +23,7 @@ constexpr Moment kFrame = milliseconds(16);
 constexpr int kFrames = 625;  // 10 s
 
 const Controls kRight = [](const Game&, std::uint32_t) { return Input{Input::kRight}; };
-const Controls kNothing = [](const Game&, std::uint32_t) { return Input{}; };
+const Controls kNoButtons = [](const Game&, std::uint32_t) { return Input{}; };
 
 // Measures how far a player that runs right has moved around the solid, from its drawn pose.
 class Odometer {
@@ -50,8 +50,8 @@ class Viewer {
  public:
   Viewer(const Conditions& conditions, std::uint64_t seed) : match_({endlessLevel()}, seed) {
     match_.join(LinkQuality(), kRight);
-    match_.join(conditions.quality, kNothing);
-    for (int i = 0; i < conditions.idle; ++i) match_.join(LinkQuality(), kNothing);
+    match_.join(conditions.quality, kNoButtons);
+    for (int i = 0; i < conditions.idle; ++i) match_.join(LinkQuality(), kNoButtons);
   }
 
   void pass(Moment duration) { match_.run(duration); }

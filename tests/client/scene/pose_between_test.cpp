@@ -123,14 +123,14 @@ class PoseBetweenTest : public testing::TestWithParam<int> {
   }
 
   void checkPath(InterpolatedPlayer player) const {
-    constexpr int kFine = 200;
+    constexpr int kFineSteps = 200;
     Pose last = poseOf(mesh_, player.before);
-    for (int step = 0; step <= kFine; ++step) {
-      player.fraction = double{1} * step / kFine;
+    for (int step = 0; step <= kFineSteps; ++step) {
+      player.fraction = double{1} * step / kFineSteps;
       const Pose pose = poseBetween(mesh_, player);
       EXPECT_TRUE(isOnSurface(mesh_, pose.position));
       // The projection from the centre stretches a distance at most three times.
-      EXPECT_LT(glm::distance(pose.position, last.position), 4 * 2 * kNear / kFine);
+      EXPECT_LT(glm::distance(pose.position, last.position), 4 * 2 * kNear / kFineSteps);
       EXPECT_NEAR(glm::dot(pose.up, pose.normal), 0, 1e-9);
       EXPECT_NEAR(glm::length(pose.up), 1, 1e-9);
       last = pose;

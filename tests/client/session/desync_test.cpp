@@ -165,7 +165,7 @@ TEST(Desync, AWrongInputIsReportedAndResynced) {
   expectOneDesync(match, 1);
 }
 
-// The full state never arrives, as if the session ended before.
+// The full state never arrives, as if the session ended earlier.
 void expectReportAtTheEnd(const std::function<void(VirtualMatch&)>& end) {
   VirtualMatch match({endlessLevel()}, kSeed);
   match.join(delayed(10), pressing(kSeed));

@@ -36,7 +36,7 @@ class HollowSessionTest : public testing::Test {
   void run(Moment duration) {
     for (const Moment end = now_ + duration; now_ < end; now_ += milliseconds(1)) {
       while ((ticks_ + 1) * 1'000'000 / kTicksPerSecond <= static_cast<std::uint64_t>(now_.count())) tick();
-      if (session_) carry();
+      if (session_) exchangeMessages();
     }
   }
 
@@ -64,7 +64,7 @@ class HollowSessionTest : public testing::Test {
     }
   }
 
-  void carry() {
+  void exchangeMessages() {
     session_->update(now_, [this] {
       pressed_.push_back(presser_.next().buttons);
       return Input{pressed_.back()};

@@ -55,8 +55,8 @@ class Outage : public testing::Test {
     port_ = server_->port();
   }
 
-  // Without notifying the clients.
-  void killServer() { server_.reset(); }
+  // Stops the server without notifying the clients.
+  void stopServerSilently() { server_.reset(); }
 
   ServerAddress address() const { return {kLoopback, port_}; }
 
@@ -173,7 +173,7 @@ TEST_F(Outage, RejoinsARestartedServerWithinASecond) {
     SCOPED_TRACE(ms);
     client_.reset();
     play();
-    killServer();
+    stopServerSilently();
     run(milliseconds(ms));
     startServer(port_, 4);
     const Moment begun = now_;
@@ -188,7 +188,7 @@ TEST_F(Outage, RejoinsARestartedServerWithinASecond) {
 
 TEST_F(Outage, LastsWhileTheServerIsFull) {
   play();
-  killServer();
+  stopServerSilently();
   run(seconds(5));
   startServer(port_, 1);
   other_.emplace(address(), "Ben", now_);
@@ -207,7 +207,7 @@ TEST_F(Outage, LastsWhileTheServerIsFull) {
 
 TEST_F(Outage, AsksAFullServerLessAndLessOften) {
   play();
-  killServer();
+  stopServerSilently();
   run(seconds(5));
   startServer(port_, 1);
   relay_->setQuality(fullLoss());
@@ -223,7 +223,7 @@ TEST_F(Outage, AsksAFullServerLessAndLessOften) {
 
 TEST_F(Outage, EndsWithAServerOfAnotherVersion) {
   play();
-  killServer();
+  stopServerSilently();
   run(seconds(5));
   HostSettings settings;
   settings.bind = kLoopback;

@@ -17,14 +17,14 @@ using std::chrono::milliseconds;
 using std::chrono::seconds;
 
 constexpr std::uint64_t kSeed = 5;
-constexpr Moment kAllowed = milliseconds(100);  // in addition to the round trip
+constexpr Moment kMaxExtraTime = milliseconds(100);  // in addition to the round trip
 
 Controls pressing(std::uint64_t seed) {
   return [presser = std::make_shared<ButtonPresser>(seed)](const Game&, std::uint32_t) { return presser->next(); };
 }
 
 /// Adds players that press buttons for two seconds and then disconnect. They stay in the game and cost no bandwidth.
-void addCrowd(VirtualMatch& match, std::uint32_t count) {
+void addDisconnectedPlayers(VirtualMatch& match, std::uint32_t count) {
   constexpr ClientId kFirst = 1000;
   for (std::uint32_t i = 0; i < count; ++i) {
     Hello hello;
@@ -50,7 +50,7 @@ class Resync : public testing::TestWithParam<std::tuple<std::uint32_t, int>> {
     quality.delayMs = roundTripMs() / 2.0;
     match_.join(quality, pressing(kSeed));
     match_.run(seconds(2));
-    addCrowd(match_, players() - 1);
+    addDisconnectedPlayers(match_, players() - 1);
     match_.run(seconds(3));
   }
 
@@ -91,7 +91,7 @@ TEST_P(Resync, TakesAtMost100MillisecondsMoreThanARoundTrip) {
     desync();
     ASSERT_FALSE(matchesServer());
     const Moment took = timeToMatch();
-    EXPECT_LE(took, milliseconds(roundTripMs()) + kAllowed);
+    EXPECT_LE(took, milliseconds(roundTripMs()) + kMaxExtraTime);
     std::printf("%zu bytes, after %lld ms\n", match_.match().game().save().size(),
                 static_cast<long long>(took / milliseconds(1)));
     match_.setChecked(0, true);

@@ -12,7 +12,7 @@ namespace {
 using Kind = KeyEvent::Kind;
 using Events = std::vector<KeyEvent>;
 
-GamepadState pushed(float x, float y) {
+GamepadState stickAt(float x, float y) {
   GamepadState state;
   state.stickX = x;
   state.stickY = y;
@@ -42,25 +42,26 @@ TEST(GamepadKeys, EveryButtonIsPressedAndReleasedOnce) {
 
 TEST(GamepadKeys, TheStickPressesItsDirectionBeyondTheDeadZone) {
   constexpr float kBeyond = GamepadKeys::kDeadZone + 0.01F;
-  const std::array<std::pair<GamepadState, Key>, 4> directions{{{pushed(-kBeyond, 0), Key::kPadLeft},
-                                                                {pushed(kBeyond, 0), Key::kPadRight},
-                                                                {pushed(0, -kBeyond), Key::kPadUp},
-                                                                {pushed(0, kBeyond), Key::kPadDown}}};
+  const std::array<std::pair<GamepadState, Key>, 4> directions{{{stickAt(-kBeyond, 0), Key::kPadLeft},
+                                                                {stickAt(kBeyond, 0), Key::kPadRight},
+                                                                {stickAt(0, -kBeyond), Key::kPadUp},
+                                                                {stickAt(0, kBeyond), Key::kPadDown}}};
   for (const auto& [state, key] : directions) {
     GamepadKeys keys;
     EXPECT_EQ(update(keys, state), (Events{{key, Kind::kPress}}));
   }
   GamepadKeys keys;
   const float edge = GamepadKeys::kDeadZone;
-  for (const GamepadState& state : {pushed(edge, edge), pushed(-edge, -edge)}) EXPECT_EQ(update(keys, state), Events());
+  for (const GamepadState& state : {stickAt(edge, edge), stickAt(-edge, -edge)})
+    EXPECT_EQ(update(keys, state), Events());
 }
 
 TEST(GamepadKeys, StickAndDirectionalPadAreOneKey) {
   GamepadKeys keys;
-  GamepadState both = pushed(-1, 0);
+  GamepadState both = stickAt(-1, 0);
   both.dpadLeft = true;
   EXPECT_EQ(update(keys, both), (Events{{Key::kPadLeft, Kind::kPress}}));
-  EXPECT_EQ(update(keys, pushed(-1, 0)), Events());
+  EXPECT_EQ(update(keys, stickAt(-1, 0)), Events());
   EXPECT_EQ(update(keys, {}), (Events{{Key::kPadLeft, Kind::kRelease}}));
 }
 
@@ -68,14 +69,14 @@ TEST(GamepadKeys, SeveralGamepadsActAsOne) {
   GamepadKeys keys;
   GamepadState a;
   a.a = true;
-  EXPECT_EQ(keys.update(std::array{a, pushed(1, 0)}),
+  EXPECT_EQ(keys.update(std::array{a, stickAt(1, 0)}),
             (Events{{Key::kPadRight, Kind::kPress}, {Key::kPadA, Kind::kPress}}));
   EXPECT_EQ(keys.update(std::array{GamepadState(), a}), (Events{{Key::kPadRight, Kind::kRelease}}));
 }
 
 TEST(GamepadKeys, ADisconnectedGamepadReleasesItsKeys) {
   GamepadKeys keys;
-  update(keys, pushed(1, 0));
+  update(keys, stickAt(1, 0));
   EXPECT_EQ(keys.update({}), (Events{{Key::kPadRight, Kind::kRelease}}));
 }
 

@@ -41,7 +41,7 @@ class HostileResume : public testing::Test {
     return Match(LevelRotation({levelOf(farGoalText())}), settings);
   }
 
-  void greet(Match& match, ClientId client, std::uint32_t token, std::uint32_t origin = 0) {
+  void sendHello(Match& match, ClientId client, std::uint32_t token, std::uint32_t origin = 0) {
     match.receive(client, hello("P" + std::to_string(token), tokenNumber(token)), origin);
   }
 
@@ -59,9 +59,9 @@ class HostileResume : public testing::Test {
 
 TEST_F(HostileResume, ASecondHelloChangesNothing) {
   Match match = matchFor(4);
-  greet(match, 1, 1);
-  greet(match, 1, 2);
-  greet(match, 1, 1);
+  sendHello(match, 1, 1);
+  sendHello(match, 1, 2);
+  sendHello(match, 1, 1);
   tick(match);
   EXPECT_EQ(match.players(), 1u);
   EXPECT_EQ(match.player(1)->name(), "P1");
@@ -73,12 +73,12 @@ TEST_F(HostileResume, ASecondHelloChangesNothing) {
 // Two connections with one token send many Hellos before the server can close either.
 TEST_F(HostileResume, AConnectionThatIsClosingCannotResume) {
   Match match = matchFor(4);
-  greet(match, 9, 9);
+  sendHello(match, 9, 9);
   tick(match);
   for (int i = 0; i < 200; ++i) {
-    greet(match, 1, 1);
-    greet(match, 2, 1);
-    greet(match, 3, 1);
+    sendHello(match, 1, 1);
+    sendHello(match, 2, 1);
+    sendHello(match, 3, 1);
   }
   tick(match);
   EXPECT_EQ(match.players(), 2u);
@@ -92,19 +92,19 @@ TEST_F(HostileResume, ResumingFromAnotherAddressCountsAgainstThatAddress) {
   Match match = matchFor(16, 4);
   for (std::uint32_t cycle = 0; cycle < 16; ++cycle) {
     const ClientId client = 1 + 2 * cycle;
-    greet(match, client, cycle, 1);
-    greet(match, client + 1, cycle, 2);
+    sendHello(match, client, cycle, 1);
+    sendHello(match, client + 1, cycle, 2);
     match.disconnect(client + 1);
     tick(match);
   }
-  greet(match, 99, 99, 3);
+  sendHello(match, 99, 99, 3);
   EXPECT_TRUE(match.isPlaying(99));
   EXPECT_GE(events_[Kind::kLeft], 11u);
 }
 
 TEST_F(HostileResume, ATokenOfZerosIsATokenLikeAnyOther) {
   Match match = matchFor(4);
-  greet(match, 9, 9);
+  sendHello(match, 9, 9);
   match.receive(1, hello("One", SessionToken{}));
   match.receive(2, hello("Two", std::nullopt));
   tick(match);
@@ -119,7 +119,7 @@ TEST_F(HostileResume, ATokenOfZerosIsATokenLikeAnyOther) {
 
 TEST_F(HostileResume, AllPlayersOfAFullServerCanDisconnectAtOnce) {
   Match match = matchFor(kMaxPlayers);
-  for (std::uint32_t i = 0; i < kMaxPlayers; ++i) greet(match, 1 + i, i);
+  for (std::uint32_t i = 0; i < kMaxPlayers; ++i) sendHello(match, 1 + i, i);
   for (int i = 0; i < 10; ++i) tick(match);
   std::vector<std::uint32_t> slots;
   for (std::uint32_t i = 0; i < kMaxPlayers; ++i) slots.push_back(match.player(1 + i)->slot());
@@ -127,40 +127,40 @@ TEST_F(HostileResume, AllPlayersOfAFullServerCanDisconnectAtOnce) {
   tick(match);
   EXPECT_TRUE(sent_.empty());
   EXPECT_FALSE(match.idle());
-  greet(match, 999, 999);  // no slot is free
+  sendHello(match, 999, 999);  // no slot is free
   EXPECT_FALSE(match.isPlaying(999));
-  for (std::uint32_t i = kMaxPlayers; i-- > kMaxPlayers / 2;) greet(match, 1001 + i, i);
+  for (std::uint32_t i = kMaxPlayers; i-- > kMaxPlayers / 2;) sendHello(match, 1001 + i, i);
   tick(match);
   EXPECT_EQ(match.players(), kMaxPlayers / 2);
   for (std::uint32_t i = kMaxPlayers / 2; i < kMaxPlayers; ++i) EXPECT_EQ(match.player(1001 + i)->slot(), slots[i]);
   for (std::uint64_t i = 0; i < Match::kResumeTicks + 2; ++i) match.tick();
   tick(match);
   EXPECT_EQ(events_[Kind::kLeft], kMaxPlayers / 2);
-  for (std::uint32_t i = 0; i < kMaxPlayers / 2; ++i) greet(match, 2001 + i, 2000 + i);
+  for (std::uint32_t i = 0; i < kMaxPlayers / 2; ++i) sendHello(match, 2001 + i, 2000 + i);
   EXPECT_EQ(match.players(), kMaxPlayers);
 }
 
 TEST_F(HostileResume, AMatchForOneKeepsTheSlotForItsDisconnectedPlayer) {
   Match match = matchFor(1);
-  greet(match, 1, 1);
+  sendHello(match, 1, 1);
   for (int i = 0; i < 10; ++i) tick(match);
   match.disconnect(1);
-  greet(match, 2, 2);
+  sendHello(match, 2, 2);
   EXPECT_FALSE(match.isPlaying(2));
   tick(match);
-  greet(match, 3, 1);
+  sendHello(match, 3, 1);
   ASSERT_TRUE(match.isPlaying(3));
   EXPECT_EQ(match.player(3)->slot(), 0u);
   match.disconnect(3);
   for (std::uint64_t i = 0; i <= Match::kResumeTicks; ++i) tick(match);
   EXPECT_TRUE(match.idle());
-  greet(match, 4, 4);
+  sendHello(match, 4, 4);
   EXPECT_TRUE(match.isPlaying(4));
 }
 
 TEST_F(HostileResume, APlayerThatHasLeftIsNotReportedAsDisconnected) {
   Match match = matchFor(4);
-  greet(match, 1, 1);
+  sendHello(match, 1, 1);
   tick(match);
   match.receive(1, Leave{});
   match.disconnect(1);
@@ -172,23 +172,23 @@ TEST_F(HostileResume, APlayerThatHasLeftIsNotReportedAsDisconnected) {
 
 // Otherwise one client that drops connection after connection would occupy all slots.
 TEST_F(HostileResume, AnAddressHoldsOnlyAsManySlotsAsItMayHaveConnections) {
-  constexpr std::uint32_t kEvil = 7, kGood = 8;
+  constexpr std::uint32_t kAttacker = 7, kOther = 8;
   Match match = matchFor(16, 4);
-  greet(match, 1, 1, kGood);
-  greet(match, 2, 2, kGood);
+  sendHello(match, 1, 1, kOther);
+  sendHello(match, 2, 2, kOther);
   tick(match);
   match.disconnect(1);
   for (std::uint32_t i = 0; i < 50; ++i) {
-    greet(match, 100 + i, 100 + i, kEvil);
+    sendHello(match, 100 + i, 100 + i, kAttacker);
     tick(match);
     match.disconnect(100 + i);
   }
   EXPECT_EQ(events_[Kind::kJoined], 52u);
   EXPECT_EQ(events_[Kind::kLeft], 46u);  // those disconnected longest
   EXPECT_EQ(events_[Kind::kRefused], 0u);
-  greet(match, 200, 149, kEvil);
+  sendHello(match, 200, 149, kAttacker);
   EXPECT_TRUE(match.isPlaying(200));
-  greet(match, 3, 1, kGood);
+  sendHello(match, 3, 1, kOther);
   tick(match);
   EXPECT_EQ(match.player(3)->slot(), 0u);  // its player was kept
   EXPECT_EQ(events_[Kind::kResumed], 2u);
@@ -196,7 +196,7 @@ TEST_F(HostileResume, AnAddressHoldsOnlyAsManySlotsAsItMayHaveConnections) {
 
 TEST_F(HostileResume, ConnectedPlayersAreNeverEvicted) {
   Match match = matchFor(16, 2);
-  for (std::uint32_t i = 1; i <= 3; ++i) greet(match, i, i, 7);  // Host would accept only two of them
+  for (std::uint32_t i = 1; i <= 3; ++i) sendHello(match, i, i, 7);  // Host would accept only two of them
   tick(match);
   EXPECT_EQ(match.players(), 3u);
   EXPECT_EQ(events_[Kind::kLeft], 0u);
