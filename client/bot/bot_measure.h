@@ -16,7 +16,7 @@ namespace platon {
 /// first confirmed tick is over; `prediction.maxSubunits` and all other fields cover the whole run.
 struct BotResult {
   bool joined = false;
-  std::optional<std::string> ending;  ///< why the bot dropped out; empty if it did not
+  std::optional<std::string> ending;  ///< why the bot ended early; empty if it played to the end
   double connectMs = 0;               ///< from the first datagram to the first confirmed tick
   LinkStatistics link;                ///< at the end
   std::uint32_t resumes = 0;          ///< how often the bot resumed its player after an outage

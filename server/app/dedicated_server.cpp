@@ -100,7 +100,7 @@ void DedicatedServer::handle(const HostEvent& event, TimePoint now) {
     if (wasPlaying && !isPlaying) host_.close(event.client, now);  // a connection serves one player only
     return;
   }
-  ++brokenMessages_;
+  ++malformedMessages_;
   match_.remove(event.client);
   host_.send(event.client, true, encode(Bye{ByeCode::kRemoved, "your client sent a malformed message"}));
   host_.close(event.client, now);
@@ -126,14 +126,14 @@ void DedicatedServer::logRejected(TimePoint now) {
   if (now < nextLogAt_) return;
   nextLogAt_ = now + kRejectedLogInterval;
   const HostCounters& counters = host_.counters();
-  if (counters == logged_ && brokenMessages_ == loggedBroken_) return;
-  log_.warning("traffic rejected", {{"brokenDatagrams", counters.brokenDatagrams - logged_.brokenDatagrams},
+  if (counters == logged_ && malformedMessages_ == loggedMalformed_) return;
+  log_.warning("traffic rejected", {{"invalidDatagrams", counters.invalidDatagrams - logged_.invalidDatagrams},
                                     {"excessDatagrams", counters.excessDatagrams - logged_.excessDatagrams},
                                     {"excessConnects", counters.excessConnects - logged_.excessConnects},
                                     {"expired", counters.expired - logged_.expired},
-                                    {"brokenMessages", brokenMessages_ - loggedBroken_}});
+                                    {"malformedMessages", malformedMessages_ - loggedMalformed_}});
   logged_ = counters;
-  loggedBroken_ = brokenMessages_;
+  loggedMalformed_ = malformedMessages_;
 }
 
 void DedicatedServer::wait() const {

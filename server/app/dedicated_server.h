@@ -46,7 +46,7 @@ class DedicatedServer {
   Log& log() { return log_; }
   const Match& match() const { return match_; }
   /// Number of malformed messages received.
-  std::uint64_t brokenMessages() const { return brokenMessages_; }
+  std::uint64_t malformedMessages() const { return malformedMessages_; }
   const HostCounters& hostCounters() const { return host_.counters(); }
   /// Durations of the steps that ran a tick: receiving, advancing the game, sending.
   const TickTimes& tickTimes() const { return tickTimes_; }
@@ -63,9 +63,9 @@ class DedicatedServer {
   std::optional<RecordingFolder> recordings_;
   Match match_;
   TickClock clock_;
-  std::uint64_t brokenMessages_ = 0;
+  std::uint64_t malformedMessages_ = 0;
   HostCounters logged_;  // at the last logRejected, as the next
-  std::uint64_t loggedBroken_ = 0;
+  std::uint64_t loggedMalformed_ = 0;
   TimePoint nextLogAt_;
   TickTimes tickTimes_;
 };

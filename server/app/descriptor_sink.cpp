@@ -29,7 +29,7 @@ void DescriptorSink::sink_it_(const spdlog::details::log_msg& message) {
   }
 }
 
-// True also when the descriptor is closed or broken: then `write` fails at once.
+// True also when the descriptor is closed or its pipe has no reader: then `write` fails at once.
 bool DescriptorSink::waitUntilWritable() const {
   while (!discarding_) {
     pollfd descriptor{descriptor_, POLLOUT, 0};

@@ -10,9 +10,9 @@ namespace platon {
 namespace {
 
 std::string versionReason(std::string_view what, std::uint32_t ours, std::uint32_t theirs) {
-  const std::string_view remedy = theirs < ours ? "update your client" : "use the release of the server";
-  return std::string(what) + " differ: the server has version " + std::to_string(ours) + ", your client " +
-         std::to_string(theirs) + "; " + std::string(remedy);
+  const std::string_view remedy = theirs < ours ? "update your client" : "install the release of the server";
+  return std::string(what) + " differ: server " + std::to_string(ours) + ", your client " + std::to_string(theirs) +
+         "; " + std::string(remedy);
 }
 
 std::string nameOf(const Hello& hello, std::uint32_t slot) {
@@ -34,10 +34,11 @@ std::vector<std::vector<std::uint8_t>> rostersOf(const std::map<std::uint32_t, s
 
 std::optional<Refused> wrongVersion(const Hello& hello) {
   if (hello.protocolVersion != kProtocolVersion) {
-    return Refused{RefusalCode::kWrongProtocol, versionReason("protocols", kProtocolVersion, hello.protocolVersion)};
+    return Refused{RefusalCode::kWrongProtocol,
+                   versionReason("protocol versions", kProtocolVersion, hello.protocolVersion)};
   }
   if (hello.rulesVersion != kRulesVersion) {
-    return Refused{RefusalCode::kWrongRules, versionReason("rules of the game", kRulesVersion, hello.rulesVersion)};
+    return Refused{RefusalCode::kWrongRules, versionReason("rules versions", kRulesVersion, hello.rulesVersion)};
   }
   return std::nullopt;
 }

@@ -37,7 +37,7 @@ std::optional<std::size_t> lengthOffset(std::uint8_t command) {
   }
 }
 
-/// Length of the first command with its data; 0 when it is broken.
+/// Length of the first command with its data; 0 when it is invalid.
 std::size_t commandBytes(Bytes commands) {
   const auto command = static_cast<std::uint8_t>(commands[0] & ENET_PROTOCOL_COMMAND_MASK);
   const auto offset = lengthOffset(command);
@@ -75,7 +75,7 @@ DatagramHead checkDatagram(Bytes datagram) {
   if (!areCommands(commands)) return {};
   const std::uint16_t peer = head & ENET_PROTOCOL_MAXIMUM_PEER_ID;
   if (peer != ENET_PROTOCOL_MAXIMUM_PEER_ID) return {DatagramHead::Kind::kPeer, peer};
-  return {isConnect(commands) ? DatagramHead::Kind::kConnect : DatagramHead::Kind::kBroken, peer};
+  return {isConnect(commands) ? DatagramHead::Kind::kConnect : DatagramHead::Kind::kInvalid, peer};
 }
 
 }  // namespace platon

@@ -134,10 +134,10 @@ int Host::intercept(ENetHost*, ENetEvent* event) {
 
 bool Host::acceptsDatagram(TimePoint now) {
   const DatagramHead head = checkDatagram({host_->receivedData, host_->receivedDataLength});
-  const bool broken = head.kind == DatagramHead::Kind::kBroken || !canSendTo(host_->receivedAddress) ||
-                      (head.kind == DatagramHead::Kind::kPeer && head.peer >= connections_.size());
-  if (broken) {
-    ++counters_.brokenDatagrams;
+  const bool invalid = head.kind == DatagramHead::Kind::kInvalid || !canSendTo(host_->receivedAddress) ||
+                       (head.kind == DatagramHead::Kind::kPeer && head.peer >= connections_.size());
+  if (invalid) {
+    ++counters_.invalidDatagrams;
     return false;
   }
   if (head.kind == DatagramHead::Kind::kConnect) return acceptsConnect(now);

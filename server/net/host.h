@@ -34,10 +34,10 @@ struct HostSettings {
 
 /// Traffic that `Host` has rejected so far.
 struct HostCounters {
-  std::uint64_t brokenDatagrams = 0;  ///< datagrams that no client sends
-  std::uint64_t excessDatagrams = 0;  ///< datagrams beyond the budget of their connection
-  std::uint64_t excessConnects = 0;   ///< requests to connect beyond the budget of their address
-  std::uint64_t expired = 0;          ///< connections that were not admitted in time
+  std::uint64_t invalidDatagrams = 0;  ///< datagrams that no client sends
+  std::uint64_t excessDatagrams = 0;   ///< datagrams beyond the budget of their connection
+  std::uint64_t excessConnects = 0;    ///< requests to connect beyond the budget of their address
+  std::uint64_t expired = 0;           ///< connections that were not admitted in time
 
   friend bool operator==(const HostCounters&, const HostCounters&) = default;
 };

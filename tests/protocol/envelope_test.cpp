@@ -32,16 +32,16 @@ TEST(Envelope, ReadsBytesAtAnyAddress) {
   }
 }
 
-TEST(Envelope, HasNoRootForEmptyOversizedOrBrokenBytes) {
+TEST(Envelope, HasNoRootForEmptyOversizedOrMalformedBytes) {
   EXPECT_EQ(rootOf(Envelope<wire::ToServer>(Bytes{})), nullptr);
   Bytes longest = leave();
   longest.resize(kMaxMessageBytes);
   EXPECT_NE(rootOf(Envelope<wire::ToServer>(longest)), nullptr);
   longest.push_back(0);
   EXPECT_EQ(rootOf(Envelope<wire::ToServer>(longest)), nullptr);
-  Bytes broken = leave();
-  broken[0] = 0xff;  // the offset of the root points beyond the end
-  EXPECT_EQ(rootOf(Envelope<wire::ToServer>(broken)), nullptr);
+  Bytes malformed = leave();
+  malformed[0] = 0xff;  // the offset of the root points beyond the end
+  EXPECT_EQ(rootOf(Envelope<wire::ToServer>(malformed)), nullptr);
 }
 
 TEST(Envelope, MissingFieldsReadAsEmpty) {

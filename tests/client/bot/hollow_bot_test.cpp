@@ -38,7 +38,7 @@ TEST_F(HollowBotTest, PlaysUnderSimulatedNetworkConditions) {
   EXPECT_GE(result.connectMs, 160);  // connection and Hello
   EXPECT_GT(result.traffic.sentBytes, 0u);
   EXPECT_EQ(server_.server().match().players(), 1u);
-  EXPECT_EQ(server_.server().brokenMessages(), 0u);
+  EXPECT_EQ(server_.server().malformedMessages(), 0u);
 }
 
 TEST_F(HollowBotTest, LeaveRemovesThePlayer) {

@@ -44,7 +44,7 @@ class PlayingBots : public testing::Test {
       EXPECT_EQ(result.round.desyncs, 0u);
       EXPECT_EQ(result.round.resyncs, 0u);
     }
-    EXPECT_EQ(server_.server().brokenMessages(), 0u);
+    EXPECT_EQ(server_.server().malformedMessages(), 0u);
   }
 
   LoopbackServer server_;

@@ -78,7 +78,7 @@ TEST_F(DedicatedServerTest, RefusesAClientWhenFull) {
   EXPECT_EQ(ben.fake().refused()->code, RefusalCode::kFull);
 }
 
-TEST_F(DedicatedServerTest, BrokenDatagramsAreCountedAndIgnored) {
+TEST_F(DedicatedServerTest, InvalidDatagramsAreCountedAndIgnored) {
   start(4);
   EnetClient& ann = addPlayer("Ann");
   EXPECT_TRUE(plays(ann, 5));
@@ -87,8 +87,8 @@ TEST_F(DedicatedServerTest, BrokenDatagramsAreCountedAndIgnored) {
   attacker.send(Bytes{0});
   attacker.send(fragmentDatagram(ann.peerAtServer(), ann.connectId()));
   attacker.send(pingDatagram(900));
-  EXPECT_TRUE(run([&] { return server_->hostCounters().brokenDatagrams == 4; }))
-      << server_->hostCounters().brokenDatagrams;
+  EXPECT_TRUE(run([&] { return server_->hostCounters().invalidDatagrams == 4; }))
+      << server_->hostCounters().invalidDatagrams;
   EXPECT_TRUE(plays(ann, 5));
 }
 
@@ -98,7 +98,7 @@ TEST_F(DedicatedServerTest, AMalformedMessageEndsOnlyItsOwnConnection) {
   EnetClient& eve = addPlayer("Eve");
   EXPECT_TRUE(run([&] { return server_->match().players() == 2; }));
   eve.sendRaw({1, 2, 3, 4, 5, 6, 7, 8}, true);
-  EXPECT_TRUE(run([&] { return server_->brokenMessages() == 1; }));
+  EXPECT_TRUE(run([&] { return server_->malformedMessages() == 1; }));
   EXPECT_EQ(server_->match().players(), 1u);
   EXPECT_TRUE(run([&] { return eve.disconnected(); }));
   ASSERT_TRUE(eve.fake().bye());
@@ -116,7 +116,7 @@ TEST_F(DedicatedServerTest, MessagesOfAClosingConnectionAreIgnored) {
   eve.sendRaw({1, 2, 3, 4, 5, 6, 7, 8}, true);
   EXPECT_TRUE(run([&] { return eve.disconnected(); }));
   EXPECT_EQ(server_->match().players(), 0u);
-  EXPECT_EQ(server_->brokenMessages(), 1u);
+  EXPECT_EQ(server_->malformedMessages(), 1u);
 }
 
 // Otherwise one connection could cause a Roster to all clients with each Leave and Hello.
@@ -152,7 +152,7 @@ TEST_F(DedicatedServerTest, ConnectionsThatDoNotJoinInTimeExpire) {
   EnetClient& silent = add(std::nullopt);
   EXPECT_TRUE(run([&] { return silent.connected(); }));
   EXPECT_TRUE(run([end = steadyNow() + 20ms] { return steadyNow() > end; }));  // the handshake is complete
-  EXPECT_EQ(server_->hostCounters().brokenDatagrams, 0u);
+  EXPECT_EQ(server_->hostCounters().invalidDatagrams, 0u);
   EXPECT_EQ(server_->hostCounters().expired, 0u);
   const TimePoint connected = steadyNow();
   TimePoint now = connected + 2s;
@@ -222,9 +222,9 @@ TEST_F(DedicatedServerTest, ADisconnectedPlayerStaysForAMinute) {
   start(4);
   EXPECT_TRUE(plays(addPlayer("Ann"), 2));
   clients_.clear();
-  const TimePoint broken = steadyNow();
+  const TimePoint disconnectedAt = steadyNow();
   const auto pass = [&](int from, int to) {
-    for (int i = from; i < to; ++i) server_->step(broken + i * 10ms);
+    for (int i = from; i < to; ++i) server_->step(disconnectedAt + i * 10ms);
   };
   pass(0, 1000);  // the connection has timed out
   EXPECT_EQ(server_->match().players(), 0u);

@@ -19,26 +19,26 @@ TEST(DatagramCheck, TellsRequestsToConnectFromDatagramsOfPeers) {
 }
 
 TEST(DatagramCheck, RejectsDatagramsThatClientsDoNotSend) {
-  EXPECT_EQ(checkDatagram(fragmentDatagram(7)).kind, Kind::kBroken);
+  EXPECT_EQ(checkDatagram(fragmentDatagram(7)).kind, Kind::kInvalid);
   Bytes compressed = pingDatagram(7);
   compressed[0] |= 0x40;
-  EXPECT_EQ(checkDatagram(compressed).kind, Kind::kBroken);
+  EXPECT_EQ(checkDatagram(compressed).kind, Kind::kInvalid);
   Bytes pingWithoutPeer = pingDatagram(0xfff);
-  EXPECT_EQ(checkDatagram(pingWithoutPeer).kind, Kind::kBroken);
+  EXPECT_EQ(checkDatagram(pingWithoutPeer).kind, Kind::kInvalid);
   Bytes verify = pingDatagram(7);
   verify[kCommandAt] = 0x83;
-  EXPECT_EQ(checkDatagram(verify).kind, Kind::kBroken);
+  EXPECT_EQ(checkDatagram(verify).kind, Kind::kInvalid);
 }
 
 TEST(DatagramCheck, RejectsLengthsThatDoNotMatch) {
   for (const Bytes& whole : {connectDatagram(1), pingDatagram(7), unsequencedDatagram(7, 20)}) {
-    EXPECT_NE(checkDatagram(whole).kind, Kind::kBroken);
+    EXPECT_NE(checkDatagram(whole).kind, Kind::kInvalid);
     for (std::size_t size = 0; size < whole.size(); ++size) {
-      EXPECT_EQ(checkDatagram(std::span(whole).first(size)).kind, Kind::kBroken) << size << " of " << whole.size();
+      EXPECT_EQ(checkDatagram(std::span(whole).first(size)).kind, Kind::kInvalid) << size << " of " << whole.size();
     }
     Bytes longer = whole;
     longer.push_back(1);
-    EXPECT_EQ(checkDatagram(longer).kind, Kind::kBroken);
+    EXPECT_EQ(checkDatagram(longer).kind, Kind::kInvalid);
   }
 }
 

@@ -107,10 +107,10 @@ TEST_F(HostTest, AConnectionThatIsNotAdmittedExpires) {
   EXPECT_EQ(host_.counters().expired, 1u);
 }
 
-TEST_F(HostTest, BrokenDatagramsAreCounted) {
+TEST_F(HostTest, InvalidDatagramsAreCounted) {
   const RawSocket attacker(host_.port());
   attacker.send(Bytes{0});
-  EXPECT_TRUE(run([this] { return host_.counters().brokenDatagrams == 1; }));
+  EXPECT_TRUE(run([this] { return host_.counters().invalidDatagrams == 1; }));
 }
 
 TEST_F(HostTest, DatagramsBeyondTheBudgetOfTheirConnectionAreDropped) {
