@@ -33,11 +33,11 @@ class DesyncDetector {
   /// `start` is assumed to match the server's game.
   DesyncDetector(std::uint32_t round, const Game& start);
 
-  /// `game` has been advanced by `inputs`.
+  /// Call when `game` has been advanced by `inputs`.
   void advanced(std::span<const Input> inputs, const Game& game);
-  /// The hash of `game` matches the server's. Discards a pending desync.
+  /// Call when the hash of `game` matches the server's. Discards a pending desync.
   void hashMatched(const Game& game);
-  /// The hash of `game` differs from the server's. Ignored while a desync is pending.
+  /// Call when the hash of `game` differs from the server's. Ignored while a desync is pending.
   void hashDiffered(const Game& game, std::uint32_t serverHash);
 
   /// The client's game has been replaced by the server's state, whose last tick had the inputs `held`. Returns the

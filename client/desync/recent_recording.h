@@ -23,7 +23,7 @@ class RecentRecording {
   /// `start`: the game before the first recorded tick.
   explicit RecentRecording(const Game& start);
 
-  /// `game` has been advanced by `inputs`.
+  /// Records that `game` has been advanced by `inputs`.
   void record(std::span<const Input> inputs, const Game& game);
   /// Ends the recording with the state `game` and returns it. `record` must not be called afterwards.
   std::vector<std::uint8_t> finish(const Game& game);

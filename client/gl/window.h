@@ -23,7 +23,7 @@ class Window {
 
   /// Processes the events since the last call.
   void poll();
-  /// The player has asked to close the window.
+  /// Whether the player has asked to close the window.
   bool closing() const;
   /// Returns the key events since the last call: those of the keyboard in order, and those of the gamepads as of each
   /// `poll`. A window that loses the focus releases all keys.

@@ -48,7 +48,7 @@ class NetworkConditions {
 
   /// Sends a datagram at `now`, which never decreases.
   void send(std::vector<std::uint8_t> datagram, Moment now);
-  /// The next datagram that has arrived by `now`; nothing if there is none.
+  /// Returns the next datagram that has arrived by `now`; nothing if there is none.
   std::optional<std::vector<std::uint8_t>> receive(Moment now);
   /// Applies to datagrams sent from now on.
   void setQuality(const LinkQuality& quality) { quality_ = quality; }

@@ -20,7 +20,7 @@ class ErrorSmoothing {
   static constexpr Moment kDuration = std::chrono::milliseconds(100);
   static constexpr std::size_t kMax = 32;
 
-  /// The prediction was corrected at `now`, which never decreases. `offset`: old minus new position, subunits, in the
+  /// Adds a correction made at `now`, which never decreases. `offset`: old minus new position, subunits, in the
   /// player's own frame.
   void add(Point offset, Moment now);
   /// The offset to add to the predicted position at `now`. Each fading correction is rounded towards zero.

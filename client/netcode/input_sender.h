@@ -23,13 +23,13 @@ class InputSender {
  public:
   explicit InputSender(std::uint32_t round) : round_(round) {}
 
-  /// The local input for `tick`. Ticks increase from call to call; skipped ticks must already be confirmed.
+  /// Adds the local input for `tick`. Ticks increase from call to call; skipped ticks must already be confirmed.
   void add(std::uint32_t tick, Input input);
   /// Makes the next message due at once.
   void sendSoon() { schedule_.sendSoon(); }
 
-  /// The message to send at `now`, without its sequence number; nothing if none is due. At most kMaxInputsPerMessage
-  /// inputs, the oldest first.
+  /// Returns the message to send at `now`, without its sequence number; nothing if none is due. At most
+  /// kMaxInputsPerMessage inputs, the oldest first.
   std::optional<PlayerInputs> takeMessage(Moment now, const ConfirmedState& confirmed);
 
  private:

@@ -38,7 +38,7 @@ class InterpolationBuffer {
   void restart(const Game& confirmed, std::uint32_t ticks);
   /// `confirmed` has been advanced by one tick.
   void advanced(const Game& confirmed);
-  /// The ticks added since the last call arrived at `now`, which never decreases.
+  /// Call when the ticks added since the last call have arrived at `now`, which never decreases.
   void arrived(Moment now);
   /// Advances the playback to `now`, which never decreases.
   void update(Moment now);

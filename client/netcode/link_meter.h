@@ -12,7 +12,7 @@ namespace platon {
 /// Measures round trip and loss of a connection from the sequence numbers of PlayerInputs and ConfirmedTicks.
 class LinkMeter {
  public:
-  /// The sequence number for a PlayerInputs message sent at `now`.
+  /// Returns the sequence number for a PlayerInputs message sent at `now`.
   std::uint8_t nextSequence(Moment now);
   void receive(const ConfirmedTicks& message, Moment now);
 

@@ -40,7 +40,7 @@ class PredictionClock {
   /// The initial lead of a client whose Hello was answered after `answerTime`.
   static double initialLead(Moment answerTime) { return toTicks(answerTime) + kInitialSpareTicks; }
 
-  /// Any ConfirmedTicks message of the round, even one without new ticks.
+  /// Handles a ConfirmedTicks message of the round, even one without new ticks.
   void receive(const ConfirmedTicks& message, Moment now);
 
   /// Advances to `now`, which never decreases. `next`: the first tick without a local input; all ticks that the clock
@@ -48,7 +48,7 @@ class PredictionClock {
   void update(Moment now, std::uint32_t next);
   /// Whether the input for `tick` must have been chosen by now.
   bool reaches(std::uint32_t tick) const { return clock_ && double{1} * tick + 1 <= clock_->tick(); }
-  /// The input for `tick` has been chosen.
+  /// Call when the input for `tick` has been chosen.
   void inputChosen(std::uint32_t tick);
 
   /// First tick that gets a local input; the local player is absent before it. 0 until the clock runs.

@@ -12,14 +12,14 @@ namespace platon {
 /// every fourth tick. While there are no new inputs, every 80 ms.
 class SendSchedule {
  public:
-  /// The local player's input for the next tick.
+  /// Adds the local player's input for the next tick.
   void addInput(Input input);
   /// Makes a message due at once.
   void sendSoon() { urgent_ = true; }
 
   /// Whether a message with the inputs before tick `end` is due.
   bool due(Moment now, std::uint32_t end) const;
-  /// A message with the inputs before tick `end` has been sent.
+  /// Call when a message with the inputs before tick `end` has been sent.
   void sent(Moment now, std::uint32_t end);
 
  private:

@@ -4,7 +4,7 @@ namespace platon {
 
 namespace {
 
-// Between the last two predicted ticks; at the last one if the player was absent in the one before.
+// The local player between the last two predicted ticks; at the last one if it was absent in the one before.
 InterpolatedPlayer localPlayer(const Round& round) {
   const Prediction& prediction = round.prediction();
   const std::span<const EntityState> before = prediction.predictedBefore();

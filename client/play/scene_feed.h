@@ -15,7 +15,7 @@ namespace platon {
 /// Creates the scene to draw from a session.
 class SceneFeed {
  public:
-  /// Nothing while the session has no round.
+  /// Returns nothing while the session has no round.
   std::optional<Scene> scene(const Session& session, Moment now);
 
  private:

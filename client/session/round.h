@@ -51,12 +51,12 @@ class Round {
 
   /// The desync that the last resync ended; each is returned once.
   std::optional<Desync> takeDesync() { return std::exchange(desync_, std::nullopt); }
-  /// The round ends: returns the desync that no resync has ended, if any.
+  /// Call at the end of the round. Returns the desync that no resync has ended, if any.
   std::optional<Desync> endDesync() { return desyncDetector_.ended(); }
 
-  /// Messages of this round. Ticks that are confirmed already, or that leave a gap, are ignored.
+  /// Handles a message of this round. Ticks that are confirmed already, or that leave a gap, are ignored.
   void receive(const ConfirmedTicks& message, Moment now);
-  /// `last`: the chunk that completes the state `bytes`. An invalid state is ignored.
+  /// Handles a full state. `last`: the chunk that completes the state `bytes`. An invalid state is ignored.
   void receive(const StateChunk& last, std::span<const std::uint8_t> bytes, Moment now);
 
   /// Predicts up to `now`.

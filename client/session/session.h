@@ -49,18 +49,18 @@ class Session {
   /// `memory`: of the previous session, whose player and statistics this one resumes.
   Session(const std::string& name, Moment now, Memory memory = {});
 
-  /// A message from the server. A malformed message ends the session.
+  /// Handles a message from the server. A malformed message ends the session.
   void receive(std::span<const std::uint8_t> bytes, Moment now);
   /// Predicts up to `now` and queues a message to the server when one is due. Call every few milliseconds.
   void update(Moment now, const Controls& controls);
   /// Queues a Leave message. The connection may be closed once it is sent.
   void leave();
-  /// The connection was lost: ends the session.
+  /// Ends the session because its connection was lost.
   void connectionLost(std::string reason);
   /// Queued messages, oldest first; each is returned once.
   std::vector<OutgoingMessage> takeOutgoing();
 
-  /// Empty while the session runs.
+  /// Why the session has ended; empty while it runs.
   const std::optional<Ending>& ending() const { return ending_; }
   Memory memory() const { return {token_, levels_, predictionStatistics(), roundStatistics()}; }
 

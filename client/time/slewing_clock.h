@@ -13,11 +13,11 @@ constexpr double toTicks(Moment moment) { return toSeconds(moment) * kTicksPerSe
 /// too far off. A pure function of the times passed in.
 class SlewingClock {
  public:
-  /// Shows `tick` at `now`; the target is the lead this gives. The lead changes by at most `maxSlew` × elapsed time,
-  /// and jumps when it is more than `jumpTicks` off its target.
+  /// Starts at `tick` at the time `now`; the target is the lead at that time. The lead changes by at most `maxSlew` ×
+  /// elapsed time, and jumps when it is more than `jumpTicks` off its target.
   SlewingClock(double tick, Moment now, double maxSlew, double jumpTicks);
 
-  /// Advances to `now`, which never decreases. `atOnce`: jumps to the target. Returns whether the clock jumped.
+  /// Advances to `now`, which never decreases. `atOnce`: jump to the target. Returns whether the clock jumped.
   bool update(Moment now, bool atOnce = false);
   /// Sets the clock back to `tick` if it shows more, by reducing its lead.
   void holdAt(double tick);

@@ -13,7 +13,7 @@ class Menu {
 
   bool open() const { return open_; }
   void toggle() { open_ = !open_; }
-  /// The player chose to leave the game.
+  /// Whether the player has chosen to leave the game.
   bool leaving() const { return leaving_; }
 
   /// Selects another item, or changes the setting of the selected one. No effect while the menu is closed.

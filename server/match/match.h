@@ -57,8 +57,8 @@ class Match {
   /// client, 0 for one without a limit of players. When an origin has more players than allowed, the player of it that
   /// has been disconnected longest is removed.
   void receive(ClientId client, const ToServer& message, std::uint32_t origin = 0);
-  /// The connection of a client was lost. A player with a token stays until a client resumes it or kResumeTicks have
-  /// passed; its buttons are held for one second and then released.
+  /// Call when the connection of a client was lost. A player with a token stays until a client resumes it or
+  /// kResumeTicks have passed; its buttons are held for one second and then released.
   void disconnect(ClientId client);
   /// Removes the player of a client at once.
   void remove(ClientId client);

@@ -42,10 +42,10 @@ class MatchPlayer {
   /// Whether a client can resume the player, that is, whether it joined with a token.
   bool canResume() const { return token_.has_value(); }
 
-  /// Another client resumes the player. It has received nothing that was sent to the previous one.
+  /// Resumes the player for another client. That client has received nothing that was sent to the previous one.
   void resume(std::string name);
 
-  /// A new round starts. A transfer of a state of the old round is cancelled.
+  /// Starts a new round. A transfer of a state of the old round is cancelled.
   void startRound();
 
   /// Counts a message of inputs, of any round, for the link report.
@@ -66,7 +66,7 @@ class MatchPlayer {
   /// tick. In the others: at most kRecentTicks before the end, since with a long round trip most earlier
   /// ticks are not lost, only not acknowledged yet.
   std::uint32_t nextTickToSend(std::uint32_t end) const;
-  /// A message with the ticks before `tick` was sent, when `end` ticks were decided.
+  /// Call when a message with the ticks before `tick` was sent and `end` ticks were decided.
   void ticksSent(std::uint32_t tick, std::uint32_t end) { continueAt_ = tick < end ? tick : 0; }
   /// Link report since the last call; nothing when no message of inputs has arrived.
   std::optional<LinkReport> takeLinkReport();
@@ -76,7 +76,7 @@ class MatchPlayer {
   /// Decides the input of the player for the next tick.
   Input decideInput() { return inputs_.decide(); }
   std::uint64_t missedInputs() const { return inputs_.missed(); }
-  /// The player joins: ticks of the round before `tick` are decided without it.
+  /// Lets the player join: ticks of the round before `tick` are decided without it.
   void joinAt(std::uint32_t tick) { inputs_ = InputBuffer(tick); }
 
   /// Starts the transfer of a level text, unless it is in progress or the client has requested too many.

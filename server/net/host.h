@@ -67,7 +67,7 @@ class Host {
 
   /// Receives what has arrived, closes connections that have timed out, and returns the events.
   std::vector<HostEvent> service(TimePoint now);
-  /// The client plays: its connection now ends only when it is closed or silent.
+  /// Call when the client plays: from then on its connection ends only when it is closed or silent.
   void admit(ClientId client);
   /// Queues a message. Without effect when the client is disconnected.
   void send(ClientId client, bool reliable, std::span<const std::uint8_t> message);

@@ -19,7 +19,7 @@ void readLine(const std::string& line, std::vector<Input>& inputs) {
   Input input{Input::kPresent};
   std::size_t buttons = 0;
   for (; words >> word; ++buttons) input.buttons |= kButtons.at(word);
-  if (ticks == 0 || buttons == 0) throw std::invalid_argument("no ticks or no button");
+  if (ticks == 0 || buttons == 0) throw std::invalid_argument("missing ticks or button");
   inputs.insert(inputs.end(), ticks, input);
 }
 

@@ -45,7 +45,7 @@ class ConnectionTest : public testing::Test {
     return done();
   }
 
-  // Connects and sends a first message, by which the server learns the client's number.
+  // Connects and sends a first message, so that the server knows the client's number.
   void connect() {
     ASSERT_TRUE(stepUntil([this] { return connection_.state() == Connection::State::kConnected; }));
     connection_.send(Bytes{1, 2, 3}, true);

@@ -36,7 +36,7 @@ const std::vector<Refusal> kRefusals = {
     {"Port", "platon-client", {"localhost:70000"}, 2, "'localhost:70000'"},
     {"Seconds", "platon-client", {"--seconds", "soon"}, 2, "--seconds"},
     {"Name", "platon-client", {"--name", std::string(33, 'x')}, 2, "--name"},
-    {"LevelOfAnotherServer", "platon-client", {"localhost", "--level", "x.level"}, 2, "--level"},
+    {"LevelForARemoteServer", "platon-client", {"localhost", "--level", "x.level"}, 2, "--level"},
     {"NoSuchLevel", "platon-client", {"--offscreen", "--level", "no/such.level"}, 2, "no/such.level"},
     {"NoDisplay", "platon-client", {"--level", "levels/hexahedron/01_first_steps.level"}, 2, "--offscreen"},
     {"NoServer",

@@ -41,7 +41,7 @@ class HostTest : public testing::Test {
     return false;
   }
 
-  // Connects the client and sends a message, by which its number becomes known.
+  // Connects the client and sends a message, so that its number becomes known.
   ClientId connect() {
     EXPECT_TRUE(run([this] { return client_.connected(); }));
     client_.sendRaw({1, 2, 3}, true);
