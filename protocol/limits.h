@@ -46,7 +46,7 @@ inline constexpr std::uint32_t kMaxChangesPerMessage = 512;
 /// Slack is clamped to plus or minus this, ticks.
 inline constexpr std::int32_t kMaxSlack = 1000;
 
-/// The part of a state hash that per-tick messages carry. A difference that it hides in one tick shows in a later one.
+/// Part of a state hash that is sent in per-tick messages. A desync that it misses in one tick shows in a later one.
 constexpr std::uint32_t shortHash(std::uint64_t hash) { return static_cast<std::uint32_t>(hash); }
 
 }  // namespace platon

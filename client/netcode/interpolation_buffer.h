@@ -17,16 +17,16 @@ namespace platon {
 /// Buffers the players of the confirmed game and plays them back with a delay, so that they move evenly although ticks
 /// arrive unevenly.
 ///
-/// The lateness of a tick is its arrival time minus its time on the server, up to a constant. The playback is behind
-/// the newest tick, had that tick arrived with minimum lateness, by
+/// The lateness of a tick is its arrival time minus its time on the server, up to a constant. The target delay of the
+/// playback behind a newest tick that arrived with minimum lateness is
 ///
 ///     99th percentile − minimum of the lateness of the last 512 ticks + 1 tick + 0.5 spare ticks,  at most 30 ticks
 ///
-/// The one tick is needed because the interpolation between two ticks can start only when the second has arrived. The
+/// One tick is needed because the interpolation between two ticks can start only when the second has arrived. The
 /// playback clock slews by at most 5 %, which is not noticeable, so it makes up 0.25 s within 5 s. It never passes the
 /// newest tick: if the next tick is later still, the playback stops and catches up afterwards. It jumps after a
-/// restart, when it is more than 30 ticks off, and when more than 30 ticks arrive at once; of the ticks that arrive
-/// then only the newest is measured.
+/// restart, when it is more than 30 ticks off, and when more than 30 ticks arrive at once; then only the
+/// lateness of the newest of these ticks is measured.
 class InterpolationBuffer {
  public:
   static constexpr double kMaxSlew = 0.05;

@@ -21,7 +21,7 @@ std::uint32_t toTick(double tick) {
 
 void PredictionClock::receive(const ConfirmedTicks& message, Moment now) {
   const double newest = double{1} * message.from + message.count;
-  // A message of maximum length is part of a backlog and does not show how far the server is.
+  // A message of maximum length is part of a backlog and does not show the server's current tick.
   if (message.count < kMaxTicksPerMessage) startOrAdvance(newest + lead_, now);
   if (clock_ && message.link && message.link->slack) addReport(*message.link->slack);
   if (clock_ && reports_ > 0) lead_ = clock_->tick() - newest;
@@ -62,7 +62,7 @@ void PredictionClock::inputChosen(std::uint32_t tick) {
 
 void PredictionClock::addReport(const SlackReport& report) {
   slack_ = report.slack;
-  // Of a batch of inputs that were sent together, the oldest one must arrive in time.
+  // The oldest input of a batch that was sent together must arrive in time.
   const std::uint32_t offset = batchOffsets_[report.tick % kBatchWindow];
   if (offset <= report.tick) addSample(report.tick - offset, report.slack - static_cast<std::int32_t>(offset));
 }

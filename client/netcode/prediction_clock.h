@@ -13,7 +13,7 @@
 namespace platon {
 
 /// Determines up to which tick the client must have predicted by now, so that its inputs reach the server in time. One
-/// clock serves one round. It starts with the first ConfirmedTicks message that shows how far the server is.
+/// clock serves one round. It starts with the first ConfirmedTicks message that shows the server's current tick.
 ///
 /// The server reports the slack of inputs: by how many ticks they arrived before they were needed. Each report becomes
 /// a sample of the lead over real time with which that input would have arrived just in time. The sample uses the lead

@@ -24,7 +24,8 @@ class FramePlay {
   /// Throws std::runtime_error when there is no OpenGL.
   FramePlay(const ClientOptions& options, std::shared_ptr<const Level> level);
 
-  /// Until all frames are written or `stopRequested`. Throws std::runtime_error when a frame cannot be written.
+  /// Plays until all frames are written or `stopRequested` returns true. Throws std::runtime_error when a frame cannot
+  /// be written.
   void run(const std::function<bool()>& stopRequested);
 
  private:

@@ -17,7 +17,7 @@ class OffscreenPlay {
   /// Starts to connect. Throws std::runtime_error when connecting cannot start or when there is no OpenGL.
   OffscreenPlay(const ClientOptions& options, const ServerAddress& server, const Clock& clock);
 
-  /// Plays until the time limit or `stopRequested`. Throws ProgramError when the match ends earlier.
+  /// Plays until the time limit or until `stopRequested` returns true. Throws ProgramError when the match ends earlier.
   void run(const std::function<bool()>& stopRequested);
 
  private:

@@ -8,7 +8,7 @@ namespace {
 
 constexpr const char* kName = "platon";
 
-// By the XDG Base Directory Specification.
+// Follows the XDG Base Directory Specification.
 std::filesystem::path folder(const char* variable, const char* defaultInHome) {
   const char* const base = std::getenv(variable);
   if (base != nullptr && *base != '\0') return std::filesystem::path(base) / kName;

@@ -23,8 +23,9 @@ class WindowPlay {
   /// opened.
   WindowPlay(const ClientOptions& options, const ServerAddress& server, const Clock& clock);
 
-  /// Plays until the player leaves, the time limit of the options is reached or `stopRequested`. Throws ProgramError
-  /// when the server cannot be joined. When a match ends later, its last picture stays on the screen with the reason.
+  /// Plays until the player leaves, the time limit of the options is reached or `stopRequested` returns true. Throws
+  /// ProgramError when the server cannot be joined. When a match ends later, its last picture stays on the screen with
+  /// the reason.
   void run(const std::function<bool()>& stopRequested);
 
  private:

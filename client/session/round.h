@@ -44,9 +44,10 @@ class Round {
   const PredictionClock& clock() const { return clock_; }
   /// Players of the confirmed game for drawing the others.
   const InterpolationBuffer& interpolationBuffer() const { return interpolationBuffer_; }
-  /// By ticks of the confirmed game for the others, of the predicted game for the local player.
+  /// Flashes by tick: of the confirmed game for the others, of the predicted game for the local player.
   const PlayerFlashes& flashes() const { return flashes_; }
-  /// For drawing the local player: 0 at `prediction().predictedBefore()` … 1 at `prediction().predicted()`.
+  /// Position between two predicted ticks, for drawing the local player: 0 at `prediction().predictedBefore()` … 1 at
+  /// `prediction().predicted()`.
   double predictedFraction() const;
 
   /// The desync that the last resync ended; each is returned once.

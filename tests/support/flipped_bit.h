@@ -9,7 +9,7 @@
 namespace platon {
 
 /// The saved state of `game` with one bit flipped, such that it can be restored and differs only in `owner`'s `field`.
-/// Of several such bits the first. Throws std::logic_error if there is none.
+/// Flips the first of several such bits. Throws std::logic_error if there is none.
 std::vector<std::uint8_t> flippedBit(const Game& game, const std::string& owner, const std::string& field);
 
 }  // namespace platon

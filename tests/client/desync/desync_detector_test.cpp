@@ -156,7 +156,7 @@ TEST_F(DesyncDetectorTest, ReportsADesyncAtTheEndOfTheRound) {
   EXPECT_EQ(found->client, client_);
 }
 
-// As after a memory fault: replaying the recording shows where the game departs from its inputs.
+// Simulates a memory fault: replaying the recording shows where the game departs from its inputs.
 TEST_F(DesyncDetectorTest, TheRecordingShowsADesyncThatInputsDoNotExplain) {
   desync();
   play(RecentRecording::kTicksBetweenCheckpoints);

@@ -119,7 +119,7 @@ TEST(LossyRelay, ReportsAnUnknownHostLikeAConnection) {
   EXPECT_EQ(fault([&] { Connection(nowhere, Moment(1)); }), "cannot resolve host no such host");
 }
 
-// As behind a router: the server sees a new address, and datagrams to the old one are lost.
+// Behaves like a NAT router: the server sees a new address, and datagrams to the old one are lost.
 TEST(LossyRelay, AClientOnANewPortGetsANewPortTowardsTheServer) {
   Socket server, before, after;
   LinkQuality quality;

@@ -74,7 +74,7 @@ TEST(PlayerFlashes, AnEarlierFinishDoesNotFlash) {
   for (std::uint32_t tick = 300; tick < 330; ++tick) EXPECT_EQ(flashes.brightness(0, tick), 0) << tick;
 }
 
-// As for a viewer behind the newest tick.
+// A viewer behind the newest tick sees each flash later.
 TEST(PlayerFlashes, EachShowsAtItsOwnTick) {
   PlayerFlashes flashes;
   std::uint32_t tick = 0;

@@ -197,7 +197,7 @@ TEST(PredictionClock, LeadIsRelativeToTheNewestTickReceived) {
   EXPECT_NEAR(clock.lead(), 10, 1e-9);
 }
 
-// Of five inputs chosen together the server reports the last one; the first one has four ticks less.
+// The server reports the last of five inputs chosen together; the slack of the first one is four ticks smaller.
 TEST(PredictionClock, AReportCountsForTheOldestInputOfItsBatch) {
   const auto errorAfter = [](std::uint32_t reported) {
     PredictionClock clock(6);
@@ -241,7 +241,7 @@ TEST(PredictionClock, InitialLeadIsTheAnswerTimePlusSevenTicks) {
   EXPECT_NEAR(PredictionClock::initialLead(milliseconds(100)), 13, 1e-9);
 }
 
-// From the server: the sum of tick and lead exceeds 32 bits.
+// The tick comes from the server; the sum of tick and lead exceeds 32 bits.
 TEST(PredictionClock, AcceptsTicksUpToTheLargest) {
   PredictionClock clock(6);
   clock.receive(ticks(UINT32_MAX - 2, 2), milliseconds(0));

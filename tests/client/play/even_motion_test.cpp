@@ -84,7 +84,7 @@ LinkQuality qualityOf(double loss, double jitter, double delay) {
 
 class EvenMotionTest : public testing::TestWithParam<Conditions> {};
 
-// The interpolation clock slews by at most 5 %, 1 % of the ticks may arrive too late for it, and the lattice rounds
+// The playback clock slews by at most 5 %, 1 % of the ticks may arrive too late for it, and the lattice rounds
 // each movement by less than 0.1 %.
 TEST_P(EvenMotionTest, OthersMoveAtTheirTrueSpeed) {
   constexpr int kSeeds = 10;

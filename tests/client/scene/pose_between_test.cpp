@@ -170,7 +170,7 @@ TEST_P(PoseBetweenTest, FractionsZeroAndOneAreTheEnds) {
   }
 }
 
-// Also if the straight path misses the common edge, or if there is none.
+// The two faces need not have a common edge, and the straight path may miss it.
 TEST_P(PoseBetweenTest, APathRoundAVertexStaysOnTheSurfaceAndDoesNotJump) {
   std::mt19937_64 random(1);
   for (int face = 0; face < mesh_.faces(); ++face) {

@@ -29,7 +29,7 @@ Controls pressing(std::uint64_t seed) {
   };
 }
 
-// From good conditions to hardly playable ones.
+// Network conditions from good to hardly playable.
 LinkQuality qualityOf(std::uint32_t number) {
   LinkQuality quality;
   quality.delayMs = 5 + 20 * number;

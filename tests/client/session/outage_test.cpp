@@ -137,7 +137,7 @@ TEST_F(Outage, ResumesWithinASecondAfterTotalLoss) {
   std::printf("at most %lld ms, %u resumes\n", static_cast<long long>(longest / milliseconds(1)), client_->resumes());
 }
 
-// Also between Welcome and the full state, when the new round has no player yet.
+// The last scene is also shown between Welcome and the full state, when the new round has no player yet.
 TEST_F(Outage, ShowsTheLastSceneUntilThePlayerIsResumed) {
   relay_.emplace(address(), delayed(), 1);
   MatchPlay play(ClientOptions(), relay_->address(), now_);

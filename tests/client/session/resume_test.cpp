@@ -115,7 +115,7 @@ TEST_P(Resume, ResumesThePlayerAtItsPlace) {
   EXPECT_EQ(match_.match().players(), GetParam().players);
 }
 
-// From the first frame on.
+// The prediction is right from the first frame on.
 TEST_P(Resume, PredictsThePlayerAtItsPlace) {
   joinAll();
   match_.run(seconds(5));

@@ -82,7 +82,7 @@ class Resync : public testing::TestWithParam<std::tuple<std::uint32_t, int>> {
   VirtualMatch match_{{endlessLevel()}, kSeed, kMaxPlayers};
 };
 
-// From the first differing tick until the confirmed game matches again.
+// Measures the time from the first differing tick until the confirmed game matches again.
 TEST_P(Resync, TakesAtMost100MillisecondsMoreThanARoundTrip) {
   std::uint32_t present = 0;
   for (std::uint32_t slot = 0; slot < players(); ++slot) present += match_.match().game().player(slot).present ? 1 : 0;

@@ -97,7 +97,7 @@ TEST_F(RoundTest, SendsChangesAtOnceElseEveryFourthTick) {
   EXPECT_LE(sentAt.size(), 40u / 4 + 2 * 3 + 1);
 }
 
-// Also after the maximum number of predicted ticks.
+// The law also holds after the maximum number of predicted ticks.
 TEST_F(RoundTest, CallsControlsOncePerTick) {
   round_.receive(server_.decide(10), now_);
   std::uint32_t calls = 0;
@@ -118,7 +118,7 @@ TEST_F(RoundTest, IgnoresKnownTicksAndGaps) {
   round_.receive(second, now_);
   round_.receive(first, now_);
   EXPECT_EQ(round_.prediction().confirmedTicks(), 20u);
-  // Of a message with known and new ticks only the new ones are applied.
+  // Only the new ticks of a message are applied.
   third.from = 15;
   third.count = 15;
   round_.receive(third, now_);

@@ -70,8 +70,8 @@ TEST(Session, StaysInLockstepUnderLossAndJitter) {
   match.run(seconds(10));
   const Gain gain = gainOf(match, 1, seconds(20));
   EXPECT_GT(gain.prediction.confirmedTicks, 1150u);
-  // About four changes of buttons per second; of a hundred, about one is lost with its repetition and costs a few
-  // ticks.
+  // The buttons change about four times a second. About one change in a hundred is lost together with its
+  // repetition and costs a few ticks.
   EXPECT_LT(gain.prediction.missedInputs, 60u);
   EXPECT_EQ(match.session(1).roundStatistics().desyncs, 0u);
   EXPECT_EQ(match.session(1).roundStatistics().resyncs, 0u);

@@ -53,8 +53,8 @@ class Runner:
         self._attempts = attempts
 
     def cell(self, cell):
-        """The results of bots and server, with `cpuPercent` of the server and `waitPercent` while all play; of several
-        attempts the one with the shortest wait."""
+        """The results of bots and server, with `cpuPercent` of the server and `waitPercent` while all play. If there were
+        several attempts: of the one with the shortest wait."""
         tried = []
         while len(tried) < self._attempts:
             tried.append(self._try(cell))

@@ -42,7 +42,7 @@ TEST(TickHistory, KeepsOnlyTheLastTicks) {
   EXPECT_EQ(history.collect(5).count, kMaxTicksPerMessage);
 }
 
-// On random inputs; every message is within its limit.
+// Checked on random inputs. Every message must also be within its limit.
 TEST(TickHistory, ConsecutiveMessagesContainEveryInput) {
   constexpr std::uint64_t seed = 11;
   SCOPED_TRACE("seed " + std::to_string(seed));
