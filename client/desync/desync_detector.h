@@ -40,10 +40,10 @@ class DesyncDetector {
   /// Call when the hash of `game` differs from the server's. Ignored while a desync is pending.
   void hashDiffered(const Game& game, std::uint32_t serverHash);
 
-  /// The client's game has been replaced by the server's state, whose last tick had the inputs `held`. Returns the
-  /// pending desync, if any, and starts over.
+  /// Call when the client's game has been replaced by the server's state, whose last tick had the inputs `held`.
+  /// Returns the pending desync, if any, and starts over.
   std::optional<Desync> resynced(const Game& server, std::span<const Input> held);
-  /// The round ends without a resync. Returns the pending desync, if any.
+  /// Call when the round ends without a resync. Returns the pending desync, if any.
   std::optional<Desync> ended();
 
  private:

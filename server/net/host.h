@@ -56,7 +56,8 @@ class Host {
  public:
   /// Time after its first datagram in which a client must complete ENet's handshake, which proves its address.
   static constexpr std::chrono::seconds kAnswerTime{3};
-  /// Time after the handshake in which a client must be admitted. Long, since under loss its Hello is sent repeatedly.
+  /// Time after the handshake in which a client must be admitted. It is long because its Hello may have to be sent
+  /// repeatedly under loss.
   static constexpr std::chrono::seconds kAdmissionTime{10};
 
   /// Opens the socket. Throws HostError.
