@@ -10,7 +10,7 @@ namespace platon {
 namespace {
 
 std::string versionReason(std::string_view what, std::uint32_t ours, std::uint32_t theirs) {
-  const std::string_view remedy = theirs < ours ? "update your client" : "install the release of the server";
+  const std::string_view remedy = theirs < ours ? "update your client" : "install the same release as the server";
   return std::string(what) + " differ: server " + std::to_string(ours) + ", your client " + std::to_string(theirs) +
          "; " + std::string(remedy);
 }

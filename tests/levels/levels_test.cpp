@@ -55,7 +55,7 @@ TEST_P(ShippedLevelTest, IsFinishedByItsSolution) {
 }
 
 // The solution must use the solid: it crosses edges, and visits a face again with another up direction.
-TEST_P(ShippedLevelTest, TheSolutionCrossesEdgesAndTurnsUp) {
+TEST_P(ShippedLevelTest, TheSolutionCrossesEdgesAndChangesTheUpDirection) {
   Game game(level());
   std::set<std::uint32_t> faces;
   std::set<std::pair<std::uint32_t, std::int32_t>> ups;

@@ -42,7 +42,7 @@ class Odometer {
 struct Conditions {
   std::string name;
   LinkQuality quality;
-  int idle = 0;  // idle players; with five players the server sends every second tick only
+  int idle = 0;  // idle players; with five players the server sends only every second tick
 };
 
 // One player runs around the solid, and another one watches it under simulated network conditions.

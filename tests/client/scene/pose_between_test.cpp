@@ -185,7 +185,7 @@ TEST_P(PoseBetweenTest, APathRoundAVertexStaysOnTheSurfaceAndDoesNotJump) {
   }
 }
 
-TEST_P(PoseBetweenTest, UpTurnsLinearlyWithinAFace) {
+TEST_P(PoseBetweenTest, TheUpDirectionTurnsLinearlyWithinAFace) {
   const PlayerSnapshot before = standing(2, {10, 20}, Angle(1000));
   const PlayerSnapshot now = standing(2, {14, 20}, Angle(5000));
   const Pose middle = poseBetween(mesh_, {before, now, 0.5});

@@ -68,7 +68,7 @@ TEST(InputMapper, EveryKeyHoldsItsControlUntilItIsReleased) {
   }
 }
 
-TEST(InputMapper, AControlIsHeldWhileOneOfItsKeysIs) {
+TEST(InputMapper, AControlIsHeldWhileOneOfItsKeysIsHeld) {
   InputMapper mapper;
   press(mapper, Key::kArrowLeft);
   press(mapper, Key::kA);

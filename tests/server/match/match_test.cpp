@@ -70,7 +70,8 @@ TEST(Match, RefusesAClientWithAReason) {
   };
   const Refused protocol = answer(1, {kProtocolVersion + 1, 0, ""});
   EXPECT_EQ(protocol.code, RefusalCode::kWrongProtocol);
-  EXPECT_EQ(protocol.reason, "protocol versions differ: server 2, your client 3; install the release of the server");
+  EXPECT_EQ(protocol.reason,
+            "protocol versions differ: server 2, your client 3; install the same release as the server");
   const Refused rules = answer(2, {kProtocolVersion, kRulesVersion - 1, ""});
   EXPECT_EQ(rules.code, RefusalCode::kWrongRules);
   EXPECT_EQ(rules.reason.substr(rules.reason.find(';')), "; update your client");
