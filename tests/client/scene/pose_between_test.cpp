@@ -63,7 +63,8 @@ class PoseBetweenTest : public testing::TestWithParam<int> {
     return result;
   }
 
-  // A pose in the frame of the edge: x along the edge, y across it, > 0 beyond it. Computed from space alone.
+  // A pose in the frame of the edge: x along the edge, y across it, > 0 beyond it. Computed from the coordinates in
+  // space only.
   struct FromEdge {
     glm::dvec2 place;
     glm::dvec2 up;

@@ -128,7 +128,7 @@ TEST_F(ResumeMatch, APlayerThatLeavesIsNotKept) {
   EXPECT_EQ(network_.count(Kind::kResumed), 0u);
 }
 
-TEST_F(ResumeMatch, AGameWithOnlyDisconnectedPlayersStopsAfterAMinute) {
+TEST_F(ResumeMatch, AGameWithOnlyDisconnectedPlayersIsPausedAfterAMinute) {
   network_.add(FakeClient("Ann", 12, running));
   network_.run(50);
   network_.disconnect(1);
