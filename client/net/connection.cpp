@@ -56,7 +56,7 @@ Connection::~Connection() {
   if (state_ != State::kClosed) enet_peer_reset(peer_);
 }
 
-// Otherwise ENet would drop unreliable packets whenever the round trip grows, and the server could request that.
+// Stops ENet from dropping unreliable packets when the round trip grows; the server could turn that on.
 void Connection::disableThrottle() {
   if (state_ != State::kConnected) return;  // while connecting, the server must echo the original values
   unthrottle(*peer_);

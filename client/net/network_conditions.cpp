@@ -21,8 +21,8 @@ bool LinkQuality::perfect() const {
 void NetworkConditions::send(std::vector<std::uint8_t> datagram, Moment now) {
   const std::optional<Moment> passed = passBottleneck(datagram.size(), now);
   if (!passed) return;
-  const bool inBurst =
-      drawBurst();  // the burst state changes with each datagram, even if it is lost for another reason
+  // The burst state changes with each datagram, even if it is lost for another reason.
+  const bool inBurst = drawBurst();
   if (chance(quality_.lossPercent) || inBurst) return;
   const Moment due = dueTime(*passed);
   if (chance(quality_.duplicatePercent)) deliverAt(datagram, due);

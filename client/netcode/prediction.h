@@ -54,8 +54,8 @@ class Prediction {
 
   /// Advances the confirmed game by the server's inputs for tick `confirmedTicks()`, by slot. At most kMaxPlayers.
   void confirm(std::span<const Input> inputs);
-  /// Replaces the confirmed game by the server's state after `ticks` ticks, of which the last one had the inputs
-  /// `held`. Returns false and changes nothing if the state is invalid.
+  /// Replaces the confirmed game by the server's state after `ticks` ticks; the last of these ticks had the
+  /// inputs `held`. Returns false and changes nothing if the state is invalid.
   bool restore(std::span<const std::uint8_t> state, std::uint32_t ticks, std::span<const Input> held);
   /// Replays the prediction where needed. Call after a batch of `confirm` or `restore`.
   void reconcile(Moment now);

@@ -21,7 +21,7 @@ class LevelRotation {
   const LevelPointer& next() const { return levels_[next_]; }
   void advance();
 
-  /// Replaces the levels, of which there must be one. The current level stays; the first of the new ones is next.
+  /// Replaces the levels; `levels` must not be empty. The current level stays; the first new one is next.
   void replace(std::vector<LevelPointer> levels);
 
   /// The current level or level of the rotation whose text has this hash; null when there is none.

@@ -50,7 +50,7 @@ class MatchPlayer {
 
   /// Counts a message of inputs, of any round, for the link report.
   void countMessage(std::uint8_t sequence);
-  /// Stores the inputs of a message of the current round, of which `decided` ticks are decided.
+  /// Stores the inputs of a message of the current round. `decided`: number of decided ticks of the round.
   void addInputs(const PlayerInputs& message, std::uint32_t decided);
   /// Whether the message reports the client's current progress: the client has restored the last state sent, and the
   /// message is not older than another one received.

@@ -119,7 +119,7 @@ TEST_F(DedicatedServerTest, MessagesOfAClosingConnectionAreIgnored) {
   EXPECT_EQ(server_->malformedMessages(), 1u);
 }
 
-// Otherwise one connection could cause a Roster to all clients with each Leave and Hello.
+// Repeated Leave and Hello on one connection must not cause a Roster to all clients each time.
 TEST_F(DedicatedServerTest, AClientThatHasLeftCannotJoinAgainOverTheSameConnection) {
   start(4);
   EnetClient& eve = addPlayer("Eve");

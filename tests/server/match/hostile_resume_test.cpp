@@ -170,7 +170,7 @@ TEST_F(HostileResume, APlayerThatHasLeftIsNotReportedAsDisconnected) {
   EXPECT_EQ(events_[Kind::kConnectionLost], 0u);
 }
 
-// Otherwise one client that drops connection after connection would occupy all slots.
+// A client that repeatedly disconnects must not occupy all slots.
 TEST_F(HostileResume, AnAddressHoldsOnlyAsManySlotsAsItMayHaveConnections) {
   constexpr std::uint32_t kAttacker = 7, kOther = 8;
   Match match = matchFor(16, 4);
