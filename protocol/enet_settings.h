@@ -52,7 +52,7 @@ inline void limitRetransmissionTimeout(ENetPeer& peer, enet_uint32 maxMs) {
   }
 }
 
-/// Queues a message on the channel of its kind. Without effect when ENet cannot take it.
+/// Queues a message on the channel of its kind. No effect if ENet cannot take it.
 inline void sendMessage(ENetPeer& peer, std::span<const std::uint8_t> message, bool reliable) {
   const enet_uint32 flags = reliable ? ENET_PACKET_FLAG_RELIABLE : ENET_PACKET_FLAG_UNSEQUENCED;
   ENetPacket* const packet = enet_packet_create(message.data(), message.size(), flags);

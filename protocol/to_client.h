@@ -123,7 +123,7 @@ struct SlackReport {
 struct LinkReport {
   std::uint8_t sequence = 0;         ///< of the newest PlayerInputs received
   std::uint8_t lostPercent = 0;      ///< of the last messages of inputs; 0 … 100
-  std::optional<SlackReport> slack;  ///< the smallest since the last report; nothing when no input was new
+  std::optional<SlackReport> slack;  ///< the smallest since the last report; nothing if no input was new
 
   friend bool operator==(const LinkReport&, const LinkReport&) = default;
 };
@@ -136,7 +136,7 @@ struct ConfirmedTicks {
   std::uint32_t from = 0;
   std::uint32_t count = 0;           ///< 1 … kMaxTicksPerMessage
   std::uint32_t hash = 0;            ///< `shortHash` of the game advanced by from + count ticks
-  std::optional<LinkReport> link;    ///< nothing when no PlayerInputs has arrived since the last message
+  std::optional<LinkReport> link;    ///< nothing if no PlayerInputs has arrived since the last message
   std::vector<InputChange> changes;  ///< ordered by tick, then slot; at most kMaxChangesPerMessage
   std::uint8_t sequence = 0;         ///< one more than in the last ConfirmedTicks to this client, modulo 256
 

@@ -22,7 +22,7 @@ class GameView {
   /// The pictures have this size in pixels, at least 1 × 1. Throws std::runtime_error on an OpenGL error.
   GameView(std::uint32_t width, std::uint32_t height);
 
-  /// No effect when a size is 0.
+  /// No effect if a size is 0.
   void resize(std::uint32_t width, std::uint32_t height);
 
   /// Draws the next picture, `seconds` after the last one. When the stage changes, the camera jumps to its target.

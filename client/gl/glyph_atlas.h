@@ -26,7 +26,7 @@ class GlyphAtlas {
   /// `font` must outlive the atlas.
   explicit GlyphAtlas(const Font& font);
 
-  /// Returns the entry of a glyph and adds it if needed; null when the texture is full. Valid until `clear`.
+  /// Returns the entry of a glyph and adds it if needed; null if the texture is full. Valid until `clear`.
   const Entry* find(char32_t codePoint);
   /// Removes all glyphs.
   void clear();

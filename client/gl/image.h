@@ -18,7 +18,7 @@ struct Image {
 /// Reverses the order of the rows.
 void flipRows(Image& image);
 
-/// Throws std::runtime_error when the file cannot be written.
+/// Throws std::runtime_error if the file cannot be written.
 void writePng(const Image& image, const std::string& file);
 
 }  // namespace platon

@@ -26,7 +26,7 @@ class Renderer {
   /// std::runtime_error on an OpenGL error.
   Renderer(std::uint32_t width, std::uint32_t height, const Font& font);
 
-  /// No effect when a size is 0 or both are unchanged.
+  /// No effect if a size is 0 or both are unchanged.
   void resize(std::uint32_t width, std::uint32_t height);
 
   /// Draws the scene as `camera` sees it, then the overlays, in order. The camera must have the size of the picture.

@@ -15,7 +15,7 @@ namespace platon {
 /// key events of keyboard and gamepads. At most one exists at a time, on the main thread.
 class Window {
  public:
-  /// `width` × `height` in screen coordinates. Throws std::runtime_error when there is no display or no OpenGL 3.3.
+  /// `width` × `height` in screen coordinates. Throws std::runtime_error if there is no display or no OpenGL 3.3.
   Window(const std::string& title, int width, int height);
   ~Window();
   Window(const Window&) = delete;

@@ -21,10 +21,10 @@ namespace platon {
 /// clock, so the same options give the same frames.
 class FramePlay {
  public:
-  /// Throws std::runtime_error when there is no OpenGL.
+  /// Throws std::runtime_error if there is no OpenGL.
   FramePlay(const ClientOptions& options, std::shared_ptr<const Level> level);
 
-  /// Plays until all frames are written or `stopRequested` returns true. Throws std::runtime_error when a frame cannot
+  /// Plays until all frames are written or `stopRequested` returns true. Throws std::runtime_error if a frame cannot
   /// be written.
   void run(const std::function<bool()>& stopRequested);
 

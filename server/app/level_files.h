@@ -18,7 +18,7 @@ struct LoadedLevels {
 LoadedLevels loadLevelFiles(const std::vector<std::string>& paths);
 
 /// Files of the levels that come with the game, in order. They lie beside the installed program or in the source tree
-/// from which it was built. Throws ProgramError when they are in neither place.
+/// from which it was built. Throws ProgramError if they are in neither place.
 std::vector<std::string> shippedLevelFiles();
 
 }  // namespace platon

@@ -17,7 +17,7 @@ class RecordingFolder {
  public:
   using Time = std::chrono::system_clock::time_point;
 
-  /// Creates the folder if it is missing. Throws ProgramError when no file can be written there.
+  /// Creates the folder if it is missing. Throws ProgramError if no file can be written there.
   explicit RecordingFolder(std::filesystem::path folder);
 
   /// Appends a piece to the file of its round. The file of a new round is named after `now`. When writing fails, the
@@ -35,7 +35,7 @@ class RecordingFolder {
   std::filesystem::path folder_;
   std::uint32_t round_ = 0;                 // round of the file
   std::filesystem::path path_;              // path of the file
-  std::unique_ptr<std::FILE, Close> file_;  // null when it could not be written
+  std::unique_ptr<std::FILE, Close> file_;  // null if it could not be written
   std::uint64_t bytes_ = 0;                 // bytes written to the file
 };
 

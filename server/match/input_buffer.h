@@ -20,7 +20,7 @@ class InputBuffer {
   /// `next` is the first tick to decide. The player is absent until its first input.
   explicit InputBuffer(std::uint32_t next = 0) : next_(next) {}
 
-  /// Stores the input of a tick. False when the tick is decided, beyond the window, or already has an input; nothing
+  /// Stores the input of a tick. False if the tick is decided, beyond the window, or already has an input; nothing
   /// changes then.
   bool add(std::uint32_t tick, Input input);
 

@@ -24,7 +24,7 @@ class LevelRotation {
   /// Replaces the levels; `levels` must not be empty. The current level stays; the first new one is next.
   void replace(std::vector<LevelPointer> levels);
 
-  /// The current level or level of the rotation whose text has this hash; null when there is none.
+  /// The current level or level of the rotation whose text has this hash; null if there is none.
   LevelPointer find(std::uint64_t hash) const;
 
  private:

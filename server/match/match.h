@@ -86,7 +86,7 @@ class Match {
   bool isPlaying(ClientId client) const { return players_.contains(client); }
   std::uint32_t round() const { return round_; }
   const Game& game() const { return game_; }
-  /// The player of a client; null when it has none.
+  /// The player of a client; null if it has none.
   const MatchPlayer* player(ClientId client) const;
 
  private:

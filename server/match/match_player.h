@@ -68,7 +68,7 @@ class MatchPlayer {
   std::uint32_t nextTickToSend(std::uint32_t end) const;
   /// Call when a message with the ticks before `tick` was sent and `end` ticks were decided.
   void ticksSent(std::uint32_t tick, std::uint32_t end) { continueAt_ = tick < end ? tick : 0; }
-  /// Link report since the last call; nothing when no message of inputs has arrived.
+  /// Link report since the last call; nothing if no message of inputs has arrived.
   std::optional<LinkReport> takeLinkReport();
   /// Sequence number of the next message of ticks.
   std::uint8_t nextSequence() { return sequence_++; }
@@ -85,7 +85,7 @@ class MatchPlayer {
   bool maySendState(std::uint64_t now) const { return now >= nextStateAt_; }
   /// Starts the transfer of a full state after `tick` ticks of the round.
   void sendState(std::uint32_t round, std::uint32_t tick, std::vector<std::uint8_t> state, std::uint64_t now);
-  /// The next message of the transfers in progress; nothing when there are none.
+  /// The next message of the transfers in progress; nothing if there are none.
   std::optional<std::vector<std::uint8_t>> nextChunk();
 
  private:

@@ -70,7 +70,7 @@ class Host {
   std::vector<HostEvent> service(TimePoint now);
   /// Call when the client plays: from then on its connection ends only when it is closed or silent.
   void admit(ClientId client);
-  /// Queues a message. Without effect when the client is disconnected.
+  /// Queues a message. No effect if the client is disconnected.
   void send(ClientId client, bool reliable, std::span<const std::uint8_t> message);
   /// Closes the connection once everything queued has arrived, or after kAnswerTime. Until then messages may still
   /// arrive; `isOpen` is false for them.
@@ -82,7 +82,7 @@ class Host {
   void wait(std::chrono::milliseconds timeout) const;
 
   std::uint16_t port() const;
-  /// False when the client is disconnected or its connection is closing.
+  /// False if the client is disconnected or its connection is closing.
   bool isOpen(ClientId client) const;
   /// Whether no client is connected or connecting.
   bool empty() const;

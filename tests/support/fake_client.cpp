@@ -60,7 +60,7 @@ void FakeClient::handle(const RoundStart& message) {
   if (!startRound(message.round, message.levelHash)) reliable_.push_back(encode(LevelRequest{levelHash_}));
 }
 
-// False when the level is unknown.
+// False if the level is unknown.
 bool FakeClient::startRound(std::uint32_t round, std::uint64_t levelHash) {
   round_ = round;
   levelHash_ = levelHash;

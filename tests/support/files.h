@@ -8,11 +8,11 @@
 
 namespace platon {
 
-/// The content of a file. Throws std::runtime_error when it cannot be read.
+/// The content of a file. Throws std::runtime_error if it cannot be read.
 std::string readText(const std::filesystem::path& file);
 std::vector<std::uint8_t> readBytes(const std::filesystem::path& file);
 
-/// Creates or replaces a file. Throws std::runtime_error when it cannot be written.
+/// Creates or replaces a file. Throws std::runtime_error if it cannot be written.
 void writeText(const std::filesystem::path& file, std::string_view text);
 
 /// The files with this extension in a folder and its subfolders, sorted by file name. Throws std::runtime_error when

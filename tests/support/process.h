@@ -20,7 +20,7 @@ struct ProcessOptions {
 class Process {
  public:
   /// Starts the program command[0], looked up in PATH if it has no slash, with the arguments that follow. A program
-  /// that cannot be executed exits with 127. Throws std::system_error when no process can be made.
+  /// that cannot be executed exits with 127. Throws std::system_error if no process can be made.
   explicit Process(const std::vector<std::string>& command, const ProcessOptions& options = {});
   ~Process();
   Process(const Process&) = delete;
@@ -34,7 +34,7 @@ class Process {
   std::string waitForError(const std::string& text, std::chrono::seconds limit = std::chrono::seconds(20));
   /// The same for standard output.
   std::string waitForOutput(const std::string& text, std::chrono::seconds limit = std::chrono::seconds(20));
-  /// The next line of standard error that this function has not returned yet; empty when the process ends first.
+  /// The next line of standard error that this function has not returned yet; empty if the process ends first.
   /// Throws like `wait`.
   std::string nextErrorLine(std::chrono::seconds limit = std::chrono::seconds(20));
   void signal(int number) const;

@@ -7,7 +7,7 @@ namespace platon {
 /// A new folder, deleted with its contents by the destructor.
 class TemporaryFolder {
  public:
-  /// Throws std::system_error when the folder cannot be made.
+  /// Throws std::system_error if the folder cannot be made.
   TemporaryFolder();
   ~TemporaryFolder();
   TemporaryFolder(const TemporaryFolder&) = delete;

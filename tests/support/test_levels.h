@@ -11,7 +11,7 @@ std::string farGoalText();
 /// The same with the goal at the start, so that a round ends in its first tick with a player.
 std::string nearGoalText();
 
-/// Throws std::runtime_error when the level is invalid.
+/// Throws std::runtime_error if the level is invalid.
 LevelPointer levelOf(const std::string& text);
 
 }  // namespace platon

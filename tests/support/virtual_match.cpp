@@ -74,7 +74,7 @@ VirtualMatch::Client* VirtualMatch::connectedAs(ClientId id) {
   return nullptr;
 }
 
-void VirtualMatch::detectLosses() {
+void VirtualMatch::detectDisconnects() {
   std::erase_if(losses_, [this](const auto& loss) {
     if (loss.first > now_) return false;
     match_.disconnect(loss.second);
@@ -90,7 +90,7 @@ void VirtualMatch::run(Moment duration) {
   for (const Moment end = now_ + duration; now_ < end; now_ += kStep) {
     const Moment tickDue = std::chrono::seconds(100) + Moment((serverTicks_ + 1) * 1'000'000 / kTicksPerSecond);
     if (now_ >= tickDue) tickServer();
-    detectLosses();
+    detectDisconnects();
     for (const auto& client : clients_) {
       if (client->connected) transfer(*client);
     }

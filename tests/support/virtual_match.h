@@ -62,7 +62,7 @@ class VirtualMatch {
   };
 
   Client* connectedAs(ClientId id);
-  void detectLosses();
+  void detectDisconnects();
   void tickServer();
   void transfer(Client& client);
   void check(const Session& session) const;

@@ -178,7 +178,7 @@ TEST_F(Outage, RejoinsARestartedServerWithinASecond) {
     startServer(port_, 4);
     const Moment begun = now_;
     ASSERT_TRUE(runUntil(seconds(10), [this] { return server_->match().players() == 1; }));
-    // An outage shorter than the timeout is detected only after the timeout.
+    // The client detects a restarted server at the latest when its timeout has passed.
     EXPECT_LE(now_ - begun, ms < 4000 ? Session::kTimeout : kMaxResumeTime);
     EXPECT_LE(timeToPlay(), kMaxResumeTime);
     EXPECT_EQ(client_->session()->roundStatistics().desyncs, 0u);
