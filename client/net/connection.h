@@ -26,7 +26,7 @@ struct Traffic {
     return {a.sentBytes + b.sentBytes, a.sentPackets + b.sentPackets, a.receivedBytes + b.receivedBytes,
             a.receivedPackets + b.receivedPackets, std::max(a.longestDatagram, b.longestDatagram)};
   }
-  /// The traffic from `b` to `a`; `longestDatagram` stays that of `a`.
+  /// Traffic gained from the earlier count `b` to the later count `a`; `longestDatagram` is that of `a`.
   friend Traffic operator-(const Traffic& a, const Traffic& b) {
     return {a.sentBytes - b.sentBytes, a.sentPackets - b.sentPackets, a.receivedBytes - b.receivedBytes,
             a.receivedPackets - b.receivedPackets, a.longestDatagram};

@@ -15,7 +15,7 @@ std::filesystem::path desyncFolder() {
   return folder.empty() ? folder : folder / "desyncs";
 }
 
-// None for the embedded server, which ends with the program.
+// Empty for the embedded server: it ends with the program, so no token is stored.
 std::filesystem::path sessionFolder(const ClientOptions& options) {
   const std::filesystem::path folder = dataFolder();
   return folder.empty() || !options.server ? std::filesystem::path() : folder / "sessions";

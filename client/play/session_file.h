@@ -9,7 +9,7 @@
 namespace platon {
 
 /// Keeps the session token of a server on disk, so that a client that has crashed resumes its player at the next start.
-/// One file per server, readable only by its owner. The object locks the file while it lives: of two clients on the
+/// One file per server, readable only by its owner. The object locks the file while it exists: of two clients on the
 /// same server, only the first uses the file, and the second cannot resume the first one's player.
 class SessionFile {
  public:

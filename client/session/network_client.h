@@ -72,7 +72,7 @@ class NetworkClient {
   struct Paused {
     Moment until;
   };
-  // ending_ is set. The connection of the last session may be open still.
+  // ending_ is set. The connection of the last session may still be open.
   struct Ended {};
   struct Leaving {};
 

@@ -104,7 +104,7 @@ TEST(PredictionClock, SlewsByAtMostTwoPerCent) {
   EXPECT_EQ(clock.jumps(), 0u);
 }
 
-// Two seconds of round trip.
+// The round trip is two seconds.
 TEST(PredictionClock, DoesNotOscillateOnALongRoundTrip) {
   PredictionClock clock = clockAt(100);
   Link link(60, 0, 1);
