@@ -87,7 +87,7 @@ bool readSession(const wire::Hello& table, Hello& hello) {
   return hello.levels.size() <= kMaxLevelsKnown;
 }
 
-// Reads only the version of a client with another one: the layout of its Hello may differ.
+// Reads only the version if it is not ours: the layout of such a Hello may differ.
 std::optional<ToServer> readHello(const wire::Hello& table) {
   Hello hello;
   hello.protocolVersion = table.protocol_version();

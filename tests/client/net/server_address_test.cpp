@@ -8,14 +8,14 @@
 namespace platon {
 namespace {
 
-TEST(ServerAddress, HostOnly) {
+TEST(ServerAddress, AHostWithoutAPortGetsTheDefaultPort) {
   const ServerAddress address = parseServerAddress("play.example.org");
   EXPECT_EQ(address.host, "play.example.org");
   EXPECT_EQ(address.port, 7777);
   EXPECT_EQ(address.text(), "play.example.org:7777");
 }
 
-TEST(ServerAddress, HostAndPort) {
+TEST(ServerAddress, AHostMayBeFollowedByAPort) {
   const ServerAddress address = parseServerAddress("127.0.0.1:65535");
   EXPECT_EQ(address.host, "127.0.0.1");
   EXPECT_EQ(address.port, 65535);

@@ -20,7 +20,7 @@ NetSample sampleOf(double rttMs) {
   return sample;
 }
 
-TEST(NetGraph, EmptyWithoutSamples) {
+TEST(NetGraph, IsEmptyWithoutSamples) {
   const Font font;
   const Overlay overlay = NetGraph().overlay(font, 1280);
   EXPECT_TRUE(overlay.panels.empty());
