@@ -115,7 +115,7 @@ Host::Host(const HostSettings& settings, TimePoint now)
       connections_(settings.connections, Connection(now)),
       connects_(kConnectBuckets, TokenBucket(kConnectsPerSecond, kConnectBurst, now)),
       connectKey_(std::random_device()() | 1) {
-  enet_socket_get_address(host_->socket, &host_->address);  // for the port, when 0 was requested
+  enet_socket_get_address(host_->socket, &host_->address);  // the chosen port if 0 was requested
   host_->checksum = enet_crc32;
   host_->maximumPacketSize = kMaxMessageBytes;
   host_->maximumWaitingData = kMaxWaitingBytes;

@@ -44,7 +44,8 @@ Bytes noise(std::mt19937_64& random) {
   return bytes;
 }
 
-/// Checks that a decoded message is within its limits, which `encode` asserts, and encodes to an equal one.
+/// Checks that a decoded message is within its limits, as `encode` asserts, and equal after encoding and decoding it
+/// again.
 template <class Variant>
 void expectValid(const std::optional<Variant>& decoded, std::optional<Variant> (*decode)(std::span<const std::uint8_t>),
                  std::uint64_t& accepted) {

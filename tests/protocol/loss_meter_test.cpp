@@ -48,7 +48,7 @@ TEST(LossMeter, ALongGapCountsAsLoss) {
   EXPECT_EQ(meter.newest(), 40);
 }
 
-TEST(LossMeter, StartsWithFewerThanAHundredMessages) {
+TEST(LossMeter, CountsLossOverAllMessagesUntilThereAreAHundred) {
   LossMeter meter;
   meter.received(10);
   meter.received(13);

@@ -187,7 +187,7 @@ TEST_F(InterpolationBufferTest, ArrivedWithoutNewTicksMeasuresNothing) {
   EXPECT_EQ(buffer_.targetDelay(), delay);
 }
 
-// The tick of a full state comes from the server.
+// The tick of a full state comes from the server, so it may have any value.
 TEST_F(InterpolationBufferTest, AcceptsTicksUpToTheLargest) {
   buffer_.restart(game_, UINT32_MAX);
   const InterpolatedPlayers alone = buffer_.players();

@@ -145,7 +145,7 @@ TEST(Prediction, RefusesAnInvalidState) {
   EXPECT_EQ(prediction.confirmed().hash(), hash);
 }
 
-// The tick of a full state comes from the server.
+// The tick of a full state comes from the server, so it may have any value.
 TEST(Prediction, StopsAtTheLargestTick) {
   Game server(flatLevel());
   Prediction prediction(server, kLocal);

@@ -196,7 +196,7 @@ TEST_F(RoundTest, AFullStateRestartsTheInterpolationBuffer) {
   EXPECT_EQ(round_.interpolationBuffer().jumps(), 1u);
 }
 
-// The tick of a full state comes from the server.
+// The tick of a full state comes from the server, so it may have any value.
 TEST_F(RoundTest, AcceptsAStateOfTheLargestTick) {
   StateChunk chunk = server_.state(1);
   chunk.tick = UINT32_MAX - 2;
