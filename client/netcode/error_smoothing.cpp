@@ -17,7 +17,7 @@ Point ErrorSmoothing::Correction::at(Moment now) const {
 
 void ErrorSmoothing::add(Point offset, Moment now) {
   while (count_ > 0 && corrections_.front().remaining(now) == Moment::zero()) dropOldest();
-  if (count_ == kMax) dropOldest();
+  if (count_ == kMaxCorrections) dropOldest();
   corrections_[count_++] = {offset, now};
 }
 

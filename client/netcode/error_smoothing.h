@@ -14,11 +14,11 @@ namespace platon {
 /// disturb them.
 ///
 /// At most one correction comes with each of the server's 60 messages per second: 6 within 100 ms, more after a stall.
-/// If more than kMax are fading, the oldest is dropped.
+/// If more than kMaxCorrections are fading, the oldest is dropped.
 class ErrorSmoothing {
  public:
   static constexpr Moment kDuration = std::chrono::milliseconds(100);
-  static constexpr std::size_t kMax = 32;
+  static constexpr std::size_t kMaxCorrections = 32;
 
   /// Adds a correction made at `now`, which never decreases. `offset`: old minus new position, subunits, in the
   /// player's own frame.
@@ -38,7 +38,7 @@ class ErrorSmoothing {
 
   void dropOldest();
 
-  std::array<Correction, kMax> corrections_;  // the first count_ are fading, oldest first
+  std::array<Correction, kMaxCorrections> corrections_;  // the first count_ are fading, oldest first
   std::size_t count_ = 0;
 };
 

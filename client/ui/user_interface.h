@@ -8,7 +8,7 @@
 
 namespace platon {
 
-/// Menu, settings and help, as the player's keys change them.
+/// State of menu, settings and help, which the player changes by keys.
 class UserInterface {
  public:
   explicit UserInterface(const Settings& settings) : settings_(settings) {}

@@ -8,8 +8,8 @@ namespace platon {
 
 // Durations with the same number of bits share 16 buckets, so that a bucket spans at most a sixteenth of its durations.
 std::size_t TickTimes::bucketOf(std::uint64_t microseconds) {
-  constexpr std::uint64_t kMax = (std::uint64_t{1} << kLongestBits) - 1;
-  const std::uint64_t time = std::min(microseconds, kMax);
+  constexpr std::uint64_t kMaxMicroseconds = (std::uint64_t{1} << kLongestBits) - 1;
+  const std::uint64_t time = std::min(microseconds, kMaxMicroseconds);
   const auto length = static_cast<unsigned>(std::bit_width(time));
   const unsigned dropped = length > kBits + 1 ? length - kBits - 1 : 0;
   return (std::size_t{dropped} << kBits) + static_cast<std::size_t>(time >> dropped);

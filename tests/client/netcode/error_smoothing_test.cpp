@@ -67,7 +67,7 @@ TEST(ErrorSmoothing, ACorrectionLastsAHundredMilliseconds) {
 }
 
 TEST(ErrorSmoothing, CorrectionsFadeIndependently) {
-  for (const int count : {2, 10, static_cast<int>(ErrorSmoothing::kMax)}) {
+  for (const int count : {2, 10, static_cast<int>(ErrorSmoothing::kMaxCorrections)}) {
     ErrorSmoothing smoothing;
     const std::vector<Correction> corrections = series(count);
     auto next = corrections.begin();
@@ -112,7 +112,7 @@ TEST(ErrorSmoothing, TheDrawnPositionDoesNotJump) {
 TEST(ErrorSmoothing, DropsTheOldestCorrectionWhenFull) {
   ErrorSmoothing smoothing;
   smoothing.add(Point(1000000, 0), kStart);
-  for (std::size_t i = 1; i < ErrorSmoothing::kMax; ++i) smoothing.add(Point(0, 1), kStart);
+  for (std::size_t i = 1; i < ErrorSmoothing::kMaxCorrections; ++i) smoothing.add(Point(0, 1), kStart);
   EXPECT_EQ(smoothing.at(kStart), Point(1000000, 31));
   smoothing.add(Point(0, 1), kStart);
   EXPECT_EQ(smoothing.at(kStart), Point(0, 32));

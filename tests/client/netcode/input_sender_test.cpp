@@ -51,7 +51,7 @@ TEST(InputSender, SendsNoInputsWhenAllAreConfirmed) {
   EXPECT_TRUE(message->inputs.empty());
 }
 
-// A full state of an earlier tick than the last one, which only a faulty server sends.
+// Only a faulty server sends a full state of an earlier tick than the last one.
 TEST(InputSender, NeverSendsMoreInputsThanAMessageHolds) {
   InputSender sender(kRound);
   addTicks(sender, 0, 1000);
