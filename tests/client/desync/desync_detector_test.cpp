@@ -15,7 +15,7 @@ constexpr std::uint32_t kMatchingTicks = 100;  // ticks for which both games mat
 constexpr Input kStands{Input::kPresent};
 constexpr Input kRuns{Input::kPresent | Input::kRight};
 
-/// A server's game, and a client's that a flipped bit makes differ.
+/// A server's game, and a client's game that a flipped bit makes different.
 class DesyncDetectorTest : public testing::Test {
  protected:
   DesyncDetectorTest() {

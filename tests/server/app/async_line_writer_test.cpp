@@ -25,7 +25,7 @@ class AsyncLineWriterTest : public testing::Test {
     close(reader_);
   }
 
-  // Reads the pipe to its end. Call it after the writer is gone.
+  // Reads the pipe to its end. Call it after the writer has been destroyed.
   std::string readAll() {
     close(descriptor_);
     std::string text;

@@ -92,7 +92,7 @@ TEST_F(ResumeMatch, AnotherTokenResumesNothing) {
   EXPECT_EQ(network_.match().player(9)->slot(), 1u);
 }
 
-// A client whose address changes reconnects before the server notices that the old connection is lost.
+// A client whose address changes reconnects before the server detects that the old connection is lost.
 TEST_F(ResumeMatch, AConnectedPlayerIsResumedAndItsOldConnectionClosed) {
   network_.add(FakeClient("Ann", 12, running));
   network_.run(50);
