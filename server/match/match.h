@@ -54,7 +54,7 @@ class Match {
   Match(LevelRotation rotation, MatchSettings settings);
 
   /// Handles a message from a client; its first message must be Hello. `origin` is the network address of the
-  /// client, 0 for one without a limit of players. When an origin has more players than allowed, the player of it that
+  /// client, 0 for one without a limit of players. When an origin has more players than allowed, its player that
   /// has been disconnected longest is removed.
   void receive(ClientId client, const ToServer& message, std::uint32_t origin = 0);
   /// Call when the connection of a client was lost. A player with a token stays until a client resumes it or

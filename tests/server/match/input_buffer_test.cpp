@@ -41,7 +41,7 @@ TEST(InputBuffer, IgnoresInputsForDecidedKnownAndFarTicks) {
   EXPECT_FALSE(buffer.add(5, pressing(2)));
 }
 
-// Compared with a table without bounds, on inputs in random order. A tick without input repeats the one before.
+// Compares the buffer with an unbounded table, on inputs in random order. A tick without input repeats the one before.
 TEST(InputBuffer, DecidesEachTickByItsFirstInputInTime) {
   constexpr std::uint64_t seed = 7;
   SCOPED_TRACE("seed " + std::to_string(seed));

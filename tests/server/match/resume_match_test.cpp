@@ -103,7 +103,7 @@ TEST_F(ResumeMatch, AConnectedPlayerIsResumedAndItsOldConnectionClosed) {
   ASSERT_TRUE(network_.client(1).bye());
   EXPECT_EQ(network_.client(1).bye()->code, ByeCode::kRemoved);
   EXPECT_EQ(network_.match().players(), 1u);
-  network_.match().disconnect(1);  // the server notices
+  network_.match().disconnect(1);  // the server detects the loss
   network_.run(30);
   EXPECT_EQ(network_.match().players(), 1u);
   EXPECT_TRUE(network_.match().game().player(0).present);
