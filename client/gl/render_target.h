@@ -11,7 +11,7 @@ namespace platon {
 class RenderTarget {
  public:
   /// `width` × `height` in pixels, at least 1 × 1. `samples` per pixel, limited by the driver. Throws
-  /// std::runtime_error when the driver does not support the size.
+  /// std::runtime_error if the driver does not support the size.
   RenderTarget(std::uint32_t width, std::uint32_t height, int samples);
 
   std::uint32_t width() const { return width_; }

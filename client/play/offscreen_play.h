@@ -14,7 +14,7 @@ namespace platon {
 /// Plays without a window. Draws the last frame if a screenshot is requested.
 class OffscreenPlay {
  public:
-  /// Starts to connect. Throws std::runtime_error if connecting cannot start or when there is no OpenGL.
+  /// Starts to connect. Throws std::runtime_error if connecting cannot start or there is no OpenGL.
   OffscreenPlay(const ClientOptions& options, const ServerAddress& server, const Clock& clock);
 
   /// Plays until the time limit or until `stopRequested` returns true. Throws ProgramError if the match ends earlier.

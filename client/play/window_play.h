@@ -19,7 +19,7 @@ namespace platon {
 /// Plays in a window.
 class WindowPlay {
  public:
-  /// Starts to connect. Throws std::runtime_error if connecting cannot start, and ProgramError when no window can be
+  /// Starts to connect. Throws std::runtime_error if connecting cannot start, and ProgramError if no window can be
   /// opened.
   WindowPlay(const ClientOptions& options, const ServerAddress& server, const Clock& clock);
 

@@ -25,7 +25,7 @@ struct ServerSettings {
 /// A match on a socket. `platon-server` runs one, and so does a client without a server address.
 class DedicatedServer {
  public:
-  /// Opens the socket; `levels` must not be empty. Throws HostError, and ProgramError when no recording can be written.
+  /// Opens the socket; `levels` must not be empty. Throws HostError, and ProgramError if no recording can be written.
   DedicatedServer(const ServerSettings& settings, std::vector<LevelPointer> levels, Log log);
 
   /// Receives messages, runs one tick if it is due, and sends messages.

@@ -15,7 +15,7 @@ std::vector<std::uint8_t> readBytes(const std::filesystem::path& file);
 /// Creates or replaces a file. Throws std::runtime_error if it cannot be written.
 void writeText(const std::filesystem::path& file, std::string_view text);
 
-/// The files with this extension in a folder and its subfolders, sorted by file name. Throws std::runtime_error when
+/// The files with this extension in a folder and its subfolders, sorted by file name. Throws std::runtime_error if
 /// there is none, because a test of each file would then pass without testing anything.
 std::vector<std::string> filesIn(const std::filesystem::path& folder, const std::string& extension);
 

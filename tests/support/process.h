@@ -76,7 +76,7 @@ struct ProcessResult {
 ProcessResult runProcess(const std::vector<std::string>& command, const ProcessOptions& options = {});
 
 /// The command that runs one of the project's programs, which lie in the folder that PLATON_BIN names. Throws
-/// std::runtime_error when PLATON_BIN is not set.
+/// std::runtime_error if PLATON_BIN is not set.
 std::vector<std::string> platonCommand(const std::string& program, const std::vector<std::string>& arguments = {});
 
 /// The words of a text, separated by spaces.

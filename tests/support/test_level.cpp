@@ -7,11 +7,11 @@ namespace platon {
 
 namespace {
 
-std::shared_ptr<const Level> make(const std::string& start, const std::string& goal, const std::string& wall) {
+std::shared_ptr<const Level> make(const std::string& start, const std::string& goal, const std::string& segment) {
   std::string text = "HEXAHEDRON\n" + start + "\n" + goal + "\n480\n";
   for (int face = 0; face < 6; ++face) {
     text += "%\n-240 -200 240 -200\n-200 200 200 200\n";
-    if (face == 1) text += wall;
+    if (face == 1) text += segment;
   }
   LevelResult result = loadLevel(text);
   if (!result.level) throw std::logic_error("test level: " + result.diagnostics.front().message);

@@ -10,7 +10,7 @@ namespace platon {
 /// start.
 std::shared_ptr<const Level> flatLevel();
 
-/// Like flatLevel, but the goal is on the next face to the right, behind a low wall.
+/// Like flatLevel, but the goal is on the next face to the right, behind a low segment.
 std::shared_ptr<const Level> cornerLevel();
 
 /// Like flatLevel, but the goal is unreachable.

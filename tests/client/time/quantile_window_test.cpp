@@ -13,7 +13,7 @@ TEST(QuantileWindow, OneSampleIsEveryQuantile) {
   for (const double share : {0.0, 0.5, 0.99, 1.0}) EXPECT_EQ(window.quantile(share), 7);
 }
 
-TEST(QuantileWindow, ReturnsTheSmallestSampleThatIsAtLeastAsLargeAsTheShare) {
+TEST(QuantileWindow, ReturnsTheSmallestSampleThatTheGivenShareOfSamplesDoesNotExceed) {
   QuantileWindow<100> window;
   for (int i = 0; i < 100; ++i) window.add((i * 37) % 100);  // each of 0 … 99 once
   EXPECT_EQ(window.quantile(0), 0);
