@@ -41,7 +41,7 @@ class Match {
  public:
   /// Ticks from the end of a round to the start of the next: 5 s.
   static constexpr std::uint32_t kPauseTicks = 5 * kTicksPerSecond;
-  /// Up to this many connected players, each is sent every tick; otherwise every second tick.
+  /// With at most this many connected players, each is sent every tick; with more, every second tick.
   static constexpr std::size_t kFewPlayers = 4;
 
   /// Ticks for which a disconnected player can be resumed: 60 s.
