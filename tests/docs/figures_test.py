@@ -177,7 +177,7 @@ FIGURES = [
     Figures("docs/level_format.md", "at most {} MiB", constant("shared/include/platon/game/level.h", "kMaxLevelBytes", 1 / (1 << 20))),
     Figures("docs/hosting.md", "wakes every {} ms", constant("server/app/dedicated_server.cpp", "kIdleWait")),
     Figures("docs/netcode.md", "within {} ms (`ErrorSmoothing::kDuration`)", constant("client/netcode/error_smoothing.h", "kDuration")),
-    Figures("docs/netcode.md", "keeps the players of the last {} ticks", constant(BUFFER, "kKept")),
+    Figures("docs/netcode.md", "keeps the players of the last {} ticks", constant(BUFFER, "kMaxSnapshots")),
     Figures("docs/netcode.md", "lateness of the last {} ticks", constant(BUFFER, "kWindow")),
     Figures("docs/netcode.md", "and at most {} ticks. This is 25 ms", constant(BUFFER, "kMaxDelay")),
     Figures("docs/netcode.md", "a folder takes at most {} reports", constant("client/desync/desync_folder.h", "kMaxReports")),
