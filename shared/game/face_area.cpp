@@ -58,7 +58,7 @@ bool FaceArea::containsWithinSubunit(Point point) const {
 
 // Clips a–b at every side (Cyrus–Beck); `grown` moves the sides one subunit outwards. The numerators compared are below
 // 10^19 and the denominators below 1.6 * 10^19, so that their products stay below 2^127.
-std::optional<FaceArea::Range> FaceArea::clip(FinePoint a, FinePoint b, bool grown) const {
+std::optional<FaceArea::Range> FaceArea::rangeInside(FinePoint a, FinePoint b, bool grown) const {
   Range range;
   for (const Side& side : sides_) {
     const int128 bound = int128{side.support + (grown ? side.subunit : 0)} * FinePoint::kPerSubunit;
@@ -88,10 +88,10 @@ Point FaceArea::nearestInside(Point point) const {
   return best ? point + *best : point;
 }
 
-std::optional<Segment> FaceArea::cut(FinePoint a, FinePoint b) const {
+std::optional<Segment> FaceArea::clip(FinePoint a, FinePoint b) const {
   const auto range = [&]() -> std::optional<Range> {
-    if (const auto inside = clip(a, b, false)) return inside;
-    return clip(a, b, true);
+    if (const auto inside = rangeInside(a, b, false)) return inside;
+    return rangeInside(a, b, true);
   }();
   if (!range) return std::nullopt;
   const Point first = roundFine(a);

@@ -20,10 +20,10 @@ struct FinePoint {
   std::int64_t y = 0;
 };
 
-/// The polygon of a face; cuts lines at its edges. Exact but for the ends of a line, which are rounded once each.
+/// The polygon of a face; clips lines at its edges. Exact, except that each end of a line is rounded once.
 class FaceArea {
  public:
-  /// Largest magnitude of the coordinates that `cut` accepts, in level units: twice the largest face size.
+  /// Largest magnitude of the coordinates that `clip` accepts, in level units: twice the largest face size.
   static constexpr std::int32_t kMaxUnits = 131072;
 
   /// `polygon` is convex and counter-clockwise; its coordinates are below 2^26.
@@ -36,7 +36,7 @@ class FaceArea {
   /// kept; any other end outside moves to the lattice point nearest to where the line meets the edge. A line that runs
   /// along an edge at most one subunit outside counts as lying on it. No end of the result is more than one subunit
   /// outside any edge. Nothing when the line is entirely outside.
-  std::optional<Segment> cut(FinePoint a, FinePoint b) const;
+  std::optional<Segment> clip(FinePoint a, FinePoint b) const;
 
  private:
   struct Side {
@@ -47,7 +47,7 @@ class FaceArea {
   struct Range;
 
   bool containsWithinSubunit(Point point) const;
-  std::optional<Range> clip(FinePoint a, FinePoint b, bool grown) const;
+  std::optional<Range> rangeInside(FinePoint a, FinePoint b, bool grown) const;
   Point nearestInside(Point point) const;
 
   std::vector<Side> sides_;

@@ -201,7 +201,7 @@ void LevelReader::addSegment(const LevelLine& line, std::span<const LevelNumber>
   const TextPosition at{line.number, line.tokens[0].column};
   const FinePoint a = finePoint(numbers[0], numbers[1]);
   const FinePoint b = finePoint(numbers[2], numbers[3]);
-  const auto segment = area_->cut(a, b);
+  const auto segment = area_->clip(a, b);
   if (!segment) {
     diagnostics_->error(at, "the line is outside its face");
     return;

@@ -72,8 +72,8 @@ TEST(Bench, SomeEngineOverlapsInEveryHardCase) {
 TEST(Bench, EverySetHasHitsAndMisses) {
   ASSERT_FALSE(smallReport().sweeps.empty());
   for (const SweepResult& r : smallReport().sweeps) {
-    EXPECT_GT(r.meetings * 8, r.questions) << r.set;
-    EXPECT_LT(r.meetings * 5, r.questions * 4) << r.set;
+    EXPECT_GT(r.hits * 8, r.queries) << r.set;
+    EXPECT_LT(r.hits * 5, r.queries * 4) << r.set;
   }
 }
 

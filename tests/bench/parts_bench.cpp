@@ -28,7 +28,7 @@ constexpr std::int32_t kSpeed = kPlayerRadius / static_cast<std::int32_t>(kSteps
 
 class Piercing : public Rules {
  public:
-  bool pierce(const Entity&, const SegmentRef& line) const override { return line.warp; }
+  bool pierce(const Entity&, const SegmentRef& segment) const override { return segment.warp; }
 };
 
 // A mover that moves to and fro by its radius.

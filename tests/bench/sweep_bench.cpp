@@ -23,7 +23,7 @@
 namespace platon::bench {
 namespace {
 
-constexpr std::size_t kQuestions = 20000;
+constexpr std::size_t kQueries = 20000;
 
 // Time of the hit, exactly as the engine reports it; nothing if it reports none.
 using Answer = std::optional<mpq_class>;
@@ -48,9 +48,9 @@ class PlatonSweeps {
  public:
   explicit PlatonSweeps(const SweepSet& set) : set_(set) {}
 
-  std::optional<Fraction> operator()(const SweepQuestion& question) {
-    sweep_.start(set_.shapes[question.shape], question.position, question.displacement);
-    const auto hit = sweep_.against(question.line);
+  std::optional<Fraction> operator()(const SweepQuery& query) {
+    sweep_.start(set_.shapes[query.shape], query.position, query.displacement);
+    const auto hit = sweep_.against(query.segment);
     if (!hit) return std::nullopt;
     return hit->time;
   }
@@ -67,10 +67,9 @@ class FloatSweeps {
     for (const Convex& shape : set.shapes) shapes_.emplace_back(shape);
   }
 
-  std::optional<Real> operator()(const SweepQuestion& question) {
-    FloatSweep<Real> sweep(shapes_[question.shape], toFloat<Real>(question.position),
-                           toFloat<Real>(question.displacement));
-    return sweep.against(toFloat<Real>(question.line.a), toFloat<Real>(question.line.b));
+  std::optional<Real> operator()(const SweepQuery& query) {
+    FloatSweep<Real> sweep(shapes_[query.shape], toFloat<Real>(query.position), toFloat<Real>(query.displacement));
+    return sweep.against(toFloat<Real>(query.segment.a), toFloat<Real>(query.segment.b));
   }
 
  private:
@@ -88,13 +87,13 @@ class Box2dSweeps {
     }
   }
 
-  std::optional<float> operator()(const SweepQuestion& question) {
+  std::optional<float> operator()(const SweepQuery& query) {
     b2EdgeShape edge;
-    edge.SetTwoSided(metres(question.line.a), metres(question.line.b));
+    edge.SetTwoSided(metres(query.segment.a), metres(query.segment.b));
     b2TOIInput input;
-    input.proxyA.Set(&shapes_[question.shape], 0);
+    input.proxyA.Set(&shapes_[query.shape], 0);
     input.proxyB.Set(&edge, 0);
-    input.sweepA = sweepOf(metres(question.position), metres(question.position) + metres(question.displacement));
+    input.sweepA = sweepOf(metres(query.position), metres(query.position) + metres(query.displacement));
     input.sweepB = sweepOf({0, 0}, {0, 0});
     input.tMax = 1;
     b2TOIOutput output;
@@ -122,53 +121,53 @@ class Box2dSweeps {
   std::vector<b2PolygonShape> shapes_;
 };
 
-oracle::SweepTruth truthOf(const SweepSet& set, const SweepQuestion& question) {
-  oracle::SweepQuery query;
-  for (const Point vertex : set.shapes[question.shape].vertices()) query.shape.push_back({vertex.x, vertex.y});
-  query.position = {question.position.x, question.position.y};
-  query.displacement = {question.displacement.x, question.displacement.y};
-  query.obstacle = {{question.line.a.x, question.line.a.y}, {question.line.b.x, question.line.b.y}};
-  return sweepTruth(query);
+oracle::CorrectAnswer correctAnswerOf(const SweepSet& set, const SweepQuery& query) {
+  oracle::SweepQuery asked;
+  for (const Point vertex : set.shapes[query.shape].vertices()) asked.shape.push_back({vertex.x, vertex.y});
+  asked.position = {query.position.x, query.position.y};
+  asked.displacement = {query.displacement.x, query.displacement.y};
+  asked.segment = {{query.segment.a.x, query.segment.a.y}, {query.segment.b.x, query.segment.b.y}};
+  return correctAnswer(asked);
 }
 
 // Penetration depth of the shape at this time.
-double overlapAt(const SweepSet& set, const SweepQuestion& question, long double time) {
-  return overlapOf(set.shapes[question.shape], question.position.x + question.displacement.x * time,
-                   question.position.y + question.displacement.y * time, question.line);
+double overlapAt(const SweepSet& set, const SweepQuery& query, long double time) {
+  return overlapOf(set.shapes[query.shape], query.position.x + query.displacement.x * time,
+                   query.position.y + query.displacement.y * time, query.segment);
 }
 
 // The largest penetration depth at 65 times from `from` to 1.
-double maxOverlap(const SweepSet& set, const SweepQuestion& question, const mpq_class& from) {
+double maxOverlap(const SweepSet& set, const SweepQuery& query, const mpq_class& from) {
   constexpr int kSamples = 64;
   double largest = 0;
   for (int i = 0; i <= kSamples; ++i) {
     const double start = from.get_d();
-    largest = std::max(largest, overlapAt(set, question, start + (1 - start) * i / static_cast<long double>(kSamples)));
+    largest = std::max(largest, overlapAt(set, query, start + (1 - start) * i / static_cast<long double>(kSamples)));
   }
   return largest;
 }
 
-// Compares an answer with the truth and counts errors. Times are compared as rationals, so that the comparison adds no
-// rounding.
-void compare(const SweepSet& set, const SweepQuestion& question, const oracle::SweepTruth& truth, const Answer& answer,
+// Compares an answer with the correct one and counts errors. Times are compared as rationals, so that the comparison
+// adds no rounding.
+void compare(const SweepSet& set, const SweepQuery& query, const oracle::CorrectAnswer& correct, const Answer& answer,
              SweepResult& result) {
-  using Kind = oracle::SweepTruth::Kind;
-  const mpq_class time = rational(truth.numerator, truth.denominator);
-  const bool meets = truth.kind != Kind::Miss;
-  result.meetings += meets;
-  if (meets && !answer) {
+  using Kind = oracle::CorrectAnswer::Kind;
+  const mpq_class time = rational(correct.numerator, correct.denominator);
+  const bool isHit = correct.kind != Kind::Miss;
+  result.hits += isHit;
+  if (isHit && !answer) {
     ++result.missed;
-    result.maxOverlap = std::max(result.maxOverlap, maxOverlap(set, question, time));
+    result.maxOverlap = std::max(result.maxOverlap, maxOverlap(set, query, time));
   }
-  if (!meets && answer) ++result.falseHits;
-  if (truth.kind != Kind::Hit || !answer) return;
+  if (!isHit && answer) ++result.falseHits;
+  if (correct.kind != Kind::Hit || !answer) return;
   result.maxTimeError = std::max(result.maxTimeError, mpq_class(abs(*answer - time)).get_d());
-  if (*answer > time) result.maxOverlap = std::max(result.maxOverlap, overlapAt(set, question, answer->get_d()));
+  if (*answer > time) result.maxOverlap = std::max(result.maxOverlap, overlapAt(set, query, answer->get_d()));
 }
 
 struct Contender {
   std::string engine;
-  std::function<Answer(const SweepQuestion&)> ask;
+  std::function<Answer(const SweepQuery&)> ask;
   std::function<double()> pass;  // nanoseconds per query
 };
 
@@ -177,12 +176,12 @@ Contender contender(const std::string& engine, const SweepSet& set) {
   const auto sweeps = std::make_shared<Sweeps>(set);
   const auto pass = [sweeps, &set] {
     const double nanoseconds = nanosecondsOf([&] {
-      for (const SweepQuestion& question : set.questions) keep((*sweeps)(question));
+      for (const SweepQuery& query : set.queries) keep((*sweeps)(query));
     });
-    return nanoseconds / static_cast<double>(set.questions.size());
+    return nanoseconds / static_cast<double>(set.queries.size());
   };
-  const auto ask = [sweeps](const SweepQuestion& question) -> Answer {
-    const auto time = (*sweeps)(question);
+  const auto ask = [sweeps](const SweepQuery& query) -> Answer {
+    const auto time = (*sweeps)(query);
     return time ? Answer(exactly(*time)) : std::nullopt;
   };
   return {engine, ask, pass};
@@ -203,12 +202,12 @@ std::vector<SweepResult> benchSet(const SweepSet& set, const Effort& effort) {
     SweepResult result;
     result.set = set.name;
     result.engine = one.engine;
-    result.questions = set.questions.size();
+    result.queries = set.queries.size();
     results.push_back(std::move(result));
   }
-  for (const SweepQuestion& question : set.questions) {
-    const oracle::SweepTruth truth = truthOf(set, question);
-    for (std::size_t i = 0; i < all.size(); ++i) compare(set, question, truth, all[i].ask(question), results[i]);
+  for (const SweepQuery& query : set.queries) {
+    const oracle::CorrectAnswer correct = correctAnswerOf(set, query);
+    for (std::size_t i = 0; i < all.size(); ++i) compare(set, query, correct, all[i].ask(query), results[i]);
   }
   std::vector<std::function<double()>> passes;
   for (const Contender& one : all) passes.push_back(one.pass);
@@ -221,7 +220,7 @@ std::vector<SweepResult> benchSet(const SweepSet& set, const Effort& effort) {
 
 std::vector<SweepResult> benchSweeps(const Effort& effort) {
   std::vector<SweepResult> results;
-  for (const SweepSet& set : sweepSets(kQuestions / static_cast<std::size_t>(effort.share))) {
+  for (const SweepSet& set : sweepSets(kQueries / static_cast<std::size_t>(effort.share))) {
     for (SweepResult& result : benchSet(set, effort)) results.push_back(std::move(result));
   }
   return results;

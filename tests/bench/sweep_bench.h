@@ -11,8 +11,8 @@ struct SweepResult {
   std::string set;
   std::string engine;
   Spread nsPerQuery;
-  std::size_t questions = 0;
-  std::size_t meetings = 0;   ///< questions whose correct answer is a hit
+  std::size_t queries = 0;
+  std::size_t hits = 0;       ///< queries whose correct answer is a hit
   std::size_t missed = 0;     ///< hits that the engine does not report
   std::size_t falseHits = 0;  ///< reported hits where there is none
   double maxTimeError = 0;    ///< of the reported hits, as part of the displacement

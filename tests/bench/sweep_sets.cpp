@@ -24,7 +24,7 @@ constexpr std::int32_t kSpeed = 3 * kRadius;
 constexpr std::int32_t kFarScale = 4096;  // subunits per metre in far-1e5
 
 using sim::SeededRandom;
-using Make = std::function<SweepQuestion(SeededRandom&, const Convex&)>;
+using Make = std::function<SweepQuery(SeededRandom&, const Convex&)>;
 using MakeShapes = std::function<std::vector<Convex>(SeededRandom&)>;
 
 // Regular polygons with radii in [least, 2 * least * 2^spread), at random angles.
@@ -42,33 +42,33 @@ MakeShapes polygons(int corners, std::int32_t least = kRadius / 2, std::uint64_t
   };
 }
 
-SweepSet setOf(const std::string& name, std::size_t questions, const Make& make,
+SweepSet setOf(const std::string& name, std::size_t queries, const Make& make,
                const MakeShapes& makeShapes = polygons(8)) {
   SeededRandom random(kSeed);
-  SweepSet set{.name = name, .shapes = makeShapes(random), .questions = {}};
-  for (std::size_t i = 0; i < questions; ++i) {
+  SweepSet set{.name = name, .shapes = makeShapes(random), .queries = {}};
+  for (std::size_t i = 0; i < queries; ++i) {
     const auto shape = static_cast<std::size_t>(random.below(set.shapes.size()));
-    SweepQuestion question = make(random, set.shapes[shape]);
-    question.shape = shape;
-    set.questions.push_back(question);
+    SweepQuery query = make(random, set.shapes[shape]);
+    query.shape = shape;
+    set.queries.push_back(query);
   }
   return set;
 }
 
-SweepQuestion randomQuestion(SeededRandom& random, const Convex&) {
+SweepQuery randomQuery(SeededRandom& random, const Convex&) {
   const Point a = random.vector(4 * kRadius);
   return {0, random.vector(kRadius), random.vector(kSpeed), {a, a + random.vector(6 * kRadius)}};
 }
 
-SweepQuestion shifted(SweepQuestion question, Point by) {
-  question.position = question.position + by;
-  question.line = {question.line.a + by, question.line.b + by};
-  return question;
+SweepQuery shifted(SweepQuery query, Point by) {
+  query.position = query.position + by;
+  query.segment = {query.segment.a + by, query.segment.b + by};
+  return query;
 }
 
 Make farAway(std::int32_t distance) {
   return [distance](SeededRandom& random, const Convex& shape) {
-    return shifted(randomQuestion(random, shape),
+    return shifted(randomQuery(random, shape),
                    rotate(Point(distance, 0), Angle(static_cast<std::int32_t>(random.below(Angle::kTurn)))));
   };
 }
@@ -87,27 +87,26 @@ Point towards(SeededRandom& random, Point side, std::int32_t limit) {
 
 // The outermost vertex on one side passes the end of the segment within two subunits. The segment leads away or is
 // parallel to the path.
-SweepQuestion grazingQuestion(SeededRandom& random, const Convex& shape) {
-  SweepQuestion question = randomQuestion(random, shape);
-  const Point left = perpendicular(question.displacement);
+SweepQuery grazingQuery(SeededRandom& random, const Convex& shape) {
+  SweepQuery query = randomQuery(random, shape);
+  const Point left = perpendicular(query.displacement);
   const Point side = random.below(2) == 0 ? left : Point() - left;
   const auto part = static_cast<std::int64_t>(random.below(1024));
-  const Point passed = question.position + farthest(shape, side) +
-                       Point(static_cast<std::int32_t>(question.displacement.x * part / 1024),
-                             static_cast<std::int32_t>(question.displacement.y * part / 1024));
-  question.line.a = passed + random.vector(2);
-  question.line.b =
-      question.line.a + (random.below(2) == 0 ? towards(random, side, 6 * kRadius) : question.displacement);
-  return question;
+  const Point passed = query.position + farthest(shape, side) +
+                       Point(static_cast<std::int32_t>(query.displacement.x * part / 1024),
+                             static_cast<std::int32_t>(query.displacement.y * part / 1024));
+  query.segment.a = passed + random.vector(2);
+  query.segment.b = query.segment.a + (random.below(2) == 0 ? towards(random, side, 6 * kRadius) : query.displacement);
+  return query;
 }
 
 // Straight at an end: across it, or so far that the foremost vertex reaches it within two subunits.
-SweepQuestion endPointQuestion(SeededRandom& random, const Convex& shape) {
-  SweepQuestion question = randomQuestion(random, shape);
-  question.line.a = question.position + question.displacement;
-  if (random.below(3) != 0) question.line.a += farthest(shape, question.displacement) + random.vector(2);
-  question.line.b = question.line.a + towards(random, question.displacement, 2 * kRadius);
-  return question;
+SweepQuery endPointQuery(SeededRandom& random, const Convex& shape) {
+  SweepQuery query = randomQuery(random, shape);
+  query.segment.a = query.position + query.displacement;
+  if (random.below(3) != 0) query.segment.a += farthest(shape, query.displacement) + random.vector(2);
+  query.segment.b = query.segment.a + towards(random, query.displacement, 2 * kRadius);
+  return query;
 }
 
 // Segments of one length in random directions.
@@ -115,12 +114,12 @@ Make lineOf(std::int32_t length) {
   return [length](SeededRandom& random, const Convex&) {
     const Point half = rotate(Point((length + 1) / 2, 0), Angle(static_cast<std::int32_t>(random.below(Angle::kTurn))));
     const Point middle = random.vector(2 * kRadius);
-    return SweepQuestion{0, {}, random.vector(kSpeed), {middle - half, middle + half}};
+    return SweepQuery{0, {}, random.vector(kSpeed), {middle - half, middle + half}};
   };
 }
 
 // A segment along an edge of the shape: the shape touches it at the start.
-SweepQuestion touchingQuestion(SeededRandom& random, const Convex& shape) {
+SweepQuery touchingQuery(SeededRandom& random, const Convex& shape) {
   const auto index = static_cast<std::size_t>(random.below(shape.vertices().size()));
   const Point vertex = shape.vertices()[index];
   const Point along = shape.vertices()[(index + 1) % shape.vertices().size()] - vertex;
@@ -130,7 +129,7 @@ SweepQuestion touchingQuestion(SeededRandom& random, const Convex& shape) {
 bool isInRange(Point point) { return std::max(std::abs(point.x), std::abs(point.y)) < kCoordinateLimit; }
 
 // Half of the displacements lead to the middle of the segment, if they are in range.
-SweepQuestion fullRangeQuestion(SeededRandom& random, const Convex&) {
+SweepQuery fullRangeQuery(SeededRandom& random, const Convex&) {
   const auto anywhere = [&] {
     const auto coordinate = [&] {
       return static_cast<std::int32_t>(static_cast<std::int64_t>(random.below(2 * kCoordinateLimit - 1)) -
@@ -139,13 +138,13 @@ SweepQuestion fullRangeQuestion(SeededRandom& random, const Convex&) {
     const std::int32_t x = coordinate();
     return Point(x, coordinate());
   };
-  SweepQuestion question{0, anywhere(), anywhere(), {}};
-  question.line.a = anywhere();
-  question.line.b = anywhere();
-  const Point middle((question.line.a.x + question.line.b.x) / 2, (question.line.a.y + question.line.b.y) / 2);
-  const Point there = middle - question.position;
-  if (random.below(2) == 0 && isInRange(there)) question.displacement = there;
-  return question;
+  SweepQuery query{0, anywhere(), anywhere(), {}};
+  query.segment.a = anywhere();
+  query.segment.b = anywhere();
+  const Point middle((query.segment.a.x + query.segment.b.x) / 2, (query.segment.a.y + query.segment.b.y) / 2);
+  const Point there = middle - query.position;
+  if (random.below(2) == 0 && isInRange(there)) query.displacement = there;
+  return query;
 }
 
 // {x, y} with x * a.x + y * a.y = 1, for coprime coordinates (extended Euclidean algorithm).
@@ -186,7 +185,7 @@ class Parallels {
 
 // The displacement and the segment have the largest length and are 1e-17 to 1e-13 rad off parallel. The nearest vertex
 // starts less than one subunit beside the segment and ends on either side of it.
-SweepQuestion sliverQuestion(SeededRandom& random, const Convex& shape) {
+SweepQuery sliverQuery(SeededRandom& random, const Convex& shape) {
   for (;;) {
     const Point along = random.vector(kCoordinateLimit / 2);
     if (along.x == 0 || std::gcd(along.x, along.y) != 1) continue;
@@ -198,27 +197,27 @@ SweepQuestion sliverQuestion(SeededRandom& random, const Convex& shape) {
     const Point a = random.vector(kCoordinateLimit - 1 - kCoordinateLimit / 2);
     const auto height = static_cast<std::int64_t>(random.below(static_cast<std::uint64_t>(product)) * 3 / 2);
     const Point position = a - vertex + parallels.at(height, static_cast<double>(random.below(1024)) / 4096);
-    const SweepQuestion question{0, position, parallels.at(-product, share), {a, a + along}};
-    if (isInRange(position) && isInRange(question.displacement) && isInRange(question.line.b)) return question;
+    const SweepQuery query{0, position, parallels.at(-product, share), {a, a + along}};
+    if (isInRange(position) && isInRange(query.displacement) && isInRange(query.segment.b)) return query;
   }
 }
 
 }  // namespace
 
-std::vector<SweepSet> sweepSets(std::size_t questions) {
+std::vector<SweepSet> sweepSets(std::size_t queries) {
   const MakeShapes huge = polygons(8, 1 << 14, 14);
   std::vector<SweepSet> sets{
-      setOf("random", questions, &randomQuestion),
-      setOf("random-12-gon", questions, &randomQuestion, polygons(12)),
-      setOf("grazing", questions, &grazingQuestion),
-      setOf("end-point", questions, &endPointQuestion),
-      setOf("far-1e3", questions, farAway(1000 * 16384)),
-      setOf("far-1e5", questions, farAway(100000 * kFarScale)),
-      setOf("long-lines", questions, lineOf(10000 * 16384)),
-      setOf("short-lines", questions, lineOf(8)),
-      setOf("touching", questions, &touchingQuestion),
-      setOf("full-range", questions, &fullRangeQuestion, huge),
-      setOf("slivers", questions, &sliverQuestion, huge),
+      setOf("random", queries, &randomQuery),
+      setOf("random-12-gon", queries, &randomQuery, polygons(12)),
+      setOf("grazing", queries, &grazingQuery),
+      setOf("end-point", queries, &endPointQuery),
+      setOf("far-1e3", queries, farAway(1000 * 16384)),
+      setOf("far-1e5", queries, farAway(100000 * kFarScale)),
+      setOf("long-lines", queries, lineOf(10000 * 16384)),
+      setOf("short-lines", queries, lineOf(8)),
+      setOf("touching", queries, &touchingQuery),
+      setOf("full-range", queries, &fullRangeQuery, huge),
+      setOf("slivers", queries, &sliverQuery, huge),
   };
   for (SweepSet& set : sets) {
     if (set.name == "far-1e5") set.subunitsPerMetre = kFarScale;

@@ -9,18 +9,18 @@
 namespace platon::bench {
 
 /// A query: when does the shape, moving from `position` by `displacement`, first hit the segment?
-struct SweepQuestion {
+struct SweepQuery {
   std::size_t shape = 0;  ///< index into the shapes of the set
   Point position;
   Point displacement;
-  Segment line;
+  Segment segment;
 };
 
 struct SweepSet {
   std::string name;
   double subunitsPerMetre = 16384;
   std::vector<Convex> shapes;  ///< with eight vertices, in random-12-gon with twelve
-  std::vector<SweepQuestion> questions;
+  std::vector<SweepQuery> queries;
 };
 
 /// Sets of typical queries of a fast character, and of queries that are hard for engines. 16 384 subunits are one
@@ -35,6 +35,6 @@ struct SweepSet {
 ///   full-range                coordinates of up to 2^29
 ///   slivers                   segments and displacements of up to 2^28, 1e-17 to 1e-13 rad off parallel, that end just
 ///                             before or just beyond the segment
-std::vector<SweepSet> sweepSets(std::size_t questions);
+std::vector<SweepSet> sweepSets(std::size_t queries);
 
 }  // namespace platon::bench

@@ -1,4 +1,4 @@
-"""The aims of the simulation, and whether a run meets them."""
+"""The aims of the simulation, and whether a run isHit them."""
 
 from report_data import MOVERS, SEGMENTS, count
 

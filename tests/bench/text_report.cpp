@@ -29,7 +29,7 @@ void addSweeps(const std::vector<SweepResult>& results, Lines& lines) {
   lines.add("\n%-14s %-13s %9s %19s %7s %7s %7s %11s %11s", "sweep", "engine", "ns", "passes", "hits", "missed",
             "false", "time error", "overlap");
   for (const SweepResult& r : results) {
-    const double share = 100.0 * static_cast<double>(r.meetings) / static_cast<double>(r.questions);
+    const double share = 100.0 * static_cast<double>(r.hits) / static_cast<double>(r.queries);
     lines.add("%-14s %-13s %9.1f %9.1f %9.1f %5.0f %% %7zu %7zu %11.2e %11.3g", r.set.c_str(), r.engine.c_str(),
               r.nsPerQuery.median, r.nsPerQuery.low, r.nsPerQuery.high, share, r.missed, r.falseHits, r.maxTimeError,
               r.maxOverlap);

@@ -46,17 +46,17 @@ TEST(GoldenFilesTest, EveryLevelHasARecordingOfItsCurrentText) {
 
 TEST(GoldenFilesTest, PlayersCrossEdgesAndHaveSeveralInstances) {
   std::uint64_t crossings = 0;
-  std::size_t mostInstances = 0;
+  std::size_t maxInstances = 0;
   for (const std::string& path : goldenRecordings()) {
     const auto bytes = readBytes(path);
     Verifier verifier(bytes);
     verifier.run([&](std::span<const Input>, const Game& game) {
-      mostInstances = std::max(mostInstances, game.world().save().instances.size());
+      maxInstances = std::max(maxInstances, game.world().save().instances.size());
     });
     for (const EntityState& entity : verifier.game()->world().entities()) crossings += entity.crossings;
   }
   EXPECT_GT(crossings, 500u);
-  EXPECT_GT(mostInstances, 8u);
+  EXPECT_GT(maxInstances, 8u);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 
 #include "platon/game/game.h"
 #include "tests/determinism/lockstep_levels.h"
-#include "tests/exactness/judge/run_length.h"
+#include "tests/exactness/step_check/run_length.h"
 #include "tests/sim/churn.h"
 
 namespace platon::sim {
@@ -46,7 +46,7 @@ History historyOf(const std::shared_ptr<const Level>& level, std::int64_t ticks)
 
 TEST_P(SyncTest, ANewGameContinuesFromAnySavedTick) {
   const auto level = this->level();
-  const History history = historyOf(level, judge::runLength(900, 18000));
+  const History history = historyOf(level, step_check::runLength(900, 18000));
   for (std::size_t tick = 0; tick < history.ticks(); ++tick) {
     Game fresh(level);
     ASSERT_TRUE(fresh.restore(history.states[tick])) << "before tick " << tick;
@@ -58,7 +58,7 @@ TEST_P(SyncTest, ANewGameContinuesFromAnySavedTick) {
 
 TEST_P(SyncTest, ACopyContinuesAsTheOriginal) {
   const auto level = this->level();
-  const History history = historyOf(level, judge::runLength(900, 18000));
+  const History history = historyOf(level, step_check::runLength(900, 18000));
   Game game(level);
   for (std::size_t tick = 0; tick < history.ticks(); ++tick) {
     Game copy = game;
@@ -71,7 +71,7 @@ TEST_P(SyncTest, ACopyContinuesAsTheOriginal) {
 // Rolls one game back by k ticks after every tick and replays them.
 TEST_P(SyncTest, RollbackByAnyNumberOfTicksReplaysTheSame) {
   const auto level = this->level();
-  const History history = historyOf(level, judge::runLength(200, 3600));
+  const History history = historyOf(level, step_check::runLength(200, 3600));
   for (std::size_t k = 1; k <= kMaxRollback; ++k) {
     Game game(level);
     for (std::size_t tick = 0; tick < history.ticks(); ++tick) {
@@ -89,7 +89,7 @@ TEST_P(SyncTest, RollbackByAnyNumberOfTicksReplaysTheSame) {
 // Predicts up to kMaxRollback ticks with wrong inputs, as a client does, then restores the confirmed state.
 TEST_P(SyncTest, WrongPredictionsDoNotChangeTheConfirmedGame) {
   const auto level = this->level();
-  const History history = historyOf(level, judge::runLength(400, 3600));
+  const History history = historyOf(level, step_check::runLength(400, 3600));
   Churn wrong(kSeed + 1, kSlots);
   SeededRandom random(kSeed);
   Game game(level);

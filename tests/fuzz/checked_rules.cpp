@@ -7,30 +7,30 @@
 
 namespace platon::fuzz {
 
-void CheckedRules::require(bool holds, const char* what, const SegmentRef& line) {
-  if (!holds && fault_.empty()) fault_ = what + std::string(", segment ") + std::to_string(line.index);
+void CheckedRules::require(bool holds, const char* what, const SegmentRef& segment) {
+  if (!holds && fault_.empty()) fault_ = what + std::string(", segment ") + std::to_string(segment.index);
 }
 
-bool CheckedRules::pierce(const Entity&, const SegmentRef& line) const {
-  return line.warp || pierces(line.part, line.index);
+bool CheckedRules::pierce(const Entity&, const SegmentRef& segment) const {
+  return segment.warp || pierces(segment.part, segment.index);
 }
 
-void CheckedRules::beginContact(Entity& entity, const SegmentRef& line) {
-  require(pierce(entity, line), "beginContact with a blocking segment", line);
-  if (line.warp || !pairs_) return;
-  require(inside_.emplace(entity.index(), line.index).second, "a second beginContact", line);
+void CheckedRules::beginContact(Entity& entity, const SegmentRef& segment) {
+  require(pierce(entity, segment), "beginContact with a blocking segment", segment);
+  if (segment.warp || !pairs_) return;
+  require(inside_.emplace(entity.index(), segment.index).second, "a second beginContact", segment);
 }
 
-void CheckedRules::endContact(Entity& entity, const SegmentRef& line) {
-  require(pierce(entity, line), "endContact with a blocking segment", line);
-  if (line.warp || !pairs_) return;
-  require(inside_.erase({entity.index(), line.index}) == 1, "endContact without beginContact", line);
+void CheckedRules::endContact(Entity& entity, const SegmentRef& segment) {
+  require(pierce(entity, segment), "endContact with a blocking segment", segment);
+  if (segment.warp || !pairs_) return;
+  require(inside_.erase({entity.index(), segment.index}) == 1, "endContact without beginContact", segment);
 }
 
-void CheckedRules::overContact(Entity& entity, const SegmentRef& line) {
-  require(pierce(entity, line), "overContact with a blocking segment", line);
-  if (line.warp || !pairs_) return;
-  require(over_.emplace(entity.index(), line.index).second, "a second overContact", line);
+void CheckedRules::overContact(Entity& entity, const SegmentRef& segment) {
+  require(pierce(entity, segment), "overContact with a blocking segment", segment);
+  if (segment.warp || !pairs_) return;
+  require(over_.emplace(entity.index(), segment.index).second, "a second overContact", segment);
 }
 
 void CheckedRules::contact(Entity& entity, const Contact& contact) {
@@ -40,8 +40,8 @@ void CheckedRules::contact(Entity& entity, const Contact& contact) {
           contact.segment);
 }
 
-void CheckedRules::touchContact(Entity& entity, const SegmentRef& line) {
-  require(!pierce(entity, line), "touchContact with a pierceable segment", line);
+void CheckedRules::touchContact(Entity& entity, const SegmentRef& segment) {
+  require(!pierce(entity, segment), "touchContact with a pierceable segment", segment);
 }
 
 std::string CheckedRules::finishTick() {
@@ -49,8 +49,8 @@ std::string CheckedRules::finishTick() {
   std::set_symmetric_difference(inside_.begin(), inside_.end(), over_.begin(), over_.end(),
                                 std::back_inserter(differing));
   if (fault_.empty() && pairs_ && !differing.empty()) {
-    const auto [entity, line] = differing.front();
-    fault_ = "entity " + std::to_string(entity) + ", segment " + std::to_string(line) +
+    const auto [entity, segment] = differing.front();
+    fault_ = "entity " + std::to_string(entity) + ", segment " + std::to_string(segment) +
              (over_.contains(differing.front()) ? ": overContact without beginContact" : ": endContact is missing");
   }
   over_.clear();

@@ -19,12 +19,12 @@ class CheckedRules : public Rules {
   bool pierces(std::uint32_t part, std::uint32_t line) const {
     return every_ != 0 && line < scene_.lines[part] && line % every_ == 0;
   }
-  bool pierce(const Entity& entity, const SegmentRef& line) const override;
-  void beginContact(Entity& entity, const SegmentRef& line) override;
-  void overContact(Entity& entity, const SegmentRef& line) override;
-  void endContact(Entity& entity, const SegmentRef& line) override;
+  bool pierce(const Entity& entity, const SegmentRef& segment) const override;
+  void beginContact(Entity& entity, const SegmentRef& segment) override;
+  void overContact(Entity& entity, const SegmentRef& segment) override;
+  void endContact(Entity& entity, const SegmentRef& segment) override;
   void contact(Entity& entity, const Contact& contact) override;
-  void touchContact(Entity& entity, const SegmentRef& line) override;
+  void touchContact(Entity& entity, const SegmentRef& segment) override;
 
   /// Returns the first fault since the last call; empty if there is none.
   std::string finishTick();
@@ -32,7 +32,7 @@ class CheckedRules : public Rules {
  private:
   using Overlap = std::pair<std::uint32_t, std::uint32_t>;  // entity, segment
 
-  void require(bool holds, const char* what, const SegmentRef& line);
+  void require(bool holds, const char* what, const SegmentRef& segment);
 
   const FuzzScene& scene_;
   std::size_t every_;

@@ -6,7 +6,7 @@
 #include "platon/game/stage.h"
 #include "platon/physics/entity.h"
 #include "platon/physics/map_part.h"
-#include "tests/exactness/judge/step_checker.h"
+#include "tests/exactness/step_check/step_checker.h"
 #include "tests/fuzz/fuzz_scene.h"
 
 namespace platon::fuzz {
@@ -30,8 +30,8 @@ Convex box(std::int32_t width, std::int32_t height) {
 class CountingRules : public Rules {
  public:
   bool pierce(const Entity&, const SegmentRef&) const override { return true; }
-  void beginContact(Entity&, const SegmentRef& line) override {
-    if (!line.warp) ++begun[{line.part, line.index}];
+  void beginContact(Entity&, const SegmentRef& segment) override {
+    if (!segment.warp) ++begun[{segment.part, segment.index}];
   }
 
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> begun;
@@ -66,7 +66,7 @@ TEST(FoundByFuzzingTest, ARefusedRotationAddsNoInstanceAroundACorner) {
   for (const SolidKind kind : {SolidKind::kTetrahedron, SolidKind::kHexahedron, SolidKind::kOctahedron,
                                SolidKind::kDodecahedron, SolidKind::kIcosahedron}) {
     const FuzzScene scene = stageOf(kind, {}, box(30 * kUnit, 3 * kUnit));
-    judge::StepChecker checker({scene.stage.geometry(), scene.shape, scene.solid, scene.faceSize});
+    step_check::StepChecker checker({scene.stage.geometry(), scene.shape, scene.solid, scene.faceSize});
     World world = scene.stage;
     Entity entity(world, scene.shape);
     const Point corner = facePolygon(kind, kFaceSize)[1];

@@ -7,16 +7,16 @@
 #include "platon/game/stage.h"
 #include "platon/physics/map_part.h"
 #include "shared/game/face_area.h"
-#include "tests/exactness/judge/conversions.h"
+#include "tests/exactness/step_check/conversions.h"
 
 namespace platon::fuzz {
 namespace {
 
-using judge::toPoint;
-using judge::toPoints;
-using judge::toPolygon;
 using oracle::Polygon;
 using oracle::Vec;
+using step_check::toPoint;
+using step_check::toPoints;
+using step_check::toPolygon;
 
 constexpr std::size_t kMaxLines = 24;
 
@@ -125,7 +125,7 @@ std::optional<FuzzScene> makeSolid(ByteSource& bytes, SolidKind kind) {
   const std::int64_t radius = std::int64_t{faceSize} * kSubunitsPerUnit / 2;
   for (const oracle::Segment& line : linesFrom(bytes, toPolygon(shape->vertices()), radius)) {
     auto& face = lines[bytes.below(lines.size())];
-    if (const auto cut = area.cut(fine(line.a), fine(line.b))) face.push_back(*cut);
+    if (const auto clipped = area.clip(fine(line.a), fine(line.b))) face.push_back(*clipped);
   }
   std::vector<std::size_t> counts;
   for (const auto& face : lines) counts.push_back(face.size());

@@ -4,17 +4,17 @@
 
 #include "platon/game/game.h"
 #include "platon/game/level.h"
-#include "tests/exactness/judge/conversions.h"
 #include "tests/exactness/oracle/trace/trace_map.h"
+#include "tests/exactness/step_check/conversions.h"
 #include "tests/fuzz/fuzz_targets.h"
 
 namespace platon::fuzz {
 namespace {
 
-using judge::toPolygon;
-using judge::toSegment;
-using judge::toVec;
 using oracle::Vec;
+using step_check::toPolygon;
+using step_check::toSegment;
+using step_check::toVec;
 
 constexpr int kTicks = 8;
 

@@ -3,18 +3,18 @@
 
 #include "platon/physics/entity.h"
 #include "platon/physics/map_part.h"
-#include "tests/exactness/judge/conversions.h"
-#include "tests/exactness/judge/step_checker.h"
+#include "tests/exactness/step_check/conversions.h"
+#include "tests/exactness/step_check/step_checker.h"
 #include "tests/fuzz/checked_rules.h"
 #include "tests/fuzz/fuzz_targets.h"
 
 namespace platon::fuzz {
 namespace {
 
-using judge::toPoint;
-using judge::toSegment;
-using judge::toVec;
 using oracle::Vec;
+using step_check::toPoint;
+using step_check::toSegment;
+using step_check::toVec;
 
 constexpr std::size_t kMaxEntities = 3;
 constexpr std::size_t kMaxTicks = 16;
@@ -30,7 +30,7 @@ struct Order {
   std::int32_t turn = 0;
 };
 
-judge::CheckedScene checkedScene(const FuzzScene& scene, const CheckedRules& rules) {
+step_check::CheckedScene checkedScene(const FuzzScene& scene, const CheckedRules& rules) {
   return {scene.stage.geometry(), scene.shape, scene.solid, scene.faceSize,
           [&rules](std::uint32_t part, std::uint32_t line) { return rules.pierces(part, line); }};
 }
@@ -173,7 +173,7 @@ class Run {
   const FuzzScene& scene_;
   bool turning_;
   CheckedRules rules_;
-  judge::StepChecker checker_;
+  step_check::StepChecker checker_;
   World world_;
   World twin_;
   bool hasTwin_ = false;

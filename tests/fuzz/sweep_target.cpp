@@ -4,22 +4,22 @@
 
 #include "platon/physics/convex.h"
 #include "platon/physics/sweep.h"
-#include "tests/exactness/judge/conversions.h"
 #include "tests/exactness/oracle/sweep/sweep_oracle.h"
+#include "tests/exactness/step_check/conversions.h"
 #include "tests/fuzz/byte_source.h"
 #include "tests/fuzz/fuzz_targets.h"
 
 namespace platon::fuzz {
 namespace {
 
-using judge::toPoint;
-using judge::toPoints;
-using judge::toSegment;
-using judge::toVec;
 using oracle::Polygon;
 using oracle::SweepQuery;
 using oracle::Vec;
 using oracle::Wide;
+using step_check::toPoint;
+using step_check::toPoints;
+using step_check::toSegment;
+using step_check::toVec;
 
 struct Ratio {
   Wide numerator = 0;
@@ -30,16 +30,16 @@ struct Ratio {
   bool is(Fraction other) const { return numerator * other.denominator == other.numerator * denominator; }
 };
 
-/// Times at which the path enters and leaves the forbidden polygon.
+/// Times at which the path enters and leaves the obstacle.
 struct ClipInterval {
   Ratio enter;
   Ratio exit{1, 1};
 };
 
-// Clips the path against all sides of the forbidden polygon, which are moved outwards by `grown` along each axis.
+// Clips the path against all sides of the obstacle, which are moved outwards by `grown` along each axis.
 std::optional<ClipInterval> clipIntervalOf(const SweepQuery& query, std::int64_t grown) {
   ClipInterval interval;
-  const Polygon polygon = oracle::forbiddenPolygon(query);
+  const Polygon polygon = oracle::obstacleOf(query);
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec along = polygon[(i + 1) % polygon.size()] - polygon[i];
     const Vec outward{along.y, -along.x};
@@ -59,7 +59,7 @@ Polygon corners(ByteSource& bytes, std::int64_t radius) {
   return points;
 }
 
-oracle::Segment obstacle(ByteSource& bytes, const Polygon& shape, std::int64_t radius) {
+oracle::Segment segment(ByteSource& bytes, const Polygon& shape, std::int64_t radius) {
   const Vec a = bytes.vector(radius);
   const std::size_t edge = bytes.below(shape.size());
   const Vec along = shape[(edge + 1) % shape.size()] - shape[edge];
@@ -77,11 +77,11 @@ oracle::Segment obstacle(ByteSource& bytes, const Polygon& shape, std::int64_t r
   }
 }
 
-// A point on or near a corner or an edge of the forbidden polygon, or a random one.
-Vec place(ByteSource& bytes, const Polygon& forbidden, std::int64_t radius) {
-  const std::size_t corner = bytes.below(forbidden.size());
-  const Vec here = forbidden[corner];
-  const Vec next = forbidden[(corner + 1) % forbidden.size()];
+// A point on or near a corner or an edge of the obstacle, or a random one.
+Vec place(ByteSource& bytes, const Polygon& obstacle, std::int64_t radius) {
+  const std::size_t corner = bytes.below(obstacle.size());
+  const Vec here = obstacle[corner];
+  const Vec next = obstacle[(corner + 1) % obstacle.size()];
   switch (bytes.below(5)) {
     case 0:
       return here + bytes.vector(1);
@@ -97,10 +97,10 @@ Vec place(ByteSource& bytes, const Polygon& forbidden, std::int64_t radius) {
 }
 
 SweepQuery queryFrom(ByteSource& bytes, const Polygon& shape, std::int64_t radius) {
-  SweepQuery query{shape, {}, {}, obstacle(bytes, shape, radius)};
-  const Polygon forbidden = oracle::forbiddenPolygon(query);
-  query.position = place(bytes, forbidden, radius);
-  query.displacement = bytes.flag() ? bytes.vector(radius) : place(bytes, forbidden, radius) - query.position;
+  SweepQuery query{shape, {}, {}, segment(bytes, shape, radius)};
+  const Polygon obstacle = oracle::obstacleOf(query);
+  query.position = place(bytes, obstacle, radius);
+  query.displacement = bytes.flag() ? bytes.vector(radius) : place(bytes, obstacle, radius) - query.position;
   return query;
 }
 
@@ -128,8 +128,8 @@ bool mayMiss(SweepQuery query, std::int64_t grown) {
 std::string answerFault(const SweepQuery& query, const std::optional<Hit>& hit) {
   oracle::SweepAnswer answer;
   if (hit) answer = {true, hit->time.numerator, hit->time.denominator, toVec(hit->normal)};
-  const oracle::SweepTruth truth = sweepTruth(query);
-  return agrees(truth, answer) ? std::string() : "wrong answer; correct: " + toText(truth);
+  const oracle::CorrectAnswer correct = correctAnswer(query);
+  return agrees(correct, answer) ? std::string() : "wrong answer; correct: " + toText(correct);
 }
 
 std::string described(const std::string& fault, const SweepQuery& query, std::int64_t grown) {
@@ -154,7 +154,7 @@ std::string sweepFault(Bytes input) {
   for (const std::int32_t grown : {0, static_cast<std::int32_t>(bytes.between(1, 16))}) {
     Sweep sweep;
     sweep.start(figure, toPoint(query.position), toPoint(query.displacement), grown);
-    const auto hit = sweep.against(toSegment(query.obstacle));
+    const auto hit = sweep.against(toSegment(query.segment));
     auto interval = clipIntervalOf(query, grown);
     if (!hit && grown != 0 && mayMiss(query, grown)) interval.reset();
     std::string fault = compared(hit, interval);

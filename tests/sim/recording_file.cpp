@@ -10,7 +10,7 @@ RecordingFile::RecordingFile(const Options& options)
 }
 
 void RecordingFile::start(const Game& game, OutputFile::Mode mode) {
-  if (!wanted()) return;
+  if (!enabled()) return;
   file_.emplace(path_, mode);
   recorder_.emplace(game, checkpointTicks_);
 }

@@ -18,7 +18,7 @@ class RecordingFile {
   explicit RecordingFile(const Options& options);
 
   /// True when there is an option `--record`.
-  bool wanted() const { return !path_.empty(); }
+  bool enabled() const { return !path_.empty(); }
   /// Opens the file; `game` is the game before the first tick. Throws UsageError when the file cannot be opened.
   void start(const Game& game, OutputFile::Mode mode = OutputFile::Mode::kReplace);
   /// Records one tick: `game` has just been advanced by `inputs`.

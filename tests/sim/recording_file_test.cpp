@@ -39,7 +39,7 @@ class RecordingFileTest : public testing::Test {
 
 TEST_F(RecordingFileTest, WritesACompleteRecording) {
   RecordingFile file(options());
-  EXPECT_TRUE(file.wanted());
+  EXPECT_TRUE(file.enabled());
   record(file, 100);
   const auto bytes = platon::readBytes(path());
   const Verification replay = Verifier(bytes).run();
@@ -62,7 +62,7 @@ TEST_F(RecordingFileTest, WritesCheckpointsAsOftenAsAskedFor) {
 
 TEST_F(RecordingFileTest, DoesNothingWithoutTheOption) {
   RecordingFile file(Options({}, {"record", "checkpoint-every"}, {}));
-  EXPECT_FALSE(file.wanted());
+  EXPECT_FALSE(file.enabled());
   record(file, 3);
   EXPECT_FALSE(std::filesystem::exists(path()));
 }

@@ -151,7 +151,7 @@ Summary dispatch(const Run& run, const Options& options) {
   const auto maxSpeed = static_cast<std::int32_t>(options.number("max-speed", 8192, 0, kVelocityLimit - 1));
   if (drive == "play") return playPresses(run);
   if (drive == "churn") return playChurn(run);
-  if (run.recording->wanted()) throw UsageError("--record works only with --drive play or churn");
+  if (run.recording->enabled()) throw UsageError("--record works only with --drive play or churn");
   if (drive == "fling") {
     SeededRandom random(run.seed);
     return runWithoutRules(run, [&](Entity& entity) { entity.setVelocity(random.vector(maxSpeed)); });
@@ -173,7 +173,7 @@ int runCommand(const std::vector<std::string>& arguments) {
   const Options options(
       arguments, {"players", "ticks", "seed", "drive", "max-speed", "velocity", "trace", "record", "checkpoint-every"},
       {"json"});
-  const std::string& path = options.onlyWord("platon-sim run takes one level file: platon-sim run LEVEL");
+  const std::string& path = options.onlyPositional("platon-sim run takes one level file: platon-sim run LEVEL");
   const auto trace = openTrace(options);
   RecordingFile recording(options);
   Run run{.level = nullptr,
@@ -200,7 +200,8 @@ int runCommand(const std::vector<std::string>& arguments) {
 
 int worldCommand(const std::vector<std::string>& arguments) {
   const Options options(arguments, {"ticks", "seed", "max-speed", "trace"}, {"json"});
-  const std::string& path = options.onlyWord("platon-sim world takes one scene file: platon-sim world SCENE --ticks T");
+  const std::string& path =
+      options.onlyPositional("platon-sim world takes one scene file: platon-sim world SCENE --ticks T");
   const auto ticks = options.number("ticks", 3600, 0, kMaxTicks);
   const auto maxSpeed = static_cast<std::int32_t>(options.number("max-speed", 0, 0, kVelocityLimit - 1));
   const auto trace = openTrace(options);

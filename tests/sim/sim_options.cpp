@@ -13,7 +13,7 @@ Options::Options(const std::vector<std::string>& arguments, const std::vector<st
   };
   for (auto argument = arguments.begin(); argument != arguments.end(); ++argument) {
     if (argument->rfind("--", 0) != 0) {
-      words_.push_back(*argument);
+      positionals_.push_back(*argument);
       continue;
     }
     const std::size_t equals = argument->find('=');
@@ -50,8 +50,8 @@ std::uint64_t Options::seed() const {
   return static_cast<std::uint64_t>(number("seed", 1, 0, std::numeric_limits<std::int64_t>::max()));
 }
 
-const std::string& Options::onlyWord(const char* usage) const {
-  if (words_.size() == 1) return words_.front();
+const std::string& Options::onlyPositional(const char* usage) const {
+  if (positionals_.size() == 1) return positionals_.front();
   throw UsageError(usage);
 }
 

@@ -22,26 +22,26 @@ class InputError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The arguments of one command: words, `--name value` options and `--name` flags. platon-sim does not use CLI11, so
-/// that it builds with the standard library alone on every machine it is compared on.
+/// The arguments of one command: positional arguments, `--name value` options and `--name` flags. platon-sim does not
+/// use CLI11, so that it builds with the standard library alone on every machine it is compared on.
 class Options {
  public:
   /// `valued` and `flags` are the names of the command's options, without dashes. Throws UsageError on another option.
   Options(const std::vector<std::string>& arguments, const std::vector<std::string>& valued,
           const std::vector<std::string>& flags);
 
-  const std::vector<std::string>& words() const { return words_; }
+  const std::vector<std::string>& positionals() const { return positionals_; }
   bool has(const std::string& name) const { return values_.count(name) != 0; }
   std::string text(const std::string& name, const std::string& fallback) const;
   /// The value of an option, an integer in [low, high]; `fallback` without the option. Throws UsageError otherwise.
   std::int64_t number(const std::string& name, std::int64_t fallback, std::int64_t low, std::int64_t high) const;
   /// The value of `--seed`; 1 without the option.
   std::uint64_t seed() const;
-  /// The word of a command that takes exactly one; throws UsageError with the text `usage` otherwise.
-  const std::string& onlyWord(const char* usage) const;
+  /// The positional argument of a command that takes exactly one; throws UsageError with the text `usage` otherwise.
+  const std::string& onlyPositional(const char* usage) const;
 
  private:
-  std::vector<std::string> words_;
+  std::vector<std::string> positionals_;
   std::map<std::string, std::string> values_;
 };
 

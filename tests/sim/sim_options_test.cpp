@@ -24,14 +24,14 @@ std::string refusal(const std::function<void()>& call) {
 
 TEST(OptionsTest, SeparatesWordsFromOptions) {
   const Options options = parsed({"one", "--ticks", "5", "two", "--json", "--trace=a=b"});
-  EXPECT_THAT(options.words(), ElementsAre("one", "two"));
+  EXPECT_THAT(options.positionals(), ElementsAre("one", "two"));
   EXPECT_TRUE(options.has("json"));
   EXPECT_TRUE(options.has("ticks"));
   EXPECT_FALSE(options.has("seed"));
   EXPECT_EQ(options.number("ticks", 0, 0, 10), 5);
   EXPECT_EQ(options.text("trace", ""), "a=b");
   EXPECT_EQ(options.text("seed", "none"), "none");
-  EXPECT_THAT(parsed({}).words(), IsEmpty());
+  EXPECT_THAT(parsed({}).positionals(), IsEmpty());
 }
 
 TEST(OptionsTest, RefusesUnknownOptionsAndMissingValues) {

@@ -76,7 +76,7 @@ void query(const std::string& line, Sweep& sweep) {
 
 int sweepCommand(const std::vector<std::string>& arguments) {
   const Options options(arguments, {}, {});
-  if (!options.words().empty()) throw UsageError("platon-sim sweep takes no arguments; it reads standard input");
+  if (!options.positionals().empty()) throw UsageError("platon-sim sweep takes no arguments; it reads standard input");
   std::ios::sync_with_stdio(false);
   Sweep sweep;
   bool valid = true;

@@ -65,7 +65,7 @@ int reportFaults(const std::string& path, const Verification& found) {
 
 int verifyCommand(const std::vector<std::string>& arguments) {
   const Options options(arguments, {"from", "record", "checkpoint-every"}, {"json"});
-  const std::string& path = options.onlyWord("platon-sim verify needs one recording: platon-sim verify FILE");
+  const std::string& path = options.onlyPositional("platon-sim verify needs one recording: platon-sim verify FILE");
   const auto from = static_cast<std::uint32_t>(options.number("from", 0, 0, ~std::uint32_t{0}));
   const auto bytes = readBytes(path, kMaxRecordingBytes);
   const auto begin = std::chrono::steady_clock::now();

@@ -18,13 +18,13 @@ namespace {
 
 constexpr const char* kUsage =
     "usage: platon-instruction-count advance|sweep COUNT\n"
-    "Calls Game::advance for eight players, or Sweep on a set of questions, COUNT times on fixed input.\n"
+    "Calls Game::advance for eight players, or Sweep on a set of queries, COUNT times on fixed input.\n"
     "check_instructions.py runs it under callgrind.\n";
 
 constexpr const char* kLevel = "tests/determinism/golden/levels/crowd.level";
 constexpr std::uint64_t kSeed = 3;
 constexpr std::size_t kPlayers = 8;
-constexpr std::size_t kQuestions = 1000;
+constexpr std::size_t kQueries = 1000;
 
 std::uint64_t advance(std::int64_t ticks) {
   Game game(sim::levelFrom(kLevel));
@@ -39,14 +39,14 @@ std::uint64_t advance(std::int64_t ticks) {
 }
 
 std::uint64_t sweep(std::int64_t times) {
-  const std::vector<SweepSet> sets = sweepSets(kQuestions);
+  const std::vector<SweepSet> sets = sweepSets(kQueries);
   const auto set = std::find_if(sets.begin(), sets.end(), [](const SweepSet& each) { return each.name == "random"; });
   Sweep sweep;
   std::uint64_t hits = 0;
   for (std::int64_t i = 0; i < times; ++i) {
-    for (const SweepQuestion& question : set->questions) {
-      sweep.start(set->shapes[question.shape], question.position, question.displacement);
-      hits += sweep.against(question.line).has_value() ? 1 : 0;
+    for (const SweepQuery& query : set->queries) {
+      sweep.start(set->shapes[query.shape], query.position, query.displacement);
+      hits += sweep.against(query.segment).has_value() ? 1 : 0;
     }
   }
   return hits;

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "client/bot/button_presser.h"
-#include "tests/exactness/judge/run_length.h"
+#include "tests/exactness/step_check/run_length.h"
 #include "tests/support/test_level.h"
 #include "tests/support/virtual_match.h"
 
@@ -42,7 +42,7 @@ LinkQuality qualityOf(std::uint32_t number) {
 
 // Over many rounds and levels, under all conditions.
 TEST(LongSession, DetectsNoDesyncWithoutACause) {
-  const auto wanted = static_cast<std::uint64_t>(judge::runLength(100000, 1000000));
+  const auto wanted = static_cast<std::uint64_t>(step_check::runLength(100000, 1000000));
   VirtualMatch match({flatLevel(), cornerLevel(), endlessLevel()}, kSeed);
   for (std::uint32_t bot = 0; bot < kBots; ++bot) {
     match.join(qualityOf(bot), pressing(kSeed + bot));

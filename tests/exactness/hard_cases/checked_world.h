@@ -14,7 +14,7 @@
 #include "platon/physics/convex.h"
 #include "platon/physics/entity.h"
 #include "platon/physics/world.h"
-#include "tests/exactness/judge/step_checker.h"
+#include "tests/exactness/step_check/step_checker.h"
 #include "tests/shared/physics/recorded_rules.h"
 #include "tests/sim/scene_file.h"
 
@@ -61,7 +61,7 @@ class CheckedWorld {
   World world;
   const Convex shape;
   RecordedRules rules;  ///< contacts of the last tick; calls since the last take()
-  judge::StepChecker checker;
+  step_check::StepChecker checker;
 
  private:
   std::string name_;

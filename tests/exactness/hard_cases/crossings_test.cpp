@@ -11,7 +11,7 @@
 #include "platon/exact/integer.h"
 #include "platon/game/solid.h"
 #include "tests/exactness/hard_cases/checked_world.h"
-#include "tests/exactness/judge/run_length.h"
+#include "tests/exactness/step_check/run_length.h"
 #include "tests/shared/game/real_face.h"
 
 namespace platon::hard_cases {
@@ -51,7 +51,7 @@ struct Flight {
 /// together cover every degree.
 template <class Visit>
 void forEachFlight(const char* which, int everyNth, Visit&& visit) {
-  const auto step = static_cast<int>(judge::runLength(everyNth, 1));
+  const auto step = static_cast<int>(step_check::runLength(everyNth, 1));
   int first = 0;
   for (const SolidKind kind : kAllSolids) {
     HardLevel level(levelOf(kind, which));

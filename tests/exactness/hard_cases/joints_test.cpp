@@ -18,7 +18,7 @@
 #include "platon/physics/map_part.h"
 #include "platon/physics/world.h"
 #include "tests/exactness/hard_cases/checked_world.h"
-#include "tests/exactness/judge/run_length.h"
+#include "tests/exactness/step_check/run_length.h"
 #include "tests/shared/game/real_face.h"
 #include "tests/sim/seeded_random.h"
 
@@ -207,7 +207,7 @@ void expectChainWithinBounds(std::uint64_t seed, std::int32_t off, const Bounds&
 
 void expectChainsWithinBounds(std::int64_t chains, std::int32_t off, const Bounds& bounds) {
   WorstValues worst;
-  const auto count = static_cast<std::uint64_t>(judge::runLength(chains, 100 * chains));
+  const auto count = static_cast<std::uint64_t>(step_check::runLength(chains, 100 * chains));
   for (std::uint64_t seed = 0; seed < count && !testing::Test::HasFailure(); ++seed) {
     expectChainWithinBounds(seed, off, bounds, worst);
   }

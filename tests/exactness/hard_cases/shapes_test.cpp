@@ -6,7 +6,7 @@
 
 #include "platon/exact/integer.h"
 #include "tests/exactness/hard_cases/checked_world.h"
-#include "tests/exactness/judge/run_length.h"
+#include "tests/exactness/step_check/run_length.h"
 #include "tests/shared/physics/shapes.h"
 #include "tests/sim/seeded_random.h"
 
@@ -61,7 +61,7 @@ TEST(ShapesTest, NeedlesAndSliversMoveExactly) {
 }
 
 TEST(ShapesTest, InvariantsHoldAtRandomVelocities) {
-  const std::int64_t ticks = judge::runLength(300, 100000);
+  const std::int64_t ticks = step_check::runLength(300, 100000);
   for (const char* name : kThinShapes) {
     sim::SeededRandom random(kSeed);
     HardScene scene(std::string("shapes/") + name + ".scene");

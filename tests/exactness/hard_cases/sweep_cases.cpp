@@ -10,9 +10,9 @@
 #include "platon/physics/convex.h"
 #include "platon/physics/sweep.h"
 #include "tests/exactness/hard_cases/checked_world.h"
-#include "tests/exactness/judge/conversions.h"
 #include "tests/exactness/oracle/sweep/sweep_oracle.h"
 #include "tests/exactness/oracle/sweep/sweep_query.h"
+#include "tests/exactness/step_check/conversions.h"
 
 namespace platon::hard_cases {
 namespace {
@@ -30,7 +30,7 @@ oracle::SweepQuery parseQuery(const std::string& line) {
   in >> count;
   query.shape.resize(count);
   for (Vec& vertex : query.shape) in >> vertex.x >> vertex.y;
-  for (Vec* v : {&query.position, &query.displacement, &query.obstacle.a, &query.obstacle.b}) in >> v->x >> v->y;
+  for (Vec* v : {&query.position, &query.displacement, &query.segment.a, &query.segment.b}) in >> v->x >> v->y;
   if (!in || !isValid(query)) throw std::runtime_error("not a query: " + line);
   return query;
 }
@@ -45,32 +45,32 @@ Vec transformed(Vec v, int symmetry) {
 SweepQuery transformed(SweepQuery query, int symmetry) {
   for (Vec& vertex : query.shape) vertex = transformed(vertex, symmetry);
   if (symmetry >= kSymmetries / 2) std::reverse(query.shape.begin(), query.shape.end());
-  for (Vec* v : {&query.position, &query.displacement, &query.obstacle.a, &query.obstacle.b})
+  for (Vec* v : {&query.position, &query.displacement, &query.segment.a, &query.segment.b})
     *v = transformed(*v, symmetry);
   return query;
 }
 
 SweepAnswer answerOf(const SweepQuery& query) {
-  const Convex shape(judge::toPoints(query.shape));
+  const Convex shape(step_check::toPoints(query.shape));
   Sweep sweep;
-  sweep.start(shape, judge::toPoint(query.position), judge::toPoint(query.displacement));
-  const auto hit = sweep.against(judge::toSegment(query.obstacle));
+  sweep.start(shape, step_check::toPoint(query.position), step_check::toPoint(query.displacement));
+  const auto hit = sweep.against(step_check::toSegment(query.segment));
   if (!hit) return {};
-  return {true, hit->time.numerator, hit->time.denominator, judge::toVec(hit->normal)};
+  return {true, hit->time.numerator, hit->time.denominator, step_check::toVec(hit->normal)};
 }
 
 void expectAnswer(const SweepQuery& query, const SweepAnswer& expected) {
-  const oracle::SweepTruth truth = sweepTruth(query);
-  EXPECT_TRUE(confirms(query, truth)) << toText(truth) << ": " << toLine(query);
+  const oracle::CorrectAnswer correct = correctAnswer(query);
+  EXPECT_TRUE(confirms(query, correct)) << toText(correct) << ": " << toLine(query);
   for (int symmetry = 0; symmetry < kSymmetries; ++symmetry) {
     const SweepQuery symmetricQuery = transformed(query, symmetry);
-    const oracle::SweepTruth symmetricTruth = sweepTruth(symmetricQuery);
+    const oracle::CorrectAnswer symmetricCorrect = correctAnswer(symmetricQuery);
     SweepAnswer symmetricAnswer = expected;
     symmetricAnswer.normal = transformed(expected.normal, symmetry);
-    EXPECT_TRUE(agrees(symmetricTruth, symmetricAnswer))
-        << "wrong answer in the file; correct: " << toText(symmetricTruth) << ": " << toLine(symmetricQuery);
-    EXPECT_TRUE(agrees(symmetricTruth, answerOf(symmetricQuery)))
-        << "wrong answer of Sweep; correct: " << toText(symmetricTruth) << ": " << toLine(symmetricQuery);
+    EXPECT_TRUE(agrees(symmetricCorrect, symmetricAnswer))
+        << "wrong answer in the file; correct: " << toText(symmetricCorrect) << ": " << toLine(symmetricQuery);
+    EXPECT_TRUE(agrees(symmetricCorrect, answerOf(symmetricQuery)))
+        << "wrong answer of Sweep; correct: " << toText(symmetricCorrect) << ": " << toLine(symmetricQuery);
   }
 }
 

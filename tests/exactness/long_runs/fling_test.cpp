@@ -13,9 +13,9 @@
 #include "platon/physics/entity.h"
 #include "platon/physics/map_part.h"
 #include "shared/game/face_area.h"
-#include "tests/exactness/judge/run_length.h"
-#include "tests/exactness/judge/step_checker.h"
 #include "tests/exactness/oracle/random_source.h"
+#include "tests/exactness/step_check/run_length.h"
+#include "tests/exactness/step_check/step_checker.h"
 #include "tests/fuzz/fuzz_scene.h"
 #include "tests/support/files.h"
 
@@ -71,7 +71,7 @@ class Flight {
   const Tally& tally() const { return tally_; }
 
   void round() {
-    judge::StepChecker checker({field_.stage.geometry(), field_.shape, field_.solid, field_.faceSize});
+    step_check::StepChecker checker({field_.stage.geometry(), field_.shape, field_.solid, field_.faceSize});
     for (int tick = 0; tick < kRound; ++tick) {
       fling(tick);
       world_.solve(tick < kChecked ? &checker : nullptr);
@@ -118,7 +118,7 @@ class Flight {
     }
   }
 
-  void count(const judge::StepChecker& checker) {
+  void count(const step_check::StepChecker& checker) {
     for (std::uint32_t i = 0; i < count_; ++i) {
       ++tally_.checkedSteps;
       tally_.checkedLegs += static_cast<std::int64_t>(checker.moves(i));
@@ -173,7 +173,7 @@ TEST(FlingTest, InvariantsHoldOnTheShippedLevels) {
   RandomSource random(kSeed);
   Tally total;
   const std::int64_t rounds =
-      judge::runLength(1000000, 30000000) / (kRound * static_cast<std::int64_t>(kEntities * fields.size()));
+      step_check::runLength(1000000, 30000000) / (kRound * static_cast<std::int64_t>(kEntities * fields.size()));
   for (const Field& field : fields) ASSERT_NO_FATAL_FAILURE(fly(field, random, rounds, total));
   report(total);
   EXPECT_GT(total.crossings, total.steps / 200);
@@ -183,7 +183,7 @@ TEST(FlingTest, InvariantsHoldOnRandomFields) {
   RandomSource random(kSeed);
   Tally total;
   constexpr std::int64_t roundsOnEach = 4;
-  const std::int64_t steps = judge::runLength(3000000, 70000000);
+  const std::int64_t steps = step_check::runLength(3000000, 70000000);
   for (int kind = 0; total.steps < steps; kind = (kind + 1) % kSolidKinds) {
     const Field field = randomField(static_cast<SolidKind>(kind), random);
     ASSERT_NO_FATAL_FAILURE(fly(field, random, roundsOnEach, total));

@@ -1,7 +1,7 @@
 #include "tests/exactness/long_runs/ideal_walk.h"
 
 #include "platon/exact/integer.h"
-#include "tests/exactness/judge/conversions.h"
+#include "tests/exactness/step_check/conversions.h"
 
 namespace platon::long_runs {
 
@@ -9,10 +9,10 @@ IdealWalk::IdealWalk(SolidKind kind, std::int32_t faceSize, std::uint32_t face, 
     : solid_(PlatonicSolid::of(kind)),
       edgeLength_(static_cast<long double>(faceSize) * kSubunitsPerUnit),
       face_(face),
-      place_(oracle::toReal(judge::toVec(start))) {}
+      place_(oracle::toReal(step_check::toVec(start))) {}
 
 oracle::RealVec IdealWalk::turned(Point vector) const {
-  return oracle::Isometry(heading_.centidegrees(), {}, {}).apply(oracle::toReal(judge::toVec(vector)));
+  return oracle::Isometry(heading_.centidegrees(), {}, {}).apply(oracle::toReal(step_check::toVec(vector)));
 }
 
 void IdealWalk::leg(std::uint32_t, std::span<const InstanceView> instances) {

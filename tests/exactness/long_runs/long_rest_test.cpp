@@ -10,8 +10,8 @@
 #include "platon/physics/entity.h"
 #include "platon/physics/map_part.h"
 #include "shared/game/face_area.h"
-#include "tests/exactness/judge/run_length.h"
-#include "tests/exactness/judge/step_checker.h"
+#include "tests/exactness/step_check/run_length.h"
+#include "tests/exactness/step_check/step_checker.h"
 #include "tests/shared/game/real_face.h"
 
 namespace platon::long_runs {
@@ -89,7 +89,7 @@ class RestingBall {
     const FaceArea area(facePolygon(place_.kind, kSize));
     std::vector<std::vector<Segment>> lines(static_cast<std::size_t>(PlatonicSolid::of(place_.kind).faces()));
     const auto add = [&](int face, Real a, Real b) {
-      if (const auto cut = area.cut(fine(a), fine(b))) lines[static_cast<std::size_t>(face)].push_back(*cut);
+      if (const auto clipped = area.clip(fine(a), fine(b))) lines[static_cast<std::size_t>(face)].push_back(*clipped);
     };
     const int behind = PlatonicSolid::of(place_.kind).neighbour(place_.face, place_.edge).face;
     for (const auto& [a, b] : support.lines) {
@@ -120,7 +120,7 @@ void expectRest(const Support& support, const Place& place, std::int64_t ticks) 
   const WorldState settled = world.save();
   ContactCounter contacts;
   const Convex shape = playerShape();
-  judge::StepChecker checker({world.geometry(), shape, place.kind, kSize});
+  step_check::StepChecker checker({world.geometry(), shape, place.kind, kSize});
   world.solve(contacts, &checker);
   ASSERT_EQ(checker.finishTick(), "");
   ASSERT_GT(contacts.count, 0) << "no contact";
@@ -134,7 +134,7 @@ void expectRest(const Support& support, const Place& place, std::int64_t ticks) 
 class RestTest : public testing::TestWithParam<SolidKind> {};
 
 TEST_P(RestTest, NothingMovesUnderAConstantVelocity) {
-  const std::int64_t ticks = judge::runLength(100000, 1000000);
+  const std::int64_t ticks = step_check::runLength(100000, 1000000);
   int placed = 0;
   for (const Support& support : supports()) {
     for (const double before : {0.0, 700.0}) {
@@ -148,7 +148,7 @@ TEST_P(RestTest, NothingMovesUnderAConstantVelocity) {
 // Every edge of the solid, for fewer ticks.
 TEST_P(RestTest, NothingMovesAtEveryEdge) {
   const PlatonicSolid& solid = PlatonicSolid::of(GetParam());
-  const std::int64_t ticks = judge::runLength(100, 10000);
+  const std::int64_t ticks = step_check::runLength(100, 10000);
   for (const Support& support : supports()) {
     for (int face = 0; face < solid.faces(); ++face) {
       for (int edge = 0; edge < solid.edgesPerFace(); ++edge) {

@@ -10,9 +10,9 @@
 #include "platon/game/stage.h"
 #include "platon/physics/entity.h"
 #include "platon/physics/map_part.h"
-#include "tests/exactness/judge/conversions.h"
-#include "tests/exactness/judge/run_length.h"
 #include "tests/exactness/long_runs/ideal_walk.h"
+#include "tests/exactness/step_check/conversions.h"
+#include "tests/exactness/step_check/run_length.h"
 
 namespace platon::long_runs {
 namespace {
@@ -101,7 +101,7 @@ class WalkRun {
     ASSERT_EQ(state.velocity, velocity_) << "the velocity was rounded";
     ASSERT_EQ(state.crossings, ideal_.crossings());
   }
-  oracle::RealVec place() const { return oracle::toReal(judge::toVec(world_.entities()[0].position)); }
+  oracle::RealVec place() const { return oracle::toReal(step_check::toVec(world_.entities()[0].position)); }
   long double distance() const { return oracle::distance(ideal_.place(), place()); }
   long double sideways() const {
     const oracle::RealVec along = ideal_.turned(velocity_);
@@ -121,7 +121,7 @@ class StraightWalkTest : public testing::TestWithParam<Walk> {
   /// Runs the path at every speed and calls `check` with every drift.
   template <class Check>
   void forEachDrift(Check&& check) {
-    const std::int64_t crossings = judge::runLength(10000, 1000000);
+    const std::int64_t crossings = step_check::runLength(10000, 1000000);
     for (const std::int32_t speed : kSpeeds) {
       WalkRun run(GetParam(), speed);
       run.run(crossings);

@@ -6,17 +6,17 @@
 #include <vector>
 
 #include "platon/game/player.h"
-#include "tests/exactness/judge/run_length.h"
 #include "tests/exactness/properties/plane_scene.h"
 #include "tests/exactness/properties/seeded_cases.h"
+#include "tests/exactness/step_check/run_length.h"
 #include "tests/shared/game/real_face.h"
 
 namespace platon::long_runs {
 namespace {
 
-using judge::toPoint;
 using oracle::RandomSource;
 using properties::PlaneScene;
+using step_check::toPoint;
 
 // More ticks than a slide into the wedge takes at these speeds.
 constexpr int kSettling = 600;
@@ -92,7 +92,7 @@ Pressed anyWedge(RandomSource& random) {
 }
 
 TEST(WedgeRestTest, RestsInRandomWedges) {
-  const std::int64_t ticks = judge::runLength(8, 100000);
+  const std::int64_t ticks = step_check::runLength(8, 100000);
   std::int64_t resting = 0;
   properties::forEachCase(6000, [&](RandomSource& random) {
     const Pressed pressed = anyWedge(random);

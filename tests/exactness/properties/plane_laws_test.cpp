@@ -6,15 +6,15 @@
 #include <string>
 #include <vector>
 
-#include "tests/exactness/judge/step_checker.h"
 #include "tests/exactness/properties/plane_scene.h"
 #include "tests/exactness/properties/seeded_cases.h"
+#include "tests/exactness/step_check/step_checker.h"
 
 namespace platon::properties {
 namespace {
 
-using judge::toPoint;
 using oracle::RandomSource;
+using step_check::toPoint;
 
 constexpr int kTicks = 12;
 
@@ -30,7 +30,7 @@ Point anyVelocity(const PlaneScene& scene, std::int64_t fastest, RandomSource& r
     case 2:
       return toPoint(random.vector(limit));
     case 3: {
-      oracle::Vec along = judge::toVec(line.b - line.a) + random.vector(1);
+      oracle::Vec along = step_check::toVec(line.b - line.a) + random.vector(1);
       while (std::abs(along.x) > limit || std::abs(along.y) > limit) along = {along.x / 2, along.y / 2};
       return toPoint(along);
     }
@@ -89,12 +89,12 @@ TEST(PlaneLawsTest, InvariantsHoldInEveryLeg) {
     const PlaneScene scene = PlaneScene::from(oracle::randomScene(random));
     World world = scene.world();
     const Convex shape(scene.shape);
-    judge::StepChecker checker({world.geometry(), shape, std::nullopt, 0});
+    step_check::StepChecker checker({world.geometry(), shape, std::nullopt, 0});
     for (int tick = 0; tick < kTicks; ++tick) {
       setVelocities(world, anyVelocities(scene, random), LatticeMap());
       world.solve(&checker);
       ASSERT_EQ(checker.finishTick(), "") << "tick " << tick << "\n"
-                                          << oracle::toText({judge::toPolygon(scene.shape), {}, {}, 0});
+                                          << oracle::toText({step_check::toPolygon(scene.shape), {}, {}, 0});
       for (std::uint32_t i = 0; i < scene.entities.size(); ++i) legs += checker.moves(i);
     }
   });
@@ -137,7 +137,7 @@ PlaneScene generalScene(RandomSource& random) {
     const oracle::Vec along = random.vector(1000);
     if (std::abs(along.x) == std::abs(along.y)) continue;
     const std::int64_t reach = (oracle::kCoordinateLimit / 4) / std::max(std::abs(along.x), std::abs(along.y));
-    scene.lines.push_back(judge::toSegment(oracle::Segment{through - reach * along, through + reach * along}));
+    scene.lines.push_back(step_check::toSegment(oracle::Segment{through - reach * along, through + reach * along}));
   }
   return scene;
 }

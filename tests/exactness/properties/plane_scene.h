@@ -7,9 +7,9 @@
 #include "platon/physics/entity.h"
 #include "platon/physics/map_part.h"
 #include "platon/physics/world.h"
-#include "tests/exactness/judge/conversions.h"
 #include "tests/exactness/oracle/trace/random_scene.h"
 #include "tests/exactness/properties/lattice_map.h"
+#include "tests/exactness/step_check/conversions.h"
 
 namespace platon::properties {
 
@@ -21,8 +21,8 @@ struct PlaneScene {
   std::int64_t scale = 0;  ///< about the size of the shape
 
   static PlaneScene from(const oracle::Scene& scene) {
-    PlaneScene made{judge::toPoints(scene.shape), {}, judge::toPoints(scene.entities), scene.scale};
-    for (const oracle::Segment& line : scene.lines) made.lines.push_back(judge::toSegment(line));
+    PlaneScene made{step_check::toPoints(scene.shape), {}, step_check::toPoints(scene.entities), scene.scale};
+    for (const oracle::Segment& line : scene.lines) made.lines.push_back(step_check::toSegment(line));
     return made;
   }
   PlaneScene mapped(const LatticeMap& map) const {

@@ -9,18 +9,18 @@
 #include "platon/physics/convex.h"
 #include "platon/physics/grid.h"
 #include "shared/physics/slide.h"
-#include "tests/exactness/judge/conversions.h"
 #include "tests/exactness/oracle/sweep/random_shapes.h"
 #include "tests/exactness/properties/lattice_map.h"
 #include "tests/exactness/properties/seeded_cases.h"
+#include "tests/exactness/step_check/conversions.h"
 
 namespace platon::properties {
 namespace {
 
-using judge::toPoint;
-using judge::toPoints;
-using judge::toVec;
 using oracle::RandomSource;
+using step_check::toPoint;
+using step_check::toPoints;
+using step_check::toVec;
 
 // Strictly convex polygons, and some that just fail to be: with a moved, swapped or repeated corner, or wound twice.
 std::vector<Point> anyPolygon(RandomSource& random) {
@@ -57,7 +57,7 @@ TEST(ShapeLawsTest, ConvexityDoesNotDependOnPlaceRotationOrFirstVertex) {
     const std::vector<Point> polygon = anyPolygon(random);
     const bool faulty = Convex::fault(polygon).has_value();
     faults += faulty ? 1 : 0;
-    EXPECT_EQ(faulty, !oracle::isStrictlyConvex(judge::toPolygon(polygon)));
+    EXPECT_EQ(faulty, !oracle::isStrictlyConvex(step_check::toPolygon(polygon)));
     const LatticeMap map = anyMap(random, 1 << 27);
     std::vector<Point> mapped = map.shape(polygon);
     for (Point& corner : mapped) corner += map.shift;

@@ -12,15 +12,15 @@
 #include "platon/physics/entity.h"
 #include "platon/physics/map_part.h"
 #include "shared/game/face_area.h"
-#include "tests/exactness/judge/conversions.h"
 #include "tests/exactness/properties/seeded_cases.h"
 #include "tests/exactness/properties/solid_symmetry.h"
+#include "tests/exactness/step_check/conversions.h"
 
 namespace platon::properties {
 namespace {
 
-using judge::toPoint;
 using oracle::RandomSource;
+using step_check::toPoint;
 using Lines = std::vector<std::vector<Segment>>;
 
 constexpr int kTicks = 40;
@@ -94,7 +94,7 @@ Lines anyLines(SolidKind kind, std::int32_t size, RandomSource& random) {
     return FinePoint{v.x * FinePoint::kPerSubunit, v.y * FinePoint::kPerSubunit};
   };
   for (auto& face : lines) {
-    if (const auto cut = area.cut(fine(), fine()); cut && random.oneIn(2)) face.push_back(*cut);
+    if (const auto clipped = area.clip(fine(), fine()); clipped && random.oneIn(2)) face.push_back(*clipped);
   }
   return lines;
 }

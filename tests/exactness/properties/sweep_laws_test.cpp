@@ -9,26 +9,26 @@
 
 #include "platon/exact/integer.h"
 #include "platon/physics/sweep.h"
-#include "tests/exactness/judge/conversions.h"
 #include "tests/exactness/oracle/sweep/sweep_families.h"
 #include "tests/exactness/properties/lattice_map.h"
 #include "tests/exactness/properties/seeded_cases.h"
-#include "tests/shared/physics/sweep_question.h"
+#include "tests/exactness/step_check/conversions.h"
+#include "tests/shared/physics/sweep_query.h"
 
 namespace platon::properties {
 namespace {
 
 using oracle::RandomSource;
 
-std::string described(const SweepQuestion& query) {
-  return oracle::toLine({judge::toPolygon(query.shape), judge::toVec(query.position), judge::toVec(query.displacement),
-                         judge::toSegment(query.line)});
+std::string described(const SweepQuery& query) {
+  return oracle::toLine({step_check::toPolygon(query.shape), step_check::toVec(query.position),
+                         step_check::toVec(query.displacement), step_check::toSegment(query.segment)});
 }
 
-SweepQuestion queryOf(const oracle::SweepFamily& family, RandomSource& random) {
+SweepQuery queryOf(const oracle::SweepFamily& family, RandomSource& random) {
   const oracle::SweepQuery made = oracle::makeQuery(family, random);
-  return {judge::toPoints(made.shape), judge::toPoint(made.position), judge::toPoint(made.displacement),
-          judge::toSegment(made.obstacle)};
+  return {step_check::toPoints(made.shape), step_check::toPoint(made.position), step_check::toPoint(made.displacement),
+          step_check::toSegment(made.segment)};
 }
 
 // Calls `check` with one query of every family per case.
@@ -38,7 +38,7 @@ void forEachQuery(std::int64_t cases, Check&& check) {
   std::int64_t misses = 0;
   forEachCase(cases, [&](RandomSource& random) {
     for (const oracle::SweepFamily& family : oracle::sweepFamilies()) {
-      const SweepQuestion query = queryOf(family, random);
+      const SweepQuery query = queryOf(family, random);
       const std::optional<Hit> hit = answer(query);
       SCOPED_TRACE(described(query));
       check(query, hit, random);
@@ -60,14 +60,15 @@ void expectSameTimes(const std::optional<Hit>& hit, const std::optional<Hit>& ot
 bool inRange(Point point) { return isCoordinate(point.x) && isCoordinate(point.y); }
 
 TEST(SweepLawsTest, AnswersAreSymmetric) {
-  forEachQuery(5000, [](const SweepQuestion& query, const std::optional<Hit>& hit, RandomSource& random) {
+  forEachQuery(5000, [](const SweepQuery& query, const std::optional<Hit>& hit, RandomSource& random) {
     LatticeMap map = anyMap(random, kCoordinateLimit / 2);
     const auto fits = [&] {
-      return inRange(map.place(query.position)) && inRange(map.place(query.line.a)) && inRange(map.place(query.line.b));
+      return inRange(map.place(query.position)) && inRange(map.place(query.segment.a)) &&
+             inRange(map.place(query.segment.b));
     };
     if (!fits()) map.shift = {};
-    const SweepQuestion mapped{map.shape(query.shape), map.place(query.position), map.vector(query.displacement),
-                               map.line(query.line)};
+    const SweepQuery mapped{map.shape(query.shape), map.place(query.position), map.vector(query.displacement),
+                            map.line(query.segment)};
     const std::optional<Hit> other = answer(mapped);
     expectSameTimes(hit, other);
     // If two edges are hit at once, their order decides which is named. A mirror reverses that order.
@@ -79,9 +80,9 @@ TEST(SweepLawsTest, AnswersAreSymmetric) {
 }
 
 TEST(SweepLawsTest, SegmentDirectionAndFirstVertexDoNotMatter) {
-  forEachQuery(5000, [](const SweepQuestion& query, const std::optional<Hit>& hit, RandomSource& random) {
-    SweepQuestion other = query;
-    std::swap(other.line.a, other.line.b);
+  forEachQuery(5000, [](const SweepQuery& query, const std::optional<Hit>& hit, RandomSource& random) {
+    SweepQuery other = query;
+    std::swap(other.segment.a, other.segment.b);
     expectSameTimes(hit, answer(other));
     const auto first = random.between(0, static_cast<std::int64_t>(query.shape.size()) - 1);
     std::rotate(other.shape.begin(), other.shape.begin() + first, other.shape.end());
@@ -90,7 +91,7 @@ TEST(SweepLawsTest, SegmentDirectionAndFirstVertexDoNotMatter) {
 }
 
 TEST(SweepLawsTest, GrowingNeitherLosesNorDelaysAHit) {
-  forEachQuery(5000, [](const SweepQuestion& query, const std::optional<Hit>& hit, RandomSource& random) {
+  forEachQuery(5000, [](const SweepQuery& query, const std::optional<Hit>& hit, RandomSource& random) {
     std::optional<Hit> last = hit;
     for (std::int32_t grown = 0; grown < 64;) {
       grown += static_cast<std::int32_t>(random.between(1, 24));
@@ -117,16 +118,16 @@ Point times(std::int64_t factor, Point vector) {
 
 // A displacement of equal steps: those before the hit are free, and one more step hits the segment at the same place.
 TEST(SweepLawsTest, APartOfTheDisplacementHitsAtTheSamePlace) {
-  forEachQuery(5000, [](const SweepQuestion& query, const std::optional<Hit>&, RandomSource& random) {
+  forEachQuery(5000, [](const SweepQuery& query, const std::optional<Hit>&, RandomSource& random) {
     const std::int64_t steps = random.between(1, 1000);
-    SweepQuestion whole = query;
+    SweepQuery whole = query;
     const Point step(query.displacement.x / static_cast<std::int32_t>(steps),
                      query.displacement.y / static_cast<std::int32_t>(steps));
     whole.displacement = times(steps, step);
     const std::optional<Hit> hit = answer(whole);
     const auto free =
         hit ? static_cast<std::int64_t>(int128{hit->time.numerator} * steps / hit->time.denominator) : steps;
-    SweepQuestion part = whole;
+    SweepQuery part = whole;
     part.displacement = times(free, step);
     EXPECT_EQ(answer(part).has_value(), hit && hit->side == Hit::Side::kInside) << free << " of " << steps;
     if (!hit) return;

@@ -35,7 +35,7 @@ std::size_t bitsOf(const mpq_class& value) {
 ExactMover::ExactMover(const ExactScene& scene)
     : velocity_(rational(scene.velocity)), position_(rational(scene.start)) {
   for (const oracle::Segment& line : scene.lines) {
-    const oracle::Polygon polygon = oracle::forbiddenPolygon({scene.shape, {}, {}, line});
+    const oracle::Polygon polygon = oracle::obstacleOf({scene.shape, {}, {}, line});
     Obstacle obstacle{{}, oracle::boxOf(polygon)};
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       const Vec along = polygon[(i + 1) % polygon.size()] - polygon[i];

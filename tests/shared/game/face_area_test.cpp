@@ -85,38 +85,38 @@ class RandomPoints {
 
 TEST(FaceAreaTest, ALineInsideIsOnlyRounded) {
   const FaceArea area(facePolygon(SolidKind::kHexahedron, 480));
-  EXPECT_EQ(area.cut(units(-240, -200), units(100, -200)),
+  EXPECT_EQ(area.clip(units(-240, -200), units(100, -200)),
             (Segment{{-240 * 1024, -200 * 1024}, {100 * 1024, -200 * 1024}}));
-  EXPECT_EQ(area.cut({312, -313}, {313, 0}), (Segment{{0, -1}, {1, 0}}));
-  EXPECT_EQ(area.cut(units(3, 4), units(3, 4)), (Segment{{3072, 4096}, {3072, 4096}}));
+  EXPECT_EQ(area.clip({312, -313}, {313, 0}), (Segment{{0, -1}, {1, 0}}));
+  EXPECT_EQ(area.clip(units(3, 4), units(3, 4)), (Segment{{3072, 4096}, {3072, 4096}}));
 }
 
-TEST(FaceAreaTest, ALineThatLeavesTheFaceIsCutAtTheEdge) {
+TEST(FaceAreaTest, ALineThatLeavesTheFaceIsClippedAtTheEdge) {
   const FaceArea area(facePolygon(SolidKind::kHexahedron, 480));
-  EXPECT_EQ(area.cut(units(0, 0), units(300, 0)), (Segment{{0, 0}, {245760, 0}}));
-  EXPECT_EQ(area.cut(units(-300, 50), units(300, 50)), (Segment{{-245760, 51200}, {245760, 51200}}));
-  EXPECT_EQ(area.cut(units(-480, -480), units(480, 480)), (Segment{{-245760, -245760}, {245760, 245760}}));
-  EXPECT_EQ(area.cut(units(220, 0), units(260, 30)), (Segment{{225280, 0}, {245760, 15360}}));
+  EXPECT_EQ(area.clip(units(0, 0), units(300, 0)), (Segment{{0, 0}, {245760, 0}}));
+  EXPECT_EQ(area.clip(units(-300, 50), units(300, 50)), (Segment{{-245760, 51200}, {245760, 51200}}));
+  EXPECT_EQ(area.clip(units(-480, -480), units(480, 480)), (Segment{{-245760, -245760}, {245760, 245760}}));
+  EXPECT_EQ(area.clip(units(220, 0), units(260, 30)), (Segment{{225280, 0}, {245760, 15360}}));
 }
 
 TEST(FaceAreaTest, ALineOutsideGivesNothing) {
   const FaceArea square(facePolygon(SolidKind::kHexahedron, 480));
-  EXPECT_FALSE(square.cut(units(241, -100), units(241, 100)));
-  EXPECT_FALSE(square.cut(units(200, 300), units(300, 200)));
-  EXPECT_FALSE(square.cut(units(300, 0), units(131072, 0)));
-  EXPECT_FALSE(square.cut(units(0, 245), units(0, 245)));
+  EXPECT_FALSE(square.clip(units(241, -100), units(241, 100)));
+  EXPECT_FALSE(square.clip(units(200, 300), units(300, 200)));
+  EXPECT_FALSE(square.clip(units(300, 0), units(131072, 0)));
+  EXPECT_FALSE(square.clip(units(0, 245), units(0, 245)));
   const FaceArea triangle(facePolygon(SolidKind::kOctahedron, 480));
-  EXPECT_FALSE(triangle.cut(units(-200, 275), units(200, 280)));
-  EXPECT_TRUE(triangle.cut(units(-200, 270), units(200, 280)));
+  EXPECT_FALSE(triangle.clip(units(-200, 275), units(200, 280)));
+  EXPECT_TRUE(triangle.clip(units(-200, 270), units(200, 280)));
 }
 
 TEST(FaceAreaTest, ALineOneSubunitOutsideIsOnTheEdge) {
   const FaceArea area(facePolygon(SolidKind::kHexahedron, 480));
   const Segment beside{{245761, -1000}, {245761, 1000}};
-  EXPECT_EQ(area.cut(fine(beside.a), fine(beside.b)), beside);
-  EXPECT_FALSE(area.cut(fine({245762, -1000}), fine({245762, 1000})));
-  EXPECT_EQ(area.cut(fine({0, 0}), fine({245761, 0})), (Segment{{0, 0}, {245761, 0}}));
-  EXPECT_EQ(area.cut(fine({0, 0}), fine({245762, 0})), (Segment{{0, 0}, {245760, 0}}));
+  EXPECT_EQ(area.clip(fine(beside.a), fine(beside.b)), beside);
+  EXPECT_FALSE(area.clip(fine({245762, -1000}), fine({245762, 1000})));
+  EXPECT_EQ(area.clip(fine({0, 0}), fine({245761, 0})), (Segment{{0, 0}, {245761, 0}}));
+  EXPECT_EQ(area.clip(fine({0, 0}), fine({245762, 0})), (Segment{{0, 0}, {245760, 0}}));
 }
 
 TEST(FaceAreaTest, ContainsItsEdgesButNoPointOutside) {
@@ -146,38 +146,38 @@ TEST(FaceAreaTest, ALineWrittenAlongAnEdgeIsTheEdge) {
           return FinePoint{decimal(corner.x), decimal(corner.y)};
         };
         const Point next = polygon[(i + 1) % polygon.size()];
-        EXPECT_EQ(area.cut(written(polygon[i]), written(next)), (Segment{polygon[i], next})) << size << ", edge " << i;
+        EXPECT_EQ(area.clip(written(polygon[i]), written(next)), (Segment{polygon[i], next})) << size << ", edge " << i;
       }
     }
   }
 }
 
-TEST(FaceAreaTest, CutEndsAreTheExactOnesRoundedToTheNearest) {
+TEST(FaceAreaTest, ClippedEndsAreRoundedToTheNearest) {
   constexpr std::uint64_t seed = 11;
   SCOPED_TRACE(testing::Message() << "seed " << seed);
   RandomPoints random(seed);
-  int cut = 0;
+  int clipped = 0;
   for (int i = 0; i < 30000; ++i) {
     const auto size = static_cast<std::int32_t>(i % 3 == 0 ? kMaxFaceSize : 200 + random.below(2000));
     const auto polygon = facePolygon(kKinds[static_cast<std::size_t>(i) % 3], size);
     const std::int64_t most = i % 2 == 0 ? FaceArea::kMaxUnits : size;
     const FinePoint a = random.point(most);
     const FinePoint b = random.point(most);
-    const auto found = FaceArea(polygon).cut(a, b);
+    const auto found = FaceArea(polygon).clip(a, b);
     const auto expected = exactCut(polygon, a, b);
     if (expected.empty()) {
-      // `cut` may still find a line that is within one subunit of the face.
+      // `clip` may still find a line that is within one subunit of the face.
       EXPECT_LE(found ? beyond(polygon, found->a) : 0, 1.0);
       continue;
     }
-    ++cut;
+    ++clipped;
     ASSERT_TRUE(found);
     EXPECT_TRUE(isNearest(found->a, expected[0]) || beyond(polygon, found->a) > 0);
     EXPECT_TRUE(isNearest(found->b, expected[1]) || beyond(polygon, found->b) > 0);
     EXPECT_LE(beyond(polygon, found->a), 1.0);
     EXPECT_LE(beyond(polygon, found->b), 1.0);
   }
-  EXPECT_GT(cut, 5000);
+  EXPECT_GT(clipped, 5000);
 }
 
 TEST(FaceAreaTest, NoEndIsMoreThanOneSubunitOutside) {
@@ -196,7 +196,7 @@ TEST(FaceAreaTest, NoEndIsMoreThanOneSubunitOutside) {
       return FinePoint{exact.x + along * (to.x - from.x) * 64 + random.below(3750) - 1875,
                        exact.y + along * (to.y - from.y) * 64 + random.below(3750) - 1875};
     };
-    const auto found = FaceArea(polygon).cut(near(from), near(to));
+    const auto found = FaceArea(polygon).clip(near(from), near(to));
     if (!found) continue;
     ++kept;
     ASSERT_LE(beyond(polygon, found->a), 1.0) << i;

@@ -58,7 +58,7 @@ Place endAtEdge(const std::vector<Point>& polygon, std::size_t corner, const Seg
 }
 
 // Writes a line that crosses an edge at an angle of at least 30 degrees on both faces, and returns the distance between
-// its two cut ends when the faces are unfolded, in subunits.
+// its two clipped ends when the faces are unfolded, in subunits.
 long double gapOverAnEdge(SolidKind kind, std::int32_t size, std::mt19937_64& random) {
   const int edges = PlatonicSolid::of(kind).edgesPerFace();
   const auto true_ = regularPolygon(edges, size);
@@ -76,7 +76,7 @@ long double gapOverAnEdge(SolidKind kind, std::int32_t size, std::mt19937_64& ra
       return mirrored ? besideEdge(true_[corner], true_[after(corner)], 1 - along, -beyond)
                       : besideEdge(true_[corner], true_[after(corner)], along, beyond);
     };
-    const auto line = area.cut(written(at(-0.1L)), written(at(0.1L)));
+    const auto line = area.clip(written(at(-0.1L)), written(at(0.1L)));
     return endAtEdge(polygon, corner, line.value());
   };
   const Place one = cutOn(here, false);

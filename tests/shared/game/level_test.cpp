@@ -89,7 +89,7 @@ TEST(LevelTest, TitleAndAuthorStandBeforeTheFirstLine) {
   EXPECT_EQ(load(replaced(kSample, "# title:", "# name:"))->title, "");
 }
 
-TEST(LevelTest, LinesAreCutAtTheEdges) {
+TEST(LevelTest, LinesAreClippedAtTheEdges) {
   const auto level = load(replaced(kSample, "-240 -200 100 -200", "-1000 -200 1000 -200"));
   EXPECT_EQ(level->segments[0], (std::vector<Segment>{{{-245760, -204800}, {245760, -204800}}}));
 }

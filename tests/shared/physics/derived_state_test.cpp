@@ -64,8 +64,8 @@ class InterferingRules : public RecordedRules {
     if (what == 1) any.rotate(anyTurn(random_, 700));
     if (what == 2) entity.rotate(500);
   }
-  void touchContact(Entity& entity, const SegmentRef& line) override {
-    RecordedRules::touchContact(entity, line);
+  void touchContact(Entity& entity, const SegmentRef& segment) override {
+    RecordedRules::touchContact(entity, segment);
     if (random_.below(8) != 0) entity.rotate(500);
   }
 

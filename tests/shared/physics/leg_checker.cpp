@@ -37,7 +37,7 @@ const InstanceView* find(std::span<const InstanceView> all, std::uint16_t id) {
 
 void LegChecker::leg(std::uint32_t entity, std::span<const InstanceView> instances) {
   ++legs_;
-  mostInstances_ = std::max(mostInstances_, instances.size());
+  maxInstances_ = std::max(maxInstances_, instances.size());
   std::map<std::pair<std::uint32_t, std::uint16_t>, Known> now;
   for (const InstanceView& view : instances) {
     const Convex& shape = shapeOf(entity, view.angle);

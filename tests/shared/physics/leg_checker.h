@@ -28,7 +28,7 @@ class LegChecker : public StepObserver {
   const std::string& faults() const { return faults_; }
   /// Largest distance of an instance from its exact position, in subunits.
   double worstError() const { return worstError_; }
-  std::size_t mostInstances() const { return mostInstances_; }
+  std::size_t maxInstances() const { return maxInstances_; }
   std::uint64_t legs() const { return legs_; }
 
  private:
@@ -49,7 +49,7 @@ class LegChecker : public StepObserver {
   std::map<std::pair<const Convex*, std::int32_t>, Convex> shapes_;
   std::string faults_;
   double worstError_ = 0;
-  std::size_t mostInstances_ = 0;
+  std::size_t maxInstances_ = 0;
   std::uint64_t legs_ = 0;
 };
 

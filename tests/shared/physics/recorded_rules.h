@@ -19,24 +19,25 @@ class RecordedRules : public Rules {
   std::vector<std::string> calls;
   std::vector<Contact> contacts;
 
-  bool pierce(const Entity&, const SegmentRef& line) const override {
-    return line.warp ? !walls.contains({line.part, line.index}) : pierceable.contains({line.part, line.index});
+  bool pierce(const Entity&, const SegmentRef& segment) const override {
+    return segment.warp ? !walls.contains({segment.part, segment.index})
+                        : pierceable.contains({segment.part, segment.index});
   }
-  void beginContact(Entity&, const SegmentRef& line) override { note("begin", line); }
-  void overContact(Entity&, const SegmentRef& line) override { note("over", line); }
-  void endContact(Entity&, const SegmentRef& line) override { note("end", line); }
+  void beginContact(Entity&, const SegmentRef& segment) override { note("begin", segment); }
+  void overContact(Entity&, const SegmentRef& segment) override { note("over", segment); }
+  void endContact(Entity&, const SegmentRef& segment) override { note("end", segment); }
   void contact(Entity&, const Contact& contact) override {
     note("contact", contact.segment);
     contacts.push_back(contact);
   }
-  void touchContact(Entity&, const SegmentRef& line) override { note("touch", line); }
+  void touchContact(Entity&, const SegmentRef& segment) override { note("touch", segment); }
 
   /// Returns and clears the recorded calls.
   std::vector<std::string> take() { return std::exchange(calls, {}); }
 
  private:
-  void note(const char* what, const SegmentRef& line) {
-    calls.push_back(std::string(what) + " " + std::to_string(line.part) + ":" + std::to_string(line.index));
+  void note(const char* what, const SegmentRef& segment) {
+    calls.push_back(std::string(what) + " " + std::to_string(segment.part) + ":" + std::to_string(segment.index));
   }
 };
 

@@ -163,8 +163,8 @@ TEST_F(RulesTest, BeginIsCalledOnceAfterInsertion) {
 TEST_F(RulesTest, PierceIsCalledForSegmentsOnThePathOnly) {
   class Asking : public Rules {
    public:
-    bool pierce(const Entity&, const SegmentRef& line) const override {
-      asked.insert(line.index);
+    bool pierce(const Entity&, const SegmentRef& segment) const override {
+      asked.insert(segment.index);
       return false;
     }
     mutable std::set<std::uint32_t> asked;

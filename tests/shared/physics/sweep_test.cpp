@@ -10,7 +10,7 @@
 #include "tests/exactness/oracle/exact_geometry.h"
 #include "tests/exactness/oracle/sweep/sweep_oracle.h"
 #include "tests/shared/physics/shapes.h"
-#include "tests/shared/physics/sweep_question.h"
+#include "tests/shared/physics/sweep_query.h"
 
 namespace platon {
 namespace {
@@ -20,40 +20,40 @@ constexpr std::int32_t kMax = kCoordinateLimit - 1;
 
 std::string textOf(Point point) { return "(" + std::to_string(point.x) + ", " + std::to_string(point.y) + ") "; }
 
-std::string textOf(const SweepQuestion& query) {
+std::string textOf(const SweepQuery& query) {
   std::string text = "seed " + std::to_string(kSeed) + ", shape ";
   for (const Point vertex : query.shape) text += textOf(vertex);
-  return text + "at " + textOf(query.position) + "by " + textOf(query.displacement) + "line " + textOf(query.line.a) +
-         textOf(query.line.b);
+  return text + "at " + textOf(query.position) + "by " + textOf(query.displacement) + "line " +
+         textOf(query.segment.a) + textOf(query.segment.b);
 }
 
-oracle::SweepTruth truthOf(const SweepQuestion& query) {
-  oracle::SweepQuery question;
-  for (const Point vertex : query.shape) question.shape.push_back({vertex.x, vertex.y});
-  question.position = {query.position.x, query.position.y};
-  question.displacement = {query.displacement.x, query.displacement.y};
-  question.obstacle = {{query.line.a.x, query.line.a.y}, {query.line.b.x, query.line.b.y}};
-  return sweepTruth(question);
+oracle::CorrectAnswer correctAnswerOf(const SweepQuery& query) {
+  oracle::SweepQuery asked;
+  for (const Point vertex : query.shape) asked.shape.push_back({vertex.x, vertex.y});
+  asked.position = {query.position.x, query.position.y};
+  asked.displacement = {query.displacement.x, query.displacement.y};
+  asked.segment = {{query.segment.a.x, query.segment.a.y}, {query.segment.b.x, query.segment.b.y}};
+  return correctAnswer(asked);
 }
 
 // Small numbers produce touching, tangential and coincident cases, large ones the bounds.
-SweepQuestion randomQuery(sim::SeededRandom& random, int round) {
+SweepQuery randomQuery(sim::SeededRandom& random, int round) {
   const std::int32_t scale = round % 2 == 0 ? 6 : 2 << (round % 23);
-  SweepQuestion query;
+  SweepQuery query;
   query.shape = randomConvex(random, scale).vertices();
   query.position = random.vector(2 * scale);
   query.displacement = random.vector(4 * scale);
   const Point a = random.vector(3 * scale);
-  query.line = {a, round % 7 == 0 ? a : random.vector(3 * scale)};
+  query.segment = {a, round % 7 == 0 ? a : random.vector(3 * scale)};
   return query;
 }
 
-void forRandomQueries(int count, const std::function<void(const SweepQuestion&)>& check) {
+void forRandomQueries(int count, const std::function<void(const SweepQuery&)>& check) {
   sim::SeededRandom random(kSeed);
   for (int i = 0; i < count && !testing::Test::HasFatalFailure(); ++i) check(randomQuery(random, i));
 }
 
-void expectSameTimes(const std::optional<Hit>& a, const std::optional<Hit>& b, const SweepQuestion& query) {
+void expectSameTimes(const std::optional<Hit>& a, const std::optional<Hit>& b, const SweepQuery& query) {
   ASSERT_EQ(a.has_value(), b.has_value()) << textOf(query);
   if (!a) return;
   ASSERT_EQ(a->time, b->time) << textOf(query);
@@ -61,12 +61,12 @@ void expectSameTimes(const std::optional<Hit>& a, const std::optional<Hit>& b, c
   ASSERT_EQ(a->side == Hit::Side::kInside, b->side == Hit::Side::kInside) << textOf(query);
 }
 
-SweepQuestion mapped(const SweepQuestion& query, const std::function<Point(Point)>& turn, Point shift) {
-  SweepQuestion image = query;
+SweepQuery mapped(const SweepQuery& query, const std::function<Point(Point)>& turn, Point shift) {
+  SweepQuery image = query;
   for (Point& vertex : image.shape) vertex = turn(vertex);
   image.position = turn(query.position) + shift;
   image.displacement = turn(query.displacement);
-  image.line = {turn(query.line.a) + shift, turn(query.line.b) + shift};
+  image.segment = {turn(query.segment.a) + shift, turn(query.segment.b) + shift};
   return image;
 }
 
@@ -152,18 +152,19 @@ TEST(SweepTest, SidesTakePrecedenceOverEnds) {
 }
 
 TEST(SweepTest, AgreesWithTheOracle) {
-  forRandomQueries(20000, [](const SweepQuestion& query) {
-    const oracle::SweepTruth truth = truthOf(query);
+  forRandomQueries(20000, [](const SweepQuery& query) {
+    const oracle::CorrectAnswer correct = correctAnswerOf(query);
     const auto hit = answer(query);
-    ASSERT_EQ(hit.has_value(), truth.kind != oracle::SweepTruth::Kind::Miss) << textOf(query);
+    ASSERT_EQ(hit.has_value(), correct.kind != oracle::CorrectAnswer::Kind::Miss) << textOf(query);
     if (!hit) return;
-    ASSERT_EQ(hit->side == Hit::Side::kInside, truth.kind == oracle::SweepTruth::Kind::Overlap) << textOf(query);
-    ASSERT_TRUE(hit->time.numerator * truth.denominator == truth.numerator * hit->time.denominator) << textOf(query);
+    ASSERT_EQ(hit->side == Hit::Side::kInside, correct.kind == oracle::CorrectAnswer::Kind::Overlap) << textOf(query);
+    ASSERT_TRUE(hit->time.numerator * correct.denominator == correct.numerator * hit->time.denominator)
+        << textOf(query);
   });
 }
 
 TEST(SweepTest, IsTranslationInvariant) {
-  forRandomQueries(20000, [](const SweepQuestion& query) {
+  forRandomQueries(20000, [](const SweepQuery& query) {
     const Point shift(1 << 27, -(1 << 26) - 5);
     const auto here = answer(query);
     const auto there = answer(mapped(
@@ -178,7 +179,7 @@ TEST(SweepTest, IsTranslationInvariant) {
 }
 
 TEST(SweepTest, IsInvariantUnderQuarterTurns) {
-  forRandomQueries(20000, [](const SweepQuestion& query) {
+  forRandomQueries(20000, [](const SweepQuery& query) {
     const auto here = answer(query);
     const auto turned = answer(mapped(query, perpendicular, {}));
     ASSERT_NO_FATAL_FAILURE(expectSameTimes(here, turned, query));
@@ -190,17 +191,17 @@ TEST(SweepTest, IsInvariantUnderQuarterTurns) {
 }
 
 TEST(SweepTest, IsMirrorInvariant) {
-  forRandomQueries(20000, [](const SweepQuestion& query) {
-    SweepQuestion image = mapped(query, [](Point p) { return Point(-p.x, p.y); }, {});
+  forRandomQueries(20000, [](const SweepQuery& query) {
+    SweepQuery image = mapped(query, [](Point p) { return Point(-p.x, p.y); }, {});
     std::reverse(image.shape.begin(), image.shape.end());
     expectSameTimes(answer(query), answer(image), query);
   });
 }
 
 TEST(SweepTest, IsIndependentOfTheDirectionOfTheSegment) {
-  forRandomQueries(20000, [](const SweepQuestion& query) {
-    SweepQuestion reversed = query;
-    std::swap(reversed.line.a, reversed.line.b);
+  forRandomQueries(20000, [](const SweepQuery& query) {
+    SweepQuery reversed = query;
+    std::swap(reversed.segment.a, reversed.segment.b);
     const auto forth = answer(query);
     const auto back = answer(reversed);
     ASSERT_NO_FATAL_FAILURE(expectSameTimes(forth, back, query));
@@ -214,15 +215,15 @@ TEST(SweepTest, IsIndependentOfTheDirectionOfTheSegment) {
 TEST(SweepTest, HitsASegmentWhereItsPartsAreHit) {
   sim::SeededRandom random(kSeed);
   for (int i = 0; i < 20000; ++i) {
-    SweepQuestion query = randomQuery(random, i);
+    SweepQuery query = randomQuery(random, i);
     const Point step = random.vector(5);
     const auto parts = 1 + static_cast<std::int32_t>(random.below(6));
     const auto cut = static_cast<std::int32_t>(random.below(static_cast<std::uint64_t>(parts) + 1));
-    const auto along = [&](std::int32_t n) { return query.line.a + Point(step.x * n, step.y * n); };
-    SweepQuestion first = query;
-    SweepQuestion second = query;
-    first.line.b = second.line.a = along(cut);
-    query.line.b = second.line.b = along(parts);
+    const auto along = [&](std::int32_t n) { return query.segment.a + Point(step.x * n, step.y * n); };
+    SweepQuery first = query;
+    SweepQuery second = query;
+    first.segment.b = second.segment.a = along(cut);
+    query.segment.b = second.segment.b = along(parts);
     const auto whole = answer(query);
     const auto a = answer(first);
     const auto b = answer(second);
@@ -237,8 +238,8 @@ TEST(SweepTest, HitsASegmentWhereItsPartsAreHit) {
 
 // The reversed sweep enters where the original exits, and exits where it enters.
 TEST(SweepTest, ReversedSweepsMirrorTheTimes) {
-  forRandomQueries(20000, [](const SweepQuestion& query) {
-    SweepQuestion reversed = query;
+  forRandomQueries(20000, [](const SweepQuery& query) {
+    SweepQuery reversed = query;
     reversed.position = query.position + query.displacement;
     reversed.displacement = -query.displacement;
     const auto forth = answer(query);
@@ -255,7 +256,7 @@ TEST(SweepTest, ReversedSweepsMirrorTheTimes) {
 // At each twelfth of the displacement, the shape overlaps the segment exactly when the time is between `time` and
 // `exit`.
 TEST(SweepTest, OverlapsOnlyBetweenTimeAndExit) {
-  forRandomQueries(4000, [](const SweepQuestion& query) {
+  forRandomQueries(4000, [](const SweepQuery& query) {
     constexpr std::int32_t parts = 12;
     const auto hit = answer(query);
     const auto scaled = [](Point p) { return oracle::Vec{std::int64_t{p.x} * parts, std::int64_t{p.y} * parts}; };
@@ -264,7 +265,7 @@ TEST(SweepTest, OverlapsOnlyBetweenTimeAndExit) {
     for (std::int32_t part = 0; part <= parts; ++part) {
       const oracle::Vec at = scaled(query.position) + part * oracle::Vec{query.displacement.x, query.displacement.y};
       const bool overlaps =
-          oracle::OpenArea::placed(shape, at).intersects({scaled(query.line.a), scaled(query.line.b)});
+          oracle::OpenArea::placed(shape, at).intersects({scaled(query.segment.a), scaled(query.segment.b)});
       const Fraction time{part, parts};
       const bool within = hit && time < hit->exit && (time > hit->time || hit->side == Hit::Side::kInside);
       // An exit of 1 does not say whether the shape overlaps at the end.
@@ -277,7 +278,7 @@ TEST(SweepTest, OverlapsOnlyBetweenTimeAndExit) {
 TEST(SweepTest, NormalFacesTheShapeAndTheFeatureTouches) {
   int lines = 0;
   int ends = 0;
-  forRandomQueries(20000, [&](const SweepQuestion& query) {
+  forRandomQueries(20000, [&](const SweepQuery& query) {
     const auto hit = answer(query);
     if (!hit || hit->side == Hit::Side::kInside) return;
     ASSERT_LT(dot(hit->normal, query.displacement), 0) << textOf(query);
@@ -292,12 +293,12 @@ TEST(SweepTest, NormalFacesTheShapeAndTheFeatureTouches) {
     if (hit->side == Hit::Side::kSegment) {
       ++lines;
       ASSERT_TRUE(isVertex(hit->feature)) << textOf(query);
-      ASSERT_EQ(dot(hit->normal, query.line.b - query.line.a), 0) << textOf(query);
-      ASSERT_TRUE(gap(hit->feature, query.line.a) == 0) << textOf(query);
+      ASSERT_EQ(dot(hit->normal, query.segment.b - query.segment.a), 0) << textOf(query);
+      ASSERT_TRUE(gap(hit->feature, query.segment.a) == 0) << textOf(query);
       return;
     }
     ++ends;
-    ASSERT_TRUE(hit->feature == query.line.a || hit->feature == query.line.b) << textOf(query);
+    ASSERT_TRUE(hit->feature == query.segment.a || hit->feature == query.segment.b) << textOf(query);
     ASSERT_EQ(std::count_if(query.shape.begin(), query.shape.end(),
                             [&](Point vertex) { return gap(vertex, hit->feature) == 0; }),
               2)
@@ -308,7 +309,7 @@ TEST(SweepTest, NormalFacesTheShapeAndTheFeatureTouches) {
 }
 
 TEST(SweepTest, LargerMarginsHitEarlierAndExitLater) {
-  forRandomQueries(20000, [](const SweepQuestion& query) {
+  forRandomQueries(20000, [](const SweepQuery& query) {
     std::optional<Hit> smaller = answer(query);
     for (const std::int32_t grown : {1, 2, 4, 8, 100}) {
       const auto larger = answer(query, grown);
@@ -370,13 +371,14 @@ TEST(SweepTest, LargestQueriesAgreeWithTheOracle) {
   for (int i = 0; i < 20000; ++i) {
     std::vector<Point> hull = convexHull({corner(), corner(), corner(), corner(), corner()});
     if (Convex::fault(hull)) continue;
-    const SweepQuestion query{hull, corner(), corner(), {corner(), corner()}};
-    const oracle::SweepTruth truth = truthOf(query);
+    const SweepQuery query{hull, corner(), corner(), {corner(), corner()}};
+    const oracle::CorrectAnswer correct = correctAnswerOf(query);
     const auto hit = answer(query);
-    ASSERT_EQ(hit.has_value(), truth.kind != oracle::SweepTruth::Kind::Miss) << textOf(query);
+    ASSERT_EQ(hit.has_value(), correct.kind != oracle::CorrectAnswer::Kind::Miss) << textOf(query);
     if (!hit) continue;
     ++hits;
-    ASSERT_TRUE(hit->time.numerator * truth.denominator == truth.numerator * hit->time.denominator) << textOf(query);
+    ASSERT_TRUE(hit->time.numerator * correct.denominator == correct.numerator * hit->time.denominator)
+        << textOf(query);
   }
   EXPECT_GT(hits, 1000);
 }

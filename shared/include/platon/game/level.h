@@ -25,7 +25,7 @@ struct Level {
   Angle startAngle;  ///< from the face's +y to the player's up, counter-clockwise
   std::uint32_t goalFace = 0;
   Point goal;                                  ///< subunits, in the face's frame
-  std::vector<std::vector<Segment>> segments;  ///< per face, cut at the edges, without posts
+  std::vector<std::vector<Segment>> segments;  ///< per face, clipped at the edges, without posts
   std::string title;                           ///< at most 100 bytes of printable UTF-8, may be empty
   std::string author;                          ///< at most 100 bytes of printable UTF-8, may be empty
   std::string text;                            ///< content of the level file

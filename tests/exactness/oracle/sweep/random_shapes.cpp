@@ -76,21 +76,21 @@ Polygon randomShape(ShapeKind kind, std::int64_t scale, RandomSource& random) {
   return {};
 }
 
-Segment randomObstacle(ObstacleKind kind, const Polygon& shape, std::int64_t scale, RandomSource& random) {
+Segment randomSegment(SegmentKind kind, const Polygon& shape, std::int64_t scale, RandomSource& random) {
   const std::size_t edge = random.below(shape.size());
   const Vec along = shape[(edge + 1) % shape.size()] - shape[edge];
   const Vec a = random.vector(random.oneIn(2) ? scale : scale / 4 + 1);
   const std::int64_t factor = random.oneIn(2) ? 1 : -random.between(1, 3);
   switch (kind) {
-    case ObstacleKind::Any:
+    case SegmentKind::Any:
       return {a, random.oneIn(16) ? a : random.vector(scale)};
-    case ObstacleKind::Point:
+    case SegmentKind::Point:
       return {a, a};
-    case ObstacleKind::Parallel:
+    case SegmentKind::Parallel:
       return {a, a + factor * along};
-    case ObstacleKind::EdgeCopy:
+    case SegmentKind::EdgeCopy:
       return {a, random.oneIn(2) ? a + along : a - along};
-    case ObstacleKind::NearlyParallel:
+    case SegmentKind::NearlyParallel:
       return {a, a + factor * along + random.vector(1)};
   }
   return {};

@@ -25,11 +25,11 @@ struct Totals {
   std::size_t corners = 0;
   std::size_t disagreements = 0;
 
-  void count(const SweepTruth& truth) {
+  void count(const CorrectAnswer& correct) {
     ++queries;
-    hits += truth.kind == SweepTruth::Kind::Hit;
-    overlaps += truth.kind == SweepTruth::Kind::Overlap;
-    corners += truth.normals.size() == 2;
+    hits += correct.kind == CorrectAnswer::Kind::Hit;
+    overlaps += correct.kind == CorrectAnswer::Kind::Overlap;
+    corners += correct.normals.size() == 2;
   }
   void add(const Totals& other) {
     queries += other.queries;
@@ -53,21 +53,21 @@ std::vector<SweepQuery> makeBatch(const SweepFamily& family, std::size_t count, 
   return queries;
 }
 
-void printDisagreement(const SweepFamily& family, const SweepQuery& query, const SweepTruth& truth,
+void printDisagreement(const SweepFamily& family, const SweepQuery& query, const CorrectAnswer& correct,
                        std::string_view answer) {
   std::cout << "DISAGREEMENT in family \"" << family.name << "\"\n  query:    " << toLine(query)
-            << "\n  expected: " << toText(truth) << "\n  answer:   " << answer << '\n';
+            << "\n  expected: " << toText(correct) << "\n  answer:   " << answer << '\n';
 }
 
 /// Compares one answer with the oracle. Prints the first disagreement of a family.
 void compare(const SweepFamily& family, const SweepQuery& query, std::string_view line, Totals& totals) {
-  const SweepTruth truth = sweepTruth(query);
-  if (totals.queries % kConfirmEvery == 0 && !confirms(query, truth))
-    throw std::logic_error("the oracle contradicts the definition at " + toLine(query) + ": " + toText(truth));
-  totals.count(truth);
+  const CorrectAnswer correct = correctAnswer(query);
+  if (totals.queries % kConfirmEvery == 0 && !confirms(query, correct))
+    throw std::logic_error("the oracle contradicts the definition at " + toLine(query) + ": " + toText(correct));
+  totals.count(correct);
   const std::optional<SweepAnswer> answer = parseAnswer(line);
-  if (answer && agrees(truth, *answer)) return;
-  if (totals.disagreements++ == 0) printDisagreement(family, query, truth, line);
+  if (answer && agrees(correct, *answer)) return;
+  if (totals.disagreements++ == 0) printDisagreement(family, query, correct, line);
 }
 
 Totals checkFamily(const SweepProgram& program, const SweepFamily& family, std::size_t count, std::uint64_t seed) {

@@ -26,7 +26,7 @@ class Placement {
     mpq_class lowest = height(query_.shape.front());
     for (const Vec vertex : query_.shape) lowest = std::min<mpq_class>(lowest, height(vertex));
     lowest += normal.x * x_ + normal.y * y_;
-    return lowest == std::max<mpq_class>(height(query_.obstacle.a), height(query_.obstacle.b));
+    return lowest == std::max<mpq_class>(height(query_.segment.a), height(query_.segment.b));
   }
 
  private:
@@ -42,8 +42,8 @@ class Placement {
     mpq_class low = 0;
     mpq_class high = 1;
     for (std::size_t i = 0; i < query_.shape.size(); ++i) {
-      const mpq_class a = depth(i, query_.obstacle.a);
-      const mpq_class b = depth(i, query_.obstacle.b);
+      const mpq_class a = depth(i, query_.segment.a);
+      const mpq_class b = depth(i, query_.segment.b);
       const int inner = std::max(sgn(a), sgn(b));
       if (inner < 0 || (open && inner == 0)) return false;
       if (a == b) continue;
@@ -72,7 +72,7 @@ bool overlapsSoonAfter(const SweepQuery& query, const mpq_class& time) {
 
 bool isEdgeOfObstacle(const SweepQuery& query, Vec normal) {
   const Polygon& shape = query.shape;
-  if (dot(query.obstacle.b - query.obstacle.a, normal) == 0 && query.obstacle.a != query.obstacle.b) return true;
+  if (dot(query.segment.b - query.segment.a, normal) == 0 && query.segment.a != query.segment.b) return true;
   for (std::size_t i = 0; i < shape.size(); ++i) {
     const Vec along = shape[(i + 1) % shape.size()] - shape[i];
     if (dot(along, normal) == 0 && cross(along, normal) > 0) return true;
@@ -80,24 +80,24 @@ bool isEdgeOfObstacle(const SweepQuery& query, Vec normal) {
   return false;
 }
 
-bool confirmsHit(const SweepQuery& query, const SweepTruth& truth) {
-  mpq_class time(static_cast<std::int64_t>(truth.numerator), static_cast<std::int64_t>(truth.denominator));
+bool confirmsHit(const SweepQuery& query, const CorrectAnswer& correct) {
+  mpq_class time(static_cast<std::int64_t>(correct.numerator), static_cast<std::int64_t>(correct.denominator));
   time.canonicalize();
   const Placement contact(query, time);
   const auto isRightNormal = [&](Vec normal) {
     return dot(normal, query.displacement) < 0 && isEdgeOfObstacle(query, normal) && contact.isSeparatedBy(normal);
   };
   return time >= 0 && time < 1 && contact.touches() && !contact.overlaps() && overlapsSoonAfter(query, time) &&
-         !truth.normals.empty() && std::all_of(truth.normals.begin(), truth.normals.end(), isRightNormal);
+         !correct.normals.empty() && std::all_of(correct.normals.begin(), correct.normals.end(), isRightNormal);
 }
 
 }  // namespace
 
-bool confirms(const SweepQuery& query, const SweepTruth& truth) {
-  if (truth.kind == SweepTruth::Kind::Overlap) return Placement(query, 0).overlaps();
+bool confirms(const SweepQuery& query, const CorrectAnswer& correct) {
+  if (correct.kind == CorrectAnswer::Kind::Overlap) return Placement(query, 0).overlaps();
   if (Placement(query, 0).overlaps()) return false;
-  if (truth.kind == SweepTruth::Kind::Hit) return confirmsHit(query, truth);
-  return !OpenArea::swept(query.shape, query.position, query.displacement).intersects(query.obstacle);
+  if (correct.kind == CorrectAnswer::Kind::Hit) return confirmsHit(query, correct);
+  return !OpenArea::swept(query.shape, query.position, query.displacement).intersects(query.segment);
 }
 
 }  // namespace platon::oracle

@@ -14,46 +14,46 @@ namespace {
 constexpr std::int64_t kLargest = kCoordinateLimit - 1;
 
 constexpr auto kFamilies = std::to_array<SweepFamily>({
-    {"tiny", 4, ShapeKind::Any, ObstacleKind::Any, Aim::Random},
-    {"small", 8, ShapeKind::Any, ObstacleKind::Any, Aim::Random},
-    {"small box", 8, ShapeKind::Box, ObstacleKind::Any, Aim::Random},
-    {"medium", 1000, ShapeKind::Any, ObstacleKind::Any, Aim::EndsNearCorner},
-    {"large", kLargest, ShapeKind::Any, ObstacleKind::Any, Aim::EndsNearCorner},
-    {"large anywhere", kLargest, ShapeKind::Any, ObstacleKind::Any, Aim::Random},
-    {"extreme box", kLargest, ShapeKind::Box, ObstacleKind::Any, Aim::Random},
-    {"ball of a player", 1 << 20, ShapeKind::Ball, ObstacleKind::Any, Aim::EndsNearCorner},
-    {"ball against a point", 1 << 20, ShapeKind::Ball, ObstacleKind::Point, Aim::ThroughCorner},
-    {"many corners", 1 << 20, ShapeKind::ManyCorners, ObstacleKind::Any, Aim::EndsNearCorner},
-    {"many corners, parallel line", 1 << 20, ShapeKind::ManyCorners, ObstacleKind::Parallel, Aim::AlongEdge},
-    {"many corners, large", kLargest, ShapeKind::ManyCorners, ObstacleKind::NearlyParallel, Aim::ThroughCorner},
-    {"point, small", 8, ShapeKind::Any, ObstacleKind::Point, Aim::ThroughCorner},
-    {"point, large", kLargest, ShapeKind::Any, ObstacleKind::Point, Aim::EndsNearCorner},
-    {"corner, small", 30, ShapeKind::Any, ObstacleKind::Any, Aim::ThroughCorner},
-    {"corner, medium", 5000, ShapeKind::Any, ObstacleKind::Parallel, Aim::ThroughCorner},
-    {"corner, large", kLargest, ShapeKind::Any, ObstacleKind::Any, Aim::ThroughCorner},
-    {"corner, needle", kLargest, ShapeKind::Needle, ObstacleKind::NearlyParallel, Aim::ThroughCorner},
-    {"edge, small", 30, ShapeKind::Any, ObstacleKind::Any, Aim::AlongEdge},
-    {"edge, parallel line", 5000, ShapeKind::Any, ObstacleKind::Parallel, Aim::AlongEdge},
-    {"edge, large", kLargest, ShapeKind::Box, ObstacleKind::EdgeCopy, Aim::AlongEdge},
-    {"edge, ball", 1 << 20, ShapeKind::Ball, ObstacleKind::EdgeCopy, Aim::AlongEdge},
-    {"tangent, small", 30, ShapeKind::Any, ObstacleKind::Any, Aim::Tangent},
-    {"tangent, large", kLargest, ShapeKind::Any, ObstacleKind::NearlyParallel, Aim::Tangent},
-    {"starts on the boundary, small", 30, ShapeKind::Any, ObstacleKind::Any, Aim::StartsOnBoundary},
-    {"starts on the boundary, parallel line", 1 << 20, ShapeKind::Ball, ObstacleKind::Parallel, Aim::StartsOnBoundary},
-    {"starts on the boundary, large", kLargest, ShapeKind::Any, ObstacleKind::EdgeCopy, Aim::StartsOnBoundary},
-    {"starts on the boundary, needle", kLargest, ShapeKind::Needle, ObstacleKind::Any, Aim::StartsOnBoundary},
-    {"ends on the boundary, small", 30, ShapeKind::Any, ObstacleKind::Any, Aim::EndsOnBoundary},
-    {"ends on the boundary, ball", 1 << 20, ShapeKind::Ball, ObstacleKind::Parallel, Aim::EndsOnBoundary},
-    {"ends on the boundary, large", kLargest, ShapeKind::Any, ObstacleKind::Any, Aim::EndsOnBoundary},
-    {"ends on the boundary, needle", kLargest, ShapeKind::Needle, ObstacleKind::NearlyParallel, Aim::EndsOnBoundary},
-    {"starts inside, small", 30, ShapeKind::Any, ObstacleKind::Any, Aim::StartsInside},
-    {"starts inside, large", kLargest, ShapeKind::Needle, ObstacleKind::Any, Aim::StartsInside},
-    {"no displacement, small", 8, ShapeKind::Any, ObstacleKind::Any, Aim::NoDisplacement},
-    {"no displacement, large", kLargest, ShapeKind::Any, ObstacleKind::Parallel, Aim::NoDisplacement},
-    {"needles", 1 << 28, ShapeKind::Needle, ObstacleKind::NearlyParallel, Aim::EndsNearCorner},
-    {"nearly along an edge, small", 100, ShapeKind::Any, ObstacleKind::Any, Aim::NearlyAlongEdge},
-    {"nearly along an edge, large", kLargest, ShapeKind::Any, ObstacleKind::NearlyParallel, Aim::NearlyAlongEdge},
-    {"nearly along an edge, needle", kLargest, ShapeKind::Needle, ObstacleKind::NearlyParallel, Aim::NearlyAlongEdge},
+    {"tiny", 4, ShapeKind::Any, SegmentKind::Any, Aim::Random},
+    {"small", 8, ShapeKind::Any, SegmentKind::Any, Aim::Random},
+    {"small box", 8, ShapeKind::Box, SegmentKind::Any, Aim::Random},
+    {"medium", 1000, ShapeKind::Any, SegmentKind::Any, Aim::EndsNearCorner},
+    {"large", kLargest, ShapeKind::Any, SegmentKind::Any, Aim::EndsNearCorner},
+    {"large anywhere", kLargest, ShapeKind::Any, SegmentKind::Any, Aim::Random},
+    {"extreme box", kLargest, ShapeKind::Box, SegmentKind::Any, Aim::Random},
+    {"ball of a player", 1 << 20, ShapeKind::Ball, SegmentKind::Any, Aim::EndsNearCorner},
+    {"ball against a point", 1 << 20, ShapeKind::Ball, SegmentKind::Point, Aim::ThroughCorner},
+    {"many corners", 1 << 20, ShapeKind::ManyCorners, SegmentKind::Any, Aim::EndsNearCorner},
+    {"many corners, parallel line", 1 << 20, ShapeKind::ManyCorners, SegmentKind::Parallel, Aim::AlongEdge},
+    {"many corners, large", kLargest, ShapeKind::ManyCorners, SegmentKind::NearlyParallel, Aim::ThroughCorner},
+    {"point, small", 8, ShapeKind::Any, SegmentKind::Point, Aim::ThroughCorner},
+    {"point, large", kLargest, ShapeKind::Any, SegmentKind::Point, Aim::EndsNearCorner},
+    {"corner, small", 30, ShapeKind::Any, SegmentKind::Any, Aim::ThroughCorner},
+    {"corner, medium", 5000, ShapeKind::Any, SegmentKind::Parallel, Aim::ThroughCorner},
+    {"corner, large", kLargest, ShapeKind::Any, SegmentKind::Any, Aim::ThroughCorner},
+    {"corner, needle", kLargest, ShapeKind::Needle, SegmentKind::NearlyParallel, Aim::ThroughCorner},
+    {"edge, small", 30, ShapeKind::Any, SegmentKind::Any, Aim::AlongEdge},
+    {"edge, parallel line", 5000, ShapeKind::Any, SegmentKind::Parallel, Aim::AlongEdge},
+    {"edge, large", kLargest, ShapeKind::Box, SegmentKind::EdgeCopy, Aim::AlongEdge},
+    {"edge, ball", 1 << 20, ShapeKind::Ball, SegmentKind::EdgeCopy, Aim::AlongEdge},
+    {"tangent, small", 30, ShapeKind::Any, SegmentKind::Any, Aim::Tangent},
+    {"tangent, large", kLargest, ShapeKind::Any, SegmentKind::NearlyParallel, Aim::Tangent},
+    {"starts on the boundary, small", 30, ShapeKind::Any, SegmentKind::Any, Aim::StartsOnBoundary},
+    {"starts on the boundary, parallel line", 1 << 20, ShapeKind::Ball, SegmentKind::Parallel, Aim::StartsOnBoundary},
+    {"starts on the boundary, large", kLargest, ShapeKind::Any, SegmentKind::EdgeCopy, Aim::StartsOnBoundary},
+    {"starts on the boundary, needle", kLargest, ShapeKind::Needle, SegmentKind::Any, Aim::StartsOnBoundary},
+    {"ends on the boundary, small", 30, ShapeKind::Any, SegmentKind::Any, Aim::EndsOnBoundary},
+    {"ends on the boundary, ball", 1 << 20, ShapeKind::Ball, SegmentKind::Parallel, Aim::EndsOnBoundary},
+    {"ends on the boundary, large", kLargest, ShapeKind::Any, SegmentKind::Any, Aim::EndsOnBoundary},
+    {"ends on the boundary, needle", kLargest, ShapeKind::Needle, SegmentKind::NearlyParallel, Aim::EndsOnBoundary},
+    {"starts inside, small", 30, ShapeKind::Any, SegmentKind::Any, Aim::StartsInside},
+    {"starts inside, large", kLargest, ShapeKind::Needle, SegmentKind::Any, Aim::StartsInside},
+    {"no displacement, small", 8, ShapeKind::Any, SegmentKind::Any, Aim::NoDisplacement},
+    {"no displacement, large", kLargest, ShapeKind::Any, SegmentKind::Parallel, Aim::NoDisplacement},
+    {"needles", 1 << 28, ShapeKind::Needle, SegmentKind::NearlyParallel, Aim::EndsNearCorner},
+    {"nearly along an edge, small", 100, ShapeKind::Any, SegmentKind::Any, Aim::NearlyAlongEdge},
+    {"nearly along an edge, large", kLargest, ShapeKind::Any, SegmentKind::NearlyParallel, Aim::NearlyAlongEdge},
+    {"nearly along an edge, needle", kLargest, ShapeKind::Needle, SegmentKind::NearlyParallel, Aim::NearlyAlongEdge},
 });
 
 /// The shortest lattice vector with the direction of v.
@@ -70,15 +70,15 @@ std::int64_t stepsWithin(std::int64_t scale, Vec step) {
 /// Zero, or with probability 1/3 up to one subunit along each axis.
 Vec jitter(RandomSource& random) { return random.oneIn(3) ? random.vector(1) : Vec{}; }
 
-/// Chooses position and displacement of a query relative to its forbidden polygon.
+/// Chooses position and displacement of a query relative to its obstacle.
 class Aimer {
  public:
   Aimer(const SweepFamily& family, SweepQuery& query, RandomSource& random)
-      : family_(family), query_(query), random_(random), forbidden_(forbiddenPolygon(query)) {
-    edge_ = random.below(forbidden_.size());
-    start_ = forbidden_[edge_];
-    along_ = forbidden_[(edge_ + 1) % forbidden_.size()] - start_;
-    before_ = start_ - forbidden_[(edge_ + forbidden_.size() - 1) % forbidden_.size()];
+      : family_(family), query_(query), random_(random), obstacle_(obstacleOf(query)) {
+    edge_ = random.below(obstacle_.size());
+    start_ = obstacle_[edge_];
+    along_ = obstacle_[(edge_ + 1) % obstacle_.size()] - start_;
+    before_ = start_ - obstacle_[(edge_ + obstacle_.size() - 1) % obstacle_.size()];
   }
 
   void aim() {
@@ -166,7 +166,7 @@ class Aimer {
   const SweepFamily& family_;
   SweepQuery& query_;
   RandomSource& random_;
-  Polygon forbidden_;
+  Polygon obstacle_;
   std::size_t edge_ = 0;
   Vec start_;
   Vec along_;
@@ -181,7 +181,7 @@ SweepQuery makeQuery(const SweepFamily& family, RandomSource& random) {
   SweepQuery query;
   do {
     query.shape = randomShape(family.shape, family.scale, random);
-    query.obstacle = randomObstacle(family.obstacle, query.shape, family.scale, random);
+    query.segment = randomSegment(family.segment, query.shape, family.scale, random);
     Aimer(family, query, random).aim();
   } while (!isValid(query));
   return query;

@@ -11,8 +11,8 @@ namespace platon::oracle {
 /// Kind of polygon.
 enum class ShapeKind { Any, ManyCorners, Ball, Needle, Box };
 
-/// Kind of obstacle.
-enum class ObstacleKind {
+/// Kind of segment.
+enum class SegmentKind {
   Any,
   Point,
   Parallel,        ///< parallel to an edge of the polygon
@@ -20,7 +20,7 @@ enum class ObstacleKind {
   NearlyParallel,  ///< one subunit off parallel to an edge of the polygon
 };
 
-/// How position and displacement are chosen relative to the forbidden polygon O.
+/// How position and displacement are chosen relative to the obstacle O.
 enum class Aim {
   Random,            ///< both at random
   EndsNearCorner,    ///< the end is near a corner of O
@@ -39,7 +39,7 @@ struct SweepFamily {
   std::string_view name;
   std::int64_t scale;
   ShapeKind shape;
-  ObstacleKind obstacle;
+  SegmentKind segment;
   Aim aim;
 };
 

@@ -66,42 +66,42 @@ std::string toText(Wide value) {
 
 }  // namespace
 
-Polygon forbiddenPolygon(const SweepQuery& query) {
+Polygon obstacleOf(const SweepQuery& query) {
   std::vector<Vec> differences;
   differences.reserve(2 * query.shape.size());
   for (const Vec vertex : query.shape) {
-    differences.push_back(query.obstacle.a - vertex);
-    differences.push_back(query.obstacle.b - vertex);
+    differences.push_back(query.segment.a - vertex);
+    differences.push_back(query.segment.b - vertex);
   }
   return convexHull(std::move(differences));
 }
 
-SweepTruth sweepTruth(const SweepQuery& query) {
-  using Kind = SweepTruth::Kind;
-  const Polygon forbidden = forbiddenPolygon(query);
-  if (isInside(forbidden, query.position)) return {Kind::Overlap, 0, 1, {}};
+CorrectAnswer correctAnswer(const SweepQuery& query) {
+  using Kind = CorrectAnswer::Kind;
+  const Polygon obstacle = obstacleOf(query);
+  if (isInside(obstacle, query.position)) return {Kind::Overlap, 0, 1, {}};
   if (query.displacement == Vec{}) return {};
-  std::optional<Entry> entry = findEntry(forbidden, query.position, query.displacement);
+  std::optional<Entry> entry = findEntry(obstacle, query.position, query.displacement);
   if (!entry || entry->numerator < 0 || entry->numerator >= entry->denominator) return {};
   return {Kind::Hit, entry->numerator, entry->denominator, std::move(entry->normals)};
 }
 
-bool agrees(const SweepTruth& truth, const SweepAnswer& answer) {
-  using Kind = SweepTruth::Kind;
-  if (truth.kind == Kind::Miss || !answer.hit) return (truth.kind == Kind::Miss) == !answer.hit;
-  if (truth.kind == Kind::Overlap) return answer.numerator == 0 && answer.denominator == 1 && answer.normal == Vec{};
+bool agrees(const CorrectAnswer& correct, const SweepAnswer& answer) {
+  using Kind = CorrectAnswer::Kind;
+  if (correct.kind == Kind::Miss || !answer.hit) return (correct.kind == Kind::Miss) == !answer.hit;
+  if (correct.kind == Kind::Overlap) return answer.numerator == 0 && answer.denominator == 1 && answer.normal == Vec{};
   // All numerators and denominators are below 2^63, so the products are below 2^126.
-  return answer.denominator > 0 && truth.numerator * answer.denominator == truth.denominator * answer.numerator &&
-         std::any_of(truth.normals.begin(), truth.normals.end(),
+  return answer.denominator > 0 && correct.numerator * answer.denominator == correct.denominator * answer.numerator &&
+         std::any_of(correct.normals.begin(), correct.normals.end(),
                      [&](Vec outward) { return isPositiveMultiple(outward, answer.normal); });
 }
 
-std::string toText(const SweepTruth& truth) {
-  if (truth.kind == SweepTruth::Kind::Miss) return "miss";
-  if (truth.kind == SweepTruth::Kind::Overlap) return "hit 0 1 0 0";
-  std::string text = "hit " + toText(truth.numerator) + " " + toText(truth.denominator);
-  for (const Vec& outward : truth.normals)
-    text += (&outward == &truth.normals.front() ? " " : " | ") + toText(outward.x) + " " + toText(outward.y);
+std::string toText(const CorrectAnswer& correct) {
+  if (correct.kind == CorrectAnswer::Kind::Miss) return "miss";
+  if (correct.kind == CorrectAnswer::Kind::Overlap) return "hit 0 1 0 0";
+  std::string text = "hit " + toText(correct.numerator) + " " + toText(correct.denominator);
+  for (const Vec& outward : correct.normals)
+    text += (&outward == &correct.normals.front() ? " " : " | ") + toText(outward.x) + " " + toText(outward.y);
   return text;
 }
 

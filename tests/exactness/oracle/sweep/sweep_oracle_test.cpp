@@ -9,44 +9,44 @@ namespace {
 
 const Polygon kSquare{{0, 0}, {10, 0}, {10, 10}, {0, 10}};
 
-std::string truth(const SweepQuery& query) {
-  const SweepTruth found = sweepTruth(query);
+std::string correctText(const SweepQuery& query) {
+  const CorrectAnswer found = correctAnswer(query);
   EXPECT_TRUE(confirms(query, found)) << toLine(query);
   return toText(found);
 }
 
 TEST(SweepOracle, HitsASegment) {
-  EXPECT_EQ(truth({kSquare, {0, 0}, {20, 0}, {{15, -50}, {15, 50}}}), "hit 550 2200 -110 0");
+  EXPECT_EQ(correctText({kSquare, {0, 0}, {20, 0}, {{15, -50}, {15, 50}}}), "hit 550 2200 -110 0");
 }
 
 TEST(SweepOracle, MissesASegmentTouchedAtTheEnd) {
-  EXPECT_EQ(truth({kSquare, {0, 0}, {5, 0}, {{15, -50}, {15, 50}}}), "miss");
-  EXPECT_EQ(truth({kSquare, {0, 0}, {6, 0}, {{15, -50}, {15, 50}}}), "hit 550 660 -110 0");
+  EXPECT_EQ(correctText({kSquare, {0, 0}, {5, 0}, {{15, -50}, {15, 50}}}), "miss");
+  EXPECT_EQ(correctText({kSquare, {0, 0}, {6, 0}, {{15, -50}, {15, 50}}}), "hit 550 660 -110 0");
 }
 
 TEST(SweepOracle, MissesASegmentItSlidesAlong) {
-  EXPECT_EQ(truth({kSquare, {0, 0}, {50, 0}, {{-50, 0}, {90, 0}}}), "miss");
-  EXPECT_EQ(truth({kSquare, {0, 0}, {50, -1}, {{-50, 0}, {90, 0}}}), "hit 0 150 0 150");
+  EXPECT_EQ(correctText({kSquare, {0, 0}, {50, 0}, {{-50, 0}, {90, 0}}}), "miss");
+  EXPECT_EQ(correctText({kSquare, {0, 0}, {50, -1}, {{-50, 0}, {90, 0}}}), "hit 0 150 0 150");
 }
 
 TEST(SweepOracle, ReportsAPointInsideAsOverlap) {
-  EXPECT_EQ(truth({kSquare, {0, 0}, {50, 0}, {{5, 5}, {5, 5}}}), "hit 0 1 0 0");
-  EXPECT_EQ(truth({kSquare, {0, 0}, {0, 0}, {{5, 5}, {5, 5}}}), "hit 0 1 0 0");
-  EXPECT_EQ(truth({kSquare, {0, 0}, {0, 0}, {{0, 5}, {0, 5}}}), "miss");
+  EXPECT_EQ(correctText({kSquare, {0, 0}, {50, 0}, {{5, 5}, {5, 5}}}), "hit 0 1 0 0");
+  EXPECT_EQ(correctText({kSquare, {0, 0}, {0, 0}, {{5, 5}, {5, 5}}}), "hit 0 1 0 0");
+  EXPECT_EQ(correctText({kSquare, {0, 0}, {0, 0}, {{0, 5}, {0, 5}}}), "miss");
 }
 
 TEST(SweepOracle, AcceptsBothEdgesOfACorner) {
-  EXPECT_EQ(truth({kSquare, {0, 0}, {20, 20}, {{15, 15}, {15, 15}}}), "hit 200 800 -10 0 | 0 -10");
+  EXPECT_EQ(correctText({kSquare, {0, 0}, {20, 20}, {{15, 15}, {15, 15}}}), "hit 200 800 -10 0 | 0 -10");
 }
 
 TEST(SweepOracle, AcceptsOnlyTheEnteredEdgeOfACorner) {
   const SweepQuery query{kSquare, {0, 0}, {0, 20}, {{10, 20}, {20, 15}}};
-  EXPECT_EQ(truth({kSquare, {0, 0}, {20, 20}, {{15, 15}, {25, 10}}}), "hit 200 800 -10 0 | -5 -10");
-  EXPECT_EQ(truth(query), "miss");
+  EXPECT_EQ(correctText({kSquare, {0, 0}, {20, 20}, {{15, 15}, {25, 10}}}), "hit 200 800 -10 0 | -5 -10");
+  EXPECT_EQ(correctText(query), "miss");
 }
 
 TEST(SweepOracle, ComparesTimesAsRationalsAndNormalsAsDirections) {
-  const SweepTruth expected = sweepTruth({kSquare, {0, 0}, {20, 0}, {{15, -50}, {15, 50}}});
+  const CorrectAnswer expected = correctAnswer({kSquare, {0, 0}, {20, 0}, {{15, -50}, {15, 50}}});
   const auto isCorrect = [&](const char* line) { return agrees(expected, parseAnswer(line).value()); };
   EXPECT_TRUE(isCorrect("hit 1 4 -1 0"));
   EXPECT_TRUE(isCorrect("hit 25 100 -7 0"));
@@ -66,10 +66,10 @@ TEST(SweepOracle, ParsesOnlyExactAnswers) {
     EXPECT_FALSE(parseAnswer(line)) << line;
 }
 
-TEST(SweepOracle, RejectsAWrongTruth) {
+TEST(SweepOracle, ConfirmsNoWrongAnswer) {
   const SweepQuery query{kSquare, {0, 0}, {20, 0}, {{15, -50}, {15, 50}}};
-  const SweepTruth right = sweepTruth(query);
-  SweepTruth wrong = right;
+  const CorrectAnswer right = correctAnswer(query);
+  CorrectAnswer wrong = right;
   wrong.numerator += 1;
   EXPECT_FALSE(confirms(query, wrong));
   wrong = right;
@@ -78,8 +78,8 @@ TEST(SweepOracle, RejectsAWrongTruth) {
   wrong = right;
   wrong.normals = {{-1, 1}};
   EXPECT_FALSE(confirms(query, wrong));
-  EXPECT_FALSE(confirms(query, SweepTruth{}));
-  EXPECT_FALSE(confirms(query, {SweepTruth::Kind::Overlap, 0, 1, {}}));
+  EXPECT_FALSE(confirms(query, CorrectAnswer{}));
+  EXPECT_FALSE(confirms(query, {CorrectAnswer::Kind::Overlap, 0, 1, {}}));
 }
 
 TEST(SweepOracle, SatisfiesTheDefinition) {
@@ -88,7 +88,7 @@ TEST(SweepOracle, SatisfiesTheDefinition) {
   for (const SweepFamily& family : sweepFamilies())
     for (int i = 0; i < 300; ++i) {
       const SweepQuery query = makeQuery(family, random);
-      ASSERT_TRUE(confirms(query, sweepTruth(query))) << "seed " << kSeed << ": " << toLine(query);
+      ASSERT_TRUE(confirms(query, correctAnswer(query))) << "seed " << kSeed << ": " << toLine(query);
     }
 }
 

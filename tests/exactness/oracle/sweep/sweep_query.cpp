@@ -35,15 +35,15 @@ bool take(std::string_view& text, std::int64_t& number) {
 }  // namespace
 
 bool isValid(const SweepQuery& query) {
-  return isInRange(query.position) && isInRange(query.displacement) && isInRange(query.obstacle.a) &&
-         isInRange(query.obstacle.b) && std::all_of(query.shape.begin(), query.shape.end(), isInRange) &&
+  return isInRange(query.position) && isInRange(query.displacement) && isInRange(query.segment.a) &&
+         isInRange(query.segment.b) && std::all_of(query.shape.begin(), query.shape.end(), isInRange) &&
          isStrictlyConvex(query.shape);
 }
 
 std::string toLine(const SweepQuery& query) {
   std::string line = std::to_string(query.shape.size());
   for (const Vec vertex : query.shape) append(line, vertex);
-  for (const Vec v : {query.position, query.displacement, query.obstacle.a, query.obstacle.b}) append(line, v);
+  for (const Vec v : {query.position, query.displacement, query.segment.a, query.segment.b}) append(line, v);
   return line;
 }
 

@@ -9,12 +9,12 @@
 namespace platon::oracle {
 
 /// A query of the sweep query format: when does the open polygon `shape`, moving from `position` by `displacement`
-/// during t = 0 … 1, first hit `obstacle`?
+/// during t = 0 … 1, first hit `segment`?
 struct SweepQuery {
   Polygon shape;
   Vec position;
   Vec displacement;
-  Segment obstacle;
+  Segment segment;
 };
 
 /// True if the shape is strictly convex and counter-clockwise and every number is below 2^29 in magnitude.

@@ -73,7 +73,7 @@ bool FaceChecks::glue(std::size_t face, std::size_t index) {
   return true;
 }
 
-bool FaceChecks::hasMirror(std::size_t face, std::size_t edge) const {
+bool FaceChecks::hasReverse(std::size_t face, std::size_t edge) const {
   const Seam& there = seams_[face][edge];
   const Seam& back = seams_[there.face][there.edge];
   return back.face == face && back.edge == edge;
@@ -93,8 +93,8 @@ bool FaceChecks::areWarpsGlued() {
   }
   for (std::size_t face = 0; face < count; ++face)
     for (std::size_t edge = 0; edge < solid_.corners; ++edge)
-      if (!hasMirror(face, edge))
-        return failAt(face, "edge " + std::to_string(edge) + ": its warp has no mirror"), false;
+      if (!hasReverse(face, edge))
+        return failAt(face, "edge " + std::to_string(edge) + ": its warp has no reverse warp"), false;
   return true;
 }
 
@@ -159,7 +159,7 @@ void FaceChecks::checkLines() const {
   }
 }
 
-std::size_t FaceChecks::mirrorOf(std::size_t face, std::size_t warp) const {
+std::size_t FaceChecks::reverseOf(std::size_t face, std::size_t warp) const {
   const Seam& there = seams_[face][edges_[face][warp]];
   const std::vector<std::size_t>& edges = edges_[there.face];
   return static_cast<std::size_t>(std::find(edges.begin(), edges.end(), there.edge) - edges.begin());

@@ -27,8 +27,8 @@ class FaceChecks {
   /// Every segment lies inside its face within 1 subunit, and every corner is blocked.
   void checkLines() const;
 
-  /// Index of the mirror warp in the target face: the one that leads back.
-  std::size_t mirrorOf(std::size_t face, std::size_t warp) const;
+  /// Index, in the target face, of the reverse warp: the one that leads back.
+  std::size_t reverseOf(std::size_t face, std::size_t warp) const;
   /// The ideal motion from the frame of `face` to that of the target face.
   Isometry motionOf(std::size_t face, std::size_t warp) const;
 
@@ -43,7 +43,7 @@ class FaceChecks {
   bool glue(std::size_t face, std::size_t warp);
   std::optional<std::size_t> edgeAt(std::size_t face, const Segment& segment, long double tolerance) const;
   Segment edgeOf(std::size_t face, std::size_t edge) const;
-  bool hasMirror(std::size_t face, std::size_t edge) const;
+  bool hasReverse(std::size_t face, std::size_t edge) const;
   std::size_t facesAroundCorner(std::size_t face, std::size_t corner) const;
   std::size_t connectedFaces() const;
   bool isInside(std::size_t face, Vec point) const;

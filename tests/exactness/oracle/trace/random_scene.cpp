@@ -59,10 +59,10 @@ void addLines(Scene& scene, RandomSource& random) {
         addCorridor(scene, random);
         break;
       case 3:
-        scene.lines.push_back(randomObstacle(ObstacleKind::Parallel, scene.shape, 4 * scene.scale, random));
+        scene.lines.push_back(randomSegment(SegmentKind::Parallel, scene.shape, 4 * scene.scale, random));
         break;
       case 4:
-        scene.lines.push_back(randomObstacle(ObstacleKind::Point, scene.shape, 4 * scene.scale, random));
+        scene.lines.push_back(randomSegment(SegmentKind::Point, scene.shape, 4 * scene.scale, random));
         break;
       default:
         scene.lines.push_back({random.vector(4 * scene.scale), random.vector(4 * scene.scale)});

@@ -129,7 +129,7 @@ void StateChecker::checkPlacements(const TraceLeg& leg) {
 
 bool StateChecker::isCovered(const TraceLeg& leg, const TraceInstance& instance, std::size_t warp) const {
   const MapWarp& through = map_.face(instance.face).warps[warp];
-  if (!instance.home && warpOf(leg, instance).mirror == warp) return true;
+  if (!instance.home && warpOf(leg, instance).reverse == warp) return true;
   const RealVec place = through.motion.apply(toReal(instance.position));
   const std::int64_t angle = instance.angle + through.motion.turn();
   return std::any_of(leg.begin(), leg.end(), [&](const TraceInstance& other) {

@@ -62,7 +62,7 @@ TEST(TraceHeader, NoEdgeMayHaveTwoWarps) {
   EXPECT_EQ(rulesViolatedBy(header), kHeader);
 }
 
-TEST(TraceHeader, EveryWarpMustHaveAMirror) {
+TEST(TraceHeader, EveryWarpMustHaveAReverseWarp) {
   TraceHeader header = sampleTrace().header;
   std::swap(header.faces[2].warps[1].to, header.faces[2].warps[2].to);
   std::swap(header.faces[2].warps[1].onto, header.faces[2].warps[2].onto);
@@ -76,22 +76,23 @@ TEST(TraceHeader, WarpsMustMapEdgesToReversedEdges) {
 }
 
 TEST(TraceHeader, FacesMustBeGluedAsOnTheSolid) {
-  // Exchanges the warps of two edges: every warp still has a mirror, but the number of faces at some corners is wrong.
+  // Exchanges the warps of two edges: every warp still has a reverse warp, but the number of faces at some corners is
+  // wrong.
   TraceHeader header = sampleTrace().header;
   TraceWarp& first = header.faces[0].warps[1];
   TraceWarp& second = header.faces[1].warps[1];
-  const auto mirror = [&](const TraceWarp& warp) -> TraceWarp& {
+  const auto reverseOf = [&](const TraceWarp& warp) -> TraceWarp& {
     std::vector<TraceWarp>& warps = header.faces[static_cast<std::size_t>(warp.to)].warps;
     for (TraceWarp& candidate : warps)
       if (candidate.from == Segment{warp.onto.b, warp.onto.a}) return candidate;
     return warps.front();
   };
-  TraceWarp& firstMirror = mirror(first);
-  TraceWarp& secondMirror = mirror(second);
+  TraceWarp& firstReverse = reverseOf(first);
+  TraceWarp& secondReverse = reverseOf(second);
   std::swap(first.to, second.to);
   std::swap(first.onto, second.onto);
-  std::swap(firstMirror.to, secondMirror.to);
-  std::swap(firstMirror.onto, secondMirror.onto);
+  std::swap(firstReverse.to, secondReverse.to);
+  std::swap(firstReverse.onto, secondReverse.onto);
   EXPECT_EQ(rulesViolatedBy(header), kHeader);
 }
 

@@ -76,7 +76,7 @@ class TraceMapBuilder {
       const TraceWarp& warp = header_.faces[face].warps[index];
       map_.faces_[face].warps.push_back({warp.from, boxOf(warp.from).joined(boxOf(beyond(warp.from))),
                                          beyond(warp.from), static_cast<std::size_t>(warp.to),
-                                         checks.mirrorOf(face, index), checks.motionOf(face, index)});
+                                         checks.reverseOf(face, index), checks.motionOf(face, index)});
     }
   }
 

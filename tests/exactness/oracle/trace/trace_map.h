@@ -23,7 +23,7 @@ struct MapWarp {
   Segment beyond;
   std::size_t to = 0;
   /// Index of the warp of face `to` that leads back.
-  std::size_t mirror = 0;
+  std::size_t reverse = 0;
   /// Ideal motion from the frame of this face to that of face `to`.
   Isometry motion;
 };

@@ -1,8 +1,8 @@
-#include "tests/exactness/judge/step_checker.h"
+#include "tests/exactness/step_check/step_checker.h"
 
-#include "tests/exactness/judge/conversions.h"
+#include "tests/exactness/step_check/conversions.h"
 
-namespace platon::judge {
+namespace platon::step_check {
 namespace {
 
 // I2: largest number of moves of a step.
@@ -126,4 +126,4 @@ void StepChecker::checkStep(const std::vector<oracle::TraceLeg>& legs) {
   states.checkTickEnd(legs.back());
 }
 
-}  // namespace platon::judge
+}  // namespace platon::step_check

@@ -9,18 +9,18 @@
 namespace platon {
 
 /// The input of one sweep test.
-struct SweepQuestion {
+struct SweepQuery {
   std::vector<Point> shape;
   Point position;
   Point displacement;
-  Segment line;
+  Segment segment;
 };
 
-inline std::optional<Hit> answer(const SweepQuestion& query, std::int32_t grown = 0) {
+inline std::optional<Hit> answer(const SweepQuery& query, std::int32_t grown = 0) {
   const Convex shape(query.shape);
   Sweep sweep;
   sweep.start(shape, query.position, query.displacement, grown);
-  return sweep.against(query.line);
+  return sweep.against(query.segment);
 }
 
 }  // namespace platon

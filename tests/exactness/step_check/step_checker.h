@@ -14,7 +14,7 @@
 #include "platon/physics/step_observer.h"
 #include "tests/exactness/oracle/trace/motion_checker.h"
 
-namespace platon::judge {
+namespace platon::step_check {
 
 /// The static data of a world that the checkers need. The referenced objects must outlive the checker.
 struct CheckedScene {
@@ -58,4 +58,4 @@ class StepChecker : public StepObserver {
   std::map<std::uint32_t, Tally> tallies_;
 };
 
-}  // namespace platon::judge
+}  // namespace platon::step_check

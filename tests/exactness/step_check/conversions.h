@@ -6,7 +6,7 @@
 #include "tests/exactness/oracle/exact_geometry.h"
 
 /// Conversions between the types of the simulation and those of the oracle.
-namespace platon::judge {
+namespace platon::step_check {
 
 inline oracle::Vec toVec(Point point) { return {point.x, point.y}; }
 
@@ -29,4 +29,4 @@ inline std::vector<Point> toPoints(const oracle::Polygon& polygon) {
   return points;
 }
 
-}  // namespace platon::judge
+}  // namespace platon::step_check
