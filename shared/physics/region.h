@@ -12,7 +12,7 @@
 namespace platon {
 
 /// The region of the report: a cache of the segments near one instance and of their obstacles. Derived state;
-/// influences speed only. Querying the grid before each leg instead makes a step of 64 movers among 100 or 10 000
+/// influences speed only. Querying the grid before each leg instead makes a step of 64 bodies among 100 or 10 000
 /// segments more than half as slow again.
 class Region {
  public:

@@ -20,27 +20,27 @@ b2Vec2 metres(Point point) { return {metres(point.x), metres(point.y)}; }
 class Box2dEngine : public Engine {
  public:
   explicit Box2dEngine(const Scene& scene) : world_({0, 0}) {
-    addLines(scene.lines);
+    addSegments(scene.segments);
     b2PolygonShape shape;
     std::vector<b2Vec2> vertices;
     for (const Point vertex : scene.shape.vertices()) vertices.push_back(metres(vertex));
     shape.Set(vertices.data(), static_cast<int32>(vertices.size()));
-    for (const Point mover : scene.movers) addMover(shape, mover);
+    for (const Point body : scene.bodies) addBody(shape, body);
   }
 
-  void setVelocity(std::size_t mover, Place velocity) override {
-    movers_[mover]->SetLinearVelocity({metres(velocity.x * kStepsPerSecond), metres(velocity.y * kStepsPerSecond)});
+  void setVelocity(std::size_t body, Place velocity) override {
+    bodies_[body]->SetLinearVelocity({metres(velocity.x * kStepsPerSecond), metres(velocity.y * kStepsPerSecond)});
   }
   void step() override {
     world_.Step(static_cast<float>(1 / kStepsPerSecond), kVelocityIterations, kPositionIterations);
   }
-  Place position(std::size_t mover) const override {
-    const b2Vec2 position = movers_[mover]->GetPosition();
+  Place position(std::size_t body) const override {
+    const b2Vec2 position = bodies_[body]->GetPosition();
     return {position.x * kSubunitsPerMetre, position.y * kSubunitsPerMetre};
   }
 
  private:
-  void addLines(const std::vector<Segment>& lines) {
+  void addSegments(const std::vector<Segment>& lines) {
     const b2BodyDef still;
     b2Body* const ground = world_.CreateBody(&still);
     for (const Segment& line : lines) {
@@ -52,25 +52,25 @@ class Box2dEngine : public Engine {
       ground->CreateFixture(&fixture);
     }
   }
-  // Movers do not collide with each other.
-  void addMover(const b2PolygonShape& shape, Point position) {
+  // Bodies do not collide with each other.
+  void addBody(const b2PolygonShape& shape, Point position) {
     b2BodyDef body;
     body.type = b2_dynamicBody;
     body.bullet = true;
     body.fixedRotation = true;
     body.allowSleep = false;
     body.position = metres(position);
-    movers_.push_back(world_.CreateBody(&body));
+    bodies_.push_back(world_.CreateBody(&body));
     b2FixtureDef fixture;
     fixture.shape = &shape;
     fixture.density = 1;
     fixture.friction = 0;
     fixture.filter.groupIndex = -1;
-    movers_.back()->CreateFixture(&fixture);
+    bodies_.back()->CreateFixture(&fixture);
   }
 
   b2World world_;
-  std::vector<b2Body*> movers_;
+  std::vector<b2Body*> bodies_;
 };
 
 }  // namespace

@@ -23,11 +23,11 @@ struct Place {
   double y = 0;
 };
 
-/// A scene for every engine: static segments, and movers of one convex shape with at most eight vertices.
+/// A scene for every engine: static segments, and bodies of one convex shape with at most eight vertices.
 struct Scene {
-  std::vector<Segment> lines;
+  std::vector<Segment> segments;
   Convex shape;
-  std::vector<Point> movers;
+  std::vector<Point> bodies;
   double subunitsPerUnit =
       kSubunitsPerUnit;  ///< of the scene's coordinates; the slop of the float engines depends on it
 };
@@ -39,9 +39,9 @@ class Engine {
   virtual ~Engine() = default;
 
   /// Sets the velocity for the next step, in subunits per step.
-  virtual void setVelocity(std::size_t mover, Place velocity) = 0;
+  virtual void setVelocity(std::size_t body, Place velocity) = 0;
   virtual void step() = 0;
-  virtual Place position(std::size_t mover) const = 0;
+  virtual Place position(std::size_t body) const = 0;
 };
 
 /// An engine and its name in the report.

@@ -1,5 +1,5 @@
 // The same algorithm in floating point: swept Minkowski sum, the same grid, and slides along the edge hit up to its
-// end. It keeps a slop between mover and segments; without one it falls through at the first rounding. It does not
+// end. It keeps a slop between body and segments; without one it falls through at the first rounding. It does not
 // nudge.
 #include <algorithm>
 #include <cmath>
@@ -27,22 +27,22 @@ template <class Real>
 class FloatEngine : public Engine {
  public:
   explicit FloatEngine(const Scene& scene)
-      : lines_(scene.lines),
+      : lines_(scene.segments),
         grid_(lines_),
         shape_(scene.shape),
         bounds_(scene.shape.bounds()),
         slop_(static_cast<Real>(kSlop<Real> * scene.subunitsPerUnit)) {
-    for (const Point mover : scene.movers) movers_.push_back({toFloat<Real>(mover), {}, kNowhere, {}});
+    for (const Point body : scene.bodies) bodies_.push_back({toFloat<Real>(body), {}, kNowhere, {}});
   }
 
-  void setVelocity(std::size_t mover, Place velocity) override {
-    movers_[mover].velocity = {static_cast<Real>(velocity.x), static_cast<Real>(velocity.y)};
+  void setVelocity(std::size_t body, Place velocity) override {
+    bodies_[body].velocity = {static_cast<Real>(velocity.x), static_cast<Real>(velocity.y)};
   }
   void step() override {
-    for (Mover& mover : movers_) move(mover);
+    for (Body& body : bodies_) move(body);
   }
-  Place position(std::size_t mover) const override {
-    return {static_cast<double>(movers_[mover].position.x), static_cast<double>(movers_[mover].position.y)};
+  Place position(std::size_t body) const override {
+    return {static_cast<double>(bodies_[body].position.x), static_cast<double>(bodies_[body].position.y)};
   }
 
  private:
@@ -51,7 +51,7 @@ class FloatEngine : public Engine {
 
   static constexpr Box kNowhere{{1, 1}, {0, 0}};
 
-  struct Mover {
+  struct Body {
     Vector position;
     Vector velocity;
     Box covered;  // area whose segments are in `near`
@@ -59,13 +59,13 @@ class FloatEngine : public Engine {
   };
   // A hit, moved forward in time so that the slop remains.
   struct Stop {
-    Real time;  // part of the displacement
+    Real time;  // fraction of the displacement
     Edge edge;  // its normal has length one
   };
-  // A slide along an edge up to its end. It uses `share` of the remaining displacement.
+  // A slide along an edge up to its end. It uses `fraction` of the remaining displacement.
   struct Slide {
     Vector displacement;
-    Real share;
+    Real fraction;
   };
 
   static std::int32_t clamped(Real value) {
@@ -80,27 +80,27 @@ class FloatEngine : public Engine {
             {clamped(static_cast<Real>(bounds_.high.x) + place.x + 2),
              clamped(static_cast<Real>(bounds_.high.y) + place.y + 2)}};
   }
-  void cover(Mover& mover, Vector to) {
-    const Box start = boundsAt(mover.position);
+  void cover(Body& body, Vector to) {
+    const Box start = boundsAt(body.position);
     const Box end = boundsAt(to);
     const Box way{{std::min(start.low.x, end.low.x), std::min(start.low.y, end.low.y)},
                   {std::max(start.high.x, end.high.x), std::max(start.high.y, end.high.y)}};
-    if (mover.covered.contains(way)) return;
-    mover.covered = way.grown(std::max(way.high.x - way.low.x, way.high.y - way.low.y) / 2);
-    mover.near.clear();
-    grid_.query(mover.covered, mover.near);
+    if (body.covered.contains(way)) return;
+    body.covered = way.grown(std::max(way.high.x - way.low.x, way.high.y - way.low.y) / 2);
+    body.near.clear();
+    grid_.query(body.covered, body.near);
   }
 
   // Sweeps a few slops farther than the displacement, so that the slop remains wherever the displacement ends.
-  std::optional<Stop> first(Mover& mover, Vector way) {
+  std::optional<Stop> first(Body& body, Vector way) {
     constexpr Real kAhead = 4;
     const Real all = length(way);
     if (all == 0) return std::nullopt;
     const Real farther = 1 + kAhead * slop_ / all;
-    cover(mover, mover.position + way * farther);
-    FloatSweep<Real> sweep(shape_, mover.position, way * farther);
+    cover(body, body.position + way * farther);
+    FloatSweep<Real> sweep(shape_, body.position, way * farther);
     std::optional<Stop> best;
-    for (const std::uint32_t index : mover.near) {
+    for (const std::uint32_t index : body.near) {
       const Vector a = toFloat<Real>(lines_[index].a);
       const Vector b = toFloat<Real>(lines_[index].b);
       const auto time = sweep.against(a, b);
@@ -121,21 +121,21 @@ class FloatEngine : public Engine {
     if (along == 0) return {{}, 1};
     const Real reach = along > 0 ? dot(edge.to - position, tangent) : dot(position - edge.from, tangent);
     // At the end already, and hit again: rounding hides which of the two edges it is.
-    const Real share = reach > 0 ? std::min<Real>((reach + slop_) / std::abs(along), 1) : 1;
-    return {tangent * (along * share), share};
+    const Real fraction = reach > 0 ? std::min<Real>((reach + slop_) / std::abs(along), 1) : 1;
+    return {tangent * (along * fraction), fraction};
   }
 
-  void move(Mover& mover) {
-    Vector remaining = mover.velocity;
+  void move(Body& body) {
+    Vector remaining = body.velocity;
     std::optional<Edge> held;
     for (int leg = 0; leg < kMaxLegs && dot(remaining, remaining) > 0; ++leg) {
-      const Slide next = held ? slide(mover.position, remaining, *held) : Slide{remaining, 1};
-      const auto stop = first(mover, next.displacement);
+      const Slide next = held ? slide(body.position, remaining, *held) : Slide{remaining, 1};
+      const auto stop = first(body, next.displacement);
       const Real time = stop ? stop->time : 1;
-      mover.position = mover.position + next.displacement * time;
-      remaining = remaining * (1 - time * next.share);
+      body.position = body.position + next.displacement * time;
+      remaining = remaining * (1 - time * next.fraction);
       const bool wedged =
-          held && stop && dot(slide(mover.position, remaining, stop->edge).displacement, held->normal) < 0;
+          held && stop && dot(slide(body.position, remaining, stop->edge).displacement, held->normal) < 0;
       if (wedged) return;
       held = stop ? std::optional(stop->edge) : std::nullopt;
     }
@@ -146,7 +146,7 @@ class FloatEngine : public Engine {
   FloatShape<Real> shape_;
   Box bounds_;
   Real slop_;  // subunits
-  std::vector<Mover> movers_;
+  std::vector<Body> bodies_;
 };
 
 }  // namespace

@@ -58,12 +58,12 @@ double averageOf(std::int64_t times, Work&& work) {
 }
 
 SnapshotResult benchSnapshot(const std::string& path, const Effort& effort) {
-  constexpr std::size_t kMovers = 64;
-  Session session(sim::levelFrom(path), kMovers);
+  constexpr std::size_t kBodies = 64;
+  Session session(sim::levelFrom(path), kBodies);
   const WorldState& live = session.game.world().save();
   World other = session.game.world();
   WorldState kept = live;
-  const std::int64_t times = 20000 / effort.share;
+  const std::int64_t times = 20000 / effort.divisor;
   const auto save = [&] {
     kept = live;
     keep(kept);
@@ -74,7 +74,7 @@ SnapshotResult benchSnapshot(const std::string& path, const Effort& effort) {
                                     [&] { return averageOf(times, hash); }},
                                    effort.passes);
   const std::size_t bytes = live.entities.size() * sizeof(EntityState) + live.instances.size() * sizeof(InstanceState);
-  return {sim::testName(path), kMovers, bytes, spreads[0], spreads[1], spreads[2]};
+  return {sim::testName(path), kBodies, bytes, spreads[0], spreads[1], spreads[2]};
 }
 
 // The reconciliation of a client: copies the confirmed game and advances it to the predicted tick.
@@ -91,14 +91,14 @@ ResimulationResult benchResimulation(const std::string& path, std::size_t player
     predicted = confirmed;
     for (const auto& tick : inputs) predicted.advance(tick);
   };
-  const std::int64_t times = std::max<std::int64_t>(1, 50 / effort.share);
+  const std::int64_t times = std::max<std::int64_t>(1, 50 / effort.divisor);
   const auto spreads = interleaved({[&] { return averageOf(times, replay) / 1000; }}, effort.passes);
   return {sim::testName(path), players, ticks, spreads[0]};
 }
 
 AdvanceResult benchAdvance(const std::string& path, const Effort& effort) {
   constexpr std::size_t kPlayers = 8;
-  const int ticks = static_cast<int>(6000 / effort.share);
+  const int ticks = static_cast<int>(6000 / effort.divisor);
   const auto level = sim::levelFrom(path);
   const auto pass = [&] {
     Session session(level, kPlayers);

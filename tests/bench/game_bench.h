@@ -10,7 +10,7 @@ namespace platon::bench {
 
 struct SnapshotResult {
   std::string level;
-  std::size_t movers = 0;
+  std::size_t bodies = 0;
   std::size_t bytes = 0;
   Spread saveNs;
   Spread restoreNs;
@@ -33,7 +33,7 @@ struct AdvanceResult {
 
 struct GameResults {
   std::vector<AdvanceResult> advances;            ///< every shipped level with eight players
-  std::vector<SnapshotResult> snapshots;          ///< 64 movers on the slowest of these levels
+  std::vector<SnapshotResult> snapshots;          ///< 64 bodies on the slowest of these levels
   std::vector<ResimulationResult> resimulations;  ///< on the same level: 16 players for 15 ticks, 64 for 60
 };
 

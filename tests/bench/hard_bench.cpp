@@ -46,7 +46,7 @@ class Trial {
   double gap() const {
     const Place now = position();
     long double least = std::numeric_limits<long double>::infinity();
-    for (const Segment& line : scene_.lines) least = std::min(least, separationOf(scene_.shape, now.x, now.y, line));
+    for (const Segment& line : scene_.segments) least = std::min(least, separationOf(scene_.shape, now.x, now.y, line));
     return static_cast<double>(least);
   }
   HardResult& result() { return result_; }
@@ -60,11 +60,11 @@ class Trial {
 
 // A scene with one octagon with a radius of 0.75 m.
 Scene sceneOf(std::vector<Segment> lines, Point start) {
-  return {.lines = std::move(lines), .shape = regular(8, kRadius), .movers = {start}};
+  return {.segments = std::move(lines), .shape = regular(8, kRadius), .bodies = {start}};
 }
 
 // A triangular room, counter-clockwise, with an angle of 0.1 degrees far to the right. At `middle` it becomes too
-// narrow for the mover. Floating point is most accurate near 0.
+// narrow for the body. Floating point is most accurate near 0.
 Scene wedge(Point middle) {
   constexpr double kHalfAngle = 0.05 / 180 * 3.14159265358979;
   constexpr std::int32_t kBefore = 700 * kMetre;
@@ -97,7 +97,7 @@ HardResult moveIntoWedge(const EngineKind& kind, const std::string& name, double
     const auto aside = Angle(static_cast<std::int32_t>(random.below(6000)) - 3000);
     const Point velocity = rotate(Point(i % (kIn + kOut) < kIn ? speed : -speed, 0), aside);
     trial.step({static_cast<double>(velocity.x), static_cast<double>(velocity.y)});
-    if (isInside(trial.position(), trial.scene().lines)) continue;
+    if (isInside(trial.position(), trial.scene().segments)) continue;
     ++trial.result().tunnelled;
     trial.restart();
   }
@@ -169,7 +169,7 @@ HardResult restInNotch(const EngineKind& kind, const std::string& name, std::int
 }  // namespace
 
 std::vector<HardResult> benchHardCases(const Effort& effort) {
-  const std::int64_t steps = kSteps / effort.share;
+  const std::int64_t steps = kSteps / effort.divisor;
   std::vector<HardResult> results;
   for (const EngineKind& kind : engineKinds()) {
     results.push_back(moveIntoWedge(kind, "wedge-10-m/s", 10, steps));

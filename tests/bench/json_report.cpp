@@ -57,10 +57,10 @@ JsonObject objectOf(const StepResult& result) {
   return JsonObject()
       .add("engine", result.engine)
       .add("segments", result.segments)
-      .add("movers", result.movers)
+      .add("bodies", result.bodies)
       .add("nsPerStep", result.nsPerStep)
       .add("bytesPerSegment", result.bytesPerSegment)
-      .add("bytesPerMover", result.bytesPerMover);
+      .add("bytesPerBody", result.bytesPerBody);
 }
 
 JsonObject objectOf(const HardResult& result) {
@@ -95,7 +95,7 @@ JsonObject objectOf(const PartResult& result) {
 JsonObject objectOf(const SnapshotResult& result) {
   return JsonObject()
       .add("level", result.level)
-      .add("movers", result.movers)
+      .add("bodies", result.bodies)
       .add("bytes", result.bytes)
       .add("saveNs", result.saveNs)
       .add("restoreNs", result.restoreNs)

@@ -40,10 +40,10 @@ void keep(const Value& value) {
 /// Amount of work of a run.
 struct Effort {
   int passes = 15;                   ///< at least five
-  std::int64_t share = 1;            ///< work is divided by this
+  std::int64_t divisor = 1;          ///< divides the amount of work
   std::size_t maxSegments = 100000;  ///< per scene
 
-  static Effort quick() { return {.passes = 5, .share = 10}; }
+  static Effort quick() { return {.passes = 5, .divisor = 10}; }
 };
 
 }  // namespace platon::bench

@@ -31,7 +31,7 @@ class Piercing : public Rules {
   bool pierce(const Entity&, const SegmentRef& segment) const override { return segment.warp; }
 };
 
-// A mover that moves to and fro by its radius.
+// A body that moves back and forth by its radius.
 class Oscillation {
  public:
   Oscillation(World world, Rules* rules, std::int32_t turn, Point velocity)
@@ -138,12 +138,12 @@ std::vector<PartResult> benchParts(const Effort& effort) {
   add("plane, turning by 5°", with(plane(), {}), nullptr, 500);
   add("plane, turning by 4.99°", with(plane(), {}), nullptr, 499);
   add("solid, middle of a face", with(cube(), {}), nullptr, 0);
-  add("solid, over an edge to and fro", with(cube(), kEdge), nullptr, 0);
-  add("solid, along an edge to and fro", with(cube(), kOnEdge), nullptr, 0, {0, kSpeed});
+  add("solid, over an edge back and forth", with(cube(), kEdge), nullptr, 0);
+  add("solid, along an edge back and forth", with(cube(), kOnEdge), nullptr, 0, {0, kSpeed});
   add("solid, at a corner", with(cube(), kCorner), nullptr, 0, kSlow);
   add("solid, at a corner, turning by 5°", with(cube(), kCorner), nullptr, 500, kSlow);
   add("solid, at a corner, turning by 4.99°", with(cube(), kCorner), nullptr, 499, kSlow);
-  const std::int64_t steps = std::max(kStepsPerMove, 20000 / effort.share / kStepsPerMove * kStepsPerMove);
+  const std::int64_t steps = std::max(kStepsPerMove, 20000 / effort.divisor / kStepsPerMove * kStepsPerMove);
   std::vector<std::function<double()>> passes;
   for (const Scene& scene : scenes)
     passes.push_back([oscillation = scene.oscillation.get(), steps] { return oscillation->run(steps); });

@@ -7,7 +7,7 @@
 
 namespace platon::bench {
 
-/// Cost of a step of one mover in a scene with or without a certain part.
+/// Cost of a step of one body in a scene with or without a certain part.
 struct PartResult {
   std::string scene;
   double instances = 0;  ///< average number of instances

@@ -16,21 +16,21 @@ class PlatonEngine : public Engine {
  public:
   explicit PlatonEngine(const Scene& scene) {
     MapPart part(world_, kPart);
-    for (const Segment& line : scene.lines) part.line(line.a, line.b);
+    for (const Segment& line : scene.segments) part.line(line.a, line.b);
     part.initialize();
-    for (const Point mover : scene.movers) {
+    for (const Point body : scene.bodies) {
       Entity entity(world_, scene.shape);
-      part.insert(entity, mover, Angle());
+      part.insert(entity, body, Angle());
     }
   }
 
-  void setVelocity(std::size_t mover, Place velocity) override {
-    Entity(world_, static_cast<std::uint32_t>(mover))
+  void setVelocity(std::size_t body, Place velocity) override {
+    Entity(world_, static_cast<std::uint32_t>(body))
         .setVelocity({static_cast<std::int32_t>(velocity.x), static_cast<std::int32_t>(velocity.y)});
   }
   void step() override { world_.solve(); }
-  Place position(std::size_t mover) const override {
-    const Point position = world_.entities()[mover].position;
+  Place position(std::size_t body) const override {
+    const Point position = world_.entities()[body].position;
     return {static_cast<double>(position.x), static_cast<double>(position.y)};
   }
 

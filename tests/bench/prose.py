@@ -1,6 +1,6 @@
 """The text of docs/speed_vs_error.md. Sentences with figures are made from the run."""
 
-from report_data import ENGINES, MOVERS, SEGMENTS, count
+from report_data import ENGINES, BODIES, SEGMENTS, count
 
 OTHERS = ENGINES[1:]
 EXACT = 0
@@ -61,7 +61,7 @@ design; here this counts as an error of the time and, when it passes close by, a
 STEPS = """Octagons are flung among random segments at up to 22 m/s and change direction every half second. The table gives \
 nanoseconds per body and step."""
 
-MEMORY = f"""Heap bytes per segment; heap bytes per body, of {MOVERS} bodies, including cached segments near it:"""
+MEMORY = f"""Heap bytes per segment; heap bytes per body, of {BODIES} bodies, including cached segments near it:"""
 
 HARD_CASES = """{0} steps in each case. A cell gives the deepest overlap after any step, in subunits, and:
 
@@ -78,7 +78,7 @@ to {low:.0f} to {high:.0f} subunits here, at any resolution. So a finer lattice 
 round to a lattice: its error is the gap it keeps at segment ends. Box2D and Chipmunk do not take part: by design, they discard \
 the rest of a step at a contact, which gives another trajectory."""
 
-PARTS = """One body moves the same small way to and fro in every scene; every face has the segments of the plane. Comparing \
+PARTS = """One body moves the same small way back and forth in every scene; every face has the segments of the plane. Comparing \
 the fastest passes, own rules take {rules:.2f} times as long as the plane, and a solid, away from its edges, {solid:.2f} times. A \
 body at an edge costs time for every face that it reaches (instances). A crossing takes {crossing:.0f} ns more than moving along \
 the edge. Rotations by 5° return to the same shapes, which are cached; by 4.99° nearly every shape is new and must be built."""
@@ -110,7 +110,7 @@ def _step_verdicts(data):
     own = data.step_ns("platon", SEGMENTS)
     ratios = {engine: own / data.step_ns(engine, SEGMENTS) for engine in OTHERS}
     told = _list(f"{ratio:.2f} times that of {engine}" for engine, ratio in ratios.items())
-    yield f"A step of {MOVERS} bodies among {count(SEGMENTS)} segments takes Platon {told}."
+    yield f"A step of {BODIES} bodies among {count(SEGMENTS)} segments takes Platon {told}."
     own = {scene: data.step("platon", *scene)["nsPerStep"] for scene in data.scenes()}
     faster = [e for e in OTHERS if any(data.step(e, *scene)["nsPerStep"] < ns for scene, ns in own.items())]
     yield f"Faster than Platon in at least one scene of whole steps: {_list(faster) if faster else 'none'}."

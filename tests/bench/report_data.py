@@ -3,7 +3,7 @@
 ENGINES = ("platon", "float32", "float64", "box2d-2.4", "chipmunk-7.0")
 
 # The scene in which whole steps are compared.
-MOVERS = 64
+BODIES = 64
 SEGMENTS = 10000
 
 
@@ -16,7 +16,7 @@ class ReportData:
     def __init__(self, report):
         self.report = report
         self._sweeps = {(r["set"], r["engine"]): r for r in report["sweep"]}
-        self._steps = {(r["engine"], r["segments"], r["movers"]): r for r in report["step"]}
+        self._steps = {(r["engine"], r["segments"], r["bodies"]): r for r in report["step"]}
         self._cases = {(r["case"], r["engine"]): r for r in report["hardCases"]}
         self._ladder = {(r["engine"], r["subunitsPerUnit"]): r for r in report["resolution"]}
 
@@ -30,15 +30,15 @@ class ReportData:
         return list(dict.fromkeys(r["subunitsPerUnit"] for r in self.report["resolution"]))
 
     def scenes(self):
-        """(segments, movers) of the whole steps."""
-        return list(dict.fromkeys((r["segments"], r["movers"]) for r in self.report["step"]))
+        """(segments, bodies) of the whole steps."""
+        return list(dict.fromkeys((r["segments"], r["bodies"]) for r in self.report["step"]))
 
     def sweep(self, set_name, engine):
         """None if the engine cannot answer the set."""
         return self._sweeps.get((set_name, engine))
 
-    def step(self, engine, segments, movers=MOVERS):
-        return self._steps[engine, segments, movers]
+    def step(self, engine, segments, bodies=BODIES):
+        return self._steps[engine, segments, bodies]
 
     def step_ns(self, engine, segments):
         return self.step(engine, segments)["nsPerStep"]

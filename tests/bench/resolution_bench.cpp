@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "tests/bench/engine.h"
-#include "tests/exactness/reference/exact_mover.h"
+#include "tests/exactness/reference/exact_body.h"
 #include "tests/exactness/reference/lattice_error.h"
 
 namespace platon::bench {
@@ -25,18 +25,18 @@ Point toPoint(oracle::Vec v) { return {static_cast<std::int32_t>(v.x), static_ca
 Scene toScene(const ExactScene& exact) {
   std::vector<Point> vertices;
   for (const oracle::Vec v : exact.shape) vertices.push_back(toPoint(v));
-  Scene scene{.lines = {}, .shape = Convex(std::move(vertices)), .movers = {toPoint(exact.start)}};
-  for (const oracle::Segment& line : exact.lines) scene.lines.push_back({toPoint(line.a), toPoint(line.b)});
+  Scene scene{.segments = {}, .shape = Convex(std::move(vertices)), .bodies = {toPoint(exact.start)}};
+  for (const oracle::Segment& line : exact.lines) scene.segments.push_back({toPoint(line.a), toPoint(line.b)});
   return scene;
 }
 
 // Ideal positions after each tick, in sixteenths of a unit.
 std::vector<Place> idealTrajectory(const ExactScene& scene) {
-  reference::ExactMover mover(scene);
+  reference::ExactBody body(scene);
   std::vector<Place> trajectory;
   for (int tick = 0; tick < kTicks; ++tick) {
-    mover.tick();
-    trajectory.push_back({mover.position().x.get_d(), mover.position().y.get_d()});
+    body.tick();
+    trajectory.push_back({body.position().x.get_d(), body.position().y.get_d()});
   }
   return trajectory;
 }

@@ -34,7 +34,7 @@ bool isFree(const Convex& shape, Point position, const std::vector<Segment>& lin
 }
 
 // `segments` segments, evenly distributed over a square that grows with their number, and four walls around it.
-Scene sceneOf(std::size_t segments, std::size_t movers) {
+Scene sceneOf(std::size_t segments, std::size_t bodies) {
   sim::SeededRandom random(kSeed);
   const auto half = static_cast<std::int32_t>(std::sqrt(static_cast<double>(segments)) * kSpacing / 2);
   const auto anywhere = [&] {
@@ -44,19 +44,19 @@ Scene sceneOf(std::size_t segments, std::size_t movers) {
     const std::int32_t x = coordinate();
     return Point(x, coordinate());
   };
-  Scene scene{.lines = {}, .shape = regular(8, kRadius), .movers = {}};
+  Scene scene{.segments = {}, .shape = regular(8, kRadius), .bodies = {}};
   const std::int32_t wall = half + 2 * kLongestLine;
-  scene.lines = {{{-wall, -wall}, {wall, -wall}},
-                 {{wall, -wall}, {wall, wall}},
-                 {{wall, wall}, {-wall, wall}},
-                 {{-wall, wall}, {-wall, -wall}}};
-  while (scene.lines.size() < segments) {
+  scene.segments = {{{-wall, -wall}, {wall, -wall}},
+                    {{wall, -wall}, {wall, wall}},
+                    {{wall, wall}, {-wall, wall}},
+                    {{-wall, wall}, {-wall, -wall}}};
+  while (scene.segments.size() < segments) {
     const Point a = anywhere();
-    scene.lines.push_back({a, a + random.vector(kLongestLine)});
+    scene.segments.push_back({a, a + random.vector(kLongestLine)});
   }
-  while (scene.movers.size() < movers) {
+  while (scene.bodies.size() < bodies) {
     const Point position = anywhere();
-    if (isFree(scene.shape, position, scene.lines)) scene.movers.push_back(position);
+    if (isFree(scene.shape, position, scene.segments)) scene.bodies.push_back(position);
   }
   return scene;
 }
@@ -75,36 +75,36 @@ double heapBytesOf(const EngineKind& kind, const Scene& scene) {
 class Runner {
  public:
   Runner(const EngineKind& kind, const Scene& scene) : random_(kSeed) {
-    const Scene bare{.lines = {}, .shape = scene.shape, .movers = {}};
-    const Scene still{.lines = scene.lines, .shape = scene.shape, .movers = {}};
+    const Scene bare{.segments = {}, .shape = scene.shape, .bodies = {}};
+    const Scene still{.segments = scene.segments, .shape = scene.shape, .bodies = {}};
     kind.make(still);  // so that allocations made only once do not count
-    const double withLines = heapBytesOf(kind, still);
-    bytesPerSegment_ = (withLines - heapBytesOf(kind, bare)) / static_cast<double>(scene.lines.size());
+    const double withSegments = heapBytesOf(kind, still);
+    bytesPerSegment_ = (withSegments - heapBytesOf(kind, bare)) / static_cast<double>(scene.segments.size());
     const std::size_t before = heapBytes();
     engine_ = kind.make(scene);
-    movers_ = scene.movers.size();
+    bodies_ = scene.bodies.size();
     run(2 * kStepsOfOneVelocity);  // warm
-    bytesPerMover_ = (static_cast<double>(heapBytes() - before) - withLines) / static_cast<double>(movers_);
+    bytesPerBody_ = (static_cast<double>(heapBytes() - before) - withSegments) / static_cast<double>(bodies_);
   }
 
   double bytesPerSegment() const { return bytesPerSegment_; }
-  double bytesPerMover() const { return bytesPerMover_; }
+  double bytesPerBody() const { return bytesPerBody_; }
 
-  // Nanoseconds per mover and step.
+  // Nanoseconds per body and step.
   double run(std::int64_t steps) {
     const std::int64_t velocities = (steps + kStepsOfOneVelocity - 1) / kStepsOfOneVelocity;
     const double spent = nanosecondsOf([&] {
       for (std::int64_t i = 0; i < velocities; ++i) runOneVelocity();
     });
-    return spent / static_cast<double>(velocities * kStepsOfOneVelocity) / static_cast<double>(movers_);
+    return spent / static_cast<double>(velocities * kStepsOfOneVelocity) / static_cast<double>(bodies_);
   }
 
  private:
   void runOneVelocity() {
     velocities_.clear();
-    for (std::size_t i = 0; i < movers_; ++i) velocities_.push_back(random_.vector(kSpeed));
+    for (std::size_t i = 0; i < bodies_; ++i) velocities_.push_back(random_.vector(kSpeed));
     for (int step = 0; step < kStepsOfOneVelocity; ++step) {
-      for (std::size_t i = 0; i < movers_; ++i) {
+      for (std::size_t i = 0; i < bodies_; ++i) {
         engine_->setVelocity(i, {static_cast<double>(velocities_[i].x), static_cast<double>(velocities_[i].y)});
       }
       engine_->step();
@@ -113,26 +113,26 @@ class Runner {
 
   sim::SeededRandom random_;
   std::unique_ptr<Engine> engine_;
-  std::size_t movers_ = 0;
+  std::size_t bodies_ = 0;
   double bytesPerSegment_ = 0;
-  double bytesPerMover_ = 0;
+  double bytesPerBody_ = 0;
   std::vector<Point> velocities_;
 };
 
-// All scenes with this number of movers are measured alternately, because their costs are compared.
-std::vector<StepResult> benchScenes(std::size_t movers, const Effort& effort) {
+// All scenes with this number of bodies are measured alternately, because their costs are compared.
+std::vector<StepResult> benchScenes(std::size_t bodies, const Effort& effort) {
   const std::int64_t steps =
-      std::max<std::int64_t>(kStepsOfOneVelocity, 60000 / static_cast<std::int64_t>(movers) / effort.share);
+      std::max<std::int64_t>(kStepsOfOneVelocity, 60000 / static_cast<std::int64_t>(bodies) / effort.divisor);
   std::vector<std::unique_ptr<Runner>> runners;
   std::vector<std::function<double()>> passes;
   std::vector<StepResult> results;
   for (const std::size_t segments : {100u, 1000u, 10000u, 100000u}) {
     if (segments > effort.maxSegments) break;
-    const Scene scene = sceneOf(segments, movers);
+    const Scene scene = sceneOf(segments, bodies);
     for (const EngineKind& kind : engineKinds()) {
       Runner* const runner = runners.emplace_back(std::make_unique<Runner>(kind, scene)).get();
       passes.push_back([=] { return runner->run(steps); });
-      results.push_back({kind.name, segments, movers, {}, runner->bytesPerSegment(), runner->bytesPerMover()});
+      results.push_back({kind.name, segments, bodies, {}, runner->bytesPerSegment(), runner->bytesPerBody()});
     }
   }
   const auto spreads = interleaved(passes, effort.passes);
@@ -144,8 +144,8 @@ std::vector<StepResult> benchScenes(std::size_t movers, const Effort& effort) {
 
 std::vector<StepResult> benchSteps(const Effort& effort) {
   std::vector<StepResult> results;
-  for (const std::size_t movers : {1u, 64u, 1000u}) {
-    for (StepResult& result : benchScenes(movers, effort)) results.push_back(std::move(result));
+  for (const std::size_t bodies : {1u, 64u, 1000u}) {
+    for (StepResult& result : benchScenes(bodies, effort)) results.push_back(std::move(result));
   }
   std::stable_sort(results.begin(), results.end(),
                    [](const StepResult& a, const StepResult& b) { return a.segments < b.segments; });

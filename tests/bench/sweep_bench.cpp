@@ -220,7 +220,7 @@ std::vector<SweepResult> benchSet(const SweepSet& set, const Effort& effort) {
 
 std::vector<SweepResult> benchSweeps(const Effort& effort) {
   std::vector<SweepResult> results;
-  for (const SweepSet& set : sweepSets(kQueries / static_cast<std::size_t>(effort.share))) {
+  for (const SweepSet& set : sweepSets(kQueries / static_cast<std::size_t>(effort.divisor))) {
     for (SweepResult& result : benchSet(set, effort)) results.push_back(std::move(result));
   }
   return results;

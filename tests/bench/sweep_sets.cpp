@@ -162,7 +162,7 @@ Point bezout(Point a) {
 }
 
 // Vectors v almost parallel to `along`, which has coprime coordinates: cross(along, v) = `product`, and v is about
-// `share` times as long.
+// `factor` times as long.
 class Parallels {
  public:
   explicit Parallels(Point along) : along_(along) {
@@ -170,10 +170,10 @@ class Parallels {
     step_ = {-factors.y, factors.x};
   }
 
-  Point at(std::int64_t product, double share) const {
+  Point at(std::int64_t product, double factor) const {
     const auto x = static_cast<int128>(step_.x) * product;
     const auto y = static_cast<int128>(step_.y) * product;
-    const auto wanted = static_cast<long double>(share) * static_cast<long double>(along_.x);
+    const auto wanted = static_cast<long double>(factor) * static_cast<long double>(along_.x);
     const auto times = static_cast<int128>((wanted - static_cast<long double>(x)) / static_cast<long double>(along_.x));
     return {static_cast<std::int32_t>(x + times * along_.x), static_cast<std::int32_t>(y + times * along_.y)};
   }
@@ -192,12 +192,12 @@ SweepQuery sliverQuery(SeededRandom& random, const Convex& shape) {
     const Parallels parallels(along);
     const std::uint64_t bits = random.below(12);
     const auto product = static_cast<std::int64_t>(1 + (random.below(1 << 12) >> bits));
-    const double share = 0.5 + static_cast<double>(random.below(1024)) / 2048;
+    const double factor = 0.5 + static_cast<double>(random.below(1024)) / 2048;
     const Point vertex = farthest(shape, Point() - perpendicular(along));
     const Point a = random.vector(kCoordinateLimit - 1 - kCoordinateLimit / 2);
     const auto height = static_cast<std::int64_t>(random.below(static_cast<std::uint64_t>(product)) * 3 / 2);
     const Point position = a - vertex + parallels.at(height, static_cast<double>(random.below(1024)) / 4096);
-    const SweepQuery query{0, position, parallels.at(-product, share), {a, a + along}};
+    const SweepQuery query{0, position, parallels.at(-product, factor), {a, a + along}};
     if (isInRange(position) && isInRange(query.displacement) && isInRange(query.segment.b)) return query;
   }
 }

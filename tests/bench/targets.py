@@ -1,6 +1,6 @@
 """The aims of the simulation, and whether a run isHit them."""
 
-from report_data import MOVERS, SEGMENTS, count
+from report_data import BODIES, SEGMENTS, count
 
 PEERS = ("box2d-2.4", "chipmunk-7.0")
 RANDOM_SETS = ("random", "random-12-gon")
@@ -29,10 +29,10 @@ def _speed_rows(data):
     share = own / data.step_ns(best, SEGMENTS)
     many = data.step_ns("platon", 100000)
     growth = many / data.step_ns("platon", 100)
-    where = f"a step, {MOVERS} bodies, {count(SEGMENTS)} segments"
+    where = f"a step, {BODIES} bodies, {count(SEGMENTS)} segments"
     yield where, "≤ 250 ns a body", f"{own:.0f} ns", own <= 250
     yield where + ", relative to the best peer", "≤ 0.5", f"{share:.2f} × {best}", share <= 0.5
-    yield f"a step, {MOVERS} bodies, 100 000 segments", "≤ 400 ns a body", f"{many:.0f} ns", many <= 400
+    yield f"a step, {BODIES} bodies, 100 000 segments", "≤ 400 ns a body", f"{many:.0f} ns", many <= 400
     yield "the same, relative to 100 segments", "≤ 1.6", f"{growth:.2f}", growth <= 1.6
 
 
@@ -41,8 +41,8 @@ def _state_rows(report):
     shot = report["snapshot"]
     time = shot["saveNs"] + shot["restoreNs"]
     yield "memory of a segment", "≤ 64 bytes", f"{size:.1f} bytes", size <= 64
-    yield f"{shot['movers']} bodies saved and restored", "< 1 µs", f"{time:.0f} ns", time < 1000
-    yield f"{shot['movers']} bodies, saved", "< 8 192 bytes", f"{count(shot['bytes'])} bytes", shot["bytes"] < 8192
+    yield f"{shot['bodies']} bodies saved and restored", "< 1 µs", f"{time:.0f} ns", time < 1000
+    yield f"{shot['bodies']} bodies, saved", "< 8 192 bytes", f"{count(shot['bytes'])} bytes", shot["bytes"] < 8192
     again = next(r for r in report["resimulation"] if (r["players"], r["ticks"]) == (64, 60))["microseconds"]
     yield "64 players, replay of 60 ticks", "≤ 2 ms", f"{again / 1000:.2f} ms", again <= 2000
     slowest = max(report["advance"], key=lambda r: r["nsPerPlayerTick"])

@@ -37,11 +37,11 @@ void addSweeps(const std::vector<SweepResult>& results, Lines& lines) {
 }
 
 void addSteps(const std::vector<StepResult>& results, Lines& lines) {
-  lines.add("\n%-13s %9s %7s %9s %19s %12s %13s", "step", "segments", "movers", "ns", "passes", "bytes/segment",
-            "bytes/mover");
+  lines.add("\n%-13s %9s %7s %9s %19s %12s %13s", "step", "segments", "bodies", "ns", "passes", "bytes/segment",
+            "bytes/body");
   for (const StepResult& r : results) {
-    lines.add("%-13s %9zu %7zu %9.1f %9.1f %9.1f %12.1f %13.0f", r.engine.c_str(), r.segments, r.movers,
-              r.nsPerStep.median, r.nsPerStep.low, r.nsPerStep.high, r.bytesPerSegment, r.bytesPerMover);
+    lines.add("%-13s %9zu %7zu %9.1f %9.1f %9.1f %12.1f %13.0f", r.engine.c_str(), r.segments, r.bodies,
+              r.nsPerStep.median, r.nsPerStep.low, r.nsPerStep.high, r.bytesPerSegment, r.bytesPerBody);
   }
 }
 
@@ -64,7 +64,7 @@ void addResolutions(const std::vector<ResolutionResult>& results, Lines& lines) 
 }
 
 void addParts(const std::vector<PartResult>& results, Lines& lines) {
-  lines.add("\n%-34s %9s %9s %10s", "one mover's step", "ns", "instances", "crossings");
+  lines.add("\n%-34s %9s %9s %10s", "one body's step", "ns", "instances", "crossings");
   for (const PartResult& r : results) {
     lines.add("%-34s %9.1f %9.2f %10.3f", r.scene.c_str(), r.nsPerStep.median, r.instances, r.crossings);
   }
@@ -73,7 +73,7 @@ void addParts(const std::vector<PartResult>& results, Lines& lines) {
 void addGames(const GameResults& results, Lines& lines) {
   lines.add("%s", "");
   for (const SnapshotResult& r : results.snapshots) {
-    lines.add("%s, %zu movers: %zu bytes; save %.0f ns, restore %.0f ns, hash %.0f ns", r.level.c_str(), r.movers,
+    lines.add("%s, %zu bodies: %zu bytes; save %.0f ns, restore %.0f ns, hash %.0f ns", r.level.c_str(), r.bodies,
               r.bytes, r.saveNs.median, r.restoreNs.median, r.hashNs.median);
   }
   for (const ResimulationResult& r : results.resimulations) {

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from plots import Plots
 from prose import AIMED, ENGINES_USED, HARD_CASES, HEAD, MEMORY, PARTS, RESOLUTION, STEPS, SWEEP_ERRORS, SWEEPS, verdicts
-from report_data import ENGINES, MOVERS, SEGMENTS, ReportData, count
+from report_data import ENGINES, BODIES, SEGMENTS, ReportData, count
 from targets import target_rows
 
 PICTURES = "docs/pictures"
@@ -21,7 +21,7 @@ PICTURES = "docs/pictures"
 NO_TIME_ERROR = 1e-19
 NO_OVERLAP = 1e-5
 
-CROSSING, NO_CROSSING = "solid, over an edge to and fro", "solid, along an edge to and fro"
+CROSSING, NO_CROSSING = "solid, over an edge back and forth", "solid, along an edge back and forth"
 
 
 def table(heads, rows):
@@ -54,7 +54,7 @@ def draw_all(data, folder):
     plots = Plots(folder)
     plots.points(
         "speed_error_step",
-        {"title": "Whole steps", "x": f"ns per body and step, {MOVERS} bodies, {count(SEGMENTS)} segments",
+        {"title": "Whole steps", "x": f"ns per body and step, {BODIES} bodies, {count(SEGMENTS)} segments",
          "y": "deepest overlap in the hard cases, subunits"},
         {engine: (data.step_ns(engine, SEGMENTS), data.overlap(engine)) for engine in ENGINES},
         NO_OVERLAP)  # fmt: skip
@@ -66,7 +66,7 @@ def draw_all(data, folder):
     sizes = list(dict.fromkeys(segments for segments, _ in data.scenes()))
     plots.curves(
         "cost_segments",
-        {"title": "Cost of a step", "x": "segments", "y": f"ns per body and step, {MOVERS} bodies"},
+        {"title": "Cost of a step", "x": "segments", "y": f"ns per body and step, {BODIES} bodies"},
         {engine: [(n, data.step_ns(engine, n)) for n in sizes] for engine in ENGINES})  # fmt: skip
     ladder = {}
     for result in data.report["resolution"]:
@@ -91,7 +91,7 @@ def sweep_tables(data):
 def step_tables(data):
     times = [[count(s), count(m), *(spread(data.step(e, s, m), "nsPerStep") for e in ENGINES)] for s, m in data.scenes()]
     sizes = list(dict.fromkeys(segments for segments, _ in data.scenes()))
-    layout = "{bytesPerSegment:.1f}; {bytesPerMover:.0f}"
+    layout = "{bytesPerSegment:.1f}; {bytesPerBody:.0f}"
     memory = [[count(n), *(layout.format(**data.step(e, n)) for e in ENGINES)] for n in sizes]
     return STEPS, table(["segments", "bodies", *ENGINES], times), MEMORY, table(["segments", *ENGINES], memory)
 
@@ -136,7 +136,7 @@ def part_tables(data):
 
 def game_tables(data):
     shot = data.report["snapshot"]
-    rows = [[f"{end} {shot['movers']} bodies, {count(shot['bytes'])} bytes, {shot['level']}", spread(shot, f"{end}Ns") + " ns"]
+    rows = [[f"{end} {shot['bodies']} bodies, {count(shot['bytes'])} bytes, {shot['level']}", spread(shot, f"{end}Ns") + " ns"]
             for end in ("save", "restore", "hash")]  # fmt: skip
     rows += [[f"{r['players']} players, {r['ticks']} ticks replayed, {r['level']}", spread(r, "microseconds") + " µs"]
              for r in data.report["resimulation"]]  # fmt: skip

@@ -109,7 +109,7 @@ FAULTS = [
               "an inclined segment is only in the last cell of each row",
               "GridTest.FindsEverySegmentThatTouchesTheBox"),
     Fault("region-not-refreshed", PHYSICS + "region.h", "!covered_.contains(box)", "!covered_.overlaps(box)",
-          "a region is not refilled when a mover leaves it partly",
+          "a region is not refilled when a body leaves it partly",
           "RegionTest.CoversEveryQueriedBox"),
     Fault("region-of-another-part", PHYSICS + "region.h", "part_ != &part || !covered_", "!covered_",
           "a region keeps the segments of another part",

@@ -156,8 +156,8 @@ World worldOf(const Chain& chain) {
   MapPart part(world, 0);
   for (const Segment& line : chain.lines) part.line(line.a, line.b);
   part.initialize();
-  Entity mover(world, chain.shape);
-  part.insert(mover, chain.start, Angle());
+  Entity entity(world, chain.shape);
+  part.insert(entity, chain.start, Angle());
   return world;
 }
 

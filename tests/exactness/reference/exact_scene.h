@@ -7,7 +7,7 @@
 
 namespace platon::reference {
 
-/// A scene file with one entity: a convex mover among segments on the plane, with the same velocity in every tick.
+/// A scene file with one entity: a convex body among segments on the plane, with the same velocity in every tick.
 struct ExactScene {
   oracle::Polygon shape;  ///< strictly convex, counter-clockwise, relative to the entity's position
   std::vector<oracle::Segment> lines;

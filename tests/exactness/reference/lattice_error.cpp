@@ -9,7 +9,7 @@
 #include "platon/physics/map_part.h"
 #include "platon/physics/step_observer.h"
 #include "platon/physics/world.h"
-#include "tests/exactness/reference/exact_mover.h"
+#include "tests/exactness/reference/exact_body.h"
 #include "tests/support/files.h"
 
 namespace platon::reference {
@@ -23,10 +23,10 @@ Convex toConvex(const oracle::Polygon& polygon) {
   return Convex(std::move(points));
 }
 
-/// The simulated mover at one resolution.
-class LatticeMover : public StepObserver {
+/// The simulated body at one resolution.
+class LatticeBody : public StepObserver {
  public:
-  LatticeMover(const ExactScene& scene, std::int64_t resolution)
+  LatticeBody(const ExactScene& scene, std::int64_t resolution)
       : resolution_(resolution), factor_(resolution / kSceneSubunits) {
     const ExactScene fine = scaled(scene, factor_);
     MapPart part(world_, 0);
@@ -69,15 +69,15 @@ class LatticeMover : public StepObserver {
 std::vector<LatticeError> latticeErrors(const std::string& name, const ExactScene& scene,
                                         std::span<const std::int64_t> resolutions,
                                         std::span<const std::int64_t> ticks) {
-  ExactMover ideal(scene);
-  std::vector<LatticeMover> movers;
-  for (const std::int64_t resolution : resolutions) movers.emplace_back(scene, resolution);
+  ExactBody ideal(scene);
+  std::vector<LatticeBody> bodies;
+  for (const std::int64_t resolution : resolutions) bodies.emplace_back(scene, resolution);
   std::vector<LatticeError> errors;
   for (std::int64_t tick = 1; tick <= ticks.back(); ++tick) {
     ideal.tick();
-    for (LatticeMover& mover : movers) mover.tick(ideal.position());
+    for (LatticeBody& body : bodies) body.tick(ideal.position());
     if (!std::binary_search(ticks.begin(), ticks.end(), tick)) continue;
-    for (const LatticeMover& mover : movers) errors.push_back(mover.report(name, tick));
+    for (const LatticeBody& body : bodies) errors.push_back(body.report(name, tick));
   }
   return errors;
 }

@@ -13,12 +13,12 @@ namespace platon::reference {
 /// Subunits per level unit in scene files: the coarsest resolution that is measured.
 inline constexpr std::int64_t kSceneSubunits = 16;
 
-/// Distance of the simulated mover from the ideal one.
+/// Distance of the simulated body from the ideal one.
 struct LatticeError {
   std::string scene;
   std::int64_t subunitsPerUnit = 0;
   std::int64_t ticks = 0;
-  std::int64_t legs = 0;   ///< legs of the simulated mover up to this tick
+  std::int64_t legs = 0;   ///< legs of the simulated body up to this tick
   double subunits = 0;     ///< distance at this tick
   double maxSubunits = 0;  ///< largest distance up to this tick
 

@@ -78,9 +78,9 @@ TEST_F(LatticeErrorTest, ShrinksInProportionToTheResolution) {
   }
 }
 
-/// The mover rests between two slopes, whatever its path was. At the coarsest resolution it stops earlier, because the
+/// The body rests between two slopes, whatever its path was. At the coarsest resolution it stops earlier, because the
 /// slide of a tick is less than one subunit.
-TEST_F(LatticeErrorTest, IsSmallWhereTheMoverRests) {
+TEST_F(LatticeErrorTest, IsSmallWhereTheBodyRests) {
   constexpr double restSubunits = 12;
   for (const LatticeError& row : errors().at("bowl")) {
     if (row.ticks != kTicks.back() || row.subunitsPerUnit == kResolutions.front()) continue;

@@ -1,4 +1,4 @@
-// platon-reference: prints the distance of the simulated mover from the ideal one, for every scene of the reference.
+// platon-reference: prints the distance of the simulated body from the ideal one, for every scene of the reference.
 #include <array>
 #include <cstdio>
 #include <cstring>

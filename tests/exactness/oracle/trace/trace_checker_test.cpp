@@ -253,10 +253,10 @@ TEST(TraceChecker, FindsTooManyLegs) {
 TEST(TraceChecker, ChecksAPlane) {
   SampleTrace trace;
   trace.header = {"PLANE", {{-10, -10}, {10, -10}, {0, 10}}, {{{}, {{{100, -50}, {100, 50}}}, {}}}};
-  TraceInstance mover;
-  TraceInstance there = mover;
+  TraceInstance here;
+  TraceInstance there = here;
   there.position = {90, 0};
-  trace.ticks.push_back({1, "0123456789abcdef", {{0, {{mover}, {there}}}}});
+  trace.ticks.push_back({1, "0123456789abcdef", {{0, {{here}, {there}}}}});
   EXPECT_EQ(violatedRules(trace), RuleNames{});
   trace.leg(0, 1)[0].position.x = 91;
   EXPECT_EQ(violatedRules(trace), RuleNames{"I1 path"});

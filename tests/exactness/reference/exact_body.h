@@ -16,21 +16,21 @@ struct RationalVec {
   mpq_class y;
 };
 
-/// Computes the ideal trajectory of a scene's mover. The mover moves straight to the exact contact, then slides: the
+/// Computes the ideal trajectory of a scene's body. The body moves straight to the exact contact, then slides: the
 /// projection of the remaining displacement onto the edge moves it to the next contact or to the end of the edge, after
 /// which it moves freely. All numbers are rationals and nothing is rounded, so the error is zero. Shares no code with
 /// the simulation.
 ///
-/// The motion of a tick ends early if the mover is wedged: sliding along either of two edges leads into the other. A
+/// The motion of a tick ends early if the body is wedged: sliding along either of two edges leads into the other. A
 /// path through a corner of an obstacle enters the side parallel to the segment, like `Sweep`.
-class ExactMover {
+class ExactBody {
  public:
   /// Largest number of bits of a coordinate. Rationals grow with every edge; a longer one is an error.
   static constexpr std::size_t kMaxBits = std::size_t{1} << 16;
 
-  explicit ExactMover(const ExactScene& scene);
+  explicit ExactBody(const ExactScene& scene);
 
-  /// Moves by one tick. Throws std::runtime_error if a coordinate needs more than kMaxBits, or if the mover starts
+  /// Moves by one tick. Throws std::runtime_error if a coordinate needs more than kMaxBits, or if the body starts
   /// inside an obstacle.
   void tick();
 
@@ -57,17 +57,17 @@ class ExactMover {
     const Obstacle* obstacle;
     const Side* side;
   };
-  /// A slide along a side up to its end. It uses `share` of the remaining displacement.
+  /// A slide along a side up to its end. It uses `fraction` of the remaining displacement.
   struct Slide {
     RationalVec displacement;
-    mpq_class share;
+    mpq_class fraction;
   };
 
   static std::optional<Hit> hitOf(const Obstacle& obstacle, const RationalVec& from, const RationalVec& by);
   std::optional<Hit> firstHit(const RationalVec& by) const;
   static RationalVec along(const Side& side, const RationalVec& remaining);
   Slide slide(const Side& side, const RationalVec& remaining) const;
-  /// The side that blocks the mover: the side hit, or the adjacent one if the mover is already at the end of that side.
+  /// The side that blocks the body: the side hit, or the adjacent one if the body is already at the end of that side.
   const Side* blockingSide(const Hit& hit, const RationalVec& remaining) const;
   void advance(const mpq_class& time, const RationalVec& by);
 

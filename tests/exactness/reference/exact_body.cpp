@@ -1,4 +1,4 @@
-#include "tests/exactness/reference/exact_mover.h"
+#include "tests/exactness/reference/exact_body.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -32,8 +32,7 @@ std::size_t bitsOf(const mpq_class& value) {
 
 }  // namespace
 
-ExactMover::ExactMover(const ExactScene& scene)
-    : velocity_(rational(scene.velocity)), position_(rational(scene.start)) {
+ExactBody::ExactBody(const ExactScene& scene) : velocity_(rational(scene.velocity)), position_(rational(scene.start)) {
   for (const oracle::Segment& line : scene.lines) {
     const oracle::Polygon polygon = oracle::obstacleOf({scene.shape, {}, {}, line});
     Obstacle obstacle{{}, oracle::boxOf(polygon)};
@@ -50,8 +49,8 @@ ExactMover::ExactMover(const ExactScene& scene)
 }
 
 // Clips [0, 1) against all sides.
-std::optional<ExactMover::Hit> ExactMover::hitOf(const Obstacle& obstacle, const RationalVec& from,
-                                                 const RationalVec& by) {
+std::optional<ExactBody::Hit> ExactBody::hitOf(const Obstacle& obstacle, const RationalVec& from,
+                                               const RationalVec& by) {
   Hit hit{0, &obstacle, nullptr};
   mpq_class exit = 1;
   for (const Side& side : obstacle.sides) {
@@ -66,11 +65,11 @@ std::optional<ExactMover::Hit> ExactMover::hitOf(const Obstacle& obstacle, const
       exit = std::min<mpq_class>(exit, -beyond / speed);
     }
   }
-  if (hit.side == nullptr) throw std::runtime_error("the mover starts inside an obstacle");
+  if (hit.side == nullptr) throw std::runtime_error("the body starts inside an obstacle");
   return hit.time < exit ? std::optional(hit) : std::nullopt;
 }
 
-std::optional<ExactMover::Hit> ExactMover::firstHit(const RationalVec& by) const {
+std::optional<ExactBody::Hit> ExactBody::firstHit(const RationalVec& by) const {
   std::optional<Hit> best;
   for (const Obstacle& obstacle : obstacles_) {
     if (!mayHit(obstacle.box, position_, by)) continue;
@@ -80,19 +79,19 @@ std::optional<ExactMover::Hit> ExactMover::firstHit(const RationalVec& by) const
   return best;
 }
 
-void ExactMover::advance(const mpq_class& time, const RationalVec& by) {
+void ExactBody::advance(const mpq_class& time, const RationalVec& by) {
   position_.x += time * by.x;
   position_.y += time * by.y;
   ++legs_;
   if (bits() > kMaxBits) throw std::runtime_error("the exact position needs more than 2^16 bits");
 }
 
-RationalVec ExactMover::along(const Side& side, const RationalVec& remaining) {
+RationalVec ExactBody::along(const Side& side, const RationalVec& remaining) {
   const mpq_class inwards = (side.x * remaining.x + side.y * remaining.y) / side.squaredLength;
   return {remaining.x - inwards * side.x, remaining.y - inwards * side.y};
 }
 
-ExactMover::Slide ExactMover::slide(const Side& side, const RationalVec& remaining) const {
+ExactBody::Slide ExactBody::slide(const Side& side, const RationalVec& remaining) const {
   const RationalVec whole = along(side, remaining);
   const mpq_class length = dot(whole, whole);
   if (length == 0) return {whole, 1};
@@ -100,26 +99,26 @@ ExactMover::Slide ExactMover::slide(const Side& side, const RationalVec& remaini
   const bool forwards = whole.y * side.x - whole.x * side.y > 0;
   const RationalVec end = rational(forwards ? side.end : side.start);
   const mpq_class reach = dot({end.x - position_.x, end.y - position_.y}, whole) / length;
-  const mpq_class share = std::clamp<mpq_class>(reach, 0, 1);
-  return {{share * whole.x, share * whole.y}, share};
+  const mpq_class fraction = std::clamp<mpq_class>(reach, 0, 1);
+  return {{fraction * whole.x, fraction * whole.y}, fraction};
 }
 
-const ExactMover::Side* ExactMover::blockingSide(const Hit& hit, const RationalVec& remaining) const {
-  if (slide(*hit.side, remaining).share != 0) return hit.side;
+const ExactBody::Side* ExactBody::blockingSide(const Hit& hit, const RationalVec& remaining) const {
+  if (slide(*hit.side, remaining).fraction != 0) return hit.side;
   const RationalVec whole = along(*hit.side, remaining);
   const bool forwards = whole.y * hit.side->x - whole.x * hit.side->y > 0;
   return &hit.obstacle->sides[forwards ? hit.side->after : hit.side->before];
 }
 
-void ExactMover::tick() {
+void ExactBody::tick() {
   RationalVec remaining = velocity_;
-  const Side* contact = nullptr;  // the side that the mover slides along
+  const Side* contact = nullptr;  // the side that the body slides along
   for (;;) {
     const Slide next = contact == nullptr ? Slide{remaining, 1} : slide(*contact, remaining);
     const auto hit = firstHit(next.displacement);
     const mpq_class time = hit ? hit->time : 1;
     advance(time, next.displacement);
-    const mpq_class unused = 1 - time * next.share;
+    const mpq_class unused = 1 - time * next.fraction;
     remaining = {unused * remaining.x, unused * remaining.y};
     if (unused == 0 || (next.displacement.x == 0 && next.displacement.y == 0)) return;
     if (!hit) {
@@ -134,6 +133,6 @@ void ExactMover::tick() {
   }
 }
 
-std::size_t ExactMover::bits() const { return std::max(bitsOf(position_.x), bitsOf(position_.y)); }
+std::size_t ExactBody::bits() const { return std::max(bitsOf(position_.x), bitsOf(position_.y)); }
 
 }  // namespace platon::reference
