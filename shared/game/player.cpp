@@ -9,8 +9,9 @@
 namespace platon {
 namespace {
 
-// Speeds are in subunits a tick, accelerations in subunits a tick squared; a second has 60 ticks, a unit 1024 subunits.
-constexpr std::int32_t kRunSpeed = 3277;  // 192 units a second
+// Speeds are in subunits per tick, accelerations in subunits per tick squared; a second has 60 ticks, a unit 1024
+// subunits.
+constexpr std::int32_t kRunSpeed = 3277;  // 192 units per second
 constexpr std::int32_t kGroundAcceleration = 410;
 constexpr std::int32_t kAirAcceleration = 205;
 constexpr std::int32_t kGroundFriction = 546;
@@ -118,7 +119,8 @@ void Player::contact(Point normal, Point& steep) {
   const std::int32_t inwards = along(velocity, normal);
   if (inwards >= 0) return;
   if (landing && wasInAir) {
-    velocity = scaled(tangentOf(normal), velocity.x);  // keeps the horizontal speed, so that a fall starts no slide
+    // Keeps the horizontal speed, so that a landing on a slope does not start a slide.
+    velocity = scaled(tangentOf(normal), velocity.x);
   } else {
     velocity -= scaled(normal, inwards);
   }
@@ -130,7 +132,7 @@ void Player::standInWedge(Point normal, Point& steep) {
   const bool opposite = (normal.x > 0 && steep.x < 0) || (normal.x < 0 && steep.x > 0);
   const bool upwards = normal.y > 0 || steep.y > 0;
   if (opposite && upwards && state_->ground == Point()) state_->ground = Point(0, PlayerState::kUnit);
-  if (normal.x != 0) steep = normal;  // a horizontal ceiling is opposite to nothing
+  if (normal.x != 0) steep = normal;  // a horizontal ceiling has no opposite segment
 }
 
 }  // namespace platon

@@ -22,10 +22,10 @@ namespace platon {
 /// Each entity has its own EntityStep, which keeps buffers and instances between ticks.
 class EntityStep {
  public:
-  /// I2: limit of legs in a step. The rest of the displacement is discarded.
+  /// I2: limit of legs in a step. The remaining displacement is discarded.
   static constexpr int kMaxLegs = 64;
-  /// I3: a segment end that protrudes by at most this many subunits does not stop an entity. Two ends that are meant to
-  /// join, each off by up to 2 subunits along both axes, are up to 5.7 subunits apart.
+  /// I3: a segment end that protrudes by at most this many subunits does not stop an entity. Two ends at one joint,
+  /// each off by up to 2 subunits along both axes, are up to 5.7 subunits apart.
   static constexpr std::int32_t kNudge = 6;
 
   /// What a step works with. All references must stay valid until `finish`.
@@ -76,7 +76,7 @@ class EntityStep {
   // The displacement of the next leg.
   struct LegPlan {
     Point displacement;   // ends with the segment that the leg slides along
-    Point uncut;          // the same for a segment without end
+    Point uncut;          // the same if that segment were infinite
     bool slides = false;  // whether the leg slides along a segment
   };
   struct Event {

@@ -59,7 +59,7 @@ struct FloatShape {
   FloatVector<Real> high;
 };
 
-/// `Sweep` in floating point: clips the displacement against the half-planes of the Minkowski sum of the segment and
+/// `Sweep` in floating point: clips the displacement against the half planes of the Minkowski sum of the segment and
 /// the mirrored shape. The shape must outlive it.
 template <class Real>
 class FloatSweep {

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::uint64_t kSeed = 3;
 
-// Inputs of players who press buttons like people.
+// Seeded inputs of players who press buttons at the pace of a person.
 class PlayerInputs {
  public:
   explicit PlayerInputs(std::size_t players) : inputs_(players) {

@@ -79,7 +79,7 @@ Point farthest(const Convex& shape, Point direction) {
                            [&](Point u, Point v) { return dot(direction, u) < dot(direction, v); });
 }
 
-// A random vector with components of up to `limit`, in the half-plane of `side`.
+// A random vector with components of up to `limit`, in the half plane of `side`.
 Point towards(SeededRandom& random, Point side, std::int32_t limit) {
   const Point vector = random.vector(limit);
   return dot(vector, side) < 0 ? Point() - vector : vector;

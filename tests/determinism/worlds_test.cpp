@@ -66,7 +66,7 @@ TEST_P(WorldsTest, ThreadsThatShareALevelAgree) {
   for (const auto& hashes : found) EXPECT_EQ(hashes, alone);
 }
 
-// Entities do not collide with each other, so that their order changes the hash alone.
+// Entities do not collide with each other, so that their order changes only the hash.
 TEST_P(WorldsTest, EntitiesMoveTheSameInAnyOrder) {
   const auto level = this->level();
   const auto flung = [&](const std::vector<std::uint32_t>& order) {

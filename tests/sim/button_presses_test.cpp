@@ -38,7 +38,7 @@ TEST(ButtonPressesTest, PressesLeftRightAndJumpAtThePaceOfAPerson) {
   }
   for (const int count : {left, right, jump}) EXPECT_GT(count, 1000);
   EXPECT_GT(changes, 100);
-  EXPECT_LT(changes, 1000) << "at most ten changes a second";
+  EXPECT_LT(changes, 1000) << "at most ten changes per second";
 }
 
 }  // namespace

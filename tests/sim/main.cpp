@@ -18,7 +18,7 @@ constexpr std::string_view kHelp = R"(platon-sim: runs the simulation without se
       Runs a level.
       --drive play    seeded button presses (default)
       --drive churn   like play; players also restart, leave and join
-      --drive fling   no game rules: every tick each entity gets a random velocity of up to U subunits a tick
+      --drive fling   no game rules: every tick each entity gets a random velocity of up to U subunits per tick
       --drive push    no game rules: every tick each entity gets the velocity VX,VY in its own frame
       --record FILE   writes a recording (play and churn only) with a checkpoint every 60 ticks, or every TICKS
       --trace FILE    writes every leg of every step as JSON lines
@@ -27,7 +27,7 @@ constexpr std::string_view kHelp = R"(platon-sim: runs the simulation without se
       checkpoint. Reports the first difference by tick, entity and field. --record writes the replayed game to a new
       file.
   platon-sim world SCENE --ticks T [--seed S --max-speed U] [--trace FILE] [--json]
-      Runs a scene file, physics alone. With --max-speed, velocities are random instead of the scene's.
+      Runs a scene file, without the game rules. With --max-speed, velocities are random instead of the scene's.
   platon-sim sweep
       Reads one query a line from standard input: m x1 y1 ... xm ym  px py  vx vy  ax ay bx by
       Prints one answer a line: miss, or hit N D nx ny

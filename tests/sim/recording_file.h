@@ -11,8 +11,8 @@
 
 namespace platon::sim {
 
-/// Recording of a command, by its options `--record FILE` and `--checkpoint-every TICKS`. Without `--record`, all
-/// functions do nothing.
+/// Records the game of a command with the options `--record FILE` and `--checkpoint-every TICKS`. Without `--record`,
+/// all functions do nothing.
 class RecordingFile {
  public:
   explicit RecordingFile(const Options& options);

@@ -107,7 +107,7 @@ Summary playChurn(const Run& run) {
   return play(run, [&] { return std::span(churn.next()); });
 }
 
-// Runs physics alone. Calls `setVelocity` for every entity before each tick.
+// Runs the physics without the game rules. Calls `setVelocity` for every entity before each tick.
 Summary move(World& world, std::int64_t ticks, TraceWriter* trace, const std::function<void(Entity&)>& setVelocity) {
   const auto count = static_cast<std::uint32_t>(world.entities().size());
   const auto tick = [&] {
@@ -143,7 +143,7 @@ Point velocityOption(const Options& options) {
                      ? std::nullopt
                      : wholeNumber(std::string_view(text).substr(comma + 1), -kVelocityLimit + 1, kVelocityLimit - 1);
   if (x && y) return {static_cast<std::int32_t>(*x), static_cast<std::int32_t>(*y)};
-  throw UsageError("--drive push needs --velocity VX,VY: integers below 2^28 in magnitude, in subunits a tick");
+  throw UsageError("--drive push needs --velocity VX,VY: integers below 2^28 in magnitude, in subunits per tick");
 }
 
 Summary dispatch(const Run& run, const Options& options) {

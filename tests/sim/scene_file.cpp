@@ -112,7 +112,7 @@ class Reader {
     if (velocity_) fault(words.front(), "second velocity: remove one of them");
     const auto points = pointsOf(words, 1);
     velocity_ = points ? points->front() : Point();
-    if (!isVelocity(*velocity_)) fault(words.front(), "the velocity must be below 2^28 subunits a tick");
+    if (!isVelocity(*velocity_)) fault(words.front(), "the velocity must be below 2^28 subunits per tick");
   }
 
   void place(Scene& scene, MapPart& part, const Placed& placed) {

@@ -50,7 +50,8 @@ TEST(SceneTest, ReportsEveryErrorAtItsPosition) {
   EXPECT_EQ(faultsOf(valid + "line -100 2 -3 -536870911"), "");
   EXPECT_EQ(faultsOf(valid + "shape 0 0 9 0 0 9"), "s:3:1: error: second shape: remove one of them");
   EXPECT_EQ(faultsOf(valid + "velocity 1 2\nvelocity 1 2"), "s:4:1: error: second velocity: remove one of them");
-  EXPECT_EQ(faultsOf(valid + "velocity 268435456 0"), "s:3:1: error: the velocity must be below 2^28 subunits a tick");
+  EXPECT_EQ(faultsOf(valid + "velocity 268435456 0"),
+            "s:3:1: error: the velocity must be below 2^28 subunits per tick");
   EXPECT_EQ(faultsOf("shape 0 0 9 0 0\nentity 0 0"), "s:1:1: error: odd number of coordinates");
   EXPECT_EQ(faultsOf("shape 0 0 0 9 9 0\nentity 0 0"),
             "s:1:1: error: vertex 2 turns clockwise: a shape must be convex and counter-clockwise");

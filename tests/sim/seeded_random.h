@@ -6,7 +6,7 @@
 
 namespace platon::sim {
 
-/// Pseudo-random numbers that depend on the seed alone, on every machine (SplitMix64, Steele, Lea and Flood 2014).
+/// Pseudo-random numbers that depend only on the seed, on every machine (SplitMix64, Steele, Lea and Flood 2014).
 class SeededRandom {
  public:
   explicit SeededRandom(std::uint64_t seed) : state_(seed) {}

@@ -23,7 +23,7 @@ class InputError : public std::runtime_error {
 };
 
 /// The arguments of one command: positional arguments, `--name value` options and `--name` flags. platon-sim does not
-/// use CLI11, so that it builds with the standard library alone on every machine it is compared on.
+/// use CLI11, so that it builds with only the standard library on every machine on which results are compared.
 class Options {
  public:
   /// `valued` and `flags` are the names of the command's options, without dashes. Throws UsageError on another option.

@@ -1,6 +1,6 @@
-// Exceptions for a C++ library built without them, as Debian's for WebAssembly is. No stack is unwound and no handler
-// runs: the first throw ends the program with the message and the exit code of main. Everything platon-sim throws
-// derives from std::exception alone, so that the address of the exception is that of its base.
+// Exceptions for a C++ library that was built without them, such as Debian's for WebAssembly. No stack is unwound and
+// no handler runs: the first throw ends the program with the message and the exit code of main. Everything platon-sim
+// throws derives only from std::exception, so that the address of the exception is that of its base.
 
 #include <cstdlib>
 #include <exception>

@@ -1,5 +1,5 @@
-# WebAssembly with the system interface WASI, by Clang and LLVM's C++ library. Its file system is what the one who
-# runs it lends it: see wasi_run.mjs.
+# WebAssembly with the system interface WASI, by Clang and LLVM's C++ library. A program sees only
+# the folders that wasi_run.mjs gives it.
 set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_SYSTEM_PROCESSOR wasm32)
 set(CMAKE_CXX_COMPILER clang++)

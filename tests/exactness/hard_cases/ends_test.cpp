@@ -78,7 +78,7 @@ TEST(EndsTest, ACornerOneSubunitBesideTheEndSlidesOff) {
   EXPECT_EQ(below.at(), Point(49001 + 1000 + (50999 - 2000), 1000)) << "the mirror image";
 }
 
-TEST(EndsTest, AnEndThatTouchesASideIsNoContact) {
+TEST(EndsTest, AnEndThatTouchesASideIsNotAContact) {
   HardScene scene("ends/touched.scene");
   scene.tick(scene.velocity);
   EXPECT_EQ(scene.at(), Point(100000, 0));

@@ -28,7 +28,7 @@ TEST(GrazingTest, SlidesUpASlopeOfOneIn200Million) {
   EXPECT_EQ(scene.at(), Point(-2, 12)) << "after moving back";
 }
 
-TEST(GrazingTest, ATouchedEndIsNoContact) {
+TEST(GrazingTest, ATouchedEndIsNotAContact) {
   HardScene scene("grazing/touched_end.scene");
   for (int tick = 1; tick <= 2; ++tick) {
     scene.tick(scene.velocity);

@@ -28,7 +28,7 @@ namespace {
 /// Bounds of every step along a floor.
 struct Bounds {
   double minShare;   ///< least part of the ideal progress
-  double tolerance;  ///< subunits below that part: every leg is cut to whole subunits
+  double tolerance;  ///< subunits below that part: every leg is truncated to whole subunits
   double maxHeight;  ///< subunits above the ideal floor
 };
 

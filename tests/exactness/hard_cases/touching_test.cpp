@@ -65,7 +65,7 @@ TEST(TouchingTest, MovesInAShaft) {
                         {{-200000000, 0}, {0, 0}, true}});
 }
 
-// The slide along the slope is cut to whole subunits in x and rounded up in y.
+// The slide along the slope is truncated to whole subunits in x and rounded up in y.
 TEST(TouchingTest, MovesOnASlope) {
   expectMoves("slope", {{{300, 100}, {300, 100}, false},
                         {{-300, -100}, {-300, -100}, false},
@@ -78,8 +78,8 @@ TEST(TouchingTest, MovesOnASlope) {
 }
 
 // If the exact contact is not a lattice point, the entity stops at a lattice point at most two steps away, on the free
-// side. The slide is cut to whole subunits. Truncating the displacement before the contact would often end beyond the
-// slope.
+// side. The slide is truncated to whole subunits. Truncating the displacement before the contact would often end beyond
+// the slope.
 TEST(TouchingTest, LandsOnASlopeAndSlides) {
   HardScene scene("touching/steeper.scene");
   for (const Point velocity : {Point(402, -670), Point(-401, -607), Point(-1000, -1399), Point(-503, -1900)}) {

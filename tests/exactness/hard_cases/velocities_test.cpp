@@ -19,7 +19,7 @@ TEST(VelocitiesTest, ZeroMovesNothing) {
   for (int tick = 0; tick < 1000; ++tick) scene.tick(scene.velocity);
   EXPECT_EQ(scene.world.hash(), hash);
   EXPECT_EQ(scene.at(), before.entities[0].position);
-  EXPECT_TRUE(scene.rules.take().empty()) << "a touch is no contact";
+  EXPECT_TRUE(scene.rules.take().empty()) << "a touch is not a contact";
 }
 
 TEST(VelocitiesTest, OneSubunitPerTickReachesTheWall) {

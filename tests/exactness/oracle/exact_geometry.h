@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-/// Exact plane geometry of the checkers. It shares no code with `shared/`, so that both cannot have the same error.
+/// Exact plane geometry of the checkers. It shares no code with `shared/`, so that they cannot share an error.
 namespace platon::oracle {
 
 __extension__ using Wide = __int128;
@@ -68,13 +68,13 @@ Box boxOf(const Segment& segment);
 /// The four coordinates, for messages.
 std::string toText(const Segment& segment);
 
-/// The open half-plane of all points q with dot(outward, q) < bound.
+/// The open half plane of all points q with dot(outward, q) < bound.
 struct HalfPlane {
   Vec outward;
   Wide bound = 0;
 };
 
-/// An open convex area: the intersection of open half-planes. Coordinates and normals are below 2^31 in magnitude.
+/// An open convex area: the intersection of open half planes. Coordinates and normals are below 2^31 in magnitude.
 class OpenArea {
  public:
   /// The open interior of `shape` (strictly convex, counter-clockwise) at `position`.

@@ -85,7 +85,7 @@ TEST(ExactBodyTest, RestsInAWedgeAtASlantedVelocity) {
   expectAt(body, "0", "0");
 }
 
-TEST(ExactBodyTest, ATouchAtTheEndIsNoHit) {
+TEST(ExactBodyTest, ATouchAtTheEndIsNotAHit) {
   ExactBody body(box({{{-9, 0}, {9, 0}}}, {0, 4}, {1, -4}));
   body.tick();
   expectAt(body, "1", "0");

@@ -11,8 +11,8 @@ namespace {
 constexpr auto kResolutions = std::to_array<std::int64_t>({1 << 4, 1 << 8, 1 << 10, 1 << 12, 1 << 16});
 constexpr auto kTicks = std::to_array<std::int64_t>({1, 60, 600, 3600});
 
-/// A leg cuts its displacement to whole subunits, which loses less than one along each axis, and rounds away from the
-/// segment by one or two, which the next leg corrects.
+/// A leg truncates its displacement to whole subunits, which loses less than one along each axis, and rounds away from
+/// the segment by one or two, which the next leg corrects.
 constexpr double kSubunitsPerLeg = 2;
 
 class LatticeErrorTest : public testing::Test {

@@ -14,7 +14,7 @@ std::uint64_t hashOf(std::initializer_list<std::uint64_t> values) {
   return hash.value();
 }
 
-TEST(HashTest, HasTheseValues) {
+TEST(HashTest, MatchesKnownValues) {
   EXPECT_EQ(hashOf({}), 0xcbf29ce484222325U);
   EXPECT_EQ(hashOf({0}), 0xf8bb92c91b3f5cc0U);
   EXPECT_EQ(hashOf({1, 2, 3}), 0xc07b167c3203d34U);

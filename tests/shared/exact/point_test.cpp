@@ -19,7 +19,7 @@ TEST(PointTest, AddsAndSubtracts) {
   EXPECT_NE(Point(1, 2), Point(2, 1));
 }
 
-TEST(PointTest, ProductsHaveTheseSigns) {
+TEST(PointTest, ProductsHaveTheDocumentedSigns) {
   EXPECT_EQ(dot(Point(3, 4), Point(2, -1)), 2);
   EXPECT_EQ(cross(Point(1, 0), Point(0, 1)), 1);
   EXPECT_EQ(cross(Point(0, 1), Point(1, 0)), -1);

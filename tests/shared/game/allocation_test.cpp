@@ -100,7 +100,7 @@ TEST(TurningAllocationTest, TurningAgainDoesNotAllocate) {
     return allocations - before;
   };
   ASSERT_GT(turnRound(), 0u) << "allocations are not counted";
-  EXPECT_EQ(world.entities()[0].angle, Angle()) << "no line has blocked the rotation";
+  EXPECT_EQ(world.entities()[0].angle, Angle()) << "no segment has blocked the rotation";
   turnRound();
   EXPECT_EQ(turnRound(), 0u);
 }

@@ -198,7 +198,7 @@ TEST(CrossingTest, AnEntityPushedIntoACornerRests) {
   EXPECT_EQ(walk.entity.position(), before);
 }
 
-// Random lines on every face, and one entity at a free place.
+// Random segments on every face, and one entity at a free position.
 Walk flungWalk(SolidKind kind, std::int32_t size, int linesPerFace, sim::SeededRandom& random) {
   Lines lines = noLines(kind);
   const auto reach = static_cast<std::int32_t>(RealFace(kind, size).inradius());
@@ -245,8 +245,8 @@ void fling(SolidKind kind, const Fling& how) {
     const Real centre = real(entity.position());
     ASSERT_LT(length(centre), 2.01 * RealFace(kind, how.size).inradius() + 8) << "home is far outside its face";
   }
-  // The observer is called up to four times a leg: for inserted instances, the move, a rehome and removed instances. A
-  // rotation close to lines is made in many parts, with a call for each.
+  // The observer is called up to four times per leg: for inserted instances, the move, a rehome and removed instances.
+  // A rotation close to segments is divided into many parts, with a call for each.
   EXPECT_GT(most, 0u) << nameOf(kind) << ": no leg was observed";
   EXPECT_LE(most, 16u * EntityStep::kMaxLegs) << nameOf(kind);
   if (how.lines == 0) {
@@ -254,7 +254,7 @@ void fling(SolidKind kind, const Fling& how) {
   }
 }
 
-TEST(CrossingTest, InvariantsHoldAmongLines) {
+TEST(CrossingTest, InvariantsHoldAmongSegments) {
   for (const SolidKind kind : kAllSolids) {
     ASSERT_NO_FATAL_FAILURE(fling(kind, {480, 20000, 4, 1500, 20}));
     ASSERT_NO_FATAL_FAILURE(fling(kind, {200, 8000, 3, 1500, 30}));
@@ -271,8 +271,8 @@ TEST(CrossingTest, InvariantsHoldOverDozensOfFacesInATick) {
   }
 }
 
-// A displacement of three times round the cube ends where it began.
-TEST(CrossingTest, GoesStraightRoundTheCube) {
+// A displacement of three turns around the cube ends where it began.
+TEST(CrossingTest, GoesStraightAroundTheCube) {
   for (const Point direction : {Point(1, 0), Point(-1, 0), Point(0, 1), Point(0, -1)}) {
     Walk walk(SolidKind::kHexahedron, 200, noLines(SolidKind::kHexahedron), 0, {100, -300});
     const std::int32_t tour = 4 * 200 * 1024;

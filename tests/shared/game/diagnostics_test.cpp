@@ -37,13 +37,13 @@ TEST(DiagnosticsTest, OnlyErrorsCountAsErrors) {
   EXPECT_TRUE(diagnostics.hasError());
 }
 
-TEST(DiagnosticsTest, KeepsTheLargestNumberWithoutANote) {
+TEST(DiagnosticsTest, KeepsTheLargestNumberOfDiagnostics) {
   Diagnostics diagnostics;
   for (std::size_t i = 0; i < Diagnostics::kMax; ++i) diagnostics.warning({1, 1}, "warning");
   EXPECT_EQ(diagnostics.take(), std::vector<Diagnostic>(Diagnostics::kMax, {1, 1, false, "warning"}));
 }
 
-TEST(DiagnosticsTest, NotesThatSomeWereDropped) {
+TEST(DiagnosticsTest, ReportsThatSomeWereDropped) {
   Diagnostics diagnostics;
   for (std::size_t i = 0; i < Diagnostics::kMax; ++i) diagnostics.warning({7, 8}, "warning");
   diagnostics.error({1, 1}, "dropped");
@@ -53,7 +53,7 @@ TEST(DiagnosticsTest, NotesThatSomeWereDropped) {
   EXPECT_EQ(all.back(), (Diagnostic{7, 8, true, "too many errors; fix these first"}));
 }
 
-TEST(DiagnosticsTest, QuotesPrintableAsciiAlone) {
+TEST(DiagnosticsTest, QuotesPrintableAsciiOnly) {
   EXPECT_EQ(platon::quoted(""), "''");
   EXPECT_EQ(platon::quoted(" a~"), "' a~'");
   EXPECT_EQ(platon::quoted(std::string_view("\0\x1b\x7f\xc3\xa9", 5)), "'" + std::string(5, '?') + "'");

@@ -67,7 +67,7 @@ inline Entity settle(World& world, const Floor& floor, double before, Angle angl
   return entity;
 }
 
-/// Runs over the edge, pressed to the floor by `press` subunits a tick; expects that the speed and the height stay.
+/// Runs over the edge, pressed to the floor by `press` subunits per tick; expects that the speed and the height stay.
 inline void expectSmooth(const Floor& floor, Angle angle, double press) {
   World world = floor.build();
   Entity entity = settle(world, floor, 45000, angle);

@@ -64,7 +64,7 @@ TEST(GameRestoreTest, TheRestoredGameIsTheSameAtEveryTick) {
   }
 }
 
-TEST(GameRestoreTest, RestoresThatTheRoundIsOver) {
+TEST(GameRestoreTest, RestoresAFinishedRound) {
   Game game(level());
   for (std::uint32_t tick = 0; tick < kRoundTicks; ++tick) game.advance({});
   ASSERT_TRUE(game.over());

@@ -250,7 +250,7 @@ TEST(GameTest, APredictedCopyBecomesTheConfirmedGame) {
   EXPECT_EQ(predicted, confirmed);
 }
 
-TEST(GameTest, NoPlayerEverOverlapsALine) {
+TEST(GameTest, NoPlayerEverOverlapsASegment) {
   Game game(busyLevel());
   LegChecker checker(game.world());
   Crowd crowd(kSeed);

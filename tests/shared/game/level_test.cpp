@@ -131,7 +131,7 @@ TEST(LevelTest, TheGoalMayBeOnTheEdgeButNotOutside) {
   EXPECT_EQ(messages(result), "5:3: the goal is outside its face\n");
 }
 
-TEST(LevelTest, WarningsAreNoErrors) {
+TEST(LevelTest, WarningsAreNotErrors) {
   const auto result = loadLevel(replaced(kSample, "-240 -200 100 -200",
                                          "-240 -200 100 -200\n5 5 5 5\n1 2 3 4\n3 4 1 2 # again\n"
                                          "-240 -239.96 -239.96 -240\n240 0 300 0"));

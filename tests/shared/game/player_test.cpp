@@ -25,7 +25,7 @@ PlayedGame standingOn(const std::string& lines, const std::string& start = "0 0 
   return played;
 }
 
-TEST(PlayerTest, IsARegular16Gon) {
+TEST(PlayerTest, ShapeIsARegular16Gon) {
   const Convex shape = playerShape();
   ASSERT_EQ(shape.vertices().size(), 16u);
   for (const Point vertex : shape.vertices()) EXPECT_NEAR(std::hypot(vertex.x, vertex.y), kPlayerRadius, 1);
@@ -62,11 +62,11 @@ void expectToStandAndJumpOut(const std::string& start, const std::string& lines)
   EXPECT_GT(played.position().y, rest.y + units(30));
 }
 
-TEST(PlayerTest, StandsBetweenTwoSteepLinesAndCanJumpOut) {
+TEST(PlayerTest, StandsBetweenTwoSteepSegmentsAndCanJumpOut) {
   expectToStandAndJumpOut("0 0 0 0", "-100 0 0 -173\n0 -173 100 0");
 }
 
-TEST(PlayerTest, StandsBetweenASteepLineAndAWallOrOverhang) {
+TEST(PlayerTest, StandsBetweenASteepSegmentAndAWallOrOverhang) {
   expectToStandAndJumpOut("0 -60 30 0", "-100 0 0 -173\n0 -173 0 50");
   expectToStandAndJumpOut("0 60 30 0", "100 0 0 -173\n0 -173 0 50");
   expectToStandAndJumpOut("0 -60 30 0", "-100 0 0 -173\n0 -173 -30 50");
@@ -81,7 +81,7 @@ TEST(PlayerTest, FallsNoFasterThanTheLimit) {
     fastest = std::min(fastest, played.player().velocity.y);
   }
   EXPECT_EQ(fastest, -12288);
-  EXPECT_GE(played.entity().crossings, 4u) << "the fall goes round the cube";
+  EXPECT_GE(played.entity().crossings, 4u) << "the player falls around the cube";
   EXPECT_EQ(played.entity().angle, Angle());
 }
 
@@ -263,7 +263,7 @@ TEST(PlayerTest, RestsOnASlope) {
   }
 }
 
-TEST(PlayerTest, SlidesDownASteepLine) {
+TEST(PlayerTest, SlidesDownASteepSegment) {
   PlayedGame played = standingOn("-100 -240 100 240", "0 -30 0 0");
   const Point before = played.position();
   played.run(30, kNone);
@@ -299,8 +299,8 @@ TEST(PlayerTest, StaysOnTheGroundOverAGentleCrestAndDip) {
   FAIL() << "the player did not get across";
 }
 
-// Runs once round the four side faces.
-TEST(PlayerTest, RunsRoundTheCubeOnALevelFloor) {
+// Runs once around the four side faces.
+TEST(PlayerTest, RunsAroundTheCubeOnALevelFloor) {
   PlayedGame played(cubeLevel("0 0 -180 0", {kFlat, kFlat, kFlat, kFlat}));
   played.run(60, kNone);
   played.run(20, Input::kRight);
@@ -318,7 +318,7 @@ TEST(PlayerTest, RunsRoundTheCubeOnALevelFloor) {
 
 // Crosses the three edges of a corner: up, right, and down again. The angles at a corner of the cube add up to 270
 // degrees, 90 less than on a plane.
-TEST(PlayerTest, APathRoundACornerTurnsUpBy90Degrees) {
+TEST(PlayerTest, APathAroundACornerRotatesUpBy90Degrees) {
   const std::string first = "90 215 170 215\n0 40 0 230";
   const std::string top = "180 -215 240 -215";
   PlayedGame played(cubeLevel("0 130 230 0", {first, "", "", "", top}));
@@ -334,7 +334,7 @@ TEST(PlayerTest, APathRoundACornerTurnsUpBy90Degrees) {
   EXPECT_EQ(parts, (std::vector<std::uint32_t>{4, 1, 0}));
   EXPECT_EQ(played.entity().angle, Angle::degrees(270));
   EXPECT_TRUE(played.grounded());
-  EXPECT_EQ(played.position().x, kApothem) << "the player stands on the line that was a wall";
+  EXPECT_EQ(played.position().x, kApothem) << "the player stands on the segment that was a wall";
   EXPECT_EQ(played.player().ground, Point(0, PlayerState::kUnit)) << "in the player's own frame";
 }
 

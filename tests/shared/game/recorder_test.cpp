@@ -49,7 +49,7 @@ TEST(RecorderTest, ARecordingMayBeginInTheMiddleOfARound) {
   EXPECT_EQ(reader.state(), State::kComplete);
 }
 
-// A block has as many slots as its tick with the most.
+// The number of slots of a block is the largest number in any of its ticks.
 TEST(RecorderTest, ABlockHasTheSlotsOfPlayersWhoJoinInIt) {
   Game game(recordedLevel());
   Recorder recorder(game);
@@ -69,7 +69,7 @@ TEST(RecorderTest, ABlockHasTheSlotsOfPlayersWhoJoinInIt) {
   EXPECT_TRUE(std::ranges::equal(block->inputsOf(2), std::vector<Input>{one[0], {}, {}}));
 }
 
-TEST(RecorderTest, AHeldButtonTakesOneRunABlock) {
+TEST(RecorderTest, AHeldButtonTakesOneRunPerBlock) {
   PlayedGame played(recordedLevel());
   Recorder recorder(played.game);
   played.hold(0, Input::kRight);

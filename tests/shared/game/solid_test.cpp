@@ -46,7 +46,7 @@ class SolidTest : public testing::TestWithParam<Expected> {
   }
 };
 
-TEST_P(SolidTest, HasItsNumbersOfFacesEdgesAndVertices) {
+TEST_P(SolidTest, HasTheKnownNumbersOfFacesEdgesAndVertices) {
   EXPECT_EQ(nameOf(GetParam().kind), GetParam().name);
   EXPECT_EQ(solid().kind(), GetParam().kind);
   EXPECT_EQ(solid().faces(), GetParam().faces);
@@ -90,7 +90,7 @@ TEST_P(SolidTest, TwoFacesShareAtMostOneEdge) {
   });
 }
 
-TEST_P(SolidTest, CrossingAnEdgeAndReturningTurnsByZero) {
+TEST_P(SolidTest, CrossingAnEdgeAndReturningRotatesByZero) {
   forEachEdge([&](int face, int edge) {
     const auto& there = solid().neighbour(face, edge);
     EXPECT_EQ(there.turn + solid().neighbour(there.face, there.edge).turn, Angle());
@@ -105,7 +105,7 @@ TEST_P(SolidTest, TurnMapsEveryEdgeToTheReversedEdgeOfTheNeighbour) {
   });
 }
 
-TEST_P(SolidTest, APathRoundAVertexTurnsByTheAngularDefect) {
+TEST_P(SolidTest, APathAroundAVertexRotatesByTheAngularDefect) {
   const int corners = solid().edgesPerFace();
   forEachEdge([&](int first, int firstCorner) {
     Angle turn;

@@ -101,7 +101,7 @@ TEST(Utf8Test, TakesOneCharacterAfterAnother) {
 
 TEST(Utf8Test, ReplacesEachMalformedByte) {
   EXPECT_EQ(codePoints("a\x80z"), U"a\xfffdz");
-  EXPECT_EQ(codePoints("\xe2\x82"), U"\xfffd\xfffd") << "truncated: one replacement a byte";
+  EXPECT_EQ(codePoints("\xe2\x82"), U"\xfffd\xfffd") << "truncated: one replacement per byte";
   EXPECT_EQ(codePoints("\xe2\x82z"), U"\xfffd\xfffdz");
   EXPECT_EQ(codePoints("\xed\xa0\x80"), U"\xfffd\xfffd\xfffd") << "a surrogate";
   EXPECT_EQ(codePoints("\xff\xc3\xa9"), U"\xfffdé") << "decoding continues with the next byte";

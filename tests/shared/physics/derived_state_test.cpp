@@ -46,7 +46,7 @@ void addTorusPart(World& world, std::uint32_t id, sim::SeededRandom& random) {
   part.initialize();
 }
 
-// Gives any entity another velocity or turn where one is stopped; on every call the same, for the same seed.
+// Gives any entity another velocity or rotation when an entity is stopped; the same on every call for the same seed.
 class InterferingRules : public RecordedRules {
  public:
   InterferingRules(bool ignoresWarps, std::uint64_t seed) : ignoresWarps_(ignoresWarps), random_(seed) {

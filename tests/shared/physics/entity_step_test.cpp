@@ -120,7 +120,7 @@ TEST(RemainderTest, RotatedVelocitiesAreNotRounded) {
 }
 
 // (1, 0) rotated by 60° leaves a remainder of half a subunit, which would be rounded to a whole one.
-TEST(RemainderTest, RemaindersAloneMoveNothing) {
+TEST(RemainderTest, RemaindersWithoutVelocityMoveNothing) {
   Scene scene({}, square(10), {0, 0});
   scene.entity.setVelocity({1, 0}, Angle::degrees(60));
   scene.world.solve();

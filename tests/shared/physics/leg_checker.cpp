@@ -86,12 +86,13 @@ void LegChecker::checkPlace(std::uint32_t entity, const InstanceView& view, std:
     if (parent == nullptr) return fault(entity, view, "hangs on nothing");
     const Warp& warp = world_.geometry().find(parent->part)->warps.at(at->warp);
     if (warp.target != at->part) fault(entity, view, "is in a part that its warp does not lead to");
-    if (parent->angle + warp.turn != at->angle) fault(entity, view, "is turned unlike its parent");
+    if (parent->angle + warp.turn != at->angle)
+      fault(entity, view, "has an angle that does not follow from that of its parent");
     chain.push_back(&warp);
     at = parent;
   }
   if (chain.empty()) return;
-  if (!at->home) return fault(entity, view, "does not hang on home");
+  if (!at->home) return fault(entity, view, "is not connected to the home instance");
   Real ideal{static_cast<long double>(at->position.x), static_cast<long double>(at->position.y)};
   for (auto warp = chain.rbegin(); warp != chain.rend(); ++warp) ideal = through(**warp, ideal);
   const auto error = static_cast<double>(std::hypot(ideal.x - view.position.x, ideal.y - view.position.y));

@@ -62,7 +62,7 @@ TEST_F(RulesTest, PressingCallsContactInEveryTick) {
     EXPECT_THAT(step({0, -1}), ElementsAre("contact 0:0"));
     EXPECT_EQ(rules.contacts.back().time, (Fraction{0, 1}));
   }
-  EXPECT_THAT(step({5, 0}), IsEmpty()) << "sliding along is no contact";
+  EXPECT_THAT(step({5, 0}), IsEmpty()) << "sliding along is not a contact";
   EXPECT_THAT(step({0, 5}), IsEmpty());
 }
 
@@ -95,7 +95,7 @@ TEST_F(RulesTest, ContactNormalOnASlopeIsExact) {
 TEST_F(RulesTest, PierceableSegmentsCallBeginOverAndEnd) {
   build({{{-100, -15}, {100, -15}}}, {0, 0});
   rules.pierceable = {{0, 0}};
-  EXPECT_THAT(step({0, -5}), IsEmpty()) << "touching is no contact";
+  EXPECT_THAT(step({0, -5}), IsEmpty()) << "touching is not a contact";
   EXPECT_THAT(step({0, -5}), ElementsAre("begin 0:0", "over 0:0"));
   EXPECT_THAT(step({0, 0}), ElementsAre("over 0:0"));
   EXPECT_THAT(step({3, -5}), ElementsAre("over 0:0"));

@@ -155,7 +155,7 @@ Touching anyTouching(sim::SeededRandom& random) {
   return scene;
 }
 
-TEST(ExtendsBeyondTest, LimitsDoNotCutTheSlideThen) {
+TEST(ExtendsBeyondTest, LimitsDoNotShortenTheSlide) {
   sim::SeededRandom random(kSeed);
   int goOn = 0;
   for (int i = 0; i < 100000; ++i) {

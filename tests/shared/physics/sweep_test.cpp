@@ -110,7 +110,7 @@ TEST(SweepTest, HitsAPoint) {
   EXPECT_FALSE(answer({square(10).vertices(), {0, 0}, {100, 0}, {{60, 10}, {60, 10}}})) << "it only touches";
 }
 
-TEST(SweepTest, TouchingIsNoHit) {
+TEST(SweepTest, TouchingIsNotAHit) {
   const auto box = square(10).vertices();
   const Segment floor{{-50, -10}, {50, -10}};
   EXPECT_FALSE(answer({box, {0, 0}, {0, 0}, floor}));

@@ -92,7 +92,7 @@ TEST(WorldTest, RestoredWorldsContinueIdentically) {
   World world = busyWorld(kSeed);
   sim::SeededRandom random(kSeed);
   for (int tick = 0; tick < 150; ++tick) {
-    World fresh = busyWorld(kSeed);  // without regions or turned shapes of its own
+    World fresh = busyWorld(kSeed);  // without regions or rotated shapes of its own
     fresh.restore(world.save());
     ASSERT_EQ(fresh, world);
     ASSERT_TRUE(fresh.accepts(world.save()));
@@ -190,7 +190,7 @@ TEST(WorldTest, AnEntityMayBeInSeveralPartsAtOnce) {
   ASSERT_EQ(views.size(), 3u);
   EXPECT_TRUE(views[0].home);
   EXPECT_EQ(views[0].position, Point(50, 20));
-  EXPECT_EQ(views[1].position, Point(980, 550)) << "moves with home, turned";
+  EXPECT_EQ(views[1].position, Point(980, 550)) << "moves with the home instance, in its rotated frame";
   EXPECT_EQ(views[2].position, Point(1450, 20));
   world.solve();
   EXPECT_EQ(entity.position(), Point(90, 40)) << "the segment in part 2 stops all of them";

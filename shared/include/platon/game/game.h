@@ -50,7 +50,7 @@ class Game {
   std::uint64_t hash() const;
   /// The whole state as bytes, little-endian, without the level and without derived data.
   std::vector<std::uint8_t> save() const;
-  /// Restores a state saved on the same level. Returns false and leaves the game unchanged when `bytes` is no valid
+  /// Restores a state saved on the same level. Returns false and leaves the game unchanged when `bytes` is not a valid
   /// state.
   bool restore(std::span<const std::uint8_t> bytes);
 

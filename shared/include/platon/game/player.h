@@ -16,7 +16,7 @@ struct PlayerState {
   /// Length of a unit vector in the own frame.
   static constexpr std::int32_t kUnit = 1 << 14;
 
-  Point velocity;                ///< subunits a tick
+  Point velocity;                ///< subunits per tick
   Point ground;                  ///< unit normal of the ground; (0, 0) in the air
   std::uint32_t finishedAt = 0;  ///< tick in which the player touched the goal
   std::uint8_t present = 0;      ///< 1: the slot has a player

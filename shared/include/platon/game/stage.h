@@ -12,17 +12,18 @@
 
 namespace platon {
 
-/// What blocks a corner of a face. A shape must never contain a vertex of the solid: its placement would be ambiguous
-/// there, and a chain of warps round the vertex would have no end. The corner is a blocking point, which prevents this.
-/// The cut, a segment across the corner with its ends on both edges, keeps shapes farther from the vertex than every
-/// margin by which instances are inserted early or placed inexactly.
+/// The post at a corner of a face: the segments that block the corner. A shape must never contain a vertex of the
+/// solid: its placement would be ambiguous there, and a chain of warps around the vertex would have no end. The corner
+/// is a blocking point, which prevents this. The cut, a segment across the corner with its ends on both edges, keeps
+/// shapes farther from the vertex than every margin by which instances are inserted early or placed inexactly.
 struct Post {
   Segment cut;  ///< from the edge that ends at the corner to the edge that begins there
   Point corner;
 };
 
 /// Distance of the ends of a cut from the corner, in subunits along the edges. The cut keeps at least 56 * cos(54°) =
-/// 32.9 subunits from the corner: that is the pentagon, which has the widest corners. Too short to be seen on any face.
+/// 32.9 subunits from the corner (on the pentagon, which has the widest corners). It is too short to be seen on any
+/// face.
 inline constexpr std::int32_t kPostReach = 56;
 
 /// The posts of a face, in the order of its corners.

@@ -12,7 +12,7 @@ namespace platon {
 class Entity;
 class World;
 
-/// Builder and handle of one map partition. Add segments and warps, then call `initialize` once: the geometry is
+/// Builder and handle of one map part. Add segments and warps, then call `initialize` once: the geometry is
 /// preprocessed, becomes immutable and is added to the world. The handle must not outlive its world.
 class MapPart {
  public:

@@ -58,8 +58,8 @@ class Sweep {
   }
 
   /// The first collision with `segment`; `time` is the infimum of the times in [0, 1] at which the open shape overlaps
-  /// it. Touching is no collision, nor is an overlap that begins at time 1. When several edges are entered at the same
-  /// time, sides of the segment take precedence over its ends, and earlier edges of the shape over later ones.
+  /// it. Touching is not a collision, nor is an overlap that begins at time 1. When several edges are entered at the
+  /// same time, sides of the segment take precedence over its ends, and earlier edges of the shape over later ones.
   std::optional<Hit> against(const Segment& segment) const;
   /// As above with a prebuilt obstacle, which must belong to the shape of this sweep.
   std::optional<Hit> against(Obstacle& obstacle) const;
