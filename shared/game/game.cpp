@@ -123,7 +123,7 @@ bool Game::containsGoal(std::uint32_t slot, Point position, Angle angle) {
   const Point distance = level_->goal - position;
   constexpr std::int32_t reach = kPlayerRadius + 1;  // vertices are rounded
   if (squaredLength(distance) > squaredLength(Point(reach, 0))) return false;
-  const Convex* shape = world_.turnedShapeOf(slot, angle);
+  const Convex* shape = world_.rotatedShapeOf(slot, angle);
   goalSweep_.start(*shape, position, {});
   return goalSweep_.against({level_->goal, level_->goal}).has_value();
 }

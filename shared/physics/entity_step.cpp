@@ -70,7 +70,7 @@ void EntityStep::storeRemainder() {
       isKept ? Point(static_cast<std::int32_t>(remainder_.x), static_cast<std::int32_t>(remainder_.y)) : Point();
 }
 
-bool EntityStep::settle() {
+bool EntityStep::insertReachedInstances() {
   const Leg leg = prepareLeg(position());
   rehome();
   return leg.end == End::kReached && refusedWarps_.empty();
@@ -100,7 +100,7 @@ EntityStep::Leg EntityStep::prepareLeg(Point target) {
 void EntityStep::insertInstanceBehind(Leg& leg, const LegHit& warpHit) {
   const auto warp =
       static_cast<std::uint16_t>(instances_.all()[warpHit.placement].part->warpOfSegment(warpHit.segment));
-  if (instances_.isFullBehind(warpHit.placement)) {
+  if (instances_.isAtInstanceLimit(warpHit.placement)) {
     leg.end = End::kFull;
     leg.hit = warpHit;
   } else if (instances_.insert(warpHit.placement, warp, collider_)) {
@@ -225,7 +225,7 @@ void EntityStep::rehome() {
     if (instances_.correctDrift(collider_)) observe();
     const auto turn = instances_.rehome(remainder_);
     if (!turn) break;
-    turnFrame(*turn);
+    rotateFrame(*turn);
     instances_.storeHome(*state_);
     state_->heading = state_->heading + *turn;
     observe();
@@ -233,7 +233,7 @@ void EntityStep::rehome() {
   if (!stop_ && instances_.dropUnreached(kDropMargin, collider_)) observe();
 }
 
-void EntityStep::turnFrame(Angle turn) {
+void EntityStep::rotateFrame(Angle turn) {
   const Rotation rotation = rotationOf(turn);
   const PrecisePoint remaining = rotatePrecise(remaining_, rotation) + remainder_;
   remaining_ = remaining_ == Point() ? Point() : rounded(remaining);

@@ -40,11 +40,11 @@ class EntityStep {
   /// Starts the step of an entity that is in a part.
   void begin(Entity entity, EntityState& state, std::span<const InstanceState> further, const Context& context);
   /// Rotates the entity by `centidegrees`, or as far as no segment blocks it.
-  void turn(std::int32_t centidegrees);
+  void rotateShape(std::int32_t centidegrees);
   /// Moves the entity by `velocity`, which `heading` rotates into the frame of the home part.
   void translate(Point velocity, Angle heading);
   /// Adds the instances that the shape reaches at its position. Returns false when one cannot be placed.
-  bool settle();
+  bool insertReachedInstances();
   /// Whether no instance overlaps a blocking segment.
   bool isFree() { return collider_.isFree(instances_, instances_.home().position, instances_.home().position); }
   /// Writes the state of the entity and appends its further instances to `further`.
@@ -102,11 +102,11 @@ class EntityStep {
   Point normalOf(const LegHit& hit) const;
   Point homeNormalOf(const LegHit& hit) const;
   void rehome();
-  void turnFrame(Angle turn);
+  void rotateFrame(Angle turn);
 
   // entity_step_slide.cpp
   LegPlan planLeg();
-  bool segmentOutlasts(const LegHit& stop, bool back) const;
+  bool segmentExtendsBeyondSlide(const LegHit& stop, bool back) const;
   SlideLimits slideLimits(const LegHit& stop, bool back) const;
   Point keepOutside(const LegHit& stop, Point slide) const;
   Point slideDirection(const LegHit& hit) const;
@@ -134,12 +134,12 @@ class EntityStep {
   Point position() const { return instances_.home().position; }
   void observe();
 
-  // entity_step_turn.cpp
-  bool tryTurn(std::int32_t centidegrees);
-  void turnBy(std::int32_t centidegrees);
+  // entity_step_rotation.cpp
+  bool tryRotation(std::int32_t centidegrees);
+  void rotateBy(std::int32_t centidegrees);
   SegmentRef refOf(const Collider::Pierced& pierced) const;
-  std::optional<SegmentRef> turnBlocker(std::int32_t centidegrees, std::size_t from);
-  bool insertInstancesForTurn(std::int32_t centidegrees);
+  std::optional<SegmentRef> rotationBlocker(std::int32_t centidegrees, std::size_t from);
+  bool insertInstancesForRotation(std::int32_t centidegrees);
 
   // entity_step_rules.cpp
   void callPierced(Point before);

@@ -15,12 +15,13 @@ EntityStep::LegPlan EntityStep::planLeg() {
   const Point uncut = slideAlong(remaining_, normal);
   if (uncut == Point()) return {uncut, uncut, true};
   const bool back = dot(remaining_, perpendicular(normal)) < 0;
-  const Point slide = segmentOutlasts(*stop_, back) ? uncut : slideAlong(remaining_, normal, slideLimits(*stop_, back));
+  const Point slide =
+      segmentExtendsBeyondSlide(*stop_, back) ? uncut : slideAlong(remaining_, normal, slideLimits(*stop_, back));
   return {keepOutside(*stop_, slide), uncut, true};
 }
 
 // Fast path of slideLimits: whether the segment certainly extends beyond the whole remaining displacement.
-bool EntityStep::segmentOutlasts(const LegHit& stop, bool back) const {
+bool EntityStep::segmentExtendsBeyondSlide(const LegHit& stop, bool back) const {
   if (stop.hit.side != Hit::Side::kSegment) return false;
   const Placement& placement = instances_.all()[stop.placement];
   const Point tangent = perpendicular(stop.hit.normal);

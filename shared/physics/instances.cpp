@@ -69,7 +69,7 @@ void Instances::loadFurther(const InstanceState& instance) {
   placement.part = geometry_->find(instance.part);
   placement.angle = instance.angle;
   placement.shape = shapes_->turned(shapeIndex_, *base_, instance.angle);
-  turnFrames(placement);
+  updateRotations(placement);
   placement.homeAnchor = instance.homeAnchor;
   placement.anchor = instance.anchor;
   placement.position = placement.at(home().position);
@@ -80,7 +80,7 @@ void Instances::loadFurther(const InstanceState& instance) {
   placements_.push_back(placement);
 }
 
-void Instances::turnFrames(Placement& placement) const {
+void Instances::updateRotations(Placement& placement) const {
   placement.fromHome = rotationOf(placement.angle - home().angle);
   placement.toHome = rotationOf(home().angle - placement.angle);
 }
@@ -146,7 +146,7 @@ bool Instances::hasInstanceBehind(std::size_t index, std::uint16_t warp) const {
                      [&](const Placement& child) { return child.parent == index && child.warp == warp; });
 }
 
-bool Instances::isFullBehind(std::size_t parent) const {
+bool Instances::isAtInstanceLimit(std::size_t parent) const {
   int depth = 1;
   for (; placements_[parent].parent != Placement::kNone; parent = placements_[parent].parent) ++depth;
   return placements_.size() == kMax || depth > kMaxDepth;
@@ -162,7 +162,7 @@ bool Instances::insert(std::size_t parentIndex, std::uint16_t warpIndex, Collide
   child.angle = parent.angle + warp.turn;
   child.shape = shapes_->turned(shapeIndex_, *base_, child.angle);
   if (child.shape == nullptr) return false;
-  turnFrames(child);
+  updateRotations(child);
   child.parent = parentIndex;
   child.warp = warpIndex;
   child.reverseWarp = *reverseWarp;
@@ -172,7 +172,8 @@ bool Instances::insert(std::size_t parentIndex, std::uint16_t warpIndex, Collide
   child.id = allocateId(nextId, [&](std::uint16_t id) {
     return std::any_of(placements_.begin(), placements_.end(), [&](const Placement& other) { return other.id == id; });
   });
-  const auto position = nearestFree(child, nullptr, warp.map(ideal(parentIndex)), kMaxSquaredError + 1, collider);
+  const auto position =
+      nearestFree(child, nullptr, warp.map(exactPosition(parentIndex)), kMaxSquaredError + 1, collider);
   if (!position) return false;
   nextId_ = nextId;
   child.position = child.anchor = *position;
@@ -186,18 +187,18 @@ void Instances::moveHomeTo(Point position) {
   home().position = home().anchor = home().homeAnchor = position;
 }
 
-void Instances::turn(std::int32_t centidegrees) {
+void Instances::rotateShapes(std::int32_t centidegrees) {
   for (std::size_t i = 0; i < placements_.size(); ++i) {
-    placements_[i].shape = shapeTurned(i, centidegrees);
+    placements_[i].shape = rotatedShape(i, centidegrees);
     placements_[i].angle = placements_[i].angle + Angle(centidegrees);
   }
 }
 
-const Convex* Instances::hullOfTurn(std::size_t index, std::int32_t centidegrees) {
-  return shapes_->hullOfTurn(shapeIndex_, *base_, placements_[index].angle, centidegrees);
+const Convex* Instances::rotationHull(std::size_t index, std::int32_t centidegrees) {
+  return shapes_->rotationHull(shapeIndex_, *base_, placements_[index].angle, centidegrees);
 }
 
-const Convex* Instances::shapeTurned(std::size_t index, std::int32_t centidegrees) {
+const Convex* Instances::rotatedShape(std::size_t index, std::int32_t centidegrees) {
   return shapes_->turned(shapeIndex_, *base_, placements_[index].angle + Angle(centidegrees));
 }
 
@@ -211,7 +212,7 @@ std::optional<Angle> Instances::rehome(PrecisePoint& remainder) {
   makeHome(next);
   anchorAll();
   for (std::size_t i = 1; i < placements_.size(); ++i) {
-    if (withinError(i)) continue;
+    if (isWithinError(i)) continue;
     placements_ = undo_;
     return std::nullopt;
   }
@@ -225,10 +226,10 @@ std::optional<Angle> Instances::rehome(PrecisePoint& remainder) {
 // branch to the part that contains the centre. Near a corner the centre can be beyond two warp segments although it has
 // crossed only one. kNone when the home part contains the centre, or when by rounding no part does.
 std::size_t Instances::nextHome() const {
-  if (placements_.size() == 1 || holdsCentre(0)) return Placement::kNone;
+  if (placements_.size() == 1 || containsCentre(0)) return Placement::kNone;
   for (std::size_t i = 1; i < placements_.size(); ++i) {
     const std::size_t child = childOfHome(i);
-    if (child != Placement::kNone && isBeyondWarp(child) && holdsCentre(i)) return child;
+    if (child != Placement::kNone && isBeyondWarp(child) && containsCentre(i)) return child;
   }
   for (std::size_t i = 1; i < placements_.size(); ++i) {
     if (placements_[i].parent == 0 && isBeyondWarp(i)) return i;
@@ -253,7 +254,7 @@ bool Instances::isBeyondWarp(std::size_t index) const {
   return cross(in.b - in.a, centreOf(child) - in.a) >= 0;
 }
 
-bool Instances::holdsCentre(std::size_t index) const {
+bool Instances::containsCentre(std::size_t index) const {
   const auto& warps = placements_[index].part->warps;
   const Point centre = centreOf(placements_[index]);
   return std::all_of(warps.begin(), warps.end(),
@@ -275,7 +276,7 @@ void Instances::makeHome(std::size_t nextHome) {
       placement.parent = 0;
     }
   }
-  for (Placement& placement : placements_) turnFrames(placement);
+  for (Placement& placement : placements_) updateRotations(placement);
 }
 
 void Instances::anchorAll() {
@@ -292,7 +293,7 @@ bool Instances::correctDrift(Collider& collider) {
   for (std::size_t i = 1; i < placements_.size(); ++i) {
     Placement& placement = placements_[i];
     if (placement.parent == Placement::kNone) continue;
-    const PrecisePoint target = ideal(i);
+    const PrecisePoint target = exactPosition(i);
     const std::int64_t error = squaredError(target, placement.position);
     if (error <= kMinSquaredDrift) continue;
     const auto better = nearestFree(placement, &placement.position, target, error, collider);
@@ -304,9 +305,9 @@ bool Instances::correctDrift(Collider& collider) {
   return any;
 }
 
-bool Instances::withinError(std::size_t index) const {
+bool Instances::isWithinError(std::size_t index) const {
   return placements_[index].parent == Placement::kNone ||
-         squaredError(ideal(index), placements_[index].position) <= kMaxSquaredError;
+         squaredError(exactPosition(index), placements_[index].position) <= kMaxSquaredError;
 }
 
 bool Instances::dropUnreached(std::int32_t margin, Collider& collider) {
@@ -355,10 +356,10 @@ std::int64_t Instances::squaredError(PrecisePoint ideal, Point point) {
 }
 
 // The exact position of placement `index`: the position of its root mapped through the chain of warps.
-PrecisePoint Instances::ideal(std::size_t index) const {
+PrecisePoint Instances::exactPosition(std::size_t index) const {
   const Placement& placement = placements_[index];
   if (placement.parent == Placement::kNone) return precise(placement.position);
-  return placements_[placement.parent].part->warps[placement.warp].map(ideal(placement.parent));
+  return placements_[placement.parent].part->warps[placement.warp].map(exactPosition(placement.parent));
 }
 
 // The lattice point nearest to `ideal`, with a squared error below `closerThan`, that the placement may move to from

@@ -56,7 +56,7 @@ class Instances {
   /// Whether the neighbour of placement `index` across this warp exists: its parent or one of its children.
   bool hasInstanceBehind(std::size_t index, std::uint16_t warp) const;
   /// Whether kMax or kMaxDepth forbids another child of placement `parent`.
-  bool isFullBehind(std::size_t parent) const;
+  bool isAtInstanceLimit(std::size_t parent) const;
   /// Adds a child of placement `parent` across a warp, at the free lattice point nearest to its exact position. Returns
   /// false when the warp has no reverse warp, the rotated shape is degenerate, or no point within kMaxError is free.
   bool insert(std::size_t parent, std::uint16_t warp, Collider& collider);
@@ -64,11 +64,11 @@ class Instances {
   /// Moves the home instance to `position` and all others with it.
   void moveHomeTo(Point position);
   /// Rotates all instances about their positions.
-  void turn(std::int32_t centidegrees);
+  void rotateShapes(std::int32_t centidegrees);
   /// The shape of placement `index` rotated by further `centidegrees`. Null when it is degenerate.
-  const Convex* shapeTurned(std::size_t index, std::int32_t centidegrees);
-  /// The convex hull of the current shape of placement `index` and of shapeTurned. Null when it is degenerate.
-  const Convex* hullOfTurn(std::size_t index, std::int32_t centidegrees);
+  const Convex* rotatedShape(std::size_t index, std::int32_t centidegrees);
+  /// The convex hull of the current shape of placement `index` and of rotatedShape. Null when it is degenerate.
+  const Convex* rotationHull(std::size_t index, std::int32_t centidegrees);
 
   /// Whether the centre of the shape has crossed into the part of another instance, which then has to become home.
   bool needsRehome() const { return nextHome() != Placement::kNone; }
@@ -89,18 +89,18 @@ class Instances {
   InstanceState stateOf(const Placement& placement) const;
   void loadHome(const EntityState& state);
   void loadFurther(const InstanceState& instance);
-  void turnFrames(Placement& placement) const;
+  void updateRotations(Placement& placement) const;
   void linkParent(std::size_t index, std::uint16_t parentId);
   std::size_t nextHome() const;
   std::size_t childOfHome(std::size_t index) const;
   bool isBeyondWarp(std::size_t index) const;
-  bool holdsCentre(std::size_t index) const;
+  bool containsCentre(std::size_t index) const;
   void makeHome(std::size_t nextHome);
   void anchorAll();
-  bool withinError(std::size_t index) const;
+  bool isWithinError(std::size_t index) const;
   bool isReached(std::size_t index, std::int32_t margin, Collider& collider) const;
   bool isConnected(std::size_t index) const;
-  PrecisePoint ideal(std::size_t index) const;
+  PrecisePoint exactPosition(std::size_t index) const;
   static std::int64_t squaredError(PrecisePoint ideal, Point point);
   static std::optional<Point> nearestFree(const Placement& placement, const Point* from, PrecisePoint ideal,
                                           std::int64_t closerThan, Collider& collider);

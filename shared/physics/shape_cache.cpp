@@ -21,7 +21,8 @@ const Convex* ShapeCache::turned(std::uint32_t index, const Convex& base, Angle 
   return found->second ? &*found->second : nullptr;
 }
 
-const Convex* ShapeCache::hullOfTurn(std::uint32_t index, const Convex& base, Angle angle, std::int32_t centidegrees) {
+const Convex* ShapeCache::rotationHull(std::uint32_t index, const Convex& base, Angle angle,
+                                       std::int32_t centidegrees) {
   const std::tuple key{index, angle.centidegrees(), centidegrees};
   auto found = hulls_.find(key);
   if (found == hulls_.end()) {

@@ -22,7 +22,7 @@ class ShapeCache {
 
   /// The convex hull of the shape rotated by `angle` and of the shape rotated by `angle` + `centidegrees`. Null when
   /// one of these is degenerate.
-  const Convex* hullOfTurn(std::uint32_t index, const Convex& base, Angle angle, std::int32_t centidegrees);
+  const Convex* rotationHull(std::uint32_t index, const Convex& base, Angle angle, std::int32_t centidegrees);
 
   /// Clears the cache when it holds more than 1024 shapes, which only free rotation can cause. Returns whether it did;
   /// all pointers from this cache are invalid then.

@@ -82,7 +82,7 @@ void World::move(std::uint32_t index, std::span<const InstanceState> further, Ru
   const std::size_t first = scratch.further.size();
   EntityStep& step = scratch.steps[index];
   beginStep(index, further, rules, observer);
-  step.turn(std::exchange(entity.turn, 0));
+  step.rotateShape(std::exchange(entity.turn, 0));
   step.translate(entity.velocity, entity.heading);
   step.finish(scratch.further);
   const auto furtherAfter = std::span(scratch.further).subspan(first);
@@ -119,7 +119,7 @@ Point World::positionOf(std::uint32_t entity, const InstanceState& instance) con
 
 const Convex& World::shapeOf(std::uint32_t entity) const { return *shapes_[state_.entities[entity].shape]; }
 
-const Convex* World::turnedShapeOf(std::uint32_t entity, Angle angle) {
+const Convex* World::rotatedShapeOf(std::uint32_t entity, Angle angle) {
   return scratch_->shapes.turned(state_.entities[entity].shape, shapeOf(entity), angle);
 }
 
@@ -160,7 +160,7 @@ void World::insert(std::uint32_t entity, std::uint32_t part, Point origin, Angle
   const WorldState before = state_;
   state_.entities[entity].inserted == 0 ? placeHome(entity, part, origin, angle)
                                         : placeFurther(entity, part, origin, angle);
-  if (settle(entity)) return;
+  if (insertReachedInstances(entity)) return;
   state_ = before;
   throw std::invalid_argument(named(entity, part) + "the shape overlaps a blocking segment");
 }
@@ -194,14 +194,14 @@ void World::placeFurther(std::uint32_t entity, std::uint32_t part, Point origin,
 }
 
 // Adds the instances that the shape reaches at its position. Returns false when one overlaps a blocking segment.
-bool World::settle(std::uint32_t entity) {
+bool World::insertReachedInstances(std::uint32_t entity) {
   DefaultRules defaults;
   const auto known = instancesOf(entity);
   const std::vector<InstanceState> before(known.begin(), known.end());
   scratch_->provideFor(state_.entities.size());
   beginStep(entity, before, rules_ != nullptr ? *rules_ : defaults, nullptr);
   EntityStep& step = scratch_->steps[entity];
-  if (!step.isFree() || !step.settle() || !step.isFree()) return false;
+  if (!step.isFree() || !step.insertReachedInstances() || !step.isFree()) return false;
   replaceInstances(entity, [&](std::vector<InstanceState>& further) {
     further.clear();
     step.store(further);

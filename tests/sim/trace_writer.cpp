@@ -87,7 +87,7 @@ void TraceWriter::putFace(const MapGeometry& part, const std::vector<Point>& pol
   put("]}");
 }
 
-const std::string& TraceWriter::turnedShape(Angle angle) {
+const std::string& TraceWriter::rotatedShape(Angle angle) {
   const auto found = shapes_.find(angle.centidegrees());
   if (found != shapes_.end()) return found->second;
   std::string outer;
@@ -118,7 +118,7 @@ void TraceWriter::put(const InstanceView& instance) {
     put(std::int64_t{instance.warp});
     put("]");
   }
-  put(turnedShape(instance.angle));
+  put(rotatedShape(instance.angle));
   put("}");
 }
 

@@ -39,7 +39,7 @@ class TraceWriter : public StepObserver {
   void put(const InstanceView& instance);
   void putShape(const Convex& shape);
   void putFace(const MapGeometry& part, const std::vector<Point>& polygon);
-  const std::string& turnedShape(Angle angle);
+  const std::string& rotatedShape(Angle angle);
   void flushLine();
 
   OutputFile file_;

@@ -19,7 +19,7 @@ EXCEPTIONS = {
     "shared/physics/entity_step_ends.cpp": "a part of the step: entity_step_test",
     "shared/physics/entity_step_rules.cpp": "a part of the step: entity_step_test",
     "shared/physics/entity_step_slide.cpp": "a part of the step: entity_step_test",
-    "shared/physics/entity_step_turn.cpp": "a part of the step: entity_step_test",
+    "shared/physics/entity_step_rotation.cpp": "a part of the step: entity_step_test",
 }
 
 

@@ -31,25 +31,25 @@ TEST(ShapeCacheTest, DistinguishesShapes) {
   EXPECT_EQ(*cache.turned(1, large, Angle::degrees(45)), *large.turned(Angle::degrees(45)));
 }
 
-TEST(ShapeCacheTest, HullOfTurnContainsBothShapes) {
+TEST(ShapeCacheTest, RotationHullContainsBothShapes) {
   const Convex base = square(5000);
   ShapeCache cache;
-  const Convex* hull = cache.hullOfTurn(0, base, Angle(300), 450);
+  const Convex* hull = cache.rotationHull(0, base, Angle(300), 450);
   ASSERT_NE(hull, nullptr);
   std::vector<Point> points = cache.turned(0, base, Angle(300))->vertices();
   for (const Point vertex : cache.turned(0, base, Angle(750))->vertices()) points.push_back(vertex);
   EXPECT_EQ(hull->vertices(), convexHull(points));
-  EXPECT_EQ(cache.hullOfTurn(0, base, Angle(300), 450), hull) << "made once";
-  EXPECT_NE(*cache.hullOfTurn(0, base, Angle(300), -450), *hull);
-  EXPECT_NE(*cache.hullOfTurn(0, base, Angle(301), 450), *hull);
-  EXPECT_NE(*cache.hullOfTurn(1, square(50), Angle(300), 450), *hull);
+  EXPECT_EQ(cache.rotationHull(0, base, Angle(300), 450), hull) << "made once";
+  EXPECT_NE(*cache.rotationHull(0, base, Angle(300), -450), *hull);
+  EXPECT_NE(*cache.rotationHull(0, base, Angle(301), 450), *hull);
+  EXPECT_NE(*cache.rotationHull(1, square(50), Angle(300), 450), *hull);
 }
 
 TEST(ShapeCacheTest, TrimClearsHulls) {
   const Convex base = square(5000);
   ShapeCache cache;
   int turns = 0;
-  while (!cache.trim()) cache.hullOfTurn(0, base, Angle(), ++turns);
+  while (!cache.trim()) cache.rotationHull(0, base, Angle(), ++turns);
   EXPECT_LE(turns, 1024);
   EXPECT_FALSE(cache.trim());
 }
@@ -59,7 +59,7 @@ TEST(ShapeCacheTest, CachesDegenerateShapes) {
   ShapeCache cache;
   EXPECT_EQ(cache.turned(0, sliver, Angle::degrees(20)), nullptr);
   EXPECT_EQ(cache.turned(0, sliver, Angle::degrees(20)), nullptr);
-  EXPECT_EQ(cache.hullOfTurn(0, sliver, Angle(), 2000), nullptr);
+  EXPECT_EQ(cache.rotationHull(0, sliver, Angle(), 2000), nullptr);
 }
 
 TEST(ShapeCacheTest, TrimChangesNoResult) {

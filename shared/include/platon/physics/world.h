@@ -60,7 +60,7 @@ class World {
   const Convex& shapeOf(std::uint32_t entity) const;
   /// The shape of the entity rotated by `angle`, from a cache. Null when the rotated shape is degenerate. Valid until
   /// the world is solved or assigned to.
-  const Convex* turnedShapeOf(std::uint32_t entity, Angle angle);
+  const Convex* rotatedShapeOf(std::uint32_t entity, Angle angle);
   /// All instances of the entity, home first.
   std::vector<InstanceView> view(std::uint32_t entity) const;
 
@@ -84,7 +84,7 @@ class World {
   static void promoteFirst(EntityState& state, std::vector<InstanceState>& further);
   void placeHome(std::uint32_t entity, std::uint32_t part, Point origin, Angle angle);
   void placeFurther(std::uint32_t entity, std::uint32_t part, Point origin, Angle angle);
-  bool settle(std::uint32_t entity);
+  bool insertReachedInstances(std::uint32_t entity);
   void move(std::uint32_t entity, std::span<const InstanceState> further, Rules& rules, StepObserver* observer);
   void beginStep(std::uint32_t entity, std::span<const InstanceState> further, Rules& rules, StepObserver* observer);
   template <class Edit>

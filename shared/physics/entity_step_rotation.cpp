@@ -9,7 +9,7 @@ namespace {
 
 // Limit of one part of a rotation, in centidegrees (5°). The arcs of the vertices then extend beyond the hull of the
 // old and the new shape by less than 1/1000 of the radius.
-constexpr std::int32_t kMaxTurnStep = 500;
+constexpr std::int32_t kMaxRotationStep = 500;
 
 bool contains(const std::vector<Collider::Pierced>& all, const Collider::Pierced& one) {
   return std::find(all.begin(), all.end(), one) != all.end();
@@ -19,36 +19,37 @@ bool contains(const std::vector<Collider::Pierced>& all, const Collider::Pierced
 
 // Rotates in parts. When a part is blocked, smaller ones are tried, down to a centidegree, because the hull of a large
 // part is larger than the area that the shape sweeps. After a free part the size doubles again.
-void EntityStep::turn(std::int32_t centidegrees) {
-  std::int32_t limit = kMaxTurnStep;
+void EntityStep::rotateShape(std::int32_t centidegrees) {
+  std::int32_t limit = kMaxRotationStep;
   while (centidegrees != 0) {
     const std::int32_t part = std::clamp(centidegrees, -limit, limit);
-    if (tryTurn(part)) {
+    if (tryRotation(part)) {
       centidegrees -= part;
-      limit = std::min(2 * limit, kMaxTurnStep);
+      limit = std::min(2 * limit, kMaxRotationStep);
     } else if (limit = std::abs(part) / 2; limit == 0) {
-      if (const auto blocker = turnBlocker(part, 0)) rules_->touchContact(*entity_, *blocker);
+      if (const auto blocker = rotationBlocker(part, 0)) rules_->touchContact(*entity_, *blocker);
       return;
     }
   }
 }
 
-bool EntityStep::tryTurn(std::int32_t centidegrees) {
+bool EntityStep::tryRotation(std::int32_t centidegrees) {
   const std::size_t known = instances_.all().size();
-  if (turnBlocker(centidegrees, 0) || !insertInstancesForTurn(centidegrees) || turnBlocker(centidegrees, known))
+  if (rotationBlocker(centidegrees, 0) || !insertInstancesForRotation(centidegrees) ||
+      rotationBlocker(centidegrees, known))
     return false;
-  turnBy(centidegrees);
+  rotateBy(centidegrees);
   return true;
 }
 
 // Rotates all instances and calls the rules: first endContact, then beginContact.
-void EntityStep::turnBy(std::int32_t centidegrees) {
+void EntityStep::rotateBy(std::int32_t centidegrees) {
   piercedBefore_.clear();
   piercedAfter_.clear();
   for (const Placement& placement : instances_.all()) {
     if (!placement.fresh) collider_.appendPierced(placement, piercedBefore_);
   }
-  instances_.turn(centidegrees);
+  instances_.rotateShapes(centidegrees);
   state_->angle = instances_.home().angle;
   observe();
   for (Placement& placement : instances_.all()) {
@@ -71,10 +72,10 @@ SegmentRef EntityStep::refOf(const Collider::Pierced& pierced) const {
 }
 
 // The first segment that blocks the rotation, in order of the instances starting at `from`.
-std::optional<SegmentRef> EntityStep::turnBlocker(std::int32_t centidegrees, std::size_t from) {
+std::optional<SegmentRef> EntityStep::rotationBlocker(std::int32_t centidegrees, std::size_t from) {
   for (std::size_t i = from; i < instances_.all().size(); ++i) {
     const Placement& placement = instances_.all()[i];
-    const Convex* hull = instances_.hullOfTurn(i, centidegrees);
+    const Convex* hull = instances_.rotationHull(i, centidegrees);
     if (hull == nullptr) continue;
     if (const auto segment = collider_.overlapped(placement, *hull)) return segmentRef(*placement.part, *segment);
   }
@@ -83,14 +84,14 @@ std::optional<SegmentRef> EntityStep::turnBlocker(std::int32_t centidegrees, std
 
 // Adds the instances that the rotating shape reaches. Returns false when one cannot be placed or the rotated shape is
 // degenerate.
-bool EntityStep::insertInstancesForTurn(std::int32_t centidegrees) {
+bool EntityStep::insertInstancesForRotation(std::int32_t centidegrees) {
   for (std::size_t i = 0; i < instances_.all().size(); ++i) {
-    const Convex* hull = instances_.hullOfTurn(i, centidegrees);
+    const Convex* hull = instances_.rotationHull(i, centidegrees);
     if (hull == nullptr) return false;
     const MapGeometry& part = *instances_.all()[i].part;
     for (std::uint16_t warp = 0; warp < part.warps.size(); ++warp) {
       if (!collider_.reachesWarp(instances_, {i, warp}, *hull, kInsertMargin)) continue;
-      if (instances_.isFullBehind(i) || !instances_.insert(i, warp, collider_)) return false;
+      if (instances_.isAtInstanceLimit(i) || !instances_.insert(i, warp, collider_)) return false;
     }
   }
   return true;
