@@ -164,10 +164,10 @@ void LevelReader::readFaceMark(const LevelLine& line) {
   const TextPosition at{line.number, line.tokens[0].column};
   reportMissingHeader(at);
   ++faces_;
-  const std::size_t most = draft_.segments.size();
-  if (draft_.solid && faces_ > most) {
+  const std::size_t faceCount = draft_.segments.size();
+  if (draft_.solid && faces_ > faceCount) {
     diagnostics_->error(at, "too many '%': this is number " + std::to_string(faces_) + ", but the solid has " +
-                                std::to_string(most) + " faces");
+                                std::to_string(faceCount) + " faces");
   }
   if (line.tokens.size() > 1) {
     diagnostics_->error({line.number, line.tokens[1].column},

@@ -25,8 +25,8 @@ namespace platon {
 struct LevelPlace {
   std::uint32_t face = 0;
   Point point;
-  Angle angle;      ///< of the start
-  TextPosition at;  ///< where its x stands in the text
+  Angle angle;      ///< start only: from the face's +y to the player's up
+  TextPosition at;  ///< position of its x in the text
 };
 
 /// The content of a level text. Complete when no error was reported.

@@ -16,7 +16,7 @@ struct LevelToken {
 
 /// One line of a level text.
 struct LevelLine {
-  int number = 0;                  ///< from 1
+  int number = 0;                  ///< line number, from 1
   std::vector<LevelToken> tokens;  ///< empty when the line is invalid
   bool invalid = false;            ///< has a control character or malformed UTF-8 before the comment
   int end = 1;                     ///< column after the last token

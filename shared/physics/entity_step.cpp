@@ -11,7 +11,7 @@ namespace platon {
 namespace {
 
 // An instance is dropped only at this distance from its warp segment, in subunits. Larger than the margin of insertion,
-// so that instances are not dropped and inserted in turn.
+// so that instances are not dropped and inserted alternately.
 constexpr std::int32_t kDropMargin = 8;
 
 Point halved(Point displacement) { return {displacement.x / 2, displacement.y / 2}; }

@@ -13,7 +13,7 @@ namespace {
 // Offsets of a nudge, nearest first. The first one is (0, 0) and is not used.
 constexpr auto kNudgeOffsets = latticeDisc<EntityStep::kNudge>();
 
-// Whether the shape is too small for nudges: it could be nudged to either side of an end in turn.
+// Whether the shape is too small for nudges: it could be nudged back and forth between the two sides of an end.
 bool isTiny(const Convex& shape) {
   const Point size = shape.bounds().high - shape.bounds().low;
   return std::max(size.x, size.y) < 8 * EntityStep::kNudge;

@@ -78,8 +78,8 @@ bool EntityStep::exceedsContactGap(Point normal, Point displacement) {
   return depth * depth > int128{kContactGap * kContactGap} * squaredLength(normal);
 }
 
-// Near a wedge, some lattice points are slightly above both segments, and each segment would send the entity to the
-// other one in turn. A slide that gains nothing is therefore shortened until it ends before its reversal.
+// Near a wedge, some lattice points are slightly above both segments, and the two segments would send the entity back
+// and forth. A slide that gains nothing is therefore shortened until it ends before its reversal.
 Point EntityStep::stopBeforeReversal(Point target) {
   Point slide = target - position();
   while (slide != Point()) {

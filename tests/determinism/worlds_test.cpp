@@ -32,7 +32,7 @@ std::vector<std::uint64_t> hashesOf(const std::shared_ptr<const Level>& level, s
   return hashes;
 }
 
-// Five games on one level advance by turns, a few ticks each, and between them another game with other inputs.
+// Five games on one level advance alternately, a few ticks each, and between them another game with other inputs.
 TEST_P(WorldsTest, InterleavedGamesDoNotInfluenceEachOther) {
   const auto level = this->level();
   const auto alone = hashesOf(level, kSeed, 600);

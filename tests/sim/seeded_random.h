@@ -24,7 +24,7 @@ class SeededRandom {
   Point vector(std::int32_t maxLength) {
     for (;;) {
       const auto span = static_cast<std::uint64_t>(maxLength) * 2 + 1;
-      // Drawn in a statement of its own: the order in which arguments are evaluated depends on the compiler.
+      // Drawn in a separate statement: the order in which arguments are evaluated depends on the compiler.
       const auto y = static_cast<std::int32_t>(below(span)) - maxLength;
       const Point point(static_cast<std::int32_t>(below(span)) - maxLength, y);
       if (squaredLength(point) <= std::int64_t{maxLength} * maxLength) return point;

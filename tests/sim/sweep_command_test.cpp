@@ -15,9 +15,9 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-// What the command prints for these queries, on either stream.
+// Returns what the command prints to stdout and stderr for these queries.
 std::string sweepAnswers(const std::string& queries, int expectedStatus = 0) {
-  std::ios::sync_with_stdio(false);  // before the redirection: the same call of the command resets the buffer
+  std::ios::sync_with_stdio(false);  // before the redirection, because the same call in the command resets the buffer
   std::istringstream in(queries);
   std::streambuf* const before = std::cin.rdbuf(in.rdbuf());
   testing::internal::CaptureStdout();

@@ -52,8 +52,8 @@ void CheckedWorld::tick() {
   ADD_FAILURE() << name_ << ": " << fault;
 }
 
-int CheckedWorld::ticksUntilRest(Point velocity, int most) {
-  for (int ticks = 0; ticks < most; ++ticks) {
+int CheckedWorld::ticksUntilRest(Point velocity, int maxTicks) {
+  for (int ticks = 0; ticks < maxTicks; ++ticks) {
     const WorldState before = world.save();
     tick(velocity);
     bool moved = false;
@@ -62,7 +62,7 @@ int CheckedWorld::ticksUntilRest(Point velocity, int most) {
     }
     if (!moved) return ticks;
   }
-  return most;
+  return maxTicks;
 }
 
 HardScene::HardScene(const std::string& name, std::string_view text) : HardScene(name, sim::loadScene(name, text)) {}

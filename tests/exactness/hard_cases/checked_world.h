@@ -53,9 +53,9 @@ class CheckedWorld {
   void tick(Point velocity);
   /// Runs one tick without changing velocities.
   void tick();
-  /// Calls `tick(velocity)` until a tick moves nothing, at most `most` times. Returns the number of ticks that moved an
-  /// entity.
-  int ticksUntilRest(Point velocity, int most);
+  /// Calls `tick(velocity)` until a tick moves nothing, at most `maxTicks` times. Returns the number of ticks that
+  /// moved an entity.
+  int ticksUntilRest(Point velocity, int maxTicks);
   bool invariantsHold() const { return invariantsHold_; }
 
   World world;

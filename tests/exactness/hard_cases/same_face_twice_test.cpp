@@ -19,7 +19,7 @@ const std::string kLevel = "same_face_twice/tetrahedron.level";
 const RealFace kIdeal(SolidKind::kTetrahedron, 480);
 constexpr double kBeside = 12.3 * kSubunitsPerUnit;  // distance of the ball's centre from the corner
 
-/// The parts with more than one instance.
+/// The map parts in which the ball has more than one instance.
 std::vector<std::uint32_t> partsWithTwoInstances(const HardLevel& level) {
   std::set<std::uint32_t> seen;
   std::vector<std::uint32_t> twice;
@@ -86,14 +86,14 @@ TEST(SameFaceTwiceTest, MovesTwiceAroundACornerAndAway) {
           moveAroundCorner(level, direction);
           twice += !partsWithTwoInstances(level).empty();
         }
-        // Six crossings are two rounds about the corner, whose angles sum to 180 degrees.
+        // Six crossings are two turns around the corner, whose angles sum to 180 degrees.
         EXPECT_EQ(level.entity().state().crossings, 6u);
         EXPECT_EQ(level.entity().part(), static_cast<std::uint32_t>(face));
         EXPECT_EQ(level.entity().rotation(), Angle());
-        EXPECT_GT(twice, ticks / 3) << "expected for 34 degrees of every 60";
+        EXPECT_GT(twice, ticks / 3) << "two instances on one face expected in 34 of every 60 degrees";
         const Real toMiddle = (-3000 / length(real(level.at()))) * real(level.at());
         for (int tick = 0; tick < 40; ++tick) level.tick(nearest(toMiddle));
-        EXPECT_EQ(level.world.view(0).size(), 1u) << "away from the corner";
+        EXPECT_EQ(level.world.view(0).size(), 1u) << "only one instance expected away from the corner";
         EXPECT_TRUE(level.invariantsHold());
       }
     }

@@ -126,10 +126,10 @@ TEST(RotateTest, InverseIsWithinASubunit) {
 }
 
 TEST(RotateTest, LargestVectorsStayInRange) {
-  constexpr std::int32_t most = 2 * (kCoordinateLimit - 1);
+  constexpr std::int32_t largest = 2 * (kCoordinateLimit - 1);
   for (std::int32_t centidegrees = 0; centidegrees < Angle::kTurn; centidegrees += 100) {
-    const Point turned = rotate(Point(most, most), Angle(centidegrees));
-    const long double expected = most * (std::cos(radians(centidegrees)) - std::sin(radians(centidegrees)));
+    const Point turned = rotate(Point(largest, largest), Angle(centidegrees));
+    const long double expected = largest * (std::cos(radians(centidegrees)) - std::sin(radians(centidegrees)));
     ASSERT_LE(std::abs(turned.x - expected), 8) << centidegrees;
   }
 }

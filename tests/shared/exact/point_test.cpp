@@ -28,12 +28,12 @@ TEST(PointTest, ProductsHaveTheDocumentedSigns) {
 }
 
 TEST(PointTest, ProductsAreExactUpToTheBounds) {
-  constexpr std::int32_t most = 2 * (kCoordinateLimit - 1);
-  constexpr std::int64_t square = std::int64_t{most} * most;
-  EXPECT_EQ(dot(Point(most, most), Point(most, most)), 2 * square);
-  EXPECT_EQ(cross(Point(most, -most), Point(most, most)), 2 * square);
+  constexpr std::int32_t largest = 2 * (kCoordinateLimit - 1);
+  constexpr std::int64_t square = std::int64_t{largest} * largest;
+  EXPECT_EQ(dot(Point(largest, largest), Point(largest, largest)), 2 * square);
+  EXPECT_EQ(cross(Point(largest, -largest), Point(largest, largest)), 2 * square);
   EXPECT_EQ(dot(Point(INT32_MAX, -INT32_MAX), Point(-INT32_MAX, INT32_MAX)), -2 * std::int64_t{INT32_MAX} * INT32_MAX);
-  EXPECT_EQ(cross(Point(most, most - 1), Point(most - 1, most - 2)), -1);
+  EXPECT_EQ(cross(Point(largest, largest - 1), Point(largest - 1, largest - 2)), -1);
 }
 
 }  // namespace

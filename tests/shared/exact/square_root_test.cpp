@@ -28,8 +28,8 @@ TEST(SquareRootTest, ChangesExactlyAtSquares) {
 }
 
 TEST(SquareRootTest, IsExactForTheLargestValues) {
-  const int128 most = (int128{1} << 124) - 1;
-  EXPECT_TRUE(squareRootFloor(most) == (int128{1} << 62) - 1);
+  const int128 largest = (int128{1} << 124) - 1;
+  EXPECT_TRUE(squareRootFloor(largest) == (int128{1} << 62) - 1);
   EXPECT_EQ(squareRootFloor((std::int64_t{1} << 62) - 1), (std::int64_t{1} << 31) - 1);
 }
 

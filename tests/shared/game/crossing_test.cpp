@@ -231,14 +231,14 @@ void fling(SolidKind kind, const Fling& how) {
   Walk walk = flungWalk(kind, how.size, how.lines, random);
   Entity entity(walk.world, 0);
   LegChecker checker(walk.world);
-  std::uint64_t most = 0;
+  std::uint64_t largest = 0;
   std::vector<bool> visited(static_cast<std::size_t>(PlatonicSolid::of(kind).faces()));
   for (int tick = 0; tick < how.ticks; ++tick) {
     const std::uint64_t before = checker.legs();
     if (tick % how.hold == 0) entity.setVelocity(random.vector(how.speed));
     if (tick % 5 == 0) entity.rotate(static_cast<std::int32_t>(random.below(2 * kMaxTurn)) - kMaxTurn);
     walk.world.solve(&checker);
-    most = std::max(most, checker.legs() - before);
+    largest = std::max(largest, checker.legs() - before);
     visited[entity.part()] = true;
     ASSERT_EQ(checker.faults(), "") << nameOf(kind) << ", tick " << tick << ", seed " << kSeed;
     ASSERT_TRUE(walk.world.accepts(walk.world.save()));
@@ -247,8 +247,8 @@ void fling(SolidKind kind, const Fling& how) {
   }
   // The observer is called up to four times per leg: for inserted instances, the move, a rehome and removed instances.
   // A rotation close to segments is divided into many parts, with a call for each.
-  EXPECT_GT(most, 0u) << nameOf(kind) << ": no leg was observed";
-  EXPECT_LE(most, 16u * EntityStep::kMaxLegs) << nameOf(kind);
+  EXPECT_GT(largest, 0u) << nameOf(kind) << ": no leg was observed";
+  EXPECT_LE(largest, 16u * EntityStep::kMaxLegs) << nameOf(kind);
   if (how.lines == 0) {
     EXPECT_EQ(std::count(visited.begin(), visited.end(), false), 0) << nameOf(kind) << ": every face was visited";
   }

@@ -25,13 +25,13 @@ FinePoint fine(Point point) { return {point.x * FinePoint::kPerSubunit, point.y 
 
 // Distance of a point outside the edge that it is farthest outside of, in subunits; negative inside.
 double beyond(const std::vector<Point>& polygon, Point point) {
-  double most = -1e9;
+  double largest = -1e9;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Point edge = polygon[(i + 1) % polygon.size()] - polygon[i];
     const double length = std::sqrt(static_cast<double>(squaredLength(edge)));
-    most = std::max(most, static_cast<double>(-cross(edge, point - polygon[i])) / length);
+    largest = std::max(largest, static_cast<double>(-cross(edge, point - polygon[i])) / length);
   }
-  return most;
+  return largest;
 }
 
 struct ExactPoint {
@@ -72,11 +72,11 @@ class RandomPoints {
   std::int64_t below(std::int64_t limit) {
     return static_cast<std::int64_t>(random_() % static_cast<std::uint64_t>(limit));
   }
-  // A coordinate with four decimals, as level texts have them, up to `most` units in magnitude.
-  std::int64_t coordinate(std::int64_t most) { return (below(2 * most * 10000 + 1) - most * 10000) * 64; }
-  FinePoint point(std::int64_t most) {
-    const std::int64_t x = coordinate(most);
-    return {x, coordinate(most)};
+  // A coordinate with four decimals, as level texts have them, up to `largest` units in magnitude.
+  std::int64_t coordinate(std::int64_t largest) { return (below(2 * largest * 10000 + 1) - largest * 10000) * 64; }
+  FinePoint point(std::int64_t largest) {
+    const std::int64_t x = coordinate(largest);
+    return {x, coordinate(largest)};
   }
 
  private:
@@ -160,9 +160,9 @@ TEST(FaceAreaTest, ClippedEndsAreRoundedToTheNearest) {
   for (int i = 0; i < 30000; ++i) {
     const auto size = static_cast<std::int32_t>(i % 3 == 0 ? kMaxFaceSize : 200 + random.below(2000));
     const auto polygon = facePolygon(kKinds[static_cast<std::size_t>(i) % 3], size);
-    const std::int64_t most = i % 2 == 0 ? FaceArea::kMaxUnits : size;
-    const FinePoint a = random.point(most);
-    const FinePoint b = random.point(most);
+    const std::int64_t largest = i % 2 == 0 ? FaceArea::kMaxUnits : size;
+    const FinePoint a = random.point(largest);
+    const FinePoint b = random.point(largest);
     const auto found = FaceArea(polygon).clip(a, b);
     const auto expected = exactCut(polygon, a, b);
     if (expected.empty()) {

@@ -88,7 +88,7 @@ long double gapOverAnEdge(SolidKind kind, std::int32_t size, std::mt19937_64& ra
 TEST(LevelEdgesTest, LinesAcrossAnEdgeMeetWithin3Subunits) {
   constexpr std::uint64_t seed = 99;
   std::mt19937_64 random(seed);
-  long double most = 0;
+  long double largest = 0;
   long double sum = 0;
   constexpr int tries = 60000;
   for (int i = 0; i < tries; ++i) {
@@ -96,10 +96,10 @@ TEST(LevelEdgesTest, LinesAcrossAnEdgeMeetWithin3Subunits) {
     const auto size = static_cast<std::int32_t>(i % 7 == 0 ? kMaxFaceSize : 200 + i % 1500);
     const long double gap = gapOverAnEdge(kind, size, random);
     ASSERT_LE(gap, 3.0L) << nameOf(kind) << " " << size << ", seed " << seed;
-    most = std::max(most, gap);
+    largest = std::max(largest, gap);
     sum += gap;
   }
-  RecordProperty("mostThousandths", static_cast<int>(most * 1000));
+  RecordProperty("maxThousandths", static_cast<int>(largest * 1000));
   EXPECT_LE(sum / tries, 1.0L);
 }
 

@@ -92,13 +92,13 @@ class Mutator {
 
 // Distance of a point outside the edge that it is farthest outside of, in subunits; negative inside.
 long double beyond(const std::vector<Point>& polygon, Point point) {
-  long double most = -1e9L;
+  long double largest = -1e9L;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Point edge = polygon[(i + 1) % polygon.size()] - polygon[i];
     const long double length = std::sqrt(static_cast<long double>(squaredLength(edge)));
-    most = std::max(most, static_cast<long double>(-cross(edge, point - polygon[i])) / length);
+    largest = std::max(largest, static_cast<long double>(-cross(edge, point - polygon[i])) / length);
   }
-  return most;
+  return largest;
 }
 
 void expectValid(const Level& level, const std::string& text) {

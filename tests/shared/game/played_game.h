@@ -22,7 +22,7 @@ inline std::shared_ptr<const Level> levelOf(const std::string& text) {
   return result.level;
 }
 
-/// A hexahedron with face size 480. `start` and `goal` are lines of a level text, `lines` those of each face in turn.
+/// A hexahedron with face size 480. `start` and `goal` are lines of a level text, `lines` the lines of each face.
 inline std::shared_ptr<const Level> cubeLevel(const std::string& start, std::vector<std::string> lines,
                                               const std::string& goal = "5 0 0") {
   lines.resize(6);

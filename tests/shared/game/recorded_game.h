@@ -13,9 +13,9 @@ namespace platon {
 /// A game of seeded players and its recording.
 struct RecordedGame {
   std::vector<std::uint8_t> recording;
-  std::vector<std::vector<Input>> inputs;         ///< by tick
-  std::vector<std::uint64_t> hashes;              ///< after each tick
-  std::vector<std::vector<std::uint8_t>> states;  ///< before each tick, and after the last
+  std::vector<std::vector<Input>> inputs;         ///< inputs of each tick
+  std::vector<std::uint64_t> hashes;              ///< hash after each tick
+  std::vector<std::vector<std::uint8_t>> states;  ///< state before each tick, and after the last
 };
 
 inline std::shared_ptr<const Level> recordedLevel() {

@@ -23,8 +23,8 @@ constexpr std::uint32_t kParts = 4;    // two by two on a torus, in two frames
 
 Angle anyAngle(sim::SeededRandom& random) { return Angle(static_cast<std::int32_t>(random.below(Angle::kTurn))); }
 
-std::int32_t anyTurn(sim::SeededRandom& random, std::int32_t most) {
-  return static_cast<std::int32_t>(random.below(2 * static_cast<std::uint64_t>(most) + 1)) - most;
+std::int32_t anyTurn(sim::SeededRandom& random, std::int32_t limit) {
+  return static_cast<std::int32_t>(random.below(2 * static_cast<std::uint64_t>(limit) + 1)) - limit;
 }
 
 void addTorusPart(World& world, std::uint32_t id, sim::SeededRandom& random) {

@@ -193,15 +193,15 @@ TEST(EntityStepTest, StepsEndAmongManySegments) {
   Scene scene(lines, square(3), {5000, 200});
   LegChecker checker(scene.world);
   sim::SeededRandom random(kSeed);
-  std::uint64_t most = 0;
+  std::uint64_t maxLegs = 0;
   for (int tick = 0; tick < 500; ++tick) {
     const std::uint64_t before = checker.legs();
     scene.entity.setVelocity(-scene.entity.position() + random.vector(500));
     scene.world.solve(&checker);
-    most = std::max(most, checker.legs() - before);
+    maxLegs = std::max(maxLegs, checker.legs() - before);
   }
   EXPECT_EQ(checker.faults(), "");
-  EXPECT_LE(most, static_cast<std::uint64_t>(EntityStep::kMaxLegs) + 1);
+  EXPECT_LE(maxLegs, static_cast<std::uint64_t>(EntityStep::kMaxLegs) + 1);
 }
 
 // I3 on one face.
@@ -288,19 +288,19 @@ TEST(SlideOverJointsTest, PassesEverySegmentEnd) {
        {-1328, 48},
        {163, -3},
        5000},
-      {"an end in front of the next line",
+      {"an end in front of the next segment",
        regular(5, 70),
        {{{-4, -1}, {1723, 237}}, {{-1719, -239}, {3, -3}}, {{1717, 243}, {3442, 479}}},
        {-873, -20},
        {67, -22},
        2500},
-      {"an edge flat on the next line",
+      {"an edge flat on the next segment",
        square(10),
        {{{1, -4}, {118, 18}}, {{115, 17}, {234, 32}}, {{-114, -21}, {-3, 3}}},
        {-60, 5},
        {6, -1},
        200},
-      {"another line close behind",
+      {"another segment close behind",
        square(100),
        {{{-1290, 50}, {2, 0}}, {{1250, -40}, {2530, -60}}, {{1, 2}, {1250, -38}}},
        {-630, 150},

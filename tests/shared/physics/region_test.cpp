@@ -67,13 +67,14 @@ TEST(RegionTest, RefillsForAnotherPart) {
 
 TEST(RegionTest, ReachesBeyondTheCoordinates) {
   MapGeometry part;
-  constexpr std::int32_t most = kCoordinateLimit - 1;
-  part.segments = {{{-most, -most}, {-most, most}}, {{most, -most}, {most, most}}, {{0, 0}, {0, 0}}};
+  constexpr std::int32_t largest = kCoordinateLimit - 1;
+  part.segments = {
+      {{-largest, -largest}, {-largest, largest}}, {{largest, -largest}, {largest, largest}}, {{0, 0}, {0, 0}}};
   part.grid = Grid(part.segments);
   Region region;
-  region.cover(part, {{most - 5, -7}, {2 * most, 2 * most}});
-  expectCovers(region, part, {{most - 5, -7}, {most, most}});
-  region.cover(part, {{-2 * most, -2 * most}, {2 * most, 2 * most}});
+  region.cover(part, {{largest - 5, -7}, {2 * largest, 2 * largest}});
+  expectCovers(region, part, {{largest - 5, -7}, {largest, largest}});
+  region.cover(part, {{-2 * largest, -2 * largest}, {2 * largest, 2 * largest}});
   EXPECT_EQ(region.segments().size(), 3u);
 }
 

@@ -76,7 +76,7 @@ TEST(RestTest, PressingIntoASlopeMovesNothing) {
   }
 }
 
-// A slide must not leave a segment at its end and be nudged back onto it in turn.
+// The entity must not slide off the end of a segment and be nudged back onto it, again and again.
 TEST(RestTest, IsNotNudgedBackOntoItsLastSlide) {
   struct {
     Segment line;

@@ -86,9 +86,9 @@ TEST(SlideTest, HoldsForRandomVectorsUpToTheBounds) {
     if (normal == Point()) continue;
     ASSERT_NO_FATAL_FAILURE(expectSlides(displacement, normal)) << "seed " << kSeed << ", round " << i;
   }
-  constexpr std::int32_t most = (1 << 30) - 1;
-  ASSERT_NO_FATAL_FAILURE(expectSlides({most, -most}, {most, most - 1}));
-  ASSERT_NO_FATAL_FAILURE(expectSlides({-most, most}, {1, -most}));
+  constexpr std::int32_t largest = (1 << 30) - 1;
+  ASSERT_NO_FATAL_FAILURE(expectSlides({largest, -largest}, {largest, largest - 1}));
+  ASSERT_NO_FATAL_FAILURE(expectSlides({-largest, largest}, {1, -largest}));
 }
 
 TEST(TurnedNormalTest, Uses29BitsAndKeepsTheDirection) {

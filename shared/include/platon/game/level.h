@@ -29,7 +29,7 @@ struct Level {
   std::string title;                           ///< at most 100 bytes of printable UTF-8, may be empty
   std::string author;                          ///< at most 100 bytes of printable UTF-8, may be empty
   std::string text;                            ///< content of the level file
-  std::uint64_t hash = 0;                      ///< of `text`
+  std::uint64_t hash = 0;                      ///< hash of `text`
 
   /// The stage: see buildStage. Without entities.
   World world;

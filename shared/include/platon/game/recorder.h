@@ -36,11 +36,11 @@ class Recorder {
 
   std::uint32_t checkpointTicks_;
   std::vector<std::uint8_t> bytes_;
-  // The block being filled.
+  // The unfinished block.
   std::uint32_t firstTick_;                 // ticks the game had advanced before the block
-  std::vector<std::uint8_t> state_;         // of the game at that time
-  std::vector<std::vector<Input>> inputs_;  // by tick, by slot
-  std::vector<std::uint64_t> hashes_;       // of the game after each tick
+  std::vector<std::uint8_t> state_;         // state of the game before the block
+  std::vector<std::vector<Input>> inputs_;  // inputs by tick and slot
+  std::vector<std::uint64_t> hashes_;       // hash of the game after each tick
 };
 
 }  // namespace platon

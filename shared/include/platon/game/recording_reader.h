@@ -16,12 +16,12 @@ namespace platon {
 
 /// Ticks from one checkpoint to the next.
 struct RecordedBlock {
-  std::size_t offset = 0;             ///< in the recording, bytes
+  std::size_t offset = 0;             ///< position in the recording, in bytes
   std::uint32_t firstTick = 0;        ///< ticks the game had advanced before the block
-  std::vector<std::uint8_t> state;    ///< of the game at that time, as Game::save returns it
-  std::vector<std::uint64_t> hashes;  ///< of the game after each tick; empty in the block that marks the end
+  std::vector<std::uint8_t> state;    ///< state of the game before the block, as Game::save returns it
+  std::vector<std::uint64_t> hashes;  ///< hash of the game after each tick; empty in the block that marks the end
   std::uint32_t slots = 0;
-  std::vector<Input> inputs;  ///< by tick, then by slot
+  std::vector<Input> inputs;  ///< sorted by tick, then by slot
 
   std::uint32_t ticks() const { return static_cast<std::uint32_t>(hashes.size()); }
   /// Inputs of the tick with this index in the block, by slot. index < ticks().

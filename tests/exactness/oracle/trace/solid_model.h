@@ -17,7 +17,7 @@ std::int64_t normalizedAngle(std::int64_t centidegrees);
 struct SolidNumbers {
   std::string_view name;
   std::size_t faces = 0;
-  std::size_t corners = 0;  ///< of each face
+  std::size_t corners = 0;  ///< corners per face
   std::size_t facesPerCorner = 0;
 };
 
