@@ -28,8 +28,8 @@ struct Scene {
   std::vector<Segment> segments;
   Convex shape;
   std::vector<Point> bodies;
-  double subunitsPerUnit =
-      kSubunitsPerUnit;  ///< of the scene's coordinates; the slop of the float engines depends on it
+  /// Resolution of the coordinates; the slop of the float engines depends on it.
+  double subunitsPerUnit = kSubunitsPerUnit;
 };
 
 /// A physics engine with a scene, set up as its manual recommends for a fast character: without gravity, friction,

@@ -26,12 +26,12 @@ Polygon hullFrom(ByteSource& bytes, std::int64_t radius) {
   return oracle::convexHull(std::move(points));
 }
 
-// Rotation rounds each corner by less than one subunit. A corner more than three subunits from the line through its
+// Rotation rounds each vertex by less than one subunit. A vertex more than three subunits from the line through its
 // neighbours therefore stays convex.
-bool staysConvex(const Polygon& polygon, std::size_t corner) {
-  const Vec before = polygon[corner];
-  const Vec here = polygon[(corner + 1) % polygon.size()];
-  const Vec after = polygon[(corner + 2) % polygon.size()];
+bool staysConvex(const Polygon& polygon, std::size_t vertex) {
+  const Vec before = polygon[vertex];
+  const Vec here = polygon[(vertex + 1) % polygon.size()];
+  const Vec after = polygon[(vertex + 2) % polygon.size()];
   const Vec base = after - before;
   const auto height = static_cast<long double>(oracle::cross(base, before - here)) /
                       std::hypot(static_cast<long double>(base.x), static_cast<long double>(base.y));
@@ -96,12 +96,12 @@ std::optional<FuzzScene> makePlane(ByteSource& bytes) {
       std::move(stage), std::nullopt, 0, {count}, Convex(toPoints(shape)), scale, staysConvexWhenRotated(shape)};
 }
 
-// Moves the mean of the corners, which determines the home part, to the origin.
+// Moves the mean of the vertices, which determines the home part, to the origin.
 Polygon centred(Polygon polygon) {
   Vec sum;
-  for (const Vec corner : polygon) sum = sum + corner;
+  for (const Vec vertex : polygon) sum = sum + vertex;
   const auto count = static_cast<std::int64_t>(polygon.size());
-  for (Vec& corner : polygon) corner = corner - Vec{sum.x / count, sum.y / count};
+  for (Vec& vertex : polygon) vertex = vertex - Vec{sum.x / count, sum.y / count};
   return polygon;
 }
 

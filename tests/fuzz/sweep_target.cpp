@@ -53,7 +53,7 @@ std::optional<ClipInterval> clipIntervalOf(const SweepQuery& query, std::int64_t
   return interval.enter < interval.exit ? std::optional(interval) : std::nullopt;
 }
 
-Polygon corners(ByteSource& bytes, std::int64_t radius) {
+Polygon verticesFrom(ByteSource& bytes, std::int64_t radius) {
   std::vector<Vec> points(bytes.below(14) + 3);
   for (Vec& point : points) point = bytes.vector(radius);
   return points;
@@ -77,11 +77,11 @@ oracle::Segment segment(ByteSource& bytes, const Polygon& shape, std::int64_t ra
   }
 }
 
-// A point on or near a corner or an edge of the obstacle, or a random one.
+// A point on or near a vertex or an edge of the obstacle, or a random one.
 Vec place(ByteSource& bytes, const Polygon& obstacle, std::int64_t radius) {
-  const std::size_t corner = bytes.below(obstacle.size());
-  const Vec here = obstacle[corner];
-  const Vec next = obstacle[(corner + 1) % obstacle.size()];
+  const std::size_t vertex = bytes.below(obstacle.size());
+  const Vec here = obstacle[vertex];
+  const Vec next = obstacle[(vertex + 1) % obstacle.size()];
   switch (bytes.below(5)) {
     case 0:
       return here + bytes.vector(1);
@@ -113,7 +113,7 @@ std::string compared(const std::optional<Hit>& hit, const std::optional<ClipInte
 }
 
 // The grown sweep must hit every segment that the shape grown by a square hits. It may miss others near the tips of
-// sharp corners, which extend farther.
+// sharp vertices, which extend farther.
 bool mayMiss(SweepQuery query, std::int64_t grown) {
   std::vector<Vec> points;
   for (const Vec vertex : query.shape) {
@@ -142,7 +142,7 @@ std::string described(const std::string& fault, const SweepQuery& query, std::in
 std::string sweepFault(Bytes input) {
   ByteSource bytes(input);
   const std::int64_t radius = (std::int64_t{1} << bytes.between(1, 29)) - 1;
-  Polygon shape = corners(bytes, radius);
+  Polygon shape = verticesFrom(bytes, radius);
   const bool convex = oracle::isStrictlyConvex(shape);
   if (Convex::fault(toPoints(shape)).has_value() == convex)
     return "wrong decision whether a polygon is strictly convex";

@@ -68,7 +68,7 @@ TEST(CorridorsTest, KeepsItsSpeedWhenPressedAgainstAWall) {
 
 // With a velocity at an angle to the corridor, all invariants hold and no entity passes a wall: its distance from the
 // corridor's axis stays within the clearance.
-TEST(CorridorsTest, StaysInsideAtASlant) {
+TEST(CorridorsTest, StaysInsideAtASlantedVelocity) {
   for (const char* name : kCorridors) {
     for (const double slant : {0.001, -0.001, 0.1, -0.5}) {
       HardScene scene(std::string("corridors/") + name + ".scene");

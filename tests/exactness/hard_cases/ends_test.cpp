@@ -1,4 +1,4 @@
-// Ends of segments against corners of shapes.
+// Ends of segments against vertices of shapes.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -10,18 +10,18 @@
 namespace platon::hard_cases {
 namespace {
 
-// A square that stands on its corner moves to the right. Segments of many directions end at its leading corner, one
+// A square that stands on its vertex moves to the right. Segments of many directions end at its leading vertex, one
 // subunit beside it, and at its sides.
 TEST(EndsTest, SweepsAgainstEndsAreExact) {
   EXPECT_EQ(expectAnswers("ends/small"), 28u);
   EXPECT_EQ(expectAnswers("ends/far"), 28u) << "over a million times as large, still off by one subunit";
 }
 
-// A corner that hits the end exactly enters both of its edges at once: the edge with the smaller index is the contact.
+// A vertex that hits the end exactly enters both of its edges at once: the edge with the smaller index is the contact.
 // Here that edge leads up to the left, so the entity slides off below the segment, 1 000 subunits down and to the
 // right, and one subunit more. The slide has half the speed, so these 1 001 subunits use 2 002 of the displacement; the
 // remaining displacement is straight.
-TEST(EndsTest, ACornerAtAnEndSlidesAlongItsFirstEdge) {
+TEST(EndsTest, AVertexAtAnEndSlidesAlongItsFirstEdge) {
   HardScene scene("ends/straight.scene");
   scene.tick(scene.velocity);
   ASSERT_EQ(scene.rules.contacts.size(), 1u);
@@ -54,7 +54,7 @@ TEST(EndsTest, TheTipOfANeedleSlidesOffTheEnd) {
   EXPECT_EQ(scene.at(), before + Point(5 * scene.velocity.x, 5 * scene.velocity.y));
 }
 
-TEST(EndsTest, ACornerAtAFarEndSlidesAlongItsFirstEdge) {
+TEST(EndsTest, AVertexAtAFarEndSlidesAlongItsFirstEdge) {
   HardScene scene("ends/straight_far.scene");
   scene.tick(scene.velocity);
   EXPECT_EQ(scene.rules.contacts.at(0).point, Point(200000000, 0));
@@ -64,9 +64,9 @@ TEST(EndsTest, ACornerAtAFarEndSlidesAlongItsFirstEdge) {
   EXPECT_EQ(scene.at(), Point(199000000 + edge + (left - 2 * edge), -edge)) << "a thousand times as large";
 }
 
-// An end one subunit beside the corner: the entity slides off along the edge, of which 999 subunits remain, and one
+// An end one subunit beside the vertex: the entity slides off along the edge, of which 999 subunits remain, and one
 // subunit more. This uses 2 000 of the remaining 50 999.
-TEST(EndsTest, ACornerOneSubunitBesideTheEndSlidesOff) {
+TEST(EndsTest, AVertexOneSubunitBesideTheEndSlidesOff) {
   HardScene above("ends/one_above.scene");
   HardScene below("ends/one_below.scene");
   above.tick(above.velocity);

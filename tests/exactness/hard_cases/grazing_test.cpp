@@ -8,7 +8,7 @@
 namespace platon::hard_cases {
 namespace {
 
-// For each power of ten from 1e-1 to 1e-15 radians, five queries. At the end of its path the corner touches the middle
+// For each power of ten from 1e-1 to 1e-15 radians, five queries. At the end of its path the vertex touches the middle
 // of the segment; it is farther or nearer by the smallest distance on the lattice, about 1e-9 subunits; it is farther
 // or nearer by one subunit.
 TEST(GrazingTest, SweepsAtTheSmallestAnglesAreExact) { EXPECT_EQ(expectAnswers("grazing/by_angle"), 15u * 5u); }
@@ -54,7 +54,7 @@ TEST(GrazingTest, PassesANarrowingGapOfItsOwnWidth) {
 TEST(GrazingTest, IsStoppedByAGapOneSubunitTooNarrow) {
   HardScene scene("grazing/too_narrow.scene");
   EXPECT_LT(scene.ticksUntilRest(scene.velocity, 20), 20);
-  EXPECT_EQ(scene.at(), Point(-10, 0)) << "the upper front corner is on the segment";
+  EXPECT_EQ(scene.at(), Point(-10, 0)) << "the upper front vertex is on the segment";
   for (int tick = 0; tick < 100; ++tick) scene.tick(scene.velocity);
   EXPECT_EQ(scene.at(), Point(-10, 0));
   scene.tick(-scene.velocity);

@@ -84,26 +84,26 @@ Angle slopeFrom(FloorRandom& random) {
   return random.below(4) == 0 ? Angle::degrees(45 * random.whole(0, 7)) : Angle(random.whole(0, Angle::kTurn - 1));
 }
 
-/// True if the lowest corner is sharper than 30 degrees: the gap at a joint may stop such a corner.
+/// True if the lowest vertex is sharper than 30 degrees: the gap at a joint may stop such a vertex.
 bool standsOnATip(const Convex& shape, const Floor& floor) {
-  const auto& corners = shape.vertices();
+  const auto& vertices = shape.vertices();
   const auto lower = [&](Point a, Point b) { return floor.height(a) < floor.height(b); };
-  const auto least = std::min_element(corners.begin(), corners.end(), lower);
-  const auto lowest = static_cast<std::size_t>(least - corners.begin());
-  const Real ahead = real(corners[(lowest + 1) % corners.size()] - corners[lowest]);
-  const Real behind = real(corners[(lowest + corners.size() - 1) % corners.size()] - corners[lowest]);
+  const auto least = std::min_element(vertices.begin(), vertices.end(), lower);
+  const auto lowest = static_cast<std::size_t>(least - vertices.begin());
+  const Real ahead = real(vertices[(lowest + 1) % vertices.size()] - vertices[lowest]);
+  const Real behind = real(vertices[(lowest + vertices.size() - 1) % vertices.size()] - vertices[lowest]);
   return dot(ahead, behind) > std::cos(std::numbers::pi / 6) * length(ahead) * length(behind);
 }
 
-/// A polygon of 3 to 20 points on a circle, without a sharp lowest corner.
+/// A polygon of 3 to 20 points on a circle, without a sharp lowest vertex.
 Convex polygonFrom(FloorRandom& random, const Floor& floor) {
   for (;;) {
     const double radius = random.between(100, 12000);
-    std::vector<Point> corners;
+    std::vector<Point> vertices;
     for (std::int32_t left = random.whole(3, 20); left > 0; --left) {
-      corners.push_back(nearest(turned({radius, 0}, Angle(random.whole(0, Angle::kTurn - 1)))));
+      vertices.push_back(nearest(turned({radius, 0}, Angle(random.whole(0, Angle::kTurn - 1)))));
     }
-    auto hull = convexHull(corners);
+    auto hull = convexHull(vertices);
     if (Convex::fault(hull)) continue;
     Convex shape(std::move(hull));
     if (!standsOnATip(shape, floor)) return shape;

@@ -24,7 +24,7 @@ TEST(LimitsTest, StopsBetweenTheLongestSegments) {
     placed.entities[0].position = rotate(start.entities[0].position, turn);
     scene.world.restore(placed);
     EXPECT_EQ(scene.ticksUntilRest(rotate(scene.velocity, turn), 10), 2);
-    EXPECT_EQ(scene.at(), rotate(Point(20, 0), turn)) << "both front corners are on the diagonals";
+    EXPECT_EQ(scene.at(), rotate(Point(20, 0), turn)) << "both front vertices are on the diagonals";
     for (int tick = 0; tick < 1000; ++tick) scene.tick(rotate(scene.velocity, turn));
     EXPECT_EQ(scene.at(), rotate(Point(20, 0), turn));
     scene.tick(rotate(Point(kFastest, 0), turn));

@@ -54,7 +54,7 @@ void expectRotations(const std::string& name, const std::vector<Rotation>& rotat
   for (const Rotation& rotation : rotations) expectRotation(name, rotation);
 }
 
-// The corners of the square are 14 142 subunits from its centre, the segment is 11 500: free up to
+// The vertices of the square are 14 142 subunits from its centre, the segment is 11 500: free up to
 // 45° - acos(11500 / 14142) = 9.4°.
 TEST(RotationTest, IsStoppedByOneSegment) {
   expectRotations("one_line", {{900, {}}, {-900, {}}, {1000, 0}, {-1000, 0}, {4500, 0}, {35999, 0}, {-35999, 0}});

@@ -1,4 +1,4 @@
-// Shapes of 3 to 64 corners, needles, and shapes with almost no area.
+// Shapes of 3 to 64 vertices, needles, and shapes with almost no area.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -39,12 +39,12 @@ void expectCourse(HardScene& scene, const std::string& name) {
   EXPECT_EQ(scene.at(), Point(kWall - box.high.x, -box.low.y)) << name << " resting at the wall";
 }
 
-TEST(ShapesTest, ShapesOf3To64CornersMoveExactly) {
-  for (int corners = 3; corners <= 64; ++corners) {
+TEST(ShapesTest, ShapesOf3To64VerticesMoveExactly) {
+  for (int vertices = 3; vertices <= 64; ++vertices) {
     for (const std::int32_t radius : {1000, 12288, 1 << 27}) {
-      const std::string name = std::to_string(corners) + " corners, radius " + std::to_string(radius);
-      HardScene scene(name, courseWith(regular(corners, radius)));
-      ASSERT_EQ(scene.shape.vertices().size(), static_cast<std::size_t>(corners));
+      const std::string name = std::to_string(vertices) + " vertices, radius " + std::to_string(radius);
+      HardScene scene(name, courseWith(regular(vertices, radius)));
+      ASSERT_EQ(scene.shape.vertices().size(), static_cast<std::size_t>(vertices));
       expectCourse(scene, name);
     }
   }

@@ -110,9 +110,9 @@ TEST(TouchingTest, MovesOnTheEndOfASegment) {
                       {{50, 0}, {50, 0}, false}});
 }
 
-// A corner on a point enters both edges at once. The contact is the edge with the smaller index, which rises to the
+// A vertex on a point enters both edges at once. The contact is the edge with the smaller index, which rises to the
 // right.
-TEST(TouchingTest, MovesWithACornerOnAPoint) {
+TEST(TouchingTest, MovesWithAVertexOnAPoint) {
   expectMoves("point", {{{0, -50}, {-25, -25}, true},
                         {{-50, -50}, {-50, -50}, false},
                         {{50, -50}, {50, -50}, false},
@@ -120,8 +120,8 @@ TEST(TouchingTest, MovesWithACornerOnAPoint) {
                         {{0, 50}, {0, 50}, false}});
 }
 
-// The segment leads away from the corner, halfway between its edges. The bottom edge has the smaller index.
-TEST(TouchingTest, MovesWithACornerOnTheEndOfASegment) {
+// The segment leads away from the vertex, halfway between its edges. The bottom edge has the smaller index.
+TEST(TouchingTest, MovesWithAVertexOnTheEndOfASegment) {
   expectMoves("end_at_corner", {{{50, 0}, {50, 0}, false},
                                 {{0, -50}, {0, -50}, false},
                                 {{-50, -50}, {-50, -50}, false},

@@ -22,7 +22,7 @@ struct LatticeMap {
     return v;
   }
   Point place(Point p) const { return vector(p) + shift; }
-  Segment line(const Segment& line) const { return {place(line.a), place(line.b)}; }
+  Segment segment(const Segment& s) const { return {place(s.a), place(s.b)}; }
   /// A polygon relative to a position. A mirror reverses the order of its vertices, so that it stays counter-clockwise.
   std::vector<Point> shape(std::vector<Point> vertices) const {
     for (Point& vertex : vertices) vertex = vector(vertex);

@@ -124,7 +124,7 @@ TEST(PlaneLawsTest, TheDirectionOfASegmentDoesNotMatter) {
 }
 
 // Slow enough that no entity gets from the middle of a scene to the ends of its long segments, which are 2^27 away: it
-// moves at most 12 * 2 * sqrt(2) * 2^22, and the roundings.
+// moves at most 12 * 2 * sqrt(2) * 2^22, plus the roundings.
 constexpr std::int64_t kSlow = 2;
 
 // Long segments in every direction except the diagonals. No entity reaches an end, so that none is nudged.

@@ -27,7 +27,7 @@ struct PlaneScene {
   }
   PlaneScene mapped(const LatticeMap& map) const {
     PlaneScene made{map.shape(shape), {}, {}, scale};
-    for (const Segment& line : lines) made.lines.push_back(map.line(line));
+    for (const Segment& line : lines) made.lines.push_back(map.segment(line));
     for (const Point place : entities) made.entities.push_back(map.place(place));
     return made;
   }

@@ -68,7 +68,7 @@ TEST(SweepLawsTest, AnswersAreSymmetric) {
     };
     if (!fits()) map.shift = {};
     const SweepQuery mapped{map.shape(query.shape), map.place(query.position), map.vector(query.displacement),
-                            map.line(query.segment)};
+                            map.segment(query.segment)};
     const std::optional<Hit> other = answer(mapped);
     expectSameTimes(hit, other);
     // If two edges are hit at once, their order decides which is named. A mirror reverses that order.

@@ -23,7 +23,7 @@ FinePoint units(std::int64_t x, std::int64_t y) {
 
 FinePoint fine(Point point) { return {point.x * FinePoint::kPerSubunit, point.y * FinePoint::kPerSubunit}; }
 
-// Distance of a point outside the edge that it is farthest outside of, in subunits; negative inside.
+// Largest distance of a point outside an edge of the polygon, in subunits; negative inside the polygon.
 double beyond(const std::vector<Point>& polygon, Point point) {
   double largest = -1e9;
   for (std::size_t i = 0; i < polygon.size(); ++i) {

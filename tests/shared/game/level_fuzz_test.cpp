@@ -90,7 +90,7 @@ class Mutator {
   std::mt19937 random_;
 };
 
-// Distance of a point outside the edge that it is farthest outside of, in subunits; negative inside.
+// Largest distance of a point outside an edge of the polygon, in subunits; negative inside the polygon.
 long double beyond(const std::vector<Point>& polygon, Point point) {
   long double largest = -1e9L;
   for (std::size_t i = 0; i < polygon.size(); ++i) {

@@ -6,7 +6,7 @@
 namespace platon::oracle {
 namespace {
 
-/// The hull of random points in a box: a polygon with few corners.
+/// The hull of random points in a box: a polygon with few vertices.
 Polygon randomHull(std::size_t points, std::int64_t scale, RandomSource& random) {
   Polygon hull;
   do {
@@ -19,22 +19,22 @@ Polygon randomHull(std::size_t points, std::int64_t scale, RandomSource& random)
   return hull;
 }
 
-/// A polygon of `corners` lattice points on an ellipse; fewer if rounding makes some collinear.
-Polygon ellipse(std::size_t corners, double width, double height, Vec centre) {
-  std::vector<Vec> points(corners);
-  for (std::size_t i = 0; i < corners; ++i) {
-    const double angle = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(corners);
+/// A polygon of `vertices` lattice points on an ellipse; fewer if rounding makes some collinear.
+Polygon ellipse(std::size_t vertices, double width, double height, Vec centre) {
+  std::vector<Vec> points(vertices);
+  for (std::size_t i = 0; i < vertices; ++i) {
+    const double angle = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(vertices);
     points[i] = centre + Vec{std::llround(width * std::cos(angle)), std::llround(height * std::sin(angle))};
   }
   return convexHull(std::move(points));
 }
 
-Polygon manyCorners(std::int64_t scale, RandomSource& random) {
+Polygon manyVertices(std::int64_t scale, RandomSource& random) {
   const auto radius = [&] { return static_cast<double>(random.between(scale / 64 + 1, scale / 2 + 1)); };
   Polygon shape;
   while (!isStrictlyConvex(shape)) {
-    const auto corners = static_cast<std::size_t>(random.between(17, 64));
-    shape = ellipse(corners, radius(), radius(), random.vector(scale / 2));
+    const auto vertices = static_cast<std::size_t>(random.between(17, 64));
+    shape = ellipse(vertices, radius(), radius(), random.vector(scale / 2));
   }
   return shape;
 }
@@ -64,8 +64,8 @@ Polygon randomShape(ShapeKind kind, std::int64_t scale, RandomSource& random) {
   switch (kind) {
     case ShapeKind::Any:
       return randomHull(random.below(6) + 3, scale, random);
-    case ShapeKind::ManyCorners:
-      return manyCorners(scale, random);
+    case ShapeKind::ManyVertices:
+      return manyVertices(scale, random);
     case ShapeKind::Ball:
       return ellipse(16, 12288, 12288, {});
     case ShapeKind::Needle:

@@ -22,27 +22,28 @@ struct Totals {
   std::size_t queries = 0;
   std::size_t hits = 0;
   std::size_t overlaps = 0;
-  std::size_t corners = 0;
+  std::size_t vertices = 0;
   std::size_t disagreements = 0;
 
   void count(const CorrectAnswer& correct) {
     ++queries;
     hits += correct.kind == CorrectAnswer::Kind::Hit;
     overlaps += correct.kind == CorrectAnswer::Kind::Overlap;
-    corners += correct.normals.size() == 2;
+    vertices += correct.normals.size() == 2;
   }
   void add(const Totals& other) {
     queries += other.queries;
     hits += other.hits;
     overlaps += other.overlaps;
-    corners += other.corners;
+    vertices += other.vertices;
     disagreements += other.disagreements;
   }
 };
 
 std::ostream& operator<<(std::ostream& stream, const Totals& totals) {
-  return stream << totals.queries << " queries, " << totals.hits << " hits (" << totals.corners << " through corners), "
-                << totals.overlaps << " overlaps, " << totals.disagreements << " disagreements";
+  return stream << totals.queries << " queries, " << totals.hits << " hits (" << totals.vertices
+                << " through vertices), " << totals.overlaps << " overlaps, " << totals.disagreements
+                << " disagreements";
 }
 
 std::vector<SweepQuery> makeBatch(const SweepFamily& family, std::size_t count, std::uint64_t seed) {

@@ -17,21 +17,21 @@ constexpr auto kFamilies = std::to_array<SweepFamily>({
     {"tiny", 4, ShapeKind::Any, SegmentKind::Any, Aim::Random},
     {"small", 8, ShapeKind::Any, SegmentKind::Any, Aim::Random},
     {"small box", 8, ShapeKind::Box, SegmentKind::Any, Aim::Random},
-    {"medium", 1000, ShapeKind::Any, SegmentKind::Any, Aim::EndsNearCorner},
-    {"large", kLargest, ShapeKind::Any, SegmentKind::Any, Aim::EndsNearCorner},
+    {"medium", 1000, ShapeKind::Any, SegmentKind::Any, Aim::EndsNearVertex},
+    {"large", kLargest, ShapeKind::Any, SegmentKind::Any, Aim::EndsNearVertex},
     {"large anywhere", kLargest, ShapeKind::Any, SegmentKind::Any, Aim::Random},
     {"extreme box", kLargest, ShapeKind::Box, SegmentKind::Any, Aim::Random},
-    {"ball of a player", 1 << 20, ShapeKind::Ball, SegmentKind::Any, Aim::EndsNearCorner},
-    {"ball against a point", 1 << 20, ShapeKind::Ball, SegmentKind::Point, Aim::ThroughCorner},
-    {"many corners", 1 << 20, ShapeKind::ManyCorners, SegmentKind::Any, Aim::EndsNearCorner},
-    {"many corners, parallel line", 1 << 20, ShapeKind::ManyCorners, SegmentKind::Parallel, Aim::AlongEdge},
-    {"many corners, large", kLargest, ShapeKind::ManyCorners, SegmentKind::NearlyParallel, Aim::ThroughCorner},
-    {"point, small", 8, ShapeKind::Any, SegmentKind::Point, Aim::ThroughCorner},
-    {"point, large", kLargest, ShapeKind::Any, SegmentKind::Point, Aim::EndsNearCorner},
-    {"corner, small", 30, ShapeKind::Any, SegmentKind::Any, Aim::ThroughCorner},
-    {"corner, medium", 5000, ShapeKind::Any, SegmentKind::Parallel, Aim::ThroughCorner},
-    {"corner, large", kLargest, ShapeKind::Any, SegmentKind::Any, Aim::ThroughCorner},
-    {"corner, needle", kLargest, ShapeKind::Needle, SegmentKind::NearlyParallel, Aim::ThroughCorner},
+    {"ball of a player", 1 << 20, ShapeKind::Ball, SegmentKind::Any, Aim::EndsNearVertex},
+    {"ball against a point", 1 << 20, ShapeKind::Ball, SegmentKind::Point, Aim::ThroughVertex},
+    {"many vertices", 1 << 20, ShapeKind::ManyVertices, SegmentKind::Any, Aim::EndsNearVertex},
+    {"many vertices, parallel line", 1 << 20, ShapeKind::ManyVertices, SegmentKind::Parallel, Aim::AlongEdge},
+    {"many vertices, large", kLargest, ShapeKind::ManyVertices, SegmentKind::NearlyParallel, Aim::ThroughVertex},
+    {"point, small", 8, ShapeKind::Any, SegmentKind::Point, Aim::ThroughVertex},
+    {"point, large", kLargest, ShapeKind::Any, SegmentKind::Point, Aim::EndsNearVertex},
+    {"vertex, small", 30, ShapeKind::Any, SegmentKind::Any, Aim::ThroughVertex},
+    {"vertex, medium", 5000, ShapeKind::Any, SegmentKind::Parallel, Aim::ThroughVertex},
+    {"vertex, large", kLargest, ShapeKind::Any, SegmentKind::Any, Aim::ThroughVertex},
+    {"vertex, needle", kLargest, ShapeKind::Needle, SegmentKind::NearlyParallel, Aim::ThroughVertex},
     {"edge, small", 30, ShapeKind::Any, SegmentKind::Any, Aim::AlongEdge},
     {"edge, parallel line", 5000, ShapeKind::Any, SegmentKind::Parallel, Aim::AlongEdge},
     {"edge, large", kLargest, ShapeKind::Box, SegmentKind::EdgeCopy, Aim::AlongEdge},
@@ -50,7 +50,7 @@ constexpr auto kFamilies = std::to_array<SweepFamily>({
     {"starts inside, large", kLargest, ShapeKind::Needle, SegmentKind::Any, Aim::StartsInside},
     {"no displacement, small", 8, ShapeKind::Any, SegmentKind::Any, Aim::NoDisplacement},
     {"no displacement, large", kLargest, ShapeKind::Any, SegmentKind::Parallel, Aim::NoDisplacement},
-    {"needles", 1 << 28, ShapeKind::Needle, SegmentKind::NearlyParallel, Aim::EndsNearCorner},
+    {"needles", 1 << 28, ShapeKind::Needle, SegmentKind::NearlyParallel, Aim::EndsNearVertex},
     {"nearly along an edge, small", 100, ShapeKind::Any, SegmentKind::Any, Aim::NearlyAlongEdge},
     {"nearly along an edge, large", kLargest, ShapeKind::Any, SegmentKind::NearlyParallel, Aim::NearlyAlongEdge},
     {"nearly along an edge, needle", kLargest, ShapeKind::Needle, SegmentKind::NearlyParallel, Aim::NearlyAlongEdge},
@@ -85,14 +85,14 @@ class Aimer {
     switch (family_.aim) {
       case Aim::Random:
         return set(random_.vector(family_.scale), random_.vector(family_.scale));
-      case Aim::EndsNearCorner:
+      case Aim::EndsNearVertex:
         return towards(start_ + random_.vector(family_.scale / 4));
-      case Aim::ThroughCorner:
-        return throughCorner(primitive(random_.vector(directionLimit())));
+      case Aim::ThroughVertex:
+        return throughVertex(primitive(random_.vector(directionLimit())));
       case Aim::AlongEdge:
         return alongEdge();
       case Aim::Tangent:
-        return throughCorner(primitive(before_ + along_));
+        return throughVertex(primitive(before_ + along_));
       case Aim::StartsOnBoundary:
         return set(boundaryPoint(), direction());
       case Aim::EndsOnBoundary:
@@ -122,7 +122,7 @@ class Aimer {
     return random_.oneIn(2) ? std::min<std::int64_t>(family_.scale, 5) : family_.scale / 4 + 1;
   }
 
-  void throughCorner(Vec step) {
+  void throughVertex(Vec step) {
     const std::int64_t maxSteps = stepsWithin(family_.scale, step);
     const std::int64_t ahead = random_.between(0, maxSteps / 2);
     set(start_ - ahead * step + jitter(random_), random_.between(ahead / 2, maxSteps) * step + jitter(random_));

@@ -9,7 +9,7 @@
 namespace platon::oracle {
 
 /// Kind of polygon.
-enum class ShapeKind { Any, ManyCorners, Ball, Needle, Box };
+enum class ShapeKind { Any, ManyVertices, Ball, Needle, Box };
 
 /// Kind of segment.
 enum class SegmentKind {
@@ -23,10 +23,10 @@ enum class SegmentKind {
 /// How position and displacement are chosen relative to the obstacle O.
 enum class Aim {
   Random,            ///< both at random
-  EndsNearCorner,    ///< the end is near a corner of O
-  ThroughCorner,     ///< exactly through a corner of O, or one subunit beside it
+  EndsNearVertex,    ///< the end is near a vertex of O
+  ThroughVertex,     ///< exactly through a vertex of O, or one subunit beside it
   AlongEdge,         ///< along an edge of O, or one subunit beside it
-  Tangent,           ///< touches O in one corner only
+  Tangent,           ///< touches O in one vertex only
   StartsOnBoundary,  ///< starts on the boundary of O, in any direction
   EndsOnBoundary,    ///< ends on the boundary of O, or one subunit beside it
   StartsInside,      ///< starts inside O

@@ -23,10 +23,10 @@ Entry throughEdge(const Polygon& polygon, std::size_t edge, Vec position, Vec di
   return {cross(along, polygon[edge] - position), cross(along, displacement), {outwardOf(polygon, edge)}};
 }
 
-/// Entry through vertex `corner`: every adjacent edge that faces the path is a correct answer.
-Entry throughCorner(const Polygon& polygon, std::size_t corner, Vec position, Vec displacement) {
-  Entry entry{dot(polygon[corner] - position, displacement), dot(displacement, displacement), {}};
-  for (const std::size_t edge : {(corner + polygon.size() - 1) % polygon.size(), corner}) {
+/// Entry through vertex `vertex`: every adjacent edge that faces the path is a correct answer.
+Entry throughVertex(const Polygon& polygon, std::size_t vertex, Vec position, Vec displacement) {
+  Entry entry{dot(polygon[vertex] - position, displacement), dot(displacement, displacement), {}};
+  for (const std::size_t edge : {(vertex + polygon.size() - 1) % polygon.size(), vertex}) {
     const Vec outward = outwardOf(polygon, edge);
     if (dot(outward, displacement) < 0) entry.normals.push_back(outward);
   }
@@ -43,7 +43,7 @@ std::optional<Entry> findEntry(const Polygon& polygon, Vec position, Vec displac
     const std::size_t next = (i + 1) % count;
     if (side[i] > 0 && side[next] < 0) return throughEdge(polygon, i, position, displacement);
     if (side[i] > 0 && side[next] == 0 && side[(i + 2) % count] < 0)
-      return throughCorner(polygon, next, position, displacement);
+      return throughVertex(polygon, next, position, displacement);
   }
   return std::nullopt;
 }

@@ -16,7 +16,7 @@ struct CorrectAnswer {
   Wide numerator = 0;
   Wide denominator = 1;
   /// Outward normals that are correct answers: that of the edge entered, or both if the path enters exactly through the
-  /// corner between two edges.
+  /// vertex between two edges.
   std::vector<Vec> normals;
 };
 

@@ -35,11 +35,11 @@ TEST(SweepOracle, ReportsAPointInsideAsOverlap) {
   EXPECT_EQ(correctText({kSquare, {0, 0}, {0, 0}, {{0, 5}, {0, 5}}}), "miss");
 }
 
-TEST(SweepOracle, AcceptsBothEdgesOfACorner) {
+TEST(SweepOracle, AcceptsBothEdgesOfAVertex) {
   EXPECT_EQ(correctText({kSquare, {0, 0}, {20, 20}, {{15, 15}, {15, 15}}}), "hit 200 800 -10 0 | 0 -10");
 }
 
-TEST(SweepOracle, AcceptsOnlyTheEnteredEdgeOfACorner) {
+TEST(SweepOracle, AcceptsOnlyTheEnteredEdgeOfAVertex) {
   const SweepQuery query{kSquare, {0, 0}, {0, 20}, {{10, 20}, {20, 15}}};
   EXPECT_EQ(correctText({kSquare, {0, 0}, {20, 20}, {{15, 15}, {25, 10}}}), "hit 200 800 -10 0 | -5 -10");
   EXPECT_EQ(correctText(query), "miss");

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::int64_t kEntities = 8;
 constexpr auto kShapes =
-    std::to_array({ShapeKind::Any, ShapeKind::ManyCorners, ShapeKind::Ball, ShapeKind::Needle, ShapeKind::Box});
+    std::to_array({ShapeKind::Any, ShapeKind::ManyVertices, ShapeKind::Ball, ShapeKind::Needle, ShapeKind::Box});
 
 Vec half(Vec v) { return {v.x / 2, v.y / 2}; }
 

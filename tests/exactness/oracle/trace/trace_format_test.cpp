@@ -85,7 +85,7 @@ TEST(TraceFormat, EveryPlayerOccursOnceAndHasLegs) {
   EXPECT_EQ(violatedRules(trace), kFormat);
 }
 
-TEST(TraceFormat, AShapeEqualToTheHeadersIsRefused) {
+TEST(TraceFormat, AShapeEqualToThatOfTheHeaderIsRefused) {
   SampleTrace trace = sampleTrace();
   trace.leg(0, 0)[0].shape = trace.header.shape;
   EXPECT_TRUE(violatedRules(trace).contains("format"));
