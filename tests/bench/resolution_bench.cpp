@@ -95,7 +95,7 @@ std::vector<ResolutionResult> benchResolutions(const Effort& effort) {
   std::vector<ResolutionResult> results;
   for (const EngineKind& kind : engineKinds()) {
     if (kind.name != "platon" && !kind.name.starts_with("float"))
-      continue;  // the others move by forces, so they follow another trajectory
+      continue;  // the others move by forces, so they follow a different trajectory
     for (std::int64_t resolution = kSceneSubunits; resolution <= kFinest; resolution *= 2) {
       runs.push_back(std::make_unique<Runs>(kind, courses, resolution));
       passes.push_back([run = runs.back().get()] { return run->run(); });

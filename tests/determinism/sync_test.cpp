@@ -69,7 +69,7 @@ TEST_P(SyncTest, ACopyContinuesAsTheOriginal) {
 }
 
 // Rolls one game back by k ticks after every tick and replays them.
-TEST_P(SyncTest, RollbackByAnyNumberOfTicksReplaysTheSame) {
+TEST_P(SyncTest, RollbackByAnyNumberOfTicksReplaysTheSameGame) {
   const auto level = this->level();
   const History history = historyOf(level, step_check::runLength(200, 3600));
   for (std::size_t k = 1; k <= kMaxRollback; ++k) {

@@ -1,5 +1,5 @@
 // Several games and worlds in one process do not influence each other: interleaved, on threads that share static
-// geometry, and with entities in another order.
+// geometry, and with entities in a different order.
 #include <gtest/gtest.h>
 
 #include <algorithm>

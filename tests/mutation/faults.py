@@ -35,7 +35,7 @@ FAULTS = [
     at_length("ceiling-is-floor", "shared/include/platon/exact/integer.h",
               "numerator % denominator > 0 ? quotient + 1 : quotient", "quotient",
               "positive quotients are not rounded up",
-              "IntegerTest.DivisionsRoundAsNamed"),
+              "IntegerTest.DivisionsRoundAsTheirNamesSay"),
     at_length("hash-without-mixing", "shared/exact/hash.h", "    state_ *= 0x9e3779b97f4a7c15U;", "    state_ *= 1U;",
               "the hash does not depend on the order of the values",
               "HashTest.OrderAndLengthChangeTheHash"),
@@ -169,7 +169,7 @@ FAULTS = [
               "return hit.placement == 0 ? normal : turnedNormal(normal, instances_.all()[hit.placement].toHome);",
               "return normal;",
               "the normal of a further instance's hit is not rotated into the home frame",
-              "WarpContactTest.ToHomeIsTheTurnBetweenTheParts"),
+              "WarpContactTest.ToHomeIsTheAngleBetweenTheParts"),
     at_length("dropped-before-home-passes", PHYSICS + "entity_step.cpp",
               "  while (instances_.needsRehome()) {",
               "  instances_.dropUnreached(kDropMargin, collider_);\n  while (instances_.needsRehome()) {",
@@ -256,7 +256,7 @@ FAULTS = [
               "contact.toHome = instances_.home().angle - placement.angle;",
               "contact.toHome = placement.angle - instances_.home().angle;",
               "Contact::toHome has the wrong sign",
-              "WarpContactTest.ToHomeIsTheTurnBetweenTheParts"),
+              "WarpContactTest.ToHomeIsTheAngleBetweenTheParts"),
 
     # World and game: hash, save, restore.
     Fault("hash-without-instances", PHYSICS + "world.cpp",

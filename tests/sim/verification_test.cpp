@@ -20,7 +20,7 @@ std::shared_ptr<const Level> level() {
   return loaded;
 }
 
-// Records a game; `change` may change it after each tick, before the tick is recorded.
+// Records a game. `change` may change the game after each tick, before the tick is recorded.
 Bytes record(std::uint32_t ticks, std::uint32_t checkpointTicks, const std::function<void(Game&)>& change = {}) {
   Game game(level());
   Recorder recorder(game, checkpointTicks);
@@ -45,7 +45,7 @@ TEST(VerificationTest, AnUnchangedRecordingDoesNotDiverge) {
   EXPECT_FALSE(found.divergence);
 }
 
-TEST(VerificationTest, AReplayFromACheckpointEndsTheSame) {
+TEST(VerificationTest, AReplayFromACheckpointEndsInTheSameState) {
   const Bytes bytes = record(500, 60);
   const std::uint64_t hash = Verifier(bytes).run().hash;
   for (const std::uint32_t from : {1u, 59u, 60u, 61u, 479u, 480u, 499u}) {

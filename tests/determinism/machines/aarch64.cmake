@@ -1,4 +1,4 @@
-# With Debian's cross compiler; see machine.py.
+# Uses Debian's cross compiler; see machine.py.
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR aarch64)
 set(CMAKE_CXX_COMPILER aarch64-linux-gnu-g++)

@@ -49,7 +49,7 @@ class CheckedWorld {
 
   Entity entity(std::uint32_t index = 0) { return {world, index}; }
   Point at(std::uint32_t index = 0) const { return world.entities()[index].position; }
-  /// Runs one tick with this velocity, in the frame of its home, for every entity.
+  /// Runs one tick with this velocity, in the frame of its home face, for every entity.
   void tick(Point velocity);
   /// Runs one tick without changing velocities.
   void tick();

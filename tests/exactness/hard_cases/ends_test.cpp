@@ -87,7 +87,7 @@ TEST(EndsTest, AnEndThatTouchesASideIsNotAContact) {
   EXPECT_TRUE(scene.rules.take().empty());
 }
 
-// A bump of one subunit is nudged over (I3): at most 3 subunits to the side, without loss of speed.
+// The entity is nudged over a bump of one subunit (I3): at most 3 subunits to the side, without loss of speed.
 TEST(EndsTest, AnEndOneSubunitInsideIsPassed) {
   HardScene scene("ends/clipped.scene");
   for (const int direction : {1, -1}) {

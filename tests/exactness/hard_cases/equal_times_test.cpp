@@ -1,4 +1,5 @@
-// A ball across an edge whose two instances hit their segments at exactly the same time: the contact is that of home.
+// A ball across an edge whose two instances hit their segments at exactly the same time: the contact of the home
+// instance is reported.
 #include <gtest/gtest.h>
 
 #include <string>

@@ -64,7 +64,7 @@ TEST(SameFaceTwiceTest, ReachesOneNeighbourTwiceOffTheMiddle) {
   }
 }
 
-/// Moves the ball for one tick by about one degree around the nearest corner of home, and slightly towards it.
+/// Moves the ball for one tick by about one degree around the nearest corner of the home face, and slightly towards it.
 void moveAroundCorner(HardLevel& level, int direction) {
   const Real corner = kIdeal.corner(nearestCorner(level.at()));
   const Real outwards = real(level.at()) - corner;
@@ -100,8 +100,8 @@ TEST(SameFaceTwiceTest, MovesTwiceAroundACornerAndAway) {
   }
 }
 
-// Straight towards the corner and back: instances are added and dropped, and home, which crosses no edge, returns
-// exactly.
+// Straight towards the corner and back: instances are added and dropped, and the home instance, which crosses no edge,
+// returns exactly.
 TEST(SameFaceTwiceTest, MovesTowardsACornerAndBack) {
   HardLevel level(kLevel);
   for (int face = 0; face < 4; ++face) {

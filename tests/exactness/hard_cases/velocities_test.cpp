@@ -11,7 +11,7 @@
 namespace platon::hard_cases {
 namespace {
 
-TEST(VelocitiesTest, ZeroMovesNothing) {
+TEST(VelocitiesTest, ZeroVelocityMovesNothing) {
   HardScene scene("velocities/still.scene");
   const WorldState before = scene.world.save();
   scene.tick(scene.velocity);
@@ -55,7 +55,8 @@ const RoundTrip kRoundTrips[] = {{"tetrahedron", 4, 2},
                                  {"icosahedron", 10, 5}};
 
 // Bound of the error in subunits. Every crossing rounds the remaining displacement, by up to 0.71 subunits, and the
-// place of the new home, by up to 0.71 more. The roundings are independent, so they add up like a square root.
+// position of the new home instance, by up to 0.71 more. The roundings are independent, so they add up like a square
+// root.
 double maxError(int crossings) { return 1 + 3 * std::sqrt(crossings * 0.5); }
 
 void expectRoundTrip(const RoundTrip& trip, int ticks, int rounds) {

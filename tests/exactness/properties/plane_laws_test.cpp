@@ -39,7 +39,7 @@ Point anyVelocity(const PlaneScene& scene, std::int64_t fastest, RandomSource& r
   }
 }
 
-/// Records the position of home after each leg, by entity.
+/// Records the position of the home instance after each leg, by entity.
 class Path : public StepObserver {
  public:
   void leg(std::uint32_t entity, std::span<const InstanceView> instances) override {

@@ -49,7 +49,7 @@ Lines mapped(const SolidSymmetry& symmetry, const Lines& lines) {
   return images;
 }
 
-/// Records the placement of home after each leg.
+/// Records the placement of the home instance after each leg.
 class HomePath : public StepObserver {
  public:
   void leg(std::uint32_t, std::span<const InstanceView> instances) override {

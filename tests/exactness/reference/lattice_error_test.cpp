@@ -51,7 +51,7 @@ TEST_F(LatticeErrorTest, NeverExceedsTwoSubunitsPerLeg) {
   }
 }
 
-/// With NeverExceedsTwoSubunitsPerLeg: the error grows at most linearly in time.
+/// Together with NeverExceedsTwoSubunitsPerLeg this shows that the error grows at most linearly in time.
 TEST_F(LatticeErrorTest, TicksHaveAtMostThreeLegs) {
   for (const auto& [name, rows] : errors()) {
     for (const LatticeError& row : rows) {

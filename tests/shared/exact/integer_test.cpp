@@ -25,7 +25,7 @@ TEST(IntegerTest, CoordinatesAreBelowTheLimit) {
   EXPECT_FALSE(isCoordinate(INT64_MAX));
 }
 
-TEST(IntegerTest, DivisionsRoundAsNamed) {
+TEST(IntegerTest, DivisionsRoundAsTheirNamesSay) {
   for (int numerator = -60; numerator <= 60; ++numerator) {
     for (int denominator = 1; denominator <= 13; ++denominator) {
       const double quotient = static_cast<double>(numerator) / denominator;

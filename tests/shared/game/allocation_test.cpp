@@ -82,7 +82,7 @@ TEST_P(AllocationTest, PlayingAgainDoesNotAllocate) {
 }
 
 // The first full turn makes the rotated shapes and the hulls of the rotations.
-TEST(TurningAllocationTest, TurningAgainDoesNotAllocate) {
+TEST(RotationAllocationTest, RotatingAgainDoesNotAllocate) {
   constexpr std::int32_t kTurn = 200;
   World world;
   MapPart part(world, 0);

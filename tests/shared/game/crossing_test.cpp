@@ -243,7 +243,8 @@ void fling(SolidKind kind, const Fling& how) {
     ASSERT_EQ(checker.faults(), "") << nameOf(kind) << ", tick " << tick << ", seed " << kSeed;
     ASSERT_TRUE(walk.world.accepts(walk.world.save()));
     const Real centre = real(entity.position());
-    ASSERT_LT(length(centre), 2.01 * RealFace(kind, how.size).inradius() + 8) << "home is far outside its face";
+    ASSERT_LT(length(centre), 2.01 * RealFace(kind, how.size).inradius() + 8)
+        << "the home instance is far outside its face";
   }
   // The observer is called up to four times per leg: for inserted instances, the move, a rehome and removed instances.
   // A rotation close to segments is divided into many parts, with a call for each.

@@ -61,7 +61,7 @@ inline Entity settle(World& world, const Floor& floor, double before, Angle angl
   Entity entity(world, playerShape());
   const Real start = floor.crossing() - before * floor.direction() + 12400.0 * floor.up();
   MapPart(world, static_cast<std::uint32_t>(floor.face)).insert(entity, nearest(start), angle);
-  // With a start beyond the edge, the entity's home is in the part behind it from the beginning.
+  // With a start beyond the edge, the home instance is in the part behind it from the beginning.
   entity.setVelocity(rotate(nearest(-256 * floor.up()), entity.rotation() - angle));
   for (int tick = 0; tick < 10; ++tick) world.solve();
   return entity;

@@ -133,7 +133,7 @@ TEST(FaceAreaTest, ContainsItsEdgesButNoPointOutside) {
   }
 }
 
-TEST(FaceAreaTest, ALineWrittenAlongAnEdgeIsTheEdge) {
+TEST(FaceAreaTest, ALineWrittenAlongAnEdgeEqualsTheEdge) {
   for (const SolidKind kind : kKinds) {
     for (std::int32_t size = kMinFaceSize; size < 1500; size += 7) {
       const auto polygon = facePolygon(kind, size);

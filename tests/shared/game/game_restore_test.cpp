@@ -19,7 +19,7 @@ std::shared_ptr<const Level> level() {
   return loaded;
 }
 
-// A game of five slots, advanced until its players have at least two instances besides home.
+// A game of five slots, advanced until its players have at least two instances besides the home instance.
 Game playedToAnEdge() {
   Game game(level());
   std::vector<sim::ButtonPresses> presses;

@@ -214,7 +214,7 @@ TEST(GameTest, TheSameInputsGiveTheSameGame) {
     ASSERT_EQ(one.hash(), two.hash());
     hashes.insert(one.hash());
   }
-  EXPECT_EQ(hashes.size(), 1500u) << "every tick has another hash";
+  EXPECT_EQ(hashes.size(), 1500u) << "every tick has a different hash";
 }
 
 TEST(GameTest, CopiesAreIndependent) {

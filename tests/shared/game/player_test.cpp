@@ -32,7 +32,7 @@ TEST(PlayerTest, ShapeIsARegular16Gon) {
   EXPECT_EQ(shape.centre(), Point());
   EXPECT_EQ(shape.bounds().low, Point(-kApothem, -kApothem));
   EXPECT_EQ(shape.bounds().high, Point(kApothem, kApothem));
-  EXPECT_EQ(*shape.turned(Angle::degrees(90)) == shape, false) << "the same polygon, but with another first vertex";
+  EXPECT_EQ(*shape.turned(Angle::degrees(90)) == shape, false) << "the same polygon, but with a different first vertex";
 }
 
 TEST(PlayerTest, FallsAndComesToRest) {
@@ -243,7 +243,7 @@ bool jumpsWhenPressedEarly(int early) {
   return false;
 }
 
-TEST(PlayerTest, AJumpPressedUpTo5TicksEarlyIsMadeOnLanding) {
+TEST(PlayerTest, AJumpPressedUpTo5TicksEarlyStartsOnLanding) {
   for (int early = 0; early <= 5; ++early) EXPECT_TRUE(jumpsWhenPressedEarly(early)) << early;
   for (int early = 6; early <= 12; ++early) EXPECT_FALSE(jumpsWhenPressedEarly(early)) << early;
 }

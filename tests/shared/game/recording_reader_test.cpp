@@ -107,7 +107,7 @@ TEST(RecordingReaderTest, RefusesBytesAfterTheEnd) {
   EXPECT_EQ(read(bytes).state, State::kDamaged);
 }
 
-TEST(RecordingReaderTest, TellsWhereATruncatedRecordingEnds) {
+TEST(RecordingReaderTest, ReportsWhereATruncatedRecordingEnds) {
   const Bytes bytes = recordGame(20, 10).recording;
   RecordingReader reader(bytes);
   const auto first = reader.next();

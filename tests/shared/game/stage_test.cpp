@@ -55,7 +55,7 @@ TEST(StageTest, EndsOfCutsAreOnTheEdges) {
   }
 }
 
-TEST(StageTest, EveryPartHasLinesThenPostsThenWarps) {
+TEST(StageTest, EveryPartHasSegmentsThenPostsThenWarps) {
   for (const SolidKind kind : kKinds) {
     const PlatonicSolid& solid = PlatonicSolid::of(kind);
     std::vector<std::vector<Segment>> lines(static_cast<std::size_t>(solid.faces()));

@@ -24,7 +24,7 @@ namespace {
 constexpr std::uint64_t kSeed = 606;
 constexpr std::int32_t kMax = kCoordinateLimit - 1;
 
-// Two parts that share an edge of length 20 000, at another position and angle in part 2.
+// Two parts that share an edge of length 20 000, at a different position and angle in part 2.
 World turnedPair(Angle turn, Point edgeAt, const std::vector<Segment>& linesBehind = {}) {
   World world;
   const Segment edge{{10000, -10000}, {10000, 10000}};

@@ -48,7 +48,7 @@ void LegChecker::leg(std::uint32_t entity, std::span<const InstanceView> instanc
       fault(entity, view, "has the id of another instance");
     }
   }
-  if (instances.empty() || !instances.front().home) faults_ += "home does not come first\n";
+  if (instances.empty() || !instances.front().home) faults_ += "the home instance does not come first\n";
   std::erase_if(last_, [&](const auto& known) { return known.first.first == entity; });
   last_.merge(now);
 }

@@ -340,7 +340,7 @@ TEST(WarpContactTest, ASegmentBehindTheEdgeStopsBothInstances) {
   EXPECT_NE(contact.instance, entity.state().id);
 }
 
-TEST(WarpContactTest, ToHomeIsTheTurnBetweenTheParts) {
+TEST(WarpContactTest, ToHomeIsTheAngleBetweenTheParts) {
   World world;
   MapPart first(world, 1);
   first.warp({1000, -5000}, {1000, 5000}, 2, {-5000, -1000}, {5000, -1000});

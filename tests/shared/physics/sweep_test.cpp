@@ -237,7 +237,7 @@ TEST(SweepTest, HitsASegmentWhereItsPartsAreHit) {
 }
 
 // The reversed sweep enters where the original exits, and exits where it enters.
-TEST(SweepTest, ReversedSweepsMirrorTheTimes) {
+TEST(SweepTest, ReversedSweepsExchangeTimeAndExit) {
   forRandomQueries(20000, [](const SweepQuery& query) {
     SweepQuery reversed = query;
     reversed.position = query.position + query.displacement;

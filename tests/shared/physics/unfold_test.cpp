@@ -15,7 +15,9 @@ class UnfoldTest : public testing::Test {
   const Geometry& geometry_ = level_->world.geometry();
 };
 
-TEST_F(UnfoldTest, KeepsPlacesInThePart) { EXPECT_EQ(unfold(geometry_, {2, Point(3, 4)}, 2, Point(), 0), Point(3, 4)); }
+TEST_F(UnfoldTest, DoesNotChangePlacesInThePart) {
+  EXPECT_EQ(unfold(geometry_, {2, Point(3, 4)}, 2, Point(), 0), Point(3, 4));
+}
 
 // Faces 0 to 3 of the hexahedron form a ring without rotation; each is 480 units wide.
 TEST_F(UnfoldTest, UnfoldsNeighboursIntoThePlane) {

@@ -120,7 +120,7 @@ TEST_F(WorldAcceptsTest, RejectsUnconnectedInstances) {
   EXPECT_FALSE(acceptsWith([](WorldState& s) { s.instances[0].parent = 7; }));
   EXPECT_FALSE(acceptsWith([](WorldState& s) { s.instances[0].parent = s.instances[0].id; })) << "on itself";
   EXPECT_FALSE(acceptsWith([](WorldState& s) { s.instances[0].part = 1; })) << "its warp leads elsewhere";
-  EXPECT_FALSE(acceptsWith([](WorldState& s) { s.instances[0].angle = Angle(1); })) << "its warp has another turn";
+  EXPECT_FALSE(acceptsWith([](WorldState& s) { s.instances[0].angle = Angle(1); })) << "its warp has a different angle";
   EXPECT_FALSE(acceptsWith([](WorldState& s) { s.entities[0].angle = Angle(1); }));
   EXPECT_FALSE(acceptsWith([](WorldState& s) {
     InstanceState second = s.instances[0];

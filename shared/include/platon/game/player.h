@@ -23,7 +23,7 @@ struct PlayerState {
   std::uint8_t finished = 0;     ///< 1: the player has touched the goal in this round
   std::uint8_t held = 0;         ///< buttons of the last tick
   std::uint8_t coyote = 0;       ///< ticks left in which the player may still jump after leaving the ground
-  std::uint8_t jumpBuffer = 0;   ///< ticks left in which a jump pressed in the air is made on landing
+  std::uint8_t jumpBuffer = 0;   ///< ticks left in which a jump pressed in the air starts on landing
   std::uint8_t rising = 0;       ///< 1: in the rise of a jump, which releasing the button cuts short
 
   friend bool operator==(const PlayerState&, const PlayerState&) = default;

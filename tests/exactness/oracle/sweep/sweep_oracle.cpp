@@ -23,7 +23,7 @@ Entry throughEdge(const Polygon& polygon, std::size_t edge, Vec position, Vec di
   return {cross(along, polygon[edge] - position), cross(along, displacement), {outwardOf(polygon, edge)}};
 }
 
-/// Entry through vertex `vertex`: every adjacent edge that faces the path is a correct answer.
+/// Entry through a vertex: every adjacent edge that faces the path is a correct answer.
 Entry throughVertex(const Polygon& polygon, std::size_t vertex, Vec position, Vec displacement) {
   Entry entry{dot(polygon[vertex] - position, displacement), dot(displacement, displacement), {}};
   for (const std::size_t edge : {(vertex + polygon.size() - 1) % polygon.size(), vertex}) {

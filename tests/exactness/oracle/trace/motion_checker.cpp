@@ -5,8 +5,8 @@
 namespace platon::oracle {
 namespace {
 
-/// I6: largest difference, in subunits, between the displacement of an instance and that of home; plus the rounding of
-/// long double.
+/// I6: largest difference, in subunits, between the displacement of an instance and that of the home instance; plus the
+/// rounding of long double.
 constexpr long double kStepTolerance = 4 + 1e-6L;
 /// Uncertainty, in subunits, of the end of a path that the trace does not show: the start of an instance that appears
 /// in a leg, and the end of one that vanishes.
@@ -70,7 +70,7 @@ void MotionChecker::checkRehome(const TraceLeg& before, const TraceLeg& after) {
 void MotionChecker::checkMovesWithHome(const TraceLeg& leg, const TraceInstance& before, const TraceInstance& after,
                                        const HomeMove& home) {
   if (normalizedAngle(after.angle - before.angle) != normalizedAngle(home.turn))
-    report_.violate("I6", name(after) + " does not rotate like home");
+    report_.violate("I6", name(after) + " does not rotate like the home instance");
   const RealVec expected = states_.motionFromHome(leg, after).turned(toReal(home.step));
   const Vec step = after.position - before.position;
   const long double error = distance(expected, toReal(step));

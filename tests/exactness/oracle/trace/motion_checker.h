@@ -10,8 +10,8 @@ class MotionChecker {
   MotionChecker(const TraceMap& map, ShapeLibrary& shapes, StateChecker& states, TraceReport& report)
       : map_(map), shapes_(shapes), states_(states), report_(report) {}
 
-  /// The straight path and the rotation of every instance are free (I1), and every instance moves like home (I6). In a
-  /// leg that rehomes nothing moves.
+  /// The straight path and the rotation of every instance are free (I1), and every instance moves like the home
+  /// instance (I6). In a leg that rehomes nothing moves.
   void check(const TraceLeg& before, const TraceLeg& after);
 
  private:

@@ -71,7 +71,7 @@ bool StateChecker::isTree(const TraceLeg& leg) {
     }
   for (const TraceInstance& instance : leg)
     if (!isConnectedToHome(leg, instance)) {
-      report_.violate("tree", name(instance) + " is not connected to home");
+      report_.violate("tree", name(instance) + " is not connected to the home instance");
       return false;
     }
   return true;
@@ -105,7 +105,8 @@ void StateChecker::checkPlacement(const TraceLeg& leg, const TraceInstance& inst
   const long double error = distance(place, positionFromHome(leg, instance));
   report_.notePlacementError(error);
   if (error > kPlacementTolerance)
-    report_.violate("I5 home", name(instance) + " is off by " + std::to_string(error) + " from home");
+    report_.violate("I5 home",
+                    name(instance) + " is off by " + std::to_string(error) + " relative to the home instance");
   const long double link = distance(place, motion.apply(toReal(parent.position)));
   if (link > kPlacementTolerance)
     report_.violate("I5 parent", name(instance) + " is off by " + std::to_string(link) + " from its parent");

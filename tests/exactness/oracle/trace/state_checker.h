@@ -19,8 +19,8 @@ class StateChecker {
   StateChecker(const TraceMap& map, ShapeLibrary& shapes, TraceReport& report)
       : map_(map), shapes_(shapes), report_(report) {}
 
-  /// There is one home, a chain of existing warps connects every other instance to it, and all ids differ. If this is
-  /// false, the other checks must not be called.
+  /// There is one home instance, a chain of existing warps connects every other instance to it, and all ids differ. If
+  /// this is false, the other checks must not be called.
   bool isTree(const TraceLeg& leg);
   /// Every instance is where its warps place it (I5), no two are the same placement, and none is missing.
   void checkPlacements(const TraceLeg& leg);
