@@ -67,8 +67,9 @@ class ChipmunkEngine : public Engine {
     cpShapeSetElasticity(shape, 0);
     shapes_.push_back(cpSpaceAddShape(space_.get(), shape));
   }
-  // A body with infinite moment does not rotate. Bodies of one group do not collide with each other. Chipmunk moves a
-  // body before it detects collisions, so the callback sets the velocity between the two, where the solver corrects it.
+  // A body with infinite moment does not rotate. Bodies of one group do not collide with each other. Chipmunk moves
+  // bodies before it detects collisions. The callback sets the velocity between these two stages, so that the solver
+  // corrects it.
   void addBody(const std::vector<cpVect>& vertices, Point position, cpVect& wanted) {
     cpBody* const body = cpSpaceAddBody(space_.get(), cpBodyNew(1, INFINITY));
     cpBodySetUserData(body, &wanted);

@@ -135,14 +135,14 @@ std::vector<PartResult> benchParts(const Effort& effort) {
   add("plane, at rest", with(plane(), {}), nullptr, 0, {});
   add("plane", with(plane(), {}), nullptr, 0);
   add("plane, own rules", with(plane(), {}), &piercing, 0);
-  add("plane, turning by 5°", with(plane(), {}), nullptr, 500);
-  add("plane, turning by 4.99°", with(plane(), {}), nullptr, 499);
+  add("plane, rotating by 5°", with(plane(), {}), nullptr, 500);
+  add("plane, rotating by 4.99°", with(plane(), {}), nullptr, 499);
   add("solid, middle of a face", with(cube(), {}), nullptr, 0);
   add("solid, over an edge back and forth", with(cube(), kEdge), nullptr, 0);
   add("solid, along an edge back and forth", with(cube(), kOnEdge), nullptr, 0, {0, kSpeed});
   add("solid, at a corner", with(cube(), kCorner), nullptr, 0, kSlow);
-  add("solid, at a corner, turning by 5°", with(cube(), kCorner), nullptr, 500, kSlow);
-  add("solid, at a corner, turning by 4.99°", with(cube(), kCorner), nullptr, 499, kSlow);
+  add("solid, at a corner, rotating by 5°", with(cube(), kCorner), nullptr, 500, kSlow);
+  add("solid, at a corner, rotating by 4.99°", with(cube(), kCorner), nullptr, 499, kSlow);
   const std::int64_t steps = std::max(kStepsPerMove, 20000 / effort.divisor / kStepsPerMove * kStepsPerMove);
   std::vector<std::function<double()>> passes;
   for (const Scene& scene : scenes)

@@ -36,15 +36,15 @@ struct ClipInterval {
   Ratio exit{1, 1};
 };
 
-// Clips the path against all sides of the obstacle, which are moved outwards by `grown` along each axis.
-std::optional<ClipInterval> clipIntervalOf(const SweepQuery& query, std::int64_t grown) {
+// Clips the path against all sides of the obstacle, which are moved outwards by `margin` along each axis.
+std::optional<ClipInterval> clipIntervalOf(const SweepQuery& query, std::int64_t margin) {
   ClipInterval interval;
   const Polygon polygon = oracle::obstacleOf(query);
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec along = polygon[(i + 1) % polygon.size()] - polygon[i];
     const Vec outward{along.y, -along.x};
-    const Wide margin = Wide{grown} * (std::abs(outward.x) + std::abs(outward.y));
-    const Wide beyond = oracle::dot(outward, query.position - polygon[i]) - margin;
+    const Wide moved = Wide{margin} * (std::abs(outward.x) + std::abs(outward.y));
+    const Wide beyond = oracle::dot(outward, query.position - polygon[i]) - moved;
     const Wide speed = oracle::dot(outward, query.displacement);
     if (beyond >= 0 && speed >= 0) return std::nullopt;
     if (beyond >= 0) interval.enter = std::max(interval.enter, {beyond, -speed});
@@ -112,12 +112,12 @@ std::string compared(const std::optional<Hit>& hit, const std::optional<ClipInte
   return {};
 }
 
-// The grown sweep must hit every segment that the shape grown by a square hits. It may miss others near the tips of
-// sharp vertices, which extend farther.
-bool mayMiss(SweepQuery query, std::int64_t grown) {
+// A sweep with a margin must hit every segment that the Minkowski sum of shape and square hits. It may miss others near
+// the tips of sharp vertices, which extend farther.
+bool mayMiss(SweepQuery query, std::int64_t margin) {
   std::vector<Vec> points;
   for (const Vec vertex : query.shape) {
-    for (const Vec corner : {Vec{grown, grown}, Vec{grown, -grown}, Vec{-grown, grown}, Vec{-grown, -grown}}) {
+    for (const Vec corner : {Vec{margin, margin}, Vec{margin, -margin}, Vec{-margin, margin}, Vec{-margin, -margin}}) {
       points.push_back(vertex + corner);
     }
   }
@@ -132,9 +132,9 @@ std::string answerFault(const SweepQuery& query, const std::optional<Hit>& hit) 
   return agrees(correct, answer) ? std::string() : "wrong answer; correct: " + toText(correct);
 }
 
-std::string described(const std::string& fault, const SweepQuery& query, std::int64_t grown) {
+std::string described(const std::string& fault, const SweepQuery& query, std::int64_t margin) {
   if (fault.empty()) return {};
-  return fault + ", grown by " + std::to_string(grown) + ": " + toLine(query);
+  return fault + ", margin " + std::to_string(margin) + ": " + toLine(query);
 }
 
 }  // namespace
@@ -145,21 +145,21 @@ std::string sweepFault(Bytes input) {
   Polygon shape = verticesFrom(bytes, radius);
   const bool convex = oracle::isStrictlyConvex(shape);
   if (Convex::fault(toPoints(shape)).has_value() == convex)
-    return "wrong decision whether a polygon is strictly convex";
+    return "wrong decision on whether a polygon is strictly convex";
   if (!convex) shape = oracle::convexHull(std::move(shape));
   if (shape.size() < 3) return {};
   const SweepQuery query = queryFrom(bytes, shape, radius);
   if (!isValid(query)) return {};
   const Convex figure(toPoints(shape));
-  for (const std::int32_t grown : {0, static_cast<std::int32_t>(bytes.between(1, 16))}) {
+  for (const std::int32_t margin : {0, static_cast<std::int32_t>(bytes.between(1, 16))}) {
     Sweep sweep;
-    sweep.start(figure, toPoint(query.position), toPoint(query.displacement), grown);
+    sweep.start(figure, toPoint(query.position), toPoint(query.displacement), margin);
     const auto hit = sweep.against(toSegment(query.segment));
-    auto interval = clipIntervalOf(query, grown);
-    if (!hit && grown != 0 && mayMiss(query, grown)) interval.reset();
+    auto interval = clipIntervalOf(query, margin);
+    if (!hit && margin != 0 && mayMiss(query, margin)) interval.reset();
     std::string fault = compared(hit, interval);
-    if (fault.empty() && grown == 0) fault = answerFault(query, hit);
-    if (!fault.empty()) return described(fault, query, grown);
+    if (fault.empty() && margin == 0) fault = answerFault(query, hit);
+    if (!fault.empty()) return described(fault, query, margin);
   }
   return {};
 }

@@ -90,16 +90,16 @@ TEST(SweepLawsTest, SegmentDirectionAndFirstVertexDoNotMatter) {
   });
 }
 
-TEST(SweepLawsTest, GrowingNeitherLosesNorDelaysAHit) {
+TEST(SweepLawsTest, ALargerMarginNeitherLosesNorDelaysAHit) {
   forEachQuery(5000, [](const SweepQuery& query, const std::optional<Hit>& hit, RandomSource& random) {
     std::optional<Hit> last = hit;
-    for (std::int32_t grown = 0; grown < 64;) {
-      grown += static_cast<std::int32_t>(random.between(1, 24));
-      const std::optional<Hit> next = answer(query, grown);
+    for (std::int32_t margin = 0; margin < 64;) {
+      margin += static_cast<std::int32_t>(random.between(1, 24));
+      const std::optional<Hit> next = answer(query, margin);
       if (last) {
-        ASSERT_TRUE(next.has_value()) << "grown by " << grown;
-        EXPECT_LE(next->time, last->time) << "grown by " << grown;
-        EXPECT_GE(next->exit, last->exit) << "grown by " << grown;
+        ASSERT_TRUE(next.has_value()) << "margin " << margin;
+        EXPECT_LE(next->time, last->time) << "margin " << margin;
+        EXPECT_GE(next->exit, last->exit) << "margin " << margin;
       }
       last = next;
     }

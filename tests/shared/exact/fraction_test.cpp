@@ -90,10 +90,10 @@ TEST(ScaleTruncatedTest, TruncatesTheExactProduct) {
     const auto numerator = randomBelow(random, 62) % (denominator + 1);
     const auto value = static_cast<std::int32_t>(randomBelow(random, 31)) * (i % 2 == 0 ? 1 : -1);
     const std::int64_t scaled = scaleTruncated(value, {numerator, denominator});
-    const int128 rest = int128{value} * numerator - int128{scaled} * denominator;
-    ASSERT_LT(rest < 0 ? -rest : rest, denominator) << "seed " << kSeed << ", round " << i;
+    const int128 remainder = int128{value} * numerator - int128{scaled} * denominator;
+    ASSERT_LT(remainder < 0 ? -remainder : remainder, denominator) << "seed " << kSeed << ", round " << i;
     ASSERT_LE(std::abs(scaled), std::abs(std::int64_t{value}));
-    ASSERT_TRUE(rest == 0 || (rest > 0) == (value > 0)) << "seed " << kSeed << ", round " << i;
+    ASSERT_TRUE(remainder == 0 || (remainder > 0) == (value > 0)) << "seed " << kSeed << ", round " << i;
   }
 }
 

@@ -46,7 +46,7 @@ TEST(PrecisePointTest, RotationsRoundOnceTo16Bits) {
   EXPECT_EQ(rotatePrecise({-1, 0}, rotationOf(Angle::degrees(60))), (PrecisePoint{-kOne / 2, -56756}));
 }
 
-TEST(PrecisePointTest, RotationsAgreeWithRotateUpToItsRounding) {
+TEST(PrecisePointTest, RotationsAgreeWithRotateUpToRounding) {
   sim::SeededRandom random(kSeed);
   for (int i = 0; i < 20000; ++i) {
     const Point vector = random.vector((2 << (i % 28)) - 1);

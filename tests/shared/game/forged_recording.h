@@ -18,15 +18,16 @@ class ForgedRecording {
 
   /// Sets the state of the blocks added from now on.
   void setState(std::vector<std::uint8_t> state) { state_ = std::move(state); }
-  /// Adds a block; `rest` holds its runs and its hashes.
-  void addBlock(std::uint32_t first, std::uint16_t ticks, std::uint16_t slots, const std::vector<std::uint8_t>& rest) {
+  /// Adds a block. `runsAndHashes` is what follows the state in its body.
+  void addBlock(std::uint32_t first, std::uint16_t ticks, std::uint16_t slots,
+                const std::vector<std::uint8_t>& runsAndHashes) {
     StateWriter body;
     body.add(first);
     body.add(ticks);
     body.add(slots);
     body.add(static_cast<std::uint32_t>(state_.size()));
     body.append(state_);
-    body.append(rest);
+    body.append(runsAndHashes);
     addBody(body.bytes());
   }
   /// Adds a block with any body.

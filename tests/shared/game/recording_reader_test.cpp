@@ -69,10 +69,10 @@ TEST(RecordingReaderTest, ReadsTheBlocksBeforeADamagedOneAndNamesItsOffset) {
 
 TEST(RecordingReaderTest, RefusesInvalidRuns) {
   const Bytes hash(8, 0);
-  const auto faultOf = [&](std::uint16_t ticks, std::uint16_t slots, Bytes rest) {
-    rest.insert(rest.end(), hash.begin(), hash.end());
+  const auto faultOf = [&](std::uint16_t ticks, std::uint16_t slots, Bytes runsAndHashes) {
+    runsAndHashes.insert(runsAndHashes.end(), hash.begin(), hash.end());
     ForgedRecording forged{Game(recordedLevel())};
-    forged.addBlock(0, ticks, slots, rest);
+    forged.addBlock(0, ticks, slots, runsAndHashes);
     const std::string fault = read(forged.bytes()).fault;
     return fault.substr(std::min(fault.size(), fault.find(": ") + 2));
   };

@@ -93,7 +93,7 @@ TEST_F(IgnoresWarpsTest, RepeatedStepsEqualComputedSteps) {
   for (int tick = 0; tick < kTicks; ++tick) {
     if (tick % 60 == 0) changeVelocities(other);
     const WorldState before = world_.save();
-    World moved = world_;  // knows of no rest
+    World moved = world_;  // has no recorded rest
     WarpIgnoringRules repeated;
     WarpIgnoringRules found;
     world_.solve(repeated);

@@ -127,13 +127,13 @@ TEST(DominantStepTest, FollowsTheDominantAxis) {
   EXPECT_EQ(dominantStep({INT32_MIN, 1}), Point(-1, 0));
 }
 
-// A shape that touches a segment, and a displacement `rest` along it in either direction.
+// A shape that touches a segment, and a displacement along it in either direction.
 struct Touching {
   Convex shape;
   Point position;
   Segment line;
   Point normal;
-  Point rest;
+  Point displacement;
 };
 
 Touching anyTouching(sim::SeededRandom& random) {
@@ -150,25 +150,26 @@ Touching anyTouching(sim::SeededRandom& random) {
   }
   const auto part = static_cast<std::int32_t>(random.below(static_cast<std::uint64_t>(parts)));
   scene.position = Point(a.x + along.x * part, a.y + along.y * part) - foot;
-  scene.rest = random.vector(1 + size * parts / 4);
+  scene.displacement = random.vector(1 + size * parts / 4);
   if (random.below(2) == 0) std::swap(scene.line.a, scene.line.b);
   return scene;
 }
 
 TEST(ExtendsBeyondTest, LimitsDoNotShortenTheSlide) {
   sim::SeededRandom random(kSeed);
-  int goOn = 0;
+  int continuing = 0;
   for (int i = 0; i < 100000; ++i) {
-    const auto [shape, position, line, normal, rest] = anyTouching(random);
+    const auto [shape, position, line, normal, displacement] = anyTouching(random);
     const Point tangent = perpendicular(normal);
-    const bool back = dot(rest, tangent) < 0;
-    if (!extendsBeyond(maxNorm(rest), shape.bounds(), position, line, back ? -tangent : tangent)) continue;
-    ++goOn;
+    const bool back = dot(displacement, tangent) < 0;
+    if (!extendsBeyond(maxNorm(displacement), shape.bounds(), position, line, back ? -tangent : tangent)) continue;
+    ++continuing;
     SlideLimits limits;
     (back ? limits.backward : limits.forward) = maxNorm(displacementToEdgeEnd(shape, position, line, normal, back));
-    ASSERT_EQ(slideAlong(rest, normal, limits), slideAlong(rest, normal)) << "seed " << kSeed << ", round " << i;
+    ASSERT_EQ(slideAlong(displacement, normal, limits), slideAlong(displacement, normal))
+        << "seed " << kSeed << ", round " << i;
   }
-  EXPECT_GT(goOn, 5000);
+  EXPECT_GT(continuing, 5000);
 }
 
 }  // namespace

@@ -16,10 +16,10 @@ struct SweepQuery {
   Segment segment;
 };
 
-inline std::optional<Hit> answer(const SweepQuery& query, std::int32_t grown = 0) {
+inline std::optional<Hit> answer(const SweepQuery& query, std::int32_t margin = 0) {
   const Convex shape(query.shape);
   Sweep sweep;
-  sweep.start(shape, query.position, query.displacement, grown);
+  sweep.start(shape, query.position, query.displacement, margin);
   return sweep.against(query.segment);
 }
 

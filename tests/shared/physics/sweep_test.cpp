@@ -311,12 +311,12 @@ TEST(SweepTest, NormalFacesTheShapeAndTheFeatureTouches) {
 TEST(SweepTest, LargerMarginsHitEarlierAndExitLater) {
   forRandomQueries(20000, [](const SweepQuery& query) {
     std::optional<Hit> smaller = answer(query);
-    for (const std::int32_t grown : {1, 2, 4, 8, 100}) {
-      const auto larger = answer(query, grown);
+    for (const std::int32_t margin : {1, 2, 4, 8, 100}) {
+      const auto larger = answer(query, margin);
       if (smaller) {
-        ASSERT_TRUE(larger) << textOf(query) << "grown " << grown;
-        ASSERT_LE(larger->time, smaller->time) << textOf(query) << "grown " << grown;
-        ASSERT_GE(larger->exit, smaller->exit) << textOf(query) << "grown " << grown;
+        ASSERT_TRUE(larger) << textOf(query) << "margin " << margin;
+        ASSERT_LE(larger->time, smaller->time) << textOf(query) << "margin " << margin;
+        ASSERT_GE(larger->exit, smaller->exit) << textOf(query) << "margin " << margin;
       }
       smaller = larger;
     }
@@ -325,10 +325,10 @@ TEST(SweepTest, LargerMarginsHitEarlierAndExitLater) {
 
 TEST(SweepTest, EdgesMoveByAtLeastTheMargin) {
   const auto box = square(10).vertices();
-  for (const std::int32_t grown : {1, 4, 8}) {
-    const Segment line{{10 + grown, -5}, {10 + grown, 5}};
-    EXPECT_FALSE(answer({box, {0, 0}, {}, line}, grown)) << "an axis-parallel edge moves by the margin exactly";
-    EXPECT_TRUE(answer({box, {1, 0}, {}, line}, grown));
+  for (const std::int32_t margin : {1, 4, 8}) {
+    const Segment line{{10 + margin, -5}, {10 + margin, 5}};
+    EXPECT_FALSE(answer({box, {0, 0}, {}, line}, margin)) << "an axis-parallel edge moves by the margin exactly";
+    EXPECT_TRUE(answer({box, {1, 0}, {}, line}, margin));
   }
 }
 

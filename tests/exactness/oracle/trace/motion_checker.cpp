@@ -48,7 +48,7 @@ void MotionChecker::checkRotation(const TraceInstance& before, const TraceInstan
   const Box box = boxOf(hull).moved(before.position);
   for (const MapLine& line : map_.face(before.face).lines)
     if (box.touches(line.box) && area.intersects(line.segment)) {
-      report_.violate("I1 turn", name(before) + " at " + toText(before.position) + " turning from " +
+      report_.violate("I1 turn", name(before) + " at " + toText(before.position) + " rotating from " +
                                      std::to_string(before.angle) + " to " + std::to_string(after.angle) +
                                      " intersects the segment " + oracle::toText(line.segment));
       return;
