@@ -1,6 +1,6 @@
 // The same algorithm in floating point: swept Minkowski sum, the same grid, and slides along the edge hit up to its
-// end. It keeps a slop between body and segments; without one it falls through at the first rounding. It does not
-// nudge.
+// end. It keeps a slop between body and segments; without one, the body would fall through a segment at the first
+// rounding. It does not nudge.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

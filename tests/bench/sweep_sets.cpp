@@ -27,16 +27,16 @@ using sim::SeededRandom;
 using Make = std::function<SweepQuery(SeededRandom&, const Convex&)>;
 using MakeShapes = std::function<std::vector<Convex>(SeededRandom&)>;
 
-// Regular polygons with radii in [least, 2 * least * 2^spread), at random angles.
-MakeShapes polygons(int corners, std::int32_t least = kRadius / 2, std::uint64_t spread = 1) {
+// Regular polygons with radii in [minRadius, 2 * minRadius * 2^spread), at random angles.
+MakeShapes polygons(int count, std::int32_t minRadius = kRadius / 2, std::uint64_t spread = 1) {
   return [=](SeededRandom& random) {
     std::vector<Convex> shapes;
     while (shapes.size() < kShapes) {
       const auto doublings = random.below(spread);
-      const auto radius = static_cast<std::int32_t>((static_cast<std::uint64_t>(least) << doublings) +
-                                                    random.below(static_cast<std::uint64_t>(least)));
+      const auto radius = static_cast<std::int32_t>((static_cast<std::uint64_t>(minRadius) << doublings) +
+                                                    random.below(static_cast<std::uint64_t>(minRadius)));
       const Angle angle(static_cast<std::int32_t>(random.below(Angle::kTurn)));
-      if (const auto turned = regular(corners, radius).turned(angle)) shapes.push_back(*turned);
+      if (const auto turned = regular(count, radius).turned(angle)) shapes.push_back(*turned);
     }
     return shapes;
   };

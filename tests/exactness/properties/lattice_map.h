@@ -10,7 +10,7 @@
 
 namespace platon::properties {
 
-/// A symmetry of the lattice: an optional mirror (x becomes -x), then quarter turns, then a translation.
+/// A symmetry of the lattice: an optional reflection (x becomes -x), then quarter turns, then a translation.
 struct LatticeMap {
   bool mirror = false;
   int quarters = 0;  ///< counter-clockwise, 0 … 3
@@ -23,7 +23,8 @@ struct LatticeMap {
   }
   Point place(Point p) const { return vector(p) + shift; }
   Segment segment(const Segment& s) const { return {place(s.a), place(s.b)}; }
-  /// A polygon relative to a position. A mirror reverses the order of its vertices, so that it stays counter-clockwise.
+  /// A polygon relative to a position. A reflection reverses the order of its vertices, so that it stays
+  /// counter-clockwise.
   std::vector<Point> shape(std::vector<Point> vertices) const {
     for (Point& vertex : vertices) vertex = vector(vertex);
     if (mirror) std::reverse(vertices.begin(), vertices.end());

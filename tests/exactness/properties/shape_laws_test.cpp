@@ -22,21 +22,21 @@ using step_check::toPoint;
 using step_check::toPoints;
 using step_check::toVec;
 
-// Strictly convex polygons, and some that just fail to be: with a moved, swapped or repeated corner, or wound twice.
+// Strictly convex polygons, and some that just fail to be: with a moved, swapped or repeated vertex, or wound twice.
 std::vector<Point> anyPolygon(RandomSource& random) {
   const std::int64_t scale = std::int64_t{1} << random.between(1, 24);
   std::vector<Point> polygon =
       toPoints(oracle::randomShape(random.oneIn(2) ? oracle::ShapeKind::Any : oracle::ShapeKind::Ball, scale, random));
-  Point& corner = polygon[random.below(polygon.size())];
+  Point& vertex = polygon[random.below(polygon.size())];
   switch (random.below(6)) {
     case 0:
-      corner += toPoint(random.vector(2));
+      vertex += toPoint(random.vector(2));
       break;
     case 1:
-      std::swap(corner, polygon[random.below(polygon.size())]);
+      std::swap(vertex, polygon[random.below(polygon.size())]);
       break;
     case 2:
-      corner = polygon[random.below(polygon.size())];
+      vertex = polygon[random.below(polygon.size())];
       break;
     case 3:
       std::reverse(polygon.begin(), polygon.end());
@@ -60,7 +60,7 @@ TEST(ShapeLawsTest, ConvexityDoesNotDependOnPlaceRotationOrFirstVertex) {
     EXPECT_EQ(faulty, !oracle::isStrictlyConvex(step_check::toPolygon(polygon)));
     const LatticeMap map = anyMap(random, 1 << 27);
     std::vector<Point> mapped = map.shape(polygon);
-    for (Point& corner : mapped) corner += map.shift;
+    for (Point& vertex : mapped) vertex += map.shift;
     std::rotate(mapped.begin(), mapped.begin() + random.between(0, static_cast<std::int64_t>(mapped.size()) - 1),
                 mapped.end());
     EXPECT_EQ(Convex::fault(mapped).has_value(), faulty);

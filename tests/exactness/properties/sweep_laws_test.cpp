@@ -71,7 +71,7 @@ TEST(SweepLawsTest, AnswersAreSymmetric) {
                             map.segment(query.segment)};
     const std::optional<Hit> other = answer(mapped);
     expectSameTimes(hit, other);
-    // If two edges are hit at once, their order decides which is named. A mirror reverses that order.
+    // If two edges are hit at once, their order decides which is named. A reflection reverses that order.
     if (hit && other && !map.mirror) {
       EXPECT_EQ(other->normal, map.vector(hit->normal));
       EXPECT_EQ(other->side, hit->side);

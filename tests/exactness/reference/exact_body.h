@@ -22,7 +22,7 @@ struct RationalVec {
 /// the simulation.
 ///
 /// The motion of a tick ends early if the body is wedged: sliding along either of two edges leads into the other. A
-/// path through a corner of an obstacle enters the side parallel to the segment, like `Sweep`.
+/// path through a vertex of an obstacle enters the side parallel to the segment, like `Sweep`.
 class ExactBody {
  public:
   /// Largest number of bits of a coordinate. Rationals grow with every edge; a longer one is an error.

@@ -39,7 +39,7 @@ TEST(ExactBodyTest, SlidesOnALevelFloor) {
 
 TEST(ExactBodyTest, ProjectsTheRemainingDisplacementOnASlope) {
   ExactBody body(box({{{-90, -45}, {90, 45}}}, {1, 3}, {0, -4}));
-  // The corner starts at (2, 3) and meets the slope at (2, 1) after half the way; (0, -2) remains, and its projection
+  // The vertex starts at (2, 3) and meets the slope at (2, 1) after half the way; (0, -2) remains, and its projection
   // on (2, 1) is -2/5 (2, 1).
   body.tick();
   expectAt(body, "1/5", "3/5");
@@ -55,22 +55,22 @@ TEST(ExactBodyTest, StopsBetweenAWallAndAFloor) {
 }
 
 TEST(ExactBodyTest, MovesFreelyBeyondALedge) {
-  // The left corner leaves the floor after two thirds of the way; a third of (6, -3) then remains.
+  // The left vertex leaves the floor after two thirds of the way; a third of (6, -3) then remains.
   ExactBody body(box({{{-90, 0}, {3, 0}}}, {0, 0}, {6, -3}));
   body.tick();
   expectAt(body, "6", "-1");
 }
 
 TEST(ExactBodyTest, SlidesAroundAPoint) {
-  // Slides down the left side of a point until the corner is below it, then moves freely.
+  // Slides down the left side of a point until the vertex is below it, then moves freely.
   ExactBody body(box({{{2, 1}, {2, 1}}}, {0, 2}, {4, -4}));
-  body.tick();  // the lower right corner hits the point and slides down to it
+  body.tick();  // the lower right vertex hits the point and slides down to it
   body.tick();
   EXPECT_GT(body.position().x, 0);
 }
 
 TEST(ExactBodyTest, RestsInAWedge) {
-  // Corners at (-1, 0) and (1, 0) stand on y = -x - 1 and y = x - 1: symmetric, so the velocity points straight into
+  // Vertices at (-1, 0) and (1, 0) stand on y = -x - 1 and y = x - 1: symmetric, so the velocity points straight into
   // the wedge.
   ExactBody body(box({{{-90, 89}, {1, -2}}, {{-1, -2}, {90, 89}}}, {0, 2}, {0, -5}));
   for (int i = 0; i < 3; ++i) {

@@ -60,7 +60,7 @@ ExactScene readScene(std::string_view text) {
 
 ExactScene scaled(const ExactScene& scene, std::int64_t factor) {
   ExactScene fine = scene;
-  for (Vec& corner : fine.shape) corner = factor * corner;
+  for (Vec& vertex : fine.shape) vertex = factor * vertex;
   for (oracle::Segment& line : fine.lines) line = {factor * line.a, factor * line.b};
   fine.start = factor * scene.start;
   fine.velocity = factor * scene.velocity;

@@ -126,14 +126,14 @@ TEST(ConvexTurnedTest, QuarterTurnsAreExact) {
 
 TEST(ConvexTurnedTest, FaceTurnsKeepTheNumberOfVertices) {
   for (const int degrees : {36, 60, 72, 108, 120, 144, 180, 216, 252, 288, 300, 324}) {
-    for (const int corners : {3, 4, 5, 6, 8, 16}) {
-      const Convex base = regular(corners, 12288);
+    for (const int count : {3, 4, 5, 6, 8, 16}) {
+      const Convex base = regular(count, 12288);
       const auto turned = base.turned(Angle::degrees(degrees));
       ASSERT_TRUE(turned);
       ASSERT_EQ(turned->vertices().size(), base.vertices().size());
       for (std::size_t i = 0; i < base.vertices().size(); ++i) {
         EXPECT_EQ(turned->vertices()[i], rotate(base.vertices()[i], Angle::degrees(degrees)))
-            << corners << " " << degrees;
+            << count << " " << degrees;
       }
     }
   }
@@ -160,7 +160,7 @@ TEST(ConvexTurnedTest, TinyShapesCanDegenerate) {
   const Convex sliver(Points{{0, 0}, {3, 1}, {2, 1}});
   EXPECT_EQ(sliver.turned(Angle::degrees(20)), std::nullopt);
   EXPECT_NE(sliver.turned(Angle::degrees(90)), std::nullopt);
-  EXPECT_EQ(square(kMax).turned(Angle::degrees(45)), std::nullopt) << "the corners would leave the coordinates";
+  EXPECT_EQ(square(kMax).turned(Angle::degrees(45)), std::nullopt) << "the vertices would be out of range";
 }
 
 TEST(ConvexHullTest, HandlesFewPoints) {

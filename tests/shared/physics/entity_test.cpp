@@ -39,7 +39,7 @@ TEST(EntityTest, MovesInTheMapOfTheReport) {
   entity.setVelocity(Point(0, -34));
   world.solve();
   EXPECT_EQ(entity.position(), Point(-45, 26));
-  // It touches the second line, y = 20 + (x + 50) * 2 / 5, with its lower right corner at x = -35.
+  // It touches the second segment, y = 20 + (x + 50) * 2 / 5, with its lower right vertex at x = -35.
   entity.setVelocity(Point(0, -1));
   world.solve();
   EXPECT_EQ(entity.position(), Point(-45, 26));

@@ -88,7 +88,7 @@ TEST_F(RulesTest, ContactNormalOnASlopeIsExact) {
   const Point normal = rules.contacts.at(0).normal;
   EXPECT_EQ(dot(normal, Point(2, 1)), 0);
   EXPECT_GT(normal.y, 0);
-  // The corner at the lower right meets y = x / 2 - 150 at x = 10.
+  // The lower right vertex meets y = x / 2 - 150 at x = 10.
   EXPECT_LE(squaredLength(rules.contacts.at(0).point - Point(10, -145)), 2);
 }
 
@@ -204,7 +204,7 @@ TEST_F(RulesTest, RotationStopsAtTheLastFreeAngle) {
   world.solve(rules);
   EXPECT_THAT(rules.take(), ElementsAre("touch 0:0"));
   const std::int32_t stopped = entity->rotation().centidegrees();
-  // Half of the diagonal of the square is 14.14 subunits; a corner reaches x = 12 between 13° and 14°.
+  // Half of the diagonal of the square is 14.14 subunits; a vertex reaches x = 12 between 13° and 14°.
   EXPECT_GT(stopped, 0);
   EXPECT_LT(stopped, 4500);
   const auto reach = [&](std::int32_t angle) { return square(10).turned(Angle(angle))->bounds().high.x; };
@@ -253,7 +253,7 @@ TEST_F(RulesTest, RotationsCallBeginAndEnd) {
     world.solve(rules);
     return rules.take();
   };
-  EXPECT_THAT(turn(500), IsEmpty()) << "its corners reach 11 subunits";
+  EXPECT_THAT(turn(500), IsEmpty()) << "its vertices reach 11 subunits";
   EXPECT_THAT(turn(4000), ElementsAre("begin 0:0", "begin 0:1", "over 0:0", "over 0:1"));
   EXPECT_THAT(turn(0), ElementsAre("over 0:0", "over 0:1"));
   EXPECT_THAT(turn(500), ElementsAre("over 0:0", "over 0:1"));

@@ -14,10 +14,10 @@ inline Convex square(std::int32_t reach) {
 }
 
 /// The regular polygon with this circumradius, rounded to the lattice. An edge is at the bottom.
-inline Convex regular(int corners, std::int32_t radius) {
+inline Convex regular(int count, std::int32_t radius) {
   std::vector<Point> vertices;
-  const std::int32_t step = Angle::kTurn / corners;
-  for (int i = 0; i < corners; ++i) vertices.push_back(rotate(Point(radius, 0), Angle(-9000 + step / 2 + i * step)));
+  const std::int32_t step = Angle::kTurn / count;
+  for (int i = 0; i < count; ++i) vertices.push_back(rotate(Point(radius, 0), Angle(-9000 + step / 2 + i * step)));
   return Convex(vertices);
 }
 

@@ -26,7 +26,7 @@ void expectSlides(Point displacement, Point normal) {
   const long double along = static_cast<long double>(dot(displacement, tangent)) / length;
   const long double slidAlong = static_cast<long double>(dot(slid, tangent)) / length;
   const auto lengthOf = [](Point p) { return std::hypot(static_cast<long double>(p.x), p.y); };
-  ASSERT_LE(lengthOf(slid), lengthOf(displacement) + 0.71L) << "longer by the rounding outwards at most";
+  ASSERT_LE(lengthOf(slid), lengthOf(displacement) + 0.71L) << "longer by at most the rounding outwards";
   if (slid == Point()) {
     ASSERT_LT(std::abs(along), 1.42L) << "shorter than a subunit along the dominant axis";
     return;

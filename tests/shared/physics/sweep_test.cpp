@@ -118,7 +118,7 @@ TEST(SweepTest, TouchingIsNotAHit) {
   EXPECT_FALSE(answer({box, {0, 0}, {0, 7}, floor})) << "away";
   EXPECT_FALSE(answer({box, {0, 20}, {0, -20}, floor})) << "reached at time 1";
   EXPECT_FALSE(answer({box, {0, 0}, {0, -40}, {{10, -60}, {10, 60}}})) << "a wall that it slides along";
-  EXPECT_FALSE(answer({box, {0, 0}, {20, -20}, {{20, 0}, {20, 10}}})) << "a corner passes its end";
+  EXPECT_FALSE(answer({box, {0, 0}, {20, -20}, {{20, 0}, {20, 10}}})) << "a vertex passes its end";
   EXPECT_TRUE(answer({box, {0, 20}, {0, -21}, floor}));
 }
 

@@ -22,7 +22,7 @@ class Recorder {
 
   /// Records one tick: `game` has just been advanced by `inputs`.
   void record(std::span<const Input> inputs, const Game& game) { record(inputs, game, game.hash()); }
-  /// Records one tick where the caller already knows the hash of `game`.
+  /// As above, for a caller that already knows the hash of `game`.
   void record(std::span<const Input> inputs, const Game& game, std::uint64_t hash);
   /// Marks the end, which tells a complete recording from one that was cut off. Nothing may be recorded afterwards.
   void finish(const Game& game);
