@@ -72,7 +72,7 @@ class Run {
     try {
       MapPart(world_, part).insert(entity, place, angle);
     } catch (const std::invalid_argument&) {
-      return free && !scene_.solid ? "a free place is refused" : std::string();
+      return free && !scene_.solid ? "a free position is refused" : std::string();
     }
     return free ? std::string() : "an entity is inserted where it overlaps a segment";
   }

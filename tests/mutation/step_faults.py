@@ -95,7 +95,7 @@ STEP_FAULTS = [
     at_length("slide-of-the-instance-inwards", PHYSICS + "entity_step_slide.cpp",
               "steps < kNudge && slide != Point()", "steps < 0 && slide != Point()",
               "rounding moves a further instance into the segment",
-              "FloorOverEdgeTest.RunningIsTheSameUnderAnyPress"),
+              "FloorOverEdgeTest.TheDownwardPressDoesNotChangeARun"),
     Fault("reach-ignored", PHYSICS + "entity_step_slide.cpp",
           "return {keepOutside(*stop_, slide), uncut, true};", "return {keepOutside(*stop_, uncut), uncut, true};",
           "a slide continues beyond the end of its segment",

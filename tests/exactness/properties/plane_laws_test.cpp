@@ -142,7 +142,7 @@ PlaneScene generalScene(RandomSource& random) {
   return scene;
 }
 
-// Replaces the entities by up to four at random free places.
+// Replaces the entities by up to four at random free positions.
 void placeEntities(PlaneScene& scene, RandomSource& random) {
   scene.entities.clear();
   for (int tries = 0; tries < 400 && scene.entities.size() < 4; ++tries) {

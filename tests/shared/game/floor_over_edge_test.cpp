@@ -36,7 +36,7 @@ TEST(FloorOverEdgeTest, RunningKeepsSpeedAndHeight) {
   });
 }
 
-TEST(FloorOverEdgeTest, RunningIsTheSameUnderAnyPress) {
+TEST(FloorOverEdgeTest, TheDownwardPressDoesNotChangeARun) {
   forEachFloor([](const Floor& floor) {
     if (floor.along != 0.5) return;
     expectSmooth(floor, alignedWith(floor), 60);

@@ -82,7 +82,7 @@ TEST(LevelTest, LineEndsTabsBlankLinesAndCommentsChangeNothing) {
   EXPECT_EQ(load(kSample)->hash, plain->hash);
 }
 
-TEST(LevelTest, TitleAndAuthorStandBeforeTheFirstLine) {
+TEST(LevelTest, TitleAndAuthorPrecedeTheFirstLine) {
   const auto level = load(replaced(kSample, "480\n", "480\n# title: Too late\n"));
   EXPECT_EQ(level->title, "A sample");
   EXPECT_EQ(load(replaced(kSample, "# title: A sample", "#title:\tA # sample "))->title, "A # sample");

@@ -52,7 +52,7 @@ TEST(StateDifferenceTest, NamesTheFieldAndBothValues) {
 }
 
 // Every bit of the saved state belongs to a field.
-TEST(StateDifferenceTest, FindsEveryBit) {
+TEST(StateDifferenceTest, FindsEveryChangedBit) {
   PlayedGame played(level());
   played.hold(1, Input::kRight);
   played.run(100, Input::kLeft);

@@ -282,7 +282,7 @@ struct Passage {
 
 TEST(SlideOverJointsTest, PassesEverySegmentEnd) {
   const Passage passages[] = {
-      {"ends up to 4 subunits off",
+      {"segment ends off by up to 4 subunits",
        square(100),
        {{{-2638, -199}, {-3, 3}}, {{1, -1}, {2635, 199}}, {{2632, 201}, {5271, 404}}},
        {-1328, 48},

@@ -232,7 +232,7 @@ TEST(InstancesTest, InsertsNothingOutsideTheCoordinateRange) {
   EXPECT_LE(entity.position().x, 800);
 }
 
-TEST(InstancesTest, WarpsWithoutReverseWarpBlock) {
+TEST(InstancesTest, AWarpWithoutReverseWarpBlocks) {
   World world;
   addLeftStrip(world);
   Entity entity(world, square(100));
@@ -248,7 +248,7 @@ TEST(InstancesTest, WarpsWithoutReverseWarpBlock) {
 }
 
 // A segment of the part behind crosses the edge, so that a new instance would overlap it.
-TEST(InstancesTest, EdgesWithoutFreePositionBehindBlock) {
+TEST(InstancesTest, AnEdgeBlocksWhenNoPositionBehindItIsFree) {
   World world = twoStrips({}, {{{-1200, 0}, {0, 0}}});
   Entity entity(world, square(100));
   MapPart(world, 1).insert(entity, {850, 0}, Angle());

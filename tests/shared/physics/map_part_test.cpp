@@ -80,7 +80,11 @@ TEST(MapPartTest, RejectsWarpsThatAreNotIsometries) {
       "is not a whole number of centidegrees";
   EXPECT_EQ(refusal([&] { face.warp({0, 0}, {100, 0}, 2, {0, 0}, {103, 0}); }), differs);
   EXPECT_EQ(refusal([&] { face.warp({0, 0}, {1000000, 0}, 2, {0, 0}, {1000000, 50}); }), differs);
-  EXPECT_EQ(refusal([&] { face.warp({0, 0}, {100, 0}, 2, {0, 0}, {102, 0}); }), "") << "rounded ends are allowed for";
+  EXPECT_EQ(refusal([&] {
+              face.warp({0, 0}, {100, 0}, 2, {0, 0}, {102, 0});
+            }),
+            "")
+      << "the rounding of the ends is tolerated";
 }
 
 TEST(MapPartTest, ComputesTheTurnOfWarps) {

@@ -57,8 +57,8 @@ class Player : public Entity {
   /// Updates the velocity by the buttons of one tick. Called before World::solve.
   void tick(Input input);
   /// Removes the component of the velocity that points into a segment, and sets the ground. Called during World::solve.
-  /// `normal` is the segment's unit normal in the own frame. `steep` carries the normal of the last segment that was
-  /// too steep to be ground from one contact to the next; the caller sets it to (0, 0) at the start of each tick.
+  /// `normal` is the segment's unit normal in the own frame. `steep` keeps, from one contact to the next, the normal of
+  /// the last segment that was too steep to be ground; the caller sets it to (0, 0) at the start of each tick.
   void contact(Point normal, Point& steep);
 
   /// Rotation from the face's +y to the player's up.

@@ -34,8 +34,8 @@ std::vector<Post> postsOf(SolidKind kind, std::int32_t faceSize);
 /// segments of each face, inside that face.
 World buildStage(SolidKind kind, std::int32_t faceSize, std::span<const std::vector<Segment>> segments);
 
-/// True when a player fits at this place: no segment of `face`, or of a face that the shape reaches over an edge,
-/// overlaps it. `world` comes from buildStage.
+/// True when a player fits at this position and angle: no segment of `face`, or of a face that the shape reaches over
+/// an edge, overlaps it. `world` comes from buildStage.
 bool isFreeForPlayer(World world, std::uint32_t face, Point position, Angle angle);
 
 }  // namespace platon

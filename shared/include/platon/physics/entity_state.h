@@ -101,7 +101,7 @@ struct EntityState {
 static_assert(sizeof(EntityState) <= 128);
 
 /// Bound of a remainder's coordinates, 2^-16 subunits: 8 subunits. An instance is at most 4 subunits from its exact
-/// place (I5), and each rounding adds less than 1.
+/// position (I5), and each rounding adds less than 1.
 inline constexpr std::int32_t kRemainderLimit = 8 << 16;
 
 }  // namespace platon
