@@ -86,7 +86,7 @@ TEST(EqualTimesTest, TheContactIsWithTheSegmentOfHome) {
   });
 }
 
-TEST(EqualTimesTest, PierceableSegmentsBeginAndEndWithHomeFirst) {
+TEST(EqualTimesTest, BeginAndEndContactAreCalledForTheHomeInstanceFirst) {
   RecordedRules rules;
   for (std::uint32_t face = 0; face < 6; ++face) {
     for (std::uint32_t line = 0; line < 4; ++line) rules.pierceable.insert({face, line});
