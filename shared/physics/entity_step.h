@@ -49,7 +49,7 @@ class EntityStep {
   bool isFree() { return collider_.isFree(instances_, instances_.home().position, instances_.home().position); }
   /// Writes the state of the entity and appends its further instances to `further`.
   void store(std::vector<InstanceState>& further) const { instances_.store(*state_, further); }
-  /// Calls Rules::overContact for all overlapped segments, then stores.
+  /// Calls Rules::overContact for all overlapped segments, then `store`.
   void finish(std::vector<InstanceState>& further);
   /// All contacts reported to the rules since `begin`.
   std::span<const Contact> contacts() const { return contacts_; }
