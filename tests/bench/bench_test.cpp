@@ -127,11 +127,11 @@ TEST(Bench, JsonHasTheMembersThatTheReportNeeds) {
   json.end();
   EXPECT_THAT(parts["sweep"],
               IsSupersetOf({"set", "engine", "nsPerQuery", "missed", "false", "maxTimeError", "maxOverlap"}));
-  EXPECT_THAT(parts["step"], IsSupersetOf({"engine", "segments", "bodies", "nsPerStep", "bytesPerSegment"}));
+  EXPECT_THAT(parts["step"], IsSupersetOf({"engine", "segments", "movers", "nsPerStep", "bytesPerSegment"}));
   EXPECT_THAT(parts["hardCases"],
               IsSupersetOf({"case", "engine", "steps", "maxOverlap", "tunnelled", "speedDrops", "pops", "restDrift"}));
   EXPECT_THAT(parts["resolution"], IsSupersetOf({"engine", "subunitsPerUnit", "nsPerStep", "maxTrajectoryError"}));
-  EXPECT_THAT(parts["snapshot"], IsSupersetOf({"bodies", "bytes", "saveNs", "restoreNs"}));
+  EXPECT_THAT(parts["snapshot"], IsSupersetOf({"movers", "bytes", "saveNs", "restoreNs"}));
   EXPECT_THAT(parts["resimulation"], IsSupersetOf({"players", "ticks", "microseconds"}));
 }
 

@@ -45,8 +45,8 @@ JsonObject objectOf(const SweepResult& result) {
       .add("set", result.set)
       .add("engine", result.engine)
       .add("nsPerQuery", result.nsPerQuery)
-      .add("queries", result.queries)
-      .add("hits", result.hits)
+      .add("questions", result.queries)
+      .add("meetings", result.hits)
       .add("missed", result.missed)
       .add("false", result.falseHits)
       .add("maxTimeError", result.maxTimeError)
@@ -57,10 +57,10 @@ JsonObject objectOf(const StepResult& result) {
   return JsonObject()
       .add("engine", result.engine)
       .add("segments", result.segments)
-      .add("bodies", result.bodies)
+      .add("movers", result.bodies)
       .add("nsPerStep", result.nsPerStep)
       .add("bytesPerSegment", result.bytesPerSegment)
-      .add("bytesPerBody", result.bytesPerBody);
+      .add("bytesPerMover", result.bytesPerBody);
 }
 
 JsonObject objectOf(const HardResult& result) {
@@ -95,7 +95,7 @@ JsonObject objectOf(const PartResult& result) {
 JsonObject objectOf(const SnapshotResult& result) {
   return JsonObject()
       .add("level", result.level)
-      .add("bodies", result.bodies)
+      .add("movers", result.bodies)
       .add("bytes", result.bytes)
       .add("saveNs", result.saveNs)
       .add("restoreNs", result.restoreNs)

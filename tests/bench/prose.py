@@ -90,7 +90,7 @@ def _list(words):
 
 
 def _sweep_verdicts(data):
-    asked = sum(r["queries"] for r in data.sweeps_of("platon"))
+    asked = sum(r["questions"] for r in data.sweeps_of("platon"))
     wrong = {e: data.wrong(e) for e in ENGINES if data.sweeps_of(e)}
     told = _list(f"{engine} {count(n)}" for engine, n in wrong.items())
     yield f"Missed or false hits in {count(asked)} sweeps: {told}. Box2D does not answer those with twelve vertices."

@@ -16,7 +16,7 @@ class ReportData:
     def __init__(self, report):
         self.report = report
         self._sweeps = {(r["set"], r["engine"]): r for r in report["sweep"]}
-        self._steps = {(r["engine"], r["segments"], r["bodies"]): r for r in report["step"]}
+        self._steps = {(r["engine"], r["segments"], r["movers"]): r for r in report["step"]}
         self._cases = {(r["case"], r["engine"]): r for r in report["hardCases"]}
         self._ladder = {(r["engine"], r["subunitsPerUnit"]): r for r in report["resolution"]}
 
@@ -31,7 +31,7 @@ class ReportData:
 
     def scenes(self):
         """(segments, bodies) of the whole steps."""
-        return list(dict.fromkeys((r["segments"], r["bodies"]) for r in self.report["step"]))
+        return list(dict.fromkeys((r["segments"], r["movers"]) for r in self.report["step"]))
 
     def sweep(self, set_name, engine):
         """None if the engine cannot answer the set."""

@@ -41,8 +41,8 @@ def _state_rows(report):
     shot = report["snapshot"]
     time = shot["saveNs"] + shot["restoreNs"]
     yield "memory of a segment", "≤ 64 bytes", f"{size:.1f} bytes", size <= 64
-    yield f"{shot['bodies']} bodies saved and restored", "< 1 µs", f"{time:.0f} ns", time < 1000
-    yield f"{shot['bodies']} bodies, saved", "< 8 192 bytes", f"{count(shot['bytes'])} bytes", shot["bytes"] < 8192
+    yield f"{shot['movers']} bodies saved and restored", "< 1 µs", f"{time:.0f} ns", time < 1000
+    yield f"{shot['movers']} bodies, saved", "< 8 192 bytes", f"{count(shot['bytes'])} bytes", shot["bytes"] < 8192
     again = next(r for r in report["resimulation"] if (r["players"], r["ticks"]) == (64, 60))["microseconds"]
     yield "64 players, replay of 60 ticks", "≤ 2 ms", f"{again / 1000:.2f} ms", again <= 2000
     slowest = max(report["advance"], key=lambda r: r["nsPerPlayerTick"])

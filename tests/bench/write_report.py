@@ -78,14 +78,14 @@ def draw_all(data, folder):
 
 
 def sweep_tables(data):
-    met = {r["set"]: f"{100 * r['hits'] / r['queries']:.0f} %" for r in data.sweeps_of("platon")}
+    met = {r["set"]: f"{100 * r['meetings'] / r['questions']:.0f} %" for r in data.sweeps_of("platon")}
     times = by_engine(data.sets(), data.sweep, lambda r: spread(r, "nsPerQuery"), "ns a query")
     errors = by_engine(
         [f"{name}, {met[name]} hit" for name in data.sets()],
         lambda row, engine: data.sweep(row.split(",")[0], engine),
         lambda r: f"{count(r['missed'])} / {count(r['false'])}; " + "; ".join(short(r[key]) for key in ("maxTimeError", "maxOverlap")),
     )
-    return SWEEPS.format(count(data.sweeps_of("platon")[0]["queries"])), times, SWEEP_ERRORS, errors
+    return SWEEPS.format(count(data.sweeps_of("platon")[0]["questions"])), times, SWEEP_ERRORS, errors
 
 
 def step_tables(data):
@@ -136,7 +136,7 @@ def part_tables(data):
 
 def game_tables(data):
     shot = data.report["snapshot"]
-    rows = [[f"{end} {shot['bodies']} bodies, {count(shot['bytes'])} bytes, {shot['level']}", spread(shot, f"{end}Ns") + " ns"]
+    rows = [[f"{end} {shot['movers']} bodies, {count(shot['bytes'])} bytes, {shot['level']}", spread(shot, f"{end}Ns") + " ns"]
             for end in ("save", "restore", "hash")]  # fmt: skip
     rows += [[f"{r['players']} players, {r['ticks']} ticks replayed, {r['level']}", spread(r, "microseconds") + " µs"]
              for r in data.report["resimulation"]]  # fmt: skip
