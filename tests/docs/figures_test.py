@@ -166,6 +166,7 @@ BUFFER = "client/netcode/interpolation_buffer.h"
 FIGURES = [
     Figures("docs/exactness.md", "at most {} moves (`EntityStep::kMaxLegs`)", constant(STEP, "kMaxLegs")),
     Figures("docs/exactness.md", "the checker allows {} entries", constant("tests/exactness/oracle/trace/trace_checker.cpp", "kMaxLegs")),
+    Figures("docs/exactness.md", "and allows {} moves", constant("tests/exactness/judge/step_checker.cpp", "kMaxMoves")),
     Figures("docs/exactness.md", "`EntityStep::kNudge` = {} subunits clears it, the step tries {} offsets", nudge),
     Figures("docs/exactness.md", "{} of {} differ; {} kinds of malformed line", sweep_check),
     Figures("docs/exactness.md", "{} entity ticks, {} legs, {} failures", scene_check),
@@ -176,7 +177,9 @@ FIGURES = [
     Figures("docs/level_format.md", "runs at {} units a tick (60 ticks a second). A jump is {} units high and about {} units wide", jump),
     Figures("docs/level_format.md", "at most {} MiB", constant("shared/include/platon/game/level.h", "kMaxLevelBytes", 1 / (1 << 20))),
     Figures("docs/hosting.md", "wakes every {} ms", constant("server/app/dedicated_server.cpp", "kIdleWait")),
+    Figures("docs/hosting.md", "the queue of {} lines", constant("server/app/async_line_writer.h", "kQueueLines")),
     Figures("docs/netcode.md", "within {} ms (`ErrorSmoothing::kDuration`)", constant("client/netcode/error_smoothing.h", "kDuration")),
+    Figures("docs/netcode.md", "lands after at least {} ticks in the air", constant("client/netcode/player_flashes.h", "kMinAirTicks")),
     Figures("docs/netcode.md", "keeps the players of the last {} ticks", constant(BUFFER, "kMaxSnapshots")),
     Figures("docs/netcode.md", "lateness of the last {} ticks", constant(BUFFER, "kWindow")),
     Figures("docs/netcode.md", "and at most {} ticks. This is 25 ms", constant(BUFFER, "kMaxDelay")),
