@@ -28,12 +28,12 @@ void EnetClient::step() {
     if (event.type == ENET_EVENT_TYPE_CONNECT) connected_ = true;
     if (event.type == ENET_EVENT_TYPE_DISCONNECT) disconnected_ = true;
     if (event.type != ENET_EVENT_TYPE_RECEIVE) continue;
-    if (client_) client_->receive({event.packet->data, event.packet->data + event.packet->dataLength});
+    if (client_) client_->receive({event.packet->data, event.packet->data + event.packet->dataLength}, Moment());
     enet_packet_destroy(event.packet);
   }
   if (!client_ || !connected_ || disconnected_) return;
-  for (const auto& message : client_->takeReliable()) sendRaw(message, true);
-  if (const auto inputs = client_->inputs()) sendRaw(*inputs, false);
+  client_->update(Moment());
+  for (const OutgoingMessage& message : client_->takeOutgoing()) sendRaw(message.bytes, message.reliable);
 }
 
 void EnetClient::sendRaw(const std::vector<std::uint8_t>& bytes, bool reliable) {

@@ -19,9 +19,14 @@ SessionToken newToken() {
 
 }  // namespace
 
+template <class Message>
+void FakeClient::send(const Message& message, bool reliable) {
+  outgoing_.push_back({encode(message), reliable});
+}
+
 FakeClient::FakeClient(std::string name, std::uint32_t lead, std::function<int(std::uint32_t)> buttons)
     : lead_(lead), buttons_(std::move(buttons)), token_(newToken()) {
-  reliable_.push_back(encode(Hello{kProtocolVersion, kRulesVersion, std::move(name), token_}));
+  send(Hello{kProtocolVersion, kRulesVersion, std::move(name), token_}, true);
 }
 
 FakeClient::FakeClient(const FakeClient& disconnected, std::function<int(std::uint32_t)> buttons)
@@ -32,20 +37,20 @@ FakeClient::FakeClient(const FakeClient& disconnected, std::function<int(std::ui
   Hello hello;
   hello.token = token_;
   for (const auto& [hash, level] : texts_) hello.levels.push_back(hash);
-  reliable_.push_back(encode(hello));
+  send(hello, true);
 }
 
-std::optional<FakeClient::Bytes> FakeClient::inputs() {
-  if (!game_) return std::nullopt;
+void FakeClient::update(Moment) {
+  if (!game_) return;
   PlayerInputs message{round_, sync_,      confirmed_, shortHash(game_->hash()), std::max(confirmed_, firstInput_),
                        {},     sequence_++};
   for (std::uint32_t tick = message.first; tick <= confirmed_ + lead_; ++tick) {
     message.inputs.push_back(Input{static_cast<std::uint8_t>(buttons_(tick) | Input::kPresent)});
   }
-  return encode(message);
+  send(message, false);
 }
 
-void FakeClient::receive(const Bytes& bytes) {
+void FakeClient::receive(std::vector<std::uint8_t> bytes, Moment) {
   const auto message = decodeToClient(bytes);
   ASSERT_TRUE(message);
   std::visit([this](const auto& body) { handle(body); }, *message);
@@ -57,7 +62,7 @@ void FakeClient::handle(const Welcome& message) {
 }
 
 void FakeClient::handle(const RoundStart& message) {
-  if (!startRound(message.round, message.levelHash)) reliable_.push_back(encode(LevelRequest{levelHash_}));
+  if (!startRound(message.round, message.levelHash)) send(LevelRequest{levelHash_}, true);
 }
 
 // False if the level is unknown.

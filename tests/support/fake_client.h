@@ -13,26 +13,24 @@
 #include "protocol/assembly.h"
 #include "protocol/to_client.h"
 #include "protocol/to_server.h"
+#include "tests/support/virtual_client.h"
 
 namespace platon {
 
 /// A minimal client that implements docs/protocol.md without clock or network. It shares no code with the real client
 /// except the messages.
-class FakeClient {
+class FakeClient : public VirtualClient {
  public:
-  using Bytes = std::vector<std::uint8_t>;
-
   /// `lead`: number of ticks for which it sends inputs ahead of the confirmed tick. `buttons` returns the pressed
   /// buttons of a tick.
   FakeClient(std::string name, std::uint32_t lead, std::function<int(std::uint32_t)> buttons);
   /// Resumes the player of `disconnected` and knows its levels.
   FakeClient(const FakeClient& disconnected, std::function<int(std::uint32_t)> buttons);
 
-  /// The reliable messages to send now.
-  std::vector<Bytes> takeReliable() { return std::exchange(reliable_, {}); }
-  /// The PlayerInputs message of this tick; nothing while there is no game.
-  std::optional<Bytes> inputs();
-  void receive(const Bytes& message);
+  void receive(std::vector<std::uint8_t> bytes, Moment now) override;
+  /// Sends the inputs of this tick. Without a game it sends nothing.
+  void update(Moment now) override;
+  std::vector<OutgoingMessage> takeOutgoing() override { return std::exchange(outgoing_, {}); }
 
   const std::optional<Welcome>& welcome() const { return welcome_; }
   const std::optional<Refused>& refused() const { return refused_; }
@@ -62,6 +60,8 @@ class FakeClient {
   void corruptGame();
 
  private:
+  template <class Message>
+  void send(const Message& message, bool reliable);
   void handle(const Welcome& message);
   void handle(const Refused& message) { refused_ = message; }
   void handle(const LevelChunk& message);
@@ -80,7 +80,7 @@ class FakeClient {
   std::uint32_t lead_;
   std::function<int(std::uint32_t)> buttons_;
   SessionToken token_{};
-  std::vector<Bytes> reliable_;
+  std::vector<OutgoingMessage> outgoing_;
   std::map<std::uint64_t, std::shared_ptr<const Level>> texts_;
   std::optional<Welcome> welcome_;
   std::optional<Refused> refused_;

@@ -4,92 +4,103 @@
 
 #include <algorithm>
 
+#include "protocol/to_server.h"
+
 namespace platon {
+namespace {
 
-FakeClient& VirtualNetwork::add(FakeClient client) {
-  links_.emplace_back();
-  links_.back().client = std::make_unique<FakeClient>(std::move(client));
-  return *links_.back().client;
+LinkQuality withoutLoss(const LinkQuality& quality) {
+  LinkQuality reliable;
+  reliable.delayMs = quality.delayMs;
+  reliable.jitterMs = quality.jitterMs;
+  return reliable;
 }
 
-void VirtualNetwork::disconnect(ClientId client) {
-  links_[client - 1].connected = false;
-  match_.disconnect(client);
+}  // namespace
+
+VirtualNetwork::Direction::Direction(const LinkQuality& quality, std::uint64_t seed)
+    : unreliable_(quality, seed), reliable_(withoutLoss(quality), seed + 2) {}
+
+void VirtualNetwork::Direction::send(Bytes bytes, bool reliable, Moment now) {
+  (reliable ? reliable_ : unreliable_).send(std::move(bytes), now);
 }
 
-void VirtualNetwork::leave(ClientId client) {
-  match_.receive(client, Leave{});
-  disconnect(client);
-}
-
-void VirtualNetwork::run(std::uint32_t ticks) {
-  for (std::uint32_t i = 0; i < ticks; ++i) tick();
-}
-
-void VirtualNetwork::tick() {
-  ++now_;
-  for (Link& link : links_) {
-    if (!link.connected) continue;
-    for (Bytes& bytes : link.client->takeReliable()) post(link.up, std::move(bytes));
-    if (auto bytes = link.client->inputs()) post(link.upUnsequenced, std::move(*bytes));
-  }
-  deliverToMatch();
-  match_.tick();
-  hashes_[{match_.round(), match_.game().tick()}] = match_.game().hash();
-  deliverToClients();
-}
-
-void VirtualNetwork::deliverToMatch() {
-  for (std::size_t i = 0; i < links_.size(); ++i) {
-    if (!links_[i].connected) continue;
-    receive(links_[i].up, links_[i].upUnsequenced, [this, i](const Bytes& bytes) {
-      const auto message = decodeToServer(bytes);
-      ASSERT_TRUE(message);
-      match_.receive(static_cast<ClientId>(i + 1), *message);
-    });
-  }
-}
-
-void VirtualNetwork::deliverToClients() {
-  for (Outgoing& message : match_.takeOutgoing()) {
-    Link& link = links_[message.client - 1];
-    if (!message.reliable) {
-      longest_ = std::max(longest_, message.bytes.size());
-      post(link.downUnsequenced, std::move(message.bytes));
-    } else {
-      post(link.down, std::move(message.bytes));
-    }
-  }
-  for (MatchEvent& event : match_.takeEvents()) events_.push_back(std::move(event));
-  for (Link& link : links_) {
-    if (!link.connected) continue;
-    receive(link.down, link.downUnsequenced, [&link](const Bytes& bytes) { link.client->receive(bytes); });
-  }
-}
-
-std::uint64_t VirtualNetwork::arrival() {
-  return now_ + conditions_.delay + (conditions_.jitter == 0 ? 0 : random_() % (conditions_.jitter + 1));
-}
-
-void VirtualNetwork::post(std::deque<Parcel>& queue, Bytes bytes) { queue.push_back({arrival(), std::move(bytes)}); }
-
-void VirtualNetwork::post(std::vector<Parcel>& queue, Bytes bytes) {
-  if (static_cast<double>(random_() % 1000) < conditions_.loss * 1000) return;
-  queue.push_back({arrival(), std::move(bytes)});
-}
-
-template <class Take>
-void VirtualNetwork::receive(std::deque<Parcel>& queue, std::vector<Parcel>& unsequenced, Take take) {
-  for (; !queue.empty() && queue.front().due <= now_; queue.pop_front()) take(queue.front().bytes);
-  const auto due =
-      std::partition(unsequenced.begin(), unsequenced.end(), [this](const Parcel& p) { return p.due > now_; });
-  for (auto parcel = due; parcel != unsequenced.end(); ++parcel) take(parcel->bytes);
-  unsequenced.erase(due, unsequenced.end());
+std::optional<VirtualNetwork::Bytes> VirtualNetwork::Direction::receive(Moment now) {
+  if (auto bytes = reliable_.receive(now)) return bytes;
+  return unreliable_.receive(now);
 }
 
 std::size_t VirtualNetwork::count(MatchEvent::Kind kind) const {
   return static_cast<std::size_t>(
       std::count_if(events_.begin(), events_.end(), [kind](const MatchEvent& event) { return event.kind == kind; }));
+}
+
+std::optional<std::uint64_t> VirtualNetwork::hashOf(std::uint32_t round, std::uint32_t tick) const {
+  const auto hash = hashes_.find({round, tick});
+  return hash == hashes_.end() ? std::nullopt : std::optional(hash->second);
+}
+
+bool VirtualNetwork::isLast(std::uint32_t round, std::uint32_t tick) const {
+  return hashOf(round, tick - 1) && !hashOf(round, tick) && hashOf(round + 1, 0);
+}
+
+ClientId VirtualNetwork::connect(VirtualClient& client, const LinkQuality& quality) {
+  const std::uint64_t seed = seed_ + lastClient_ * 16;
+  connections_.emplace(++lastClient_, Connection{&client, {quality, seed}, {quality, seed + 1}});
+  return lastClient_;
+}
+
+void VirtualNetwork::disconnect(ClientId client, std::optional<Moment> detectedAfter) {
+  connections_.erase(client);
+  if (detectedAfter) losses_.push_back({now_ + *detectedAfter, client});
+  detectDisconnects();
+}
+
+void VirtualNetwork::detectDisconnects() {
+  std::erase_if(losses_, [this](const auto& loss) {
+    if (loss.first > now_) return false;
+    match_.disconnect(loss.second);
+    return true;
+  });
+}
+
+Moment VirtualNetwork::nextTick() const { return kStart + Moment((ticks_ + 1) * 1'000'000 / kTicksPerSecond); }
+
+void VirtualNetwork::step(Moment now) {
+  now_ = now;
+  detectDisconnects();
+  for (auto& [id, connection] : connections_) {
+    connection.client->update(now_);
+    deliverToMatch(id, connection);
+  }
+  if (now_ >= nextTick()) tick();
+  for (auto& [id, connection] : connections_) {
+    while (auto bytes = connection.down.receive(now_)) connection.client->receive(std::move(*bytes), now_);
+  }
+}
+
+void VirtualNetwork::deliverToMatch(ClientId client, Connection& connection) {
+  for (OutgoingMessage& message : connection.client->takeOutgoing()) {
+    connection.up.send(std::move(message.bytes), message.reliable, now_);
+  }
+  while (const auto bytes = connection.up.receive(now_)) {
+    const auto message = decodeToServer(*bytes);
+    ASSERT_TRUE(message.has_value());
+    match_.receive(client, *message);
+  }
+}
+
+void VirtualNetwork::tick() {
+  ++ticks_;
+  match_.tick();
+  hashes_[{match_.round(), match_.game().tick()}] = match_.game().hash();
+  for (Outgoing& message : match_.takeOutgoing()) {
+    const auto connection = connections_.find(message.client);
+    if (connection == connections_.end()) continue;
+    if (!message.reliable) longest_ = std::max(longest_, message.bytes.size());
+    connection->second.down.send(std::move(message.bytes), message.reliable, now_);
+  }
+  for (MatchEvent& event : match_.takeEvents()) events_.push_back(std::move(event));
 }
 
 }  // namespace platon

@@ -1,78 +1,86 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <deque>
-#include <memory>
-#include <random>
+#include <map>
+#include <optional>
+#include <utility>
 #include <vector>
 
+#include "client/net/network_conditions.h"
+#include "client/time/moment.h"
 #include "server/match/match.h"
-#include "tests/support/fake_client.h"
+#include "tests/support/virtual_client.h"
 
 namespace platon {
 
-/// A match and its clients in virtual time. Messages arrive some ticks later; unsequenced ones can be lost or
-/// reordered.
+/// A match and its clients in one thread and in virtual time, connected by simulated connections. Unreliable messages
+/// are subject to all conditions of a connection, reliable ones only to its delay and jitter, as if the transport below
+/// retransmitted them.
 class VirtualNetwork {
  public:
-  struct Conditions {
-    std::uint32_t delay = 1;   ///< ticks, each way
-    std::uint32_t jitter = 0;  ///< largest additional delay, ticks
-    double loss = 0;           ///< share of unsequenced messages that is lost, 0 … 1
-    std::uint64_t seed = 1;
-  };
-
-  VirtualNetwork(Match match, Conditions conditions)
-      : match_(std::move(match)), conditions_(conditions), random_(conditions.seed) {}
-
-  /// Adds a client with the next number; the first is 1.
-  FakeClient& add(FakeClient client);
-  /// The client's connection is lost.
-  void disconnect(ClientId client);
-  /// The client leaves.
-  void leave(ClientId client);
-  /// Runs one tick of the match, the clients and the network.
-  void tick();
-  void run(std::uint32_t ticks);
-
+  Moment now() const { return now_; }
   Match& match() { return match_; }
-  FakeClient& client(ClientId client) { return *links_[client - 1].client; }
-  /// All events of the match so far.
+  /// All events of the match up to its last tick.
   const std::vector<MatchEvent>& events() const { return events_; }
   std::size_t count(MatchEvent::Kind kind) const;
-  /// The longest unsequenced message to a client so far.
+  /// Hash of the server's game. Nothing for a tick that it has not played, and for the last tick of a round.
+  std::optional<std::uint64_t> hashOf(std::uint32_t round, std::uint32_t tick) const;
+  /// Whether the match has replaced the game of this round by that of the next one right after this tick.
+  bool isLast(std::uint32_t round, std::uint32_t tick) const;
+  /// Size of the longest unreliable message to a client so far.
   std::size_t longest() const { return longest_; }
-  /// Hash of the server's game by round and tick.
-  std::uint64_t hashOf(std::uint32_t round, std::uint32_t tick) const { return hashes_.at({round, tick}); }
+
+ protected:
+  VirtualNetwork(Match match, std::uint64_t seed) : match_(std::move(match)), seed_(seed) {}
+  ~VirtualNetwork() = default;
+
+  /// Connects a client, with the same quality in both directions. Returns the number of the connection; the first is 1.
+  ClientId connect(VirtualClient& client, const LinkQuality& quality);
+  /// The connection is lost, with all messages in flight. The server detects it after `detectedAfter`; nothing: never.
+  void disconnect(ClientId client, std::optional<Moment> detectedAfter = Moment::zero());
+  /// When the match ticks next.
+  Moment nextTick() const;
+  /// Lets time pass until `now`: updates the clients, delivers what they send, lets the match tick if it is due, and
+  /// delivers what the match sends.
+  void step(Moment now);
 
  private:
   using Bytes = std::vector<std::uint8_t>;
-  struct Parcel {
-    std::uint64_t due = 0;
-    Bytes bytes;
-  };
-  struct Link {
-    std::unique_ptr<FakeClient> client;
-    bool connected = true;
-    std::deque<Parcel> up, down;  // reliable, in order
-    std::vector<Parcel> upUnsequenced, downUnsequenced;
+
+  /// One direction of a connection.
+  class Direction {
+   public:
+    Direction(const LinkQuality& quality, std::uint64_t seed);
+
+    void send(Bytes bytes, bool reliable, Moment now);
+    /// The next message that has arrived.
+    std::optional<Bytes> receive(Moment now);
+
+   private:
+    NetworkConditions unreliable_, reliable_;
   };
 
-  std::uint64_t arrival();
-  void post(std::deque<Parcel>& queue, Bytes bytes);
-  void post(std::vector<Parcel>& queue, Bytes bytes);
-  template <class Take>
-  void receive(std::deque<Parcel>& queue, std::vector<Parcel>& unsequenced, Take take);
-  void deliverToMatch();
-  void deliverToClients();
+  struct Connection {
+    VirtualClient* client;
+    Direction up, down;
+  };
+
+  void detectDisconnects();
+  void deliverToMatch(ClientId client, Connection& connection);
+  void tick();
+
+  static constexpr Moment kStart = std::chrono::seconds(100);
 
   Match match_;
-  Conditions conditions_;
-  std::mt19937_64 random_;
-  std::vector<Link> links_;
+  std::uint64_t seed_;
+  Moment now_ = kStart;
+  std::int64_t ticks_ = 0;  // of the server, without players too
+  ClientId lastClient_ = 0;
+  std::map<ClientId, Connection> connections_;
+  std::vector<std::pair<Moment, ClientId>> losses_;  // when the server detects which lost connection
   std::vector<MatchEvent> events_;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint64_t> hashes_;
-  std::uint64_t now_ = 0;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint64_t> hashes_;  // of the server's game, by round and tick
   std::size_t longest_ = 0;
 };
 

@@ -58,7 +58,7 @@ TEST(LongSession, DetectsNoDesyncWithoutACause) {
     EXPECT_EQ(match.session(bot).roundStatistics().desyncs, 0u);
     EXPECT_FALSE(match.takeDesync(bot).has_value());
   }
-  for (const MatchEvent& event : match.match().takeEvents()) {
+  for (const MatchEvent& event : match.events()) {
     EXPECT_NE(event.kind, MatchEvent::Kind::kDesync) << event.text;
   }
   std::printf("%llu ticks of %u bots in %u rounds\n", static_cast<unsigned long long>(ticks), kBots,

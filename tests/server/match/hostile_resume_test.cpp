@@ -10,8 +10,8 @@
 #include "server/match/match.h"
 #include "tests/sim/verification.h"
 #include "tests/support/fake_client.h"
+#include "tests/support/fake_client_network.h"
 #include "tests/support/test_levels.h"
-#include "tests/support/virtual_network.h"
 
 namespace platon {
 namespace {
@@ -204,7 +204,7 @@ TEST_F(HostileResume, ConnectedPlayersAreNeverEvicted) {
 
 TEST(ResumeDuringATransfer, TheLevelIsSentAgainFromItsStart) {
   const std::string text = farGoalText() + std::string(20000, '\n');
-  VirtualNetwork network(Match(LevelRotation({levelOf(text)}), {4, "Test"}), {});
+  FakeClientNetwork network(Match(LevelRotation({levelOf(text)}), {4, "Test"}));
   network.add(FakeClient("Ann", 12, running));
   network.run(3);
   network.disconnect(1);  // some chunks have arrived
@@ -221,7 +221,8 @@ TEST(ResumeDuringATransfer, TheLevelIsSentAgainFromItsStart) {
 
 // The recording goes on while players are disconnected, and ends when the last of them is removed.
 TEST(ResumeWhileRecording, TheWholeGameIsRecorded) {
-  VirtualNetwork network(Match(LevelRotation({levelOf(farGoalText())}), {4, "Test", true}), {2, 0, 0, 1});
+  FakeClientNetwork network(Match(LevelRotation({levelOf(farGoalText())}), {4, "Test", true}),
+                            {.delayMs = 2 * kTickMs});
   network.add(FakeClient("Ann", 12, running));
   network.add(FakeClient("Ben", 12, running));
   network.run(100);

@@ -7,8 +7,8 @@
 #include "server/match/match.h"
 #include "tests/sim/verification.h"
 #include "tests/support/fake_client.h"
+#include "tests/support/fake_client_network.h"
 #include "tests/support/test_levels.h"
-#include "tests/support/virtual_network.h"
 
 namespace platon {
 namespace {
@@ -60,7 +60,7 @@ sim::Verification verified(const Recording& recording, const sim::Verifier::Play
 }
 
 TEST(MatchRecorder, RecordsOnlyWhenRequested) {
-  VirtualNetwork network(Match(LevelRotation({levelOf(farGoalText())}), {8, "Test"}), {});
+  FakeClientNetwork network(Match(LevelRotation({levelOf(farGoalText())}), {8, "Test"}));
   network.add(player());
   network.run(200);
   network.match().stop("");
@@ -68,7 +68,9 @@ TEST(MatchRecorder, RecordsOnlyWhenRequested) {
 }
 
 TEST(MatchRecorder, TheRecordingReplaysToTheSameHashes) {
-  VirtualNetwork network(recordedMatch({farGoalText()}), {3, 4, 0.2, 9});
+  FakeClientNetwork network(recordedMatch({farGoalText()}),
+                            {.lossPercent = 20, .delayMs = 3 * kTickMs, .jitterMs = 4 * kTickMs, .reorderPercent = 30},
+                            9);
   network.add(player(20));
   network.run(100);
   network.add(player(24));
@@ -100,7 +102,7 @@ TEST(MatchRecorder, TheRecordingReplaysToTheSameHashes) {
 
 // An incomplete recording can be verified up to its last checkpoint.
 TEST(MatchRecorder, PiecesCanBeVerifiedDuringTheRound) {
-  VirtualNetwork network(recordedMatch({farGoalText()}), {});
+  FakeClientNetwork network(recordedMatch({farGoalText()}));
   network.add(player());
   for (std::uint32_t tick = 1; tick <= 5 * kCheckpointTicks + 7; ++tick) network.tick();
   Recordings recordings;
@@ -115,7 +117,7 @@ TEST(MatchRecorder, PiecesCanBeVerifiedDuringTheRound) {
 }
 
 TEST(MatchRecorder, EachRoundHasARecording) {
-  VirtualNetwork network(recordedMatch({nearGoalText(), farGoalText()}), {});
+  FakeClientNetwork network(recordedMatch({nearGoalText(), farGoalText()}));
   network.add(player());
   Recordings recordings;
   for (int tick = 0; tick < 700; ++tick) {
@@ -133,7 +135,7 @@ TEST(MatchRecorder, EachRoundHasARecording) {
 }
 
 TEST(MatchRecorder, ARecordingEndsWhenTheLastPlayerLeaves) {
-  VirtualNetwork network(recordedMatch({farGoalText()}), {});
+  FakeClientNetwork network(recordedMatch({farGoalText()}));
   network.add(player());
   network.run(100);
   network.leave(1);

@@ -6,8 +6,8 @@
 #include <map>
 
 #include "tests/support/fake_client.h"
+#include "tests/support/fake_client_network.h"
 #include "tests/support/test_levels.h"
-#include "tests/support/virtual_network.h"
 
 namespace platon {
 namespace {
@@ -29,7 +29,7 @@ FakeClient player(const std::string& name, std::uint32_t lead = 8, std::uint32_t
   return FakeClient(name, lead, busy(seed));
 }
 
-void expectInLockstep(VirtualNetwork& network, ClientId client) {
+void expectInLockstep(FakeClientNetwork& network, ClientId client) {
   SCOPED_TRACE("client " + std::to_string(client));
   const FakeClient& fake = network.client(client);
   EXPECT_EQ(fake.desyncs(), 0u);
@@ -39,7 +39,7 @@ void expectInLockstep(VirtualNetwork& network, ClientId client) {
 }
 
 TEST(Match, SendsWelcomeAndTheNamesOfAllPlayers) {
-  VirtualNetwork network(matchOn(farGoalText()), {});
+  FakeClientNetwork network(matchOn(farGoalText()));
   network.add(player("Ann"));
   network.run(5);
   network.add(player(""));
@@ -92,7 +92,7 @@ TEST(Match, IgnoresAllMessagesBeforeHello) {
 }
 
 TEST(Match, AllClientsPlayTheSameGame) {
-  VirtualNetwork network(matchOn(farGoalText()), {});
+  FakeClientNetwork network(matchOn(farGoalText()));
   for (std::uint32_t i = 0; i < 6; ++i) network.add(player("P", 8, i));
   network.run(600);
   for (ClientId client = 1; client <= 6; ++client) {
@@ -110,7 +110,9 @@ TEST(Match, AllClientsPlayTheSameGame) {
 TEST(Match, ClientsStayInLockstepUnderLossDelayAndReordering) {
   for (const std::uint64_t seed : {1u, 2u, 3u}) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    VirtualNetwork network(matchOn(farGoalText()), {4, 6, 0.25, seed});
+    FakeClientNetwork network(
+        matchOn(farGoalText()),
+        {.lossPercent = 25, .delayMs = 4 * kTickMs, .jitterMs = 6 * kTickMs, .reorderPercent = 30}, seed);
     for (std::uint32_t i = 0; i < 5; ++i) network.add(player("P", 30, i));
     network.run(500);
     for (ClientId client = 1; client <= 5; ++client) {
@@ -124,7 +126,9 @@ TEST(Match, ClientsStayInLockstepUnderLossDelayAndReordering) {
 
 // More changes are unacknowledged than one message holds.
 TEST(Match, ChangesThatExceedOneMessageAreSentInParts) {
-  VirtualNetwork network(matchOn(farGoalText(), 12), {30, 2, 0.02, 6});
+  FakeClientNetwork network(matchOn(farGoalText(), 12),
+                            {.lossPercent = 2, .delayMs = 30 * kTickMs, .jitterMs = 2 * kTickMs, .reorderPercent = 30},
+                            6);
   for (std::uint32_t i = 0; i < 12; ++i) {
     network.add(FakeClient("P", 80, [i](std::uint32_t tick) { return static_cast<int>((tick + i) % 2); }));
   }
@@ -137,7 +141,7 @@ TEST(Match, ChangesThatExceedOneMessageAreSentInParts) {
 }
 
 TEST(Match, WorksAtARoundTripOfTwoSeconds) {
-  VirtualNetwork network(matchOn(farGoalText()), {60, 0, 0.05, 5});
+  FakeClientNetwork network(matchOn(farGoalText()), {.lossPercent = 5, .delayMs = 60 * kTickMs}, 5);
   network.add(player("Far", 130));
   network.run(1200);
   expectInLockstep(network, 1);
@@ -149,7 +153,7 @@ TEST(Match, WorksAtARoundTripOfTwoSeconds) {
 
 // From tick 120 on the inputs arrive three ticks too late.
 TEST(Match, ALateInputIsReplacedByTheLastOneAndReportedToItsClient) {
-  VirtualNetwork network(matchOn(farGoalText()), {4, 0, 0, 1});
+  FakeClientNetwork network(matchOn(farGoalText()), {.delayMs = 4 * kTickMs});
   network.add(FakeClient("Late", 16, [](std::uint32_t tick) { return tick < 150 ? Input::kRight : Input::kLeft; }));
   network.run(120);
   network.client(1).setLead(5);
@@ -166,7 +170,7 @@ TEST(Match, ALateInputIsReplacedByTheLastOneAndReportedToItsClient) {
 
 // Level and state follow Welcome without a request.
 TEST(Match, AClientThatJoinsHasTheGameAfterOneRoundTrip) {
-  VirtualNetwork network(matchOn(farGoalText()), {6, 0, 0, 1});
+  FakeClientNetwork network(matchOn(farGoalText()), {.delayMs = 6 * kTickMs});
   network.add(player("Early", 16, 1));
   network.run(100);
   network.add(player("Late", 16, 2));
@@ -179,7 +183,7 @@ TEST(Match, AClientThatJoinsHasTheGameAfterOneRoundTrip) {
 }
 
 TEST(Match, SlackIsTheLeadOfTheNewestInput) {
-  VirtualNetwork network(matchOn(farGoalText()), {2, 0, 0, 1});
+  FakeClientNetwork network(matchOn(farGoalText()), {.delayMs = 2 * kTickMs});
   network.add(player("Ann", 10));
   network.run(100);
   const auto slack = network.client(1).slack();
@@ -188,7 +192,7 @@ TEST(Match, SlackIsTheLeadOfTheNewestInput) {
 }
 
 TEST(Match, AClientWithADesyncGetsTheStateAndKeepsPlaying) {
-  VirtualNetwork network(matchOn(farGoalText()), {2, 0, 0, 1});
+  FakeClientNetwork network(matchOn(farGoalText()), {.delayMs = 2 * kTickMs});
   network.add(player("Ann", 8, 1));
   network.add(player("Ben", 8, 2));
   network.run(200);
@@ -222,7 +226,9 @@ TEST(Match, AClientThatStaysInDesyncGetsOneStateASecond) {
 }
 
 TEST(Match, AClientThatJoinsLateGetsLevelStateAndInputs) {
-  VirtualNetwork network(matchOn(farGoalText()), {3, 2, 0.1, 3});
+  FakeClientNetwork network(matchOn(farGoalText()),
+                            {.lossPercent = 10, .delayMs = 3 * kTickMs, .jitterMs = 2 * kTickMs, .reorderPercent = 30},
+                            3);
   network.add(player("Early", 16, 1));
   network.run(TickHistory::kTicks + 200);
   network.add(player("Late", 16, 2));
@@ -238,7 +244,7 @@ TEST(Match, AClientThatJoinsLateGetsLevelStateAndInputs) {
 }
 
 TEST(Match, ASlotIsFreeOnlyAfterATickWithoutItsPlayer) {
-  VirtualNetwork network(matchOn(farGoalText(), 2), {});
+  FakeClientNetwork network(matchOn(farGoalText(), 2));
   network.add(player("Ann"));
   network.add(player("Ben"));
   network.run(60);
@@ -256,7 +262,7 @@ TEST(Match, ASlotIsFreeOnlyAfterATickWithoutItsPlayer) {
 TEST(Match, TheNextRoundIsPlayedOnTheNextLevel) {
   const LevelPointer near = levelOf(nearGoalText());
   const LevelPointer far = levelOf(farGoalText());
-  VirtualNetwork network(Match(LevelRotation({near, far}), {4, ""}), {2, 0, 0, 1});
+  FakeClientNetwork network(Match(LevelRotation({near, far}), {4, ""}), {.delayMs = 2 * kTickMs});
   network.add(player("Ann", 12, 1));
   network.add(player("Ben", 12, 2));
   network.run(60);
@@ -278,7 +284,7 @@ TEST(Match, TheNextRoundIsPlayedOnTheNextLevel) {
 }
 
 TEST(Match, WithoutPlayersTheGameIsPausedAndTheNextPlayerStartsANewRound) {
-  VirtualNetwork network(matchOn(farGoalText()), {});
+  FakeClientNetwork network(matchOn(farGoalText()));
   network.add(player("Ann"));
   network.run(100);
   network.leave(1);
@@ -338,7 +344,7 @@ TEST(Match, AClientThatAcknowledgesNothingIsSentLessAndLess) {
 }
 
 TEST(Match, StoppingTellsAllClientsTheReason) {
-  VirtualNetwork network(matchOn(farGoalText()), {});
+  FakeClientNetwork network(matchOn(farGoalText()));
   network.add(player("Ann"));
   network.add(player("Ben"));
   network.run(20);
@@ -352,7 +358,7 @@ TEST(Match, StoppingTellsAllClientsTheReason) {
 }
 
 TEST(Match, TheEndOfARoundIsAnEventWithItsTicks) {
-  VirtualNetwork network(matchOn(nearGoalText()), {});
+  FakeClientNetwork network(matchOn(nearGoalText()));
   network.add(player("Ann"));
   network.run(20);
   ASSERT_EQ(network.count(Kind::kRoundEnd), 1u);
@@ -362,7 +368,7 @@ TEST(Match, TheEndOfARoundIsAnEventWithItsTicks) {
 }
 
 TEST(Match, NewLevelsArePlayedAfterTheCurrentOne) {
-  VirtualNetwork network(matchOn(nearGoalText()), {});
+  FakeClientNetwork network(matchOn(nearGoalText()));
   network.add(player("Ann"));
   network.run(10);
   network.match().setLevels({levelOf(farGoalText())});

@@ -2,8 +2,8 @@
 
 #include "server/match/match.h"
 #include "tests/support/fake_client.h"
+#include "tests/support/fake_client_network.h"
 #include "tests/support/test_levels.h"
-#include "tests/support/virtual_network.h"
 
 namespace platon {
 namespace {
@@ -24,7 +24,7 @@ class ResumeMatch : public testing::Test {
     return Match(LevelRotation({levelOf(roomText())}), {maxPlayers, "Test"});
   }
 
-  VirtualNetwork network_{match(2), {3, 0, 0, 1}};
+  FakeClientNetwork network_{match(2), {.delayMs = 3 * kTickMs}};
 };
 
 TEST_F(ResumeMatch, TheTokenResumesThePlayerWhereItIs) {
