@@ -10,8 +10,8 @@
 #include <glm/geometric.hpp>
 
 #include "client/play/scene_feed.h"
+#include "tests/support/session_network.h"
 #include "tests/support/test_level.h"
-#include "tests/support/virtual_match.h"
 
 namespace platon {
 namespace {
@@ -68,7 +68,7 @@ class Viewer {
   const Game& game() { return match_.match().game(); }
 
  private:
-  VirtualMatch match_;
+  SessionNetwork match_;
   SceneFeed feed_;
   Odometer odometer_;
   double last_ = 0;

@@ -5,8 +5,8 @@
 #include <map>
 
 #include "tests/support/pressing.h"
+#include "tests/support/session_network.h"
 #include "tests/support/test_level.h"
-#include "tests/support/virtual_match.h"
 
 namespace platon {
 namespace {
@@ -19,7 +19,7 @@ const Controls kRight = [](const Game&, std::uint32_t) { return Input{Input::kRi
 TEST(SceneFeed, ShowsTheLocalPlayerPredictedAndTheOthersInterpolated) {
   LinkQuality quality;
   quality.delayMs = 100;
-  VirtualMatch match({endlessLevel()}, 1);
+  SessionNetwork match({endlessLevel()}, 1);
   match.join(quality, kRight);
   match.join(quality, kRight);
   SceneFeed feed;
@@ -43,7 +43,7 @@ TEST(SceneFeed, LandingPlayersFlash) {
   LinkQuality quality;
   quality.delayMs = 60;
   quality.jitterMs = 30;
-  VirtualMatch match({endlessLevel()}, 1);
+  SessionNetwork match({endlessLevel()}, 1);
   match.join(quality, pressing(1));
   match.join(quality, pressing(2));
   match.run(seconds(3));
@@ -64,7 +64,7 @@ TEST(SceneFeed, LandingPlayersFlash) {
 }
 
 TEST(SceneFeed, ChangesTheStageWithTheLevel) {
-  VirtualMatch match({flatLevel(), cornerLevel()}, 1);
+  SessionNetwork match({flatLevel(), cornerLevel()}, 1);
   match.join(LinkQuality(), kRight);
   SceneFeed feed;
   match.run(seconds(1));

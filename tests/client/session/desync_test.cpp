@@ -14,8 +14,8 @@
 #include "tests/support/flipped_bit.h"
 #include "tests/support/input_flipper.h"
 #include "tests/support/pressing.h"
+#include "tests/support/session_network.h"
 #include "tests/support/test_level.h"
-#include "tests/support/virtual_match.h"
 
 namespace platon {
 namespace {
@@ -60,7 +60,7 @@ void expectToVerify(const DesyncReport& report, std::uint32_t first) {
 }
 
 // After its one desync the client has been resynced once and stays in lockstep.
-void expectOneDesync(VirtualMatch& match, std::size_t client) {
+void expectOneDesync(SessionNetwork& match, std::size_t client) {
   match.setChecked(client, true);
   match.run(seconds(20));
   EXPECT_EQ(match.session(client).roundStatistics().desyncs, 1u);
@@ -106,7 +106,7 @@ class FlippedField : public testing::TestWithParam<Flipped> {};
 
 // The field of a player that stands still, so that it keeps its value until the games are compared.
 TEST_P(FlippedField, IsReportedAndResynced) {
-  VirtualMatch match({endlessLevel()}, kSeed);
+  SessionNetwork match({endlessLevel()}, kSeed);
   match.join(delayed(10), pressing(kSeed));
   match.join(delayed(10), standing());
   match.run(seconds(15));
@@ -138,7 +138,7 @@ INSTANTIATE_TEST_SUITE_P(Fields, FlippedField,
                          [](const testing::TestParamInfo<Flipped>& test) { return test.param.field; });
 
 TEST(Desync, AWrongInputIsReportedAndResynced) {
-  VirtualMatch match({endlessLevel()}, kSeed);
+  SessionNetwork match({endlessLevel()}, kSeed);
   match.join(delayed(10), pressing(kSeed));
   match.join(delayed(60), pressing(kSeed + 1));
   match.run(seconds(5));
@@ -164,8 +164,8 @@ TEST(Desync, AWrongInputIsReportedAndResynced) {
 }
 
 // The full state never arrives, as if the session ended earlier.
-void expectReportAtTheEnd(const std::function<void(VirtualMatch&)>& end) {
-  VirtualMatch match({endlessLevel()}, kSeed);
+void expectReportAtTheEnd(const std::function<void(SessionNetwork&)>& end) {
+  SessionNetwork match({endlessLevel()}, kSeed);
   match.join(delayed(10), pressing(kSeed));
   match.setChecked(0, false);
   const auto flipper = std::make_shared<InputFlipper>(InputFlipper{60, 0, {}});
@@ -185,13 +185,13 @@ void expectReportAtTheEnd(const std::function<void(VirtualMatch&)>& end) {
 }
 
 TEST(Desync, WithoutAResyncIsReportedAtTheEndOfTheSession) {
-  expectReportAtTheEnd([](VirtualMatch& match) { match.match().stop("enough"); });
-  expectReportAtTheEnd([](VirtualMatch& match) { match.session(0).leave(); });
-  expectReportAtTheEnd([](VirtualMatch& match) { match.session(0).connectionLost("gone"); });
+  expectReportAtTheEnd([](SessionNetwork& match) { match.match().stop("enough"); });
+  expectReportAtTheEnd([](SessionNetwork& match) { match.session(0).leave(); });
+  expectReportAtTheEnd([](SessionNetwork& match) { match.session(0).connectionLost("gone"); });
 }
 
 TEST(Desync, RepeatedDesyncsAreReportedOnceAMinute) {
-  VirtualMatch match({endlessLevel()}, kSeed);
+  SessionNetwork match({endlessLevel()}, kSeed);
   match.join(delayed(10), pressing(kSeed));
   match.setChecked(0, false);
   match.tamper(0, [](std::vector<std::uint8_t>& bytes) {

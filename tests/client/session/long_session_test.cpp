@@ -7,8 +7,8 @@
 
 #include "client/bot/button_presser.h"
 #include "tests/exactness/step_check/run_length.h"
+#include "tests/support/session_network.h"
 #include "tests/support/test_level.h"
-#include "tests/support/virtual_match.h"
 
 namespace platon {
 namespace {
@@ -43,7 +43,7 @@ LinkQuality qualityOf(std::uint32_t number) {
 // Over many rounds and levels, under all conditions.
 TEST(LongSession, DetectsNoDesyncWithoutACause) {
   const auto wanted = static_cast<std::uint64_t>(step_check::runLength(100000, 1000000));
-  VirtualMatch match({flatLevel(), cornerLevel(), endlessLevel()}, kSeed);
+  SessionNetwork match({flatLevel(), cornerLevel(), endlessLevel()}, kSeed);
   for (std::uint32_t bot = 0; bot < kBots; ++bot) {
     match.join(qualityOf(bot), pressing(kSeed + bot));
     match.run(seconds(2 * bot));  // late joiners need a full state

@@ -8,8 +8,8 @@
 #include <variant>
 
 #include "client/bot/button_presser.h"
+#include "tests/support/session_network.h"
 #include "tests/support/test_level.h"
-#include "tests/support/virtual_match.h"
 
 namespace platon {
 namespace {
@@ -87,7 +87,7 @@ class Resume : public testing::TestWithParam<ConnectionLoss> {
     }
   }
 
-  VirtualMatch match_{{endlessLevel()}, kSeed};
+  SessionNetwork match_{{endlessLevel()}, kSeed};
   int levelChunks_ = 0;
 };
 
@@ -179,7 +179,7 @@ class NextRound : public testing::Test {
     EXPECT_EQ(match_.session(kDisconnected).predictionStatistics().missedInputs, missed);  // its inputs arrive in time
   }
 
-  VirtualMatch match_{{flatLevel(), cornerLevel()}, kSeed};
+  SessionNetwork match_{{flatLevel(), cornerLevel()}, kSeed};
 };
 
 TEST_F(NextRound, IsJoinedByAResumedPlayer) {
@@ -201,7 +201,7 @@ TEST_F(NextRound, IsJoinedByAResumedPlayer) {
 TEST_F(NextRound, IsJoinedAfterAnInterruptedTransfer) {
   for (int ms = 0; ms <= 400; ms += 20) {
     SCOPED_TRACE(ms);
-    VirtualMatch match({flatLevel(), cornerLevel()}, kSeed + static_cast<std::uint64_t>(ms));
+    SessionNetwork match({flatLevel(), cornerLevel()}, kSeed + static_cast<std::uint64_t>(ms));
     LinkQuality quality;
     quality.delayMs = 60;
     match.join(quality, kRight);

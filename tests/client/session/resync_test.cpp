@@ -7,8 +7,8 @@
 
 #include "client/bot/button_presser.h"
 #include "tests/support/input_flipper.h"
+#include "tests/support/session_network.h"
 #include "tests/support/test_level.h"
-#include "tests/support/virtual_match.h"
 
 namespace platon {
 namespace {
@@ -24,7 +24,7 @@ Controls pressing(std::uint64_t seed) {
 }
 
 /// Adds players that press buttons for two seconds and then disconnect. They stay in the game and cost no bandwidth.
-void addDisconnectedPlayers(VirtualMatch& match, std::uint32_t count) {
+void addDisconnectedPlayers(SessionNetwork& match, std::uint32_t count) {
   constexpr ClientId kFirst = 1000;
   for (std::uint32_t i = 0; i < count; ++i) {
     Hello hello;
@@ -79,7 +79,7 @@ class Resync : public testing::TestWithParam<std::tuple<std::uint32_t, int>> {
     while (matchesServer() && match_.now() < end) match_.run(milliseconds(1));
   }
 
-  VirtualMatch match_{{endlessLevel()}, kSeed, kMaxPlayers};
+  SessionNetwork match_{{endlessLevel()}, kSeed, kMaxPlayers};
 };
 
 // Measures the time from the first differing tick until the confirmed game matches again.

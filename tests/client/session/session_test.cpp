@@ -6,8 +6,8 @@
 #include <string>
 
 #include "tests/support/pressing.h"
+#include "tests/support/session_network.h"
 #include "tests/support/test_level.h"
-#include "tests/support/virtual_match.h"
 
 namespace platon {
 namespace {
@@ -31,7 +31,7 @@ struct Gain {
   std::uint32_t jumps = 0;
 };
 
-Gain gainOf(VirtualMatch& match, std::size_t client, Moment duration) {
+Gain gainOf(SessionNetwork& match, std::size_t client, Moment duration) {
   const PredictionStatistics before = match.session(client).predictionStatistics();
   const std::uint32_t jumps = match.session(client).round()->clock().jumps();
   match.run(duration);
@@ -45,7 +45,7 @@ class ConstantDelay : public testing::TestWithParam<double> {};
 
 // Up to a round trip of 2 s.
 TEST_P(ConstantDelay, NeedsNoCorrection) {
-  VirtualMatch match({endlessLevel()}, kSeed);
+  SessionNetwork match({endlessLevel()}, kSeed);
   match.join(qualityOf(GetParam()), pressing(kSeed));
   match.join(qualityOf(20), pressing(kSeed + 1));
   match.run(seconds(12));
@@ -62,7 +62,7 @@ TEST_P(ConstantDelay, NeedsNoCorrection) {
 INSTANTIATE_TEST_SUITE_P(RoundTrips, ConstantDelay, testing::Values(0.0, 25.0, 100.0, 400.0, 1000.0));
 
 TEST(Session, StaysInLockstepUnderLossAndJitter) {
-  VirtualMatch match({endlessLevel()}, kSeed);
+  SessionNetwork match({endlessLevel()}, kSeed);
   LinkQuality quality = qualityOf(60, 40, 10);
   quality.duplicatePercent = 5;
   quality.reorderPercent = 5;
@@ -78,7 +78,7 @@ TEST(Session, StaysInLockstepUnderLossAndJitter) {
 }
 
 TEST(Session, ALateJoinerPlaysTheRunningRound) {
-  VirtualMatch match({endlessLevel()}, kSeed);
+  SessionNetwork match({endlessLevel()}, kSeed);
   match.join(qualityOf(30), pressing(kSeed));
   match.run(seconds(40));
   match.join(qualityOf(80), pressing(kSeed + 1));
@@ -91,7 +91,7 @@ TEST(Session, ALateJoinerPlaysTheRunningRound) {
 }
 
 TEST(Session, PlaysTheNextRound) {
-  VirtualMatch match({flatLevel(), cornerLevel()}, kSeed);
+  SessionNetwork match({flatLevel(), cornerLevel()}, kSeed);
   const Controls right = [](const Game&, std::uint32_t) { return Input{Input::kRight}; };
   match.join(qualityOf(40), right);
   match.join(qualityOf(10), right);
@@ -105,7 +105,7 @@ TEST(Session, PlaysTheNextRound) {
 }
 
 TEST(Session, SlowFramesCauseNoMissedInputs) {
-  VirtualMatch match({endlessLevel()}, kSeed);
+  SessionNetwork match({endlessLevel()}, kSeed);
   match.setFrame(milliseconds(100));
   match.join(qualityOf(20), pressing(kSeed));
   match.run(seconds(12));
@@ -116,7 +116,7 @@ TEST(Session, SlowFramesCauseNoMissedInputs) {
 
 // Single frames of half a second are no jitter of the connection.
 TEST(Session, AStallDoesNotIncreaseTheLead) {
-  VirtualMatch match({endlessLevel()}, kSeed);
+  SessionNetwork match({endlessLevel()}, kSeed);
   match.join(qualityOf(20), pressing(kSeed));
   match.run(seconds(12));
   const Round& round = *match.session(0).round();
@@ -132,7 +132,7 @@ TEST(Session, AStallDoesNotIncreaseTheLead) {
 }
 
 TEST(Session, KeepsTheRoster) {
-  VirtualMatch match({endlessLevel()}, kSeed);
+  SessionNetwork match({endlessLevel()}, kSeed);
   match.join(qualityOf(5), pressing(kSeed));
   match.join(qualityOf(5), pressing(kSeed));
   match.run(seconds(1));

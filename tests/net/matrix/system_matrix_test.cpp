@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "tests/support/pressing.h"
+#include "tests/support/session_network.h"
 #include "tests/support/test_level.h"
-#include "tests/support/virtual_match.h"
 
 namespace platon {
 namespace {
@@ -36,7 +36,7 @@ struct Counts {
   }
 };
 
-Counts countsOf(const VirtualMatch& match) {
+Counts countsOf(const SessionNetwork& match) {
   Counts counts;
   for (std::size_t player = 0; player < kPlayers; ++player) {
     const PredictionStatistics prediction = match.session(player).predictionStatistics();
@@ -68,7 +68,7 @@ class Matrix : public testing::TestWithParam<std::tuple<double, double, double>>
     return transitMs * kTicksPerSecond / 1000 + 2 + (quality().lossPercent > 0 ? 10 : 0);
   }
 
-  static void expectInLockstep(VirtualMatch& match) {
+  static void expectInLockstep(SessionNetwork& match) {
     for (std::size_t player = 0; player < kPlayers; ++player) {
       const Round* const round = match.session(player).round();
       ASSERT_NE(round, nullptr);
@@ -79,10 +79,10 @@ class Matrix : public testing::TestWithParam<std::tuple<double, double, double>>
   }
 };
 
-// Sixteen players under these conditions. VirtualMatch checks at every update that each confirmed game equals the
+// Sixteen players under these conditions. SessionNetwork checks at every update that each confirmed game equals the
 // server's.
 TEST_P(Matrix, InputsArriveInTimeAndGamesStayInLockstep) {
-  VirtualMatch match({endlessLevel()}, kSeed);
+  SessionNetwork match({endlessLevel()}, kSeed);
   for (std::size_t player = 0; player < kPlayers; ++player) {
     match.join(quality(), pressing(kSeed + player));
     match.run(milliseconds(60));

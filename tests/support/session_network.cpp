@@ -1,4 +1,4 @@
-#include "tests/support/virtual_match.h"
+#include "tests/support/session_network.h"
 
 #include <gtest/gtest.h>
 
@@ -17,11 +17,11 @@ SessionToken tokenOf(std::size_t client) {
 
 }  // namespace
 
-VirtualMatch::VirtualMatch(std::vector<std::shared_ptr<const Level>> levels, std::uint64_t seed,
-                           std::uint32_t maxPlayers)
+SessionNetwork::SessionNetwork(std::vector<std::shared_ptr<const Level>> levels, std::uint64_t seed,
+                               std::uint32_t maxPlayers)
     : VirtualNetwork(Match(LevelRotation(std::move(levels)), MatchSettings{maxPlayers, "test"}), seed) {}
 
-std::size_t VirtualMatch::join(const LinkQuality& quality, Controls controls) {
+std::size_t SessionNetwork::join(const LinkQuality& quality, Controls controls) {
   Session::Memory memory;
   memory.token = tokenOf(clients_.size());
   Client& client = *clients_.emplace_back(std::make_unique<Client>(*this, quality, std::move(controls)));
@@ -30,35 +30,35 @@ std::size_t VirtualMatch::join(const LinkQuality& quality, Controls controls) {
   return clients_.size() - 1;
 }
 
-void VirtualMatch::disconnect(std::size_t index, std::optional<Moment> detectedAfter) {
+void SessionNetwork::disconnect(std::size_t index, std::optional<Moment> detectedAfter) {
   Client& client = *clients_[index];
   client.session->connectionLost("connection lost");
   VirtualNetwork::disconnect(client.id, detectedAfter);
 }
 
-void VirtualMatch::resume(std::size_t index) {
+void SessionNetwork::resume(std::size_t index) {
   Client& client = *clients_[index];
   client.session.emplace("someone", now(), client.session->memory());
   client.id = connect(client, client.quality);
 }
 
-void VirtualMatch::run(Moment duration) {
+void SessionNetwork::run(Moment duration) {
   for (const Moment end = now() + duration; now() < end;) step(now() + kStep);
 }
 
-void VirtualMatch::Client::receive(std::vector<std::uint8_t> bytes, Moment now) {
+void SessionNetwork::Client::receive(std::vector<std::uint8_t> bytes, Moment now) {
   tamper(bytes);
   session->receive(bytes, now);
 }
 
-void VirtualMatch::Client::update(Moment now) {
+void SessionNetwork::Client::update(Moment now) {
   if (now < nextUpdate) return;
   nextUpdate = now + network.frame_;
   session->update(now, controls);
   if (checked) expectInLockstep();
 }
 
-void VirtualMatch::Client::expectInLockstep() const {
+void SessionNetwork::Client::expectInLockstep() const {
   ASSERT_FALSE(session->ending().has_value()) << session->ending()->reason;
   const Round* const round = session->round();
   if (round == nullptr) return;

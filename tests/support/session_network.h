@@ -15,11 +15,11 @@ namespace platon {
 
 /// A match and the sessions of its clients in a virtual network. Checks after each update of a client that its
 /// confirmed game equals the server's, except after the last tick of a round.
-class VirtualMatch : public VirtualNetwork {
+class SessionNetwork : public VirtualNetwork {
  public:
   using Tampering = std::function<void(std::vector<std::uint8_t>&)>;
 
-  VirtualMatch(std::vector<std::shared_ptr<const Level>> levels, std::uint64_t seed, std::uint32_t maxPlayers = 16);
+  SessionNetwork(std::vector<std::shared_ptr<const Level>> levels, std::uint64_t seed, std::uint32_t maxPlayers = 16);
 
   /// A client with these controls joins now. Returns its index.
   std::size_t join(const LinkQuality& quality, Controls controls);
@@ -44,7 +44,7 @@ class VirtualMatch : public VirtualNetwork {
 
  private:
   struct Client : VirtualClient {
-    Client(const VirtualMatch& owner, const LinkQuality& connection, Controls buttons)
+    Client(const SessionNetwork& owner, const LinkQuality& connection, Controls buttons)
         : network(owner), quality(connection), controls(std::move(buttons)) {}
 
     void receive(std::vector<std::uint8_t> bytes, Moment now) override;
@@ -52,7 +52,7 @@ class VirtualMatch : public VirtualNetwork {
     std::vector<OutgoingMessage> takeOutgoing() override { return session->takeOutgoing(); }
     void expectInLockstep() const;
 
-    const VirtualMatch& network;
+    const SessionNetwork& network;
     LinkQuality quality;
     Controls controls;
     ClientId id = 0;  // of the current connection
