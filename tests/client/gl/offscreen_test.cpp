@@ -1,20 +1,20 @@
 #include "client/gl/offscreen.h"
 
-#include <cstdlib>
-#include <stdexcept>
+#include <optional>
 #include <string>
 
 #include <GL/glew.h>
 #include <gtest/gtest.h>
 
 #include "client/gl/gl_loader.h"
+#include "tests/support/environment_variable.h"
 
 namespace platon {
 namespace {
 
 TEST(Offscreen, GivesAContextOfOpenGl33WithoutADisplay) {
-  unsetenv("DISPLAY");
-  unsetenv("WAYLAND_DISPLAY");
+  const EnvironmentVariable noX("DISPLAY", std::nullopt);
+  const EnvironmentVariable noWayland("WAYLAND_DISPLAY", std::nullopt);
   const Offscreen context;
   GLint major = 0;
   GLint minor = 0;

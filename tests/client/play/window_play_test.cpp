@@ -1,7 +1,6 @@
 #include "client/play/window_play.h"
 
 #include <cstddef>
-#include <cstdlib>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -15,6 +14,7 @@
 #include "client/time/steady_now.h"
 #include "tests/client/gl/desktop.h"
 #include "tests/client/gl/fake_gamepad.h"
+#include "tests/support/environment_variable.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 
@@ -39,7 +39,6 @@ struct Step {
 class WindowPlayTest : public testing::Test {
  protected:
   WindowPlayTest() {
-    setenv("XDG_CONFIG_HOME", folder_.path().c_str(), 1);
     options_.level = "levels/hexahedron/01_first_steps.level";
     options_.seconds = 60;  // a test that does not end by itself fails
   }
@@ -78,6 +77,7 @@ class WindowPlayTest : public testing::Test {
 
   ClientOptions options_;
   const TemporaryFolder folder_;
+  const EnvironmentVariable config_{"XDG_CONFIG_HOME", folder_.path()};
   bool stepsDone_ = false;
   bool timeIsUp_ = false;
 };
