@@ -34,6 +34,12 @@ class LoopbackServer {
     return false;
   }
 
+  /// Calls `update(now)` every 2 ms for `duration` of virtual time while the server is suspended.
+  template <class Update>
+  void suspend(Moment duration, Update update) {
+    for (const Moment end = now_ + duration; now_ < end; now_ += std::chrono::milliseconds(2)) update(now_);
+  }
+
  private:
   static constexpr const char* kLoopback = "127.0.0.1";
 

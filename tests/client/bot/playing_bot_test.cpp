@@ -24,15 +24,21 @@ class PlayingBots : public testing::Test {
       bots_.push_back(
           std::make_unique<PlayingBot>(server_.address(), "bot", quality, seed, server_.clock().now(), Moment{}));
     }
-    const auto update = [this](Moment now) {
-      for (const auto& bot : bots_) bot->update(now);
+    EXPECT_TRUE(
+        runUntilAll([](const Bot& bot) { return bot.closed() || bot.result().prediction.confirmedTicks >= kTicks; }));
+  }
+
+  void update(Moment now) {
+    for (const auto& bot : bots_) bot->update(now);
+  }
+
+  template <class Condition>
+  bool runUntilAll(Condition condition) {
+    const auto done = [&] {
+      return std::all_of(bots_.begin(), bots_.end(), [&](const auto& bot) { return condition(*bot); });
     };
-    const auto done = [this] {
-      return std::all_of(bots_.begin(), bots_.end(), [](const auto& bot) {
-        return bot->closed() || bot->result().prediction.confirmedTicks >= kTicks;
-      });
-    };
-    EXPECT_TRUE(server_.runUntil(seconds(20), update, done));
+    return server_.runUntil(
+        seconds(20), [this](Moment now) { update(now); }, done);
   }
 
   void expectLockstep() {
@@ -65,6 +71,13 @@ TEST_F(PlayingBots, StayInLockstepWithBurstLossAndLowBandwidth) {
   quality.burstLength = 5;
   quality.kilobytesPerSecond = 8;
   play(quality);
+  expectLockstep();
+}
+
+TEST_F(PlayingBots, CountTheirResumes) {
+  play(LinkQuality());
+  server_.suspend(Session::kTimeout + seconds(1), [this](Moment now) { update(now); });
+  EXPECT_TRUE(runUntilAll([](const Bot& bot) { return bot.result().resumes == 1; }));
   expectLockstep();
 }
 

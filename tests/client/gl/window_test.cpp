@@ -18,6 +18,8 @@
 #include "client/ui/input_mapper.h"
 #include "tests/client/gl/desktop.h"
 #include "tests/client/gl/fake_gamepad.h"
+#include "tests/support/environment_variable.h"
+#include "tests/support/wait_until.h"
 
 // Runs on a virtual display with a window manager (on_display.sh).
 namespace platon {
@@ -54,7 +56,7 @@ class WindowTest : public testing::Test {
 
   template <class Done>
   bool pollUntil(Done done) {
-    return updateUntil([this] { window_.poll(); }, done);
+    return stepUntil([this] { window_.poll(); }, done);
   }
   // Polls until there are `count` key events.
   Events pollEvents(std::size_t count) {
@@ -84,7 +86,7 @@ class WindowTest : public testing::Test {
       window_.show();
     };
     drawFrame();
-    EXPECT_TRUE(updateUntil(drawFrame, [&] { return shown == expected; }));
+    EXPECT_TRUE(stepUntil(drawFrame, [&] { return shown == expected; }));
     EXPECT_EQ(takeGlErrors(), "");
     EXPECT_EQ(expected.width, window_.pixelWidth());
     EXPECT_EQ(expected.height, window_.pixelHeight());
@@ -260,17 +262,13 @@ TEST_F(WindowTest, TheWindowManagerClosesTheWindow) {
 }
 
 TEST(Window, WithoutADisplayTheReasonIsStated) {
-  const char* const display = std::getenv("DISPLAY");
-  ASSERT_NE(display, nullptr) << "run this test by ctest";
-  const std::string saved = display;
-  unsetenv("DISPLAY");
+  const EnvironmentVariable noDisplay("DISPLAY", std::nullopt);
   try {
     const Window window("Platon", kWidth, kHeight);
     ADD_FAILURE() << "a window opened";
   } catch (const std::runtime_error& error) {
     EXPECT_EQ(std::string(error.what()).find("cannot open a window: "), 0U) << error.what();
   }
-  setenv("DISPLAY", saved.c_str(), 1);
 }
 
 }  // namespace

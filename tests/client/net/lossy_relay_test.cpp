@@ -9,9 +9,9 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <thread>
 
 #include "client/net/connection.h"
+#include "tests/support/wait_until.h"
 
 namespace platon {
 namespace {
@@ -40,21 +40,18 @@ class Socket {
     ASSERT_EQ(sendto(handle_, text.data(), text.size(), 0, reinterpret_cast<const sockaddr*>(&to), sizeof to),
               static_cast<ssize_t>(text.size()));
   }
-  // Waits up to 50 ms for a datagram.
-  std::optional<std::string> receive(std::uint16_t* sender = nullptr) {
+  // The next datagram, if one has arrived. Sets `senderPort()`.
+  std::optional<std::string> receive() {
     char buffer[256];
     sockaddr_in from{};
     socklen_t size = sizeof from;
-    for (int look = 0; look < 50; ++look) {
-      const ssize_t count = recvfrom(handle_, buffer, sizeof buffer, 0, reinterpret_cast<sockaddr*>(&from), &size);
-      if (count >= 0) {
-        if (sender != nullptr) *sender = ntohs(from.sin_port);
-        return std::string(buffer, static_cast<std::size_t>(count));
-      }
-      std::this_thread::sleep_for(milliseconds(1));
-    }
-    return std::nullopt;
+    const ssize_t count = recvfrom(handle_, buffer, sizeof buffer, 0, reinterpret_cast<sockaddr*>(&from), &size);
+    if (count < 0) return std::nullopt;
+    senderPort_ = ntohs(from.sin_port);
+    return std::string(buffer, static_cast<std::size_t>(count));
   }
+  // The port that the last datagram came from.
+  std::uint16_t senderPort() const { return senderPort_; }
 
  private:
   static sockaddr_in loopback(std::uint16_t port) {
@@ -67,40 +64,60 @@ class Socket {
 
   int handle_;
   std::uint16_t port_ = 0;
+  std::uint16_t senderPort_ = 0;
 };
 
-void pumpFor(LossyRelay& relay, Moment from, Moment until) {
-  for (Moment now = from; now <= until; now += milliseconds(1)) {
-    relay.pump(now);
-    std::this_thread::sleep_for(milliseconds(1));
-  }
-}
+class LossyRelayTest : public testing::Test {
+ protected:
+  void start(const LinkQuality& quality) { relay_.emplace(ServerAddress{"127.0.0.1", server_.port()}, quality, 1); }
+  void sendToRelay(Socket& from, const std::string& text) { from.send(text, relay_->address().port); }
+  void pump() { relay_->pump(now_ += milliseconds(1)); }
 
-TEST(LossyRelay, ForwardsDatagramsBothWaysWithDelay) {
-  Socket client, server;
+  // Pumps the relay until the socket receives a datagram.
+  std::optional<std::string> receive(Socket& socket) {
+    std::optional<std::string> datagram;
+    const auto step = [&] {
+      pump();
+      datagram = socket.receive();
+    };
+    stepUntil(step, [&] { return datagram.has_value(); });
+    return datagram;
+  }
+
+  // Expects that the relay has sent nothing more: a datagram sent to the socket directly is the next one.
+  void expectNothingMore(Socket& socket) {
+    Socket direct;
+    for (int ms = 0; ms < 100; ++ms) pump();
+    direct.send("direct", socket.port());
+    EXPECT_EQ(receive(socket), "direct");
+  }
+
+  Socket server_;
+  std::optional<LossyRelay> relay_;
+  Moment now_{};
+};
+
+TEST_F(LossyRelayTest, ForwardsDatagramsBothWaysWithDelay) {
+  Socket client;
   LinkQuality slow;
   slow.delayMs = 30;
-  LossyRelay relay({"127.0.0.1", server.port()}, slow, 1);
-  client.send("question", relay.address().port);
-  pumpFor(relay, milliseconds(0), milliseconds(10));
-  pumpFor(relay, milliseconds(11), milliseconds(45));
-  std::uint16_t relaysPort = 0;
-  ASSERT_EQ(server.receive(&relaysPort), "question");
-  server.send("answer", relaysPort);
-  pumpFor(relay, milliseconds(50), milliseconds(60));
-  EXPECT_EQ(client.receive(), std::nullopt);
-  pumpFor(relay, milliseconds(61), milliseconds(100));
-  EXPECT_EQ(client.receive(), "answer");
+  start(slow);
+  sendToRelay(client, "question");
+  ASSERT_EQ(receive(server_), "question");
+  EXPECT_GE(now_, milliseconds(30));
+  const Moment answered = now_;
+  server_.send("answer", server_.senderPort());
+  EXPECT_EQ(receive(client), "answer");
+  EXPECT_GE(now_ - answered, milliseconds(30));
 }
 
-TEST(LossyRelay, DropsEverythingAtFullLoss) {
-  Socket client, server;
+TEST_F(LossyRelayTest, DropsEverythingAtFullLoss) {
+  Socket client;
   LinkQuality lossy;
   lossy.lossPercent = 100;
-  LossyRelay relay({"localhost", server.port()}, lossy, 1);
-  client.send("question", relay.address().port);
-  pumpFor(relay, milliseconds(0), milliseconds(20));
-  EXPECT_EQ(server.receive(), std::nullopt);
+  start(lossy);
+  sendToRelay(client, "question");
+  expectNothingMore(server_);
 }
 
 template <class Call>
@@ -120,31 +137,26 @@ TEST(LossyRelay, ReportsAnUnknownHostLikeAConnection) {
 }
 
 // Behaves like a NAT router: the server sees a new address, and datagrams to the old one are lost.
-TEST(LossyRelay, AClientOnANewPortGetsANewPortTowardsTheServer) {
-  Socket server, before, after;
+TEST_F(LossyRelayTest, AClientOnANewPortGetsANewPortTowardsTheServer) {
+  Socket before, after;
   LinkQuality quality;
   quality.delayMs = 50;
-  LossyRelay relay({"127.0.0.1", server.port()}, quality, 1);
-  const auto pass = [&relay](int fromMs) {
-    for (int ms = fromMs; ms < fromMs + 60; ++ms) relay.pump(milliseconds(ms));
-  };
-  std::uint16_t first = 0, second = 0;
-  before.send("one", relay.address().port);
-  pass(0);
-  ASSERT_EQ(server.receive(&first), "one");
-  server.send("to the first", first);
-  before.send("too late", relay.address().port);
-  relay.pump(milliseconds(100));
-  after.send("two", relay.address().port);
-  pass(100);
-  ASSERT_EQ(server.receive(&second), "two");
+  start(quality);
+  sendToRelay(before, "one");
+  ASSERT_EQ(receive(server_), "one");
+  const std::uint16_t first = server_.senderPort();
+  server_.send("to the first", first);
+  sendToRelay(before, "too late");
+  pump();
+  sendToRelay(after, "two");
+  ASSERT_EQ(receive(server_), "two");
+  const std::uint16_t second = server_.senderPort();
   EXPECT_NE(first, second);
-  server.send("to the first again", first);
-  server.send("to the second", second);
-  pass(200);
-  EXPECT_EQ(after.receive(), "to the second");
-  EXPECT_FALSE(after.receive().has_value());
-  EXPECT_FALSE(before.receive().has_value());
+  server_.send("to the first again", first);
+  server_.send("to the second", second);
+  EXPECT_EQ(receive(after), "to the second");
+  expectNothingMore(after);
+  expectNothingMore(before);
 }
 
 }  // namespace

@@ -1,15 +1,14 @@
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "tests/support/process.h"
 #include "tests/support/server_fixture.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/wait_until.h"
 
 namespace platon {
 namespace {
@@ -39,10 +38,11 @@ class Recordings : public ServerTest {
 TEST_F(Recordings, AreCompleteWhenTheServerIsStopped) {
   letBotsPlay();
   Process late(platonCommand("platon-bot", {address(), "--count", "1", "--seconds", "20"}));
-  std::this_thread::sleep_for(std::chrono::seconds(2));
+  // One of the first bots, one of the later one.
+  EXPECT_TRUE(waitUntil([this] { return files().size() == 2; }));
   stopServer();
   const std::vector<std::string> found = files();
-  EXPECT_EQ(found.size(), 2u);  // one of the first bots, one of the later one
+  EXPECT_EQ(found.size(), 2u);
   for (const std::string& file : found) {
     Process verify(platonCommand("platon-sim", {"verify", file}));
     EXPECT_EQ(verify.wait(), 0) << verify.errors();
@@ -54,11 +54,12 @@ TEST_F(Recordings, AreCompleteWhenTheServerIsStopped) {
 TEST_F(Recordings, AreValidUpToTheTickAtWhichTheServerWasKilled) {
   startServer({"--record", folder_.string()});
   Process bots(platonCommand("platon-bot", {address(), "--count", "3", "--seconds", "20", "--seed", "5"}));
-  std::this_thread::sleep_for(std::chrono::seconds(4));
+  ASSERT_TRUE(waitUntil([this] { return files().size() == 1; }));
+  const std::vector<std::string> found = files();
+  const std::uintmax_t size = fs::file_size(found[0]);
+  ASSERT_TRUE(waitUntil([&] { return fs::file_size(found[0]) > size; }));
   server().signal(SIGKILL);
   EXPECT_EQ(server().wait(), 128 + SIGKILL);
-  const std::vector<std::string> found = files();
-  ASSERT_EQ(found.size(), 1u);
   Process verify(platonCommand("platon-sim", {"verify", found[0]}));
   EXPECT_EQ(verify.wait(), 3) << verify.errors();
   EXPECT_NE(verify.errors().find("the recording is truncated"), std::string::npos) << verify.errors();

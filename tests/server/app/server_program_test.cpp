@@ -1,18 +1,15 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
-#include <thread>
-
 #include "tests/support/enet_client.h"
 #include "tests/support/files.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test_levels.h"
+#include "tests/support/wait_until.h"
 
 namespace platon {
 namespace {
-
-using namespace std::chrono_literals;
 
 /// A level file for one test.
 class ProgramTest : public testing::Test {
@@ -39,11 +36,10 @@ TEST_F(ProgramTest, ListensAndTellsTheClientsWhenStopped) {
     const std::string line = server.nextErrorLine();
     ASSERT_TRUE(line.starts_with("listening on 127.0.0.1:")) << line;
     EnetClient ann(portOf(line), FakeClient("Ann", 8, [](std::uint32_t) { return 0; }));
-    for (int i = 0; i < 1000 && ann.fake().confirmed() < 10; ++i, std::this_thread::sleep_for(4ms)) ann.step();
-    EXPECT_GE(ann.fake().confirmed(), 10u);
+    const auto step = [&ann] { ann.step(); };
+    EXPECT_TRUE(stepUntil(step, [&ann] { return ann.fake().confirmed() >= 10; }));
     server.signal(number);
-    for (int i = 0; i < 500 && !ann.disconnected(); ++i, std::this_thread::sleep_for(4ms)) ann.step();
-    EXPECT_TRUE(ann.fake().bye());
+    EXPECT_TRUE(stepUntil(step, [&ann] { return ann.fake().bye().has_value(); }));
     EXPECT_EQ(server.wait(), 0);
     EXPECT_TRUE(lastLine(server).starts_with("tick times ticks="));
   }

@@ -7,18 +7,16 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
-#include <thread>
 
 #include "tests/support/enet_client.h"
 #include "tests/support/files.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test_levels.h"
+#include "tests/support/wait_until.h"
 
 namespace platon {
 namespace {
-
-using namespace std::chrono_literals;
 
 /// platon-server with a named pipe as standard error. The test decides whether it is read.
 class UnreadLogTest : public testing::Test {
@@ -60,12 +58,7 @@ class UnreadLogTest : public testing::Test {
 
   void expectPlays(std::uint32_t ticks) {
     const std::uint32_t end = client_->fake().confirmed() + ticks;
-    const auto limit = std::chrono::steady_clock::now() + 20s;
-    while (client_->fake().confirmed() < end && std::chrono::steady_clock::now() < limit) {
-      client_->step();
-      std::this_thread::sleep_for(4ms);
-    }
-    EXPECT_GE(client_->fake().confirmed(), end);
+    EXPECT_TRUE(stepUntil([this] { client_->step(); }, [&] { return client_->fake().confirmed() >= end; }));
   }
 
   void expectStops() {

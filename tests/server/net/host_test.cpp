@@ -2,11 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <functional>
-#include <thread>
-
 #include "tests/support/enet_client.h"
 #include "tests/support/raw_datagram.h"
+#include "tests/support/wait_until.h"
 
 namespace platon {
 namespace {
@@ -30,15 +28,15 @@ class HostTest : public testing::Test {
  protected:
   HostTest() : host_({"127.0.0.1", 0, 4, 4}, steadyNow()), client_(host_.port(), std::nullopt) {}
 
-  // Serves both until `done`, for at most 4 s.
-  bool run(const std::function<bool()>& done) {
-    for (const TimePoint end = steadyNow() + 4s; steadyNow() < end; std::this_thread::sleep_for(2ms)) {
+  // Serves both until `done`, for at most 20 s.
+  template <class Done>
+  bool run(Done done) {
+    const auto step = [this] {
       client_.step();
       for (HostEvent& event : host_.service(steadyNow())) events_.push_back(std::move(event));
       host_.flush(steadyNow());
-      if (done()) return true;
-    }
-    return false;
+    };
+    return stepUntil(step, done);
   }
 
   // Connects the client and sends a message, so that its number becomes known.
