@@ -53,7 +53,7 @@ std::optional<Place> reach(const Convex& probe, const Geometry& geometry, std::u
   if (!isFree(probe, part, from, to)) return std::nullopt;
   const Warp* const warp = warpBehind(part, to);
   if (warp == nullptr) return Place{face, to};
-  const auto beyond = [warp](Point point) { return warp->onto.a + rotate(point - warp->from.a, warp->turn); };
+  const auto beyond = [warp](Point point) { return rounded(warp->map(precise(point))); };
   const MapGeometry& next = *geometry.find(warp->target);
   if (!isFree(probe, next, beyond(from), beyond(to)) || warpBehind(next, beyond(to)) != nullptr) return std::nullopt;
   return Place{warp->target, beyond(to)};

@@ -22,7 +22,7 @@ double distanceToLine(Point point, const Segment& line) {
 }
 
 // A point of the line `from` of a warp, in the frame of the part behind it.
-Point through(const Warp& warp, Point point) { return warp.onto.a + rotate(point - warp.from.a, warp.turn); }
+Point through(const Warp& warp, Point point) { return rounded(warp.map(precise(point))); }
 
 TEST(StageTest, CutsAre32To57SubunitsFromTheirCorner) {
   for (const SolidKind kind : kKinds) {
