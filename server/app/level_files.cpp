@@ -17,6 +17,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Most errors and warnings reported of one file: a file with thousands would flood the log.
+constexpr std::size_t kMaxDiagnosticsPerFile = 100;
+
 // Reads at most one byte more than a level may have: enough for loadLevel to refuse it.
 std::string readFile(const std::string& path) {
   const auto close = [](std::FILE* file) { std::fclose(file); };
@@ -44,22 +47,35 @@ std::vector<std::string> levelFilesIn(const fs::path& folder) {
   return files;
 }
 
+void report(const std::string& path, std::vector<Diagnostic> diagnostics, std::vector<std::string>& lines) {
+  const std::size_t reported = std::min(diagnostics.size(), kMaxDiagnosticsPerFile);
+  const std::size_t dropped = diagnostics.size() - reported;
+  // Drops warnings before errors.
+  if (dropped > 0)
+    std::stable_partition(diagnostics.begin(), diagnostics.end(), [](const auto& one) { return one.error; });
+  for (std::size_t i = 0; i < reported; ++i) lines.push_back(format(path, diagnostics[i]));
+  if (dropped == 0) return;
+  lines.push_back(path + ": " + std::to_string(dropped) + " more errors and warnings: platon-level check lists all");
+}
+
+std::string joined(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += (text.empty() ? "" : "\n") + line;
+  return text;
+}
+
 }  // namespace
 
 LoadedLevels loadLevelFiles(const std::vector<std::string>& paths) {
   LoadedLevels loaded;
-  std::string all;
   bool valid = true;
   for (const std::string& path : paths) {
     const LevelResult result = loadLevel(readFile(path));
-    for (const Diagnostic& diagnostic : result.diagnostics) {
-      loaded.warnings.push_back(format(path, diagnostic));
-      all += (all.empty() ? "" : "\n") + loaded.warnings.back();
-    }
+    report(path, result.diagnostics, loaded.warnings);
     valid = valid && result.level;
     loaded.levels.push_back(result.level);
   }
-  if (!valid) throw ProgramError(ProgramError::kLevel, all);
+  if (!valid) throw ProgramError(ProgramError::kLevel, joined(loaded.warnings));
   return loaded;
 }
 

@@ -13,8 +13,9 @@ struct LoadedLevels {
   std::vector<std::string> warnings;
 };
 
-/// Reads levels, in order. Throws ProgramError: kUsage if a file cannot be read, kLevel with the errors and warnings
-/// of all files if a level is invalid.
+/// Reads levels, in order. Throws ProgramError: kUsage when a file cannot be read, kLevel with the errors and warnings
+/// of all files when a level is invalid. Of each file at most 100 errors and warnings are reported, and how many more
+/// there are.
 LoadedLevels loadLevelFiles(const std::vector<std::string>& paths);
 
 /// Files of the levels that come with the game, in order. They lie beside the installed program or in the source tree

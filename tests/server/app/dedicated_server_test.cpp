@@ -152,7 +152,7 @@ TEST_F(DedicatedServerTest, ConnectionsThatDoNotJoinInTimeExpire) {
   silent.step();  // completes the handshake
   // Datagrams arrive in order: with this one, the server has all datagrams before it.
   attacker.send(Bytes{0});
-  EXPECT_TRUE(run([&] { return server_->hostCounters().brokenDatagrams == 1; }));
+  EXPECT_TRUE(run([&] { return server_->hostCounters().invalidDatagrams == 1; }));
   EXPECT_EQ(server_->hostCounters().expired, 0u);
   const TimePoint connected = steadyNow();
   TimePoint now = connected + 2s;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "protocol/program_error.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
@@ -48,6 +50,17 @@ TEST_F(LevelFilesTest, ErrorsOfAllFilesAreReported) {
   const std::string error = errorOf({good, bad, worse});
   EXPECT_TRUE(error.starts_with("3 " + bad + ":2:7: error: ")) << error;
   EXPECT_NE(error.find("\n" + worse + ":1:1: error: "), std::string::npos) << error;
+}
+
+TEST_F(LevelFilesTest, AtMostAHundredErrorsOfAFileAreReported) {
+  std::string text = farGoalText();
+  for (int i = 0; i < 250; ++i) text += "0 0 0 0\n";  // a warning each
+  for (int i = 0; i < 150; ++i) text += "x\n";        // at least an error each
+  const std::string bad = write("bad.level", text);
+  const std::string errors = errorOf({bad});
+  EXPECT_EQ(std::count(errors.begin(), errors.end(), '\n'), 100);
+  EXPECT_EQ(errors.find(": warning: "), std::string::npos) << errors;
+  EXPECT_TRUE(errors.ends_with(" more errors and warnings: platon-level check lists all")) << errors;
 }
 
 TEST_F(LevelFilesTest, AFileThatCannotBeReadIsAUsageError) {
