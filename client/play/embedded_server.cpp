@@ -40,7 +40,8 @@ Log silentLog() {
 
 struct EmbeddedServer::Running {
   explicit Running(std::vector<LevelPointer> levels)
-      : server(settings(), std::move(levels), silentLog()), thread([this] { server.run(stop); }) {}
+      : server(settings(), std::move(levels), silentLog()),
+        thread([this] { server.run([this] { return stop.load(); }); }) {}
   ~Running() {
     stop = true;
     thread.join();

@@ -142,8 +142,8 @@ void DedicatedServer::wait() const {
   std::this_thread::sleep_for(kMinIdleWait);
 }
 
-void DedicatedServer::run(const std::atomic<bool>& stopRequested) {
-  while (!stopRequested) {
+void DedicatedServer::run(const std::function<bool()>& stopRequested) {
+  while (!stopRequested()) {
     step(steadyNow());
     wait();
   }

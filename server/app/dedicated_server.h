@@ -1,7 +1,7 @@
 #pragma once
 
-#include <atomic>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,10 +30,8 @@ class DedicatedServer {
 
   /// Receives messages, runs one tick if it is due, and sends messages.
   void step(TimePoint now);
-  /// Sleeps until the next tick is due or, without players, until a datagram or a signal arrives or 250 ms have passed.
-  void wait() const;
-  /// Steps and waits until `stopRequested` becomes true, then stops.
-  void run(const std::atomic<bool>& stopRequested);
+  /// Steps at the times that are due until `stopRequested`, which is called before each step, returns true; then stops.
+  void run(const std::function<bool()>& stopRequested);
   /// Tells all clients the reason, waits at most half a second for their acknowledgements, and logs the tick times.
   void stop(const std::string& reason);
 
@@ -52,6 +50,8 @@ class DedicatedServer {
   const TickTimes& tickTimes() const { return tickTimes_; }
 
  private:
+  // Sleeps until the next tick is due or, without players, until a datagram or a signal arrives or 250 ms have passed.
+  void wait() const;
   void receive(TimePoint now);
   void handle(const HostEvent& event, TimePoint now);
   void send(TimePoint now);

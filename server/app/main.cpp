@@ -72,16 +72,14 @@ int serve(int argc, char** argv) {
   onSignal(SIGINT, [](int) { stopRequested = 1; });
   onSignal(SIGHUP, [](int) { reloadRequested = 1; });
   server.log().info("listening on " + options->bind + ":" + std::to_string(server.port()));
-  while (stopRequested == 0) {
+  server.run([&] {
     if (reloadRequested != 0) {
       reloadRequested = 0;
       reload(server, *options, argc, argv);
     }
     if (const std::uint64_t lines = errors.takeDropped()) server.log().warning("log lines dropped", {{"lines", lines}});
-    server.step(std::chrono::steady_clock::now());
-    server.wait();
-  }
-  server.stop("the server stops");
+    return stopRequested != 0;
+  });
   return 0;
 }
 
