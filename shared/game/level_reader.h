@@ -77,7 +77,6 @@ class LevelReader {
 
   Field faceField() const;
   void reportMissingHeader(TextPosition at);
-  void prepareFaces();
   void checkInside(std::optional<LevelPlace>& place, std::string_view what);
   void warnOfDuplicates();
   void finish();

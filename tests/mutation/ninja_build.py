@@ -4,7 +4,6 @@ import os
 import shlex
 import subprocess
 from functools import cached_property
-from pathlib import Path
 
 
 class BuildError(Exception):

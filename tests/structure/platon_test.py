@@ -1,7 +1,6 @@
 #!/usr/bin/env python3
 """Tests the script ./platon with stand-ins for cmake, ctest and the package manager, which record how they are called."""
 
-import os
 import re
 import shutil
 import subprocess
@@ -120,7 +119,7 @@ class Packages(Script):
         (self.folder / "cmake").unlink()
         code, output, called = self.run_platon("test")
         self.assertEqual((code, called), (1, []))
-        self.assertRegex(output, "^platon: install these and try again: .*tool cmake, .*tool xvfb-run.*\n$")
+        self.assertRegex(output, "^platon: install these and try again: .*tool cmake, .*tool Xvfb.*\n$")
 
 
 class Tests(Script):

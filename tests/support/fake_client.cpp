@@ -108,7 +108,6 @@ void FakeClient::handle(const StateChunk& message) {
 }
 
 void FakeClient::handle(const ConfirmedTicks& message) {
-  if (message.link) linkReport_ = message.link;
   if (message.link && message.link->slack) slack_ = message.link->slack;
   const std::uint32_t end = message.from + message.count;
   if (!game_ || message.round != round_ || confirmed_ < message.from || confirmed_ >= end) return;

@@ -50,8 +50,6 @@ class FakeClient : public VirtualClient {
   std::uint32_t desyncs() const { return desyncs_; }
   std::uint32_t states() const { return states_; }
   std::uint32_t levels() const { return levels_; }
-  /// The last link report.
-  const std::optional<LinkReport>& linkReport() const { return linkReport_; }
   /// The slack of the last link report that had one.
   const std::optional<SlackReport>& slack() const { return slack_; }
 
@@ -86,7 +84,6 @@ class FakeClient : public VirtualClient {
   std::optional<Refused> refused_;
   std::optional<Bye> bye_;
   std::optional<RoundEnd> roundEnd_;
-  std::optional<LinkReport> linkReport_;
   std::optional<SlackReport> slack_;
   std::map<std::uint32_t, std::string> roster_;
   std::uint32_t round_ = 0;

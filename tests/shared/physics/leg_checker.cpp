@@ -37,7 +37,6 @@ const InstanceView* find(std::span<const InstanceView> all, std::uint16_t id) {
 
 void LegChecker::leg(std::uint32_t entity, std::span<const InstanceView> instances) {
   ++legs_;
-  maxInstances_ = std::max(maxInstances_, instances.size());
   std::map<std::pair<std::uint32_t, std::uint16_t>, Known> now;
   for (const InstanceView& view : instances) {
     const Convex& shape = shapeOf(entity, view.angle);
@@ -96,7 +95,6 @@ void LegChecker::checkPlace(std::uint32_t entity, const InstanceView& view, std:
   Real ideal{static_cast<long double>(at->position.x), static_cast<long double>(at->position.y)};
   for (auto warp = chain.rbegin(); warp != chain.rend(); ++warp) ideal = through(**warp, ideal);
   const auto error = static_cast<double>(std::hypot(ideal.x - view.position.x, ideal.y - view.position.y));
-  worstError_ = std::max(worstError_, error);
   if (error > 4) fault(entity, view, "is " + std::to_string(error) + " from its true place");
 }
 

@@ -26,9 +26,6 @@ class LegChecker : public StepObserver {
 
   /// The violations found, one per line, limited to about 2000 characters. Empty when there are none.
   const std::string& faults() const { return faults_; }
-  /// Largest distance of an instance from its exact position, in subunits.
-  double worstError() const { return worstError_; }
-  std::size_t maxInstances() const { return maxInstances_; }
   std::uint64_t legs() const { return legs_; }
 
  private:
@@ -48,8 +45,6 @@ class LegChecker : public StepObserver {
   std::map<std::pair<std::uint32_t, std::uint16_t>, Known> last_;  // by entity and instance
   std::map<std::pair<const Convex*, std::int32_t>, Convex> shapes_;
   std::string faults_;
-  double worstError_ = 0;
-  std::size_t maxInstances_ = 0;
   std::uint64_t legs_ = 0;
 };
 

@@ -31,7 +31,6 @@ class TraceReport {
   void notePlacementError(long double error);
 
   bool clean() const { return violations_ == 0; }
-  std::int64_t violations() const { return violations_; }
   /// The first 20 violations, one line each.
   const std::vector<std::string>& messages() const { return messages_; }
   /// Names of the violated rules.
