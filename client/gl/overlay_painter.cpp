@@ -9,16 +9,10 @@
 namespace platon {
 
 OverlayPainter::OverlayPainter() : program_("", shaders::kPanelVertex, shaders::kPanelFragment) {
-  glBindVertexArray(array_.name());
-  glBindBuffer(GL_ARRAY_BUFFER, buffer_.name());
-  const auto attribute = [](GLuint index, GLint size, std::size_t offset) {
-    glEnableVertexAttribArray(index);
-    glVertexAttribPointer(index, size, GL_FLOAT, GL_FALSE, sizeof(Vertex), bufferOffset(offset));
-  };
-  attribute(0, 2, offsetof(Vertex, place));
-  attribute(1, 2, offsetof(Vertex, fromMiddle));
-  attribute(2, 3, offsetof(Vertex, form));
-  attribute(3, 4, offsetof(Vertex, colour));
+  stream_.attribute(0, 2, offsetof(Vertex, place));
+  stream_.attribute(1, 2, offsetof(Vertex, fromMiddle));
+  stream_.attribute(2, 3, offsetof(Vertex, form));
+  stream_.attribute(3, 4, offsetof(Vertex, colour));
 }
 
 void OverlayPainter::draw(const Overlay& overlay, float aspect, TextPainter& text) {
@@ -47,11 +41,7 @@ void OverlayPainter::drawPanels(const Overlay& overlay, const glm::mat4& toClip)
   if (vertices_.empty()) return;
   program_.use();
   program_.set("toClip", toClip);
-  glBindVertexArray(array_.name());
-  glBindBuffer(GL_ARRAY_BUFFER, buffer_.name());
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices_.size() * sizeof(Vertex)), vertices_.data(),
-               GL_STREAM_DRAW);
-  glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(vertices_.size()));
+  stream_.drawTriangles(vertices_);
 }
 
 }  // namespace platon

@@ -6,9 +6,9 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include "client/gl/gl_handle.h"
 #include "client/gl/shader_program.h"
 #include "client/gl/text_painter.h"
+#include "client/gl/vertex_stream.h"
 #include "client/ui/overlay.h"
 
 namespace platon {
@@ -33,8 +33,7 @@ class OverlayPainter {
   void drawPanels(const Overlay& overlay, const glm::mat4& toClip);
 
   ShaderProgram program_;
-  GlVertexArray array_;
-  GlBuffer buffer_;
+  VertexStream<Vertex> stream_;
   std::vector<Vertex> vertices_;
 };
 

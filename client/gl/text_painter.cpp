@@ -8,15 +8,9 @@
 namespace platon {
 
 TextPainter::TextPainter(const Font& font) : atlas_(font), program_("", shaders::kTextVertex, shaders::kTextFragment) {
-  glBindVertexArray(array_.name());
-  glBindBuffer(GL_ARRAY_BUFFER, buffer_.name());
-  const auto attribute = [](GLuint index, GLint size, std::size_t offset) {
-    glEnableVertexAttribArray(index);
-    glVertexAttribPointer(index, size, GL_FLOAT, GL_FALSE, sizeof(Vertex), bufferOffset(offset));
-  };
-  attribute(0, 2, offsetof(Vertex, place));
-  attribute(1, 2, offsetof(Vertex, texel));
-  attribute(2, 4, offsetof(Vertex, colour));
+  stream_.attribute(0, 2, offsetof(Vertex, place));
+  stream_.attribute(1, 2, offsetof(Vertex, texel));
+  stream_.attribute(2, 4, offsetof(Vertex, colour));
 }
 
 void TextPainter::add(std::string_view utf8, glm::vec2 origin, glm::vec2 along, glm::vec2 up, glm::vec4 colour) {
@@ -66,11 +60,7 @@ void TextPainter::addVertices(const PlacedGlyph& glyph, const GlyphAtlas::Entry&
 void TextPainter::drawVertices() {
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, atlas_.texture());
-  glBindVertexArray(array_.name());
-  glBindBuffer(GL_ARRAY_BUFFER, buffer_.name());
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices_.size() * sizeof(Vertex)), vertices_.data(),
-               GL_STREAM_DRAW);
-  glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(vertices_.size()));
+  stream_.drawTriangles(vertices_);
   vertices_.clear();
 }
 

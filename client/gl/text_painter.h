@@ -7,9 +7,9 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
-#include "client/gl/gl_handle.h"
 #include "client/gl/glyph_atlas.h"
 #include "client/gl/shader_program.h"
+#include "client/gl/vertex_stream.h"
 
 namespace platon {
 
@@ -45,8 +45,7 @@ class TextPainter {
 
   GlyphAtlas atlas_;
   ShaderProgram program_;
-  GlVertexArray array_;
-  GlBuffer buffer_;
+  VertexStream<Vertex> stream_;
   std::vector<PlacedGlyph> glyphs_;  // added since the last flush
   std::vector<Vertex> vertices_;     // of glyphs_ that are in the atlas
 };
