@@ -27,8 +27,8 @@ TEST(Assembly, AChunkOutOfOrderDiscardsAllChunks) {
   const auto discarded = [](std::uint32_t total, std::uint32_t offset, const Bytes& chunk) {
     Assembly assembly;
     assembly.add(4, 0, Bytes{1, 2});
-    const bool done = assembly.add(total, offset, chunk) || assembly.add(4, 2, Bytes{3, 4});
-    return !done && assembly.bytes().empty();
+    if (assembly.add(total, offset, chunk) || !assembly.bytes().empty()) return false;
+    return !assembly.add(4, 2, Bytes{3, 4}) && assembly.bytes().empty();
   };
   EXPECT_TRUE(discarded(4, 3, {4}));
   EXPECT_TRUE(discarded(4, 1, {2}));

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 
 #include "tests/protocol/sample_messages.h"
 
@@ -76,6 +77,23 @@ TEST(ToClient, RefusesALossAboveHundredPerCent) {
   EXPECT_TRUE(decodeToClient(bytes));
   *lost = 101;
   EXPECT_FALSE(decodeToClient(bytes));
+}
+
+// Changes the encoded slack, since `encode` asserts the range. It is a varint: 2 + 2 |slack|, or 1 + 2 |slack| when
+// negative.
+TEST(ToClient, RefusesASlackOutOfRange) {
+  for (const std::int32_t slack : {kMaxSlack, -kMaxSlack}) {
+    std::vector<std::uint8_t> bytes =
+        encode(ConfirmedTicks{3, 300, 8, 0, LinkReport{1, 0, SlackReport{300, slack}}, {}});
+    const int number = slack > 0 ? 2002 : 2001;
+    const std::array<std::uint8_t, 2> varint = {static_cast<std::uint8_t>(number % 128 + 128),
+                                                static_cast<std::uint8_t>(number / 128)};
+    const auto found = std::search(bytes.begin(), bytes.end(), varint.begin(), varint.end());
+    ASSERT_NE(found, bytes.end());
+    EXPECT_TRUE(decodeToClient(bytes));
+    *found = static_cast<std::uint8_t>(*found + 2);  // one more in the same direction
+    EXPECT_FALSE(decodeToClient(bytes)) << slack;
+  }
 }
 
 TEST(ToClient, RefusesChunksBeyondTheirTotal) {

@@ -67,6 +67,15 @@ TEST(ToServer, RefusesMessagesAboveTheLargestSize) {
   EXPECT_FALSE(decodeToServer(bytes));
 }
 
+TEST(ToServer, RefusesInputsBeyondTheLargestTick) {
+  const auto refused = [](std::size_t inputs) {
+    constexpr std::uint32_t kFirst = UINT32_MAX - 3;
+    return !decodeToServer(encode(PlayerInputs{3, 1, kFirst, 0, kFirst, std::vector<Input>(inputs, pressing(2))}));
+  };
+  EXPECT_FALSE(refused(3));
+  EXPECT_TRUE(refused(4));
+}
+
 TEST(ToServer, HeldInputsTakeOneRun) {
   PlayerInputs held{3, 1, 5000, 0x01020304, 5000, std::vector<Input>(12, pressing(2))};
   EXPECT_LE(encode(held).size(), 36u);
