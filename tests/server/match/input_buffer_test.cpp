@@ -41,6 +41,13 @@ TEST(InputBuffer, IgnoresInputsForDecidedKnownAndFarTicks) {
   EXPECT_FALSE(buffer.add(5, pressing(2)));
 }
 
+// Its place in the buffer is that of the next tick, which is still free.
+TEST(InputBuffer, AnInputBeyondTheWindowIsNotThatOfTheNextTick) {
+  InputBuffer buffer(5);
+  EXPECT_FALSE(buffer.add(5 + InputBuffer::kWindow, pressing(4)));
+  EXPECT_EQ(buffer.decide(), Input{});
+}
+
 // Compares the buffer with an unbounded table, on inputs in random order. A tick without input repeats the one before.
 TEST(InputBuffer, DecidesEachTickByItsFirstInputInTime) {
   constexpr std::uint64_t seed = 7;

@@ -41,5 +41,14 @@ TEST(LevelRotation, ReplacingKeepsTheCurrentLevel) {
   EXPECT_EQ(rotation.find(far->hash), nullptr);
 }
 
+TEST(LevelRotation, ReplacingStartsWithTheFirstNewLevel) {
+  const LevelPointer far = levelOf(farGoalText());
+  const LevelPointer near = levelOf(nearGoalText());
+  LevelRotation rotation({far, far});
+  EXPECT_EQ(rotation.next(), far);
+  rotation.replace({near, far});
+  EXPECT_EQ(rotation.next(), near);
+}
+
 }  // namespace
 }  // namespace platon

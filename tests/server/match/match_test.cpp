@@ -283,6 +283,19 @@ TEST(Match, TheNextRoundIsPlayedOnTheNextLevel) {
   EXPECT_EQ(network.count(Kind::kDesync), 0u);
 }
 
+TEST(Match, TheNextRoundStartsFiveSecondsAfterTheEnd) {
+  VirtualNetwork network(matchOn(nearGoalText()), {});
+  network.add(player("Ann"));
+  for (int tick = 0; network.count(Kind::kRoundEnd) == 0; ++tick) {
+    ASSERT_LT(tick, 60);
+    network.run(1);
+  }
+  network.run(Match::kPauseTicks - 1);
+  EXPECT_EQ(network.match().round(), 1u);
+  network.run(1);
+  EXPECT_EQ(network.match().round(), 2u);
+}
+
 TEST(Match, WithoutPlayersTheGameIsPausedAndTheNextPlayerStartsANewRound) {
   FakeClientNetwork network(matchOn(farGoalText()));
   network.add(player("Ann"));
