@@ -125,6 +125,8 @@ TEST_F(InterpolationBufferTest, StopsAtTheNewestTickAndCatchesUpBySlewing) {
   play(600);
   pass(6);  // five ticks are late: less than one in a hundred
   EXPECT_EQ(buffer_.tick(), buffer_.newest());
+  EXPECT_EQ(buffer_.players().fraction, 1);
+  EXPECT_EQ(buffer_.players().at(0).now.position.x, xs_.back());
   receive(6);
   const double missing = 6 - kPerfectDelay;
   EXPECT_NEAR(buffer_.error(), -missing, 1e-2);
@@ -178,6 +180,13 @@ TEST_F(InterpolationBufferTest, RestartDiscardsAllTicks) {
   pass(1);
   EXPECT_NEAR(buffer_.tick(), start + 1 - InterpolationBuffer::kMaxSlew, 1e-3);
   EXPECT_EQ(buffer_.jumps(), 1u);
+}
+
+TEST_F(InterpolationBufferTest, TicksThatARestartHeldBackAreNotMeasured) {
+  receive(20);
+  play(100);
+  EXPECT_NEAR(buffer_.targetDelay(), kPerfectDelay, 1e-2);
+  EXPECT_EQ(buffer_.jumps(), 0u);
 }
 
 TEST_F(InterpolationBufferTest, ArrivedWithoutNewTicksMeasuresNothing) {

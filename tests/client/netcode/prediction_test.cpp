@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
 #include <random>
 #include <vector>
 
@@ -75,9 +76,14 @@ TEST(Prediction, NeedsNoCorrectionWhenInputsArriveInTime) {
   EXPECT_EQ(prediction.smoothing(kNow), Point());
 }
 
+// A level whose start is rotated by a quarter turn, so that the player falls in the direction of x.
+std::shared_ptr<const Level> rotatedLevel() {
+  return loadLevel("HEXAHEDRON\n0 150 0 90\n1 0 0\n480\n%\n200 -240 200 240\n%\n%\n%\n%\n%\n").level;
+}
+
 // Predicts ten ticks of running right; the server decides that nothing was pressed in the first one.
-Prediction corrected() {
-  Prediction prediction(Game(flatLevel()), kLocal);
+Prediction corrected(const std::shared_ptr<const Level>& level = flatLevel()) {
+  Prediction prediction(Game(level), kLocal);
   const Inputs standing = {Input{}, present(0)};
   for (int tick = 0; tick < 60; ++tick) prediction.confirm(standing);
   prediction.reconcile(kNow);
@@ -101,6 +107,16 @@ TEST(Prediction, MeasuresAndSmoothsACorrection) {
   const Point half = prediction.smoothing(kNow + ErrorSmoothing::kDuration / 2);
   EXPECT_NEAR(half.x, (before.x - after.x) / 2, 1);
   EXPECT_EQ(prediction.smoothing(kNow + ErrorSmoothing::kDuration), Point());
+}
+
+TEST(Prediction, ACorrectionIsInTheFrameOfARotatedPlayer) {
+  Prediction prediction = corrected(rotatedLevel());
+  const Point before = prediction.predicted().world().entities()[kLocal].position;
+  prediction.reconcile(kNow);
+  const Point after = prediction.predicted().world().entities()[kLocal].position;
+  EXPECT_EQ(before.x, after.x);
+  ASSERT_GT(before.y, after.y);  // the player's right
+  EXPECT_EQ(prediction.smoothing(kNow), Point(before.y - after.y, 0));
 }
 
 TEST(Prediction, StopsFourSecondsAhead) {

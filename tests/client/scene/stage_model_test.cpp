@@ -61,6 +61,25 @@ TEST(StageModel, AMarkerNearAnEdgeIsAlsoOnTheNeighbour) {
   EXPECT_TRUE(markerOn(stage->mesh, 0, marker, 0));
 }
 
+TEST(StageModel, AMarkerPointsTheSameWayOnTheNeighbour) {
+  const auto stage = stageOf("");
+  const SolidMesh& mesh = stage->mesh;
+  for (int face = 0; face < mesh.faces(); ++face) {
+    for (int edge = 0; edge < mesh.solid().edgesPerFace(); ++edge) {
+      const auto i = static_cast<std::size_t>(edge);
+      const PlatonicSolid::Neighbour& next = mesh.solid().neighbour(face, edge);
+      const Marker marker{face, glm::vec2(230.0 * mesh.edgeNormals()[i]), 0.3};
+      const auto beyond = markerOn(mesh, next.face, marker, 20);
+      ASSERT_TRUE(beyond);
+      // Seen along the edge, which both faces share.
+      const glm::dvec3 along = glm::cross(mesh.normal(face), mesh.normal(next.face));
+      const glm::dvec3 here = mesh.pose(face, marker.place, marker.angle).up;
+      const glm::dvec3 there = mesh.pose(next.face, beyond->place, beyond->angle).up;
+      EXPECT_NEAR(glm::dot(here, along), glm::dot(there, along), 1e-6) << "face " << face << " edge " << edge;
+    }
+  }
+}
+
 TEST(StageModel, FaceLabelsDifferAlsoUpsideDown) {
   const LevelResult result = loadLevel([] {
     std::string text = "ICOSAHEDRON\n0 0 0 0\n1 0 0\n480\n";

@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
 #include <stdexcept>
 #include <string>
 
 #include "client/play/embedded_server.h"
 #include "client/time/steady_now.h"
+#include "server/net/host.h"
 
 namespace platon {
 namespace {
@@ -37,6 +39,23 @@ TEST(NetworkClient, ReportsThatNoServerAnswers) {
   }
   client.update(start + NetworkClient::kConnectTimeout + milliseconds(1), kRight);
   EXPECT_EQ(client.ending(), "no answer from 127.0.0.1:1 within 5 s: is platon-server running there?");
+}
+
+TEST(NetworkClient, TriesThreeTimesToJoinAServerThatDoesNotWelcomeIt) {
+  Moment now = steadyClock().now();
+  HostSettings settings;
+  settings.bind = "127.0.0.1";
+  Host host(settings, TimePoint(now));
+  NetworkClient client({"127.0.0.1", host.port()}, "", now);
+  std::set<ClientId> greeted;
+  for (const Moment end = now + std::chrono::minutes(2); now < end && !client.ending(); now += milliseconds(10)) {
+    for (const HostEvent& event : host.service(TimePoint(now))) greeted.insert(event.client);
+    host.flush(TimePoint(now));
+    client.update(now, kRight);
+  }
+  ASSERT_TRUE(client.ending().has_value());
+  EXPECT_TRUE(client.ending()->ends_with("did not respond in time; try again")) << *client.ending();
+  EXPECT_EQ(greeted.size(), NetworkClient::kMaxFirstAttempts);
 }
 
 TEST(NetworkClient, ThrowsForAnUnknownHost) {

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "tests/support/pressing.h"
 #include "tests/support/session_network.h"
@@ -149,6 +150,48 @@ TEST(Session, ReportsTheReasonOfARefusal) {
   ASSERT_TRUE(session.ending().has_value());
   EXPECT_NE(session.ending()->reason.find("server is full"), std::string::npos) << session.ending()->reason;
   EXPECT_FALSE(session.ending()->permanent);
+}
+
+TEST(Session, ReconnectsToAServerThatStopsButNotToOneThatRemovesThePlayer) {
+  for (const ByeCode code : {ByeCode::kServerStops, ByeCode::kRemoved, ByeCode::kOther}) {
+    Session session("x", Moment(0));
+    session.receive(encode(Bye{code, "why"}), Moment(0));
+    ASSERT_TRUE(session.ending().has_value());
+    EXPECT_EQ(session.ending()->reason, "the server ended the game: why");
+    EXPECT_EQ(session.ending()->permanent, code != ByeCode::kServerStops);
+  }
+}
+
+TEST(Session, CountsTheDesyncsOfAllRounds) {
+  Session::Memory memory;
+  memory.levels = {endlessLevel()};
+  Session session("x", Moment(0), memory);
+  const std::uint64_t level = endlessLevel()->hash;
+  session.receive(encode(Welcome{0, 1, level, 4, kTicksPerSecond, ""}), Moment(0));
+  for (std::uint32_t round = 1; round <= 3; ++round) {
+    session.receive(encode(ConfirmedTicks{round, 0, 1, 12345, std::nullopt, {}}), Moment(0));
+    session.receive(encode(RoundStart{round + 1, level}), Moment(0));
+  }
+  EXPECT_EQ(session.roundStatistics().desyncs, 3u);
+  EXPECT_EQ(session.predictionStatistics().confirmedTicks, 3u);
+}
+
+TEST(Session, OfManyLevelsTheOldestIsForgotten) {
+  const auto levelOfNumber = [](std::size_t number) {
+    return loadLevel("# title: " + std::to_string(number) + "\n" + std::string(endlessLevel()->text)).level;
+  };
+  Session::Memory memory;
+  for (std::size_t i = 0; i < kMaxLevelsKnown; ++i) memory.levels.push_back(levelOfNumber(i));
+  Session session("x", Moment(0), memory);
+  const std::shared_ptr<const Level> next = levelOfNumber(kMaxLevelsKnown);
+  session.receive(encode(Welcome{0, 1, next->hash, 4, kTicksPerSecond, ""}), Moment(0));
+  const std::vector<std::uint8_t> text(next->text.begin(), next->text.end());
+  session.receive(encode(LevelChunk{next->hash, static_cast<std::uint32_t>(text.size()), 0, text}), Moment(0));
+  ASSERT_FALSE(session.ending().has_value()) << session.ending()->reason;
+  const std::vector<std::shared_ptr<const Level>> known = session.memory().levels;
+  ASSERT_EQ(known.size(), kMaxLevelsKnown);
+  EXPECT_EQ(known.front()->hash, memory.levels[1]->hash);
+  EXPECT_EQ(known.back()->hash, next->hash);
 }
 
 TEST(Session, EndsOnAMalformedMessage) {
