@@ -1,6 +1,8 @@
-"""The faults that mutate.py tries. Each is one small mistake in the code of the simulation."""
+"""The faults that mutate.py tries. Each is one small mistake in the code of the simulation, the server or the client."""
 
+from client_faults import CLIENT_FAULTS
 from fault import PHYSICS, PUBLIC_PHYSICS, Fault, at_length
+from net_faults import PROTOCOL_FAULTS, SERVER_FAULTS
 from recording_faults import RECORDING_FAULTS
 from step_faults import STEP_FAULTS
 
@@ -335,4 +337,7 @@ FAULTS = [
               "PlayerTest.DoesNotJumpAgainInTheAir"),
 
     *RECORDING_FAULTS,
+    *PROTOCOL_FAULTS,
+    *SERVER_FAULTS,
+    *CLIENT_FAULTS,
 ]  # fmt: skip

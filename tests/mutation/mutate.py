@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Builds the simulation with deliberate faults, one at a time. Each must make its test fail.
+"""Builds programs with deliberate faults, one at a time. Each must make its test fail.
 
 usage: mutate.py [--list] [--check] [--all] [--only NAME]… [--shard K/N] [--build DIR] [ROOT]
 
@@ -28,7 +28,7 @@ from pathlib import Path
 from faults import FAULTS
 from ninja_build import BuildError, NinjaBuild
 
-MIN_USUAL_FAULTS = 20
+MIN_USUAL_FAULTS = 50
 TEST_SECONDS = 60
 TEST_BYTES = 4 << 30
 
