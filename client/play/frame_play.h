@@ -11,7 +11,6 @@
 #include "client/gl/offscreen.h"
 #include "client/netcode/player_snapshot.h"
 #include "client/play/client_options.h"
-#include "client/scene/scene.h"
 #include "client/scene/stage_model.h"
 #include "platon/game/game.h"
 

@@ -1,7 +1,6 @@
 #include "client/scene/scene.h"
 
 #include <algorithm>
-#include <utility>
 
 #include <glm/geometric.hpp>
 

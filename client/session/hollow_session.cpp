@@ -1,7 +1,6 @@
 #include "client/session/hollow_session.h"
 
 #include <algorithm>
-#include <utility>
 #include <variant>
 
 #include "protocol/to_server.h"

@@ -6,7 +6,6 @@
 #include <cstring>
 #include <filesystem>
 #include <memory>
-#include <optional>
 
 #include "platon/game/diagnostics.h"
 #include "platon/game/level.h"

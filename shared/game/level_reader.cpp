@@ -1,6 +1,7 @@
 #include "shared/game/level_reader.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <tuple>
 #include <utility>

@@ -1,5 +1,7 @@
 #include "shared/physics/shape_cache.h"
 
+#include <vector>
+
 namespace platon {
 namespace {
 

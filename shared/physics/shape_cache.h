@@ -2,11 +2,9 @@
 
 #include <cstdint>
 #include <map>
-#include <memory>
 #include <optional>
 #include <tuple>
 #include <utility>
-#include <vector>
 
 #include "platon/exact/angle.h"
 #include "platon/physics/convex.h"

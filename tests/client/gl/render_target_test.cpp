@@ -1,6 +1,5 @@
 #include "client/gl/render_target.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <stdexcept>
 #include <vector>

@@ -1,10 +1,6 @@
 #include "client/gl/renderer.h"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <memory>
-#include <stdexcept>
 #include <string>
 #include <vector>
 

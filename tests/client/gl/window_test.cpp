@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdlib>
 #include <optional>
 #include <stdexcept>
 #include <string>

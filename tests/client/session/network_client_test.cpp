@@ -4,7 +4,6 @@
 
 #include <set>
 #include <stdexcept>
-#include <string>
 
 #include "client/play/embedded_server.h"
 #include "client/time/steady_now.h"

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "platon/exact/angle.h"
 #include "platon/exact/integer.h"

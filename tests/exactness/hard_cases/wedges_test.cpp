@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <string>
-#include <vector>
 
 #include "platon/exact/angle.h"
 #include "platon/exact/integer.h"

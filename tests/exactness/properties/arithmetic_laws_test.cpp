@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <compare>
-#include <string>
 
 #include "platon/exact/angle.h"
 #include "platon/exact/fraction.h"

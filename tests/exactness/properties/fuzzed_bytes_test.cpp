@@ -1,7 +1,6 @@
 // Runs the targets of the fuzzers on seeded random bytes.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>

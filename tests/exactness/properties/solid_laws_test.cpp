@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <optional>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
 #include "platon/game/player.h"

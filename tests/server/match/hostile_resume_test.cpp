@@ -1,10 +1,7 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <map>
-#include <set>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "server/match/match.h"

@@ -1,7 +1,6 @@
 // Saving a game and restoring it from valid and invalid bytes.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <string>
 
 #include "platon/game/game.h"
