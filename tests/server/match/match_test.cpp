@@ -284,7 +284,7 @@ TEST(Match, TheNextRoundIsPlayedOnTheNextLevel) {
 }
 
 TEST(Match, TheNextRoundStartsFiveSecondsAfterTheEnd) {
-  VirtualNetwork network(matchOn(nearGoalText()), {});
+  FakeClientNetwork network(matchOn(nearGoalText()));
   network.add(player("Ann"));
   for (int tick = 0; network.count(Kind::kRoundEnd) == 0; ++tick) {
     ASSERT_LT(tick, 60);
