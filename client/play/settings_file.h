@@ -14,8 +14,8 @@ class SettingsFile {
   /// Uses the file in `folder`. With an empty `folder` nothing is loaded or saved.
   explicit SettingsFile(const std::filesystem::path& folder);
 
-  /// Returns the settings of the file, or the defaults without a file. A bad line is reported on standard error and
-  /// does not affect the others.
+  /// Returns the settings of the file, or the defaults without a file. An invalid line is reported on standard error
+  /// and does not affect the others.
   Settings load();
   /// Writes the settings, followed by the lines of unknown settings that `load` found. Replaces the file by a rename,
   /// so that it is never half written. Reports an error on standard error.

@@ -23,11 +23,11 @@ struct Settings {
 
 struct SettingsResult {
   Settings settings;                      ///< defaults where the text has no valid line
-  std::vector<std::string> errors;        ///< one for each bad line: its number, what is wrong and what is allowed
+  std::vector<std::string> errors;        ///< one for each invalid line: its number, what is wrong and what is allowed
   std::vector<std::string> unknownLines;  ///< lines that name no setting of this version, unchanged
 };
 
-/// Parses settings. A bad line does not affect the others.
+/// Parses settings. An invalid line does not affect the others.
 SettingsResult parseSettings(std::string_view text);
 
 }  // namespace platon
