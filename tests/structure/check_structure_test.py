@@ -255,7 +255,7 @@ class Tables(Tree):
 
     def test_rows_go_one_way(self):
         for cell in ("`platon` `server/app`", "`platon` `server`", "`client/time`"):
-            page = ARCHITECTURE.replace("counters of both sides | `platon` |", f"counters of both sides | {cell} |")
+            page = ARCHITECTURE.replace("loss meter of both sides | `platon` |", f"loss meter of both sides | {cell} |")
             self.assertNotEqual(page, ARCHITECTURE)
             with self.assertRaisesRegex(TableError, "protocol may include .*, whose row comes later"):
                 DependencyTable(page)
