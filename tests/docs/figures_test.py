@@ -165,8 +165,8 @@ BUFFER = "client/netcode/interpolation_buffer.h"
 
 FIGURES = [
     Figures("docs/exactness.md", "at most {} moves (`EntityStep::kMaxLegs`)", constant(STEP, "kMaxLegs")),
-    Figures("docs/exactness.md", "the checker allows {} entries", constant("tests/exactness/oracle/trace/trace_checker.cpp", "kMaxLegs")),
-    Figures("docs/exactness.md", "and allows {} moves", constant("tests/exactness/step_check/step_checker.cpp", "kMaxMoves")),
+    Figures("docs/exactness.md", "allow {} moves", constant("tests/exactness/oracle/trace/move_count.h", "kMaxMoves")),
+    Figures("docs/exactness.md", "at most {} entries", constant("tests/exactness/oracle/trace/trace_checker.cpp", "kMaxEntries")),
     Figures("docs/exactness.md", "`EntityStep::kNudge` = {} subunits clears it, the step tries {} offsets", nudge),
     Figures("docs/exactness.md", "{} of {} differ; {} kinds of malformed line", sweep_check),
     Figures("docs/exactness.md", "{} entity ticks, {} legs, {} failures", scene_check),

@@ -1,12 +1,10 @@
 #include "tests/exactness/step_check/step_checker.h"
 
+#include "tests/exactness/oracle/trace/move_count.h"
 #include "tests/exactness/step_check/conversions.h"
 
 namespace platon::step_check {
 namespace {
-
-// I2: largest number of moves of a step.
-constexpr std::size_t kMaxMoves = 100;
 
 std::vector<oracle::Segment> blockingSegments(const CheckedScene& scene, const MapGeometry& part) {
   std::vector<oracle::Segment> lines;
@@ -30,18 +28,6 @@ oracle::TraceHeader headerOf(const CheckedScene& scene) {
     header.faces.push_back(std::move(face));
   }
   return header;
-}
-
-/// Number of legs that move the entity. Legs that only rotate, rehome, or add or drop instances do not count.
-std::size_t movesOf(const std::vector<oracle::TraceLeg>& legs) {
-  std::size_t moves = 0;
-  for (std::size_t i = 1; i < legs.size(); ++i) {
-    const oracle::TraceInstance* before = homeOf(legs[i - 1]);
-    const oracle::TraceInstance* after = homeOf(legs[i]);
-    if (before != nullptr && after != nullptr && before->id == after->id && before->position != after->position)
-      ++moves;
-  }
-  return moves;
 }
 
 }  // namespace
@@ -111,7 +97,7 @@ bool StepChecker::isFree(std::uint32_t part, Point position, Angle angle) {
 
 void StepChecker::checkStep(const std::vector<oracle::TraceLeg>& legs) {
   oracle::StateChecker& states = checkers_->states;
-  if (const std::size_t moves = movesOf(legs); moves > kMaxMoves) {
+  if (const std::size_t moves = oracle::movesOf(legs); moves > oracle::kMaxMoves) {
     report_.violate("I2", std::to_string(moves) + " moves");
   }
   if (!states.isTree(legs.front())) return;

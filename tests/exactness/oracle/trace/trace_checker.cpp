@@ -3,13 +3,14 @@
 #include <algorithm>
 
 #include "tests/exactness/oracle/trace/json_reader.h"
+#include "tests/exactness/oracle/trace/move_count.h"
 #include "tests/exactness/oracle/trace/trace_reader.h"
 
 namespace platon::oracle {
 namespace {
 
-/// I2: largest number of legs of a step.
-constexpr std::size_t kMaxLegs = 100;
+/// I2: largest number of entries that a trace lists for a step. Insertions and rehomes have entries of their own.
+constexpr std::size_t kMaxEntries = 100;
 
 bool isSameState(TraceLeg a, TraceLeg b) {
   const auto byId = [](const TraceInstance& x, const TraceInstance& y) { return x.id < y.id; };
@@ -89,7 +90,10 @@ void TraceChecker::checkPlayer(const TracePlayer& player, std::map<std::int64_t,
     if (!checkLeg(player.legs[leg - 1], player.legs[leg])) return;
   }
   report_.noteLegs(player.legs.size() - 1);
-  if (player.legs.size() > kMaxLegs) report_.violate("I2", std::to_string(player.legs.size()) + " legs");
+  if (const std::size_t moves = movesOf(player.legs); moves > kMaxMoves) {
+    report_.violate("I2", std::to_string(moves) + " moves");
+  }
+  if (player.legs.size() > kMaxEntries) report_.violate("I2", std::to_string(player.legs.size()) + " entries");
   checkers_->states.checkTickEnd(player.legs.back());
   report_.facesVisited.insert(homeOf(player.legs.back())->face);
   now[player.id] = player.legs.back();

@@ -243,7 +243,25 @@ TEST(TraceChecker, FindsTwoShapesAtOneAngle) {
   expectViolated(trace, "shape");
 }
 
-TEST(TraceChecker, FindsTooManyLegs) {
+// A step on a plane that moves to and fro.
+SampleTrace stepOfMoves(std::size_t moves) {
+  SampleTrace trace;
+  trace.header = {"PLANE", {{-10, -10}, {10, -10}, {0, 10}}, {{}}};
+  TraceInstance here;
+  TraceInstance there = here;
+  there.position = {1, 0};
+  std::vector<TraceLeg> legs{{here}};
+  while (legs.size() <= moves) legs.push_back({legs.back()[0] == here ? there : here});
+  trace.ticks.push_back({1, "0123456789abcdef", {{0, legs}}});
+  return trace;
+}
+
+TEST(TraceChecker, FindsTooManyMoves) {
+  EXPECT_EQ(violatedRules(stepOfMoves(64)), RuleNames{});
+  EXPECT_EQ(violatedRules(stepOfMoves(65)), RuleNames{"I2"});
+}
+
+TEST(TraceChecker, FindsTooManyEntries) {
   SampleTrace trace = sampleTrace();
   trace.ticks.resize(1);
   trace.ticks[0].players[0].legs.assign(101, trace.leg(0, 0));
