@@ -34,10 +34,10 @@ bodies do not collide with each other. Velocities are set before each step of 1/
 - `platon`: the world as it ships. It repeats the step of a body at rest without computing it: up to a tenth of all steps here.
 - `float32`, `float64`: the same algorithm in floating point, with the same grid. It keeps a gap to segments, because without \
 one it falls through them at the first rounding error: 1/256 of a unit in float32, 2⁻²⁰ in float64. It has no faces, rules, \
-angles or lattice, and does not handle segment ends that stand out.
+angles or lattice, and does not handle segment ends that protrude.
 - `box2d-2.4`: in metres. Dynamic bodies with `bullet` and `fixedRotation` that never sleep. Each segment is a two-sided \
 `b2EdgeShape` without neighbours, because segments come in any order. 8 velocity and 3 position iterations, as its manual \
-recommends. By design, it stops in front of segments because of a skin round its shapes, and limits a body to 2 m a step \
+recommends. By design, it stops in front of segments because of a skin around its shapes, and limits a body to 2 m a step \
 (120 m/s). Both reduce its overlaps here.
 - `chipmunk-7.0`: in metres. It has no continuous collision detection; its manual recommends smaller steps and thicker \
 segments. It takes as many steps a tick as keep the fastest body below half its radius a step; its time includes all of them. \
@@ -49,7 +49,7 @@ Box2D and Chipmunk are Debian's libraries with Debian's compiler flags; the othe
 SWEEPS = """Each set has {0} queries: when does the octagon first meet the segment on a given displacement? The far sets \
 (`far-1e3`, `far-1e5`) are 10^3 and 10^5 m from the origin; the latter uses 4 096 subunits a metre to stay within the \
 coordinates. Segments of `long-lines` are 10 km long, of `short-lines` at most nine subunits. Bodies of `touching` touch the \
-segment at the start. `full-range` and `slivers` use all coordinates. In `slivers`, displacement and segment are 10⁻¹⁷ to \
+segment at the start. `full-range` and `slivers` use the whole range of coordinates. In `slivers`, displacement and segment are 10⁻¹⁷ to \
 10⁻¹³ rad from parallel and end close to each other. Box2D answers with `b2TimeOfImpact`. It does not allow twelve vertices, and \
 `far-1e5`, `long-lines`, `full-range` and `slivers` are far outside the range of 0.1 to 10 m for which its manual recommends it."""
 
@@ -58,16 +58,16 @@ displacement; the deepest overlap in subunits, at the reported time or on a path
 with Platon gives the true answers, and times are compared as rationals, so a 0 is exact. Box2D stops in front of segments by \
 design; here this counts as an error of the time and, when it passes close by, as a false hit."""
 
-STEPS = """Octagons are flung among random segments at up to 22 m/s and change direction every half second. The table gives \
+STEPS = """Octagons move among random segments at up to 22 m/s and change direction every half second. The table gives \
 nanoseconds per body and step."""
 
 MEMORY = f"""Heap bytes per segment; heap bytes per body, of {BODIES} bodies, including cached segments near it:"""
 
 HARD_CASES = """{0} steps in each case. A cell gives the deepest overlap after any step, in subunits, and:
 
-- wedges of 0.1°: the body is driven into the end and out again, at the given speed and up to 30° aside, once also 30 km from \
-the origin. The second number counts the steps after which it was outside the closed room (it is then put back);
-- straight floors of pieces whose ends are off by up to 2 subunits or 1 mm, at 10 m/s: steps with less than 99 % of their \
+- wedges of 0.1°: the body is driven into the narrow end and back, at the given speed and up to 30° off the axis; \
+`wedge-far-100-m/s` is about 30 km from the origin. The second number counts the steps after which it was outside the closed room (it is then put back);
+- straight floors of segments whose ends are off by up to 2 subunits or 1 mm, at 10 m/s: steps with less than 99 % of their \
 progress / steps that end more than 5 mm too high;
 - pressed into a notch: drift between step 1 000 and the last step; gap to the nearest segment."""
 
@@ -130,7 +130,8 @@ def _hard_verdicts(data):
     for name in [name for name in data.cases() if name.startswith("joints")]:
         drops = {e: data.hard_case(name, e)["speedDrops"] for e in ENGINES}
         told = _list(f"{e} {count(n)}" for e, n in drops.items())
-        yield f"{name}, of {count(data.hard_case(name, 'platon')['steps'])} steps, those that lose more than 1 % of their speed: {told}."
+        steps = count(data.hard_case(name, "platon")["steps"])
+        yield f"Steps that lose more than 1 % of their speed in {name}, of {steps}: {told}."
     gaps = _list(f"{e} {round(data.hard_case('rest-in-a-notch', e)['restGap'], 4) + 0:.4g}" for e in ENGINES)
     yield f"Gap between a body at rest and its floor, in subunits; negative: overlap: {gaps}."
 

@@ -91,7 +91,7 @@ def sweep_tables(data):
 def step_tables(data):
     times = [[count(s), count(m), *(spread(data.step(e, s, m), "nsPerStep") for e in ENGINES)] for s, m in data.scenes()]
     sizes = list(dict.fromkeys(segments for segments, _ in data.scenes()))
-    layout = "{bytesPerSegment:.1f}; {bytesPerBody:.0f}"
+    layout = "{bytesPerSegment:.1f}; {bytesPerMover:.0f}"
     memory = [[count(n), *(layout.format(**data.step(e, n)) for e in ENGINES)] for n in sizes]
     return STEPS, table(["segments", "bodies", *ENGINES], times), MEMORY, table(["segments", *ENGINES], memory)
 
