@@ -6,6 +6,7 @@
 #include <string>
 
 #include "tests/protocol/sample_messages.h"
+#include "tests/support/files.h"
 
 namespace platon {
 namespace {
@@ -31,6 +32,7 @@ std::map<std::string, Bytes> documentedBytes() {
 }
 
 // The messages that the page explains byte by byte.
+const Hello kHello{kProtocolVersion, kRulesVersion, "Ann"};
 const PlayerInputs kInputs{3,
                            1,
                            300,
@@ -51,10 +53,31 @@ TEST(GoldenBytes, TheDocumentedBytesAreThoseOfTheEncoder) {
   const auto page = documentedBytes();
   EXPECT_EQ(page.size(), 3u);
   const std::pair<const char*, Bytes> sent[] = {
-      {"hello", encode(Hello{2, 3, "Ann"})}, {"inputs", encode(kInputs)}, {"ticks", encode(kTicks)}};
+      {"hello", encode(kHello)}, {"inputs", encode(kInputs)}, {"ticks", encode(kTicks)}};
   for (const auto& [name, bytes] : sent) {
     ASSERT_TRUE(page.contains(name)) << name;
     EXPECT_EQ(page.at(name), bytes) << name << ": real bytes " << testing::PrintToString(bytes);
+  }
+}
+
+/// The tables of the union of a schema.
+std::vector<std::string> tablesOf(const std::string& schema) {
+  const std::string text = readText(schema);
+  const std::size_t begin = text.find('{', text.find("union ")) + 1;
+  std::istringstream names(text.substr(begin, text.find('}', begin) - begin));
+  std::vector<std::string> tables;
+  for (std::string name; names >> name;) tables.push_back(name.substr(0, name.find(',')));
+  return tables;
+}
+
+TEST(GoldenBytes, ThePageHasARowForEveryReliableMessage) {
+  const std::string page = readText("docs/protocol.md");
+  for (const char* schema : {"protocol/to_server.fbs", "protocol/to_client.fbs"}) {
+    const std::vector<std::string> tables = tablesOf(schema);
+    EXPECT_GE(tables.size(), 3u);
+    for (const std::string& table : tables) {
+      EXPECT_NE(page.find("\n| `" + table + "` | "), std::string::npos) << table;
+    }
   }
 }
 
@@ -62,7 +85,7 @@ TEST(GoldenBytes, TheDocumentedBytesAreDecoded) {
   const auto page = documentedBytes();
   ASSERT_TRUE(page.contains("inputs") && page.contains("ticks") && page.contains("hello"));
   EXPECT_EQ(decodeToServer(page.at("inputs")), ToServer(kInputs));
-  EXPECT_EQ(decodeToServer(page.at("hello")), ToServer(Hello{2, 3, "Ann"}));
+  EXPECT_EQ(decodeToServer(page.at("hello")), ToServer(kHello));
   EXPECT_EQ(decodeToClient(page.at("ticks")), ToClient(kTicks));
 }
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
+#include <variant>
 
 #include "tests/protocol/sample_messages.h"
 
@@ -15,6 +17,12 @@ TEST(ToClient, DecodesWhatWasEncoded) {
   for (std::size_t i = 0; i < samples.size(); ++i) {
     EXPECT_EQ(decodeToClient(encodeAny(samples[i])), samples[i]) << "sample " << i;
   }
+}
+
+TEST(ToClient, EveryKindOfMessageHasASample) {
+  std::set<std::size_t> kinds;
+  for (const ToClient& sample : sampleToClient()) kinds.insert(sample.index());
+  EXPECT_EQ(kinds.size(), std::variant_size_v<ToClient>);
 }
 
 TEST(ToClient, DecodesBytesAtAnyAddress) {

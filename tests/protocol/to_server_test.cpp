@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
+#include <variant>
 
 #include "tests/protocol/sample_messages.h"
 
@@ -15,6 +17,12 @@ TEST(ToServer, DecodesWhatWasEncoded) {
   for (std::size_t i = 0; i < samples.size(); ++i) {
     EXPECT_EQ(decodeToServer(encodeAny(samples[i])), samples[i]) << "sample " << i;
   }
+}
+
+TEST(ToServer, EveryKindOfMessageHasASample) {
+  std::set<std::size_t> kinds;
+  for (const ToServer& sample : sampleToServer()) kinds.insert(sample.index());
+  EXPECT_EQ(kinds.size(), std::variant_size_v<ToServer>);
 }
 
 TEST(ToServer, DecodesBytesAtAnyAddress) {

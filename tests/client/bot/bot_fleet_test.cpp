@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "client/bot/bot_fleet.h"
-#include "client/time/steady_now.h"
 #include "server/app/tick_clock.h"
 #include "server/match/match.h"
 #include "server/net/host.h"
@@ -28,10 +27,11 @@ HostSettings loopback() {
 /// A server on a socket that sends one wrong input.
 class FaultyServer {
  public:
+  static constexpr TimePoint kStart{};
+
   ServerAddress address() const { return {"127.0.0.1", host_.port()}; }
 
-  void step() {
-    const TimePoint now = std::chrono::steady_clock::now();
+  void step(TimePoint now) {
     for (const HostEvent& event : host_.service(now)) take(event);
     if (clock_.take(now)) match_.tick();
     for (Outgoing& message : match_.takeOutgoing()) {
@@ -48,19 +48,21 @@ class FaultyServer {
     host_.admit(event.client);
   }
 
-  Host host_{loopback(), std::chrono::steady_clock::now()};
+  Host host_{loopback(), kStart};
   Match match_{LevelRotation({endlessLevel()}), {4, "Test"}};
-  TickClock clock_{std::chrono::steady_clock::now()};
+  TickClock clock_{kStart};
   InputFlipper flipper_{60, 0, {}};
 };
 
-// The server steps whenever the bots sleep.
+// The server steps whenever the bots sleep, in virtual time.
 TEST(BotFleet, WritesADesyncReportAndResyncs) {
   const TemporaryFolder folder;
   FaultyServer server;
-  const Clock clock{steadyClock().now, [&](Moment until) {
-                      server.step();
-                      steadyClock().sleepUntil(until);
+  Moment now{};  // FaultyServer::kStart
+  const Clock clock{[&] { return now; },
+                    [&](Moment until) {
+                      server.step(TimePoint(now));
+                      now = until;
                     }};
   FleetOptions options;
   options.seconds = 4;

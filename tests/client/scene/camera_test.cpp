@@ -101,6 +101,22 @@ TEST(Camera, LerpDoesNotDependOnTheFrameRate) {
   }
 }
 
+// Without a roll, the angle between the camera and its target falls by the factor e each 1/14 s.
+TEST(Camera, FollowsThePlayerAtARateOf14PerSecond) {
+  const Pose from = cube().pose(0, {0, 0}, 0);
+  const Pose to = cube().pose(0, {0, 100}, 0);
+  const auto angleTo = [](const Camera& camera, const Camera& target) {
+    return std::acos(glm::dot(camera.back(), target.back()));
+  };
+  Camera camera;
+  camera.set(from, cube(), 1280, 720);
+  Camera target;
+  target.set(to, cube(), 1280, 720);
+  const double before = angleTo(camera, target);
+  camera.lerp(to, cube(), 0.05);
+  EXPECT_NEAR(angleTo(camera, target), before * std::exp(-14 * 0.05), 1e-9);
+}
+
 TEST(Camera, LerpByZeroSecondsChangesNothing) {
   std::mt19937 random(kSeed);
   Camera camera;

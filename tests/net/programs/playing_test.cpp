@@ -64,7 +64,7 @@ TEST_F(Play, IsRefusedByAFullServer) {
   startServer({"--max-players", "1"});
   Process first(platonCommand("platon-client", {address(), "--offscreen", "--demo", "--seconds", "60"}));
   server().waitForError("joined");
-  Process second(platonCommand("platon-client", {address(), "--offscreen", "--seconds", "10"}));
+  Process second(platonCommand("platon-client", {address(), "--offscreen", "--seconds", "60"}));
   EXPECT_EQ(second.wait(), 1);
   EXPECT_NE(second.errors().find("the server is full"), std::string::npos) << second.errors();
   first.signal(SIGINT);
