@@ -14,12 +14,12 @@ DDNET = ((16, 15700, 6.3), (64, 18800, 23.8))
 HEAD = """Written by `./platon bench --network` on {machine}. Each cell is one `platon-server` and 16 `platon-bot` players on \
 loopback that press buttons for {seconds:g} s; {at_once} cells run at a time. The numbers are averages over the bots, from \
 {settle:g} s after their first tick. Loss, delay and jitter apply in each direction. Missed inputs, mispredicted own ticks and \
-corrections are counted in 1 000 ticks. The largest correction is in level units and includes joining. CPU is the share of one \
+corrections are counted in 1 000 ticks. The largest correction is in level units and is counted from the start of the bots. CPU is the share of one \
 core while all bots play. A cell is repeated once if one of its processes waited for a processor for more than {disturbed} % of \
 the time; cells that were still disturbed: {busy}"""
 
-SCALE = """Each of these servers had the machine for itself and its bots. Of 64 players 8 advance the game, of 256 players 4; \
-the others are `--hollow`. A tick is all work of the server for it, from receiving to sending. Times of ticks cover the whole \
+SCALE = """Each of these servers had the machine for itself and its bots. With 64 players, 8 of them advance the game, with 256 \
+players 4; the others are `--hollow`. The time of a tick covers all the work of the server in this tick, from receiving to sending. Times of ticks cover the whole \
 run: all bots join within a second and leave at the same time."""
 
 WITHOUT = """A server listens {startMs:.1f} ms after its start (median of {starts}). Before anybody joins it takes \
@@ -109,7 +109,7 @@ def section(together, alone, without_players, judged):
     head = HEAD.format(machine=machine(), seconds=first.seconds, settle=first.settle, at_once=without_players["atOnce"],
                        disturbed=DISTURBED, busy=busy(together + alone))  # fmt: skip
     parts = [head, summary(judged), gate_table(judged), "### Connections", matrix_table(together), "### Many players", SCALE,
-             scale_table(alone), WITHOUT.format(**without_players), "### Beside another game", PEERS, peer_table(alone)]  # fmt: skip
+             scale_table(alone), WITHOUT.format(**without_players), "### Compared with another game", PEERS, peer_table(alone)]  # fmt: skip
     return "\n\n".join(parts)
 
 
