@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "client/netcode/prediction_clock.h"
+#include "protocol/label.h"
 
 namespace platon {
 
@@ -24,7 +25,8 @@ RoundStatistics sum(const RoundStatistics& a, const RoundStatistics& b) {
   return {a.desyncs + b.desyncs, a.resyncs + b.resyncs};
 }
 
-std::string withReason(std::string_view what, const std::string& reason) {
+std::string withReason(std::string_view what, std::string_view label) {
+  const std::string reason = visibleLabel(label);
   return reason.empty() ? std::string(what) : std::string(what) + ": " + reason;
 }
 
@@ -111,7 +113,7 @@ void Session::handle(const Bye& message, Moment) {
 
 void Session::handle(const Roster& message, Moment) {
   for (const RosterEntry& entry : message.entries) {
-    if (entry.slot < names_.size()) names_[entry.slot] = entry.name;
+    if (entry.slot < names_.size()) names_[entry.slot] = visibleLabel(entry.name);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "protocol/full_state.h"
+#include "protocol/label.h"
 
 namespace platon {
 namespace {
@@ -13,10 +14,6 @@ std::string versionReason(std::string_view what, std::uint32_t ours, std::uint32
   const std::string_view remedy = theirs < ours ? "update your client" : "install the same release as the server";
   return std::string(what) + " differ: server " + std::to_string(ours) + ", your client " + std::to_string(theirs) +
          "; " + std::string(remedy);
-}
-
-std::string nameOf(const Hello& hello, std::uint32_t slot) {
-  return hello.name.empty() ? "Player " + std::to_string(slot + 1) : hello.name;
 }
 
 // Encodes names by slot in as few messages as possible.
@@ -51,8 +48,11 @@ Match::Match(LevelRotation rotation, MatchSettings settings)
       game_(rotation_.current()),
       history_(round_, shortHash(game_.hash())) {
   assert(settings_.maxPlayers >= 1 && settings_.maxPlayers <= kMaxPlayers);
+  setServerName(settings_.serverName);
   startRound();
 }
+
+void Match::setServerName(std::string_view name) { settings_.serverName = visibleLabel(name); }
 
 void Match::receive(ClientId client, const ToServer& message, std::uint32_t origin) {
   if (const Hello* hello = std::get_if<Hello>(&message)) return handleHello(client, *hello, origin);
@@ -117,9 +117,13 @@ std::optional<std::uint32_t> Match::freeSlot() const {
   return std::nullopt;
 }
 
+std::string Match::claimName(const Hello& hello, std::uint32_t slot) {
+  return names_.claim(hello.name, "Player " + std::to_string(slot + 1));
+}
+
 MatchPlayer& Match::join(ClientId client, const Hello& hello, std::uint32_t slot) {
   if (idle() && history_.end() > 0) startRound();
-  MatchPlayer& player = players_.emplace(client, MatchPlayer(slot, nameOf(hello, slot), hello.token)).first->second;
+  MatchPlayer& player = players_.emplace(client, MatchPlayer(slot, claimName(hello, slot), hello.token)).first->second;
   player.joinAt(history_.end());
   sendWelcome(client, player, hello);
   addEvent(MatchEvent::Kind::kJoined, client, slot, player.name());
@@ -130,7 +134,8 @@ MatchPlayer* Match::resume(ClientId client, const Hello& hello) {
   std::optional<MatchPlayer> known = hello.token ? extractPlayer(*hello.token) : std::nullopt;
   if (!known) return nullptr;
   MatchPlayer& player = players_.emplace(client, std::move(*known)).first->second;
-  player.resume(nameOf(hello, player.slot()));
+  names_.release(player.name());
+  player.resume(claimName(hello, player.slot()));
   sendWelcome(client, player, hello);
   addEvent(MatchEvent::Kind::kResumed, client, player.slot(), player.name());
   return &player;
@@ -207,6 +212,7 @@ void Match::removeDisconnected(std::vector<Disconnected>::iterator disconnected)
 void Match::playerLeft(const MatchPlayer& player, ClientId client) {
   addEvent(MatchEvent::Kind::kLeft, client, player.slot(), player.name());
   if (idle()) recorder_.finish(game_);
+  names_.release(player.name());
   rosterChanges_[player.slot()] = "";
 }
 
@@ -332,7 +338,7 @@ void Match::startRound() {
 }
 
 void Match::stop(const std::string& reason) {
-  const std::vector<std::uint8_t> bye = encode(Bye{ByeCode::kServerStops, reason});
+  const std::vector<std::uint8_t> bye = encode(Bye{ByeCode::kServerStops, visibleLabel(reason)});
   for (const auto& [client, player] : players_) outgoing_.push_back({client, true, true, bye});
   players_.clear();
   disconnected_.clear();
@@ -357,3 +363,4 @@ void Match::addEvent(MatchEvent::Kind kind, ClientId client, std::uint32_t slot,
 }
 
 }  // namespace platon
+  names_ = PlayerNames();

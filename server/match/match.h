@@ -15,13 +15,14 @@
 #include "server/match/match_event.h"
 #include "server/match/match_player.h"
 #include "server/match/match_recorder.h"
+#include "server/match/player_names.h"
 #include "server/match/tick_history.h"
 
 namespace platon {
 
 struct MatchSettings {
   std::uint32_t maxPlayers = 16;                 ///< 1 … kMaxPlayers
-  std::string serverName;                        ///< a label
+  std::string serverName;                        ///< a label; invisible characters are left out
   bool record = false;                           ///< record every round
   std::uint32_t playersPerOrigin = kMaxPlayers;  ///< players of one origin, disconnected ones included
 };
@@ -69,7 +70,8 @@ class Match {
   /// Plays these levels after the current one.
   void setLevels(std::vector<LevelPointer> levels) { rotation_.replace(std::move(levels)); }
 
-  void setServerName(std::string name) { settings_.serverName = std::move(name); }
+  /// `name`: a label; invisible characters are left out.
+  void setServerName(std::string_view name);
 
   /// Messages to send, in order, since the last call.
   std::vector<Outgoing> takeOutgoing() { return std::exchange(outgoing_, {}); }
@@ -104,6 +106,7 @@ class Match {
   Refused refuseFull() const;
   MatchPlayer& join(ClientId client, const Hello& hello, std::uint32_t slot);
   MatchPlayer* resume(ClientId client, const Hello& hello);
+  std::string claimName(const Hello& hello, std::uint32_t slot);
   std::optional<MatchPlayer> extractPlayer(const SessionToken& token);
   void sendWelcome(ClientId client, MatchPlayer& player, const Hello& hello);
   void expireDisconnected();
@@ -139,6 +142,7 @@ class Match {
   std::map<std::uint32_t, std::string> rosterChanges_;  // names by slot since the last tick; empty: the player left
   std::vector<Outgoing> outgoing_;
   std::vector<MatchEvent> events_;
+  PlayerNames names_;                                   // of the connected and the disconnected players
   MatchRecorder recorder_;
 };
 

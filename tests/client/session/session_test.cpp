@@ -139,7 +139,7 @@ TEST(Session, KeepsTheRoster) {
   const auto names = match.session(0).names();
   ASSERT_EQ(names.size(), 16u);
   EXPECT_EQ(names[match.slot(0)], "someone");
-  EXPECT_EQ(names[match.slot(1)], "someone");
+  EXPECT_EQ(names[match.slot(1)], "someone 2");
   EXPECT_EQ(names[5], "");
 }
 
