@@ -62,7 +62,7 @@ Scene makeScene(const SceneSource& source) {
   const double passed = std::max(0.0, double{1} * source.game->tick() - 1 + source.fraction);
   scene.seconds = passed / kTicksPerSecond;
   scene.secondsLeft = double{1} * source.game->ticksLeft() / kTicksPerSecond;
-  scene.over = source.game->over();
+  scene.over = source.roundOver || source.game->over();
   return scene;
 }
 

@@ -20,6 +20,7 @@ namespace platon {
 struct SceneSource {
   std::shared_ptr<const StageModel> stage;  ///< of the game's level
   const Game* game = nullptr;               ///< the predicted game, whose clock is shown
+  bool roundOver = false;                   ///< the server has ended the round
   double fraction = 1;                      ///< elapsed part of the last tick of `game`, 0 … 1
   InterpolatedPlayers others;               ///< from the interpolation buffer; may include the local player
   std::optional<std::uint32_t> localSlot;

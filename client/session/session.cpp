@@ -122,7 +122,10 @@ void Session::handle(const RoundStart& message, Moment) {
   startRound(message.round, message.levelHash);
 }
 
-void Session::handle(const RoundEnd& message, Moment) { requestLevel(message.nextLevelHash); }
+void Session::handle(const RoundEnd& message, Moment) {
+  roundOver_ = roundOver_ || (round_ && round_->id() == message.round);
+  requestLevel(message.nextLevelHash);
+}
 
 void Session::handle(const ConfirmedTicks& message, Moment now) {
   linkMeter_.receive(message, now);
@@ -165,6 +168,7 @@ void Session::requestLevel(std::uint64_t levelHash) {
 
 void Session::startRound(std::uint32_t round, std::uint64_t levelHash) {
   closeRound();
+  roundOver_ = false;
   const std::shared_ptr<const Level> known = level(levelHash);
   if (known) {
     pendingRound_.reset();

@@ -68,6 +68,9 @@ class Session {
   const std::optional<Welcome>& welcome() const { return welcome_; }
   /// The current round; null until its level has been received.
   const Round* round() const { return round_ ? &*round_ : nullptr; }
+  /// Whether the server has ended the current round. It can do so before the game is over: it does not wait for players
+  /// that are inactive or disconnected.
+  bool roundOver() const { return roundOver_; }
   /// Player names by slot; an empty name means a free slot.
   std::span<const std::string> names() const { return names_; }
 
@@ -116,6 +119,7 @@ class Session {
 
   std::optional<RoundStart> pendingRound_;  // waits for its level
   std::optional<Round> round_;
+  bool roundOver_ = false;
   double lead_ = 0;
   std::optional<DesyncReport> desync_;
   std::optional<Moment> reportedAt_;     // last desync report

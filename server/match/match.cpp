@@ -123,7 +123,8 @@ std::string Match::claimName(const Hello& hello, std::uint32_t slot) {
 
 MatchPlayer& Match::join(ClientId client, const Hello& hello, std::uint32_t slot) {
   if (idle() && history_.end() > 0) startRound();
-  MatchPlayer& player = players_.emplace(client, MatchPlayer(slot, claimName(hello, slot), hello.token)).first->second;
+  MatchPlayer joining(slot, claimName(hello, slot), hello.token, now_);
+  MatchPlayer& player = players_.emplace(client, std::move(joining)).first->second;
   player.joinAt(history_.end());
   sendWelcome(client, player, hello);
   addEvent(MatchEvent::Kind::kJoined, client, slot, player.name());
@@ -211,8 +212,8 @@ void Match::removeDisconnected(std::vector<Disconnected>::iterator disconnected)
 
 void Match::playerLeft(const MatchPlayer& player, ClientId client) {
   addEvent(MatchEvent::Kind::kLeft, client, player.slot(), player.name());
-  if (idle()) recorder_.finish(game_);
   names_.release(player.name());
+  if (idle()) recorder_.finish(game_);
   rosterChanges_[player.slot()] = "";
 }
 
@@ -222,7 +223,7 @@ void Match::handle(ClientId client, const PlayerInputs& inputs) {
   MatchPlayer& player = found->second;
   player.countMessage(inputs.sequence);
   if (inputs.round != round_) return;
-  player.addInputs(inputs, history_.end());
+  player.addInputs(inputs, history_.end(), now_);
   if (!player.isCurrent(inputs)) return;
   const bool ahead = inputs.confirmed > history_.end();
   if (!ahead && !history_.covers(inputs.confirmed)) {
@@ -312,10 +313,30 @@ void Match::sendTicks() {
   }
 }
 
-// Ends the round when the game is over, and starts the next one after the pause.
+// The game is over when all players present have finished. A match does not wait that long for players that are
+// inactive or disconnected: it is enough that one player has finished and that it awaits no other.
+bool Match::roundOver() const {
+  if (game_.over()) return true;
+  bool finished = false;
+  for (std::uint32_t slot = 0; slot < game_.slots(); ++slot) finished = finished || game_.player(slot).finished != 0;
+  return finished &&
+         std::none_of(players_.begin(), players_.end(), [this](const auto& entry) { return awaits(entry.second); }) &&
+         std::none_of(disconnected_.begin(), disconnected_.end(), [this](const Disconnected& entry) {
+           return now_ - entry.since < kAwaitTicks && awaits(entry.player);
+         });
+}
+
+// Whether the player is active, in the game, and has not finished.
+bool Match::awaits(const MatchPlayer& player) const {
+  if (player.slot() >= game_.slots()) return false;
+  const PlayerState& state = game_.player(player.slot());
+  return state.present != 0 && state.finished == 0 && player.isActive(now_);
+}
+
+// Ends the round when it is over, and starts the next one after the pause.
 void Match::finishRound() {
   const std::uint32_t tick = history_.end();
-  if (!overAt_ && game_.over()) {
+  if (!overAt_ && roundOver()) {
     overAt_ = tick;
     sendAll(encode(RoundEnd{round_, tick, rotation_.next()->hash}));
     events_.push_back({MatchEvent::Kind::kRoundEnd, 0, 0, "", tick});
@@ -342,6 +363,7 @@ void Match::stop(const std::string& reason) {
   for (const auto& [client, player] : players_) outgoing_.push_back({client, true, true, bye});
   players_.clear();
   disconnected_.clear();
+  names_ = PlayerNames();
   recorder_.finish(game_);
 }
 
@@ -363,4 +385,3 @@ void Match::addEvent(MatchEvent::Kind kind, ClientId client, std::uint32_t slot,
 }
 
 }  // namespace platon
-  names_ = PlayerNames();

@@ -47,6 +47,8 @@ class Match {
 
   /// Ticks for which a disconnected player can be resumed: 60 s.
   static constexpr std::uint64_t kResumeTicks = 60 * kTicksPerSecond;
+  /// Ticks for which a round waits for a disconnected player: 10 s.
+  static constexpr std::uint64_t kAwaitTicks = 10 * kTicksPerSecond;
   /// Bytes of levels and states sent to one client in one tick; the last chunk may exceed it.
   static constexpr std::size_t kTransferBytesPerTick = 2 * kChunkBytes;
   /// Chunks of levels and states sent to all clients together in one tick.
@@ -104,9 +106,9 @@ class Match {
   void handle(ClientId client, const PlayerInputs& inputs);
 
   Refused refuseFull() const;
+  std::string claimName(const Hello& hello, std::uint32_t slot);
   MatchPlayer& join(ClientId client, const Hello& hello, std::uint32_t slot);
   MatchPlayer* resume(ClientId client, const Hello& hello);
-  std::string claimName(const Hello& hello, std::uint32_t slot);
   std::optional<MatchPlayer> extractPlayer(const SessionToken& token);
   void sendWelcome(ClientId client, MatchPlayer& player, const Hello& hello);
   void expireDisconnected();
@@ -118,6 +120,8 @@ class Match {
 
   void startRound();
   std::vector<Input> decideInputs();
+  bool roundOver() const;
+  bool awaits(const MatchPlayer& player) const;
   void finishRound();
   void resync(ClientId client, MatchPlayer& player, MatchEvent::Kind cause, std::uint32_t confirmed);
   void sendState(MatchPlayer& player);
@@ -138,11 +142,11 @@ class Match {
   std::optional<std::uint32_t> overAt_;                 // ticks of the round when its end was detected
   std::map<ClientId, MatchPlayer> players_;             // connected ones
   std::vector<Disconnected> disconnected_;              // ordered by since
+  PlayerNames names_;                                   // of the connected and the disconnected players
   ClientId nextTransfer_ = 0;                           // client whose transfers go on first in the next tick
   std::map<std::uint32_t, std::string> rosterChanges_;  // names by slot since the last tick; empty: the player left
   std::vector<Outgoing> outgoing_;
   std::vector<MatchEvent> events_;
-  PlayerNames names_;                                   // of the connected and the disconnected players
   MatchRecorder recorder_;
 };
 

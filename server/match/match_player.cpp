@@ -30,7 +30,7 @@ void MatchPlayer::resetProgress() {
   sync_ = 0;
 }
 
-void MatchPlayer::addInputs(const PlayerInputs& message, std::uint32_t decided) {
+void MatchPlayer::addInputs(const PlayerInputs& message, std::uint32_t decided, std::uint64_t now) {
   started_ = true;
   for (std::size_t i = 0; i < message.inputs.size(); ++i) {
     inputs_.add(message.first + static_cast<std::uint32_t>(i), message.inputs[i]);
@@ -38,6 +38,7 @@ void MatchPlayer::addInputs(const PlayerInputs& message, std::uint32_t decided) 
   const std::uint32_t end = message.first + static_cast<std::uint32_t>(message.inputs.size());
   if (message.inputs.empty() || end <= inputsEnd_) return;
   measureSlack(message, decided);
+  noteButtons(message, now);
   inputsEnd_ = end;
   newestInput_ = message.inputs.back();
 }
@@ -53,6 +54,13 @@ void MatchPlayer::measureSlack(const PlayerInputs& message, std::uint32_t decide
   if (!linkReport_) linkReport_.emplace();
   if (linkReport_->slack && linkReport_->slack->slack <= slack) return;
   linkReport_->slack = SlackReport{tick, static_cast<std::int32_t>(slack)};
+}
+
+void MatchPlayer::noteButtons(const PlayerInputs& message, std::uint64_t now) {
+  for (std::size_t i = inputsEnd_ - std::min(inputsEnd_, message.first); i < message.inputs.size(); ++i) {
+    const auto buttons = static_cast<std::uint8_t>(message.inputs[i].buttons & ~Input::kPresent);
+    if (buttons != std::exchange(buttons_, buttons)) activeAt_ = now;
+  }
 }
 
 // Inputs that change nothing are skipped: when late they are harmless, since the server keeps applying the last one.

@@ -21,6 +21,8 @@ class MatchPlayer {
  public:
   /// Level texts that a client may request in one round.
   static constexpr std::uint32_t kMaxLevelsPerRound = 8;
+  /// Ticks without a changed button after which a player is inactive: 60 s.
+  static constexpr std::uint64_t kActiveTicks = 60 * kTicksPerSecond;
   /// Minimum number of ticks between two full states: a client in permanent desync gets one a second.
   static constexpr std::uint64_t kTicksBetweenStates = 60;
 
@@ -29,8 +31,9 @@ class MatchPlayer {
   /// One message in this many repeats all unacknowledged ticks. Divides 256, the period of the sequence numbers.
   static constexpr std::uint8_t kFullRepeatInterval = 4;
 
-  MatchPlayer(std::uint32_t slot, std::string name, const std::optional<SessionToken>& token)
-      : slot_(slot), name_(std::move(name)), token_(token) {}
+  /// A player that joins at tick `now` of the match, counted over all rounds.
+  MatchPlayer(std::uint32_t slot, std::string name, const std::optional<SessionToken>& token, std::uint64_t now)
+      : slot_(slot), name_(std::move(name)), token_(token), activeAt_(now) {}
 
   std::uint32_t slot() const { return slot_; }
   const std::string& name() const { return name_; }
@@ -50,8 +53,12 @@ class MatchPlayer {
 
   /// Counts a message of inputs, of any round, for the link report.
   void countMessage(std::uint8_t sequence);
-  /// Stores the inputs of a message of the current round. `decided`: number of decided ticks of the round.
-  void addInputs(const PlayerInputs& message, std::uint32_t decided);
+  /// Stores the inputs of a message of the current round. `decided`: number of decided ticks of the round; `now`: tick
+  /// of the match.
+  void addInputs(const PlayerInputs& message, std::uint32_t decided, std::uint64_t now);
+  /// Whether the client has changed a button, or joined, in the last kActiveTicks. A button that is held for longer
+  /// does not count, nor does the release of buttons for want of inputs.
+  bool isActive(std::uint64_t now) const { return now - activeAt_ < kActiveTicks; }
   /// Whether the message reports the client's current progress: the client has restored the last state sent, and the
   /// message is not older than another one received.
   bool isCurrent(const PlayerInputs& message) const;
@@ -91,12 +98,15 @@ class MatchPlayer {
  private:
   void resetProgress();
   void measureSlack(const PlayerInputs& message, std::uint32_t decided);
+  void noteButtons(const PlayerInputs& message, std::uint64_t now);
   std::uint32_t measuredTick(const PlayerInputs& message) const;
 
   std::uint32_t slot_;
   std::string name_;
   std::optional<SessionToken> token_;
   std::uint32_t origin_ = 0;
+  std::uint64_t activeAt_;    // tick of the match in which the client last changed a button, or joined
+  std::uint8_t buttons_ = 0;  // of the newest input of all rounds
   InputBuffer inputs_;
   std::deque<Transfer> transfers_;
   LossMeter loss_;  // of the messages of inputs

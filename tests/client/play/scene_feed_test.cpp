@@ -38,6 +38,18 @@ TEST(SceneFeed, ShowsTheLocalPlayerPredictedAndTheOthersInterpolated) {
   EXPECT_EQ(scene->focus.position, local.pose.position);
 }
 
+TEST(SceneFeed, ShowsThatTheServerHasEndedTheRound) {
+  Session::Memory memory;
+  memory.levels = {endlessLevel()};
+  const std::uint64_t level = endlessLevel()->hash;
+  Session session("x", Moment(0), memory);
+  session.receive(encode(Welcome{0, 1, level, 4, kTicksPerSecond, ""}), Moment(0));
+  SceneFeed feed;
+  EXPECT_FALSE(feed.scene(session, Moment(0))->over);
+  session.receive(encode(RoundEnd{1, 0, level}), Moment(0));
+  EXPECT_TRUE(feed.scene(session, Moment(0))->over);
+}
+
 // Jumping players are brighter for a short time after each landing.
 TEST(SceneFeed, LandingPlayersFlash) {
   LinkQuality quality;

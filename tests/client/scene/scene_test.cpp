@@ -231,6 +231,14 @@ TEST(Scene, TheClockIsThatOfTheGame) {
   EXPECT_FALSE(scene.over);
 }
 
+TEST(Scene, ARoundThatTheServerEndedIsOver) {
+  const Game game(floorLevel());
+  SceneSource source = sourceOf(game, {}, {}, 0);
+  EXPECT_FALSE(makeScene(source).over);
+  source.roundOver = true;
+  EXPECT_TRUE(makeScene(source).over);
+}
+
 TEST(Scene, WithoutPlayersTheFocusIsTheStart) {
   const Game game(levelOf("3 40 60 90", "0 0 0", ""));
   const Scene scene = sceneOf(game);

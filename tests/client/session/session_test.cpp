@@ -143,6 +143,31 @@ TEST(Session, KeepsTheRoster) {
   EXPECT_EQ(names[5], "");
 }
 
+TEST(Session, ShowsOnlyVisibleCharactersOfTheServersTexts) {
+  Session session("x", Moment(0));
+  session.receive(encode(Welcome{0, 1, 2, 4, kTicksPerSecond, ""}), Moment(0));
+  session.receive(encode(Roster{{{1, " A\u200bnn "}, {2, "\u3164"}}}), Moment(0));
+  EXPECT_EQ(session.names()[1], "Ann");
+  EXPECT_EQ(session.names()[2], "");
+  session.receive(encode(Bye{ByeCode::kServerStops, "\u3164 why"}), Moment(0));
+  ASSERT_TRUE(session.ending().has_value());
+  EXPECT_EQ(session.ending()->reason, "the server ended the game: why");
+}
+
+TEST(Session, ARoundIsOverWhenTheServerEndsIt) {
+  Session::Memory memory;
+  memory.levels = {endlessLevel()};
+  Session session("x", Moment(0), memory);
+  const std::uint64_t level = endlessLevel()->hash;
+  session.receive(encode(Welcome{0, 1, level, 4, kTicksPerSecond, ""}), Moment(0));
+  session.receive(encode(RoundEnd{7, 10, level}), Moment(0));
+  EXPECT_FALSE(session.roundOver()) << "another round";
+  session.receive(encode(RoundEnd{1, 10, level}), Moment(0));
+  EXPECT_TRUE(session.roundOver());
+  session.receive(encode(RoundStart{2, level}), Moment(0));
+  EXPECT_FALSE(session.roundOver());
+}
+
 TEST(Session, ReportsTheReasonOfARefusal) {
   Session session("x", Moment(0));
   session.receive(encode(Refused{RefusalCode::kFull, "server is full"}), Moment(0));

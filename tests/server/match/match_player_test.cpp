@@ -13,7 +13,7 @@ Input pressing(int buttons) { return Input{static_cast<std::uint8_t>(buttons | I
 
 void receive(MatchPlayer& player, const PlayerInputs& message, std::uint32_t decided) {
   player.countMessage(message.sequence);
-  player.addInputs(message, decided);
+  player.addInputs(message, decided, 0);
 }
 
 class MatchPlayerTest : public testing::Test {
@@ -32,7 +32,7 @@ class MatchPlayerTest : public testing::Test {
     return levels;
   }
 
-  MatchPlayer player_{0, "Ann", SessionToken{1, 2, 3}};
+  MatchPlayer player_{0, "Ann", SessionToken{1, 2, 3}, 0};
 };
 
 // One message in four starts at the first unacknowledged tick, the others eight ticks before the end.
@@ -178,10 +178,28 @@ TEST_F(MatchPlayerTest, ResumingKeepsSlotAndTokenAndDiscardsAllElse) {
   EXPECT_EQ(player_.decideInput(), Input{});
 }
 
+TEST_F(MatchPlayerTest, IsActiveForAMinuteAfterTheLastChangedButton) {
+  const std::uint64_t limit = MatchPlayer::kActiveTicks;
+  EXPECT_TRUE(player_.isActive(limit - 1));
+  EXPECT_FALSE(player_.isActive(limit));
+  player_.addInputs({1, 0, 0, 0, 0, {pressing(0), pressing(0)}, 5}, 0, 10);
+  EXPECT_FALSE(player_.isActive(limit)) << "no button was pressed";
+  player_.addInputs({1, 0, 0, 0, 1, {pressing(0), pressing(1)}, 6}, 0, 20);
+  EXPECT_TRUE(player_.isActive(20 + limit - 1));
+  EXPECT_FALSE(player_.isActive(20 + limit));
+  player_.addInputs({1, 0, 0, 0, 1, {pressing(0), pressing(1), pressing(1)}, 7}, 0, 30);
+  EXPECT_FALSE(player_.isActive(20 + limit)) << "inputs that are repeated or held are no change";
+  player_.startRound();
+  player_.addInputs({2, 0, 0, 0, 0, {pressing(1)}, 8}, 0, 40);
+  EXPECT_FALSE(player_.isActive(20 + limit)) << "a button may be held from one round to the next";
+  player_.addInputs({2, 0, 0, 0, 1, {pressing(0)}, 9}, 0, 50);
+  EXPECT_TRUE(player_.isActive(50 + limit - 1)) << "a release is a change";
+}
+
 TEST_F(MatchPlayerTest, OnlyAPlayerWithATokenCanBeResumed) {
   EXPECT_TRUE(player_.canResume());
   EXPECT_FALSE(player_.hasToken(SessionToken{1, 2, 4}));
-  const MatchPlayer without(0, "Ben", std::nullopt);
+  const MatchPlayer without(0, "Ben", std::nullopt, 0);
   EXPECT_FALSE(without.canResume());
   EXPECT_FALSE(without.hasToken(SessionToken{}));
 }

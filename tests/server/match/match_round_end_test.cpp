@@ -1,0 +1,123 @@
+// When a round ends although not all players have finished.
+#include <gtest/gtest.h>
+
+#include "server/match/match.h"
+#include "tests/support/fake_client.h"
+#include "tests/support/fake_client_network.h"
+#include "tests/support/test_levels.h"
+
+namespace platon {
+namespace {
+
+using Kind = MatchEvent::Kind;
+
+constexpr std::uint32_t kActiveTicks = MatchPlayer::kActiveTicks;
+
+int idle(std::uint32_t) { return 0; }
+int running(std::uint32_t) { return Input::kRight; }
+
+// A floor on which a player that runs to the right reaches the goal within two seconds.
+std::string shortWayText() {
+  return "HEXAHEDRON\n0 -100 -180 0\n0 0 -190\n480\n%\n-240 -200 240 -200\n-120 -200 -120 0\n%\n%\n%\n%\n%\n";
+}
+
+class MatchRoundEnd : public testing::Test {
+ protected:
+  FakeClient& add(std::function<int(std::uint32_t)> buttons) {
+    return network_.add(FakeClient("P", 12, std::move(buttons)));
+  }
+  bool ended() { return network_.count(Kind::kRoundEnd) == 1; }
+  bool finished(std::uint32_t slot) { return network_.match().game().player(slot).finished != 0; }
+
+  // Ticks until the round ends; at most `limit`.
+  std::uint32_t ticksUntilEnd(std::uint32_t limit) {
+    std::uint32_t ticks = 0;
+    for (; ticks < limit && !ended(); ++ticks) network_.tick();
+    return ticks;
+  }
+
+  FakeClientNetwork network_{Match(LevelRotation({levelOf(shortWayText())}), {4, "Test"}), {.delayMs = kTickMs}};
+};
+
+TEST_F(MatchRoundEnd, APlayerThatChangesNoButtonForAMinuteDoesNotHoldTheRound) {
+  add(running);
+  add(idle);
+  network_.run(200);
+  ASSERT_TRUE(finished(0));
+  EXPECT_FALSE(finished(1));
+  const std::uint32_t ticks = ticksUntilEnd(2 * kActiveTicks);
+  EXPECT_EQ(200 + ticks, kActiveTicks + 1) << "a player is active when it joins";
+  EXPECT_FALSE(network_.match().game().over()) << "the game itself waits";
+  const std::uint32_t end = network_.match().game().tick();
+  network_.run(2);
+  ASSERT_TRUE(network_.client(1).roundEnd());
+  EXPECT_EQ(network_.client(1).roundEnd()->tick, end);
+}
+
+TEST_F(MatchRoundEnd, AButtonThatIsHeldIsNoChange) {
+  add(running);
+  add([](std::uint32_t) { return Input::kLeft; });
+  EXPECT_LE(ticksUntilEnd(2 * kActiveTicks), kActiveTicks + 60);
+  EXPECT_TRUE(ended());
+}
+
+TEST_F(MatchRoundEnd, APlayerCountsAgainWithItsNextButton) {
+  add(running);
+  add([](std::uint32_t tick) { return tick < kActiveTicks - 200 ? 0 : +Input::kLeft; });
+  const std::uint32_t ticks = ticksUntilEnd(3 * kActiveTicks);
+  EXPECT_GE(ticks, 2 * kActiveTicks - 220);
+  EXPECT_LE(ticks, 2 * kActiveTicks - 180);
+}
+
+TEST_F(MatchRoundEnd, TheRoundGoesOnWhileNobodyHasFinished) {
+  add(idle);
+  add(idle);
+  network_.run(kActiveTicks + 600);
+  EXPECT_FALSE(ended());
+}
+
+TEST_F(MatchRoundEnd, AnInactivePlayerStaysInactiveInTheNextRound) {
+  add(running);
+  add(idle);
+  ticksUntilEnd(2 * kActiveTicks);
+  network_.run(Match::kPauseTicks + 150);
+  EXPECT_EQ(network_.match().round(), 2u);
+  EXPECT_EQ(network_.count(Kind::kRoundEnd), 2u) << "it ended when the first player finished";
+}
+
+TEST_F(MatchRoundEnd, ARoundWaitsTenSecondsForADisconnectedPlayer) {
+  add(running);
+  add(idle);
+  network_.run(200);
+  ASSERT_TRUE(finished(0));
+  network_.disconnect(2);
+  const std::uint32_t ticks = ticksUntilEnd(kActiveTicks);
+  EXPECT_EQ(ticks, Match::kAwaitTicks);
+  EXPECT_FALSE(network_.match().idle());
+}
+
+TEST_F(MatchRoundEnd, ADisconnectedPlayerThatIsResumedInTimeHoldsTheRound) {
+  add(running);
+  add(idle);
+  network_.run(200);
+  network_.disconnect(2);
+  network_.run(Match::kAwaitTicks - 60);
+  network_.add(FakeClient(network_.client(2), idle));
+  network_.run(300);
+  EXPECT_FALSE(ended());
+  network_.disconnect(1);
+  EXPECT_LT(ticksUntilEnd(kActiveTicks), kActiveTicks);
+}
+
+TEST_F(MatchRoundEnd, TheNextRoundStartsFiveSecondsAfterTheEnd) {
+  add(running);
+  add(idle);
+  ticksUntilEnd(2 * kActiveTicks);
+  network_.run(Match::kPauseTicks - 1);
+  EXPECT_EQ(network_.match().round(), 1u);
+  network_.run(1);
+  EXPECT_EQ(network_.match().round(), 2u);
+}
+
+}  // namespace
+}  // namespace platon
