@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
-#include <set>
 
-#include "protocol/full_state.h"
 #include "protocol/label.h"
 
 namespace platon {
@@ -14,19 +12,6 @@ std::string versionReason(std::string_view what, std::uint32_t ours, std::uint32
   const std::string_view remedy = theirs < ours ? "update your client" : "install the same release as the server";
   return std::string(what) + " differ: server " + std::to_string(ours) + ", your client " + std::to_string(theirs) +
          "; " + std::string(remedy);
-}
-
-// Encodes names by slot in as few messages as possible.
-std::vector<std::vector<std::uint8_t>> rostersOf(const std::map<std::uint32_t, std::string>& names) {
-  std::vector<std::vector<std::uint8_t>> messages;
-  Roster roster;
-  for (auto name = names.begin(); name != names.end();) {
-    roster.entries.push_back({name->first, name->second});
-    if (++name != names.end() && roster.entries.size() < kMaxRosterEntries) continue;
-    messages.push_back(encode(roster));
-    roster.entries.clear();
-  }
-  return messages;
 }
 
 std::optional<Refused> wrongVersion(const Hello& hello) {
@@ -46,7 +31,8 @@ Match::Match(LevelRotation rotation, MatchSettings settings)
     : rotation_(std::move(rotation)),
       settings_(std::move(settings)),
       game_(rotation_.current()),
-      history_(round_, shortHash(game_.hash())) {
+      history_(round_, shortHash(game_.hash())),
+      names_(settings_.maxPlayers) {
   assert(settings_.maxPlayers >= 1 && settings_.maxPlayers <= kMaxPlayers);
   setServerName(settings_.serverName);
   startRound();
@@ -106,24 +92,17 @@ Refused Match::refuseFull() const {
 
 // A slot is free only after a tick was decided without a player in it, so that its player disappears from the game.
 std::optional<std::uint32_t> Match::freeSlot() const {
-  std::set<std::uint32_t> taken;
-  for (const auto& [client, player] : players_) taken.insert(player.slot());
-  for (const Disconnected& entry : disconnected_) taken.insert(entry.player.slot());
   const std::vector<Input>& held = history_.held();
   for (std::uint32_t slot = 0; slot < settings_.maxPlayers; ++slot) {
     const bool present = !idle() && slot < held.size() && held[slot].has(Input::kPresent);
-    if (!taken.contains(slot) && !present) return slot;
+    if (names_.isFree(slot) && !present) return slot;
   }
   return std::nullopt;
 }
 
-std::string Match::claimName(const Hello& hello, std::uint32_t slot) {
-  return names_.claim(hello.name, "Player " + std::to_string(slot + 1));
-}
-
 MatchPlayer& Match::join(ClientId client, const Hello& hello, std::uint32_t slot) {
   if (idle() && history_.end() > 0) startRound();
-  MatchPlayer joining(slot, claimName(hello, slot), hello.token, now_);
+  MatchPlayer joining(slot, names_.claim(slot, hello.name), hello.token, now_);
   MatchPlayer& player = players_.emplace(client, std::move(joining)).first->second;
   player.joinAt(history_.end());
   sendWelcome(client, player, hello);
@@ -135,8 +114,8 @@ MatchPlayer* Match::resume(ClientId client, const Hello& hello) {
   std::optional<MatchPlayer> known = hello.token ? extractPlayer(*hello.token) : std::nullopt;
   if (!known) return nullptr;
   MatchPlayer& player = players_.emplace(client, std::move(*known)).first->second;
-  names_.release(player.name());
-  player.resume(claimName(hello, player.slot()));
+  names_.release(player.slot());
+  player.resume(names_.claim(player.slot(), hello.name));
   sendWelcome(client, player, hello);
   addEvent(MatchEvent::Kind::kResumed, client, player.slot(), player.name());
   return &player;
@@ -159,24 +138,21 @@ std::optional<MatchPlayer> Match::extractPlayer(const SessionToken& token) {
   return std::nullopt;
 }
 
-// Sends all that a client needs to play: Welcome, names, level text, state.
+// Sends all that a client needs to play: Welcome, level text, state; with the next tick, the names.
 void Match::sendWelcome(ClientId client, MatchPlayer& player, const Hello& hello) {
   const LevelPointer& level = rotation_.current();
   send(client, encode(Welcome{player.slot(), round_, level->hash, settings_.maxPlayers, kTicksPerSecond,
                               settings_.serverName}));
-  std::map<std::uint32_t, std::string> names;
-  for (const auto& [other, present] : players_) names[present.slot()] = present.name();
-  for (const Disconnected& entry : disconnected_) names[entry.player.slot()] = entry.player.name();
-  for (const auto& roster : rostersOf(names)) send(client, roster);
-  rosterChanges_[player.slot()] = player.name();
-  if (std::find(hello.levels.begin(), hello.levels.end(), level->hash) == hello.levels.end()) player.sendLevel(level);
+  newcomers_.push_back(client);
+  const bool knowsLevel = std::find(hello.levels.begin(), hello.levels.end(), level->hash) != hello.levels.end();
+  if (!knowsLevel) player.sendLevel(transfers_.level(level));
   if (history_.end() > 0) sendState(player);
 }
 
 void Match::handle(ClientId client, const LevelRequest& request) {
   const auto found = players_.find(client);
   const LevelPointer level = rotation_.find(request.hash);
-  if (found != players_.end() && level) found->second.sendLevel(level);
+  if (found != players_.end() && level) found->second.sendLevel(transfers_.level(level));
 }
 
 void Match::handle(ClientId client, const Leave&) { remove(client); }
@@ -212,9 +188,8 @@ void Match::removeDisconnected(std::vector<Disconnected>::iterator disconnected)
 
 void Match::playerLeft(const MatchPlayer& player, ClientId client) {
   addEvent(MatchEvent::Kind::kLeft, client, player.slot(), player.name());
-  names_.release(player.name());
+  names_.release(player.slot());
   if (idle()) recorder_.finish(game_);
-  rosterChanges_[player.slot()] = "";
 }
 
 void Match::handle(ClientId client, const PlayerInputs& inputs) {
@@ -244,14 +219,14 @@ void Match::resync(ClientId client, MatchPlayer& player, MatchEvent::Kind cause,
 }
 
 void Match::sendState(MatchPlayer& player) {
-  player.sendState(round_, history_.end(), encode(FullState{history_.held(), game_.save()}), now_);
+  player.sendState(transfers_.state(round_, history_, game_, player.nextSync()), history_.end(), now_);
 }
 
 void Match::tick() {
   expireDisconnected();
-  for (const auto& roster : rostersOf(std::exchange(rosterChanges_, {}))) sendAll(roster);
   if (idle()) return;
   ++now_;
+  sendRosters();
   const std::vector<Input> inputs = decideInputs();
   if (settings_.record) recorder_.begin(round_, game_);
   game_.advance(inputs);
@@ -261,6 +236,18 @@ void Match::tick() {
   sendTransfers();
   sendTicks();
   finishRound();
+}
+
+// A newcomer gets all names. The others get the changes, several at a time when many clients join.
+void Match::sendRosters() {
+  for (const ClientId client : std::exchange(newcomers_, {})) {
+    if (!isPlaying(client)) continue;
+    for (const SharedBytes& roster : names_.all()) send(client, roster);
+  }
+  if (now_ < nextRosterAt_) return;
+  const std::vector<SharedBytes> changes = names_.takeChanges();
+  for (const SharedBytes& roster : changes) sendAll(roster);
+  if (!changes.empty()) nextRosterAt_ = now_ + kRosterTicks;
 }
 
 std::vector<Input> Match::decideInputs() {
@@ -359,11 +346,11 @@ void Match::startRound() {
 }
 
 void Match::stop(const std::string& reason) {
-  const std::vector<std::uint8_t> bye = encode(Bye{ByeCode::kServerStops, visibleLabel(reason)});
+  const SharedBytes bye = encode(Bye{ByeCode::kServerStops, visibleLabel(reason)});
   for (const auto& [client, player] : players_) outgoing_.push_back({client, true, true, bye});
   players_.clear();
   disconnected_.clear();
-  names_ = PlayerNames();
+  names_ = PlayerNames(settings_.maxPlayers);
   recorder_.finish(game_);
 }
 
@@ -372,11 +359,9 @@ const MatchPlayer* Match::player(ClientId client) const {
   return found == players_.end() ? nullptr : &found->second;
 }
 
-void Match::send(ClientId client, std::vector<std::uint8_t> bytes) {
-  outgoing_.push_back({client, true, false, std::move(bytes)});
-}
+void Match::send(ClientId client, SharedBytes bytes) { outgoing_.push_back({client, true, false, std::move(bytes)}); }
 
-void Match::sendAll(const std::vector<std::uint8_t>& bytes) {
+void Match::sendAll(const SharedBytes& bytes) {
   for (const auto& [client, player] : players_) send(client, bytes);
 }
 

@@ -16,7 +16,9 @@
 #include "server/match/match_player.h"
 #include "server/match/match_recorder.h"
 #include "server/match/player_names.h"
+#include "server/match/shared_bytes.h"
 #include "server/match/tick_history.h"
+#include "server/match/transfer_cache.h"
 
 namespace platon {
 
@@ -32,7 +34,7 @@ struct Outgoing {
   ClientId client = 0;
   bool reliable = false;  ///< otherwise unsequenced
   bool last = false;      ///< close the connection once the message has arrived
-  std::vector<std::uint8_t> bytes;
+  SharedBytes bytes;
 };
 
 /// The authority over the game: decides the input of every player for every tick, advances the game with them and sends
@@ -44,6 +46,9 @@ class Match {
   static constexpr std::uint32_t kPauseTicks = 5 * kTicksPerSecond;
   /// With at most this many connected players, each is sent every tick; with more, every second tick.
   static constexpr std::size_t kFewPlayers = 4;
+
+  /// Fewest ticks between two messages about changed names: 0.25 s.
+  static constexpr std::uint64_t kRosterTicks = kTicksPerSecond / 4;
 
   /// Ticks for which a disconnected player can be resumed: 60 s.
   static constexpr std::uint64_t kResumeTicks = 60 * kTicksPerSecond;
@@ -106,7 +111,6 @@ class Match {
   void handle(ClientId client, const PlayerInputs& inputs);
 
   Refused refuseFull() const;
-  std::string claimName(const Hello& hello, std::uint32_t slot);
   MatchPlayer& join(ClientId client, const Hello& hello, std::uint32_t slot);
   MatchPlayer* resume(ClientId client, const Hello& hello);
   std::optional<MatchPlayer> extractPlayer(const SessionToken& token);
@@ -119,6 +123,7 @@ class Match {
   std::optional<std::uint32_t> freeSlot() const;
 
   void startRound();
+  void sendRosters();
   std::vector<Input> decideInputs();
   bool roundOver() const;
   bool awaits(const MatchPlayer& player) const;
@@ -129,8 +134,8 @@ class Match {
   std::size_t sendChunks(ClientId client, MatchPlayer& player, std::size_t maxChunks);
   void sendTicks();
 
-  void send(ClientId client, std::vector<std::uint8_t> bytes);
-  void sendAll(const std::vector<std::uint8_t>& bytes);
+  void send(ClientId client, SharedBytes bytes);
+  void sendAll(const SharedBytes& bytes);
   void addEvent(MatchEvent::Kind kind, ClientId client, std::uint32_t slot, std::string text);
 
   LevelRotation rotation_;
@@ -139,12 +144,14 @@ class Match {
   std::uint64_t now_ = 0;  // ticks over all rounds
   Game game_;
   TickHistory history_;
-  std::optional<std::uint32_t> overAt_;                 // ticks of the round when its end was detected
-  std::map<ClientId, MatchPlayer> players_;             // connected ones
-  std::vector<Disconnected> disconnected_;              // ordered by since
-  PlayerNames names_;                                   // of the connected and the disconnected players
-  ClientId nextTransfer_ = 0;                           // client whose transfers go on first in the next tick
-  std::map<std::uint32_t, std::string> rosterChanges_;  // names by slot since the last tick; empty: the player left
+  std::optional<std::uint32_t> overAt_;      // ticks of the round when its end was detected
+  std::map<ClientId, MatchPlayer> players_;  // connected ones
+  std::vector<Disconnected> disconnected_;   // ordered by since
+  PlayerNames names_;                        // of the connected and the disconnected players
+  std::uint64_t nextRosterAt_ = 0;           // value of now_
+  std::vector<ClientId> newcomers_;          // clients that joined or resumed since the last tick
+  TransferCache transfers_;
+  ClientId nextTransfer_ = 0;  // client whose transfers go on first in the next tick
   std::vector<Outgoing> outgoing_;
   std::vector<MatchEvent> events_;
   MatchRecorder recorder_;

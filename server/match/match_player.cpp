@@ -93,25 +93,24 @@ std::optional<LinkReport> MatchPlayer::takeLinkReport() {
   return report;
 }
 
-void MatchPlayer::sendLevel(const LevelPointer& level) {
-  const auto same = [&level](const Transfer& transfer) { return transfer.isLevel(level->hash); };
+void MatchPlayer::sendLevel(Transfer level) {
+  const auto same = [&level](const Transfer& transfer) { return transfer.isSameLevel(level); };
   if (levelRequests_ == kMaxLevelsPerRound || std::any_of(transfers_.begin(), transfers_.end(), same)) return;
   ++levelRequests_;
-  transfers_.emplace_back(level);
+  transfers_.push_back(std::move(level));
 }
 
-void MatchPlayer::sendState(std::uint32_t round, std::uint32_t tick, std::vector<std::uint8_t> state,
-                            std::uint64_t now) {
-  sync_ = sync_ == UINT8_MAX ? 1 : static_cast<std::uint8_t>(sync_ + 1);
+void MatchPlayer::sendState(Transfer state, std::uint32_t tick, std::uint64_t now) {
+  sync_ = nextSync();
   acknowledged_ = tick;
   nextStateAt_ = now + kTicksBetweenStates;
   std::erase_if(transfers_, [](const Transfer& transfer) { return transfer.isState(); });
-  transfers_.emplace_back(round, tick, sync_, std::move(state));
+  transfers_.push_back(std::move(state));
 }
 
-std::optional<std::vector<std::uint8_t>> MatchPlayer::nextChunk() {
+std::optional<SharedBytes> MatchPlayer::nextChunk() {
   if (transfers_.empty()) return std::nullopt;
-  std::vector<std::uint8_t> chunk = transfers_.front().nextChunk();
+  SharedBytes chunk = transfers_.front().nextChunk();
   if (transfers_.front().done()) transfers_.pop_front();
   return chunk;
 }

@@ -86,14 +86,16 @@ class MatchPlayer {
   /// Lets the player join: ticks of the round before `tick` are decided without it.
   void joinAt(std::uint32_t tick) { inputs_ = InputBuffer(tick); }
 
-  /// Starts the transfer of a level text, unless it is in progress or the client has requested too many.
-  void sendLevel(const LevelPointer& level);
+  /// Starts this transfer of a level text, unless one is in progress or the client has requested too many.
+  void sendLevel(Transfer level);
   /// Whether a full state may be sent at this tick of the match, counted over all rounds.
   bool maySendState(std::uint64_t now) const { return now >= nextStateAt_; }
-  /// Starts the transfer of a full state after `tick` ticks of the round.
-  void sendState(std::uint32_t round, std::uint32_t tick, std::vector<std::uint8_t> state, std::uint64_t now);
+  /// Number of the next full state in the round.
+  std::uint8_t nextSync() const { return sync_ == UINT8_MAX ? 1 : static_cast<std::uint8_t>(sync_ + 1); }
+  /// Starts this transfer of a full state after `tick` ticks of the round. Its number is nextSync().
+  void sendState(Transfer state, std::uint32_t tick, std::uint64_t now);
   /// The next message of the transfers in progress; nothing if there are none.
-  std::optional<std::vector<std::uint8_t>> nextChunk();
+  std::optional<SharedBytes> nextChunk();
 
  private:
   void resetProgress();

@@ -1,8 +1,10 @@
 #include "server/match/player_names.h"
 
+#include <utility>
+
 #include "platon/game/utf8.h"
 #include "protocol/label.h"
-#include "protocol/limits.h"
+#include "protocol/to_client.h"
 
 namespace platon {
 namespace {
@@ -19,18 +21,56 @@ std::string withSuffix(std::string_view name, const std::string& suffix) {
   return visibleLabel(name.substr(0, length)) + suffix;
 }
 
+// As few messages as possible.
+std::vector<SharedBytes> rostersOf(const std::vector<RosterEntry>& entries) {
+  std::vector<SharedBytes> messages;
+  Roster roster;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    roster.entries.push_back(entries[i]);
+    if (i + 1 < entries.size() && roster.entries.size() < kMaxRosterEntries) continue;
+    messages.emplace_back(encode(roster));
+    roster.entries.clear();
+  }
+  return messages;
+}
+
 }  // namespace
 
-std::string PlayerNames::claim(std::string_view wanted, std::string_view substitute) {
+const std::string& PlayerNames::claim(std::uint32_t slot, std::string_view wanted) {
   const std::string visible = visibleLabel(wanted);
-  const std::string base = visible.empty() ? std::string(substitute) : visible;
+  const std::string base = visible.empty() ? "Player " + std::to_string(slot + 1) : visible;
   std::string name = base;
   for (int number = 2; !taken_.insert(lookAlikeKey(name)).second; ++number) {
     name = withSuffix(base, " " + std::to_string(number));
   }
-  return name;
+  change(slot, std::move(name));
+  return names_[slot];
 }
 
-void PlayerNames::release(std::string_view name) { taken_.erase(lookAlikeKey(name)); }
+void PlayerNames::release(std::uint32_t slot) {
+  taken_.erase(lookAlikeKey(names_[slot]));
+  change(slot, "");
+}
+
+void PlayerNames::change(std::uint32_t slot, std::string name) {
+  names_[slot] = std::move(name);
+  changed_.insert(slot);
+  all_.reset();
+}
+
+const std::vector<SharedBytes>& PlayerNames::all() {
+  if (all_) return *all_;
+  std::vector<RosterEntry> entries;
+  for (std::uint32_t slot = 0; slot < names_.size(); ++slot) {
+    if (!isFree(slot)) entries.push_back({slot, names_[slot]});
+  }
+  return all_.emplace(rostersOf(entries));
+}
+
+std::vector<SharedBytes> PlayerNames::takeChanges() {
+  std::vector<RosterEntry> entries;
+  for (const std::uint32_t slot : std::exchange(changed_, {})) entries.push_back({slot, names_[slot]});
+  return rostersOf(entries);
+}
 
 }  // namespace platon

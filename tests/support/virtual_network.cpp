@@ -94,11 +94,11 @@ void VirtualNetwork::tick() {
   ++ticks_;
   match_.tick();
   hashes_[{match_.round(), match_.game().tick()}] = match_.game().hash();
-  for (Outgoing& message : match_.takeOutgoing()) {
+  for (const Outgoing& message : match_.takeOutgoing()) {
     const auto connection = connections_.find(message.client);
     if (connection == connections_.end()) continue;
     if (!message.reliable) longest_ = std::max(longest_, message.bytes.size());
-    connection->second.down.send(std::move(message.bytes), message.reliable, now_);
+    connection->second.down.send({message.bytes.begin(), message.bytes.end()}, message.reliable, now_);
   }
   for (MatchEvent& event : match_.takeEvents()) events_.push_back(std::move(event));
 }

@@ -34,9 +34,10 @@ class FaultyServer {
   void step(TimePoint now) {
     for (const HostEvent& event : host_.service(now)) take(event);
     if (clock_.take(now)) match_.tick();
-    for (Outgoing& message : match_.takeOutgoing()) {
-      flipper_(message.bytes);
-      host_.send(message.client, message.reliable, message.bytes);
+    for (const Outgoing& message : match_.takeOutgoing()) {
+      std::vector<std::uint8_t> bytes(message.bytes.begin(), message.bytes.end());
+      flipper_(bytes);
+      host_.send(message.client, message.reliable, bytes);
     }
     host_.flush(now);
   }

@@ -59,8 +59,9 @@ class HollowSessionTest : public testing::Test {
     ++ticks_;
     match_.tick();
     if (session_ && match_.game().slots() > 0) decided_.push_back(match_.game().player(0).held & kButtons);
-    for (Outgoing& message : match_.takeOutgoing()) {
-      if (message.client == kClient && !(dropping_ && ++sent_ % 3 == 0)) down_->send(std::move(message.bytes), now_);
+    for (const Outgoing& message : match_.takeOutgoing()) {
+      if (message.client != kClient || (dropping_ && ++sent_ % 3 == 0)) continue;
+      down_->send({message.bytes.begin(), message.bytes.end()}, now_);
     }
   }
 

@@ -116,20 +116,20 @@ TEST_F(MatchPlayerTest, AMessageBeforeTheLastStateOrAcknowledgementIsNotCurrent)
   player_.acknowledge(20);
   EXPECT_TRUE(player_.isCurrent(message(0, 20)));
   EXPECT_FALSE(player_.isCurrent(message(0, 19)));
-  player_.sendState(1, 30, {1, 2, 3}, 0);
+  player_.sendState(Transfer(1, 30, 1, SharedBytes({1, 2, 3})), 30, 0);
   EXPECT_FALSE(player_.isCurrent(message(0, 30)));
   EXPECT_TRUE(player_.isCurrent(message(1, 30)));
 }
 
 TEST_F(MatchPlayerTest, StatesAreASecondApart) {
   EXPECT_TRUE(player_.maySendState(0));
-  player_.sendState(1, 30, {1, 2, 3}, 100);
+  player_.sendState(Transfer(1, 30, 1, SharedBytes({1, 2, 3})), 30, 100);
   EXPECT_FALSE(player_.maySendState(159));
   EXPECT_TRUE(player_.maySendState(160));
 }
 
 TEST_F(MatchPlayerTest, NumbersOfStatesSkipZero) {
-  for (int i = 0; i < 256; ++i) player_.sendState(1, 1, {1}, 0);
+  for (int i = 0; i < 256; ++i) player_.sendState(Transfer(1, 1, player_.nextSync(), SharedBytes({1})), 1, 0);
   const auto chunk = player_.nextChunk();
   ASSERT_TRUE(chunk);
   EXPECT_EQ(std::get<StateChunk>(*decodeToClient(*chunk)).sync, 1);
@@ -138,8 +138,8 @@ TEST_F(MatchPlayerTest, NumbersOfStatesSkipZero) {
 
 TEST_F(MatchPlayerTest, ALevelInTransferIsNotSentTwice) {
   const LevelPointer level = levelOf(farGoalText());
-  player_.sendLevel(level);
-  player_.sendLevel(level);
+  player_.sendLevel(Transfer(level));
+  player_.sendLevel(Transfer(level));
   EXPECT_EQ(takeLevels(), 1u);
 }
 
@@ -147,18 +147,18 @@ TEST_F(MatchPlayerTest, LevelsPerRoundAreLimited) {
   const LevelPointer level = levelOf(farGoalText());
   std::uint32_t levels = 0;
   for (std::uint32_t i = 0; i < 2 * MatchPlayer::kMaxLevelsPerRound; ++i) {
-    player_.sendLevel(level);
+    player_.sendLevel(Transfer(level));
     levels += takeLevels();
   }
   EXPECT_EQ(levels, MatchPlayer::kMaxLevelsPerRound);
   player_.startRound();
-  player_.sendLevel(level);
+  player_.sendLevel(Transfer(level));
   EXPECT_EQ(takeLevels(), 1u);
 }
 
 TEST_F(MatchPlayerTest, ANewRoundCancelsTheTransferOfAStateButNotOfALevel) {
-  player_.sendState(1, 30, {1, 2, 3}, 0);
-  player_.sendLevel(levelOf(farGoalText()));
+  player_.sendState(Transfer(1, 30, 1, SharedBytes({1, 2, 3})), 30, 0);
+  player_.sendLevel(Transfer(levelOf(farGoalText())));
   player_.startRound();
   EXPECT_EQ(takeLevels(), 1u);
   EXPECT_FALSE(player_.started());
@@ -166,7 +166,7 @@ TEST_F(MatchPlayerTest, ANewRoundCancelsTheTransferOfAStateButNotOfALevel) {
 
 TEST_F(MatchPlayerTest, ResumingKeepsSlotAndTokenAndDiscardsAllElse) {
   player_.acknowledge(20);
-  player_.sendLevel(levelOf(farGoalText()));
+  player_.sendLevel(Transfer(levelOf(farGoalText())));
   receive(player_, {1, 0, 0, 0, 0, {pressing(1)}, 5}, 0);
   player_.resume("Anna");
   EXPECT_EQ(player_.slot(), 0u);

@@ -43,7 +43,7 @@ TEST(Match, SendsWelcomeAndTheNamesOfAllPlayers) {
   network.add(player("Ann"));
   network.run(5);
   network.add(player(""));
-  network.run(5);
+  network.run(Match::kRosterTicks);
   const auto welcome = network.client(2).welcome();
   ASSERT_TRUE(welcome);
   EXPECT_EQ(welcome->slot, 1u);
@@ -54,7 +54,7 @@ TEST(Match, SendsWelcomeAndTheNamesOfAllPlayers) {
   EXPECT_EQ(network.client(1).roster(), roster);
   EXPECT_EQ(network.client(2).roster(), roster);
   network.leave(2);
-  network.run(5);
+  network.run(Match::kRosterTicks);
   EXPECT_EQ(network.client(1).roster().at(1), "");
 }
 

@@ -54,5 +54,45 @@ TEST(MatchTransfers, AFewClientsGetTwoChunksATickEach) {
   EXPECT_EQ(chunks, (std::map<ClientId, std::uint32_t>{{1, 2}, {2, 2}, {3, 2}}));
 }
 
+// 128 clients join within half a second, four in each tick.
+TEST(MatchTransfers, ChangedNamesAreSentAtMostFourTimesASecond) {
+  Match match = matchOn(farGoalText(), kMaxPlayers);
+  std::map<ClientId, std::map<std::uint32_t, std::string>> names;
+  std::map<ClientId, int> rosters;
+  for (std::uint32_t tick = 0; tick < 4 * Match::kRosterTicks; ++tick) {
+    for (ClientId i = 1; i <= 4 && tick < 32; ++i) match.receive(4 * tick + i, Hello{});
+    match.tick();
+    for (const Outgoing& message : match.takeOutgoing()) {
+      const auto decoded = decodeToClient(message.bytes);
+      const Roster* roster = std::get_if<Roster>(&*decoded);
+      if (!roster) continue;
+      ++rosters[message.client];
+      for (const RosterEntry& entry : roster->entries) names[message.client][entry.slot] = entry.name;
+    }
+  }
+  EXPECT_EQ(names.size(), 128u);
+  for (const auto& [client, known] : names) EXPECT_EQ(known.size(), 128u) << client;
+  EXPECT_EQ(rosters[1], 1 + 4) << "all at first, then the changes";
+  EXPECT_LE(rosters[128], 2 + 1) << "two messages hold all names";
+}
+
+TEST(MatchTransfers, ClientsThatJoinInOneTickShareTheMessages) {
+  Match match = matchOn(farGoalText(), 3);
+  match.receive(1, Hello{});
+  match.tick();
+  match.takeOutgoing();
+  match.receive(2, Hello{});
+  match.receive(3, Hello{});
+  match.tick();
+  std::map<ClientId, std::vector<const std::uint8_t*>> chunks;
+  for (const Outgoing& message : match.takeOutgoing()) {
+    const auto decoded = decodeToClient(message.bytes);
+    const bool chunk = std::holds_alternative<LevelChunk>(*decoded) || std::holds_alternative<StateChunk>(*decoded);
+    if (chunk && message.client != 1) chunks[message.client].push_back(message.bytes.data());
+  }
+  EXPECT_EQ(chunks[2].size(), 2u);
+  EXPECT_EQ(chunks[2], chunks[3]);
+}
+
 }  // namespace
 }  // namespace platon

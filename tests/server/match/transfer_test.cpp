@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "protocol/assembly.h"
+#include "protocol/to_client.h"
 #include "tests/support/test_levels.h"
 
 namespace platon {
@@ -13,8 +14,9 @@ namespace {
 TEST(Transfer, SendsAWholeLevelInChunks) {
   const LevelPointer level = levelOf(farGoalText() + "#" + std::string(10000, 'x') + "\n");
   Transfer transfer(level);
-  EXPECT_TRUE(transfer.isLevel(level->hash));
-  EXPECT_FALSE(transfer.isLevel(level->hash + 1));
+  EXPECT_FALSE(transfer.isState());
+  EXPECT_TRUE(transfer.isSameLevel(Transfer(level)));
+  EXPECT_FALSE(transfer.isSameLevel(Transfer(levelOf(farGoalText()))));
   Assembly assembly;
   bool done = false;
   int chunks = 0;
@@ -31,8 +33,9 @@ TEST(Transfer, SendsAWholeLevelInChunks) {
 TEST(Transfer, SendsAWholeStateInChunks) {
   std::vector<std::uint8_t> state(2 * kChunkBytes);
   std::iota(state.begin(), state.end(), std::uint8_t{0});
-  Transfer transfer(3, 500, 2, state);
+  Transfer transfer(3, 500, 2, SharedBytes(state));
   EXPECT_TRUE(transfer.isState());
+  EXPECT_FALSE(transfer.isSameLevel(transfer));
   Assembly assembly;
   for (const bool last : {false, true}) {
     ASSERT_FALSE(transfer.done());
@@ -44,6 +47,14 @@ TEST(Transfer, SendsAWholeStateInChunks) {
   }
   EXPECT_TRUE(transfer.done());
   EXPECT_EQ(assembly.bytes(), state);
+}
+
+TEST(Transfer, CopiesShareTheirMessages) {
+  Transfer first(levelOf(farGoalText() + "#" + std::string(10000, 'x') + "\n"));
+  Transfer second = first;
+  const SharedBytes chunk = first.nextChunk();
+  EXPECT_EQ(second.nextChunk().data(), chunk.data());
+  EXPECT_NE(second.nextChunk().data(), chunk.data());
 }
 
 }  // namespace
