@@ -11,6 +11,14 @@
 
 namespace platon {
 
+/// First byte of a per-tick message. Its fields follow without a FlatBuffer around them; in a FlatBuffer of ours this
+/// byte is the offset of the root table, which is not 0.
+inline constexpr std::uint8_t kTickMessage = 0;
+
+inline bool isTickMessage(std::span<const std::uint8_t> bytes) {
+  return !bytes.empty() && bytes.size() <= kMaxMessageBytes && bytes[0] == kTickMessage;
+}
+
 /// A received FlatBuffer whose structure has been verified. The values of its fields are not checked.
 template <class Root>
 class Envelope {

@@ -10,7 +10,7 @@
 namespace platon {
 
 /// Version of the messages. It changes whenever the layout or meaning of a message does; both sides must have the same.
-inline constexpr std::uint32_t kProtocolVersion = 2;
+inline constexpr std::uint32_t kProtocolVersion = 3;
 inline constexpr std::uint16_t kDefaultPort = 7777;
 
 /// Channels of the transport. All reliable messages share one, so that they arrive in the order in which they were
@@ -19,19 +19,17 @@ inline constexpr std::uint8_t kReliableChannel = 0;
 inline constexpr std::uint8_t kTickChannel = 1;
 inline constexpr std::size_t kChannels = 2;
 
-/// Longest message, bytes.
-inline constexpr std::size_t kMaxMessageBytes = 8 * 1024;
-/// Longest unreliable message, bytes: with all headers its datagram stays within 1200 bytes.
-inline constexpr std::size_t kMaxTickMessageBytes = 1160;
+/// Longest message, bytes: with all headers its datagram stays within 1200 bytes, so none is ever split.
+inline constexpr std::size_t kMaxMessageBytes = 1152;
 /// Bytes of a level text or a full state in one message.
-inline constexpr std::size_t kChunkBytes = 4 * 1024;
+inline constexpr std::size_t kChunkBytes = 1024;
 
 /// Longest full state, bytes.
 inline constexpr std::size_t kMaxStateBytes = 1024 * 1024;
 /// Levels that a client may list in `Hello` as known.
 inline constexpr std::size_t kMaxLevelsKnown = 8;
-/// Names in one `Roster`. With the longest names the message is well below `kMaxMessageBytes`.
-inline constexpr std::size_t kMaxRosterEntries = 64;
+/// Names in one `Roster`. With the longest names the message is below `kMaxMessageBytes`.
+inline constexpr std::size_t kMaxRosterEntries = 16;
 /// Longest name of a player or a server, and longest reason shown to a player, bytes of UTF-8.
 inline constexpr std::size_t kMaxNameBytes = 32;
 inline constexpr std::size_t kMaxReasonBytes = 200;
@@ -39,7 +37,7 @@ inline constexpr std::size_t kMaxReasonBytes = 200;
 /// Inputs in one message of a client: enough for a round trip of 2 s and a buffer of 1 s.
 inline constexpr std::uint32_t kMaxInputsPerMessage = 256;
 /// Ticks and input changes in one message of the server. Every single tick fits, and the longest message is below
-/// `kMaxTickMessageBytes`: a change takes two bytes, or three when at least three ticks lie between it and the last
+/// `kMaxMessageBytes`: a change takes two bytes, or three when at least three ticks lie between it and the last
 /// one.
 inline constexpr std::uint32_t kMaxTicksPerMessage = 240;
 inline constexpr std::uint32_t kMaxChangesPerMessage = 512;

@@ -6,6 +6,7 @@
 
 #include "protocol/byte_reader.h"
 #include "protocol/byte_writer.h"
+#include "protocol/bytes.h"
 #include "protocol/envelope.h"
 #include "protocol/label.h"
 #include "to_client_generated.h"
@@ -101,6 +102,7 @@ bool readLinkReport(ByteReader& in, ConfirmedTicks& message) {
 
 Bytes pack(const ConfirmedTicks& message) {
   ByteWriter out;
+  out.byte(kTickMessage);
   out.varint(message.round);
   out.varint(message.from);
   out.varint(message.count);
@@ -146,7 +148,8 @@ std::optional<ToClient> read(const wire::Welcome& table) {
 }
 
 RefusalCode refusalCode(std::uint32_t code) {
-  const bool known = code >= 1 && code <= static_cast<std::uint32_t>(RefusalCode::kFull);
+  const bool known = code == static_cast<std::uint32_t>(RefusalCode::kWrongRules) ||
+                     code == static_cast<std::uint32_t>(RefusalCode::kFull);
   return known ? static_cast<RefusalCode>(code) : RefusalCode::kOther;
 }
 
@@ -222,17 +225,17 @@ std::optional<ToClient> readBody(const wire::ToClient& root) {
 
 template <class Table>
 Bytes finish(Builder& builder, Body type, flatbuffers::Offset<Table> body) {
-  builder.Finish(wire::CreateToClient(builder, 0, type, body.Union()));
+  builder.Finish(wire::CreateToClient(builder, type, body.Union()));
   return bytesOf(builder);
 }
 
 }  // namespace
 
 std::optional<ToClient> decodeToClient(std::span<const std::uint8_t> bytes) {
+  if (isTickMessage(bytes)) return unpack(bytes.subspan(1));
   const Envelope<wire::ToClient> envelope(bytes);
   const wire::ToClient* root = envelope.root();
-  if (!root || (root->ticks() != nullptr) == (root->body() != nullptr)) return std::nullopt;
-  return root->ticks() ? unpack(spanOf(root->ticks())) : readBody(*root);
+  return root && root->body() ? readBody(*root) : std::nullopt;
 }
 
 Bytes encode(const Welcome& message) {
@@ -297,12 +300,7 @@ Bytes encode(const ConfirmedTicks& message) {
   assert(message.changes.size() <= kMaxChangesPerMessage);
   assert(!message.link || message.link->lostPercent <= 100);
   assert(!message.link || !message.link->slack || std::abs(message.link->slack->slack) <= kMaxSlack);
-  Builder builder;
-  const auto ticks = builder.CreateVector(pack(message));
-  wire::ToClientBuilder table(builder);
-  table.add_ticks(ticks);
-  builder.Finish(table.Finish());
-  return bytesOf(builder);
+  return pack(message);
 }
 
 }  // namespace platon

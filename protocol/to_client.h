@@ -24,7 +24,7 @@ struct Welcome {
   friend bool operator==(const Welcome&, const Welcome&) = default;
 };
 
-enum class RefusalCode : std::uint32_t { kWrongProtocol = 1, kWrongRules = 2, kFull = 3, kOther = 255 };
+enum class RefusalCode : std::uint32_t { kWrongRules = 2, kFull = 3, kOther = 255 };
 
 /// Answer to Hello: the client cannot play. The connection closes after it.
 struct Refused {

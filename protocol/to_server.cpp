@@ -44,6 +44,7 @@ bool readRuns(ByteReader& in, std::vector<Input>& inputs) {
 
 std::vector<std::uint8_t> pack(const PlayerInputs& message) {
   ByteWriter out;
+  out.byte(kTickMessage);
   out.varint(message.round);
   out.byte(message.sequence);
   out.byte(message.sync);
@@ -87,11 +88,8 @@ bool readSession(const wire::Hello& table, Hello& hello) {
   return hello.levels.size() <= kMaxLevelsKnown;
 }
 
-// Reads only the version if it is not ours: the layout of such a Hello may differ.
 std::optional<ToServer> readHello(const wire::Hello& table) {
   Hello hello;
-  hello.protocolVersion = table.protocol_version();
-  if (hello.protocolVersion != kProtocolVersion) return hello;
   hello.rulesVersion = table.rules_version();
   hello.name = textOf(table.name());
   if (!isLabel(hello.name, kMaxNameBytes) || !readSession(table, hello)) return std::nullopt;
@@ -114,17 +112,17 @@ std::optional<ToServer> readBody(const wire::ToServer& root) {
 template <class Body>
 std::vector<std::uint8_t> finish(flatbuffers::FlatBufferBuilder& builder, wire::ToServerBody type,
                                  flatbuffers::Offset<Body> body) {
-  builder.Finish(wire::CreateToServer(builder, 0, type, body.Union()));
+  builder.Finish(wire::CreateToServer(builder, type, body.Union()));
   return bytesOf(builder);
 }
 
 }  // namespace
 
 std::optional<ToServer> decodeToServer(std::span<const std::uint8_t> bytes) {
+  if (isTickMessage(bytes)) return unpack(bytes.subspan(1));
   const Envelope<wire::ToServer> envelope(bytes);
   const wire::ToServer* root = envelope.root();
-  if (!root || (root->inputs() != nullptr) == (root->body() != nullptr)) return std::nullopt;
-  return root->inputs() ? unpack(spanOf(root->inputs())) : readBody(*root);
+  return root && root->body() ? readBody(*root) : std::nullopt;
 }
 
 std::vector<std::uint8_t> encode(const Hello& message) {
@@ -134,7 +132,7 @@ std::vector<std::uint8_t> encode(const Hello& message) {
   const auto levels = message.levels.empty() ? 0 : builder.CreateVector(message.levels);
   const auto token = message.token ? builder.CreateVector(message.token->data(), message.token->size()) : 0;
   return finish(builder, wire::ToServerBody::Hello,
-                wire::CreateHello(builder, message.protocolVersion, message.rulesVersion, name, token, levels));
+                wire::CreateHello(builder, message.rulesVersion, name, token, levels));
 }
 
 std::vector<std::uint8_t> encode(const LevelRequest& message) {
@@ -149,12 +147,7 @@ std::vector<std::uint8_t> encode(const Leave&) {
 
 std::vector<std::uint8_t> encode(const PlayerInputs& message) {
   assert(message.first >= message.confirmed && message.inputs.size() <= kMaxInputsPerMessage);
-  flatbuffers::FlatBufferBuilder builder;
-  const auto inputs = builder.CreateVector(pack(message));
-  wire::ToServerBuilder table(builder);
-  table.add_inputs(inputs);
-  builder.Finish(table.Finish());
-  return bytesOf(builder);
+  return pack(message);
 }
 
 }  // namespace platon

@@ -15,11 +15,10 @@ namespace platon {
 
 /// First message of a client. Reliable.
 struct Hello {
-  std::uint32_t protocolVersion = kProtocolVersion;
-  std::uint32_t rulesVersion = kRulesVersion;  ///< meaningful only if protocolVersion is kProtocolVersion
-  std::string name;                            ///< a label (`isLabel`); empty: the server chooses one
-  std::optional<SessionToken> token{};         ///< resumes the player that joined with the same token
-  std::vector<std::uint64_t> levels{};         ///< hashes of known levels; at most kMaxLevelsKnown
+  std::uint32_t rulesVersion = kRulesVersion;
+  std::string name;                     ///< a label (`isLabel`); empty: the server chooses one
+  std::optional<SessionToken> token{};  ///< resumes the player that joined with the same token
+  std::vector<std::uint64_t> levels{};  ///< hashes of known levels; at most kMaxLevelsKnown
 
   friend bool operator==(const Hello&, const Hello&) = default;
 };

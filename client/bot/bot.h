@@ -4,7 +4,7 @@
 
 #include "client/bot/bot_measure.h"
 #include "client/desync/desync_report.h"
-#include "client/time/moment.h"
+#include "protocol/moment.h"
 
 namespace platon {
 

@@ -43,8 +43,9 @@ void BotFleet::add(Moment now) {
 
 std::unique_ptr<Bot> BotFleet::make(const std::string& name, std::uint64_t seed, Moment now) const {
   const Moment settle = fromSeconds(options_.settleSeconds);
-  if (options_.hollow) return std::make_unique<HollowBot>(server_, name, options_.quality, seed, now, settle);
-  return std::make_unique<PlayingBot>(server_, name, options_.quality, seed, now, settle);
+  if (options_.hollow)
+    return std::make_unique<HollowBot>(server_, name, options_.knowledge, options_.quality, seed, now, settle);
+  return std::make_unique<PlayingBot>(server_, name, options_.knowledge, options_.quality, seed, now, settle);
 }
 
 void BotFleet::update(Moment now) {

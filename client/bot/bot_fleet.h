@@ -10,6 +10,7 @@
 #include "client/net/network_conditions.h"
 #include "client/net/server_address.h"
 #include "client/time/clock.h"
+#include "protocol/transport/client_gate.h"
 
 namespace platon {
 
@@ -17,10 +18,11 @@ struct FleetOptions {
   int count = 1;  ///< 1 … 256
   double seconds = 10;
   std::uint64_t seed = 1;
-  LinkQuality quality;       ///< simulated network conditions, each way
-  bool hollow = false;       ///< HollowBot instead of PlayingBot
-  double settleSeconds = 0;  ///< time from a bot's first confirmed tick until it is measured
-  std::string desyncFolder;  ///< for desync reports; empty: none are written
+  LinkQuality quality;          ///< simulated network conditions, each way
+  bool hollow = false;          ///< HollowBot instead of PlayingBot
+  double settleSeconds = 0;     ///< time from a bot's first confirmed tick until it is measured
+  ServerKnowledge knowledge{};  ///< what every bot knows of the server
+  std::string desyncFolder;     ///< for desync reports; empty: none are written
 };
 
 /// Bots that play together on one server.

@@ -13,6 +13,8 @@
 #include "client/net/server_address.h"
 #include "client/time/steady_now.h"
 #include "platon_version.h"
+#include "protocol/program_error.h"
+#include "protocol/transport/secret_file.h"
 
 namespace platon {
 
@@ -23,6 +25,7 @@ constexpr int kUsage = 2;
 
 struct Options {
   std::string host;
+  std::string passwordFile;
   FleetOptions fleet;
   bool json = false;
 };
@@ -44,13 +47,15 @@ void describe(CLI::App& app, Options& options) {
                  "Seconds after its first tick before a bot is measured; desyncs, resyncs and the largest correction "
                  "are counted from the start")
       ->check(CLI::Range(0.0, 86400.0));
+  app.add_option("--password-file", options.passwordFile, "File with the server's password in its first line");
   app.add_flag("--json", options.json, "Print one JSON object");
   addConditionOptions(app, options.fleet.quality);
 }
 
 int play(const Options& options) {
-  const std::vector<BotResult> results =
-      BotFleet(options.fleet, parseServerAddress(options.host), steadyClock()).play();
+  FleetOptions fleet = options.fleet;
+  if (!options.passwordFile.empty()) fleet.knowledge.password = readPasswordFile(options.passwordFile);
+  const std::vector<BotResult> results = BotFleet(fleet, parseServerAddress(options.host), steadyClock()).play();
   BotReport report = makeReport(results);
   report.hollow = options.fleet.hollow;
   std::fputs((options.json ? toJson(report) : toText(report)).c_str(), stdout);
@@ -71,6 +76,9 @@ int run(int argc, char** argv) {
     if (error.get_exit_code() == 0) return app.exit(error);
     std::fprintf(stderr, "platon-bot: %s (see platon-bot --help)\n", error.what());
     return kUsage;
+  } catch (const ProgramError& error) {
+    std::fprintf(stderr, "platon-bot: %s\n", error.what());
+    return error.exitCode();
   } catch (const std::invalid_argument& error) {
     std::fprintf(stderr, "platon-bot: %s\n", error.what());
     return kUsage;

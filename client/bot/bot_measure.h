@@ -8,7 +8,7 @@
 #include "client/netcode/link_statistics.h"
 #include "client/netcode/prediction.h"
 #include "client/session/round.h"
-#include "client/time/moment.h"
+#include "protocol/moment.h"
 
 namespace platon {
 

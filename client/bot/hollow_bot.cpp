@@ -2,12 +2,14 @@
 
 #include <span>
 
+#include "protocol/transport/udp_socket.h"
+
 namespace platon {
 
-HollowBot::HollowBot(const ServerAddress& server, const std::string& name, const LinkQuality& quality,
-                     std::uint64_t seed, Moment now, Moment settle)
+HollowBot::HollowBot(const ServerAddress& server, const std::string& name, const ServerKnowledge& knowledge,
+                     const LinkQuality& quality, std::uint64_t seed, Moment now, Moment settle)
     : route_(server, quality, seed),
-      connection_(route_.address(), now),
+      connection_(resolve(route_.address().host, route_.address().port), knowledge),
       name_(name),
       presser_(seed),
       buttons_([this] { return presser_.next(); }),

@@ -16,8 +16,8 @@ namespace platon {
 class HollowBot : public Bot {
  public:
   /// As for PlayingBot.
-  HollowBot(const ServerAddress& server, const std::string& name, const LinkQuality& quality, std::uint64_t seed,
-            Moment now, Moment settle);
+  HollowBot(const ServerAddress& server, const std::string& name, const ServerKnowledge& knowledge,
+            const LinkQuality& quality, std::uint64_t seed, Moment now, Moment settle);
 
   void update(Moment now) override;
   void leave() override;

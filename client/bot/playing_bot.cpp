@@ -2,10 +2,10 @@
 
 namespace platon {
 
-PlayingBot::PlayingBot(const ServerAddress& server, const std::string& name, const LinkQuality& quality,
-                       std::uint64_t seed, Moment now, Moment settle)
+PlayingBot::PlayingBot(const ServerAddress& server, const std::string& name, const ServerKnowledge& knowledge,
+                       const LinkQuality& quality, std::uint64_t seed, Moment now, Moment settle)
     : route_(server, quality, seed),
-      client_(server, name, now, route_.address()),
+      client_(server, {name, knowledge, route_.address()}, now),
       presser_(seed),
       measure_(now, settle) {}
 

@@ -17,8 +17,8 @@ class PlayingBot : public Bot {
   /// Starts to connect. `quality`: simulated network conditions each way. `seed`: of the buttons and the conditions.
   /// `settle`: time after the first confirmed tick before the bot is measured. Throws std::runtime_error if the host
   /// name cannot be resolved or no socket is available.
-  PlayingBot(const ServerAddress& server, const std::string& name, const LinkQuality& quality, std::uint64_t seed,
-             Moment now, Moment settle);
+  PlayingBot(const ServerAddress& server, const std::string& name, const ServerKnowledge& knowledge,
+             const LinkQuality& quality, std::uint64_t seed, Moment now, Moment settle);
 
   void update(Moment now) override;
   void leave() override { client_.leave(); }

@@ -1,14 +1,13 @@
 #include "client/net/connection.h"
 
-#include <algorithm>
-#include <array>
-#include <chrono>
-#include <cstddef>
-#include <stdexcept>
-#include <utility>
+#include <sodium.h>
 
-#include "protocol/enet_settings.h"
-#include "protocol/limits.h"
+#include <stdexcept>
+
+#include "client/net/refusal_text.h"
+#include "protocol/transport/enet_check.h"
+#include "protocol/transport/enet_settings.h"
+#include "protocol/transport/udp_socket.h"
 
 namespace platon {
 
@@ -17,71 +16,73 @@ namespace {
 // Round trip assumed until one is measured. A lost connection request is sent again after this time.
 constexpr enet_uint32 kInitialRoundTripMs = 100;
 
-ENetAddress resolve(const ServerAddress& server) {
-  ENetAddress address{};
-  if (enet_address_set_host(&address, server.host.c_str()) != 0) {
-    throw std::runtime_error("cannot resolve host " + server.host);
-  }
-  address.port = server.port;
-  return address;
-}
-
-// Longest datagram that this thread has sent or received since countTraffic() last reset it. Measured in the checksum
-// function, the only place where ENet reveals the length of each datagram.
-thread_local std::uint64_t longestDatagram = 0;
-
-enet_uint32 measuringChecksum(const ENetBuffer* buffers, std::size_t count) {
-  std::uint64_t bytes = 0;
-  for (std::size_t i = 0; i < count; ++i) bytes += buffers[i].dataLength;
-  longestDatagram = std::max(longestDatagram, bytes);
-  return enet_crc32(buffers, count);
-}
+// ENet's address of the only session.
+constexpr ENetAddress kSession{1, 1};
 
 }  // namespace
 
-Connection::Connection(const ServerAddress& server, Moment now) {
-  const ENetAddress address = resolve(server);
-  setEnetTime(now);
-  host_.reset(enet_host_create(nullptr, 1, kChannels, 0, 0));
-  if (!host_) throw std::runtime_error("cannot open a UDP socket");
-  host_->checksum = measuringChecksum;
-  host_->maximumPacketSize = kMaxMessageBytes;
-  peer_ = enet_host_connect(host_.get(), &address, kChannels, 0);
-  if (peer_ == nullptr) throw std::runtime_error("cannot connect to " + server.text());
-  peer_->roundTripTime = kInitialRoundTripMs;
-  configurePeer(*peer_);
+Connection::Connection(const std::vector<SocketAddress>& addresses, const ServerKnowledge& knowledge)
+    : Connection(std::make_unique<UdpSocket>(), addresses, knowledge) {}
+
+Connection::Connection(std::unique_ptr<DatagramSocket> socket, const std::vector<SocketAddress>& addresses,
+                       const ServerKnowledge& knowledge)
+    : gate_(std::move(socket), addresses, knowledge, KeyPair::random()),
+      host_(createEnetHost(1, randombytes_random())) {
+  if (!host_ || !enetUsesOurCalls())
+    throw SocketError("cannot use ENet: this program was linked without its transport");
 }
 
 Connection::~Connection() {
-  if (state_ != State::kClosed) enet_peer_reset(peer_);
+  if (peer_ != nullptr && state_ != State::kClosed) enet_peer_reset(peer_);
 }
 
-// Stops ENet from dropping unreliable packets when the round trip grows; the server could turn that on.
-void Connection::disableThrottle() {
-  if (state_ != State::kConnected) return;  // while connecting, the server must echo the original values
-  unthrottle(*peer_);
+void Connection::sendFromEnet(const ENetAddress&, ByteSpan bytes) { gate_.send(bytes, now_); }
+
+std::optional<EnetPort::Received> Connection::receiveForEnet() {
+  while (std::optional<Bytes> content = gate_.receive(now_)) {
+    if (!accepts(*content)) continue;
+    content_ = std::move(*content);
+    return Received{kSession, content_};
+  }
+  return std::nullopt;
 }
 
-void Connection::limitRequestInterval() {
-  if (state_ == State::kConnecting) limitRetransmissionTimeout(*peer_, kRequestInterval / std::chrono::milliseconds(1));
-}
-
-ServerAddress Connection::address() const {
-  std::array<char, 16> text{};
-  enet_address_get_host_ip(&peer_->address, text.data(), text.size());
-  return {text.data(), peer_->address.port};
+bool Connection::accepts(ByteSpan content) const {
+  const std::optional<EnetCommands> commands = readEnetCommands(content, EnetSender::kServer);
+  return commands && peer_ != nullptr && commands->peer == peer_->incomingPeerID && areSequencesNear(*commands, *peer_);
 }
 
 void Connection::service(Moment now, const Receiver& receiver) {
-  setEnetTime(now);
-  disableThrottle();
-  limitRequestInterval();
+  now_ = now;
+  const EnetScope scope(*this, now);
+  if (peer_ == nullptr) shakeHands();
+  if (peer_ == nullptr || state_ == State::kClosed) return;
+  if (state_ == State::kConnected) fixSettings(*peer_);  // before that, the server must echo the original values
+  if (state_ == State::kConnecting) limitRetransmissionTimeout(*peer_, kRequestInterval / std::chrono::milliseconds(1));
   ENetEvent event{};
   for (std::uint32_t events = 0; events < kMaxMessagesPerService; ++events) {
-    if (enet_host_service(host_.get(), &event, 0) <= 0) break;
+    if (serviceEnet(*host_, event) <= 0) break;
     handle(event, receiver);
   }
-  countTraffic();
+  gate_.flush(now);
+}
+
+// Until the gate is open, nothing but the handshake can arrive.
+void Connection::shakeHands() {
+  gate_.update(now_);
+  gate_.receive(now_);
+  gate_.flush(now_);
+  if (gate_.state() == ClientGate::State::kOpen) return connect();
+  if (gate_.state() == ClientGate::State::kHandshake || state_ == State::kClosed) return;
+  refused_ = refusalOf(gate_);
+  state_ = State::kClosed;
+}
+
+void Connection::connect() {
+  peer_ = enet_host_connect(host_.get(), &kSession, kChannels, 0);
+  if (peer_ == nullptr) throw std::bad_alloc();
+  peer_->roundTripTime = kInitialRoundTripMs;
+  configurePeer(*peer_);
 }
 
 void Connection::handle(const ENetEvent& event, const Receiver& receiver) {
@@ -96,17 +97,10 @@ void Connection::handle(const ENetEvent& event, const Receiver& receiver) {
 }
 
 void Connection::flush(Moment now) {
-  setEnetTime(now);
+  now_ = now;
+  const EnetScope scope(*this, now);
   enet_host_flush(host_.get());
-  countTraffic();
-}
-
-void Connection::countTraffic() {
-  traffic_.longestDatagram = std::max(traffic_.longestDatagram, std::exchange(longestDatagram, 0));
-  traffic_.sentBytes += std::exchange(host_->totalSentData, 0);
-  traffic_.sentPackets += std::exchange(host_->totalSentPackets, 0);
-  traffic_.receivedBytes += std::exchange(host_->totalReceivedData, 0);
-  traffic_.receivedPackets += std::exchange(host_->totalReceivedPackets, 0);
+  gate_.flush(now);
 }
 
 void Connection::send(std::span<const std::uint8_t> message, bool reliable) {
@@ -114,7 +108,13 @@ void Connection::send(std::span<const std::uint8_t> message, bool reliable) {
 }
 
 void Connection::close() {
-  if (state_ == State::kConnected) enet_peer_disconnect_later(peer_, 0);
+  if (state_ != State::kConnected) return;
+  const EnetScope scope(*this, now_);
+  enet_peer_disconnect_later(peer_, 0);
+}
+
+std::optional<CryptoKey> Connection::identity() const {
+  return gate_.state() == ClientGate::State::kOpen ? gate_.identity() : std::nullopt;
 }
 
 }  // namespace platon

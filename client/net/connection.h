@@ -2,41 +2,24 @@
 
 #include <enet/enet.h>
 
-#include <algorithm>
-#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
+#include <string>
+#include <vector>
 
-#include "client/net/server_address.h"
-#include "client/time/moment.h"
+#include "protocol/moment.h"
+#include "protocol/transport/client_gate.h"
+#include "protocol/transport/enet_calls.h"
 
 namespace platon {
 
-/// Network traffic: UDP payload, acknowledgements and retransmissions included.
-struct Traffic {
-  std::uint64_t sentBytes = 0;
-  std::uint64_t sentPackets = 0;
-  std::uint64_t receivedBytes = 0;
-  std::uint64_t receivedPackets = 0;
-  std::uint64_t longestDatagram = 0;  ///< sent or received, bytes
-
-  friend Traffic operator+(const Traffic& a, const Traffic& b) {
-    return {a.sentBytes + b.sentBytes, a.sentPackets + b.sentPackets, a.receivedBytes + b.receivedBytes,
-            a.receivedPackets + b.receivedPackets, std::max(a.longestDatagram, b.longestDatagram)};
-  }
-  /// Traffic gained from the earlier count `b` to the later count `a`; `longestDatagram` is that of `a`.
-  friend Traffic operator-(const Traffic& a, const Traffic& b) {
-    return {a.sentBytes - b.sentBytes, a.sentPackets - b.sentPackets, a.receivedBytes - b.receivedBytes,
-            a.receivedPackets - b.receivedPackets, a.longestDatagram};
-  }
-};
-
-/// A connection to a server over ENet. The only class of the client that calls ENet.
-class Connection {
+/// A sealed connection to a server over ENet. The only class of the client that calls ENet.
+class Connection : private EnetPort {
  public:
-  /// Longest pause between two connection requests.
+  /// Longest pause between two connection requests of ENet.
   static constexpr Moment kRequestInterval = std::chrono::milliseconds(500);
   /// Messages that one `service` delivers at most; further ones wait for the next call.
   static constexpr std::uint32_t kMaxMessagesPerService = 512;
@@ -44,13 +27,21 @@ class Connection {
   enum class State { kConnecting, kConnected, kClosed };
   using Receiver = std::function<void(std::span<const std::uint8_t>)>;
 
-  /// Starts to connect. Throws std::runtime_error if the host name cannot be resolved or no socket is available.
-  Connection(const ServerAddress& server, Moment now);
-  ~Connection();
-  Connection(const Connection&) = delete;
-  Connection& operator=(const Connection&) = delete;
+  /// Why the server does not take the client: a sentence for the player.
+  struct Refused {
+    std::string reason;
+    bool permanent = true;  ///< false: a later attempt may succeed
+  };
 
-  /// Passes received messages to `receiver` and sends queued datagrams. Does not block.
+  /// Starts to connect to a server at one of these addresses, over UDP. Throws SocketError if no socket is available.
+  Connection(const std::vector<SocketAddress>& addresses, const ServerKnowledge& knowledge);
+  /// The same over another socket.
+  Connection(std::unique_ptr<DatagramSocket> socket, const std::vector<SocketAddress>& addresses,
+             const ServerKnowledge& knowledge);
+  ~Connection() override;
+
+  /// Passes received messages to `receiver` and sends queued datagrams. Does not block, except for the tenth of a
+  /// second in which a password becomes a key.
   void service(Moment now, const Receiver& receiver);
   /// Sends the queued messages.
   void flush(Moment now);
@@ -60,24 +51,31 @@ class Connection {
   void close();
 
   State state() const { return state_; }
-  /// The server's resolved address: an IPv4 address instead of a host name.
-  ServerAddress address() const;
-  const Traffic& traffic() const { return traffic_; }
+  /// Set when the server or the gate has refused the client; the state is then kClosed.
+  const std::optional<Refused>& refused() const { return refused_; }
+  /// The server's identity, once the connection is sealed.
+  std::optional<CryptoKey> identity() const;
+  const Traffic& traffic() const { return gate_.traffic(); }
 
  private:
   struct DestroyHost {
     void operator()(ENetHost* host) const { enet_host_destroy(host); }
   };
 
+  void sendFromEnet(const ENetAddress& session, ByteSpan bytes) override;
+  std::optional<Received> receiveForEnet() override;
+  bool accepts(ByteSpan content) const;
+  void shakeHands();
+  void connect();
   void handle(const ENetEvent& event, const Receiver& receiver);
-  void disableThrottle();
-  void limitRequestInterval();
-  void countTraffic();
 
+  ClientGate gate_;
   std::unique_ptr<ENetHost, DestroyHost> host_;
-  ENetPeer* peer_ = nullptr;
+  ENetPeer* peer_ = nullptr;  // once the gate is open
   State state_ = State::kConnecting;
-  Traffic traffic_;
+  std::optional<Refused> refused_;
+  Moment now_{};   // of the present call
+  Bytes content_;  // the last one handed to ENet
 };
 
 }  // namespace platon

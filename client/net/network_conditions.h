@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "client/time/moment.h"
+#include "protocol/moment.h"
 
 namespace platon {
 

@@ -3,6 +3,8 @@
 #include <charconv>
 #include <stdexcept>
 
+#include "protocol/transport/socket_address.h"
+
 namespace platon {
 
 namespace {
@@ -20,24 +22,39 @@ std::uint16_t parsePort(std::string_view text, std::string_view digits) {
   return port;
 }
 
+// "[ADDRESS]" or "[ADDRESS]:PORT".
+ServerAddress parseIpv6(std::string_view text) {
+  const std::size_t end = text.find(']');
+  ServerAddress address;
+  address.host = text.substr(1, end == std::string_view::npos ? end : end - 1);
+  if (end == std::string_view::npos || !IpAddress::parse(address.host)) {
+    refuse(text, "write an IPv6 address as [ADDRESS] or [ADDRESS]:PORT");
+  }
+  const std::string_view rest = text.substr(end + 1);
+  if (rest.empty()) return address;
+  if (rest.front() != ':') refuse(text, "write an IPv6 address as [ADDRESS] or [ADDRESS]:PORT");
+  address.port = parsePort(text, rest.substr(1));
+  return address;
+}
+
 bool isHostCharacter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '-' || c == '_';
 }
 
 }  // namespace
 
-std::string ServerAddress::text() const { return host + ":" + std::to_string(port); }
+std::string ServerAddress::text() const {
+  const bool ipv6 = host.find(':') != std::string::npos;
+  return (ipv6 ? "[" + host + "]" : host) + ":" + std::to_string(port);
+}
 
 ServerAddress parseServerAddress(std::string_view text) {
+  if (IpAddress::parse(text)) return {std::string(text), kDefaultPort};
+  if (text.starts_with('[')) return parseIpv6(text);
   const std::size_t colon = text.find(':');
   ServerAddress address;
   address.host = text.substr(0, colon);
-  if (colon != std::string_view::npos) {
-    if (text.find(':', colon + 1) != std::string_view::npos) {
-      refuse(text, "write HOST or HOST:PORT; IPv6 addresses are not supported");
-    }
-    address.port = parsePort(text, text.substr(colon + 1));
-  }
+  if (colon != std::string_view::npos) address.port = parsePort(text, text.substr(colon + 1));
   if (address.host.empty()) refuse(text, "the host is missing; write HOST or HOST:PORT");
   for (const char c : address.host) {
     if (!isHostCharacter(c)) refuse(text, "a host may contain only letters, digits, '.', '-' and '_'");

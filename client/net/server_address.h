@@ -8,16 +8,17 @@
 
 namespace platon {
 
-/// Address of a server: a host name or IPv4 address, and a UDP port.
+/// Address of a server: a host name or IP address, and a UDP port.
 struct ServerAddress {
   std::string host;
   std::uint16_t port = kDefaultPort;
 
-  /// "HOST:PORT"
+  /// "HOST:PORT", or "[HOST]:PORT" for an IPv6 address.
   std::string text() const;
 };
 
-/// Parses `HOST[:PORT]`. Throws std::invalid_argument with a sentence that names the error and the format.
+/// Parses `HOST[:PORT]`, where an IPv6 address with a port is in brackets. Throws std::invalid_argument with a sentence
+/// that names the error and the format.
 ServerAddress parseServerAddress(std::string_view text);
 
 }  // namespace platon

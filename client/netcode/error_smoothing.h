@@ -4,8 +4,8 @@
 #include <chrono>
 #include <cstddef>
 
-#include "client/time/moment.h"
 #include "platon/exact/point.h"
+#include "protocol/moment.h"
 
 namespace platon {
 

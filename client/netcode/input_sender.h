@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "client/netcode/send_schedule.h"
-#include "client/time/moment.h"
 #include "platon/game/input.h"
+#include "protocol/moment.h"
 #include "protocol/to_server.h"
 
 namespace platon {

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "client/netcode/player_snapshot.h"
-#include "client/time/moment.h"
 #include "client/time/quantile_window.h"
 #include "client/time/slewing_clock.h"
 #include "platon/game/game.h"
+#include "protocol/moment.h"
 
 namespace platon {
 

@@ -3,8 +3,8 @@
 #include <array>
 #include <cstdint>
 
-#include "client/time/moment.h"
 #include "protocol/loss_meter.h"
+#include "protocol/moment.h"
 #include "protocol/to_client.h"
 
 namespace platon {

@@ -1,7 +1,7 @@
 #include "client/netcode/link_statistics.h"
 
-#include "client/time/moment.h"
 #include "platon/game/game.h"
+#include "protocol/moment.h"
 
 namespace platon {
 

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "client/netcode/error_smoothing.h"
-#include "client/time/moment.h"
 #include "platon/game/game.h"
 #include "platon/physics/unfold.h"
+#include "protocol/moment.h"
 
 namespace platon {
 

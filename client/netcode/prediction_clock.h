@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "client/time/moment.h"
 #include "client/time/quantile_window.h"
 #include "client/time/slewing_clock.h"
+#include "protocol/moment.h"
 #include "protocol/to_client.h"
 
 namespace platon {

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "client/time/moment.h"
 #include "platon/game/input.h"
+#include "protocol/moment.h"
 
 namespace platon {
 

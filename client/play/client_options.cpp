@@ -8,6 +8,7 @@
 #include "protocol/label.h"
 #include "protocol/limits.h"
 #include "protocol/program_error.h"
+#include "protocol/transport/secret_file.h"
 
 namespace platon {
 
@@ -36,11 +37,12 @@ void describeFrameOptions(CLI::App& app, FrameOptions& frames) {
       ->group(kGroup);
 }
 
-void describe(CLI::App& app, ClientOptions& options, std::string& host) {
+void describe(CLI::App& app, ClientOptions& options, std::string& host, std::string& passwordFile) {
   app.add_option("HOST", host, "Server address, HOST or HOST:PORT; without it an embedded server is started");
   app.add_option("--level", options.level,
                  "Level file for the embedded server; default: the levels shipped with Platon");
   app.add_option("--name", options.name, "Your name, as other players see it");
+  app.add_option("--password-file", passwordFile, "File with the server's password in its first line");
   app.add_flag("--offscreen", options.offscreen, "Play without a window; needs no display");
   app.add_flag("--demo", options.demo, "Let the program play automatically");
   app.add_option("--seconds", options.seconds, "Exit after this many seconds; default with --offscreen: 10")
@@ -71,10 +73,12 @@ std::optional<ClientOptions> readClientOptions(int argc, const char* const* argv
   app.set_version_flag("--version", "platon-client " + std::string(kVersion));
   ClientOptions options;
   std::string host;
-  describe(app, options, host);
+  std::string passwordFile;
+  describe(app, options, host, passwordFile);
   try {
     app.parse(argc, argv);
     check(options, host);
+    if (!passwordFile.empty()) options.knowledge.password = readPasswordFile(passwordFile);
     return options;
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() != 0) {

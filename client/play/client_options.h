@@ -5,6 +5,7 @@
 
 #include "client/net/server_address.h"
 #include "client/play/frame_options.h"
+#include "protocol/transport/client_gate.h"
 
 namespace platon {
 
@@ -13,6 +14,7 @@ struct ClientOptions {
   std::optional<ServerAddress> server;  ///< empty: start an embedded server
   std::string level;                    ///< level file for the embedded server; empty: the shipped levels
   std::string name;                     ///< a valid label; empty: the server chooses a name
+  ServerKnowledge knowledge{};          ///< of the server; the password from --password-file
   bool offscreen = false;
   bool demo = false;
   std::optional<double> seconds;  ///< maximum duration

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "protocol/program_error.h"
+#include "protocol/transport/udp_socket.h"
 #include "server/app/dedicated_server.h"
 #include "server/app/level_files.h"
 
@@ -25,8 +26,8 @@ std::vector<LevelPointer> load(const std::string& levelFile) {
 
 ServerSettings settings() {
   ServerSettings settings;
-  settings.host.bind = kLoopback;
-  settings.host.port = 0;
+  settings.bind = kLoopback;
+  settings.port = 0;
   settings.match.serverName = "Platon";
   return settings;
 }
@@ -55,7 +56,7 @@ struct EmbeddedServer::Running {
 EmbeddedServer::EmbeddedServer(const std::string& levelFile) {
   try {
     running_ = std::make_unique<Running>(load(levelFile));
-  } catch (const HostError& error) {
+  } catch (const SocketError& error) {
     throw ProgramError(ProgramError::kFailed, error.what());
   }
 }
@@ -63,5 +64,7 @@ EmbeddedServer::EmbeddedServer(const std::string& levelFile) {
 EmbeddedServer::~EmbeddedServer() = default;
 
 ServerAddress EmbeddedServer::address() const { return {kLoopback, running_->server.port()}; }
+
+CryptoKey EmbeddedServer::identity() const { return running_->server.identity().publicKey(); }
 
 }  // namespace platon

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "client/net/server_address.h"
+#include "protocol/transport/noise.h"
 
 namespace platon {
 
@@ -18,6 +19,8 @@ class EmbeddedServer {
   EmbeddedServer& operator=(const EmbeddedServer&) = delete;
 
   ServerAddress address() const;
+  /// Public key of the server.
+  CryptoKey identity() const;
 
  private:
   struct Running;

@@ -20,7 +20,7 @@ volatile std::sig_atomic_t stopSignal = 0;
 bool stopRequested() { return stopSignal != 0; }
 
 int play(int argc, char** argv) {
-  const std::optional<ClientOptions> options = readClientOptions(argc, argv);
+  std::optional<ClientOptions> options = readClientOptions(argc, argv);
   if (!options) return 0;
   std::signal(SIGTERM, [](int) { stopSignal = 1; });
   std::signal(SIGINT, [](int) { stopSignal = 1; });
@@ -30,6 +30,7 @@ int play(int argc, char** argv) {
   }
   std::optional<EmbeddedServer> embedded;
   if (!options->server) embedded.emplace(options->level);
+  if (embedded) options->knowledge.identity = embedded->identity();
   const ServerAddress server = embedded ? embedded->address() : *options->server;
   if (options->offscreen) {
     OffscreenPlay(*options, server, steadyClock()).run(stopRequested);

@@ -21,12 +21,25 @@ std::filesystem::path sessionFolder(const ClientOptions& options) {
   return folder.empty() || !options.server ? std::filesystem::path() : folder / "sessions";
 }
 
+std::filesystem::path knownServersFile(const ClientOptions& options) {
+  const std::filesystem::path folder = dataFolder();
+  return folder.empty() || !options.server ? std::filesystem::path() : folder / "known_servers";
+}
+
+ServerKnowledge knowledgeOf(const ClientOptions& options, const KnownServers& servers, const ServerAddress& server) {
+  ServerKnowledge knowledge = options.knowledge;
+  if (!knowledge.identity) knowledge.identity = servers.find(server);
+  return knowledge;
+}
+
 }  // namespace
 
 MatchPlay::MatchPlay(const ClientOptions& options, const ServerAddress& server, Moment now)
     : server_(server),
       sessionFile_(sessionFolder(options), server),
-      client_(server, options.name, now, std::nullopt, sessionFile_.token()),
+      knownServers_(knownServersFile(options)),
+      client_(server, {options.name, knowledgeOf(options, knownServers_, server), std::nullopt, sessionFile_.token()},
+              now),
       desyncFolder_(desyncFolder()) {}
 
 void MatchPlay::update(Moment now, const Controls& controls) {
@@ -34,6 +47,14 @@ void MatchPlay::update(Moment now, const Controls& controls) {
   reportDesync();
   reportOutage();
   saveToken();
+  rememberServer();
+}
+
+// `KnownServers::remember` looks into its file, so once is enough.
+void MatchPlay::rememberServer() {
+  if (serverRemembered_ || !client_.welcomed() || !client_.identity()) return;
+  knownServers_.remember(server_, *client_.identity());
+  serverRemembered_ = true;
 }
 
 void MatchPlay::reportDesync() {

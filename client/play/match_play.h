@@ -5,12 +5,13 @@
 
 #include "client/desync/desync_folder.h"
 #include "client/play/client_options.h"
+#include "client/play/known_servers.h"
 #include "client/play/scene_feed.h"
 #include "client/play/session_file.h"
 #include "client/scene/scene.h"
 #include "client/session/network_client.h"
 #include "client/time/clock.h"
-#include "client/time/moment.h"
+#include "protocol/moment.h"
 
 namespace platon {
 
@@ -36,10 +37,13 @@ class MatchPlay {
   void reportDesync();
   void reportOutage();
   void saveToken();
+  void rememberServer();
 
   ServerAddress server_;
   SessionFile sessionFile_;
+  KnownServers knownServers_;
   bool tokenSaved_ = false;
+  bool serverRemembered_ = false;
   NetworkClient client_;
   SceneFeed sceneFeed_;
   DesyncFolder desyncFolder_;

@@ -4,8 +4,8 @@
 #include <deque>
 
 #include "client/session/network_client.h"
-#include "client/time/moment.h"
 #include "client/ui/net_graph.h"
+#include "protocol/moment.h"
 
 namespace platon {
 

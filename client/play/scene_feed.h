@@ -7,7 +7,7 @@
 #include "client/scene/scene.h"
 #include "client/scene/stage_model.h"
 #include "client/session/session.h"
-#include "client/time/moment.h"
+#include "protocol/moment.h"
 
 namespace platon {
 

@@ -3,7 +3,7 @@
 #include <functional>
 
 #include "client/time/clock.h"
-#include "client/time/moment.h"
+#include "protocol/moment.h"
 
 namespace platon {
 

@@ -13,8 +13,8 @@
 #include "client/netcode/link_statistics.h"
 #include "client/netcode/prediction_clock.h"
 #include "client/session/outgoing_message.h"
-#include "client/time/moment.h"
 #include "protocol/assembly.h"
+#include "protocol/moment.h"
 #include "protocol/to_client.h"
 
 namespace platon {

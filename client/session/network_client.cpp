@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "protocol/transport/udp_socket.h"
+
 namespace platon {
 
 namespace {
@@ -29,12 +31,12 @@ Moment pauseAfter(std::uint32_t answered) {
 
 }  // namespace
 
-NetworkClient::NetworkClient(const ServerAddress& server, const std::string& name, Moment now,
-                             const std::optional<ServerAddress>& relay, const std::optional<SessionToken>& token)
-    : server_(server), name_(name), state_(Connecting{now}) {
-  memory_.token = token ? *token : randomToken();
-  connection_.emplace(relay.value_or(server), now);
-  resolved_ = connection_->address();
+NetworkClient::NetworkClient(const ServerAddress& server, const Profile& profile, Moment now)
+    : server_(server), profile_(profile), state_(Connecting{now}) {
+  const ServerAddress target = profile.relay.value_or(server);
+  memory_.token = profile.token ? *profile.token : randomToken();
+  resolved_ = resolve(target.host, target.port);
+  connection_.emplace(resolved_, profile_.knowledge);
 }
 
 void NetworkClient::update(Moment now, const Controls& controls) {
@@ -59,19 +61,23 @@ void NetworkClient::sendOutgoing() {
 void NetworkClient::connect(Moment now) {
   state_ = Connecting{now};
   try {
-    connection_.emplace(resolved_, now);
+    connection_.emplace(resolved_, profile_.knowledge);
   } catch (const std::runtime_error& error) {
     fail({error.what(), false}, now);
   }
 }
 
 void NetworkClient::startSession(Moment now) {
-  session_.emplace(name_, now, memory_);
+  session_.emplace(profile_.name, now, memory_);
   state_ = InSession{now};
 }
 
 void NetworkClient::checkConnecting(Moment now) {
+  if (connection_->identity()) profile_.knowledge.identity = connection_->identity();
   if (connection_->state() == Connection::State::kConnected) return startSession(now);
+  if (connection_->refused()) {
+    return fail({server_.text() + ": " + connection_->refused()->reason, connection_->refused()->permanent}, now);
+  }
   if (!closed() && now - std::get<Connecting>(state_).since <= kConnectTimeout) return;
   fail({"no answer from " + server_.text() + " within 5 s: is platon-server running there?", false}, now);
 }

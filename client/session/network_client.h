@@ -4,11 +4,12 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "client/net/connection.h"
 #include "client/net/server_address.h"
 #include "client/session/session.h"
-#include "client/time/moment.h"
+#include "protocol/moment.h"
 
 namespace platon {
 
@@ -18,6 +19,14 @@ namespace platon {
 /// attempts grow.
 class NetworkClient {
  public:
+  /// Who joins, and what it knows of the server.
+  struct Profile {
+    std::string name;
+    ServerKnowledge knowledge{};
+    std::optional<ServerAddress> relay{};  ///< through which to connect
+    std::optional<SessionToken> token{};   ///< of the player to resume; if not given, a random one
+  };
+
   /// Maximum time for the connection to be established.
   static constexpr Moment kConnectTimeout = std::chrono::seconds(5);
   /// Maximum time from Hello to Welcome; long enough for several retransmissions.
@@ -28,11 +37,8 @@ class NetworkClient {
   /// Attempts to join for the first time, if the server answers connection requests.
   static constexpr std::uint32_t kMaxFirstAttempts = 3;
 
-  /// Starts to connect to `server`, through the relay at `relay` if given. `token`: of the player to resume; a random
-  /// one if not given. Throws std::runtime_error if the host name cannot be resolved or no socket is available.
-  NetworkClient(const ServerAddress& server, const std::string& name, Moment now,
-                const std::optional<ServerAddress>& relay = std::nullopt,
-                const std::optional<SessionToken>& token = std::nullopt);
+  /// Starts to connect. Throws SocketError if the host name cannot be resolved or no socket is available.
+  NetworkClient(const ServerAddress& server, const Profile& profile, Moment now);
 
   /// Receives, predicts up to `now` and sends. Call every few milliseconds.
   void update(Moment now, const Controls& controls);
@@ -52,6 +58,9 @@ class NetworkClient {
   const SessionToken& token() const { return *memory_.token; }
   /// Whether the server has ever accepted the client.
   bool welcomed() const { return welcomed_; }
+
+  /// The server's identity, once a connection to it was sealed. From then on, no other identity is accepted.
+  const std::optional<CryptoKey>& identity() const { return profile_.knowledge.identity; }
 
   /// The session; null before the first connection. During an outage, the last session.
   const Session* session() const { return session_ ? &*session_ : nullptr; }
@@ -98,8 +107,8 @@ class NetworkClient {
   void sendOutgoing();
 
   ServerAddress server_;
-  ServerAddress resolved_;  // of the server or relay; looking up a name again could block during an outage
-  std::string name_;
+  std::vector<SocketAddress> resolved_;  // of server or relay; looking up a name again could block during an outage
+  Profile profile_;
   Session::Memory memory_;  // for the next session
   std::variant<Connecting, InSession, Paused, Ended, Leaving> state_;
   std::optional<Connection> connection_;

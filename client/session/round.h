@@ -14,9 +14,9 @@
 #include "client/netcode/player_flashes.h"
 #include "client/netcode/prediction.h"
 #include "client/netcode/prediction_clock.h"
-#include "client/time/moment.h"
 #include "platon/game/game.h"
 #include "protocol/full_state.h"
+#include "protocol/moment.h"
 #include "protocol/to_client.h"
 #include "protocol/to_server.h"
 

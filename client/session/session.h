@@ -13,9 +13,9 @@
 #include "client/netcode/link_statistics.h"
 #include "client/session/outgoing_message.h"
 #include "client/session/round.h"
-#include "client/time/moment.h"
 #include "platon/game/level.h"
 #include "protocol/assembly.h"
+#include "protocol/moment.h"
 #include "protocol/to_client.h"
 #include "protocol/to_server.h"
 

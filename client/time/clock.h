@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "client/time/moment.h"
+#include "protocol/moment.h"
 
 namespace platon {
 

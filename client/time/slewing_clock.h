@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
-#include "client/time/moment.h"
 #include "platon/game/game.h"
+#include "protocol/moment.h"
 
 namespace platon {
 

@@ -1,15 +1,24 @@
 #include "server/app/dedicated_server.h"
 
+#include <algorithm>
 #include <thread>
 
+#include "platon_version.h"
 #include "protocol/to_client.h"
 #include "protocol/to_server.h"
+#include "protocol/transport/udp_socket.h"
 
 namespace platon {
 namespace {
 
 // Connections beyond the number of players, so that a client can be told that the server is full.
-constexpr std::uint32_t kSpareConnections = 8;
+// Clients that have not said who they are yet must not keep others out.
+constexpr std::uint32_t kSpareConnections = 64;
+// Reliable messages of a client that are not left to chunks.
+constexpr std::size_t kReservedRoom = Host::kMaxQueuedMessages / 2;
+// Datagrams between two ticks beyond which the server reads more often.
+constexpr std::uint64_t kFloodPackets = 128;
+constexpr std::chrono::milliseconds kFloodInterval{2};
 constexpr std::chrono::milliseconds kIdleWait{250};
 // Shortest sleep without players, so that a flood of datagrams does not keep the server busy.
 constexpr std::chrono::milliseconds kMinIdleWait{2};
@@ -18,16 +27,20 @@ constexpr std::chrono::seconds kRejectedLogInterval{10};
 
 TimePoint steadyNow() { return std::chrono::steady_clock::now(); }
 
-HostSettings hostSettings(const ServerSettings& settings) {
-  HostSettings host = settings.host;
+// A household whose connections were all lost needs as many new ones before the old ones end.
+HostSettings hostSettings(const ServerSettings& settings, const ServerIdentity& identity) {
+  HostSettings host;
   host.connections = settings.match.maxPlayers + kSpareConnections;
+  host.connectionsPerAddress = 2 * settings.playersPerAddress;
+  host.needsPassword = !settings.password.empty();
+  if (host.needsPassword) host.presharedKey = presharedKeyOf(settings.password, identity.publicKey());
   return host;
 }
 
 MatchSettings matchSettings(const ServerSettings& settings) {
   MatchSettings match = settings.match;
   match.record = !settings.recordings.empty();
-  match.playersPerOrigin = settings.host.connectionsPerAddress;
+  match.playersPerOrigin = settings.playersPerAddress;
   return match;
 }
 
@@ -65,12 +78,39 @@ void write(Log& log, const MatchEvent& event) {
 }  // namespace
 
 DedicatedServer::DedicatedServer(const ServerSettings& settings, std::vector<LevelPointer> levels, Log log)
+    : DedicatedServer(std::make_unique<UdpSocket>(settings.bind, settings.port), settings, std::move(levels),
+                      std::move(log)) {}
+
+DedicatedServer::DedicatedServer(std::unique_ptr<DatagramSocket> socket, const ServerSettings& settings,
+                                 std::vector<LevelPointer> levels, Log log)
     : log_(std::move(log)),
-      host_(hostSettings(settings), steadyNow()),
+      identity_(settings.identity ? *settings.identity : ServerIdentity::random()),
+      host_(std::move(socket), identity_, hostSettings(settings, identity_), momentOf(steadyNow())),
       recordings_(folderOf(settings)),
       match_(LevelRotation(std::move(levels)), matchSettings(settings)),
       clock_(steadyNow()),
-      nextLogAt_(steadyNow() + kRejectedLogInterval) {}
+      nextLogAt_(steadyNow() + kRejectedLogInterval) {
+  match_.setRoom([this](ClientId client) {
+    const std::size_t room = host_.room(client);
+    return room - std::min(room, kReservedRoom);
+  });
+  updateInfo();
+}
+
+void DedicatedServer::setName(std::string_view name) {
+  match_.setServerName(name);
+  updateInfo();
+}
+
+// What lists of servers show.
+void DedicatedServer::updateInfo() {
+  Info info;
+  info.players = static_cast<std::uint16_t>(match_.players());
+  info.maxPlayers = static_cast<std::uint16_t>(match_.settings().maxPlayers);
+  info.name = match_.settings().serverName;
+  info.program = kVersion;
+  host_.gate().setInfo(std::move(info));
+}
 
 void DedicatedServer::step(TimePoint now) {
   const TimePoint begun = steadyNow();
@@ -78,14 +118,19 @@ void DedicatedServer::step(TimePoint now) {
   receive(now);
   if (wasIdle) clock_ = TickClock(now);
   const bool ticks = !wasIdle && clock_.take(now);
-  if (ticks) match_.tick();
+  if (ticks) {
+    match_.tick();
+    const std::uint64_t received = host_.gate().traffic().receivedPackets;
+    flooded_ = received - receivedBeforeTick_ > kFloodPackets;
+    receivedBeforeTick_ = received;
+  }
   send(now);
   logRejected(now);
   if (ticks) tickTimes_.add(steadyNow() - begun);
 }
 
 void DedicatedServer::receive(TimePoint now) {
-  for (const HostEvent& event : host_.service(now)) handle(event, now);
+  for (const HostEvent& event : host_.service(momentOf(now))) handle(event, now);
 }
 
 void DedicatedServer::handle(const HostEvent& event, TimePoint now) {
@@ -94,25 +139,27 @@ void DedicatedServer::handle(const HostEvent& event, TimePoint now) {
   const auto message = decodeToServer(event.bytes);
   if (message) {
     const bool wasPlaying = match_.isPlaying(event.client);
-    match_.receive(event.client, *message, event.origin);
+    match_.receive(event.client, *message, event.address.household());
     const bool isPlaying = match_.isPlaying(event.client);
     if (isPlaying) host_.admit(event.client);
-    if (wasPlaying && !isPlaying) host_.close(event.client, now);  // a connection serves one player only
+    if (wasPlaying && !isPlaying) host_.close(event.client, momentOf(now));  // a connection serves one player only
     return;
   }
   ++malformedMessages_;
   match_.remove(event.client);
   host_.send(event.client, true, encode(Bye{ByeCode::kRemoved, "your client sent a malformed message"}));
-  host_.close(event.client, now);
+  host_.close(event.client, momentOf(now));
 }
 
 void DedicatedServer::send(TimePoint now) {
   for (const Outgoing& message : match_.takeOutgoing()) {
     host_.send(message.client, message.reliable, message.bytes);
-    if (message.last) host_.close(message.client, now);
+    if (message.last) host_.close(message.client, momentOf(now));
   }
-  host_.flush(now);
-  for (const MatchEvent& event : match_.takeEvents()) write(log_, event);
+  host_.flush(momentOf(now));
+  const std::vector<MatchEvent> events = match_.takeEvents();
+  for (const MatchEvent& event : events) write(log_, event);
+  if (!events.empty()) updateInfo();
   writeRecordings();
 }
 
@@ -125,19 +172,28 @@ void DedicatedServer::writeRecordings() {
 void DedicatedServer::logRejected(TimePoint now) {
   if (now < nextLogAt_) return;
   nextLogAt_ = now + kRejectedLogInterval;
-  const HostCounters& counters = host_.counters();
-  if (counters == logged_ && malformedMessages_ == loggedMalformed_) return;
-  log_.warning("traffic rejected", {{"invalidDatagrams", counters.invalidDatagrams - logged_.invalidDatagrams},
-                                    {"excessDatagrams", counters.excessDatagrams - logged_.excessDatagrams},
-                                    {"excessConnects", counters.excessConnects - logged_.excessConnects},
-                                    {"expired", counters.expired - logged_.expired},
-                                    {"malformedMessages", malformedMessages_ - loggedMalformed_}});
-  logged_ = counters;
-  loggedMalformed_ = malformedMessages_;
+  const std::vector<Rejection> rejected = rejections();
+  std::vector<LogField> fields;
+  for (std::size_t i = 0; i < rejected.size(); ++i) {
+    const std::uint64_t before = logged_.empty() ? 0 : logged_[i].count;
+    if (rejected[i].count != before) fields.push_back({rejected[i].reason, rejected[i].count - before});
+  }
+  if (!fields.empty()) log_.warning("traffic rejected", fields);
+  logged_ = rejected;
 }
 
-void DedicatedServer::wait() const {
-  if (!match_.idle()) return std::this_thread::sleep_until(clock_.next());
+std::vector<Rejection> DedicatedServer::rejections() const {
+  std::vector<Rejection> rejected = host_.rejections();
+  rejected.push_back({"message", malformedMessages_});
+  return rejected;
+}
+
+// In a flood, the system's buffer does not hold what arrives in a whole tick.
+void DedicatedServer::wait() {
+  if (!match_.idle()) {
+    const TimePoint next = clock_.next();
+    return std::this_thread::sleep_until(flooded_ ? std::min(next, steadyNow() + kFloodInterval) : next);
+  }
   host_.wait(kIdleWait);
   std::this_thread::sleep_for(kMinIdleWait);
 }
@@ -157,7 +213,7 @@ void DedicatedServer::stop(const std::string& reason) {
   for (TimePoint now = steadyNow(); now < end && !host_.empty(); now = steadyNow()) {
     send(now);
     host_.wait(std::chrono::milliseconds(10));
-    host_.service(now);
+    host_.service(momentOf(now));
   }
   log_.info("tick times", {{"ticks", tickTimes_.count()},
                            {"p50Us", tickTimes_.quantile(0.5)},

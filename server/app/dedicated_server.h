@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "server/app/log.h"
@@ -17,16 +18,23 @@
 namespace platon {
 
 struct ServerSettings {
-  HostSettings host;       ///< `connections` is ignored: the server derives it from the number of players
-  MatchSettings match;     ///< `record` and `playersPerOrigin` are ignored: the server derives them
-  std::string recordings;  ///< folder for a recording of each round; empty: no recordings
+  std::string bind = "::";                 ///< address to listen on; "::": all
+  std::uint16_t port = 0;                  ///< 0: any that is free
+  std::optional<ServerIdentity> identity;  ///< nothing: a new one
+  std::string password;                    ///< empty: none
+  std::uint32_t playersPerAddress = 4;     ///< of one household; loopback has no limit
+  MatchSettings match;                     ///< `record` and `playersPerOrigin` are ignored: the server derives them
+  std::string recordings;                  ///< folder for a recording of each round; empty: no recordings
 };
 
 /// A match on a socket. `platon-server` runs one, and so does a client without a server address.
 class DedicatedServer {
  public:
-  /// Opens the socket; `levels` must not be empty. Throws HostError, and ProgramError if no recording can be written.
+  /// Opens the socket; `levels` must not be empty. Throws SocketError, and ProgramError if no recording can be written.
   DedicatedServer(const ServerSettings& settings, std::vector<LevelPointer> levels, Log log);
+  /// The same on another socket.
+  DedicatedServer(std::unique_ptr<DatagramSocket> socket, const ServerSettings& settings,
+                  std::vector<LevelPointer> levels, Log log);
 
   /// Receives messages, runs one tick if it is due, and sends messages.
   void step(TimePoint now);
@@ -37,35 +45,42 @@ class DedicatedServer {
 
   /// Plays these levels after the current one.
   void setLevels(std::vector<LevelPointer> levels) { match_.setLevels(std::move(levels)); }
-  void setName(std::string name) { match_.setServerName(std::move(name)); }
+  void setName(std::string_view name);
 
   /// The port that it listens on.
-  std::uint16_t port() const { return host_.port(); }
+  SocketAddress address() const { return host_.address(); }
+  std::uint16_t port() const { return address().port; }
+  const ServerIdentity& identity() const { return identity_; }
   Log& log() { return log_; }
   const Match& match() const { return match_; }
+  /// All that was rejected so far, by reason; the last one is messages that were malformed.
+  std::vector<Rejection> rejections() const;
   /// Number of malformed messages received.
   std::uint64_t malformedMessages() const { return malformedMessages_; }
-  const HostCounters& hostCounters() const { return host_.counters(); }
+  const Host& host() const { return host_; }
   /// Durations of the steps that ran a tick: receiving, advancing the game, sending.
   const TickTimes& tickTimes() const { return tickTimes_; }
 
  private:
   // Sleeps until the next tick is due or, without players, until a datagram or a signal arrives or 250 ms have passed.
-  void wait() const;
+  void wait();
   void receive(TimePoint now);
   void handle(const HostEvent& event, TimePoint now);
   void send(TimePoint now);
   void writeRecordings();
   void logRejected(TimePoint now);
+  void updateInfo();
 
   Log log_;
+  ServerIdentity identity_;
   Host host_;
   std::optional<RecordingFolder> recordings_;
   Match match_;
   TickClock clock_;
   std::uint64_t malformedMessages_ = 0;
-  HostCounters logged_;  // at the last logRejected, as the next
-  std::uint64_t loggedMalformed_ = 0;
+  std::uint64_t receivedBeforeTick_ = 0;  // datagrams up to the last tick
+  bool flooded_ = false;                  // many datagrams came between the last two ticks
+  std::vector<Rejection> logged_;         // at the last logRejected
   TimePoint nextLogAt_;
   TickTimes tickTimes_;
 };

@@ -35,7 +35,7 @@ std::string utcTime() {
 
 }  // namespace
 
-void Log::write(std::string_view severity, std::string_view message, std::initializer_list<LogField> fields) {
+void Log::write(std::string_view severity, std::string_view message, const std::vector<LogField>& fields) {
   const bool json = format_ == LogFormat::kJson;
   std::string line(message);
   if (json) line = fmt::format(R"({{"time":"{}","level":"{}","message":{})", utcTime(), severity, quoted(message));

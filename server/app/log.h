@@ -2,10 +2,10 @@
 
 #include <cstdint>
 #include <functional>
-#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 namespace platon {
 
@@ -25,13 +25,13 @@ class Log {
 
   void setFormat(LogFormat format) { format_ = format; }
 
-  void info(std::string_view message, std::initializer_list<LogField> fields = {}) { write("info", message, fields); }
-  void warning(std::string_view message, std::initializer_list<LogField> fields = {}) {
+  void info(std::string_view message, const std::vector<LogField>& fields = {}) { write("info", message, fields); }
+  void warning(std::string_view message, const std::vector<LogField>& fields = {}) {
     write("warning", message, fields);
   }
 
  private:
-  void write(std::string_view severity, std::string_view message, std::initializer_list<LogField> fields);
+  void write(std::string_view severity, std::string_view message, const std::vector<LogField>& fields);
 
   LogFormat format_;
   std::function<void(std::string_view)> sink_;

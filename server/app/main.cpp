@@ -8,8 +8,10 @@
 #include <string>
 
 #include "protocol/program_error.h"
+#include "protocol/transport/udp_socket.h"
 #include "server/app/async_line_writer.h"
 #include "server/app/dedicated_server.h"
+#include "server/app/identity_file.h"
 #include "server/app/level_files.h"
 #include "server/app/server_options.h"
 
@@ -28,9 +30,9 @@ void onSignal(int signal, void (*handler)(int)) {
 
 ServerSettings settingsOf(const ServerOptions& options) {
   ServerSettings settings;
-  settings.host.bind = options.bind;
-  settings.host.port = options.port;
-  settings.host.connectionsPerAddress = options.maxPerAddress;
+  settings.bind = options.bind;
+  settings.port = options.port;
+  settings.playersPerAddress = options.maxPerAddress;
   settings.match.maxPlayers = options.maxPlayers;
   settings.match.serverName = options.name;
   settings.recordings = options.record;
@@ -67,11 +69,13 @@ int serve(int argc, char** argv) {
   if (!options) return 0;
   AsyncLineWriter errors(STDERR_FILENO);
   Log log(options->logFormat, [&errors](std::string_view line) { errors.write(line); });
-  DedicatedServer server(settingsOf(*options), levelsOf(*options, log), log);
+  ServerSettings settings = settingsOf(*options);
+  settings.identity = loadIdentity("", log);
+  DedicatedServer server(settings, levelsOf(*options, log), log);
   onSignal(SIGTERM, [](int) { stopRequested = 1; });
   onSignal(SIGINT, [](int) { stopRequested = 1; });
   onSignal(SIGHUP, [](int) { reloadRequested = 1; });
-  server.log().info("listening on " + options->bind + ":" + std::to_string(server.port()));
+  server.log().info("listening on " + server.address().text());
   server.run([&] {
     if (reloadRequested != 0) {
       reloadRequested = 0;
@@ -99,7 +103,7 @@ int main(int argc, char** argv) {
   } catch (const ProgramError& error) {
     const bool level = error.exitCode() == ProgramError::kLevel;
     return platon::fail(error.exitCode(), level ? "" : "platon-server: ", error.what());
-  } catch (const platon::HostError& error) {
+  } catch (const platon::SocketError& error) {
     return platon::fail(ProgramError::kUsage, "platon-server: ", error.what());
   } catch (const std::exception& error) {
     return platon::fail(ProgramError::kFailed, "platon-server: ", error.what());

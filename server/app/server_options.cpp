@@ -34,7 +34,7 @@ struct CommandLine {
 void declare(CLI::App& app, CommandLine& line) {
   app.set_version_flag("--version", "platon-server " + std::string(kVersion));
   app.add_option("LEVEL", line.levels, "Level files, played in this order; default: the levels of the game");
-  app.add_option("--bind", line.bind, "IPv4 address to listen on; default 0.0.0.0: all addresses of this machine");
+  app.add_option("--bind", line.bind, "Address to listen on; default ::, all addresses of this machine, IPv4 and IPv6");
   app.add_option("--port", line.port, "UDP port; default 7777; 0: any free port")->check(CLI::Range(0, UINT16_MAX));
   app.add_option("--max-players", line.maxPlayers, "Largest number of players; default 16")
       ->check(CLI::Range(1u, kMaxPlayers));

@@ -16,7 +16,7 @@ inline constexpr std::uint32_t kMaxPerAddress = 4000;
 /// Options of the server, from command line and configuration file.
 struct ServerOptions {
   std::vector<std::string> levels;  ///< files; empty: the levels of the game
-  std::string bind = "0.0.0.0";
+  std::string bind = "::";
   std::uint16_t port = kDefaultPort;  ///< 0: any free port
   std::uint32_t maxPlayers = 16;      ///< 1 … kMaxPlayers
   std::uint32_t maxPerAddress = 4;    ///< connections of one address; 1 … kMaxPerAddress

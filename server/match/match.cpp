@@ -15,10 +15,6 @@ std::string versionReason(std::string_view what, std::uint32_t ours, std::uint32
 }
 
 std::optional<Refused> wrongVersion(const Hello& hello) {
-  if (hello.protocolVersion != kProtocolVersion) {
-    return Refused{RefusalCode::kWrongProtocol,
-                   versionReason("protocol versions", kProtocolVersion, hello.protocolVersion)};
-  }
   if (hello.rulesVersion != kRulesVersion) {
     return Refused{RefusalCode::kWrongRules, versionReason("rules versions", kRulesVersion, hello.rulesVersion)};
   }
@@ -40,29 +36,30 @@ Match::Match(LevelRotation rotation, MatchSettings settings)
 
 void Match::setServerName(std::string_view name) { settings_.serverName = visibleLabel(name); }
 
-void Match::receive(ClientId client, const ToServer& message, std::uint32_t origin) {
+void Match::receive(ClientId client, const ToServer& message, std::uint64_t origin) {
   if (const Hello* hello = std::get_if<Hello>(&message)) return handleHello(client, *hello, origin);
   std::visit([this, client](const auto& body) { handle(client, body); }, message);
 }
 
-void Match::handleHello(ClientId client, const Hello& hello, std::uint32_t origin) {
+void Match::handleHello(ClientId client, const Hello& hello, std::uint64_t origin) {
   if (isPlaying(client) || isClosing(client)) return;
-  std::optional<Refused> refused = wrongVersion(hello);
-  MatchPlayer* player = refused ? nullptr : resume(client, hello);
-  if (!refused && !player) {
-    evictDisconnected(origin, 1);
-    const std::optional<std::uint32_t> slot = freeSlot();
-    if (slot)
-      player = &join(client, hello, *slot);
-    else
-      refused = refuseFull();
-  }
-  if (player) {
-    player->setOrigin(origin);
+  const std::variant<MatchPlayer*, Refused> admitted = admit(client, hello, origin);
+  if (MatchPlayer* const* player = std::get_if<MatchPlayer*>(&admitted)) {
+    (*player)->setOrigin(origin);
     return evictDisconnected(origin, 0);
   }
-  outgoing_.push_back({client, true, true, encode(*refused)});
-  addEvent(MatchEvent::Kind::kRefused, client, 0, refused->reason);
+  const Refused& refused = std::get<Refused>(admitted);
+  outgoing_.push_back({client, true, true, encode(refused)});
+  addEvent(MatchEvent::Kind::kRefused, client, 0, refused.reason);
+}
+
+std::variant<MatchPlayer*, Refused> Match::admit(ClientId client, const Hello& hello, std::uint64_t origin) {
+  if (const std::optional<Refused> refused = wrongVersion(hello)) return *refused;
+  if (MatchPlayer* resumed = resume(client, hello)) return resumed;
+  if (connectedOf(origin) >= settings_.playersPerOrigin) return refuseOrigin();
+  evictDisconnected(origin, 1);
+  if (const std::optional<std::uint32_t> slot = freeSlot()) return &join(client, hello, *slot);
+  return refuseFull();
 }
 
 // Two connections with the same token would otherwise resume the player from each other many times in one tick.
@@ -71,13 +68,24 @@ bool Match::isClosing(ClientId client) const {
                      [client](const Outgoing& message) { return message.last && message.client == client; });
 }
 
+std::int64_t Match::connectedOf(std::uint64_t origin) const {
+  if (origin == 0) return 0;
+  return std::count_if(players_.begin(), players_.end(),
+                       [origin](const auto& entry) { return entry.second.origin() == origin; });
+}
+
+Refused Match::refuseOrigin() const {
+  return {RefusalCode::kFull, "your address already has " + std::to_string(settings_.playersPerOrigin) +
+                                  " players, which is all that this server allows"};
+}
+
 // Removes disconnected players of an origin until it has room for `wanted` more. Without this limit a client that drops
 // one connection after another could occupy all slots.
-void Match::evictDisconnected(std::uint32_t origin, std::uint32_t wanted) {
+void Match::evictDisconnected(std::uint64_t origin, std::uint32_t wanted) {
   if (origin == 0) return;
   const auto isOfOrigin = [origin](const Disconnected& entry) { return entry.player.origin() == origin; };
   auto count = wanted + std::count_if(disconnected_.begin(), disconnected_.end(), isOfOrigin);
-  for (const auto& [client, player] : players_) count += player.origin() == origin ? 1 : 0;
+  count += connectedOf(origin);
   for (; count > settings_.playersPerOrigin; --count) {
     const auto longest = std::find_if(disconnected_.begin(), disconnected_.end(), isOfOrigin);
     if (longest == disconnected_.end()) return;
@@ -276,11 +284,12 @@ void Match::sendTransfers() {
 }
 
 std::size_t Match::sendChunks(ClientId client, MatchPlayer& player, std::size_t maxChunks) {
+  if (!player.hasChunks()) return 0;
+  const std::size_t limit = std::min({kClientChunksPerTick, maxChunks, room_ ? room_(client) : kClientChunksPerTick});
   std::size_t chunks = 0;
-  for (std::size_t bytes = 0; bytes < kTransferBytesPerTick && chunks < maxChunks; ++chunks) {
+  for (; chunks < limit; ++chunks) {
     auto chunk = player.nextChunk();
     if (!chunk) break;
-    bytes += chunk->size();
     send(client, std::move(*chunk));
   }
   return chunks;

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "platon/game/game.h"
@@ -54,17 +56,20 @@ class Match {
   static constexpr std::uint64_t kResumeTicks = 60 * kTicksPerSecond;
   /// Ticks for which a round waits for a disconnected player: 10 s.
   static constexpr std::uint64_t kAwaitTicks = 10 * kTicksPerSecond;
-  /// Bytes of levels and states sent to one client in one tick; the last chunk may exceed it.
-  static constexpr std::size_t kTransferBytesPerTick = 2 * kChunkBytes;
+  /// Chunks of levels and states sent to one client in one tick.
+  static constexpr std::size_t kClientChunksPerTick = 8;
   /// Chunks of levels and states sent to all clients together in one tick.
-  static constexpr std::size_t kMaxChunksPerTick = 128;
+  static constexpr std::size_t kMaxChunksPerTick = 256;
 
   Match(LevelRotation rotation, MatchSettings settings);
 
-  /// Handles a message from a client; its first message must be Hello. `origin` is the network address of the
-  /// client, 0 for one without a limit of players. When an origin has more players than allowed, its player that
-  /// has been disconnected longest is removed.
-  void receive(ClientId client, const ToServer& message, std::uint32_t origin = 0);
+  /// Handles a message from a client; its first message must be Hello. `origin` is the number of the client's
+  /// network address, 0 for one without a limit of players. When an origin has more players than allowed, its player
+  /// that has been disconnected longest is removed; when all of them are connected, the client is refused.
+  void receive(ClientId client, const ToServer& message, std::uint64_t origin = 0);
+  /// Sets who knows how many reliable messages a client can be sent in this tick; without it, any number. Chunks wait
+  /// for a client that does not keep up.
+  void setRoom(std::function<std::size_t(ClientId)> room) { room_ = std::move(room); }
   /// Call when the connection of a client was lost. A player with a token stays until a client resumes it or
   /// kResumeTicks have passed; its buttons are held for one second and then released.
   void disconnect(ClientId client);
@@ -93,6 +98,7 @@ class Match {
   /// Number of connected players.
   std::size_t players() const { return players_.size(); }
   bool isPlaying(ClientId client) const { return players_.contains(client); }
+  const MatchSettings& settings() const { return settings_; }
   std::uint32_t round() const { return round_; }
   const Game& game() const { return game_; }
   /// The player of a client; null if it has none.
@@ -104,12 +110,16 @@ class Match {
     std::uint64_t since = 0;  // value of now_
   };
 
-  void handleHello(ClientId client, const Hello& hello, std::uint32_t origin);
+  void handleHello(ClientId client, const Hello& hello, std::uint64_t origin);
   void handle(ClientId, const Hello&) {}
   void handle(ClientId client, const LevelRequest& request);
   void handle(ClientId client, const Leave& leave);
   void handle(ClientId client, const PlayerInputs& inputs);
 
+  /// The player of the client, or why it gets none.
+  std::variant<MatchPlayer*, Refused> admit(ClientId client, const Hello& hello, std::uint64_t origin);
+  std::int64_t connectedOf(std::uint64_t origin) const;
+  Refused refuseOrigin() const;
   Refused refuseFull() const;
   MatchPlayer& join(ClientId client, const Hello& hello, std::uint32_t slot);
   MatchPlayer* resume(ClientId client, const Hello& hello);
@@ -117,7 +127,7 @@ class Match {
   void sendWelcome(ClientId client, MatchPlayer& player, const Hello& hello);
   void expireDisconnected();
   void removeDisconnected(std::vector<Disconnected>::iterator disconnected);
-  void evictDisconnected(std::uint32_t origin, std::uint32_t wanted);
+  void evictDisconnected(std::uint64_t origin, std::uint32_t wanted);
   bool isClosing(ClientId client) const;
   void playerLeft(const MatchPlayer& player, ClientId client);
   std::optional<std::uint32_t> freeSlot() const;
@@ -151,6 +161,7 @@ class Match {
   std::uint64_t nextRosterAt_ = 0;           // value of now_
   std::vector<ClientId> newcomers_;          // clients that joined or resumed since the last tick
   TransferCache transfers_;
+  std::function<std::size_t(ClientId)> room_;
   ClientId nextTransfer_ = 0;  // client whose transfers go on first in the next tick
   std::vector<Outgoing> outgoing_;
   std::vector<MatchEvent> events_;

@@ -40,8 +40,8 @@ class MatchPlayer {
   /// Whether the player joined with this token.
   bool hasToken(const SessionToken& token) const { return token_ && sameToken(*token_, token); }
   /// Network address of the client, as passed to `Match::receive`.
-  std::uint32_t origin() const { return origin_; }
-  void setOrigin(std::uint32_t origin) { origin_ = origin; }
+  std::uint64_t origin() const { return origin_; }
+  void setOrigin(std::uint64_t origin) { origin_ = origin; }
   /// Whether a client can resume the player, that is, whether it joined with a token.
   bool canResume() const { return token_.has_value(); }
 
@@ -96,6 +96,7 @@ class MatchPlayer {
   void sendState(Transfer state, std::uint32_t tick, std::uint64_t now);
   /// The next message of the transfers in progress; nothing if there are none.
   std::optional<SharedBytes> nextChunk();
+  bool hasChunks() const { return !transfers_.empty(); }
 
  private:
   void resetProgress();
@@ -106,7 +107,7 @@ class MatchPlayer {
   std::uint32_t slot_;
   std::string name_;
   std::optional<SessionToken> token_;
-  std::uint32_t origin_ = 0;
+  std::uint64_t origin_ = 0;
   std::uint64_t activeAt_;    // tick of the match in which the client last changed a button, or joined
   std::uint8_t buttons_ = 0;  // of the newest input of all rounds
   InputBuffer inputs_;

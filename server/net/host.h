@@ -3,42 +3,42 @@
 #include <chrono>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
-#include <stdexcept>
-#include <string>
+#include <string_view>
 #include <vector>
 
+#include "protocol/token_bucket.h"
+#include "protocol/transport/enet_calls.h"
+#include "protocol/transport/server_gate.h"
 #include "server/match/client_id.h"
-#include "server/net/time_point.h"
-#include "server/net/token_bucket.h"
-
-struct _ENetHost;
-struct _ENetPeer;
-struct _ENetEvent;
 
 namespace platon {
 
-/// The socket cannot be opened; `what()` is one sentence that states the cause and how to correct it.
-class HostError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
 struct HostSettings {
-  std::string bind = "0.0.0.0";    ///< IPv4 address of this machine
-  std::uint16_t port = 0;          ///< 0: any that is free
-  std::uint32_t connections = 24;  ///< most connections, 1 … 4000; more than players, so that a client can be refused
-  std::uint32_t connectionsPerAddress = 4;  ///< most connections of one address; loopback has no limit
+  std::uint32_t connections = 80;  ///< most connections, 1 … 4000; more than players, so that newcomers find one free
+  std::uint32_t connectionsPerAddress = 8;  ///< most connections of one address; loopback has no limit
+  CryptoKey presharedKey{};                 ///< of the password
+  bool needsPassword = false;
 };
 
-/// Traffic that `Host` has rejected so far.
+/// Traffic that `Host` has rejected so far, beside what its gate has rejected.
 struct HostCounters {
-  std::uint64_t invalidDatagrams = 0;  ///< datagrams that no client sends
-  std::uint64_t excessDatagrams = 0;   ///< datagrams beyond the budget of their connection
-  std::uint64_t excessConnects = 0;    ///< requests to connect beyond the budget of their address
-  std::uint64_t expired = 0;           ///< connections that were not admitted in time
+  std::uint64_t content = 0;  ///< sealed datagrams with something that no client of ours sends
+  std::uint64_t excess = 0;   ///< datagrams beyond the budget of their connection
+  std::uint64_t idle = 0;     ///< connections that were not admitted in time
+  std::uint64_t silent = 0;   ///< admitted connections from which nothing came
+  std::uint64_t slow = 0;     ///< connections that did not acknowledge what was sent
 
   friend bool operator==(const HostCounters&, const HostCounters&) = default;
+};
+
+/// Number of rejections for one reason.
+struct Rejection {
+  std::string_view reason;  ///< one word, for logs and metrics
+  std::uint64_t count = 0;
+
+  friend bool operator==(const Rejection&, const Rejection&) = default;
 };
 
 /// A message from a client, or the end of its connection.
@@ -46,67 +46,88 @@ struct HostEvent {
   ClientId client = 0;
   bool disconnected = false;  ///< the connection has ended; otherwise `bytes` is a message
   std::vector<std::uint8_t> bytes;
-  std::uint32_t origin = 0;  ///< of a message: number of its IPv4 address; 0 for loopback
+  IpAddress address;  ///< of a message: where the client is
 };
 
-/// The server's end of all connections. Only this class and datagram_check use ENet on the server. ENet trusts its
-/// peers; docs/protocol.md lists how the server protects itself. All times are monotonic and never decrease.
-class Host {
+/// The server's end of all connections: ENet behind a gate. ENet trusts its peers, so every content is checked before
+/// ENet sees it; docs/security.md lists what a client can try. All times are monotonic and never decrease.
+class Host : private EnetPort {
  public:
-  /// Time after its first datagram in which a client must complete ENet's handshake, which proves its address.
+  /// Time after the first sealed datagram in which a client must complete ENet's handshake.
   static constexpr std::chrono::seconds kAnswerTime{3};
   /// Time after the handshake in which a client must be admitted. It is long because its Hello may have to be sent
   /// repeatedly under loss.
   static constexpr std::chrono::seconds kAdmissionTime{10};
+  /// Largest number of reliable messages that wait for a client's acknowledgement. A connection that would exceed it
+  /// ends.
+  static constexpr std::size_t kMaxQueuedMessages = 128;
 
-  /// Opens the socket. Throws HostError.
-  Host(const HostSettings& settings, TimePoint now);
-  ~Host();
-  Host(const Host&) = delete;
-  Host& operator=(const Host&) = delete;
+  /// Throws SocketError if ENet cannot be used.
+  Host(std::unique_ptr<DatagramSocket> socket, const ServerIdentity& identity, const HostSettings& settings,
+       Moment now);
+  ~Host() override;
 
-  /// Receives what has arrived, closes connections that have timed out, and returns the events.
-  std::vector<HostEvent> service(TimePoint now);
+  /// Receives what has arrived, ends connections that have timed out, and returns the events.
+  std::vector<HostEvent> service(Moment now);
   /// Call when the client plays: from then on its connection ends only when it is closed or silent.
   void admit(ClientId client);
   /// Queues a message. No effect if the client is disconnected.
   void send(ClientId client, bool reliable, std::span<const std::uint8_t> message);
+  /// Number of reliable messages that can be sent to the client now, so that it can keep up; 0 if it is disconnected.
+  std::size_t room(ClientId client) const;
   /// Closes the connection once everything queued has arrived, or after kAnswerTime. Until then messages may still
   /// arrive; `isOpen` is false for them.
-  void close(ClientId client, TimePoint now);
+  void close(ClientId client, Moment now);
   /// Sends the queued messages.
-  void flush(TimePoint now);
+  void flush(Moment now);
 
   /// Sleeps until a datagram arrives, a signal is caught or `timeout` has passed.
-  void wait(std::chrono::milliseconds timeout) const;
+  void wait(std::chrono::milliseconds timeout) { gate_.socket().wait(timeout); }
 
-  std::uint16_t port() const;
+  SocketAddress address() const { return gate_.socket().address(); }
+  ServerGate& gate() { return gate_; }
+  const ServerGate& gate() const { return gate_; }
   /// False if the client is disconnected or its connection is closing.
   bool isOpen(ClientId client) const;
   /// Whether no client is connected or connecting.
   bool empty() const;
   const HostCounters& counters() const { return counters_; }
+  /// All that the host and its gate have rejected so far. The reasons and their order are always the same.
+  std::vector<Rejection> rejections() const;
 
  private:
-  struct Connection;  // state of one ENet peer
-  struct Service;
+  // State of one ENet peer.
+  struct Connection {
+    explicit Connection(Moment now);
 
-  static int intercept(_ENetHost* host, _ENetEvent* event);
-  bool acceptsDatagram(TimePoint now);
-  bool acceptsConnect(TimePoint now);
-  bool isRetransmittedConnect() const;
-  std::size_t silentConnectionsOfSender(TimePoint now) const;
-  void handle(const _ENetEvent& event, TimePoint now, std::vector<HostEvent>& events);
-  void maintain(std::size_t index, TimePoint now, std::vector<HostEvent>& events);
-  _ENetPeer* peerOf(ClientId client) const;
+    std::optional<ClientId> client;  // once connected
+    SessionId session;               // number 0: the peer is free
+    bool admitted = false;
+    bool closing = false;
+    Moment since;       // when it became open, connected or closing, whichever came last
+    Moment receivedAt;  // when the last datagram arrived
+    TokenBucket datagrams;
+    TokenBucket bytes;
+  };
 
-  std::unique_ptr<_ENetHost, void (*)(_ENetHost*)> host_;
-  std::uint32_t connectionsPerAddress_;
+  void sendFromEnet(const ENetAddress& session, ByteSpan bytes) override;
+  std::optional<Received> receiveForEnet() override;
+  bool accepts(SessionId session, ByteSpan content);
+  bool acceptsConnect(SessionId session) const;
+  void handle(const ENetEvent& event, std::vector<HostEvent>& events);
+  void connect(Connection& connection, ENetPeer& peer);
+  void maintain(std::size_t index, std::vector<HostEvent>& events);
+  bool hasTimedOut(const Connection& connection);
+  void end(std::size_t index, std::vector<HostEvent>& events);
+  std::optional<std::size_t> indexOf(ClientId client) const;
+
+  ServerGate gate_;
+  std::unique_ptr<ENetHost, void (*)(ENetHost*)> host_;
   std::vector<Connection> connections_;  // by index of the ENet peer
-  std::vector<TokenBucket> connects_;    // by a keyed hash of the address
-  std::uint32_t connectKey_;
   ClientId nextClient_ = 1;
   HostCounters counters_;
+  Moment now_;     // of the present call
+  Bytes content_;  // the last one handed to ENet
 };
 
 }  // namespace platon

@@ -5,6 +5,7 @@ from fault import PHYSICS, PUBLIC_PHYSICS, Fault, at_length
 from net_faults import PROTOCOL_FAULTS, SERVER_FAULTS
 from recording_faults import RECORDING_FAULTS
 from step_faults import STEP_FAULTS
+from transport_faults import TRANSPORT_FAULTS
 
 FAULTS = [
     # Exact arithmetic.
@@ -338,6 +339,7 @@ FAULTS = [
 
     *RECORDING_FAULTS,
     *PROTOCOL_FAULTS,
+    *TRANSPORT_FAULTS,
     *SERVER_FAULTS,
     *CLIENT_FAULTS,
 ]  # fmt: skip

@@ -1,4 +1,5 @@
 #include "protocol/byte_reader.h"
+#include "protocol/bytes.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +7,6 @@
 
 namespace platon {
 namespace {
-
-using Bytes = std::vector<std::uint8_t>;
 
 TEST(ByteReader, ReadsWhatByteWriterWrites) {
   for (int bit = 0; bit < 32; ++bit) {

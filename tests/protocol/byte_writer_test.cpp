@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "protocol/bytes.h"
+
 namespace platon {
 namespace {
-
-using Bytes = std::vector<std::uint8_t>;
 
 Bytes varint(std::uint32_t value) {
   ByteWriter out;

@@ -2,17 +2,17 @@
 
 #include <gtest/gtest.h>
 
+#include "protocol/bytes.h"
+
 #include "to_server_generated.h"
 
 namespace platon {
 namespace {
 
-using Bytes = std::vector<std::uint8_t>;
-
 Bytes leave() {
   flatbuffers::FlatBufferBuilder builder;
   const auto body = wire::CreateLeave(builder);
-  builder.Finish(wire::CreateToServer(builder, 0, wire::ToServerBody::Leave, body.Union()));
+  builder.Finish(wire::CreateToServer(builder, wire::ToServerBody::Leave, body.Union()));
   return bytesOf(builder);
 }
 

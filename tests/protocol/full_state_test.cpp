@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "protocol/bytes.h"
+
 #include "tests/protocol/sample_messages.h"
 
 namespace platon {
@@ -17,7 +19,6 @@ TEST(FullState, DecodesWhatWasEncoded) {
 }
 
 TEST(FullState, RefusesMalformedBytes) {
-  using Bytes = std::vector<std::uint8_t>;
   EXPECT_FALSE(decodeFullState(Bytes{}));
   EXPECT_FALSE(decodeFullState(Bytes{2, 0x80}));
   EXPECT_FALSE(decodeFullState(Bytes{1, 0x01}));  // buttons of an absent player

@@ -1,13 +1,13 @@
 #include <gtest/gtest.h>
 
+#include "protocol/bytes.h"
+
 #include <random>
 
 #include "tests/protocol/sample_messages.h"
 
 namespace platon {
 namespace {
-
-using Bytes = std::vector<std::uint8_t>;
 
 /// Changes, swaps, removes or inserts a few bytes.
 Bytes mutated(Bytes bytes, std::mt19937_64& random) {

@@ -25,11 +25,11 @@ ConfirmedTicks manyChanges() {
 }  // namespace
 
 std::vector<ToServer> sampleToServer() {
-  return {Hello{kProtocolVersion, kRulesVersion, "Ann"},
-          Hello{kProtocolVersion, 99, ""},
-          Hello{kProtocolVersion, kRulesVersion, "Ben", kToken},
-          Hello{kProtocolVersion, kRulesVersion, "", kToken, {1, 0, UINT64_MAX, 4, 5, 6, 7, 8}},
-          Hello{kProtocolVersion, kRulesVersion, "Łukasz Żółć 世界 32 bytes"},
+  return {Hello{kRulesVersion, "Ann"},
+          Hello{99, ""},
+          Hello{kRulesVersion, "Ben", kToken},
+          Hello{kRulesVersion, "", kToken, {1, 0, UINT64_MAX, 4, 5, 6, 7, 8}},
+          Hello{kRulesVersion, "Łukasz Żółć 世界 32 bytes"},
           LevelRequest{0x0123456789abcdef},
           LevelRequest{0},
           Leave{},

@@ -44,8 +44,8 @@ TEST(ToClient, TheLongestTickMessageIsWithinItsLimit) {
   while (message.changes.size() < kMaxChangesPerMessage) {
     message.changes.push_back({message.changes.back().tick, slot = (slot + 1) % 256, pressing(31)});
   }
-  EXPECT_GT(encode(message).size(), kMaxTickMessageBytes * 9 / 10);
-  EXPECT_LE(encode(message).size(), kMaxTickMessageBytes);
+  EXPECT_GT(encode(message).size(), kMaxMessageBytes * 9 / 10);
+  EXPECT_LE(encode(message).size(), kMaxMessageBytes);
 }
 
 TEST(ToClient, AChangeTakesTwoBytes) {

@@ -33,21 +33,13 @@ TEST(ToServer, DecodesBytesAtAnyAddress) {
   }
 }
 
-// The layout of a newer Hello may differ, but its version must stay readable.
-TEST(ToServer, AHelloOfAnotherVersionDecodesToItsVersionOnly) {
-  const auto decoded = decodeToServer(encode(Hello{kProtocolVersion + 1, 7, "\x1b[2J"}));
-  ASSERT_TRUE(decoded);
-  EXPECT_EQ(std::get<Hello>(*decoded).protocolVersion, kProtocolVersion + 1);
-  EXPECT_EQ(std::get<Hello>(*decoded).name, "");
-}
-
 TEST(ToServer, RefusesNamesThatAreNoLabels) {
-  EXPECT_FALSE(decodeToServer(encode(Hello{kProtocolVersion, kRulesVersion, "a\nb"})));
-  EXPECT_FALSE(decodeToServer(encode(Hello{kProtocolVersion, kRulesVersion, std::string(kMaxNameBytes + 1, 'a')})));
+  EXPECT_FALSE(decodeToServer(encode(Hello{kRulesVersion, "a\nb"})));
+  EXPECT_FALSE(decodeToServer(encode(Hello{kRulesVersion, std::string(kMaxNameBytes + 1, 'a')})));
 }
 
 TEST(ToServer, RefusesATokenOfAnotherLength) {
-  std::vector<std::uint8_t> bytes = encode(Hello{kProtocolVersion, kRulesVersion, "", SessionToken{7, 7}});
+  std::vector<std::uint8_t> bytes = encode(Hello{kRulesVersion, "", SessionToken{7, 7}});
   const std::array<std::uint8_t, 4> length = {sizeof(SessionToken), 0, 0, 0};
   const auto token = std::search(bytes.begin(), bytes.end(), length.begin(), length.end());
   ASSERT_NE(token, bytes.end());

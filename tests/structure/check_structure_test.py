@@ -22,7 +22,7 @@ CLIENT = ["time", "net", "netcode", "desync", "session", "bot", "demo", "scene",
 FOLDERS = (
     [f"shared/include/platon/{name}" for name in SHARED]
     + [f"shared/{name}" for name in SHARED]
-    + ["protocol", "server/match", "server/net", "server/app"]
+    + ["protocol", "protocol/transport", "server/match", "server/net", "server/app"]
     + [f"client/{name}" for name in CLIENT]
     + ["levels", "tests"]
 )
@@ -68,18 +68,20 @@ class Includes(Tree):
             "demo": ["netcode"], "scene": ["netcode"], "ui": ["netcode", "scene"], "gl": ["scene", "ui"],
             "play": [name for name in CLIENT if name not in ("bot", "play")],
         }  # fmt: skip
-        wordless = ("demo", "scene", "ui", "gl", "time")
+        wordless = ("demo", "scene", "ui", "gl")
+        protocol = ["protocol", "protocol/transport"]
         allowed = {
             **{folder: public[:index] for index, folder in enumerate(public)},
             "shared/exact": public[:1],
             "shared/physics": public[:2] + ["shared/exact"],
             "shared/game": public + ["shared/exact", "shared/physics"],
             "protocol": public,
-            "server/match": public + ["protocol"],
-            "server/net": public + ["protocol", "server/match"],
-            "server/app": public + ["protocol", "server/match", "server/net"],
+            "protocol/transport": ["protocol"],
+            "server/match": public + protocol,
+            "server/net": public + protocol + ["server/match"],
+            "server/app": public + protocol + ["server/match", "server/net"],
             **{
-                f"client/{room}": public + ([] if room in wordless else ["protocol"]) + [f"client/{o}" for o in others]
+                f"client/{room}": public + ([] if room in wordless else protocol) + [f"client/{o}" for o in others]
                 for room, others in rooms.items()
             },
             "levels": public,

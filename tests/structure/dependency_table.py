@@ -77,13 +77,15 @@ class DependencyTable:
 
     def folder_of(self, path):
         """The folder with a row that holds the file; None if there is none."""
-        return next((folder for folder in self._folders if path_of(path).startswith(folder + "/")), None)
+        rows = [folder for folder in self._folders if path_of(path).startswith(folder + "/")]
+        return max(rows, key=len, default=None)
 
     def may_include_folder(self, path, header):
         """True if the row of the file's folder allows it to include this file of the project."""
         folder = self.folder_of(path)
-        allowed = [folder] + self._folders.get(folder, [])
-        return any(path_of(header).startswith(name + "/") for name in allowed if name)
+        if folder and self.folder_of(header) == folder:
+            return True
+        return any(path_of(header).startswith(name + "/") for name in self._folders.get(folder, []))
 
     def may_include_header(self, path, header):
         """True if the table of headers allows this file to include the header."""

@@ -1,18 +1,15 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <vector>
 
+#include "client/net/connection.h"
 #include "tests/support/fake_client.h"
-
-struct _ENetHost;
-struct _ENetPeer;
 
 namespace platon {
 
-/// A FakeClient on a real ENet connection over loopback.
+/// A FakeClient on a real connection over loopback, in real time.
 class EnetClient {
  public:
   /// Without a `client` it connects and sends only the bytes given to `sendRaw`.
@@ -24,18 +21,13 @@ class EnetClient {
   void sendRaw(const std::vector<std::uint8_t>& bytes, bool reliable);
 
   FakeClient& fake() { return *client_; }
-  bool connected() const { return connected_; }
+  bool connected() const { return connection_.state() == Connection::State::kConnected; }
   /// Whether the server closed the connection.
-  bool disconnected() const { return disconnected_; }
-  std::uint16_t peerAtServer() const;
-  std::uint32_t connectId() const;
+  bool disconnected() const { return connection_.state() == Connection::State::kClosed; }
 
  private:
-  std::unique_ptr<_ENetHost, void (*)(_ENetHost*)> host_;
-  _ENetPeer* peer_;
+  Connection connection_;
   std::optional<FakeClient> client_;
-  bool connected_ = false;
-  bool disconnected_ = false;
 };
 
 }  // namespace platon

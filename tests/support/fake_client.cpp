@@ -26,7 +26,7 @@ void FakeClient::send(const Message& message, bool reliable) {
 
 FakeClient::FakeClient(std::string name, std::uint32_t lead, std::function<int(std::uint32_t)> buttons)
     : lead_(lead), buttons_(std::move(buttons)), token_(newToken()) {
-  send(Hello{kProtocolVersion, kRulesVersion, std::move(name), token_}, true);
+  send(Hello{kRulesVersion, std::move(name), token_}, true);
 }
 
 FakeClient::FakeClient(const FakeClient& disconnected, std::function<int(std::uint32_t)> buttons)

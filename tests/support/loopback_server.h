@@ -45,7 +45,7 @@ class LoopbackServer {
 
   static ServerSettings settings() {
     ServerSettings settings;
-    settings.host.bind = kLoopback;
+    settings.bind = kLoopback;
     return settings;
   }
 

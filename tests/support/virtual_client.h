@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "client/session/outgoing_message.h"
-#include "client/time/moment.h"
+#include "protocol/moment.h"
 
 namespace platon {
 

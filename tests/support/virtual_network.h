@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "client/net/network_conditions.h"
-#include "client/time/moment.h"
+#include "protocol/moment.h"
 #include "server/match/match.h"
 #include "tests/support/virtual_client.h"
 

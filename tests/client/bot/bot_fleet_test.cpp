@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "client/bot/bot_fleet.h"
+#include "protocol/transport/udp_socket.h"
 #include "server/app/tick_clock.h"
 #include "server/match/match.h"
 #include "server/net/host.h"
@@ -18,28 +19,22 @@
 namespace platon {
 namespace {
 
-HostSettings loopback() {
-  HostSettings settings;
-  settings.bind = "127.0.0.1";
-  return settings;
-}
-
 /// A server on a socket that sends one wrong input.
 class FaultyServer {
  public:
   static constexpr TimePoint kStart{};
 
-  ServerAddress address() const { return {"127.0.0.1", host_.port()}; }
+  ServerAddress address() const { return {"127.0.0.1", host_.address().port}; }
 
   void step(TimePoint now) {
-    for (const HostEvent& event : host_.service(now)) take(event);
+    for (const HostEvent& event : host_.service(momentOf(now))) take(event);
     if (clock_.take(now)) match_.tick();
     for (const Outgoing& message : match_.takeOutgoing()) {
       std::vector<std::uint8_t> bytes(message.bytes.begin(), message.bytes.end());
       flipper_(bytes);
       host_.send(message.client, message.reliable, bytes);
     }
-    host_.flush(now);
+    host_.flush(momentOf(now));
   }
 
  private:
@@ -49,7 +44,7 @@ class FaultyServer {
     host_.admit(event.client);
   }
 
-  Host host_{loopback(), kStart};
+  Host host_{std::make_unique<UdpSocket>("127.0.0.1", 0), ServerIdentity::random(), {}, momentOf(kStart)};
   Match match_{LevelRotation({endlessLevel()}), {4, "Test"}};
   TickClock clock_{kStart};
   InputFlipper flipper_{60, 0, {}};

@@ -15,7 +15,7 @@ using std::chrono::seconds;
 class HollowBotTest : public testing::Test {
  protected:
   HollowBot join(const LinkQuality& quality) {
-    return HollowBot(server_.address(), "hollow", quality, 1, server_.clock().now(), Moment{});
+    return HollowBot(server_.address(), "hollow", {}, quality, 1, server_.clock().now(), Moment{});
   }
   bool playUntil(HollowBot& bot, std::uint32_t ticks) {
     return server_.runUntil(

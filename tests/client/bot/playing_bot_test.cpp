@@ -21,8 +21,8 @@ class PlayingBots : public testing::Test {
   // Three bots play until each has confirmed kTicks.
   void play(const LinkQuality& quality) {
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-      bots_.push_back(
-          std::make_unique<PlayingBot>(server_.address(), "bot", quality, seed, server_.clock().now(), Moment{}));
+      bots_.push_back(std::make_unique<PlayingBot>(server_.address(), "bot", ServerKnowledge(), quality, seed,
+                                                   server_.clock().now(), Moment{}));
     }
     EXPECT_TRUE(
         runUntilAll([](const Bot& bot) { return bot.closed() || bot.result().prediction.confirmedTicks >= kTicks; }));
@@ -82,7 +82,7 @@ TEST_F(PlayingBots, CountTheirResumes) {
 }
 
 TEST_F(PlayingBots, ReportAnUnreachableServer) {
-  PlayingBot bot({"127.0.0.1", 1}, "bot", LinkQuality(), 1, Moment{}, Moment{});
+  PlayingBot bot({"127.0.0.1", 1}, "bot", {}, LinkQuality(), 1, Moment{}, Moment{});
   for (Moment now{}; now <= seconds(6); now += std::chrono::milliseconds(50)) bot.update(now);
   EXPECT_TRUE(bot.closed());
   EXPECT_FALSE(bot.result().joined);

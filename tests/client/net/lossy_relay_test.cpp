@@ -1,4 +1,5 @@
 #include "client/net/lossy_relay.h"
+#include "protocol/transport/udp_socket.h"
 
 #include <arpa/inet.h>
 #include <gtest/gtest.h>
@@ -133,7 +134,7 @@ std::string fault(Call call) {
 TEST(LossyRelay, ReportsAnUnknownHostLikeAConnection) {
   const ServerAddress nowhere{"no such host", 1};
   EXPECT_EQ(fault([&] { LossyRelay(nowhere, LinkQuality(), 1); }), "cannot resolve host no such host");
-  EXPECT_EQ(fault([&] { Connection(nowhere, Moment(1)); }), "cannot resolve host no such host");
+  EXPECT_EQ(fault([&] { resolve(nowhere.host, nowhere.port); }), "cannot resolve host no such host");
 }
 
 // Behaves like a NAT router: the server sees a new address, and datagrams to the old one are lost.

@@ -21,6 +21,14 @@ TEST(ServerAddress, AHostMayBeFollowedByAPort) {
   EXPECT_EQ(address.port, 65535);
 }
 
+TEST(ServerAddress, AnIpv6AddressWithAPortIsInBrackets) {
+  for (const char* text : {"::1", "[::1]"}) EXPECT_EQ(parseServerAddress(text).text(), "[::1]:7777");
+  const ServerAddress address = parseServerAddress("[2001:db8::1]:80");
+  EXPECT_EQ(address.host, "2001:db8::1");
+  EXPECT_EQ(address.port, 80);
+  EXPECT_EQ(address.text(), "[2001:db8::1]:80");
+}
+
 class BadAddress : public testing::TestWithParam<const char*> {};
 
 TEST_P(BadAddress, IsRefusedInOneSentence) {
@@ -36,7 +44,8 @@ TEST_P(BadAddress, IsRefusedInOneSentence) {
 
 INSTANTIATE_TEST_SUITE_P(All, BadAddress,
                          testing::Values("", ":7777", "host:", "host:0", "host:65536", "host:77x", "host: 7", "host:-1",
-                                         "a:b:1", "[::1]:7777", "::1", "ho st", "host/7", "host:99999999999999999999"));
+                                         "a:b:1", "[::1", "[::1]7777", "[host]:1", "::1:x", "ho st", "host/7",
+                                         "host:99999999999999999999"));
 
 }  // namespace
 }  // namespace platon

@@ -19,7 +19,7 @@ constexpr const char* kLevel = "levels/hexahedron/01_first_steps.level";
 
 bool connects(const ServerAddress& address) {
   const Clock clock = steadyClock();
-  NetworkClient client(address, "someone", clock.now());
+  NetworkClient client(address, {"someone"}, clock.now());
   const Moment end = clock.now() + std::chrono::seconds(10);
   for (Moment now = clock.now(); now < end && !client.welcomed() && !client.ending(); now = clock.now()) {
     client.update(now, [](const Game&, std::uint32_t) { return Input{}; });

@@ -11,7 +11,7 @@ using std::chrono::seconds;
 
 TEST(NetMeter, SamplesARunningClient) {
   LoopbackServer server;
-  NetworkClient client(server.address(), "", server.clock().now());
+  NetworkClient client(server.address(), {""}, server.clock().now());
   NetMeter meter;
   NetSample sample;
   const auto update = [&](Moment now) {

@@ -1,4 +1,5 @@
 #include "client/session/network_client.h"
+#include "protocol/transport/udp_socket.h"
 
 #include <gtest/gtest.h>
 
@@ -31,7 +32,7 @@ bool updateUntil(NetworkClient& client, Done done) {
 
 TEST(NetworkClient, ReportsThatNoServerAnswers) {
   const Moment start = std::chrono::hours(1);
-  NetworkClient client({"127.0.0.1", 1}, "", start);
+  NetworkClient client({"127.0.0.1", 1}, {""}, start);
   for (Moment now = start; now <= start + NetworkClient::kConnectTimeout; now += milliseconds(50)) {
     client.update(now, kRight);
     ASSERT_EQ(client.ending(), std::nullopt);
@@ -42,14 +43,12 @@ TEST(NetworkClient, ReportsThatNoServerAnswers) {
 
 TEST(NetworkClient, TriesThreeTimesToJoinAServerThatDoesNotWelcomeIt) {
   Moment now = steadyClock().now();
-  HostSettings settings;
-  settings.bind = "127.0.0.1";
-  Host host(settings, TimePoint(now));
-  NetworkClient client({"127.0.0.1", host.port()}, "", now);
+  Host host(std::make_unique<UdpSocket>("127.0.0.1", 0), ServerIdentity::random(), {}, now);
+  NetworkClient client({"127.0.0.1", host.address().port}, {""}, now);
   std::set<ClientId> greeted;
   for (const Moment end = now + std::chrono::minutes(2); now < end && !client.ending(); now += milliseconds(10)) {
-    for (const HostEvent& event : host.service(TimePoint(now))) greeted.insert(event.client);
-    host.flush(TimePoint(now));
+    for (const HostEvent& event : host.service(now)) greeted.insert(event.client);
+    host.flush(now);
     client.update(now, kRight);
   }
   ASSERT_TRUE(client.ending().has_value());
@@ -58,12 +57,12 @@ TEST(NetworkClient, TriesThreeTimesToJoinAServerThatDoesNotWelcomeIt) {
 }
 
 TEST(NetworkClient, ThrowsForAnUnknownHost) {
-  EXPECT_THROW(NetworkClient({"no such host", 1}, "", Moment(1)), std::runtime_error);
+  EXPECT_THROW(NetworkClient({"no such host", 1}, {""}, Moment(1)), std::runtime_error);
 }
 
 TEST(NetworkClient, PlaysOnAnEmbeddedServer) {
   const EmbeddedServer server("levels/hexahedron/01_first_steps.level");
-  NetworkClient client(server.address(), "someone", steadyClock().now());
+  NetworkClient client(server.address(), {"someone"}, steadyClock().now());
   ASSERT_TRUE(updateUntil(client, [&] {
     return client.session() != nullptr && client.session()->predictionStatistics().confirmedTicks > 60;
   })) << client.ending().value_or("timed out");

@@ -12,6 +12,7 @@
 #include "client/session/network_client.h"
 #include "client/time/steady_now.h"
 #include "protocol/to_client.h"
+#include "protocol/transport/udp_socket.h"
 #include "server/app/dedicated_server.h"
 #include "server/net/host.h"
 #include "tests/support/test_level.h"
@@ -46,8 +47,9 @@ class Outage : public testing::Test {
 
   void startServer(std::uint16_t port, std::uint32_t maxPlayers) {
     ServerSettings settings;
-    settings.host.bind = kLoopback;
-    settings.host.port = port;
+    settings.bind = kLoopback;
+    settings.port = port;
+    settings.identity = identity_;
     settings.match.maxPlayers = maxPlayers;
     server_.emplace(settings, std::vector<LevelPointer>{endlessLevel()},
                     Log(LogFormat::kText, [this](std::string_view line) { log_ += std::string(line) + "\n"; }));
@@ -62,7 +64,7 @@ class Outage : public testing::Test {
   // Starts a client behind the relay and lets it play for a second.
   void play() {
     relay_.emplace(address(), delayed(), 1);
-    client_.emplace(address(), "Ann", now_, relay_->address());
+    client_.emplace(address(), NetworkClient::Profile{"Ann", {}, relay_->address()}, now_);
     ASSERT_TRUE(runUntil(seconds(3), [this] { return ticks() > 60; }));
   }
 
@@ -100,6 +102,7 @@ class Outage : public testing::Test {
 
   Moment now_ = steadyClock().now();
   std::string log_;
+  const ServerIdentity identity_ = ServerIdentity::random();
   std::optional<DedicatedServer> server_;
   std::uint16_t port_ = 0;
   std::optional<LossyRelay> relay_;
@@ -190,7 +193,7 @@ TEST_F(Outage, LastsWhileTheServerIsFull) {
   stopServerSilently();
   run(seconds(5));
   startServer(port_, 1);
-  other_.emplace(address(), "Ben", now_);
+  other_.emplace(address(), NetworkClient::Profile{"Ben"}, now_);
   relay_->setQuality(fullLoss());
   ASSERT_TRUE(runUntil(seconds(2), [this] { return server_->match().players() == 1; }));
   relay_->setQuality(delayed());
@@ -210,7 +213,7 @@ TEST_F(Outage, AsksAFullServerLessAndLessOften) {
   run(seconds(5));
   startServer(port_, 1);
   relay_->setQuality(fullLoss());
-  other_.emplace(address(), "Ben", now_);
+  other_.emplace(address(), NetworkClient::Profile{"Ben"}, now_);
   ASSERT_TRUE(runUntil(seconds(2), [this] { return server_->match().players() == 1; }));
   relay_->setQuality(delayed());
   run(seconds(30));
@@ -224,17 +227,14 @@ TEST_F(Outage, EndsWithAServerOfAnotherVersion) {
   play();
   stopServerSilently();
   run(seconds(5));
-  HostSettings settings;
-  settings.bind = kLoopback;
-  settings.port = port_;
-  Host host(settings, TimePoint(now_));
+  Host host(std::make_unique<UdpSocket>(kLoopback, port_), identity_, {}, now_);
   const auto refuse = [&] {
-    for (const HostEvent& event : host.service(TimePoint(now_))) {
+    for (const HostEvent& event : host.service(now_)) {
       if (event.disconnected) continue;
-      host.send(event.client, true, encode(Refused{RefusalCode::kWrongProtocol, "update your client"}));
-      host.close(event.client, TimePoint(now_));
+      host.send(event.client, true, encode(Refused{RefusalCode::kWrongRules, "update your client"}));
+      host.close(event.client, now_);
     }
-    host.flush(TimePoint(now_));
+    host.flush(now_);
     return client_->ending().has_value();
   };
   ASSERT_TRUE(runUntil(seconds(5), refuse));
@@ -279,10 +279,10 @@ TEST_F(Outage, ACrashedClientResumesWithItsToken) {
     const SessionToken token = client_->token();
     client_.reset();  // without Leave
     run(milliseconds(ms));
-    other_.emplace(address(), "Ben", now_);
+    other_.emplace(address(), NetworkClient::Profile{"Ben"}, now_);
     run(seconds(1));  // another player joins
     const Moment begun = now_;
-    client_.emplace(address(), "Ann", now_, std::nullopt, token);
+    client_.emplace(address(), NetworkClient::Profile{"Ann", {}, std::nullopt, token}, now_);
     EXPECT_EQ(client_->token(), token);
     ASSERT_TRUE(runUntil(kMaxResumeTime, [this] { return client_->session() != nullptr && ticks() > 0; }));
     std::printf("after %lld ms\n", static_cast<long long>((now_ - begun) / milliseconds(1)));
@@ -300,7 +300,7 @@ TEST_F(Outage, ACrashedClientResumesWithItsToken) {
 
 TEST_F(Outage, EveryClientGetsItsOwnRandomToken) {
   play();
-  other_.emplace(address(), "Ben", now_);
+  other_.emplace(address(), NetworkClient::Profile{"Ben"}, now_);
   EXPECT_NE(other_->token(), client_->token());
 }
 

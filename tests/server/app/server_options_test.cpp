@@ -18,7 +18,7 @@ TEST(ServerOptions, DefaultsAreThoseOfTheManual) {
   const auto options = read({});
   ASSERT_TRUE(options);
   EXPECT_TRUE(options->levels.empty());
-  EXPECT_EQ(options->bind, "0.0.0.0");
+  EXPECT_EQ(options->bind, "::");
   EXPECT_EQ(options->port, 7777);
   EXPECT_EQ(options->maxPlayers, 16u);
   EXPECT_EQ(options->maxPerAddress, 4u);

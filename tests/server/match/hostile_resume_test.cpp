@@ -38,7 +38,7 @@ class HostileResume : public testing::Test {
     return Match(LevelRotation({levelOf(farGoalText())}), settings);
   }
 
-  void sendHello(Match& match, ClientId client, std::uint32_t token, std::uint32_t origin = 0) {
+  void sendHello(Match& match, ClientId client, std::uint32_t token, std::uint64_t origin = 0) {
     match.receive(client, hello("P" + std::to_string(token), tokenNumber(token)), origin);
   }
 
@@ -193,9 +193,10 @@ TEST_F(HostileResume, AnAddressHoldsOnlyAsManySlotsAsItMayHaveConnections) {
 
 TEST_F(HostileResume, ConnectedPlayersAreNeverEvicted) {
   Match match = matchFor(16, 2);
-  for (std::uint32_t i = 1; i <= 3; ++i) sendHello(match, i, i, 7);  // Host would accept only two of them
+  for (std::uint32_t i = 1; i <= 3; ++i) sendHello(match, i, i, 7);
   tick(match);
-  EXPECT_EQ(match.players(), 3u);
+  EXPECT_EQ(match.players(), 2u);
+  EXPECT_TRUE(match.isPlaying(1) && match.isPlaying(2));
   EXPECT_EQ(events_[Kind::kLeft], 0u);
 }
 
@@ -245,6 +246,22 @@ TEST(ResumeWhileRecording, TheWholeGameIsRecorded) {
   EXPECT_EQ(found.fault, "");
   EXPECT_EQ(found.ticks, network.match().game().tick());
   EXPECT_GT(found.ticks, 390 + Match::kResumeTicks);
+}
+
+// All of an address's players are connected: none makes room.
+TEST_F(HostileResume, TheFifthPlayerOfAnAddressIsToldWhy) {
+  Match match = matchFor(16, 4);
+  for (std::uint32_t i = 1; i <= 5; ++i) sendHello(match, i, i, 7);
+  EXPECT_EQ(match.players(), 4u);
+  std::optional<Refused> refused;
+  for (const Outgoing& message : match.takeOutgoing()) {
+    const auto decoded = decodeToClient(message.bytes);
+    if (const auto* found = std::get_if<Refused>(&*decoded)) refused = *found;
+  }
+  ASSERT_TRUE(refused);
+  EXPECT_EQ(refused->reason, "your address already has 4 players, which is all that this server allows");
+  sendHello(match, 6, 6, 8);
+  EXPECT_EQ(match.players(), 5u);
 }
 
 }  // namespace

@@ -87,7 +87,7 @@ TEST_F(ResumeMatch, AnotherTokenResumesNothing) {
   network_.disconnect(1);
   SessionToken guess = network_.client(1).token();
   guess[15] ^= 1;
-  network_.match().receive(9, Hello{kProtocolVersion, kRulesVersion, "Eve", guess});
+  network_.match().receive(9, Hello{kRulesVersion, "Eve", guess});
   ASSERT_TRUE(network_.match().isPlaying(9));
   EXPECT_EQ(network_.match().player(9)->slot(), 1u);
 }

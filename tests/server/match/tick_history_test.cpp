@@ -60,7 +60,7 @@ TEST(TickHistory, ConsecutiveMessagesContainEveryInput) {
   for (std::uint32_t tick = 0; tick < history.end();) {
     const ConfirmedTicks message = history.collect(tick);
     ASSERT_GE(message.count, 1u);
-    ASSERT_LE(encode(message).size(), kMaxTickMessageBytes);
+    ASSERT_LE(encode(message).size(), kMaxMessageBytes);
     auto change = message.changes.begin();
     for (const std::uint32_t end = tick + message.count; tick < end; ++tick) {
       for (; change != message.changes.end() && change->tick == tick; ++change) held[change->slot] = change->input;

@@ -25,7 +25,7 @@ TEST(Transfer, SendsAWholeLevelInChunks) {
     EXPECT_EQ(chunk.hash, level->hash);
     done = assembly.add(chunk.total, chunk.offset, chunk.bytes);
   }
-  EXPECT_EQ(chunks, 3);
+  EXPECT_EQ(chunks, 10);
   EXPECT_TRUE(done);
   EXPECT_EQ(std::string(assembly.bytes().begin(), assembly.bytes().end()), level->text);
 }

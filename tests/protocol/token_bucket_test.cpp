@@ -1,4 +1,4 @@
-#include "server/net/token_bucket.h"
+#include "protocol/token_bucket.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-const TimePoint kStart{1h};
+const Moment kStart{1h};
 
 TEST(TokenBucket, StartsFull) {
   TokenBucket bucket(10, 3, kStart);

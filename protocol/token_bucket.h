@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "server/net/time_point.h"
+#include "protocol/moment.h"
 
 namespace platon {
 
@@ -11,11 +11,11 @@ namespace platon {
 class TokenBucket {
  public:
   /// Starts full. `perSecond` and `limit` are in the unit of the budget, such as bytes.
-  TokenBucket(double perSecond, double limit, TimePoint now)
+  TokenBucket(double perSecond, double limit, Moment now)
       : perSecond_(perSecond), limit_(limit), level_(limit), updated_(now) {}
 
   /// Takes `amount` from the budget. False, and nothing is taken, when less is left.
-  bool take(double amount, TimePoint now) {
+  bool take(double amount, Moment now) {
     const double seconds = std::chrono::duration<double>(now - updated_).count();
     level_ = std::min(limit_, level_ + std::max(0.0, seconds) * perSecond_);
     updated_ = now;
@@ -28,7 +28,7 @@ class TokenBucket {
   double perSecond_;
   double limit_;
   double level_;
-  TimePoint updated_;
+  Moment updated_;
 };
 
 }  // namespace platon

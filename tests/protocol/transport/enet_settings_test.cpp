@@ -1,31 +1,34 @@
-#include "protocol/enet_settings.h"
+#include "protocol/transport/enet_settings.h"
 
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <vector>
+
+#include "protocol/transport/enet_calls.h"
 
 namespace platon {
 namespace {
 
-/// A connection that begins, to a loopback port without a server.
+/// A connection that begins, to a server that does not answer.
 class EnetSettingsTest : public testing::Test {
  protected:
-  EnetSettingsTest() : host_(enet_host_create(nullptr, 1, kChannels, 0, 0), enet_host_destroy) {
-    setEnetTime(std::chrono::seconds(1000));
-    ENetAddress address{};
-    enet_address_set_host_ip(&address, "127.0.0.1");
-    address.port = 1;
-    peer_ = enet_host_connect(host_.get(), &address, kChannels, 0);
+  EnetSettingsTest() : host_(createEnetHost(1, 5), enet_host_destroy) {
+    const ENetAddress session{1, 1};
+    peer_ = enet_host_connect(host_.get(), &session, kChannels, 0);
   }
 
+  struct Port : EnetPort {
+    void sendFromEnet(const ENetAddress&, ByteSpan bytes) override { sent.emplace_back(bytes.begin(), bytes.end()); }
+    std::optional<Received> receiveForEnet() override { return std::nullopt; }
+    std::vector<Bytes> sent;
+  };
+
+  Port port_;
+  EnetScope scope_{port_, std::chrono::seconds(1000)};
   std::unique_ptr<ENetHost, void (*)(ENetHost*)> host_;
   ENetPeer* peer_ = nullptr;
 };
-
-TEST_F(EnetSettingsTest, EnetsClockIsTheGivenTimeInMilliseconds) {
-  setEnetTime(std::chrono::microseconds(5'000'999));
-  EXPECT_EQ(enet_time_get(), 5000u);
-}
 
 TEST_F(EnetSettingsTest, ConfiguringAPeerSetsTimeoutAndPings) {
   configurePeer(*peer_);
@@ -39,7 +42,7 @@ TEST_F(EnetSettingsTest, AnUnthrottledPeerKeepsItsThrottleOpen) {
   peer_->packetThrottle = 3;
   peer_->packetThrottleLimit = 5;
   peer_->packetThrottleDeceleration = 7;
-  unthrottle(*peer_);
+  fixSettings(*peer_);
   enet_peer_throttle(peer_, 10000);  // as after a round trip of 10 s
   EXPECT_EQ(peer_->packetThrottle, ENET_PEER_PACKET_THROTTLE_SCALE + 0u);
 }
@@ -54,6 +57,17 @@ TEST_F(EnetSettingsTest, AnUnacknowledgedCommandIsSentAgainAfterTheLimit) {
   EXPECT_EQ(peer_->nextTimeout, command->sentTime + 70);
   limitRetransmissionTimeout(*peer_, 90);
   EXPECT_EQ(command->roundTripTimeout, 70u);
+}
+
+TEST_F(EnetSettingsTest, TheLongestMessageIsNotSplit) {
+  enet_host_flush(host_.get());
+  peer_->state = ENET_PEER_STATE_CONNECTED;
+  fixSettings(*peer_);
+  port_.sent.clear();
+  sendMessage(*peer_, Bytes(kMaxMessageBytes), true);
+  enet_host_flush(host_.get());
+  EXPECT_EQ(port_.sent.size(), 1u);
+  EXPECT_LE(port_.sent.front().size(), kEnetMtu);
 }
 
 TEST_F(EnetSettingsTest, AMessageToADisconnectedPeerIsDropped) {

@@ -9,6 +9,8 @@
 #include <span>
 
 #include "protocol/limits.h"
+#include "protocol/transport/datagram_socket.h"
+#include "protocol/transport/sealed_channel.h"
 
 namespace platon {
 
@@ -17,13 +19,32 @@ namespace platon {
 /// ENet ends a connection after this many unacknowledged retransmissions, or when nothing was acknowledged for
 /// kEnetTimeoutMs. Both limits are generous: server and client end a silent connection earlier by themselves.
 inline constexpr enet_uint32 kEnetTimeoutAttempts = 32;
-inline constexpr enet_uint32 kEnetTimeoutMs = 30000;
+inline constexpr enet_uint32 kEnetTimeoutMs = 10000;
 /// Time between ENet's pings. It may be long: the absence of per-tick messages shows a lost connection earlier.
 inline constexpr enet_uint32 kEnetPingIntervalMs = 2000;
 
-/// Sets ENet's clock, which otherwise is the wall clock, to a monotonic time. Call it before every other use of ENet.
-inline void setEnetTime(std::chrono::nanoseconds monotonic) {
-  enet_time_set(static_cast<enet_uint32>(std::chrono::duration_cast<std::chrono::milliseconds>(monotonic).count()));
+/// Longest content of a datagram: what is left after sealing. ENet splits a packet that does not fit with its commands,
+/// so no message is longer than kMaxMessageBytes.
+inline constexpr enet_uint32 kEnetMtu = kMaxDatagramBytes - SealedChannel::kOverhead;
+static_assert(kMaxMessageBytes + sizeof(ENetProtocolHeader) + sizeof(ENetProtocolSendFragment) <= kEnetMtu);
+
+/// Creates a host whose datagrams go through EnetScope. Nullptr if there is no memory or no socket; ENet opens one, but
+/// nothing uses it. `seed`: random.
+inline ENetHost* createEnetHost(std::size_t peers, std::uint32_t seed) {
+  ENetHost* const host = enet_host_create(nullptr, peers, kChannels, 0, 0);
+  if (host == nullptr) return nullptr;
+  host->randomSeed = seed;
+  host->mtu = kEnetMtu;
+  host->maximumPacketSize = kMaxMessageBytes;
+  host->duplicatePeers = 1;  // a session has one connection
+  return host;
+}
+
+/// Services a host without waiting. ENet would tell every peer its share of the bandwidth whenever one joins: commands
+/// that grow with the square of the peers and that nobody needs.
+inline int serviceEnet(ENetHost& host, ENetEvent& event) {
+  host.recalculateBandwidthLimits = 0;
+  return enet_host_service(&host, &event, 0);
 }
 
 /// Applies the constants above to a connection that begins.
@@ -32,12 +53,13 @@ inline void configurePeer(ENetPeer& peer) {
   enet_peer_ping_interval(&peer, kEnetPingIntervalMs);
 }
 
-/// Stops ENet from dropping unreliable packets when the round trip grows. The other side can turn this on again at any
-/// time, so call it before every service of the host.
-inline void unthrottle(ENetPeer& peer) {
+/// Stops ENet from dropping unreliable packets when the round trip grows, and fixes the size of datagrams. The other
+/// side chooses both when it connects, so call it before every service of the host.
+inline void fixSettings(ENetPeer& peer) {
   peer.packetThrottle = peer.packetThrottleLimit = ENET_PEER_PACKET_THROTTLE_SCALE;
   peer.packetThrottleAcceleration = ENET_PEER_PACKET_THROTTLE_SCALE;
   peer.packetThrottleDeceleration = 0;
+  peer.mtu = kEnetMtu;
 }
 
 /// Limits the time until an unacknowledged reliable command is sent again; ENet would double it each time. Call it

@@ -1,0 +1,46 @@
+#include "client/net/refusal_text.h"
+
+#include "protocol/limits.h"
+
+namespace platon {
+namespace {
+
+std::string versionText(std::uint32_t server) {
+  const std::string versions = "the server uses protocol version " + std::to_string(server) + ", this program " +
+                               std::to_string(kProtocolVersion);
+  return versions + (server > kProtocolVersion ? ": update this program" : ": the server must be updated");
+}
+
+Connection::Refused explain(const Refusal& refusal) {
+  switch (refusal.reason) {
+    case RefusalReason::kWrongVersion:
+      return {versionText(refusal.version), true};
+    case RefusalReason::kFull:
+      return {"the server has no free connection: try again later", false};
+    case RefusalReason::kAddress:
+      return {"the server does not allow more connections from your address", false};
+    case RefusalReason::kBanned:
+      return {"you are banned from this server" + (refusal.text.empty() ? "" : ": " + refusal.text), true};
+    case RefusalReason::kPassword:
+      return {"the password is wrong", true};
+  }
+  return {"the server refused the connection", true};
+}
+
+}  // namespace
+
+Connection::Refused refusalOf(const ClientGate& gate) {
+  if (gate.state() == ClientGate::State::kNoPassword)
+    return {"the server needs a password: write it to a file and name the file after --password-file", true};
+  if (gate.state() == ClientGate::State::kNoPasswordAsked)
+    return {"the server does not ask for a password: leave out --password-file if that is right", true};
+  if (gate.state() == ClientGate::State::kAnotherIdentity)
+    return {"the server is not the one that this program knows at " + gate.server().text() +
+                ": either its owner gave it a new key, or somebody answers in its place. If you trust it, remove its "
+                "line from "
+                "the file known_servers",
+            true};
+  return explain(*gate.refusal());
+}
+
+}  // namespace platon

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "protocol/transport/datagram_socket.h"
+#include "protocol/transport/handshake.h"
+#include "protocol/transport/sealed_channel.h"
+
+namespace platon {
+
+/// What a client knows about a server before it connects.
+struct ServerKnowledge {
+  std::optional<CryptoKey> identity;  ///< the only identity to accept; nothing: any
+  std::string password;               ///< empty: none; otherwise the server must ask for one
+};
+
+/// The client's end of a session: shakes hands with a server, then seals what it sends and opens what it receives.
+class ClientGate {
+ public:
+  /// Pause between two repetitions of an unanswered handshake datagram.
+  static constexpr Moment kRepeatInterval = std::chrono::milliseconds(250);
+
+  enum class State {
+    kHandshake,
+    kOpen,
+    kRefused,          ///< `refusal` tells why
+    kNoPasswordAsked,  ///< there is a password, but the server does not ask for one
+    kNoPassword,       ///< the server asks for a password, and there is none
+    kAnotherIdentity,  ///< the server is not the one that was expected
+  };
+
+  /// `servers`: addresses of the same server; the first that answers is used. `ephemeral`: new for each gate.
+  ClientGate(std::unique_ptr<DatagramSocket> socket, std::vector<SocketAddress> servers, ServerKnowledge knowledge,
+             const KeyPair& ephemeral);
+
+  /// Sends what the handshake needs. Call it regularly.
+  void update(Moment now);
+  /// The next content from the server; nothing when no datagram waits.
+  std::optional<Bytes> receive(Moment now);
+  /// Seals and queues; no effect unless open.
+  void send(ByteSpan content, Moment now);
+  /// The same for the transport itself.
+  void sendControl(ByteSpan content, Moment now);
+  void flush(Moment now) { socket_->flush(now); }
+
+  State state() const { return state_; }
+  const std::optional<Refusal>& refusal() const { return refusal_; }
+  /// Public key of the server; proved once the gate is open.
+  const std::optional<CryptoKey>& identity() const { return identity_; }
+  /// The server's address; the first one until one has answered.
+  const SocketAddress& server() const { return servers_.front(); }
+  DatagramSocket& socket() { return *socket_; }
+  const Traffic& traffic() const { return traffic_; }
+
+ private:
+  std::optional<Bytes> take(const Datagram& datagram, Moment now);
+  void takeHandshake(const Datagram& datagram, Moment now);
+  void takeCookie(const SocketAddress& server, const CookieReply& reply, Moment now);
+  void takeAccept(const Accept& accept);
+  void takeRefusal(const Refusal& refusal);
+  std::optional<Bytes> takeSealed(ByteSpan datagram, Moment now);
+  bool isServer(const SocketAddress& address) const;
+  void sendPlain(const SocketAddress& server, ByteSpan bytes, Moment now);
+
+  std::unique_ptr<DatagramSocket> socket_;
+  std::vector<SocketAddress> servers_;
+  ServerKnowledge knowledge_;
+  KeyPair ephemeral_;
+  State state_ = State::kHandshake;
+  Bytes request_;  // repeated until it is answered
+  std::optional<Moment> sentAt_;
+  std::optional<NoiseExchange> exchange_;  // once the cookie has come
+  std::optional<CryptoKey> identity_;
+  std::optional<Refusal> refusal_;
+  std::optional<SealedChannel> channel_;
+  Traffic traffic_;
+};
+
+}  // namespace platon

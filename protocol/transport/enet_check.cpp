@@ -1,0 +1,110 @@
+#include "protocol/transport/enet_check.h"
+
+#include <cstddef>
+
+#include "protocol/limits.h"
+
+namespace platon {
+namespace {
+
+// A sender has at most so many reliable commands on the way; see kMaxQueuedMessages.
+constexpr std::uint16_t kMaxAhead = 256;
+constexpr std::uint16_t kMaxBehind = 0x4000;
+constexpr std::uint8_t kNoChannel = 0xff;  // of commands that belong to the connection
+
+// Reads a number in network byte order.
+std::uint16_t read16(ByteSpan bytes, std::size_t offset) {
+  return static_cast<std::uint16_t>(bytes[offset] << 8 | bytes[offset + 1]);
+}
+
+// Flags, channel and data length that a command of our programs has.
+struct Form {
+  std::uint8_t flags;
+  std::optional<std::uint8_t> channel;        // nothing: any
+  std::optional<std::size_t> lengthOffset{};  // of the number of data bytes
+};
+
+std::optional<Form> formOf(std::uint8_t command, EnetSender sender) {
+  constexpr std::uint8_t acknowledged = ENET_PROTOCOL_COMMAND_FLAG_ACKNOWLEDGE;
+  switch (command) {
+    case ENET_PROTOCOL_COMMAND_ACKNOWLEDGE:
+      return Form{0, std::nullopt};
+    case ENET_PROTOCOL_COMMAND_CONNECT:
+      if (sender == EnetSender::kServer) return std::nullopt;
+      return Form{acknowledged, kNoChannel};
+    case ENET_PROTOCOL_COMMAND_VERIFY_CONNECT:
+      if (sender == EnetSender::kClient) return std::nullopt;
+      return Form{acknowledged, kNoChannel};
+    case ENET_PROTOCOL_COMMAND_PING:
+      return Form{acknowledged, kNoChannel};
+    case ENET_PROTOCOL_COMMAND_SEND_RELIABLE:
+      return Form{acknowledged, kReliableChannel, offsetof(ENetProtocolSendReliable, dataLength)};
+    case ENET_PROTOCOL_COMMAND_SEND_UNSEQUENCED:
+      return Form{ENET_PROTOCOL_COMMAND_FLAG_UNSEQUENCED, kTickChannel,
+                  offsetof(ENetProtocolSendUnsequenced, dataLength)};
+    default:
+      return std::nullopt;
+  }
+}
+
+// ENet disconnects with an acknowledged command, or without one when it has given up.
+bool isDisconnect(std::uint8_t byte, std::uint8_t channel) {
+  return (byte & ENET_PROTOCOL_COMMAND_MASK) == ENET_PROTOCOL_COMMAND_DISCONNECT && channel == kNoChannel;
+}
+
+bool hasForm(std::uint8_t byte, std::uint8_t channel, const Form& form) {
+  return (byte & ~ENET_PROTOCOL_COMMAND_MASK) == form.flags && (!form.channel || *form.channel == channel);
+}
+
+/// Length of the first command with its data; 0 if it is not allowed.
+std::size_t commandBytes(ByteSpan bytes, EnetSender sender) {
+  const auto command = static_cast<std::uint8_t>(bytes[0] & ENET_PROTOCOL_COMMAND_MASK);
+  const std::size_t fixed = enet_protocol_command_size(command);
+  if (fixed < sizeof(ENetProtocolCommandHeader) || bytes.size() < fixed) return 0;
+  if (isDisconnect(bytes[0], bytes[1])) return fixed;
+  const std::optional<Form> form = formOf(command, sender);
+  if (!form || !hasForm(bytes[0], bytes[1], *form)) return 0;
+  if (!form->lengthOffset) return fixed;
+  const std::size_t data = read16(bytes, *form->lengthOffset);
+  return data != 0 && data <= kMaxMessageBytes && data <= bytes.size() - fixed ? fixed + data : 0;
+}
+
+}  // namespace
+
+std::optional<EnetCommands> readEnetCommands(ByteSpan content, EnetSender sender) {
+  std::size_t spoken = 0;  // commands that are not acknowledgements
+  if (content.size() < sizeof(std::uint16_t)) return std::nullopt;
+  const std::uint16_t head = read16(content, 0);
+  const bool timed = (head & ENET_PROTOCOL_HEADER_FLAG_SENT_TIME) != 0;
+  const std::size_t headBytes = timed ? sizeof(ENetProtocolHeader) : sizeof(std::uint16_t);
+  if ((head & ENET_PROTOCOL_HEADER_FLAG_COMPRESSED) != 0 || content.size() <= headBytes) return std::nullopt;
+  EnetCommands found;
+  found.peer = head & ENET_PROTOCOL_MAXIMUM_PEER_ID;
+  for (ByteSpan rest = content.subspan(headBytes); !rest.empty();) {
+    if (found.count == EnetCommands::kMaxCommands) return std::nullopt;
+    const std::size_t bytes = commandBytes(rest, sender);
+    if (bytes == 0) return std::nullopt;
+    const auto command = static_cast<std::uint8_t>(rest[0] & ENET_PROTOCOL_COMMAND_MASK);
+    spoken += command != ENET_PROTOCOL_COMMAND_ACKNOWLEDGE ? 1 : 0;
+    found.commands[found.count++] = {command, rest[1], read16(rest, 2)};
+    rest = rest.subspan(bytes);
+  }
+  if (sender == EnetSender::kClient && spoken > EnetCommands::kMaxOfClient) return std::nullopt;
+  const bool isUnconnected = found.peer == ENET_PROTOCOL_MAXIMUM_PEER_ID;
+  if (found.isConnect() != isUnconnected || (isUnconnected && found.count != 1)) return std::nullopt;
+  return found;
+}
+
+bool areSequencesNear(const EnetCommands& commands, const ENetPeer& receiver) {
+  for (std::size_t i = 0; i < commands.count; ++i) {
+    const EnetCommand& command = commands.commands[i];
+    if (command.command != ENET_PROTOCOL_COMMAND_SEND_RELIABLE) continue;
+    if (command.channel >= receiver.channelCount) return false;
+    const std::uint16_t arrived = receiver.channels[command.channel].incomingReliableSequenceNumber;
+    const auto ahead = static_cast<std::uint16_t>(command.sequence - arrived);
+    if (ahead > kMaxAhead && ahead < static_cast<std::uint16_t>(-kMaxBehind)) return false;
+  }
+  return true;
+}
+
+}  // namespace platon

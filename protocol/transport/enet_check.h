@@ -1,0 +1,46 @@
+#pragma once
+
+#include <enet/enet.h>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "protocol/transport/noise.h"
+
+namespace platon {
+
+/// Who sent a datagram.
+enum class EnetSender { kClient, kServer };
+
+/// A command of ENet, as far as it is checked.
+struct EnetCommand {
+  std::uint8_t command = 0;  ///< ENET_PROTOCOL_COMMAND_…
+  std::uint8_t channel = 0;
+  std::uint16_t sequence = 0;
+};
+
+/// The commands of one datagram.
+struct EnetCommands {
+  static constexpr std::size_t kMaxCommands = ENET_PROTOCOL_MAXIMUM_PACKET_COMMANDS;
+  /// Most commands of a client, acknowledgements aside: it acknowledges all that the server sends, but says little.
+  static constexpr std::size_t kMaxOfClient = 16;
+
+  std::uint16_t peer = 0;  ///< number of the connection at the receiver; ENET_PROTOCOL_MAXIMUM_PEER_ID: none yet
+  std::size_t count = 0;
+  std::array<EnetCommand, kMaxCommands> commands{};
+
+  bool isConnect() const { return commands[0].command == ENET_PROTOCOL_COMMAND_CONNECT; }
+};
+
+/// Reads the content of a datagram in the layout of ENet 1.3 without checksum. Nothing if it holds anything that our
+/// programs do not send: commands of the other side, unreliable sequenced packets, fragments, compression, empty
+/// packets, a packet on the wrong channel, too many commands, or lengths that do not match. Several of
+/// these cost ENet memory or time without bound.
+std::optional<EnetCommands> readEnetCommands(ByteSpan content, EnetSender sender);
+
+/// Whether the reliable commands are at most a few ahead of those that have arrived. ENet would keep all others until
+/// the gap is filled.
+bool areSequencesNear(const EnetCommands& commands, const ENetPeer& receiver);
+
+}  // namespace platon

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "protocol/transport/server_identity.h"
+
+namespace platon {
+
+/// The password in the first line of a file. Throws ProgramError (kUsage) if the file cannot be read or the line is
+/// empty.
+std::string readPasswordFile(const std::string& path);
+
+/// The server's identity in a file; creates the file, readable only by its owner, if it is missing. Throws ProgramError
+/// (kUsage) if it cannot be read or created, or holds something else.
+ServerIdentity readKeyFile(const std::string& path);
+
+}  // namespace platon

@@ -1,0 +1,154 @@
+#include "protocol/transport/server_gate.h"
+
+#include <sodium.h>
+
+#include <algorithm>
+
+#include "protocol/transport/control.h"
+
+namespace platon {
+namespace {
+
+constexpr Moment kChallengeInterval = std::chrono::milliseconds(100);
+
+// Handshakes of the server, and of one household. One costs about 0.2 ms.
+constexpr double kHandshakesPerSecond = 500;
+constexpr double kHandshakeBurst = 64;
+constexpr double kHouseholdPerSecond = 2;
+constexpr double kHouseholdBurst = 8;
+constexpr std::size_t kHouseholdBuckets = 1024;
+constexpr double kQueriesPerSecond = 1000;
+constexpr double kQueryBurst = 100;
+constexpr std::size_t kRecentKeys = 4096;
+constexpr std::uint32_t kMaxSessions = 4095;  // ENet's limit
+
+CryptoKey randomKey() {
+  CryptoKey key;
+  randombytes_buf(key.data(), key.size());
+  return key;
+}
+
+// False for an address that the system cannot send to, or that reaches more than one receiver.
+bool canAnswer(const SocketAddress& address) {
+  if (address.port == 0) return false;
+  const auto& bytes = address.ip.bytes;
+  if (!address.ip.isIpv4()) return bytes[0] != 0xff && address.ip != IpAddress{};
+  return bytes[12] != 0 && bytes[12] < 224;
+}
+
+}  // namespace
+
+ServerGate::ServerGate(std::unique_ptr<DatagramSocket> socket, const ServerIdentity& identity,
+                       const GateSettings& settings, Moment now)
+    : socket_(std::move(socket)),
+      identity_(identity),
+      settings_(settings),
+      cookies_(randomKey()),
+      sessions_(std::min(settings.sessions, kMaxSessions)),
+      usedKeys_(kRecentKeys, 2 * CookieJar::kEpoch),
+      handshakes_(kHandshakesPerSecond, kHandshakeBurst, now),
+      queries_(kQueriesPerSecond, kQueryBurst, now),
+      households_(kHouseholdBuckets, TokenBucket(kHouseholdPerSecond, kHouseholdBurst, now)),
+      householdKey_(randomKey()) {}
+
+std::optional<ServerGate::Received> ServerGate::receive(Moment now) {
+  for (; left_ > 0; --left_) {
+    const std::optional<Datagram> datagram = socket_->receive(now);
+    if (!datagram) return std::nullopt;
+    traffic_.addReceived(datagram->bytes.size());
+    if (std::optional<Received> received = take(*datagram, now)) return received;
+  }
+  return std::nullopt;
+}
+
+std::optional<ServerGate::Received> ServerGate::take(const Datagram& datagram, Moment now) {
+  if (!canAnswer(datagram.peer)) {
+    ++counters_.malformed;
+    return std::nullopt;
+  }
+  if (SealedChannel::isSealed(datagram.bytes)) return takeSealed(datagram, now);
+  takeHandshake(datagram, now);
+  return std::nullopt;
+}
+
+std::optional<ServerGate::Received> ServerGate::takeSealed(const Datagram& datagram, Moment now) {
+  const std::optional<std::uint16_t> slot = SealedChannel::slotOf(datagram.bytes);
+  Session* const session = slot && *slot < sessions_.size() ? &sessions_[*slot] : nullptr;
+  std::optional<SealedChannel::Content> content;
+  if (session != nullptr && session->channel) content = session->channel->open(datagram.bytes);
+  if (!content || content->bytes.empty()) {
+    ++counters_.seal;
+    return std::nullopt;
+  }
+  session->accept.clear();
+  if (content->isControl) {
+    takeControl(*session, datagram.peer, content->bytes);
+    return std::nullopt;
+  }
+  const bool isLongEnough = datagram.bytes.size() >= kPathChallengeBytes;  // the answer must not be longer
+  if (content->isNewest && isLongEnough && datagram.peer != session->address) checkPath(*session, datagram.peer, now);
+  return Received{session->id, std::move(content->bytes)};
+}
+
+// The client sends from another address, for instance because a router gave it another port. Answers go there only
+// after it has shown that it also receives there; otherwise anybody could direct them at others.
+void ServerGate::checkPath(Session& session, const SocketAddress& sender, Moment now) {
+  if (session.path && now - session.path->challengedAt < kChallengeInterval) return;
+  if (banCheck_ && banCheck_(sender.ip)) return;
+  if (!session.path || session.path->address != sender) {
+    session.path = Path{sender, {}, now};
+    randombytes_buf(session.path->challenge.data(), session.path->challenge.size());
+  }
+  session.path->challengedAt = now;
+  Bytes challenge{kPathChallenge};
+  challenge.insert(challenge.end(), session.path->challenge.begin(), session.path->challenge.end());
+  sendPlain(sender, session.channel->seal(challenge, true), now);
+}
+
+void ServerGate::takeControl(Session& session, const SocketAddress& sender, ByteSpan content) {
+  if (!session.path || session.path->address != sender || content[0] != kPathResponse) return;
+  const auto& challenge = session.path->challenge;
+  if (content.size() != 1 + challenge.size()) return;
+  if (sodium_memcmp(content.data() + 1, challenge.data(), challenge.size()) != 0) return;
+  session.address = sender;
+  session.path.reset();
+}
+
+void ServerGate::send(SessionId id, ByteSpan content, Moment now) {
+  if (find(id) == nullptr || content.size() + SealedChannel::kOverhead > kMaxDatagramBytes) return;
+  Session& session = sessions_[id.slot];
+  sendPlain(session.address, session.channel->seal(content), now);
+}
+
+void ServerGate::sendPlain(const SocketAddress& receiver, ByteSpan bytes, Moment now) {
+  traffic_.addSent(bytes.size());
+  socket_->send(receiver, bytes, now);
+}
+
+void ServerGate::confirm(SessionId id) {
+  if (find(id) != nullptr) sessions_[id.slot].confirmed = true;
+}
+
+void ServerGate::expire(Moment now) {
+  for (Session& session : sessions_) {
+    if (session.id.number == 0 || session.confirmed || now - session.since < kConfirmTime) continue;
+    ++counters_.unconfirmed;
+    session = Session{};
+  }
+}
+
+void ServerGate::close(SessionId id) {
+  if (find(id) != nullptr) sessions_[id.slot] = Session{};
+}
+
+IpAddress ServerGate::addressOf(SessionId id) const {
+  const Session* session = find(id);
+  return session == nullptr ? IpAddress{} : session->address.ip;
+}
+
+const ServerGate::Session* ServerGate::find(SessionId id) const {
+  const bool exists = id.number != 0 && id.slot < sessions_.size() && sessions_[id.slot].id == id;
+  return exists ? &sessions_[id.slot] : nullptr;
+}
+
+}  // namespace platon

@@ -1,0 +1,166 @@
+#include <sodium.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "protocol/limits.h"
+#include "protocol/transport/server_gate.h"
+
+namespace platon {
+namespace {
+
+constexpr auto kVersion = static_cast<std::uint16_t>(kProtocolVersion);
+
+std::size_t bucketOf(std::uint64_t household, const CryptoKey& key, std::size_t buckets) {
+  std::uint64_t hash = 0;
+  std::array<std::uint8_t, sizeof household> number;
+  std::memcpy(number.data(), &household, sizeof household);
+  std::array<std::uint8_t, crypto_shorthash_BYTES> bytes;
+  crypto_shorthash(bytes.data(), number.data(), number.size(), key.data());
+  std::memcpy(&hash, bytes.data(), sizeof hash);
+  return hash % buckets;
+}
+
+}  // namespace
+
+void ServerGate::takeHandshake(const Datagram& datagram, Moment now) {
+  const std::optional<HandshakeHead> head = readHead(datagram.bytes);
+  if (head && head->kind == HandshakeKind::kKnock) return answerKnock(datagram, now);
+  if (head && head->kind == HandshakeKind::kOpen) return answerOpen(datagram, now);
+  if (head && head->kind == HandshakeKind::kQuery) return answerQuery(datagram, now);
+  ++counters_.malformed;
+}
+
+void ServerGate::answerKnock(const Datagram& datagram, Moment now) {
+  const std::optional<Knock> knock = decodeKnock(datagram.bytes);
+  if (!knock) {
+    ++counters_.malformed;
+    return;
+  }
+  if (knock->version != kVersion) {
+    ++counters_.version;
+    return refuse(datagram, knock->clientKey, RefusalReason::kWrongVersion, "", now);
+  }
+  CookieReply reply{echoOf(knock->clientKey), settings_.needsPassword, identity_.publicKey(), {}};
+  reply.cookie = cookies_.make(datagram.peer, knock->clientKey, now);
+  sendPlain(datagram.peer, encode(reply), now);
+}
+
+void ServerGate::answerQuery(const Datagram& datagram, Moment now) {
+  const std::optional<Query> query = decodeQuery(datagram.bytes);
+  if (!query || !queries_.take(1, now)) {
+    ++(query ? counters_.queries : counters_.malformed);
+    return;
+  }
+  Info info = info_;
+  info.version = kVersion;
+  info.nonce = query->nonce;
+  info.identity = identity_.publicKey();
+  info.needsPassword = settings_.needsPassword;
+  sendPlain(datagram.peer, encode(info), now);
+}
+
+void ServerGate::answerOpen(const Datagram& datagram, Moment now) {
+  const std::optional<Open> open = decodeOpen(datagram.bytes);
+  if (!open) {
+    ++counters_.malformed;
+    return;
+  }
+  const CryptoKey clientKey = open->clientKey();
+  if (!cookies_.isValid(open->cookie, datagram.peer, clientKey, now)) {
+    ++counters_.cookie;
+    return;
+  }
+  if (repeatAccept(datagram.peer, clientKey, now) || !mayExchange(datagram, *open, now)) return;
+  Session* const session = placeForSession();
+  if (session == nullptr) {
+    ++counters_.full;
+    return refuse(datagram, clientKey, RefusalReason::kFull, "", now);
+  }
+  startSession(*session, datagram.peer, *open, now);
+  if (session->id.number != 0) return;
+  ++counters_.password;
+  if (settings_.needsPassword) refuse(datagram, clientKey, RefusalReason::kPassword, "", now);
+}
+
+// An Accept that was lost.
+bool ServerGate::repeatAccept(const SocketAddress& client, const CryptoKey& clientKey, Moment now) {
+  const auto found = std::find_if(sessions_.begin(), sessions_.end(), [&](const Session& session) {
+    return session.id.number != 0 && session.clientKey == clientKey;
+  });
+  if (found == sessions_.end()) return false;
+  if (!found->accept.empty() && found->address == client) sendPlain(client, found->accept, now);
+  return true;
+}
+
+// All that is cheaper than the key exchange. The address is proved: it may be told why, and charged.
+bool ServerGate::mayExchange(const Datagram& datagram, const Open& open, Moment now) {
+  const CryptoKey clientKey = open.clientKey();
+  if (usedKeys_.contains(clientKey, now)) {
+    ++counters_.cookie;
+    return false;
+  }
+  const IpAddress& ip = datagram.peer.ip;
+  TokenBucket& household = households_[bucketOf(ip.household(), householdKey_, households_.size())];
+  if ((!ip.isLoopback() && !household.take(1, now)) || !handshakes_.take(1, now)) {
+    ++counters_.handshakes;
+    return false;
+  }
+  if (const auto ban = banCheck_ ? banCheck_(ip) : std::nullopt) {
+    ++counters_.banned;
+    refuse(datagram, clientKey, RefusalReason::kBanned, *ban, now);
+    return false;
+  }
+  if (!hasRoomFor(ip)) {
+    ++counters_.full;
+    refuse(datagram, clientKey, RefusalReason::kAddress, "", now);
+    return false;
+  }
+  return true;
+}
+
+bool ServerGate::hasRoomFor(const IpAddress& client) const {
+  if (client.isLoopback()) return true;
+  const auto same = std::count_if(sessions_.begin(), sessions_.end(), [&](const Session& session) {
+    return session.id.number != 0 && session.address.ip.household() == client.household();
+  });
+  return static_cast<std::uint32_t>(same) < settings_.sessionsPerHousehold;
+}
+
+// A free place; if there is none, that of the session that has waited longest to be confirmed.
+ServerGate::Session* ServerGate::placeForSession() {
+  Session* oldest = nullptr;
+  for (Session& session : sessions_) {
+    if (session.id.number == 0) return &session;
+    if (!session.confirmed && (oldest == nullptr || session.since < oldest->since)) oldest = &session;
+  }
+  return oldest;
+}
+
+// Leaves the place free if the client does not know the password.
+void ServerGate::startSession(Session& session, const SocketAddress& client, const Open& open, Moment now) {
+  NoiseExchange exchange(prologueOf(identity_.publicKey()), identity_.exchangeKeys().open, settings_.presharedKey);
+  if (!exchange.readFirst(identity_.exchangeKeys(), open.exchange)) return;
+  const auto slot = static_cast<std::uint16_t>(&session - sessions_.data());
+  const std::array<std::uint8_t, 2> payload{static_cast<std::uint8_t>(slot), static_cast<std::uint8_t>(slot >> 8)};
+  const Bytes message = exchange.writeSecond(KeyPair::random(), payload);
+  if (message.empty()) return;
+  Accept accept{echoOf(open.clientKey()), {}};
+  std::copy(message.begin(), message.end(), accept.exchange.begin());
+  session = Session{};
+  session.id = {nextNumber_++, slot};
+  session.address = client;
+  session.channel.emplace(SealedChannel::Side::kServer, exchange.split(), slot);
+  session.clientKey = open.clientKey();
+  session.accept = encode(accept);
+  session.since = now;
+  usedKeys_.add(session.clientKey, now);
+  sendPlain(client, session.accept, now);
+}
+
+void ServerGate::refuse(const Datagram& datagram, const CryptoKey& clientKey, RefusalReason reason,
+                        const std::string& text, Moment now) {
+  sendPlain(datagram.peer, encode(Refusal{kVersion, echoOf(clientKey), reason, text}), now);
+}
+
+}  // namespace platon

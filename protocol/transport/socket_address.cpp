@@ -1,0 +1,53 @@
+#include "protocol/transport/socket_address.h"
+
+#include <arpa/inet.h>
+
+#include <algorithm>
+
+namespace platon {
+namespace {
+
+constexpr std::size_t kIpv4Offset = 12;  // of an IPv4 address within its IPv6 form
+constexpr std::array<std::uint8_t, kIpv4Offset> kIpv4Prefix = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0xff, 0xff};
+constexpr std::size_t kHouseholdBytes = 8;
+
+}  // namespace
+
+std::optional<IpAddress> IpAddress::parse(std::string_view text) {
+  const std::string terminated(text);
+  IpAddress address;
+  if (inet_pton(AF_INET6, terminated.c_str(), address.bytes.data()) == 1) return address;
+  std::copy(kIpv4Prefix.begin(), kIpv4Prefix.end(), address.bytes.begin());
+  if (inet_pton(AF_INET, terminated.c_str(), address.bytes.data() + kIpv4Offset) == 1) return address;
+  return std::nullopt;
+}
+
+bool IpAddress::isIpv4() const { return std::equal(kIpv4Prefix.begin(), kIpv4Prefix.end(), bytes.begin()); }
+
+bool IpAddress::isLoopback() const {
+  IpAddress ipv6;
+  ipv6.bytes.back() = 1;
+  return *this == ipv6 || *this == parse("127.0.0.1");
+}
+
+// The prefix of an IPv4 address is 0:ffff, which no network has as the first half of its IPv6 addresses.
+std::uint64_t IpAddress::household() const {
+  if (isLoopback()) return 0;
+  std::uint64_t number = 0;
+  const std::size_t first = isIpv4() ? bytes.size() - kHouseholdBytes : 0;
+  for (std::size_t i = first; i < first + kHouseholdBytes; ++i) number = number << 8 | bytes[i];
+  return number;
+}
+
+std::string IpAddress::text() const {
+  std::array<char, INET6_ADDRSTRLEN> buffer{};
+  const bool ipv4 = isIpv4();
+  inet_ntop(ipv4 ? AF_INET : AF_INET6, bytes.data() + (ipv4 ? kIpv4Offset : 0), buffer.data(), buffer.size());
+  return buffer.data();
+}
+
+std::string SocketAddress::text() const {
+  return (ip.isIpv4() ? ip.text() : "[" + ip.text() + "]") + ":" + std::to_string(port);
+}
+
+}  // namespace platon

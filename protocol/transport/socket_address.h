@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace platon {
+
+/// An IP address. IPv4 addresses are stored in their IPv6 form ::ffff:a.b.c.d, so that one address has one value.
+struct IpAddress {
+  std::array<std::uint8_t, 16> bytes{};
+
+  /// Parses an IPv4 or IPv6 address without brackets and without a zone. Nothing if it is neither.
+  static std::optional<IpAddress> parse(std::string_view text);
+
+  bool isIpv4() const;
+  /// Exactly 127.0.0.1 or ::1. Other addresses of 127.0.0.0/8 do not count.
+  bool isLoopback() const;
+  /// Number of the part that one household or host controls: all of an IPv4 address, the first 64 bits of an IPv6
+  /// address. 0 for loopback.
+  std::uint64_t household() const;
+  /// "192.0.2.1" or "2001:db8::1"
+  std::string text() const;
+
+  friend auto operator<=>(const IpAddress&, const IpAddress&) = default;
+};
+
+/// An IP address and a UDP port.
+struct SocketAddress {
+  IpAddress ip;
+  std::uint16_t port = 0;
+
+  /// "192.0.2.1:7777" or "[2001:db8::1]:7777"
+  std::string text() const;
+
+  friend auto operator<=>(const SocketAddress&, const SocketAddress&) = default;
+};
+
+}  // namespace platon

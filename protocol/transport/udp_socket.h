@@ -1,0 +1,50 @@
+#pragma once
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "protocol/transport/datagram_socket.h"
+
+namespace platon {
+
+/// A socket cannot be opened or a name cannot be resolved; `what()` is one sentence that states the cause and how to
+/// correct it.
+class SocketError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A UDP socket. Receives and sends several datagrams with one system call.
+class UdpSocket : public DatagramSocket {
+ public:
+  /// Listens on an IPv4 or IPv6 address of this machine; "::" listens on all addresses of both kinds, and on all IPv4
+  /// addresses where the machine has no IPv6. Port 0: any that is free. Throws SocketError.
+  UdpSocket(const std::string& bind, std::uint16_t port);
+  /// A socket of a client: at a free port, for servers at addresses of both kinds. Throws SocketError.
+  UdpSocket();
+  ~UdpSocket() override;
+
+  std::optional<Datagram> receive(Moment now) override;
+  void send(const SocketAddress& receiver, ByteSpan bytes, Moment now) override;
+  void flush(Moment now) override;
+  void wait(std::chrono::milliseconds timeout) override;
+  SocketAddress address() const override;
+
+ private:
+  struct Batches;
+
+  void open(bool ipv6);
+  bool bindTo(const SocketAddress& own) const;
+
+  int handle_ = -1;
+  bool ipv6_ = false;
+  std::unique_ptr<Batches> batches_;
+};
+
+/// The addresses of a host name, or of an address in text form, in the order in which they should be tried. Throws
+/// SocketError if there is none.
+std::vector<SocketAddress> resolve(const std::string& host, std::uint16_t port);
+
+}  // namespace platon

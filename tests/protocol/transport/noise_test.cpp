@@ -1,0 +1,102 @@
+#include "protocol/transport/noise.h"
+
+#include <gtest/gtest.h>
+
+#include "protocol/transport/aead.h"
+#include "tests/support/hex.h"
+
+namespace platon {
+namespace {
+
+// The vector of Noise_NKpsk0_25519_ChaChaPoly_BLAKE2b by cacophony, an independent implementation
+// (https://github.com/haskell-cryptography/cacophony, vectors/cacophony.txt).
+struct Vector {
+  Bytes prologue = fromHex("4a6f686e2047616c74");
+  CryptoKey presharedKey = keyFromHex("54686973206973206d7920417573747269616e20706572737065637469766521");
+  KeyPair clientEphemeral = KeyPair::of(keyFromHex("893e28b9dc6ca8d611ab664754b8ceb7bac5117349a4439a6b0569da977c464a"));
+  KeyPair server = KeyPair::of(keyFromHex("4a3acbfdb163dec651dfa3194dece676d437029c62a408b4c5ea9114246e4893"));
+  KeyPair serverEphemeral = KeyPair::of(keyFromHex("bbdb4cdbd309f1a1f2e1456967fe288cadd6f712d65dc7b7793d5e63da6b375b"));
+  Bytes firstPayload = fromHex("4c756477696720766f6e204d69736573");
+  Bytes first = fromHex(
+      "ca35def5ae56cec33dc2036731ab14896bc4c75dbb07a61f879f8e3afa4c794432c362f61a0162a93280a9e1c53edb8ce7487fd12a4d1731"
+      "495a24051a5afca8");
+  Bytes secondPayload = fromHex("4d757272617920526f746862617264");
+  Bytes second = fromHex(
+      "95ebc60d2b1fa672c1f46a8aa265ef51bfe38e7ccb39ec5be34069f1448088430e8d0924ed6525d4045188c3b225604c254ac2d8d33a8a3b"
+      "0c7f5eb1975ba4");
+  Bytes toServerPayload = fromHex("462e20412e20486179656b");
+  Bytes toServer = fromHex("4781e2a7bef65e0ae3da3508cf44a8b7a92880077b8e73afaef494");
+  Bytes toClientPayload = fromHex("4361726c204d656e676572");
+  Bytes toClient = fromHex("f14b1feb6ff970fc3993f1c2383f33fa48138bfc5aa2ee89e40107");
+
+  NoiseExchange side() const { return {prologue, server.open, presharedKey}; }
+};
+
+Bytes sealed(const CryptoKey& key, ByteSpan plaintext) {
+  Bytes bytes(plaintext.size() + kTagBytes);
+  sealWith(key, 0, {}, plaintext, bytes);
+  return bytes;
+}
+
+TEST(Noise, TheClientAgreesWithCacophony) {
+  const Vector vector;
+  EXPECT_EQ(toHex(vector.server.open), "31e0303fd6418d2f8c0e78b91f22e8caed0fbe48656dcf4767e4834f701b8f62");
+  NoiseExchange client = vector.side();
+  EXPECT_EQ(client.writeFirst(vector.clientEphemeral, vector.firstPayload), vector.first);
+  EXPECT_EQ(client.readSecond(vector.second), vector.secondPayload);
+  const SessionKeys keys = client.split();
+  EXPECT_EQ(sealed(keys.toServer, vector.toServerPayload), vector.toServer);
+  EXPECT_EQ(sealed(keys.toClient, vector.toClientPayload), vector.toClient);
+}
+
+TEST(Noise, TheServerAgreesWithCacophony) {
+  const Vector vector;
+  NoiseExchange server = vector.side();
+  EXPECT_EQ(server.readFirst(vector.server, vector.first), vector.firstPayload);
+  EXPECT_EQ(server.writeSecond(vector.serverEphemeral, vector.secondPayload), vector.second);
+  EXPECT_EQ(sealed(server.split().toServer, vector.toServerPayload), vector.toServer);
+}
+
+TEST(Noise, AnotherPresharedKeyPrologueOrServerKeyIsRefused) {
+  const Vector vector;
+  Vector psk;
+  psk.presharedKey[0] ^= 1;
+  Vector prologue;
+  prologue.prologue[0] ^= 1;
+  Vector key;
+  key.server = KeyPair::of(CryptoKey{7});
+  for (const Vector& other : {psk, prologue, key}) {
+    EXPECT_EQ(other.side().readFirst(other.server, vector.first), std::nullopt);
+  }
+}
+
+TEST(Noise, EveryFlippedBitIsRefused) {
+  const Vector vector;
+  for (std::size_t bit = 0; bit < 8 * vector.first.size(); ++bit) {
+    Bytes damaged = vector.first;
+    damaged[bit / 8] ^= static_cast<std::uint8_t>(1 << bit % 8);
+    EXPECT_EQ(vector.side().readFirst(vector.server, damaged), std::nullopt) << "bit " << bit;
+  }
+  for (std::size_t bit = 0; bit < 8 * vector.second.size(); ++bit) {
+    Bytes damaged = vector.second;
+    damaged[bit / 8] ^= static_cast<std::uint8_t>(1 << bit % 8);
+    NoiseExchange client = vector.side();
+    client.writeFirst(vector.clientEphemeral, vector.firstPayload);
+    EXPECT_EQ(client.readSecond(damaged), std::nullopt) << "bit " << bit;
+  }
+}
+
+TEST(Noise, KeysOfSmallOrderAndShortMessagesAreRefused) {
+  const Vector vector;
+  Bytes message = vector.first;
+  std::fill_n(message.begin(), sizeof(CryptoKey), std::uint8_t{0});
+  EXPECT_EQ(vector.side().readFirst(vector.server, message), std::nullopt);
+  for (std::size_t size = 0; size < NoiseExchange::kOverhead; ++size) {
+    EXPECT_EQ(vector.side().readFirst(vector.server, ByteSpan(vector.first).first(size)), std::nullopt);
+  }
+}
+
+TEST(Noise, RandomPairsDiffer) { EXPECT_NE(KeyPair::random().open, KeyPair::random().open); }
+
+}  // namespace
+}  // namespace platon

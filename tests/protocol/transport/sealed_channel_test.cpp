@@ -1,0 +1,137 @@
+#include "protocol/transport/sealed_channel.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+namespace platon {
+namespace {
+
+constexpr std::uint64_t kSeed = 20261122;
+
+struct Ends {
+  SessionKeys keys{CryptoKey{1}, CryptoKey{2}};
+  SealedChannel client{SealedChannel::Side::kClient, keys, 0x1234};
+  SealedChannel server{SealedChannel::Side::kServer, keys, 0x1234};
+};
+
+Bytes content(std::size_t size, std::uint8_t value = 7) { return Bytes(size, value); }
+
+TEST(SealedChannel, OpensWhatTheOtherEndSealed) {
+  Ends ends;
+  for (const std::size_t size : {1u, 2u, 100u, 1180u}) {
+    EXPECT_EQ(ends.server.open(ends.client.seal(content(size)))->bytes, content(size));
+    EXPECT_EQ(ends.client.open(ends.server.seal(content(size)))->bytes, content(size));
+  }
+}
+
+TEST(SealedChannel, AddsTwentyBytesToTheServerAndEighteenToTheClient) {
+  Ends ends;
+  EXPECT_EQ(ends.client.seal(content(100)).size(), 120u);
+  EXPECT_EQ(ends.server.seal(content(100)).size(), 118u);
+  EXPECT_EQ(SealedChannel::slotOf(ends.client.seal(content(1))), 0x1234);
+}
+
+TEST(SealedChannel, EqualContentsGiveDifferentDatagrams) {
+  Ends ends;
+  const Bytes first = ends.client.seal(content(64));
+  const Bytes second = ends.client.seal(content(64));
+  EXPECT_FALSE(std::equal(first.begin() + 4, first.end(), second.begin() + 4));
+  const Bytes back = ends.server.seal(content(64));
+  EXPECT_FALSE(std::equal(first.begin() + 4, first.end(), back.begin() + 2));
+}
+
+TEST(SealedChannel, EveryFlippedBitIsRefused) {
+  Ends ends;
+  for (const bool isControl : {false, true}) {
+    const Bytes sealed = ends.client.seal(content(9), isControl);
+    for (std::size_t bit = 0; bit < 8 * sealed.size(); ++bit) {
+      Bytes damaged = sealed;
+      damaged[bit / 8] ^= static_cast<std::uint8_t>(1 << bit % 8);
+      EXPECT_FALSE(ends.server.open(damaged)) << "bit " << bit;
+    }
+    EXPECT_EQ(ends.server.open(sealed)->isControl, isControl);
+  }
+}
+
+TEST(SealedChannel, EveryTruncationIsRefused) {
+  Ends ends;
+  const Bytes sealed = ends.client.seal(content(40));
+  for (std::size_t size = 0; size < sealed.size(); ++size) EXPECT_FALSE(ends.server.open(ByteSpan(sealed).first(size)));
+}
+
+TEST(SealedChannel, ARepeatedDatagramIsRefused) {
+  Ends ends;
+  const Bytes sealed = ends.client.seal(content(5));
+  EXPECT_TRUE(ends.server.open(sealed));
+  EXPECT_FALSE(ends.server.open(sealed));
+}
+
+TEST(SealedChannel, ADatagramOfTheOtherDirectionIsRefused) {
+  Ends ends;
+  const Bytes sealed = ends.client.seal(content(50));
+  EXPECT_FALSE(ends.client.open(sealed));
+}
+
+TEST(SealedChannel, OpensAnyOrderWithinTheWindowOnce) {
+  SCOPED_TRACE("seed " + std::to_string(kSeed));
+  std::mt19937_64 random(kSeed);
+  Ends ends;
+  for (int round = 0; round < 20; ++round) {
+    std::vector<Bytes> sealed;
+    for (std::size_t i = 0; i < ReplayWindow::kSize; ++i) sealed.push_back(ends.client.seal(content(3)));
+    std::shuffle(sealed.begin(), sealed.end(), random);
+    for (const Bytes& each : sealed) EXPECT_TRUE(ends.server.open(each));
+    for (const Bytes& each : sealed) EXPECT_FALSE(ends.server.open(each));
+  }
+}
+
+TEST(SealedChannel, OnlyTheNewestDatagramIsNewest) {
+  Ends ends;
+  const Bytes first = ends.client.seal(content(1));
+  const Bytes second = ends.client.seal(content(1));
+  EXPECT_TRUE(ends.server.open(second)->isNewest);
+  EXPECT_FALSE(ends.server.open(first)->isNewest);
+}
+
+TEST(SealedChannel, ADatagramOlderThanTheWindowIsRefused) {
+  Ends ends;
+  const Bytes old = ends.client.seal(content(1));
+  for (std::size_t i = 0; i < ReplayWindow::kSize; ++i) ends.server.open(ends.client.seal(content(1)));
+  EXPECT_FALSE(ends.server.open(old));
+}
+
+// Only 14 bits of the number are sent.
+TEST(SealedChannel, NumbersGoOnAfterLongLosses) {
+  SCOPED_TRACE("seed " + std::to_string(kSeed));
+  std::mt19937_64 random(kSeed);
+  Ends ends;
+  std::uint64_t sealed = 0;
+  while (sealed < 200'000) {
+    const std::uint64_t lost = random() % 8000;
+    for (std::uint64_t i = 0; i < lost; ++i) ends.client.seal(content(1));
+    ASSERT_TRUE(ends.server.open(ends.client.seal(content(2)))) << sealed;
+    sealed += lost + 1;
+  }
+}
+
+TEST(ReplayWindow, RemembersWhatHasArrived) {
+  ReplayWindow window;
+  EXPECT_TRUE(window.isFresh(0));
+  window.mark(0);
+  EXPECT_FALSE(window.isFresh(0));
+  window.mark(2);
+  EXPECT_TRUE(window.isFresh(1));
+  EXPECT_EQ(window.next(), 3u);
+  window.mark(2 + ReplayWindow::kSize);
+  EXPECT_FALSE(window.isFresh(2));
+  EXPECT_TRUE(window.isFresh(3));
+  window.mark(10 * ReplayWindow::kSize);
+  EXPECT_FALSE(window.isFresh(10 * ReplayWindow::kSize));
+  EXPECT_TRUE(window.isFresh(10 * ReplayWindow::kSize - 1));
+  EXPECT_FALSE(window.isFresh(3));
+}
+
+}  // namespace
+}  // namespace platon

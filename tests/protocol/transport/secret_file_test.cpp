@@ -1,0 +1,56 @@
+#include "protocol/transport/secret_file.h"
+
+#include <gtest/gtest.h>
+
+#include "protocol/program_error.h"
+#include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
+
+namespace platon {
+namespace {
+
+template <class Action>
+std::string errorOf(Action action) {
+  try {
+    action();
+  } catch (const ProgramError& error) {
+    EXPECT_EQ(error.exitCode(), ProgramError::kUsage);
+    return error.what();
+  }
+  return "none";
+}
+
+TEST(SecretFile, ThePasswordIsTheFirstLine) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "password";
+  for (const char* text : {"open sesame", "open sesame\n", "open sesame\r\nsecond line\n"}) {
+    writeText(path, text);
+    EXPECT_EQ(readPasswordFile(path), "open sesame");
+  }
+  writeText(path, "\nsecond\n");
+  EXPECT_EQ(errorOf([&] { readPasswordFile(path); }), path + ": error: the first line must be the password");
+  EXPECT_EQ(errorOf([&] { readPasswordFile(path + "s"); }), path + "s: error: No such file or directory");
+}
+
+TEST(SecretFile, AMissingKeyFileIsMadeForTheOwnerOnly) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "key";
+  const ServerIdentity made = readKeyFile(path);
+  EXPECT_EQ(readKeyFile(path).publicKey(), made.publicKey());
+  using std::filesystem::perms;
+  EXPECT_EQ(std::filesystem::status(path).permissions(), perms::owner_read | perms::owner_write);
+}
+
+TEST(SecretFile, AFileThatIsNoKeyIsRefusedAndKept) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "key";
+  writeText(path, "something else\n");
+  EXPECT_EQ(errorOf([&] { readKeyFile(path); }),
+            path + ": error: not a key of platon-server; name a file that does not exist to have one made");
+  EXPECT_EQ(readText(path), "something else\n");
+  const std::string nowhere = folder / "missing/key";
+  EXPECT_EQ(errorOf([&] { readKeyFile(nowhere); }), nowhere + ": error: cannot be created: No such file or directory");
+}
+
+}  // namespace
+}  // namespace platon

@@ -1,0 +1,46 @@
+#include "protocol/transport/socket_address.h"
+
+#include <gtest/gtest.h>
+
+namespace platon {
+namespace {
+
+IpAddress ip(std::string_view text) { return IpAddress::parse(text).value(); }
+
+TEST(IpAddress, ReadsAndWritesBothKinds) {
+  for (const char* text : {"192.0.2.1", "0.0.0.0", "2001:db8::1", "::", "::1"}) EXPECT_EQ(ip(text).text(), text);
+  for (const char* text : {"", "here", "1.2.3", "1.2.3.4.5", "[::1]", "::1%lo", "1.2.3.4:5"}) {
+    EXPECT_FALSE(IpAddress::parse(text)) << text;
+  }
+}
+
+TEST(IpAddress, AnIpv4AddressHasOneValue) {
+  EXPECT_EQ(ip("192.0.2.1"), ip("::ffff:192.0.2.1"));
+  EXPECT_TRUE(ip("::ffff:192.0.2.1").isIpv4());
+  EXPECT_FALSE(ip("2001:db8::1").isIpv4());
+}
+
+TEST(IpAddress, OnlyTheExactLoopbackAddressesAreLoopback) {
+  EXPECT_TRUE(ip("127.0.0.1").isLoopback());
+  EXPECT_TRUE(ip("::1").isLoopback());
+  EXPECT_FALSE(ip("127.0.0.2").isLoopback());
+  EXPECT_FALSE(ip("::2").isLoopback());
+  EXPECT_FALSE(ip("::").isLoopback());
+}
+
+TEST(IpAddress, AHouseholdIsAnIpv4AddressOr64BitsOfIpv6) {
+  EXPECT_EQ(ip("127.0.0.1").household(), 0u);
+  EXPECT_EQ(ip("::1").household(), 0u);
+  EXPECT_EQ(ip("192.0.2.1").household(), 0x0000'ffff'c000'0201u);
+  EXPECT_EQ(ip("2001:db8::1").household(), 0x2001'0db8'0000'0000u);
+  EXPECT_EQ(ip("2001:db8::1").household(), ip("2001:db8::ffff:1:2:3").household());
+  EXPECT_NE(ip("2001:db8::1").household(), ip("2001:db8:0:1::1").household());
+}
+
+TEST(SocketAddress, ItsTextHasBracketsAroundIpv6) {
+  EXPECT_EQ((SocketAddress{ip("192.0.2.1"), 7777}.text()), "192.0.2.1:7777");
+  EXPECT_EQ((SocketAddress{ip("2001:db8::1"), 7777}.text()), "[2001:db8::1]:7777");
+}
+
+}  // namespace
+}  // namespace platon

@@ -1,0 +1,81 @@
+#include "tests/support/raw_content.h"
+
+#include <arpa/inet.h>
+#include <enet/enet.h>
+
+#include <cstring>
+
+namespace platon {
+namespace {
+
+constexpr int kAcknowledged = ENET_PROTOCOL_COMMAND_FLAG_ACKNOWLEDGE;
+constexpr std::uint8_t kNoChannel = 0xff;
+
+template <class Command>
+Bytes content(std::uint16_t peer, const Command& command, std::size_t dataBytes) {
+  Bytes bytes(kCommandAt + sizeof command + dataBytes, 0x5a);
+  const std::uint16_t head = htons(static_cast<std::uint16_t>(peer | ENET_PROTOCOL_HEADER_FLAG_SENT_TIME));
+  std::memcpy(bytes.data(), &head, sizeof head);
+  std::memcpy(bytes.data() + kCommandAt, &command, sizeof command);
+  return bytes;
+}
+
+template <class Command>
+Command commandOf(int number, std::uint8_t channel, std::uint16_t sequence = 0) {
+  Command command{};
+  command.header.command = static_cast<enet_uint8>(number);
+  command.header.channelID = channel;
+  command.header.reliableSequenceNumber = htons(sequence);
+  return command;
+}
+
+}  // namespace
+
+Bytes connectContent(std::uint32_t connectId) {
+  auto command = commandOf<ENetProtocolConnect>(ENET_PROTOCOL_COMMAND_CONNECT | kAcknowledged, kNoChannel, 1);
+  command.incomingSessionID = command.outgoingSessionID = 0xff;
+  command.mtu = htonl(1400);
+  command.windowSize = htonl(65536);
+  command.channelCount = htonl(2);
+  command.connectID = connectId;
+  return content(ENET_PROTOCOL_MAXIMUM_PEER_ID, command, 0);
+}
+
+Bytes pingContent(std::uint16_t peer) {
+  return content(peer, commandOf<ENetProtocolPing>(ENET_PROTOCOL_COMMAND_PING | kAcknowledged, kNoChannel), 0);
+}
+
+Bytes acknowledgeContent(std::uint16_t peer, std::uint16_t sequence) {
+  auto command = commandOf<ENetProtocolAcknowledge>(ENET_PROTOCOL_COMMAND_ACKNOWLEDGE, kNoChannel);
+  command.receivedReliableSequenceNumber = htons(sequence);
+  return content(peer, command, 0);
+}
+
+Bytes unsequencedContent(std::uint16_t peer, std::uint16_t dataBytes) {
+  auto command = commandOf<ENetProtocolSendUnsequenced>(
+      ENET_PROTOCOL_COMMAND_SEND_UNSEQUENCED | int{ENET_PROTOCOL_COMMAND_FLAG_UNSEQUENCED}, 1);
+  command.dataLength = htons(dataBytes);
+  return content(peer, command, dataBytes);
+}
+
+Bytes reliableContent(std::uint16_t peer, std::uint16_t sequence, std::uint16_t dataBytes) {
+  auto command = commandOf<ENetProtocolSendReliable>(ENET_PROTOCOL_COMMAND_SEND_RELIABLE | kAcknowledged, 0, sequence);
+  command.dataLength = htons(dataBytes);
+  return content(peer, command, dataBytes);
+}
+
+Bytes unreliableContent(std::uint16_t peer, std::uint16_t sequence) {
+  auto command = commandOf<ENetProtocolSendUnreliable>(ENET_PROTOCOL_COMMAND_SEND_UNRELIABLE, 1, sequence);
+  command.unreliableSequenceNumber = htons(sequence);
+  return content(peer, command, 0);
+}
+
+Bytes fragmentContent(std::uint16_t peer) {
+  auto command = commandOf<ENetProtocolSendFragment>(ENET_PROTOCOL_COMMAND_SEND_FRAGMENT | kAcknowledged, 0, 1);
+  command.dataLength = htons(1);
+  command.fragmentCount = htonl(ENET_PROTOCOL_MAXIMUM_FRAGMENT_COUNT);
+  command.totalLength = htonl(8192);
+  return content(peer, command, 1);
+}
+
+}  // namespace platon
