@@ -1,0 +1,162 @@
+#!/usr/bin/env python3
+"""Joins a server with a client that was written from docs/protocol.md alone, which proves that the page is enough.
+
+usage: independent_client.py ROOT. PLATON_BIN names the folder of platon-server. Prints one sentence; exit 1 if the page
+and the server disagree.
+"""
+
+import os
+import secrets
+import sys
+import time
+from pathlib import Path
+
+import golden
+import handshake
+import messages
+import noise
+import per_tick
+from client import Client
+from failure import Failure, check
+from link import TIMEOUT_SECONDS, Socket, query
+from protocol_page import Page
+
+sys.path.append(str(Path(__file__).resolve().parent.parent / "matrix"))
+import processes  # noqa: E402
+
+LEVEL = "levels/icosahedron/05_the_long_way_round.level"
+NAME = "Quixotic Axolotl"
+READABLE_BYTES = 6
+
+
+class Visit:
+    """What a client does on a server. Its token is the same in all of its connections."""
+
+    def __init__(self, page, address, level):
+        self._version = page.protocol_version()
+        self._rules_version = page.rules_version()
+        self._level = level
+        self._token = secrets.token_bytes(16)
+        self._socket = Socket(address)
+
+    def run(self):
+        self.ask_for_info(players=0)
+        self.meet_other_versions()
+        client = self.join()
+        self.play(client)
+        self.ask_for_info(players=1)
+        self.move_to_another_port(client)
+        client.disconnect()
+        self.leave(self.resume(client))
+        self.check_traffic()
+
+    def ask_for_info(self, players):
+        info = query(self._socket, self._version)
+        found = info.name, info.needs_password, info.players, info.max_players
+        check(found == ("Platon", False, players, 16) and info.program, f"the server describes itself as {info}")
+        return info
+
+    def meet_other_versions(self):
+        """The server answers the Knock and nothing else. The answer to a query of its own version comes last."""
+        for version in (self._version - 1, self._version + 1):
+            key = noise.public_key(secrets.token_bytes(32))
+            self._socket.send(handshake.knock(version, key))
+            self._socket.send(handshake.open_(version, bytes(17), key + bytes(16)))
+            before = len(self._socket.received)
+            query(self._socket, self._version)
+            self._check_refusal(key, *self._socket.received[before:])
+
+    def _check_refusal(self, key, first, *others):
+        refusal = handshake.decode(first)
+        expected = isinstance(refusal, handshake.Refusal) and refusal.reason == handshake.WRONG_VERSION
+        check(expected and refusal.echo == key[: handshake.ECHO_BYTES], f"another version is answered with {refusal}")
+        check(handshake.version_of(first) == self._version, "a refusal does not tell the version of the server")
+        check(len(others) == 1, f"another version is answered with {len(others)} datagrams")
+
+    def join(self):
+        identity = query(self._socket, self._version).identity
+        client = Client(self._socket, self._version)
+        check(client.identity == identity, "Info and Cookie have different identities")
+        client.join(self._rules_version, NAME, self._token)
+        client.until(lambda: len(client.level) == len(self._level), "send the level text")
+        check(client.level == self._level, "the server sent another level text than it was started with")
+        hashed = messages.hash_of_level(client.level)
+        check(client.welcome.level_hash == hashed, f"Welcome names another level than that with the hash {hashed}")
+        return client
+
+    def play(self, client):
+        slot = client.welcome.slot
+        client.until(lambda: client.last_ticks, "send ticks")
+        check(slot not in client.players, "the client has a player before its first input")
+        for buttons in (per_tick.RIGHT, per_tick.RIGHT | per_tick.JUMP):
+            client.buttons = buttons
+            client.until(lambda: client.players.get(slot) == client.buttons, "play the client's input")
+        client.until(lambda: client.roster.get(slot) == NAME, "name the client's player")
+        check(client.sync == 0, "the server sent a full state to a client with the right hash")
+
+    def move_to_another_port(self, client):
+        self._socket.rebind()
+        before = client.confirmed
+        client.until(lambda: client.confirmed > before + 20, "send ticks to the client's new address")
+        check(client.challenges() == 1, f"the server sent {client.challenges()} challenges to the new address")
+
+    def resume(self, before):
+        client = Client(self._socket, self._version)
+        client.join(self._rules_version, NAME, self._token)
+        slot = client.welcome.slot
+        check(slot == before.welcome.slot, "a client that resumes has another slot")
+        client.until(lambda: client.sync and client.last_ticks, "send the full state and ticks after it")
+        check(slot in client.players, "a client that resumes has no player")
+        client.buttons = per_tick.LEFT
+        client.until(lambda: client.players.get(slot) == per_tick.LEFT, "play the resumed client's input")
+        return client
+
+    def leave(self, client):
+        client.leave()
+        end = time.monotonic() + TIMEOUT_SECONDS
+        while query(self._socket, self._version).players != 0:
+            check(time.monotonic() < end, "the server does not remove a player that leaves")
+
+    def check_traffic(self):
+        hello = messages.hello(self._rules_version, NAME, self._token)
+        check(self._readable([hello]) == {"name", "token"}, "the search for readable bytes does not find them")
+        found = self._readable(self._socket.sent + self._socket.received)
+        check(not found, f"the client's {' and '.join(sorted(found))} can be read in the datagrams")
+        sealed = [datagram for datagram in self._socket.sent if datagram[0] & 0x80]
+        check(len(sealed) > 20, f"the client sent only {len(sealed)} sealed datagrams")
+        check(len(set(sealed)) == len(sealed), "the client sent two equal sealed datagrams")
+
+    def _readable(self, datagrams):
+        """Of name and token, those of which some bytes in a row occur in a datagram."""
+        return {what for what, secret in (("name", NAME.encode()), ("token", self._token))
+                if any(part in datagram for part in _parts(secret) for datagram in datagrams)}  # fmt: skip
+
+
+def _parts(secret):
+    return [secret[at : at + READABLE_BYTES] for at in range(len(secret) - READABLE_BYTES + 1)]
+
+
+def run(root, programs):
+    page = Page(root / "docs/protocol.md")
+    golden.check_page(page)
+    with processes.Server(programs, root / LEVEL) as server:
+        host, port = server.address.rsplit(":", 1)
+        Visit(page, (host, int(port)), (root / LEVEL).read_bytes()).run()
+        server.stop()
+
+
+def main(arguments):
+    if len(arguments) != 1 or "PLATON_BIN" not in os.environ:
+        print(__doc__, file=sys.stderr)
+        return 1
+    try:
+        run(Path(arguments[0]).resolve(), Path(os.environ["PLATON_BIN"]))
+    except (Failure, processes.Failure) as failure:
+        print(failure)
+        return 1
+    print("The client of docs/protocol.md has joined, played, resumed and left.")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

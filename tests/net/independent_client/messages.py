@@ -1,0 +1,127 @@
+"""Reliable messages: docs/protocol.md, "Reliable messages", and the two schemas."""
+
+from dataclasses import dataclass
+
+import flat
+from failure import Failure
+
+HELLO, LEVEL_REQUEST, LEAVE = range(1, 4)
+
+
+def hash_of_level(level):
+    """The hash that names a level text."""
+    state = 0xCBF29CE484222325
+    for value in (len(level), *level):
+        state = (state ^ value) * 0x9E3779B97F4A7C15 & 0xFFFFFFFFFFFFFFFF
+        state ^= state >> 32
+    return state
+
+
+def _to_server(kind, body):
+    return flat.finish(flat.NewTable(flat.Number(kind, 1), body))
+
+
+def hello(rules_version, name, token=b"", levels=()):
+    rules = flat.Number(rules_version, 4)
+    return _to_server(HELLO, flat.NewTable(rules, flat.text(name), flat.byte_vector(token), flat.u64_vector(levels)))
+
+
+def level_request(level_hash):
+    return _to_server(LEVEL_REQUEST, flat.NewTable(flat.Number(level_hash, 8)))
+
+
+def leave():
+    return _to_server(LEAVE, flat.NewTable())
+
+
+def decode_hello(data):
+    """(rules version, name, token, levels)"""
+    body = flat.Table(data).table(1)
+    return body.number(0, 4), body.text(1), body.bytes(2), body.u64s(3)
+
+
+@dataclass
+class Welcome:
+    slot: int
+    round: int
+    level_hash: int
+    max_players: int
+    ticks_per_second: int
+    server_name: str
+
+
+@dataclass
+class Refused:
+    code: int
+    reason: str
+
+
+@dataclass
+class LevelChunk:
+    hash: int
+    total: int
+    offset: int
+    bytes: bytes
+
+
+@dataclass
+class StateChunk:
+    round: int
+    tick: int
+    sync: int
+    total: int
+    offset: int
+    bytes: bytes
+
+
+@dataclass
+class Roster:
+    names: dict
+
+
+@dataclass
+class RoundStart:
+    round: int
+    level_hash: int
+
+
+@dataclass
+class RoundEnd:
+    round: int
+    tick: int
+    next_level_hash: int
+
+
+@dataclass
+class Bye:
+    code: int
+    reason: str
+
+
+def _roster(body):
+    return Roster({entry.number(0, 4): entry.text(1) for entry in body.tables(0)})
+
+
+def _numbers(body, *sizes):
+    return [body.number(field, size) for field, size in enumerate(sizes)]
+
+
+# In the order of the union ToClientBody.
+_READERS = (
+    lambda body: Welcome(*_numbers(body, 4, 4, 8, 4, 4), body.text(5)),
+    lambda body: Refused(*_numbers(body, 4), body.text(1)),
+    lambda body: LevelChunk(*_numbers(body, 8, 4, 4), body.bytes(3)),
+    lambda body: StateChunk(*_numbers(body, 4, 4, 1, 4, 4), body.bytes(5)),
+    _roster,
+    lambda body: RoundStart(*_numbers(body, 4, 8)),
+    lambda body: RoundEnd(*_numbers(body, 4, 4, 8)),
+    lambda body: Bye(*_numbers(body, 4), body.text(1)),
+)
+
+
+def decode(data):
+    root = flat.Table(data)
+    kind = root.number(0, 1)
+    if not 1 <= kind <= len(_READERS):
+        raise Failure(f"the server sent a message of the unknown type {kind}")
+    return _READERS[kind - 1](root.table(1))
