@@ -122,8 +122,7 @@ MatchPlayer* Match::resume(ClientId client, const Hello& hello) {
   std::optional<MatchPlayer> known = hello.token ? extractPlayer(*hello.token) : std::nullopt;
   if (!known) return nullptr;
   MatchPlayer& player = players_.emplace(client, std::move(*known)).first->second;
-  names_.release(player.slot());
-  player.resume(names_.claim(player.slot(), hello.name));
+  player.resume(names_.rename(player.slot(), hello.name));
   sendWelcome(client, player, hello);
   addEvent(MatchEvent::Kind::kResumed, client, player.slot(), player.name());
   return &player;
@@ -266,7 +265,11 @@ std::vector<Input> Match::decideInputs() {
     if (inputs.size() <= player.slot()) inputs.resize(player.slot() + 1);
     inputs[player.slot()] = input;
   };
-  for (auto& [client, player] : players_) decide(player);
+  for (auto& [client, player] : players_) {
+    const std::uint64_t before = player.missedInputs();
+    decide(player);
+    missedInputs_ += player.missedInputs() - before;
+  }
   for (Disconnected& entry : disconnected_) decide(entry.player);
   return inputs;
 }
@@ -332,15 +335,22 @@ bool Match::awaits(const MatchPlayer& player) const {
 // Ends the round when it is over, and starts the next one after the pause.
 void Match::finishRound() {
   const std::uint32_t tick = history_.end();
-  if (!overAt_ && roundOver()) {
-    overAt_ = tick;
-    sendAll(encode(RoundEnd{round_, tick, rotation_.next()->hash}));
-    events_.push_back({MatchEvent::Kind::kRoundEnd, 0, 0, "", tick});
-  } else if (overAt_ && tick - *overAt_ >= kPauseTicks) {
-    rotation_.advance();
-    startRound();
-    sendAll(encode(RoundStart{round_, rotation_.current()->hash}));
-  }
+  if (!overAt_ && roundOver())
+    endRound();
+  else if (overAt_ && tick - *overAt_ >= kPauseTicks)
+    startNextRound();
+}
+
+void Match::endRound() {
+  overAt_ = history_.end();
+  sendAll(encode(RoundEnd{round_, *overAt_, rotation_.next()->hash}));
+  events_.push_back({MatchEvent::Kind::kRoundEnd, 0, 0, "", *overAt_});
+}
+
+void Match::startNextRound() {
+  rotation_.advance();
+  startRound();
+  sendAll(encode(RoundStart{round_, rotation_.current()->hash}));
 }
 
 void Match::startRound() {

@@ -18,6 +18,7 @@
 #include "server/match/match_player.h"
 #include "server/match/match_recorder.h"
 #include "server/match/player_names.h"
+#include "server/match/player_status.h"
 #include "server/match/shared_bytes.h"
 #include "server/match/tick_history.h"
 #include "server/match/transfer_cache.h"
@@ -85,6 +86,19 @@ class Match {
   /// `name`: a label; invisible characters are left out.
   void setServerName(std::string_view name);
 
+  /// Removes the player of a slot, connected or not, and tells its client the reason, a label of at most
+  /// kMaxReasonBytes. Returns false if the slot has no player.
+  bool kick(std::uint32_t slot, const std::string& reason);
+  /// Shows a player to everybody as "Player N" instead of by its name, also after it resumes, or by its name again.
+  /// Returns false if the slot has no player.
+  bool mute(std::uint32_t slot, bool muted);
+  /// Shows a text, a label of at most kMaxReasonBytes, to all connected players. Returns false if the protocol has no
+  /// message for it (server/match/notice.h).
+  bool say(const std::string& text);
+  /// Ends the round; the next one starts after kPauseTicks, or at once if the match has no players. Returns false if
+  /// the round is over already.
+  bool endRoundNow();
+
   /// Messages to send, in order, since the last call.
   std::vector<Outgoing> takeOutgoing() { return std::exchange(outgoing_, {}); }
   /// Events since the last call.
@@ -103,6 +117,10 @@ class Match {
   const Game& game() const { return game_; }
   /// The player of a client; null if it has none.
   const MatchPlayer* player(ClientId client) const;
+  /// All players, by slot, with the disconnected ones.
+  std::vector<PlayerStatus> playerStatus() const;
+  /// Ticks of all rounds that were decided without the input of a connected player.
+  std::uint64_t missedInputs() const { return missedInputs_; }
 
  private:
   struct Disconnected {
@@ -138,6 +156,8 @@ class Match {
   bool roundOver() const;
   bool awaits(const MatchPlayer& player) const;
   void finishRound();
+  void endRound();
+  void startNextRound();
   void resync(ClientId client, MatchPlayer& player, MatchEvent::Kind cause, std::uint32_t confirmed);
   void sendState(MatchPlayer& player);
   void sendTransfers();
@@ -163,6 +183,7 @@ class Match {
   TransferCache transfers_;
   std::function<std::size_t(ClientId)> room_;
   ClientId nextTransfer_ = 0;  // client whose transfers go on first in the next tick
+  std::uint64_t missedInputs_ = 0;
   std::vector<Outgoing> outgoing_;
   std::vector<MatchEvent> events_;
   MatchRecorder recorder_;

@@ -112,5 +112,55 @@ TEST_F(PlayerNamesTest, ManyNamesAreSentInSeveralMessages) {
   EXPECT_EQ(namesIn(names_.all()).size(), kMaxRosterEntries + 1);
 }
 
+TEST_F(PlayerNamesTest, AMutedPlayerIsShownByItsNumber) {
+  claim("Ann");
+  claim("Ben");
+  names_.takeChanges();
+  names_.mute(1, true);
+  EXPECT_TRUE(names_.isMuted(1));
+  EXPECT_EQ(names_.shown(1), "Player 2");
+  EXPECT_EQ(namesIn(names_.all()), (Names{{0, "Ann"}, {1, "Player 2"}}));
+  EXPECT_EQ(namesIn(names_.takeChanges()), (Names{{1, "Player 2"}}));
+  names_.mute(1, false);
+  EXPECT_EQ(namesIn(names_.takeChanges()), (Names{{1, "Ben"}}));
+  names_.mute(1, false);
+  EXPECT_TRUE(names_.takeChanges().empty());
+}
+
+TEST_F(PlayerNamesTest, NobodyCanTakeTheNameOrTheNumberOfAMutedPlayer) {
+  claim("Ann");
+  names_.mute(0, true);
+  EXPECT_EQ(claim("Ann"), "Ann 2");
+  EXPECT_EQ(claim("player 1"), "player 1 2");
+  names_.mute(0, false);
+  EXPECT_EQ(claim("player 1"), "player 1");
+  names_.mute(0, true);
+  EXPECT_EQ(names_.shown(0), "Player 1 3") << "player 1 2 is still there";
+}
+
+TEST_F(PlayerNamesTest, AMutedPlayerStaysMutedWhenItGetsAnotherName) {
+  claim("");
+  names_.mute(0, true);
+  EXPECT_EQ(names_.shown(0), "Player 1");
+  EXPECT_EQ(names_.rename(0, "Ann"), "Ann");
+  EXPECT_EQ(names_.shown(0), "Player 1");
+  EXPECT_EQ(names_.rename(0, "Ben"), "Ben");
+  EXPECT_EQ(names_.shown(0), "Player 1");
+  names_.mute(0, false);
+  EXPECT_EQ(names_.shown(0), "Ben");
+  EXPECT_EQ(claim("Ann"), "Ann");
+}
+
+TEST_F(PlayerNamesTest, AReleasedSlotIsNotMuted) {
+  claim("Ann");
+  names_.mute(0, true);
+  names_.release(0);
+  EXPECT_FALSE(names_.isMuted(0));
+  EXPECT_EQ(names_.claim(0, "Ben"), "Ben");
+  EXPECT_EQ(names_.shown(0), "Ben");
+  EXPECT_EQ(names_.claim(1, "Ann"), "Ann");
+  EXPECT_EQ(names_.claim(2, "Player 1"), "Player 1");
+}
+
 }  // namespace
 }  // namespace platon

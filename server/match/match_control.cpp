@@ -1,0 +1,57 @@
+// What the operator of a server does to a match.
+#include <algorithm>
+
+#include "protocol/label.h"
+#include "server/match/match.h"
+#include "server/match/notice.h"
+
+namespace platon {
+bool Match::kick(std::uint32_t slot, const std::string& reason) {
+  const auto connected =
+      std::find_if(players_.begin(), players_.end(), [slot](const auto& entry) { return entry.second.slot() == slot; });
+  if (connected != players_.end()) {
+    outgoing_.push_back({connected->first, true, true, encode(Bye{ByeCode::kRemoved, visibleLabel(reason)})});
+    remove(connected->first);
+    return true;
+  }
+  const auto found = std::find_if(disconnected_.begin(), disconnected_.end(),
+                                  [slot](const Disconnected& entry) { return entry.player.slot() == slot; });
+  if (found == disconnected_.end()) return false;
+  removeDisconnected(found);
+  return true;
+}
+
+bool Match::mute(std::uint32_t slot, bool muted) {
+  if (slot >= settings_.maxPlayers || names_.isFree(slot)) return false;
+  names_.mute(slot, muted);
+  return true;
+}
+
+bool Match::say(const std::string& text) {
+  const auto notice = encodeNotice(text);
+  if (notice) sendAll(*notice);
+  return notice.has_value();
+}
+
+bool Match::endRoundNow() {
+  if (overAt_) return false;
+  if (idle())
+    startNextRound();
+  else
+    endRound();
+  return true;
+}
+
+std::vector<PlayerStatus> Match::playerStatus() const {
+  std::vector<PlayerStatus> all;
+  const auto add = [this, &all](const MatchPlayer& player, std::optional<ClientId> client) {
+    all.push_back({player.slot(), player.name(), names_.shown(player.slot()), names_.isMuted(player.slot()), client,
+                   player.origin(), player.missedInputs()});
+  };
+  for (const auto& [client, player] : players_) add(player, client);
+  for (const Disconnected& entry : disconnected_) add(entry.player, std::nullopt);
+  std::sort(all.begin(), all.end(), [](const PlayerStatus& a, const PlayerStatus& b) { return a.slot < b.slot; });
+  return all;
+}
+
+}  // namespace platon
