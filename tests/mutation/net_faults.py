@@ -4,6 +4,7 @@ from fault import Fault, at_length
 
 PROTOCOL = "protocol/"
 MATCH = "server/match/"
+ADMIN = "server/admin/"
 APP = "server/app/"
 
 PROTOCOL_FAULTS = [
@@ -218,6 +219,22 @@ SERVER_FAULTS = [
               "  apply(line, options);\n  if (!line.config.empty()) readConfigFile(line.config, options);\n",
               "the configuration file overrides the command line",
               "ServerOptions.CommandLineOptionsOverrideTheFile"),
+    at_length("ban-holds-at-its-end", ADMIN + "ban_list.h",
+              "now < *until", "now <= *until",
+              "a ban holds for one second too long",
+              "BanList.ABanEndsAtItsTime"),
+    at_length("shortest-ban-counts", ADMIN + "ban_list.cpp",
+              "*ban->until > *longest->until", "*ban->until < *longest->until",
+              "of several bans of an address the shortest counts",
+              "BanList.OfSeveralBansTheOneThatLastsLongestCounts"),
+    at_length("ipv6-range-holds-ipv4", ADMIN + "address_range.cpp",
+              "address.isIpv4() == first_.isIpv4() && ", "",
+              "a ban of all IPv6 addresses bans IPv4 as well",
+              "AddressRange.RangesOfOneFamilyHoldNoneOfTheOther"),
+    at_length("reload-undoes-a-ban", ADMIN + "ban_store.cpp",
+              "if (file_ && !file_->pending()) list_", "if (file_) list_",
+              "a reload forgets a ban that is not in the file yet",
+              "BanStoreTest.AReloadDoesNotUndoAChangeThatWaitsToBeWritten"),
     at_length("kick-keeps-the-connection", "server/match/match_control.cpp",
               "{connected->first, true, true, encode(Bye", "{connected->first, true, false, encode(Bye",
               "the connection of a removed player stays open",

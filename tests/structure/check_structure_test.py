@@ -22,7 +22,7 @@ CLIENT = ["time", "net", "netcode", "desync", "session", "bot", "demo", "scene",
 FOLDERS = (
     [f"shared/include/platon/{name}" for name in SHARED]
     + [f"shared/{name}" for name in SHARED]
-    + ["protocol", "protocol/transport", "server/match", "server/net", "server/app"]
+    + ["protocol", "protocol/transport", "server/match", "server/net", "server/base", "server/admin", "server/app"]
     + [f"client/{name}" for name in CLIENT]
     + ["levels", "tests"]
 )
@@ -79,7 +79,9 @@ class Includes(Tree):
             "protocol/transport": ["protocol"],
             "server/match": public + protocol,
             "server/net": public + protocol + ["server/match"],
-            "server/app": public + protocol + ["server/match", "server/net"],
+            "server/base": [],
+            "server/admin": public + protocol + ["server/match", "server/net", "server/base"],
+            "server/app": public + protocol + ["server/match", "server/net", "server/base", "server/admin"],
             **{
                 f"client/{room}": public + ([] if room in wordless else protocol) + [f"client/{o}" for o in others]
                 for room, others in rooms.items()

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "server/admin/ban_list.h"
+#include "server/base/file_writer.h"
+
+namespace platon {
+
+/// Reads a ban file. On failure returns what is wrong with it, each error as `file:line:column: error: …`.
+std::variant<BanList, std::vector<std::string>> readBanFile(const std::string& path);
+
+/// The bans of a running server, and the file that keeps them. Before each change the file is read again, so that what
+/// somebody has edited meanwhile is kept.
+class BanStore {
+ public:
+  /// Bans that end with the server.
+  BanStore() = default;
+  /// Bans that are kept in a file, whose content is `list`.
+  BanStore(const std::string& path, BanList list);
+
+  const BanList& list() const { return list_; }
+  bool hasFile() const { return file_ != nullptr; }
+
+  /// Adds a ban, or replaces the one of the same range. Nothing changes if the file has an error; it is returned.
+  std::optional<ParseError> add(const Ban& ban, UtcTime now);
+  /// Removes a ban. Nothing changes if there is none or the file has an error; it is returned.
+  std::optional<ParseError> remove(const AddressRange& range, UtcTime now);
+  /// Takes over a list that has just been read from the file, unless a newer one waits to be written. No effect without
+  /// a file.
+  void replace(BanList list);
+
+  /// Call now and then. Returns, once, why the bans could not be written to the file.
+  std::optional<std::string> poll();
+
+ private:
+  std::optional<ParseError> readAgain();
+  void save(UtcTime now);
+
+  std::string path_;
+  std::unique_ptr<FileWriter> file_;
+  BanList list_;
+};
+
+}  // namespace platon

@@ -1,0 +1,62 @@
+#include "server/base/text_file.h"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+
+#include "server/base/descriptor.h"
+
+namespace platon {
+namespace {
+
+bool writeAll(const Descriptor& file, std::string_view content) {
+  while (!content.empty()) {
+    const ssize_t written = write(file.number(), content.data(), content.size());
+    if (written < 0 && errno != EINTR) return false;
+    if (written > 0) content.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+// Gives the new file owner and access rights of the old one. The owner stays the user's where that is not allowed.
+bool takeRights(const Descriptor& file, const std::string& old) {
+  struct stat status {};
+  if (stat(old.c_str(), &status) != 0) return true;
+  if (fchown(file.number(), status.st_uid, status.st_gid) != 0 && errno != EPERM) return false;
+  return fchmod(file.number(), status.st_mode & 07777) == 0;
+}
+
+}  // namespace
+
+std::variant<std::string, ParseError> readTextFile(const std::string& path, std::size_t maxBytes) {
+  const auto close = [](std::FILE* file) { std::fclose(file); };
+  const std::unique_ptr<std::FILE, decltype(close)> file(std::fopen(path.c_str(), "rb"), close);
+  if (!file) return ParseError{std::strerror(errno)};
+  std::string content(maxBytes + 1, '\0');
+  content.resize(std::fread(content.data(), 1, content.size(), file.get()));
+  if (std::ferror(file.get()) != 0) return ParseError{std::strerror(errno)};
+  return content;
+}
+
+std::string replaceTextFile(const std::string& path, std::string_view content) {
+  std::error_code missing;
+  const std::filesystem::path linked = std::filesystem::canonical(path, missing);
+  const std::string target = missing ? path : linked.string();
+  std::string temporary = target + ".XXXXXX";
+  const Descriptor file(mkstemp(temporary.data()));
+  if (!file) return std::strerror(errno);
+  const bool replaced = writeAll(file, content) && takeRights(file, target) && fsync(file.number()) == 0 &&
+                        std::rename(temporary.c_str(), target.c_str()) == 0;
+  if (replaced) return {};
+  const int fault = errno;
+  unlink(temporary.c_str());
+  return std::strerror(fault);
+}
+
+}  // namespace platon

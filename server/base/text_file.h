@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "server/base/parse_error.h"
+
+namespace platon {
+
+/// The content of a file, of which at most one byte more than `maxBytes` is read. On failure the reason of the system.
+std::variant<std::string, ParseError> readTextFile(const std::string& path, std::size_t maxBytes);
+
+/// Replaces the content of a file: at any time the file holds all of the old content or all of the new one, also after
+/// a power failure. Keeps the access rights of the file, and a symbolic link to it. Returns the reason of the system if
+/// that fails, or an empty text. May wait for the disk.
+std::string replaceTextFile(const std::string& path, std::string_view content);
+
+}  // namespace platon

@@ -1,0 +1,17 @@
+#include "server/admin/origin_address.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/origins.h"
+
+namespace platon {
+namespace {
+
+TEST(OriginAddress, HasTheBytesOfTheOriginInMemoryOrder) {
+  EXPECT_EQ(addressOfOrigin(originOf("192.0.2.7")), IpAddress::parse("192.0.2.7"));
+}
+
+TEST(OriginAddress, ThisMachineHasNone) { EXPECT_EQ(addressOfOrigin(0), std::nullopt); }
+
+}  // namespace
+}  // namespace platon

@@ -1,0 +1,89 @@
+#include "server/base/text_file.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <filesystem>
+
+#include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
+
+namespace platon {
+namespace {
+
+namespace fs = std::filesystem;
+
+class TextFileTest : public testing::Test {
+ protected:
+  std::size_t filesInFolder() const {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator()));
+  }
+
+  const TemporaryFolder folder_;
+  const std::string path_ = folder_ / "file";
+};
+
+TEST_F(TextFileTest, ReadsAFile) {
+  writeText(path_, "one\ntwo");
+  EXPECT_EQ(std::get<std::string>(readTextFile(path_, 100)), "one\ntwo");
+  writeText(path_, "");
+  EXPECT_EQ(std::get<std::string>(readTextFile(path_, 100)), "");
+}
+
+TEST_F(TextFileTest, ReadsAtMostOneByteMoreThanAllowed) {
+  writeText(path_, "abcdef");
+  EXPECT_EQ(std::get<std::string>(readTextFile(path_, 6)), "abcdef");
+  EXPECT_EQ(std::get<std::string>(readTextFile(path_, 3)), "abcd");
+}
+
+TEST_F(TextFileTest, SaysWhyAFileCannotBeRead) {
+  EXPECT_EQ(std::get<ParseError>(readTextFile(path_, 1)).what, "No such file or directory");
+  EXPECT_EQ(std::get<ParseError>(readTextFile(folder_.path(), 1)).what, "Is a directory");
+}
+
+TEST_F(TextFileTest, ReplacesTheContent) {
+  EXPECT_EQ(replaceTextFile(path_, "new"), "");
+  EXPECT_EQ(readText(path_), "new");
+  EXPECT_EQ(replaceTextFile(path_, ""), "");
+  EXPECT_EQ(readText(path_), "");
+  EXPECT_EQ(filesInFolder(), 1u);
+}
+
+TEST_F(TextFileTest, KeepsTheAccessRights) {
+  writeText(path_, "old");
+  for (const mode_t mode : {0640u, 0600u, 0664u}) {
+    ASSERT_EQ(chmod(path_.c_str(), mode), 0);
+    EXPECT_EQ(replaceTextFile(path_, "new"), "");
+    struct stat status {};
+    ASSERT_EQ(stat(path_.c_str(), &status), 0);
+    EXPECT_EQ(status.st_mode & 0777u, mode);
+  }
+}
+
+TEST_F(TextFileTest, KeepsASymbolicLink) {
+  writeText(path_, "old");
+  fs::create_symlink(path_, folder_ / "link");
+  EXPECT_EQ(replaceTextFile(folder_ / "link", "new"), "");
+  EXPECT_TRUE(fs::is_symlink(folder_ / "link"));
+  EXPECT_EQ(readText(path_), "new");
+}
+
+// Who has the file open reads the old content to its end.
+TEST_F(TextFileTest, AReaderNeverSeesAPartOfTheNewContent) {
+  writeText(path_, "old");
+  std::ifstream reader(path_);
+  EXPECT_EQ(replaceTextFile(path_, "brand new"), "");
+  std::string line;
+  std::getline(reader, line);
+  EXPECT_EQ(line, "old");
+}
+
+TEST_F(TextFileTest, OnFailureTheFileIsAsBeforeAndNothingIsLeft) {
+  EXPECT_EQ(replaceTextFile(folder_ / "missing/file", "new"), "No such file or directory");
+  fs::create_directory(folder_ / "sub");
+  EXPECT_EQ(replaceTextFile(folder_ / "sub", "new"), "Is a directory");
+  EXPECT_EQ(filesInFolder(), 1u);
+}
+
+}  // namespace
+}  // namespace platon

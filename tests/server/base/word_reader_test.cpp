@@ -1,0 +1,47 @@
+#include "server/base/word_reader.h"
+
+#include <gtest/gtest.h>
+
+namespace platon {
+namespace {
+
+TEST(WordReader, ReadsWordsBetweenSpacesAndTabs) {
+  WordReader words("  ban \t Ann  2h ");
+  EXPECT_EQ(words.peek(), "ban");
+  EXPECT_EQ(words.next(), "ban");
+  EXPECT_EQ(words.next(), "Ann");
+  EXPECT_EQ(words.next(), "2h");
+  EXPECT_EQ(words.next(), "");
+  EXPECT_EQ(words.next(), "");
+}
+
+TEST(WordReader, TheRestIsEverythingLeftWithoutSpacesAroundIt) {
+  WordReader words("say  hello  all \t");
+  EXPECT_EQ(words.rest(), "say  hello  all");
+  words.next();
+  EXPECT_EQ(words.rest(), "hello  all");
+  words.next();
+  words.next();
+  EXPECT_EQ(words.rest(), "");
+}
+
+TEST(WordReader, ColumnsCountBytesFromOne) {
+  WordReader words("  a bc");
+  EXPECT_EQ(words.column(), 3);
+  words.next();
+  EXPECT_EQ(words.column(), 5);
+  words.next();
+  EXPECT_EQ(words.column(), 7);
+}
+
+TEST(WordReader, AnEmptyLineHasNoWords) {
+  for (const char* line : {"", " ", "\t \t"}) {
+    WordReader words(line);
+    EXPECT_EQ(words.peek(), "");
+    EXPECT_EQ(words.rest(), "");
+    EXPECT_EQ(words.next(), "");
+  }
+}
+
+}  // namespace
+}  // namespace platon
