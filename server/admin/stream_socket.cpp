@@ -1,0 +1,107 @@
+#include "server/admin/stream_socket.h"
+
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+
+namespace platon {
+namespace {
+
+constexpr int kBacklog = 16;
+
+bool wouldWait() { return errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR; }
+
+// An address of the system, of the family that the IP address has.
+struct SystemAddress {
+  explicit SystemAddress(const SocketAddress& from) {
+    if (from.ip.isIpv4()) {
+      auto* ipv4 = reinterpret_cast<sockaddr_in*>(&storage);
+      ipv4->sin_family = AF_INET;
+      ipv4->sin_port = htons(from.port);
+      std::memcpy(&ipv4->sin_addr, &from.ip.bytes[12], sizeof ipv4->sin_addr);
+      length = sizeof *ipv4;
+    } else {
+      auto* ipv6 = reinterpret_cast<sockaddr_in6*>(&storage);
+      ipv6->sin6_family = AF_INET6;
+      ipv6->sin6_port = htons(from.port);
+      std::memcpy(&ipv6->sin6_addr, from.ip.bytes.data(), sizeof ipv6->sin6_addr);
+      length = sizeof *ipv6;
+    }
+  }
+  const sockaddr* get() const { return reinterpret_cast<const sockaddr*>(&storage); }
+
+  sockaddr_storage storage{};
+  socklen_t length = 0;
+};
+
+}  // namespace
+
+Descriptor connectUnix(const std::string& path) {
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  if (path.size() >= sizeof address.sun_path) {
+    errno = ENAMETOOLONG;
+    return Descriptor();
+  }
+  path.copy(address.sun_path, path.size());
+  Descriptor socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
+  const bool connected =
+      socket && connect(socket.number(), reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
+  return connected ? std::move(socket) : Descriptor();
+}
+
+bool peerIsTrusted(const Descriptor& socket) {
+  ucred peer{};
+  socklen_t length = sizeof peer;
+  if (getsockopt(socket.number(), SOL_SOCKET, SO_PEERCRED, &peer, &length) != 0) return false;
+  return peer.uid == geteuid() || peer.uid == 0;
+}
+
+Descriptor listenTcp(const SocketAddress& address) {
+  const SystemAddress system(address);
+  Descriptor socket(::socket(system.storage.ss_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
+  if (!socket) return socket;
+  const int yes = 1;
+  setsockopt(socket.number(), SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+  if (!address.ip.isIpv4()) setsockopt(socket.number(), IPPROTO_IPV6, IPV6_V6ONLY, &yes, sizeof yes);
+  const bool listens =
+      bind(socket.number(), system.get(), system.length) == 0 && listen(socket.number(), kBacklog) == 0;
+  return listens ? std::move(socket) : Descriptor();
+}
+
+std::uint16_t portOf(const Descriptor& listener) {
+  sockaddr_storage storage{};
+  socklen_t length = sizeof storage;
+  if (getsockname(listener.number(), reinterpret_cast<sockaddr*>(&storage), &length) != 0) return 0;
+  // The port is at the same place in the addresses of both families.
+  return ntohs(reinterpret_cast<const sockaddr_in*>(&storage)->sin_port);
+}
+
+Descriptor acceptFrom(const Descriptor& listener) {
+  return Descriptor(accept4(listener.number(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
+}
+
+Received receiveFrom(const Descriptor& socket) {
+  std::array<char, kMaxReceivedBytes> buffer;
+  const ssize_t count = recv(socket.number(), buffer.data(), buffer.size(), MSG_DONTWAIT);
+  if (count > 0) return {std::string(buffer.data(), static_cast<std::size_t>(count)), false};
+  return {{}, count == 0 || !wouldWait()};
+}
+
+bool sendTo(const Descriptor& socket, std::string& bytes) {
+  while (!bytes.empty()) {
+    const ssize_t count = send(socket.number(), bytes.data(), bytes.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
+    if (count < 0) return wouldWait();
+    bytes.erase(0, static_cast<std::size_t>(count));
+  }
+  return true;
+}
+
+void finishSending(const Descriptor& socket) { shutdown(socket.number(), SHUT_WR); }
+
+}  // namespace platon

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+
+#include "protocol/transport/socket_address.h"
+#include "server/base/descriptor.h"
+
+namespace platon {
+
+/// Connects to the Unix socket of a running server. The descriptor is empty if nobody listens at the path; errno then
+/// holds the reason.
+Descriptor connectUnix(const std::string& path);
+/// The user who runs the program at the other end of a Unix socket is this user or root.
+bool peerIsTrusted(const Descriptor& socket);
+
+/// Listens at a TCP address; port 0: any that is free. The descriptor is empty on failure; errno then holds the reason.
+Descriptor listenTcp(const SocketAddress& address);
+/// Port of a listening TCP socket.
+std::uint16_t portOf(const Descriptor& listener);
+
+/// The next connection, which does not block; empty if there is none.
+Descriptor acceptFrom(const Descriptor& listener);
+
+/// What has arrived at a stream socket.
+struct Received {
+  std::string bytes;    ///< at most kMaxReceivedBytes
+  bool closed = false;  ///< the other end has closed the connection, or it is broken
+};
+inline constexpr std::size_t kMaxReceivedBytes = 4096;
+
+/// Receives what has arrived; does not wait.
+Received receiveFrom(const Descriptor& socket);
+/// Sends as many of the bytes as the system takes and removes them; does not wait. Returns false if the connection is
+/// broken.
+bool sendTo(const Descriptor& socket, std::string& bytes);
+/// Tells the other end that nothing more follows.
+void finishSending(const Descriptor& socket);
+
+}  // namespace platon
