@@ -1,0 +1,203 @@
+#include "server/admin/metrics_server.h"
+
+#include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+
+#include <cstring>
+
+#include "protocol/program_error.h"
+#include "server/admin/http.h"
+#include "server/admin/stream_socket.h"
+#include "tests/support/wait_until.h"
+
+namespace platon {
+namespace {
+
+using namespace std::chrono_literals;
+
+SocketAddress address(const std::string& text) { return parseSocketAddress(text).value(); }
+
+Descriptor connectTcp(const SocketAddress& to) {
+  sockaddr_storage storage{};
+  socklen_t length = 0;
+  if (to.ip.isIpv4()) {
+    auto* ipv4 = reinterpret_cast<sockaddr_in*>(&storage);
+    *ipv4 = {.sin_family = AF_INET, .sin_port = htons(to.port), .sin_addr = {}, .sin_zero = {}};
+    std::memcpy(&ipv4->sin_addr, &to.ip.bytes[12], 4);
+    length = sizeof *ipv4;
+  } else {
+    auto* ipv6 = reinterpret_cast<sockaddr_in6*>(&storage);
+    ipv6->sin6_family = AF_INET6;
+    ipv6->sin6_port = htons(to.port);
+    std::memcpy(&ipv6->sin6_addr, to.ip.bytes.data(), 16);
+    length = sizeof *ipv6;
+  }
+  Descriptor socket(::socket(storage.ss_family, SOCK_STREAM | SOCK_CLOEXEC, 0));
+  EXPECT_EQ(connect(socket.number(), reinterpret_cast<const sockaddr*>(&storage), length), 0);
+  return socket;
+}
+
+/// A server on loopback, in virtual time.
+class MetricsServerTest : public testing::Test {
+ protected:
+  void poll() {
+    server_.poll(now_, [this] {
+      ++pages_;
+      return page_;
+    });
+  }
+
+  // What arrives until the server closes the connection.
+  std::string receiveAll(const Descriptor& socket) {
+    std::string all;
+    const auto step = [this] { poll(); };
+    EXPECT_TRUE(stepUntil(step, [&] {
+      Received received = receiveFrom(socket);
+      for (; !received.bytes.empty(); received = receiveFrom(socket)) all += received.bytes;
+      return received.closed;
+    }));
+    return all;
+  }
+
+  std::string get(const std::string& request) {
+    const Descriptor socket = connectTcp(server_.address());
+    std::string bytes = request;
+    EXPECT_TRUE(sendTo(socket, bytes));
+    return receiveAll(socket);
+  }
+
+  // Polls until the server has as many connections.
+  bool reaches(std::size_t connections) {
+    return stepUntil([this] { poll(); }, [&] { return server_.connections() == connections; });
+  }
+
+  MetricsServer server_{address("127.0.0.1:0")};
+  TimePoint now_{};
+  std::string page_ = "a 1\n";
+  int pages_ = 0;
+};
+
+TEST(SocketAddressText, IsAnAddressAndAPort) {
+  EXPECT_EQ(address("127.0.0.1:9100").text(), "127.0.0.1:9100");
+  EXPECT_EQ(address("[::1]:0").text(), "[::1]:0");
+  EXPECT_EQ(address("[2001:db8::1]:65535").text(), "[2001:db8::1]:65535");
+  for (const std::string text : {"", ":", "9100", "127.0.0.1", "127.0.0.1:", ":9100", "::1:9100", "[::1]",
+                                 "[::1]:", "[127.0.0.1]:1", "localhost:9100", "127.0.0.1:65536", "127.0.0.1:-1",
+                                 "127.0.0.1:+1", "127.0.0.1:1x", "[::1:9100", "[]:1", "127.0.0.1 :1"}) {
+    EXPECT_FALSE(parseSocketAddress(text)) << text;
+  }
+  EXPECT_FALSE(parseSocketAddress(std::string_view("127.0.0.1\0:1", 12)));
+}
+
+TEST_F(MetricsServerTest, AnswersTheMetrics) {
+  EXPECT_EQ(get("GET /metrics HTTP/1.1\r\nHost: a\r\n\r\n"),
+            httpResponse(HttpStatus::kOk, "text/plain; version=0.0.4", "a 1\n"));
+  page_ = "a 2\n";
+  EXPECT_TRUE(get("GET /metrics HTTP/1.0\r\n\r\n").ends_with("\r\n\r\na 2\n"));
+  EXPECT_EQ(pages_, 2);
+}
+
+TEST_F(MetricsServerTest, AnswersOtherRequestsWithAnError) {
+  EXPECT_TRUE(get("GET / HTTP/1.1\r\n\r\n").starts_with("HTTP/1.1 404 "));
+  EXPECT_TRUE(get("POST /metrics HTTP/1.1\r\nContent-Length: 3\r\n\r\nabc").starts_with("HTTP/1.1 405 "));
+  EXPECT_TRUE(get("\x16\x03\x01\r\n\r\n").starts_with("HTTP/1.1 400 "));
+  EXPECT_TRUE(get("GET /metrics HTTP/1.1\r\n" + std::string(kMaxHttpHeadBytes, 'x')).starts_with("HTTP/1.1 431 "));
+  EXPECT_EQ(pages_, 0);
+}
+
+// A server that closes with bytes unread resets the connection, and the answer may be lost.
+TEST_F(MetricsServerTest, AnAnswerIsNotLostWhenTheBodyOfTheRequestIsLong) {
+  const Descriptor socket = connectTcp(server_.address());
+  std::string head = "POST /metrics HTTP/1.1\r\nContent-Length: 100000\r\n\r\n";
+  EXPECT_TRUE(sendTo(socket, head));
+  std::string body(100'000, 'x');
+  std::string answer;
+  const auto step = [&] {
+    poll();
+    sendTo(socket, body);
+  };
+  EXPECT_TRUE(stepUntil(step, [&] {
+    answer += receiveFrom(socket).bytes;
+    return body.empty() && answer.ends_with("Method Not Allowed\n");
+  }));
+}
+
+TEST_F(MetricsServerTest, SendsALongPage) {
+  page_ = std::string(8 * 1024 * 1024, 'x');
+  const std::string answer = get("GET /metrics HTTP/1.1\r\n\r\n");
+  EXPECT_EQ(answer.size() - answer.find("\r\n\r\n") - 4, page_.size());
+}
+
+TEST_F(MetricsServerTest, DropsAConnectionThatTakesTooLong) {
+  page_ = std::string(32 * 1024 * 1024, 'x');
+  const Descriptor silent = connectTcp(server_.address());
+  const Descriptor reader = connectTcp(server_.address());
+  std::string request = "GET /metrics HTTP/1.1\r\n\r\n";
+  EXPECT_TRUE(sendTo(reader, request));
+  EXPECT_TRUE(stepUntil([this] { poll(); }, [this] { return pages_ == 1; }));
+  now_ += MetricsServer::kConnectionTime;
+  poll();
+  EXPECT_EQ(server_.connections(), 2u);
+  now_ += 1ms;
+  poll();
+  EXPECT_EQ(server_.connections(), 0u);
+}
+
+TEST_F(MetricsServerTest, HasABoundedNumberOfConnections) {
+  std::vector<Descriptor> sockets;
+  for (std::size_t i = 0; i < MetricsServer::kMaxConnections + 4; ++i) {
+    sockets.push_back(connectTcp(server_.address()));
+    poll();
+  }
+  EXPECT_TRUE(reaches(MetricsServer::kMaxConnections));
+  poll();
+  EXPECT_EQ(server_.connections(), MetricsServer::kMaxConnections);
+  now_ += MetricsServer::kConnectionTime + 1ms;
+  poll();  // drops all of them
+  EXPECT_TRUE(reaches(4));
+}
+
+TEST_F(MetricsServerTest, AClosedConnectionIsForgotten) {
+  {
+    const Descriptor socket = connectTcp(server_.address());
+    EXPECT_TRUE(reaches(1));
+  }
+  EXPECT_TRUE(reaches(0));
+}
+
+TEST(MetricsServer, ListensOnIpv6) {
+  if (!listenTcp(address("[::1]:0"))) GTEST_SKIP() << "this machine has no IPv6";
+  MetricsServer server(address("[::1]:0"));
+  const Descriptor socket = connectTcp(server.address());
+  std::string request = "GET /metrics HTTP/1.1\r\n\r\n";
+  EXPECT_TRUE(sendTo(socket, request));
+  std::string answer;
+  EXPECT_TRUE(stepUntil([&] { server.poll(TimePoint(), [] { return std::string("six 6\n"); }); },
+                        [&] {
+                          answer += receiveFrom(socket).bytes;
+                          return answer.ends_with("six 6\n");
+                        }));
+}
+
+TEST(MetricsServer, SaysWhyItCannotListen) {
+  const auto errorOf = [](const SocketAddress& at) -> std::string {
+    try {
+      const MetricsServer server(at);
+      return "none";
+    } catch (const ProgramError& error) {
+      EXPECT_EQ(error.exitCode(), ProgramError::kUsage);
+      return error.what();
+    }
+  };
+  const MetricsServer first(address("127.0.0.1:0"));
+  EXPECT_EQ(errorOf(first.address()),
+            "cannot serve metrics on " + first.address().text() +
+                ": Address already in use; stop the program that uses it or choose another port after --metrics");
+  EXPECT_EQ(errorOf(address("198.51.100.1:9100")),
+            "cannot serve metrics on 198.51.100.1:9100: Cannot assign requested address; choose an address of this "
+            "machine after --metrics");
+}
+
+}  // namespace
+}  // namespace platon
