@@ -7,8 +7,8 @@
 
 namespace platon {
 
-/// The IP address of an origin as HostEvent has it: the four bytes of an IPv4 address in memory order. Nothing for 0,
-/// which stands for this machine.
-std::optional<IpAddress> addressOfOrigin(std::uint32_t origin);
+/// The IP address of an origin, which is the number of a household (`IpAddress::household`): an IPv4 address, or the
+/// first address of 64 bits of IPv6. Nothing for 0, which stands for this machine.
+std::optional<IpAddress> addressOfOrigin(std::uint64_t origin);
 
 }  // namespace platon

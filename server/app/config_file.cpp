@@ -2,108 +2,117 @@
 
 #include <toml++/toml.h>
 
+#include <algorithm>
 #include <filesystem>
-#include <string_view>
+#include <optional>
+#include <utility>
 
-#include "protocol/label.h"
-#include "protocol/program_error.h"
+#include "platon/game/diagnostics.h"
+#include "server/app/option_table.h"
+#include "server/base/text_file.h"
 
 namespace platon {
 namespace {
 
-constexpr std::string_view kKeys = "levels, bind, port, max-players, max-per-address, name, log-format and record";
+constexpr std::size_t kMaxConfigBytes = 1024 * 1024;
 
-/// A key of the file and its value. Errors are thrown as ProgramError with the position in the file.
-struct Entry {
-  const std::string& file;
-  const toml::key& key;
-  const toml::node& value;
+TextPosition positionOf(const toml::source_position& at) {
+  return {static_cast<int>(at.line), static_cast<int>(at.column)};
+}
 
-  [[noreturn]] void refuse(const std::string& why) const { refuseAt(value.source().begin, why); }
-  [[noreturn]] void refuseAt(toml::source_position at, const std::string& why) const {
-    throw ProgramError(ProgramError::kUsage, file + ":" + std::to_string(at.line) + ":" + std::to_string(at.column) +
-                                                 ": error: " + std::string(key.str()) + " " + why);
+std::string printable(std::string_view text) {
+  std::string result(text);
+  std::replace_if(
+      result.begin(), result.end(), [](char byte) { return byte < ' ' || byte > '~'; }, '?');
+  return result;
+}
+
+std::string listOfKeys() {
+  std::string list;
+  for (const ServerOption& option : serverOptions()) {
+    const bool last = &option == &serverOptions().back();
+    list += (list.empty() ? "" : last ? " and " : ", ") + std::string(option.name);
+  }
+  return list;
+}
+
+/// Reads the keys of a file, one by one.
+class KeyReader {
+ public:
+  KeyReader(const std::string& file, ServerOptions& options, Diagnostics& errors)
+      : folder_(std::filesystem::path(file).parent_path()), options_(options), errors_(errors) {}
+
+  void read(const toml::key& key, const toml::node& node) {
+    const auto options = serverOptions();
+    const auto option =
+        std::find_if(options.begin(), options.end(), [&key](const ServerOption& one) { return one.name == key.str(); });
+    if (option == options.end()) {
+      return errors_.error(positionOf(key.source().begin),
+                           quoted(key.str()) + " is not a key of the configuration; the keys are " + listOfKeys());
+    }
+    const auto value = valueOf(*option, node);
+    if (!value) return;
+    if (const auto error = setOption(*option, *value, options_)) fail(*option, node, error->what);
   }
 
-  std::string text() const {
-    if (const auto found = value.value_exact<std::string>()) return *found;
-    refuse("must be a string in quotes");
+ private:
+  void fail(const ServerOption& option, const toml::node& node, const std::string& why) {
+    errors_.error(positionOf(node.source().begin), std::string(option.name) + " " + why);
   }
 
-  std::uint32_t number(std::int64_t least, std::int64_t most) const {
-    const auto found = value.value_exact<std::int64_t>();
-    if (found && *found >= least && *found <= most) return static_cast<std::uint32_t>(*found);
-    refuse("must be a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+  // A value of a type that the option cannot have is passed on as a number out of range, which every option refuses.
+  std::optional<OptionValue> valueOf(const ServerOption& option, const toml::node& node) {
+    if (const auto number = node.value_exact<std::int64_t>()) return *number;
+    if (const auto text = node.value_exact<std::string>()) return pathOf(option, *text);
+    const toml::array* list = option.isList() ? node.as_array() : nullptr;
+    if (!list) return std::int64_t{-1};
+    std::vector<std::string> texts;
+    for (const toml::node& item : *list) {
+      const auto text = item.value_exact<std::string>();
+      if (!text) {
+        fail(option, item, "must be a string in quotes");
+        return std::nullopt;
+      }
+      texts.push_back(pathOf(option, *text));
+    }
+    return texts;
   }
+
+  std::string pathOf(const ServerOption& option, const std::string& text) const {
+    return option.isPath && !text.empty() ? (folder_ / text).string() : text;
+  }
+
+  std::filesystem::path folder_;
+  ServerOptions& options_;
+  Diagnostics& errors_;
 };
-
-std::string readName(const Entry& entry) {
-  std::string name = entry.text();
-  if (!isLabel(name, kMaxNameBytes)) {
-    entry.refuse("must be a string of at most " + std::to_string(kMaxNameBytes) + " bytes without control characters");
-  }
-  return name;
-}
-
-LogFormat readLogFormat(const Entry& entry) {
-  const std::string text = entry.text();
-  if (text != "text" && text != "json") entry.refuse("must be \"text\" or \"json\"");
-  return text == "json" ? LogFormat::kJson : LogFormat::kText;
-}
-
-std::string relativeToFile(const Entry& entry, const std::string& path) {
-  return (std::filesystem::path(entry.file).parent_path() / path).string();
-}
-
-std::vector<std::string> readLevels(const Entry& entry) {
-  const toml::array* list = entry.value.as_array();
-  if (!list) entry.refuse("must be a list of files: [\"a.level\", \"b.level\"]");
-  std::vector<std::string> files;
-  for (const toml::node& item : *list) {
-    files.push_back(relativeToFile(entry, Entry{entry.file, entry.key, item}.text()));
-  }
-  return files;
-}
-
-void readEntry(const Entry& entry, ServerOptions& options) {
-  const std::string_view key = entry.key.str();
-  if (key == "levels")
-    options.levels = readLevels(entry);
-  else if (key == "bind")
-    options.bind = entry.text();
-  else if (key == "port")
-    options.port = static_cast<std::uint16_t>(entry.number(0, UINT16_MAX));
-  else if (key == "max-players")
-    options.maxPlayers = entry.number(1, kMaxPlayers);
-  else if (key == "max-per-address")
-    options.maxPerAddress = entry.number(1, kMaxPerAddress);
-  else if (key == "name")
-    options.name = readName(entry);
-  else if (key == "log-format")
-    options.logFormat = readLogFormat(entry);
-  else if (key == "record")
-    options.record = entry.text().empty() ? "" : relativeToFile(entry, entry.text());
-  else
-    entry.refuseAt(entry.key.source().begin, "is not a key of the configuration; the keys are " + std::string(kKeys));
-}
-
-toml::table parse(const std::string& path) {
-  try {
-    return toml::parse_file(path);
-  } catch (const toml::parse_error& error) {
-    const toml::source_position at = error.source().begin;
-    const bool hasPosition = at.line != 0;
-    const std::string where = hasPosition ? ":" + std::to_string(at.line) + ":" + std::to_string(at.column) : "";
-    throw ProgramError(ProgramError::kUsage, path + where + ": error: " + std::string(error.description()) +
-                                                 (hasPosition ? "" : "; name an existing file after --config"));
-  }
-}
 
 }  // namespace
 
-void readConfigFile(const std::string& path, ServerOptions& options) {
-  const toml::table table = parse(path);
-  for (const auto& [key, value] : table) readEntry({path, key, value}, options);
+std::vector<std::string> readConfig(std::string_view text, const std::string& file, ServerOptions& options) {
+  Diagnostics errors;
+  try {
+    const toml::table table = toml::parse(text);
+    KeyReader reader(file, options, errors);
+    for (const auto& [key, value] : table) reader.read(key, value);
+  } catch (const toml::parse_error& error) {
+    errors.error(positionOf(error.source().begin), printable(error.description()));
+  }
+  std::vector<std::string> lines;
+  for (const Diagnostic& error : errors.take()) lines.push_back(format(file, error));
+  return lines;
+}
+
+std::vector<std::string> readConfigFile(const std::string& path, ServerOptions& options) {
+  const auto text = readTextFile(path, kMaxConfigBytes);
+  if (const auto* error = std::get_if<ParseError>(&text)) {
+    return {path + ": error: " + error->what + "; name an existing file after --config"};
+  }
+  const auto& content = std::get<std::string>(text);
+  if (content.size() > kMaxConfigBytes) {
+    return {path + ": error: the file has more than " + std::to_string(kMaxConfigBytes) + " bytes"};
+  }
+  return readConfig(content, path, options);
 }
 
 }  // namespace platon

@@ -19,7 +19,6 @@ constexpr std::size_t kReservedRoom = Host::kMaxQueuedMessages / 2;
 // Datagrams between two ticks beyond which the server reads more often.
 constexpr std::uint64_t kFloodPackets = 128;
 constexpr std::chrono::milliseconds kFloodInterval{2};
-constexpr std::chrono::milliseconds kIdleWait{250};
 // Shortest sleep without players, so that a flood of datagrams does not keep the server busy.
 constexpr std::chrono::milliseconds kMinIdleWait{2};
 constexpr std::chrono::milliseconds kFarewellTime{500};
@@ -126,7 +125,10 @@ void DedicatedServer::step(TimePoint now) {
   }
   send(now);
   logRejected(now);
-  if (ticks) tickTimes_.add(steadyNow() - begun);
+  if (!ticks) return;
+  const std::chrono::nanoseconds time = steadyNow() - begun;
+  tickTimes_.add(time);
+  recentTickTimes_.add(time);
 }
 
 void DedicatedServer::receive(TimePoint now) {
@@ -151,6 +153,14 @@ void DedicatedServer::handle(const HostEvent& event, TimePoint now) {
   host_.close(event.client, momentOf(now));
 }
 
+void DedicatedServer::refuseBanned(const BanList& bans) {
+  host_.gate().setBanCheck([&bans](const IpAddress& address) -> std::optional<std::string> {
+    const auto time = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
+    const Ban* const ban = bans.find(address, time);
+    return ban ? std::optional(refusalOf(*ban)) : std::nullopt;
+  });
+}
+
 void DedicatedServer::send(TimePoint now) {
   for (const Outgoing& message : match_.takeOutgoing()) {
     host_.send(message.client, message.reliable, message.bytes);
@@ -158,7 +168,10 @@ void DedicatedServer::send(TimePoint now) {
   }
   host_.flush(momentOf(now));
   const std::vector<MatchEvent> events = match_.takeEvents();
-  for (const MatchEvent& event : events) write(log_, event);
+  for (const MatchEvent& event : events) {
+    write(log_, event);
+    desyncs_ += event.kind == MatchEvent::Kind::kDesync ? 1 : 0;
+  }
   if (!events.empty()) updateInfo();
   writeRecordings();
 }
@@ -194,7 +207,7 @@ void DedicatedServer::wait() {
     const TimePoint next = clock_.next();
     return std::this_thread::sleep_until(flooded_ ? std::min(next, steadyNow() + kFloodInterval) : next);
   }
-  host_.wait(kIdleWait);
+  host_.wait(idleWait_);
   std::this_thread::sleep_for(kMinIdleWait);
 }
 

@@ -7,7 +7,9 @@
 #include <string_view>
 #include <vector>
 
+#include "server/admin/ban_list.h"
 #include "server/app/log.h"
+#include "server/app/recent_tick_times.h"
 #include "server/app/recording_folder.h"
 #include "server/app/tick_clock.h"
 #include "server/app/tick_times.h"
@@ -46,6 +48,10 @@ class DedicatedServer {
   /// Plays these levels after the current one.
   void setLevels(std::vector<LevelPointer> levels) { match_.setLevels(std::move(levels)); }
   void setName(std::string_view name);
+  /// From now on refuses clients whose address is banned. The list must outlive the server.
+  void refuseBanned(const BanList& bans);
+  /// Longest sleep of `run` while the server has no players.
+  void setIdleWait(std::chrono::milliseconds wait) { idleWait_ = wait; }
 
   /// The port that it listens on.
   SocketAddress address() const { return host_.address(); }
@@ -55,14 +61,21 @@ class DedicatedServer {
   const Match& match() const { return match_; }
   /// All that was rejected so far, by reason; the last one is messages that were malformed.
   std::vector<Rejection> rejections() const;
+  Match& match() { return match_; }
   /// Number of malformed messages received.
   std::uint64_t malformedMessages() const { return malformedMessages_; }
   const Host& host() const { return host_; }
   /// Durations of the steps that ran a tick: receiving, advancing the game, sending.
   const TickTimes& tickTimes() const { return tickTimes_; }
+  TickTimes recentTickTimes() const { return recentTickTimes_.all(); }
+  /// Games of clients that differed from the server's so far.
+  std::uint64_t desyncs() const { return desyncs_; }
+
+  static constexpr std::chrono::milliseconds kIdleWait{250};
 
  private:
-  // Sleeps until the next tick is due or, without players, until a datagram or a signal arrives or 250 ms have passed.
+  // Sleeps until the next tick is due or, without players, until a datagram or a signal arrives or idleWait_ has
+  // passed. In a flood it sleeps only shortly.
   void wait();
   void receive(TimePoint now);
   void handle(const HostEvent& event, TimePoint now);
@@ -83,6 +96,9 @@ class DedicatedServer {
   std::vector<Rejection> logged_;         // at the last logRejected
   TimePoint nextLogAt_;
   TickTimes tickTimes_;
+  RecentTickTimes recentTickTimes_;
+  std::uint64_t desyncs_ = 0;
+  std::chrono::milliseconds idleWait_ = kIdleWait;
 };
 
 }  // namespace platon

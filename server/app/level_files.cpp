@@ -1,15 +1,13 @@
 #include "server/app/level_files.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <filesystem>
-#include <memory>
+#include <utility>
 
 #include "platon/game/diagnostics.h"
 #include "platon/game/level.h"
 #include "protocol/program_error.h"
+#include "server/base/text_file.h"
 
 namespace platon {
 namespace {
@@ -19,18 +17,11 @@ namespace fs = std::filesystem;
 // Most errors and warnings reported of one file: a file with thousands would flood the log.
 constexpr std::size_t kMaxDiagnosticsPerFile = 100;
 
-// Reads at most one byte more than a level may have: enough for loadLevel to refuse it.
-std::string readFile(const std::string& path) {
-  const auto close = [](std::FILE* file) { std::fclose(file); };
-  const std::unique_ptr<std::FILE, decltype(close)> file(std::fopen(path.c_str(), "rb"), close);
-  std::string content;
-  if (file) {
-    content.resize(kMaxLevelBytes + 1);
-    content.resize(std::fread(content.data(), 1, content.size(), file.get()));
-  }
-  if (file && std::ferror(file.get()) == 0) return content;
-  throw ProgramError(ProgramError::kUsage,
-                     "cannot read the level '" + path + "': " + std::strerror(errno) + "; name an existing level file");
+std::string readLevel(const std::string& path) {
+  auto text = readTextFile(path, kMaxLevelBytes);
+  if (auto* content = std::get_if<std::string>(&text)) return std::move(*content);
+  throw ProgramError(ProgramError::kUsage, "cannot read the level '" + path + "': " + std::get<ParseError>(text).what +
+                                               "; name an existing level file");
 }
 
 std::vector<std::string> levelFilesIn(const fs::path& folder) {
@@ -69,7 +60,7 @@ LoadedLevels loadLevelFiles(const std::vector<std::string>& paths) {
   LoadedLevels loaded;
   bool valid = true;
   for (const std::string& path : paths) {
-    const LevelResult result = loadLevel(readFile(path));
+    const LevelResult result = loadLevel(readLevel(path));
     report(path, result.diagnostics, loaded.warnings);
     valid = valid && result.level;
     loaded.levels.push_back(result.level);

@@ -4,16 +4,18 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
-#include <sstream>
+#include <iostream>
 #include <string>
 
 #include "protocol/program_error.h"
 #include "protocol/transport/udp_socket.h"
+#include "server/admin/console_client.h"
+#include "server/admin/console_socket.h"
 #include "server/app/async_line_writer.h"
-#include "server/app/dedicated_server.h"
-#include "server/app/identity_file.h"
-#include "server/app/level_files.h"
-#include "server/app/server_options.h"
+#include "server/app/command_line.h"
+#include "server/app/config_check.h"
+#include "server/app/option_table.h"
+#include "server/app/server_program.h"
 
 namespace platon {
 namespace {
@@ -28,63 +30,54 @@ void onSignal(int signal, void (*handler)(int)) {
   sigaction(signal, &action, nullptr);
 }
 
-ServerSettings settingsOf(const ServerOptions& options) {
-  ServerSettings settings;
-  settings.bind = options.bind;
-  settings.port = options.port;
-  settings.playersPerAddress = options.maxPerAddress;
-  settings.match.maxPlayers = options.maxPlayers;
-  settings.match.serverName = options.name;
-  settings.recordings = options.record;
-  return settings;
-}
-
-std::vector<LevelPointer> levelsOf(const ServerOptions& options, Log& log) {
-  LoadedLevels loaded = loadLevelFiles(options.levels.empty() ? shippedLevelFiles() : options.levels);
-  for (const std::string& warning : loaded.warnings) log.warning(warning);
-  return std::move(loaded.levels);
-}
-
-void reload(DedicatedServer& server, ServerOptions& options, int argc, char** argv) {
-  try {
-    const ServerOptions fresh = *readOptions(argc, argv);
-    server.setLevels(levelsOf(fresh, server.log()));
-    server.setName(fresh.name);
-    server.log().setFormat(fresh.logFormat);
-    const bool same = fresh.bind == options.bind && fresh.port == options.port &&
-                      fresh.maxPlayers == options.maxPlayers && fresh.maxPerAddress == options.maxPerAddress &&
-                      fresh.record == options.record;
-    server.log().info(same ? "configuration and levels reloaded"
-                           : "configuration and levels reloaded; restart the server to change address, port, player "
-                             "limits and recordings");
-  } catch (const ProgramError& error) {
-    std::istringstream errors(error.what());
-    for (std::string line; std::getline(errors, line);) server.log().warning(line);
-    server.log().warning("configuration and levels not reloaded");
-  }
-}
-
-int serve(int argc, char** argv) {
-  auto options = readOptions(argc, argv);
-  if (!options) return 0;
+int serve(const CommandLine& line) {
   AsyncLineWriter errors(STDERR_FILENO);
-  Log log(options->logFormat, [&errors](std::string_view line) { errors.write(line); });
-  ServerSettings settings = settingsOf(*options);
-  settings.identity = loadIdentity("", log);
-  DedicatedServer server(settings, levelsOf(*options, log), log);
+  ServerProgram program(line, [&errors](std::string_view text) { errors.write(text); });
   onSignal(SIGTERM, [](int) { stopRequested = 1; });
   onSignal(SIGINT, [](int) { stopRequested = 1; });
   onSignal(SIGHUP, [](int) { reloadRequested = 1; });
-  server.log().info("listening on " + server.address().text());
-  server.run([&] {
+  program.announce();
+  program.run([&] {
     if (reloadRequested != 0) {
       reloadRequested = 0;
-      reload(server, *options, argc, argv);
+      program.reload();
     }
-    if (const std::uint64_t lines = errors.takeDropped()) server.log().warning("log lines dropped", {{"lines", lines}});
+    if (const std::uint64_t lines = errors.takeDropped()) {
+      program.server().log().warning("log lines dropped", {{"lines", lines}});
+    }
     return stopRequested != 0;
   });
   return 0;
+}
+
+int openConsole(const CommandLine& line) {
+  const std::string socket = optionsOf(line).socket;
+  const bool interactive = isatty(STDIN_FILENO) != 0;
+  return runConsole(socket.empty() ? defaultConsolePath() : socket, {std::cin, std::cout, std::cerr, interactive});
+}
+
+int reportConfig(const CommandLine& line) {
+  const ConfigCheck check = checkConfig(line);
+  for (const std::string& error : check.errors) std::cerr << error << '\n';
+  if (check.exitCode == 0) std::cout << check.summary << '\n';
+  return check.exitCode;
+}
+
+int runTask(int argc, char** argv) {
+  const auto line = readCommandLine(argc, argv);
+  if (!line) return 0;
+  switch (line->task) {
+    case ServerTask::kServe:
+      return serve(*line);
+    case ServerTask::kConsole:
+      return openConsole(*line);
+    case ServerTask::kPrintConfig:
+      std::cout << printedConfig();
+      return 0;
+    case ServerTask::kCheckConfig:
+      return reportConfig(*line);
+  }
+  return ProgramError::kUsage;
 }
 
 int fail(int exitCode, const std::string& prefix, const char* what) {
@@ -99,7 +92,7 @@ int main(int argc, char** argv) {
   using platon::ProgramError;
   signal(SIGPIPE, SIG_IGN);  // an error message that nobody reads must not change the exit code
   try {
-    return platon::serve(argc, argv);
+    return platon::runTask(argc, argv);
   } catch (const ProgramError& error) {
     const bool level = error.exitCode() == ProgramError::kLevel;
     return platon::fail(error.exitCode(), level ? "" : "platon-server: ", error.what());

@@ -27,6 +27,14 @@ void TickTimes::add(std::chrono::nanoseconds time) {
   ++ticks_[bucketOf(microseconds)];
   ++count_;
   longest_ = std::max(longest_, microseconds);
+  sum_ += microseconds;
+}
+
+void TickTimes::add(const TickTimes& other) {
+  for (std::size_t bucket = 0; bucket < kBuckets; ++bucket) ticks_[bucket] += other.ticks_[bucket];
+  count_ += other.count_;
+  longest_ = std::max(longest_, other.longest_);
+  sum_ += other.sum_;
 }
 
 std::uint64_t TickTimes::quantile(double share) const {

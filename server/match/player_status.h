@@ -15,7 +15,7 @@ struct PlayerStatus {
   std::string shownName;  ///< by which the other players know it
   bool muted = false;
   std::optional<ClientId> client;  ///< nothing while the player is disconnected
-  std::uint32_t origin = 0;        ///< as passed to `Match::receive`
+  std::uint64_t origin = 0;        ///< as passed to `Match::receive`
   std::uint64_t missedInputs = 0;  ///< of this round
 
   friend bool operator==(const PlayerStatus&, const PlayerStatus&) = default;

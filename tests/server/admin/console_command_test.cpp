@@ -9,6 +9,7 @@
 #include "protocol/limits.h"
 #include "server/admin/ban_list.h"
 #include "server/base/utc_time.h"
+#include "tests/support/files.h"
 
 namespace platon {
 namespace {
@@ -123,6 +124,17 @@ TEST(ConsoleCommand, TheHelpListsEveryCommandOnce) {
   }
   EXPECT_EQ(names, (std::vector<std::string>{"status", "players", "kick", "ban", "unban", "bans", "mute", "unmute",
                                              "say", "next", "reload", "stop", "help"}));
+}
+
+TEST(HostingPage, ListsEveryCommandWithItsArguments) {
+  const std::string page = readText("docs/hosting.md");
+  for (const ConsoleCommandHelp& one : consoleCommands()) {
+    std::string row = "| `" + std::string(one.name);
+    for (const char byte : " " + std::string(one.arguments))
+      row += byte == '|' ? std::string("\\|") : std::string(1, byte);
+    if (one.arguments.empty()) row.pop_back();
+    EXPECT_NE(page.find(row + "` | "), std::string::npos) << row;
+  }
 }
 
 // Any line is either refused with a printable sentence or gives values that the rest of the server accepts.

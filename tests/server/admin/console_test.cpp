@@ -15,7 +15,7 @@ constexpr std::size_t kMany = Console::kMaxBansListed + 50;
 
 class ConsoleTest : public testing::Test {
  protected:
-  void join(ClientId client, const std::string& name, std::uint32_t origin = 0) {
+  void join(ClientId client, const std::string& name, std::uint64_t origin = 0) {
     Hello hello;
     hello.name = name;
     hello.token = SessionToken{static_cast<std::uint8_t>(client)};

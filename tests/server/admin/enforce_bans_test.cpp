@@ -22,7 +22,7 @@ class EnforceBansTest : public testing::Test {
     match_.takeOutgoing();
   }
 
-  void join(ClientId client, std::uint32_t origin) {
+  void join(ClientId client, std::uint64_t origin) {
     Hello hello;
     hello.token = SessionToken{static_cast<std::uint8_t>(client)};
     match_.receive(client, hello, origin);

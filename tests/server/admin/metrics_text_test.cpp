@@ -8,6 +8,8 @@
 #include <set>
 #include <sstream>
 
+#include "tests/support/files.h"
+
 namespace platon {
 namespace {
 
@@ -135,6 +137,14 @@ TEST(MetricsText, LeavesOutWhatIsNotMeasured) {
   const TextFormat text(formatMetrics(metrics));
   for (const char* name : {"platon_received_bytes_total", "platon_sent_bytes_total", "platon_drops_total"}) {
     EXPECT_FALSE(text.types.contains(name)) << name;
+  }
+}
+
+TEST(HostingPage, ListsEveryMetricWithItsType) {
+  const std::string page = readText("docs/hosting.md");
+  const TextFormat text(formatMetrics(sample()));
+  for (const auto& [name, type] : text.types) {
+    EXPECT_NE(page.find("| `" + name + "` | " + type + " | "), std::string::npos) << name;
   }
 }
 

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "protocol/program_error.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 
@@ -13,20 +12,17 @@ class ConfigFileTest : public testing::Test {
  protected:
   ServerOptions read(const std::string& text, ServerOptions options = {}) const {
     writeText(file_, text);
-    readConfigFile(file_, options);
+    EXPECT_EQ(readConfigFile(file_, options), std::vector<std::string>{});
     return options;
   }
 
-  // The error message after the file's name.
-  std::string errorOf(const std::string& text) const {
-    try {
-      read(text);
-      return "none";
-    } catch (const ProgramError& error) {
-      EXPECT_EQ(error.exitCode(), ProgramError::kUsage);
-      const std::string what = error.what();
-      return what.starts_with(file_) ? what.substr(file_.size()) : what;
-    }
+  // The one error message after the file's name.
+  static std::string errorOf(const std::string& text) {
+    ServerOptions options;
+    const std::vector<std::string> errors = readConfig(text, "file", options);
+    EXPECT_EQ(errors.size(), 1u);
+    EXPECT_EQ(options, ServerOptions{});
+    return errors.empty() ? "none" : errors.front().substr(4);
   }
 
   const TemporaryFolder folder_;
@@ -34,10 +30,20 @@ class ConfigFileTest : public testing::Test {
 };
 
 TEST_F(ConfigFileTest, ReadsEveryKey) {
-  const ServerOptions expected{
-      {folder_ / "a.level", "/b.level"}, "127.0.0.1", 1234, 5, 6, "Ours", LogFormat::kJson, folder_ / "games"};
+  const ServerOptions expected{{folder_ / "a.level", "/b.level"},
+                               "127.0.0.1",
+                               1234,
+                               5,
+                               6,
+                               "Ours",
+                               LogFormat::kJson,
+                               folder_ / "games",
+                               folder_ / "bans.txt",
+                               "/run/s",
+                               "[::1]:9100"};
   EXPECT_EQ(read("levels = [\"a.level\", \"/b.level\"]\nport = 1234\nmax-players = 5\nmax-per-address = 6\n"
-                 "bind = \"127.0.0.1\"\nname = \"Ours\"\nlog-format = \"json\"\nrecord = \"games\"\n"),
+                 "bind = \"127.0.0.1\"\nname = \"Ours\"\nlog-format = \"json\"\nrecord = \"games\"\n"
+                 "ban-file = \"bans.txt\"\nsocket = \"/run/s\"\nmetrics = \"[::1]:9100\"\n"),
             expected);
 }
 
@@ -51,7 +57,10 @@ TEST_F(ConfigFileTest, KeysThatAreMissingKeepTheirValues) {
   EXPECT_EQ(read("", before), before);
 }
 
-TEST_F(ConfigFileTest, AnEmptyRecordMeansNoRecordings) { EXPECT_EQ(read("record = \"\"\n").record, ""); }
+// And is not the folder of the file.
+TEST_F(ConfigFileTest, AnEmptyPathStaysEmpty) {
+  EXPECT_EQ(read("record = \"\"\nban-file = \"\"\nsocket = \"\"\n"), ServerOptions{});
+}
 
 TEST_F(ConfigFileTest, TextIsTheDefaultAndANamedLogFormat) {
   ServerOptions json;
@@ -60,9 +69,9 @@ TEST_F(ConfigFileTest, TextIsTheDefaultAndANamedLogFormat) {
 }
 
 TEST_F(ConfigFileTest, ErrorsHaveALineAndAColumn) {
-  EXPECT_EQ(errorOf("port = 1\n  colour = 2\n"),
-            ":2:3: error: colour is not a key of the configuration; the keys are levels, bind, port, max-players, "
-            "max-per-address, name, log-format and record");
+  EXPECT_EQ(errorOf("port = 7777\n  colour = 2\n"),
+            ":2:3: error: 'colour' is not a key of the configuration; the keys are levels, bind, port, max-players, "
+            "max-per-address, name, log-format, record, ban-file, socket and metrics");
   EXPECT_EQ(errorOf("port = 65536"), ":1:8: error: port must be a whole number from 0 to 65535");
   EXPECT_EQ(errorOf("port = 1.5"), ":1:8: error: port must be a whole number from 0 to 65535");
   EXPECT_EQ(errorOf("max-players = 0"), ":1:15: error: max-players must be a whole number from 1 to 256");
@@ -70,24 +79,50 @@ TEST_F(ConfigFileTest, ErrorsHaveALineAndAColumn) {
   EXPECT_EQ(errorOf("max-per-address = 4001"), ":1:19: error: max-per-address must be a whole number from 1 to 4000");
   EXPECT_EQ(errorOf("name = 3"), ":1:8: error: name must be a string in quotes");
   EXPECT_EQ(errorOf("name = \"\\u0007\""),
-            ":1:8: error: name must be a string of at most 32 bytes without control characters");
+            ":1:8: error: name must be a text of at most 32 bytes without control characters");
   EXPECT_EQ(errorOf("levels = \"a\""), ":1:10: error: levels must be a list of files: [\"a.level\", \"b.level\"]");
   EXPECT_EQ(errorOf("levels = [1]"), ":1:11: error: levels must be a string in quotes");
   EXPECT_EQ(errorOf("record = true"), ":1:10: error: record must be a string in quotes");
   EXPECT_EQ(errorOf("log-format = \"xml\""), ":1:14: error: log-format must be \"text\" or \"json\"");
   EXPECT_EQ(errorOf("port = ").substr(0, 13), ":1:8: error: ");
+  EXPECT_EQ(errorOf("port = [1]"), ":1:8: error: port must be a whole number from 0 to 65535");
+  EXPECT_EQ(errorOf("name = [\"a\"]"), ":1:8: error: name must be a string in quotes");
+  EXPECT_EQ(errorOf("bind = \"here\""), ":1:8: error: bind must be an address of this machine, such as 0.0.0.0");
+  EXPECT_EQ(errorOf("metrics = \"9100\""),
+            ":1:11: error: metrics must be an address and a port, such as 127.0.0.1:9100 or [::1]:9100");
+  EXPECT_EQ(errorOf("[port]\n"), ":1:1: error: port must be a whole number from 0 to 65535");
 }
 
-TEST_F(ConfigFileTest, AMissingFileIsNamed) {
+TEST_F(ConfigFileTest, ReportsAllErrorsInTheOrderOfTheText) {
   ServerOptions options;
-  try {
-    readConfigFile("/no/such/file", options);
-    FAIL();
-  } catch (const ProgramError& error) {
-    const std::string what = error.what();
-    EXPECT_TRUE(what.starts_with("/no/such/file: error: ")) << what;
-    EXPECT_TRUE(what.ends_with("; name an existing file after --config")) << what;
+  EXPECT_EQ(readConfig("port = 65536\nname = 3\ncolour = 1\nmax-players = 5\nbind = 4\n", "f", options),
+            (std::vector<std::string>{"f:1:8: error: port must be a whole number from 0 to 65535",
+                                      "f:2:8: error: name must be a string in quotes",
+                                      "f:3:1: error: 'colour' is not a key of the configuration; the keys are levels, "
+                                      "bind, port, max-players, max-per-address, name, log-format, record, ban-file, "
+                                      "socket and metrics",
+                                      "f:5:8: error: bind must be a string in quotes"}));
+  EXPECT_EQ(options.maxPlayers, 5u);
+}
+
+TEST_F(ConfigFileTest, ErrorsAreLinesOfPrintableCharacters) {
+  for (const std::string text :
+       {"\"a\\nb\" = 1", "\"\\u202e\" = 1", "x = \x01", "\xff\xfe = 3", "a = \"\n", "\x1b[2J"}) {
+    ServerOptions options;
+    const std::vector<std::string> errors = readConfig(text, "file", options);
+    ASSERT_EQ(errors.size(), 1u);
+    for (const char byte : errors.front()) EXPECT_TRUE(byte >= ' ' && byte <= '~') << errors.front();
   }
+}
+
+TEST_F(ConfigFileTest, AFileThatCannotBeReadIsNamed) {
+  ServerOptions options;
+  EXPECT_EQ(readConfigFile("/no/such/file", options),
+            std::vector<std::string>{
+                "/no/such/file: error: No such file or directory; name an existing file after --config"});
+  writeText(file_, std::string(1024 * 1024 + 1, '\n'));
+  EXPECT_EQ(readConfigFile(file_, options),
+            std::vector<std::string>{file_ + ": error: the file has more than 1048576 bytes"});
 }
 
 }  // namespace

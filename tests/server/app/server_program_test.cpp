@@ -1,7 +1,15 @@
 #include <gtest/gtest.h>
+#include <ifaddrs.h>
+#include <netinet/in.h>
 #include <signal.h>
 
+#include <cstring>
+#include <filesystem>
+
+#include "protocol/transport/socket_address.h"
+#include "server/app/option_table.h"
 #include "tests/support/enet_client.h"
+#include "tests/support/environment_variable.h"
 #include "tests/support/files.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
@@ -48,16 +56,14 @@ TEST_F(ProgramTest, ListensAndTellsTheClientsWhenStopped) {
 TEST_F(ProgramTest, ReloadsLevelsOnHangUp) {
   Process server(platonCommand("platon-server", {level_, "--port", "0", "--bind", "127.0.0.1"}));
   server.nextErrorLine();
-  EXPECT_EQ(server.nextErrorLine(), "round started level=\"\"");
+  server.waitForError("round started level=\"\"");
   write("CUBE\n");
   server.signal(SIGHUP);
-  std::string line = server.nextErrorLine();
-  EXPECT_TRUE(line.starts_with(level_ + ":1:1: error: ")) << line;
-  while (line.starts_with(level_)) line = server.nextErrorLine();
-  EXPECT_EQ(line, "configuration and levels not reloaded");
+  server.waitForError(level_ + ":1:1: error: ");
+  server.waitForError("configuration and levels not reloaded");
   write(nearGoalText());
   server.signal(SIGHUP);
-  EXPECT_EQ(server.nextErrorLine(), "configuration and levels reloaded");
+  server.waitForError("configuration and levels reloaded");
   server.signal(SIGTERM);
   EXPECT_EQ(server.wait(), 0);
 }
@@ -77,8 +83,207 @@ TEST_F(ProgramTest, ExitCodesAreThoseOfTheManual) {
   ends({level_, "--port", "0", "--record", level_ + "/games"}, 2,
        "platon-server: cannot write recordings to '" + level_ + "/games': Not a directory; name another folder");
   ends({"/no/such.level"}, 2, "platon-server: cannot read the level '/no/such.level'");
+  ends({level_, "--metrics", "9100"}, 2, "platon-server: --metrics must be an address and a port, such as ");
+  ends({level_, "--port", "0", "--ban-file", "/no/such/bans"}, 2,
+       "platon-server: /no/such/bans: error: No such file or directory; name an existing ban file");
+  ends({level_, "--port", "0", "--socket", level_}, 2,
+       "platon-server: cannot open the console at '" + level_ + "': it is a file of another kind; name another path");
   write("CUBE\n");
   ends({level_}, 3, level_ + ":1:1: error: ");
+}
+
+/// A server with a console, a ban file and metrics.
+class ToolsTest : public ProgramTest {
+ protected:
+  ToolsTest() { writeText(bans_, "# mine\n"); }
+
+  void start(std::vector<std::string> arguments = {"--bind", "127.0.0.1"}) {
+    arguments.insert(arguments.end(),
+                     {level_, "--port", "0", "--socket", socket_, "--ban-file", bans_, "--metrics", "127.0.0.1:0"});
+    server_.emplace(platonCommand("platon-server", arguments));
+    port_ = portOf(server_->nextErrorLine());
+  }
+
+  // Runs the console with these lines.
+  ProcessResult console(const std::string& lines) const {
+    writeText(folder_ / "commands", lines);
+    ProcessOptions options;
+    options.inputFile = folder_ / "commands";
+    return runProcess(platonCommand("platon-server", {"--console", "--socket", socket_}), options);
+  }
+
+  const std::string socket_ = folder_ / "console.sock";
+  const std::string bans_ = folder_ / "bans.txt";
+  std::optional<Process> server_;
+  std::uint16_t port_ = 0;
+};
+
+TEST_F(ToolsTest, TheConsoleControlsTheServer) {
+  start();
+  server_->waitForError("console on " + socket_);
+  EnetClient ann(port_, FakeClient("Ann", 8, [](std::uint32_t) { return 0; }));
+  const auto step = [&ann] { ann.step(); };
+  ASSERT_TRUE(stepUntil(step, [&ann] { return ann.fake().confirmed() >= 10; }));
+  const ProcessResult players = console("players\nkick 1 too loud\n");
+  EXPECT_EQ(players.exitCode, 0);
+  EXPECT_TRUE(players.output.starts_with("1  this machine  \"Ann\"")) << players.output;
+  EXPECT_TRUE(players.output.ends_with("\nremoved player 1 (Ann)\n")) << players.output;
+  server_->waitForError("console command=\"kick 1 too loud\"");
+  ASSERT_TRUE(stepUntil(step, [&ann] { return ann.disconnected(); }));
+  EXPECT_EQ(ann.fake().bye()->reason, "you were removed by the operator of the server: too loud");
+}
+
+TEST_F(ToolsTest, AFailedCommandGivesExitCode1) {
+  start();
+  const ProcessResult result = console("kick 9\nstatus\n");
+  EXPECT_EQ(result.exitCode, 1);
+  EXPECT_EQ(result.errors, "error: there is no player '9': the command players lists all\n");
+  EXPECT_TRUE(result.output.starts_with("server: Platon\naddress: 127.0.0.1:" + std::to_string(port_) + "\n"));
+}
+
+TEST_F(ToolsTest, TheConsoleStopsTheServer) {
+  start();
+  EXPECT_EQ(console("stop\n").output, "the server stops\n");
+  EXPECT_EQ(server_->wait(), 0);
+  EXPECT_FALSE(std::filesystem::exists(socket_));
+  const ProcessResult result = console("status\n");
+  EXPECT_EQ(result.exitCode, 1);
+  EXPECT_TRUE(result.errors.starts_with("platon-server: no server answers at '" + socket_ + "'")) << result.errors;
+}
+
+TEST_F(ToolsTest, TheConsoleReloads) {
+  start();
+  write("CUBE\n");
+  const ProcessResult broken = console("reload\n");
+  EXPECT_EQ(broken.exitCode, 1);
+  EXPECT_TRUE(broken.errors.starts_with("error: " + level_ + ":1:1: error: ")) << broken.errors;
+  EXPECT_TRUE(broken.errors.ends_with("\nconfiguration and levels not reloaded\n")) << broken.errors;
+  write(nearGoalText());
+  EXPECT_EQ(console("reload\n").output, "configuration and levels reloaded\n");
+}
+
+TEST_F(ToolsTest, AReloadReadsTheBansAgainAndKeepsThemOnAnError) {
+  start();
+  writeText(bans_, "192.0.2.7\n");
+  EXPECT_EQ(console("reload\nbans\n").output, "configuration and levels reloaded\n192.0.2.7\n");
+  writeText(bans_, "192.0.2.8\nAnn\n");
+  EXPECT_TRUE(console("reload\n").errors.starts_with("error: " + bans_ + ":2:1: error: "));
+  EXPECT_EQ(console("bans\n").output, "192.0.2.7\n");
+}
+
+TEST_F(ToolsTest, AReloadNamesWhatWaitsForARestart) {
+  const std::string config = folder_ / "server.toml";
+  writeText(config, "name = \"One\"\n");
+  start({"--bind", "127.0.0.1", "--config", config});
+  writeText(config, "name = \"Two\"\nmax-players = 5\nrecord = \"games\"\n");
+  EXPECT_EQ(console("reload\n").output,
+            "configuration and levels reloaded; restart the server to change max-players, record\n");
+  EXPECT_TRUE(console("status\n").output.starts_with("server: Two\n"));
+}
+
+TEST_F(ToolsTest, ABanIsWrittenToTheFile) {
+  start();
+  EXPECT_EQ(console("ban 192.0.2.0/24 too loud\n").exitCode, 0);
+  EXPECT_TRUE(waitUntil([this] { return readText(bans_) == "# mine\n192.0.2.0/24 too loud\n"; }));
+}
+
+// An address of this machine that is not loopback, which cannot be banned; nothing if it has none.
+std::optional<IpAddress> publicAddress() {
+  ifaddrs* all = nullptr;
+  std::optional<IpAddress> found;
+  if (getifaddrs(&all) != 0) return found;
+  for (const ifaddrs* one = all; one; one = one->ifa_next) {
+    if (!one->ifa_addr || one->ifa_addr->sa_family != AF_INET) continue;
+    IpAddress address = *IpAddress::parse("0.0.0.0");
+    std::memcpy(&address.bytes[12], &reinterpret_cast<const sockaddr_in*>(one->ifa_addr)->sin_addr, 4);
+    if (address.bytes[12] != 127) found = address;
+  }
+  freeifaddrs(all);
+  return found;
+}
+
+TEST_F(ToolsTest, ABannedAddressCannotJoin) {
+  const auto address = publicAddress();
+  if (!address) GTEST_SKIP() << "this machine has no address but loopback";
+  start();
+  server_.reset();
+  start({"--bind", address->text()});
+  EXPECT_EQ(console("ban " + address->text() + " too loud\n").exitCode, 0);
+  const ProcessResult bot = runProcess(
+      platonCommand("platon-bot", {address->text() + ":" + std::to_string(port_), "--count", "1", "--seconds", "5"}));
+  EXPECT_EQ(bot.exitCode, 1);
+  EXPECT_NE(bot.errors.find("you are banned from this server: too loud"), std::string::npos) << bot.errors;
+  server_->waitForError("refused client=1 reason=\"you are banned from this server: too loud\"");
+}
+
+TEST_F(ToolsTest, TheMetricsAreServed) {
+  start();
+  const std::string metrics = server_->waitForError("metrics on ");
+  const ProcessResult answer = runProcess({"bash", "-c",
+                                           "exec 3<>/dev/tcp/127.0.0.1/\"$0\" && printf "
+                                           "'GET /metrics HTTP/1.1\\r\\n\\r\\n' >&3 && cat <&3",
+                                           metrics.substr(metrics.find(':') + 1)});
+  EXPECT_EQ(answer.exitCode, 0) << answer.errors;
+  EXPECT_TRUE(answer.output.starts_with("HTTP/1.1 200 OK\r\nContent-Type: text/plain; version=0.0.4\r\n"));
+  EXPECT_NE(answer.output.find("\nplaton_players{state=\"connected\"} 0\n"), std::string::npos) << answer.output;
+  EXPECT_NE(answer.output.find("\nplaton_players_limit 16\n"), std::string::npos) << answer.output;
+  EXPECT_NE(answer.output.find(",name=\"Platon\"} 1\n"), std::string::npos) << answer.output;
+}
+
+TEST_F(ToolsTest, TheSecondServerOfADefaultPathRunsWithoutAConsole) {
+  const EnvironmentVariable runtime("XDG_RUNTIME_DIR", folder_.path().string());
+  const std::vector<std::string> arguments{level_, "--bind", "127.0.0.1", "--port", "0"};
+  Process first(platonCommand("platon-server", arguments));
+  const std::string path = folder_ / "platon-server.sock";
+  first.waitForError("console on " + path);
+  Process second(platonCommand("platon-server", arguments));
+  second.waitForError("listening on ");
+  second.waitForError("no console: cannot open the console at '" + path +
+                      "': another server uses it; name another path after --socket");
+  second.signal(SIGTERM);
+  EXPECT_EQ(second.wait(), 0);
+  ProcessOptions nothingToDo;
+  nothingToDo.inputFile = "/dev/null";
+  EXPECT_EQ(runProcess(platonCommand("platon-server", {"--console"}), nothingToDo).exitCode, 0);
+  Process third(platonCommand("platon-server", {level_, "--bind", "127.0.0.1", "--port", "0", "--socket", path}));
+  EXPECT_EQ(third.wait(), 2);
+}
+
+TEST_F(ToolsTest, AKilledServerLeavesNoObstacle) {
+  start();
+  server_->signal(SIGKILL);
+  server_->wait();
+  EXPECT_TRUE(std::filesystem::exists(socket_));
+  start();
+  EXPECT_EQ(console("status\n").exitCode, 0);
+}
+
+TEST_F(ProgramTest, PrintsAConfigurationThatItAccepts) {
+  const ProcessResult printed = runProcess(platonCommand("platon-server", {"--print-config"}));
+  EXPECT_EQ(printed.exitCode, 0);
+  EXPECT_EQ(printed.output, printedConfig());
+  const std::string file = folder_ / "server.toml";
+  writeText(file, printed.output);
+  const ProcessResult checked = runProcess(platonCommand("platon-server", {"--check-config", "--config", file}));
+  EXPECT_EQ(checked.exitCode, 0) << checked.errors;
+  EXPECT_TRUE(checked.output.starts_with("levels: ")) << checked.output;
+}
+
+TEST_F(ProgramTest, CheckingAConfigurationPrintsEveryError) {
+  write("CUBE\n");
+  const std::string file = folder_ / "server.toml";
+  writeText(file, "port = 70000\ncolour = 1\n");
+  const auto check = [&](const std::vector<std::string>& arguments) {
+    std::vector<std::string> all{"--check-config"};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    return runProcess(platonCommand("platon-server", all));
+  };
+  const ProcessResult both = check({"--config", file, level_});
+  EXPECT_EQ(both.exitCode, 2);
+  for (const std::string& start : {file + ":1:8: error: ", file + ":2:1: error: ", level_ + ":1:1: error: "}) {
+    EXPECT_NE(("\n" + both.errors).find("\n" + start), std::string::npos) << both.errors;
+  }
+  EXPECT_EQ(check({level_}).exitCode, 3);
 }
 
 }  // namespace

@@ -56,5 +56,24 @@ TEST(TickTimes, TheLongestIsAlwaysExact) {
   EXPECT_EQ(times.count(), 2u);
 }
 
+TEST(TickTimes, TheSumIsThatOfAllDurations) {
+  TickTimes times;
+  for (const int time : {3, 1000, 2'000'000}) times.add(microseconds(time));
+  EXPECT_EQ(times.sum(), 2'001'003u);
+}
+
+TEST(TickTimes, AddingAnotherHistogramIsAddingItsDurations) {
+  TickTimes one, two, all;
+  for (int i = 0; i < 100; ++i) {
+    (i % 3 == 0 ? one : two).add(microseconds(i * i));
+    all.add(microseconds(i * i));
+  }
+  one.add(two);
+  EXPECT_EQ(one.count(), all.count());
+  EXPECT_EQ(one.sum(), all.sum());
+  EXPECT_EQ(one.longest(), all.longest());
+  for (const double share : {0.1, 0.5, 0.9, 1.0}) EXPECT_EQ(one.quantile(share), all.quantile(share));
+}
+
 }  // namespace
 }  // namespace platon

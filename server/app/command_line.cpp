@@ -1,0 +1,116 @@
+#include "server/app/command_line.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <utility>
+
+#include "platon_version.h"
+#include "protocol/program_error.h"
+#include "server/app/config_file.h"
+#include "server/app/option_table.h"
+
+namespace platon {
+namespace {
+
+[[noreturn]] void refuse(std::string why) {
+  std::replace(why.begin(), why.end(), '\n', ' ');
+  throw ProgramError(ProgramError::kUsage, why + " (see platon-server --help)");
+}
+
+// The words of the command line, before their values are checked.
+struct Words {
+  std::string config;
+  std::vector<std::string> levels;
+  std::vector<std::optional<std::string>> values;  // of the options in the order of the table
+  bool console = false;
+  bool printConfig = false;
+  bool checkConfig = false;
+};
+
+std::string helpOf(const ServerOption& option) {
+  const OptionValue byDefault = valueOf(option, ServerOptions{});
+  std::string help = std::string(option.help) + "; default";
+  if (const auto* number = std::get_if<std::int64_t>(&byDefault)) return help + " " + std::to_string(*number);
+  const auto* text = std::get_if<std::string>(&byDefault);
+  return text && !text->empty() ? help + " " + *text : help + ": " + std::string(option.whenEmpty);
+}
+
+void declare(CLI::App& app, Words& words) {
+  app.set_version_flag("--version", "platon-server " + std::string(kVersion));
+  words.values.resize(serverOptions().size());
+  for (std::size_t i = 0; i < words.values.size(); ++i) {
+    const ServerOption& option = serverOptions()[i];
+    if (option.name == kLevelsOption)
+      app.add_option(std::string(option.placeholder), words.levels, helpOf(option));
+    else
+      app.add_option("--" + std::string(option.name), words.values[i], helpOf(option))
+          ->type_name(std::string(option.placeholder));
+  }
+  app.add_option("--config", words.config, "Configuration file (docs/hosting.md); command-line options override it")
+      ->type_name("FILE");
+  auto* console = app.add_flag("--console", words.console, "Give commands to the server that runs on this machine");
+  auto* print = app.add_flag("--print-config", words.printConfig, "Print a configuration file with all defaults");
+  auto* check =
+      app.add_flag("--check-config", words.checkConfig, "Check the configuration and the files that it names");
+  console->excludes(print)->excludes(check);
+  print->excludes(check);
+}
+
+CommandLine checked(Words words) {
+  CommandLine line;
+  if (words.console) line.task = ServerTask::kConsole;
+  if (words.printConfig) line.task = ServerTask::kPrintConfig;
+  if (words.checkConfig) line.task = ServerTask::kCheckConfig;
+  line.config = std::move(words.config);
+  for (std::size_t i = 0; i < words.values.size(); ++i) {
+    const ServerOption& option = serverOptions()[i];
+    const bool levels = option.name == kLevelsOption && !words.levels.empty();
+    if (!levels && !words.values[i]) continue;
+    const auto error = levels ? setOption(option, OptionValue(words.levels), line.given)
+                              : setOption(option, *words.values[i], line.given);
+    if (error) refuse("--" + std::string(option.name) + " " + error->what);
+    line.names.emplace_back(option.name);
+  }
+  return line;
+}
+
+}  // namespace
+
+std::optional<CommandLine> readCommandLine(int argc, const char* const* argv) {
+  CLI::App app("The dedicated server of Platon.", "platon-server");
+  Words words;
+  declare(app, words);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() != 0) refuse(error.what());
+    app.exit(error);
+    return std::nullopt;
+  }
+  return checked(std::move(words));
+}
+
+OptionsResult readOptions(const CommandLine& line) {
+  OptionsResult result;
+  if (!line.config.empty()) result.errors = readConfigFile(line.config, result.options);
+  for (const ServerOption& option : serverOptions()) {
+    const bool given = std::find(line.names.begin(), line.names.end(), option.name) != line.names.end();
+    if (given) setOption(option, valueOf(option, line.given), result.options);
+  }
+  return result;
+}
+
+ServerOptions optionsOf(const CommandLine& line) {
+  OptionsResult result = readOptions(line);
+  if (!result.errors.empty()) throw ProgramError(ProgramError::kUsage, summaryOf(result.errors));
+  return std::move(result.options);
+}
+
+std::string summaryOf(const std::vector<std::string>& errors) {
+  const std::size_t more = errors.size() - 1;
+  return more == 0 ? errors.front()
+                   : errors.front() + " (and " + std::to_string(more) + " more: --check-config lists all)";
+}
+
+}  // namespace platon

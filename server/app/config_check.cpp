@@ -1,0 +1,67 @@
+#include "server/app/config_check.h"
+
+#include <sstream>
+#include <utility>
+
+#include "protocol/program_error.h"
+#include "server/admin/ban_store.h"
+#include "server/app/level_files.h"
+
+namespace platon {
+namespace {
+
+/// Collects what is wrong.
+class Checker {
+ public:
+  void add(int exitCode, const std::string& lines) {
+    check_.exitCode = exitCode == ProgramError::kUsage || check_.exitCode == 0 ? exitCode : check_.exitCode;
+    std::istringstream stream(lines);
+    for (std::string line; std::getline(stream, line);) check_.errors.push_back(line);
+  }
+
+  // One by one, so that an unreadable file does not hide the errors of the next ones.
+  void checkLevels(const std::vector<std::string>& paths) {
+    for (const std::string& path : paths) {
+      try {
+        const LoadedLevels loaded = loadLevelFiles({path});
+        check_.errors.insert(check_.errors.end(), loaded.warnings.begin(), loaded.warnings.end());
+      } catch (const ProgramError& error) {
+        add(error.exitCode(), error.what());
+      }
+    }
+    check_.summary = "levels: " + std::to_string(paths.size());
+  }
+
+  void checkBans(const std::string& path) {
+    if (path.empty()) return;
+    const auto read = readBanFile(path);
+    if (const auto* list = std::get_if<BanList>(&read)) {
+      check_.summary += ", bans: " + std::to_string(list->size());
+      return;
+    }
+    for (const std::string& error : std::get<std::vector<std::string>>(read)) add(ProgramError::kUsage, error);
+  }
+
+  ConfigCheck take() { return std::move(check_); }
+
+ private:
+  ConfigCheck check_;
+};
+
+}  // namespace
+
+ConfigCheck checkConfig(const CommandLine& line) {
+  Checker checker;
+  const OptionsResult read = readOptions(line);
+  for (const std::string& error : read.errors) checker.add(ProgramError::kUsage, error);
+  const ServerOptions& options = read.options;
+  try {
+    checker.checkLevels(options.levels.empty() ? shippedLevelFiles() : options.levels);
+  } catch (const ProgramError& error) {
+    checker.add(error.exitCode(), error.what());
+  }
+  checker.checkBans(options.banFile);
+  return checker.take();
+}
+
+}  // namespace platon

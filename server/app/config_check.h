@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "server/app/command_line.h"
+
+namespace platon {
+
+/// What `--check-config` reports.
+struct ConfigCheck {
+  int exitCode = 0;                 ///< of ProgramError: kUsage if any error is not one of a level, otherwise kLevel
+  std::vector<std::string> errors;  ///< and warnings of levels, a line each
+  std::string summary;              ///< if there is no error
+};
+
+/// Reads the configuration and all files that it names: levels and bans. Opens no socket and changes no file.
+ConfigCheck checkConfig(const CommandLine& line);
+
+}  // namespace platon

@@ -1,0 +1,34 @@
+#include "server/app/server_metrics.h"
+
+#include "platon_version.h"
+
+namespace platon {
+namespace {
+
+std::vector<Metrics::Drop> dropsOf(const DedicatedServer& server) {
+  std::vector<Metrics::Drop> drops;
+  for (const Rejection& each : server.rejections()) drops.push_back({each.reason, each.count});
+  return drops;
+}
+
+}  // namespace
+
+Metrics metricsOf(const DedicatedServer& server) {
+  Metrics metrics;
+  metrics.version = kVersion;
+  for (const PlayerStatus& player : server.match().playerStatus()) {
+    ++(player.client ? metrics.connectedPlayers : metrics.disconnectedPlayers);
+  }
+  const TickTimes recent = server.recentTickTimes();
+  metrics.tickCount = server.tickTimes().count();
+  metrics.tickSumUs = server.tickTimes().sum();
+  metrics.tickP50Us = recent.quantile(0.5);
+  metrics.tickP99Us = recent.quantile(0.99);
+  metrics.tickMaxUs = recent.longest();
+  metrics.missedInputs = server.match().missedInputs();
+  metrics.desyncs = server.desyncs();
+  metrics.drops = dropsOf(server);
+  return metrics;
+}
+
+}  // namespace platon

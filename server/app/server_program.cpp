@@ -1,0 +1,179 @@
+#include "server/app/server_program.h"
+
+#include <sstream>
+#include <utility>
+
+#include "protocol/program_error.h"
+#include "protocol/transport/secret_file.h"
+#include "server/admin/enforce_bans.h"
+#include "server/app/identity_file.h"
+#include "server/app/level_files.h"
+#include "server/app/option_table.h"
+#include "server/app/server_metrics.h"
+
+namespace platon {
+namespace {
+
+// Longest time until a command or a request is answered, with one that has been connected for that long.
+constexpr std::chrono::milliseconds kWatchedWait{10};
+
+TimePoint steadyNow() { return std::chrono::steady_clock::now(); }
+UtcTime utcNow() { return std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now()); }
+
+ServerSettings settingsOf(const ServerOptions& options, Log& log) {
+  ServerSettings settings;
+  settings.bind = options.bind;
+  settings.port = options.port;
+  settings.playersPerAddress = options.maxPerAddress;
+  settings.identity = loadIdentity(options.keyFile, log);
+  if (!options.passwordFile.empty()) settings.password = readPasswordFile(options.passwordFile);
+  settings.match.maxPlayers = options.maxPlayers;
+  settings.match.serverName = options.name;
+  settings.recordings = options.record;
+  return settings;
+}
+
+std::vector<LevelPointer> levelsOf(const ServerOptions& options, Log& log) {
+  LoadedLevels loaded = loadLevelFiles(options.levels.empty() ? shippedLevelFiles() : options.levels);
+  for (const std::string& warning : loaded.warnings) log.warning(warning);
+  return std::move(loaded.levels);
+}
+
+BanList readBans(const std::string& path) {
+  if (path.empty()) return {};
+  auto read = readBanFile(path);
+  if (auto* list = std::get_if<BanList>(&read)) return std::move(*list);
+  throw ProgramError(ProgramError::kUsage, summaryOf(std::get<std::vector<std::string>>(read)));
+}
+
+BanStore banStoreOf(const std::string& path) { return path.empty() ? BanStore() : BanStore(path, readBans(path)); }
+
+std::unique_ptr<MetricsServer> metricsServerOf(const std::string& address) {
+  return address.empty() ? nullptr : std::make_unique<MetricsServer>(*parseSocketAddress(address));
+}
+
+}  // namespace
+
+ServerProgram::ServerProgram(const CommandLine& line, const ServerOptions& options, const LogSink& sink)
+    : ServerProgram(line, options, Log(options.logFormat, sink)) {}
+
+ServerProgram::ServerProgram(const CommandLine& line, const ServerOptions& options, Log log)
+    : line_(line),
+      options_(options),
+      bans_(banStoreOf(options.banFile)),
+      server_(settingsOf(options, log), levelsOf(options, log), log),
+      console_(server_.match(), bans_, consoleProgram()),
+      metricsServer_(metricsServerOf(options.metrics)),
+      startedAt_(steadyNow()) {
+  server_.refuseBanned(bans_.list());
+  openConsole();
+}
+
+void ServerProgram::openConsole() {
+  if (!options_.socket.empty()) {
+    consoleServer_ = std::make_unique<ConsoleServer>(options_.socket);
+    return;
+  }
+  try {
+    consoleServer_ = std::make_unique<ConsoleServer>(defaultConsolePath());
+  } catch (const ProgramError& error) {
+    whyNoConsole_ = error.what();
+  }
+}
+
+ConsoleProgram ServerProgram::consoleProgram() {
+  return {[this] { return status(); }, [this] { return reload(); }, [this] { stopping_ = true; },
+          [this](std::string_view line) {
+            server_.log().info("console", {{"command", std::string(line)}});
+          }};
+}
+
+void ServerProgram::announce() {
+  Log& log = server_.log();
+  log.info("listening on " + server_.address().text());
+  if (consoleServer_)
+    log.info("console on " + consoleServer_->path());
+  else
+    log.warning("no console: " + whyNoConsole_);
+  if (metricsServer_) log.info("metrics on " + metricsServer_->address().text());
+}
+
+void ServerProgram::run(const std::function<bool()>& stopRequested) {
+  server_.run([&] {
+    pollTools();
+    return stopRequested() || stopping_;
+  });
+}
+
+void ServerProgram::pollTools() {
+  const TimePoint now = steadyNow();
+  if (consoleServer_) {
+    consoleServer_->poll(now, [this](std::string_view line) { return console_.execute(line, utcNow()); });
+  }
+  if (metricsServer_) metricsServer_->poll(now, [this] { return metricsText(); });
+  if (const auto fault = bans_.poll()) {
+    server_.log().warning("bans not written", {{"file", options_.banFile}, {"reason", *fault}});
+  }
+  const bool watched =
+      (consoleServer_ && consoleServer_->consoles() > 0) || (metricsServer_ && metricsServer_->connections() > 0);
+  server_.setIdleWait(watched ? kWatchedWait : DedicatedServer::kIdleWait);
+}
+
+ConsoleReply ServerProgram::reload() {
+  Log& log = server_.log();
+  try {
+    const ServerOptions fresh = optionsOf(line_);
+    std::vector<LevelPointer> levels = levelsOf(fresh, log);
+    bans_.replace(readBans(options_.banFile));
+    server_.setLevels(std::move(levels));
+    const std::string later = takeOver(fresh);
+    enforceBans(server_.match(), bans_.list(), utcNow());
+    const std::string done = "configuration and levels reloaded" + later;
+    log.info(done);
+    return {true, done};
+  } catch (const ProgramError& error) {
+    std::istringstream errors(error.what());
+    for (std::string line; std::getline(errors, line);) log.warning(line);
+    const std::string failed = "configuration and levels not reloaded";
+    log.warning(failed);
+    return {false, error.what() + ("\n" + failed)};
+  }
+}
+
+// Returns which changed options wait for a restart.
+std::string ServerProgram::takeOver(const ServerOptions& fresh) {
+  std::string waiting;
+  for (const ServerOption& option : serverOptions()) {
+    const OptionValue value = valueOf(option, fresh);
+    if (!option.needsRestart)
+      setOption(option, value, options_);
+    else if (value != valueOf(option, options_))
+      waiting += (waiting.empty() ? "; restart the server to change " : ", ") + std::string(option.name);
+  }
+  server_.setName(options_.name);
+  server_.log().setFormat(options_.logFormat);
+  return waiting;
+}
+
+std::string ServerProgram::status() const {
+  const auto uptime = std::chrono::duration_cast<std::chrono::seconds>(steadyNow() - startedAt_);
+  const TickTimes recent = server_.recentTickTimes();
+  std::ostringstream text;
+  text << "server: " << options_.name << "\naddress: " << server_.address().text() << "\nuptime: " << uptime.count() << " s\nticks: " << server_.tickTimes().count() << ", p50 "
+       << recent.quantile(0.5) << " µs, p99 " << recent.quantile(0.99) << " µs, longest " << recent.longest() << " µs";
+  return text.str();
+}
+
+std::optional<SocketAddress> ServerProgram::metricsAddress() const {
+  return metricsServer_ ? std::optional(metricsServer_->address()) : std::nullopt;
+}
+
+std::string ServerProgram::metricsText() const {
+  Metrics metrics = metricsOf(server_);
+  metrics.serverName = options_.name;
+  metrics.maxPlayers = options_.maxPlayers;
+  metrics.bans = bans_.list().size();
+  return formatMetrics(metrics);
+}
+
+}  // namespace platon

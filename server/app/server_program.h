@@ -1,0 +1,67 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "server/admin/ban_store.h"
+#include "server/admin/console.h"
+#include "server/admin/console_server.h"
+#include "server/admin/metrics_server.h"
+#include "server/app/command_line.h"
+#include "server/app/dedicated_server.h"
+
+namespace platon {
+
+/// The dedicated server with the tools of its operator: console, bans and metrics.
+class ServerProgram {
+ public:
+  using LogSink = std::function<void(std::string_view)>;
+
+  /// Reads the files that the command line names, and opens all sockets. Throws ProgramError and SocketError. Where the
+  /// console cannot be opened at its default path, the server runs without one; `announce` logs why.
+  ServerProgram(const CommandLine& line, const LogSink& sink) : ServerProgram(line, optionsOf(line), sink) {}
+  ServerProgram(const ServerProgram&) = delete;
+  ServerProgram& operator=(const ServerProgram&) = delete;
+
+  /// Logs where server, console and metrics are reached.
+  void announce();
+  /// Serves until `stopRequested`, which is called before each step, returns true, or until the console stops it.
+  void run(const std::function<bool()>& stopRequested);
+  /// Reads configuration, levels and bans again. If anything is invalid, nothing changes. Returns what it has logged.
+  ConsoleReply reload();
+  /// Serves consoles and metrics. `run` calls it before each step.
+  void pollTools();
+
+  DedicatedServer& server() { return server_; }
+  const ServerOptions& options() const { return options_; }
+  /// Address of the metrics; nothing if there are none.
+  std::optional<SocketAddress> metricsAddress() const;
+  /// The text that the metrics answer.
+  std::string metricsText() const;
+
+ private:
+  ServerProgram(const CommandLine& line, const ServerOptions& options, const LogSink& sink);
+  ServerProgram(const CommandLine& line, const ServerOptions& options, Log log);
+
+  void openConsole();
+  ConsoleProgram consoleProgram();
+  std::string takeOver(const ServerOptions& fresh);
+  std::string status() const;
+
+  CommandLine line_;
+  ServerOptions options_;  // as they are in effect
+  BanStore bans_;
+  DedicatedServer server_;
+  Console console_;
+  std::unique_ptr<ConsoleServer> consoleServer_;  // null: none
+  std::string whyNoConsole_;
+  std::unique_ptr<MetricsServer> metricsServer_;  // null: none
+  TimePoint startedAt_;
+  bool stopping_ = false;
+};
+
+}  // namespace platon

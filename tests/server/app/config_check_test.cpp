@@ -1,0 +1,87 @@
+#include "server/app/config_check.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "protocol/program_error.h"
+#include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/test_levels.h"
+
+namespace platon {
+namespace {
+
+class ConfigCheckTest : public testing::Test {
+ protected:
+  ConfigCheck check(const std::string& config, std::vector<const char*> arguments = {}) const {
+    writeText(folder_ / "server.toml", config);
+    const std::string file = folder_ / "server.toml";
+    arguments.insert(arguments.begin(), {"platon-server", "--check-config", "--config", file.c_str()});
+    return checkConfig(readCommandLine(static_cast<int>(arguments.size()), arguments.data()).value());
+  }
+
+  void write(const std::string& name, const std::string& text) const { writeText(folder_ / name, text); }
+  std::string at(const std::string& name) const { return folder_ / name; }
+
+  const TemporaryFolder folder_;
+};
+
+TEST_F(ConfigCheckTest, AcceptsAValidConfiguration) {
+  write("a.level", farGoalText());
+  write("bans.txt", "192.0.2.7\n# x\n192.0.2.8\n");
+  const ConfigCheck check = this->check("levels = [\"a.level\", \"a.level\"]\nban-file = \"bans.txt\"\n");
+  EXPECT_EQ(check.exitCode, 0);
+  EXPECT_EQ(check.errors, std::vector<std::string>{});
+  EXPECT_EQ(check.summary, "levels: 2, bans: 2");
+}
+
+TEST_F(ConfigCheckTest, WithoutLevelsItChecksThoseOfTheGame) {
+  const ConfigCheck check = this->check("");
+  EXPECT_EQ(check.exitCode, 0);
+  EXPECT_EQ(check.summary, "levels: " + std::to_string(shippedLevels().size()));
+}
+
+TEST_F(ConfigCheckTest, ReportsEveryErrorOfEveryFile) {
+  write("bad.level", "CUBE\n");
+  write("bans.txt", "Ann\n192.0.2.7/24\n");
+  const ConfigCheck check =
+      this->check("levels = [\"missing.level\", \"bad.level\"]\nport = 70000\nban-file = \"bans.txt\"\ncolour = 1\n");
+  EXPECT_EQ(check.exitCode, ProgramError::kUsage);
+  std::vector<std::string> starts{at("server.toml") + ":2:8: error: port must be",
+                                  at("server.toml") + ":4:1: error: 'colour' is not a key",
+                                  "cannot read the level '" + at("missing.level") + "': No such file",
+                                  at("bad.level") + ":1:1: error: ",
+                                  at("bans.txt") + ":1:1: error: 'Ann' is not",
+                                  at("bans.txt") + ":2:1: error: '192.0.2.7/24' has bits"};
+  for (const std::string& start : starts) {
+    EXPECT_TRUE(std::any_of(check.errors.begin(), check.errors.end(), [&start](const std::string& error) {
+      return error.starts_with(start);
+    })) << start;
+  }
+}
+
+TEST_F(ConfigCheckTest, OnlyInvalidLevelsGiveTheExitCodeOfLevels) {
+  write("bad.level", "CUBE\n");
+  EXPECT_EQ(check("levels = [\"bad.level\"]\n").exitCode, ProgramError::kLevel);
+  EXPECT_EQ(check("levels = [\"bad.level\", \"missing.level\"]\n").exitCode, ProgramError::kUsage);
+  EXPECT_EQ(check("levels = [\"missing.level\", \"bad.level\"]\n").exitCode, ProgramError::kUsage);
+  EXPECT_EQ(check("levels = [\"bad.level\"]\nport = -1\n").exitCode, ProgramError::kUsage);
+}
+
+TEST_F(ConfigCheckTest, ChecksWhatTheCommandLineNames) {
+  write("bans.txt", "Ann\n");
+  const std::string bans = at("bans.txt");
+  EXPECT_EQ(check("", {"--ban-file", bans.c_str()}).exitCode, ProgramError::kUsage);
+}
+
+TEST_F(ConfigCheckTest, AMissingBanFileIsAnError) {
+  const ConfigCheck check = this->check("ban-file = \"bans.txt\"\n");
+  EXPECT_EQ(check.exitCode, ProgramError::kUsage);
+  EXPECT_EQ(check.errors,
+            std::vector<std::string>{at("bans.txt") + ": error: No such file or directory; name an existing "
+                                                      "ban file; it may be empty"});
+}
+
+}  // namespace
+}  // namespace platon
