@@ -35,7 +35,9 @@ TEST_P(FuzzCorpusTest, EmptyAndConstantInputsPass) {
 INSTANTIATE_TEST_SUITE_P(Targets, FuzzCorpusTest,
                          testing::Values(Target{"sweep", &sweepFault}, Target{"scene", &sceneFault},
                                          Target{"level", &levelFault}, Target{"game_state", &gameStateFault},
-                                         Target{"recording", &recordingFault}, Target{"protocol", &protocolFault}),
+                                         Target{"recording", &recordingFault}, Target{"protocol", &protocolFault},
+                                         Target{"console", &consoleFault}, Target{"config", &configFault},
+                                         Target{"ban_list", &banListFault}),
                          [](const auto& described) { return std::string(described.param.name); });
 
 }  // namespace

@@ -23,5 +23,12 @@ std::string gameStateFault(Bytes bytes);
 std::string recordingFault(Bytes bytes);
 /// A network message: it is refused, or equals itself after encoding and decoding.
 std::string protocolFault(Bytes bytes);
+/// What arrives at the console or the metrics of a server: each line is refused with a sentence or is a command with
+/// values in their limits; each request has an answer; nothing depends on how the bytes are cut.
+std::string consoleFault(Bytes bytes);
+/// A configuration file: each error is one printable line, and each option has a value that it accepts.
+std::string configFault(Bytes bytes);
+/// A ban file: it is refused with errors inside the text, or every ban is found, and the list survives changes.
+std::string banListFault(Bytes bytes);
 
 }  // namespace platon::fuzz
