@@ -20,7 +20,7 @@ Connection::Refused explain(const Refusal& refusal) {
     case RefusalReason::kAddress:
       return {"the server does not allow more connections from your address", false};
     case RefusalReason::kBanned:
-      return {"you are banned from this server" + (refusal.text.empty() ? "" : ": " + refusal.text), true};
+      return {refusal.text.empty() ? "you are banned from this server" : refusal.text, true};
     case RefusalReason::kPassword:
       return {"the password is wrong", true};
   }

@@ -11,9 +11,9 @@ namespace platon {
 /// the user's data folder (XDG Base Directory Specification). Empty if there is no such folder.
 std::string defaultKeyFile();
 
-/// The identity in `keyFile`, which is created if it is missing. An empty `keyFile` means the default one; if that
-/// cannot be used, the identity is a new one and the log warns that clients will not recognise the server after a
-/// restart. Throws ProgramError if a named file cannot be used.
+/// The identity in `keyFile` (--key-file), which is created if it is missing. An empty `keyFile` means the default one;
+/// if that cannot be used, the identity is a new one and the log warns that clients will not recognise the server after
+/// a restart. Throws ProgramError if a named file cannot be used.
 ServerIdentity loadIdentity(const std::string& keyFile, Log& log);
 
 }  // namespace platon

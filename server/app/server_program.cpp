@@ -159,8 +159,9 @@ std::string ServerProgram::status() const {
   const auto uptime = std::chrono::duration_cast<std::chrono::seconds>(steadyNow() - startedAt_);
   const TickTimes recent = server_.recentTickTimes();
   std::ostringstream text;
-  text << "server: " << options_.name << "\naddress: " << server_.address().text() << "\nuptime: " << uptime.count() << " s\nticks: " << server_.tickTimes().count() << ", p50 "
-       << recent.quantile(0.5) << " µs, p99 " << recent.quantile(0.99) << " µs, longest " << recent.longest() << " µs";
+  text << "server: " << options_.name << "\naddress: " << server_.address().text() << "\nuptime: " << uptime.count()
+       << " s\nticks: " << server_.tickTimes().count() << ", p50 " << recent.quantile(0.5) << " µs, p99 "
+       << recent.quantile(0.99) << " µs, longest " << recent.longest() << " µs";
   return text.str();
 }
 

@@ -10,7 +10,7 @@
 #include "tests/protocol/documented_bytes.h"
 #include "tests/protocol/sample_messages.h"
 #include "tests/support/files.h"
-#include "tests/support/hex.h"
+#include "tests/support/transport/hex.h"
 
 namespace platon {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "server/net/host.h"
-#include "tests/support/datagram_network.h"
+#include "tests/support/transport/datagram_network.h"
 
 namespace platon {
 namespace {
@@ -92,10 +92,10 @@ TEST_F(ConnectionTest, NothingFromOutsideEndsIt) {
 }
 
 TEST_F(ConnectionTest, SaysWhyTheServerRefusesIt) {
-  host_.gate().setBanCheck([](const IpAddress&) { return "for a day"; });
+  host_.gate().setBanCheck([](const IpAddress&) { return "banned for a day"; });
   ASSERT_TRUE(stepUntil([this] { return connection_.state() == Connection::State::kClosed; }));
   ASSERT_TRUE(connection_.refused());
-  EXPECT_EQ(connection_.refused()->reason, "you are banned from this server: for a day");
+  EXPECT_EQ(connection_.refused()->reason, "banned for a day");
   EXPECT_TRUE(connection_.refused()->permanent);
 }
 

@@ -4,7 +4,7 @@
 
 #include "protocol/limits.h"
 #include "protocol/transport/server_identity.h"
-#include "tests/support/datagram_network.h"
+#include "tests/support/transport/datagram_network.h"
 
 namespace platon {
 namespace {
@@ -35,8 +35,7 @@ TEST(RefusalText, SaysWhichProgramToUpdate) {
 
 TEST(RefusalText, EveryReasonHasItsSentence) {
   EXPECT_EQ(refusedWith(kProtocolVersion, RefusalReason::kPassword).reason, "the password is wrong");
-  EXPECT_EQ(refusedWith(kProtocolVersion, RefusalReason::kBanned, "for a day").reason,
-            "you are banned from this server: for a day");
+  EXPECT_EQ(refusedWith(kProtocolVersion, RefusalReason::kBanned, "banned for a day").reason, "banned for a day");
   EXPECT_EQ(refusedWith(kProtocolVersion, RefusalReason::kBanned).reason, "you are banned from this server");
   EXPECT_FALSE(refusedWith(kProtocolVersion, RefusalReason::kFull).permanent);
   EXPECT_FALSE(refusedWith(kProtocolVersion, RefusalReason::kAddress).permanent);

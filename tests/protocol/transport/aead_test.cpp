@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/hex.h"
+#include "tests/support/transport/hex.h"
 
 namespace platon {
 namespace {

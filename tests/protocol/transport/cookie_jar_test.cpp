@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/datagram_network.h"
+#include "tests/support/transport/datagram_network.h"
 
 namespace platon {
 namespace {

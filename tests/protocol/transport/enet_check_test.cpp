@@ -5,7 +5,7 @@
 #include <random>
 
 #include "protocol/limits.h"
-#include "tests/support/raw_content.h"
+#include "tests/support/transport/raw_content.h"
 
 namespace platon {
 namespace {

@@ -7,7 +7,7 @@
 #include "protocol/transport/sealed_channel.h"
 #include "protocol/transport/server_identity.h"
 #include "tests/protocol/documented_bytes.h"
-#include "tests/support/hex.h"
+#include "tests/support/transport/hex.h"
 
 namespace platon {
 namespace {

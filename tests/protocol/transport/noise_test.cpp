@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "protocol/transport/aead.h"
-#include "tests/support/hex.h"
+#include "tests/support/transport/hex.h"
 
 namespace platon {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "protocol/limits.h"
 #include "protocol/transport/client_gate.h"
-#include "tests/support/datagram_network.h"
+#include "tests/support/transport/datagram_network.h"
 
 namespace platon {
 namespace {

@@ -30,7 +30,7 @@ std::string errorOf(const std::vector<const char*>& arguments) {
 TEST(CommandLine, DefaultsAreThoseOfTheManual) {
   const ServerOptions options = read({});
   EXPECT_TRUE(options.levels.empty());
-  EXPECT_EQ(options.bind, "0.0.0.0");
+  EXPECT_EQ(options.bind, "::");
   EXPECT_EQ(options.port, 7777);
   EXPECT_EQ(options.maxPlayers, 16u);
   EXPECT_EQ(options.maxPerAddress, 4u);

@@ -90,7 +90,7 @@ TEST(OptionTable, TextsAreChecked) {
 }
 
 TEST(PrintedConfig, GivesTheDefaults) {
-  ServerOptions options{{"x"}, "::", 1, 2, 3, "x", LogFormat::kJson, "x", "x", "x", "x"};
+  ServerOptions options{{"x"}, "::", 1, 2, 3, "x", LogFormat::kJson, "x", "x", "x", "x", "x", "x"};
   EXPECT_EQ(readConfig(printedConfig(), "server.toml", options), std::vector<std::string>{});
   EXPECT_EQ(options, ServerOptions{});
 }

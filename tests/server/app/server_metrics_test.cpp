@@ -5,8 +5,8 @@
 #include "platon_version.h"
 #include "tests/support/enet_client.h"
 #include "tests/support/files.h"
-#include "tests/support/raw_socket.h"
 #include "tests/support/test_levels.h"
+#include "tests/support/transport/raw_socket.h"
 #include "tests/support/wait_until.h"
 
 namespace platon {

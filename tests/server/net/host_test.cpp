@@ -4,8 +4,8 @@
 
 #include "client/net/connection.h"
 #include "protocol/transport/udp_socket.h"
-#include "tests/support/datagram_network.h"
-#include "tests/support/raw_content.h"
+#include "tests/support/transport/datagram_network.h"
+#include "tests/support/transport/raw_content.h"
 
 namespace platon {
 namespace {

@@ -1,4 +1,4 @@
-#include "tests/support/raw_content.h"
+#include "tests/support/transport/raw_content.h"
 
 #include <arpa/inet.h>
 #include <enet/enet.h>

@@ -1,4 +1,4 @@
-#include "tests/support/raw_socket.h"
+#include "tests/support/transport/raw_socket.h"
 
 #include <arpa/inet.h>
 #include <netinet/in.h>

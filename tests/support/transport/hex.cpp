@@ -1,4 +1,4 @@
-#include "tests/support/hex.h"
+#include "tests/support/transport/hex.h"
 
 #include <sodium.h>
 
