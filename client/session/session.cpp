@@ -146,6 +146,7 @@ void Session::handle(const LevelChunk& message, Moment) {
   LevelResult result = loadLevel(std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
   requestedLevel_.reset();
   levelText_.clear();
+  unanswered_ = 0;
   if (!result.level || result.level->hash != message.hash)
     return end("protocol error: invalid level from the server", true);
   if (levels_.size() == kMaxLevelsKnown) levels_.erase(levels_.begin());
@@ -161,6 +162,8 @@ std::shared_ptr<const Level> Session::level(std::uint64_t hash) const {
 
 void Session::requestLevel(std::uint64_t levelHash) {
   if (requestedLevel_ == levelHash || level(levelHash)) return;
+  if (++unanswered_ > kMaxUnansweredRequests)
+    return end("protocol error: the server names levels that it does not send", true);
   requestedLevel_ = levelHash;
   levelText_.clear();
   send(LevelRequest{levelHash}, true);

@@ -42,6 +42,8 @@ class Session {
 
   /// A session ends if it receives nothing for this long after Welcome.
   static constexpr Moment kTimeout = std::chrono::seconds(4);
+  /// Largest number of levels that a session requests without receiving one. Beyond it, the session ends.
+  static constexpr std::uint32_t kMaxUnansweredRequests = 16;
   /// Minimum time between two desync reports. Further desyncs are only counted.
   static constexpr Moment kReportInterval = std::chrono::minutes(1);
 
@@ -114,6 +116,7 @@ class Session {
   std::optional<SessionToken> token_;
   std::vector<std::shared_ptr<const Level>> levels_;  // at most kMaxLevelsKnown, newest last
   std::optional<std::uint64_t> requestedLevel_;       // hash of the level being received
+  std::uint32_t unanswered_ = 0;                      // requests since the last level
   Assembly levelText_;
   Assembly state_;
 

@@ -233,6 +233,18 @@ TEST(Session, EndsOnRoundStartBeforeWelcome) {
   EXPECT_TRUE(session.ending().has_value());
 }
 
+TEST(Session, EndsIfTheServerNamesLevelsWithoutSendingThem) {
+  Session session("x", Moment(0));
+  session.receive(encode(Welcome{0, 1, 1, 4, kTicksPerSecond, ""}), Moment(0));
+  for (std::uint32_t i = 1; i <= Session::kMaxUnansweredRequests; ++i) {
+    session.receive(encode(RoundStart{1 + i, 1 + i}), Moment(0));
+    ASSERT_FALSE(session.ending().has_value());
+  }
+  session.receive(encode(RoundStart{100, 100}), Moment(0));
+  ASSERT_TRUE(session.ending().has_value());
+  EXPECT_EQ(session.ending()->reason, "protocol error: the server names levels that it does not send");
+}
+
 TEST(Session, TimesOutWhenTheServerIsSilent) {
   Session session("x", Moment(0));
   const Controls none = [](const Game&, std::uint32_t) { return Input{}; };
