@@ -14,8 +14,9 @@ namespace {
 // Connections beyond the number of players, so that a client can be told that the server is full.
 // Clients that have not said who they are yet must not keep others out.
 constexpr std::uint32_t kSpareConnections = 64;
-// Reliable messages of a client that are not left to chunks.
-constexpr std::size_t kReservedRoom = Host::kMaxQueuedMessages / 2;
+// Reliable messages of a client that are not left to chunks. The others are enough for kTransferBytesPerTick up to a
+// round trip of 400 ms.
+constexpr std::size_t kReservedRoom = Host::kMaxQueuedMessages * 5 / 8;
 // Datagrams between two ticks beyond which the server reads more often.
 constexpr std::uint64_t kFloodPackets = 128;
 constexpr std::chrono::milliseconds kFloodInterval{2};
