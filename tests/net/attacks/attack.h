@@ -1,0 +1,44 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "protocol/moment.h"
+#include "tests/net/attacks/attack_network.h"
+
+namespace platon {
+
+/// An attack that runs.
+class Attacker {
+ public:
+  virtual ~Attacker() = default;
+  /// Called every millisecond; sends at most about this many datagrams.
+  virtual void step(Moment now, int datagrams) = 0;
+};
+
+/// A kind of attack on a server.
+struct Attack {
+  std::string_view name;  ///< one word with hyphens
+  std::string_view does;  ///< for the table in docs/security.md
+  /// Whether the attacker answers at his addresses. Otherwise none of them has returned a cookie, so that none may hold
+  /// a place or be sent more than it sent.
+  bool proves = false;
+  /// A reason for which the server must reject some of what it sends, so that the attack is known to reach it; empty:
+  /// none is rejected.
+  std::string_view reason;
+  std::function<std::unique_ptr<Attacker>(AttackNetwork&)> start;
+};
+
+/// All of them. The tests and `./platon bench --attacks` run the same.
+std::span<const Attack> attacks();
+
+/// Addresses that answer: attacks that need them use at most four.
+inline constexpr int kOwnAddresses = 4;
+IpAddress ownAddress(int number);
+/// Addresses in whose name an attacker sends and that never answer, 0 … 9999.
+inline constexpr int kStrangers = 10000;
+SocketAddress stranger(int number);
+
+}  // namespace platon

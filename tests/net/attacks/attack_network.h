@@ -1,0 +1,51 @@
+#pragma once
+
+#include <deque>
+#include <memory>
+
+#include "protocol/transport/datagram_socket.h"
+#include "protocol/transport/handshake.h"
+
+namespace platon {
+
+/// A datagram between a victim and the server.
+struct Overheard {
+  SocketAddress victim;
+  bool toServer = false;
+  Bytes bytes;
+};
+
+/// The network before a server, as an attacker has it: he sends in anybody's name, receives at his own addresses, and
+/// reads all that passes between the server and its honest players, the victims.
+class AttackNetwork {
+ public:
+  /// Largest number of datagrams that are remembered.
+  static constexpr std::size_t kMaxOverheard = 1000;
+  static constexpr std::size_t kMaxHandshakes = 64;
+
+  virtual ~AttackNetwork() = default;
+
+  /// Sends a datagram to the server in the name of `from`, which is anybody's.
+  virtual void send(const SocketAddress& from, ByteSpan datagram) = 0;
+  /// A socket at an address of the attacker's own, for what needs answers. The network must outlive it.
+  virtual std::unique_ptr<DatagramSocket> socket(const IpAddress& own) = 0;
+  virtual SocketAddress server() const = 0;
+  /// The last datagrams of the victims, oldest first.
+  const std::deque<Overheard>& overheard() const { return overheard_; }
+  /// Those of them that open a session, from the beginning.
+  const std::deque<Overheard>& opens() const { return opens_; }
+
+ protected:
+  void note(const SocketAddress& victim, bool toServer, ByteSpan bytes) {
+    const bool isOpen = toServer && decodeOpen(bytes);
+    if (isOpen && opens_.size() < kMaxHandshakes) opens_.push_back({victim, true, {bytes.begin(), bytes.end()}});
+    if (overheard_.size() == kMaxOverheard) overheard_.pop_front();
+    overheard_.push_back({victim, toServer, {bytes.begin(), bytes.end()}});
+  }
+
+ private:
+  std::deque<Overheard> overheard_;
+  std::deque<Overheard> opens_;
+};
+
+}  // namespace platon

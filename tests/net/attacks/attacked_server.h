@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include "server/app/dedicated_server.h"
+#include "tests/net/attacks/buffered_socket.h"
+#include "tests/support/datagram_network.h"
+
+namespace platon {
+
+/// A server in a simulated network, in virtual time. It measures its own memory, and counts the bytes that it sends.
+class AttackedServer {
+ public:
+  static constexpr std::uint32_t kMaxPlayers = 64;
+  static constexpr std::uint32_t kPlayersPerAddress = 4;
+
+  AttackedServer(DatagramNetwork& network, const SocketAddress& own, const std::string& password);
+
+  /// Runs one tick.
+  void tick(Moment now);
+
+  const DedicatedServer& server() const { return server_; }
+  /// Bytes that the server has allocated and not released since the last resetHeap.
+  std::int64_t heapGrowth() const { return heap_; }
+  void resetHeap() { heap_ = 0; }
+  std::uint64_t bytesTo(const SocketAddress& receiver) const;
+
+ private:
+  AttackedServer(std::unique_ptr<BufferedSocket> socket, const std::string& password);
+
+  BufferedSocket* socket_;  // server_ owns it
+  DedicatedServer server_;
+  std::int64_t heap_ = 0;
+  std::map<SocketAddress, std::uint64_t> bytesTo_;
+};
+
+}  // namespace platon

@@ -1,0 +1,64 @@
+#include <array>
+
+#include "tests/net/attacks/attack.h"
+#include "tests/net/attacks/blind_attacks.h"
+#include "tests/net/attacks/player_attacks.h"
+#include "tests/net/attacks/session_attacks.h"
+#include "tests/net/attacks/wire_attacks.h"
+
+namespace platon {
+namespace {
+
+const std::array kAttacks{
+    Attack{"empty", "empty datagrams, also in the victims' names", false, "", floodEmpty},
+    Attack{"oversized", "datagrams of 1 201 to 1 472 bytes", false, "", floodOversized},
+    Attack{"random", "random bytes", false, "seal", floodRandom},
+    Attack{"knocks", "half-open handshakes from 10 000 addresses", false, "", floodKnocks},
+    Attack{"victim-knocks", "half-open handshakes in the victims' names", false, "", floodVictimKnocks},
+    Attack{"versions", "knocks of other protocol versions", false, "version", floodVersions},
+    Attack{"bad-cookies", "opens with cookies that are invented", false, "cookie", floodBadCookies},
+    Attack{"queries", "queries from 10 000 addresses", false, "queries", floodQueries},
+    Attack{"forged", "sealed datagrams with invented contents in the victims' names", false, "seal", floodForged},
+    Attack{"unsealed", "contents of ENet without a seal, disconnects too, in the victims' names", false, "seal",
+           floodUnsealed},
+    Attack{"replayed", "recorded datagrams of the victims, in any order", false, "seal", floodReplayed},
+    Attack{"reopened", "recorded handshakes of the victims, from their addresses and others", false, "cookie",
+           floodReplayedOpens},
+    Attack{"moved", "recorded datagrams of the victims from other addresses", false, "seal", floodMoved},
+    Attack{"flipped", "recorded datagrams with one bit flipped", false, "seal", floodFlipped},
+    Attack{"truncated", "recorded datagrams without their end", false, "seal", floodTruncated},
+    Attack{"reflected", "datagrams of the server sent back to it, also in its own name", false, "seal", floodReflected},
+    Attack{"passwords", "opens with valid cookies and wrong keys or passwords", true, "password", guessPasswords},
+    Attack{"handshakes", "sessions that are opened and never used", true, "unconfirmed", openSessions},
+    Attack{"contents", "sessions with contents that no client sends", true, "content", sendHostileContents},
+    Attack{"excess", "sessions that send far more than their budget", true, "excess", sendExcess},
+    Attack{"roaming", "sessions that send in the names of 10 000 addresses", true, "excess", roam},
+    Attack{"deaf", "players who acknowledge nothing", true, "", acknowledgeNothing},
+    Attack{"far-inputs", "players with inputs for ticks far away", true, "", sendFarInputs},
+    Attack{"wrong-hashes", "players in permanent desync", true, "", sendWrongHashes},
+    Attack{"requests", "players who request levels without end", true, "", requestLevels},
+    Attack{"malformed", "players who send malformed messages and rejoin", true, "handshakes", sendMalformed},
+    Attack{"tokens", "players who guess tokens", true, "handshakes", guessTokens},
+    Attack{"join-leave", "64 clients who join and leave as often as they can", true, "handshakes", joinAndLeave},
+    Attack{"join-drop", "64 clients who join and vanish as often as they can", true, "handshakes", joinAndVanish},
+};
+
+IpAddress addressOf(int second, int third, int fourth) {
+  IpAddress address;
+  address.bytes[10] = address.bytes[11] = 0xff;
+  address.bytes[12] = 127;
+  address.bytes[13] = static_cast<std::uint8_t>(second);
+  address.bytes[14] = static_cast<std::uint8_t>(third);
+  address.bytes[15] = static_cast<std::uint8_t>(fourth);
+  return address;
+}
+
+}  // namespace
+
+std::span<const Attack> attacks() { return kAttacks; }
+
+IpAddress ownAddress(int number) { return addressOf(3, 0, 1 + number); }
+
+SocketAddress stranger(int number) { return {addressOf(1, number / 250, 1 + number % 250), 4000}; }
+
+}  // namespace platon

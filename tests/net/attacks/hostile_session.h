@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "protocol/transport/client_gate.h"
+#include "tests/net/attacks/attack_network.h"
+
+namespace platon {
+
+/// A session of somebody who sends into it what he likes.
+class HostileSession {
+ public:
+  HostileSession(AttackNetwork& network, const IpAddress& own);
+  ~HostileSession();
+
+  /// Goes on with the handshake, then with that of ENet; drops what else arrives.
+  void step(Moment now);
+  bool isSealed() const { return gate_.state() == ClientGate::State::kOpen; }
+  /// The server's number of the connection; nothing before ENet's handshake.
+  std::optional<std::uint16_t> peer() const { return peer_; }
+  void send(ByteSpan content, Moment now) { gate_.send(content, now); }
+  /// The same in the name of another address.
+  void sendFrom(const SocketAddress& name, ByteSpan content, Moment now);
+
+ private:
+  class MaskedSocket;
+
+  HostileSession(AttackNetwork& network, std::unique_ptr<MaskedSocket> socket);
+  void note(const Bytes& content, Moment now);
+
+  MaskedSocket* socket_;
+  ClientGate gate_;
+  std::optional<std::uint16_t> peer_;
+  bool requested_ = false;
+};
+
+}  // namespace platon

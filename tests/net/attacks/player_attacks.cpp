@@ -1,0 +1,128 @@
+#include "tests/net/attacks/player_attacks.h"
+
+#include <vector>
+
+#include "tests/net/attacks/hostile_player.h"
+
+namespace platon {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+
+constexpr std::size_t kPlayers = 4 * kOwnAddresses;  // as many as may play from these addresses
+constexpr std::size_t kCrowd = 64;
+constexpr std::size_t kDeaf = 3 * kOwnAddresses;
+constexpr Moment kShortLife = milliseconds(100);
+
+/// Hostile players behind four addresses.
+class PlayerAttack : public Attacker {
+ public:
+  PlayerAttack(AttackNetwork& network, Manners manners, std::size_t players) : manners_(std::move(manners)) {
+    for (std::size_t i = 0; i < players; ++i) {
+      players_.push_back(
+          std::make_unique<HostilePlayer>(network, ownAddress(static_cast<int>(i) % kOwnAddresses), manners_, i));
+    }
+  }
+
+  void step(Moment now, int) override {
+    for (const auto& player : players_) player->step(now);
+  }
+
+ private:
+  Manners manners_;
+  std::vector<std::unique_ptr<HostilePlayer>> players_;
+};
+
+std::unique_ptr<Attacker> attackOf(AttackNetwork& network, Manners manners, std::size_t players) {
+  return std::make_unique<PlayerAttack>(network, std::move(manners), players);
+}
+
+void makeHashWrong(ToServer& message, AttackNetwork&, Dice&) {
+  if (auto* const inputs = std::get_if<PlayerInputs>(&message)) inputs->hash ^= 0x5a5a5a5a;
+}
+
+void moveInputs(ToServer& message, AttackNetwork&, Dice& dice) {
+  auto* const inputs = std::get_if<PlayerInputs>(&message);
+  if (inputs == nullptr) return;
+  constexpr std::uint32_t kFar[] = {1, 127, 128, 129, 100000, 1u << 30};
+  inputs->first += kFar[dice.below(std::size(kFar))];
+  if (dice.below(4) == 0) inputs->round += static_cast<std::uint32_t>(dice.below(5));
+  if (dice.below(4) == 0) inputs->inputs.assign(kMaxInputsPerMessage, Input{Input::kPresent | Input::kJump});
+}
+
+void sendManyInputs(Connection& connection, const Welcome& welcome, Dice& dice) {
+  PlayerInputs inputs;
+  inputs.round = welcome.round;
+  inputs.confirmed = static_cast<std::uint32_t>(dice.below(1 << 20));
+  inputs.first = inputs.confirmed + static_cast<std::uint32_t>(dice.below(1 << 20));
+  inputs.inputs.assign(kMaxInputsPerMessage, Input{Input::kPresent | Input::kJump});
+  connection.send(encode(inputs), false);
+}
+
+void requestLevel(Connection& connection, const Welcome& welcome, Dice& dice) {
+  connection.send(encode(LevelRequest{welcome.levelHash + (dice.below(2) == 0 ? 0 : 1)}), true);
+}
+
+// A part of a recorded datagram, or any bytes.
+void setToken(ToServer& message, AttackNetwork& network, Dice& dice) {
+  auto* const hello = std::get_if<Hello>(&message);
+  if (hello == nullptr) return;
+  hello->token.emplace();
+  dice.fill(*hello->token);
+  const Overheard* const found = anyToServer(network, dice);
+  if (found == nullptr || found->bytes.size() < hello->token->size() || dice.below(2) == 0) return;
+  const auto at = dice.below(found->bytes.size() - hello->token->size() + 1);
+  std::copy_n(found->bytes.begin() + at, hello->token->size(), hello->token->begin());
+}
+
+}  // namespace
+
+std::unique_ptr<Attacker> acknowledgeNothing(AttackNetwork& network) {
+  Manners manners{.tamper = makeHashWrong, .extra = requestLevel};
+  manners.life = seconds(8);
+  manners.deafAfter = milliseconds(300);
+  return attackOf(network, manners, kDeaf);
+}
+
+std::unique_ptr<Attacker> sendFarInputs(AttackNetwork& network) {
+  return attackOf(network, {.tamper = moveInputs, .extra = sendManyInputs}, kPlayers);
+}
+
+std::unique_ptr<Attacker> sendWrongHashes(AttackNetwork& network) {
+  return attackOf(network, {.tamper = makeHashWrong, .extra = {}}, kPlayers);
+}
+
+std::unique_ptr<Attacker> requestLevels(AttackNetwork& network) {
+  return attackOf(network, {.tamper = {}, .extra = requestLevel}, kPlayers);
+}
+
+std::unique_ptr<Attacker> sendMalformed(AttackNetwork& network) {
+  Manners manners;
+  manners.extra = [](Connection& connection, const Welcome&, Dice& dice) {
+    connection.send(dice.bytes(1 + static_cast<std::size_t>(dice.below(1000))), dice.below(2) == 0);
+  };
+  return attackOf(network, manners, kPlayers);
+}
+
+std::unique_ptr<Attacker> guessTokens(AttackNetwork& network) {
+  Manners manners{.tamper = setToken, .extra = {}};
+  manners.life = seconds(1);
+  manners.leaves = true;
+  return attackOf(network, manners, kPlayers);
+}
+
+std::unique_ptr<Attacker> joinAndLeave(AttackNetwork& network) {
+  Manners manners;
+  manners.life = 2 * kShortLife;
+  manners.leaves = true;
+  return attackOf(network, manners, kCrowd);
+}
+
+std::unique_ptr<Attacker> joinAndVanish(AttackNetwork& network) {
+  Manners manners{.tamper = setToken, .extra = {}};
+  manners.life = 2 * kShortLife;
+  return attackOf(network, manners, kCrowd);
+}
+
+}  // namespace platon
