@@ -94,7 +94,7 @@ class Usage(Script):
         self.assertRegex(self.run_platon("fly")[1], "^platon: no command 'fly': .*\n$")
         self.assertEqual(self.run_platon("fly")[0], 2)
         self.assert_refused(["join"], "join needs an address: ./platon join HOST[:PORT]")
-        self.assert_refused(["bench", "--long"], "bench has no options but --quick and --network; see ./platon help")
+        self.assert_refused(["bench", "--long"], "bench has no options but --quick, --network and --attacks; see ./platon help")
         self.assert_refused(["bench", "--network", "x"], "bench --network has no option but --quick; see ./platon help")
 
     def test_files_that_it_names_exist(self):

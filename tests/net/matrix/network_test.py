@@ -149,9 +149,10 @@ class Page(unittest.TestCase):
         self.assertIn("| 16 | 1.70 kB/s | 15.7 kB/s (9.2 ×) | 0.50 % | 6.3 % (12.6 ×) |", self.section())
 
     def test_only_the_part_between_the_marks_is_replaced(self):
-        text = f"before\n{page.BEGIN}\nold\n{page.END}\nafter\n"
+        begin = page.begin_of("network")
+        text = f"before\n{begin}\nold\n{page.END}\nafter\n"
         once = page.with_part(text, "new")
-        self.assertEqual(once, f"before\n{page.BEGIN}\n\nnew\n\n{page.END}\nafter\n")
+        self.assertEqual(once, f"before\n{begin}\n\nnew\n\n{page.END}\nafter\n")
         self.assertEqual(page.with_part(once, "new"), once)
         with self.assertRaises(page.PageError):
             page.with_part("no marks", "new")

@@ -1,6 +1,5 @@
-"""The generated part of docs/netcode.md."""
+"""The generated part of a page of the docs."""
 
-BEGIN = "<!-- measured: by ./platon bench --network, do not edit by hand -->"
 END = "<!-- end of measured -->"
 
 
@@ -8,13 +7,18 @@ class PageError(Exception):
     """The page lacks the markers of its generated part."""
 
 
-def with_part(text, part):
-    before, begin, rest = text.partition(BEGIN)
+def begin_of(command):
+    return f"<!-- measured: by ./platon bench --{command}, do not edit by hand -->"
+
+
+def with_part(text, part, command="network"):
+    begin = begin_of(command)
+    before, found, rest = text.partition(begin)
     _, end, after = rest.partition(END)
-    if not begin or not end:
-        raise PageError(f"'{BEGIN}' and '{END}' are missing")
-    return f"{before}{BEGIN}\n\n{part.strip()}\n\n{END}{after}"
+    if not found or not end:
+        raise PageError(f"'{begin}' and '{END}' are missing")
+    return f"{before}{begin}\n\n{part.strip()}\n\n{END}{after}"
 
 
-def replace_part(page, part):
-    page.write_text(with_part(page.read_text(encoding="utf-8"), part), encoding="utf-8")
+def replace_part(page, part, command="network"):
+    page.write_text(with_part(page.read_text(encoding="utf-8"), part, command), encoding="utf-8")

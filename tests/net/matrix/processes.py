@@ -75,6 +75,11 @@ class Server(Program):
         status = Path(f"/proc/{self._process.pid}/status").read_text()
         return int(re.search(r"VmHWM:\s*(\d+) kB", status).group(1)) * 1024
 
+    def resident_bytes(self):
+        """The resident memory now."""
+        status = Path(f"/proc/{self._process.pid}/status").read_text()
+        return int(re.search(r"VmRSS:\s*(\d+) kB", status).group(1)) * 1024
+
     def stop(self):
         """Stops the server. Returns the durations of its ticks: p50Us, p99Us, longestUs, ticks."""
         self._process.send_signal(signal.SIGTERM)

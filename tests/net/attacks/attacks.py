@@ -1,0 +1,73 @@
+#!/usr/bin/env python3
+"""Attacks a real server over loopback, one attack after the other, while four bots play on it.
+
+usage: attacks.py ROOT (--write | --quick | --check) [ATTACK…]. PLATON_BIN names the folder of the programs. --write attacks
+for 10 s each and writes the table of docs/security.md, --quick for 2 s and prints it. --check is a quick run that checks only
+what does not depend on the speed of the machine. With names of attacks, only these run, and nothing is written. Prints every
+limit that is exceeded; exit 1 if there is one.
+"""
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+sys.path.append(str(Path(__file__).resolve().parent.parent / "matrix"))
+
+from attack_run import run_attack  # noqa: E402
+from attack_table import exceeded, table  # noqa: E402
+from page import replace_part, with_part  # noqa: E402
+from processes import Failure  # noqa: E402
+
+SECONDS = {"--write": 10, "--quick": 2, "--check": 1}
+COMMAND = "attacks"
+QUIET = {"name": "none", "does": "no attack", "proves": False}
+
+
+def say(line):
+    print(line, file=sys.stderr, flush=True)
+
+
+def all_attacks(programs):
+    listed = subprocess.run([programs / "platon-attack", "--list"], capture_output=True, text=True, check=True).stdout
+    return [json.loads(line) for line in listed.splitlines()]
+
+
+def chosen(attacks, names):
+    unknown = set(names) - {attack["name"] for attack in attacks}
+    if unknown:
+        raise Failure(f"no attack is called {', '.join(sorted(unknown))}; platon-attack --list shows all")
+    return [QUIET, *(attack for attack in attacks if not names or attack["name"] in names)]
+
+
+def run(root, mode, names, programs):
+    page = root / "docs/security.md"
+    with_part(page.read_text(encoding="utf-8"), "", COMMAND)  # fails before the run, not after it
+    results = []
+    for attack in chosen(all_attacks(programs), names):
+        results.append(run_attack(programs, root, attack, SECONDS[mode]))
+        say(f"{attack['name']}: {results[-1].words()}")
+    part = table(results, SECONDS[mode])
+    if mode == "--write" and not names:
+        replace_part(page, part, COMMAND)
+    else:
+        print(part)
+    return exceeded(results, timings=mode != "--check")
+
+
+def main(arguments):
+    if len(arguments) < 2 or arguments[1] not in SECONDS or "PLATON_BIN" not in os.environ:
+        print(__doc__, file=sys.stderr)
+        return 2
+    try:
+        failed = run(Path(arguments[0]).resolve(), arguments[1], arguments[2:], Path(os.environ["PLATON_BIN"]))
+    except Failure as failure:
+        failed = [str(failure)]
+    for line in failed:
+        print(f"exceeded: {line}")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
