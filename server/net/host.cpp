@@ -12,7 +12,7 @@
 namespace platon {
 namespace {
 
-constexpr std::size_t kMaxWaitingBytes = 64 * 1024;
+constexpr std::size_t kMaxWaitingBytes = 8 * 1024;   // kept after a gap; a client says little that is reliable
 constexpr std::chrono::seconds kSilenceTimeout{5};   // an admitted connection without datagrams ends
 constexpr enet_uint32 kRetransmissionDelayMs = 150;  // beyond the round trip
 

@@ -6,7 +6,7 @@
 
 #include "server/app/dedicated_server.h"
 #include "tests/net/attacks/buffered_socket.h"
-#include "tests/support/datagram_network.h"
+#include "tests/support/transport/datagram_network.h"
 
 namespace platon {
 

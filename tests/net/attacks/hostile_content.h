@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-#include "tests/support/raw_content.h"
+#include "tests/support/transport/raw_content.h"
 
 namespace platon {
 
