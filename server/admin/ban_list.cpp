@@ -156,10 +156,9 @@ void BanList::removeEnded(UtcTime now) {
 }
 
 bool BanList::removeIf(const std::function<bool(const Ban&)>& condition) {
-  if (std::erase_if(lines_, [&condition](const Line& line) { return line.ban && condition(*line.ban); }) == 0) {
-    return false;
-  }
-  endsWithLineFeed_ = endsWithLineFeed_ || lines_.empty();
+  const auto goes = [&condition](const Line& line) { return line.ban && condition(*line.ban); };
+  endsWithLineFeed_ = endsWithLineFeed_ || goes(lines_.back());  // that of the line before the last one
+  if (std::erase_if(lines_, goes) == 0) return false;
   lineOf_.clear();
   lengths_.clear();
   for (std::size_t number = 0; number < lines_.size(); ++number) {

@@ -126,6 +126,14 @@ TEST(BanList, RemovesTheBansThatHaveEnded) {
   EXPECT_EQ(list.text(), "# a\n192.0.2.9");
 }
 
+// Found by fuzzing: an empty line at the end without a line feed cannot be told from none.
+TEST(BanList, WithoutItsLastLineTheTextEndsWithALineFeed) {
+  BanList list = listOf("# a\n\n192.0.2.7");
+  EXPECT_TRUE(list.remove(range("192.0.2.7")));
+  EXPECT_EQ(list.text(), "# a\n\n");
+  EXPECT_EQ(listOf(list.text()), list);
+}
+
 TEST(BanList, AnEmptiedListEqualsAnEmptyOne) {
   BanList list = listOf("192.0.2.7");
   EXPECT_TRUE(list.remove(range("192.0.2.7")));
