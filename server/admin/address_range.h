@@ -1,6 +1,5 @@
 #pragma once
 
-#include <compare>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -37,7 +36,11 @@ class AddressRange {
   /// Fixed bits of the IPv6 form: 0 … kBits; at least kIpv4Bits if the addresses are IPv4.
   unsigned bits() const { return bits_; }
 
-  friend auto operator<=>(const AddressRange&, const AddressRange&) = default;
+  friend bool operator==(const AddressRange&, const AddressRange&) = default;
+  /// By first address, then by number of bits.
+  friend bool operator<(const AddressRange& a, const AddressRange& b) {
+    return a.first_ != b.first_ ? a.first_ < b.first_ : a.bits_ < b.bits_;
+  }
 
  private:
   AddressRange(const IpAddress& first, unsigned bits) : first_(first), bits_(bits) {}

@@ -27,12 +27,9 @@ TEST(Http, RefusesEverythingElse) {
   EXPECT_EQ(answer("POST /other HTTP/1.1\r\n\r\n"), HttpStatus::kNotFound);
   EXPECT_EQ(answer("POST /metrics HTTP/1.1\r\n\r\nabc"), HttpStatus::kMethodNotAllowed);
   EXPECT_EQ(answer("HEAD /metrics HTTP/1.1\r\n\r\n"), HttpStatus::kMethodNotAllowed);
-  for (const char* line :
-       {"", "GET", "GET /metrics", "GET  HTTP/1.1", "GET /metrics HTTP/2.0", "GET metrics HTTP/1.1",
-        "get /metrics HTTP/1.1", "GET /metrics  HTTP/1.1", "GET /metrics x HTTP/1.1", "GET /met\x01rics HTTP/1.1",
-        "GET /metr\xc3\xaf"
-        "cs HTTP/1.1",
-        "G\tET /metrics HTTP/1.1"}) {
+  for (const char* line : {"", "GET", "GET /metrics", "GET  HTTP/1.1", "GET /metrics HTTP/2.0", "GET metrics HTTP/1.1",
+                           "get /metrics HTTP/1.1", "GET /metrics  HTTP/1.1", "GET /metrics x HTTP/1.1",
+                           "GET /met\x01rics HTTP/1.1", "GET /metrics\xc3\xaf HTTP/1.1", "G\tET /metrics HTTP/1.1"}) {
     EXPECT_EQ(answer(std::string(line) + "\r\n\r\n"), HttpStatus::kBadRequest) << line;
   }
 }

@@ -144,7 +144,8 @@ TEST(HostingPage, ListsEveryMetricWithItsType) {
   const std::string page = readText("docs/hosting.md");
   const TextFormat text(formatMetrics(sample()));
   for (const auto& [name, type] : text.types) {
-    EXPECT_NE(page.find("| `" + name + "` | " + type + " | "), std::string::npos) << name;
+    const std::string row = std::string("| `").append(name).append("` | ").append(type).append(" | ");
+    EXPECT_NE(page.find(row), std::string::npos) << name;
   }
 }
 

@@ -20,7 +20,7 @@ const ServerOption& optionOf(std::string_view name) {
 
 // The fenced block of a page that follows this text.
 std::string blockAfter(const std::string& page, const std::string& text) {
-  const std::size_t begin = page.find("\n", page.find("```", page.find(text))) + 1;
+  const std::size_t begin = page.find('\n', page.find("```", page.find(text))) + 1;
   return page.substr(begin, page.find("```", begin) - begin);
 }
 
