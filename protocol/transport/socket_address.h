@@ -25,7 +25,8 @@ struct IpAddress {
   /// "192.0.2.1" or "2001:db8::1"
   std::string text() const;
 
-  friend auto operator<=>(const IpAddress&, const IpAddress&) = default;
+  // clang-tidy 14 takes the comparison for a null pointer.
+  friend auto operator<=>(const IpAddress&, const IpAddress&) = default;  // NOLINT(modernize-use-nullptr)
 };
 
 /// An IP address and a UDP port.
@@ -36,7 +37,7 @@ struct SocketAddress {
   /// "192.0.2.1:7777" or "[2001:db8::1]:7777"
   std::string text() const;
 
-  friend auto operator<=>(const SocketAddress&, const SocketAddress&) = default;
+  friend auto operator<=>(const SocketAddress&, const SocketAddress&) = default;  // NOLINT(modernize-use-nullptr)
 };
 
 }  // namespace platon

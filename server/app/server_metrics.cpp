@@ -27,6 +27,8 @@ Metrics metricsOf(const DedicatedServer& server) {
   metrics.tickMaxUs = recent.longest();
   metrics.missedInputs = server.match().missedInputs();
   metrics.desyncs = server.desyncs();
+  metrics.receivedBytes = server.host().gate().traffic().receivedBytes;
+  metrics.sentBytes = server.host().gate().traffic().sentBytes;
   metrics.drops = dropsOf(server);
   return metrics;
 }

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <memory>
+#include <utility>
 
 #include "protocol/transport/datagram_socket.h"
 #include "protocol/transport/handshake.h"
@@ -32,6 +34,8 @@ class AttackNetwork {
   virtual SocketAddress server() const = 0;
   /// The last datagrams of the victims, oldest first.
   const std::deque<Overheard>& overheard() const { return overheard_; }
+  /// Calls this with each datagram of a victim, before it is delivered. Empty: nothing.
+  void setEar(std::function<void(const Overheard&)> ear) { ear_ = std::move(ear); }
   /// Those of them that open a session, from the beginning.
   const std::deque<Overheard>& opens() const { return opens_; }
 
@@ -41,9 +45,11 @@ class AttackNetwork {
     if (isOpen && opens_.size() < kMaxHandshakes) opens_.push_back({victim, true, {bytes.begin(), bytes.end()}});
     if (overheard_.size() == kMaxOverheard) overheard_.pop_front();
     overheard_.push_back({victim, toServer, {bytes.begin(), bytes.end()}});
+    if (ear_) ear_(overheard_.back());
   }
 
  private:
+  std::function<void(const Overheard&)> ear_;
   std::deque<Overheard> overheard_;
   std::deque<Overheard> opens_;
 };

@@ -16,6 +16,8 @@ PLAYERS = 64
 BOTS = 4
 SETTLE = 4  # seconds until the bots are measured, and the attack begins
 NEWCOMER_SECONDS = 3
+DISTURBED = 20  # per cent of the time; if a program waits longer for a core, the run measures the load of the machine
+ATTEMPTS = 3
 
 
 @dataclass
@@ -35,7 +37,7 @@ class Result:
     longest: float
     growth: int  # bytes
     cpu: float  # per cent of a core
-    wait: float  # per cent of the time that the server waited for a core
+    wait: float  # per cent of the time that server, attacker or bots waited for a core, whichever is more
 
     @property
     def reached(self):
@@ -90,27 +92,39 @@ def newcomer(programs, relay):
     return result["connectMs"] if result["connected"] else None
 
 
-def watch(programs, server, attack, seconds, port):
+def watch(programs, server, attack, players, seconds, port):
     """Lets the attack run. Returns what is known of the server and the newcomer."""
-    before, begun = server.processor_seconds(), time.monotonic()
+    watched = (server, attack, players)
+    before, begun = [program.processor_seconds() for program in watched], time.monotonic()
     memory, drops = server.resident_bytes(), drops_at(port)
     attack.begin()
     time.sleep(min(1, seconds / 4))
     join = newcomer(programs, attack.relay)
     sent = attack.result()
-    after, passed = server.processor_seconds(), time.monotonic() - begun
+    after, passed = [program.processor_seconds() for program in watched], time.monotonic() - begun
+    waits = [now[1] - then[1] for then, now in zip(before, after, strict=True)]
     return {
         "join": join,
         "sent": sent["sent"],
         "answered_ratio": sent["answeredBytes"] / max(sent["sentBytes"], 1),
         "dropped": drops_at(port) - drops,
         "growth": server.resident_bytes() - memory,
-        "cpu": 100 * (after[0] - before[0]) / passed,
-        "wait": 100 * (after[1] - before[1]) / passed,
+        "cpu": 100 * (after[0][0] - before[0][0]) / passed,
+        "wait": 100 * max(waits) / passed,
     }
 
 
 def run_attack(programs, root, attack, seconds):
+    """Runs it again if other work of the machine disturbed it, and returns the quietest run."""
+    tried = []
+    while len(tried) < ATTEMPTS:
+        tried.append(_run_once(programs, root, attack, seconds))
+        if tried[-1].wait <= DISTURBED:
+            break
+    return min(tried, key=lambda result: result.wait)
+
+
+def _run_once(programs, root, attack, seconds):
     with contextlib.ExitStack() as processes:
         server = processes.enter_context(Server(programs, root / LEVEL, PLAYERS))
         port = int(re.search(r":(\d+)$", server.address).group(1))
@@ -118,7 +132,7 @@ def run_attack(programs, root, attack, seconds):
         duration = SETTLE + max(seconds, NEWCOMER_SECONDS + 1) + 1
         players = processes.enter_context(bots(programs, attacker.relay, BOTS, duration, SETTLE - 1, 1))
         time.sleep(SETTLE)
-        measured = watch(programs, server, attacker, seconds, port)
+        measured = watch(programs, server, attacker, players, seconds, port)
         played = players.result()
         ticks = server.stop()
     if played["connected"] == 0:

@@ -25,6 +25,8 @@ const std::array kAttacks{
     Attack{"reopened", "recorded handshakes of the victims, from their addresses and others", false, "cookie",
            floodReplayedOpens},
     Attack{"moved", "recorded datagrams of the victims from other addresses", false, "seal", floodMoved},
+    Attack{"raced", "the victims' datagrams from other addresses, before they come from their own", false, "seal",
+           race},
     Attack{"flipped", "recorded datagrams with one bit flipped", false, "seal", floodFlipped},
     Attack{"truncated", "recorded datagrams without their end", false, "seal", floodTruncated},
     Attack{"reflected", "datagrams of the server sent back to it, also in its own name", false, "seal", floodReflected},

@@ -20,6 +20,25 @@ std::unique_ptr<Attacker> floodChanged(AttackNetwork& network, std::function<voi
   });
 }
 
+/// Overtakes each datagram of a victim with copies from other addresses.
+class Racer : public Attacker {
+ public:
+  explicit Racer(AttackNetwork& network) : network_(network) {
+    network_.setEar([this](const Overheard& heard) {
+      for (int i = 0; heard.toServer && i < kCopies; ++i) network_.send(anyStranger(dice_), heard.bytes);
+    });
+  }
+  ~Racer() override { network_.setEar({}); }
+
+  void step(Moment, int) override {}
+
+ private:
+  static constexpr int kCopies = 10;
+
+  AttackNetwork& network_;
+  Dice dice_;
+};
+
 Bytes unsealedContent(Dice& dice) {
   const auto peer = static_cast<std::uint16_t>(dice.below(kSlots));
   switch (dice.below(5)) {
@@ -70,6 +89,8 @@ std::unique_ptr<Attacker> floodMoved(AttackNetwork& network) {
     if (found != nullptr) to.send(anyStranger(dice), found->bytes);
   });
 }
+
+std::unique_ptr<Attacker> race(AttackNetwork& network) { return std::make_unique<Racer>(network); }
 
 std::unique_ptr<Attacker> floodFlipped(AttackNetwork& network) {
   return floodChanged(network, [](Bytes& datagram, Dice& dice) {

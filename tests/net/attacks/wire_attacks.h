@@ -13,6 +13,7 @@ std::unique_ptr<Attacker> floodUnsealed(AttackNetwork& network);
 std::unique_ptr<Attacker> floodReplayed(AttackNetwork& network);
 std::unique_ptr<Attacker> floodReplayedOpens(AttackNetwork& network);
 std::unique_ptr<Attacker> floodMoved(AttackNetwork& network);
+std::unique_ptr<Attacker> race(AttackNetwork& network);
 std::unique_ptr<Attacker> floodFlipped(AttackNetwork& network);
 std::unique_ptr<Attacker> floodTruncated(AttackNetwork& network);
 std::unique_ptr<Attacker> floodReflected(AttackNetwork& network);
