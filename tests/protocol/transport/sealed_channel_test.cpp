@@ -95,10 +95,13 @@ TEST(SealedChannel, OnlyTheNewestDatagramIsNewest) {
   EXPECT_FALSE(ends.server.open(first)->isNewest);
 }
 
+// The datagram that has its place in the window after it was lost, too.
 TEST(SealedChannel, ADatagramOlderThanTheWindowIsRefused) {
   Ends ends;
   const Bytes old = ends.client.seal(content(1));
-  for (std::size_t i = 0; i < ReplayWindow::kSize; ++i) ends.server.open(ends.client.seal(content(1)));
+  for (std::size_t i = 1; i < ReplayWindow::kSize; ++i) ends.server.open(ends.client.seal(content(1)));
+  ends.client.seal(content(1));
+  EXPECT_TRUE(ends.server.open(ends.client.seal(content(1))));
   EXPECT_FALSE(ends.server.open(old));
 }
 
