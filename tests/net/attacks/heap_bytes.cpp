@@ -7,7 +7,7 @@
 #include <cerrno>
 #include <cstddef>
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef PLATON_SANITIZE
 
 extern "C" std::size_t __sanitizer_get_current_allocated_bytes();
 
