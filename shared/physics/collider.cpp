@@ -9,11 +9,12 @@ SegmentRef segmentRef(const MapGeometry& part, std::uint32_t segment) {
   return {part.id, segment, part.isWarp(segment), part.segments[segment]};
 }
 
-void Collider::begin(Rules& rules, Entity entity, std::vector<Region>& regions) {
+void Collider::begin(Rules& rules, Entity entity, std::vector<Region>& regions, Region::Work& work) {
   rules_ = &rules;
   ignoresWarps_ = rules.ignoresWarps();
   entity_.emplace(entity);
   regions_ = &regions;
+  work_ = &work;
   regions.resize(Instances::kMax);
   pierced_.clear();
 }
@@ -21,14 +22,13 @@ void Collider::begin(Rules& rules, Entity entity, std::vector<Region>& regions) 
 Region& Collider::start(const Placement& placement, const Convex& shape, Point from, Point to) {
   sweep_.start(shape, from, to - from);
   Region& region = regionOf(placement);
-  region.cover(*placement.part, sweep_.bounds().grown(kRegionMargin));
+  region.cover(*placement.part, sweep_.bounds().grown(kRegionMargin), *work_);
   return region;
 }
 
 // Clips the path of sweep_, which must have been started with the placement's shape, against the segment at `entry`.
 std::optional<Sweep::ClipInterval> Collider::clip(const Placement& placement, Region& region, std::size_t entry) {
-  if (sweep_.misses(region.bounds(entry))) return std::nullopt;
-  return sweep_.clip(region.obstacle(entry, *placement.shape));
+  return region.clip(sweep_, entry, *placement.shape);
 }
 
 bool Collider::blocks(const MapGeometry& part, std::uint32_t segment) const {
@@ -60,7 +60,7 @@ void Collider::first(const Instances& instances, std::size_t index, Point from, 
     if (segment == ignored) continue;
     const auto interval = clip(placement, region, entry);
     if (!interval || !blocksOrRecord(placement, segment) || (best && interval->enter >= best->hit.time)) continue;
-    best = LegHit{index, segment, Sweep::hitOf(region.obstacle(entry, *placement.shape), *interval)};
+    best = LegHit{index, segment, region.hitOf(sweep_, entry, *interval)};
   }
 }
 
@@ -85,7 +85,7 @@ std::optional<LegHit> Collider::firstWarp(const Instances& instances, const Path
       }
       const auto interval = clip(placement, region, entry);
       if (!interval || (earliest && interval->enter >= earliest->hit.time) || blocks(part, segment)) continue;
-      best = LegHit{i, segment, Sweep::hitOf(region.obstacle(entry, *placement.shape), *interval)};
+      best = LegHit{i, segment, region.hitOf(sweep_, entry, *interval)};
       earliest = &*best;
     }
   }
@@ -131,26 +131,28 @@ void Collider::appendPierced(const Placement& placement, std::vector<Pierced>& o
 }
 
 std::optional<Sweep::ClipInterval> Collider::clip(const Placement& placement, const Path& path, std::uint32_t segment) {
-  Obstacle* obstacle = obstacleNear(placement, path, segment);
-  return obstacle ? sweep_.clip(*obstacle) : std::nullopt;
+  const auto entry = startNear(placement, path, segment);
+  return entry ? clip(placement, regionOf(placement), *entry) : std::nullopt;
 }
 
 std::optional<Hit> Collider::hit(const Placement& placement, const Path& path, std::uint32_t segment) {
-  Obstacle* obstacle = obstacleNear(placement, path, segment);
-  return obstacle ? sweep_.against(*obstacle) : std::nullopt;
+  const auto entry = startNear(placement, path, segment);
+  if (!entry) return std::nullopt;
+  Region& region = regionOf(placement);
+  const auto interval = clip(placement, region, *entry);
+  return interval ? std::optional(region.hitOf(sweep_, *entry, *interval)) : std::nullopt;
 }
 
-// Starts sweep_ along the path. Null when the path misses the bounding box of the segment.
-Obstacle* Collider::obstacleNear(const Placement& placement, const Path& path, std::uint32_t segment) {
+// Starts sweep_ along the path and returns the entry of the segment. Nothing when the path misses the bounding box of
+// the segment.
+std::optional<std::size_t> Collider::startNear(const Placement& placement, const Path& path, std::uint32_t segment) {
   sweep_.start(*placement.shape, path.from, path.to - path.from, path.margin);
-  if (sweep_.misses(boundsOf(placement.part->segments[segment]))) return nullptr;
+  if (sweep_.misses(boundsOf(placement.part->segments[segment]))) return std::nullopt;
   Region& region = regionOf(placement);
-  auto entry = region.belongsTo(*placement.part) ? region.entryOf(segment) : std::nullopt;
-  if (!entry) {
-    region.cover(*placement.part, sweep_.bounds().grown(kRegionMargin));
-    entry = region.entryOf(segment);
-  }
-  return entry ? &region.obstacle(*entry, *placement.shape) : nullptr;
+  const auto entry = region.belongsTo(*placement.part) ? region.entryOf(segment) : std::nullopt;
+  if (entry) return entry;
+  region.cover(*placement.part, sweep_.bounds().grown(kRegionMargin), *work_);
+  return region.entryOf(segment);
 }
 
 }  // namespace platon

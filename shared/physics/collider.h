@@ -51,7 +51,7 @@ class Collider {
   };
 
   /// Starts a step. `regions` belong to the entity and are indexed by Placement::region.
-  void begin(Rules& rules, Entity entity, std::vector<Region>& regions);
+  void begin(Rules& rules, Entity entity, std::vector<Region>& regions, Region::Work& work);
 
   /// The earliest hit of any instance on a blocking segment when the home instance moves straight from `from` to `to`.
   /// At equal times, the first placement and the lowest segment index win. Records pierceable segments on the path. The
@@ -94,7 +94,7 @@ class Collider {
     return ignoresWarps_ && best && best->hit.time.numerator == 0;
   }
   std::optional<Sweep::ClipInterval> clip(const Placement& placement, Region& region, std::size_t entry);
-  Obstacle* obstacleNear(const Placement& placement, const Path& path, std::uint32_t segment);
+  std::optional<std::size_t> startNear(const Placement& placement, const Path& path, std::uint32_t segment);
   // The number of entries, from the first, whose segments may block or are recorded.
   std::size_t checkedEntries(const Region& region) const {
     return ignoresWarps_ ? region.firstWarp() : region.segments().size();
@@ -106,6 +106,7 @@ class Collider {
   bool ignoresWarps_ = false;  // Rules::ignoresWarps of rules_
   std::optional<Entity> entity_;
   std::vector<Region>* regions_ = nullptr;
+  Region::Work* work_ = nullptr;
   std::vector<Pierced> pierced_;
   Sweep sweep_;
 };

@@ -25,7 +25,7 @@ void EntityStep::begin(Entity entity, EntityState& state, std::span<const Instan
   rules_ = &context.rules;
   observer_ = context.observer;
   instances_.load(context.geometry, context.shapes, context.base, state, further);
-  collider_.begin(context.rules, entity, context.regions);
+  collider_.begin(context.rules, entity, context.regions, context.work);
   tickDisplacement_ = remaining_ = Point();
   remainder_ = {state.remainder.x, state.remainder.y};
   unobstructed_ = true;

@@ -34,6 +34,7 @@ class EntityStep {
     const Convex& base;
     ShapeCache& shapes;
     std::vector<Region>& regions;
+    Region::Work& work;
     Rules& rules;
     StepObserver* observer;
   };

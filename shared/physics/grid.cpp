@@ -1,6 +1,7 @@
 #include "platon/physics/grid.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "platon/exact/integer.h"
 #include "shared/exact/square_root.h"
@@ -100,7 +101,8 @@ Grid::CellRange Grid::cellsOf(const Box& box) const {
           bordersUpTo(rows_, box.high.y)};
 }
 
-void Grid::query(const Box& box, std::vector<std::uint32_t>& out) const {
+template <class Append>
+void Grid::query(const Box& box, std::vector<std::uint32_t>& out, Append&& append) const {
   if (references_.empty()) return;
   const std::size_t first = out.size();
   const CellRange cells = cellsOf(box);
@@ -108,11 +110,21 @@ void Grid::query(const Box& box, std::vector<std::uint32_t>& out) const {
   for (std::size_t row = cells.firstRow; row <= cells.lastRow; ++row) {
     const std::uint32_t* begin = references_.data() + firsts_[row * stride + cells.firstColumn];
     const std::uint32_t* end = references_.data() + firsts_[row * stride + cells.lastColumn + 1];
-    out.insert(out.end(), begin, end);
+    append(begin, end);
   }
   const auto start = out.begin() + static_cast<std::ptrdiff_t>(first);
   std::sort(start, out.end());
   out.erase(std::unique(start, out.end()), out.end());
+}
+
+void Grid::query(const Box& box, std::vector<std::uint32_t>& out) const {
+  query(box, out, [&out](const auto* begin, const auto* end) { out.insert(out.end(), begin, end); });
+}
+
+void Grid::query(const Box& box, std::span<const Segment> segments, std::vector<std::uint32_t>& out) const {
+  query(box, out, [&](const auto* begin, const auto* end) {
+    std::copy_if(begin, end, std::back_inserter(out), [&](std::uint32_t i) { return touches(segments[i], box); });
+  });
 }
 
 std::size_t Grid::bytes() const {

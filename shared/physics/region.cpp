@@ -17,11 +17,11 @@ Box clamped(const Box& box) {
   return {{clamped(box.low.x), clamped(box.low.y)}, {clamped(box.high.x), clamped(box.high.y)}};
 }
 
-// Adds half the size of the box on every side: an entity at constant speed then refills its region every few steps
-// only.
-Box widened(const Box& box) {
-  const std::int64_t marginX = (std::int64_t{box.high.x} - box.low.x) / 2;
-  const std::int64_t marginY = (std::int64_t{box.high.y} - box.low.y) / 2;
+// Adds a part of the size of the box on every side. With a half, an entity at constant speed refills its region every
+// few steps only.
+Box widened(const Box& box, std::int64_t divisor) {
+  const std::int64_t marginX = (std::int64_t{box.high.x} - box.low.x) / divisor;
+  const std::int64_t marginY = (std::int64_t{box.high.y} - box.low.y) / divisor;
   return {{clamped(box.low.x - marginX), clamped(box.low.y - marginY)},
           {clamped(box.high.x + marginX), clamped(box.high.y + marginY)}};
 }
@@ -40,41 +40,69 @@ Box unbounded(Box box) {
 
 // Warp segments are selected by their bounding boxes, not by the grid: the corner of a shape with a margin extends
 // beyond the bounds of the sweep, so a segment that the grid excludes may still be hit.
-void Region::refill(const MapGeometry& part, const Box& box) {
+void Region::refill(const MapGeometry& part, const Box& box, Work& work) {
   const bool isSamePart = part_ == &part;
   part_ = &part;
-  const Box wide = widened(clamped(box));
-  covered_ = unbounded(wide);
-  previousSegments_ = segments_;  // not swapped: both vectors keep their capacity
-  segments_.clear();
-  part.grid.query(wide, segments_);
-  std::erase_if(segments_, [&](std::uint32_t segment) {
-    return part.isWarp(segment) || !wide.overlaps(boundsOf(part.segments[segment]));
-  });
-  firstWarp_ = segments_.size();
-  for (std::uint32_t segment = part.segmentOfWarp(0); segment < part.segments.size(); ++segment) {
-    if (wide.overlaps(boundsOf(part.segments[segment]))) segments_.push_back(segment);
+  Box wide = widened(clamped(box), 2);
+  std::vector<std::uint32_t>& found = work.found;
+  found.clear();
+  part.grid.query(wide, part.segments, found);
+  if (found.size() > kManySegments) {
+    wide = widened(clamped(box), 8);
+    std::erase_if(found, [&](std::uint32_t segment) { return !touches(part.segments[segment], wide); });
   }
-  bounds_.clear();
-  for (const std::uint32_t segment : segments_) bounds_.push_back(boundsOf(part.segments[segment]));
-  previousObstacles_ = obstacleOf_;
-  obstacleOf_.assign(segments_.size(), kNoObstacle);
-  if (!isSamePart) previousSegments_.assign(previousSegments_.size(), kNoObstacle);
-  keepObstacles();
+  covered_ = unbounded(wide);
+  std::erase_if(found, [&](std::uint32_t segment) { return part.isWarp(segment); });
+  firstWarp_ = found.size();
+  for (std::uint32_t segment = part.segmentOfWarp(0); segment < part.segments.size(); ++segment) {
+    if (wide.overlaps(boundsOf(part.segments[segment]))) found.push_back(segment);
+  }
+  work.segments.assign(segments_.begin(), segments_.end());
+  segments_.assign(found.begin(), found.end());  // allocates no more than is needed
+  bounds_.resize(found.size());
+  std::transform(found.begin(), found.end(), bounds_.begin(),
+                 [&](std::uint32_t segment) { return boundsOf(part.segments[segment]); });
+  if (!isSamePart) work.segments.assign(work.segments.size(), kNoObstacle);
+  keepDerived(work);
 }
 
-// Reassigns the obstacles of segments that are still in the region; the others become unused.
-void Region::keepObstacles() {
+// Keeps what is known of segments that are still in the region. The obstacles of the others become unused, and, when
+// there are no more, those from which the shape is separated.
+void Region::keepDerived(Work& work) {
+  const bool isFull = !mayAllocate();
+  work.obstacles = obstacleOf_;
+  work.separating = separating_;
+  obstacleOf_.assign(segments_.size(), kNoObstacle);
+  separating_.assign(segments_.size(), kNoHalfPlane);
   auto segment = segments_.begin();
-  for (std::size_t before = 0; before < previousSegments_.size(); ++before) {
-    if (previousObstacles_[before] == kNoObstacle) continue;
-    segment = std::lower_bound(segment, segments_.end(), previousSegments_[before]);
-    if (segment != segments_.end() && *segment == previousSegments_[before]) {
-      obstacleOf_[static_cast<std::size_t>(segment - segments_.begin())] = previousObstacles_[before];
-    } else {
-      unused_.push_back(previousObstacles_[before]);
-    }
+  for (std::size_t before = 0; before < work.segments.size(); ++before) {
+    segment = std::lower_bound(segment, segments_.end(), work.segments[before]);
+    const bool isKept = segment != segments_.end() && *segment == work.segments[before];
+    const auto entry = static_cast<std::size_t>(segment - segments_.begin());
+    if (isKept) separating_[entry] = work.separating[before];
+    if (work.obstacles[before] == kNoObstacle) continue;
+    if (isKept && !(isFull && isSeparated(entry)))
+      obstacleOf_[entry] = work.obstacles[before];
+    else
+      unused_.push_back(work.obstacles[before]);
   }
+}
+
+// Only segments from which no half plane separates the shape get an obstacle.
+std::optional<Sweep::ClipInterval> Region::clipClosely(const Sweep& sweep, std::size_t entry, const Convex& shape) {
+  if (shape_ != &shape) separating_.assign(separating_.size(), kNoHalfPlane);
+  shape_ = &shape;
+  separating_[entry] = kNoHalfPlane;
+  if (obstacleOf_[entry] == kNoObstacle) {
+    const auto interval = sweep.clip(part_->segments[segments_[entry]], separating_[entry]);
+    if (!isSeparated(entry) && mayAllocate()) allocateObstacle(entry);
+    return interval;
+  }
+  Obstacle& obstacle = this->obstacle(entry, shape);
+  const auto interval = sweep.clip(obstacle);
+  if (!interval && sweep.isExcluded(obstacle.separatingHalfPlane()))
+    separating_[entry] = obstacle.separatingHalfPlane();
+  return interval;
 }
 
 void Region::allocateObstacle(std::size_t entry) {

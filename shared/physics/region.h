@@ -8,18 +8,35 @@
 #include "platon/physics/map_geometry.h"
 #include "platon/physics/obstacle.h"
 #include "platon/physics/segment.h"
+#include "platon/physics/sweep.h"
 
 namespace platon {
 
 /// The region of the report: a cache of the segments near one instance and of their obstacles. Derived state;
 /// influences speed only. Without it, the grid would be queried before each leg, and a step of 64 entities among 100 or
 /// 10 000 segments would take more than 1.5 times as long.
+///
+/// Most segments of a crowded region stay separated from the shape by one half plane, which is all that is kept of
+/// their obstacles. So its memory is 40 bytes a segment and that of at most kMaxObstacles obstacles.
 class Region {
  public:
+  /// A region with more segments covers hardly more than it must.
+  static constexpr std::size_t kManySegments = 512;
+  /// Limit of obstacles kept at a time.
+  static constexpr std::size_t kMaxObstacles = 48;
+
+  /// Work space for regions that are refilled in turn. Shared, since it would be as large as a region.
+  struct Work {
+    std::vector<std::uint32_t> found;
+    std::vector<std::uint32_t> segments;
+    std::vector<std::uint32_t> obstacles;
+    std::vector<Obstacle::HalfPlane> separating;
+  };
+
   /// Ensures that the region contains every segment that touches `box`. The covered area is larger than `box`, so that
   /// an entity stays inside it for several steps.
-  void cover(const MapGeometry& part, const Box& box) {
-    if (part_ != &part || !covered_.contains(box)) refill(part, box);
+  void cover(const MapGeometry& part, const Box& box, Work& work) {
+    if (part_ != &part || !covered_.contains(box)) refill(part, box, work);
   }
   /// Whether the region was last filled from this part.
   bool belongsTo(const MapGeometry& part) const { return part_ == &part; }
@@ -30,33 +47,47 @@ class Region {
   std::size_t firstWarp() const { return firstWarp_; }
   /// The entry of a segment; nothing when the segment is not in the region.
   std::optional<std::size_t> entryOf(std::uint32_t segment) const;
-  /// Bounding box of the segment at `entry`.
-  const Box& bounds(std::size_t entry) const { return bounds_[entry]; }
-  /// The obstacle of the segment at `entry` for `shape`, which must outlive the region's use.
+  /// Clips the displacement of `sweep`, whose shape is `shape`, against the segment at `entry`. The shape must outlive
+  /// the region's use.
+  std::optional<Sweep::ClipInterval> clip(const Sweep& sweep, std::size_t entry, const Convex& shape) {
+    if (sweep.misses(bounds_[entry])) return std::nullopt;
+    if (shape_ == &shape && sweep.isExcluded(separating_[entry])) return std::nullopt;
+    return clipClosely(sweep, entry, shape);
+  }
+  /// The collision that belongs to the result of `clip`.
+  Hit hitOf(const Sweep& sweep, std::size_t entry, const Sweep::ClipInterval& interval) const {
+    const std::uint32_t kept = obstacleOf_[entry];
+    if (kept != kNoObstacle && obstacles_[kept].belongsTo(*shape_)) return Sweep::hitOf(obstacles_[kept], interval);
+    return sweep.hitOf(part_->segments[segments_[entry]], interval);
+  }
+
+ private:
+  static constexpr std::uint32_t kNoObstacle = ~std::uint32_t{0};
+  // Excludes nothing.
+  static constexpr Obstacle::HalfPlane kNoHalfPlane{{}, -1};
+
+  void refill(const MapGeometry& part, const Box& box, Work& work);
+  void keepDerived(Work& work);
+  std::optional<Sweep::ClipInterval> clipClosely(const Sweep& sweep, std::size_t entry, const Convex& shape);
+  bool isSeparated(std::size_t entry) const { return separating_[entry].normal != Point(); }
+  bool mayAllocate() const { return !unused_.empty() || obstacles_.size() < kMaxObstacles; }
+  void allocateObstacle(std::size_t entry);
   Obstacle& obstacle(std::size_t entry, const Convex& shape) {
-    if (obstacleOf_[entry] == kNoObstacle) allocateObstacle(entry);
     Obstacle& obstacle = obstacles_[obstacleOf_[entry]];
     if (!obstacle.belongsTo(shape)) obstacle.build(shape, part_->segments[segments_[entry]]);
     return obstacle;
   }
 
- private:
-  static constexpr std::uint32_t kNoObstacle = ~std::uint32_t{0};
-
-  void refill(const MapGeometry& part, const Box& box);
-  void keepObstacles();
-  void allocateObstacle(std::size_t entry);
-
   const MapGeometry* part_ = nullptr;
+  const Convex* shape_ = nullptr;  // that of separating_
   Box covered_;
   std::vector<std::uint32_t> segments_;
   std::size_t firstWarp_ = 0;
-  std::vector<Box> bounds_;                // by entry
-  std::vector<std::uint32_t> obstacleOf_;  // by entry: index into obstacles_, or kNoObstacle before the first query
+  std::vector<Box> bounds_;                      // by entry
+  std::vector<Obstacle::HalfPlane> separating_;  // by entry: one that excluded a displacement, or kNoHalfPlane
+  std::vector<std::uint32_t> obstacleOf_;        // by entry: index into obstacles_, or kNoObstacle
   std::vector<Obstacle> obstacles_;
-  std::vector<std::uint32_t> unused_;            // indices of obstacles whose segments left the region
-  std::vector<std::uint32_t> previousSegments_;  // work space of refill
-  std::vector<std::uint32_t> previousObstacles_;
+  std::vector<std::uint32_t> unused_;  // indices of obstacles without an entry
 };
 
 }  // namespace platon

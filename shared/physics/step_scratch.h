@@ -28,9 +28,10 @@ class StepScratch {
 
   ShapeCache shapes;
   std::vector<std::vector<Region>> regions;  ///< by entity
-  std::vector<Rest> rests;                   ///< by entity
-  std::vector<EntityStep> steps;             ///< by entity
-  std::vector<InstanceState> further;        ///< further instances of all entities after the step
+  Region::Work work;
+  std::vector<Rest> rests;             ///< by entity
+  std::vector<EntityStep> steps;       ///< by entity
+  std::vector<InstanceState> further;  ///< further instances of all entities after the step
 };
 
 }  // namespace platon

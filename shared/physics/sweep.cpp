@@ -42,20 +42,42 @@ bool Sweep::isEmpty(const ClipInterval& interval) {
 
 std::optional<Hit> Sweep::against(const Segment& segment) const {
   if (misses(boundsOf(segment))) return std::nullopt;
+  const auto interval = clipToSegment(segment, [](const Obstacle::HalfPlane&) {});
+  return interval ? std::optional(hitOf(segment, *interval)) : std::nullopt;
+}
+
+std::optional<Sweep::ClipInterval> Sweep::clip(const Segment& segment, Obstacle::HalfPlane& separating) const {
+  return clipToSegment(segment, [&](const Obstacle::HalfPlane& half) {
+    separating = {half.normal, half.offset - dot(half.normal, position_)};
+  });
+}
+
+// Calls `separates` with the half plane that alone excludes the displacement, relative to the position.
+template <class Separates>
+std::optional<Sweep::ClipInterval> Sweep::clipToSegment(const Segment& segment, Separates&& separates) const {
   const Segment relative{segment.a - position_, segment.b - position_};  // saves the products with position_
   ClipInterval interval;
-  std::size_t sides = 0;
+  std::size_t index = 0;
+  const auto excludes = [&](const Obstacle::HalfPlane& half) {
+    if (intersect(interval, endDistances(half.offset, half), index++)) return false;
+    separates(half);
+    return true;
+  };
   if (segment.a != segment.b) {
     for (const Obstacle::HalfPlane& side : Obstacle::sideHalfPlanes(*shape_, relative)) {
-      if (!intersect(interval, endDistances(side.offset, side), sides++)) return std::nullopt;
+      if (excludes(side)) return std::nullopt;
     }
   }
-  for (std::size_t edge = 0; edge < shape_->edges().size(); ++edge) {
-    const auto half = Obstacle::edgeHalfPlane(shape_->edges()[edge], relative);
-    if (!intersect(interval, endDistances(half.offset, half), sides + edge)) return std::nullopt;
+  for (const Convex::Edge& edge : shape_->edges()) {
+    if (excludes(Obstacle::edgeHalfPlane(edge, relative))) return std::nullopt;
   }
   if (isEmpty(interval)) return std::nullopt;
+  return interval;
+}
+
+Hit Sweep::hitOf(const Segment& segment, const ClipInterval& interval) const {
   if (interval.entered == ClipInterval::kNone) return insideHit(interval);
+  const std::size_t sides = segment.a == segment.b ? 0 : 2;
   if (interval.entered >= sides) return edgeHit(interval, *shape_, interval.entered - sides, segment);
   const Point left = perpendicular(segment.b - segment.a);
   const Point normal = interval.entered == 0 ? left : -left;

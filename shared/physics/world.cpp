@@ -91,8 +91,8 @@ void World::move(std::uint32_t index, std::span<const InstanceState> further, Ru
 
 void World::beginStep(std::uint32_t index, std::span<const InstanceState> further, Rules& rules,
                       StepObserver* observer) {
-  const EntityStep::Context context{*geometry_, shapeOf(index), scratch_->shapes, scratch_->regions[index],
-                                    rules,      observer};
+  const EntityStep::Context context{*geometry_,     shapeOf(index), scratch_->shapes, scratch_->regions[index],
+                                    scratch_->work, rules,          observer};
   scratch_->steps[index].begin(Entity(*this, index), state_.entities[index], further, context);
 }
 

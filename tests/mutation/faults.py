@@ -284,7 +284,7 @@ FAULTS = [
     Fault("rest-without-its-turn", PHYSICS + "rest.cpp", "known_ = before.turn == 0 && before", "known_ = before",
           "a rotation that is requested in every tick is skipped",
           "DerivedStateTest.LongLivedWorldsStepLikeFreshCopies"),
-    Fault("obstacles-of-another-part", PHYSICS + "region.cpp", "if (!isSamePart) previousSegments_", "if (false) previousSegments_",
+    Fault("obstacles-of-another-part", PHYSICS + "region.cpp", "if (!isSamePart) work.segments", "if (false) work.segments",
           "a region reuses obstacles of another part",
           "DerivedStateTest.LongLivedWorldsStepLikeFreshCopies"),
     at_length("spare-obstacle-remembers", PHYSICS + "region.cpp", "  obstacles_[obstacleOf_[entry]].reset();\n", "",

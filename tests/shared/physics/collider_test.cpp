@@ -19,7 +19,7 @@ class ColliderTest : public testing::Test {
     Entity entity(world_, square(10));
     MapPart(world_, 0).insert(entity, {0, 0}, Angle());
     instances_.load(world_.geometry(), shapes_, world_.shapeOf(0), world_.entities()[0], world_.instancesOf(0));
-    collider_.begin(rules_, entity, regions_);
+    collider_.begin(rules_, entity, regions_, work_);
   }
   const Placement& home() const { return instances_.home(); }
 
@@ -28,6 +28,7 @@ class ColliderTest : public testing::Test {
   ShapeCache shapes_;
   Instances instances_;
   std::vector<Region> regions_;
+  Region::Work work_;
   Collider collider_;
 };
 
@@ -99,7 +100,7 @@ TEST_F(ColliderTest, FindsWarpsWithoutInstanceBehind) {
   Entity entity(world_, square(100));
   MapPart(world_, 1).insert(entity, {0, 0}, Angle());
   instances_.load(world_.geometry(), shapes_, world_.shapeOf(0), world_.entities()[0], world_.instancesOf(0));
-  collider_.begin(rules_, entity, regions_);
+  collider_.begin(rules_, entity, regions_, work_);
   const Collider::Path path{{0, 0}, {1000, 0}, 4};
   const auto find = [&](const std::vector<Collider::WarpRef>& refused) {
     const auto stop = collider_.first(instances_, path.from, path.to);

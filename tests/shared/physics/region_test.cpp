@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <tuple>
 
 #include "platon/exact/integer.h"
 #include "tests/sim/seeded_random.h"
@@ -29,12 +30,22 @@ void expectCovers(const Region& region, const MapGeometry& part, const Box& box)
   ASSERT_TRUE(std::is_sorted(lines.begin(), lines.end()));
   ASSERT_EQ(std::adjacent_find(lines.begin(), lines.end()), lines.end());
   for (std::uint32_t i = 0; i < part.segments.size(); ++i) {
-    if (!box.overlaps(boundsOf(part.segments[i]))) continue;
-    std::vector<std::uint32_t> queried;
-    part.grid.query(box, queried);
-    if (!std::binary_search(queried.begin(), queried.end(), i)) continue;
+    if (!touches(part.segments[i], box)) continue;
     ASSERT_TRUE(std::binary_search(lines.begin(), lines.end(), i)) << "seed " << kSeed << ", line " << i;
   }
+}
+
+// `lines` points within a square of the given half side.
+MapGeometry crowdedPart(std::size_t lines, std::int32_t reach) {
+  sim::SeededRandom random(kSeed);
+  MapGeometry part;
+  part.id = 1;
+  for (std::size_t i = 0; i < lines; ++i) {
+    const Point at = random.vector(reach);
+    part.segments.push_back({at, i % 3 == 0 ? at : at + random.vector(900)});
+  }
+  part.grid = Grid(part.segments);
+  return part;
 }
 
 TEST(RegionTest, IsEmptyAtFirst) { EXPECT_TRUE(Region().segments().empty()); }
@@ -43,12 +54,13 @@ TEST(RegionTest, CoversEveryQueriedBox) {
   const MapGeometry part = randomPart(1, 2000);
   sim::SeededRandom random(kSeed);
   Region region;
+  Region::Work work;
   Point at;
   for (int i = 0; i < 2000; ++i) {
     at += random.vector(i % 50 == 0 ? 1 << 18 : 20000);
     if (std::abs(at.x) > 1 << 21 || std::abs(at.y) > 1 << 21) at = Point();
     const Box box{at - Point(12000, 12000), at + Point(12000, 12000)};
-    region.cover(part, box);
+    region.cover(part, box, work);
     ASSERT_NO_FATAL_FAILURE(expectCovers(region, part, box)) << i;
   }
 }
@@ -57,10 +69,11 @@ TEST(RegionTest, RefillsForAnotherPart) {
   const MapGeometry first = randomPart(1, 500);
   const MapGeometry second = randomPart(2, 500);
   Region region;
+  Region::Work work;
   const Box box{{-100000, -100000}, {100000, 100000}};
   for (int i = 0; i < 4; ++i) {
     const MapGeometry& part = i % 2 == 0 ? first : second;
-    region.cover(part, box);
+    region.cover(part, box, work);
     ASSERT_NO_FATAL_FAILURE(expectCovers(region, part, box));
   }
 }
@@ -72,10 +85,53 @@ TEST(RegionTest, ReachesBeyondTheCoordinates) {
       {{-largest, -largest}, {-largest, largest}}, {{largest, -largest}, {largest, largest}}, {{0, 0}, {0, 0}}};
   part.grid = Grid(part.segments);
   Region region;
-  region.cover(part, {{largest - 5, -7}, {2 * largest, 2 * largest}});
+  Region::Work work;
+  region.cover(part, {{largest - 5, -7}, {2 * largest, 2 * largest}}, work);
   expectCovers(region, part, {{largest - 5, -7}, {largest, largest}});
-  region.cover(part, {{-2 * largest, -2 * largest}, {2 * largest, 2 * largest}});
+  region.cover(part, {{-2 * largest, -2 * largest}, {2 * largest, 2 * largest}}, work);
   EXPECT_EQ(region.segments().size(), 3u);
+}
+
+TEST(RegionTest, ACrowdedRegionCoversLittleMoreThanItMust) {
+  const Box box{{-12000, -12000}, {12000, 12000}};
+  Region::Work work;
+  Region roomy;
+  const MapGeometry sparse = crowdedPart(Region::kManySegments, 100000);
+  roomy.cover(sparse, box, work);
+  ASSERT_NO_FATAL_FAILURE(expectCovers(roomy, sparse, box.grown(12000)));
+  Region tight;
+  const MapGeometry dense = crowdedPart(20 * Region::kManySegments, 100000);
+  tight.cover(dense, box, work);
+  ASSERT_NO_FATAL_FAILURE(expectCovers(tight, dense, box.grown(3000)));
+  for (const std::uint32_t line : tight.segments()) EXPECT_TRUE(touches(dense.segments[line], box.grown(3000))) << line;
+}
+
+// Also when there are more obstacles than are kept, and after refills.
+TEST(RegionTest, ClipsLikeASweepWithoutIt) {
+  const MapGeometry part = crowdedPart(4000, 60000);
+  const Convex shapes[] = {Convex({{-9000, -9000}, {9000, -9000}, {9000, 9000}, {-9000, 9000}}),
+                           Convex({{-12000, 0}, {0, -12000}, {12000, 0}, {0, 12000}})};
+  sim::SeededRandom random(kSeed);
+  Region region;
+  Region::Work work;
+  Sweep sweep;
+  int hits = 0;
+  for (int i = 0; i < 400; ++i) {
+    const Convex& shape = shapes[i / 7 % 2];
+    sweep.start(shape, random.vector(i % 5 == 0 ? 40000 : 3000), random.vector(i % 2 == 0 ? 5000 : 50));
+    region.cover(part, sweep.bounds(), work);
+    for (std::size_t entry = 0; entry < region.segments().size(); ++entry) {
+      const auto expected = sweep.against(part.segments[region.segments()[entry]]);
+      const auto interval = region.clip(sweep, entry, shape);
+      ASSERT_EQ(interval.has_value(), expected.has_value()) << "seed " << kSeed << ", sweep " << i;
+      if (!interval) continue;
+      const Hit hit = region.hitOf(sweep, entry, *interval);
+      ASSERT_EQ(std::tie(hit.time, hit.exit, hit.normal, hit.feature, hit.side),
+                std::tie(expected->time, expected->exit, expected->normal, expected->feature, expected->side));
+      ++hits;
+    }
+  }
+  EXPECT_GT(hits, 100 * static_cast<int>(Region::kMaxObstacles));
 }
 
 }  // namespace

@@ -19,6 +19,8 @@ class Grid {
   /// Appends the indices of all segments that touch `box`, each once, in ascending order. May include segments that
   /// only share a cell with `box`.
   void query(const Box& box, std::vector<std::uint32_t>& out) const;
+  /// As above, without those that only share a cell. `segments`: those of the grid.
+  void query(const Box& box, std::span<const Segment> segments, std::vector<std::uint32_t>& out) const;
 
   /// Memory used by the grid in bytes, without the segments.
   std::size_t bytes() const;
@@ -32,6 +34,8 @@ class Grid {
   CellRange cellsOf(const Box& box) const;
   template <class Visit>
   void forEachCell(const Segment& segment, Visit&& visit) const;
+  template <class Append>
+  void query(const Box& box, std::vector<std::uint32_t>& out, Append&& append) const;
 
   std::vector<std::int32_t> columns_;  // inner borders, ascending: column i is [columns_[i - 1], columns_[i]]
   std::vector<std::int32_t> rows_;

@@ -58,6 +58,8 @@ class Obstacle {
 
   /// Index of the half plane that excluded the last displacement. Tried first; influences speed only.
   std::size_t separatingHint() const { return separatingHint_; }
+  /// That half plane.
+  const HalfPlane& separatingHalfPlane() const { return halfPlanes_[separatingHint_]; }
   void setSeparatingHint(std::size_t halfPlane) { separatingHint_ = halfPlane; }
 
   /// Indices, ascending, of all half planes that do not contain the whole box `positions`. May include others. Cached

@@ -41,4 +41,14 @@ constexpr Box boundsOf(const Segment& segment) {
           {std::max(segment.a.x, segment.b.x), std::max(segment.a.y, segment.b.y)}};
 }
 
+/// Whether a segment has a point in common with a box; touching counts. Requires coordinates up to 2^29.
+constexpr bool touches(const Segment& segment, const Box& box) {
+  if (!box.overlaps(boundsOf(segment))) return false;
+  const Point along = segment.b - segment.a;
+  const auto side = [&](std::int32_t x, std::int32_t y) { return cross(along, Point(x, y) - segment.a); };
+  const auto [low, high] = std::minmax({side(box.low.x, box.low.y), side(box.low.x, box.high.y),
+                                        side(box.high.x, box.low.y), side(box.high.x, box.high.y)});
+  return low <= 0 && high >= 0;
+}
+
 }  // namespace platon

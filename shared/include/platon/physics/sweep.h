@@ -68,12 +68,20 @@ class Sweep {
   /// of the segment must not be missed (see `misses`).
   std::optional<ClipInterval> clip(Obstacle& obstacle) const {
     // Fast path: the half plane that excluded the last displacement usually excludes this one.
-    const EndDistances hint = endDistancesTo(obstacle.halfPlanes()[obstacle.separatingHint()]);
-    if (hint.start >= 0 && hint.end >= 0) return std::nullopt;
+    if (isExcluded(obstacle.halfPlanes()[obstacle.separatingHint()])) return std::nullopt;
     return clipToHalfPlanes(obstacle);
   }
+  /// Whether the whole displacement is outside one half plane of an obstacle, and so outside the obstacle.
+  bool isExcluded(const Obstacle::HalfPlane& half) const {
+    const EndDistances distances = endDistancesTo(half);
+    return distances.start >= 0 && distances.end >= 0;
+  }
+  /// As `clip`, without a prebuilt obstacle. When one half plane of the obstacle alone excludes the displacement,
+  /// writes it to `separating`.
+  std::optional<ClipInterval> clip(const Segment& segment, Obstacle::HalfPlane& separating) const;
   /// Second half of `against`: the collision that belongs to the result of `clip`.
   static Hit hitOf(const Obstacle& obstacle, const ClipInterval& interval);
+  Hit hitOf(const Segment& segment, const ClipInterval& interval) const;
 
   /// Whether the bounding box of the moving shape is disjoint from the bounding box of a segment.
   bool misses(const Box& segmentBounds) const { return !bounds_.overlaps(segmentBounds); }
@@ -103,6 +111,8 @@ class Sweep {
   static void cross(ClipInterval& interval, EndDistances distances, std::size_t halfPlane);
   static bool isEmpty(const ClipInterval& interval);
   std::optional<ClipInterval> clipToHalfPlanes(Obstacle& obstacle) const;
+  template <class Separates>
+  std::optional<ClipInterval> clipToSegment(const Segment& segment, Separates&& separates) const;
 
   const Convex* shape_ = nullptr;
   Point position_;
