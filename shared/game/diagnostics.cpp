@@ -13,11 +13,15 @@ std::string format(std::string_view file, const Diagnostic& diagnostic) {
 
 void Diagnostics::add(TextPosition at, bool error, std::string message) {
   hasError_ = hasError_ || error;
-  if (found_.size() == kMax) {
-    full_ = true;
-    return;
+  Diagnostic diagnostic{at.line, at.column, error, std::move(message)};
+  full_ = full_ || found_.size() == kMax;
+  if (full_ && error && !warnings_.empty()) {
+    found_[warnings_.back()] = std::move(diagnostic);
+    warnings_.pop_back();
   }
-  found_.push_back({at.line, at.column, error, std::move(message)});
+  if (full_) return;
+  if (!error) warnings_.push_back(found_.size());
+  found_.push_back(std::move(diagnostic));
 }
 
 std::vector<Diagnostic> Diagnostics::take() {

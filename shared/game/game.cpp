@@ -190,7 +190,7 @@ bool Game::accepts(const WorldState& state) const {
       return std::abs(std::int64_t{point.x}) <= limit && std::abs(std::int64_t{point.y}) <= limit;
     };
     if (player.present > 1 || player.finished > 1 || player.rising > 1) return false;
-    if (!inRange(player.velocity, 1 << 20) || !inRange(player.ground, PlayerState::kUnit)) return false;
+    if (!inRange(player.velocity, kMaxPlayerSpeed) || !inRange(player.ground, PlayerState::kUnit)) return false;
     if (player.present != state.entities[slot].inserted) return false;
   }
   return true;

@@ -128,6 +128,7 @@ void LevelReader::readSolid(const LevelLine& line) {
     return;
   }
   draft_.segments.resize(static_cast<std::size_t>(PlatonicSolid::of(*draft_.solid).faces()));
+  draft_.positions.resize(draft_.segments.size());
   if (line.tokens.size() > 1) {
     diagnostics_->error({line.number, line.tokens[1].column},
                         "unexpected " + quoted(line.tokens[1].text) + " after the solid: remove it");
@@ -216,6 +217,7 @@ void LevelReader::addSegment(const LevelLine& line, std::span<const LevelNumber>
     diagnostics_->warning(at, "the line has no effect: it is in a corner of its face, which blocks already");
   }
   draft_.segments[faces_ - 1].push_back(*segment);
+  draft_.positions[faces_ - 1].push_back(at);
   placed_.push_back({faces_ - 1, *segment, at});
 }
 

@@ -34,7 +34,8 @@ struct LevelDraft {
   std::optional<std::int32_t> faceSize;
   std::optional<LevelPlace> start;
   std::optional<LevelPlace> goal;
-  std::vector<std::vector<Segment>> segments;  ///< one list per face once the solid is known
+  std::vector<std::vector<Segment>> segments;        ///< one list per face once the solid is known
+  std::vector<std::vector<TextPosition>> positions;  ///< of the segments in the text
   std::string title;
   std::string author;
 };

@@ -4,30 +4,43 @@
 #include <cstdint>
 #include <exception>
 #include <iostream>
+#include <memory>
 #include <string_view>
 #include <vector>
 
 #include "platon/game/game.h"
+#include "platon/game/level.h"
 #include "platon/physics/sweep.h"
 #include "tests/bench/sweep_sets.h"
 #include "tests/determinism/lockstep_levels.h"
 #include "tests/sim/button_presses.h"
+#include "tests/support/crowded_levels.h"
 
 namespace platon::bench {
 namespace {
 
 constexpr const char* kUsage =
-    "usage: platon-instruction-count advance|sweep COUNT\n"
-    "Calls Game::advance for eight players, or Sweep on a set of queries, COUNT times on fixed input.\n"
+    "usage: platon-instruction-count advance|crowded|sweep COUNT\n"
+    "Calls Game::advance for eight players, on a usual level or on the most expensive one that is allowed, or Sweep on "
+    "a\n"
+    "set of queries, COUNT times on fixed input.\n"
     "check_instructions.py runs it under callgrind.\n";
 
 constexpr const char* kLevel = "tests/determinism/golden/levels/crowd.level";
+constexpr std::string_view kCrowdedLevel = "CombRoundTetrahedron";
 constexpr std::uint64_t kSeed = 3;
 constexpr std::size_t kPlayers = 8;
 constexpr std::size_t kQueries = 1000;
 
-std::uint64_t advance(std::int64_t ticks) {
-  Game game(sim::levelFrom(kLevel));
+std::shared_ptr<const Level> crowdedLevel() {
+  const std::vector<CrowdedLevel> levels = crowdedLevels();
+  const auto worst =
+      std::find_if(levels.begin(), levels.end(), [](const CrowdedLevel& level) { return level.name == kCrowdedLevel; });
+  return loadLevel(worst->text(1)).level;
+}
+
+std::uint64_t advance(const std::shared_ptr<const Level>& level, std::int64_t ticks) {
+  Game game(level);
   std::vector<sim::ButtonPresses> presses;
   for (std::uint32_t slot = 0; slot < kPlayers; ++slot) presses.emplace_back(kSeed, slot);
   std::vector<Input> inputs(kPlayers);
@@ -57,11 +70,16 @@ int main(int count, char** arguments) {
   const std::string_view what = count == 3 ? arguments[1] : "";
   const std::string_view number = count == 3 ? arguments[2] : "";
   const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), times);
-  if ((what != "advance" && what != "sweep") || error != std::errc{} || end != number.data() + number.size()) {
+  if ((what != "advance" && what != "crowded" && what != "sweep") || error != std::errc{} ||
+      end != number.data() + number.size()) {
     std::cerr << kUsage;
     return 2;
   }
-  std::cout << (what == "advance" ? advance(times) : sweep(times)) << '\n';
+  const auto result = [&] {
+    if (what == "sweep") return sweep(times);
+    return advance(what == "crowded" ? crowdedLevel() : sim::levelFrom(kLevel), times);
+  };
+  std::cout << result() << '\n';
   return 0;
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -51,6 +52,17 @@ TEST(DiagnosticsTest, ReportsThatSomeWereDropped) {
   const auto all = diagnostics.take();
   ASSERT_EQ(all.size(), Diagnostics::kMax + 1);
   EXPECT_EQ(all.back(), (Diagnostic{7, 8, true, "too many errors; fix these first"}));
+}
+
+TEST(DiagnosticsTest, AnErrorTakesThePlaceOfAWarningWhenThereAreTooMany) {
+  Diagnostics diagnostics;
+  for (std::size_t i = 0; i < Diagnostics::kMax; ++i) diagnostics.warning({7, 8}, "warning");
+  diagnostics.error({9, 1}, "kept");
+  diagnostics.warning({9, 2}, "dropped");
+  const auto all = diagnostics.take();
+  EXPECT_EQ(std::count(all.begin(), all.end(), Diagnostic{9, 1, true, "kept"}), 1);
+  EXPECT_EQ(std::count(all.begin(), all.end(), Diagnostic{7, 8, false, "warning"}),
+            static_cast<std::ptrdiff_t>(Diagnostics::kMax - 1));
 }
 
 TEST(DiagnosticsTest, QuotesPrintableAsciiOnly) {

@@ -145,6 +145,45 @@ TEST(LevelTest, WarningsAreNotErrors) {
   EXPECT_EQ(result.level->segments[0].size(), 6u);
 }
 
+// A level that the server or the client would have to carry through every tick.
+TEST(LevelTest, TooManyLinesInOnePlaceAreAnError) {
+  std::string lines;
+  for (int i = 0; i < 600; ++i)
+    lines += "0 " + std::to_string(-40 - i % 30) + " 9 " + std::to_string(-40 - i / 30) + "\n";
+  const auto result = loadLevel(replaced(kSample, "-240 -200 100 -200\n", lines));
+  EXPECT_EQ(result.level, nullptr);
+  ASSERT_EQ(result.diagnostics.size(), 1u);
+  EXPECT_EQ(
+      format("sample", result.diagnostics[0]),
+      "sample:550:1: error: too many lines in one place: more than 512 touch the square of 80 x 80 units round -36 "
+      "-84 of face 0; remove some or spread them");
+}
+
+TEST(LevelTest, ALineThatFillsALevelWithWarningsDoesNotHideTheError) {
+  std::string lines;
+  for (int i = 0; i < 200000; ++i) lines += "0 -50 9 -50\n";
+  const auto result = loadLevel(replaced(kSample, "-240 -200 100 -200\n", lines));
+  EXPECT_EQ(result.level, nullptr);
+  EXPECT_TRUE(std::any_of(result.diagnostics.begin(), result.diagnostics.end(), [](const Diagnostic& one) {
+    return one.error && one.line == 520 && one.message.starts_with("too many lines in one place");
+  }));
+}
+
+TEST(LevelTest, AllLinesTogetherAreLimited) {
+  const auto levelOf = [](int count) {
+    std::string text = "HEXAHEDRON\n0 0 0 0\n0 0 0\n65536\n%\n";
+    for (int i = 0; i < count; ++i) {
+      const std::string y = std::to_string(100 + 20 * i);
+      text += "-32768 " + y + " 32768 " + y + "\n";
+    }
+    return loadLevel(text + "%\n%\n%\n%\n%\n");
+  };
+  EXPECT_NE(levelOf(1024).level, nullptr);
+  const auto result = levelOf(1030);
+  EXPECT_EQ(result.level, nullptr);
+  EXPECT_EQ(messages(result), "1030:1: the lines are together longer than 67108864 units: remove or shorten some\n");
+}
+
 TEST(LevelTest, ReadsTheLongestTextAndNoLonger) {
   std::string text = std::string(kSample) + "#";
   text.resize(kMaxLevelBytes, '.');

@@ -369,5 +369,28 @@ TEST(PlayerTest, AMirroredLevelGivesAMirroredPath) {
   }
 }
 
+// Long slopes just too steep to stand on give the greatest speeds: falls and slides feed each other.
+TEST(PlayerTest, StaysFarBelowTheLargestSpeedOfAState) {
+  double fastest = 0;
+  for (const int degrees : {50, 51, 55, 65, 80}) {
+    const double slope = std::tan(degrees * 3.14159265 / 180);
+    std::string lines;
+    const auto heightAt = [slope](int x) { return static_cast<int>(3500 - slope * (x + 3900)); };
+    for (int x = -3900; heightAt(x + 500) > -4000; x += 600) {  // with gaps between them, down to the right
+      lines += std::to_string(x) + " " + std::to_string(heightAt(x)) + " " + std::to_string(x + 500) + " " +
+               std::to_string(heightAt(x + 500)) + "\n";
+    }
+    const std::string text = "HEXAHEDRON\n0 -3880 3600 0\n5 0 0\n8000\n%\n" + lines + "%\n%\n%\n%\n%\n";
+    PlayedGame played(levelOf(text));
+    for (int tick = 0; tick < 1500; ++tick) {
+      played.run(1, static_cast<std::uint8_t>(tick / 9 % 4 == 0 ? Input::kRight | Input::kJump : Input::kRight));
+      const Point velocity = played.player().velocity;
+      fastest = std::max(fastest, std::hypot(velocity.x, velocity.y));
+    }
+  }
+  EXPECT_GT(fastest, 14000) << "a free fall has 12288";
+  EXPECT_LT(fastest, kMaxPlayerSpeed * 2.0 / 3);
+}
+
 }  // namespace
 }  // namespace platon

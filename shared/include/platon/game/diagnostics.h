@@ -29,7 +29,8 @@ struct TextPosition {
 /// Collects the diagnostics of one text.
 class Diagnostics {
  public:
-  /// Most diagnostics kept. A hostile text cannot fill memory with them; no text written by a person has so many.
+  /// Most diagnostics kept; an error takes the place of a warning when there are more. A hostile text cannot fill
+  /// memory with them; no text written by a person has so many.
   static constexpr std::size_t kMax = 20000;
 
   void error(TextPosition at, std::string message) { add(at, true, std::move(message)); }
@@ -43,6 +44,7 @@ class Diagnostics {
   void add(TextPosition at, bool error, std::string message);
 
   std::vector<Diagnostic> found_;
+  std::vector<std::size_t> warnings_;  // indices into found_
   bool hasError_ = false;
   bool full_ = false;
 };

@@ -35,6 +35,10 @@ struct Level {
   World world;
 };
 
+/// Most segments that may be within a tick's reach of a player, over the edges too. They bound what a player costs.
+inline constexpr std::size_t kMaxSegmentsInReach = 512;
+/// Largest sum of the lengths of all segments, level units: the width or the height of each, whichever is larger.
+inline constexpr std::int64_t kMaxTotalUnits = std::int64_t{1} << 26;
 /// Longest level text in bytes.
 inline constexpr std::size_t kMaxLevelBytes = std::size_t{4} << 20;
 

@@ -46,6 +46,10 @@ struct PlayerState {
 /// Radius of the player in subunits, to the vertices of its shape.
 inline constexpr std::int32_t kPlayerRadius = 12 * 1024;
 
+/// Largest coordinate of a player's velocity in a valid state, subunits a tick. Falls, slopes and jumps together reach
+/// less than two thirds of it on any level.
+inline constexpr std::int32_t kMaxPlayerSpeed = 1 << 15;
+
 /// Shape of the player, which is drawn as a ball: a regular 16-gon with a horizontal edge at the bottom.
 Convex playerShape();
 

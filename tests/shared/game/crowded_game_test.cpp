@@ -1,0 +1,99 @@
+// What players cost on the worst levels that are accepted. Prints the time and checks the memory.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <new>
+#include <vector>
+
+#include "platon/game/game.h"
+#include "tests/sim/button_presses.h"
+#include "tests/support/crowded_levels.h"
+
+namespace {
+
+constexpr std::size_t kHeader = alignof(std::max_align_t);
+
+std::size_t bytesInUse = 0;
+
+// Keeps the size in front of the memory.
+void* allocateOrNull(std::size_t size) noexcept {
+  auto* memory = static_cast<std::size_t*>(std::malloc(size + kHeader));
+  if (memory == nullptr) return nullptr;
+  *memory = size;
+  bytesInUse += size + kHeader;
+  return reinterpret_cast<char*>(memory) + kHeader;
+}
+
+void* allocate(std::size_t size) {
+  if (void* memory = allocateOrNull(size)) return memory;
+  throw std::bad_alloc();
+}
+
+void release(void* memory) noexcept {
+  if (memory == nullptr) return;
+  auto* start = reinterpret_cast<std::size_t*>(static_cast<char*>(memory) - kHeader);
+  bytesInUse -= *start + kHeader;
+  std::free(start);
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) { return allocate(size); }
+void* operator new[](std::size_t size) { return allocate(size); }
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return allocateOrNull(size); }
+void* operator new[](std::size_t size, const std::nothrow_t&) noexcept { return allocateOrNull(size); }
+void operator delete(void* memory) noexcept { release(memory); }
+void operator delete[](void* memory) noexcept { release(memory); }
+void operator delete(void* memory, std::size_t) noexcept { release(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { release(memory); }
+void operator delete(void* memory, const std::nothrow_t&) noexcept { release(memory); }
+void operator delete[](void* memory, const std::nothrow_t&) noexcept { release(memory); }
+
+namespace platon {
+namespace {
+
+constexpr std::uint32_t kPlayers = 4;
+constexpr int kTicks = 2000;
+constexpr std::size_t kMaxBytesPerPlayer = 100 * 1024;
+
+class CrowdedGameTest : public testing::TestWithParam<CrowdedLevel> {};
+
+TEST_P(CrowdedGameTest, AFewMoreSegmentsWouldBeTooMany) {
+  const LevelResult valid = loadLevel(GetParam().text(1));
+  const auto error = std::find_if(valid.diagnostics.begin(), valid.diagnostics.end(),
+                                  [](const Diagnostic& diagnostic) { return diagnostic.error; });
+  ASSERT_NE(valid.level, nullptr) << format("level", *error);
+  EXPECT_EQ(loadLevel(GetParam().text(1.05)).level, nullptr);
+}
+
+TEST_P(CrowdedGameTest, APlayerNeedsAtMostAHundredKilobytes) {
+  using Clock = std::chrono::steady_clock;
+  const std::shared_ptr<const Level> level = loadLevel(GetParam().text(1)).level;
+  ASSERT_NE(level, nullptr);
+  Game game(level);
+  std::vector<sim::ButtonPresses> presses;
+  for (std::uint32_t slot = 0; slot < kPlayers; ++slot) presses.emplace_back(3, slot);
+  std::vector<Input> inputs(kPlayers);
+  const std::size_t before = bytesInUse;
+  std::chrono::duration<double, std::micro> time{};
+  for (int tick = 0; tick < kTicks; ++tick) {
+    for (std::uint32_t slot = 0; slot < kPlayers; ++slot) inputs[slot] = presses[slot].next();
+    if (tick % 200 == 199) inputs[0].buttons |= Input::kRestart;
+    const auto begun = Clock::now();
+    game.advance(inputs);
+    time += Clock::now() - begun;
+  }
+  const std::size_t bytes = (bytesInUse - before) / kPlayers;
+  std::printf("%s: %.1f us a player and tick, %zu KB a player\n", GetParam().name.c_str(),
+              time.count() / (kTicks * kPlayers), (bytes + 1023) / 1024);
+  EXPECT_LE(bytes, kMaxBytesPerPlayer);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, CrowdedGameTest, testing::ValuesIn(crowdedLevels()),
+                         [](const auto& level) { return level.param.name; });
+
+}  // namespace
+}  // namespace platon

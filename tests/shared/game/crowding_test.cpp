@@ -1,0 +1,151 @@
+#include "shared/game/crowding.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "platon/exact/integer.h"
+#include "platon/game/level.h"
+#include "platon/game/stage.h"
+#include "tests/sim/seeded_random.h"
+
+namespace platon {
+namespace {
+
+constexpr std::uint64_t kSeed = 512;
+constexpr std::int32_t kUnit = kSubunitsPerUnit;
+constexpr std::int32_t kSize = 480;
+
+using Segments = std::vector<std::vector<Segment>>;
+
+Segments onFaces(SolidKind kind) { return Segments(static_cast<std::size_t>(PlatonicSolid::of(kind).faces())); }
+
+std::vector<CrowdedPlace> placesOf(SolidKind kind, const Segments& segments, std::int32_t size = kSize) {
+  const World faces = buildStage(kind, size, onFaces(kind));
+  return Crowding(faces.geometry(), segments).find();
+}
+
+Segment pointAt(std::int32_t x, std::int32_t y) { return {{x, y}, {x, y}}; }
+
+// A place near which there are exactly as many segments as are allowed, and one more.
+TEST(Crowding, OneSegmentTooManyIsFound) {
+  Segments segments = onFaces(SolidKind::kHexahedron);
+  segments[2].assign(kMaxSegmentsInReach, pointAt(5 * kUnit, 7 * kUnit));
+  EXPECT_TRUE(placesOf(SolidKind::kHexahedron, segments).empty());
+  segments[2].push_back(pointAt(0, 0));
+  const auto places = placesOf(SolidKind::kHexahedron, segments);
+  ASSERT_EQ(places.size(), 1u);
+  EXPECT_EQ(places[0].face, 2u);
+  EXPECT_EQ(places[0].segmentFace, 2u);
+  EXPECT_EQ(places[0].segment, kMaxSegmentsInReach) << "the last one is the one too many";
+  const Box square = Box{places[0].centre, places[0].centre}.grown(Crowding::kPlace / 2 + Crowding::kReach);
+  EXPECT_TRUE(touches(segments[2][0], square));
+  EXPECT_TRUE(touches(segments[2].back(), square));
+}
+
+TEST(Crowding, SegmentsOutOfReachOfEachOtherAreNotCounted) {
+  constexpr std::int32_t kFar = Crowding::kPlace + 2 * Crowding::kReach + 1;
+  for (const Point apart : {Point(kFar, 0), Point(0, kFar), Point(-kFar, kFar)}) {
+    Segments segments = onFaces(SolidKind::kHexahedron);
+    for (std::size_t i = 0; i < kMaxSegmentsInReach; ++i) {
+      segments[0].push_back(pointAt(0, 0));
+      segments[0].push_back({apart, apart + Point(7, 0)});
+    }
+    EXPECT_TRUE(placesOf(SolidKind::kHexahedron, segments).empty()) << apart.x << ", " << apart.y;
+  }
+}
+
+// The bounding boxes of all lines overlap, but each place has only 500 of them near.
+TEST(Crowding, ALongLineCountsOnlyWhereItIs) {
+  Segments segments = onFaces(SolidKind::kHexahedron);
+  constexpr std::int32_t kHalf = 160 * kUnit;
+  for (std::int32_t i = 0; i < 1000; ++i) {
+    const Point offset = perpendicular({(i - 500) * 163, (i - 500) * 163});
+    segments[0].push_back({Point(-kHalf / 2, -kHalf / 2) + offset, Point(kHalf / 2, kHalf / 2) + offset});
+  }
+  EXPECT_TRUE(placesOf(SolidKind::kHexahedron, segments).empty());
+  segments[0].assign(2 * kMaxSegmentsInReach, segments[0][500]);
+  EXPECT_EQ(placesOf(SolidKind::kHexahedron, segments).size(), 1u);
+}
+
+// Half of the segments on each side of an edge, as near to it as a player reaches.
+TEST(Crowding, SegmentsBehindAnEdgeCount) {
+  for (int kind = 0; kind < kSolidKinds; ++kind) {
+    SCOPED_TRACE(kind);
+    const auto solid = static_cast<SolidKind>(kind);
+    const World faces = buildStage(solid, kSize, onFaces(solid));
+    const Warp& warp = faces.geometry().find(0)->warps[0];
+    const auto inwards = [](const Segment& edge, std::int32_t distance) {
+      const Point along = edge.b - edge.a;
+      const Point middle = edge.a + Point(along.x / 2, along.y / 2);
+      const double length = std::sqrt(static_cast<double>(squaredLength(along)));
+      return middle + Point(static_cast<std::int32_t>(-along.y / length * distance),
+                            static_cast<std::int32_t>(along.x / length * distance));
+    };
+    for (const std::int32_t distance : {5 * kUnit, 15 * kUnit, 100 * kUnit}) {
+      Segments segments = onFaces(solid);
+      const Point here = inwards(warp.from, distance);
+      const Point there = inwards({warp.onto.b, warp.onto.a}, distance);
+      segments[0].assign(kMaxSegmentsInReach / 2, {here, here});
+      segments[warp.target].assign(kMaxSegmentsInReach / 2 + 1, {there, there});
+      EXPECT_EQ(placesOf(solid, segments).empty(), distance == 100 * kUnit) << distance;
+    }
+  }
+}
+
+// All faces at a corner have a part of the segments.
+TEST(Crowding, SegmentsRoundACornerCount) {
+  for (int kind = 0; kind < kSolidKinds; ++kind) {
+    SCOPED_TRACE(kind);
+    const auto solid = static_cast<SolidKind>(kind);
+    Segments segments = onFaces(solid);
+    const std::vector<Point> polygon = facePolygon(solid, kSize);
+    const PlatonicSolid& topology = PlatonicSolid::of(solid);
+    int faces = 0;
+    for (int face = 0; face < topology.faces(); ++face) {
+      for (int corner = 0; corner < topology.edgesPerFace(); ++corner) {
+        if (topology.vertex(face, corner) != topology.vertex(0, 0)) continue;
+        const Point at = polygon[static_cast<std::size_t>(corner)];
+        const Point inside(at.x - at.x / 30, at.y - at.y / 30);  // a few units from the corner
+        segments[static_cast<std::size_t>(face)].assign(200, {inside, inside});
+        ++faces;
+      }
+    }
+    ASSERT_GE(faces, 3);
+    EXPECT_FALSE(placesOf(solid, segments).empty());
+  }
+}
+
+// The count of every place, without tiles.
+TEST(Crowding, FindsWhatCountingEveryPlaceFinds) {
+  sim::SeededRandom random(kSeed);
+  int crowded = 0;
+  for (int run = 0; run < 40; ++run) {
+    SCOPED_TRACE("seed " + std::to_string(kSeed) + ", run " + std::to_string(run));
+    Segments segments = onFaces(SolidKind::kHexahedron);
+    const std::int32_t spread = (60 + run) * kUnit;
+    for (int i = 0; i < 1200; ++i) {
+      const Point at = random.vector(spread);
+      segments[0].push_back({at, at + random.vector(i % 4 == 0 ? 60 * kUnit : 2 * kUnit)});
+    }
+    const Point origin(-kSize / 2 * kUnit, -kSize / 2 * kUnit);
+    bool expected = false;
+    for (std::int32_t y = 0; y < kSize * kUnit && !expected; y += Crowding::kPlace) {
+      for (std::int32_t x = 0; x < kSize * kUnit && !expected; x += Crowding::kPlace) {
+        const Point low = origin + Point(x, y);
+        const Box square = Box{low, low + Point(Crowding::kPlace, Crowding::kPlace)}.grown(Crowding::kReach);
+        const auto count = std::count_if(segments[0].begin(), segments[0].end(),
+                                         [&](const Segment& segment) { return touches(segment, square); });
+        expected = count > static_cast<std::ptrdiff_t>(kMaxSegmentsInReach);
+      }
+    }
+    EXPECT_EQ(!placesOf(SolidKind::kHexahedron, segments).empty(), expected);
+    crowded += expected ? 1 : 0;
+  }
+  EXPECT_GT(crowded, 5);
+  EXPECT_LT(crowded, 35);
+}
+
+}  // namespace
+}  // namespace platon
