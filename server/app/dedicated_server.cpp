@@ -44,9 +44,12 @@ MatchSettings matchSettings(const ServerSettings& settings) {
   return match;
 }
 
-std::optional<RecordingFolder> folderOf(const ServerSettings& settings) {
-  if (settings.recordings.empty()) return std::nullopt;
-  return RecordingFolder(settings.recordings);
+// The thread of the writer owns the folder: it may outlive the server when the disk does not answer.
+RecordingWriter::Write writeTo(const ServerSettings& settings) {
+  return [folder = std::make_shared<RecordingFolder>(settings.recordings, settings.recordLimit)](
+             const RecordingPiece& piece, RecordingWriter::Time now, std::vector<RecordingEvent>& events) {
+    folder->write(piece, now, events);
+  };
 }
 
 void write(Log& log, const MatchEvent& event) {
@@ -75,6 +78,19 @@ void write(Log& log, const MatchEvent& event) {
   }
 }
 
+void write(Log& log, const RecordingEvent& event) {
+  using Kind = RecordingEvent::Kind;
+  const LogField file{"file", event.file};
+  switch (event.kind) {
+    case Kind::kFinished:
+      return log.info("recording finished", {file, {"ticks", event.ticks}, {"bytes", event.bytes}});
+    case Kind::kStopped:
+      return log.warning("recording stopped", {file, {"reason", event.reason}});
+    case Kind::kRemoved:
+      return log.info("recording removed", {file, {"bytes", event.bytes}});
+  }
+}
+
 }  // namespace
 
 DedicatedServer::DedicatedServer(const ServerSettings& settings, std::vector<LevelPointer> levels, Log log)
@@ -86,7 +102,6 @@ DedicatedServer::DedicatedServer(std::unique_ptr<DatagramSocket> socket, const S
     : log_(std::move(log)),
       identity_(settings.identity ? *settings.identity : ServerIdentity::random()),
       host_(std::move(socket), identity_, hostSettings(settings, identity_), momentOf(steadyNow())),
-      recordings_(folderOf(settings)),
       match_(LevelRotation(std::move(levels)), matchSettings(settings)),
       clock_(steadyNow()),
       nextLogAt_(steadyNow() + kRejectedLogInterval) {
@@ -94,6 +109,7 @@ DedicatedServer::DedicatedServer(std::unique_ptr<DatagramSocket> socket, const S
     const std::size_t room = host_.room(client);
     return room - std::min(room, kReservedRoom);
   });
+  if (!settings.recordings.empty()) recordings_.emplace(writeTo(settings));
   updateInfo();
 }
 
@@ -178,9 +194,18 @@ void DedicatedServer::send(TimePoint now) {
 }
 
 void DedicatedServer::writeRecordings() {
-  for (const RecordingPiece& piece : match_.takeRecording()) {
-    recordings_->write(piece, std::chrono::system_clock::now(), log_);
+  if (!recordings_) return;
+  for (RecordingPiece& piece : match_.takeRecording()) {
+    recordings_->write(std::move(piece), std::chrono::system_clock::now());
   }
+  for (const RecordingEvent& event : recordings_->takeEvents()) write(log_, event);
+}
+
+void DedicatedServer::finishRecordings() {
+  if (!recordings_) return;
+  const bool finished = recordings_->finish();
+  writeRecordings();
+  if (!finished) log_.warning("recording stopped", {{"reason", "the disk does not answer"}});
 }
 
 void DedicatedServer::logRejected(TimePoint now) {
@@ -229,6 +254,7 @@ void DedicatedServer::stop(const std::string& reason) {
     host_.wait(std::chrono::milliseconds(10));
     host_.service(momentOf(now));
   }
+  finishRecordings();
   log_.info("tick times", {{"ticks", tickTimes_.count()},
                            {"p50Us", tickTimes_.quantile(0.5)},
                            {"p99Us", tickTimes_.quantile(0.99)},

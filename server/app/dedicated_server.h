@@ -10,7 +10,7 @@
 #include "server/admin/ban_list.h"
 #include "server/app/log.h"
 #include "server/app/recent_tick_times.h"
-#include "server/app/recording_folder.h"
+#include "server/app/recording_writer.h"
 #include "server/app/tick_clock.h"
 #include "server/app/tick_times.h"
 #include "server/match/match.h"
@@ -27,6 +27,7 @@ struct ServerSettings {
   std::uint32_t playersPerAddress = 4;     ///< of one household; loopback has no limit
   MatchSettings match;                     ///< `record` and `playersPerOrigin` are ignored: the server derives them
   std::string recordings;                  ///< folder for a recording of each round; empty: no recordings
+  std::uint64_t recordLimit = std::uint64_t{10} << 30;  ///< bytes of all recordings in this folder
 };
 
 /// A match on a socket. `platon-server` runs one, and so does a client without a server address.
@@ -81,13 +82,14 @@ class DedicatedServer {
   void handle(const HostEvent& event, TimePoint now);
   void send(TimePoint now);
   void writeRecordings();
+  void finishRecordings();
   void logRejected(TimePoint now);
   void updateInfo();
 
   Log log_;
   ServerIdentity identity_;
   Host host_;
-  std::optional<RecordingFolder> recordings_;
+  std::optional<RecordingWriter> recordings_;
   Match match_;
   TickClock clock_;
   std::uint64_t malformedMessages_ = 0;

@@ -91,6 +91,7 @@ int fail(int exitCode, const std::string& prefix, const char* what) {
 int main(int argc, char** argv) {
   using platon::ProgramError;
   signal(SIGPIPE, SIG_IGN);  // an error message that nobody reads must not change the exit code
+  signal(SIGXFSZ, SIG_IGN);  // a recording that has become too long must not end the match
   try {
     return platon::runTask(argc, argv);
   } catch (const ProgramError& error) {

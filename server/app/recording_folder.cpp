@@ -1,8 +1,12 @@
 #include "server/app/recording_folder.h"
 
+#include <fcntl.h>
 #include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -10,6 +14,7 @@
 #include <system_error>
 #include <utility>
 
+#include "platon/game/game.h"
 #include "protocol/program_error.h"
 
 namespace platon {
@@ -33,6 +38,52 @@ std::string slugOf(const std::string& title) {
   return slug;
 }
 
+bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
+// Removes as many characters from the front as satisfy `condition`, and returns their number.
+template <class Condition>
+std::size_t skipAll(std::string_view& text, Condition condition) {
+  const auto end = std::find_if_not(text.begin(), text.end(), condition);
+  const auto length = static_cast<std::size_t>(end - text.begin());
+  text.remove_prefix(length);
+  return length;
+}
+
+bool skip(std::string_view& text, std::string_view expected) {
+  if (!text.starts_with(expected)) return false;
+  text.remove_prefix(expected.size());
+  return true;
+}
+
+struct Recording {
+  std::filesystem::path path;
+  std::uint64_t bytes = 0;
+};
+
+// The recordings in a folder, oldest first. What cannot be read is left out.
+std::vector<Recording> recordingsIn(const std::filesystem::path& folder) {
+  std::vector<Recording> found;
+  std::error_code error;
+  for (std::filesystem::directory_iterator file(folder, error), end; !error && file != end; file.increment(error)) {
+    std::error_code unreadable;
+    if (!isRecordingName(file->path().filename().string()) || !file->is_regular_file(unreadable)) continue;
+    const std::uint64_t bytes = file->file_size(unreadable);
+    if (!unreadable && !file->is_symlink(unreadable)) found.push_back({file->path(), bytes});
+  }
+  std::stable_sort(found.begin(), found.end(), [](const Recording& a, const Recording& b) { return a.path < b.path; });
+  return found;
+}
+
+// False also if a server is writing the file, which it has locked.
+bool removeFile(const std::filesystem::path& path) {
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW);
+  if (file < 0) return false;
+  const bool locked = flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  const bool removed = !locked && unlink(path.c_str()) == 0;
+  ::close(file);
+  return removed;
+}
+
 [[noreturn]] void refuse(const std::filesystem::path& folder, const std::string& why) {
   throw ProgramError(ProgramError::kUsage, "cannot write recordings to '" + folder.string() + "': " + why +
                                                "; name another folder after --record");
@@ -46,7 +97,15 @@ std::string recordingName(RecordingFolder::Time start, std::uint32_t round, cons
                      slug.empty() ? "" : "-" + slug);
 }
 
-RecordingFolder::RecordingFolder(std::filesystem::path folder) : folder_(std::move(folder)) {
+bool isRecordingName(std::string_view file) {
+  const bool time = skipAll(file, isDigit) == 8 && skip(file, "T") && skipAll(file, isDigit) == 6 && skip(file, "Z");
+  if (!time || !skip(file, "-round-") || skipAll(file, isDigit) < 4) return false;
+  skipAll(file, [](char c) { return isDigit(c) || (c >= 'a' && c <= 'z') || c == '-'; });
+  return file == kEnding;
+}
+
+RecordingFolder::RecordingFolder(std::filesystem::path folder, std::uint64_t limit)
+    : folder_(std::move(folder)), limit_(limit) {
   std::error_code error;
   std::filesystem::create_directories(folder_, error);
   if (error) refuse(folder_, error.message());
@@ -56,40 +115,82 @@ RecordingFolder::RecordingFolder(std::filesystem::path folder) : folder_(std::mo
   std::filesystem::remove(trial, error);
 }
 
-void RecordingFolder::write(const RecordingPiece& piece, Time now, Log& log) {
-  if (round_ != piece.round)
-    open(piece, now);
-  else if (!file_)
-    return;  // an earlier piece could not be written
-  if (!file_ || !append(piece)) {
-    const std::string reason = std::strerror(errno);
-    log.warning("recording stopped", {{"file", path_.string()}, {"reason", reason}});
-    file_.reset();
-  } else if (piece.last) {
-    file_.reset();
-    log.info("recording finished",
-             {{"file", path_.string()}, {"ticks", std::uint64_t{piece.ticks}}, {"bytes", bytes_}});
+void RecordingFolder::write(const RecordingPiece& piece, Time now, std::vector<RecordingEvent>& events) {
+  using Kind = RecordingEvent::Kind;
+  const bool begins = round_ != piece.round;
+  if (!begins && !file_) return;  // an earlier piece could not be written
+  if (begins) begin(piece, now);
+  const auto stop = [&](const std::string& reason) {
+    events.push_back({Kind::kStopped, path_.string(), 0, 0, reason});
+    discardRest();
+  };
+  if (!makeRoom(piece.bytes.size(), events)) {
+    return stop("the limit of " + std::to_string(limit_) + " bytes for recordings is reached");
   }
+  if ((begins && !open()) || !append(piece)) return stop(std::strerror(errno));
+  if (!piece.last) return;
+  file_.reset();
+  events.push_back({Kind::kFinished, path_.string(), piece.ticks, bytes_, ""});
+}
+
+// A round is named after its beginning. Its first piece comes some seconds later.
+void RecordingFolder::begin(const RecordingPiece& piece, Time now) {
+  file_.reset();
+  round_ = piece.round;
+  bytes_ = 0;
+  known_.reset();
+  path_ = folder_ /
+          (recordingName(now - std::chrono::seconds(piece.ticks / kTicksPerSecond), round_, piece.title) + kEnding);
 }
 
 // Never overwrites a file: another server may have started a round with this number in the same second.
-void RecordingFolder::open(const RecordingPiece& piece, Time now) {
-  round_ = piece.round;
-  bytes_ = 0;
-  const std::string name = recordingName(now, round_, piece.title);
-  path_ = folder_ / (name + kEnding);
-  file_.reset(std::fopen(path_.c_str(), "wbx"));
+bool RecordingFolder::open() {
+  const std::filesystem::path stem = path_.parent_path() / path_.stem();
+  file_.reset(std::fopen(path_.c_str(), "wbxe"));
   for (int copy = 2; !file_ && errno == EEXIST; ++copy) {
-    path_ = folder_ / (name + "-" + std::to_string(copy) + kEnding);
-    file_.reset(std::fopen(path_.c_str(), "wbx"));
+    path_ = stem.string() + "-" + std::to_string(copy) + kEnding;
+    file_.reset(std::fopen(path_.c_str(), "wbxe"));
   }
+  if (!file_) return false;
+  // Without a buffer nothing is lost when the program is killed, and nothing is written after a failure.
+  std::setvbuf(file_.get(), nullptr, _IONBF, 0);
+  flock(fileno(file_.get()), LOCK_EX | LOCK_NB);
+  return true;
 }
 
-// Flushes at once, so that nothing is lost when the program is killed.
 bool RecordingFolder::append(const RecordingPiece& piece) {
+  if (std::fwrite(piece.bytes.data(), 1, piece.bytes.size(), file_.get()) != piece.bytes.size()) return false;
   bytes_ += piece.bytes.size();
-  return std::fwrite(piece.bytes.data(), 1, piece.bytes.size(), file_.get()) == piece.bytes.size() &&
-         std::fflush(file_.get()) == 0;
+  return true;
+}
+
+// Closes the file without a piece of which only a part was written, so that it is valid up to there. Without any whole
+// piece nothing is left of it.
+void RecordingFolder::discardRest() {
+  if (!file_) return;
+  const bool cut = ftruncate(fileno(file_.get()), static_cast<off_t>(bytes_)) == 0;
+  file_.reset();
+  std::error_code error;
+  if (!cut || bytes_ == 0) std::filesystem::remove(path_, error);
+}
+
+// Removes old recordings until there is room for more bytes of the file. Returns whether there is.
+bool RecordingFolder::makeRoom(std::uint64_t bytes, std::vector<RecordingEvent>& events) {
+  if (known_ && *known_ + bytes_ + bytes <= limit_) return true;
+  std::vector<Recording> others = recordingsIn(folder_);
+  std::erase_if(others, [this](const Recording& other) { return file_ && other.path == path_; });
+  known_ = 0;
+  for (const Recording& other : others) *known_ += other.bytes;
+  // Removes a little more than is needed, so that the folder is not searched for every piece.
+  const std::uint64_t wanted =
+      *known_ + bytes_ + bytes > limit_ ? limit_ - std::min(limit_ / 100, kSpareBytes) : limit_;
+  for (const Recording& other : others) {
+    if (*known_ + bytes_ + bytes <= wanted) break;
+    if (!removeFile(other.path)) continue;
+    *known_ -= other.bytes;
+    events.push_back({RecordingEvent::Kind::kRemoved, other.path.string(), 0, other.bytes, ""});
+  }
+  return *known_ + bytes_ + bytes <= limit_;
 }
 
 }  // namespace platon

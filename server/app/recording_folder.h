@@ -5,42 +5,59 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
-#include "server/app/log.h"
+#include "server/app/recording_event.h"
 #include "server/match/match_recorder.h"
 
 namespace platon {
 
-/// A folder to which recordings are written, one file for each round.
+/// A folder to which recordings are written, one file for each round. The recordings in it, of all servers together,
+/// are kept within a limit: the oldest ones are removed first. A file that a server is writing is locked and never
+/// removed, nor is a file whose name is not that of a recording.
 class RecordingFolder {
  public:
   using Time = std::chrono::system_clock::time_point;
 
-  /// Creates the folder if it is missing. Throws ProgramError if no file can be written there.
-  explicit RecordingFolder(std::filesystem::path folder);
+  /// Creates the folder if it is missing. Throws ProgramError if no file can be written there. `limit`: bytes of all
+  /// recordings in the folder.
+  RecordingFolder(std::filesystem::path folder, std::uint64_t limit);
 
-  /// Appends a piece to the file of its round. The file of a new round is named after `now`. When writing fails, the
-  /// reason is logged and the rest of the round is not recorded.
-  void write(const RecordingPiece& piece, Time now, Log& log);
+  /// Appends a piece to the file of its round and appends what happened. The file of a new round is named after the
+  /// time at which the round began. When a piece cannot be written, the rest of its round is not recorded.
+  void write(const RecordingPiece& piece, Time now, std::vector<RecordingEvent>& events);
 
  private:
   struct Close {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
 
-  void open(const RecordingPiece& piece, Time now);
+  // Bytes that are freed at most beyond those that are needed.
+  static constexpr std::uint64_t kSpareBytes = std::uint64_t{16} << 20;
+
+  void begin(const RecordingPiece& piece, Time now);
+  bool open();
   bool append(const RecordingPiece& piece);
+  void discardRest();
+  bool makeRoom(std::uint64_t bytes, std::vector<RecordingEvent>& events);
 
   std::filesystem::path folder_;
+  std::uint64_t limit_;
   std::uint32_t round_ = 0;                 // round of the file
   std::filesystem::path path_;              // path of the file
   std::unique_ptr<std::FILE, Close> file_;  // null if it could not be written
   std::uint64_t bytes_ = 0;                 // bytes written to the file
+  std::optional<std::uint64_t> known_;      // bytes of all other recordings, when the folder was last searched
 };
 
 /// Name of a recording, such as `20261121T180501Z-round-0003-first-steps`. Names sort by time. The title may be any
 /// text.
 std::string recordingName(RecordingFolder::Time start, std::uint32_t round, const std::string& title);
+
+/// Whether a file has a name that a server gives to recordings.
+bool isRecordingName(std::string_view file);
 
 }  // namespace platon

@@ -1,5 +1,6 @@
 #include "server/app/server_program.h"
 
+#include <exception>
 #include <sstream>
 #include <utility>
 
@@ -131,7 +132,7 @@ ConsoleReply ServerProgram::reload() {
     const std::string done = "configuration and levels reloaded" + later;
     log.info(done);
     return {true, done};
-  } catch (const ProgramError& error) {
+  } catch (const std::exception& error) {
     std::istringstream errors(error.what());
     for (std::string line; std::getline(errors, line);) log.warning(line);
     const std::string failed = "configuration and levels not reloaded";

@@ -5,10 +5,12 @@ namespace platon {
 void MatchRecorder::begin(std::uint32_t round, const Game& game) {
   if (recorder_) return;
   round_ = round;
+  ticks_ = 0;
   recorder_.emplace(game);
 }
 
 void MatchRecorder::record(std::span<const Input> inputs, const Game& game, std::uint64_t hash) {
+  ++ticks_;
   recorder_->record(inputs, game, hash);
   addPiece(game, false);
 }
@@ -21,6 +23,7 @@ void MatchRecorder::finish(const Game& game) {
 }
 
 void MatchRecorder::addPiece(const Game& game, bool last) {
+  if (ticks_ < kMinTicks) return;
   std::vector<std::uint8_t> bytes = recorder_->takeBytes();
   if (bytes.empty()) return;
   pieces_.push_back({round_, game.level().title, game.tick(), last, std::move(bytes)});

@@ -22,9 +22,14 @@ struct RecordingPiece {
   std::vector<std::uint8_t> bytes;
 };
 
-/// Makes a recording of each round, in pieces that can be written to a file during the round.
+/// Makes a recording of each round, in pieces that can be written to a file during the round. The first piece comes
+/// after kMinTicks and holds all from the beginning; a shorter round has no recording. So players that join and leave
+/// again do not fill a disk.
 class MatchRecorder {
  public:
+  /// Ticks of the shortest recording: 5 s.
+  static constexpr std::uint32_t kMinTicks = 5 * kTicksPerSecond;
+
   /// Starts a recording of `game` in round `round`, unless one is in progress. Call it before each advance.
   void begin(std::uint32_t round, const Game& game);
   /// Records that `game` was advanced by `inputs` and now has this hash.
@@ -39,6 +44,7 @@ class MatchRecorder {
   void addPiece(const Game& game, bool last);
 
   std::uint32_t round_ = 0;
+  std::uint32_t ticks_ = 0;  // recorded
   std::optional<Recorder> recorder_;
   std::vector<RecordingPiece> pieces_;
 };

@@ -3,15 +3,16 @@
 #include <algorithm>
 #include <cassert>
 #include <string>
+#include <utility>
 
 #include "shared/exact/hash.h"
 
 namespace platon {
 
-Recorder::Recorder(const Game& start, std::uint32_t checkpointTicks)
-    : checkpointTicks_(checkpointTicks), firstTick_(start.tick()), state_(start.save()) {
-  assert(checkpointTicks >= 1 && checkpointTicks <= kMaxCheckpointTicks);
-  const std::string& text = start.level().text;
+namespace {
+
+std::vector<std::uint8_t> headOf(const Level& level) {
+  const std::string& text = level.text;
   StateWriter head;
   head.append(kRecordingMagic);
   head.add(kRulesVersion);
@@ -19,7 +20,23 @@ Recorder::Recorder(const Game& start, std::uint32_t checkpointTicks)
   head.add(~static_cast<std::uint32_t>(text.size()));
   head.append(text);
   head.add(hashOf(head.bytes()));
-  bytes_ = head.take();
+  return head.take();
+}
+
+}  // namespace
+
+Recorder::Recorder(const Game& start, std::uint32_t checkpointTicks)
+    : checkpointTicks_(checkpointTicks), level_(start.sharedLevel()), firstTick_(start.tick()), state_(start.save()) {
+  assert(checkpointTicks >= 1 && checkpointTicks <= kMaxCheckpointTicks);
+}
+
+std::vector<std::uint8_t> Recorder::takeBytes() {
+  std::vector<std::uint8_t> bytes = std::exchange(bytes_, {});
+  const std::shared_ptr<const Level> level = std::exchange(level_, nullptr);
+  if (!level) return bytes;
+  std::vector<std::uint8_t> all = headOf(*level);
+  all.insert(all.end(), bytes.begin(), bytes.end());
+  return all;
 }
 
 void Recorder::record(std::span<const Input> inputs, const Game& game, std::uint64_t hash) {

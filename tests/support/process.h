@@ -38,6 +38,7 @@ class Process {
   /// Throws like `wait`.
   std::string nextErrorLine(std::chrono::seconds limit = std::chrono::seconds(20));
   void signal(int number) const;
+  pid_t id() const { return pid_; }
 
   /// Captured standard output so far.
   std::string output();

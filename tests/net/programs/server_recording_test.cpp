@@ -1,10 +1,12 @@
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <csignal>
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "tests/support/files.h"
 #include "tests/support/process.h"
 #include "tests/support/server_fixture.h"
 #include "tests/support/temporary_folder.h"
@@ -19,9 +21,8 @@ namespace fs = std::filesystem;
 class Recordings : public ServerTest {
  protected:
   void letBotsPlay() {
-    startServer({"--record", folder_.string()});
     Process bots(
-        platonCommand("platon-bot", {address(), "--count", "3", "--seconds", "4", "--seed", "5", "--jitter", "20"}));
+        platonCommand("platon-bot", {address(), "--count", "3", "--seconds", "8", "--seed", "5", "--jitter", "20"}));
     EXPECT_EQ(bots.wait(), 0) << bots.errors();
   }
 
@@ -36,8 +37,9 @@ class Recordings : public ServerTest {
 };
 
 TEST_F(Recordings, AreCompleteWhenTheServerIsStopped) {
+  startServer({"--record", folder_.string()});
   letBotsPlay();
-  Process late(platonCommand("platon-bot", {address(), "--count", "1", "--seconds", "20"}));
+  Process late(platonCommand("platon-bot", {address(), "--count", "1", "--seconds", "30"}));
   // One of the first bots, one of the later one.
   EXPECT_TRUE(waitUntil([this] { return files().size() == 2; }));
   stopServer();
@@ -64,6 +66,45 @@ TEST_F(Recordings, AreValidUpToTheTickAtWhichTheServerWasKilled) {
   EXPECT_EQ(verify.wait(), 3) << verify.errors();
   EXPECT_NE(verify.errors().find("the recording is truncated"), std::string::npos) << verify.errors();
   EXPECT_NE(verify.output().find("\nfirst tick 0\n"), std::string::npos) << verify.output();
+}
+
+// The bots leave before five seconds have passed.
+TEST_F(Recordings, ShortRoundsLeaveNoFile) {
+  startServer({"--record", folder_.string()});
+  for (int visit = 0; visit < 2; ++visit) {
+    Process bot(platonCommand("platon-bot", {address(), "--count", "1", "--seconds", "2"}));
+    EXPECT_EQ(bot.wait(), 0) << bot.errors();
+  }
+  stopServer();
+  EXPECT_TRUE(files().empty());
+}
+
+// A limit on the size of files acts as a full disk.
+TEST_F(Recordings, AFullDiskDoesNotEndTheMatch) {
+  startServer({"--record", folder_.string()});
+  const rlimit full{1000, RLIM_INFINITY};
+  ASSERT_EQ(prlimit(server().id(), RLIMIT_FSIZE, &full, nullptr), 0);
+  letBotsPlay();
+  stopServer();
+  EXPECT_NE(server().errors().find("recording stopped file="), std::string::npos) << server().errors();
+  EXPECT_NE(server().errors().find("reason=\"File too large\""), std::string::npos) << server().errors();
+  EXPECT_TRUE(files().empty());
+}
+
+TEST_F(Recordings, AServerWithoutFileDescriptorsGoesOn) {
+  startServer({"--record", folder_.string()});
+  rlimit before{};
+  ASSERT_EQ(prlimit(server().id(), RLIMIT_NOFILE, nullptr, &before), 0);
+  const rlimit none{3, before.rlim_max};  // standard streams; poll refuses a smaller limit
+  ASSERT_EQ(prlimit(server().id(), RLIMIT_NOFILE, &none, nullptr), 0);
+  letBotsPlay();
+  EXPECT_NE(server().waitForError("recording stopped file=").find("reason=\"Too many open files\""), std::string::npos);
+  server().signal(SIGHUP);
+  server().waitForError("configuration and levels not reloaded");
+  ASSERT_EQ(prlimit(server().id(), RLIMIT_NOFILE, &before, nullptr), 0);
+  letBotsPlay();
+  stopServer();
+  EXPECT_EQ(files().size(), 1u) << "the next round is recorded";
 }
 
 }  // namespace

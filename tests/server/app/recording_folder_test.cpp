@@ -1,7 +1,10 @@
 #include "server/app/recording_folder.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <csignal>
@@ -15,8 +18,29 @@ namespace platon {
 namespace {
 
 namespace fs = std::filesystem;
+using Kind = RecordingEvent::Kind;
 
 constexpr RecordingFolder::Time kTime{std::chrono::seconds(1795284301)};  // 2026-11-21 18:05:01 UTC
+constexpr std::uint64_t kNoLimit = UINT64_MAX;
+
+std::vector<std::uint8_t> bytes(std::size_t count) { return std::vector<std::uint8_t>(count, 'x'); }
+
+/// The soft limit of a resource of this process, for as long as the object lives.
+class Limited {
+ public:
+  Limited(__rlimit_resource resource, rlim_t soft) : resource_(resource) {
+    getrlimit(resource_, &before_);
+    const rlimit limit{soft, before_.rlim_max};
+    setrlimit(resource_, &limit);
+  }
+  ~Limited() { setrlimit(resource_, &before_); }
+  Limited(const Limited&) = delete;
+  Limited& operator=(const Limited&) = delete;
+
+ private:
+  __rlimit_resource resource_;
+  rlimit before_{};
+};
 
 class RecordingFolderTest : public testing::Test {
  protected:
@@ -27,11 +51,25 @@ class RecordingFolderTest : public testing::Test {
     return found;
   }
   std::string content(const std::string& name) const { return readText(folder_ / name); }
+  std::string pathOf(const std::string& name) const { return (folder_ / name).string(); }
+
+  // What happens when a piece is written.
+  std::vector<RecordingEvent> write(RecordingFolder& folder, const RecordingPiece& piece,
+                                    RecordingFolder::Time now = kTime) {
+    std::vector<RecordingEvent> events;
+    folder.write(piece, now, events);
+    return events;
+  }
+
+  // A finished recording of another day.
+  void putOld(int day, std::size_t size) {
+    fs::create_directories(folder_);
+    writeText(folder_ / oldName(day), std::string(size, 'o'));
+  }
+  static std::string oldName(int day) { return "2026110" + std::to_string(day) + "T120000Z-round-0001-old.recording"; }
 
   const TemporaryFolder temporary_;
   const fs::path folder_ = temporary_ / "deep";
-  std::vector<std::string> lines_;
-  Log log_{LogFormat::kText, [this](std::string_view line) { lines_.emplace_back(line); }};
 };
 
 TEST(RecordingName, ConsistsOfTimeRoundAndTitle) {
@@ -41,24 +79,39 @@ TEST(RecordingName, ConsistsOfTimeRoundAndTitle) {
   EXPECT_EQ(recordingName(kTime, 1, std::string(100, 'A')).size(), 68u);
 }
 
+TEST(RecordingName, IsRecognised) {
+  for (const char* title : {"First steps", "", "../ß \"x/y\"!", "2", "Z-round-1"}) {
+    EXPECT_TRUE(isRecordingName(recordingName(kTime, 3, title) + ".recording")) << title;
+    EXPECT_TRUE(isRecordingName(recordingName(kTime, 3, title) + "-2.recording")) << title;
+  }
+  for (const char* name :
+       {"", "x", ".recording", "20261121T180501Z-round-0003", "20261121T180501Z-round-0003.recording.bak",
+        "20261121T180501Z-round-003.recording", "20261121T18050Z-round-0003.recording",
+        "2026112T180501Z-round-0003.recording", "20261121T180501-round-0003.recording",
+        "20261121T180501Z-round-0003 mine.recording", "20261121T180501Z-round-0003-Mine.recording",
+        "my-20261121T180501Z-round-0003.recording", "20261121T180501Z-round-0003.Recording"}) {
+    EXPECT_FALSE(isRecordingName(name)) << name;
+  }
+}
+
 TEST_F(RecordingFolderTest, WritesAFileForEachRound) {
-  RecordingFolder folder(folder_);
+  RecordingFolder folder(folder_, kNoLimit);
   EXPECT_TRUE(names().empty());
-  folder.write({1, "One", 60, false, {'a', 'b'}}, kTime, log_);
+  EXPECT_TRUE(write(folder, {1, "One", 60, false, {'a', 'b'}}, kTime + std::chrono::seconds(1)).empty());
   EXPECT_EQ(content("20261121T180501Z-round-0001-one.recording"), "ab");  // before the round ends
-  folder.write({1, "One", 70, true, {'c'}}, kTime + std::chrono::seconds(2), log_);
-  folder.write({2, "Two", 60, false, {'d'}}, kTime + std::chrono::seconds(3), log_);
+  const auto events = write(folder, {1, "One", 70, true, {'c'}}, kTime + std::chrono::seconds(2));
+  EXPECT_TRUE(write(folder, {2, "Two", 300, false, {'d'}}, kTime + std::chrono::seconds(8)).empty());
   EXPECT_EQ(names(), (std::vector<std::string>{"20261121T180501Z-round-0001-one.recording",
-                                               "20261121T180504Z-round-0002-two.recording"}));
+                                               "20261121T180504Z-round-0002-two.recording"}))
+      << "named after the beginning of the round";
   EXPECT_EQ(content(names()[0]), "abc");
-  const std::string path = (folder_ / names()[0]).string();
-  EXPECT_EQ(lines_, (std::vector<std::string>{"recording finished file=\"" + path + "\" ticks=70 bytes=3"}));
+  EXPECT_EQ(events, (std::vector<RecordingEvent>{{Kind::kFinished, pathOf(names()[0]), 70, 3, ""}}));
 }
 
 TEST_F(RecordingFolderTest, NeverOverwritesAFile) {
   for (const char letter : {'a', 'b', 'c'}) {
-    const auto byte = static_cast<std::uint8_t>(letter);
-    RecordingFolder(folder_).write({1, "", 1, true, {byte}}, kTime, log_);
+    RecordingFolder folder(folder_, kNoLimit);
+    write(folder, {1, "", 1, true, {static_cast<std::uint8_t>(letter)}});
   }
   ASSERT_EQ(names().size(), 3u);
   EXPECT_EQ(content("20261121T180501Z-round-0001.recording"), "a");
@@ -66,10 +119,23 @@ TEST_F(RecordingFolderTest, NeverOverwritesAFile) {
   EXPECT_EQ(content("20261121T180501Z-round-0001-3.recording"), "c");
 }
 
+// The clock may be set back or forward at any time.
+TEST_F(RecordingFolderTest, AClockThatJumpsChangesOnlyNames) {
+  RecordingFolder folder(folder_, kNoLimit);
+  write(folder, {1, "", 60, false, {'a'}}, kTime);
+  write(folder, {1, "", 120, true, {'b'}}, kTime - std::chrono::hours(24));
+  write(folder, {2, "", 60, true, {'c'}}, kTime - std::chrono::hours(24));
+  write(folder, {3, "", 60, true, {'d'}}, RecordingFolder::Time{});
+  ASSERT_EQ(names().size(), 3u);
+  EXPECT_EQ(content("20261121T180500Z-round-0001.recording"), "ab");
+  EXPECT_EQ(content("20261120T180500Z-round-0002.recording"), "c");
+  EXPECT_EQ(content("19691231T235959Z-round-0003.recording"), "d");
+}
+
 TEST_F(RecordingFolderTest, RefusesAFolderThatIsNotWritable) {
   writeText(folder_, "a file");
   try {
-    RecordingFolder folder(folder_ / "games");
+    RecordingFolder folder(folder_ / "games", kNoLimit);
     FAIL();
   } catch (const ProgramError& error) {
     EXPECT_EQ(error.exitCode(), ProgramError::kUsage);
@@ -79,35 +145,106 @@ TEST_F(RecordingFolderTest, RefusesAFolderThatIsNotWritable) {
 }
 
 // Simulates a full disk by a limit on the size of files.
-TEST_F(RecordingFolderTest, LogsAFailedWriteOnceAndRecordsTheNextRound) {
-  RecordingFolder folder(folder_);
-  folder.write({1, "", 60, false, {1, 2, 3}}, kTime, log_);
+TEST_F(RecordingFolderTest, AFullDiskStopsTheRecordingOfOneRound) {
+  RecordingFolder folder(folder_, kNoLimit);
+  write(folder, {1, "", 0, false, bytes(100)});
   const auto before = std::signal(SIGXFSZ, SIG_IGN);
-  rlimit limit{};
-  getrlimit(RLIMIT_FSIZE, &limit);
-  const rlimit small{2, limit.rlim_max};
-  setrlimit(RLIMIT_FSIZE, &small);
-  folder.write({1, "", 120, false, {4, 5, 6}}, kTime, log_);
-  setrlimit(RLIMIT_FSIZE, &limit);
+  {
+    const Limited disk(RLIMIT_FSIZE, 150);
+    EXPECT_EQ(write(folder, {1, "", 60, false, bytes(100)}),
+              (std::vector<RecordingEvent>{
+                  {Kind::kStopped, pathOf("20261121T180501Z-round-0001.recording"), 0, 0, "File too large"}}));
+    EXPECT_TRUE(write(folder, {1, "", 120, false, bytes(1)}).empty()) << "it is said once";
+    EXPECT_EQ(write(folder, {2, "", 0, false, bytes(200)}).size(), 1u);
+  }
   std::signal(SIGXFSZ, before);
-  folder.write({1, "", 180, false, {7}}, kTime, log_);
-  folder.write({1, "", 190, true, {8}}, kTime, log_);
-  EXPECT_EQ(content("20261121T180501Z-round-0001.recording"), std::string("\1\2\3"));
-  ASSERT_EQ(lines_.size(), 1u);
-  EXPECT_TRUE(lines_[0].starts_with("recording stopped file=")) << lines_[0];
-  EXPECT_TRUE(lines_[0].ends_with("reason=\"File too large\"")) << lines_[0];
-  folder.write({2, "", 1, true, {9}}, kTime, log_);
-  EXPECT_EQ(content("20261121T180501Z-round-0002.recording"), std::string("\t"));
-  EXPECT_EQ(lines_.size(), 2u);
+  EXPECT_TRUE(write(folder, {2, "", 60, true, bytes(1)}).empty());
+  EXPECT_EQ(names(), (std::vector<std::string>{"20261121T180501Z-round-0001.recording"})) << "nothing of round 2";
+  EXPECT_EQ(content(names()[0]), std::string(100, 'x')) << "whole pieces only";
+  EXPECT_EQ(write(folder, {3, "", 0, true, bytes(200)}).at(0).kind, Kind::kFinished);
 }
 
-TEST_F(RecordingFolderTest, LogsOnceThatAFileCannotBeCreated) {
-  RecordingFolder folder(folder_);
+TEST_F(RecordingFolderTest, AFileThatCannotBeOpenedStopsTheRecordingOfOneRound) {
+  RecordingFolder folder(folder_, kNoLimit);
+  {
+    const Limited descriptors(RLIMIT_NOFILE, 0);
+    const auto events = write(folder, {1, "", 0, false, bytes(10)});
+    ASSERT_EQ(events.size(), 1u);
+    EXPECT_EQ(events[0].kind, Kind::kStopped);
+    EXPECT_EQ(events[0].reason, "Too many open files");
+    EXPECT_TRUE(write(folder, {1, "", 60, false, bytes(10)}).empty());
+  }
+  EXPECT_TRUE(write(folder, {1, "", 120, true, bytes(10)}).empty());
+  EXPECT_EQ(write(folder, {2, "", 0, true, bytes(10)}).at(0).kind, Kind::kFinished);
   fs::remove_all(folder_);
-  folder.write({1, "", 60, false, {1}}, kTime, log_);
-  folder.write({1, "", 120, false, {2}}, kTime, log_);
-  ASSERT_EQ(lines_.size(), 1u);
-  EXPECT_TRUE(lines_[0].ends_with("reason=\"No such file or directory\"")) << lines_[0];
+  EXPECT_EQ(write(folder, {3, "", 0, true, bytes(10)}).at(0).reason, "No such file or directory");
+}
+
+TEST_F(RecordingFolderTest, TheOldestRecordingsMakeRoomForNewOnes) {
+  for (const int day : {3, 1, 2}) putOld(day, 100);
+  RecordingFolder folder(folder_, 350);
+  EXPECT_TRUE(write(folder, {1, "", 0, false, bytes(50)}).empty()) << "it fits exactly";
+  EXPECT_EQ(write(folder, {1, "", 60, false, bytes(1)}),
+            (std::vector<RecordingEvent>{{Kind::kRemoved, pathOf(oldName(1)), 0, 100, ""}}));
+  EXPECT_TRUE(write(folder, {1, "", 120, false, bytes(90)}).empty());
+  const auto events = write(folder, {1, "", 180, true, bytes(200)});
+  ASSERT_EQ(events.size(), 3u);
+  EXPECT_EQ(events[0].file, pathOf(oldName(2)));
+  EXPECT_EQ(events[1].file, pathOf(oldName(3)));
+  EXPECT_EQ(events[2].kind, Kind::kFinished);
+  EXPECT_EQ(names(), (std::vector<std::string>{"20261121T180501Z-round-0001.recording"}));
+}
+
+TEST_F(RecordingFolderTest, ARecordingThatIsLargerThanTheLimitIsStopped) {
+  putOld(1, 100);
+  RecordingFolder folder(folder_, 300);
+  write(folder, {1, "", 0, false, bytes(250)});
+  const auto events = write(folder, {1, "", 60, false, bytes(51)});
+  ASSERT_EQ(events.size(), 1u);
+  EXPECT_EQ(events[0].kind, Kind::kStopped);
+  EXPECT_EQ(events[0].reason, "the limit of 300 bytes for recordings is reached");
+  EXPECT_EQ(names(), (std::vector<std::string>{"20261121T180501Z-round-0001.recording"}));
+  const auto next = write(folder, {2, "", 60, true, bytes(60)});
+  ASSERT_EQ(next.size(), 2u);
+  EXPECT_EQ(next[0].kind, Kind::kRemoved) << "the finished part of round 1";
+  EXPECT_EQ(next[1].kind, Kind::kFinished);
+}
+
+TEST_F(RecordingFolderTest, OtherFilesAreNeitherCountedNorRemoved) {
+  putOld(1, 100);
+  const std::vector<std::string> others = {"notes.txt", "my-" + oldName(1), oldName(2) + ".bak", "Round.recording"};
+  for (const std::string& name : others) writeText(folder_ / name, std::string(1000, 'n'));
+  fs::create_directory(folder_ / oldName(3));
+  writeText(temporary_ / "target", std::string(1000, 't'));
+  fs::create_symlink(temporary_ / "target", folder_ / oldName(4));
+  RecordingFolder folder(folder_, 150);
+  EXPECT_EQ(write(folder, {1, "", 0, true, bytes(60)}).size(), 2u);
+  EXPECT_FALSE(fs::exists(folder_ / oldName(1)));
+  for (const std::string& name : others) EXPECT_TRUE(fs::exists(folder_ / name)) << name;
+  EXPECT_TRUE(fs::exists(folder_ / oldName(3)));
+  EXPECT_TRUE(fs::exists(folder_ / oldName(4)));
+  EXPECT_TRUE(fs::exists(temporary_ / "target"));
+}
+
+TEST_F(RecordingFolderTest, AFileThatAServerIsWritingIsNotRemoved) {
+  RecordingFolder other(folder_, kNoLimit);
+  write(other, {7, "other", 0, false, bytes(100)}, kTime - std::chrono::hours(1));
+  putOld(1, 100);
+  RecordingFolder folder(folder_, 150);
+  const auto events = write(folder, {1, "", 0, false, bytes(60)});
+  ASSERT_EQ(events.size(), 2u);
+  EXPECT_EQ(events[0].file, pathOf(oldName(1)));
+  EXPECT_EQ(events[1].kind, Kind::kStopped);
+  write(other, {7, "other", 60, true, bytes(1)}, kTime);
+  EXPECT_EQ(write(folder, {2, "", 0, true, bytes(60)}).at(0).kind, Kind::kRemoved) << "it is finished now";
+}
+
+// A folder at its limit is not searched for every piece.
+TEST_F(RecordingFolderTest, RemovesAHundredthMoreThanIsNeeded) {
+  for (int day = 1; day <= 9; ++day) putOld(day, 1000);
+  RecordingFolder folder(folder_, 10000);
+  EXPECT_TRUE(write(folder, {1, "", 0, false, bytes(1000)}).empty());
+  EXPECT_EQ(write(folder, {1, "", 60, false, bytes(950)}).size(), 2u);
 }
 
 }  // namespace

@@ -68,6 +68,28 @@ TEST_F(ProgramTest, ReloadsLevelsOnHangUp) {
   EXPECT_EQ(server.wait(), 0);
 }
 
+TEST_F(ProgramTest, KeepsItsSettingsWhenTheNewOnesAreInvalid) {
+  const std::string file = folder_ / "server.toml";
+  writeText(file, "levels = [\"test.level\"]\nlog-format = \"json\"\n");
+  Process server(platonCommand("platon-server", {"--config", file, "--port", "0", "--bind", "127.0.0.1"}));
+  std::string line = server.nextErrorLine();
+  while (!line.empty() && line.find(R"("message":"round started")") == std::string::npos) line = server.nextErrorLine();
+  for (const char* text :
+       {"log-format = \"text\"\nmax-players = 0\n", "log-format = \"text\"\nlevels = [\"none.level\"]\n",
+        "log-format = \"text\"\ncolour = 1\n", "log-format ="}) {
+    writeText(file, text);
+    server.signal(SIGHUP);
+    const std::string error = server.nextErrorLine();
+    EXPECT_TRUE(error.starts_with("{")) << "the log is still JSON: " << error;
+    EXPECT_NE(server.nextErrorLine().find("configuration and levels not reloaded"), std::string::npos) << error;
+  }
+  writeText(file, "levels = [\"test.level\"]\nlog-format = \"text\"\n");
+  server.signal(SIGHUP);
+  EXPECT_EQ(server.nextErrorLine(), "configuration and levels reloaded");
+  server.signal(SIGTERM);
+  EXPECT_EQ(server.wait(), 0);
+}
+
 TEST_F(ProgramTest, ExitCodesAreThoseOfTheManual) {
   const auto ends = [](const std::vector<std::string>& arguments, int code, const std::string& start) {
     Process server(platonCommand("platon-server", arguments));

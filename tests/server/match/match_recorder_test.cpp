@@ -137,25 +137,54 @@ TEST(MatchRecorder, EachRoundHasARecording) {
 TEST(MatchRecorder, ARecordingEndsWhenTheLastPlayerLeaves) {
   FakeClientNetwork network(recordedMatch({farGoalText()}));
   network.add(player());
-  network.run(100);
+  network.run(400);
   network.leave(1);
   Recordings recordings;
   recordings.take(network.match());
   EXPECT_EQ(verified(recordings.of(1)).hash, network.match().game().hash());
   network.run(100);  // without players
   network.add(player());
-  network.run(100);
+  network.run(400);
   network.match().stop("");
   recordings.take(network.match());
   ASSERT_EQ(recordings.size(), 2u);
   EXPECT_EQ(verified(recordings.of(2)).hash, network.match().game().hash());
 }
 
+// The beginning of the round is part of it.
+TEST(MatchRecorder, ARecordingBeginsAfterFiveSecondsOfPlay) {
+  FakeClientNetwork network(recordedMatch({farGoalText()}));
+  network.add(player());
+  network.tick();
+  network.run(MatchRecorder::kMinTicks - network.match().game().tick() - 1);
+  EXPECT_TRUE(network.match().takeRecording().empty());
+  network.run(1);
+  Recordings recordings;
+  recordings.take(network.match());
+  ASSERT_EQ(recordings.size(), 1u);
+  const sim::Verification found = sim::Verifier(recordings.of(1).bytes).run();
+  EXPECT_EQ(found.firstTick, 0u);
+  EXPECT_EQ(found.ticks, MatchRecorder::kMinTicks);
+  EXPECT_EQ(found.hash, network.match().game().hash());
+}
+
+TEST(MatchRecorder, PlayersThatJoinAndLeaveAtOnceAreNotRecorded) {
+  FakeClientNetwork network(recordedMatch({farGoalText()}));
+  for (ClientId client = 1; client <= 20; ++client) {
+    network.add(player());
+    network.run(MatchRecorder::kMinTicks - 20);
+    network.leave(client);
+    network.run(10);
+  }
+  EXPECT_EQ(network.match().round(), 20u);
+  EXPECT_TRUE(network.match().takeRecording().empty());
+}
+
 TEST(MatchRecorder, RecordsTheLargestNumberOfPlayers) {
   Match match = recordedMatch({farGoalText()}, kMaxPlayers);
   for (ClientId client = 1; client <= kMaxPlayers; ++client) match.receive(client, Hello{});
   Recordings recordings;
-  for (std::uint32_t tick = 0; tick < 2 * kCheckpointTicks + 10; ++tick) {
+  for (std::uint32_t tick = 0; tick < 6 * kCheckpointTicks + 10; ++tick) {
     for (ClientId client = 1; client <= kMaxPlayers; ++client) {
       const Input input{static_cast<std::uint8_t>((client + tick / 9) % 8 | Input::kPresent)};
       match.receive(client, PlayerInputs{1, 0, 0, shortHash(levelOf(farGoalText())->hash), tick, {input}});

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "platon/game/game.h"
@@ -27,14 +27,16 @@ class Recorder {
   /// Marks the end, which tells a complete recording from one that was cut off. Nothing may be recorded afterwards.
   void finish(const Game& game);
 
-  /// Returns the bytes encoded since the last call.
-  std::vector<std::uint8_t> takeBytes() { return std::exchange(bytes_, {}); }
+  /// Returns the bytes encoded since the last call. The first call encodes the head, which takes time in proportion to
+  /// the level.
+  std::vector<std::uint8_t> takeBytes();
 
  private:
   void addBlock(const Game& game);
   void addRuns(StateWriter& body, std::uint32_t slot) const;
 
   std::uint32_t checkpointTicks_;
+  std::shared_ptr<const Level> level_;  // null once the head is encoded
   std::vector<std::uint8_t> bytes_;
   // The unfinished block.
   std::uint32_t firstTick_;                 // ticks the game had advanced before the block
