@@ -9,6 +9,7 @@
 #include "platon/game/game.h"
 #include "protocol/label.h"
 #include "server/admin/metrics_server.h"
+#include "server/app/byte_size.h"
 
 namespace platon {
 namespace {
@@ -20,6 +21,7 @@ constexpr std::int64_t kMaxPerAddress = 4000;
 bool isAddress(const std::string& text) { return IpAddress::parse(text).has_value(); }
 bool isName(const std::string& text) { return isLabel(text, kMaxNameBytes); }
 bool isFormat(const std::string& text) { return text == "text" || text == "json"; }
+bool isByteSize(const std::string& text) { return parseByteSize(text).has_value(); }
 bool isSocketAddress(const std::string& text) { return parseSocketAddress(text).has_value(); }
 
 const std::array kOptions{
@@ -74,6 +76,12 @@ const std::array kOptions{
                  .help = "Folder for a recording of each round, created if missing",
                  .whenEmpty = "no recordings",
                  .isPath = true},
+    ServerOption{.name = "record-limit",
+                 .placeholder = "SIZE",
+                 .field = &ServerOptions::recordLimit,
+                 .help = "Size of all recordings in this folder, in bytes or with K, M or G; the oldest are removed",
+                 .mustBe = "a number of bytes, or one with K, M or G, such as 500M",
+                 .accepts = &isByteSize},
     ServerOption{.name = "key-file",
                  .placeholder = "FILE",
                  .field = &ServerOptions::keyFile,

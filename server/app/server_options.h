@@ -18,12 +18,13 @@ struct ServerOptions {
   std::uint32_t maxPerAddress = 4;  ///< players of one address
   std::string name = "Platon";      ///< a label
   LogFormat logFormat = LogFormat::kText;
-  std::string record;          ///< folder for a recording of each round; empty: no recordings
-  std::string banFile;         ///< empty: bans end with the server
-  std::string socket;          ///< of the console; empty: `defaultConsolePath`
-  std::string metrics;         ///< as `parseSocketAddress` reads it; empty: no metrics
-  std::string keyFile{};       ///< empty: `defaultKeyFile`
-  std::string passwordFile{};  ///< empty: no password
+  std::string record;               ///< folder for a recording of each round; empty: no recordings
+  std::string banFile;              ///< empty: bans end with the server
+  std::string socket;               ///< of the console; empty: `defaultConsolePath`
+  std::string metrics;              ///< as `parseSocketAddress` reads it; empty: no metrics
+  std::string keyFile{};            ///< empty: `defaultKeyFile`
+  std::string passwordFile{};       ///< empty: no password
+  std::string recordLimit = "10G";  ///< of all recordings in the folder, as `parseByteSize` reads it
 
   friend bool operator==(const ServerOptions&, const ServerOptions&) = default;
 };

@@ -7,6 +7,7 @@
 #include "protocol/program_error.h"
 #include "protocol/transport/secret_file.h"
 #include "server/admin/enforce_bans.h"
+#include "server/app/byte_size.h"
 #include "server/app/identity_file.h"
 #include "server/app/level_files.h"
 #include "server/app/option_table.h"
@@ -31,6 +32,7 @@ ServerSettings settingsOf(const ServerOptions& options, Log& log) {
   settings.match.maxPlayers = options.maxPlayers;
   settings.match.serverName = options.name;
   settings.recordings = options.record;
+  settings.recordLimit = *parseByteSize(options.recordLimit);
   return settings;
 }
 

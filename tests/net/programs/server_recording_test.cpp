@@ -79,6 +79,19 @@ TEST_F(Recordings, ShortRoundsLeaveNoFile) {
   EXPECT_TRUE(files().empty());
 }
 
+TEST_F(Recordings, OldOnesMakeRoom) {
+  fs::create_directories(folder_);
+  const fs::path old = folder_ / "20200101T000000Z-round-0001-old.recording";
+  writeText(old, std::string(40 << 10, 'o'));
+  startServer({"--record", folder_.string(), "--record-limit", "40K"});
+  letBotsPlay();
+  stopServer();
+  EXPECT_FALSE(fs::exists(old));
+  EXPECT_EQ(files().size(), 1u);
+  EXPECT_NE(server().errors().find("recording removed file=\"" + old.string() + "\" bytes=40960"), std::string::npos)
+      << server().errors();
+}
+
 // A limit on the size of files acts as a full disk.
 TEST_F(Recordings, AFullDiskDoesNotEndTheMatch) {
   startServer({"--record", folder_.string()});

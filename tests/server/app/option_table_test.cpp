@@ -54,6 +54,7 @@ TEST(OptionTable, EveryOptionSetsAMemberOfItsOwn) {
     if (option.name == "bind") value = std::string("127.0.0.1");
     if (option.name == "log-format") value = std::string("json");
     if (option.name == "metrics") value = std::string("[::1]:1");
+    if (option.name == "record-limit") value = std::string("5M");
     EXPECT_EQ(setOption(option, value, options), std::nullopt) << option.name;
     EXPECT_EQ(valueOf(option, options), value) << option.name;
     for (const ServerOption& other : serverOptions()) {
@@ -87,6 +88,9 @@ TEST(OptionTable, TextsAreChecked) {
   EXPECT_TRUE(setOption(optionOf("bind"), std::string(), options));
   EXPECT_TRUE(setOption(optionOf("log-format"), std::string(), options));
   EXPECT_EQ(setOption(optionOf("metrics"), std::string(), options), std::nullopt);
+  EXPECT_EQ(setOption(optionOf("record-limit"), std::string("500M"), options), std::nullopt);
+  EXPECT_EQ(setOption(optionOf("record-limit"), std::string("5 MB"), options),
+            ParseError{"must be a number of bytes, or one with K, M or G, such as 500M"});
 }
 
 TEST(PrintedConfig, GivesTheDefaults) {
