@@ -23,7 +23,7 @@ constexpr std::chrono::milliseconds kFloodInterval{2};
 // Shortest sleep without players, so that a flood of datagrams does not keep the server busy.
 constexpr std::chrono::milliseconds kMinIdleWait{2};
 constexpr std::chrono::milliseconds kFarewellTime{500};
-constexpr std::chrono::seconds kRejectedLogInterval{10};
+constexpr std::chrono::seconds kRejectedLogInterval{10};  // also of dropped ticks
 
 TimePoint steadyNow() { return std::chrono::steady_clock::now(); }
 
@@ -142,6 +142,7 @@ void DedicatedServer::step(TimePoint now) {
   }
   send(now);
   logRejected(now);
+  logDropped(now);
   if (!ticks) return;
   const std::chrono::nanoseconds time = steadyNow() - begun;
   tickTimes_.add(time);
@@ -219,6 +220,14 @@ void DedicatedServer::logRejected(TimePoint now) {
   }
   if (!fields.empty()) log_.warning("traffic rejected", fields);
   logged_ = rejected;
+}
+
+// A server that is always too slow says so at times, not in every tick.
+void DedicatedServer::logDropped(TimePoint now) {
+  droppedTicks_ += clock_.takeDropped();
+  if (droppedTicks_ == 0 || now < nextDroppedLogAt_) return;
+  nextDroppedLogAt_ = now + kRejectedLogInterval;
+  log_.warning("ticks dropped", {{"ticks", std::exchange(droppedTicks_, 0)}});
 }
 
 std::vector<Rejection> DedicatedServer::rejections() const {

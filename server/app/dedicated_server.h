@@ -84,6 +84,7 @@ class DedicatedServer {
   void writeRecordings();
   void finishRecordings();
   void logRejected(TimePoint now);
+  void logDropped(TimePoint now);
   void updateInfo();
 
   Log log_;
@@ -97,6 +98,8 @@ class DedicatedServer {
   bool flooded_ = false;                  // many datagrams came between the last two ticks
   std::vector<Rejection> logged_;         // at the last logRejected
   TimePoint nextLogAt_;
+  std::uint64_t droppedTicks_ = 0;  // since the last logDropped that said so
+  TimePoint nextDroppedLogAt_{};
   TickTimes tickTimes_;
   RecentTickTimes recentTickTimes_;
   std::uint64_t desyncs_ = 0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string_view>
 #include <utility>
@@ -17,6 +18,11 @@ namespace platon {
 /// time, so that server and clients run in one thread.
 class LoopbackServer {
  public:
+  LoopbackServer() : LoopbackServer([](std::string_view) {}) {}
+  /// `sink` receives the lines of the log.
+  explicit LoopbackServer(std::function<void(std::string_view)> sink)
+      : server_(settings(), {endlessLevel()}, Log(LogFormat::kText, std::move(sink))) {}
+
   ServerAddress address() const { return {kLoopback, server_.port()}; }
   DedicatedServer& server() { return server_; }
   const Clock& clock() const { return clock_; }
@@ -49,7 +55,7 @@ class LoopbackServer {
     return settings;
   }
 
-  DedicatedServer server_{settings(), {endlessLevel()}, Log(LogFormat::kText, [](std::string_view) {})};
+  DedicatedServer server_;
   Moment now_ = steadyClock().now();
   Clock clock_{[this] { return now_; },
                [this](Moment until) {
