@@ -4,6 +4,7 @@
 #include <sodium.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "protocol/transport/enet_check.h"
 #include "protocol/transport/enet_settings.h"
@@ -42,6 +43,10 @@ std::size_t queuedMessages(ENetPeer& peer) {
     }
   }
   return count;
+}
+
+std::size_t roomOf(ENetPeer& peer) {
+  return Host::kMaxQueuedMessages - std::min(Host::kMaxQueuedMessages, queuedMessages(peer));
 }
 
 }  // namespace
@@ -107,6 +112,7 @@ std::vector<HostEvent> Host::service(Moment now) {
   gate_.beginRound();
   const EnetScope scope(*this, now);
   std::vector<HostEvent> events;
+  endSlow(events);
   ENetEvent event{};
   for (int pass = 0; pass < kMaxServiceCalls; ++pass) {
     const int result = serviceEnet(*host_, event);
@@ -118,6 +124,13 @@ std::vector<HostEvent> Host::service(Moment now) {
   gate_.expire(now);
   gate_.flush(now);
   return events;
+}
+
+// Before ENet receives anything, because it gives the place of an ended connection to the next newcomer.
+void Host::endSlow(std::vector<HostEvent>& events) {
+  for (const ClientId client : std::exchange(slow_, {})) {
+    if (const auto index = indexOf(client)) end(*index, events);
+  }
 }
 
 void Host::handle(const ENetEvent& event, std::vector<HostEvent>& events) {
@@ -141,6 +154,7 @@ void Host::connect(Connection& connection, ENetPeer& peer) {
   connection.session = fromEnet(peer.address);
   connection.since = now_;
   connection.client = nextClient_++;
+  indexes_.emplace(*connection.client, peer.incomingPeerID);
   gate_.confirm(connection.session);
   configurePeer(peer);
   fixSettings(peer);
@@ -177,17 +191,18 @@ bool Host::hasTimedOut(const Connection& connection) {
 
 void Host::end(std::size_t index, std::vector<HostEvent>& events) {
   Connection& connection = connections_[index];
-  if (connection.client) events.push_back({*connection.client, true, {}, {}});
+  if (connection.client) {
+    indexes_.erase(*connection.client);
+    events.push_back({*connection.client, true, {}, {}});
+  }
   enet_peer_reset(&host_->peers[index]);
   gate_.close(connection.session);
   connection = Connection(now_);
 }
 
 std::optional<std::size_t> Host::indexOf(ClientId client) const {
-  const auto found = std::find_if(connections_.begin(), connections_.end(),
-                                  [client](const Connection& connection) { return connection.client == client; });
-  if (found == connections_.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - connections_.begin());
+  const auto found = indexes_.find(client);
+  return found == indexes_.end() ? std::nullopt : std::optional(found->second);
 }
 
 void Host::admit(ClientId client) {
@@ -197,16 +212,16 @@ void Host::admit(ClientId client) {
 void Host::send(ClientId client, bool reliable, std::span<const std::uint8_t> message) {
   const auto index = indexOf(client);
   if (!index) return;
-  if (!reliable || room(client) > 0) return sendMessage(host_->peers[*index], message, reliable);
+  if (!reliable || roomOf(host_->peers[*index]) > 0) return sendMessage(host_->peers[*index], message, reliable);
   if (connections_[*index].closing) return;
   ++counters_.slow;
-  enet_peer_reset(&host_->peers[*index]);  // `maintain` tells about the end
+  connections_[*index].closing = true;
+  slow_.push_back(client);
 }
 
 std::size_t Host::room(ClientId client) const {
   const auto index = indexOf(client);
-  if (!index) return 0;
-  return kMaxQueuedMessages - std::min(kMaxQueuedMessages, queuedMessages(host_->peers[*index]));
+  return index ? roomOf(host_->peers[*index]) : 0;
 }
 
 void Host::close(ClientId client, Moment now) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "protocol/token_bucket.h"
@@ -114,6 +115,7 @@ class Host : private EnetPort {
   std::optional<Received> receiveForEnet() override;
   bool accepts(SessionId session, ByteSpan content);
   bool acceptsConnect(SessionId session) const;
+  void endSlow(std::vector<HostEvent>& events);
   void handle(const ENetEvent& event, std::vector<HostEvent>& events);
   void connect(Connection& connection, ENetPeer& peer);
   void maintain(std::size_t index, std::vector<HostEvent>& events);
@@ -123,7 +125,9 @@ class Host : private EnetPort {
 
   ServerGate gate_;
   std::unique_ptr<ENetHost, void (*)(ENetHost*)> host_;
-  std::vector<Connection> connections_;  // by index of the ENet peer
+  std::vector<Connection> connections_;                // by index of the ENet peer
+  std::unordered_map<ClientId, std::size_t> indexes_;  // in connections_, of the connected ones
+  std::vector<ClientId> slow_;                         // that the next call of `service` ends
   ClientId nextClient_ = 1;
   HostCounters counters_;
   Moment now_;     // of the present call

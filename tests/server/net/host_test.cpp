@@ -207,6 +207,20 @@ TEST_F(HostTest, AClientThatAcknowledgesNothingIsDroppedBeforeItsQueueGrows) {
   EXPECT_EQ(host_.counters().slow, 1u);
 }
 
+// The newcomer got the place, and the end of the connection before it was never reported: its player stayed for ever.
+TEST_F(HostTest, TheEndOfASlowClientIsReportedEvenIfANewcomerGetsItsPlace) {
+  const ClientId client = connect();
+  host_.admit(client);
+  eve_.join(host_, now_);
+  for (std::size_t i = 0; i <= Host::kMaxQueuedMessages; ++i) host_.send(client, true, Bytes(1000));
+  eve_.send(connectContent(77), now_);
+  const std::vector<HostEvent> events = host_.service(now_);
+  ASSERT_EQ(events.size(), 1u);
+  EXPECT_TRUE(events[0].disconnected);
+  EXPECT_EQ(events[0].client, client);
+  EXPECT_EQ(host_.room(client), 0u);
+}
+
 TEST_F(HostTest, AClientThatAcknowledgesMakesRoom) {
   const ClientId client = connect();
   host_.admit(client);
