@@ -1,6 +1,7 @@
 #include "server/admin/stream_socket.h"
 
 #include <netinet/in.h>
+#include <poll.h>
 #include <sys/socket.h>
 #include <sys/un.h>
 #include <unistd.h>
@@ -82,7 +83,10 @@ std::uint16_t portOf(const Descriptor& listener) {
   return ntohs(reinterpret_cast<const sockaddr_in*>(&storage)->sin_port);
 }
 
+// The server asks in every tick. accept4 prepares a file before it finds that nobody has connected; poll does not.
 Descriptor acceptFrom(const Descriptor& listener) {
+  pollfd waiting{listener.number(), POLLIN, 0};
+  if (poll(&waiting, 1, 0) <= 0) return Descriptor();
   return Descriptor(accept4(listener.number(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
 }
 
