@@ -65,12 +65,12 @@ def _matrix(losses, delays, jitters, seconds):
 
 
 def _scale(seconds):
-    return (Cell(seconds=seconds), Cell(players=64, hollow=56, seconds=seconds),
+    return (Cell(players=4, seconds=seconds), Cell(seconds=seconds), Cell(players=64, hollow=56, seconds=seconds),
             Cell(2, 50, 0, players=64, hollow=56, seconds=seconds), Cell(players=256, hollow=252, seconds=seconds))  # fmt: skip
 
 
 FULL = Plan(_matrix(LOSSES, DELAYS, JITTERS, 25), 4, _scale(25), idle=10, starts=9)
-QUICK = Plan(_matrix((0, 10), (0, 200), (0, 100), 10), 4, _scale(12)[1:], idle=2, starts=3)
+QUICK = Plan(_matrix((0, 10), (0, 200), (0, 100), 10), 4, _scale(12)[2:], idle=2, starts=3)
 
 # A few cells, for the limits that are independent of the speed of the machine.
 CORNERS = Plan(tuple(Cell(*conditions, seconds=10, settle=3) for conditions in

@@ -53,8 +53,8 @@ def perfect(cell):
     return cell.loss == cell.delay == cell.jitter == 0
 
 
-def _players(count):
-    return lambda cell: cell.players == count
+def _players(*counts):
+    return lambda cell: cell.players in counts
 
 
 KB = {"shown": "{:.2f} kB/s", "scale": 0.001}
@@ -64,7 +64,7 @@ IDLE = {"shown": "{:.3f} %", "timing": True}
 
 GATES = (
     Gate("down, a player of 16", "≤ 3 kB/s", "downBytesPerSecond", 3000, applies=_players(16), **KB),
-    Gate("down, a player of 64", "≤ 6 kB/s", "downBytesPerSecond", 6000, applies=_players(64), **KB),
+    Gate("down, a player of 4, 64 or 256", "≤ 6 kB/s", "downBytesPerSecond", 6000, applies=_players(4, 64, 256), **KB),
     Gate("up, a player", "≤ 1.5 kB/s", "upBytesPerSecond", 1500, **KB),
     Gate("longest datagram, both ways", "≤ 1 200 bytes", "longestDatagramBytes", 1200, shown="{} bytes"),
     Gate("missed inputs, loss ≤ 10 %", "≤ 0.1 %", "missedInputsPer1000Ticks", 1,
@@ -82,8 +82,8 @@ GATES = (
     Gate("time to join, other connections without loss", "≤ 6 × (delay + jitter) + 2 ticks", "connectMs", max_connect_ms,
          timing=True, shown="{:.0f} ms", applies=lambda cell: cell.loss == 0 and not perfect(cell)),
     Gate("server, 16 players", "≤ 1 % of a core", "cpuPercent", 1, applies=_players(16), **CORE),
-    Gate("server, 64 players", "≤ 4 % of a core", "cpuPercent", 4, applies=_players(64), **CORE),
-    Gate("server, 256 players", "≤ 20 % of a core", "cpuPercent", 20, applies=_players(256), **CORE),
+    Gate("server, 64 players", "≤ 3 % of a core", "cpuPercent", 3, applies=_players(64), **CORE),
+    Gate("server, 256 players", "≤ 10 % of a core", "cpuPercent", 10, applies=_players(256), **CORE),
     Gate("a tick of 256 players, 99th percentile", "≤ 4 ms", "p99Us", 4000, applies=_players(256), timing=True,
          shown="{:.2f} ms", scale=0.001),
     Gate("memory of the server", "≤ 16 MB", "memoryBytes", 16e6, timing=True, shown="{:.1f} MB", scale=1e-6),

@@ -37,7 +37,8 @@ class Gates(unittest.TestCase):
     def test_each_limit_in_cells_to_which_it_applies(self):
         cell = Cell()
         self.assert_just_fails(cell, "downBytesPerSecond", 3000)
-        self.assert_just_fails(Cell(players=64), "downBytesPerSecond", 6000)
+        for players in (4, 64, 256):
+            self.assert_just_fails(Cell(players=players), "downBytesPerSecond", 6000)
         self.assert_just_fails(cell, "upBytesPerSecond", 1500)
         self.assert_just_fails(cell, "longestDatagramBytes", 1200, 1)
         self.assert_just_fails(Cell(10, 200, 100), "missedInputsPer1000Ticks", 1)
@@ -46,15 +47,15 @@ class Gates(unittest.TestCase):
             self.assert_just_fails(Cell(20, 200, 100), key, 0, 1)
         self.assert_just_fails(cell, "connectMs", 300)
         self.assert_just_fails(cell, "cpuPercent", 1)
-        self.assert_just_fails(Cell(players=64), "cpuPercent", 4)
-        self.assert_just_fails(Cell(players=256), "cpuPercent", 20)
+        self.assert_just_fails(Cell(players=64), "cpuPercent", 3)
+        self.assert_just_fails(Cell(players=256), "cpuPercent", 10)
         self.assert_just_fails(Cell(players=256), "p99Us", 4000, 1)
         self.assert_just_fails(cell, "memoryBytes", 16e6, 1)
 
     def test_limits_are_ignored_in_other_cells(self):
         self.assertEqual(exceeded(Cell(20), missedInputsPer1000Ticks=500, connectMs=9000), [])
         self.assertEqual(exceeded(Cell(2, 50, 100), mispredictedPer1000Ticks=100), [])
-        self.assertEqual(exceeded(Cell(players=256), downBytesPerSecond=9000), [])
+        self.assertEqual(exceeded(Cell(players=128), downBytesPerSecond=9000), [])
 
     def test_joining_may_take_three_round_trips(self):
         slow = Cell(0, 50, 20)
