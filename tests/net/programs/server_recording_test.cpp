@@ -12,6 +12,13 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait_until.h"
 
+// Clang's check of virtual tables opens a pipe to learn whether an address can be read.
+#ifdef __has_feature
+#define PLATON_CHECKS_NEED_DESCRIPTORS __has_feature(undefined_behavior_sanitizer)
+#else
+#define PLATON_CHECKS_NEED_DESCRIPTORS 0
+#endif
+
 namespace platon {
 namespace {
 
@@ -105,6 +112,7 @@ TEST_F(Recordings, AFullDiskDoesNotEndTheMatch) {
 }
 
 TEST_F(Recordings, AServerWithoutFileDescriptorsGoesOn) {
+  if (PLATON_CHECKS_NEED_DESCRIPTORS) GTEST_SKIP() << "the sanitizer itself needs descriptors";
   startServer({"--record", folder_.string()});
   rlimit before{};
   ASSERT_EQ(prlimit(server().id(), RLIMIT_NOFILE, nullptr, &before), 0);
