@@ -11,6 +11,7 @@
 #include <glm/geometric.hpp>
 
 #include "client/ui/overlay_writer.h"
+#include "client/ui/text_wrap.h"
 #include "platon/game/utf8.h"
 
 namespace platon {
@@ -21,6 +22,8 @@ using namespace overlay_colours;
 constexpr std::size_t kMaxRows = 12;
 constexpr std::size_t kMaxNameLength = 20;  // code points shown of a name
 constexpr float kMargin = 16;
+constexpr float kTextSize = 18;     // of messages
+constexpr float kWidestText = 640;  // of messages
 
 constexpr std::array<std::array<const char*, 2>, 7> kHelp{{{"← →  or  A D", "run"},
                                                            {"Space, ↑ or W", "jump; hold to jump higher"},
@@ -131,6 +134,11 @@ void addHelp(OverlayWriter& writer) {
   }
 }
 
+// Lines of a message of any length.
+std::vector<std::string> linesOf(const std::string& text, const Font& font, float width, float size) {
+  return wrapText(text, font, std::min(kWidestText, width - 4 * kMargin) / size);
+}
+
 }  // namespace
 
 std::string clockText(double seconds) {
@@ -145,8 +153,10 @@ std::string clockText(double seconds) {
 Overlay makeEmptyHud(const HudStatus& status, const Font& font, float width) {
   OverlayWriter writer(font);
   writer.centred("Platon", {width / 2, Overlay::kHeight * 0.44F}, 64, kBright);
-  if (!status.message.empty()) {
-    writer.centred(status.message, {width / 2, Overlay::kHeight * 0.52F}, 20, status.warning ? kWarning : kSoft);
+  glm::vec2 place(width / 2, Overlay::kHeight * 0.52F);
+  for (const std::string& line : linesOf(status.message, font, width, 20)) {
+    writer.centred(line, place, 20, status.warning ? kWarning : kSoft);
+    place.y += 26;
   }
   if (status.help) addHelp(writer);
   return writer.take();
@@ -161,8 +171,9 @@ Overlay makeHud(const Scene& scene, const Camera& camera, const HudStatus& statu
   addPlayers(writer, scene, width);
   addResult(writer, scene, width);
   if (status.help) addHelp(writer);
-  if (!status.message.empty()) {
-    writer.pill(status.message, {width / 2, Overlay::kHeight - 40}, 18, status.warning ? kWarning : kBright);
+  const std::vector<std::string> lines = linesOf(status.message, font, width, kTextSize);
+  if (!lines.empty()) {
+    writer.pill(lines, {width / 2, Overlay::kHeight - 40}, kTextSize, status.warning ? kWarning : kBright);
   }
   return writer.take();
 }

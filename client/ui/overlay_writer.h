@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "client/ui/font.h"
 #include "client/ui/overlay.h"
@@ -39,15 +41,30 @@ class OverlayWriter {
   }
   /// Text centred on a panel that fits it.
   void pill(const std::string& text, glm::vec2 middle, float size, glm::vec4 colour) {
-    const glm::vec2 half(width(text, size) / 2 + size, size * 0.9F);
-    panel(middle - half, middle + half, half.y, overlay_colours::kPanel);
-    centred(text, {middle.x, middle.y + size * Font::kCapitalHeight / 2}, size, colour);
+    pill(std::vector<std::string>{text}, middle, size, colour);
+  }
+  /// Lines on a panel that fits them. `middle` is the middle of the last line. Returns the top of the panel.
+  float pill(const std::vector<std::string>& lines, glm::vec2 middle, float size, glm::vec4 colour) {
+    const float above = kLineDistance * size * static_cast<float>(lines.size() - 1);
+    float widest = 0;
+    for (const std::string& line : lines) widest = std::max(widest, width(line, size));
+    const glm::vec2 half(widest / 2 + size, size * 0.9F);
+    const glm::vec2 low = middle - half - glm::vec2(0, above);
+    panel(low, middle + half, half.y, overlay_colours::kPanel);
+    glm::vec2 place(middle.x, middle.y - above + size * Font::kCapitalHeight / 2);
+    for (const std::string& line : lines) {
+      centred(line, place, size, colour);
+      place.y += kLineDistance * size;
+    }
+    return low.y;
   }
 
   float width(const std::string& text, float size) const { return font_->width(text) * size; }
   Overlay take() { return std::move(overlay_); }
 
  private:
+  static constexpr float kLineDistance = 1.3F;  // of two baselines, at size 1
+
   const Font* font_;
   Overlay overlay_;
 };

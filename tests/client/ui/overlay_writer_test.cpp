@@ -62,5 +62,24 @@ TEST(OverlayWriter, APillEnclosesItsText) {
   EXPECT_GT(text.place.y - Font::kCapitalHeight * kSize, panel.low.y);
 }
 
+TEST(OverlayWriter, APillEnclosesItsLines) {
+  OverlayWriter writer(font());
+  const float top = writer.pill(std::vector<std::string>{"A long line", "Text"}, {300, 200}, kSize, kColour);
+  const Overlay overlay = writer.take();
+  ASSERT_EQ(overlay.panels.size(), 1U);
+  ASSERT_EQ(overlay.texts.size(), 2U);
+  const Overlay::Panel& panel = overlay.panels[0];
+  EXPECT_EQ(panel.low.y, top);
+  EXPECT_EQ(overlay.texts[0].content, "A long line");
+  EXPECT_FLOAT_EQ(overlay.texts[0].place.x - panel.low.x, kSize);
+  EXPECT_GT(overlay.texts[0].place.y - Font::kCapitalHeight * kSize, top);
+  EXPECT_GT(overlay.texts[1].place.y - overlay.texts[0].place.y, kSize);
+  OverlayWriter single(font());
+  single.pill("Text", {300, 200}, kSize, kColour);
+  const Overlay last = single.take();
+  EXPECT_EQ(overlay.texts[1].place, last.texts[0].place) << "the last line does not depend on those above it";
+  EXPECT_EQ(panel.high.y, last.panels[0].high.y);
+}
+
 }  // namespace
 }  // namespace platon
