@@ -200,6 +200,12 @@ std::optional<ToClient> read(const wire::Bye& table) {
   return message;
 }
 
+std::optional<ToClient> read(const wire::Notice& table) {
+  Notice message{textOf(table.text())};
+  if (!isLabel(message.text, kMaxReasonBytes)) return std::nullopt;
+  return message;
+}
+
 std::optional<ToClient> readBody(const wire::ToClient& root) {
   switch (root.body_type()) {
     case Body::Welcome:
@@ -218,6 +224,8 @@ std::optional<ToClient> readBody(const wire::ToClient& root) {
       return read(*root.body_as_RoundEnd());
     case Body::Bye:
       return read(*root.body_as_Bye());
+    case Body::Notice:
+      return read(*root.body_as_Notice());
     default:
       return std::nullopt;
   }
@@ -293,6 +301,12 @@ Bytes encode(const Bye& message) {
   Builder builder;
   const auto reason = builder.CreateString(message.reason);
   return finish(builder, Body::Bye, wire::CreateBye(builder, static_cast<std::uint32_t>(message.code), reason));
+}
+
+Bytes encode(const Notice& message) {
+  Builder builder;
+  const auto text = builder.CreateString(message.text);
+  return finish(builder, Body::Notice, wire::CreateNotice(builder, text));
 }
 
 Bytes encode(const ConfirmedTicks& message) {

@@ -98,6 +98,13 @@ struct Bye {
   friend bool operator==(const Bye&, const Bye&) = default;
 };
 
+/// A text of the server's operator for the players. It is shown for some seconds; a newer one replaces it.
+struct Notice {
+  std::string text;  ///< a label of at most kMaxReasonBytes
+
+  friend bool operator==(const Notice&, const Notice&) = default;
+};
+
 /// Input of a slot from `tick` on, until the slot's next change.
 struct InputChange {
   std::uint32_t tick = 0;
@@ -144,7 +151,7 @@ struct ConfirmedTicks {
 };
 
 using ToClient =
-    std::variant<Welcome, Refused, LevelChunk, StateChunk, Roster, RoundStart, RoundEnd, Bye, ConfirmedTicks>;
+    std::variant<Welcome, Refused, LevelChunk, StateChunk, Roster, RoundStart, RoundEnd, Bye, Notice, ConfirmedTicks>;
 
 /// Decodes a message from the server. Returns nothing if it is malformed or a value is out of range.
 std::optional<ToClient> decodeToClient(std::span<const std::uint8_t> bytes);
@@ -158,6 +165,7 @@ std::vector<std::uint8_t> encode(const Roster& message);
 std::vector<std::uint8_t> encode(const RoundStart& message);
 std::vector<std::uint8_t> encode(const RoundEnd& message);
 std::vector<std::uint8_t> encode(const Bye& message);
+std::vector<std::uint8_t> encode(const Notice& message);
 std::vector<std::uint8_t> encode(const ConfirmedTicks& message);
 
 }  // namespace platon

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <utility>
 
 #include "client/play/user_folders.h"
 #include "client/session/farewell.h"
@@ -46,6 +47,7 @@ void MatchPlay::update(Moment now, const Controls& controls) {
   client_.update(now, controls);
   reportDesync();
   reportOutage();
+  takeNotice(now);
   saveToken();
   rememberServer();
 }
@@ -71,6 +73,14 @@ void MatchPlay::reportOutage() {
     std::fprintf(stderr, "platon-client: reconnected\n");
 }
 
+void MatchPlay::takeNotice(Moment now) {
+  std::optional<std::string> notice = client_.takeNotice();
+  if (!notice) return;
+  notice_ = std::move(*notice);
+  noticeUntil_ = now + kNoticeTime;
+  std::fprintf(stderr, "platon-client: the operator of the server says: %s\n", notice_.c_str());
+}
+
 void MatchPlay::saveToken() {
   if (tokenSaved_ || !client_.welcomed()) return;
   sessionFile_.keep(client_.token());
@@ -89,6 +99,12 @@ std::string MatchPlay::message() const {
   if (client_.outage()) return *client_.outage() + "; reconnecting …";
   if (client_.session() == nullptr) return "connecting to " + server_.text() + " …";
   return client_.session()->round() == nullptr ? "waiting for the level …" : "";
+}
+
+std::string MatchPlay::notice(Moment now) const { return now < noticeUntil_ ? notice_ : std::string(); }
+
+HudStatus MatchPlay::hudStatus(Moment now, bool help) const {
+  return {message(), client_.ending().has_value(), help, notice(now)};
 }
 
 void MatchPlay::leave(const Clock& clock) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <optional>
 #include <string>
 
@@ -11,6 +12,7 @@
 #include "client/scene/scene.h"
 #include "client/session/network_client.h"
 #include "client/time/clock.h"
+#include "client/ui/hud.h"
 #include "protocol/moment.h"
 
 namespace platon {
@@ -19,6 +21,8 @@ namespace platon {
 /// reports, and keeps the token that resumes the player after a crash of the program.
 class MatchPlay {
  public:
+  static constexpr Moment kNoticeTime = std::chrono::seconds(8);
+
   /// Starts to connect, and resumes the player if the program ended without leaving. Throws std::runtime_error if the
   /// host name cannot be resolved or no socket is available.
   MatchPlay(const ClientOptions& options, const ServerAddress& server, Moment now);
@@ -28,6 +32,10 @@ class MatchPlay {
   std::optional<Scene> scene(Moment now);
   /// Connection status for the player; empty while the match runs.
   std::string message() const;
+  /// Text of the server's operator, for kNoticeTime after it was received; empty: none.
+  std::string notice(Moment now) const;
+  /// What the head-up display shows besides the scene.
+  HudStatus hudStatus(Moment now, bool help) const;
   /// Leaves the match; takes at most half a second.
   void leave(const Clock& clock);
 
@@ -36,6 +44,7 @@ class MatchPlay {
  private:
   void reportDesync();
   void reportOutage();
+  void takeNotice(Moment now);
   void saveToken();
   void rememberServer();
 
@@ -49,6 +58,8 @@ class MatchPlay {
   DesyncFolder desyncFolder_;
   std::optional<Scene> lastScene_;
   std::optional<std::string> reportedOutage_;
+  std::string notice_;  // the newest one
+  Moment noticeUntil_{};
 };
 
 }  // namespace platon

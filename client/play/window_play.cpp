@@ -79,7 +79,7 @@ void WindowPlay::draw(Moment now) {
   view_.resize(window_.pixelWidth(), window_.pixelHeight());
   const std::optional<Scene> scene = match_.scene(now);
   if (scene) view_.netGraph().add(meter_.sample(match_.client(), now));
-  const HudStatus status{match_.message(), match_.client().ending().has_value(), interface_.helpShown()};
+  const HudStatus status = match_.hudStatus(now, interface_.helpShown());
   view_.draw(scene ? &*scene : nullptr, status, interface_.settings(), interface_.menu(), toSeconds(now - drawnAt_));
   view_.present();
   drawnAt_ = now;

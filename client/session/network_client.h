@@ -64,6 +64,8 @@ class NetworkClient {
 
   /// The session; null before the first connection. During an outage, the last session.
   const Session* session() const { return session_ ? &*session_ : nullptr; }
+  /// The newest text of the server's operator; each is returned once.
+  std::optional<std::string> takeNotice() { return session_ ? session_->takeNotice() : std::nullopt; }
   /// The last desync report; each is returned once.
   std::optional<DesyncReport> takeDesync();
   /// Total of all connections.

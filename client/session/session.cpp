@@ -111,6 +111,11 @@ void Session::handle(const Bye& message, Moment) {
   end(withReason("the server ended the game", message.reason), message.code != ByeCode::kServerStops);
 }
 
+void Session::handle(const Notice& message, Moment) {
+  std::string text = visibleLabel(message.text);
+  if (!text.empty()) notice_ = std::move(text);
+}
+
 void Session::handle(const Roster& message, Moment) {
   for (const RosterEntry& entry : message.entries) {
     if (entry.slot < names_.size()) names_[entry.slot] = visibleLabel(entry.name);

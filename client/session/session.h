@@ -76,6 +76,8 @@ class Session {
   /// Player names by slot; an empty name means a free slot.
   std::span<const std::string> names() const { return names_; }
 
+  /// The newest text of the server's operator, which a player can see; each is returned once.
+  std::optional<std::string> takeNotice() { return std::exchange(notice_, std::nullopt); }
   /// The last desync report; each is returned once.
   std::optional<DesyncReport> takeDesync() { return std::exchange(desync_, std::nullopt); }
 
@@ -98,6 +100,7 @@ class Session {
   void handle(const RoundStart& message, Moment now);
   void handle(const RoundEnd& message, Moment now);
   void handle(const Bye& message, Moment now);
+  void handle(const Notice& message, Moment now);
   void handle(const ConfirmedTicks& message, Moment now);
 
   std::shared_ptr<const Level> level(std::uint64_t hash) const;
@@ -111,6 +114,7 @@ class Session {
   LinkMeter linkMeter_;
   std::optional<Welcome> welcome_;
   std::vector<std::string> names_;
+  std::optional<std::string> notice_;
   std::vector<OutgoingMessage> outgoing_;
 
   std::optional<SessionToken> token_;

@@ -22,8 +22,8 @@ using namespace overlay_colours;
 constexpr std::size_t kMaxRows = 12;
 constexpr std::size_t kMaxNameLength = 20;  // code points shown of a name
 constexpr float kMargin = 16;
-constexpr float kTextSize = 18;     // of messages
-constexpr float kWidestText = 640;  // of messages
+constexpr float kTextSize = 18;     // of messages and notices
+constexpr float kWidestText = 640;  // of messages and notices
 
 constexpr std::array<std::array<const char*, 2>, 7> kHelp{{{"← →  or  A D", "run"},
                                                            {"Space, ↑ or W", "jump; hold to jump higher"},
@@ -134,9 +134,20 @@ void addHelp(OverlayWriter& writer) {
   }
 }
 
-// Lines of a message of any length.
+// Lines of a message or a notice of any length.
 std::vector<std::string> linesOf(const std::string& text, const Font& font, float width, float size) {
   return wrapText(text, font, std::min(kWidestText, width - 4 * kMargin) / size);
+}
+
+// At the lower edge the message, and above it the notice.
+void addTexts(OverlayWriter& writer, const HudStatus& status, const Font& font, float width) {
+  glm::vec2 middle(width / 2, Overlay::kHeight - 40);
+  const auto add = [&](const std::string& text, glm::vec4 colour) {
+    const std::vector<std::string> lines = linesOf(text, font, width, kTextSize);
+    if (!lines.empty()) middle.y = writer.pill(lines, middle, kTextSize, colour) - 1.4F * kTextSize;
+  };
+  add(status.message, status.warning ? kWarning : kBright);
+  add(status.notice, kGold);
 }
 
 }  // namespace
@@ -159,6 +170,7 @@ Overlay makeEmptyHud(const HudStatus& status, const Font& font, float width) {
     place.y += 26;
   }
   if (status.help) addHelp(writer);
+  addTexts(writer, {.notice = status.notice}, font, width);
   return writer.take();
 }
 
@@ -171,10 +183,7 @@ Overlay makeHud(const Scene& scene, const Camera& camera, const HudStatus& statu
   addPlayers(writer, scene, width);
   addResult(writer, scene, width);
   if (status.help) addHelp(writer);
-  const std::vector<std::string> lines = linesOf(status.message, font, width, kTextSize);
-  if (!lines.empty()) {
-    writer.pill(lines, {width / 2, Overlay::kHeight - 40}, kTextSize, status.warning ? kWarning : kBright);
-  }
+  addTexts(writer, status, font, width);
   return writer.take();
 }
 

@@ -11,9 +11,10 @@ namespace platon {
 
 /// What the head-up display shows besides the scene.
 struct HudStatus {
-  std::string message;   ///< state of the connection or why the game ended; empty: none
-  bool warning = false;  ///< the message reports an error
-  bool help = false;     ///< show the table of keys
+  std::string message{};  ///< state of the connection or why the game ended; empty: none
+  bool warning = false;   ///< the message reports an error
+  bool help = false;      ///< show the table of keys
+  std::string notice{};   ///< text of the server's operator; empty: none
 };
 
 /// Time left as `minutes:seconds`; below ten seconds with tenths. `seconds` ≥ 0.
@@ -22,7 +23,7 @@ std::string clockText(double seconds);
 /// The display while there is no game. `width` is that of the virtual screen.
 Overlay makeEmptyHud(const HudStatus& status, const Font& font, float width);
 
-/// Title, clock, list of players, name tags, result, message and help.
+/// Title, clock, list of players, name tags, result, message, notice and help.
 Overlay makeHud(const Scene& scene, const Camera& camera, const HudStatus& status, const Font& font);
 
 }  // namespace platon

@@ -148,8 +148,8 @@ ConsoleReply Console::run(const MuteCommand& command, UtcTime) const {
 }
 
 ConsoleReply Console::run(const SayCommand& command, UtcTime) const {
-  if (match_.say(command.text)) return {true, "said to " + counted(match_.players(), "player")};
-  return {false, "this version of the protocol has no message for a text to the players"};
+  match_.say(command.text);
+  return {true, "said to " + counted(match_.players(), "player")};
 }
 
 ConsoleReply Console::run(const NextCommand&, UtcTime) const {

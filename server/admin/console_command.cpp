@@ -108,8 +108,8 @@ Result readMute(Arguments& arguments) {
 
 Result readSay(Arguments& arguments) {
   const std::string_view text = arguments.rest();
-  if (!text.empty() && isLabel(text, kMaxReasonBytes)) return SayCommand{std::string(text)};
-  return ParseError{"the text must have 1 to " + std::to_string(kMaxReasonBytes) + " bytes"};
+  if (isLabel(text, kMaxReasonBytes) && !visibleLabel(text).empty()) return SayCommand{std::string(text)};
+  return ParseError{"the text must have 1 to " + std::to_string(kMaxReasonBytes) + " bytes that can be seen"};
 }
 
 constexpr std::array kSyntax{

@@ -92,9 +92,8 @@ class Match {
   /// Shows a player to everybody as "Player N" instead of by its name, also after it resumes, or by its name again.
   /// Returns false if the slot has no player.
   bool mute(std::uint32_t slot, bool muted);
-  /// Shows a text, a label of at most kMaxReasonBytes, to all connected players. Returns false if the protocol has no
-  /// message for it (server/match/notice.h).
-  bool say(const std::string& text);
+  /// Shows a text, a label of at most kMaxReasonBytes, to all connected players for some seconds.
+  void say(const std::string& text);
   /// Ends the round; the next one starts after kPauseTicks, or at once if the match has no players. Returns false if
   /// the round is over already.
   bool endRoundNow();

@@ -3,7 +3,6 @@
 
 #include "protocol/label.h"
 #include "server/match/match.h"
-#include "server/match/notice.h"
 
 namespace platon {
 bool Match::kick(std::uint32_t slot, const std::string& reason) {
@@ -27,11 +26,7 @@ bool Match::mute(std::uint32_t slot, bool muted) {
   return true;
 }
 
-bool Match::say(const std::string& text) {
-  const auto notice = encodeNotice(text);
-  if (notice) sendAll(*notice);
-  return notice.has_value();
-}
+void Match::say(const std::string& text) { sendAll(encode(Notice{visibleLabel(text)})); }
 
 bool Match::endRoundNow() {
   if (overAt_) return false;

@@ -17,6 +17,7 @@ namespace {
 
 // The messages that the page explains byte by byte.
 const Hello kHello{kRulesVersion, "Ann"};
+const Notice kNotice{"Restart at noon"};
 const PlayerInputs kInputs{3,
                            1,
                            300,
@@ -36,7 +37,7 @@ const ConfirmedTicks kTicks{3,
 TEST(GoldenBytes, TheDocumentedBytesAreThoseOfTheEncoder) {
   const auto page = documentedBytes();
   const std::pair<const char*, Bytes> sent[] = {
-      {"hello", encode(kHello)}, {"inputs", encode(kInputs)}, {"ticks", encode(kTicks)}};
+      {"hello", encode(kHello)}, {"notice", encode(kNotice)}, {"inputs", encode(kInputs)}, {"ticks", encode(kTicks)}};
   for (const auto& [name, bytes] : sent) {
     ASSERT_TRUE(page.contains(name)) << name;
     EXPECT_EQ(page.at(name), bytes) << name << ": real bytes " << toHex(bytes);
@@ -66,9 +67,10 @@ TEST(GoldenBytes, ThePageHasARowForEveryReliableMessage) {
 
 TEST(GoldenBytes, TheDocumentedBytesAreDecoded) {
   const auto page = documentedBytes();
-  ASSERT_TRUE(page.contains("inputs") && page.contains("ticks") && page.contains("hello"));
+  ASSERT_TRUE(page.contains("inputs") && page.contains("ticks") && page.contains("hello") && page.contains("notice"));
   EXPECT_EQ(decodeToServer(page.at("inputs")), ToServer(kInputs));
   EXPECT_EQ(decodeToServer(page.at("hello")), ToServer(kHello));
+  EXPECT_EQ(decodeToClient(page.at("notice")), ToClient(kNotice));
   EXPECT_EQ(decodeToClient(page.at("ticks")), ToClient(kTicks));
 }
 

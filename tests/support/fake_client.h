@@ -35,6 +35,7 @@ class FakeClient : public VirtualClient {
   const std::optional<Welcome>& welcome() const { return welcome_; }
   const std::optional<Refused>& refused() const { return refused_; }
   const std::optional<Bye>& bye() const { return bye_; }
+  const std::vector<std::string>& notices() const { return notices_; }
   const std::map<std::uint32_t, std::string>& roster() const { return roster_; }
   const std::optional<RoundEnd>& roundEnd() const { return roundEnd_; }
 
@@ -70,6 +71,7 @@ class FakeClient : public VirtualClient {
   void handle(const RoundStart& message);
   void handle(const RoundEnd& message) { roundEnd_ = message; }
   void handle(const Bye& message) { bye_ = message; }
+  void handle(const Notice& message) { notices_.push_back(message.text); }
   void handle(const ConfirmedTicks& message);
 
   bool startRound(std::uint32_t round, std::uint64_t levelHash);
@@ -83,6 +85,7 @@ class FakeClient : public VirtualClient {
   std::optional<Welcome> welcome_;
   std::optional<Refused> refused_;
   std::optional<Bye> bye_;
+  std::vector<std::string> notices_;
   std::optional<RoundEnd> roundEnd_;
   std::optional<SlackReport> slack_;
   std::map<std::uint32_t, std::string> roster_;

@@ -2,10 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
 #include "client/net/lossy_relay.h"
+#include "client/scene/camera.h"
+#include "client/ui/hud.h"
+#include "server/admin/console.h"
 #include "tests/support/loopback_server.h"
 
 namespace platon {
@@ -32,6 +36,18 @@ class MatchPlayTest : public testing::Test {
     play_.emplace(ClientOptions(), relay_->address(), server_.clock().now());
   }
 
+  // Whether the head-up display of the next picture has this line.
+  bool isInPicture(const std::string& line) {
+    const Moment now = server_.clock().now();
+    const std::optional<Scene> scene = play_->scene(now);
+    Camera camera;
+    camera.set(scene->focus, scene->stage->mesh, 1280, 720);
+    const Overlay hud = makeHud(*scene, camera, play_->hudStatus(now, false), font_);
+    return std::any_of(hud.texts.begin(), hud.texts.end(),
+                       [&](const Overlay::Text& text) { return text.content == line; });
+  }
+
+  Font font_;
   LoopbackServer server_;
   std::optional<LossyRelay> relay_;
   std::optional<MatchPlay> play_;
@@ -60,6 +76,29 @@ TEST_F(MatchPlayTest, PlaysUnderDelayAndLeaves) {
   play_->leave(clock);
   EXPECT_TRUE(play_->client().closed());
   EXPECT_EQ(server_.server().match().players(), 0u);
+}
+
+TEST_F(MatchPlayTest, ATextOfTheConsoleIsInThePictureForEightSeconds) {
+  BanStore bans;
+  Console console(server_.server().match(), bans, {[] { return ""; }, {}, {}, [](std::string_view) {}});
+  const auto say = [&](const std::string& text) {
+    EXPECT_EQ(console.execute("say " + text, UtcTime()), (ConsoleReply{true, "said to 1 player"}));
+    const Moment saidAt = server_.clock().now();
+    EXPECT_TRUE(updateUntil(seconds(1), [&] { return isInPicture(text); }));
+    return saidAt;
+  };
+  connect(LinkQuality());
+  ASSERT_TRUE(updateUntil(seconds(10), [&] { return play_->scene(server_.clock().now()).has_value(); }));
+  say("Restart at noon");
+  EXPECT_EQ(play_->message(), "");
+  updateUntil(seconds(5), [] { return false; });
+  EXPECT_TRUE(isInPicture("Restart at noon"));
+  const Moment second = say("Restart at one");
+  EXPECT_FALSE(isInPicture("Restart at noon"));
+  EXPECT_TRUE(updateUntil(seconds(10), [&] { return !isInPicture("Restart at one"); }));
+  EXPECT_GE(server_.clock().now() - second, MatchPlay::kNoticeTime);
+  EXPECT_LE(server_.clock().now() - second, MatchPlay::kNoticeTime + seconds(1));
+  EXPECT_FALSE(isInPicture("Restart at noon"));
 }
 
 TEST_F(MatchPlayTest, DoesNotJoinUnderFullLoss) {

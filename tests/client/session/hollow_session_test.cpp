@@ -154,6 +154,15 @@ TEST_F(HollowSessionTest, ReportsWhyItEnded) {
   EXPECT_EQ(malformed.ending(), "protocol error: malformed message from the server");
 }
 
+TEST_F(HollowSessionTest, PlaysOnAfterANotice) {
+  join(delayed(5));
+  run(std::chrono::seconds(1));
+  match_.say("restart at noon");
+  run(std::chrono::seconds(1));
+  EXPECT_EQ(session_->ending(), std::nullopt);
+  EXPECT_GT(session_->confirmedTicks(), 100u);
+}
+
 TEST_F(HollowSessionTest, LeaveRemovesThePlayer) {
   join(delayed(5));
   run(std::chrono::seconds(1));

@@ -90,6 +90,27 @@ TEST(Session, ALateJoinerPlaysTheRunningRound) {
   EXPECT_EQ(match.session(1).roundStatistics().desyncs, 0u);
 }
 
+TEST(Session, HandsOnTheNewestNotice) {
+  SessionNetwork network({endlessLevel()}, kSeed);
+  network.join(qualityOf(30), pressing(kSeed));
+  network.run(seconds(1));
+  EXPECT_EQ(network.session(0).takeNotice(), std::nullopt);
+  network.match().say("restart at noon");
+  network.match().say("restart at one");
+  network.run(seconds(1));
+  EXPECT_EQ(network.session(0).takeNotice(), "restart at one");
+  EXPECT_EQ(network.session(0).takeNotice(), std::nullopt);
+}
+
+TEST(Session, ShowsOnlyWhatCanBeSeenOfANotice) {
+  Session session("Ann", Moment());
+  session.receive(encode(Notice{"a\xe2\x80\x8b  b"}), Moment());
+  EXPECT_EQ(session.takeNotice(), "a b");
+  session.receive(encode(Notice{"\xe2\x80\x8b"}), Moment());
+  EXPECT_EQ(session.takeNotice(), std::nullopt);
+  EXPECT_FALSE(session.ending());
+}
+
 TEST(Session, PlaysTheNextRound) {
   SessionNetwork match({flatLevel(), cornerLevel()}, kSeed);
   const Controls right = [](const Game&, std::uint32_t) { return Input{Input::kRight}; };

@@ -70,19 +70,29 @@ TEST(Hud, ShowsTitleClockAndMessage) {
   EXPECT_TRUE(find(hud, "Connection lost"));
 }
 
+TEST(Hud, ShowsANoticeAboveTheMessage) {
+  const HudStatus status{.message = "Connection lost", .warning = true, .help = false, .notice = "Restart at noon"};
+  const Overlay hud = hudOf(sceneOf(1), status);
+  ASSERT_TRUE(find(hud, "Connection lost"));
+  ASSERT_TRUE(find(hud, "Restart at noon"));
+  EXPECT_LT(find(hud, "Restart at noon")->place.y, find(hud, "Connection lost")->place.y);
+  EXPECT_TRUE(find(makeEmptyHud(status, font(), 1280), "Restart at noon"));
+}
+
 // 200 bytes, the longest text of a server, of the widest letters.
 TEST(Hud, ALongTextIsShownInLinesThatFit) {
   for (const std::string& text : {std::string(200, 'W'), std::string("Wide Words ") + std::string(189, 'W')}) {
-    const HudStatus status{.message = text, .warning = true, .help = false};
-    for (const Overlay& hud : {hudOf(sceneOf(1), status), makeEmptyHud(status, font(), 1280)}) {
-      long letters = 0;
-      for (const Overlay::Text& line : hud.texts) {
-        EXPECT_GE(line.place.x, 0);
-        EXPECT_LE(line.place.x + font().width(line.content) * line.size, 1280);
-        EXPECT_LT(line.place.y, Overlay::kHeight);
-        letters += std::count(line.content.begin(), line.content.end(), 'W');
+    for (const HudStatus& status : {HudStatus{.message = text}, HudStatus{.notice = text}}) {
+      for (const Overlay& hud : {hudOf(sceneOf(1), status), makeEmptyHud(status, font(), 1280)}) {
+        long letters = 0;
+        for (const Overlay::Text& line : hud.texts) {
+          EXPECT_GE(line.place.x, 0);
+          EXPECT_LE(line.place.x + font().width(line.content) * line.size, 1280);
+          EXPECT_LT(line.place.y, Overlay::kHeight);
+          letters += std::count(line.content.begin(), line.content.end(), 'W');
+        }
+        EXPECT_EQ(letters, std::count(text.begin(), text.end(), 'W'));
       }
-      EXPECT_EQ(letters, std::count(text.begin(), text.end(), 'W'));
     }
   }
 }

@@ -26,6 +26,7 @@ class Client:
         self.buttons = None
         self.welcome = self.bye = self.last_ticks = None
         self.roster = {}
+        self.notice = None
         self.level = b""
         self.state = b""
         self.sync = 0
@@ -125,5 +126,6 @@ _HANDLERS = {
     messages.Roster: lambda client, message: client.roster.update(message.names),
     messages.RoundEnd: _ignore,
     messages.RoundStart: _ignore,
+    messages.Notice: lambda client, message: setattr(client, "notice", message.text),
     messages.Bye: lambda client, message: setattr(client, "bye", message),
 }

@@ -15,6 +15,7 @@ SLOT = 5
 PASSWORD = "open sesame"
 NONCE = 0x0102030405060708
 CONTENT = bytes([1, 2, 3])
+NOTICE = messages.Notice("Restart at noon")
 
 INPUTS = per_tick.Inputs(3, 18, 1, 300, 0x89ABCDEF, 302, [
     (per_tick.RIGHT, 2), (per_tick.RIGHT | per_tick.JUMP, 1), (0, 9)])  # fmt: skip
@@ -72,7 +73,7 @@ def check_page(page):
         _check_both(name, page, answer.encode(golden.version), handshake.decode, answer)
     _check_sealed(page, *golden.keys)
     _check_messages(page, golden.hello)
-    others = page.names() - golden.of_client().keys() - golden.of_server().keys() - {"sealed-to-client", "ticks"}
+    others = page.names() - golden.of_client().keys() - golden.of_server().keys() - {"sealed-to-client", "ticks", "notice"}
     check(not others, f"nothing checks these blocks: {', '.join(sorted(others))}")
 
 
@@ -105,4 +106,6 @@ def _flipped(data, bit):
 def _check_messages(page, hello):
     _check_both("ticks", page, TICKS.encode(), per_tick.decode_ticks, TICKS)
     _check_both("inputs", page, INPUTS.encode(), per_tick.decode_inputs, INPUTS)
+    decoded = messages.decode(page.block("notice"))
+    check(decoded == NOTICE, f"the block 'notice' was decoded as {decoded}")
     _check_both("hello", page, hello, messages.decode_hello, (page.rules_version(), "Ann", b"", []))

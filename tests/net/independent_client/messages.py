@@ -98,6 +98,11 @@ class Bye:
     reason: str
 
 
+@dataclass
+class Notice:
+    text: str
+
+
 def _roster(body):
     return Roster({entry.number(0, 4): entry.text(1) for entry in body.tables(0)})
 
@@ -116,6 +121,7 @@ _READERS = (
     lambda body: RoundStart(*_numbers(body, 4, 8)),
     lambda body: RoundEnd(*_numbers(body, 4, 4, 8)),
     lambda body: Bye(*_numbers(body, 4), body.text(1)),
+    lambda body: Notice(body.text(0)),
 )
 
 

@@ -60,6 +60,24 @@ TEST_F(Play, ReportsAtTheEndThatTheServerHasStopped) {
       << client.errors();
 }
 
+TEST_F(Play, HearsWhatTheOperatorSays) {
+  const TemporaryFolder folder;
+  const std::string socket = folder / "console";
+  const std::string commands = folder / "commands";
+  writeText(commands, "say Restart at noon\n");
+  startServer({"--socket", socket});
+  Process client(platonCommand("platon-client", {address(), "--offscreen", "--seconds", "60"}));
+  server().waitForError("joined");
+  const ProcessResult console =
+      runProcess(platonCommand("platon-server", {"--console", "--socket", socket}), {"", commands});
+  EXPECT_EQ(console.exitCode, 0) << console.errors;
+  EXPECT_EQ(console.output, "said to 1 player\n");
+  client.waitForError("platon-client: the operator of the server says: Restart at noon");
+  client.signal(SIGTERM);
+  EXPECT_LE(client.wait(), 1) << client.errors();  // 1 if it has not received the level yet
+  stopServer();
+}
+
 TEST_F(Play, IsRefusedByAFullServer) {
   startServer({"--max-players", "1"});
   Process first(platonCommand("platon-client", {address(), "--offscreen", "--demo", "--seconds", "60"}));

@@ -91,9 +91,11 @@ TEST(ConsoleCommand, MuteAndUnmute) {
 
 TEST(ConsoleCommand, SayTakesTheRestOfTheLineAsItIs) {
   EXPECT_EQ(commandOf("say  \"hi\"  # all, 2h "), ConsoleCommand(SayCommand{"\"hi\"  # all, 2h"}));
-  EXPECT_EQ(errorOf("say"), "the text must have 1 to 200 bytes");
+  const std::string refusal = "the text must have 1 to 200 bytes that can be seen";
+  EXPECT_EQ(errorOf("say"), refusal);
+  EXPECT_EQ(errorOf("say \xe2\x80\x8b"), refusal);  // a space of no width
   EXPECT_EQ(errorOf("say " + std::string(kMaxReasonBytes, 'x')), "none");
-  EXPECT_EQ(errorOf("say " + std::string(kMaxReasonBytes + 1, 'x')), "the text must have 1 to 200 bytes");
+  EXPECT_EQ(errorOf("say " + std::string(kMaxReasonBytes + 1, 'x')), refusal);
 }
 
 TEST(ConsoleCommand, RefusesAnUnknownName) {

@@ -163,12 +163,13 @@ TEST_F(ConsoleTest, MuteAndUnmute) {
   EXPECT_EQ(error("mute Ben"), "there is no player 'Ben': the command players lists all");
 }
 
-TEST_F(ConsoleTest, SayReachesThePlayersIfTheProtocolHasAMessageForIt) {
+TEST_F(ConsoleTest, SaySendsTheTextToThePlayers) {
+  EXPECT_EQ(text("say hello"), "said to 0 players");
   join(1, "Ann");
-  const bool possible = match_.say("hello");
-  EXPECT_EQ(run("say hello"),
-            possible ? (ConsoleReply{true, "said to 1 player"})
-                     : (ConsoleReply{false, "this version of the protocol has no message for a text to the players"}));
+  EXPECT_EQ(text("say restart at  noon"), "said to 1 player");
+  const std::vector<Outgoing> sent = match_.takeOutgoing();
+  ASSERT_EQ(sent.size(), 1u);
+  EXPECT_EQ(decodeToClient(sent[0].bytes), ToClient(Notice{"restart at noon"}));
 }
 
 TEST_F(ConsoleTest, NextEndsTheRound) {

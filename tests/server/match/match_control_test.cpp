@@ -1,9 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "server/match/match.h"
-#include "server/match/notice.h"
 #include "tests/support/fake_client.h"
 #include "tests/support/fake_client_network.h"
 #include "tests/support/test_levels.h"
@@ -135,15 +132,26 @@ TEST_F(MatchControlTest, SayGoesToEveryConnectedPlayerReliably) {
   }
   match().disconnect(2);
   match().takeOutgoing();
-  const auto notice = encodeNotice("hello");
-  EXPECT_EQ(match().say("hello"), notice.has_value());
+  match().say("hello");
   const std::vector<Outgoing> sent = match().takeOutgoing();
-  ASSERT_EQ(sent.size(), notice ? 2u : 0u);
+  ASSERT_EQ(sent.size(), 2u);
+  EXPECT_EQ(sent[0].client, 1u);
+  EXPECT_EQ(sent[1].client, 3u);
   for (const Outgoing& message : sent) {
     EXPECT_TRUE(message.reliable);
     EXPECT_FALSE(message.last);
-    EXPECT_TRUE(std::equal(message.bytes.begin(), message.bytes.end(), notice->begin(), notice->end()));
+    EXPECT_EQ(decodeToClient(message.bytes), ToClient(Notice{"hello"}));
   }
+}
+
+TEST_F(MatchControlTest, SayReachesThePlayersInTheGame) {
+  network_.add(player("Ann"));
+  network_.run(30);
+  match().say("restart at\xe2\x80\x8b noon");
+  match().say("restart at one");
+  network_.run(30);
+  EXPECT_EQ(network_.client(1).notices(), (std::vector<std::string>{"restart at noon", "restart at one"}));
+  EXPECT_EQ(network_.client(1).desyncs(), 0u);
 }
 
 TEST_F(MatchControlTest, ARoundThatIsEndedGoesOnForThePause) {
