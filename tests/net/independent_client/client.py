@@ -16,8 +16,8 @@ LARGEST_MESSAGE = 1152
 class Client:
     """Plays: holds a button from its first input on."""
 
-    def __init__(self, socket, version):
-        self._link = Link(socket, version)
+    def __init__(self, socket, version, password=""):
+        self._link = Link(socket, version, password)
         self.identity = self._link.identity
         self._enet = enet.Connection(secrets.token_bytes(4))
         self._begun = time.monotonic()

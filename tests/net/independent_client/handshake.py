@@ -9,7 +9,7 @@ from nacl import bindings
 from failure import check
 
 KNOCK, COOKIE, OPEN, ACCEPT, REFUSAL, QUERY, INFO = range(1, 8)
-WRONG_VERSION = 1
+WRONG_VERSION, WRONG_PASSWORD = 1, 5
 KNOCK_BYTES = OPEN_BYTES = 256
 QUERY_BYTES = 512
 ECHO_BYTES = 16

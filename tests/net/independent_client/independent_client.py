@@ -7,7 +7,9 @@ and the server disagree.
 
 import os
 import secrets
+import subprocess
 import sys
+import tempfile
 import time
 from pathlib import Path
 
@@ -18,7 +20,7 @@ import noise
 import per_tick
 from client import Client
 from failure import Failure, check
-from link import TIMEOUT_SECONDS, Socket, query
+from link import TIMEOUT_SECONDS, Refused, Socket, query
 from protocol_page import Page
 
 sys.path.append(str(Path(__file__).resolve().parent.parent / "matrix"))
@@ -26,34 +28,62 @@ import processes  # noqa: E402
 
 LEVEL = "levels/icosahedron/05_the_long_way_round.level"
 NAME = "Quixotic Axolotl"
+NOTICE = "Restart at noon: Łódź"
+PASSWORD = "correct horse battery staple"
 READABLE_BYTES = 6
+
+
+class Server(processes.Server):
+    """A server whose console and key are in a folder."""
+
+    def __init__(self, programs, level, folder, *options):
+        self._console = [programs / "platon-server", "--console", "--socket", folder / "console"]
+        options = ["--socket", folder / "console", "--key-file", folder / "key", *options]
+        super().__init__(programs, level, options=options)
+
+    def command(self, line):
+        result = subprocess.run(self._console, input=line, text=True, capture_output=True, timeout=TIMEOUT_SECONDS)
+        check(result.returncode == 0, f"the console does not take '{line}': {result.stderr}")
 
 
 class Visit:
     """What a client does on a server. Its token is the same in all of its connections."""
 
-    def __init__(self, page, address, level):
+    def __init__(self, page, server, level):
         self._version = page.protocol_version()
         self._rules_version = page.rules_version()
         self._level = level
+        self._server = server
         self._token = secrets.token_bytes(16)
-        self._socket = Socket(address)
+        self._password = ""
+        host, port = server.address.rsplit(":", 1)
+        self._socket = Socket((host, int(port)))
 
     def run(self):
         self.ask_for_info(players=0)
         self.meet_other_versions()
         client = self.join()
         self.play(client)
+        self.hear_the_operator(client)
         self.ask_for_info(players=1)
         self.move_to_another_port(client)
         client.disconnect()
         self.leave(self.resume(client))
         self.check_traffic()
 
+    def run_with_password(self):
+        self._password = PASSWORD[:-1]
+        self.ask_for_info(players=0)
+        self.be_refused()
+        self._password = PASSWORD
+        client = self.join()
+        self.play(client)
+        self.leave(client)
+
     def ask_for_info(self, players):
         info = query(self._socket, self._version)
         found = info.name, info.needs_password, info.players, info.max_players
-        check(found == ("Platon", False, players, 16) and info.program, f"the server describes itself as {info}")
+        check(found == ("Platon", bool(self._password), players, 16) and info.program, f"the server describes itself as {info}")
         return info
 
     def meet_other_versions(self):
@@ -73,9 +103,17 @@ class Visit:
         check(handshake.version_of(first) == self._version, "a refusal does not tell the version of the server")
         check(len(others) == 1, f"another version is answered with {len(others)} datagrams")
 
+    def be_refused(self):
+        try:
+            Client(self._socket, self._version, self._password)
+        except Refused as refused:
+            check(refused.reason == handshake.WRONG_PASSWORD, f"a wrong password is answered with {refused.reason}")
+        else:
+            check(False, "the server lets a client with a wrong password in")
+
     def join(self):
         identity = query(self._socket, self._version).identity
-        client = Client(self._socket, self._version)
+        client = Client(self._socket, self._version, self._password)
         check(client.identity == identity, "Info and Cookie have different identities")
         client.join(self._rules_version, NAME, self._token)
         client.until(lambda: len(client.level) == len(self._level), "send the level text")
@@ -93,6 +131,10 @@ class Visit:
             client.until(lambda: client.players.get(slot) == client.buttons, "play the client's input")
         client.until(lambda: client.roster.get(slot) == NAME, "name the client's player")
         check(client.sync == 0, "the server sent a full state to a client with the right hash")
+
+    def hear_the_operator(self, client):
+        self._server.command(f"say {NOTICE}")
+        client.until(lambda: client.notice == NOTICE, "send the text of its operator")
 
     def move_to_another_port(self, client):
         self._socket.rebind()
@@ -139,10 +181,14 @@ def _parts(secret):
 def run(root, programs):
     page = Page(root / "docs/protocol.md")
     golden.check_page(page)
-    with processes.Server(programs, root / LEVEL) as server:
-        host, port = server.address.rsplit(":", 1)
-        Visit(page, (host, int(port)), (root / LEVEL).read_bytes()).run()
-        server.stop()
+    with tempfile.TemporaryDirectory() as folder:
+        with Server(programs, root / LEVEL, Path(folder)) as server:
+            Visit(page, server, (root / LEVEL).read_bytes()).run()
+            server.stop()
+        (Path(folder) / "password").write_text(f"{PASSWORD}\n", encoding="utf-8")
+        with Server(programs, root / LEVEL, Path(folder), "--password-file", Path(folder) / "password") as server:
+            Visit(page, server, (root / LEVEL).read_bytes()).run_with_password()
+            server.stop()
 
 
 def main(arguments):

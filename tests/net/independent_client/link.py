@@ -68,11 +68,20 @@ def query(socket, version):
         lambda answer: answer if isinstance(answer, handshake.Info) and answer.nonce == nonce else None)  # fmt: skip
 
 
-class Link:
-    """Sealed datagrams after a handshake with a server that needs no password."""
+class Refused(Failure):
+    """The server answered the handshake with a Refusal."""
 
-    def __init__(self, socket, version):
+    def __init__(self, refusal):
+        super().__init__(f"the server refuses the client: {refusal}")
+        self.reason = refusal.reason
+
+
+class Link:
+    """Sealed datagrams after a handshake with a server that needs this password, or none."""
+
+    def __init__(self, socket, version, password=""):
         self._socket = socket
+        self._password = password
         self._version = version
         self._secret = secrets.token_bytes(32)
         self._key = noise.public_key(self._secret)
@@ -101,14 +110,18 @@ class Link:
         self.send(bytes([RESPONSE]) + content[1:], control=True)
 
     def _exchange(self, cookie):
-        check(not cookie.needs_password, "the server needs a password")
+        expected = "a" if self._password else "no"
+        check(cookie.needs_password == bool(self._password), f"the server should need {expected} password")
         prologue = handshake.prologue(self._version, cookie.identity)
         static = handshake.server_static(cookie.identity)
-        exchange = noise.Initiator(prologue, handshake.NO_PASSWORD, static, self._secret)
+        exchange = noise.Initiator(prologue, self._pre_shared_key(cookie.identity), static, self._secret)
         accept = self._ask(handshake.open_(self._version, cookie.cookie, exchange.write()), handshake.Accept)
         slot, to_server, to_client = exchange.read(accept.exchange)
         self._sealer = Sealer(to_server, int.from_bytes(slot, "little"))
         self._opener = Opener(to_client)
+
+    def _pre_shared_key(self, identity):
+        return handshake.pre_shared_key(self._password, identity) if self._password else handshake.NO_PASSWORD
 
     def _ask(self, request, kind):
         def answered(answer):
@@ -117,5 +130,6 @@ class Link:
             return None
 
         answer = self._socket.ask(request, answered)
-        check(isinstance(answer, kind), f"the server refuses the client: {answer}")
+        if isinstance(answer, handshake.Refusal):
+            raise Refused(answer)
         return answer
