@@ -84,12 +84,12 @@ void NetworkClient::checkConnecting(Moment now) {
 
 void NetworkClient::checkSession(Moment now) {
   const bool timedOut = now - std::get<InSession>(state_).since > kWelcomeTimeout;
+  welcomed_ = welcomed_ || session_->welcome();  // also when the session has ended in the same call
   if (session_->ending()) return fail(*session_->ending(), now);
   if (!session_->welcome() && (closed() || timedOut)) {
     return fail({"the server at " + server_.text() + " did not respond in time; try again", false}, now);
   }
   if (closed()) return fail({"lost the connection to " + server_.text(), false}, now);
-  welcomed_ = welcomed_ || session_->welcome();
   if (!hasConfirmedTicks(*session_)) return;
   if (recovery_.outage) ++resumes_;
   recovery_ = Recovery();

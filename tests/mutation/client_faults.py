@@ -110,7 +110,7 @@ CLIENT_FAULTS = [
     at_length("one-attempt-too-many", SESSION + "network_client.cpp",
               "recovery_.failed + 1 < kMaxFirstAttempts", "recovery_.failed < kMaxFirstAttempts",
               "a client that was never accepted tries once more than it should",
-              "NetworkClient.TriesThreeTimesToJoinAServerThatDoesNotWelcomeIt"),
+              "AnsweredClient.TriesThreeTimesToJoinAServerThatDoesNotWelcomeIt"),
     at_length("last-difference-reported", DESYNC + "desync_detector.cpp",
               "  if (pending_) return;\n  pending_", "  pending_",
               "a desync report names the last differing tick, not the first",

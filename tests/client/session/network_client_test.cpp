@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <set>
 #include <stdexcept>
 
@@ -41,19 +42,57 @@ TEST(NetworkClient, ReportsThatNoServerAnswers) {
   EXPECT_EQ(client.ending(), "no answer from 127.0.0.1:1 within 5 s: is platon-server running there?");
 }
 
-TEST(NetworkClient, TriesThreeTimesToJoinAServerThatDoesNotWelcomeIt) {
-  Moment now = steadyClock().now();
-  Host host(std::make_unique<UdpSocket>("127.0.0.1", 0), ServerIdentity::random(), {}, now);
-  NetworkClient client({"127.0.0.1", host.address().port}, {""}, now);
-  std::set<ClientId> greeted;
-  for (const Moment end = now + std::chrono::minutes(2); now < end && !client.ending(); now += milliseconds(10)) {
-    for (const HostEvent& event : host.service(now)) greeted.insert(event.client);
-    host.flush(now);
-    client.update(now, kRight);
+/// A client of a host that answers the first message of each connection as a test wants.
+class AnsweredClient : public testing::Test {
+ protected:
+  using Answer = std::function<void(Host&, ClientId, Moment)>;
+
+  // Returns when the client gives up, has tried `attempts` times, or two minutes of virtual time have passed.
+  void run(std::size_t attempts, const Answer& answer) {
+    for (const Moment end = now_ + std::chrono::minutes(2); now_ < end && !client_.ending(); now_ += milliseconds(10)) {
+      for (const HostEvent& event : host_.service(now_)) {
+        if (!event.disconnected && greeted_.insert(event.client).second) answer(host_, event.client, now_);
+      }
+      if (greeted_.size() == attempts) return;
+      host_.flush(now_);
+      client_.update(now_, kRight);
+    }
   }
-  ASSERT_TRUE(client.ending().has_value());
-  EXPECT_TRUE(client.ending()->ends_with("did not respond in time; try again")) << *client.ending();
-  EXPECT_EQ(greeted.size(), NetworkClient::kMaxFirstAttempts);
+
+  Moment now_ = steadyClock().now();
+  Host host_{std::make_unique<UdpSocket>("127.0.0.1", 0), ServerIdentity::random(), {}, now_};
+  NetworkClient client_{{"127.0.0.1", host_.address().port}, {""}, now_};
+  std::set<ClientId> greeted_;
+};
+
+// Both in one datagram, after which the connection is closed.
+void welcomeAndClose(Host& host, ClientId client, Moment now, ByeCode code) {
+  host.send(client, true, encode(Welcome{0, 1, 2, 4, kTicksPerSecond, ""}));
+  host.send(client, true, encode(Bye{code, "why"}));
+  host.close(client, now);
+}
+
+TEST_F(AnsweredClient, TriesThreeTimesToJoinAServerThatDoesNotWelcomeIt) {
+  run(100, [](Host&, ClientId, Moment) {});
+  ASSERT_TRUE(client_.ending().has_value());
+  EXPECT_TRUE(client_.ending()->ends_with("did not respond in time; try again")) << *client_.ending();
+  EXPECT_EQ(greeted_.size(), NetworkClient::kMaxFirstAttempts);
+}
+
+TEST_F(AnsweredClient, RetriesWhenWelcomeAndByeArriveInOneServiceCall) {
+  const std::size_t attempts = 2 * NetworkClient::kMaxFirstAttempts;
+  run(attempts,
+      [](Host& host, ClientId client, Moment now) { welcomeAndClose(host, client, now, ByeCode::kServerStops); });
+  EXPECT_EQ(greeted_.size(), attempts);
+  EXPECT_EQ(client_.ending(), std::nullopt);
+  EXPECT_EQ(client_.outage(), "the server ended the game: why");
+  EXPECT_TRUE(client_.welcomed());
+}
+
+TEST_F(AnsweredClient, EndsWhenItIsRemovedInTheServiceCallOfItsWelcome) {
+  run(100, [](Host& host, ClientId client, Moment now) { welcomeAndClose(host, client, now, ByeCode::kRemoved); });
+  EXPECT_EQ(greeted_.size(), 1u);
+  EXPECT_EQ(client_.ending(), "the server ended the game: why");
 }
 
 TEST(NetworkClient, ThrowsForAnUnknownHost) {
