@@ -41,7 +41,7 @@ class Connection : private EnetPort {
   ~Connection() override;
 
   /// Passes received messages to `receiver` and sends queued datagrams. Does not block, except for the tenth of a
-  /// second in which a password becomes a key.
+  /// second in which a password becomes a key, once for all connections with copies of the same password.
   void service(Moment now, const Receiver& receiver);
   /// Sends the queued messages.
   void flush(Moment now);

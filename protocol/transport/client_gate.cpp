@@ -61,8 +61,7 @@ void ClientGate::takeCookie(const SocketAddress& server, const CookieReply& repl
     state_ = reply.needsPassword ? State::kNoPassword : State::kNoPasswordAsked;
     return;
   }
-  const CryptoKey presharedKey =
-      reply.needsPassword ? presharedKeyOf(knowledge_.password, reply.identity) : CryptoKey{};
+  const CryptoKey presharedKey = reply.needsPassword ? knowledge_.password.keyFor(reply.identity) : CryptoKey{};
   exchange_.emplace(prologueOf(reply.identity), *serverKey, presharedKey);
   Open open{reply.cookie, {}};
   const Bytes message = exchange_->writeFirst(ephemeral_, {});

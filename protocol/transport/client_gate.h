@@ -8,6 +8,7 @@
 
 #include "protocol/transport/datagram_socket.h"
 #include "protocol/transport/handshake.h"
+#include "protocol/transport/password.h"
 #include "protocol/transport/sealed_channel.h"
 
 namespace platon {
@@ -15,7 +16,7 @@ namespace platon {
 /// What a client knows about a server before it connects.
 struct ServerKnowledge {
   std::optional<CryptoKey> identity;  ///< the only identity to accept; nothing: any
-  std::string password;               ///< empty: none; otherwise the server must ask for one
+  Password password{};                ///< none, or the server must ask for one
 };
 
 /// The client's end of a session: shakes hands with a server, then seals what it sends and opens what it receives.

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -19,9 +20,9 @@ namespace platon {
 class LoopbackServer {
  public:
   LoopbackServer() : LoopbackServer([](std::string_view) {}) {}
-  /// `sink` receives the lines of the log.
-  explicit LoopbackServer(std::function<void(std::string_view)> sink)
-      : server_(settings(), {endlessLevel()}, Log(LogFormat::kText, std::move(sink))) {}
+  /// `sink` receives the lines of the log. An empty password: none.
+  explicit LoopbackServer(std::function<void(std::string_view)> sink, const std::string& password = "")
+      : server_(settings(password), {endlessLevel()}, Log(LogFormat::kText, std::move(sink))) {}
 
   ServerAddress address() const { return {kLoopback, server_.port()}; }
   DedicatedServer& server() { return server_; }
@@ -49,8 +50,9 @@ class LoopbackServer {
  private:
   static constexpr const char* kLoopback = "127.0.0.1";
 
-  static ServerSettings settings() {
+  static ServerSettings settings(const std::string& password) {
     ServerSettings settings;
+    settings.password = password;
     settings.bind = kLoopback;
     return settings;
   }

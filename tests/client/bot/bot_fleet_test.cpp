@@ -104,6 +104,20 @@ TEST(BotFleet, PlaysForTheGivenTimeAndLeaves) {
   }
 }
 
+// A derivation takes 64 MiB and a tenth of a second, in which no other bot plays.
+TEST(BotFleet, DerivesTheKeyOfThePasswordOnce) {
+  for (const bool hollow : {false, true}) {
+    LoopbackServer server([](std::string_view) {}, "sesame");
+    FleetOptions options = threeBots(hollow);
+    options.knowledge.password = Password("sesame");
+    for (const BotResult& result : BotFleet(options, server.address(), server.clock()).play()) {
+      EXPECT_TRUE(result.joined);
+      EXPECT_EQ(result.ending, std::nullopt);
+    }
+    EXPECT_EQ(options.knowledge.password.derivations(), 1u);
+  }
+}
+
 TEST(BotFleet, CountsBotsThatNeverJoined) {
   Moment now{};
   const Clock clock{[&] { return now; }, [&](Moment until) { now = until; }};

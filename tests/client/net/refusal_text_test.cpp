@@ -53,8 +53,8 @@ TEST(RefusalText, SaysThatAPasswordOrTheKnownServerIsMissing) {
     return refusalOf(gate).reason;
   };
   EXPECT_NE(textFor({}).find("--password-file"), std::string::npos);
-  EXPECT_NE(textFor({CryptoKey{1}, ""}).find("known_servers"), std::string::npos);
-  EXPECT_EQ(textFor({std::nullopt, "sesame"}, false),
+  EXPECT_NE(textFor({CryptoKey{1}}).find("known_servers"), std::string::npos);
+  EXPECT_EQ(textFor({std::nullopt, Password("sesame")}, false),
             "the server does not ask for a password: leave out --password-file if that is right");
 }
 

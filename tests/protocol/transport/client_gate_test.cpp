@@ -63,11 +63,11 @@ TEST_F(ClientGateTest, KnocksAtAllAddressesAndUsesTheOneThatAnswers) {
 }
 
 TEST_F(ClientGateTest, RefusesAnotherIdentityThanTheOneItKnows) {
-  ClientGate known = client({identity_.publicKey(), ""});
+  ClientGate known = client({identity_.publicKey()});
   exchange(known);
   EXPECT_EQ(known.state(), ClientGate::State::kOpen);
   ephemeral_ = KeyPair::random();
-  ClientGate stranger = client({ServerIdentity::random().publicKey(), ""});
+  ClientGate stranger = client({ServerIdentity::random().publicKey()});
   exchange(stranger);
   EXPECT_EQ(stranger.state(), ClientGate::State::kAnotherIdentity);
 }
