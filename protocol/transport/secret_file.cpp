@@ -6,7 +6,9 @@
 
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
+#include <optional>
 
 #include "protocol/program_error.h"
 
@@ -15,6 +17,10 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& path, const std::string& why) {
   throw ProgramError(ProgramError::kUsage, path + ": error: " + why);
+}
+
+[[noreturn]] void refuseToCreate(const std::string& path, int fault) {
+  refuse(path, std::string("cannot be created: ") + std::strerror(fault));
 }
 
 std::string firstLine(const std::string& path) {
@@ -30,12 +36,20 @@ std::string firstLine(const std::string& path) {
 
 void create(const std::string& path, const std::string& line) {
   const int handle = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, S_IRUSR | S_IWUSR);
-  if (handle < 0) refuse(path, std::string("cannot be created: ") + std::strerror(errno));
+  if (handle < 0) refuseToCreate(path, errno);
   const std::string text = line + "\n";
   const bool written = write(handle, text.data(), text.size()) == static_cast<ssize_t>(text.size());
   const int fault = errno;
   close(handle);
   if (!written) refuse(path, std::string("cannot be written: ") + std::strerror(fault));
+}
+
+// Nothing if there is no file.
+std::optional<ServerIdentity> findIdentity(const std::string& path) {
+  if (access(path.c_str(), F_OK) != 0 && errno == ENOENT) return std::nullopt;
+  std::optional<ServerIdentity> identity = ServerIdentity::parse(firstLine(path));
+  if (!identity) refuse(path, "not a key of platon-server; name a file that does not exist to have one made");
+  return identity;
 }
 
 }  // namespace
@@ -47,14 +61,17 @@ std::string readPasswordFile(const std::string& path) {
 }
 
 ServerIdentity readKeyFile(const std::string& path) {
-  if (access(path.c_str(), F_OK) != 0 && errno == ENOENT) {
-    const ServerIdentity identity = ServerIdentity::random();
-    create(path, identity.text());
-    return identity;
-  }
-  const std::optional<ServerIdentity> identity = ServerIdentity::parse(firstLine(path));
-  if (!identity) refuse(path, "not a key of platon-server; name a file that does not exist to have one made");
-  return *identity;
+  if (const std::optional<ServerIdentity> found = findIdentity(path)) return *found;
+  const ServerIdentity identity = ServerIdentity::random();
+  create(path, identity.text());
+  return identity;
+}
+
+bool checkKeyFile(const std::string& path) {
+  if (findIdentity(path)) return true;
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  if (access(folder.empty() ? "." : folder.c_str(), W_OK | X_OK) != 0) refuseToCreate(path, errno);
+  return false;
 }
 
 }  // namespace platon

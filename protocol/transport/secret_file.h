@@ -14,4 +14,7 @@ std::string readPasswordFile(const std::string& path);
 /// (kUsage) if it cannot be read or created, or holds something else.
 ServerIdentity readKeyFile(const std::string& path);
 
+/// Throws ProgramError (kUsage) if `readKeyFile` would, but creates no file. Returns whether there is one.
+bool checkKeyFile(const std::string& path);
+
 }  // namespace platon

@@ -61,8 +61,8 @@ std::string remedyFor(int fault) {
 }
 
 [[noreturn]] void refuse(const std::string& bind, std::uint16_t port, int fault) {
-  throw SocketError("cannot listen on " + bind + ":" + std::to_string(port) + ": " + std::strerror(fault) +
-                    remedyFor(fault));
+  const std::string place = port == 0 ? bind : bind + ":" + std::to_string(port);
+  throw SocketError("cannot listen on " + place + ": " + std::strerror(fault) + remedyFor(fault));
 }
 
 IpAddress anyOf(bool ipv6) { return *IpAddress::parse(ipv6 ? "::" : "0.0.0.0"); }

@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <utility>
 
 #include "protocol/program_error.h"
@@ -24,6 +25,11 @@ constexpr mode_t kOwnerOnly = S_IRUSR | S_IWUSR;
                      "cannot open the console at '" + path + "': " + why + "; name another path after --socket");
 }
 
+void refuseOtherKind(const std::string& path) {
+  struct stat status {};
+  if (lstat(path.c_str(), &status) == 0 && !S_ISSOCK(status.st_mode)) refuse(path, "it is a file of another kind");
+}
+
 }  // namespace
 
 std::string defaultConsolePath(const char* runtimeFolder, unsigned user) {
@@ -33,10 +39,17 @@ std::string defaultConsolePath(const char* runtimeFolder, unsigned user) {
 
 std::string defaultConsolePath() { return defaultConsolePath(std::getenv("XDG_RUNTIME_DIR"), getuid()); }
 
-ConsoleSocket::ConsoleSocket(std::string path) : path_(std::move(path)) {
-  if (path_.size() >= sizeof(sockaddr_un::sun_path)) {
-    refuse(path_, "the path has more than " + std::to_string(sizeof(sockaddr_un::sun_path) - 1) + " bytes");
+void checkConsolePath(const std::string& path) {
+  if (path.size() >= sizeof(sockaddr_un::sun_path)) {
+    refuse(path, "the path has more than " + std::to_string(sizeof(sockaddr_un::sun_path) - 1) + " bytes");
   }
+  refuseOtherKind(path);
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  if (access(folder.empty() ? "." : folder.c_str(), W_OK | X_OK) != 0) refuse(path, std::strerror(errno));
+}
+
+ConsoleSocket::ConsoleSocket(std::string path) : path_(std::move(path)) {
+  checkConsolePath(path_);
   if (!bindAndListen() && errno == EADDRINUSE) {
     replaceStale();
     bindAndListen();
@@ -68,8 +81,7 @@ bool ConsoleSocket::bindAndListen() {
 }
 
 void ConsoleSocket::replaceStale() const {
-  struct stat status {};
-  if (lstat(path_.c_str(), &status) == 0 && !S_ISSOCK(status.st_mode)) refuse(path_, "it is a file of another kind");
+  refuseOtherKind(path_);
   const Descriptor other = connectUnix(path_);
   if (other || errno == EAGAIN) refuse(path_, "another server uses it");
   if (errno != ECONNREFUSED || unlink(path_.c_str()) != 0) refuse(path_, std::strerror(errno));

@@ -12,6 +12,10 @@ std::string defaultConsolePath(const char* runtimeFolder, unsigned user);
 /// The same for this process.
 std::string defaultConsolePath();
 
+/// Throws ProgramError (kUsage) if no console can be opened at the path, whether another server uses it or not. Opens
+/// and removes nothing.
+void checkConsolePath(const std::string& path);
+
 /// A Unix socket that listens at a path and that only its user can connect to. The destructor removes it.
 class ConsoleSocket {
  public:

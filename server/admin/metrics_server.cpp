@@ -42,8 +42,9 @@ std::optional<SocketAddress> parseSocketAddress(std::string_view text) {
 MetricsServer::MetricsServer(const SocketAddress& address) : address_(address), listener_(listenTcp(address)) {
   if (!listener_) {
     const int fault = errno;
+    const std::string place = address.port == 0 ? address.ip.text() : address.text();
     throw ProgramError(ProgramError::kUsage,
-                       "cannot serve metrics on " + address.text() + ": " + std::strerror(fault) + remedyFor(fault));
+                       "cannot serve metrics on " + place + ": " + std::strerror(fault) + remedyFor(fault));
   }
   address_.port = portOf(listener_);
 }

@@ -4,7 +4,11 @@
 #include <utility>
 
 #include "protocol/program_error.h"
+#include "protocol/transport/secret_file.h"
+#include "protocol/transport/udp_socket.h"
 #include "server/admin/ban_store.h"
+#include "server/admin/console_socket.h"
+#include "server/admin/metrics_server.h"
 #include "server/app/level_files.h"
 
 namespace platon {
@@ -19,15 +23,25 @@ class Checker {
     for (std::string line; std::getline(stream, line);) check_.errors.push_back(line);
   }
 
+  // Adds what `check` throws.
+  template <class Check>
+  void attempt(Check check) {
+    try {
+      check();
+    } catch (const ProgramError& error) {
+      add(error.exitCode(), error.what());
+    } catch (const SocketError& error) {
+      add(ProgramError::kUsage, error.what());
+    }
+  }
+
   // One by one, so that an unreadable file does not hide the errors of the next ones.
   void checkLevels(const std::vector<std::string>& paths) {
     for (const std::string& path : paths) {
-      try {
+      attempt([&] {
         const LoadedLevels loaded = loadLevelFiles({path});
         check_.errors.insert(check_.errors.end(), loaded.warnings.begin(), loaded.warnings.end());
-      } catch (const ProgramError& error) {
-        add(error.exitCode(), error.what());
-      }
+      });
     }
     check_.summary = "levels: " + std::to_string(paths.size());
   }
@@ -40,6 +54,27 @@ class Checker {
       return;
     }
     for (const std::string& error : std::get<std::vector<std::string>>(read)) add(ProgramError::kUsage, error);
+  }
+
+  void checkSecrets(const ServerOptions& options) {
+    attempt([&] {
+      if (options.keyFile.empty() || checkKeyFile(options.keyFile)) return;
+      check_.summary += ", a key will be made in " + options.keyFile;
+    });
+    attempt([&] {
+      if (!options.passwordFile.empty()) readPasswordFile(options.passwordFile);
+    });
+  }
+
+  // At any free port, because the server may be running.
+  void checkAddresses(const ServerOptions& options) {
+    attempt([&] { UdpSocket(options.bind, 0); });
+    attempt([&] {
+      if (!options.metrics.empty()) MetricsServer({parseSocketAddress(options.metrics)->ip, 0});
+    });
+    attempt([&] {
+      if (!options.socket.empty()) checkConsolePath(options.socket);
+    });
   }
 
   ConfigCheck take() { return std::move(check_); }
@@ -55,12 +90,10 @@ ConfigCheck checkConfig(const CommandLine& line) {
   const OptionsResult read = readOptions(line);
   for (const std::string& error : read.errors) checker.add(ProgramError::kUsage, error);
   const ServerOptions& options = read.options;
-  try {
-    checker.checkLevels(options.levels.empty() ? shippedLevelFiles() : options.levels);
-  } catch (const ProgramError& error) {
-    checker.add(error.exitCode(), error.what());
-  }
+  checker.attempt([&] { checker.checkLevels(options.levels.empty() ? shippedLevelFiles() : options.levels); });
   checker.checkBans(options.banFile);
+  checker.checkSecrets(options);
+  checker.checkAddresses(options);
   return checker.take();
 }
 

@@ -14,7 +14,8 @@ struct ConfigCheck {
   std::string summary;              ///< if there is no error
 };
 
-/// Reads the configuration and all files that it names: levels and bans. Opens no socket and changes no file.
+/// Reads the configuration and all files that it names: levels, bans, key and password. Tries whether the machine has
+/// the addresses, each at any free port, so that a running server does no harm. Creates and changes no file.
 ConfigCheck checkConfig(const CommandLine& line);
 
 }  // namespace platon

@@ -52,5 +52,20 @@ TEST(SecretFile, AFileThatIsNoKeyIsRefusedAndKept) {
   EXPECT_EQ(errorOf([&] { readKeyFile(nowhere); }), nowhere + ": error: cannot be created: No such file or directory");
 }
 
+TEST(SecretFile, TheCheckOfAKeyRefusesWhatReadingItWouldAndCreatesNothing) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "key";
+  EXPECT_FALSE(checkKeyFile(path));
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+  readKeyFile(path);
+  EXPECT_TRUE(checkKeyFile(path));
+  writeText(path, "something else\n");
+  for (const std::string& refused : {path, (folder / "missing/key").string(), path + "/key", folder.path().string()}) {
+    const std::string refusal = errorOf([&] { checkKeyFile(refused); });
+    EXPECT_TRUE(refusal.starts_with(refused + ": error: ")) << refusal;
+    EXPECT_EQ(refusal, errorOf([&] { readKeyFile(refused); }));
+  }
+}
+
 }  // namespace
 }  // namespace platon

@@ -105,6 +105,17 @@ TEST_F(ConsoleSocketTest, RefusesAPathWithAnotherKindOfFileAndKeepsIt) {
   EXPECT_EQ(readText(path_), "precious");
 }
 
+TEST_F(ConsoleSocketTest, TheCheckOfAPathAcceptsThatOfARunningServerAndOpensNothing) {
+  EXPECT_NO_THROW(checkConsolePath(path_));
+  EXPECT_FALSE(fs::exists(path_));
+  const ConsoleSocket running(path_);
+  EXPECT_NO_THROW(checkConsolePath(path_));
+  EXPECT_TRUE(connectUnix(path_));
+  for (const std::string& path : {std::string(folder_ / "missing/console.sock"), std::string(108, 'x')}) {
+    EXPECT_THROW(checkConsolePath(path), ProgramError);
+  }
+}
+
 TEST_F(ConsoleSocketTest, SaysWhyAPathCannotBeUsed) {
   const std::string missing = folder_ / "missing/console.sock";
   EXPECT_EQ(errorOf(missing), "cannot open the console at '" + missing +

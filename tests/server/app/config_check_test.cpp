@@ -5,6 +5,10 @@
 #include <algorithm>
 
 #include "protocol/program_error.h"
+#include "protocol/transport/secret_file.h"
+#include "protocol/transport/udp_socket.h"
+#include "server/admin/console_socket.h"
+#include "server/admin/metrics_server.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test_levels.h"
@@ -81,6 +85,62 @@ TEST_F(ConfigCheckTest, AMissingBanFileIsAnError) {
   EXPECT_EQ(check.errors,
             std::vector<std::string>{at("bans.txt") + ": error: No such file or directory; name an existing "
                                                       "ban file; it may be empty"});
+}
+
+TEST_F(ConfigCheckTest, AcceptsAKeyAndAPassword) {
+  readKeyFile(at("key"));
+  write("password", "sesame\n");
+  const ConfigCheck check = this->check("key-file = \"key\"\npassword-file = \"password\"\n");
+  EXPECT_EQ(check.exitCode, 0);
+  EXPECT_EQ(check.errors, std::vector<std::string>{});
+  EXPECT_EQ(check.summary, "levels: " + std::to_string(shippedLevels().size()));
+}
+
+TEST_F(ConfigCheckTest, AMissingKeyIsNotMade) {
+  const ConfigCheck check = this->check("key-file = \"key\"\n");
+  EXPECT_EQ(check.exitCode, 0);
+  EXPECT_TRUE(check.summary.ends_with(", a key will be made in " + at("key"))) << check.summary;
+  EXPECT_FALSE(std::filesystem::exists(at("key")));
+}
+
+TEST_F(ConfigCheckTest, ReportsAKeyAndAPasswordThatTheServerWouldRefuse) {
+  write("key", "not a key\n");
+  write("password", "\n");
+  const std::vector<std::string> both{
+      at("key") + ": error: not a key of platon-server; name a file that does not exist to have one made",
+      at("password") + ": error: the first line must be the password"};
+  const ConfigCheck check = this->check("key-file = \"key\"\npassword-file = \"password\"\n");
+  EXPECT_EQ(check.exitCode, ProgramError::kUsage);
+  EXPECT_EQ(check.errors, both);
+  const std::vector<std::string> missing{at("missing/key") + ": error: cannot be created: No such file or directory",
+                                         at("missing/password") + ": error: No such file or directory"};
+  EXPECT_EQ(this->check("key-file = \"missing/key\"\npassword-file = \"missing/password\"\n").errors, missing);
+}
+
+// 198.51.100.1 is an address for documents.
+TEST_F(ConfigCheckTest, ReportsAddressesThatTheMachineDoesNotHave) {
+  const ConfigCheck check =
+      this->check("bind = \"198.51.100.1\"\nmetrics = \"198.51.100.1:9100\"\nsocket = \"missing/console\"\n");
+  EXPECT_EQ(check.exitCode, ProgramError::kUsage);
+  const std::vector<std::string> errors{
+      "cannot listen on 198.51.100.1: Cannot assign requested address; choose an address of this machine, or :: for "
+      "all",
+      "cannot serve metrics on 198.51.100.1: Cannot assign requested address; choose an address of this machine after "
+      "--metrics",
+      "cannot open the console at '" + at("missing/console") +
+          "': No such file or directory; name another path after --socket"};
+  EXPECT_EQ(check.errors, errors);
+}
+
+TEST_F(ConfigCheckTest, APortAndAConsoleThatAreInUseAreNoErrors) {
+  const UdpSocket used("127.0.0.1", 0);
+  const MetricsServer metrics(*parseSocketAddress("127.0.0.1:0"));
+  const ConsoleSocket console(at("console"));
+  const ConfigCheck check = this->check("bind = \"127.0.0.1\"\nport = " + std::to_string(used.address().port) +
+                                        "\nmetrics = \"" + metrics.address().text() + "\"\nsocket = \"console\"\n");
+  EXPECT_EQ(check.exitCode, 0);
+  EXPECT_EQ(check.errors, std::vector<std::string>{});
+  EXPECT_TRUE(std::filesystem::exists(at("console")));
 }
 
 }  // namespace
