@@ -19,17 +19,21 @@ namespace {
   throw ProgramError(ProgramError::kUsage, path + ": error: " + why);
 }
 
+[[noreturn]] void refuseToRead(const std::string& path, int fault) {
+  refuse(path, std::string(std::strerror(fault)) + "; name a readable file");
+}
+
 [[noreturn]] void refuseToCreate(const std::string& path, int fault) {
-  refuse(path, std::string("cannot be created: ") + std::strerror(fault));
+  refuse(path, std::string("cannot be created: ") + std::strerror(fault) + "; name a file in a writable folder");
 }
 
 std::string firstLine(const std::string& path) {
   errno = 0;
   std::ifstream file(path);
   std::string line;
-  if (!file) refuse(path, std::strerror(errno));
+  if (!file) refuseToRead(path, errno);
   std::getline(file, line);
-  if (file.bad()) refuse(path, "cannot be read");
+  if (file.bad()) refuseToRead(path, errno);
   if (!line.empty() && line.back() == '\r') line.pop_back();
   return line;
 }
@@ -56,7 +60,7 @@ std::optional<ServerIdentity> findIdentity(const std::string& path) {
 
 std::string readPasswordFile(const std::string& path) {
   const std::string password = firstLine(path);
-  if (password.empty()) refuse(path, "the first line must be the password");
+  if (password.empty()) refuse(path, "the first line is empty; write the password there");
   return password;
 }
 

@@ -54,14 +54,14 @@ socklen_t toSystem(const SocketAddress& address, bool ipv6, SystemAddress& syste
 }
 
 std::string remedyFor(int fault) {
-  if (fault == EADDRINUSE) return "; stop the program that uses it or choose another port";
-  if (fault == EACCES) return "; choose a port above 1023";
-  if (fault == EADDRNOTAVAIL) return "; choose an address of this machine, or :: for all";
+  if (fault == EADDRINUSE) return "; stop the program that uses it or choose another port after --port";
+  if (fault == EACCES) return "; choose a port above 1023 after --port";
+  if (fault == EADDRNOTAVAIL) return "; choose an address of this machine after --bind, or :: for all";
   return "";
 }
 
-[[noreturn]] void refuse(const std::string& bind, std::uint16_t port, int fault) {
-  const std::string place = port == 0 ? bind : bind + ":" + std::to_string(port);
+[[noreturn]] void refuse(const SocketAddress& own, int fault) {
+  const std::string place = own.port == 0 ? own.ip.text() : own.text();
   throw SocketError("cannot listen on " + place + ": " + std::strerror(fault) + remedyFor(fault));
 }
 
@@ -114,7 +114,7 @@ UdpSocket::UdpSocket(const std::string& bind, std::uint16_t port) : batches_(std
   const auto fail = [&] {
     const int fault = errno;
     if (handle_ >= 0) close(handle_);
-    refuse(bind, port, fault);
+    refuse({*ip, port}, fault);
   };
   if (handle_ < 0) fail();
   if (bindTo({*ip, port})) return;

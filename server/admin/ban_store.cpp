@@ -15,7 +15,7 @@ constexpr std::size_t kMaxLineBytes = 256;
 std::variant<BanList, std::vector<std::string>> readBanFile(const std::string& path) {
   auto text = readTextFile(path, BanList::kMaxBytes);
   if (const auto* error = std::get_if<ParseError>(&text)) {
-    return std::vector{path + ": error: " + error->what + "; name an existing ban file; it may be empty"};
+    return std::vector{path + ": error: " + error->what + "; name a readable ban file; it may be empty"};
   }
   auto parsed = BanList::parse(std::get<std::string>(text));
   if (auto* list = std::get_if<BanList>(&parsed)) return std::move(*list);

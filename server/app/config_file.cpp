@@ -106,7 +106,7 @@ std::vector<std::string> readConfig(std::string_view text, const std::string& fi
 std::vector<std::string> readConfigFile(const std::string& path, ServerOptions& options) {
   const auto text = readTextFile(path, kMaxConfigBytes);
   if (const auto* error = std::get_if<ParseError>(&text)) {
-    return {path + ": error: " + error->what + "; name an existing file after --config"};
+    return {path + ": error: " + error->what + "; name a readable file after --config"};
   }
   const auto& content = std::get<std::string>(text);
   if (content.size() > kMaxConfigBytes) {

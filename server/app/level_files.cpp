@@ -21,7 +21,7 @@ std::string readLevel(const std::string& path) {
   auto text = readTextFile(path, kMaxLevelBytes);
   if (auto* content = std::get_if<std::string>(&text)) return std::move(*content);
   throw ProgramError(ProgramError::kUsage, "cannot read the level '" + path + "': " + std::get<ParseError>(text).what +
-                                               "; name an existing level file");
+                                               "; name a readable level file");
 }
 
 std::vector<std::string> levelFilesIn(const fs::path& folder) {

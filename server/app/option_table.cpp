@@ -36,7 +36,7 @@ const std::array kOptions{
                  .placeholder = "ADDR",
                  .field = &ServerOptions::bind,
                  .help = "Address to listen on; \"::\": all addresses of this machine",
-                 .mustBe = "an address of this machine, such as 127.0.0.1 or ::",
+                 .mustBe = "an IP address of this machine, such as 127.0.0.1 or ::",
                  .accepts = &isAddress},
     ServerOption{.name = "port",
                  .placeholder = "N",

@@ -108,7 +108,7 @@ RecordingFolder::RecordingFolder(std::filesystem::path folder, std::uint64_t lim
     : folder_(std::move(folder)), limit_(limit) {
   std::error_code error;
   std::filesystem::create_directories(folder_, error);
-  if (error) refuse(folder_, error.message());
+  if (error) refuse(folder_, "the folder cannot be created: " + error.message());
   const std::filesystem::path trial = folder_ / ".platon-trial";
   const std::unique_ptr<std::FILE, Close> file(std::fopen(trial.c_str(), "wb"));
   if (!file) refuse(folder_, std::strerror(errno));

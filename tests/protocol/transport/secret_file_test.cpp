@@ -28,7 +28,8 @@ TEST(SecretFile, ThePasswordIsTheFirstLine) {
     EXPECT_EQ(readPasswordFile(path), "open sesame");
   }
   writeText(path, "\nsecond\n");
-  EXPECT_EQ(errorOf([&] { readPasswordFile(path); }), path + ": error: the first line must be the password");
+  EXPECT_EQ(errorOf([&] { readPasswordFile(path); }),
+            path + ": error: the first line is empty; write the password there");
   EXPECT_EQ(errorOf([&] { readPasswordFile(path + "s"); }), path + "s: error: No such file or directory");
 }
 
@@ -49,7 +50,8 @@ TEST(SecretFile, AFileThatIsNoKeyIsRefusedAndKept) {
             path + ": error: not a key of platon-server; name a file that does not exist to have one made");
   EXPECT_EQ(readText(path), "something else\n");
   const std::string nowhere = folder / "missing/key";
-  EXPECT_EQ(errorOf([&] { readKeyFile(nowhere); }), nowhere + ": error: cannot be created: No such file or directory");
+  EXPECT_EQ(errorOf([&] { readKeyFile(nowhere); }),
+            nowhere + ": error: cannot be created: No such file or directory; name a file in a writable folder");
 }
 
 TEST(SecretFile, TheCheckOfAKeyRefusesWhatReadingItWouldAndCreatesNothing) {

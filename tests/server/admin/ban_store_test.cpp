@@ -120,7 +120,7 @@ TEST_F(BanStoreTest, AReloadDoesNotUndoAChangeThatWaitsToBeWritten) {
 TEST_F(BanStoreTest, ReportsWhatIsWrongWithAFile) {
   using Lines = std::vector<std::string>;
   EXPECT_EQ(std::get<Lines>(readBanFile(path_)),
-            Lines{path_ + ": error: No such file or directory; name an existing ban file; it may be empty"});
+            Lines{path_ + ": error: No such file or directory; name a readable ban file; it may be empty"});
   writeText(path_, "a\nb\n");
   EXPECT_EQ(std::get<Lines>(readBanFile(path_)).size(), 2u);
 }

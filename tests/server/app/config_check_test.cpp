@@ -83,7 +83,7 @@ TEST_F(ConfigCheckTest, AMissingBanFileIsAnError) {
   const ConfigCheck check = this->check("ban-file = \"bans.txt\"\n");
   EXPECT_EQ(check.exitCode, ProgramError::kUsage);
   EXPECT_EQ(check.errors,
-            std::vector<std::string>{at("bans.txt") + ": error: No such file or directory; name an existing "
+            std::vector<std::string>{at("bans.txt") + ": error: No such file or directory; name a readable "
                                                       "ban file; it may be empty"});
 }
 
@@ -108,12 +108,13 @@ TEST_F(ConfigCheckTest, ReportsAKeyAndAPasswordThatTheServerWouldRefuse) {
   write("password", "\n");
   const std::vector<std::string> both{
       at("key") + ": error: not a key of platon-server; name a file that does not exist to have one made",
-      at("password") + ": error: the first line must be the password"};
+      at("password") + ": error: the first line is empty; write the password there"};
   const ConfigCheck check = this->check("key-file = \"key\"\npassword-file = \"password\"\n");
   EXPECT_EQ(check.exitCode, ProgramError::kUsage);
   EXPECT_EQ(check.errors, both);
-  const std::vector<std::string> missing{at("missing/key") + ": error: cannot be created: No such file or directory",
-                                         at("missing/password") + ": error: No such file or directory"};
+  const std::vector<std::string> missing{
+      at("missing/key") + ": error: cannot be created: No such file or directory; name a file in a writable folder",
+      at("missing/password") + ": error: No such file or directory"};
   EXPECT_EQ(this->check("key-file = \"missing/key\"\npassword-file = \"missing/password\"\n").errors, missing);
 }
 
@@ -123,7 +124,8 @@ TEST_F(ConfigCheckTest, ReportsAddressesThatTheMachineDoesNotHave) {
       this->check("bind = \"198.51.100.1\"\nmetrics = \"198.51.100.1:9100\"\nsocket = \"missing/console\"\n");
   EXPECT_EQ(check.exitCode, ProgramError::kUsage);
   const std::vector<std::string> errors{
-      "cannot listen on 198.51.100.1: Cannot assign requested address; choose an address of this machine, or :: for "
+      "cannot listen on 198.51.100.1: Cannot assign requested address; choose an address of this machine after --bind, "
+      "or :: for "
       "all",
       "cannot serve metrics on 198.51.100.1: Cannot assign requested address; choose an address of this machine after "
       "--metrics",

@@ -89,7 +89,7 @@ TEST_F(ConfigFileTest, ErrorsHaveALineAndAColumn) {
   EXPECT_EQ(errorOf("port = [1]"), ":1:8: error: port must be a whole number from 0 to 65535");
   EXPECT_EQ(errorOf("name = [\"a\"]"), ":1:8: error: name must be a string in quotes");
   EXPECT_EQ(errorOf("bind = \"here\""),
-            ":1:8: error: bind must be an address of this machine, such as 127.0.0.1 or ::");
+            ":1:8: error: bind must be an IP address of this machine, such as 127.0.0.1 or ::");
   EXPECT_EQ(errorOf("metrics = \"9100\""),
             ":1:11: error: metrics must be an address and a port, such as 127.0.0.1:9100 or [::1]:9100");
   EXPECT_EQ(errorOf("[port]\n"), ":1:1: error: port must be a whole number from 0 to 65535");
@@ -120,9 +120,9 @@ TEST_F(ConfigFileTest, ErrorsAreLinesOfPrintableCharacters) {
 
 TEST_F(ConfigFileTest, AFileThatCannotBeReadIsNamed) {
   ServerOptions options;
-  EXPECT_EQ(readConfigFile("/no/such/file", options),
-            std::vector<std::string>{
-                "/no/such/file: error: No such file or directory; name an existing file after --config"});
+  EXPECT_EQ(
+      readConfigFile("/no/such/file", options),
+      std::vector<std::string>{"/no/such/file: error: No such file or directory; name a readable file after --config"});
   writeText(file_, std::string(1024 * 1024 + 1, '\n'));
   EXPECT_EQ(readConfigFile(file_, options),
             std::vector<std::string>{file_ + ": error: the file has more than 1048576 bytes"});

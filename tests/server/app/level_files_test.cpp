@@ -65,8 +65,8 @@ TEST_F(LevelFilesTest, AtMostAHundredErrorsOfAFileAreReported) {
 
 TEST_F(LevelFilesTest, AFileThatCannotBeReadIsAUsageError) {
   EXPECT_EQ(errorOf({"/no/such.level"}),
-            "2 cannot read the level '/no/such.level': No such file or directory; name an existing level file");
-  EXPECT_TRUE(errorOf({folder_.path()}).ends_with("Is a directory; name an existing level file"));
+            "2 cannot read the level '/no/such.level': No such file or directory; name a readable level file");
+  EXPECT_TRUE(errorOf({folder_.path()}).ends_with("Is a directory; name a readable level file"));
 }
 
 TEST_F(LevelFilesTest, AFileOfTheLargestSizeIsReadWholeAndALongerOneRefused) {

@@ -107,7 +107,7 @@ TEST_F(ProgramTest, ExitCodesAreThoseOfTheManual) {
   ends({"/no/such.level"}, 2, "platon-server: cannot read the level '/no/such.level'");
   ends({level_, "--metrics", "9100"}, 2, "platon-server: --metrics must be an address and a port, such as ");
   ends({level_, "--port", "0", "--ban-file", "/no/such/bans"}, 2,
-       "platon-server: /no/such/bans: error: No such file or directory; name an existing ban file");
+       "platon-server: /no/such/bans: error: No such file or directory; name a readable ban file");
   ends({level_, "--port", "0", "--socket", level_}, 2,
        "platon-server: cannot open the console at '" + level_ + "': it is a file of another kind; name another path");
   write("CUBE\n");
