@@ -14,9 +14,11 @@ constexpr std::uint8_t kUnknownSync = 255;
 
 }  // namespace
 
-HollowSession::HollowSession(const std::string& name, Moment now) : helloAt_(now) {
+HollowSession::HollowSession(const std::string& name, Moment now, const std::optional<SessionToken>& token)
+    : helloAt_(now) {
   Hello hello;
   hello.name = name;
+  hello.token = token;
   outgoing_.push_back({encode(hello), true});
 }
 
@@ -38,6 +40,7 @@ void HollowSession::startRound(std::uint32_t id, double lead) {
 }
 
 void HollowSession::handle(const Welcome& message, Moment now) {
+  welcome_ = message;
   startRound(message.round, PredictionClock::initialLead(now - helloAt_));
 }
 

@@ -15,6 +15,7 @@
 #include "client/session/outgoing_message.h"
 #include "protocol/assembly.h"
 #include "protocol/moment.h"
+#include "protocol/session_token.h"
 #include "protocol/to_client.h"
 
 namespace platon {
@@ -27,8 +28,8 @@ class HollowSession {
   /// Returns the input for the next tick.
   using Buttons = std::function<Input()>;
 
-  /// As for Session, but without a token: the player cannot be resumed.
-  HollowSession(const std::string& name, Moment now);
+  /// `name`, `now`: as for Session. `token`: identifies the player to resume; without one it cannot be resumed.
+  HollowSession(const std::string& name, Moment now, const std::optional<SessionToken>& token = {});
   void receive(std::span<const std::uint8_t> bytes, Moment now);
   void update(Moment now, const Buttons& buttons);
   void leave();
@@ -36,6 +37,8 @@ class HollowSession {
   /// Why the session has ended; empty while it runs.
   const std::optional<std::string>& ending() const { return ending_; }
 
+  /// Local slot and server name; empty until the server has accepted the client.
+  const std::optional<Welcome>& welcome() const { return welcome_; }
   /// Confirmed ticks of all rounds.
   std::uint32_t confirmedTicks() const { return confirmedTicks_; }
   LinkStatistics linkStatistics() const;
@@ -68,6 +71,7 @@ class HollowSession {
 
   Moment helloAt_;
   std::optional<std::string> ending_;
+  std::optional<Welcome> welcome_;
   std::vector<OutgoingMessage> outgoing_;
   LinkMeter linkMeter_;
   Assembly levelText_;

@@ -29,7 +29,7 @@ class HollowSessionTest : public testing::Test {
   void join(const LinkQuality& quality) {
     up_.emplace(quality, 1);
     down_.emplace(quality, 2);
-    session_.emplace("hollow", now_);
+    session_.emplace("hollow", now_, token_);
   }
 
   // Reliable messages use the same simulated connection, so tests drop messages only after joining.
@@ -52,6 +52,7 @@ class HollowSessionTest : public testing::Test {
 
   Match match_;
   std::optional<HollowSession> session_;
+  std::optional<SessionToken> token_;
   bool dropping_ = false;
 
  private:
@@ -161,6 +162,21 @@ TEST_F(HollowSessionTest, PlaysOnAfterANotice) {
   run(std::chrono::seconds(1));
   EXPECT_EQ(session_->ending(), std::nullopt);
   EXPECT_GT(session_->confirmedTicks(), 100u);
+}
+
+TEST_F(HollowSessionTest, ResumesItsPlayerWithItsToken) {
+  token_ = SessionToken{7};
+  join(delayed(20));
+  run(std::chrono::seconds(1));
+  const std::uint32_t slot = session_->welcome()->slot;
+  match_.disconnect(kClient);
+  match_.receive(9, Hello{});
+  join(delayed(20));
+  run(std::chrono::seconds(1));
+  ASSERT_TRUE(session_->welcome());
+  EXPECT_EQ(session_->welcome()->slot, slot);
+  EXPECT_EQ(events(MatchEvent::Kind::kResumed), 1u);
+  EXPECT_GT(match_.player(kClient)->acknowledged(), 90u);
 }
 
 TEST_F(HollowSessionTest, LeaveRemovesThePlayer) {
