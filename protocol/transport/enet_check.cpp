@@ -1,6 +1,7 @@
 #include "protocol/transport/enet_check.h"
 
 #include <cstddef>
+#include <cstring>
 
 #include "protocol/limits.h"
 
@@ -69,6 +70,12 @@ std::size_t commandBytes(ByteSpan bytes, EnetSender sender) {
   return data != 0 && data <= kMaxMessageBytes && data <= bytes.size() - fixed ? fixed + data : 0;
 }
 
+enet_uint32 connectIdOf(ByteSpan connect) {
+  enet_uint32 id = 0;
+  std::memcpy(&id, connect.data() + offsetof(ENetProtocolConnect, connectID), sizeof id);
+  return id;
+}
+
 }  // namespace
 
 std::optional<EnetCommands> readEnetCommands(ByteSpan content, EnetSender sender) {
@@ -85,6 +92,7 @@ std::optional<EnetCommands> readEnetCommands(ByteSpan content, EnetSender sender
     const std::size_t bytes = commandBytes(rest, sender);
     if (bytes == 0) return std::nullopt;
     const auto command = static_cast<std::uint8_t>(rest[0] & ENET_PROTOCOL_COMMAND_MASK);
+    if (command == ENET_PROTOCOL_COMMAND_CONNECT) found.connectId = connectIdOf(rest);
     spoken += command != ENET_PROTOCOL_COMMAND_ACKNOWLEDGE ? 1 : 0;
     found.commands[found.count++] = {command, rest[1], read16(rest, 2)};
     rest = rest.subspan(bytes);
@@ -96,6 +104,7 @@ std::optional<EnetCommands> readEnetCommands(ByteSpan content, EnetSender sender
 }
 
 bool areSequencesNear(const EnetCommands& commands, const ENetPeer& receiver) {
+  if (receiver.channelCount == 0) return true;
   for (std::size_t i = 0; i < commands.count; ++i) {
     const EnetCommand& command = commands.commands[i];
     if (command.command != ENET_PROTOCOL_COMMAND_SEND_RELIABLE) continue;

@@ -29,6 +29,7 @@ struct EnetCommands {
   std::uint16_t peer = 0;  ///< number of the connection at the receiver; ENET_PROTOCOL_MAXIMUM_PEER_ID: none yet
   std::size_t count = 0;
   std::array<EnetCommand, kMaxCommands> commands{};
+  enet_uint32 connectId = 0;  ///< of CONNECT, in network byte order; a repeated one has the same
 
   bool isConnect() const { return commands[0].command == ENET_PROTOCOL_COMMAND_CONNECT; }
 };
@@ -40,7 +41,8 @@ struct EnetCommands {
 std::optional<EnetCommands> readEnetCommands(ByteSpan content, EnetSender sender);
 
 /// Whether the reliable commands are at most a few ahead of those that have arrived. ENet would keep all others until
-/// the gap is filled.
+/// the gap is filled. True for a receiver that is closing and has no channels: ENet drops what a sender repeats that
+/// does not know yet.
 bool areSequencesNear(const EnetCommands& commands, const ENetPeer& receiver);
 
 }  // namespace platon

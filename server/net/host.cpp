@@ -83,28 +83,40 @@ std::optional<EnetPort::Received> Host::receiveForEnet() {
 
 bool Host::accepts(SessionId session, ByteSpan content) {
   const std::optional<EnetCommands> commands = readEnetCommands(content, EnetSender::kClient);
-  const bool isConnect = commands && commands->isConnect();
+  if (commands && commands->isConnect()) return acceptsConnect(session, commands->connectId, content.size());
   const bool isPeer = commands && commands->peer < connections_.size() &&
                       fromEnet(host_->peers[commands->peer].address) == session &&
                       areSequencesNear(*commands, host_->peers[commands->peer]);
-  if (isConnect ? !acceptsConnect(session) : !isPeer) {
+  if (!isPeer) {
     ++counters_.content;
     return false;
   }
-  if (isConnect) return true;
   Connection& connection = connections_[commands->peer];
   connection.receivedAt = now_;
-  const auto bytes = static_cast<double>(content.size());
-  const bool within = connection.datagrams.take(1, now_) && connection.bytes.take(bytes, now_);
-  if (!within) ++counters_.excess;
-  return within;
+  return charge(connection, content.size());
 }
 
-// ENet would take every further request of the session for a new connection.
-bool Host::acceptsConnect(SessionId session) const {
-  return std::none_of(host_->peers, host_->peers + host_->peerCount, [&](const ENetPeer& peer) {
-    return peer.state != ENET_PEER_STATE_DISCONNECTED && fromEnet(peer.address) == session;
+// ENet would take every further request of the session for a new connection. A client repeats its request until the
+// answer arrives; ENet repeats the answer.
+bool Host::acceptsConnect(SessionId session, std::uint32_t connectId, std::size_t bytes) {
+  ENetPeer* const end = host_->peers + host_->peerCount;
+  ENetPeer* const peer = std::find_if(host_->peers, end, [&](const ENetPeer& each) {
+    return each.state != ENET_PEER_STATE_DISCONNECTED && fromEnet(each.address) == session;
   });
+  if (peer == end) return true;
+  if (peer->connectID == connectId) {
+    charge(connections_[peer->incomingPeerID], bytes);
+  } else {
+    ++counters_.content;
+  }
+  return false;
+}
+
+// False if the connection has sent more than it may.
+bool Host::charge(Connection& connection, std::size_t bytes) {
+  const bool within = connection.datagrams.take(1, now_) && connection.bytes.take(static_cast<double>(bytes), now_);
+  if (!within) ++counters_.excess;
+  return within;
 }
 
 std::vector<HostEvent> Host::service(Moment now) {

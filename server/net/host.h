@@ -114,8 +114,9 @@ class Host : private EnetPort {
   void sendFromEnet(const ENetAddress& session, ByteSpan bytes) override;
   std::optional<Received> receiveForEnet() override;
   bool accepts(SessionId session, ByteSpan content);
-  bool acceptsConnect(SessionId session) const;
   void endSlow(std::vector<HostEvent>& events);
+  bool acceptsConnect(SessionId session, std::uint32_t connectId, std::size_t bytes);
+  bool charge(Connection& connection, std::size_t bytes);
   void handle(const ENetEvent& event, std::vector<HostEvent>& events);
   void connect(Connection& connection, ENetPeer& peer);
   void maintain(std::size_t index, std::vector<HostEvent>& events);

@@ -186,6 +186,35 @@ TEST_F(HostTest, ASessionHasOneConnection) {
   connect();
 }
 
+// The log of a server blamed honest clients whose connection loses datagrams.
+TEST_F(HostTest, ARepeatedRequestToConnectIsNotCountedAsHostile) {
+  eve_.join(host_, now_);
+  for (int i = 0; i < 4; ++i) {
+    eve_.send(connectContent(77), now_);
+    eve_.step(host_, now_);
+  }
+  EXPECT_EQ(host_.counters(), HostCounters());
+  for (int i = 0; i < 1000; ++i) {
+    eve_.send(connectContent(77), now_);
+    eve_.step(host_, now_);
+  }
+  EXPECT_EQ(host_.counters().content, 0u);
+  EXPECT_GT(host_.counters().excess, 500u);
+}
+
+// So did the last message of a client whose acknowledgement was lost while the server closed the connection.
+TEST_F(HostTest, AMessageRepeatedWhileTheConnectionClosesIsNotCountedAsHostile) {
+  eve_.connect(host_, now_);
+  eve_.send(reliableContent(eve_.peer(), 1, 5), now_);
+  const std::vector<HostEvent> events = host_.service(now_);
+  ASSERT_EQ(events.size(), 1u);
+  host_.close(events[0].client, now_);
+  host_.flush(now_);
+  eve_.send(reliableContent(eve_.peer(), 1, 5), now_);
+  EXPECT_TRUE(host_.service(now_).empty());
+  EXPECT_EQ(host_.counters(), HostCounters());
+}
+
 TEST_F(HostTest, ASessionWithoutAConnectionEnds) {
   eve_.join(host_, now_);
   EXPECT_EQ(host_.gate().counters().unconfirmed, 0u);
