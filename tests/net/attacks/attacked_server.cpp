@@ -1,6 +1,5 @@
 #include "tests/net/attacks/attacked_server.h"
 
-#include "tests/net/attacks/heap_bytes.h"
 #include "tests/support/test_level.h"
 
 namespace platon {
@@ -29,10 +28,16 @@ Log silentLog() {
 }  // namespace
 
 AttackedServer::AttackedServer(DatagramNetwork& network, const SocketAddress& own, const std::string& password)
-    : AttackedServer(std::make_unique<BufferedSocket>(network.socket(own)), password) {}
+    : AttackedServer(network, own, settingsOf(password), {longLevel()}, silentLog()) {}
 
-AttackedServer::AttackedServer(std::unique_ptr<BufferedSocket> socket, const std::string& password)
-    : socket_(socket.get()), server_(std::move(socket), settingsOf(password), {longLevel()}, silentLog()) {}
+AttackedServer::AttackedServer(DatagramNetwork& network, const SocketAddress& own, const ServerSettings& settings,
+                               std::vector<LevelPointer> levels, Log log)
+    : AttackedServer(std::make_unique<BufferedSocket>(network.socket(own)), settings, std::move(levels),
+                     std::move(log)) {}
+
+AttackedServer::AttackedServer(std::unique_ptr<BufferedSocket> socket, const ServerSettings& settings,
+                               std::vector<LevelPointer> levels, Log log)
+    : socket_(socket.get()), server_(std::move(socket), settings, std::move(levels), std::move(log)) {}
 
 void AttackedServer::tick(Moment now) {
   socket_->fetch(now);

@@ -26,6 +26,8 @@ class DatagramNetwork {
 
   /// All that sockets have sent, in order.
   const std::vector<Sent>& sent() const { return sent_; }
+  /// Releases what was kept so far; call it often where a test runs for long.
+  void forgetSent() { sent_.clear(); }
   std::size_t bytesTo(const SocketAddress& receiver) const;
   /// Decides which datagrams are delivered; by default all.
   void setFilter(std::function<bool(const Sent&)> filter) { filter_ = std::move(filter); }

@@ -1,0 +1,81 @@
+#include "tests/net/soak/soak_client.h"
+
+#include <random>
+
+#include "client/bot/button_presser.h"
+#include "client/session/hollow_session.h"
+#include "tests/support/pressing.h"
+
+namespace platon {
+namespace {
+
+HollowSession::Buttons buttonsOf(std::uint64_t seed, bool isRestless) {
+  if (!isRestless) return [presser = ButtonPresser(seed)]() mutable { return presser.next(); };
+  return [random = std::mt19937_64(seed)]() mutable {
+    return Input{static_cast<std::uint8_t>(random() & (Input::kLeft | Input::kRight | Input::kJump))};
+  };
+}
+
+class HollowClient : public SoakClient {
+ public:
+  HollowClient(const std::string& name, const SoakMemory& memory, std::uint64_t seed, bool isRestless, Moment now)
+      : session_(name, now, memory.token), buttons_(buttonsOf(seed, isRestless)) {}
+
+  void receive(std::span<const std::uint8_t> bytes, Moment now) override { session_.receive(bytes, now); }
+  void update(Moment now) override { session_.update(now, buttons_); }
+  void leave() override { session_.leave(); }
+  std::vector<OutgoingMessage> takeOutgoing() override { return session_.takeOutgoing(); }
+  std::optional<std::string> ending() const override { return session_.ending(); }
+  const std::optional<Welcome>& welcome() const override { return session_.welcome(); }
+  std::uint64_t confirmedTicks() const override { return session_.confirmedTicks(); }
+  void remember(SoakMemory&) const override {}
+
+ private:
+  HollowSession session_;
+  HollowSession::Buttons buttons_;
+};
+
+class PlayingClient : public SoakClient {
+ public:
+  PlayingClient(const std::string& name, const SoakMemory& memory, std::uint64_t seed, Moment now)
+      : session_(name, now, withToken(memory)),
+        controls_(pressing(seed)),
+        before_(session_.predictionStatistics().confirmedTicks) {}
+
+  void receive(std::span<const std::uint8_t> bytes, Moment now) override { session_.receive(bytes, now); }
+  void update(Moment now) override { session_.update(now, controls_); }
+  void leave() override { session_.leave(); }
+  std::vector<OutgoingMessage> takeOutgoing() override { return session_.takeOutgoing(); }
+  std::optional<std::string> ending() const override {
+    return session_.ending() ? std::optional(session_.ending()->reason) : std::nullopt;
+  }
+  const std::optional<Welcome>& welcome() const override { return session_.welcome(); }
+  std::uint64_t confirmedTicks() const override { return session_.predictionStatistics().confirmedTicks - before_; }
+  void remember(SoakMemory& memory) const override { memory.game = session_.memory(); }
+  const Session* session() const override { return &session_; }
+
+ private:
+  static Session::Memory withToken(const SoakMemory& memory) {
+    Session::Memory game = memory.game;
+    game.token = memory.token;
+    return game;
+  }
+
+  Session session_;
+  Controls controls_;
+  std::uint32_t before_;
+};
+
+}  // namespace
+
+std::unique_ptr<SoakClient> makeHollowClient(const std::string& name, const SoakMemory& memory, std::uint64_t seed,
+                                             bool isRestless, Moment now) {
+  return std::make_unique<HollowClient>(name, memory, seed, isRestless, now);
+}
+
+std::unique_ptr<SoakClient> makePlayingClient(const std::string& name, const SoakMemory& memory, std::uint64_t seed,
+                                              Moment now) {
+  return std::make_unique<PlayingClient>(name, memory, seed, now);
+}
+
+}  // namespace platon
