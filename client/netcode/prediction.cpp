@@ -27,7 +27,11 @@ Prediction::Prediction(const Game& start, std::uint32_t slot)
 bool Prediction::present() const { return slot_ < confirmed_.slots() && confirmed_.player(slot_).present != 0; }
 
 // The tick of a full state comes from the server and may be close to 2^32.
-std::uint32_t Prediction::maxAhead() const { return std::min(kMaxAhead, UINT32_MAX - confirmedTicks_); }
+std::uint32_t Prediction::maxAhead() const {
+  return std::min({kMaxAhead, kMaxWorkAhead / workOfTick(), UINT32_MAX - confirmedTicks_});
+}
+
+std::uint32_t Prediction::workOfTick() const { return others_ + 1; }
 
 void Prediction::predict(Input local) {
   assert(mayPredict());
@@ -42,6 +46,7 @@ void Prediction::advancePredicted(Input local) {
   const std::span<const EntityState> entities = predicted_.world().entities();
   predictedBefore_.assign(entities.begin(), entities.end());
   predicted_.advance(inputs_);
+  work_ += workOfTick();
   ++predictedTicks_;
 }
 
@@ -54,6 +59,7 @@ void Prediction::confirm(std::span<const Input> inputs) {
   for (std::size_t slot = 0; slot < slots; ++slot) stale_ |= at(inputs, slot) != at(held_, slot);
   hold(inputs);
   confirmed_.advance(held_);
+  work_ += workOfTick();
   ++confirmedTicks_;
   ++statistics_.confirmedTicks;
   if (wasPredicted) countMisprediction();
@@ -68,6 +74,8 @@ void Prediction::countMisprediction() {
 void Prediction::hold(std::span<const Input> inputs) {
   held_.assign(inputs.begin(), inputs.end());
   held_.resize(std::max<std::size_t>(inputs.size(), slot_ + 1));
+  const auto present = std::count_if(held_.begin(), held_.end(), [](Input each) { return each.has(Input::kPresent); });
+  others_ = static_cast<std::uint32_t>(present) - (held_[slot_].has(Input::kPresent) ? 1 : 0);
 }
 
 bool Prediction::restore(std::span<const std::uint8_t> state, std::uint32_t ticks, std::span<const Input> held) {

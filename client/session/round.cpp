@@ -16,17 +16,19 @@ void Round::receive(const ConfirmedTicks& message, Moment now) {
   clock_.receive(message, now);
   const std::uint32_t confirmed = prediction_.confirmedTicks();
   if (confirmed < message.from || confirmed >= message.from + message.count) return;
-  applyTicks(message);
+  const bool complete = applyTicks(message);
   interpolationBuffer_.arrived(now);
-  prediction_.reconcile(now);
-  checkHash(message.hash);
+  if (complete) return checkHash(message.hash);
+  hash_ = shortHash(prediction_.confirmed().hash());
 }
 
-void Round::applyTicks(const ConfirmedTicks& message) {
+// Whether all ticks of the message are confirmed now.
+bool Round::applyTicks(const ConfirmedTicks& message) {
   inputs_.assign(prediction_.held().begin(), prediction_.held().end());
   auto change = message.changes.begin();
   while (change != message.changes.end() && change->tick < prediction_.confirmedTicks()) ++change;
   while (prediction_.confirmedTicks() < message.from + message.count) {
+    if (prediction_.work() >= workLimit_) return false;
     for (; change != message.changes.end() && change->tick == prediction_.confirmedTicks(); ++change) {
       if (change->slot >= inputs_.size()) inputs_.resize(change->slot + 1);
       inputs_[change->slot] = change->input;
@@ -36,6 +38,7 @@ void Round::applyTicks(const ConfirmedTicks& message) {
     interpolationBuffer_.advanced(prediction_.confirmed());
     observeOthers();
   }
+  return true;
 }
 
 void Round::observeOthers() {
@@ -60,12 +63,11 @@ void Round::checkHash(std::uint32_t serverHash) {
   hashDiffered_ = differs;
 }
 
-void Round::receive(const StateChunk& last, std::span<const std::uint8_t> bytes, Moment now) {
+void Round::receive(const StateChunk& last, std::span<const std::uint8_t> bytes) {
   const std::optional<FullState> state = decodeFullState(bytes);
   const bool hadTicks = prediction_.confirmedTicks() > 0;
   if (!state || !prediction_.restore(state->game, last.tick, state->held)) return;
   interpolationBuffer_.restart(prediction_.confirmed(), last.tick);
-  prediction_.reconcile(now);
   desync_ = desyncDetector_.resynced(prediction_.confirmed(), prediction_.held());
   sync_ = last.sync;
   hash_ = shortHash(prediction_.confirmed().hash());
@@ -75,6 +77,7 @@ void Round::receive(const StateChunk& last, std::span<const std::uint8_t> bytes,
 
 void Round::advance(Moment now, const Controls& controls) {
   interpolationBuffer_.update(now);
+  prediction_.reconcile(now);
   clock_.update(now, prediction_.predictedTicks());
   while (prediction_.mayPredict() && clock_.reaches(prediction_.predictedTicks())) {
     const std::uint32_t tick = prediction_.predictedTicks();
@@ -88,6 +91,7 @@ void Round::advance(Moment now, const Controls& controls) {
     prediction_.predict(local);
     observeLocal();
   }
+  workLimit_ = prediction_.work() + kMaxWorkConfirmed;
 }
 
 void Round::observeLocal() {

@@ -55,19 +55,23 @@ class Round {
   /// Call at the end of the round. Returns the desync that no resync has ended, if any.
   std::optional<Desync> endDesync() { return desyncDetector_.ended(); }
 
+  /// Work (see Prediction) of the ticks that are confirmed between two calls of `advance`: further ones are ignored,
+  /// and the server sends them again. The last tick may exceed it.
+  static constexpr std::uint64_t kMaxWorkConfirmed = 4096;
+
   /// Handles a message of this round. Ticks that are confirmed already, or that leave a gap, are ignored.
   void receive(const ConfirmedTicks& message, Moment now);
   /// Handles a full state. `last`: the chunk that completes the state `bytes`. An invalid state is ignored.
-  void receive(const StateChunk& last, std::span<const std::uint8_t> bytes, Moment now);
+  void receive(const StateChunk& last, std::span<const std::uint8_t> bytes);
 
-  /// Predicts up to `now`.
+  /// Replays the prediction if it was wrong, and predicts up to `now`.
   void advance(Moment now, const Controls& controls);
 
   /// The message to send at `now`, without its sequence number; nothing if none is due.
   std::optional<PlayerInputs> takeMessage(Moment now);
 
  private:
-  void applyTicks(const ConfirmedTicks& message);
+  bool applyTicks(const ConfirmedTicks& message);
   void observeOthers();
   void observeLocal();
   void checkHash(std::uint32_t serverHash);
@@ -84,7 +88,8 @@ class Round {
   DesyncDetector desyncDetector_;
   std::optional<Desync> desync_;
   RoundStatistics statistics_;
-  std::vector<Input> inputs_;  // scratch
+  std::uint64_t workLimit_ = kMaxWorkConfirmed;  // of prediction_, until the next `advance`
+  std::vector<Input> inputs_;                    // scratch
 };
 
 }  // namespace platon

@@ -12,6 +12,14 @@ namespace platon {
 
 namespace {
 
+// Work of starting a round, or of reading a level or a state, and of their bytes.
+constexpr std::uint64_t kWorkOfMessage = 64;
+constexpr std::size_t kBytesPerWork = 16;
+
+// A server with more than a few players sends ticks 30 times a second.
+static_assert(kTicksPerSecond / 2 * Prediction::kMaxWorkAhead + 2 * kTicksPerSecond * kMaxPlayers <=
+              Session::kMaxWorkPerSecond);
+
 PredictionStatistics sum(const PredictionStatistics& past, const PredictionStatistics& now) {
   return {past.corrections + now.corrections,
           std::max(past.maxSubunits, now.maxSubunits),
@@ -37,6 +45,7 @@ Session::Session(const std::string& name, Moment now, Memory memory)
       receivedAt_(now),
       token_(memory.token),
       levels_(std::move(memory.levels)),
+      workBudget_(kMaxWorkPerSecond, kMaxWorkPerSecond * toSeconds(kWorkTime), now),
       pastPrediction_(memory.prediction),
       pastRounds_(memory.rounds) {
   Hello hello;
@@ -85,12 +94,18 @@ void Session::receive(std::span<const std::uint8_t> bytes, Moment now) {
 void Session::update(Moment now, const Controls& controls) {
   if (ending_) return;
   if (welcome_ && now - receivedAt_ > kTimeout) return end("connection timed out", false);
+  if (!chargeWork(now)) return end("protocol error: the server demands more computation than a game needs", true);
   if (!round_) return;
   round_->advance(now, controls);
   std::optional<PlayerInputs> message = round_->takeMessage(now);
   if (!message) return;
   message->sequence = linkMeter_.nextSequence(now);
   send(*message, false);
+}
+
+bool Session::chargeWork(Moment now) {
+  const auto demanded = static_cast<double>(work() - std::exchange(chargedWork_, work()));
+  return workBudget_.take(demanded, now);
 }
 
 void Session::handle(const Welcome& message, Moment now) {
@@ -137,10 +152,11 @@ void Session::handle(const ConfirmedTicks& message, Moment now) {
   if (round_ && round_->id() == message.round) round_->receive(message, now);
 }
 
-void Session::handle(const StateChunk& message, Moment now) {
+void Session::handle(const StateChunk& message, Moment) {
   if (!round_ || round_->id() != message.round) return;
   if (!state_.add(message.total, message.offset, message.bytes)) return;
-  round_->receive(message, state_.bytes(), now);
+  round_->receive(message, state_.bytes());
+  pastWork_ += kWorkOfMessage + state_.bytes().size() / kBytesPerWork;
   reportDesync(round_->takeDesync());
   state_.clear();
 }
@@ -149,6 +165,7 @@ void Session::handle(const LevelChunk& message, Moment) {
   if (message.hash != requestedLevel_ || !levelText_.add(message.total, message.offset, message.bytes)) return;
   const std::vector<std::uint8_t>& bytes = levelText_.bytes();
   LevelResult result = loadLevel(std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+  pastWork_ += kWorkOfMessage + bytes.size() / kBytesPerWork;
   requestedLevel_.reset();
   levelText_.clear();
   unanswered_ = 0;
@@ -179,6 +196,7 @@ void Session::startRound(std::uint32_t round, std::uint64_t levelHash) {
   roundOver_ = false;
   const std::shared_ptr<const Level> known = level(levelHash);
   if (known) {
+    pastWork_ += kWorkOfMessage;
     pendingRound_.reset();
     round_.emplace(round, known, welcome_->slot, lead_);
   } else {
@@ -193,6 +211,7 @@ void Session::closeRound() {
   lead_ = round_->clock().lead();
   pastPrediction_ = predictionStatistics();
   pastRounds_ = roundStatistics();
+  pastWork_ = work();
   round_.reset();
   state_.clear();
 }

@@ -18,6 +18,7 @@
 #include "protocol/moment.h"
 #include "protocol/to_client.h"
 #include "protocol/to_server.h"
+#include "protocol/token_bucket.h"
 
 namespace platon {
 
@@ -46,6 +47,11 @@ class Session {
   static constexpr std::uint32_t kMaxUnansweredRequests = 16;
   /// Minimum time between two desync reports. Further desyncs are only counted.
   static constexpr Moment kReportInterval = std::chrono::minutes(1);
+
+  /// Largest work per second that a server may demand (see Prediction::work): 30 replays of Prediction::kMaxWorkAhead,
+  /// and 256 players for 120 ticks. A session that had to do more for kWorkTime ends.
+  static constexpr double kMaxWorkPerSecond = 524'288;
+  static constexpr Moment kWorkTime = std::chrono::seconds(5);
 
   /// `name`: a valid label of at most kMaxNameBytes; may be empty. `now`: when the connection was established.
   /// `memory`: of the previous session, whose player and statistics this one resumes.
@@ -107,6 +113,8 @@ class Session {
   void requestLevel(std::uint64_t levelHash);
   void startRound(std::uint32_t round, std::uint64_t levelHash);
   void closeRound();
+  std::uint64_t work() const { return pastWork_ + (round_ ? round_->prediction().work() : 0); }
+  bool chargeWork(Moment now);
 
   Moment helloAt_;
   Moment receivedAt_;  // last message
@@ -128,6 +136,9 @@ class Session {
   std::optional<Round> round_;
   bool roundOver_ = false;
   double lead_ = 0;
+  TokenBucket workBudget_;
+  std::uint64_t pastWork_ = 0;  // all but the prediction of this round
+  std::uint64_t chargedWork_ = 0;
   std::optional<DesyncReport> desync_;
   std::optional<Moment> reportedAt_;     // last desync report
   PredictionStatistics pastPrediction_;  // of earlier rounds

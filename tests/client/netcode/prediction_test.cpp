@@ -76,6 +76,31 @@ TEST(Prediction, NeedsNoCorrectionWhenInputsArriveInTime) {
   EXPECT_EQ(prediction.smoothing(kNow), Point());
 }
 
+// The law: each tick of a game counts once per player, and the replays stay within a limit.
+TEST(Prediction, CountsItsWork) {
+  Prediction prediction(Game(endlessLevel()), kLocal);
+  for (int tick = 0; tick < 10; ++tick) prediction.predict(present(0));
+  EXPECT_EQ(prediction.work(), 10u);
+  prediction.confirm(Inputs{present(Input::kLeft), present(0), present(0)});
+  EXPECT_EQ(prediction.work(), 10u + 3);
+  prediction.reconcile(kNow);
+  EXPECT_EQ(prediction.work(), 10u + 3 + 9 * 3);
+  prediction.reconcile(kNow);
+  EXPECT_EQ(prediction.work(), 10u + 3 + 9 * 3);
+}
+
+TEST(Prediction, PredictsFewerTicksWithManyPlayers) {
+  Prediction prediction(Game(endlessLevel()), kLocal);
+  while (prediction.mayPredict()) prediction.predict(present(0));
+  EXPECT_EQ(prediction.predictedTicks(), Prediction::kMaxAhead);
+  for (const std::uint32_t players : {kMaxPlayers, 100u, 64u}) {
+    prediction.confirm(Inputs(players, present(0)));
+    prediction.reconcile(kNow);
+    while (prediction.mayPredict()) prediction.predict(present(0));
+    EXPECT_EQ(prediction.predictedTicks() - prediction.confirmedTicks(), Prediction::kMaxWorkAhead / players);
+  }
+}
+
 // A level whose start is rotated by a quarter turn, so that the player falls in the direction of x.
 std::shared_ptr<const Level> rotatedLevel() {
   return loadLevel("HEXAHEDRON\n0 150 0 90\n1 0 0\n480\n%\n200 -240 200 240\n%\n%\n%\n%\n%\n").level;

@@ -123,6 +123,7 @@ TEST_P(Resume, PredictsThePlayerAtItsPlace) {
   const PredictionStatistics count = match_.session(kDisconnected).predictionStatistics();
   disconnectAndResume([&] { match_.run(GetParam().duration); });
   const Prediction& prediction = match_.session(kDisconnected).round()->prediction();
+  match_.run(milliseconds(4));  // to the first frame after the state has arrived
   for (const Moment end = match_.now() + seconds(2); match_.now() < end; match_.run(milliseconds(1))) {
     ASSERT_LT(prediction.slot(), prediction.predicted().slots());
     ASSERT_TRUE(prediction.predicted().player(prediction.slot()).present);

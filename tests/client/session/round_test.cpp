@@ -127,6 +127,27 @@ TEST_F(RoundTest, IgnoresKnownTicksAndGaps) {
   EXPECT_EQ(round_.statistics().desyncs, 0u);
 }
 
+TEST_F(RoundTest, ConfirmsOnlyAsManyTicksInAFrameAsOneMayCost) {
+  std::vector<ConfirmedTicks> messages;
+  for (std::uint32_t end = 200; end <= 6000; end += 200) messages.push_back(server_.decide(end));
+  const auto receiveAll = [&] {
+    for (const ConfirmedTicks& message : messages) round_.receive(message, now_);
+  };
+  receiveAll();
+  constexpr std::uint32_t kFirst = Round::kMaxWorkConfirmed / 2 + 1;  // two players, but one before the first message
+  EXPECT_NEAR(round_.prediction().confirmedTicks(), kFirst, 1);
+  receiveAll();
+  EXPECT_NEAR(round_.prediction().confirmedTicks(), kFirst, 1);
+  while (round_.prediction().confirmedTicks() < 6000) {
+    const std::uint32_t before = round_.prediction().confirmedTicks();
+    update(static_cast<int>(before) / 100);
+    receiveAll();
+    ASSERT_GT(round_.prediction().confirmedTicks(), before);
+  }
+  EXPECT_EQ(round_.prediction().confirmed().hash(), server_.hash());
+  EXPECT_EQ(round_.statistics().desyncs, 0u);
+}
+
 TEST_F(RoundTest, ResyncsAfterADesync) {
   ConfirmedTicks wrong = server_.decide(10);
   wrong.changes.clear();  // the other player is missing
@@ -138,7 +159,7 @@ TEST_F(RoundTest, ResyncsAfterADesync) {
   round_.receive(server_.decide(12), now_);
   EXPECT_EQ(round_.statistics().desyncs, 1u);  // the same desync
 
-  round_.receive(server_.state(3), server_.stateBytes(), now_);
+  round_.receive(server_.state(3), server_.stateBytes());
   EXPECT_EQ(round_.statistics().resyncs, 1u);
   EXPECT_EQ(round_.prediction().confirmed().hash(), server_.hash());
   EXPECT_EQ(round_.prediction().confirmedTicks(), 12u);
@@ -153,7 +174,7 @@ TEST_F(RoundTest, ResyncsAfterADesync) {
 
 TEST_F(RoundTest, TheFirstStateIsNoResync) {
   server_.decide(1000);
-  round_.receive(server_.state(1), server_.stateBytes(), now_);
+  round_.receive(server_.state(1), server_.stateBytes());
   EXPECT_EQ(round_.prediction().confirmedTicks(), 1000u);
   EXPECT_EQ(round_.statistics().resyncs, 0u);
 }
@@ -161,7 +182,7 @@ TEST_F(RoundTest, TheFirstStateIsNoResync) {
 TEST_F(RoundTest, IgnoresAnInvalidState) {
   round_.receive(server_.decide(10), now_);
   const std::vector<std::uint8_t> invalid = {2, 128, 128, 9, 9, 9};
-  round_.receive(server_.state(1), invalid, now_);
+  round_.receive(server_.state(1), invalid);
   EXPECT_EQ(round_.prediction().confirmedTicks(), 10u);
   EXPECT_EQ(update(60)->sync, 0);
 }
@@ -190,7 +211,7 @@ TEST_F(RoundTest, TheInterpolationBufferFollowsTheConfirmedGame) {
 TEST_F(RoundTest, AFullStateRestartsTheInterpolationBuffer) {
   round_.receive(server_.decide(10), now_);
   server_.decide(30);
-  round_.receive(server_.state(1), server_.stateBytes(), now_);
+  round_.receive(server_.state(1), server_.stateBytes());
   EXPECT_EQ(round_.interpolationBuffer().newest(), 30u);
   EXPECT_EQ(round_.interpolationBuffer().tick(), 30);
   EXPECT_EQ(round_.interpolationBuffer().jumps(), 1u);
@@ -200,7 +221,7 @@ TEST_F(RoundTest, AFullStateRestartsTheInterpolationBuffer) {
 TEST_F(RoundTest, AcceptsAStateOfTheLargestTick) {
   StateChunk chunk = server_.state(1);
   chunk.tick = UINT32_MAX - 2;
-  round_.receive(chunk, server_.stateBytes(), now_);
+  round_.receive(chunk, server_.stateBytes());
   ConfirmedTicks last;
   last.round = kId;
   last.from = UINT32_MAX - 2;

@@ -277,5 +277,26 @@ TEST(Session, TimesOutWhenTheServerIsSilent) {
   EXPECT_FALSE(session.ending()->permanent);
 }
 
+// A game is computed again at every start of a round.
+TEST(Session, EndsIfTheServerDemandsTooMuchComputation) {
+  constexpr std::uint32_t kRoundWork = 64;
+  constexpr auto kBudget = static_cast<std::uint32_t>(Session::kMaxWorkPerSecond * toSeconds(Session::kWorkTime));
+  constexpr std::uint32_t kRounds = kBudget / kRoundWork;
+  const Controls none = [](const Game&, std::uint32_t) { return Input{}; };
+  Session::Memory memory;
+  memory.levels.push_back(endlessLevel());
+  const std::uint64_t level = memory.levels[0]->hash;
+  Session session("x", Moment(0), memory);
+  session.receive(encode(Welcome{0, 1, level, 4, kTicksPerSecond, ""}), Moment(0));
+  for (std::uint32_t round = 2; round <= kRounds; ++round) session.receive(encode(RoundStart{round, level}), Moment(0));
+  session.update(Moment(0), none);
+  ASSERT_FALSE(session.ending().has_value());  // the budget is empty
+  session.receive(encode(RoundStart{kRounds + 1, level}), Moment(0));
+  session.update(Moment(0), none);
+  ASSERT_TRUE(session.ending().has_value());
+  EXPECT_EQ(session.ending()->reason, "protocol error: the server demands more computation than a game needs");
+  EXPECT_TRUE(session.ending()->permanent);
+}
+
 }  // namespace
 }  // namespace platon

@@ -3,6 +3,7 @@
 #include <enet/enet.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 #include <string>
 
@@ -180,6 +181,72 @@ TEST(HostileServer, TicksWithoutEndCostNoMemory) {
     to.send(ConfirmedTicks{1, confirmed, kMaxTicksPerMessage, 1, {}, {}});
   });
   EXPECT_LE(server.heapGrowth(), 32 * kMegabyte);
+}
+
+constexpr const char* kDemanding = "protocol error: the server demands more computation than a game needs";
+
+// Counts what a client computes between two calls of an attack.
+class WorkMeter {
+ public:
+  void look(const Prediction& prediction) {
+    if (work_ != 0) mostWork = std::max(mostWork, prediction.work() - work_);
+    mostConfirmed = std::max(mostConfirmed, prediction.confirmedTicks() - confirmed_);
+    work_ = prediction.work();
+    confirmed_ = prediction.confirmedTicks();
+  }
+
+  std::uint64_t mostWork = 0;
+  std::uint32_t mostConfirmed = 0;
+
+ private:
+  std::uint64_t work_ = 0;
+  std::uint32_t confirmed_ = 0;
+};
+
+// Twice the ticks that a client takes in a frame.
+TEST(HostileServer, TicksWithoutEndAreLimitedInAFrameAndEndTheSession) {
+  constexpr std::uint32_t kTicks = 2 * Round::kMaxWorkConfirmed;
+  HostileServer server;
+  WorkMeter meter;
+  server.run([&](HostileServer& to) {
+    if (to.call() == 0) return to.welcome();
+    const Round* const round = to.session().round();
+    if (round == nullptr) return;
+    meter.look(round->prediction());
+    std::uint32_t tick = round->prediction().confirmedTicks();
+    for (const std::uint32_t end = tick + kTicks; tick < end; tick += kMaxTicksPerMessage) {
+      to.send(ConfirmedTicks{1, tick, kMaxTicksPerMessage, 1, {}, {}});
+    }
+  });
+  EXPECT_EQ(reasonOf(server), kDemanding);
+  EXPECT_EQ(meter.mostConfirmed, Round::kMaxWorkConfirmed);  // a tick without players counts as one
+  EXPECT_LE(meter.mostWork, Round::kMaxWorkConfirmed + Prediction::kMaxAhead);
+  // The budget of the session lasts for so many frames of a millisecond.
+  EXPECT_EQ(server.call() / 100, 7u);
+}
+
+// Each tick says that the other 255 players have changed their buttons, so that the client predicts again.
+TEST(HostileServer, ReplaysWithoutEndAreLimitedInAFrameAndEndTheSession) {
+  HostileServer server;
+  WorkMeter meter;
+  server.run([&](HostileServer& to) {
+    if (to.call() == 0) return to.welcome();
+    const Round* const round = to.session().round();
+    if (round == nullptr) return;
+    meter.look(round->prediction());
+    ConfirmedTicks message{1, round->prediction().confirmedTicks(), 1, 1, {}, {}};
+    const auto buttons = static_cast<std::uint8_t>(Input::kPresent | (to.call() % 2 == 0 ? Input::kLeft : 0));
+    for (std::uint32_t slot = 1; slot < kMaxPlayers; ++slot) {
+      message.changes.push_back({message.from, slot, Input{buttons}});
+    }
+    for (int i = 0; i < 100; ++i, ++message.from) {
+      for (InputChange& change : message.changes) change.tick = message.from;
+      to.send(message);
+    }
+  });
+  EXPECT_EQ(reasonOf(server), kDemanding);
+  // One replay, and one tick more than fits.
+  EXPECT_LE(meter.mostWork, Round::kMaxWorkConfirmed + kMaxPlayers + 2 * Prediction::kMaxWorkAhead);
 }
 
 }  // namespace
