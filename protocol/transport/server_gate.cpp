@@ -49,7 +49,8 @@ ServerGate::ServerGate(std::unique_ptr<DatagramSocket> socket, const ServerIdent
       handshakes_(kHandshakesPerSecond, kHandshakeBurst, now),
       queries_(kQueriesPerSecond, kQueryBurst, now),
       households_(kHouseholdBuckets, TokenBucket(kHouseholdPerSecond, kHouseholdBurst, now)),
-      householdKey_(randomKey()) {}
+      householdKey_(randomKey()),
+      nextNumber_(settings.firstNumber) {}
 
 std::optional<ServerGate::Received> ServerGate::receive(Moment now) {
   for (; left_ > 0; --left_) {

@@ -17,7 +17,7 @@
 
 namespace platon {
 
-/// A session of the gate. Numbers are never used again; 0 is none.
+/// A session of the gate. Numbers are used again only after all others; 0 is none.
 struct SessionId {
   std::uint32_t number = 0;
   std::uint16_t slot = 0;
@@ -30,6 +30,7 @@ struct GateSettings {
   std::uint32_t sessionsPerHousehold = 8;  ///< most sessions of one IpAddress::household; loopback has no limit
   CryptoKey presharedKey{};                ///< of the password
   bool needsPassword = false;
+  std::uint32_t firstNumber = 1;  ///< of the first session; 1 follows the largest
 };
 
 /// What the gate has dropped or refused so far, by reason.
@@ -141,7 +142,7 @@ class ServerGate {
   TokenBucket queries_;
   std::vector<TokenBucket> households_;  // by a keyed hash
   CryptoKey householdKey_;
-  std::uint32_t nextNumber_ = 1;
+  std::uint32_t nextNumber_;
   BanCheck banCheck_;
   Info info_;
   std::size_t left_ = kMaxDatagramsPerRound;  // datagrams of this round

@@ -148,7 +148,8 @@ void ServerGate::startSession(Session& session, const SocketAddress& client, con
   Accept accept{echoOf(open.clientKey()), {}};
   std::copy(message.begin(), message.end(), accept.exchange.begin());
   session = Session{};
-  session.id = {nextNumber_++, slot};
+  session.id = {nextNumber_, slot};
+  nextNumber_ = std::max(nextNumber_ + 1, 1u);
   session.address = client;
   session.channel.emplace(SealedChannel::Side::kServer, exchange.split(), slot);
   session.clientKey = open.clientKey();

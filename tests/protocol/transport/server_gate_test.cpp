@@ -84,6 +84,17 @@ TEST_F(ServerGateTest, AClientJoinsAndContentsPassBothWays) {
   EXPECT_EQ(gate_->counters().seal, 1u);
 }
 
+// The session after number 2^32 - 1 had the number of no session: it passed contents and could not be closed.
+TEST_F(ServerGateTest, NumbersOfSessionsOverflow) {
+  GateSettings settings{4, 2, {}, false};
+  settings.firstNumber = UINT32_MAX;
+  start(settings);
+  ClientGate last = join(clientAt(1));
+  ClientGate first = join(clientAt(2));
+  EXPECT_EQ(sessionOf(last).number, UINT32_MAX);
+  EXPECT_EQ(sessionOf(first).number, 1u);
+}
+
 TEST_F(ServerGateTest, UntilACookieIsReturnedNothingIsKeptAndNoMoreIsSentThanCame) {
   start();
   std::size_t knocked = 0;
