@@ -153,7 +153,8 @@ void Soak::callRoll() {
     serverHeap_ = server_->heapGrowth();
     processHeap_ = process;
   }
-  report_.serverGrowth = std::max(report_.serverGrowth, server_->heapGrowth() - *serverHeap_);
+  report_.lastGrowth = server_->heapGrowth() - *serverHeap_;
+  report_.serverGrowth = std::max(report_.serverGrowth, report_.lastGrowth);
   report_.processGrowth = std::max(report_.processGrowth, process - processHeap_);
 }
 
@@ -192,7 +193,8 @@ std::string SoakReport::text() const {
       << longestTraffic.sentPackets << " up and " << longestTraffic.receivedPackets << " down in one connection; "
       << rollCalls << " roll calls, " << absent << " absent; " << desyncs << " desyncs, " << missedInputs
       << " missed inputs, " << corrections << " corrections; heap of the server " << serverGrowth / 1024
-      << " KiB, of all " << processGrowth / 1024 << " KiB, idle " << idleGrowth / 1024 << " KiB more than at first";
+      << " KiB at most, " << lastGrowth / 1024 << " KiB at last, of all " << processGrowth / 1024 << " KiB, idle "
+      << idleGrowth / 1024 << " KiB more than at first";
   for (const auto& [reason, count] : rejected) out << "; rejected as " << reason << ": " << count;
   for (const std::string& warning : warnings) out << "\n  " << warning;
   return out.str();

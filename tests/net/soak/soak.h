@@ -42,6 +42,7 @@ struct SoakReport {
   std::uint64_t missedInputs = 0;  ///< of players without loss: ticks decided with other buttons than they sent
   std::uint64_t corrections = 0;   ///< of the permanent player with a game
   std::int64_t serverGrowth = 0;   ///< most bytes that the server had more at a roll call than at the first
+  std::int64_t lastGrowth = 0;     ///< the same at the last roll call
   std::int64_t processGrowth = 0;  ///< the same of the whole process
   std::int64_t idleGrowth = 0;     ///< bytes that the server without players had more than before the first one
   std::map<std::string, std::uint64_t> rejected;  ///< datagrams and connections, by reason
