@@ -15,6 +15,8 @@ namespace {
 // Work of starting a round, or of reading a level or a state, and of their bytes.
 constexpr std::uint64_t kWorkOfMessage = 64;
 constexpr std::size_t kBytesPerWork = 16;
+// One longer pause, such as that of a suspended computer, counts as this.
+constexpr Moment kMaxSlowUpdate = std::chrono::seconds(1);
 
 // A server with more than a few players sends ticks 30 times a second.
 static_assert(kTicksPerSecond / 2 * Prediction::kMaxWorkAhead + 2 * kTicksPerSecond * kMaxPlayers <=
@@ -46,6 +48,7 @@ Session::Session(const std::string& name, Moment now, Memory memory)
       token_(memory.token),
       levels_(std::move(memory.levels)),
       workBudget_(kMaxWorkPerSecond, kMaxWorkPerSecond * toSeconds(kWorkTime), now),
+      updatedAt_(now),
       pastPrediction_(memory.prediction),
       pastRounds_(memory.rounds) {
   Hello hello;
@@ -94,8 +97,8 @@ void Session::receive(std::span<const std::uint8_t> bytes, Moment now) {
 void Session::update(Moment now, const Controls& controls) {
   if (ending_) return;
   if (welcome_ && now - receivedAt_ > kTimeout) return end("connection timed out", false);
-  if (!chargeWork(now)) return end("protocol error: the server demands more computation than a game needs", true);
-  if (!round_) return;
+  checkWork(now);
+  if (!round_ || ending_) return;
   round_->advance(now, controls);
   std::optional<PlayerInputs> message = round_->takeMessage(now);
   if (!message) return;
@@ -103,9 +106,14 @@ void Session::update(Moment now, const Controls& controls) {
   send(*message, false);
 }
 
-bool Session::chargeWork(Moment now) {
-  const auto demanded = static_cast<double>(work() - std::exchange(chargedWork_, work()));
-  return workBudget_.take(demanded, now);
+void Session::checkWork(Moment now) {
+  const std::uint64_t demanded = work() - std::exchange(chargedWork_, work());
+  const Moment passed = now - std::exchange(updatedAt_, now);
+  const bool isSlow = passed > kSlowUpdate && demanded >= kSlowWork;
+  slowTime_ = isSlow ? slowTime_ + std::min(passed, kMaxSlowUpdate) : Moment{};
+  if (!workBudget_.take(static_cast<double>(demanded), now))
+    return end("protocol error: the server demands more computation than a game needs", true);
+  if (slowTime_ > kWorkTime) end("this computer is too slow for the game of this server", true);
 }
 
 void Session::handle(const Welcome& message, Moment now) {

@@ -52,6 +52,10 @@ class Session {
   /// and 256 players for 120 ticks. A session that had to do more for kWorkTime ends.
   static constexpr double kMaxWorkPerSecond = 524'288;
   static constexpr Moment kWorkTime = std::chrono::seconds(5);
+  /// A session also ends if for kWorkTime every update has much work and comes late after the one before: this computer
+  /// cannot keep up, for instance because the level makes every player slow.
+  static constexpr Moment kSlowUpdate = std::chrono::milliseconds(250);
+  static constexpr std::uint64_t kSlowWork = 4096;
 
   /// `name`: a valid label of at most kMaxNameBytes; may be empty. `now`: when the connection was established.
   /// `memory`: of the previous session, whose player and statistics this one resumes.
@@ -114,7 +118,7 @@ class Session {
   void startRound(std::uint32_t round, std::uint64_t levelHash);
   void closeRound();
   std::uint64_t work() const { return pastWork_ + (round_ ? round_->prediction().work() : 0); }
-  bool chargeWork(Moment now);
+  void checkWork(Moment now);
 
   Moment helloAt_;
   Moment receivedAt_;  // last message
@@ -139,6 +143,8 @@ class Session {
   TokenBucket workBudget_;
   std::uint64_t pastWork_ = 0;  // all but the prediction of this round
   std::uint64_t chargedWork_ = 0;
+  Moment updatedAt_;
+  Moment slowTime_{};  // of updates that came late one after the other
   std::optional<DesyncReport> desync_;
   std::optional<Moment> reportedAt_;     // last desync report
   PredictionStatistics pastPrediction_;  // of earlier rounds

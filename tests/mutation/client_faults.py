@@ -94,7 +94,7 @@ CLIENT_FAULTS = [
               "a server can make a client compute any number of ticks in a frame",
               "RoundTest.ConfirmsOnlyAsManyTicksInAFrameAsOneMayCost"),
     at_length("work-not-charged", SESSION + "session.cpp",
-              "return workBudget_.take(demanded, now);", "return workBudget_.take(0 * demanded, now);",
+              "  if (!workBudget_.take(static_cast<double>(demanded), now))", "  if (!workBudget_.take(0, now))",
               "a client never leaves a server that demands too much",
               "Session.EndsIfTheServerDemandsTooMuchComputation"),
     at_length("every-difference-is-a-desync", SESSION + "round.cpp",

@@ -298,5 +298,30 @@ TEST(Session, EndsIfTheServerDemandsTooMuchComputation) {
   EXPECT_TRUE(session.ending()->permanent);
 }
 
+// Sends a session as many ticks before each update as it takes. Returns for how many updates it bears that.
+int updatesUntilEnd(Moment interval, int updates) {
+  const Controls none = [](const Game&, std::uint32_t) { return Input{}; };
+  Session::Memory memory;
+  memory.levels.push_back(endlessLevel());
+  Session session("x", Moment(0), memory);
+  session.receive(encode(Welcome{0, 1, memory.levels[0]->hash, 4, kTicksPerSecond, ""}), Moment(0));
+  for (int update = 1; update <= updates; ++update) {
+    const Moment now = update * interval;
+    session.update(now, none);
+    if (session.ending()) return update;
+    std::uint32_t tick = session.round()->prediction().confirmedTicks();
+    for (int i = 0; i < 20; ++i, tick += kMaxTicksPerMessage) {
+      session.receive(encode(ConfirmedTicks{1, tick, kMaxTicksPerMessage, 0, {}, {}}), now);
+    }
+  }
+  return 0;
+}
+
+TEST(Session, LeavesAServerWhoseGameIsTooSlowOnThisComputer) {
+  EXPECT_EQ(updatesUntilEnd(milliseconds(250), 100), 0);
+  EXPECT_EQ(updatesUntilEnd(milliseconds(300), 100), 1 + 17);  // 5.1 s after the first ticks
+  EXPECT_EQ(updatesUntilEnd(milliseconds(2000), 100), 1 + 6);  // each counts as 1 s
+}
+
 }  // namespace
 }  // namespace platon
