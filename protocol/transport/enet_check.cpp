@@ -80,6 +80,7 @@ enet_uint32 connectIdOf(ByteSpan connect) {
 
 std::optional<EnetCommands> readEnetCommands(ByteSpan content, EnetSender sender) {
   std::size_t spoken = 0;  // commands that are not acknowledgements
+  bool connects = false;
   if (content.size() < sizeof(std::uint16_t)) return std::nullopt;
   const std::uint16_t head = read16(content, 0);
   const bool timed = (head & ENET_PROTOCOL_HEADER_FLAG_SENT_TIME) != 0;
@@ -94,12 +95,13 @@ std::optional<EnetCommands> readEnetCommands(ByteSpan content, EnetSender sender
     const auto command = static_cast<std::uint8_t>(rest[0] & ENET_PROTOCOL_COMMAND_MASK);
     if (command == ENET_PROTOCOL_COMMAND_CONNECT) found.connectId = connectIdOf(rest);
     spoken += command != ENET_PROTOCOL_COMMAND_ACKNOWLEDGE ? 1 : 0;
+    connects = connects || command == ENET_PROTOCOL_COMMAND_CONNECT;
     found.commands[found.count++] = {command, rest[1], read16(rest, 2)};
     rest = rest.subspan(bytes);
   }
   if (sender == EnetSender::kClient && spoken > EnetCommands::kMaxOfClient) return std::nullopt;
   const bool isUnconnected = found.peer == ENET_PROTOCOL_MAXIMUM_PEER_ID;
-  if (found.isConnect() != isUnconnected || (isUnconnected && found.count != 1)) return std::nullopt;
+  if (connects != isUnconnected || (isUnconnected && found.count != 1)) return std::nullopt;
   return found;
 }
 

@@ -44,11 +44,11 @@ Bytes SealedChannel::seal(ByteSpan content, bool isControl) {
   return datagram;
 }
 
-// The number with these low bits that is nearest to the next one expected.
+// The number with these low bits that is nearest to the next one expected; of two that are equally near, the higher.
 std::uint64_t SealedChannel::expand(std::uint16_t low) const {
   const std::uint64_t expected = received_.next();
   std::uint64_t sequence = expected - expected % kSequenceSpan + low;
-  if (sequence + kSequenceSpan / 2 < expected) sequence += kSequenceSpan;
+  if (sequence + kSequenceSpan / 2 <= expected) sequence += kSequenceSpan;
   if (sequence > expected + kSequenceSpan / 2 && sequence >= kSequenceSpan) sequence -= kSequenceSpan;
   return sequence;
 }

@@ -6,8 +6,11 @@
 #include "platon/game/stage.h"
 #include "platon/physics/entity.h"
 #include "platon/physics/map_part.h"
+#include "protocol/transport/enet_check.h"
+#include "protocol/transport/sealed_channel.h"
 #include "tests/exactness/step_check/step_checker.h"
 #include "tests/fuzz/fuzz_scene.h"
+#include "tests/support/transport/raw_content.h"
 
 namespace platon::fuzz {
 namespace {
@@ -78,6 +81,31 @@ TEST(FoundByFuzzingTest, ARefusedRotationAddsNoInstanceAroundACorner) {
       EXPECT_EQ(checker.finishTick(), "") << nameOf(kind) << ", rotated by " << turn;
     }
   }
+}
+
+/// After exactly 8 192 lost datagrams, two numbers with the same low bits are equally near. The receiver took the lower
+/// one in every second block of 16 384.
+TEST(FoundByFuzzingTest, TheHigherOfTwoEquallyNearSequenceNumbersIsTaken) {
+  constexpr std::uint64_t kHalfSpan = 1 << 13;
+  const SessionKeys keys{CryptoKey{1}, CryptoKey{2}};
+  const platon::Bytes content(1);
+  for (const std::uint64_t received : {100u, 8292u, 16484u, 24676u}) {
+    SealedChannel client(SealedChannel::Side::kClient, keys, 0);
+    SealedChannel server(SealedChannel::Side::kServer, keys, 0);
+    for (std::uint64_t i = 0; i < received; ++i) ASSERT_TRUE(server.open(client.seal(content)));
+    for (std::uint64_t i = 0; i < kHalfSpan; ++i) client.seal(content);
+    EXPECT_TRUE(server.open(client.seal(content))) << received;
+  }
+}
+
+/// A CONNECT behind another command of a connection passed the check, although ENet sends it alone.
+TEST(FoundByFuzzingTest, AConnectThatIsNotAloneIsRefused) {
+  platon::Bytes content = pingContent(0);
+  ASSERT_TRUE(readEnetCommands(content, EnetSender::kClient));
+  const platon::Bytes connect = connectContent(1);
+  ASSERT_TRUE(readEnetCommands(connect, EnetSender::kClient));
+  content.insert(content.end(), connect.begin() + kCommandAt, connect.end());
+  EXPECT_FALSE(readEnetCommands(content, EnetSender::kClient));
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ class Opener:
     def __init__(self, key, names_slot=False):
         self._key = key
         self._clear_bytes = 4 if names_slot else 2
-        self._highest = 0
+        self._next = 0
         self._seen = set()
 
     def open(self, datagram):
@@ -51,11 +51,12 @@ class Opener:
 
     def _number(self, head):
         period = 1 << SENT_BITS
-        distance = (head - self._highest + period // 2) % period - period // 2
-        return self._highest + distance
+        below = period // 2 - 1
+        nearest = self._next + (head - self._next + below) % period - below
+        return nearest if nearest >= 0 else nearest + period
 
     def _acceptable(self, number):
-        return number >= 0 and number not in self._seen and self._highest - number < WINDOW
+        return number not in self._seen and self._next - number <= WINDOW
 
     def _decrypt(self, datagram, number):
         clear, sealed = datagram[: self._clear_bytes], datagram[self._clear_bytes :]
@@ -65,5 +66,5 @@ class Opener:
             return None
 
     def _note(self, number):
-        self._highest = max(self._highest, number)
-        self._seen = {seen for seen in self._seen | {number} if self._highest - seen < WINDOW}
+        self._next = max(self._next, number + 1)
+        self._seen = {seen for seen in self._seen | {number} if self._next - seen <= WINDOW}
