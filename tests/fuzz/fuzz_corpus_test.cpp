@@ -36,6 +36,7 @@ INSTANTIATE_TEST_SUITE_P(Targets, FuzzCorpusTest,
                          testing::Values(Target{"sweep", &sweepFault}, Target{"scene", &sceneFault},
                                          Target{"level", &levelFault}, Target{"game_state", &gameStateFault},
                                          Target{"recording", &recordingFault}, Target{"protocol", &protocolFault},
+                                         Target{"handshake", &handshakeFault}, Target{"channel", &channelFault},
                                          Target{"console", &consoleFault}, Target{"config", &configFault},
                                          Target{"ban_list", &banListFault}),
                          [](const auto& described) { return std::string(described.param.name); });

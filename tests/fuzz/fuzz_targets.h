@@ -23,6 +23,13 @@ std::string gameStateFault(Bytes bytes);
 std::string recordingFault(Bytes bytes);
 /// A network message: it is refused, or equals itself after encoding and decoding.
 std::string protocolFault(Bytes bytes);
+/// Datagrams of newcomers, a server and strangers, any of them changed, repeated or sent in another name: the server
+/// keeps nothing and sends no more bytes than came until a cookie is returned, contents arrive unchanged and once, and
+/// a newcomer always can join afterwards.
+std::string handshakeFault(Bytes bytes);
+/// Sealed datagrams in any order, with losses and changes: a model with full sequence numbers agrees about each, and
+/// contents are checked as those of ENet.
+std::string channelFault(Bytes bytes);
 /// What arrives at the console or the metrics of a server: each line is refused with a sentence or is a command with
 /// values in their limits; each request has an answer; nothing depends on how the bytes are cut.
 std::string consoleFault(Bytes bytes);
