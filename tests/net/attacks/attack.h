@@ -29,16 +29,10 @@ struct Attack {
   /// none is rejected.
   std::string_view reason;
   std::function<std::unique_ptr<Attacker>(AttackNetwork&)> start;
+  IpVersion version = IpVersion::kIpv4;
 };
 
 /// All of them. The tests and `./platon bench --attacks` run the same.
 std::span<const Attack> attacks();
-
-/// Addresses that answer: attacks that need them use at most four.
-inline constexpr int kOwnAddresses = 4;
-IpAddress ownAddress(int number);
-/// Addresses in whose name an attacker sends and that never answer, 0 … 9999.
-inline constexpr int kStrangers = 10000;
-SocketAddress stranger(int number);
 
 }  // namespace platon

@@ -7,6 +7,7 @@
 
 #include "protocol/transport/datagram_socket.h"
 #include "protocol/transport/handshake.h"
+#include "tests/net/attacks/attack_addresses.h"
 
 namespace platon {
 
@@ -32,6 +33,7 @@ class AttackNetwork {
   /// A socket at an address of the attacker's own, for what needs answers. The network must outlive it.
   virtual std::unique_ptr<DatagramSocket> socket(const IpAddress& own) = 0;
   virtual SocketAddress server() const = 0;
+  IpVersion version() const { return server().ip.isIpv4() ? IpVersion::kIpv4 : IpVersion::kIpv6; }
   /// The last datagrams of the victims, oldest first.
   const std::deque<Overheard>& overheard() const { return overheard_; }
   /// Calls this with each datagram of a victim, before it is delivered. Empty: nothing.

@@ -74,11 +74,12 @@ class Attack(Program):
 
 def drops_at(port):
     """Datagrams for the socket at this port that the system has dropped."""
-    for line in Path("/proc/net/udp").read_text().splitlines()[1:]:
-        words = line.split()
-        if int(words[1].rpartition(":")[2], 16) == port:
-            return int(words[-1])
-    raise Failure(f"/proc/net/udp has no socket at port {port}")
+    for table in ("/proc/net/udp", "/proc/net/udp6"):
+        for line in Path(table).read_text().splitlines()[1:]:
+            words = line.split()
+            if int(words[1].rpartition(":")[2], 16) == port:
+                return int(words[-1])
+    raise Failure(f"/proc/net/udp and udp6 have no socket at port {port}")
 
 
 def bots(programs, relay, count, seconds, settle, seed):
@@ -126,7 +127,8 @@ def run_attack(programs, root, attack, seconds):
 
 def _run_once(programs, root, attack, seconds):
     with contextlib.ExitStack() as processes:
-        server = processes.enter_context(Server(programs, root / LEVEL, PLAYERS))
+        bind = "::1" if attack["ipv6"] else "127.0.0.1"
+        server = processes.enter_context(Server(programs, root / LEVEL, PLAYERS, bind=bind))
         port = int(re.search(r":(\d+)$", server.address).group(1))
         attacker = processes.enter_context(Attack(programs, port, attack["name"], seconds))
         duration = SETTLE + max(seconds, NEWCOMER_SECONDS + 1) + 1

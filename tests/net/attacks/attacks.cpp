@@ -43,24 +43,18 @@ const std::array kAttacks{
     Attack{"tokens", "players who guess tokens", true, "handshakes", guessTokens},
     Attack{"join-leave", "64 clients who join and leave as often as they can", true, "handshakes", joinAndLeave},
     Attack{"join-drop", "64 clients who join and vanish as often as they can", true, "handshakes", joinAndVanish},
+    Attack{"knocks-ipv6", "half-open handshakes over IPv6 from 10 000 addresses in 40 households", false, "",
+           floodKnocks, IpVersion::kIpv6},
+    Attack{"contents-ipv6", "sessions over IPv6 with contents that no client sends, from new addresses of 4 households",
+           true, "content", sendHostileContents, IpVersion::kIpv6},
+    Attack{"roaming-ipv6", "sessions over IPv6 that send in the names of 10 000 addresses in 40 households", true,
+           "excess", roam, IpVersion::kIpv6},
+    Attack{"join-leave-ipv6", "64 clients who join over IPv6 from 64 addresses of 4 households and leave", true,
+           "handshakes", joinAndLeave, IpVersion::kIpv6},
 };
-
-IpAddress addressOf(int second, int third, int fourth) {
-  IpAddress address;
-  address.bytes[10] = address.bytes[11] = 0xff;
-  address.bytes[12] = 127;
-  address.bytes[13] = static_cast<std::uint8_t>(second);
-  address.bytes[14] = static_cast<std::uint8_t>(third);
-  address.bytes[15] = static_cast<std::uint8_t>(fourth);
-  return address;
-}
 
 }  // namespace
 
 std::span<const Attack> attacks() { return kAttacks; }
-
-IpAddress ownAddress(int number) { return addressOf(3, 0, 1 + number); }
-
-SocketAddress stranger(int number) { return {addressOf(1, number / 250, 1 + number % 250), 4000}; }
 
 }  // namespace platon

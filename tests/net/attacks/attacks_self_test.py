@@ -1,12 +1,16 @@
 #!/usr/bin/env python3
 """Tests of the limits and of the table of `./platon bench --attacks`."""
 
+import contextlib
+import io
 import sys
 import unittest
 from pathlib import Path
+from unittest import mock
 
 sys.path.append(str(Path(__file__).resolve().parent.parent / "matrix"))
 
+import attacks  # noqa: E402
 from attack_run import Result  # noqa: E402
 from attack_table import exceeded, table  # noqa: E402
 
@@ -14,7 +18,7 @@ from attack_table import exceeded, table  # noqa: E402
 def result(name="empty", **changes):
     values = dict(sent=200000, dropped=0, answered_ratio=0.0, missed=0.0, disconnected=0, desyncs=0, join=90.0, p50=0.2, p99=1.0,
                   longest=2.0, growth=0, cpu=5.0, wait=0.0)  # fmt: skip
-    return Result(attack={"name": name, "does": "nothing", "proves": False}, **(values | changes))
+    return Result(attack={"name": name, "does": "nothing", "proves": False, "ipv6": False}, **(values | changes))
 
 
 class AttacksTest(unittest.TestCase):
@@ -52,6 +56,34 @@ class AttacksTest(unittest.TestCase):
         self.assertIn("| `empty` | nothing | 200 000 | 100.0 | 0 | 2.00 | 0 | never | 0.20 / 1.0 / 2.0 | +0 | 5 |", text)
         self.assertIn("Exceeded:\n\n- empty: 2.00 missed inputs", text)
         self.assertNotIn("Exceeded", table([result("none")], 10))
+
+    def run_all(self, *available):
+        """The names of the attacks that run, in order, and what is said meanwhile."""
+        names = ("a-ipv6", "b", "c-ipv6")
+        listed = [{"name": name, "does": "", "proves": False, "ipv6": name.endswith("ipv6")} for name in names]
+        said, ran = [], []
+
+        def run_attack(_programs, _root, attack, _seconds):
+            ran.append(attack["name"])
+            return Result(**(vars(result()) | {"attack": attack}))
+
+        with contextlib.ExitStack() as patches:
+            patches.enter_context(mock.patch.multiple(
+                attacks, all_attacks=lambda _: listed, run_attack=run_attack, say=said.append))  # fmt: skip
+            patches.enter_context(mock.patch.object(attacks.network_namespace, "enter", side_effect=available))
+            patches.enter_context(contextlib.redirect_stdout(io.StringIO()))
+            attacks.run(Path(__file__).resolve().parents[3], "--quick", [], None)
+        return ran, said
+
+    def test_attacks_over_ipv6_come_last_in_one_namespace(self):
+        ran, said = self.run_all(None)
+        self.assertEqual(ran, ["none", "b", "a-ipv6", "c-ipv6"])
+        self.assertEqual(len(said), 4)
+
+    def test_without_a_namespace_attacks_over_ipv6_are_skipped_with_one_line(self):
+        ran, said = self.run_all(attacks.network_namespace.Unavailable("a reason"))
+        self.assertEqual(ran, ["none", "b"])
+        self.assertEqual(said[2:], ["attacks over IPv6 are skipped: a reason"])
 
 
 if __name__ == "__main__":

@@ -36,7 +36,7 @@ TEST_P(AttackTest, DoesNoHarm) {
   EXPECT_LE(*damage.joinTime, std::chrono::seconds(2));
   EXPECT_LE(damage.heapGrowth, quiet.heapGrowth + kMaxHeapGrowth);
   EXPECT_EQ(damage.amplified, 0u);
-  EXPECT_LE(damage.maxPlayers, 5u + kOwnAddresses * AttackedServer::kPlayersPerAddress);
+  EXPECT_LE(damage.maxPlayers, 5u + kOwnHouseholds * AttackedServer::kPlayersPerAddress);
   if (!GetParam().proves) {
     EXPECT_EQ(damage.heldPlaces, 0u);
     EXPECT_EQ(damage.maxPlayers, 5u);

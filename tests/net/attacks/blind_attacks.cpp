@@ -20,7 +20,7 @@ CryptoKey anyKey(Dice& dice) {
 
 std::unique_ptr<Attacker> floodEmpty(AttackNetwork& network) {
   return flood(network, [](AttackNetwork& to, Dice& dice) {
-    to.send(dice.below(2) == 0 ? anyStranger(dice) : anyVictim(to, dice), {});
+    to.send(dice.below(2) == 0 ? anyStranger(to, dice) : anyVictim(to, dice), {});
   });
 }
 
@@ -29,19 +29,19 @@ std::unique_ptr<Attacker> floodOversized(AttackNetwork& network) {
     const auto more = static_cast<std::size_t>(dice.below(kLongestUnsplit - kMaxDatagramBytes));
     Bytes datagram(kMaxDatagramBytes + 1 + more);
     dice.fill(std::span(datagram).first(4));
-    to.send(anyStranger(dice), datagram);
+    to.send(anyStranger(to, dice), datagram);
   });
 }
 
 std::unique_ptr<Attacker> floodRandom(AttackNetwork& network) {
   return flood(network, [](AttackNetwork& to, Dice& dice) {
-    to.send(anyStranger(dice), dice.bytes(1 + static_cast<std::size_t>(dice.below(300))));
+    to.send(anyStranger(to, dice), dice.bytes(1 + static_cast<std::size_t>(dice.below(300))));
   });
 }
 
 std::unique_ptr<Attacker> floodKnocks(AttackNetwork& network) {
   return flood(network, [](AttackNetwork& to, Dice& dice) {
-    to.send(anyStranger(dice), encode(Knock{kVersion, anyKey(dice)}));
+    to.send(anyStranger(to, dice), encode(Knock{kVersion, anyKey(dice)}));
   });
 }
 
@@ -54,7 +54,7 @@ std::unique_ptr<Attacker> floodVictimKnocks(AttackNetwork& network) {
 std::unique_ptr<Attacker> floodVersions(AttackNetwork& network) {
   return flood(network, [](AttackNetwork& to, Dice& dice) {
     const auto version = static_cast<std::uint16_t>(kVersion + 1 + dice.below(1000));
-    to.send(anyStranger(dice), encode(Knock{version, anyKey(dice)}));
+    to.send(anyStranger(to, dice), encode(Knock{version, anyKey(dice)}));
   });
 }
 
@@ -63,13 +63,13 @@ std::unique_ptr<Attacker> floodBadCookies(AttackNetwork& network) {
     Open open;
     dice.fill(open.cookie);
     dice.fill(open.exchange);
-    to.send(dice.below(2) == 0 ? anyStranger(dice) : anyVictim(to, dice), encode(open));
+    to.send(dice.below(2) == 0 ? anyStranger(to, dice) : anyVictim(to, dice), encode(open));
   });
 }
 
 std::unique_ptr<Attacker> floodQueries(AttackNetwork& network) {
   return flood(network, [](AttackNetwork& to, Dice& dice) {
-    to.send(anyStranger(dice), encode(Query{static_cast<std::uint64_t>(dice.below(1 << 30))}));
+    to.send(anyStranger(to, dice), encode(Query{static_cast<std::uint64_t>(dice.below(1 << 30))}));
   });
 }
 

@@ -47,7 +47,9 @@ inline std::unique_ptr<Attacker> flood(AttackNetwork& network, Flood::Next next)
   return std::make_unique<Flood>(network, std::move(next));
 }
 
-inline SocketAddress anyStranger(Dice& dice) { return stranger(dice.below(kStrangers)); }
+inline SocketAddress anyStranger(const AttackNetwork& network, Dice& dice) {
+  return strangerAddress(network.version(), dice.below(kStrangers));
+}
 
 /// One of the last datagrams of the victims that satisfies `fits`; null if there is none.
 template <class Fits>
@@ -67,7 +69,7 @@ inline const Overheard* anyToServer(const AttackNetwork& network, Dice& dice) {
 /// The address of a victim, or of a stranger before one was overheard.
 inline SocketAddress anyVictim(const AttackNetwork& network, Dice& dice) {
   const Overheard* found = anyToServer(network, dice);
-  return found == nullptr ? anyStranger(dice) : found->victim;
+  return found == nullptr ? anyStranger(network, dice) : found->victim;
 }
 
 }  // namespace platon

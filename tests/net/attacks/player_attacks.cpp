@@ -10,18 +10,18 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
-constexpr std::size_t kPlayers = 4 * kOwnAddresses;  // as many as may play from these addresses
+constexpr std::size_t kPlayers = 4 * kOwnHouseholds;  // as many as may play from these
 constexpr std::size_t kCrowd = 64;
-constexpr std::size_t kDeaf = 3 * kOwnAddresses;
+constexpr std::size_t kDeaf = 3 * kOwnHouseholds;
 constexpr Moment kShortLife = milliseconds(100);
 
-/// Hostile players behind four addresses.
+/// Hostile players in four households.
 class PlayerAttack : public Attacker {
  public:
   PlayerAttack(AttackNetwork& network, Manners manners, std::size_t players) : manners_(std::move(manners)) {
     for (std::size_t i = 0; i < players; ++i) {
-      players_.push_back(
-          std::make_unique<HostilePlayer>(network, ownAddress(static_cast<int>(i) % kOwnAddresses), manners_, i));
+      const IpAddress own = ownAddress(network.version(), static_cast<int>(i));
+      players_.push_back(std::make_unique<HostilePlayer>(network, own, manners_, i));
     }
   }
 

@@ -19,7 +19,9 @@ constexpr std::size_t kOpenSessions = 64;
 class PasswordGuesser : public Attacker {
  public:
   explicit PasswordGuesser(AttackNetwork& network) : server_(network.server()) {
-    for (int i = 0; i < kOwnAddresses; ++i) hands_.push_back({network.socket(ownAddress(i)), {}, {}});
+    for (int i = 0; i < kOwnHouseholds; ++i) {
+      hands_.push_back({network.socket(ownAddress(network.version(), i)), {}, {}});
+    }
     for (Hand& hand : hands_) dice_.fill(hand.key);
   }
 
@@ -62,7 +64,7 @@ class SessionOpener : public Attacker {
 
   void step(Moment now, int) override {
     sessions_[next_] =
-        std::make_unique<ClientGate>(network_.socket(ownAddress(static_cast<int>(next_) % kOwnAddresses)),
+        std::make_unique<ClientGate>(network_.socket(ownAddress(network_.version(), static_cast<int>(next_))),
                                      std::vector{network_.server()}, ServerKnowledge{}, KeyPair::random());
     next_ = (next_ + 1) % sessions_.size();
     for (const auto& session : sessions_) {
@@ -82,7 +84,7 @@ class SessionOpener : public Attacker {
   std::size_t next_ = 0;
 };
 
-/// Has a session at each of its addresses, begins it again every two seconds, and sends what `next` does.
+/// Has a session in each of its households, begins it again every two seconds, and sends what `next` does.
 class SessionFlood : public Attacker {
  public:
   using Next = std::function<void(HostileSession&, Dice&, std::uint32_t number, Moment now)>;
@@ -104,8 +106,8 @@ class SessionFlood : public Attacker {
   void restart(Moment now) {
     since_ = now;
     sessions_.clear();
-    for (int i = 0; i < kOwnAddresses; ++i) {
-      sessions_.push_back(std::make_unique<HostileSession>(network_, ownAddress(i)));
+    for (int i = 0; i < kOwnHouseholds; ++i) {
+      sessions_.push_back(std::make_unique<HostileSession>(network_, ownAddress(network_.version(), begun_++)));
     }
   }
 
@@ -115,6 +117,7 @@ class SessionFlood : public Attacker {
   Moment since_{};
   Dice dice_;
   std::uint32_t number_ = 0;
+  int begun_ = 0;  // sessions
 };
 
 }  // namespace
@@ -136,8 +139,8 @@ std::unique_ptr<Attacker> sendExcess(AttackNetwork& network) {
 }
 
 std::unique_ptr<Attacker> roam(AttackNetwork& network) {
-  return std::make_unique<SessionFlood>(network, [](HostileSession& session, Dice& dice, std::uint32_t, Moment now) {
-    session.sendFrom(anyStranger(dice), pingContent(*session.peer()), now);
+  return std::make_unique<SessionFlood>(network, [&](HostileSession& session, Dice& dice, std::uint32_t, Moment now) {
+    session.sendFrom(anyStranger(network, dice), pingContent(*session.peer()), now);
   });
 }
 

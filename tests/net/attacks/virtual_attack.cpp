@@ -120,7 +120,10 @@ class HonestPlayer {
 class Scene {
  public:
   Scene(const Attack* attack, std::string password)
-      : password_(std::move(password)), server_(network_, kServer, password_), attackNetwork_(network_, kServer) {
+      : password_(std::move(password)),
+        version_(attack == nullptr ? IpVersion::kIpv4 : attack->version),
+        server_(network_, serverSocket_, password_),
+        attackNetwork_(network_, serverSocket_) {
     for (std::size_t i = 0; i < kHonest; ++i) addPlayer();
     run(kWarmUp);
     ticksBefore_ = sumOf(&HonestPlayer::confirmedTicks);
@@ -142,12 +145,10 @@ class Scene {
   }
 
  private:
-  static inline const SocketAddress kServer = addressAt("127.0.0.1", 7777);
-
   void addPlayer() {
     const int number = static_cast<int>(players_.size()) + 1;
-    const SocketAddress own = addressAt("127.2.0." + std::to_string(number), 5000);
-    players_.emplace_back(network_, own, kServer, password_, number);
+    const SocketAddress own{playerAddress(version_, number), 5000};
+    players_.emplace_back(network_, own, serverSocket_, password_, number);
     if (players_.size() <= kHonest) attackNetwork_.addVictim(own);
   }
 
@@ -205,13 +206,15 @@ class Scene {
     for (const auto& [address, bytes] : attackNetwork_.bytesFrom()) {
       if (attackNetwork_.isVictim(address)) {
         damage_.bytesAsVictims += bytes;
-      } else if (address != kServer) {
+      } else if (address != serverSocket_) {
         damage_.amplified += server_.bytesTo(address) > bytes ? 1 : 0;
       }
     }
   }
 
   std::string password_;
+  IpVersion version_;
+  SocketAddress serverSocket_{serverAddress(version_), 7777};
   Moment now_ = steadyClock().now();  // where the clock of the server begins
   Moment nextFrame_ = now_;
   Moment nextTick_ = now_;

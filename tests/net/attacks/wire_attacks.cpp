@@ -25,7 +25,7 @@ class Racer : public Attacker {
  public:
   explicit Racer(AttackNetwork& network) : network_(network) {
     network_.setEar([this](const Overheard& heard) {
-      for (int i = 0; heard.toServer && i < kCopies; ++i) network_.send(anyStranger(dice_), heard.bytes);
+      for (int i = 0; heard.toServer && i < kCopies; ++i) network_.send(anyStranger(network_, dice_), heard.bytes);
     });
   }
   ~Racer() override { network_.setEar({}); }
@@ -79,14 +79,14 @@ std::unique_ptr<Attacker> floodReplayedOpens(AttackNetwork& network) {
   return flood(network, [](AttackNetwork& to, Dice& dice) {
     if (to.opens().empty()) return;
     const Overheard& open = to.opens()[static_cast<std::size_t>(dice.below(to.opens().size()))];
-    to.send(dice.below(2) == 0 ? open.victim : anyStranger(dice), open.bytes);
+    to.send(dice.below(2) == 0 ? open.victim : anyStranger(to, dice), open.bytes);
   });
 }
 
 std::unique_ptr<Attacker> floodMoved(AttackNetwork& network) {
   return flood(network, [](AttackNetwork& to, Dice& dice) {
     const Overheard* const found = anyToServer(to, dice);
-    if (found != nullptr) to.send(anyStranger(dice), found->bytes);
+    if (found != nullptr) to.send(anyStranger(to, dice), found->bytes);
   });
 }
 

@@ -39,12 +39,12 @@ class Program:
 class Server(Program):
     """A platon-server on a free port of the loopback interface."""
 
-    def __init__(self, programs, level, players=16, options=()):
+    def __init__(self, programs, level, players=16, options=(), bind="127.0.0.1"):
         self._lines = []
         self._changed = threading.Condition()
         begun = time.monotonic()
         super().__init__(
-            [programs / "platon-server", level, "--bind", "127.0.0.1", "--port", "0", "--max-players", str(players),
+            [programs / "platon-server", level, "--bind", bind, "--port", "0", "--max-players", str(players),
              *options],
             stderr=subprocess.PIPE)  # fmt: skip
         self._reader = threading.Thread(target=self._read, daemon=True)

@@ -5,12 +5,12 @@
 #include <memory>
 
 #include "tests/net/attacks/attack_network.h"
-#include "tests/net/attacks/loopback_socket.h"
+#include "tests/net/attacks/loopback/loopback_socket.h"
 
 namespace platon {
 
 /// The loopback interface before a real server. Honest players join through a relay, so that each has an address of its
-/// own, 127.2.0.1, 127.2.0.2 …, and that the attacker can read and forge what they send.
+/// own, and that the attacker can read and forge what they send.
 class LoopbackAttackNetwork : public AttackNetwork {
  public:
   explicit LoopbackAttackNetwork(const SocketAddress& server);

@@ -13,7 +13,7 @@
 
 #include "client/time/steady_now.h"
 #include "tests/net/attacks/attack.h"
-#include "tests/net/attacks/loopback_attack_network.h"
+#include "tests/net/attacks/loopback/loopback_attack_network.h"
 
 // Last, because RefusalReason has a kVersion too, and GCC warns of the second.
 #include "platon_version.h"
@@ -26,8 +26,10 @@ constexpr const char* kUsage =
     "       platon-attack --list\n"
     "\n"
     "Attacks the server at 127.0.0.1:PORT, from other addresses of 127.0.0.0/8, with N datagrams a second (20000 by\n"
-    "default). Prints `relay ADDRESS`, through which honest players join, and attacks for S seconds after a line on\n"
-    "standard input. Then it prints one JSON object, and relays until standard input ends. The attack `none` sends\n"
+    "default). Attacks over IPv6 go from fd00::/16 to [::1]:PORT. Prints `relay ADDRESS`, through which honest "
+    "players\n"
+    "join, and attacks for S seconds after a line on standard input. Then it prints one JSON object, and relays until\n"
+    "standard input ends. The attack `none` sends\n"
     "nothing. --list prints all attacks, one JSON object a line.\n";
 
 constexpr int kFailed = 1;
@@ -87,7 +89,7 @@ std::optional<bool> readLine() {
 class Run {
  public:
   explicit Run(const Options& options)
-      : options_(options), network_({IpAddress::parse("127.0.0.1").value(), options.port}) {}
+      : options_(options), network_({serverAddress(versionOf(options)), options.port}) {}
 
   int run() {
     std::printf("relay %s\n", network_.relay().text().c_str());
@@ -103,6 +105,9 @@ class Run {
   }
 
  private:
+  static IpVersion versionOf(const Options& options) {
+    return options.attack == nullptr ? IpVersion::kIpv4 : options.attack->version;
+  }
   static unsigned long long number(std::uint64_t value) { return value; }
 
   // Relays until a line comes. False: the input has ended.
@@ -137,8 +142,9 @@ class Run {
 
 int list() {
   for (const Attack& attack : attacks()) {
-    std::printf("{\"name\":\"%s\",\"does\":\"%s\",\"proves\":%s}\n", std::string(attack.name).c_str(),
-                std::string(attack.does).c_str(), attack.proves ? "true" : "false");
+    std::printf("{\"name\":\"%s\",\"does\":\"%s\",\"proves\":%s,\"ipv6\":%s}\n", std::string(attack.name).c_str(),
+                std::string(attack.does).c_str(), attack.proves ? "true" : "false",
+                attack.version == IpVersion::kIpv6 ? "true" : "false");
   }
   return 0;
 }

@@ -6,11 +6,11 @@
 
 namespace platon {
 
-/// A UDP socket over IPv4 that sends anything, also empty datagrams, in the name of any address of this machine, and of
-/// those of 127.0.0.0/8 in particular.
+/// A UDP socket that sends anything, also empty datagrams, in the name of any address of this machine, and of those of
+/// 127.0.0.0/8 in particular. It is one of IPv4 or of IPv6.
 class LoopbackSocket {
  public:
-  /// At a free port of `own`; of all addresses if it is 0.0.0.0. Throws std::runtime_error.
+  /// At a free port of `own`; of all addresses if it is 0.0.0.0 or ::. Throws std::runtime_error.
   explicit LoopbackSocket(const IpAddress& own);
   ~LoopbackSocket();
   LoopbackSocket(const LoopbackSocket&) = delete;
@@ -24,6 +24,9 @@ class LoopbackSocket {
   SocketAddress address() const;
 
  private:
+  void sendMessage(const SocketAddress& receiver, ByteSpan datagram, std::span<char> control) const;
+
+  bool ipv6_;
   int handle_;
   Bytes buffer_;
 };

@@ -1,11 +1,13 @@
-#include "tests/net/attacks/loopback_attack_network.h"
+#include "tests/net/attacks/loopback/loopback_attack_network.h"
 
 #include "protocol/transport/udp_socket.h"
 
 namespace platon {
 namespace {
 
-IpAddress ip(const std::string& text) { return IpAddress::parse(text).value(); }
+IpAddress anyAddress(IpVersion version) {
+  return IpAddress::parse(version == IpVersion::kIpv4 ? "0.0.0.0" : "::").value();
+}
 
 }  // namespace
 
@@ -29,7 +31,7 @@ class LoopbackAttackNetwork::CountingSocket : public DatagramSocket {
 };
 
 LoopbackAttackNetwork::LoopbackAttackNetwork(const SocketAddress& server)
-    : server_(server), relay_(ip("127.0.0.1")), strangers_(ip("0.0.0.0")) {}
+    : server_(server), relay_(server.ip), strangers_(anyAddress(version())) {}
 
 void LoopbackAttackNetwork::count(ByteSpan datagram) {
   ++sent_;
@@ -50,8 +52,8 @@ std::unique_ptr<DatagramSocket> LoopbackAttackNetwork::socket(const IpAddress& o
 LoopbackAttackNetwork::Player& LoopbackAttackNetwork::playerAt(const SocketAddress& own) {
   std::unique_ptr<Player>& player = players_[own];
   if (!player) {
-    const std::string address = "127.2.0." + std::to_string(players_.size());
-    player = std::make_unique<Player>(Player{own, std::make_unique<LoopbackSocket>(ip(address))});
+    const IpAddress address = playerAddress(version(), static_cast<int>(players_.size()));
+    player = std::make_unique<Player>(Player{own, std::make_unique<LoopbackSocket>(address)});
     victims_[player->socket->address()] = player.get();
   }
   return *player;
