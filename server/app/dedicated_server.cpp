@@ -150,6 +150,7 @@ void DedicatedServer::step(TimePoint now) {
 }
 
 void DedicatedServer::receive(TimePoint now) {
+  receivedAt_ = now;
   for (const HostEvent& event : host_.service(momentOf(now))) handle(event, now);
 }
 
@@ -172,10 +173,14 @@ void DedicatedServer::handle(const HostEvent& event, TimePoint now) {
 }
 
 void DedicatedServer::refuseBanned(const BanList& bans) {
-  host_.gate().setBanCheck([&bans](const IpAddress& address) -> std::optional<std::string> {
+  host_.gate().setBanCheck([this, &bans](const IpAddress& address) -> std::optional<std::string> {
     const auto time = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
     const Ban* const ban = bans.find(address, time);
-    return ban ? std::optional(refusalOf(*ban)) : std::nullopt;
+    if (!ban) return std::nullopt;
+    if (banNotices_.take(address.household(), receivedAt_)) {
+      log_.info("refused banned address", {{"address", address.text()}, {"ban", ban->range.text()}});
+    }
+    return refusalOf(*ban);
   });
 }
 

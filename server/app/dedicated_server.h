@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "server/admin/ban_list.h"
+#include "server/app/ban_notices.h"
 #include "server/app/log.h"
 #include "server/app/recent_tick_times.h"
 #include "server/app/recording_writer.h"
@@ -49,7 +50,8 @@ class DedicatedServer {
   /// Plays these levels after the current one.
   void setLevels(std::vector<LevelPointer> levels) { match_.setLevels(std::move(levels)); }
   void setName(std::string_view name);
-  /// From now on refuses clients whose address is banned. The list must outlive the server.
+  /// From now on refuses clients whose address is banned, and tells the log of some (BanNotices). The list must outlive
+  /// the server.
   void refuseBanned(const BanList& bans);
   /// Longest sleep of `run` while the server has no players.
   void setIdleWait(std::chrono::milliseconds wait) { idleWait_ = wait; }
@@ -93,6 +95,8 @@ class DedicatedServer {
   std::optional<RecordingWriter> recordings_;
   Match match_;
   TickClock clock_;
+  BanNotices banNotices_;
+  TimePoint receivedAt_{};  // the last time of `receive`
   std::uint64_t malformedMessages_ = 0;
   std::uint64_t receivedBeforeTick_ = 0;  // datagrams up to the last tick
   bool flooded_ = false;                  // many datagrams came between the last two ticks

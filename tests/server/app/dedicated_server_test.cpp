@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <thread>
 
+#include "protocol/transport/client_gate.h"
 #include "tests/support/enet_client.h"
 #include "tests/support/test_levels.h"
+#include "tests/support/transport/datagram_network.h"
 #include "tests/support/transport/raw_socket.h"
 #include "tests/support/wait_until.h"
 
@@ -238,6 +240,51 @@ TEST_F(DedicatedServerTest, ADisconnectedPlayerStaysForAMinute) {
   EXPECT_FALSE(server_->match().idle());
   pass(1000, 9000);
   EXPECT_TRUE(server_->match().idle());
+}
+
+/// A server in a simulated network, in virtual time.
+class BannedAddressTest : public testing::Test {
+ protected:
+  BannedAddressTest() { server_.refuseBanned(bans_); }
+
+  void knock(const SocketAddress& own) {
+    ClientGate client(network_.socket(own), {kServer}, {}, KeyPair::random());
+    for (int roundTrip = 0; roundTrip < 3; ++roundTrip) {
+      client.update(momentOf(now_));
+      server_.step(now_);
+      client.receive(momentOf(now_));
+    }
+    EXPECT_EQ(client.state(), ClientGate::State::kRefused);
+  }
+
+  static inline const SocketAddress kServer = addressAt("198.51.100.1", 7777);
+
+  BanList bans_ = std::get<BanList>(BanList::parse("192.0.2.0/24 too loud\n2001:db8::/32\n"));
+  DatagramNetwork network_;
+  std::vector<std::string> log_;
+  DedicatedServer server_{network_.socket(kServer),
+                          {},
+                          {levelOf(farGoalText())},
+                          {LogFormat::kText, [this](std::string_view line) { log_.emplace_back(line); }}};
+  TimePoint now_ = steadyNow();
+};
+
+TEST_F(BannedAddressTest, TheLogTellsOfTheFirstRefusalOfEachHousehold) {
+  const auto tellsNow = [this](const char* own) {
+    log_.clear();
+    knock(addressAt(own, 4000));
+    now_ += 10s;
+    const auto told =
+        std::find_if(log_.begin(), log_.end(), [](const auto& line) { return line.starts_with("refused"); });
+    return told == log_.end() ? std::string() : *told;
+  };
+  EXPECT_EQ(tellsNow("192.0.2.7"), R"(refused banned address address="192.0.2.7" ban="192.0.2.0/24")");
+  EXPECT_EQ(tellsNow("192.0.2.7"), "");
+  EXPECT_EQ(tellsNow("2001:db8::1"), R"(refused banned address address="2001:db8::1" ban="2001:db8::/32")");
+  EXPECT_EQ(tellsNow("2001:db8::2"), "");
+  now_ += std::chrono::hours(1);
+  EXPECT_EQ(tellsNow("192.0.2.7"), R"(refused banned address address="192.0.2.7" ban="192.0.2.0/24")");
+  EXPECT_EQ(server_.host().gate().counters().banned, 5u);
 }
 
 }  // namespace
