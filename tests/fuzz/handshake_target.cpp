@@ -65,9 +65,9 @@ class Attacker {
       case 0:
         return world_.restartClient(anyClient());
       case 1:
-        return world_.sendFromClient(anyClient());
+        return world_.sendFromClient(anyClient(), anySize());
       case 2:
-        return world_.sendFromServer(bytes_.byte());
+        return world_.sendFromServer(bytes_.byte(), anySize());
       case 3:
         return world_.confirm(bytes_.byte());
       case 4:
@@ -81,6 +81,9 @@ class Attacker {
     }
   }
 
+  std::size_t anySize() {
+    return static_cast<std::size_t>(bytes_.between(HandshakeWorld::kMinContentBytes, HandshakeWorld::kMaxContentBytes));
+  }
   std::size_t anyClient() { return bytes_.below(HandshakeWorld::kClients); }
   const SocketAddress& anyAddress() {
     return HandshakeWorld::addresses()[bytes_.below(HandshakeWorld::addresses().size())];
@@ -104,7 +107,7 @@ class Attacker {
     const DatagramNetwork::Sent* const found = anySent();
     if (found == nullptr) return;
     const DatagramNetwork::Sent sent = *found;
-    deliver(bytes_.below(8) == 7 ? anyAddress() : sent.from, sent.to, sent.bytes);
+    deliver(bytes_.below(4) == 3 ? anyAddress() : sent.from, sent.to, sent.bytes);
   }
 
   void passOnChanged() {
@@ -129,7 +132,8 @@ class Attacker {
     const SocketAddress& from = anyAddress();
     const bool isRight = bytes_.flag();
     world_.deliverToServer(from, world_.knock());
-    world_.deliverToServer(from, world_.openFor(from, isRight));
+    const platon::Bytes open = world_.openFor(from, isRight);
+    world_.deliverToServer(bytes_.below(4) == 3 ? anyAddress() : from, open);
   }
 
   // Delivers all that was sent after the first `begin`, unchanged, until nobody answers.
@@ -154,7 +158,7 @@ class Attacker {
   // A client sends from another address and receives there.
   void move(std::size_t client, const SocketAddress& address) {
     const std::size_t begin = world_.sent().size();
-    world_.sendFromClient(client);
+    world_.sendFromClient(client, anySize());
     passOnAll(begin, client, address);
   }
 
@@ -175,7 +179,7 @@ class Attacker {
       case 0:
         return encode(Knock{bytes_.flag() ? kVersion : std::uint16_t{bytes_.byte()}, key()});
       case 1:
-        return encode(CookieReply{echoOf(key()), bytes_.flag(), key(), cookie()});
+        return encode(CookieReply{echoOf(key()), bytes_.flag(), identity(), cookie()});
       case 2:
         return encode(open());
       case 3:
@@ -197,6 +201,12 @@ class Attacker {
     const auto knock = sent == nullptr ? std::nullopt : decodeKnock(sent->bytes);
     CryptoKey key{bytes_.byte()};
     return knock ? knock->clientKey : key;
+  }
+
+  // Of the server, or of somebody in its place.
+  CryptoKey identity() {
+    static const CryptoKey other = ServerIdentity(CryptoKey{8}).publicKey();
+    return bytes_.flag() ? other : HandshakeWorld::identity();
   }
 
   Cookie cookie() {

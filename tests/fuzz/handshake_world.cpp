@@ -10,8 +10,6 @@ namespace {
 
 using State = ClientGate::State;
 
-constexpr std::size_t kContentBytes = 40;
-
 template <class Array>
 bool isIn(const std::vector<Accept>& accepts, const Array& exchange) {
   return std::any_of(accepts.begin(), accepts.end(), [&](const Accept& each) { return each.exchange == exchange; });
@@ -31,6 +29,11 @@ const std::vector<SocketAddress>& HandshakeWorld::addresses() {
 const SocketAddress& HandshakeWorld::server() {
   static const SocketAddress address = addressAt("198.51.100.1", 7777);
   return address;
+}
+
+const CryptoKey& HandshakeWorld::identity() {
+  static const CryptoKey key = ServerIdentity(kSecret).publicKey();
+  return key;
 }
 
 HandshakeWorld::HandshakeWorld(const Setup& setup) : setup_(setup), ownKeys_(KeyPair::random()) {
@@ -58,25 +61,25 @@ void HandshakeWorld::require(bool holds, const char* law) {
   if (!holds && fault_.empty()) fault_ = law;
 }
 
-platon::Bytes HandshakeWorld::nextContent() {
-  platon::Bytes content(kContentBytes);
+platon::Bytes HandshakeWorld::nextContent(std::size_t bytes) {
+  platon::Bytes content(bytes);
   ++contents_;
   for (std::size_t i = 0; i < sizeof contents_; ++i) content[i] = static_cast<std::uint8_t>(contents_ >> 8 * i);
   return content;
 }
 
-void HandshakeWorld::sendFromClient(std::size_t number) {
+void HandshakeWorld::sendFromClient(std::size_t number, std::size_t bytes) {
   Client& client = clients_[number];
   if (client.gate->state() != State::kOpen) return;
-  const platon::Bytes content = nextContent();
+  const platon::Bytes content = nextContent(bytes);
   toServer_.insert({client.keys.open, content});
   client.gate->send(content, now_);
 }
 
-void HandshakeWorld::sendFromServer(std::size_t number) {
+void HandshakeWorld::sendFromServer(std::size_t number, std::size_t bytes) {
   if (sessions_.empty()) return;
   const ModelSession& session = sessions_[number % sessions_.size()];
-  const platon::Bytes content = nextContent();
+  const platon::Bytes content = nextContent(bytes);
   const std::size_t before = sent().size();
   gate_->send(session.id, content, now_);
   require(gate_->isOpen(session.id) ? sent().size() == before + 1 && sent().back().to.ip == session.address.ip
@@ -102,7 +105,7 @@ void HandshakeWorld::close(std::size_t number) {
 
 void HandshakeWorld::expire() {
   gate_->expire(now_);
-  checkSessions({}, {});
+  checkSessions({}, 0);
 }
 
 platon::Bytes HandshakeWorld::knock() {
@@ -154,7 +157,7 @@ void HandshakeWorld::deliverToServer(const SocketAddress& from, ByteSpan datagra
   gate_->beginRound();
   while (const auto received = gate_->receive(now_)) checkReceived(*received);
   checkAnswers(from, bytes, before);
-  checkSessions(from, bytes);
+  checkSessions(from, before);
 }
 
 // Nothing but one answer to the sender, which is no longer than its datagram.
@@ -195,7 +198,8 @@ void HandshakeWorld::noteAccept(const SocketAddress& from, ByteSpan datagram, co
   require(sessions_.size() == number, "an accepted session is not open");
 }
 
-void HandshakeWorld::checkSessions(const SocketAddress& from, ByteSpan datagram) {
+// `before`: datagrams that were sent before that of `from` came.
+void HandshakeWorld::checkSessions(const SocketAddress& from, std::size_t before) {
   const auto next = static_cast<std::uint32_t>(sessions_.size() + 1);
   for (std::uint16_t slot = 0; slot < setup_.sessions; ++slot) {
     require(!gate_->isOpen({next, slot}), "a session begins that nobody was told of");
@@ -205,10 +209,12 @@ void HandshakeWorld::checkSessions(const SocketAddress& from, ByteSpan datagram)
     if (!gate_->isOpen(session.id)) continue;
     require(!session.closed, "a closed session is open again");
     if (gate_->addressOf(session.id) == session.address.ip) continue;
-    const bool moved = gate_->addressOf(session.id) == from.ip && SealedChannel::isSealed(datagram);
-    const bool asked = std::any_of(sent().begin(), sent().end(),
-                                   [&](const auto& each) { return each.to == from && each.from == server(); });
-    require(moved && asked, "a session has moved to an address that has not answered");
+    const auto asked = std::find_if(
+        sent().begin(), sent().begin() + static_cast<std::ptrdiff_t>(before),
+        [&](auto& each) { return each.from == server() && each.to == from && SealedChannel::isSealed(each.bytes); });
+    const bool wasAsked = asked != sent().begin() + static_cast<std::ptrdiff_t>(before);
+    require(gate_->addressOf(session.id) == from.ip && wasAsked,
+            "a session has moved to an address that was not asked");
     session.address = from;
   }
 }
@@ -237,6 +243,8 @@ void HandshakeWorld::deliverToClient(std::size_t number, const SocketAddress& fr
   require(sent().size() <= sentBefore + (from == server() ? 1 : 0), "a client has too many answers");
   require(sent().size() == sentBefore || sent().back().to == server(), "a client answers somebody else");
   require(from == server() || client.gate->state() == before, "a stranger changes a client");
+  const bool isOther = setup_.clientsKnowIdentity && cookie && cookie->identity != identity_.publicKey();
+  require(!isOther || sent().size() == sentBefore, "a client goes on with a server that it does not know");
   if (client.gate->state() != before) checkTransition(client, before, bytes);
 }
 

@@ -21,6 +21,8 @@ class HandshakeWorld {
  public:
   static constexpr std::size_t kClients = 3;
   static constexpr std::uint32_t kMaxSessions = 4;
+  static constexpr std::size_t kMinContentBytes = 4;
+  static constexpr std::size_t kMaxContentBytes = 60;
 
   struct Setup {
     std::uint32_t sessions = 1;              ///< 1 … kMaxSessions
@@ -35,14 +37,17 @@ class HandshakeWorld {
   /// Addresses of the clients first, then those of others, some of which cannot be answered.
   static const std::vector<SocketAddress>& addresses();
   static const SocketAddress& server();
+  /// Public key of the server.
+  static const CryptoKey& identity();
 
   void wait(Moment duration) { now_ += duration; }
   void updateClient(std::size_t client) { clients_[client].gate->update(now_); }
   /// Begins again with another key.
   void restartClient(std::size_t client);
-  void sendFromClient(std::size_t client);
+  /// Contents of kMinContentBytes … kMaxContentBytes.
+  void sendFromClient(std::size_t client, std::size_t bytes);
   /// To the n-th session.
-  void sendFromServer(std::size_t session);
+  void sendFromServer(std::size_t session, std::size_t bytes);
   void confirm(std::size_t session);
   void close(std::size_t session);
   void expire();
@@ -65,6 +70,8 @@ class HandshakeWorld {
   const std::string& fault() const { return fault_; }
 
  private:
+  static constexpr CryptoKey kSecret{9};
+
   struct Client {
     KeyPair keys;
     std::unique_ptr<ClientGate> gate;
@@ -96,18 +103,18 @@ class HandshakeWorld {
   void checkAnswers(const SocketAddress& from, ByteSpan datagram, std::size_t before);
   void noteAnswer(const SocketAddress& from, ByteSpan datagram, ByteSpan answer);
   void noteAccept(const SocketAddress& from, ByteSpan datagram, const Accept& accept);
-  void checkSessions(const SocketAddress& from, ByteSpan datagram);
+  void checkSessions(const SocketAddress& from, std::size_t before);
   void checkReceived(const ServerGate::Received& received);
   void checkTransition(const Client& client, ClientGate::State before, ByteSpan datagram);
   bool wasAccepted(ByteSpan datagram) const;
-  platon::Bytes nextContent();
+  platon::Bytes nextContent(std::size_t bytes);
   std::int64_t epoch() const { return now_ / CookieJar::kEpoch; }
 
   FixedRandom random_;
   Setup setup_;
   Moment now_ = std::chrono::hours(1);
   DatagramNetwork network_;
-  ServerIdentity identity_{CryptoKey{9}};
+  ServerIdentity identity_{kSecret};
   CryptoKey presharedKey_{};
   bool banned_ = false;
   std::optional<ServerGate> gate_;
