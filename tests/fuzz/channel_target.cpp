@@ -45,7 +45,8 @@ class Direction {
     constexpr std::int64_t kDistances[] = {0, static_cast<std::int64_t>(ReplayWindow::kSize), 1 << 13, 1 << 14,
                                            1 << 17};
     const std::int64_t distance = kDistances[bytes.below(std::size(kDistances))];
-    const std::int64_t offset = (bytes.flag() ? -distance : distance) + bytes.between(-8, 7);
+    const std::int64_t signedDistance = bytes.flag() ? -distance : distance;
+    const std::int64_t offset = signedDistance + bytes.between(-8, 7);
     return static_cast<std::uint64_t>(std::max<std::int64_t>(0, static_cast<std::int64_t>(receiver_.next()) + offset));
   }
 

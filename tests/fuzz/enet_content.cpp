@@ -111,7 +111,8 @@ void appendCommand(platon::Bytes& content, const Command& command, ByteSource& b
 platon::Bytes enetContent(ByteSource& bytes, EnetSender sender) {
   platon::Bytes content;
   const bool connects = bytes.below(8) == 0;
-  append(content, static_cast<std::uint16_t>((connects ? kNobody : bytes.below(3)) | (bytes.flag() ? kTimed : 0)));
+  const std::size_t peer = connects ? kNobody : bytes.below(3);
+  append(content, static_cast<std::uint16_t>(peer | (bytes.flag() ? kTimed : 0)));
   if (read(content, 0) >= kTimed) append(content, 1000);
   const std::size_t count = connects ? 1 : bytes.below(40);
   for (std::size_t i = 0; i < count; ++i) {

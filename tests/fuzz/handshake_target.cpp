@@ -43,13 +43,13 @@ class Attacker {
       case 7:
         return shakeHands(anyClient());
       case 8:
-        return move(anyClient(), anyAddress());
+        return move();
       case 3:
         return passOnChanged();
       case 4:
-        return world_.deliverToServer(anyAddress(), made());
+        return inventToServer();
       case 5:
-        return world_.deliverToClient(anyClient(), bytes_.flag() ? anyAddress() : HandshakeWorld::server(), made());
+        return inventToClient();
       case 6:
         return join();
       default:
@@ -65,9 +65,9 @@ class Attacker {
       case 0:
         return world_.restartClient(anyClient());
       case 1:
-        return world_.sendFromClient(anyClient(), anySize());
+        return sendFromClient(anyClient());
       case 2:
-        return world_.sendFromServer(bytes_.byte(), anySize());
+        return sendFromServer();
       case 3:
         return world_.confirm(bytes_.byte());
       case 4:
@@ -79,6 +79,22 @@ class Attacker {
       default:
         return world_.wait(kWaits[bytes_.below(std::size(kWaits))]);
     }
+  }
+
+  // The choices of a call are made one after the other, in an order that does not depend on the compiler.
+  void inventToServer() {
+    const SocketAddress& from = anyAddress();
+    world_.deliverToServer(from, made());
+  }
+  void inventToClient() {
+    const std::size_t client = anyClient();
+    const SocketAddress& from = bytes_.flag() ? anyAddress() : HandshakeWorld::server();
+    world_.deliverToClient(client, from, made());
+  }
+  void sendFromClient(std::size_t client) { world_.sendFromClient(client, anySize()); }
+  void sendFromServer() {
+    const std::uint8_t session = bytes_.byte();
+    world_.sendFromServer(session, anySize());
   }
 
   std::size_t anySize() {
@@ -156,9 +172,11 @@ class Attacker {
   }
 
   // A client sends from another address and receives there.
-  void move(std::size_t client, const SocketAddress& address) {
+  void move() {
+    const std::size_t client = anyClient();
+    const SocketAddress& address = anyAddress();
     const std::size_t begin = world_.sent().size();
-    world_.sendFromClient(client, anySize());
+    sendFromClient(client);
     passOnAll(begin, client, address);
   }
 
