@@ -54,6 +54,7 @@ bool Connection::accepts(ByteSpan content) const {
 
 void Connection::service(Moment now, const Receiver& receiver) {
   now_ = now;
+  gate_.beginRound();
   const EnetScope scope(*this, now);
   if (peer_ == nullptr) shakeHands();
   if (peer_ == nullptr || state_ == State::kClosed) return;

@@ -23,9 +23,12 @@ void ClientGate::update(Moment now) {
 }
 
 std::optional<Bytes> ClientGate::receive(Moment now) {
-  while (const std::optional<Datagram> datagram = socket_->receive(now)) {
-    traffic_.addReceived(datagram->bytes.size());
-    if (!isServer(datagram->peer)) continue;
+  for (; left_ > 0; --left_) {
+    const std::optional<Datagram> datagram = socket_->receive(now);
+    if (!datagram) return std::nullopt;
+    const std::size_t size = datagram->bytes.size();
+    traffic_.addReceived(size);
+    if (size == 0 || size > kMaxDatagramBytes || !isServer(datagram->peer)) continue;
     if (std::optional<Bytes> content = take(*datagram, now)) return content;
   }
   return std::nullopt;
@@ -81,6 +84,7 @@ void ClientGate::takeAccept(const Accept& accept) {
   const auto slot = static_cast<std::uint16_t>((*payload)[0] | (*payload)[1] << 8);
   channel_.emplace(SealedChannel::Side::kClient, exchange.split(), slot);
   exchange_.reset();
+  wipe(ephemeral_.secret);
   state_ = State::kOpen;
 }
 

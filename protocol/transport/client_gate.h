@@ -40,7 +40,11 @@ class ClientGate {
 
   /// Sends what the handshake needs. Call it regularly.
   void update(Moment now);
-  /// The next content from the server; nothing when no datagram waits.
+  /// Datagrams that one round of `receive` takes, so that a flood does not keep the client from its work.
+  static constexpr std::size_t kMaxDatagramsPerRound = 1024;
+  /// Begins a round of `receive`.
+  void beginRound() { left_ = kMaxDatagramsPerRound; }
+  /// The next content from the server; nothing when no datagram waits, or the round has taken all that it may.
   std::optional<Bytes> receive(Moment now);
   /// Seals and queues; no effect unless open.
   void send(ByteSpan content, Moment now);
@@ -78,6 +82,7 @@ class ClientGate {
   std::optional<CryptoKey> identity_;
   std::optional<Refusal> refusal_;
   std::optional<SealedChannel> channel_;
+  std::size_t left_ = kMaxDatagramsPerRound;  // datagrams of this round
   Traffic traffic_;
 };
 

@@ -15,7 +15,7 @@ inline constexpr std::size_t kMaxDatagramBytes = 1200;
 
 struct Datagram {
   SocketAddress peer;  ///< the sender
-  ByteSpan bytes;      ///< 1 … kMaxDatagramBytes
+  ByteSpan bytes;      ///< may be empty; of a datagram that is too long, kMaxDatagramBytes + 1
 };
 
 /// Sends and receives datagrams: UDP, or a simulated network in tests. Nothing blocks, and whatever the network does is
@@ -27,8 +27,7 @@ class DatagramSocket {
   DatagramSocket(const DatagramSocket&) = delete;
   DatagramSocket& operator=(const DatagramSocket&) = delete;
 
-  /// The next datagram; nothing if none waits. Its bytes are valid until the next call. Empty and longer datagrams are
-  /// skipped.
+  /// The next datagram; nothing if none waits. Its bytes are valid until the next call.
   virtual std::optional<Datagram> receive(Moment now) = 0;
   /// Queues a datagram for `flush`, or sends it at once.
   virtual void send(const SocketAddress& receiver, ByteSpan bytes, Moment now) = 0;

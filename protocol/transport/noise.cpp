@@ -65,6 +65,8 @@ CryptoKey firstHalf(const Hash& hash) {
 
 }  // namespace
 
+void wipe(CryptoKey& key) { sodium_memzero(key.data(), key.size()); }
+
 KeyPair KeyPair::of(const CryptoKey& secret) {
   KeyPair pair{secret, {}};
   crypto_scalarmult_base(pair.open.data(), secret.data());
@@ -84,6 +86,11 @@ NoiseExchange::NoiseExchange(ByteSpan prologue, const CryptoKey& serverKey, cons
   chainingKey_ = hash_;
   mixHash(prologue);
   mixHash(serverKey);
+}
+
+NoiseExchange::~NoiseExchange() {
+  sodium_memzero(chainingKey_.data(), chainingKey_.size());
+  for (CryptoKey* key : {&key_, &presharedKey_, &clientEphemeral_.secret}) wipe(*key);
 }
 
 void NoiseExchange::mixHash(ByteSpan data) { hash_ = hashOf({hash_, data}); }
@@ -108,6 +115,7 @@ bool NoiseExchange::mixExchange(const CryptoKey& secret, const CryptoKey& open) 
   CryptoKey shared;
   if (crypto_scalarmult(shared.data(), secret.data(), open.data()) != 0) return false;
   mixKey(shared);
+  wipe(shared);
   return true;
 }
 

@@ -11,6 +11,9 @@ namespace platon {
 /// A secret or public 32-byte value: an X25519 key, a key of ChaCha20-Poly1305, a pre-shared key.
 using CryptoKey = std::array<std::uint8_t, 32>;
 
+/// Overwrites a key that is not needed any more.
+void wipe(CryptoKey& key);
+
 /// An X25519 key pair.
 struct KeyPair {
   CryptoKey secret{};
@@ -49,6 +52,10 @@ class NoiseExchange {
 
   /// Both sides must give the same prologue, the server's public key, and the pre-shared key.
   NoiseExchange(ByteSpan prologue, const CryptoKey& serverKey, const CryptoKey& presharedKey);
+  NoiseExchange(const NoiseExchange&) = default;
+  NoiseExchange& operator=(const NoiseExchange&) = default;
+  /// Forgets the keys.
+  ~NoiseExchange();
 
   /// Client: the first message.
   Bytes writeFirst(const KeyPair& clientEphemeral, ByteSpan payload);

@@ -11,15 +11,16 @@ namespace {
 
 constexpr Moment kChallengeInterval = std::chrono::milliseconds(100);
 
-// Handshakes of the server, and of one household. One costs about 0.2 ms.
+// Handshakes of the server, of one site and of one household. One costs about 0.2 ms.
 constexpr double kHandshakesPerSecond = 500;
 constexpr double kHandshakeBurst = 64;
+constexpr double kSitePerSecond = 8;
+constexpr double kSiteBurst = 32;
 constexpr double kHouseholdPerSecond = 2;
 constexpr double kHouseholdBurst = 8;
-constexpr std::size_t kHouseholdBuckets = 1024;
+constexpr std::size_t kBuckets = 1024;
 constexpr double kQueriesPerSecond = 1000;
 constexpr double kQueryBurst = 100;
-constexpr std::size_t kRecentKeys = 4096;
 constexpr std::uint32_t kMaxSessions = 4095;  // ENet's limit
 
 CryptoKey randomKey() {
@@ -45,11 +46,12 @@ ServerGate::ServerGate(std::unique_ptr<DatagramSocket> socket, const ServerIdent
       settings_(settings),
       cookies_(randomKey()),
       sessions_(std::min(settings.sessions, kMaxSessions)),
-      usedKeys_(kRecentKeys, 2 * CookieJar::kEpoch),
+      usedKeys_(CookieJar::kEpoch),
       handshakes_(kHandshakesPerSecond, kHandshakeBurst, now),
       queries_(kQueriesPerSecond, kQueryBurst, now),
-      households_(kHouseholdBuckets, TokenBucket(kHouseholdPerSecond, kHouseholdBurst, now)),
-      householdKey_(randomKey()),
+      households_(kBuckets, TokenBucket(kHouseholdPerSecond, kHouseholdBurst, now)),
+      sites_(kBuckets, TokenBucket(kSitePerSecond, kSiteBurst, now)),
+      bucketKey_(randomKey()),
       nextNumber_(settings.firstNumber) {}
 
 std::optional<ServerGate::Received> ServerGate::receive(Moment now) {
@@ -63,7 +65,8 @@ std::optional<ServerGate::Received> ServerGate::receive(Moment now) {
 }
 
 std::optional<ServerGate::Received> ServerGate::take(const Datagram& datagram, Moment now) {
-  if (!canAnswer(datagram.peer)) {
+  const std::size_t size = datagram.bytes.size();
+  if (!canAnswer(datagram.peer) || size == 0 || size > kMaxDatagramBytes) {
     ++counters_.malformed;
     return std::nullopt;
   }

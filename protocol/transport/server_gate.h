@@ -26,9 +26,10 @@ struct SessionId {
 };
 
 struct GateSettings {
-  std::uint32_t sessions = 24;             ///< most sessions, 1 … 4095
-  std::uint32_t sessionsPerHousehold = 8;  ///< most sessions of one IpAddress::household; loopback has no limit
-  CryptoKey presharedKey{};                ///< of the password
+  std::uint32_t sessions = 24;  ///< most sessions, 1 … 4095
+  /// Most sessions of one IpAddress::household, a quarter of those of one IpAddress::site; loopback has no limit.
+  std::uint32_t sessionsPerHousehold = 8;
+  CryptoKey presharedKey{};  ///< of the password
   bool needsPassword = false;
   std::uint32_t firstNumber = 1;  ///< of the first session; 1 follows the largest
 };
@@ -124,11 +125,12 @@ class ServerGate {
   void answerQuery(const Datagram& datagram, Moment now);
   bool mayExchange(const Datagram& datagram, const Open& open, Moment now);
   Session* placeForSession();
-  void startSession(Session& session, const SocketAddress& client, const Open& open, Moment now);
+  bool startSession(Session& session, const SocketAddress& client, const Open& open, Moment now);
   bool repeatAccept(const SocketAddress& client, const CryptoKey& clientKey, Moment now);
   void refuse(const Datagram& datagram, const CryptoKey& clientKey, RefusalReason reason, const std::string& text,
               Moment now);
   void sendPlain(const SocketAddress& receiver, ByteSpan bytes, Moment now);
+  bool takeBudget(const IpAddress& client, Moment now);
   bool hasRoomFor(const IpAddress& client) const;
   const Session* find(SessionId id) const;
 
@@ -141,7 +143,8 @@ class ServerGate {
   TokenBucket handshakes_;
   TokenBucket queries_;
   std::vector<TokenBucket> households_;  // by a keyed hash
-  CryptoKey householdKey_;
+  std::vector<TokenBucket> sites_;       // by a keyed hash
+  CryptoKey bucketKey_;
   std::uint32_t nextNumber_;
   BanCheck banCheck_;
   Info info_;

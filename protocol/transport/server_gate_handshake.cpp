@@ -11,14 +11,17 @@ namespace {
 
 constexpr auto kVersion = static_cast<std::uint16_t>(kProtocolVersion);
 
-std::size_t bucketOf(std::uint64_t household, const CryptoKey& key, std::size_t buckets) {
+// Sessions of a site, in those of a household.
+constexpr std::int64_t kHouseholdsPerSite = 4;
+
+TokenBucket& bucketOf(std::uint64_t network, const CryptoKey& key, std::vector<TokenBucket>& buckets) {
   std::uint64_t hash = 0;
-  std::array<std::uint8_t, sizeof household> number;
-  std::memcpy(number.data(), &household, sizeof household);
+  std::array<std::uint8_t, sizeof network> number;
+  std::memcpy(number.data(), &network, sizeof network);
   std::array<std::uint8_t, crypto_shorthash_BYTES> bytes;
   crypto_shorthash(bytes.data(), number.data(), number.size(), key.data());
   std::memcpy(&hash, bytes.data(), sizeof hash);
-  return hash % buckets;
+  return buckets[hash % buckets.size()];
 }
 
 }  // namespace
@@ -77,8 +80,7 @@ void ServerGate::answerOpen(const Datagram& datagram, Moment now) {
     ++counters_.full;
     return refuse(datagram, clientKey, RefusalReason::kFull, "", now);
   }
-  startSession(*session, datagram.peer, *open, now);
-  if (session->id.number != 0) return;
+  if (startSession(*session, datagram.peer, *open, now)) return;
   ++counters_.password;
   if (settings_.needsPassword) refuse(datagram, clientKey, RefusalReason::kPassword, "", now);
 }
@@ -101,8 +103,7 @@ bool ServerGate::mayExchange(const Datagram& datagram, const Open& open, Moment 
     return false;
   }
   const IpAddress& ip = datagram.peer.ip;
-  TokenBucket& household = households_[bucketOf(ip.household(), householdKey_, households_.size())];
-  if ((!ip.isLoopback() && !household.take(1, now)) || !handshakes_.take(1, now)) {
+  if (!takeBudget(ip, now)) {
     ++counters_.handshakes;
     return false;
   }
@@ -119,12 +120,22 @@ bool ServerGate::mayExchange(const Datagram& datagram, const Open& open, Moment 
   return true;
 }
 
+// An owner of many households, as every line with IPv6 has them, must not use up what all newcomers share.
+bool ServerGate::takeBudget(const IpAddress& client, Moment now) {
+  const bool within = client.isLoopback() || (bucketOf(client.household(), bucketKey_, households_).take(1, now) &&
+                                              bucketOf(client.site(), bucketKey_, sites_).take(1, now));
+  return within && handshakes_.take(1, now);
+}
+
 bool ServerGate::hasRoomFor(const IpAddress& client) const {
   if (client.isLoopback()) return true;
-  const auto same = std::count_if(sessions_.begin(), sessions_.end(), [&](const Session& session) {
-    return session.id.number != 0 && session.address.ip.household() == client.household();
-  });
-  return static_cast<std::uint32_t>(same) < settings_.sessionsPerHousehold;
+  const auto countOf = [this](auto&& isSame) {
+    return std::count_if(sessions_.begin(), sessions_.end(),
+                         [&](const Session& session) { return session.id.number != 0 && isSame(session.address.ip); });
+  };
+  const std::int64_t most = settings_.sessionsPerHousehold;
+  return countOf([&](const IpAddress& other) { return other.household() == client.household(); }) < most &&
+         countOf([&](const IpAddress& other) { return other.site() == client.site(); }) < kHouseholdsPerSite * most;
 }
 
 // A free place; if there is none, that of the session that has waited longest to be confirmed.
@@ -137,14 +148,16 @@ ServerGate::Session* ServerGate::placeForSession() {
   return oldest;
 }
 
-// Leaves the place free if the client does not know the password.
-void ServerGate::startSession(Session& session, const SocketAddress& client, const Open& open, Moment now) {
+// False if the client does not know the password: the place stays as it is.
+bool ServerGate::startSession(Session& session, const SocketAddress& client, const Open& open, Moment now) {
   NoiseExchange exchange(prologueOf(identity_.publicKey()), identity_.exchangeKeys().open, settings_.presharedKey);
-  if (!exchange.readFirst(identity_.exchangeKeys(), open.exchange)) return;
+  if (!exchange.readFirst(identity_.exchangeKeys(), open.exchange)) return false;
   const auto slot = static_cast<std::uint16_t>(&session - sessions_.data());
   const std::array<std::uint8_t, 2> payload{static_cast<std::uint8_t>(slot), static_cast<std::uint8_t>(slot >> 8)};
-  const Bytes message = exchange.writeSecond(KeyPair::random(), payload);
-  if (message.empty()) return;
+  KeyPair ephemeral = KeyPair::random();
+  const Bytes message = exchange.writeSecond(ephemeral, payload);
+  wipe(ephemeral.secret);
+  if (message.empty()) return false;
   Accept accept{echoOf(open.clientKey()), {}};
   std::copy(message.begin(), message.end(), accept.exchange.begin());
   session = Session{};
@@ -157,6 +170,7 @@ void ServerGate::startSession(Session& session, const SocketAddress& client, con
   session.since = now;
   usedKeys_.add(session.clientKey, now);
   sendPlain(client, session.accept, now);
+  return true;
 }
 
 void ServerGate::refuse(const Datagram& datagram, const CryptoKey& clientKey, RefusalReason reason,

@@ -39,6 +39,8 @@ std::uint64_t IpAddress::household() const {
   return number;
 }
 
+std::uint64_t IpAddress::site() const { return isIpv4() ? household() : household() & ~std::uint64_t{0xffff}; }
+
 std::string IpAddress::text() const {
   std::array<char, INET6_ADDRSTRLEN> buffer{};
   const bool ipv4 = isIpv4();

@@ -162,7 +162,6 @@ std::optional<Datagram> UdpSocket::receive(Moment) {
     }
     const std::size_t index = batches.taken++;
     const std::size_t size = batches.receivedHeads[index].msg_len;
-    if (size == 0 || size > kMaxDatagramBytes) continue;
     const Batches::Received& received = batches.received[index];
     return Datagram{fromSystem(received.sender), ByteSpan(received.bytes).first(size)};
   }

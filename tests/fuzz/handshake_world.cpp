@@ -148,7 +148,6 @@ bool HandshakeWorld::mayOpen(const SocketAddress& from, const Open& open) const 
 }
 
 void HandshakeWorld::deliverToServer(const SocketAddress& from, ByteSpan datagram) {
-  if (datagram.empty() || datagram.size() > kMaxDatagramBytes) return;  // no socket passes them on
   fault_ = fault_.empty() ? handshakeFormFault(datagram) : fault_;
   noteRequest(datagram);
   const platon::Bytes bytes(datagram.begin(), datagram.end());  // `datagram` may be one that was sent
@@ -228,7 +227,6 @@ void HandshakeWorld::checkReceived(const ServerGate::Received& received) {
 }
 
 void HandshakeWorld::deliverToClient(std::size_t number, const SocketAddress& from, ByteSpan datagram) {
-  if (datagram.empty() || datagram.size() > kMaxDatagramBytes) return;
   const auto cookie = decodeCookieReply(datagram);
   if (setup_.clientsHavePassword && cookie && cookie->needsPassword) return;
   fault_ = fault_.empty() ? handshakeFormFault(datagram) : fault_;
@@ -237,6 +235,7 @@ void HandshakeWorld::deliverToClient(std::size_t number, const SocketAddress& fr
   const std::size_t sentBefore = sent().size();
   const platon::Bytes bytes(datagram.begin(), datagram.end());
   network_.inject(from, addresses()[number], bytes);
+  client.gate->beginRound();
   while (const auto content = client.gate->receive(now_)) {
     require(toClient_.erase({client.keys.open, *content}) == 1, "a client gets a content that was not sent, or again");
   }

@@ -10,8 +10,8 @@ namespace platon {
 namespace {
 
 const std::array kAttacks{
-    Attack{"empty", "empty datagrams, also in the victims' names", false, "", floodEmpty},
-    Attack{"oversized", "datagrams of 1 201 to 1 472 bytes", false, "", floodOversized},
+    Attack{"empty", "empty datagrams, also in the victims' names", false, "malformed", floodEmpty},
+    Attack{"oversized", "datagrams of 1 201 to 1 472 bytes", false, "malformed", floodOversized},
     Attack{"random", "random bytes", false, "seal", floodRandom},
     Attack{"knocks", "half-open handshakes from 10 000 addresses", false, "", floodKnocks},
     Attack{"victim-knocks", "half-open handshakes in the victims' names", false, "", floodVictimKnocks},

@@ -122,6 +122,20 @@ TEST_F(ClientGateTest, AnOpenGateCannotBeClosedFromOutside) {
   EXPECT_EQ(gate.state(), ClientGate::State::kOpen);
 }
 
+// A flood that comes faster than it is read held the client in its loop.
+TEST_F(ClientGateTest, ARoundTakesALimitedNumberOfDatagrams) {
+  ClientGate gate = client();
+  gate.beginRound();
+  for (std::size_t i = 0; i < ClientGate::kMaxDatagramsPerRound + 10; ++i) {
+    network_.inject(i % 2 == 0 ? kServer : kOther, kClient, Bytes(i % 3 == 0 ? 0 : kMaxDatagramBytes + 1));
+  }
+  EXPECT_FALSE(gate.receive(now_));
+  EXPECT_EQ(gate.traffic().receivedPackets, ClientGate::kMaxDatagramsPerRound);
+  gate.beginRound();
+  EXPECT_FALSE(gate.receive(now_));
+  EXPECT_EQ(gate.traffic().receivedPackets, ClientGate::kMaxDatagramsPerRound + 10);
+}
+
 TEST_F(ClientGateTest, ContentsThatDoNotFitAreNotSent) {
   ClientGate gate = client();
   exchange(gate);

@@ -4,69 +4,13 @@
 
 #include "protocol/limits.h"
 #include "protocol/transport/client_gate.h"
-#include "tests/support/transport/datagram_network.h"
+#include "tests/support/transport/server_gate_fixture.h"
 
 namespace platon {
 namespace {
 
 using std::chrono::milliseconds;
 using std::chrono::seconds;
-
-const SocketAddress kServer = addressAt("198.51.100.1", 7777);
-const Bytes kContent{1, 2, 3, 4, 5, 6, 7, 8, 9};
-
-SocketAddress clientAt(int number) { return addressAt("192.0.2." + std::to_string(number), 4000); }
-
-/// A gate and clients in memory and in virtual time.
-class ServerGateTest : public testing::Test {
- protected:
-  void start(GateSettings settings = {4, 2, {}, false}) {
-    gate_.emplace(network_.socket(kServer), identity_, settings, now_);
-  }
-
-  // A client that has finished its handshake, or has been refused.
-  ClientGate join(const SocketAddress& own, const std::string& password = "") {
-    ClientGate client(network_.socket(own), {kServer}, {std::nullopt, password}, KeyPair::random());
-    client.update(now_);
-    for (int roundTrip = 0; roundTrip < 2; ++roundTrip) {
-      receive();
-      client.receive(now_);
-    }
-    now_ += milliseconds(600);
-    return client;
-  }
-
-  // What comes from sessions.
-  std::vector<ServerGate::Received> receive() {
-    std::vector<ServerGate::Received> all;
-    while (auto received = gate_->receive(now_)) all.push_back(std::move(*received));
-    return all;
-  }
-
-  // The session of a client, found by a first content.
-  SessionId sessionOf(ClientGate& client) {
-    client.send(kContent, now_);
-    const auto received = receive();
-    EXPECT_EQ(received.size(), 1u);
-    EXPECT_EQ(received.at(0).bytes, kContent);
-    gate_->confirm(received.at(0).session);
-    return received.at(0).session;
-  }
-
-  // The datagrams from one address to another.
-  std::vector<Bytes> sent(const SocketAddress& from, const SocketAddress& to) const {
-    std::vector<Bytes> datagrams;
-    for (const auto& each : network_.sent()) {
-      if (each.from == from && each.to == to) datagrams.push_back(each.bytes);
-    }
-    return datagrams;
-  }
-
-  DatagramNetwork network_;
-  ServerIdentity identity_ = ServerIdentity::random();
-  Moment now_ = seconds(1000);
-  std::optional<ServerGate> gate_;
-};
 
 TEST_F(ServerGateTest, AClientJoinsAndContentsPassBothWays) {
   start();
@@ -202,59 +146,6 @@ TEST_F(ServerGateTest, ABannedAddressIsToldWhy) {
   EXPECT_EQ(client.refusal()->reason, RefusalReason::kBanned);
   EXPECT_EQ(client.refusal()->text, "until tomorrow");
   EXPECT_EQ(join(clientAt(2)).state(), ClientGate::State::kOpen);
-}
-
-TEST_F(ServerGateTest, AHouseholdHasALimitedNumberOfSessions) {
-  start();
-  EXPECT_EQ(join(addressAt("192.0.2.1", 1)).state(), ClientGate::State::kOpen);
-  EXPECT_EQ(join(addressAt("192.0.2.1", 2)).state(), ClientGate::State::kOpen);
-  ClientGate third = join(addressAt("192.0.2.1", 3));
-  ASSERT_EQ(third.state(), ClientGate::State::kRefused);
-  EXPECT_EQ(third.refusal()->reason, RefusalReason::kAddress);
-  EXPECT_EQ(join(addressAt("192.0.2.2", 1)).state(), ClientGate::State::kOpen);
-}
-
-TEST_F(ServerGateTest, WhenAllPlacesAreTakenTheOldestUnconfirmedSessionMakesRoom) {
-  start({2, 2, {}, false});
-  ClientGate first = join(clientAt(1));
-  ClientGate second = join(clientAt(2));
-  const SessionId confirmed = sessionOf(first);
-  EXPECT_EQ(join(clientAt(3)).state(), ClientGate::State::kOpen);
-  EXPECT_TRUE(gate_->isOpen(confirmed));
-  second.send(kContent, now_);
-  EXPECT_TRUE(receive().empty());
-}
-
-TEST_F(ServerGateTest, AFullServerSaysSo) {
-  start({1, 2, {}, false});
-  ClientGate first = join(clientAt(1));
-  sessionOf(first);
-  ClientGate second = join(clientAt(2));
-  ASSERT_EQ(second.state(), ClientGate::State::kRefused);
-  EXPECT_EQ(second.refusal()->reason, RefusalReason::kFull);
-}
-
-TEST_F(ServerGateTest, ASessionThatIsNotConfirmedExpires) {
-  start();
-  ClientGate client = join(clientAt(1));
-  gate_->expire(now_ + ServerGate::kConfirmTime);
-  EXPECT_EQ(gate_->counters().unconfirmed, 1u);
-  client.send(kContent, now_);
-  EXPECT_TRUE(receive().empty());
-}
-
-TEST_F(ServerGateTest, HandshakesOfAHouseholdAreLimited) {
-  start({100, 100, {}, false});
-  for (int i = 0; i < 40; ++i) {
-    ClientGate client(network_.socket(addressAt("192.0.2.1", static_cast<std::uint16_t>(1 + i))), {kServer}, {},
-                      KeyPair::random());
-    client.update(now_);
-    receive();
-    client.receive(now_);
-    receive();
-  }
-  EXPECT_EQ(gate_->counters().handshakes, 32u);
-  EXPECT_EQ(join(clientAt(7)).state(), ClientGate::State::kOpen);
 }
 
 // Routers give a connection another port from time to time.

@@ -37,6 +37,13 @@ TEST(IpAddress, AHouseholdIsAnIpv4AddressOr64BitsOfIpv6) {
   EXPECT_NE(ip("2001:db8::1").household(), ip("2001:db8:0:1::1").household());
 }
 
+TEST(IpAddress, ASiteIsAnIpv4AddressOr48BitsOfIpv6) {
+  EXPECT_EQ(ip("::1").site(), 0u);
+  EXPECT_EQ(ip("192.0.2.1").site(), ip("192.0.2.1").household());
+  EXPECT_EQ(ip("2001:db8:1:2::1").site(), 0x2001'0db8'0001'0000u);
+  EXPECT_NE(ip("2001:db8:1::1").site(), ip("2001:db8:2::1").site());
+}
+
 TEST(SocketAddress, ItsTextHasBracketsAroundIpv6) {
   EXPECT_EQ((SocketAddress{ip("192.0.2.1"), 7777}.text()), "192.0.2.1:7777");
   EXPECT_EQ((SocketAddress{ip("2001:db8::1"), 7777}.text()), "[2001:db8::1]:7777");

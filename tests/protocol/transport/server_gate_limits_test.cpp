@@ -1,0 +1,107 @@
+#include <gtest/gtest.h>
+
+#include "protocol/transport/client_gate.h"
+#include "protocol/transport/server_gate.h"
+#include "tests/support/transport/server_gate_fixture.h"
+
+namespace platon {
+namespace {
+
+TEST_F(ServerGateTest, AHouseholdHasALimitedNumberOfSessions) {
+  start();
+  EXPECT_EQ(join(addressAt("192.0.2.1", 1)).state(), ClientGate::State::kOpen);
+  EXPECT_EQ(join(addressAt("192.0.2.1", 2)).state(), ClientGate::State::kOpen);
+  ClientGate third = join(addressAt("192.0.2.1", 3));
+  ASSERT_EQ(third.state(), ClientGate::State::kRefused);
+  EXPECT_EQ(third.refusal()->reason, RefusalReason::kAddress);
+  EXPECT_EQ(join(addressAt("192.0.2.2", 1)).state(), ClientGate::State::kOpen);
+}
+
+TEST_F(ServerGateTest, WhenAllPlacesAreTakenTheOldestUnconfirmedSessionMakesRoom) {
+  start({2, 2, {}, false});
+  ClientGate first = join(clientAt(1));
+  ClientGate second = join(clientAt(2));
+  const SessionId confirmed = sessionOf(first);
+  EXPECT_EQ(join(clientAt(3)).state(), ClientGate::State::kOpen);
+  EXPECT_TRUE(gate_->isOpen(confirmed));
+  second.send(kContent, now_);
+  EXPECT_TRUE(receive().empty());
+}
+
+TEST_F(ServerGateTest, AFullServerSaysSo) {
+  start({1, 2, {}, false});
+  ClientGate first = join(clientAt(1));
+  sessionOf(first);
+  ClientGate second = join(clientAt(2));
+  ASSERT_EQ(second.state(), ClientGate::State::kRefused);
+  EXPECT_EQ(second.refusal()->reason, RefusalReason::kFull);
+}
+
+TEST_F(ServerGateTest, ASessionThatIsNotConfirmedExpires) {
+  start();
+  ClientGate client = join(clientAt(1));
+  gate_->expire(now_ + ServerGate::kConfirmTime);
+  EXPECT_EQ(gate_->counters().unconfirmed, 1u);
+  client.send(kContent, now_);
+  EXPECT_TRUE(receive().empty());
+}
+
+TEST_F(ServerGateTest, HandshakesOfAHouseholdAreLimited) {
+  start({100, 100, {}, false});
+  for (int i = 0; i < 40; ++i) {
+    ClientGate client(network_.socket(addressAt("192.0.2.1", static_cast<std::uint16_t>(1 + i))), {kServer}, {},
+                      KeyPair::random());
+    client.update(now_);
+    receive();
+    client.receive(now_);
+    receive();
+  }
+  EXPECT_EQ(gate_->counters().handshakes, 32u);
+  EXPECT_EQ(join(clientAt(7)).state(), ClientGate::State::kOpen);
+}
+
+// A line with IPv6 has hundreds of households: their budgets together were more than the server's.
+TEST_F(ServerGateTest, HandshakesAndSessionsOfASiteAreLimited) {
+  start({100, 2, {}, false});
+  const auto householdAt = [](int number) { return addressAt("2001:db8:1:" + std::to_string(number) + "::1", 4000); };
+  int joined = 0;
+  for (int i = 0; i < 20; ++i) joined += join(householdAt(i)).state() == ClientGate::State::kOpen ? 1 : 0;
+  EXPECT_EQ(joined, 8);
+  ClientGate other = join(addressAt("2001:db8:2::1", 4000));
+  EXPECT_EQ(other.state(), ClientGate::State::kOpen);
+  const std::uint64_t before = gate_->counters().handshakes;
+  for (int i = 0; i < 60; ++i) {
+    ClientGate client(network_.socket(householdAt(100 + i)), {kServer}, {}, KeyPair::random());
+    client.update(now_);
+    receive();
+    client.receive(now_);
+    receive();
+  }
+  EXPECT_EQ(gate_->counters().handshakes - before, 28u);
+}
+
+// It was taken for a client that had joined: it got no answer and was not counted.
+TEST_F(ServerGateTest, AWrongPasswordIsRefusedAlsoWhenAllPlacesAreTaken) {
+  start({1, 4, presharedKeyOf("sesame", identity_.publicKey()), true});
+  ClientGate first = join(clientAt(1), "sesame");
+  ClientGate wrong = join(clientAt(2), "Sesame");
+  ASSERT_EQ(wrong.state(), ClientGate::State::kRefused);
+  EXPECT_EQ(wrong.refusal()->reason, RefusalReason::kPassword);
+  EXPECT_EQ(gate_->counters().password, 1u);
+  EXPECT_TRUE(gate_->isOpen(sessionOf(first)));
+}
+
+// They were skipped unseen: a flood of them had no end in one round, and no trace in the log.
+TEST_F(ServerGateTest, EmptyAndOversizedDatagramsCount) {
+  start();
+  for (std::size_t i = 0; i < ServerGate::kMaxDatagramsPerRound + 10; ++i) {
+    network_.inject(clientAt(1), kServer, Bytes(i % 2 == 0 ? 0 : kMaxDatagramBytes + 1, 0xff));
+  }
+  gate_->beginRound();
+  EXPECT_TRUE(receive().empty());
+  EXPECT_EQ(gate_->counters().malformed, ServerGate::kMaxDatagramsPerRound);
+  EXPECT_EQ(gate_->traffic().receivedPackets, ServerGate::kMaxDatagramsPerRound);
+}
+
+}  // namespace
+}  // namespace platon
