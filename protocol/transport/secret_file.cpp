@@ -1,14 +1,15 @@
 #include "protocol/transport/secret_file.h"
 
 #include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <optional>
+#include <string_view>
 
 #include "protocol/program_error.h"
 
@@ -38,14 +39,28 @@ std::string firstLine(const std::string& path) {
   return line;
 }
 
+bool writeAll(int handle, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t count = write(handle, text.data(), text.size());
+    if (count < 0) return false;
+    text.remove_prefix(static_cast<std::size_t>(count));
+  }
+  return fsync(handle) == 0;
+}
+
+// Makes the file with its whole content or not at all: when the disk is full, nothing is left that a later start would
+// take for a damaged key. Never replaces a file.
 void create(const std::string& path, const std::string& line) {
-  const int handle = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, S_IRUSR | S_IWUSR);
+  std::string part = path + ".XXXXXX";
+  const int handle = mkostemp(part.data(), O_CLOEXEC);  // readable only by the owner
   if (handle < 0) refuseToCreate(path, errno);
-  const std::string text = line + "\n";
-  const bool written = write(handle, text.data(), text.size()) == static_cast<ssize_t>(text.size());
+  const bool written = writeAll(handle, line + "\n");
+  const bool created = written && link(part.c_str(), path.c_str()) == 0;
   const int fault = errno;
   close(handle);
-  if (!written) refuse(path, std::string("cannot be written: ") + std::strerror(fault));
+  unlink(part.c_str());
+  if (!written) refuse(path, std::string("cannot be written: ") + std::strerror(fault) + "; make room on the disk");
+  if (!created) refuseToCreate(path, fault);
 }
 
 // Nothing if there is no file.

@@ -4,6 +4,7 @@
 
 #include "protocol/program_error.h"
 #include "tests/support/files.h"
+#include "tests/support/resource_limit.h"
 #include "tests/support/temporary_folder.h"
 
 namespace platon {
@@ -30,7 +31,8 @@ TEST(SecretFile, ThePasswordIsTheFirstLine) {
   writeText(path, "\nsecond\n");
   EXPECT_EQ(errorOf([&] { readPasswordFile(path); }),
             path + ": error: the first line is empty; write the password there");
-  EXPECT_EQ(errorOf([&] { readPasswordFile(path + "s"); }), path + "s: error: No such file or directory");
+  EXPECT_EQ(errorOf([&] { readPasswordFile(path + "s"); }),
+            path + "s: error: No such file or directory; name a readable file");
 }
 
 TEST(SecretFile, AMissingKeyFileIsMadeForTheOwnerOnly) {
@@ -52,6 +54,29 @@ TEST(SecretFile, AFileThatIsNoKeyIsRefusedAndKept) {
   const std::string nowhere = folder / "missing/key";
   EXPECT_EQ(errorOf([&] { readKeyFile(nowhere); }),
             nowhere + ": error: cannot be created: No such file or directory; name a file in a writable folder");
+}
+
+TEST(SecretFile, AFullDiskLeavesNothingOfAKey) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "key";
+  for (const rlim_t bytes : {0, 1, 43}) {
+    const FullDisk disk(bytes);
+    EXPECT_EQ(errorOf([&] { readKeyFile(path); }),
+              path + ": error: cannot be written: File too large; make room on the disk");
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path())) << bytes;
+  }
+  const ServerIdentity made = readKeyFile(path);
+  EXPECT_EQ(readKeyFile(path).publicKey(), made.publicKey()) << "the next start makes a key and keeps it";
+}
+
+TEST(SecretFile, AMadeKeyReplacesNothing) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "key";
+  std::filesystem::create_symlink("missing", path);
+  EXPECT_EQ(errorOf([&] { readKeyFile(path); }),
+            path + ": error: cannot be created: File exists; name a file in a writable folder");
+  EXPECT_EQ(std::filesystem::read_symlink(path), "missing");
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
 }
 
 TEST(SecretFile, TheCheckOfAKeyRefusesWhatReadingItWouldAndCreatesNothing) {

@@ -3,15 +3,14 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/file.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <csignal>
 #include <vector>
 
 #include "protocol/program_error.h"
 #include "tests/support/files.h"
+#include "tests/support/resource_limit.h"
 #include "tests/support/temporary_folder.h"
 
 namespace platon {
@@ -24,23 +23,6 @@ constexpr RecordingFolder::Time kTime{std::chrono::seconds(1795284301)};  // 202
 constexpr std::uint64_t kNoLimit = UINT64_MAX;
 
 std::vector<std::uint8_t> bytes(std::size_t count) { return std::vector<std::uint8_t>(count, 'x'); }
-
-/// The soft limit of a resource of this process, for as long as the object lives.
-class Limited {
- public:
-  Limited(__rlimit_resource resource, rlim_t soft) : resource_(resource) {
-    getrlimit(resource_, &before_);
-    const rlimit limit{soft, before_.rlim_max};
-    setrlimit(resource_, &limit);
-  }
-  ~Limited() { setrlimit(resource_, &before_); }
-  Limited(const Limited&) = delete;
-  Limited& operator=(const Limited&) = delete;
-
- private:
-  __rlimit_resource resource_;
-  rlimit before_{};
-};
 
 class RecordingFolderTest : public testing::Test {
  protected:
@@ -140,24 +122,21 @@ TEST_F(RecordingFolderTest, RefusesAFolderThatIsNotWritable) {
   } catch (const ProgramError& error) {
     EXPECT_EQ(error.exitCode(), ProgramError::kUsage);
     EXPECT_EQ(error.what(), "cannot write recordings to '" + (folder_ / "games").string() +
-                                "': Not a directory; name another folder after --record");
+                                "': the folder cannot be created: Not a directory; name another folder after --record");
   }
 }
 
-// Simulates a full disk by a limit on the size of files.
 TEST_F(RecordingFolderTest, AFullDiskStopsTheRecordingOfOneRound) {
   RecordingFolder folder(folder_, kNoLimit);
   write(folder, {1, "", 0, false, bytes(100)});
-  const auto before = std::signal(SIGXFSZ, SIG_IGN);
   {
-    const Limited disk(RLIMIT_FSIZE, 150);
+    const FullDisk disk(150);
     EXPECT_EQ(write(folder, {1, "", 60, false, bytes(100)}),
               (std::vector<RecordingEvent>{
                   {Kind::kStopped, pathOf("20261121T180501Z-round-0001.recording"), 0, 0, "File too large"}}));
     EXPECT_TRUE(write(folder, {1, "", 120, false, bytes(1)}).empty()) << "it is said once";
     EXPECT_EQ(write(folder, {2, "", 0, false, bytes(200)}).size(), 1u);
   }
-  std::signal(SIGXFSZ, before);
   EXPECT_TRUE(write(folder, {2, "", 60, true, bytes(1)}).empty());
   EXPECT_EQ(names(), (std::vector<std::string>{"20261121T180501Z-round-0001.recording"})) << "nothing of round 2";
   EXPECT_EQ(content(names()[0]), std::string(100, 'x')) << "whole pieces only";
@@ -167,7 +146,7 @@ TEST_F(RecordingFolderTest, AFullDiskStopsTheRecordingOfOneRound) {
 TEST_F(RecordingFolderTest, AFileThatCannotBeOpenedStopsTheRecordingOfOneRound) {
   RecordingFolder folder(folder_, kNoLimit);
   {
-    const Limited descriptors(RLIMIT_NOFILE, 0);
+    const ResourceLimit descriptors(RLIMIT_NOFILE, 0);
     const auto events = write(folder, {1, "", 0, false, bytes(10)});
     ASSERT_EQ(events.size(), 1u);
     EXPECT_EQ(events[0].kind, Kind::kStopped);
