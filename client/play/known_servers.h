@@ -10,19 +10,24 @@
 namespace platon {
 
 /// Remembers the public key of each server that the player has joined, as ssh does, in a text file: a line `HOST:PORT
-/// KEY` for each, which the player may remove.
+/// KEY` for each, which the player may remove. Empty lines and lines that begin with '#' are skipped. Any other line is
+/// an error: it may be the damaged line of the server that the player joins.
 class KnownServers {
  public:
   /// An empty path: remembers nothing.
   explicit KnownServers(std::filesystem::path file) : file_(std::move(file)) {}
 
-  /// The key of a server; nothing if it is not known, or the file cannot be read.
+  /// The key of a server; nothing if it is not known. Throws ProgramError (kUsage) if the file exists and cannot be
+  /// read or has a damaged line.
   std::optional<CryptoKey> find(const ServerAddress& server) const;
-  /// Adds a server that is not known. Does nothing if the file cannot be written.
+  /// Adds a server that is not known. The file stays as it is if it cannot be written, or if `find` would throw.
   void remember(const ServerAddress& server, const CryptoKey& key) const;
   const std::filesystem::path& file() const { return file_; }
 
  private:
+  std::string read() const;
+  std::optional<CryptoKey> findIn(const std::string& text, const ServerAddress& server) const;
+
   std::filesystem::path file_;
 };
 

@@ -24,7 +24,7 @@ class MatchPlay {
   static constexpr Moment kNoticeTime = std::chrono::seconds(8);
 
   /// Starts to connect, and resumes the player if the program ended without leaving. Throws std::runtime_error if the
-  /// host name cannot be resolved or no socket is available.
+  /// host name cannot be resolved or no socket is available, and ProgramError if the file of known servers is damaged.
   MatchPlay(const ClientOptions& options, const ServerAddress& server, Moment now);
 
   void update(Moment now, const Controls& controls);

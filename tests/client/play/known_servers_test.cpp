@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "protocol/program_error.h"
 #include "protocol/transport/server_identity.h"
 #include "tests/support/files.h"
+#include "tests/support/resource_limit.h"
 #include "tests/support/temporary_folder.h"
 
 namespace platon {
@@ -11,6 +13,16 @@ namespace {
 
 const ServerAddress kHere{"example.org", 7777};
 const ServerAddress kThere{"2001:db8::1", 7778};
+
+std::string errorOf(const KnownServers& servers) {
+  try {
+    servers.find(kHere);
+  } catch (const ProgramError& error) {
+    EXPECT_EQ(error.exitCode(), ProgramError::kUsage);
+    return error.what();
+  }
+  return "none";
+}
 
 TEST(KnownServers, RemembersTheKeyOfEachServer) {
   const TemporaryFolder folder;
@@ -27,13 +39,53 @@ TEST(KnownServers, RemembersTheKeyOfEachServer) {
 
 TEST(KnownServers, TheFirstKeyStaysAndOtherLinesAreKept) {
   const TemporaryFolder folder;
-  writeText(folder / "known_servers", "# mine\nexample.org:7777 " + textOf(CryptoKey{5}) + "\nnonsense\n");
+  writeText(folder / "known_servers", "# mine\n\nexample.org:7777 " + textOf(CryptoKey{5}));
   const KnownServers servers(folder / "known_servers");
   servers.remember(kHere, CryptoKey{6});
   EXPECT_EQ(servers.find(kHere), CryptoKey{5});
   servers.remember(kThere, CryptoKey{7});
   EXPECT_TRUE(readText(servers.file()).starts_with("# mine\n"));
   EXPECT_EQ(servers.find(kThere), CryptoKey{7});
+}
+
+TEST(KnownServers, ADamagedLineIsAnErrorThatNamesIt) {
+  const TemporaryFolder folder;
+  const KnownServers servers(folder / "known_servers");
+  const std::string key = textOf(CryptoKey{5});
+  const std::string other = "[2001:db8::1]:7778 " + key + "\n";
+  for (const std::string& line :
+       {"example.org:7777 " + key.substr(0, 42), "example.org:7777 " + key + "example.com:7777 " + key,
+        std::string("example.org:7777"), std::string("exam"), std::string(20, '\0'), "example.org:77" + other,
+        "example.org " + key}) {
+    const std::string text = other + line + "\n";
+    writeText(servers.file(), text);
+    EXPECT_EQ(errorOf(servers), servers.file().string() +
+                                    ":2: error: damaged line, expected HOST:PORT KEY; correct or remove it. The key of "
+                                    "a server without a line is stored again when you join");
+    servers.remember(kHere, CryptoKey{6});
+    EXPECT_EQ(readText(servers.file()), text);
+  }
+}
+
+TEST(KnownServers, AFileThatCannotBeReadIsAnError) {
+  const TemporaryFolder folder;
+  const KnownServers servers(folder.path());
+  EXPECT_EQ(errorOf(servers),
+            folder.path().string() + ": error: Is a directory; make the file of the known servers readable");
+}
+
+TEST(KnownServers, AFullDiskLeavesNoHalfLine) {
+  const TemporaryFolder folder;
+  const KnownServers servers(folder / "known_servers");
+  servers.remember(kThere, CryptoKey{2});
+  const std::string before = readText(servers.file());
+  {
+    const FullDisk disk(before.size() + 10);
+    servers.remember(kHere, CryptoKey{1});
+  }
+  EXPECT_EQ(readText(servers.file()), before);
+  servers.remember(kHere, CryptoKey{1});
+  EXPECT_EQ(servers.find(kHere), CryptoKey{1});
 }
 
 TEST(KnownServers, WithoutAFileNothingIsRemembered) {

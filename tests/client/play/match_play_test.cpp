@@ -9,8 +9,12 @@
 #include "client/net/lossy_relay.h"
 #include "client/scene/camera.h"
 #include "client/ui/hud.h"
+#include "protocol/program_error.h"
 #include "server/admin/console.h"
+#include "tests/support/environment_variable.h"
+#include "tests/support/files.h"
 #include "tests/support/loopback_server.h"
+#include "tests/support/temporary_folder.h"
 
 namespace platon {
 namespace {
@@ -124,6 +128,21 @@ TEST_F(MatchPlayTest, ThrowsForAnUnknownHost) {
     FAIL();
   } catch (const std::runtime_error& error) {
     EXPECT_EQ(std::string(error.what()), "cannot resolve host no such host");
+  }
+}
+
+TEST_F(MatchPlayTest, JoinsNoServerWhileAKnownKeyIsDamaged) {
+  const TemporaryFolder folder;
+  const EnvironmentVariable data("XDG_DATA_HOME", folder.path().string());
+  std::filesystem::create_directory(folder / "platon");
+  writeText(folder / "platon/known_servers", server_.address().text() + " cut\n");
+  ClientOptions options;
+  options.server = server_.address();
+  try {
+    MatchPlay(options, server_.address(), server_.clock().now());
+    FAIL();
+  } catch (const ProgramError& error) {
+    EXPECT_TRUE(std::string(error.what()).starts_with((folder / "platon/known_servers").string() + ":1: error: "));
   }
 }
 
