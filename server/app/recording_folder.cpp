@@ -174,16 +174,21 @@ void RecordingFolder::discardRest() {
   if (!cut || bytes_ == 0) std::filesystem::remove(path_, error);
 }
 
+// Other servers may have written since the last search.
+bool RecordingFolder::isKnownToFit(std::uint64_t bytes) const {
+  return known_ && bytes_ + bytes - searchedAt_ <= spare() && *known_ + bytes_ + bytes <= limit_;
+}
+
 // Removes old recordings until there is room for more bytes of the file. Returns whether there is.
 bool RecordingFolder::makeRoom(std::uint64_t bytes, std::vector<RecordingEvent>& events) {
-  if (known_ && *known_ + bytes_ + bytes <= limit_) return true;
+  if (isKnownToFit(bytes)) return true;
   std::vector<Recording> others = recordingsIn(folder_);
   std::erase_if(others, [this](const Recording& other) { return file_ && other.path == path_; });
+  searchedAt_ = bytes_;
   known_ = 0;
   for (const Recording& other : others) *known_ += other.bytes;
   // Removes a little more than is needed, so that the folder is not searched for every piece.
-  const std::uint64_t wanted =
-      *known_ + bytes_ + bytes > limit_ ? limit_ - std::min(limit_ / 100, kSpareBytes) : limit_;
+  const std::uint64_t wanted = *known_ + bytes_ + bytes > limit_ ? limit_ - spare() : limit_;
   for (const Recording& other : others) {
     if (*known_ + bytes_ + bytes <= wanted) break;
     if (!removeFile(other.path)) continue;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
@@ -18,9 +19,16 @@ namespace platon {
 /// A folder to which recordings are written, one file for each round. The recordings in it, of all servers together,
 /// are kept within a limit: the oldest ones are removed first. A file that a server is writing is locked and never
 /// removed, nor is a file whose name is not that of a recording.
+///
+/// A server learns what others write by searching the folder, at the latest after kSpareBytes of its own. So each
+/// further server that writes at the same time may exceed the limit by kSpareBytes, or by one piece if that is longer.
 class RecordingFolder {
  public:
   using Time = std::chrono::system_clock::time_point;
+
+  /// Bytes that are freed beyond those that are needed, and bytes that are written between two searches of the folder:
+  /// a hundredth of the limit, and at most these.
+  static constexpr std::uint64_t kSpareBytes = std::uint64_t{16} << 20;
 
   /// Creates the folder if it is missing. Throws ProgramError if no file can be written there. `limit`: bytes of all
   /// recordings in the folder.
@@ -35,14 +43,13 @@ class RecordingFolder {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
 
-  // Bytes that are freed at most beyond those that are needed.
-  static constexpr std::uint64_t kSpareBytes = std::uint64_t{16} << 20;
-
   void begin(const RecordingPiece& piece, Time now);
   bool open();
   bool append(const RecordingPiece& piece);
   void discardRest();
   bool makeRoom(std::uint64_t bytes, std::vector<RecordingEvent>& events);
+  bool isKnownToFit(std::uint64_t bytes) const;
+  std::uint64_t spare() const { return std::min(limit_ / 100, kSpareBytes); }
 
   std::filesystem::path folder_;
   std::uint64_t limit_;
@@ -51,6 +58,7 @@ class RecordingFolder {
   std::unique_ptr<std::FILE, Close> file_;  // null if it could not be written
   std::uint64_t bytes_ = 0;                 // bytes written to the file
   std::optional<std::uint64_t> known_;      // bytes of all other recordings, when the folder was last searched
+  std::uint64_t searchedAt_ = 0;            // bytes written to the file before that search
 };
 
 /// Name of a recording, such as `20261121T180501Z-round-0003-first-steps`. Names sort by time. The title may be any

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include "protocol/program_error.h"
@@ -224,6 +225,25 @@ TEST_F(RecordingFolderTest, RemovesAHundredthMoreThanIsNeeded) {
   RecordingFolder folder(folder_, 10000);
   EXPECT_TRUE(write(folder, {1, "", 0, false, bytes(1000)}).empty());
   EXPECT_EQ(write(folder, {1, "", 60, false, bytes(950)}).size(), 2u);
+}
+
+// Three servers write at different rates. Each of the two others may have written a hundredth of the limit unseen.
+TEST_F(RecordingFolderTest, ServersThatShareAFolderKeepTheLimitTogether) {
+  constexpr std::uint64_t kLimit = 10000;
+  putOld(1, 5000);
+  std::array<RecordingFolder, 3> servers{RecordingFolder(folder_, kLimit), RecordingFolder(folder_, kLimit),
+                                         RecordingFolder(folder_, kLimit)};
+  std::uint64_t largest = 0;
+  for (std::uint32_t i = 0; i < 1000; ++i) {
+    const std::uint32_t each = i % 10 == 0 ? 0 : i % 3 == 0 ? 1 : 2;
+    write(servers[each], {each + 1, "", 0, false, bytes(20 + each)});
+    std::uint64_t total = 0;
+    for (const std::string& name : names()) total += fs::file_size(folder_ / name);
+    largest = std::max(largest, total);
+  }
+  EXPECT_FALSE(fs::exists(folder_ / oldName(1)));
+  EXPECT_GT(largest, kLimit - kLimit / 100);
+  EXPECT_LE(largest, kLimit + 2 * (kLimit / 100));
 }
 
 }  // namespace
