@@ -81,17 +81,12 @@ void writeTicks(Writer& writer, const Metrics& metrics) {
 }
 
 void writeTraffic(Writer& writer, const Metrics& metrics) {
-  if (metrics.receivedBytes) {
-    writer.single("platon_received_bytes_total", "counter", "Bytes of received datagrams.", *metrics.receivedBytes);
-  }
-  if (metrics.sentBytes) {
-    writer.single("platon_sent_bytes_total", "counter", "Bytes of sent datagrams.", *metrics.sentBytes);
-  }
+  writer.single("platon_received_bytes_total", "counter", "Bytes of received datagrams.", metrics.receivedBytes);
+  writer.single("platon_sent_bytes_total", "counter", "Bytes of sent datagrams.", metrics.sentBytes);
   writer.single("platon_missed_inputs_total", "counter",
                 "Ticks of connected players that were decided without their input.", metrics.missedInputs);
   writer.single("platon_desyncs_total", "counter", "Games of clients that differed from the server's.",
                 metrics.desyncs);
-  if (metrics.drops.empty()) return;
   writer.begin("platon_drops_total", "counter", "Traffic that was rejected, by reason.");
   for (const Metrics::Drop& drop : metrics.drops) {
     writer.sample("platon_drops_total", {{"reason", drop.reason}}, std::to_string(drop.count));

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,8 +26,8 @@ struct Metrics {
   std::uint64_t tickP50Us = 0;  ///< of the last minutes, as the next two
   std::uint64_t tickP99Us = 0;
   std::uint64_t tickMaxUs = 0;
-  std::optional<std::uint64_t> receivedBytes;  ///< payload of datagrams; nothing: not measured
-  std::optional<std::uint64_t> sentBytes;
+  std::uint64_t receivedBytes = 0;  ///< payload of datagrams
+  std::uint64_t sentBytes = 0;
   std::uint64_t missedInputs = 0;
   std::uint64_t desyncs = 0;
   std::vector<Drop> drops;
