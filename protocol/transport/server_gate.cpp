@@ -32,9 +32,9 @@ CryptoKey randomKey() {
 // False for an address that the system cannot send to, or that reaches more than one receiver.
 bool canAnswer(const SocketAddress& address) {
   if (address.port == 0) return false;
-  const auto& bytes = address.ip.bytes;
-  if (!address.ip.isIpv4()) return bytes[0] != 0xff && address.ip != IpAddress{};
-  return bytes[12] != 0 && bytes[12] < 224;
+  if (!address.ip.isIpv4()) return address.ip.bytes[0] != 0xff && address.ip != IpAddress{};
+  const std::uint8_t network = address.ip.ipv4()[0];
+  return network != 0 && network < 224;
 }
 
 }  // namespace

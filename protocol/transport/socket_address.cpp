@@ -3,6 +3,7 @@
 #include <arpa/inet.h>
 
 #include <algorithm>
+#include <cassert>
 
 namespace platon {
 namespace {
@@ -17,9 +18,21 @@ std::optional<IpAddress> IpAddress::parse(std::string_view text) {
   const std::string terminated(text);
   IpAddress address;
   if (inet_pton(AF_INET6, terminated.c_str(), address.bytes.data()) == 1) return address;
-  std::copy(kIpv4Prefix.begin(), kIpv4Prefix.end(), address.bytes.begin());
-  if (inet_pton(AF_INET, terminated.c_str(), address.bytes.data() + kIpv4Offset) == 1) return address;
+  std::array<std::uint8_t, 4> ipv4{};
+  if (inet_pton(AF_INET, terminated.c_str(), ipv4.data()) == 1) return ofIpv4(ipv4);
   return std::nullopt;
+}
+
+IpAddress IpAddress::ofIpv4(const std::array<std::uint8_t, 4>& bytes) {
+  IpAddress address;
+  const auto end = std::copy(kIpv4Prefix.begin(), kIpv4Prefix.end(), address.bytes.begin());
+  std::copy(bytes.begin(), bytes.end(), end);
+  return address;
+}
+
+std::array<std::uint8_t, 4> IpAddress::ipv4() const {
+  assert(isIpv4());
+  return {bytes[kIpv4Offset], bytes[kIpv4Offset + 1], bytes[kIpv4Offset + 2], bytes[kIpv4Offset + 3]};
 }
 
 bool IpAddress::isIpv4() const { return std::equal(kIpv4Prefix.begin(), kIpv4Prefix.end(), bytes.begin()); }

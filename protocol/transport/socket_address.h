@@ -16,7 +16,11 @@ struct IpAddress {
   /// Parses an IPv4 or IPv6 address without brackets and without a zone. Nothing if it is neither.
   static std::optional<IpAddress> parse(std::string_view text);
 
+  static IpAddress ofIpv4(const std::array<std::uint8_t, 4>& bytes);
+
   bool isIpv4() const;
+  /// The four bytes of an IPv4 address.
+  std::array<std::uint8_t, 4> ipv4() const;
   /// Exactly 127.0.0.1 or ::1. Other addresses of 127.0.0.0/8 do not count.
   bool isLoopback() const;
   /// Number of the part that one household or host controls: all of an IPv4 address, the first 64 bits of an IPv6

@@ -1,7 +1,6 @@
 #include "protocol/transport/udp_socket.h"
 
 #include <netdb.h>
-#include <netinet/in.h>
 #include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -11,47 +10,14 @@
 #include <cerrno>
 #include <cstring>
 
+#include "protocol/transport/system_address.h"
+
 namespace platon {
 namespace {
 
 constexpr std::size_t kBatch = 64;
 // Requested from the system, which may grant less. A tick's worth of a flood of 20 000 datagrams a second fits.
 constexpr int kBufferBytes = 4 * 1024 * 1024;
-
-union SystemAddress {
-  sockaddr any;
-  sockaddr_in ipv4;
-  sockaddr_in6 ipv6;
-};
-
-constexpr std::size_t kIpv4Offset = 12;
-
-SocketAddress fromSystem(const SystemAddress& system) {
-  SocketAddress address;
-  if (system.any.sa_family == AF_INET6) {
-    std::memcpy(address.ip.bytes.data(), &system.ipv6.sin6_addr, address.ip.bytes.size());
-    address.port = ntohs(system.ipv6.sin6_port);
-    return address;
-  }
-  address.ip.bytes[10] = address.ip.bytes[11] = 0xff;
-  std::memcpy(address.ip.bytes.data() + kIpv4Offset, &system.ipv4.sin_addr, sizeof(in_addr));
-  address.port = ntohs(system.ipv4.sin_port);
-  return address;
-}
-
-socklen_t toSystem(const SocketAddress& address, bool ipv6, SystemAddress& system) {
-  std::memset(&system, 0, sizeof system);
-  if (ipv6) {
-    system.ipv6.sin6_family = AF_INET6;
-    system.ipv6.sin6_port = htons(address.port);
-    std::memcpy(&system.ipv6.sin6_addr, address.ip.bytes.data(), address.ip.bytes.size());
-    return sizeof system.ipv6;
-  }
-  system.ipv4.sin_family = AF_INET;
-  system.ipv4.sin_port = htons(address.port);
-  std::memcpy(&system.ipv4.sin_addr, address.ip.bytes.data() + kIpv4Offset, sizeof(in_addr));
-  return sizeof system.ipv4;
-}
 
 std::string remedyFor(int fault) {
   if (fault == EADDRINUSE) return "; stop the program that uses it or choose another port after --port";

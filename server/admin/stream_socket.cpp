@@ -1,6 +1,5 @@
 #include "server/admin/stream_socket.h"
 
-#include <netinet/in.h>
 #include <poll.h>
 #include <sys/socket.h>
 #include <sys/un.h>
@@ -8,7 +7,8 @@
 
 #include <array>
 #include <cerrno>
-#include <cstring>
+
+#include "protocol/transport/system_address.h"
 
 namespace platon {
 namespace {
@@ -16,29 +16,6 @@ namespace {
 constexpr int kBacklog = 16;
 
 bool wouldWait() { return errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR; }
-
-// An address of the system, of the family that the IP address has.
-struct SystemAddress {
-  explicit SystemAddress(const SocketAddress& from) {
-    if (from.ip.isIpv4()) {
-      auto* ipv4 = reinterpret_cast<sockaddr_in*>(&storage);
-      ipv4->sin_family = AF_INET;
-      ipv4->sin_port = htons(from.port);
-      std::memcpy(&ipv4->sin_addr, &from.ip.bytes[12], sizeof ipv4->sin_addr);
-      length = sizeof *ipv4;
-    } else {
-      auto* ipv6 = reinterpret_cast<sockaddr_in6*>(&storage);
-      ipv6->sin6_family = AF_INET6;
-      ipv6->sin6_port = htons(from.port);
-      std::memcpy(&ipv6->sin6_addr, from.ip.bytes.data(), sizeof ipv6->sin6_addr);
-      length = sizeof *ipv6;
-    }
-  }
-  const sockaddr* get() const { return reinterpret_cast<const sockaddr*>(&storage); }
-
-  sockaddr_storage storage{};
-  socklen_t length = 0;
-};
 
 }  // namespace
 
@@ -64,23 +41,21 @@ bool peerIsTrusted(const Descriptor& socket) {
 }
 
 Descriptor listenTcp(const SocketAddress& address) {
-  const SystemAddress system(address);
-  Descriptor socket(::socket(system.storage.ss_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
+  SystemAddress system;
+  const socklen_t length = toSystem(address, !address.ip.isIpv4(), system);
+  Descriptor socket(::socket(system.any.sa_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
   if (!socket) return socket;
   const int yes = 1;
   setsockopt(socket.number(), SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
   if (!address.ip.isIpv4()) setsockopt(socket.number(), IPPROTO_IPV6, IPV6_V6ONLY, &yes, sizeof yes);
-  const bool listens =
-      bind(socket.number(), system.get(), system.length) == 0 && listen(socket.number(), kBacklog) == 0;
+  const bool listens = bind(socket.number(), &system.any, length) == 0 && listen(socket.number(), kBacklog) == 0;
   return listens ? std::move(socket) : Descriptor();
 }
 
 std::uint16_t portOf(const Descriptor& listener) {
-  sockaddr_storage storage{};
-  socklen_t length = sizeof storage;
-  if (getsockname(listener.number(), reinterpret_cast<sockaddr*>(&storage), &length) != 0) return 0;
-  // The port is at the same place in the addresses of both families.
-  return ntohs(reinterpret_cast<const sockaddr_in*>(&storage)->sin_port);
+  SystemAddress system{};
+  socklen_t length = sizeof system;
+  return getsockname(listener.number(), &system.any, &length) == 0 ? fromSystem(system).port : 0;
 }
 
 // The server asks in every tick. accept4 prepares a file before it finds that nobody has connected; poll does not.

@@ -20,6 +20,12 @@ TEST(IpAddress, AnIpv4AddressHasOneValue) {
   EXPECT_FALSE(ip("2001:db8::1").isIpv4());
 }
 
+TEST(IpAddress, AnIpv4AddressHasFourBytes) {
+  const std::array<std::uint8_t, 4> bytes{192, 0, 2, 1};
+  EXPECT_EQ(IpAddress::ofIpv4(bytes), ip("192.0.2.1"));
+  EXPECT_EQ(ip("192.0.2.1").ipv4(), bytes);
+}
+
 TEST(IpAddress, OnlyTheExactLoopbackAddressesAreLoopback) {
   EXPECT_TRUE(ip("127.0.0.1").isLoopback());
   EXPECT_TRUE(ip("::1").isLoopback());

@@ -1,12 +1,9 @@
 #include "server/admin/metrics_server.h"
 
 #include <gtest/gtest.h>
-#include <netinet/in.h>
-#include <sys/socket.h>
-
-#include <cstring>
 
 #include "protocol/program_error.h"
+#include "protocol/transport/system_address.h"
 #include "server/admin/http.h"
 #include "server/admin/stream_socket.h"
 #include "tests/support/wait_until.h"
@@ -19,22 +16,10 @@ using namespace std::chrono_literals;
 SocketAddress address(const std::string& text) { return parseSocketAddress(text).value(); }
 
 Descriptor connectTcp(const SocketAddress& to) {
-  sockaddr_storage storage{};
-  socklen_t length = 0;
-  if (to.ip.isIpv4()) {
-    auto* ipv4 = reinterpret_cast<sockaddr_in*>(&storage);
-    *ipv4 = {.sin_family = AF_INET, .sin_port = htons(to.port), .sin_addr = {}, .sin_zero = {}};
-    std::memcpy(&ipv4->sin_addr, &to.ip.bytes[12], 4);
-    length = sizeof *ipv4;
-  } else {
-    auto* ipv6 = reinterpret_cast<sockaddr_in6*>(&storage);
-    ipv6->sin6_family = AF_INET6;
-    ipv6->sin6_port = htons(to.port);
-    std::memcpy(&ipv6->sin6_addr, to.ip.bytes.data(), 16);
-    length = sizeof *ipv6;
-  }
-  Descriptor socket(::socket(storage.ss_family, SOCK_STREAM | SOCK_CLOEXEC, 0));
-  EXPECT_EQ(connect(socket.number(), reinterpret_cast<const sockaddr*>(&storage), length), 0);
+  SystemAddress system;
+  const socklen_t length = toSystem(to, !to.ip.isIpv4(), system);
+  Descriptor socket(::socket(system.any.sa_family, SOCK_STREAM | SOCK_CLOEXEC, 0));
+  EXPECT_EQ(connect(socket.number(), &system.any, length), 0);
   return socket;
 }
 

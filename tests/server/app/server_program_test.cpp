@@ -1,12 +1,11 @@
 #include <gtest/gtest.h>
 #include <ifaddrs.h>
-#include <netinet/in.h>
 #include <signal.h>
 
 #include <cstring>
 #include <filesystem>
 
-#include "protocol/transport/socket_address.h"
+#include "protocol/transport/system_address.h"
 #include "server/app/option_table.h"
 #include "tests/support/enet_client.h"
 #include "tests/support/environment_variable.h"
@@ -216,9 +215,10 @@ std::optional<IpAddress> publicAddress() {
   if (getifaddrs(&all) != 0) return found;
   for (const ifaddrs* one = all; one; one = one->ifa_next) {
     if (!one->ifa_addr || one->ifa_addr->sa_family != AF_INET) continue;
-    IpAddress address = *IpAddress::parse("0.0.0.0");
-    std::memcpy(&address.bytes[12], &reinterpret_cast<const sockaddr_in*>(one->ifa_addr)->sin_addr, 4);
-    if (address.bytes[12] != 127) found = address;
+    SystemAddress system{};
+    std::memcpy(&system, one->ifa_addr, sizeof system.ipv4);
+    const IpAddress address = fromSystem(system).ip;
+    if (address.ipv4()[0] != 127) found = address;
   }
   freeifaddrs(all);
   return found;

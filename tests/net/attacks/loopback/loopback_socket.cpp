@@ -1,64 +1,22 @@
 #include "tests/net/attacks/loopback/loopback_socket.h"
 
-#include <netinet/in.h>
-#include <sys/socket.h>
 #include <unistd.h>
 
 #include <array>
 #include <cstring>
 #include <stdexcept>
 
+#include "protocol/transport/system_address.h"
+
 namespace platon {
 namespace {
 
-constexpr std::size_t kIpv4At = 12;
 constexpr int kBufferBytes = 4 * 1024 * 1024;
 constexpr std::size_t kMaxReceived = 2048;
 
-// Either family; `ipv4.sin_family` tells which.
-union SystemAddress {
-  sockaddr any;
-  sockaddr_in ipv4;
-  sockaddr_in6 ipv6;
-};
-
-in_addr toSystem4(const IpAddress& ip) {
-  in_addr address{};
-  std::memcpy(&address, ip.bytes.data() + kIpv4At, sizeof address);
-  return address;
-}
-
-in6_addr toSystem6(const IpAddress& ip) {
-  in6_addr address{};
-  std::memcpy(&address, ip.bytes.data(), sizeof address);
-  return address;
-}
-
-SystemAddress toSystem(const SocketAddress& address) {
-  SystemAddress system{};
-  if (address.ip.isIpv4()) {
-    system.ipv4 = {AF_INET, htons(address.port), toSystem4(address.ip), {}};
-  } else {
-    system.ipv6 = {AF_INET6, htons(address.port), 0, toSystem6(address.ip), 0};
-  }
-  return system;
-}
-
-socklen_t sizeOf(const SystemAddress& system) {
-  return system.any.sa_family == AF_INET ? sizeof system.ipv4 : sizeof system.ipv6;
-}
-
-SocketAddress fromSystem(const SystemAddress& system) {
-  SocketAddress address;
-  if (system.any.sa_family == AF_INET) {
-    address.ip.bytes[10] = address.ip.bytes[11] = 0xff;
-    std::memcpy(address.ip.bytes.data() + kIpv4At, &system.ipv4.sin_addr, sizeof system.ipv4.sin_addr);
-    address.port = ntohs(system.ipv4.sin_port);
-  } else {
-    std::memcpy(address.ip.bytes.data(), &system.ipv6.sin6_addr, sizeof system.ipv6.sin6_addr);
-    address.port = ntohs(system.ipv6.sin6_port);
-  }
-  return address;
+// For a socket of the address's own kind.
+socklen_t toSystem(const SocketAddress& address, SystemAddress& system) {
+  return toSystem(address, !address.ip.isIpv4(), system);
 }
 
 // The part of a message that names its sender.
@@ -82,10 +40,11 @@ LoopbackSocket::LoopbackSocket(const IpAddress& own)
     : ipv6_(!own.isIpv4()),
       handle_(socket(ipv6_ ? AF_INET6 : AF_INET, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)),
       buffer_(kMaxReceived) {
-  const SystemAddress system = toSystem(SocketAddress{own, 0});
+  SystemAddress system;
+  const socklen_t size = toSystem(SocketAddress{own, 0}, system);
   setsockopt(handle_, SOL_SOCKET, SO_RCVBUF, &kBufferBytes, sizeof kBufferBytes);
   setsockopt(handle_, SOL_SOCKET, SO_SNDBUF, &kBufferBytes, sizeof kBufferBytes);
-  if (bind(handle_, &system.any, sizeOf(system)) != 0) {
+  if (bind(handle_, &system.any, size) != 0) {
     throw std::runtime_error("cannot open a socket at " + own.text());
   }
 }
@@ -93,28 +52,32 @@ LoopbackSocket::LoopbackSocket(const IpAddress& own)
 LoopbackSocket::~LoopbackSocket() { close(handle_); }
 
 void LoopbackSocket::send(const SocketAddress& receiver, ByteSpan datagram) const {
-  const SystemAddress to = toSystem(receiver);
-  sendto(handle_, datagram.data(), datagram.size(), 0, &to.any, sizeOf(to));
+  SystemAddress to;
+  const socklen_t size = toSystem(receiver, to);
+  sendto(handle_, datagram.data(), datagram.size(), 0, &to.any, size);
 }
 
 void LoopbackSocket::sendFrom(const IpAddress& from, const SocketAddress& receiver, ByteSpan datagram) const {
+  SystemAddress sender;
+  toSystem(SocketAddress{from, 0}, ipv6_, sender);
   if (ipv6_) {
     in6_pktinfo info{};
-    info.ipi6_addr = toSystem6(from);
+    info.ipi6_addr = sender.ipv6.sin6_addr;
     ControlMessage control(IPPROTO_IPV6, IPV6_PKTINFO, info);
     sendMessage(receiver, datagram, control.bytes);
   } else {
     in_pktinfo info{};
-    info.ipi_spec_dst = toSystem4(from);
+    info.ipi_spec_dst = sender.ipv4.sin_addr;
     ControlMessage control(IPPROTO_IP, IP_PKTINFO, info);
     sendMessage(receiver, datagram, control.bytes);
   }
 }
 
 void LoopbackSocket::sendMessage(const SocketAddress& receiver, ByteSpan datagram, std::span<char> control) const {
-  SystemAddress to = toSystem(receiver);
+  SystemAddress to;
+  const socklen_t size = toSystem(receiver, to);
   iovec part{const_cast<std::uint8_t*>(datagram.data()), datagram.size()};
-  const msghdr message{&to, sizeOf(to), &part, 1, control.data(), control.size(), 0};
+  const msghdr message{&to, size, &part, 1, control.data(), control.size(), 0};
   sendmsg(handle_, &message, 0);
 }
 
