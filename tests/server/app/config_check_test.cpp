@@ -114,7 +114,7 @@ TEST_F(ConfigCheckTest, ReportsAKeyAndAPasswordThatTheServerWouldRefuse) {
   EXPECT_EQ(check.errors, both);
   const std::vector<std::string> missing{
       at("missing/key") + ": error: cannot be created: No such file or directory; name a file in a writable folder",
-      at("missing/password") + ": error: No such file or directory"};
+      at("missing/password") + ": error: No such file or directory; name a readable file"};
   EXPECT_EQ(this->check("key-file = \"missing/key\"\npassword-file = \"missing/password\"\n").errors, missing);
 }
 

@@ -102,7 +102,8 @@ TEST_F(ProgramTest, ExitCodesAreThoseOfTheManual) {
        "platon-server: cannot listen on 127.0.0.1:" + port + ": Address already in use; ");
   ends({"--colour"}, 2, "platon-server: The following argument was not expected: --colour");
   ends({level_, "--port", "0", "--record", level_ + "/games"}, 2,
-       "platon-server: cannot write recordings to '" + level_ + "/games': Not a directory; name another folder");
+       "platon-server: cannot write recordings to '" + level_ +
+           "/games': the folder cannot be created: Not a directory; name another folder");
   ends({"/no/such.level"}, 2, "platon-server: cannot read the level '/no/such.level'");
   ends({level_, "--metrics", "9100"}, 2, "platon-server: --metrics must be an address and a port, such as ");
   ends({level_, "--port", "0", "--ban-file", "/no/such/bans"}, 2,
