@@ -111,6 +111,7 @@ std::string BanList::text() const {
 }
 
 const Ban* BanList::find(const IpAddress& address, UtcTime now) const {
+  if (address.isLoopback()) return nullptr;
   const Ban* longest = nullptr;
   for (const unsigned bits : lengths_) {
     const Ban* ban = find(AddressRange::around(address, bits));

@@ -56,8 +56,9 @@ class BanList {
   static std::variant<BanList, std::vector<Diagnostic>> parse(std::string_view text);
   std::string text() const;
 
-  /// The ban of an address that lasts longest; null if none holds. Takes logarithmic time. The pointer is valid until
-  /// the list changes.
+  /// The ban of an address that lasts longest; null if none holds. Exact loopback (IpAddress::isLoopback) is never
+  /// banned, so that a ban of all addresses does not lock out who sits at the machine. Takes logarithmic time. The
+  /// pointer is valid until the list changes.
   const Ban* find(const IpAddress& address, UtcTime now) const;
   /// The ban of exactly this range; null if there is none.
   const Ban* find(const AddressRange& range) const;

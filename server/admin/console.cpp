@@ -6,7 +6,6 @@
 
 #include "platon/game/diagnostics.h"
 #include "server/admin/enforce_bans.h"
-#include "server/admin/origin_address.h"
 
 namespace platon {
 namespace {
@@ -20,9 +19,9 @@ std::string described(const PlayerStatus& player) {
 }
 
 std::string lineOf(const PlayerStatus& player) {
-  const auto address = addressOfOrigin(player.origin);
-  return numberOf(player.slot) + "  " + (address ? address->text() : "this machine") + "  \"" + player.name + "\"" +
-         (player.client ? ", missed inputs: " + std::to_string(player.missedInputs) : ", disconnected") +
+  const bool isLocal = player.address.isLoopback();
+  return numberOf(player.slot) + "  " + (isLocal ? "this machine" : player.address.text()) + "  \"" + player.name +
+         "\"" + (player.client ? ", missed inputs: " + std::to_string(player.missedInputs) : ", disconnected") +
          (player.muted ? ", muted" : "");
 }
 
@@ -103,7 +102,7 @@ std::variant<AddressRange, ParseError> Console::rangeOf(const PlayerWord& word) 
   auto found = find(word);
   if (auto* error = std::get_if<ParseError>(&found)) return std::move(*error);
   const auto& player = std::get<PlayerStatus>(found);
-  if (const auto address = addressOfOrigin(player.origin)) return AddressRange::householdOf(*address);
+  if (!player.address.isLoopback()) return AddressRange::householdOf(player.address);
   return ParseError{described(player) + " plays on this machine, which cannot be banned: use kick"};
 }
 

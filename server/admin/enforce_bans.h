@@ -8,7 +8,8 @@
 
 namespace platon {
 
-/// Removes all players of a match whose address is banned, connected or not, and tells them why. Returns their number.
+/// Removes all players of a match whose address is banned, connected or not, and tells them why. The address is the one
+/// that their last message came from. Returns their number.
 std::size_t enforceBans(Match& match, const BanList& bans, UtcTime now);
 
 }  // namespace platon

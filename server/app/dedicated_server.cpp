@@ -160,7 +160,7 @@ void DedicatedServer::handle(const HostEvent& event, TimePoint now) {
   const auto message = decodeToServer(event.bytes);
   if (message) {
     const bool wasPlaying = match_.isPlaying(event.client);
-    match_.receive(event.client, *message, event.address.household());
+    match_.receive(event.client, *message, event.address);
     const bool isPlaying = match_.isPlaying(event.client);
     if (isPlaying) host_.admit(event.client);
     if (wasPlaying && !isPlaying) host_.close(event.client, momentOf(now));  // a connection serves one player only

@@ -36,16 +36,20 @@ Match::Match(LevelRotation rotation, MatchSettings settings)
 
 void Match::setServerName(std::string_view name) { settings_.serverName = visibleLabel(name); }
 
-void Match::receive(ClientId client, const ToServer& message, std::uint64_t origin) {
-  if (const Hello* hello = std::get_if<Hello>(&message)) return handleHello(client, *hello, origin);
+void Match::receive(ClientId client, const ToServer& message, const IpAddress& address) {
+  const auto known = players_.find(client);
+  if (known != players_.end()) known->second.setAddress(address);
+  if (const Hello* hello = std::get_if<Hello>(&message)) return handleHello(client, *hello, address);
   std::visit([this, client](const auto& body) { handle(client, body); }, message);
 }
 
-void Match::handleHello(ClientId client, const Hello& hello, std::uint64_t origin) {
+void Match::handleHello(ClientId client, const Hello& hello, const IpAddress& address) {
   if (isPlaying(client) || isClosing(client)) return;
+  const std::uint64_t origin = address.household();
   const std::variant<MatchPlayer*, Refused> admitted = admit(client, hello, origin);
   if (MatchPlayer* const* player = std::get_if<MatchPlayer*>(&admitted)) {
     (*player)->setOrigin(origin);
+    (*player)->setAddress(address);
     return evictDisconnected(origin, 0);
   }
   const Refused& refused = std::get<Refused>(admitted);

@@ -12,6 +12,7 @@
 #include "platon/game/game.h"
 #include "protocol/to_client.h"
 #include "protocol/to_server.h"
+#include "protocol/transport/socket_address.h"
 #include "server/match/client_id.h"
 #include "server/match/level_rotation.h"
 #include "server/match/match_event.h"
@@ -64,10 +65,11 @@ class Match {
 
   Match(LevelRotation rotation, MatchSettings settings);
 
-  /// Handles a message from a client; its first message must be Hello. `origin` is the number of the client's
-  /// network address, 0 for one without a limit of players. When an origin has more players than allowed, its player
-  /// that has been disconnected longest is removed; when all of them are connected, the client is refused.
-  void receive(ClientId client, const ToServer& message, std::uint64_t origin = 0);
+  /// Handles a message from a client that is at this address; its first message must be Hello. The origin of a player
+  /// is the household of the address that its Hello came from. When an origin has more players than allowed, its player
+  /// that has been disconnected longest is removed; when all of them are connected, the client is refused. Origin 0 has
+  /// no limit of players.
+  void receive(ClientId client, const ToServer& message, const IpAddress& address = {});
   /// Sets who knows how many reliable messages a client can be sent in this tick; without it, any number. Chunks wait
   /// for a client that does not keep up.
   void setRoom(std::function<std::size_t(ClientId)> room) { room_ = std::move(room); }
@@ -127,7 +129,7 @@ class Match {
     std::uint64_t since = 0;  // value of now_
   };
 
-  void handleHello(ClientId client, const Hello& hello, std::uint64_t origin);
+  void handleHello(ClientId client, const Hello& hello, const IpAddress& address);
   void handle(ClientId, const Hello&) {}
   void handle(ClientId client, const LevelRequest& request);
   void handle(ClientId client, const Leave& leave);

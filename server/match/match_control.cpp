@@ -41,7 +41,7 @@ std::vector<PlayerStatus> Match::playerStatus() const {
   std::vector<PlayerStatus> all;
   const auto add = [this, &all](const MatchPlayer& player, std::optional<ClientId> client) {
     all.push_back({player.slot(), player.name(), names_.shown(player.slot()), names_.isMuted(player.slot()), client,
-                   player.origin(), player.missedInputs()});
+                   player.address(), player.missedInputs()});
   };
   for (const auto& [client, player] : players_) add(player, client);
   for (const Disconnected& entry : disconnected_) add(entry.player, std::nullopt);

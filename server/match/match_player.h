@@ -11,6 +11,7 @@
 #include "protocol/session_token.h"
 #include "protocol/to_client.h"
 #include "protocol/to_server.h"
+#include "protocol/transport/socket_address.h"
 #include "server/match/input_buffer.h"
 #include "server/match/transfer.h"
 
@@ -39,7 +40,11 @@ class MatchPlayer {
   const std::string& name() const { return name_; }
   /// Whether the player joined with this token.
   bool hasToken(const SessionToken& token) const { return token_ && sameToken(*token_, token); }
-  /// Network address of the client, as passed to `Match::receive`.
+  /// Address that the last message of the client came from.
+  const IpAddress& address() const { return address_; }
+  void setAddress(const IpAddress& address) { address_ = address; }
+  /// Household of the address that its Hello came from. It stays when the client moves to another address, or one
+  /// household could gather more players than it may have.
   std::uint64_t origin() const { return origin_; }
   void setOrigin(std::uint64_t origin) { origin_ = origin; }
   /// Whether a client can resume the player, that is, whether it joined with a token.
@@ -107,6 +112,7 @@ class MatchPlayer {
   std::uint32_t slot_;
   std::string name_;
   std::optional<SessionToken> token_;
+  IpAddress address_;
   std::uint64_t origin_ = 0;
   std::uint64_t activeAt_;    // tick of the match in which the client last changed a button, or joined
   std::uint8_t buttons_ = 0;  // of the newest input of all rounds

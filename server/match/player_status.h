@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "protocol/transport/socket_address.h"
 #include "server/match/client_id.h"
 
 namespace platon {
@@ -15,7 +16,7 @@ struct PlayerStatus {
   std::string shownName;  ///< by which the other players know it
   bool muted = false;
   std::optional<ClientId> client;  ///< nothing while the player is disconnected
-  std::uint64_t origin = 0;        ///< as passed to `Match::receive`
+  IpAddress address;               ///< where the last message of its client came from
   std::uint64_t missedInputs = 0;  ///< of this round
 
   friend bool operator==(const PlayerStatus&, const PlayerStatus&) = default;

@@ -58,6 +58,14 @@ TEST(BanList, FindsTheBanOfAnAddress) {
   EXPECT_FALSE(BanList().find(ip("192.0.2.99"), kNow));
 }
 
+TEST(BanList, ExactLoopbackIsNeverBanned) {
+  const BanList list = listOf("0.0.0.0/0\n::/0\n127.0.0.1\n");
+  EXPECT_FALSE(list.find(ip("127.0.0.1"), kNow));
+  EXPECT_FALSE(list.find(ip("::1"), kNow));
+  EXPECT_TRUE(list.find(ip("127.0.0.2"), kNow));
+  EXPECT_TRUE(list.find(ip("::2"), kNow));
+}
+
 TEST(BanList, ABanEndsAtItsTime) {
   const BanList list = listOf("192.0.2.7 until 2026-11-22T12:00:00Z\n");
   EXPECT_TRUE(list.find(ip("192.0.2.7"), kNow - 1s));

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "tests/support/origins.h"
 #include "tests/support/test_levels.h"
 
 namespace platon {
@@ -15,11 +14,11 @@ constexpr std::size_t kMany = Console::kMaxBansListed + 50;
 
 class ConsoleTest : public testing::Test {
  protected:
-  void join(ClientId client, const std::string& name, std::uint64_t origin = 0) {
+  void join(ClientId client, const std::string& name, const char* address = "127.0.0.1") {
     Hello hello;
     hello.name = name;
     hello.token = SessionToken{static_cast<std::uint8_t>(client)};
-    match_.receive(client, hello, origin);
+    match_.receive(client, hello, *IpAddress::parse(address));
     match_.takeOutgoing();
   }
 
@@ -74,9 +73,9 @@ TEST_F(ConsoleTest, Status) {
 
 TEST_F(ConsoleTest, PlayersAreListedByNumber) {
   EXPECT_EQ(text("players"), "no players");
-  join(7, "Ann", originOf("192.0.2.7"));
+  join(7, "Ann", "192.0.2.7");
   join(3, "Ben \"B\"");
-  join(5, "Cid", originOf("192.0.2.8"));
+  join(5, "Cid", "192.0.2.8");
   match_.disconnect(5);
   text("mute 2");
   EXPECT_EQ(text("players"),
@@ -112,9 +111,9 @@ TEST_F(ConsoleTest, ANumberNeverMeansAName) {
 }
 
 TEST_F(ConsoleTest, BanRemovesThePlayerAndItsHousehold) {
-  join(1, "Ann", originOf("192.0.2.7"));
-  join(2, "Ben", originOf("192.0.2.7"));
-  join(3, "Cid", originOf("192.0.2.8"));
+  join(1, "Ann", "192.0.2.7");
+  join(2, "Ben", "192.0.2.7");
+  join(3, "Cid", "192.0.2.8");
   EXPECT_EQ(text("ban Ann 2h too loud"),
             "banned 192.0.2.7 until 2026-11-22T14:00:00Z: too loud\nremoved 2 players\n"
             "the ban ends with the server: name a file after --ban-file to keep bans");
@@ -124,8 +123,16 @@ TEST_F(ConsoleTest, BanRemovesThePlayerAndItsHousehold) {
   EXPECT_TRUE(bans_.list().find(*IpAddress::parse("192.0.2.7"), kNow));
 }
 
+TEST_F(ConsoleTest, AnIpv6PlayerIsListedByItsAddressAndBannedWithItsHousehold) {
+  join(1, "Ann", "2001:db8::1");
+  join(2, "Ben", "2001:db8::2");
+  EXPECT_EQ(text("players"), "1  2001:db8::1  \"Ann\", missed inputs: 0\n2  2001:db8::2  \"Ben\", missed inputs: 0");
+  EXPECT_TRUE(text("ban 2001:db8::1").starts_with("banned 2001:db8::1\nremoved 1 player\n"));
+  EXPECT_TRUE(text("ban Ben").starts_with("banned 2001:db8::/64\nremoved 1 player\n"));
+}
+
 TEST_F(ConsoleTest, BanOfARange) {
-  join(1, "Ann", originOf("192.0.2.7"));
+  join(1, "Ann", "192.0.2.7");
   EXPECT_TRUE(text("ban 192.0.2.0/24").starts_with("banned 192.0.2.0/24\nremoved 1 player\n"));
   EXPECT_TRUE(
       text("ban 2001:db8::/32 7d").starts_with("banned 2001:db8::/32 until 2026-11-29T12:00:00Z\nremoved 0 players"));

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/origins.h"
 #include "tests/support/test_levels.h"
 
 namespace platon {
@@ -16,16 +15,16 @@ BanList listOf(const std::string& text) { return std::get<BanList>(BanList::pars
 class EnforceBansTest : public testing::Test {
  protected:
   EnforceBansTest() {
-    for (const ClientId client : {1u, 2u}) join(client, originOf("192.0.2.7"));
-    join(3, originOf("192.0.2.8"));
-    join(4, 0);
+    for (const ClientId client : {1u, 2u}) join(client, "192.0.2.7");
+    join(3, "192.0.2.8");
+    join(4, "127.0.0.1");
     match_.takeOutgoing();
   }
 
-  void join(ClientId client, std::uint64_t origin) {
+  void join(ClientId client, const char* address) {
     Hello hello;
     hello.token = SessionToken{static_cast<std::uint8_t>(client)};
-    match_.receive(client, hello, origin);
+    match_.receive(client, hello, *IpAddress::parse(address));
   }
 
   Match match_{LevelRotation({levelOf(farGoalText())}), {8, "Test"}};
@@ -51,15 +50,32 @@ TEST_F(EnforceBansTest, RemovesDisconnectedPlayersToo) {
   EXPECT_EQ(match_.playerStatus().size(), 1u);
 }
 
+TEST_F(EnforceBansTest, ABanOfOneIpv6AddressHitsThisAddressOnly) {
+  join(5, "2001:db8::1");
+  join(6, "2001:db8::2");  // of the same household
+  EXPECT_EQ(enforceBans(match_, listOf("2001:db8::1\n"), kNow), 1u);
+  EXPECT_FALSE(match_.isPlaying(5));
+  EXPECT_TRUE(match_.isPlaying(6));
+}
+
+TEST_F(EnforceBansTest, APlayerThatHasMovedIsBannedByItsPresentAddress) {
+  match_.receive(3, PlayerInputs{}, *IpAddress::parse("198.51.100.9"));
+  EXPECT_EQ(enforceBans(match_, listOf("192.0.2.8\n"), kNow), 0u);
+  match_.disconnect(3);
+  EXPECT_EQ(enforceBans(match_, listOf("198.51.100.9\n"), kNow), 1u);
+}
+
 TEST_F(EnforceBansTest, NobodyLeavesWithoutABanThatHolds) {
   EXPECT_EQ(enforceBans(match_, BanList(), kNow), 0u);
   EXPECT_EQ(enforceBans(match_, listOf("192.0.2.7 until 2026-11-22T12:00:00Z\n"), kNow), 0u);
   EXPECT_EQ(match_.players(), 4u);
 }
 
-// This machine has no address, so nobody can lock out the person who sits at it.
+// Nobody can lock out the person who sits at the machine.
 TEST_F(EnforceBansTest, ThePlayersOfThisMachineStay) {
+  join(5, "::1");
   EXPECT_EQ(enforceBans(match_, listOf("0.0.0.0/0\n::/0\n"), kNow), 3u);
+  EXPECT_TRUE(match_.isPlaying(5));
   EXPECT_TRUE(match_.isPlaying(4));
 }
 

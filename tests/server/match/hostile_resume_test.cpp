@@ -28,6 +28,13 @@ Hello hello(const std::string& name, std::optional<SessionToken> token) {
   return hello;
 }
 
+// An address of this household.
+IpAddress addressOf(std::uint8_t origin) {
+  IpAddress address;
+  address.bytes[7] = origin;
+  return address;
+}
+
 /// A match that receives messages without a network.
 class HostileResume : public testing::Test {
  protected:
@@ -38,8 +45,8 @@ class HostileResume : public testing::Test {
     return Match(LevelRotation({levelOf(farGoalText())}), settings);
   }
 
-  void sendHello(Match& match, ClientId client, std::uint32_t token, std::uint64_t origin = 0) {
-    match.receive(client, hello("P" + std::to_string(token), tokenNumber(token)), origin);
+  void sendHello(Match& match, ClientId client, std::uint32_t token, std::uint8_t origin = 0) {
+    match.receive(client, hello("P" + std::to_string(token), tokenNumber(token)), addressOf(origin));
   }
 
   // Runs one tick and counts its messages and events.
@@ -53,6 +60,18 @@ class HostileResume : public testing::Test {
   std::map<ClientId, std::size_t> sent_;
   std::map<Kind, std::size_t> events_;
 };
+
+// Otherwise one household could gather any number of players.
+TEST_F(HostileResume, APlayerThatMovesStillCountsForItsFirstHousehold) {
+  Match match = matchFor(8, 2);
+  for (std::uint32_t i = 1; i <= 3; ++i) {
+    sendHello(match, i, i, 7);
+    match.receive(i, PlayerInputs{}, addressOf(8));
+  }
+  EXPECT_EQ(match.players(), 2u);
+  for (std::uint32_t i = 4; i <= 6; ++i) sendHello(match, i, i, 8);
+  EXPECT_EQ(match.players(), 4u);
+}
 
 TEST_F(HostileResume, ASecondHelloChangesNothing) {
   Match match = matchFor(4);
@@ -169,7 +188,7 @@ TEST_F(HostileResume, APlayerThatHasLeftIsNotReportedAsDisconnected) {
 
 // A client that repeatedly disconnects must not occupy all slots.
 TEST_F(HostileResume, AnAddressHoldsOnlyAsManySlotsAsItMayHaveConnections) {
-  constexpr std::uint32_t kAttacker = 7, kOther = 8;
+  constexpr std::uint8_t kAttacker = 7, kOther = 8;
   Match match = matchFor(16, 4);
   sendHello(match, 1, 1, kOther);
   sendHello(match, 2, 2, kOther);

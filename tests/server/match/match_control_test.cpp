@@ -181,19 +181,21 @@ TEST_F(MatchControlTest, WithoutPlayersTheNextRoundStartsAtOnce) {
   EXPECT_EQ(match().game().level().hash, levelOf(farGoalText())->hash);
 }
 
-TEST_F(MatchControlTest, PlayersAreListedBySlot) {
+TEST_F(MatchControlTest, PlayersAreListedBySlotWithTheirPresentAddress) {
+  const auto at = [](const char* address) { return *IpAddress::parse(address); };
   EXPECT_TRUE(match().playerStatus().empty());
   for (const ClientId client : {7u, 5u, 6u}) {
     Hello hello;
     hello.name = "P" + std::to_string(client);
     hello.token = SessionToken{static_cast<std::uint8_t>(client)};
-    match().receive(client, hello, 100 + client);
+    match().receive(client, hello, at("192.0.2.1"));
   }
+  match().receive(6, PlayerInputs{}, at("2001:db8::6"));  // it has moved
   match().disconnect(5);
   match().mute(2, true);
-  const std::vector<PlayerStatus> expected{{0, "P7", "P7", false, 7, 107, 0},
-                                           {1, "P5", "P5", false, std::nullopt, 105, 0},
-                                           {2, "P6", "Player 3", true, 6, 106, 0}};
+  const std::vector<PlayerStatus> expected{{0, "P7", "P7", false, 7, at("192.0.2.1"), 0},
+                                           {1, "P5", "P5", false, std::nullopt, at("192.0.2.1"), 0},
+                                           {2, "P6", "Player 3", true, 6, at("2001:db8::6"), 0}};
   EXPECT_EQ(match().playerStatus(), expected);
 }
 
