@@ -158,30 +158,47 @@ void DedicatedServer::handle(const HostEvent& event, TimePoint now) {
   if (event.disconnected) return match_.disconnect(event.client);
   if (!host_.isOpen(event.client)) return;
   const auto message = decodeToServer(event.bytes);
-  if (message) {
-    const bool wasPlaying = match_.isPlaying(event.client);
-    match_.receive(event.client, *message, event.address);
-    const bool isPlaying = match_.isPlaying(event.client);
-    if (isPlaying) host_.admit(event.client);
-    if (wasPlaying && !isPlaying) host_.close(event.client, momentOf(now));  // a connection serves one player only
-    return;
+  if (!message) {
+    ++malformedMessages_;
+    match_.remove(event.client);
+    return sendLast(event.client, encode(Bye{ByeCode::kRemoved, "your client sent a malformed message"}), now);
   }
-  ++malformedMessages_;
-  match_.remove(event.client);
-  host_.send(event.client, true, encode(Bye{ByeCode::kRemoved, "your client sent a malformed message"}));
-  host_.close(event.client, momentOf(now));
+  const bool wasPlaying = match_.isPlaying(event.client);
+  if (!wasPlaying && refusesBanned(event, now)) return;
+  match_.receive(event.client, *message, event.address);
+  const bool isPlaying = match_.isPlaying(event.client);
+  if (isPlaying) host_.admit(event.client);
+  if (wasPlaying && !isPlaying) host_.close(event.client, momentOf(now));  // a connection serves one player only
+}
+
+void DedicatedServer::sendLast(ClientId client, std::span<const std::uint8_t> message, TimePoint now) {
+  host_.send(client, true, message);
+  host_.close(client, momentOf(now));
+}
+
+// The address of a client may have been banned after the client had connected.
+bool DedicatedServer::refusesBanned(const HostEvent& event, TimePoint now) {
+  const std::optional<std::string> ban = banOf(event.address);
+  if (!ban) return false;
+  ++bannedClients_;
+  sendLast(event.client, encode(Refused{RefusalCode::kOther, *ban}), now);
+  return true;
 }
 
 void DedicatedServer::refuseBanned(const BanList& bans) {
-  host_.gate().setBanCheck([this, &bans](const IpAddress& address) -> std::optional<std::string> {
-    const auto time = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
-    const Ban* const ban = bans.find(address, time);
-    if (!ban) return std::nullopt;
-    if (banNotices_.take(address.household(), receivedAt_)) {
-      log_.info("refused banned address", {{"address", address.text()}, {"ban", ban->range.text()}});
-    }
-    return refusalOf(*ban);
-  });
+  bans_ = &bans;
+  host_.gate().setBanCheck([this](const IpAddress& address) { return banOf(address); });
+}
+
+// Why the address may not join, if it is banned; tells the log of it.
+std::optional<std::string> DedicatedServer::banOf(const IpAddress& address) {
+  const auto time = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
+  const Ban* const ban = bans_ ? bans_->find(address, time) : nullptr;
+  if (!ban) return std::nullopt;
+  if (banNotices_.take(address.household(), receivedAt_)) {
+    log_.info("refused banned address", {{"address", address.text()}, {"ban", ban->range.text()}});
+  }
+  return refusalOf(*ban);
 }
 
 void DedicatedServer::send(TimePoint now) {
@@ -237,6 +254,7 @@ void DedicatedServer::logDropped(TimePoint now) {
 
 std::vector<Rejection> DedicatedServer::rejections() const {
   std::vector<Rejection> rejected = host_.rejections();
+  for (Rejection& each : rejected) each.count += each.reason == "banned" ? bannedClients_ : 0;
   rejected.push_back({"message", malformedMessages_});
   return rejected;
 }

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -82,6 +83,9 @@ class DedicatedServer {
   void wait();
   void receive(TimePoint now);
   void handle(const HostEvent& event, TimePoint now);
+  void sendLast(ClientId client, std::span<const std::uint8_t> message, TimePoint now);
+  bool refusesBanned(const HostEvent& event, TimePoint now);
+  std::optional<std::string> banOf(const IpAddress& address);
   void send(TimePoint now);
   void writeRecordings();
   void finishRecordings();
@@ -95,8 +99,10 @@ class DedicatedServer {
   std::optional<RecordingWriter> recordings_;
   Match match_;
   TickClock clock_;
+  const BanList* bans_ = nullptr;  // null: nobody is banned
   BanNotices banNotices_;
-  TimePoint receivedAt_{};  // the last time of `receive`
+  std::uint64_t bannedClients_ = 0;  // refused after their connection was there
+  TimePoint receivedAt_{};           // the last time of `receive`
   std::uint64_t malformedMessages_ = 0;
   std::uint64_t receivedBeforeTick_ = 0;  // datagrams up to the last tick
   bool flooded_ = false;                  // many datagrams came between the last two ticks

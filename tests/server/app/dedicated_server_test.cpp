@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <thread>
 
+#include "client/net/connection.h"
 #include "protocol/transport/client_gate.h"
 #include "tests/support/enet_client.h"
 #include "tests/support/test_levels.h"
@@ -285,6 +286,32 @@ TEST_F(BannedAddressTest, TheLogTellsOfTheFirstRefusalOfEachHousehold) {
   now_ += std::chrono::hours(1);
   EXPECT_EQ(tellsNow("192.0.2.7"), R"(refused banned address address="192.0.2.7" ban="192.0.2.0/24")");
   EXPECT_EQ(server_.host().gate().counters().banned, 5u);
+}
+
+TEST_F(BannedAddressTest, AConnectionFromBeforeTheBanCannotJoin) {
+  bans_ = BanList();
+  Connection client(network_.socket(addressAt("192.0.2.7", 4000)), {kServer}, {});
+  std::vector<ToClient> received;
+  const auto run = [&](Connection::State state) {
+    for (int ms = 0; ms < 20000 && client.state() != state; ++ms) {
+      now_ += 1ms;
+      server_.step(now_);
+      client.service(momentOf(now_), [&](std::span<const std::uint8_t> bytes) {
+        if (auto message = decodeToClient({bytes.begin(), bytes.end()})) received.push_back(std::move(*message));
+      });
+    }
+    return client.state() == state;
+  };
+  ASSERT_TRUE(run(Connection::State::kConnected));
+  bans_ = std::get<BanList>(BanList::parse("192.0.2.7 too loud\n"));
+  client.send(encode(Hello{}), true);
+  EXPECT_TRUE(run(Connection::State::kClosed));
+  const Refused expected{RefusalCode::kOther, "you are banned from this server: too loud"};
+  EXPECT_EQ(received, std::vector<ToClient>{expected});
+  EXPECT_TRUE(server_.match().idle());
+  EXPECT_EQ(server_.host().gate().counters().banned, 0u);
+  const std::vector<Rejection> rejected = server_.rejections();
+  EXPECT_NE(std::find(rejected.begin(), rejected.end(), Rejection{"banned", 1}), rejected.end());
 }
 
 }  // namespace
