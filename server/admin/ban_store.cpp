@@ -49,11 +49,18 @@ std::optional<ParseError> BanStore::remove(const AddressRange& range, UtcTime no
   return std::nullopt;
 }
 
-void BanStore::replace(BanList list) {
-  if (file_ && !file_->pending()) list_ = std::move(list);
+std::optional<ParseError> BanStore::replace(BanList list) {
+  if (!file_) return std::nullopt;
+  if (file_->pending()) {
+    return ParseError{path_ +
+                      ": error: the last change of the bans is not written to this file yet, and will replace what is "
+                      "in it; reload again when it is written"};
+  }
+  list_ = std::move(list);
+  return std::nullopt;
 }
 
-std::optional<std::string> BanStore::poll() { return file_ ? file_->poll() : std::nullopt; }
+std::optional<std::string> BanStore::poll(FileWriter::Time now) { return file_ ? file_->poll(now) : std::nullopt; }
 
 // A file that does not hold the newest list yet is older than the list.
 std::optional<ParseError> BanStore::readAgain() {

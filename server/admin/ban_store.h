@@ -30,12 +30,15 @@ class BanStore {
   std::optional<ParseError> add(const Ban& ban, UtcTime now);
   /// Removes a ban. Nothing changes if there is none or the file has an error; it is returned.
   std::optional<ParseError> remove(const AddressRange& range, UtcTime now);
-  /// Takes over a list that has just been read from the file, unless a newer one waits to be written. No effect without
-  /// a file.
-  void replace(BanList list);
+  /// Takes over a list that has just been read from the file. Nothing changes if a newer one waits to be written; that
+  /// error is returned. No effect without a file.
+  std::optional<ParseError> replace(BanList list);
 
-  /// Call now and then. Returns, once, why the bans could not be written to the file.
-  std::optional<std::string> poll();
+  /// Call now and then: starts to write the file, again after a failure. Returns, once, why the bans could not be
+  /// written.
+  std::optional<std::string> poll(FileWriter::Time now);
+  /// Writes what is pending, as FileWriter::finish does. Returns why the bans are not in the file.
+  std::optional<std::string> finish() { return file_ ? file_->finish() : std::nullopt; }
 
  private:
   std::optional<ParseError> readAgain();

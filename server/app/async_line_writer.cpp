@@ -1,6 +1,5 @@
 #include "server/app/async_line_writer.h"
 
-#include <signal.h>
 #include <spdlog/async_logger.h>
 #include <spdlog/details/thread_pool.h>
 
@@ -8,23 +7,22 @@
 #include <utility>
 
 #include "server/app/descriptor_sink.h"
+#include "server/base/blocked_signals.h"
 
 namespace platon {
 namespace {
 
-// Signals stay with the main thread, which they wake up. A write to a closed pipe then fails instead of raising
-// SIGPIPE.
-void blockSignals() {
-  sigset_t all;
-  sigfillset(&all);
-  pthread_sigmask(SIG_BLOCK, &all, nullptr);
+// A write to a closed pipe fails instead of raising SIGPIPE, which is blocked.
+std::shared_ptr<spdlog::details::thread_pool> startThread(std::size_t queueLines) {
+  const BlockedSignals blocked;
+  return std::make_shared<spdlog::details::thread_pool>(queueLines, 1);
 }
 
 }  // namespace
 
 AsyncLineWriter::AsyncLineWriter(int descriptor)
     : sink_(std::make_shared<DescriptorSink>(descriptor)),
-      thread_(std::make_shared<spdlog::details::thread_pool>(kQueueLines, 1, blockSignals)),
+      thread_(startThread(kQueueLines)),
       logger_(std::make_shared<spdlog::async_logger>("log", sink_, thread_,
                                                      spdlog::async_overflow_policy::overrun_oldest)) {}
 

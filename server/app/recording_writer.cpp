@@ -1,7 +1,5 @@
 #include "server/app/recording_writer.h"
 
-#include <signal.h>
-
 #include <condition_variable>
 #include <deque>
 #include <mutex>
@@ -9,26 +7,9 @@
 #include <thread>
 #include <utility>
 
+#include "server/base/blocked_signals.h"
+
 namespace platon {
-namespace {
-
-// Signals stay with the main thread, which they wake up.
-class BlockedSignals {
- public:
-  BlockedSignals() {
-    sigset_t all;
-    sigfillset(&all);
-    pthread_sigmask(SIG_SETMASK, &all, &before_);
-  }
-  ~BlockedSignals() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-  BlockedSignals(const BlockedSignals&) = delete;
-  BlockedSignals& operator=(const BlockedSignals&) = delete;
-
- private:
-  sigset_t before_;
-};
-
-}  // namespace
 
 struct RecordingWriter::Shared {
   struct Task {

@@ -106,6 +106,11 @@ void ServerProgram::run(const std::function<bool()>& stopRequested) {
     pollTools();
     return stopRequested() || stopping_;
   });
+  if (const auto fault = bans_.finish()) logUnwritten(*fault);
+}
+
+void ServerProgram::logUnwritten(const std::string& reason) {
+  server_.log().warning("bans not written", {{"file", options_.banFile}, {"reason", reason}});
 }
 
 void ServerProgram::pollTools() {
@@ -114,9 +119,7 @@ void ServerProgram::pollTools() {
     consoleServer_->poll(now, [this](std::string_view line) { return console_.execute(line, utcNow()); });
   }
   if (metricsServer_) metricsServer_->poll(now, [this] { return metricsText(); });
-  if (const auto fault = bans_.poll()) {
-    server_.log().warning("bans not written", {{"file", options_.banFile}, {"reason", *fault}});
-  }
+  if (const auto fault = bans_.poll(now)) logUnwritten(*fault);
   const bool watched =
       (consoleServer_ && consoleServer_->consoles() > 0) || (metricsServer_ && metricsServer_->connections() > 0);
   server_.setIdleWait(watched ? kWatchedWait : DedicatedServer::kIdleWait);
@@ -127,7 +130,9 @@ ConsoleReply ServerProgram::reload() {
   try {
     const ServerOptions fresh = optionsOf(line_);
     std::vector<LevelPointer> levels = levelsOf(fresh, log);
-    bans_.replace(readBans(options_.banFile));
+    if (const auto error = bans_.replace(readBans(options_.banFile))) {
+      throw ProgramError(ProgramError::kUsage, error->what);
+    }
     server_.setLevels(std::move(levels));
     const std::string later = takeOver(fresh);
     enforceBans(server_.match(), bans_.list(), utcNow());

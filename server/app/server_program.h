@@ -51,6 +51,7 @@ class ServerProgram {
   ConsoleProgram consoleProgram();
   std::string takeOver(const ServerOptions& fresh);
   std::string status() const;
+  void logUnwritten(const std::string& reason);
 
   CommandLine line_;
   ServerOptions options_;  // as they are in effect

@@ -1,50 +1,80 @@
 #include "server/base/file_writer.h"
 
-#include <signal.h>
-
+#include <memory>
+#include <system_error>
+#include <thread>
 #include <utility>
 
+#include "server/base/blocked_signals.h"
 #include "server/base/text_file.h"
 
 namespace platon {
-namespace {
 
-// Signals stay with the main thread, which they wake up.
-void blockSignals() {
-  sigset_t all;
-  sigfillset(&all);
-  pthread_sigmask(SIG_BLOCK, &all, nullptr);
-}
+FileWriter::FileWriter(std::string path, Start start) : path_(std::move(path)), start_(std::move(start)) {}
 
-}  // namespace
-
-FileWriter::~FileWriter() {
-  if (writing_.valid()) writing_.wait();
-  if (queued_) replaceTextFile(path_, *queued_);
-}
+FileWriter::~FileWriter() { finish(); }
 
 void FileWriter::write(std::string content) {
-  queued_ = std::move(content);
+  content_ = std::move(content);
+  queued_ = true;
   pending_ = true;
-  if (!writing_.valid()) start();
+  reported_.clear();
+  retryAt_ = {};
 }
 
-std::optional<std::string> FileWriter::poll() {
-  if (!writing_.valid() || writing_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return std::nullopt;
-  const std::string fault = writing_.get();
-  if (queued_) {
-    start();
-    return std::nullopt;
+std::optional<std::string> FileWriter::poll(Time now) {
+  std::string fault;
+  if (writing_.valid()) {
+    if (writing_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return std::nullopt;
+    fault = takeResult();
   }
-  pending_ = !fault.empty();
-  return pending_ ? std::optional(fault) : std::nullopt;
+  if (fault.empty() && queued_ && now >= retryAt_) fault = start();
+  if (fault.empty()) return std::nullopt;
+  retryAt_ = now + kRetryInterval;
+  if (fault == reported_) return std::nullopt;
+  return reported_ = fault;
 }
 
-void FileWriter::start() {
-  writing_ = std::async(std::launch::async, [path = path_, content = *std::exchange(queued_, std::nullopt)] {
-    blockSignals();
-    return replaceTextFile(path, content);
-  });
+// A write in progress may be one of an older content.
+std::optional<std::string> FileWriter::finish(std::chrono::milliseconds limit) {
+  while (pending_) {
+    std::string fault = writing_.valid() ? "" : start();
+    if (fault.empty()) {
+      if (writing_.wait_for(limit) != std::future_status::ready) return "the disk does not answer";
+      fault = takeResult();
+    }
+    if (!fault.empty()) return fault;
+  }
+  return std::nullopt;
+}
+
+// The thread outlives the writer if the disk does not answer, so it has copies of all that it needs.
+void FileWriter::startThread(std::function<void()> task) {
+  const BlockedSignals blocked;
+  std::thread(std::move(task)).detach();
+}
+
+// Returns why the write could not start, or an empty text.
+std::string FileWriter::start() {
+  const auto task = std::make_shared<std::packaged_task<std::string()>>(
+      [path = path_, content = content_] { return replaceTextFile(path, content); });
+  std::future<std::string> result = task->get_future();
+  try {
+    start_([task] { (*task)(); });
+  } catch (const std::system_error& error) {
+    return std::string("cannot start a thread: ") + error.what();
+  }
+  writing_ = std::move(result);
+  queued_ = false;
+  return {};
+}
+
+// Returns why the newest content could not be written, or an empty text; also if a newer one is queued meanwhile.
+std::string FileWriter::takeResult() {
+  std::string fault = writing_.get();
+  if (queued_) return {};
+  pending_ = queued_ = !fault.empty();
+  return fault;
 }
 
 }  // namespace platon

@@ -1,35 +1,57 @@
 #pragma once
 
+#include <chrono>
+#include <functional>
 #include <future>
 #include <optional>
 #include <string>
 
 namespace platon {
 
-/// Replaces the content of a file without waiting for the disk: a thread writes.
+/// Replaces the content of a file without waiting for the disk: a thread writes. A content that could not be written is
+/// tried again.
 class FileWriter {
  public:
-  explicit FileWriter(std::string path) : path_(std::move(path)) {}
-  /// Writes what is queued.
+  using Time = std::chrono::steady_clock::time_point;
+  /// Runs a task on a thread of its own that nobody waits for. Throws std::system_error if there can be no more
+  /// threads.
+  using Start = std::function<void(std::function<void()> task)>;
+
+  /// Time from a failure to the next try.
+  static constexpr std::chrono::seconds kRetryInterval{10};
+  /// Longest time that `finish` waits for one write.
+  static constexpr std::chrono::seconds kFinishTime{5};
+
+  explicit FileWriter(std::string path, Start start = startThread);
+  /// Writes what is pending, as `finish` does.
   ~FileWriter();
   FileWriter(const FileWriter&) = delete;
   FileWriter& operator=(const FileWriter&) = delete;
 
   /// Queues a content for the file. It replaces one that is still queued.
   void write(std::string content);
-  /// Starts to write what is queued if the thread is free. Call now and then. Returns why the last content could not be
-  /// written, once.
-  std::optional<std::string> poll();
+  /// Starts to write what is queued if no other write is in progress. Call now and then. Returns why the last content
+  /// could not be written; of the same content, each reason once in a row.
+  std::optional<std::string> poll(Time now);
+  /// Tries once to write what is pending, and waits for at most `limit` for a write in progress and then for its own.
+  /// Returns why the file does not hold the last content; nothing if it does.
+  std::optional<std::string> finish(std::chrono::milliseconds limit = kFinishTime);
   /// Whether the newest content is not in the file yet, perhaps because it could not be written.
   bool pending() const { return pending_; }
 
  private:
-  void start();
+  static void startThread(std::function<void()> task);
+  std::string start();
+  std::string takeResult();
 
   std::string path_;
-  std::optional<std::string> queued_;
-  std::future<std::string> writing_;  // the reason of a failure, or empty
+  Start start_;
+  std::string content_;  // the newest
+  bool queued_ = false;  // the newest content waits for a write to start
   bool pending_ = false;
+  std::future<std::string> writing_;  // the reason of a failure, or empty
+  std::string reported_;              // the last reason
+  Time retryAt_{};
 };
 
 }  // namespace platon

@@ -12,6 +12,7 @@ namespace platon {
 namespace {
 
 const UtcTime kNow = *parseUtcTime("2026-11-22T12:00:00Z");
+constexpr FileWriter::Time kMoment{std::chrono::hours(1)};
 
 AddressRange range(const std::string& text) { return std::get<AddressRange>(AddressRange::parse(text)); }
 Ban banOf(const std::string& text) { return {range(text), std::nullopt, "x"}; }
@@ -25,7 +26,7 @@ class BanStoreTest : public testing::Test {
 
   // Polls until the file has this content.
   bool writes(BanStore& store, const std::string& text) const {
-    return stepUntil([&] { EXPECT_EQ(store.poll(), std::nullopt); }, [&] { return readText(path_) == text; });
+    return stepUntil([&] { EXPECT_EQ(store.poll(kMoment), std::nullopt); }, [&] { return readText(path_) == text; });
   }
 
   const TemporaryFolder folder_;
@@ -37,7 +38,7 @@ TEST_F(BanStoreTest, WithoutAFileItKeepsBansInMemory) {
   EXPECT_FALSE(store.hasFile());
   EXPECT_EQ(store.add(banOf("192.0.2.7"), kNow), std::nullopt);
   EXPECT_TRUE(store.list().find(range("192.0.2.7")));
-  store.replace(BanList());  // a reload has no file to read
+  EXPECT_EQ(store.replace(BanList()), std::nullopt);  // a reload has no file to read
   EXPECT_EQ(store.list().size(), 1u);
   EXPECT_EQ(store.remove(range("192.0.2.7"), kNow), std::nullopt);
   EXPECT_EQ(store.list().size(), 0u);
@@ -91,6 +92,21 @@ TEST_F(BanStoreTest, ABanThatCouldNotBeWrittenIsWrittenWithTheNextOne) {
   EXPECT_TRUE(writes(store, "192.0.2.7 x\n192.0.2.8 x\n"));
 }
 
+TEST_F(BanStoreTest, ABanThatCouldNotBeWrittenIsTriedAgain) {
+  BanStore store = open("");
+  EXPECT_EQ(store.add(banOf("192.0.2.7"), kNow), std::nullopt);
+  std::filesystem::remove(path_);
+  std::filesystem::create_directory(path_);
+  std::optional<std::string> fault;
+  EXPECT_TRUE(stepUntil([&] { fault = store.poll(kMoment); }, [&] { return fault.has_value(); }));
+  EXPECT_TRUE(store.finish());
+  std::filesystem::remove(path_);
+  const auto step = [&] { EXPECT_EQ(store.poll(kMoment + FileWriter::kRetryInterval), std::nullopt); };
+  EXPECT_TRUE(stepUntil(step, [&] { return std::filesystem::is_regular_file(path_); }));
+  EXPECT_EQ(store.finish(), std::nullopt);
+  EXPECT_EQ(readText(path_), "192.0.2.7 x\n");
+}
+
 TEST_F(BanStoreTest, SaysWhyThereIsNothingToRemove) {
   BanStore store = open("192.0.2.0/24\n");
   const auto errorOf = [&](const std::string& text) { return store.remove(range(text), kNow).value().what; };
@@ -102,7 +118,7 @@ TEST_F(BanStoreTest, SaysWhyThereIsNothingToRemove) {
 TEST_F(BanStoreTest, AReloadTakesOverTheFile) {
   BanStore store = open("192.0.2.7\n");
   writeText(path_, "192.0.2.8\n");
-  store.replace(std::get<BanList>(readBanFile(path_)));
+  EXPECT_EQ(store.replace(std::get<BanList>(readBanFile(path_))), std::nullopt);
   EXPECT_TRUE(store.list().find(range("192.0.2.8")));
   EXPECT_FALSE(store.list().find(range("192.0.2.7")));
 }
@@ -112,9 +128,15 @@ TEST_F(BanStoreTest, AReloadDoesNotUndoAChangeThatWaitsToBeWritten) {
   BanStore store = open("");
   const BanList old = std::get<BanList>(readBanFile(path_));
   EXPECT_EQ(store.add(banOf("192.0.2.7"), kNow), std::nullopt);
-  store.replace(old);
+  const auto error = store.replace(old);
+  ASSERT_TRUE(error);
+  EXPECT_EQ(error->what, path_ +
+                             ": error: the last change of the bans is not written to this file yet, and will replace "
+                             "what is in it; reload again when it is written");
   EXPECT_EQ(store.list().size(), 1u);
   EXPECT_TRUE(writes(store, "192.0.2.7 x\n"));
+  EXPECT_TRUE(stepUntil([&] { store.poll(kMoment); }, [&] { return store.replace(BanList()) == std::nullopt; }));
+  EXPECT_EQ(store.list().size(), 0u);
 }
 
 TEST_F(BanStoreTest, ReportsWhatIsWrongWithAFile) {

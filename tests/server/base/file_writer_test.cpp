@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <system_error>
+#include <utility>
+#include <vector>
 
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
@@ -11,10 +14,32 @@
 namespace platon {
 namespace {
 
+using namespace std::chrono_literals;
+
+constexpr FileWriter::Time kNow{1h};
+
+/// Keeps tasks until they are run: a disk that does not answer yet.
+class KeptTasks {
+ public:
+  FileWriter::Start start() {
+    return [this](std::function<void()> task) { tasks_.push_back(std::move(task)); };
+  }
+  /// Runs the kept tasks; returns their number.
+  std::size_t run() {
+    const auto tasks = std::exchange(tasks_, {});
+    for (const auto& task : tasks) task();
+    return tasks.size();
+  }
+
+ private:
+  std::vector<std::function<void()>> tasks_;
+};
+
 class FileWriterTest : public testing::Test {
  protected:
   const TemporaryFolder folder_;
   const std::string path_ = folder_ / "file";
+  KeptTasks tasks_;
 };
 
 TEST_F(FileWriterTest, WritesTheContent) {
@@ -22,14 +47,14 @@ TEST_F(FileWriterTest, WritesTheContent) {
   EXPECT_FALSE(writer.pending());
   writer.write("one");
   EXPECT_TRUE(writer.pending());
-  EXPECT_TRUE(stepUntil([&] { EXPECT_EQ(writer.poll(), std::nullopt); }, [&] { return !writer.pending(); }));
+  EXPECT_TRUE(stepUntil([&] { EXPECT_EQ(writer.poll(kNow), std::nullopt); }, [&] { return !writer.pending(); }));
   EXPECT_EQ(readText(path_), "one");
 }
 
 TEST_F(FileWriterTest, TheLastContentWins) {
   FileWriter writer(path_);
   for (int i = 0; i < 100; ++i) writer.write(std::to_string(i));
-  EXPECT_TRUE(stepUntil([&] { EXPECT_EQ(writer.poll(), std::nullopt); }, [&] { return !writer.pending(); }));
+  EXPECT_TRUE(stepUntil([&] { EXPECT_EQ(writer.poll(kNow), std::nullopt); }, [&] { return !writer.pending(); }));
   EXPECT_EQ(readText(path_), "99");
 }
 
@@ -41,21 +66,66 @@ TEST_F(FileWriterTest, TheDestructorWritesWhatIsQueued) {
   EXPECT_EQ(readText(path_), "99");
 }
 
-TEST_F(FileWriterTest, ReportsAFailureOnceAndStaysPending) {
-  FileWriter writer(folder_ / "sub/file");
+TEST_F(FileWriterTest, TriesAgainAfterAFailureAtABoundedRate) {
+  FileWriter writer(folder_ / "sub/file", tasks_.start());
   writer.write("one");
-  std::vector<std::string> faults;
-  const auto poll = [&] {
-    if (const auto fault = writer.poll()) faults.push_back(*fault);
-  };
-  EXPECT_TRUE(stepUntil(poll, [&] { return !faults.empty(); }));
-  poll();
-  EXPECT_EQ(faults, std::vector<std::string>{"No such file or directory"});
+  EXPECT_EQ(writer.poll(kNow), std::nullopt);
+  EXPECT_EQ(tasks_.run(), 1u);
+  EXPECT_EQ(writer.poll(kNow), "No such file or directory");
   EXPECT_TRUE(writer.pending());
+  EXPECT_EQ(writer.poll(kNow + FileWriter::kRetryInterval - 1ms), std::nullopt);
+  EXPECT_EQ(tasks_.run(), 0u) << "too early";
+  EXPECT_EQ(writer.poll(kNow + FileWriter::kRetryInterval), std::nullopt);
+  EXPECT_EQ(tasks_.run(), 1u);
+  EXPECT_EQ(writer.poll(kNow + FileWriter::kRetryInterval), std::nullopt) << "it is said once";
   std::filesystem::create_directory(folder_ / "sub");
+  EXPECT_EQ(writer.poll(kNow + 2 * FileWriter::kRetryInterval), std::nullopt);
+  EXPECT_EQ(tasks_.run(), 1u);
+  EXPECT_EQ(writer.poll(kNow + 2 * FileWriter::kRetryInterval), std::nullopt);
+  EXPECT_FALSE(writer.pending());
+  EXPECT_EQ(readText(folder_ / "sub/file"), "one");
+}
+
+TEST_F(FileWriterTest, ANewContentIsTriedAtOnceAndItsFailureIsReported) {
+  FileWriter writer(folder_ / "sub/file", [](const std::function<void()>& task) { task(); });
+  for (const char* content : {"one", "two"}) {
+    writer.write(content);
+    EXPECT_EQ(writer.poll(kNow), std::nullopt);
+    EXPECT_EQ(writer.poll(kNow), "No such file or directory");
+  }
+}
+
+TEST_F(FileWriterTest, AThreadThatCannotStartIsAFaultOfTheWrite) {
+  bool full = true;
+  FileWriter writer(path_, [&full](const std::function<void()>& task) {
+    if (full) throw std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again));
+    task();
+  });
+  writer.write("one");
+  const auto fault = writer.poll(kNow);
+  ASSERT_TRUE(fault);
+  EXPECT_TRUE(fault->starts_with("cannot start a thread: ")) << *fault;
+  EXPECT_TRUE(writer.finish());
+  EXPECT_TRUE(writer.pending());
+  full = false;
+  EXPECT_EQ(writer.poll(kNow + FileWriter::kRetryInterval), std::nullopt);
+  EXPECT_EQ(writer.poll(kNow + FileWriter::kRetryInterval), std::nullopt);
+  EXPECT_FALSE(writer.pending());
+  EXPECT_EQ(readText(path_), "one");
+}
+
+TEST_F(FileWriterTest, DoesNotWaitWithoutEndForAStuckDisk) {
+  FileWriter writer(path_, tasks_.start());
+  writer.write("one");
+  EXPECT_EQ(writer.poll(kNow), std::nullopt);
   writer.write("two");
-  EXPECT_TRUE(stepUntil(poll, [&] { return !writer.pending(); }));
-  EXPECT_EQ(readText(folder_ / "sub/file"), "two");
+  EXPECT_EQ(writer.finish(1ms), "the disk does not answer");
+  EXPECT_TRUE(writer.pending());
+  EXPECT_EQ(tasks_.run(), 1u);
+  EXPECT_EQ(writer.finish(1ms), "the disk does not answer") << "of the second content";
+  EXPECT_EQ(tasks_.run(), 1u);
+  EXPECT_EQ(writer.finish(1ms), std::nullopt);
+  EXPECT_EQ(readText(path_), "two");
 }
 
 }  // namespace
