@@ -12,12 +12,15 @@ namespace platon {
 
 FileWriter::FileWriter(std::string path, Start start) : path_(std::move(path)), start_(std::move(start)) {}
 
-FileWriter::~FileWriter() { finish(); }
+FileWriter::~FileWriter() {
+  if (!finished_) finish();
+}
 
 void FileWriter::write(std::string content) {
   content_ = std::move(content);
   queued_ = true;
   pending_ = true;
+  finished_ = false;
   reported_.clear();
   retryAt_ = {};
 }
@@ -37,6 +40,7 @@ std::optional<std::string> FileWriter::poll(Time now) {
 
 // A write in progress may be one of an older content.
 std::optional<std::string> FileWriter::finish(std::chrono::milliseconds limit) {
+  finished_ = true;
   while (pending_) {
     std::string fault = writing_.valid() ? "" : start();
     if (fault.empty()) {

@@ -23,7 +23,7 @@ class FileWriter {
   static constexpr std::chrono::seconds kFinishTime{5};
 
   explicit FileWriter(std::string path, Start start = startThread);
-  /// Writes what is pending, as `finish` does.
+  /// Writes what is pending, unless `finish` has tried that since the last call of `write`.
   ~FileWriter();
   FileWriter(const FileWriter&) = delete;
   FileWriter& operator=(const FileWriter&) = delete;
@@ -49,6 +49,7 @@ class FileWriter {
   std::string content_;  // the newest
   bool queued_ = false;  // the newest content waits for a write to start
   bool pending_ = false;
+  bool finished_ = false;             // `finish` was called after the last `write`
   std::future<std::string> writing_;  // the reason of a failure, or empty
   std::string reported_;              // the last reason
   Time retryAt_{};

@@ -209,6 +209,23 @@ TEST_F(ToolsTest, ABanIsWrittenToTheFile) {
   EXPECT_TRUE(waitUntil([this] { return readText(bans_) == "# mine\n192.0.2.0/24 too loud\n"; }));
 }
 
+// A file beside one with such a long name cannot be made, so the server can only read this one.
+TEST_F(ToolsTest, AReloadIsRefusedWhileABanIsNotWritten) {
+  const std::string file = folder_ / std::string(250, 'b');
+  writeText(file, "");
+  std::filesystem::remove(bans_);
+  std::filesystem::create_symlink(file, bans_);
+  start();
+  EXPECT_EQ(console("ban 192.0.2.7\n").exitCode, 0);
+  server_->waitForError("bans not written file=\"" + bans_ + "\" reason=\"File name too long\"");
+  writeText(file, "192.0.2.8\n");
+  const ProcessResult reload = console("reload\n");
+  EXPECT_EQ(reload.exitCode, 1);
+  EXPECT_TRUE(reload.errors.starts_with("error: " + bans_ + ": error: the last change of the bans is not written"))
+      << reload.errors;
+  EXPECT_EQ(console("bans\n").output, "192.0.2.7\n");
+}
+
 // An address of this machine that is not loopback, which cannot be banned; nothing if it has none.
 std::optional<IpAddress> publicAddress() {
   ifaddrs* all = nullptr;

@@ -86,6 +86,18 @@ TEST_F(FileWriterTest, TriesAgainAfterAFailureAtABoundedRate) {
   EXPECT_EQ(readText(folder_ / "sub/file"), "one");
 }
 
+TEST_F(FileWriterTest, TheDestructorDoesNotTryAgainAfterFinish) {
+  {
+    FileWriter writer(path_, tasks_.start());
+    writer.write("one");
+    EXPECT_EQ(writer.finish(1ms), "the disk does not answer");
+    writer.write("two");
+    EXPECT_EQ(tasks_.run(), 1u);
+    EXPECT_EQ(writer.finish(1ms), "the disk does not answer");
+  }
+  EXPECT_EQ(tasks_.run(), 1u) << "none was added by the destructor";
+}
+
 TEST_F(FileWriterTest, ANewContentIsTriedAtOnceAndItsFailureIsReported) {
   FileWriter writer(folder_ / "sub/file", [](const std::function<void()>& task) { task(); });
   for (const char* content : {"one", "two"}) {
