@@ -114,8 +114,9 @@ void ServerGate::takeControl(Session& session, const SocketAddress& sender, Byte
   const auto& challenge = session.path->challenge;
   if (content.size() != 1 + challenge.size()) return;
   if (sodium_memcmp(content.data() + 1, challenge.data(), challenge.size()) != 0) return;
-  session.address = sender;
   session.path.reset();
+  if (banCheck_ && banCheck_(sender.ip)) return;  // since the challenge
+  session.address = sender;
 }
 
 void ServerGate::send(SessionId id, ByteSpan content, Moment now) {

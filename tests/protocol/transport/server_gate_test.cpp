@@ -178,6 +178,25 @@ TEST_F(ServerGateTest, AClientThatMovesIsFollowedOnceItHasAnsweredThere) {
   EXPECT_EQ(network_.sent().back().to, moved);
 }
 
+TEST_F(ServerGateTest, AClientIsNotFollowedToAnAddressThatIsBannedSinceTheChallenge) {
+  start();
+  ClientGate client = join(clientAt(1));
+  const SessionId session = sessionOf(client);
+  const SocketAddress moved = addressAt("203.0.113.9", 999);
+  network_.setFilter([](const auto& each) { return each.to != kServer; });
+  client.send(kContent, now_);
+  network_.inject(moved, kServer, network_.sent().back().bytes);
+  EXPECT_EQ(receive().size(), 1u);
+  gate_->setBanCheck([&](const IpAddress& ip) {
+    return ip == moved.ip ? std::optional<std::string>("until tomorrow") : std::nullopt;
+  });
+  network_.inject(kServer, clientAt(1), sent(kServer, moved).at(0));
+  client.receive(now_);
+  network_.inject(moved, kServer, network_.sent().back().bytes);
+  receive();
+  EXPECT_EQ(gate_->addressOf(session), clientAt(1).ip);
+}
+
 TEST_F(ServerGateTest, ADatagramFromElsewhereDoesNotDirectTheServerThere) {
   start();
   ClientGate client = join(clientAt(1));
