@@ -59,7 +59,7 @@ TEST(SecretFile, AFileThatIsNoKeyIsRefusedAndKept) {
 TEST(SecretFile, AFullDiskLeavesNothingOfAKey) {
   const TemporaryFolder folder;
   const std::string path = folder / "key";
-  for (const rlim_t bytes : {0, 1, 43}) {
+  for (const rlim_t bytes : {rlim_t{0}, rlim_t{1}, rlim_t{43}}) {
     const FullDisk disk(bytes);
     EXPECT_EQ(errorOf([&] { readKeyFile(path); }),
               path + ": error: cannot be written: File too large; make room on the disk");
