@@ -20,7 +20,7 @@ import network_namespace  # noqa: E402
 from attack_run import run_attack  # noqa: E402
 from attack_table import exceeded, table  # noqa: E402
 from page import replace_part, with_part  # noqa: E402
-from processes import Failure  # noqa: E402
+from processes import Failure, exit_code_of  # noqa: E402
 
 SECONDS = {"--write": 10, "--quick": 2, "--check": 1}
 COMMAND = "attacks"
@@ -75,13 +75,8 @@ def main(arguments):
     if len(arguments) < 2 or arguments[1] not in SECONDS or "PLATON_BIN" not in os.environ:
         print(__doc__, file=sys.stderr)
         return 2
-    try:
-        failed = run(Path(arguments[0]).resolve(), arguments[1], arguments[2:], Path(os.environ["PLATON_BIN"]))
-    except Failure as failure:
-        failed = [str(failure)]
-    for line in failed:
-        print(f"exceeded: {line}")
-    return 1 if failed else 0
+    programs = Path(os.environ["PLATON_BIN"])
+    return exit_code_of(lambda: run(Path(arguments[0]).resolve(), arguments[1], arguments[2:], programs))
 
 
 if __name__ == "__main__":

@@ -14,7 +14,7 @@ import cells
 from gates import failures, judge
 from measured import section, text_report
 from page import replace_part, with_part
-from processes import Failure
+from processes import exit_code_of
 from run_cells import Runner
 
 LEVEL = "levels/icosahedron/05_the_long_way_round.level"
@@ -41,13 +41,8 @@ def main(arguments):
     if len(arguments) != 2 or arguments[1] not in PLANS or "PLATON_BIN" not in os.environ:
         print(__doc__, file=sys.stderr)
         return 2
-    try:
-        failed = run(Path(arguments[0]).resolve(), arguments[1], Path(os.environ["PLATON_BIN"]))
-    except Failure as failure:
-        failed = [str(failure)]
-    for line in failed:
-        print(f"exceeded: {line}")
-    return 1 if failed else 0
+    programs = Path(os.environ["PLATON_BIN"])
+    return exit_code_of(lambda: run(Path(arguments[0]).resolve(), arguments[1], programs))
 
 
 if __name__ == "__main__":

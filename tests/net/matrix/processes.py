@@ -15,6 +15,18 @@ class Failure(Exception):
     """A program failed, or did not answer in time."""
 
 
+def exit_code_of(run):
+    """Runs `run`, which returns a line for each limit that is exceeded, prints them, and returns the exit code. A Failure
+    is such a line."""
+    try:
+        failed = run()
+    except Failure as failure:
+        failed = [str(failure)]
+    for line in failed:
+        print(f"exceeded: {line}")
+    return 1 if failed else 0
+
+
 class Program:
     """A running program, killed on exit of the context."""
 
