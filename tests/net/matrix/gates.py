@@ -45,8 +45,9 @@ class Verdict:
 
 
 def max_connect_ms(cell):
-    """Milliseconds: two ticks and three of the longest round trips, for connection, Hello and first inputs."""
-    return 3 * 2 * (cell.delay + cell.jitter) + 2 * TICK_MS
+    """Milliseconds: two ticks and five of the longest round trips: two to agree on keys, then connection, Hello and first
+    inputs."""
+    return 5 * 2 * (cell.delay + cell.jitter) + 2 * TICK_MS
 
 
 def perfect(cell):
@@ -79,7 +80,7 @@ GATES = (
     Gate("rounds that ended during the measurement", "0", "roundOver", 0, shown="{}"),
     Gate("time to join, perfect connection", "≤ 300 ms", "connectMs", 300, timing=True, shown="{:.0f} ms",
          applies=perfect),
-    Gate("time to join, other connections without loss", "≤ 6 × (delay + jitter) + 2 ticks", "connectMs", max_connect_ms,
+    Gate("time to join, other connections without loss", "≤ 10 × (delay + jitter) + 2 ticks", "connectMs", max_connect_ms,
          timing=True, shown="{:.0f} ms", applies=lambda cell: cell.loss == 0 and not perfect(cell)),
     Gate("server, 16 players", "≤ 1 % of a core", "cpuPercent", 1, applies=_players(16), **CORE),
     Gate("server, 64 players", "≤ 3 % of a core", "cpuPercent", 3, applies=_players(64), **CORE),
