@@ -18,6 +18,8 @@ namespace {
 
 // Longest time until a command or a request is answered, with one that has been connected for that long.
 constexpr std::chrono::milliseconds kWatchedWait{10};
+// Longest time until a console or a request for metrics is noticed while a match is played.
+constexpr std::chrono::milliseconds kNoticeTime{50};
 
 TimePoint steadyNow() { return std::chrono::steady_clock::now(); }
 UtcTime utcNow() { return std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now()); }
@@ -103,7 +105,7 @@ void ServerProgram::announce() {
 
 void ServerProgram::run(const std::function<bool()>& stopRequested) {
   server_.run([&] {
-    pollTools();
+    if (steadyNow() >= nextPollAt_) pollTools();
     return stopRequested() || stopping_;
   });
   if (const auto fault = bans_.finish()) logUnwritten(*fault);
@@ -123,6 +125,7 @@ void ServerProgram::pollTools() {
   const bool watched =
       (consoleServer_ && consoleServer_->consoles() > 0) || (metricsServer_ && metricsServer_->connections() > 0);
   server_.setIdleWait(watched ? kWatchedWait : DedicatedServer::kIdleWait);
+  nextPollAt_ = watched ? now : now + kNoticeTime;
 }
 
 ConsoleReply ServerProgram::reload() {

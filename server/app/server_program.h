@@ -33,7 +33,7 @@ class ServerProgram {
   void run(const std::function<bool()>& stopRequested);
   /// Reads configuration, levels and bans again. If anything is invalid, nothing changes. Returns what it has logged.
   ConsoleReply reload();
-  /// Serves consoles and metrics. `run` calls it before each step.
+  /// Serves consoles and metrics. `run` calls it before each step, and less often while there are none.
   void pollTools();
 
   DedicatedServer& server() { return server_; }
@@ -62,6 +62,7 @@ class ServerProgram {
   std::string whyNoConsole_;
   std::unique_ptr<MetricsServer> metricsServer_;  // null: none
   TimePoint startedAt_;
+  TimePoint nextPollAt_{};
   bool stopping_ = false;
 };
 
