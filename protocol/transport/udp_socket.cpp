@@ -37,11 +37,7 @@ IpAddress anyOf(bool ipv6) { return *IpAddress::parse(ipv6 ? "::" : "0.0.0.0"); 
 
 // The datagrams of one system call.
 struct UdpSocket::Batches {
-  struct Received {
-    std::array<std::uint8_t, kMaxDatagramBytes + 1> bytes;  // one more shows that it was longer
-    SystemAddress sender;
-    iovec part;
-  };
+  using Received = std::array<std::uint8_t, kMaxDatagramBytes + 1>;  // one more shows that it was longer
   struct Queued {
     std::array<std::uint8_t, kMaxDatagramBytes> bytes;
     SystemAddress receiver;
@@ -49,6 +45,8 @@ struct UdpSocket::Batches {
   };
 
   std::array<Received, kBatch> received;
+  std::array<SystemAddress, kBatch> senders;
+  std::array<iovec, kBatch> receivedParts;
   std::array<mmsghdr, kBatch> receivedHeads{};
   std::size_t arrived = 0;  // in `received`
   std::size_t taken = 0;    // of these
@@ -57,11 +55,13 @@ struct UdpSocket::Batches {
   std::array<mmsghdr, kBatch> queuedHeads{};
   std::size_t waiting = 0;  // in `queued`
 
+  Batches() {
+    for (std::size_t i = 0; i < kBatch; ++i) receivedParts[i] = {received[i].data(), received[i].size()};
+  }
+
   std::size_t receiveFrom(int handle) {
-    for (std::size_t i = 0; i < kBatch; ++i) {
-      received[i].part = {received[i].bytes.data(), received[i].bytes.size()};
-      receivedHeads[i].msg_hdr = {&received[i].sender, sizeof(SystemAddress), &received[i].part, 1, nullptr, 0, 0};
-    }
+    for (std::size_t i = 0; i < kBatch; ++i)
+      receivedHeads[i].msg_hdr = {&senders[i], sizeof(SystemAddress), &receivedParts[i], 1, nullptr, 0, 0};
     const int count = recvmmsg(handle, receivedHeads.data(), kBatch, MSG_DONTWAIT, nullptr);
     taken = 0;
     arrived = count > 0 ? static_cast<std::size_t>(count) : 0;
@@ -128,8 +128,7 @@ std::optional<Datagram> UdpSocket::receive(Moment) {
     }
     const std::size_t index = batches.taken++;
     const std::size_t size = batches.receivedHeads[index].msg_len;
-    const Batches::Received& received = batches.received[index];
-    return Datagram{fromSystem(received.sender), ByteSpan(received.bytes).first(size)};
+    return Datagram{fromSystem(batches.senders[index]), ByteSpan(batches.received[index]).first(size)};
   }
 }
 

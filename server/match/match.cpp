@@ -302,17 +302,23 @@ std::size_t Match::sendChunks(ClientId client, MatchPlayer& player, std::size_t 
   return chunks;
 }
 
+// Ticks between two messages to a player. The cost of a message grows with the players, and so does their number.
+std::uint32_t Match::sendInterval() const {
+  if (players_.size() <= kFewPlayers) return 1;
+  return players_.size() <= kManyPlayers ? 2 : 3;
+}
+
 void Match::sendTicks() {
-  const std::uint64_t interval = players_.size() <= kFewPlayers ? 1 : 2;
+  const std::uint32_t interval = sendInterval();
   for (auto& [client, player] : players_) {
     const bool due = (now_ + player.slot()) % interval == 0;
     const bool follows = player.started() && history_.covers(player.acknowledged());
     if (!due || !follows || player.acknowledged() == history_.end()) continue;
-    ConfirmedTicks ticks = history_.collect(player.nextTickToSend(history_.end()));
-    player.ticksSent(ticks.from + ticks.count, history_.end());
-    ticks.link = player.takeLinkReport();
-    ticks.sequence = player.nextSequence();
-    outgoing_.push_back({client, false, false, encode(ticks)});
+    history_.collect(player.nextTickToSend(history_.end(), interval), ticks_);
+    player.ticksSent(ticks_.from + ticks_.count, history_.end());
+    ticks_.link = player.takeLinkReport();
+    ticks_.sequence = player.nextSequence();
+    outgoing_.push_back({client, false, false, encode(ticks_)});
   }
 }
 
@@ -368,18 +374,15 @@ void Match::startRound() {
   addEvent(MatchEvent::Kind::kRoundStart, 0, 0, rotation_.current()->title);
 }
 
-void Match::stop(const std::string& reason) {
-  const SharedBytes bye = encode(Bye{ByeCode::kServerStops, visibleLabel(reason)});
-  for (const auto& [client, player] : players_) outgoing_.push_back({client, true, true, bye});
-  players_.clear();
-  disconnected_.clear();
-  names_ = PlayerNames(settings_.maxPlayers);
-  recorder_.finish(game_);
-}
-
 const MatchPlayer* Match::player(ClientId client) const {
   const auto found = players_.find(client);
   return found == players_.end() ? nullptr : &found->second;
+}
+
+std::span<const Outgoing> Match::takeOutgoing() {
+  taken_.clear();
+  std::swap(taken_, outgoing_);
+  return taken_;
 }
 
 void Match::send(ClientId client, SharedBytes bytes) { outgoing_.push_back({client, true, false, std::move(bytes)}); }

@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <variant>
@@ -48,8 +49,10 @@ class Match {
  public:
   /// Ticks from the end of a round to the start of the next: 5 s.
   static constexpr std::uint32_t kPauseTicks = 5 * kTicksPerSecond;
-  /// With at most this many connected players, each is sent every tick; with more, every second tick.
+  /// Each player is sent the decided ticks every tick while at most kFewPlayers are connected, every second tick while
+  /// at most kManyPlayers are, and every third tick otherwise.
   static constexpr std::size_t kFewPlayers = 4;
+  static constexpr std::size_t kManyPlayers = 32;
 
   /// Fewest ticks between two messages about changed names: 0.25 s.
   static constexpr std::uint64_t kRosterTicks = kTicksPerSecond / 4;
@@ -100,8 +103,8 @@ class Match {
   /// the round is over already.
   bool endRoundNow();
 
-  /// Messages to send, in order, since the last call.
-  std::vector<Outgoing> takeOutgoing() { return std::exchange(outgoing_, {}); }
+  /// Messages to send, in order, since the last call. They are valid until the next call.
+  std::span<const Outgoing> takeOutgoing();
   /// Events since the last call.
   std::vector<MatchEvent> takeEvents() { return std::exchange(events_, {}); }
   /// Pieces of recordings since the last call. A recording ends when the next round starts, when the last player
@@ -163,6 +166,7 @@ class Match {
   void sendState(MatchPlayer& player);
   void sendTransfers();
   std::size_t sendChunks(ClientId client, MatchPlayer& player, std::size_t maxChunks);
+  std::uint32_t sendInterval() const;
   void sendTicks();
 
   void send(ClientId client, SharedBytes bytes);
@@ -186,6 +190,8 @@ class Match {
   ClientId nextTransfer_ = 0;  // client whose transfers go on first in the next tick
   std::uint64_t missedInputs_ = 0;
   std::vector<Outgoing> outgoing_;
+  std::vector<Outgoing> taken_;  // by the last call of takeOutgoing
+  ConfirmedTicks ticks_;         // the last ones sent
   std::vector<MatchEvent> events_;
   MatchRecorder recorder_;
 };

@@ -5,6 +5,7 @@
 #include "server/match/match.h"
 
 namespace platon {
+
 bool Match::kick(std::uint32_t slot, const std::string& reason) {
   const auto connected =
       std::find_if(players_.begin(), players_.end(), [slot](const auto& entry) { return entry.second.slot() == slot; });
@@ -47,6 +48,15 @@ std::vector<PlayerStatus> Match::playerStatus() const {
   for (const Disconnected& entry : disconnected_) add(entry.player, std::nullopt);
   std::sort(all.begin(), all.end(), [](const PlayerStatus& a, const PlayerStatus& b) { return a.slot < b.slot; });
   return all;
+}
+
+void Match::stop(const std::string& reason) {
+  const SharedBytes bye = encode(Bye{ByeCode::kServerStops, visibleLabel(reason)});
+  for (const auto& [client, player] : players_) outgoing_.push_back({client, true, true, bye});
+  players_.clear();
+  disconnected_.clear();
+  names_ = PlayerNames(settings_.maxPlayers);
+  recorder_.finish(game_);
 }
 
 }  // namespace platon

@@ -79,10 +79,11 @@ bool MatchPlayer::isCurrent(const PlayerInputs& message) const {
   return message.sync == sync_ && message.confirmed >= acknowledged_;
 }
 
-std::uint32_t MatchPlayer::nextTickToSend(std::uint32_t end) const {
+std::uint32_t MatchPlayer::nextTickToSend(std::uint32_t end, std::uint32_t interval) const {
   const std::uint32_t from = std::max(continueAt_, acknowledged_);
   const bool all = continueAt_ > acknowledged_ || sequence_ % kFullRepeatInterval == 0;
-  return all || end < kRecentTicks ? from : std::max(from, end - kRecentTicks);
+  const std::uint32_t recent = std::max(kRecentTicks, kRecentMessages * interval);
+  return all || end < recent ? from : std::max(from, end - recent);
 }
 
 std::optional<LinkReport> MatchPlayer::takeLinkReport() {

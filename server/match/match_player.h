@@ -27,8 +27,10 @@ class MatchPlayer {
   /// Minimum number of ticks between two full states: a client in permanent desync gets one a second.
   static constexpr std::uint64_t kTicksBetweenStates = 60;
 
-  /// Maximum number of ticks in a message that does not repeat all unacknowledged ticks.
+  /// A message that does not repeat all unacknowledged ticks has at most this many, or those of kRecentMessages if
+  /// these are more.
   static constexpr std::uint32_t kRecentTicks = 8;
+  static constexpr std::uint32_t kRecentMessages = 4;
   /// One message in this many repeats all unacknowledged ticks. Divides 256, the period of the sequence numbers.
   static constexpr std::uint8_t kFullRepeatInterval = 4;
 
@@ -73,11 +75,11 @@ class MatchPlayer {
   bool started() const { return started_; }
   /// Ticks of the round that the client has acknowledged.
   std::uint32_t acknowledged() const { return acknowledged_; }
-  /// First tick of the next message of ticks, when `end` ticks are decided. After a message that could not hold all
-  /// ticks: the tick at which it stopped. Otherwise, in every kFullRepeatInterval-th message: the first unacknowledged
-  /// tick. In the others: at most kRecentTicks before the end, since with a long round trip most earlier
-  /// ticks are not lost, only not acknowledged yet.
-  std::uint32_t nextTickToSend(std::uint32_t end) const;
+  /// First tick of the next message of ticks, when `end` ticks are decided and a message is sent every `interval`
+  /// ticks. After a message that could not hold all ticks: the tick at which it stopped. Otherwise, in every
+  /// kFullRepeatInterval-th message: the first unacknowledged tick. In the others: one of the last ticks, since with a
+  /// long round trip most earlier ticks are not lost, only not acknowledged yet.
+  std::uint32_t nextTickToSend(std::uint32_t end, std::uint32_t interval) const;
   /// Call when a message with the ticks before `tick` was sent and `end` ticks were decided.
   void ticksSent(std::uint32_t tick, std::uint32_t end) { continueAt_ = tick < end ? tick : 0; }
   /// Link report since the last call; nothing if no message of inputs has arrived.

@@ -29,11 +29,13 @@ std::uint32_t TickHistory::hashAfter(std::uint32_t confirmed) const {
   return confirmed == end_ - entries_.size() ? baseHash_ : entry(confirmed - 1).hash;
 }
 
-ConfirmedTicks TickHistory::collect(std::uint32_t confirmed) const {
+void TickHistory::collect(std::uint32_t confirmed, ConfirmedTicks& message) const {
   assert(covers(confirmed) && confirmed < end_);
-  ConfirmedTicks message;
   message.round = round_;
   message.from = confirmed;
+  message.count = 0;
+  message.link.reset();
+  message.changes.clear();
   for (std::uint32_t tick = confirmed; tick < end_ && message.count < kMaxTicksPerMessage; ++tick) {
     const Entry& next = entry(tick);
     if (message.changes.size() + next.changes.size() > kMaxChangesPerMessage) break;
@@ -41,7 +43,6 @@ ConfirmedTicks TickHistory::collect(std::uint32_t confirmed) const {
     message.hash = next.hash;
     ++message.count;
   }
-  return message;
 }
 
 }  // namespace platon

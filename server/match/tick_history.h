@@ -29,9 +29,9 @@ class TickHistory {
   bool covers(std::uint32_t confirmed) const { return confirmed <= end_ && confirmed >= end_ - entries_.size(); }
   /// Short hash of the game after `confirmed` ticks, which must be covered.
   std::uint32_t hashAfter(std::uint32_t confirmed) const;
-  /// A message with the ticks from `confirmed` on, as many as fit, without link report. `confirmed` must be covered and
-  /// before the end.
-  ConfirmedTicks collect(std::uint32_t confirmed) const;
+  /// Sets `message` to the ticks from `confirmed` on, as many as fit, without link report. `confirmed` must be covered
+  /// and before the end.
+  void collect(std::uint32_t confirmed, ConfirmedTicks& message) const;
   /// Inputs of the last decided tick by slot; slots beyond its end are absent.
   const std::vector<Input>& held() const { return held_; }
 

@@ -119,45 +119,45 @@ bool Host::charge(Connection& connection, std::size_t bytes) {
   return within;
 }
 
-std::vector<HostEvent> Host::service(Moment now) {
+std::span<const HostEvent> Host::service(Moment now) {
   now_ = now;
   gate_.beginRound();
   const EnetScope scope(*this, now);
-  std::vector<HostEvent> events;
-  endSlow(events);
+  events_.clear();
+  packets_.clear();
+  endSlow();
   ENetEvent event{};
   for (int pass = 0; pass < kMaxServiceCalls; ++pass) {
     const int result = serviceEnet(*host_, event);
-    if (result > 0) handle(event, events);
-    while (enet_host_check_events(host_.get(), &event) > 0) handle(event, events);
+    if (result > 0) handle(event);
+    while (enet_host_check_events(host_.get(), &event) > 0) handle(event);
     if (result <= 0) break;
   }
-  for (std::size_t index = 0; index < connections_.size(); ++index) maintain(index, events);
+  for (std::size_t index = 0; index < connections_.size(); ++index) maintain(index);
   gate_.expire(now);
   gate_.flush(now);
-  return events;
+  return events_;
 }
 
 // Before ENet receives anything, because it gives the place of an ended connection to the next newcomer.
-void Host::endSlow(std::vector<HostEvent>& events) {
+void Host::endSlow() {
   for (const ClientId client : std::exchange(slow_, {})) {
-    if (const auto index = indexOf(client)) end(*index, events);
+    if (const auto index = indexOf(client)) end(*index);
   }
 }
 
-void Host::handle(const ENetEvent& event, std::vector<HostEvent>& events) {
+void Host::handle(const ENetEvent& event) {
   const std::size_t index = event.peer->incomingPeerID;
   Connection& connection = connections_[index];
   if (event.type == ENET_EVENT_TYPE_CONNECT) {
     connect(connection, *event.peer);
   } else if (event.type == ENET_EVENT_TYPE_DISCONNECT) {
-    end(index, events);
+    end(index);
   } else if (event.type == ENET_EVENT_TYPE_RECEIVE) {
-    const std::span<const std::uint8_t> bytes(event.packet->data, event.packet->dataLength);
-    if (connection.client) {
-      events.push_back({*connection.client, false, {bytes.begin(), bytes.end()}, gate_.addressOf(connection.session)});
-    }
-    enet_packet_destroy(event.packet);
+    packets_.emplace_back(event.packet, enet_packet_destroy);
+    if (!connection.client) return;
+    const ByteSpan bytes(event.packet->data, event.packet->dataLength);
+    events_.push_back({*connection.client, false, bytes, gate_.addressOf(connection.session)});
   }
 }
 
@@ -173,11 +173,11 @@ void Host::connect(Connection& connection, ENetPeer& peer) {
 }
 
 // Maintains one connection: detects a new one, resets its limits, ends it if it has timed out.
-void Host::maintain(std::size_t index, std::vector<HostEvent>& events) {
+void Host::maintain(std::size_t index) {
   Connection& connection = connections_[index];
   ENetPeer& peer = host_->peers[index];
   if (peer.state == ENET_PEER_STATE_DISCONNECTED) {
-    if (connection.session.number != 0) end(index, events);
+    if (connection.session.number != 0) end(index);
     return;
   }
   if (connection.session.number == 0) {
@@ -186,7 +186,7 @@ void Host::maintain(std::size_t index, std::vector<HostEvent>& events) {
   }
   fixSettings(peer);
   limitRetransmissionTimeout(peer, peer.roundTripTime + kRetransmissionDelayMs);
-  if (hasTimedOut(connection)) end(index, events);
+  if (hasTimedOut(connection)) end(index);
 }
 
 bool Host::hasTimedOut(const Connection& connection) {
@@ -201,11 +201,11 @@ bool Host::hasTimedOut(const Connection& connection) {
   return isIdle;
 }
 
-void Host::end(std::size_t index, std::vector<HostEvent>& events) {
+void Host::end(std::size_t index) {
   Connection& connection = connections_[index];
   if (connection.client) {
     indexes_.erase(*connection.client);
-    events.push_back({*connection.client, true, {}, {}});
+    events_.push_back({*connection.client, true, {}, {}});
   }
   enet_peer_reset(&host_->peers[index]);
   gate_.close(connection.session);

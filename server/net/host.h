@@ -46,8 +46,8 @@ struct Rejection {
 struct HostEvent {
   ClientId client = 0;
   bool disconnected = false;  ///< the connection has ended; otherwise `bytes` is a message
-  std::vector<std::uint8_t> bytes;
-  IpAddress address;  ///< of a message: where the client is
+  ByteSpan bytes;             ///< valid until the next call of `Host::service`
+  IpAddress address;          ///< of a message: where the client is
 };
 
 /// The server's end of all connections: ENet behind a gate. ENet trusts its peers, so every content is checked before
@@ -68,8 +68,9 @@ class Host : private EnetPort {
        Moment now);
   ~Host() override;
 
-  /// Receives what has arrived, ends connections that have timed out, and returns the events.
-  std::vector<HostEvent> service(Moment now);
+  /// Receives what has arrived, ends connections that have timed out, and returns the events. They are valid until the
+  /// next call.
+  std::span<const HostEvent> service(Moment now);
   /// Call when the client plays: from then on its connection ends only when it is closed or silent.
   void admit(ClientId client);
   /// Queues a message. No effect if the client is disconnected.
@@ -111,17 +112,19 @@ class Host : private EnetPort {
     TokenBucket bytes;
   };
 
+  using Packet = std::unique_ptr<ENetPacket, void (*)(ENetPacket*)>;
+
   void sendFromEnet(const ENetAddress& session, ByteSpan bytes) override;
   std::optional<Received> receiveForEnet() override;
   bool accepts(SessionId session, ByteSpan content);
-  void endSlow(std::vector<HostEvent>& events);
+  void endSlow();
   bool acceptsConnect(SessionId session, std::uint32_t connectId, std::size_t bytes);
   bool charge(Connection& connection, std::size_t bytes);
-  void handle(const ENetEvent& event, std::vector<HostEvent>& events);
+  void handle(const ENetEvent& event);
   void connect(Connection& connection, ENetPeer& peer);
-  void maintain(std::size_t index, std::vector<HostEvent>& events);
+  void maintain(std::size_t index);
   bool hasTimedOut(const Connection& connection);
-  void end(std::size_t index, std::vector<HostEvent>& events);
+  void end(std::size_t index);
   std::optional<std::size_t> indexOf(ClientId client) const;
 
   ServerGate gate_;
@@ -129,6 +132,8 @@ class Host : private EnetPort {
   std::vector<Connection> connections_;                // by index of the ENet peer
   std::unordered_map<ClientId, std::size_t> indexes_;  // in connections_, of the connected ones
   std::vector<ClientId> slow_;                         // that the next call of `service` ends
+  std::vector<HostEvent> events_;                      // of the last call of `service`
+  std::vector<Packet> packets_;                        // with the messages of these
   ClientId nextClient_ = 1;
   HostCounters counters_;
   Moment now_;     // of the present call

@@ -30,10 +30,10 @@ class ConnectionTest : public testing::Test {
   }
 
   void stepServer() {
-    for (HostEvent& event : host_.service(now_)) {
+    for (const HostEvent& event : host_.service(now_)) {
       client_ = event.client;
       if (event.disconnected) ++disconnects_;
-      if (!event.disconnected) atServer_.push_back(std::move(event.bytes));
+      if (!event.disconnected) atServer_.emplace_back(event.bytes.begin(), event.bytes.end());
     }
     host_.flush(now_);
   }

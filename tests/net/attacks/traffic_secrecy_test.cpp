@@ -37,7 +37,7 @@ class TrafficSecrecyTest : public testing::Test {
 
   void answer(const HostEvent& event) {
     host_.admit(event.client);
-    heard_.push_back(event.bytes);
+    heard_.emplace_back(event.bytes.begin(), event.bytes.end());
     host_.send(event.client, true, encode(Roster{{{0, std::string(kName)}}}));
   }
 

@@ -174,7 +174,7 @@ TEST_F(ConsoleTest, SaySendsTheTextToThePlayers) {
   EXPECT_EQ(text("say hello"), "said to 0 players");
   join(1, "Ann");
   EXPECT_EQ(text("say restart at  noon"), "said to 1 player");
-  const std::vector<Outgoing> sent = match_.takeOutgoing();
+  const std::span<const Outgoing> sent = match_.takeOutgoing();
   ASSERT_EQ(sent.size(), 1u);
   EXPECT_EQ(decodeToClient(sent[0].bytes), ToClient(Notice{"restart at noon"}));
 }

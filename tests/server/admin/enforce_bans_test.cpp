@@ -36,7 +36,7 @@ TEST_F(EnforceBansTest, RemovesEveryPlayerOfABannedAddress) {
   EXPECT_FALSE(match_.isPlaying(2));
   EXPECT_TRUE(match_.isPlaying(3));
   EXPECT_TRUE(match_.isPlaying(4));
-  const std::vector<Outgoing> sent = match_.takeOutgoing();
+  const std::span<const Outgoing> sent = match_.takeOutgoing();
   ASSERT_EQ(sent.size(), 2u);
   for (const Outgoing& message : sent) {
     EXPECT_TRUE(message.last);

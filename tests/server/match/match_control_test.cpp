@@ -42,7 +42,7 @@ TEST_F(MatchControlTest, TheMessageOfAKickClosesTheConnection) {
   match().receive(1, Hello{});
   match().takeOutgoing();
   EXPECT_TRUE(match().kick(0, "too loud"));
-  const std::vector<Outgoing> sent = match().takeOutgoing();
+  const std::span<const Outgoing> sent = match().takeOutgoing();
   ASSERT_EQ(sent.size(), 1u);
   EXPECT_EQ(sent[0].client, 1u);
   EXPECT_TRUE(sent[0].reliable && sent[0].last);
@@ -133,7 +133,7 @@ TEST_F(MatchControlTest, SayGoesToEveryConnectedPlayerReliably) {
   match().disconnect(2);
   match().takeOutgoing();
   match().say("hello");
-  const std::vector<Outgoing> sent = match().takeOutgoing();
+  const std::span<const Outgoing> sent = match().takeOutgoing();
   ASSERT_EQ(sent.size(), 2u);
   EXPECT_EQ(sent[0].client, 1u);
   EXPECT_EQ(sent[1].client, 3u);

@@ -40,23 +40,32 @@ TEST_F(MatchPlayerTest, EveryFourthMessageRepeatsAllUnacknowledgedTicks) {
   player_.acknowledge(100);
   std::vector<std::uint32_t> starts;
   for (int message = 0; message < 5; ++message) {
-    starts.push_back(player_.nextTickToSend(140));
+    starts.push_back(player_.nextTickToSend(140, 1));
     player_.ticksSent(140, 140);
     player_.nextSequence();
   }
   EXPECT_EQ(starts, (std::vector<std::uint32_t>{100, 132, 132, 132, 100}));
   player_.acknowledge(135);
-  EXPECT_EQ(player_.nextTickToSend(140), 135u);
-  EXPECT_EQ(player_.nextTickToSend(3), 135u);
+  EXPECT_EQ(player_.nextTickToSend(140, 1), 135u);
+  EXPECT_EQ(player_.nextTickToSend(3, 1), 135u);
+}
+
+// The rarer the messages, the more ticks each repeats: a tick is in four messages at least.
+TEST_F(MatchPlayerTest, RareMessagesRepeatMoreTicks) {
+  player_.acknowledge(100);
+  player_.nextSequence();
+  EXPECT_EQ(player_.nextTickToSend(140, 1), 132u);
+  EXPECT_EQ(player_.nextTickToSend(140, 2), 132u);
+  EXPECT_EQ(player_.nextTickToSend(140, 3), 128u);
 }
 
 TEST_F(MatchPlayerTest, AMessageContinuesWhereTheLastOneWasFull) {
   player_.acknowledge(100);
   player_.ticksSent(340, 500);
   player_.nextSequence();
-  EXPECT_EQ(player_.nextTickToSend(500), 340u);
+  EXPECT_EQ(player_.nextTickToSend(500, 1), 340u);
   player_.ticksSent(500, 500);
-  EXPECT_EQ(player_.nextTickToSend(500), 492u);
+  EXPECT_EQ(player_.nextTickToSend(500, 1), 492u);
 }
 
 TEST_F(MatchPlayerTest, WithoutAMessageThereIsNoLinkReport) { EXPECT_FALSE(player_.takeLinkReport()); }

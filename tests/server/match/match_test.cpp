@@ -62,11 +62,11 @@ TEST(Match, RefusesAClientWithAReason) {
   Match match = matchOn(farGoalText(), 1);
   const auto answer = [&match](ClientId client, const Hello& hello) {
     match.receive(client, hello);
-    const std::vector<Outgoing> sent = match.takeOutgoing();
+    const std::span<const Outgoing> sent = match.takeOutgoing();
     EXPECT_EQ(sent.size(), 1u);
-    EXPECT_TRUE(sent.at(0).reliable && sent.at(0).last);
+    EXPECT_TRUE(sent[0].reliable && sent[0].last);
     EXPECT_FALSE(match.isPlaying(client));
-    return std::get<Refused>(*decodeToClient(sent.at(0).bytes));
+    return std::get<Refused>(*decodeToClient(sent[0].bytes));
   };
   const Refused rules = answer(2, {kRulesVersion - 1, ""});
   EXPECT_EQ(rules.code, RefusalCode::kWrongRules);

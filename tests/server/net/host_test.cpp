@@ -66,7 +66,10 @@ class HostTest : public testing::Test {
  protected:
   void step() {
     now_ += 1ms;
-    for (HostEvent& event : host_.service(now_)) events_.push_back(std::move(event));
+    for (const HostEvent& event : host_.service(now_)) {
+      events_.push_back({event.client, event.disconnected, {}, event.address});
+      messages_.emplace_back(event.bytes.begin(), event.bytes.end());
+    }
     host_.flush(now_);
     client_.service(now_, [this](std::span<const std::uint8_t> message) {
       received_.emplace_back(message.begin(), message.end());
@@ -100,7 +103,8 @@ class HostTest : public testing::Test {
   Host host_{network_.socket(kServer), identity_, settings(), now_};
   Connection client_{network_.socket(kClient), {kServer}, {}};
   HostileClient eve_{network_, kEve};
-  std::vector<HostEvent> events_;
+  std::vector<HostEvent> events_;  // without their bytes
+  std::vector<Bytes> messages_;    // of these
   std::vector<Bytes> received_;
 };
 
@@ -109,7 +113,7 @@ TEST_F(HostTest, DeliversTheMessagesOfAClient) {
   const ClientId client = connect();
   EXPECT_FALSE(host_.empty());
   EXPECT_FALSE(events_[0].disconnected);
-  EXPECT_EQ(events_[0].bytes, (Bytes{1, 2, 3}));
+  EXPECT_EQ(messages_[0], (Bytes{1, 2, 3}));
   EXPECT_EQ(events_[0].address, kClient.ip);
   EXPECT_TRUE(host_.isOpen(client));
   EXPECT_FALSE(host_.isOpen(client + 1));
@@ -130,7 +134,7 @@ TEST_F(HostTest, AnAdmittedConnectionEndsAfterFiveSecondsOfSilence) {
   host_.admit(client);
   EXPECT_TRUE(host_.service(now_ + 4s).empty());
   EXPECT_TRUE(host_.isOpen(client));
-  const std::vector<HostEvent> events = host_.service(now_ + 5s);
+  const std::span<const HostEvent> events = host_.service(now_ + 5s);
   ASSERT_EQ(events.size(), 1u);
   EXPECT_TRUE(events[0].disconnected);
   EXPECT_TRUE(host_.empty());
@@ -206,7 +210,7 @@ TEST_F(HostTest, ARepeatedRequestToConnectIsNotCountedAsHostile) {
 TEST_F(HostTest, AMessageRepeatedWhileTheConnectionClosesIsNotCountedAsHostile) {
   eve_.connect(host_, now_);
   eve_.send(reliableContent(eve_.peer(), 1, 5), now_);
-  const std::vector<HostEvent> events = host_.service(now_);
+  const std::span<const HostEvent> events = host_.service(now_);
   ASSERT_EQ(events.size(), 1u);
   host_.close(events[0].client, now_);
   host_.flush(now_);
@@ -230,7 +234,7 @@ TEST_F(HostTest, AClientThatAcknowledgesNothingIsDroppedBeforeItsQueueGrows) {
   EXPECT_EQ(host_.room(client), 0u);
   EXPECT_TRUE(host_.service(now_).empty());
   host_.send(client, true, Bytes(1000));
-  const std::vector<HostEvent> events = host_.service(now_);
+  const std::span<const HostEvent> events = host_.service(now_);
   ASSERT_EQ(events.size(), 1u);
   EXPECT_TRUE(events[0].disconnected);
   EXPECT_EQ(host_.counters().slow, 1u);
@@ -243,7 +247,7 @@ TEST_F(HostTest, TheEndOfASlowClientIsReportedEvenIfANewcomerGetsItsPlace) {
   eve_.join(host_, now_);
   for (std::size_t i = 0; i <= Host::kMaxQueuedMessages; ++i) host_.send(client, true, Bytes(1000));
   eve_.send(connectContent(77), now_);
-  const std::vector<HostEvent> events = host_.service(now_);
+  const std::span<const HostEvent> events = host_.service(now_);
   ASSERT_EQ(events.size(), 1u);
   EXPECT_TRUE(events[0].disconnected);
   EXPECT_EQ(events[0].client, client);
