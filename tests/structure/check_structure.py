@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Checks the structure of the tree: dependencies, the purity of shared/, lengths, leftovers, tests of units.
+"""Checks the structure of the tree: dependencies, the purity of shared/, lengths, leftovers, tests of units
+and that they are built.
 
 usage: check_structure.py ROOT. Prints each violation as `file:line: what`; exit 1 if there are any.
 """
@@ -11,7 +12,7 @@ from pathlib import Path
 
 import source_text
 from dependency_table import DependencyTable, TableError, path_of
-from unit_tests import check_units
+from unit_tests import check_registered, check_units
 
 MAX_FILE_LINES = 400
 MAX_FOLDER_FILES = 40
@@ -165,7 +166,7 @@ def check_folder_sizes(paths):
 
 
 def check_tree(root):
-    """Yields every violation in the tree, except units without tests."""
+    """Yields every violation in the tree, except units without tests and tests that are not built."""
     table = DependencyTable((root / "docs/architecture.md").read_text(encoding="utf-8"))
     yield from check_top_level(root)
     for folder in table.folders():
@@ -189,7 +190,8 @@ def main(arguments):
         return 2
     try:
         root = Path(arguments[1])
-        violations = [*check_tree(root), *check_units([path for path, _ in tree_files(root)])]
+        files = dict(tree_files(root))
+        violations = [*check_tree(root), *check_units(list(files)), *check_registered(files)]
     except (OSError, TableError) as error:
         violations = [f"docs/architecture.md:1: {error}"]
     for violation in violations:

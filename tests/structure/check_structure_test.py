@@ -13,7 +13,7 @@ import check_globals
 import source_text
 from check_structure import check_tree
 from dependency_table import DependencyTable, TableError
-from unit_tests import check_units
+from unit_tests import check_registered, check_units
 
 ARCHITECTURE = (Path(__file__).parents[2] / "docs/architecture.md").read_text(encoding="utf-8")
 
@@ -317,6 +317,26 @@ class Units(unittest.TestCase):
         tested = ["server/app/log.cpp", "tests/server/app/log_test.cpp"]
         self.assertRegex(next(check_units(tested, {"server/app/log.cpp": "reason"})), "^server/app/log.cpp:1: it has a test")
         self.assertRegex(next(check_units([], {"server/app/log.cpp": "reason"})), "^server/app/log.cpp:1: it does not exist")
+
+
+class Registered(unittest.TestCase):
+    TEST = "tests/server/match/match_test.cpp"
+
+    def refused(self, **builds):
+        files = {f"{folder.replace('_', '/')}/CMakeLists.txt": text for folder, text in builds.items()}
+        return list(check_registered({self.TEST: "", **files}))
+
+    def test_a_folder_above_may_name_a_test(self):
+        for folder, name in (("tests_server_match", "match_test.cpp"), ("tests_server", "match/match_test.cpp")):
+            for text in (f"platon_tests(SOURCES {name})", f"set(sources\n  a_test.cpp\n  {name}\n)"):
+                self.assertEqual(self.refused(**{folder: text}), [])
+
+    def test_a_test_that_is_never_built_is_refused(self):
+        for text in ("", "# match/match_test.cpp", "match/match_test.cpp.in", "other/match/match_test.cpp", "match_test.cpp",
+                     "match/rematch_test.cpp", "match/match_test"):  # fmt: skip
+            found = self.refused(tests_server=text, tests_client="match/match_test.cpp match_test.cpp")
+            self.assertEqual(len(found), 1, text)
+            self.assertTrue(found[0].startswith(f"{self.TEST}:1: no CMakeLists.txt names it"), found)
 
 
 class Globals(unittest.TestCase):

@@ -1,4 +1,7 @@
-"""The rule that every unit of the product has a test file of its name, and the units that are excepted."""
+"""The rules that every unit of the product has a test file of its name, that a CMakeLists.txt names every test file, and
+the units that are excepted."""
+
+import re
 
 UNIT_FOLDERS = ("shared/", "protocol/", "server/", "client/", "levels/tool/")
 
@@ -41,3 +44,18 @@ def check_units(paths, exceptions=None):
             yield f"{unit}:1: it has a test file: delete its exception from tests/structure/unit_tests.py"
     for unit in sorted(set(exceptions) - set(units)):
         yield f"{unit}:1: it does not exist: delete its exception from tests/structure/unit_tests.py"
+
+
+def check_registered(files):
+    """Yields a violation for each test file that is built by no CMakeLists.txt of its folder or of one above it. `files`:
+    {path: text}."""
+    builds = {
+        path.rpartition("/")[0]: re.sub(r"#.*", "", text) for path, text in files.items() if path.endswith("CMakeLists.txt")
+    }
+    for path in files:
+        if not path.endswith("_test.cpp"):
+            continue
+        parts = path.split("/")
+        above = (("/".join(parts[:depth]), "/".join(parts[depth:])) for depth in range(len(parts)))
+        if not any(re.search(rf"(?<![\w./-]){re.escape(name)}(?![\w./-])", builds.get(folder, "")) for folder, name in above):
+            yield f"{path}:1: no CMakeLists.txt names it, so it is never built: add it to platon_tests in that of its folder"
