@@ -302,20 +302,22 @@ std::size_t Match::sendChunks(ClientId client, MatchPlayer& player, std::size_t 
   return chunks;
 }
 
-// Ticks between two messages to a player. The cost of a message grows with the players, and so does their number.
+// Ticks between two messages to a player. With more players, each message costs more, and there are more messages.
 std::uint32_t Match::sendInterval() const {
   if (players_.size() <= kFewPlayers) return 1;
   return players_.size() <= kManyPlayers ? 2 : 3;
 }
 
+// When many players change buttons, a message may hold fewer ticks than are decided before the next one. The rest
+// follows in the next ticks.
 void Match::sendTicks() {
   const std::uint32_t interval = sendInterval();
   for (auto& [client, player] : players_) {
-    const bool due = (now_ + player.slot()) % interval == 0;
+    const bool due = (now_ + player.slot()) % interval == 0 || player.fallsBehind(interval);
     const bool follows = player.started() && history_.covers(player.acknowledged());
     if (!due || !follows || player.acknowledged() == history_.end()) continue;
     history_.collect(player.nextTickToSend(history_.end(), interval), ticks_);
-    player.ticksSent(ticks_.from + ticks_.count, history_.end());
+    player.ticksSent(ticks_.from, ticks_.from + ticks_.count, history_.end());
     ticks_.link = player.takeLinkReport();
     ticks_.sequence = player.nextSequence();
     outgoing_.push_back({client, false, false, encode(ticks_)});

@@ -50,7 +50,8 @@ class Match {
   /// Ticks from the end of a round to the start of the next: 5 s.
   static constexpr std::uint32_t kPauseTicks = 5 * kTicksPerSecond;
   /// Each player is sent the decided ticks every tick while at most kFewPlayers are connected, every second tick while
-  /// at most kManyPlayers are, and every third tick otherwise.
+  /// at most kManyPlayers are, and every third tick otherwise; and in every tick while a message holds too few of
+  /// them.
   static constexpr std::size_t kFewPlayers = 4;
   static constexpr std::size_t kManyPlayers = 32;
 

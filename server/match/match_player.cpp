@@ -26,6 +26,7 @@ void MatchPlayer::resetProgress() {
   inputsEnd_ = 0;
   newestInput_ = Input();
   acknowledged_ = continueAt_ = 0;
+  messagesSinceFull_ = kFullRepeatInterval;
   levelRequests_ = 0;
   sync_ = 0;
 }
@@ -81,9 +82,15 @@ bool MatchPlayer::isCurrent(const PlayerInputs& message) const {
 
 std::uint32_t MatchPlayer::nextTickToSend(std::uint32_t end, std::uint32_t interval) const {
   const std::uint32_t from = std::max(continueAt_, acknowledged_);
-  const bool all = continueAt_ > acknowledged_ || sequence_ % kFullRepeatInterval == 0;
+  const bool all = continueAt_ != 0 || messagesSinceFull_ + 1 >= kFullRepeatInterval;
   const std::uint32_t recent = std::max(kRecentTicks, kRecentMessages * interval);
   return all || end < recent ? from : std::max(from, end - recent);
+}
+
+void MatchPlayer::ticksSent(std::uint32_t from, std::uint32_t tick, std::uint32_t end) {
+  continueAt_ = tick < end ? tick : 0;
+  lastTicks_ = tick - from;
+  messagesSinceFull_ = from == acknowledged_ ? 0 : messagesSinceFull_ + 1;
 }
 
 std::optional<LinkReport> MatchPlayer::takeLinkReport() {

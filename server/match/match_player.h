@@ -27,12 +27,12 @@ class MatchPlayer {
   /// Minimum number of ticks between two full states: a client in permanent desync gets one a second.
   static constexpr std::uint64_t kTicksBetweenStates = 60;
 
-  /// A message that does not repeat all unacknowledged ticks has at most this many, or those of kRecentMessages if
-  /// these are more.
+  /// A message that does not repeat all unacknowledged ticks has the last kRecentTicks, or more if they are sent so
+  /// rarely that a tick would otherwise be in fewer than kRecentMessages messages.
   static constexpr std::uint32_t kRecentTicks = 8;
   static constexpr std::uint32_t kRecentMessages = 4;
-  /// One message in this many repeats all unacknowledged ticks. Divides 256, the period of the sequence numbers.
-  static constexpr std::uint8_t kFullRepeatInterval = 4;
+  /// At least one message in this many begins with the first unacknowledged tick.
+  static constexpr std::uint32_t kFullRepeatInterval = 4;
 
   /// A player that joins at tick `now` of the match, counted over all rounds.
   MatchPlayer(std::uint32_t slot, std::string name, const std::optional<SessionToken>& token, std::uint64_t now)
@@ -76,12 +76,15 @@ class MatchPlayer {
   /// Ticks of the round that the client has acknowledged.
   std::uint32_t acknowledged() const { return acknowledged_; }
   /// First tick of the next message of ticks, when `end` ticks are decided and a message is sent every `interval`
-  /// ticks. After a message that could not hold all ticks: the tick at which it stopped. Otherwise, in every
-  /// kFullRepeatInterval-th message: the first unacknowledged tick. In the others: one of the last ticks, since with a
-  /// long round trip most earlier ticks are not lost, only not acknowledged yet.
+  /// ticks. After a message that could not hold all ticks: the tick at which it stopped. Otherwise, if none of the last
+  /// kFullRepeatInterval - 1 messages has begun with it: the first unacknowledged tick. In the others: one of the last
+  /// ticks, since with a long round trip most earlier ticks are not lost, only not acknowledged yet.
   std::uint32_t nextTickToSend(std::uint32_t end, std::uint32_t interval) const;
-  /// Call when a message with the ticks before `tick` was sent and `end` ticks were decided.
-  void ticksSent(std::uint32_t tick, std::uint32_t end) { continueAt_ = tick < end ? tick : 0; }
+  /// Whether the last message of ticks could not hold all, and held so few that a message every `interval` ticks would
+  /// hardly catch up.
+  bool fallsBehind(std::uint32_t interval) const { return continueAt_ != 0 && lastTicks_ < 2 * interval; }
+  /// Call when a message with the ticks from `from` to before `tick` was sent and `end` ticks were decided.
+  void ticksSent(std::uint32_t from, std::uint32_t tick, std::uint32_t end);
   /// Link report since the last call; nothing if no message of inputs has arrived.
   std::optional<LinkReport> takeLinkReport();
   /// Sequence number of the next message of ticks.
@@ -127,6 +130,8 @@ class MatchPlayer {
   std::uint8_t sequence_ = 0;
   std::uint32_t acknowledged_ = 0;
   std::uint32_t continueAt_ = 0;  // tick at which the last message of ticks stopped; 0: it held all
+  std::uint32_t lastTicks_ = 0;   // ticks in the last message of ticks
+  std::uint32_t messagesSinceFull_ = kFullRepeatInterval;  // since one that began with the first unacknowledged tick
   std::uint32_t levelRequests_ = 0;
   std::uint64_t nextStateAt_ = 0;
   std::uint8_t sync_ = 0;  // number of the last state sent in this round

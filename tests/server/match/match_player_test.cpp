@@ -41,8 +41,7 @@ TEST_F(MatchPlayerTest, EveryFourthMessageRepeatsAllUnacknowledgedTicks) {
   std::vector<std::uint32_t> starts;
   for (int message = 0; message < 5; ++message) {
     starts.push_back(player_.nextTickToSend(140, 1));
-    player_.ticksSent(140, 140);
-    player_.nextSequence();
+    player_.ticksSent(starts.back(), 140, 140);
   }
   EXPECT_EQ(starts, (std::vector<std::uint32_t>{100, 132, 132, 132, 100}));
   player_.acknowledge(135);
@@ -53,7 +52,7 @@ TEST_F(MatchPlayerTest, EveryFourthMessageRepeatsAllUnacknowledgedTicks) {
 // The rarer the messages, the more ticks each repeats: a tick is in four messages at least.
 TEST_F(MatchPlayerTest, RareMessagesRepeatMoreTicks) {
   player_.acknowledge(100);
-  player_.nextSequence();
+  player_.ticksSent(100, 140, 140);
   EXPECT_EQ(player_.nextTickToSend(140, 1), 132u);
   EXPECT_EQ(player_.nextTickToSend(140, 2), 132u);
   EXPECT_EQ(player_.nextTickToSend(140, 3), 128u);
@@ -61,11 +60,39 @@ TEST_F(MatchPlayerTest, RareMessagesRepeatMoreTicks) {
 
 TEST_F(MatchPlayerTest, AMessageContinuesWhereTheLastOneWasFull) {
   player_.acknowledge(100);
-  player_.ticksSent(340, 500);
-  player_.nextSequence();
+  player_.ticksSent(100, 340, 500);
   EXPECT_EQ(player_.nextTickToSend(500, 1), 340u);
-  player_.ticksSent(500, 500);
+  player_.ticksSent(340, 500, 500);
   EXPECT_EQ(player_.nextTickToSend(500, 1), 492u);
+}
+
+// Whatever the number of messages in between.
+TEST_F(MatchPlayerTest, AllUnacknowledgedTicksAreRepeatedAfterMessagesInParts) {
+  for (std::uint32_t parts = 3; parts < 8; ++parts) {
+    player_.acknowledge(100 * parts);
+    player_.ticksSent(100 * parts, 100 * parts + 1, 100 * parts + 50);
+    for (std::uint32_t i = 1; i < parts; ++i) player_.ticksSent(100 * parts + i, 100 * parts + i + 1, 100 * parts + 50);
+    player_.ticksSent(100 * parts + parts, 100 * parts + 50, 100 * parts + 50);
+    EXPECT_EQ(player_.nextTickToSend(100 * parts + 50, 3), 100 * parts) << parts << " parts";
+  }
+}
+
+TEST_F(MatchPlayerTest, FallsBehindWhenMessagesHoldFewTicks) {
+  player_.ticksSent(100, 105, 200);
+  EXPECT_FALSE(player_.fallsBehind(2));
+  EXPECT_TRUE(player_.fallsBehind(3));
+  player_.ticksSent(105, 200, 200);
+  EXPECT_FALSE(player_.fallsBehind(3));
+  player_.ticksSent(195, 200, 200);
+  EXPECT_FALSE(player_.fallsBehind(3)) << "it held all";
+}
+
+// The client acknowledges the first part before the second is sent.
+TEST_F(MatchPlayerTest, AMessageContinuesWhereAnAcknowledgedOneWasFull) {
+  player_.acknowledge(100);
+  player_.ticksSent(100, 102, 150);
+  player_.acknowledge(102);
+  EXPECT_EQ(player_.nextTickToSend(150, 3), 102u);
 }
 
 TEST_F(MatchPlayerTest, WithoutAMessageThereIsNoLinkReport) { EXPECT_FALSE(player_.takeLinkReport()); }
