@@ -115,7 +115,10 @@ void ServerGate::takeControl(Session& session, const SocketAddress& sender, Byte
   if (content.size() != 1 + challenge.size()) return;
   if (sodium_memcmp(content.data() + 1, challenge.data(), challenge.size()) != 0) return;
   session.path.reset();
-  if (banCheck_ && banCheck_(sender.ip)) return;  // since the challenge
+  if (banCheck_ && banCheck_(sender.ip)) {  // since the challenge
+    ++counters_.banned;
+    return;
+  }
   session.address = sender;
 }
 

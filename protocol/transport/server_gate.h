@@ -36,13 +36,13 @@ struct GateSettings {
 
 /// What the gate has dropped or refused so far, by reason.
 struct GateCounters {
-  std::uint64_t malformed = 0;   ///< datagrams of no known form
-  std::uint64_t version = 0;     ///< knocks of another protocol version, which were told so
-  std::uint64_t cookie = 0;      ///< Open with an invalid cookie, or one that was used before
-  std::uint64_t handshakes = 0;  ///< Open beyond the budget of its address or of the server
-  std::uint64_t password = 0;    ///< Open with a wrong password
-  std::uint64_t full = 0;        ///< Open when no session was free, or too many were from its address
-  std::uint64_t banned = 0;
+  std::uint64_t malformed = 0;    ///< datagrams of no known form
+  std::uint64_t version = 0;      ///< knocks of another protocol version, which were told so
+  std::uint64_t cookie = 0;       ///< Open with an invalid cookie, or one that was used before
+  std::uint64_t handshakes = 0;   ///< Open beyond the budget of its address or of the server
+  std::uint64_t password = 0;     ///< Open with a wrong password
+  std::uint64_t full = 0;         ///< Open when no session was free, or too many were from its address
+  std::uint64_t banned = 0;       ///< Open from, or answers to a challenge at, a banned address
   std::uint64_t queries = 0;      ///< beyond the budget
   std::uint64_t seal = 0;         ///< sealed datagrams that are forged, damaged, repeated, or of no session
   std::uint64_t unconfirmed = 0;  ///< sessions that were not confirmed in time
@@ -87,9 +87,15 @@ class ServerGate {
   /// Address of an open session.
   IpAddress addressOf(SessionId session) const;
 
-  /// Tells why an address may not join: a label for the player; nothing if it may.
+  /// Tells why an address may not join: a label for the player; nothing if it may. It must have no effect: the address
+  /// may be forged.
   using BanCheck = std::function<std::optional<std::string>(const IpAddress&)>;
-  void setBanCheck(BanCheck check) { banCheck_ = std::move(check); }
+  /// Called for each newcomer that is refused by the check. It has shown that it receives at this address.
+  using BanNotice = std::function<void(const IpAddress&)>;
+  void setBanCheck(BanCheck check, BanNotice notice = {}) {
+    banCheck_ = std::move(check);
+    banNotice_ = std::move(notice);
+  }
   /// What queries are told. `version`, `nonce`, `identity` and `needsPassword` are filled in.
   void setInfo(Info info) { info_ = std::move(info); }
 
@@ -147,6 +153,7 @@ class ServerGate {
   CryptoKey bucketKey_;
   std::uint32_t nextNumber_;
   BanCheck banCheck_;
+  BanNotice banNotice_;
   Info info_;
   std::size_t left_ = kMaxDatagramsPerRound;  // datagrams of this round
   GateCounters counters_;

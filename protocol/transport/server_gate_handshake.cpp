@@ -109,6 +109,7 @@ bool ServerGate::mayExchange(const Datagram& datagram, const Open& open, Moment 
   }
   if (const auto ban = banCheck_ ? banCheck_(ip) : std::nullopt) {
     ++counters_.banned;
+    if (banNotice_) banNotice_(ip);
     refuse(datagram, clientKey, RefusalReason::kBanned, *ban, now);
     return false;
   }

@@ -178,27 +178,34 @@ void DedicatedServer::sendLast(ClientId client, std::span<const std::uint8_t> me
 
 // The address of a client may have been banned after the client had connected.
 bool DedicatedServer::refusesBanned(const HostEvent& event, TimePoint now) {
-  const std::optional<std::string> ban = banOf(event.address);
+  const Ban* const ban = banOf(event.address);
   if (!ban) return false;
   ++bannedClients_;
-  sendLast(event.client, encode(Refused{RefusalCode::kOther, *ban}), now);
+  logBanned(event.address);
+  sendLast(event.client, encode(Refused{RefusalCode::kOther, refusalOf(*ban)}), now);
   return true;
 }
 
 void DedicatedServer::refuseBanned(const BanList& bans) {
   bans_ = &bans;
-  host_.gate().setBanCheck([this](const IpAddress& address) { return banOf(address); });
+  const auto check = [this](const IpAddress& address) {
+    const Ban* const ban = banOf(address);
+    return ban ? std::optional(refusalOf(*ban)) : std::nullopt;
+  };
+  host_.gate().setBanCheck(check, [this](const IpAddress& address) { logBanned(address); });
 }
 
-// Why the address may not join, if it is banned; tells the log of it.
-std::optional<std::string> DedicatedServer::banOf(const IpAddress& address) {
+// The ban that the address is under; null if there is none.
+const Ban* DedicatedServer::banOf(const IpAddress& address) const {
   const auto time = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
-  const Ban* const ban = bans_ ? bans_->find(address, time) : nullptr;
-  if (!ban) return std::nullopt;
-  if (banNotices_.take(address.household(), receivedAt_)) {
-    log_.info("refused banned address", {{"address", address.text()}, {"ban", ban->range.text()}});
-  }
-  return refusalOf(*ban);
+  return bans_ ? bans_->find(address, time) : nullptr;
+}
+
+// Call only for an address that has been shown to be the client's: a forged one must not displace others in the log.
+void DedicatedServer::logBanned(const IpAddress& address) {
+  const Ban* const ban = banOf(address);
+  if (!ban || !banNotices_.take(address.household(), receivedAt_)) return;
+  log_.info("refused banned address", {{"address", address.text()}, {"ban", ban->range.text()}});
 }
 
 void DedicatedServer::send(TimePoint now) {

@@ -85,7 +85,8 @@ class DedicatedServer {
   void handle(const HostEvent& event, TimePoint now);
   void sendLast(ClientId client, std::span<const std::uint8_t> message, TimePoint now);
   bool refusesBanned(const HostEvent& event, TimePoint now);
-  std::optional<std::string> banOf(const IpAddress& address);
+  const Ban* banOf(const IpAddress& address) const;
+  void logBanned(const IpAddress& address);
   void send(TimePoint now);
   void writeRecordings();
   void finishRecordings();
@@ -101,7 +102,7 @@ class DedicatedServer {
   TickClock clock_;
   const BanList* bans_ = nullptr;  // null: nobody is banned
   BanNotices banNotices_;
-  std::uint64_t bannedClients_ = 0;  // refused after their connection was there
+  std::uint64_t bannedClients_ = 0;  // whose address was banned after they had connected
   TimePoint receivedAt_{};           // the last time of `receive`
   std::uint64_t malformedMessages_ = 0;
   std::uint64_t receivedBeforeTick_ = 0;  // datagrams up to the last tick

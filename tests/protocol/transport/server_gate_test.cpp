@@ -138,14 +138,42 @@ TEST_F(ServerGateTest, ASessionIsChallengedAtMostTenTimesASecond) {
 
 TEST_F(ServerGateTest, ABannedAddressIsToldWhy) {
   start();
-  gate_->setBanCheck([](const IpAddress& ip) {
+  std::vector<IpAddress> noticed;
+  const auto check = [](const IpAddress& ip) {
     return ip == clientAt(1).ip ? std::optional<std::string>("until tomorrow") : std::nullopt;
-  });
+  };
+  gate_->setBanCheck(check, [&noticed](const IpAddress& ip) { noticed.push_back(ip); });
   ClientGate client = join(clientAt(1));
   ASSERT_EQ(client.state(), ClientGate::State::kRefused);
   EXPECT_EQ(client.refusal()->reason, RefusalReason::kBanned);
   EXPECT_EQ(client.refusal()->text, "until tomorrow");
   EXPECT_EQ(join(clientAt(2)).state(), ClientGate::State::kOpen);
+  EXPECT_EQ(noticed, std::vector{clientAt(1).ip});
+  EXPECT_EQ(gate_->counters().banned, 1u);
+}
+
+// Anybody can write the address of somebody else into a datagram.
+TEST_F(ServerGateTest, AForgedBannedAddressCausesNoNotice) {
+  start();
+  std::size_t notices = 0;
+  ClientGate client = join(clientAt(1));
+  sessionOf(client);
+  const SocketAddress banned = addressAt("203.0.113.9", 999);
+  const auto check = [&](const IpAddress& ip) {
+    return ip == banned.ip ? std::optional<std::string>("until tomorrow") : std::nullopt;
+  };
+  gate_->setBanCheck(check, [&notices](const IpAddress&) { ++notices; });
+  network_.setFilter([](const auto& each) { return each.to != kServer; });
+  client.send(kContent, now_);
+  network_.inject(banned, kServer, network_.sent().back().bytes);
+  EXPECT_EQ(receive().size(), 1u);
+  ClientGate other(network_.socket(clientAt(2)), {kServer}, {}, KeyPair::random());
+  other.update(now_);
+  network_.inject(banned, kServer, network_.sent().back().bytes);  // its Knock
+  receive();
+  EXPECT_EQ(sent(kServer, banned).size(), 1u);  // a cookie, and no challenge
+  EXPECT_EQ(notices, 0u);
+  EXPECT_EQ(gate_->counters().banned, 0u);
 }
 
 // Routers give a connection another port from time to time.
@@ -195,6 +223,7 @@ TEST_F(ServerGateTest, AClientIsNotFollowedToAnAddressThatIsBannedSinceTheChalle
   network_.inject(moved, kServer, network_.sent().back().bytes);
   receive();
   EXPECT_EQ(gate_->addressOf(session), clientAt(1).ip);
+  EXPECT_EQ(gate_->counters().banned, 1u);
 }
 
 TEST_F(ServerGateTest, ADatagramFromElsewhereDoesNotDirectTheServerThere) {

@@ -288,6 +288,25 @@ TEST_F(BannedAddressTest, TheLogTellsOfTheFirstRefusalOfEachHousehold) {
   EXPECT_EQ(server_.host().gate().counters().banned, 5u);
 }
 
+// The datagram of a client also arrives from a banned address, as if somebody had forged it.
+TEST_F(BannedAddressTest, AForgedAddressIsNotLogged) {
+  ClientGate client(network_.socket(addressAt("203.0.113.1", 4000)), {kServer}, {}, KeyPair::random());
+  for (int roundTrip = 0; roundTrip < 3; ++roundTrip) {
+    client.update(momentOf(now_));
+    server_.step(now_);
+    client.receive(momentOf(now_));
+  }
+  ASSERT_EQ(client.state(), ClientGate::State::kOpen);
+  network_.setFilter([](const auto& each) { return each.to != kServer; });
+  client.send(Bytes(40), momentOf(now_));
+  network_.inject(addressAt("192.0.2.7", 4000), kServer, network_.sent().back().bytes);
+  server_.step(now_);
+  network_.setFilter({});
+  log_.clear();
+  knock(addressAt("192.0.2.7", 4000));
+  EXPECT_EQ(log_, std::vector<std::string>{R"(refused banned address address="192.0.2.7" ban="192.0.2.0/24")"});
+}
+
 TEST_F(BannedAddressTest, AConnectionFromBeforeTheBanCannotJoin) {
   bans_ = BanList();
   Connection client(network_.socket(addressAt("192.0.2.7", 4000)), {kServer}, {});
