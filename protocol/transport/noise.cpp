@@ -76,7 +76,14 @@ KeyPair KeyPair::of(const CryptoKey& secret) {
 KeyPair KeyPair::random() {
   CryptoKey secret;
   randombytes_buf(secret.data(), secret.size());
-  return of(secret);
+  const KeyPair pair = of(secret);
+  wipe(secret);
+  return pair;
+}
+
+SessionKeys::~SessionKeys() {
+  wipe(toServer);
+  wipe(toClient);
 }
 
 NoiseExchange::NoiseExchange(ByteSpan prologue, const CryptoKey& serverKey, const CryptoKey& presharedKey)
@@ -178,8 +185,10 @@ std::optional<Bytes> NoiseExchange::readSecond(ByteSpan message) {
 }
 
 SessionKeys NoiseExchange::split() const {
-  const std::array<Hash, 3> derived = hkdf(chainingKey_, {});
-  return {firstHalf(derived[0]), firstHalf(derived[1])};
+  std::array<Hash, 3> derived = hkdf(chainingKey_, {});
+  SessionKeys keys{firstHalf(derived[0]), firstHalf(derived[1])};
+  sodium_memzero(derived.data(), sizeof derived);
+  return keys;
 }
 
 }  // namespace platon

@@ -25,10 +25,12 @@ struct KeyPair {
   static KeyPair random();
 };
 
-/// What both sides have after the handshake: one key for each direction.
+/// What both sides have after the handshake: one key for each direction. Each copy forgets its keys at its end.
 struct SessionKeys {
   CryptoKey toServer{};
   CryptoKey toClient{};
+
+  ~SessionKeys();
 
   friend bool operator==(const SessionKeys&, const SessionKeys&) = default;
 };

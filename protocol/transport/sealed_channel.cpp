@@ -24,10 +24,7 @@ void ReplayWindow::mark(std::uint64_t sequence) {
 }
 
 SealedChannel::SealedChannel(Side side, const SessionKeys& keys, std::uint16_t slot)
-    : side_(side),
-      sendKey_(side == Side::kServer ? keys.toClient : keys.toServer),
-      receiveKey_(side == Side::kServer ? keys.toServer : keys.toClient),
-      slot_(slot) {}
+    : side_(side), keys_(keys), slot_(slot) {}
 
 Bytes SealedChannel::seal(ByteSpan content, bool isControl) {
   const std::size_t head = headBytes(side_);
@@ -40,7 +37,7 @@ Bytes SealedChannel::seal(ByteSpan content, bool isControl) {
     datagram[3] = static_cast<std::uint8_t>(slot_ >> 8);
   }
   const std::span<std::uint8_t> bytes(datagram);
-  sealWith(sendKey_, sent_++, bytes.first(head), content, bytes.subspan(head));
+  sealWith(sendKey(), sent_++, bytes.first(head), content, bytes.subspan(head));
   return datagram;
 }
 
@@ -61,7 +58,7 @@ std::optional<SealedChannel::Content> SealedChannel::open(ByteSpan datagram) {
   if (!received_.isFresh(sequence)) return std::nullopt;
   Content content;
   content.bytes.resize(datagram.size() - head - kTagBytes);
-  if (!openWith(receiveKey_, sequence, datagram.first(head), datagram.subspan(head), content.bytes))
+  if (!openWith(receiveKey(), sequence, datagram.first(head), datagram.subspan(head), content.bytes))
     return std::nullopt;
   content.isControl = (datagram[0] & kControlFlag) != 0;
   content.isNewest = sequence >= received_.next();

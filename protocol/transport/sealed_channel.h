@@ -27,7 +27,7 @@ class ReplayWindow {
 
 /// One end of a session's two directions. Every datagram is sealed whole: ChaCha20-Poly1305 with its 64-bit sequence
 /// number as nonce, of which 14 bits are sent. The order of sealing and opening does not matter; a datagram is opened
-/// once. It has no socket and no clock.
+/// once. It has no socket and no clock, and forgets the keys at its end.
 ///
 /// Layout: two bytes: 1, whether it is for the transport itself, 14 bits of the sequence number, most significant
 /// first; to the server: slot, two bytes, least significant first; then ciphertext and tag. The bytes before the
@@ -58,11 +58,12 @@ class SealedChannel {
 
  private:
   std::size_t headBytes(Side sender) const { return sender == Side::kClient ? 4 : 2; }
+  const CryptoKey& sendKey() const { return side_ == Side::kServer ? keys_.toClient : keys_.toServer; }
+  const CryptoKey& receiveKey() const { return side_ == Side::kServer ? keys_.toServer : keys_.toClient; }
   std::uint64_t expand(std::uint16_t low) const;
 
   Side side_;
-  CryptoKey sendKey_;
-  CryptoKey receiveKey_;
+  SessionKeys keys_;
   std::uint16_t slot_;
   std::uint64_t sent_ = 0;
   ReplayWindow received_;

@@ -19,12 +19,16 @@ ServerIdentity::ServerIdentity(const CryptoKey& secret) : secret_(secret) {
   CryptoKey exchange;
   crypto_sign_ed25519_sk_to_curve25519(exchange.data(), signing.data());
   exchange_ = KeyPair::of(exchange);
+  sodium_memzero(signing.data(), signing.size());
+  wipe(exchange);
 }
 
 ServerIdentity ServerIdentity::random() {
   CryptoKey secret;
   randombytes_buf(secret.data(), secret.size());
-  return ServerIdentity(secret);
+  ServerIdentity identity(secret);
+  wipe(secret);
+  return identity;
 }
 
 std::optional<ServerIdentity> ServerIdentity::parse(std::string_view text) {

@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
 #include <random>
+#include <utility>
+#include <vector>
 
 namespace platon {
 namespace {
@@ -15,6 +18,15 @@ struct Ends {
   SealedChannel client{SealedChannel::Side::kClient, keys, 0x1234};
   SealedChannel server{SealedChannel::Side::kServer, keys, 0x1234};
 };
+
+// Whether the memory of an object holds a part of this key.
+template <class Object>
+bool holds(const Object& object, const CryptoKey& key) {
+  const auto* const begin = reinterpret_cast<const volatile std::uint8_t*>(&object);
+  const std::vector<std::uint8_t> bytes(begin, begin + sizeof object);
+  const auto part = key.begin() + 8;
+  return std::search(bytes.begin(), bytes.end(), part, part + 8) != bytes.end();
+}
 
 Bytes content(std::size_t size, std::uint8_t value = 7) { return Bytes(size, value); }
 
@@ -31,6 +43,21 @@ TEST(SealedChannel, AddsTwentyBytesToTheServerAndEighteenToTheClient) {
   EXPECT_EQ(ends.client.seal(content(100)).size(), 120u);
   EXPECT_EQ(ends.server.seal(content(100)).size(), 118u);
   EXPECT_EQ(SealedChannel::slotOf(ends.client.seal(content(1))), 0x1234);
+}
+
+// A key that stays in memory opens a session that was recorded, whenever the memory is read.
+TEST(SealedChannel, ForgetsItsKeysAtItsEnd) {
+  std::mt19937_64 random(kSeed);
+  SessionKeys keys;
+  for (CryptoKey* key : {&keys.toServer, &keys.toClient}) {
+    for (std::uint8_t& byte : *key) byte = static_cast<std::uint8_t>(random());
+  }
+  std::optional<SealedChannel> closed(std::in_place, SealedChannel::Side::kServer, keys, std::uint16_t{1});
+  std::optional<SealedChannel> replaced = closed;
+  for (const CryptoKey& key : {keys.toServer, keys.toClient}) EXPECT_TRUE(holds(closed, key) && holds(replaced, key));
+  closed.reset();
+  replaced = std::optional<SealedChannel>();
+  for (const CryptoKey& key : {keys.toServer, keys.toClient}) EXPECT_FALSE(holds(closed, key) || holds(replaced, key));
 }
 
 TEST(SealedChannel, EqualContentsGiveDifferentDatagrams) {
