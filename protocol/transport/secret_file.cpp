@@ -1,6 +1,7 @@
 #include "protocol/transport/secret_file.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -48,19 +49,57 @@ bool writeAll(int handle, std::string_view text) {
   return fsync(handle) == 0;
 }
 
+[[noreturn]] void refuseToWrite(const std::string& path, int fault) {
+  refuse(path, std::string("cannot be written: ") + std::strerror(fault) + "; make room on the disk");
+}
+
+// Returns an error number of the system; 0 if the text is on the disk. Closes the file.
+int writeAndClose(int handle, std::string_view text) {
+  const int fault = writeAll(handle, text) ? 0 : errno;
+  close(handle);
+  return fault;
+}
+
+// vfat, exFAT and some network file systems have no links.
+bool cannotLink(int fault) { return fault == EPERM || fault == EOPNOTSUPP || fault == ENOSYS; }
+
+// Returns an error number of the system; 0 if the file was made.
+int createWithoutLink(const std::string& path, std::string_view text) {
+  const int handle = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, S_IRUSR | S_IWUSR);
+  if (handle < 0) return errno;
+  const int fault = writeAndClose(handle, text);
+  if (fault == 0) return 0;
+  unlink(path.c_str());
+  refuseToWrite(path, fault);
+}
+
+std::filesystem::path folderOf(const std::string& path) {
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  return folder.empty() ? "." : folder;
+}
+
+// Otherwise a power failure may lose the name of the new file.
+void syncFolder(const std::filesystem::path& folder) {
+  const int handle = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (handle < 0) return;
+  fsync(handle);
+  close(handle);
+}
+
 // Makes the file with its whole content or not at all: when the disk is full, nothing is left that a later start would
-// take for a damaged key. Never replaces a file.
-void create(const std::string& path, const std::string& line) {
+// take for a damaged key. Never replaces a file. Returns an error number of the system; 0 if the file was made.
+int create(const std::string& path, const std::string& line) {
+  const std::string text = line + "\n";
   std::string part = path + ".XXXXXX";
   const int handle = mkostemp(part.data(), O_CLOEXEC);  // readable only by the owner
-  if (handle < 0) refuseToCreate(path, errno);
-  const bool written = writeAll(handle, line + "\n");
-  const bool created = written && link(part.c_str(), path.c_str()) == 0;
-  const int fault = errno;
-  close(handle);
+  if (handle < 0) return errno;
+  const int unwritten = writeAndClose(handle, text);
+  int fault = unwritten == 0 && link(part.c_str(), path.c_str()) != 0 ? errno : 0;
   unlink(part.c_str());
-  if (!written) refuse(path, std::string("cannot be written: ") + std::strerror(fault) + "; make room on the disk");
-  if (!created) refuseToCreate(path, fault);
+  if (unwritten != 0) refuseToWrite(path, unwritten);
+  if (cannotLink(fault)) fault = createWithoutLink(path, text);
+  if (fault == 0) syncFolder(folderOf(path));
+  return fault;
 }
 
 // Nothing if there is no file.
@@ -82,14 +121,15 @@ std::string readPasswordFile(const std::string& path) {
 ServerIdentity readKeyFile(const std::string& path) {
   if (const std::optional<ServerIdentity> found = findIdentity(path)) return *found;
   const ServerIdentity identity = ServerIdentity::random();
-  create(path, identity.text());
-  return identity;
+  const int fault = create(path, identity.text());
+  if (fault == 0) return identity;
+  if (const auto found = fault == EEXIST ? findIdentity(path) : std::nullopt) return *found;  // made by another server
+  refuseToCreate(path, fault);
 }
 
 bool checkKeyFile(const std::string& path) {
   if (findIdentity(path)) return true;
-  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-  if (access(folder.empty() ? "." : folder.c_str(), W_OK | X_OK) != 0) refuseToCreate(path, errno);
+  if (access(folderOf(path).c_str(), W_OK | X_OK) != 0) refuseToCreate(path, errno);
   return false;
 }
 

@@ -12,7 +12,7 @@ std::string readPasswordFile(const std::string& path);
 
 /// The server's identity in a file; creates the file, readable only by its owner, if it is missing. Throws ProgramError
 /// (kUsage) if it cannot be read or holds something else, or if it cannot be created as a whole; nothing is left of it
-/// then.
+/// then. Several servers may make the same file at once: all of them get the same identity.
 ServerIdentity readKeyFile(const std::string& path);
 
 /// Throws ProgramError (kUsage) if `readKeyFile` would, but creates no file. Returns whether there is one.

@@ -1,6 +1,14 @@
 #include "protocol/transport/secret_file.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <functional>
+#include <optional>
+#include <utility>
 
 #include "protocol/program_error.h"
 #include "tests/support/files.h"
@@ -9,6 +17,32 @@
 
 namespace platon {
 namespace {
+
+// Called before a link is made: returns an error number, or 0 to make it.
+std::function<int()> beforeLink;
+
+}  // namespace
+}  // namespace platon
+
+// Used by this program instead of that of the C library.
+extern "C" int link(const char* from, const char* to) noexcept {
+  const int fault = platon::beforeLink ? platon::beforeLink() : 0;
+  if (fault == 0) return static_cast<int>(syscall(SYS_linkat, AT_FDCWD, from, AT_FDCWD, to, 0));
+  errno = fault;
+  return -1;
+}
+
+namespace platon {
+namespace {
+
+// Sets beforeLink in a scope.
+class Link {
+ public:
+  explicit Link(std::function<int()> before) { beforeLink = std::move(before); }
+  Link(const Link&) = delete;
+  Link& operator=(const Link&) = delete;
+  ~Link() { beforeLink = nullptr; }
+};
 
 template <class Action>
 std::string errorOf(Action action) {
@@ -67,6 +101,51 @@ TEST(SecretFile, AFullDiskLeavesNothingOfAKey) {
   }
   const ServerIdentity made = readKeyFile(path);
   EXPECT_EQ(readKeyFile(path).publicKey(), made.publicKey()) << "the next start makes a key and keeps it";
+}
+
+// As on vfat and exFAT.
+TEST(SecretFile, AFileSystemWithoutLinksKeepsAKeyToo) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "key";
+  for (const int fault : {EPERM, EOPNOTSUPP, ENOSYS}) {
+    const Link link([fault] { return fault; });
+    const ServerIdentity made = readKeyFile(path);
+    EXPECT_EQ(readKeyFile(path).publicKey(), made.publicKey());
+    using std::filesystem::perms;
+    EXPECT_EQ(std::filesystem::status(path).permissions(), perms::owner_read | perms::owner_write);
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
+    std::filesystem::remove(path);
+  }
+}
+
+TEST(SecretFile, AFullDiskWithoutLinksLeavesNothingOfAKey) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "key";
+  std::optional<FullDisk> disk;
+  const Link link([&disk] {
+    disk.emplace(rlim_t{43});
+    return EPERM;
+  });
+  EXPECT_EQ(errorOf([&] { readKeyFile(path); }),
+            path + ": error: cannot be written: File too large; make room on the disk");
+  disk.reset();
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(SecretFile, AKeyThatAnotherServerHasJustMadeIsTaken) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "key";
+  const ServerIdentity other = ServerIdentity::random();
+  for (const int fault : {0, EPERM}) {
+    const Link link([&] {
+      writeText(path, other.text() + "\n");
+      return fault;
+    });
+    EXPECT_EQ(readKeyFile(path).publicKey(), other.publicKey());
+    EXPECT_EQ(readText(path), other.text() + "\n");
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
+    std::filesystem::remove(path);
+  }
 }
 
 TEST(SecretFile, AMadeKeyReplacesNothing) {
