@@ -50,7 +50,6 @@ struct UdpSocket::Batches {
   std::array<mmsghdr, kBatch> receivedHeads{};
   std::size_t arrived = 0;  // in `received`
   std::size_t taken = 0;    // of these
-  bool drained = true;      // the last call received less than it could
   std::array<Queued, kBatch> queued;
   std::array<mmsghdr, kBatch> queuedHeads{};
   std::size_t waiting = 0;  // in `queued`
