@@ -1,12 +1,15 @@
 #!/usr/bin/env python3
 """Tests the limits, the cells, repeated attempts and the written page, without servers and bots."""
 
+import contextlib
+import io
 import unittest
 
 import measured
 import page
 from cells import CORNERS, FULL, QUICK, Cell
 from gates import GATES, WITHOUT_PLAYERS, failures, judge, max_connect_ms, worst
+from processes import Failure, exit_code_of
 from run_cells import Runner, combined
 
 GOOD = {
@@ -157,6 +160,22 @@ class Page(unittest.TestCase):
         self.assertEqual(page.with_part(once, "new"), once)
         with self.assertRaises(page.PageError):
             page.with_part("no marks", "new")
+
+
+class ExitCodes(unittest.TestCase):
+    def assert_ends(self, run, code, text):
+        output = io.StringIO()
+        with contextlib.redirect_stdout(output):
+            self.assertEqual(exit_code_of(run), code)
+        self.assertEqual(output.getvalue(), text)
+
+    def test_a_limit_that_is_exceeded_and_a_program_that_failed_are_told_apart(self):
+        def fail():
+            raise Failure("platon-server did not start")
+
+        self.assert_ends(lambda: [], 0, "")
+        self.assert_ends(lambda: ["up", "down"], 1, "exceeded: up\nexceeded: down\n")
+        self.assert_ends(fail, 1, "failed: platon-server did not start\n")
 
 
 if __name__ == "__main__":

@@ -16,15 +16,16 @@ class Failure(Exception):
 
 
 def exit_code_of(run):
-    """Runs `run`, which returns a line for each limit that is exceeded, prints them, and returns the exit code. A Failure
-    is such a line."""
+    """Runs `run`, which returns a line for each limit that is exceeded, and prints them, or its Failure. Returns the exit
+    code."""
     try:
-        failed = run()
+        exceeded = run()
     except Failure as failure:
-        failed = [str(failure)]
-    for line in failed:
+        print(f"failed: {failure}")
+        return 1
+    for line in exceeded:
         print(f"exceeded: {line}")
-    return 1 if failed else 0
+    return 1 if exceeded else 0
 
 
 class Program:
