@@ -121,7 +121,8 @@ bool ServerGate::mayExchange(const Datagram& datagram, const Open& open, Moment 
   return true;
 }
 
-// An owner of many households, as every line with IPv6 has them, must not use up what all newcomers share.
+// An owner of many households, as every connection to the internet by IPv6 has them, must not use up what all newcomers
+// share.
 bool ServerGate::takeBudget(const IpAddress& client, Moment now) {
   const bool within = client.isLoopback() || (bucketOf(client.household(), bucketKey_, households_).take(1, now) &&
                                               bucketOf(client.site(), bucketKey_, sites_).take(1, now));

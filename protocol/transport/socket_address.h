@@ -26,7 +26,7 @@ struct IpAddress {
   /// Number of the part that one household or host controls: all of an IPv4 address, the first 64 bits of an IPv6
   /// address. 0 for loopback.
   std::uint64_t household() const;
-  /// The network of one owner: the first 48 bits of an IPv6 address, of which a line has 256 to 65 536 households; an
+  /// The network of one owner: the first 48 bits of an IPv6 address, with 256 to 65 536 households; an
   /// IPv4 address is one by itself. 0 for loopback.
   std::uint64_t site() const;
   /// "192.0.2.1" or "2001:db8::1"

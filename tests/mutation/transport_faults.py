@@ -30,7 +30,7 @@ TRANSPORT_FAULTS = [
               "ServerGateTest.HandshakesOfAHouseholdAreLimited"),
     at_length("site-without-budget", TRANSPORT + "server_gate_handshake.cpp",
               "bucketOf(client.site(), bucketKey_, sites_).take(1, now));", "true);",
-              "a line with IPv6 uses up the key exchanges of all newcomers",
+              "the owner of one IPv6 network uses up the key exchanges of all newcomers",
               "ServerGateTest.HandshakesAndSessionsOfASiteAreLimited"),
     at_length("empty-datagrams-uncounted", TRANSPORT + "server_gate.cpp",
               "!canAnswer(datagram.peer) || size == 0 || size > kMaxDatagramBytes", "!canAnswer(datagram.peer)",

@@ -60,7 +60,7 @@ TEST_F(ServerGateTest, HandshakesOfAHouseholdAreLimited) {
   EXPECT_EQ(join(clientAt(7)).state(), ClientGate::State::kOpen);
 }
 
-// A line with IPv6 has hundreds of households: their budgets together were more than the server's.
+// A connection to the internet by IPv6 has hundreds of households: their budgets together were more than the server's.
 TEST_F(ServerGateTest, HandshakesAndSessionsOfASiteAreLimited) {
   start({100, 2, {}, false});
   const auto householdAt = [](int number) { return addressAt("2001:db8:1:" + std::to_string(number) + "::1", 4000); };
