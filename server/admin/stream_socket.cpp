@@ -58,7 +58,7 @@ std::uint16_t portOf(const Descriptor& listener) {
   return getsockname(listener.number(), &system.any, &length) == 0 ? fromSystem(system).port : 0;
 }
 
-// The server asks in every tick. accept4 prepares a file before it finds that nobody has connected; poll does not.
+// The server asks often. accept4 prepares a file before it finds that nobody has connected; poll does not.
 Descriptor acceptFrom(const Descriptor& listener) {
   pollfd waiting{listener.number(), POLLIN, 0};
   if (poll(&waiting, 1, 0) <= 0) return Descriptor();

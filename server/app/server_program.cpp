@@ -16,9 +16,9 @@
 namespace platon {
 namespace {
 
-// Longest time until a command or a request is answered, with one that has been connected for that long.
+// Longest sleep without players while a console or a request for metrics is connected.
 constexpr std::chrono::milliseconds kWatchedWait{10};
-// Longest time until a console or a request for metrics is noticed while a match is played.
+// While none is connected, the server looks for new ones in the first step after this time.
 constexpr std::chrono::milliseconds kNoticeTime{50};
 
 TimePoint steadyNow() { return std::chrono::steady_clock::now(); }

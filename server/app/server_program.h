@@ -33,7 +33,8 @@ class ServerProgram {
   void run(const std::function<bool()>& stopRequested);
   /// Reads configuration, levels and bans again. If anything is invalid, nothing changes. Returns what it has logged.
   ConsoleReply reload();
-  /// Serves consoles and metrics. `run` calls it before each step, and less often while there are none.
+  /// Serves consoles and metrics. `run` calls it before each step while any are connected, and otherwise before the
+  /// first step after 50 ms.
   void pollTools();
 
   DedicatedServer& server() { return server_; }
