@@ -51,7 +51,7 @@ std::optional<ParseError> BanStore::remove(const AddressRange& range, UtcTime no
 
 std::optional<ParseError> BanStore::replace(BanList list) {
   if (!file_) return std::nullopt;
-  if (file_->pending()) {
+  if (pending()) {
     return ParseError{path_ +
                       ": error: the last change of the bans is not written to this file yet, and will replace what is "
                       "in it; reload again when it is written"};
@@ -64,7 +64,7 @@ std::optional<std::string> BanStore::poll(FileWriter::Time now) { return file_ ?
 
 // A file that does not hold the newest list yet is older than the list.
 std::optional<ParseError> BanStore::readAgain() {
-  if (!file_ || file_->pending()) return std::nullopt;
+  if (!file_ || pending()) return std::nullopt;
   auto read = readBanFile(path_);
   if (const auto* errors = std::get_if<std::vector<std::string>>(&read)) {
     return ParseError{errors->front() + "; nothing has changed: correct the file first"};

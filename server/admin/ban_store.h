@@ -34,6 +34,9 @@ class BanStore {
   /// error is returned. No effect without a file.
   std::optional<ParseError> replace(BanList list);
 
+  /// Whether a change is not in the file yet.
+  bool pending() const { return file_ && file_->pending(); }
+
   /// Call now and then: starts to write the file, again after a failure. Returns, once, why the bans could not be
   /// written.
   std::optional<std::string> poll(FileWriter::Time now);

@@ -21,6 +21,8 @@ constexpr std::chrono::milliseconds kWatchedWait{10};
 // While none is connected, the server looks for new ones in the first step after this time.
 constexpr std::chrono::milliseconds kNoticeTime{50};
 
+constexpr const char* kBansRemedy = "; make room on the disk, and let the server write to the folder of the file";
+
 TimePoint steadyNow() { return std::chrono::steady_clock::now(); }
 UtcTime utcNow() { return std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now()); }
 
@@ -108,11 +110,19 @@ void ServerProgram::run(const std::function<bool()>& stopRequested) {
     if (steadyNow() >= nextPollAt_) pollTools();
     return stopRequested() || stopping_;
   });
-  if (const auto fault = bans_.finish()) logUnwritten(*fault);
+  logBans(bans_.finish());
 }
 
-void ServerProgram::logUnwritten(const std::string& reason) {
-  server_.log().warning("bans not written", {{"file", options_.banFile}, {"reason", reason}});
+// Logs why the bans could not be written, and the end of such a failure.
+void ServerProgram::logBans(const std::optional<std::string>& fault) {
+  const LogField file{"file", options_.banFile};
+  if (fault) {
+    bansUnwritten_ = true;
+    server_.log().warning("bans not written", {file, {"reason", *fault + kBansRemedy}});
+  } else if (bansUnwritten_ && !bans_.pending()) {
+    bansUnwritten_ = false;
+    server_.log().info("bans written", {file});
+  }
 }
 
 void ServerProgram::pollTools() {
@@ -121,7 +131,7 @@ void ServerProgram::pollTools() {
     consoleServer_->poll(now, [this](std::string_view line) { return console_.execute(line, utcNow()); });
   }
   if (metricsServer_) metricsServer_->poll(now, [this] { return metricsText(); });
-  if (const auto fault = bans_.poll(now)) logUnwritten(*fault);
+  logBans(bans_.poll(now));
   const bool watched =
       (consoleServer_ && consoleServer_->consoles() > 0) || (metricsServer_ && metricsServer_->connections() > 0);
   server_.setIdleWait(watched ? kWatchedWait : DedicatedServer::kIdleWait);

@@ -52,7 +52,7 @@ class ServerProgram {
   ConsoleProgram consoleProgram();
   std::string takeOver(const ServerOptions& fresh);
   std::string status() const;
-  void logUnwritten(const std::string& reason);
+  void logBans(const std::optional<std::string>& fault);
 
   CommandLine line_;
   ServerOptions options_;  // as they are in effect
@@ -64,6 +64,7 @@ class ServerProgram {
   std::unique_ptr<MetricsServer> metricsServer_;  // null: none
   TimePoint startedAt_;
   TimePoint nextPollAt_{};
+  bool bansUnwritten_ = false;  // the log says so
   bool stopping_ = false;
 };
 

@@ -256,7 +256,7 @@ SERVER_FAULTS = [
               "commands pile up in the memory of the server",
               "ConsoleServerTest.MemoryStaysBoundedWhateverIsSent"),
     at_length("reload-undoes-a-ban", ADMIN + "ban_store.cpp",
-              "if (file_->pending()) {", "if (path_.empty()) {",
+              "if (pending()) {", "if (path_.empty()) {",
               "a reload forgets a ban that is not in the file yet",
               "BanStoreTest.AReloadDoesNotUndoAChangeThatWaitsToBeWritten"),
     at_length("name-hits-another-player", ADMIN + "console.cpp",

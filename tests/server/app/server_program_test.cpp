@@ -210,15 +210,48 @@ TEST_F(ToolsTest, ABanIsWrittenToTheFile) {
 }
 
 // A file beside one with such a long name cannot be made, so the server can only read this one.
-TEST_F(ToolsTest, AReloadIsRefusedWhileABanIsNotWritten) {
-  const std::string file = folder_ / std::string(250, 'b');
-  writeText(file, "");
+class UnwrittenBanTest : public ToolsTest {
+ protected:
+  UnwrittenBanTest() {
+    writeText(file_, "");
+    std::filesystem::remove(bans_);
+    std::filesystem::create_symlink(file_, bans_);
+    start();
+    EXPECT_EQ(console("ban 192.0.2.7\n").exitCode, 0);
+    server_->waitForError(notWritten_);
+  }
+
+  const std::string file_ = folder_ / std::string(250, 'b');
+  const std::string notWritten_ = "bans not written file=\"" + bans_ +
+                                  "\" reason=\"File name too long; make room on the disk, and let the server write to "
+                                  "the folder of the file\"\n";
+};
+
+TEST_F(UnwrittenBanTest, ItsWriteIsTriedOnceMoreAtTheStop) {
   std::filesystem::remove(bans_);
-  std::filesystem::create_symlink(file, bans_);
-  start();
-  EXPECT_EQ(console("ban 192.0.2.7\n").exitCode, 0);
-  server_->waitForError("bans not written file=\"" + bans_ + "\" reason=\"File name too long\"");
-  writeText(file, "192.0.2.8\n");
+  writeText(bans_, "");
+  EXPECT_EQ(console("stop\n").exitCode, 0);
+  EXPECT_EQ(server_->wait(), 0);
+  EXPECT_TRUE(server_->errors().ends_with("\nbans written file=\"" + bans_ + "\"\n")) << server_->errors();
+  EXPECT_EQ(readText(bans_), "192.0.2.7\n");
+}
+
+TEST_F(UnwrittenBanTest, AFailureAtTheStopIsLogged) {
+  EXPECT_EQ(console("stop\n").exitCode, 0);
+  EXPECT_EQ(server_->wait(), 0);
+  EXPECT_TRUE(server_->errors().ends_with("\n" + notWritten_)) << server_->errors();
+}
+
+TEST_F(UnwrittenBanTest, TheEndOfAFailureIsLogged) {
+  std::filesystem::remove(bans_);
+  writeText(bans_, "");
+  EXPECT_EQ(console("ban 192.0.2.8\n").exitCode, 0);  // the file is written at once
+  server_->waitForError("bans written file=\"" + bans_ + "\"\n");
+  EXPECT_EQ(readText(bans_), "192.0.2.7\n192.0.2.8\n");
+}
+
+TEST_F(UnwrittenBanTest, AReloadIsRefused) {
+  writeText(file_, "192.0.2.8\n");
   const ProcessResult reload = console("reload\n");
   EXPECT_EQ(reload.exitCode, 1);
   EXPECT_TRUE(reload.errors.starts_with("error: " + bans_ + ": error: the last change of the bans is not written"))
