@@ -1,10 +1,16 @@
 #include "client/play/known_servers.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
+#include <string_view>
 
 #include "protocol/program_error.h"
 #include "protocol/transport/server_identity.h"
@@ -45,6 +51,33 @@ bool isSkipped(const std::string& line) {
   throw ProgramError(ProgramError::kUsage, place + ": error: " + why);
 }
 
+// A file that no other client changes meanwhile. Where the file system has no locks, it is not locked.
+class LockedFile {
+ public:
+  explicit LockedFile(const std::filesystem::path& path)
+      : handle_(open(path.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, S_IRUSR | S_IWUSR | S_IRGRP | S_IROTH)) {
+    while (handle_ >= 0 && flock(handle_, LOCK_EX) != 0 && errno == EINTR) {
+    }
+  }
+  ~LockedFile() {
+    if (handle_ >= 0) close(handle_);
+  }
+  LockedFile(const LockedFile&) = delete;
+  LockedFile& operator=(const LockedFile&) = delete;
+
+  // Adds the whole text or, on a full disk, nothing.
+  void append(std::string_view text) const {
+    struct stat before {};
+    if (handle_ < 0 || fstat(handle_, &before) != 0) return;
+    const ssize_t count = write(handle_, text.data(), text.size());
+    if (count >= 0 && static_cast<std::size_t>(count) == text.size()) return;
+    (void)!ftruncate(handle_, before.st_size);
+  }
+
+ private:
+  int handle_;
+};
+
 }  // namespace
 
 std::string KnownServers::read() const {
@@ -81,6 +114,9 @@ std::optional<CryptoKey> KnownServers::find(const ServerAddress& server) const {
 
 void KnownServers::remember(const ServerAddress& server, const CryptoKey& key) const {
   if (file_.empty()) return;
+  std::error_code ignored;  // the file cannot be opened then
+  std::filesystem::create_directories(file_.parent_path(), ignored);
+  const LockedFile file(file_);
   std::string text;
   try {
     text = read();
@@ -88,13 +124,7 @@ void KnownServers::remember(const ServerAddress& server, const CryptoKey& key) c
   } catch (const ProgramError&) {
     return;  // `find` has told the player, or will at the next start
   }
-  std::error_code ignored;  // the file cannot be opened then
-  std::filesystem::create_directories(file_.parent_path(), ignored);
-  std::ofstream file(file_, std::ios::app);
-  if (!file) return;
-  file << (text.empty() || text.ends_with('\n') ? "" : "\n") + server.text() + " " + textOf(key) + "\n";
-  file.close();
-  if (!file) std::filesystem::resize_file(file_, text.size(), ignored);  // a full disk has cut off the line
+  file.append((text.empty() || text.ends_with('\n') ? "" : "\n") + server.text() + " " + textOf(key) + "\n");
 }
 
 }  // namespace platon

@@ -20,7 +20,8 @@ class KnownServers {
   /// The key of a server; nothing if it is not known. Throws ProgramError (kUsage) if the file exists and cannot be
   /// read or has a damaged line.
   std::optional<CryptoKey> find(const ServerAddress& server) const;
-  /// Adds a server that is not known. The file stays as it is if it cannot be written, or if `find` would throw.
+  /// Adds a server that is not known. The file stays as it is if it cannot be written, or if `find` would throw. Lines
+  /// that other clients add at the same time are kept.
   void remember(const ServerAddress& server, const CryptoKey& key) const;
   const std::filesystem::path& file() const { return file_; }
 

@@ -1,12 +1,33 @@
 #include "client/play/known_servers.h"
 
 #include <gtest/gtest.h>
+#include <sys/file.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <functional>
+#include <utility>
 
 #include "protocol/program_error.h"
 #include "protocol/transport/server_identity.h"
 #include "tests/support/files.h"
 #include "tests/support/resource_limit.h"
 #include "tests/support/temporary_folder.h"
+
+namespace platon {
+namespace {
+
+// Called before a file is locked.
+std::function<void()> beforeLock;
+
+}  // namespace
+}  // namespace platon
+
+// Used by this program instead of that of the C library.
+extern "C" int flock(int handle, int operation) noexcept {
+  if (platon::beforeLock) std::exchange(platon::beforeLock, nullptr)();
+  return static_cast<int>(syscall(SYS_flock, handle, operation));
+}
 
 namespace platon {
 namespace {
@@ -86,6 +107,27 @@ TEST(KnownServers, AFullDiskLeavesNoHalfLine) {
   EXPECT_EQ(readText(servers.file()), before);
   servers.remember(kHere, CryptoKey{1});
   EXPECT_EQ(servers.find(kHere), CryptoKey{1});
+}
+
+// Another client adds a line while this one waits for the lock.
+TEST(KnownServers, LinesOfOtherClientsAreKept) {
+  const TemporaryFolder folder;
+  const KnownServers servers(folder / "known_servers");
+  const std::string here = "example.org:7777 " + textOf(CryptoKey{1}) + "\n";
+  const std::string there = "[2001:db8::1]:7778 " + textOf(CryptoKey{2}) + "\n";
+  beforeLock = [&] { writeText(servers.file(), there); };
+  servers.remember(kHere, CryptoKey{1});
+  EXPECT_EQ(readText(servers.file()), there + here);
+  std::filesystem::remove(servers.file());
+  beforeLock = [&] { writeText(servers.file(), here); };
+  servers.remember(kHere, CryptoKey{3});
+  EXPECT_EQ(readText(servers.file()), here) << "the first key stays";
+  {
+    const FullDisk disk(here.size() + there.size() + 10);
+    beforeLock = [&] { writeText(servers.file(), here + there); };
+    servers.remember({"example.com", 7777}, CryptoKey{4});
+  }
+  EXPECT_EQ(readText(servers.file()), here + there);
 }
 
 TEST(KnownServers, WithoutAFileNothingIsRemembered) {
