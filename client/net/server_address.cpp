@@ -37,6 +37,14 @@ ServerAddress parseIpv6(std::string_view text) {
   return address;
 }
 
+// Such as fe80::1%eth0, in brackets or not.
+bool hasZone(std::string_view text) {
+  const std::size_t first = text.starts_with('[') ? 1 : 0;
+  const std::size_t percent = text.find('%');
+  return percent != std::string_view::npos && percent > first &&
+         IpAddress::parse(text.substr(first, percent - first)).has_value();
+}
+
 bool isHostCharacter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '-' || c == '_';
 }
@@ -50,6 +58,9 @@ std::string ServerAddress::text() const {
 
 ServerAddress parseServerAddress(std::string_view text) {
   if (IpAddress::parse(text)) return {std::string(text), kDefaultPort};
+  if (hasZone(text)) {
+    refuse(text, "an IPv6 address with a zone ('%') is not supported; use the server's name or another address of it");
+  }
   if (text.starts_with('[')) return parseIpv6(text);
   const std::size_t colon = text.find(':');
   ServerAddress address;

@@ -36,7 +36,7 @@ const std::array kOptions{
                  .placeholder = "ADDR",
                  .field = &ServerOptions::bind,
                  .help = "Address to listen on; \"::\": all addresses of this machine",
-                 .mustBe = "an IP address of this machine, such as 127.0.0.1 or ::",
+                 .mustBe = "an IP address of this machine, such as 127.0.0.1 or ::, without a zone such as %eth0",
                  .accepts = &isAddress},
     ServerOption{.name = "port",
                  .placeholder = "N",

@@ -29,6 +29,19 @@ TEST(ServerAddress, AnIpv6AddressWithAPortIsInBrackets) {
   EXPECT_EQ(address.text(), "[2001:db8::1]:80");
 }
 
+TEST(ServerAddress, AZoneIsRefusedWithARemedy) {
+  for (const std::string text : {"fe80::1%eth0", "[fe80::1%eth0]", "[fe80::1%25eth0]:7777", "fe80::1%"}) {
+    try {
+      parseServerAddress(text);
+      ADD_FAILURE() << text << " was accepted";
+    } catch (const std::invalid_argument& error) {
+      EXPECT_EQ(error.what(), "'" + text +
+                                  "' is not a server address: an IPv6 address with a zone ('%') is not supported; use "
+                                  "the server's name or another address of it");
+    }
+  }
+}
+
 class BadAddress : public testing::TestWithParam<const char*> {};
 
 TEST_P(BadAddress, IsRefusedInOneSentence) {
@@ -44,8 +57,8 @@ TEST_P(BadAddress, IsRefusedInOneSentence) {
 
 INSTANTIATE_TEST_SUITE_P(All, BadAddress,
                          testing::Values("", ":7777", "host:", "host:0", "host:65536", "host:77x", "host: 7", "host:-1",
-                                         "a:b:1", "[::1", "[::1]7777", "[host]:1", "::1:x", "ho st", "host/7",
-                                         "host:99999999999999999999"));
+                                         "a:b:1", "[::1", "[::1]7777", "[host]:1", "::1:x", "host%eth0", "host:1%",
+                                         "ho st", "host/7", "host:99999999999999999999"));
 
 }  // namespace
 }  // namespace platon

@@ -89,7 +89,8 @@ TEST_F(ConfigFileTest, ErrorsHaveALineAndAColumn) {
   EXPECT_EQ(errorOf("port = [1]"), ":1:8: error: port must be a whole number from 0 to 65535");
   EXPECT_EQ(errorOf("name = [\"a\"]"), ":1:8: error: name must be a string in quotes");
   EXPECT_EQ(errorOf("bind = \"here\""),
-            ":1:8: error: bind must be an IP address of this machine, such as 127.0.0.1 or ::");
+            ":1:8: error: bind must be an IP address of this machine, such as 127.0.0.1 or ::, without a zone such as "
+            "%eth0");
   EXPECT_EQ(errorOf("metrics = \"9100\""),
             ":1:11: error: metrics must be an address and a port, such as 127.0.0.1:9100 or [::1]:9100");
   EXPECT_EQ(errorOf("[port]\n"), ":1:1: error: port must be a whole number from 0 to 65535");
