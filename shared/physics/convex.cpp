@@ -92,7 +92,9 @@ std::optional<Convex> Convex::turned(Angle angle) const {
   for (const Point vertex : vertices_) points.push_back(rotate(vertex, rotation));
   auto hull = convexHull(std::move(points));
   if (fault(hull)) return std::nullopt;
-  return Convex(std::move(hull));
+  Convex result(std::move(hull));
+  result.centre_ = rotate(centre_, rotation);  // a mean would jump when the hull loses a vertex
+  return result;
 }
 
 std::vector<Point> convexHull(std::vector<Point> points) {

@@ -156,6 +156,59 @@ TEST(ConvexTurnedTest, ContainsEveryRotatedVertex) {
   }
 }
 
+// The convex hull of a cluster of up to four points and of two or three distant ones. The vertices of the cluster can
+// become collinear when the shape is rotated and rounded.
+Points clusteredHull(sim::SeededRandom& random, std::int32_t radius) {
+  Points points;
+  const Point cluster = random.vector(radius);
+  for (std::uint64_t left = 1 + random.below(4); left != 0; --left) points.push_back(cluster + random.vector(4));
+  for (std::uint64_t left = 2 + random.below(2); left != 0; --left) points.push_back(random.vector(radius));
+  return convexHull(points);
+}
+
+// The largest coordinate of `point` minus the image of `centre`, in 2^-30 subunits.
+std::int64_t wideError(Point point, Point centre, Angle angle) {
+  const WideVector image = rotateWide(centre, rotationOf(angle));
+  constexpr std::int64_t one = std::int64_t{1} << Rotation::kFractionBits;
+  return std::max(std::abs(point.x * one - image.x), std::abs(point.y * one - image.y));
+}
+
+// The mean of the hull's vertices is up to 5 000 subunits from the image of the centre, because a hull that has lost a
+// vertex has another mean.
+TEST(ConvexTurnedTest, ALostVertexDoesNotMoveTheCentre) {
+  sim::SeededRandom random(kSeed);
+  constexpr std::int64_t half = std::int64_t{1} << (Rotation::kFractionBits - 1);
+  int lost = 0;
+  std::int64_t worstMean = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const Points hull = clusteredHull(random, 12288);
+    if (Convex::fault(hull)) continue;
+    const Convex base(hull);
+    for (int k = 0; k < 40; ++k) {
+      const Angle angle(static_cast<std::int32_t>(random.below(Angle::kTurn)));
+      const auto turned = base.turned(angle);
+      if (!turned) continue;
+      ASSERT_LE(wideError(turned->centre(), base.centre(), angle), half) << "seed " << kSeed << ", round " << i;
+      if (turned->vertices().size() == hull.size()) continue;
+      ++lost;
+      worstMean = std::max(worstMean, wideError(Convex(turned->vertices()).centre(), base.centre(), angle));
+    }
+  }
+  EXPECT_GT(lost, 1000);
+  EXPECT_GT(worstMean >> Rotation::kFractionBits, 1000) << "the search finds means that jump";
+}
+
+TEST(ConvexTurnedTest, TheCentreIsPartOfTheShape) {
+  const Convex base(Points{{11000, -4345}, {8598, 8352}, {-10172, -2194}, {10999, -4345}});
+  const auto turned = base.turned(Angle(3001));
+  ASSERT_TRUE(turned);
+  ASSERT_EQ(turned->vertices().size(), 3u);
+  EXPECT_EQ(turned->centre(), rotate(base.centre(), Angle(3001)));
+  const Convex same(turned->vertices());
+  EXPECT_GT(squaredLength(same.centre() - turned->centre()), 2000 * 2000);
+  EXPECT_FALSE(same == *turned) << "equal vertices, another centre";
+}
+
 TEST(ConvexTurnedTest, TinyShapesCanDegenerate) {
   const Convex sliver(Points{{0, 0}, {3, 1}, {2, 1}});
   EXPECT_EQ(sliver.turned(Angle::degrees(20)), std::nullopt);

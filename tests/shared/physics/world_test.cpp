@@ -247,6 +247,31 @@ TEST(WorldTest, InsertingBeyondAnEdgeRehomes) {
   EXPECT_EQ(entity.position(), Point(-960, 33));
 }
 
+// The shape loses a vertex at many angles. The centre is on a circle around a point of the edge.
+TEST(WorldTest, ATurningShapeThatLosesAVertexRehomesTwiceATurn) {
+  World world;
+  constexpr std::int32_t reach = 100000;
+  MapPart left(world, 1);
+  left.warp({reach, -reach}, {reach, reach}, 2, {-reach, -reach}, {-reach, reach});
+  left.initialize();
+  MapPart right(world, 2);
+  right.warp({-reach, reach}, {-reach, -reach}, 1, {reach, reach}, {reach, -reach});
+  right.initialize();
+  const Convex shape(std::vector<Point>{{11000, -4345}, {8598, 8352}, {-10172, -2194}, {10999, -4345}});
+  Entity entity(world, shape);
+  left.insert(entity, {reach, 0}, Angle(18001));
+  ASSERT_EQ(entity.state().crossings, 0u);
+  std::size_t fewest = shape.vertices().size();
+  for (int tick = 0; tick < 3600; ++tick) {
+    entity.rotate(10);
+    world.solve();
+    fewest = std::min(fewest, world.rotatedShapeOf(0, entity.rotation())->vertices().size());
+  }
+  EXPECT_EQ(fewest, 3u);
+  EXPECT_EQ(entity.state().crossings, 2u);
+  EXPECT_EQ(entity.rotation(), Angle(18001));
+}
+
 TEST(WorldTest, SegmentsBehindAnEdgeBlockInsertion) {
   World world = twoStrips({}, {{{-980, -50}, {-980, 50}}});
   Entity entity(world, square(100));

@@ -43,15 +43,20 @@ class Convex {
   const std::vector<Point>& vertices() const { return vertices_; }
   const std::vector<Edge>& edges() const { return edges_; }
   const Box& bounds() const { return bounds_; }
-  /// The mean of the vertices, rounded. An entity's home part is the map part that contains this point.
+  /// A point of the shape: the mean of the vertices, rounded. `turned` rotates it as it rotates the vertices. An
+  /// entity's home part is the map part that contains this point.
   Point centre() const { return centre_; }
 
   /// The convex hull of the vertices rotated by `angle` about the origin and rounded to the lattice; the shape itself
-  /// for angle 0. Returns nothing when the result is degenerate (possible for shapes of a few subunits) or out of
-  /// range.
+  /// for angle 0. Rounding can make vertices collinear or equal; the hull then has fewer vertices. Its centre is not
+  /// their mean, but this shape's centre, rotated and rounded: along each axis within 1/2 + |centre| * 2^-28 subunits
+  /// of the exact image of this shape's centre, where |centre| is the larger of its coordinates. Returns nothing when
+  /// the result is degenerate (possible for shapes of a few subunits) or out of range.
   std::optional<Convex> turned(Angle angle) const;
 
-  friend bool operator==(const Convex& a, const Convex& b) { return a.vertices_ == b.vertices_; }
+  friend bool operator==(const Convex& a, const Convex& b) {
+    return a.vertices_ == b.vertices_ && a.centre_ == b.centre_;
+  }
 
  private:
   std::vector<Point> vertices_;
