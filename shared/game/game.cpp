@@ -174,7 +174,7 @@ bool Game::restore(std::span<const std::uint8_t> bytes) {
   restored.players_.resize(players);
   visit(restored, read);
   if (!reader.finished() || !restored.accepts(state)) return false;
-  world_.restore(state);
+  world_.restoreUnchecked(state);
   players_ = std::move(restored.players_);
   tick_ = restored.tick_;
   over_ = restored.over_;

@@ -42,6 +42,11 @@ const MapGeometry* Geometry::find(std::uint32_t id) const {
   return found != parts.end() && (*found)->id == id ? found->get() : nullptr;
 }
 
+bool operator==(const Geometry& a, const Geometry& b) {
+  return std::equal(a.parts.begin(), a.parts.end(), b.parts.begin(), b.parts.end(),
+                    [](const auto& x, const auto& y) { return x == y || *x == *y; });
+}
+
 std::optional<std::uint16_t> Geometry::reverseWarp(std::uint32_t partId, const Warp& warp) const {
   const MapGeometry* target = find(warp.target);
   if (target == nullptr) return std::nullopt;

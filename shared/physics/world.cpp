@@ -1,6 +1,7 @@
 #include "platon/physics/world.h"
 
 #include <algorithm>
+#include <cassert>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -91,41 +92,62 @@ void World::move(std::uint32_t index, std::span<const InstanceState> further, Ru
 
 void World::beginStep(std::uint32_t index, std::span<const InstanceState> further, Rules& rules,
                       StepObserver* observer) {
-  const EntityStep::Context context{*geometry_,     shapeOf(index), scratch_->shapes, scratch_->regions[index],
-                                    scratch_->work, rules,          observer};
-  scratch_->steps[index].begin(Entity(*this, index), state_.entities[index], further, context);
+  EntityState& entity = state_.entities[index];
+  const EntityStep::Context context{
+      *geometry_, *shapes_[entity.shape], scratch_->shapes, scratch_->regions[index], scratch_->work, rules, observer};
+  scratch_->steps[index].begin(Entity(*this, index), entity, further, context);
 }
 
-void World::restore(const WorldState& state) { state_ = state; }
+void World::restore(const WorldState& state) {
+  if (const auto reason = fault(state)) throw std::invalid_argument("the state does not fit this world: " + *reason);
+  state_ = state;
+}
 
-std::uint64_t World::hash() const {
+void World::restoreUnchecked(const WorldState& state) {
+  assert(accepts(state));
+  state_ = state;
+}
+
+std::uint64_t WorldState::hash() const {
   Hash hash;
   const auto add = [&](const char*, const auto& field) { hash.add(field); };
-  for (const EntityState& entity : state_.entities) EntityState::visit(entity, add);
-  for (const InstanceState& instance : state_.instances) InstanceState::visit(instance, add);
+  for (const EntityState& entity : entities) EntityState::visit(entity, add);
+  for (const InstanceState& instance : instances) InstanceState::visit(instance, add);
   return hash.value();
 }
 
+// Whether the map parts and the shapes are equal.
+bool World::isBuiltLike(const World& other) const {
+  const auto isSame = [](const auto& x, const auto& y) { return x == y || *x == *y; };
+  return isSame(geometry_, other.geometry_) &&
+         std::equal(shapes_.begin(), shapes_.end(), other.shapes_.begin(), other.shapes_.end(), isSame);
+}
+
+void World::refuse(std::uint32_t entity) const {
+  throw std::invalid_argument("entity " + std::to_string(entity) + " does not exist: the world has " +
+                              std::to_string(state_.entities.size()) + " entities, counted from 0");
+}
+
 std::span<const InstanceState> World::instancesOf(std::uint32_t entity) const {
+  const std::size_t count = state_.entities[checked(entity)].instances;
   std::size_t first = 0;
   for (std::uint32_t i = 0; i < entity; ++i) first += state_.entities[i].instances;
-  return std::span(state_.instances).subspan(first, state_.entities[entity].instances);
+  return std::span(state_.instances).subspan(first, count);
 }
 
 Point World::positionOf(std::uint32_t entity, const InstanceState& instance) const {
-  const EntityState& home = state_.entities[entity];
-  return instance.anchor + rotate(home.position - instance.homeAnchor, rotationOf(instance.angle - home.angle));
+  return platon::positionOf(state_.entities[checked(entity)], instance);
 }
 
-const Convex& World::shapeOf(std::uint32_t entity) const { return *shapes_[state_.entities[entity].shape]; }
+const Convex& World::shapeOf(std::uint32_t entity) const { return *shapes_[state_.entities[checked(entity)].shape]; }
 
 const Convex* World::rotatedShapeOf(std::uint32_t entity, Angle angle) {
-  return scratch_->shapes.turned(state_.entities[entity].shape, shapeOf(entity), angle);
+  return scratch_->shapes.turned(state_.entities[checked(entity)].shape, shapeOf(entity), angle);
 }
 
 std::vector<InstanceView> World::view(std::uint32_t entity) const {
   std::vector<InstanceView> views;
-  if (state_.entities[entity].inserted == 0) return views;
+  if (state_.entities[checked(entity)].inserted == 0) return views;
   Instances instances;
   ShapeCache shapes;
   instances.load(*geometry_, shapes, shapeOf(entity), state_.entities[entity], instancesOf(entity));
@@ -150,10 +172,8 @@ std::uint32_t World::add(const Convex& shape) {
 void World::insert(std::uint32_t entity, std::uint32_t part, Point origin, Angle angle) {
   if (geometry_->find(part) == nullptr)
     throw std::invalid_argument(named(entity, part) + "the part is not initialised");
-  for (const InstanceView& view : this->view(entity)) {
-    if (view.part == part)
-      throw std::invalid_argument(named(entity, part) + "the entity is already in this part: erase it first");
-  }
+  if (isIn(entity, part))
+    throw std::invalid_argument(named(entity, part) + "the entity is already in this part: erase it first");
   if (!shapeOf(entity).turned(angle)) {
     throw std::invalid_argument(named(entity, part) + "the shape is degenerate when rotated by this angle and rounded");
   }
@@ -221,7 +241,7 @@ void World::replaceInstances(std::uint32_t entity, Edit&& edit) {
 }
 
 bool World::isIn(std::uint32_t entity, std::uint32_t part) const {
-  const EntityState& state = state_.entities[entity];
+  const EntityState& state = state_.entities[checked(entity)];
   const auto further = instancesOf(entity);
   return state.inserted != 0 &&
          (state.part == part || std::any_of(further.begin(), further.end(),
@@ -245,7 +265,7 @@ void World::promoteFirst(EntityState& state, std::vector<InstanceState>& further
   state.inserted = further.empty() ? 0 : 1;
   if (further.empty()) return;
   for (InstanceState& instance : further) {
-    instance.anchor += rotate(state.position - instance.homeAnchor, instance.angle - state.angle);
+    instance.anchor = platon::positionOf(state, instance);
     instance.homeAnchor = further.front().anchor;
   }
   const InstanceState nextHome = further.front();

@@ -1,6 +1,7 @@
 // Validation of a state of unknown origin.
 #include <algorithm>
 #include <cstdlib>
+#include <string>
 
 #include "platon/exact/integer.h"
 #include "platon/physics/world.h"
@@ -47,8 +48,7 @@ bool isConnected(const Geometry& geometry, const EntityState& entity, std::span<
 
 bool acceptsInstance(const Geometry& geometry, const EntityState& entity, const InstanceState& instance) {
   if (geometry.find(instance.part) == nullptr || !isFlag(instance.fresh)) return false;
-  return inRange(instance.homeAnchor) && inRange(instance.anchor) &&
-         inRange(instance.anchor + rotate(entity.position - instance.homeAnchor, instance.angle - entity.angle));
+  return inRange(instance.homeAnchor) && inRange(instance.anchor) && inRange(positionOf(entity, instance));
 }
 
 bool hasUniqueIds(const EntityState& entity, std::span<const InstanceState> instances) {
@@ -64,29 +64,45 @@ bool isShapeValid(const Convex& shape, const EntityState& entity, std::span<cons
          });
 }
 
-bool acceptsEntity(const Geometry& geometry, const Convex& shape, const EntityState& entity,
-                   std::span<const InstanceState> instances) {
+bool hasValidValues(const EntityState& entity) {
   if (!isFlag(entity.inserted) || !isFlag(entity.fresh) || entity.nextId == InstanceState::kNoParent) return false;
   if (!isVelocity(entity.velocity) || !inRange(entity.position) || !isRemainder(entity.remainder)) return false;
-  if (std::abs(std::int64_t{entity.turn}) >= Angle::kTurn) return false;
-  if (entity.inserted == 0) return instances.empty();
-  if (geometry.find(entity.part) == nullptr || instances.size() >= Instances::kMax) return false;
-  const auto accepted = [&](const InstanceState& instance) { return acceptsInstance(geometry, entity, instance); };
-  return hasUniqueIds(entity, instances) && std::all_of(instances.begin(), instances.end(), accepted) &&
-         isShapeValid(shape, entity, instances) && isConnected(geometry, entity, instances);
+  return std::abs(std::int64_t{entity.turn}) < Angle::kTurn;
 }
+
+// What is wrong with an entity, or null.
+const char* faultOf(const Geometry& geometry, const Convex& shape, const EntityState& entity,
+                    std::span<const InstanceState> instances) {
+  if (!hasValidValues(entity)) return "a value is out of range";
+  if (entity.inserted == 0) return instances.empty() ? nullptr : "it is in no map part but has further instances";
+  if (geometry.find(entity.part) == nullptr) return "its map part is not initialised";
+  if (instances.size() >= Instances::kMax) return "it has too many instances";
+  if (!hasUniqueIds(entity, instances)) return "two of its instances have the same id, or one has the id 65535";
+  const auto accepted = [&](const InstanceState& instance) { return acceptsInstance(geometry, entity, instance); };
+  if (!std::all_of(instances.begin(), instances.end(), accepted))
+    return "a further instance is in a map part that is not initialised, or a value of it is out of range";
+  if (!isShapeValid(shape, entity, instances)) return "its shape is degenerate at the rotation of an instance";
+  if (!isConnected(geometry, entity, instances)) return "no warp leads to a further instance from its parent";
+  return nullptr;
+}
+
+std::string named(std::size_t entity, const char* what) { return "entity " + std::to_string(entity) + ": " + what; }
 
 }  // namespace
 
-bool World::accepts(const WorldState& state) const {
+std::optional<std::string> World::fault(const WorldState& state) const {
   std::size_t next = 0;
-  for (const EntityState& entity : state.entities) {
-    if (entity.shape >= shapes_.size() || entity.instances > state.instances.size() - next) return false;
+  for (std::size_t i = 0; i < state.entities.size(); ++i) {
+    const EntityState& entity = state.entities[i];
+    if (entity.shape >= shapes_.size()) return named(i, "the world has no such shape");
+    if (entity.instances > state.instances.size() - next)
+      return named(i, "the state has fewer instances than it names");
     const auto instances = std::span(state.instances).subspan(next, entity.instances);
-    if (!acceptsEntity(*geometry_, *shapes_[entity.shape], entity, instances)) return false;
+    if (const char* what = faultOf(*geometry_, *shapes_[entity.shape], entity, instances)) return named(i, what);
     next += entity.instances;
   }
-  return next == state.instances.size();
+  if (next != state.instances.size()) return "the state has more further instances than its entities name";
+  return std::nullopt;
 }
 
 }  // namespace platon

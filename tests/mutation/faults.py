@@ -263,7 +263,7 @@ FAULTS = [
 
     # World and game: hash, save, restore.
     Fault("hash-without-instances", PHYSICS + "world.cpp",
-          "  for (const InstanceState& instance : state_.instances) InstanceState::visit(instance, add);\n", "",
+          "  for (const InstanceState& instance : instances) InstanceState::visit(instance, add);\n", "",
           "the hash does not include further instances",
           "WorldTest.EveryFieldIsHashedAndCompared"),
     at_length("refused-place-kept", PHYSICS + "world.cpp", "  state_ = before;\n  throw", "  throw",
@@ -320,7 +320,7 @@ FAULTS = [
     at_length("ring-accepted", PHYSICS + "world_accepts.cpp", "return open.empty();", "return true;",
               "a state with unconnected instances is accepted",
               "WorldAcceptsTest.RejectsUnconnectedInstances"),
-    at_length("equal-ids-accepted", PHYSICS + "world_accepts.cpp", "return hasUniqueIds(entity, instances) && ", "return ",
+    at_length("equal-ids-accepted", PHYSICS + "world_accepts.cpp", "!hasUniqueIds(entity, instances)", "false",
               "a state with duplicate ids is accepted",
               "WorldAcceptsTest.RejectsDuplicateAndReservedIds"),
     at_length("over-not-saved", "shared/game/game.cpp", '  visitor("over", self.over_);\n', "",

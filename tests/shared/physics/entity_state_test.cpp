@@ -41,6 +41,19 @@ TEST(EntityStateTest, AllocationWrapsAroundWithoutTheReservedId) {
   EXPECT_EQ(allocateId(next, [](std::uint16_t id) { return id >= 65530 || id < 3; }), 3);
 }
 
+TEST(EntityStateTest, AnInstanceMovesWithHomeInItsOwnFrame) {
+  EntityState entity;
+  entity.position = {107, 197};
+  entity.angle = Angle::degrees(30);
+  InstanceState instance;
+  instance.angle = Angle::degrees(120);
+  instance.homeAnchor = {100, 200};
+  instance.anchor = {-5000, 70};
+  EXPECT_EQ(positionOf(entity, instance), Point(-4997, 77));
+  entity.position = instance.homeAnchor;
+  EXPECT_EQ(positionOf(entity, instance), instance.anchor);
+}
+
 TEST(EntityStateTest, VisitsFieldsInTheirHashedOrder) {
   std::vector<std::string> names;
   const auto note = [&](const char* name, const auto&) { names.push_back(name); };

@@ -70,6 +70,19 @@ TEST(WarpTest, MapBackIsTheInverseUpToRounding) {
   }
 }
 
+TEST(GeometryTest, EqualityComparesTheContent) {
+  const Geometry none;
+  const auto one = withPart(none, part(1, {turnedWarp(Angle(3600))}, {{{0, 0}, {1, 1}}}));
+  EXPECT_EQ(*one, *withPart(none, part(1, {turnedWarp(Angle(3600))}, {{{0, 0}, {1, 1}}})));
+  EXPECT_FALSE(*one == none);
+  EXPECT_FALSE(*one == *withPart(none, part(2, {turnedWarp(Angle(3600))}, {{{0, 0}, {1, 1}}})));
+  EXPECT_FALSE(*one == *withPart(none, part(1, {turnedWarp(Angle(3601))}, {{{0, 0}, {1, 1}}})));
+  EXPECT_FALSE(*one == *withPart(none, part(1, {turnedWarp(Angle(3600))}, {{{0, 0}, {1, 2}}})));
+  const auto two = withPart(*one, part(2));
+  EXPECT_FALSE(*one == *two);
+  EXPECT_EQ(*two, *withPart(*one, part(2))) << "part 1 is shared, part 2 is equal";
+}
+
 TEST(GeometryTest, FindsPartsById) {
   auto geometry = std::make_shared<const Geometry>();
   for (const std::uint32_t id : {7u, 0u, 4000000000u, 12345u}) geometry = withPart(*geometry, part(id));

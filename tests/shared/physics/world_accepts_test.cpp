@@ -159,6 +159,27 @@ TEST_F(WorldAcceptsTest, RejectsAnglesAtWhichTheShapeIsDegenerate) {
   EXPECT_TRUE(acceptsWith([](WorldState& s) { s.entities[2].angle = Angle::degrees(90); }));
 }
 
+TEST_F(WorldAcceptsTest, NamesTheFault) {
+  const auto fault = [this](const std::function<void(WorldState&)>& change) {
+    WorldState state = good;
+    change(state);
+    return world.fault(state).value_or("none");
+  };
+  EXPECT_EQ(fault([](WorldState&) {}), "none");
+  EXPECT_EQ(fault([](WorldState& s) { s.entities[0].instances = 9; }),
+            "entity 0: the state has fewer instances than it names");
+  EXPECT_EQ(fault([](WorldState& s) { s.entities[0].inserted = 0; }),
+            "entity 0: it is in no map part but has further instances");
+  EXPECT_EQ(fault([](WorldState& s) { s.entities[1].id = s.instances[1].id; }),
+            "entity 1: two of its instances have the same id, or one has the id 65535");
+  EXPECT_EQ(fault([](WorldState& s) { s.instances[1].part = 3; }),
+            "entity 1: a further instance is in a map part that is not initialised, or a value of it is out of range");
+  EXPECT_EQ(fault([](WorldState& s) { s.entities[2].angle = Angle::degrees(20); }),
+            "entity 2: its shape is degenerate at the rotation of an instance");
+  EXPECT_EQ(fault([](WorldState& s) { s.instances[0].parent = 7; }),
+            "entity 0: no warp leads to a further instance from its parent");
+}
+
 TEST_F(WorldAcceptsTest, AcceptedStatesCanBeStepped) {
   constexpr std::uint64_t seed = 2024;
   sim::SeededRandom random(seed);

@@ -100,6 +100,12 @@ struct EntityState {
 };
 static_assert(sizeof(EntityState) <= 128);
 
+/// The position of `instance`, a further instance of the entity with this state, in the frame of the instance's part.
+/// Requires that `position`, `homeAnchor` and `anchor` are coordinates (below 2^29 in magnitude).
+inline Point positionOf(const EntityState& entity, const InstanceState& instance) {
+  return instance.anchor + rotate(entity.position - instance.homeAnchor, instance.angle - entity.angle);
+}
+
 /// Bound of a remainder's coordinates, 2^-16 subunits: 8 subunits. An instance is at most 4 subunits from its exact
 /// position (I5), and each rounding adds less than 1.
 inline constexpr std::int32_t kRemainderLimit = 8 << 16;

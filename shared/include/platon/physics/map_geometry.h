@@ -27,6 +27,8 @@ struct Warp {
   PrecisePoint map(PrecisePoint point) const;
   /// The inverse of `map`, up to rounding and 2^-28 of the distance from the midpoint.
   PrecisePoint mapBack(PrecisePoint point) const;
+
+  friend bool operator==(const Warp&, const Warp&) = default;
 };
 
 /// The geometry of an initialised map part. Immutable; may be shared by any number of worlds and threads.
@@ -47,6 +49,11 @@ struct MapGeometry {
   std::uint32_t warpOfSegment(std::uint32_t segment) const {
     return segment - static_cast<std::uint32_t>(segments.size() - warps.size());
   }
+
+  /// Compares ids, segments and warps, each in their order. The grid follows from the segments.
+  friend bool operator==(const MapGeometry& a, const MapGeometry& b) {
+    return a.id == b.id && a.segments == b.segments && a.warps == b.warps;
+  }
 };
 
 /// All map parts of a world, sorted by id.
@@ -58,6 +65,9 @@ struct Geometry {
   /// Index, in the target part, of the warp that leads back across the same segment. Nothing when the target or that
   /// warp does not exist; entities cannot pass such a warp.
   std::optional<std::uint16_t> reverseWarp(std::uint32_t partId, const Warp& warp) const;
+
+  /// Compares the content of all parts. Fast where both share a part, as copies of a world do.
+  friend bool operator==(const Geometry& a, const Geometry& b);
 };
 
 /// A copy of `geometry` with `part` added. Throws std::invalid_argument when a part with the same id exists.

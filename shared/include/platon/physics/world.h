@@ -2,7 +2,9 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "platon/physics/convex.h"
@@ -21,10 +23,16 @@ struct WorldState {
   std::vector<InstanceState> instances;  ///< further instances of all entities, in order of the entities
 
   friend bool operator==(const WorldState&, const WorldState&) = default;
+
+  /// Hash of all fields, identical on every platform.
+  std::uint64_t hash() const;
 };
 
 /// A collection of map parts and of the entities that move on them. Has value semantics: a copy has its own state and
 /// shares the immutable geometry. Deterministic: equal states and equal calls give identical states on every platform.
+///
+/// Functions that take the index of an entity throw std::invalid_argument when the world has no such entity. A world
+/// that was moved from may only be assigned to or destroyed.
 class World {
  public:
   World();
@@ -44,11 +52,18 @@ class World {
 
   /// The current state; valid until the world changes. Copy it to keep it.
   const WorldState& save() const { return state_; }
-  /// Replaces the state. Requires accepts(state).
+  /// Replaces the state. Throws std::invalid_argument with the text of fault() when this world does not accept it, and
+  /// changes nothing then. Takes microseconds an entity, because the shapes are rotated to check them.
   void restore(const WorldState& state);
+  /// Replaces the state without checking it, at the cost of a copy. For rollback: `state` must come from save() of this
+  /// world or of one with equal map parts and shapes, or accepts() must have accepted it. Asserts that it is accepted.
+  void restoreUnchecked(const WorldState& state);
   /// Hash of the state, identical on every platform.
-  std::uint64_t hash() const;
-  friend bool operator==(const World& a, const World& b) { return a.state_ == b.state_; }
+  std::uint64_t hash() const { return state_.hash(); }
+  /// Whether the worlds have equal states, map parts and shapes: then equal calls with equal rules keep them equal. Map
+  /// parts and shapes are compared by content, so that two worlds built alike are equal; those that the worlds share
+  /// are not compared again. Rules are not part of a world and are not compared.
+  friend bool operator==(const World& a, const World& b) { return a.state_ == b.state_ && a.isBuiltLike(b); }
 
   const Geometry& geometry() const { return *geometry_; }
   std::span<const EntityState> entities() const { return state_.entities; }
@@ -68,8 +83,11 @@ class World {
   /// shapes are registered in the same order.
   std::uint32_t addShape(const Convex& shape);
   /// Validates a state of unknown origin: all indices exist, all values are in range, instance ids are unique, and
-  /// every further instance either has no parent or is reached from its parent by the named warp.
-  bool accepts(const WorldState& state) const;
+  /// every further instance either has no parent or is reached from its parent by the named warp. Returns the first
+  /// fault as an English sentence, or nothing when there is none. Does not test whether shapes overlap segments.
+  std::optional<std::string> fault(const WorldState& state) const;
+  /// Whether `state` has no fault.
+  bool accepts(const WorldState& state) const { return !fault(state); }
   /// Removes the entity from all parts. Its index stays valid.
   void remove(std::uint32_t entity);
 
@@ -77,6 +95,13 @@ class World {
   friend class Entity;
   friend class MapPart;
 
+  // Returns `entity`, or refuses it when there is no such entity.
+  std::uint32_t checked(std::uint32_t entity) const {
+    if (entity >= state_.entities.size()) refuse(entity);
+    return entity;
+  }
+  [[noreturn]] void refuse(std::uint32_t entity) const;
+  bool isBuiltLike(const World& other) const;
   std::uint32_t add(const Convex& shape);
   void insert(std::uint32_t entity, std::uint32_t part, Point origin, Angle angle);
   bool isIn(std::uint32_t entity, std::uint32_t part) const;
