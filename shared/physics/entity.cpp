@@ -1,36 +1,61 @@
 #include "platon/physics/entity.h"
 
-#include <cassert>
+#include <stdexcept>
+#include <string>
 
+#include "platon/exact/integer.h"
 #include "platon/physics/world.h"
 
 namespace platon {
+namespace {
+
+[[noreturn]] void refuse(std::uint32_t entity, const char* reason) {
+  throw std::invalid_argument("entity " + std::to_string(entity) + ": " + reason);
+}
+
+void requireVelocity(bool holds, std::uint32_t entity) {
+  if (!holds) refuse(entity, "the velocity is out of range: its coordinates must be below 2^28 in magnitude");
+}
+
+}  // namespace
+
 Entity::Entity(World& world, const intern::Convex& shape) : Entity(world, Convex(shape)) {}
 
 Entity::Entity(World& world, const Convex& shape) : world_(&world), index_(world.add(shape)) {}
 
-const EntityState& Entity::state() const { return world_->state_.entities[index_]; }
+const EntityState& Entity::state() const { return world_->state_.entities[world_->checked(index_)]; }
+EntityState& Entity::mutableState() { return world_->state_.entities[world_->checked(index_)]; }
 Point Entity::position() const { return state().position; }
 Point Entity::velocity() const { return platon::rotate(state().velocity, state().heading); }
 Angle Entity::rotation() const { return state().angle; }
 std::uint32_t Entity::part() const { return state().part; }
+Angle Entity::heading() const { return state().heading; }
 bool Entity::inserted() const { return state().inserted != 0; }
 const Convex& Entity::shape() const { return world_->shapeOf(index_); }
 
 void Entity::setVelocity(Point velocity) { setVelocity(velocity, Angle()); }
 
 void Entity::setVelocity(Point velocity, Angle frame) {
-  assert(isVelocity(velocity));
-  EntityState& mine = world_->state_.entities[index_];
+  requireVelocity(isVelocity(velocity), index_);
+  EntityState& mine = mutableState();
   mine.velocity = velocity;
   mine.heading = frame;
 }
 
-void Entity::addVelocity(Point change) { setVelocity(velocity() + change); }
+void Entity::addVelocity(Point change) { addVelocity(change, Angle()); }
+
+void Entity::addVelocity(Point change, Angle frame) {
+  requireVelocity(isCoordinate(change.x) && isCoordinate(change.y), index_);  // so that the sum fits 32 bits
+  EntityState& mine = mutableState();
+  const Point sum = mine.velocity + platon::rotate(change, frame - mine.heading);
+  requireVelocity(isVelocity(sum), index_);
+  mine.velocity = sum;
+}
 
 void Entity::rotate(std::int32_t centidegrees) {
-  assert(centidegrees > -Angle::kTurn && centidegrees < Angle::kTurn);
-  world_->state_.entities[index_].turn = centidegrees;
+  if (centidegrees <= -Angle::kTurn || centidegrees >= Angle::kTurn)
+    refuse(index_, "the rotation is out of range: it must be below 36000 centidegrees in magnitude");
+  mutableState().turn = centidegrees;
 }
 
 }  // namespace platon

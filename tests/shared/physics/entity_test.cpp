@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <functional>
 #include <stdexcept>
+#include <string>
 
 #include "platon/physics/world.h"
 #include "tests/shared/physics/maps.h"
@@ -10,6 +13,8 @@
 
 namespace platon {
 namespace {
+
+constexpr std::uint64_t kSeed = 12;
 
 TEST(EntityTest, RunsTheExampleOfTheReport) {
   World world;
@@ -85,6 +90,119 @@ TEST(EntityTest, AddsVelocities) {
   EXPECT_EQ(entity.velocity(), Point(kVelocityLimit - 1, 1 - kVelocityLimit));
   entity.addVelocity({-kVelocityLimit, kVelocityLimit});
   EXPECT_EQ(entity.velocity(), Point(-1, 1));
+}
+
+TEST(EntityTest, AddingVelocityKeepsTheHeading) {
+  World world;
+  Entity entity(world, square(5));
+  entity.setVelocity({1000003, -7}, Angle(3600));
+  entity.addVelocity({0, 100});
+  EXPECT_EQ(entity.heading(), Angle(3600));
+  EXPECT_EQ(entity.state().velocity, Point(1000003 + 59, -7 + 81)) << "(58.8, 80.9): only the change is rounded";
+}
+
+TEST(EntityTest, AddingZeroVelocityChangesNothing) {
+  World world;
+  Entity entity(world, square(5));
+  for (std::int32_t frame = 0; frame < Angle::kTurn; frame += 100) {
+    entity.setVelocity({12345, -678}, Angle(frame));
+    const EntityState before = entity.state();
+    entity.addVelocity({});
+    entity.addVelocity({}, Angle(77));
+    ASSERT_EQ(entity.state(), before) << frame;
+  }
+}
+
+TEST(EntityTest, AddingVelocityAndItsNegativeRestoresTheState) {
+  World world;
+  Entity entity(world, square(5));
+  sim::SeededRandom random(kSeed);
+  for (int i = 0; i < 5000; ++i) {
+    const Point velocity = random.vector(1 << 20);
+    entity.setVelocity(velocity, Angle(static_cast<std::int32_t>(random.below(Angle::kTurn))));
+    const EntityState before = entity.state();
+    const Point change = random.vector(2 << (i % 20));
+    const Angle frame(static_cast<std::int32_t>(random.below(Angle::kTurn)));
+    entity.addVelocity(change, frame);
+    entity.addVelocity(-change, frame);
+    ASSERT_EQ(entity.state(), before) << "seed " << kSeed << ", round " << i;
+  }
+}
+
+// The bound is n / 2 for the rounding of the additions and n * |change| * 2^-28 for the rotation.
+TEST(EntityTest, ManyAdditionsOfVelocityDriftByAtMostHalfASubunitEach) {
+  World world;
+  Entity entity(world, square(5));
+  sim::SeededRandom random(kSeed);
+  constexpr std::int64_t one = std::int64_t{1} << Rotation::kFractionBits;
+  constexpr std::int64_t additions = 1000;
+  for (int i = 0; i < 200; ++i) {
+    const Angle heading(static_cast<std::int32_t>(random.below(Angle::kTurn)));
+    const Point change = random.vector(300);
+    entity.setVelocity({}, heading);
+    for (std::int64_t n = 0; n < additions; ++n) entity.addVelocity(change);
+    const WideVector exact = rotateWide(change, rotationOf(-heading));
+    const Point sum = entity.state().velocity;
+    ASSERT_LE(std::abs(sum.x * one - additions * exact.x), additions * one / 2) << "seed " << kSeed << ", round " << i;
+    ASSERT_LE(std::abs(sum.y * one - additions * exact.y), additions * one / 2) << "seed " << kSeed << ", round " << i;
+  }
+}
+
+TEST(EntityTest, AdditionsInTheHeadingAreExact) {
+  World world;
+  Entity entity(world, square(5));
+  for (std::int32_t frame = 0; frame < Angle::kTurn; frame += 7) {
+    entity.setVelocity({}, Angle(frame));
+    for (int n = 0; n < 100; ++n) entity.addVelocity({3, -17}, entity.heading());
+    ASSERT_EQ(entity.state().velocity, Point(300, -1700)) << frame;
+    entity.addVelocity({3, -17}, entity.heading() + Angle::degrees(90));
+    ASSERT_EQ(entity.state().velocity, Point(317, -1697)) << frame;
+    ASSERT_EQ(entity.heading(), Angle(frame));
+  }
+}
+
+std::string refusal(const std::function<void()>& call) {
+  try {
+    call();
+  } catch (const std::invalid_argument& reason) {
+    return reason.what();
+  }
+  return "";
+}
+
+TEST(EntityTest, RefusesValuesOutOfRange) {
+  World world;
+  Entity entity(world, square(5));
+  entity.setVelocity({kVelocityLimit - 1, 0}, Angle(4500));
+  const World before = world;
+  const std::string velocity =
+      "entity 0: the velocity is out of range: its coordinates must be below 2^28 in magnitude";
+  EXPECT_EQ(refusal([&] { entity.setVelocity({kVelocityLimit, 0}); }), velocity);
+  EXPECT_EQ(refusal([&] { entity.setVelocity({0, INT32_MIN}, Angle(1)); }), velocity);
+  EXPECT_EQ(refusal([&] { entity.addVelocity({1, 0}); }), velocity);
+  EXPECT_EQ(refusal([&] { entity.addVelocity({0, INT32_MIN}); }), velocity);
+  EXPECT_EQ(refusal([&] { entity.addVelocity({INT32_MAX, INT32_MAX}); }), velocity);
+  const std::string rotation =
+      "entity 0: the rotation is out of range: it must be below 36000 centidegrees in magnitude";
+  EXPECT_EQ(refusal([&] { entity.rotate(36000); }), rotation);
+  EXPECT_EQ(refusal([&] { entity.rotate(INT32_MIN); }), rotation);
+  EXPECT_EQ(world, before);
+}
+
+TEST(EntityTest, RefusesHandlesOfEntitiesThatDoNotExist) {
+  World world;
+  Entity entity(world, square(5));
+  Entity lost(world, square(5));
+  world.restore({{entity.state()}, {}});
+  const World before = world;
+  const std::string missing = "entity 1 does not exist: the world has 1 entities, counted from 0";
+  EXPECT_EQ(refusal([&] { lost.state(); }), missing);
+  EXPECT_EQ(refusal([&] { lost.position(); }), missing);
+  EXPECT_EQ(refusal([&] { lost.shape(); }), missing);
+  EXPECT_EQ(refusal([&] { lost.setVelocity({1, 1}); }), missing);
+  EXPECT_EQ(refusal([&] { lost.addVelocity({1, 1}); }), missing);
+  EXPECT_EQ(refusal([&] { lost.rotate(1); }), missing);
+  EXPECT_EQ(world, before);
 }
 
 TEST(EntityTest, VelocityRotatesAcrossAnEdge) {

@@ -13,6 +13,9 @@ class World;
 
 /// A handle to a moving convex shape. All state is stored in the world, so that worlds can be copied, saved and
 /// restored; the handle must not outlive its world. Units: subunits, subunits per tick, centidegrees.
+///
+/// Every function throws std::invalid_argument, and changes nothing, when the world has no entity with this index, for
+/// example after World::restore of a state with fewer entities, or when an argument is out of its range.
 class Entity {
  public:
   /// Adds an entity to the world. It is in no map part until MapPart::insert. Throws std::invalid_argument when the
@@ -30,6 +33,9 @@ class Entity {
   Angle rotation() const;
   /// Id of the home part: the map part that contains the centre of the shape.
   std::uint32_t part() const;
+  /// Rotation from the frame in which the velocity is stored to the frame of the home part: the `frame` passed to
+  /// setVelocity, plus the turns of all edges crossed since.
+  Angle heading() const;
   /// Whether the entity is in a map part.
   bool inserted() const;
 
@@ -38,8 +44,16 @@ class Entity {
   /// Sets the velocity in a frame rotated by `frame` against the home part. Both values are stored unrounded, and
   /// `frame` is updated when the home part changes.
   void setVelocity(Point velocity, Angle frame);
-  /// Adds `change`, given in the frame of the home part, to the velocity.
+  /// Adds `change`, given in the frame of the home part, to the velocity. The same as addVelocity(change, Angle()).
   void addVelocity(Point change);
+  /// Adds `change`, given in a frame rotated by `frame` against the home part, to the velocity. The stored velocity and
+  /// heading() are kept: only `change` is rotated into the frame of the stored velocity, and rounded once, to the
+  /// nearest lattice point. So n additions are off by at most n / 2 along each axis of that frame (plus
+  /// n * |change| * 2^-28, the error of the rotation), and by nothing where `frame` - heading() is a multiple of 90°:
+  /// pass heading() to add the same change in every tick. Adding zero changes nothing; adding a change and then its
+  /// negative restores the state. Requires |change| < 2^29 and a sum below 2^28 per coordinate, in the frame of the
+  /// stored velocity.
+  void addVelocity(Point change, Angle frame);
   /// Rotates the shape by `centidegrees` at the start of the next step, or as far as no segment blocks it. Positive is
   /// counter-clockwise; less than a whole turn in magnitude. Replaces an earlier request of the same tick.
   void rotate(std::int32_t centidegrees);
@@ -51,6 +65,8 @@ class Entity {
   const EntityState& state() const;
 
  private:
+  EntityState& mutableState();
+
   World* world_;
   std::uint32_t index_;
 };
