@@ -1,5 +1,6 @@
 #include "platon/physics/map_part.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
@@ -26,13 +27,45 @@ bool turnsOnto(Point from, Point onto, Angle turn) {
   return squaredLength(error) <= 2 * 2;
 }
 
+// Whether `point` is on the left of `border`, or at most 2 subunits on its right. The two subunits are for rounding.
+bool isLeftOf(const Segment& border, Point point) {
+  const Point along = border.b - border.a;
+  return cross(along, point - border.a) >= -2 * std::int64_t{std::max(std::abs(along.x), std::abs(along.y))};
+}
+
+// A step takes an entity for beyond a warp when the centre is on the right of it, wherever along its line
+// (Instances::containsCentre). So no place of the part may be on the right of a warp, in particular no other warp.
+void requireConvexBoundary(std::uint32_t part, const std::vector<Warp>& warps) {
+  for (std::size_t i = 0; i < warps.size(); ++i) {
+    for (std::size_t k = 0; k < warps.size(); ++k) {
+      if (isLeftOf(warps[i].from, warps[k].from.a) && isLeftOf(warps[i].from, warps[k].from.b)) continue;
+      throw std::invalid_argument("map part " + std::to_string(part) + ": warp " + std::to_string(k) +
+                                  " is on the right of warp " + std::to_string(i) +
+                                  ": the warps of a part must bound a convex area on their left; divide the part");
+    }
+  }
+}
+
 bool isNear(PrecisePoint a, PrecisePoint b) {
   return std::abs(a.x - b.x) <= PrecisePoint::kOne && std::abs(a.y - b.y) <= PrecisePoint::kOne;
 }
 
 }  // namespace
 
+void MapPart::requireOpen() const {
+  if (world_->geometry().find(id_) == nullptr) return;
+  throw std::invalid_argument("map part " + std::to_string(id_) +
+                              " is already initialised: add its segments and warps before initialize()");
+}
+
+void MapPart::requireEntityOfThisWorld(const Entity& entity) const {
+  if (&entity.world() == world_) return;
+  throw std::invalid_argument("map part " + std::to_string(id_) + ": entity " + std::to_string(entity.index()) +
+                              " belongs to another world: use an entity of the world of this part");
+}
+
 void MapPart::line(Point p0, Point p1) {
+  requireOpen();
   requireCoordinates(id_, p0);
   requireCoordinates(id_, p1);
   segments_.push_back({p0, p1});
@@ -44,6 +77,7 @@ void MapPart::warp(Point p0, Point p1, std::uint32_t targetMap, Point t0, Point 
 
 void MapPart::warp(Segment from, std::uint32_t targetMap, Segment onto, PrecisePoint fromMiddle,
                    PrecisePoint ontoMiddle) {
+  requireOpen();
   for (const Point point : {from.a, from.b, onto.a, onto.b}) requireCoordinates(id_, point);
   const std::string where = "map part " + std::to_string(id_) + ", warp " + std::to_string(warps_.size());
   if (from.a == from.b || onto.a == onto.b)
@@ -61,6 +95,7 @@ void MapPart::warp(Segment from, std::uint32_t targetMap, Segment onto, PreciseP
 }
 
 void MapPart::initialize() {
+  requireConvexBoundary(id_, warps_);
   MapGeometry part;
   part.id = id_;
   part.segments = std::move(segments_);
@@ -73,10 +108,14 @@ void MapPart::initialize() {
 }
 
 void MapPart::insert(Entity& entity, const Point& origin, Angle angle) {
+  requireEntityOfThisWorld(entity);
   requireCoordinates(id_, origin);
   world_->insert(entity.index(), id_, origin, angle);
 }
 
-void MapPart::erase(Entity& entity) { world_->erase(entity.index(), id_); }
+void MapPart::erase(Entity& entity) {
+  requireEntityOfThisWorld(entity);
+  world_->erase(entity.index(), id_);
+}
 
 }  // namespace platon

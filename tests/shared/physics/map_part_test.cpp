@@ -109,6 +109,75 @@ TEST(MapPartTest, RejectsDuplicateIds) {
   EXPECT_EQ(refusal([&] { again.initialize(); }), "map part 3 is already initialised: ids must be unique");
 }
 
+TEST(MapPartTest, RejectsSegmentsAndWarpsAfterInitialize) {
+  World world;
+  MapPart face(world, 3);
+  face.line({0, 0}, {10, 0});
+  face.initialize();
+  const World before = world;
+  const std::string late = "map part 3 is already initialised: add its segments and warps before initialize()";
+  EXPECT_EQ(refusal([&] { face.line({0, 0}, {1, 1}); }), late);
+  EXPECT_EQ(refusal([&] { face.warp({0, 0}, {100, 0}, 2, {0, 0}, {100, 0}); }), late);
+  MapPart another(world, 3);
+  EXPECT_EQ(refusal([&] { another.line({0, 0}, {1, 1}); }), late);
+  EXPECT_EQ(world, before);
+}
+
+// Adds the edges of a polygon as warps to part 2.
+void addEdges(MapPart& part, const std::vector<Point>& polygon) {
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point a = polygon[i];
+    const Point b = polygon[(i + 1) % polygon.size()];
+    part.warp(a, b, 2, b, a);
+  }
+}
+
+TEST(MapPartTest, RejectsWarpsThatDoNotBoundAConvexArea) {
+  World world;
+  MapPart angle(world, 1);
+  addEdges(angle, {{0, 0}, {2000, 0}, {2000, 1000}, {1000, 1000}, {1000, 2000}, {0, 2000}});
+  const World before = world;
+  EXPECT_EQ(refusal([&] { angle.initialize(); }),
+            "map part 1: warp 3 is on the right of warp 2: the warps of a part must bound a convex area on their left; "
+            "divide the part");
+  EXPECT_EQ(world, before);
+  MapPart clockwise(world, 1);
+  addEdges(clockwise, {{0, 0}, {0, 1000}, {1000, 1000}, {1000, 0}});
+  EXPECT_NE(refusal([&] { clockwise.initialize(); }), "");
+  const std::vector<Point> pentagon = regular(5, 1000).vertices();
+  MapPart star(world, 1);
+  addEdges(star, {pentagon[0], pentagon[2], pentagon[4], pentagon[1], pentagon[3]});
+  EXPECT_NE(refusal([&] { star.initialize(); }), "") << "it turns left at every corner";
+  MapPart notch(world, 1);  // the inner corner alone; walls could be around the rest
+  notch.warp({2000, 1000}, {1000, 1000}, 2, {0, 0}, {-1000, 0});
+  notch.warp({1000, 1000}, {1000, 2000}, 2, {0, 0}, {0, 1000});
+  EXPECT_NE(refusal([&] { notch.initialize(); }), "");
+}
+
+TEST(MapPartTest, AcceptsWarpsThatBoundAConvexArea) {
+  World world;
+  std::uint32_t id = 10;
+  for (const int count : {3, 4, 5, 6, 16}) {
+    for (const std::int32_t radius : {1000, 1 << 28}) {
+      MapPart face(world, id++);
+      addEdges(face, regular(count, radius).vertices());
+      EXPECT_EQ(refusal([&] { face.initialize(); }), "") << count << " edges, radius " << radius;
+    }
+  }
+  for (const std::int32_t y : {1999, 2000}) {  // an edge of two warps whose common end is rounded
+    MapPart divided(world, id++);
+    addEdges(divided, {{0, 0}, {5000, y}, {10001, 4000}, {0, 9000}});
+    EXPECT_EQ(refusal([&] { divided.initialize(); }), "") << y;
+  }
+  MapPart twoSides(world, 2);  // the same segment from both sides
+  twoSides.warp({0, 0}, {100, 0}, 3, {0, 0}, {100, 0});
+  twoSides.warp({100, 0}, {0, 0}, 4, {0, 0}, {100, 0});
+  EXPECT_EQ(refusal([&] { twoSides.initialize(); }), "");
+  MapPart longest(world, 3);
+  addEdges(longest, {{-kMax, -kMax}, {kMax, -kMax}, {kMax, kMax}, {-kMax, kMax}});
+  EXPECT_EQ(refusal([&] { longest.initialize(); }), "");
+}
+
 class MapPartInsertTest : public testing::Test {
  protected:
   MapPartInsertTest() : part(world, 4), entity(world, square(10)) {
@@ -167,6 +236,31 @@ TEST_F(MapPartInsertTest, RejectsPositionsOutOfRange) {
   EXPECT_EQ(refusal([&] { part.insert(entity, Point(kMax + 1, 0), Angle()); }),
             "map part 4: the point (536870912, 0) is out of range: coordinates must be below 2^29 in magnitude");
   EXPECT_FALSE(entity.inserted());
+}
+
+TEST_F(MapPartInsertTest, RejectsEntitiesOfAnotherWorld) {
+  World other;
+  Entity first(other, square(10));
+  Entity second(other, square(10));  // this world has no entity with its index
+  part.insert(entity, Point(0, 0), Angle());
+  const World before = world;
+  const World otherBefore = other;
+  const std::string foreign = " belongs to another world: use an entity of the world of this part";
+  EXPECT_EQ(refusal([&] { part.insert(first, Point(9, 9), Angle()); }), "map part 4: entity 0" + foreign);
+  EXPECT_EQ(refusal([&] { part.insert(second, Point(9, 9), Angle()); }), "map part 4: entity 1" + foreign);
+  EXPECT_EQ(refusal([&] { part.erase(first); }), "map part 4: entity 0" + foreign);
+  EXPECT_EQ(refusal([&] { part.erase(second); }), "map part 4: entity 1" + foreign);
+  EXPECT_EQ(world, before);
+  EXPECT_EQ(other, otherBefore);
+}
+
+TEST_F(MapPartInsertTest, RejectsEntitiesThatDoNotExist) {
+  Entity missing(world, 1);
+  const World before = world;
+  const std::string refused = "entity 1 does not exist: the world has 1 entities, counted from 0";
+  EXPECT_EQ(refusal([&] { part.insert(missing, Point(0, 0), Angle()); }), refused);
+  EXPECT_EQ(refusal([&] { part.erase(missing); }), refused);
+  EXPECT_EQ(world, before);
 }
 
 TEST_F(MapPartInsertTest, RejectsAnglesAtWhichTheShapeDegenerates) {

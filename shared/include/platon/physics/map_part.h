@@ -20,13 +20,13 @@ class MapPart {
   MapPart(World& world, std::uint32_t id) : world_(&world), id_(id) {}
 
   /// Adds a segment. Two equal ends make a point, which blocks too. Segments may cross and repeat. Throws
-  /// std::invalid_argument when a coordinate is not below 2^29 in magnitude.
+  /// std::invalid_argument when a coordinate is not below 2^29 in magnitude or the part is initialised.
   void line(Point p0, Point p1);
 
   /// Adds a warp from segment p0 p1 to part `targetMap`, in which the same two points are t0 and t1. This part is on
   /// the left of p0 -> p1. Entities can pass only when the target has the reverse warp. Throws std::invalid_argument
   /// unless both segments have the same length and differ by a whole number of centidegrees, up to 2 subunits at the
-  /// ends.
+  /// ends, or when the part is initialised.
   void warp(Point p0, Point p1, std::uint32_t targetMap, Point t0, Point t1);
 
   /// As above, with exact midpoints: instances are placed relative to them, so the rounding of the ends does not
@@ -34,21 +34,29 @@ class MapPart {
   /// the rounded ends.
   void warp(Segment from, std::uint32_t targetMap, Segment onto, PrecisePoint fromMiddle, PrecisePoint ontoMiddle);
 
-  /// Builds the grid and adds the part to the world. Throws std::invalid_argument when a part with the same id exists.
+  /// Builds the grid and adds the part to the world. Throws std::invalid_argument, and does not change the world,
+  /// when a part with the same id exists or a warp is on the right of another one. Warps are edges of a convex area on
+  /// their left, which need not be closed: the home part changes when the centre of a shape is on the right of a warp,
+  /// wherever along its line. Rounded ends may be up to 2 subunits on the right.
   void initialize();
 
   /// Places an instance of the entity in this part, at position `origin` and rotated by `angle`. The first instance of
   /// an entity is its home instance; instances in other parts move with it. Throws std::invalid_argument when the part
-  /// is not initialised, the entity is already in it, the coordinates are out of range, or a blocking segment overlaps
+  /// is not initialised, the entity belongs to another world or is already in the part, the coordinates are out of
+  /// range, or a blocking segment overlaps
   /// the shape.
   void insert(Entity& entity, const Point& origin, Angle angle);
 
-  /// Removes the entity's instances from this part. No effect when there are none.
+  /// Removes the entity's instances from this part. No effect when there are none. Throws std::invalid_argument when
+  /// the entity belongs to another world.
   void erase(Entity& entity);
 
   std::uint32_t id() const { return id_; }
 
  private:
+  void requireOpen() const;
+  void requireEntityOfThisWorld(const Entity& entity) const;
+
   World* world_;
   std::uint32_t id_;
   std::vector<Segment> segments_;
