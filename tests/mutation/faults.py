@@ -6,6 +6,7 @@ from net_faults import PROTOCOL_FAULTS, SERVER_FAULTS
 from recording_faults import RECORDING_FAULTS
 from step_faults import STEP_FAULTS
 from transport_faults import TRANSPORT_FAULTS
+from world_faults import WORLD_FAULTS
 
 FAULTS = [
     # Exact arithmetic.
@@ -127,6 +128,7 @@ FAULTS = [
               "GeometryTest.ReverseWarpMustLeadToTheSameSegment"),
 
     *STEP_FAULTS,
+    *WORLD_FAULTS,
 
     # Instances, crossings, home.
     Fault("second-instance-skipped", PHYSICS + "collider.cpp",
