@@ -53,7 +53,7 @@ class World {
   /// The current state; valid until the world changes. Copy it to keep it.
   const WorldState& save() const { return state_; }
   /// Replaces the state. Throws std::invalid_argument with the text of fault() when this world does not accept it, and
-  /// changes nothing then. Takes microseconds an entity, because the shapes are rotated to check them.
+  /// changes nothing then. Takes about 1 µs an entity, because the shapes are rotated to check them.
   void restore(const WorldState& state);
   /// Replaces the state without checking it, at the cost of a copy. For rollback: `state` must come from save() of this
   /// world or of one with equal map parts and shapes, or accepts() must have accepted it. Asserts that it is accepted.
