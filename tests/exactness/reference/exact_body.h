@@ -7,14 +7,9 @@
 #include <vector>
 
 #include "tests/exactness/reference/exact_scene.h"
+#include "tests/exactness/reference/rational_vec.h"
 
 namespace platon::reference {
-
-/// A point or vector with rational coordinates of any size.
-struct RationalVec {
-  mpq_class x;
-  mpq_class y;
-};
 
 /// Computes the ideal trajectory of a scene's body. The body moves straight to the exact contact, then slides: the
 /// projection of the remaining displacement onto the edge moves it to the next contact or to the end of the edge, after

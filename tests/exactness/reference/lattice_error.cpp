@@ -1,65 +1,36 @@
 #include "tests/exactness/reference/lattice_error.h"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <stdexcept>
 
-#include "platon/physics/entity.h"
-#include "platon/physics/map_part.h"
-#include "platon/physics/step_observer.h"
-#include "platon/physics/world.h"
 #include "tests/exactness/reference/exact_body.h"
+#include "tests/exactness/reference/simulated_body.h"
 #include "tests/support/files.h"
 
 namespace platon::reference {
 namespace {
 
-Point toPoint(oracle::Vec v) { return {static_cast<std::int32_t>(v.x), static_cast<std::int32_t>(v.y)}; }
-
-Convex toConvex(const oracle::Polygon& polygon) {
-  std::vector<Point> points;
-  for (const oracle::Vec v : polygon) points.push_back(toPoint(v));
-  return Convex(std::move(points));
-}
-
-/// The simulated body at one resolution.
-class LatticeBody : public StepObserver {
+/// The simulated body at one resolution, and its distance from the ideal one.
+class LatticeBody {
  public:
   LatticeBody(const ExactScene& scene, std::int64_t resolution)
-      : resolution_(resolution), factor_(resolution / kSceneSubunits) {
-    const ExactScene fine = scaled(scene, factor_);
-    MapPart part(world_, 0);
-    for (const oracle::Segment& line : fine.lines) part.line(toPoint(line.a), toPoint(line.b));
-    part.initialize();
-    Entity entity(world_, toConvex(fine.shape));
-    part.insert(entity, toPoint(fine.start), Angle());
-    velocity_ = toPoint(fine.velocity);
-  }
+      : body_(scaled(scene, resolution / kSceneSubunits)), resolution_(resolution) {}
 
   void tick(const RationalVec& ideal) {
-    Entity(world_, 0).setVelocity(velocity_);
-    legs_ -= 1;  // the observer is also called at the start of the step
-    world_.solve(this);
-    const Point at = world_.entities()[0].position;
-    const mpq_class dx = at.x - ideal.x * factor_;
-    const mpq_class dy = at.y - ideal.y * factor_;
-    distance_ = std::hypot(dx.get_d(), dy.get_d());
+    body_.tick();
+    const std::int64_t factor = resolution_ / kSceneSubunits;
+    distance_ = distance(body_.position(), {ideal.x * factor, ideal.y * factor});
     max_ = std::max(max_, distance_);
   }
 
-  void leg(std::uint32_t, std::span<const InstanceView>) override { ++legs_; }
-
   LatticeError report(const std::string& scene, std::int64_t ticks) const {
-    return {scene, resolution_, ticks, legs_, distance_, max_};
+    return {scene, resolution_, ticks, body_.legs(), distance_, max_};
   }
 
  private:
-  World world_;
-  Point velocity_;
+  SimulatedBody body_;
   std::int64_t resolution_;
-  std::int64_t factor_;
-  std::int64_t legs_ = 0;
   double distance_ = 0;
   double max_ = 0;
 };

@@ -1,17 +1,37 @@
-// platon-reference: prints the distance of the simulated body from the ideal one, for every scene of the reference.
+// platon-reference: measures the distance of the simulated body from the ideal one, for every scene of the reference or
+// on random terrains.
 #include <array>
+#include <cstdint>
 #include <cstdio>
-#include <cstring>
 #include <exception>
+#include <fstream>
+#include <optional>
+#include <stdexcept>
+#include <string>
 
+#include <CLI/CLI.hpp>
+
+#include "platon_version.h"
 #include "tests/exactness/reference/lattice_error.h"
+#include "tests/exactness/reference/terrain.h"
+#include "tests/exactness/reference/terrain_table.h"
 
 namespace {
 
-using platon::reference::LatticeError;
+using namespace platon::reference;
 
 constexpr auto kResolutions = std::to_array<std::int64_t>({1 << 4, 1 << 6, 1 << 8, 1 << 10, 1 << 12, 1 << 14, 1 << 16});
 constexpr auto kTicks = std::to_array<std::int64_t>({1, 60, 3600});
+
+struct Options {
+  bool json = false;
+  bool rows = false;
+  std::int64_t terrains = 0;
+  std::uint64_t seed = 1;
+  std::optional<std::uint64_t> sceneSeed;
+  std::int64_t ticks = 1200;
+  std::string sceneFile;
+};
 
 void print(const LatticeError& error, bool json, bool first) {
   const char* layout = json ? "{\"scene\":\"%s\",\"subunitsPerUnit\":%lld,\"ticks\":%lld,\"legs\":%lld,"
@@ -27,7 +47,7 @@ void printAll(bool json) {
   std::printf(json ? "{\"trajectories\":[" : "%-12s %6s %6s %7s %10s %10s %12s\n", "scene", "per u", "ticks", "legs",
               "subunits", "max", "units");
   bool first = true;
-  for (const auto& [name, scene] : platon::reference::allScenes()) {
+  for (const auto& [name, scene] : allScenes()) {
     for (const LatticeError& error : latticeErrors(name, scene, kResolutions, kTicks)) {
       print(error, json, first);
       first = false;
@@ -36,19 +56,56 @@ void printAll(bool json) {
   if (json) std::printf("]}\n");
 }
 
+void writeScene(const std::string& path, std::uint64_t seed, std::int64_t ticks) {
+  std::ofstream file(path);
+  file << "# terrain " << seed << " for " << ticks << " ticks\n" << toText(randomTerrain(seed, ticks).scene);
+  if (!file.flush()) throw std::runtime_error(path + ": cannot be written");
+}
+
+int runTerrains(const Options& options) {
+  TerrainTable table(options.ticks, options.rows || options.sceneSeed ? stdout : nullptr);
+  if (options.sceneSeed) {
+    table.add(*options.sceneSeed);
+    if (!options.sceneFile.empty()) writeScene(options.sceneFile, *options.sceneSeed, options.ticks);
+  } else {
+    table.run(options.seed, options.terrains);
+  }
+  table.printSummary(stdout);
+  return table.holds() ? 0 : 1;
+}
+
+void addOptions(CLI::App& app, Options& options) {
+  app.set_version_flag("--version", "platon-reference " + std::string(platon::kVersion));
+  auto* json = app.add_flag("--json", options.json, "print one JSON object");
+  auto* terrains = app.add_option("--terrains", options.terrains, "judge this many random terrains instead");
+  auto* seed = app.add_option("--seed", options.seed, "seed of the first terrain; the next ones ascend");
+  auto* scene = app.add_option("--scene-seed", options.sceneSeed, "judge only the terrain with this seed");
+  app.add_option("--ticks", options.ticks, "ticks of every terrain")->check(CLI::Range(101, 1000000));
+  app.add_flag("--rows", options.rows, "print a row for each terrain");
+  auto* write = app.add_option("--write", options.sceneFile, "write that terrain to this scene file");
+  terrains->check(CLI::Range(1, 1000000))->excludes(json)->excludes(scene);
+  seed->needs(terrains);
+  scene->excludes(json);
+  write->needs(scene);
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
-  const bool json = count == 2 && std::strcmp(arguments[1], "--json") == 0;
-  if (count != 1 && !json) {
-    std::fprintf(stderr, "usage: platon-reference [--json]\n");
-    return 2;
+  Options options;
+  CLI::App app("platon-reference: measures the distance of the simulated body from the ideal one.", "platon-reference");
+  addOptions(app, options);
+  try {
+    app.parse(count, arguments);
+  } catch (const CLI::ParseError& reason) {
+    return app.exit(reason) == 0 ? 0 : 2;
   }
   try {
-    printAll(json);
+    if (options.terrains > 0 || options.sceneSeed) return runTerrains(options);
+    printAll(options.json);
     return 0;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
+    std::fprintf(stderr, "platon-reference: %s\n", error.what());
     return 1;
   }
 }
