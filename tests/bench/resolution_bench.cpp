@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "tests/bench/engine.h"
-#include "tests/exactness/reference/exact_body.h"
+#include "tests/exactness/reference/ideal_path.h"
 #include "tests/exactness/reference/lattice_error.h"
 
 namespace platon::bench {
@@ -32,11 +32,11 @@ Scene toScene(const ExactScene& exact) {
 
 // Ideal positions after each tick, in sixteenths of a unit.
 std::vector<Place> idealTrajectory(const ExactScene& scene) {
-  reference::ExactBody body(scene);
+  const reference::IdealPath path(scene, kTicks);
   std::vector<Place> trajectory;
-  for (int tick = 0; tick < kTicks; ++tick) {
-    body.tick();
-    trajectory.push_back({body.position().x.get_d(), body.position().y.get_d()});
+  for (int tick = 1; tick <= kTicks; ++tick) {
+    const reference::RationalVec at = path.positionAt(tick);
+    trajectory.push_back({at.x.get_d(), at.y.get_d()});
   }
   return trajectory;
 }

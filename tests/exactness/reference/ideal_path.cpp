@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 namespace platon::reference {
 namespace {
@@ -32,12 +33,34 @@ void roundTime(mpq_class& time) {
 
 }  // namespace
 
-IdealPath::IdealPath(const ExactScene& scene, std::int64_t ticks, std::int64_t grown)
-    : velocityX_(scene.velocity.x), velocityY_(scene.velocity.y) {
-  obstacles_.reserve(scene.lines.size());
-  for (const oracle::Segment& line : scene.lines) obstacles_.emplace_back(scene.shape, line, grown);
-  at_ = {mpz_class(scene.start.x), mpz_class(scene.start.y), 1};
-  compute(ticks);
+IdealPath::IdealPath(const ExactScene& scene, std::int64_t ticks)
+    : course_(std::make_shared<Course>(scene)),
+      velocityX_(scene.velocity.x),
+      velocityY_(scene.velocity.y),
+      ticks_(ticks),
+      at_{mpz_class(scene.start.x), mpz_class(scene.start.y), 1} {
+  compute();
+}
+
+IdealPath IdealPath::from(const Place& start, const mpq_class& begin,
+                          const std::function<bool(const Leg&)>& stops) const {
+  IdealPath path(*this);
+  path.legs_.clear();
+  path.at_ = start;
+  path.now_ = begin;
+  path.contact_.reset();
+  path.stops_ = stops;
+  path.compute();
+  return path;
+}
+
+bool IdealPath::isFree(const Place& place) const {
+  const auto isInside = [&](const Side& side) { return side.x * place.x + side.y * place.y < side.bound * place.d; };
+  const std::vector<std::size_t> near = course_->near(Reach(place, 0, 0));
+  return std::none_of(near.begin(), near.end(), [&](std::size_t obstacle) {
+    const std::vector<Side>& sides = (*course_)[obstacle].sides;
+    return std::all_of(sides.begin(), sides.end(), isInside);
+  });
 }
 
 IdealPath::Way IdealPath::freeWay() const { return {velocityX_, velocityY_, 1, {kFreeTicks * at_.d, 1}}; }
@@ -50,8 +73,8 @@ IdealPath::Way IdealPath::wayAlong(const Side& side) const {
   const mpz_class square = side.x * side.x + side.y * side.y;
   Way way{ahead ? mpz_class(-side.y) : side.y, ahead ? side.x : mpz_class(-side.x), mpq_class(abs(speed), square), {}};
   way.rate.canonicalize();
-  const Place& end = ahead ? side.end : side.start;
-  way.length = {at_.d * (end.x * way.x + end.y * way.y) - end.d * (at_.x * way.x + at_.y * way.y), end.d * square};
+  const oracle::Vec end = ahead ? side.end : side.start;
+  way.length = {(end.x * at_.d - at_.x) * way.x + (end.y * at_.d - at_.y) * way.y, square};
   return way;
 }
 
@@ -59,7 +82,7 @@ IdealPath::Way IdealPath::wayAlong(const Side& side) const {
 std::optional<IdealPath::Hit> IdealPath::hitOf(std::size_t obstacle, const Way& way) const {
   std::optional<Hit> enter;
   std::optional<Quotient> leave;
-  const std::vector<Side>& sides = obstacles_[obstacle].sides;
+  const std::vector<Side>& sides = (*course_)[obstacle].sides;
   for (std::size_t i = 0; i < sides.size(); ++i) {
     const Side& side = sides[i];
     const mpz_class beyond = side.x * at_.x + side.y * at_.y - side.bound * at_.d;
@@ -74,23 +97,16 @@ std::optional<IdealPath::Hit> IdealPath::hitOf(std::size_t obstacle, const Way& 
       if (!leave || time < *leave) leave = time;
     }
   }
-  if (!enter) throw std::runtime_error("the body is inside an obstacle");
+  if (!enter) throw std::runtime_error("the body starts inside an obstacle");
   if (!(enter->way < way.length) || (leave && !(enter->way < *leave))) return std::nullopt;
   return enter;
 }
 
 std::optional<IdealPath::Hit> IdealPath::firstHit(const Way& way) const {
-  const double scale = at_.d.get_d();
-  const double share = way.length.numerator.get_d() / way.length.denominator.get_d() / scale;
-  const double x = at_.x.get_d() / scale;
-  const double y = at_.y.get_d() / scale;
-  const double byX = share * way.x.get_d();
-  const double byY = share * way.y.get_d();
+  const double share = quotient(way.length.numerator, way.length.denominator * at_.d);
+  const Reach reach(at_, share * way.x.get_d(), share * way.y.get_d());
   std::optional<Hit> first;
-  for (std::size_t i = 0; i < obstacles_.size(); ++i) {
-    const PathObstacle& o = obstacles_[i];
-    if (std::max(x, x + byX) < o.lowX || std::min(x, x + byX) > o.highX) continue;
-    if (std::max(y, y + byY) < o.lowY || std::min(y, y + byY) > o.highY) continue;
+  for (const std::size_t i : course_->near(reach)) {
     const auto hit = hitOf(i, way);
     if (hit && (!first || hit->way < first->way)) first = hit;
   }
@@ -105,14 +121,20 @@ IdealPath::SideRef IdealPath::blockingSide(SideRef hit) const {
   return {hit.obstacle, ahead ? side(hit).after : side(hit).before};
 }
 
-// Whether the slide along one side leads into the other.
-bool IdealPath::leadsInto(SideRef slide, SideRef other) const {
-  const Way way = wayAlong(side(slide));
-  return side(other).inwards(way.x, way.y) > 0;
+// Whether the way along a side leads into an obstacle that the body touches.
+bool IdealPath::leadsInto(SideRef slide, std::size_t obstacle) const {
+  const auto hit = hitOf(obstacle, wayAlong(side(slide)));
+  return hit && hit->way.numerator == 0;
 }
 
-void IdealPath::addLeg(Kind kind, const Way& way, SideRef along, SideRef against) {
-  legs_.push_back({kind, now_, at_, {way.rate * way.x, way.rate * way.y}, along, against});
+void IdealPath::addLeg(Kind kind, const Way& way, SideRef along) {
+  legs_.push_back({kind, now_, at_, {way.rate * way.x, way.rate * way.y}, along, {}});
+}
+
+bool IdealPath::addRest(SideRef against) {
+  legs_.push_back({Kind::kRest, now_, at_, {}, *contact_, against});
+  if (stops_) stops_(legs_.back());
+  return false;
 }
 
 void IdealPath::advance(const Way& way, const Quotient& length) {
@@ -125,32 +147,33 @@ void IdealPath::advance(const Way& way, const Quotient& length) {
   shorten(at_);
 }
 
-void IdealPath::compute(std::int64_t ticks) {
-  std::optional<SideRef> contact;
-  SideRef last;
-  for (int turns = 0; now_ < ticks; ++turns) {
-    if (turns > kMaxTurns) throw std::runtime_error("the ideal path turns for ever at one place");
-    const Way way = contact ? wayAlong(side(*contact)) : freeWay();
-    if (way.x == 0 && way.y == 0) return addLeg(Kind::kRest, way, *contact, last);
-    const auto hit = firstHit(way);
-    const Quotient length = hit ? hit->way : way.length;
-    const bool moves = length.numerator != 0;
-    if (moves) {
-      addLeg(contact ? Kind::kSlide : Kind::kFree, way, contact.value_or(SideRef()), {});
-      advance(way, length);
-      turns = 0;
-    }
-    if (!hit) {
-      if (contact) contact.reset();
-      continue;
-    }
-    const SideRef blocking = blockingSide(hit->side);
-    if (contact && !moves && leadsInto(blocking, *contact)) {
-      return addLeg(Kind::kRest, {0, 0, 0, {0, 1}}, *contact, blocking);
-    }
-    last = contact.value_or(blocking);
-    contact = blocking;
+void IdealPath::compute() {
+  while (now_ < ticks_ && turn()) {
+    if (++turns_ > kMaxTurns) throw std::logic_error("the ideal path turns for ever at one place");
   }
+}
+
+// Moves to the next contact or to the end of the way, or only turns at a contact. Returns false if the path ends.
+bool IdealPath::turn() {
+  const Way way = contact_ ? wayAlong(side(*contact_)) : freeWay();
+  if (way.x == 0 && way.y == 0) return addRest(last_);
+  const auto hit = firstHit(way);
+  const bool moves = !hit || hit->way.numerator != 0;
+  if (moves) {
+    addLeg(contact_ ? Kind::kSlide : Kind::kFree, way, contact_.value_or(SideRef()));
+    if (stops_ && stops_(legs_.back())) return false;
+    advance(way, hit ? hit->way : way.length);
+    turns_ = 0;
+  }
+  if (!hit) {
+    contact_.reset();
+    return true;
+  }
+  const SideRef blocking = blockingSide(hit->side);
+  if (contact_ && !moves && leadsInto(blocking, contact_->obstacle)) return addRest(blocking);
+  last_ = contact_.value_or(blocking);
+  contact_ = blocking;
+  return true;
 }
 
 const IdealPath::Leg& IdealPath::legAt(const mpq_class& tick) const {

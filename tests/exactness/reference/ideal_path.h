@@ -4,9 +4,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
+#include "tests/exactness/reference/course.h"
 #include "tests/exactness/reference/exact_scene.h"
 #include "tests/exactness/reference/path_obstacle.h"
 
@@ -23,7 +26,8 @@ namespace platon::reference {
 /// kMaxTimeBits is rounded to a multiple of 2^-kTimeBits ticks, so with n legs and a speed of at most 2^21 subunits per
 /// tick a position is wrong by at most n * 2^21 * 2^-kTimeBits: below 2^-200 subunits for every n below 2^35.
 ///
-/// Shares no code with the simulation, and only the obstacles with ExactBody, which goes tick by tick.
+/// A path through a vertex of an obstacle enters the side parallel to the segment, like `Sweep`. Of several obstacles
+/// that are hit at the same time, the first in the scene counts. Shares no code with the simulation.
 class IdealPath {
  public:
   static constexpr std::size_t kMaxTimeBits = 512;
@@ -35,6 +39,8 @@ class IdealPath {
   struct SideRef {
     std::size_t obstacle = 0;
     std::size_t side = 0;
+
+    friend bool operator==(SideRef, SideRef) = default;
   };
 
   struct Leg {
@@ -42,17 +48,21 @@ class IdealPath {
     mpq_class begin;       ///< ticks; the leg ends where the next one begins
     Place start;           ///< subunits
     RationalVec velocity;  ///< subunits per tick
-    SideRef along;         ///< the side of a slide; of a rest, the last one
-    SideRef against;       ///< the side that a rest is pressed against, besides `along`
+    SideRef along = {};    ///< the side of a slide; of a rest, the last one
+    SideRef against = {};  ///< the side that a rest is pressed against, besides `along`
   };
 
-  /// Computes the path for `ticks` ticks. Every obstacle is larger by `grown` subunits on each side.
-  /// Throws std::runtime_error if the body starts inside an obstacle.
-  IdealPath(const ExactScene& scene, std::int64_t ticks, std::int64_t grown = 0);
+  /// Computes the path for `ticks` ticks. Throws std::runtime_error if the body starts inside an obstacle.
+  IdealPath(const ExactScene& scene, std::int64_t ticks);
+
+  /// The path of the same body from another place and time on, up to the same tick, or to the first leg for which
+  /// `stops` returns true.
+  IdealPath from(const Place& start, const mpq_class& begin, const std::function<bool(const Leg&)>& stops) const;
 
   const std::vector<Leg>& legs() const { return legs_; }
-  const std::vector<PathObstacle>& obstacles() const { return obstacles_; }
-  const PathObstacle::Side& side(SideRef ref) const { return obstacles_[ref.obstacle].sides[ref.side]; }
+  const PathObstacle::Side& side(SideRef ref) const { return (*course_)[ref.obstacle].sides[ref.side]; }
+  /// True if the body overlaps no segment at this place.
+  bool isFree(const Place& place) const;
 
   /// Position after `tick` ticks, at most those of the constructor.
   RationalVec positionAt(std::int64_t tick) const;
@@ -78,17 +88,25 @@ class IdealPath {
   std::optional<Hit> hitOf(std::size_t obstacle, const Way& way) const;
   std::optional<Hit> firstHit(const Way& way) const;
   SideRef blockingSide(SideRef hit) const;
-  bool leadsInto(SideRef slide, SideRef other) const;
-  void addLeg(Kind kind, const Way& way, SideRef along, SideRef against);
+  bool leadsInto(SideRef slide, std::size_t obstacle) const;
+  void addLeg(Kind kind, const Way& way, SideRef along);
+  bool addRest(SideRef against);
   void advance(const Way& way, const Quotient& length);
-  void compute(std::int64_t ticks);
+  void compute();
+  bool turn();
 
-  std::vector<PathObstacle> obstacles_;
+  std::shared_ptr<const Course> course_;
   mpz_class velocityX_;
   mpz_class velocityY_;
+  std::int64_t ticks_;
+  std::function<bool(const Leg&)> stops_;
   std::vector<Leg> legs_;
+  // The state of the computation.
   Place at_;
   mpq_class now_;
+  std::optional<SideRef> contact_;
+  SideRef last_;
+  int turns_ = 0;  // without a move
 };
 
 }  // namespace platon::reference

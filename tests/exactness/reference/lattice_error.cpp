@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "tests/exactness/reference/exact_body.h"
+#include "tests/exactness/reference/ideal_path.h"
 #include "tests/exactness/reference/simulated_body.h"
 #include "tests/support/files.h"
 
@@ -40,13 +40,12 @@ class LatticeBody {
 std::vector<LatticeError> latticeErrors(const std::string& name, const ExactScene& scene,
                                         std::span<const std::int64_t> resolutions,
                                         std::span<const std::int64_t> ticks) {
-  ExactBody ideal(scene);
+  const IdealPath ideal(scene, ticks.back());
   std::vector<LatticeBody> bodies;
   for (const std::int64_t resolution : resolutions) bodies.emplace_back(scene, resolution);
   std::vector<LatticeError> errors;
   for (std::int64_t tick = 1; tick <= ticks.back(); ++tick) {
-    ideal.tick();
-    for (LatticeBody& body : bodies) body.tick(ideal.position());
+    for (LatticeBody& body : bodies) body.tick(ideal.positionAt(tick));
     if (!std::binary_search(ticks.begin(), ticks.end(), tick)) continue;
     for (const LatticeBody& body : bodies) errors.push_back(body.report(name, tick));
   }

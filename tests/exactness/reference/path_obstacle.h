@@ -37,21 +37,20 @@ struct PathObstacle {
   /// A side: (x, y) . p < bound inside. The inside is to the left of the way from `start` to `end`.
   struct Side {
     mpz_class x, y, bound;
-    Place start, end;
+    oracle::Vec start, end;
     bool alongLine;             ///< parallel to the segment
     std::size_t before, after;  ///< indices of the adjacent sides
 
-    /// The direction from `start` to `end`: (-y, x).
+    /// The way of a displacement from `start` towards `end`, times the length of (x, y).
     mpz_class ahead(const mpz_class& vx, const mpz_class& vy) const { return x * vy - y * vx; }
+    /// The way of a displacement inwards, times the length of (x, y).
     mpz_class inwards(const mpz_class& vx, const mpz_class& vy) const { return -x * vx - y * vy; }
   };
 
-  /// Every side is moved outwards by `grown` subunits (inwards if negative), rounded away from zero by less than a
-  /// subunit divided by the length of its normal. Throws std::runtime_error if a side vanishes.
-  PathObstacle(const oracle::Polygon& shape, const oracle::Segment& line, std::int64_t grown);
+  PathObstacle(const oracle::Polygon& shape, const oracle::Segment& line);
 
   std::vector<Side> sides;
-  double lowX, lowY, highX, highY;  ///< a box around it, larger by at least half a subunit
+  oracle::Box box;
 };
 
 }  // namespace platon::reference
