@@ -66,11 +66,12 @@ TEST(IdealPathTest, MovesFreelyBeyondALedge) {
 }
 
 TEST(IdealPathTest, SlidesAroundAPoint) {
-  // The right side meets the point after a quarter of a tick, 1 above the bottom; the body slides down that side until
-  // the point is above it ... which it never is: it slides down freely beside the point.
-  const IdealPath path(box({{{2, 1}, {2, 1}}}, {0, 2}, {4, -4}), 2);
-  EXPECT_GT(path.positionAt(2).x, 0);
-  EXPECT_EQ(path.legs().back().kind, Kind::kFree);
+  // The bottom meets the point after half a tick. The left vertex passes it a quarter of a tick later.
+  const IdealPath path(box({{{2, 1}, {2, 1}}}, {0, 3}, {4, -4}), 2);
+  expectAt(path, 1, "4", "0");
+  expectAt(path, 2, "8", "-4");
+  ASSERT_EQ(path.legs().size(), 3u);
+  EXPECT_EQ(path.legs()[2].begin, mpq_class("3/4"));
 }
 
 TEST(IdealPathTest, RestsInAWedge) {
@@ -85,8 +86,7 @@ TEST(IdealPathTest, RestsInAWedge) {
   }
 }
 
-/// The box slides down to the vertex at which two segments meet, with a corner of the box in it, and on up the second.
-/// The end of the first segment, which the box touches at this moment, must not hold it.
+/// The box slides down one segment and up the next, also if both are hit at once and whichever comes first.
 TEST(IdealPathTest, PassesTheCornerOfTwoSegments) {
   for (const bool firstAtFirst : {false, true}) {
     std::vector<Segment> lines = {{{-20, 2}, {1, 0}}, {{1, 0}, {50, 7}}};

@@ -4,21 +4,19 @@
 
 #include "platon/physics/world.h"
 #include "tests/exactness/reference/exact_scene.h"
+#include "tests/exactness/reference/judged_body.h"
 #include "tests/exactness/reference/rational_vec.h"
 
 namespace platon::reference {
 
 /// The body of a scene in the simulation.
-class SimulatedBody {
+class SimulatedBody : public JudgedBody {
  public:
   explicit SimulatedBody(const ExactScene& scene);
 
-  void tick();
-
-  /// The lattice position.
-  RationalVec position() const;
-  /// The position and its remainder.
-  RationalVec precisePosition() const;
+  void tick() override;
+  RationalVec position() const override;
+  RationalVec precisePosition() const override;
   /// Number of legs so far.
   std::int64_t legs() const { return legs_; }
 

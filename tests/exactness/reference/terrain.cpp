@@ -55,8 +55,8 @@ const std::array<Kind, 4>& kinds() {
   static const std::array<Kind, 4> all = {{
       {"octagon",
        {{383, -924}, {924, -383}, {924, 383}, {383, 924}, {-383, 924}, {-924, 383}, {-924, -383}, {-383, -924}},
-       90},
-      {"hexagon", {{1000, 0}, {500, 866}, {-500, 866}, {-1000, 0}, {-500, -866}, {500, -866}}, 50},
+       75},
+      {"hexagon", {{1000, 0}, {500, 866}, {-500, 866}, {-1000, 0}, {-500, -866}, {500, -866}}, 40},
       {"box", {{-707, -707}, {707, -707}, {707, 707}, {-707, 707}}, 0},
       {"triangle", {{0, 1000}, {-866, -500}, {866, -500}}, 0},
   }};
@@ -68,6 +68,16 @@ class TerrainMaker {
   TerrainMaker(std::uint64_t seed, std::int64_t ticks) : random_(seed), ticks_(ticks) {}
 
   Terrain make() {
+    do {
+      build();
+    } while (!startIsFree());
+    return {kind_->name, std::move(scene_)};
+  }
+
+ private:
+  void build() {
+    scene_ = {};
+    leaves_ = {};
     chooseKind();
     makeShape();
     makeVelocity();
@@ -77,17 +87,22 @@ class TerrainMaker {
     while (product(leaves_, scene_.velocity) < goal) addRun();
     if (walled) addWall();
     shuffle(scene_.lines);
-    return {kind_->name, std::move(scene_)};
   }
 
- private:
+  // Also of a body that is a little larger.
+  bool startIsFree() const {
+    const auto area = oracle::OpenArea::placed(scene_.shape, scene_.start).inset(-8);
+    return std::none_of(scene_.lines.begin(), scene_.lines.end(),
+                        [&](const oracle::Segment& line) { return area.intersects(line); });
+  }
+
   void shuffle(std::vector<oracle::Segment>& lines) {
     for (std::size_t i = lines.size(); i > 1; --i) std::swap(lines[i - 1], lines[random_.below(i)]);
   }
 
   void chooseKind() {
-    const std::size_t choice = random_.below(6);
-    kind_ = &kinds()[choice < 3 ? 0 : choice - 2];
+    constexpr std::array<std::size_t, 10> choices = {0, 0, 0, 0, 0, 0, 1, 1, 2, 3};
+    kind_ = &kinds()[choices[random_.below(choices.size())]];
   }
 
   void makeShape() {
@@ -133,19 +148,20 @@ class TerrainMaker {
            kind_->percentOverEnds * (product(v, along) / 100);
   }
 
-  // Where the next segment starts: at a loose joint, up to 2 subunits beside the end of the last one. An end at which
-  // the body would stop does not protrude.
+  // Where the next segment starts: at a loose joint, up to 2 subunits beside the end of the last one. Joints at which
+  // an end can stop the body are seldom loose, and the longer the chain, the fewer.
   Vec jointAt(Vec end, Vec along, Vec next) {
-    if (random_.oneIn(2)) return end;
-    const Vec miss = random_.vector(kLoose);
-    const bool protrudes = product(miss, side_ * left(along)) > 0;
-    return protrudes && !(isGentle(along) && isGentle(next)) && !random_.oneIn(400) ? end - miss : end + miss;
+    const bool harmless = isGentle(along) && isGentle(next);
+    const bool loose = random_.oneIn(harmless ? 2 : 60 + ticks_ / 100);
+    return loose ? end + random_.vector(kLoose) : end;
   }
 
   void addRun() {
     const Vec v = scene_.velocity;
-    side_ = random_.oneIn(3) ? -1 : 1;
-    const std::int64_t flight = random_.between(kUnit, random_.oneIn(4) ? 30 * kUnit : 6 * kUnit);
+    const std::int64_t last = std::exchange(side_, random_.oneIn(3) ? -1 : 1);
+    // A body that is turned to the other side must have passed the end of the last run, or it would be stuck there.
+    const std::int64_t shortest = side_ == last ? kUnit : extentOf(scene_.shape, v);
+    const std::int64_t flight = shortest + random_.between(0, random_.oneIn(4) ? 24 * kUnit : 4 * kUnit);
     Vec along = withLength(slope(), length());
     const Vec meets = leaves_ + withLength(v, flight) + supportOf(scene_.shape, -side_ * left(along));
     Vec from = meets - withLength(along, random_.between(1, flight));
@@ -158,20 +174,20 @@ class TerrainMaker {
       along = next;
       addLine(from, to);
     }
+    if (random_.oneIn(30)) addOverhang(from, to);
     lastEnd_ = to;
     leaves_ = to - supportOf(scene_.shape, -side_ * left(v));
   }
 
   void addLine(Vec from, Vec to) {
     scene_.lines.push_back(random_.oneIn(2) ? oracle::Segment{from, to} : oracle::Segment{to, from});
-    if (random_.oneIn(8) && isGentle(to - from)) addPoint(from, to);
-    if (random_.oneIn(8)) addOverhang(from, to);
+    if (random_.oneIn(12) && isGentle(to - from)) addPoint(from, to);
   }
 
   // A point that lies on a slope or slightly above it.
   void addPoint(Vec from, Vec to) {
     const Vec on = from + withLength(to - from, random_.between(1, extentOf({from, to}, to - from)));
-    const Vec point = on + withLength(side_ * left(to - from), random_.between(0, random_.oneIn(2) ? 20 : 1000));
+    const Vec point = on + withLength(side_ * left(to - from), random_.between(0, random_.oneIn(2) ? 20 : 300));
     scene_.lines.push_back({point, point});
   }
 

@@ -7,13 +7,38 @@
 
 namespace platon::reference {
 
-Verdict judge(const ExactScene& scene, std::int64_t ticks) {
-  const IdealPath ideal(scene, ticks);
-  Verdict verdict{ticks, ideal.legs().size(), ideal.touchesBetween(ticks - kContactTicks, ticks)};
-  if (ideal.legs().back().kind == IdealPath::Kind::kRest) verdict.restsAt = ideal.legs().back().begin.get_d();
+namespace {
+
+std::int64_t judgedTicks(const Tie& tie, std::int64_t ticks) {
+  switch (tie.kind) {
+    case Tie::Kind::kNone:
+      return ticks;
+    case Tie::Kind::kJoint:
+      return static_cast<std::int64_t>(tie.tick);
+    default:
+      return 0;
+  }
+}
+
+Verdict verdictOfIdeal(const ExactScene& scene, const IdealPath& ideal, std::int64_t ticks) {
+  Verdict verdict;
+  verdict.ticks = ticks;
+  verdict.idealLegs = ideal.legs().size();
+  verdict.inContact = ideal.touchesBetween(ticks - kContactTicks, ticks);
+  const IdealPath::Leg& last = ideal.legs().back();
+  if (last.kind == IdealPath::Kind::kRest) verdict.restsAt = last.begin.get_d();
   if (!verdict.inContact) return verdict;
-  SimulatedBody body(scene);
-  for (std::int64_t tick = 1; tick <= ticks; ++tick) {
+  verdict.tie = findTie(scene, ideal, ticks);
+  verdict.judgedTicks = judgedTicks(verdict.tie, ticks);
+  return verdict;
+}
+
+}  // namespace
+
+Verdict judge(const ExactScene& scene, std::int64_t ticks, JudgedBody& body) {
+  const IdealPath ideal(scene, ticks);
+  Verdict verdict = verdictOfIdeal(scene, ideal, ticks);
+  for (std::int64_t tick = 1; tick <= verdict.judgedTicks; ++tick) {
     body.tick();
     const RationalVec correct = ideal.positionAt(tick);
     const double lattice = distance(body.position(), correct);
@@ -22,6 +47,11 @@ Verdict judge(const ExactScene& scene, std::int64_t ticks) {
     if (lattice > kMaxLatticeError && verdict.firstAbove == 0) verdict.firstAbove = tick;
   }
   return verdict;
+}
+
+Verdict judge(const ExactScene& scene, std::int64_t ticks) {
+  SimulatedBody body(scene);
+  return judge(scene, ticks, body);
 }
 
 }  // namespace platon::reference

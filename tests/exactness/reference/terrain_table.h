@@ -8,7 +8,8 @@
 
 namespace platon::reference {
 
-/// Judges random terrains with ascending seeds and sums up.
+/// Judges random terrains and sums up. A scene counts if the ideal body is in contact at its end and has no tie at a
+/// loose joint.
 class TerrainTable {
  public:
   struct Row {
@@ -19,20 +20,27 @@ class TerrainTable {
   /// Prints one line per scene to `rows`, unless it is null.
   TerrainTable(std::int64_t ticks, std::FILE* rows);
 
-  /// Judges terrains from `firstSeed` on until `count` of them count.
+  /// Judges the terrains with ascending seeds until `count` of them count.
   void run(std::uint64_t firstSeed, std::int64_t count);
   /// Judges one terrain.
   void add(std::uint64_t seed);
+  /// Adds the verdict on a scene.
+  void add(const Row& row);
 
   void printSummary(std::FILE* out) const;
-  /// True if every scene that counts holds.
+  /// Seeds of all scenes in which the body is above kMaxLatticeError, those with a tie at a loose joint included.
+  std::vector<std::uint64_t> above() const;
+  std::int64_t counted() const;
+  std::int64_t ties() const { return number(Tie::Kind::kDivided); }
+  /// True if no scene is above kMaxLatticeError, and at most 1 % of the scenes that count, or one, have a tie.
   bool holds() const;
-  const std::vector<Row>& rows() const { return counted_; }
 
  private:
+  std::int64_t number(Tie::Kind kind) const;
+
   std::int64_t ticks_;
   std::FILE* out_;
-  std::vector<Row> counted_;
+  std::vector<Row> rows_;  // in contact at their end
   std::int64_t withoutContact_ = 0;
 };
 

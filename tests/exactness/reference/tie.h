@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+
+#include "tests/exactness/reference/exact_scene.h"
+#include "tests/exactness/reference/ideal_path.h"
+
+namespace platon::reference {
+
+/// A scene has a tie if the ideal path depends on less than the lattice can resolve: if a change of kTieSubunits leads
+/// the ideal body elsewhere. Only ideal paths are compared, never the simulated body. These changes are tried:
+///
+/// 1. The body is larger, or smaller, by at least kTieSubunits on each side, so that every gap between two segments is
+///    narrower or wider by twice as much. It is a tie when the two bodies are more than kSeparation apart. (Without a
+///    tie they stay closer: each is a little late or early at every corner.)
+/// 2. Every free flight is moved to each side by kTieSubunits, where the body is free. It is a tie when the body moved
+///    does not come back to the path: to a slide along the same edge or to the same rest. So the body meets the vertex
+///    of an obstacle whose sides lead it in different directions, or passes an obstacle that would stop it.
+/// 3. A body at rest is moved by kLift in each of 16 directions in which it is free. It is a tie when it then goes on
+/// and
+///    does not come back to within kSeparation of the rest. So a body rests only where it is held firmly. It is also a
+///    tie when no lattice point within kTieSubunits of the rest is free, because the wedge is too narrow.
+///
+/// Loose joints. The ideal path takes segments as they are. A body slides over an end that protrudes if the velocity
+/// leads it over that end; a body that is stopped there rests for ever, which I3 forbids to the simulation. Such a rest
+/// is a tie of the third kind between two segments with ends that miss each other by at most kLooseEnds along both
+/// axes. It is named kJoint and counted apart from the others.
+struct Tie {
+  enum class Kind { kNone, kDivided, kJoint };
+
+  Kind kind = Kind::kNone;
+  double tick = 0;  ///< tick at which the tie shows
+};
+
+inline constexpr std::int64_t kTieSubunits = 2;
+/// Larger than the distance of two ends that miss each other by 2 along both axes.
+inline constexpr std::int64_t kLift = 3;
+/// Up to this many ticks; in proportion after that.
+inline constexpr double kSeparation = 256;
+inline constexpr double kSeparationTicks = 1200;
+inline constexpr std::int64_t kLooseEnds = 2;
+
+/// The earliest tie of a scene, which must start at least kTieSubunits from every segment. `ideal` is its path for
+/// `ticks` ticks.
+Tie findTie(const ExactScene& scene, const IdealPath& ideal, std::int64_t ticks);
+
+}  // namespace platon::reference

@@ -1,0 +1,103 @@
+#include "tests/exactness/reference/tie.h"
+
+#include <gtest/gtest.h>
+
+#include <utility>
+#include <vector>
+
+namespace platon::reference {
+namespace {
+
+using oracle::Segment;
+using oracle::Vec;
+using Kind = Tie::Kind;
+
+constexpr std::int64_t kTicks = 300;
+
+Tie tieOf(const ExactScene& scene) { return findTie(scene, IdealPath(scene, kTicks), kTicks); }
+
+/// A diamond that falls onto a point `beside` its lower vertex, high above a floor.
+ExactScene diamond(std::int64_t beside) {
+  return {{{0, -1000}, {1000, 0}, {0, 1000}, {-1000, 0}},
+          {{{beside, -5000}, {beside, -5000}}, {{-90000, -60000}, {90000, -60000}}},
+          {0, 0},
+          {0, -400}};
+}
+
+/// A box 2000 wide and high among segments.
+ExactScene box(std::vector<Segment> lines, Vec velocity) {
+  return {{{-1000, 0}, {1000, 0}, {1000, 2000}, {-1000, 2000}}, std::move(lines), {0, 1000}, velocity};
+}
+
+TEST(TieTest, AVertexThatDividesThePathIsATie) {
+  EXPECT_EQ(tieOf(diamond(0)).kind, Kind::kDivided);
+  EXPECT_EQ(tieOf(diamond(1)).kind, Kind::kDivided);
+  EXPECT_EQ(tieOf(diamond(-1)).kind, Kind::kDivided);
+}
+
+TEST(TieTest, AVertexFartherThanTwoSubunitsIsNoTie) {
+  EXPECT_EQ(tieOf(diamond(4)).kind, Kind::kNone);
+  EXPECT_EQ(tieOf(diamond(-4)).kind, Kind::kNone);
+}
+
+TEST(TieTest, AVertexThatIsPassedByLessThanTwoSubunitsIsATie) {
+  EXPECT_EQ(tieOf(diamond(1001)).kind, Kind::kNone);  // slides along its corner and back to its own path
+  const auto ledge = [](std::int64_t x) {
+    return box({{{x, -5000}, {9000, -5000}}, {{-90000, -60000}, {90000, -60000}}}, {0, -400});
+  };
+  EXPECT_EQ(tieOf(ledge(1001)).kind, Kind::kDivided);  // passes
+  EXPECT_EQ(tieOf(ledge(999)).kind, Kind::kDivided);   // rests on it
+  EXPECT_EQ(tieOf(ledge(1010)).kind, Kind::kNone);
+  EXPECT_EQ(tieOf(ledge(990)).kind, Kind::kNone);
+}
+
+TEST(TieTest, AnOverhangIsATieIfTheBodyOnlyJustPassesBelowIt) {
+  const auto passage = [](std::int64_t height) {
+    return box({{{-9000, 0}, {900000, 0}}, {{9000, height}, {20000, height}}}, {300, -100});
+  };
+  EXPECT_EQ(tieOf(passage(2001)).kind, Kind::kDivided);
+  EXPECT_EQ(tieOf(passage(1999)).kind, Kind::kDivided);
+  EXPECT_EQ(tieOf(passage(2010)).kind, Kind::kNone);
+  EXPECT_EQ(tieOf(passage(1990)).kind, Kind::kNone);  // stops there
+}
+
+TEST(TieTest, ARestAtAnEndThatProtrudesIsATieAtAJoint) {
+  const auto floor = [](std::int64_t protrusion) {
+    return box({{{-9000, 0}, {9000, 0}}, {{9001, protrusion}, {90000, 0}}}, {300, -300});
+  };
+  const Tie tie = tieOf(floor(1));
+  EXPECT_EQ(tie.kind, Kind::kJoint);
+  EXPECT_NEAR(tie.tick, 8001 / 300.0, 1e-9);  // the front of the box is at the end
+  EXPECT_EQ(tieOf(floor(2)).kind, Kind::kJoint);
+  EXPECT_EQ(tieOf(floor(0)).kind, Kind::kNone);
+  EXPECT_EQ(tieOf(floor(5)).kind, Kind::kNone);  // a step that stops it for good
+}
+
+TEST(TieTest, AnEndThatTheBodySlidesOverIsNoTie) {
+  ExactScene scene = box({{{-9000, 0}, {9000, 0}}, {{9001, 2}, {90000, 0}}}, {300, -100});
+  scene.shape = {{-1000, 1000}, {-500, 0}, {500, 0}, {1000, 1000}, {0, 2000}};
+  EXPECT_EQ(tieOf(scene).kind, Kind::kNone);
+}
+
+TEST(TieTest, AFirmRestIsNoTie) {
+  EXPECT_EQ(tieOf(box({{{-9000, 0}, {9000, 0}}, {{8000, -10}, {8000, 9000}}}, {300, -100})).kind, Kind::kNone);
+  EXPECT_EQ(tieOf(box({{{-9000, 0}, {9000, 0}}}, {0, -100})).kind, Kind::kNone);
+}
+
+/// The middle of a wedge of 2 degrees is free only far above its tip.
+TEST(TieTest, ARestFarFromEveryFreeLatticePointIsATie) {
+  ExactScene scene = {{{0, 0}, {10, 2000}, {-10, 2000}}, {}, {0, 30000}, {0, -400}};
+  scene.lines = {{{0, 0}, {1000, 50001}}, {{1, 0}, {-1000, 50001}}};
+  EXPECT_EQ(tieOf(scene).kind, Kind::kDivided);
+}
+
+TEST(TieTest, ASlideOverManyCornersIsNoTie) {
+  std::vector<Segment> lines;
+  for (std::int64_t x = -9000, i = 0; x < 90000; x += 3000, ++i) {
+    lines.push_back({{x, i % 2 * 300}, {x + 3000, (i + 1) % 2 * 300}});
+  }
+  EXPECT_EQ(tieOf(box(lines, {200, -100})).kind, Kind::kNone);
+}
+
+}  // namespace
+}  // namespace platon::reference
