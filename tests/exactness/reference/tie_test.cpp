@@ -5,6 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "tests/exactness/reference/simulated_body.h"
+#include "tests/exactness/reference/terrain.h"
+
 namespace platon::reference {
 namespace {
 
@@ -97,6 +100,27 @@ TEST(TieTest, ASlideOverManyCornersIsNoTie) {
     lines.push_back({{x, i % 2 * 300}, {x + 3000, (i + 1) % 2 * 300}});
   }
   EXPECT_EQ(tieOf(box(lines, {200, -100})).kind, Kind::kNone);
+}
+
+/// What a tie excludes: that a body a little beside its ideal path ends elsewhere.
+TEST(TieTest, WithoutATieNoMoveByTwoSubunitsLeadsElsewhere) {
+  int paths = 0;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const ExactScene scene = randomTerrain(seed, kTicks).scene;
+    const IdealPath ideal(scene, kTicks);
+    if (findTie(scene, ideal, kTicks).kind != Kind::kNone) continue;
+    const RationalVec end = ideal.positionAt(kTicks);
+    for (const IdealPath::Leg& leg : ideal.legs()) {
+      for (const Vec by : {Vec{2, 0}, Vec{-2, 0}, Vec{0, 2}, Vec{0, -2}}) {
+        const Place beside = {leg.start.x + by.x * leg.start.d, leg.start.y + by.y * leg.start.d, leg.start.d};
+        if (!ideal.isFree(beside)) continue;
+        const RationalVec other = ideal.from(beside, leg.begin, {}).positionAt(kTicks);
+        EXPECT_LE(distance(end, other), kSeparation) << "seed " << seed << ", tick " << leg.begin.get_d();
+        ++paths;
+      }
+    }
+  }
+  EXPECT_GT(paths, 300);
 }
 
 }  // namespace
