@@ -101,7 +101,7 @@ class TerrainMaker {
   }
 
   void chooseKind() {
-    constexpr std::array<std::size_t, 10> choices = {0, 0, 0, 0, 0, 0, 1, 1, 2, 3};
+    constexpr std::array<std::size_t, 20> choices = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 3};
     kind_ = &kinds()[choices[random_.below(choices.size())]];
   }
 
@@ -174,7 +174,7 @@ class TerrainMaker {
       along = next;
       addLine(from, to);
     }
-    if (random_.oneIn(30)) addOverhang(from, to);
+    if (random_.oneIn(60)) addOverhang(from, to);
     lastEnd_ = to;
     leaves_ = to - supportOf(scene_.shape, -side_ * left(v));
   }
