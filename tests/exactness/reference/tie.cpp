@@ -71,6 +71,15 @@ std::optional<double> separation(const IdealPath& ideal, const IdealPath& grown,
   return std::nullopt;
 }
 
+bool isNear(oracle::Vec a, oracle::Vec b, std::int64_t unit) {
+  return std::abs(a.x - b.x) <= kLooseEnds * unit && std::abs(a.y - b.y) <= kLooseEnds * unit;
+}
+
+/// Whether two of the ends are at most kLooseEnds apart along both axes.
+bool meetLoosely(const oracle::Segment& a, const oracle::Segment& b, std::int64_t unit) {
+  return isNear(a.a, b.a, unit) || isNear(a.a, b.b, unit) || isNear(a.b, b.a, unit) || isNear(a.b, b.b, unit);
+}
+
 /// Whether a body at rest goes on after a lift.
 class Rest {
  public:
@@ -108,9 +117,7 @@ class Rest {
   bool isAtJoint() const {
     const Leg& rest = path_.legs().back();
     if (rest.kind != Kind::kRest || rest.along.obstacle == rest.against.obstacle) return false;
-    const oracle::Segment& a = scene_.lines[rest.along.obstacle];
-    const oracle::Segment& b = scene_.lines[rest.against.obstacle];
-    return isNear(a.a, b.a) || isNear(a.a, b.b) || isNear(a.b, b.a) || isNear(a.b, b.b);
+    return meetLoosely(scene_.lines[rest.along.obstacle], scene_.lines[rest.against.obstacle], unit_);
   }
 
  private:
@@ -121,10 +128,6 @@ class Rest {
     const IdealPath onwards = path_.from(lifted, rest.begin, {});
     return distance(onwards.positionAt(ticks_), rest.start.rational()) >
            allowedSeparation(ticks_) * static_cast<double>(unit_);
-  }
-
-  bool isNear(oracle::Vec a, oracle::Vec b) const {
-    return std::abs(a.x - b.x) <= kLooseEnds * unit_ && std::abs(a.y - b.y) <= kLooseEnds * unit_;
   }
 
   const ExactScene& scene_;
@@ -141,6 +144,7 @@ class TieFinder {
 
   Tie earliest() {
     addRest();
+    addSlowSlides();
     for (std::size_t i = 0; i < legs_.size(); ++i) {
       const bool begins = i == 0 || legs_[i - 1].kind != Kind::kFree;
       if (legs_[i].kind != Kind::kFree || !begins) continue;
@@ -167,6 +171,23 @@ class TieFinder {
     const Rest rest(scene_, ideal_, ticks_, 1);
     if (rest.isNarrow()) add(false, legs_.back().begin.get_d());
     if (rest.isLoose()) add(rest.isAtJoint(), legs_.back().begin.get_d());
+  }
+
+  void addSlowSlides() {
+    const double speed = lengthOf({mpq_class(scene_.velocity.x), mpq_class(scene_.velocity.y)});
+    for (const Leg& leg : legs_) {
+      if (leg.kind != Kind::kSlide || ideal_.side(leg.along).alongLine) continue;
+      if (lengthOf(leg.velocity) < kSlow * speed && isLooseEnd(leg.along.obstacle)) add(true, leg.begin.get_d());
+    }
+  }
+
+  static double lengthOf(const RationalVec& v) { return distance(v, {0, 0}); }
+
+  bool isLooseEnd(std::size_t line) const {
+    for (std::size_t other = 0; other < scene_.lines.size(); ++other) {
+      if (other != line && meetLoosely(scene_.lines[line], scene_.lines[other], 1)) return true;
+    }
+    return false;
   }
 
   void addGrown(std::int64_t by) {

@@ -24,7 +24,8 @@ namespace platon::reference {
 /// Loose joints. The ideal path takes segments as they are. A body slides over an end that protrudes if the velocity
 /// leads it over that end; a body that is stopped there rests for ever, which I3 forbids to the simulation. Such a rest
 /// is a tie of the third kind between two segments with ends that miss each other by at most kLooseEnds along both
-/// axes. It is named kJoint and counted apart from the others.
+/// axes. So is a slide on such an end at less than kSlow of the speed, which is as good as a stop. Both are named
+/// kJoint and counted apart from the others.
 struct Tie {
   enum class Kind { kNone, kDivided, kJoint };
 
@@ -33,8 +34,10 @@ struct Tie {
 };
 
 inline constexpr std::int64_t kTieSubunits = 2;
-/// Larger than the distance of two ends that miss each other by 2 along both axes.
-inline constexpr std::int64_t kLift = 3;
+/// Enough to pass two ends that are each off by 2 along both axes.
+inline constexpr std::int64_t kLift = 6;
+/// Smallest share of its speed that the ideal body keeps on an end at a loose joint.
+inline constexpr double kSlow = 1.0 / 32;
 /// Up to this many ticks; in proportion after that.
 inline constexpr double kSeparation = 256;
 inline constexpr double kSeparationTicks = 1200;

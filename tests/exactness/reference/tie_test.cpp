@@ -73,7 +73,14 @@ TEST(TieTest, ARestAtAnEndThatProtrudesIsATieAtAJoint) {
   EXPECT_NEAR(tie.tick, 8001 / 300.0, 1e-9);  // the front of the box is at the end
   EXPECT_EQ(tieOf(floor(2)).kind, Kind::kJoint);
   EXPECT_EQ(tieOf(floor(0)).kind, Kind::kNone);
-  EXPECT_EQ(tieOf(floor(5)).kind, Kind::kNone);  // a step that stops it for good
+  EXPECT_EQ(tieOf(floor(9)).kind, Kind::kNone);  // a step that stops it for good
+}
+
+/// The flank of the body is almost perpendicular to the velocity, so it slides over the end at 1/300 of the speed.
+TEST(TieTest, ASlideOverAnEndThatAlmostStopsTheBodyIsATieAtAJoint) {
+  ExactScene scene = box({{{-9000, 0}, {9000, 0}}, {{9001, 2}, {90000, 0}}}, {300, -100});
+  scene.shape = {{-1000, 1000}, {-500, 0}, {500, 0}, {837, 1000}, {0, 2000}};
+  EXPECT_EQ(tieOf(scene).kind, Kind::kJoint);
 }
 
 TEST(TieTest, AnEndThatTheBodySlidesOverIsNoTie) {
