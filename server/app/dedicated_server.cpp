@@ -181,7 +181,7 @@ bool DedicatedServer::refusesBanned(const HostEvent& event, TimePoint now) {
   const Ban* const ban = banOf(event.address);
   if (!ban) return false;
   ++bannedClients_;
-  logBanned(event.address);
+  logBanned(event.address, *ban);
   sendLast(event.client, encode(Refused{RefusalCode::kOther, refusalOf(*ban)}), now);
   return true;
 }
@@ -192,7 +192,9 @@ void DedicatedServer::refuseBanned(const BanList& bans) {
     const Ban* const ban = banOf(address);
     return ban ? std::optional(refusalOf(*ban)) : std::nullopt;
   };
-  host_.gate().setBanCheck(check, [this](const IpAddress& address) { logBanned(address); });
+  host_.gate().setBanCheck(check, [this](const IpAddress& address) {
+    if (const Ban* const ban = banOf(address)) logBanned(address, *ban);
+  });
 }
 
 // The ban that the address is under; null if there is none.
@@ -202,10 +204,9 @@ const Ban* DedicatedServer::banOf(const IpAddress& address) const {
 }
 
 // Call only for an address that has been shown to be the client's: a forged one must not displace others in the log.
-void DedicatedServer::logBanned(const IpAddress& address) {
-  const Ban* const ban = banOf(address);
-  if (!ban || !banNotices_.take(address.household(), receivedAt_)) return;
-  log_.info("refused banned address", {{"address", address.text()}, {"ban", ban->range.text()}});
+void DedicatedServer::logBanned(const IpAddress& address, const Ban& ban) {
+  if (!banNotices_.take(address.household(), receivedAt_)) return;
+  log_.info("refused banned address", {{"address", address.text()}, {"ban", ban.range.text()}});
 }
 
 void DedicatedServer::send(TimePoint now) {

@@ -86,7 +86,7 @@ class DedicatedServer {
   void sendLast(ClientId client, std::span<const std::uint8_t> message, TimePoint now);
   bool refusesBanned(const HostEvent& event, TimePoint now);
   const Ban* banOf(const IpAddress& address) const;
-  void logBanned(const IpAddress& address);
+  void logBanned(const IpAddress& address, const Ban& ban);
   void send(TimePoint now);
   void writeRecordings();
   void finishRecordings();
