@@ -2,16 +2,17 @@
 
 #include <cmath>
 #include <span>
-#include <utility>
-#include <vector>
 
 #include "platon/exact/precise_point.h"
 #include "platon/physics/entity.h"
 #include "platon/physics/map_part.h"
 #include "platon/physics/step_observer.h"
+#include "tests/exactness/step_check/conversions.h"
 
 namespace platon::reference {
 namespace {
+
+using step_check::toPoint;
 
 class LegCounter : public StepObserver {
  public:
@@ -19,21 +20,13 @@ class LegCounter : public StepObserver {
   std::int64_t legs = -1;  // the observer is also called at the start of the step
 };
 
-Point toPoint(oracle::Vec v) { return {static_cast<std::int32_t>(v.x), static_cast<std::int32_t>(v.y)}; }
-
-Convex toConvex(const oracle::Polygon& polygon) {
-  std::vector<Point> points;
-  for (const oracle::Vec v : polygon) points.push_back(toPoint(v));
-  return Convex(std::move(points));
-}
-
 }  // namespace
 
 SimulatedBody::SimulatedBody(const ExactScene& scene) : velocity_(toPoint(scene.velocity)) {
   MapPart part(world_, 0);
   for (const oracle::Segment& line : scene.lines) part.line(toPoint(line.a), toPoint(line.b));
   part.initialize();
-  Entity entity(world_, toConvex(scene.shape));
+  Entity entity(world_, Convex(step_check::toPoints(scene.shape)));
   part.insert(entity, toPoint(scene.start), Angle());
 }
 

@@ -3,12 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <functional>
 #include <stdexcept>
 #include <string>
 
 #include "platon/physics/world.h"
 #include "tests/shared/physics/maps.h"
+#include "tests/shared/physics/refusal.h"
 #include "tests/shared/physics/shapes.h"
 
 namespace platon {
@@ -159,15 +159,6 @@ TEST(EntityTest, AdditionsInTheHeadingAreExact) {
     ASSERT_EQ(entity.state().velocity, Point(317, -1697)) << frame;
     ASSERT_EQ(entity.heading(), Angle(frame));
   }
-}
-
-std::string refusal(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& reason) {
-    return reason.what();
-  }
-  return "";
 }
 
 TEST(EntityTest, RefusesValuesOutOfRange) {

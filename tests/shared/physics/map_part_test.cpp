@@ -2,28 +2,18 @@
 
 #include <gtest/gtest.h>
 
-#include <functional>
-#include <stdexcept>
 #include <string>
 
 #include "platon/exact/integer.h"
 #include "platon/physics/entity.h"
 #include "platon/physics/world.h"
+#include "tests/shared/physics/refusal.h"
 #include "tests/shared/physics/shapes.h"
 
 namespace platon {
 namespace {
 
 constexpr std::int32_t kMax = kCoordinateLimit - 1;
-
-std::string refusal(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& reason) {
-    return reason.what();
-  }
-  return "";
-}
 
 TEST(MapPartTest, RunsTheExampleOfTheReport) {
   World world;

@@ -9,6 +9,7 @@
 #include "platon/physics/map_part.h"
 #include "platon/physics/world.h"
 #include "tests/shared/physics/maps.h"
+#include "tests/shared/physics/refusal.h"
 #include "tests/shared/physics/shapes.h"
 
 namespace platon {
@@ -111,13 +112,7 @@ TEST(WorldValueTest, RefusesEntitiesThatDoNotExist) {
   World world = twoStrips();
   Entity entity(world, square(5));
   const auto refuses = [](const std::function<void()>& call) {
-    try {
-      call();
-    } catch (const std::invalid_argument& reason) {
-      EXPECT_STREQ(reason.what(), "entity 1 does not exist: the world has 1 entities, counted from 0");
-      return true;
-    }
-    return false;
+    return refusal(call) == "entity 1 does not exist: the world has 1 entities, counted from 0";
   };
   const World before = world;
   EXPECT_TRUE(refuses([&] { world.instancesOf(1); }));
