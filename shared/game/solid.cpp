@@ -114,7 +114,7 @@ PrecisePoint edgeMiddle(SolidKind kind, std::int32_t faceSize, int edge) {
   // Radius of the inscribed circle of a face with edge 1, 1 / (2 tan(180° / edges)), times 2^62; by edges from 3.
   constexpr std::int64_t inradius[] = {1331279082078542925, 2305843009213693952, 3173720629326573981};
   const int edges = PlatonicSolid::of(kind).edgesPerFace();
-  const int128 length = int128{faceSize} * kSubunitsPerUnit * PrecisePoint::kOne;  // < 2^43
+  const int128 length = int128{faceSize} * kSubunitsPerUnit * PrecisePoint::kOne;  // < 2^53
   const auto radius = static_cast<std::int64_t>((length * inradius[edges - 3]) >> 62);
   const Rotation turn = rotationOf(Angle(Angle::kTurn / edges * edge));
   constexpr int128 one = int128{1} << Rotation::kFractionBits;

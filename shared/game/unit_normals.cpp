@@ -3,7 +3,7 @@
 #include "platon/exact/integer.h"
 #include "platon/game/player.h"
 #include "shared/exact/square_root.h"
-#include "shared/physics/slide.h"
+#include "shared/physics/turned_normal.h"
 
 namespace platon {
 

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "shared/physics/ideal_geometry.h"
+#include "shared/physics/tolerances.h"
+
 namespace platon {
 
 SegmentRef segmentRef(const MapGeometry& part, std::uint32_t segment) {
@@ -42,25 +45,37 @@ bool Collider::blocksOrRecord(const Placement& placement, std::uint32_t segment)
   return false;
 }
 
-std::optional<LegHit> Collider::first(const Instances& instances, Point from, Point to, const LegHit* ignored) {
+std::optional<LegHit> Collider::first(const Instances& instances, Point from, Point to) {
   std::optional<LegHit> best;
-  for (std::size_t i = 0; i < instances.all().size(); ++i) {
-    first(instances, i, from, to, best, ignored != nullptr && i == ignored->placement ? ignored->segment : kNoSegment);
-  }
+  for (std::size_t i = 0; i < instances.all().size(); ++i) first(instances, i, from, to, best);
   return best;
 }
 
-void Collider::first(const Instances& instances, std::size_t index, Point from, Point to, std::optional<LegHit>& best,
-                     std::uint32_t ignored) {
+void Collider::first(const Instances& instances, std::size_t index, Point from, Point to, std::optional<LegHit>& best) {
   if (isFinal(best)) return;
   const Placement& placement = instances.all()[index];
   Region& region = start(placement, *placement.shape, instances.at(index, from), placement.at(to));
   for (std::size_t entry = 0; entry < checkedEntries(region) && !isFinal(best); ++entry) {
     const std::uint32_t segment = region.segments()[entry];
-    if (segment == ignored) continue;
     const auto interval = clip(placement, region, entry);
     if (!interval || !blocksOrRecord(placement, segment) || (best && interval->enter >= best->hit.time)) continue;
-    best = LegHit{index, segment, region.hitOf(sweep_, entry, *interval)};
+    best = LegHit{index, segment, region.hitOf(entry, *interval)};
+  }
+}
+
+void Collider::firstIdeal(const Instances& instances, std::size_t index, Point from, Point to, PrecisePoint idealFrom,
+                          PrecisePoint displacement, std::optional<LegHit>& best, std::uint32_t ignored) {
+  const Placement& placement = instances.all()[index];
+  const Point start = instances.at(index, from);
+  sweep_.start(*placement.shape, start, placement.at(to) - start, Tolerances::kNear);
+  Region& region = regionOf(placement);
+  region.cover(*placement.part, sweep_.bounds().grown(kRegionMargin), *work_);
+  for (std::size_t entry = 0; entry < checkedEntries(region); ++entry) {
+    const std::uint32_t segment = region.segments()[entry];
+    if (segment == ignored || !clip(placement, region, entry)) continue;
+    const auto interval = region.clipIdeal(sweep_, entry, idealFrom, displacement);
+    if (!interval || (best && interval->enter >= best->hit.time) || !blocks(*placement.part, segment)) continue;
+    best = LegHit{index, segment, region.hitOf(entry, *interval), region.halfPlaneOf(entry, interval->entered)};
   }
 }
 
@@ -85,7 +100,7 @@ std::optional<LegHit> Collider::firstWarp(const Instances& instances, const Path
       }
       const auto interval = clip(placement, region, entry);
       if (!interval || (earliest && interval->enter >= earliest->hit.time) || blocks(part, segment)) continue;
-      best = LegHit{i, segment, region.hitOf(sweep_, entry, *interval)};
+      best = LegHit{i, segment, region.hitOf(entry, *interval)};
       earliest = &*best;
     }
   }
@@ -140,7 +155,7 @@ std::optional<Hit> Collider::hit(const Placement& placement, const Path& path, s
   if (!entry) return std::nullopt;
   Region& region = regionOf(placement);
   const auto interval = clip(placement, region, *entry);
-  return interval ? std::optional(region.hitOf(sweep_, *entry, *interval)) : std::nullopt;
+  return interval ? std::optional(region.hitOf(*entry, *interval)) : std::nullopt;
 }
 
 // Starts sweep_ along the path and returns the entry of the segment. Nothing when the path misses the bounding box of

@@ -14,9 +14,10 @@ namespace platon {
 
 /// The segment that stops a leg, or a warp segment that a leg reaches.
 struct LegHit {
-  std::size_t placement = 0;  ///< index of the placement that hits the segment
-  std::uint32_t segment = 0;  ///< index into the segments of the placement's part
-  Hit hit;                    ///< times are fractions of the leg
+  std::size_t placement = 0;   ///< index of the placement that hits the segment
+  std::uint32_t segment = 0;   ///< index into the segments of the placement's part
+  Hit hit;                     ///< times are fractions of the leg
+  Obstacle::HalfPlane edge{};  ///< the edge of the obstacle that the ideal path enters; its normal is hit.normal
 };
 
 /// Exact collision queries for all instances of one entity. The rules decide which segments block.
@@ -54,12 +55,14 @@ class Collider {
   void begin(Rules& rules, Entity entity, std::vector<Region>& regions, Region::Work& work);
 
   /// The earliest hit of any instance on a blocking segment when the home instance moves straight from `from` to `to`.
-  /// At equal times, the first placement and the lowest segment index win. Records pierceable segments on the path. The
-  /// segment of `ignored` is skipped.
-  std::optional<LegHit> first(const Instances& instances, Point from, Point to, const LegHit* ignored = nullptr);
-  /// As above for placement `index` only and without segment `ignored`. Replaces `best` by an earlier hit.
-  void first(const Instances& instances, std::size_t index, Point from, Point to, std::optional<LegHit>& best,
-             std::uint32_t ignored = kNoSegment);
+  /// At equal times, the first placement and the lowest segment index win. Records pierceable segments on the path.
+  std::optional<LegHit> first(const Instances& instances, Point from, Point to);
+  /// As above for placement `index` only. Replaces `best` by an earlier hit.
+  void first(const Instances& instances, std::size_t index, Point from, Point to, std::optional<LegHit>& best);
+  /// Where the ideal path of placement `index` first enters the obstacle of a blocking segment. The lattice path of the
+  /// home instance from `from` to `to` must be near it. Replaces `best` by an earlier hit. Skips segment `ignored`.
+  void firstIdeal(const Instances& instances, std::size_t index, Point from, Point to, PrecisePoint idealFrom,
+                  PrecisePoint displacement, std::optional<LegHit>& best, std::uint32_t ignored = kNoSegment);
   /// The earliest hit, before `limit`, of any instance on a pierceable warp segment that has no instance behind it and
   /// is not in `refused`. Must follow a call of `first` for the same path, whose regions it searches. Requires
   /// path.margin <= kRegionMargin.

@@ -1,23 +1,12 @@
 #include "shared/physics/entity_step.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <utility>
 
 #include "platon/exact/integer.h"
-#include "shared/physics/slide.h"
+#include "shared/physics/turned_normal.h"
 
 namespace platon {
-namespace {
-
-// An instance is dropped only at this distance from its warp segment, in subunits. Larger than the margin of insertion,
-// so that instances are not dropped and inserted alternately.
-constexpr std::int32_t kDropMargin = 8;
-
-Point halved(Point displacement) { return {displacement.x / 2, displacement.y / 2}; }
-
-}  // namespace
-
 void EntityStep::begin(Entity entity, EntityState& state, std::span<const InstanceState> further,
                        const Context& context) {
   entity_.emplace(entity);
@@ -26,52 +15,47 @@ void EntityStep::begin(Entity entity, EntityState& state, std::span<const Instan
   observer_ = context.observer;
   instances_.load(context.geometry, context.shapes, context.base, state, further);
   collider_.begin(context.rules, entity, context.regions, context.work);
-  tickDisplacement_ = remaining_ = Point();
-  remainder_ = {state.remainder.x, state.remainder.y};
-  unobstructed_ = true;
-  stop_.reset();
-  previousStop_.reset();
-  lastSlide_.reset();
+  tick_ = rest_ = PrecisePoint();
+  ideal_ = precise(state.position) + PrecisePoint{state.remainder.x, state.remainder.y};
+  contact_.reset();
+  idleLegs_ = 0;
+  moves_ = 0;
   planAfterNudge_.reset();
   contacts_.clear();
   observe();
 }
 
-// tickDisplacement_ does not change during slides: a segment removes only the component towards it, and only while it
-// touches.
+// tick_ does not change during slides: a segment removes only the component towards it, and only while it touches.
 void EntityStep::translate(Point velocity, Angle heading) {
-  startTranslation(velocity, heading);
-  for (int legs = 0; legs < kMaxLegs; ++legs) {
-    const LegPlan plan = planLeg();
-    if (legs != 0 && plan.uncut == Point()) break;
-    const Leg leg = prepareLeg(clampToRange(position() + plan.displacement));
-    const bool moves = leg.target != position();
-    executeLeg(leg, plan);
-    rehome();
-    if (remaining_ == Point() || !moves) break;
+  if (!rules_->ignoresWarps()) {  // records what is overlapped
+    isFree();
+    callPierced(position());
   }
-  if (stop_ && instances_.dropUnreached(kDropMargin, collider_)) observe();
+  tick_ = rest_ = rotatePrecise(velocity, rotationOf(heading));
+  if (velocity == Point()) {  // a rotation may have brought the shape to other edges
+    prepareLeg({}, false);
+    rehome();
+    return;
+  }
+  for (int legs = 0; legs < kMaxLegs && moves_ <= kMaxLegs - kMovesOfLeg && rest_ != PrecisePoint(); ++legs) {
+    const LegPlan plan = planLeg();
+    if (plan.displacement == PrecisePoint()) break;
+    executeLeg(prepareLeg(plan.displacement, plan.slides && contact_), plan);
+    rehome();
+  }
+  if (contact_ && instances_.dropUnreached(Tolerances::kDrop, collider_)) observe();
   storeRemainder();
 }
 
-// Without velocity, a remainder does not move the entity (I4).
-void EntityStep::startTranslation(Point velocity, Angle heading) {
-  if (velocity == Point()) return;
-  const PrecisePoint exact = rotatePrecise(velocity, rotationOf(heading)) + remainder_;
-  tickDisplacement_ = remaining_ = rounded(exact);
-  remainder_ = exact - precise(remaining_);
-}
-
-// Discards the remainder after a contact.
 void EntityStep::storeRemainder() {
-  const bool isKept = unobstructed_ && remaining_ == Point() &&
-                      std::max(std::abs(remainder_.x), std::abs(remainder_.y)) <= kRemainderLimit;
+  const PrecisePoint remainder = ideal_ - precise(position());
+  const bool isKept = maxNorm(remainder) <= kRemainderLimit;
   state_->remainder =
-      isKept ? Point(static_cast<std::int32_t>(remainder_.x), static_cast<std::int32_t>(remainder_.y)) : Point();
+      isKept ? Point(static_cast<std::int32_t>(remainder.x), static_cast<std::int32_t>(remainder.y)) : Point();
 }
 
 bool EntityStep::insertReachedInstances() {
-  const Leg leg = prepareLeg(position());
+  const Leg leg = prepareLeg({}, false);
   rehome();
   return leg.end == End::kReached && refusedWarps_.empty();
 }
@@ -82,14 +66,15 @@ void EntityStep::finish(std::vector<InstanceState>& further) {
 }
 
 // Instances are inserted before the leg, while their shape is still outside the part and therefore free.
-EntityStep::Leg EntityStep::prepareLeg(Point target) {
+EntityStep::Leg EntityStep::prepareLeg(PrecisePoint displacement, bool slides) {
   refusedWarps_.clear();
   const std::size_t before = instances_.all().size();
-  Leg leg{target, End::kReached, collider_.first(instances_, position(), target)};
-  if (leg.hit) leg.end = End::kStopped;
+  Leg leg{displacement, slides, {}, {1, 1}, End::kReached, {}};
+  clampToRange(leg);
+  findHit(leg);
   while (leg.end == End::kReached || leg.end == End::kStopped) {
     const auto warpHit =
-        collider_.firstWarp(instances_, {position(), leg.target, kInsertMargin}, leg.hit, refusedWarps_);
+        collider_.firstWarp(instances_, {position(), leg.target, Tolerances::kInsert}, leg.hit, refusedWarps_);
     if (!warpHit) break;
     insertInstanceBehind(leg, *warpHit);
   }
@@ -97,27 +82,58 @@ EntityStep::Leg EntityStep::prepareLeg(Point target) {
   return leg;
 }
 
+void EntityStep::findHit(Leg& leg) {
+  leg.hit.reset();
+  for (std::size_t i = 0; i < instances_.all().size(); ++i) findHit(leg, i);
+  leg.end = leg.hit ? End::kStopped : End::kReached;
+}
+
+void EntityStep::findHit(Leg& leg, std::size_t index) {
+  const PrecisePoint displacement =
+      index == 0 ? leg.displacement : rotated(leg.displacement, instances_.all()[index].fromHome);
+  const bool slidesHere = leg.slides && contact_->placement == index;
+  collider_.firstIdeal(instances_, index, position(), leg.target, instances_.idealOf(index, ideal_), displacement,
+                       leg.hit, slidesHere ? contact_->segment : Collider::kNoSegment);
+}
+
+// Shortens the displacement until all instances stay within the coordinate limit. Returns whether it was too long.
+bool EntityStep::clampToRange(Leg& leg) const {
+  bool clamped = false;
+  for (;; clamped = true) {
+    leg.target = roundedAt(ideal_ + leg.displacement);
+    if (leg.target == position() || allInRange(leg.target)) return clamped;
+    leg.displacement = {leg.displacement.x / 2, leg.displacement.y / 2};
+    leg.share.denominator *= 2;
+  }
+}
+
 void EntityStep::insertInstanceBehind(Leg& leg, const LegHit& warpHit) {
   const auto warp =
       static_cast<std::uint16_t>(instances_.all()[warpHit.placement].part->warpOfSegment(warpHit.segment));
   if (instances_.isAtInstanceLimit(warpHit.placement)) {
-    leg.end = End::kFull;
-    leg.hit = warpHit;
+    stopAtWarp(leg, warpHit, End::kFull);
   } else if (instances_.insert(warpHit.placement, warp, collider_)) {
-    const Point target = clampToRange(leg.target);
-    if (target == leg.target) {
-      collider_.first(instances_, instances_.all().size() - 1, position(), target, leg.hit);
-    } else {  // the new instance reaches the coordinate limit earlier
-      leg.target = target;
-      leg.hit = collider_.first(instances_, position(), target);
+    if (clampToRange(leg)) {  // the new instance reaches the coordinate limit earlier
+      findHit(leg);
+    } else {
+      findHit(leg, instances_.all().size() - 1);
+      leg.end = leg.hit ? End::kStopped : End::kReached;
     }
-    leg.end = leg.hit ? End::kStopped : End::kReached;
   } else if (movesAwayFromWarp(warpHit, leg.target)) {
     refusedWarps_.push_back({warpHit.placement, warp});
   } else {
-    leg.end = End::kRefused;
-    leg.hit = warpHit;
+    stopAtWarp(leg, warpHit, End::kRefused);
   }
+}
+
+// The ideal place stops where the lattice position would.
+void EntityStep::stopAtWarp(Leg& leg, const LegHit& warpHit, End end) {
+  leg.end = end;
+  leg.hit = warpHit;
+  const Point normal = normalOf(warpHit);
+  const PrecisePoint place = instances_.idealOf(warpHit.placement, ideal_ + scaled(leg.displacement, warpHit.hit.time));
+  const int128 along = distanceTo({normal, 0}, place);
+  leg.hit->edge = {normal, -static_cast<std::int64_t>(divideRounded(along, int128{PrecisePoint::kOne}))};
 }
 
 // Whether the leg leads away from the warp segment or along it. It then does not need the instance behind the warp.
@@ -125,12 +141,6 @@ bool EntityStep::movesAwayFromWarp(const LegHit& warpHit, Point target) const {
   const Placement& placement = instances_.all()[warpHit.placement];
   const Segment& segment = placement.part->segments[warpHit.segment];
   return dot(perpendicular(segment.b - segment.a), placement.at(target) - placement.position) >= 0;
-}
-
-// Shortens a displacement until all instances stay within the coordinate limit.
-Point EntityStep::clampToRange(Point target) const {
-  while (target != position() && !allInRange(target)) target = position() + halved(target - position());
-  return target;
 }
 
 bool EntityStep::allInRange(Point home) const {
@@ -151,59 +161,57 @@ bool EntityStep::isFarFromLimit(Point home) const {
 }
 
 // Moves to the end of the leg and reports the segment that stopped it.
-void EntityStep::executeLeg(const Leg& leg, const LegPlan& plan) {
-  if (leg.end == End::kReached) {
-    const Point end = stop_ ? stopBeforeReversal(leg.target) : leg.target;
-    const bool stays = end == position();
-    moveAlong(plan, end);
-    if (stays) remaining_ = Point();
+void EntityStep::executeLeg(Leg leg, const LegPlan& plan) {
+  const PrecisePoint end = endOf(leg, plan);
+  const PrecisePoint rest = restAfter(leg, plan);
+  const bool progresses = maxNorm(end - ideal_) > Tolerances::kNoProgress;
+  const bool isStopped = leg.hit && leg.end != End::kFull;
+  if (isStopped) turnCorner(*leg.hit, end);
+  if (isStopped && !progresses && contact_ && isWedged(*leg.hit)) return stopInWedge(*leg.hit, rest);
+  if (isStopped && isBlockedByEnd(*leg.hit, end, rest) &&
+      passEnd(*leg.hit, homeNormalOf(contact_ ? *contact_ : *leg.hit), end, rest))
     return;
-  }
-  const Point displacement = leg.target - position();
-  const Point reached = position() + scaleTruncated(displacement, leg.hit->hit.time);
-  if (leg.end == End::kStopped && tryPassEnd(leg, plan, reached)) return;
-  const Point end = contactPosition(*leg.hit, displacement);
-  if (leg.end == End::kStopped && stop_ && isWedge(*leg.hit, end)) {
-    stopInWedge(*leg.hit, plan);
-    return;
-  }
-  moveAlong(plan, end);
-  if (leg.end == End::kFull) return;
-  unobstructed_ = false;
-  callContact(*leg.hit);
-  previousStop_ = std::exchange(stop_, leg.hit);
-}
-
-void EntityStep::moveAlong(const LegPlan& plan, Point end) {
   const Point start = position();
-  moveTo(end);
+  const bool isNear = maxNorm(end - precise(start)) <= Tolerances::kContactGap * PrecisePoint::kOne;
+  rest_ = rest;
+  contact_.reset();
+  if (progresses) idleLegs_ = 0;
+  if ((!progresses && isNear) || follow(end, leg)) {
+    if (progresses || plan.cut) ideal_ = end;
+    if (isStopped) contact_ = leg.hit;
+  } else if (!fallBack(end)) {
+    rest_ = PrecisePoint();
+  }
   callPierced(start);
-  remaining_ = remainingAfter(plan, end - start);
+  if (isStopped) callContact(*leg.hit);
 }
 
-Point EntityStep::remainingAfter(const LegPlan& plan, Point moved) const {
-  return remaining_ - (plan.slides ? scaleTruncated(remaining_, fractionCovered(moved, plan.uncut)) : moved);
+// Between the present contact and `hit`, unless an end of one of them can be passed.
+void EntityStep::stopInWedge(const LegHit& hit, PrecisePoint rest) {
+  const LegHit contact = *contact_;
+  if (passEnd(hit, homeNormalOf(contact), ideal_, rest) || passEnd(contact, homeNormalOf(hit), ideal_, rest) ||
+      passEnd(hit, homeNormalOf(hit), ideal_, rest) || passEnd(contact, homeNormalOf(contact), ideal_, rest))
+    return;
+  callContact(hit);
+  rest_ = PrecisePoint();
 }
 
-// The lattice point at which a hit stops the home instance. The truncated contact point can be inside the obstacle by
-// up to a subunit, so it is only a candidate, as are the points one and two steps along the dominant axis of the
-// normal, which are outside the entered edge. When none is free, shorter moves are tried, and finally no move.
-Point EntityStep::contactPosition(const LegHit& hit, Point displacement) {
-  const Point outwards = dominantStep(homeNormalOf(hit));
-  Point move = scaleTruncated(displacement, hit.hit.time);
-  while (move != Point()) {
-    if (const auto free = firstFree(position() + move, outwards, displacement)) return *free;
-    move = halved(move);
-  }
-  return position();
+PrecisePoint EntityStep::endOf(const Leg& leg, const LegPlan& plan) const {
+  PrecisePoint end = ideal_ + (leg.hit ? scaled(leg.displacement, leg.hit->hit.time) : leg.displacement);
+  if (plan.slides && contact_) end = onto(*contact_, end);
+  return leg.hit ? onto(*leg.hit, end) : end;
 }
 
-std::optional<Point> EntityStep::firstFree(Point candidate, Point outwards, Point displacement) {
-  for (int steps = 0; steps <= 2; ++steps, candidate += outwards) {
-    if (dot(candidate - position(), displacement) <= 0) continue;
-    if (allInRange(candidate) && collider_.isFree(instances_, position(), candidate)) return candidate;
-  }
-  return std::nullopt;
+// The home place `place`, moved so that the ideal place of the instance that hit the edge is not inside of it.
+PrecisePoint EntityStep::onto(const LegHit& hit, PrecisePoint place) const {
+  const PrecisePoint there = instances_.idealOf(hit.placement, place);
+  const PrecisePoint correction = putOnto(hit.edge, there) - there;
+  return correction == PrecisePoint() ? place : place + rotated(correction, instances_.all()[hit.placement].toHome);
+}
+
+PrecisePoint EntityStep::restAfter(const Leg& leg, const LegPlan& plan) const {
+  const Fraction time = leg.hit ? leg.hit->hit.time : Fraction{1, 1};
+  return rest_ - scaled(scaled(scaled(rest_, plan.share), leg.share), time);
 }
 
 // The normal of a hit. For a warp segment that the shape with margin overlaps already: the direction into its part.
@@ -223,36 +231,34 @@ Point EntityStep::homeNormalOf(const LegHit& hit) const {
 void EntityStep::rehome() {
   while (instances_.needsRehome()) {
     if (instances_.correctDrift(collider_)) observe();
-    const auto turn = instances_.rehome(remainder_);
+    PrecisePoint remainder = ideal_ - precise(position());
+    const auto turn = instances_.rehome(remainder);
     if (!turn) break;
+    ideal_ = precise(position()) + remainder;
     rotateFrame(*turn);
     instances_.storeHome(*state_);
     state_->heading = state_->heading + *turn;
     observe();
   }
-  if (!stop_ && instances_.dropUnreached(kDropMargin, collider_)) observe();
+  if (!contact_ && instances_.dropUnreached(Tolerances::kDrop, collider_)) observe();
 }
 
 void EntityStep::rotateFrame(Angle turn) {
   const Rotation rotation = rotationOf(turn);
-  const PrecisePoint remaining = rotatePrecise(remaining_, rotation) + remainder_;
-  remaining_ = remaining_ == Point() ? Point() : rounded(remaining);
-  remainder_ = remaining - precise(remaining_);
-  tickDisplacement_ = rotate(tickDisplacement_, rotation);
-  if (planAfterNudge_)
-    planAfterNudge_ = LegPlan{rotate(planAfterNudge_->displacement, rotation), rotate(planAfterNudge_->uncut, rotation),
-                              planAfterNudge_->slides};
-  stop_.reset();  // the indices of the placements have changed
-  previousStop_.reset();
-  lastSlide_.reset();
+  rest_ = rotated(rest_, rotation);
+  tick_ = rotated(tick_, rotation);
+  if (planAfterNudge_) {
+    planAfterNudge_->displacement = rotated(planAfterNudge_->displacement, rotation);
+    planAfterNudge_->uncut = planAfterNudge_->displacement;
+  }
+  contact_.reset();  // the indices of the placements have changed
 }
 
 void EntityStep::moveTo(Point position) {
   if (position == this->position()) return;
+  ++moves_;
   instances_.moveHomeTo(position);
   state_->position = position;
-  stop_.reset();
-  previousStop_.reset();
   observe();
 }
 

@@ -9,9 +9,10 @@
 #include "platon/physics/rules.h"
 #include "platon/physics/step_observer.h"
 #include "shared/physics/collider.h"
+#include "shared/physics/ideal_geometry.h"
 #include "shared/physics/instances.h"
 #include "shared/physics/shape_cache.h"
-#include "shared/physics/slide.h"
+#include "shared/physics/tolerances.h"
 
 namespace platon {
 
@@ -22,11 +23,13 @@ namespace platon {
 /// Each entity has its own EntityStep, which keeps buffers and instances between ticks.
 class EntityStep {
  public:
-  /// I2: limit of legs in a step. The remaining displacement is discarded.
+  /// I2: limit of legs in a step, and of moves of the position. The remaining displacement is discarded.
   static constexpr int kMaxLegs = 64;
-  /// I3: a segment end that protrudes by at most this many subunits does not stop an entity. Two ends at one joint,
-  /// each off by up to 2 subunits along both axes, are up to 5.7 subunits apart.
-  static constexpr std::int32_t kNudge = 6;
+  /// Limit of moves in a leg: a detour has two.
+  static constexpr int kMovesOfLeg = 2;
+  static constexpr std::int32_t kNudge = Tolerances::kNudge;
+  /// Limit of successive slides without progress: more edges than meet at a place in any sensible map.
+  static constexpr int kMaxIdleLegs = 8;
 
   /// What a step works with. All references must stay valid until `finish`.
   struct Context {
@@ -56,29 +59,27 @@ class EntityStep {
   std::span<const Contact> contacts() const { return contacts_; }
 
  private:
-  // An entity within this distance of a segment, in subunits, counts as touching it: the lattice may have no nearer
-  // point.
-  static constexpr std::int32_t kContactGap = 2;
-  // An instance is inserted when the shape with this margin, in subunits, reaches the warp segment: before the shape
-  // enters the part.
-  static constexpr std::int32_t kInsertMargin = 4;
-
   enum class End : std::uint8_t {
     kReached,
     kStopped,  // hit a blocking segment
     kRefused,  // an instance that the leg needs cannot be placed
     kFull,     // the limit of instances is reached
   };
+  // The displacement of the next leg, of the ideal place.
+  struct LegPlan {
+    PrecisePoint displacement;  // ends with the edge that the leg slides along
+    PrecisePoint uncut;         // the same if that edge were infinite
+    Fraction share{1, 1};       // of the remaining displacement, that it uses
+    bool slides = false;        // along contact_
+    bool cut = false;           // it ends with the edge
+  };
   struct Leg {
-    Point target;
+    PrecisePoint displacement;
+    bool slides = false;   // along contact_, whose obstacle it cannot enter
+    Point target;          // of the lattice position, if nothing is hit
+    Fraction share{1, 1};  // of the planned displacement: less if that leads out of the coordinates
     End end = End::kReached;
     std::optional<LegHit> hit;  // the blocking segment or warp segment that ends it
-  };
-  // The displacement of the next leg.
-  struct LegPlan {
-    Point displacement;   // ends with the segment that the leg slides along
-    Point uncut;          // the same if that segment were infinite
-    bool slides = false;  // whether the leg slides along a segment
   };
   struct Event {
     Fraction time;
@@ -87,43 +88,50 @@ class EntityStep {
     std::uint32_t segment;
   };
 
-  void startTranslation(Point velocity, Angle heading);
   void storeRemainder();
-  Leg prepareLeg(Point target);
+  Leg prepareLeg(PrecisePoint displacement, bool slides);
+  void findHit(Leg& leg);
+  void findHit(Leg& leg, std::size_t placement);
+  bool clampToRange(Leg& leg) const;
   void insertInstanceBehind(Leg& leg, const LegHit& warpHit);
+  void stopAtWarp(Leg& leg, const LegHit& warpHit, End end);
   bool movesAwayFromWarp(const LegHit& warpHit, Point target) const;
-  Point clampToRange(Point target) const;
   bool allInRange(Point home) const;
   bool isFarFromLimit(Point home) const;
-  void executeLeg(const Leg& leg, const LegPlan& plan);
-  void moveAlong(const LegPlan& plan, Point end);
-  Point remainingAfter(const LegPlan& plan, Point moved) const;
-  Point contactPosition(const LegHit& hit, Point displacement);
-  std::optional<Point> firstFree(Point candidate, Point outwards, Point displacement);
+  void executeLeg(Leg leg, const LegPlan& plan);
+  void stopInWedge(const LegHit& hit, PrecisePoint rest);
+  PrecisePoint endOf(const Leg& leg, const LegPlan& plan) const;
+  PrecisePoint onto(const LegHit& hit, PrecisePoint place) const;
+  PrecisePoint restAfter(const Leg& leg, const LegPlan& plan) const;
   Point normalOf(const LegHit& hit) const;
   Point homeNormalOf(const LegHit& hit) const;
   void rehome();
   void rotateFrame(Angle turn);
 
+  // entity_step_follow.cpp
+  bool follow(PrecisePoint end, const Leg& leg);
+  std::optional<Point> nearestReachable(PrecisePoint end, const Leg& leg);
+  bool isReachable(Point place);
+  bool isBetter(Point offset, Point other, const Leg& leg) const;
+  bool mayStandAt(Point place, const Leg& leg) const;
+  bool followByDetour(PrecisePoint end, const Leg& leg, std::optional<Point> straight);
+  bool fallBack(PrecisePoint end);
+
   // entity_step_slide.cpp
   LegPlan planLeg();
-  bool segmentExtendsBeyondSlide(const LegHit& stop, bool back) const;
-  SlideLimits slideLimits(const LegHit& stop, bool back) const;
-  Point keepOutside(const LegHit& stop, Point slide) const;
-  Point slideDirection(const LegHit& hit) const;
-  bool leadsBack(const LegHit& hit) const;
-  bool isWedge(const LegHit& next, Point end) const;
-  void stopInWedge(const LegHit& next, const LegPlan& plan);
-  Point stopBeforeReversal(Point target);
-  bool isReversedAt(Point end);
-  static bool exceedsContactGap(Point normal, Point displacement);
-  static bool isSameSegment(const LegHit& a, const std::optional<LegHit>& b);
+  IdealSlide slideFrom(const LegHit& hit, PrecisePoint place, PrecisePoint rest) const;
+  LegPlan planSlide(const LegHit& hit) const;
+  bool restsOn(Point normal, const Placement& placement) const;
+  bool isWedged(const LegHit& hit);
+  bool leadsInto(PrecisePoint displacement, const LegHit& contact) const;
+  void turnCorner(LegHit& hit, PrecisePoint place) const;
+  static bool isSameEdge(const LegHit& a, const LegHit& b);
 
   // entity_step_ends.cpp
-  bool tryPassEnd(const Leg& leg, const LegPlan& plan, Point reached);
-  std::optional<LegHit> groundBehind(const LegHit& end, Point target, Point reached);
-  bool passEndAlong(const LegHit& end, const LegHit& ground, const LegPlan& plan, Point reached);
-  bool nudgePast(const LegHit& end, const LegPlan& onwards, Point reached, Point remaining);
+  bool isBlockedByEnd(const LegHit& hit, PrecisePoint place, PrecisePoint rest) const;
+  int128 squaredSlide(const LegHit& hit) const;
+  bool touchesEnd(LegHit& hit, PrecisePoint place) const;
+  bool passEnd(LegHit end, Point normal, PrecisePoint from, PrecisePoint rest);
   std::optional<Point> nudge(const LegHit& hit, Point target, Point reached);
   bool grazes(const LegHit& hit, Point target, Point reached) const;
   bool continuesPast(const LegHit& end, Point from, Point to);
@@ -132,6 +140,7 @@ class EntityStep {
   Point awayFromEnd(const LegHit& end) const;
 
   void moveTo(Point position);
+  Point roundedAt(PrecisePoint place) const { return position() + rounded(place - precise(position())); }
   Point position() const { return instances_.home().position; }
   void observe();
 
@@ -154,17 +163,16 @@ class EntityStep {
   EntityState* state_ = nullptr;
   Rules* rules_ = nullptr;
   StepObserver* observer_ = nullptr;
-  Point tickDisplacement_;    // displacement of the whole tick, in the frame of the current home part
-  Point remaining_;           // displacement still to be used
-  PrecisePoint remainder_;    // exact position minus lattice position, including the rounding of remaining_
-  bool unobstructed_ = true;  // whether nothing was hit in this step
+  PrecisePoint tick_;   // displacement of the whole tick, in the frame of the current home part
+  PrecisePoint rest_;   // displacement still to be used; parallel to tick_
+  PrecisePoint ideal_;  // the ideal place of the home instance
   Instances instances_;
   Collider collider_;
   std::vector<Collider::WarpRef> refusedWarps_;   // warps of this leg behind which no instance can be placed
   std::optional<LegPlan> planAfterNudge_;         // the next leg, after a nudge
-  std::optional<LegHit> lastSlide_;               // the segment of the last slide
-  std::optional<LegHit> previousStop_;            // the stop before stop_ at the same position
-  std::optional<LegHit> stop_;                    // the segment that stopped the entity at its current position
+  int idleLegs_ = 0;                              // successive slides without progress
+  int moves_ = 0;                                 // of the position, since `begin`
+  std::optional<LegHit> contact_;                 // the edge that the ideal place is on and was stopped by
   std::vector<Collider::Pierced> piercedBefore_;  // before and after one part of a rotation
   std::vector<Collider::Pierced> piercedAfter_;
   std::vector<Contact> contacts_;

@@ -1,17 +1,22 @@
 // Passing segment ends that protrude slightly (I3).
 #include <algorithm>
+#include <cstdlib>
 #include <span>
 
 #include "platon/exact/integer.h"
 #include "shared/exact/lattice.h"
 #include "shared/physics/entity_step.h"
-#include "shared/physics/slide.h"
+#include "shared/physics/turned_normal.h"
 
 namespace platon {
 namespace {
 
 // Offsets of a nudge, nearest first. The first one is (0, 0) and is not used.
 constexpr auto kNudgeOffsets = latticeDisc<EntityStep::kNudge>();
+
+int128 squared(PrecisePoint vector) {
+  return int128{vector.x >> 8} * (vector.x >> 8) + int128{vector.y >> 8} * (vector.y >> 8);
+}
 
 // Whether the shape is too small for nudges: it could be nudged back and forth between the two sides of an end.
 bool isTiny(const Convex& shape) {
@@ -21,50 +26,57 @@ bool isTiny(const Convex& shape) {
 
 }  // namespace
 
-bool EntityStep::tryPassEnd(const Leg& leg, const LegPlan& plan, Point reached) {
-  if (leg.hit->hit.side != Hit::Side::kSegmentEnd) return false;
-  const Point moved = reached - position();
-  const Point onwards = plan.slides ? plan.uncut - moved : leg.target - reached;
-  if (nudgePast(*leg.hit, {onwards, onwards, plan.slides}, reached, remainingAfter(plan, moved))) return true;
-  const auto ground = groundBehind(*leg.hit, leg.target, reached);
-  return ground && passEndAlong(*leg.hit, *ground, plan, reached);
+// Whether an end stops the ideal place, or leaves it less than 1/32 of its speed. Otherwise it slides along the end, as
+// it does if the end is past in 1/32 of the remaining time.
+bool EntityStep::isBlockedByEnd(const LegHit& hit, PrecisePoint place, PrecisePoint rest) const {
+  if (hit.hit.side != Hit::Side::kSegmentEnd) return false;
+  const int128 before = contact_ ? squaredSlide(*contact_) : squared(rest_);
+  if (1024 * squaredSlide(hit) >= before) return false;
+  const IdealSlide slide = slideFrom(hit, place, rest);
+  return !slide.cut || slide.share > Fraction{1, 32};
 }
 
-// The hit that follows within kContactGap when the segment whose end was hit is ignored.
-std::optional<LegHit> EntityStep::groundBehind(const LegHit& end, Point target, Point reached) {
-  const Point displacement = target - position();
-  const Point beyond = reached + displacement;
-  if (!allInRange(beyond)) return std::nullopt;
-  const auto ground = collider_.first(instances_, reached, beyond, &end);
-  if (!ground || ground->hit.side == Hit::Side::kInside) return std::nullopt;
-  return exceedsContactGap(homeNormalOf(*ground), scaleTruncated(displacement, ground->hit.time)) ? std::nullopt
-                                                                                                  : ground;
+// Of the remaining displacement along the edge of `hit`, in 2^-32 of the units of PrecisePoint.
+int128 EntityStep::squaredSlide(const LegHit& hit) const {
+  const ObstacleEdge endless{{homeNormalOf(hit), 0}, INT64_MIN / 4, INT64_MAX / 4};
+  return squared(slideOn(endless, {}, rest_).uncut);
 }
 
-// Passes a segment end that protrudes from another segment (the ground), on which the entity slides. The direction is
-// that of the ground, because the remaining displacement may point more steeply towards it.
-bool EntityStep::passEndAlong(const LegHit& end, const LegHit& ground, const LegPlan& plan, Point reached) {
-  if (end.hit.side != Hit::Side::kSegmentEnd) return false;
-  const Point remaining = remainingAfter(plan, reached - position());
-  const Point along = slideAlong(remaining, homeNormalOf(ground));
-  if (along == Point() || dot(along, homeNormalOf(end)) >= 0 || !allInRange(reached + along)) return false;
-  if (!nudgePast(end, {along, along, true}, reached, remaining)) return false;
-  callContact(ground);
+// Whether the body touches an end of the segment, perhaps with a vertex.
+bool EntityStep::touchesEnd(LegHit& hit, PrecisePoint place) const {
+  if (hit.hit.side == Hit::Side::kSegmentEnd) return true;
+  const Placement& placement = instances_.all()[hit.placement];
+  const Segment& segment = placement.part->segments[hit.segment];
+  const Point tangent = perpendicular(hit.edge.normal);
+  const ObstacleEdge edge = edgeOf(*placement.shape, segment, hit.edge);
+  const PrecisePoint there = instances_.idealOf(hit.placement, place);
+  const int128 near = int128{Tolerances::kNoProgress} * (std::abs(tangent.x) + std::abs(tangent.y));
+  const bool isHigh = distanceTo({tangent, -edge.high}, there) >= -near;
+  if (!isHigh && distanceTo({tangent, -edge.low}, there) > near) return false;
+  hit.hit.side = Hit::Side::kSegmentEnd;
+  hit.hit.feature = (dot(tangent, segment.b - segment.a) > 0) == isHigh ? segment.b : segment.a;
   return true;
 }
 
-// I3: continues beside a segment end if a nudge clears it. `onwards` becomes the plan of the next leg and `remaining`
-// the remaining displacement.
-bool EntityStep::nudgePast(const LegHit& end, const LegPlan& onwards, Point reached, Point remaining) {
-  if (onwards.displacement == Point() || isSameSegment(end, lastSlide_)) return false;
-  const auto nudged = nudge(end, reached + onwards.displacement, reached);
+// I3: passes a segment end that protrudes slightly from an edge with this normal, on which the ideal place is at `from`
+// and slides. Where the normal is that of the end itself, it goes straight on.
+bool EntityStep::passEnd(LegHit end, Point normal, PrecisePoint from, PrecisePoint rest) {
+  if (!touchesEnd(end, from)) return false;
+  const bool straight = normal == homeNormalOf(end);
+  const ObstacleEdge endless{{normal, 0}, INT64_MIN / 4, INT64_MAX / 4};
+  const PrecisePoint onwards = straight ? rest : slideOn(endless, {}, rest).uncut;
+  const Point reached = roundedAt(from);
+  const Point target = reached + rounded(onwards);
+  if (target == reached || !allInRange(target)) return false;
+  const auto nudged = nudge(end, target, reached);
   if (!nudged) return false;
   const Point start = position();
-  unobstructed_ = false;
   moveTo(*nudged);
   callPierced(start);
-  remaining_ = remaining;
-  planAfterNudge_ = onwards;
+  ideal_ = precise(*nudged);
+  rest_ = rest;
+  contact_.reset();
+  planAfterNudge_ = LegPlan{precise(target - reached), precise(target - reached)};  // on the path that is free
   return true;
 }
 
@@ -76,7 +88,7 @@ std::optional<Point> EntityStep::nudge(const LegHit& hit, Point target, Point re
   for (const Point offset : std::span(kNudgeOffsets).subspan(1)) {
     const Point from = reached + offset;
     const Point to = target + offset;
-    const bool leadsPast = dot(to - position(), tickDisplacement_) > 0 && dot(to - position(), homeNormalOf(hit)) < 0;
+    const bool leadsPast = distanceTo({to - position(), 0}, tick_) > 0 && dot(to - position(), homeNormalOf(hit)) < 0;
     if (!leadsPast || !allInRange(to)) continue;
     if (continuesPast(hit, from, to) && collider_.isFree(instances_, position(), from)) return from;
   }
@@ -108,8 +120,9 @@ bool EntityStep::continuesPast(const LegHit& end, Point from, Point to) {
   if (hitsEndAgain(end, from, to)) return false;
   const auto next = collider_.first(instances_, from, to);
   if (!next) return true;
-  if (!isSameSegment(*next, end)) return !isImmediate(next->hit, to - from);
-  const Point direction = slideDirection(*next);
+  if (next->placement != end.placement || next->segment != end.segment) return !isImmediate(next->hit, to - from);
+  const Point tangent = perpendicular(homeNormalOf(*next));
+  const Point direction = distanceTo({tangent, 0}, tick_) >= 0 ? tangent : -tangent;
   return next->hit.side == Hit::Side::kSegment && dot(direction, to - from) > 0 && dot(direction, awayFromEnd(end)) > 0;
 }
 

@@ -90,7 +90,7 @@ bool EntityStep::insertInstancesForRotation(std::int32_t centidegrees) {
     if (hull == nullptr) return false;
     const MapGeometry& part = *instances_.all()[i].part;
     for (std::uint16_t warp = 0; warp < part.warps.size(); ++warp) {
-      if (!collider_.reachesWarp(instances_, {i, warp}, *hull, kInsertMargin)) continue;
+      if (!collider_.reachesWarp(instances_, {i, warp}, *hull, Tolerances::kInsert)) continue;
       if (instances_.isAtInstanceLimit(i) || !instances_.insert(i, warp, collider_)) return false;
     }
   }

@@ -1,115 +1,78 @@
-// Slides along the segment that stopped a leg.
+// Slides along the edge that stopped a leg.
 #include <utility>
 
 #include "platon/exact/integer.h"
 #include "shared/physics/entity_step.h"
-#include "shared/physics/slide.h"
 
 namespace platon {
 
 EntityStep::LegPlan EntityStep::planLeg() {
   if (planAfterNudge_) return *std::exchange(planAfterNudge_, std::nullopt);
-  if (!stop_) return {remaining_, remaining_, false};
-  lastSlide_ = stop_;
-  const Point normal = homeNormalOf(*stop_);
-  const Point uncut = slideAlong(remaining_, normal);
-  if (uncut == Point()) return {uncut, uncut, true};
-  const bool back = dot(remaining_, perpendicular(normal)) < 0;
-  const Point slide =
-      segmentExtendsBeyondSlide(*stop_, back) ? uncut : slideAlong(remaining_, normal, slideLimits(*stop_, back));
-  return {keepOutside(*stop_, slide), uncut, true};
-}
-
-// Fast path of slideLimits: whether the segment certainly extends beyond the whole remaining displacement.
-bool EntityStep::segmentExtendsBeyondSlide(const LegHit& stop, bool back) const {
-  if (stop.hit.side != Hit::Side::kSegment) return false;
-  const Placement& placement = instances_.all()[stop.placement];
-  const Point tangent = perpendicular(stop.hit.normal);
-  return extendsBeyond(maxNorm(remaining_), placement.shape->bounds(), placement.position,
-                       placement.part->segments[stop.segment], back ? -tangent : tangent);
-}
-
-// How far the home instance can slide, forward or back, until the obstacle edge that stopped it ends.
-SlideLimits EntityStep::slideLimits(const LegHit& stop, bool back) const {
-  const Placement& placement = instances_.all()[stop.placement];
-  const Segment& segment = placement.part->segments[stop.segment];
-  const Point toEnd = displacementToEdgeEnd(*placement.shape, placement.position, segment, normalOf(stop), back);
-  SlideLimits limits;
-  (back ? limits.backward : limits.forward) = maxNorm(rotate(toEnd, placement.toHome));
-  return limits;
-}
-
-// The instance that hit the segment rounds the displacement in its own frame, which could move it into the segment.
-// Adds up to kNudge subunits outwards to prevent that. Bounds: normal < 2^30, displacement < 2^31.
-Point EntityStep::keepOutside(const LegHit& stop, Point slide) const {
-  const Placement& placement = instances_.all()[stop.placement];
-  const Point outwards = dominantStep(homeNormalOf(stop));
-  for (int steps = 0; steps < kNudge && slide != Point(); ++steps, slide += outwards) {
-    if (dot(normalOf(stop), placement.at(position() + slide) - placement.position) >= 0) break;
+  const LegPlan free{rest_, rest_};
+  if (!contact_) return free;
+  const Placement& placement = instances_.all()[contact_->placement];
+  if (distanceTo({contact_->edge.normal, 0}, rotated(rest_, placement.fromHome)) < 0) {
+    const LegPlan plan = planSlide(*contact_);
+    if (plan.displacement == PrecisePoint() && passEnd(*contact_, homeNormalOf(*contact_), ideal_, rest_))
+      return *std::exchange(planAfterNudge_, std::nullopt);
+    return plan;
   }
-  return slide;
+  contact_.reset();
+  return free;
 }
 
-// The direction of a slide along the segment of `hit`: that of the tangential component of the tick's displacement. Not
-// normalised; (0, 0) when there is no such component.
-Point EntityStep::slideDirection(const LegHit& hit) const {
-  const Point tangent = perpendicular(homeNormalOf(hit));
-  const std::int64_t along = dot(tickDisplacement_, tangent);
-  return along == 0 ? Point() : along > 0 ? tangent : -tangent;
+// The slide of the home place `place` along the edge that was hit, in the frame of its part.
+IdealSlide EntityStep::slideFrom(const LegHit& hit, PrecisePoint place, PrecisePoint rest) const {
+  const Placement& placement = instances_.all()[hit.placement];
+  const ObstacleEdge edge = edgeOf(*placement.shape, placement.part->segments[hit.segment], hit.edge);
+  return slideOn(edge, instances_.idealOf(hit.placement, place), rotated(rest, placement.fromHome));
 }
 
-// Whether a slide along the segment of `hit` would lead back into the current stop, or has been tried at this position.
-bool EntityStep::leadsBack(const LegHit& hit) const {
-  const Point direction = slideDirection(hit);
-  const bool intoStop = dot(direction, homeNormalOf(*stop_)) < 0 && dot(direction, slideDirection(*stop_)) <= 0;
-  return intoStop || isSameSegment(hit, stop_) || isSameSegment(hit, previousStop_);
+EntityStep::LegPlan EntityStep::planSlide(const LegHit& hit) const {
+  const IdealSlide slide = slideFrom(hit, ideal_, rest_);
+  const Placement& placement = instances_.all()[hit.placement];
+  if (maxNorm(slide.uncut) < Tolerances::kRest && restsOn(hit.edge.normal, placement)) return {{}, {}, {1, 1}, true};
+  return {rotated(slide.displacement, placement.toHome), rotated(slide.uncut, placement.toHome), slide.share, true,
+          slide.cut};
 }
 
-// Whether the slide is caught in a wedge: it gains nothing in the direction of the tick's displacement up to `end`,
-// where the segment of `next` would lead it back. Every other move gains something, so no sequence of moves returns a
-// resting entity to a previous position (I4).
-bool EntityStep::isWedge(const LegHit& next, Point end) const {
-  return dot(end - position(), tickDisplacement_) <= 0 && leadsBack(next);
+// At the end of the edge, in the direction of the slide, the next edge of the obstacle blocks.
+void EntityStep::turnCorner(LegHit& hit, PrecisePoint place) const {
+  const Placement& placement = instances_.all()[hit.placement];
+  const Segment& segment = placement.part->segments[hit.segment];
+  const IdealSlide slide = slideFrom(hit, place, rest_);
+  if (!slide.cut || maxNorm(slide.displacement) > Tolerances::kNoProgress) return;
+  const std::size_t index = adjacent(*placement.shape, segment, hit.edge.normal, slide.back);
+  const Obstacle::HalfPlane next = halfPlaneOf(*placement.shape, segment, index);
+  if (distanceTo({next.normal, 0}, rotated(rest_, placement.fromHome)) >= 0) return;  // leads past the corner
+  hit.hit = Sweep::hitOf(*placement.shape, segment, {hit.hit.time, hit.hit.exit, index, false});
+  hit.edge = next;
 }
 
-// Whether a displacement moves farther than kContactGap along `normal`. Bounds: normal < 2^30, displacement < 2^31.
-bool EntityStep::exceedsContactGap(Point normal, Point displacement) {
-  const int128 depth = dot(normal, displacement);
-  return depth * depth > int128{kContactGap * kContactGap} * squaredLength(normal);
+// Whether the slide of a whole tick along an edge with this normal is too short to be one.
+bool EntityStep::restsOn(Point normal, const Placement& placement) const {
+  const ObstacleEdge endless{{normal, 0}, INT64_MIN / 4, INT64_MAX / 4};
+  return maxNorm(slideOn(endless, {}, rotated(tick_, placement.fromHome)).uncut) < Tolerances::kRest;
 }
 
-// Near a wedge, some lattice points are slightly above both segments, and the two segments would send the entity back
-// and forth. A slide that gains nothing is therefore shortened until it ends before its reversal.
-Point EntityStep::stopBeforeReversal(Point target) {
-  Point slide = target - position();
-  while (slide != Point()) {
-    const Point end = position() + slide;
-    const bool isFree = end == target || collider_.isFree(instances_, position(), end);
-    if (isFree && (dot(slide, tickDisplacement_) > 0 || !isReversedAt(end))) return end;
-    slide = slideAlong({slide.x / 2, slide.y / 2}, homeNormalOf(*stop_));
-  }
-  return position();
+// Whether the body is caught between the present contact and `hit`: the slide along each leads into the other.
+bool EntityStep::isWedged(const LegHit& hit) {
+  if (isSameEdge(hit, *contact_) || ++idleLegs_ > kMaxIdleLegs) return true;
+  if (distanceTo({homeNormalOf(hit), 0}, tick_) >= 0) return true;  // only the slide leads into it
+  return leadsInto(planSlide(hit).uncut, *contact_);
 }
 
-bool EntityStep::isReversedAt(Point end) {
-  const Point target = end + tickDisplacement_;
-  if (!allInRange(target)) return false;
-  const auto next = collider_.first(instances_, end, target, &*stop_);
-  return next && leadsBack(*next) &&
-         !exceedsContactGap(homeNormalOf(*next), scaleTruncated(tickDisplacement_, next->hit.time));
+// Whether a displacement of the ideal place at once enters the obstacle of the contact.
+bool EntityStep::leadsInto(PrecisePoint displacement, const LegHit& contact) const {
+  const Placement& placement = instances_.all()[contact.placement];
+  const auto interval =
+      clipIdeal(*placement.shape, placement.part->segments[contact.segment],
+                instances_.idealOf(contact.placement, ideal_), rotated(displacement, placement.fromHome));
+  return interval && maxNorm(scaled(displacement, interval->enter)) <= Tolerances::kNoProgress;
 }
 
-// Discards the remaining displacement in a wedge, unless one of the two is a segment end that can be passed.
-void EntityStep::stopInWedge(const LegHit& next, const LegPlan& plan) {
-  const LegHit stop = *stop_;
-  if (passEndAlong(stop, next, plan, position())) return;
-  unobstructed_ = false;
-  callContact(next);
-  remaining_ = Point();
-}
-
-bool EntityStep::isSameSegment(const LegHit& a, const std::optional<LegHit>& b) {
-  return b && a.placement == b->placement && a.segment == b->segment;
+bool EntityStep::isSameEdge(const LegHit& a, const LegHit& b) {
+  return a.placement == b.placement && a.segment == b.segment && a.edge.normal == b.edge.normal;
 }
 
 }  // namespace platon

@@ -348,7 +348,7 @@ bool Instances::isConnected(std::size_t index) const {
 }
 
 std::int64_t Instances::squaredError(PrecisePoint ideal, Point point) {
-  constexpr std::int64_t limit = 1000 * PrecisePoint::kOne;  // clamped so that the square fits 64 bits
+  constexpr std::int64_t limit = 16 * PrecisePoint::kOne;  // clamped so that the square fits 64 bits
   const PrecisePoint wide = precise(point);
   const std::int64_t x = std::clamp(wide.x - ideal.x, -limit, limit);
   const std::int64_t y = std::clamp(wide.y - ideal.y, -limit, limit);
@@ -360,6 +360,14 @@ PrecisePoint Instances::exactPosition(std::size_t index) const {
   const Placement& placement = placements_[index];
   if (placement.parent == Placement::kNone) return precise(placement.position);
   return placements_[placement.parent].part->warps[placement.warp].map(exactPosition(placement.parent));
+}
+
+PrecisePoint Instances::idealOf(std::size_t index, PrecisePoint home) const {
+  if (index == 0) return home;
+  const Placement& placement = placements_[index];
+  if (placement.parent != Placement::kNone)
+    return placements_[placement.parent].part->warps[placement.warp].map(idealOf(placement.parent, home));
+  return precise(placement.anchor) + rotated(home - precise(placement.homeAnchor), placement.fromHome);
 }
 
 // The lattice point nearest to `ideal`, with a squared error below `closerThan`, that the placement may move to from

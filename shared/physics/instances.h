@@ -61,6 +61,9 @@ class Instances {
   /// false when the warp has no reverse warp, the rotated shape is degenerate, or no point within kMaxError is free.
   bool insert(std::size_t parent, std::uint16_t warp, Collider& collider);
 
+  /// The ideal place of placement `index` when that of the home instance is `home`: taken through the warps.
+  PrecisePoint idealOf(std::size_t index, PrecisePoint home) const;
+
   /// Moves the home instance to `position` and all others with it.
   void moveHomeTo(Point position);
   /// Rotates all instances about their positions.

@@ -17,7 +17,7 @@ auto lowerBound(const Geometry& geometry, std::uint32_t id) {
 
 Segment reversed(const Segment& segment) { return {segment.b, segment.a}; }
 
-// Rotates `point` about `centre` and moves `centre` to `image`. Differences are below 2^47 and products below 2^78.
+// Rotates `point` about `centre` and moves `centre` to `image`. Differences are below 2^57 and products below 2^88.
 PrecisePoint rotatedAbout(PrecisePoint point, PrecisePoint centre, PrecisePoint image, Rotation rotation) {
   constexpr int128 one = int128{1} << Rotation::kFractionBits;
   const int128 x = point.x - centre.x;

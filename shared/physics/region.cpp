@@ -4,6 +4,8 @@
 #include <limits>
 
 #include "platon/exact/integer.h"
+#include "shared/physics/ideal_geometry.h"
+#include "shared/physics/tolerances.h"
 
 namespace platon {
 namespace {
@@ -103,6 +105,17 @@ std::optional<Sweep::ClipInterval> Region::clipClosely(const Sweep& sweep, std::
   if (!interval && sweep.isExcluded(obstacle.separatingHalfPlane()))
     separating_[entry] = obstacle.separatingHalfPlane();
   return interval;
+}
+
+std::optional<Sweep::ClipInterval> Region::clipIdeal(const Sweep& sweep, std::size_t entry, PrecisePoint from,
+                                                     PrecisePoint displacement) {
+  if (!hasObstacle(entry)) return platon::clipIdeal(*shape_, part_->segments[segments_[entry]], from, displacement);
+  return platon::clipIdeal(obstacles_[obstacleOf_[entry]], sweep.path().grown(Tolerances::kAside), from, displacement);
+}
+
+Obstacle::HalfPlane Region::halfPlaneOf(std::size_t entry, std::size_t index) const {
+  if (hasObstacle(entry)) return obstacles_[obstacleOf_[entry]].halfPlanes()[index];
+  return platon::halfPlaneOf(*shape_, part_->segments[segments_[entry]], index);
 }
 
 void Region::allocateObstacle(std::size_t entry) {

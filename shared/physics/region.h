@@ -54,11 +54,16 @@ class Region {
     if (shape_ == &shape && sweep.isExcluded(separating_[entry])) return std::nullopt;
     return clipClosely(sweep, entry, shape);
   }
+  /// Clips the ideal path of `shape`, near the displacement of `sweep`, against the segment at `entry`, which `clip`
+  /// has found to be near.
+  std::optional<Sweep::ClipInterval> clipIdeal(const Sweep& sweep, std::size_t entry, PrecisePoint from,
+                                               PrecisePoint displacement);
+  /// The half plane of that number of the obstacle at `entry`.
+  Obstacle::HalfPlane halfPlaneOf(std::size_t entry, std::size_t index) const;
   /// The collision that belongs to the result of `clip`.
-  Hit hitOf(const Sweep& sweep, std::size_t entry, const Sweep::ClipInterval& interval) const {
-    const std::uint32_t kept = obstacleOf_[entry];
-    if (kept != kNoObstacle && obstacles_[kept].belongsTo(*shape_)) return Sweep::hitOf(obstacles_[kept], interval);
-    return sweep.hitOf(part_->segments[segments_[entry]], interval);
+  Hit hitOf(std::size_t entry, const Sweep::ClipInterval& interval) const {
+    if (hasObstacle(entry)) return Sweep::hitOf(obstacles_[obstacleOf_[entry]], interval);
+    return Sweep::hitOf(*shape_, part_->segments[segments_[entry]], interval);
   }
 
  private:
@@ -69,6 +74,9 @@ class Region {
   void refill(const MapGeometry& part, const Box& box, Work& work);
   void keepDerived(Work& work);
   std::optional<Sweep::ClipInterval> clipClosely(const Sweep& sweep, std::size_t entry, const Convex& shape);
+  bool hasObstacle(std::size_t entry) const {
+    return obstacleOf_[entry] != kNoObstacle && obstacles_[obstacleOf_[entry]].belongsTo(*shape_);
+  }
   bool isSeparated(std::size_t entry) const { return separating_[entry].normal != Point(); }
   bool mayAllocate() const { return !unused_.empty() || obstacles_.size() < kMaxObstacles; }
   void allocateObstacle(std::size_t entry);

@@ -43,7 +43,7 @@ bool Sweep::isEmpty(const ClipInterval& interval) {
 std::optional<Hit> Sweep::against(const Segment& segment) const {
   if (misses(boundsOf(segment))) return std::nullopt;
   const auto interval = clipToSegment(segment, [](const Obstacle::HalfPlane&) {});
-  return interval ? std::optional(hitOf(segment, *interval)) : std::nullopt;
+  return interval ? std::optional(hitOf(*shape_, segment, *interval)) : std::nullopt;
 }
 
 std::optional<Sweep::ClipInterval> Sweep::clip(const Segment& segment, Obstacle::HalfPlane& separating) const {
@@ -75,13 +75,13 @@ std::optional<Sweep::ClipInterval> Sweep::clipToSegment(const Segment& segment, 
   return interval;
 }
 
-Hit Sweep::hitOf(const Segment& segment, const ClipInterval& interval) const {
+Hit Sweep::hitOf(const Convex& shape, const Segment& segment, const ClipInterval& interval) {
   if (interval.entered == ClipInterval::kNone) return insideHit(interval);
   const std::size_t sides = segment.a == segment.b ? 0 : 2;
-  if (interval.entered >= sides) return edgeHit(interval, *shape_, interval.entered - sides, segment);
+  if (interval.entered >= sides) return edgeHit(interval, shape, interval.entered - sides, segment);
   const Point left = perpendicular(segment.b - segment.a);
   const Point normal = interval.entered == 0 ? left : -left;
-  return makeHit(interval, normal, Obstacle::sideFeature(*shape_, normal), Hit::Side::kSegment);
+  return makeHit(interval, normal, Obstacle::sideFeature(shape, normal), Hit::Side::kSegment);
 }
 
 std::optional<Hit> Sweep::against(Obstacle& obstacle) const {

@@ -137,7 +137,7 @@ def jump(sources):
 
 
 def nudge(sources):
-    radius = sources.constant("shared/physics/entity_step.h", "kNudge")
+    radius = sources.constant("shared/physics/tolerances.h", "kNudge")
     span = range(-radius, radius + 1)
     return [str(radius), str(sum(0 < x * x + y * y <= radius * radius for x in span for y in span))]
 
@@ -167,7 +167,7 @@ FIGURES = [
     Figures("docs/exactness.md", "at most {} moves (`EntityStep::kMaxLegs`)", constant(STEP, "kMaxLegs")),
     Figures("docs/exactness.md", "allow {} moves", constant("tests/exactness/oracle/trace/move_count.h", "kMaxMoves")),
     Figures("docs/exactness.md", "at most {} entries", constant("tests/exactness/oracle/trace/trace_checker.cpp", "kMaxEntries")),
-    Figures("docs/exactness.md", "`EntityStep::kNudge` = {} subunits clears it, the step tries {} offsets", nudge),
+    Figures("docs/exactness.md", "`Tolerances::kNudge` = {} subunits clears it, the step tries {} offsets", nudge),
     Figures("docs/exactness.md", "{} of {} differ; {} kinds of malformed line", sweep_check),
     Figures("docs/exactness.md", "{} entity ticks, {} legs, {} failures", scene_check),
     Figures("docs/exactness.md", "{} steps; none makes less than 99 % of the wanted progress minus {}; none ends more than {} above", first_joints),

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "platon/exact/integer.h"
+#include "shared/physics/tolerances.h"
 #include "tests/exactness/hard_cases/checked_world.h"
 
 namespace platon::hard_cases {
@@ -116,14 +117,14 @@ void forEachGate(std::int32_t minRoom, std::int32_t maxRoom, Visit&& visit) {
   }
 }
 
-// An entity is nudged through a gate that is wide enough if a nudge of 6 subunits suffices; otherwise the gate stops it
+// An entity is nudged through a gate that is wide enough if a nudge of 7 subunits suffices; otherwise the gate stops it
 // (I3).
-TEST(CorridorsTest, IsNudgedThroughAGateByUpToSixSubunits) {
+TEST(CorridorsTest, IsNudgedThroughAGateByUpToSevenSubunits) {
   for (const std::int32_t speed : {7, 300, 7001, 90000}) {
     forEachGate(0, 2, [&](HardScene& scene, std::int32_t room, std::int32_t above) {
       const std::int32_t aside = std::max(above - room, -above);
       for (int tick = 0; tick < 5000 / speed + 2; ++tick) scene.tick({speed, 0});
-      if (aside > 6) {
+      if (aside > Tolerances::kNudge) {
         EXPECT_EQ(scene.at(), Point(-1000, above)) << "speed " << speed;
         return;
       }

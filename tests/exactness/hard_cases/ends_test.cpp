@@ -19,8 +19,8 @@ TEST(EndsTest, SweepsAgainstEndsAreExact) {
 
 // A vertex that hits the end exactly enters both of its edges at once: the edge with the smaller index is the contact.
 // Here that edge leads up to the left, so the entity slides off below the segment, 1 000 subunits down and to the
-// right, and one subunit more. The slide has half the speed, so these 1 001 subunits use 2 002 of the displacement; the
-// remaining displacement is straight.
+// right. The slide has half the speed, so these 1 000 subunits use 2 000 of the displacement; the remaining
+// displacement is straight.
 TEST(EndsTest, AVertexAtAnEndSlidesAlongItsFirstEdge) {
   HardScene scene("ends/straight.scene");
   scene.tick(scene.velocity);
@@ -29,7 +29,7 @@ TEST(EndsTest, AVertexAtAnEndSlidesAlongItsFirstEdge) {
   EXPECT_EQ(contact.point, Point(50000, 0));
   EXPECT_EQ(contact.time, (Fraction{49, 100}));
   EXPECT_EQ(contact.normal, Point(-1000, -1000));
-  EXPECT_EQ(scene.at(), Point(49000 + 1001 + (51000 - 2002), -1001));
+  EXPECT_EQ(scene.at(), Point(49000 + 1000 + (51000 - 2000), -1000));
   const Point before = scene.at();
   scene.tick(scene.velocity);
   EXPECT_EQ(scene.at(), before + scene.velocity) << "free beside the segment";
@@ -60,12 +60,12 @@ TEST(EndsTest, AVertexAtAFarEndSlidesAlongItsFirstEdge) {
   EXPECT_EQ(scene.rules.contacts.at(0).point, Point(200000000, 0));
   EXPECT_EQ(scene.rules.contacts.at(0).time, (Fraction{249000000, 268435455}));
   constexpr std::int32_t left = 268435455 - 249000000;
-  constexpr std::int32_t edge = 1000000 + 1;
+  constexpr std::int32_t edge = 1000000;
   EXPECT_EQ(scene.at(), Point(199000000 + edge + (left - 2 * edge), -edge)) << "a thousand times as large";
 }
 
-// An end one subunit beside the vertex: the entity slides off along the edge, of which 999 subunits remain, and one
-// subunit more. This uses 2 000 of the remaining 50 999.
+// An end one subunit beside the vertex: the entity slides off along the edge, of which 999 subunits remain. This uses
+// 1 998 of the remaining 50 999.
 TEST(EndsTest, AVertexOneSubunitBesideTheEndSlidesOff) {
   HardScene above("ends/one_above.scene");
   HardScene below("ends/one_below.scene");
@@ -74,8 +74,8 @@ TEST(EndsTest, AVertexOneSubunitBesideTheEndSlidesOff) {
   ASSERT_EQ(above.rules.contacts.size(), 1u);
   EXPECT_EQ(above.rules.contacts[0].time, (Fraction{49001, 100000}));
   EXPECT_EQ(above.rules.contacts[0].point, Point(50000, 1));
-  EXPECT_EQ(above.at(), Point(49001 + 1000 + (50999 - 2000), -1000));
-  EXPECT_EQ(below.at(), Point(49001 + 1000 + (50999 - 2000), 1000)) << "the mirror image";
+  EXPECT_EQ(above.at(), Point(49001 + 999 + (50999 - 1998), -999));
+  EXPECT_EQ(below.at(), Point(49001 + 999 + (50999 - 1998), 999)) << "the mirror image";
 }
 
 TEST(EndsTest, AnEndThatTouchesASideIsNotAContact) {
@@ -87,7 +87,7 @@ TEST(EndsTest, AnEndThatTouchesASideIsNotAContact) {
   EXPECT_TRUE(scene.rules.take().empty());
 }
 
-// The entity is nudged over a bump of one subunit (I3): at most 3 subunits to the side, without loss of speed.
+// The entity slides over a bump of one subunit (I3): at most 3 subunits to the side, without loss of speed.
 TEST(EndsTest, AnEndOneSubunitInsideIsPassed) {
   HardScene scene("ends/clipped.scene");
   for (const int direction : {1, -1}) {
@@ -97,8 +97,8 @@ TEST(EndsTest, AnEndOneSubunitInsideIsPassed) {
     EXPECT_LE(std::abs(moved.x - direction * 100000), 3);
     EXPECT_LE(std::abs(moved.y), 3);
     EXPECT_LE(scene.at().y, -1);
+    EXPECT_EQ(scene.rules.contacts.size(), direction == 1 ? 1u : 0u);
   }
-  EXPECT_TRUE(scene.rules.take().empty());
 }
 
 }  // namespace

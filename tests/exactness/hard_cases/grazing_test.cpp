@@ -13,19 +13,21 @@ namespace {
 // or nearer by one subunit.
 TEST(GrazingTest, SweepsAtTheSmallestAnglesAreExact) { EXPECT_EQ(expectAnswers("grazing/by_angle"), 15u * 5u); }
 
+// The segment is 2.5e-8 subunits above the corner at the end of the first tick: less than the ideal path resolves, but
+// the position keeps clear of it.
 TEST(GrazingTest, SlidesUpASlopeOfOneIn200Million) {
   HardScene scene("grazing/slope.scene");
   scene.tick(scene.velocity);
-  ASSERT_EQ(scene.rules.contacts.size(), 1u);
-  EXPECT_EQ(scene.rules.contacts[0].time, (Fraction{199999990, 200000000}));
-  EXPECT_EQ(scene.rules.contacts[0].point, Point(0, 1));
-  EXPECT_EQ(scene.at(), Point(-1, 12)) << "nine subunits along the segment, rounded away from it";
-  scene.tick(scene.velocity);
-  EXPECT_EQ(scene.at(), Point(199999999, 12)) << "above the whole segment";
   EXPECT_TRUE(scene.rules.contacts.empty());
+  EXPECT_EQ(scene.at(), Point(0, 12)) << "not overlapping";
+  scene.tick(scene.velocity);
+  ASSERT_EQ(scene.rules.contacts.size(), 1u);
+  EXPECT_EQ(scene.rules.contacts[0].time, (Fraction{0, 1}));
+  EXPECT_EQ(scene.rules.contacts[0].point, Point(10, 2)) << "the corner at the position";
+  EXPECT_EQ(scene.at(), Point(200000000, 12)) << "half a subunit above the segment";
   scene.tick(-scene.velocity);
-  scene.tick({-1, 0});
-  EXPECT_EQ(scene.at(), Point(-2, 12)) << "after moving back";
+  EXPECT_TRUE(scene.rules.contacts.empty());
+  EXPECT_EQ(scene.at(), Point(0, 12)) << "after moving back";
 }
 
 TEST(GrazingTest, ATouchedEndIsNotAContact) {

@@ -28,14 +28,18 @@ namespace {
 /// Bounds of every step along a floor.
 struct Bounds {
   double minShare;   ///< least part of the ideal progress
-  double tolerance;  ///< subunits below that part: every leg is truncated to whole subunits
+  double tolerance;  ///< subunits below that part
   double maxHeight;  ///< subunits above the ideal floor
 };
 
+/// What a step may lose at the ends of a joint that are up to `apart` subunits apart: the ideal body slides over an end
+/// with at least 1/32 of its speed, or it is nudged past. The lattice is up to 2 subunits from the ideal body.
+constexpr double lossAt(double apart) { return 32 * apart + 2 * 2; }
+
 /// For ends off by 1 subunit along each axis: they are up to 1.42 above the floor, and I3 allows 3 more.
-constexpr Bounds kNearlyCollinear = {0.99, 4, 1.42 + 3};
+constexpr Bounds kNearlyCollinear = {0.99, lossAt(2 * 1.42), 1.42 + 3};
 /// For ends off by 2 subunits along each axis, which is more than I3 covers.
-constexpr Bounds kCoarse = {0.97, 6, 2 * 1.42 + 3};
+constexpr Bounds kCoarse = {0.97, lossAt(4 * 1.42), 2 * 1.42 + 3};
 
 /// Largest part of the downward motion, in subunits, that a nudge and roundings may stop without a contact.
 constexpr double kMaxNudge = 8;

@@ -65,7 +65,7 @@ TEST(TouchingTest, MovesInAShaft) {
                         {{-200000000, 0}, {0, 0}, true}});
 }
 
-// The slide along the slope is truncated to whole subunits in x and rounded up in y.
+// The slide along the slope ends at the lattice point that is nearest to its exact end and not below the slope.
 TEST(TouchingTest, MovesOnASlope) {
   expectMoves("slope", {{{300, 100}, {300, 100}, false},
                         {{-300, -100}, {-300, -100}, false},
@@ -73,7 +73,7 @@ TEST(TouchingTest, MovesOnASlope) {
                         {{1, -3}, {0, 0}, true},
                         {{1000, -3000}, {0, 0}, true},
                         {{0, -90}, {-27, -9}, true},
-                        {{6, -9}, {2, 1}, true},
+                        {{6, -9}, {3, 1}, true},
                         {{100, 0}, {90, 30}, true}});
 }
 
@@ -127,7 +127,7 @@ TEST(TouchingTest, MovesWithAVertexOnTheEndOfASegment) {
                                 {{-50, -50}, {-50, -50}, false},
                                 {{50, 50}, {50, 50}, false},
                                 {{50, -50}, {50, 0}, true},
-                                {{10, -50}, {10, 0}, true}});
+                                {{10, -50}, {0, -50}, true}});  // the edge at the smaller angle
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include "platon/exact/integer.h"
 #include "platon/physics/convex.h"
 #include "platon/physics/grid.h"
-#include "shared/physics/slide.h"
+#include "shared/physics/ideal_geometry.h"
 #include "tests/exactness/oracle/sweep/random_shapes.h"
 #include "tests/exactness/properties/lattice_map.h"
 #include "tests/exactness/properties/seeded_cases.h"
@@ -106,6 +106,13 @@ TEST(ShapeLawsTest, TheHullOfAHullIsItself) {
   });
 }
 
+// Quarter turns and mirroring are exact.
+PrecisePoint preciselyMapped(const LatticeMap& map, PrecisePoint p) {
+  const Point x = map.vector({1, 0});
+  const Point y = map.vector({0, 1});
+  return {x.x * p.x + y.x * p.y, x.y * p.x + y.y * p.y};
+}
+
 Point anyVector(RandomSource& random, std::int64_t limit) {
   Point vector;
   while (vector == Point())
@@ -114,31 +121,20 @@ Point anyVector(RandomSource& random, std::int64_t limit) {
   return vector;
 }
 
-TEST(ShapeLawsTest, ASlideLeadsAlongTheSegmentAndIsSymmetric) {
-  forEachCase(500000, [](RandomSource& random) {
-    const Point normal = anyVector(random, (std::int64_t{1} << 29) - 1);
-    const Point displacement = anyVector(random, (std::int64_t{1} << 29) - 1);
-    const Point slid = slideAlong(displacement, normal);
-    EXPECT_GE(dot(slid, normal), 0);
-    EXPECT_LE(dot(slid, normal), std::max(std::abs(std::int64_t{normal.x}), std::abs(std::int64_t{normal.y})))
-        << "lifted by more than one subunit";
+TEST(ShapeLawsTest, AnIdealSlideLeadsAlongTheEdgeAndIsSymmetric) {
+  const ObstacleEdge endless{{}, INT64_MIN / 4, INT64_MAX / 4};
+  forEachCase(500000, [&](RandomSource& random) {
+    ObstacleEdge edge = endless;
+    edge.half.normal = anyVector(random, (std::int64_t{1} << 29) - 1);
+    const PrecisePoint displacement = precise(anyVector(random, (std::int64_t{1} << 29) - 1));
+    const PrecisePoint slid = slideOn(edge, {}, displacement).uncut;
+    const int128 outwards = distanceTo({edge.half.normal, 0}, slid);
+    EXPECT_TRUE(2 * outwards <= edge.half.oneNorm() && -2 * outwards <= edge.half.oneNorm()) << "off the edge";
     const LatticeMap map = anyMap(random, 0);
-    EXPECT_EQ(slideAlong(map.vector(displacement), map.vector(normal)), map.vector(slid));
-    const Point shorter(normal.x / 2, normal.y / 2);
-    if (shorter + shorter == normal) {
-      EXPECT_EQ(slideAlong(displacement, shorter), slid);
-    }
-  });
-}
-
-// A diagonal vector has no dominant axis. dominantStep chooses x, which does not rotate with the vector.
-TEST(ShapeLawsTest, TheDominantStepRotatesWithItsVector) {
-  forEachCase(50000, [](RandomSource& random) {
-    const Point vector = anyVector(random, 1 << 29);
-    LatticeMap map = anyMap(random, 0);
-    if (std::abs(vector.x) == std::abs(vector.y)) map.quarters &= 2;
-    if (map.mirror && vector.x == 0) return;
-    EXPECT_EQ(dominantStep(map.vector(vector)), map.vector(dominantStep(vector)));
+    const auto mapped = [&](PrecisePoint p) { return preciselyMapped(map, p); };
+    ObstacleEdge turned = endless;
+    turned.half.normal = map.vector(edge.half.normal);
+    EXPECT_EQ(slideOn(turned, {}, mapped(displacement)).uncut, mapped(slid));
   });
 }
 

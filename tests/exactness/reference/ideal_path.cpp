@@ -71,6 +71,7 @@ IdealPath::Way IdealPath::wayAlong(const Side& side) const {
   if (speed == 0) return {0, 0, 0, {0, 1}};
   const bool ahead = speed > 0;
   const mpz_class square = side.x * side.x + side.y * side.y;
+  if (std::max(abs(speed * side.x), abs(speed * side.y)) < kRestSpeed * square) return {0, 0, 0, {0, 1}};
   Way way{ahead ? mpz_class(-side.y) : side.y, ahead ? side.x : mpz_class(-side.x), mpq_class(abs(speed), square), {}};
   way.rate.canonicalize();
   const oracle::Vec end = ahead ? side.end : side.start;
@@ -90,8 +91,14 @@ std::optional<IdealPath::Hit> IdealPath::hitOf(std::size_t obstacle, const Way& 
     if (beyond >= 0) {
       if (inwards <= 0) return std::nullopt;
       const Hit hit{{beyond, inwards}, {obstacle, i}};
-      const bool later = !enter || enter->way < hit.way || (side.alongLine && enter->way == hit.way);
-      if (later) enter = hit;
+      const auto takesPrecedence = [&] {
+        const Side& other = sides[enter->side.side];
+        if (side.alongLine != other.alongLine) return side.alongLine;
+        const mpz_class steep = other.inwards(way.x, way.y);
+        return inwards * inwards * (other.x * other.x + other.y * other.y) <
+               steep * steep * (side.x * side.x + side.y * side.y);
+      };
+      if (!enter || enter->way < hit.way || (enter->way == hit.way && takesPrecedence())) enter = hit;
     } else if (inwards < 0) {
       const Quotient time{-beyond, -inwards};
       if (!leave || time < *leave) leave = time;

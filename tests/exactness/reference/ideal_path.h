@@ -19,19 +19,23 @@ namespace platon::reference {
 /// depend on where a tick ends: it is a chain of straight legs, each with a constant velocity. The body moves freely
 /// with the velocity up to a contact. Then it moves along the edge that it has met, with the projection of the
 /// velocity, to the next contact or to the end of the edge. It rests for ever where each of two edges leads it into the
-/// other one.
+/// other one, and where it would slide by less than kRestSpeed along both axes.
 ///
 /// The legs are exact: their ends are intersections of lines with integer coefficients, so their numbers stay short,
 /// and nothing is rounded. Only the times at which the legs begin are sums over all earlier legs. A time with more than
 /// kMaxTimeBits is rounded to a multiple of 2^-kTimeBits ticks, so with n legs and a speed of at most 2^21 subunits per
 /// tick a position is wrong by at most n * 2^21 * 2^-kTimeBits: below 2^-200 subunits for every n below 2^35.
 ///
-/// A path through a vertex of an obstacle enters the side parallel to the segment, like `Sweep`. Of several obstacles
+/// A path through a vertex of an obstacle enters the side that is parallel to the segment, like `Sweep`; of two others,
+/// the one with which it makes the smaller angle. Of several obstacles
 /// that are hit at the same time, the first in the scene counts. Shares no code with the simulation.
 class IdealPath {
  public:
   static constexpr std::size_t kMaxTimeBits = 512;
   static constexpr unsigned kTimeBits = 256;
+  /// Subunits a tick. The velocity is an integer, so one that should lead straight into a slanted floor is off by up to
+  /// half a subunit; a body on that floor must rest all the same (I4).
+  static constexpr unsigned kRestSpeed = 1;
 
   enum class Kind { kFree, kSlide, kRest };
 

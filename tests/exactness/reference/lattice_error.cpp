@@ -11,26 +11,29 @@
 namespace platon::reference {
 namespace {
 
-/// The simulated body at one resolution, and its distance from the ideal one.
+/// The simulated and the ideal body at one resolution, and their distance.
 class LatticeBody {
  public:
-  LatticeBody(const ExactScene& scene, std::int64_t resolution)
-      : body_(scaled(scene, resolution / kSceneSubunits)), resolution_(resolution) {}
+  LatticeBody(const ExactScene& scene, std::int64_t resolution, std::int64_t ticks)
+      : body_(scaled(scene, resolution / kSceneSubunits)),
+        ideal_(scaled(scene, resolution / kSceneSubunits), ticks),
+        resolution_(resolution) {}
 
-  void tick(const RationalVec& ideal) {
+  void tick() {
     body_.tick();
-    const std::int64_t factor = resolution_ / kSceneSubunits;
-    distance_ = distance(body_.position(), {ideal.x * factor, ideal.y * factor});
+    distance_ = distance(body_.position(), ideal_.positionAt(++ticks_));
     max_ = std::max(max_, distance_);
   }
 
-  LatticeError report(const std::string& scene, std::int64_t ticks) const {
-    return {scene, resolution_, ticks, body_.legs(), distance_, max_};
+  LatticeError report(const std::string& scene) const {
+    return {scene, resolution_, ticks_, body_.legs(), distance_, max_};
   }
 
  private:
   SimulatedBody body_;
+  IdealPath ideal_;
   std::int64_t resolution_;
+  std::int64_t ticks_ = 0;
   double distance_ = 0;
   double max_ = 0;
 };
@@ -40,14 +43,13 @@ class LatticeBody {
 std::vector<LatticeError> latticeErrors(const std::string& name, const ExactScene& scene,
                                         std::span<const std::int64_t> resolutions,
                                         std::span<const std::int64_t> ticks) {
-  const IdealPath ideal(scene, ticks.back());
   std::vector<LatticeBody> bodies;
-  for (const std::int64_t resolution : resolutions) bodies.emplace_back(scene, resolution);
+  for (const std::int64_t resolution : resolutions) bodies.emplace_back(scene, resolution, ticks.back());
   std::vector<LatticeError> errors;
   for (std::int64_t tick = 1; tick <= ticks.back(); ++tick) {
-    for (LatticeBody& body : bodies) body.tick(ideal.positionAt(tick));
+    for (LatticeBody& body : bodies) body.tick();
     if (!std::binary_search(ticks.begin(), ticks.end(), tick)) continue;
-    for (const LatticeBody& body : bodies) errors.push_back(body.report(name, tick));
+    for (const LatticeBody& body : bodies) errors.push_back(body.report(name));
   }
   return errors;
 }

@@ -80,6 +80,25 @@ bool meetLoosely(const oracle::Segment& a, const oracle::Segment& b, std::int64_
   return isNear(a.a, b.a, unit) || isNear(a.a, b.b, unit) || isNear(a.b, b.a, unit) || isNear(a.b, b.b, unit);
 }
 
+/// Whether an end of this line is at most kLooseEnds from an end of another one.
+bool hasLooseEnd(const ExactScene& scene, std::size_t line, std::int64_t unit) {
+  for (std::size_t other = 0; other < scene.lines.size(); ++other) {
+    if (other != line && meetLoosely(scene.lines[line], scene.lines[other], unit)) return true;
+  }
+  return false;
+}
+
+/// Whether the condition holds for one of 16 directions.
+template <class Condition>
+bool anyDirection(Condition&& condition) {
+  for (int x = -2; x <= 2; ++x) {
+    for (int y = -2; y <= 2; ++y) {
+      if (std::max(std::abs(x), std::abs(y)) == 2 && condition(x, y)) return true;
+    }
+  }
+  return false;
+}
+
 /// Whether a body at rest goes on after a lift.
 class Rest {
  public:
@@ -89,12 +108,7 @@ class Rest {
 
   bool isLoose() const {
     if (path_.legs().back().kind != Kind::kRest) return false;
-    for (int x = -2; x <= 2; ++x) {
-      for (int y = -2; y <= 2; ++y) {
-        if (std::max(std::abs(x), std::abs(y)) == 2 && goesOnFrom(x, y)) return true;
-      }
-    }
-    return false;
+    return anyDirection([&](int x, int y) { return goesOnFrom(x, y); });
   }
 
   /// Whether no lattice point near the rest is free.
@@ -113,10 +127,13 @@ class Rest {
     return true;
   }
 
-  /// Whether two ends meet here, at most kLooseEnds apart.
+  /// Whether two ends meet here, at most kLooseEnds apart. A rest on one end alone is as good as a slow slide on it.
   bool isAtJoint() const {
     const Leg& rest = path_.legs().back();
-    if (rest.kind != Kind::kRest || rest.along.obstacle == rest.against.obstacle) return false;
+    if (rest.kind != Kind::kRest) return false;
+    if (rest.along == rest.against)
+      return !path_.side(rest.along).alongLine && hasLooseEnd(scene_, rest.along.obstacle, unit_);
+    if (rest.along.obstacle == rest.against.obstacle) return false;
     return meetLoosely(scene_.lines[rest.along.obstacle], scene_.lines[rest.against.obstacle], unit_);
   }
 
@@ -177,18 +194,27 @@ class TieFinder {
     const double speed = lengthOf({mpq_class(scene_.velocity.x), mpq_class(scene_.velocity.y)});
     for (const Leg& leg : legs_) {
       if (leg.kind != Kind::kSlide || ideal_.side(leg.along).alongLine) continue;
-      if (lengthOf(leg.velocity) < kSlow * speed && isLooseEnd(leg.along.obstacle)) add(true, leg.begin.get_d());
+      if (lengthOf(leg.velocity) >= kSlow * speed) continue;
+      const bool atJoint = hasLooseEnd(scene_, leg.along.obstacle, 1);
+      if (atJoint || isPassedByLift(leg)) add(atJoint, leg.begin.get_d());
     }
+  }
+
+  /// Whether a body that is lifted at the start of the slide never slides along the same edge.
+  bool isPassedByLift(const Leg& leg) const {
+    return anyDirection([&](int x, int y) {
+      const Place lifted = moved(leg.start, kLift, x, y);
+      if (!ideal_.isFree(lifted)) return false;
+      bool returns = false;
+      ideal_.from(lifted, leg.begin, [&](const Leg& other) {
+        returns |= other.kind != Kind::kFree && other.along == leg.along;
+        return returns;
+      });
+      return !returns;
+    });
   }
 
   static double lengthOf(const RationalVec& v) { return distance(v, {0, 0}); }
-
-  bool isLooseEnd(std::size_t line) const {
-    for (std::size_t other = 0; other < scene_.lines.size(); ++other) {
-      if (other != line && meetLoosely(scene_.lines[line], scene_.lines[other], 1)) return true;
-    }
-    return false;
-  }
 
   void addGrown(std::int64_t by) {
     const ExactScene scene = withGrownShape(scene_, by);

@@ -25,7 +25,8 @@ namespace platon::reference {
 /// leads it over that end; a body that is stopped there rests for ever, which I3 forbids to the simulation. Such a rest
 /// is a tie of the third kind between two segments with ends that miss each other by at most kLooseEnds along both
 /// axes. So is a slide on such an end at less than kSlow of the speed, which is as good as a stop. Both are named
-/// kJoint and counted apart from the others.
+/// kJoint and counted apart from the others. A slide that is as slow on any other end is a tie if a body lifted by
+/// kLift passes that end.
 struct Tie {
   enum class Kind { kNone, kDivided, kJoint };
 
@@ -34,8 +35,8 @@ struct Tie {
 };
 
 inline constexpr std::int64_t kTieSubunits = 2;
-/// Enough to pass two ends that are each off by 2 along both axes.
-inline constexpr std::int64_t kLift = 6;
+/// A nudge of the simulation leads up to 7 subunits from a place that is up to 1 from the ideal one.
+inline constexpr std::int64_t kLift = 8;
 /// Smallest share of its speed that the ideal body keeps on an end at a loose joint.
 inline constexpr double kSlow = 1.0 / 32;
 /// Up to this many ticks; in proportion after that.

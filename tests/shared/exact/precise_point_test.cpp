@@ -13,7 +13,7 @@ constexpr std::uint64_t kSeed = 321;
 constexpr std::int64_t kOne = PrecisePoint::kOne;
 
 TEST(PrecisePointTest, LatticePointsAreExact) {
-  EXPECT_EQ(precise(Point(3, -4)), (PrecisePoint{3 * 65536, -4 * 65536}));
+  EXPECT_EQ(precise(Point(3, -4)), (PrecisePoint{3 * PrecisePoint::kOne, -4 * PrecisePoint::kOne}));
   for (const Point point : {Point(), Point(1, -1), Point(INT32_MAX, INT32_MIN + 1), Point(kCoordinateLimit - 1, 7)}) {
     EXPECT_EQ(rounded(precise(point)), point);
   }
@@ -42,8 +42,8 @@ TEST(PrecisePointTest, MidpointsAreExact) {
 
 TEST(PrecisePointTest, RotationsRoundOnceTo16Bits) {
   EXPECT_EQ(rotatePrecise({3, -4}, rotationOf(Angle::degrees(90))), precise({4, 3}));
-  EXPECT_EQ(rotatePrecise({1, 0}, rotationOf(Angle::degrees(60))), (PrecisePoint{kOne / 2, 56756})) << "sqrt(3) / 2";
-  EXPECT_EQ(rotatePrecise({-1, 0}, rotationOf(Angle::degrees(60))), (PrecisePoint{-kOne / 2, -56756}));
+  EXPECT_EQ(rotatePrecise({1, 0}, rotationOf(Angle::degrees(60))), (PrecisePoint{kOne / 2, 58117981})) << "sqrt(3) / 2";
+  EXPECT_EQ(rotatePrecise({-1, 0}, rotationOf(Angle::degrees(60))), (PrecisePoint{-kOne / 2, -58117981}));
 }
 
 TEST(PrecisePointTest, RotationsAgreeWithRotateUpToRounding) {

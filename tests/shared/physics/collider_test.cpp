@@ -49,9 +49,12 @@ TEST_F(ColliderTest, TheLowestIndexWinsAtEqualTimes) {
 
 TEST_F(ColliderTest, SkipsTheIgnoredSegment) {
   build({{{-100, -30}, {100, -30}}, {{-100, -60}, {100, -60}}});
-  const auto nearest = collider_.first(instances_, {0, 0}, {0, -80});
+  std::optional<LegHit> nearest;
+  collider_.firstIdeal(instances_, 0, {0, 0}, {0, -80}, {}, precise(Point(0, -80)), nearest);
   ASSERT_TRUE(nearest);
-  const auto next = collider_.first(instances_, {0, 0}, {0, -80}, &*nearest);
+  EXPECT_EQ(nearest->segment, 0u);
+  std::optional<LegHit> next;
+  collider_.firstIdeal(instances_, 0, {0, 0}, {0, -80}, {}, precise(Point(0, -80)), next, nearest->segment);
   ASSERT_TRUE(next);
   EXPECT_EQ(next->segment, 1u);
 }
@@ -62,6 +65,14 @@ TEST_F(ColliderTest, RecordsPierceableSegmentsOnce) {
   for (int i = 0; i < 3; ++i) EXPECT_FALSE(collider_.first(instances_, {0, 0}, {0, -80}));
   ASSERT_EQ(collider_.pierced().size(), 1u);
   EXPECT_EQ(collider_.pierced()[0], (Collider::Pierced{home().id, 0, 0}));
+}
+
+TEST_F(ColliderTest, RecordsPierceableSegmentsAfterAnImmediateHit) {
+  build({{{-100, -10}, {100, -10}}, {{-100, -30}, {100, -30}}});
+  rules_.pierceable = {{0, 1}};
+  EXPECT_EQ(collider_.first(instances_, {0, 0}, {0, -80})->hit.time, (Fraction{0, 1}));
+  ASSERT_EQ(collider_.pierced().size(), 1u);
+  EXPECT_EQ(collider_.pierced()[0].segment, 1u);
 }
 
 TEST_F(ColliderTest, TouchingPathsAndPositionsAreFree) {

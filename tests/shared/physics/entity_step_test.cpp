@@ -74,6 +74,44 @@ TEST(EntityStepTest, SlidingOnASegmentEndIsAContact) {
   EXPECT_EQ(rules.count, 1);
 }
 
+class NormalsOfContacts : public Rules {
+ public:
+  void contact(Entity&, const Contact& contact) override { normals.push_back(contact.normal); }
+
+  std::vector<Point> normals;
+};
+
+// The ideal path enters the upper edge 2^-21 subunits before its end. It leads past the edge on the right.
+TEST(EntityStepTest, NoContactIsReportedWithAnEdgeThatThePathLeadsPast) {
+  Scene scene({{{-100, 0}, {0, 0}}}, square(10), {5, 15});
+  WorldState state = scene.world.save();
+  state.entities[0].remainder = {-static_cast<std::int32_t>(PrecisePoint::kOne >> 21), 0};
+  scene.world.restore(state);
+  NormalsOfContacts rules;
+  scene.entity.setVelocity({10, -10});
+  scene.world.solve(rules);
+  EXPECT_EQ(scene.entity.position(), Point(15, 5));
+  ASSERT_EQ(rules.normals.size(), 1u);
+  EXPECT_EQ(rules.normals[0].x, 0);
+}
+
+// In rationals, the body stops at (1/2, 1/2). (0, 1) and (1, 1) are outside of the line and equally near.
+TEST(EntityStepTest, OfPlacesEquallyNearTheOuterOneIsTaken) {
+  Scene scene({{{142, -60}, {-158, 40}}}, square(10), {10, 29});
+  EXPECT_EQ(scene.step({-20, -60}), Point(1, 1));
+}
+
+// The ideal path leads along y = x / 1024 through a corridor as wide as the square, where no lattice point is free. The
+// lattice path meets the end of the ceiling.
+TEST(EntityStepTest, WhereNoPlaceIsFreeTheBodyMovesAsFarAsItCan) {
+  Scene scene({{{10, -10}, {1034, -9}}, {{-10, 10}, {1014, 11}}}, square(10), {-256, 0});
+  WorldState state = scene.world.save();
+  state.entities[0].remainder = {0, -static_cast<std::int32_t>(PrecisePoint::kOne / 4)};
+  scene.world.restore(state);
+  EXPECT_EQ(scene.step({1024, 1}), Point(-20, 0));
+  EXPECT_EQ(scene.entity.state().remainder, Point());
+}
+
 TEST(EntityStepTest, StaysInTheCoordinateRange) {
   Scene scene({}, square(10), {0, 0});
   for (int tick = 0; tick < 20; ++tick) {
@@ -129,7 +167,7 @@ TEST(RemainderTest, RemaindersWithoutVelocityMoveNothing) {
   for (int tick = 0; tick < 4; ++tick) ASSERT_EQ(scene.step({}), Point(1, 1)) << tick;
 }
 
-TEST(RemainderTest, ContactsDiscardTheRemainder) {
+TEST(RemainderTest, ContactsKeepTheRemainderAlongTheEdge) {
   Scene scene({{{100, -1000}, {100, 1000}}}, square(10), {0, 0});
   scene.entity.setVelocity({50, 0}, Angle(3600));
   for (int tick = 0; tick < 2; ++tick) scene.world.solve();
@@ -137,6 +175,17 @@ TEST(RemainderTest, ContactsDiscardTheRemainder) {
   ASSERT_NE(scene.entity.state().remainder, Point());
   scene.world.solve();
   EXPECT_EQ(scene.entity.position().x, 90);
+  EXPECT_EQ(scene.entity.state().remainder.x, 0);
+  EXPECT_NE(scene.entity.state().remainder.y, 0);
+}
+
+// A state may say so, and so may a rehome, which rounds.
+TEST(RemainderTest, AnIdealPlaceInsideAnObstacleIsPutOntoItsEdge) {
+  Scene scene({{{-1000, -20}, {1000, -20}}}, square(10), {0, -10});
+  WorldState state = scene.world.save();
+  state.entities[0].remainder = {0, -static_cast<std::int32_t>(PrecisePoint::kOne / 4)};
+  scene.world.restore(state);
+  EXPECT_EQ(scene.step({0, -3}), Point(0, -10));
   EXPECT_EQ(scene.entity.state().remainder, Point());
 }
 

@@ -360,5 +360,22 @@ TEST(InstancesTest, RehomeForgetsTheStopOfTheOldFrame) {
   }
 }
 
+// A diamond slides down a slope of 45°. A point protrudes from the slope where the centre is on the edge, so that the
+// nudge past it moves the centre across.
+TEST(InstancesTest, ANudgeAcrossAnEdgeKeepsItsDirection) {
+  for (const std::int32_t turn : {0, 9000, 18000, 27000}) {
+    const Point edgeAt(-3000, 70000);
+    const auto behind = [&](Point p) { return edgeAt + rotate(p, Angle(turn)); };
+    const Point point = behind({10001, -99});
+    World world = turnedPair(Angle(turn), edgeAt, {{behind({9000, 900}), behind({11000, -1100})}, {point, point}});
+    Entity entity(world, Convex({{0, -100}, {100, 0}, {0, 100}, {-100, 0}}));
+    MapPart(world, 1).insert(entity, {9900, 100}, Angle());
+    entity.setVelocity({150, -152});
+    world.solve();
+    EXPECT_EQ(entity.part(), 2u);
+    EXPECT_LE(squaredLength(entity.position() - behind({10051, -51})), 2 * 2) << turn;
+  }
+}
+
 }  // namespace
 }  // namespace platon

@@ -125,7 +125,7 @@ TEST(RegionTest, ClipsLikeASweepWithoutIt) {
       const auto interval = region.clip(sweep, entry, shape);
       ASSERT_EQ(interval.has_value(), expected.has_value()) << "seed " << kSeed << ", sweep " << i;
       if (!interval) continue;
-      const Hit hit = region.hitOf(sweep, entry, *interval);
+      const Hit hit = region.hitOf(entry, *interval);
       ASSERT_EQ(std::tie(hit.time, hit.exit, hit.normal, hit.feature, hit.side),
                 std::tie(expected->time, expected->exit, expected->normal, expected->feature, expected->side));
       ++hits;

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "platon/exact/precise_point.h"
+#include "shared/physics/tolerances.h"
 #include "tests/shared/physics/plane_scene.h"
 #include "tests/shared/physics/shapes.h"
 
@@ -15,11 +17,12 @@ void expectRest(const std::vector<Segment>& lines, const Convex& shape, Point ab
                 int ticks = 5000) {
   Scene scene(lines, shape, above);
   for (int tick = 0; tick < 3000; ++tick) scene.step(gravity);
-  const Point rest = scene.entity.position();
   scene.entity.setVelocity(gravity);
+  const EntityState rest = scene.entity.state();
   for (int tick = 0; tick < ticks; ++tick) {
     scene.world.solve();
-    ASSERT_EQ(scene.entity.position(), rest) << name << ", tick " << tick;
+    ASSERT_EQ(scene.entity.position(), rest.position) << name << ", tick " << tick;
+    ASSERT_EQ(scene.entity.state().remainder, rest.remainder) << name << ", tick " << tick;
   }
 }
 
@@ -45,12 +48,16 @@ TEST(RestTest, ReversedSlidesStop) {
              square(100), {-203, 170}, {43, -32}, "ends of lines");
 }
 
-// The resting position depends on which segments were tried at it.
-TEST(RestTest, SegmentsAreTriedOncePerPosition) {
+// In rationals, the body rests at (37.76, 80.96), between the third segment and the first.
+TEST(RestTest, RestsWhereTheIdealBodyDoes) {
   Scene scene({{{108, -56}, {232, 98}}, {{194, -31}, {359, 119}}, {{156, 28}, {118, -70}}, {{78, -53}, {-541, -89}}},
               square(100), {-203, 170});
   for (int tick = 0; tick < 100; ++tick) scene.step({43, -32});
-  EXPECT_EQ(scene.entity.position(), Point(10, 47));
+  const EntityState& state = scene.entity.state();
+  const PrecisePoint place = precise(state.position) + PrecisePoint{state.remainder.x, state.remainder.y};
+  EXPECT_LE(std::abs(place.x - PrecisePoint::kOne * 3776 / 100), Tolerances::kOnEdge);
+  EXPECT_LE(std::abs(place.y - PrecisePoint::kOne * 8096 / 100), Tolerances::kOnEdge);
+  EXPECT_LE(squaredLength(state.position - Point(38, 81)), 1);
 }
 
 TEST(RestTest, StaysAtRestForLong) {

@@ -65,7 +65,7 @@ struct EntityState {
   std::uint32_t part = 0;       ///< id of the home part
   Point position;               ///< in the frame of the home part, subunits
   Point velocity;               ///< subunits per tick, in a frame rotated by `heading` against the home part
-  Point remainder;              ///< exact position minus `position`, in 2^-16 subunits; 0 after a contact.
+  Point remainder;              ///< exact position minus `position`, in 2^-26 subunits
                                 ///< Without it, free motion in a rotated frame would drift
   Angle heading;                ///< rotation from the frame of `velocity` to the frame of the home part
   Angle angle;                  ///< rotation of the shape in the frame of the home part
@@ -106,8 +106,8 @@ inline Point positionOf(const EntityState& entity, const InstanceState& instance
   return instance.anchor + rotate(entity.position - instance.homeAnchor, instance.angle - entity.angle);
 }
 
-/// Bound of a remainder's coordinates, 2^-16 subunits: 8 subunits. An instance is at most 4 subunits from its exact
+/// Bound of a remainder's coordinates, 2^-26 subunits: 8 subunits. An instance is at most 4 subunits from its exact
 /// position (I5), and each rounding adds less than 1.
-inline constexpr std::int32_t kRemainderLimit = 8 << 16;
+inline constexpr std::int32_t kRemainderLimit = 8 << 26;
 
 }  // namespace platon

@@ -22,8 +22,8 @@ struct Warp {
   PrecisePoint fromMiddle = {};  ///< midpoint of `from`, more exact than its rounded ends
   PrecisePoint ontoMiddle = {};  ///< the same point in the target part
 
-  /// Maps `point` from the frame of this part into the frame of the target, rounded to 2^-16 subunits. Products
-  /// are formed in 128 bits. Requires |point| < 2^46 per coordinate, in 2^-16 subunits.
+  /// Maps `point` from the frame of this part into the frame of the target, rounded to 2^-26 subunits. Products
+  /// are formed in 128 bits. Requires |point| < 2^56 per coordinate, in 2^-26 subunits.
   PrecisePoint map(PrecisePoint point) const;
   /// The inverse of `map`, up to rounding and 2^-28 of the distance from the midpoint.
   PrecisePoint mapBack(PrecisePoint point) const;

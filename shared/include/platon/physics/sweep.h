@@ -81,12 +81,14 @@ class Sweep {
   std::optional<ClipInterval> clip(const Segment& segment, Obstacle::HalfPlane& separating) const;
   /// Second half of `against`: the collision that belongs to the result of `clip`.
   static Hit hitOf(const Obstacle& obstacle, const ClipInterval& interval);
-  Hit hitOf(const Segment& segment, const ClipInterval& interval) const;
+  static Hit hitOf(const Convex& shape, const Segment& segment, const ClipInterval& interval);
 
   /// Whether the bounding box of the moving shape is disjoint from the bounding box of a segment.
   bool misses(const Box& segmentBounds) const { return !bounds_.overlaps(segmentBounds); }
   /// Bounding box of the shape over the whole displacement, including the margin.
   const Box& bounds() const { return bounds_; }
+  /// Bounding box of the positions along the displacement.
+  const Box& path() const { return path_; }
 
  private:
   // Signed distances from a half plane at both ends of the displacement, times the length of its normal.

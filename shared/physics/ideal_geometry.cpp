@@ -1,0 +1,263 @@
+#include "shared/physics/ideal_geometry.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstdlib>
+
+#include "shared/physics/tolerances.h"
+
+namespace platon {
+namespace {
+
+int128 dotPrecise(Point normal, PrecisePoint point) { return int128{normal.x} * point.x + int128{normal.y} * point.y; }
+
+int widthOf(int128 value) {
+  const auto high = static_cast<std::uint64_t>(value >> 64);
+  return high != 0 ? 64 + static_cast<int>(std::bit_width(high))
+                   : static_cast<int>(std::bit_width(static_cast<std::uint64_t>(value)));
+}
+
+// tangent * along / |tangent|^2. Bounds: |along| < 2^88, |tangent| < 2^30.
+PrecisePoint multipleOf(Point tangent, int128 along) {
+  const int128 length = squaredLength(tangent);
+  return {static_cast<std::int64_t>(divideRounded(along * tangent.x, length)),
+          static_cast<std::int64_t>(divideRounded(along * tangent.y, length))};
+}
+
+std::size_t sideCount(const Segment& segment) { return segment.a == segment.b ? 0 : 2; }
+
+template <class Visit>
+void visitHalfPlanes(const Convex& shape, const Segment& segment, Visit&& visit) {
+  std::size_t index = 0;
+  if (sideCount(segment) > 0) {
+    for (const Obstacle::HalfPlane& side : Obstacle::sideHalfPlanes(shape, segment)) {
+      if (!visit(index++, side)) return;
+    }
+  }
+  for (const Convex::Edge& edge : shape.edges()) {
+    if (!visit(index++, Obstacle::edgeHalfPlane(edge, segment))) return;
+  }
+}
+
+// Clips a path against half planes of one obstacle (Cyrus-Beck).
+class IdealClip {
+ public:
+  IdealClip(std::size_t sides, PrecisePoint from, PrecisePoint displacement)
+      : sides_(sides), from_(from), displacement_(displacement) {}
+
+  // Returns false if the whole path is outside of the half plane.
+  bool intersect(std::size_t index, const Obstacle::HalfPlane& half) {
+    const Crossing crossing{half, index, distanceTo(half, from_), dotPrecise(half.normal, displacement_)};
+    const int128 tolerance = crossing.tolerance();
+    const bool endsInside = crossing.start + crossing.change < -tolerance;
+    if (crossing.start >= -tolerance) {
+      if (!endsInside) return false;
+      enter(crossing);
+    } else if (!endsInside) {
+      leave(crossing);
+    }
+    return true;
+  }
+
+  bool startsInside() const { return interval_.entered == Sweep::ClipInterval::kNone; }
+
+  // Of a path that starts inside: whether this edge is nearer to the start than all before.
+  void findNearest(std::size_t index, const Obstacle::HalfPlane& half) {
+    const Fraction depth = fractionOf(-distanceTo(half, from_), half.oneNorm());
+    if (!startsInside() && depth >= depth_) return;
+    depth_ = depth;
+    interval_.entered = index;
+    isLeaving_ = dotPrecise(half.normal, displacement_) >= 0;
+  }
+
+  std::optional<Sweep::ClipInterval> result() const {
+    const bool isEmpty = !interval_.endsInside && interval_.enter >= interval_.exit;
+    if (startsInside() || isLeaving_ || isEmpty) return std::nullopt;
+    return interval_;
+  }
+
+ private:
+  struct Crossing {
+    Obstacle::HalfPlane half{};
+    std::size_t index = 0;
+    int128 start = 0;   // distance, as distanceTo
+    int128 change = 0;  // of the distance, along the path
+
+    int128 tolerance() const { return int128{Tolerances::kOnEdge} * half.oneNorm(); }
+    // When an entering path is on the edge, and when it comes within the tolerance of it.
+    Fraction time() const { return start <= tolerance() ? Fraction{0, 1} : fractionOf(start, -change); }
+    Fraction early() const { return fractionOf(start - tolerance(), -change); }
+  };
+
+  // Of several edges that the path enters at one place, a side of the segment counts, or else the one with which the
+  // path makes the smallest angle.
+  void enter(const Crossing& crossing) {
+    const Fraction time = crossing.time();
+    if (!startsInside() && crossing.early() <= interval_.enter &&
+        (entered_.early() > time || !takesPrecedence(crossing, entered_)))
+      return;
+    if (startsInside() || time > interval_.enter) interval_.enter = time;
+    entered_ = crossing;
+    interval_.entered = crossing.index;
+  }
+
+  void leave(const Crossing& crossing) {
+    const Fraction time = std::min(Fraction{1, 1}, fractionOf(-crossing.start, crossing.change));
+    if (interval_.endsInside || time < interval_.exit) interval_.exit = time;
+    interval_.endsInside = false;
+  }
+
+  // The angles are compared to 30 bits. Bounds: the changes keep 30 bits, so that the products are < 2^60 * 2^61.
+  bool takesPrecedence(const Crossing& a, const Crossing& b) const {
+    if ((a.index < sides_) != (b.index < sides_)) return a.index < sides_;
+    const int shift = std::max(std::max(widthOf(-a.change), widthOf(-b.change)) - 30, 0);
+    const int128 steepA = a.change >> shift;
+    const int128 steepB = b.change >> shift;
+    return steepA * steepA * squaredLength(b.half.normal) < steepB * steepB * squaredLength(a.half.normal);
+  }
+
+  std::size_t sides_;  // their indices come first
+  PrecisePoint from_;
+  PrecisePoint displacement_;
+  Sweep::ClipInterval interval_;
+  Crossing entered_;
+  Fraction depth_{0, 1};  // of the start, behind the nearest edge, times the one-norm of its normal
+  bool isLeaving_ = false;
+};
+
+// Clips against the half planes that `visitCrossed` visits. Those that it leaves out contain the whole path.
+template <class VisitCrossed, class VisitAll>
+std::optional<Sweep::ClipInterval> clip(IdealClip clip, VisitCrossed&& visitCrossed, VisitAll&& visitAll) {
+  bool misses = false;
+  visitCrossed([&](std::size_t index, const Obstacle::HalfPlane& half) {
+    misses = !clip.intersect(index, half);
+    return !misses;
+  });
+  if (misses) return std::nullopt;
+  if (clip.startsInside()) {
+    visitAll([&](std::size_t index, const Obstacle::HalfPlane& half) {
+      clip.findNearest(index, half);
+      return true;
+    });
+  }
+  return clip.result();
+}
+
+}  // namespace
+
+Fraction fractionOf(int128 numerator, int128 denominator) {
+  if (numerator <= 0) return {0, 1};
+  const int shift = std::max(std::max(widthOf(numerator), widthOf(denominator)) - 62, 0);
+  return {static_cast<std::int64_t>(numerator >> shift),
+          std::max<std::int64_t>(1, static_cast<std::int64_t>(denominator >> shift))};
+}
+
+PrecisePoint scaled(PrecisePoint vector, Fraction share) {
+  if (share.numerator == 0) return {};
+  if (share.numerator == share.denominator) return vector;
+  const auto scale = [&](std::int64_t value) {
+    return static_cast<std::int64_t>(divideRounded(int128{value} * share.numerator, int128{share.denominator}));
+  };
+  return {scale(vector.x), scale(vector.y)};
+}
+
+int128 distanceTo(const Obstacle::HalfPlane& half, PrecisePoint point) {
+  return dotPrecise(half.normal, point) + int128{half.offset} * PrecisePoint::kOne;
+}
+
+std::int64_t maxNorm(PrecisePoint vector) { return std::max(std::abs(vector.x), std::abs(vector.y)); }
+
+Obstacle::HalfPlane halfPlaneOf(const Convex& shape, const Segment& segment, std::size_t wanted) {
+  Obstacle::HalfPlane found;
+  visitHalfPlanes(shape, segment, [&](std::size_t index, const Obstacle::HalfPlane& half) {
+    if (index == wanted) found = half;
+    return index != wanted;
+  });
+  return found;
+}
+
+std::optional<Sweep::ClipInterval> clipIdeal(const Convex& shape, const Segment& segment, PrecisePoint from,
+                                             PrecisePoint displacement) {
+  const auto visitAll = [&](auto&& visit) { visitHalfPlanes(shape, segment, visit); };
+  return clip(IdealClip(sideCount(segment), from, displacement), visitAll, visitAll);
+}
+
+std::optional<Sweep::ClipInterval> clipIdeal(Obstacle& obstacle, const Box& positions, PrecisePoint from,
+                                             PrecisePoint displacement) {
+  const auto visitCrossed = [&](auto&& visit) {
+    for (const std::uint32_t index : obstacle.relevantHalfPlanes(positions)) {
+      if (!visit(index, obstacle.halfPlanes()[index])) return;
+    }
+  };
+  const auto visitAll = [&](auto&& visit) { visitHalfPlanes(obstacle.shape(), obstacle.segment(), visit); };
+  return clip(IdealClip(obstacle.sideCount(), from, displacement), visitCrossed, visitAll);
+}
+
+ObstacleEdge edgeOf(const Convex& shape, const Segment& segment, const Obstacle::HalfPlane& half) {
+  const Point normal = half.normal;
+  const Point tangent = perpendicular(normal);
+  ObstacleEdge edge{half};
+  const std::int64_t a = dot(normal, segment.a);
+  const std::int64_t b = dot(normal, segment.b);
+  const std::int64_t alongA = dot(tangent, segment.a);
+  const std::int64_t alongB = dot(tangent, segment.b);
+  edge.low = a == b ? std::min(alongA, alongB) : a > b ? alongA : alongB;
+  edge.high = a == b ? std::max(alongA, alongB) : edge.low;
+  std::int64_t deepest = INT64_MAX;
+  std::int64_t first = 0;
+  std::int64_t last = 0;
+  for (const Point vertex : shape.vertices()) {
+    const std::int64_t depth = dot(normal, vertex);
+    if (depth > deepest) continue;
+    const std::int64_t along = dot(tangent, vertex);
+    first = depth < deepest ? along : std::min(first, along);
+    last = depth < deepest ? along : std::max(last, along);
+    deepest = depth;
+  }
+  edge.low -= last;
+  edge.high -= first;
+  return edge;
+}
+
+std::size_t adjacent(const Convex& shape, const Segment& segment, Point normal, bool back) {
+  std::size_t best = Sweep::ClipInterval::kNone;
+  Point bestNormal;
+  visitHalfPlanes(shape, segment, [&](std::size_t index, const Obstacle::HalfPlane& half) {
+    const std::int64_t turn = back ? cross(half.normal, normal) : cross(normal, half.normal);
+    const std::int64_t nearer = back ? cross(bestNormal, half.normal) : cross(half.normal, bestNormal);
+    if (turn <= 0 || (best != Sweep::ClipInterval::kNone && nearer <= 0)) return true;
+    best = index;
+    bestNormal = half.normal;
+    return true;
+  });
+  return best;
+}
+
+IdealSlide slideOn(const ObstacleEdge& edge, PrecisePoint from, PrecisePoint remaining) {
+  const Point tangent = perpendicular(edge.half.normal);
+  const int128 along = dotPrecise(tangent, remaining);
+  IdealSlide slide;
+  slide.uncut = slide.displacement = multipleOf(tangent, along);
+  slide.back = along < 0;
+  const int128 here = dotPrecise(tangent, from);
+  const int128 left =
+      slide.back ? here - int128{edge.low} * PrecisePoint::kOne : int128{edge.high} * PrecisePoint::kOne - here;
+  const int128 wanted = slide.back ? -along : along;
+  if (wanted <= left) return slide;
+  slide.cut = true;
+  const int128 kept = std::max<int128>(left, 0);
+  slide.share = fractionOf(kept, wanted);
+  slide.displacement = multipleOf(tangent, slide.back ? -kept : kept);
+  return slide;
+}
+
+PrecisePoint putOnto(const Obstacle::HalfPlane& half, PrecisePoint point) {
+  const int128 distance = distanceTo(half, point);
+  const int128 rounding = int128{Tolerances::kRounding} * half.oneNorm();
+  if (distance >= -rounding && distance <= rounding) return point;
+  const int128 length = squaredLength(half.normal);
+  return point - PrecisePoint{static_cast<std::int64_t>(divideRounded(distance * half.normal.x, length)),
+                              static_cast<std::int64_t>(divideRounded(distance * half.normal.y, length))};
+}
+
+}  // namespace platon

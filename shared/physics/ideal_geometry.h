@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "platon/exact/fraction.h"
+#include "platon/exact/integer.h"
+#include "platon/exact/precise_point.h"
+#include "platon/physics/convex.h"
+#include "platon/physics/obstacle.h"
+#include "platon/physics/segment.h"
+#include "platon/physics/sweep.h"
+
+namespace platon {
+
+/// The geometry of the ideal path: exact up to 2^-26 subunits. The lattice follows it (docs/exactness.md).
+
+/// `numerator / denominator` as a fraction, to 60 significant bits; at least 0. Requires denominator > 0.
+Fraction fractionOf(int128 numerator, int128 denominator);
+
+/// `vector * share`, rounded. Requires 0 <= share <= 1 and |vector| < 2^60.
+PrecisePoint scaled(PrecisePoint vector, Fraction share);
+
+/// Signed distance of `point` from a half plane, times the length of its normal, in 2^-26 subunits. Negative inside.
+int128 distanceTo(const Obstacle::HalfPlane& half, PrecisePoint point);
+
+/// The larger of |x| and |y|.
+std::int64_t maxNorm(PrecisePoint vector);
+
+/// The half planes of the obstacle of `segment` for `shape`, as Obstacle numbers them.
+Obstacle::HalfPlane halfPlaneOf(const Convex& shape, const Segment& segment, std::size_t index);
+
+/// Where the ideal path enters the obstacle of `segment` for `shape`. A path that starts inside enters at once, through
+/// the nearest edge, unless it leaves through it. Within Tolerances::kOnEdge of an edge is outside.
+std::optional<Sweep::ClipInterval> clipIdeal(const Convex& shape, const Segment& segment, PrecisePoint from,
+                                             PrecisePoint displacement);
+/// The same with a prebuilt obstacle. `positions` must contain the path.
+std::optional<Sweep::ClipInterval> clipIdeal(Obstacle& obstacle, const Box& positions, PrecisePoint from,
+                                             PrecisePoint displacement);
+
+/// An edge of an obstacle: its half plane, and where it begins and ends along perpendicular(normal).
+struct ObstacleEdge {
+  Obstacle::HalfPlane half;
+  std::int64_t low = 0;   ///< dot(perpendicular(normal), first corner)
+  std::int64_t high = 0;  ///< the same of the last corner
+};
+ObstacleEdge edgeOf(const Convex& shape, const Segment& segment, const Obstacle::HalfPlane& half);
+/// The index of the next half plane of the same obstacle, counter-clockwise or, with `back`, clockwise.
+std::size_t adjacent(const Convex& shape, const Segment& segment, Point normal, bool back);
+
+/// A slide along an edge.
+struct IdealSlide {
+  PrecisePoint uncut;         ///< the component of the displacement along the edge
+  PrecisePoint displacement;  ///< the same up to the end of the edge
+  Fraction share{1, 1};       ///< of the displacement that the slide uses
+  bool back = false;          ///< it goes against perpendicular(normal)
+  bool cut = false;           ///< it ends with the edge
+};
+IdealSlide slideOn(const ObstacleEdge& edge, PrecisePoint from, PrecisePoint remaining);
+
+/// `point`, moved onto the line of the edge if it is farther from it than Tolerances::kRounding.
+PrecisePoint putOnto(const Obstacle::HalfPlane& half, PrecisePoint point);
+
+}  // namespace platon
