@@ -37,10 +37,7 @@ bool EntityStep::isBlockedByEnd(const LegHit& hit, PrecisePoint place, PrecisePo
 }
 
 // Of the remaining displacement along the edge of `hit`, in 2^-32 of the units of PrecisePoint.
-int128 EntityStep::squaredSlide(const LegHit& hit) const {
-  const ObstacleEdge endless{{homeNormalOf(hit), 0}, INT64_MIN / 4, INT64_MAX / 4};
-  return squared(slideOn(endless, {}, rest_).uncut);
-}
+int128 EntityStep::squaredSlide(const LegHit& hit) const { return squared(alongEdge(homeNormalOf(hit), rest_)); }
 
 // Whether the body touches an end of the segment, perhaps with a vertex.
 bool EntityStep::touchesEnd(LegHit& hit, PrecisePoint place) const {
@@ -63,8 +60,7 @@ bool EntityStep::touchesEnd(LegHit& hit, PrecisePoint place) const {
 bool EntityStep::passEnd(LegHit end, Point normal, PrecisePoint from, PrecisePoint rest) {
   if (!touchesEnd(end, from)) return false;
   const bool straight = normal == homeNormalOf(end);
-  const ObstacleEdge endless{{normal, 0}, INT64_MIN / 4, INT64_MAX / 4};
-  const PrecisePoint onwards = straight ? rest : slideOn(endless, {}, rest).uncut;
+  const PrecisePoint onwards = straight ? rest : alongEdge(normal, rest);
   const Point reached = roundedAt(from);
   const Point target = reached + rounded(onwards);
   if (target == reached || !allInRange(target)) return false;

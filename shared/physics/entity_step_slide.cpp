@@ -51,8 +51,7 @@ void EntityStep::turnCorner(LegHit& hit, PrecisePoint place) const {
 
 // Whether the slide of a whole tick along an edge with this normal is too short to be one.
 bool EntityStep::restsOn(Point normal, const Placement& placement) const {
-  const ObstacleEdge endless{{normal, 0}, INT64_MIN / 4, INT64_MAX / 4};
-  return maxNorm(slideOn(endless, {}, rotated(tick_, placement.fromHome)).uncut) < Tolerances::kRest;
+  return maxNorm(alongEdge(normal, rotated(tick_, placement.fromHome))) < Tolerances::kRest;
 }
 
 // Whether the body is caught between the present contact and `hit`: the slide along each leads into the other.

@@ -233,6 +233,11 @@ std::size_t adjacent(const Convex& shape, const Segment& segment, Point normal, 
   return best;
 }
 
+PrecisePoint alongEdge(Point normal, PrecisePoint displacement) {
+  const Point tangent = perpendicular(normal);
+  return multipleOf(tangent, dotPrecise(tangent, displacement));
+}
+
 IdealSlide slideOn(const ObstacleEdge& edge, PrecisePoint from, PrecisePoint remaining) {
   const Point tangent = perpendicular(edge.half.normal);
   const int128 along = dotPrecise(tangent, remaining);

@@ -49,6 +49,9 @@ ObstacleEdge edgeOf(const Convex& shape, const Segment& segment, const Obstacle:
 /// The index of the next half plane of the same obstacle, counter-clockwise or, with `back`, clockwise.
 std::size_t adjacent(const Convex& shape, const Segment& segment, Point normal, bool back);
 
+/// The component of `displacement` along an edge with this normal.
+PrecisePoint alongEdge(Point normal, PrecisePoint displacement);
+
 /// A slide along an edge.
 struct IdealSlide {
   PrecisePoint uncut;         ///< the component of the displacement along the edge
