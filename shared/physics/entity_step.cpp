@@ -40,7 +40,7 @@ void EntityStep::translate(Point velocity, Angle heading) {
   for (int legs = 0; legs < kMaxLegs && moves_ <= kMaxLegs - kMovesOfLeg && rest_ != PrecisePoint(); ++legs) {
     const LegPlan plan = planLeg();
     if (plan.displacement == PrecisePoint()) break;
-    executeLeg(prepareLeg(plan.displacement, plan.slides && contact_), plan);
+    executeLeg(prepareLeg(plan.displacement, plan.slides), plan);
     rehome();
   }
   if (contact_ && instances_.dropUnreached(Tolerances::kDrop, collider_)) observe();
@@ -198,7 +198,7 @@ void EntityStep::stopInWedge(const LegHit& hit, PrecisePoint rest) {
 
 PrecisePoint EntityStep::endOf(const Leg& leg, const LegPlan& plan) const {
   PrecisePoint end = ideal_ + (leg.hit ? scaled(leg.displacement, leg.hit->hit.time) : leg.displacement);
-  if (plan.slides && contact_) end = onto(*contact_, end);
+  if (plan.slides) end = onto(*contact_, end);
   return leg.hit ? onto(*leg.hit, end) : end;
 }
 

@@ -82,7 +82,7 @@ IDEAL_FAULTS = [
           "rounding leaves the ideal place beside the edge that stopped it",
           "RemainderTest.AnIdealPlaceInsideAnObstacleIsPutOntoItsEdge"),
     at_length("slide-leaves-the-edge", PHYSICS + "entity_step.cpp",
-              "if (plan.slides && contact_) end = onto(*contact_, end);", "",
+              "if (plan.slides) end = onto(*contact_, end);", "",
               "the roundings of slides add up to a way off the edge",
               "RestTest.RestsWhereTheIdealBodyDoes"),
     Fault("slides-without-end", PHYSICS + "tolerances.h", "kRest = PrecisePoint::kOne;", "kRest = 0;",
