@@ -5,6 +5,7 @@
 
 #include "platon/exact/integer.h"
 #include "platon/physics/world.h"
+#include "shared/physics/world_link.h"
 
 namespace platon {
 namespace {
@@ -21,22 +22,38 @@ void requireVelocity(bool holds, std::uint32_t entity) {
 
 Entity::Entity(World& world, const intern::Convex& shape) : Entity(world, Convex(shape)) {}
 
-Entity::Entity(World& world, const Convex& shape) : world_(&world), index_(world.add(shape)) {}
+Entity::Entity(World& world, const Convex& shape) : Entity(world, world.add(shape)) {}
 
-const EntityState& Entity::state() const { return world_->state_.entities[world_->checked(index_)]; }
-EntityState& Entity::mutableState() { return world_->state_.entities[world_->checked(index_)]; }
+Entity::Entity(World& world, std::uint32_t index) : Entity(world, {index, world.save().generationOf(index)}) {}
+
+Entity::Entity(World& world, EntityId id) : link_(&world.link()), id_(id) {}
+
+World& Entity::world() const { return World::of(*link_); }
+bool Entity::exists() const { return link_->world != nullptr && link_->world->exists(id_); }
+void Entity::destroy() { world().destroy(world().checked(id_)); }
+
+const EntityState& Entity::state() const {
+  const World& mine = world();
+  return mine.state_.entities[mine.checked(id_)];
+}
+
+EntityState& Entity::mutableState() {
+  World& mine = world();
+  return mine.state_.entities[mine.checked(id_)];
+}
+
 Point Entity::position() const { return state().position; }
 Point Entity::velocity() const { return platon::rotate(state().velocity, state().heading); }
 Angle Entity::rotation() const { return state().angle; }
 std::uint32_t Entity::part() const { return state().part; }
 Angle Entity::heading() const { return state().heading; }
 bool Entity::inserted() const { return state().inserted != 0; }
-const Convex& Entity::shape() const { return world_->shapeOf(index_); }
+const Convex& Entity::shape() const { return world().shapeOf(world().checked(id_)); }
 
 void Entity::setVelocity(Point velocity) { setVelocity(velocity, Angle()); }
 
 void Entity::setVelocity(Point velocity, Angle frame) {
-  requireVelocity(isVelocity(velocity), index_);
+  requireVelocity(isVelocity(velocity), id_.index);
   EntityState& mine = mutableState();
   mine.velocity = velocity;
   mine.heading = frame;
@@ -45,16 +62,16 @@ void Entity::setVelocity(Point velocity, Angle frame) {
 void Entity::addVelocity(Point change) { addVelocity(change, Angle()); }
 
 void Entity::addVelocity(Point change, Angle frame) {
-  requireVelocity(isCoordinate(change.x) && isCoordinate(change.y), index_);  // so that the sum fits 32 bits
+  requireVelocity(isCoordinate(change.x) && isCoordinate(change.y), id_.index);  // so that the sum fits 32 bits
   EntityState& mine = mutableState();
   const Point sum = mine.velocity + platon::rotate(change, frame - mine.heading);
-  requireVelocity(isVelocity(sum), index_);
+  requireVelocity(isVelocity(sum), id_.index);
   mine.velocity = sum;
 }
 
 void Entity::rotate(std::int32_t centidegrees) {
   if (centidegrees <= -Angle::kTurn || centidegrees >= Angle::kTurn)
-    refuse(index_, "the rotation is out of range: it must be below 36000 centidegrees in magnitude");
+    refuse(id_.index, "the rotation is out of range: it must be below 36000 centidegrees in magnitude");
   mutableState().turn = centidegrees;
 }
 

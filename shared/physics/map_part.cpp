@@ -10,6 +10,7 @@
 #include "platon/physics/entity.h"
 #include "platon/physics/world.h"
 #include "shared/physics/step_scratch.h"
+#include "shared/physics/world_link.h"
 
 namespace platon {
 namespace {
@@ -52,16 +53,23 @@ bool isNear(PrecisePoint a, PrecisePoint b) {
 
 }  // namespace
 
+MapPart::MapPart(World& world, std::uint32_t id) : link_(&world.link()), id_(id) {}
+
 void MapPart::requireOpen() const {
-  if (world_->geometry().find(id_) == nullptr) return;
+  if (World::of(*link_).geometry().find(id_) == nullptr) return;
   throw std::invalid_argument("map part " + std::to_string(id_) +
                               " is already initialised: add its segments and warps before initialize()");
 }
 
-void MapPart::requireEntityOfThisWorld(const Entity& entity) const {
-  if (&entity.world() == world_) return;
-  throw std::invalid_argument("map part " + std::to_string(id_) + ": entity " + std::to_string(entity.index()) +
-                              " belongs to another world: use an entity of the world of this part");
+// The world of this part and of the entity, which must exist.
+World& MapPart::worldOf(const Entity& entity) const {
+  World& world = World::of(*link_);
+  if (&entity.world() != &world) {
+    throw std::invalid_argument("map part " + std::to_string(id_) + ": entity " + std::to_string(entity.index()) +
+                                " belongs to another world: use an entity of the world of this part");
+  }
+  world.checked(entity.id());
+  return world;
 }
 
 void MapPart::line(Point p0, Point p1) {
@@ -95,6 +103,7 @@ void MapPart::warp(Segment from, std::uint32_t targetMap, Segment onto, PreciseP
 }
 
 void MapPart::initialize() {
+  World& world = World::of(*link_);
   requireConvexBoundary(id_, warps_);
   MapGeometry part;
   part.id = id_;
@@ -103,19 +112,16 @@ void MapPart::initialize() {
   part.segments.shrink_to_fit();
   part.warps = std::move(warps_);
   part.grid = Grid(part.segments);
-  for (Rest& rest : world_->scratch_->rests) rest.forget();  // warps to this part can be passed from now on
-  world_->geometry_ = withPart(*world_->geometry_, std::move(part));
+  for (Rest& rest : world.scratch_->rests) rest.forget();  // warps to this part can be passed from now on
+  world.geometry_ = withPart(*world.geometry_, std::move(part));
 }
 
 void MapPart::insert(Entity& entity, const Point& origin, Angle angle) {
-  requireEntityOfThisWorld(entity);
+  World& world = worldOf(entity);
   requireCoordinates(id_, origin);
-  world_->insert(entity.index(), id_, origin, angle);
+  world.insert(entity.index(), id_, origin, angle);
 }
 
-void MapPart::erase(Entity& entity) {
-  requireEntityOfThisWorld(entity);
-  world_->erase(entity.index(), id_);
-}
+void MapPart::erase(Entity& entity) { worldOf(entity).erase(entity.index(), id_); }
 
 }  // namespace platon

@@ -9,6 +9,7 @@
 #include "platon/physics/entity.h"
 #include "shared/exact/hash.h"
 #include "shared/physics/step_scratch.h"
+#include "shared/physics/world_link.h"
 
 namespace platon {
 namespace {
@@ -45,10 +46,6 @@ World& World::operator=(const World& other) {
   rules_ = other.rules_;
   return *this;
 }
-
-World::World(World&&) noexcept = default;
-World& World::operator=(World&&) noexcept = default;
-World::~World() = default;
 
 void World::solve(StepObserver* observer) {
   DefaultRules defaults;
@@ -113,6 +110,7 @@ std::uint64_t WorldState::hash() const {
   const auto add = [&](const char*, const auto& field) { hash.add(field); };
   for (const EntityState& entity : entities) EntityState::visit(entity, add);
   for (const InstanceState& instance : instances) InstanceState::visit(instance, add);
+  for (const std::uint32_t generation : generations) hash.add(generation);
   return hash.value();
 }
 
@@ -121,11 +119,6 @@ bool World::isBuiltLike(const World& other) const {
   const auto isSame = [](const auto& x, const auto& y) { return x == y || *x == *y; };
   return isSame(geometry_, other.geometry_) &&
          std::equal(shapes_.begin(), shapes_.end(), other.shapes_.begin(), other.shapes_.end(), isSame);
-}
-
-void World::refuse(std::uint32_t entity) const {
-  throw std::invalid_argument("entity " + std::to_string(entity) + " does not exist: the world has " +
-                              std::to_string(state_.entities.size()) + " entities, counted from 0");
 }
 
 std::span<const InstanceState> World::instancesOf(std::uint32_t entity) const {
@@ -160,13 +153,6 @@ std::uint32_t World::addShape(const Convex& shape) {
   const auto index = static_cast<std::uint32_t>(known - shapes_.begin());
   if (known == shapes_.end()) shapes_.push_back(std::make_shared<const Convex>(shape));
   return index;
-}
-
-std::uint32_t World::add(const Convex& shape) {
-  EntityState entity;
-  entity.shape = addShape(shape);
-  state_.entities.push_back(entity);
-  return static_cast<std::uint32_t>(state_.entities.size() - 1);
 }
 
 void World::insert(std::uint32_t entity, std::uint32_t part, Point origin, Angle angle) {

@@ -91,9 +91,16 @@ std::string named(std::size_t entity, const char* what) { return "entity " + std
 }  // namespace
 
 std::optional<std::string> World::fault(const WorldState& state) const {
+  if (state.generations.size() > state.entities.size()) return "the state has more generations than entities";
+  if (!state.generations.empty() && state.generations.back() == 0)
+    return "the last generation of the state is 0: leave it out";
   std::size_t next = 0;
   for (std::size_t i = 0; i < state.entities.size(); ++i) {
     const EntityState& entity = state.entities[i];
+    if (WorldState::isDestroyed(state.generationOf(static_cast<std::uint32_t>(i)))) {
+      if (entity != EntityState()) return named(i, "it is destroyed, but a value of it is not 0");
+      continue;
+    }
     if (entity.shape >= shapes_.size()) return named(i, "the world has no such shape");
     if (entity.instances > state.instances.size() - next)
       return named(i, "the state has fewer instances than it names");

@@ -310,7 +310,7 @@ FAULTS = [
               "a reused obstacle keeps its old segment",
               "DerivedStateTest.LongLivedWorldsStepLikeFreshCopies"),
     Fault("rest-outlives-a-new-part", PHYSICS + "map_part.cpp",
-          "  for (Rest& rest : world_->scratch_->rests) rest.forget();", "",
+          "  for (Rest& rest : world.scratch_->rests) rest.forget();", "",
           "a rest survives a new part behind a warp",
           "IgnoresWarpsWorldTest.AddingAPartWakesRestingEntities"),
     Fault("ends-at-once-with-warps-heeded", PHYSICS + "collider.h", "return ignoresWarps_ && best &&", "return best &&",

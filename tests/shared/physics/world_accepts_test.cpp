@@ -159,6 +159,22 @@ TEST_F(WorldAcceptsTest, RejectsAnglesAtWhichTheShapeIsDegenerate) {
   EXPECT_TRUE(acceptsWith([](WorldState& s) { s.entities[2].angle = Angle::degrees(90); }));
 }
 
+TEST_F(WorldAcceptsTest, AcceptsDestroyedEntitiesWithoutAState) {
+  EXPECT_FALSE(acceptsWith([](WorldState& s) { s.generations = {0, 0, 1}; })) << "it has a state";
+  EXPECT_FALSE(acceptsWith([](WorldState& s) {
+    s.entities[2] = EntityState();
+    s.entities[2].nextId = 1;
+    s.generations = {0, 0, 1};
+  }));
+  EXPECT_TRUE(acceptsWith([](WorldState& s) {
+    s.entities[2] = EntityState();
+    s.generations = {0, 0, 1};
+  }));
+  EXPECT_TRUE(acceptsWith([](WorldState& s) { s.generations = {4, 0, 0xfffffffe}; }));
+  EXPECT_FALSE(acceptsWith([](WorldState& s) { s.generations = {2, 0}; })) << "two states of one world";
+  EXPECT_FALSE(acceptsWith([](WorldState& s) { s.generations = {0, 0, 0, 2}; })) << "of which entity?";
+}
+
 TEST_F(WorldAcceptsTest, NamesTheFault) {
   const auto fault = [this](const std::function<void(WorldState&)>& change) {
     WorldState state = good;
@@ -176,6 +192,9 @@ TEST_F(WorldAcceptsTest, NamesTheFault) {
             "entity 1: a further instance is in a map part that is not initialised, or a value of it is out of range");
   EXPECT_EQ(fault([](WorldState& s) { s.entities[2].angle = Angle::degrees(20); }),
             "entity 2: its shape is degenerate at the rotation of an instance");
+  EXPECT_EQ(fault([](WorldState& s) { s.generations = {1}; }), "entity 0: it is destroyed, but a value of it is not 0");
+  EXPECT_EQ(fault([](WorldState& s) { s.generations = {0, 0, 0, 2}; }), "the state has more generations than entities");
+  EXPECT_EQ(fault([](WorldState& s) { s.generations = {0}; }), "the last generation of the state is 0: leave it out");
   EXPECT_EQ(fault([](WorldState& s) { s.instances[0].parent = 7; }),
             "entity 0: no warp leads to a further instance from its parent");
 }

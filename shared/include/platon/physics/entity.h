@@ -10,12 +10,17 @@
 namespace platon {
 
 class World;
+struct WorldLink;
 
 /// A handle to a moving convex shape. All state is stored in the world, so that worlds can be copied, saved and
-/// restored; the handle must not outlive its world. Units: subunits, subunits per tick, centidegrees.
+/// restored. The handle follows its world when that is moved, stays with it when that is copied, and must not be used
+/// after its end. Units: subunits, subunits per tick, centidegrees.
 ///
-/// Every function throws std::invalid_argument, and changes nothing, when the world has no entity with this index, for
-/// example after World::restore of a state with fewer entities, or when an argument is out of its range.
+/// A handle names an entity by its id. Every function but id, index, exists and world throws std::invalid_argument, and
+/// changes nothing, when the world has no entity with this id, or when an argument is out of its range. World::restore
+/// also restores the ids: a handle that was made after the state was saved is refused, until the world makes an entity
+/// with the same id again, and then names that one. So a program that rolls back saves the ids that it holds together
+/// with the state.
 class Entity {
  public:
   /// Adds an entity to the world. It is in no map part until MapPart::insert. Throws std::invalid_argument when the
@@ -23,7 +28,18 @@ class Entity {
   Entity(World& world, const intern::Convex& shape);
   Entity(World& world, const Convex& shape);
   /// A handle to the existing entity `index`.
-  Entity(World& world, std::uint32_t index) : world_(&world), index_(index) {}
+  Entity(World& world, std::uint32_t index);
+  /// A handle to the entity with this id.
+  Entity(World& world, EntityId id);
+
+  EntityId id() const { return id_; }
+  std::uint32_t index() const { return id_.index; }
+  /// The world of this handle. Throws std::invalid_argument when another world was moved onto it.
+  World& world() const;
+  /// Whether the entity exists, so that the handle can be used.
+  bool exists() const;
+  /// Destroys the entity; see World::destroy.
+  void destroy();
 
   /// Position of the home instance in the frame of the home part.
   Point position() const;
@@ -60,15 +76,13 @@ class Entity {
 
   /// The shape as it was passed to the constructor, unrotated.
   const Convex& shape() const;
-  std::uint32_t index() const { return index_; }
-  World& world() const { return *world_; }
   const EntityState& state() const;
 
  private:
   EntityState& mutableState();
 
-  World* world_;
-  std::uint32_t index_;
+  WorldLink* link_;
+  EntityId id_;
 };
 
 }  // namespace platon

@@ -16,6 +16,15 @@ constexpr bool isVelocity(Point velocity) {
          velocity.y < kVelocityLimit;
 }
 
+/// Names an entity of a world for as long as it exists. Indices of destroyed entities are used again, for an entity of
+/// a later generation.
+struct EntityId {
+  std::uint32_t index = 0;
+  std::uint32_t generation = 0;
+
+  friend bool operator==(const EntityId&, const EntityId&) = default;
+};
+
 /// State of an instance other than the home instance (a "further instance"). Its position is `anchor` plus
 /// `home position - homeAnchor` rotated by the difference of the two angles and rounded. The position is computed from
 /// the anchors in every tick, so rounding errors do not accumulate.

@@ -11,13 +11,15 @@ namespace platon {
 
 class Entity;
 class World;
+struct WorldLink;
 
 /// Builder and handle of one map part. Add segments and warps, then call `initialize` once: the geometry is
-/// preprocessed, becomes immutable and is added to the world. The handle must not outlive its world.
+/// preprocessed, becomes immutable and is added to the world. Like an Entity, it follows its world when that is moved
+/// and must not be used after its end.
 class MapPart {
  public:
   /// `id` must be unique in the world by the time of `initialize`.
-  MapPart(World& world, std::uint32_t id) : world_(&world), id_(id) {}
+  MapPart(World& world, std::uint32_t id);
 
   /// Adds a segment. Two equal ends make a point, which blocks too. Segments may cross and repeat. Throws
   /// std::invalid_argument when a coordinate is not below 2^29 in magnitude or the part is initialised.
@@ -42,22 +44,21 @@ class MapPart {
 
   /// Places an instance of the entity in this part, at position `origin` and rotated by `angle`. The first instance of
   /// an entity is its home instance; instances in other parts move with it. Throws std::invalid_argument when the part
-  /// is not initialised, the entity belongs to another world or is already in the part, the coordinates are out of
-  /// range, or a blocking segment overlaps
-  /// the shape.
+  /// is not initialised, the entity does not exist, belongs to another world or is already in the part, the coordinates
+  /// are out of range, or a blocking segment overlaps the shape.
   void insert(Entity& entity, const Point& origin, Angle angle);
 
   /// Removes the entity's instances from this part. No effect when there are none. Throws std::invalid_argument when
-  /// the entity belongs to another world.
+  /// the entity does not exist or belongs to another world.
   void erase(Entity& entity);
 
   std::uint32_t id() const { return id_; }
 
  private:
   void requireOpen() const;
-  void requireEntityOfThisWorld(const Entity& entity) const;
+  World& worldOf(const Entity& entity) const;
 
-  World* world_;
+  WorldLink* link_;
   std::uint32_t id_;
   std::vector<Segment> segments_;
   std::vector<Warp> warps_;

@@ -16,11 +16,23 @@
 namespace platon {
 
 class StepScratch;
+struct WorldLink;
 
 /// The saved state of a world. Together with the geometry, the shapes and the rules it determines all later states.
 struct WorldState {
   std::vector<EntityState> entities;
   std::vector<InstanceState> instances;  ///< further instances of all entities, in order of the entities
+  /// By index of the entity: twice the number of earlier entities with this index, plus 1 while it is free. Indices
+  /// behind the end have generation 0, and the last element is not 0: a world in which no entity was destroyed has
+  /// none.
+  std::vector<std::uint32_t> generations = {};
+
+  /// The generation of this index.
+  std::uint32_t generationOf(std::uint32_t entity) const {
+    return entity < generations.size() ? generations[entity] : 0;
+  }
+  /// Whether an index of this generation is free.
+  static constexpr bool isDestroyed(std::uint32_t generation) { return generation % 2 != 0; }
 
   friend bool operator==(const WorldState&, const WorldState&) = default;
 
@@ -30,6 +42,11 @@ struct WorldState {
 
 /// A collection of map parts and of the entities that move on them. Has value semantics: a copy has its own state and
 /// shares the immutable geometry. Deterministic: equal states and equal calls give identical states on every platform.
+///
+/// Handles (Entity, MapPart) belong to one world and must not be used after its end:
+///  - A copy has no handles of its own, and copy assignment leaves those of both worlds where they are.
+///  - Handles follow a world that is moved. Those of a world onto which another is moved are refused, or, if the other
+///    never had a handle, name what is in their place now.
 ///
 /// Functions that take the index of an entity throw std::invalid_argument when the world has no such entity. A world
 /// that was moved from may only be assigned to or destroyed.
@@ -66,7 +83,16 @@ class World {
   friend bool operator==(const World& a, const World& b) { return a.state_ == b.state_ && a.isBuiltLike(b); }
 
   const Geometry& geometry() const { return *geometry_; }
+  /// By index. The state of a destroyed entity is EntityState().
   std::span<const EntityState> entities() const { return state_.entities; }
+  /// Whether the entity exists: its index was given to an entity that is not destroyed.
+  bool exists(std::uint32_t entity) const {
+    return entity < state_.entities.size() && !WorldState::isDestroyed(state_.generationOf(entity));
+  }
+  /// Whether the entity exists and has this generation.
+  bool exists(EntityId id) const { return exists(id.index) && state_.generationOf(id.index) == id.generation; }
+  /// The id of the entity.
+  EntityId idOf(std::uint32_t entity) const { return {checked(entity), state_.generationOf(entity)}; }
   /// The further instances of the entity (all but its home instance).
   std::span<const InstanceState> instancesOf(std::uint32_t entity) const;
   /// Position of a further instance of the entity, in the frame of the instance's part.
@@ -90,6 +116,9 @@ class World {
   bool accepts(const WorldState& state) const { return !fault(state); }
   /// Removes the entity from all parts. Its index stays valid.
   void remove(std::uint32_t entity);
+  /// Destroys the entity: removes it from all parts and frees its index. Handles of it are refused from then on. The
+  /// next new entity gets the lowest free index, so equal calls still give equal states.
+  void destroy(std::uint32_t entity);
 
  private:
   friend class Entity;
@@ -97,10 +126,18 @@ class World {
 
   // Returns `entity`, or refuses it when there is no such entity.
   std::uint32_t checked(std::uint32_t entity) const {
-    if (entity >= state_.entities.size()) refuse(entity);
+    if (!exists(entity)) refuse(entity);
     return entity;
   }
+  // As above, for the entity of a handle.
+  std::uint32_t checked(EntityId id) const {
+    if (!exists(id)) refuse(id);
+    return id.index;
+  }
   [[noreturn]] void refuse(std::uint32_t entity) const;
+  [[noreturn]] void refuse(EntityId id) const;
+  WorldLink& link();
+  static World& of(const WorldLink& link);
   bool isBuiltLike(const World& other) const;
   std::uint32_t add(const Convex& shape);
   void insert(std::uint32_t entity, std::uint32_t part, Point origin, Angle angle);
@@ -120,6 +157,7 @@ class World {
   WorldState state_;
   Rules* rules_;
   std::unique_ptr<StepScratch> scratch_;  // derived state, not saved
+  std::unique_ptr<WorldLink> link_;       // null until the first handle is made
 };
 
 }  // namespace platon
