@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
-#include "platon/exact/integer.h"
 #include "shared/exact/square_root.h"
+#include "shared/physics/grid_cells.h"
 
 namespace platon {
 namespace {
@@ -24,27 +24,8 @@ std::vector<std::int32_t> chooseBorders(std::vector<std::int32_t> coordinates, s
   return borders;
 }
 
-std::size_t bordersBelow(const std::vector<std::int32_t>& borders, std::int64_t coordinate) {
-  return static_cast<std::size_t>(std::lower_bound(borders.begin(), borders.end(), coordinate) - borders.begin());
-}
-
 std::size_t bordersUpTo(const std::vector<std::int32_t>& borders, std::int64_t coordinate) {
   return static_cast<std::size_t>(std::upper_bound(borders.begin(), borders.end(), coordinate) - borders.begin());
-}
-
-struct Span {
-  std::int64_t low, high;
-};
-
-// The x range of segment ab, with a.y <= b.y, for y in [low, high], rounded outwards. Bounds: differences < 2^30,
-// products < 2^60.
-Span xRange(Point a, Point b, std::int64_t low, std::int64_t high) {
-  if (a.y == b.y) return {std::min(a.x, b.x), std::max(a.x, b.x)};
-  const std::int64_t width = std::int64_t{b.x} - a.x;
-  const std::int64_t height = std::int64_t{b.y} - a.y;
-  const std::int64_t atLow = width * (low - a.y);
-  const std::int64_t atHigh = width * (high - a.y);
-  return {a.x + divideFloor(std::min(atLow, atHigh), height), a.x + divideCeiling(std::max(atLow, atHigh), height)};
 }
 
 }  // namespace
@@ -66,7 +47,7 @@ void Grid::forEachCell(const Segment& segment, Visit&& visit) const {
   for (std::size_t row = bordersBelow(rows_, a.y); row <= lastRow; ++row) {
     const std::int64_t low = row == 0 ? a.y : std::max(a.y, rows_[row - 1]);
     const std::int64_t high = row == rows_.size() ? b.y : std::min(b.y, rows_[row]);
-    const Span run = xRange(a, b, low, high);
+    const CoordinateRange run = xRange(a, b, low, high);
     const std::size_t last = bordersBelow(columns_, run.high);
     for (std::size_t column = bordersBelow(columns_, run.low); column <= last; ++column) visit(row * stride + column);
   }

@@ -109,7 +109,7 @@ FAULTS = [
     at_length("grid-last-row", PHYSICS + "grid.cpp", "row <= lastRow;", "row < lastRow;",
               "a segment is missing from the last row of its cells",
               "GridTest.FindsEverySegmentThatTouchesTheBox"),
-    at_length("grid-slope-from-the-wrong-end", PHYSICS + "grid.cpp",
+    at_length("grid-slope-from-the-wrong-end", PHYSICS + "grid_cells.h",
               "divideFloor(std::min(atLow, atHigh), height)", "divideFloor(std::max(atLow, atHigh), height)",
               "an inclined segment is only in the last cell of each row",
               "GridTest.FindsEverySegmentThatTouchesTheBox"),

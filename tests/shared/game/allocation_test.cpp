@@ -8,7 +8,9 @@
 
 #include "platon/game/game.h"
 #include "platon/physics/entity.h"
+#include "platon/physics/entity_query.h"
 #include "platon/physics/map_part.h"
+#include "platon/physics/query.h"
 #include "platon/physics/rules.h"
 #include "platon/physics/world.h"
 #include "tests/determinism/lockstep_levels.h"
@@ -114,6 +116,48 @@ TEST(RotationAllocationTest, RotatingAgainDoesNotAllocate) {
   EXPECT_EQ(world.entities()[0].angle, Angle()) << "no segment has blocked the rotation";
   turnRound();
   EXPECT_EQ(turnRound(), 0u);
+}
+
+TEST(QueryAllocationTest, AskingAgainDoesNotAllocate) {
+  World world;
+  MapPart part(world, 0);
+  sim::SeededRandom random(kSeed);
+  for (int i = 0; i < 500; ++i) {
+    const Point a = random.vector(20000);
+    part.line(a, a + random.vector(2000));
+  }
+  part.initialize();
+  for (int i = 0; i < 50; ++i) {
+    Entity entity(world, square(10));
+    const Point at = random.vector(20000);
+    const Convex turned = *square(10).turned(Angle(700 * i));
+    if (!overlapsSegment(world, 0, turned, at)) part.insert(entity, at, Angle(700 * i));
+  }
+  const Convex shape = square(3000);
+  const Convex area = square(9000);
+  EntityQuery query;
+  std::vector<RayHit> rays;
+  std::vector<ShapeHit> shapes;
+  std::vector<SegmentRef> overlaps;
+  std::vector<FoundInstance> found;
+  std::vector<InstanceHit> hits;
+  const auto ask = [&] {
+    const std::size_t before = allocations;
+    castRay(world, 0, {-15000, -15000}, {30000, 30000});
+    castRayThrough(world, 0, {-15000, -15000}, {30000, 30000}, rays);
+    castShape(world, 0, shape, {-15000, -15000}, {30000, 30000});
+    castShapeThrough(world, 0, shape, {-15000, -15000}, {30000, 30000}, shapes);
+    findOverlaps(world, 0, shape, {0, 0}, overlaps);
+    query.overlapping(world, 0, area, {0, 0}, found);
+    query.onRay(world, 0, {-15000, -15000}, {30000, 30000}, hits);
+    return allocations - before;
+  };
+  ASSERT_GT(ask(), 0u) << "allocations are not counted";
+  EXPECT_EQ(ask(), 0u);
+  EXPECT_GT(rays.size(), 5u);
+  EXPECT_GT(shapes.size(), 50u);
+  EXPECT_GT(overlaps.size(), 5u);
+  EXPECT_GT(found.size(), 5u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shipped, AllocationTest, testing::ValuesIn(shippedLevels()),

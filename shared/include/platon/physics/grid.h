@@ -26,6 +26,8 @@ class Grid {
   std::size_t bytes() const;
 
  private:
+  friend class GridWalk;
+
   struct CellRange {
     std::size_t firstColumn, lastColumn, firstRow, lastRow;
   };
