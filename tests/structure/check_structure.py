@@ -68,6 +68,9 @@ LAYOUT = (
     (ADDRESS_ORDER, "an order by address differs from run to run"),
 )
 
+# In shared/, but not a part of the simulation: programs that use it.
+EXAMPLES = "shared/examples/"
+
 LEFTOVERS = re.compile(r"\b(?:TO" r"DO|FIX" r"ME|XX" r"X|HA" r"CK)\b")
 MACHINE_PATHS = re.compile(r"(?<![\w./$}-])/(?:home|root|work|Users|builds|workspace)/[\w.]")
 FILE_NAME = re.compile(r"[a-z0-9]+(?:_[a-z0-9]+)*\.(?:h|cpp)")
@@ -82,6 +85,11 @@ def tree_files(root):
             path = relative / name
             if path.suffix in TEXT_SUFFIXES or path.as_posix() in ("platon", ".ci/run"):
                 yield path.as_posix(), (root / path).read_text(encoding="utf-8", errors="replace")
+
+
+def is_pure(path):
+    """True if the file is a part of the simulation."""
+    return path.startswith("shared/") and not path.startswith(EXAMPLES)
 
 
 def check_top_level(root):
@@ -103,7 +111,7 @@ def _check_quoted(path, header, table, root):
 
 
 def _check_angled(path, header, table):
-    if path.startswith("shared/"):
+    if is_pure(path):
         return None if header in PURE_HEADERS else f"shared/ may not include <{header}>"
     if header in STANDARD_HEADERS:
         return None
@@ -180,7 +188,7 @@ def check_tree(root):
             yield from check_cpp_form(path, text)
             yield from check_includes(path, text, table, root)
             yield from check_words(path, text, table)
-            if path.startswith("shared/"):
+            if is_pure(path):
                 yield from check_purity(path, text)
 
 

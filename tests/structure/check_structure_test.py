@@ -22,7 +22,7 @@ CLIENT = ["time", "net", "netcode", "desync", "session", "bot", "demo", "scene",
 FOLDERS = (
     [f"shared/include/platon/{name}" for name in SHARED]
     + [f"shared/{name}" for name in SHARED]
-    + ["protocol", "protocol/transport", "server/match", "server/net", "server/base", "server/admin", "server/app"]
+    + ["shared/examples", "protocol", "protocol/transport", "server/match", "server/net", "server/base", "server/admin", "server/app"]
     + [f"client/{name}" for name in CLIENT]
     + ["levels", "tests"]
 )
@@ -75,6 +75,7 @@ class Includes(Tree):
             "shared/exact": public[:1],
             "shared/physics": public[:2] + ["shared/exact"],
             "shared/game": public + ["shared/exact", "shared/physics"],
+            "shared/examples": public,
             "protocol": public,
             "protocol/transport": ["protocol"],
             "server/match": public + protocol,
@@ -150,6 +151,11 @@ class Purity(Tree):
                      "std::chrono", "printf", "std::cerr", "thread_local", "std::time", "1.5", "2.", "1e3", "1.f",
                      "0x1p3"):  # fmt: skip
             self.assert_refused("shared/physics/file.cpp", f"\n\nauto x = {word};\n", 3, word.partition("<")[0])
+
+    def test_examples_are_programs(self):
+        self.assert_allowed("shared/examples/file.cpp", "#include <cstdio>\ndouble x = 1.5;\nlong y = printf;\n")
+        self.assert_refused("shared/examples_of_mine/file.cpp", "\n", 1, "no row")
+        self.assert_refused("shared/examples/file.cpp", "#include <enet/enet.h>\n", 1, "enet/enet.h")
 
     def test_what_differs_between_machines(self):
         for statement, word in (

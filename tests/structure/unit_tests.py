@@ -4,6 +4,7 @@ the units that are excepted."""
 import re
 
 UNIT_FOLDERS = ("shared/", "protocol/", "server/", "client/", "levels/tool/")
+PROGRAM_FOLDERS = ("shared/examples/",)  # package_test.py builds and runs them
 
 # {unit: which tests check it instead}
 EXCEPTIONS = {
@@ -35,7 +36,8 @@ def _stem(path):
 def check_units(paths, exceptions=None):
     """Yields a violation for each unit without a test of its name, and for each needless exception."""
     exceptions = EXCEPTIONS if exceptions is None else exceptions
-    units = [path for path in paths if path.endswith(".cpp") and path.startswith(UNIT_FOLDERS)]
+    sources = [path for path in paths if path.endswith(".cpp") and path.startswith(UNIT_FOLDERS)]
+    units = [path for path in sources if not path.startswith(PROGRAM_FOLDERS)]
     tests = {_stem(path) for path in paths if path.startswith("tests/") and path.endswith("_test.cpp")}
     for unit in units:
         tested = f"{_stem(unit)}_test" in tests
