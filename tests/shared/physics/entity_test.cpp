@@ -16,42 +16,6 @@ namespace {
 
 constexpr std::uint64_t kSeed = 12;
 
-TEST(EntityTest, RunsTheExampleOfTheReport) {
-  World world;
-  intern::Convex shape;
-  shape.vertices.push_back(Point(0, 0));
-  shape.vertices.push_back(Point(10, 0));
-  shape.vertices.push_back(Point(10, 10));
-  shape.vertices.push_back(Point(0, 10));
-  Entity entity(world, shape);
-  EXPECT_EQ(entity.shape().vertices(), shape.vertices);
-  EXPECT_EQ(world.entities().size(), 1u);
-  EXPECT_FALSE(entity.inserted());
-}
-
-TEST(EntityTest, MovesInTheMapOfTheReport) {
-  World world;
-  MapPart face(world, 12345);
-  face.line(Point(0, 0), Point(-50, 20));
-  face.line(Point(-50, 20), Point(100, 80));
-  face.initialize();
-  intern::Convex shape;
-  shape.vertices = {{0, 0}, {10, 0}, {10, 10}, {0, 10}};
-  Entity entity(world, shape);
-  face.insert(entity, Point(-45, 60), Angle());
-  Rules rules;
-  world.setRules(rules);
-  entity.setVelocity(Point(0, -34));
-  world.solve();
-  EXPECT_EQ(entity.position(), Point(-45, 26));
-  // It touches the second segment, y = 20 + (x + 50) * 2 / 5, with its lower right vertex at x = -35.
-  entity.setVelocity(Point(0, -1));
-  world.solve();
-  EXPECT_EQ(entity.position(), Point(-45, 26));
-  face.erase(entity);
-  EXPECT_FALSE(entity.inserted());
-}
-
 TEST(EntityTest, RejectsShapesThatAreNotConvex) {
   World world;
   intern::Convex draft;

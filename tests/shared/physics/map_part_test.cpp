@@ -15,19 +15,6 @@ namespace {
 
 constexpr std::int32_t kMax = kCoordinateLimit - 1;
 
-TEST(MapPartTest, RunsTheExampleOfTheReport) {
-  World world;
-  MapPart face(world, 12345);
-  face.line(Point(0, 0), Point(-50, 20));
-  face.line(Point(-50, 20), Point(100, 80));
-  face.initialize();
-  const MapGeometry* part = world.geometry().find(12345);
-  ASSERT_NE(part, nullptr);
-  EXPECT_EQ(part->segments, (std::vector<Segment>{{{0, 0}, {-50, 20}}, {{-50, 20}, {100, 80}}}));
-  EXPECT_TRUE(part->warps.empty());
-  EXPECT_EQ(face.id(), 12345u);
-}
-
 TEST(MapPartTest, SegmentsMayCrossRepeatAndBePoints) {
   World world;
   MapPart face(world, 1);
