@@ -4,6 +4,7 @@ from client_faults import CLIENT_FAULTS
 from fault import PHYSICS, PUBLIC_PHYSICS, Fault, at_length
 from ideal_faults import IDEAL_FAULTS
 from net_faults import PROTOCOL_FAULTS, SERVER_FAULTS
+from query_faults import QUERY_FAULTS
 from recording_faults import RECORDING_FAULTS
 from step_faults import STEP_FAULTS
 from transport_faults import TRANSPORT_FAULTS
@@ -130,6 +131,7 @@ FAULTS = [
 
     *STEP_FAULTS,
     *IDEAL_FAULTS,
+    *QUERY_FAULTS,
     *WORLD_FAULTS,
 
     # Instances, crossings, home.
