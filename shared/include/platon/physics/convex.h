@@ -65,8 +65,8 @@ class Convex {
   Point centre_;
 };
 
-/// The convex hull of `points`: strictly convex, counter-clockwise, starting with the hull vertex that comes first in
-/// `points`. Fewer than three vertices when all points are collinear.
+/// The convex hull of `points` by monotone chains (Andrew 1979): strictly convex, counter-clockwise, starting with the
+/// hull vertex that comes first in `points`. Fewer than three vertices when all points are collinear.
 std::vector<Point> convexHull(std::vector<Point> points);
 
 }  // namespace platon

@@ -13,10 +13,10 @@
 
 namespace platon {
 
-/// The configuration-space obstacle of a segment L for a convex shape S: all positions at which S overlaps L. It is the
-/// open convex polygon L + (-S) (docs/exactness.md), stored as the half planes whose intersection it is: the two sides
-/// of L, then the edges of -S. Its vertices are not computed. Exact. Built once for a shape and a segment, then queried
-/// by many sweeps.
+/// The configuration-space obstacle of a segment L for a convex shape S (Lozano-Pérez, Spatial Planning: A
+/// Configuration Space Approach, 1983): all positions at which S overlaps L. It is the open convex polygon L + (-S)
+/// (docs/exactness.md), stored as the half planes whose intersection it is: the two sides of L, then the edges of -S.
+/// Its vertices are not computed. Exact. Built once for a shape and a segment, then queried by many sweeps.
 ///
 /// Bounds: with coordinates < 2^29, |normal| < 2^30, dot(normal, vertex) < 2^60 and |offset| < 2^61. With a segment
 /// given relative to a position, whose coordinates are < 2^30, |offset| < 1.5 * 2^61.

@@ -91,7 +91,7 @@ std::optional<RayOverWarpsHit> castRayOverWarps(const World& world, std::uint32_
                                                 int maxWarps);
 
 /// Whether two convex shapes at these positions overlap: whether their open interiors have a common point. Exact, by
-/// the separating axis theorem. Requires coordinates below 2^29 in magnitude.
+/// separating axes (Gottschalk, Lin and Manocha, OBBTree, 1996). Requires coordinates below 2^29 in magnitude.
 bool overlap(const Convex& a, Point positionOfA, const Convex& b, Point positionOfB);
 
 /// The point `from + time * displacement`, rounded to 2^-26 subunits. Requires 0 <= time <= 1.

@@ -29,7 +29,7 @@ struct Hit {
 
 /// Exact swept collision test. A convex shape S moves from `position` along `displacement`; its position must not enter
 /// the open polygon L + (-S) of a segment L (see Obstacle). The displacement is clipped against the half planes of that
-/// polygon (Cyrus–Beck). No value is rounded.
+/// polygon (Cyrus and Beck, Generalized Two- and Three-Dimensional Clipping, 1978). No value is rounded.
 ///
 /// Bounds: with coordinates < 2^29, |normal| < 2^30; dot(normal, vertex) and dot(normal, position) are < 2^60,
 /// dot(normal, displacement) < 2^61, and signed distances < 1.5 * 2^62. Times are compared in 128 bits.
