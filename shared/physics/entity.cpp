@@ -28,7 +28,7 @@ Entity::Entity(World& world, std::uint32_t index) : Entity(world, {index, world.
 
 Entity::Entity(World& world, EntityId id) : link_(&world.link()), id_(id) {}
 
-World& Entity::world() const { return World::of(*link_); }
+World& Entity::world() const { return link_->target(); }
 bool Entity::exists() const { return link_->world != nullptr && link_->world->exists(id_); }
 void Entity::destroy() { world().destroy(world().checked(id_)); }
 

@@ -56,14 +56,14 @@ bool isNear(PrecisePoint a, PrecisePoint b) {
 MapPart::MapPart(World& world, std::uint32_t id) : link_(&world.link()), id_(id) {}
 
 void MapPart::requireOpen() const {
-  if (World::of(*link_).geometry().find(id_) == nullptr) return;
+  if (link_->target().geometry().find(id_) == nullptr) return;
   throw std::invalid_argument("map part " + std::to_string(id_) +
                               " is already initialised: add its segments and warps before initialize()");
 }
 
 // The world of this part and of the entity, which must exist.
 World& MapPart::worldOf(const Entity& entity) const {
-  World& world = World::of(*link_);
+  World& world = link_->target();
   if (&entity.world() != &world) {
     throw std::invalid_argument("map part " + std::to_string(id_) + ": entity " + std::to_string(entity.index()) +
                                 " belongs to another world: use an entity of the world of this part");
@@ -103,7 +103,7 @@ void MapPart::warp(Segment from, std::uint32_t targetMap, Segment onto, PreciseP
 }
 
 void MapPart::initialize() {
-  World& world = World::of(*link_);
+  World& world = link_->target();
   requireConvexBoundary(id_, warps_);
   MapGeometry part;
   part.id = id_;

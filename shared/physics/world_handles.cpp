@@ -51,8 +51,7 @@ WorldLink& World::link() {
   return *link_;
 }
 
-World& World::of(const WorldLink& link) {
-  if (link.world != nullptr) return *link.world;
+void WorldLink::refuse() {
   throw std::invalid_argument("another world was moved onto the world of this handle: make the handle again");
 }
 

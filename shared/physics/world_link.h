@@ -20,6 +20,11 @@ struct WorldLink {
     while (retired) retired = std::move(retired->retired);
   }
 
+  /// The world. Throws std::invalid_argument when another one was moved onto it.
+  World& target() const {
+    if (world == nullptr) refuse();
+    return *world;
+  }
   /// Retires `other` and keeps it with those that it has retired.
   void retire(std::unique_ptr<WorldLink> other) {
     other->world = nullptr;
@@ -27,6 +32,9 @@ struct WorldLink {
     while (*end) end = &(*end)->retired;
     *end = std::move(other);
   }
+
+ private:
+  [[noreturn]] static void refuse();
 };
 
 }  // namespace platon

@@ -20,7 +20,7 @@ QUERY_FAULTS = [
               "generations begin again at 0",
               "WorldHandlesTest.AnIndexWhoseGenerationsAreUsedUpIsNotUsedAgain"),
     Fault("stale-handle-accepted", PUBLIC_PHYSICS + "world.h",
-          "exists(id.index) && state_.generationOf(id.index) == id.generation", "exists(id.index)",
+          "state_.generationOf(id.index) == id.generation &&", "!WorldState::isDestroyed(state_.generationOf(id.index)) &&",
           "a handle of a destroyed entity names the next one with its index",
           "WorldHandlesTest.AnIndexIsUsedAgainInALaterGeneration"),
     at_length("destroyed-with-a-state", PHYSICS + "world_accepts.cpp", "if (entity != EntityState()) return", "if (false) return",

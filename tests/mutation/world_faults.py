@@ -50,7 +50,7 @@ WORLD_FAULTS = [
               "an entity of another world stands for the one with its index",
               "MapPartInsertTest.RejectsEntitiesOfAnotherWorld"),
     at_length("late-segment-swallowed", PHYSICS + "map_part.cpp",
-              "if (World::of(*link_).geometry().find(id_) == nullptr) return;", "if (link_ != nullptr) return;",
+              "if (link_->target().geometry().find(id_) == nullptr) return;", "if (link_ != nullptr) return;",
               "a segment added after initialize() has no effect",
               "MapPartTest.RejectsSegmentsAndWarpsAfterInitialize"),
 ]  # fmt: skip

@@ -90,7 +90,10 @@ class World {
     return entity < state_.entities.size() && !WorldState::isDestroyed(state_.generationOf(entity));
   }
   /// Whether the entity exists and has this generation.
-  bool exists(EntityId id) const { return exists(id.index) && state_.generationOf(id.index) == id.generation; }
+  bool exists(EntityId id) const {
+    return id.index < state_.entities.size() && state_.generationOf(id.index) == id.generation &&
+           !WorldState::isDestroyed(id.generation);
+  }
   /// The id of the entity.
   EntityId idOf(std::uint32_t entity) const { return {checked(entity), state_.generationOf(entity)}; }
   /// The further instances of the entity (all but its home instance).
@@ -137,7 +140,6 @@ class World {
   [[noreturn]] void refuse(std::uint32_t entity) const;
   [[noreturn]] void refuse(EntityId id) const;
   WorldLink& link();
-  static World& of(const WorldLink& link);
   bool isBuiltLike(const World& other) const;
   std::uint32_t add(const Convex& shape);
   void insert(std::uint32_t entity, std::uint32_t part, Point origin, Angle angle);
