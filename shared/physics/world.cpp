@@ -37,6 +37,7 @@ World::World(const World& other)
 
 // Keeps the derived state of this world when it is still valid, so that repeated assignment does not rebuild it.
 World& World::operator=(const World& other) {
+  if (this == &other) return *this;
   if (geometry_ != other.geometry_ || shapes_ != other.shapes_) {
     geometry_ = other.geometry_;
     shapes_ = other.shapes_;
