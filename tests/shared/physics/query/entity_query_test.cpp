@@ -174,10 +174,10 @@ TEST(EntityQueryTest, OneQueryMayServeSeveralWorlds) {
   EntityQuery query;
   std::vector<FoundInstance> found;
   for (int round = 0; round < 3; ++round) {
-    query.overlapping(small, 1, square(2), {40, 0}, found);
-    EXPECT_TRUE(found.empty());
-    query.overlapping(large, 1, square(2), {40, 0}, found);
-    EXPECT_EQ(found.size(), 1u);
+    query.overlapping(small, 1, square(1), {12, 12}, found);
+    EXPECT_TRUE(found.empty()) << "beside the edge of the small diamond";
+    query.overlapping(large, 1, square(1), {12, 12}, found);
+    EXPECT_EQ(found.size(), 1u) << "inside the large one";
   }
 }
 

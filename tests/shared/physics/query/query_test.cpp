@@ -349,11 +349,14 @@ TEST(QueryTest, ARayGoesOnBehindAWarp) {
 }
 
 TEST(QueryTest, ARayThatStartsOnAWarpLeavesThePartOnlyOutwards) {
-  World world = twoStrips({{{0, -500}, {0, 500}}}, {{{0, -500}, {0, 500}}});
+  World world = twoStrips({{{0, -500}, {0, 500}}, {{900, 200}, {1000, 200}}}, {{{0, -500}, {0, 500}}});
   EXPECT_EQ(castRayOverWarps(world, 1, {1000, 0}, {2000, 0}, 9)->hit.segment.part, 2u);
   EXPECT_EQ(castRayOverWarps(world, 1, {1000, 0}, {-2000, 0}, 9)->hit.segment.part, 1u);
   EXPECT_EQ(castRayOverWarps(world, 1, {1000, 0}, {-2000, 0}, 9)->warps, 0);
-  EXPECT_FALSE(castRayOverWarps(world, 1, {1000, 0}, {0, 300}, 9)) << "along the warp";
+  const auto along = castRayOverWarps(world, 1, {1000, 0}, {0, 300}, 9);
+  ASSERT_TRUE(along) << "the wall that ends on the warp";
+  EXPECT_EQ(along->hit.segment.index, 1u);
+  EXPECT_EQ(along->warps, 0);
 }
 
 TEST(QueryTest, ARayEndsAtAWarpWithoutAReverseWarp) {
