@@ -9,7 +9,7 @@
 
 #include <gmock/gmock.h>
 
-#include "tests/bench/engine.h"
+#include "tests/bench/engines/engine.h"
 #include "tests/bench/report.h"
 #include "tests/exactness/oracle/trace/json_reader.h"
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "platon/exact/integer.h"
-#include "tests/bench/engine.h"
+#include "tests/bench/engines/engine.h"
 #include "tests/bench/overlap.h"
 #include "tests/shared/physics/shapes.h"
 #include "tests/sim/seeded_random.h"

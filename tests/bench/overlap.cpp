@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "tests/bench/float_sweep.h"
+#include "tests/bench/engines/float_sweep.h"
 
 namespace platon::bench {
 

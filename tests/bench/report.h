@@ -8,7 +8,7 @@
 #include "tests/bench/hard_bench.h"
 #include "tests/bench/parts_bench.h"
 #include "tests/bench/resolution_bench.h"
-#include "tests/bench/step_bench.h"
+#include "tests/bench/steps/step_bench.h"
 #include "tests/bench/sweep_bench.h"
 
 namespace platon::bench {

@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "tests/bench/engine.h"
+#include "tests/bench/engines/engine.h"
 #include "tests/exactness/reference/ideal_path.h"
 #include "tests/exactness/reference/lattice_error.h"
 

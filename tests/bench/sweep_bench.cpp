@@ -15,7 +15,7 @@
 
 #include "platon/exact/fraction.h"
 #include "platon/physics/sweep.h"
-#include "tests/bench/float_sweep.h"
+#include "tests/bench/engines/float_sweep.h"
 #include "tests/bench/overlap.h"
 #include "tests/bench/sweep_sets.h"
 #include "tests/exactness/oracle/sweep/sweep_oracle.h"

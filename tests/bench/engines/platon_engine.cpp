@@ -5,7 +5,7 @@
 #include "platon/physics/entity.h"
 #include "platon/physics/map_part.h"
 #include "platon/physics/world.h"
-#include "tests/bench/engine.h"
+#include "tests/bench/engines/engine.h"
 
 namespace platon::bench {
 namespace {

@@ -1,4 +1,4 @@
-#include "tests/bench/step_bench.h"
+#include "tests/bench/steps/step_bench.h"
 
 #include <malloc.h>
 
@@ -13,7 +13,7 @@
 
 #include "platon/exact/integer.h"
 #include "platon/physics/sweep.h"
-#include "tests/bench/engine.h"
+#include "tests/bench/engines/engine.h"
 #include "tests/shared/physics/shapes.h"
 #include "tests/sim/seeded_random.h"
 

@@ -12,8 +12,8 @@
 
 #include "platon/exact/integer.h"
 #include "platon/physics/grid.h"
-#include "tests/bench/engine.h"
-#include "tests/bench/float_sweep.h"
+#include "tests/bench/engines/engine.h"
+#include "tests/bench/engines/float_sweep.h"
 
 namespace platon::bench {
 namespace {

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "tests/bench/engine.h"
+#include "tests/bench/engines/engine.h"
 
 namespace platon::bench {
 namespace {
