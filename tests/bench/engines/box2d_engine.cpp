@@ -1,4 +1,5 @@
-// Box2D 2.4, set up as its manual recommends: metres, bullets with fixed rotation, two-sided edges, no gravity.
+// Box2D 2.4, set up as its manual recommends: metres, bullets with fixed rotation, two-sided edges. In a scene with
+// gravity, bodies may sleep; elsewhere their velocities are set before every step, so they could not.
 #include <box2d/box2d.h>
 
 #include <cstddef>
@@ -19,7 +20,8 @@ b2Vec2 metres(Point point) { return {metres(point.x), metres(point.y)}; }
 
 class Box2dEngine : public Engine {
  public:
-  explicit Box2dEngine(const Scene& scene) : world_({0, 0}) {
+  explicit Box2dEngine(const Scene& scene)
+      : hasGravity_(scene.gravity > 0), world_({0, -metres(scene.gravity * kStepsPerSecond * kStepsPerSecond)}) {
     addSegments(scene.segments);
     b2PolygonShape shape;
     std::vector<b2Vec2> vertices;
@@ -29,7 +31,9 @@ class Box2dEngine : public Engine {
   }
 
   void setVelocity(std::size_t body, Place velocity) override {
-    bodies_[body]->SetLinearVelocity({metres(velocity.x * kStepsPerSecond), metres(velocity.y * kStepsPerSecond)});
+    b2Vec2 next = {metres(velocity.x * kStepsPerSecond), metres(velocity.y * kStepsPerSecond)};
+    if (hasGravity_ && velocity.y == 0) next.y = bodies_[body]->GetLinearVelocity().y;
+    bodies_[body]->SetLinearVelocity(next);
   }
   void step() override {
     world_.Step(static_cast<float>(1 / kStepsPerSecond), kVelocityIterations, kPositionIterations);
@@ -58,7 +62,7 @@ class Box2dEngine : public Engine {
     body.type = b2_dynamicBody;
     body.bullet = true;
     body.fixedRotation = true;
-    body.allowSleep = false;
+    body.allowSleep = hasGravity_;
     body.position = metres(position);
     bodies_.push_back(world_.CreateBody(&body));
     b2FixtureDef fixture;
@@ -69,6 +73,7 @@ class Box2dEngine : public Engine {
     bodies_.back()->CreateFixture(&fixture);
   }
 
+  bool hasGravity_;
   b2World world_;
   std::vector<b2Body*> bodies_;
 };

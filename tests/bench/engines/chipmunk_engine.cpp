@@ -14,16 +14,27 @@
 namespace platon::bench {
 namespace {
 
-constexpr cpFloat kSlop = 0.005;  // metres; Chipmunk lets shapes overlap by the slop
+constexpr cpFloat kSlop = 0.005;      // metres; Chipmunk lets shapes overlap by the slop
+constexpr cpFloat kSleepAfter = 0.5;  // seconds, as in Box2D
 
 cpFloat metres(double subunits) { return subunits / kSubunitsPerMetre; }
 
 cpVect metres(Point point) { return {metres(point.x), metres(point.y)}; }
 
+// What the caller wants of a body, in metres per second. `jumps` is reset by the step that begins the jump.
+struct Wanted {
+  cpVect velocity;
+  bool jumps = false;
+};
+
 class ChipmunkEngine : public Engine {
  public:
-  explicit ChipmunkEngine(const Scene& scene) : space_(cpSpaceNew(), &cpSpaceFree) {
+  explicit ChipmunkEngine(const Scene& scene) : hasGravity_(scene.gravity > 0), space_(cpSpaceNew(), &cpSpaceFree) {
     const Box& bounds = scene.shape.bounds();
+    if (hasGravity_) {
+      cpSpaceSetGravity(space_.get(), {0, -metres(scene.gravity * kStepsPerSecond * kStepsPerSecond)});
+      cpSpaceSetSleepTimeThreshold(space_.get(), kSleepAfter);
+    }
     cpSpaceSetCollisionSlop(space_.get(), kSlop);
     radius_ = metres(std::min(bounds.high.x - bounds.low.x, bounds.high.y - bounds.low.y)) / 2;
     for (const Segment& line : scene.segments) {
@@ -48,8 +59,12 @@ class ChipmunkEngine : public Engine {
   ChipmunkEngine& operator=(const ChipmunkEngine&) = delete;
 
   void setVelocity(std::size_t body, Place velocity) override {
-    wanted_[body] = {metres(velocity.x * kStepsPerSecond), metres(velocity.y * kStepsPerSecond)};
-    fastest_ = std::max(fastest_, cpvlength(wanted_[body]) / kStepsPerSecond);
+    const cpVect wanted = {metres(velocity.x * kStepsPerSecond), metres(velocity.y * kStepsPerSecond)};
+    wanted_[body] = {wanted, velocity.y != 0};
+    fastest_ = std::max(fastest_, cpvlength(wanted) / kStepsPerSecond);
+    if (!hasGravity_) return;
+    cpBodySetVelocityUpdateFunc(bodies_[body], &walk);
+    if (cpBodyIsSleeping(bodies_[body])) cpBodyActivate(bodies_[body]);
   }
   void step() override {
     const int steps = std::max(1, static_cast<int>(std::ceil(fastest_ / (radius_ / 2))));
@@ -67,15 +82,23 @@ class ChipmunkEngine : public Engine {
     cpShapeSetElasticity(shape, 0);
     shapes_.push_back(cpSpaceAddShape(space_.get(), shape));
   }
-  // A body with infinite moment does not rotate. Bodies of one group do not collide with each other. Chipmunk moves
-  // bodies before it detects collisions. The callback sets the velocity between these two stages, so that the solver
-  // corrects it.
-  void addBody(const std::vector<cpVect>& vertices, Point position, cpVect& wanted) {
+  // Chipmunk moves bodies before it detects collisions. These callbacks set the velocity between these two stages, so
+  // that the solver corrects it.
+  static void fly(cpBody* body, cpVect, cpFloat, cpFloat) {
+    cpBodySetVelocity(body, static_cast<const Wanted*>(cpBodyGetUserData(body))->velocity);
+  }
+  static void walk(cpBody* body, cpVect gravity, cpFloat damping, cpFloat time) {
+    cpBodyUpdateVelocity(body, gravity, damping, time);
+    auto& wanted = *static_cast<Wanted*>(cpBodyGetUserData(body));
+    const cpFloat upwards = wanted.jumps ? wanted.velocity.y : cpBodyGetVelocity(body).y;
+    wanted.jumps = false;
+    cpBodySetVelocity(body, {wanted.velocity.x, upwards});
+  }
+  // A body with infinite moment does not rotate. Bodies of one group do not collide with each other.
+  void addBody(const std::vector<cpVect>& vertices, Point position, Wanted& wanted) {
     cpBody* const body = cpSpaceAddBody(space_.get(), cpBodyNew(1, INFINITY));
     cpBodySetUserData(body, &wanted);
-    cpBodySetVelocityUpdateFunc(body, [](cpBody* moved, cpVect, cpFloat, cpFloat) {
-      cpBodySetVelocity(moved, *static_cast<const cpVect*>(cpBodyGetUserData(moved)));
-    });
+    if (!hasGravity_) cpBodySetVelocityUpdateFunc(body, &fly);
     cpBodySetPosition(body, metres(position));
     bodies_.push_back(body);
     cpShape* const shape = cpPolyShapeNewRaw(body, static_cast<int>(vertices.size()), vertices.data(), 0);
@@ -83,10 +106,11 @@ class ChipmunkEngine : public Engine {
     keep(shape);
   }
 
+  bool hasGravity_;
   std::unique_ptr<cpSpace, void (*)(cpSpace*)> space_;
   cpFloat radius_ = 0;
-  cpFloat fastest_ = 0;         // metres per step
-  std::vector<cpVect> wanted_;  // metres per second, by body
+  cpFloat fastest_ = 0;  // metres per step
+  std::vector<Wanted> wanted_;
   std::vector<cpShape*> shapes_;
   std::vector<cpBody*> bodies_;
 };

@@ -13,6 +13,7 @@
 #include "platon/exact/integer.h"
 #include "platon/physics/grid.h"
 #include "tests/bench/engines/engine.h"
+#include "tests/bench/engines/falling_engine.h"
 #include "tests/bench/engines/float_sweep.h"
 
 namespace platon::bench {
@@ -151,7 +152,11 @@ class FloatEngine : public Engine {
 
 }  // namespace
 
-std::unique_ptr<Engine> makeFloat32(const Scene& scene) { return std::make_unique<FloatEngine<float>>(scene); }
-std::unique_ptr<Engine> makeFloat64(const Scene& scene) { return std::make_unique<FloatEngine<double>>(scene); }
+std::unique_ptr<Engine> makeFloat32(const Scene& scene) {
+  return withGravity(std::make_unique<FloatEngine<float>>(scene), scene);
+}
+std::unique_ptr<Engine> makeFloat64(const Scene& scene) {
+  return withGravity(std::make_unique<FloatEngine<double>>(scene), scene);
+}
 
 }  // namespace platon::bench
