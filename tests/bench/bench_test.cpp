@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -35,12 +36,16 @@ auto namesOf(const std::vector<Result>& results, std::string Result::*name) {
 TEST(Bench, EveryTableHasItsEngines) {
   const Report& report = smallReport();
   const auto all = UnorderedElementsAre("platon", "float32", "float64", "box2d-2.4", "chipmunk-7.0");
-  EXPECT_THAT(namesOf(report.steps, &StepResult::engine), all);
+  EXPECT_THAT(namesOf(report.steps, &StepResult::engine),
+              UnorderedElementsAre("platon", kComputed, "float32", "float64", "box2d-2.4", "chipmunk-7.0"));
+  EXPECT_THAT(namesOf(report.steps, &StepResult::scenes), UnorderedElementsAre("random", "platformer"));
+  EXPECT_THAT(namesOf(report.trajectories.errors, &TrajectoryResult::engine),
+              UnorderedElementsAre("platon", kIdealPlace, "float32", "float64", "box2d-2.4", "chipmunk-7.0"));
   EXPECT_THAT(namesOf(report.hardCases, &HardResult::engine), all);
   EXPECT_THAT(namesOf(report.sweeps, &SweepResult::engine),
               UnorderedElementsAre("platon", "float32", "float64", "box2d-2.4"));
   EXPECT_THAT(namesOf(report.resolutions, &ResolutionResult::engine),
-              UnorderedElementsAre("platon", "float32", "float64"));
+              UnorderedElementsAre("platon", kIdealPlace, "float32", "float64"));
 }
 
 TEST(Bench, PlatonAnswersEverySweepExactly) {
@@ -95,6 +100,39 @@ TEST(Bench, ErrorsShrinkWithTheResolution) {
   EXPECT_LT(errors.rbegin()->second * 1000, errors.begin()->second);
 }
 
+// I8, on the scenes and the terrains of the report.
+TEST(Bench, PlatonFollowsTheIdealPath) {
+  constexpr double kTwoSubunits = 2.0 / 1024;
+  std::map<std::pair<std::string, std::int64_t>, double> float64;
+  for (const TrajectoryResult& r : smallReport().trajectories.errors) {
+    if (r.engine == "float64") float64[{r.scene, r.ticks}] = r.maxError;
+  }
+  EXPECT_GT(float64.size(), 20u);
+  for (const TrajectoryResult& r : smallReport().trajectories.errors) {
+    if (r.engine == "platon") {
+      EXPECT_LE(r.maxError, kTwoSubunits) << r.scene << " after " << r.ticks;
+    } else if (r.engine == kIdealPlace) {
+      EXPECT_LE(r.maxError, std::max(1e-6, float64.at({r.scene, r.ticks}))) << r.scene << " after " << r.ticks;
+    }
+  }
+}
+
+TEST(Bench, TrajectoriesCountWhatTheyMeasure) {
+  const TrajectoryResults& results = smallReport().trajectories;
+  std::set<std::string> names = namesOf(results.errors, &TrajectoryResult::scene);
+  EXPECT_EQ(names.size(), static_cast<std::size_t>(results.scenes + results.terrains));
+  EXPECT_GE(results.scenes + results.dividedTies + results.jointTies, 7);
+  EXPECT_GE(results.terrains, 6);
+}
+
+TEST(Bench, PlatonJamsInNoRow) {
+  for (const StepResult& r : smallReport().steps) {
+    EXPECT_GT(r.jams.halfSeconds, 0u) << r.scenes << " " << r.segments;
+    if (r.engine != "platon") continue;
+    EXPECT_EQ(r.jams.jammed, 0u) << r.scenes << " " << r.segments << " " << r.bodies;
+  }
+}
+
 TEST(Bench, StateAndSegmentsAreSmall) {
   const Report& report = smallReport();
   EXPECT_LT(report.games.snapshots.at(0).bytes, 8192u);
@@ -108,8 +146,8 @@ TEST(Bench, StateAndSegmentsAreSmall) {
 std::set<std::string> membersOf(oracle::JsonReader& json, bool isList) {
   std::set<std::string> members;
   const auto value = [&](std::string_view name) {
-    const bool isWord = name == "set" || name == "engine" || name == "case" || name == "scene" || name == "level" ||
-                        name == "compiler" || name == "flags";
+    const bool isWord = name == "set" || name == "engine" || name == "case" || name == "scene" || name == "scenes" ||
+                        name == "level" || name == "compiler" || name == "flags";
     isWord ? void(json.string()) : void(json.number());
     members.emplace(name);
   };
@@ -122,16 +160,24 @@ TEST(Bench, JsonHasTheMembersThatTheReportNeeds) {
   std::replace(text.begin(), text.end(), '\n', ' ');
   oracle::JsonReader json(text);
   std::map<std::string, std::set<std::string>> parts;
-  json.object(
-      [&](std::string_view name) { parts.emplace(name, membersOf(json, name != "snapshot" && name != "build")); });
+  json.object([&](std::string_view name) {
+    const bool isObject = name == "snapshot" || name == "build" || name == "trajectoryScenes";
+    parts.emplace(name, membersOf(json, !isObject));
+  });
   json.end();
   EXPECT_THAT(parts["sweep"],
               IsSupersetOf({"set", "engine", "nsPerQuery", "missed", "false", "maxTimeError", "maxOverlap"}));
-  EXPECT_THAT(parts["step"], IsSupersetOf({"engine", "segments", "movers", "nsPerStep", "bytesPerSegment"}));
+  EXPECT_THAT(parts["step"], IsSupersetOf({"scenes", "engine", "segments", "movers", "nsPerStep", "bytesPerSegment",
+                                           "bytesPerMover", "jammed", "halfSeconds"}));
+  EXPECT_THAT(parts["trajectory"], IsSupersetOf({"scene", "engine", "ticks", "maxError"}));
+  EXPECT_THAT(parts["trajectoryScenes"],
+              IsSupersetOf({"sceneFiles", "terrains", "dividedTies", "jointTies", "leftContact"}));
+  EXPECT_THAT(parts["parts"], IsSupersetOf({"scene", "nsPerStep", "allocationsPerStep"}));
+  EXPECT_THAT(parts["derived"], IsSupersetOf({"scene", "movers", "bytesPerMover"}));
   EXPECT_THAT(parts["hardCases"],
               IsSupersetOf({"case", "engine", "steps", "maxOverlap", "tunnelled", "speedDrops", "pops", "restDrift"}));
   EXPECT_THAT(parts["resolution"], IsSupersetOf({"engine", "subunitsPerUnit", "nsPerStep", "maxTrajectoryError"}));
-  EXPECT_THAT(parts["snapshot"], IsSupersetOf({"movers", "bytes", "saveNs", "restoreNs"}));
+  EXPECT_THAT(parts["snapshot"], IsSupersetOf({"movers", "bytes", "saveNs", "restoreNs", "hashNs", "gameHashNs"}));
   EXPECT_THAT(parts["resimulation"], IsSupersetOf({"players", "ticks", "microseconds"}));
 }
 

@@ -11,6 +11,10 @@
 #include <vector>
 
 #include "platon/game/game.h"
+#include "tests/bench/engines/platon_engine.h"
+#include "tests/bench/heap.h"
+#include "tests/bench/steps/step_runner.h"
+#include "tests/bench/steps/step_scenes.h"
 #include "tests/determinism/lockstep_levels.h"
 #include "tests/sim/button_presses.h"
 
@@ -18,6 +22,7 @@ namespace platon::bench {
 namespace {
 
 constexpr std::uint64_t kSeed = 3;
+constexpr std::size_t kManyBodies = 64;
 
 // Seeded inputs of players who press buttons at the pace of a person.
 class PlayerInputs {
@@ -58,8 +63,7 @@ double averageOf(std::int64_t times, Work&& work) {
 }
 
 SnapshotResult benchSnapshot(const std::string& path, const Effort& effort) {
-  constexpr std::size_t kBodies = 64;
-  Session session(sim::levelFrom(path), kBodies);
+  Session session(sim::levelFrom(path), kManyBodies);
   const WorldState& live = session.game.world().save();
   World other = session.game.world();
   WorldState kept = live;
@@ -70,11 +74,12 @@ SnapshotResult benchSnapshot(const std::string& path, const Effort& effort) {
   };
   const auto restore = [&] { other.restoreUnchecked(kept); };
   const auto hash = [&] { keep(other.hash()); };
+  const auto hashGame = [&] { keep(session.game.hash()); };
   const auto spreads = interleaved({[&] { return averageOf(times, save); }, [&] { return averageOf(times, restore); },
-                                    [&] { return averageOf(times, hash); }},
+                                    [&] { return averageOf(times, hash); }, [&] { return averageOf(times, hashGame); }},
                                    effort.passes);
   const std::size_t bytes = live.entities.size() * sizeof(EntityState) + live.instances.size() * sizeof(InstanceState);
-  return {sim::testName(path), kBodies, bytes, spreads[0], spreads[1], spreads[2]};
+  return {sim::testName(path), kManyBodies, bytes, spreads[0], spreads[1], spreads[2], spreads[3]};
 }
 
 // The reconciliation of a client: copies the confirmed game and advances it to the predicted tick.
@@ -107,6 +112,22 @@ AdvanceResult benchAdvance(const std::string& path, const Effort& effort) {
   return {sim::testName(path), kPlayers, interleaved({pass}, effort.passes)[0]};
 }
 
+DerivedResult derivedAmongSegments() {
+  constexpr std::size_t kSegments = 10000;
+  constexpr int kHalfSeconds = 20;
+  const Scene scene = randomScenes().make(kSegments, kManyBodies);
+  auto made = std::make_unique<PlatonEngine>(scene);
+  World& world = made->world();
+  StepRunner runner(randomScenes(), std::move(made), scene);
+  for (int i = 0; i < kHalfSeconds; ++i) runner.runOneVelocity();
+  return {"10 000 random segments", kManyBodies, derivedBytes(world) / kManyBodies};
+}
+
+DerivedResult derivedOnLevel(const std::string& path) {
+  Session session(sim::levelFrom(path), kManyBodies);
+  return {sim::testName(path), kManyBodies, derivedBytes(session.game) / kManyBodies};
+}
+
 }  // namespace
 
 GameResults benchGames(const Effort& effort) {
@@ -118,6 +139,8 @@ GameResults benchGames(const Effort& effort) {
       [](const auto& a, const auto& b) { return a.nsPerPlayerTick.median < b.nsPerPlayerTick.median; });
   const std::string& path = paths[static_cast<std::size_t>(slowest - results.advances.begin())];
   results.snapshots.push_back(benchSnapshot(path, effort));
+  results.derived.push_back(derivedAmongSegments());
+  for (const std::string& level : paths) results.derived.push_back(derivedOnLevel(level));
   results.resimulations.push_back(benchResimulation(path, 16, 15, effort));
   results.resimulations.push_back(benchResimulation(path, 64, 60, effort));
   return results;

@@ -55,12 +55,15 @@ JsonObject objectOf(const SweepResult& result) {
 
 JsonObject objectOf(const StepResult& result) {
   return JsonObject()
+      .add("scenes", result.scenes)
       .add("engine", result.engine)
       .add("segments", result.segments)
       .add("movers", result.bodies)
       .add("nsPerStep", result.nsPerStep)
       .add("bytesPerSegment", result.bytesPerSegment)
-      .add("bytesPerMover", result.bytesPerBody);
+      .add("bytesPerMover", result.bytesPerBody)
+      .add("jammed", result.jams.jammed)
+      .add("halfSeconds", result.jams.halfSeconds);
 }
 
 JsonObject objectOf(const HardResult& result) {
@@ -84,11 +87,33 @@ JsonObject objectOf(const ResolutionResult& result) {
       .add("maxTrajectoryError", result.maxTrajectoryError);
 }
 
+JsonObject objectOf(const TrajectoryResult& result) {
+  return JsonObject()
+      .add("scene", result.scene)
+      .add("engine", result.engine)
+      .add("ticks", result.ticks)
+      .add("maxError", result.maxError);
+}
+
+JsonObject scenesOf(const TrajectoryResults& results) {
+  return JsonObject()
+      .add("sceneFiles", results.scenes)
+      .add("terrains", results.terrains)
+      .add("dividedTies", results.dividedTies)
+      .add("jointTies", results.jointTies)
+      .add("leftContact", results.leftContact);
+}
+
+JsonObject objectOf(const DerivedResult& result) {
+  return JsonObject().add("scene", result.scene).add("movers", result.bodies).add("bytesPerMover", result.bytesPerBody);
+}
+
 JsonObject objectOf(const PartResult& result) {
   return JsonObject()
       .add("scene", result.scene)
       .add("instances", result.instances)
       .add("crossingsPerStep", result.crossings)
+      .add("allocationsPerStep", result.allocations)
       .add("nsPerStep", result.nsPerStep);
 }
 
@@ -99,7 +124,8 @@ JsonObject objectOf(const SnapshotResult& result) {
       .add("bytes", result.bytes)
       .add("saveNs", result.saveNs)
       .add("restoreNs", result.restoreNs)
-      .add("hashNs", result.hashNs);
+      .add("hashNs", result.hashNs)
+      .add("gameHashNs", result.gameHashNs);
 }
 
 JsonObject objectOf(const ResimulationResult& result) {
@@ -148,8 +174,11 @@ std::string toJson(const Report& report) {
       .raw("step", listOf(report.steps))
       .raw("hardCases", listOf(report.hardCases))
       .raw("resolution", listOf(report.resolutions))
+      .raw("trajectory", listOf(report.trajectories.errors))
+      .raw("trajectoryScenes", scenesOf(report.trajectories).text())
       .raw("parts", listOf(report.parts))
       .raw("snapshot", objectOf(report.games.snapshots.front()).text())
+      .raw("derived", listOf(report.games.derived))
       .raw("resimulation", listOf(report.games.resimulations))
       .raw("advance", listOf(report.games.advances))
       .text();

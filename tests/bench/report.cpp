@@ -13,6 +13,7 @@ Report runAll(const Effort& effort, const std::function<void(const char*)>& begi
   report.steps = measured("whole steps", &benchSteps);
   report.hardCases = measured("hard cases", &benchHardCases);
   report.resolutions = measured("resolutions", &benchResolutions);
+  report.trajectories = measured("trajectories", &benchTrajectories);
   report.parts = measured("parts", &benchParts);
   report.games = measured("games", &benchGames);
   return report;

@@ -10,6 +10,7 @@
 #include "tests/bench/resolution_bench.h"
 #include "tests/bench/steps/step_bench.h"
 #include "tests/bench/sweep_bench.h"
+#include "tests/bench/trajectory_bench.h"
 
 namespace platon::bench {
 
@@ -20,6 +21,7 @@ struct Report {
   std::vector<StepResult> steps;
   std::vector<HardResult> hardCases;
   std::vector<ResolutionResult> resolutions;
+  TrajectoryResults trajectories;
   std::vector<PartResult> parts;
   GameResults games;
 };

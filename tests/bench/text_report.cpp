@@ -1,6 +1,10 @@
+#include <algorithm>
 #include <cstdarg>
+#include <cstdint>
 #include <cstdio>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/bench/report.h"
@@ -37,11 +41,12 @@ void addSweeps(const std::vector<SweepResult>& results, Lines& lines) {
 }
 
 void addSteps(const std::vector<StepResult>& results, Lines& lines) {
-  lines.add("\n%-13s %9s %7s %9s %19s %12s %13s", "step", "segments", "bodies", "ns", "passes", "bytes/segment",
-            "bytes/body");
+  lines.add("\n%-10s %-15s %9s %7s %9s %19s %12s %10s %8s", "step", "engine", "segments", "bodies", "ns", "passes",
+            "bytes/segment", "bytes/body", "jammed");
   for (const StepResult& r : results) {
-    lines.add("%-13s %9zu %7zu %9.1f %9.1f %9.1f %12.1f %13.0f", r.engine.c_str(), r.segments, r.bodies,
-              r.nsPerStep.median, r.nsPerStep.low, r.nsPerStep.high, r.bytesPerSegment, r.bytesPerBody);
+    lines.add("%-10s %-15s %9zu %7zu %9.1f %9.1f %9.1f %12.1f %10.0f %6.1f %%", r.scenes.c_str(), r.engine.c_str(),
+              r.segments, r.bodies, r.nsPerStep.median, r.nsPerStep.low, r.nsPerStep.high, r.bytesPerSegment,
+              r.bytesPerBody, 100 * r.jams.share());
   }
 }
 
@@ -56,25 +61,48 @@ void addHardCases(const std::vector<HardResult>& results, Lines& lines) {
 }
 
 void addResolutions(const std::vector<ResolutionResult>& results, Lines& lines) {
-  lines.add("\n%-13s %14s %9s %16s", "resolution", "subunits/unit", "ns", "error in units");
+  lines.add("\n%-17s %14s %9s %16s", "resolution", "subunits/unit", "ns", "error in units");
   for (const ResolutionResult& r : results) {
-    lines.add("%-13s %14lld %9.1f %16.3e", r.engine.c_str(), static_cast<long long>(r.subunitsPerUnit),
+    lines.add("%-17s %14lld %9.1f %16.3e", r.engine.c_str(), static_cast<long long>(r.subunitsPerUnit),
               r.nsPerStep.median, r.maxTrajectoryError);
   }
 }
 
+// The worst scene of every engine after each time.
+void addTrajectories(const TrajectoryResults& results, Lines& lines) {
+  std::map<std::pair<std::string, std::int64_t>, double> worst;
+  for (const TrajectoryResult& r : results.errors) {
+    double& error = worst[{r.engine, r.ticks}];
+    error = std::max(error, r.maxError);
+  }
+  lines.add("\n%-17s %9s %16s", "trajectory", "ticks", "error in units");
+  for (const auto& [key, error] : worst) {
+    lines.add("%-17s %9lld %16.3e", key.first.c_str(), static_cast<long long>(key.second), error);
+  }
+  lines.add(
+      "%lld scenes and %lld terrains; left out: %lld with a tie, %lld with a tie at a joint, %lld without contact",
+      static_cast<long long>(results.scenes), static_cast<long long>(results.terrains),
+      static_cast<long long>(results.dividedTies), static_cast<long long>(results.jointTies),
+      static_cast<long long>(results.leftContact));
+}
+
 void addParts(const std::vector<PartResult>& results, Lines& lines) {
-  lines.add("\n%-34s %9s %9s %10s", "one body's step", "ns", "instances", "crossings");
+  lines.add("\n%-50s %9s %9s %10s %11s", "one body's step", "ns", "instances", "crossings", "allocations");
   for (const PartResult& r : results) {
-    lines.add("%-34s %9.1f %9.2f %10.3f", r.scene.c_str(), r.nsPerStep.median, r.instances, r.crossings);
+    lines.add("%-50s %9.1f %9.2f %10.3f %11.2f", r.scene.c_str(), r.nsPerStep.median, r.instances, r.crossings,
+              r.allocations);
   }
 }
 
 void addGames(const GameResults& results, Lines& lines) {
   lines.add("%s", "");
   for (const SnapshotResult& r : results.snapshots) {
-    lines.add("%s, %zu bodies: %zu bytes; save %.0f ns, restore %.0f ns, hash %.0f ns", r.level.c_str(), r.bodies,
-              r.bytes, r.saveNs.median, r.restoreNs.median, r.hashNs.median);
+    lines.add("%s, %zu bodies: %zu bytes; save %.0f ns, restore %.0f ns, hash %.0f ns, of the game %.0f ns",
+              r.level.c_str(), r.bodies, r.bytes, r.saveNs.median, r.restoreNs.median, r.hashNs.median,
+              r.gameHashNs.median);
+  }
+  for (const DerivedResult& r : results.derived) {
+    lines.add("%-30s %zu bodies: %.0f bytes a body are not saved", r.scene.c_str(), r.bodies, r.bytesPerBody);
   }
   for (const ResimulationResult& r : results.resimulations) {
     lines.add("%s, %zu players x %d ticks resimulated: %.0f microseconds", r.level.c_str(), r.players, r.ticks,
@@ -94,6 +122,7 @@ std::string toText(const Report& report) {
   addSteps(report.steps, lines);
   addHardCases(report.hardCases, lines);
   addResolutions(report.resolutions, lines);
+  addTrajectories(report.trajectories, lines);
   addParts(report.parts, lines);
   addGames(report.games, lines);
   return lines.text();

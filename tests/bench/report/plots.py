@@ -4,6 +4,8 @@ import subprocess
 
 COLOURS = {
     "platon": "#1b6ca8",
+    "platon-computed": "#6fb1dd",
+    "platon+remainder": "#0b2f4e",
     "float32": "#e08a1e",
     "float64": "#7a5fb5",
     "box2d-2.4": "#2f8f4e",
@@ -11,7 +13,7 @@ COLOURS = {
 }
 
 # The marks differ so that points at the same place can be told apart.
-MARKS = {"platon": 4, "float32": 5, "float64": 7, "box2d-2.4": 9, "chipmunk-7.0": 11}
+MARKS = {"platon": 4, "platon-computed": 6, "platon+remainder": 3, "float32": 5, "float64": 7, "box2d-2.4": 9, "chipmunk-7.0": 11}
 
 HEAD = """set terminal svg size 820,460 font 'sans,14' background '#ffffff'
 set output '{output}'
@@ -38,9 +40,10 @@ class Plots:
         settings = f"set yrange [{zero / 5}:*]\nset ytics add ('0' {zero})\nset xrange [10:*]\n"
         self._draw(name, labels, settings, rows, "points ps 2 lw 3")
 
-    def curves(self, name, labels, curves):
-        """{engine: [(x, y)]}"""
-        self._draw(name, labels, "", curves, "linespoints ps 0.8 lw 2")
+    def curves(self, name, labels, curves, lowest=0):
+        """{engine: [(x, y)]}. A y below `lowest` is drawn there."""
+        rows = {engine: [(x, max(y, lowest)) for x, y in points] for engine, points in curves.items()}
+        self._draw(name, labels, "", rows, "linespoints ps 0.8 lw 2")
 
     def _draw(self, name, labels, settings, rows, style):
         script = HEAD.format(output=self._folder / f"{name}.svg", **labels) + settings

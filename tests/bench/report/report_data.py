@@ -2,9 +2,21 @@
 
 ENGINES = ("platon", "float32", "float64", "box2d-2.4", "chipmunk-7.0")
 
+# Platon without its memory of rests, and Platon whose position includes the remainder.
+COMPUTED = "platon-computed"
+IDEAL_PLACE = "platon+remainder"
+STEP_ENGINES = ("platon", COMPUTED, *ENGINES[1:])
+PATH_ENGINES = ("platon", IDEAL_PLACE, *ENGINES[1:])
+
 # The scene in which whole steps are compared.
 BODIES = 64
 SEGMENTS = 10000
+RANDOM, PLATFORMER = "random", "platformer"
+
+# An engine is jammed in a row if its bodies are jammed in more than this share of the half seconds.
+JAMMED = 0.01
+
+SUBUNITS = 1024  # of a level unit
 
 
 def count(number):
@@ -16,7 +28,7 @@ class ReportData:
     def __init__(self, report):
         self.report = report
         self._sweeps = {(r["set"], r["engine"]): r for r in report["sweep"]}
-        self._steps = {(r["engine"], r["segments"], r["movers"]): r for r in report["step"]}
+        self._steps = {(r["scenes"], r["engine"], r["segments"], r["movers"]): r for r in report["step"]}
         self._cases = {(r["case"], r["engine"]): r for r in report["hardCases"]}
         self._ladder = {(r["engine"], r["subunitsPerUnit"]): r for r in report["resolution"]}
 
@@ -29,19 +41,39 @@ class ReportData:
     def resolutions(self):
         return list(dict.fromkeys(r["subunitsPerUnit"] for r in self.report["resolution"]))
 
-    def scenes(self):
-        """(segments, bodies) of the whole steps."""
-        return list(dict.fromkeys((r["segments"], r["movers"]) for r in self.report["step"]))
+    def scenes(self, kind=RANDOM):
+        """(segments, bodies) of the whole steps of one kind of scenes."""
+        return list(dict.fromkeys((r["segments"], r["movers"]) for r in self.report["step"] if r["scenes"] == kind))
+
+    def sizes(self):
+        """Numbers of segments of the whole steps."""
+        return list(dict.fromkeys(segments for segments, _ in self.scenes()))
 
     def sweep(self, set_name, engine):
         """None if the engine cannot answer the set."""
         return self._sweeps.get((set_name, engine))
 
-    def step(self, engine, segments, bodies=BODIES):
-        return self._steps[engine, segments, bodies]
+    def step(self, engine, segments, bodies=BODIES, kind=RANDOM):
+        return self._steps[kind, engine, segments, bodies]
 
-    def step_ns(self, engine, segments):
-        return self.step(engine, segments)["nsPerStep"]
+    def step_ns(self, engine, segments, kind=RANDOM):
+        return self.step(engine, segments, BODIES, kind)["nsPerStep"]
+
+    def times(self):
+        """Ticks after which the distance from the ideal trajectory is measured."""
+        return sorted({r["ticks"] for r in self.report["trajectory"]})
+
+    def path_errors(self, engine, ticks):
+        """{scene: largest distance from the ideal trajectory up to this tick, units}"""
+        found = self.report["trajectory"]
+        return {r["scene"]: r["maxError"] for r in found if (r["engine"], r["ticks"]) == (engine, ticks)}
+
+    def worst_path_error(self, engine, ticks):
+        return max(self.path_errors(engine, ticks).values())
+
+    def median_path_error(self, engine, ticks):
+        errors = sorted(self.path_errors(engine, ticks).values())
+        return errors[len(errors) // 2]
 
     def hard_case(self, name, engine):
         return self._cases[name, engine]
@@ -71,3 +103,12 @@ class ReportData:
         """Median over the sets that every engine with sweeps can answer."""
         times = sorted(r["nsPerQuery"] for r in self.sweeps_of(engine) if self.sweep(r["set"], "box2d-2.4"))
         return times[len(times) // 2]
+
+
+def jam_share(result):
+    """Share of the half seconds in which a body was jammed in this row of whole steps."""
+    return result["jammed"] / result["halfSeconds"] if result["halfSeconds"] else 0
+
+
+def is_jammed(result):
+    return jam_share(result) > JAMMED

@@ -10,9 +10,12 @@ import platform
 import sys
 from pathlib import Path
 
+from comparison import OTHERS, measures
 from plots import Plots
-from prose import AIMED, ENGINES_USED, HARD_CASES, HEAD, MEMORY, PARTS, RESOLUTION, STEPS, SWEEP_ERRORS, SWEEPS, verdicts
-from report_data import ENGINES, BODIES, SEGMENTS, ReportData, count
+from prose import (AIMED, BOX2D_3, COMPARED, DERIVED, ENGINES_USED, HARD_CASES, HEAD, JAMS, MEMORY, PARTS, PLATFORMER_STEPS,
+                   RESOLUTION, STEPS, SWEEP_ERRORS, SWEEPS, TRAJECTORY, jam_lines, memory_of_rests, verdicts)  # fmt: skip
+from report_data import (BODIES, ENGINES, IDEAL_PLACE, PATH_ENGINES, PLATFORMER, RANDOM, SEGMENTS, STEP_ENGINES, ReportData, count,
+                         is_jammed)  # fmt: skip
 from targets import target_rows
 
 PICTURES = "docs/pictures"
@@ -20,6 +23,7 @@ PICTURES = "docs/pictures"
 # Where a logarithmic axis shows an error of 0.
 NO_TIME_ERROR = 1e-19
 NO_OVERLAP = 1e-5
+NO_DISTANCE = 1e-12
 
 CROSSING, NO_CROSSING = "solid, over an edge back and forth", "solid, along an edge back and forth"
 
@@ -63,11 +67,16 @@ def draw_all(data, folder):
         {"title": "Sweeps", "x": "ns a query, median of the sets", "y": "largest error of the time, relative to the displacement"},
         {engine: (data.median_sweep_ns(engine), data.time_error(engine)) for engine in ENGINES if data.sweeps_of(engine)},
         NO_TIME_ERROR)  # fmt: skip
-    sizes = list(dict.fromkeys(segments for segments, _ in data.scenes()))
+    for name, title, kind in (("cost_segments", "Cost of a step", RANDOM), ("cost_platformer", "Cost of a step in a platformer", PLATFORMER)):
+        plots.curves(
+            name,
+            {"title": title, "x": "segments", "y": f"ns per body and step, {BODIES} bodies"},
+            {engine: [(n, data.step_ns(engine, n, kind)) for n in data.sizes()] for engine in STEP_ENGINES})  # fmt: skip
     plots.curves(
-        "cost_segments",
-        {"title": "Cost of a step", "x": "segments", "y": f"ns per body and step, {BODIES} bodies"},
-        {engine: [(n, data.step_ns(engine, n)) for n in sizes] for engine in ENGINES})  # fmt: skip
+        "error_time",
+        {"title": "Error of the trajectory over time", "x": "ticks", "y": "worst distance from the ideal one, units"},
+        {engine: [(n, data.worst_path_error(engine, n)) for n in data.times()] for engine in PATH_ENGINES},
+        NO_DISTANCE)  # fmt: skip
     ladder = {}
     for result in data.report["resolution"]:
         ladder.setdefault(result["engine"], []).append((result["subunitsPerUnit"], result["maxTrajectoryError"]))
@@ -88,12 +97,21 @@ def sweep_tables(data):
     return SWEEPS.format(count(data.sweeps_of("platon")[0]["questions"])), times, SWEEP_ERRORS, errors
 
 
+def step_times(data, kind):
+    """The times of whole steps; those of jammed rows are marked."""
+    def cell(result):
+        return spread(result, "nsPerStep") + (" †" if is_jammed(result) else "")
+
+    rows = [[count(s), count(m), *(cell(data.step(e, s, m, kind)) for e in STEP_ENGINES)] for s, m in data.scenes(kind)]
+    return table(["segments", "bodies", *STEP_ENGINES], rows)
+
+
 def step_tables(data):
-    times = [[count(s), count(m), *(spread(data.step(e, s, m), "nsPerStep") for e in ENGINES)] for s, m in data.scenes()]
-    sizes = list(dict.fromkeys(segments for segments, _ in data.scenes()))
     layout = "{bytesPerSegment:.1f}; {bytesPerMover:.0f}"
-    memory = [[count(n), *(layout.format(**data.step(e, n)) for e in ENGINES)] for n in sizes]
-    return STEPS, table(["segments", "bodies", *ENGINES], times), MEMORY, table(["segments", *ENGINES], memory)
+    memory = [[count(n), *(layout.format(**data.step(e, n)) for e in ENGINES)] for n in data.sizes()]
+    jams = "\n".join(f"- {line}" for line in jam_lines(data)) or "No engine jammed in any row."
+    return (STEPS, step_times(data, RANDOM), PLATFORMER_STEPS, step_times(data, PLATFORMER), memory_of_rests(data),
+            JAMS, jams, BOX2D_3, MEMORY, table(["segments", *ENGINES], memory))  # fmt: skip
 
 
 def hard_case_tables(data):
@@ -108,16 +126,28 @@ def hard_case_tables(data):
         yield by_engine([name for name in data.cases() if name.startswith(start)], data.hard_case, cell, end)
 
 
+def path_tables(data):
+    shown = data.report["trajectoryScenes"]
+    least = min(len(data.path_errors("platon", n)) for n in data.times())
+    without = len(data.path_errors("platon", data.times()[0])) - len(data.path_errors("box2d-2.4", data.times()[0]))
+    rows = []
+    for n in data.times():
+        cells = (f"{short(data.worst_path_error(e, n))}; {short(data.median_path_error(e, n))}" for e in PATH_ENGINES)
+        rows.append([count(n), len(data.path_errors("platon", n)), *cells])
+    text = TRAJECTORY.format(**shown, least=least, without=without, ties=shown["dividedTies"] + shown["jointTies"])
+    return text, table(["ticks", "scenes", *PATH_ENGINES], rows)
+
+
 def ladder_tables(data):
-    shown = [engine for engine in ENGINES if data.on_ladder(engine, data.resolutions()[0])]
+    shown = [engine for engine in PATH_ENGINES if data.on_ladder(engine, data.resolutions()[0])]
     rows = []
     for n in data.resolutions():
         found = [data.on_ladder(engine, n) for engine in shown]
-        own = f"{found[0]['maxTrajectoryError'] * n:.0f}"
+        own = f"{found[0]['maxTrajectoryError'] * n:.2f}"
         rows.append([count(n), own, *(f"{short(r['maxTrajectoryError'])}; {spread(r, 'nsPerStep')}" for r in found)])
     errors = [r["maxTrajectoryError"] * r["subunitsPerUnit"] for r in data.report["resolution"] if r["engine"] == "platon"]
     heads = ["subunits a unit", "platon's error in subunits", *shown]
-    return RESOLUTION.format(low=min(errors), high=max(errors)), table(heads, rows)
+    return RESOLUTION.format(low=min(errors), high=max(errors), precise=IDEAL_PLACE), table(heads, rows)
 
 
 def part_tables(data):
@@ -130,19 +160,30 @@ def part_tables(data):
     rows = []
     for r in data.report["parts"]:
         times = f"{r['nsPerStep'] / plain:.2f}"
-        rows.append([r["scene"], spread(r, "nsPerStep"), times, f"{r['instances']:.2f}", f"{r['crossingsPerStep']:.4f}"])
-    return text, table(["step of one body", "ns", "× the plain plane", "instances", "crossings a step"], rows)
+        rows.append([r["scene"], spread(r, "nsPerStep"), times, f"{r['instances']:.2f}", f"{r['crossingsPerStep']:.4f}",
+                     f"{r['allocationsPerStep']:.2f}"])  # fmt: skip
+    return text, table(["step of one body", "ns", "× the plain plane", "instances", "crossings a step", "allocations a step"], rows)
 
 
 def game_tables(data):
     shot = data.report["snapshot"]
     rows = [[f"{end} {shot['movers']} bodies, {count(shot['bytes'])} bytes, {shot['level']}", spread(shot, f"{end}Ns") + " ns"]
             for end in ("save", "restore", "hash")]  # fmt: skip
+    rows.append([f"hash the whole game of {shot['movers']} players, {shot['level']}", spread(shot, "gameHashNs") + " ns"])
     rows += [[f"{r['players']} players, {r['ticks']} ticks replayed, {r['level']}", spread(r, "microseconds") + " µs"]
              for r in data.report["resimulation"]]  # fmt: skip
     rows += [[f"`Game::advance`, {r['level']}, per player of {r['players']}", spread(r, "nsPerPlayerTick") + " ns"]
              for r in data.report["advance"]]  # fmt: skip
-    return (table(["", "median (spread)"], rows),)
+    derived = [[r["scene"], r["movers"], f"{r['bytesPerMover']:.0f}"] for r in data.report["derived"]]
+    return table(["", "median (spread)"], rows), DERIVED, table(["scene", "bodies", "bytes a body"], derived)
+
+
+def comparison_tables(data):
+    found = list(measures(data))
+    cells = [[measure.name, len(measure.rows), *(measure.cell(engine) for engine in OTHERS)] for measure in found]
+    lines = [line for line in (measure.line() for measure in found) if line]
+    told = "\n".join(f"- {line}" for line in lines) or "Platon is behind in no row of any column."
+    return COMPARED, table(["column", "rows", *OTHERS], cells), "Where Platon is behind, and why:", told
 
 
 def machine():
@@ -159,11 +200,13 @@ def document(report):
     held = [[name, aim, measured, "yes" if holds else "**no**"] for name, aim, measured, holds in target_rows(data)]
     sections = {
         "Results": ["\n".join(f"- {verdict}" for verdict in verdicts(data))],
+        "Platon against each engine": comparison_tables(data),
         "Aims": [AIMED, table(["what", "aim", "measured", "holds"], held)],
         "How each engine is used": [ENGINES_USED],
         "Sweeps": sweep_tables(data),
         "Whole steps": step_tables(data),
         "Hard cases": hard_case_tables(data),
+        "Trajectory over time": path_tables(data),
         "Resolution": ladder_tables(data),
         "Cost of features": part_tables(data),
         "Games": game_tables(data),

@@ -12,8 +12,8 @@ from pathlib import Path
 
 import write_report
 
-SECTIONS = ["Results", "Aims", "How each engine is used", "Sweeps", "Whole steps", "Hard cases", "Resolution",
-            "Cost of features", "Games"]  # fmt: skip
+SECTIONS = ["Results", "Platon against each engine", "Aims", "How each engine is used", "Sweeps", "Whole steps", "Hard cases",
+            "Trajectory over time", "Resolution", "Cost of features", "Games"]  # fmt: skip
 
 
 class WriteReportTest(unittest.TestCase):
