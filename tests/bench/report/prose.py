@@ -108,8 +108,8 @@ only the ideal path decides this. {leftContact} terrains are left out, because t
 
 The slop of each engine counts in full as error: the gap of float32 (4·10⁻³ units) and of float64 (10⁻⁶ units), the gap of Box2D \
 (15 mm, 0.24 units) and the overlap of Chipmunk (5 mm, 0.08 units). Box2D and Chipmunk also discard the rest of a step at a contact, \
-by design, so they fall behind. An error of hundreds of units mostly means that the body is held at an end over which the ideal body \
-goes on, or has passed a segment."""
+by design, so they fall behind. An error that grows at the speed of the body means that the body is held, or has taken another way, \
+where the ideal body goes on."""
 
 RESOLUTION = """Scenes of `tests/exactness/reference` for 100 ticks, at 16 to 65 536 subunits a unit. A cell gives the largest \
 distance from the ideal trajectory, computed in rationals, in units, and nanoseconds per step. A unit is a twelfth of a player's \

@@ -64,10 +64,10 @@ def draw_all(data, folder):
         NO_OVERLAP)  # fmt: skip
     plots.points(
         "speed_error_sweep",
-        {"title": "Sweeps", "x": "ns a query, median of the sets", "y": "largest error of the time, relative to the displacement"},
+        {"title": "Sweeps", "x": "ns a query, median of the sets", "y": "largest relative error of the time"},
         {engine: (data.median_sweep_ns(engine), data.time_error(engine)) for engine in ENGINES if data.sweeps_of(engine)},
         NO_TIME_ERROR)  # fmt: skip
-    for name, title, kind in (("cost_segments", "Cost of a step", RANDOM), ("cost_platformer", "Cost of a step in a platformer", PLATFORMER)):
+    for name, title, kind in (("cost_segments", "Cost of a step among random segments", RANDOM), ("cost_platformer", "Cost of a step in a platformer", PLATFORMER)):
         plots.curves(
             name,
             {"title": title, "x": "segments", "y": f"ns per body and step, {BODIES} bodies"},
