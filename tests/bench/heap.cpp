@@ -8,10 +8,18 @@
 namespace {
 
 std::size_t calls = 0;
+std::size_t bytes = 0;
 
 void* allocateOrNull(std::size_t size) noexcept {
+  void* const memory = std::malloc(size == 0 ? 1 : size);
   ++calls;
-  return std::malloc(size == 0 ? 1 : size);
+  bytes += malloc_usable_size(memory);
+  return memory;
+}
+
+void release(void* memory) noexcept {
+  bytes -= malloc_usable_size(memory);
+  std::free(memory);
 }
 
 void* allocate(std::size_t size) {
@@ -26,12 +34,12 @@ void* operator new(std::size_t size) { return allocate(size); }
 void* operator new[](std::size_t size) { return allocate(size); }
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return allocateOrNull(size); }
 void* operator new[](std::size_t size, const std::nothrow_t&) noexcept { return allocateOrNull(size); }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete[](void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete(void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
-void operator delete[](void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
+void operator delete(void* memory) noexcept { release(memory); }
+void operator delete[](void* memory) noexcept { release(memory); }
+void operator delete(void* memory, std::size_t) noexcept { release(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { release(memory); }
+void operator delete(void* memory, const std::nothrow_t&) noexcept { release(memory); }
+void operator delete[](void* memory, const std::nothrow_t&) noexcept { release(memory); }
 
 namespace platon::bench {
 
@@ -41,5 +49,7 @@ std::size_t heapBytes() {
 }
 
 std::size_t allocations() { return calls; }
+
+std::size_t allocatedBytes() { return bytes; }
 
 }  // namespace platon::bench

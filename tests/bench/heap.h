@@ -5,20 +5,24 @@
 
 namespace platon::bench {
 
-/// Bytes of the heap in use, with the overhead of the allocator.
+/// Bytes of the heap in use, with the overhead of the allocator and a few that it keeps for reuse. Counts C libraries,
+/// too.
 std::size_t heapBytes();
 
-/// Number of calls of operator new so far. A program that calls this function counts them.
+/// Number of calls of operator new so far. Programs with this file count them, for one thread.
 std::size_t allocations();
+
+/// Bytes in use that came from operator new, exactly.
+std::size_t allocatedBytes();
 
 /// Heap that `live` uses beyond its value: caches and work space, which a copy does not have.
 template <class Value>
 double derivedBytes(Value& live) {
-  const std::size_t start = heapBytes();
+  const std::size_t start = allocatedBytes();
   Value copy = live;
-  const std::size_t withCopy = heapBytes();
+  const std::size_t withCopy = allocatedBytes();
   { const Value gone = std::move(live); }
-  const std::size_t withoutLive = heapBytes();
+  const std::size_t withoutLive = allocatedBytes();
   live = std::move(copy);
   return static_cast<double>(withCopy - withoutLive) - static_cast<double>(withCopy - start);
 }
