@@ -84,9 +84,9 @@ class Measurement {
 
   bool isWithoutTie(const ExactScene& scene, const IdealPath& ideal, std::int64_t ticks) {
     const Tie::Kind kind = findTie(scene, ideal, ticks).kind;
-    results_.dividedTies += kind == Tie::Kind::kDivided;
-    results_.jointTies += kind == Tie::Kind::kJoint;
-    return kind == Tie::Kind::kNone;
+    if (kind == Tie::Kind::kNone) return true;
+    ++(kind == Tie::Kind::kJoint ? results_.jointTies : results_.dividedTies);
+    return false;
   }
 
   void measure(const std::string& name, const ExactScene& exact, const IdealPath& ideal, std::int64_t ticks) {

@@ -21,7 +21,7 @@ struct TrajectoryResults {
   std::int64_t scenes = 0;       ///< of tests/exactness/reference/scenes
   std::int64_t terrains = 0;     ///< random terrains that are measured
   std::int64_t dividedTies = 0;  ///< scenes and terrains that are left out, because the ideal path has a tie
-  std::int64_t jointTies = 0;    ///< the same, because it is stopped at a loose joint
+  std::int64_t jointTies = 0;    ///< the same, because the tie is at a joint
   std::int64_t leftContact = 0;  ///< terrains that are left out: no contact within the last 100 ticks
 };
 

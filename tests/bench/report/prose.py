@@ -102,7 +102,7 @@ start. The ideal path is computed in rationals, as [exactness](exactness.md#how-
 resynchronised with it. A cell gives the largest distance from it after any tick so far, in units: in the worst scene; in the median \
 scene. There are {sceneFiles} scenes of `tests/exactness/reference/scenes` and {terrains} random terrains of slopes, overhangs, loose \
 joints and points. A scene is measured up to the last time at which the ideal body was in contact within 100 ticks: {least} of them \
-to the end. {ties} scenes are left out, because the ideal path has a tie ({dividedTies}), or is stopped at a loose joint ({jointTies}); \
+to the end. {ties} scenes are left out, because the ideal path has a tie ({dividedTies}), or one at a joint ({jointTies}); \
 only the ideal path decides this. {leftContact} terrains are left out, because they end without contact. Box2D has no part in \
 {without} scenes whose shape has more than eight vertices.
 
