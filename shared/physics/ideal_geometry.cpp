@@ -84,21 +84,29 @@ class IdealClip {
     int128 change = 0;  // of the distance, along the path
 
     int128 tolerance() const { return int128{Tolerances::kOnEdge} * half.oneNorm(); }
-    // When an entering path is on the edge, and when it comes within the tolerance of it.
+    // When an entering path is on the edge, and when it comes within the tolerance of it and leaves it.
     Fraction time() const { return start <= tolerance() ? Fraction{0, 1} : fractionOf(start, -change); }
     Fraction early() const { return fractionOf(start - tolerance(), -change); }
+    Fraction late() const { return fractionOf(start + tolerance(), -change); }
   };
 
   // Of several edges that the path enters at one place, a side of the segment counts, or else the one with which the
-  // path makes the smallest angle.
+  // path makes the smallest angle. A place is one where the path is on both edges at once: at small angles, the exact
+  // times may differ by much more than the tolerance.
   void enter(const Crossing& crossing) {
     const Fraction time = crossing.time();
-    if (!startsInside() && crossing.early() <= interval_.enter &&
-        (entered_.early() > time || !takesPrecedence(crossing, entered_)))
-      return;
-    if (startsInside() || time > interval_.enter) interval_.enter = time;
+    const bool isLater = startsInside() || time > interval_.enter;
+    const bool counts =
+        startsInside() || !entersWith(crossing, isLater) ? isLater : takesPrecedence(crossing, entered_);
+    if (isLater) interval_.enter = time;
+    if (!counts) return;
     entered_ = crossing;
     interval_.entered = crossing.index;
+  }
+
+  // Whether the path enters this edge and the one of entered_ at one place.
+  bool entersWith(const Crossing& crossing, bool isLater) const {
+    return isLater ? crossing.early() <= entered_.late() : entered_.early() <= crossing.late();
   }
 
   void leave(const Crossing& crossing) {

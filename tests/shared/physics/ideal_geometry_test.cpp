@@ -94,6 +94,30 @@ TEST(ClipIdealTest, AtACornerASideTakesPrecedenceAndThenTheSmallestAngle) {
   EXPECT_EQ(normal(point, {10 * kOne, 10 * kOne}, flat).x, 0) << "the upper edge";
 }
 
+// On a level floor, two fine units too low, to a segment that begins there and rises by 1 in 525. The path is on its
+// side 1 050 fine units before it is on the edge of its end.
+TEST(ClipIdealTest, AtACornerThatIsAlmostStraightASideTakesPrecedenceOverTheEnd) {
+  const Convex octagon({{3633, -8768},
+                        {8767, -3633},
+                        {8768, 3635},
+                        {3635, 8769},
+                        {-3634, 8768},
+                        {-8768, 3634},
+                        {-8767, -3633},
+                        {-3633, -8768}});
+  const Segment rise{{0, 0}, {-15744, 30}};
+  const Point corner(3633, 8768);
+  for (const std::int64_t above : {-2, -1, 0, 1, 2}) {
+    const auto interval =
+        clipIdeal(octagon, rise, precise(corner + Point(223, 0)) + PrecisePoint{0, above}, {-718 * kOne, 0});
+    ASSERT_TRUE(interval);
+    EXPECT_EQ(halfPlaneOf(octagon, rise, interval->entered).normal, Point(30, 15744)) << above;
+    const double at =
+        718 * static_cast<double>(interval->enter.numerator) / static_cast<double>(interval->enter.denominator);
+    EXPECT_NEAR(at, 223, 2e-5) << above;
+  }
+}
+
 TEST(ObstacleEdgeTest, EveryEdgeEndsWhereTheNextOneBegins) {
   sim::SeededRandom random(kSeed);
   for (int round = 0; round < 2000; ++round) {
