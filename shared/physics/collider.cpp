@@ -145,6 +145,15 @@ void Collider::appendPierced(const Placement& placement, std::vector<Pierced>& o
   }
 }
 
+bool Collider::hasSegmentNear(const Placement& placement, Point point, std::int32_t distance, std::uint32_t ignored) {
+  const Box box = Box{point, point}.grown(distance);
+  Region& region = regionOf(placement);
+  region.cover(*placement.part, box, *work_);
+  return std::any_of(region.segments().begin(), region.segments().end(), [&](std::uint32_t segment) {
+    return segment != ignored && touches(placement.part->segments[segment], box) && blocks(*placement.part, segment);
+  });
+}
+
 std::optional<Sweep::ClipInterval> Collider::clip(const Placement& placement, const Path& path, std::uint32_t segment) {
   const auto entry = startNear(placement, path, segment);
   return entry ? clip(placement, regionOf(placement), *entry) : std::nullopt;

@@ -81,6 +81,10 @@ class Collider {
   /// Appends the pierceable segments, in order of their indices, that the placement overlaps at its position.
   void appendPierced(const Placement& placement, std::vector<Pierced>& out);
 
+  /// Whether a blocking segment other than `ignored` comes within `distance` of `point`, along both axes of the
+  /// placement's part.
+  bool hasSegmentNear(const Placement& placement, Point point, std::int32_t distance, std::uint32_t ignored);
+
   /// Clips a path of one placement, in the frame of its part, against the obstacle of one segment.
   std::optional<Sweep::ClipInterval> clip(const Placement& placement, const Path& path, std::uint32_t segment);
   /// The collision of such a path with one segment.

@@ -133,6 +133,7 @@ class EntityStep {
   bool touchesEnd(LegHit& hit, PrecisePoint place) const;
   bool passEnd(LegHit end, Point normal, PrecisePoint from, PrecisePoint rest);
   std::optional<Point> nudge(const LegHit& hit, Point target, Point reached);
+  bool isAtJoint(const LegHit& hit);
   bool grazes(const LegHit& hit, Point target, Point reached) const;
   bool continuesPast(const LegHit& end, Point from, Point to);
   bool hitsEndAgain(const LegHit& end, Point from, Point to);

@@ -80,7 +80,7 @@ bool EntityStep::passEnd(LegHit end, Point normal, PrecisePoint from, PrecisePoi
 // continue from there, so that an entity at rest is not nudged back and forth, and must lead past the end.
 std::optional<Point> EntityStep::nudge(const LegHit& hit, Point target, Point reached) {
   const Placement& placement = instances_.all()[hit.placement];
-  if (isTiny(*placement.shape) || !grazes(hit, target, reached)) return std::nullopt;
+  if (isTiny(*placement.shape) || !grazes(hit, target, reached) || !isAtJoint(hit)) return std::nullopt;
   for (const Point offset : std::span(kNudgeOffsets).subspan(1)) {
     const Point from = reached + offset;
     const Point to = target + offset;
@@ -89,6 +89,19 @@ std::optional<Point> EntityStep::nudge(const LegHit& hit, Point target, Point re
     if (continuesPast(hit, from, to) && collider_.isFree(instances_, position(), from)) return from;
   }
   return std::nullopt;
+}
+
+// Whether another segment, perhaps on a neighbouring face, reaches the end. An end that stands alone stops the body, as
+// it stops the ideal one.
+bool EntityStep::isAtJoint(const LegHit& hit) {
+  const std::vector<Placement>& placements = instances_.all();
+  const Placement& own = placements[hit.placement];
+  if (collider_.hasSegmentNear(own, hit.hit.feature, Tolerances::kJoint, hit.segment)) return true;
+  const Point end = rotate(hit.hit.feature - own.position, own.toHome);  // from the position of the body
+  return std::any_of(placements.begin(), placements.end(), [&](const Placement& other) {
+    return &other != &own && collider_.hasSegmentNear(other, other.position + rotate(end, other.fromHome),
+                                                      Tolerances::kJointAcross, Collider::kNoSegment);
+  });
 }
 
 // Whether the segment end is within kNudge of a flank of the shape. Otherwise no nudge can clear it.

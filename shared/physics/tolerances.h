@@ -13,6 +13,12 @@ struct Tolerances {
   /// up to 2 subunits along both axes, are up to 5.7 subunits apart, and the position is up to one from the ideal
   /// place.
   static constexpr std::int32_t kNudge = 7;
+  /// I3: a segment end is at a joint if another segment is this near to it along both axes: no nudge clears an end that
+  /// protrudes more.
+  static constexpr std::int32_t kJoint = kNudge;
+  /// The same if the other segment is on a neighbouring face: instances differ by up to 4 subunits from their exact
+  /// placement (I5).
+  static constexpr std::int32_t kJointAcross = kJoint + 4;
   /// An entity this near to a segment touches it: the lattice may have no nearer point.
   static constexpr std::int32_t kContactGap = 2;
   /// The lattice position follows the ideal place within this distance. If it cannot, the ideal place falls back to it.

@@ -374,5 +374,20 @@ TEST(SlideOverJointsTest, PassesAPointSlightlyInsideTheFlank) {
   EXPECT_LE(scene.entity.position().y, -10000);
 }
 
+// A body leans on the end of a wall, and a point is six subunits inside of its corner.
+TEST(SlideOverJointsTest, APointThatStandsAloneStopsTheBody) {
+  const Convex octagon({{3365, -8823},
+                        {8381, -3723},
+                        {7901, 4005},
+                        {2968, 8608},
+                        {-3453, 8222},
+                        {-8861, 2892},
+                        {-8442, -3815},
+                        {-3180, -8324}});
+  Scene scene({{{8709, -7864}, {16490, -32344}}, {{8695, -7734}, {8695, -7734}}}, octagon, {843, -11980});
+  for (int tick = 0; tick < 60; ++tick) scene.step({1206, 1015});
+  EXPECT_EQ(scene.entity.position(), Point(800, -11745));
+}
+
 }  // namespace
 }  // namespace platon
