@@ -33,11 +33,12 @@ void roundTime(mpq_class& time) {
 
 }  // namespace
 
-IdealPath::IdealPath(const ExactScene& scene, std::int64_t ticks)
+IdealPath::IdealPath(const ExactScene& scene, std::int64_t ticks, std::int64_t unit)
     : course_(std::make_shared<Course>(scene)),
       velocityX_(scene.velocity.x),
       velocityY_(scene.velocity.y),
       ticks_(ticks),
+      restSpeed_(kRestSpeed * unit),
       at_{mpz_class(scene.start.x), mpz_class(scene.start.y), 1} {
   compute();
 }
@@ -71,7 +72,7 @@ IdealPath::Way IdealPath::wayAlong(const Side& side) const {
   if (speed == 0) return {0, 0, 0, {0, 1}};
   const bool ahead = speed > 0;
   const mpz_class square = side.x * side.x + side.y * side.y;
-  if (std::max(abs(speed * side.x), abs(speed * side.y)) < kRestSpeed * square) return {0, 0, 0, {0, 1}};
+  if (std::max(abs(speed * side.x), abs(speed * side.y)) < restSpeed_ * square) return {0, 0, 0, {0, 1}};
   Way way{ahead ? mpz_class(-side.y) : side.y, ahead ? side.x : mpz_class(-side.x), mpq_class(abs(speed), square), {}};
   way.rate.canonicalize();
   const oracle::Vec end = ahead ? side.end : side.start;

@@ -35,7 +35,7 @@ class IdealPath {
   static constexpr unsigned kTimeBits = 256;
   /// Subunits a tick. The velocity is an integer, so one that should lead straight into a slanted floor is off by up to
   /// half a subunit; a body on that floor must rest all the same (I4).
-  static constexpr unsigned kRestSpeed = 1;
+  static constexpr std::int64_t kRestSpeed = 1;
 
   enum class Kind { kFree, kSlide, kRest };
 
@@ -56,8 +56,9 @@ class IdealPath {
     SideRef against = {};  ///< the side that a rest is pressed against, besides `along`
   };
 
-  /// Computes the path for `ticks` ticks. Throws std::runtime_error if the body starts inside an obstacle.
-  IdealPath(const ExactScene& scene, std::int64_t ticks);
+  /// Computes the path for `ticks` ticks. The scene is in units of 1/`unit` subunits. Throws std::runtime_error if the
+  /// body starts inside an obstacle.
+  IdealPath(const ExactScene& scene, std::int64_t ticks, std::int64_t unit = 1);
 
   /// The path of the same body from another place and time on, up to the same tick, or to the first leg for which
   /// `stops` returns true.
@@ -103,6 +104,7 @@ class IdealPath {
   mpz_class velocityX_;
   mpz_class velocityY_;
   std::int64_t ticks_;
+  std::int64_t restSpeed_;  // in units of the scene
   std::function<bool(const Leg&)> stops_;
   std::vector<Leg> legs_;
   // The state of the computation.

@@ -66,4 +66,15 @@ std::vector<std::pair<std::string, ExactScene>> allScenes() {
   return scenes;
 }
 
+std::vector<std::pair<std::string, ExactScene>> allSlowScenes() {
+  constexpr std::int64_t kSubunits = 1024;
+  constexpr std::int64_t kSlowness = 10;
+  auto scenes = allScenes();
+  for (auto& [name, scene] : scenes) {
+    scene = scaled(scene, kSubunits / kSceneSubunits);
+    scene.velocity = {scene.velocity.x / kSlowness, scene.velocity.y / kSlowness};
+  }
+  return scenes;
+}
+
 }  // namespace platon::reference

@@ -34,4 +34,8 @@ std::vector<LatticeError> latticeErrors(const std::string& name, const ExactScen
 /// working folder.
 std::vector<std::pair<std::string, ExactScene>> allScenes();
 
+/// The same scenes in subunits at 1024 per unit, and at a tenth of the speed: the body stays on its segments for 36 000
+/// ticks.
+std::vector<std::pair<std::string, ExactScene>> allSlowScenes();
+
 }  // namespace platon::reference

@@ -5,6 +5,8 @@
 #include <array>
 #include <map>
 
+#include "tests/exactness/reference/terrain_judge.h"
+
 namespace platon::reference {
 namespace {
 
@@ -75,6 +77,17 @@ TEST_F(LatticeErrorTest, ShrinksInProportionToTheResolution) {
 
 TEST_F(LatticeErrorTest, IsZeroWithoutRounding) {
   for (const LatticeError& row : errors().at("floor")) EXPECT_EQ(row.maxSubunits, 0) << row.subunitsPerUnit;
+}
+
+/// I8 for ten minutes of play.
+TEST(SlowSceneTest, NeverExceedsTwoSubunits) {
+  for (const auto& [name, scene] : allSlowScenes()) {
+    const Verdict verdict = judge(scene, 36000);
+    EXPECT_TRUE(verdict.counts()) << name;
+    EXPECT_EQ(verdict.judgedTicks, 36000) << name;
+    EXPECT_LE(verdict.maxLattice, kMaxLatticeError) << name;
+    EXPECT_LE(verdict.maxPrecise, kMaxPreciseError) << name;
+  }
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "platon_version.h"
 #include "tests/exactness/reference/lattice_error.h"
 #include "tests/exactness/reference/terrain.h"
+#include "tests/exactness/reference/terrain_judge.h"
 #include "tests/exactness/reference/terrain_table.h"
 
 namespace {
@@ -26,6 +27,7 @@ constexpr auto kTicks = std::to_array<std::int64_t>({1, 60, 3600});
 struct Options {
   bool json = false;
   bool rows = false;
+  bool slow = false;
   std::int64_t terrains = 0;
   std::uint64_t seed = 1;
   std::optional<std::uint64_t> sceneSeed;
@@ -56,6 +58,18 @@ void printAll(bool json) {
   if (json) std::printf("]}\n");
 }
 
+int judgeSlowScenes(std::int64_t ticks) {
+  bool holds = true;
+  std::printf("%-12s %9s %12s %14s\n", "scene", "rests at", "max lattice", "max precise");
+  for (const auto& [name, scene] : allSlowScenes()) {
+    const Verdict verdict = judge(scene, ticks);
+    holds &= verdict.holds() && verdict.judgedTicks == ticks;
+    std::printf("%-12s %9.1f %12.3f %14.9f\n", name.c_str(), verdict.restsAt.value_or(-1), verdict.maxLattice,
+                verdict.maxPrecise);
+  }
+  return holds ? 0 : 1;
+}
+
 void writeScene(const std::string& path, std::uint64_t seed, std::int64_t ticks) {
   std::ofstream file(path);
   file << "# terrain " << seed << " for " << ticks << " ticks\n" << toText(randomTerrain(seed, ticks).scene);
@@ -80,10 +94,13 @@ void addOptions(CLI::App& app, Options& options) {
   auto* terrains = app.add_option("--terrains", options.terrains, "judge this many random terrains instead");
   auto* seed = app.add_option("--seed", options.seed, "seed of the first terrain; the next ones ascend");
   auto* scene = app.add_option("--scene-seed", options.sceneSeed, "judge only the terrain with this seed");
-  app.add_option("--ticks", options.ticks, "ticks of every terrain")->check(CLI::Range(101, 1000000));
+  app.add_option("--ticks", options.ticks, "ticks of every terrain, or of every slow scene")
+      ->check(CLI::Range(101, 1000000));
+  auto* slow = app.add_flag("--slow", options.slow, "judge every scene at a tenth of its speed");
   app.add_flag("--rows", options.rows, "print a row for each terrain");
   auto* write = app.add_option("--write", options.sceneFile, "write that terrain to this scene file");
   terrains->check(CLI::Range(1, 1000000))->excludes(json)->excludes(scene);
+  slow->excludes(json)->excludes(terrains)->excludes(scene);
   seed->needs(terrains);
   scene->excludes(json);
   write->needs(scene);
@@ -102,6 +119,7 @@ int main(int count, char** arguments) {
   }
   try {
     if (options.terrains > 0 || options.sceneSeed) return runTerrains(options);
+    if (options.slow) return judgeSlowScenes(options.ticks);
     printAll(options.json);
     return 0;
   } catch (const std::exception& error) {

@@ -13,6 +13,7 @@ std::int64_t judgedTicks(const Tie& tie, std::int64_t ticks) {
   switch (tie.kind) {
     case Tie::Kind::kNone:
       return ticks;
+    case Tie::Kind::kNarrow:
     case Tie::Kind::kJoint:
       return static_cast<std::int64_t>(tie.tick);
     default:

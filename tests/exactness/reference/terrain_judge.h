@@ -25,7 +25,7 @@ struct Verdict {
   bool inContact = false;         ///< the ideal body is in contact within the last kContactTicks
   std::optional<double> restsAt;  ///< tick at which the ideal body comes to rest
   Tie tie;
-  std::int64_t judgedTicks = 0;  ///< all without a tie, those before a joint's tie, none if the path is divided
+  std::int64_t judgedTicks = 0;  ///< all without a tie; those before it; none if the path is divided
   double maxLattice = 0;         ///< largest distance of the lattice position, after any tick that is judged
   double maxPrecise = 0;         ///< largest distance of position + remainder
   std::int64_t firstAbove = 0;   ///< first tick after which the lattice position is above kMaxLatticeError, or 0

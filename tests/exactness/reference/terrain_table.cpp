@@ -22,7 +22,9 @@ double quantile(std::vector<double> values, double share) {
 
 std::string toText(const Tie& tie) {
   if (tie.kind == Tie::Kind::kNone) return "-";
-  const char* kind = tie.kind == Tie::Kind::kJoint ? "joint" : "divided";
+  const std::string kind = tie.kind == Tie::Kind::kJoint    ? "joint"
+                           : tie.kind == Tie::Kind::kNarrow ? "narrow"
+                                                            : "divided";
   return kind + (" at " + std::to_string(static_cast<std::int64_t>(tie.tick)));
 }
 
@@ -93,9 +95,9 @@ void TerrainTable::printSummary(std::FILE* out) const {
     precise.push_back(row.verdict.maxPrecise);
     preciseAbove += row.verdict.maxPrecise > kMaxPreciseError;
   }
-  std::fprintf(out, "%lld scenes of %lld ticks, %lld of them with a tie\n", wide(counted()), wide(ticks_),
-               wide(ties()));
-  std::fprintf(out, "not counted: %lld with a tie at a loose joint, %lld without contact in the last %lld ticks\n",
+  std::fprintf(out, "%lld scenes of %lld ticks, %lld of them with a tie or a narrow rest (%lld narrow)\n",
+               wide(counted()), wide(ticks_), wide(ties()), wide(number(Tie::Kind::kNarrow)));
+  std::fprintf(out, "not counted: %lld stopped at a joint, %lld without contact in the last %lld ticks\n",
                wide(number(Tie::Kind::kJoint)), wide(withoutContact_), wide(kContactTicks));
   printErrors(out, "lattice position", lattice);
   printErrors(out, "position and remainder", precise);

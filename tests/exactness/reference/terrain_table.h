@@ -8,8 +8,8 @@
 
 namespace platon::reference {
 
-/// Judges random terrains and sums up. A scene counts if the ideal body is in contact at its end and has no tie at a
-/// loose joint.
+/// Judges random terrains and sums up. A scene counts if the ideal body is in contact at its end and does not stop
+/// at a joint.
 class TerrainTable {
  public:
   struct Row {
@@ -28,11 +28,12 @@ class TerrainTable {
   void add(const Row& row);
 
   void printSummary(std::FILE* out) const;
-  /// Seeds of all scenes in which the body is above kMaxLatticeError, those with a tie at a loose joint included.
+  /// Seeds of all scenes in which the body is above kMaxLatticeError, those that stop at a joint included.
   std::vector<std::uint64_t> above() const;
   std::int64_t counted() const;
-  std::int64_t ties() const { return number(Tie::Kind::kDivided); }
-  /// True if no scene is above kMaxLatticeError, and at most 1 % of the scenes that count, or one, have a tie.
+  std::int64_t ties() const { return number(Tie::Kind::kDivided) + number(Tie::Kind::kNarrow); }
+  /// True if no scene is above kMaxLatticeError, and at most 1 % of the scenes that count, or one, have a tie or a
+  /// narrow rest.
   bool holds() const;
 
  private:

@@ -18,11 +18,11 @@ using Kind = IdealPath::Kind;
 constexpr std::int64_t kCompareTicks = 8;
 
 /// Grown shapes are rounded to this part of a subunit.
-constexpr std::int64_t kFine = 64;
+constexpr std::int64_t kFine = 4096;
 
-/// `place` moved by `distance` subunits in the direction (x, y), a little more because of rounding.
-Place moved(const Place& place, std::int64_t distance, const mpz_class& x, const mpz_class& y) {
-  const mpz_class scale = distance << 20;
+/// `place` moved by `distance` in the direction (x, y), a little more because of rounding.
+Place moved(const Place& place, double distance, const mpz_class& x, const mpz_class& y) {
+  const mpz_class scale(std::ldexp(distance, 20));
   const mpz_class size = sqrt(mpz_class((x * x + y * y) << 40));
   return {place.x * size + scale * x * place.d, place.y * size + scale * y * place.d, place.d * size};
 }
@@ -34,7 +34,7 @@ Place toPlace(const RationalVec& v) {
 
 /// The scene in units that are kFine times as fine, with a shape whose edges are `by` subunits farther from its centre
 /// (nearer if negative) along the narrowest way, and more along the others.
-ExactScene withGrownShape(const ExactScene& scene, std::int64_t by) {
+ExactScene withGrownShape(const ExactScene& scene, double by) {
   ExactScene fine = scaled(scene, kFine);
   const auto count = static_cast<std::int64_t>(fine.shape.size());
   oracle::Vec sum;
@@ -46,7 +46,7 @@ ExactScene withGrownShape(const ExactScene& scene, std::int64_t by) {
     const auto area = static_cast<double>(oracle::cross(edge, centre - fine.shape[i]));
     narrowest = std::min(narrowest, area / std::sqrt(static_cast<double>(oracle::dot(edge, edge))));
   }
-  const double share = static_cast<double>(by * kFine) / narrowest;
+  const double share = by * static_cast<double>(kFine) / narrowest;
   for (oracle::Vec& v : fine.shape) {
     const oracle::Vec out = v - centre;
     v = v +
@@ -71,21 +71,26 @@ std::optional<double> separation(const IdealPath& ideal, const IdealPath& grown,
   return std::nullopt;
 }
 
-bool isNear(oracle::Vec a, oracle::Vec b, std::int64_t unit) {
-  return std::abs(a.x - b.x) <= kLooseEnds * unit && std::abs(a.y - b.y) <= kLooseEnds * unit;
-}
-
-/// Whether two of the ends are at most kLooseEnds apart along both axes.
-bool meetLoosely(const oracle::Segment& a, const oracle::Segment& b, std::int64_t unit) {
-  return isNear(a.a, b.a, unit) || isNear(a.a, b.b, unit) || isNear(a.b, b.a, unit) || isNear(a.b, b.b, unit);
-}
-
-/// Whether an end of this line is at most kLooseEnds from an end of another one.
-bool hasLooseEnd(const ExactScene& scene, std::size_t line, std::int64_t unit) {
+/// Whether another line comes within kJoint of this point, along both axes.
+bool isAtJoint(const ExactScene& scene, std::size_t own, oracle::Vec end, std::int64_t unit) {
+  const std::int64_t reach = kFine * kJoint * unit + 1;  // of an open square
+  const auto area =
+      oracle::OpenArea::placed({{-reach, -reach}, {reach, -reach}, {reach, reach}, {-reach, reach}}, kFine * end);
   for (std::size_t other = 0; other < scene.lines.size(); ++other) {
-    if (other != line && meetLoosely(scene.lines[line], scene.lines[other], unit)) return true;
+    const oracle::Segment& line = scene.lines[other];
+    if (other != own && area.intersects({kFine * line.a, kFine * line.b})) return true;
   }
   return false;
+}
+
+/// Whether the body, near `place`, touches an end of this line that is at a joint.
+bool touchesJoint(const ExactScene& scene, const RationalVec& place, std::size_t line, std::int64_t unit) {
+  const oracle::Vec at = {std::llround(place.x.get_d()), std::llround(place.y.get_d())};
+  const auto reach = static_cast<std::int64_t>(kLift) * unit;
+  const auto body = oracle::OpenArea::placed(scene.shape, at).inset(-reach);
+  const oracle::Segment& own = scene.lines[line];
+  return (body.intersects({own.a, own.a}) && isAtJoint(scene, line, own.a, unit)) ||
+         (body.intersects({own.b, own.b}) && isAtJoint(scene, line, own.b, unit));
 }
 
 /// Whether the condition holds for one of 16 directions.
@@ -106,9 +111,9 @@ class Rest {
   Rest(const ExactScene& scene, const IdealPath& path, std::int64_t ticks, std::int64_t unit)
       : scene_(scene), path_(path), ticks_(ticks), unit_(unit) {}
 
-  bool isLoose() const {
+  bool isLoose(double lift) const {
     if (path_.legs().back().kind != Kind::kRest) return false;
-    return anyDirection([&](int x, int y) { return goesOnFrom(x, y); });
+    return anyDirection([&](int x, int y) { return goesOnFrom(lift, x, y); });
   }
 
   /// Whether no lattice point near the rest is free.
@@ -118,29 +123,27 @@ class Rest {
     const RationalVec at = rest.start.rational();
     const mpz_class x = at.x.get_num() / at.x.get_den();
     const mpz_class y = at.y.get_num() / at.y.get_den();
-    for (std::int64_t i = -kTieSubunits - 1; i <= kTieSubunits + 1; ++i) {
-      for (std::int64_t j = -kTieSubunits - 1; j <= kTieSubunits + 1; ++j) {
+    for (std::int64_t i = -kReach - 1; i <= kReach + 1; ++i) {
+      for (std::int64_t j = -kReach - 1; j <= kReach + 1; ++j) {
         const Place point{x + i, y + j, 1};
-        if (distance(point.rational(), at) <= kTieSubunits && path_.isFree(point)) return false;
+        if (distance(point.rational(), at) <= kReach && path_.isFree(point)) return false;
       }
     }
     return true;
   }
 
-  /// Whether two ends meet here, at most kLooseEnds apart. A rest on one end alone is as good as a slow slide on it.
   bool isAtJoint() const {
     const Leg& rest = path_.legs().back();
     if (rest.kind != Kind::kRest) return false;
-    if (rest.along == rest.against)
-      return !path_.side(rest.along).alongLine && hasLooseEnd(scene_, rest.along.obstacle, unit_);
-    if (rest.along.obstacle == rest.against.obstacle) return false;
-    return meetLoosely(scene_.lines[rest.along.obstacle], scene_.lines[rest.against.obstacle], unit_);
+    const RationalVec at = rest.start.rational();
+    return touchesJoint(scene_, at, rest.along.obstacle, unit_) ||
+           touchesJoint(scene_, at, rest.against.obstacle, unit_);
   }
 
  private:
-  bool goesOnFrom(int x, int y) const {
+  bool goesOnFrom(double lift, int x, int y) const {
     const Leg& rest = path_.legs().back();
-    const Place lifted = moved(rest.start, kLift * unit_, x, y);
+    const Place lifted = moved(rest.start, lift * static_cast<double>(unit_), x, y);
     if (!path_.isFree(lifted)) return false;
     const IdealPath onwards = path_.from(lifted, rest.begin, {});
     return distance(onwards.positionAt(ticks_), rest.start.rational()) >
@@ -174,20 +177,27 @@ class TieFinder {
   }
 
  private:
-  void add(bool atJoint, double tick) {
-    const Tie::Kind kind = atJoint ? Tie::Kind::kJoint : Tie::Kind::kDivided;
+  void add(Tie::Kind kind, double tick) {
     if (tie_.kind == Tie::Kind::kNone || tick < tie_.tick) tie_ = {kind, tick};
   }
 
+  static Tie::Kind kindOf(bool isSnag) { return isSnag ? Tie::Kind::kJoint : Tie::Kind::kDivided; }
+
   bool isSnag(const ExactScene& scene, const IdealPath& path, std::int64_t unit) const {
     const Rest rest(scene, path, ticks_, unit);
-    return rest.isAtJoint() && rest.isLoose();
+    return rest.isAtJoint() && rest.isLoose(kLift);
   }
 
   void addRest() {
     const Rest rest(scene_, ideal_, ticks_, 1);
-    if (rest.isNarrow()) add(false, legs_.back().begin.get_d());
-    if (rest.isLoose()) add(rest.isAtJoint(), legs_.back().begin.get_d());
+    const double begin = legs_.back().begin.get_d();
+    if (isSnag(scene_, ideal_, 1)) {
+      add(Tie::Kind::kJoint, begin);
+    } else if (rest.isNarrow()) {
+      add(Tie::Kind::kNarrow, begin);
+    } else if (rest.isLoose(kTieSubunits)) {
+      add(Tie::Kind::kDivided, begin);
+    }
   }
 
   void addSlowSlides() {
@@ -195,32 +205,17 @@ class TieFinder {
     for (const Leg& leg : legs_) {
       if (leg.kind != Kind::kSlide || ideal_.side(leg.along).alongLine) continue;
       if (lengthOf(leg.velocity) >= kSlow * speed) continue;
-      const bool atJoint = hasLooseEnd(scene_, leg.along.obstacle, 1);
-      if (atJoint || isPassedByLift(leg)) add(atJoint, leg.begin.get_d());
+      if (touchesJoint(scene_, leg.start.rational(), leg.along.obstacle, 1)) add(Tie::Kind::kJoint, leg.begin.get_d());
     }
-  }
-
-  /// Whether a body that is lifted at the start of the slide never slides along the same edge.
-  bool isPassedByLift(const Leg& leg) const {
-    return anyDirection([&](int x, int y) {
-      const Place lifted = moved(leg.start, kLift, x, y);
-      if (!ideal_.isFree(lifted)) return false;
-      bool returns = false;
-      ideal_.from(lifted, leg.begin, [&](const Leg& other) {
-        returns |= other.kind != Kind::kFree && other.along == leg.along;
-        return returns;
-      });
-      return !returns;
-    });
   }
 
   static double lengthOf(const RationalVec& v) { return distance(v, {0, 0}); }
 
-  void addGrown(std::int64_t by) {
+  void addGrown(double by) {
     const ExactScene scene = withGrownShape(scene_, by);
-    const IdealPath grown(scene, ticks_);
+    const IdealPath grown(scene, ticks_, kFine);
     const auto tick = separation(ideal_, grown, ticks_);
-    if (tick) add(isSnag(scene_, ideal_, 1) || isSnag(scene, grown, kFine), *tick);
+    if (tick) add(kindOf(isSnag(scene_, ideal_, 1) || isSnag(scene, grown, kFine)), *tick);
   }
 
   mpq_class endOfFlight(std::size_t leg) const {
@@ -249,7 +244,7 @@ class TieFinder {
       return back;
     });
     if (back || distance(path.positionAt(ticks_), ideal_.positionAt(ticks_)) <= allowedSeparation(ticks_)) return;
-    add(isSnag(scene_, ideal_, 1) || isSnag(scene_, path, 1), legs_[leg].begin.get_d());
+    add(kindOf(isSnag(scene_, ideal_, 1) || isSnag(scene_, path, 1)), legs_[leg].begin.get_d());
   }
 
   static bool isSame(const Leg& a, const Leg& b) {
