@@ -13,6 +13,7 @@
 
 #include "platon_version.h"
 #include "tests/exactness/reference/lattice_error.h"
+#include "tests/exactness/reference/solid_walk.h"
 #include "tests/exactness/reference/terrain.h"
 #include "tests/exactness/reference/terrain_judge.h"
 #include "tests/exactness/reference/terrain_table.h"
@@ -29,6 +30,7 @@ struct Options {
   bool rows = false;
   bool slow = false;
   std::int64_t terrains = 0;
+  std::int64_t walks = 0;
   std::uint64_t seed = 1;
   std::optional<std::uint64_t> sceneSeed;
   std::int64_t ticks = 1200;
@@ -92,16 +94,18 @@ void addOptions(CLI::App& app, Options& options) {
   app.set_version_flag("--version", "platon-reference " + std::string(platon::kVersion));
   auto* json = app.add_flag("--json", options.json, "print one JSON object");
   auto* terrains = app.add_option("--terrains", options.terrains, "judge this many random terrains instead");
-  auto* seed = app.add_option("--seed", options.seed, "seed of the first terrain; the next ones ascend");
+  auto* walks = app.add_option("--walks", options.walks, "judge this many walks on every solid, in two ways each");
+  auto* seed = app.add_option("--seed", options.seed, "seed of the first terrain or walk; the next ones ascend");
   auto* scene = app.add_option("--scene-seed", options.sceneSeed, "judge only the terrain with this seed");
-  app.add_option("--ticks", options.ticks, "ticks of every terrain, or of every slow scene")
+  app.add_option("--ticks", options.ticks, "ticks of every terrain, slow scene or walk")
       ->check(CLI::Range(101, 1000000));
   auto* slow = app.add_flag("--slow", options.slow, "judge every scene at a tenth of its speed");
   app.add_flag("--rows", options.rows, "print a row for each terrain");
   auto* write = app.add_option("--write", options.sceneFile, "write that terrain to this scene file");
   terrains->check(CLI::Range(1, 1000000))->excludes(json)->excludes(scene);
   slow->excludes(json)->excludes(terrains)->excludes(scene);
-  seed->needs(terrains);
+  walks->check(CLI::Range(1, 1000000))->excludes(json)->excludes(terrains)->excludes(scene)->excludes(slow);
+  seed->excludes(json)->excludes(slow)->excludes(scene);
   scene->excludes(json);
   write->needs(scene);
 }
@@ -119,6 +123,7 @@ int main(int count, char** arguments) {
   }
   try {
     if (options.terrains > 0 || options.sceneSeed) return runTerrains(options);
+    if (options.walks > 0) return judgeWalks(options.seed, options.walks, options.ticks, stdout) ? 0 : 1;
     if (options.slow) return judgeSlowScenes(options.ticks);
     printAll(options.json);
     return 0;

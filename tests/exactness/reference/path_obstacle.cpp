@@ -23,7 +23,8 @@ PathObstacle::PathObstacle(const oracle::Polygon& shape, const oracle::Segment& 
     const mpz_class x(along.y);
     const mpz_class y(-along.x);
     sides.push_back({x, y, x * polygon[i].x + y * polygon[i].y, polygon[i], end,
-                     oracle::cross(along, line.b - line.a) == 0, (i + count - 1) % count, (i + 1) % count});
+                     line.a != line.b && oracle::cross(along, line.b - line.a) == 0, (i + count - 1) % count,
+                     (i + 1) % count});
   }
 }
 

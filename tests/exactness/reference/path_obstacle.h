@@ -38,7 +38,7 @@ struct PathObstacle {
   struct Side {
     mpz_class x, y, bound;
     oracle::Vec start, end;
-    bool alongLine;             ///< parallel to the segment
+    bool alongLine;             ///< parallel to the segment; never if that is a point
     std::size_t before, after;  ///< indices of the adjacent sides
 
     /// The way of a displacement from `start` towards `end`, times the length of (x, y).

@@ -174,7 +174,7 @@ class TerrainMaker {
       along = next;
       addLine(from, to);
     }
-    if (random_.oneIn(std::max<std::int64_t>(60, ticks_ / 100))) addOverhang(from, to);  // it often stops the body
+    if (random_.oneIn(std::max<std::int64_t>(60, ticks_ / 50))) addOverhang(from, to);  // it often stops the body
     lastEnd_ = to;
     leaves_ = to - supportOf(scene_.shape, -side_ * left(v));
   }

@@ -73,12 +73,13 @@ std::optional<double> separation(const IdealPath& ideal, const IdealPath& grown,
 
 /// Whether another line comes within kJoint of this point, along both axes.
 bool isAtJoint(const ExactScene& scene, std::size_t own, oracle::Vec end, std::int64_t unit) {
-  const std::int64_t reach = kFine * kJoint * unit + 1;  // of an open square
-  const auto area =
-      oracle::OpenArea::placed({{-reach, -reach}, {reach, -reach}, {reach, reach}, {-reach, reach}}, kFine * end);
+  const std::int64_t scale = kFine / unit;
+  constexpr std::int64_t kReached = kFine * kJoint + 1;  // of an open square
+  const auto area = oracle::OpenArea::placed(
+      {{-kReached, -kReached}, {kReached, -kReached}, {kReached, kReached}, {-kReached, kReached}}, scale * end);
   for (std::size_t other = 0; other < scene.lines.size(); ++other) {
     const oracle::Segment& line = scene.lines[other];
-    if (other != own && area.intersects({kFine * line.a, kFine * line.b})) return true;
+    if (other != own && area.intersects({scale * line.a, scale * line.b})) return true;
   }
   return false;
 }
