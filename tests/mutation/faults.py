@@ -307,7 +307,7 @@ FAULTS = [
     at_length("tile-without-surroundings", "shared/game/crowding.cpp",
               "std::max<std::int64_t>(a.y, bottom - kReach)", "std::max<std::int64_t>(a.y, bottom)",
               "slanted segments below a tile do not count",
-              "Crowding.FindsWhatCountingEveryPlaceFinds"),
+              "Crowding.SlantedLinesBelowATileCount"),
     at_length("spare-obstacle-remembers", PHYSICS + "region.cpp", "  obstacles_[obstacleOf_[entry]].reset();\n", "",
               "a reused obstacle keeps its old segment",
               "DerivedStateTest.LongLivedWorldsStepLikeFreshCopies"),

@@ -69,6 +69,18 @@ TEST(Crowding, ALongLineCountsOnlyWhereItIs) {
   EXPECT_EQ(placesOf(SolidKind::kHexahedron, segments).size(), 1u);
 }
 
+// Tiles of 64 units begin at -240. The place between y = 16 and 24 reaches points just below y = 60, and, to y = -20,
+// lines that come into its tile only far to the right.
+TEST(Crowding, SlantedLinesBelowATileCount) {
+  Segments segments = onFaces(SolidKind::kHexahedron);
+  constexpr std::int32_t kLeft = -200 * kUnit;
+  for (std::size_t i = 0; i < kMaxSegmentsInReach / 2 + 1; ++i) {
+    segments[0].push_back(pointAt(kLeft, 60 * kUnit - 1));
+    segments[0].push_back({{kLeft, -19 * kUnit}, {100 * kUnit, 20 * kUnit}});
+  }
+  EXPECT_EQ(placesOf(SolidKind::kHexahedron, segments).size(), 1u);
+}
+
 // Half of the segments on each side of an edge, as near to it as a player reaches.
 TEST(Crowding, SegmentsBehindAnEdgeCount) {
   for (int kind = 0; kind < kSolidKinds; ++kind) {

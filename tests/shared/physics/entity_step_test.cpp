@@ -389,5 +389,68 @@ TEST(SlideOverJointsTest, APointThatStandsAloneStopsTheBody) {
   EXPECT_EQ(scene.entity.position(), Point(800, -11745));
 }
 
+// The wedge is too narrow for the lattice 32 subunits above the place where the ideal body rests.
+TEST(EntityStepTest, InANarrowWedgeTheIdealPlaceFallsBackToThePosition) {
+  Scene scene({{{70, -261}, {5, -7}}, {{-109, 127}, {-112, -82}}}, square(67), {-35, -182});
+  for (int tick = 0; tick < 3; ++tick) scene.step({191, 93});
+  EXPECT_EQ(scene.entity.position(), Point(-37, -172));
+  EXPECT_EQ(scene.entity.state().remainder, Point());
+}
+
+// The ideal body rests there, between a segment and the end of another one.
+TEST(SlideOverJointsTest, ANudgeLeadsPastTheEndThatStopsTheBody) {
+  Scene scene({{{90, -285}, {-131, -81}},
+               {{123, -53}, {93, -170}},
+               {{85, -283}, {-24, -269}},
+               {{123, -53}, {63, -55}},
+               {{89, -283}, {-106, -260}},
+               {{176, -84}, {-283, -274}},
+               {{127, -50}, {-236, -183}},
+               {{-64, -176}, {-272, 50}},
+               {{174, -87}, {-233, -294}},
+               {{-246, -181}, {93, -185}}},
+              square(81), {-343, -540});
+  for (int tick = 0; tick < 6; ++tick) scene.step({267, 293});
+  EXPECT_EQ(scene.entity.position(), Point(6, -364));
+}
+
+TEST(EntityStepTest, OnAFloorThePositionIsTheFreeLatticePointNearestToTheIdealPlace) {
+  for (const Point along : {Point(1000, 1), Point(997, 331), Point(600, -599), Point(30, 901)}) {
+    const Segment floor{{-20 * along.x, -20 * along.y}, {20 * along.x, 20 * along.y}};
+    Scene scene({floor}, square(50), Point(-along.y / 5, along.x / 5));
+    const auto isFree = [&](Point place) {  // one corner of the square is the lowest
+      const Point lowest = place + Point(along.y > 0 ? 50 : -50, along.x > 0 ? -50 : 50);
+      return cross(along, lowest) >= 0;
+    };
+    for (int tick = 0; tick < 200; ++tick) {
+      const Point at = scene.step({37, -61});
+      const Point remainder = scene.entity.state().remainder;
+      const auto distance = [&](Point place) {
+        const PrecisePoint between = precise(place - at) - PrecisePoint{remainder.x, remainder.y};
+        return between.x * between.x + between.y * between.y;
+      };
+      for (int x = -2; x <= 2; ++x) {
+        for (int y = -2; y <= 2; ++y) {
+          if (!isFree(at + Point(x, y))) continue;
+          ASSERT_GE(distance(at + Point(x, y)), distance(at)) << along.x << " " << along.y << ", tick " << tick;
+        }
+      }
+    }
+  }
+}
+
+// The end of the next segment is 0.3 subunits above the floor. The steep flank of the body slides over it at 1/40 of
+// the speed, but in 1/80 of the tick: as the ideal body does, and without a nudge.
+TEST(SlideOverJointsTest, AnEndThatIsPastAtOnceNeedsNoNudge) {
+  const Convex shape({{-1000, 1000}, {-500, 0}, {500, 0}, {510, 1000}, {0, 2000}});
+  Scene scene({{{-20000, -2000}, {30, 3}}, {{7, 1}, {20007, 2001}}}, shape, {-600, -10});
+  scene.step({1000, 15});
+  const double onFloor = 107 - 0.003;                     // x on the way to the end
+  const double speed = (10 * 1000 + 15) * 10 / 101.0;     // along x, on the floor and on the next segment
+  const double left = 1 - onFloor / speed - 0.3003 / 25;  // of the tick, on the next segment
+  const double one = static_cast<double>(PrecisePoint::kOne);
+  EXPECT_NEAR(scene.entity.position().x + scene.entity.state().remainder.x / one, -493 + left * speed, 0.01);
+}
+
 }  // namespace
 }  // namespace platon
