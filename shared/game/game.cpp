@@ -12,25 +12,30 @@
 namespace platon {
 namespace {
 
-// Passes each contact to the player that has it.
+// The rules of the world while it exists. Passes each contact to the player that has it.
 class GameRules : public Rules {
  public:
   GameRules(World& world, std::vector<PlayerState>& players, UnitNormals& unitNormals)
-      : world_(world), players_(players), unitNormals_(unitNormals) {}
+      : world_(world), players_(players), unitNormals_(unitNormals) {
+    world_.setRules(*this);
+  }
+  GameRules(const GameRules&) = delete;
+  GameRules& operator=(const GameRules&) = delete;
+  ~GameRules() override { world_.resetRules(); }
 
   bool ignoresWarps() const override { return true; }
   void contact(Entity& entity, const Contact& contact) override {
     if (entity.index() != moved_) steep_ = Point();
     moved_ = entity.index();
     Player player(world_, moved_, players_[moved_]);
-    player.contact(unitNormals_.of(contact.normal, contact.toHome - player.up()), steep_);
+    player.contact(unitNormals_.of(contact.normal, contact.segment.toHome - player.up()), steep_);
   }
 
  private:
   World& world_;
   std::vector<PlayerState>& players_;
   UnitNormals& unitNormals_;
-  std::uint32_t moved_ = ~std::uint32_t{0};  // slot being moved: the world moves one entity after the other
+  std::uint32_t moved_ = ~std::uint32_t{0};  // slot of the last contact: those of one entity follow each other
   Point steep_;                              // normal of its last contact that was too steep to be ground
 };
 
@@ -42,6 +47,7 @@ Game::Game(std::shared_ptr<const Level> level) : level_(std::move(level)), world
 
 void Game::advance(std::span<const Input> inputs, StepObserver* observer) {
   assert(inputs.size() <= kMaxPlayers);
+  const GameRules rules(world_, players_, unitNormals_);
   addAndRemovePlayers(inputs);
   for (std::uint32_t slot = 0; slot < players_.size(); ++slot) {
     if (players_[slot].present == 0) continue;
@@ -50,8 +56,7 @@ void Game::advance(std::span<const Input> inputs, StepObserver* observer) {
     if (restart) spawn(slot);
     Player(world_, slot, players_[slot]).tick(input);
   }
-  GameRules rules(world_, players_, unitNormals_);
-  world_.solve(rules, observer);
+  world_.solve(observer);
   ++tick_;
   updateFinishes();
 }

@@ -8,18 +8,30 @@
 
 namespace platon {
 
-SegmentRef segmentRef(const MapGeometry& part, std::uint32_t segment) {
-  return {part.id, segment, part.isWarp(segment), part.segments[segment]};
+namespace {
+
+bool contains(const std::vector<SegmentRef>& refs, const SegmentRef& ref) {
+  return std::any_of(refs.begin(), refs.end(), [&](const SegmentRef& other) { return Collider::isSame(other, ref); });
 }
 
-void Collider::begin(Rules& rules, Entity entity, std::vector<Region>& regions, Region::Work& work) {
+}  // namespace
+
+// The angle between two instances of one shape is that between their frames.
+SegmentRef Collider::refOf(const Placement& placement, std::uint32_t segment) const {
+  const MapGeometry& part = *placement.part;
+  return {part.id, segment, part.isWarp(segment), part.segments[segment], placement.id, angle_ - placement.angle};
+}
+
+void Collider::begin(Rules& rules, Entity entity, Angle angle, std::vector<Region>& regions, Region::Work& work) {
   rules_ = &rules;
   ignoresWarps_ = rules.ignoresWarps();
   entity_.emplace(entity);
+  angle_ = angle;
   regions_ = &regions;
   work_ = &work;
   regions.resize(Instances::kMax);
   pierced_.clear();
+  overlapped_.clear();
 }
 
 Region& Collider::start(const Placement& placement, const Convex& shape, Point from, Point to) {
@@ -34,14 +46,19 @@ std::optional<Sweep::ClipInterval> Collider::clip(const Placement& placement, Re
   return region.clip(sweep_, entry, *placement.shape);
 }
 
-bool Collider::blocks(const MapGeometry& part, std::uint32_t segment) const {
-  return ignoresWarps_ ? !part.isWarp(segment) : !rules_->pierce(*entity_, segmentRef(part, segment));
+bool Collider::blocks(const Placement& placement, std::uint32_t segment) const {
+  if (ignoresWarps_) return !placement.part->isWarp(segment);
+  const SegmentRef ref = refOf(placement, segment);
+  return !contains(overlapped_, ref) && !rules_->pierce(*entity_, ref);
+}
+
+void Collider::record(const SegmentRef& ref) {
+  if (!contains(pierced_, ref)) pierced_.push_back(ref);
 }
 
 bool Collider::blocksOrRecord(const Placement& placement, std::uint32_t segment) {
-  if (blocks(*placement.part, segment)) return true;
-  const Pierced pierced{placement.id, placement.part->id, segment};
-  if (std::find(pierced_.begin(), pierced_.end(), pierced) == pierced_.end()) pierced_.push_back(pierced);
+  if (blocks(placement, segment)) return true;
+  record(refOf(placement, segment));
   return false;
 }
 
@@ -74,7 +91,7 @@ void Collider::firstIdeal(const Instances& instances, std::size_t index, Point f
     const std::uint32_t segment = region.segments()[entry];
     if (segment == ignored || !clip(placement, region, entry)) continue;
     const auto interval = region.clipIdeal(sweep_, entry, idealFrom, displacement);
-    if (!interval || (best && interval->enter >= best->hit.time) || !blocks(*placement.part, segment)) continue;
+    if (!interval || (best && interval->enter >= best->hit.time) || !blocks(placement, segment)) continue;
     best = LegHit{index, segment, region.hitOf(entry, *interval), region.halfPlaneOf(entry, interval->entered)};
   }
 }
@@ -99,7 +116,7 @@ std::optional<LegHit> Collider::firstWarp(const Instances& instances, const Path
         sweep_.start(*placement.shape, from, placement.at(path.to) - from, path.margin);
       }
       const auto interval = clip(placement, region, entry);
-      if (!interval || (earliest && interval->enter >= earliest->hit.time) || blocks(part, segment)) continue;
+      if (!interval || (earliest && interval->enter >= earliest->hit.time) || blocks(placement, segment)) continue;
       best = LegHit{i, segment, region.hitOf(entry, *interval)};
       earliest = &*best;
     }
@@ -112,7 +129,7 @@ bool Collider::reachesWarp(const Instances& instances, const WarpRef& ref, const
   sweep_.start(shape, placement.position, {}, margin);
   return sweep_.against(placement.part->warps[ref.warp].from) &&
          !instances.hasInstanceBehind(ref.placement, ref.warp) &&
-         !blocks(*placement.part, placement.part->segmentOfWarp(ref.warp));
+         !blocks(placement, placement.part->segmentOfWarp(ref.warp));
 }
 
 bool Collider::isFree(const Instances& instances, Point from, Point to) {
@@ -131,17 +148,15 @@ bool Collider::isFree(const Placement& placement, Point from, Point to) {
 
 std::optional<std::uint32_t> Collider::overlapped(const Placement& placement, const Convex& shape) {
   for (const std::uint32_t segment : start(placement, shape, placement.position, placement.position).segments()) {
-    if (sweep_.against(placement.part->segments[segment]) && blocks(*placement.part, segment)) return segment;
+    if (sweep_.against(placement.part->segments[segment]) && blocks(placement, segment)) return segment;
   }
   return std::nullopt;
 }
 
-void Collider::appendPierced(const Placement& placement, std::vector<Pierced>& out) {
+void Collider::recordOverlapped(const Placement& placement) {
   Region& region = start(placement, *placement.shape, placement.position, placement.position);
   for (std::size_t entry = 0; entry < checkedEntries(region); ++entry) {
-    const std::uint32_t segment = region.segments()[entry];
-    if (!clip(placement, region, entry) || blocks(*placement.part, segment)) continue;
-    out.push_back({placement.id, placement.part->id, segment});
+    if (clip(placement, region, entry)) record(refOf(placement, region.segments()[entry]));
   }
 }
 
@@ -150,7 +165,7 @@ bool Collider::hasSegmentNear(const Placement& placement, Point point, std::int3
   Region& region = regionOf(placement);
   region.cover(*placement.part, box, *work_);
   return std::any_of(region.segments().begin(), region.segments().end(), [&](std::uint32_t segment) {
-    return segment != ignored && touches(placement.part->segments[segment], box) && blocks(*placement.part, segment);
+    return segment != ignored && touches(placement.part->segments[segment], box) && blocks(placement, segment);
   });
 }
 

@@ -28,15 +28,6 @@ class Collider {
   static constexpr std::int32_t kRegionMargin = 8;
   static constexpr std::uint32_t kNoSegment = ~std::uint32_t{0};
 
-  /// A pierceable segment that an instance has reached.
-  struct Pierced {
-    std::uint16_t instance;
-    std::uint32_t part;
-    std::uint32_t segment;
-
-    friend bool operator==(const Pierced&, const Pierced&) = default;
-  };
-
   /// A warp of the part of a placement.
   struct WarpRef {
     std::size_t placement;
@@ -51,8 +42,13 @@ class Collider {
     std::int32_t margin = 0;
   };
 
-  /// Starts a step. `regions` belong to the entity and are indexed by Placement::region.
-  void begin(Rules& rules, Entity entity, std::vector<Region>& regions, Region::Work& work);
+  /// Starts a step. The shape is rotated by `angle` in the frame of the home part. `regions` belong to the entity and
+  /// are indexed by Placement::region.
+  void begin(Rules& rules, Entity entity, Angle angle, std::vector<Region>& regions, Region::Work& work);
+  /// The shape has been rotated by `angle`.
+  void turnShape(Angle angle) { angle_ = angle_ + angle; }
+  /// Whether the rules promise that only warps can be passed.
+  bool ignoresWarps() const { return ignoresWarps_; }
 
   /// The earliest hit of any instance on a blocking segment when the home instance moves straight from `from` to `to`.
   /// At equal times, the first placement and the lowest segment index win. Records pierceable segments on the path.
@@ -78,8 +74,8 @@ class Collider {
   bool isFree(const Placement& placement, Point from, Point to);
   /// The blocking segment of lowest index that overlaps `shape` at the position of the placement.
   std::optional<std::uint32_t> overlapped(const Placement& placement, const Convex& shape);
-  /// Appends the pierceable segments, in order of their indices, that the placement overlaps at its position.
-  void appendPierced(const Placement& placement, std::vector<Pierced>& out);
+  /// Records the segments, in order of their indices, that the placement overlaps at its position.
+  void recordOverlapped(const Placement& placement);
 
   /// Whether a blocking segment other than `ignored` comes within `distance` of `point`, along both axes of the
   /// placement's part.
@@ -90,8 +86,18 @@ class Collider {
   /// The collision of such a path with one segment.
   std::optional<Hit> hit(const Placement& placement, const Path& path, std::uint32_t segment);
 
-  /// All pierceable segments recorded since `begin`, each once per instance.
-  const std::vector<Pierced>& pierced() const { return pierced_; }
+  /// All segments recorded since `begin`, each once per instance: those that were pierced or overlapped.
+  const std::vector<SegmentRef>& pierced() const { return pierced_; }
+  /// The segments that the entity overlaps, in the order in which that began. They are pierced until they are removed
+  /// from this list. Kept by EntityStep; always empty with rules that ignore warps.
+  std::vector<SegmentRef>& overlapped() { return overlapped_; }
+
+  /// The reference that is passed to rules. Its toHome leads to the home part at the start of the step.
+  SegmentRef refOf(const Placement& placement, std::uint32_t segment) const;
+  /// Whether both are the same segment and the same instance.
+  static bool isSame(const SegmentRef& a, const SegmentRef& b) {
+    return a.instance == b.instance && a.index == b.index && a.part == b.part;
+  }
 
  private:
   Region& start(const Placement& placement, const Convex& shape, Point from, Point to);
@@ -106,7 +112,8 @@ class Collider {
   std::size_t checkedEntries(const Region& region) const {
     return ignoresWarps_ ? region.firstWarp() : region.segments().size();
   }
-  bool blocks(const MapGeometry& part, std::uint32_t segment) const;
+  bool blocks(const Placement& placement, std::uint32_t segment) const;
+  void record(const SegmentRef& ref);
   bool blocksOrRecord(const Placement& placement, std::uint32_t segment);
 
   Rules* rules_ = nullptr;
@@ -114,11 +121,10 @@ class Collider {
   std::optional<Entity> entity_;
   std::vector<Region>* regions_ = nullptr;
   Region::Work* work_ = nullptr;
-  std::vector<Pierced> pierced_;
+  Angle angle_;  // of the shape, in the frame of the home part at the start of the step
+  std::vector<SegmentRef> pierced_;
+  std::vector<SegmentRef> overlapped_;
   Sweep sweep_;
 };
-
-/// The reference to segment number `segment` of `part` that is passed to rules.
-SegmentRef segmentRef(const MapGeometry& part, std::uint32_t segment);
 
 }  // namespace platon

@@ -39,6 +39,7 @@ const EntityState& Entity::state() const {
 
 EntityState& Entity::mutableState() {
   World& mine = world();
+  mine.requireNoStep();
   return mine.state_.entities[mine.checked(id_)];
 }
 

@@ -11,26 +11,23 @@ void EntityStep::begin(Entity entity, EntityState& state, std::span<const Instan
                        const Context& context) {
   entity_.emplace(entity);
   state_ = &state;
-  rules_ = &context.rules;
+  events_ = &context.events;
+  firstEvent_ = events_->size();
+  headingBefore_ = state.heading;
   observer_ = context.observer;
   instances_.load(context.geometry, context.shapes, context.base, state, further);
-  collider_.begin(context.rules, entity, context.regions, context.work);
+  collider_.begin(context.rules, entity, state.angle, context.regions, context.work);
   tick_ = rest_ = PrecisePoint();
   ideal_ = precise(state.position) + PrecisePoint{state.remainder.x, state.remainder.y};
   contact_.reset();
   idleLegs_ = 0;
   moves_ = 0;
   planAfterNudge_.reset();
-  contacts_.clear();
   observe();
 }
 
 // tick_ does not change during slides: a segment removes only the component towards it, and only while it touches.
 void EntityStep::translate(Point velocity, Angle heading) {
-  if (!rules_->ignoresWarps()) {  // records what is overlapped
-    isFree();
-    callPierced(position());
-  }
   tick_ = rest_ = rotatePrecise(velocity, rotationOf(heading));
   if (velocity == Point()) {  // a rotation may have brought the shape to other edges
     prepareLeg({}, false);
@@ -43,7 +40,7 @@ void EntityStep::translate(Point velocity, Angle heading) {
     executeLeg(prepareLeg(plan.displacement, plan.slides), plan);
     rehome();
   }
-  if (contact_ && instances_.dropUnreached(Tolerances::kDrop, collider_)) observe();
+  if (contact_) dropUnreached();
   storeRemainder();
 }
 
@@ -61,7 +58,10 @@ bool EntityStep::insertReachedInstances() {
 }
 
 void EntityStep::finish(std::vector<InstanceState>& further) {
-  callOver();
+  updateContacts();
+  if (!collider_.overlapped().empty()) addOver();
+  clearFresh();
+  events_->turnHome(firstEvent_, state_->heading - headingBefore_);
   store(further);
 }
 
@@ -182,8 +182,7 @@ void EntityStep::executeLeg(Leg leg, const LegPlan& plan) {
   } else if (!fallBack(end)) {
     rest_ = PrecisePoint();
   }
-  callPierced(start);
-  if (isStopped) callContact(*leg.hit);
+  if (isStopped) addContact(*leg.hit);
 }
 
 // Between the present contact and `hit`, unless an end of one of them can be passed.
@@ -192,7 +191,7 @@ void EntityStep::stopInWedge(const LegHit& hit, PrecisePoint rest) {
   if (passEnd(hit, homeNormalOf(contact), ideal_, rest) || passEnd(contact, homeNormalOf(hit), ideal_, rest) ||
       passEnd(hit, homeNormalOf(hit), ideal_, rest) || passEnd(contact, homeNormalOf(contact), ideal_, rest))
     return;
-  callContact(hit);
+  addContact(hit);
   rest_ = PrecisePoint();
 }
 
@@ -240,7 +239,13 @@ void EntityStep::rehome() {
     state_->heading = state_->heading + *turn;
     observe();
   }
-  if (!contact_ && instances_.dropUnreached(Tolerances::kDrop, collider_)) observe();
+  if (!contact_) dropUnreached();
+}
+
+void EntityStep::dropUnreached() {
+  if (!instances_.dropUnreached(Tolerances::kDrop, collider_)) return;
+  observe();
+  updateContacts();
 }
 
 void EntityStep::rotateFrame(Angle turn) {
@@ -255,11 +260,13 @@ void EntityStep::rotateFrame(Angle turn) {
 }
 
 void EntityStep::moveTo(Point position) {
-  if (position == this->position()) return;
+  const Point before = this->position();
+  if (position == before) return;
   ++moves_;
   instances_.moveHomeTo(position);
   state_->position = position;
   observe();
+  followContacts(before);
 }
 
 void EntityStep::observe() {

@@ -12,13 +12,14 @@
 #include "shared/physics/ideal_geometry.h"
 #include "shared/physics/instances.h"
 #include "shared/physics/shape_cache.h"
+#include "shared/physics/step_events.h"
 #include "shared/physics/tolerances.h"
 
 namespace platon {
 
 /// Moves one entity by one tick. The entity is rotated first; then its displacement is used up in legs (straight
 /// moves). Stages of a leg, in this order: insert the instances that it needs and find the earliest hit of any
-/// instance; choose the lattice point to move to; move all instances; call the rules in order of time; change the home
+/// instance; choose the lattice point to move to; move all instances; add the events in order of time; change the home
 /// instance if necessary; drop instances that are no longer needed. After a hit, the next leg slides along the segment.
 /// Each entity has its own EntityStep, which keeps buffers and instances between ticks.
 class EntityStep {
@@ -39,10 +40,17 @@ class EntityStep {
     std::vector<Region>& regions;
     Region::Work& work;
     Rules& rules;
+    StepEvents& events;
     StepObserver* observer;
   };
-  /// Starts the step of an entity that is in a part.
+  /// Starts the step of an entity that is in a part. The step changes `state`, not the entity's state in its world.
   void begin(Entity entity, EntityState& state, std::span<const InstanceState> further, const Context& context);
+  /// Lets all instances but `except` pass what they overlap, until they have left it.
+  void pierceOverlapped(std::uint16_t except = InstanceState::kNoParent);
+  /// As above, for all instances. The contacts of fresh instances begin.
+  void beginContacts();
+  /// Appends the contacts that have begun, after pierceOverlapped: those of instances that are not fresh.
+  void appendContacts(std::vector<SegmentRef>& out) const;
   /// Rotates the entity by `centidegrees`, or as far as no segment blocks it.
   void rotateShape(std::int32_t centidegrees);
   /// Moves the entity by `velocity`, which `heading` rotates into the frame of the home part.
@@ -53,10 +61,8 @@ class EntityStep {
   bool isFree() { return collider_.isFree(instances_, instances_.home().position, instances_.home().position); }
   /// Writes the state of the entity and appends its further instances to `further`.
   void store(std::vector<InstanceState>& further) const { instances_.store(*state_, further); }
-  /// Calls Rules::overContact for all overlapped segments, then `store`.
+  /// Adds overContact for all overlapped segments, then `store`.
   void finish(std::vector<InstanceState>& further);
-  /// All contacts reported to the rules since `begin`.
-  std::span<const Contact> contacts() const { return contacts_; }
 
  private:
   enum class End : std::uint8_t {
@@ -81,11 +87,12 @@ class EntityStep {
     End end = End::kReached;
     std::optional<LegHit> hit;  // the blocking segment or warp segment that ends it
   };
-  struct Event {
+  // The begin or end of a contact.
+  struct Change {
     Fraction time;
     bool begins;
-    std::size_t placement;
-    std::uint32_t segment;
+    std::size_t placement;  // Placement::kNone when the instance no longer exists
+    SegmentRef segment;
   };
 
   void storeRemainder();
@@ -106,6 +113,7 @@ class EntityStep {
   Point normalOf(const LegHit& hit) const;
   Point homeNormalOf(const LegHit& hit) const;
   void rehome();
+  void dropUnreached();
   void rotateFrame(Angle turn);
 
   // entity_step_follow.cpp
@@ -148,36 +156,39 @@ class EntityStep {
   // entity_step_rotation.cpp
   bool tryRotation(std::int32_t centidegrees);
   void rotateBy(std::int32_t centidegrees);
-  SegmentRef refOf(const Collider::Pierced& pierced) const;
   std::optional<SegmentRef> rotationBlocker(std::int32_t centidegrees, std::size_t from);
   bool insertInstancesForRotation(std::int32_t centidegrees);
 
   // entity_step_rules.cpp
-  void callPierced(Point before);
-  void appendEvents(const Collider::Pierced& pierced, Point before);
-  void callContact(const LegHit& hit);
-  void callOver();
-  void appendOverlap(const Collider::Pierced& pierced);
-  bool overlaps(const Placement& placement, std::uint32_t segment);
+  void addEvent(StepEvents::Kind kind, const SegmentRef& segment) {
+    events_->add(kind, entity_->id()).segment = segment;
+  }
+  void addContact(const LegHit& hit);
+  void addOver();
+  void followContacts(Point before);
+  void updateContacts();
+  void appendChanges(const SegmentRef& pierced, Point before);
+  void applyChanges();
+  std::size_t placementOf(const SegmentRef& ref) const;
+  void clearFresh();
 
   std::optional<Entity> entity_;
   EntityState* state_ = nullptr;
-  Rules* rules_ = nullptr;
+  StepEvents* events_ = nullptr;
+  std::size_t firstEvent_ = 0;  // of this step
+  Angle headingBefore_;         // of the entity at the start of the step
   StepObserver* observer_ = nullptr;
   PrecisePoint tick_;   // displacement of the whole tick, in the frame of the current home part
   PrecisePoint rest_;   // displacement still to be used; parallel to tick_
   PrecisePoint ideal_;  // the ideal place of the home instance
   Instances instances_;
   Collider collider_;
-  std::vector<Collider::WarpRef> refusedWarps_;   // warps of this leg behind which no instance can be placed
-  std::optional<LegPlan> planAfterNudge_;         // the next leg, after a nudge
-  int idleLegs_ = 0;                              // successive slides without progress
-  int moves_ = 0;                                 // of the position, since `begin`
-  std::optional<LegHit> contact_;                 // the edge that the ideal place is on and was stopped by
-  std::vector<Collider::Pierced> piercedBefore_;  // before and after one part of a rotation
-  std::vector<Collider::Pierced> piercedAfter_;
-  std::vector<Contact> contacts_;
-  std::vector<Event> events_;
+  std::vector<Collider::WarpRef> refusedWarps_;  // warps of this leg behind which no instance can be placed
+  std::optional<LegPlan> planAfterNudge_;        // the next leg, after a nudge
+  int idleLegs_ = 0;                             // successive slides without progress
+  int moves_ = 0;                                // of the position, since `begin`
+  std::optional<LegHit> contact_;                // the edge that the ideal place is on and was stopped by
+  std::vector<Change> changes_;
   std::vector<InstanceView> views_;
 };
 

@@ -66,9 +66,7 @@ bool EntityStep::passEnd(LegHit end, Point normal, PrecisePoint from, PrecisePoi
   if (target == reached || !allInRange(target)) return false;
   const auto nudged = nudge(end, target, reached);
   if (!nudged) return false;
-  const Point start = position();
   moveTo(*nudged);
-  callPierced(start);
   ideal_ = precise(*nudged);
   rest_ = rest;
   contact_.reset();

@@ -11,10 +11,6 @@ namespace {
 // old and the new shape by less than 1/1000 of the radius.
 constexpr std::int32_t kMaxRotationStep = 500;
 
-bool contains(const std::vector<Collider::Pierced>& all, const Collider::Pierced& one) {
-  return std::find(all.begin(), all.end(), one) != all.end();
-}
-
 }  // namespace
 
 // Rotates in parts. When a part is blocked, smaller ones are tried, down to a centidegree, because the hull of a large
@@ -27,7 +23,7 @@ void EntityStep::rotateShape(std::int32_t centidegrees) {
       centidegrees -= part;
       limit = std::min(2 * limit, kMaxRotationStep);
     } else if (limit = std::abs(part) / 2; limit == 0) {
-      if (const auto blocker = rotationBlocker(part, 0)) rules_->touchContact(*entity_, *blocker);
+      if (const auto blocker = rotationBlocker(part, 0)) addEvent(StepEvents::Kind::kTouch, *blocker);
       return;
     }
   }
@@ -42,33 +38,15 @@ bool EntityStep::tryRotation(std::int32_t centidegrees) {
   return true;
 }
 
-// Rotates all instances and calls the rules: first endContact, then beginContact.
+// The contacts that end come before those that begin.
 void EntityStep::rotateBy(std::int32_t centidegrees) {
-  piercedBefore_.clear();
-  piercedAfter_.clear();
-  for (const Placement& placement : instances_.all()) {
-    if (!placement.fresh) collider_.appendPierced(placement, piercedBefore_);
-  }
   instances_.rotateShapes(centidegrees);
+  collider_.turnShape(Angle(centidegrees));
   state_->angle = instances_.home().angle;
   observe();
-  for (Placement& placement : instances_.all()) {
-    collider_.appendPierced(placement, piercedAfter_);
-    placement.fresh = false;
-  }
-  for (const Collider::Pierced& one : piercedBefore_) {
-    if (!contains(piercedAfter_, one)) rules_->endContact(*entity_, refOf(one));
-  }
-  for (const Collider::Pierced& one : piercedAfter_) {
-    if (!contains(piercedBefore_, one)) rules_->beginContact(*entity_, refOf(one));
-  }
-}
-
-SegmentRef EntityStep::refOf(const Collider::Pierced& pierced) const {
-  const auto& all = instances_.all();
-  const auto found = std::find_if(all.begin(), all.end(),
-                                  [&](const Placement& placement) { return placement.id == pierced.instance; });
-  return segmentRef(*found->part, pierced.segment);
+  if (collider_.ignoresWarps()) return;
+  for (const Placement& placement : instances_.all()) collider_.recordOverlapped(placement);
+  updateContacts();
 }
 
 // The first segment that blocks the rotation, in order of the instances starting at `from`.
@@ -77,7 +55,7 @@ std::optional<SegmentRef> EntityStep::rotationBlocker(std::int32_t centidegrees,
     const Placement& placement = instances_.all()[i];
     const Convex* hull = instances_.rotationHull(i, centidegrees);
     if (hull == nullptr) continue;
-    if (const auto segment = collider_.overlapped(placement, *hull)) return segmentRef(*placement.part, *segment);
+    if (const auto segment = collider_.overlapped(placement, *hull)) return collider_.refOf(placement, *segment);
   }
   return std::nullopt;
 }

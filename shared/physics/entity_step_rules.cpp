@@ -1,7 +1,9 @@
-// Calls of the rules during a step.
+// The events of a step. The contacts with pierced segments follow from what the entity overlaps: Collider::overlapped
+// is compared with it after every move, rotation and removal of an instance. So they begin and end alternately.
 #include "shared/physics/entity_step.h"
 
 #include <algorithm>
+#include <iterator>
 #include <tuple>
 
 #include "platon/exact/integer.h"
@@ -20,73 +22,110 @@ Point clampedTo(const Segment& segment, Point point) {
 
 }  // namespace
 
-void EntityStep::callContact(const LegHit& hit) {
+void EntityStep::addContact(const LegHit& hit) {
   const Placement& placement = instances_.all()[hit.placement];
-  Contact& contact = contacts_.emplace_back();
-  contact.segment = segmentRef(*placement.part, hit.segment);
-  contact.instance = placement.id;
+  Contact& contact = events_->add(StepEvents::Kind::kContact, entity_->id());
+  contact.segment = collider_.refOf(placement, hit.segment);
   contact.normal = normalOf(hit);
   contact.point = hit.hit.side == Hit::Side::kSegment
                       ? clampedTo(contact.segment.ends, placement.position + hit.hit.feature)
                       : hit.hit.feature;
-  contact.toHome = instances_.home().angle - placement.angle;
   contact.time = hit.hit.time;
-  rules_->contact(*entity_, contact);
 }
 
-// Calls beginContact and endContact for the path of the leg, from `before` to the current home position.
-void EntityStep::callPierced(Point before) {
-  events_.clear();
-  for (const Collider::Pierced& pierced : collider_.pierced()) appendEvents(pierced, before);
-  std::sort(events_.begin(), events_.end(), [](const Event& a, const Event& b) {
-    if (a.time != b.time) return a.time < b.time;
-    return std::tuple(a.placement, a.segment, !a.begins) < std::tuple(b.placement, b.segment, !b.begins);
-  });
-  for (const Event& event : events_) {
-    const SegmentRef segment = segmentRef(*instances_.all()[event.placement].part, event.segment);
-    event.begins ? rules_->beginContact(*entity_, segment) : rules_->endContact(*entity_, segment);
+void EntityStep::pierceOverlapped(std::uint16_t except) {
+  if (collider_.ignoresWarps()) return;
+  for (const Placement& placement : instances_.all()) {
+    if (placement.id != except) collider_.recordOverlapped(placement);
   }
+  collider_.overlapped() = collider_.pierced();
+}
+
+void EntityStep::beginContacts() {
+  pierceOverlapped();
+  for (const SegmentRef& ref : collider_.overlapped()) {
+    if (instances_.all()[placementOf(ref)].fresh) addEvent(StepEvents::Kind::kBegin, ref);
+  }
+  clearFresh();
+}
+
+void EntityStep::appendContacts(std::vector<SegmentRef>& out) const {
+  std::copy_if(collider_.pierced().begin(), collider_.pierced().end(), std::back_inserter(out),
+               [&](const SegmentRef& ref) { return !instances_.all()[placementOf(ref)].fresh; });
+}
+
+void EntityStep::clearFresh() {
   for (Placement& placement : instances_.all()) placement.fresh = false;
 }
 
-void EntityStep::appendEvents(const Collider::Pierced& pierced, Point before) {
-  for (std::size_t i = 0; i < instances_.all().size(); ++i) {
-    const Placement& placement = instances_.all()[i];
-    if (placement.id != pierced.instance || placement.part->id != pierced.part) continue;
-    const Point from = placement.at(before);
-    if (from == placement.position && !placement.fresh) return;  // no move, no event
-    const auto interval = collider_.clip(placement, {from, placement.position}, pierced.segment);
-    if (!interval) return;
-    const bool wasInside = interval->entered == Sweep::ClipInterval::kNone;
-    if (!wasInside || placement.fresh) events_.push_back({interval->enter, true, i, pierced.segment});
-    if (!interval->endsInside) {
-      events_.push_back({interval->exit, false, i, pierced.segment});
-    }
-  }
+// For the straight move from `before` to the current home position.
+void EntityStep::followContacts(Point before) {
+  if (collider_.pierced().empty()) return;
+  changes_.clear();
+  for (const SegmentRef& pierced : collider_.pierced()) appendChanges(pierced, before);
+  applyChanges();
 }
 
-// Every segment that is overlapped now was recorded during this step.
-void EntityStep::callOver() {
-  events_.clear();
-  for (const Collider::Pierced& pierced : collider_.pierced()) appendOverlap(pierced);
-  std::sort(events_.begin(), events_.end(), [](const Event& a, const Event& b) {
-    return std::tuple(a.placement, a.segment) < std::tuple(b.placement, b.segment);
+// Where nothing moves along a path: first the contacts that have ended, then those that have begun.
+void EntityStep::updateContacts() {
+  if (collider_.pierced().empty()) return;
+  changes_.clear();
+  for (const SegmentRef& pierced : collider_.pierced()) appendChanges(pierced, position());
+  for (Change& change : changes_) change.time = {change.begins ? 1 : 0, 1};
+  applyChanges();
+}
+
+void EntityStep::appendChanges(const SegmentRef& pierced, Point before) {
+  const auto& open = collider_.overlapped();
+  const bool hadBegun =
+      std::any_of(open.begin(), open.end(), [&](const SegmentRef& ref) { return Collider::isSame(ref, pierced); });
+  const std::size_t index = placementOf(pierced);
+  if (index == Placement::kNone) {
+    if (hadBegun) changes_.push_back({{0, 1}, false, index, pierced});
+    return;
+  }
+  const Placement& placement = instances_.all()[index];
+  const auto interval = collider_.clip(placement, {placement.at(before), placement.position}, pierced.index);
+  const SegmentRef ref = collider_.refOf(placement, pierced.index);
+  if (interval && !hadBegun) changes_.push_back({interval->enter, true, index, ref});
+  if (interval && !interval->endsInside) changes_.push_back({interval->exit, false, index, ref});
+  if (!interval && hadBegun) changes_.push_back({{0, 1}, false, index, ref});
+}
+
+void EntityStep::applyChanges() {
+  std::sort(changes_.begin(), changes_.end(), [](const Change& a, const Change& b) {
+    if (a.time != b.time) return a.time < b.time;
+    return std::tuple(a.placement, a.segment.instance, a.segment.index, !a.begins) <
+           std::tuple(b.placement, b.segment.instance, b.segment.index, !b.begins);
   });
-  for (const Event& event : events_) {
-    rules_->overContact(*entity_, segmentRef(*instances_.all()[event.placement].part, event.segment));
+  auto& open = collider_.overlapped();
+  for (const Change& change : changes_) {
+    if (change.begins) {
+      open.push_back(change.segment);
+    } else {
+      std::erase_if(open, [&](const SegmentRef& ref) { return Collider::isSame(ref, change.segment); });
+    }
+    addEvent(change.begins ? StepEvents::Kind::kBegin : StepEvents::Kind::kEnd, change.segment);
   }
 }
 
-void EntityStep::appendOverlap(const Collider::Pierced& pierced) {
-  for (std::size_t i = 0; i < instances_.all().size(); ++i) {
-    const Placement& placement = instances_.all()[i];
-    if (placement.id != pierced.instance || placement.part->id != pierced.part) continue;
-    if (overlaps(placement, pierced.segment)) events_.push_back({{}, false, i, pierced.segment});
-  }
+// The index of the instance among the placements, or Placement::kNone. An id that was tried in vain may have been given
+// to an instance in another part.
+std::size_t EntityStep::placementOf(const SegmentRef& ref) const {
+  const auto& all = instances_.all();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Placement& placement) {
+    return placement.id == ref.instance && placement.part->id == ref.part;
+  });
+  return found == all.end() ? Placement::kNone : static_cast<std::size_t>(found - all.begin());
 }
 
-bool EntityStep::overlaps(const Placement& placement, std::uint32_t segment) {
-  return collider_.clip(placement, {placement.position, placement.position}, segment).has_value();
+void EntityStep::addOver() {
+  changes_.clear();
+  for (const SegmentRef& ref : collider_.overlapped()) changes_.push_back({{}, true, placementOf(ref), ref});
+  std::sort(changes_.begin(), changes_.end(), [](const Change& a, const Change& b) {
+    return std::tuple(a.placement, a.segment.index) < std::tuple(b.placement, b.segment.index);
+  });
+  for (const Change& change : changes_) addEvent(StepEvents::Kind::kOver, change.segment);
 }
 
 }  // namespace platon

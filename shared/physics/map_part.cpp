@@ -104,6 +104,7 @@ void MapPart::warp(Segment from, std::uint32_t targetMap, Segment onto, PreciseP
 
 void MapPart::initialize() {
   World& world = link_->target();
+  world.requireNoStep();
   requireConvexBoundary(id_, warps_);
   MapGeometry part;
   part.id = id_;

@@ -4,14 +4,13 @@
 #include <span>
 #include <vector>
 
-#include "platon/physics/entity.h"
 #include "platon/physics/entity_state.h"
-#include "platon/physics/rules.h"
+#include "shared/physics/step_events.h"
 
 namespace platon {
 
 /// Records a step, without rotation, that did not change its entity. While the state of the entity is the same, the
-/// next step would have the same result, so it is replaced by repeating the contacts. Derived state; influences speed
+/// next step would have the same result, so it is replaced by repeating the events. Derived state; influences speed
 /// only. Valid while the same segments block (hence only with Rules::ignoresWarps) and no map part is added.
 class Rest {
  public:
@@ -19,20 +18,20 @@ class Rest {
   bool matches(const EntityState& state, std::span<const InstanceState> further) const {
     return known_ && state == state_ && std::equal(further.begin(), further.end(), further_.begin(), further_.end());
   }
-  /// Reports the contacts of the recorded step to `rules` and appends its instances to `further`.
-  void repeat(Entity entity, Rules& rules, std::vector<InstanceState>& further) const;
+  /// Adds the events of the recorded step to `events`, as those of `entity`, and its instances to `further`.
+  void repeat(StepEvents& events, EntityId entity, std::vector<InstanceState>& further) const;
 
-  /// Records a step from `before` and `further` to `after` and `furtherAfter` with these contacts, if it changed
-  /// nothing. Otherwise forgets the previous record.
+  /// Records a step from `before` and `further` to `after` and `furtherAfter` with these events, if it changed nothing.
+  /// Otherwise forgets the previous record.
   void record(const EntityState& before, std::span<const InstanceState> further, const EntityState& after,
-              std::span<const InstanceState> furtherAfter, std::span<const Contact> contacts);
+              std::span<const InstanceState> furtherAfter, std::span<const StepEvents::Event> events);
   void forget() { known_ = false; }
 
  private:
   bool known_ = false;
   EntityState state_;
   std::vector<InstanceState> further_;
-  std::vector<Contact> contacts_;
+  std::vector<StepEvents::Event> events_;
 };
 
 }  // namespace platon

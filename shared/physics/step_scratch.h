@@ -7,18 +7,25 @@
 #include "shared/physics/region.h"
 #include "shared/physics/rest.h"
 #include "shared/physics/shape_cache.h"
+#include "shared/physics/step_events.h"
 
 namespace platon {
+
+/// The rules of a world on which setRules was not called.
+class DefaultRules : public Rules {
+ public:
+  bool ignoresWarps() const override { return true; }
+};
 
 /// Derived state of a world: caches and buffers. Not saved or copied; influences speed only.
 class StepScratch {
  public:
   /// Ensures that there is an element for each of this many entities.
-  void provideFor(std::size_t entities) {
-    if (steps.size() >= entities) return;
-    regions.resize(entities);
-    rests.resize(entities);
-    steps.resize(entities);
+  void provideFor(std::size_t count) {
+    if (steps.size() >= count) return;
+    regions.resize(count);
+    rests.resize(count);
+    steps.resize(count);
   }
   /// Discards everything that points to cached shapes.
   void forgetShapes() {
@@ -31,7 +38,33 @@ class StepScratch {
   Region::Work work;
   std::vector<Rest> rests;             ///< by entity
   std::vector<EntityStep> steps;       ///< by entity
+  std::vector<EntityState> entities;   ///< all entities after the step
   std::vector<InstanceState> further;  ///< further instances of all entities after the step
+  StepEvents events;
+  DefaultRules defaults;
+  bool stepping = false;  ///< a step or an insertion asks Rules::pierce: nobody may change the world
+};
+
+/// While it exists, the world may be read but not changed. Drops the events that were added, unless the step is
+/// complete.
+class StepGuard {
+ public:
+  explicit StepGuard(StepScratch& scratch) : scratch_(scratch), events_(scratch.events.size()) {
+    scratch.stepping = true;
+  }
+  StepGuard(const StepGuard&) = delete;
+  StepGuard& operator=(const StepGuard&) = delete;
+  ~StepGuard() {
+    scratch_.stepping = false;
+    if (!complete_) scratch_.events.truncate(events_);
+  }
+  /// Keeps the events.
+  void complete() { complete_ = true; }
+
+ private:
+  StepScratch& scratch_;
+  std::size_t events_;  // number of events before
+  bool complete_ = false;
 };
 
 }  // namespace platon

@@ -12,20 +12,6 @@
 #include "shared/physics/world_link.h"
 
 namespace platon {
-namespace {
-
-// The rules of a world on which setRules was not called.
-class DefaultRules : public Rules {
- public:
-  bool ignoresWarps() const override { return true; }
-};
-
-std::string named(std::uint32_t entity, std::uint32_t part) {
-  return "entity " + std::to_string(entity) + " in map part " + std::to_string(part) + ": ";
-}
-
-}  // namespace
-
 World::World() : geometry_(std::make_shared<Geometry>()), rules_(nullptr), scratch_(std::make_unique<StepScratch>()) {}
 
 World::World(const World& other)
@@ -38,6 +24,7 @@ World::World(const World& other)
 // Keeps the derived state of this world when it is still valid, so that repeated assignment does not rebuild it.
 World& World::operator=(const World& other) {
   if (this == &other) return *this;
+  if (scratch_ != nullptr) requireNoCallback();
   if (geometry_ != other.geometry_ || shapes_ != other.shapes_) {
     geometry_ = other.geometry_;
     shapes_ = other.shapes_;
@@ -48,60 +35,116 @@ World& World::operator=(const World& other) {
   return *this;
 }
 
-void World::solve(StepObserver* observer) {
-  DefaultRules defaults;
-  solve(rules_ != nullptr ? *rules_ : defaults, observer);
+void World::setRules(Rules& rules) {
+  requireNoStep();
+  rules_ = &rules;
 }
 
-void World::solve(Rules& rules, StepObserver* observer) {
+void World::resetRules() {
+  requireNoStep();
+  rules_ = nullptr;
+}
+
+Rules& World::rules() const { return rules_ != nullptr ? *rules_ : scratch_->defaults; }
+
+void World::requireNoStep() const {
+  if (!scratch_->stepping) return;
+  throw std::logic_error(
+      "the world cannot be changed during a step: Rules::pierce and StepObserver may only read it; change it in a "
+      "callback or after solve()");
+}
+
+void World::requireNoCallback() const {
+  requireNoStep();
+  if (!scratch_->events.isDelivering()) return;
+  throw std::logic_error(
+      "a callback of Rules cannot solve, restore or assign to its world: events of the step still wait; do it after "
+      "solve()");
+}
+
+// The step works on copies, so that the world stays as it was until all entities have moved.
+void World::solve(StepObserver* observer) {
+  requireNoCallback();
+  StepScratch* const scratch = scratch_.get();
+  if (scratch->shapes.trim()) scratch->forgetShapes();
+  scratch->provideFor(state_.entities.size());
+  {
+    StepGuard guard(*scratch);
+    moveAll(observer);
+    if (scratch_.get() != scratch) throw std::logic_error("the world was moved during its step");
+    guard.complete();
+  }
+  state_.entities.swap(scratch->entities);
+  state_.instances.swap(scratch->further);
+  deliverEvents();
+}
+
+void World::moveAll(StepObserver* observer) {
   StepScratch& scratch = *scratch_;
-  if (scratch.shapes.trim()) scratch.forgetShapes();
+  scratch.entities = state_.entities;
   scratch.further.clear();
-  scratch.provideFor(state_.entities.size());
-  const bool mayRepeat = observer == nullptr && rules.ignoresWarps();
+  const bool mayRepeat = observer == nullptr && rules().ignoresWarps();
   std::size_t next = 0;
   for (std::uint32_t index = 0; index < state_.entities.size(); ++index) {
-    EntityState& entity = state_.entities[index];
+    const EntityState& entity = state_.entities[index];
     const std::span<const InstanceState> further(state_.instances.data() + next, entity.instances);
     next += entity.instances;
     if (entity.inserted == 0) continue;
     if (mayRepeat && scratch.rests[index].matches(entity, further)) {
-      scratch.rests[index].repeat(Entity(*this, index), rules, scratch.further);
+      scratch.rests[index].repeat(scratch.events, idOf(index), scratch.further);
     } else {
-      move(index, further, rules, observer);
+      move(index, further, observer);
     }
   }
-  state_.instances.swap(scratch.further);
 }
 
-void World::move(std::uint32_t index, std::span<const InstanceState> further, Rules& rules, StepObserver* observer) {
+void World::move(std::uint32_t index, std::span<const InstanceState> further, StepObserver* observer) {
   StepScratch& scratch = *scratch_;
-  EntityState& entity = state_.entities[index];
-  const EntityState before = entity;
-  const std::size_t first = scratch.further.size();
-  EntityStep& step = scratch.steps[index];
-  beginStep(index, further, rules, observer);
+  EntityState& entity = scratch.entities[index];
+  const std::size_t firstFurther = scratch.further.size();
+  const std::size_t firstEvent = scratch.events.size();
+  EntityStep& step = beginStep(index, entity, further, observer);
+  step.beginContacts();
   step.rotateShape(std::exchange(entity.turn, 0));
   step.translate(entity.velocity, entity.heading);
   step.finish(scratch.further);
-  const auto furtherAfter = std::span(scratch.further).subspan(first);
-  if (rules.ignoresWarps()) scratch.rests[index].record(before, further, entity, furtherAfter, step.contacts());
+  if (!rules().ignoresWarps()) return;
+  const auto furtherAfter = std::span(scratch.further).subspan(firstFurther);
+  scratch.rests[index].record(state_.entities[index], further, entity, furtherAfter, scratch.events.since(firstEvent));
 }
 
-void World::beginStep(std::uint32_t index, std::span<const InstanceState> further, Rules& rules,
-                      StepObserver* observer) {
-  EntityState& entity = state_.entities[index];
+// `state` and `further` may differ from the state of the entity in this world.
+EntityStep& World::beginStep(std::uint32_t index, EntityState& state, std::span<const InstanceState> further,
+                             StepObserver* observer) {
+  StepScratch& scratch = *scratch_;
   const EntityStep::Context context{
-      *geometry_, *shapes_[entity.shape], scratch_->shapes, scratch_->regions[index], scratch_->work, rules, observer};
-  scratch_->steps[index].begin(Entity(*this, index), entity, further, context);
+      *geometry_, *shapes_[state.shape], scratch.shapes, scratch.regions[index], scratch.work,
+      rules(),    scratch.events,        observer};
+  scratch.steps[index].begin(Entity(*this, index), state, further, context);
+  return scratch.steps[index];
+}
+
+// A callback that causes events has them delivered after those that wait.
+void World::deliverEvents() {
+  StepScratch* const scratch = scratch_.get();
+  if (scratch->events.isDelivering()) return;
+  const StepEvents::Delivery delivery(scratch->events);
+  while (const StepEvents::Event* event = scratch->events.next()) {
+    if (!event->isPaired() && !exists(event->entity)) continue;
+    Entity entity(*this, event->entity);
+    event->deliver(rules(), entity);
+    if (scratch_.get() != scratch) return;  // the callback has moved the world
+  }
 }
 
 void World::restore(const WorldState& state) {
+  requireNoCallback();
   if (const auto reason = fault(state)) throw std::invalid_argument("the state does not fit this world: " + *reason);
   state_ = state;
 }
 
 void World::restoreUnchecked(const WorldState& state) {
+  requireNoCallback();
   assert(accepts(state));
   state_ = state;
 }
@@ -150,125 +193,11 @@ std::vector<InstanceView> World::view(std::uint32_t entity) const {
 }
 
 std::uint32_t World::addShape(const Convex& shape) {
+  requireNoStep();
   const auto known = std::find_if(shapes_.begin(), shapes_.end(), [&](const auto& other) { return *other == shape; });
   const auto index = static_cast<std::uint32_t>(known - shapes_.begin());
   if (known == shapes_.end()) shapes_.push_back(std::make_shared<const Convex>(shape));
   return index;
-}
-
-void World::insert(std::uint32_t entity, std::uint32_t part, Point origin, Angle angle) {
-  if (geometry_->find(part) == nullptr)
-    throw std::invalid_argument(named(entity, part) + "the part is not initialised");
-  if (isIn(entity, part))
-    throw std::invalid_argument(named(entity, part) + "the entity is already in this part: erase it first");
-  if (!shapeOf(entity).turned(angle)) {
-    throw std::invalid_argument(named(entity, part) + "the shape is degenerate when rotated by this angle and rounded");
-  }
-  const WorldState before = state_;
-  state_.entities[entity].inserted == 0 ? placeHome(entity, part, origin, angle)
-                                        : placeFurther(entity, part, origin, angle);
-  if (insertReachedInstances(entity)) return;
-  state_ = before;
-  throw std::invalid_argument(named(entity, part) + "the shape overlaps a blocking segment");
-}
-
-void World::placeHome(std::uint32_t entity, std::uint32_t part, Point origin, Angle angle) {
-  EntityState& state = state_.entities[entity];
-  state.part = part;
-  state.position = origin;
-  state.angle = angle;
-  state.remainder = Point();
-  state.id = allocateId(state.nextId, [](std::uint16_t) { return false; });
-  state.inserted = 1;
-  state.fresh = 1;
-}
-
-void World::placeFurther(std::uint32_t entity, std::uint32_t part, Point origin, Angle angle) {
-  EntityState& state = state_.entities[entity];
-  if (state.instances + 1u >= Instances::kMax) throw std::invalid_argument(named(entity, part) + "too many instances");
-  InstanceState instance;
-  instance.part = part;
-  instance.angle = angle;
-  instance.homeAnchor = state.position;
-  instance.anchor = origin;
-  const auto others = instancesOf(entity);
-  instance.id = allocateId(state.nextId, [&](std::uint16_t id) {
-    return id == state.id ||
-           std::any_of(others.begin(), others.end(), [&](const InstanceState& other) { return other.id == id; });
-  });
-  instance.fresh = 1;
-  replaceInstances(entity, [&](std::vector<InstanceState>& further) { further.push_back(instance); });
-}
-
-// Adds the instances that the shape reaches at its position. Returns false when one overlaps a blocking segment.
-bool World::insertReachedInstances(std::uint32_t entity) {
-  DefaultRules defaults;
-  const auto known = instancesOf(entity);
-  const std::vector<InstanceState> before(known.begin(), known.end());
-  scratch_->provideFor(state_.entities.size());
-  beginStep(entity, before, rules_ != nullptr ? *rules_ : defaults, nullptr);
-  EntityStep& step = scratch_->steps[entity];
-  if (!step.isFree() || !step.insertReachedInstances() || !step.isFree()) return false;
-  replaceInstances(entity, [&](std::vector<InstanceState>& further) {
-    further.clear();
-    step.store(further);
-  });
-  return true;
-}
-
-template <class Edit>
-void World::replaceInstances(std::uint32_t entity, Edit&& edit) {
-  const auto first = state_.instances.begin() + (instancesOf(entity).data() - state_.instances.data());
-  const auto last = first + state_.entities[entity].instances;
-  std::vector<InstanceState> further(first, last);
-  const auto gap = state_.instances.erase(first, last);
-  edit(further);
-  state_.instances.insert(gap, further.begin(), further.end());
-  state_.entities[entity].instances = static_cast<std::uint16_t>(further.size());
-}
-
-bool World::isIn(std::uint32_t entity, std::uint32_t part) const {
-  const EntityState& state = state_.entities[checked(entity)];
-  const auto further = instancesOf(entity);
-  return state.inserted != 0 &&
-         (state.part == part || std::any_of(further.begin(), further.end(),
-                                            [&](const InstanceState& instance) { return instance.part == part; }));
-}
-
-// Also removes all instances with a parent; the next step adds those again that are still needed.
-void World::erase(std::uint32_t entity, std::uint32_t part) {
-  if (!isIn(entity, part)) return;
-  EntityState& state = state_.entities[entity];
-  replaceInstances(entity, [&](std::vector<InstanceState>& further) {
-    std::erase_if(further, [&](const InstanceState& instance) {
-      return instance.part == part || instance.parent != InstanceState::kNoParent;
-    });
-    if (state.part == part) promoteFirst(state, further);
-  });
-}
-
-// Makes the first further instance the home instance and anchors the others to it at their current positions.
-void World::promoteFirst(EntityState& state, std::vector<InstanceState>& further) {
-  state.inserted = further.empty() ? 0 : 1;
-  if (further.empty()) return;
-  for (InstanceState& instance : further) {
-    instance.anchor = platon::positionOf(state, instance);
-    instance.homeAnchor = further.front().anchor;
-  }
-  const InstanceState nextHome = further.front();
-  state.part = nextHome.part;
-  state.position = nextHome.anchor;
-  state.remainder = Point();
-  state.heading = state.heading + (nextHome.angle - state.angle);
-  state.angle = nextHome.angle;
-  state.id = nextHome.id;
-  state.fresh = nextHome.fresh;
-  further.erase(further.begin());
-}
-
-void World::remove(std::uint32_t entity) {
-  replaceInstances(entity, [](std::vector<InstanceState>& further) { further.clear(); });
-  state_.entities[entity].inserted = 0;
 }
 
 }  // namespace platon

@@ -30,8 +30,10 @@ World::World(World&& other) noexcept
   if (link_) link_->world = this;
 }
 
+// NOLINTNEXTLINE(bugprone-exception-escape): an error that cannot be reported in another way ends the program.
 World& World::operator=(World&& other) noexcept {
   if (this == &other) return *this;
+  if (scratch_ != nullptr) requireNoCallback();
   geometry_ = std::move(other.geometry_);
   shapes_ = std::move(other.shapes_);
   state_ = std::move(other.state_);
@@ -69,8 +71,11 @@ std::uint32_t World::add(const Convex& shape) {
   return index;
 }
 
+// The callbacks of the contacts that end may destroy the entity too.
 void World::destroy(std::uint32_t entity) {
+  const EntityId id = idOf(entity);
   remove(entity);
+  if (!exists(id)) return;
   state_.entities[entity] = EntityState();
   if (state_.generations.size() <= entity) state_.generations.resize(entity + 1);
   ++state_.generations[entity];

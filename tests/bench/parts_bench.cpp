@@ -37,7 +37,9 @@ class Piercing : public Rules {
 class Oscillation {
  public:
   Oscillation(World world, Rules* rules, std::int32_t turn, Point velocity)
-      : world_(std::move(world)), rules_(rules), turn_(turn), velocity_(velocity) {}
+      : world_(std::move(world)), turn_(turn), velocity_(velocity) {
+    if (rules != nullptr) world_.setRules(*rules);
+  }
 
   PartResult result(const std::string& scene) const {
     const auto moves = static_cast<double>(steps_ / kStepsPerMove);
@@ -75,12 +77,11 @@ class Oscillation {
       Entity entity(world_, 0);
       entity.setVelocity({sign * velocity_.x, sign * velocity_.y}, entity.rotation());
       if (turn_ != 0) entity.rotate(turn_);
-      rules_ != nullptr ? world_.solve(*rules_) : world_.solve();
+      world_.solve();
     }
   }
 
   World world_;
-  Rules* rules_;
   std::int32_t turn_;
   Point velocity_;
   std::int64_t steps_ = 0;

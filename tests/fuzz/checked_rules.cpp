@@ -17,20 +17,17 @@ bool CheckedRules::pierce(const Entity&, const SegmentRef& segment) const {
 
 void CheckedRules::beginContact(Entity& entity, const SegmentRef& segment) {
   require(pierce(entity, segment), "beginContact with a blocking segment", segment);
-  if (segment.warp || !pairs_) return;
-  require(inside_.emplace(entity.index(), segment.index).second, "a second beginContact", segment);
+  require(inside_.insert(overlapOf(entity, segment)).second, "a second beginContact", segment);
 }
 
 void CheckedRules::endContact(Entity& entity, const SegmentRef& segment) {
   require(pierce(entity, segment), "endContact with a blocking segment", segment);
-  if (segment.warp || !pairs_) return;
-  require(inside_.erase({entity.index(), segment.index}) == 1, "endContact without beginContact", segment);
+  require(inside_.erase(overlapOf(entity, segment)) == 1, "endContact without beginContact", segment);
 }
 
 void CheckedRules::overContact(Entity& entity, const SegmentRef& segment) {
   require(pierce(entity, segment), "overContact with a blocking segment", segment);
-  if (segment.warp || !pairs_) return;
-  require(over_.emplace(entity.index(), segment.index).second, "a second overContact", segment);
+  require(over_.insert(overlapOf(entity, segment)).second, "a second overContact", segment);
 }
 
 void CheckedRules::contact(Entity& entity, const Contact& contact) {
@@ -48,9 +45,10 @@ std::string CheckedRules::finishTick() {
   std::vector<Overlap> differing;
   std::set_symmetric_difference(inside_.begin(), inside_.end(), over_.begin(), over_.end(),
                                 std::back_inserter(differing));
-  if (fault_.empty() && pairs_ && !differing.empty()) {
-    const auto [entity, segment] = differing.front();
-    fault_ = "entity " + std::to_string(entity) + ", segment " + std::to_string(segment) +
+  if (fault_.empty() && !differing.empty()) {
+    const auto [entity, instance, part, segment] = differing.front();
+    fault_ = "entity " + std::to_string(entity) + ", instance " + std::to_string(instance) + ", segment " +
+             std::to_string(part) + ":" + std::to_string(segment) +
              (over_.contains(differing.front()) ? ": overContact without beginContact" : ": endContact is missing");
   }
   over_.clear();

@@ -2,7 +2,7 @@
 
 #include <set>
 #include <string>
-#include <utility>
+#include <tuple>
 
 #include "platon/physics/rules.h"
 #include "tests/fuzz/fuzz_scene.h"
@@ -12,9 +12,8 @@ namespace platon::fuzz {
 /// Rules that make every n-th segment of a scene pierceable and check the calls that a world makes.
 class CheckedRules : public Rules {
  public:
-  /// `every` = 0: no segment is pierceable. `pairs`: beginContact and endContact must come in pairs, as they do for
-  /// entities with one instance and no rotation.
-  CheckedRules(const FuzzScene& scene, std::size_t every, bool pairs) : scene_(scene), every_(every), pairs_(pairs) {}
+  /// `every` = 0: no segment is pierceable.
+  CheckedRules(const FuzzScene& scene, std::size_t every) : scene_(scene), every_(every) {}
 
   bool pierces(std::uint32_t part, std::uint32_t line) const {
     return every_ != 0 && line < scene_.lines[part] && line % every_ == 0;
@@ -30,13 +29,16 @@ class CheckedRules : public Rules {
   std::string finishTick();
 
  private:
-  using Overlap = std::pair<std::uint32_t, std::uint32_t>;  // entity, segment
+  using Overlap = std::tuple<std::uint32_t, std::uint16_t, std::uint32_t, std::uint32_t>;  // entity to segment
+
+  static Overlap overlapOf(const Entity& entity, const SegmentRef& segment) {
+    return {entity.index(), segment.instance, segment.part, segment.index};
+  }
 
   void require(bool holds, const char* what, const SegmentRef& segment);
 
   const FuzzScene& scene_;
   std::size_t every_;
-  bool pairs_;
   std::set<Overlap> inside_;
   std::set<Overlap> over_;
   std::string fault_;

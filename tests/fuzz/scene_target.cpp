@@ -41,7 +41,7 @@ class Run {
       : bytes_(bytes),
         scene_(scene),
         turning_(scene.turns && bytes.flag()),
-        rules_(scene, bytes.below(4), !scene.solid && !turning_),
+        rules_(scene, bytes.below(4)),
         checker_(checkedScene(scene, rules_)),
         world_(scene.stage),
         twin_(scene.stage) {
@@ -150,7 +150,8 @@ class Run {
   std::string twinFault() {
     if (!hasTwin_) return {};
     CheckedRules rules = rules_;
-    twin_.solve(rules);
+    twin_.setRules(rules);
+    twin_.solve();
     if (twin_ != world_) return "a restored world moves differently";
     return twin_.hash() == world_.hash() ? std::string() : "equal worlds have different hashes";
   }

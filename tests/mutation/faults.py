@@ -1,6 +1,7 @@
 """The faults that mutate.py tries. Each is one small mistake in the code of the simulation, the server or the client."""
 
 from client_faults import CLIENT_FAULTS
+from event_faults import EVENT_FAULTS
 from fault import PHYSICS, PUBLIC_PHYSICS, Fault, at_length
 from ideal_faults import IDEAL_FAULTS
 from net_faults import PROTOCOL_FAULTS, SERVER_FAULTS
@@ -131,6 +132,7 @@ FAULTS = [
 
     *STEP_FAULTS,
     *IDEAL_FAULTS,
+    *EVENT_FAULTS,
     *QUERY_FAULTS,
     *WORLD_FAULTS,
 
@@ -226,7 +228,7 @@ FAULTS = [
               "instances are never dropped",
               "InstancesTest.DropsInstancesOnlyBeyondAMargin"),
     at_length("dropped-under-a-stop", PHYSICS + "entity_step.cpp",
-              "if (!contact_ && instances_.dropUnreached", "if (instances_.dropUnreached",
+              "if (!contact_) dropUnreached();", "dropUnreached();",
               "instances are renumbered while a contact refers to one of them",
               "InstancesTest.SegmentsBehindAnEdgeActAsOnOnePlane"),
     at_length("way-behind-the-end-not-turned", PHYSICS + "entity_step.cpp",
@@ -234,52 +236,17 @@ FAULTS = [
               "a rehome does not rotate the plan after a nudge",
               "InstancesTest.ANudgeAcrossAnEdgeKeepsItsDirection"),
 
-    # Rules.
-    Fault("events-backwards", PHYSICS + "entity_step_rules.cpp",
-          "if (a.time != b.time) return a.time < b.time;", "if (a.time != b.time) return a.time > b.time;",
-          "events are reported in reverse order of time",
-          "RulesTest.EventsAreOrderedByTime"),
-    Fault("every-line-blocks", PHYSICS + "collider.cpp",
-          ": !rules_->pierce(*entity_, segmentRef(part, segment));", ": !part.isWarp(segment);",
-          "Rules::pierce has no effect",
-          "RulesTest.PierceableSegmentsCallBeginOverAndEnd"),
-    at_length("end-at-the-end-not-told", PHYSICS + "entity_step_rules.cpp",
-              "if (!interval->endsInside) {", "if (interval->exit < Fraction{1, 1}) {",
-              "endContact is not called for a segment left exactly at the end of a leg",
-              "RulesTest.EndContactIsCalledAtTheEndOfTheTick"),
-    at_length("over-what-is-left", PHYSICS + "entity_step_rules.cpp",
-              "    if (overlaps(placement, pierced.segment)) events_", "    events_",
-              "overContact is called for segments that are no longer overlapped",
-              "RulesTest.BeginAndEndMayOccurInOneLeg"),
-    at_length("fresh-for-ever", PHYSICS + "entity_step_rules.cpp",
-              "  for (Placement& placement : instances_.all()) placement.fresh = false;\n", "",
-              "beginContact is called in every step for a segment under a placed entity",
-              "RulesTest.BeginIsCalledOnceAfterInsertion"),
-    at_length("contact-off-the-line", PHYSICS + "entity_step_rules.cpp",
-              "clampedTo(contact.segment.ends, placement.position + hit.hit.feature)",
-              "placement.position + hit.hit.feature",
-              "the point of a contact may be beyond the end of the segment",
-              "RulesTest.ContactPointIsOnTheSegment"),
-    at_length("turn-to-home-reversed", PHYSICS + "entity_step_rules.cpp",
-              "contact.toHome = instances_.home().angle - placement.angle;",
-              "contact.toHome = placement.angle - instances_.home().angle;",
-              "Contact::toHome has the wrong sign",
-              "WarpContactTest.ToHomeIsTheAngleBetweenTheParts"),
-
     # World and game: hash, save, restore.
     Fault("hash-without-instances", PHYSICS + "world.cpp",
           "  for (const InstanceState& instance : instances) InstanceState::visit(instance, add);\n", "",
           "the hash does not include further instances",
           "WorldTest.EveryFieldIsHashedAndCompared"),
-    at_length("refused-place-kept", PHYSICS + "world.cpp", "  state_ = before;\n  throw", "  throw",
-              "a refused insertion changes the state",
-              "MapPartInsertTest.RejectsOverlappingPositions"),
     Fault("warp-not-stored", PHYSICS + "instances.cpp", "  instance.warp = placement.warp;\n", "",
           "further instances are saved without their warp",
           "InstancesTest.PartsMayWarpToThemselves"),
     # Derived state.
     Fault("rest-meets-nothing", PHYSICS + "rest.cpp",
-          "contacts_.assign(contacts.begin(), contacts.end());", "contacts_.assign(contacts.begin(), contacts.begin());",
+          "events_.assign(events.begin(), events.end());", "events_.assign(events.begin(), events.begin());",
           "a repeated step reports no contacts",
           "IgnoresWarpsTest.RepeatedStepsEqualComputedSteps"),
     Fault("rest-is-any-step", PHYSICS + "rest.cpp",

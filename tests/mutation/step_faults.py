@@ -138,12 +138,4 @@ STEP_FAULTS = [
               "if (!collider_.reachesWarp(", "if (true || !collider_.reachesWarp(",
               "a rotation inserts no instances",
               "FoundByFuzzingTest.ARefusedRotationAddsNoInstanceAroundACorner"),
-    at_length("touch-not-told", PHYSICS + "entity_step_rotation.cpp",
-              "rules_->touchContact(*entity_, *blocker);", ";",
-              "touchContact is not called",
-              "RulesTest.RotationStopsAtTheLastFreeAngle"),
-    at_length("turn-leaves-nothing", PHYSICS + "entity_step_rotation.cpp",
-              "if (!contains(piercedAfter_, one)) rules_", "if (false) rules_",
-              "endContact is not called in a rotation",
-              "RulesTest.RotationsCallBeginAndEnd"),
 ]  # fmt: skip

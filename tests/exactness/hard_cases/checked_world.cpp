@@ -45,7 +45,8 @@ void CheckedWorld::tick(Point velocity) {
 
 void CheckedWorld::tick() {
   rules.contacts.clear();
-  world.solve(rules, &checker);
+  world.setRules(rules);
+  world.solve(&checker);
   const std::string fault = checker.finishTick();
   if (fault.empty() || !invariantsHold_) return;
   invariantsHold_ = false;

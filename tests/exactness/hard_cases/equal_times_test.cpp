@@ -77,7 +77,7 @@ TEST(EqualTimesTest, TheContactIsWithTheSegmentOfHome) {
     std::erase_if(calls, [](const std::string& call) { return !call.starts_with("contact"); });
     EXPECT_EQ(calls, std::vector<std::string>{"contact " + placement.home()});
     ASSERT_EQ(level.rules.contacts.size(), 1u);
-    EXPECT_EQ(level.rules.contacts[0].toHome, Angle());
+    EXPECT_EQ(level.rules.contacts[0].segment.toHome, Angle());
     EXPECT_EQ(level.entity().part(), static_cast<std::uint32_t>(placement.face));
     // Its rightmost edge, vertical and 12 051 subunits from the centre, is on the segment.
     EXPECT_EQ(level.at(), rotate(Point(-placement.side * 12052, -kHalfEdge + placement.inside), placement.turn()));

@@ -138,7 +138,9 @@ void expectRest(const Support& support, const Place& place, std::int64_t ticks) 
   ContactCounter contacts;
   const Convex shape = playerShape();
   step_check::StepChecker checker({world.geometry(), shape, place.kind, kSize});
-  world.solve(contacts, &checker);
+  world.setRules(contacts);
+  world.solve(&checker);
+  world.resetRules();
   ASSERT_EQ(checker.finishTick(), "");
   ASSERT_GT(contacts.count, 0) << "no contact";
   expectSame(world, settled, ticks);

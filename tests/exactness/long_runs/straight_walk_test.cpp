@@ -93,7 +93,8 @@ class WalkRun {
 
   void step() {
     ideal_.advance(velocity_);
-    world_.solve(rules_, &ideal_);
+    world_.setRules(rules_);
+    world_.solve(&ideal_);
     ++ticks_;
     const EntityState& state = world_.entities()[0];
     ASSERT_EQ(state.heading, ideal_.heading());

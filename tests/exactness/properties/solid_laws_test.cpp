@@ -77,7 +77,8 @@ struct BallWorld {
   Entity ball() { return {world, 0}; }
   std::vector<Placement> advance(Rules& rules) {
     HomePath path;
-    world.solve(rules, &path);
+    world.setRules(rules);
+    world.solve(&path);
     return path.places;
   }
 

@@ -108,7 +108,8 @@ TEST(RotationAllocationTest, RotatingAgainDoesNotAllocate) {
     const std::size_t before = allocations;
     for (std::int32_t turned = 0; turned < Angle::kTurn; turned += kTurn) {
       entity.rotate(kTurn);
-      world.solve(rules);
+      world.setRules(rules);
+      world.solve();
     }
     return allocations - before;
   };

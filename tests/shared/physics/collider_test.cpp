@@ -19,7 +19,7 @@ class ColliderTest : public testing::Test {
     Entity entity(world_, square(10));
     MapPart(world_, 0).insert(entity, {0, 0}, Angle());
     instances_.load(world_.geometry(), shapes_, world_.shapeOf(0), world_.entities()[0], world_.instancesOf(0));
-    collider_.begin(rules_, entity, regions_, work_);
+    collider_.begin(rules_, entity, Angle(), regions_, work_);
   }
   const Placement& home() const { return instances_.home(); }
 
@@ -64,7 +64,7 @@ TEST_F(ColliderTest, RecordsPierceableSegmentsOnce) {
   rules_.pierceable = {{0, 0}, {0, 1}};
   for (int i = 0; i < 3; ++i) EXPECT_FALSE(collider_.first(instances_, {0, 0}, {0, -80}));
   ASSERT_EQ(collider_.pierced().size(), 1u);
-  EXPECT_EQ(collider_.pierced()[0], (Collider::Pierced{home().id, 0, 0}));
+  EXPECT_TRUE(Collider::isSame(collider_.pierced()[0], collider_.refOf(home(), 0)));
 }
 
 TEST_F(ColliderTest, RecordsPierceableSegmentsAfterAnImmediateHit) {
@@ -72,7 +72,7 @@ TEST_F(ColliderTest, RecordsPierceableSegmentsAfterAnImmediateHit) {
   rules_.pierceable = {{0, 1}};
   EXPECT_EQ(collider_.first(instances_, {0, 0}, {0, -80})->hit.time, (Fraction{0, 1}));
   ASSERT_EQ(collider_.pierced().size(), 1u);
-  EXPECT_EQ(collider_.pierced()[0].segment, 1u);
+  EXPECT_EQ(collider_.pierced()[0].index, 1u);
 }
 
 TEST_F(ColliderTest, TouchingPathsAndPositionsAreFree) {
@@ -111,7 +111,7 @@ TEST_F(ColliderTest, FindsWarpsWithoutInstanceBehind) {
   Entity entity(world_, square(100));
   MapPart(world_, 1).insert(entity, {0, 0}, Angle());
   instances_.load(world_.geometry(), shapes_, world_.shapeOf(0), world_.entities()[0], world_.instancesOf(0));
-  collider_.begin(rules_, entity, regions_, work_);
+  collider_.begin(rules_, entity, Angle(), regions_, work_);
   const Collider::Path path{{0, 0}, {1000, 0}, 4};
   const auto find = [&](const std::vector<Collider::WarpRef>& refused) {
     const auto stop = collider_.first(instances_, path.from, path.to);

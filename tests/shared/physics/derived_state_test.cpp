@@ -12,38 +12,18 @@
 #include "tests/shared/physics/maps.h"
 #include "tests/shared/physics/recorded_rules.h"
 #include "tests/shared/physics/shapes.h"
+#include "tests/shared/physics/torus.h"
 #include "tests/sim/seeded_random.h"
 
 namespace platon {
 namespace {
 
 constexpr int kTicks = 1500;
-constexpr std::int32_t kReach = 1000;  // half the edge of a part
-constexpr std::uint32_t kParts = 4;    // two by two on a torus, in two frames
 
 Angle anyAngle(sim::SeededRandom& random) { return Angle(static_cast<std::int32_t>(random.below(Angle::kTurn))); }
 
 std::int32_t anyTurn(sim::SeededRandom& random, std::int32_t limit) {
   return static_cast<std::int32_t>(random.below(2 * static_cast<std::uint64_t>(limit) + 1)) - limit;
-}
-
-void addTorusPart(World& world, std::uint32_t id, sim::SeededRandom& random) {
-  MapPart part(world, id);
-  for (int i = 0; i < 12; ++i) {
-    const Point a = random.vector(kReach - 20);
-    part.line(a, a + random.vector(i % 2 == 0 ? 40 : 400));
-  }
-  const auto frameOf = [](std::uint32_t of) { return Angle(static_cast<std::int32_t>(of / 2) * Angle::kTurn / 4); };
-  for (std::int32_t edge = 0; edge < 4; ++edge) {
-    const Angle side(edge * Angle::kTurn / 4);
-    const Point a = rotate(Point(-kReach, -kReach), side);
-    const Point b = rotate(Point(kReach, -kReach), side);
-    const Point back = rotate(Point(0, 2 * kReach), side);
-    const std::uint32_t next = id ^ (edge % 2 == 0 ? 2U : 1U);
-    part.warp(rotate(a, frameOf(id)), rotate(b, frameOf(id)), next, rotate(a + back, frameOf(next)),
-              rotate(b + back, frameOf(next)));
-  }
-  part.initialize();
 }
 
 // Gives any entity another velocity or rotation when an entity is stopped; the same on every call for the same seed.
@@ -82,14 +62,14 @@ class Watcher : public StepObserver {
 class DerivedStateTest : public testing::TestWithParam<std::uint64_t> {
  protected:
   DerivedStateTest() : random_(GetParam()) {
-    for (std::uint32_t part = 0; part + 1 < kParts; ++part) addTorusPart(world_, part, random_);
+    for (std::uint32_t part = 0; part + 1 < kTorusParts; ++part) addTorusPart(world_, part, random_);
     for (int i = 0; i < 6; ++i) put(Entity(world_, i % 2 == 0 ? square(60) : randomConvex(random_, 150)));
     saved_ = world_.save();
   }
 
   void put(Entity entity) {
-    const auto part = static_cast<std::uint32_t>(random_.below(kParts));
-    const Point origin = random_.vector(kReach);
+    const auto part = static_cast<std::uint32_t>(random_.below(kTorusParts));
+    const Point origin = random_.vector(kTorusReach);
     try {
       MapPart(world_, part).insert(entity, origin, oneIn(2) ? Angle() : anyAngle(random_));
     } catch (const std::invalid_argument&) {  // not free there, or there already
@@ -105,7 +85,7 @@ class DerivedStateTest : public testing::TestWithParam<std::uint64_t> {
     if (oneIn(80)) MapPart(world_, entity.part()).erase(entity);
     if (oneIn(200)) world_.remove(index);
     if (oneIn(30)) put(entity);
-    if (tick == 100) addTorusPart(world_, kParts - 1, random_);
+    if (tick == 100) addTorusPart(world_, kTorusParts - 1, random_);
     if (oneIn(60)) saved_ = world_.save();
     if (oneIn(60)) world_.restore(saved_);
   }
@@ -126,9 +106,13 @@ TEST_P(DerivedStateTest, LongLivedWorldsStepLikeFreshCopies) {
     InterferingRules watched = known;
     World fresh = world_;
     assigned = world_;
-    world_.solve(known, oneIn(10) ? &watcher : nullptr);
-    fresh.solve(found);
-    assigned.solve(watched, &watcher);
+    world_.setRules(known);
+    world_.solve(oneIn(10) ? &watcher : nullptr);
+    fresh.setRules(found);
+    fresh.solve();
+    assigned.setRules(watched);
+    assigned.solve(&watcher);
+    world_.resetRules();
     ASSERT_EQ(world_.hash(), fresh.hash()) << "seed " << GetParam() << ", tick " << tick;
     ASSERT_EQ(world_.hash(), assigned.hash()) << "seed " << GetParam() << ", tick " << tick;
     ASSERT_EQ(known.take(), found.calls) << "seed " << GetParam() << ", tick " << tick;

@@ -69,7 +69,8 @@ TEST(EntityStepTest, SlidingOnASegmentEndIsAContact) {
   Scene scene({{{92, -100}, {92, -1000}}}, square(100), {0, 0});
   CountedContacts rules;
   scene.entity.setVelocity({5, -5});
-  scene.world.solve(rules);
+  scene.world.setRules(rules);
+  scene.world.solve();
   EXPECT_EQ(scene.entity.position(), Point(5, 0));
   EXPECT_EQ(rules.count, 1);
 }
@@ -89,7 +90,8 @@ TEST(EntityStepTest, NoContactIsReportedWithAnEdgeThatThePathLeadsPast) {
   scene.world.restore(state);
   NormalsOfContacts rules;
   scene.entity.setVelocity({10, -10});
-  scene.world.solve(rules);
+  scene.world.setRules(rules);
+  scene.world.solve();
   EXPECT_EQ(scene.entity.position(), Point(15, 5));
   ASSERT_EQ(rules.normals.size(), 1u);
   EXPECT_EQ(rules.normals[0].x, 0);

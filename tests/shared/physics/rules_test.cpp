@@ -24,7 +24,8 @@ class RulesTest : public testing::Test {
   }
   std::vector<std::string> step(Point velocity) {
     entity->setVelocity(velocity);
-    world.solve(rules);
+    world.setRules(rules);
+    world.solve();
     return rules.take();
   }
 
@@ -50,8 +51,8 @@ TEST_F(RulesTest, ContactDescribesTheCollision) {
   EXPECT_GT(contact.normal.y, 0);
   EXPECT_EQ(contact.point.y, -20);
   EXPECT_LE(std::abs(contact.point.x), 10);
-  EXPECT_EQ(contact.instance, 0);
-  EXPECT_EQ(contact.toHome, Angle());
+  EXPECT_EQ(contact.segment.instance, 0);
+  EXPECT_EQ(contact.segment.toHome, Angle());
   EXPECT_EQ(contact.segment.ends, (Segment{{-100, -20}, {100, -20}}));
   EXPECT_FALSE(contact.segment.warp);
 }
@@ -144,6 +145,12 @@ TEST_F(RulesTest, PiercedSegmentsPrecedeTheContactOfTheLeg) {
       << "segment 3 is behind the wall";
 }
 
+TEST_F(RulesTest, AContactThatEndsWithTheLegPrecedesTheContactOfTheLeg) {
+  build({{{-100, -15}, {100, -15}}, {{-100, -35}, {100, -35}}}, {0, 0});
+  rules.pierceable = {{0, 0}};
+  EXPECT_THAT(step({0, -40}), ElementsAre("begin 0:0", "end 0:0", "contact 0:1"));
+}
+
 TEST_F(RulesTest, EventsOfASlideFollowTheContact) {
   build({{{-500, -20}, {500, -20}}, {{15, -500}, {15, 500}}}, {0, 0});
   rules.pierceable = {{0, 1}};
@@ -172,7 +179,8 @@ TEST_F(RulesTest, PierceIsCalledForSegmentsOnThePathOnly) {
   build({{{-100, -20}, {100, -20}}, {{-100, 20}, {100, 20}}, {{40, -5}, {40, 5}}}, {0, 0});
   Asking asking;
   entity->setVelocity({0, -30});
-  world.solve(asking);
+  world.setRules(asking);
+  world.solve();
   EXPECT_EQ(asking.asked, (std::set<std::uint32_t>{0}));
 }
 
@@ -184,9 +192,11 @@ TEST_F(RulesTest, RulesMayChangeTheVelocityOfTheNextStep) {
   build({{{-100, -20}, {100, -20}}}, {0, 0});
   Bouncing bouncing;
   entity->setVelocity({0, -30});
-  world.solve(bouncing);
+  world.setRules(bouncing);
+  world.solve();
   EXPECT_EQ(entity->position(), Point(0, -10));
-  world.solve(bouncing);
+  world.setRules(bouncing);
+  world.solve();
   EXPECT_EQ(entity->position(), Point(0, -3));
 }
 
@@ -201,7 +211,8 @@ TEST_F(RulesTest, SolveUsesTheRulesOfSetRules) {
 TEST_F(RulesTest, RotationStopsAtTheLastFreeAngle) {
   build({{{12, -100}, {12, 100}}}, {0, 0});
   entity->rotate(4500);
-  world.solve(rules);
+  world.setRules(rules);
+  world.solve();
   EXPECT_THAT(rules.take(), ElementsAre("touch 0:0"));
   const std::int32_t stopped = entity->rotation().centidegrees();
   // Half of the diagonal of the square is 14.14 subunits; a vertex reaches x = 12 between 13° and 14°.
@@ -221,12 +232,14 @@ TEST_F(RulesTest, RotationStopsAtTheLastFreeAngleInBothDirections) {
     World copy = world;
     Entity turning(copy, 0);
     turning.rotate(turn);
-    copy.solve(rules);
+    copy.setRules(rules);
+    copy.solve();
     EXPECT_THAT(rules.take(), ElementsAre("touch 0:0"));
     const std::int32_t stopped = turning.rotation().centidegrees();
     EXPECT_LE(reach(stopped), 11500);
     EXPECT_GT(reach(stopped + (turn > 0 ? 1 : -1)), 11500) << "from " << turn;
-    copy.solve(rules);
+    copy.setRules(rules);
+    copy.solve();
     EXPECT_THAT(rules.take(), IsEmpty()) << "a rotation is requested for one step";
     EXPECT_EQ(turning.rotation().centidegrees(), stopped);
   }
@@ -237,7 +250,8 @@ TEST_F(RulesTest, FreeRotationsAreExact) {
   std::int32_t expected = 0;
   for (const std::int32_t turn : {1, 499, 500, 501, 9000, -17, 35999, -35999}) {
     entity->rotate(turn);
-    world.solve(rules);
+    world.setRules(rules);
+    world.solve();
     expected += turn;
     EXPECT_EQ(entity->rotation(), Angle(expected));
     EXPECT_EQ(entity->position(), Point(0, 0));
@@ -250,7 +264,8 @@ TEST_F(RulesTest, RotationsCallBeginAndEnd) {
   rules.pierceable = {{0, 0}, {0, 1}};
   const auto turn = [&](std::int32_t centidegrees) {
     entity->rotate(centidegrees);
-    world.solve(rules);
+    world.setRules(rules);
+    world.solve();
     return rules.take();
   };
   EXPECT_THAT(turn(500), IsEmpty()) << "its vertices reach 11 subunits";
@@ -284,7 +299,8 @@ class WarpRulesTest : public testing::Test {
 
   std::vector<std::string> step(Point velocity) {
     entity.setVelocity(velocity);
-    world.solve(rules);
+    world.setRules(rules);
+    world.solve();
     return rules.take();
   }
 
@@ -329,7 +345,8 @@ TEST(WarpContactTest, ASegmentBehindTheEdgeStopsBothInstances) {
   Entity entity(world, square(100));
   MapPart(world, 1).insert(entity, {700, 0}, Angle());
   entity.setVelocity({1000, 0});
-  world.solve(rules);
+  world.setRules(rules);
+  world.solve();
   EXPECT_THAT(rules.take(), ElementsAre("begin 1:0", "begin 2:1", "contact 2:0", "over 1:0", "over 2:1"));
   EXPECT_EQ(entity.part(), 1u);
   EXPECT_EQ(entity.position(), Point(1000, 0)) << "the centre is on the edge";
@@ -337,7 +354,7 @@ TEST(WarpContactTest, ASegmentBehindTheEdgeStopsBothInstances) {
   EXPECT_EQ(contact.time, (Fraction{3, 10}));
   EXPECT_EQ(contact.point.x, -900);
   EXPECT_LT(contact.normal.x, 0);
-  EXPECT_NE(contact.instance, entity.state().id);
+  EXPECT_NE(contact.segment.instance, entity.state().id);
 }
 
 TEST(WarpContactTest, ToHomeIsTheAngleBetweenTheParts) {
@@ -353,9 +370,10 @@ TEST(WarpContactTest, ToHomeIsTheAngleBetweenTheParts) {
   Entity entity(world, square(100));
   MapPart(world, 1).insert(entity, {700, 0}, Angle());
   entity.setVelocity({1000, 0});
-  world.solve(rules);
+  world.setRules(rules);
+  world.solve();
   ASSERT_EQ(rules.contacts.size(), 1u);
-  EXPECT_EQ(rules.contacts[0].toHome, Angle::degrees(90));
+  EXPECT_EQ(rules.contacts[0].segment.toHome, Angle::degrees(90));
   EXPECT_GT(rules.contacts[0].normal.y, 0);
   EXPECT_EQ(rules.contacts[0].normal.x, 0);
   EXPECT_EQ(rules.contacts[0].point.y, -1100);

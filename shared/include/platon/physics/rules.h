@@ -9,44 +9,71 @@
 
 namespace platon {
 
-/// A segment of a map part, as passed to rules.
+/// A segment of a map part that an instance of an entity has to do with, as passed to rules. The report calls it
+/// LineRef.
 struct SegmentRef {
   std::uint32_t part = 0;   ///< id of the map part
   std::uint32_t index = 0;  ///< order of MapPart::line calls, followed by the warps in order of MapPart::warp calls
   bool warp = false;        ///< whether the segment belongs to a warp
   Segment ends;             ///< in the frame of the part
+
+  std::uint16_t instance = 0;  ///< id of the entity's instance in the part
+  Angle toHome = {};           ///< added to an angle in the frame of the part, gives the angle in that of the home part
 };
 
 /// A collision of an entity with a blocking segment.
 struct Contact {
   SegmentRef segment;
-  std::uint16_t instance = 0;  ///< id of the instance that hit the segment
-  Point point;                 ///< point of contact in the frame of the segment's part, to the nearest subunit
-  Point normal;                ///< exact direction from the segment to the entity, in the frame of the segment's part
-  Angle toHome;                ///< added to an angle in the segment's part, gives the angle in the home part
-  Fraction time;               ///< fraction of the leg, in [0, 1)
+  Point point;    ///< point of contact in the frame of the segment's part, to the nearest subunit
+  Point normal;   ///< exact direction from the segment to the entity, in the frame of the segment's part
+  Fraction time;  ///< fraction of the leg, in [0, 1)
 };
 
-/// Decides which segments block and receives collision events. World::solve calls each method once per event, ordered
-/// by time within the step. Events at equal times are ordered by instance (home first, then by age), then by segment
-/// index.
+/// Decides which segments block, and receives the events of a step.
+///
+/// The events are delivered by World::solve after all entities have moved: those of the first entity, then those of the
+/// next one, each called a callback. The events of an entity come in the order in which they happened: those of its
+/// rotation, then those of each leg in order of time, then overContact. Events at equal times are ordered by instance
+/// (home first, then by age), then by segment index. `toHome` of their segments leads to the home part after the step.
+///
+/// beginContact and endContact alternate for an entity, an instance and a segment, as long as the same rules are set. A
+/// contact also ends when its instance is dropped or removed: MapPart::erase and World::remove deliver endContact, at
+/// once or, called by a callback, after the events that wait. The contacts of an instance that MapPart::insert places
+/// begin in the next step. A state that World::restore or an assignment brings in is taken as it is: contacts with what
+/// an instance overlaps there have begun, unless the instance is fresh (InstanceState::fresh).
+///
+/// A callback may change the world: add, insert, erase, remove, destroy and rotate entities, change velocities,
+/// initialise parts, set other rules. Events that wait are delivered all the same. They describe the step: their entity
+/// may have been removed or changed since. Of a destroyed entity, only beginContact and endContact are still delivered,
+/// so that they alternate: Entity::exists is false then, and only the id of the handle can be used. A callback may not
+/// solve the world, restore it or assign to it: these throw std::logic_error. When a callback throws, the events that
+/// wait are dropped, and the exception passes on; the step itself is complete. They are also dropped when a callback
+/// moves the world elsewhere. It must not destroy the world.
 class Rules {
  public:
   virtual ~Rules() = default;
 
-  /// Whether the entity passes through the segment. Called for segments near its path only. The result must depend only
-  /// on the state of the world and the arguments. Default: warps can be passed, other segments block.
+  /// Whether the entity passes through the segment. Asked during a step, for segments near the path only, and by
+  /// MapPart::insert. Must depend only on the arguments and the state of the world, which is that before the step or
+  /// the insertion: Entity::velocity is in the frame of the home part, to which `segment.toHome` leads. So
+  /// rotate(entity.velocity(), -segment.toHome) is the velocity in the frame of the segment. The world may be read but
+  /// not changed: that throws std::logic_error. When `pierce` throws, the step or insertion has no effect.
+  ///
+  /// A segment that an instance overlaps at the start of a step, or since an earlier move of the step, is pierced
+  /// without asking, until the instance has left it. Then it is asked again, even in the same step. So a segment that
+  /// ceases to be pierceable lets those out that are in it. Default: warps can be passed, other segments block.
   virtual bool pierce(const Entity& entity, const SegmentRef& segment) const;
 
   /// Return true to promise that `pierce` is not overridden and that beginContact, overContact and endContact do
-  /// nothing. None of the four is called then, which saves the tests against warps.
+  /// nothing. None of the four is called then, which saves the tests against warps; segments that are no warps block
+  /// even an entity that overlaps them. Asked at the start of each step.
   virtual bool ignoresWarps() const { return false; }
 
-  /// The entity begins to overlap a pierceable segment.
+  /// An instance of the entity begins to overlap a pierced segment.
   virtual void beginContact(Entity& entity, const SegmentRef& segment);
-  /// The entity overlaps a pierceable segment at the end of the step.
+  /// An instance of the entity overlaps a pierced segment at the end of the step.
   virtual void overContact(Entity& entity, const SegmentRef& segment);
-  /// The entity no longer overlaps a pierceable segment.
+  /// An instance of the entity no longer overlaps a pierced segment, or no longer exists.
   virtual void endContact(Entity& entity, const SegmentRef& segment);
 
   /// A blocking segment stops the entity. The remaining displacement slides along the segment.

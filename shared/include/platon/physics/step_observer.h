@@ -20,7 +20,8 @@ struct InstanceView {
   std::uint16_t warp = 0;    ///< index of the warp in the parent's part, when hasParent
 };
 
-/// Observes a step, for traces and checkers. Must not modify the world.
+/// Observes a step, for traces and checkers. The world may be read, and is as it was before the step; changing it
+/// throws std::logic_error.
 class StepObserver {
  public:
   virtual ~StepObserver() = default;

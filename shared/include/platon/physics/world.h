@@ -15,6 +15,7 @@
 
 namespace platon {
 
+class EntityStep;
 class StepScratch;
 struct WorldLink;
 
@@ -50,6 +51,11 @@ struct WorldState {
 ///
 /// Functions that take the index of an entity throw std::invalid_argument when the world has no such entity. A world
 /// that was moved from may only be assigned to or destroyed.
+///
+/// Functions that change the world throw std::logic_error when Rules::pierce or a StepObserver calls them: the world
+/// may be read during a step, and is then as it was before. Callbacks of Rules may change it, except by solving it,
+/// restoring it or assigning to it, which also throws std::logic_error (an assignment by move cannot throw and ends the
+/// program).
 class World {
  public:
   World();
@@ -59,13 +65,18 @@ class World {
   World& operator=(World&&) noexcept;
   ~World();
 
-  /// Sets the rules for `solve()`. They must outlive the last call of it.
-  void setRules(Rules& rules) { rules_ = &rules; }
+  /// Sets the rules for all that follows: `solve` and MapPart::insert ask them which segments block, and they receive
+  /// the events. They must exist until other rules are set or the world is last used. Copies of the world have the same
+  /// rules.
+  void setRules(Rules& rules);
+  /// Sets the default rules: segments block, warps can be passed, and events have no effect.
+  void resetRules();
 
-  /// Advances all entities by one tick, in order of their indices. Reports every leg to `observer` unless it is null.
+  /// Advances all entities by one tick, in order of their indices, then delivers the events to the rules (see Rules).
+  /// Reports every leg to `observer` unless it is null. When Rules::pierce or `observer` throws, the world stays as it
+  /// was. When a callback throws, the step is complete. Throws std::logic_error when a callback, `pierce` or an
+  /// observer calls it.
   void solve(StepObserver* observer = nullptr);
-  /// As above, with other rules than those of setRules.
-  void solve(Rules& rules, StepObserver* observer = nullptr);
 
   /// The current state; valid until the world changes. Copy it to keep it.
   const WorldState& save() const { return state_; }
@@ -117,7 +128,7 @@ class World {
   std::optional<std::string> fault(const WorldState& state) const;
   /// Whether `state` has no fault.
   bool accepts(const WorldState& state) const { return !fault(state); }
-  /// Removes the entity from all parts. Its index stays valid.
+  /// Removes the entity from all parts; its contacts end (see Rules). Its index stays valid.
   void remove(std::uint32_t entity);
   /// Destroys the entity: removes it from all parts and frees its index. Handles of it are refused from then on. The
   /// next new entity gets the lowest free index, so equal calls still give equal states.
@@ -140,19 +151,26 @@ class World {
   [[noreturn]] void refuse(std::uint32_t entity) const;
   [[noreturn]] void refuse(EntityId id) const;
   WorldLink& link();
+  void requireNoStep() const;
+  void requireNoCallback() const;
+  Rules& rules() const;
   bool isBuiltLike(const World& other) const;
   std::uint32_t add(const Convex& shape);
   void insert(std::uint32_t entity, std::uint32_t part, Point origin, Angle angle);
   bool isIn(std::uint32_t entity, std::uint32_t part) const;
   void erase(std::uint32_t entity, std::uint32_t part);
-  static void promoteFirst(EntityState& state, std::vector<InstanceState>& further);
-  void placeHome(std::uint32_t entity, std::uint32_t part, Point origin, Angle angle);
-  void placeFurther(std::uint32_t entity, std::uint32_t part, Point origin, Angle angle);
-  bool insertReachedInstances(std::uint32_t entity);
-  void move(std::uint32_t entity, std::span<const InstanceState> further, Rules& rules, StepObserver* observer);
-  void beginStep(std::uint32_t entity, std::span<const InstanceState> further, Rules& rules, StepObserver* observer);
-  template <class Edit>
-  void replaceInstances(std::uint32_t entity, Edit&& edit);
+  struct Placed;
+  Placed placedOf(std::uint32_t entity) const;
+  static void promoteFirst(Placed& placed);
+  std::uint16_t place(Placed& placed, std::uint32_t part, Point origin, Angle angle) const;
+  bool insertReachedInstances(std::uint32_t entity, Placed& placed, std::uint16_t inserted);
+  void replace(std::uint32_t entity, const Placed& placed);
+  std::vector<SegmentRef> contactsOf(std::uint32_t entity, Placed placed);
+  void moveAll(StepObserver* observer);
+  void move(std::uint32_t entity, std::span<const InstanceState> further, StepObserver* observer);
+  EntityStep& beginStep(std::uint32_t entity, EntityState& state, std::span<const InstanceState> further,
+                        StepObserver* observer);
+  void deliverEvents();
 
   std::shared_ptr<const Geometry> geometry_;
   std::vector<std::shared_ptr<const Convex>> shapes_;

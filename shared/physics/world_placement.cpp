@@ -1,0 +1,171 @@
+// Insertion and removal of entities, outside of steps.
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+#include "platon/physics/entity.h"
+#include "platon/physics/world.h"
+#include "shared/physics/step_scratch.h"
+
+namespace platon {
+namespace {
+
+std::string named(std::uint32_t entity, std::uint32_t part) {
+  return "entity " + std::to_string(entity) + " in map part " + std::to_string(part) + ": ";
+}
+
+}  // namespace
+
+// An entity and its further instances, outside of the state of the world.
+struct World::Placed {
+  EntityState state;
+  std::vector<InstanceState> further;
+};
+
+World::Placed World::placedOf(std::uint32_t entity) const {
+  const auto further = instancesOf(entity);
+  return {state_.entities[entity], {further.begin(), further.end()}};
+}
+
+void World::insert(std::uint32_t entity, std::uint32_t part, Point origin, Angle angle) {
+  requireNoStep();
+  if (geometry_->find(part) == nullptr)
+    throw std::invalid_argument(named(entity, part) + "the part is not initialised");
+  if (isIn(entity, part))
+    throw std::invalid_argument(named(entity, part) + "the entity is already in this part: erase it first");
+  if (!shapeOf(entity).turned(angle)) {
+    throw std::invalid_argument(named(entity, part) + "the shape is degenerate when rotated by this angle and rounded");
+  }
+  Placed placed = placedOf(entity);
+  if (placed.further.size() + 1 >= Instances::kMax)
+    throw std::invalid_argument(named(entity, part) + "too many instances");
+  const std::uint16_t inserted = place(placed, part, origin, angle);
+  if (!insertReachedInstances(entity, placed, inserted))
+    throw std::invalid_argument(named(entity, part) + "the shape overlaps a blocking segment");
+  replace(entity, placed);
+}
+
+// Adds an instance, as the home instance when there is none, and returns its id.
+std::uint16_t World::place(Placed& placed, std::uint32_t part, Point origin, Angle angle) const {
+  EntityState& state = placed.state;
+  if (state.inserted == 0) {
+    state.part = part;
+    state.position = origin;
+    state.angle = angle;
+    state.remainder = Point();
+    state.id = allocateId(state.nextId, [](std::uint16_t) { return false; });
+    state.inserted = 1;
+    state.fresh = 1;
+    return state.id;
+  }
+  InstanceState instance;
+  instance.part = part;
+  instance.angle = angle;
+  instance.homeAnchor = state.position;
+  instance.anchor = origin;
+  instance.id = allocateId(state.nextId, [&](std::uint16_t id) {
+    return id == state.id || std::any_of(placed.further.begin(), placed.further.end(),
+                                         [&](const InstanceState& other) { return other.id == id; });
+  });
+  instance.fresh = 1;
+  placed.further.push_back(instance);
+  return instance.id;
+}
+
+// Adds the instances that the shape reaches at its position. Returns false when one overlaps a blocking segment. What
+// the instances other than `inserted` overlap does not block.
+bool World::insertReachedInstances(std::uint32_t entity, Placed& placed, std::uint16_t inserted) {
+  scratch_->provideFor(state_.entities.size());
+  const StepGuard guard(*scratch_);
+  EntityStep& step = beginStep(entity, placed.state, placed.further, nullptr);
+  step.pierceOverlapped(inserted);
+  if (!step.isFree() || !step.insertReachedInstances() || !step.isFree()) return false;
+  placed.further.clear();
+  step.store(placed.further);
+  return true;
+}
+
+// Replaces the state of an entity and its further instances. Contacts begin and end by what they overlap.
+void World::replace(std::uint32_t entity, const Placed& placed) {
+  StepEvents& events = scratch_->events;
+  if (!rules().ignoresWarps()) {
+    scratch_->provideFor(state_.entities.size());
+    const auto before = contactsOf(entity, placedOf(entity));
+    const auto after = contactsOf(entity, placed);
+    const auto addMissing = [&](StepEvents::Kind kind, const auto& refs, const auto& others) {
+      for (const SegmentRef& ref : refs) {
+        const auto isSame = [&](const SegmentRef& other) { return Collider::isSame(ref, other); };
+        if (std::none_of(others.begin(), others.end(), isSame)) events.add(kind, idOf(entity)).segment = ref;
+      }
+    };
+    addMissing(StepEvents::Kind::kEnd, before, after);
+    addMissing(StepEvents::Kind::kBegin, after, before);
+  }
+  const auto known = instancesOf(entity);
+  const auto at = state_.instances.begin() + (known.data() - state_.instances.data());
+  const auto gap = state_.instances.erase(at, at + static_cast<std::ptrdiff_t>(known.size()));
+  state_.instances.insert(gap, placed.further.begin(), placed.further.end());
+  state_.entities[entity] = placed.state;
+  state_.entities[entity].instances = static_cast<std::uint16_t>(placed.further.size());
+  deliverEvents();
+}
+
+// The contacts of an entity in this state that have begun.
+std::vector<SegmentRef> World::contactsOf(std::uint32_t entity, Placed placed) {
+  std::vector<SegmentRef> contacts;
+  if (placed.state.inserted == 0) return contacts;
+  EntityStep& step = beginStep(entity, placed.state, placed.further, nullptr);
+  step.pierceOverlapped();
+  step.appendContacts(contacts);
+  return contacts;
+}
+
+bool World::isIn(std::uint32_t entity, std::uint32_t part) const {
+  const EntityState& state = state_.entities[checked(entity)];
+  const auto further = instancesOf(entity);
+  return state.inserted != 0 &&
+         (state.part == part || std::any_of(further.begin(), further.end(),
+                                            [&](const InstanceState& instance) { return instance.part == part; }));
+}
+
+// Also removes all instances with a parent; the next step adds those again that are still needed.
+void World::erase(std::uint32_t entity, std::uint32_t part) {
+  requireNoStep();
+  if (!isIn(entity, part)) return;
+  Placed placed = placedOf(entity);
+  std::erase_if(placed.further, [&](const InstanceState& instance) {
+    return instance.part == part || instance.parent != InstanceState::kNoParent;
+  });
+  if (placed.state.part == part) promoteFirst(placed);
+  replace(entity, placed);
+}
+
+// Makes the first further instance the home instance and anchors the others to it at their current positions.
+void World::promoteFirst(Placed& placed) {
+  EntityState& state = placed.state;
+  state.inserted = placed.further.empty() ? 0 : 1;
+  if (placed.further.empty()) return;
+  for (InstanceState& instance : placed.further) {
+    instance.anchor = platon::positionOf(state, instance);
+    instance.homeAnchor = placed.further.front().anchor;
+  }
+  const InstanceState nextHome = placed.further.front();
+  state.part = nextHome.part;
+  state.position = nextHome.anchor;
+  state.remainder = Point();
+  state.heading = state.heading + (nextHome.angle - state.angle);
+  state.angle = nextHome.angle;
+  state.id = nextHome.id;
+  state.fresh = nextHome.fresh;
+  placed.further.erase(placed.further.begin());
+}
+
+void World::remove(std::uint32_t entity) {
+  requireNoStep();
+  Placed placed = placedOf(entity);
+  placed.state.inserted = 0;
+  placed.further.clear();
+  replace(entity, placed);
+}
+
+}  // namespace platon
