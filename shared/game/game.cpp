@@ -133,18 +133,25 @@ bool Game::containsGoal(std::uint32_t slot, Point position, Angle angle) {
   return goalSweep_.against({level_->goal, level_->goal}).has_value();
 }
 
-// Visits every field besides level and world by name, in the order in which they are hashed and saved.
+// Visits the fields of the round by name, in the order in which they are hashed and saved.
 template <class Self, class Visitor>
-void Game::visit(Self& self, Visitor&& visitor) {
+void Game::visitRound(Self& self, Visitor&& visitor) {
   visitor("tick", self.tick_);
   visitor("over", self.over_);
+}
+
+// Visits every field besides level and world.
+template <class Self, class Visitor>
+void Game::visit(Self& self, Visitor&& visitor) {
+  visitRound(self, visitor);
   for (auto& player : self.players_) PlayerState::visit(player, visitor);
 }
 
 std::uint64_t Game::hash() const {
   Hash hash;
   hash.add(world_.hash());
-  visit(*this, [&](const char*, const auto& field) { hash.add(field); });
+  visitRound(*this, [&](const char*, const auto& field) { hash.add(field); });
+  for (const PlayerState& player : players_) hash.add(hashOfRecord(player));
   return hash.value();
 }
 

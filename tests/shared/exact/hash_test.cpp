@@ -32,6 +32,46 @@ TEST(HashTest, HashesValuesNotTypes) {
   EXPECT_EQ(narrow.value(), wide.value());
 }
 
+struct Record {
+  std::uint16_t small = 0;
+  std::int32_t number = 0;
+  Point point;
+  Angle angle;
+  std::uint8_t last = 0;
+
+  template <class Self, class Visitor>
+  static void visit(Self& self, Visitor&& visitor) {
+    visitor("small", self.small);
+    visitor("number", self.number);
+    visitor("point", self.point);
+    visitor("angle", self.angle);
+    visitor("last", self.last);
+  }
+};
+
+// The fields in words of at most 64 bits: 16 + 32, 64, 32 + 8.
+TEST(RecordHashTest, JoinsFieldsThatFitAWord) {
+  const Record record{0xfffe, -3, Point(-1, 7), Angle(90), 200};
+  EXPECT_EQ(hashOfRecord(record), hashOf({0xfffffffdfffeU, 0x7ffffffffU, 0xc80000005aU}));
+}
+
+TEST(RecordHashTest, EveryFieldChangesTheHash) {
+  const Record record;
+  std::set<std::uint64_t> seen{hashOfRecord(record)};
+  const auto isNew = [&](auto change) {
+    Record other;
+    change(other);
+    return seen.insert(hashOfRecord(other)).second;
+  };
+  EXPECT_TRUE(isNew([](Record& r) { r.small = 1; }));
+  EXPECT_TRUE(isNew([](Record& r) { r.number = 1; }));
+  EXPECT_TRUE(isNew([](Record& r) { r.number = -1; }));
+  EXPECT_TRUE(isNew([](Record& r) { r.point.x = 1; }));
+  EXPECT_TRUE(isNew([](Record& r) { r.point.y = 1; }));
+  EXPECT_TRUE(isNew([](Record& r) { r.angle = Angle(1); }));
+  EXPECT_TRUE(isNew([](Record& r) { r.last = 1; }));
+}
+
 template <class Value>
 concept Hashed = requires(Hash hash, Value value) {
   hash.add(value);
