@@ -21,11 +21,13 @@ bool inSameHalfPlane(Point a, Point b) {
 // the edges change between the half planes exactly twice.
 bool windsOnce(std::span<const Point> vertices) {
   int changes = 0;
-  const std::size_t count = vertices.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    const Point edge = vertices[(i + 1) % count] - vertices[i];
-    const Point next = vertices[(i + 2) % count] - vertices[(i + 1) % count];
+  Point last = vertices.back();
+  Point edge = last - vertices[vertices.size() - 2];
+  for (const Point vertex : vertices) {
+    const Point next = vertex - last;
     if (!inSameHalfPlane(edge, next)) ++changes;
+    edge = next;
+    last = vertex;
   }
   return changes == 2;
 }
@@ -45,6 +47,32 @@ void appendChain(std::vector<Point>& hull, Iterator first, Iterator last) {
   hull.pop_back();
 }
 
+// Writes the convex hull of the points, counter-clockwise, and sorts them. Fewer than three points if all are
+// collinear.
+void fillHull(std::vector<Point>& points, std::vector<Point>& hull) {
+  std::sort(points.begin(), points.end(), lexicographic);
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  hull.clear();
+  if (points.size() < 3) {
+    hull.assign(points.begin(), points.end());
+    return;
+  }
+  appendChain(hull, points.begin(), points.end());
+  appendChain(hull, points.rbegin(), points.rend());
+}
+
+// Rotates the order of the hull so that it starts with the first of its vertices among `given`. Returns whether there
+// is one.
+bool startAtFirst(std::vector<Point>& hull, std::span<const Point> given) {
+  for (const Point first : given) {
+    const auto found = std::find(hull.begin(), hull.end(), first);
+    if (found == hull.end()) continue;
+    std::rotate(hull.begin(), found, hull.end());
+    return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::optional<std::string> Convex::fault(std::span<const Point> vertices) {
@@ -56,10 +84,11 @@ std::optional<std::string> Convex::fault(std::span<const Point> vertices) {
     }
   }
   for (std::size_t i = 0; i < count; ++i) {
-    const Point here = vertices[(i + 1) % count];
-    const std::int64_t turn = cross(here - vertices[i], vertices[(i + 2) % count] - here);
-    if (turn == 0) return atVertex((i + 1) % count, "is collinear with its neighbours: remove it");
-    if (turn < 0) return atVertex((i + 1) % count, "turns clockwise: a shape must be convex and counter-clockwise");
+    const std::size_t middle = i + 1 < count ? i + 1 : 0;
+    const Point here = vertices[middle];
+    const std::int64_t turn = cross(here - vertices[i], vertices[middle + 1 < count ? middle + 1 : 0] - here);
+    if (turn == 0) return atVertex(middle, "is collinear with its neighbours: remove it");
+    if (turn < 0) return atVertex(middle, "turns clockwise: a shape must be convex and counter-clockwise");
   }
   if (!windsOnce(vertices)) return "the edges wind around more than once";
   return std::nullopt;
@@ -67,12 +96,17 @@ std::optional<std::string> Convex::fault(std::span<const Point> vertices) {
 
 Convex::Convex(std::vector<Point> vertices) : vertices_(std::move(vertices)) {
   if (const auto reason = fault(vertices_)) throw std::invalid_argument(*reason);
+  deriveFromVertices();
+}
+
+void Convex::deriveFromVertices() {
   bounds_ = {vertices_[0], vertices_[0]};
+  edges_.clear();
   std::int64_t sumX = 0;
   std::int64_t sumY = 0;
   for (std::size_t i = 0; i < vertices_.size(); ++i) {
     const Point here = vertices_[i];
-    const Point normal = perpendicular(vertices_[(i + 1) % vertices_.size()] - here);
+    const Point normal = perpendicular(vertices_[i + 1 < vertices_.size() ? i + 1 : 0] - here);
     edges_.push_back({normal, dot(normal, here)});
     bounds_.low = {std::min(bounds_.low.x, here.x), std::min(bounds_.low.y, here.y)};
     bounds_.high = {std::max(bounds_.high.x, here.x), std::max(bounds_.high.y, here.y)};
@@ -85,33 +119,40 @@ Convex::Convex(std::vector<Point> vertices) : vertices_(std::move(vertices)) {
 }
 
 std::optional<Convex> Convex::turned(Angle angle) const {
-  if (angle == Angle()) return *this;
-  std::vector<Point> points;
-  points.reserve(vertices_.size());
-  const Rotation rotation = rotationOf(angle);
-  for (const Point vertex : vertices_) points.push_back(rotate(vertex, rotation));
-  auto hull = convexHull(std::move(points));
+  Convex result = *this;
+  if (angle == Angle() || turnInto(result, angle)) return result;
+  auto hull = convexHull(std::move(result.vertices_));
   if (fault(hull)) return std::nullopt;
-  Convex result(std::move(hull));
-  result.centre_ = rotate(centre_, rotation);  // a mean would jump when the hull loses a vertex
+  result = Convex(std::move(hull));
+  result.centre_ = rotate(centre_, angle);  // a mean would jump when the hull loses a vertex
   return result;
 }
 
+// The rotated vertices are their own hull when they are strictly convex, which is usual.
+bool Convex::turnInto(Convex& result, Angle angle) const {
+  const Rotation rotation = rotationOf(angle);
+  result.vertices_.resize(vertices_.size());
+  std::transform(vertices_.begin(), vertices_.end(), result.vertices_.begin(),
+                 [&](Point vertex) { return rotate(vertex, rotation); });
+  if (fault(result.vertices_)) return false;
+  result.deriveFromVertices();
+  result.centre_ = rotate(centre_, rotation);
+  return true;
+}
+
+void Convex::becomeHull(const Convex& a, const Convex& b, std::vector<Point>& work) {
+  work.assign(a.vertices_.begin(), a.vertices_.end());
+  work.insert(work.end(), b.vertices_.begin(), b.vertices_.end());
+  fillHull(work, vertices_);
+  if (!startAtFirst(vertices_, a.vertices_)) startAtFirst(vertices_, b.vertices_);
+  deriveFromVertices();
+}
+
 std::vector<Point> convexHull(std::vector<Point> points) {
-  if (points.empty()) return points;
   const std::vector<Point> given = points;
-  std::sort(points.begin(), points.end(), lexicographic);
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  if (points.size() < 3) return points;
   std::vector<Point> hull;
-  appendChain(hull, points.begin(), points.end());
-  appendChain(hull, points.rbegin(), points.rend());
-  for (const Point first : given) {
-    const auto found = std::find(hull.begin(), hull.end(), first);
-    if (found == hull.end()) continue;
-    std::rotate(hull.begin(), found, hull.end());
-    break;
-  }
+  fillHull(points, hull);
+  startAtFirst(hull, given);
   return hull;
 }
 
