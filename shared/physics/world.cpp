@@ -8,7 +8,7 @@
 
 #include "platon/physics/entity.h"
 #include "shared/exact/hash.h"
-#include "shared/physics/step_scratch.h"
+#include "shared/physics/step/step_scratch.h"
 #include "shared/physics/world_link.h"
 
 namespace platon {

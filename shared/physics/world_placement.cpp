@@ -5,7 +5,7 @@
 
 #include "platon/physics/entity.h"
 #include "platon/physics/world.h"
-#include "shared/physics/step_scratch.h"
+#include "shared/physics/step/step_scratch.h"
 
 namespace platon {
 namespace {

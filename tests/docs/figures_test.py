@@ -159,7 +159,7 @@ def quoted(page, pattern):
     return compute
 
 
-STEP = "shared/physics/entity_step.h"
+STEP = "shared/physics/step/entity_step.h"
 LIMITS = "protocol/limits.h"
 BUFFER = "client/netcode/interpolation_buffer.h"
 

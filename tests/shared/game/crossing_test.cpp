@@ -13,9 +13,9 @@
 #include "platon/physics/entity.h"
 #include "platon/physics/map_part.h"
 #include "platon/physics/world.h"
-#include "shared/physics/entity_step.h"
+#include "shared/physics/step/entity_step.h"
 #include "tests/shared/game/real_face.h"
-#include "tests/shared/physics/leg_checker.h"
+#include "tests/shared/physics/step/leg_checker.h"
 #include "tests/sim/seeded_random.h"
 
 namespace platon {

@@ -14,7 +14,7 @@
 #include "platon/physics/map_part.h"
 #include "platon/physics/world.h"
 #include "tests/shared/game/real_face.h"
-#include "tests/shared/physics/leg_checker.h"
+#include "tests/shared/physics/step/leg_checker.h"
 
 namespace platon {
 

@@ -7,7 +7,7 @@
 
 #include "platon/physics/sweep.h"
 #include "tests/shared/game/played_game.h"
-#include "tests/shared/physics/leg_checker.h"
+#include "tests/shared/physics/step/leg_checker.h"
 #include "tests/sim/button_presses.h"
 
 namespace platon {

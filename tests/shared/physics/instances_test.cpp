@@ -14,7 +14,7 @@
 #include "platon/physics/entity.h"
 #include "platon/physics/map_part.h"
 #include "platon/physics/world.h"
-#include "tests/shared/physics/leg_checker.h"
+#include "tests/shared/physics/step/leg_checker.h"
 #include "tests/shared/physics/maps.h"
 #include "tests/shared/physics/shapes.h"
 

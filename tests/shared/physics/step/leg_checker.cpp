@@ -1,4 +1,4 @@
-#include "tests/shared/physics/leg_checker.h"
+#include "tests/shared/physics/step/leg_checker.h"
 
 #include <algorithm>
 #include <cmath>

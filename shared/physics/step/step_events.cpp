@@ -1,4 +1,4 @@
-#include "shared/physics/step_events.h"
+#include "shared/physics/step/step_events.h"
 
 namespace platon {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "platon/physics/entity_state.h"
-#include "shared/physics/step_events.h"
+#include "shared/physics/step/step_events.h"
 
 namespace platon {
 

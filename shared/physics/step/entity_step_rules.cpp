@@ -1,6 +1,6 @@
 // The events of a step. The contacts with pierced segments follow from what the entity overlaps: Collider::overlapped
 // is compared with it after every move, rotation and removal of an instance. So they begin and end alternately.
-#include "shared/physics/entity_step.h"
+#include "shared/physics/step/entity_step.h"
 
 #include <algorithm>
 #include <iterator>

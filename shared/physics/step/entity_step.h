@@ -12,7 +12,7 @@
 #include "shared/physics/ideal_geometry.h"
 #include "shared/physics/instances.h"
 #include "shared/physics/shape_cache.h"
-#include "shared/physics/step_events.h"
+#include "shared/physics/step/step_events.h"
 #include "shared/physics/tolerances.h"
 
 namespace platon {

@@ -10,8 +10,8 @@
 #include "platon/physics/sweep.h"
 #include "platon/physics/world.h"
 #include "tests/shared/physics/maps.h"
-#include "tests/shared/physics/paired_rules.h"
 #include "tests/shared/physics/shapes.h"
+#include "tests/shared/physics/step/paired_rules.h"
 #include "tests/shared/physics/torus.h"
 #include "tests/sim/seeded_random.h"
 

@@ -1,4 +1,4 @@
-#include "shared/physics/entity_step.h"
+#include "shared/physics/step/entity_step.h"
 
 #include <gtest/gtest.h>
 
@@ -14,9 +14,9 @@
 #include "platon/physics/entity.h"
 #include "platon/physics/map_part.h"
 #include "platon/physics/world.h"
-#include "tests/shared/physics/leg_checker.h"
 #include "tests/shared/physics/plane_scene.h"
 #include "tests/shared/physics/shapes.h"
+#include "tests/shared/physics/step/leg_checker.h"
 
 namespace platon {
 namespace {

@@ -1,5 +1,5 @@
 // The rotation stage of a step.
-#include "shared/physics/entity_step.h"
+#include "shared/physics/step/entity_step.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-#include "shared/physics/entity_step.h"
+#include "shared/physics/step/entity_step.h"
 
 #include <algorithm>
 #include <utility>

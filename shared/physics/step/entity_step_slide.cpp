@@ -2,7 +2,7 @@
 #include <utility>
 
 #include "platon/exact/integer.h"
-#include "shared/physics/entity_step.h"
+#include "shared/physics/step/entity_step.h"
 
 namespace platon {
 

@@ -9,10 +9,10 @@
 
 #include "platon/physics/entity.h"
 #include "platon/physics/world.h"
-#include "shared/physics/entity_step.h"
-#include "tests/shared/physics/leg_checker.h"
+#include "shared/physics/step/entity_step.h"
 #include "tests/shared/physics/plane_scene.h"
 #include "tests/shared/physics/shapes.h"
+#include "tests/shared/physics/step/leg_checker.h"
 
 namespace platon {
 namespace {

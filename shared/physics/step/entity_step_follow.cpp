@@ -4,7 +4,7 @@
 
 #include "platon/exact/integer.h"
 #include "shared/exact/lattice.h"
-#include "shared/physics/entity_step.h"
+#include "shared/physics/step/entity_step.h"
 #include "shared/physics/turned_normal.h"
 
 namespace platon {

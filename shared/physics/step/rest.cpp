@@ -1,4 +1,4 @@
-#include "shared/physics/rest.h"
+#include "shared/physics/step/rest.h"
 
 #include <algorithm>
 

@@ -3,11 +3,11 @@
 #include <cstddef>
 #include <vector>
 
-#include "shared/physics/entity_step.h"
+#include "shared/physics/step/entity_step.h"
 #include "shared/physics/region.h"
-#include "shared/physics/rest.h"
+#include "shared/physics/step/rest.h"
 #include "shared/physics/shape_cache.h"
-#include "shared/physics/step_events.h"
+#include "shared/physics/step/step_events.h"
 
 namespace platon {
 
