@@ -22,22 +22,29 @@ SegmentRef Collider::refOf(const Placement& placement, std::uint32_t segment) co
   return {part.id, segment, part.isWarp(segment), part.segments[segment], placement.id, angle_ - placement.angle};
 }
 
-void Collider::begin(Rules& rules, Entity entity, Angle angle, std::vector<Region>& regions, Region::Work& work) {
+void Collider::begin(Rules& rules, Entity entity, const Instances& instances, std::vector<Region>& regions,
+                     Region::Work& work) {
   rules_ = &rules;
   ignoresWarps_ = rules.ignoresWarps();
   entity_.emplace(entity);
-  angle_ = angle;
+  angle_ = instances.home().angle;
   regions_ = &regions;
   work_ = &work;
-  regions.resize(Instances::kMax);
+  provideRegion(instances.lastRegion());
   pierced_.clear();
+  knowsNear_ = false;
   overlapped_.clear();
 }
 
 Region& Collider::start(const Placement& placement, const Convex& shape, Point from, Point to) {
   sweep_.start(shape, from, to - from);
+  return coveringRegion(placement, sweep_.bounds());
+}
+
+// The region of the placement, which covers `box` with kRegionMargin. Entries noted before are void if it is refilled.
+Region& Collider::coveringRegion(const Placement& placement, const Box& box) {
   Region& region = regionOf(placement);
-  region.cover(*placement.part, sweep_.bounds().grown(kRegionMargin), *work_);
+  if (region.cover(*placement.part, box.grown(kRegionMargin), *work_)) knowsNear_ = false;
   return region;
 }
 
@@ -80,20 +87,66 @@ void Collider::first(const Instances& instances, std::size_t index, Point from, 
   }
 }
 
-void Collider::firstIdeal(const Instances& instances, std::size_t index, Point from, Point to, PrecisePoint idealFrom,
+void Collider::startLeg(const Instances& instances, Point to) {
+  leg_ = {instances.home().position, to};
+  near_.clear();
+  knowsNear_ = true;
+}
+
+void Collider::firstIdeal(const Instances& instances, std::size_t index, PrecisePoint idealFrom,
                           PrecisePoint displacement, std::optional<LegHit>& best, std::uint32_t ignored) {
   const Placement& placement = instances.all()[index];
-  const Point start = instances.at(index, from);
-  sweep_.start(*placement.shape, start, placement.at(to) - start, Tolerances::kNear);
+  sweep_.start(*placement.shape, placement.position, instances.at(index, leg_.to) - placement.position,
+               Tolerances::kNear);
   Region& region = regionOf(placement);
   region.cover(*placement.part, sweep_.bounds().grown(kRegionMargin), *work_);
   for (std::size_t entry = 0; entry < checkedEntries(region); ++entry) {
+    if (isFinal(best)) {
+      knowsNear_ = false;
+      return;
+    }
     const std::uint32_t segment = region.segments()[entry];
-    if (segment == ignored || !clip(placement, region, entry)) continue;
+    if (!region.mayOverlap(sweep_, entry, *placement.shape)) continue;
+    near_.push_back({index, entry});
+    if (segment == ignored) continue;
     const auto interval = region.clipIdeal(sweep_, entry, idealFrom, displacement);
     if (!interval || (best && interval->enter >= best->hit.time) || !blocks(placement, segment)) continue;
-    best = LegHit{index, segment, region.hitOf(entry, *interval), region.halfPlaneOf(entry, interval->entered)};
+    best = LegHit{index, segment, region.hitOf(entry, *interval), region.edgeOf(entry, interval->entered)};
   }
+}
+
+bool Collider::isFreeInLeg(const Instances& instances, Point to) {
+  if (!knowsNear_ || !isNearLeg(to)) return isFree(instances, leg_.from, to);
+  for (std::size_t i = 0; i < near_.size(); ++i) {
+    const Placement& placement = instances.all()[near_[i].placement];
+    if (i == 0 || near_[i].placement != near_[i - 1].placement)
+      sweep_.start(*placement.shape, placement.position, instances.at(near_[i].placement, to) - placement.position);
+    Region& region = regionOf(placement);
+    if (clip(placement, region, near_[i].entry) && blocksOrRecord(placement, region.segments()[near_[i].entry]))
+      return false;
+  }
+  return true;
+}
+
+// Whether a straight move from the start of the leg to `place` stays so near to its path that no instance reaches other
+// segments than those in near_. Bounds: coordinates < 2^29, so that products are < 2^62.
+bool Collider::isNearLeg(Point place) const {
+  // Rotated by 45° and rounded at both ends.
+  static_assert(3 * Tolerances::kBeside + 2 * 2 < 2 * Tolerances::kNear);
+  if (place == leg_.to) return true;
+  const Point moved = place - leg_.from;
+  if (maxNorm(moved) <= Tolerances::kBeside || maxNorm(place - leg_.to) <= Tolerances::kBeside) return true;
+  const Point path = leg_.to - leg_.from;
+  const std::int64_t along = dot(path, moved);
+  const std::int64_t beside = std::abs(cross(path, moved));  // at least the distance times maxNorm(path)
+  return along >= 0 && along <= squaredLength(path) && beside <= std::int64_t{Tolerances::kBeside} * maxNorm(path);
+}
+
+bool Collider::isNearWarps(const Instances& instances) const {
+  return std::any_of(instances.all().begin(), instances.all().end(), [&](const Placement& placement) {
+    const Region& region = (*regions_)[placement.region];
+    return region.firstWarp() != region.segments().size();
+  });
 }
 
 std::optional<LegHit> Collider::firstWarp(const Instances& instances, const Path& path,
@@ -146,6 +199,10 @@ bool Collider::isFree(const Placement& placement, Point from, Point to) {
   return true;
 }
 
+bool Collider::mayOverlap(const Placement& placement, const Box& box) {
+  return coveringRegion(placement, box).mayOverlap(box);
+}
+
 std::optional<std::uint32_t> Collider::overlapped(const Placement& placement, const Convex& shape) {
   for (const std::uint32_t segment : start(placement, shape, placement.position, placement.position).segments()) {
     if (sweep_.against(placement.part->segments[segment]) && blocks(placement, segment)) return segment;
@@ -162,8 +219,7 @@ void Collider::recordOverlapped(const Placement& placement) {
 
 bool Collider::hasSegmentNear(const Placement& placement, Point point, std::int32_t distance, std::uint32_t ignored) {
   const Box box = Box{point, point}.grown(distance);
-  Region& region = regionOf(placement);
-  region.cover(*placement.part, box, *work_);
+  const Region& region = coveringRegion(placement, box);
   return std::any_of(region.segments().begin(), region.segments().end(), [&](std::uint32_t segment) {
     return segment != ignored && touches(placement.part->segments[segment], box) && blocks(placement, segment);
   });
@@ -189,9 +245,7 @@ std::optional<std::size_t> Collider::startNear(const Placement& placement, const
   if (sweep_.misses(boundsOf(placement.part->segments[segment]))) return std::nullopt;
   Region& region = regionOf(placement);
   const auto entry = region.belongsTo(*placement.part) ? region.entryOf(segment) : std::nullopt;
-  if (entry) return entry;
-  region.cover(*placement.part, sweep_.bounds().grown(kRegionMargin), *work_);
-  return region.entryOf(segment);
+  return entry ? entry : coveringRegion(placement, sweep_.bounds()).entryOf(segment);
 }
 
 }  // namespace platon

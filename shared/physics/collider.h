@@ -14,10 +14,10 @@ namespace platon {
 
 /// The segment that stops a leg, or a warp segment that a leg reaches.
 struct LegHit {
-  std::size_t placement = 0;   ///< index of the placement that hits the segment
-  std::uint32_t segment = 0;   ///< index into the segments of the placement's part
-  Hit hit;                     ///< times are fractions of the leg
-  Obstacle::HalfPlane edge{};  ///< the edge of the obstacle that the ideal path enters; its normal is hit.normal
+  std::size_t placement = 0;  ///< index of the placement that hits the segment
+  std::uint32_t segment = 0;  ///< index into the segments of the placement's part
+  Hit hit;                    ///< times are fractions of the leg
+  ObstacleEdge edge{};        ///< the edge of the obstacle that the ideal path enters; its normal is hit.normal
 };
 
 /// Exact collision queries for all instances of one entity. The rules decide which segments block.
@@ -42,9 +42,12 @@ class Collider {
     std::int32_t margin = 0;
   };
 
-  /// Starts a step. The shape is rotated by `angle` in the frame of the home part. `regions` belong to the entity and
-  /// are indexed by Placement::region.
-  void begin(Rules& rules, Entity entity, Angle angle, std::vector<Region>& regions, Region::Work& work);
+  /// Starts a step of an entity with these instances. `regions` belong to it and are indexed by Placement::region.
+  void begin(Rules& rules, Entity entity, const Instances& instances, std::vector<Region>& regions, Region::Work& work);
+  /// Ensures that there are regions 0 to `last`.
+  void provideRegion(std::size_t last) {
+    if (last >= regions_->size()) regions_->resize(last + 1);
+  }
   /// The shape has been rotated by `angle`.
   void turnShape(Angle angle) { angle_ = angle_ + angle; }
   /// Whether the rules promise that only warps can be passed.
@@ -55,10 +58,17 @@ class Collider {
   std::optional<LegHit> first(const Instances& instances, Point from, Point to);
   /// As above for placement `index` only. Replaces `best` by an earlier hit.
   void first(const Instances& instances, std::size_t index, Point from, Point to, std::optional<LegHit>& best);
+  /// Starts the calls of `firstIdeal` for a leg whose lattice path leads the home instance from its position to `to`.
+  void startLeg(const Instances& instances, Point to);
   /// Where the ideal path of placement `index` first enters the obstacle of a blocking segment. The lattice path of the
-  /// home instance from `from` to `to` must be near it. Replaces `best` by an earlier hit. Skips segment `ignored`.
-  void firstIdeal(const Instances& instances, std::size_t index, Point from, Point to, PrecisePoint idealFrom,
-                  PrecisePoint displacement, std::optional<LegHit>& best, std::uint32_t ignored = kNoSegment);
+  /// leg must be near it. Replaces `best` by an earlier hit. Does not compare the path with segment `ignored`.
+  void firstIdeal(const Instances& instances, std::size_t index, PrecisePoint idealFrom, PrecisePoint displacement,
+                  std::optional<LegHit>& best, std::uint32_t ignored = kNoSegment);
+  /// Whether no instance hits a blocking segment when the home instance moves straight from its position to `to`. Fast
+  /// near the lattice path of the leg, after a call of `firstIdeal` for all instances.
+  bool isFreeInLeg(const Instances& instances, Point to);
+  /// Whether the regions, which `first` or `firstIdeal` has filled, contain warp segments.
+  bool isNearWarps(const Instances& instances) const;
   /// The earliest hit, before `limit`, of any instance on a pierceable warp segment that has no instance behind it and
   /// is not in `refused`. Must follow a call of `first` for the same path, whose regions it searches. Requires
   /// path.margin <= kRegionMargin.
@@ -72,6 +82,8 @@ class Collider {
   bool isFree(const Instances& instances, Point from, Point to);
   /// As above for one placement, in the frame of its part. With from == to, tests a position.
   bool isFree(const Placement& placement, Point from, Point to);
+  /// Whether a segment may be in a box in the frame of the placement's part. Never false when one is.
+  bool mayOverlap(const Placement& placement, const Box& box);
   /// The blocking segment of lowest index that overlaps `shape` at the position of the placement.
   std::optional<std::uint32_t> overlapped(const Placement& placement, const Convex& shape);
   /// Records the segments, in order of their indices, that the placement overlaps at its position.
@@ -100,7 +112,15 @@ class Collider {
   }
 
  private:
+  // An entry of the region of a placement.
+  struct Near {
+    std::size_t placement;
+    std::size_t entry;
+  };
+
   Region& start(const Placement& placement, const Convex& shape, Point from, Point to);
+  Region& coveringRegion(const Placement& placement, const Box& box);
+  bool isNearLeg(Point place) const;
   Region& regionOf(const Placement& placement) { return (*regions_)[placement.region]; }
   // Whether no later test can find an earlier hit or must record a pierceable segment.
   bool isFinal(const std::optional<LegHit>& best) const {
@@ -125,6 +145,9 @@ class Collider {
   std::vector<SegmentRef> pierced_;
   std::vector<SegmentRef> overlapped_;
   Sweep sweep_;
+  Path leg_{};              // lattice path of the home instance
+  bool knowsNear_ = false;  // whether near_ is complete
+  std::vector<Near> near_;  // the segments that are near the path of the leg, along which any instance moves
 };
 
 }  // namespace platon

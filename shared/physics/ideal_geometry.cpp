@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstdlib>
+#include <utility>
+#include <vector>
 
 #include "shared/physics/tolerances.h"
 
@@ -22,6 +23,26 @@ PrecisePoint multipleOf(Point tangent, int128 along) {
   const int128 length = squaredLength(tangent);
   return {static_cast<std::int64_t>(divideRounded(along * tangent.x, length)),
           static_cast<std::int64_t>(divideRounded(along * tangent.y, length))};
+}
+
+// The range, along perpendicular(normal), of the vertices with the smallest dot(normal, vertex): one or two neighbours.
+std::pair<std::int64_t, std::int64_t> deepestAlong(const Convex& shape, Point normal) {
+  const std::vector<Point>& vertices = shape.vertices();
+  std::size_t deepest = 0;
+  std::int64_t depth = dot(normal, vertices[0]);
+  for (std::size_t i = 1; i < vertices.size(); ++i) {
+    const std::int64_t here = dot(normal, vertices[i]);
+    deepest = here < depth ? i : deepest;
+    depth = std::min(here, depth);
+  }
+  const Point next = vertices[deepest + 1 == vertices.size() ? 0 : deepest + 1];
+  const Point previous = vertices[deepest == 0 ? vertices.size() - 1 : deepest - 1];
+  const Point tangent = perpendicular(normal);
+  const std::int64_t along = dot(tangent, vertices[deepest]);
+  // Counter-clockwise, the lower side of a shape is passed against the tangent of a normal that points up.
+  const std::int64_t first = dot(normal, next) == depth ? dot(tangent, next) : along;
+  const std::int64_t last = dot(normal, previous) == depth ? dot(tangent, previous) : along;
+  return {std::min(first, last), std::max(first, last)};
 }
 
 std::size_t sideCount(const Segment& segment) { return segment.a == segment.b ? 0 : 2; }
@@ -133,17 +154,10 @@ class IdealClip {
   bool isLeaving_ = false;
 };
 
-// Clips against the half planes that `visitCrossed` visits. Those that it leaves out contain the whole path.
-template <class VisitCrossed, class VisitAll>
-std::optional<Sweep::ClipInterval> clip(IdealClip clip, VisitCrossed&& visitCrossed, VisitAll&& visitAll) {
-  bool misses = false;
-  visitCrossed([&](std::size_t index, const Obstacle::HalfPlane& half) {
-    misses = !clip.intersect(index, half);
-    return !misses;
-  });
-  if (misses) return std::nullopt;
+// The result of a clip with all half planes that the path crosses.
+std::optional<Sweep::ClipInterval> resultOf(IdealClip& clip, const Convex& shape, const Segment& segment) {
   if (clip.startsInside()) {
-    visitAll([&](std::size_t index, const Obstacle::HalfPlane& half) {
+    visitHalfPlanes(shape, segment, [&](std::size_t index, const Obstacle::HalfPlane& half) {
       clip.findNearest(index, half);
       return true;
     });
@@ -160,9 +174,7 @@ Fraction fractionOf(int128 numerator, int128 denominator) {
           std::max<std::int64_t>(1, static_cast<std::int64_t>(denominator >> shift))};
 }
 
-PrecisePoint scaled(PrecisePoint vector, Fraction share) {
-  if (share.numerator == 0) return {};
-  if (share.numerator == share.denominator) return vector;
+PrecisePoint scaledInside(PrecisePoint vector, Fraction share) {
   const auto scale = [&](std::int64_t value) {
     return static_cast<std::int64_t>(divideRounded(int128{value} * share.numerator, int128{share.denominator}));
   };
@@ -172,8 +184,6 @@ PrecisePoint scaled(PrecisePoint vector, Fraction share) {
 int128 distanceTo(const Obstacle::HalfPlane& half, PrecisePoint point) {
   return dotPrecise(half.normal, point) + int128{half.offset} * PrecisePoint::kOne;
 }
-
-std::int64_t maxNorm(PrecisePoint vector) { return std::max(std::abs(vector.x), std::abs(vector.y)); }
 
 Obstacle::HalfPlane halfPlaneOf(const Convex& shape, const Segment& segment, std::size_t wanted) {
   Obstacle::HalfPlane found;
@@ -186,19 +196,24 @@ Obstacle::HalfPlane halfPlaneOf(const Convex& shape, const Segment& segment, std
 
 std::optional<Sweep::ClipInterval> clipIdeal(const Convex& shape, const Segment& segment, PrecisePoint from,
                                              PrecisePoint displacement) {
-  const auto visitAll = [&](auto&& visit) { visitHalfPlanes(shape, segment, visit); };
-  return clip(IdealClip(sideCount(segment), from, displacement), visitAll, visitAll);
+  IdealClip clip(sideCount(segment), from, displacement);
+  bool misses = false;
+  visitHalfPlanes(shape, segment, [&](std::size_t index, const Obstacle::HalfPlane& half) {
+    misses = !clip.intersect(index, half);
+    return !misses;
+  });
+  return misses ? std::nullopt : resultOf(clip, shape, segment);
 }
 
 std::optional<Sweep::ClipInterval> clipIdeal(Obstacle& obstacle, const Box& positions, PrecisePoint from,
                                              PrecisePoint displacement) {
-  const auto visitCrossed = [&](auto&& visit) {
-    for (const std::uint32_t index : obstacle.relevantHalfPlanes(positions)) {
-      if (!visit(index, obstacle.halfPlanes()[index])) return;
-    }
-  };
-  const auto visitAll = [&](auto&& visit) { visitHalfPlanes(obstacle.shape(), obstacle.segment(), visit); };
-  return clip(IdealClip(obstacle.sideCount(), from, displacement), visitCrossed, visitAll);
+  IdealClip clip(obstacle.sideCount(), from, displacement);
+  for (const std::uint32_t index : obstacle.relevantHalfPlanes(positions)) {
+    if (clip.intersect(index, obstacle.halfPlanes()[index])) continue;
+    obstacle.setSeparatingHint(index);
+    return std::nullopt;
+  }
+  return resultOf(clip, obstacle.shape(), obstacle.segment());
 }
 
 ObstacleEdge edgeOf(const Convex& shape, const Segment& segment, const Obstacle::HalfPlane& half) {
@@ -211,17 +226,7 @@ ObstacleEdge edgeOf(const Convex& shape, const Segment& segment, const Obstacle:
   const std::int64_t alongB = dot(tangent, segment.b);
   edge.low = a == b ? std::min(alongA, alongB) : a > b ? alongA : alongB;
   edge.high = a == b ? std::max(alongA, alongB) : edge.low;
-  std::int64_t deepest = INT64_MAX;
-  std::int64_t first = 0;
-  std::int64_t last = 0;
-  for (const Point vertex : shape.vertices()) {
-    const std::int64_t depth = dot(normal, vertex);
-    if (depth > deepest) continue;
-    const std::int64_t along = dot(tangent, vertex);
-    first = depth < deepest ? along : std::min(first, along);
-    last = depth < deepest ? along : std::max(last, along);
-    deepest = depth;
-  }
+  const auto [first, last] = deepestAlong(shape, normal);
   edge.low -= last;
   edge.high -= first;
   return edge;
@@ -246,21 +251,22 @@ PrecisePoint alongEdge(Point normal, PrecisePoint displacement) {
   return multipleOf(tangent, dotPrecise(tangent, displacement));
 }
 
-IdealSlide slideOn(const ObstacleEdge& edge, PrecisePoint from, PrecisePoint remaining) {
+SlideRoom roomOn(const ObstacleEdge& edge, PrecisePoint from, PrecisePoint remaining) {
   const Point tangent = perpendicular(edge.half.normal);
   const int128 along = dotPrecise(tangent, remaining);
-  IdealSlide slide;
-  slide.uncut = slide.displacement = multipleOf(tangent, along);
-  slide.back = along < 0;
   const int128 here = dotPrecise(tangent, from);
-  const int128 left =
-      slide.back ? here - int128{edge.low} * PrecisePoint::kOne : int128{edge.high} * PrecisePoint::kOne - here;
-  const int128 wanted = slide.back ? -along : along;
-  if (wanted <= left) return slide;
-  slide.cut = true;
-  const int128 kept = std::max<int128>(left, 0);
-  slide.share = fractionOf(kept, wanted);
-  slide.displacement = multipleOf(tangent, slide.back ? -kept : kept);
+  if (along < 0) return {-along, here - int128{edge.low} * PrecisePoint::kOne, true};
+  return {along, int128{edge.high} * PrecisePoint::kOne - here, false};
+}
+
+IdealSlide slideOn(const ObstacleEdge& edge, PrecisePoint from, PrecisePoint remaining) {
+  const SlideRoom room = roomOn(edge, from, remaining);
+  const int128 used = room.isEnough() ? room.wanted : std::max<int128>(room.left, 0);
+  IdealSlide slide;
+  slide.back = room.back;
+  slide.cut = !room.isEnough();
+  if (slide.cut) slide.share = fractionOf(used, room.wanted);
+  slide.displacement = multipleOf(perpendicular(edge.half.normal), room.back ? -used : used);
   return slide;
 }
 

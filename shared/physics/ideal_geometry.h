@@ -19,14 +19,16 @@ namespace platon {
 /// `numerator / denominator` as a fraction, to 60 significant bits; at least 0. Requires denominator > 0.
 Fraction fractionOf(int128 numerator, int128 denominator);
 
-/// `vector * share`, rounded. Requires 0 <= share <= 1 and |vector| < 2^60.
-PrecisePoint scaled(PrecisePoint vector, Fraction share);
+/// `vector * share`, rounded. Requires 0 < share < 1 and |vector| < 2^60.
+PrecisePoint scaledInside(PrecisePoint vector, Fraction share);
+/// The same. Requires 0 <= share <= 1. Fast at both ends of that range, which are usual.
+inline PrecisePoint scaled(PrecisePoint vector, Fraction share) {
+  if (share.numerator == share.denominator) return vector;
+  return share.numerator == 0 ? PrecisePoint() : scaledInside(vector, share);
+}
 
 /// Signed distance of `point` from a half plane, times the length of its normal, in 2^-26 subunits. Negative inside.
 int128 distanceTo(const Obstacle::HalfPlane& half, PrecisePoint point);
-
-/// The larger of |x| and |y|.
-std::int64_t maxNorm(PrecisePoint vector);
 
 /// The half planes of the obstacle of `segment` for `shape`, as Obstacle numbers them.
 Obstacle::HalfPlane halfPlaneOf(const Convex& shape, const Segment& segment, std::size_t index);
@@ -52,10 +54,19 @@ std::size_t adjacent(const Convex& shape, const Segment& segment, Point normal, 
 /// The component of `displacement` along an edge with this normal.
 PrecisePoint alongEdge(Point normal, PrecisePoint displacement);
 
+/// How far a slide along an edge wants to go and may go, times the length of the normal, in 2^-26 subunits.
+struct SlideRoom {
+  int128 wanted = 0;  ///< at least 0
+  int128 left = 0;    ///< to the end of the edge; negative beyond it
+  bool back = false;  ///< it goes against perpendicular(normal)
+
+  bool isEnough() const { return wanted <= left; }
+};
+SlideRoom roomOn(const ObstacleEdge& edge, PrecisePoint from, PrecisePoint remaining);
+
 /// A slide along an edge.
 struct IdealSlide {
-  PrecisePoint uncut;         ///< the component of the displacement along the edge
-  PrecisePoint displacement;  ///< the same up to the end of the edge
+  PrecisePoint displacement;  ///< the component of the remaining displacement along the edge, up to the edge's end
   Fraction share{1, 1};       ///< of the displacement that the slide uses
   bool back = false;          ///< it goes against perpendicular(normal)
   bool cut = false;           ///< it ends with the edge

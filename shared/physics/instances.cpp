@@ -44,9 +44,9 @@ void Instances::load(const Geometry& geometry, ShapeCache& shapes, const Convex&
 // several warps share a segment, loading may choose another reverse warp than the rehome did.
 bool Instances::matches(const EntityState& state, std::span<const InstanceState> further) const {
   if (hasRehomed_ || placements_.size() != further.size() + 1 || shapeIndex_ != state.shape) return false;
-  EntityState stored = state;
-  storeHome(stored);
-  if (stored != state) return false;
+  if (home().part->id != state.part || home().position != state.position || home().angle != state.angle ||
+      home().id != state.id || home().fresh != (state.fresh != 0))
+    return false;
   for (std::size_t i = 0; i < further.size(); ++i) {
     if (stateOf(placements_[i + 1]) != further[i]) return false;
   }
@@ -168,6 +168,7 @@ bool Instances::insert(std::size_t parentIndex, std::uint16_t warpIndex, Collide
   child.reverseWarp = *reverseWarp;
   child.fresh = true;
   child.region = unusedRegion();
+  collider.provideRegion(child.region);
   std::uint16_t nextId = nextId_;
   child.id = allocateId(nextId, [&](std::uint16_t id) {
     return std::any_of(placements_.begin(), placements_.end(), [&](const Placement& other) { return other.id == id; });
@@ -194,6 +195,14 @@ void Instances::rotateShapes(std::int32_t centidegrees) {
   }
 }
 
+std::optional<Box> Instances::rotationBounds(std::size_t index, std::int32_t centidegrees) {
+  const Convex* after = rotatedShape(index, centidegrees);
+  if (after == nullptr) return std::nullopt;
+  const Placement& placement = placements_[index];
+  const Box both = placement.shape->bounds().joined(after->bounds());
+  return Box{placement.position + both.low, placement.position + both.high};
+}
+
 const Convex* Instances::rotationHull(std::size_t index, std::int32_t centidegrees) {
   return shapes_->rotationHull(shapeIndex_, *base_, placements_[index].angle, centidegrees);
 }
@@ -203,7 +212,7 @@ const Convex* Instances::rotatedShape(std::size_t index, std::int32_t centidegre
 }
 
 std::optional<Angle> Instances::rehome(PrecisePoint& remainder) {
-  const std::size_t next = nextHome();
+  const std::size_t next = isAlone() ? Placement::kNone : nextHome();
   if (next == Placement::kNone) return std::nullopt;
   const Angle before = home().angle;
   const Warp& warp = home().part->warps[placements_[next].warp];
@@ -226,7 +235,7 @@ std::optional<Angle> Instances::rehome(PrecisePoint& remainder) {
 // branch to the part that contains the centre. Near a corner the centre can be beyond two warp segments although it has
 // crossed only one. kNone when the home part contains the centre, or when by rounding no part does.
 std::size_t Instances::nextHome() const {
-  if (placements_.size() == 1 || containsCentre(0)) return Placement::kNone;
+  if (containsCentre(0)) return Placement::kNone;
   for (std::size_t i = 1; i < placements_.size(); ++i) {
     const std::size_t child = childOfHome(i);
     if (child != Placement::kNone && isBeyondWarp(child) && containsCentre(i)) return child;
@@ -310,8 +319,8 @@ bool Instances::isWithinError(std::size_t index) const {
          squaredError(exactPosition(index), placements_[index].position) <= kMaxSquaredError;
 }
 
-bool Instances::dropUnreached(std::int32_t margin, Collider& collider) {
-  if (placements_.size() == 1) return false;
+// The work of dropUnreached where there are further instances.
+bool Instances::dropOthers(std::int32_t margin, Collider& collider) {
   kept_.clear();
   for (std::size_t i = 0; i < placements_.size(); ++i) kept_.push_back(isReached(i, margin, collider));
   if (std::find(kept_.begin(), kept_.end(), 0) == kept_.end()) return false;
@@ -362,8 +371,7 @@ PrecisePoint Instances::exactPosition(std::size_t index) const {
   return placements_[placement.parent].part->warps[placement.warp].map(exactPosition(placement.parent));
 }
 
-PrecisePoint Instances::idealOf(std::size_t index, PrecisePoint home) const {
-  if (index == 0) return home;
+PrecisePoint Instances::idealOfFurther(std::size_t index, PrecisePoint home) const {
   const Placement& placement = placements_[index];
   if (placement.parent != Placement::kNone)
     return placements_[placement.parent].part->warps[placement.warp].map(idealOf(placement.parent, home));
@@ -385,12 +393,10 @@ std::optional<Point> Instances::nearestFree(const Placement& placement, const Po
 }
 
 std::size_t Instances::unusedRegion() const {
-  for (std::size_t region = 0;; ++region) {
-    if (std::none_of(placements_.begin(), placements_.end(),
-                     [&](const Placement& placement) { return placement.region == region; })) {
-      return region;
-    }
-  }
+  std::size_t region = 0;
+  const auto usesIt = [&](const Placement& placement) { return placement.region == region; };
+  while (std::any_of(placements_.begin(), placements_.end(), usesIt)) ++region;
+  return region;
 }
 
 }  // namespace platon

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -38,6 +39,11 @@ class Instances {
   /// must outlive the use of the instances.
   void load(const Geometry& geometry, ShapeCache& shapes, const Convex& base, const EntityState& state,
             std::span<const InstanceState> further);
+  /// Discards the instances: the next `load` reads them again. Must be called before cached shapes are cleared.
+  void forget() {
+    geometry_ = nullptr;
+    placements_.clear();
+  }
   /// Writes the state of the home instance.
   void storeHome(EntityState& state) const;
   /// Writes the state of all instances; appends the further instances to `further`.
@@ -47,9 +53,19 @@ class Instances {
   const std::vector<Placement>& all() const { return placements_; }
   Placement& home() { return placements_.front(); }
   const Placement& home() const { return placements_.front(); }
+  /// The largest Placement::region.
+  std::size_t lastRegion() const {
+    return isAlone() ? home().region
+                     : std::max_element(placements_.begin(), placements_.end(), [](const auto& a, const auto& b) {
+                         return a.region < b.region;
+                       })->region;
+  }
+  /// Whether the home instance is the only one, which is usual.
+  bool isAlone() const { return &placements_.front() == &placements_.back(); }
   void appendViews(std::vector<InstanceView>& out) const;
   /// Position of placement `index` when the home instance is at `home`. Fast for the current home position.
   Point at(std::size_t index, Point home) const {
+    if (index == 0) return home;
     return home == this->home().position ? placements_[index].position : placements_[index].at(home);
   }
 
@@ -62,7 +78,9 @@ class Instances {
   bool insert(std::size_t parent, std::uint16_t warp, Collider& collider);
 
   /// The ideal place of placement `index` when that of the home instance is `home`: taken through the warps.
-  PrecisePoint idealOf(std::size_t index, PrecisePoint home) const;
+  PrecisePoint idealOf(std::size_t index, PrecisePoint home) const {
+    return index == 0 ? home : idealOfFurther(index, home);
+  }
 
   /// Moves the home instance to `position` and all others with it.
   void moveHomeTo(Point position);
@@ -70,11 +88,13 @@ class Instances {
   void rotateShapes(std::int32_t centidegrees);
   /// The shape of placement `index` rotated by further `centidegrees`. Null when it is degenerate.
   const Convex* rotatedShape(std::size_t index, std::int32_t centidegrees);
+  /// The bounding box of rotationHull at the position of the placement. Nothing when rotatedShape is degenerate.
+  std::optional<Box> rotationBounds(std::size_t index, std::int32_t centidegrees);
   /// The convex hull of the current shape of placement `index` and of rotatedShape. Null when it is degenerate.
   const Convex* rotationHull(std::size_t index, std::int32_t centidegrees);
 
   /// Whether the centre of the shape has crossed into the part of another instance, which then has to become home.
-  bool needsRehome() const { return nextHome() != Placement::kNone; }
+  bool needsRehome() const { return !isAlone() && nextHome() != Placement::kNone; }
   /// Corrects drift: moves every further instance whose rounding error has grown to the free lattice point nearest to
   /// its exact position. Returns whether any moved.
   bool correctDrift(Collider& collider);
@@ -85,7 +105,7 @@ class Instances {
   std::optional<Angle> rehome(PrecisePoint& remainder);
   /// Removes the instances whose parent, with `margin`, no longer reaches the warp segment. Returns whether any was
   /// removed.
-  bool dropUnreached(std::int32_t margin, Collider& collider);
+  bool dropUnreached(std::int32_t margin, Collider& collider) { return !isAlone() && dropOthers(margin, collider); }
 
  private:
   bool matches(const EntityState& state, std::span<const InstanceState> further) const;
@@ -99,11 +119,13 @@ class Instances {
   bool isBeyondWarp(std::size_t index) const;
   bool containsCentre(std::size_t index) const;
   void makeHome(std::size_t nextHome);
+  bool dropOthers(std::int32_t margin, Collider& collider);
   void anchorAll();
   bool isWithinError(std::size_t index) const;
   bool isReached(std::size_t index, std::int32_t margin, Collider& collider) const;
   bool isConnected(std::size_t index) const;
   PrecisePoint exactPosition(std::size_t index) const;
+  PrecisePoint idealOfFurther(std::size_t index, PrecisePoint home) const;
   static std::int64_t squaredError(PrecisePoint ideal, Point point);
   static std::optional<Point> nearestFree(const Placement& placement, const Point* from, PrecisePoint ideal,
                                           std::int64_t closerThan, Collider& collider);

@@ -5,8 +5,6 @@
 #include <string>
 #include <utility>
 
-#include "platon/exact/integer.h"
-
 namespace platon {
 namespace {
 
@@ -17,23 +15,12 @@ auto lowerBound(const Geometry& geometry, std::uint32_t id) {
 
 Segment reversed(const Segment& segment) { return {segment.b, segment.a}; }
 
-// Rotates `point` about `centre` and moves `centre` to `image`. Differences are below 2^57 and products below 2^88.
-PrecisePoint rotatedAbout(PrecisePoint point, PrecisePoint centre, PrecisePoint image, Rotation rotation) {
-  constexpr int128 one = int128{1} << Rotation::kFractionBits;
-  const int128 x = point.x - centre.x;
-  const int128 y = point.y - centre.y;
-  return {image.x + static_cast<std::int64_t>(divideRounded(x * rotation.cosine - y * rotation.sine, one)),
-          image.y + static_cast<std::int64_t>(divideRounded(x * rotation.sine + y * rotation.cosine, one))};
-}
-
 }  // namespace
 
-PrecisePoint Warp::map(PrecisePoint point) const {
-  return rotatedAbout(point, fromMiddle, ontoMiddle, rotationOf(turn));
-}
+PrecisePoint Warp::map(PrecisePoint point) const { return ontoMiddle + rotated(point - fromMiddle, rotation); }
 
 PrecisePoint Warp::mapBack(PrecisePoint point) const {
-  return rotatedAbout(point, ontoMiddle, fromMiddle, rotationOf(-turn));
+  return fromMiddle + rotated(point - ontoMiddle, rotationOf(-turn));
 }
 
 const MapGeometry* Geometry::find(std::uint32_t id) const {

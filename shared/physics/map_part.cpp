@@ -113,7 +113,8 @@ void MapPart::initialize() {
   part.segments.shrink_to_fit();
   part.warps = std::move(warps_);
   part.grid = Grid(part.segments);
-  for (Rest& rest : world.scratch_->rests) rest.forget();  // warps to this part can be passed from now on
+  for (EntityCache& cache : world.scratch_->caches)
+    cache.rest.forget();  // warps to this part can be passed from now on
   world.geometry_ = withPart(*world.geometry_, std::move(part));
 }
 

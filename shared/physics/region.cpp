@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "platon/exact/integer.h"
-#include "shared/physics/ideal_geometry.h"
 #include "shared/physics/tolerances.h"
 
 namespace platon {
@@ -68,6 +67,11 @@ void Region::refill(const MapGeometry& part, const Box& box, Work& work) {
   keepDerived(work);
 }
 
+void Region::forgetShape() {
+  shape_ = nullptr;
+  for (Obstacle& obstacle : obstacles_) obstacle.reset();
+}
+
 // Keeps what is known of segments that are still in the region. The obstacles of the others become unused, and, when
 // there are no more, those from which the shape is separated.
 void Region::keepDerived(Work& work) {
@@ -102,20 +106,29 @@ std::optional<Sweep::ClipInterval> Region::clipClosely(const Sweep& sweep, std::
   }
   Obstacle& obstacle = this->obstacle(entry, shape);
   const auto interval = sweep.clip(obstacle);
-  if (!interval && sweep.isExcluded(obstacle.separatingHalfPlane()))
-    separating_[entry] = obstacle.separatingHalfPlane();
+  if (!interval) keepSeparation(sweep, entry, obstacle);
   return interval;
+}
+
+void Region::keepSeparation(const Sweep& sweep, std::size_t entry, const Obstacle& obstacle) {
+  if (sweep.isExcluded(obstacle.separatingHalfPlane())) separating_[entry] = obstacle.separatingHalfPlane();
 }
 
 std::optional<Sweep::ClipInterval> Region::clipIdeal(const Sweep& sweep, std::size_t entry, PrecisePoint from,
                                                      PrecisePoint displacement) {
-  if (!hasObstacle(entry)) return platon::clipIdeal(*shape_, part_->segments[segments_[entry]], from, displacement);
-  return platon::clipIdeal(obstacles_[obstacleOf_[entry]], sweep.path().grown(Tolerances::kAside), from, displacement);
+  if (obstacleOf_[entry] == kNoObstacle)
+    return platon::clipIdeal(*shape_, part_->segments[segments_[entry]], from, displacement);
+  Obstacle& obstacle = this->obstacle(entry, *shape_);
+  const auto interval = platon::clipIdeal(obstacle, sweep.path().grown(Tolerances::kNear), from, displacement);
+  if (!interval) keepSeparation(sweep, entry, obstacle);
+  return interval;
 }
 
-Obstacle::HalfPlane Region::halfPlaneOf(std::size_t entry, std::size_t index) const {
-  if (hasObstacle(entry)) return obstacles_[obstacleOf_[entry]].halfPlanes()[index];
-  return platon::halfPlaneOf(*shape_, part_->segments[segments_[entry]], index);
+ObstacleEdge Region::edgeOf(std::size_t entry, std::size_t index) const {
+  const Segment& segment = part_->segments[segments_[entry]];
+  const Obstacle::HalfPlane half =
+      hasObstacle(entry) ? obstacles_[obstacleOf_[entry]].halfPlanes()[index] : halfPlaneOf(*shape_, segment, index);
+  return platon::edgeOf(*shape_, segment, half);
 }
 
 void Region::allocateObstacle(std::size_t entry) {

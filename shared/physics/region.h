@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "platon/physics/obstacle.h"
 #include "platon/physics/segment.h"
 #include "platon/physics/sweep.h"
+#include "shared/physics/ideal_geometry.h"
 
 namespace platon {
 
@@ -35,11 +37,17 @@ class Region {
 
   /// Ensures that the region contains every segment that touches `box`. The covered area is larger than `box`, so that
   /// an entity stays inside it for several steps.
-  void cover(const MapGeometry& part, const Box& box, Work& work) {
-    if (part_ != &part || !covered_.contains(box)) refill(part, box, work);
+  /// Returns whether the entries have changed.
+  bool cover(const MapGeometry& part, const Box& box, Work& work) {
+    const bool isCovered = part_ == &part && covered_.contains(box);
+    if (!isCovered) refill(part, box, work);
+    return !isCovered;
   }
   /// Whether the region was last filled from this part.
   bool belongsTo(const MapGeometry& part) const { return part_ == &part; }
+
+  /// Discards what was derived for a shape. Must be called before the memory of the shape is reused.
+  void forgetShape();
 
   /// The segments of the region as ascending indices into the part's segments. A position in this list is an "entry".
   const std::vector<std::uint32_t>& segments() const { return segments_; }
@@ -54,12 +62,23 @@ class Region {
     if (shape_ == &shape && sweep.isExcluded(separating_[entry])) return std::nullopt;
     return clipClosely(sweep, entry, shape);
   }
-  /// Clips the ideal path of `shape`, near the displacement of `sweep`, against the segment at `entry`, which `clip`
-  /// has found to be near.
+  /// Whether the bounding box of a segment overlaps `box`.
+  bool mayOverlap(const Box& box) const {
+    return std::any_of(bounds_.begin(), bounds_.end(), [&](const Box& bounds) { return bounds.overlaps(box); });
+  }
+  /// Whether the displacement of `sweep`, whose shape is `shape`, may overlap the segment at `entry`. Never false when
+  /// it does.
+  bool mayOverlap(const Sweep& sweep, std::size_t entry, const Convex& shape) {
+    if (sweep.misses(bounds_[entry])) return false;
+    if (shape_ != &shape || obstacleOf_[entry] == kNoObstacle) return clipClosely(sweep, entry, shape).has_value();
+    return !sweep.isExcluded(separating_[entry]);
+  }
+  /// Clips the ideal path of `shape` against the segment at `entry`, where `mayOverlap` was true for `sweep`. The path
+  /// must be within the margin of `sweep` of its displacement.
   std::optional<Sweep::ClipInterval> clipIdeal(const Sweep& sweep, std::size_t entry, PrecisePoint from,
                                                PrecisePoint displacement);
-  /// The half plane of that number of the obstacle at `entry`.
-  Obstacle::HalfPlane halfPlaneOf(std::size_t entry, std::size_t index) const;
+  /// The edge on the half plane of that number of the obstacle at `entry`.
+  ObstacleEdge edgeOf(std::size_t entry, std::size_t index) const;
   /// The collision that belongs to the result of `clip`.
   Hit hitOf(std::size_t entry, const Sweep::ClipInterval& interval) const {
     if (hasObstacle(entry)) return Sweep::hitOf(obstacles_[obstacleOf_[entry]], interval);
@@ -73,6 +92,7 @@ class Region {
 
   void refill(const MapGeometry& part, const Box& box, Work& work);
   void keepDerived(Work& work);
+  void keepSeparation(const Sweep& sweep, std::size_t entry, const Obstacle& obstacle);
   std::optional<Sweep::ClipInterval> clipClosely(const Sweep& sweep, std::size_t entry, const Convex& shape);
   bool hasObstacle(std::size_t entry) const {
     return obstacleOf_[entry] != kNoObstacle && obstacles_[obstacleOf_[entry]].belongsTo(*shape_);

@@ -29,12 +29,12 @@ struct Tolerances {
   /// An instance is dropped only at this distance from its warp segment.
   static constexpr std::int32_t kDrop = 8;
   static_assert(kDrop > kInsert, "instances would be dropped and inserted alternately");
-  /// Obstacles this near to the lattice path are compared with the ideal path.
-  static constexpr std::int32_t kNear = 6;
-  static_assert(kNear > kFollow);
-  /// No ideal path is farther than this from the lattice path, along both axes.
-  static constexpr std::int32_t kAside = 12;
-  static_assert(kAside > kRemainderLimit / PrecisePoint::kOne + 1);
+  /// Obstacles this near to the lattice path, along both axes, are compared with the ideal path.
+  static constexpr std::int32_t kNear = 12;
+  static_assert(kNear > kRemainderLimit / PrecisePoint::kOne + 1, "the ideal path could leave the compared area");
+  /// A move that ends this near to the path of its leg, along both axes, reaches only those obstacles.
+  static constexpr std::int32_t kBeside = 6;
+  static_assert(kBeside > kFollow);
 
   /// In 2^-kBits subunits: an ideal place this near to an edge is on it, times the one-norm of the normal.
   static constexpr std::int64_t kOnEdge = 16;

@@ -66,7 +66,7 @@ void World::requireNoCallback() const {
 void World::solve(StepObserver* observer) {
   requireNoCallback();
   StepScratch* const scratch = scratch_.get();
-  if (scratch->shapes.trim()) scratch->forgetShapes();
+  scratch->trimShapes();
   scratch->provideFor(state_.entities.size());
   {
     StepGuard guard(*scratch);
@@ -90,8 +90,8 @@ void World::moveAll(StepObserver* observer) {
     const std::span<const InstanceState> further(state_.instances.data() + next, entity.instances);
     next += entity.instances;
     if (entity.inserted == 0) continue;
-    if (mayRepeat && scratch.rests[index].matches(entity, further)) {
-      scratch.rests[index].repeat(scratch.events, idOf(index), scratch.further);
+    if (const Rest& rest = scratch.caches[index].rest; mayRepeat && rest.matches(entity, further)) {
+      rest.repeat(scratch.events, idOf(index), scratch.further);
     } else {
       move(index, further, observer);
     }
@@ -103,25 +103,25 @@ void World::move(std::uint32_t index, std::span<const InstanceState> further, St
   EntityState& entity = scratch.entities[index];
   const std::size_t firstFurther = scratch.further.size();
   const std::size_t firstEvent = scratch.events.size();
-  EntityStep& step = beginStep(index, entity, further, observer);
+  EntityStep step = beginStep(index, entity, further, observer);
   step.beginContacts();
   step.rotateShape(std::exchange(entity.turn, 0));
   step.translate(entity.velocity, entity.heading);
   step.finish(scratch.further);
   if (!rules().ignoresWarps()) return;
   const auto furtherAfter = std::span(scratch.further).subspan(firstFurther);
-  scratch.rests[index].record(state_.entities[index], further, entity, furtherAfter, scratch.events.since(firstEvent));
+  scratch.caches[index].rest.record(state_.entities[index], further, entity, furtherAfter,
+                                    scratch.events.since(firstEvent));
 }
 
 // `state` and `further` may differ from the state of the entity in this world.
-EntityStep& World::beginStep(std::uint32_t index, EntityState& state, std::span<const InstanceState> further,
-                             StepObserver* observer) {
+EntityStep World::beginStep(std::uint32_t index, EntityState& state, std::span<const InstanceState> further,
+                            StepObserver* observer) {
   StepScratch& scratch = *scratch_;
-  const EntityStep::Context context{
-      *geometry_, *shapes_[state.shape], scratch.shapes, scratch.regions[index], scratch.work,
-      rules(),    scratch.events,        observer};
-  scratch.steps[index].begin(Entity(*this, index), state, further, context);
-  return scratch.steps[index];
+  EntityCache& cache = scratch.caches[index];
+  cache.instances.load(*geometry_, scratch.shapes, *shapes_[state.shape], state, further);
+  return EntityStep(Entity(*this, index), state, cache.instances,
+                    {cache.regions, scratch.work, scratch.buffers, rules(), scratch.events, observer});
 }
 
 // A callback that causes events has them delivered after those that wait.

@@ -77,7 +77,7 @@ std::uint16_t World::place(Placed& placed, std::uint32_t part, Point origin, Ang
 bool World::insertReachedInstances(std::uint32_t entity, Placed& placed, std::uint16_t inserted) {
   scratch_->provideFor(state_.entities.size());
   const StepGuard guard(*scratch_);
-  EntityStep& step = beginStep(entity, placed.state, placed.further, nullptr);
+  EntityStep step = beginStep(entity, placed.state, placed.further, nullptr);
   step.pierceOverlapped(inserted);
   if (!step.isFree() || !step.insertReachedInstances() || !step.isFree()) return false;
   placed.further.clear();
@@ -114,7 +114,7 @@ void World::replace(std::uint32_t entity, const Placed& placed) {
 std::vector<SegmentRef> World::contactsOf(std::uint32_t entity, Placed placed) {
   std::vector<SegmentRef> contacts;
   if (placed.state.inserted == 0) return contacts;
-  EntityStep& step = beginStep(entity, placed.state, placed.further, nullptr);
+  EntityStep step = beginStep(entity, placed.state, placed.further, nullptr);
   step.pierceOverlapped();
   step.appendContacts(contacts);
   return contacts;

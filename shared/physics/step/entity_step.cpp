@@ -7,38 +7,41 @@
 #include "shared/physics/turned_normal.h"
 
 namespace platon {
-void EntityStep::begin(Entity entity, EntityState& state, std::span<const InstanceState> further,
-                       const Context& context) {
-  entity_.emplace(entity);
-  state_ = &state;
-  events_ = &context.events;
-  firstEvent_ = events_->size();
-  headingBefore_ = state.heading;
-  observer_ = context.observer;
-  instances_.load(context.geometry, context.shapes, context.base, state, further);
-  collider_.begin(context.rules, entity, state.angle, context.regions, context.work);
-  tick_ = rest_ = PrecisePoint();
-  ideal_ = precise(state.position) + PrecisePoint{state.remainder.x, state.remainder.y};
-  contact_.reset();
-  idleLegs_ = 0;
-  moves_ = 0;
-  planAfterNudge_.reset();
+
+EntityStep::EntityStep(Entity entity, EntityState& state, Instances& instances, const Context& context)
+    : entity_(entity),
+      state_(state),
+      events_(context.events),
+      firstEvent_(context.events.size()),
+      headingBefore_(state.heading),
+      observer_(context.observer),
+      ideal_(precise(state.position) + PrecisePoint{state.remainder.x, state.remainder.y}),
+      instances_(instances),
+      collider_(context.buffers.collider),
+      refusedWarps_(context.buffers.refusedWarps),
+      changes_(context.buffers.changes),
+      views_(context.buffers.views) {
+  collider_.begin(context.rules, entity, instances, context.regions, context.work);
   observe();
 }
 
 // tick_ does not change during slides: a segment removes only the component towards it, and only while it touches.
 void EntityStep::translate(Point velocity, Angle heading) {
   tick_ = rest_ = rotatePrecise(velocity, rotationOf(heading));
+  staysInRange_ = staysInRange();
   if (velocity == Point()) {  // a rotation may have brought the shape to other edges
-    prepareLeg({}, false);
+    Leg leg;
+    prepareLeg(leg);
     rehome();
     return;
   }
   for (int legs = 0; legs < kMaxLegs && moves_ <= kMaxLegs - kMovesOfLeg && rest_ != PrecisePoint(); ++legs) {
     const LegPlan plan = planLeg();
     if (plan.displacement == PrecisePoint()) break;
-    executeLeg(prepareLeg(plan.displacement, plan.slides), plan);
-    rehome();
+    Leg leg{plan.displacement, plan.slides};
+    prepareLeg(leg);
+    executeLeg(leg, plan);
+    if (!instances_.isAlone()) rehome();
   }
   if (contact_) dropUnreached();
   storeRemainder();
@@ -47,12 +50,13 @@ void EntityStep::translate(Point velocity, Angle heading) {
 void EntityStep::storeRemainder() {
   const PrecisePoint remainder = ideal_ - precise(position());
   const bool isKept = maxNorm(remainder) <= kRemainderLimit;
-  state_->remainder =
+  state_.remainder =
       isKept ? Point(static_cast<std::int32_t>(remainder.x), static_cast<std::int32_t>(remainder.y)) : Point();
 }
 
 bool EntityStep::insertReachedInstances() {
-  const Leg leg = prepareLeg({}, false);
+  Leg leg;
+  prepareLeg(leg);
   rehome();
   return leg.end == End::kReached && refusedWarps_.empty();
 }
@@ -61,17 +65,17 @@ void EntityStep::finish(std::vector<InstanceState>& further) {
   updateContacts();
   if (!collider_.overlapped().empty()) addOver();
   clearFresh();
-  events_->turnHome(firstEvent_, state_->heading - headingBefore_);
+  events_.turnHome(firstEvent_, state_.heading - headingBefore_);
   store(further);
 }
 
 // Instances are inserted before the leg, while their shape is still outside the part and therefore free.
-EntityStep::Leg EntityStep::prepareLeg(PrecisePoint displacement, bool slides) {
+void EntityStep::prepareLeg(Leg& leg) {
   refusedWarps_.clear();
-  const std::size_t before = instances_.all().size();
-  Leg leg{displacement, slides, {}, {1, 1}, End::kReached, {}};
   clampToRange(leg);
   findHit(leg);
+  if (!collider_.isNearWarps(instances_)) return;
+  const std::size_t before = instances_.all().size();
   while (leg.end == End::kReached || leg.end == End::kStopped) {
     const auto warpHit =
         collider_.firstWarp(instances_, {position(), leg.target, Tolerances::kInsert}, leg.hit, refusedWarps_);
@@ -79,12 +83,13 @@ EntityStep::Leg EntityStep::prepareLeg(PrecisePoint displacement, bool slides) {
     insertInstanceBehind(leg, *warpHit);
   }
   if (instances_.all().size() != before) observe();
-  return leg;
 }
 
 void EntityStep::findHit(Leg& leg) {
   leg.hit.reset();
-  for (std::size_t i = 0; i < instances_.all().size(); ++i) findHit(leg, i);
+  collider_.startLeg(instances_, leg.target);
+  findHit(leg, 0);
+  for (std::size_t i = 1; i < instances_.all().size(); ++i) findHit(leg, i);
   leg.end = leg.hit ? End::kStopped : End::kReached;
 }
 
@@ -92,19 +97,20 @@ void EntityStep::findHit(Leg& leg, std::size_t index) {
   const PrecisePoint displacement =
       index == 0 ? leg.displacement : rotated(leg.displacement, instances_.all()[index].fromHome);
   const bool slidesHere = leg.slides && contact_->placement == index;
-  collider_.firstIdeal(instances_, index, position(), leg.target, instances_.idealOf(index, ideal_), displacement,
-                       leg.hit, slidesHere ? contact_->segment : Collider::kNoSegment);
+  collider_.firstIdeal(instances_, index, instances_.idealOf(index, ideal_), displacement, leg.hit,
+                       slidesHere ? contact_->segment : Collider::kNoSegment);
 }
 
 // Shortens the displacement until all instances stay within the coordinate limit. Returns whether it was too long.
 bool EntityStep::clampToRange(Leg& leg) const {
+  leg.target = roundedAt(ideal_ + leg.displacement);
   bool clamped = false;
-  for (;; clamped = true) {
-    leg.target = roundedAt(ideal_ + leg.displacement);
-    if (leg.target == position() || allInRange(leg.target)) return clamped;
+  for (; leg.target != position() && !allInRange(leg.target); clamped = true) {
     leg.displacement = {leg.displacement.x / 2, leg.displacement.y / 2};
     leg.share.denominator *= 2;
+    leg.target = roundedAt(ideal_ + leg.displacement);
   }
+  return clamped;
 }
 
 void EntityStep::insertInstanceBehind(Leg& leg, const LegHit& warpHit) {
@@ -113,6 +119,7 @@ void EntityStep::insertInstanceBehind(Leg& leg, const LegHit& warpHit) {
   if (instances_.isAtInstanceLimit(warpHit.placement)) {
     stopAtWarp(leg, warpHit, End::kFull);
   } else if (instances_.insert(warpHit.placement, warp, collider_)) {
+    staysInRange_ = staysInRange_ && staysInRange();
     if (clampToRange(leg)) {  // the new instance reaches the coordinate limit earlier
       findHit(leg);
     } else {
@@ -133,7 +140,9 @@ void EntityStep::stopAtWarp(Leg& leg, const LegHit& warpHit, End end) {
   const Point normal = normalOf(warpHit);
   const PrecisePoint place = instances_.idealOf(warpHit.placement, ideal_ + scaled(leg.displacement, warpHit.hit.time));
   const int128 along = distanceTo({normal, 0}, place);
-  leg.hit->edge = {normal, -static_cast<std::int64_t>(divideRounded(along, int128{PrecisePoint::kOne}))};
+  const Obstacle::HalfPlane half{normal, -static_cast<std::int64_t>(divideRounded(along, int128{PrecisePoint::kOne}))};
+  const Placement& placement = instances_.all()[warpHit.placement];
+  leg.hit->edge = edgeOf(*placement.shape, placement.part->segments[warpHit.segment], half);
 }
 
 // Whether the leg leads away from the warp segment or along it. It then does not need the instance behind the warp.
@@ -143,25 +152,24 @@ bool EntityStep::movesAwayFromWarp(const LegHit& warpHit, Point target) const {
   return dot(perpendicular(segment.b - segment.a), placement.at(target) - placement.position) >= 0;
 }
 
-bool EntityStep::allInRange(Point home) const {
-  if (isFarFromLimit(home)) return true;
+bool EntityStep::isEachInRange(Point home) const {
   return std::all_of(instances_.all().begin(), instances_.all().end(), [&](const Placement& placement) {
     const Point at = placement.at(home);
     return isCoordinate(at.x) && isCoordinate(at.y);
   });
 }
 
-// Fast path of allInRange: whether the positions and the displacement are so small that no instance can reach the
-// coordinate limit in any frame. A rotation at most doubles the maxNorm of a displacement.
-bool EntityStep::isFarFromLimit(Point home) const {
-  constexpr std::int32_t kNear = kCoordinateLimit / 4;
-  if (maxNorm(home - position()) >= kNear) return false;
-  return std::all_of(instances_.all().begin(), instances_.all().end(),
+// Whether no instance can reach the coordinate limit in this step, in any frame. A rotation at most doubles the maxNorm
+// of a displacement, and all nudges and roundings of a step are less than 2^12 subunits.
+bool EntityStep::staysInRange() const {
+  constexpr std::int32_t kNear = kCoordinateLimit / 4 - (1 << 12);
+  return maxNorm(rest_) < kNear * PrecisePoint::kOne &&
+         std::all_of(instances_.all().begin(), instances_.all().end(),
                      [](const Placement& placement) { return maxNorm(placement.position) < kNear; });
 }
 
 // Moves to the end of the leg and reports the segment that stopped it.
-void EntityStep::executeLeg(Leg leg, const LegPlan& plan) {
+void EntityStep::executeLeg(Leg& leg, const LegPlan& plan) {
   const PrecisePoint end = endOf(leg, plan);
   const PrecisePoint rest = restAfter(leg, plan);
   const bool progresses = maxNorm(end - ideal_) > Tolerances::kNoProgress;
@@ -203,9 +211,9 @@ PrecisePoint EntityStep::endOf(const Leg& leg, const LegPlan& plan) const {
 
 // The home place `place`, moved so that the ideal place of the instance that hit the edge is not inside of it.
 PrecisePoint EntityStep::onto(const LegHit& hit, PrecisePoint place) const {
+  if (hit.placement == 0) return putOnto(hit.edge.half, place);
   const PrecisePoint there = instances_.idealOf(hit.placement, place);
-  const PrecisePoint correction = putOnto(hit.edge, there) - there;
-  return correction == PrecisePoint() ? place : place + rotated(correction, instances_.all()[hit.placement].toHome);
+  return place + toHome(hit, putOnto(hit.edge.half, there) - there);
 }
 
 PrecisePoint EntityStep::restAfter(const Leg& leg, const LegPlan& plan) const {
@@ -235,8 +243,8 @@ void EntityStep::rehome() {
     if (!turn) break;
     ideal_ = precise(position()) + remainder;
     rotateFrame(*turn);
-    instances_.storeHome(*state_);
-    state_->heading = state_->heading + *turn;
+    instances_.storeHome(state_);
+    state_.heading = state_.heading + *turn;
     observe();
   }
   if (!contact_) dropUnreached();
@@ -252,10 +260,7 @@ void EntityStep::rotateFrame(Angle turn) {
   const Rotation rotation = rotationOf(turn);
   rest_ = rotated(rest_, rotation);
   tick_ = rotated(tick_, rotation);
-  if (planAfterNudge_) {
-    planAfterNudge_->displacement = rotated(planAfterNudge_->displacement, rotation);
-    planAfterNudge_->uncut = planAfterNudge_->displacement;
-  }
+  if (planAfterNudge_) planAfterNudge_->displacement = rotated(planAfterNudge_->displacement, rotation);
   contact_.reset();  // the indices of the placements have changed
 }
 
@@ -264,16 +269,15 @@ void EntityStep::moveTo(Point position) {
   if (position == before) return;
   ++moves_;
   instances_.moveHomeTo(position);
-  state_->position = position;
+  state_.position = position;
   observe();
   followContacts(before);
 }
 
-void EntityStep::observe() {
-  if (observer_ == nullptr) return;
+void EntityStep::report() {
   views_.clear();
   instances_.appendViews(views_);
-  observer_->leg(entity_->index(), views_);
+  observer_->leg(entity_.index(), views_);
 }
 
 }  // namespace platon

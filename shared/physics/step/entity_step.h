@@ -21,9 +21,24 @@ namespace platon {
 /// moves). Stages of a leg, in this order: insert the instances that it needs and find the earliest hit of any
 /// instance; choose the lattice point to move to; move all instances; add the events in order of time; change the home
 /// instance if necessary; drop instances that are no longer needed. After a hit, the next leg slides along the segment.
-/// Each entity has its own EntityStep, which keeps buffers and instances between ticks.
 class EntityStep {
+  // The begin or end of a contact.
+  struct Change {
+    Fraction time;
+    bool begins;
+    std::size_t placement;  // Placement::kNone when the instance no longer exists
+    SegmentRef segment;
+  };
+
  public:
+  /// Work space of steps, which are taken in turn. Keeps its memory between them.
+  struct Buffers {
+    Collider collider;
+    std::vector<Collider::WarpRef> refusedWarps;
+    std::vector<Change> changes;
+    std::vector<InstanceView> views;
+  };
+
   /// I2: limit of legs in a step, and of moves of the position. The remaining displacement is discarded.
   static constexpr int kMaxLegs = 64;
   /// Limit of moves in a leg: a detour has two.
@@ -32,19 +47,21 @@ class EntityStep {
   /// Limit of successive slides without progress: more edges than meet at a place in any sensible map.
   static constexpr int kMaxIdleLegs = 8;
 
-  /// What a step works with. All references must stay valid until `finish`.
+  /// What a step works with besides the entity. All references must stay valid as long as the step.
   struct Context {
-    const Geometry& geometry;
-    const Convex& base;
-    ShapeCache& shapes;
-    std::vector<Region>& regions;
+    std::vector<Region>& regions;  ///< of the entity
     Region::Work& work;
+    Buffers& buffers;
     Rules& rules;
     StepEvents& events;
     StepObserver* observer;
   };
-  /// Starts the step of an entity that is in a part. The step changes `state`, not the entity's state in its world.
-  void begin(Entity entity, EntityState& state, std::span<const InstanceState> further, const Context& context);
+  /// Starts the step of an entity that is in a part. `instances` have been loaded from `state`. The step changes both,
+  /// not the entity's state in its world.
+  EntityStep(Entity entity, EntityState& state, Instances& instances, const Context& context);
+  EntityStep(const EntityStep&) = delete;
+  EntityStep& operator=(const EntityStep&) = delete;
+
   /// Lets all instances but `except` pass what they overlap, until they have left it.
   void pierceOverlapped(std::uint16_t except = InstanceState::kNoParent);
   /// As above, for all instances. The contacts of fresh instances begin.
@@ -60,7 +77,7 @@ class EntityStep {
   /// Whether no instance overlaps a blocking segment.
   bool isFree() { return collider_.isFree(instances_, instances_.home().position, instances_.home().position); }
   /// Writes the state of the entity and appends its further instances to `further`.
-  void store(std::vector<InstanceState>& further) const { instances_.store(*state_, further); }
+  void store(std::vector<InstanceState>& further) const { instances_.store(state_, further); }
   /// Adds overContact for all overlapped segments, then `store`.
   void finish(std::vector<InstanceState>& further);
 
@@ -74,38 +91,31 @@ class EntityStep {
   // The displacement of the next leg, of the ideal place.
   struct LegPlan {
     PrecisePoint displacement;  // ends with the edge that the leg slides along
-    PrecisePoint uncut;         // the same if that edge were infinite
     Fraction share{1, 1};       // of the remaining displacement, that it uses
     bool slides = false;        // along contact_
     bool cut = false;           // it ends with the edge
   };
   struct Leg {
-    PrecisePoint displacement;
+    PrecisePoint displacement{};
     bool slides = false;   // along contact_, whose obstacle it cannot enter
-    Point target;          // of the lattice position, if nothing is hit
+    Point target{};        // of the lattice position, if nothing is hit
     Fraction share{1, 1};  // of the planned displacement: less if that leads out of the coordinates
     End end = End::kReached;
-    std::optional<LegHit> hit;  // the blocking segment or warp segment that ends it
-  };
-  // The begin or end of a contact.
-  struct Change {
-    Fraction time;
-    bool begins;
-    std::size_t placement;  // Placement::kNone when the instance no longer exists
-    SegmentRef segment;
+    std::optional<LegHit> hit{};  // the blocking segment or warp segment that ends it
   };
 
   void storeRemainder();
-  Leg prepareLeg(PrecisePoint displacement, bool slides);
+  void prepareLeg(Leg& leg);
   void findHit(Leg& leg);
   void findHit(Leg& leg, std::size_t placement);
   bool clampToRange(Leg& leg) const;
   void insertInstanceBehind(Leg& leg, const LegHit& warpHit);
   void stopAtWarp(Leg& leg, const LegHit& warpHit, End end);
   bool movesAwayFromWarp(const LegHit& warpHit, Point target) const;
-  bool allInRange(Point home) const;
-  bool isFarFromLimit(Point home) const;
-  void executeLeg(Leg leg, const LegPlan& plan);
+  bool allInRange(Point home) const { return staysInRange_ || isEachInRange(home); }
+  bool isEachInRange(Point home) const;
+  bool staysInRange() const;
+  void executeLeg(Leg& leg, const LegPlan& plan);
   void stopInWedge(const LegHit& hit, PrecisePoint rest);
   PrecisePoint endOf(const Leg& leg, const LegPlan& plan) const;
   PrecisePoint onto(const LegHit& hit, PrecisePoint place) const;
@@ -118,6 +128,7 @@ class EntityStep {
 
   // entity_step_follow.cpp
   bool follow(PrecisePoint end, const Leg& leg);
+  bool followFarther(PrecisePoint end, const Leg& leg);
   std::optional<Point> nearestReachable(PrecisePoint end, const Leg& leg);
   bool isReachable(Point place);
   bool isBetter(Point offset, Point other, const Leg& leg) const;
@@ -126,10 +137,18 @@ class EntityStep {
   bool fallBack(PrecisePoint end);
 
   // entity_step_slide.cpp
+  // A displacement in the frame of the part whose edge was hit, and back.
+  PrecisePoint fromHome(const LegHit& hit, PrecisePoint vector) const {
+    return hit.placement == 0 ? vector : rotated(vector, instances_.all()[hit.placement].fromHome);
+  }
+  PrecisePoint toHome(const LegHit& hit, PrecisePoint vector) const {
+    return hit.placement == 0 ? vector : rotated(vector, instances_.all()[hit.placement].toHome);
+  }
   LegPlan planLeg();
   IdealSlide slideFrom(const LegHit& hit, PrecisePoint place, PrecisePoint rest) const;
   LegPlan planSlide(const LegHit& hit) const;
-  bool restsOn(Point normal, const Placement& placement) const;
+  PrecisePoint slideWithoutEnd(const LegHit& hit) const;
+  bool restsOn(const LegHit& hit) const;
   bool isWedged(const LegHit& hit);
   bool leadsInto(PrecisePoint displacement, const LegHit& contact) const;
   void turnCorner(LegHit& hit, PrecisePoint place) const;
@@ -151,7 +170,10 @@ class EntityStep {
   void moveTo(Point position);
   Point roundedAt(PrecisePoint place) const { return position() + rounded(place - precise(position())); }
   Point position() const { return instances_.home().position; }
-  void observe();
+  void observe() {
+    if (observer_ != nullptr) report();
+  }
+  void report();
 
   // entity_step_rotation.cpp
   bool tryRotation(std::int32_t centidegrees);
@@ -160,9 +182,7 @@ class EntityStep {
   bool insertInstancesForRotation(std::int32_t centidegrees);
 
   // entity_step_rules.cpp
-  void addEvent(StepEvents::Kind kind, const SegmentRef& segment) {
-    events_->add(kind, entity_->id()).segment = segment;
-  }
+  void addEvent(StepEvents::Kind kind, const SegmentRef& segment) { events_.add(kind, entity_.id()).segment = segment; }
   void addContact(const LegHit& hit);
   void addOver();
   void followContacts(Point before);
@@ -172,24 +192,25 @@ class EntityStep {
   std::size_t placementOf(const SegmentRef& ref) const;
   void clearFresh();
 
-  std::optional<Entity> entity_;
-  EntityState* state_ = nullptr;
-  StepEvents* events_ = nullptr;
-  std::size_t firstEvent_ = 0;  // of this step
-  Angle headingBefore_;         // of the entity at the start of the step
-  StepObserver* observer_ = nullptr;
+  Entity entity_;
+  EntityState& state_;
+  StepEvents& events_;
+  std::size_t firstEvent_;  // of this step
+  Angle headingBefore_;     // of the entity at the start of the step
+  StepObserver* observer_;
   PrecisePoint tick_;   // displacement of the whole tick, in the frame of the current home part
   PrecisePoint rest_;   // displacement still to be used; parallel to tick_
   PrecisePoint ideal_;  // the ideal place of the home instance
-  Instances instances_;
-  Collider collider_;
-  std::vector<Collider::WarpRef> refusedWarps_;  // warps of this leg behind which no instance can be placed
-  std::optional<LegPlan> planAfterNudge_;        // the next leg, after a nudge
-  int idleLegs_ = 0;                             // successive slides without progress
-  int moves_ = 0;                                // of the position, since `begin`
-  std::optional<LegHit> contact_;                // the edge that the ideal place is on and was stopped by
-  std::vector<Change> changes_;
-  std::vector<InstanceView> views_;
+  Instances& instances_;
+  Collider& collider_;
+  std::vector<Collider::WarpRef>& refusedWarps_;  // warps of this leg behind which no instance can be placed
+  std::vector<Change>& changes_;
+  std::vector<InstanceView>& views_;
+  std::optional<LegPlan> planAfterNudge_;  // the next leg, after a nudge
+  std::optional<LegHit> contact_;          // the edge that the ideal place is on and was stopped by
+  bool staysInRange_ = false;              // fast path of allInRange
+  int idleLegs_ = 0;                       // successive slides without progress
+  int moves_ = 0;                          // of the position
 };
 
 }  // namespace platon

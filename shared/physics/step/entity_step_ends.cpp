@@ -42,10 +42,9 @@ int128 EntityStep::squaredSlide(const LegHit& hit) const { return squared(alongE
 // Whether the body touches an end of the segment, perhaps with a vertex.
 bool EntityStep::touchesEnd(LegHit& hit, PrecisePoint place) const {
   if (hit.hit.side == Hit::Side::kSegmentEnd) return true;
-  const Placement& placement = instances_.all()[hit.placement];
-  const Segment& segment = placement.part->segments[hit.segment];
-  const Point tangent = perpendicular(hit.edge.normal);
-  const ObstacleEdge edge = edgeOf(*placement.shape, segment, hit.edge);
+  const Segment& segment = instances_.all()[hit.placement].part->segments[hit.segment];
+  const ObstacleEdge& edge = hit.edge;
+  const Point tangent = perpendicular(edge.half.normal);
   const PrecisePoint there = instances_.idealOf(hit.placement, place);
   const int128 near = int128{Tolerances::kNoProgress} * (std::abs(tangent.x) + std::abs(tangent.y));
   const bool isHigh = distanceTo({tangent, -edge.high}, there) >= -near;
@@ -70,7 +69,7 @@ bool EntityStep::passEnd(LegHit end, Point normal, PrecisePoint from, PrecisePoi
   ideal_ = precise(*nudged);
   rest_ = rest;
   contact_.reset();
-  planAfterNudge_ = LegPlan{precise(target - reached), precise(target - reached)};  // on the path that is free
+  planAfterNudge_ = LegPlan{precise(target - reached)};  // on the path that is free
   return true;
 }
 

@@ -23,17 +23,38 @@ std::int64_t squaredDistance(Point place, PrecisePoint ideal) {
   return between.x * between.x + between.y * between.y;
 }
 
-// No place farther than this from the lattice point nearest to the ideal place is as near to the ideal place as
-// `offset` is. Both squared. The ideal place is less than 0.71 subunits from that lattice point: (|offset| + 1.42)^2.
-constexpr std::int64_t squaredReach(Point offset) {
-  std::int64_t length = 0;
-  while (length * length < squaredLength(offset)) ++length;
-  return squaredLength(offset) + 3 * length + 2;
+// By distance in whole subunits: the number of places that can be so near to the ideal place. It is less than 0.71
+// subunits from the lattice point nearest to it, and (distance + 0.71)^2 < distance^2 + 1.5 distance + 0.51.
+constexpr auto kPlacesWithin = [] {
+  std::array<std::size_t, Tolerances::kFollow + 2> within{};
+  for (std::size_t distance = 1; distance < within.size(); ++distance) {
+    const auto reach = static_cast<std::int64_t>((2 * distance * distance + 3 * distance + 1) / 2);
+    while (within[distance] < kPlaces.size() && squaredLength(kPlaces[within[distance]]) <= reach) ++within[distance];
+  }
+  return within;
+}();
+
+// The number of places that can be as near to the ideal place as this squared distance.
+std::size_t placesWithin(std::int64_t squaredDistance) {
+  std::size_t distance = 1;
+  while (static_cast<std::int64_t>(distance * distance) * PrecisePoint::kOne * PrecisePoint::kOne < squaredDistance)
+    ++distance;
+  return kPlacesWithin[distance];
 }
 
 }  // namespace
 
 bool EntityStep::follow(PrecisePoint end, const Leg& leg) {
+  const Point nearest = roundedAt(end);
+  const bool isNearestAlone = maxNorm(end - precise(nearest)) < PrecisePoint::kOne / 2;
+  if (!isNearestAlone || !mayStandAt(nearest, leg) || !isReachable(nearest)) return followFarther(end, leg);
+  moveTo(nearest);
+  return true;
+}
+
+// The work of `follow` where the lattice point nearest to the ideal place is not reachable, or is not the only nearest
+// one.
+bool EntityStep::followFarther(PrecisePoint end, const Leg& leg) {
   const auto place = nearestReachable(end, leg);
   const bool isNear = place && squaredDistance(*place, end) <= kSquaredNear;
   if (!isNear && followByDetour(end, leg, place)) return true;
@@ -44,20 +65,19 @@ bool EntityStep::follow(PrecisePoint end, const Leg& leg) {
 // Tries the places in order of their exact distance from the ideal place.
 std::optional<Point> EntityStep::nearestReachable(PrecisePoint end, const Leg& leg) {
   const Point nearest = roundedAt(end);
-  const bool isNearestAlone = maxNorm(end - precise(nearest)) < PrecisePoint::kOne / 2;
-  if (isNearestAlone && mayStandAt(nearest, leg) && isReachable(nearest)) return nearest;
-  std::array<bool, kPlaces.size()> tried{isNearestAlone};
+  std::array<bool, kPlaces.size()> tried{};
   for (;;) {
     std::optional<std::size_t> best;
     std::int64_t distance = 0;
-    for (std::size_t i = 0; i < kPlaces.size(); ++i) {
-      if (best && squaredLength(kPlaces[i]) > squaredReach(kPlaces[*best])) break;
+    std::size_t considered = kPlaces.size();
+    for (std::size_t i = 0; i < considered; ++i) {
       if (tried[i]) continue;
       const std::int64_t here = squaredDistance(nearest + kPlaces[i], end);
       if (best && (here > distance || (here == distance && !isBetter(kPlaces[i], kPlaces[*best], leg)))) continue;
       if (!mayStandAt(nearest + kPlaces[i], leg)) continue;
       best = i;
       distance = here;
+      considered = placesWithin(distance);
     }
     if (!best) return std::nullopt;
     tried[*best] = true;
@@ -67,7 +87,7 @@ std::optional<Point> EntityStep::nearestReachable(PrecisePoint end, const Leg& l
 }
 
 bool EntityStep::isReachable(Point place) {
-  return place == position() || (allInRange(place) && collider_.isFree(instances_, position(), place));
+  return place == position() || (allInRange(place) && collider_.isFreeInLeg(instances_, place));
 }
 
 // Of two places that are equally near: the one farther out, or farther ahead. So a mirrored scene moves in the same
@@ -82,7 +102,7 @@ bool EntityStep::isBetter(Point offset, Point other, const Leg& leg) const {
 bool EntityStep::mayStandAt(Point place, const Leg& leg) const {
   if (!leg.hit) return true;
   const Placement& placement = instances_.all()[leg.hit->placement];
-  return dot(leg.hit->edge.normal, placement.at(place)) + leg.hit->edge.offset >= 0;
+  return dot(leg.hit->edge.half.normal, placement.at(place)) + leg.hit->edge.half.offset >= 0;
 }
 
 // Where the straight way is blocked by an end that the ideal path just passes: by way of a place near the position, to

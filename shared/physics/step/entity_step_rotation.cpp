@@ -42,7 +42,7 @@ bool EntityStep::tryRotation(std::int32_t centidegrees) {
 void EntityStep::rotateBy(std::int32_t centidegrees) {
   instances_.rotateShapes(centidegrees);
   collider_.turnShape(Angle(centidegrees));
-  state_->angle = instances_.home().angle;
+  state_.angle = instances_.home().angle;
   observe();
   if (collider_.ignoresWarps()) return;
   for (const Placement& placement : instances_.all()) collider_.recordOverlapped(placement);
@@ -53,9 +53,10 @@ void EntityStep::rotateBy(std::int32_t centidegrees) {
 std::optional<SegmentRef> EntityStep::rotationBlocker(std::int32_t centidegrees, std::size_t from) {
   for (std::size_t i = from; i < instances_.all().size(); ++i) {
     const Placement& placement = instances_.all()[i];
-    const Convex* hull = instances_.rotationHull(i, centidegrees);
-    if (hull == nullptr) continue;
-    if (const auto segment = collider_.overlapped(placement, *hull)) return collider_.refOf(placement, *segment);
+    const auto bounds = instances_.rotationBounds(i, centidegrees);
+    if (!bounds || !collider_.mayOverlap(placement, *bounds)) continue;
+    const Convex& hull = *instances_.rotationHull(i, centidegrees);
+    if (const auto segment = collider_.overlapped(placement, hull)) return collider_.refOf(placement, *segment);
   }
   return std::nullopt;
 }
@@ -64,11 +65,14 @@ std::optional<SegmentRef> EntityStep::rotationBlocker(std::int32_t centidegrees,
 // degenerate.
 bool EntityStep::insertInstancesForRotation(std::int32_t centidegrees) {
   for (std::size_t i = 0; i < instances_.all().size(); ++i) {
-    const Convex* hull = instances_.rotationHull(i, centidegrees);
-    if (hull == nullptr) return false;
+    const auto bounds = instances_.rotationBounds(i, centidegrees);
+    if (!bounds) return false;
+    const Box reach = bounds->grown(Tolerances::kInsert);
     const MapGeometry& part = *instances_.all()[i].part;
     for (std::uint16_t warp = 0; warp < part.warps.size(); ++warp) {
-      if (!collider_.reachesWarp(instances_, {i, warp}, *hull, Tolerances::kInsert)) continue;
+      if (!reach.overlaps(boundsOf(part.warps[warp].from))) continue;
+      const Convex& hull = *instances_.rotationHull(i, centidegrees);
+      if (!collider_.reachesWarp(instances_, {i, warp}, hull, Tolerances::kInsert)) continue;
       if (instances_.isAtInstanceLimit(i) || !instances_.insert(i, warp, collider_)) return false;
     }
   }

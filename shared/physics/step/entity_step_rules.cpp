@@ -24,7 +24,7 @@ Point clampedTo(const Segment& segment, Point point) {
 
 void EntityStep::addContact(const LegHit& hit) {
   const Placement& placement = instances_.all()[hit.placement];
-  Contact& contact = events_->add(StepEvents::Kind::kContact, entity_->id());
+  Contact& contact = events_.add(StepEvents::Kind::kContact, entity_.id());
   contact.segment = collider_.refOf(placement, hit.segment);
   contact.normal = normalOf(hit);
   contact.point = hit.hit.side == Hit::Side::kSegment

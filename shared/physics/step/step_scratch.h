@@ -3,10 +3,10 @@
 #include <cstddef>
 #include <vector>
 
-#include "shared/physics/step/entity_step.h"
 #include "shared/physics/region.h"
-#include "shared/physics/step/rest.h"
 #include "shared/physics/shape_cache.h"
+#include "shared/physics/step/entity_step.h"
+#include "shared/physics/step/rest.h"
 #include "shared/physics/step/step_events.h"
 
 namespace platon {
@@ -17,27 +17,33 @@ class DefaultRules : public Rules {
   bool ignoresWarps() const override { return true; }
 };
 
+/// What is kept of one entity between its steps.
+struct EntityCache {
+  Instances instances;
+  std::vector<Region> regions;
+  Rest rest;
+};
+
 /// Derived state of a world: caches and buffers. Not saved or copied; influences speed only.
 class StepScratch {
  public:
-  /// Ensures that there is an element for each of this many entities.
+  /// Ensures that there is a cache for each of this many entities.
   void provideFor(std::size_t count) {
-    if (steps.size() >= count) return;
-    regions.resize(count);
-    rests.resize(count);
-    steps.resize(count);
+    if (caches.size() < count) caches.resize(count);
   }
-  /// Discards everything that points to cached shapes.
-  void forgetShapes() {
-    regions.clear();
-    steps.clear();
+  /// Clears the cache of shapes if it is full, and then everything that points to them.
+  void trimShapes() {
+    if (!shapes.trim()) return;
+    for (EntityCache& cache : caches) {
+      cache.instances.forget();
+      for (Region& region : cache.regions) region.forgetShape();
+    }
   }
 
   ShapeCache shapes;
-  std::vector<std::vector<Region>> regions;  ///< by entity
+  std::vector<EntityCache> caches;  ///< by entity
   Region::Work work;
-  std::vector<Rest> rests;             ///< by entity
-  std::vector<EntityStep> steps;       ///< by entity
+  EntityStep::Buffers buffers;
   std::vector<EntityState> entities;   ///< all entities after the step
   std::vector<InstanceState> further;  ///< further instances of all entities after the step
   StepEvents events;

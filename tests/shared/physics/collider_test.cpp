@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
 #include "platon/physics/map_part.h"
 #include "platon/physics/world.h"
+#include "shared/exact/lattice.h"
 #include "tests/shared/physics/maps.h"
 #include "tests/shared/physics/recorded_rules.h"
 #include "tests/shared/physics/shapes.h"
@@ -19,7 +22,7 @@ class ColliderTest : public testing::Test {
     Entity entity(world_, square(10));
     MapPart(world_, 0).insert(entity, {0, 0}, Angle());
     instances_.load(world_.geometry(), shapes_, world_.shapeOf(0), world_.entities()[0], world_.instancesOf(0));
-    collider_.begin(rules_, entity, Angle(), regions_, work_);
+    collider_.begin(rules_, entity, instances_, regions_, work_);
   }
   const Placement& home() const { return instances_.home(); }
 
@@ -49,14 +52,76 @@ TEST_F(ColliderTest, TheLowestIndexWinsAtEqualTimes) {
 
 TEST_F(ColliderTest, SkipsTheIgnoredSegment) {
   build({{{-100, -30}, {100, -30}}, {{-100, -60}, {100, -60}}});
+  collider_.startLeg(instances_, {0, -80});
   std::optional<LegHit> nearest;
-  collider_.firstIdeal(instances_, 0, {0, 0}, {0, -80}, {}, precise(Point(0, -80)), nearest);
+  collider_.firstIdeal(instances_, 0, {}, precise(Point(0, -80)), nearest);
   ASSERT_TRUE(nearest);
   EXPECT_EQ(nearest->segment, 0u);
   std::optional<LegHit> next;
-  collider_.firstIdeal(instances_, 0, {0, 0}, {0, -80}, {}, precise(Point(0, -80)), next, nearest->segment);
+  collider_.firstIdeal(instances_, 0, {}, precise(Point(0, -80)), next, nearest->segment);
   ASSERT_TRUE(next);
   EXPECT_EQ(next->segment, 1u);
+}
+
+// All places near the path of a leg, and beyond, for two instances that are rotated against each other.
+TEST_F(ColliderTest, AMoveInALegMeetsTheSegmentsThatAnyMoveMeets) {
+  constexpr std::uint64_t kSeed = 71;
+  sim::SeededRandom random(kSeed);
+  int blocked = 0;
+  for (int round = 0; round < 300; ++round) {
+    world_ = World();
+    std::vector<Segment> segments;
+    for (int i = 0; i < 60; ++i) {
+      const Point at = random.vector(400);
+      segments.push_back({at, i % 4 == 0 ? at : at + random.vector(120)});
+    }
+    segments.push_back({{5000, 5000}, {5000, 5100}});
+    addPart(world_, 0, segments);
+    addPart(world_, 1, segments);
+    Entity entity(world_, square(10));
+    try {
+      MapPart(world_, 0).insert(entity, random.vector(300), Angle());
+      MapPart(world_, 1).insert(entity, random.vector(300), Angle(3300));
+    } catch (const std::invalid_argument&) {
+      continue;  // no place for it
+    }
+    instances_.load(world_.geometry(), shapes_, world_.shapeOf(0), world_.entities()[0], world_.instancesOf(0));
+    collider_.begin(rules_, entity, instances_, regions_, work_);
+    const Point start = home().position;
+    const Point target = start + random.vector(round % 2 == 0 ? 100 : 8);
+    collider_.startLeg(instances_, target);
+    std::optional<LegHit> hit;
+    for (std::size_t i = 0; i < 2; ++i) {
+      const PrecisePoint moved = rotated(precise(target - start), instances_.all()[i].fromHome);
+      collider_.firstIdeal(instances_, i, instances_.idealOf(i, precise(start)), moved, hit);
+    }
+    if (round % 4 == 3) collider_.clip(home(), {{5000, 5050}, {5000, 5050}}, 60);  // refills the region
+    for (const Point offset : latticeDisc<24>()) {
+      const Point place = (offset.x % 2 == 0 ? target : start) + offset;
+      const bool isFree = collider_.isFreeInLeg(instances_, place);
+      blocked += isFree ? 0 : 1;
+      ASSERT_EQ(isFree, collider_.isFree(instances_, start, place)) << "seed " << kSeed << ", round " << round;
+    }
+  }
+  EXPECT_GT(blocked, 1000);
+}
+
+TEST_F(ColliderTest, AfterAnImmediateHitAMoveInTheLegMeetsEverySegment) {
+  build({{{-100, -10}, {100, -10}}, {{15, -100}, {15, 100}}});
+  class WallRules : public Rules {
+   public:
+    bool ignoresWarps() const override { return true; }
+  };
+  WallRules walls;
+  collider_.begin(walls, Entity(world_, 0u), instances_, regions_, work_);
+  collider_.startLeg(instances_, {20, -20});
+  std::optional<LegHit> hit;
+  collider_.firstIdeal(instances_, 0, {}, precise(Point(20, -20)), hit);
+  ASSERT_TRUE(hit);
+  EXPECT_EQ(hit->segment, 0u);
+  EXPECT_EQ(hit->hit.time, (Fraction{0, 1}));
+  EXPECT_TRUE(collider_.isFreeInLeg(instances_, {5, 0}));
+  EXPECT_FALSE(collider_.isFreeInLeg(instances_, {6, 0}));
 }
 
 TEST_F(ColliderTest, RecordsPierceableSegmentsOnce) {
@@ -93,6 +158,16 @@ TEST_F(ColliderTest, FindsOverlappedSegments) {
   EXPECT_EQ(collider_.overlapped(home(), square(20)), 2u);
 }
 
+TEST_F(ColliderTest, FindsTheNeighbourOfAnEnd) {
+  build({{{20, 50}, {40, 50}}, {{47, 43}, {100, 43}}});
+  EXPECT_TRUE(collider_.hasSegmentNear(home(), {40, 50}, 7, 0));
+  EXPECT_FALSE(collider_.hasSegmentNear(home(), {40, 50}, 6, 0));
+  EXPECT_TRUE(collider_.hasSegmentNear(home(), {40, 50}, 6, 1));
+  EXPECT_TRUE(collider_.hasSegmentNear(home(), {40, 50}, 6, Collider::kNoSegment));
+  rules_.pierceable = {{0, 1}};
+  EXPECT_FALSE(collider_.hasSegmentNear(home(), {40, 50}, 7, 0)) << "it can be passed";
+}
+
 TEST_F(ColliderTest, ClipsAPathAgainstOneSegment) {
   build({{{-100, -30}, {100, -30}}, {{500, 0}, {500, 9}}});
   const auto interval = collider_.clip(home(), {{0, 0}, {0, -80}}, 0);
@@ -111,7 +186,7 @@ TEST_F(ColliderTest, FindsWarpsWithoutInstanceBehind) {
   Entity entity(world_, square(100));
   MapPart(world_, 1).insert(entity, {0, 0}, Angle());
   instances_.load(world_.geometry(), shapes_, world_.shapeOf(0), world_.entities()[0], world_.instancesOf(0));
-  collider_.begin(rules_, entity, Angle(), regions_, work_);
+  collider_.begin(rules_, entity, instances_, regions_, work_);
   const Collider::Path path{{0, 0}, {1000, 0}, 4};
   const auto find = [&](const std::vector<Collider::WarpRef>& refused) {
     const auto stop = collider_.first(instances_, path.from, path.to);

@@ -126,5 +126,23 @@ TEST_P(DerivedStateTest, LongLivedWorldsStepLikeFreshCopies) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, DerivedStateTest, testing::Range<std::uint64_t>(1, 7));
 
+// The 1025th angle is one too many for the cache of shapes. The next one takes the memory of the last one.
+TEST(ShapeMemoryTest, AShapeInTheMemoryOfAClearedOneIsNotThatOne) {
+  World world;
+  addPart(world, 0, {{{-50000, 0}, {50000, 0}}});
+  Entity entity(world, square(12000));
+  MapPart(world, 0).insert(entity, {0, 20000}, Angle());
+  entity.setVelocity({0, -30000});
+  WorldState state = world.save();
+  for (std::int32_t angle = 30; angle < 33000; angle += 30) {
+    state.entities[0].angle = Angle(angle);
+    world.restore(state);
+    World fresh = world;
+    world.solve();
+    fresh.solve();
+    ASSERT_EQ(world.hash(), fresh.hash()) << "angle " << angle;
+  }
+}
+
 }  // namespace
 }  // namespace platon

@@ -146,6 +146,17 @@ TEST(ObstacleEdgeTest, EveryEdgeEndsWhereTheNextOneBegins) {
   }
 }
 
+TEST(SlideRoomTest, IsTheDistanceToTheEndAhead) {
+  const ObstacleEdge edge = edgeOf(kSquare, kFloor, kTop);  // from -110 to 110
+  const std::int64_t length = kTop.normal.y;
+  const SlideRoom right = roomOn(edge, {100 * kOne, 10 * kOne}, {10 * kOne, -9 * kOne});
+  EXPECT_TRUE(right.wanted == int128{10 * kOne} * length && right.left == int128{10 * kOne} * length);
+  EXPECT_TRUE(right.back && right.isEnough()) << "perpendicular(normal) points to the left";
+  const SlideRoom left = roomOn(edge, {100 * kOne, 10 * kOne}, {-211 * kOne, 0});
+  EXPECT_TRUE(left.wanted == int128{211 * kOne} * length && left.left == int128{210 * kOne} * length);
+  EXPECT_FALSE(left.back || left.isEnough());
+}
+
 TEST(SlideOnTest, KeepsTheComponentAlongTheEdge) {
   const ObstacleEdge edge = edgeOf(kSquare, kFloor, kTop);
   const IdealSlide slide = slideOn(edge, {0, 10 * kOne}, {7 * kOne + 1, -3 * kOne});
@@ -160,7 +171,6 @@ TEST(SlideOnTest, EndsWithTheEdge) {
   for (const int sign : {1, -1}) {  // the edge goes from -110 to 110
     const IdealSlide slide = slideOn(edge, {sign * 100 * kOne, 10 * kOne}, {sign * 40 * kOne, -9 * kOne});
     EXPECT_EQ(slide.displacement, (PrecisePoint{sign * 10 * kOne, 0}));
-    EXPECT_EQ(slide.uncut, (PrecisePoint{sign * 40 * kOne, 0}));
     EXPECT_EQ(slide.share, (Fraction{1, 4}));
     EXPECT_TRUE(slide.cut);
   }

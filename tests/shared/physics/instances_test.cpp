@@ -14,9 +14,9 @@
 #include "platon/physics/entity.h"
 #include "platon/physics/map_part.h"
 #include "platon/physics/world.h"
-#include "tests/shared/physics/step/leg_checker.h"
 #include "tests/shared/physics/maps.h"
 #include "tests/shared/physics/shapes.h"
+#include "tests/shared/physics/step/leg_checker.h"
 
 namespace platon {
 namespace {
@@ -358,6 +358,19 @@ TEST(InstancesTest, RehomeForgetsTheStopOfTheOldFrame) {
     EXPECT_EQ(entity.part(), 2u);
     EXPECT_EQ(entity.position(), behind({10440, -130})) << turn;
   }
+}
+
+// Two floors, one on each side of an edge. The one behind it is three subunits higher.
+TEST(InstancesTest, PassesAnEndThatASegmentBeforeTheEdgeReaches) {
+  World world = twoStrips({{{-900, 0}, {1000, 0}}}, {{{-1000, 3}, {900, 3}}});
+  Entity entity(world, square(100));
+  MapPart(world, 1).insert(entity, {700, 100}, Angle());
+  for (int tick = 0; tick < 8; ++tick) {
+    entity.setVelocity({100, -3});
+    world.solve();
+  }
+  EXPECT_EQ(entity.part(), 2u);
+  EXPECT_EQ(entity.position(), Point(-500, 103));
 }
 
 // A diamond slides down a slope of 45°. A point protrudes from the slope where the centre is on the edge, so that the

@@ -6,6 +6,8 @@
 #include <tuple>
 
 #include "platon/exact/integer.h"
+#include "shared/physics/tolerances.h"
+#include "tests/shared/physics/shapes.h"
 #include "tests/sim/seeded_random.h"
 
 namespace platon {
@@ -104,6 +106,74 @@ TEST(RegionTest, ACrowdedRegionCoversLittleMoreThanItMust) {
   tight.cover(dense, box, work);
   ASSERT_NO_FATAL_FAILURE(expectCovers(tight, dense, box.grown(3000)));
   for (const std::uint32_t line : tight.segments()) EXPECT_TRUE(touches(dense.segments[line], box.grown(3000))) << line;
+}
+
+// Whether an obstacle is kept or not, and after shapes were forgotten.
+TEST(RegionTest, ClipsIdealPathsLikeTheObstacleAlone) {
+  const MapGeometry part = crowdedPart(4000, 60000);
+  const Convex shape({{-9000, -9000}, {9000, -9000}, {9000, 9000}, {-9000, 9000}});
+  sim::SeededRandom random(kSeed);
+  Region region;
+  Region::Work work;
+  Sweep sweep;
+  int hits = 0;
+  for (int i = 0; i < 300; ++i) {
+    if (i % 50 == 49) region.forgetShape();
+    const Point start = random.vector(i % 5 == 0 ? 40000 : 3000);
+    const Point moved = random.vector(i % 2 == 0 ? 5000 : 50);
+    const PrecisePoint from = precise(start) + PrecisePoint{random.vector(1 << 29).x, random.vector(1 << 29).y};
+    sweep.start(shape, start, moved, Tolerances::kNear);
+    region.cover(part, sweep.bounds(), work);
+    for (std::size_t entry = 0; entry < region.segments().size(); ++entry) {
+      const auto expected = clipIdeal(shape, part.segments[region.segments()[entry]], from, precise(moved));
+      const bool mayOverlap = region.mayOverlap(sweep, entry, shape);
+      ASSERT_TRUE(mayOverlap || !expected) << "seed " << kSeed << ", path " << i;
+      if (!mayOverlap) continue;
+      const auto interval = region.clipIdeal(sweep, entry, from, precise(moved));
+      ASSERT_EQ(interval.has_value(), expected.has_value()) << "seed " << kSeed << ", path " << i;
+      if (!interval) continue;
+      ASSERT_EQ(std::tie(interval->enter, interval->entered), std::tie(expected->enter, expected->entered));
+      const ObstacleEdge edge = region.edgeOf(entry, interval->entered);
+      ASSERT_EQ(edge.half.normal, region.hitOf(entry, *interval).normal);
+      ++hits;
+    }
+  }
+  EXPECT_GT(hits, 100 * static_cast<int>(Region::kMaxObstacles));
+}
+
+// Every shape is in the memory of the one before.
+TEST(RegionTest, AForgottenShapeLeavesNothing) {
+  const MapGeometry part = crowdedPart(400, 30000);
+  sim::SeededRandom random(kSeed);
+  Convex shape = square(1000);
+  Region region;
+  Region::Work work;
+  Sweep sweep;
+  for (int i = 0; i < 40; ++i) {
+    region.forgetShape();
+    shape = randomConvex(random, i % 2 == 0 ? 4000 : 12000);
+    sweep.start(shape, random.vector(300), random.vector(5000));
+    region.cover(part, sweep.bounds(), work);
+    for (std::size_t entry = 0; entry < region.segments().size(); ++entry) {
+      const auto expected = sweep.against(part.segments[region.segments()[entry]]);
+      const auto interval = region.clip(sweep, entry, shape);
+      ASSERT_EQ(interval.has_value(), expected.has_value()) << "seed " << kSeed << ", shape " << i;
+      if (!interval) continue;
+      ASSERT_EQ(region.hitOf(entry, *interval).time, expected->time) << "seed " << kSeed << ", shape " << i;
+    }
+  }
+}
+
+TEST(RegionTest, FindsSegmentsInABox) {
+  MapGeometry part;
+  part.segments = {{{100, 0}, {200, 0}}, {{0, 100}, {0, 200}}};
+  part.grid = Grid(part.segments);
+  Region region;
+  Region::Work work;
+  EXPECT_FALSE(region.mayOverlap(Box{{0, 0}, {100, 100}})) << "it is empty";
+  region.cover(part, {{-1000, -1000}, {1000, 1000}}, work);
+  EXPECT_TRUE(region.mayOverlap(Box{{0, 0}, {100, 100}})) << "touching counts";
+  EXPECT_FALSE(region.mayOverlap(Box{{1, 1}, {99, 99}}));
 }
 
 // Also when there are more obstacles than are kept, and after refills.

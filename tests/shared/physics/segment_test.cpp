@@ -23,6 +23,11 @@ TEST(SegmentTest, EqualityDependsOnTheDirection) {
   EXPECT_NE((Segment{{1, 2}, {3, 4}}), (Segment{{3, 4}, {1, 2}}));
 }
 
+TEST(BoxTest, JoinedContainsBoth) {
+  expectBox(kBox.joined({{-5, 4}, {0, 9}}), {-5, 3}, {10, 9});
+  expectBox(kBox.joined({{0, 4}, {1, 5}}), kBox.low, kBox.high);
+}
+
 TEST(BoxTest, TouchingBoxesOverlap) {
   EXPECT_TRUE(kBox.overlaps({{10, 7}, {20, 20}})) << "a common corner";
   EXPECT_TRUE(kBox.overlaps({{-9, -9}, {-2, 3}}));

@@ -8,9 +8,9 @@
 
 #include "platon/physics/entity.h"
 #include "platon/physics/map_part.h"
-#include "tests/shared/physics/step/leg_checker.h"
 #include "tests/shared/physics/maps.h"
 #include "tests/shared/physics/shapes.h"
+#include "tests/shared/physics/step/leg_checker.h"
 
 namespace platon {
 namespace {

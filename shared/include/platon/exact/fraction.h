@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "platon/exact/integer.h"
+#include "platon/exact/point.h"
 
 namespace platon {
 
@@ -28,6 +29,12 @@ struct Fraction {
 /// `value * fraction` rounded towards zero. Requires -1 <= fraction <= 1.
 constexpr std::int32_t scaleTruncated(std::int32_t value, Fraction fraction) {
   return static_cast<std::int32_t>(scaleTruncated(value, fraction.numerator, fraction.denominator));
+}
+
+/// `displacement * time` with both coordinates rounded towards zero. Requires 0 <= time <= 1.
+constexpr Point scaleTruncated(Point displacement, Fraction time) {
+  if (time.numerator == 0) return {};  // fast path: the shape usually touches the segment already
+  return {scaleTruncated(displacement.x, time), scaleTruncated(displacement.y, time)};
 }
 
 }  // namespace platon

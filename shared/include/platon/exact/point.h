@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 namespace platon {
@@ -30,6 +31,9 @@ constexpr std::int64_t cross(Point a, Point b) { return std::int64_t{a.x} * b.y 
 
 /// Squared length.
 constexpr std::int64_t squaredLength(Point a) { return dot(a, a); }
+
+/// The larger of |x| and |y|.
+constexpr std::int32_t maxNorm(Point a) { return std::max(a.x < 0 ? -a.x : a.x, a.y < 0 ? -a.y : a.y); }
 
 /// `a` rotated by 90° counter-clockwise.
 constexpr Point perpendicular(Point a) { return {-a.y, a.x}; }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "platon/exact/angle.h"
@@ -26,6 +27,9 @@ constexpr PrecisePoint operator+(PrecisePoint a, PrecisePoint b) { return {a.x +
 constexpr PrecisePoint operator-(PrecisePoint a, PrecisePoint b) { return {a.x - b.x, a.y - b.y}; }
 
 constexpr PrecisePoint operator-(PrecisePoint a) { return {-a.x, -a.y}; }
+
+/// The larger of |x| and |y|.
+constexpr std::int64_t maxNorm(PrecisePoint a) { return std::max(a.x < 0 ? -a.x : a.x, a.y < 0 ? -a.y : a.y); }
 
 /// The nearest lattice point, halves away from zero. The result must fit `int32`.
 constexpr Point rounded(PrecisePoint point) {

@@ -15,12 +15,13 @@ namespace platon {
 /// A directed segment that connects two map parts: the surface continues across it into the target part. The map from
 /// one frame into the other is the isometry that rotates by `turn` and takes `fromMiddle` to `ontoMiddle`.
 struct Warp {
-  Segment from;                  ///< in this part, which is on its left
-  std::uint32_t target = 0;      ///< id of the target part
-  Segment onto;                  ///< the same two points in the target part, which is on its right
-  Angle turn;                    ///< added to an angle in this part, gives the angle in the target part
-  PrecisePoint fromMiddle = {};  ///< midpoint of `from`, more exact than its rounded ends
-  PrecisePoint ontoMiddle = {};  ///< the same point in the target part
+  Segment from;                          ///< in this part, which is on its left
+  std::uint32_t target = 0;              ///< id of the target part
+  Segment onto;                          ///< the same two points in the target part, which is on its right
+  Angle turn;                            ///< added to an angle in this part, gives the angle in the target part
+  PrecisePoint fromMiddle = {};          ///< midpoint of `from`, more exact than its rounded ends
+  PrecisePoint ontoMiddle = {};          ///< the same point in the target part
+  Rotation rotation = rotationOf(turn);  ///< follows from `turn`; saves the look-up in every `map`
 
   /// Maps `point` from the frame of this part into the frame of the target, rounded to 2^-26 subunits. Products
   /// are formed in 128 bits. Requires |point| < 2^56 per coordinate, in 2^-26 subunits.

@@ -26,6 +26,11 @@ struct Box {
   constexpr bool contains(const Box& other) const {
     return low.x <= other.low.x && other.high.x <= high.x && low.y <= other.low.y && other.high.y <= high.y;
   }
+  /// The bounding box of both boxes.
+  constexpr Box joined(const Box& other) const {
+    return {{std::min(low.x, other.low.x), std::min(low.y, other.low.y)},
+            {std::max(high.x, other.high.x), std::max(high.y, other.high.y)}};
+  }
   /// The box enlarged by `margin` on every side.
   constexpr Box grown(std::int32_t margin) const { return {low - Point(margin, margin), high + Point(margin, margin)}; }
   /// The bounding box of this box moved along `displacement`.

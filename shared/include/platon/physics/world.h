@@ -130,8 +130,8 @@ class World {
   bool accepts(const WorldState& state) const { return !fault(state); }
   /// Removes the entity from all parts; its contacts end (see Rules). Its index stays valid.
   void remove(std::uint32_t entity);
-  /// Destroys the entity: removes it from all parts and frees its index. Handles of it are refused from then on. The
-  /// next new entity gets the lowest free index, so equal calls still give equal states.
+  /// Destroys the entity: removes it from all parts, which ends its contacts, and frees its index. Handles of it are
+  /// refused from then on. The next new entity gets the lowest free index, so equal calls still give equal states.
   void destroy(std::uint32_t entity);
 
  private:
@@ -168,8 +168,8 @@ class World {
   std::vector<SegmentRef> contactsOf(std::uint32_t entity, Placed placed);
   void moveAll(StepObserver* observer);
   void move(std::uint32_t entity, std::span<const InstanceState> further, StepObserver* observer);
-  EntityStep& beginStep(std::uint32_t entity, EntityState& state, std::span<const InstanceState> further,
-                        StepObserver* observer);
+  EntityStep beginStep(std::uint32_t entity, EntityState& state, std::span<const InstanceState> further,
+                       StepObserver* observer);
   void deliverEvents();
 
   std::shared_ptr<const Geometry> geometry_;
