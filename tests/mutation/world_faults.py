@@ -6,7 +6,7 @@ WORLD_FAULTS = [
     at_length("centre-is-a-mean", PHYSICS + "convex.cpp", "  result.centre_ = rotate(centre_, rotation);", "  //",
               "the centre of a rotated shape jumps when the shape loses a vertex",
               "ConvexTurnedTest.ALostVertexDoesNotMoveTheCentre"),
-    at_length("mean-changes-home", PHYSICS + "convex.cpp", "  result.centre_ = rotate(centre_, rotation);", "  //",
+    at_length("mean-changes-home", PHYSICS + "convex.cpp", "  result.centre_ = rotate(centre_, angle);", "  //",
               "a shape that loses a vertex changes home",
               "WorldTest.ATurningShapeThatLosesAVertexRehomesTwiceATurn"),
     at_length("centre-not-compared", PUBLIC_PHYSICS + "convex.h", " && a.centre_ == b.centre_", "",
