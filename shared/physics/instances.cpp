@@ -87,9 +87,8 @@ void Instances::updateRotations(Placement& placement) const {
 
 void Instances::linkParent(std::size_t index, std::uint16_t parentId) {
   Placement& placement = placements_[index];
-  for (std::size_t i = 0; i < placements_.size(); ++i) {
-    if (placements_[i].id == parentId) placement.parent = i;
-  }
+  const auto parent = std::ranges::find(placements_, parentId, &Placement::id);
+  placement.parent = static_cast<std::size_t>(parent - placements_.begin());
   const MapGeometry& part = *placements_[placement.parent].part;
   placement.reverseWarp = *geometry_->reverseWarp(part.id, part.warps[placement.warp]);
 }
@@ -394,8 +393,7 @@ std::optional<Point> Instances::nearestFree(const Placement& placement, const Po
 
 std::size_t Instances::unusedRegion() const {
   std::size_t region = 0;
-  const auto usesIt = [&](const Placement& placement) { return placement.region == region; };
-  while (std::any_of(placements_.begin(), placements_.end(), usesIt)) ++region;
+  while (std::ranges::find(placements_, region, &Placement::region) != placements_.end()) ++region;
   return region;
 }
 

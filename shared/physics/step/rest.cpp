@@ -11,8 +11,7 @@ void Rest::repeat(StepEvents& events, EntityId entity, std::vector<InstanceState
 
 void Rest::record(const EntityState& before, std::span<const InstanceState> further, const EntityState& after,
                   std::span<const InstanceState> furtherAfter, std::span<const StepEvents::Event> events) {
-  known_ = before.turn == 0 && before == after &&
-           std::equal(further.begin(), further.end(), furtherAfter.begin(), furtherAfter.end());
+  known_ = before == after && std::equal(further.begin(), further.end(), furtherAfter.begin(), furtherAfter.end());
   if (!known_) return;
   state_ = after;
   further_.assign(further.begin(), further.end());
