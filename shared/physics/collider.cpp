@@ -7,8 +7,11 @@
 #include "shared/physics/tolerances.h"
 
 namespace platon {
-
 namespace {
+
+// An ideal place farther from the position of its instance, along an axis, is not compared with segments: the ends of a
+// path are rounded to less than a subunit.
+constexpr std::int64_t kMaxRemainder = (Tolerances::kNear - 1) * PrecisePoint::kOne;
 
 bool contains(const std::vector<SegmentRef>& refs, const SegmentRef& ref) {
   return std::any_of(refs.begin(), refs.end(), [&](const SegmentRef& other) { return Collider::isSame(other, ref); });
@@ -96,6 +99,8 @@ void Collider::startLeg(const Instances& instances, Point to) {
 void Collider::firstIdeal(const Instances& instances, std::size_t index, PrecisePoint idealFrom,
                           PrecisePoint displacement, std::optional<LegHit>& best, std::uint32_t ignored) {
   const Placement& placement = instances.all()[index];
+  // So that the sweep below finds every segment that the ideal path meets, whatever is known of them already.
+  if (maxNorm(idealFrom - precise(placement.position)) > kMaxRemainder) idealFrom = precise(placement.position);
   sweep_.start(*placement.shape, placement.position, instances.at(index, leg_.to) - placement.position,
                Tolerances::kNear);
   Region& region = regionOf(placement);
@@ -151,7 +156,7 @@ bool Collider::isNearWarps(const Instances& instances) const {
 
 std::optional<LegHit> Collider::firstWarp(const Instances& instances, const Path& path,
                                           const std::optional<LegHit>& limit, const std::vector<WarpRef>& refused) {
-  if (limit && limit->hit.time.numerator == 0) return std::nullopt;  // `first` may have skipped regions
+  if (limit && limit->hit.time.numerator == 0) return std::nullopt;  // nothing is earlier
   std::optional<LegHit> best;
   const LegHit* earliest = limit ? &*limit : nullptr;
   for (std::size_t i = 0; i < instances.all().size(); ++i) {

@@ -70,7 +70,7 @@ class Collider {
   /// Whether the regions, which `first` or `firstIdeal` has filled, contain warp segments.
   bool isNearWarps(const Instances& instances) const;
   /// The earliest hit, before `limit`, of any instance on a pierceable warp segment that has no instance behind it and
-  /// is not in `refused`. Must follow a call of `first` for the same path, whose regions it searches. Requires
+  /// is not in `refused`. Must follow calls of `firstIdeal` for the same path, whose regions it searches. Requires
   /// path.margin <= kRegionMargin.
   std::optional<LegHit> firstWarp(const Instances& instances, const Path& path, const std::optional<LegHit>& limit,
                                   const std::vector<WarpRef>& refused);

@@ -26,7 +26,7 @@ struct Placement {
   std::uint16_t warp = 0;         ///< index, in the parent's part, of the warp to this part
   std::uint16_t reverseWarp = 0;  ///< index, in this part, of the warp to the parent's part
   std::uint16_t id = 0;
-  bool fresh = false;      ///< added in this leg: overlaps with pierceable segments are not reported yet
+  bool fresh = false;      ///< see InstanceState; read at the start of a step only
   std::size_t region = 0;  ///< index among the entity's regions
 
   /// The position of this instance when the home instance is at `home`.

@@ -62,6 +62,11 @@ void World::requireNoCallback() const {
       "solve()");
 }
 
+// Refuses to go on when an observer or Rules::pierce has moved this world elsewhere.
+void World::requireNotMoved(const StepScratch& scratch) const {
+  if (scratch_.get() != &scratch) throw std::logic_error("the world was moved during its step");
+}
+
 // The step works on copies, so that the world stays as it was until all entities have moved.
 void World::solve(StepObserver* observer) {
   requireNoCallback();
@@ -71,7 +76,6 @@ void World::solve(StepObserver* observer) {
   {
     StepGuard guard(*scratch);
     moveAll(observer);
-    if (scratch_.get() != scratch) throw std::logic_error("the world was moved during its step");
     guard.complete();
   }
   state_.entities.swap(scratch->entities);
@@ -108,6 +112,7 @@ void World::move(std::uint32_t index, std::span<const InstanceState> further, St
   step.rotateShape(std::exchange(entity.turn, 0));
   step.translate(entity.velocity, entity.heading);
   step.finish(scratch.further);
+  requireNotMoved(scratch);
   if (!rules().ignoresWarps()) return;
   const auto furtherAfter = std::span(scratch.further).subspan(firstFurther);
   scratch.caches[index].rest.record(state_.entities[index], further, entity, furtherAfter,

@@ -71,16 +71,6 @@ std::uint32_t World::add(const Convex& shape) {
   return index;
 }
 
-// The callbacks of the contacts that end may destroy the entity too.
-void World::destroy(std::uint32_t entity) {
-  const EntityId id = idOf(entity);
-  remove(entity);
-  if (!exists(id)) return;
-  state_.entities[entity] = EntityState();
-  if (state_.generations.size() <= entity) state_.generations.resize(entity + 1);
-  ++state_.generations[entity];
-}
-
 void World::refuse(std::uint32_t entity) const {
   const std::string name = "entity " + std::to_string(entity) + " does not exist: ";
   if (entity < state_.entities.size()) throw std::invalid_argument(name + "it was destroyed");

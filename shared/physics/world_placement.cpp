@@ -76,22 +76,32 @@ std::uint16_t World::place(Placed& placed, std::uint32_t part, Point origin, Ang
 // the instances other than `inserted` overlap does not block.
 bool World::insertReachedInstances(std::uint32_t entity, Placed& placed, std::uint16_t inserted) {
   scratch_->provideFor(state_.entities.size());
-  const StepGuard guard(*scratch_);
+  StepScratch& scratch = *scratch_;
+  const StepGuard guard(scratch);
   EntityStep step = beginStep(entity, placed.state, placed.further, nullptr);
   step.pierceOverlapped(inserted);
   if (!step.isFree() || !step.insertReachedInstances() || !step.isFree()) return false;
+  requireNotMoved(scratch);
   placed.further.clear();
   step.store(placed.further);
   return true;
 }
 
-// Replaces the state of an entity and its further instances. Contacts begin and end by what they overlap.
+// Replaces the state of an entity and its further instances, and tells the rules.
 void World::replace(std::uint32_t entity, const Placed& placed) {
-  StepEvents& events = scratch_->events;
+  replaceSilently(entity, placed);
+  deliverEvents();
+}
+
+// As above, without the callbacks. Contacts begin and end by what the instances overlap: their events wait.
+void World::replaceSilently(std::uint32_t entity, const Placed& placed) {
+  StepScratch& scratch = *scratch_;
+  StepEvents& events = scratch.events;
   if (!rules().ignoresWarps()) {
     scratch_->provideFor(state_.entities.size());
     const auto before = contactsOf(entity, placedOf(entity));
     const auto after = contactsOf(entity, placed);
+    requireNotMoved(scratch);
     const auto addMissing = [&](StepEvents::Kind kind, const auto& refs, const auto& others) {
       for (const SegmentRef& ref : refs) {
         const auto isSame = [&](const SegmentRef& other) { return Collider::isSame(ref, other); };
@@ -107,7 +117,6 @@ void World::replace(std::uint32_t entity, const Placed& placed) {
   state_.instances.insert(gap, placed.further.begin(), placed.further.end());
   state_.entities[entity] = placed.state;
   state_.entities[entity].instances = static_cast<std::uint16_t>(placed.further.size());
-  deliverEvents();
 }
 
 // The contacts of an entity in this state that have begun.
@@ -162,10 +171,19 @@ void World::promoteFirst(Placed& placed) {
 
 void World::remove(std::uint32_t entity) {
   requireNoStep();
-  Placed placed = placedOf(entity);
+  Placed placed = placedOf(checked(entity));
   placed.state.inserted = 0;
   placed.further.clear();
   replace(entity, placed);
+}
+
+// The callbacks find the entity destroyed, so that they cannot place it again.
+void World::destroy(std::uint32_t entity) {
+  requireNoStep();
+  replaceSilently(checked(entity), Placed{});
+  if (state_.generations.size() <= entity) state_.generations.resize(entity + 1);
+  ++state_.generations[entity];
+  deliverEvents();
 }
 
 }  // namespace platon

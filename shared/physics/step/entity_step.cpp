@@ -33,6 +33,7 @@ void EntityStep::translate(Point velocity, Angle heading) {
     Leg leg;
     prepareLeg(leg);
     rehome();
+    storeRemainder();
     return;
   }
   for (int legs = 0; legs < kMaxLegs && moves_ <= kMaxLegs - kMovesOfLeg && rest_ != PrecisePoint(); ++legs) {
@@ -58,6 +59,7 @@ bool EntityStep::insertReachedInstances() {
   Leg leg;
   prepareLeg(leg);
   rehome();
+  storeRemainder();
   return leg.end == End::kReached && refusedWarps_.empty();
 }
 

@@ -21,8 +21,8 @@ struct Convex {
 
 }  // namespace intern
 
-/// A strictly convex polygon with vertices in counter-clockwise order. Its interior is open: touching a segment is not
-/// an overlap.
+/// An immutable, strictly convex polygon with vertices in counter-clockwise order. Its interior is open: touching a
+/// segment is not an overlap.
 class Convex {
  public:
   /// An edge of the polygon. Every obstacle of the polygon has an edge parallel to it (docs/exactness.md); `normal` is
@@ -53,17 +53,19 @@ class Convex {
   /// of the exact image of this shape's centre, where |centre| is the larger of its coordinates. Returns nothing when
   /// the result is degenerate (possible for shapes of a few subunits) or out of range.
   std::optional<Convex> turned(Angle angle) const;
-  /// As `turned`, into `result`, whose memory is reused. Returns false, and leaves `result` unusable, when the rotated
-  /// shape is degenerate, out of range or has fewer vertices than this one.
-  bool turnInto(Convex& result, Angle angle) const;
-  /// Makes this shape the convex hull of `a` and `b`. Reuses its memory and that of `work`.
-  void becomeHull(const Convex& a, const Convex& b, std::vector<Point>& work);
 
   friend bool operator==(const Convex& a, const Convex& b) {
     return a.vertices_ == b.vertices_ && a.centre_ == b.centre_;
   }
 
  private:
+  friend class ShapeCache;
+
+  // As `turned`, into another shape, whose memory is reused. Returns false, and leaves `result` unusable, when the
+  // rotated shape is degenerate, out of range or has fewer vertices than this one.
+  bool turnInto(Convex& result, Angle angle) const;
+  // Makes this shape the convex hull of two others. Reuses its memory and that of `work`.
+  void becomeHull(const Convex& a, const Convex& b, std::vector<Point>& work);
   void deriveFromVertices();
 
   std::vector<Point> vertices_;

@@ -46,7 +46,7 @@ class MapPart {
   /// an entity is its home instance; instances in other parts move with it. Throws std::invalid_argument when the part
   /// is not initialised, the entity does not exist, belongs to another world or is already in the part, the coordinates
   /// are out of range, or a segment overlaps the shape that blocks by the rules of World::setRules. Changes nothing
-  /// when it throws.
+  /// then. An exception of a callback passes on; the insertion is complete.
   void insert(Entity& entity, const Point& origin, Angle angle);
 
   /// Removes the entity's instances from this part; their contacts end (see Rules). No effect when there are none.

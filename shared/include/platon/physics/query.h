@@ -14,15 +14,16 @@
 
 namespace platon {
 
-// Queries ask what is in a map part, and change nothing. They are exact: no value is rounded. The answer does not
+// Queries ask what is in a map part, and change nothing. They are exact: no value is rounded, but by
+// castRayOverWarps and pointAt. The answer does not
 // depend on the grid, on earlier queries or on the machine. None allocates, except to enlarge a vector of the caller.
 //
 // A query sees one map part. Warps are segments of it, and are found like other segments (SegmentRef::warp), unless the
 // filter leaves them out. What lies behind a warp is found by a further query in the part behind it: castRayOverWarps
 // does that for rays. A shape near an edge should be asked for in every part that it reaches (World::view).
 //
-// All functions throw std::invalid_argument when the map part is not initialised or when the start or the end of the
-// path is out of range: coordinates must be below 2^29 in magnitude.
+// All functions but overlap and pointAt throw std::invalid_argument when the map part is not initialised or when the
+// start or the end of the path is out of range: coordinates must be below 2^29 in magnitude.
 
 /// Chooses the segments that a query may find. A further condition, for example that of a Rules::pierce, can be applied
 /// to what castRayThrough, castShapeThrough and findOverlaps have found.
@@ -83,10 +84,10 @@ struct RayOverWarpsHit {
 
 /// The first wall that a ray meets which goes on behind warps, as an entity does. The ray leaves a part where it
 /// crosses a warp from left to right. It ends at a warp without a reverse warp, and at the next warp after `maxWarps`
-/// of them. Exact in the part where it starts. Behind a warp, start and end of a leg are the images of the exact points
-/// by Warp::map, each rounded to the lattice, so that the leg is within one subunit of the exact ray; within that
-/// distance of a corner of the part, it may pass on the other side of the corner. Throws std::invalid_argument also
-/// when the image of the end is out of range.
+/// of them. Exact in the part where it starts. Behind a warp, start and end of a leg are images by Warp::map, each
+/// rounded to the lattice, so that a leg is up to 0.71 subunits farther from the exact ray after every warp; within
+/// that distance of a corner of the part, it may pass on the other side of the corner. Throws std::invalid_argument
+/// also when the image of the end is out of range.
 std::optional<RayOverWarpsHit> castRayOverWarps(const World& world, std::uint32_t part, Point from, Point displacement,
                                                 int maxWarps);
 

@@ -37,10 +37,10 @@ struct Contact {
 /// (home first, then by age), then by segment index. `toHome` of their segments leads to the home part after the step.
 ///
 /// beginContact and endContact alternate for an entity, an instance and a segment, as long as the same rules are set. A
-/// contact also ends when its instance is dropped or removed: MapPart::erase and World::remove deliver endContact, at
-/// once or, called by a callback, after the events that wait. The contacts of an instance that MapPart::insert places
-/// begin in the next step. A state that World::restore or an assignment brings in is taken as it is: contacts with what
-/// an instance overlaps there have begun, unless the instance is fresh (InstanceState::fresh).
+/// contact also ends when its instance is dropped or removed: MapPart::insert and erase, World::remove and destroy
+/// deliver endContact, at once or, called by a callback, after the events that wait. The contacts of an instance that
+/// MapPart::insert places begin in the next step. A state that World::restore or an assignment brings in is taken as it
+/// is: contacts with what an instance overlaps there have begun, unless the instance is fresh (InstanceState::fresh).
 ///
 /// A callback may change the world: add, insert, erase, remove, destroy and rotate entities, change velocities,
 /// initialise parts, set other rules. Events that wait are delivered all the same. They describe the step: their entity

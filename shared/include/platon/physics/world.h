@@ -165,6 +165,8 @@ class World {
   std::uint16_t place(Placed& placed, std::uint32_t part, Point origin, Angle angle) const;
   bool insertReachedInstances(std::uint32_t entity, Placed& placed, std::uint16_t inserted);
   void replace(std::uint32_t entity, const Placed& placed);
+  void replaceSilently(std::uint32_t entity, const Placed& placed);
+  void requireNotMoved(const StepScratch& scratch) const;
   std::vector<SegmentRef> contactsOf(std::uint32_t entity, Placed placed);
   void moveAll(StepObserver* observer);
   void move(std::uint32_t entity, std::span<const InstanceState> further, StepObserver* observer);

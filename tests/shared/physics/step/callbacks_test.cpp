@@ -130,25 +130,40 @@ TEST_F(CallbackTest, MayDestroyEntities) {
   EXPECT_THAT(solve(nullptr), IsEmpty());
 }
 
-TEST_F(CallbackTest, MayDestroyAnEntityThatIsBeingDestroyed) {
+// It placed the entity again, whose further instances were then those of the next entity.
+TEST_F(CallbackTest, CannotPlaceAnEntityThatIsBeingDestroyed) {
   class Rules : public RecordedRules {
    public:
     void endContact(Entity& entity, const SegmentRef& segment) override {
       RecordedRules::endContact(entity, segment);
-      EXPECT_TRUE(entity.exists()) << "it is in no part any more";
-      EXPECT_FALSE(entity.inserted());
-      entity.destroy();
+      EXPECT_FALSE(entity.exists());
+      EXPECT_THROW(MapPart(entity.world(), 0).insert(entity, {0, 1000}, Angle()), std::invalid_argument);
+      EXPECT_THROW(entity.destroy(), std::invalid_argument);
     }
   };
-  Rules destroying;
-  destroying.pierceable = {{0, 0}};
+  Rules placing;
+  placing.pierceable = {{0, 0}};
   first.setVelocity({0, -30});  // stops on the segment that it passes
   solve(nullptr);
-  world.setRules(destroying);
+  world.setRules(placing);
   first.destroy();
-  EXPECT_THAT(destroying.take(), ElementsAre("end 0:0"));
-  EXPECT_FALSE(first.exists());
+  EXPECT_THAT(placing.take(), ElementsAre("end 0:0"));
   EXPECT_FALSE(world.exists(0u));
+  EXPECT_EQ(world.fault(world.save()), std::nullopt);
+}
+
+TEST_F(CallbackTest, AThrowingCallbackLeavesAnEntityDestroyed) {
+  class Rules : public RecordedRules {
+   public:
+    void endContact(Entity&, const SegmentRef&) override { throw std::runtime_error("no"); }
+  };
+  Rules throwing;
+  throwing.pierceable = {{0, 0}};
+  first.setVelocity({0, -30});
+  solve(nullptr);
+  world.setRules(throwing);
+  EXPECT_THROW(first.destroy(), std::runtime_error);
+  EXPECT_FALSE(first.exists());
 }
 
 TEST_F(CallbackTest, MayChangeEntitiesAndParts) {
@@ -306,6 +321,7 @@ TEST(StepTest, NothingChangesAWorldDuringItsStep) {
                                                             [](World& w) { w.addShape(square(3)); },
                                                             [](World& w) { Entity(w, square(10)); },
                                                             [](World& w) { w.remove(0); },
+                                                            [](World& w) { w.destroy(0); },
                                                             [&](World&) { part.erase(entity); },
                                                             [&](World&) {
                                                               part.insert(entity, {50, 50}, Angle());
@@ -353,6 +369,24 @@ TEST(StepTest, AWorldThatIsMovedDuringItsStepSaysSo) {
   EXPECT_EQ(*elsewhere, before);
   elsewhere->solve();
   EXPECT_EQ(elsewhere->entities()[0].position, Point(0, 10));
+}
+
+// It went on with the state of a world that was moved from.
+TEST(StepTest, AWorldThatAnObserverMovesSaysSo) {
+  World world;
+  addPart(world, 0, {{{-100, 0}, {100, 0}}});
+  for (const std::int32_t x : {-50, 50}) {
+    Entity entity(world, square(10));
+    MapPart(world, 0).insert(entity, {x, 20}, Angle());
+    entity.setVelocity({0, -20});
+  }
+  std::optional<World> elsewhere;
+  ChangingObserver observer([&] {
+    if (!elsewhere) elsewhere.emplace(std::move(world));
+  });
+  EXPECT_THROW(world.solve(&observer), std::logic_error);
+  elsewhere->solve();
+  EXPECT_EQ(elsewhere->entities()[1].position, Point(50, 10));
 }
 
 }  // namespace
