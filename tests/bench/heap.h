@@ -3,17 +3,13 @@
 #include <cstddef>
 #include <utility>
 
+#include "tests/support/counted_heap.h"
+
 namespace platon::bench {
 
 /// Bytes of the heap in use, with the overhead of the allocator and a few that it keeps for reuse. Counts C libraries,
 /// too.
 std::size_t heapBytes();
-
-/// Number of calls of operator new so far. Programs with this file count them, for one thread.
-std::size_t allocations();
-
-/// Bytes in use that came from operator new, exactly.
-std::size_t allocatedBytes();
 
 /// Heap that `live` uses beyond its value: caches and work space, which a copy does not have.
 template <class Value>

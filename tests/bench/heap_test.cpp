@@ -2,27 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <memory>
 #include <vector>
 
 namespace platon::bench {
 namespace {
-
-TEST(Heap, CountsAllocations) {
-  const std::size_t before = allocations();
-  const auto one = std::make_unique<int>(1);
-  const std::vector<int> two(100);
-  EXPECT_EQ(allocations() - before, 2u);
-}
-
-TEST(Heap, CountsBytesInUse) {
-  const std::size_t before = allocatedBytes();
-  {
-    const std::vector<char> kept(1 << 20);
-    EXPECT_NEAR(static_cast<double>(allocatedBytes() - before), 1 << 20, 8192);
-  }
-  EXPECT_EQ(allocatedBytes(), before);
-}
 
 TEST(Heap, DerivedBytesAreThoseThatACopyDoesNotHave) {
   std::vector<char> live(1 << 20);

@@ -1,8 +1,6 @@
 // Counts the allocations of the program: a replay of what has been played before must not allocate.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <new>
 #include <string>
 #include <vector>
 
@@ -16,34 +14,7 @@
 #include "tests/determinism/lockstep_levels.h"
 #include "tests/shared/physics/shapes.h"
 #include "tests/sim/button_presses.h"
-
-namespace {
-
-std::size_t allocations = 0;
-
-void* allocateOrNull(std::size_t size) noexcept {
-  ++allocations;
-  return std::malloc(size == 0 ? 1 : size);
-}
-
-void* allocate(std::size_t size) {
-  if (void* memory = allocateOrNull(size)) return memory;
-  throw std::bad_alloc();
-}
-
-}  // namespace
-
-// All forms: by default the others call the first, but the address sanitizer replaces each that is not replaced here.
-void* operator new(std::size_t size) { return allocate(size); }
-void* operator new[](std::size_t size) { return allocate(size); }
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return allocateOrNull(size); }
-void* operator new[](std::size_t size, const std::nothrow_t&) noexcept { return allocateOrNull(size); }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete[](void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete(void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
-void operator delete[](void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
+#include "tests/support/counted_heap.h"
 
 namespace platon {
 namespace {
@@ -68,9 +39,9 @@ class RepeatedGame {
     std::size_t taken = 0;
     for (int tick = 0; tick < kTicks; ++tick) {
       for (std::uint32_t slot = 0; slot < kPlayers; ++slot) inputs_[slot] = presses[slot].next();
-      const std::size_t before = allocations;
+      const std::size_t before = allocations();
       game_.advance(inputs_);
-      taken += allocations - before;
+      taken += allocations() - before;
     }
     return taken;
   }
@@ -105,13 +76,13 @@ TEST(RotationAllocationTest, RotatingAgainDoesNotAllocate) {
   part.insert(entity, {0, 2000}, Angle());
   Rules rules;
   const auto turnRound = [&] {
-    const std::size_t before = allocations;
+    const std::size_t before = allocations();
     for (std::int32_t turned = 0; turned < Angle::kTurn; turned += kTurn) {
       entity.rotate(kTurn);
       world.setRules(rules);
       world.solve();
     }
-    return allocations - before;
+    return allocations() - before;
   };
   ASSERT_GT(turnRound(), 0u) << "allocations are not counted";
   EXPECT_EQ(world.entities()[0].angle, Angle()) << "no segment has blocked the rotation";
@@ -143,7 +114,7 @@ TEST(QueryAllocationTest, AskingAgainDoesNotAllocate) {
   std::vector<FoundInstance> found;
   std::vector<InstanceHit> hits;
   const auto ask = [&] {
-    const std::size_t before = allocations;
+    const std::size_t before = allocations();
     castRay(world, 0, {-15000, -15000}, {30000, 30000});
     castRayThrough(world, 0, {-15000, -15000}, {30000, 30000}, rays);
     castShape(world, 0, shape, {-15000, -15000}, {30000, 30000});
@@ -151,7 +122,7 @@ TEST(QueryAllocationTest, AskingAgainDoesNotAllocate) {
     findOverlaps(world, 0, shape, {0, 0}, overlaps);
     query.overlapping(world, 0, area, {0, 0}, found);
     query.onRay(world, 0, {-15000, -15000}, {30000, 30000}, hits);
-    return allocations - before;
+    return allocations() - before;
   };
   ASSERT_GT(ask(), 0u) << "allocations are not counted";
   EXPECT_EQ(ask(), 0u);

@@ -4,53 +4,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
-#include <new>
 #include <vector>
 
 #include "platon/game/game.h"
 #include "tests/sim/button_presses.h"
+#include "tests/support/counted_heap.h"
 #include "tests/support/crowded_levels.h"
-
-namespace {
-
-constexpr std::size_t kHeader = alignof(std::max_align_t);
-
-std::size_t bytesInUse = 0;
-
-// Keeps the size in front of the memory.
-void* allocateOrNull(std::size_t size) noexcept {
-  auto* memory = static_cast<std::size_t*>(std::malloc(size + kHeader));
-  if (memory == nullptr) return nullptr;
-  *memory = size;
-  bytesInUse += size + kHeader;
-  return reinterpret_cast<char*>(memory) + kHeader;
-}
-
-void* allocate(std::size_t size) {
-  if (void* memory = allocateOrNull(size)) return memory;
-  throw std::bad_alloc();
-}
-
-void release(void* memory) noexcept {
-  if (memory == nullptr) return;
-  auto* start = reinterpret_cast<std::size_t*>(static_cast<char*>(memory) - kHeader);
-  bytesInUse -= *start + kHeader;
-  std::free(start);
-}
-
-}  // namespace
-
-void* operator new(std::size_t size) { return allocate(size); }
-void* operator new[](std::size_t size) { return allocate(size); }
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return allocateOrNull(size); }
-void* operator new[](std::size_t size, const std::nothrow_t&) noexcept { return allocateOrNull(size); }
-void operator delete(void* memory) noexcept { release(memory); }
-void operator delete[](void* memory) noexcept { release(memory); }
-void operator delete(void* memory, std::size_t) noexcept { release(memory); }
-void operator delete[](void* memory, std::size_t) noexcept { release(memory); }
-void operator delete(void* memory, const std::nothrow_t&) noexcept { release(memory); }
-void operator delete[](void* memory, const std::nothrow_t&) noexcept { release(memory); }
 
 namespace platon {
 namespace {
@@ -77,7 +36,7 @@ TEST_P(CrowdedGameTest, APlayerNeedsAtMostAHundredKilobytes) {
   std::vector<sim::ButtonPresses> presses;
   for (std::uint32_t slot = 0; slot < kPlayers; ++slot) presses.emplace_back(3, slot);
   std::vector<Input> inputs(kPlayers);
-  const std::size_t before = bytesInUse;
+  const std::size_t before = allocatedBytes();
   std::chrono::duration<double, std::micro> time{};
   for (int tick = 0; tick < kTicks; ++tick) {
     for (std::uint32_t slot = 0; slot < kPlayers; ++slot) inputs[slot] = presses[slot].next();
@@ -86,7 +45,7 @@ TEST_P(CrowdedGameTest, APlayerNeedsAtMostAHundredKilobytes) {
     game.advance(inputs);
     time += Clock::now() - begun;
   }
-  const std::size_t bytes = (bytesInUse - before) / kPlayers;
+  const std::size_t bytes = (allocatedBytes() - before) / kPlayers;
   std::printf("%s: %.1f us a player and tick, %zu KB a player\n", GetParam().name.c_str(),
               time.count() / (kTicks * kPlayers), (bytes + 1023) / 1024);
   EXPECT_LE(bytes, kMaxBytesPerPlayer);
