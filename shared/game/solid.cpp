@@ -117,10 +117,7 @@ PrecisePoint edgeMiddle(SolidKind kind, std::int32_t faceSize, int edge) {
   const int128 length = int128{faceSize} * kSubunitsPerUnit * PrecisePoint::kOne;  // < 2^53
   const auto radius = static_cast<std::int64_t>((length * inradius[edges - 3]) >> 62);
   const Rotation turn = rotationOf(Angle(Angle::kTurn / edges * edge));
-  constexpr int128 one = int128{1} << Rotation::kFractionBits;
-  // (0, -radius), rotated.
-  return {static_cast<std::int64_t>(divideRounded(int128{radius} * turn.sine, one)),
-          static_cast<std::int64_t>(divideRounded(-int128{radius} * turn.cosine, one))};
+  return rotated({0, -radius}, turn);
 }
 
 }  // namespace platon

@@ -94,12 +94,7 @@ struct Path {
     return segment != filter.except && (part.isWarp(segment) ? filter.warps : filter.walls);
   }
   SegmentRef refOf(std::uint32_t segment) const {
-    SegmentRef ref;
-    ref.part = part.id;
-    ref.index = segment;
-    ref.warp = part.isWarp(segment);
-    ref.ends = part.segments[segment];
-    return ref;
+    return {part.id, segment, part.isWarp(segment), part.segments[segment]};
   }
   GridWalk walk() const { return GridWalk(part.grid, extent, from, displacement); }
 };

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "platon/physics/entity.h"
@@ -11,7 +10,6 @@
 #include "shared/physics/collider.h"
 #include "shared/physics/ideal_geometry.h"
 #include "shared/physics/instances.h"
-#include "shared/physics/shape_cache.h"
 #include "shared/physics/step/step_events.h"
 #include "shared/physics/tolerances.h"
 

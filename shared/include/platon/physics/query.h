@@ -14,9 +14,9 @@
 
 namespace platon {
 
-// Queries ask what is in a map part, and change nothing. They are exact: no value is rounded, but by
-// castRayOverWarps and pointAt. The answer does not
-// depend on the grid, on earlier queries or on the machine. None allocates, except to enlarge a vector of the caller.
+// Queries ask what is in a map part, and change nothing. They are exact: only castRayOverWarps and pointAt round. The
+// answer does not depend on the grid, on earlier queries or on the machine. None allocates, except to enlarge a vector
+// of the caller.
 //
 // A query sees one map part. Warps are segments of it, and are found like other segments (SegmentRef::warp), unless the
 // filter leaves them out. What lies behind a warp is found by a further query in the part behind it: castRayOverWarps
