@@ -101,7 +101,7 @@ class Collider {
   /// All segments recorded since `begin`, each once per instance: those that were pierced or overlapped.
   const std::vector<SegmentRef>& pierced() const { return pierced_; }
   /// The segments that the entity overlaps, in the order in which that began. They are pierced until they are removed
-  /// from this list. Kept by EntityStep; always empty with rules that ignore warps.
+  /// from this list. Kept by StepContacts; always empty with rules that ignore warps.
   std::vector<SegmentRef>& overlapped() { return overlapped_; }
 
   /// The reference that is passed to rules. Its toHome leads to the home part at the start of the step.

@@ -259,10 +259,10 @@ SlideRoom roomOn(const ObstacleEdge& edge, PrecisePoint from, PrecisePoint remai
   return {along, int128{edge.high} * PrecisePoint::kOne - here, false};
 }
 
-IdealSlide slideOn(const ObstacleEdge& edge, PrecisePoint from, PrecisePoint remaining) {
+EdgeSlide slideOn(const ObstacleEdge& edge, PrecisePoint from, PrecisePoint remaining) {
   const SlideRoom room = roomOn(edge, from, remaining);
   const int128 used = room.isEnough() ? room.wanted : std::max<int128>(room.left, 0);
-  IdealSlide slide;
+  EdgeSlide slide;
   slide.back = room.back;
   slide.cut = !room.isEnough();
   if (slide.cut) slide.share = fractionOf(used, room.wanted);

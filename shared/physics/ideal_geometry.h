@@ -65,13 +65,13 @@ struct SlideRoom {
 SlideRoom roomOn(const ObstacleEdge& edge, PrecisePoint from, PrecisePoint remaining);
 
 /// A slide along an edge.
-struct IdealSlide {
+struct EdgeSlide {
   PrecisePoint displacement;  ///< the component of the remaining displacement along the edge, up to the edge's end
   Fraction share{1, 1};       ///< of the displacement that the slide uses
   bool back = false;          ///< it goes against perpendicular(normal)
   bool cut = false;           ///< it ends with the edge
 };
-IdealSlide slideOn(const ObstacleEdge& edge, PrecisePoint from, PrecisePoint remaining);
+EdgeSlide slideOn(const ObstacleEdge& edge, PrecisePoint from, PrecisePoint remaining);
 
 /// `point`, moved onto the line of the edge if it is farther from it than Tolerances::kRounding.
 PrecisePoint putOnto(const Obstacle::HalfPlane& half, PrecisePoint point);

@@ -108,7 +108,7 @@ void World::move(std::uint32_t index, std::span<const InstanceState> further, St
   const std::size_t firstFurther = scratch.further.size();
   const std::size_t firstEvent = scratch.events.size();
   EntityStep step = beginStep(index, entity, further, observer);
-  step.beginContacts();
+  step.contacts().begin();
   step.rotateShape(std::exchange(entity.turn, 0));
   step.translate(entity.velocity, entity.heading);
   step.finish(scratch.further);

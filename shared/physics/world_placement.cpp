@@ -79,7 +79,7 @@ bool World::insertReachedInstances(std::uint32_t entity, Placed& placed, std::ui
   StepScratch& scratch = *scratch_;
   const StepGuard guard(scratch);
   EntityStep step = beginStep(entity, placed.state, placed.further, nullptr);
-  step.pierceOverlapped(inserted);
+  step.contacts().pierceOverlapped(inserted);
   if (!step.isFree() || !step.insertReachedInstances() || !step.isFree()) return false;
   requireNotMoved(scratch);
   placed.further.clear();
@@ -124,8 +124,8 @@ std::vector<SegmentRef> World::contactsOf(std::uint32_t entity, Placed placed) {
   std::vector<SegmentRef> contacts;
   if (placed.state.inserted == 0) return contacts;
   EntityStep step = beginStep(entity, placed.state, placed.further, nullptr);
-  step.pierceOverlapped();
-  step.appendContacts(contacts);
+  step.contacts().pierceOverlapped();
+  step.contacts().append(contacts);
   return contacts;
 }
 

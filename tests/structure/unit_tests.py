@@ -21,10 +21,6 @@ EXCEPTIONS = {
     "levels/tool/main.cpp": "level_check_test runs platon-level",
     "protocol/transport/server_gate_handshake.cpp": "a part of the gate: server_gate_test",
     "server/app/main.cpp": "server_program_test runs platon-server",
-    "shared/physics/step/entity_step_follow.cpp": "a part of the step: entity_step_test",
-    "shared/physics/step/entity_step_rules.cpp": "a part of the step: entity_step_test",
-    "shared/physics/step/entity_step_slide.cpp": "a part of the step: entity_step_test",
-    "shared/physics/step/entity_step_rotation.cpp": "a part of the step: entity_step_test",
 }
 
 

@@ -97,23 +97,6 @@ TEST(EntityStepTest, NoContactIsReportedWithAnEdgeThatThePathLeadsPast) {
   EXPECT_EQ(rules.normals[0].x, 0);
 }
 
-// In rationals, the body stops at (1/2, 1/2). (0, 1) and (1, 1) are outside of the line and equally near.
-TEST(EntityStepTest, OfPlacesEquallyNearTheOuterOneIsTaken) {
-  Scene scene({{{142, -60}, {-158, 40}}}, square(10), {10, 29});
-  EXPECT_EQ(scene.step({-20, -60}), Point(1, 1));
-}
-
-// The ideal path leads along y = x / 1024 through a corridor as wide as the square, where no lattice point is free. The
-// lattice path meets the end of the ceiling.
-TEST(EntityStepTest, WhereNoPlaceIsFreeTheBodyMovesAsFarAsItCan) {
-  Scene scene({{{10, -10}, {1034, -9}}, {{-10, 10}, {1014, 11}}}, square(10), {-256, 0});
-  WorldState state = scene.world.save();
-  state.entities[0].remainder = {0, -static_cast<std::int32_t>(PrecisePoint::kOne / 4)};
-  scene.world.restore(state);
-  EXPECT_EQ(scene.step({1024, 1}), Point(-20, 0));
-  EXPECT_EQ(scene.entity.state().remainder, Point());
-}
-
 TEST(EntityStepTest, StaysInTheCoordinateRange) {
   Scene scene({}, square(10), {0, 0});
   for (int tick = 0; tick < 20; ++tick) {
@@ -253,39 +236,6 @@ TEST(EntityStepTest, StepsEndAmongManySegments) {
   }
   EXPECT_EQ(checker.faults(), "");
   EXPECT_LE(maxLegs, static_cast<std::uint64_t>(EntityStep::kMaxLegs) + 1);
-}
-
-// The wedge is too narrow for the lattice 32 subunits above the place where the ideal body rests.
-TEST(EntityStepTest, InANarrowWedgeTheIdealPlaceFallsBackToThePosition) {
-  Scene scene({{{70, -261}, {5, -7}}, {{-109, 127}, {-112, -82}}}, square(67), {-35, -182});
-  for (int tick = 0; tick < 3; ++tick) scene.step({191, 93});
-  EXPECT_EQ(scene.entity.position(), Point(-37, -172));
-  EXPECT_EQ(scene.entity.state().remainder, Point());
-}
-
-TEST(EntityStepTest, OnAFloorThePositionIsTheFreeLatticePointNearestToTheIdealPlace) {
-  for (const Point along : {Point(1000, 1), Point(997, 331), Point(600, -599), Point(30, 901)}) {
-    const Segment floor{{-20 * along.x, -20 * along.y}, {20 * along.x, 20 * along.y}};
-    Scene scene({floor}, square(50), Point(-along.y / 5, along.x / 5));
-    const auto isFree = [&](Point place) {  // one corner of the square is the lowest
-      const Point lowest = place + Point(along.y > 0 ? 50 : -50, along.x > 0 ? -50 : 50);
-      return cross(along, lowest) >= 0;
-    };
-    for (int tick = 0; tick < 200; ++tick) {
-      const Point at = scene.step({37, -61});
-      const Point remainder = scene.entity.state().remainder;
-      const auto distance = [&](Point place) {
-        const PrecisePoint between = precise(place - at) - PrecisePoint{remainder.x, remainder.y};
-        return between.x * between.x + between.y * between.y;
-      };
-      for (int x = -2; x <= 2; ++x) {
-        for (int y = -2; y <= 2; ++y) {
-          if (!isFree(at + Point(x, y))) continue;
-          ASSERT_GE(distance(at + Point(x, y)), distance(at)) << along.x << " " << along.y << ", tick " << tick;
-        }
-      }
-    }
-  }
 }
 
 }  // namespace

@@ -1,12 +1,11 @@
-// The events of a step. The contacts with pierced segments follow from what the entity overlaps: Collider::overlapped
-// is compared with it after every move, rotation and removal of an instance. So they begin and end alternately.
-#include "shared/physics/step/entity_step.h"
+#include "shared/physics/step/step_contacts.h"
 
 #include <algorithm>
 #include <iterator>
 #include <tuple>
 
 #include "platon/exact/integer.h"
+#include "shared/physics/step/hit_frame.h"
 
 namespace platon {
 
@@ -22,18 +21,18 @@ Point clampedTo(const Segment& segment, Point point) {
 
 }  // namespace
 
-void EntityStep::addContact(const LegHit& hit) {
-  const Placement& placement = instances_.all()[hit.placement];
-  Contact& contact = events_.add(StepEvents::Kind::kContact, entity_.id());
+void StepContacts::addContact(const LegHit& hit) {
+  const Placement& placement = placementOf(instances_, hit);
+  Contact& contact = events_.add(StepEvents::Kind::kContact, entity_);
   contact.segment = collider_.refOf(placement, hit.segment);
-  contact.normal = normalOf(hit);
+  contact.normal = normalOf(instances_, hit);
   contact.point = hit.hit.side == Hit::Side::kSegment
                       ? clampedTo(contact.segment.ends, placement.position + hit.hit.feature)
                       : hit.hit.feature;
   contact.time = hit.hit.time;
 }
 
-void EntityStep::pierceOverlapped(std::uint16_t except) {
+void StepContacts::pierceOverlapped(std::uint16_t except) {
   if (collider_.ignoresWarps()) return;
   for (const Placement& placement : instances_.all()) {
     if (placement.id != except) collider_.recordOverlapped(placement);
@@ -41,45 +40,55 @@ void EntityStep::pierceOverlapped(std::uint16_t except) {
   collider_.overlapped() = collider_.pierced();
 }
 
-void EntityStep::beginContacts() {
+void StepContacts::begin() {
   pierceOverlapped();
   for (const SegmentRef& ref : collider_.overlapped()) {
-    if (instances_.all()[placementOf(ref)].fresh) addEvent(StepEvents::Kind::kBegin, ref);
+    if (instances_.all()[indexOf(ref)].fresh) add(StepEvents::Kind::kBegin, ref);
   }
   clearFresh();
 }
 
-void EntityStep::appendContacts(std::vector<SegmentRef>& out) const {
+void StepContacts::append(std::vector<SegmentRef>& out) const {
   std::copy_if(collider_.pierced().begin(), collider_.pierced().end(), std::back_inserter(out),
-               [&](const SegmentRef& ref) { return !instances_.all()[placementOf(ref)].fresh; });
+               [&](const SegmentRef& ref) { return !instances_.all()[indexOf(ref)].fresh; });
 }
 
-void EntityStep::clearFresh() {
+void StepContacts::clearFresh() {
   for (Placement& placement : instances_.all()) placement.fresh = false;
 }
 
-// For the straight move from `before` to the current home position.
-void EntityStep::followContacts(Point before) {
-  if (collider_.pierced().empty()) return;
+void StepContacts::followPierced(Point before) {
   changes_.clear();
   for (const SegmentRef& pierced : collider_.pierced()) appendChanges(pierced, before);
   applyChanges();
 }
 
-// Where nothing moves along a path: first the contacts that have ended, then those that have begun.
-void EntityStep::updateContacts() {
+void StepContacts::updateRotated() {
+  if (collider_.ignoresWarps()) return;
+  for (const Placement& placement : instances_.all()) collider_.recordOverlapped(placement);
+  update();
+}
+
+void StepContacts::finish(Angle turn) {
+  update();
+  if (!collider_.overlapped().empty()) addOver();
+  clearFresh();
+  events_.turnHome(firstEvent_, turn);
+}
+
+void StepContacts::update() {
   if (collider_.pierced().empty()) return;
   changes_.clear();
-  for (const SegmentRef& pierced : collider_.pierced()) appendChanges(pierced, position());
+  for (const SegmentRef& pierced : collider_.pierced()) appendChanges(pierced, instances_.home().position);
   for (Change& change : changes_) change.time = {change.begins ? 1 : 0, 1};
   applyChanges();
 }
 
-void EntityStep::appendChanges(const SegmentRef& pierced, Point before) {
+void StepContacts::appendChanges(const SegmentRef& pierced, Point before) {
   const auto& open = collider_.overlapped();
   const bool hadBegun =
       std::any_of(open.begin(), open.end(), [&](const SegmentRef& ref) { return Collider::isSame(ref, pierced); });
-  const std::size_t index = placementOf(pierced);
+  const std::size_t index = indexOf(pierced);
   if (index == Placement::kNone) {
     if (hadBegun) changes_.push_back({{0, 1}, false, index, pierced});
     return;
@@ -92,7 +101,7 @@ void EntityStep::appendChanges(const SegmentRef& pierced, Point before) {
   if (!interval && hadBegun) changes_.push_back({{0, 1}, false, index, ref});
 }
 
-void EntityStep::applyChanges() {
+void StepContacts::applyChanges() {
   std::sort(changes_.begin(), changes_.end(), [](const Change& a, const Change& b) {
     if (a.time != b.time) return a.time < b.time;
     return std::tuple(a.placement, a.segment.instance, a.segment.index, !a.begins) <
@@ -105,13 +114,13 @@ void EntityStep::applyChanges() {
     } else {
       std::erase_if(open, [&](const SegmentRef& ref) { return Collider::isSame(ref, change.segment); });
     }
-    addEvent(change.begins ? StepEvents::Kind::kBegin : StepEvents::Kind::kEnd, change.segment);
+    add(change.begins ? StepEvents::Kind::kBegin : StepEvents::Kind::kEnd, change.segment);
   }
 }
 
 // The index of the instance among the placements, or Placement::kNone. An id that was tried in vain may have been given
 // to an instance in another part.
-std::size_t EntityStep::placementOf(const SegmentRef& ref) const {
+std::size_t StepContacts::indexOf(const SegmentRef& ref) const {
   const auto& all = instances_.all();
   const auto found = std::find_if(all.begin(), all.end(), [&](const Placement& placement) {
     return placement.id == ref.instance && placement.part->id == ref.part;
@@ -119,13 +128,13 @@ std::size_t EntityStep::placementOf(const SegmentRef& ref) const {
   return found == all.end() ? Placement::kNone : static_cast<std::size_t>(found - all.begin());
 }
 
-void EntityStep::addOver() {
+void StepContacts::addOver() {
   changes_.clear();
-  for (const SegmentRef& ref : collider_.overlapped()) changes_.push_back({{}, true, placementOf(ref), ref});
+  for (const SegmentRef& ref : collider_.overlapped()) changes_.push_back({{}, true, indexOf(ref), ref});
   std::sort(changes_.begin(), changes_.end(), [](const Change& a, const Change& b) {
     return std::tuple(a.placement, a.segment.index) < std::tuple(b.placement, b.segment.index);
   });
-  for (const Change& change : changes_) addEvent(StepEvents::Kind::kOver, change.segment);
+  for (const Change& change : changes_) add(StepEvents::Kind::kOver, change.segment);
 }
 
 }  // namespace platon

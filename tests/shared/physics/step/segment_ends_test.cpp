@@ -1,4 +1,6 @@
 // Passing of segment ends: I3 on one face.
+#include "shared/physics/step/segment_ends.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,7 +11,6 @@
 
 #include "platon/physics/entity.h"
 #include "platon/physics/world.h"
-#include "shared/physics/step/entity_step.h"
 #include "tests/shared/physics/plane_scene.h"
 #include "tests/shared/physics/shapes.h"
 #include "tests/shared/physics/step/leg_checker.h"

@@ -1,0 +1,148 @@
+#include "shared/physics/step/follow.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "platon/exact/integer.h"
+#include "shared/exact/lattice.h"
+#include "shared/physics/ideal_geometry.h"
+#include "shared/physics/step/hit_frame.h"
+#include "shared/physics/tolerances.h"
+
+namespace platon {
+namespace {
+
+constexpr auto kPlaces = latticeDisc<Tolerances::kFollow>();
+constexpr auto kDetours = latticeDisc<Tolerances::kNudge>();
+// A straight move to a place farther than 1.5 subunits from the ideal place is not good enough. Squared, in the units
+// of PrecisePoint.
+constexpr std::int64_t kSquaredNear = PrecisePoint::kOne * PrecisePoint::kOne * 9 / 4;
+constexpr std::int64_t kDetourReach = 2;  // squared, in subunits, if no straight move is possible
+
+// In the units of PrecisePoint. Bounds: the place is less than 8 subunits away, so that the result is below 2^59.
+std::int64_t squaredDistance(Point place, PrecisePoint ideal) {
+  const PrecisePoint between = precise(place) - ideal;
+  return between.x * between.x + between.y * between.y;
+}
+
+// By distance in whole subunits: the number of places that can be so near to the ideal place. It is less than 0.71
+// subunits from the lattice point nearest to it, and (distance + 0.71)^2 < distance^2 + 1.5 distance + 0.51.
+constexpr auto kPlacesWithin = [] {
+  std::array<std::size_t, Tolerances::kFollow + 2> within{};
+  for (std::size_t distance = 1; distance < within.size(); ++distance) {
+    const auto reach = static_cast<std::int64_t>((2 * distance * distance + 3 * distance + 1) / 2);
+    while (within[distance] < kPlaces.size() && squaredLength(kPlaces[within[distance]]) <= reach) ++within[distance];
+  }
+  return within;
+}();
+
+// The number of places that can be as near to the ideal place as this squared distance.
+std::size_t placesWithin(std::int64_t squaredDistance) {
+  std::size_t distance = 1;
+  while (static_cast<std::int64_t>(distance * distance) * PrecisePoint::kOne * PrecisePoint::kOne < squaredDistance)
+    ++distance;
+  return kPlacesWithin[distance];
+}
+
+// A first sieve: whether the place is outside of the edge that stopped the leg.
+bool mayStandAt(const Mover& mover, const FollowAim& aim, Point place) {
+  if (!aim.hit) return true;
+  const Obstacle::HalfPlane& half = aim.hit->edge.half;
+  return dot(half.normal, placementOf(mover.instances(), *aim.hit).at(place)) + half.offset >= 0;
+}
+
+// Of two places that are equally near: the one farther out, or farther ahead. So a mirrored scene moves in the same
+// way.
+bool isBetter(const Mover& mover, const FollowAim& aim, Point offset, Point other) {
+  const Point beyond = offset - other;
+  const std::int64_t outwards = aim.hit ? dot(homeNormalOf(mover.instances(), *aim.hit), beyond) : 0;
+  return outwards != 0 ? outwards > 0 : distanceTo({beyond, 0}, aim.tick) > 0;
+}
+
+// Tries the places in order of their exact distance from the ideal place.
+std::optional<Point> nearestReachable(Mover& mover, const FollowAim& aim) {
+  const Point nearest = mover.roundedAt(aim.end);
+  std::array<bool, kPlaces.size()> tried{};
+  for (;;) {
+    std::optional<std::size_t> best;
+    std::int64_t distance = 0;
+    std::size_t considered = kPlaces.size();
+    for (std::size_t i = 0; i < considered; ++i) {
+      if (tried[i]) continue;
+      const std::int64_t here = squaredDistance(nearest + kPlaces[i], aim.end);
+      if (best && (here > distance || (here == distance && !isBetter(mover, aim, kPlaces[i], kPlaces[*best]))))
+        continue;
+      if (!mayStandAt(mover, aim, nearest + kPlaces[i])) continue;
+      best = i;
+      distance = here;
+      considered = placesWithin(distance);
+    }
+    if (!best) return std::nullopt;
+    tried[*best] = true;
+    const Point place = nearest + kPlaces[*best];
+    if (mover.isReachable(place)) return place;
+  }
+}
+
+// Where the straight way is blocked by an end that the ideal path just passes: by way of a place near the position, to
+// one that is nearer than `straight`.
+bool followByDetour(Mover& mover, const FollowAim& aim, std::optional<Point> straight) {
+  const Point nearest = mover.roundedAt(aim.end);
+  const Point start = mover.position();
+  std::array<Point, kPlaces.size()> places;
+  std::size_t count = 0;
+  for (const Point offset : kPlaces) {
+    const Point place = nearest + offset;
+    const std::int64_t distance = squaredDistance(place, aim.end);
+    const bool isNear = straight ? distance <= kSquaredNear : squaredLength(offset) <= kDetourReach;
+    if (isNear && mayStandAt(mover, aim, place) && mover.allInRange(place)) places[count++] = place;
+  }
+  for (const Point detour : std::span(kDetours).subspan(1)) {
+    const Point over = start + detour;
+    if (count == 0 || !mover.allInRange(over) || !mover.isFree(start, over)) continue;
+    for (const Point place : std::span(places).first(count)) {
+      if (!mover.isFree(over, place)) continue;
+      mover.moveTo(over);
+      mover.moveTo(place);
+      return true;
+    }
+  }
+  return false;
+}
+
+// The work of `follow` where the lattice point nearest to the ideal place is not reachable, or is not the only nearest
+// one.
+bool followFarther(Mover& mover, const FollowAim& aim) {
+  const auto place = nearestReachable(mover, aim);
+  const bool isNear = place && squaredDistance(*place, aim.end) <= kSquaredNear;
+  if (!isNear && followByDetour(mover, aim, place)) return true;
+  if (place) mover.moveTo(*place);
+  return place.has_value();
+}
+
+}  // namespace
+
+bool follow(Mover& mover, const FollowAim& aim) {
+  const Point nearest = mover.roundedAt(aim.end);
+  const bool isNearestAlone = maxNorm(aim.end - precise(nearest)) < PrecisePoint::kOne / 2;
+  if (!isNearestAlone || !mayStandAt(mover, aim, nearest) || !mover.isReachable(nearest))
+    return followFarther(mover, aim);
+  mover.moveTo(nearest);
+  return true;
+}
+
+bool fallBack(Mover& mover, PrecisePoint end) {
+  const Point start = mover.position();
+  const Point displacement = mover.roundedAt(end) - start;
+  Point move = displacement;
+  if (const auto hit = mover.collider().first(mover.instances(), start, start + displacement))
+    move = scaleTruncated(displacement, hit->hit.time);
+  while (move != Point() && !(mover.allInRange(start + move) && mover.isFree(start, start + move)))
+    move = {move.x / 2, move.y / 2};
+  mover.moveTo(start + move);
+  return move != Point();
+}
+
+}  // namespace platon

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <optional>
+
+#include "platon/exact/precise_point.h"
+#include "shared/physics/collider.h"
+#include "shared/physics/step/mover.h"
+
+namespace platon {
+
+/// Where the position shall go after a leg of the ideal path.
+struct FollowAim {
+  PrecisePoint end;                  ///< the ideal place, which it shall be near to
+  const std::optional<LegHit>& hit;  ///< what ended the leg, on whose outer side it must be
+  PrecisePoint tick;                 ///< displacement of the tick: of places that are equally near, prefers one ahead
+};
+
+/// Moves the position near to the ideal place, by at most two straight moves, which the exact sweep proves free (I1).
+/// Returns false, and moves nothing, if there is no such way to a place within Tolerances::kFollow.
+bool follow(Mover& mover, const FollowAim& aim);
+/// Moves the position towards `end` as far as the lattice allows. Returns whether it moved.
+bool fallBack(Mover& mover, PrecisePoint end);
+
+}  // namespace platon
