@@ -109,6 +109,8 @@ class IdealClip {
     Fraction time() const { return start <= tolerance() ? Fraction{0, 1} : fractionOf(start, -change); }
     Fraction early() const { return fractionOf(start - tolerance(), -change); }
     Fraction late() const { return fractionOf(start + tolerance(), -change); }
+    // When a leaving path is on the edge. So a path that touches a corner only is empty.
+    Fraction leaveTime() const { return std::min(Fraction{1, 1}, fractionOf(-start - tolerance(), change)); }
   };
 
   // Of several edges that the path enters at one place, a side of the segment counts, or else the one with which the
@@ -131,7 +133,7 @@ class IdealClip {
   }
 
   void leave(const Crossing& crossing) {
-    const Fraction time = std::min(Fraction{1, 1}, fractionOf(-crossing.start, crossing.change));
+    const Fraction time = crossing.leaveTime();
     if (interval_.endsInside || time < interval_.exit) interval_.exit = time;
     interval_.endsInside = false;
   }

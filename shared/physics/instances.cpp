@@ -17,8 +17,8 @@ constexpr std::int64_t squaredPrecise(std::int32_t subunits) {
   return subunits * PrecisePoint::kOne * subunits * PrecisePoint::kOne;
 }
 constexpr std::int64_t kMaxSquaredError = squaredPrecise(Instances::kMaxError);
-// Smaller errors are not corrected: the nearest lattice point can be 0.71 subunits (half a cell diagonal) away.
-constexpr std::int64_t kMinSquaredDrift = squaredPrecise(1);
+// Smaller errors are not corrected: the nearest lattice point can be so far away (half the diagonal of a cell).
+constexpr std::int64_t kMinSquaredDrift = squaredPrecise(1) / 2;
 
 }  // namespace
 

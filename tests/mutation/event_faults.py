@@ -16,7 +16,7 @@ EVENT_FAULTS = [
               "a closed door that a body has left does not block it in the same step",
               "DoorTest.AClosedDoorThatIsLeftBlocksInTheSameStep"),
     at_length("placed-in-a-closed-door", PHYSICS + "world_placement.cpp",
-              "step.contacts().pierceOverlapped(inserted);", "step.pierceOverlapped();",
+              "step.contacts().pierceOverlapped(inserted);", "step.contacts().pierceOverlapped();",
               "an instance can be placed in a closed door",
               "WorldPlacementTest.AClosedDoorForbidsTheInstanceThatIsPlaced"),
     at_length("turn-to-home-reversed", PHYSICS + "collider.cpp", "angle_ - placement.angle}", "placement.angle - angle_}",

@@ -244,7 +244,7 @@ SERVER_FAULTS = [
               "BanList.OfSeveralBansTheOneThatLastsLongestCounts"),
     at_length("ban-of-a-forged-address-logged", APP + "dedicated_server.cpp",
               "    const Ban* const ban = banOf(address);\n    return ban ?",
-              "    logBanned(address);\n    const Ban* const ban = banOf(address);\n    return ban ?",
+              "    if (const Ban* const b = banOf(address)) logBanned(address, *b);\n    const Ban* const ban = banOf(address);\n    return ban ?",
               "an attacker fills the log with the addresses of others",
               "BannedAddressTest.AForgedAddressIsNotLogged"),
     at_length("ipv6-range-holds-ipv4", ADMIN + "address_range.cpp",

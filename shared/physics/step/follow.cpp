@@ -19,7 +19,6 @@ constexpr auto kDetours = latticeDisc<Tolerances::kNudge>();
 // A straight move to a place farther than 1.5 subunits from the ideal place is not good enough. Squared, in the units
 // of PrecisePoint.
 constexpr std::int64_t kSquaredNear = PrecisePoint::kOne * PrecisePoint::kOne * 9 / 4;
-constexpr std::int64_t kDetourReach = 2;  // squared, in subunits, if no straight move is possible
 
 // In the units of PrecisePoint. Bounds: the place is less than 8 subunits away, so that the result is below 2^59.
 std::int64_t squaredDistance(Point place, PrecisePoint ideal) {
@@ -87,16 +86,15 @@ std::optional<Point> nearestReachable(Mover& mover, const FollowAim& aim) {
 }
 
 // Where the straight way is blocked by an end that the ideal path just passes: by way of a place near the position, to
-// one that is nearer than `straight`.
-bool followByDetour(Mover& mover, const FollowAim& aim, std::optional<Point> straight) {
+// one near the ideal place.
+bool followByDetour(Mover& mover, const FollowAim& aim) {
   const Point nearest = mover.roundedAt(aim.end);
   const Point start = mover.position();
   std::array<Point, kPlaces.size()> places;
   std::size_t count = 0;
   for (const Point offset : kPlaces) {
     const Point place = nearest + offset;
-    const std::int64_t distance = squaredDistance(place, aim.end);
-    const bool isNear = straight ? distance <= kSquaredNear : squaredLength(offset) <= kDetourReach;
+    const bool isNear = squaredDistance(place, aim.end) <= kSquaredNear;
     if (isNear && mayStandAt(mover, aim, place) && mover.allInRange(place)) places[count++] = place;
   }
   for (const Point detour : std::span(kDetours).subspan(1)) {
@@ -117,7 +115,7 @@ bool followByDetour(Mover& mover, const FollowAim& aim, std::optional<Point> str
 bool followFarther(Mover& mover, const FollowAim& aim) {
   const auto place = nearestReachable(mover, aim);
   const bool isNear = place && squaredDistance(*place, aim.end) <= kSquaredNear;
-  if (!isNear && followByDetour(mover, aim, place)) return true;
+  if (!isNear && followByDetour(mover, aim)) return true;
   if (place) mover.moveTo(*place);
   return place.has_value();
 }

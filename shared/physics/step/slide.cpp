@@ -16,10 +16,13 @@ PrecisePoint onto(const Instances& instances, const LegHit& hit, PrecisePoint pl
 
 }  // namespace
 
+// Where the place is already at the end of the edge, the path leads past the corner.
 LegPlan Slide::next() const {
   if (passing) return *passing;
-  if (contact && distanceTo({contact->edge.half.normal, 0}, fromHome(instances, *contact, rest)) < 0)
-    return slideAlongContact();
+  if (contact && distanceTo({contact->edge.half.normal, 0}, fromHome(instances, *contact, rest)) < 0) {
+    const LegPlan plan = slideAlongContact();
+    if (!plan.cut || plan.displacement != PrecisePoint()) return plan;
+  }
   return {rest};
 }
 

@@ -19,7 +19,7 @@ inline constexpr std::uint32_t kMaxPlayers = 256;
 /// Longest round: five minutes.
 inline constexpr std::uint32_t kRoundTicks = 5 * 60 * kTicksPerSecond;
 /// Version of the game's rules. Must be raised with every change after which the same inputs give other hashes.
-inline constexpr std::uint32_t kRulesVersion = 5;
+inline constexpr std::uint32_t kRulesVersion = 6;
 
 /// One round on one level: the world, the players, the goal and the round clock. A copy is an independent game.
 class Game {

@@ -154,6 +154,36 @@ TEST(SlideOverJointsTest, APointThatStandsAloneStopsTheBody) {
   EXPECT_EQ(scene.entity.position(), Point(800, -11745));
 }
 
+// The ideal path touches the obstacle of a point on the slope in a corner only, and leads past it.
+TEST(SlideOverJointsTest, PointsOnASlopeChangeNothing) {
+  sim::SeededRandom random(kSeed);
+  for (int round = 0; round < 1000; ++round) {
+    const Point stride = random.vector(60) + Point(100, 0);
+    const auto along = [&](std::int32_t strides) { return Point(strides * stride.x, strides * stride.y); };
+    const Segment slope{along(-3000), along(3000)};
+    std::vector<Segment> lines{slope};
+    for (int i = 0; i < 40; ++i) {
+      const Point on = along(static_cast<std::int32_t>(random.below(2000)) - 1000);
+      lines.push_back({on, on});
+    }
+    const Convex shape = randomConvex(random, 3000);
+    const Point start = along(-500) + Point(-200 * stride.y, 200 * stride.x);
+    Scene plain({slope}, shape, start);
+    Scene scene(lines, shape, start);
+    const Point velocity = along(5) + random.vector(40) + Point(2 * stride.y, -2 * stride.x);
+    for (int tick = 0; tick < 200; ++tick) {
+      plain.step(velocity);
+      scene.step(velocity);
+      const EntityState& expected = plain.entity.state();
+      const EntityState& found = scene.entity.state();
+      const PrecisePoint between = precise(found.position - expected.position) +
+                                   PrecisePoint{found.remainder.x - std::int64_t{expected.remainder.x},
+                                                found.remainder.y - std::int64_t{expected.remainder.y}};
+      ASSERT_LE(maxNorm(between), 10000) << "seed " << kSeed << ", round " << round << ", tick " << tick;
+    }
+  }
+}
+
 // The ideal body rests there, between a segment and the end of another one.
 TEST(SlideOverJointsTest, ANudgeLeadsPastTheEndThatStopsTheBody) {
   Scene scene({{{90, -285}, {-131, -81}},

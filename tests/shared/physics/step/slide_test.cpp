@@ -73,6 +73,17 @@ TEST_F(SlideTest, ASlideEndsWithTheEdge) {
   EXPECT_EQ(slide.restAfter(leg, plan), (PrecisePoint{110 * kOne, -kOne / 2}));
 }
 
+TEST_F(SlideTest, AtTheEndOfTheEdgeItLeadsPastTheCorner) {
+  Slide slide = slideBy({0, -kOne});
+  made(slide);
+  slide.place = {110 * kOne, 0};
+  slide.rest = {5 * kOne, -kOne};
+  EXPECT_FALSE(slide.next().slides);
+  EXPECT_EQ(slide.next().displacement, slide.rest);
+  slide.rest = {-5 * kOne, -kOne};
+  EXPECT_TRUE(slide.next().slides) << "back along the edge";
+}
+
 TEST_F(SlideTest, RestsWhereItWouldSlideByLessThanASubunit) {
   Slide slide = slideBy({kOne - 1, -9 * kOne});
   made(slide);
