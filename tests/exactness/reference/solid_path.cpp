@@ -261,7 +261,8 @@ bool SolidPath::isAtJoint(SideRef ref) const {
 
 bool SolidPath::isFree(Vec place) const {
   return std::none_of(images_.begin(), images_.end(), [&](const Image& image) {
-    const RealVec at = turnedBy(image.rotation, toReal(place)) + image.shift;
+    const RealVec exact = turnedBy(image.rotation, toReal(place)) + image.shift;
+    const RealVec at = &image == &images_.front() ? exact : toReal(rounded(exact));
     return std::any_of(image.near.begin(), image.near.end(), [&](const PathObstacle& obstacle) {
       return std::all_of(obstacle.sides.begin(), obstacle.sides.end(), [&](const Side& side) {
         return dot(normalOf(side), at) - toReal(side.bound) < -toleranceOf(side);

@@ -71,7 +71,7 @@ class SolidPath {
   /// Centidegrees by which frames have turned since the start.
   std::int64_t turned() const { return turned_; }
   /// True if no lattice point within `distance` subunits of the place is free: neither of the segments of its own face
-  /// nor, taken there exactly, of those of the other faces that the body reaches.
+  /// nor, taken there and rounded to their lattices, of those of the other faces that the body reaches.
   bool isNarrow(std::int64_t distance) const;
   /// True if the last tick had a contact.
   bool touched() const { return touched_; }

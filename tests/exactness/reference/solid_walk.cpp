@@ -1,6 +1,7 @@
 #include "tests/exactness/reference/solid_walk.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <span>
@@ -243,10 +244,14 @@ class Walk {
     const EntityState& state = world_.entities()[0];
     const double x = Real(ideal_->place().x - state.position.x).get_d();
     const double y = Real(ideal_->place().y - state.position.y).get_d();
+    const double precise = std::hypot(x - state.remainder.x / kOne, y - state.remainder.y / kOne);
+    if (narrow_ && precise > kMaxLatticeError) {
+      verdict_.end = WalkEnd::kNarrow;
+      return;
+    }
     double& worst = narrow_ ? verdict_.maxNarrow : instances_ > 1 ? verdict_.maxOverEdges : verdict_.maxLattice;
     worst = std::max(worst, std::hypot(x, y));
-    verdict_.maxPrecise =
-        std::max(verdict_.maxPrecise, std::hypot(x - state.remainder.x / kOne, y - state.remainder.y / kOne));
+    verdict_.maxPrecise = std::max(verdict_.maxPrecise, precise);
     ++verdict_.judgedTicks;
     verdict_.narrowTicks += narrow_ ? 1 : 0;
     verdict_.contactTicks += ideal_->touched() ? 1 : 0;
@@ -287,13 +292,13 @@ bool judgeWalks(std::uint64_t firstSeed, std::int64_t count, std::int64_t ticks,
         const std::uint64_t seed = firstSeed + static_cast<std::uint64_t>(i);
         const WalkVerdict walk = judgeWalk(kind, drive, seed, ticks);
         holds &= walk.holds();
-        const char* end = walk.end == WalkEnd::kTicks ? "" : walk.end == WalkEnd::kJoint ? "joint" : "tie";
+        constexpr std::array<const char*, 4> kEnds = {"", "joint", "tie", "narrow"};
         std::fprintf(out, "%-12s %-7s %5llu %6lld %8lld %9lld %6lld %9.3f %10.3f %10.3f %11.8f %s\n",
                      std::string(nameOf(kind)).c_str(), drive == Drive::kPush ? "push" : "gravity",
                      static_cast<unsigned long long>(seed), static_cast<long long>(walk.judgedTicks),
                      static_cast<long long>(walk.contactTicks), static_cast<long long>(walk.crossings),
                      static_cast<long long>(walk.narrowTicks), walk.maxLattice, walk.maxOverEdges, walk.maxNarrow,
-                     walk.maxPrecise, end);
+                     walk.maxPrecise, kEnds[static_cast<std::size_t>(walk.end)]);
       }
     }
   }

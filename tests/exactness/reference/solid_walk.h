@@ -15,9 +15,10 @@ enum class Drive {
 
 /// Why the judgement of a walk ended.
 enum class WalkEnd {
-  kTicks,  ///< all ticks are judged
-  kJoint,  ///< the ideal body was stopped at a joint (SolidPath::wasStoppedAtJoint)
-  kTie,    ///< a second ideal body, 1/64 subunit aside, came to be more than 2 subunits away
+  kTicks,   ///< all ticks are judged
+  kJoint,   ///< the ideal body was stopped at a joint (SolidPath::wasStoppedAtJoint)
+  kTie,     ///< a second ideal body, 1/64 subunit aside, came to be more than 2 subunits away
+  kNarrow,  ///< the ideal body went on into a wedge where no lattice point within 2 subunits is free
 };
 
 /// Distances of a simulated body from the ideal one, in subunits.
@@ -26,13 +27,13 @@ struct WalkVerdict {
   std::int64_t judgedTicks = 0;
   std::int64_t contactTicks = 0;  ///< ticks in which the ideal body has a contact
   std::int64_t crossings = 0;     ///< changes of the home face
-  std::int64_t narrowTicks = 0;   ///< ticks after which no lattice point within 2 subunits is free
+  std::int64_t narrowTicks = 0;   ///< ticks after which no lattice point within 2 subunits is free (isNarrow)
   double maxLattice = 0;    ///< largest distance of the lattice position while the body is on one face, not narrow
-  double maxOverEdges = 0;  ///< the same while it is on several faces: instances differ by up to 4 subunits (I5)
+  double maxOverEdges = 0;  ///< the same while it is on several faces, whose lattices differ
   double maxNarrow = 0;     ///< the same after narrow ticks
   double maxPrecise = 0;    ///< largest distance of position + remainder
 
-  bool holds() const { return maxLattice <= 2 && maxOverEdges <= 4; }
+  bool holds() const { return maxLattice <= 2 && maxOverEdges <= 3; }
 };
 
 /// A random walk on a solid with random walls, of which many continue over an edge or end beside it, with ends off by
