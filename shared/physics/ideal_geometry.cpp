@@ -109,8 +109,9 @@ class IdealClip {
     Fraction time() const { return start <= tolerance() ? Fraction{0, 1} : fractionOf(start, -change); }
     Fraction early() const { return fractionOf(start - tolerance(), -change); }
     Fraction late() const { return fractionOf(start + tolerance(), -change); }
-    // When a leaving path is on the edge. So a path that touches a corner only is empty.
-    Fraction leaveTime() const { return std::min(Fraction{1, 1}, fractionOf(-start - tolerance(), change)); }
+    // When a leaving path comes within the tolerance of the edge. So the interval of a path that only touches a corner
+    // is empty.
+    Fraction leaveTime() const { return fractionOf(-start - tolerance(), change); }
   };
 
   // Of several edges that the path enters at one place, a side of the segment counts, or else the one with which the

@@ -13,12 +13,10 @@ namespace {
 // all lattice points within kMaxError of the exact position.
 constexpr auto kOffsets = latticeDisc<Instances::kMaxError + 1>();
 
-constexpr std::int64_t squaredPrecise(std::int32_t subunits) {
-  return subunits * PrecisePoint::kOne * subunits * PrecisePoint::kOne;
-}
-constexpr std::int64_t kMaxSquaredError = squaredPrecise(Instances::kMaxError);
-// Smaller errors are not corrected: the nearest lattice point can be so far away (half the diagonal of a cell).
-constexpr std::int64_t kMinSquaredDrift = squaredPrecise(1) / 2;
+constexpr std::int64_t kSquaredOne = PrecisePoint::kOne * PrecisePoint::kOne;
+constexpr std::int64_t kMaxSquaredError = Instances::kMaxError * Instances::kMaxError * kSquaredOne;
+// Smaller errors are not corrected: the nearest lattice point can be half the diagonal of a cell away.
+constexpr std::int64_t kMinSquaredDrift = kSquaredOne / 2;
 
 }  // namespace
 
@@ -87,7 +85,8 @@ void Instances::updateRotations(Placement& placement) const {
 
 void Instances::linkParent(std::size_t index, std::uint16_t parentId) {
   Placement& placement = placements_[index];
-  const auto parent = std::ranges::find(placements_, parentId, &Placement::id);
+  const auto parent = std::find_if(placements_.begin(), placements_.end(),
+                                   [&](const Placement& other) { return other.id == parentId; });
   placement.parent = static_cast<std::size_t>(parent - placements_.begin());
   const MapGeometry& part = *placements_[placement.parent].part;
   placement.reverseWarp = *geometry_->reverseWarp(part.id, part.warps[placement.warp]);
@@ -393,7 +392,8 @@ std::optional<Point> Instances::nearestFree(const Placement& placement, const Po
 
 std::size_t Instances::unusedRegion() const {
   std::size_t region = 0;
-  while (std::ranges::find(placements_, region, &Placement::region) != placements_.end()) ++region;
+  const auto isUsed = [&](const Placement& placement) { return placement.region == region; };
+  while (std::any_of(placements_.begin(), placements_.end(), isUsed)) ++region;
   return region;
 }
 

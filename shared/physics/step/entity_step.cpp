@@ -58,7 +58,7 @@ bool EntityStep::insertReachedInstances() {
 LegPlan EntityStep::nextPlan() {
   LegPlan plan = slide_.next();
   if (plan.slides && plan.displacement == PrecisePoint() &&
-      passEnd(*slide_.contact, *slide_.contact, slide_.place, slide_.rest))
+      pass(*slide_.contact, *slide_.contact, slide_.place, slide_.rest))
     plan = slide_.next();
   slide_.passing.reset();
   if (!plan.slides) slide_.contact.reset();
@@ -74,13 +74,13 @@ void EntityStep::executeLeg(Leg& leg, const LegPlan& plan) {
   if (isStopped) slide_.turnCorner(*leg.hit, end);
   if (isStopped && !progresses && slide_.contact && isWedged(*leg.hit)) return stopInWedge(*leg.hit, rest);
   if (isStopped && isBlockedByEnd(slide_, *leg.hit, end, rest) &&
-      passEnd(*leg.hit, slide_.contact ? *slide_.contact : *leg.hit, end, rest))
+      pass(*leg.hit, slide_.contact ? *slide_.contact : *leg.hit, end, rest))
     return;
   const bool isNear = maxNorm(end - precise(mover_.position())) <= Tolerances::kContactGap * PrecisePoint::kOne;
   slide_.rest = rest;
   slide_.contact.reset();
   if (progresses) idleLegs_ = 0;
-  if ((!progresses && isNear) || follow(mover_, {end, leg.hit, slide_.tick})) {
+  if ((!progresses && isNear) || follow(mover_, {end, leg.hit ? &*leg.hit : nullptr, slide_.tick})) {
     if (progresses || plan.cut) slide_.place = end;
     if (isStopped) slide_.contact = leg.hit;
   } else {
@@ -90,7 +90,8 @@ void EntityStep::executeLeg(Leg& leg, const LegPlan& plan) {
   if (isStopped) contacts_.addContact(*leg.hit);
 }
 
-// Whether the body is caught between the present contact and `hit`: the slide along each leads into the other.
+// Whether the body is caught between the present contact and `hit`: the slide along each leads into the other, both are
+// one edge, or there were too many slides without progress, of which this is one.
 bool EntityStep::isWedged(const LegHit& hit) {
   return slide_.isOnContact(hit) || ++idleLegs_ > kMaxIdleLegs || slide_.isCaughtAt(hit);
 }
@@ -99,8 +100,8 @@ bool EntityStep::isWedged(const LegHit& hit) {
 void EntityStep::stopInWedge(const LegHit& hit, PrecisePoint rest) {
   const LegHit contact = *slide_.contact;
   const PrecisePoint place = slide_.place;
-  if (passEnd(hit, contact, place, rest) || passEnd(contact, hit, place, rest) || passEnd(hit, hit, place, rest) ||
-      passEnd(contact, contact, place, rest))
+  if (pass(hit, contact, place, rest) || pass(contact, hit, place, rest) || pass(hit, hit, place, rest) ||
+      pass(contact, contact, place, rest))
     return;
   contacts_.addContact(hit);
   slide_.rest = PrecisePoint();
@@ -108,8 +109,8 @@ void EntityStep::stopInWedge(const LegHit& hit, PrecisePoint rest) {
 
 // Passes the segment end that `end` touches, if it protrudes slightly from the edge of `from`, on which the ideal place
 // is at `place`. The next leg leads on from there.
-bool EntityStep::passEnd(const LegHit& end, const LegHit& from, PrecisePoint place, PrecisePoint rest) {
-  const auto nudge = platon::passEnd(mover_, slide_, end, homeNormalOf(mover_.instances(), from), place, rest);
+bool EntityStep::pass(const LegHit& end, const LegHit& from, PrecisePoint place, PrecisePoint rest) {
+  const auto nudge = findNudge(mover_, slide_, end, homeNormalOf(mover_.instances(), from), place, rest);
   if (!nudge) return false;
   mover_.moveTo(nudge->to);
   slide_.place = precise(nudge->to);

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "platon/physics/entity.h"
@@ -20,7 +19,7 @@ namespace platon {
 
 /// Moves one entity by one tick. The entity is rotated first (TurnStep); then its displacement is used up in legs
 /// (straight moves). Stages of a leg: plan it (Slide); insert the instances that it needs and find the earliest hit
-/// of any instance (prepareLeg); pass a segment end that protrudes (passEnd); move all instances to the lattice point
+/// of any instance (prepareLeg); pass a segment end that protrudes (findNudge); move all instances to the lattice point
 /// nearest to the ideal place (follow, Mover), which adds the events (StepContacts); change the home instance if
 /// necessary; drop instances that are no longer needed.
 class EntityStep {
@@ -35,8 +34,8 @@ class EntityStep {
 
   /// I2: limit of legs in a step, and of moves of the position. The remaining displacement is discarded.
   static constexpr int kMaxLegs = 64;
-  /// Limit of moves in a leg: a detour has two.
-  static constexpr int kMovesOfLeg = 2;
+  /// Limit of moves in a leg: a nudge before it, and a detour of two.
+  static constexpr int kMovesOfLeg = 3;
   /// Limit of successive slides without progress: more edges than meet at a place in any sensible map.
   static constexpr int kMaxIdleLegs = 8;
 
@@ -74,7 +73,7 @@ class EntityStep {
   void executeLeg(Leg& leg, const LegPlan& plan);
   void stopInWedge(const LegHit& hit, PrecisePoint rest);
   bool isWedged(const LegHit& hit);
-  bool passEnd(const LegHit& end, const LegHit& from, PrecisePoint place, PrecisePoint rest);
+  bool pass(const LegHit& end, const LegHit& from, PrecisePoint place, PrecisePoint rest);
   void rehome();
   void storeRemainder();
 

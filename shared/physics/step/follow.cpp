@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include "platon/exact/integer.h"
+#include "platon/exact/fraction.h"
 #include "shared/exact/lattice.h"
 #include "shared/physics/ideal_geometry.h"
 #include "shared/physics/step/hit_frame.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "platon/exact/precise_point.h"
 #include "shared/physics/collider.h"
 #include "shared/physics/step/mover.h"
@@ -10,13 +8,14 @@ namespace platon {
 
 /// Where the position shall go after a leg of the ideal path.
 struct FollowAim {
-  PrecisePoint end;                  ///< the ideal place, which it shall be near to
-  const std::optional<LegHit>& hit;  ///< what ended the leg, on whose outer side it must be
-  PrecisePoint tick;                 ///< displacement of the tick: of places that are equally near, prefers one ahead
+  PrecisePoint end;   ///< the ideal place, which it shall be near to
+  const LegHit* hit;  ///< what ended the leg, on whose outer side it must be; null if nothing did
+  PrecisePoint tick;  ///< displacement of the tick: of places equally near and equally far out, one ahead is taken
 };
 
 /// Moves the position near to the ideal place, by at most two straight moves, which the exact sweep proves free (I1).
-/// Returns false, and moves nothing, if there is no such way to a place within Tolerances::kFollow.
+/// Returns false, and moves nothing, if there is no such way to a place within Tolerances::kFollow
+/// of the rounded ideal place. Requires that the instances have not moved since prepareLeg.
 bool follow(Mover& mover, const FollowAim& aim);
 /// Moves the position towards `end` as far as the lattice allows. Returns whether it moved.
 bool fallBack(Mover& mover, PrecisePoint end);

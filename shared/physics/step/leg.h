@@ -31,8 +31,9 @@ struct Leg {
 
 /// Finds where a leg by leg.displacement ends that begins at the ideal place `from`, and inserts the instances that it
 /// needs: before the leg, while their shape is still outside of their part and therefore free. `slidesOn` is the
-/// contact along which the leg slides and whose obstacle it cannot enter, or null. `refused` is work space: the warps
-/// behind which an instance cannot be placed, but which the leg leads away from.
+/// contact along which the leg slides and whose obstacle it cannot enter, or null. `refused`
+/// receives the warps behind which an instance cannot be placed, but which the leg leads away from; what it held before
+/// is discarded.
 void prepareLeg(Leg& leg, Mover& mover, PrecisePoint from, const LegHit* slidesOn,
                 std::vector<Collider::WarpRef>& refused);
 

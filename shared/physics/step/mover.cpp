@@ -35,7 +35,7 @@ void Mover::moveTo(Point position) {
   instances_.moveHomeTo(position);
   state_.position = position;
   observe();
-  contacts_.follow(before);
+  contacts_.updateMoved(before);
 }
 
 bool Mover::insertBehind(std::size_t placement, std::uint16_t warp) {

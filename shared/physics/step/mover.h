@@ -12,8 +12,9 @@
 
 namespace platon {
 
-/// Moves all instances of an entity together, on the lattice. Every change of the instances in a step goes through it:
-/// it keeps the state of the home instance and the contacts up to date, and reports to the observer.
+/// Moves all instances of an entity together, on the lattice. Every move, rotation, insertion, rehome and removal of
+/// instances in a step goes through it: it keeps the state of the home instance and the contacts up to date, and
+/// reports to the observer.
 class Mover {
  public:
   /// Who watches the step.
@@ -23,7 +24,8 @@ class Mover {
     std::vector<InstanceView>& views;  ///< work space
   };
 
-  /// `instances` have been loaded from `state`. All references must stay valid as long as the object.
+  /// Reports the instances to the observer. They have been loaded from `state`. All references must stay valid as long
+  /// as the object.
   Mover(EntityState& state, Instances& instances, Collider& collider, StepContacts& contacts, const Watch& watch)
       : state_(state), instances_(instances), collider_(collider), contacts_(contacts), watch_(watch) {
     observe();
@@ -45,7 +47,8 @@ class Mover {
   bool allInRange(Point home) const { return staysInRange_ || isEachInRange(home); }
   /// Whether no instance hits a blocking segment on the straight way from `from` to `to`.
   bool isFree(Point from, Point to) { return collider_.isFree(instances_, from, to); }
-  /// Whether `place` is in range, and the straight way to it from the start of the leg is free. Fast near the leg.
+  /// Whether `place` is the position, or is in range and the straight way to it is free. Requires that the instances
+  /// have not moved since prepareLeg. Fast near the leg.
   bool isReachable(Point place) {
     return place == position() || (allInRange(place) && collider_.isFreeInLeg(instances_, place));
   }

@@ -17,11 +17,12 @@ constexpr std::int32_t kNudge = Tolerances::kNudge;
 // Offsets of a nudge, nearest first. The first one is (0, 0) and is not used.
 constexpr auto kNudgeOffsets = latticeDisc<kNudge>();
 
+// In squares of 2^-18 subunits.
 int128 squared(PrecisePoint vector) {
   return int128{vector.x >> 8} * (vector.x >> 8) + int128{vector.y >> 8} * (vector.y >> 8);
 }
 
-// Of the remaining displacement along the edge of `hit`, in 2^-32 of the units of PrecisePoint.
+// The squared length of the remaining displacement along the edge of `hit`.
 int128 squaredSlide(const Slide& slide, const LegHit& hit) {
   return squared(alongEdge(homeNormalOf(slide.instances, hit), slide.rest));
 }
@@ -42,7 +43,8 @@ class EndPassage {
   EndPassage(Mover& mover, PrecisePoint tick, const LegHit& end)
       : mover_(mover), collider_(mover.collider()), instances_(mover.instances()), tick_(tick), end_(end) {}
 
-  /// Whether the body touches an end of the segment at the ideal place `from`, perhaps with a vertex.
+  /// Whether the body touches an end of the segment at the ideal place `from`, perhaps with a vertex. If so, the hit
+  /// becomes one of that end, as `nudge` requires.
   bool touchesEnd(PrecisePoint from);
   /// The normal of the end in the frame of the home part.
   Point normal() const { return homeNormalOf(instances_, end_); }
@@ -150,16 +152,16 @@ Point EndPassage::awayFromEnd() const {
 
 }  // namespace
 
-bool isBlockedByEnd(const Slide& slide, const LegHit& hit, PrecisePoint end, PrecisePoint rest) {
+bool isBlockedByEnd(const Slide& slide, const LegHit& hit, PrecisePoint place, PrecisePoint rest) {
   if (hit.hit.side != Hit::Side::kSegmentEnd) return false;
   const int128 before = slide.contact ? squaredSlide(slide, *slide.contact) : squared(slide.rest);
   if (1024 * squaredSlide(slide, hit) >= before) return false;
-  const EdgeSlide along = slide.slideFrom(hit, end, rest);
+  const EdgeSlide along = slide.slideFrom(hit, place, rest);
   return !along.cut || along.share > Fraction{1, 32};
 }
 
-std::optional<Nudge> passEnd(Mover& mover, const Slide& slide, const LegHit& hit, Point normal, PrecisePoint from,
-                             PrecisePoint rest) {
+std::optional<Nudge> findNudge(Mover& mover, const Slide& slide, const LegHit& hit, Point normal, PrecisePoint from,
+                               PrecisePoint rest) {
   EndPassage passage(mover, slide.tick, hit);
   if (!passage.touchesEnd(from)) return std::nullopt;
   const bool straight = normal == passage.normal();

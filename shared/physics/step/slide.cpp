@@ -1,6 +1,5 @@
 #include "shared/physics/step/slide.h"
 
-#include "platon/exact/integer.h"
 #include "shared/physics/step/hit_frame.h"
 #include "shared/physics/tolerances.h"
 

@@ -20,9 +20,9 @@ struct LegPlan {
   bool cut = false;           ///< it ends with the edge
 };
 
-/// The ideal path during one step: free to the exact contact, then along the exact edge to its exact end. A value: its
-/// functions only say where it leads, the step moves it. All places and displacements are in the frame of the current
-/// home part.
+/// The ideal path during one step: free to the exact contact, then along the exact edge to its exact end. A value:
+/// except for rotateFrame, its functions only say where it leads; EntityStep moves it. `instances` must stay valid. All
+/// places and displacements are in the frame of the current home part.
 struct Slide {
   const Instances& instances;
   PrecisePoint place;                ///< the ideal place of the home instance
@@ -31,9 +31,10 @@ struct Slide {
   std::optional<LegHit> contact{};   ///< the edge that the place is on and was stopped by
   std::optional<LegPlan> passing{};  ///< the next leg, on the free path past a segment end
 
-  /// The next leg: along the contact if that stops the remaining displacement, else free. A slide by (0, 0) is a rest.
+  /// The next leg: past a segment end if `passing` is set; along the contact if that stops the remaining displacement
+  /// and its edge does not end here; else free. A slide by (0, 0) is a rest.
   LegPlan next() const;
-  /// Where a leg of this plan ends: on the contact if it slides, and on the edge that it hits.
+  /// Where a leg of this plan ends: on the contact if it slides, which requires one, and on the edge that it hits.
   PrecisePoint endOf(const Leg& leg, const LegPlan& plan) const;
   /// What the leg leaves of the remaining displacement.
   PrecisePoint restAfter(const Leg& leg, const LegPlan& plan) const;
@@ -45,9 +46,10 @@ struct Slide {
   EdgeSlide slideFrom(const LegHit& hit, PrecisePoint from, PrecisePoint remaining) const {
     return slideOn(hit.edge, instances.idealOf(hit.placement, from), fromHome(instances, hit, remaining));
   }
-  /// Whether `hit` is on the edge of the contact.
+  /// Whether `hit` is on the edge of the contact. Requires a contact.
   bool isOnContact(const LegHit& hit) const;
-  /// Whether the slide along the edge of `hit`, if that were infinite, at once leads into the contact.
+  /// Whether the slide along the edge of `hit`, if that were infinite, at once leads into the contact. Requires one. If
+  /// it would rest there: whether the place is inside of the obstacle of the contact.
   bool isCaughtAt(const LegHit& hit) const;
   /// The frame of the home part has been rotated. The indices of the placements have changed with it.
   void rotateFrame(Angle turn);

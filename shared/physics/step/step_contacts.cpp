@@ -4,7 +4,6 @@
 #include <iterator>
 #include <tuple>
 
-#include "platon/exact/integer.h"
 #include "shared/physics/step/hit_frame.h"
 
 namespace platon {
@@ -57,7 +56,7 @@ void StepContacts::clearFresh() {
   for (Placement& placement : instances_.all()) placement.fresh = false;
 }
 
-void StepContacts::followPierced(Point before) {
+void StepContacts::updatePierced(Point before) {
   changes_.clear();
   for (const SegmentRef& pierced : collider_.pierced()) appendChanges(pierced, before);
   applyChanges();

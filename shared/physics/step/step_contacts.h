@@ -17,11 +17,11 @@ namespace platon {
 /// they begin and end alternately.
 class StepContacts {
  public:
-  // The begin or end of a contact.
+  /// The begin or end of a contact.
   struct Change {
     Fraction time;
     bool begins;
-    std::size_t placement;  // Placement::kNone when the instance no longer exists
+    std::size_t placement;  ///< Placement::kNone when the instance no longer exists
     SegmentRef segment;
   };
 
@@ -47,13 +47,13 @@ class StepContacts {
   /// A blocking segment stopped a rotation.
   void addTouch(const SegmentRef& segment) { add(StepEvents::Kind::kTouch, segment); }
   /// All instances have moved straight, the home instance from `before` to its position.
-  void follow(Point before) {
-    if (!collider_.pierced().empty()) followPierced(before);
+  void updateMoved(Point before) {
+    if (!collider_.pierced().empty()) updatePierced(before);
   }
-  /// The shape has been rotated, or instances have been removed: first the contacts that have ended, then those that
-  /// have begun.
+  /// Instances have been removed, or the step ends: adds first the contacts that have ended, then those that have
+  /// begun.
   void update();
-  /// As above, for the rotation.
+  /// The shape has been rotated: records what it overlaps now, then `update`.
   void updateRotated();
   /// Ends the step, during which the frame of the home part has turned by `turn`: adds overContact for all overlapped
   /// segments.
@@ -61,7 +61,7 @@ class StepContacts {
 
  private:
   void add(StepEvents::Kind kind, const SegmentRef& segment) { events_.add(kind, entity_).segment = segment; }
-  void followPierced(Point before);
+  void updatePierced(Point before);
   void appendChanges(const SegmentRef& pierced, Point before);
   void applyChanges();
   void addOver();

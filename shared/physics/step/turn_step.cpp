@@ -8,29 +8,29 @@
 namespace platon {
 namespace {
 
-// Limit of one part of a rotation, in centidegrees (5°). The arcs of the vertices then extend beyond the hull of the
+// Limit of one portion of a rotation, in centidegrees (5°). The arcs of the vertices then extend beyond the hull of the
 // old and the new shape by less than 1/1000 of the radius.
-constexpr std::int32_t kMaxPart = 500;
+constexpr std::int32_t kMaxPortion = 500;
 
 }  // namespace
 
-// When a part is blocked, smaller ones are tried, down to a centidegree, because the hull of a large part is larger
-// than the area that the shape sweeps. After a free part the size doubles again.
+// When a portion is blocked, smaller ones are tried, down to a centidegree, because the hull of a large portion is
+// larger than the area that the shape sweeps. After a free portion the size doubles again.
 void TurnStep::turn(std::int32_t centidegrees) {
-  std::int32_t limit = kMaxPart;
+  std::int32_t limit = kMaxPortion;
   while (centidegrees != 0) {
-    const std::int32_t part = std::clamp(centidegrees, -limit, limit);
-    if (tryPart(part)) {
-      centidegrees -= part;
-      limit = std::min(2 * limit, kMaxPart);
-    } else if (limit = std::abs(part) / 2; limit == 0) {
-      if (const auto segment = blocker(part, 0)) contacts_.addTouch(*segment);
+    const std::int32_t portion = std::clamp(centidegrees, -limit, limit);
+    if (tryPortion(portion)) {
+      centidegrees -= portion;
+      limit = std::min(2 * limit, kMaxPortion);
+    } else if (limit = std::abs(portion) / 2; limit == 0) {
+      if (const auto segment = blocker(portion, 0)) contacts_.addTouch(*segment);
       return;
     }
   }
 }
 
-bool TurnStep::tryPart(std::int32_t centidegrees) {
+bool TurnStep::tryPortion(std::int32_t centidegrees) {
   const std::size_t known = mover_.instances().all().size();
   if (blocker(centidegrees, 0) || !insertInstances(centidegrees) || blocker(centidegrees, known)) return false;
   mover_.rotateShapes(centidegrees);

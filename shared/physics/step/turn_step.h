@@ -8,7 +8,7 @@
 
 namespace platon {
 
-/// The rotation stage of a step: rotates the shapes of all instances together, in parts.
+/// The rotation stage of a step: rotates the shapes of all instances together, in portions.
 class TurnStep {
  public:
   TurnStep(Mover& mover, StepContacts& contacts) : mover_(mover), contacts_(contacts) {}
@@ -17,7 +17,7 @@ class TurnStep {
   void turn(std::int32_t centidegrees);
 
  private:
-  bool tryPart(std::int32_t centidegrees);
+  bool tryPortion(std::int32_t centidegrees);
   std::optional<SegmentRef> blocker(std::int32_t centidegrees, std::size_t from);
   bool insertInstances(std::int32_t centidegrees);
 

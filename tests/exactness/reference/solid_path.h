@@ -70,8 +70,8 @@ class SolidPath {
   const RealVec& place() const { return place_; }
   /// Centidegrees by which frames have turned since the start.
   std::int64_t turned() const { return turned_; }
-  /// True if no lattice point within `distance` subunits of the place is free: neither of the segments of its own face
-  /// nor, taken there and rounded to their lattices, of those of the other faces that the body reaches.
+  /// True if at every lattice point within `distance` subunits of the place the body overlaps a segment: on its own
+  /// face, or at the lattice point nearest to its image on another face that it reaches.
   bool isNarrow(std::int64_t distance) const;
   /// True if the last tick had a contact.
   bool touched() const { return touched_; }

@@ -27,11 +27,11 @@ struct WalkVerdict {
   std::int64_t judgedTicks = 0;
   std::int64_t contactTicks = 0;  ///< ticks in which the ideal body has a contact
   std::int64_t crossings = 0;     ///< changes of the home face
-  std::int64_t narrowTicks = 0;   ///< ticks after which no lattice point within 2 subunits is free (isNarrow)
-  double maxLattice = 0;    ///< largest distance of the lattice position while the body is on one face, not narrow
-  double maxOverEdges = 0;  ///< the same while it is on several faces, whose lattices differ
-  double maxNarrow = 0;     ///< the same after narrow ticks
-  double maxPrecise = 0;    ///< largest distance of position + remainder
+  std::int64_t narrowTicks = 0;  ///< ticks after which no lattice point within 2 subunits is free (SolidPath::isNarrow)
+  double maxLattice = 0;         ///< largest distance of the lattice position while the body is on one face, not narrow
+  double maxOverEdges = 0;       ///< the same while it is on several faces, whose lattices differ
+  double maxNarrow = 0;          ///< the same after narrow ticks
+  double maxPrecise = 0;         ///< largest distance of position + remainder
 
   bool holds() const { return maxLattice <= 2 && maxOverEdges <= 3; }
 };

@@ -19,9 +19,12 @@ class FollowAimTest : public StepParts {
   bool followTo(std::int64_t x, std::int64_t y) {
     constexpr std::int64_t kQuarter = PrecisePoint::kOne / 4;
     const PrecisePoint end = precise(mover().position()) + PrecisePoint{x * kQuarter, y * kQuarter};
+    return followTo(end);
+  }
+  bool followTo(PrecisePoint end) {
     Leg leg{end - precise(mover().position())};
     prepareLeg(leg, mover(), precise(mover().position()), nullptr, refused_);
-    return follow(mover(), {end, leg.hit, {PrecisePoint::kOne, 0}});
+    return follow(mover(), {end, nullptr, {PrecisePoint::kOne, 0}});
   }
 };
 
@@ -42,15 +45,14 @@ TEST_F(FollowAimTest, OfPlacesEquallyNearTakesTheOneAhead) {
 TEST_F(FollowAimTest, TakesADetourWhereTheStraightWayIsBlocked) {
   build({{{30, -9}, {30, -9}}});
   constexpr std::int64_t kBeside = PrecisePoint::kOne * 3 / 8;
-  const PrecisePoint end{40 * PrecisePoint::kOne, kBeside};
-  ASSERT_TRUE(follow(mover(), {end, std::nullopt, {PrecisePoint::kOne, 0}}));
+  ASSERT_TRUE(followTo(PrecisePoint{40 * PrecisePoint::kOne, kBeside}));
   EXPECT_EQ(mover().position(), Point(40, 1));
   EXPECT_EQ(mover().moves(), 2);
 }
 
 TEST_F(FollowAimTest, MovesNothingWhereNoPlaceIsNear) {
   build({{{30, -100}, {30, 100}}});
-  EXPECT_FALSE(follow(mover(), {precise(Point(40, 0)), std::nullopt, {PrecisePoint::kOne, 0}}));
+  EXPECT_FALSE(followTo(precise(Point(40, 0))));
   EXPECT_EQ(mover().position(), Point());
   EXPECT_TRUE(fallBack(mover(), precise(Point(40, 0))));
   EXPECT_EQ(mover().position(), Point(20, 0)) << "as far as it can";

@@ -35,6 +35,13 @@ TEST_F(HitFrameTest, LeadsFromThePartOfTheHitToTheHomePart) {
   EXPECT_EQ(toHome(instances_, *hit, fromHome(instances_, *hit, displacement)), displacement);
 }
 
+TEST_F(HitFrameTest, InsideOfASegmentTheNormalLeadsToItsLeft) {
+  LegHit hit{1, 0, {}};
+  hit.hit.side = Hit::Side::kInside;
+  EXPECT_EQ(normalOf(instances_, hit), Point(0, 200));
+  EXPECT_TRUE(homeNormalOf(instances_, hit).x > 0 && homeNormalOf(instances_, hit).y == 0);
+}
+
 TEST_F(HitFrameTest, AHitOfTheHomeInstanceIsInItsFrame) {
   const LegHit hit{};
   const PrecisePoint displacement{7, 3};

@@ -156,6 +156,7 @@ TEST(SlideOverJointsTest, APointThatStandsAloneStopsTheBody) {
 
 // The ideal path touches the obstacle of a point on the slope in a corner only, and leads past it.
 TEST(SlideOverJointsTest, PointsOnASlopeChangeNothing) {
+  constexpr std::int64_t kRoundings = 10000;  // of 200 ticks: 1.5 * 10^-4 subunits
   sim::SeededRandom random(kSeed);
   for (int round = 0; round < 1000; ++round) {
     const Point stride = random.vector(60) + Point(100, 0);
@@ -179,7 +180,7 @@ TEST(SlideOverJointsTest, PointsOnASlopeChangeNothing) {
       const PrecisePoint between = precise(found.position - expected.position) +
                                    PrecisePoint{found.remainder.x - std::int64_t{expected.remainder.x},
                                                 found.remainder.y - std::int64_t{expected.remainder.y}};
-      ASSERT_LE(maxNorm(between), 10000) << "seed " << kSeed << ", round " << round << ", tick " << tick;
+      ASSERT_LE(maxNorm(between), kRoundings) << "seed " << kSeed << ", round " << round << ", tick " << tick;
     }
   }
 }

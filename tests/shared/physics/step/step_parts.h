@@ -22,6 +22,9 @@ class StepParts : public testing::Test {
  protected:
   /// A square of 20 by 20 at the origin of part 0, which has these segments.
   void build(const std::vector<Segment>& segments) {
+    world_ = World();
+    instances_.forget();  // of the world before
+    regions_.clear();
     addPart(world_, 0, segments);
     Entity entity(world_, square(10));
     MapPart(world_, 0).insert(entity, {0, 0}, Angle());
