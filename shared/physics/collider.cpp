@@ -13,11 +13,11 @@ namespace {
 // path are rounded to less than a subunit.
 constexpr std::int64_t kMaxRemainder = (Tolerances::kNear - 1) * PrecisePoint::kOne;
 
-bool contains(const std::vector<SegmentRef>& refs, const SegmentRef& ref) {
-  return std::any_of(refs.begin(), refs.end(), [&](const SegmentRef& other) { return Collider::isSame(other, ref); });
-}
-
 }  // namespace
+
+bool Collider::contains(const std::vector<SegmentRef>& refs, const SegmentRef& ref) {
+  return std::any_of(refs.begin(), refs.end(), [&](const SegmentRef& other) { return isSame(other, ref); });
+}
 
 // The angle between two instances of one shape is that between their frames.
 SegmentRef Collider::refOf(const Placement& placement, std::uint32_t segment) const {

@@ -110,6 +110,8 @@ class Collider {
   static bool isSame(const SegmentRef& a, const SegmentRef& b) {
     return a.instance == b.instance && a.index == b.index && a.part == b.part;
   }
+  /// Whether one of `refs` is the same as `ref`.
+  static bool contains(const std::vector<SegmentRef>& refs, const SegmentRef& ref);
 
  private:
   // An entry of the region of a placement.

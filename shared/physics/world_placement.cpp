@@ -104,8 +104,7 @@ void World::replaceSilently(std::uint32_t entity, const Placed& placed) {
     requireNotMoved(scratch);
     const auto addMissing = [&](StepEvents::Kind kind, const auto& refs, const auto& others) {
       for (const SegmentRef& ref : refs) {
-        const auto isSame = [&](const SegmentRef& other) { return Collider::isSame(ref, other); };
-        if (std::none_of(others.begin(), others.end(), isSame)) events.add(kind, idOf(entity)).segment = ref;
+        if (!Collider::contains(others, ref)) events.add(kind, idOf(entity)).segment = ref;
       }
     };
     addMissing(StepEvents::Kind::kEnd, before, after);

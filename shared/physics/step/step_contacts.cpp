@@ -84,9 +84,7 @@ void StepContacts::update() {
 }
 
 void StepContacts::appendChanges(const SegmentRef& pierced, Point before) {
-  const auto& open = collider_.overlapped();
-  const bool hadBegun =
-      std::any_of(open.begin(), open.end(), [&](const SegmentRef& ref) { return Collider::isSame(ref, pierced); });
+  const bool hadBegun = Collider::contains(collider_.overlapped(), pierced);
   const std::size_t index = indexOf(pierced);
   if (index == Placement::kNone) {
     if (hadBegun) changes_.push_back({{0, 1}, false, index, pierced});
