@@ -8,6 +8,7 @@
 #include "protocol/byte_writer.h"
 #include "protocol/bytes.h"
 #include "protocol/envelope.h"
+#include "protocol/input_code.h"
 #include "protocol/label.h"
 #include "to_client_generated.h"
 
@@ -18,31 +19,25 @@ using Builder = flatbuffers::FlatBufferBuilder;
 using Bytes = std::vector<std::uint8_t>;
 using Body = wire::ToClientBody;
 
-// An input change is two bytes: buttons and presence, with the ticks since the last change in the high bits, then the
+// An input change is two bytes: the code of the input, with the ticks since the last change in the high bits, then the
 // slot. kLongGap in the high bits means that a varint follows the first byte: the ticks minus kLongGap.
-constexpr std::uint8_t kWirePresent = 1 << 5;
-constexpr std::uint8_t kWireButtons = kWirePresent - 1;
-constexpr int kGapShift = 6;
+constexpr std::uint8_t kCodeMask = (1 << kInputCodeBits) - 1;
 constexpr std::uint32_t kLongGap = 3;
-static_assert((Input::kAll & ~Input::kPresent) == kWireButtons);
 
 void writeChange(ByteWriter& out, const InputChange& change, std::uint32_t gap) {
-  const std::uint32_t buttons = change.input.buttons & kWireButtons;
-  const std::uint32_t present = change.input.has(Input::kPresent) ? kWirePresent : 0;
-  out.byte(static_cast<std::uint8_t>(buttons | present | std::min(gap, kLongGap) << kGapShift));
+  out.byte(static_cast<std::uint8_t>(codeOf(change.input) | std::min(gap, kLongGap) << kInputCodeBits));
   if (gap >= kLongGap) out.varint(gap - kLongGap);
   out.byte(static_cast<std::uint8_t>(change.slot));
 }
 
 std::optional<InputChange> readChange(ByteReader& in, std::uint32_t lastTick) {
   const std::uint8_t head = in.byte();
-  std::uint32_t gap = head >> kGapShift;
+  std::uint32_t gap = head >> kInputCodeBits;
   if (gap == kLongGap) gap += std::min(in.varint(), kMaxTicksPerMessage);
-  const bool present = (head & kWirePresent) != 0;
-  const auto buttons = static_cast<std::uint8_t>((head & kWireButtons) | (present ? Input::kPresent : 0));
-  const InputChange change{lastTick + gap, in.byte(), Input{buttons}};
-  if (!in.ok() || !isInput(change.input)) return std::nullopt;
-  return change;
+  const auto input = inputOf(head & kCodeMask);
+  const std::uint8_t slot = in.byte();
+  if (!in.ok() || !input) return std::nullopt;
+  return InputChange{lastTick + gap, slot, *input};
 }
 
 bool isAfter(const InputChange& change, const InputChange& last) {

@@ -7,25 +7,24 @@
 #include "protocol/byte_reader.h"
 #include "protocol/byte_writer.h"
 #include "protocol/envelope.h"
+#include "protocol/input_code.h"
 #include "protocol/label.h"
 #include "to_server_generated.h"
 
 namespace platon {
 namespace {
 
-// A run of equal inputs is one byte: the buttons in the low kButtonBits, the length above them. A length of 0 means
+// A run of equal inputs is one byte: the code of the input in the low bits, the length above them. A length of 0 means
 // that a varint follows: the length minus kLongRun.
-constexpr int kButtonBits = 5;
-constexpr std::uint8_t kButtons = (1 << kButtonBits) - 1;
-constexpr std::uint32_t kLongRun = 8;
-static_assert((Input::kAll & ~Input::kPresent) == kButtons);
+constexpr std::uint8_t kCodeMask = (1 << kInputCodeBits) - 1;
+constexpr std::uint32_t kLongRun = 1 << (8 - kInputCodeBits);
 
 void writeRuns(ByteWriter& out, const std::vector<Input>& inputs) {
   for (auto run = inputs.begin(); run != inputs.end();) {
     const auto end = std::find_if(run, inputs.end(), [run](Input input) { return input != *run; });
     const auto length = static_cast<std::uint32_t>(end - run);
     const std::uint32_t count = length < kLongRun ? length : 0;
-    out.byte(static_cast<std::uint8_t>((run->buttons & kButtons) | count << kButtonBits));
+    out.byte(static_cast<std::uint8_t>(codeOf(*run) | count << kInputCodeBits));
     if (count == 0) out.varint(length - kLongRun);
     run = end;
   }
@@ -34,10 +33,12 @@ void writeRuns(ByteWriter& out, const std::vector<Input>& inputs) {
 bool readRuns(ByteReader& in, std::vector<Input>& inputs) {
   while (in.ok() && !in.atEnd()) {
     const std::uint8_t head = in.byte();
-    std::uint32_t count = head >> kButtonBits;
+    const auto input = inputOf(head & kCodeMask);
+    if (!input || !input->has(Input::kPresent)) return false;
+    std::uint32_t count = head >> kInputCodeBits;
     if (count == 0) count = std::min(in.varint(), kMaxInputsPerMessage) + kLongRun;
     if (count > kMaxInputsPerMessage - inputs.size()) return false;
-    inputs.insert(inputs.end(), count, Input{static_cast<std::uint8_t>((head & kButtons) | Input::kPresent)});
+    inputs.insert(inputs.end(), count, *input);
   }
   return in.ok();
 }

@@ -17,7 +17,7 @@ Demo::Motion Demo::motionOf(const Game& game, std::uint32_t slot) {
 Input Demo::choose(const Game& game, std::uint32_t slot) {
   if (game.sharedLevel() != level_ || game.tick() < tick_) startRound(game);
   tick_ = game.tick();
-  const bool inPlay = slot < game.slots() && game.player(slot).present != 0 && game.player(slot).finished == 0;
+  const bool inPlay = slot < game.slots() && game.player(slot).present != 0 && !game.player(slot).finished();
   if (!inPlay || game.over()) return {};
   const Motion now = motionOf(game, slot);
   if (step_ < plan_.size() && now == expected_[step_]) return plan_[step_++];

@@ -64,7 +64,7 @@ std::uint32_t Planner::simulate(std::uint8_t buttons) {
   inputs_[slot_] = {static_cast<std::uint8_t>(buttons | Input::kPresent)};
   for (std::uint32_t tick = 1; tick <= kStride; ++tick) {
     game_.advance(inputs_);
-    if (game_.player(slot_).finished != 0) return tick;
+    if (game_.player(slot_).finished()) return tick;
   }
   return 0;
 }

@@ -122,7 +122,7 @@ void BallPainter::draw(const PlayerDrawing& player, const Camera& camera, TextPa
   glEnable(GL_CULL_FACE);
   glDrawElements(GL_TRIANGLES, count_, GL_UNSIGNED_SHORT, nullptr);
   glDisable(GL_CULL_FACE);
-  const std::string label = player.finishedAfter ? "\u2713" : player.number;
+  const std::string label = player.finishSeconds ? "\u2713" : player.number;
   const float size = label.size() > 2 ? 0.75F : 1.0F;
   text.addCentred(label, {0, 0}, size, {0.06F, 0.06F, 0.09F, 0.92F});
   text.flush(labelToClip(player, camera, ball), 0);

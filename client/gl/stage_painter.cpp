@@ -112,9 +112,9 @@ void StagePainter::drawMarkers(const Scene& scene, const FaceView& view, float s
   marker_.set("seconds", seconds);
   glBindVertexArray(markerArray_.name());
   constexpr auto kStartRadius = static_cast<float>(StageModel::kPlayerRadius * 1.6);
-  constexpr auto kGoalRadius = static_cast<float>(StageModel::kGoalRadius);
+  constexpr auto goalRadius = static_cast<float>(StageModel::kGoalRadius);
   drawMarker(stage.mesh, view, stage.start, {1, kStartRadius, kStartRadius * 1.2F});
-  drawMarker(stage.mesh, view, stage.goal, {0, kGoalRadius, kGoalRadius * kGoalReach});
+  drawMarker(stage.mesh, view, stage.goal, {0, goalRadius, goalRadius * kGoalReach});
 }
 
 void StagePainter::drawMarker(const SolidMesh& mesh, const FaceView& view, const Marker& marker, const Look& look) {

@@ -13,9 +13,9 @@ void PlayerFlashes::observe(std::uint32_t slot, std::uint32_t ticks, const Playe
   const bool stands = player.ground != Point();
   const bool lands = stands && observed.airTicks >= kMinAirTicks;
   // A player that had finished before the first observation does not flash.
-  const bool finishes = !first && player.finished != 0 && !observed.finished;
+  const bool finishes = !first && player.finished() && !observed.finished;
   observed.airTicks = stands || player.present == 0 ? 0 : observed.airTicks + 1;
-  observed.finished = player.finished != 0;
+  observed.finished = player.finished();
   if (lands || finishes) observed.flashes[observed.count++ % observed.flashes.size()] = ticks;
 }
 

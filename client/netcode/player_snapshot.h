@@ -14,10 +14,10 @@ namespace platon {
 /// State of a player after a tick, as far as it is drawn.
 struct PlayerSnapshot {
   std::uint32_t part = 0;
-  Point position;                ///< in the part's frame, subunits
-  Angle angle;                   ///< up is the part's +y rotated by this angle
-  std::uint32_t finishedAt = 0;  ///< tick of the finish; 0: not finished
-  bool present = false;          ///< if false, the other fields are meaningless
+  Point position;                 ///< in the part's frame, subunits
+  Angle angle;                    ///< up is the part's +y rotated by this angle
+  std::uint32_t finishTicks = 0;  ///< shortest time to the goal in this round, in ticks; 0: not finished
+  bool present = false;           ///< if false, the other fields are meaningless
 };
 
 inline PlayerSnapshot snapshotOf(const EntityState& entity) {
@@ -28,8 +28,7 @@ inline PlayerSnapshot snapshotOf(const EntityState& entity) {
 inline PlayerSnapshot snapshotOf(const Game& game, std::uint32_t slot) {
   if (slot >= game.slots()) return {};
   PlayerSnapshot snapshot = snapshotOf(game.world().entities()[slot]);
-  const PlayerState& player = game.player(slot);
-  if (player.finished != 0) snapshot.finishedAt = player.finishedAt;
+  snapshot.finishTicks = game.player(slot).finishTicks;
   return snapshot;
 }
 

@@ -30,7 +30,7 @@ PlayerDrawing drawingOf(const SceneSource& source, const InterpolatedPlayer& tim
   player.number = std::to_string(slot + 1);
   if (slot < source.names.size()) player.name = source.names[slot];
   player.local = local;
-  if (time.now.finishedAt != 0) player.finishedAfter = double{1} * time.now.finishedAt / kTicksPerSecond;
+  if (time.now.finishTicks != 0) player.finishSeconds = double{1} * time.now.finishTicks / kTicksPerSecond;
   return player;
 }
 

@@ -38,7 +38,7 @@ struct PlayerDrawing {
   std::string number;  ///< slot + 1
   std::string name;
   bool local = false;
-  std::optional<double> finishedAfter;  ///< seconds from the start of the round
+  std::optional<double> finishSeconds;  ///< shortest time of an attempt to the goal in this round
 };
 
 /// One moment of the game as it is drawn, converted from exact to floating point.

@@ -37,7 +37,7 @@ struct Marker {
 /// The drawn parts of a level that never move.
 struct StageModel {
   static constexpr double kRibbonWidth = 4;  ///< level units
-  static constexpr double kGoalRadius = 16;
+  static constexpr double kGoalRadius = double{1} * platon::kGoalRadius / kSubunitsPerUnit;
   static constexpr double kPlayerRadius = double{1} * platon::kPlayerRadius / kSubunitsPerUnit;
 
   SolidMesh mesh;

@@ -1,6 +1,7 @@
 #include "client/ui/gamepad_keys.h"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -8,11 +9,14 @@ namespace platon {
 namespace {
 
 std::bitset<kKeyCount> keysOf(const GamepadState& pad) {
-  const std::array<std::pair<Key, bool>, 7> states{
+  const float tilt = pad.dpadLeft || pad.dpadRight ? 1 : std::abs(pad.stickX);
+  const std::array<std::pair<Key, bool>, 9> states{
       {{Key::kPadLeft, pad.dpadLeft || pad.stickX < -GamepadKeys::kDeadZone},
        {Key::kPadRight, pad.dpadRight || pad.stickX > GamepadKeys::kDeadZone},
-       {Key::kPadUp, pad.dpadUp || pad.stickY < -GamepadKeys::kDeadZone},
-       {Key::kPadDown, pad.dpadDown || pad.stickY > GamepadKeys::kDeadZone},
+       {Key::kPadUp, pad.dpadUp || pad.stickY < -GamepadKeys::kVerticalDeadZone},
+       {Key::kPadDown, pad.dpadDown || pad.stickY > GamepadKeys::kVerticalDeadZone},
+       {Key::kPadWalk, tilt > GamepadKeys::kCreep && tilt <= GamepadKeys::kWalk},
+       {Key::kPadCreep, tilt > GamepadKeys::kDeadZone && tilt <= GamepadKeys::kCreep},
        {Key::kPadA, pad.a},
        {Key::kPadStart, pad.start},
        {Key::kPadBack, pad.back}}};

@@ -12,8 +12,13 @@ namespace platon {
 /// Turns successive states of the gamepads into key events.
 class GamepadKeys {
  public:
-  /// Deflection of the stick from which it counts as pressed.
-  static constexpr float kDeadZone = 0.4F;
+  /// Deflection of the stick to the left or right from which it counts as pressed, and up to which the player creeps
+  /// and walks.
+  static constexpr float kDeadZone = 0.25F;
+  static constexpr float kCreep = 0.5F;
+  static constexpr float kWalk = 0.8F;
+  /// Deflection up or down from which it counts as pressed. Larger, so that nobody falls faster by running.
+  static constexpr float kVerticalDeadZone = 0.5F;
 
   /// Returns the changes since the last call. A key is down while it is down on any of `gamepads`; a gamepad that is
   /// disconnected releases its keys.

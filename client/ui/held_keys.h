@@ -9,6 +9,8 @@ struct HeldKeys {
   bool up = false;
   bool down = false;
   bool jump = false;
+  bool walk = false;   ///< two thirds of the run speed
+  bool creep = false;  ///< one third
   bool restart = false;
 
   friend bool operator==(const HeldKeys&, const HeldKeys&) = default;

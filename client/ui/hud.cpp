@@ -68,8 +68,8 @@ std::vector<const PlayerDrawing*> inOrder(const Scene& scene) {
   std::vector<const PlayerDrawing*> players;
   for (const PlayerDrawing& player : scene.players) players.push_back(&player);
   std::sort(players.begin(), players.end(), [](const PlayerDrawing* a, const PlayerDrawing* b) {
-    if (a->finishedAfter.has_value() != b->finishedAfter.has_value()) return a->finishedAfter.has_value();
-    if (a->finishedAfter != b->finishedAfter) return a->finishedAfter < b->finishedAfter;
+    if (a->finishSeconds.has_value() != b->finishSeconds.has_value()) return a->finishSeconds.has_value();
+    if (a->finishSeconds != b->finishSeconds) return a->finishSeconds < b->finishSeconds;
     return a->slot < b->slot;
   });
   return players;
@@ -83,8 +83,8 @@ void addRow(OverlayWriter& writer, const PlayerDrawing& player, float right, flo
   const float size = player.number.size() > 2 ? 9 : 11;
   writer.centred(player.number, {dot.x, dot.y + size * 0.36F}, size, {0.05F, 0.05F, 0.08F, 1});
   writer.left(nameOf(player), {dot.x + 18, top + 18}, 15, player.local ? kBright : kSoft);
-  if (player.finishedAfter)
-    writer.right(std::string("✓ ") + finishText(*player.finishedAfter), {right - 10, top + 18}, 13, kGold);
+  if (player.finishSeconds)
+    writer.right(std::string("✓ ") + finishText(*player.finishSeconds), {right - 10, top + 18}, 13, kGold);
 }
 
 void addPlayers(OverlayWriter& writer, const Scene& scene, float width) {
@@ -115,8 +115,8 @@ void addNameTag(OverlayWriter& writer, const PlayerDrawing& player, const Camera
 void addResult(OverlayWriter& writer, const Scene& scene, float width) {
   const bool hasLocal = !scene.players.empty() && scene.players.back().local;
   const glm::vec2 middle(width / 2, Overlay::kHeight * 0.2F);
-  if (hasLocal && scene.players.back().finishedAfter) {
-    writer.pill(std::string("★  Goal in ") + finishText(*scene.players.back().finishedAfter), middle, 30, kGold);
+  if (hasLocal && scene.players.back().finishSeconds) {
+    writer.pill(std::string("★  Goal in ") + finishText(*scene.players.back().finishSeconds), middle, 30, kGold);
   } else if (scene.over) {
     writer.pill(scene.secondsLeft <= 0 ? "Time is up" : "Round over", middle, 30, kBright);
   }

@@ -81,6 +81,8 @@ HeldKeys InputMapper::takeHeld() {
   keys.up = any({Key::kArrowUp, Key::kW});  // not the gamepad's: pushing the stick up must not jump
   keys.down = any({Key::kArrowDown, Key::kS, Key::kPadDown});
   keys.jump = any({Key::kSpace, Key::kPadA});
+  keys.walk = any({Key::kPadWalk});
+  keys.creep = any({Key::kShift, Key::kPadCreep});
   keys.restart = any({Key::kR, Key::kPadBack});
   return keys;
 }

@@ -18,6 +18,7 @@ enum class Key : std::uint8_t {
   kSpace,
   kEnter,
   kR,
+  kShift,
   kEscape,
   kF1,
   kF3,
@@ -26,6 +27,8 @@ enum class Key : std::uint8_t {
   kPadRight,
   kPadUp,
   kPadDown,
+  kPadWalk,   ///< left stick between kPadCreep and its full deflection
+  kPadCreep,  ///< left stick a little to the left or right
   kPadA,
   kPadStart,
   kPadBack

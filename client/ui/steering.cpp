@@ -24,8 +24,10 @@ Input Steering::input(const HeldKeys& keys, double roll, ControlFrame frame) {
     if (held[static_cast<std::size_t>(direction)]) input.buttons |= kButtons[static_cast<std::size_t>(turned)];
   }
   if (keys.jump) input.buttons |= Input::kJump;
+  if (keys.walk) input.buttons |= Input::kWalk;
+  if (keys.creep) input.buttons |= Input::kCreep;
   if (keys.restart) input.buttons |= Input::kRestart;
-  return input;
+  return validInput(input.buttons);
 }
 
 }  // namespace platon

@@ -329,7 +329,7 @@ void Match::sendTicks() {
 bool Match::roundOver() const {
   if (game_.over()) return true;
   bool finished = false;
-  for (std::uint32_t slot = 0; slot < game_.slots(); ++slot) finished = finished || game_.player(slot).finished != 0;
+  for (std::uint32_t slot = 0; slot < game_.slots(); ++slot) finished = finished || game_.player(slot).finished();
   return finished &&
          std::none_of(players_.begin(), players_.end(), [this](const auto& entry) { return awaits(entry.second); }) &&
          std::none_of(disconnected_.begin(), disconnected_.end(), [this](const Disconnected& entry) {
@@ -341,7 +341,7 @@ bool Match::roundOver() const {
 bool Match::awaits(const MatchPlayer& player) const {
   if (player.slot() >= game_.slots()) return false;
   const PlayerState& state = game_.player(player.slot());
-  return state.present != 0 && state.finished == 0 && player.isActive(now_);
+  return state.present != 0 && !state.finished() && player.isActive(now_);
 }
 
 // Ends the round when it is over, and starts the next one after the pause.

@@ -6,38 +6,14 @@
 
 #include "platon/game/state_bytes.h"
 #include "platon/physics/map_part.h"
-#include "platon/physics/rules.h"
 #include "shared/exact/hash.h"
+#include "shared/game/game_rules.h"
 
 namespace platon {
 namespace {
 
-// The rules of the world while it exists. Passes each contact to the player that has it.
-class GameRules : public Rules {
- public:
-  GameRules(World& world, std::vector<PlayerState>& players, UnitNormals& unitNormals)
-      : world_(world), players_(players), unitNormals_(unitNormals) {
-    world_.setRules(*this);
-  }
-  GameRules(const GameRules&) = delete;
-  GameRules& operator=(const GameRules&) = delete;
-  ~GameRules() override { world_.resetRules(); }
-
-  bool ignoresWarps() const override { return true; }
-  void contact(Entity& entity, const Contact& contact) override {
-    if (entity.index() != moved_) steep_ = Point();
-    moved_ = entity.index();
-    Player player(world_, moved_, players_[moved_]);
-    player.contact(unitNormals_.of(contact.normal, contact.segment.toHome - player.up()), steep_);
-  }
-
- private:
-  World& world_;
-  std::vector<PlayerState>& players_;
-  UnitNormals& unitNormals_;
-  std::uint32_t moved_ = ~std::uint32_t{0};  // slot of the last contact: those of one entity follow each other
-  Point steep_;                              // normal of its last contact that was too steep to be ground
-};
+// Two players touch when their distance is below their radii together; so do a player and the goal.
+constexpr std::int64_t kGoalReach = kPlayerRadius + kGoalRadius;
 
 }  // namespace
 
@@ -47,18 +23,39 @@ Game::Game(std::shared_ptr<const Level> level) : level_(std::move(level)), world
 
 void Game::advance(std::span<const Input> inputs, StepObserver* observer) {
   assert(inputs.size() <= kMaxPlayers);
-  const GameRules rules(world_, players_, unitNormals_);
-  addAndRemovePlayers(inputs);
-  for (std::uint32_t slot = 0; slot < players_.size(); ++slot) {
-    if (players_[slot].present == 0) continue;
-    const Input input = inputs[slot];
-    const bool restart = input.has(Input::kRestart) && (players_[slot].held & Input::kRestart) == 0;
-    if (restart) spawn(slot);
-    Player(world_, slot, players_[slot]).tick(input);
+  touched_.keys = touched_.plates = 0;
+  touched_.atHazard.clear();
+  {
+    const GameRules rules(*level_, world_, players_, unitNormals_, touched_, openDoors());
+    addAndRemovePlayers(inputs);
+    for (std::uint32_t slot = 0; slot < players_.size(); ++slot) {
+      if (players_[slot].present != 0) steer(slot, inputs[slot]);
+    }
+    world_.solve(observer);
+    for (const std::uint32_t slot : touched_.atHazard) respawn(slot);
   }
-  world_.solve(observer);
+  keys_ |= touched_.keys;
+  plates_ = touched_.plates;
   ++tick_;
   updateFinishes();
+}
+
+void Game::steer(std::uint32_t slot, Input input) {
+  PlayerState& player = players_[slot];
+  if (input.has(Input::kRestart) && (player.held & Input::kRestart) == 0) restart(slot);
+  if (player.startedAt == 0 && (input.buttons & Input::kMoves) != 0) player.startedAt = startOfAttempt();
+  Player(world_, slot, player).tick(input);
+}
+
+// The tick from which an attempt that begins now is timed. Keys and plates are shared by all players, so a player who
+// begins after another one is timed from the same tick.
+std::uint32_t Game::startOfAttempt() const {
+  std::uint32_t first = tick_ + 1;
+  if (level_->doorNumbers == 0) return first;
+  for (const PlayerState& player : players_) {
+    if (player.startedAt != 0) first = std::min(first, player.startedAt);
+  }
+  return first;
 }
 
 std::uint32_t Game::ticksLeft() const { return tick_ < kRoundTicks ? kRoundTicks - tick_ : 0; }
@@ -79,22 +76,42 @@ void Game::addPlayer(std::uint32_t slot) {
   }
   players_[slot] = {};
   players_[slot].present = 1;
-  spawn(slot);
-}
-
-// The insertion cannot fail: loadLevel has checked that the start is free.
-void Game::spawn(std::uint32_t slot) {
-  PlayerState& player = players_[slot];
-  player.velocity = player.ground = {};
-  player.coyote = player.jumpBuffer = player.rising = 0;
-  world_.remove(slot);
-  Entity entity(world_, slot);
-  MapPart(world_, level_->startFace).insert(entity, level_->start, level_->startAngle);
+  respawn(slot);
 }
 
 void Game::removePlayer(std::uint32_t slot) {
   world_.remove(slot);
   players_[slot] = {};
+  resetKeys();
+}
+
+void Game::restart(std::uint32_t slot) {
+  PlayerState& player = players_[slot];
+  player.startedAt = player.checkpoint = player.arrived = 0;
+  player.checkpointUp = Angle();
+  respawn(slot);
+  resetKeys();
+}
+
+// The doors close again once no attempt is under way.
+void Game::resetKeys() {
+  const auto hasStarted = [](const PlayerState& player) { return player.startedAt != 0; };
+  if (std::none_of(players_.begin(), players_.end(), hasStarted)) keys_ = 0;
+}
+
+// The insertion cannot fail: loadLevel has checked that the start and all checkpoints are free.
+void Game::respawn(std::uint32_t slot) {
+  PlayerState& player = players_[slot];
+  player.velocity = player.ground = {};
+  player.coyote = player.jumpBuffer = player.rising = 0;
+  world_.remove(slot);
+  Entity entity(world_, slot);
+  if (player.checkpoint == 0) {
+    MapPart(world_, level_->startFace).insert(entity, level_->start, level_->startAngle);
+    return;
+  }
+  const Element& checkpoint = level_->elements[player.checkpoint - 1U];
+  MapPart(world_, checkpoint.face).insert(entity, placeOf(checkpoint), player.checkpointUp);
 }
 
 void Game::updateFinishes() {
@@ -104,39 +121,32 @@ void Game::updateFinishes() {
     PlayerState& player = players_[slot];
     if (player.present == 0) continue;
     ++present;
-    if (player.finished == 0 && touchesGoal(slot)) {
-      player.finished = 1;
-      player.finishedAt = tick_;
-    }
-    finished += player.finished;
+    if (player.arrived == 0 && touchesGoal(slot)) arrive(player);
+    if (player.finished()) ++finished;
   }
   if ((present != 0 && finished == present) || tick_ >= kRoundTicks) over_ = 1;
 }
 
-// Checks every instance, because the goal may lie just behind an edge.
-bool Game::touchesGoal(std::uint32_t slot) {
-  const EntityState& entity = world_.entities()[slot];
-  if (entity.part == level_->goalFace && containsGoal(slot, entity.position, entity.angle)) return true;
-  if (entity.instances == 0) return false;
-  const auto instances = world_.instancesOf(slot);
-  return std::any_of(instances.begin(), instances.end(), [&](const InstanceState& instance) {
-    return instance.part == level_->goalFace && containsGoal(slot, world_.positionOf(slot, instance), instance.angle);
-  });
+void Game::arrive(PlayerState& player) {
+  if (player.startedAt == 0) player.startedAt = tick_;
+  player.arrived = 1;
+  const std::uint32_t ticks = tick_ - player.startedAt + 1;
+  player.finishTicks = player.finished() ? std::min(player.finishTicks, ticks) : ticks;
 }
 
-bool Game::containsGoal(std::uint32_t slot, Point position, Angle angle) {
-  const Point distance = level_->goal - position;
-  constexpr std::int32_t reach = kPlayerRadius + 1;  // vertices are rounded
-  if (squaredLength(distance) > squaredLength(Point(reach, 0))) return false;
-  const Convex* shape = world_.rotatedShapeOf(slot, angle);
-  goalSweep_.start(*shape, position, {});
-  return goalSweep_.against({level_->goal, level_->goal}).has_value();
+bool Game::touchesGoal(std::uint32_t slot) const {
+  const EntityState& entity = world_.entities()[slot];
+  return std::any_of(level_->goalPlaces.begin(), level_->goalPlaces.end(), [&](const Place& goal) {
+    return goal.part == entity.part && squaredLength(goal.position - entity.position) < kGoalReach * kGoalReach;
+  });
 }
 
 // Visits the fields of the round by name, in the order in which they are hashed and saved.
 template <class Self, class Visitor>
 void Game::visitRound(Self& self, Visitor&& visitor) {
   visitor("tick", self.tick_);
+  visitor("keys", self.keys_);
+  visitor("plates", self.plates_);
   visitor("over", self.over_);
 }
 
@@ -189,28 +199,36 @@ bool Game::restore(std::span<const std::uint8_t> bytes) {
   world_.restoreUnchecked(state);
   players_ = std::move(restored.players_);
   tick_ = restored.tick_;
+  keys_ = restored.keys_;
+  plates_ = restored.plates_;
   over_ = restored.over_;
   return true;
 }
 
 // True when `state` is valid for this level and fits players_.
 bool Game::accepts(const WorldState& state) const {
-  if (over_ > 1 || !world_.accepts(state)) return false;
+  if (over_ > 1 || ((keys_ | plates_) & ~level_->doorNumbers) != 0 || !world_.accepts(state)) return false;
   for (std::size_t slot = 0; slot < players_.size(); ++slot) {
-    const PlayerState& player = players_[slot];
-    const auto inRange = [](Point point, std::int32_t limit) {
-      return std::abs(std::int64_t{point.x}) <= limit && std::abs(std::int64_t{point.y}) <= limit;
-    };
-    if (player.present > 1 || player.finished > 1 || player.rising > 1) return false;
-    if (!inRange(player.velocity, kMaxPlayerSpeed) || !inRange(player.ground, PlayerState::kUnit)) return false;
-    if (player.present != state.entities[slot].inserted) return false;
+    if (!accepts(players_[slot]) || players_[slot].present != state.entities[slot].inserted) return false;
   }
   return true;
 }
 
+bool Game::accepts(const PlayerState& player) const {
+  const auto inRange = [](Point point, std::int32_t limit) {
+    return std::abs(std::int64_t{point.x}) <= limit && std::abs(std::int64_t{point.y}) <= limit;
+  };
+  if (player.present > 1 || player.arrived > 1 || player.rising > 1) return false;
+  if (player.startedAt > tick_ || player.finishTicks > tick_) return false;
+  if (!inRange(player.velocity, kMaxPlayerSpeed) || !inRange(player.ground, PlayerState::kUnit)) return false;
+  if (player.checkpoint == 0) return player.checkpointUp == Angle();
+  return player.checkpoint <= level_->elements.size() &&
+         level_->elements[player.checkpoint - 1U].kind == ElementKind::kCheckpoint;
+}
+
 bool operator==(const Game& a, const Game& b) {
   return a.level_->hash == b.level_->hash && a.world_ == b.world_ && a.players_ == b.players_ && a.tick_ == b.tick_ &&
-         a.over_ == b.over_;
+         a.keys_ == b.keys_ && a.plates_ == b.plates_ && a.over_ == b.over_;
 }
 
 }  // namespace platon

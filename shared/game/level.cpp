@@ -7,10 +7,13 @@
 #include <vector>
 
 #include "platon/exact/integer.h"
+#include "platon/game/player.h"
 #include "platon/game/stage.h"
+#include "platon/physics/query.h"
 #include "shared/exact/hash.h"
 #include "shared/game/crowding.h"
 #include "shared/game/level_reader.h"
+#include "shared/game/seen_places.h"
 
 namespace platon {
 namespace {
@@ -49,9 +52,36 @@ bool checkCrowding(const LevelDraft& draft, Diagnostics& diagnostics) {
   return places.empty();
 }
 
-void checkStart(const World& stage, const LevelPlace& start, Diagnostics& diagnostics) {
-  if (isFreeForPlayer(stage, start.face, start.point, start.angle)) return;
+void checkStart(const LevelDraft& draft, const World& stage, Diagnostics& diagnostics) {
+  const LevelPlace& start = *draft.start;
+  if (isFreeForPlayer(stage, draft.elements, start.face, start.point, start.angle)) return;
   diagnostics.error(start.at, "the start is blocked: a line or a corner overlaps the player there");
+}
+
+// A regular 16-gon around the player at every angle: the distance of its edges is 12.26 units.
+Convex clearanceShape() {
+  constexpr std::int32_t radius = kPlayerRadius + kSubunitsPerUnit / 2;
+  std::vector<Point> vertices;
+  for (std::int32_t i = 0; i < 16; ++i) vertices.push_back(rotate(Point(radius, 0), Angle(i * Angle::kTurn / 16)));
+  return Convex(std::move(vertices));
+}
+
+// A player that returns to a checkpoint must be free there, whatever its angle and whichever doors are open.
+void checkCheckpoints(const LevelDraft& draft, const World& stage, Diagnostics& diagnostics) {
+  const Convex shape = clearanceShape();
+  std::vector<SegmentRef> near;
+  for (const Element& checkpoint : draft.elements) {
+    if (checkpoint.kind != ElementKind::kCheckpoint) continue;
+    findOverlaps(stage, checkpoint.face, shape, placeOf(checkpoint), near);
+    const auto isInTheWay = [&](const SegmentRef& segment) {
+      const Element* const element = findElement(draft.elements, segment.part, segment.index);
+      return element == nullptr || canBlock(element->kind);
+    };
+    if (std::none_of(near.begin(), near.end(), isInTheWay)) continue;
+    diagnostics.error(draft.positions[checkpoint.face][checkpoint.segment],
+                      "the middle of this checkpoint, where players return, is within 12.5 units of a line that can "
+                      "block, or of the edge of its face: move it");
+  }
 }
 
 // `draft` is complete: reading it has reported no error.
@@ -64,7 +94,14 @@ std::shared_ptr<const Level> makeLevel(LevelDraft draft, World stage, std::strin
   level->startAngle = draft.start->angle;
   level->goalFace = draft.goal->face;
   level->goal = draft.goal->point;
+  level->goalPlaces = seenPlaces(stage.geometry(), {level->goalFace, level->goal}, kPlayerRadius + kGoalRadius);
   level->segments = std::move(draft.segments);
+  level->elements = std::move(draft.elements);
+  for (const Element& element : level->elements) {
+    if (element.kind == ElementKind::kKey || element.kind == ElementKind::kPlate) level->doorNumbers |= element.bit();
+  }
+  level->players = draft.players.value_or(1);
+  level->crossings = draft.crossings;
   level->title = std::move(draft.title);
   level->author = std::move(draft.author);
   level->text = text;
@@ -87,7 +124,8 @@ LevelResult loadLevel(std::string_view text) {
   const bool hasFaces = draft.solid && draft.faceSize;
   if (hasFaces && checkTotal(draft, diagnostics) && checkCrowding(draft, diagnostics) && draft.start) {
     stage = buildStage(*draft.solid, *draft.faceSize, draft.segments);
-    checkStart(stage, *draft.start, diagnostics);
+    checkStart(draft, stage, diagnostics);
+    checkCheckpoints(draft, stage, diagnostics);
   }
   LevelResult result;
   if (!diagnostics.hasError()) result.level = makeLevel(std::move(draft), std::move(stage), text);

@@ -6,11 +6,16 @@
 #include <tuple>
 #include <utility>
 
+#include "shared/game/element_words.h"
+
 namespace platon {
 namespace {
 
 constexpr std::string_view kHeaderNames[] = {"the solid, such as HEXAHEDRON", "the start (face x y degrees)",
                                              "the goal (face x y)", "the face size"};
+
+// Largest number of crossings or players that a level can state.
+constexpr std::int64_t kMaxCount = 255;
 
 bool isFaceMark(const LevelToken& token) { return token.text == "%"; }
 
@@ -85,6 +90,8 @@ void LevelReader::readComment(const LevelLine& line) {
   if (line.comment.empty() || !line.tokens.empty()) return;
   readName(line, "title:", draft_.title);
   readName(line, "author:", draft_.author);
+  readCount(line, "crossings:", 0, draft_.crossings);
+  readCount(line, "players:", 1, draft_.players);
 }
 
 void LevelReader::readName(const LevelLine& line, std::string_view key, std::string& name) {
@@ -99,6 +106,24 @@ void LevelReader::readName(const LevelLine& line, std::string_view key, std::str
                                 std::to_string(kMaxNameBytes) + " are allowed");
   } else {
     name = value;
+  }
+}
+
+void LevelReader::readCount(const LevelLine& line, std::string_view key, std::uint32_t low,
+                            std::optional<std::uint32_t>& count) {
+  const std::string_view content = trimmed(line.comment.substr(1));
+  if (!content.starts_with(key)) return;
+  const std::string_view value = trimmed(content.substr(key.size()));
+  const TextPosition at{line.number, line.commentColumn};
+  LevelNumber number;
+  if (count) {
+    diagnostics_->error(at, "second '" + std::string(key) + "': remove one of them");
+  } else if (parseNumber(value, kMaxCount, number) != NumberFault::kNone || number.whole() < low ||
+             value.find('.') != std::string_view::npos) {
+    diagnostics_->error(at, "'" + std::string(key) + "' must be a whole number between " + std::to_string(low) +
+                                " and " + std::to_string(kMaxCount) + ", not " + quoted(value));
+  } else {
+    count = static_cast<std::uint32_t>(number.whole());
   }
 }
 
@@ -187,7 +212,9 @@ void LevelReader::readSegment(const LevelLine& line) {
   static constexpr std::array<Field, 4> fields = {Field::coordinate("x0"), Field::coordinate("y0"),
                                                   Field::coordinate("x1"), Field::coordinate("y1")};
   std::array<LevelNumber, 4> numbers;
-  const bool good = readFields(line, "a line is 'x0 y0 x1 y1'", fields, numbers);
+  LevelLine ends = line;  // without the word
+  ends.tokens.resize(std::min(line.tokens.size(), fields.size()));
+  const bool good = readFields(ends, "a line is 'x0 y0 x1 y1'", fields, numbers);
   const TextPosition at{line.number, line.tokens[0].column};
   if (segments_++ == 0 && faces_ == 0) {
     diagnostics_->error(at, "line before the first '%': every face begins with a '%'");
@@ -208,17 +235,39 @@ void LevelReader::addSegment(const LevelLine& line, std::span<const LevelNumber>
     diagnostics_->error(at, "the line is outside its face");
     return;
   }
-  if (isPoint(a, b)) {
-    diagnostics_->warning(at, "the line has no length: it blocks as a point");
-  } else if (isTouch(a, b, *segment)) {
-    diagnostics_->warning(at, "the line only touches its face");
-  }
-  if (std::any_of(posts_.begin(), posts_.end(), [&](const Post& post) { return insidePost(post, *segment); })) {
-    diagnostics_->warning(at, "the line has no effect: it is in a corner of its face, which blocks already");
-  }
+  warnOfShape(at, a, b, *segment);
+  if (line.tokens.size() > numbers.size()) addElement(line, *segment);
   draft_.segments[faces_ - 1].push_back(*segment);
   draft_.positions[faces_ - 1].push_back(at);
   placed_.push_back({faces_ - 1, *segment, at});
+}
+
+// `a` and `b` are its ends in the text.
+void LevelReader::warnOfShape(TextPosition at, FinePoint a, FinePoint b, const Segment& segment) {
+  if (isPoint(a, b)) {
+    diagnostics_->warning(at, "the line has no length: it blocks as a point");
+  } else if (isTouch(a, b, segment)) {
+    diagnostics_->warning(at, "the line only touches its face");
+  }
+  if (std::any_of(posts_.begin(), posts_.end(), [&](const Post& post) { return insidePost(post, segment); })) {
+    diagnostics_->warning(at, "the line has no effect: it is in a corner of its face, which blocks already");
+  }
+}
+
+void LevelReader::addElement(const LevelLine& line, const Segment& segment) {
+  const auto words = std::span(line.tokens).subspan(4);
+  const auto edges = static_cast<std::uint32_t>(PlatonicSolid::of(*draft_.solid).edgesPerFace());
+  const auto word = readElementWord(line, words, edges, *diagnostics_);
+  if (!word) return;
+  const TextPosition at{line.number, words[0].column};
+  if (word->kind == ElementKind::kOneway && segment.a == segment.b)
+    diagnostics_->error(at, "a 'oneway' without length has no sides: give it two ends");
+  if (draft_.elements.size() == kMaxElements)
+    diagnostics_->error(at, "more than " + std::to_string(kMaxElements) + " lines with a word: remove some");
+  if (draft_.elements.size() >= kMaxElements) return;
+  const std::size_t face = faces_ - 1;
+  draft_.elements.push_back({word->kind, word->number, static_cast<std::uint32_t>(face),
+                             static_cast<std::uint32_t>(draft_.segments[face].size()), segment});
 }
 
 bool LevelReader::readFields(const LevelLine& line, std::string_view what, std::span<const Field> fields,
@@ -282,6 +331,32 @@ void LevelReader::warnOfDuplicates() {
   }
 }
 
+// Of segments that a player touches at the same time, the contact is with the first one. So a plate that lies on a
+// floor is pressed.
+void LevelReader::putElementsFirst() {
+  std::size_t next = 0;
+  for (std::size_t face = 0; face < draft_.segments.size(); ++face) {
+    const std::vector<Segment> segments = std::move(draft_.segments[face]);
+    const std::vector<TextPosition> positions = std::move(draft_.positions[face]);
+    std::vector<std::uint32_t> order;  // elements, then the others
+    std::vector<bool> isElement(segments.size());
+    for (; next < draft_.elements.size() && draft_.elements[next].face == face; ++next) {
+      std::uint32_t& segment = draft_.elements[next].segment;
+      isElement[segment] = true;
+      order.push_back(std::exchange(segment, static_cast<std::uint32_t>(order.size())));
+    }
+    for (std::uint32_t i = 0; i < segments.size(); ++i) {
+      if (!isElement[i]) order.push_back(i);
+    }
+    draft_.segments[face].clear();
+    draft_.positions[face].clear();
+    for (const std::uint32_t i : order) {
+      draft_.segments[face].push_back(segments[i]);
+      draft_.positions[face].push_back(positions[i]);
+    }
+  }
+}
+
 void LevelReader::finish() {
   const TextPosition end{text_.lines(), text_.endOfLine()};
   reportMissingHeader(end);
@@ -291,6 +366,7 @@ void LevelReader::finish() {
   }
   checkInside(draft_.start, "the start");
   checkInside(draft_.goal, "the goal");
+  putElementsFirst();
   warnOfDuplicates();
 }
 

@@ -11,6 +11,7 @@
 #include "platon/exact/angle.h"
 #include "platon/exact/point.h"
 #include "platon/game/diagnostics.h"
+#include "platon/game/element.h"
 #include "platon/game/solid.h"
 #include "platon/game/stage.h"
 #include "platon/physics/segment.h"
@@ -34,10 +35,13 @@ struct LevelDraft {
   std::optional<std::int32_t> faceSize;
   std::optional<LevelPlace> start;
   std::optional<LevelPlace> goal;
-  std::vector<std::vector<Segment>> segments;        ///< one list per face once the solid is known
+  std::vector<std::vector<Segment>> segments;        ///< one list per face once the solid is known; elements first
   std::vector<std::vector<TextPosition>> positions;  ///< of the segments in the text
+  std::vector<Element> elements;                     ///< in order of face and segment
   std::string title;
   std::string author;
+  std::optional<std::uint32_t> crossings;
+  std::optional<std::uint32_t> players;
 };
 
 /// Reads a level text line by line and reports every error, except that it does not check whether the start is free.
@@ -47,6 +51,8 @@ class LevelReader {
   static constexpr std::size_t kMaxNameBytes = 100;
   /// Largest number of lines on all faces together.
   static constexpr std::size_t kMaxLines = 200000;
+  /// Largest number of lines with a word.
+  static constexpr std::size_t kMaxElements = 4096;
 
   LevelReader(std::string_view text, Diagnostics& diagnostics) : text_(text, diagnostics), diagnostics_(&diagnostics) {}
 
@@ -64,6 +70,7 @@ class LevelReader {
   void readLine(const LevelLine& line);
   void readComment(const LevelLine& line);
   void readName(const LevelLine& line, std::string_view key, std::string& name);
+  void readCount(const LevelLine& line, std::string_view key, std::uint32_t low, std::optional<std::uint32_t>& count);
   void readHeader(const LevelLine& line);
   void readSolid(const LevelLine& line);
   std::optional<LevelPlace> readPlace(const LevelLine& line, std::string_view what, std::span<const Field> fields);
@@ -71,6 +78,8 @@ class LevelReader {
   void readFaceMark(const LevelLine& line);
   void readSegment(const LevelLine& line);
   void addSegment(const LevelLine& line, std::span<const LevelNumber> numbers);
+  void warnOfShape(TextPosition at, FinePoint a, FinePoint b, const Segment& segment);
+  void addElement(const LevelLine& line, const Segment& segment);
   bool readFields(const LevelLine& line, std::string_view what, std::span<const Field> fields,
                   std::span<LevelNumber> numbers);
   bool readField(const LevelLine& line, std::size_t index, const Field& field, LevelNumber& number);
@@ -79,6 +88,7 @@ class LevelReader {
   void reportMissingHeader(TextPosition at);
   void checkInside(std::optional<LevelPlace>& place, std::string_view what);
   void warnOfDuplicates();
+  void putElementsFirst();
   void finish();
 
   LevelText text_;

@@ -1,6 +1,7 @@
 #include "platon/game/player.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 #include <vector>
 
@@ -11,15 +12,24 @@ namespace {
 
 // Speeds are in subunits per tick, accelerations in subunits per tick squared; a second has 60 ticks, a unit 1024
 // subunits.
-constexpr std::int32_t kRunSpeed = 3277;  // 192 units per second
-constexpr std::int32_t kGroundAcceleration = 410;
-constexpr std::int32_t kAirAcceleration = 205;
-constexpr std::int32_t kGroundFriction = 546;
-constexpr std::int32_t kAirFriction = 51;
-constexpr std::int32_t kGravity = 256;
-constexpr std::int32_t kJumpSpeed = 5734;     // a full jump rises 61380 subunits: 59.9 units
+constexpr std::int32_t kRunSpeed = 3277;    // 192 units per second
+constexpr std::int32_t kWalkSpeed = 2185;   // two thirds
+constexpr std::int32_t kCreepSpeed = 1092;  // one third
+// Changes of the speed: towards the pressed direction, against the present one, and without a direction.
+struct Grip {
+  std::int32_t acceleration;
+  std::int32_t turnRound;
+  std::int32_t friction;
+};
+constexpr Grip kGroundGrip{410, 956, 546};
+constexpr Grip kAirGrip{205, 410, 51};
+constexpr std::int32_t kGravity = 300;
+// While the jump button is held, half the gravity acts on vertical speeds up to this.
+constexpr std::int32_t kApexSpeed = 1600;
+constexpr std::int32_t kJumpSpeed = 6024;     // a full jump rises 61350 subunits: 59.9 units
 constexpr std::int32_t kCutJumpSpeed = 1800;  // largest upward speed once the button is released
-constexpr std::int32_t kFallSpeed = 12288;
+constexpr std::int32_t kFallSpeed = 7168;
+constexpr std::int32_t kFastFallSpeed = 10240;  // while the down button is held
 // Displacement a tick that presses a standing player to the ground, so that it follows gentle slopes and edges. Not
 // part of the velocity.
 constexpr std::int32_t kGroundPress = 512;
@@ -27,6 +37,9 @@ constexpr std::uint8_t kCoyoteTicks = 6;
 constexpr std::uint8_t kJumpBufferTicks = 6;
 // Smallest y of a unit normal of ground: PlayerState::kUnit * cos 50°. Steeper segments are not ground.
 constexpr std::int32_t kMinGroundNormalY = 10531;
+// Smallest |x| of a unit normal at which the end of a ceiling lets a rising player pass: kUnit * sin 44°. The player's
+// shape has such normals where the end reaches at most 5.1 units under its outermost point.
+constexpr std::int32_t kMinPassingNormalX = 11381;
 
 // `value` changed by at most `step` towards `target`.
 std::int32_t approach(std::int32_t value, std::int32_t target, std::int32_t step) {
@@ -42,6 +55,11 @@ Point scaled(Point vector, std::int64_t length) {
 // Component of `vector` along a unit vector.
 std::int32_t along(Point vector, Point direction) {
   return static_cast<std::int32_t>(divideRounded<std::int64_t>(dot(vector, direction), PlayerState::kUnit));
+}
+
+std::int32_t runSpeedOf(Input input) {
+  if (input.has(Input::kCreep)) return kCreepSpeed;
+  return input.has(Input::kWalk) ? kWalkSpeed : kRunSpeed;
 }
 
 // Unit vector to the right: along the ground, or horizontal in the air.
@@ -70,9 +88,12 @@ void Player::run(Input input) {
   const bool grounded = state_->ground != Point();
   const Point tangent = tangentOf(state_->ground);
   const int direction = int{input.has(Input::kRight)} - int{input.has(Input::kLeft)};
-  const std::int32_t step = direction == 0 ? (grounded ? kGroundFriction : kAirFriction)
-                                           : (grounded ? kGroundAcceleration : kAirAcceleration);
-  const std::int32_t speed = approach(along(state_->velocity, tangent), direction * kRunSpeed, step);
+  const Grip& grip = grounded ? kGroundGrip : kAirGrip;
+  const std::int32_t before = along(state_->velocity, tangent);
+  const std::int32_t step = direction == 0           ? grip.friction
+                            : direction * before < 0 ? std::min(grip.turnRound, std::abs(before) + grip.acceleration)
+                                                     : grip.acceleration;
+  const std::int32_t speed = approach(before, direction * runSpeedOf(input), step);
   if (grounded) {
     state_->velocity = scaled(tangent, speed);
   } else {
@@ -85,7 +106,7 @@ void Player::jump(Input input) {
   if (state_->ground != Point()) state_->coyote = kCoyoteTicks;
   if (pressed) state_->jumpBuffer = kJumpBufferTicks;
   if (state_->jumpBuffer != 0 && state_->coyote != 0) {
-    state_->velocity.y = std::max(state_->velocity.y, 0) + kJumpSpeed;
+    state_->velocity.y = kJumpSpeed;
     state_->ground = Point();
     state_->jumpBuffer = state_->coyote = 0;
     state_->rising = 1;
@@ -100,15 +121,16 @@ void Player::fall() {
     state_->rising = 0;
     return;
   }
-  if (state_->rising != 0 && (state_->held & Input::kJump) == 0 && state_->velocity.y > kCutJumpSpeed) {
-    state_->velocity.y = kCutJumpSpeed;
-  }
-  if (state_->velocity.y <= kCutJumpSpeed) state_->rising = 0;
-  state_->velocity.y = std::max(state_->velocity.y - kGravity, -kFallSpeed);
+  std::int32_t& speed = state_->velocity.y;
+  const bool holdsJump = (state_->held & Input::kJump) != 0;
+  if (state_->rising != 0 && !holdsJump) speed = std::min(speed, kCutJumpSpeed);
+  if (speed <= kCutJumpSpeed) state_->rising = 0;
+  const std::int32_t gravity = holdsJump && std::abs(speed) <= kApexSpeed ? kGravity / 2 : kGravity;
+  speed = approach(speed, (state_->held & Input::kDown) != 0 ? -kFastFallSpeed : -kFallSpeed, gravity);
 }
 
-void Player::contact(Point normal, Point& steep) {
-  const bool landing = normal.y >= kMinGroundNormalY;
+void Player::contact(Point normal, bool atEnd, Point& steep) {
+  const bool landing = isGround(normal);
   const bool wasInAir = state_->coyote != kCoyoteTicks - 1;
   if (landing) {
     state_->ground = normal;
@@ -121,10 +143,15 @@ void Player::contact(Point normal, Point& steep) {
   if (landing && wasInAir) {
     // Keeps the horizontal speed, so that a landing on a slope does not start a slide.
     velocity = scaled(tangentOf(normal), velocity.x);
+  } else if (atEnd && velocity.y > 0 && normal.y < 0 && std::abs(normal.x) >= kMinPassingNormalX) {
+    // The end of a ceiling: the player slides round it and keeps its height of jump.
+    if (velocity.x * normal.x < 0) velocity.x = 0;
   } else {
     velocity -= scaled(normal, inwards);
   }
 }
+
+bool Player::isGround(Point normal) { return normal.y >= kMinGroundNormalY; }
 
 // A player between a steep segment and an opposite one (steep, vertical or overhanging) stands, so that it can jump
 // out.

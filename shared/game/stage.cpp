@@ -6,6 +6,7 @@
 #include "platon/game/player.h"
 #include "platon/physics/entity.h"
 #include "platon/physics/map_part.h"
+#include "platon/physics/rules.h"
 
 namespace platon {
 namespace {
@@ -26,6 +27,20 @@ void addWarps(MapPart& part, SolidKind kind, std::int32_t faceSize, const std::v
               edgeMiddle(kind, faceSize, edge), edgeMiddle(kind, faceSize, behind.edge));
   }
 }
+
+// Everything blocks that can block at any time.
+class AllBlock : public Rules {
+ public:
+  explicit AllBlock(std::span<const Element> elements) : elements_(elements) {}
+  Scope scope() const override { return elements_.empty() ? Scope::kContacts : Scope::kSegments; }
+  bool pierce(const Entity&, const SegmentRef& segment) const override {
+    const Element* const element = findElement(elements_, segment.part, segment.index);
+    return element != nullptr && !canBlock(element->kind);
+  }
+
+ private:
+  std::span<const Element> elements_;
+};
 
 }  // namespace
 
@@ -60,7 +75,9 @@ World buildStage(SolidKind kind, std::int32_t faceSize, std::span<const std::vec
   return world;
 }
 
-bool isFreeForPlayer(World world, std::uint32_t face, Point position, Angle angle) {
+bool isFreeForPlayer(World world, std::span<const Element> elements, std::uint32_t face, Point position, Angle angle) {
+  AllBlock rules(elements);
+  world.setRules(rules);
   Entity player(world, playerShape());
   try {
     MapPart(world, face).insert(player, position, angle);

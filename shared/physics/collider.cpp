@@ -22,13 +22,15 @@ bool Collider::contains(const std::vector<SegmentRef>& refs, const SegmentRef& r
 // The angle between two instances of one shape is that between their frames.
 SegmentRef Collider::refOf(const Placement& placement, std::uint32_t segment) const {
   const MapGeometry& part = *placement.part;
-  return {part.id, segment, part.isWarp(segment), part.segments[segment], placement.id, angle_ - placement.angle};
+  return {
+      part.id,           segment, part.isWarp(segment), part.segments[segment], placement.id, angle_ - placement.angle,
+      placement.position};
 }
 
 void Collider::begin(Rules& rules, Entity entity, const Instances& instances, std::vector<Region>& regions,
                      Region::Work& work) {
   rules_ = &rules;
-  ignoresWarps_ = rules.ignoresWarps();
+  scope_ = rules.scope();
   entity_.emplace(entity);
   angle_ = instances.home().angle;
   regions_ = &regions;
@@ -57,7 +59,8 @@ std::optional<Sweep::ClipInterval> Collider::clip(const Placement& placement, Re
 }
 
 bool Collider::blocks(const Placement& placement, std::uint32_t segment) const {
-  if (ignoresWarps_) return !placement.part->isWarp(segment);
+  if (scope_ != Rules::Scope::kEverything && placement.part->isWarp(segment)) return false;
+  if (scope_ == Rules::Scope::kContacts) return true;
   const SegmentRef ref = refOf(placement, segment);
   return !contains(overlapped_, ref) && !rules_->pierce(*entity_, ref);
 }

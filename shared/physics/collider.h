@@ -50,8 +50,8 @@ class Collider {
   }
   /// The shape has been rotated by `angle`.
   void turnShape(Angle angle) { angle_ = angle_ + angle; }
-  /// Whether the rules promise that only warps can be passed.
-  bool ignoresWarps() const { return ignoresWarps_; }
+  /// What the rules ask for.
+  Rules::Scope scope() const { return scope_; }
 
   /// The earliest hit of any instance on a blocking segment when the home instance moves straight from `from` to `to`.
   /// At equal times, the first placement and the lowest segment index win. Records pierceable segments on the path.
@@ -101,7 +101,7 @@ class Collider {
   /// All segments recorded since `begin`, each once per instance: those that were pierced or overlapped.
   const std::vector<SegmentRef>& pierced() const { return pierced_; }
   /// The segments that the entity overlaps, in the order in which that began. They are pierced until they are removed
-  /// from this list. Kept by StepContacts; always empty with rules that ignore warps.
+  /// from this list. Kept by StepContacts; always empty with Scope::kContacts.
   std::vector<SegmentRef>& overlapped() { return overlapped_; }
 
   /// The reference that is passed to rules. Its toHome leads to the home part at the start of the step.
@@ -126,20 +126,20 @@ class Collider {
   Region& regionOf(const Placement& placement) { return (*regions_)[placement.region]; }
   // Whether no later test can find an earlier hit or must record a pierceable segment.
   bool isFinal(const std::optional<LegHit>& best) const {
-    return ignoresWarps_ && best && best->hit.time.numerator == 0;
+    return scope_ == Rules::Scope::kContacts && best && best->hit.time.numerator == 0;
   }
   std::optional<Sweep::ClipInterval> clip(const Placement& placement, Region& region, std::size_t entry);
   std::optional<std::size_t> startNear(const Placement& placement, const Path& path, std::uint32_t segment);
   // The number of entries, from the first, whose segments may block or are recorded.
   std::size_t checkedEntries(const Region& region) const {
-    return ignoresWarps_ ? region.firstWarp() : region.segments().size();
+    return scope_ == Rules::Scope::kEverything ? region.segments().size() : region.firstWarp();
   }
   bool blocks(const Placement& placement, std::uint32_t segment) const;
   void record(const SegmentRef& ref);
   bool blocksOrRecord(const Placement& placement, std::uint32_t segment);
 
   Rules* rules_ = nullptr;
-  bool ignoresWarps_ = false;  // Rules::ignoresWarps of rules_
+  Rules::Scope scope_ = Rules::Scope::kEverything;  // of rules_
   std::optional<Entity> entity_;
   std::vector<Region>* regions_ = nullptr;
   Region::Work* work_ = nullptr;

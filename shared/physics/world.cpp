@@ -87,7 +87,7 @@ void World::moveAll(StepObserver* observer) {
   StepScratch& scratch = *scratch_;
   scratch.entities = state_.entities;
   scratch.further.clear();
-  const bool mayRepeat = observer == nullptr && rules().ignoresWarps();
+  const bool mayRepeat = observer == nullptr && rules().scope() == Rules::Scope::kContacts;
   std::size_t next = 0;
   for (std::uint32_t index = 0; index < state_.entities.size(); ++index) {
     const EntityState& entity = state_.entities[index];
@@ -113,7 +113,7 @@ void World::move(std::uint32_t index, std::span<const InstanceState> further, St
   step.translate(entity.velocity, entity.heading);
   step.finish(scratch.further);
   requireNotMoved(scratch);
-  if (!rules().ignoresWarps()) return;
+  if (rules().scope() != Rules::Scope::kContacts) return;
   const auto furtherAfter = std::span(scratch.further).subspan(firstFurther);
   scratch.caches[index].rest.record(state_.entities[index], further, entity, furtherAfter,
                                     scratch.events.since(firstEvent));

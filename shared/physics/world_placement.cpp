@@ -97,7 +97,7 @@ void World::replace(std::uint32_t entity, const Placed& placed) {
 void World::replaceSilently(std::uint32_t entity, const Placed& placed) {
   StepScratch& scratch = *scratch_;
   StepEvents& events = scratch.events;
-  if (!rules().ignoresWarps()) {
+  if (rules().scope() != Rules::Scope::kContacts) {
     scratch_->provideFor(state_.entities.size());
     const auto before = contactsOf(entity, placedOf(entity));
     const auto after = contactsOf(entity, placed);

@@ -30,7 +30,7 @@ class LegCounter : public StepObserver {
 
 std::vector<Input> inputsFrom(ByteSource& bytes, std::size_t slots) {
   std::vector<Input> inputs(slots);
-  for (Input& input : inputs) input.buttons = bytes.byte() & Input::kAll;
+  for (Input& input : inputs) input = validInput(bytes.byte());
   return inputs;
 }
 

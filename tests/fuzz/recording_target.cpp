@@ -24,7 +24,7 @@ std::vector<std::uint8_t> recorded(ByteSource& bytes) {
   Recorder recorder(game, static_cast<std::uint32_t>(bytes.below(8)) + 1);
   for (std::size_t ticks = bytes.below(kMaxTicks); ticks > 0; --ticks) {
     std::vector<Input> inputs(bytes.below(4));
-    for (Input& input : inputs) input.buttons = (bytes.byte() & Input::kAll) | Input::kPresent;
+    for (Input& input : inputs) input = validInput(bytes.byte() | Input::kPresent);
     game.advance(inputs);
     recorder.record(inputs, game);
   }

@@ -198,7 +198,7 @@ CLIENT_FAULTS = [
               "the clock of a round shows a second too few",
               "Hud.ClockShowsMinutesAndThenTenths"),
     at_length("slowest-player-first", UI + "hud.cpp",
-              "return a->finishedAfter < b->finishedAfter;", "return a->finishedAfter > b->finishedAfter;",
+              "return a->finishSeconds < b->finishSeconds;", "return a->finishSeconds > b->finishSeconds;",
               "the list of players begins with the slowest one",
               "Hud.FinishedPlayersComeFirstByTheirTime"),
     at_length("names-seen-through-the-solid", UI + "hud.cpp",

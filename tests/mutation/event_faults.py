@@ -19,7 +19,7 @@ EVENT_FAULTS = [
               "step.contacts().pierceOverlapped(inserted);", "step.contacts().pierceOverlapped();",
               "an instance can be placed in a closed door",
               "WorldPlacementTest.AClosedDoorForbidsTheInstanceThatIsPlaced"),
-    at_length("turn-to-home-reversed", PHYSICS + "collider.cpp", "angle_ - placement.angle}", "placement.angle - angle_}",
+    at_length("turn-to-home-reversed", PHYSICS + "collider.cpp", "angle_ - placement.angle,", "placement.angle - angle_,",
               "SegmentRef::toHome has the wrong sign",
               "WarpContactTest.ToHomeIsTheAngleBetweenTheParts"),
     at_length("frame-turns-with-the-shape", PHYSICS + "step/mover.cpp",

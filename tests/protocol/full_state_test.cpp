@@ -12,7 +12,9 @@ namespace {
 TEST(FullState, DecodesWhatWasEncoded) {
   const FullState empty;
   EXPECT_EQ(decodeFullState(encode(empty)), empty);
-  const FullState state{{pressing(3), Input{}, pressing(31)}, {1, 2, 3, 4}};
+  const FullState state{{pressing(Input::kRight), Input{},
+                         pressing(Input::kLeft | Input::kJump | Input::kDown | Input::kRestart | Input::kCreep)},
+                        {1, 2, 3, 4}};
   EXPECT_EQ(decodeFullState(encode(state)), state);
   const FullState most{std::vector<Input>(kMaxPlayers, pressing(0)), {}};
   EXPECT_EQ(decodeFullState(encode(most)), most);
@@ -22,7 +24,8 @@ TEST(FullState, RefusesMalformedBytes) {
   EXPECT_FALSE(decodeFullState(Bytes{}));
   EXPECT_FALSE(decodeFullState(Bytes{2, 0x80}));
   EXPECT_FALSE(decodeFullState(Bytes{1, 0x01}));  // buttons of an absent player
-  EXPECT_FALSE(decodeFullState(Bytes{1, 0xc0}));  // an unknown button
+  EXPECT_FALSE(decodeFullState(Bytes{1, 0x83}));  // both directions
+  EXPECT_FALSE(decodeFullState(Bytes{1, 0xc0}));  // a speed without a direction
   EXPECT_FALSE(decodeFullState(encode(FullState{std::vector<Input>(kMaxPlayers + 1), {}})));
 }
 

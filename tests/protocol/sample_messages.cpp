@@ -17,7 +17,8 @@ ConfirmedTicks manyChanges() {
       {}};
   for (std::uint32_t i = 0; i < kMaxChangesPerMessage; ++i) {
     const std::uint32_t tick = message.from + (i / 256 * (kMaxTicksPerMessage - 1));
-    message.changes.push_back({tick, i % 256, i % 2 == 0 ? Input{} : pressing(31)});
+    message.changes.push_back(
+        {tick, i % 256, i % 2 == 0 ? Input{} : pressing(Input::kLeft | Input::kWalk | Input::kJump)});
   }
   return message;
 }
@@ -65,7 +66,9 @@ std::vector<ToClient> sampleToClient() {
                          120,
                          0x01020304,
                          LinkReport{200, 7, SlackReport{104, 3}},
-                         {{100, 0, pressing(2)}, {103, 255, Input{}}, {219, 1, pressing(31)}}},
+                         {{100, 0, pressing(2)},
+                          {103, 255, Input{}},
+                          {219, 1, pressing(Input::kRight | Input::kCreep | Input::kDown | Input::kRestart)}}},
           ConfirmedTicks{2,
                          5,
                          3,

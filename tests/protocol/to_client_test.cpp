@@ -142,7 +142,6 @@ TEST(ToClient, RefusesChangesOutOfOrderOrRange) {
   EXPECT_TRUE(refused({{15, 0, pressing(0)}}));
   EXPECT_TRUE(refused({{10, 1, pressing(0)}, {10, 1, pressing(1)}}));
   EXPECT_TRUE(refused({{10, 2, pressing(0)}, {10, 1, pressing(0)}}));
-  EXPECT_TRUE(refused({{10, 2, Input{Input::kLeft}}}));
 }
 
 }  // namespace

@@ -23,7 +23,9 @@ class Churn {
       Input pressed = presses_[slot].next();
       if (random_.below(400) == 0) pressed.buttons |= Input::kRestart;
       if (random_.below(40) == 0) pressed.buttons |= Input::kDown;
-      inputs_[slot] = present_[slot] ? pressed : Input();
+      if (random_.below(40) == 0) pressed.buttons |= Input::kWalk;
+      if (random_.below(40) == 0) pressed.buttons |= Input::kCreep;
+      inputs_[slot] = present_[slot] ? validInput(pressed.buttons) : Input();
     }
     return inputs_;
   }

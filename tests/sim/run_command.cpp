@@ -88,7 +88,7 @@ Summary play(const Run& run, const std::function<std::span<const Input>()>& next
   run.recording->finish(game);
   summary.hash = game.hash();
   summary.crossings = crossingsOf(game.world());
-  for (std::uint32_t slot = 0; slot < game.slots(); ++slot) summary.goals += game.player(slot).finished;
+  for (std::uint32_t slot = 0; slot < game.slots(); ++slot) summary.goals += game.player(slot).finished() ? 1 : 0;
   return summary;
 }
 

@@ -45,7 +45,7 @@ void FakeClient::update(Moment) {
   PlayerInputs message{round_, sync_,      confirmed_, shortHash(game_->hash()), std::max(confirmed_, firstInput_),
                        {},     sequence_++};
   for (std::uint32_t tick = message.first; tick <= confirmed_ + lead_; ++tick) {
-    message.inputs.push_back(Input{static_cast<std::uint8_t>(buttons_(tick) | Input::kPresent)});
+    message.inputs.push_back(validInput(static_cast<std::uint8_t>(buttons_(tick) | Input::kPresent)));
   }
   send(message, false);
 }

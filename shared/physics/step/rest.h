@@ -11,7 +11,7 @@ namespace platon {
 
 /// Records a step, without rotation, that did not change its entity. While the state of the entity is the same, the
 /// next step would have the same result, so it is replaced by repeating the events. Derived state; influences speed
-/// only. Valid while the same segments block (hence only with Rules::ignoresWarps) and no map part is added.
+/// only. Valid while the same segments block (hence only with Rules::Scope::kContacts) and no map part is added.
 class Rest {
  public:
   /// Whether a step from this state was recorded as changing nothing.

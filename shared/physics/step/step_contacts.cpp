@@ -32,7 +32,7 @@ void StepContacts::addContact(const LegHit& hit) {
 }
 
 void StepContacts::pierceOverlapped(std::uint16_t except) {
-  if (collider_.ignoresWarps()) return;
+  if (collider_.scope() == Rules::Scope::kContacts) return;
   for (const Placement& placement : instances_.all()) {
     if (placement.id != except) collider_.recordOverlapped(placement);
   }
@@ -63,7 +63,7 @@ void StepContacts::updatePierced(Point before) {
 }
 
 void StepContacts::updateRotated() {
-  if (collider_.ignoresWarps()) return;
+  if (collider_.scope() == Rules::Scope::kContacts) return;
   for (const Placement& placement : instances_.all()) collider_.recordOverlapped(placement);
   update();
 }

@@ -14,7 +14,7 @@ namespace platon {
 /// The rules of a world on which setRules was not called.
 class DefaultRules : public Rules {
  public:
-  bool ignoresWarps() const override { return true; }
+  Scope scope() const override { return Scope::kContacts; }
 };
 
 /// What is kept of one entity between its steps.

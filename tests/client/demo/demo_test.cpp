@@ -15,7 +15,7 @@ bool finishes(Demo& demo, Game& game, std::uint32_t slot, int ticks) {
   inputs[slot] = {Input::kPresent};
   for (int tick = 0; tick < ticks; ++tick) {
     game.advance(inputs);
-    if (game.player(slot).finished != 0) return true;
+    if (game.player(slot).finished()) return true;
     inputs[slot].buttons = demo.choose(game, slot).buttons | Input::kPresent;
   }
   return false;
@@ -34,12 +34,12 @@ TEST(Demo, FinishesAlthoughItIsPushedOffItsPath) {
   Game game(cornerLevel());
   std::vector<Input> inputs = {Input{Input::kPresent}};
   game.advance(inputs);
-  for (int tick = 0; tick < 6000 && game.player(0).finished == 0; ++tick) {
+  for (int tick = 0; tick < 6000 && !game.player(0).finished(); ++tick) {
     game.advance(inputs);
     inputs[0].buttons = demo.choose(game, 0).buttons | Input::kPresent;
     if (tick % 150 < 3 && tick < 1000) inputs[0] = {Input::kPresent | Input::kLeft};
   }
-  EXPECT_EQ(game.player(0).finished, 1);
+  EXPECT_TRUE(game.player(0).finished());
 }
 
 TEST(Demo, PlaysTheNextRound) {

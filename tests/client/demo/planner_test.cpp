@@ -27,10 +27,10 @@ TEST(Planner, ThePlanReachesTheGoal) {
     ASSERT_EQ(planner.status(), Planner::Status::kFound);
     Game game = start;
     for (const Input input : planner.plan()) {
-      EXPECT_EQ(game.player(0).finished, 0);
+      EXPECT_FALSE(game.player(0).finished());
       game.advance(std::vector<Input>{input});
     }
-    EXPECT_EQ(game.player(0).finished, 1);
+    EXPECT_TRUE(game.player(0).finished());
   }
 }
 

@@ -12,7 +12,7 @@ constexpr std::uint32_t kBlock = RecentRecording::kTicksBetweenCheckpoints;
 
 void play(Game& game, RecentRecording& recording, std::uint32_t ticks) {
   for (std::uint32_t i = 0; i < ticks; ++i) {
-    const Input input{static_cast<std::uint8_t>(Input::kPresent | game.tick() / 20 % 8)};
+    const Input input = validInput(static_cast<std::uint8_t>(Input::kPresent | game.tick() / 20 % 8));
     game.advance({&input, 1});
     recording.record({&input, 1}, game);
   }

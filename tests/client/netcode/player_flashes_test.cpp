@@ -60,7 +60,7 @@ TEST(PlayerFlashes, AFinishFlashesOnce) {
   PlayerFlashes flashes;
   PlayerState player = standing();
   flashes.observe(0, 1, player);
-  player.finished = 1;
+  player.finishTicks = 1;
   for (std::uint32_t tick = 2; tick < 100; ++tick) flashes.observe(0, tick, player);
   EXPECT_EQ(flashes.brightness(0, 2), 1);
   EXPECT_EQ(flashes.brightness(0, 50), 0);
@@ -69,7 +69,7 @@ TEST(PlayerFlashes, AFinishFlashesOnce) {
 TEST(PlayerFlashes, AnEarlierFinishDoesNotFlash) {
   PlayerFlashes flashes;
   PlayerState player = standing();
-  player.finished = 1;
+  player.finishTicks = 1;
   for (std::uint32_t tick = 300; tick < 330; ++tick) flashes.observe(0, tick, player);
   for (std::uint32_t tick = 300; tick < 330; ++tick) EXPECT_EQ(flashes.brightness(0, tick), 0) << tick;
 }

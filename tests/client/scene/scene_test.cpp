@@ -207,8 +207,8 @@ TEST(Scene, PlayersHaveTheirNamesAndFinishTimes) {
   EXPECT_EQ(scene.players[0].name, "Ada");
   EXPECT_EQ(scene.players[1].name, "Grace");
   EXPECT_EQ(scene.players[2].name, "");
-  ASSERT_TRUE(scene.players[0].finishedAfter);
-  EXPECT_NEAR(*scene.players[0].finishedAfter, 1.0 / kTicksPerSecond, 1e-12);
+  ASSERT_TRUE(scene.players[0].finishSeconds);
+  EXPECT_NEAR(*scene.players[0].finishSeconds, 1.0 / kTicksPerSecond, 1e-12);
   EXPECT_TRUE(scene.over);
 }
 

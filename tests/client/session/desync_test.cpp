@@ -134,7 +134,7 @@ TEST_P(FlippedField, IsReportedAndResynced) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Fields, FlippedField,
-                         testing::Values(Flipped{"entity ", "position"}, Flipped{"player ", "finishedAt"}),
+                         testing::Values(Flipped{"entity ", "position"}, Flipped{"player ", "finishTicks"}),
                          [](const testing::TestParamInfo<Flipped>& test) { return test.param.field; });
 
 TEST(Desync, AWrongInputIsReportedAndResynced) {

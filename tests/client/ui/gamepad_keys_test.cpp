@@ -41,9 +41,9 @@ TEST(GamepadKeys, EveryButtonIsPressedAndReleasedOnce) {
 }
 
 TEST(GamepadKeys, TheStickPressesItsDirectionBeyondTheDeadZone) {
-  constexpr float kBeyond = GamepadKeys::kDeadZone + 0.01F;
-  const std::array<std::pair<GamepadState, Key>, 4> directions{{{stickAt(-kBeyond, 0), Key::kPadLeft},
-                                                                {stickAt(kBeyond, 0), Key::kPadRight},
+  constexpr float kBeyond = GamepadKeys::kVerticalDeadZone + 0.01F;
+  const std::array<std::pair<GamepadState, Key>, 4> directions{{{stickAt(-1, 0), Key::kPadLeft},
+                                                                {stickAt(1, 0), Key::kPadRight},
                                                                 {stickAt(0, -kBeyond), Key::kPadUp},
                                                                 {stickAt(0, kBeyond), Key::kPadDown}}};
   for (const auto& [state, key] : directions) {
@@ -54,6 +54,18 @@ TEST(GamepadKeys, TheStickPressesItsDirectionBeyondTheDeadZone) {
   const float edge = GamepadKeys::kDeadZone;
   for (const GamepadState& state : {stickAt(edge, edge), stickAt(-edge, -edge)})
     EXPECT_EQ(update(keys, state), Events());
+}
+
+TEST(GamepadKeys, TheTiltOfTheStickChoosesTheSpeed) {
+  GamepadKeys keys;
+  EXPECT_EQ(update(keys, stickAt(-GamepadKeys::kCreep, 0)),
+            (Events{{Key::kPadLeft, Kind::kPress}, {Key::kPadCreep, Kind::kPress}}));
+  EXPECT_EQ(update(keys, stickAt(-GamepadKeys::kWalk, 0)),
+            (Events{{Key::kPadWalk, Kind::kPress}, {Key::kPadCreep, Kind::kRelease}}));
+  EXPECT_EQ(update(keys, stickAt(-1, 0)), (Events{{Key::kPadWalk, Kind::kRelease}}));
+  GamepadState pad = stickAt(-GamepadKeys::kCreep, 0);
+  pad.dpadLeft = true;
+  EXPECT_EQ(update(keys, pad), Events()) << "the directional pad runs";
 }
 
 TEST(GamepadKeys, StickAndDirectionalPadAreOneKey) {

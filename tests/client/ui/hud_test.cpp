@@ -99,8 +99,8 @@ TEST(Hud, ALongTextIsShownInLinesThatFit) {
 
 TEST(Hud, FinishedPlayersComeFirstByTheirTime) {
   Scene scene = sceneOf(3);
-  scene.players[2].finishedAfter = 12.34;
-  scene.players[1].finishedAfter = 40;
+  scene.players[2].finishSeconds = 12.34;
+  scene.players[1].finishSeconds = 40;
   const Overlay hud = hudOf(scene);
   ASSERT_TRUE(find(hud, "✓ 12.34 s"));
   ASSERT_TRUE(find(hud, "✓ 40.00 s"));
@@ -119,9 +119,9 @@ TEST(Hud, FinishedPlayersComeFirstByTheirTime) {
 TEST(Hud, ShowsTheResultOfTheLocalPlayer) {
   Scene scene = sceneOf(2);
   scene.players[1].local = true;
-  scene.players[1].finishedAfter = 7.5;
+  scene.players[1].finishSeconds = 7.5;
   EXPECT_TRUE(find(hudOf(scene), "★  Goal in 7.50 s"));
-  scene.players[1].finishedAfter.reset();
+  scene.players[1].finishSeconds.reset();
   scene.over = true;
   EXPECT_TRUE(find(hudOf(scene), "Round over"));
   scene.secondsLeft = 0;

@@ -42,6 +42,11 @@ bool HeldKeys::*controlOf(Key key) {
     case Key::kSpace:
     case Key::kPadA:
       return &HeldKeys::jump;
+    case Key::kPadWalk:
+      return &HeldKeys::walk;
+    case Key::kShift:
+    case Key::kPadCreep:
+      return &HeldKeys::creep;
     case Key::kR:
     case Key::kPadBack:
       return &HeldKeys::restart;

@@ -12,7 +12,8 @@ namespace {
 HollowSession::Buttons buttonsOf(std::uint64_t seed, bool isRestless) {
   if (!isRestless) return [presser = ButtonPresser(seed)]() mutable { return presser.next(); };
   return [random = std::mt19937_64(seed)]() mutable {
-    return Input{static_cast<std::uint8_t>(random() & (Input::kLeft | Input::kRight | Input::kJump))};
+    const auto pressed = random() & (Input::kLeft | Input::kRight | Input::kJump);
+    return validInput(static_cast<std::uint8_t>(pressed | Input::kPresent));
   };
 }
 

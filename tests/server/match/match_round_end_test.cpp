@@ -27,7 +27,7 @@ class MatchRoundEnd : public testing::Test {
     return network_.add(FakeClient("P", 12, std::move(buttons)));
   }
   bool ended() { return network_.count(Kind::kRoundEnd) == 1; }
-  bool finished(std::uint32_t slot) { return network_.match().game().player(slot).finished != 0; }
+  bool finished(std::uint32_t slot) { return network_.match().game().player(slot).finished(); }
 
   // Ticks until the round ends; at most `limit`.
   std::uint32_t ticksUntilEnd(std::uint32_t limit) {

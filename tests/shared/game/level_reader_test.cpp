@@ -31,6 +31,7 @@ const std::string kOnlyTabs = ": only tabs and line ends (LF or CR LF) are allow
 const std::string kSolids = ": use TETRAHEDRON, HEXAHEDRON, OCTAHEDRON, DODECAHEDRON or ICOSAHEDRON";
 const std::string kNotANumber = " must be a number such as -12 or 0.25, not ";
 const std::string kNotWhole = " must be a whole number such as 12, not ";
+const std::string kWords = "use oneway, up, hazard, checkpoint, key, door, plate, or no word";
 const std::string kBlockedStart = ": the start is blocked: a line or a corner overlaps the player there";
 
 const std::vector<InvalidLevel> kInvalidLevels = {
@@ -152,7 +153,48 @@ const std::vector<InvalidLevel> kInvalidLevels = {
      {"6:1: x0" + kNotANumber + "'%0'", "8:2: the level ends after 3 of 4 faces: each begins with a '%'"}},
     {"LineWithThreeNumbers", withLines("40 50 60\n"), {"6:9: missing y1: a line is 'x0 y0 x1 y1'"}},
     {"LineWithOneNumber", withLines("\t40  \n"), {"6:4: missing y0: a line is 'x0 y0 x1 y1'"}},
-    {"LineWithFiveNumbers", withLines("40 50 60 50 0\n"), {"6:13: unexpected '0': a line is 'x0 y0 x1 y1'"}},
+    {"LineWithFiveNumbers", withLines("40 50 60 50 0\n"), {"6:13: unknown word '0': " + kWords}},
+    {"UnknownWord", withLines("40 50 60 50 hazzard\n"), {"6:13: unknown word 'hazzard': did you mean 'hazard'?"}},
+    {"WordInCapitals", withLines("40 50 60 50 DOOR 1\n"), {"6:13: unknown word 'DOOR': " + kWords}},
+    {"KeyWithoutNumber",
+     withLines("40 50 60 50 key\n"),
+     {"6:16: missing number after 'key': the number of a door and its keys"}},
+    {"UpWithoutNumber",
+     withLines("40 50 60 50 up\n"),
+     {"6:15: missing number after 'up': the number of an edge of the face"}},
+    {"UpToNoEdge",
+     withLines("40 50 60 50 up 3\n"),
+     {"6:16: the number of an edge of the face must be a whole number between 0 and 2, not '3'"}},
+    {"DoorOutOfRange",
+     withLines("40 50 60 50 door 32\n"),
+     {"6:18: the number of a door and its keys must be a whole number between 0 and 31, not '32'"}},
+    {"PlateWithADecimal",
+     withLines("40 50 60 50 plate 1.0\n"),
+     {"6:19: the number of a door and its keys must be a whole number between 0 and 31, not '1.0'"}},
+    {"NegativeKey",
+     withLines("40 50 60 50 key -1\n"),
+     {"6:17: the number of a door and its keys must be a whole number between 0 and 31, not '-1'"}},
+    {"NumberAfterHazard", withLines("40 50 60 50 hazard 1\n"), {"6:20: unexpected '1' after 'hazard': remove it"}},
+    {"SecondNumber", withLines("40 50 60 50 door 1 2\n"), {"6:20: unexpected '2' after 'door 1': remove it"}},
+    {"OnewayWithoutLength",
+     withLines("40 50 40 50 oneway\n"),
+     {"6:1: the line has no length: it blocks as a point",
+      "6:13: a 'oneway' without length has no sides: give it two ends"}},
+    {"CheckpointAtAWall",
+     withLines("40 50 60 50 checkpoint\n40 60 60 60\n"),
+     {"6:1: the middle of this checkpoint, where players return, is within 12.5 units of a line that can block, or of "
+      "the edge of its face: move it"}},
+    {"CheckpointAtAnEdge",
+     withLines("40 -110 60 -110 checkpoint\n"),
+     {"6:1: the middle of this checkpoint, where players return, is within 12.5 units of a line that can block, or of "
+      "the edge of its face: move it"}},
+    {"CrossingsNotANumber",
+     "# crossings: two\n" + withLines(""),
+     {"1:1: 'crossings:' must be a whole number between 0 and 255, not 'two'"}},
+    {"NoPlayers",
+     "# players: 0\n" + withLines(""),
+     {"1:1: 'players:' must be a whole number between 1 and 255, not '0'"}},
+    {"PlayersTwice", "# players: 2\n# players: 2\n" + withLines(""), {"2:1: second 'players:': remove one of them"}},
     {"LineNoNumber", withLines("40 x 60 50\n"), {"6:4: y0" + kNotANumber + "'x'"}},
     {"LineWithPlus", withLines("+40 50 60 50\n"), {"6:1: x0" + kNotANumber + "'+40'"}},
     {"LineWithBarePoint",

@@ -133,13 +133,13 @@ TEST(StageTest, CornersAreNotFreeForAPlayer) {
     const World world = buildStage(kind, 480, std::vector<std::vector<Segment>>(faces));
     const auto polygon = facePolygon(kind, 480);
     for (std::uint32_t face = 0; face < faces; ++face) {
-      EXPECT_TRUE(isFreeForPlayer(world, face, {0, 0}, Angle()));
+      EXPECT_TRUE(isFreeForPlayer(world, {}, face, {0, 0}, Angle()));
       for (const Point corner : polygon) {
-        EXPECT_FALSE(isFreeForPlayer(world, face, corner, Angle()));
+        EXPECT_FALSE(isFreeForPlayer(world, {}, face, corner, Angle()));
         const Point inside(corner.x - corner.x / 64, corner.y - corner.y / 64);
-        EXPECT_FALSE(isFreeForPlayer(world, face, inside, Angle()));
+        EXPECT_FALSE(isFreeForPlayer(world, {}, face, inside, Angle()));
       }
-      EXPECT_TRUE(isFreeForPlayer(world, face, {0, polygon[0].y}, Angle())) << "edges do not block";
+      EXPECT_TRUE(isFreeForPlayer(world, {}, face, {0, polygon[0].y}, Angle())) << "edges do not block";
     }
     EXPECT_TRUE(world.entities().empty());
   }

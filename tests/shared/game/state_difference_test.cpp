@@ -46,9 +46,9 @@ TEST(StateDifferenceTest, NamesTheFieldAndBothValues) {
   const auto found = firstDifference(still.game, moving.game);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->owner, "player 0");
-  EXPECT_EQ(found->field, "held");
-  EXPECT_EQ(found->left, "128");
-  EXPECT_EQ(found->right, "136");
+  EXPECT_EQ(found->field, "startedAt");
+  EXPECT_EQ(found->left, "0");
+  EXPECT_EQ(found->right, "1");
 }
 
 // Every bit of the saved state belongs to a field.

@@ -110,7 +110,7 @@ TEST_F(ColliderTest, AfterAnImmediateHitAMoveInTheLegMeetsEverySegment) {
   build({{{-100, -10}, {100, -10}}, {{15, -100}, {15, 100}}});
   class WallRules : public Rules {
    public:
-    bool ignoresWarps() const override { return true; }
+    Scope scope() const override { return Scope::kContacts; }
   };
   WallRules walls;
   collider_.begin(walls, Entity(world_, 0u), instances_, regions_, work_);

@@ -29,13 +29,13 @@ std::int32_t anyTurn(sim::SeededRandom& random, std::int32_t limit) {
 // Gives any entity another velocity or rotation when an entity is stopped; the same on every call for the same seed.
 class InterferingRules : public RecordedRules {
  public:
-  InterferingRules(bool ignoresWarps, std::uint64_t seed) : ignoresWarps_(ignoresWarps), random_(seed) {
-    if (ignoresWarps) return;
+  InterferingRules(Scope scope, std::uint64_t seed) : scope_(scope), random_(seed) {
+    if (scope == Scope::kContacts) return;
     walls = {{1, 13}, {2, 12}};
     pierceable = {{0, 1}, {1, 1}, {2, 1}};
   }
 
-  bool ignoresWarps() const override { return ignoresWarps_; }
+  Scope scope() const override { return scope_; }
   void contact(Entity& entity, const Contact& contact) override {
     RecordedRules::contact(entity, contact);
     const std::uint64_t what = random_.below(20);
@@ -50,7 +50,7 @@ class InterferingRules : public RecordedRules {
   }
 
  private:
-  bool ignoresWarps_;
+  Scope scope_;
   sim::SeededRandom random_;
 };
 
@@ -100,8 +100,10 @@ TEST_P(DerivedStateTest, LongLivedWorldsStepLikeFreshCopies) {
   Watcher watcher;
   for (int tick = 0; tick < kTicks; ++tick) {
     interfere(tick);
-    const bool ignoresWarps = !oneIn(8);
-    InterferingRules known(ignoresWarps, random_.next());
+    const auto scope = oneIn(8)   ? Rules::Scope::kEverything
+                       : oneIn(4) ? Rules::Scope::kSegments
+                                  : Rules::Scope::kContacts;
+    InterferingRules known(scope, random_.next());
     InterferingRules found = known;
     InterferingRules watched = known;
     World fresh = world_;
@@ -118,7 +120,7 @@ TEST_P(DerivedStateTest, LongLivedWorldsStepLikeFreshCopies) {
     ASSERT_EQ(known.take(), found.calls) << "seed " << GetParam() << ", tick " << tick;
     ASSERT_EQ(found.calls, watched.calls) << "seed " << GetParam() << ", tick " << tick;
     for (const std::string& call : found.calls) {
-      ASSERT_TRUE(!ignoresWarps || call.starts_with("contact") || call.starts_with("touch"))
+      ASSERT_TRUE(scope != Rules::Scope::kContacts || call.starts_with("contact") || call.starts_with("touch"))
           << call << ", tick " << tick;
     }
   }

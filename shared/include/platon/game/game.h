@@ -5,11 +5,11 @@
 #include <span>
 #include <vector>
 
+#include "platon/game/element.h"
 #include "platon/game/input.h"
 #include "platon/game/level.h"
 #include "platon/game/player.h"
 #include "platon/game/unit_normals.h"
-#include "platon/physics/sweep.h"
 #include "platon/physics/world.h"
 
 namespace platon {
@@ -19,7 +19,7 @@ inline constexpr std::uint32_t kMaxPlayers = 256;
 /// Longest round: five minutes.
 inline constexpr std::uint32_t kRoundTicks = 5 * 60 * kTicksPerSecond;
 /// Version of the game's rules. Must be raised with every change after which the same inputs give other hashes.
-inline constexpr std::uint32_t kRulesVersion = 6;
+inline constexpr std::uint32_t kRulesVersion = 7;
 
 /// One round on one level: the world, the players, the goal and the round clock. A copy is an independent game.
 class Game {
@@ -46,6 +46,11 @@ class Game {
   /// slot < slots().
   const PlayerState& player(std::uint32_t slot) const { return players_[slot]; }
 
+  /// Bits of the numbers whose doors are open in the next tick: a key was taken, or a player stands on a plate.
+  std::uint32_t openDoors() const { return keys_ | plates_; }
+  /// Whether the key has been taken.
+  bool isTaken(const Element& key) const { return (keys_ & key.bit()) != 0; }
+
   /// Hash of the whole state; the same on every machine.
   std::uint64_t hash() const;
   /// The whole state as bytes, little-endian, without the level and without derived data.
@@ -59,12 +64,17 @@ class Game {
  private:
   void addAndRemovePlayers(std::span<const Input> inputs);
   void addPlayer(std::uint32_t slot);
-  void spawn(std::uint32_t slot);
   void removePlayer(std::uint32_t slot);
+  void steer(std::uint32_t slot, Input input);
+  std::uint32_t startOfAttempt() const;
+  void restart(std::uint32_t slot);
+  void resetKeys();
+  void respawn(std::uint32_t slot);
   void updateFinishes();
-  bool touchesGoal(std::uint32_t slot);
-  bool containsGoal(std::uint32_t slot, Point position, Angle angle);
+  void arrive(PlayerState& player);
+  bool touchesGoal(std::uint32_t slot) const;
   bool accepts(const WorldState& state) const;
+  bool accepts(const PlayerState& player) const;
   template <class Self, class Visitor>
   static void visitRound(Self& self, Visitor&& visitor);
   template <class Self, class Visitor>
@@ -74,9 +84,11 @@ class Game {
   World world_;
   std::vector<PlayerState> players_;
   std::uint32_t tick_ = 0;
+  std::uint32_t keys_ = 0;    // bits of the keys that have been taken
+  std::uint32_t plates_ = 0;  // bits of the plates on which a player stood after the last tick
   std::uint8_t over_ = 0;
   UnitNormals unitNormals_;  // derived
-  Sweep goalSweep_;          // derived: buffer for containsGoal
+  TouchedElements touched_;  // work space of a tick
 };
 
 }  // namespace platon

@@ -3,15 +3,19 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "platon/exact/angle.h"
+#include "platon/exact/integer.h"
 #include "platon/exact/point.h"
 #include "platon/game/diagnostics.h"
+#include "platon/game/element.h"
 #include "platon/game/solid.h"
 #include "platon/physics/segment.h"
+#include "platon/physics/unfold.h"
 #include "platon/physics/world.h"
 
 namespace platon {
@@ -25,7 +29,12 @@ struct Level {
   Angle startAngle;  ///< from the face's +y to the player's up, counter-clockwise
   std::uint32_t goalFace = 0;
   Point goal;                                  ///< subunits, in the face's frame
-  std::vector<std::vector<Segment>> segments;  ///< per face, clipped at the edges, without posts
+  std::vector<Place> goalPlaces;               ///< the goal in the frame of each face from which it can be touched
+  std::vector<std::vector<Segment>> segments;  ///< per face, clipped at the edges, without posts; elements first
+  std::vector<Element> elements;               ///< the segments with a word, in order of face and segment
+  std::uint32_t doorNumbers = 0;               ///< bits of the numbers of all keys and plates
+  std::uint32_t players = 1;                   ///< how many players the level needs, as its text states
+  std::optional<std::uint32_t> crossings;      ///< how many crossings every way to the goal needs, as its text states
   std::string title;                           ///< at most 100 bytes of printable UTF-8, may be empty
   std::string author;                          ///< at most 100 bytes of printable UTF-8, may be empty
   std::string text;                            ///< content of the level file
@@ -34,6 +43,9 @@ struct Level {
   /// The stage: see buildStage. Without entities.
   World world;
 };
+
+/// Radius of the goal's disc, subunits. A player has finished when its ball overlaps the disc.
+inline constexpr std::int32_t kGoalRadius = 16 * kSubunitsPerUnit;
 
 /// Most segments that may be within a tick's reach of a player, over the edges too. They bound what a player costs.
 inline constexpr std::size_t kMaxSegmentsInReach = 512;

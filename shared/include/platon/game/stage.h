@@ -6,6 +6,7 @@
 
 #include "platon/exact/angle.h"
 #include "platon/exact/point.h"
+#include "platon/game/element.h"
 #include "platon/game/solid.h"
 #include "platon/physics/segment.h"
 #include "platon/physics/world.h"
@@ -35,7 +36,8 @@ std::vector<Post> postsOf(SolidKind kind, std::int32_t faceSize);
 World buildStage(SolidKind kind, std::int32_t faceSize, std::span<const std::vector<Segment>> segments);
 
 /// True when a player fits at this position and angle: no segment of `face`, or of a face that the shape reaches over
-/// an edge, overlaps it. `world` comes from buildStage.
-bool isFreeForPlayer(World world, std::uint32_t face, Point position, Angle angle);
+/// an edge, overlaps it, except elements that never block. `world` comes from buildStage, and `elements` are those of
+/// its segments.
+bool isFreeForPlayer(World world, std::span<const Element> elements, std::uint32_t face, Point position, Angle angle);
 
 }  // namespace platon

@@ -19,6 +19,7 @@ struct SegmentRef {
 
   std::uint16_t instance = 0;  ///< id of the entity's instance in the part
   Angle toHome = {};           ///< added to an angle in the frame of the part, gives the angle in that of the home part
+  Point position = {};         ///< for Rules::pierce: of the instance, in the frame of the part, before the next move
 };
 
 /// A collision of an entity with a blocking segment.
@@ -64,10 +65,15 @@ class Rules {
   /// ceases to be pierceable lets those out that are in it. Default: warps can be passed, other segments block.
   virtual bool pierce(const Entity& entity, const SegmentRef& segment) const;
 
-  /// Return true to promise that `pierce` is not overridden and that beginContact, overContact and endContact do
-  /// nothing. None of the four is called then, which saves the tests against warps; segments that are no warps block
-  /// even an entity that overlaps them. Asked at the start of each step.
-  virtual bool ignoresWarps() const { return false; }
+  /// What the rules ask for. Less is faster.
+  enum class Scope : std::uint8_t {
+    kEverything,  ///< `pierce` is asked of all segments; what is pierced is reported
+    kSegments,    ///< as above, but not of warps: they can always be passed, and are not reported
+    kContacts     ///< warps can be passed, other segments block, even an entity that overlaps them; of the callbacks,
+                  ///< only contact and touchContact are called
+  };
+  /// Asked at the start of each step. Default: everything.
+  virtual Scope scope() const { return Scope::kEverything; }
 
   /// An instance of the entity begins to overlap a pierced segment.
   virtual void beginContact(Entity& entity, const SegmentRef& segment);

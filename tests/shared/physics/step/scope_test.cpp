@@ -1,4 +1,4 @@
-// The fast paths for rules that ignore warps, and repeated steps at rest, must not change any result.
+// The fast paths for rules that ask for less, and repeated steps at rest, must not change any result.
 #include <gtest/gtest.h>
 
 #include <stdexcept>
@@ -20,9 +20,9 @@ namespace {
 constexpr std::uint64_t kSeed = 31;
 constexpr int kTicks = 600;
 
-class WarpIgnoringRules : public RecordedRules {
+class ContactRules : public RecordedRules {
  public:
-  bool ignoresWarps() const override { return true; }
+  Scope scope() const override { return Scope::kContacts; }
 };
 
 auto asTuple(const Contact& contact) {
@@ -40,9 +40,9 @@ void expectSameContacts(const RecordedRules& one, const RecordedRules& other) {
 
 // A closed room of two strips with random segments. Velocities change once per second, so that many entities come to
 // rest.
-class IgnoresWarpsTest : public testing::Test {
+class ScopeTest : public testing::Test {
  protected:
-  IgnoresWarpsTest() : world_(strips()) {
+  ScopeTest() : world_(strips()) {
     for (int i = 0; i < 60 && world_.entities().size() < 4; ++i) {
       Entity entity(world_, square(40));
       try {
@@ -74,11 +74,11 @@ class IgnoresWarpsTest : public testing::Test {
   World world_;
 };
 
-TEST_F(IgnoresWarpsTest, HasTheSameResultsAndContacts) {
+TEST_F(ScopeTest, HasTheSameResultsAndContacts) {
   World other = world_;
   for (int tick = 0; tick < kTicks; ++tick) {
     if (tick % 60 == 0) changeVelocities(other);
-    WarpIgnoringRules ignoring;
+    ContactRules ignoring;
     RecordedRules recording;
     world_.setRules(ignoring);
     world_.solve();
@@ -89,15 +89,58 @@ TEST_F(IgnoresWarpsTest, HasTheSameResultsAndContacts) {
   }
 }
 
-TEST_F(IgnoresWarpsTest, RepeatedStepsEqualComputedSteps) {
+// Records what it hears of segments that are no warps.
+class WallRules : public RecordedRules {
+ public:
+  explicit WallRules(Scope scope) : scope_(scope) {
+    for (std::uint32_t segment = 3; segment < 13; ++segment) pierceable.insert({1 + segment % 2, segment});
+  }
+  Scope scope() const override { return scope_; }
+  bool pierce(const Entity& entity, const SegmentRef& segment) const override {
+    EXPECT_FALSE(segment.warp && scope_ == Scope::kSegments) << "asked of a warp";
+    return RecordedRules::pierce(entity, segment);
+  }
+  void beginContact(Entity& entity, const SegmentRef& segment) override {
+    if (!segment.warp) RecordedRules::beginContact(entity, segment);
+  }
+  void overContact(Entity& entity, const SegmentRef& segment) override {
+    if (!segment.warp) RecordedRules::overContact(entity, segment);
+  }
+  void endContact(Entity& entity, const SegmentRef& segment) override {
+    if (!segment.warp) RecordedRules::endContact(entity, segment);
+  }
+
+ private:
+  Scope scope_;
+};
+
+TEST_F(ScopeTest, SegmentsAreReportedAsByRulesThatAskForEverything) {
+  World other = world_;
+  std::size_t reported = 0;
+  for (int tick = 0; tick < kTicks; ++tick) {
+    if (tick % 60 == 0) changeVelocities(other);
+    WallRules segments(Rules::Scope::kSegments);
+    WallRules everything(Rules::Scope::kEverything);
+    world_.setRules(segments);
+    world_.solve();
+    other.setRules(everything);
+    other.solve();
+    ASSERT_EQ(world_, other) << "seed " << kSeed << ", tick " << tick;
+    ASSERT_EQ(segments.calls, everything.calls) << "seed " << kSeed << ", tick " << tick;
+    reported += segments.calls.size() - segments.contacts.size();
+  }
+  EXPECT_GT(reported, 40u);
+}
+
+TEST_F(ScopeTest, RepeatedStepsEqualComputedSteps) {
   World other = world_;
   int resting = 0;
   for (int tick = 0; tick < kTicks; ++tick) {
     if (tick % 60 == 0) changeVelocities(other);
     const WorldState before = world_.save();
     World moved = world_;  // has no recorded rest
-    WarpIgnoringRules repeated;
-    WarpIgnoringRules found;
+    ContactRules repeated;
+    ContactRules found;
     world_.setRules(repeated);
     world_.solve();
     moved.setRules(found);
@@ -112,7 +155,7 @@ TEST_F(IgnoresWarpsTest, RepeatedStepsEqualComputedSteps) {
   EXPECT_GT(resting, kTicks / 4) << "too few entities have come to rest";
 }
 
-TEST(IgnoresWarpsWorldTest, AddingAPartWakesRestingEntities) {
+TEST(ScopeWorldTest, AddingAPartWakesRestingEntities) {
   World world;
   addLeftStrip(world);
   Entity entity(world, square(100));
@@ -126,7 +169,7 @@ TEST(IgnoresWarpsWorldTest, AddingAPartWakesRestingEntities) {
 }
 
 // The floor is hit immediately and has a lower index than the pierceable segment.
-TEST(IgnoresWarpsWorldTest, OtherRulesStillReceiveOverContact) {
+TEST(ScopeWorldTest, OtherRulesStillReceiveOverContact) {
   World world = twoStrips({{{-500, -100}, {500, -100}}, {{0, -90}, {0, 500}}});
   Entity entity(world, square(100));
   RecordedRules rules;

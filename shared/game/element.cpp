@@ -1,0 +1,39 @@
+#include "platon/game/element.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "platon/exact/integer.h"
+
+namespace platon {
+namespace {
+
+constexpr std::array<std::string_view, kElementKinds.size()> kWords = {"oneway", "up",   "hazard", "checkpoint",
+                                                                       "key",    "door", "plate"};
+
+}  // namespace
+
+std::string_view wordOf(ElementKind kind) { return kWords[static_cast<std::size_t>(kind)]; }
+
+std::optional<ElementKind> elementKindOf(std::string_view word) {
+  const auto found = std::find(kWords.begin(), kWords.end(), word);
+  if (found == kWords.end()) return std::nullopt;
+  return kElementKinds[static_cast<std::size_t>(found - kWords.begin())];
+}
+
+const Element* findElement(std::span<const Element> elements, std::uint32_t face, std::uint32_t segment) {
+  const auto found = std::lower_bound(elements.begin(), elements.end(), std::tuple(face, segment),
+                                      [](const Element& element, const std::tuple<std::uint32_t, std::uint32_t>& key) {
+                                        return std::tuple(element.face, element.segment) < key;
+                                      });
+  return found != elements.end() && found->face == face && found->segment == segment
+             ? elements.data() + (found - elements.begin())
+             : nullptr;
+}
+
+Point placeOf(const Element& checkpoint) {
+  const auto [a, b] = checkpoint.ends;
+  return {divideRounded(a.x + b.x, 2), divideRounded(a.y + b.y, 2)};
+}
+
+}  // namespace platon

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "platon/game/diagnostics.h"
+#include "platon/game/element.h"
+#include "shared/game/level_text.h"
+
+namespace platon {
+
+/// The word of a segment and its number.
+struct ElementWord {
+  ElementKind kind = ElementKind::kOneway;
+  std::uint8_t number = 0;
+};
+
+/// Reads what follows the four numbers of a segment: a word, and a number after `up`, `key`, `door` and `plate`.
+/// `words` is not empty; `edges` is the number of edges of a face. Reports every error and returns nothing then.
+std::optional<ElementWord> readElementWord(const LevelLine& line, std::span<const LevelToken> words,
+                                           std::uint32_t edges, Diagnostics& diagnostics);
+
+}  // namespace platon

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "platon/game/level.h"
+#include "platon/game/player.h"
+#include "platon/game/unit_normals.h"
+#include "platon/physics/rules.h"
+#include "platon/physics/world.h"
+
+namespace platon {
+
+/// The rules of the world during one tick of a game: decides which elements block, and passes each contact to the
+/// player that has it. A level without elements costs nothing: only contacts are asked for then.
+class GameRules : public Rules {
+ public:
+  /// `open` has the bits of the doors that are open in this tick; what is touched is added to `touched`. All references
+  /// must outlive the object, which is the rules of `world` as long as it exists.
+  GameRules(const Level& level, World& world, std::vector<PlayerState>& players, UnitNormals& unitNormals,
+            TouchedElements& touched, std::uint32_t open);
+  GameRules(const GameRules&) = delete;
+  GameRules& operator=(const GameRules&) = delete;
+  ~GameRules() override { world_.resetRules(); }
+
+  Scope scope() const override { return elements_.empty() ? Scope::kContacts : Scope::kSegments; }
+  bool pierce(const Entity& entity, const SegmentRef& segment) const override;
+  void beginContact(Entity& entity, const SegmentRef& segment) override { touch(entity, segment); }
+  void overContact(Entity& entity, const SegmentRef& segment) override { touch(entity, segment); }
+  void contact(Entity& entity, const Contact& contact) override;
+
+ private:
+  void touch(const Entity& entity, const SegmentRef& segment);
+  void standOrHurt(const Entity& entity, const Contact& contact, Point normal);
+
+  const std::vector<Element>& elements_;
+  std::int32_t edgesPerFace_;
+  World& world_;
+  std::vector<PlayerState>& players_;
+  UnitNormals& unitNormals_;
+  TouchedElements& touched_;
+  std::uint32_t open_;
+  std::uint32_t moved_ = ~std::uint32_t{0};  // slot of the last contact: those of one entity follow each other
+  Point steep_;                              // normal of its last contact that was too steep to be ground
+};
+
+}  // namespace platon
