@@ -89,7 +89,7 @@ std::uint64_t Planner::signature() const {
   hash = mix(hash, entity.position, kPositionStep);
   hash = mix(hash, player.velocity, kVelocityStep);
   const bool mayJump = player.coyote != 0 && (player.held & Input::kJump) == 0;
-  return mix(hash, (mayJump ? 1u : 0u) | (player.rising != 0 ? 2u : 0u));
+  return mix(hash, (mayJump ? 1u : 0u) | (player.jumping != 0 ? 2u : 0u));
 }
 
 void Planner::finish(std::uint32_t index, std::uint8_t buttons, std::uint32_t ticks) {

@@ -103,7 +103,7 @@ void Game::resetKeys() {
 void Game::respawn(std::uint32_t slot) {
   PlayerState& player = players_[slot];
   player.velocity = player.ground = {};
-  player.coyote = player.jumpBuffer = player.rising = 0;
+  player.coyote = player.jumpBuffer = player.jumping = 0;
   world_.remove(slot);
   Entity entity(world_, slot);
   if (player.checkpoint == 0) {
@@ -218,7 +218,7 @@ bool Game::accepts(const PlayerState& player) const {
   const auto inRange = [](Point point, std::int32_t limit) {
     return std::abs(std::int64_t{point.x}) <= limit && std::abs(std::int64_t{point.y}) <= limit;
   };
-  if (player.present > 1 || player.arrived > 1 || player.rising > 1) return false;
+  if (player.present > 1 || player.arrived > 1 || player.jumping > 1) return false;
   if (player.startedAt > tick_ || player.finishTicks > tick_) return false;
   if (!inRange(player.velocity, kMaxPlayerSpeed) || !inRange(player.ground, PlayerState::kUnit)) return false;
   if (player.checkpoint == 0) return player.checkpointUp == Angle();

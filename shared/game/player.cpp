@@ -24,12 +24,14 @@ struct Grip {
 constexpr Grip kGroundGrip{410, 956, 546};
 constexpr Grip kAirGrip{205, 410, 51};
 constexpr std::int32_t kGravity = 300;
-// While the jump button is held, half the gravity acts on vertical speeds up to this.
+// In a jump, while its button is held, half the gravity acts on vertical speeds up to this.
 constexpr std::int32_t kApexSpeed = 1600;
 constexpr std::int32_t kJumpSpeed = 6024;     // a full jump rises 61350 subunits: 59.9 units
 constexpr std::int32_t kCutJumpSpeed = 1800;  // largest upward speed once the button is released
-constexpr std::int32_t kFallSpeed = 7168;
-constexpr std::int32_t kFastFallSpeed = 10240;  // while the down button is held
+constexpr std::int32_t kFallSpeed = 5632;
+constexpr std::int32_t kFastFallSpeed = 7680;  // while the down button is held
+// Largest horizontal speed. A slide down a steep segment can be faster than a run.
+constexpr std::int32_t kSlideSpeed = 6144;
 // Displacement a tick that presses a standing player to the ground, so that it follows gentle slopes and edges. Not
 // part of the velocity.
 constexpr std::int32_t kGroundPress = 512;
@@ -109,7 +111,7 @@ void Player::jump(Input input) {
     state_->velocity.y = kJumpSpeed;
     state_->ground = Point();
     state_->jumpBuffer = state_->coyote = 0;
-    state_->rising = 1;
+    state_->jumping = 1;
     return;
   }
   if (state_->coyote != 0) --state_->coyote;
@@ -118,14 +120,16 @@ void Player::jump(Input input) {
 
 void Player::fall() {
   if (state_->ground != Point()) {
-    state_->rising = 0;
+    state_->jumping = 0;
     return;
   }
   std::int32_t& speed = state_->velocity.y;
-  const bool holdsJump = (state_->held & Input::kJump) != 0;
-  if (state_->rising != 0 && !holdsJump) speed = std::min(speed, kCutJumpSpeed);
-  if (speed <= kCutJumpSpeed) state_->rising = 0;
-  const std::int32_t gravity = holdsJump && std::abs(speed) <= kApexSpeed ? kGravity / 2 : kGravity;
+  if (state_->jumping != 0 && (state_->held & Input::kJump) == 0) {
+    speed = std::min(speed, kCutJumpSpeed);
+    state_->jumping = 0;
+  }
+  if (speed < -kApexSpeed) state_->jumping = 0;
+  const std::int32_t gravity = state_->jumping != 0 && speed <= kApexSpeed ? kGravity / 2 : kGravity;
   speed = approach(speed, (state_->held & Input::kDown) != 0 ? -kFastFallSpeed : -kFallSpeed, gravity);
 }
 
@@ -147,8 +151,21 @@ void Player::contact(Point normal, bool atEnd, Point& steep) {
     // The end of a ceiling: the player slides round it and keeps its height of jump.
     if (velocity.x * normal.x < 0) velocity.x = 0;
   } else {
+    const std::int32_t before = velocity.y;
     velocity -= scaled(normal, inwards);
+    if (!landing && normal.y > 0) limitClimb(std::max(before, 0));
   }
+  velocity.x = std::clamp(velocity.x, -kSlideSpeed, kSlideSpeed);
+}
+
+// Nobody climbs what is too steep to stand on: the velocity, which is along such a segment, gets no larger upward speed
+// than it had before the contact.
+void Player::limitClimb(std::int32_t upwards) {
+  Point& velocity = state_->velocity;
+  state_->jumping = 0;
+  if (velocity.y <= upwards) return;
+  velocity.x = static_cast<std::int32_t>(std::int64_t{velocity.x} * upwards / velocity.y);
+  velocity.y = upwards;
 }
 
 bool Player::isGround(Point normal) { return normal.y >= kMinGroundNormalY; }

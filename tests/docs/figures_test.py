@@ -132,8 +132,14 @@ def jump(sources):
     """Run speed in units a tick, height and width of a jump in units."""
     file = "shared/game/player.cpp"
     speed, gravity, run = (sources.constant(file, name) for name in ("kJumpSpeed", "kGravity", "kRunSpeed"))
-    rising = [speed - gravity * tick for tick in range(1, speed // gravity + 1)]
-    return [f"{run / 1024:.1f}", f"{sum(rising) / 1024:.1f}", f"{2 * len(rising) * run / 1024:.0f}"]
+    apex = sources.constant(file, "kApexSpeed")
+    height, peak, ticks = 0, 0, 0
+    while height >= 0:
+        speed -= gravity // 2 if -apex <= speed <= apex else gravity
+        height += speed
+        peak = max(peak, height)
+        ticks += 1
+    return [f"{run / 1024:.1f}", f"{peak / 1024:.1f}", f"{(ticks - 1) * run / 1024:.0f}"]
 
 
 def nudge(sources):

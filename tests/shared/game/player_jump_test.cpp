@@ -80,11 +80,11 @@ TEST(PlayerJumpTest, FallsFasterWhileTheDownButtonIsHeld) {
   PlayedGame played(cubeLevel("0 0 0 0", {}));
   for (int tick = 1; tick <= 40; ++tick) {
     played.run(1, Input::kDown);
-    EXPECT_EQ(played.player().velocity.y, std::max(-kGravity * tick, -10240)) << tick;
+    EXPECT_EQ(played.player().velocity.y, std::max(-kGravity * tick, -7680)) << tick;
   }
   for (int tick = 1; tick <= 20; ++tick) {
     played.run(1, kNone);
-    EXPECT_EQ(played.player().velocity.y, std::min(-10240 + kGravity * tick, -7168)) << tick << " after release";
+    EXPECT_EQ(played.player().velocity.y, std::min(-7680 + kGravity * tick, -5632)) << tick << " after release";
   }
 }
 
@@ -194,7 +194,7 @@ TEST(PlayerJumpTest, DoesNotJumpAgainInTheAir) {
   played.run(1, kNone);
   const std::int32_t speed = played.player().velocity.y;
   played.run(1, Input::kJump);
-  EXPECT_EQ(played.player().velocity.y, speed - kGravity / 2) << "near the apex";
+  EXPECT_EQ(played.player().velocity.y, speed - kGravity);
 }
 
 // Presses the button `early` ticks before the tick in which a falling player lands.

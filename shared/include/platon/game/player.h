@@ -27,7 +27,7 @@ struct PlayerState {
   std::uint8_t held = 0;         ///< buttons of the last tick
   std::uint8_t coyote = 0;       ///< ticks left in which the player may still jump after leaving the ground
   std::uint8_t jumpBuffer = 0;   ///< ticks left in which a jump pressed in the air starts on landing
-  std::uint8_t rising = 0;       ///< 1: in the rise of a jump, which releasing the button cuts short
+  std::uint8_t jumping = 0;      ///< 1: in a jump whose button has been held since; releasing it cuts the rise short
 
   /// Whether the player has touched the goal in this round.
   bool finished() const { return finishTicks != 0; }
@@ -48,7 +48,7 @@ struct PlayerState {
     visitor("held", state.held);
     visitor("coyote", state.coyote);
     visitor("jumpBuffer", state.jumpBuffer);
-    visitor("rising", state.rising);
+    visitor("jumping", state.jumping);
   }
 };
 
@@ -88,6 +88,7 @@ class Player : public Entity {
   void run(Input input);
   void jump(Input input);
   void fall();
+  void limitClimb(std::int32_t upwards);
   void standInWedge(Point normal, Point& steep);
 
   PlayerState* state_;
