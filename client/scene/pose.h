@@ -1,12 +1,9 @@
 #pragma once
 
 #include <glm/geometric.hpp>
-#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "platon/exact/angle.h"
-#include "platon/exact/integer.h"
-#include "platon/exact/point.h"
+#include "levels/drawing/units.h"
 
 namespace platon {
 
@@ -16,14 +13,6 @@ struct Pose {
   glm::dvec3 up{0, 1, 0};      ///< unit, along the face
   glm::dvec3 normal{0, 0, 1};  ///< unit, out of the face
 };
-
-/// Subunits to level units. Exact: every coordinate of the simulation is a double.
-inline glm::dvec2 toUnits(Point point) {
-  return {double{1} * point.x / kSubunitsPerUnit, double{1} * point.y / kSubunitsPerUnit};
-}
-
-/// Angle in radians, counter-clockwise, in [0, 2π).
-inline double toRadians(Angle angle) { return angle.centidegrees() * (6.283185307179586 / Angle::kTurn); }
 
 /// Rotates `vector` by the smallest rotation that takes the unit normal `from` to `onto`. The normals must not be
 /// opposite.

@@ -1,83 +1,12 @@
 #include "client/scene/solid_mesh.h"
 
 #include <cmath>
-#include <cstddef>
-#include <numbers>
-#include <queue>
 
 #include <glm/geometric.hpp>
-#include <glm/gtc/matrix_transform.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
 
 namespace platon {
-namespace {
-
-constexpr double kPi = std::numbers::pi;
-
-int facesPerVertex(SolidKind kind) {
-  switch (kind) {
-    case SolidKind::kOctahedron:
-      return 4;
-    case SolidKind::kIcosahedron:
-      return 5;
-    default:
-      return 3;
-  }
-}
-
-glm::dvec2 unit(double angle) { return {std::cos(angle), std::sin(angle)}; }
-
-}  // namespace
-
-// Formulas of the regular polyhedron {p, q}: p edges per face, q faces per vertex.
-SolidMesh::SolidMesh(SolidKind kind, double faceSize) : solid_(&PlatonicSolid::of(kind)), faceSize_(faceSize) {
-  const int p = solid_->edgesPerFace();
-  const int q = facesPerVertex(kind);
-  apothem_ = faceSize / 2 / std::tan(kPi / p);
-  dihedral_ = 2 * std::asin(std::cos(kPi / q) / std::sin(kPi / p));
-  inradius_ = apothem_ * std::tan(dihedral_ / 2);
-  circumradius_ = faceSize / 2 * std::tan(kPi / q) * std::tan(dihedral_ / 2);
-  const double cornerRadius = faceSize / 2 / std::sin(kPi / p);
-  for (int i = 0; i < p; ++i) {
-    const double edgeAngle = -kPi / 2 + 2 * kPi * i / p;
-    edgeNormals_.push_back(unit(edgeAngle));
-    polygon_.push_back(cornerRadius * unit(edgeAngle - kPi / p));
-  }
-  placeFaces();
-}
-
-glm::dvec3 SolidMesh::toWorld(int face, glm::dvec2 point) const {
-  return glm::dvec3(faceToWorld(face) * glm::dvec4(point, 0, 1));
-}
-
-glm::dmat4 SolidMesh::unfolded(int face, int edge) const {
-  const PlatonicSolid::Neighbour& neighbour = solid_->neighbour(face, edge);
-  const glm::dvec3 centre(2 * apothem_ * edgeNormals_[static_cast<std::size_t>(edge)], 0);
-  return glm::rotate(glm::translate(glm::dmat4(1), centre), -toRadians(neighbour.turn), glm::dvec3(0, 0, 1));
-}
-
-void SolidMesh::placeFaces() {
-  faceToWorld_.resize(static_cast<std::size_t>(faces()));
-  std::vector<bool> placed(faceToWorld_.size());
-  std::queue<int> open;
-  faceToWorld_[0] = glm::translate(glm::dmat4(1), glm::dvec3(0, 0, inradius_));
-  placed[0] = true;
-  for (open.push(0); !open.empty(); open.pop()) {
-    const int face = open.front();
-    for (int edge = 0; edge < solid_->edgesPerFace(); ++edge) {
-      const std::size_t next = solid_->neighbour(face, edge).face;
-      if (placed[next]) continue;
-      const auto i = static_cast<std::size_t>(edge);
-      const glm::dvec3 hinge(apothem_ * edgeNormals_[i], 0);
-      const glm::dvec3 along(polygon_[(i + 1) % polygon_.size()] - polygon_[i], 0);
-      const glm::dmat4 toHinge = glm::translate(glm::dmat4(1), hinge);
-      const glm::dmat4 fold = glm::rotate(toHinge, kPi - dihedral_, glm::normalize(along));
-      faceToWorld_[next] = faceToWorld_[static_cast<std::size_t>(face)] * fold * glm::translate(glm::dmat4(1), -hinge) *
-                           unfolded(face, edge);
-      placed[next] = true;
-      open.push(static_cast<int>(next));
-    }
-  }
-}
 
 Pose SolidMesh::pose(int face, glm::dvec2 point, double angle) const {
   const glm::dvec4 up(-std::sin(angle), std::cos(angle), 0, 0);
@@ -93,7 +22,7 @@ int SolidMesh::faceTowards(glm::dvec3 point) const {
 }
 
 glm::dvec3 SolidMesh::onSurface(glm::dvec3 point) const {
-  return point * (inradius_ / glm::dot(normal(faceTowards(point)), point));
+  return point * (inradius() / glm::dot(normal(faceTowards(point)), point));
 }
 
 }  // namespace platon

@@ -10,11 +10,6 @@
 namespace platon {
 namespace {
 
-std::string labelOf(int face) {
-  const bool ambiguous = face == 6 || face == 9;  // upside down, 6 looks like 9
-  return std::to_string(face) + (ambiguous ? "." : "");
-}
-
 // A ribbon that lies along an edge is drawn on both faces: each clips it at the edge.
 void addOverEdges(StageModel& stage, int face, glm::dvec2 a, glm::dvec2 b) {
   const std::vector<glm::dvec2>& normals = stage.mesh.edgeNormals();
@@ -55,7 +50,8 @@ std::optional<Marker> markerOn(const SolidMesh& mesh, int face, const Marker& ma
 std::shared_ptr<const StageModel> makeStageModel(const Level& level) {
   auto stage =
       std::make_shared<StageModel>(StageModel{SolidMesh(level.solid, level.faceSize), {}, {}, {}, level.title});
-  for (int face = 0; face < stage->mesh.faces(); ++face) stage->faces.push_back({faceColour(face), labelOf(face), {}});
+  for (int face = 0; face < stage->mesh.faces(); ++face)
+    stage->faces.push_back({faceColour(face), faceLabel(face), {}});
   for (int face = 0; face < stage->mesh.faces(); ++face) addRibbons(*stage, level, face);
   stage->goal = {static_cast<int>(level.goalFace), toUnits(level.goal), 0};
   stage->start = {static_cast<int>(level.startFace), toUnits(level.start), toRadians(level.startAngle)};

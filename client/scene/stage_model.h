@@ -9,8 +9,8 @@
 
 #include "client/scene/palette.h"
 #include "client/scene/solid_mesh.h"
+#include "levels/drawing/level_marks.h"
 #include "platon/game/level.h"
-#include "platon/game/player.h"
 
 namespace platon {
 
@@ -36,9 +36,10 @@ struct Marker {
 
 /// The drawn parts of a level that never move.
 struct StageModel {
-  static constexpr double kRibbonWidth = 4;  ///< level units
-  static constexpr double kGoalRadius = double{1} * platon::kGoalRadius / kSubunitsPerUnit;
-  static constexpr double kPlayerRadius = double{1} * platon::kPlayerRadius / kSubunitsPerUnit;
+  // Level units.
+  static constexpr double kRibbonWidth = LevelMarks::kSegmentWidth;
+  static constexpr double kGoalRadius = LevelMarks::kGoalRadius;
+  static constexpr double kPlayerRadius = LevelMarks::kBallRadius;
 
   SolidMesh mesh;
   std::vector<FaceDrawing> faces;

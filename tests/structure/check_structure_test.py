@@ -18,11 +18,13 @@ from unit_tests import check_registered, check_units
 ARCHITECTURE = (Path(__file__).parents[2] / "docs/architecture.md").read_text(encoding="utf-8")
 
 SHARED = ["exact", "physics", "game"]
+LEVELS = ["drawing", "tool"]
 CLIENT = ["time", "net", "netcode", "desync", "session", "bot", "demo", "scene", "ui", "gl", "play"]
 FOLDERS = (
     [f"shared/include/platon/{name}" for name in SHARED]
     + [f"shared/{name}" for name in SHARED]
     + ["shared/examples", "protocol", "protocol/transport", "server/match", "server/net", "server/base", "server/admin", "server/app"]
+    + [f"levels/{name}" for name in LEVELS]
     + [f"client/{name}" for name in CLIENT]
     + ["levels", "tests"]
 )
@@ -68,6 +70,7 @@ class Includes(Tree):
             "demo": ["netcode"], "scene": ["netcode"], "ui": ["netcode", "scene"], "gl": ["scene", "ui"],
             "play": [name for name in CLIENT if name not in ("bot", "play")],
         }  # fmt: skip
+        drawn = ("scene", "ui")
         wordless = ("demo", "scene", "ui", "gl")
         protocol = ["protocol", "protocol/transport"]
         allowed = {
@@ -84,10 +87,15 @@ class Includes(Tree):
             "server/admin": public + protocol + ["server/match", "server/net", "server/base"],
             "server/app": public + protocol + ["server/match", "server/net", "server/base", "server/admin"],
             **{
-                f"client/{room}": public + ([] if room in wordless else protocol) + [f"client/{o}" for o in others]
+                f"client/{room}": public
+                + ([] if room in wordless else protocol)
+                + (["levels/drawing"] if room in drawn else [])
+                + [f"client/{o}" for o in others]
                 for room, others in rooms.items()
             },
-            "levels": public,
+            "levels/drawing": public,
+            "levels/tool": public,
+            "levels": [],
             "tests": FOLDERS,
         }
         self.assertEqual(sorted(allowed), sorted(FOLDERS))
@@ -262,11 +270,11 @@ class Form(Tree):
 class Tables(Tree):
     def test_the_table_decides(self):
         text = '#include "protocol/thing.h"\n'
-        self.assert_refused("levels/file.cpp", text, 1, "protocol/thing.h")
-        row = "| `levels` | levels by solid; `tool`: `platon-level` | `platon` |"
+        self.assert_refused("levels/tool/file.cpp", text, 1, "protocol/thing.h")
+        row = "| `levels/tool` | `platon-level`: its commands | `platon` |"
         self.assertIn(row, ARCHITECTURE)
         self.write("docs/architecture.md", ARCHITECTURE.replace(row, row[:-2] + " `protocol` |"))
-        self.assert_allowed("levels/file.cpp", text)
+        self.assert_allowed("levels/tool/file.cpp", text)
 
     def test_rows_go_one_way(self):
         for cell in ("`platon` `server/app`", "`platon` `server`", "`client/time`"):
@@ -276,10 +284,10 @@ class Tables(Tree):
                 DependencyTable(page)
 
     def test_row_without_a_folder(self):
-        shutil.rmtree(self.root / "levels")
+        shutil.rmtree(self.root / "server/base")
         found = list(check_tree(self.root))
         self.assertEqual(len(found), 1, found)
-        self.assertIn("levels", found[0])
+        self.assertIn("server/base", found[0])
 
     def test_missing_or_broken_table(self):
         for name in ("folders", "headers", "words"):

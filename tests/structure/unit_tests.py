@@ -3,7 +3,7 @@ the units that are excepted."""
 
 import re
 
-UNIT_FOLDERS = ("shared/", "protocol/", "server/", "client/", "levels/tool/")
+UNIT_FOLDERS = ("shared/", "protocol/", "server/", "client/", "levels/")
 PROGRAM_FOLDERS = ("shared/examples/",)  # package_test.py builds and runs them
 
 # {unit: which tests check it instead}

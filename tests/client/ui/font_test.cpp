@@ -8,24 +8,6 @@
 namespace platon {
 namespace {
 
-TEST(Font, DecodesValidText) {
-  EXPECT_EQ(codePointsOf("aé€😀"), U"aé€😀");
-  EXPECT_EQ(codePointsOf(""), U"");
-}
-
-TEST(Font, ReplacesEveryInvalidByte) {
-  EXPECT_EQ(codePointsOf("a\x80z"), U"a\uFFFDz");
-  EXPECT_EQ(codePointsOf("\xC3"), U"\uFFFD");
-  EXPECT_EQ(codePointsOf("\xC3("), U"\uFFFD(");
-  EXPECT_EQ(codePointsOf("\xC0\xAF"), U"\uFFFD\uFFFD") << "overlong";
-  EXPECT_EQ(codePointsOf("\xE0\x80\xAF"), U"\uFFFD\uFFFD\uFFFD") << "overlong";
-  EXPECT_EQ(codePointsOf("\xED\xA0\x80"), U"\uFFFD\uFFFD\uFFFD") << "surrogate";
-  EXPECT_EQ(codePointsOf("\xF4\x90\x80\x80"), U"\uFFFD\uFFFD\uFFFD\uFFFD") << "beyond Unicode";
-  EXPECT_EQ(codePointsOf("\xFF"), U"\uFFFD");
-}
-
-TEST(Font, OmitsControlCharacters) { EXPECT_EQ(codePointsOf("a\n\x7F\xC2\x85z"), U"az"); }
-
 TEST(Font, HasTheGlyphsOfTheGame) {
   const Font font;
   const Font::Glyph missing = font.glyph(U'\uE000');
@@ -49,12 +31,6 @@ TEST(Font, CapitalsHaveTheStatedHeight) {
   }
   const float rows = static_cast<float>(highest) / static_cast<float>(glyph.height);
   EXPECT_NEAR(glyph.high.y + rows * (glyph.low.y - glyph.high.y), Font::kCapitalHeight, 0.04);
-}
-
-TEST(Font, WidthIsTheSumOfTheAdvances) {
-  const Font font;
-  EXPECT_NEAR(font.width("Ab"), font.advance(U'A') + font.advance(U'b'), 1e-6);
-  EXPECT_GT(font.width("WW"), font.width("ii"));
 }
 
 }  // namespace
