@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Makes the pictures of README.md and docs/: the moving one and the stills. The plots come from ./platon bench.
 
-usage: make_pictures.py PLATON-CLIENT ROOT
+usage: make_pictures.py PLATON-CLIENT PLATON-LEVEL ROOT
 
 Needs ImageMagick's convert, gifsicle and pngquant. The game that is drawn has no clock, so a machine makes the same
-frames each time; other versions of Mesa or of these tools may give other bytes.
+frames each time; other versions of Mesa, of Cairo or of these tools may give other bytes.
 """
 
 import subprocess
@@ -21,6 +21,7 @@ STILLS = [
     {"name": "hexahedron.png", "level": "hexahedron/01_first_steps", "from": 5.2, "players": 2},
     {"name": "icosahedron.png", "level": "icosahedron/05_the_long_way_round", "from": 4.0, "players": 2},
 ]
+LEVEL_WIDTH = 1200
 
 
 class PictureError(Exception):
@@ -66,15 +67,27 @@ def make_still(client, root, picture):
     return file
 
 
+def make_level_picture(tool, root, level):
+    """The picture of a level: its solid and its net."""
+    file = root / FOLDER / f"level_{level.stem}.png"
+    with tempfile.TemporaryDirectory() as folder:
+        whole = Path(folder) / "whole.png"
+        run(tool, "preview", level, "-o", whole, "--width", LEVEL_WIDTH)
+        run("pngquant", "--speed", 1, "--strip", "--force", "--output", file, 128, whole)
+    return file
+
+
 def main(arguments):
-    if len(arguments) != 2:
+    if len(arguments) != 3:
         print(__doc__, file=sys.stderr)
         return 2
-    client, root = Path(arguments[0]).resolve(), Path(arguments[1]).resolve()
+    client, tool, root = (Path(argument).resolve() for argument in arguments)
     try:
         print(make_film(client, root, FILM))
         for picture in STILLS:
             print(make_still(client, root, picture))
+        for level in sorted(root.glob("levels/*/*.level"), key=lambda path: path.name):
+            print(make_level_picture(tool, root, level))
     except PictureError as error:
         print(f"make_pictures.py: {error}", file=sys.stderr)
         return 1

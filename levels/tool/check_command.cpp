@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdio>
+#include <optional>
+#include <utility>
 
+#include "levels/tool/exit_code.h"
 #include "levels/tool/json_text.h"
 #include "levels/tool/level_file.h"
 #include "platon/game/level.h"
 
 namespace platon {
 namespace {
-
-constexpr int kCannotRead = 2;
-constexpr int kInvalidLevel = 3;
 
 struct CheckedLevel {
   std::string file;
@@ -30,12 +30,6 @@ std::size_t linesOf(const Level& level) {
   std::size_t lines = 0;
   for (const auto& face : level.segments) lines += face.size();
   return lines;
-}
-
-void printDiagnostics(const CheckedLevel& checked) {
-  for (const Diagnostic& diagnostic : checked.result.diagnostics) {
-    std::fprintf(stderr, "%s\n", format(checked.file, diagnostic).c_str());
-  }
 }
 
 // "1 line", "2 lines".
@@ -88,19 +82,16 @@ int checkLevels(const std::vector<std::string>& files, bool json) {
   std::vector<CheckedLevel> all;
   bool unreadable = false;
   for (const std::string& file : files) {
-    std::string fault;
-    const auto text = readLevelFile(file, fault);
-    if (!text) {
-      std::fprintf(stderr, "platon-level: %s\n", fault.c_str());
+    std::optional<LevelResult> result = loadLevelFile(file);
+    if (!result) {
       unreadable = true;
       continue;
     }
-    all.push_back({file, loadLevel(*text)});
-    printDiagnostics(all.back());
+    all.push_back({file, std::move(*result)});
     if (!json) std::puts(resultLine(all.back()).c_str());
   }
   if (json) printJson(all);
-  if (unreadable) return kCannotRead;
+  if (unreadable) return kUsage;
   const bool valid = std::all_of(all.begin(), all.end(), [](const auto& one) { return one.result.level != nullptr; });
   return valid ? 0 : kInvalidLevel;
 }

@@ -5,8 +5,6 @@
 #include <cstring>
 #include <memory>
 
-#include "platon/game/level.h"
-
 namespace platon {
 
 std::optional<std::string> readLevelFile(const std::string& path, std::string& fault) {
@@ -22,6 +20,20 @@ std::optional<std::string> readLevelFile(const std::string& path, std::string& f
   if (file != nullptr && std::ferror(file.get()) == 0) return content;
   fault = "cannot read '" + path + "': " + std::strerror(errno);
   return std::nullopt;
+}
+
+std::optional<LevelResult> loadLevelFile(const std::string& path) {
+  std::string fault;
+  const auto text = readLevelFile(path, fault);
+  if (!text) {
+    std::fprintf(stderr, "platon-level: %s\n", fault.c_str());
+    return std::nullopt;
+  }
+  LevelResult result = loadLevel(*text);
+  for (const Diagnostic& diagnostic : result.diagnostics) {
+    std::fprintf(stderr, "%s\n", format(path, diagnostic).c_str());
+  }
+  return result;
 }
 
 }  // namespace platon

@@ -5,16 +5,16 @@
 #include <string>
 #include <vector>
 
+#include "levels/picture/level_picture.h"
 #include "levels/tool/check_command.h"
+#include "levels/tool/exit_code.h"
+#include "levels/tool/preview_command.h"
 #include "platon_version.h"
 
 namespace {
 
-constexpr int kFailed = 1;
-constexpr int kUsage = 2;
-
 int run(int argc, char** argv) {
-  CLI::App app("Checks Platon levels. docs/level_format.md describes the format.", "platon-level");
+  CLI::App app("Checks and draws Platon levels. docs/level_format.md describes the format.", "platon-level");
   app.set_version_flag("--version", "platon-level " + std::string(platon::kVersion));
   app.require_subcommand(1);
 
@@ -24,13 +24,24 @@ int run(int argc, char** argv) {
   check->add_option("FILE", files, "Level files")->required();
   check->add_flag("--json", json, "Print one JSON object to stdout");
 
+  std::string level;
+  std::string picture;
+  int width = platon::kPictureWidth;
+  CLI::App* preview = app.add_subcommand("preview", "Draw a level: its solid from two sides, and its net");
+  preview->add_option("FILE", level, "Level file")->required();
+  preview->add_option("-o,--output", picture, "PNG file to write")->required();
+  preview->add_option("--width", width, "Width of the picture in pixels; the height is 5/8 of it")
+      ->check(CLI::Range(platon::kMinPictureWidth, platon::kMaxPictureWidth))
+      ->capture_default_str();
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
     std::fprintf(stderr, "platon-level: %s (see platon-level --help)\n", error.what());
-    return kUsage;
+    return platon::kUsage;
   }
+  if (preview->parsed()) return platon::previewLevel(level, picture, width);
   return platon::checkLevels(files, json);
 }
 
@@ -41,6 +52,6 @@ int main(int argc, char** argv) {
     return run(argc, argv);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "platon-level: %s\n", error.what());
-    return kFailed;
+    return platon::kFailed;
   }
 }

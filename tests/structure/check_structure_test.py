@@ -18,7 +18,7 @@ from unit_tests import check_registered, check_units
 ARCHITECTURE = (Path(__file__).parents[2] / "docs/architecture.md").read_text(encoding="utf-8")
 
 SHARED = ["exact", "physics", "game"]
-LEVELS = ["drawing", "tool"]
+LEVELS = ["drawing", "picture", "tool"]
 CLIENT = ["time", "net", "netcode", "desync", "session", "bot", "demo", "scene", "ui", "gl", "play"]
 FOLDERS = (
     [f"shared/include/platon/{name}" for name in SHARED]
@@ -94,7 +94,8 @@ class Includes(Tree):
                 for room, others in rooms.items()
             },
             "levels/drawing": public,
-            "levels/tool": public,
+            "levels/picture": public + ["levels/drawing"],
+            "levels/tool": public + ["levels/picture"],
             "levels": [],
             "tests": FOLDERS,
         }
@@ -271,7 +272,7 @@ class Tables(Tree):
     def test_the_table_decides(self):
         text = '#include "protocol/thing.h"\n'
         self.assert_refused("levels/tool/file.cpp", text, 1, "protocol/thing.h")
-        row = "| `levels/tool` | `platon-level`: its commands | `platon` |"
+        row = "| `levels/tool` | `platon-level`: its commands | `platon` `levels/picture` |"
         self.assertIn(row, ARCHITECTURE)
         self.write("docs/architecture.md", ARCHITECTURE.replace(row, row[:-2] + " `protocol` |"))
         self.assert_allowed("levels/tool/file.cpp", text)

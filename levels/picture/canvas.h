@@ -1,0 +1,90 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "levels/drawing/colour.h"
+#include "levels/drawing/typeface.h"
+#include "levels/picture/plane_map.h"
+
+struct _cairo;
+struct _cairo_surface;
+
+namespace platon {
+
+/// Colour and opacity, 0 … 1.
+struct Ink {
+  Colour colour{0};
+  double opacity = 1;
+};
+
+/// A picture that is drawn with smooth edges. Coordinates go through the current map; at first they are pixels, from
+/// the upper left corner, and +y points down. The outline of a shape is collected in a path, which `fill` and `stroke`
+/// draw and discard.
+class Canvas {
+ public:
+  /// Largest width and height, pixels.
+  static constexpr int kMaxSize = 8192;
+
+  /// Throws std::runtime_error when there is no memory.
+  Canvas(int width, int height, Colour background);
+  ~Canvas();
+  Canvas(Canvas&&) noexcept;
+
+  /// Draws through `map` as long as the object lives. Objects end in reverse order.
+  class Mapped {
+   public:
+    Mapped(Canvas& canvas, const PlaneMap& map);
+    ~Mapped();
+    Mapped(const Mapped&) = delete;
+    Mapped& operator=(const Mapped&) = delete;
+
+   private:
+    Canvas* canvas_;
+  };
+
+  // Add to the path.
+  void polygon(std::span<const glm::dvec2> corners);
+  void line(glm::dvec2 a, glm::dvec2 b);
+  /// A chain of lines.
+  void lines(std::span<const glm::dvec2> points);
+  void circle(glm::dvec2 centre, double radius);
+  /// A line of text from `start` on its baseline. +y of the current map points up.
+  void text(glm::dvec2 start, double size, std::string_view utf8);
+
+  // Draw the path.
+  void fill(const Ink& ink);
+  /// Lines have round ends and joints. `width` goes through the current map.
+  void stroke(const Ink& ink, double width);
+
+  const Typeface& typeface() const { return *typeface_; }
+  int width() const { return width_; }
+  int height() const { return height_; }
+  /// The pixels as 0x00RRGGBB, rows from the top.
+  std::vector<std::uint32_t> pixels() const;
+
+  /// Writes a PNG file. Returns why that failed, or an empty text.
+  std::string write(const std::string& file) const;
+
+ private:
+  struct Release {
+    void operator()(_cairo* context) const;
+    void operator()(_cairo_surface* surface) const;
+  };
+
+  void use(const Ink& ink);
+
+  int width_;
+  int height_;
+  std::unique_ptr<_cairo_surface, Release> surface_;
+  std::unique_ptr<_cairo, Release> context_;
+  std::unique_ptr<Typeface> typeface_;
+};
+
+}  // namespace platon

@@ -1,0 +1,59 @@
+#include "levels/picture/face_painter.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "levels/drawing/level_marks.h"
+#include "levels/picture/mark_painter.h"
+#include "levels/picture/segment_painter.h"
+
+namespace platon {
+
+FacePainter::FacePainter(Canvas& canvas, const LevelDrawing& drawing, int face, const PlaneMap& map,
+                         double unitsPerPixel)
+    : canvas_(&canvas), drawing_(&drawing), face_(face), map_(map), unitsPerPixel_(unitsPerPixel) {}
+
+double FacePainter::visible(double units, double pixels) const { return std::max(units, pixels * unitsPerPixel_); }
+
+void FacePainter::paintGround(const Tints& tints, double brightness) {
+  const Canvas::Mapped mapped(*canvas_, map_);
+  canvas_->polygon(drawing_->solid.polygon());
+  canvas_->fill({tints.face(brightness)});
+  canvas_->polygon(drawing_->solid.polygon());
+  canvas_->stroke({tints.background()}, 1.5 * unitsPerPixel_);
+  paintNumber(tints);
+  const auto& down = drawing_->faces[static_cast<std::size_t>(face_)].down;
+  if (down) paintArrow(*canvas_, down->tail, down->head, {tints.ink(), 0.3}, 0.03 * drawing_->solid.apothem());
+}
+
+void FacePainter::paintNumber(const Tints& tints) {
+  const LevelDrawing::Label& label = drawing_->faces[static_cast<std::size_t>(face_)].label;
+  const glm::dvec2 half(canvas_->typeface().width(label.text) / 2, Typeface::kCapitalHeight / 2);
+  canvas_->text(label.middle - label.size * half, label.size, label.text);
+  canvas_->fill({tints.ink(), 0.6});
+}
+
+void FacePainter::paintSegments(const Tints& tints) {
+  const Canvas::Mapped mapped(*canvas_, map_);
+  const auto& lines = drawing_->faces[static_cast<std::size_t>(face_)].lines;
+  platon::paintSegments(*canvas_, lines, tints.ink(), visible(LevelMarks::kSegmentWidth, 1.3));
+}
+
+void FacePainter::paintMarks(const Tints& tints) {
+  const Canvas::Mapped mapped(*canvas_, map_);
+  if (drawing_->goal.face == face_)
+    paintGoal(*canvas_, drawing_->goal.place, visible(LevelMarks::kGoalRadius, 8), tints);
+  if (drawing_->start.face == face_) paintStart(tints);
+}
+
+void FacePainter::paintStart(const Tints& tints) {
+  const LevelDrawing::Ball& ball = drawing_->start;
+  const double radius = visible(LevelMarks::kBallRadius, 6);
+  const glm::dvec2 tail = ball.place - 1.5 * radius * ball.up;
+  const glm::dvec2 head = tail - 1.8 * radius * ball.up;
+  paintArrow(*canvas_, tail, head, {tints.background()}, 0.7 * radius);
+  paintArrow(*canvas_, tail, head, {Tints::start()}, 0.3 * radius);
+  paintBall(*canvas_, ball.place, ball.up, radius, tints);
+}
+
+}  // namespace platon

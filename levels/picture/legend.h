@@ -1,0 +1,14 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+
+#include "levels/picture/canvas.h"
+#include "levels/picture/tints.h"
+
+namespace platon {
+
+/// Draws the legend of a picture: a row of marks with what they mean. `start` is the middle of its left side. Lengths
+/// are in the units of the canvas's map, whose +y points up.
+void paintLegend(Canvas& canvas, glm::dvec2 start, const Tints& tints);
+
+}  // namespace platon

@@ -1,0 +1,22 @@
+#include "levels/tool/preview_command.h"
+
+#include <cstdio>
+#include <optional>
+
+#include "levels/picture/level_picture.h"
+#include "levels/tool/exit_code.h"
+#include "levels/tool/level_file.h"
+
+namespace platon {
+
+int previewLevel(const std::string& file, const std::string& picture, int width) {
+  const std::optional<LevelResult> result = loadLevelFile(file);
+  if (!result) return kUsage;
+  if (!result->level) return kInvalidLevel;
+  const std::string fault = drawLevel(*result->level, width).write(picture);
+  if (fault.empty()) return 0;
+  std::fprintf(stderr, "platon-level: cannot write '%s': %s\n", picture.c_str(), fault.c_str());
+  return kFailed;
+}
+
+}  // namespace platon

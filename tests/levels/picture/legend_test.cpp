@@ -1,0 +1,28 @@
+#include "levels/picture/legend.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/levels/picture/pixels.h"
+
+namespace platon {
+namespace {
+
+TEST(Legend, ShowsTheMarksInARow) {
+  const Tints tints(SolidKind::kHexahedron);
+  Canvas canvas(800, 60, tints.background());
+  {
+    const Canvas::Mapped mapped(canvas, {{1, 0}, {0, -1}, {0, 0}});
+    paintLegend(canvas, {20, -30}, tints);
+  }
+  const Pixels pixels(canvas);
+  EXPECT_GT(pixels.count(Tints::start()), 100);
+  EXPECT_GT(pixels.count(Tints::goal()), 80);
+  EXPECT_EQ(pixels.at(23, 30), pixelOf(Tints::start()));
+  for (int y = 0; y < 60; ++y) {
+    EXPECT_EQ(pixels.at(19, y), pixelOf(tints.background())) << "left of the start";
+    EXPECT_EQ(pixels.at(799, y), pixelOf(tints.background())) << "the row fits";
+  }
+}
+
+}  // namespace
+}  // namespace platon

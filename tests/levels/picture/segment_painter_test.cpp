@@ -1,0 +1,33 @@
+#include "levels/picture/segment_painter.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "tests/levels/picture/pixels.h"
+
+namespace platon {
+namespace {
+
+TEST(SegmentPainter, SegmentsAreAsWideAsStated) {
+  Canvas canvas(60, 30, Colour(1));
+  const std::vector<LevelDrawing::Line> lines = {{{10, 15}, {50, 15}}};
+  paintSegments(canvas, lines, Colour(0), 6);
+  const Pixels pixels(canvas);
+  EXPECT_EQ(pixels.at(30, 12), 0u);
+  EXPECT_EQ(pixels.at(30, 17), 0u);
+  EXPECT_EQ(pixels.at(30, 11), 0xFFFFFFu);
+  EXPECT_EQ(pixels.at(30, 18), 0xFFFFFFu);
+}
+
+TEST(SegmentPainter, DrawsEverySegmentOfALongList) {
+  Canvas canvas(1000, 8, Colour(1));
+  std::vector<LevelDrawing::Line> lines;
+  for (int x = 0; x < 1000; x += 2) lines.push_back({{x + 0.5, 0}, {x + 0.5, 8}});
+  paintSegments(canvas, lines, Colour(0), 1);
+  const Pixels pixels(canvas);
+  for (int x = 0; x < 1000; ++x) ASSERT_EQ(pixels.at(x, 4), x % 2 == 0 ? 0u : 0xFFFFFFu) << x;
+}
+
+}  // namespace
+}  // namespace platon
