@@ -22,6 +22,7 @@ STILLS = [
     {"name": "icosahedron.png", "level": "icosahedron/05_the_long_way_round", "from": 4.0, "players": 2},
 ]
 LEVEL_WIDTH = 1200
+ELEMENTS = "tests/levels/picture/elements.level"
 
 
 class PictureError(Exception):
@@ -86,7 +87,7 @@ def main(arguments):
         print(make_film(client, root, FILM))
         for picture in STILLS:
             print(make_still(client, root, picture))
-        for level in sorted(root.glob("levels/*/*.level"), key=lambda path: path.name):
+        for level in [*sorted(root.glob("levels/*/*.level"), key=lambda path: path.name), root / ELEMENTS]:
             print(make_level_picture(tool, root, level))
     except PictureError as error:
         print(f"make_pictures.py: {error}", file=sys.stderr)

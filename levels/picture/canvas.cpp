@@ -111,6 +111,14 @@ void Canvas::stroke(const Ink& ink, double width) {
   cairo_stroke(context_.get());
 }
 
+void Canvas::strokeDashed(const Ink& ink, double width, double dash) {
+  // The round ends lengthen each dash by `width`.
+  const double lengths[] = {dash, dash + width};
+  cairo_set_dash(context_.get(), lengths, 2, 0);
+  stroke(ink, width);
+  cairo_set_dash(context_.get(), nullptr, 0, 0);
+}
+
 std::vector<std::uint32_t> Canvas::pixels() const {
   cairo_surface_flush(surface_.get());
   const unsigned char* row = cairo_image_surface_get_data(surface_.get());

@@ -62,6 +62,8 @@ class Canvas {
   void fill(const Ink& ink);
   /// Lines have round ends and joints. `width` goes through the current map.
   void stroke(const Ink& ink, double width);
+  /// The same in dashes of this length, with gaps of the same length between their ends.
+  void strokeDashed(const Ink& ink, double width, double dash);
 
   const Typeface& typeface() const { return *typeface_; }
   int width() const { return width_; }

@@ -36,7 +36,7 @@ void FacePainter::paintNumber(const Tints& tints) {
 void FacePainter::paintSegments(const Tints& tints) {
   const Canvas::Mapped mapped(*canvas_, map_);
   const auto& lines = drawing_->faces[static_cast<std::size_t>(face_)].lines;
-  platon::paintSegments(*canvas_, lines, tints.ink(), visible(LevelMarks::kSegmentWidth, 1.3));
+  platon::paintSegments(*canvas_, lines, tints, visible(LevelMarks::kSegmentWidth, 1.3));
 }
 
 void FacePainter::paintMarks(const Tints& tints) {

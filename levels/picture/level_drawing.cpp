@@ -35,11 +35,20 @@ LevelDrawing::LevelDrawing(const Level& level)
 }
 
 void LevelDrawing::addSegments(const Level& level, int face) {
-  for (const Segment& segment : level.segments[static_cast<std::size_t>(face)]) {
-    const Line line{toUnits(segment.a), toUnits(segment.b)};
+  const auto& segments = level.segments[static_cast<std::size_t>(face)];
+  for (std::uint32_t index = 0; index < segments.size(); ++index) {
+    Line line{toUnits(segments[index].a), toUnits(segments[index].b), {}};
+    const Element* element = findElement(level.elements, static_cast<std::uint32_t>(face), index);
+    if (element != nullptr) line.element = styleOf(*element);
     faces[static_cast<std::size_t>(face)].lines.push_back(line);
     addAlongEdges(face, line);
   }
+}
+
+ElementStyle LevelDrawing::styleOf(const Element& element) const {
+  ElementStyle style{element.kind, element.number, {0, 1}};
+  if (element.kind == ElementKind::kUp) style.towards = solid.edgeNormals()[element.number];
+  return style;
 }
 
 // A segment along an edge belongs to both faces, which need not be neighbours in the net or in the same view.
@@ -50,8 +59,10 @@ void LevelDrawing::addAlongEdges(int face, const Line& line) {
     if (nearest < solid.apothem() - LevelMarks::kSegmentWidth / 2) continue;
     const auto index = static_cast<int>(edge);
     const glm::dmat4 toNeighbour = glm::inverse(solid.unfolded(face, index));
-    const auto moved = [&](glm::dvec2 point) { return glm::dvec2(toNeighbour * glm::dvec4(point, 0, 1)); };
-    faces[solid.solid().neighbour(face, index).face].lines.push_back({moved(line.a), moved(line.b)});
+    Line moved = line;
+    for (glm::dvec2* end : {&moved.a, &moved.b}) *end = glm::dvec2(toNeighbour * glm::dvec4(*end, 0, 1));
+    if (moved.element) moved.element->towards = glm::dvec2(toNeighbour * glm::dvec4(line.element->towards, 0, 0));
+    faces[solid.solid().neighbour(face, index).face].lines.push_back(moved);
   }
 }
 
@@ -78,6 +89,16 @@ void LevelDrawing::addLabel(int face) {
     most = room;
     drawn.label.middle = middle;
   }
+}
+
+std::set<ElementKind> LevelDrawing::kinds() const {
+  std::set<ElementKind> kinds;
+  for (const Face& face : faces) {
+    for (const Line& line : face.lines) {
+      if (line.element) kinds.insert(line.element->kind);
+    }
+  }
+  return kinds;
 }
 
 }  // namespace platon

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include <glm/vec2.hpp>
 
 #include "levels/drawing/solid_frame.h"
+#include "levels/picture/element_painter.h"
 #include "platon/game/level.h"
 
 namespace platon {
@@ -16,6 +18,7 @@ struct LevelDrawing {
   struct Line {
     glm::dvec2 a{0};
     glm::dvec2 b{0};
+    std::optional<ElementStyle> element;  ///< nothing: a wall
   };
   struct Arrow {
     glm::dvec2 tail{0};
@@ -44,6 +47,9 @@ struct LevelDrawing {
 
   explicit LevelDrawing(const Level& level);
 
+  /// The kinds of its elements.
+  std::set<ElementKind> kinds() const;
+
   SolidFrame solid;
   std::vector<Face> faces;
   Ball start;
@@ -52,6 +58,7 @@ struct LevelDrawing {
  private:
   void addSegments(const Level& level, int face);
   void addAlongEdges(int face, const Line& line);
+  ElementStyle styleOf(const Element& element) const;
   void addArrows(const Level& level);
   void addLabel(int face);
 };

@@ -108,7 +108,7 @@ class Page {
     const std::string before = level.title.empty() ? "" : solid + (level.author.empty() ? "" : " · ");
     drawText({kMargin, -92}, 52, 1, level.title.empty() ? solid : level.title);
     drawText({kMargin, -130}, 24, 0.6, before + level.author);
-    paintLegend(canvas_, {kMargin, -946}, tints_);
+    paintLegend(canvas_, {kMargin, -946}, tints_, drawing_.kinds());
   }
 
   const LevelDrawing& drawing() const { return drawing_; }

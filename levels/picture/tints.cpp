@@ -35,4 +35,14 @@ Colour Tints::start() { return oklch(0.66, 0.19, 38); }
 
 Colour Tints::goal() { return oklch(0.55, 0.12, 165); }
 
+Colour Tints::up() { return oklch(0.45, 0.13, 255); }
+
+Colour Tints::hazard() { return oklch(0.50, 0.20, 25); }
+
+Colour Tints::checkpoint() { return oklch(0.48, 0.12, 235); }
+
+Colour Tints::lock() { return oklch(0.52, 0.11, 80); }
+
+Colour Tints::plate() { return oklch(0.48, 0.15, 310); }
+
 }  // namespace platon

@@ -20,6 +20,12 @@ class Tints {
   /// The same for all solids.
   static Colour start();
   static Colour goal();
+  static Colour up();
+  static Colour hazard();
+  static Colour checkpoint();
+  /// Of keys and doors.
+  static Colour lock();
+  static Colour plate();
 
  private:
   double hue_;  // degrees

@@ -89,6 +89,18 @@ TEST_F(CanvasTest, ALineWithoutLengthIsADot) {
   EXPECT_GT(Pixels(canvas_).count(kBlack), 50);
 }
 
+TEST_F(CanvasTest, DashesHaveGapsOfTheirLength) {
+  canvas_.line({2, 10}, {38, 10});
+  canvas_.strokeDashed({Colour(0)}, 2, 5);
+  canvas_.line({2, 18}, {38, 18});
+  canvas_.stroke({Colour(0)}, 2);
+  const Pixels pixels(canvas_);
+  EXPECT_EQ(pixels.at(5, 9), kBlack);
+  EXPECT_EQ(pixels.at(10, 9), kWhite);
+  EXPECT_EQ(pixels.at(16, 9), kBlack);
+  EXPECT_EQ(pixels.at(10, 17), kBlack) << "the next stroke has no dashes";
+}
+
 TEST_F(CanvasTest, TextStandsOnItsBaseline) {
   {
     const Canvas::Mapped mapped(canvas_, {{1, 0}, {0, -1}, {0, 0}});

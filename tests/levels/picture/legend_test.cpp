@@ -2,17 +2,23 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "tests/levels/picture/pixels.h"
 
 namespace platon {
 namespace {
+
+const std::set<ElementKind> kAll = {ElementKind::kOneway,     ElementKind::kUp,  ElementKind::kHazard,
+                                    ElementKind::kCheckpoint, ElementKind::kKey, ElementKind::kDoor,
+                                    ElementKind::kPlate};
 
 TEST(Legend, ShowsTheMarksInARow) {
   const Tints tints(SolidKind::kHexahedron);
   Canvas canvas(800, 60, tints.background());
   {
     const Canvas::Mapped mapped(canvas, {{1, 0}, {0, -1}, {0, 0}});
-    paintLegend(canvas, {20, -30}, tints);
+    paintLegend(canvas, {20, -30}, tints, {});
   }
   const Pixels pixels(canvas);
   EXPECT_GT(pixels.count(Tints::start()), 100);
@@ -22,6 +28,20 @@ TEST(Legend, ShowsTheMarksInARow) {
     EXPECT_EQ(pixels.at(19, y), pixelOf(tints.background())) << "left of the start";
     EXPECT_EQ(pixels.at(799, y), pixelOf(tints.background())) << "the row fits";
   }
+}
+
+TEST(Legend, WithAllKindsItFitsOnThePage) {
+  const Tints tints(SolidKind::kHexahedron);
+  Canvas canvas(1600, 80, tints.background());
+  {
+    const Canvas::Mapped mapped(canvas, {{1, 0}, {0, -1}, {0, 0}});
+    paintLegend(canvas, {64, -40}, tints, kAll);
+  }
+  const Pixels pixels(canvas);
+  EXPECT_GT(pixels.count(Tints::hazard()), 10);
+  EXPECT_GT(pixels.count(Tints::plate()), 10);
+  for (int y = 0; y < 80; ++y) EXPECT_EQ(pixels.at(1536, y), pixelOf(tints.background()));
+  for (int x = 0; x < 1600; ++x) EXPECT_EQ(pixels.at(x, 5), pixelOf(tints.background()));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <set>
 #include <string>
 
 #include <glm/geometric.hpp>
@@ -93,6 +94,30 @@ TEST(LevelDrawing, NumbersStandInTheFirstCornerThatHasRoom) {
   const LevelDrawing blocked = drawingOf("-240 -199 -100 -199\n");
   EXPECT_GT(blocked.faces[0].label.middle.x, 150) << "the next corner";
   EXPECT_LT(blocked.faces[0].label.middle.y, -150);
+}
+
+TEST(LevelDrawing, ElementsKeepTheirKindAndNumber) {
+  const LevelDrawing drawing = drawingOf("-100 -50 100 -50\n20 100 60 100 door 3\n20 150 60 150 plate 3\n");
+  const auto& lines = drawing.faces[0].lines;
+  ASSERT_EQ(lines.size(), 3u);
+  EXPECT_EQ(drawing.kinds(), (std::set{ElementKind::kDoor, ElementKind::kPlate}));
+  for (const LevelDrawing::Line& line : lines) {
+    EXPECT_EQ(line.element.has_value(), line.a.y > 0);
+    if (!line.element) continue;
+    EXPECT_EQ(line.element->kind, line.a.y == 100 ? ElementKind::kDoor : ElementKind::kPlate);
+    EXPECT_EQ(line.element->number, 3);
+  }
+}
+
+TEST(LevelDrawing, TheArrowsOfUpPointToTheirEdgeAlsoOnTheOtherFace) {
+  const LevelDrawing drawing = drawingOf("240 -100 240 60 up 2\n");
+  ASSERT_TRUE(drawing.faces[0].lines.at(0).element);
+  EXPECT_LT(glm::distance(drawing.faces[0].lines[0].element->towards, glm::dvec2(0, 1)), 1e-12);
+  ASSERT_TRUE(drawing.faces[1].lines.at(0).element);
+  EXPECT_LT(glm::distance(drawing.faces[1].lines[0].element->towards, glm::dvec2(0, 1)), 1e-12);
+  const LevelDrawing turned = drawingOf("-100 -240 60 -240 up 1\n", "0 0 0 0");
+  ASSERT_TRUE(turned.faces[5].lines.at(0).element) << "face 5 is below, with its edge 2 at the common edge";
+  EXPECT_LT(glm::distance(turned.faces[5].lines[0].element->towards, glm::dvec2(1, 0)), 1e-12);
 }
 
 }  // namespace

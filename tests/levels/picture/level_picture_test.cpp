@@ -58,6 +58,13 @@ double difference(const std::vector<std::uint32_t>& a, const std::vector<std::ui
   return sum / (3 * static_cast<double>(a.size()));
 }
 
+// The shipped levels, and one with every element.
+std::vector<std::string> drawnLevels() {
+  std::vector<std::string> levels = shippedLevels();
+  levels.emplace_back("tests/levels/picture/elements.level");
+  return levels;
+}
+
 class GoldenPictureTest : public testing::TestWithParam<std::string> {};
 
 TEST_P(GoldenPictureTest, TheLevelLooksAsBefore) {
@@ -71,7 +78,7 @@ TEST_P(GoldenPictureTest, TheLevelLooksAsBefore) {
       << kGoldenWidth << " -o " << golden;
 }
 
-INSTANTIATE_TEST_SUITE_P(ShippedLevels, GoldenPictureTest, testing::ValuesIn(shippedLevels()),
+INSTANTIATE_TEST_SUITE_P(Levels, GoldenPictureTest, testing::ValuesIn(drawnLevels()),
                          [](const auto& one) { return stemOf(one.param); });
 
 TEST(LevelPicture, HasTheStatedSize) {

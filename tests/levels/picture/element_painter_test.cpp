@@ -1,0 +1,101 @@
+#include "levels/picture/element_painter.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <vector>
+
+#include "tests/levels/picture/pixels.h"
+
+namespace platon {
+namespace {
+
+constexpr std::array kElements = {ElementKind::kOneway,     ElementKind::kUp,  ElementKind::kHazard,
+                                  ElementKind::kCheckpoint, ElementKind::kKey, ElementKind::kDoor,
+                                  ElementKind::kPlate};
+
+class ElementPainterTest : public testing::Test {
+ protected:
+  // The segment from (20, 40) to (180, 40), in a picture of 200 × 80 whose +y points up.
+  Canvas painted(const ElementStyle& style, bool reversed = false) const {
+    Canvas canvas(200, 80, tints_.face(0.5));
+    const Canvas::Mapped mapped(canvas, {{1, 0}, {0, -1}, {0, 80}});
+    const glm::dvec2 a(20, 40);
+    const glm::dvec2 b(180, 40);
+    ElementPainter(canvas, tints_, 4).paint(reversed ? b : a, reversed ? a : b, style);
+    return canvas;
+  }
+
+  // How many pixels of a half of the picture are drawn.
+  std::ptrdiff_t drawn(const Canvas& canvas, bool upper) const {
+    const Pixels pixels(canvas);
+    std::ptrdiff_t count = 0;
+    for (int y = upper ? 0 : 40; y < (upper ? 40 : 80); ++y) {
+      for (int x = 0; x < 200; ++x) count += pixels.at(x, y) != pixelOf(tints_.face(0.5)) ? 1 : 0;
+    }
+    return count;
+  }
+
+  const Tints tints_{SolidKind::kOctahedron};
+};
+
+// Brightness alone, as on a grey print.
+std::vector<int> greyOf(const Canvas& canvas) {
+  std::vector<int> grey;
+  for (const std::uint32_t pixel : canvas.pixels()) {
+    grey.push_back(static_cast<int>(((pixel >> 16 & 255) * 2 + (pixel >> 8 & 255) * 5 + (pixel & 255)) / 8));
+  }
+  return grey;
+}
+
+TEST_F(ElementPainterTest, KindsDifferWithoutColour) {
+  for (const ElementKind a : kElements) {
+    for (const ElementKind b : kElements) {
+      if (a == b) continue;
+      const std::vector<int> greyOfA = greyOf(painted({a, 1, {0, 1}}));
+      const std::vector<int> greyOfB = greyOf(painted({b, 1, {0, 1}}));
+      int different = 0;
+      for (std::size_t i = 0; i < greyOfA.size(); ++i) different += std::abs(greyOfA[i] - greyOfB[i]) > 64 ? 1 : 0;
+      EXPECT_GT(different, 150) << static_cast<int>(a) << " " << static_cast<int>(b);
+    }
+  }
+}
+
+TEST_F(ElementPainterTest, AOneWaySegmentHasItsTrianglesOnTheRight) {
+  const ElementStyle style{ElementKind::kOneway, 0, {0, 1}};
+  EXPECT_GT(drawn(painted(style), false), drawn(painted(style), true) + 300);
+  EXPECT_GT(drawn(painted(style, true), true), drawn(painted(style, true), false) + 300) << "from b to a";
+}
+
+TEST_F(ElementPainterTest, TheArrowsOfUpPointToTheEdge) {
+  const Canvas upwards = painted({ElementKind::kUp, 0, {0, 1}});
+  const Canvas downwards = painted({ElementKind::kUp, 0, {0, -1}});
+  EXPECT_GT(drawn(upwards, true), drawn(upwards, false) + 50);
+  EXPECT_GT(drawn(downwards, false), drawn(downwards, true) + 50);
+}
+
+TEST_F(ElementPainterTest, APlateIsRaisedOnItsLeft) {
+  const ElementStyle style{ElementKind::kPlate, 1, {0, 1}};
+  EXPECT_GT(drawn(painted(style), true), drawn(painted(style), false) + 300);
+  EXPECT_GT(drawn(painted(style, true), false), drawn(painted(style, true), true) + 300) << "from b to a";
+}
+
+TEST_F(ElementPainterTest, NumbersAreDrawn) {
+  for (const ElementKind kind : {ElementKind::kKey, ElementKind::kDoor, ElementKind::kPlate}) {
+    EXPECT_NE(painted({kind, 1, {0, 1}}).pixels(), painted({kind, 2, {0, 1}}).pixels()) << static_cast<int>(kind);
+  }
+}
+
+TEST_F(ElementPainterTest, ASegmentWithoutLengthIsDrawn) {
+  for (const ElementKind kind : kElements) {
+    Canvas canvas(80, 80, tints_.face(0.5));
+    ElementPainter(canvas, tints_, 4).paint({40, 40}, {40, 40}, {kind, 1, {0, 1}});
+    EXPECT_LT(Pixels(canvas).count(tints_.face(0.5)), 6400 - 8) << static_cast<int>(kind);
+  }
+}
+
+}  // namespace
+}  // namespace platon
