@@ -31,6 +31,13 @@ const Element* findElement(std::span<const Element> elements, std::uint32_t face
              : nullptr;
 }
 
+bool pointsTo(Angle up, const Element& element, std::int32_t edgesPerFace) {
+  const std::int32_t apart = Angle::kTurn / edgesPerFace;
+  // Edge 0 is at the bottom.
+  const Angle fromEdge = up - Angle(Angle::kTurn / 2 + element.number * apart) + Angle(apart / 2);
+  return fromEdge.centidegrees() < apart;
+}
+
 Point placeOf(const Element& checkpoint) {
   const auto [a, b] = checkpoint.ends;
   return {divideRounded(a.x + b.x, 2), divideRounded(a.y + b.y, 2)};

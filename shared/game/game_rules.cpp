@@ -20,13 +20,6 @@ bool isLeftOf(const Segment& segment, Point centre) {
   return beside >= 0 && beside * beside >= int128{distance * distance} * squaredLength(along);
 }
 
-// Whether `up`, an angle from the +y of a face, points to this edge of the face.
-bool pointsTo(Angle up, std::int32_t edge, std::int32_t edgesPerFace) {
-  const std::int32_t apart = Angle::kTurn / edgesPerFace;
-  const Angle fromFirst = up - Angle(Angle::kTurn / 2 + edge * apart) + Angle(apart / 2);
-  return fromFirst.centidegrees() < apart;
-}
-
 // Whether the player touches an end of the segment, not its side.
 bool isAtEnd(const Contact& contact) {
   return dot(contact.normal, contact.segment.ends.b - contact.segment.ends.a) != 0 ||
@@ -57,7 +50,7 @@ bool GameRules::pierce(const Entity& entity, const SegmentRef& segment) const {
     case ElementKind::kOneway:
       return !isLeftOf(segment.ends, segment.position);
     case ElementKind::kUp:
-      return !pointsTo(upOnFaceOf(segment, entity), element->number, edgesPerFace_);
+      return !pointsTo(upOnFaceOf(segment, entity), *element, edgesPerFace_);
     case ElementKind::kDoor:
       return (open_ & element->bit()) != 0;
     default:

@@ -6,42 +6,13 @@
 #include <vector>
 
 #include "platon/exact/integer.h"
+#include "platon/game/player_motion.h"
 
 namespace platon {
-namespace {
 
-// Speeds are in subunits per tick, accelerations in subunits per tick squared; a second has 60 ticks, a unit 1024
-// subunits.
-constexpr std::int32_t kRunSpeed = 3277;    // 192 units per second
-constexpr std::int32_t kWalkSpeed = 2185;   // two thirds
-constexpr std::int32_t kCreepSpeed = 1092;  // one third
-// Changes of the speed: towards the pressed direction, against the present one, and without a direction.
-struct Grip {
-  std::int32_t acceleration;
-  std::int32_t turnRound;
-  std::int32_t friction;
-};
-constexpr Grip kGroundGrip{410, 956, 546};
-constexpr Grip kAirGrip{205, 410, 51};
-constexpr std::int32_t kGravity = 300;
-// In a jump, while its button is held, half the gravity acts on vertical speeds up to this.
-constexpr std::int32_t kApexSpeed = 1600;
-constexpr std::int32_t kJumpSpeed = 6024;     // a full jump rises 61350 subunits: 59.9 units
-constexpr std::int32_t kCutJumpSpeed = 1800;  // largest upward speed once the button is released
-constexpr std::int32_t kFallSpeed = 5632;
-constexpr std::int32_t kFastFallSpeed = 7680;  // while the down button is held
-// Largest horizontal speed. A slide down a steep segment can be faster than a run.
-constexpr std::int32_t kSlideSpeed = 6144;
-// Displacement a tick that presses a standing player to the ground, so that it follows gentle slopes and edges. Not
-// part of the velocity.
-constexpr std::int32_t kGroundPress = 512;
-constexpr std::uint8_t kCoyoteTicks = 6;
-constexpr std::uint8_t kJumpBufferTicks = 6;
-// Smallest y of a unit normal of ground: PlayerState::kUnit * cos 50°. Steeper segments are not ground.
-constexpr std::int32_t kMinGroundNormalY = 10531;
-// Smallest |x| of a unit normal at which the end of a ceiling lets a rising player pass: kUnit * sin 44°. The player's
-// shape has such normals where the end reaches at most 5.1 units under its outermost point.
-constexpr std::int32_t kMinPassingNormalX = 11381;
+using namespace motion;
+
+namespace {
 
 // `value` changed by at most `step` towards `target`.
 std::int32_t approach(std::int32_t value, std::int32_t target, std::int32_t step) {
@@ -147,8 +118,8 @@ void Player::contact(Point normal, bool atEnd, Point& steep) {
   if (landing && wasInAir) {
     // Keeps the horizontal speed, so that a landing on a slope does not start a slide.
     velocity = scaled(tangentOf(normal), velocity.x);
-  } else if (atEnd && velocity.y > 0 && normal.y < 0 && std::abs(normal.x) >= kMinPassingNormalX) {
-    // The end of a ceiling: the player slides round it and keeps its height of jump.
+  } else if (atEnd && !landing && std::abs(normal.x) >= kMinPassingNormalX) {
+    // The player slides round the end of a ceiling or of a ledge and keeps its vertical speed.
     if (velocity.x * normal.x < 0) velocity.x = 0;
   } else {
     const std::int32_t before = velocity.y;

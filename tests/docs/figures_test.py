@@ -130,7 +130,7 @@ def mutations(sources):
 
 def jump(sources):
     """Run speed in units a tick, height and width of a jump in units."""
-    file = "shared/game/player.cpp"
+    file = "shared/include/platon/game/player_motion.h"
     speed, gravity, run = (sources.constant(file, name) for name in ("kJumpSpeed", "kGravity", "kRunSpeed"))
     apex = sources.constant(file, "kApexSpeed")
     height, peak, ticks = 0, 0, 0

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "platon/exact/angle.h"
 #include "platon/physics/segment.h"
 
 namespace platon {
@@ -56,6 +57,10 @@ struct TouchedElements {
 
 /// The element of a segment, or null. `elements` are in order of face and segment.
 const Element* findElement(std::span<const Element> elements, std::uint32_t face, std::uint32_t segment);
+
+/// Whether `up`, an angle from the +y of a face, points to the edge of the face that an element of kind kUp names. Every
+/// up points to one edge; half way between two, to the one that is clockwise of it.
+bool pointsTo(Angle up, const Element& element, std::int32_t edgesPerFace);
 
 /// The point of a checkpoint at which players return: its middle, to the nearest subunit.
 Point placeOf(const Element& checkpoint);

@@ -1,0 +1,88 @@
+#include "levels/reach/flight_envelope.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "platon/exact/integer.h"
+#include "platon/game/game.h"
+#include "platon/game/level.h"
+#include "platon/game/player_motion.h"
+
+namespace platon {
+namespace {
+
+constexpr double kUnit = kSubunitsPerUnit;
+
+// A player standing in the middle of a large face.
+Game standingGame() {
+  const LevelResult level = loadLevel("HEXAHEDRON\n0 0 20 0\n5 0 0\n20000\n%\n-9000 0 9000 0\n%\n%\n%\n%\n%\n");
+  Game game(level.level);
+  const Input still[] = {Input{Input::kPresent}};
+  for (int tick = 0; tick < 60; ++tick) game.advance(still);
+  return game;
+}
+
+// Runs off the edge of the floor at the highest speed: falls from rest are measured on jumps.
+double heightOf(const Game& game) { return game.world().entities()[0].position.y / kUnit; }
+
+// Rise before a late jump: the player leaves the steepest ground at the run speed.
+double measuredSlopeGain() {
+  const double slope = double{1} * motion::kMinGroundNormalY / PlayerState::kUnit;
+  double speed = motion::kRunSpeed * std::max(0.0, std::min(1.0, std::sqrt(1 - slope * slope)));
+  double gain = 0;
+  for (int tick = 0; tick <= motion::kCoyoteTicks; ++tick, speed -= motion::kGravity) gain += std::max(speed, 0.0);
+  return gain / kUnit;
+}
+
+// A slide along a segment turns at most half of what the horizontal speed adds to a displacement upwards: sin a cos a.
+// Each contact takes that speed away, so it must be gained again.
+double measuredPushGain(int riseTicks) {
+  return (motion::kRunSpeed + double{1} * riseTicks * motion::kAirGrip.acceleration) / 2 / kUnit;
+}
+
+}  // namespace
+
+const FlightEnvelope& FlightEnvelope::measured() {
+  static const FlightEnvelope envelope;
+  return envelope;
+}
+
+// One jump with the button held, until the player lands.
+FlightEnvelope::FlightEnvelope() {
+  Game game = standingGame();
+  const double ground = heightOf(game);
+  std::vector<double> heights;
+  const Input held[] = {Input{Input::kPresent | Input::kJump}};
+  do {
+    game.advance(held);
+    heights.push_back(heightOf(game));
+  } while (game.player(0).ground == Point());
+  const auto top = std::max_element(heights.begin(), heights.end());
+  jumpHeight_ = *top - ground;
+  for (auto before = top; before != heights.begin(); --before) below_.push_back(*top - *(before - 1));
+  below_.push_back(jumpHeight_);
+  for (auto after = top; after != heights.end() - 1; ++after) fallen_.push_back(*top - *after);
+  slopeGain_ = measuredSlopeGain();
+  pushGain_ = measuredPushGain(static_cast<int>(below_.size()));
+  runSpeed_ = motion::kRunSpeed / kUnit;
+  slideSpeed_ = motion::kSlideSpeed / kUnit;
+  lateTicks_ = motion::kCoyoteTicks;
+}
+
+int FlightEnvelope::riseTicks(double height) const {
+  const auto found = std::lower_bound(below_.begin(), below_.end(), height);
+  return static_cast<int>(found - below_.begin()) + 1;
+}
+
+// Beyond the measured fall, at the speed of its last tick, which is lower than that of any later one.
+int FlightEnvelope::fallTicks(double depth) const {
+  const auto found = std::lower_bound(fallen_.begin(), fallen_.end(), depth);
+  const auto ticks = static_cast<int>(found - fallen_.begin());
+  if (found != fallen_.end()) return ticks + 1;
+  const double last = fallen_.back() - fallen_[fallen_.size() - 2];
+  return ticks + static_cast<int>(std::ceil((depth - fallen_.back()) / last));
+}
+
+}  // namespace platon

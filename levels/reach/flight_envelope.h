@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vector>
+
+namespace platon {
+
+/// How far a player can get in the air, in level units and ticks. Measured on the game itself, once, so that no rule is
+/// written a second time.
+class FlightEnvelope {
+ public:
+  static const FlightEnvelope& measured();
+
+  /// Height of a jump whose button is held.
+  double jumpHeight() const { return jumpHeight_; }
+  /// Most that a jump gains from the ground's slope: a run up a segment or over its end gives an upward speed, and the
+  /// jump may come some ticks later.
+  double slopeGain() const { return slopeGain_; }
+  /// Most that a flight rises above what its speed gives, by sliding along ends and steep segments.
+  double pushGain() const { return pushGain_; }
+  /// Largest horizontal speed, a tick: of a run, and after a slide down a steep segment.
+  double runSpeed() const { return runSpeed_; }
+  double slideSpeed() const { return slideSpeed_; }
+  /// Ticks after leaving the ground in which a jump is still possible.
+  int lateTicks() const { return lateTicks_; }
+
+  /// Ticks of the slowest rise by the last `height` units below the highest point.
+  int riseTicks(double height) const;
+  /// Ticks of the slowest fall by `depth` units from rest.
+  int fallTicks(double depth) const;
+
+ private:
+  FlightEnvelope();
+
+  double jumpHeight_ = 0;
+  double slopeGain_ = 0;
+  double pushGain_ = 0;
+  double runSpeed_ = 0;
+  double slideSpeed_ = 0;
+  int lateTicks_ = 0;
+  std::vector<double> below_;   // depth below the highest point, by ticks before it
+  std::vector<double> fallen_;  // depth below the highest point, by ticks after it
+};
+
+}  // namespace platon

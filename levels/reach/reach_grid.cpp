@@ -1,0 +1,223 @@
+#include "levels/reach/reach_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "platon/game/player.h"
+
+namespace platon {
+namespace {
+
+constexpr double kRadius = double{1} * kPlayerRadius / kSubunitsPerUnit;
+constexpr double kApothem = double{1} * kPlayerApothem / kSubunitsPerUnit;
+constexpr double kMargin = 0.05;              // of rounding, level units
+constexpr double kTouch = kRadius + kMargin;  // a player touches nothing farther away
+constexpr double kGoalReach = kTouch + double{1} * kGoalRadius / kSubunitsPerUnit;
+// A player stands on what is this much below its centre: a contact at most 62° from straight below.
+constexpr double kGroundBelow = 5.5;
+// An end that is less below the centre touches the vertical side of the player's shape.
+constexpr double kSlowBelow = 2.2;
+constexpr double kSteepSlope = 1.19;  // tangent of a little less than 50°
+constexpr double kFlatSlope = 0.005;
+constexpr double kVerticalSlope = 100;
+// Between two segments at most this far apart a player may stand.
+constexpr double kWedge = 2 * kRadius + 0.2;
+
+double slopeOf(const Line& line) {
+  const Vec along = line.b - line.a;
+  if (along.x == 0) return along.y == 0 ? 0 : 1e9;
+  return std::abs(along.y / along.x);
+}
+
+bool isPoint(const Line& line) { return line.a.x == line.b.x && line.a.y == line.b.y; }
+
+// The part of the line at or below `y`.
+std::optional<Line> lowerPart(Line line, double y) {
+  if (line.a.y > line.b.y) std::swap(line.a, line.b);
+  if (line.a.y > y) return std::nullopt;
+  if (line.b.y > y) line.b = line.a + (line.b - line.a) * ((y - line.a.y) / (line.b.y - line.a.y));
+  return line;
+}
+
+bool isOnEdge(Vec point, const std::vector<Vec>& polygon) {
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    if (distance(point, Line{polygon[i], polygon[(i + 1) % polygon.size()]}) < kMargin) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+ReachGrid::ReachGrid(const Level& level, const UprightFaces& faces, std::uint32_t node, double cellSize)
+    : cellSize_(cellSize) {
+  markInside(faces.all()[node].polygon);
+  const std::vector<ReachWall> walls = wallsNear(level, faces, node);
+  for (const ReachWall& wall : walls) add(wall, faces.all()[node].polygon);
+  addWedges(walls);
+  for (const Place& goal : level.goalPlaces) {
+    if (goal.part == faces.all()[node].face) addGoal(uprightOf(goal.position, faces.all()[node].up));
+  }
+}
+
+Rect ReachGrid::rectOf(std::size_t cell) const {
+  const auto column = static_cast<double>(cell % static_cast<std::size_t>(columns_));
+  const auto row = static_cast<double>(cell / static_cast<std::size_t>(columns_));
+  const Vec low = origin_ + Vec{column, row} * cellSize_;
+  return {low, low + Vec{cellSize_, cellSize_}};
+}
+
+std::size_t ReachGrid::cellAt(Vec point) const {
+  const auto column = static_cast<std::int32_t>(std::floor((point.x - origin_.x) / cellSize_));
+  const auto row = static_cast<std::int32_t>(std::floor((point.y - origin_.y) / cellSize_));
+  if (column < 0 || row < 0 || column >= columns_ || row >= rows_) return size();
+  return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+}
+
+void ReachGrid::findOverlapped(const Rect& rect, std::vector<std::size_t>& found) const {
+  const auto index = [this](double distance) { return static_cast<std::int32_t>(std::floor(distance / cellSize_)); };
+  const std::int32_t left = std::max(index(rect.low.x - origin_.x - kMargin), 0);
+  const std::int32_t right = std::min(index(rect.high.x - origin_.x + kMargin), columns_ - 1);
+  const std::int32_t bottom = std::max(index(rect.low.y - origin_.y - kMargin), 0);
+  const std::int32_t top = std::min(index(rect.high.y - origin_.y + kMargin), rows_ - 1);
+  for (std::int32_t row = bottom; row <= top; ++row) {
+    for (std::int32_t column = left; column <= right; ++column)
+      found.push_back(static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+                      static_cast<std::size_t>(column));
+  }
+}
+
+std::span<const ReachWall> ReachGrid::touched(std::size_t cell) const {
+  const auto found = touched_.find(cell);
+  return found == touched_.end() ? std::span<const ReachWall>() : std::span<const ReachWall>(found->second);
+}
+
+void ReachGrid::markInside(const std::vector<Vec>& polygon) {
+  Vec high = polygon[0];
+  origin_ = polygon[0];
+  for (const Vec corner : polygon) {
+    origin_ = {std::min(origin_.x, corner.x), std::min(origin_.y, corner.y)};
+    high = {std::max(high.x, corner.x), std::max(high.y, corner.y)};
+  }
+  origin_ = origin_ - Vec{kMargin, kMargin};
+  columns_ = static_cast<std::int32_t>(std::ceil((high.x - origin_.x + kMargin) / cellSize_));
+  rows_ = static_cast<std::int32_t>(std::ceil((high.y - origin_.y + kMargin) / cellSize_));
+  cells_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
+  const double half = cellSize_ / 2 * std::sqrt(2.0) + kMargin;
+  for (std::size_t cell = 0; cell < size(); ++cell) {
+    const Vec middle = rectOf(cell).middle();
+    bool inside = true;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const Vec along = polygon[(i + 1) % polygon.size()] - polygon[i];
+      inside = inside && cross(along, middle - polygon[i]) / length(along) > -half;
+    }
+    cells_[cell].inside = inside;
+  }
+}
+
+// Visits every cell within `reach` of the bounding box of the line, as visitor(cell, rectangle).
+template <class Visitor>
+void ReachGrid::visitNear(const Line& line, double reach, Visitor&& visitor) {
+  const Vec margin{reach, reach};
+  std::vector<std::size_t> near;
+  findOverlapped({Vec{std::min(line.a.x, line.b.x), std::min(line.a.y, line.b.y)} - margin,
+                  Vec{std::max(line.a.x, line.b.x), std::max(line.a.y, line.b.y)} + margin},
+                 near);
+  for (const std::size_t cell : near) visitor(cells_[cell], rectOf(cell), cell);
+}
+
+void ReachGrid::add(const ReachWall& wall, const std::vector<Vec>& polygon) {
+  if (wall.own) addBlocking(wall);
+  if (wall.carries) addCarrying(wall);
+  if (wall.kind == ReachWall::Kind::kOneway) addOneway(wall, polygon);
+  const bool isPlate = wall.element != nullptr && wall.element->kind == ElementKind::kPlate;
+  if (wall.kind != ReachWall::Kind::kTrigger && !isPlate) return;
+  visitNear(wall.line, kTouch, [&](Cell&, const Rect& rect, std::size_t cell) {
+    if (distance(rect, wall.line) <= kTouch) touched_[cell].push_back(wall);
+  });
+}
+
+void ReachGrid::addOneway(ReachWall wall, const std::vector<Vec>& polygon) {
+  const Vec along = wall.line.b - wall.line.a;
+  const Vec beyond = along * (3 * cellSize_ / length(along));
+  const Line line = wall.line;
+  if (isOnEdge(line.a, polygon)) wall.line.a = line.a - beyond;
+  if (isOnEdge(line.b, polygon)) wall.line.b = line.b + beyond;
+  oneways_.push_back(wall);
+  visitNear(wall.line, kTouch, [&](Cell& cell, const Rect& rect, std::size_t) {
+    if (distance(rect, wall.line) <= kTouch) cell.nearOneway = true;
+  });
+}
+
+void ReachGrid::addBlocking(const ReachWall& wall) {
+  if (wall.kind != ReachWall::Kind::kSolid && wall.kind != ReachWall::Kind::kDoor) return;
+  const double reach = kApothem - cellSize_ / 2 * std::sqrt(2.0) - kMargin;
+  visitNear(wall.line, reach, [&](Cell& cell, const Rect& rect, std::size_t) {
+    if (distance(rect.middle(), wall.line) >= reach) return;
+    cell.blocked = cell.blocked || wall.kind == ReachWall::Kind::kSolid;
+    cell.doors |= wall.doors;
+  });
+}
+
+void ReachGrid::addCarrying(const ReachWall& wall) {
+  const double slope = slopeOf(wall.line);
+  if (slope <= kSteepSlope && !isPoint(wall.line)) addGround(wall.line, slope > kFlatSlope);
+  for (const Vec end : {wall.line.a, wall.line.b}) {
+    addGround({end, end}, true);
+    addSlowing({end, end}, false);
+  }
+  if (slope > kSteepSlope && slope < kVerticalSlope) addSlowing(wall.line, true);
+}
+
+void ReachGrid::addGround(const Line& line, bool sloped) {
+  visitNear(line, kTouch, [&](Cell& cell, const Rect& rect, std::size_t) {
+    const auto below = lowerPart(line, rect.high.y - kGroundBelow);
+    if (!below || distance(rect, *below) > kTouch) return;
+    cell.grounded = true;
+    cell.sloped = cell.sloped || sloped;
+    const double top = sloped ? rect.high.y : std::min(rect.high.y, std::max(line.a.y, line.b.y) + kTouch);
+    cell.highest = std::max(cell.highest, top);
+  });
+}
+
+void ReachGrid::addSlowing(const Line& line, bool steep) {
+  visitNear(line, kTouch, [&](Cell& cell, const Rect& rect, std::size_t) {
+    const auto below = lowerPart(line, rect.high.y - (steep ? 0 : kSlowBelow));
+    if (!below || distance(rect, *below) > kTouch) return;
+    cell.slowed = true;
+    cell.steep = cell.steep || steep;
+  });
+}
+
+// A player between two segments, at most the width of the ball apart, may stand.
+void ReachGrid::addWedges(std::span<const ReachWall> walls) {
+  struct Sides {
+    double left = -1e300;
+    double right = 1e300;
+  };
+  std::vector<Sides> sides(size());
+  for (const ReachWall& wall : walls) {
+    if (!wall.carries) continue;
+    visitNear(wall.line, kTouch, [&](Cell&, const Rect& rect, std::size_t cell) {
+      const auto below = lowerPart(wall.line, rect.high.y + kSlowBelow);
+      if (!below || distance(rect, *below) > kTouch) return;
+      const double first = std::min(below->a.x, below->b.x);
+      const double last = std::max(below->a.x, below->b.x);
+      if (last < rect.high.x) sides[cell].left = std::max(sides[cell].left, last);
+      if (first > rect.low.x) sides[cell].right = std::min(sides[cell].right, first);
+    });
+  }
+  for (std::size_t i = 0; i < size(); ++i) {
+    if (sides[i].right - sides[i].left > kWedge) continue;
+    cells_[i].grounded = true;
+    cells_[i].highest = rectOf(i).high.y;
+  }
+}
+
+void ReachGrid::addGoal(Vec goal) {
+  visitNear({goal, goal}, kGoalReach, [&](Cell& cell, const Rect& rect, std::size_t) {
+    if (distance(rect, {goal, goal}) <= kGoalReach) cell.atGoal = true;
+  });
+}
+
+}  // namespace platon

@@ -1,0 +1,56 @@
+#include "levels/reach/flight_envelope.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/shared/game/played_game.h"
+
+namespace platon {
+namespace {
+
+TEST(FlightEnvelopeTest, HasTheHeightOfAJump) {
+  EXPECT_DOUBLE_EQ(FlightEnvelope::measured().jumpHeight(), 61350.0 / 1024);
+}
+
+TEST(FlightEnvelopeTest, TimesGrowWithTheDistance) {
+  const FlightEnvelope& envelope = FlightEnvelope::measured();
+  EXPECT_EQ(envelope.fallTicks(0), 1);
+  EXPECT_GE(envelope.riseTicks(envelope.jumpHeight()), 25);
+  for (int height = 1; height < 60; ++height) EXPECT_GE(envelope.riseTicks(height), envelope.riseTicks(height - 1));
+  for (int depth = 1; depth < 2000; ++depth) EXPECT_GE(envelope.fallTicks(depth), envelope.fallTicks(depth - 1));
+}
+
+// However the button is pressed, nobody falls more slowly.
+TEST(FlightEnvelopeTest, NoFallIsSlower) {
+  for (const int released : {0, 1, 5, 20, 30, 60, 100}) {
+    PlayedGame played(cubeLevel("0 0 -180 0", {"-240 -200 240 -200"}));
+    played.run(60, kNone);
+    std::int32_t top = 0;
+    int ticks = 0;
+    for (int tick = 0; tick < 100; ++tick) {
+      const std::int32_t before = played.position().y;
+      played.run(1, tick < std::max(released, 1) ? Input::kJump : kNone);
+      if (played.grounded()) break;
+      ticks = played.position().y > before ? 0 : ticks + 1;
+      if (ticks == 0) top = played.position().y;
+      const double depth = (top - played.position().y) / 1024.0;
+      EXPECT_LE(ticks, FlightEnvelope::measured().fallTicks(depth) + 1) << released << " " << tick;
+    }
+  }
+}
+
+TEST(FlightEnvelopeTest, AFallFromAGreatHeightTakesAsLongAsInTheGame) {
+  PlayedGame played(levelOf("HEXAHEDRON\n0 0 4000 0\n5 0 0\n10000\n%\n%\n%\n%\n%\n%\n"));
+  played.run(1, kNone);
+  int ticks = 1;
+  while (played.position().y > units(0)) {
+    played.run(1, kNone);
+    ++ticks;
+  }
+  EXPECT_GE(FlightEnvelope::measured().fallTicks(4000), ticks);
+  EXPECT_LE(FlightEnvelope::measured().fallTicks(4000), ticks * 1.1);
+}
+
+}  // namespace
+}  // namespace platon
