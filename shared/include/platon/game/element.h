@@ -58,8 +58,8 @@ struct TouchedElements {
 /// The element of a segment, or null. `elements` are in order of face and segment.
 const Element* findElement(std::span<const Element> elements, std::uint32_t face, std::uint32_t segment);
 
-/// Whether `up`, an angle from the +y of a face, points to the edge of the face that an element of kind kUp names. Every
-/// up points to one edge; half way between two, to the one that is clockwise of it.
+/// Whether `up`, an angle from the +y of a face, points to the edge of the face that an element of kind kUp names.
+/// Every up points to one edge; half way between two, to the one that is clockwise of it.
 bool pointsTo(Angle up, const Element& element, std::int32_t edgesPerFace);
 
 /// The point of a checkpoint at which players return: its middle, to the nearest subunit.
