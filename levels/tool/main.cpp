@@ -9,12 +9,13 @@
 #include "levels/tool/check_command.h"
 #include "levels/tool/exit_code.h"
 #include "levels/tool/preview_command.h"
+#include "levels/tool/solve_command.h"
 #include "platon_version.h"
 
 namespace {
 
 int run(int argc, char** argv) {
-  CLI::App app("Checks and draws Platon levels. docs/level_format.md describes the format.", "platon-level");
+  CLI::App app("Checks, solves and draws Platon levels. docs/level_format.md describes the format.", "platon-level");
   app.set_version_flag("--version", "platon-level " + std::string(platon::kVersion));
   app.require_subcommand(1);
 
@@ -34,6 +35,16 @@ int run(int argc, char** argv) {
       ->check(CLI::Range(platon::kMinPictureWidth, platon::kMaxPictureWidth))
       ->capture_default_str();
 
+  platon::SolveOptions solving;
+  CLI::App* solve = app.add_subcommand("solve", "Search for a way to the goal");
+  solve->add_option("FILE", solving.file, "Level file")->required();
+  solve->add_option("-o,--output", solving.recording, "Recording of the way to write");
+  solve
+      ->add_option("--without-crossing", solving.withoutCrossing,
+                   "Prove that no way to the goal has fewer than this many crossings of edges")
+      ->check(CLI::Range(0, 200));
+  solve->add_flag("--json", solving.json, "Print one JSON object to stdout");
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -41,6 +52,7 @@ int run(int argc, char** argv) {
     std::fprintf(stderr, "platon-level: %s (see platon-level --help)\n", error.what());
     return platon::kUsage;
   }
+  if (solve->parsed()) return platon::solveLevel(solving);
   if (preview->parsed()) return platon::previewLevel(level, picture, width);
   return platon::checkLevels(files, json);
 }

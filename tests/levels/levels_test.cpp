@@ -7,7 +7,7 @@
 
 #include "platon/game/game.h"
 #include "platon/game/level.h"
-#include "tests/levels/solution.h"
+#include "tests/levels/written_solution.h"
 #include "tests/support/files.h"
 
 namespace platon {

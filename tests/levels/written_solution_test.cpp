@@ -1,4 +1,4 @@
-#include "tests/levels/solution.h"
+#include "tests/levels/written_solution.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,0 +1,91 @@
+#include "levels/solve/solution.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstdlib>
+#include <map>
+
+#include "levels/solve/jump_slack.h"
+#include "levels/solve/plates.h"
+
+namespace platon {
+namespace {
+
+class Replay {
+ public:
+  Replay(const std::shared_ptr<const Level>& level, std::size_t slots) : game_(level), faces_(slots), held_(slots) {}
+
+  void advance(const std::vector<Input>& inputs) {
+    game_.advance(inputs);
+    for (std::uint32_t slot = 0; slot < game_.slots(); ++slot) {
+      notePresses(slot, inputs[slot]);
+      noteFace(slot);
+      notePlates(slot);
+      if (const std::uint16_t checkpoint = game_.player(slot).checkpoint; checkpoint != 0)
+        facts_.elements.insert(checkpoint - 1U);
+    }
+    noteKeys();
+  }
+
+  const Game& game() const { return game_; }
+  SolutionFacts facts() {
+    std::uint32_t started = game_.tick();
+    facts_.crossings = UINT32_MAX;
+    for (std::uint32_t slot = 0; slot < game_.slots(); ++slot) {
+      started = std::min(started, game_.player(slot).startedAt);
+      facts_.crossings = std::min(facts_.crossings, game_.world().entities()[slot].crossings);
+    }
+    facts_.ticks = game_.tick() - started + 1;
+    return facts_;
+  }
+
+ private:
+  void notePresses(std::uint32_t slot, Input input) {
+    const int pressed = input.buttons & ~held_[slot] & Input::kMoves;
+    facts_.presses += static_cast<std::uint32_t>(std::popcount(static_cast<unsigned>(pressed)));
+    held_[slot] = input.buttons;
+  }
+  void noteFace(std::uint32_t slot) {
+    const EntityState& entity = game_.world().entities()[slot];
+    const auto [known, isNew] = faces_[slot].emplace(entity.part, entity.angle);
+    if (isNew || known->second == entity.angle) return;
+    known->second = entity.angle;
+    ++facts_.turns;
+  }
+  void noteKeys() {
+    const std::vector<Element>& elements = game_.level().elements;
+    for (std::uint32_t i = 0; i < elements.size() && game_.openDoors() != 0; ++i) {
+      if (elements[i].kind == ElementKind::kKey && game_.isTaken(elements[i])) facts_.elements.insert(i);
+    }
+  }
+  void notePlates(std::uint32_t slot) {
+    const std::vector<Element>& elements = game_.level().elements;
+    for (std::uint32_t i = 0; i < elements.size() && game_.openDoors() != 0; ++i) {
+      if (elements[i].kind == ElementKind::kPlate && standsOn(game_, slot, elements[i])) facts_.elements.insert(i);
+    }
+  }
+
+  Game game_;
+  std::vector<std::map<std::uint32_t, Angle>> faces_;  // up of the last visit, by slot and face
+  std::vector<std::uint8_t> held_;
+  SolutionFacts facts_;
+};
+
+}  // namespace
+
+std::optional<SolutionFacts> factsOf(const std::shared_ptr<const Level>& level, const Solution& solution) {
+  if (solution.empty()) return std::nullopt;
+  Replay replay(level, solution.front().size());
+  for (const std::vector<Input>& inputs : solution) {
+    if (replay.game().over() || inputs.size() != solution.front().size()) return std::nullopt;
+    replay.advance(inputs);
+  }
+  for (std::uint32_t slot = 0; slot < replay.game().slots(); ++slot) {
+    if (!replay.game().player(slot).finished()) return std::nullopt;
+  }
+  SolutionFacts facts = replay.facts();
+  facts.slack = tightestJump(level, solution);
+  return facts;
+}
+
+}  // namespace platon

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "platon/game/game.h"
+
+namespace platon {
+
+/// The inputs of all players, by tick, then by slot, from the start of a round to the tick in which the last player
+/// touches the goal.
+using Solution = std::vector<std::vector<Input>>;
+
+/// What a solution asks of its players.
+struct SolutionFacts {
+  std::uint32_t ticks = 0;           ///< from the first input to the goal
+  std::uint32_t presses = 0;         ///< of the buttons left, right, jump and down, by all players
+  std::uint32_t crossings = 0;       ///< of edges; for several players those of the one with the fewest
+  std::uint32_t turns = 0;           ///< returns to a face with another up, by all players
+  std::optional<int> slack;          ///< ticks for which the tightest jump may be pressed; nothing without a jump
+  std::set<std::uint32_t> elements;  ///< indices of the keys, plates and checkpoints that were touched
+
+  friend bool operator==(const SolutionFacts&, const SolutionFacts&) = default;
+};
+
+/// Replays a solution. Nothing when it does not bring all players to the goal in its last tick.
+std::optional<SolutionFacts> factsOf(const std::shared_ptr<const Level>& level, const Solution& solution);
+
+}  // namespace platon

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace platon {
+
+/// Options of `platon-level solve`.
+struct SolveOptions {
+  std::string file;
+  std::string recording;               ///< file to write; empty: none
+  std::optional<int> withoutCrossing;  ///< prove that there is no way with fewer crossings
+  bool json = false;
+};
+
+/// Searches for a way to the goal, or proves that it needs its crossings. Returns the exit code.
+int solveLevel(const SolveOptions& options);
+
+}  // namespace platon
