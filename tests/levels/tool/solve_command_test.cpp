@@ -1,0 +1,81 @@
+#include "levels/tool/solve_command.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/sim/verification.h"
+#include "tests/support/files.h"
+#include "tests/support/process.h"
+#include "tests/support/temporary_folder.h"
+
+namespace platon {
+namespace {
+
+// The goal is round the right edge.
+constexpr const char* kCrossing =
+    "HEXAHEDRON\n0 0 -180 0\n1 0 -184\n480\n%\n-240 -200 240 -200\n%\n-240 -200 240 -200\n%\n%\n%\n%\n";
+constexpr const char* kClosed =
+    "HEXAHEDRON\n0 0 -180 0\n0 0 100\n480\n%\n-90 -200 90 -200\n-90 -200 -90 -90\n90 -200 90 -90\n-90 -90 90 -90\n"
+    "%\n%\n%\n%\n%\n";
+
+class SolveCommandTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    writeText(folder_ / "crossing.level", kCrossing);
+    writeText(folder_ / "closed.level", kClosed);
+    writeText(folder_ / "invalid.level", "HEXAHEDRON\n");
+  }
+  ProcessResult run(const std::string& arguments) {
+    ProcessOptions options;
+    options.folder = folder_.path();
+    return runProcess(platonCommand("platon-level", wordsOf("solve " + arguments)), options);
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(SolveCommandTest, WritesARecordingThatReachesTheGoal) {
+  const ProcessResult result = run("crossing.level -o way.recording");
+  EXPECT_EQ(result.exitCode, 0) << result.errors;
+  EXPECT_NE(result.output.find("1 crossings"), std::string::npos) << result.output;
+  const auto bytes = readBytes(folder_ / "way.recording");
+  const sim::Verification found = sim::Verifier(bytes).run();
+  EXPECT_EQ(found.fault, "");
+  EXPECT_FALSE(found.divergence.has_value());
+  EXPECT_GT(found.ticks, 60u);
+}
+
+TEST_F(SolveCommandTest, PrintsJson) {
+  const ProcessResult result = run("crossing.level --json");
+  EXPECT_EQ(result.exitCode, 0);
+  EXPECT_EQ(result.output.find("{\"solved\":true,\"ticks\":"), 0u) << result.output;
+  EXPECT_NE(result.output.find("\"crossings\":1,"), std::string::npos);
+  EXPECT_EQ(run("closed.level --json").output.find("{\"solved\":false,"), 0u);
+}
+
+TEST_F(SolveCommandTest, SaysThatNoWayWasFound) {
+  const ProcessResult result = run("closed.level");
+  EXPECT_EQ(result.exitCode, 1);
+  EXPECT_NE(result.errors.find("no way to the goal found"), std::string::npos) << result.errors;
+}
+
+TEST_F(SolveCommandTest, ProvesThatALevelNeedsItsCrossings) {
+  const ProcessResult proved = run("crossing.level --without-crossing 1");
+  EXPECT_EQ(proved.exitCode, 0) << proved.errors;
+  EXPECT_NE(proved.output.find("proved: every way to the goal has 1 crossings or more"), std::string::npos);
+  const ProcessResult refuted = run("crossing.level --without-crossing 2");
+  EXPECT_EQ(refuted.exitCode, 1);
+  EXPECT_NE(refuted.errors.find("a way has 1 crossings"), std::string::npos) << refuted.errors;
+  EXPECT_EQ(run("closed.level --without-crossing 1 --json").output, "{\"withoutCrossing\":1,\"proved\":true}\n");
+}
+
+TEST_F(SolveCommandTest, RefusesWhatItCannotUse) {
+  EXPECT_EQ(run("missing.level").exitCode, 2);
+  EXPECT_EQ(run("invalid.level").exitCode, 3);
+  EXPECT_EQ(run("crossing.level --without-crossing -1").exitCode, 2);
+  EXPECT_EQ(run("crossing.level -o missing/way.recording").exitCode, 1);
+}
+
+}  // namespace
+}  // namespace platon
