@@ -82,7 +82,7 @@ int checkLevels(const std::vector<std::string>& files, bool json) {
   std::vector<CheckedLevel> all;
   bool unreadable = false;
   for (const std::string& file : files) {
-    std::optional<LevelResult> result = loadLevelFile(file);
+    std::optional<LevelResult> result = loadLevelFile(file, true);
     if (!result) {
       unreadable = true;
       continue;

@@ -1,9 +1,12 @@
 #include "levels/tool/level_file.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <memory>
+
+#include "levels/check/level_warnings.h"
 
 namespace platon {
 
@@ -22,7 +25,31 @@ std::optional<std::string> readLevelFile(const std::string& path, std::string& f
   return std::nullopt;
 }
 
-std::optional<LevelResult> loadLevelFile(const std::string& path) {
+namespace {
+
+std::vector<std::string_view> linesOf(std::string_view text) {
+  std::vector<std::string_view> lines;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    lines.push_back(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return lines;
+}
+
+// The line of the text, and below it a caret at the column. Nothing for a line that cannot be shown.
+std::string marked(const std::vector<std::string_view>& lines, const Diagnostic& diagnostic) {
+  constexpr std::size_t longest = 200;
+  const auto index = static_cast<std::size_t>(diagnostic.line) - 1;
+  if (index >= lines.size() || lines[index].size() > longest || lines[index].empty()) return {};
+  std::string shown(lines[index]);
+  for (char& byte : shown) byte = byte >= ' ' && byte <= '~' ? byte : ' ';
+  return "    " + shown + "\n    " + std::string(static_cast<std::size_t>(diagnostic.column) - 1, ' ') + "^\n";
+}
+
+}  // namespace
+
+std::optional<LevelResult> loadLevelFile(const std::string& path, bool withAdvice) {
   std::string fault;
   const auto text = readLevelFile(path, fault);
   if (!text) {
@@ -30,10 +57,21 @@ std::optional<LevelResult> loadLevelFile(const std::string& path) {
     return std::nullopt;
   }
   LevelResult result = loadLevel(*text);
-  for (const Diagnostic& diagnostic : result.diagnostics) {
-    std::fprintf(stderr, "%s\n", format(path, diagnostic).c_str());
+  if (withAdvice && result.level) {
+    const std::vector<Diagnostic> advice = warningsOf(result.level);
+    result.diagnostics.insert(result.diagnostics.end(), advice.begin(), advice.end());
+    std::stable_sort(result.diagnostics.begin(), result.diagnostics.end(),
+                     [](const Diagnostic& a, const Diagnostic& b) { return a.line < b.line; });
   }
+  print(path, *text, result.diagnostics);
   return result;
+}
+
+void print(const std::string& path, std::string_view text, const std::vector<Diagnostic>& diagnostics) {
+  const std::vector<std::string_view> lines = linesOf(text);
+  for (const Diagnostic& diagnostic : diagnostics) {
+    std::fprintf(stderr, "%s\n%s", format(path, diagnostic).c_str(), marked(lines, diagnostic).c_str());
+  }
 }
 
 }  // namespace platon

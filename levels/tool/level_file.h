@@ -2,6 +2,8 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "platon/game/level.h"
 
@@ -11,8 +13,13 @@ namespace platon {
 /// the file cannot be read.
 std::optional<std::string> readLevelFile(const std::string& path, std::string& fault);
 
-/// Loads a level file and prints its errors and warnings to stderr, each as `file:line:column: error: …`. Returns
-/// nothing, and prints why, when the file cannot be read.
-std::optional<LevelResult> loadLevelFile(const std::string& path);
+/// Loads a level file and prints its errors and warnings to stderr, each as `file:line:column: error: …` and the text
+/// marked; with advice also those of warningsOf, which take seconds. Returns nothing, and prints why, when the file
+/// cannot be read.
+std::optional<LevelResult> loadLevelFile(const std::string& path, bool withAdvice = false);
+
+/// Prints diagnostics of `text` to stderr: each as `file:line:column: error: …`, and below it the line of the text with
+/// a mark at the column.
+void print(const std::string& path, std::string_view text, const std::vector<Diagnostic>& diagnostics);
 
 }  // namespace platon

@@ -96,6 +96,9 @@ std::shared_ptr<const Level> makeLevel(LevelDraft draft, World stage, std::strin
   level->goal = draft.goal->point;
   level->goalPlaces = seenPlaces(stage.geometry(), {level->goalFace, level->goal}, kPlayerRadius + kGoalRadius);
   level->segments = std::move(draft.segments);
+  level->positions = std::move(draft.positions);
+  level->startAt = draft.start->at;
+  level->goalAt = draft.goal->at;
   level->elements = std::move(draft.elements);
   for (const Element& element : level->elements) {
     if (element.kind == ElementKind::kKey || element.kind == ElementKind::kPlate) level->doorNumbers |= element.bit();

@@ -42,7 +42,8 @@ TEST_F(CheckCommandTest, ValidLevelsAreOk) {
   const ProcessResult result = run("check valid.txt warning.txt");
   EXPECT_EQ(result.exitCode, 0);
   EXPECT_EQ(result.output, "valid.txt: ok, HEXAHEDRON, 1 line\nwarning.txt: ok, HEXAHEDRON, 1 line, 1 warning\n");
-  EXPECT_EQ(result.errors, "warning.txt:6:1: warning: the line has no length: it blocks as a point\n");
+  EXPECT_EQ(result.errors,
+            "warning.txt:6:1: warning: the line has no length: it blocks as a point\n    5 50 5 50\n    ^\n");
 }
 
 TEST_F(CheckCommandTest, PrintsEveryErrorOfEveryFile) {
@@ -50,8 +51,8 @@ TEST_F(CheckCommandTest, PrintsEveryErrorOfEveryFile) {
   EXPECT_EQ(result.exitCode, 3);
   EXPECT_EQ(result.output, "invalid.txt: 2 errors\nvalid.txt: ok, HEXAHEDRON, 1 line\n");
   EXPECT_EQ(result.errors,
-            "invalid.txt:3:1: error: face must be between 0 and 5, not '6'\n"
-            "invalid.txt:6:7: error: missing y1: a line is 'x0 y0 x1 y1'\n");
+            "invalid.txt:3:1: error: face must be between 0 and 5, not '6'\n    6 0 0\n    ^\n"
+            "invalid.txt:6:7: error: missing y1: a line is 'x0 y0 x1 y1'\n    5 50 5\n          ^\n");
 }
 
 TEST_F(CheckCommandTest, UnreadableFilesAreUsageErrors) {

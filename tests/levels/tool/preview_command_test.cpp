@@ -68,7 +68,8 @@ TEST_F(PreviewCommandTest, TheSameLevelGivesTheSameBytes) {
 TEST_F(PreviewCommandTest, WarningsArePrintedAsByCheck) {
   const ProcessResult result = run("preview warning.txt -o picture.png");
   EXPECT_EQ(result.exitCode, 0);
-  EXPECT_EQ(result.errors, "warning.txt:6:1: warning: the line has no length: it blocks as a point\n");
+  EXPECT_EQ(result.errors,
+            "warning.txt:6:1: warning: the line has no length: it blocks as a point\n    5 50 5 50\n    ^\n");
   EXPECT_TRUE(exists("picture.png"));
 }
 

@@ -31,14 +31,17 @@ struct Level {
   Point goal;                                  ///< subunits, in the face's frame
   std::vector<Place> goalPlaces;               ///< the goal in the frame of each face from which it can be touched
   std::vector<std::vector<Segment>> segments;  ///< per face, clipped at the edges, without posts; elements first
-  std::vector<Element> elements;               ///< the segments with a word, in order of face and segment
-  std::uint32_t doorNumbers = 0;               ///< bits of the numbers of all keys and plates
-  std::uint32_t players = 1;                   ///< how many players the level needs, as its text states
-  std::optional<std::uint32_t> crossings;      ///< how many crossings every way to the goal needs, as its text states
-  std::string title;                           ///< at most 100 bytes of printable UTF-8, may be empty
-  std::string author;                          ///< at most 100 bytes of printable UTF-8, may be empty
-  std::string text;                            ///< content of the level file
-  std::uint64_t hash = 0;                      ///< hash of `text`
+  std::vector<std::vector<TextPosition>> positions;  ///< of the segments in the text
+  TextPosition startAt;                              ///< position of the start's x in the text
+  TextPosition goalAt;                               ///< position of the goal's x in the text
+  std::vector<Element> elements;                     ///< the segments with a word, in order of face and segment
+  std::uint32_t doorNumbers = 0;                     ///< bits of the numbers of all keys and plates
+  std::uint32_t players = 1;                         ///< how many players the level needs, as its text states
+  std::optional<std::uint32_t> crossings;  ///< how many crossings every way to the goal needs, as its text states
+  std::string title;                       ///< at most 100 bytes of printable UTF-8, may be empty
+  std::string author;                      ///< at most 100 bytes of printable UTF-8, may be empty
+  std::string text;                        ///< content of the level file
+  std::uint64_t hash = 0;                  ///< hash of `text`
 
   /// The stage: see buildStage. Without entities.
   World world;

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+#include "platon/game/diagnostics.h"
+#include "platon/game/level.h"
+
+namespace platon {
+
+/// What a valid level probably does not mean: a start from which the player falls for ever, a goal at a wall, gaps that
+/// look wide enough for the ball and are not, and lines that nobody can touch. In the order of the text.
+std::vector<Diagnostic> warningsOf(const std::shared_ptr<const Level>& level);
+
+}  // namespace platon
