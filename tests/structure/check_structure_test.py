@@ -18,7 +18,7 @@ from unit_tests import check_registered, check_units
 ARCHITECTURE = (Path(__file__).parents[2] / "docs/architecture.md").read_text(encoding="utf-8")
 
 SHARED = ["exact", "physics", "game"]
-LEVELS = ["drawing", "picture", "tool"]
+LEVELS = ["check", "drawing", "picture", "reach", "solve", "tool"]
 CLIENT = ["time", "net", "netcode", "desync", "session", "bot", "demo", "scene", "ui", "gl", "play"]
 FOLDERS = (
     [f"shared/include/platon/{name}" for name in SHARED]
