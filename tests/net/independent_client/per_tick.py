@@ -7,8 +7,8 @@ from failure import check
 MARK = 0
 MAX_TICKS = 240
 MAX_INPUT_TICKS = 256
-LEFT, RIGHT, JUMP, DOWN, RESTART = 1, 2, 4, 8, 16
-PRESENT = 0x20
+LEFT, RIGHT, JUMP, DOWN, RESTART = 1, 2, 8, 16, 32  # input codes
+CODE, DIRECTION, NO_PLAYER = 0x3F, 7, 7
 PRESENT_IN_STATE = 0x80
 
 
@@ -81,7 +81,7 @@ class Inputs:
 
 
 def _run(buttons, ticks):
-    return bytes([buttons | ticks << 5]) if ticks < 8 else bytes([buttons]) + varint(ticks - 8)
+    return bytes([buttons | ticks << 6]) if ticks < 4 else bytes([buttons]) + varint(ticks - 4)
 
 
 def decode_inputs(message):
@@ -90,7 +90,7 @@ def decode_inputs(message):
     found.first = found.confirmed + reader.varint()
     while reader.more():
         byte = reader.byte()
-        found.runs.append((byte & 0x1F, byte >> 5 or reader.varint() + 8))
+        found.runs.append((byte & CODE, byte >> 6 or reader.varint() + 4))
     return found
 
 
@@ -137,7 +137,7 @@ class Ticks:
 
 
 def _change(change, ticks):
-    byte = change.buttons | PRESENT * change.present | min(ticks, 3) << 6
+    byte = (change.buttons if change.present else NO_PLAYER) | min(ticks, 3) << 6
     return bytes([byte]) + (varint(ticks - 3) if ticks >= 3 else b"") + bytes([change.slot])
 
 
@@ -158,7 +158,7 @@ def players_of_state(state):
     """The buttons of each slot that has a player, in the last tick before a full state."""
     reader = Reader(state)
     slots = [reader.byte() for _ in range(reader.varint())]
-    return {slot: byte & 0x1F for slot, byte in enumerate(slots) if byte & PRESENT_IN_STATE}
+    return {slot: byte & 0x7F for slot, byte in enumerate(slots) if byte & PRESENT_IN_STATE}
 
 
 def _read_link(reader, first):
@@ -176,4 +176,5 @@ def _read_change(reader, last):
     ticks = byte >> 6
     if ticks == 3:
         ticks += reader.varint()
-    return Change(last + ticks, reader.byte(), bool(byte & PRESENT), byte & 0x1F)
+    present = byte & DIRECTION != NO_PLAYER
+    return Change(last + ticks, reader.byte(), present, byte & CODE if present else 0)
