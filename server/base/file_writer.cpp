@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "server/base/blocked_signals.h"
-#include "server/base/text_file.h"
 
 namespace platon {
 
-FileWriter::FileWriter(std::string path, Start start) : path_(std::move(path)), start_(std::move(start)) {}
+FileWriter::FileWriter(std::string path, Start start, Replace replace)
+    : path_(std::move(path)), start_(std::move(start)), replace_(std::move(replace)) {}
 
 FileWriter::~FileWriter() {
   if (!finished_) finish();
@@ -61,7 +61,7 @@ void FileWriter::startThread(std::function<void()> task) {
 // Returns why the write could not start, or an empty text.
 std::string FileWriter::start() {
   const auto task = std::make_shared<std::packaged_task<std::string()>>(
-      [path = path_, content = content_] { return replaceTextFile(path, content); });
+      [path = path_, content = content_, replace = replace_] { return replace(path, content); });
   std::future<std::string> result = task->get_future();
   try {
     start_([task] { (*task)(); });

@@ -5,6 +5,9 @@
 #include <future>
 #include <optional>
 #include <string>
+#include <string_view>
+
+#include "server/base/text_file.h"
 
 namespace platon {
 
@@ -17,12 +20,15 @@ class FileWriter {
   /// threads.
   using Start = std::function<void(std::function<void()> task)>;
 
+  /// Writes a content to the file at a path. Returns why that failed, or an empty text. Called from such a thread.
+  using Replace = std::function<std::string(const std::string& path, std::string_view content)>;
+
   /// Time from a failure to the next try.
   static constexpr std::chrono::seconds kRetryInterval{10};
   /// Longest time that `finish` waits for one write.
   static constexpr std::chrono::seconds kFinishTime{5};
 
-  explicit FileWriter(std::string path, Start start = startThread);
+  explicit FileWriter(std::string path, Start start = startThread, Replace replace = replaceTextFile);
   /// Writes what is pending, unless `finish` has tried that since the last call of `write`.
   ~FileWriter();
   FileWriter(const FileWriter&) = delete;
@@ -39,13 +45,15 @@ class FileWriter {
   /// Whether the newest content is not in the file yet, perhaps because it could not be written.
   bool pending() const { return pending_; }
 
- private:
   static void startThread(std::function<void()> task);
+
+ private:
   std::string start();
   std::string takeResult();
 
   std::string path_;
   Start start_;
+  Replace replace_;
   std::string content_;  // the newest
   bool queued_ = false;  // the newest content waits for a write to start
   bool pending_ = false;

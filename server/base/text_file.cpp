@@ -1,5 +1,6 @@
 #include "server/base/text_file.h"
 
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -32,6 +33,13 @@ bool takeRights(const Descriptor& file, const std::string& old) {
   return fchmod(file.number(), status.st_mode & 07777) == 0;
 }
 
+// Makes the new name of a file last. Some file systems cannot do so for a folder, and need not.
+bool syncFolder(const std::filesystem::path& file) {
+  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  const Descriptor opened(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  return opened && (fsync(opened.number()) == 0 || errno == EINVAL);
+}
+
 }  // namespace
 
 std::variant<std::string, ParseError> readTextFile(const std::string& path, std::size_t maxBytes) {
@@ -53,8 +61,8 @@ std::string replaceTextFile(const std::string& path, std::string_view content) {
   if (!file) return std::strerror(errno);
   const bool replaced = writeAll(file, content) && takeRights(file, target) && fsync(file.number()) == 0 &&
                         std::rename(temporary.c_str(), target.c_str()) == 0;
-  if (replaced) return {};
   const int fault = errno;
+  if (replaced) return syncFolder(target) ? std::string() : std::strerror(errno);
   unlink(temporary.c_str());
   return std::strerror(fault);
 }

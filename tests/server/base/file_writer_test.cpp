@@ -51,6 +51,16 @@ TEST_F(FileWriterTest, WritesTheContent) {
   EXPECT_EQ(readText(path_), "one");
 }
 
+TEST_F(FileWriterTest, WritesInAnotherWayIfOneIsGiven) {
+  FileWriter writer(path_, FileWriter::startThread, [](const std::string& path, std::string_view content) {
+    return replaceTextFile(path, readText(path) + std::string(content));
+  });
+  replaceTextFile(path_, "old ");
+  writer.write("new");
+  EXPECT_EQ(writer.finish(), std::nullopt);
+  EXPECT_EQ(readText(path_), "old new");
+}
+
 TEST_F(FileWriterTest, TheLastContentWins) {
   FileWriter writer(path_);
   for (int i = 0; i < 100; ++i) writer.write(std::to_string(i));
