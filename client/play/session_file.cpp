@@ -7,30 +7,15 @@
 
 #include <array>
 #include <span>
-#include <string>
 #include <system_error>
+
+#include "client/play/server_file_name.h"
 
 namespace platon {
 
 namespace {
 
 constexpr mode_t kOwnerOnly = S_IRUSR | S_IWUSR;
-
-// File name for a server. The host is user input: characters that could form a path are percent-encoded.
-std::string nameOf(const ServerAddress& server) {
-  constexpr std::string_view kDigits = "0123456789abcdef";
-  std::string name;
-  for (const char c : server.host) {
-    const bool plain =
-        (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '-';
-    const auto code = static_cast<unsigned char>(c);
-    if (plain)
-      name += c;
-    else
-      (name += '%').append({kDigits[code / 16u], kDigits[code % 16u]});
-  }
-  return name + "_" + std::to_string(server.port);
-}
 
 int openForOwner(const std::filesystem::path& path) {
   return open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, kOwnerOnly);
@@ -50,7 +35,7 @@ SessionFile::SessionFile(const std::filesystem::path& folder, const ServerAddres
   if (folder.empty()) return;
   std::error_code ignored;  // openForOwner fails then
   std::filesystem::create_directories(folder, ignored);
-  path_ = folder / nameOf(server);
+  path_ = folder / serverFileName(server);
   for (bool removed = true; removed;) {
     handle_ = openForOwner(path_);
     if (handle_ < 0 || lock(handle_, removed)) return;
