@@ -37,5 +37,8 @@ std::string consoleFault(Bytes bytes);
 std::string configFault(Bytes bytes);
 /// A ban file: it is refused with errors inside the text, or every ban is found, and the list survives changes.
 std::string banListFault(Bytes bytes);
+/// A file of best times: it is refused with errors inside the text, or it is written and read again alike, and keeps
+/// the lesser of two times.
+std::string bestTimesFault(Bytes bytes);
 
 }  // namespace platon::fuzz

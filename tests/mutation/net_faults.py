@@ -6,6 +6,7 @@ PROTOCOL = "protocol/"
 MATCH = "server/match/"
 ADMIN = "server/admin/"
 APP = "server/app/"
+TIMES = "server/times/"
 
 PROTOCOL_FAULTS = [
     at_length("run-of-eight-without-length", PROTOCOL + "to_server.cpp",
@@ -208,6 +209,14 @@ SERVER_FAULTS = [
               "tick - *overAt_ >= kPauseTicks", "tick >= kPauseTicks",
               "the next round starts without a pause",
               "Match.TheNextRoundStartsFiveSecondsAfterTheEnd"),
+    at_length("equal-time-is-better", TIMES + "best_times.cpp",
+              "place->second.time.ticks <= time.time.ticks", "place->second.time.ticks < time.time.ticks",
+              "the second player of two with the same time holds the best one",
+              "BestTimes.OnlyALesserTimeIsTaken"),
+    at_length("removed-time-comes-back", TIMES + "best_time_store.cpp",
+              "  if (!file_->pending()) unwritten_ = BestTimes();\n", "",
+              "a time that the operator has removed is written again",
+              "BestTimeStoreTest.OnlyNewTimesAreAddedToTheFile"),
     at_length("new-levels-from-the-middle", MATCH + "level_rotation.cpp",
               "  levels_ = std::move(levels);\n  next_ = 0;\n", "  levels_ = std::move(levels);\n",
               "replaced levels do not start with the first",

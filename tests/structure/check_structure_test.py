@@ -23,7 +23,7 @@ CLIENT = ["time", "net", "netcode", "desync", "session", "bot", "demo", "scene",
 FOLDERS = (
     [f"shared/include/platon/{name}" for name in SHARED]
     + [f"shared/{name}" for name in SHARED]
-    + ["shared/examples", "protocol", "protocol/transport", "server/match", "server/net", "server/base", "server/admin", "server/app"]
+    + ["shared/examples", "protocol", "protocol/transport", "server/match", "server/net", "server/base", "server/admin", "server/times", "server/app"]
     + [f"levels/{name}" for name in LEVELS]
     + [f"client/{name}" for name in CLIENT]
     + ["levels", "tests"]
@@ -85,7 +85,8 @@ class Includes(Tree):
             "server/net": public + protocol + ["server/match"],
             "server/base": [],
             "server/admin": public + protocol + ["server/match", "server/net", "server/base"],
-            "server/app": public + protocol + ["server/match", "server/net", "server/base", "server/admin"],
+            "server/times": public + protocol + ["server/match", "server/base"],
+            "server/app": public + protocol + ["server/match", "server/net", "server/base", "server/admin", "server/times"],
             **{
                 f"client/{room}": public
                 + ([] if room in wordless else protocol)

@@ -1,0 +1,139 @@
+#include "server/times/best_times.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdio>
+
+#include "protocol/label.h"
+#include "protocol/limits.h"
+#include "server/base/parse_error.h"
+#include "server/base/word_reader.h"
+
+namespace platon {
+namespace {
+
+constexpr std::string_view kHead =
+    "# Best times: hash of the level, version of the rules, ticks (60 a second), date, name of the player.\n";
+constexpr std::size_t kHashDigits = 16;
+constexpr std::size_t kMaxLineBytes = kHashDigits + 10 + 10 + 20 + kMaxNameBytes + 5;  // five separators
+static_assert(kHead.size() + BestTimes::kMaxTimes * kMaxLineBytes <= BestTimes::kMaxBytes);
+
+std::string hexOf(std::uint64_t hash) {
+  std::array<char, kHashDigits + 1> text{};
+  std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(hash));
+  return text.data();
+}
+
+// Nothing if the text is not the number in its shortest form.
+std::optional<std::uint32_t> numberOf(std::string_view text) {
+  std::uint32_t number = 0;
+  std::from_chars(text.data(), text.data() + text.size(), number);
+  return text == std::to_string(number) ? std::optional(number) : std::nullopt;
+}
+
+std::optional<std::uint64_t> hashOf(std::string_view text) {
+  std::uint64_t hash = 0;
+  std::from_chars(text.data(), text.data() + text.size(), hash, 16);
+  return text == hexOf(hash) ? std::optional(hash) : std::nullopt;
+}
+
+// The date is written with its time of day.
+std::optional<UtcTime> dateOf(std::string_view text) {
+  const std::optional<UtcTime> date = parseUtcTime(text);
+  return date && formatUtcTime(*date) == text ? date : std::nullopt;
+}
+
+using Entry = std::pair<PlayedLevel, DatedTime>;
+
+// The best time of a line, or what is wrong with it and in which column.
+struct LineReader {
+  WordReader words;
+  int column = 1;  // of the word that was read last
+
+  std::string_view next() {
+    column = words.column();
+    return words.next();
+  }
+
+  std::variant<Entry, ParseError> read() {
+    const auto hash = hashOf(next());
+    if (!hash) return ParseError{"a line begins with the hash of a level, 16 digits 0 to 9 and a to f"};
+    const auto rules = numberOf(next());
+    if (!rules) return ParseError{"after the hash must stand the version of the rules, a whole number"};
+    const auto ticks = numberOf(next());
+    const bool possible = ticks && *ticks >= 1 && (*rules != kRulesVersion || *ticks <= kRoundTicks);
+    if (!possible) {
+      return ParseError{"after the rules must stand the ticks to the goal, 1 to " + std::to_string(kRoundTicks)};
+    }
+    const auto date = dateOf(next());
+    if (!date) return ParseError{"after the ticks must stand the date in UTC, such as 2026-12-01T18:00:00Z"};
+    column = words.column();
+    const std::string name(words.rest());
+    const bool shown = !name.empty() && isLabel(name, kMaxNameBytes) && visibleLabel(name) == name;
+    if (!shown) return ParseError{"at the end must stand the name of the player, 1 to 32 visible bytes"};
+    return Entry{{*hash, *rules}, {{*ticks, name}, *date}};
+  }
+};
+static_assert(kMaxNameBytes == 32);
+
+}  // namespace
+
+std::variant<BestTimes, std::vector<Diagnostic>> BestTimes::parse(std::string_view text) {
+  if (text.size() > kMaxBytes) {
+    return std::vector{Diagnostic{1, 1, true, "the file has more than " + std::to_string(kMaxBytes) + " bytes"}};
+  }
+  BestTimes times;
+  std::vector<Diagnostic> errors;
+  for (int number = 1; !text.empty() && errors.size() < kMaxErrors; ++number) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    LineReader line{WordReader(text.substr(0, end))};
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (line.words.peek().empty() || line.words.peek().starts_with('#')) continue;
+    auto read = line.read();
+    if (const auto* error = std::get_if<ParseError>(&read)) {
+      errors.push_back({number, line.column, true, error->what + "; correct or remove the line"});
+    } else if (!times.times_.insert(std::get<Entry>(std::move(read))).second) {
+      errors.push_back({number, 1, true, "a second time of this level and these rules; remove one of them"});
+    }
+  }
+  times.limit();
+  if (errors.empty()) return times;
+  if (errors.size() == kMaxErrors) errors.push_back({errors.back().line, 1, true, "too many errors; fix these first"});
+  return errors;
+}
+
+std::string BestTimes::text() const {
+  std::string text(kHead);
+  for (const auto& [level, best] : times_) {
+    text += hexOf(level.hash) + " " + std::to_string(level.rules) + " " + std::to_string(best.time.ticks) + " " +
+            formatUtcTime(best.date) + " " + best.time.name + "\n";
+  }
+  return text;
+}
+
+const DatedTime* BestTimes::find(const PlayedLevel& level) const {
+  const auto found = times_.find(level);
+  return found == times_.end() ? nullptr : &found->second;
+}
+
+bool BestTimes::offer(const PlayedLevel& level, const DatedTime& time) {
+  const auto [place, isNew] = times_.try_emplace(level, time);
+  if (!isNew && place->second.time.ticks <= time.time.ticks) return false;
+  place->second = time;
+  limit();
+  return true;
+}
+
+void BestTimes::merge(const BestTimes& others) {
+  for (const auto& [level, time] : others.times_) offer(level, time);
+}
+
+void BestTimes::limit() {
+  while (times_.size() > kMaxTimes) {
+    times_.erase(std::min_element(times_.begin(), times_.end(),
+                                  [](const auto& a, const auto& b) { return a.second.date < b.second.date; }));
+  }
+}
+
+}  // namespace platon
