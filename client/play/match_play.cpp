@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "client/play/level_cache.h"
 #include "client/play/user_folders.h"
 #include "client/session/farewell.h"
 
@@ -20,6 +21,13 @@ std::filesystem::path desyncFolder() {
 std::filesystem::path sessionFolder(const ClientOptions& options) {
   const std::filesystem::path folder = dataFolder();
   return folder.empty() || !options.server ? std::filesystem::path() : folder / "sessions";
+}
+
+// The embedded server has its levels on this disk already.
+std::shared_ptr<LevelStore> levelStore(const ClientOptions& options, const ServerAddress& server) {
+  const std::filesystem::path folder = cacheFolder();
+  if (folder.empty() || !options.server) return nullptr;
+  return std::make_shared<LevelCache>(folder / "levels", server);
 }
 
 std::filesystem::path knownServersFile(const ClientOptions& options) {
@@ -39,7 +47,9 @@ MatchPlay::MatchPlay(const ClientOptions& options, const ServerAddress& server, 
     : server_(server),
       sessionFile_(sessionFolder(options), server),
       knownServers_(knownServersFile(options)),
-      client_(server, {options.name, knowledgeOf(options, knownServers_, server), std::nullopt, sessionFile_.token()},
+      client_(server,
+              {options.name, knowledgeOf(options, knownServers_, server), std::nullopt, sessionFile_.token(),
+               levelStore(options, server)},
               now),
       desyncFolder_(desyncFolder()) {}
 

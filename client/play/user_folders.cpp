@@ -23,4 +23,6 @@ std::filesystem::path configFolder() { return folder("XDG_CONFIG_HOME", ".config
 
 std::filesystem::path dataFolder() { return folder("XDG_DATA_HOME", ".local/share"); }
 
+std::filesystem::path cacheFolder() { return folder("XDG_CACHE_HOME", ".cache"); }
+
 }  // namespace platon

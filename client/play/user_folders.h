@@ -6,8 +6,11 @@ namespace platon {
 
 /// `platon` in XDG_CONFIG_HOME, by default in ~/.config: the player's settings. Empty without a home folder.
 std::filesystem::path configFolder();
-/// `platon` in XDG_DATA_HOME, by default in ~/.local/share: session tokens and desync reports. Empty without a home
-/// folder.
+/// `platon` in XDG_DATA_HOME, by default in ~/.local/share: session tokens, desync reports and best times. Empty
+/// without a home folder.
 std::filesystem::path dataFolder();
+
+/// `platon` in XDG_CACHE_HOME, by default in ~/.cache: levels of servers. Empty without a home folder.
+std::filesystem::path cacheFolder();
 
 }  // namespace platon

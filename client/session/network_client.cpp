@@ -35,6 +35,7 @@ NetworkClient::NetworkClient(const ServerAddress& server, const Profile& profile
     : server_(server), profile_(profile), state_(Connecting{now}) {
   const ServerAddress target = profile.relay.value_or(server);
   memory_.token = profile.token ? *profile.token : randomToken();
+  memory_.store = profile.levels;
   resolved_ = resolve(target.host, target.port);
   connection_.emplace(resolved_, profile_.knowledge);
 }

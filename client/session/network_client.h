@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -25,6 +26,7 @@ class NetworkClient {
     ServerKnowledge knowledge{};
     std::optional<ServerAddress> relay{};  ///< through which to connect
     std::optional<SessionToken> token{};   ///< of the player to resume; if not given, a random one
+    std::shared_ptr<LevelStore> levels{};  ///< of this server; null: levels are kept in memory only
   };
 
   /// Maximum time for the connection to be established.

@@ -15,6 +15,8 @@ namespace {
 // Work of starting a round, or of reading a level or a state, and of their bytes.
 constexpr std::uint64_t kWorkOfMessage = 64;
 constexpr std::size_t kBytesPerWork = 16;
+// Work of reading or writing a level that is kept elsewhere, such as on a disk.
+constexpr std::uint64_t kWorkOfStore = 4096;
 // One longer pause, such as that of a suspended computer, counts as this.
 constexpr Moment kMaxSlowUpdate = std::chrono::seconds(1);
 
@@ -47,6 +49,7 @@ Session::Session(const std::string& name, Moment now, Memory memory)
       receivedAt_(now),
       token_(memory.token),
       levels_(std::move(memory.levels)),
+      store_(std::move(memory.store)),
       workBudget_(kMaxWorkPerSecond, kMaxWorkPerSecond * toSeconds(kWorkTime), now),
       updatedAt_(now),
       pastPrediction_(memory.prediction),
@@ -54,7 +57,12 @@ Session::Session(const std::string& name, Moment now, Memory memory)
   Hello hello;
   hello.name = name;
   hello.token = token_;
-  for (const auto& level : levels_) hello.levels.push_back(level->hash);
+  for (const auto& level : levels_) announced_.push_back(level->hash);
+  for (const std::uint64_t hash : store_ ? store_->newest(kMaxLevelsKnown) : std::vector<std::uint64_t>()) {
+    const bool isNew = std::find(announced_.begin(), announced_.end(), hash) == announced_.end();
+    if (isNew && announced_.size() < kMaxLevelsKnown) announced_.push_back(hash);
+  }
+  hello.levels = announced_;
   send(hello, true);
 }
 
@@ -121,7 +129,8 @@ void Session::handle(const Welcome& message, Moment now) {
   welcome_ = message;
   names_.resize(message.maxPlayers);
   lead_ = PredictionClock::initialLead(now - helloAt_);
-  if (!level(message.levelHash)) requestedLevel_ = message.levelHash;  // sent without a request
+  const bool announced = std::find(announced_.begin(), announced_.end(), message.levelHash) != announced_.end();
+  if (!announced && !level(message.levelHash)) requestedLevel_ = message.levelHash;  // sent without a request
   startRound(message.round, message.levelHash);
 }
 
@@ -179,15 +188,30 @@ void Session::handle(const LevelChunk& message, Moment) {
   unanswered_ = 0;
   if (!result.level || result.level->hash != message.hash)
     return end("protocol error: invalid level from the server", true);
-  if (levels_.size() == kMaxLevelsKnown) levels_.erase(levels_.begin());
-  levels_.push_back(std::move(result.level));
+  if (store_) {
+    pastWork_ += kWorkOfStore;
+    store_->keep(*result.level);
+  }
+  remember(std::move(result.level));
   if (pendingRound_) startRound(pendingRound_->round, pendingRound_->levelHash);
 }
 
-std::shared_ptr<const Level> Session::level(std::uint64_t hash) const {
+void Session::remember(std::shared_ptr<const Level> level) {
+  if (levels_.size() == kMaxLevelsKnown) levels_.erase(levels_.begin());
+  levels_.push_back(std::move(level));
+}
+
+// Null if the level must come from the server.
+std::shared_ptr<const Level> Session::level(std::uint64_t hash) {
   const auto found =
       std::find_if(levels_.begin(), levels_.end(), [hash](const auto& known) { return known->hash == hash; });
-  return found == levels_.end() ? nullptr : *found;
+  if (found != levels_.end()) return *found;
+  std::shared_ptr<const Level> stored = store_ ? store_->load(hash) : nullptr;
+  if (stored) {
+    pastWork_ += kWorkOfStore + stored->text.size() / kBytesPerWork;
+    remember(stored);
+  }
+  return stored;
 }
 
 void Session::requestLevel(std::uint64_t levelHash) {

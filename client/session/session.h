@@ -11,6 +11,7 @@
 #include "client/desync/desync_report.h"
 #include "client/netcode/link_meter.h"
 #include "client/netcode/link_statistics.h"
+#include "client/session/level_store.h"
 #include "client/session/outgoing_message.h"
 #include "client/session/round.h"
 #include "platon/game/level.h"
@@ -33,6 +34,7 @@ class Session {
     std::vector<std::shared_ptr<const Level>> levels;  ///< at most kMaxLevelsKnown, newest last
     PredictionStatistics prediction;
     RoundStatistics rounds;
+    std::shared_ptr<LevelStore> store;  ///< levels of this server that are kept elsewhere; null: none
   };
 
   /// Why a session has ended.
@@ -74,7 +76,7 @@ class Session {
 
   /// Why the session has ended; empty while it runs.
   const std::optional<Ending>& ending() const { return ending_; }
-  Memory memory() const { return {token_, levels_, predictionStatistics(), roundStatistics()}; }
+  Memory memory() const { return {token_, levels_, predictionStatistics(), roundStatistics(), store_}; }
 
   /// Local slot and server name; empty until the server has accepted the client.
   const std::optional<Welcome>& welcome() const { return welcome_; }
@@ -113,7 +115,8 @@ class Session {
   void handle(const Notice& message, Moment now);
   void handle(const ConfirmedTicks& message, Moment now);
 
-  std::shared_ptr<const Level> level(std::uint64_t hash) const;
+  std::shared_ptr<const Level> level(std::uint64_t hash);
+  void remember(std::shared_ptr<const Level> level);
   void requestLevel(std::uint64_t levelHash);
   void startRound(std::uint32_t round, std::uint64_t levelHash);
   void closeRound();
@@ -131,6 +134,8 @@ class Session {
 
   std::optional<SessionToken> token_;
   std::vector<std::shared_ptr<const Level>> levels_;  // at most kMaxLevelsKnown, newest last
+  std::shared_ptr<LevelStore> store_;                 // null: none
+  std::vector<std::uint64_t> announced_;              // levels that Hello has named
   std::optional<std::uint64_t> requestedLevel_;       // hash of the level being received
   std::uint32_t unanswered_ = 0;                      // requests since the last level
   Assembly levelText_;

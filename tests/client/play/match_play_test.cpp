@@ -7,6 +7,7 @@
 #include <string>
 
 #include "client/net/lossy_relay.h"
+#include "client/play/level_cache.h"
 #include "client/scene/camera.h"
 #include "client/ui/hud.h"
 #include "protocol/program_error.h"
@@ -103,6 +104,20 @@ TEST_F(MatchPlayTest, ATextOfTheConsoleIsInThePictureForEightSeconds) {
   EXPECT_GE(server_.clock().now() - second, MatchPlay::kNoticeTime);
   EXPECT_LE(server_.clock().now() - second, MatchPlay::kNoticeTime + seconds(1));
   EXPECT_FALSE(isInPicture("Restart at noon"));
+}
+
+TEST_F(MatchPlayTest, KeepsTheLevelsOfAServerForTheNextStart) {
+  const TemporaryFolder folder;
+  const EnvironmentVariable cache("XDG_CACHE_HOME", folder.path().string());
+  relay_.emplace(server_.address(), LinkQuality(), 1);
+  ClientOptions options;
+  options.server = relay_->address();
+  for (int start = 0; start < 2; ++start) {
+    play_.emplace(options, relay_->address(), server_.clock().now());
+    EXPECT_TRUE(updateUntil(seconds(10), [&] { return play_->scene(server_.clock().now()).has_value(); }));
+    const LevelCache levels(folder / "platon/levels", relay_->address());
+    EXPECT_EQ(levels.newest(8), std::vector{endlessLevel()->hash});
+  }
 }
 
 TEST_F(MatchPlayTest, DoesNotJoinUnderFullLoss) {

@@ -14,14 +14,17 @@ class UserFoldersTest : public testing::Test {
   const EnvironmentVariable home_{"HOME", std::nullopt};
   const EnvironmentVariable config_{"XDG_CONFIG_HOME", std::nullopt};
   const EnvironmentVariable data_{"XDG_DATA_HOME", std::nullopt};
+  const EnvironmentVariable cache_{"XDG_CACHE_HOME", std::nullopt};
 };
 
 TEST_F(UserFoldersTest, AreEmptyWithoutAHomeFolder) {
   EXPECT_EQ(configFolder(), "");
   EXPECT_EQ(dataFolder(), "");
+  EXPECT_EQ(cacheFolder(), "");
   home_.set("");
   EXPECT_EQ(configFolder(), "");
   EXPECT_EQ(dataFolder(), "");
+  EXPECT_EQ(cacheFolder(), "");
 }
 
 TEST_F(UserFoldersTest, AreInTheHomeFolderByDefault) {
@@ -29,14 +32,17 @@ TEST_F(UserFoldersTest, AreInTheHomeFolderByDefault) {
   config_.set("");
   EXPECT_EQ(configFolder(), "/somewhere/.config/platon");
   EXPECT_EQ(dataFolder(), "/somewhere/.local/share/platon");
+  EXPECT_EQ(cacheFolder(), "/somewhere/.cache/platon");
 }
 
 TEST_F(UserFoldersTest, FollowTheXdgVariables) {
   home_.set("/somewhere");
   config_.set("/config");
   data_.set("/data");
+  cache_.set("/cache");
   EXPECT_EQ(configFolder(), "/config/platon");
   EXPECT_EQ(dataFolder(), "/data/platon");
+  EXPECT_EQ(cacheFolder(), "/cache/platon");
 }
 
 }  // namespace

@@ -1,0 +1,128 @@
+#include "client/play/level_cache.h"
+
+#include <algorithm>
+#include <charconv>
+#include <fstream>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+#include "client/play/server_file_name.h"
+
+namespace platon {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kHashDigits = 16;
+
+struct StoredLevel {
+  fs::path path;
+  std::uint64_t hash = 0;
+  std::uint64_t bytes = 0;
+  fs::file_time_type usedAt;
+};
+
+std::string fileNameOf(std::uint64_t hash) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string name(kHashDigits, '0');
+  for (auto digit = name.rbegin(); digit != name.rend(); ++digit, hash /= 16) *digit = kDigits[hash % 16];
+  return name;
+}
+
+// Nothing if it is not the name of a level.
+std::optional<std::uint64_t> hashOf(const std::string& name) {
+  std::uint64_t hash = 0;
+  std::from_chars(name.data(), name.data() + name.size(), hash, 16);
+  return name == fileNameOf(hash) ? std::optional(hash) : std::nullopt;
+}
+
+std::optional<StoredLevel> storedLevel(const fs::directory_entry& entry) {
+  std::error_code fault;
+  const std::optional<std::uint64_t> hash = hashOf(entry.path().filename().string());
+  if (!hash || !entry.is_regular_file(fault)) return std::nullopt;
+  StoredLevel level{entry.path(), *hash, entry.file_size(fault), {}};
+  if (!fault) level.usedAt = entry.last_write_time(fault);
+  return fault ? std::nullopt : std::optional(level);
+}
+
+// The levels in a folder and the folders in it, newest first.
+std::vector<StoredLevel> levelsIn(const fs::path& folder) {
+  std::vector<StoredLevel> levels;
+  std::error_code fault;
+  for (fs::recursive_directory_iterator entry(folder, fault), end; !fault && entry != end; entry.increment(fault)) {
+    if (auto level = storedLevel(*entry)) levels.push_back(std::move(*level));
+  }
+  std::sort(levels.begin(), levels.end(), [](const StoredLevel& a, const StoredLevel& b) {
+    return a.usedAt != b.usedAt ? a.usedAt > b.usedAt : a.path < b.path;
+  });
+  return levels;
+}
+
+// At most one byte more than a level may have.
+std::string readLevel(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string text(kMaxLevelBytes + 1, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  return text;
+}
+
+}  // namespace
+
+LevelCache::LevelCache(const fs::path& folder, const ServerAddress& server)
+    : all_(folder), folder_(folder.empty() ? folder : folder / serverFileName(server)) {}
+
+std::vector<std::uint64_t> LevelCache::newest(std::size_t count) const {
+  std::vector<std::uint64_t> hashes;
+  if (all_.empty()) return hashes;
+  for (const StoredLevel& level : levelsIn(folder_)) {
+    if (hashes.size() < count) hashes.push_back(level.hash);
+  }
+  return hashes;
+}
+
+std::shared_ptr<const Level> LevelCache::load(std::uint64_t hash) {
+  if (all_.empty()) return nullptr;
+  const fs::path path = folder_ / fileNameOf(hash);
+  std::error_code fault;
+  if (!fs::is_regular_file(path, fault)) return nullptr;
+  std::shared_ptr<const Level> level = loadLevel(readLevel(path)).level;
+  if (level && level->hash == hash) {
+    keep(*level);  // makes it the newest
+    return level;
+  }
+  fs::remove(path, fault);
+  return nullptr;
+}
+
+// A file that was written in part is refused when it is read.
+void LevelCache::keep(const Level& level) {
+  if (all_.empty()) return;
+  std::error_code fault;
+  fs::create_directories(folder_, fault);
+  const fs::path path = folder_ / fileNameOf(level.hash);
+  fs::path temporary = path;
+  temporary += ".new";
+  std::ofstream file(temporary, std::ios::binary | std::ios::trunc);
+  file << level.text;
+  file.close();
+  if (file) fs::rename(temporary, path, fault);
+  if (!file || fault) fs::remove(temporary, fault);
+  limit();
+}
+
+void LevelCache::limit() const {
+  std::size_t count = 0;
+  std::uint64_t bytes = 0;
+  std::error_code ignored;
+  for (const StoredLevel& level : levelsIn(all_)) {
+    bytes += level.bytes;
+    if (++count <= kMaxLevels && bytes <= kMaxBytes) continue;
+    fs::remove(level.path, ignored);
+    fs::remove(level.path.parent_path(), ignored);  // only if it is empty
+  }
+}
+
+}  // namespace platon
