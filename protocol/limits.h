@@ -34,6 +34,11 @@ inline constexpr std::size_t kMaxRosterEntries = 16;
 inline constexpr std::size_t kMaxNameBytes = 32;
 inline constexpr std::size_t kMaxReasonBytes = 200;
 
+/// Longest title of a level, bytes of UTF-8: as in the level format.
+inline constexpr std::size_t kMaxTitleBytes = 100;
+/// Longest pause between two rounds: a minute.
+inline constexpr std::uint32_t kMaxPauseTicks = 60 * kTicksPerSecond;
+
 /// Inputs in one message of a client: enough for a round trip of 2 s and a buffer of 1 s.
 inline constexpr std::uint32_t kMaxInputsPerMessage = 256;
 /// Ticks and input changes in one message of the server. Every single tick fits, and the longest message is below

@@ -181,7 +181,13 @@ std::optional<ToClient> read(const wire::Roster& table) {
 std::optional<ToClient> read(const wire::RoundStart& table) { return RoundStart{table.round(), table.level_hash()}; }
 
 std::optional<ToClient> read(const wire::RoundEnd& table) {
-  return RoundEnd{table.round(), table.tick(), table.next_level_hash()};
+  RoundEnd message{
+      table.round(), table.tick(), table.next_level_hash(), textOf(table.next_title()), table.pause_ticks(), {}};
+  if (!isLabel(message.nextTitle, kMaxTitleBytes) || message.pauseTicks > kMaxPauseTicks) return std::nullopt;
+  if (table.best_ticks() == 0) return message;
+  message.best = LevelBest{table.best_ticks(), textOf(table.best_name()), table.best_is_new()};
+  if (message.best->ticks > kRoundTicks || !isLabel(message.best->name, kMaxNameBytes)) return std::nullopt;
+  return message;
 }
 
 ByeCode byeCode(std::uint32_t code) {
@@ -198,6 +204,12 @@ std::optional<ToClient> read(const wire::Bye& table) {
 std::optional<ToClient> read(const wire::Notice& table) {
   Notice message{textOf(table.text())};
   if (!isLabel(message.text, kMaxReasonBytes)) return std::nullopt;
+  return message;
+}
+
+std::optional<ToClient> read(const wire::VoteCount& table) {
+  const VoteCount message{table.round(), table.votes(), table.voters()};
+  if (message.voters > kMaxPlayers || message.votes > message.voters) return std::nullopt;
   return message;
 }
 
@@ -221,6 +233,8 @@ std::optional<ToClient> readBody(const wire::ToClient& root) {
       return read(*root.body_as_Bye());
     case Body::Notice:
       return read(*root.body_as_Notice());
+    case Body::VoteCount:
+      return read(*root.body_as_VoteCount());
     default:
       return std::nullopt;
   }
@@ -288,8 +302,12 @@ Bytes encode(const RoundStart& message) {
 
 Bytes encode(const RoundEnd& message) {
   Builder builder;
+  const LevelBest best = message.best.value_or(LevelBest());
+  const auto title = message.nextTitle.empty() ? 0 : builder.CreateString(message.nextTitle);
+  const auto name = best.name.empty() ? 0 : builder.CreateString(best.name);
   return finish(builder, Body::RoundEnd,
-                wire::CreateRoundEnd(builder, message.round, message.tick, message.nextLevelHash));
+                wire::CreateRoundEnd(builder, message.round, message.tick, message.nextLevelHash, title,
+                                     message.pauseTicks, best.ticks, name, best.isNew));
 }
 
 Bytes encode(const Bye& message) {
@@ -302,6 +320,11 @@ Bytes encode(const Notice& message) {
   Builder builder;
   const auto text = builder.CreateString(message.text);
   return finish(builder, Body::Notice, wire::CreateNotice(builder, text));
+}
+
+Bytes encode(const VoteCount& message) {
+  Builder builder;
+  return finish(builder, Body::VoteCount, wire::CreateVoteCount(builder, message.round, message.votes, message.voters));
 }
 
 Bytes encode(const ConfirmedTicks& message) {

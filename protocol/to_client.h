@@ -79,11 +79,24 @@ struct RoundStart {
   friend bool operator==(const RoundStart&, const RoundStart&) = default;
 };
 
-/// The round ended after `tick` ticks. The next one starts some seconds later; its level may be requested now.
+/// The shortest time in which a player has reached the goal of a level.
+struct LevelBest {
+  std::uint32_t ticks = 0;  ///< 1 … kRoundTicks
+  std::string name;         ///< of the player, a label of at most kMaxNameBytes
+  bool isNew = false;       ///< reached in this round
+
+  friend bool operator==(const LevelBest&, const LevelBest&) = default;
+};
+
+/// The round ended after `tick` ticks. The next one starts after `pauseTicks` more; its level may be requested now.
+/// Another RoundEnd of the same round replaces this one: the next level or the best time has changed.
 struct RoundEnd {
   std::uint32_t round = 0;
   std::uint32_t tick = 0;
   std::uint64_t nextLevelHash = 0;
+  std::string nextTitle{};          ///< of the next level, a label of at most kMaxTitleBytes
+  std::uint32_t pauseTicks = 0;     ///< at most kMaxPauseTicks
+  std::optional<LevelBest> best{};  ///< of the level of this round; nothing: nobody has reached its goal
 
   friend bool operator==(const RoundEnd&, const RoundEnd&) = default;
 };
@@ -103,6 +116,15 @@ struct Notice {
   std::string text;  ///< a label of at most kMaxReasonBytes
 
   friend bool operator==(const Notice&, const Notice&) = default;
+};
+
+/// How many players wish the next level. It follows when they are more than half of the voters.
+struct VoteCount {
+  std::uint32_t round = 0;
+  std::uint32_t votes = 0;   ///< at most `voters`
+  std::uint32_t voters = 0;  ///< at most kMaxPlayers
+
+  friend bool operator==(const VoteCount&, const VoteCount&) = default;
 };
 
 /// Input of a slot from `tick` on, until the slot's next change.
@@ -150,8 +172,8 @@ struct ConfirmedTicks {
   friend bool operator==(const ConfirmedTicks&, const ConfirmedTicks&) = default;
 };
 
-using ToClient =
-    std::variant<Welcome, Refused, LevelChunk, StateChunk, Roster, RoundStart, RoundEnd, Bye, Notice, ConfirmedTicks>;
+using ToClient = std::variant<Welcome, Refused, LevelChunk, StateChunk, Roster, RoundStart, RoundEnd, Bye, Notice,
+                              VoteCount, ConfirmedTicks>;
 
 /// Decodes a message from the server. Returns nothing if it is malformed or a value is out of range.
 std::optional<ToClient> decodeToClient(std::span<const std::uint8_t> bytes);
@@ -166,6 +188,7 @@ std::vector<std::uint8_t> encode(const RoundStart& message);
 std::vector<std::uint8_t> encode(const RoundEnd& message);
 std::vector<std::uint8_t> encode(const Bye& message);
 std::vector<std::uint8_t> encode(const Notice& message);
+std::vector<std::uint8_t> encode(const VoteCount& message);
 std::vector<std::uint8_t> encode(const ConfirmedTicks& message);
 
 }  // namespace platon

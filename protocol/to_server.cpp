@@ -105,6 +105,8 @@ std::optional<ToServer> readBody(const wire::ToServer& root) {
       return LevelRequest{root.body_as_LevelRequest()->hash()};
     case wire::ToServerBody::Leave:
       return Leave{};
+    case wire::ToServerBody::Vote:
+      return Vote{root.body_as_Vote()->round(), root.body_as_Vote()->next()};
     default:
       return std::nullopt;
   }
@@ -144,6 +146,11 @@ std::vector<std::uint8_t> encode(const LevelRequest& message) {
 std::vector<std::uint8_t> encode(const Leave&) {
   flatbuffers::FlatBufferBuilder builder;
   return finish(builder, wire::ToServerBody::Leave, wire::CreateLeave(builder));
+}
+
+std::vector<std::uint8_t> encode(const Vote& message) {
+  flatbuffers::FlatBufferBuilder builder;
+  return finish(builder, wire::ToServerBody::Vote, wire::CreateVote(builder, message.round, message.next));
 }
 
 std::vector<std::uint8_t> encode(const PlayerInputs& message) {

@@ -35,6 +35,14 @@ struct Leave {
   friend bool operator==(const Leave&, const Leave&) = default;
 };
 
+/// The player wishes that the round ends and the next level follows, or no longer wishes it. Reliable.
+struct Vote {
+  std::uint32_t round = 0;  ///< a vote for another round has no effect
+  bool next = false;
+
+  friend bool operator==(const Vote&, const Vote&) = default;
+};
+
 /// Progress of the client's confirmed game, and all inputs of its player that the server has not confirmed.
 /// Unsequenced. Sent in the tick in which the input changes and in the two ticks after it, otherwise every fourth tick,
 /// and every 80 ms while there are no inputs. The first one of a round tells the server that the client has the level
@@ -51,7 +59,7 @@ struct PlayerInputs {
   friend bool operator==(const PlayerInputs&, const PlayerInputs&) = default;
 };
 
-using ToServer = std::variant<Hello, LevelRequest, Leave, PlayerInputs>;
+using ToServer = std::variant<Hello, LevelRequest, Leave, Vote, PlayerInputs>;
 
 /// Decodes a message from a client. Returns nothing if it is malformed or a value is out of range.
 std::optional<ToServer> decodeToServer(std::span<const std::uint8_t> bytes);
@@ -60,6 +68,7 @@ std::optional<ToServer> decodeToServer(std::span<const std::uint8_t> bytes);
 std::vector<std::uint8_t> encode(const Hello& message);
 std::vector<std::uint8_t> encode(const LevelRequest& message);
 std::vector<std::uint8_t> encode(const Leave& message);
+std::vector<std::uint8_t> encode(const Vote& message);
 std::vector<std::uint8_t> encode(const PlayerInputs& message);
 
 }  // namespace platon

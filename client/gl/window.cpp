@@ -15,7 +15,7 @@ namespace platon {
 namespace {
 
 std::optional<Key> keyOf(int glfwKey) {
-  constexpr std::array<std::pair<int, Key>, 17> kKeys{{{GLFW_KEY_LEFT, Key::kArrowLeft},
+  constexpr std::array<std::pair<int, Key>, 18> kKeys{{{GLFW_KEY_LEFT, Key::kArrowLeft},
                                                        {GLFW_KEY_RIGHT, Key::kArrowRight},
                                                        {GLFW_KEY_UP, Key::kArrowUp},
                                                        {GLFW_KEY_DOWN, Key::kArrowDown},
@@ -26,6 +26,7 @@ std::optional<Key> keyOf(int glfwKey) {
                                                        {GLFW_KEY_SPACE, Key::kSpace},
                                                        {GLFW_KEY_ENTER, Key::kEnter},
                                                        {GLFW_KEY_R, Key::kR},
+                                                       {GLFW_KEY_V, Key::kV},
                                                        {GLFW_KEY_LEFT_SHIFT, Key::kShift},
                                                        {GLFW_KEY_RIGHT_SHIFT, Key::kShift},
                                                        {GLFW_KEY_ESCAPE, Key::kEscape},

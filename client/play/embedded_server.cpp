@@ -2,11 +2,13 @@
 
 #include <atomic>
 #include <cstdio>
+#include <filesystem>
 #include <string_view>
 #include <thread>
 #include <utility>
 #include <vector>
 
+#include "client/play/user_folders.h"
 #include "protocol/program_error.h"
 #include "protocol/transport/udp_socket.h"
 #include "server/app/dedicated_server.h"
@@ -24,8 +26,18 @@ std::vector<LevelPointer> load(const std::string& levelFile) {
   return std::move(loaded.levels);
 }
 
+// Without a folder, best times end with the server.
+std::string bestTimesFile() {
+  const std::filesystem::path folder = dataFolder();
+  if (folder.empty()) return {};
+  std::error_code fault;
+  std::filesystem::create_directories(folder, fault);
+  return fault ? std::string() : (folder / "best_times").string();
+}
+
 ServerSettings settings() {
   ServerSettings settings;
+  settings.bestTimes = bestTimesFile();
   settings.bind = kLoopback;
   settings.port = 0;
   settings.match.serverName = "Platon";

@@ -1,5 +1,6 @@
 #include "client/play/match_play.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <utility>
@@ -39,6 +40,28 @@ ServerKnowledge knowledgeOf(const ClientOptions& options, const KnownServers& se
   ServerKnowledge knowledge = options.knowledge;
   if (!knowledge.identity) knowledge.identity = servers.find(server);
   return knowledge;
+}
+
+double secondsOf(std::uint32_t ticks) { return double{1} * ticks / kTicksPerSecond; }
+
+// The next round starts when the server's game, which the confirmed one follows, has reached the end of the pause.
+std::optional<RoundSummary> summaryOf(const Session& session) {
+  const RoundEnd* const end = session.roundEnd();
+  if (end == nullptr) return std::nullopt;
+  const std::uint32_t confirmed = session.round()->prediction().confirmedTicks();
+  const std::uint32_t passed = confirmed - std::min(confirmed, end->tick);
+  RoundSummary summary{end->nextTitle, secondsOf(end->pauseTicks - std::min(end->pauseTicks, passed))};
+  if (!end->best) return summary;
+  summary.bestSeconds = secondsOf(end->best->ticks);
+  summary.bestName = end->best->name;
+  summary.bestIsNew = end->best->isNew;
+  return summary;
+}
+
+std::optional<VoteStatus> voteOf(const Session& session) {
+  const VoteCount& count = session.voteCount();
+  if (count.votes == 0) return std::nullopt;
+  return VoteStatus{count.votes, count.voters, session.wishesNext()};
 }
 
 }  // namespace
@@ -114,7 +137,12 @@ std::string MatchPlay::message() const {
 std::string MatchPlay::notice(Moment now) const { return now < noticeUntil_ ? notice_ : std::string(); }
 
 HudStatus MatchPlay::hudStatus(Moment now, bool help) const {
-  return {message(), client_.ending().has_value(), help, notice(now)};
+  HudStatus status{message(), client_.ending().has_value(), help, notice(now)};
+  const Session* const session = client_.session();
+  if (session == nullptr || client_.outage()) return status;
+  status.summary = summaryOf(*session);
+  if (!status.summary) status.vote = voteOf(*session);
+  return status;
 }
 
 void MatchPlay::leave(const Clock& clock) {

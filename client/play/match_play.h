@@ -36,6 +36,8 @@ class MatchPlay {
   std::string notice(Moment now) const;
   /// What the head-up display shows besides the scene.
   HudStatus hudStatus(Moment now, bool help) const;
+  /// Wishes the next level, or takes this wish back.
+  void toggleVote() { client_.toggleVote(); }
   /// Leaves the match; takes at most half a second.
   void leave(const Clock& clock);
 

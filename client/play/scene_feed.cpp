@@ -41,7 +41,7 @@ std::optional<Scene> SceneFeed::scene(const Session& session, Moment now) {
   SceneSource source;
   source.stage = stage_;
   source.game = &prediction.predicted();
-  source.roundOver = session.roundOver();
+  source.roundOver = session.roundEnd() != nullptr;
   source.fraction = round->predictedFraction();
   source.others = round->interpolationBuffer().players();
   source.localSlot = prediction.slot();

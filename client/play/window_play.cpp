@@ -67,6 +67,7 @@ void WindowPlay::reportEnding() {
 void WindowPlay::handleKeys() {
   window_.poll();
   for (const KeyEvent& event : window_.takeKeyEvents()) interface_.handle(event);
+  if (interface_.takeVote()) match_.toggleVote();
   window_.setFullscreen(interface_.settings().fullscreen);
 }
 

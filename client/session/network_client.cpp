@@ -132,6 +132,10 @@ void NetworkClient::dropConnection() {
   connection_.reset();
 }
 
+void NetworkClient::toggleVote() {
+  if (is<InSession>()) session_->toggleVote();
+}
+
 void NetworkClient::leave() {
   if (is<InSession>()) session_->leave();
   if (is<Connecting>() || is<Paused>()) dropConnection();

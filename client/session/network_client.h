@@ -44,6 +44,8 @@ class NetworkClient {
 
   /// Receives, predicts up to `now` and sends. Call every few milliseconds.
   void update(Moment now, const Controls& controls);
+  /// Wishes the next level, or takes this wish back (Session::toggleVote). No effect without a session.
+  void toggleVote();
   /// Leaves the match. Keep calling `update` until `closed`. Closes at once if there is no session.
   void leave();
 

@@ -84,6 +84,16 @@ void Session::reportDesync(std::optional<Desync> desync) {
   desync_ = reportOf(std::move(*desync));
 }
 
+const RoundEnd* Session::roundEnd() const {
+  return round_ && roundEnd_ && roundEnd_->round == round_->id() ? &*roundEnd_ : nullptr;
+}
+
+void Session::toggleVote() {
+  if (ending_ || !round_ || roundEnd()) return;
+  wishesNext_ = !wishesNext_;
+  send(Vote{round_->id(), wishesNext_}, true);
+}
+
 void Session::leave() {
   if (ending_) return;
   send(Leave{}, true);
@@ -160,8 +170,19 @@ void Session::handle(const RoundStart& message, Moment) {
 }
 
 void Session::handle(const RoundEnd& message, Moment) {
-  roundOver_ = roundOver_ || (round_ && round_->id() == message.round);
-  requestLevel(message.nextLevelHash);
+  roundEnd_ = message;
+  roundEnd_->nextTitle = visibleLabel(message.nextTitle);
+  if (roundEnd_->best) roundEnd_->best->name = visibleLabel(roundEnd_->best->name);
+  prefetch();
+}
+
+void Session::handle(const VoteCount& message, Moment) {
+  if (round_ && round_->id() == message.round) voteCount_ = message;
+}
+
+// Requests the level of the next round, unless the one of this round is still on its way.
+void Session::prefetch() {
+  if (roundEnd_ && !pendingRound_) requestLevel(roundEnd_->nextLevelHash);
 }
 
 void Session::handle(const ConfirmedTicks& message, Moment now) {
@@ -193,7 +214,9 @@ void Session::handle(const LevelChunk& message, Moment) {
     store_->keep(*result.level);
   }
   remember(std::move(result.level));
-  if (pendingRound_) startRound(pendingRound_->round, pendingRound_->levelHash);
+  if (!pendingRound_) return;
+  startRound(pendingRound_->round, pendingRound_->levelHash);
+  prefetch();
 }
 
 void Session::remember(std::shared_ptr<const Level> level) {
@@ -225,7 +248,8 @@ void Session::requestLevel(std::uint64_t levelHash) {
 
 void Session::startRound(std::uint32_t round, std::uint64_t levelHash) {
   closeRound();
-  roundOver_ = false;
+  voteCount_ = VoteCount();
+  wishesNext_ = false;
   const std::shared_ptr<const Level> known = level(levelHash);
   if (known) {
     pastWork_ += kWorkOfMessage;

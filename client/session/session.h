@@ -67,6 +67,9 @@ class Session {
   void receive(std::span<const std::uint8_t> bytes, Moment now);
   /// Predicts up to `now` and queues a message to the server when one is due. Call every few milliseconds.
   void update(Moment now, const Controls& controls);
+  /// Wishes that the next level follows at once, or takes this wish back. The wish ends with the round and with the
+  /// session. No effect without a round, and when it is over.
+  void toggleVote();
   /// Queues a Leave message. The connection may be closed once it is sent.
   void leave();
   /// Ends the session because its connection was lost.
@@ -82,9 +85,13 @@ class Session {
   const std::optional<Welcome>& welcome() const { return welcome_; }
   /// The current round; null until its level has been received.
   const Round* round() const { return round_ ? &*round_ : nullptr; }
-  /// Whether the server has ended the current round. It can do so before the game is over: it does not wait for players
-  /// that are inactive or disconnected.
-  bool roundOver() const { return roundOver_; }
+  /// How the current round ended and what comes next; null while the server has not ended it. The server can do so
+  /// before the game is over: it does not wait for players that are inactive or disconnected, and players may vote.
+  const RoundEnd* roundEnd() const;
+  /// How many players wish the next level in this round. Without `votes`, `voters` means nothing.
+  const VoteCount& voteCount() const { return voteCount_; }
+  /// Whether the player of this client wishes it.
+  bool wishesNext() const { return wishesNext_; }
   /// Player names by slot; an empty name means a free slot.
   std::span<const std::string> names() const { return names_; }
 
@@ -113,10 +120,12 @@ class Session {
   void handle(const RoundEnd& message, Moment now);
   void handle(const Bye& message, Moment now);
   void handle(const Notice& message, Moment now);
+  void handle(const VoteCount& message, Moment now);
   void handle(const ConfirmedTicks& message, Moment now);
 
   std::shared_ptr<const Level> level(std::uint64_t hash);
   void remember(std::shared_ptr<const Level> level);
+  void prefetch();
   void requestLevel(std::uint64_t levelHash);
   void startRound(std::uint32_t round, std::uint64_t levelHash);
   void closeRound();
@@ -143,7 +152,9 @@ class Session {
 
   std::optional<RoundStart> pendingRound_;  // waits for its level
   std::optional<Round> round_;
-  bool roundOver_ = false;
+  std::optional<RoundEnd> roundEnd_;  // the last one
+  VoteCount voteCount_;
+  bool wishesNext_ = false;
   double lead_ = 0;
   TokenBucket workBudget_;
   std::uint64_t pastWork_ = 0;  // all but the prediction of this round

@@ -4,15 +4,14 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <string_view>
 #include <vector>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "client/ui/overlay_writer.h"
+#include "client/ui/player_rows.h"
 #include "client/ui/text_wrap.h"
-#include "platon/game/utf8.h"
 
 namespace platon {
 namespace {
@@ -20,36 +19,20 @@ namespace {
 using namespace overlay_colours;
 
 constexpr std::size_t kMaxRows = 12;
-constexpr std::size_t kMaxNameLength = 20;  // code points shown of a name
 constexpr float kMargin = 16;
 constexpr float kTextSize = 18;     // of messages and notices
 constexpr float kWidestText = 640;  // of messages and notices
 
-constexpr std::array<std::array<const char*, 2>, 7> kHelp{{{"← →  or  A D", "run"},
+constexpr std::array<std::array<const char*, 2>, 8> kHelp{{{"← →  or  A D", "run"},
                                                            {"Space, ↑ or W", "jump; hold to jump higher"},
                                                            {"R", "back to the start"},
+                                                           {"V", "vote for the next level"},
                                                            {"F1", "help"},
                                                            {"F3", "connection graph"},
                                                            {"F11", "full screen"},
                                                            {"Esc", "menu: settings, leave"}}};
 
 std::string twoDigits(long value) { return std::string(value < 10 ? "0" : "") + std::to_string(value); }
-
-std::string finishText(double seconds) {
-  const long hundredths = std::lround(seconds * 100);
-  return std::to_string(hundredths / 100) + "." + twoDigits(hundredths % 100) + " s";
-}
-
-// Cuts a name of more than kMaxNameLength code points and appends an ellipsis.
-std::string shortened(const std::string& name) {
-  std::string_view rest = name;
-  for (std::size_t i = 0; i < kMaxNameLength && !rest.empty(); ++i) takeCodePoint(rest);
-  return rest.empty() ? name : name.substr(0, name.size() - rest.size()) + "…";
-}
-
-std::string nameOf(const PlayerDrawing& player) {
-  return player.name.empty() ? std::string("Player ") + player.number : shortened(player.name);
-}
 
 void addTitle(OverlayWriter& writer, const Scene& scene) {
   const std::string solid(nameOf(scene.stage->mesh.solid().kind()));
@@ -63,18 +46,6 @@ void addClock(OverlayWriter& writer, const Scene& scene, float width) {
   writer.pill(clockText(scene.secondsLeft), {width / 2, kMargin + 22}, 26, urgent ? kWarning : kBright);
 }
 
-// Players who have finished, by time; then the others, by slot.
-std::vector<const PlayerDrawing*> inOrder(const Scene& scene) {
-  std::vector<const PlayerDrawing*> players;
-  for (const PlayerDrawing& player : scene.players) players.push_back(&player);
-  std::sort(players.begin(), players.end(), [](const PlayerDrawing* a, const PlayerDrawing* b) {
-    if (a->finishSeconds.has_value() != b->finishSeconds.has_value()) return a->finishSeconds.has_value();
-    if (a->finishSeconds != b->finishSeconds) return a->finishSeconds < b->finishSeconds;
-    return a->slot < b->slot;
-  });
-  return players;
-}
-
 void addRow(OverlayWriter& writer, const PlayerDrawing& player, float right, float top) {
   constexpr float kRowWidth = 232;
   const glm::vec2 dot(right - kRowWidth + 16, top + 13);
@@ -82,7 +53,7 @@ void addRow(OverlayWriter& writer, const PlayerDrawing& player, float right, flo
   writer.panel(dot - 9.0F, dot + 9.0F, 9, glm::vec4(player.colour, 1));
   const float size = player.number.size() > 2 ? 9 : 11;
   writer.centred(player.number, {dot.x, dot.y + size * 0.36F}, size, {0.05F, 0.05F, 0.08F, 1});
-  writer.left(nameOf(player), {dot.x + 18, top + 18}, 15, player.local ? kBright : kSoft);
+  writer.left(shownNameOf(player), {dot.x + 18, top + 18}, 15, player.local ? kBright : kSoft);
   if (player.finishSeconds)
     writer.right(std::string("✓ ") + finishText(*player.finishSeconds), {right - 10, top + 18}, 13, kGold);
 }
@@ -109,7 +80,7 @@ void addNameTag(OverlayWriter& writer, const PlayerDrawing& player, const Camera
   const glm::dvec3 above = player.pose.position + camera.up() * (StageModel::kPlayerRadius * 1.35);
   const glm::dvec4 clip = camera.viewProjection() * glm::dvec4(above, 1);
   const glm::vec2 place((clip.x / clip.w + 1) / 2 * width, (1 - clip.y / clip.w) / 2 * Overlay::kHeight);
-  writer.centred(nameOf(player), place, 13, glm::vec4(glm::mix(player.colour, Colour(1), 0.35F), 0.9F));
+  writer.centred(shownNameOf(player), place, 13, glm::vec4(glm::mix(player.colour, Colour(1), 0.35F), 0.9F));
 }
 
 void addResult(OverlayWriter& writer, const Scene& scene, float width) {
@@ -120,6 +91,12 @@ void addResult(OverlayWriter& writer, const Scene& scene, float width) {
   } else if (scene.over) {
     writer.pill(scene.secondsLeft <= 0 ? "Time is up" : "Round over", middle, 30, kBright);
   }
+}
+
+void addVote(OverlayWriter& writer, const VoteStatus& vote, float width) {
+  const std::string text = std::to_string(vote.votes) + " of " + std::to_string(vote.voters) +
+                           (vote.votes == 1 ? " wants" : " want") + " the next level (V)";
+  writer.pill(vote.mine ? "✓ " + text : text, {width / 2, kMargin + 66}, 16, vote.mine ? kGold : kBright);
 }
 
 void addHelp(OverlayWriter& writer) {
@@ -182,6 +159,8 @@ Overlay makeHud(const Scene& scene, const Camera& camera, const HudStatus& statu
   addClock(writer, scene, width);
   addPlayers(writer, scene, width);
   addResult(writer, scene, width);
+  if (status.summary) addResults(writer, scene, *status.summary, font, width);
+  if (status.vote) addVote(writer, *status.vote, width);
   if (status.help) addHelp(writer);
   addTexts(writer, status, font, width);
   return writer.take();

@@ -1,20 +1,32 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 
 #include "client/scene/camera.h"
 #include "client/scene/scene.h"
 #include "client/ui/font.h"
 #include "client/ui/overlay.h"
+#include "client/ui/results_panel.h"
 
 namespace platon {
 
+/// The vote for the next level.
+struct VoteStatus {
+  std::uint32_t votes = 0;  ///< at least 1
+  std::uint32_t voters = 0;
+  bool mine = false;  ///< the local player has voted
+};
+
 /// What the head-up display shows besides the scene.
 struct HudStatus {
-  std::string message{};  ///< state of the connection or why the game ended; empty: none
-  bool warning = false;   ///< the message reports an error
-  bool help = false;      ///< show the table of keys
-  std::string notice{};   ///< text of the server's operator; empty: none
+  std::string message{};                  ///< state of the connection or why the game ended; empty: none
+  bool warning = false;                   ///< the message reports an error
+  bool help = false;                      ///< show the table of keys
+  std::string notice{};                   ///< text of the server's operator; empty: none
+  std::optional<VoteStatus> vote{};       ///< nothing: nobody has voted
+  std::optional<RoundSummary> summary{};  ///< nothing: the round has not ended
 };
 
 /// Time left as `minutes:seconds`; below ten seconds with tenths. `seconds` ≥ 0.
@@ -23,7 +35,7 @@ std::string clockText(double seconds);
 /// The display while there is no game. `width` is that of the virtual screen.
 Overlay makeEmptyHud(const HudStatus& status, const Font& font, float width);
 
-/// Title, clock, list of players, name tags, result, message, notice and help.
+/// Title, clock, list of players, name tags, results, vote, message, notice and help.
 Overlay makeHud(const Scene& scene, const Camera& camera, const HudStatus& status, const Font& font);
 
 }  // namespace platon

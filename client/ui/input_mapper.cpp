@@ -65,6 +65,7 @@ std::optional<Action> InputMapper::handle(const KeyEvent& event, bool menuOpen) 
   if (event.kind == KeyEvent::Kind::kRelease) return std::nullopt;
   const bool first = event.kind == KeyEvent::Kind::kPress;
   if (const std::optional<Action> toggle = toggleOf(event)) return first ? toggle : std::nullopt;
+  if (event.key == Key::kV && first && !menuOpen) return Action::kToggleVote;
   const std::optional<Action> action = menuOpen ? menuActionOf(event.key) : std::nullopt;
   return first || action != Action::kMenuChoose ? action : std::nullopt;
 }

@@ -19,7 +19,8 @@ enum class Action : std::uint8_t {
   kMenuChoose,
   kToggleHelp,
   kToggleNetGraph,
-  kToggleFullscreen
+  kToggleFullscreen,
+  kToggleVote
 };
 
 /// Decides what each key does: an action of the user interface, a control of the game, or both.

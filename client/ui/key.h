@@ -18,6 +18,7 @@ enum class Key : std::uint8_t {
   kSpace,
   kEnter,
   kR,
+  kV,
   kShift,
   kEscape,
   kF1,

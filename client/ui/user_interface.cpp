@@ -37,6 +37,9 @@ void UserInterface::perform(Action action) {
     case Action::kToggleFullscreen:
       settings_.fullscreen = !settings_.fullscreen;
       return;
+    case Action::kToggleVote:
+      voteToggled_ = !voteToggled_;
+      return;
   }
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <utility>
+
 #include "client/ui/held_keys.h"
 #include "client/ui/input_mapper.h"
 #include "client/ui/key.h"
@@ -17,6 +19,9 @@ class UserInterface {
   /// Returns the controls of the next tick; none while the menu is open. Called once a tick.
   HeldKeys takeHeld();
 
+  /// Whether the player has changed its vote for the next level since the last call.
+  bool takeVote() { return std::exchange(voteToggled_, false); }
+
   const Menu& menu() const { return menu_; }
   const Settings& settings() const { return settings_; }
   bool helpShown() const { return helpShown_; }
@@ -28,6 +33,7 @@ class UserInterface {
   Menu menu_;
   InputMapper mapper_;
   bool helpShown_ = false;
+  bool voteToggled_ = false;
 };
 
 }  // namespace platon

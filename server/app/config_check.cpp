@@ -10,6 +10,7 @@
 #include "server/admin/console_socket.h"
 #include "server/admin/metrics_server.h"
 #include "server/app/level_files.h"
+#include "server/times/best_time_store.h"
 
 namespace platon {
 namespace {
@@ -56,6 +57,16 @@ class Checker {
     for (const std::string& error : std::get<std::vector<std::string>>(read)) add(ProgramError::kUsage, error);
   }
 
+  void checkBestTimes(const std::string& path) {
+    if (path.empty()) return;
+    const auto read = readBestTimes(path);
+    if (const auto* times = std::get_if<BestTimes>(&read)) {
+      check_.summary += ", best times: " + std::to_string(times->size());
+      return;
+    }
+    for (const std::string& error : std::get<std::vector<std::string>>(read)) add(ProgramError::kUsage, error);
+  }
+
   void checkSecrets(const ServerOptions& options) {
     attempt([&] {
       if (options.keyFile.empty() || checkKeyFile(options.keyFile)) return;
@@ -92,6 +103,7 @@ ConfigCheck checkConfig(const CommandLine& line) {
   const ServerOptions& options = read.options;
   checker.attempt([&] { checker.checkLevels(options.levels.empty() ? shippedLevelFiles() : options.levels); });
   checker.checkBans(options.banFile);
+  checker.checkBestTimes(options.bestTimes);
   checker.checkSecrets(options);
   checker.checkAddresses(options);
   return checker.take();

@@ -4,9 +4,11 @@
 #include <thread>
 
 #include "platon_version.h"
+#include "protocol/program_error.h"
 #include "protocol/to_client.h"
 #include "protocol/to_server.h"
 #include "protocol/transport/udp_socket.h"
+#include "server/app/command_line.h"
 
 namespace platon {
 namespace {
@@ -44,6 +46,15 @@ MatchSettings matchSettings(const ServerSettings& settings) {
   return match;
 }
 
+UtcTime utcNow() { return std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now()); }
+
+BestTimeStore bestTimesOf(const std::string& path) {
+  if (path.empty()) return BestTimeStore(utcNow);
+  auto read = readBestTimes(path);
+  if (auto* times = std::get_if<BestTimes>(&read)) return {utcNow, path, std::move(*times)};
+  throw ProgramError(ProgramError::kUsage, summaryOf(std::get<std::vector<std::string>>(read)));
+}
+
 // The thread of the writer owns the folder: it may outlive the server when the disk does not answer.
 RecordingWriter::Write writeTo(const ServerSettings& settings) {
   return [folder = std::make_shared<RecordingFolder>(settings.recordings, settings.recordLimit)](
@@ -74,7 +85,7 @@ void write(Log& log, const MatchEvent& event) {
     case Kind::kRoundStart:
       return log.info("round started", {{"level", event.text}});
     case Kind::kRoundEnd:
-      return log.info("round over", {{"ticks", std::uint64_t{event.ticks}}});
+      return log.info("round over", {{"ticks", std::uint64_t{event.ticks}}, {"cause", event.text}});
   }
 }
 
@@ -102,6 +113,8 @@ DedicatedServer::DedicatedServer(std::unique_ptr<DatagramSocket> socket, const S
     : log_(std::move(log)),
       identity_(settings.identity ? *settings.identity : ServerIdentity::random()),
       host_(std::move(socket), identity_, hostSettings(settings, identity_), momentOf(steadyNow())),
+      bestTimeFile_(settings.bestTimes),
+      bestTimes_(bestTimesOf(settings.bestTimes)),
       match_(LevelRotation(std::move(levels)), matchSettings(settings)),
       clock_(steadyNow()),
       nextLogAt_(steadyNow() + kRejectedLogInterval) {
@@ -109,6 +122,7 @@ DedicatedServer::DedicatedServer(std::unique_ptr<DatagramSocket> socket, const S
     const std::size_t room = host_.room(client);
     return room - std::min(room, kReservedRoom);
   });
+  match_.keepBestTimes(bestTimes_);
   if (!settings.recordings.empty()) recordings_.emplace(writeTo(settings));
   updateInfo();
 }
@@ -141,6 +155,7 @@ void DedicatedServer::step(TimePoint now) {
     receivedBeforeTick_ = received;
   }
   send(now);
+  logBestTimes(bestTimes_.poll(now));
   logRejected(now);
   logDropped(now);
   if (!ticks) return;
@@ -199,8 +214,7 @@ void DedicatedServer::refuseBanned(const BanList& bans) {
 
 // The ban that the address is under; null if there is none.
 const Ban* DedicatedServer::banOf(const IpAddress& address) const {
-  const auto time = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
-  return bans_ ? bans_->find(address, time) : nullptr;
+  return bans_ ? bans_->find(address, utcNow()) : nullptr;
 }
 
 // Call only for an address that has been shown to be the client's: a forged one must not displace others in the log.
@@ -237,6 +251,17 @@ void DedicatedServer::finishRecordings() {
   const bool finished = recordings_->finish();
   writeRecordings();
   if (!finished) log_.warning("recording stopped", {{"reason", "the disk does not answer"}});
+}
+
+// Logs why the best times could not be written, and the end of such a failure.
+void DedicatedServer::logBestTimes(const std::optional<std::string>& fault) {
+  if (!fault && (!bestTimesUnwritten_ || bestTimes_.pending())) return;
+  const LogField file{"file", bestTimeFile_};
+  bestTimesUnwritten_ = fault.has_value();
+  if (fault)
+    log_.warning("best times not written", {file, {"reason", *fault}});
+  else
+    log_.info("best times written", {file});
 }
 
 void DedicatedServer::logRejected(TimePoint now) {
@@ -295,6 +320,7 @@ void DedicatedServer::stop(const std::string& reason) {
     host_.service(momentOf(now));
   }
   finishRecordings();
+  logBestTimes(bestTimes_.finish());
   log_.info("tick times", {{"ticks", tickTimes_.count()},
                            {"p50Us", tickTimes_.quantile(0.5)},
                            {"p99Us", tickTimes_.quantile(0.99)},

@@ -18,6 +18,7 @@
 #include "server/match/match.h"
 #include "server/net/host.h"
 #include "server/net/time_point.h"
+#include "server/times/best_time_store.h"
 
 namespace platon {
 
@@ -30,12 +31,14 @@ struct ServerSettings {
   MatchSettings match;                     ///< `record` and `playersPerOrigin` are ignored: the server derives them
   std::string recordings;                  ///< folder for a recording of each round; empty: no recordings
   std::uint64_t recordLimit = std::uint64_t{10} << 30;  ///< bytes of all recordings in this folder
+  std::string bestTimes;                                ///< file of the best times; empty: they end with the server
 };
 
 /// A match on a socket. `platon-server` runs one, and so does a client without a server address.
 class DedicatedServer {
  public:
-  /// Opens the socket; `levels` must not be empty. Throws SocketError, and ProgramError if no recording can be written.
+  /// Opens the socket; `levels` must not be empty. Throws SocketError, and ProgramError if no recording can be written
+  /// or the best times cannot be read.
   DedicatedServer(const ServerSettings& settings, std::vector<LevelPointer> levels, Log log);
   /// The same on another socket.
   DedicatedServer(std::unique_ptr<DatagramSocket> socket, const ServerSettings& settings,
@@ -90,6 +93,7 @@ class DedicatedServer {
   void send(TimePoint now);
   void writeRecordings();
   void finishRecordings();
+  void logBestTimes(const std::optional<std::string>& fault);
   void logRejected(TimePoint now);
   void logDropped(TimePoint now);
   void updateInfo();
@@ -98,6 +102,9 @@ class DedicatedServer {
   ServerIdentity identity_;
   Host host_;
   std::optional<RecordingWriter> recordings_;
+  std::string bestTimeFile_;
+  BestTimeStore bestTimes_;
+  bool bestTimesUnwritten_ = false;  // the log says so
   Match match_;
   TickClock clock_;
   const BanList* bans_ = nullptr;  // null: nobody is banned

@@ -25,6 +25,7 @@ struct ServerOptions {
   std::string keyFile{};            ///< empty: `defaultKeyFile`
   std::string passwordFile{};       ///< empty: no password
   std::string recordLimit = "10G";  ///< of all recordings in the folder, as `parseByteSize` reads it
+  std::string bestTimes{};          ///< file; empty: best times end with the server
 
   friend bool operator==(const ServerOptions&, const ServerOptions&) = default;
 };

@@ -36,6 +36,7 @@ ServerSettings settingsOf(const ServerOptions& options, Log& log) {
   settings.match.maxPlayers = options.maxPlayers;
   settings.match.serverName = options.name;
   settings.recordings = options.record;
+  settings.bestTimes = options.bestTimes;
   settings.recordLimit = *parseByteSize(options.recordLimit);
   return settings;
 }

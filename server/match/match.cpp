@@ -158,6 +158,7 @@ void Match::sendWelcome(ClientId client, MatchPlayer& player, const Hello& hello
   const bool knowsLevel = std::find(hello.levels.begin(), hello.levels.end(), level->hash) != hello.levels.end();
   if (!knowsLevel) player.sendLevel(transfers_.level(level));
   if (history_.end() > 0) sendState(player);
+  if (overAt_) send(client, encode(roundEnd()));
 }
 
 void Match::handle(ClientId client, const LevelRequest& request) {
@@ -254,6 +255,7 @@ void Match::sendRosters() {
   for (const ClientId client : std::exchange(newcomers_, {})) {
     if (!isPlaying(client)) continue;
     for (const SharedBytes& roster : names_.all()) send(client, roster);
+    if (const std::optional<VoteCount> told = voteNotices_.told()) send(client, encode(*told));
   }
   if (now_ < nextRosterAt_) return;
   const std::vector<SharedBytes> changes = names_.takeChanges();
@@ -322,58 +324,6 @@ void Match::sendTicks() {
     ticks_.sequence = player.nextSequence();
     outgoing_.push_back({client, false, false, encode(ticks_)});
   }
-}
-
-// The game is over when all players present have finished. A match does not wait that long for players that are
-// inactive or disconnected: it is enough that one player has finished and that it awaits no other.
-bool Match::roundOver() const {
-  if (game_.over()) return true;
-  bool finished = false;
-  for (std::uint32_t slot = 0; slot < game_.slots(); ++slot) finished = finished || game_.player(slot).finished();
-  return finished &&
-         std::none_of(players_.begin(), players_.end(), [this](const auto& entry) { return awaits(entry.second); }) &&
-         std::none_of(disconnected_.begin(), disconnected_.end(), [this](const Disconnected& entry) {
-           return now_ - entry.since < kAwaitTicks && awaits(entry.player);
-         });
-}
-
-// Whether the player is active, in the game, and has not finished.
-bool Match::awaits(const MatchPlayer& player) const {
-  if (player.slot() >= game_.slots()) return false;
-  const PlayerState& state = game_.player(player.slot());
-  return state.present != 0 && !state.finished() && player.isActive(now_);
-}
-
-// Ends the round when it is over, and starts the next one after the pause.
-void Match::finishRound() {
-  const std::uint32_t tick = history_.end();
-  if (!overAt_ && roundOver())
-    endRound();
-  else if (overAt_ && tick - *overAt_ >= kPauseTicks)
-    startNextRound();
-}
-
-void Match::endRound() {
-  overAt_ = history_.end();
-  sendAll(encode(RoundEnd{round_, *overAt_, rotation_.next()->hash}));
-  events_.push_back({MatchEvent::Kind::kRoundEnd, 0, 0, "", *overAt_});
-}
-
-void Match::startNextRound() {
-  rotation_.advance();
-  startRound();
-  sendAll(encode(RoundStart{round_, rotation_.current()->hash}));
-}
-
-void Match::startRound() {
-  recorder_.finish(game_);
-  ++round_;
-  game_ = Game(rotation_.current());
-  history_ = TickHistory(round_, shortHash(game_.hash()));
-  overAt_.reset();
-  for (auto& [client, player] : players_) player.startRound();
-  for (Disconnected& entry : disconnected_) entry.player.startRound();
-  addEvent(MatchEvent::Kind::kRoundStart, 0, 0, rotation_.current()->title);
 }
 
 const MatchPlayer* Match::player(ClientId client) const {

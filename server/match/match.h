@@ -14,6 +14,7 @@
 #include "protocol/to_client.h"
 #include "protocol/to_server.h"
 #include "protocol/transport/socket_address.h"
+#include "server/match/best_time_keeper.h"
 #include "server/match/client_id.h"
 #include "server/match/level_rotation.h"
 #include "server/match/match_event.h"
@@ -24,6 +25,7 @@
 #include "server/match/shared_bytes.h"
 #include "server/match/tick_history.h"
 #include "server/match/transfer_cache.h"
+#include "server/match/vote_notices.h"
 
 namespace platon {
 
@@ -86,8 +88,10 @@ class Match {
   void tick();
   /// Removes all players and tells their clients the reason.
   void stop(const std::string& reason);
-  /// Plays these levels after the current one.
-  void setLevels(std::vector<LevelPointer> levels) { rotation_.replace(std::move(levels)); }
+  /// Plays these levels after the current one, also when the round has ended already.
+  void setLevels(std::vector<LevelPointer> levels);
+  /// Sets who keeps the best times of the levels; it must outlive the match. Without it, there are none.
+  void keepBestTimes(BestTimeKeeper& keeper) { bestTimes_ = &keeper; }
 
   /// `name`: a label; invisible characters are left out.
   void setServerName(std::string_view name);
@@ -137,6 +141,7 @@ class Match {
   void handle(ClientId, const Hello&) {}
   void handle(ClientId client, const LevelRequest& request);
   void handle(ClientId client, const Leave& leave);
+  void handle(ClientId client, const Vote& vote);
   void handle(ClientId client, const PlayerInputs& inputs);
 
   /// The player of the client, or why it gets none.
@@ -161,7 +166,11 @@ class Match {
   bool roundOver() const;
   bool awaits(const MatchPlayer& player) const;
   void finishRound();
-  void endRound();
+  void noteFinishes();
+  bool arrivesInTime(std::uint32_t slot) const;
+  VoteCount countVotes();
+  void endRound(const std::string& cause);
+  RoundEnd roundEnd() const;
   void startNextRound();
   void resync(ClientId client, MatchPlayer& player, MatchEvent::Kind cause, std::uint32_t confirmed);
   void sendState(MatchPlayer& player);
@@ -185,7 +194,10 @@ class Match {
   std::vector<Disconnected> disconnected_;   // ordered by since
   PlayerNames names_;                        // of the connected and the disconnected players
   std::uint64_t nextRosterAt_ = 0;           // value of now_
-  std::vector<ClientId> newcomers_;          // clients that joined or resumed since the last tick
+  VoteNotices voteNotices_;
+  BestTimeKeeper* bestTimes_ = nullptr;  // null: none
+  bool bestIsNew_ = false;               // the best time of the level was reached in this round
+  std::vector<ClientId> newcomers_;      // clients that joined or resumed since the last tick
   TransferCache transfers_;
   std::function<std::size_t(ClientId)> room_;
   ClientId nextTransfer_ = 0;  // client whose transfers go on first in the next tick

@@ -29,15 +29,6 @@ bool Match::mute(std::uint32_t slot, bool muted) {
 
 void Match::say(const std::string& text) { sendAll(encode(Notice{visibleLabel(text)})); }
 
-bool Match::endRoundNow() {
-  if (overAt_) return false;
-  if (idle())
-    startNextRound();
-  else
-    endRound();
-  return true;
-}
-
 std::vector<PlayerStatus> Match::playerStatus() const {
   std::vector<PlayerStatus> all;
   const auto add = [this, &all](const MatchPlayer& player, std::optional<ClientId> client) {

@@ -16,7 +16,7 @@ struct MatchEvent {
     kDesync,          ///< the client's game differs; text: round, tick of the client's hash, tick of the state sent
     kResync,          ///< the client lacked ticks that can no longer be repeated; text: as for kDesync
     kRoundStart,      ///< text: the level's title
-    kRoundEnd,        ///< ticks: length of the round
+    kRoundEnd,        ///< ticks: length of the round; text: why it ended: finished, time, vote or operator
   };
 
   Kind kind = Kind::kJoined;

@@ -7,6 +7,7 @@ namespace platon {
 
 void MatchPlayer::startRound() {
   inputs_ = InputBuffer();
+  wish_.clear();
   std::erase_if(transfers_, [](const Transfer& transfer) { return transfer.isState(); });
   resetProgress();
   started_ = false;
@@ -15,6 +16,7 @@ void MatchPlayer::startRound() {
 void MatchPlayer::resume(std::string name) {
   name_ = std::move(name);
   inputs_.clear();
+  wish_.clear();
   transfers_.clear();
   loss_ = LossMeter();
   resetProgress();
@@ -74,6 +76,11 @@ std::uint32_t MatchPlayer::measuredTick(const PlayerInputs& message) const {
     before = input;
   }
   return end - 1;
+}
+
+void MatchPlayer::vote(bool next, std::uint64_t now) {
+  wish_.set(next);
+  activeAt_ = now;
 }
 
 bool MatchPlayer::isCurrent(const PlayerInputs& message) const {

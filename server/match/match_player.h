@@ -14,6 +14,7 @@
 #include "protocol/transport/socket_address.h"
 #include "server/match/input_buffer.h"
 #include "server/match/transfer.h"
+#include "server/match/vote_wish.h"
 
 namespace platon {
 
@@ -63,9 +64,13 @@ class MatchPlayer {
   /// Stores the inputs of a message of the current round. `decided`: number of decided ticks of the round; `now`: tick
   /// of the match.
   void addInputs(const PlayerInputs& message, std::uint32_t decided, std::uint64_t now);
-  /// Whether the client has changed a button, or joined, in the last kActiveTicks. A button that is held for longer
-  /// does not count, nor does the release of buttons for want of inputs.
+  /// Whether the client has changed a button, voted or joined in the last kActiveTicks. A button that is held for
+  /// longer does not count, nor does the release of buttons for want of inputs.
   bool isActive(std::uint64_t now) const { return now - activeAt_ < kActiveTicks; }
+  /// The player wishes the next level, or no longer wishes it. The wish ends with the round and with the connection.
+  void vote(bool next, std::uint64_t now);
+  /// Whether this wish counts now (VoteWish).
+  bool wishesNext(std::uint64_t now) { return wish_.counts(now); }
   /// Whether the message reports the client's current progress: the client has restored the last state sent, and the
   /// message is not older than another one received.
   bool isCurrent(const PlayerInputs& message) const;
@@ -119,8 +124,9 @@ class MatchPlayer {
   std::optional<SessionToken> token_;
   IpAddress address_;
   std::uint64_t origin_ = 0;
-  std::uint64_t activeAt_;    // tick of the match in which the client last changed a button, or joined
+  std::uint64_t activeAt_;    // tick of the match in which the client last changed a button, voted or joined
   std::uint8_t buttons_ = 0;  // of the newest input of all rounds
+  VoteWish wish_;
   InputBuffer inputs_;
   std::deque<Transfer> transfers_;
   LossMeter loss_;  // of the messages of inputs

@@ -79,6 +79,34 @@ TEST(ToClient, RefusesValuesOutOfRange) {
   EXPECT_TRUE(refused(Notice{"\xff"}));
 }
 
+TEST(ToClient, RefusesAnEndOfTheRoundOutOfRange) {
+  const RoundEnd valid{2, 3600, 18, "First steps", kMaxPauseTicks, LevelBest{kRoundTicks, "Ann", true}};
+  const auto refused = [&valid](auto change) {
+    RoundEnd copy = valid;
+    change(copy);
+    return !decodeToClient(encode(copy));
+  };
+  EXPECT_FALSE(refused([](RoundEnd&) {}));
+  EXPECT_TRUE(refused([](RoundEnd& end) { end.nextTitle = "a\nb"; }));
+  EXPECT_TRUE(refused([](RoundEnd& end) { end.nextTitle = std::string(kMaxTitleBytes + 1, 'a'); }));
+  EXPECT_TRUE(refused([](RoundEnd& end) { end.pauseTicks = kMaxPauseTicks + 1; }));
+  EXPECT_TRUE(refused([](RoundEnd& end) { end.best->ticks = kRoundTicks + 1; }));
+  EXPECT_TRUE(refused([](RoundEnd& end) { end.best->name = "a\x1b"; }));
+  EXPECT_TRUE(refused([](RoundEnd& end) { end.best->name = std::string(kMaxNameBytes + 1, 'a'); }));
+}
+
+TEST(ToClient, ABestTimeOfNoTicksIsNone) {
+  EXPECT_EQ(decodeToClient(encode(RoundEnd{2, 3600, 18, "A", 300, LevelBest{0, "Ann", true}})),
+            ToClient(RoundEnd{2, 3600, 18, "A", 300, std::nullopt}));
+}
+
+TEST(ToClient, RefusesMoreVotesThanVotersAndMoreVotersThanPlayers) {
+  const auto refused = [](const VoteCount& count) { return !decodeToClient(encode(count)); };
+  EXPECT_FALSE(refused({1, kMaxPlayers, kMaxPlayers}));
+  EXPECT_TRUE(refused({1, 3, 2}));
+  EXPECT_TRUE(refused({1, 1, kMaxPlayers + 1}));
+}
+
 // Changes the encoded byte, since `encode` asserts the range.
 TEST(ToClient, RefusesALossAboveHundredPerCent) {
   const ConfirmedTicks message{3, 300, 8, 0, LinkReport{1, 100, std::nullopt}, {}};

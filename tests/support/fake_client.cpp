@@ -125,6 +125,8 @@ void FakeClient::handle(const ConfirmedTicks& message) {
   if (shortHash(game_->hash()) != message.hash) ++desyncs_;
 }
 
+void FakeClient::vote(std::uint32_t round, bool next) { send(Vote{round, next}, true); }
+
 void FakeClient::corruptGame() {
   ASSERT_TRUE(game_);
   game_->advance(std::vector<Input>(kMaxPlayers, Input{Input::kPresent}));

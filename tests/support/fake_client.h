@@ -38,6 +38,8 @@ class FakeClient : public VirtualClient {
   const std::vector<std::string>& notices() const { return notices_; }
   const std::map<std::uint32_t, std::string>& roster() const { return roster_; }
   const std::optional<RoundEnd>& roundEnd() const { return roundEnd_; }
+  /// All counts of votes, in order.
+  const std::vector<VoteCount>& voteCounts() const { return voteCounts_; }
 
   const SessionToken& token() const { return token_; }
   std::uint32_t round() const { return round_; }
@@ -55,6 +57,9 @@ class FakeClient : public VirtualClient {
   const std::optional<SlackReport>& slack() const { return slack_; }
 
   void setLead(std::uint32_t lead) { lead_ = lead; }
+  /// Sends a vote for the present round, or for another one.
+  void vote(bool next) { vote(round_, next); }
+  void vote(std::uint32_t round, bool next);
   /// Changes the confirmed game, so that it is in desync.
   void corruptGame();
 
@@ -70,6 +75,7 @@ class FakeClient : public VirtualClient {
   }
   void handle(const RoundStart& message);
   void handle(const RoundEnd& message) { roundEnd_ = message; }
+  void handle(const VoteCount& message) { voteCounts_.push_back(message); }
   void handle(const Bye& message) { bye_ = message; }
   void handle(const Notice& message) { notices_.push_back(message.text); }
   void handle(const ConfirmedTicks& message);
@@ -87,6 +93,7 @@ class FakeClient : public VirtualClient {
   std::optional<Bye> bye_;
   std::vector<std::string> notices_;
   std::optional<RoundEnd> roundEnd_;
+  std::vector<VoteCount> voteCounts_;
   std::optional<SlackReport> slack_;
   std::map<std::uint32_t, std::string> roster_;
   std::uint32_t round_ = 0;

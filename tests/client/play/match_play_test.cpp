@@ -106,6 +106,26 @@ TEST_F(MatchPlayTest, ATextOfTheConsoleIsInThePictureForEightSeconds) {
   EXPECT_FALSE(isInPicture("Restart at noon"));
 }
 
+TEST_F(MatchPlayTest, AVoteEndsTheRoundAndThePictureCountsDown) {
+  connect(LinkQuality());
+  const auto voter = [](ClientId client) {
+    Hello hello;
+    hello.token = SessionToken{static_cast<std::uint8_t>(client)};
+    return hello;
+  };
+  server_.server().match().receive(1'000'000, voter(1));  // another player, without a connection
+  server_.server().match().receive(1'000'001, voter(2));
+  ASSERT_TRUE(updateUntil(seconds(10), [&] { return play_->scene(server_.clock().now()).has_value(); }));
+  play_->toggleVote();
+  EXPECT_TRUE(updateUntil(seconds(2), [&] { return isInPicture("✓ 1 of 3 wants the next level (V)"); }));
+  server_.server().match().receive(1'000'000, Vote{server_.server().match().round(), true});
+  const auto next = [&](int second) { return "next: HEXAHEDRON in " + std::to_string(second) + " s"; };
+  for (int second = 5; second >= 1; --second) {
+    EXPECT_TRUE(updateUntil(seconds(2), [&] { return isInPicture(next(second)); })) << second;
+  }
+  EXPECT_TRUE(updateUntil(seconds(2), [&] { return !isInPicture(next(1)); }));
+}
+
 TEST_F(MatchPlayTest, KeepsTheLevelsOfAServerForTheNextStart) {
   const TemporaryFolder folder;
   const EnvironmentVariable cache("XDG_CACHE_HOME", folder.path().string());

@@ -182,11 +182,11 @@ TEST(Session, ARoundIsOverWhenTheServerEndsIt) {
   const std::uint64_t level = endlessLevel()->hash;
   session.receive(encode(Welcome{0, 1, level, 4, kTicksPerSecond, ""}), Moment(0));
   session.receive(encode(RoundEnd{7, 10, level}), Moment(0));
-  EXPECT_FALSE(session.roundOver()) << "another round";
+  EXPECT_FALSE(session.roundEnd()) << "another round";
   session.receive(encode(RoundEnd{1, 10, level}), Moment(0));
-  EXPECT_TRUE(session.roundOver());
+  EXPECT_TRUE(session.roundEnd());
   session.receive(encode(RoundStart{2, level}), Moment(0));
-  EXPECT_FALSE(session.roundOver());
+  EXPECT_FALSE(session.roundEnd());
 }
 
 TEST(Session, ReportsTheReasonOfARefusal) {

@@ -128,6 +128,16 @@ TEST(Hud, ShowsTheResultOfTheLocalPlayer) {
   EXPECT_TRUE(find(hudOf(scene), "Time is up"));
 }
 
+TEST(Hud, ShowsTheVoteAndWhetherTheLocalPlayerHasVoted) {
+  EXPECT_TRUE(find(hudOf(sceneOf(3), {.vote = VoteStatus{1, 3, false}}), "1 of 3 wants the next level (V)"));
+  EXPECT_TRUE(find(hudOf(sceneOf(3), {.vote = VoteStatus{2, 4, true}}), "✓ 2 of 4 want the next level (V)"));
+}
+
+TEST(Hud, ShowsTheResultsOfARoundThatHasEnded) {
+  EXPECT_FALSE(find(hudOf(sceneOf(1)), "next: Corners in 5 s"));
+  EXPECT_TRUE(find(hudOf(sceneOf(1), {.summary = RoundSummary{"Corners", 5}}), "next: Corners in 5 s"));
+}
+
 TEST(Hud, OnlyVisibleOtherPlayersHaveNameTags) {
   Scene scene = sceneOf(2);
   EXPECT_EQ(count(hudOf(scene), "Name1"), 2);

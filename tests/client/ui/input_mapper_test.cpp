@@ -139,6 +139,14 @@ TEST(InputMapper, ATapBeforeTheMenuOpensIsNotPassedOnAfterIt) {
   EXPECT_EQ(mapper.takeHeld(), HeldKeys());
 }
 
+TEST(InputMapper, AHeldKeyVotesOnce) {
+  InputMapper mapper;
+  EXPECT_EQ(mapper.handle({Key::kV, Kind::kPress}, false), Action::kToggleVote);
+  EXPECT_EQ(mapper.handle({Key::kV, Kind::kRepeat}, false), std::nullopt);
+  EXPECT_EQ(mapper.handle({Key::kV, Kind::kRelease}, false), std::nullopt);
+  EXPECT_EQ(menuActionOf(Key::kV), std::nullopt);
+}
+
 TEST(InputMapper, MenuKeysHaveTheirActions) {
   for (const Key key : {Key::kArrowUp, Key::kW, Key::kPadUp}) EXPECT_EQ(menuActionOf(key), Action::kMenuUp);
   for (const Key key : {Key::kArrowDown, Key::kS, Key::kPadDown}) EXPECT_EQ(menuActionOf(key), Action::kMenuDown);

@@ -70,6 +70,19 @@ TEST(UserInterface, FunctionKeysToggle) {
   }
 }
 
+TEST(UserInterface, TheVoteChangesWithEachPressWhileTheMenuIsClosed) {
+  UserInterface interface { Settings() };
+  EXPECT_FALSE(interface.takeVote());
+  tap(interface, Key::kV);
+  EXPECT_TRUE(interface.takeVote());
+  EXPECT_FALSE(interface.takeVote());
+  tap(interface, Key::kV, 2);
+  EXPECT_FALSE(interface.takeVote()) << "taken back";
+  tap(interface, Key::kEscape);
+  tap(interface, Key::kV);
+  EXPECT_FALSE(interface.takeVote());
+}
+
 TEST(UserInterface, LastMenuItemLeaves) {
   UserInterface interface { Settings() };
   tap(interface, Key::kEscape);

@@ -32,6 +32,7 @@ TEST_P(AttackTest, DoesNoHarm) {
   EXPECT_LE(damage.missedInputs, quiet.missedInputs + damage.ticks / 1000);
   EXPECT_EQ(damage.disconnected, 0);
   EXPECT_EQ(damage.desyncs, 0u);
+  EXPECT_EQ(damage.rounds, quiet.rounds);
   ASSERT_TRUE(damage.joinTime);
   EXPECT_LE(*damage.joinTime, std::chrono::seconds(2));
   EXPECT_LE(damage.heapGrowth, quiet.heapGrowth + kMaxHeapGrowth);

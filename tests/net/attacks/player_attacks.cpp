@@ -12,6 +12,7 @@ using std::chrono::seconds;
 
 constexpr std::size_t kPlayers = 4 * kOwnHouseholds;  // as many as may play from these
 constexpr std::size_t kCrowd = 64;
+constexpr std::size_t kVoters = 3;  // fewer than the players attacked, who are no fewer than half then
 constexpr std::size_t kDeaf = 3 * kOwnHouseholds;
 constexpr Moment kShortLife = milliseconds(100);
 
@@ -64,6 +65,14 @@ void requestLevel(Connection& connection, const Welcome& welcome, Dice& dice) {
   connection.send(encode(LevelRequest{welcome.levelHash + (dice.below(2) == 0 ? 0 : 1)}), true);
 }
 
+// As many as fit the budget of a connection, most of them for the present round.
+void voteOften(Connection& connection, const Welcome& welcome, Dice& dice) {
+  for (int i = 0; i < 4; ++i) {
+    const auto other = static_cast<std::uint32_t>(dice.below(8) == 0 ? dice.below(1 << 20) : 0);
+    connection.send(encode(Vote{welcome.round + other, dice.below(2) == 0}), true);
+  }
+}
+
 // A part of a recorded datagram, or any bytes.
 void setToken(ToServer& message, AttackNetwork& network, Dice& dice) {
   auto* const hello = std::get_if<Hello>(&message);
@@ -95,6 +104,10 @@ std::unique_ptr<Attacker> sendWrongHashes(AttackNetwork& network) {
 
 std::unique_ptr<Attacker> requestLevels(AttackNetwork& network) {
   return attackOf(network, {.tamper = {}, .extra = requestLevel}, kPlayers);
+}
+
+std::unique_ptr<Attacker> castVotes(AttackNetwork& network) {
+  return attackOf(network, {.tamper = {}, .extra = voteOften}, kVoters);
 }
 
 std::unique_ptr<Attacker> sendMalformed(AttackNetwork& network) {

@@ -191,6 +191,7 @@ class Scene {
       damage_.desyncs += player.desyncs();
     }
     damage_.heapGrowth = server_.heapGrowth();
+    damage_.rounds = server_.server().match().round();
     damage_.sent = attackNetwork_.sent();
     countAnswers();
     for (const Rejection& rejection : server_.server().rejections()) {

@@ -18,6 +18,7 @@ struct Damage {
   std::optional<Moment> joinTime;                 ///< of a newcomer during the attack; nothing: it has not joined
   std::int64_t heapGrowth = 0;                    ///< of the server, bytes, while the attack ran
   std::size_t maxPlayers = 0;                     ///< largest number of connected players
+  std::uint32_t rounds = 0;                       ///< that the server has started
   std::uint64_t amplified = 0;                    ///< strangers who were sent more bytes than were sent in their names
   std::uint64_t bytesToVictims = 0;               ///< from the server to the four
   std::uint64_t bytesAsVictims = 0;               ///< from the attacker in their names

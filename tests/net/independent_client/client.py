@@ -27,6 +27,7 @@ class Client:
         self.welcome = self.bye = self.last_ticks = None
         self.roster = {}
         self.notice = None
+        self.round_end = None
         self.level = b""
         self.state = b""
         self.sync = 0
@@ -42,6 +43,9 @@ class Client:
     def leave(self):
         self._enet.send(messages.leave())
         self.until(self._enet.idle, "acknowledge Leave")
+
+    def vote(self):
+        self._enet.send(messages.vote(self.last_ticks.round, True))
 
     def disconnect(self):
         self._enet.disconnect()
@@ -124,8 +128,9 @@ _HANDLERS = {
     messages.LevelChunk: Client._take_level,
     messages.StateChunk: Client._take_state,
     messages.Roster: lambda client, message: client.roster.update(message.names),
-    messages.RoundEnd: _ignore,
+    messages.RoundEnd: lambda client, message: setattr(client, "round_end", message),
     messages.RoundStart: _ignore,
+    messages.VoteCount: _ignore,
     messages.Notice: lambda client, message: setattr(client, "notice", message.text),
     messages.Bye: lambda client, message: setattr(client, "bye", message),
 }

@@ -79,7 +79,7 @@ class Vector:
 
 
 class NewTable:
-    """A table with fields that are a Number, a Vector, a NewTable or, where absent, None."""
+    """A table with fields that are a Number, a Vector, a NewTable or, where absent, None. Small fields come first."""
 
     def __init__(self, *fields):
         self._fields = fields
@@ -87,7 +87,9 @@ class NewTable:
     def write(self, out):
         present = max((index + 1 for index, field in enumerate(self._fields) if field), default=0)
         inline = bytearray(4)
-        offsets = [self._put(field, inline) for field in self._fields[:present]]
+        offsets = [0] * present
+        for index in sorted(range(present), key=lambda index: _size_of(self._fields[index])):
+            offsets[index] = self._put(self._fields[index], inline)
         vtable = struct.pack(f"<HH{present}H", 4 + 2 * present, len(inline), *offsets)
         _pad(out, max([4, *(len(f.encoded) for f in self._fields if isinstance(f, Number))]), len(vtable) + 4)
         out += vtable
@@ -106,6 +108,10 @@ class NewTable:
     def _refer(out, at, field):
         target = field.write(out)
         out[at : at + 4] = struct.pack("<I", target - at)
+
+
+def _size_of(field):
+    return len(field.encoded) if isinstance(field, Number) else 4
 
 
 def text(value):

@@ -15,7 +15,11 @@ SLOT = 5
 PASSWORD = "open sesame"
 NONCE = 0x0102030405060708
 CONTENT = bytes([1, 2, 3])
-NOTICE = messages.Notice("Restart at noon")
+TO_CLIENT = {
+    "notice": messages.Notice("Restart at noon"),
+    "vote-count": messages.VoteCount(3, 2, 5),
+    "round-end": messages.RoundEnd(3, 1800, 0x0123456789ABCDEF, "Corners", 300, 743, "Ann", True),
+}
 
 INPUTS = per_tick.Inputs(3, 18, 1, 300, 0x89ABCDEF, 302, [
     (per_tick.RIGHT, 2), (per_tick.RIGHT | per_tick.JUMP, 1), (0, 9)])  # fmt: skip
@@ -52,6 +56,7 @@ class Golden:
             "sealed-to-server": Sealer(to_server, SLOT).seal(CONTENT),
             "inputs": INPUTS.encode(),
             "hello": self.hello,
+            "vote": messages.vote(3, True),
         }
 
     def of_server(self):
@@ -73,7 +78,7 @@ def check_page(page):
         _check_both(name, page, answer.encode(golden.version), handshake.decode, answer)
     _check_sealed(page, *golden.keys)
     _check_messages(page, golden.hello)
-    others = page.names() - golden.of_client().keys() - golden.of_server().keys() - {"sealed-to-client", "ticks", "notice"}
+    others = page.names() - golden.of_client().keys() - golden.of_server().keys() - TO_CLIENT.keys() - {"sealed-to-client", "ticks"}
     check(not others, f"nothing checks these blocks: {', '.join(sorted(others))}")
 
 
@@ -106,6 +111,8 @@ def _flipped(data, bit):
 def _check_messages(page, hello):
     _check_both("ticks", page, TICKS.encode(), per_tick.decode_ticks, TICKS)
     _check_both("inputs", page, INPUTS.encode(), per_tick.decode_inputs, INPUTS)
-    decoded = messages.decode(page.block("notice"))
-    check(decoded == NOTICE, f"the block 'notice' was decoded as {decoded}")
+    for name, message in TO_CLIENT.items():
+        decoded = messages.decode(page.block(name))
+        check(decoded == message, f"the block '{name}' was decoded as {decoded}")
+    _check_both("vote", page, messages.vote(3, True), messages.decode_vote, (3, True))
     _check_both("hello", page, hello, messages.decode_hello, (page.rules_version(), "Ann", b"", []))

@@ -65,6 +65,7 @@ class Visit:
         client = self.join()
         self.play(client)
         self.hear_the_operator(client)
+        self.vote(client)
         self.ask_for_info(players=1)
         self.move_to_another_port(client)
         client.disconnect()
@@ -135,6 +136,15 @@ class Visit:
     def hear_the_operator(self, client):
         self._server.command(f"say {NOTICE}")
         client.until(lambda: client.notice == NOTICE, "send the text of its operator")
+
+    def vote(self, client):
+        """The only player is a majority. The rotation has one level."""
+        client.vote()
+        client.until(lambda: client.round_end, "end the round that the only player has voted to end")
+        end = client.round_end
+        found = end.round, end.next_level_hash, end.pause_ticks, end.best_ticks
+        expected = client.last_ticks.round, messages.hash_of_level(self._level), 300, 0
+        check(found == expected and end.next_title, f"the server ends the round with {end}")
 
     def move_to_another_port(self, client):
         self._socket.rebind()

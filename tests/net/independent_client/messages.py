@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import flat
 from failure import Failure
 
-HELLO, LEVEL_REQUEST, LEAVE = range(1, 4)
+HELLO, LEVEL_REQUEST, LEAVE, VOTE = range(1, 5)
 
 
 def hash_of_level(level):
@@ -32,6 +32,16 @@ def level_request(level_hash):
 
 def leave():
     return _to_server(LEAVE, flat.NewTable())
+
+
+def vote(round_, next_):
+    return _to_server(VOTE, flat.NewTable(flat.Number(round_, 4), flat.Number(int(next_), 1)))
+
+
+def decode_vote(data):
+    """(round, next)"""
+    body = flat.Table(data).table(1)
+    return body.number(0, 4), bool(body.number(1, 1))
 
 
 def decode_hello(data):
@@ -90,6 +100,11 @@ class RoundEnd:
     round: int
     tick: int
     next_level_hash: int
+    next_title: str
+    pause_ticks: int
+    best_ticks: int
+    best_name: str
+    best_is_new: bool
 
 
 @dataclass
@@ -101,6 +116,18 @@ class Bye:
 @dataclass
 class Notice:
     text: str
+
+
+@dataclass
+class VoteCount:
+    round: int
+    votes: int
+    voters: int
+
+
+def _round_end(body):
+    pause_and_best = body.number(4, 4), body.number(5, 4), body.text(6), bool(body.number(7, 1))
+    return RoundEnd(*_numbers(body, 4, 4, 8), body.text(3), *pause_and_best)
 
 
 def _roster(body):
@@ -119,9 +146,10 @@ _READERS = (
     lambda body: StateChunk(*_numbers(body, 4, 4, 1, 4, 4), body.bytes(5)),
     _roster,
     lambda body: RoundStart(*_numbers(body, 4, 8)),
-    lambda body: RoundEnd(*_numbers(body, 4, 4, 8)),
+    _round_end,
     lambda body: Bye(*_numbers(body, 4), body.text(1)),
     lambda body: Notice(body.text(0)),
+    lambda body: VoteCount(*_numbers(body, 4, 4, 4)),
 )
 
 

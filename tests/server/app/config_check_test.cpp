@@ -34,10 +34,12 @@ class ConfigCheckTest : public testing::Test {
 TEST_F(ConfigCheckTest, AcceptsAValidConfiguration) {
   write("a.level", farGoalText());
   write("bans.txt", "192.0.2.7\n# x\n192.0.2.8\n");
-  const ConfigCheck check = this->check("levels = [\"a.level\", \"a.level\"]\nban-file = \"bans.txt\"\n");
+  write("best", "0123456789abcdef 6 743 2026-12-01T18:00:00Z Ann\n");
+  const ConfigCheck check =
+      this->check("levels = [\"a.level\", \"a.level\"]\nban-file = \"bans.txt\"\nbest-times = \"best\"\n");
   EXPECT_EQ(check.exitCode, 0);
   EXPECT_EQ(check.errors, std::vector<std::string>{});
-  EXPECT_EQ(check.summary, "levels: 2, bans: 2");
+  EXPECT_EQ(check.summary, "levels: 2, bans: 2, best times: 1");
 }
 
 TEST_F(ConfigCheckTest, WithoutLevelsItChecksThoseOfTheGame) {
@@ -77,6 +79,7 @@ TEST_F(ConfigCheckTest, ChecksWhatTheCommandLineNames) {
   write("bans.txt", "Ann\n");
   const std::string bans = at("bans.txt");
   EXPECT_EQ(check("", {"--ban-file", bans.c_str()}).exitCode, ProgramError::kUsage);
+  EXPECT_EQ(check("", {"--best-times", bans.c_str()}).exitCode, ProgramError::kUsage);
 }
 
 TEST_F(ConfigCheckTest, AMissingBanFileIsAnError) {

@@ -215,11 +215,12 @@ TEST_F(DedicatedServerTest, TheLogHasTheTicksOfARoundAsANumber) {
   EnetClient& ann = addPlayer("Ann");
   EXPECT_TRUE(run([&] { return ann.fake().roundEnd().has_value(); }));
   const std::string ticks = std::to_string(ann.fake().roundEnd()->tick);
-  EXPECT_EQ(std::count_if(log_.begin(), log_.end(),
-                          [&ticks](const std::string& line) {
-                            return line.ends_with(R"("message":"round over","ticks":)" + ticks + "}");
-                          }),
-            1);
+  EXPECT_EQ(
+      std::count_if(log_.begin(), log_.end(),
+                    [&ticks](const std::string& line) {
+                      return line.ends_with(R"("message":"round over","ticks":)" + ticks + R"(,"cause":"finished"})");
+                    }),
+      1);
 }
 
 TEST_F(DedicatedServerTest, AServerWithoutPlayersRunsNoTicks) {

@@ -1,0 +1,45 @@
+#include "client/ui/player_rows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string_view>
+
+#include "platon/game/utf8.h"
+
+namespace platon {
+namespace {
+
+constexpr std::size_t kMaxNameLength = 20;  // code points shown of a name
+
+// Cuts a name of more than kMaxNameLength code points and appends an ellipsis.
+std::string shortened(const std::string& name) {
+  std::string_view rest = name;
+  for (std::size_t i = 0; i < kMaxNameLength && !rest.empty(); ++i) takeCodePoint(rest);
+  return rest.empty() ? name : name.substr(0, name.size() - rest.size()) + "…";
+}
+
+}  // namespace
+
+std::string shownNameOf(const PlayerDrawing& player) {
+  return player.name.empty() ? std::string("Player ") + player.number : shortened(player.name);
+}
+
+std::string finishText(double seconds) {
+  const long hundredths = std::lround(seconds * 100);
+  const long rest = hundredths % 100;
+  return std::to_string(hundredths / 100) + (rest < 10 ? ".0" : ".") + std::to_string(rest) + " s";
+}
+
+std::vector<const PlayerDrawing*> inOrder(const Scene& scene) {
+  std::vector<const PlayerDrawing*> players;
+  for (const PlayerDrawing& player : scene.players) players.push_back(&player);
+  std::sort(players.begin(), players.end(), [](const PlayerDrawing* a, const PlayerDrawing* b) {
+    if (a->finishSeconds.has_value() != b->finishSeconds.has_value()) return a->finishSeconds.has_value();
+    if (a->finishSeconds != b->finishSeconds) return a->finishSeconds < b->finishSeconds;
+    return a->slot < b->slot;
+  });
+  return players;
+}
+
+}  // namespace platon

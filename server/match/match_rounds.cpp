@@ -1,0 +1,139 @@
+// How the rounds of a match end and follow each other.
+#include <algorithm>
+
+#include "protocol/label.h"
+#include "server/match/match.h"
+
+namespace platon {
+namespace {
+
+static_assert(Match::kPauseTicks <= kMaxPauseTicks);
+
+std::string shownTitle(const Level& level) {
+  const std::string title = visibleLabel(level.title);
+  return title.empty() ? std::string(nameOf(level.solid)) : title;
+}
+
+}  // namespace
+
+void Match::setLevels(std::vector<LevelPointer> levels) {
+  rotation_.replace(std::move(levels));
+  if (overAt_) sendAll(encode(roundEnd()));
+}
+
+void Match::handle(ClientId client, const Vote& vote) {
+  const auto found = players_.find(client);
+  if (found != players_.end() && vote.round == round_ && !overAt_) found->second.vote(vote.next, now_);
+}
+
+// Ends the round when it is over, and starts the next one after the pause.
+void Match::finishRound() {
+  noteFinishes();
+  if (overAt_) {
+    if (history_.end() - *overAt_ >= kPauseTicks) startNextRound();
+    return;
+  }
+  const VoteCount votes = countVotes();
+  if (roundOver())
+    endRound(game_.ticksLeft() == 0 ? "time" : "finished");
+  else if (votePasses(votes))
+    endRound("vote");
+  else if (const std::optional<VoteCount> count = voteNotices_.take(votes, now_))
+    sendAll(encode(*count));
+}
+
+// Offers the times of those who have reached the goal in this tick. In the pause, a new best time is told at once.
+void Match::noteFinishes() {
+  if (!bestTimes_) return;
+  bool isBest = false;
+  for (std::uint32_t slot = 0; slot < game_.slots(); ++slot) {
+    if (!arrivesInTime(slot) || names_.isFree(slot)) continue;
+    const BestTime time{game_.player(slot).finishTicks, names_.shown(slot)};
+    isBest = bestTimes_->offer(rotation_.current()->hash, time) || isBest;
+  }
+  bestIsNew_ = bestIsNew_ || isBest;
+  if (isBest && overAt_) sendAll(encode(roundEnd()));
+}
+
+// Whether a player has reached the goal in the last tick, in its shortest time of this round. In a later tick of the
+// same attempt, more ticks have passed since its start.
+bool Match::arrivesInTime(std::uint32_t slot) const {
+  const PlayerState& player = game_.player(slot);
+  return player.arrived != 0 && player.finishTicks == game_.tick() - player.startedAt + 1;
+}
+
+// Connected players that are active.
+VoteCount Match::countVotes() {
+  VoteCount count{round_, 0, 0};
+  for (auto& [client, player] : players_) {
+    if (!player.isActive(now_)) continue;
+    ++count.voters;
+    count.votes += player.wishesNext(now_) ? 1 : 0;
+  }
+  return count;
+}
+
+// The game is over when all players present have finished. A match does not wait that long for players that are
+// inactive or disconnected: it is enough that one player has finished and that it awaits no other.
+bool Match::roundOver() const {
+  if (game_.over()) return true;
+  bool finished = false;
+  for (std::uint32_t slot = 0; slot < game_.slots(); ++slot) finished = finished || game_.player(slot).finished();
+  return finished &&
+         std::none_of(players_.begin(), players_.end(), [this](const auto& entry) { return awaits(entry.second); }) &&
+         std::none_of(disconnected_.begin(), disconnected_.end(), [this](const Disconnected& entry) {
+           return now_ - entry.since < kAwaitTicks && awaits(entry.player);
+         });
+}
+
+// Whether the player is active, in the game, and has not finished.
+bool Match::awaits(const MatchPlayer& player) const {
+  if (player.slot() >= game_.slots()) return false;
+  const PlayerState& state = game_.player(player.slot());
+  return state.present != 0 && !state.finished() && player.isActive(now_);
+}
+
+void Match::endRound(const std::string& cause) {
+  overAt_ = history_.end();
+  sendAll(encode(roundEnd()));
+  events_.push_back({MatchEvent::Kind::kRoundEnd, 0, 0, cause, *overAt_});
+}
+
+// Call only when the round is over.
+RoundEnd Match::roundEnd() const {
+  const Level& next = *rotation_.next();
+  RoundEnd message{round_, *overAt_, next.hash, shownTitle(next), kPauseTicks, {}};
+  const auto best = bestTimes_ ? bestTimes_->best(rotation_.current()->hash) : std::nullopt;
+  if (best) message.best = LevelBest{best->ticks, best->name, bestIsNew_};
+  return message;
+}
+
+bool Match::endRoundNow() {
+  if (overAt_) return false;
+  if (idle())
+    startNextRound();
+  else
+    endRound("operator");
+  return true;
+}
+
+void Match::startNextRound() {
+  rotation_.advance();
+  startRound();
+  sendAll(encode(RoundStart{round_, rotation_.current()->hash}));
+}
+
+void Match::startRound() {
+  recorder_.finish(game_);
+  ++round_;
+  game_ = Game(rotation_.current());
+  history_ = TickHistory(round_, shortHash(game_.hash()));
+  overAt_.reset();
+  bestIsNew_ = false;
+  voteNotices_.startRound();
+  for (auto& [client, player] : players_) player.startRound();
+  for (Disconnected& entry : disconnected_) entry.player.startRound();
+  addEvent(MatchEvent::Kind::kRoundStart, 0, 0, rotation_.current()->title);
+}
+
+}  // namespace platon

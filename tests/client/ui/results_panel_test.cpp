@@ -1,0 +1,89 @@
+#include "client/ui/results_panel.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace platon {
+namespace {
+
+constexpr float kWidth = 1280;
+
+const Font& font() {
+  static const Font font;
+  return font;
+}
+
+Scene sceneOf(int players) {
+  Scene scene;
+  for (int i = 0; i < players; ++i) {
+    PlayerDrawing player;
+    player.slot = static_cast<std::uint32_t>(i);
+    player.number = std::to_string(i + 1);
+    player.name = "Name" + player.number;
+    scene.players.push_back(player);
+  }
+  return scene;
+}
+
+Overlay panelOf(const Scene& scene, const RoundSummary& summary) {
+  OverlayWriter writer(font());
+  addResults(writer, scene, summary, font(), kWidth);
+  return writer.take();
+}
+
+// The lines of text from top to bottom, and each from left to right.
+std::vector<std::string> linesOf(const Overlay& panel) {
+  std::vector<Overlay::Text> texts = panel.texts;
+  std::sort(texts.begin(), texts.end(), [](const Overlay::Text& a, const Overlay::Text& b) {
+    return a.place.y != b.place.y ? a.place.y < b.place.y : a.place.x < b.place.x;
+  });
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    if (i > 0 && texts[i].place.y == texts[i - 1].place.y)
+      lines.back() += " | " + texts[i].content;
+    else
+      lines.push_back(texts[i].content);
+  }
+  return lines;
+}
+
+TEST(ResultsPanel, NamesTheTimesInOrderTheBestAndWhatComesNext) {
+  Scene scene = sceneOf(3);
+  scene.players[2].finishSeconds = 12.34;
+  scene.players[0].finishSeconds = 40;
+  const RoundSummary summary{"Corners", 4.2, 11.5, "Cid", false};
+  EXPECT_EQ(linesOf(panelOf(scene, summary)),
+            (std::vector<std::string>{"1. | Name3 | 12.34 s", "2. | Name1 | 40.00 s", "Name2 | did not finish",
+                                      "Best time: 11.50 s, Cid", "next: Corners in 5 s"}));
+}
+
+TEST(ResultsPanel, SaysThatTheBestTimeIsNewOrThatThereIsNone) {
+  EXPECT_EQ(linesOf(panelOf(sceneOf(0), {"A", 1, 7.0, "Ann", true})).front(), "New best time: 7.00 s, Ann");
+  EXPECT_EQ(linesOf(panelOf(sceneOf(0), {"A", 1})).front(), "Nobody has reached the goal of this level yet");
+}
+
+TEST(ResultsPanel, CountsWholeSecondsDown) {
+  const auto next = [](double seconds) { return linesOf(panelOf(sceneOf(1), {"A", seconds})).back(); };
+  EXPECT_EQ(next(5), "next: A in 5 s");
+  EXPECT_EQ(next(4.001), "next: A in 5 s");
+  EXPECT_EQ(next(4), "next: A in 4 s");
+  EXPECT_EQ(next(0.1), "next: A in 1 s");
+  EXPECT_EQ(next(0), "next: A");
+}
+
+TEST(ResultsPanel, ManyPlayersAndLongTextsStayOnTheScreen) {
+  Scene scene = sceneOf(256);
+  for (PlayerDrawing& player : scene.players) player.name = std::string(32, 'W');
+  const Overlay panel = panelOf(scene, {std::string(100, 'W'), 5, 300.0, std::string(32, 'W'), true});
+  const std::vector<std::string> lines = linesOf(panel);
+  EXPECT_NE(std::find(lines.begin(), lines.end(), "and 248 more"), lines.end());
+  for (const Overlay::Text& text : panel.texts) {
+    EXPECT_GE(text.place.x, 0) << text.content;
+    EXPECT_LE(text.place.x + font().width(text.content) * text.size, kWidth) << text.content;
+    EXPECT_LT(text.place.y, Overlay::kHeight - 80) << text.content;
+  }
+}
+
+}  // namespace
+}  // namespace platon

@@ -1,0 +1,375 @@
+// Votes, countdown and best times. When a round ends by itself: match_round_end_test.
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "server/match/match.h"
+#include "tests/support/fake_client.h"
+#include "tests/support/fake_client_network.h"
+#include "tests/support/test_levels.h"
+
+namespace platon {
+namespace {
+
+using Kind = MatchEvent::Kind;
+
+/// Best times in memory.
+class KeptTimes : public BestTimeKeeper {
+ public:
+  std::optional<BestTime> best(std::uint64_t level) const override {
+    const auto found = times_.find(level);
+    return found == times_.end() ? std::nullopt : std::optional(found->second);
+  }
+  bool offer(std::uint64_t level, const BestTime& time) override {
+    offered.push_back(time);
+    const auto [place, isNew] = times_.try_emplace(level, time);
+    if (!isNew && place->second.ticks <= time.ticks) return false;
+    place->second = time;
+    return true;
+  }
+
+  std::vector<BestTime> offered;
+
+ private:
+  std::map<std::uint64_t, BestTime> times_;
+};
+
+LevelPointer titled(const std::string& title, const std::string& text) {
+  return levelOf("# title: " + title + "\n" + text);
+}
+
+Hello helloOf(ClientId client) {
+  Hello hello;
+  hello.name = "P" + std::to_string(client);
+  hello.token = SessionToken{static_cast<std::uint8_t>(client)};
+  return hello;
+}
+
+/// A match without a network: messages of clients take effect at once.
+class MatchRounds : public testing::Test {
+ protected:
+  void join(ClientId client) { match_.receive(client, helloOf(client)); }
+  void join(ClientId first, ClientId last) {
+    for (ClientId client = first; client <= last; ++client) join(client);
+  }
+  void vote(ClientId client, bool next = true) { match_.receive(client, Vote{match_.round(), next}); }
+  void run(std::uint64_t ticks = 1) {
+    for (; ticks > 0; --ticks) match_.tick();
+  }
+
+  // The cause of the end of the round, of which the events since the last call tell; empty: it goes on.
+  std::string cause() {
+    for (const MatchEvent& event : match_.takeEvents()) {
+      if (event.kind == Kind::kRoundEnd) return event.text;
+    }
+    return "";
+  }
+
+  // The messages of this type that a client has been sent since the last call.
+  template <class Message>
+  std::vector<Message> sentTo(ClientId client) {
+    std::vector<Message> found;
+    for (const Outgoing& sent : match_.takeOutgoing()) {
+      const auto message = decodeToClient(sent.bytes);
+      const auto* wanted = message ? std::get_if<Message>(&*message) : nullptr;
+      if (wanted && sent.client == client) found.push_back(*wanted);
+    }
+    return found;
+  }
+
+  LevelPointer far_ = titled("Far away", farGoalText());
+  LevelPointer near_ = titled("Near by", nearGoalText());
+  Match match_{LevelRotation({far_, near_}), {16, "Test"}};
+};
+
+TEST_F(MatchRounds, AVotePassesExactlyWithMoreThanHalfOfThePlayers) {
+  for (ClientId players = 1; players <= 9; ++players) {
+    match_ = Match(LevelRotation({far_, near_}), {16, "Test"});
+    join(1, players);
+    for (ClientId client = 1; client <= players; ++client) {
+      run();
+      EXPECT_EQ(cause(), "") << client - 1 << " of " << players;
+      vote(client);
+      run();
+      if (2 * client <= players) continue;
+      EXPECT_EQ(cause(), "vote") << client << " of " << players;
+      break;
+    }
+    run(Match::kPauseTicks - 1);
+    EXPECT_EQ(match_.round(), 1u);
+    run();
+    EXPECT_EQ(match_.round(), 2u);
+    EXPECT_EQ(match_.game().level().hash, near_->hash);
+  }
+}
+
+TEST_F(MatchRounds, APlayerWhoLeavesLowersTheBar) {
+  join(1, 4);
+  vote(1);
+  vote(2);
+  run(50);
+  EXPECT_EQ(cause(), "");
+  match_.remove(4);
+  run();
+  EXPECT_EQ(cause(), "vote");
+}
+
+TEST_F(MatchRounds, ADisconnectedPlayerHasNoVoteAndIsNoVoter) {
+  join(1, 5);
+  for (const ClientId client : {1u, 2u}) vote(client);
+  run(10);
+  match_.disconnect(2);
+  run(10);
+  EXPECT_EQ(cause(), "") << "1 of 4";
+  match_.disconnect(3);
+  match_.disconnect(4);
+  run();
+  EXPECT_EQ(cause(), "") << "1 of 2";
+  match_.disconnect(5);
+  run();
+  EXPECT_EQ(cause(), "vote") << "1 of 1";
+}
+
+TEST_F(MatchRounds, AResumedPlayerHasNotVoted) {
+  join(1, 3);
+  vote(1);
+  run(10);
+  match_.disconnect(1);
+  run(10);
+  match_.receive(11, helloOf(1));
+  vote(2);
+  run(100);
+  EXPECT_EQ(cause(), "") << "1 of 3";
+  vote(11);
+  run();
+  EXPECT_EQ(cause(), "vote");
+}
+
+// A vote counts as activity, as a button does.
+TEST_F(MatchRounds, APlayerThatHasBeenInactiveForAMinuteIsNoVoter) {
+  join(1, 4);
+  run(30);
+  vote(1);
+  run(MatchPlayer::kActiveTicks - 31);
+  EXPECT_EQ(cause(), "") << "1 of 4";
+  run();
+  EXPECT_EQ(cause(), "vote") << "1 of 1";
+}
+
+TEST_F(MatchRounds, AVoteCanBeTakenBack) {
+  join(1, 3);
+  vote(1);
+  run();
+  vote(1, false);
+  run(VoteWish::kMinTicks);
+  vote(2);
+  run(200);
+  EXPECT_EQ(cause(), "") << "1 of 3";
+}
+
+TEST_F(MatchRounds, AVoteForAnotherRoundHasNoEffect) {
+  join(1);
+  for (const std::uint32_t round : {0u, 2u, UINT32_MAX}) match_.receive(1, Vote{round, true});
+  run(100);
+  EXPECT_EQ(cause(), "");
+}
+
+TEST_F(MatchRounds, AVoteDuringThePauseHasNoEffectNowOrLater) {
+  join(1);
+  run();
+  match_.endRoundNow();
+  EXPECT_EQ(cause(), "operator");
+  vote(1);
+  run(Match::kPauseTicks + 100);
+  EXPECT_EQ(cause(), "");
+  EXPECT_EQ(match_.round(), 2u);
+}
+
+TEST_F(MatchRounds, VotesEndWithTheirRound) {
+  join(1, 3);
+  vote(1);
+  run();
+  match_.endRoundNow();
+  run(Match::kPauseTicks);
+  cause();
+  vote(2);
+  run(100);
+  EXPECT_EQ(cause(), "") << "1 of 3";
+}
+
+TEST_F(MatchRounds, AClientThatHasNotJoinedHasNoVote) {
+  join(1, 2);
+  vote(1);
+  vote(9);
+  run(100);
+  EXPECT_EQ(cause(), "");
+}
+
+TEST_F(MatchRounds, PlayersAreToldTheCountWhenItChanges) {
+  join(1, 5);
+  run(50);
+  EXPECT_TRUE(sentTo<VoteCount>(3).empty()) << "nobody has voted";
+  vote(1);
+  run();
+  EXPECT_EQ(sentTo<VoteCount>(3), (std::vector<VoteCount>{{1, 1, 5}}));
+  vote(2);
+  run(100);
+  EXPECT_EQ(sentTo<VoteCount>(3), (std::vector<VoteCount>{{1, 2, 5}}));
+  match_.remove(5);
+  run();
+  EXPECT_EQ(sentTo<VoteCount>(3), (std::vector<VoteCount>{{1, 2, 4}}));
+  join(6);
+  run();
+  EXPECT_EQ(sentTo<VoteCount>(6), (std::vector<VoteCount>{{1, 2, 4}})) << "at first what the others know";
+  run(VoteNotices::kMinTicks);
+  EXPECT_EQ(sentTo<VoteCount>(6), (std::vector<VoteCount>{{1, 2, 5}}));
+}
+
+// A flood of votes costs the others at most this.
+TEST_F(MatchRounds, AFloodOfVotesSendsAtMostOneMessageASecond) {
+  join(1, 5);
+  run(100);
+  sentTo<VoteCount>(3);
+  std::size_t sent = 0;
+  constexpr int kSeconds = 10;
+  for (int tick = 0; tick < kSeconds * kTicksPerSecond; ++tick) {
+    for (int i = 0; i < 101; ++i) vote(1, (tick + i) % 2 == 0);
+    run();
+    sent += sentTo<VoteCount>(3).size();
+  }
+  EXPECT_LE(sent, std::size_t{kSeconds});
+  EXPECT_EQ(cause(), "");
+}
+
+TEST_F(MatchRounds, AFinishInTheTickOfAVoteEndsTheRoundOnce) {
+  match_ = Match(LevelRotation({near_, far_}), {4, "Test"});
+  KeptTimes times;
+  match_.keepBestTimes(times);
+  join(1);
+  PlayerInputs inputs;
+  inputs.round = 1;
+  inputs.inputs.assign(10, Input{Input::kPresent});
+  match_.receive(1, inputs);
+  vote(1);
+  match_.takeOutgoing();
+  run();
+  const std::vector<RoundEnd> ends = sentTo<RoundEnd>(1);
+  ASSERT_EQ(ends.size(), 1u);
+  EXPECT_EQ(ends[0].best, (LevelBest{1, "P1", true}));
+  EXPECT_EQ(cause(), "finished");
+  run(Match::kPauseTicks - 1);
+  EXPECT_TRUE(sentTo<RoundEnd>(1).empty());
+}
+
+TEST_F(MatchRounds, TheEndNamesTheNextLevelAndThePause) {
+  join(1);
+  run(20);
+  match_.takeOutgoing();
+  match_.endRoundNow();
+  const RoundEnd expected{1, 20, near_->hash, "Near by", Match::kPauseTicks, std::nullopt};
+  EXPECT_EQ(sentTo<RoundEnd>(1), std::vector{expected});
+  run(10);
+  join(2);
+  EXPECT_EQ(sentTo<RoundEnd>(2), std::vector{expected}) << "a newcomer sees the countdown too";
+}
+
+TEST_F(MatchRounds, NewLevelsDuringThePauseAreNamedAgain) {
+  join(1);
+  run();
+  match_.setLevels({near_});
+  EXPECT_TRUE(sentTo<RoundEnd>(1).empty()) << "the round goes on";
+  match_.endRoundNow();
+  match_.takeOutgoing();
+  match_.setLevels({levelOf(farGoalText())});
+  const std::vector<RoundEnd> ends = sentTo<RoundEnd>(1);
+  ASSERT_EQ(ends.size(), 1u);
+  EXPECT_EQ(ends[0].nextTitle, "HEXAHEDRON") << "a level without a title";
+  run(Match::kPauseTicks);
+  EXPECT_EQ(match_.game().level().hash, ends[0].nextLevelHash);
+}
+
+/// Players who run to the goal.
+class BestTimeOfMatch : public testing::Test {
+ protected:
+  // A floor on which a player that runs to the right reaches the goal within two seconds.
+  static std::string shortWayText() {
+    return "HEXAHEDRON\n0 -100 -180 0\n0 0 -190\n480\n%\n-240 -200 240 -200\n-120 -200 -120 0\n%\n%\n%\n%\n%\n";
+  }
+
+  BestTimeOfMatch() { network_.match().keepBestTimes(times_); }
+
+  void addRunner(const std::string& name, std::uint32_t pause) {
+    network_.add(FakeClient(name, 12, [pause](std::uint32_t tick) { return tick < pause ? 0 : +Input::kRight; }));
+  }
+  // Begins its attempt at once and then stands for a while.
+  void addDawdler(const std::string& name, std::uint32_t pause) {
+    network_.add(FakeClient(
+        name, 12, [pause](std::uint32_t tick) -> int { return tick > 25 && tick < 25 + pause ? 0 : +Input::kRight; }));
+  }
+  void playRound() {
+    const std::uint32_t round = network_.match().round();
+    while (network_.match().round() == round) network_.tick();
+  }
+
+  KeptTimes times_;
+  FakeClientNetwork network_{Match(LevelRotation({levelOf(shortWayText())}), {4, "Test"}), {.delayMs = kTickMs}};
+};
+
+TEST_F(BestTimeOfMatch, EachFinishIsOfferedOnceAndTheBestIsAnnounced) {
+  addDawdler("Ann", 40);
+  addDawdler("Ben", 20);
+  playRound();
+  ASSERT_EQ(times_.offered.size(), 2u);
+  EXPECT_EQ(times_.offered[0].name, "Ben");
+  EXPECT_EQ(times_.offered[1].name, "Ann");
+  EXPECT_LT(times_.offered[0].ticks, times_.offered[1].ticks);
+  ASSERT_TRUE(network_.client(1).roundEnd());
+  EXPECT_EQ(network_.client(1).roundEnd()->best, (LevelBest{times_.offered[0].ticks, "Ben", true}));
+}
+
+TEST_F(BestTimeOfMatch, AnEqualTimeIsNotNew) {
+  addRunner("Ann", 30);
+  playRound();
+  const std::uint32_t best = times_.offered.at(0).ticks;
+  playRound();
+  playRound();
+  ASSERT_EQ(times_.offered.size(), 3u);
+  EXPECT_EQ(network_.client(1).roundEnd()->best, (LevelBest{best, "Ann", false}));
+}
+
+TEST_F(BestTimeOfMatch, AMutedPlayerIsNamedByItsNumber) {
+  addRunner("Ann", 30);
+  network_.run(10);
+  network_.match().mute(0, true);
+  playRound();
+  EXPECT_EQ(times_.offered.at(0).name, "Player 1");
+}
+
+TEST_F(BestTimeOfMatch, AFinishInThePauseCountsAndIsAnnounced) {
+  addRunner("Ann", 30);
+  network_.run(20);
+  network_.match().endRoundNow();
+  network_.run(5);
+  ASSERT_TRUE(network_.client(1).roundEnd());
+  EXPECT_EQ(network_.client(1).roundEnd()->best, std::nullopt);
+  playRound();
+  ASSERT_EQ(times_.offered.size(), 1u);
+  EXPECT_EQ(network_.client(1).roundEnd()->best, (LevelBest{times_.offered[0].ticks, "Ann", true}));
+}
+
+TEST_F(BestTimeOfMatch, OfSeveralAttemptsEachBetterOneIsOffered) {
+  // The first attempt pauses on the way to the goal, the next ones do not.
+  network_.add(FakeClient("Ann", 12, [](std::uint32_t tick) -> int {
+    if (tick % 250 == 249) return Input::kRestart;
+    return tick > 20 && tick < 80 ? 0 : +Input::kRight;
+  }));
+  network_.add(FakeClient("Ben", 12, [](std::uint32_t tick) { return tick / 30 % 2 == 0 ? 0 : +Input::kLeft; }));
+  network_.run(1000);
+  ASSERT_EQ(network_.match().round(), 1u);
+  ASSERT_GE(times_.offered.size(), 2u);
+  EXPECT_GT(times_.offered[0].ticks, times_.offered[1].ticks + 40);
+  EXPECT_EQ(times_.offered.back().ticks, network_.match().game().player(0).finishTicks);
+}
+
+}  // namespace
+}  // namespace platon
