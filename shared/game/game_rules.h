@@ -6,14 +6,14 @@
 #include "platon/game/level.h"
 #include "platon/game/player.h"
 #include "platon/game/unit_normals.h"
-#include "platon/physics/rules.h"
 #include "platon/physics/world.h"
+#include "shared/game/element_rules.h"
 
 namespace platon {
 
-/// The rules of the world during one tick of a game: decides which elements block, and passes each contact to the
-/// player that has it. A level without elements costs nothing: only contacts are asked for then.
-class GameRules : public Rules {
+/// The rules of the world during one tick of a game: passes each contact to the player that has it, and notes what the
+/// players touch.
+class GameRules : public ElementRules {
  public:
   /// `open` has the bits of the doors that are open in this tick; what is touched is added to `touched`. All references
   /// must outlive the object, which is the rules of `world` as long as it exists.
@@ -23,8 +23,6 @@ class GameRules : public Rules {
   GameRules& operator=(const GameRules&) = delete;
   ~GameRules() override { world_.resetRules(); }
 
-  Scope scope() const override { return elements_.empty() ? Scope::kContacts : Scope::kSegments; }
-  bool pierce(const Entity& entity, const SegmentRef& segment) const override;
   void beginContact(Entity& entity, const SegmentRef& segment) override { touch(entity, segment); }
   void overContact(Entity& entity, const SegmentRef& segment) override { touch(entity, segment); }
   void contact(Entity& entity, const Contact& contact) override;
@@ -33,13 +31,10 @@ class GameRules : public Rules {
   void touch(const Entity& entity, const SegmentRef& segment);
   void standOrHurt(const Entity& entity, const Contact& contact, Point normal);
 
-  const std::vector<Element>& elements_;
-  std::int32_t edgesPerFace_;
   World& world_;
   std::vector<PlayerState>& players_;
   UnitNormals& unitNormals_;
   TouchedElements& touched_;
-  std::uint32_t open_;
   std::uint32_t moved_ = ~std::uint32_t{0};  // slot of the last contact: those of one entity follow each other
   Point steep_;                              // normal of its last contact that was too steep to be ground
 };

@@ -4,105 +4,10 @@
 
 #include <string>
 
-#include "tests/shared/game/played_game.h"
+#include "tests/shared/game/played_elements.h"
 
 namespace platon {
 namespace {
-
-const std::string kFlat = "-240 -200 240 -200\n";
-constexpr std::int32_t kStanding = units(-200) + kPlayerApothem;
-
-PlayedGame playedOn(const std::string& lines, const std::string& start = "0 0 -180 0") {
-  PlayedGame played(cubeLevel(start, {kFlat + lines}));
-  played.run(30, kNone);
-  return played;
-}
-
-std::int32_t peakOfJump(PlayedGame& played) {
-  std::int32_t peak = played.position().y;
-  for (int tick = 0; tick < 50; ++tick) {
-    played.run(1, Input::kJump);
-    peak = std::max(peak, played.position().y);
-  }
-  return peak;
-}
-
-TEST(GameRulesTest, AOnewaySegmentBlocksFromItsLeftSideOnly) {
-  PlayedGame upwards = playedOn("-100 -150 100 -150 oneway");  // its left is above
-  peakOfJump(upwards);
-  upwards.run(60, kNone);
-  EXPECT_EQ(upwards.position().y, units(-150) + kPlayerApothem) << "the player jumps through it and lands on it";
-  PlayedGame downwards = playedOn("100 -150 -100 -150 oneway");
-  EXPECT_EQ(peakOfJump(downwards), units(-150) - kPlayerApothem) << "turned round, it is a ceiling";
-  PlayedGame falling(cubeLevel("0 0 -100 0", {kFlat + "100 -150 -100 -150 oneway"}));
-  falling.run(60, kNone);
-  EXPECT_EQ(falling.position().y, kStanding) << "through which a player falls";
-}
-
-// The apex of a jump is within the segment: it stays open until the player has left it.
-TEST(GameRulesTest, APlayerThatTurnsRoundInAOnewaySegmentFallsBack) {
-  PlayedGame played = playedOn("-100 -135 100 -135 oneway");
-  const std::int32_t peak = peakOfJump(played);
-  EXPECT_GT(peak + kPlayerApothem, units(-135));
-  EXPECT_LT(peak - kPlayerApothem, units(-135));
-  played.run(60, kNone);
-  EXPECT_EQ(played.position().y, kStanding);
-}
-
-// The floor is one subunit higher or lower than the one-way segment that continues it, on a slope rounded as it comes.
-TEST(GameRulesTest, APlayerRunsFromAFloorOntoAOnewaySegment) {
-  for (const char* lines :
-       {"-240 -100 0 -100\n0 -100 240 -100 oneway", "-240 -100 0 -100\n0 -100.001 240 -100 oneway",
-        "-240 -100 0 -99.999\n0 -100 240 -100 oneway", "-240 -150 0 -100.5\n0 -100.5 240 -51 oneway",
-        "-240 -100 0 -100.5\n0 -100.5 237 -112 oneway"}) {
-    PlayedGame played(cubeLevel("0 -120 0 0", {lines}));
-    played.run(60, kNone);
-    ASSERT_TRUE(played.grounded()) << lines;
-    for (int tick = 0; tick < 200 && played.position().x < units(200); ++tick) {
-      played.run(1, Input::kRight);
-      ASSERT_TRUE(played.grounded()) << lines << " at " << played.position().x;
-    }
-  }
-}
-
-// A player on a one-way segment under a sloping ceiling is pressed down by it, but not through the segment.
-TEST(GameRulesTest, ACeilingDoesNotPressAPlayerThroughAOnewaySegment) {
-  PlayedGame played(cubeLevel("0 -100 -130 0", {kFlat + "-240 -150 240 -150 oneway\n-200 -110 200 -128"}));
-  played.run(60, kNone);
-  const std::int32_t ground = units(-150) + kPlayerApothem;
-  ASSERT_EQ(played.position().y, ground);
-  for (int tick = 0; tick < 300; ++tick) {
-    played.run(1, static_cast<std::uint8_t>(Input::kRight | (tick % 2 == 0 ? Input::kJump : kNone)));
-    ASSERT_GE(played.position().y, ground - 1) << tick;
-  }
-}
-
-TEST(GameRulesTest, AnUpSegmentBlocksOnlyPlayersWhoseUpPointsToItsEdge) {
-  // Edge 2 is at the top of the first face.
-  for (int edge = 0; edge < 4; ++edge) {
-    PlayedGame played = playedOn("-100 -150 100 -150 up " + std::to_string(edge));
-    const bool blocks = edge == 2;
-    EXPECT_EQ(peakOfJump(played), blocks ? units(-150) - kPlayerApothem : kStanding + 61350) << edge;
-  }
-}
-
-// Half an edge's angle belongs to the edge; of two edges at the same angle, the one that is clockwise of up.
-TEST(GameRulesTest, EveryUpPointsToOneEdge) {
-  for (int degrees = 0; degrees < 360; degrees += 15) {
-    int blocking = 0;
-    for (int edge = 0; edge < 4; ++edge) {
-      const std::string box = "-200 -200 200 -200\n200 -200 200 200\n200 200 -200 200\n-200 200 -200 -200\n";
-      const std::string cross = "-200 0 200 0 up " + std::to_string(edge) + "\n";
-      PlayedGame played(cubeLevel("0 5 30 " + std::to_string(degrees), {box + cross}));
-      played.run(200, kNone);
-      const bool passed = played.position().y < 0;
-      blocking += degrees < 75 && !passed;
-    }
-    if (degrees < 75) {
-      EXPECT_EQ(blocking, 1) << degrees;
-    }
-  }
-}
 
 TEST(GameRulesTest, AHazardBlocksAndSendsThePlayerToTheStart) {
   PlayedGame played = playedOn("60 -200 60 -150 hazard");

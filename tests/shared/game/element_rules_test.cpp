@@ -1,0 +1,122 @@
+#include "shared/game/element_rules.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "tests/shared/game/played_elements.h"
+
+namespace platon {
+namespace {
+
+std::int32_t peakOfJump(PlayedGame& played) {
+  std::int32_t peak = played.position().y;
+  for (int tick = 0; tick < 50; ++tick) {
+    played.run(1, Input::kJump);
+    peak = std::max(peak, played.position().y);
+  }
+  return peak;
+}
+
+TEST(ElementRulesTest, AOnewaySegmentBlocksFromItsLeftSideOnly) {
+  PlayedGame upwards = playedOn("-100 -150 100 -150 oneway");  // its left is above
+  peakOfJump(upwards);
+  upwards.run(60, kNone);
+  EXPECT_EQ(upwards.position().y, units(-150) + kPlayerApothem) << "the player jumps through it and lands on it";
+  PlayedGame downwards = playedOn("100 -150 -100 -150 oneway");
+  EXPECT_EQ(peakOfJump(downwards), units(-150) - kPlayerApothem) << "turned round, it is a ceiling";
+  PlayedGame falling(cubeLevel("0 0 -100 0", {kFlat + "100 -150 -100 -150 oneway"}));
+  falling.run(60, kNone);
+  EXPECT_EQ(falling.position().y, kStanding) << "through which a player falls";
+}
+
+// The apex of a jump is within the segment: it stays open until the player has left it.
+TEST(ElementRulesTest, APlayerThatTurnsRoundInAOnewaySegmentFallsBack) {
+  PlayedGame played = playedOn("-100 -135 100 -135 oneway");
+  const std::int32_t peak = peakOfJump(played);
+  EXPECT_GT(peak + kPlayerApothem, units(-135));
+  EXPECT_LT(peak - kPlayerApothem, units(-135));
+  played.run(60, kNone);
+  EXPECT_EQ(played.position().y, kStanding);
+}
+
+// The floor is one subunit higher or lower than the one-way segment that continues it, on a slope rounded as it comes.
+TEST(ElementRulesTest, APlayerRunsFromAFloorOntoAOnewaySegment) {
+  for (const char* lines :
+       {"-240 -100 0 -100\n0 -100 240 -100 oneway", "-240 -100 0 -100\n0 -100.001 240 -100 oneway",
+        "-240 -100 0 -99.999\n0 -100 240 -100 oneway", "-240 -150 0 -100.5\n0 -100.5 240 -51 oneway",
+        "-240 -100 0 -100.5\n0 -100.5 237 -112 oneway"}) {
+    PlayedGame played(cubeLevel("0 -120 0 0", {lines}));
+    played.run(60, kNone);
+    ASSERT_TRUE(played.grounded()) << lines;
+    for (int tick = 0; tick < 200 && played.position().x < units(200); ++tick) {
+      played.run(1, Input::kRight);
+      ASSERT_TRUE(played.grounded()) << lines << " at " << played.position().x;
+    }
+  }
+}
+
+// A player on a one-way segment under a sloping ceiling is pressed down by it, but not through the segment.
+TEST(ElementRulesTest, ACeilingDoesNotPressAPlayerThroughAOnewaySegment) {
+  PlayedGame played(cubeLevel("0 -100 -130 0", {kFlat + "-240 -150 240 -150 oneway\n-200 -110 200 -128"}));
+  played.run(60, kNone);
+  const std::int32_t ground = units(-150) + kPlayerApothem;
+  ASSERT_EQ(played.position().y, ground);
+  for (int tick = 0; tick < 300; ++tick) {
+    played.run(1, static_cast<std::uint8_t>(Input::kRight | (tick % 2 == 0 ? Input::kJump : kNone)));
+    ASSERT_GE(played.position().y, ground - 1) << tick;
+  }
+}
+
+TEST(ElementRulesTest, AnUpSegmentBlocksOnlyPlayersWhoseUpPointsToItsEdge) {
+  // Edge 2 is at the top of the first face.
+  for (int edge = 0; edge < 4; ++edge) {
+    PlayedGame played = playedOn("-100 -150 100 -150 up " + std::to_string(edge));
+    const bool blocks = edge == 2;
+    EXPECT_EQ(peakOfJump(played), blocks ? units(-150) - kPlayerApothem : kStanding + 61350) << edge;
+  }
+}
+
+// Half an edge's angle belongs to the edge; of two edges at the same angle, the one that is clockwise of up.
+TEST(ElementRulesTest, EveryUpPointsToOneEdge) {
+  for (int degrees = 0; degrees < 360; degrees += 15) {
+    int blocking = 0;
+    for (int edge = 0; edge < 4; ++edge) {
+      const std::string box = "-200 -200 200 -200\n200 -200 200 200\n200 200 -200 200\n-200 200 -200 -200\n";
+      const std::string cross = "-200 0 200 0 up " + std::to_string(edge) + "\n";
+      PlayedGame played(cubeLevel("0 5 30 " + std::to_string(degrees), {box + cross}));
+      played.run(200, kNone);
+      const bool passed = played.position().y < 0;
+      blocking += degrees < 75 && !passed;
+    }
+    if (degrees < 75) {
+      EXPECT_EQ(blocking, 1) << degrees;
+    }
+  }
+}
+
+TEST(ElementRulesTest, ALevelWithoutElementsAsksForContactsOnly) {
+  EXPECT_EQ(ElementRules(*cubeLevel("0 0 0 0", {kFlat}), 0).scope(), Rules::Scope::kContacts);
+  EXPECT_EQ(ElementRules(*cubeLevel("0 0 0 0", {kFlat, "", "0 0 9 9 hazard"}), 0).scope(), Rules::Scope::kSegments);
+}
+
+TEST(ElementRulesTest, ADoorBlocksUnlessItsNumberIsOpen) {
+  const auto level = cubeLevel("0 0 0 0", {"-9 50 9 50 door 3\n-9 60 9 60 door 31\n-9 70 9 70"});
+  Game game(level);
+  game.advance(std::vector<Input>{Input{Input::kPresent}});
+  World world = game.world();
+  const Entity player(world, 0);
+  for (const std::uint32_t open : {0U, 1U << 3, 1U << 31, ~0U}) {
+    const ElementRules rules(*level, open);
+    const auto pierces = [&](std::uint32_t segment) {
+      return rules.pierce(player, SegmentRef{.part = 0, .index = segment, .ends = level->segments[0][segment]});
+    };
+    EXPECT_EQ(pierces(0), (open >> 3 & 1U) != 0) << open;
+    EXPECT_EQ(pierces(1), (open >> 31 & 1U) != 0) << open;
+    EXPECT_FALSE(pierces(2)) << "no element";
+  }
+}
+
+}  // namespace
+}  // namespace platon
