@@ -9,6 +9,7 @@
 #include "platon/game/game.h"
 #include "platon/physics/entity.h"
 #include "platon/physics/map_part.h"
+#include "shared/game/element_rules.h"
 #include "tests/sim/button_presses.h"
 #include "tests/sim/churn.h"
 #include "tests/sim/commands.h"
@@ -78,9 +79,13 @@ struct Run {
 Summary play(const Run& run, const std::function<std::span<const Input>()>& nextInputs) {
   Game game(run.level);
   std::span<const Input> inputs;
-  const auto tick = [&] { game.advance(inputs = nextInputs(), run.trace); };
+  std::uint32_t open = 0;
+  const auto tick = [&] {
+    open = game.openDoors();
+    game.advance(inputs = nextInputs(), run.trace);
+  };
   const auto ticked = [&](std::uint64_t number) {
-    if (run.trace != nullptr) run.trace->tick(number, game.hash());
+    if (run.trace != nullptr) run.trace->tick(number, game.hash(), open);
     run.recording->tick(inputs, game);
   };
   run.recording->start(game);
@@ -126,8 +131,11 @@ Summary move(World& world, std::int64_t ticks, TraceWriter* trace, const std::fu
   return summary;
 }
 
+// Elements block as in a game, but nothing happens to who touches them. All doors are closed.
 Summary runWithoutRules(const Run& run, const std::function<void(Entity&)>& setVelocity) {
   World world = run.level->world;
+  ElementRules rules(*run.level, 0);
+  world.setRules(rules);
   for (std::uint32_t slot = 0; slot < run.players; ++slot) {
     Entity entity(world, playerShape());
     MapPart(world, run.level->startFace).insert(entity, run.level->start, run.level->startAngle);

@@ -53,8 +53,30 @@ void TraceWriter::header(const World& world, const Convex& shape, const Level* l
     put(std::exchange(separator, ","));
     putFace(*part, polygon);
   }
+  put("],\"elements\":[");
+  if (level != nullptr) elements_ = level->elements;
+  separator = "";
+  for (const Element& element : elements_) {
+    put(std::exchange(separator, ","));
+    put(element);
+  }
   put("]}");
   flushLine();
+}
+
+void TraceWriter::put(const Element& element) {
+  put("{\"face\":");
+  put(std::int64_t{element.face});
+  put(",\"line\":");
+  put(std::int64_t{element.segment});
+  put(",\"word\":\"");
+  put(wordOf(element.kind));
+  put("\"");
+  if (hasNumber(element.kind)) {
+    put(",\"k\":");
+    put(std::int64_t{element.number});
+  }
+  put("}");
 }
 
 void TraceWriter::putFace(const MapGeometry& part, const std::vector<Point>& polygon) {
@@ -135,12 +157,25 @@ void TraceWriter::leg(std::uint32_t entity, std::span<const InstanceView> instan
   line_.swap(legs);
 }
 
-void TraceWriter::tick(std::uint64_t number, std::uint64_t hash) {
+void TraceWriter::putOpen(std::uint32_t open) {
+  put("[");
+  const char* separator = "";
+  for (std::size_t id = 0; id < elements_.size(); ++id) {
+    if (elements_[id].kind != ElementKind::kDoor || (open & elements_[id].bit()) == 0) continue;
+    put(std::exchange(separator, ","));
+    put(static_cast<std::int64_t>(id));
+  }
+  put("]");
+}
+
+void TraceWriter::tick(std::uint64_t number, std::uint64_t hash, std::uint32_t open) {
   put("{\"tick\":");
   put(static_cast<std::int64_t>(number));
   put(",\"hash\":\"");
   put(hexDigits(hash));
-  put("\",\"players\":[");
+  put("\",\"open\":");
+  putOpen(open);
+  put(",\"players\":[");
   const char* separator = "";
   for (auto& [entity, legs] : legs_) {
     if (legs.empty()) continue;

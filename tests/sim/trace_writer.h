@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "platon/game/element.h"
 #include "platon/game/level.h"
 #include "platon/physics/convex.h"
 #include "platon/physics/step_observer.h"
@@ -17,7 +18,8 @@
 
 namespace platon::sim {
 
-/// Writes a trace as JSON lines: first all static geometry, then one line per tick with the legs of every entity.
+/// Writes a trace as JSON lines: first all static geometry with the elements, then one line per tick with the open
+/// doors and the legs of every entity.
 class TraceWriter : public StepObserver {
  public:
   /// Throws UsageError when `path` cannot be written.
@@ -26,8 +28,9 @@ class TraceWriter : public StepObserver {
   /// Writes the header line. `level` is null for a scene.
   void header(const World& world, const Convex& shape, const Level* level);
   void leg(std::uint32_t entity, std::span<const InstanceView> instances) override;
-  /// Writes the line of tick `number`, with all legs since the last call.
-  void tick(std::uint64_t number, std::uint64_t hash);
+  /// Writes the line of tick `number`, with all legs since the last call. `open`: the bits of the doors that were open
+  /// during the tick, as Game::openDoors returned before it.
+  void tick(std::uint64_t number, std::uint64_t hash, std::uint32_t open = 0);
   /// Flushes the file; must be called after the last tick.
   void close() { file_.close(); }
 
@@ -37,8 +40,10 @@ class TraceWriter : public StepObserver {
   void put(Point point);
   void put(const Segment& line);
   void put(const InstanceView& instance);
+  void put(const Element& element);
   void putShape(const Convex& shape);
   void putFace(const MapGeometry& part, const std::vector<Point>& polygon);
+  void putOpen(std::uint32_t open);
   const std::string& rotatedShape(Angle angle);
   void flushLine();
 
@@ -46,6 +51,7 @@ class TraceWriter : public StepObserver {
   std::string line_;
   std::map<std::uint32_t, std::string> legs_;  // JSON of the legs of this tick, by entity
   std::optional<Convex> shape_;
+  std::vector<Element> elements_;
   std::map<std::int32_t, std::string> shapes_;  // JSON by angle; empty where the vertices equal those of the header
 };
 

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "platon/game/player.h"
 #include "platon/physics/entity.h"
 #include "platon/physics/map_part.h"
 #include "tests/shared/physics/maps.h"
@@ -40,10 +41,10 @@ TEST_F(TraceWriterTest, WritesASceneAsOnePlane) {
   EXPECT_EQ(
       readText(path_),
       "{\"solid\":\"PLANE\",\"subunits\":1024,\"shape\":[[-10,-10],[10,-10],[10,10],[-10,10]],\"faces\":"
-      "[{\"face\":0,\"polygon\":[],\"lines\":[[-50,-20,50,-20],[17,8,17,8]],\"warps\":[]}]}\n"
-      "{\"tick\":1,\"hash\":\"0000000000000abc\",\"players\":[{\"id\":0,\"legs\":["
+      "[{\"face\":0,\"polygon\":[],\"lines\":[[-50,-20,50,-20],[17,8,17,8]],\"warps\":[]}],\"elements\":[]}\n"
+      "{\"tick\":1,\"hash\":\"0000000000000abc\",\"open\":[],\"players\":[{\"id\":0,\"legs\":["
       "[{\"id\":0,\"face\":0,\"x\":0,\"y\":0,\"angle\":0}],[{\"id\":0,\"face\":0,\"x\":0,\"y\":-10,\"angle\":0}]]}]}\n"
-      "{\"tick\":2,\"hash\":\"ffffffffffffffff\",\"players\":[{\"id\":0,\"legs\":["
+      "{\"tick\":2,\"hash\":\"ffffffffffffffff\",\"open\":[],\"players\":[{\"id\":0,\"legs\":["
       "[{\"id\":0,\"face\":0,\"x\":0,\"y\":-10,\"angle\":0}]]}]}\n");
 }
 
@@ -76,6 +77,34 @@ TEST_F(TraceWriterTest, WritesRotatedShapes) {
     trace.tick(1, 0);
   }
   EXPECT_THAT(readText(path_), HasSubstr("\"angle\":4500,\"shape\":[[0,-14],[14,0],[0,14],[-14,0]]}"));
+}
+
+// Elements come before the other segments of their face. Each door of an open number is listed by its index.
+TEST_F(TraceWriterTest, WritesElementsAndOpenDoors) {
+  const std::string face =
+      "%\n-90 0 90 0\n-90 -50 90 -50 door 3\n-90 40 -60 40 oneway\n-90 60 -60 60 up 2\n-90 70 90 70 door 4\n"
+      "90 80 0 80 key 3\n90 90 0 90 hazard\n";
+  const auto level = loadLevel("HEXAHEDRON\n1 0 0 0\n1 0 0\n480\n" + face + "%\n%\n0 50 0 90 door 3\n%\n%\n%\n").level;
+  ASSERT_NE(level, nullptr);
+  {
+    TraceWriter trace(path_);
+    trace.header(level->world, playerShape(), level.get());
+    trace.tick(1, 0);
+    trace.tick(2, 0, 1U << 3);
+    trace.tick(3, 0, 1U << 3 | 1U << 4);
+  }
+  const std::string text = readText(path_);
+  EXPECT_THAT(text, HasSubstr("\"lines\":[[-92160,-51200,92160,-51200],"));
+  EXPECT_THAT(text, HasSubstr("],\"elements\":[{\"face\":0,\"line\":0,\"word\":\"door\",\"k\":3},"
+                              "{\"face\":0,\"line\":1,\"word\":\"oneway\"},"
+                              "{\"face\":0,\"line\":2,\"word\":\"up\",\"k\":2},"
+                              "{\"face\":0,\"line\":3,\"word\":\"door\",\"k\":4},"
+                              "{\"face\":0,\"line\":4,\"word\":\"key\",\"k\":3},"
+                              "{\"face\":0,\"line\":5,\"word\":\"hazard\"},"
+                              "{\"face\":2,\"line\":0,\"word\":\"door\",\"k\":3}]}\n"));
+  EXPECT_THAT(text, HasSubstr("{\"tick\":1,\"hash\":\"0000000000000000\",\"open\":[],"));
+  EXPECT_THAT(text, HasSubstr("{\"tick\":2,\"hash\":\"0000000000000000\",\"open\":[0,6],"));
+  EXPECT_THAT(text, HasSubstr("{\"tick\":3,\"hash\":\"0000000000000000\",\"open\":[0,3,6],"));
 }
 
 TEST_F(TraceWriterTest, OmitsEntitiesThatAreNotInserted) {

@@ -27,6 +27,10 @@ oracle::TraceHeader headerOf(const CheckedScene& scene) {
     }
     header.faces.push_back(std::move(face));
   }
+  for (const Element& element : scene.elements) {
+    const std::int64_t number = hasNumber(element.kind) ? element.number : -1;
+    header.elements.push_back({element.face, element.segment, std::string(wordOf(element.kind)), number});
+  }
   return header;
 }
 
@@ -36,16 +40,18 @@ struct StepChecker::Checkers {
   Checkers(oracle::TraceMap checkedMap, oracle::TraceReport& report)
       : map(std::move(checkedMap)),
         shapes(map.shape(), report),
-        states(map, shapes, report),
-        motions(map, shapes, states, report) {}
+        blocking(map, shapes, report),
+        states(map, shapes, blocking, report),
+        motions(map, shapes, blocking, states, report) {}
 
   oracle::TraceMap map;
   oracle::ShapeLibrary shapes;
+  oracle::Blocking blocking;
   oracle::StateChecker states;
   oracle::MotionChecker motions;
 };
 
-StepChecker::StepChecker(const CheckedScene& scene) : shape_(scene.shape) {
+StepChecker::StepChecker(const CheckedScene& scene) : shape_(scene.shape), elements_(scene.elements) {
   auto map = oracle::TraceMap::make(headerOf(scene), report_);
   if (map) checkers_ = std::make_shared<Checkers>(std::move(*map), report_);
 }
@@ -63,8 +69,14 @@ oracle::TraceInstance StepChecker::converted(const InstanceView& view) const {
   return instance;
 }
 
-std::string StepChecker::finishTick() {
+std::string StepChecker::finishTick(std::uint32_t open) {
   tallies_.clear();
+  std::vector<std::int64_t> doors;
+  for (std::size_t i = 0; i < elements_.size(); ++i) {
+    if (elements_[i].kind == ElementKind::kDoor && (open & elements_[i].bit()) != 0)
+      doors.push_back(static_cast<std::int64_t>(i));
+  }
+  if (checkers_) checkers_->blocking.setOpen(doors);
   for (const auto& [entity, legs] : legs_) {
     report_.setPlayer(entity);
     tallies_[entity] = {legs.size() - 1, legs.back().size()};
@@ -102,7 +114,7 @@ void StepChecker::checkStep(const std::vector<oracle::TraceLeg>& legs) {
   }
   if (!states.isTree(legs.front())) return;
   states.checkPlacements(legs.front());
-  for (const oracle::TraceInstance& instance : legs.front()) states.checkFree(instance);
+  for (const oracle::TraceInstance& instance : legs.front()) states.checkFree(instance, false);
   for (std::size_t i = 1; i < legs.size(); ++i) {
     report_.setLeg(i);
     if (!states.isTree(legs[i])) return;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "platon/game/element.h"
 #include "platon/game/solid.h"
 #include "platon/physics/convex.h"
 #include "platon/physics/map_geometry.h"
@@ -25,6 +26,8 @@ struct CheckedScene {
   /// True if entities pass segment `index` of a part. They always pass warp segments. An empty function: they pass no
   /// other.
   std::function<bool(std::uint32_t part, std::uint32_t index)> pierces = {};
+  /// The segments with a word, if entities are players: they block by their words. Empty if `pierces` is given.
+  std::span<const Element> elements = {};
 };
 
 /// Checks every leg of a world's steps with the oracle: invariants I1, I2, I5, I6 and I7.
@@ -33,8 +36,11 @@ class StepChecker : public StepObserver {
   explicit StepChecker(const CheckedScene& scene);
 
   void leg(std::uint32_t entity, std::span<const InstanceView> instances) override;
-  /// Checks all legs since the last call. Returns the first violation since construction; empty if there is none.
-  std::string finishTick();
+  /// Checks all legs since the last call. `open`: bits of the doors that were open. Returns the first violation since
+  /// construction; empty if there is none.
+  std::string finishTick(std::uint32_t open = 0);
+  /// Number of elements that entities have passed.
+  std::size_t elementsPassed() const { return report_.elementsPassed.size(); }
   /// Moves of the entity in the last checked tick.
   std::size_t moves(std::uint32_t entity) const;
   /// Instances of the entity after the last checked tick.
@@ -52,6 +58,7 @@ class StepChecker : public StepObserver {
   void checkStep(const std::vector<oracle::TraceLeg>& legs);
 
   const Convex& shape_;
+  std::span<const Element> elements_;
   oracle::TraceReport report_;
   std::shared_ptr<Checkers> checkers_;
   std::map<std::uint32_t, std::vector<oracle::TraceLeg>> legs_;  // legs of this tick, by entity

@@ -145,7 +145,15 @@ bool FaceChecks::blocks(const Segment& line, std::size_t face, std::size_t corne
 
 bool FaceChecks::isBlocked(std::size_t face, std::size_t corner) const {
   const std::vector<Segment>& lines = header_.faces[face].lines;
-  return std::any_of(lines.begin(), lines.end(), [&](const Segment& line) { return blocks(line, face, corner); });
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    if (blocks(lines[i], face, corner) && !isElement(face, i)) return true;
+  return false;
+}
+
+bool FaceChecks::isElement(std::size_t face, std::size_t line) const {
+  return std::any_of(header_.elements.begin(), header_.elements.end(), [&](const TraceElement& element) {
+    return element.face == static_cast<std::int64_t>(face) && element.line == static_cast<std::int64_t>(line);
+  });
 }
 
 void FaceChecks::checkLines() const {

@@ -48,6 +48,7 @@ class FaceChecks {
   std::size_t connectedFaces() const;
   bool isInside(std::size_t face, Vec point) const;
   bool isBlocked(std::size_t face, std::size_t corner) const;
+  bool isElement(std::size_t face, std::size_t line) const;
   bool blocks(const Segment& line, std::size_t face, std::size_t corner) const;
   void fail(const std::string& what) const { report_.violate("header", what); }
   void failAt(std::size_t face, const std::string& what) const { fail("face " + std::to_string(face) + ": " + what); }

@@ -33,6 +33,10 @@ void MotionChecker::checkPath(const TraceInstance& from, const TraceInstance& sh
     if (!box.touches(line.box)) continue;
     const OpenArea area = OpenArea::swept(shape.polygon, from.position, displacement);
     if (!(tolerance == 0 ? area : area.inset(tolerance)).intersects(line.segment)) continue;
+    if (!blocking_.blocks(line, from)) {
+      report_.elementsPassed.insert(line.element);
+      continue;
+    }
     report_.violate("I1 path", name(from) + " moving from " + toText(from.position) + " by " + toText(displacement) +
                                    " intersects the segment " + oracle::toText(line.segment));
     return;
@@ -47,7 +51,7 @@ void MotionChecker::checkRotation(const TraceInstance& before, const TraceInstan
   const OpenArea area = OpenArea::placed(hull, before.position);
   const Box box = boxOf(hull).moved(before.position);
   for (const MapLine& line : map_.face(before.face).lines)
-    if (box.touches(line.box) && area.intersects(line.segment)) {
+    if (box.touches(line.box) && area.intersects(line.segment) && blocking_.blocks(line, before)) {
       report_.violate("I1 turn", name(before) + " at " + toText(before.position) + " rotating from " +
                                      std::to_string(before.angle) + " to " + std::to_string(after.angle) +
                                      " intersects the segment " + oracle::toText(line.segment));
@@ -95,7 +99,7 @@ void MotionChecker::checkNewInstance(const TraceLeg& leg, const TraceInstance& i
   TraceInstance start = instance;
   start.position = instance.position - step;
   checkPath(start, instance, step, kUnknownEndTolerance);
-  states_.checkFree(instance);
+  states_.checkFree(instance, true);
 }
 
 MotionChecker::HomeMove MotionChecker::moveOfHome(const TraceLeg& before, const TraceLeg& after) {

@@ -7,8 +7,9 @@ namespace platon::oracle {
 /// Checks how the instances of one player moved between two consecutive legs. Both must be trees.
 class MotionChecker {
  public:
-  MotionChecker(const TraceMap& map, ShapeLibrary& shapes, StateChecker& states, TraceReport& report)
-      : map_(map), shapes_(shapes), states_(states), report_(report) {}
+  MotionChecker(const TraceMap& map, ShapeLibrary& shapes, Blocking& blocking, StateChecker& states,
+                TraceReport& report)
+      : map_(map), shapes_(shapes), blocking_(blocking), states_(states), report_(report) {}
 
   /// The straight path and the rotation of every instance are free (I1), and every instance moves like the home
   /// instance (I6). In a leg that rehomes nothing moves.
@@ -37,6 +38,7 @@ class MotionChecker {
 
   const TraceMap& map_;
   ShapeLibrary& shapes_;
+  Blocking& blocking_;
   StateChecker& states_;
   TraceReport& report_;
 };

@@ -85,6 +85,13 @@ std::string toJson(const TracePlayer& player) {
   return object(field("id", player.id) + field("legs", list(player.legs, leg)));
 }
 
+std::string toJson(const TraceElement& element) {
+  std::string fields = field("face", element.face) + field("line", element.line) +
+                       field("word", std::string("\"").append(element.word).append("\""));
+  if (element.k >= 0) fields += field("k", element.k);
+  return object(fields);
+}
+
 void addWarps(TraceHeader& header, const std::vector<std::vector<int>>& faces, std::size_t face) {
   const std::size_t corners = faces[face].size();
   const Polygon& polygon = header.faces[face].polygon;
@@ -169,17 +176,20 @@ std::string toJson(const TraceHeader& header) {
   std::int64_t index = 0;
   const auto line = [](const Segment& segment) { return toJson(segment); };
   const auto warp = [](const TraceWarp& value) { return toJson(value); };
+  const auto element = [](const TraceElement& value) { return toJson(value); };
   const auto face = [&](const TraceFace& value) {
     return object(field("face", index++) + field("polygon", toJson(value.polygon)) +
                   field("lines", list(value.lines, line)) + field("warps", list(value.warps, warp)));
   };
   return object(field("solid", std::string("\"").append(header.solid).append("\"")) + field("subunits", 1024) +
-                field("shape", toJson(header.shape)) + field("faces", list(header.faces, face)));
+                field("shape", toJson(header.shape)) + field("faces", list(header.faces, face)) +
+                field("elements", list(header.elements, element)));
 }
 
 std::string toJson(const TraceTick& tick) {
   const auto player = [](const TracePlayer& value) { return toJson(value); };
   return object(field("tick", tick.tick) + field("hash", std::string("\"").append(tick.hash).append("\"")) +
+                field("open", list(tick.open, [](std::int64_t door) { return std::to_string(door); })) +
                 field("players", list(tick.players, player)));
 }
 

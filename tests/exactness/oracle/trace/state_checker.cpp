@@ -154,11 +154,12 @@ void StateChecker::checkCoverage(const TraceLeg& leg, const TraceInstance& insta
                                       std::to_string(warps[warp].to) + ", where it has no instance");
 }
 
-void StateChecker::checkFree(const TraceInstance& instance) {
+void StateChecker::checkFree(const TraceInstance& instance, bool arrived) {
   const RotatedShape& shape = shapes_.of(instance);
   const Box box = shape.box.moved(instance.position);
   for (const MapLine& line : map_.face(instance.face).lines)
-    if (box.touches(line.box) && OpenArea::placed(shape.polygon, instance.position).intersects(line.segment)) {
+    if (box.touches(line.box) && (arrived ? blocking_.forbids(line, instance) : blocking_.blocksAlways(line)) &&
+        OpenArea::placed(shape.polygon, instance.position).intersects(line.segment)) {
       report_.violate("I1 place", name(instance) + " overlaps the segment " + toText(line.segment));
       return;
     }

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "tests/exactness/oracle/trace/blocking.h"
 #include "tests/exactness/oracle/trace/shape_library.h"
 #include "tests/exactness/oracle/trace/trace_map.h"
 
@@ -16,16 +17,17 @@ const TraceInstance* findInstance(const TraceLeg& leg, std::int64_t id);
 /// Checks the instances of one player after one leg.
 class StateChecker {
  public:
-  StateChecker(const TraceMap& map, ShapeLibrary& shapes, TraceReport& report)
-      : map_(map), shapes_(shapes), report_(report) {}
+  StateChecker(const TraceMap& map, ShapeLibrary& shapes, Blocking& blocking, TraceReport& report)
+      : map_(map), shapes_(shapes), blocking_(blocking), report_(report) {}
 
   /// There is one home instance, a chain of existing warps connects every other instance to it, and all ids differ. If
   /// this is false, the other checks must not be called.
   bool isTree(const TraceLeg& leg);
   /// Every instance is where its warps place it (I5), no two are the same placement, and none is missing.
   void checkPlacements(const TraceLeg& leg);
-  /// The open interior of the instance intersects no segment of its face (I1).
-  void checkFree(const TraceInstance& instance);
+  /// The open interior of the instance intersects no segment of its face that blocks it (I1). An instance that has
+  /// just `arrived` overlaps no closed door either.
+  void checkFree(const TraceInstance& instance, bool arrived);
   /// The centre is in the home face (I7), and no instance remains behind an edge that the shape has left.
   void checkTickEnd(const TraceLeg& leg);
 
@@ -46,6 +48,7 @@ class StateChecker {
 
   const TraceMap& map_;
   ShapeLibrary& shapes_;
+  Blocking& blocking_;
   TraceReport& report_;
 };
 

@@ -21,11 +21,20 @@ struct TraceFace {
   std::vector<TraceWarp> warps;
 };
 
+/// A line with a word. `k` is the number after the word; -1 if there is none.
+struct TraceElement {
+  std::int64_t face = 0;
+  std::int64_t line = 0;  ///< index into the lines of the face
+  std::string word;
+  std::int64_t k = -1;
+};
+
 /// First line of a trace.
 struct TraceHeader {
   std::string solid;
   Polygon shape;
   std::vector<TraceFace> faces;
+  std::vector<TraceElement> elements = {};
 };
 
 /// One placement of a player's shape. `shape` is empty if the trace gives none.
@@ -55,6 +64,7 @@ struct TraceTick {
   std::int64_t tick = 0;
   std::string hash;
   std::vector<TracePlayer> players;
+  std::vector<std::int64_t> open = {};  ///< indices of the doors, among the elements, that are open during the tick
 };
 
 }  // namespace platon::oracle

@@ -2,6 +2,7 @@
 #include <charconv>
 #include <fstream>
 #include <iostream>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,15 +15,16 @@ namespace {
 
 constexpr const char* kUsage =
     "usage: platon-trace-check FILE…\n"
-    "       platon-trace-check [--ticks T] [--crossings C] --run PROGRAM ARGUMENT…\n"
+    "       platon-trace-check [--ticks T] [--crossings C] [--elements E] --run PROGRAM ARGUMENT…\n"
     "Checks traces. The second form runs PROGRAM ARGUMENT… --trace PIPE and checks the trace that it writes. The "
     "program\n"
-    "must exit with 0 and write T ticks, and its players must cross at least C edges.\n";
+    "must exit with 0 and write T ticks, and its players must cross at least C edges and pass at least E elements.\n";
 
 /// Conditions on a run.
 struct Requirements {
   std::int64_t ticks = -1;
   std::int64_t crossings = 0;
+  std::int64_t elements = 0;
 };
 
 bool printReport(const std::string& what, const TraceReport& report) {
@@ -51,6 +53,8 @@ int checkRun(const Requirements& requirements, const std::vector<std::string>& a
   if (requirements.ticks >= 0 && report.ticks != requirements.ticks)
     return std::cout << report.ticks << " ticks instead of " << requirements.ticks << '\n', 1;
   if (report.crossings < requirements.crossings) return std::cout << "only " << report.crossings << " crossings\n", 1;
+  if (static_cast<std::int64_t>(report.elementsPassed.size()) < requirements.elements)
+    return std::cout << "only " << report.elementsPassed.size() << " elements passed\n", 1;
   return 0;
 }
 
@@ -66,8 +70,11 @@ int usage() {
 
 int main(std::span<const std::string> arguments) {
   Requirements requirements;
-  while (arguments.size() > 2 && (arguments[0] == "--ticks" || arguments[0] == "--crossings")) {
-    if (!parse(arguments[1], arguments[0] == "--ticks" ? requirements.ticks : requirements.crossings)) return usage();
+  const std::map<std::string, std::int64_t*> options = {{"--ticks", &requirements.ticks},
+                                                        {"--crossings", &requirements.crossings},
+                                                        {"--elements", &requirements.elements}};
+  while (arguments.size() > 2 && options.contains(arguments[0])) {
+    if (!parse(arguments[1], *options.at(arguments[0]))) return usage();
     arguments = arguments.subspan(2);
   }
   if (arguments.empty() || arguments[0] == "--help") return usage();

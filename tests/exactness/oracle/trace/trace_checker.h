@@ -30,11 +30,13 @@ class TraceChecker {
     Checkers(TraceMap header, TraceReport& report)
         : map(std::move(header)),
           shapes(map.shape(), report),
-          states(map, shapes, report),
-          motions(map, shapes, states, report) {}
+          blocking(map, shapes, report),
+          states(map, shapes, blocking, report),
+          motions(map, shapes, blocking, states, report) {}
 
     TraceMap map;
     ShapeLibrary shapes;
+    Blocking blocking;
     StateChecker states;
     MotionChecker motions;
   };
@@ -43,12 +45,14 @@ class TraceChecker {
   bool checkTick(std::string_view line);
   void checkPlayer(const TracePlayer& player, std::map<std::int64_t, TraceLeg>& now);
   bool checkStart(const TracePlayer& player);
+  bool isReturn(const TraceLeg& earlier, const TraceLeg& start) const;
   bool checkLeg(const TraceLeg& before, const TraceLeg& after);
 
   TraceReport report_;
   std::unique_ptr<Checkers> checkers_;
   std::optional<std::int64_t> lastTick_;
   std::map<std::int64_t, TraceLeg> last_;  ///< last leg of the last tick, by player
+  std::optional<TraceInstance> first_;     ///< home of the first player: all begin at the start of the level
 };
 
 }  // namespace platon::oracle

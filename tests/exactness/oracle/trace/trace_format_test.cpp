@@ -37,6 +37,21 @@ TEST(TraceFormat, EveryKeyIsRequired) {
   EXPECT_EQ(rulesViolatedWith(0, "\"face\":3,", ""), kFormat);
   EXPECT_EQ(rulesViolatedWith(1, "\"hash\":\"0123456789abcdef\",", ""), kFormat);
   EXPECT_EQ(rulesViolatedWith(1, ",\"angle\":0", ""), kFormat);
+  EXPECT_EQ(rulesViolatedWith(0, ",\"elements\":[]", ""), kFormat);
+  EXPECT_EQ(rulesViolatedWith(1, "\"open\":[],", ""), kFormat);
+}
+
+TEST(TraceFormat, ElementsHaveAFaceALineAndAWord) {
+  const auto violatedBy = [](const std::string& element) {
+    return rulesViolatedWith(0, "\"elements\":[]", "\"elements\":[{" + element + "}]").contains("format");
+  };
+  EXPECT_FALSE(violatedBy("\"face\":0,\"line\":0,\"word\":\"key\",\"k\":3"));
+  EXPECT_FALSE(violatedBy("\"face\":0,\"line\":0,\"word\":\"hazard\""));
+  EXPECT_TRUE(violatedBy("\"face\":0,\"line\":0,\"k\":3"));
+  EXPECT_TRUE(violatedBy("\"face\":0,\"word\":\"hazard\""));
+  EXPECT_TRUE(violatedBy("\"face\":0,\"line\":0,\"word\":3"));
+  EXPECT_TRUE(violatedBy("\"face\":0,\"line\":0,\"word\":\"key\",\"k\":-1"));
+  EXPECT_TRUE(rulesViolatedWith(1, "\"open\":[]", "\"open\":[true]").contains("format"));
 }
 
 TEST(TraceFormat, UnknownAndRepeatedKeysAreRefused) {

@@ -1,7 +1,9 @@
 #include "tests/exactness/oracle/trace/trace_map.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
 
 #include "tests/exactness/oracle/trace/face_checks.h"
 
@@ -9,6 +11,23 @@ namespace platon::oracle {
 namespace {
 
 constexpr std::int64_t kBeyond = 5;
+/// Numbers of keys, doors and plates are below this.
+constexpr std::int64_t kDoorNumbers = 32;
+
+/// The words in the order of `Word`.
+constexpr std::array<std::string_view, 7> kWords{"oneway", "up", "hazard", "checkpoint", "key", "door", "plate"};
+
+std::optional<Word> wordOf(const std::string& text) {
+  const auto found = std::find(kWords.begin(), kWords.end(), text);
+  if (found == kWords.end()) return std::nullopt;
+  return static_cast<Word>(found - kWords.begin());
+}
+
+/// The number of values that the number after the word can have; 0 if no number follows.
+std::int64_t numbersAfter(Word word, std::size_t edges) {
+  if (word == Word::kUp) return static_cast<std::int64_t>(edges);
+  return word == Word::kKey || word == Word::kDoor || word == Word::kPlate ? kDoorNumbers : 0;
+}
 
 /// The edge moved outwards by kBeyond subunits and shortened by as much at both ends, so that it lies in the adjacent
 /// face even if that face has acute corners.
@@ -33,6 +52,8 @@ class TraceMapBuilder {
     map_.shape_ = header_.shape;
     if (!isStrictlyConvex(header_.shape)) return refuse("shape is not strictly convex and counter-clockwise");
     if (!(header_.solid == "PLANE" ? makePlane() : makeSolid())) return std::nullopt;
+    for (const TraceElement& element : header_.elements)
+      if (!addElement(element)) return std::nullopt;
     return std::move(map_);
   }
 
@@ -67,8 +88,34 @@ class TraceMapBuilder {
   void makeFaces() {
     for (const TraceFace& face : header_.faces) {
       MapFace& made = map_.faces_.emplace_back();
+      made.edges = face.polygon.size();
       for (const Segment& line : face.lines) made.lines.push_back({line, boxOf(line)});
     }
+  }
+
+  bool addElement(const TraceElement& element) {
+    const auto isBelow = [](std::int64_t index, std::size_t count) {
+      return index >= 0 && index < static_cast<std::int64_t>(count);
+    };
+    if (!isBelow(element.face, map_.faces_.size())) return failElement("is in no face");
+    MapFace& face = map_.faces_[static_cast<std::size_t>(element.face)];
+    if (!isBelow(element.line, face.lines.size())) return failElement("has no line");
+    MapLine& line = face.lines[static_cast<std::size_t>(element.line)];
+    if (line.element >= 0) return failElement("has the line of another one");
+    const std::optional<Word> word = wordOf(element.word);
+    if (!word) return failElement("has an unknown word");
+    const std::int64_t numbers = numbersAfter(*word, face.edges);
+    if (numbers == 0 ? element.k != -1 : element.k < 0 || element.k >= numbers)
+      return failElement("has a wrong number");
+    if (*word == Word::kOneway && line.segment.a == line.segment.b) return failElement("has no sides");
+    line.element = static_cast<std::int64_t>(map_.elements_.size());
+    map_.elements_.push_back({element.face, line.segment, *word, element.k});
+    return true;
+  }
+
+  bool failElement(const std::string& what) {
+    report_.violate("header", "element " + std::to_string(map_.elements_.size()) + " " + what);
+    return false;
   }
 
   void makeWarps(const FaceChecks& checks, std::size_t face) {

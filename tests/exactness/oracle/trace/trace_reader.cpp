@@ -16,8 +16,10 @@ constexpr std::array<std::string_view, 3> kWarpKeys{"from", "to", "onto"};
 constexpr std::array<std::string_view, 4> kFaceKeys{"face", "polygon", "lines", "warps"};
 constexpr std::array<std::string_view, 7> kInstanceKeys{"id", "face", "x", "y", "angle", "via", "shape"};
 constexpr std::array<std::string_view, 2> kPlayerKeys{"id", "legs"};
-constexpr std::array<std::string_view, 4> kHeaderKeys{"solid", "subunits", "shape", "faces"};
-constexpr std::array<std::string_view, 3> kTickKeys{"tick", "hash", "players"};
+constexpr std::array<std::string_view, 4> kElementKeys{"face", "line", "word", "k"};
+constexpr std::array<std::string_view, 5> kHeaderKeys{"solid", "subunits", "shape", "elements", "faces"};
+constexpr std::array<std::string_view, 4> kTickKeys{"tick", "hash", "open", "players"};
+constexpr std::size_t kNumberKey = 3;
 constexpr std::size_t kViaKey = 5;
 constexpr std::size_t kShapeKey = 6;
 
@@ -125,6 +127,29 @@ TraceFace readFace(JsonReader& reader, std::int64_t index) {
   return face;
 }
 
+TraceElement readElement(JsonReader& reader) {
+  TraceElement element;
+  Keys keys(reader, kElementKeys, kNumberKey);
+  reader.object([&](std::string_view key) {
+    switch (keys.take(key)) {
+      case 0:
+        element.face = reader.integer();
+        break;
+      case 1:
+        element.line = reader.integer();
+        break;
+      case 2:
+        element.word = reader.string();
+        break;
+      default:
+        element.k = reader.integer();
+        if (element.k < 0) reader.fail("negative number of an element");
+    }
+  });
+  keys.finish();
+  return element;
+}
+
 TraceInstance readInstance(JsonReader& reader) {
   TraceInstance instance;
   Keys keys(reader, kInstanceKeys, kViaKey);
@@ -202,6 +227,9 @@ TraceHeader readTraceHeader(std::string_view line) {
       case 2:
         header.shape = readPolygon(reader);
         break;
+      case 3:
+        reader.array([&] { header.elements.push_back(readElement(reader)); });
+        break;
       default:
         reader.array([&] { header.faces.push_back(readFace(reader, static_cast<std::int64_t>(header.faces.size()))); });
     }
@@ -222,6 +250,9 @@ TraceTick readTraceTick(std::string_view line) {
         break;
       case 1:
         tick.hash = readHash(reader);
+        break;
+      case 2:
+        reader.array([&] { tick.open.push_back(reader.integer()); });
         break;
       default:
         reader.array([&] { tick.players.push_back(readPlayer(reader)); });

@@ -32,7 +32,8 @@ void TraceReport::notePlacementError(long double error) { maxPlacementError_ = s
 std::ostream& operator<<(std::ostream& stream, const TraceReport& report) {
   stream << report.ticks << " ticks, " << report.playerTicks << " player ticks, " << report.legs << " legs (at most "
          << report.maxLegs_ << " a tick), at most " << report.maxInstances_ << " instances, " << report.crossings
-         << " crossings, " << report.facesVisited.size() << " faces visited, largest placement error "
+         << " crossings, " << report.facesVisited.size() << " faces visited, " << report.elementsPassed.size()
+         << " elements passed, " << report.returns << " returns, largest placement error "
          << static_cast<double>(report.maxPlacementError_) << " subunits, " << report.violations_ << " violations";
   for (const std::string& message : report.messages_) stream << "\n  " << message;
   return stream;

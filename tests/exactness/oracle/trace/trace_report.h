@@ -16,6 +16,8 @@ class TraceReport {
   std::int64_t legs = 0;
   std::int64_t crossings = 0;  ///< changes of the home face
   std::set<std::int64_t> facesVisited;
+  std::set<std::int64_t> elementsPassed;
+  std::int64_t returns = 0;  ///< players that were moved back to the start or to a checkpoint
 
   /// Sets the place of the following violations.
   void setTick(std::int64_t tick) { tick_ = tick; }

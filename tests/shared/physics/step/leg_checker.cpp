@@ -52,27 +52,46 @@ void LegChecker::leg(std::uint32_t entity, std::span<const InstanceView> instanc
   last_.merge(now);
 }
 
+bool LegChecker::blocks(const InstanceView& view, std::uint32_t segment) const {
+  return !world_.geometry().find(view.part)->isWarp(segment) && (!blocks_ || blocks_(view, segment));
+}
+
+const LegChecker::Known* LegChecker::lastOf(std::uint32_t entity, const InstanceView& view) const {
+  const auto known = last_.find({entity, view.id});
+  return known == last_.end() ? nullptr : &known->second;
+}
+
+// Whether the segment may still be left. One that blocks always is never overlapped.
+bool LegChecker::overlapped(const Known& last, const Convex& shape, std::uint32_t segment) const {
+  Sweep sweep;
+  sweep.start(shape, last.position, {});
+  return blocks_ && sweep.against(world_.geometry().find(last.part)->segments[segment]).has_value();
+}
+
 void LegChecker::checkFree(std::uint32_t entity, const InstanceView& view, const Convex& shape) {
   const MapGeometry& part = *world_.geometry().find(view.part);
+  const Known* const last = lastOf(entity, view);
   Sweep sweep;
   sweep.start(shape, view.position, {});
   for (std::uint32_t line = 0; line < part.segments.size(); ++line) {
-    if (!part.isWarp(line) && sweep.against(part.segments[line]))
+    if (!blocks(view, line) || !sweep.against(part.segments[line])) continue;
+    if (last == nullptr || !overlapped(*last, shape, line))
       fault(entity, view, "overlaps line " + std::to_string(line));
   }
 }
 
 void LegChecker::checkPath(std::uint32_t entity, const InstanceView& view, const Convex& shape) {
-  const auto known = last_.find({entity, view.id});
-  if (known == last_.end()) return;
-  const Known& before = known->second;
-  if (before.part != view.part) fault(entity, view, "has changed its part");
-  if (before.angle != view.angle || before.position == view.position) return;
+  const Known* const before = lastOf(entity, view);
+  if (before == nullptr) return;
+  if (before->part != view.part) fault(entity, view, "has changed its part");
+  if (before->angle != view.angle || before->position == view.position) return;
   const MapGeometry& part = *world_.geometry().find(view.part);
+  InstanceView start = view;
+  start.position = before->position;
   Sweep sweep;
-  sweep.start(shape, before.position, view.position - before.position);
+  sweep.start(shape, before->position, view.position - before->position);
   for (std::uint32_t line = 0; line < part.segments.size(); ++line) {
-    if (!part.isWarp(line) && sweep.against(part.segments[line]))
+    if (blocks(start, line) && sweep.against(part.segments[line]) && !overlapped(*before, shape, line))
       fault(entity, view, "passed line " + std::to_string(line));
   }
 }
