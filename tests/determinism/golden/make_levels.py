@@ -29,14 +29,33 @@ def distance(line, point):
     return math.hypot(x0 + along * dx - point[0], y0 + along * dy - point[1])
 
 
+def word_of(line):
+    return line[4] if len(line) > 4 else ""
+
+
+def can_block(line):
+    return word_of(line).split(" ")[0] not in ("checkpoint", "key")
+
+
+def middle(line):
+    return (line[0] + line[2]) / 2, (line[1] + line[3]) / 2
+
+
+def is_in_the_way(line, face, start, content):
+    """Whether a line overlaps the player at the start or at a checkpoint of its face."""
+    places = [middle(other) for other in content if word_of(other) == "checkpoint"] + ([start] if face == 0 else [])
+    return can_block(line) and any(distance(line[:4], place) <= ROOM for place in places)
+
+
 def write(name, title, solid, size, start, faces):
-    """Writes a level. `faces` holds the lines of each face; lines that would overlap the player at the start are omitted."""
+    """Writes a level. `faces` holds the lines of each face: x0, y0, x1, y1 and, of an element, its words. Lines that would
+    overlap the player at the start or at a checkpoint are omitted."""
     lines = [f"# title: {title}", "# author: The Platon project", solid,
              f"0 {number(start[0])} {number(start[1])} 0", f"{FACES[solid] - 1} 0 0", str(size)]
     for face, content in enumerate(faces):
         lines.append("%")
-        lines += [" ".join(number(c) for c in line) for line in content
-                  if face != 0 or distance(line, start) > ROOM]
+        lines += [" ".join([*(number(c) for c in line[:4]), *line[4:]]) for line in content
+                  if not is_in_the_way(line, face, start, content)]
     path = pathlib.Path(__file__).parent / "levels" / f"{name}.level"
     path.write_text("\n".join(lines) + "\n")
 
@@ -139,9 +158,58 @@ def far(source, solid="HEXAHEDRON", size=65536):
     write("far", "Far out", solid, size, (half - 100, -half + 130), faces)
 
 
+def any_word(source, solid):
+    """The words of an element that can block."""
+    return source.choice(("oneway", "oneway", f"up {source.randrange(SIDES[solid])}", "hazard",
+                          f"door {source.randrange(3)}", f"plate {source.randrange(3)}"))
+
+
+def touched_elements(source, reach):
+    """Checkpoints and keys, which never block, at random places."""
+    lines = []
+    for word in ("checkpoint", f"key {source.randrange(3)}"):
+        x, y = random_point(source, reach)
+        direction = source.uniform(0, 2 * math.pi)
+        lines.append((x, y, x + 60 * math.cos(direction), y + 60 * math.sin(direction), word))
+    return lines
+
+
+def elements(source, solid="HEXAHEDRON", size=480):
+    """Floors across every edge with plates, one-way segments, doors and hazards in them, loose at their joints."""
+    faces = []
+    for face in range(FACES[solid]):
+        lines = touched_elements(source, 100)
+        for x in range(-240, 240, 40):
+            word = source.choice(("", "", "", f"plate {source.randrange(3)}", "oneway", "up 2"))
+            if source.random() < 0.75:
+                lines.append((x, -200 + offset(source, 1), x + 40, -200 + offset(source, 1), *([word] if word else [])))
+            lines.append((x, -110 + offset(source, 1), x + 40, -110 + offset(source, 1), "oneway"))
+            lines.append((x, 0, x + 40, 0.3 * (face - 2), any_word(source, solid)))
+            if source.random() < 0.2:
+                lines.append((x + 20, -200, x + 20 + source.uniform(-9, 9), -150, any_word(source, solid)))
+        lines.append((-240, 120, 240, 120, f"up {face % 4}"))
+        faces.append(lines)
+    write("elements", "Elements over edges", solid, size, (0, -180), faces)
+
+
+def words(source, solid="ICOSAHEDRON", size=500):
+    """Elements of every kind in any direction, many of them across edges, among other lines."""
+    reach = inner_radius(solid, size)
+    faces = []
+    for _ in range(FACES[solid]):
+        lines = touched_elements(source, reach * 0.8)
+        for i in range(12):
+            x, y = random_point(source, reach)
+            length, direction = source.uniform(1, 120), source.uniform(0, 2 * math.pi)
+            line = (x, y, x + length * math.cos(direction), y + length * math.sin(direction))
+            lines.append(line if i < 3 else (*line, any_word(source, solid)))
+        faces.append(lines)
+    write("words", "Every word", solid, size, (0, 0), faces)
+
+
 def main():
     source = random.Random(20)
-    for level in (joints, wedges, points, crowd, corners, far):
+    for level in (joints, wedges, points, crowd, corners, far, elements, words):
         level(source)
 
 
