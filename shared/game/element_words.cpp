@@ -74,8 +74,9 @@ std::optional<ElementWord> readElementWord(const LevelLine& line, std::span<cons
   }
   if (words.size() > wanted) {
     diagnostics.error({line.number, words[wanted].column},
-                      "unexpected " + quoted(words[wanted].text) + " after '" + std::string(wordOf(*kind)) +
-                          (wanted == 2 ? " " + std::string(words[1].text) : "") + "': remove it");
+                      "unexpected " + quoted(words[wanted].text) + " after " +
+                          quoted(std::string(wordOf(*kind)) + (wanted == 2 ? " " + std::string(words[1].text) : "")) +
+                          ": remove it");
     return std::nullopt;
   }
   if (wanted == 1) return ElementWord{*kind, 0};

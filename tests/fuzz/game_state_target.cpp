@@ -12,10 +12,13 @@ constexpr int kTicksAfter = 4;
 constexpr std::size_t kMaxEdits = 24;
 
 const std::shared_ptr<const Level>& level() {
-  static const std::shared_ptr<const Level> loaded = loadLevel(
-                                                         "TETRAHEDRON\n0 0 -55 0\n2 0 0\n240\n%\n-60 -69.2 60 "
-                                                         "-69.2\n-20 -30 20 -20\n%\n-30 0 30 10\n%\n%\n0 60 0 60\n")
-                                                         .level;
+  static const std::shared_ptr<const Level> loaded =
+      loadLevel(
+          "TETRAHEDRON\n0 0 -55 0\n2 0 0\n240\n%\n-60 -69.2 60 -69.2\n-20 -30 20 -20\n-60 -69.2 -30 -69.2 plate 1\n"
+          "-60 -20 -30 -20 oneway\n40 -69.2 40 -40 door 1\n%\n-30 0 30 10\n0 -60 0 -40 checkpoint\n20 -50 30 -50 key "
+          "2\n"
+          "%\n-40 -30 40 -30 up 1\n-50 -60 50 -60 hazard\n%\n0 60 0 60\n0 -60 0 60 door 2\n")
+          .level;
   return loaded;
 }
 

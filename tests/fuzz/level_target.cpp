@@ -6,6 +6,7 @@
 #include "platon/game/level.h"
 #include "tests/exactness/oracle/trace/trace_map.h"
 #include "tests/exactness/step_check/conversions.h"
+#include "tests/exactness/step_check/step_checker.h"
 #include "tests/fuzz/fuzz_targets.h"
 
 namespace platon::fuzz {
@@ -69,7 +70,22 @@ std::string placesFault(const Level& level) {
   const auto area = oracle::OpenArea::placed(toPolygon(shape->vertices()), toVec(level.start));
   const MapGeometry& part = *level.world.geometry().find(level.startFace);
   for (std::uint32_t i = 0; i < part.segmentOfWarp(0); ++i) {
-    if (area.intersects(toSegment(part.segments[i]))) return "the start is not free";
+    const Element* const element = findElement(level.elements, level.startFace, i);
+    const bool canBlock = element == nullptr || platon::canBlock(element->kind);
+    if (canBlock && area.intersects(toSegment(part.segments[i]))) return "the start is not free";
+  }
+  return {};
+}
+
+std::string elementsFault(const Level& level) {
+  if (level.elements.size() > 4096) return "too many elements";
+  std::tuple<std::uint32_t, std::uint32_t> next;
+  for (const Element& element : level.elements) {
+    if (std::tuple(element.face, element.segment) < next) return "elements out of order";
+    next = {element.face, element.segment + 1};
+    if (element.face >= level.segments.size() || element.segment >= level.segments[element.face].size() ||
+        !(level.segments[element.face][element.segment] == element.ends))
+      return "an element is not its segment";
   }
   return {};
 }
@@ -81,13 +97,20 @@ std::string validityFault(const Level& level, std::string_view text) {
   oracle::TraceReport report;
   if (!oracle::TraceMap::make(headerOf(level), report) || !report.clean())
     return "invalid stage: " + report.messages().front();
-  return placesFault(level);
+  std::string fault = elementsFault(level);
+  return fault.empty() ? placesFault(level) : fault;
 }
 
 std::string playFault(const std::shared_ptr<const Level>& level) {
   Game game(level);
+  const Convex shape = playerShape();
+  step_check::StepChecker checker({level->world.geometry(), shape, level->solid, level->faceSize, {}, level->elements});
   const std::vector<Input> inputs{{Input::kPresent | Input::kRight}, {Input::kPresent | Input::kLeft | Input::kJump}};
-  for (int tick = 0; tick < kTicks; ++tick) game.advance(inputs);
+  for (int tick = 0; tick < kTicks; ++tick) {
+    const std::uint32_t open = game.openDoors();
+    game.advance(inputs, &checker);
+    if (std::string fault = checker.finishTick(open); !fault.empty()) return fault;
+  }
   Game restored(level);
   return restored.restore(game.save()) && restored == game ? std::string() : "a saved game is not restored";
 }

@@ -10,12 +10,14 @@
 #include <tuple>
 #include <vector>
 
+#include "platon/game/game.h"
 #include "platon/game/level.h"
+#include "tests/support/element_level.h"
 
 namespace platon {
 namespace {
 
-constexpr std::array<std::string_view, 4> kSeeds = {
+constexpr std::array<std::string_view, 5> kSeeds = {
     "# title: One\n# author: Two\nTETRAHEDRON\n0 0 0 60\n1 0 100\n400\n%\n-150.5 -60 150.25 -60\n-300 40 300 "
     "40.0001\n%\n"
     "0 0 50 50\n%\n\n-1000 -50 1000 -50 # cut\n%\n7 7 7 7\n",
@@ -25,7 +27,12 @@ constexpr std::array<std::string_view, 4> kSeeds = {
     "OCTAHEDRON\n7 0 -40 180\n0 0 200\n500\n%\n0 0 0 400\n%\n%\n%\n-250 -144.3376 250 -144.3376\n%\n%\n%\n0 288.6751 "
     "250 -144.3376\n%\n",
     "DODECAHEDRON\n11 0 0 36\n0 0 0\n65536\n%\n-40000 0 40000 0\n%\n%\n%\n%\n%\n%\n%\n%\n%\n-131072 5 131072 7\n%\n%\n"
-    "32768.0001 -45101.2825 -32768 -45101.2828\n"};
+    "32768.0001 -45101.2825 -32768 -45101.2828\n",
+    "# crossings: 1\n# players: 2\nTETRAHEDRON\n0 0 -40 0\n1 0 0\n300\n%\n-90 -60 90 -60 oneway\n-90 -70 0 -70 plate "
+    "1\n0 "
+    "-70 90 -70\n%\n-20 0 20 0 checkpoint\n-90 -40 90 -40 hazard\n%\n-40 0 -40 40 key 1\n40 0 40 40 door 1\n%\n-99 9 "
+    "99 9 "
+    "up 2\n"};
 
 class Mutator {
  public:
@@ -40,7 +47,7 @@ class Mutator {
   std::size_t below(std::size_t limit) { return limit == 0 ? 0 : random_() % limit; }
 
   std::string piece() {
-    static constexpr std::array<std::string_view, 22> pieces = {"%",
+    static constexpr std::array<std::string_view, 31> pieces = {"%",
                                                                 "\n",
                                                                 "\r",
                                                                 " ",
@@ -61,6 +68,15 @@ class Mutator {
                                                                 "-500 0 500 0\n",
                                                                 "18446744073709551616",
                                                                 "\xc3\xa9",
+                                                                " oneway\n",
+                                                                " up 2",
+                                                                " hazard",
+                                                                " checkpoint",
+                                                                " key 31",
+                                                                " door 0",
+                                                                " plate 1",
+                                                                "# players: 9\n",
+                                                                "# crossings: 0\n",
                                                                 "\xef\xbb\xbf"};
     if (below(4) == 0) return std::string(1, static_cast<char>(below(256)));
     return std::string(pieces[below(pieces.size())]);
@@ -110,6 +126,10 @@ void expectValid(const Level& level, const std::string& text) {
       ASSERT_LE(beyond(polygon, line.b), 1.0L) << text;
     }
   }
+  for (const Element& element : level.elements) {
+    ASSERT_EQ(level.segments.at(element.face).at(element.segment), element.ends) << text;
+    ASSERT_EQ(findElement(level.elements, element.face, element.segment), &element) << text;
+  }
   EXPECT_LT(level.startFace, level.segments.size());
   EXPECT_LT(level.goalFace, level.segments.size());
   EXPECT_LE(beyond(polygon, level.start), 0.0L) << text;
@@ -149,6 +169,24 @@ TEST(LevelFuzzTest, AMutatedLevelIsRefusedOrValid) {
   }
   EXPECT_GT(valid, 500);
   EXPECT_GT(invalid, 2000);
+}
+
+// A valid level can be played, wherever its elements are.
+TEST(LevelFuzzTest, RandomElementsAreValidAndPlayed) {
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    const std::string text = elementLevel(static_cast<int>(seed % kSolidKinds), seed);
+    const LevelResult result = loadLevel(text);
+    ASSERT_NE(result.level, nullptr) << format("seed " + std::to_string(seed), result.diagnostics.at(0));
+    expectValid(*result.level, text);
+    for (const ElementKind kind : {ElementKind::kOneway, ElementKind::kCheckpoint}) {
+      const auto isOf = [&](const Element& element) { return element.kind == kind; };
+      EXPECT_TRUE(std::any_of(result.level->elements.begin(), result.level->elements.end(), isOf)) << seed;
+    }
+    Game game(result.level);
+    for (int tick = 0; tick < 100; ++tick) game.advance(std::vector<Input>(3, Input{Input::kPresent | Input::kRight}));
+    Game restored(result.level);
+    EXPECT_TRUE(restored.restore(game.save())) << seed;
+  }
 }
 
 TEST(LevelFuzzTest, SeedsAreValidLevels) {
