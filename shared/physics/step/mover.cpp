@@ -46,7 +46,10 @@ bool Mover::insertBehind(std::size_t placement, std::uint16_t warp) {
 
 std::optional<Angle> Mover::rehome(PrecisePoint& place) {
   if (!instances_.needsRehome()) return std::nullopt;
-  if (instances_.correctDrift(collider_)) observe();
+  if (instances_.correctDrift(collider_)) {
+    observe();
+    contacts_.update();
+  }
   PrecisePoint remainder = place - precise(position());
   const auto turn = instances_.rehome(remainder);
   if (!turn) return std::nullopt;

@@ -99,5 +99,20 @@ TEST_F(ElementsTest, InvariantsHoldWhileDoorsCloseOnBodies) {
   });
 }
 
+// The instance that is about to be home is moved by a subunit when its drift is corrected. In this game that moves it
+// out of a one-way segment, through which it could then go back.
+TEST_F(ElementsTest, ACorrectedDriftCanEndAContact) {
+  constexpr std::uint64_t seed = 1487;
+  const auto level = levelOf(seed);
+  step_check::StepChecker checker(sceneOf(*level, shape_));
+  Game game(level);
+  sim::Churn churn(seed, kPlayers);
+  for (int tick = 0; tick < 300; ++tick) {
+    const std::uint32_t open = game.openDoors();
+    game.advance(churn.next(), &checker);
+    ASSERT_EQ(checker.finishTick(open), "") << "tick " << tick;
+  }
+}
+
 }  // namespace
 }  // namespace platon::long_runs
