@@ -1,5 +1,7 @@
 #include "shared/game/element_rules.h"
 
+#include <algorithm>
+
 #include "platon/exact/integer.h"
 #include "platon/game/player.h"
 #include "platon/game/solid.h"
@@ -11,13 +13,18 @@ namespace {
 // it. More than the offset of segments that meet (I3), so that a player who runs onto one does not fall through.
 constexpr std::int64_t kOnewaySlack = 64;
 
-// Whether a player with its centre there is on the left of the segment. Bounds: coordinates < 2^27, so that the cross
-// product is < 2^56.
+// Whether a player with its centre there is on the left of the segment: wholly on the left of its line, or above one of
+// its ends, at most 45° to the side. The latter holds a player that rolls over the top of two slopes whose ends do not
+// meet exactly. Bounds: coordinates < 2^27, so that products are < 2^56.
 bool isLeftOf(const Segment& segment, Point centre) {
   constexpr std::int64_t distance = kPlayerApothem - kOnewaySlack;
   const Point along = segment.b - segment.a;
+  const std::int64_t length = squaredLength(along);
+  const std::int64_t passed = dot(along, centre - segment.a);
   const int128 beside = cross(along, centre - segment.a);
-  return beside >= 0 && beside * beside >= int128{distance * distance} * squaredLength(along);
+  const int128 beyond = std::max({std::int64_t{0}, -passed, passed - length});
+  const int128 limit = int128{distance * distance} * length;
+  return beside >= 0 && (beside * beside >= limit || (beyond <= beside && beside * beside + beyond * beyond >= limit));
 }
 
 }  // namespace

@@ -96,6 +96,51 @@ TEST(ElementRulesTest, EveryUpPointsToOneEdge) {
   }
 }
 
+// Two slopes that meet at a top, with ends four subunits apart.
+TEST(ElementRulesTest, APlayerRollsOverTheTopOfTwoOnewaySegments) {
+  PlayedGame played(cubeLevel("0 -40 0 0", {"-80 -54.26 -13.001 -38.6592 oneway\n-13.001 -38.6553 60 -43.66 oneway"}));
+  played.run(40, kNone);
+  for (int tick = 0; tick < 60; ++tick) {
+    played.run(1, Input::kRight | Input::kCreep);
+    ASSERT_TRUE(played.grounded()) << tick << " at " << played.position().x;
+  }
+  EXPECT_GT(played.position().x, units(10));
+}
+
+// Whether a one-way segment from 0 0 to 100 000 0 blocks a player with its centre there.
+bool onewayBlocks(Point centre) {
+  const auto level = cubeLevel("0 0 0 0", {"-9 50 9 50 oneway"});
+  Game game(level);
+  game.advance(std::vector<Input>{Input{Input::kPresent}});
+  World world = game.world();
+  const SegmentRef segment{.part = 0, .index = 0, .ends = {{0, 0}, {100000, 0}}, .position = centre};
+  return !ElementRules(*level, 0).pierce(Entity(world, 0), segment);
+}
+
+TEST(ElementRulesTest, AOnewaySegmentBlocksWhoIsWhollyOnItsLeft) {
+  EXPECT_TRUE(onewayBlocks({50000, kPlayerApothem - 64}));
+  EXPECT_FALSE(onewayBlocks({50000, kPlayerApothem - 65}));
+  EXPECT_FALSE(onewayBlocks({50000, 0}));
+  EXPECT_FALSE(onewayBlocks({50000, -kPlayerApothem}));
+  EXPECT_TRUE(onewayBlocks({-90000, kPlayerApothem - 64})) << "beyond its ends, too";
+  EXPECT_TRUE(onewayBlocks({190000, kPlayerApothem}));
+  EXPECT_FALSE(onewayBlocks({-90000, kPlayerApothem - 65}));
+}
+
+TEST(ElementRulesTest, AOnewaySegmentBlocksWhoIsAboveItsEnd) {
+  for (const bool first : {true, false}) {
+    const auto aboveEnd = [&](std::int32_t beyond, std::int32_t beside) {
+      return onewayBlocks({first ? -beyond : 100000 + beyond, beside});
+    };
+    EXPECT_TRUE(aboveEnd(8477, 8477)) << "at 45°, 11 988.3 away";
+    EXPECT_FALSE(aboveEnd(8476, 8476));
+    EXPECT_FALSE(aboveEnd(9001, 9000));
+    EXPECT_FALSE(aboveEnd(8477, -8477));
+    EXPECT_TRUE(aboveEnd(1000, 11950));
+    EXPECT_FALSE(aboveEnd(1000, 11940));
+  }
+}
+
 TEST(ElementRulesTest, ALevelWithoutElementsAsksForContactsOnly) {
   EXPECT_EQ(ElementRules(*cubeLevel("0 0 0 0", {kFlat}), 0).scope(), Rules::Scope::kContacts);
   EXPECT_EQ(ElementRules(*cubeLevel("0 0 0 0", {kFlat, "", "0 0 9 9 hazard"}), 0).scope(), Rules::Scope::kSegments);
