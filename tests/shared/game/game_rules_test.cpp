@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
 #include <string>
+#include <vector>
 
+#include "platon/game/solid.h"
 #include "tests/shared/game/played_elements.h"
 
 namespace platon {
@@ -143,6 +146,90 @@ TEST(GameRulesTest, ElementsAreSavedHashedAndRestored) {
     restored.advance(inputs);
     ASSERT_EQ(restored.hash(), played.game.hash()) << tick;
   }
+}
+
+TEST(GameRulesTest, EveryPlayerReturnsToItsOwnCheckpoint) {
+  PlayedGame played = playedOn("-60 -180 -60 -160 checkpoint\n60 -180 60 -160 checkpoint\n-120 -200 -120 -150 hazard");
+  played.hold(1, Input::kLeft);
+  played.run(25, Input::kRight);
+  EXPECT_EQ(played.player(0).checkpoint, 2);
+  EXPECT_EQ(played.player(1).checkpoint, 1);
+  for (int tick = 0; tick < 60 && played.player(1).velocity != Point(); ++tick) played.run(1, kNone);
+  EXPECT_EQ(played.entity(1).position, Point(units(-60), units(-170)));
+}
+
+// The checkpoint is on the right face; the player touches it with its centre still on the first one.
+TEST(GameRulesTest, ACheckpointIsTouchedOverAnEdge) {
+  PlayedGame played(cubeLevel("4 228 0 90", {"", "0 239 0 190 checkpoint"}));
+  played.run(1, kNone);
+  for (int tick = 0; tick < 30 && played.player().checkpoint == 0; ++tick) played.run(1, kNone);
+  ASSERT_EQ(played.player().checkpoint, 1);
+  ASSERT_EQ(played.entity().part, 4u);
+  EXPECT_EQ(played.player().checkpointUp,
+            Angle::degrees(90) + PlatonicSolid::of(SolidKind::kHexahedron).neighbour(4, 1).turn);
+}
+
+TEST(GameRulesTest, TwoPlayersAtAHazardReturnInOneTick) {
+  PlayedGame played(cubeLevel("0 0 -100 0", {"-240 -150 240 -150 hazard"}));
+  played.hold(1, kNone);
+  played.run(1, kNone);
+  while (played.player(0).velocity != Point() && played.game.tick() < 100) played.run(1, kNone);
+  ASSERT_LT(played.game.tick(), 100u);
+  for (const std::uint32_t slot : {0U, 1U}) EXPECT_EQ(played.entity(slot).position, Point(0, units(-100))) << slot;
+}
+
+TEST(GameRulesTest, GamesWithOtherKeysDiffer) {
+  const std::string lines = "-40 -180 -40 -160 key 1\n-50 -180 -50 -160 key 2";
+  PlayedGame played = playedOn(lines);
+  played.run(8, Input::kLeft);
+  while (played.game.openDoors() == 0) played.run(1, Input::kLeft);
+  const std::vector<std::uint8_t> saved = played.game.save();
+  int refused = 0;
+  int restored = 0;
+  for (std::size_t byte = 0; byte < saved.size(); ++byte) {
+    std::vector<std::uint8_t> changed = saved;
+    changed[byte] ^= 4;
+    Game other(played.game.sharedLevel());
+    const bool accepted = other.restore(changed);
+    refused += accepted ? 0 : 1;
+    if (!accepted || other.openDoors() == played.game.openDoors()) continue;
+    ++restored;
+    EXPECT_FALSE(other == played.game) << byte;
+    EXPECT_NE(other.hash(), played.game.hash()) << byte;
+  }
+  EXPECT_EQ(restored, 2) << "a key and a plate";
+  EXPECT_GT(refused, 0);
+}
+
+TEST(GameRulesTest, StatesThatTheLevelCannotHaveAreRefused) {
+  PlayedGame played = playedOn("-40 -180 -40 -160 checkpoint\n60 -180 60 -160 key 1\n100 -180 100 -160 hazard");
+  played.run(20, Input::kLeft);
+  ASSERT_EQ(played.player().checkpoint, 1);
+  const std::vector<std::uint8_t> saved = played.game.save();
+  std::set<std::uint32_t> doors;
+  std::set<std::uint16_t> checkpoints;
+  for (std::size_t byte = 0; byte < saved.size(); ++byte) {
+    for (int value = 0; value < 8; ++value) {
+      std::vector<std::uint8_t> changed = saved;
+      changed[byte] = static_cast<std::uint8_t>(value);
+      Game other(played.game.sharedLevel());
+      if (!other.restore(changed)) continue;
+      doors.insert(other.openDoors());
+      checkpoints.insert(other.player(0).checkpoint);
+    }
+  }
+  EXPECT_EQ(doors, (std::set<std::uint32_t>{0, 2}));
+  EXPECT_EQ(checkpoints, (std::set<std::uint16_t>{0, 1}));
+}
+
+TEST(GameRulesTest, TheLastPlayerToLeaveClosesTheDoors) {
+  PlayedGame played = playedOn("40 -180 40 -160 key 0");
+  played.hold(1, kNone);
+  played.run(20, Input::kRight);
+  ASSERT_EQ(played.game.openDoors(), 1u);
+  played.release(0);
+  played.advance();
+  EXPECT_EQ(played.game.openDoors(), 0u) << "the other player has not begun";
 }
 
 }  // namespace

@@ -182,6 +182,15 @@ TEST(GameTest, ARestartBeginsANewAttemptAndTheShortestTimeCounts) {
   EXPECT_EQ(played.player().finishTicks, fast) << "a longer time changes nothing";
 }
 
+TEST(GameTest, PlayersOfALevelWithoutKeysAreTimedAlone) {
+  PlayedGame played(flatLevel());
+  played.run(20, Input::kRight);
+  played.hold(1, Input::kRight);
+  played.run(5, Input::kRight);
+  EXPECT_EQ(played.player(0).startedAt, 1u);
+  EXPECT_EQ(played.player(1).startedAt, 21u);
+}
+
 TEST(GameTest, AnArrivalWithoutInputTakesATick) {
   PlayedGame played(flatLevel("0 0 -184"));
   played.run(60, kNone);

@@ -197,6 +197,12 @@ const std::vector<InvalidLevel> kInvalidLevels = {
     {"NoPlayers",
      "# players: 0\n" + withLines(""),
      {"1:1: 'players:' must be a whole number between 1 and 255, not '0'"}},
+    {"HalfAPlayer",
+     "# players: 1.5\n" + withLines(""),
+     {"1:1: 'players:' must be a whole number between 1 and 255, not '1.5'"}},
+    {"TooManyCrossings",
+     "# crossings: 256\n" + withLines(""),
+     {"1:1: 'crossings:' must be a whole number between 0 and 255, not '256'"}},
     {"PlayersTwice", "# players: 2\n# players: 2\n" + withLines(""), {"2:1: second 'players:': remove one of them"}},
     {"LineNoNumber", withLines("40 x 60 50\n"), {"6:4: y0" + kNotANumber + "'x'"}},
     {"LineWithPlus", withLines("+40 50 60 50\n"), {"6:1: x0" + kNotANumber + "'+40'"}},
@@ -306,6 +312,43 @@ TEST(LevelReaderTest, AnErrorLeavesOnlyItsOwnFieldEmpty) {
 TEST(LevelReaderTest, ReadsATitleOfTheLargestSize) {
   const std::string title(LevelReader::kMaxNameBytes, 'x');
   EXPECT_EQ(readValid("# title: " + title + "\n" + kHead + kFaces).title, title);
+}
+
+TEST(LevelReaderTest, ElementsComeFirstOnTheirFace) {
+  const LevelDraft draft = readValid(
+      "TETRAHEDRON\n0 0 0 0\n1 0 0\n400\n%\n1 30 2 30\n3 30 4 30 key 5\n5 30 6 30\n7 30 8 30 plate 6\n%\n%\n"
+      "1 40 2 40\n%\n3 50 4 50\n5 50 6 50 up 2\n");
+  const auto firstXOf = [&](std::size_t face) {
+    std::vector<std::int32_t> all;
+    for (const Segment& segment : draft.segments[face]) all.push_back(segment.a.x / 1024);
+    return all;
+  };
+  const auto linesOf = [&](std::size_t face) {
+    std::vector<int> all;
+    for (const TextPosition& at : draft.positions[face]) all.push_back(at.line);
+    return all;
+  };
+  EXPECT_EQ(firstXOf(0), (std::vector<std::int32_t>{3, 7, 1, 5}));
+  EXPECT_EQ(linesOf(0), (std::vector<int>{7, 9, 6, 8}));
+  EXPECT_EQ(firstXOf(2), (std::vector<std::int32_t>{1}));
+  EXPECT_EQ(firstXOf(3), (std::vector<std::int32_t>{5, 3}));
+  EXPECT_EQ(linesOf(3), (std::vector<int>{15, 14}));
+  ASSERT_EQ(draft.elements.size(), 3u);
+  EXPECT_EQ(draft.elements[0], (Element{ElementKind::kKey, 5, 0, 0, {{3072, 30720}, {4096, 30720}}}));
+  EXPECT_EQ(draft.elements[1], (Element{ElementKind::kPlate, 6, 0, 1, {{7168, 30720}, {8192, 30720}}}));
+  EXPECT_EQ(draft.elements[2], (Element{ElementKind::kUp, 2, 3, 0, {{5120, 51200}, {6144, 51200}}}));
+}
+
+TEST(LevelReaderTest, ReadsTheLargestNumberOfElementsAndNoMore) {
+  std::string text = "HEXAHEDRON\n0 0 0 0\n0 0 0\n1000\n%\n";
+  for (std::size_t i = 0; i < LevelReader::kMaxElements; ++i)
+    text += "-500 " + std::to_string(20 + i % 450) + " 500 " + std::to_string(20 + i / 450) + " hazard\n";
+  const std::string others = "0 20 0 30\n%\n%\n%\n%\n%\n";
+  EXPECT_EQ(readValid(text + others).elements.size(), LevelReader::kMaxElements);
+  Diagnostics diagnostics;
+  EXPECT_EQ(read(text + "0 20 0 30 oneway\n0 20 0 40 key 1\n" + others, diagnostics).elements.size(),
+            LevelReader::kMaxElements);
+  EXPECT_EQ(diagnostics.take().at(0).message, "more than 4096 lines with a word: remove some");
 }
 
 TEST(LevelReaderTest, ReadsTheLargestNumberOfLinesAndNoMore) {

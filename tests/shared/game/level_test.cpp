@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -167,6 +169,34 @@ TEST(LevelTest, ALineThatFillsALevelWithWarningsDoesNotHideTheError) {
   EXPECT_TRUE(std::any_of(result.diagnostics.begin(), result.diagnostics.end(), [](const Diagnostic& one) {
     return one.error && one.line == 520 && one.message.starts_with("too many lines in one place");
   }));
+}
+
+LevelResult levelWith(const std::string& lines) {
+  return loadLevel("HEXAHEDRON\n0 0 0 0\n0 0 0\n480\n%\n" + lines + "%\n%\n%\n%\n%\n");
+}
+
+TEST(LevelTest, ACheckpointMayBeNearWhatNeverBlocks) {
+  const std::string checkpoint = "90 90 110 110 checkpoint\n";
+  EXPECT_NE(levelWith(checkpoint + "90 110 110 90 key 1\n95 90 110 110 checkpoint\n").level, nullptr);
+  for (const char* word : {"", "oneway", "up 0", "hazard", "door 1", "plate 1"})
+    EXPECT_EQ(levelWith(checkpoint + "90 110 110 90 " + word + "\n").level, nullptr) << word;
+}
+
+// The largest distance at which a line is refused is between that of the edges and that of the vertices of the ball.
+TEST(LevelTest, ACheckpointIsFreeForAPlayerAtAnyAngle) {
+  for (int degrees = 0; degrees < 360; degrees += 7) {
+    const double radians = degrees * 3.14159265 / 180;
+    const auto isAllowed = [&](double distance) {
+      char line[96];
+      const double x = 100 + distance * std::cos(radians);
+      const double y = 100 + distance * std::sin(radians);
+      std::snprintf(line, sizeof line, "%.3f %.3f %.3f %.3f\n", x, y, x + 9 * std::cos(radians),
+                    y + 9 * std::sin(radians));
+      return levelWith("90 100 110 100 checkpoint\n" + std::string(line)).level != nullptr;
+    };
+    EXPECT_FALSE(isAllowed(12.2)) << degrees;
+    EXPECT_TRUE(isAllowed(12.6)) << degrees;
+  }
 }
 
 TEST(LevelTest, AllLinesTogetherAreLimited) {

@@ -107,6 +107,18 @@ TEST(PlayerJumpTest, TheEndOfACeilingThatClips4UnitsDoesNotEndAJump) {
   EXPECT_LT(peakBesideCeiling(2), units(30)) << "the ball is below it";
 }
 
+TEST(PlayerJumpTest, APlayerThatPassesAnEndLosesItsSpeedTowardsIt) {
+  PlayedGame played = standingOn(kFlat + "\n31 -150 200 -150", "0 0 -180 0");
+  played.run(3, Input::kRight);
+  bool passed = false;
+  for (int tick = 0; tick < 12; ++tick) {
+    const std::int32_t before = played.player().velocity.x;
+    played.run(1, Input::kRight | Input::kJump);
+    passed = passed || (before > 1000 && played.player().velocity.x == 0 && played.player().velocity.y > kApexSpeed);
+  }
+  EXPECT_TRUE(passed);
+}
+
 TEST(PlayerJumpTest, ASlantedCeilingIsNoEnd) {
   PlayedGame played = standingOn(kFlat + "\n0 -160 60 -100", "0 0 -180 0");
   std::int32_t slowest = kJumpSpeed;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
 #include "platon/game/solid.h"
 #include "platon/game/stage.h"
@@ -39,6 +40,17 @@ TEST(SeenPlacesTest, APlaceAtAnEdgeIsSeenFromBothFaces) {
   const std::vector<Place> places = seenPlaces(world.geometry(), {0, {100 * 1024 - 500, 1000}}, 28 * 1024);
   ASSERT_EQ(places.size(), 2u);
   EXPECT_EQ(places[1], (Place{1, {-100 * 1024 - 500, 1000}}));
+}
+
+// Near a corner of a hexahedron, the third face is reached both ways round the corner.
+TEST(SeenPlacesTest, APlaceAtACornerIsSeenOverTwoEdges) {
+  const World world = stageOf(SolidKind::kHexahedron);
+  const std::int32_t half = 100 * 1024;
+  const std::vector<Place> places = seenPlaces(world.geometry(), {0, {half - 500, half - 700}}, 28 * 1024);
+  ASSERT_EQ(places.size(), 5u);
+  std::multiset<std::uint32_t> parts;
+  for (const Place& place : places) parts.insert(place.part);
+  EXPECT_EQ(parts, (std::multiset<std::uint32_t>{0, 1, 1, 4, 4}));
 }
 
 // Within the distance, a place is as far from another one as the other from it.
