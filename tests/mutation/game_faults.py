@@ -29,7 +29,7 @@ GAME_FAULTS = [
           "ElementRulesTest.AnUpSegmentBlocksOnlyPlayersWhoseUpPointsToItsEdge"),
     at_length("up-within-a-whole-angle", RULES, " + Angle(apart / 2);", ";",
               "the angle of an edge begins at the edge",
-              "ElementRulesTest.EveryUpPointsToOneEdge"),
+              "ElementRulesTest.HalfAnEdgesAngleBelongsToTheEdge"),
     at_length("up-seen-from-home", GAME + "element_rules.h", "return entity.rotation() - segment.toHome;",
               "return entity.rotation();",
               "an up segment behind an edge is compared with the up on the face of the centre",

@@ -44,9 +44,9 @@ TEST(ElementRulesTest, APlayerThatTurnsRoundInAOnewaySegmentFallsBack) {
 // The floor is one subunit higher or lower than the one-way segment that continues it, on a slope rounded as it comes.
 TEST(ElementRulesTest, APlayerRunsFromAFloorOntoAOnewaySegment) {
   for (const char* lines :
-       {"-240 -100 0 -100\n0 -100 240 -100 oneway", "-240 -100 0 -100\n0 -100.001 240 -100 oneway",
-        "-240 -100 0 -99.999\n0 -100 240 -100 oneway", "-240 -150 0 -100.5\n0 -100.5 240 -51 oneway",
-        "-240 -100 0 -100.5\n0 -100.5 237 -112 oneway"}) {
+       {"-240 -100 0 -100\n0 -100 240 -100 oneway", "-240 -100.001 0 -100.001\n0 -100 240 -100 oneway",
+        "-240 -100 0 -100\n0 -100.001 240 -100 oneway", "-240 -100 0 -99.999\n0 -100 240 -100 oneway",
+        "-240 -150 0 -100.5\n0 -100.5 240 -51 oneway", "-240 -100 0 -100.5\n0 -100.5 237 -112 oneway"}) {
     PlayedGame played(cubeLevel("0 -120 0 0", {lines}));
     played.run(60, kNone);
     ASSERT_TRUE(played.grounded()) << lines;
@@ -138,6 +138,23 @@ TEST(ElementRulesTest, AOnewaySegmentBlocksWhoIsAboveItsEnd) {
     EXPECT_FALSE(aboveEnd(8477, -8477));
     EXPECT_TRUE(aboveEnd(1000, 11950));
     EXPECT_FALSE(aboveEnd(1000, 11940));
+  }
+}
+
+// Centidegrees from the +y of the face to the player's up. Edge 2 of a hexahedron's face is at the top.
+TEST(ElementRulesTest, HalfAnEdgesAngleBelongsToTheEdge) {
+  const auto level = cubeLevel("0 0 0 0", {"-9 50 9 50 up 0\n-9 60 9 60 up 1\n-9 70 9 70 up 2\n-9 80 9 80 up 3"});
+  Game game(level);
+  game.advance(std::vector<Input>{Input{Input::kPresent}});
+  World world = game.world();
+  const ElementRules rules(*level, 0);
+  for (const auto& [up, edge] : {std::pair(0, 2U), std::pair(4499, 2U), std::pair(4500, 3U), std::pair(9000, 3U),
+                                 std::pair(13499, 3U), std::pair(13500, 0U), std::pair(22499, 0U), std::pair(22500, 1U),
+                                 std::pair(31499, 1U), std::pair(31500, 2U), std::pair(35999, 2U)}) {
+    for (std::uint32_t segment = 0; segment < 4; ++segment) {
+      const SegmentRef ref{.part = 0, .index = segment, .ends = level->segments[0][segment], .toHome = Angle(-up)};
+      EXPECT_EQ(rules.pierce(Entity(world, 0), ref), segment != edge) << up << " " << segment;
+    }
   }
 }
 

@@ -171,9 +171,9 @@ TEST(GameRulesTest, ACheckpointIsTouchedOverAnEdge) {
 
 TEST(GameRulesTest, TwoPlayersAtAHazardReturnInOneTick) {
   PlayedGame played(cubeLevel("0 0 -100 0", {"-240 -150 240 -150 hazard"}));
-  played.hold(1, kNone);
-  played.run(1, kNone);
-  while (played.player(0).velocity != Point() && played.game.tick() < 100) played.run(1, kNone);
+  played.hold(1, Input::kRight);
+  played.run(1, Input::kRight);
+  while (played.player(0).velocity != Point() && played.game.tick() < 100) played.run(1, Input::kRight);
   ASSERT_LT(played.game.tick(), 100u);
   for (const std::uint32_t slot : {0U, 1U}) EXPECT_EQ(played.entity(slot).position, Point(0, units(-100))) << slot;
 }
