@@ -32,6 +32,11 @@ bool isLeftOf(const Segment& segment, Point centre) {
 ElementRules::ElementRules(const Level& level, std::uint32_t open)
     : elements_(level.elements), edgesPerFace_(PlatonicSolid::of(level.solid).edgesPerFace()), open_(open) {}
 
+bool ElementRules::mayPierce(std::uint32_t part, std::uint32_t index) const {
+  const Element* const element = findElement(elements_, part, index);
+  return element != nullptr && !blocksAlways(element->kind);
+}
+
 bool ElementRules::pierce(const Entity& entity, const SegmentRef& segment) const {
   const Element* const element = elementOf(segment);
   if (element == nullptr) return false;

@@ -18,6 +18,7 @@ class ElementRules : public Rules {
 
   Scope scope() const override { return elements_.empty() ? Scope::kContacts : Scope::kSegments; }
   bool pierce(const Entity& entity, const SegmentRef& segment) const override;
+  bool mayPierce(std::uint32_t part, std::uint32_t index) const override;
 
  protected:
   /// The elements of the level.

@@ -39,6 +39,8 @@ void Collider::begin(Rules& rules, Entity entity, const Instances& instances, st
   pierced_.clear();
   knowsNear_ = false;
   overlapped_.clear();
+  asksRules_ = false;
+  solid_.clear();
 }
 
 Region& Collider::start(const Placement& placement, const Convex& shape, Point from, Point to) {
@@ -58,9 +60,14 @@ std::optional<Sweep::ClipInterval> Collider::clip(const Placement& placement, Re
   return region.clip(sweep_, entry, *placement.shape);
 }
 
-bool Collider::blocks(const Placement& placement, std::uint32_t segment) const {
+bool Collider::blocks(const Placement& placement, std::uint32_t segment) {
   if (scope_ != Rules::Scope::kEverything && placement.part->isWarp(segment)) return false;
   if (scope_ == Rules::Scope::kContacts) return true;
+  if (scope_ == Rules::Scope::kSegments && !rules_->mayPierce(placement.part->id, segment)) {
+    solid_.push_back({placement.part->id, segment});
+    return overlapped_.empty() || !contains(overlapped_, refOf(placement, segment));
+  }
+  asksRules_ = true;
   const SegmentRef ref = refOf(placement, segment);
   return !contains(overlapped_, ref) && !rules_->pierce(*entity_, ref);
 }

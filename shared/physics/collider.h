@@ -104,6 +104,16 @@ class Collider {
   /// from this list. Kept by StepContacts; always empty with Scope::kContacts.
   std::vector<SegmentRef>& overlapped() { return overlapped_; }
 
+  /// A segment of a map part.
+  struct PartSegment {
+    std::uint32_t part;
+    std::uint32_t index;
+  };
+  /// Whether what has blocked since `begin` depends on Rules::pierce.
+  bool asksRules() const { return asksRules_; }
+  /// The segments that have blocked since `begin` because Rules::mayPierce says so; some more than once.
+  const std::vector<PartSegment>& solid() const { return solid_; }
+
   /// The reference that is passed to rules. Its toHome leads to the home part at the start of the step.
   SegmentRef refOf(const Placement& placement, std::uint32_t segment) const;
   /// Whether both are the same segment and the same instance.
@@ -134,7 +144,7 @@ class Collider {
   std::size_t checkedEntries(const Region& region) const {
     return scope_ == Rules::Scope::kEverything ? region.segments().size() : region.firstWarp();
   }
-  bool blocks(const Placement& placement, std::uint32_t segment) const;
+  bool blocks(const Placement& placement, std::uint32_t segment);
   void record(const SegmentRef& ref);
   bool blocksOrRecord(const Placement& placement, std::uint32_t segment);
 
@@ -146,6 +156,8 @@ class Collider {
   Angle angle_;  // of the shape, in the frame of the home part at the start of the step
   std::vector<SegmentRef> pierced_;
   std::vector<SegmentRef> overlapped_;
+  bool asksRules_ = false;
+  std::vector<PartSegment> solid_;
   Sweep sweep_;
   Path leg_{};              // lattice path of the home instance
   bool knowsNear_ = false;  // whether near_ is complete

@@ -3,6 +3,7 @@
 namespace platon {
 
 bool Rules::pierce(const Entity&, const SegmentRef& segment) const { return segment.warp; }
+bool Rules::mayPierce(std::uint32_t, std::uint32_t) const { return true; }
 void Rules::beginContact(Entity&, const SegmentRef&) {}
 void Rules::overContact(Entity&, const SegmentRef&) {}
 void Rules::endContact(Entity&, const SegmentRef&) {}

@@ -87,14 +87,15 @@ void World::moveAll(StepObserver* observer) {
   StepScratch& scratch = *scratch_;
   scratch.entities = state_.entities;
   scratch.further.clear();
-  const bool mayRepeat = observer == nullptr && rules().scope() == Rules::Scope::kContacts;
+  const Rules::Scope scope = rules().scope();
+  const bool mayRepeat = observer == nullptr && scope != Rules::Scope::kEverything;
   std::size_t next = 0;
   for (std::uint32_t index = 0; index < state_.entities.size(); ++index) {
     const EntityState& entity = state_.entities[index];
     const std::span<const InstanceState> further(state_.instances.data() + next, entity.instances);
     next += entity.instances;
     if (entity.inserted == 0) continue;
-    if (const Rest& rest = scratch.caches[index].rest; mayRepeat && rest.matches(entity, further)) {
+    if (const Rest& rest = scratch.caches[index].rest; mayRepeat && rest.matches(entity, further, rules(), scope)) {
       rest.repeat(scratch.events, idOf(index), scratch.further);
     } else {
       move(index, further, observer);
@@ -113,10 +114,11 @@ void World::move(std::uint32_t index, std::span<const InstanceState> further, St
   step.translate(entity.velocity, entity.heading);
   step.finish(scratch.further);
   requireNotMoved(scratch);
-  if (rules().scope() != Rules::Scope::kContacts) return;
+  const Collider& collider = scratch.buffers.collider;
+  if (collider.scope() == Rules::Scope::kEverything) return;
   const auto furtherAfter = std::span(scratch.further).subspan(firstFurther);
   scratch.caches[index].rest.record(state_.entities[index], further, entity, furtherAfter,
-                                    scratch.events.since(firstEvent));
+                                    scratch.events.since(firstEvent), collider);
 }
 
 // `state` and `further` may differ from the state of the entity in this world.

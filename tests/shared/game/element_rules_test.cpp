@@ -163,6 +163,16 @@ TEST(ElementRulesTest, ALevelWithoutElementsAsksForContactsOnly) {
   EXPECT_EQ(ElementRules(*cubeLevel("0 0 0 0", {kFlat, "", "0 0 9 9 hazard"}), 0).scope(), Rules::Scope::kSegments);
 }
 
+TEST(ElementRulesTest, OnlyWhatCanLetAPlayerPassIsAskedFor) {
+  const auto level =
+      cubeLevel("0 0 0 0", {"-9 50 9 50 hazard\n-9 60 9 60 plate 1\n-9 70 9 70 oneway\n-9 80 9 80 up 1\n"
+                            "-9 90 9 90 key 1\n-9 100 9 100 checkpoint\n-9 110 9 110 door 1\n0 150 9 150"});
+  const ElementRules rules(*level, 0);
+  for (std::uint32_t segment = 0; segment < 8; ++segment)
+    EXPECT_EQ(rules.mayPierce(0, segment), segment >= 2 && segment < 7) << segment;
+  EXPECT_FALSE(rules.mayPierce(1, 3));
+}
+
 TEST(ElementRulesTest, ADoorBlocksUnlessItsNumberIsOpen) {
   const auto level = cubeLevel("0 0 0 0", {"-9 50 9 50 door 3\n-9 60 9 60 door 31\n-9 70 9 70"});
   Game game(level);

@@ -23,6 +23,11 @@ TEST(ElementTest, OnlyCheckpointsAndKeysNeverBlock) {
     EXPECT_EQ(canBlock(kind), kind != ElementKind::kCheckpoint && kind != ElementKind::kKey) << wordOf(kind);
 }
 
+TEST(ElementTest, OnlyHazardsAndPlatesBlockAlways) {
+  for (const ElementKind kind : kElementKinds)
+    EXPECT_EQ(blocksAlways(kind), kind == ElementKind::kHazard || kind == ElementKind::kPlate) << wordOf(kind);
+}
+
 TEST(ElementTest, IsFoundByFaceAndSegment) {
   std::vector<Element> elements(4);
   elements[0].face = 0, elements[0].segment = 7;

@@ -29,13 +29,16 @@ std::int32_t anyTurn(sim::SeededRandom& random, std::int32_t limit) {
 // Gives any entity another velocity or rotation when an entity is stopped; the same on every call for the same seed.
 class InterferingRules : public RecordedRules {
  public:
-  InterferingRules(Scope scope, std::uint64_t seed) : scope_(scope), random_(seed) {
+  InterferingRules(Scope scope, std::uint64_t seed) : scope_(scope), knowsSolid_(seed % 2 == 0), random_(seed) {
     if (scope == Scope::kContacts) return;
     walls = {{1, 13}, {2, 12}};
     pierceable = {{0, 1}, {1, 1}, {2, 1}};
   }
 
   Scope scope() const override { return scope_; }
+  bool mayPierce(std::uint32_t part, std::uint32_t index) const override {
+    return !knowsSolid_ || pierceable.contains({part, index});
+  }
   void contact(Entity& entity, const Contact& contact) override {
     RecordedRules::contact(entity, contact);
     const std::uint64_t what = random_.below(20);
@@ -51,6 +54,7 @@ class InterferingRules : public RecordedRules {
 
  private:
   Scope scope_;
+  bool knowsSolid_;
   sim::SeededRandom random_;
 };
 

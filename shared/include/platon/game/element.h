@@ -30,6 +30,8 @@ constexpr bool hasNumber(ElementKind kind) {
 }
 /// Whether a segment of this kind can block a player. The others are only touched.
 constexpr bool canBlock(ElementKind kind) { return kind != ElementKind::kCheckpoint && kind != ElementKind::kKey; }
+/// Whether a segment of this kind blocks all players at any time.
+constexpr bool blocksAlways(ElementKind kind) { return kind == ElementKind::kHazard || kind == ElementKind::kPlate; }
 
 /// Numbers of keys, doors and plates are below this: a door is one bit of the game's state.
 inline constexpr std::uint32_t kMaxDoorNumbers = 32;

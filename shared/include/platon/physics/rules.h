@@ -75,6 +75,11 @@ class Rules {
   /// Asked at the start of each step. Default: everything.
   virtual Scope scope() const { return Scope::kEverything; }
 
+  /// Whether `pierce` can ever return true for this segment of a part. Where it cannot, the step does not ask it and is
+  /// faster, most of all for an entity that rests on such segments alone. Must depend only on the arguments. Asked with
+  /// Scope::kSegments only, and of no warps. Default: it can.
+  virtual bool mayPierce(std::uint32_t part, std::uint32_t index) const;
+
   /// An instance of the entity begins to overlap a pierced segment.
   virtual void beginContact(Entity& entity, const SegmentRef& segment);
   /// An instance of the entity overlaps a pierced segment at the end of the step.

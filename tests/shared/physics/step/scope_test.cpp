@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "platon/physics/entity.h"
@@ -130,6 +131,84 @@ TEST_F(ScopeTest, SegmentsAreReportedAsByRulesThatAskForEverything) {
     reported += segments.calls.size() - segments.contacts.size();
   }
   EXPECT_GT(reported, 40u);
+}
+
+// As WallRules with Scope::kSegments, which also say what cannot be pierced.
+class SolidRules : public WallRules {
+ public:
+  SolidRules() : WallRules(Scope::kSegments) {}
+  bool mayPierce(std::uint32_t part, std::uint32_t index) const override { return pierceable.contains({part, index}); }
+  bool pierce(const Entity& entity, const SegmentRef& segment) const override {
+    EXPECT_TRUE(mayPierce(segment.part, segment.index)) << "asked of a solid segment";
+    return WallRules::pierce(entity, segment);
+  }
+};
+
+// `world_` repeats steps of entities at rest, `fresh` has no recorded rest.
+TEST_F(ScopeTest, WhatCannotBePiercedIsNotAskedFor) {
+  World other = world_;
+  int resting = 0;
+  for (int tick = 0; tick < kTicks; ++tick) {
+    if (tick % 60 == 0) changeVelocities(other);
+    World fresh = world_;
+    const WorldState before = world_.save();
+    SolidRules repeated;
+    SolidRules computed;
+    WallRules asked(Rules::Scope::kSegments);
+    world_.setRules(repeated);
+    world_.solve();
+    fresh.setRules(computed);
+    fresh.solve();
+    other.setRules(asked);
+    other.solve();
+    ASSERT_EQ(world_, other) << "seed " << kSeed << ", tick " << tick;
+    ASSERT_EQ(world_, fresh) << "seed " << kSeed << ", tick " << tick;
+    ASSERT_EQ(repeated.calls, asked.calls) << "seed " << kSeed << ", tick " << tick;
+    ASSERT_EQ(computed.calls, asked.calls) << "seed " << kSeed << ", tick " << tick;
+    for (std::size_t i = 0; i < before.entities.size(); ++i)
+      resting += before.entities[i] == world_.entities()[i] ? 1 : 0;
+  }
+  EXPECT_GT(resting, kTicks / 4) << "too few entities have come to rest";
+}
+
+// Rules for a floor, the segment 0 of part 0.
+class FloorRules : public Rules {
+ public:
+  FloorRules(Scope scope, bool solid, bool open) : scope_(scope), solid_(solid), open_(open) {}
+  Scope scope() const override { return scope_; }
+  bool mayPierce(std::uint32_t, std::uint32_t) const override { return !solid_; }
+  bool pierce(const Entity&, const SegmentRef&) const override {
+    ++asked;
+    return open_;
+  }
+
+  mutable int asked = 0;
+
+ private:
+  Scope scope_;
+  bool solid_;
+  bool open_;
+};
+
+TEST(ScopeWorldTest, AFloorThatOpensWakesWhoRestsOnIt) {
+  using enum Rules::Scope;
+  for (const auto& [scope, solid] : {std::pair(kContacts, true), std::pair(kSegments, true),
+                                     std::pair(kSegments, false), std::pair(kEverything, false)}) {
+    World world;
+    addPart(world, 0, {{{-500, -100}, {500, -100}}});
+    Entity entity(world, square(100));
+    MapPart(world, 0).insert(entity, {0, 0}, Angle());
+    entity.setVelocity({0, -10});
+    FloorRules closed(scope, solid, false);
+    world.setRules(closed);
+    for (int tick = 0; tick < 5; ++tick) world.solve();
+    ASSERT_EQ(entity.position(), Point(0, 0));
+    EXPECT_EQ(closed.asked > 0, !solid);
+    FloorRules open(kSegments, false, true);
+    world.setRules(open);
+    world.solve();
+    EXPECT_EQ(entity.position(), Point(0, -10));
+  }
 }
 
 TEST_F(ScopeTest, RepeatedStepsEqualComputedSteps) {
