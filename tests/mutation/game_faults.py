@@ -71,7 +71,7 @@ GAME_FAULTS = [
               "    observe();\n    contacts_.update();\n  }\n  PrecisePoint remainder",
               "    observe();\n  }\n  PrecisePoint remainder",
               "a segment that an instance has left by a corrected drift stays pierced",
-              "ElementsTest.ACorrectedDriftCanEndAContact"),
+              "ElementsTest.ADoorThatIsLeftByACorrectedDriftIsNotEnteredAgain"),
 
     # What touching an element does.
     Fault("keys-not-taken", GAME_RULES, "touched_.keys |= element->bit();", ";",

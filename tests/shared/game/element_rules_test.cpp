@@ -78,7 +78,7 @@ TEST(ElementRulesTest, AnUpSegmentBlocksOnlyPlayersWhoseUpPointsToItsEdge) {
   }
 }
 
-// Half an edge's angle belongs to the edge; of two edges at the same angle, the one that is clockwise of up.
+// Half an edge's angle belongs to the edge; of two edges at the same angle, the one that is counter-clockwise of up.
 TEST(ElementRulesTest, EveryUpPointsToOneEdge) {
   for (int degrees = 0; degrees < 360; degrees += 15) {
     int blocking = 0;
@@ -166,7 +166,7 @@ TEST(ElementRulesTest, ALevelWithoutElementsAsksForContactsOnly) {
 TEST(ElementRulesTest, OnlyWhatCanLetAPlayerPassIsAskedFor) {
   const auto level =
       cubeLevel("0 0 0 0", {"-9 50 9 50 hazard\n-9 60 9 60 plate 1\n-9 70 9 70 oneway\n-9 80 9 80 up 1\n"
-                            "-9 90 9 90 key 1\n-9 100 9 100 checkpoint\n-9 110 9 110 door 1\n0 150 9 150"});
+                            "-9 90 9 90 key 1\n-109 100 -91 100 checkpoint\n-9 110 9 110 door 1\n0 150 9 150"});
   const ElementRules rules(*level, 0);
   for (std::uint32_t segment = 0; segment < 8; ++segment)
     EXPECT_EQ(rules.mayPierce(0, segment), segment >= 2 && segment < 7) << segment;

@@ -31,7 +31,7 @@ bool Blocking::isOnLeftSide(const Segment& segment, const TraceInstance& instanc
 }
 
 // The up of a player is the +y of its shape. Edge 0 is at the bottom, and the others follow counter-clockwise. A
-// direction in the middle between two edges points to the one that is clockwise of it.
+// direction in the middle between two edges points to the one that is counter-clockwise of it.
 bool Blocking::pointsUpTo(std::int64_t edge, const TraceInstance& instance) const {
   const auto edges = static_cast<std::int64_t>(map_.face(instance.face).edges);
   const std::int64_t fromEdge = normalizedAngle(instance.angle - kTurn / 2 - edge * kTurn / edges);
