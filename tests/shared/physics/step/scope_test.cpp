@@ -211,6 +211,27 @@ TEST(ScopeWorldTest, AFloorThatOpensWakesWhoRestsOnIt) {
   }
 }
 
+TEST(ScopeWorldTest, WhoOverlapsAFloorThatClosesCanLeaveIt) {
+  for (const bool solid : {true, false}) {
+    World world;
+    addPart(world, 0, {{{-500, -100}, {500, -100}}});
+    Entity entity(world, square(100));
+    MapPart(world, 0).insert(entity, {0, 0}, Angle());
+    const auto move = [&](std::int32_t y, bool open) {
+      FloorRules rules(Rules::Scope::kSegments, solid && !open, open);
+      world.setRules(rules);
+      entity.setVelocity({0, y});
+      world.solve();
+      world.resetRules();
+      return entity.position().y;
+    };
+    EXPECT_EQ(move(-10, true), -10);
+    EXPECT_EQ(move(-10, false), -20);
+    EXPECT_EQ(move(50, false), 30);
+    EXPECT_EQ(move(-50, false), 0) << "it has left the floor";
+  }
+}
+
 TEST_F(ScopeTest, RepeatedStepsEqualComputedSteps) {
   World other = world_;
   int resting = 0;
