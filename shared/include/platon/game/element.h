@@ -61,7 +61,7 @@ struct TouchedElements {
 const Element* findElement(std::span<const Element> elements, std::uint32_t face, std::uint32_t segment);
 
 /// Whether `up`, an angle from the +y of a face, points to the edge of the face that an element of kind kUp names.
-/// Every up points to one edge; half way between two, to the one that is clockwise of it.
+/// Every up points to one edge; half way between two, to the one that is counter-clockwise of it.
 bool pointsTo(Angle up, const Element& element, std::int32_t edgesPerFace);
 
 /// The point of a checkpoint at which players return: its middle, to the nearest subunit.
