@@ -52,6 +52,7 @@ void FramePlay::advance() {
     inputs[slot].buttons |= Input::kPresent;
   }
   game_.advance(inputs);
+  attempt_.observe(game_.tick(), game_.player(0));
 }
 
 void FramePlay::writeFrame(std::uint32_t frame) {
@@ -63,6 +64,7 @@ void FramePlay::writeFrame(std::uint32_t frame) {
   source.others = {players_, players_, 1};
   source.localSlot = 0;
   source.names = names_;
+  source.attempt = attempt_;
   const Scene scene = makeScene(source);
   view_.draw(&scene, HudStatus(), Settings(), Menu(), double{1} / options_.perSecond);
   writePng(view_.read(), frameFile(options_.folder, frame));

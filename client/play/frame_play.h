@@ -9,6 +9,7 @@
 #include "client/demo/demo.h"
 #include "client/gl/game_view.h"
 #include "client/gl/offscreen.h"
+#include "client/netcode/attempt_time.h"
 #include "client/netcode/player_snapshot.h"
 #include "client/play/client_options.h"
 #include "client/scene/stage_model.h"
@@ -41,6 +42,7 @@ class FramePlay {
   Offscreen offscreen_;
   GameView view_;
   Game game_;
+  AttemptTime attempt_;  // of slot 0, which is the local player
   std::shared_ptr<const StageModel> stage_;
   std::vector<Demo> demos_;         // by slot
   std::vector<std::string> names_;  // by slot

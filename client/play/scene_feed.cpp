@@ -50,6 +50,8 @@ std::optional<Scene> SceneFeed::scene(const Session& session, Moment now) {
   source.names = session.names();
   updateFlashes(*round);
   source.flashes = flashes_;
+  source.attempt = round->attemptTime();
+  source.needsRestart = round->airTime().needsHint();
   return makeScene(source);
 }
 

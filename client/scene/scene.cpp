@@ -63,6 +63,10 @@ Scene makeScene(const SceneSource& source) {
   scene.seconds = passed / kTicksPerSecond;
   scene.secondsLeft = double{1} * source.game->ticksLeft() / kTicksPerSecond;
   scene.over = source.roundOver || source.game->over();
+  if (!scene.players.empty() && scene.players.back().local) {
+    scene.attempt = {double{1} * source.attempt.ticks() / kTicksPerSecond, source.attempt.arrived()};
+    scene.needsRestart = source.needsRestart && !scene.over;
+  }
   return scene;
 }
 

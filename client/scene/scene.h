@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "client/netcode/attempt_time.h"
 #include "client/netcode/player_snapshot.h"
 #include "client/scene/palette.h"
 #include "client/scene/pose.h"
@@ -28,6 +29,8 @@ struct SceneSource {
   Point localOffset;  ///< error smoothing of the local player: subunits, in its own frame (+y is its up)
   std::span<const std::string> names;  ///< by slot, UTF-8
   std::span<const double> flashes;     ///< by slot, 0 … 1: brightness of the flash after an event
+  AttemptTime attempt;                 ///< of the local player
+  bool needsRestart = false;           ///< AirTime::needsHint of the local player
 };
 
 /// One player as it is drawn, once even if it has several instances.
@@ -41,6 +44,12 @@ struct PlayerDrawing {
   std::optional<double> finishSeconds;  ///< shortest time of an attempt to the goal in this round
 };
 
+/// The local player's attempt to reach the goal.
+struct AttemptDrawing {
+  double seconds = 0;    ///< since its first input, up to the goal
+  bool arrived = false;  ///< the time stands still
+};
+
 /// One moment of the game as it is drawn, converted from exact to floating point.
 struct Scene {
   std::shared_ptr<const StageModel> stage;
@@ -48,6 +57,8 @@ struct Scene {
   Pose focus;          ///< target of the camera: the local player, else the first player, else the start
   double seconds = 0;  ///< since the start of the round
   double secondsLeft = 0;
+  std::optional<AttemptDrawing> attempt;  ///< unset without a local player
+  bool needsRestart = false;              ///< the local player has not touched ground for long
   bool over = false;
 };
 

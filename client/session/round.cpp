@@ -97,7 +97,11 @@ void Round::advance(Moment now, const Controls& controls) {
 void Round::observeLocal() {
   const std::uint32_t slot = prediction_.slot();
   const Game& game = prediction_.predicted();
-  if (slot < game.slots()) flashes_.observe(slot, prediction_.predictedTicks(), game.player(slot));
+  if (slot >= game.slots()) return;
+  const std::uint32_t ticks = prediction_.predictedTicks();
+  flashes_.observe(slot, ticks, game.player(slot));
+  airTime_.observe(ticks, game.player(slot));
+  attemptTime_.observe(ticks, game.player(slot));
 }
 
 std::optional<PlayerInputs> Round::takeMessage(Moment now) {

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "client/desync/desync_detector.h"
+#include "client/netcode/air_time.h"
+#include "client/netcode/attempt_time.h"
 #include "client/netcode/input_sender.h"
 #include "client/netcode/interpolation_buffer.h"
 #include "client/netcode/player_flashes.h"
@@ -46,6 +48,9 @@ class Round {
   const InterpolationBuffer& interpolationBuffer() const { return interpolationBuffer_; }
   /// Flashes by tick: of the confirmed game for the others, of the predicted game for the local player.
   const PlayerFlashes& flashes() const { return flashes_; }
+  /// Of the local player in the predicted game.
+  const AirTime& airTime() const { return airTime_; }
+  const AttemptTime& attemptTime() const { return attemptTime_; }
   /// Position between two predicted ticks, for drawing the local player: 0 at `prediction().predictedBefore()` … 1 at
   /// `prediction().predicted()`.
   double predictedFraction() const;
@@ -82,6 +87,8 @@ class Round {
   InputSender inputSender_;
   InterpolationBuffer interpolationBuffer_;
   PlayerFlashes flashes_;
+  AirTime airTime_;
+  AttemptTime attemptTime_;
   std::uint8_t sync_ = 0;      // of the last full state taken
   std::uint32_t hash_ = 0;     // short hash of the confirmed game
   bool hashDiffered_ = false;  // the last hash differed from the server's

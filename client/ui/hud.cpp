@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include <glm/common.hpp>
@@ -23,14 +24,18 @@ constexpr float kMargin = 16;
 constexpr float kTextSize = 18;     // of messages and notices
 constexpr float kWidestText = 640;  // of messages and notices
 
-constexpr std::array<std::array<const char*, 2>, 8> kHelp{{{"← →  or  A D", "run"},
-                                                           {"Space, ↑ or W", "jump; hold to jump higher"},
-                                                           {"R", "back to the start"},
-                                                           {"V", "vote for the next level"},
-                                                           {"F1", "help"},
-                                                           {"F3", "connection graph"},
-                                                           {"F11", "full screen"},
-                                                           {"Esc", "menu: settings, leave"}}};
+// Key, button of a gamepad, meaning.
+constexpr std::array<std::array<const char*, 3>, 10> kHelp{{{"← →  or  A D", "stick: 3 speeds", "run"},
+                                                            {"Shift", "stick, a little", "run slower"},
+                                                            {"Space, ↑ or W", "A", "jump; hold to jump higher"},
+                                                            {"↓ or S", "stick, D-pad down", "fall faster"},
+                                                            {"R", "Back", "back to the start"},
+                                                            {"V", "", "vote for the next level"},
+                                                            {"F1", "", "help"},
+                                                            {"F3", "", "connection graph"},
+                                                            {"F11", "", "full screen"},
+                                                            {"Esc", "Start", "menu: settings, leave"}}};
+constexpr const char* kRestartHint = "R: back to the start";
 
 std::string twoDigits(long value) { return std::string(value < 10 ? "0" : "") + std::to_string(value); }
 
@@ -44,6 +49,16 @@ void addTitle(OverlayWriter& writer, const Scene& scene) {
 void addClock(OverlayWriter& writer, const Scene& scene, float width) {
   const bool urgent = scene.secondsLeft < 10;
   writer.pill(clockText(scene.secondsLeft), {width / 2, kMargin + 22}, 26, urgent ? kWarning : kBright);
+}
+
+// Below the clock of the round, the time of the local player's attempt, and its best time in this round.
+void addAttempt(OverlayWriter& writer, const Scene& scene, float width) {
+  if (!scene.attempt) return;
+  const auto& [seconds, arrived] = *scene.attempt;
+  const std::optional<double> best = scene.players.back().finishSeconds;
+  std::string text = std::string(arrived ? "✓ " : "") + "your time " + finishText(seconds);
+  if (best && !(arrived && *best == seconds)) text += "   best " + finishText(*best);
+  writer.pill(text, {width / 2, kMargin + 62}, 14, arrived ? kGold : kSoft);
 }
 
 void addRow(OverlayWriter& writer, const PlayerDrawing& player, float right, float top) {
@@ -84,10 +99,9 @@ void addNameTag(OverlayWriter& writer, const PlayerDrawing& player, const Camera
 }
 
 void addResult(OverlayWriter& writer, const Scene& scene, float width) {
-  const bool hasLocal = !scene.players.empty() && scene.players.back().local;
-  const glm::vec2 middle(width / 2, Overlay::kHeight * 0.2F);
-  if (hasLocal && scene.players.back().finishSeconds) {
-    writer.pill(std::string("★  Goal in ") + finishText(*scene.players.back().finishSeconds), middle, 30, kGold);
+  const glm::vec2 middle(width / 2, Overlay::kHeight * 0.215F);
+  if (scene.attempt && scene.attempt->arrived) {
+    writer.pill(std::string("★  Goal in ") + finishText(scene.attempt->seconds), middle, 30, kGold);
   } else if (scene.over) {
     writer.pill(scene.secondsLeft <= 0 ? "Time is up" : "Round over", middle, 30, kBright);
   }
@@ -96,17 +110,18 @@ void addResult(OverlayWriter& writer, const Scene& scene, float width) {
 void addVote(OverlayWriter& writer, const VoteStatus& vote, float width) {
   const std::string text = std::to_string(vote.votes) + " of " + std::to_string(vote.voters) +
                            (vote.votes == 1 ? " wants" : " want") + " the next level (V)";
-  writer.pill(vote.mine ? "✓ " + text : text, {width / 2, kMargin + 66}, 16, vote.mine ? kGold : kBright);
+  writer.pill(vote.mine ? "✓ " + text : text, {width / 2, kMargin + 93}, 16, vote.mine ? kGold : kBright);
 }
 
 void addHelp(OverlayWriter& writer) {
   const float height = 24.0F * kHelp.size() + 20;
   const glm::vec2 low(kMargin, Overlay::kHeight - kMargin - height);
-  writer.panel(low, low + glm::vec2(400, height), 12, kPanel);
+  writer.panel(low, low + glm::vec2(492, height), 12, kPanel);
   glm::vec2 place = low + glm::vec2(16, 27);
-  for (const auto& [keys, meaning] : kHelp) {
+  for (const auto& [keys, pad, meaning] : kHelp) {
     writer.left(keys, place, 14, kBright);
-    writer.left(meaning, place + glm::vec2(168, 0), 14, kSoft);
+    writer.left(pad, place + glm::vec2(130, 0), 14, kBright);
+    writer.left(meaning, place + glm::vec2(282, 0), 14, kSoft);
     place.y += 24;
   }
 }
@@ -116,8 +131,8 @@ std::vector<std::string> linesOf(const std::string& text, const Font& font, floa
   return wrapText(text, font, std::min(kWidestText, width - 4 * kMargin) / size);
 }
 
-// At the lower edge the message, and above it the notice.
-void addTexts(OverlayWriter& writer, const HudStatus& status, const Font& font, float width) {
+// At the lower edge the message, above it the notice, and above that the hint.
+void addTexts(OverlayWriter& writer, const HudStatus& status, const std::string& hint, const Font& font, float width) {
   glm::vec2 middle(width / 2, Overlay::kHeight - 40);
   const auto add = [&](const std::string& text, glm::vec4 colour) {
     const std::vector<std::string> lines = linesOf(text, font, width, kTextSize);
@@ -125,6 +140,7 @@ void addTexts(OverlayWriter& writer, const HudStatus& status, const Font& font, 
   };
   add(status.message, status.warning ? kWarning : kBright);
   add(status.notice, kGold);
+  add(hint, kBright);
 }
 
 }  // namespace
@@ -147,7 +163,7 @@ Overlay makeEmptyHud(const HudStatus& status, const Font& font, float width) {
     place.y += 26;
   }
   if (status.help) addHelp(writer);
-  addTexts(writer, {.notice = status.notice}, font, width);
+  addTexts(writer, {.notice = status.notice}, "", font, width);
   return writer.take();
 }
 
@@ -157,12 +173,13 @@ Overlay makeHud(const Scene& scene, const Camera& camera, const HudStatus& statu
   for (const PlayerDrawing& player : scene.players) addNameTag(writer, player, camera, width);
   addTitle(writer, scene);
   addClock(writer, scene, width);
+  addAttempt(writer, scene, width);
   addPlayers(writer, scene, width);
   addResult(writer, scene, width);
   if (status.summary) addResults(writer, scene, *status.summary, font, width);
   if (status.vote) addVote(writer, *status.vote, width);
   if (status.help) addHelp(writer);
-  addTexts(writer, status, font, width);
+  addTexts(writer, status, scene.needsRestart ? kRestartHint : "", font, width);
   return writer.take();
 }
 

@@ -35,7 +35,8 @@ std::string clockText(double seconds);
 /// The display while there is no game. `width` is that of the virtual screen.
 Overlay makeEmptyHud(const HudStatus& status, const Font& font, float width);
 
-/// Title, clock, list of players, name tags, results, vote, message, notice and help.
+/// Title, clock, the local player's own time, list of players, name tags, results, vote, message, notice, hint and
+/// help.
 Overlay makeHud(const Scene& scene, const Camera& camera, const HudStatus& status, const Font& font);
 
 }  // namespace platon

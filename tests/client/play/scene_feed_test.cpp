@@ -75,6 +75,20 @@ TEST(SceneFeed, LandingPlayersFlash) {
   }
 }
 
+TEST(SceneFeed, TheOwnTimeRunsWithThePredictedGame) {
+  SessionNetwork match({endlessLevel()}, 1);
+  match.join(LinkQuality(), kRight);
+  match.run(seconds(2));
+  SceneFeed feed;
+  const auto first = feed.scene(match.session(0), match.now());
+  match.run(seconds(1));
+  const auto second = feed.scene(match.session(0), match.now());
+  ASSERT_TRUE(first && first->attempt && second && second->attempt);
+  EXPECT_GT(first->attempt->seconds, 1);
+  EXPECT_NEAR(second->attempt->seconds - first->attempt->seconds, 1, 0.1);
+  EXPECT_FALSE(second->needsRestart);
+}
+
 TEST(SceneFeed, ChangesTheStageWithTheLevel) {
   SessionNetwork match({flatLevel(), cornerLevel()}, 1);
   match.join(LinkQuality(), kRight);

@@ -96,6 +96,24 @@ TEST(Scene, AbsentPlayersAreNotDrawn) {
   EXPECT_EQ(scene.players[1].slot, 2U);
 }
 
+TEST(Scene, HasTheAttemptAndTheHintOfTheLocalPlayer) {
+  Game game(floorLevel());
+  run(game, 1, Input::kRight, 90);
+  const std::vector<PlayerSnapshot> players = playersOf(game);
+  SceneSource source = sourceOf(game, players, players, 1);
+  source.attempt.observe(game.tick(), game.player(0));
+  source.needsRestart = true;
+  EXPECT_FALSE(makeScene(source).attempt) << "without a local player";
+  EXPECT_FALSE(makeScene(source).needsRestart);
+  source.localSlot = 0;
+  ASSERT_TRUE(makeScene(source).attempt);
+  EXPECT_DOUBLE_EQ(makeScene(source).attempt->seconds, 1.5);
+  EXPECT_FALSE(makeScene(source).attempt->arrived);
+  EXPECT_TRUE(makeScene(source).needsRestart);
+  source.roundOver = true;
+  EXPECT_FALSE(makeScene(source).needsRestart);
+}
+
 TEST(Scene, TheLocalPlayerIsPredictedAndTheOthersAreConfirmed) {
   Game confirmed(floorLevel());
   run(confirmed, 2, 0, 5);

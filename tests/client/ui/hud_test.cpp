@@ -119,9 +119,12 @@ TEST(Hud, FinishedPlayersComeFirstByTheirTime) {
 TEST(Hud, ShowsTheResultOfTheLocalPlayer) {
   Scene scene = sceneOf(2);
   scene.players[1].local = true;
-  scene.players[1].finishSeconds = 7.5;
-  EXPECT_TRUE(find(hudOf(scene), "★  Goal in 7.50 s"));
-  scene.players[1].finishSeconds.reset();
+  scene.players[1].finishSeconds = 7;
+  scene.attempt = {7.5, true};
+  EXPECT_TRUE(find(hudOf(scene), "★  Goal in 7.50 s")) << "of this attempt, which was not the best one";
+  scene.attempt = {1, false};
+  EXPECT_FALSE(find(hudOf(scene), "★  Goal in 7.50 s")) << "after a restart";
+  EXPECT_FALSE(find(hudOf(scene), "★  Goal in 7.00 s"));
   scene.over = true;
   EXPECT_TRUE(find(hudOf(scene), "Round over"));
   scene.secondsLeft = 0;
@@ -136,6 +139,63 @@ TEST(Hud, ShowsTheVoteAndWhetherTheLocalPlayerHasVoted) {
 TEST(Hud, ShowsTheResultsOfARoundThatHasEnded) {
   EXPECT_FALSE(find(hudOf(sceneOf(1)), "next: Corners in 5 s"));
   EXPECT_TRUE(find(hudOf(sceneOf(1), {.summary = RoundSummary{"Corners", 5}}), "next: Corners in 5 s"));
+}
+
+TEST(Hud, ShowsTheOwnTimeBelowTheClock) {
+  Scene scene = sceneOf(2);
+  EXPECT_FALSE(find(hudOf(scene), "your time 0.00 s")) << "without a local player";
+  scene.players[1].local = true;
+  scene.attempt.emplace();
+  const Overlay hud = hudOf(scene);
+  ASSERT_TRUE(find(hud, "your time 0.00 s"));
+  EXPECT_GT(find(hud, "your time 0.00 s")->place.y, find(hud, "1:23")->place.y);
+  EXPECT_LT(find(hud, "your time 0.00 s")->size, find(hud, "1:23")->size);
+  scene.attempt->seconds = 83.25;
+  EXPECT_TRUE(find(hudOf(scene), "your time 83.25 s"));
+  scene.players[1].finishSeconds = 61.02;
+  EXPECT_TRUE(find(hudOf(scene), "your time 83.25 s   best 61.02 s"));
+  scene.attempt->arrived = true;
+  EXPECT_TRUE(find(hudOf(scene), "✓ your time 83.25 s   best 61.02 s"));
+  scene.players[1].finishSeconds = 83.25;
+  EXPECT_TRUE(find(hudOf(scene), "✓ your time 83.25 s")) << "the best time itself";
+}
+
+TEST(Hud, ShowsThatRReturnsToTheStart) {
+  Scene scene = sceneOf(1);
+  EXPECT_FALSE(find(hudOf(scene), "R: back to the start"));
+  scene.needsRestart = true;
+  const Overlay hud = hudOf(scene, {.message = "Connection lost", .notice = "Restart at noon"});
+  ASSERT_TRUE(find(hud, "R: back to the start"));
+  EXPECT_LT(find(hud, "R: back to the start")->place.y, find(hud, "Restart at noon")->place.y);
+}
+
+TEST(Hud, WhatIsBelowTheClockDoesNotOverlap) {
+  Scene scene = sceneOf(1);
+  scene.players[0].local = true;
+  scene.attempt = {7.5, true};
+  const Overlay hud = hudOf(scene, {.vote = VoteStatus{1, 3, false}});
+  std::vector<Overlay::Panel> middle;
+  for (const Overlay::Panel& panel : hud.panels) {
+    if (panel.low.x < 640 && panel.high.x > 640) middle.push_back(panel);
+  }
+  ASSERT_EQ(middle.size(), 4U) << "clock, own time, vote, result";
+  std::sort(middle.begin(), middle.end(), [](const auto& a, const auto& b) { return a.low.y < b.low.y; });
+  for (std::size_t i = 1; i < middle.size(); ++i) EXPECT_GT(middle[i].low.y, middle[i - 1].high.y) << i;
+}
+
+// Columns: key, button of a gamepad, meaning.
+TEST(Hud, TheColumnsOfTheHelpDoNotOverlap) {
+  const Overlay hud = hudOf(sceneOf(1), {.help = true});
+  for (const Overlay::Text& text : hud.texts) {
+    const float end = text.place.x + font().width(text.content) * text.size;
+    for (const Overlay::Text& other : hud.texts) {
+      const bool beside = other.place.y == text.place.y && other.place.x > text.place.x;
+      EXPECT_TRUE(!beside || other.place.x > end + 6) << text.content << " and " << other.content;
+    }
+  }
+  EXPECT_TRUE(find(hud, "fall faster"));
+  EXPECT_TRUE(find(hud, "run slower"));
+  EXPECT_TRUE(find(hud, "stick: 3 speeds"));
 }
 
 TEST(Hud, OnlyVisibleOtherPlayersHaveNameTags) {
