@@ -13,6 +13,21 @@ float depthInFace(vec2 place) {
 }
 )";
 
+const char* const kInk = R"(
+in vec2 place;
+
+// Coverage of the face: 1 inside, 0 outside, smooth over one pixel.
+float inFace() {
+  float depth = depthInFace(place);
+  return clamp(depth / fwidth(depth) + 0.5, 0.0, 1.0);
+}
+
+vec4 over(vec4 below, vec3 colour, float alpha) {
+  float sum = alpha + below.a * (1.0 - alpha);
+  return vec4((colour * alpha + below.rgb * below.a * (1.0 - alpha)) / max(sum, 1e-4), sum);
+}
+)";
+
 const char* const kFaceVertex = R"(
 layout(location = 0) in vec2 corner;
 uniform mat4 toClip;
@@ -79,7 +94,6 @@ void main() {
 )";
 
 const char* const kRibbonFragment = R"(
-in vec2 place;
 in vec2 along;
 flat in vec2 direction;
 flat in float extent;
@@ -89,8 +103,7 @@ uniform float shadow;     // 1: draw the shadow, 0: draw the rod
 out vec4 result;
 
 void main() {
-  float inFace = depthInFace(place);
-  float clip = clamp(inFace / fwidth(inFace) + 0.5, 0.0, 1.0);
+  float clip = inFace();
   vec2 off = vec2(along.x - clamp(along.x, 0.0, extent), along.y);
   float distance = length(off);
   float pixel = max(fwidth(along.y), 1e-4);
@@ -125,7 +138,6 @@ void main() {
 )";
 
 const char* const kMarkerFragment = R"(
-in vec2 place;
 in vec2 at;
 uniform int kind;         // 0 goal, 1 start, 2 shadow
 uniform float radius;
@@ -148,11 +160,6 @@ float star(vec2 p, float size) {
 
 // Coverage of a shape by its signed distance: 1 inside, 0 outside, smooth over one pixel.
 float filled(float distance) { return clamp(0.5 - distance / fwidth(distance), 0.0, 1.0); }
-
-vec4 over(vec4 below, vec3 colour, float alpha) {
-  float sum = alpha + below.a * (1.0 - alpha);
-  return vec4((colour * alpha + below.rgb * below.a * (1.0 - alpha)) / max(sum, 1e-4), sum);
-}
 
 vec4 goal(float r) {
   vec3 gold = vec3(1.0, 0.84, 0.36);
@@ -179,8 +186,7 @@ void main() {
   if (kind == 0) result = goal(r);
   else if (kind == 1) result = start(r);
   else result = vec4(0.0, 0.0, 0.02, 0.55 * (1.0 - smoothstep(0.7 * radius, 1.5 * radius, r)));
-  float inFace = depthInFace(place);
-  result.a *= clamp(inFace / fwidth(inFace) + 0.5, 0.0, 1.0);
+  result.a *= inFace();
 }
 )";
 

@@ -7,6 +7,9 @@ namespace platon::shaders {
 /// Prepended to all shaders that draw on a face. Defines `depthInFace`, the distance to the nearest edge.
 extern const char* const kFaceGeometry;
 
+/// Prepended to fragment shaders that draw parts of a face, after kFaceGeometry: has the input `place`.
+extern const char* const kInk;
+
 extern const char* const kFaceVertex;
 extern const char* const kFaceFragment;
 /// Segments of a level: rods with round ends, and their shadows on the face.

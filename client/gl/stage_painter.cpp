@@ -3,17 +3,18 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <string>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "client/gl/face_program.h"
 #include "client/gl/shaders.h"
 
 namespace platon {
 namespace {
 
-constexpr std::size_t kMaxEdges = 5;  // edges of a face
-constexpr float kShadowReach = 8;     // width of a segment's shadow, level units
+constexpr float kShadowReach = 8;  // width of a segment's shadow, level units
 constexpr float kGridStep = 60;
 constexpr float kLargeFace = 700;  // apothem from which a face has several numbers
 constexpr float kLabelStep = 640;
@@ -35,8 +36,8 @@ bool inPolygon(const SolidMesh& mesh, glm::dvec2 point, double margin) {
 
 StagePainter::StagePainter()
     : face_(shaders::kFaceGeometry, shaders::kFaceVertex, shaders::kFaceFragment),
-      ribbon_(shaders::kFaceGeometry, shaders::kRibbonVertex, shaders::kRibbonFragment),
-      marker_(shaders::kFaceGeometry, shaders::kMarkerVertex, shaders::kMarkerFragment) {
+      ribbon_(shaders::kFaceGeometry, shaders::kRibbonVertex, std::string(shaders::kInk) + shaders::kRibbonFragment),
+      marker_(shaders::kFaceGeometry, shaders::kMarkerVertex, std::string(shaders::kInk) + shaders::kMarkerFragment) {
   glBindVertexArray(faceArray_.name());
   glBindBuffer(GL_ARRAY_BUFFER, corners_.name());
   glEnableVertexAttribArray(0);
@@ -51,7 +52,7 @@ void StagePainter::draw(const std::shared_ptr<const StageModel>& stage, std::spa
   loaded_ = stage;
   glBindVertexArray(faceArray_.name());
   for (const FaceView& view : views) {
-    beginFace(face_, *stage, view);
+    useOnFace(face_, *stage, view);
     face_.set("colour", stage->faces[static_cast<std::size_t>(view.face)].colour);
     face_.set("eye", view.eye);
     face_.set("light", view.light);
@@ -65,6 +66,7 @@ void StagePainter::drawOnFaces(const Scene& scene, std::span<const FaceView> vie
     drawLabels(*scene.stage, view, text);
     drawRibbons(*scene.stage, view, true);
     drawMarkers(scene, view, seconds);
+    elementPainter_.draw(scene, view, text);
     drawRibbons(*scene.stage, view, false);
     drawShadows(scene, view);
   }
@@ -82,19 +84,10 @@ void StagePainter::load(const StageModel& stage) {
   fill(ends_, ends);
 }
 
-void StagePainter::beginFace(ShaderProgram& program, const StageModel& stage, const FaceView& view) const {
-  std::vector<glm::vec2> normals(stage.mesh.edgeNormals().begin(), stage.mesh.edgeNormals().end());
-  normals.resize(kMaxEdges, normals.back());
-  program.use();
-  program.set("toClip", view.toClip);
-  program.set("edges", normals);
-  program.set("apothem", static_cast<float>(stage.mesh.apothem()));
-}
-
 void StagePainter::drawRibbons(const StageModel& stage, const FaceView& view, bool shadow) {
   const Ribbons& ribbons = ribbons_[static_cast<std::size_t>(view.face)];
   if (ribbons.count == 0) return;
-  beginFace(ribbon_, stage, view);
+  useOnFace(ribbon_, stage, view);
   ribbon_.set("light", view.light);
   ribbon_.set("halfWidth", static_cast<float>(StageModel::kRibbonWidth / 2));
   ribbon_.set("reach", static_cast<float>(StageModel::kRibbonWidth / 2) + kShadowReach);
@@ -108,7 +101,7 @@ void StagePainter::drawRibbons(const StageModel& stage, const FaceView& view, bo
 
 void StagePainter::drawMarkers(const Scene& scene, const FaceView& view, float seconds) {
   const StageModel& stage = *scene.stage;
-  beginFace(marker_, stage, view);
+  useOnFace(marker_, stage, view);
   marker_.set("seconds", seconds);
   glBindVertexArray(markerArray_.name());
   constexpr auto kStartRadius = static_cast<float>(StageModel::kPlayerRadius * 1.6);
@@ -130,7 +123,7 @@ void StagePainter::drawMarker(const SolidMesh& mesh, const FaceView& view, const
 
 void StagePainter::drawShadows(const Scene& scene, const FaceView& view) {
   const SolidMesh& mesh = scene.stage->mesh;
-  beginFace(marker_, *scene.stage, view);
+  useOnFace(marker_, *scene.stage, view);
   glBindVertexArray(markerArray_.name());
   constexpr auto kRadius = static_cast<float>(StageModel::kPlayerRadius);
   for (const PlayerDrawing& player : scene.players) {

@@ -6,6 +6,7 @@
 
 #include "client/gl/gl_handle.h"
 #include "client/gl/shader_program.h"
+#include "client/gl/stage_element_painter.h"
 #include "client/gl/text_painter.h"
 #include "client/scene/face_view.h"
 #include "client/scene/scene.h"
@@ -20,7 +21,7 @@ class StagePainter {
 
   /// Draws the faces, with depth.
   void draw(const std::shared_ptr<const StageModel>& stage, std::span<const FaceView> views);
-  /// Draws segments, markers, face numbers and shadows on the faces. `seconds` is the time of the animation.
+  /// Draws segments, elements, markers, face numbers and shadows on the faces. `seconds` is the time of the animation.
   void drawOnFaces(const Scene& scene, std::span<const FaceView> views, float seconds, TextPainter& text);
 
  private:
@@ -36,7 +37,6 @@ class StagePainter {
   };
 
   void load(const StageModel& stage);
-  void beginFace(ShaderProgram& program, const StageModel& stage, const FaceView& view) const;
   void drawRibbons(const StageModel& stage, const FaceView& view, bool shadow);
   void drawMarkers(const Scene& scene, const FaceView& view, float seconds);
   void drawMarker(const SolidMesh& mesh, const FaceView& view, const Marker& marker, const Look& look);
@@ -47,6 +47,7 @@ class StagePainter {
   ShaderProgram face_;
   ShaderProgram ribbon_;
   ShaderProgram marker_;
+  StageElementPainter elementPainter_;
   GlVertexArray faceArray_;
   GlVertexArray ribbonArray_;
   GlVertexArray markerArray_;  // empty: the shader computes the corners from gl_VertexID

@@ -20,9 +20,10 @@ void TextPainter::add(std::string_view utf8, glm::vec2 origin, glm::vec2 along, 
   }
 }
 
-void TextPainter::addCentred(std::string_view utf8, glm::vec2 middle, float size, glm::vec4 colour) {
-  const glm::vec2 half(atlas_.font().width(utf8) / 2, Font::kCapitalHeight / 2);
-  add(utf8, middle - half * size, {size, 0}, {0, size}, colour);
+void TextPainter::addCentred(std::string_view utf8, glm::vec2 middle, glm::vec2 up, glm::vec4 colour) {
+  const glm::vec2 along(up.y, -up.x);
+  const glm::vec2 half = atlas_.font().width(utf8) / 2 * along + Font::kCapitalHeight / 2 * up;
+  add(utf8, middle - half, along, up, colour);
 }
 
 void TextPainter::flush(const glm::mat4& toClip, float halo) {

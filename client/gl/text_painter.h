@@ -22,7 +22,11 @@ class TextPainter {
   /// length is the size of the text.
   void add(std::string_view utf8, glm::vec2 origin, glm::vec2 along, glm::vec2 up, glm::vec4 colour);
   /// Adds a line, upright where +y is up, with the middle of its capitals at `middle`.
-  void addCentred(std::string_view utf8, glm::vec2 middle, float size, glm::vec4 colour);
+  void addCentred(std::string_view utf8, glm::vec2 middle, float size, glm::vec4 colour) {
+    addCentred(utf8, middle, glm::vec2(0, size), colour);
+  }
+  /// The same, upright in the direction of `up`, whose length is the size of the text.
+  void addCentred(std::string_view utf8, glm::vec2 middle, glm::vec2 up, glm::vec4 colour);
   /// Draws and removes all lines. `halo` is the opacity of the dark outline around the letters.
   void flush(const glm::mat4& toClip, float halo);
 

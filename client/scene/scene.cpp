@@ -57,6 +57,7 @@ Pose focusOf(const Scene& scene) {
 Scene makeScene(const SceneSource& source) {
   Scene scene;
   scene.stage = source.stage;
+  scene.elements = elementStatesOf(*source.game, source.localSlot, source.stage->mesh);
   addPlayers(scene, source);
   scene.focus = focusOf(scene);
   const double passed = std::max(0.0, double{1} * source.game->tick() - 1 + source.fraction);

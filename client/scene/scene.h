@@ -9,6 +9,7 @@
 
 #include "client/netcode/attempt_time.h"
 #include "client/netcode/player_snapshot.h"
+#include "client/scene/element_states.h"
 #include "client/scene/palette.h"
 #include "client/scene/pose.h"
 #include "client/scene/stage_model.h"
@@ -53,6 +54,7 @@ struct AttemptDrawing {
 /// One moment of the game as it is drawn, converted from exact to floating point.
 struct Scene {
   std::shared_ptr<const StageModel> stage;
+  ElementStates elements;
   std::vector<PlayerDrawing> players;  ///< by slot; the local player is last
   Pose focus;          ///< target of the camera: the local player, else the first player, else the start
   double seconds = 0;  ///< since the start of the round

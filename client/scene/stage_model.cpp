@@ -10,26 +10,56 @@
 namespace platon {
 namespace {
 
-// A ribbon that lies along an edge is drawn on both faces: each clips it at the edge.
-void addOverEdges(StageModel& stage, int face, glm::dvec2 a, glm::dvec2 b) {
+// Calls `add(face, toFace)` for `face` and for each neighbour over whose edge a segment reaches: it is drawn on both
+// faces, and each clips it at the edge. `toFace` maps a point or a direction from the frame of `face`.
+template <class Add>
+void onItsFaces(const StageModel& stage, int face, const Ribbon& ends, Add add) {
+  add(static_cast<std::size_t>(face), glm::dmat4(1));
   const std::vector<glm::dvec2>& normals = stage.mesh.edgeNormals();
   for (std::size_t edge = 0; edge < normals.size(); ++edge) {
-    const double reach = std::max(glm::dot(a, normals[edge]), glm::dot(b, normals[edge]));
+    const double reach =
+        std::max(glm::dot(glm::dvec2(ends.a), normals[edge]), glm::dot(glm::dvec2(ends.b), normals[edge]));
     if (reach < stage.mesh.apothem() - StageModel::kRibbonWidth / 2) continue;
     const int index = static_cast<int>(edge);
-    const glm::dmat4 toNeighbour = glm::inverse(stage.mesh.unfolded(face, index));
-    const auto moved = [&](glm::dvec2 point) { return glm::vec2(toNeighbour * glm::dvec4(point, 0, 1)); };
     const std::size_t next = stage.mesh.solid().neighbour(face, index).face;
-    stage.faces[next].ribbons.push_back({moved(a), moved(b)});
+    add(next, glm::inverse(stage.mesh.unfolded(face, index)));
   }
 }
 
+glm::vec2 mapped(const glm::dmat4& map, glm::vec2 vector, double w) {
+  return glm::vec2(map * glm::dvec4(vector, 0, w));
+}
+
+Ribbon mapped(const glm::dmat4& map, const Ribbon& ends) { return {mapped(map, ends.a, 1), mapped(map, ends.b, 1)}; }
+
+ElementDrawing drawingOf(const StageModel& stage, const Element& element, std::size_t index) {
+  ElementDrawing drawing{{toUnits(element.ends.a), toUnits(element.ends.b)}, element.kind, element.number, {0, 1}, {}};
+  if (element.kind == ElementKind::kUp) drawing.towards = stage.mesh.edgeNormals()[element.number];
+  drawing.element = static_cast<std::uint32_t>(index);
+  return drawing;
+}
+
 void addRibbons(StageModel& stage, const Level& level, int face) {
-  for (const Segment& segment : level.segments[static_cast<std::size_t>(face)]) {
-    const glm::dvec2 a = toUnits(segment.a);
-    const glm::dvec2 b = toUnits(segment.b);
-    stage.faces[static_cast<std::size_t>(face)].ribbons.push_back({a, b});
-    addOverEdges(stage, face, a, b);
+  const std::vector<Segment>& segments = level.segments[static_cast<std::size_t>(face)];
+  for (std::uint32_t i = 0; i < segments.size(); ++i) {
+    if (findElement(level.elements, static_cast<std::uint32_t>(face), i) != nullptr) continue;
+    const Ribbon ends{toUnits(segments[i].a), toUnits(segments[i].b)};
+    onItsFaces(stage, face, ends, [&](std::size_t on, const glm::dmat4& toFace) {
+      stage.faces[on].ribbons.push_back(mapped(toFace, ends));
+    });
+  }
+}
+
+void addElements(StageModel& stage, const Level& level) {
+  for (std::size_t i = 0; i < level.elements.size(); ++i) {
+    const ElementDrawing drawing = drawingOf(stage, level.elements[i], i);
+    const auto face = static_cast<int>(level.elements[i].face);
+    onItsFaces(stage, face, drawing.ends, [&](std::size_t on, const glm::dmat4& toFace) {
+      ElementDrawing there = drawing;
+      there.ends = mapped(toFace, drawing.ends);
+      there.towards = mapped(toFace, drawing.towards, 0);
+      stage.faces[on].elements.push_back(there);
+    });
   }
 }
 
@@ -50,9 +80,9 @@ std::optional<Marker> markerOn(const SolidMesh& mesh, int face, const Marker& ma
 std::shared_ptr<const StageModel> makeStageModel(const Level& level) {
   auto stage =
       std::make_shared<StageModel>(StageModel{SolidMesh(level.solid, level.faceSize), {}, {}, {}, level.title});
-  for (int face = 0; face < stage->mesh.faces(); ++face)
-    stage->faces.push_back({faceColour(face), faceLabel(face), {}});
+  for (int face = 0; face < stage->mesh.faces(); ++face) stage->faces.push_back({faceColour(face), faceLabel(face)});
   for (int face = 0; face < stage->mesh.faces(); ++face) addRibbons(*stage, level, face);
+  addElements(*stage, level);
   stage->goal = {static_cast<int>(level.goalFace), toUnits(level.goal), 0};
   stage->start = {static_cast<int>(level.startFace), toUnits(level.start), toRadians(level.startAngle)};
   return stage;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,6 +11,7 @@
 #include "client/scene/palette.h"
 #include "client/scene/solid_mesh.h"
 #include "levels/drawing/level_marks.h"
+#include "platon/game/element.h"
 #include "platon/game/level.h"
 
 namespace platon {
@@ -20,11 +22,21 @@ struct Ribbon {
   glm::vec2 b{0};
 };
 
+/// A segment with a word as it is drawn. Its left is that of the way from `ends.a` to `ends.b`.
+struct ElementDrawing {
+  Ribbon ends;
+  ElementKind kind = ElementKind::kOneway;
+  int number = 0;             ///< of a key, a door or a plate
+  glm::vec2 towards{0, 1};    ///< of kUp: unit, to the edge to which the up of a blocked player points
+  std::uint32_t element = 0;  ///< index into Level::elements
+};
+
 /// A face with its segments and label.
 struct FaceDrawing {
   Colour colour{0};
-  std::string label;            ///< its index in the level file; 6 and 9 have a dot
-  std::vector<Ribbon> ribbons;  ///< also a neighbour's ribbons that reach over the edge
+  std::string label;                       ///< its index in the level file; 6 and 9 have a dot
+  std::vector<Ribbon> ribbons{};           ///< also a neighbour's ribbons that reach over the edge
+  std::vector<ElementDrawing> elements{};  ///< also a neighbour's elements that reach over the edge
 };
 
 /// A place on a face.

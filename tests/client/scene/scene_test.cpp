@@ -114,6 +114,16 @@ TEST(Scene, HasTheAttemptAndTheHintOfTheLocalPlayer) {
   EXPECT_FALSE(makeScene(source).needsRestart);
 }
 
+TEST(Scene, ElementsAreThoseOfThePredictedGame) {
+  Game confirmed(levelOf("0 -150 -180 0", "2 0 0", "-240 -200 240 -200\n-100 -195 -100 -160 key 3\n"));
+  run(confirmed, 1, 0, 5);
+  Game predicted = confirmed;
+  run(predicted, 1, Input::kRight, 40);
+  const std::vector<PlayerSnapshot> players = playersOf(confirmed);
+  EXPECT_EQ(makeScene(sourceOf(confirmed, players, players, 1)).elements.active, std::vector<std::uint8_t>{1});
+  EXPECT_EQ(makeScene(sourceOf(predicted, players, players, 1)).elements.active, std::vector<std::uint8_t>{0});
+}
+
 TEST(Scene, TheLocalPlayerIsPredictedAndTheOthersAreConfirmed) {
   Game confirmed(floorLevel());
   run(confirmed, 2, 0, 5);

@@ -49,6 +49,36 @@ TEST(StageModel, ASegmentAlongAnEdgeIsDrawnOnBothFaces) {
   EXPECT_LT(glm::distance(stage->mesh.toWorld(0, here.b), stage->mesh.toWorld(below.face, there.b)), 1e-4);
 }
 
+TEST(StageModel, ElementsAreNoRibbons) {
+  const auto stage = stageOf("-100 0 100 0\n-100 20 100 20 up 1\n0 0 50 50 door 7\n");
+  EXPECT_EQ(ribbonsOf(*stage), 1U);
+  ASSERT_EQ(stage->faces[0].elements.size(), 2U);
+  const ElementDrawing& up = stage->faces[0].elements[0];
+  EXPECT_EQ(up.kind, ElementKind::kUp);
+  EXPECT_EQ(up.ends.a, glm::vec2(-100, 20));
+  EXPECT_EQ(up.ends.b, glm::vec2(100, 20));
+  EXPECT_LT(glm::distance(up.towards, glm::vec2(1, 0)), 1e-6F) << "edge 1 is on the right";
+  EXPECT_EQ(up.element, 0U);
+  const ElementDrawing& door = stage->faces[0].elements[1];
+  EXPECT_EQ(door.kind, ElementKind::kDoor);
+  EXPECT_EQ(door.number, 7);
+  EXPECT_EQ(door.element, 1U);
+}
+
+TEST(StageModel, AnElementAlongAnEdgeIsDrawnOnBothFaces) {
+  const auto stage = stageOf("-100 -240 60 -240 up 1\n");
+  const std::size_t below = stage->mesh.solid().neighbour(0, 0).face;
+  ASSERT_EQ(stage->faces[below].elements.size(), 1U);
+  const ElementDrawing& here = stage->faces[0].elements[0];
+  const ElementDrawing& there = stage->faces[below].elements[0];
+  const auto world = [&](std::size_t face, glm::vec2 point) {
+    return stage->mesh.toWorld(static_cast<int>(face), glm::dvec2(point));
+  };
+  EXPECT_LT(glm::distance(world(0, here.ends.a), world(below, there.ends.a)), 1e-4);
+  EXPECT_LT(glm::distance(world(0, here.ends.a + here.towards), world(below, there.ends.a + there.towards)), 1e-4);
+  EXPECT_EQ(there.element, here.element);
+}
+
 TEST(StageModel, AMarkerNearAnEdgeIsAlsoOnTheNeighbour) {
   const auto stage = stageOf("");
   const Marker marker{0, {0, -230}, 0};

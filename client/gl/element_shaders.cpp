@@ -1,0 +1,204 @@
+#include "client/gl/element_shaders.h"
+
+namespace platon::shaders {
+
+// The order of ElementKind is that of `kind`: 0 oneway, 1 up, 2 hazard, 3 checkpoint, 4 key, 5 door, 6 plate.
+
+const char* const kElementVertex = R"(
+layout(location = 0) in vec4 ends;
+layout(location = 1) in vec4 look;        // towards its edge (kind 1), kind, 1: active, as in ElementStates
+uniform mat4 toClip;
+uniform float width;                      // of a segment
+out vec2 place;
+out vec2 at;                              // from the first end, in widths: x along, y to the left
+flat out vec2 direction;
+flat out float extent;                    // in widths
+flat out vec2 towards;
+flat out int kind;
+flat out float state;
+
+// Half the size of what is drawn round the segment and round its middle, in widths.
+const float kAside[7] = float[7](5.0, 6.0, 6.5, 4.0, 4.0, 4.0, 5.0);
+const float kRound[7] = float[7](0.0, 6.0, 0.0, 11.0, 11.0, 6.5, 11.0);
+
+void main() {
+  vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);
+  vec2 way = ends.zw - ends.xy;
+  extent = length(way) / width;
+  direction = extent > 0.0 ? normalize(way) : vec2(1, 0);
+  towards = look.xy;
+  kind = int(look.z);
+  state = look.w;
+  float aside = max(kAside[kind], kRound[kind]);
+  float beyond = max(kAside[kind], kRound[kind] - extent / 2.0);
+  at = vec2(mix(-beyond, extent + beyond, corner.x), mix(-aside, aside, corner.y));
+  place = ends.xy + width * (direction * at.x + vec2(-direction.y, direction.x) * at.y);
+  bool gone = kind == 4 && state < 0.5;  // a key that is taken
+  gl_Position = gone ? vec4(0, 0, 0, 1) : toClip * vec4(place, 0, 1);
+}
+)";
+
+const char* const kElementFragment = R"(
+in vec2 at;
+flat in vec2 direction;
+flat in float extent;
+flat in vec2 towards;
+flat in int kind;
+flat in float state;
+uniform vec3 light;
+uniform vec2 up;                          // the direction in which flags, keys and numbers stand upright
+uniform float width;
+out vec4 result;
+
+const vec3 kWall = vec3(0.98, 0.96, 0.90);
+const vec3 kBlue = vec3(0.52, 0.78, 1.0);
+const vec3 kRed = vec3(1.0, 0.38, 0.27);
+const vec3 kTeal = vec3(0.36, 0.92, 0.86);
+const vec3 kGold = vec3(1.0, 0.80, 0.36);
+const vec3 kViolet = vec3(0.80, 0.58, 1.0);
+const vec3 kDark = vec3(0.03, 0.03, 0.06);
+
+// What follows are signed distances in widths; `thick` is half a thickness.
+float pixel;
+
+float rod(vec2 p, vec2 a, vec2 b, float thick) {
+  vec2 way = b - a;
+  float share = clamp(dot(p - a, way) / max(dot(way, way), 1e-6), 0.0, 1.0);
+  return length(p - a - way * share) - max(thick, 0.8 * pixel);
+}
+
+float line(float aside, float thick) { return rod(at, vec2(0, aside), vec2(extent, aside), thick); }
+
+// The middle of the nearest of the places that divide the segment evenly, about `gap` apart.
+float nearest(float gap) {
+  float count = max(1.0, floor(extent / gap));
+  return (clamp(floor(at.x / extent * count), 0.0, count - 1.0) + 0.5) * extent / count;
+}
+
+float dashes(float gap, float share, float thick) {
+  float reach = max(min(gap, extent) * share / 2.0 - thick, 0.0);
+  float middle = nearest(gap);
+  return rod(at, vec2(middle - reach, 0), vec2(middle + reach, 0), thick);
+}
+
+float triangle(vec2 p, vec2 a, vec2 b, vec2 c) {
+  vec2 ab = b - a, bc = c - b, ca = a - c;
+  float side = sign(ab.x * bc.y - ab.y * bc.x);
+  vec2 pa = p - a, pb = p - b, pc = p - c;
+  float d = min(min(rod(p, a, b, 0.0), rod(p, b, c, 0.0)), rod(p, c, a, 0.0)) + 0.8 * pixel;
+  float inside = min(min(side * (ab.x * pa.y - ab.y * pa.x), side * (bc.x * pb.y - bc.y * pb.x)),
+                     side * (ca.x * pc.y - ca.y * pc.x));
+  return inside > 0.0 ? -d : d;
+}
+
+vec4 ink = vec4(0);
+
+void paint(float distance, vec3 colour, float alpha) {
+  ink = over(ink, colour, alpha * clamp(0.5 - distance / pixel, 0.0, 1.0));
+}
+void shadow(float distance, float alpha) { ink = over(ink, kDark, alpha * exp(-1.3 * max(distance, 0.0))); }
+void glow(float distance, vec3 colour, float alpha) { ink = over(ink, colour, alpha * exp(-0.9 * max(distance, 0.0))); }
+
+void oneway() {
+  float middle = nearest(5.0);
+  float ticks = triangle(at, vec2(middle - 1.4, -3.2), vec2(middle + 1.4, -3.2), vec2(middle, -1.0));
+  float wall = line(0.0, 0.5);
+  shadow(min(wall, ticks), 0.45);
+  paint(ticks, kWall, 0.85);
+  paint(wall, kWall, 1.0);
+}
+
+void upwards() {
+  vec2 aim = vec2(dot(towards, direction), dot(towards, vec2(-direction.y, direction.x)));
+  vec2 aside = vec2(-aim.y, aim.x);
+  vec2 head = vec2(nearest(12.0), 0) + 4.0 * aim;
+  vec2 back = head - 2.4 * aim;
+  float arrow = rod(at, head - 7.0 * aim, head, 0.4);
+  arrow = min(arrow, min(rod(at, back + 1.9 * aside, head, 0.4), rod(at, back - 1.9 * aside, head, 0.4)));
+  float wall = dashes(4.0, 0.66, mix(0.25, 0.5, state));
+  shadow(min(wall, arrow), 0.5 * state);
+  paint(wall, kWall, mix(0.35, 1.0, state));
+  paint(arrow - 0.35, kDark, 0.75 * state);
+  paint(arrow, kBlue, mix(0.35, 1.0, state));
+}
+
+void hazard() {
+  float gap = extent / max(1.0, floor(extent / 2.0));
+  float turns = at.x / (2.0 * gap) - 0.25;
+  float wave = 1.6 * (1.0 - 4.0 * abs(turns - floor(turns + 0.5)));
+  float slope = 3.2 / gap;
+  float zigzag = abs(at.y - wave) / sqrt(1.0 + slope * slope) - max(0.45, 0.8 * pixel);
+  zigzag = max(zigzag, max(-at.x - 0.3, at.x - extent - 0.3));
+  float band = rod(at, vec2(0), vec2(extent, 0), 1.6);
+  shadow(band, 0.5);
+  glow(band, kRed, 0.3);
+  paint(zigzag, kRed, 1.0);
+}
+
+void checkpoint(vec2 p) {
+  float flag = triangle(p, vec2(0, 8.6), vec2(5.4, 6.5), vec2(0, 4.4));
+  float pole = rod(p, vec2(0), vec2(0, 8.6), 0.35);
+  float ground = dashes(2.4, 0.62, 0.4);
+  float all = min(min(flag, pole), ground);
+  shadow(all, 0.5);
+  glow(all, kTeal, 0.4 * state);
+  paint(ground, kTeal, mix(0.75, 1.0, state));
+  paint(flag, kTeal, state);
+  paint(abs(flag) - max(0.3, 0.8 * pixel), kTeal, 1.0);
+  paint(pole, mix(kTeal, vec3(1), 0.4), 1.0);
+}
+
+void key(vec2 p) {
+  float badge = rod(p, vec2(-4.6, 0), vec2(4.6, 0), 3.4);
+  float dots = rod(at, vec2(nearest(2.0), 0), vec2(nearest(2.0), 0), 0.4);
+  float bow = abs(length(p - vec2(-4.4, 0)) - 1.5) - max(0.45, 0.8 * pixel);
+  float bit = min(rod(p, vec2(-2.9, 0), vec2(1.2, 0), 0.45), rod(p, vec2(1.2, 0), vec2(1.2, -1.7), 0.45));
+  bit = min(bit, rod(p, vec2(-0.4, 0), vec2(-0.4, -1.4), 0.45));
+  shadow(min(badge, dots), 0.4);
+  glow(badge, kGold, 0.3);
+  paint(dots, kGold, 0.9);
+  paint(badge, kDark, 0.82);
+  paint(min(bow, bit), kGold, 1.0);
+}
+
+void door(vec2 p) {
+  float rails = min(line(1.0, 0.4), line(-1.0, 0.4));
+  float posts = max(rails, min(at.x, extent - at.x) - 2.5);
+  float badge = length(p) - 4.2;
+  shadow(mix(posts, min(rails, badge), state), 0.5);
+  paint(mix(posts, rails, state), kGold, mix(0.75, 1.0, state));
+  paint(dashes(4.0, 0.3, 0.2), kGold, 0.3 * (1.0 - state));
+  paint(badge, kDark, mix(0.35, 0.9, state));
+  paint(abs(badge) - max(0.3, 0.8 * pixel), kGold, state);
+}
+
+void plate() {
+  vec2 middle = vec2(extent / 2.0, 6.2);
+  float high = mix(1.6, 0.7, state);
+  float bar = rod(at, vec2(0.15 * extent + high, high), vec2(0.85 * extent - high, high), mix(1.0, 0.55, state));
+  float base = line(0.0, 0.4);
+  float badge = length(at - middle) - 3.4;
+  shadow(min(min(bar, base), badge), 0.45);
+  glow(bar, kViolet, 0.55 * state);
+  paint(bar, mix(kViolet, vec3(1), 0.35 * state), 1.0);
+  paint(base, kWall, 1.0);
+  paint(badge, kDark, 0.82);
+}
+
+void main() {
+  pixel = max(fwidth(at.y), 1e-4);
+  vec2 fromMiddle = (at.x - extent / 2.0) * direction + at.y * vec2(-direction.y, direction.x);
+  vec2 p = vec2(dot(fromMiddle, vec2(up.y, -up.x)), dot(fromMiddle, up));
+  if (kind == 0) oneway();
+  else if (kind == 1) upwards();
+  else if (kind == 2) hazard();
+  else if (kind == 3) checkpoint(p);
+  else if (kind == 4) key(p);
+  else if (kind == 5) door(p);
+  else plate();
+  float lit = 0.84 + 0.20 * max(light.z, 0.0);
+  result = vec4(ink.rgb * lit, ink.a * inFace());
+}
+)";
+
+}  // namespace platon::shaders

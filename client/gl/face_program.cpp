@@ -1,0 +1,22 @@
+#include "client/gl/face_program.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace platon {
+namespace {
+
+constexpr std::size_t kMaxEdges = 5;  // of a face
+
+}  // namespace
+
+void useOnFace(ShaderProgram& program, const StageModel& stage, const FaceView& view) {
+  std::vector<glm::vec2> normals(stage.mesh.edgeNormals().begin(), stage.mesh.edgeNormals().end());
+  normals.resize(kMaxEdges, normals.back());
+  program.use();
+  program.set("toClip", view.toClip);
+  program.set("edges", normals);
+  program.set("apothem", static_cast<float>(stage.mesh.apothem()));
+}
+
+}  // namespace platon

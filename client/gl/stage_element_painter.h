@@ -1,0 +1,54 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "client/gl/gl_handle.h"
+#include "client/gl/shader_program.h"
+#include "client/gl/text_painter.h"
+#include "client/scene/face_view.h"
+#include "client/scene/scene.h"
+
+namespace platon {
+
+/// Draws the elements of a level, each kind in a pattern of its own, so that colour is never the only sign:
+///   oneway      triangles on the right side, from which it lets pass, point to the line
+///   up          dashes with arrows that point to its edge; thin and dim while it does not block the local player
+///   hazard      a zigzag
+///   checkpoint  dashes and a flag, which is filled where the local player returns to it
+///   key         dots, and a key with its number; nothing once it is taken
+///   door        two lines and its number; only their ends while it is open
+///   plate       a line with a bar on its left side, which is low while it is pressed, and its number
+/// Flags, keys and numbers stand upright for the local player.
+class StageElementPainter {
+ public:
+  StageElementPainter();
+
+  /// Draws the elements on a face. A face without elements has no draw call.
+  void draw(const Scene& scene, const FaceView& view, TextPainter& text);
+
+ private:
+  // An element for the shader.
+  struct Instance {
+    Ribbon ends;
+    glm::vec2 towards{0};
+    float kind = 0;
+    float active = 0;
+  };
+  struct Part {
+    GLsizei first = 0;
+    GLsizei count = 0;
+  };
+
+  void load(const Scene& scene);
+  void addNumbers(const Scene& scene, const FaceView& view, glm::vec2 up, TextPainter& text) const;
+
+  std::weak_ptr<const StageModel> stage_;  // that is loaded
+  std::vector<std::uint8_t> active_;       // ElementStates::active that is loaded
+  std::vector<Part> parts_;                // by face: its part of instances_
+  ShaderProgram program_;
+  GlVertexArray array_;
+  GlBuffer instances_;
+};
+
+}  // namespace platon

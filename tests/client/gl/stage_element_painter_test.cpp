@@ -1,0 +1,192 @@
+#include "client/gl/stage_element_painter.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <stb/stb_image.h>
+
+#include "client/gl/gl_loader.h"
+#include "client/gl/offscreen.h"
+#include "client/gl/renderer.h"
+#include "platon/game/game.h"
+#include "tests/client/gl/test_stage.h"
+#include "tests/support/files.h"
+
+namespace platon {
+namespace {
+
+constexpr std::uint32_t kWidth = 640;
+constexpr std::uint32_t kHeight = 360;
+constexpr std::size_t kBlock = 20;  // pixels; divides both sizes
+
+Scene sceneOfLevel(const std::string& text) {
+  const LevelResult result = loadLevel(text);
+  if (!result.level) throw std::logic_error("test level: " + result.diagnostics.front().message);
+  Scene scene = sceneOf(makeStageModel(*result.level));
+  scene.elements = elementStatesOf(Game(result.level), std::nullopt, scene.stage->mesh);
+  return scene;
+}
+
+// A cube with these segments on face 0, at whose centre the scene looks.
+Scene sceneWith(const std::string& segments) {
+  return sceneOfLevel("HEXAHEDRON\n1 0 0 0\n1 60 80\n480\n%\n" + segments + "%\n%\n%\n%\n%\n");
+}
+
+Scene inOtherState(Scene scene) {
+  for (std::uint8_t& active : scene.elements.active) active = active == 0 ? 1 : 0;
+  return scene;
+}
+
+class ElementPictureTest : public testing::Test {
+ protected:
+  Image draw(const Scene& scene) {
+    camera_.set(scene.focus, scene.stage->mesh, kWidth, kHeight);
+    renderer_.draw(scene, camera_, {}, false);
+    EXPECT_EQ(takeGlErrors(), "");
+    return renderer_.read();
+  }
+
+  Offscreen context_;
+  Font font_;
+  Renderer renderer_{kWidth, kHeight, font_};
+  Camera camera_;
+};
+
+// The brightness of every pixel.
+std::vector<double> greyOf(const Image& image) {
+  std::vector<double> grey;
+  for (std::uint32_t y = 0; y < image.height; ++y) {
+    for (std::uint32_t x = 0; x < image.width; ++x)
+      grey.push_back(brightness(pixel(image, {static_cast<int>(x), static_cast<int>(y)})));
+  }
+  return grey;
+}
+
+// The number of pixels whose brightness differs clearly.
+long differingPixels(const Image& a, const Image& b) {
+  const std::vector<double> left = greyOf(a);
+  const std::vector<double> right = greyOf(b);
+  long count = 0;
+  for (std::size_t i = 0; i < left.size(); ++i) count += std::abs(left[i] - right[i]) > 0.1 ? 1 : 0;
+  return count;
+}
+
+const std::array<std::string, 7> kWords{"oneway", "up 2", "hazard", "checkpoint", "key 5", "door 5", "plate 5"};
+
+TEST_F(ElementPictureTest, EveryKindDiffersFromAWallAndFromEveryOtherWithoutColour) {
+  std::vector<Image> images{draw(sceneWith("-120 0 120 0\n"))};
+  for (const std::string& word : kWords) images.push_back(draw(sceneWith("-120 0 120 0 " + word + "\n")));
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j)
+      EXPECT_GT(differingPixels(images[i], images[j]), 100) << kWords[i - 1] << " and " << j;
+  }
+}
+
+TEST_F(ElementPictureTest, EveryStateIsSeenWithoutColour) {
+  for (const std::string& word : kWords) {
+    const Scene scene = sceneWith("-120 0 120 0 " + word + "\n");
+    const Image before = draw(scene);
+    const Image after = draw(inOtherState(scene));
+    const bool changes = word != "oneway" && word != "hazard";
+    EXPECT_EQ(differingPixels(before, after) > 50, changes) << word;
+    EXPECT_EQ(draw(scene), before) << word << " in its first state again";
+  }
+}
+
+TEST_F(ElementPictureTest, ATakenKeyIsGone) {
+  const Scene scene = sceneWith("-120 0 120 0 key 5\n-120 50 120 50 door 5\n");
+  Scene taken = scene;
+  taken.elements.active[0] = 0;
+  const Image without = draw(sceneWith("-120 50 120 50 door 5\n"));
+  EXPECT_NE(draw(scene), without);
+  EXPECT_EQ(draw(taken), without);
+}
+
+TEST_F(ElementPictureTest, NumbersDiffer) {
+  for (const char* word : {"key ", "door ", "plate "}) {
+    const std::string ends = "-120 0 120 0 ";
+    EXPECT_NE(draw(sceneWith(ends + word + "1\n")), draw(sceneWith(ends + word + "7\n"))) << word;
+  }
+}
+
+TEST_F(ElementPictureTest, AnElementAlongAnEdgeIsDrawnOnBothFaces) {
+  Scene scene = sceneWith("-100 -240 100 -240 door 5\n");
+  const int below = scene.stage->mesh.solid().neighbour(0, 0).face;
+  ASSERT_EQ(scene.stage->faces[static_cast<std::size_t>(below)].elements.size(), 1U);
+  Scene plain = sceneWith("");
+  for (const int face : {0, below}) {
+    scene.focus = plain.focus = scene.stage->mesh.pose(face, {0, 0}, 0);
+    EXPECT_GT(differingPixels(draw(scene), draw(plain)), 100) << face;
+  }
+}
+
+TEST_F(ElementPictureTest, FlagsAndNumbersStandUprightForThePlayer) {
+  const Scene scene = sceneWith("-120 0 120 0 checkpoint\n");
+  Scene turned = scene;
+  ASSERT_EQ(turned.elements.upEdges[0], 2);
+  turned.elements.upEdges[0] = 0;
+  EXPECT_GT(differingPixels(draw(scene), draw(turned)), 50);
+}
+
+TEST_F(ElementPictureTest, AnotherStageReplacesTheFirst) {
+  const Scene first = sceneWith("-120 0 120 0 door 5\n");
+  const Scene second = sceneWith("-120 40 120 40 door 5\n");
+  const Image image = draw(first);
+  EXPECT_NE(draw(second), image);
+  EXPECT_EQ(draw(first), image);
+  EXPECT_EQ(draw(sceneWith("")), draw(sceneOf(sceneWith("").stage))) << "a stage without elements has no states";
+}
+
+// The largest mean difference of a byte in a block of pixels.
+double difference(const Image& a, const Image& b) {
+  double largest = 0;
+  for (std::size_t y = 0; y < a.height; y += kBlock) {
+    for (std::size_t x = 0; x < a.width; x += kBlock) {
+      double sum = 0;
+      for (std::size_t row = y; row < y + kBlock; ++row) {
+        for (std::size_t i = 3 * (row * a.width + x); i < 3 * (row * a.width + x + kBlock); ++i)
+          sum += std::abs(int{a.pixels[i]} - int{b.pixels[i]});
+      }
+      largest = std::max(largest, sum / (3 * kBlock * kBlock));
+    }
+  }
+  return largest;
+}
+
+Image readPng(const std::string& file) {
+  int width = 0;
+  int height = 0;
+  int parts = 0;
+  unsigned char* const pixels = stbi_load(file.c_str(), &width, &height, &parts, 3);
+  if (pixels == nullptr) return {};
+  Image image{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), {}};
+  image.pixels.assign(pixels, pixels + std::ptrdiff_t{3} * width * height);
+  stbi_image_free(pixels);
+  return image;
+}
+
+// Every element, at the edge of two faces; below, the same in the other state.
+TEST_F(ElementPictureTest, EveryElementLooksAsBefore) {
+  const std::string golden = "tests/client/gl/golden/elements.png";
+  Scene scene = sceneOfLevel(readText("tests/levels/picture/elements.level"));
+  scene.focus = scene.stage->mesh.pose(0, {200, -20}, 0);
+  camera_.setZoom(1.6);
+  Image image = draw(scene);
+  const Image other = draw(inOtherState(scene));
+  image.pixels.insert(image.pixels.end(), other.pixels.begin(), other.pixels.end());
+  image.height += other.height;
+  const std::string drawn = testing::TempDir() + "platon_elements.png";
+  writePng(image, drawn);
+  const Image expected = readPng(golden);
+  ASSERT_EQ(expected.pixels.size(), image.pixels.size())
+      << "look at " << drawn << ", and write it with pngquant to " << golden;
+  EXPECT_LT(difference(image, expected), 8)
+      << "look at " << drawn << ", and if it is right, write it with pngquant to " << golden;
+}
+
+}  // namespace
+}  // namespace platon

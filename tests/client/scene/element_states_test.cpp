@@ -1,0 +1,143 @@
+#include "client/scene/element_states.h"
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "platon/physics/map_part.h"
+#include "shared/game/game_rules.h"
+
+namespace platon {
+namespace {
+
+std::shared_ptr<const Level> levelOf(SolidKind kind, const std::string& segmentsOfEachFace) {
+  std::string text = std::string(nameOf(kind)) + "\n0 0 0 0\n1 0 0\n480\n";
+  for (int face = 0; face < PlatonicSolid::of(kind).faces(); ++face) text += "%\n" + segmentsOfEachFace;
+  const LevelResult result = loadLevel(text);
+  if (!result.level) throw std::logic_error("test level: " + result.diagnostics.front().message);
+  return result.level;
+}
+
+// An `up` segment of each edge.
+std::string everyUp(SolidKind kind) {
+  std::string lines;
+  for (int edge = 0; edge < PlatonicSolid::of(kind).edgesPerFace(); ++edge) {
+    const int x = 15 * edge;
+    lines += std::to_string(x) + " -60 " + std::to_string(x + 10) + " -60 up " + std::to_string(edge) + "\n";
+  }
+  return lines;
+}
+
+// Whether the rules of the game let a player of face 0 with this up pass an element of `face`, which is turned by
+// `turn` against face 0.
+bool passes(const Level& level, Angle up, const Element& element, Angle turn) {
+  World world = level.world;
+  Entity entity(world, playerShape());
+  MapPart(world, 0).insert(entity, Point(0, 0), up);
+  std::vector<PlayerState> players(1);
+  UnitNormals normals;
+  TouchedElements touched;
+  const GameRules rules(level, world, players, normals, touched, 0);
+  SegmentRef segment{element.face, element.segment, false, element.ends};
+  segment.toHome = Angle() - turn;
+  return rules.pierce(entity, segment);
+}
+
+TEST(ElementStates, TheUpPointsToTheEdgeWhoseElementsBlock) {
+  for (int i = 0; i < kSolidKinds; ++i) {
+    const auto kind = static_cast<SolidKind>(i);
+    const auto level = levelOf(kind, everyUp(kind));
+    const SolidMesh mesh(kind, level->faceSize);
+    std::vector<Angle> turns(static_cast<std::size_t>(mesh.faces()));
+    std::vector<bool> near(turns.size());
+    near[0] = true;
+    for (int edge = 0; edge < mesh.solid().edgesPerFace(); ++edge) {
+      const PlatonicSolid::Neighbour& next = mesh.solid().neighbour(0, edge);
+      turns[next.face] = next.turn;
+      near[next.face] = true;
+    }
+    for (int degrees = 0; degrees < 360; degrees += 3) {
+      const Angle up(degrees * 100);
+      const Pose pose = mesh.pose(0, {0, 0}, toRadians(up));
+      for (const Element& element : level->elements) {
+        if (!near[element.face]) continue;
+        const bool towards = edgeTowards(mesh, pose, static_cast<int>(element.face)) == element.number;
+        EXPECT_EQ(towards, !passes(*level, up, element, turns[element.face]))
+            << nameOf(kind) << " " << degrees << " face " << element.face << " edge " << int{element.number};
+      }
+    }
+  }
+}
+
+Game gameOn(const std::string& segmentsOfFace0) {
+  const LevelResult result =
+      loadLevel("HEXAHEDRON\n0 -150 -180 0\n5 0 0\n480\n%\n-240 -200 240 -200\n" + segmentsOfFace0 + "%\n%\n%\n%\n%\n");
+  if (!result.level) throw std::logic_error("test level: " + result.diagnostics.front().message);
+  return Game(result.level);
+}
+
+void run(Game& game, int ticks, int buttons) {
+  for (int tick = 0; tick < ticks; ++tick)
+    game.advance(std::vector{Input{static_cast<std::uint8_t>(Input::kPresent | buttons)}});
+}
+
+ElementStates statesOf(const Game& game, std::optional<std::uint32_t> local = 0) {
+  return elementStatesOf(game, local, SolidMesh(game.level().solid, game.level().faceSize));
+}
+
+using States = std::vector<std::uint8_t>;
+
+TEST(ElementStates, AreEmptyWithoutElements) {
+  Game game = gameOn("");
+  run(game, 5, 0);
+  EXPECT_TRUE(statesOf(game).active.empty());
+  EXPECT_TRUE(statesOf(game).upEdges.empty());
+}
+
+TEST(ElementStates, WithoutAPlayerThoseOfTheStart) {
+  const Game game = gameOn("0 0 50 0 up 2\n0 50 50 50 up 1\n0 -50 50 -50 checkpoint\n100 0 150 0 key 4\n");
+  EXPECT_EQ(statesOf(game).active, (States{1, 0, 0, 1}));
+  EXPECT_EQ(statesOf(game, std::nullopt).active, (States{1, 0, 0, 1}));
+  EXPECT_EQ(statesOf(game).upEdges[0], 2) << "the upper edge";
+}
+
+TEST(ElementStates, OnewaySegmentsAndHazardsNeverChange) {
+  Game game = gameOn("0 0 50 0 oneway\n0 50 50 50 hazard\n");
+  run(game, 30, Input::kRight);
+  EXPECT_EQ(statesOf(game).active, (States{1, 1}));
+}
+
+TEST(ElementStates, ATakenKeyOpensItsDoor) {
+  Game game = gameOn("-60 -195 -60 -160 key 3\n60 -195 60 -100 door 3\n100 -195 100 -100 door 4\n");
+  run(game, 10, 0);
+  EXPECT_EQ(statesOf(game).active, (States{1, 1, 1}));
+  run(game, 60, Input::kRight);
+  EXPECT_EQ(statesOf(game).active, (States{0, 0, 1}));
+}
+
+TEST(ElementStates, APlateIsActiveWhileAPlayerStandsOnIt) {
+  Game game = gameOn("-80 -190 0 -190 plate 3\n60 -195 60 -100 door 3\n");
+  run(game, 10, 0);
+  EXPECT_EQ(statesOf(game).active, (States{0, 1}));
+  for (int tick = 0; tick < 300 && game.openDoors() == 0; ++tick)
+    run(game, 1, Input::kRight | (game.tick() % 40 < 30 ? Input::kJump : 0));
+  ASSERT_NE(game.openDoors(), 0u);
+  EXPECT_EQ(statesOf(game).active, (States{1, 0}));
+}
+
+TEST(ElementStates, OnlyTheLastCheckpointOfTheLocalPlayerIsActive) {
+  Game game = gameOn("-80 -195 -80 -160 checkpoint\n0 -195 0 -160 checkpoint\n");
+  run(game, 10, 0);
+  EXPECT_EQ(statesOf(game).active, (States{0, 0}));
+  while (game.player(0).checkpoint != 1 && game.tick() < 200) run(game, 1, Input::kRight);
+  EXPECT_EQ(statesOf(game).active, (States{1, 0}));
+  while (game.player(0).checkpoint != 2 && game.tick() < 200) run(game, 1, Input::kRight);
+  EXPECT_EQ(statesOf(game).active, (States{0, 1}));
+  EXPECT_EQ(statesOf(game, 1).active, (States{0, 0})) << "another player's";
+}
+
+}  // namespace
+}  // namespace platon
