@@ -16,12 +16,33 @@ constexpr std::int32_t kMaxCells = 8000;
 Convex square(std::int32_t r) { return Convex(std::vector<Point>{{-r, -r}, {r, -r}, {r, r}, {-r, r}}); }
 
 // The square that must fit between segments. It is smaller than the ball, because cell centres rarely lie in the middle
-// of a gap. At the goal it is almost a point, because the goal may touch a segment.
-const Convex& probeFor(bool atGoal) {
+// of a gap. At a source it is almost a point, because the goal may touch a segment.
+const Convex& probeFor(bool atSource) {
   static const Convex kSmallBall = square(4 * kSubunitsPerUnit);
   static const Convex kPoint = square(16);
-  return atGoal ? kPoint : kSmallBall;
+  return atSource ? kPoint : kSmallBall;
 }
+
+// What is in the way of a player who comes from a place, while these doors are open.
+struct Obstacles {
+  const Level& level;
+  std::uint32_t open;
+
+  bool block(std::uint32_t face, std::uint32_t segment, Point player) const {
+    const Element* const element = findElement(level.elements, face, segment);
+    if (element == nullptr) return true;
+    switch (element->kind) {
+      case ElementKind::kOneway:
+        return cross(element->ends.b - element->ends.a, player - element->ends.a) > 0;
+      case ElementKind::kUp:
+        return false;
+      case ElementKind::kDoor:
+        return (open & element->bit()) == 0;
+      default:
+        return canBlock(element->kind);
+    }
+  }
+};
 
 // Approximate length, error at most 8 %.
 std::int32_t lengthOf(Point vector) {
@@ -30,13 +51,16 @@ std::int32_t lengthOf(Point vector) {
   return std::max(x, y) + std::min(x, y) * 2 / 5;
 }
 
-bool isFree(const Convex& probe, const MapGeometry& part, Point from, Point to) {
+// Whether a player can move from `to` to `from`.
+bool isFree(const Convex& probe, const Obstacles& obstacles, std::uint32_t face, Point from, Point to) {
+  const MapGeometry& part = *obstacles.level.world.geometry().find(face);
   Sweep sweep;
   sweep.start(probe, from, to - from);
   std::vector<std::uint32_t> segments;
   part.grid.query(sweep.bounds(), segments);
   return std::none_of(segments.begin(), segments.end(), [&](std::uint32_t segment) {
-    return !part.isWarp(segment) && sweep.against(part.segments[segment]).has_value();
+    return !part.isWarp(segment) && obstacles.block(face, segment, to) &&
+           sweep.against(part.segments[segment]).has_value();
   });
 }
 
@@ -47,15 +71,15 @@ const Warp* warpBehind(const MapGeometry& part, Point point) {
   return nullptr;
 }
 
-// The place reached on a straight path from `from` to `to` across at most one edge; nothing if a segment blocks it.
-std::optional<Place> reach(const Convex& probe, const Geometry& geometry, std::uint32_t face, Point from, Point to) {
-  const MapGeometry& part = *geometry.find(face);
-  if (!isFree(probe, part, from, to)) return std::nullopt;
-  const Warp* const warp = warpBehind(part, to);
+// The place from which a straight path across at most one edge leads to `from`; nothing if a segment blocks it.
+std::optional<Place> reach(const Convex& probe, const Obstacles& obstacles, std::uint32_t face, Point from, Point to) {
+  const Geometry& geometry = obstacles.level.world.geometry();
+  if (!isFree(probe, obstacles, face, from, to)) return std::nullopt;
+  const Warp* const warp = warpBehind(*geometry.find(face), to);
   if (warp == nullptr) return Place{face, to};
   const auto beyond = [warp](Point point) { return rounded(warp->map(precise(point))); };
-  const MapGeometry& next = *geometry.find(warp->target);
-  if (!isFree(probe, next, beyond(from), beyond(to)) || warpBehind(next, beyond(to)) != nullptr) return std::nullopt;
+  if (!isFree(probe, obstacles, warp->target, beyond(from), beyond(to))) return std::nullopt;
+  if (warpBehind(*geometry.find(warp->target), beyond(to)) != nullptr) return std::nullopt;
   return Place{warp->target, beyond(to)};
 }
 
@@ -77,13 +101,28 @@ std::int32_t cellsPerAxis(std::size_t faces) {
 
 }  // namespace
 
-GoalDistance::GoalDistance(const Level& level) {
+GoalDistance::GoalDistance(const Level& level) : level_(&level) {
   const Geometry& geometry = level.world.geometry();
   const std::int32_t half = farthestCoordinate(geometry);
   cellSize_ = std::max(kMinCellSize, 2 * half / cellsPerAxis(geometry.parts.size()) + 1);
   side_ = 2 * ((half + cellSize_ / 2) / cellSize_) + 1;
-  distances_.assign(geometry.parts.size() * static_cast<std::size_t>(side_ * side_), kUnreachable);
-  spread(geometry, {level.goalFace, level.goal});
+}
+
+const GoalDistance::Grid& GoalDistance::gridFor(std::uint32_t open) {
+  const auto known = grids_.find(open);
+  return known != grids_.end() ? known->second : grids_.emplace(open, spread(open, sources(open))).first->second;
+}
+
+// The goal, and the keys that have not been taken.
+std::vector<GoalDistance::Reached> GoalDistance::sources(std::uint32_t open) {
+  std::vector<Reached> sources = {{0, {level_->goalFace, level_->goal}}};
+  for (const Element& element : level_->elements) {
+    if (element.kind != ElementKind::kKey || (open & element.bit()) != 0) continue;
+    const Place key{element.face, placeOf(element)};
+    const std::int32_t left = distanceOn(gridFor(level_->doorNumbers), key);
+    if (left != kUnreachable) sources.push_back({left, key});
+  }
+  return sources;
 }
 
 bool GoalDistance::onGrid(const Cell& cell) const {
@@ -107,47 +146,51 @@ GoalDistance::Cell GoalDistance::cellAt(const Place& place) const {
   return {place.part, nearest(place.position.x), nearest(place.position.y)};
 }
 
-void GoalDistance::spread(const Geometry& geometry, const Place& goal) {
+GoalDistance::Grid GoalDistance::spread(std::uint32_t open, const std::vector<Reached>& sources) const {
   const auto farther = [](const Reached& a, const Reached& b) { return a.distance > b.distance; };
+  Grid grid(level_->segments.size() * static_cast<std::size_t>(side_ * side_), kUnreachable);
   std::vector<Reached> front;
-  spreadFrom(geometry, {0, goal}, front);
+  for (const Reached& source : sources) spreadFrom(source, true, open, grid, front);
   std::make_heap(front.begin(), front.end(), farther);
   while (!front.empty()) {
     std::pop_heap(front.begin(), front.end(), farther);
     const Reached reached = front.back();
     front.pop_back();
-    if (reached.distance > lookUp(cellAt(reached.place))) continue;
+    if (reached.distance > lookUp(grid, cellAt(reached.place))) continue;
     const std::size_t known = front.size();
-    spreadFrom(geometry, reached, front);
+    spreadFrom(reached, false, open, grid, front);
     for (std::size_t i = known + 1; i <= front.size(); ++i) {
       std::push_heap(front.begin(), front.begin() + static_cast<std::ptrdiff_t>(i), farther);
     }
   }
+  return grid;
 }
 
-void GoalDistance::spreadFrom(const Geometry& geometry, const Reached& reached, std::vector<Reached>& front) {
+void GoalDistance::spreadFrom(const Reached& reached, bool isSource, std::uint32_t open, Grid& grid,
+                              std::vector<Reached>& front) const {
   const Point from = reached.place.position;
   const Cell middle = cellAt(reached.place);
-  const Convex& probe = probeFor(reached.distance == 0);
   for (std::int32_t i = 0; i < 9; ++i) {
     const Point to = centreOf({middle.face, middle.column + i % 3 - 1, middle.row + i / 3 - 1});
-    const std::optional<Place> place = reach(probe, geometry, middle.face, from, to);
+    const std::optional<Place> place = reach(probeFor(isSource), {*level_, open}, middle.face, from, to);
     if (!place) continue;
     const Cell cell = cellAt(*place);
     const std::int32_t distance = reached.distance + lengthOf(to - from);
-    if (distance >= lookUp(cell)) continue;
-    distances_[indexOf(cell)] = distance;
+    if (distance >= lookUp(grid, cell)) continue;
+    grid[indexOf(cell)] = distance;
     front.push_back({distance, {cell.face, centreOf(cell)}});
   }
 }
 
-std::int32_t GoalDistance::from(const Place& place) const {
+std::int32_t GoalDistance::from(const Place& place, std::uint32_t open) { return distanceOn(gridFor(open), place); }
+
+std::int32_t GoalDistance::distanceOn(const Grid& grid, const Place& place) const {
   const Cell middle = cellAt(place);
   std::int32_t best = kUnreachable;
   // Also tries the neighbouring cells: a floor can separate the place from the centre of its own cell.
   for (std::int32_t i = 0; i < 9; ++i) {
     const Cell cell{middle.face, middle.column + i % 3 - 1, middle.row + i / 3 - 1};
-    const std::int32_t beyond = lookUp(cell);
+    const std::int32_t beyond = lookUp(grid, cell);
     if (beyond == kUnreachable) continue;
     best = std::min(best, beyond + lengthOf(centreOf(cell) - place.position));
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <vector>
 
 #include "platon/game/level.h"
@@ -9,15 +10,20 @@
 namespace platon {
 
 /// Approximate distance to a level's goal along the surface and around segments, for a small ball without gravity.
-/// Computed once on a grid over every face (Dijkstra's algorithm); a heuristic for searching, not an exact distance.
+/// Computed on a grid over every face (Dijkstra's algorithm); a heuristic for searching, not an exact distance.
+///
+/// Hazards and closed doors block, and one-way segments from their left. Segments that block only one up do not. A key
+/// that has not been taken is a goal too: what is left from there is the distance with all doors open.
 class GoalDistance {
  public:
   static constexpr std::int32_t kUnreachable = INT32_MAX;
 
+  /// `level` must outlive the object.
   explicit GoalDistance(const Level& level);
 
-  /// Subunits from `place` to the goal; kUnreachable if segments enclose it.
-  std::int32_t from(const Place& place) const;
+  /// Subunits from `place` to the goal; kUnreachable if segments enclose it. `open`: Game::openDoors. The first call
+  /// with other open doors computes another grid.
+  std::int32_t from(const Place& place, std::uint32_t open = 0);
 
  private:
   struct Cell {
@@ -27,21 +33,29 @@ class GoalDistance {
   };
   struct Reached {
     std::int32_t distance = 0;
-    Place place;  // centre of a cell, or the goal
+    Place place;  // centre of a cell, the goal, or a key
   };
+  using Grid = std::vector<std::int32_t>;
 
   bool onGrid(const Cell& cell) const;
   std::size_t indexOf(const Cell& cell) const;
   Point centreOf(const Cell& cell) const;
   Cell cellAt(const Place& place) const;
-  std::int32_t lookUp(const Cell& cell) const { return onGrid(cell) ? distances_[indexOf(cell)] : kUnreachable; }
+  std::int32_t lookUp(const Grid& grid, const Cell& cell) const {
+    return onGrid(cell) ? grid[indexOf(cell)] : kUnreachable;
+  }
 
-  void spread(const Geometry& geometry, const Place& goal);
-  void spreadFrom(const Geometry& geometry, const Reached& reached, std::vector<Reached>& front);
+  const Grid& gridFor(std::uint32_t open);
+  std::vector<Reached> sources(std::uint32_t open);
+  Grid spread(std::uint32_t open, const std::vector<Reached>& sources) const;
+  void spreadFrom(const Reached& reached, bool isSource, std::uint32_t open, Grid& grid,
+                  std::vector<Reached>& front) const;
+  std::int32_t distanceOn(const Grid& grid, const Place& place) const;
 
+  const Level* level_;
   std::int32_t cellSize_;  // subunits
   std::int32_t side_;      // cells along each axis of a face; odd, so that the origin is the centre of a cell
-  std::vector<std::int32_t> distances_;
+  std::map<std::uint32_t, Grid> grids_;  // by open doors
 };
 
 }  // namespace platon

@@ -30,7 +30,7 @@ std::uint64_t mix(std::uint64_t hash, Point point, std::int32_t step) {
 
 }  // namespace
 
-Planner::Planner(const Game& start, std::uint32_t slot, const GoalDistance& distance)
+Planner::Planner(const Game& start, std::uint32_t slot, GoalDistance& distance)
     : distance_(&distance), game_(start), slot_(slot), inputs_(slot + 1) {
   nodes_.push_back({0, 0, 0, game_.save()});
   open_.push_back({0, 0});
@@ -78,7 +78,7 @@ void Planner::keep(std::uint32_t parent, std::uint8_t buttons) {
 
 std::int64_t Planner::cost(std::uint32_t depth) const {
   const EntityState& entity = game_.world().entities()[slot_];
-  const std::int32_t left = distance_->from({entity.part, entity.position});
+  const std::int32_t left = distance_->from({entity.part, entity.position}, game_.openDoors());
   return depth * kStride * kSpeed + kDistanceWeight * (left == GoalDistance::kUnreachable ? kUnreachableCost : left);
 }
 
@@ -88,6 +88,7 @@ std::uint64_t Planner::signature() const {
   std::uint64_t hash = mix(entity.part, static_cast<std::uint32_t>(entity.angle.centidegrees()));
   hash = mix(hash, entity.position, kPositionStep);
   hash = mix(hash, player.velocity, kVelocityStep);
+  hash = mix(hash, game_.openDoors());
   const bool mayJump = player.coyote != 0 && (player.held & Input::kJump) == 0;
   return mix(hash, (mayJump ? 1u : 0u) | (player.jumping != 0 ? 2u : 0u));
 }

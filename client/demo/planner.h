@@ -18,7 +18,7 @@ class Planner {
 
   /// Plans for `slot` from the state `start`, without input from other players. `distance`: of the same level; must
   /// outlive the planner.
-  Planner(const Game& start, std::uint32_t slot, const GoalDistance& distance);
+  Planner(const Game& start, std::uint32_t slot, GoalDistance& distance);
 
   /// Simulates about this many further ticks.
   Status work(std::uint32_t ticks);
@@ -48,7 +48,7 @@ class Planner {
   std::uint64_t signature() const;
   std::int64_t cost(std::uint32_t depth) const;
 
-  const GoalDistance* distance_;
+  GoalDistance* distance_;
   Game game_;  // scratch for simulation
   std::uint32_t slot_;
   std::vector<Input> inputs_;

@@ -29,6 +29,21 @@ TEST(Demo, FinishesALevel) {
   }
 }
 
+// Over a hazard and through a one-way segment to the goal behind a door, with the key on the other side of the start.
+TEST(Demo, FinishesALevelWithElements) {
+  const LevelResult result = loadLevel(
+      "HEXAHEDRON\n0 -100 -180 0\n0 180 -180\n480\n%\n"
+      "-220 -200 220 -200\n220 -200 220 -80\n220 -80 -220 -80\n-220 -80 -220 -200\n"
+      "-30 -200 -20 -190 hazard\n-20 -190 -10 -200 hazard\n40 -80 40 -200 oneway\n70 -200 70 -150 checkpoint\n"
+      "-200 -180 -200 -160 key 3\n120 -200 120 -80 door 3\n0 -120 30 -120 up 0\n%\n%\n%\n%\n%\n");
+  ASSERT_TRUE(result.level) << result.diagnostics.front().message;
+  Demo demo;
+  Game game(result.level);
+  EXPECT_TRUE(finishes(demo, game, 0, 3000));
+  EXPECT_EQ(game.openDoors(), 1u << 3);
+  EXPECT_EQ(game.player(0).checkpoint, 4) << "the fourth element";
+}
+
 TEST(Demo, FinishesAlthoughItIsPushedOffItsPath) {
   Demo demo;
   Game game(cornerLevel());

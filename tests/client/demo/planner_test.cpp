@@ -19,7 +19,7 @@ Game standingGame(const std::shared_ptr<const Level>& level) {
 
 TEST(Planner, ThePlanReachesTheGoal) {
   for (const auto& level : {flatLevel(), cornerLevel()}) {
-    const GoalDistance distance(*level);
+    GoalDistance distance(*level);
     const Game start = standingGame(level);
     Planner planner(start, 0, distance);
     while (planner.work(10000) == Planner::Status::kSearching) {
@@ -36,7 +36,7 @@ TEST(Planner, ThePlanReachesTheGoal) {
 
 TEST(Planner, ThePlanDoesNotDependOnTheStepSize) {
   const auto level = flatLevel();
-  const GoalDistance distance(*level);
+  GoalDistance distance(*level);
   const Game start = standingGame(level);
   Planner small(start, 0, distance), large(start, 0, distance);
   while (small.work(1) == Planner::Status::kSearching) {
