@@ -130,9 +130,8 @@ def mutations(sources):
 
 def jump(sources):
     """Run speed in units a tick, height and width of a jump in units."""
-    file = "shared/include/platon/game/player_motion.h"
-    speed, gravity, run = (sources.constant(file, name) for name in ("kJumpSpeed", "kGravity", "kRunSpeed"))
-    apex = sources.constant(file, "kApexSpeed")
+    speed, gravity, run = (sources.constant(PLAYER, name) for name in ("kJumpSpeed", "kGravity", "kRunSpeed"))
+    apex = sources.constant(PLAYER, "kApexSpeed")
     height, peak, ticks = 0, 0, 0
     while height >= 0:
         speed -= gravity // 2 if -apex <= speed <= apex else gravity
@@ -140,6 +139,40 @@ def jump(sources):
         peak = max(peak, height)
         ticks += 1
     return [f"{run / 1024:.1f}", f"{peak / 1024:.1f}", f"{(ticks - 1) * run / 1024:.0f}"]
+
+
+def apex(sources):
+    """Largest vertical speed of the apex, units a tick."""
+    return [f"{sources.constant(PLAYER, 'kApexSpeed') / 1024:.1f}"]
+
+
+def falls(sources):
+    """Largest speeds of a fall, without and with down, units a tick."""
+    return [f"{sources.constant(PLAYER, name) / 1024:.1f}" for name in ("kFallSpeed", "kFastFallSpeed")]
+
+
+def turn_round(sources):
+    """Ticks from the run speed to the one in the other direction, on the ground."""
+    text = (sources.root / PLAYER).read_text(encoding="utf-8")
+    acceleration, turn = map(int, re.search(r"kGroundGrip\{(\d+), (\d+), \d+\}", text).groups())
+    run = sources.constant(PLAYER, "kRunSpeed")
+    speed, ticks = run, 0
+    while speed > -run:
+        speed -= min(turn, speed + acceleration) if speed > 0 else acceleration
+        ticks += 1
+    return [str(ticks)]
+
+
+def tilts(sources):
+    """Run speed in units a tick; deflections of the stick up to which the player walks and creeps, in per cent."""
+    text = (sources.root / "client/ui/gamepad_keys.h").read_text(encoding="utf-8")
+    walk, creep = (float(re.search(rf"{name} = ([\d.]+)F", text)[1]) for name in ("kWalk", "kCreep"))
+    return [f"{sources.constant(PLAYER, 'kRunSpeed') / 1024:.1f}", f"{100 * walk:.0f}", f"{100 * creep:.0f}"]
+
+
+def hint(sources):
+    """Seconds in the air after which the picture shows the hint."""
+    return [f"{sources.constant('client/netcode/air_time.h', 'kHintTicks') / 60:g}"]
 
 
 def nudge(sources):
@@ -165,6 +198,7 @@ def quoted(page, pattern):
     return compute
 
 
+PLAYER = "shared/include/platon/game/player_motion.h"
 STEP = "shared/physics/step/entity_step.h"
 LIMITS = "protocol/limits.h"
 BUFFER = "client/netcode/interpolation_buffer.h"
@@ -190,6 +224,14 @@ FIGURES = [
     Figures("docs/netcode.md", "lateness of the last {} ticks", constant(BUFFER, "kWindow")),
     Figures("docs/netcode.md", "and at most {} ticks. This is 25 ms", constant(BUFFER, "kMaxDelay")),
     Figures("docs/netcode.md", "a folder takes at most {} reports", constant("client/desync/desync_folder.h", "kMaxReports")),
+    Figures("docs/playing.md", "not touched ground for {} s", hint),
+    Figures("docs/playing.md", "{} high and about {} wide", lambda sources: jump(sources)[1:]),
+    Figures("docs/playing.md", "rises or falls by at most {} a tick", apex),
+    Figures("docs/playing.md", "at most {} a tick, and {} while down is held", falls),
+    Figures("docs/playing.md", "run {} a tick, walk two thirds of it (the stick up to {} %), creep one third (the stick up to {} %", tilts),
+    Figures("docs/playing.md", "the other way in {} ticks", turn_round),
+    Figures("docs/playing.md", "in the {} ticks after the last one on the ground", constant(PLAYER, "kCoyoteTicks")),
+    Figures("docs/playing.md", "in the {} ticks before the ball may jump", constant(PLAYER, "kJumpBufferTicks")),
     Figures("docs/protocol.md", "one message of at most {} bytes", constant(LIMITS, "kMaxMessageBytes")),
     Figures("README.md", "**{} ×** | the step time of Chipmunk", quoted("docs/speed_vs_error.md", r"\| (\d\.\d+) × chipmunk-7.0 \|")),
     Figures("README.md", "and {} × that of Box2D 2.4", quoted("docs/speed_vs_error.md", r"(\d\.\d+) times that of box2d-2.4")),
