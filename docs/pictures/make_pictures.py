@@ -19,7 +19,7 @@ MAX_GIF_BYTES = 1_500_000
 FILM = {"name": "crossing.gif", "level": "hexahedron/01_first_steps", "from": 2.9, "seconds": 4.6, "width": 640}
 STILLS = [
     {"name": "hexahedron.png", "level": "hexahedron/01_first_steps", "from": 5.2, "players": 2},
-    {"name": "icosahedron.png", "level": "icosahedron/05_the_long_way_round", "from": 4.0, "players": 2},
+    {"name": "icosahedron.png", "level": "icosahedron/05_the_long_way_round", "from": 2.2, "players": 2},
 ]
 LEVEL_WIDTH = 1200
 ELEMENTS = "tests/levels/picture/elements.level"
