@@ -61,7 +61,8 @@ TEST(RunCommandTest, ATraceDoesNotChangeTheGame) {
     last = line;
   }
   EXPECT_EQ(lines, 51);
-  EXPECT_THAT(last, StartsWith("{\"tick\":50,\"hash\":\"" + hash + "\",\"players\":[{\"id\":0,\"legs\":[["));
+  EXPECT_THAT(last,
+              StartsWith("{\"tick\":50,\"hash\":\"" + hash + "\",\"open\":[],\"players\":[{\"id\":0,\"legs\":[["));
 }
 
 TEST(RunCommandTest, RefusesInvalidArguments) {
