@@ -27,9 +27,7 @@ double cellSizeFor(const UprightFaces& faces) {
 }  // namespace
 
 Reach::Reach(const Level& level, int maxCrossings)
-    : faces_(level),
-      maxCrossings_(maxCrossings),
-      opened_(kMaxDoorNumbers, level.players > 1 ? 0 : kNever) {
+    : faces_(level), maxCrossings_(maxCrossings), opened_(kMaxDoorNumbers, level.players > 1 ? 0 : kNever) {
   const double cellSize = cellSizeFor(faces_);
   for (std::uint32_t node = 0; node < faces_.all().size(); ++node)
     grids_.push_back(std::make_unique<ReachGrid>(level, faces_, node, cellSize));
