@@ -73,6 +73,12 @@ class Replay {
 
 }  // namespace
 
+int difficultyOf(const SolutionFacts& facts) {
+  constexpr int kEasyJump = 12;  // a fifth of a second
+  const int hurry = facts.slack ? std::max(0, kEasyJump - *facts.slack) : 0;
+  return static_cast<int>(facts.presses + 4 * facts.turns) + hurry;
+}
+
 std::optional<SolutionFacts> factsOf(const std::shared_ptr<const Level>& level, const Solution& solution) {
   if (solution.empty()) return std::nullopt;
   Replay replay(level, solution.front().size());

@@ -43,6 +43,11 @@ int run(int argc, char** argv) {
       ->add_option("--without-crossing", solving.withoutCrossing,
                    "Prove that no way to the goal has fewer than this many crossings of edges")
       ->check(CLI::Range(0, 200));
+  solve
+      ->add_option("--press-cost", solving.pressCost,
+                   "Count each press of a button as so many ticks: 0 finds a fast way, 30 an easy one")
+      ->check(CLI::Range(0, 600))
+      ->capture_default_str();
   solve->add_flag("--json", solving.json, "Print one JSON object to stdout");
 
   try {

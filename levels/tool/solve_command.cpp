@@ -52,21 +52,23 @@ void printFacts(const Level& level, const SolutionFacts& facts, std::size_t stat
   if (facts.slack) std::printf(", tightest jump %d ticks", *facts.slack);
   const std::string elements = elementsText(level, facts, false);
   if (!elements.empty()) std::printf("; uses %s", elements.c_str());
-  std::printf(" (%zu states searched)\n", states);
+  std::printf(" (difficulty %d, %zu states searched)\n", difficultyOf(facts), states);
 }
 
 void printFactsJson(const Level& level, const SolutionFacts& facts, std::size_t states) {
   const std::string slack = facts.slack ? std::to_string(*facts.slack) : "null";
   std::printf(
       "{\"solved\":true,\"ticks\":%u,\"presses\":%u,\"crossings\":%u,\"turns\":%u,\"slack\":%s,\"elements\":[%s],"
-      "\"states\":%zu}\n",
+      "\"difficulty\":%d,\"states\":%zu}\n",
       facts.ticks, facts.presses, facts.crossings, facts.turns, slack.c_str(), elementsText(level, facts, true).c_str(),
-      states);
+      difficultyOf(facts), states);
 }
 
 int search(const std::shared_ptr<const Level>& level, const SolveOptions& options) {
   LevelSolver solver(level);
-  const auto solution = solver.solve();
+  LevelSolver::Limits limits;
+  limits.pressCost = options.pressCost;
+  const auto solution = solver.solve(limits);
   if (!solution) {
     if (options.json) std::printf("{\"solved\":false,\"states\":%zu}\n", solver.states());
     std::fprintf(stderr, "platon-level: no way to the goal found after %zu states\n", solver.states());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -10,6 +11,7 @@ struct SolveOptions {
   std::string file;
   std::string recording;               ///< file to write; empty: none
   std::optional<int> withoutCrossing;  ///< prove that there is no way with fewer crossings
+  std::uint32_t pressCost = 0;         ///< of each press of a button, in ticks: the higher, the fewer presses
   bool json = false;
 };
 

@@ -46,6 +46,17 @@ TEST(SolutionTest, IsRefusedWhenItDoesNotEndAtTheGoal) {
   EXPECT_FALSE(factsOf(level, {}));
 }
 
+TEST(SolutionTest, IsHarderWithMorePressesTurnsAndATighterJump) {
+  SolutionFacts facts;
+  facts.presses = 5;
+  facts.turns = 2;
+  EXPECT_EQ(difficultyOf(facts), 13);
+  facts.slack = 12;
+  EXPECT_EQ(difficultyOf(facts), 13);
+  facts.slack = 3;
+  EXPECT_EQ(difficultyOf(facts), 22);
+}
+
 TEST(SolutionTest, NamesTheElementsThatWereTouched) {
   const auto level =
       cubeLevel("0 0 -180 0", {kFlat + "40 -180 40 -160 key 3\n60 -180 60 -160 checkpoint\n-90 -200 -60 -200 plate 1"},
