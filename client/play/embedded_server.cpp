@@ -1,6 +1,7 @@
 #include "client/play/embedded_server.h"
 
 #include <atomic>
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <string_view>
@@ -9,10 +10,13 @@
 #include <vector>
 
 #include "client/play/user_folders.h"
+#include "protocol/label.h"
+#include "protocol/limits.h"
 #include "protocol/program_error.h"
 #include "protocol/transport/udp_socket.h"
 #include "server/app/dedicated_server.h"
 #include "server/app/level_files.h"
+#include "server/base/file_watch.h"
 
 namespace platon {
 
@@ -20,8 +24,8 @@ namespace {
 
 constexpr const char* kLoopback = "127.0.0.1";
 
-std::vector<LevelPointer> load(const std::string& levelFile) {
-  LoadedLevels loaded = loadLevelFiles(levelFile.empty() ? shippedLevelFiles() : std::vector<std::string>{levelFile});
+std::vector<LevelPointer> load(const std::vector<std::string>& files) {
+  LoadedLevels loaded = loadLevelFiles(files);
   for (const std::string& warning : loaded.warnings) std::fprintf(stderr, "%s\n", warning.c_str());
   return std::move(loaded.levels);
 }
@@ -49,17 +53,44 @@ Log silentLog() {
   return Log(LogFormat::kText, [](std::string_view) {});
 }
 
+// The first line of an error in a level file, as a notice for the player, who knows which file it is.
+std::string noticeOf(const std::string& file, const std::string& error) {
+  std::string text = error.substr(0, error.find('\n'));
+  if (text.starts_with(file + ":")) text.erase(0, file.size() + 1);
+  text = ("level not reloaded: " + text).substr(0, kMaxReasonBytes);
+  while (!isLabel(text, kMaxReasonBytes)) text.pop_back();
+  return text;
+}
+
 }  // namespace
 
 struct EmbeddedServer::Running {
-  explicit Running(std::vector<LevelPointer> levels)
-      : server(settings(), std::move(levels), silentLog()),
-        thread([this] { server.run([this] { return stop.load(); }); }) {}
+  explicit Running(const std::vector<std::string>& files)
+      : levelFiles(files),
+        server(settings(), load(files), silentLog()),
+        thread([this] { server.run([this] { return shouldStop(); }); }) {}
   ~Running() {
     stop = true;
     thread.join();
   }
 
+  bool shouldStop() {
+    if (levelFiles.poll(std::chrono::steady_clock::now())) reload();
+    return stop;
+  }
+
+  // Whoever plays the only level while it is made sees each version at once.
+  void reload() {
+    try {
+      server.updateLevels(load(levelFiles.files()));
+      if (levelFiles.files().size() == 1) server.match().startNextRound();
+    } catch (const ProgramError& error) {
+      std::fprintf(stderr, "%s\n", error.what());
+      server.match().say(noticeOf(levelFiles.files().front(), error.what()));
+    }
+  }
+
+  FileWatch levelFiles;
   DedicatedServer server;
   std::atomic<bool> stop{false};
   std::thread thread;  // last: uses the members above from its start
@@ -67,7 +98,7 @@ struct EmbeddedServer::Running {
 
 EmbeddedServer::EmbeddedServer(const std::string& levelFile) {
   try {
-    running_ = std::make_unique<Running>(load(levelFile));
+    running_ = std::make_unique<Running>(levelFile.empty() ? shippedLevelFiles() : std::vector{levelFile});
   } catch (const SocketError& error) {
     throw ProgramError(ProgramError::kFailed, error.what());
   }

@@ -11,7 +11,9 @@ namespace platon {
 /// A dedicated server on a free loopback port, in a thread of this program.
 class EmbeddedServer {
  public:
-  /// Starts the server on this level, or on the shipped levels when `levelFile` is empty. Throws ProgramError.
+  /// Starts the server on this level, or on the shipped levels when `levelFile` is empty. Throws ProgramError. When the
+  /// file of the level changes, a new round plays it. If it is invalid, the old level stays, and a notice and stderr
+  /// say why.
   explicit EmbeddedServer(const std::string& levelFile);
   /// Stops the server.
   ~EmbeddedServer();

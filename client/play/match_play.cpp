@@ -111,7 +111,7 @@ void MatchPlay::takeNotice(Moment now) {
   if (!notice) return;
   notice_ = std::move(*notice);
   noticeUntil_ = now + kNoticeTime;
-  std::fprintf(stderr, "platon-client: the operator of the server says: %s\n", notice_.c_str());
+  std::fprintf(stderr, "platon-client: the server says: %s\n", notice_.c_str());
 }
 
 void MatchPlay::saveToken() {

@@ -53,6 +53,8 @@ class DedicatedServer {
 
   /// Plays these levels after the current one.
   void setLevels(std::vector<LevelPointer> levels) { match_.setLevels(std::move(levels)); }
+  /// Plays new versions of the levels from the next round on: as many as there are, in the same order.
+  void updateLevels(std::vector<LevelPointer> levels) { match_.updateLevels(std::move(levels)); }
   void setName(std::string_view name);
   /// From now on refuses clients whose address is banned, and tells the log of some (BanNotices). The list must outlive
   /// the server.

@@ -41,10 +41,19 @@ ServerSettings settingsOf(const ServerOptions& options, Log& log) {
   return settings;
 }
 
-std::vector<LevelPointer> levelsOf(const ServerOptions& options, Log& log) {
-  LoadedLevels loaded = loadLevelFiles(options.levels.empty() ? shippedLevelFiles() : options.levels);
+std::vector<std::string> levelFilesOf(const ServerOptions& options) {
+  return options.levels.empty() ? shippedLevelFiles() : options.levels;
+}
+
+std::vector<LevelPointer> load(const std::vector<std::string>& files, Log& log) {
+  LoadedLevels loaded = loadLevelFiles(files);
   for (const std::string& warning : loaded.warnings) log.warning(warning);
   return std::move(loaded.levels);
+}
+
+void warnOf(const std::exception& error, Log& log) {
+  std::istringstream errors(error.what());
+  for (std::string line; std::getline(errors, line);) log.warning(line);
 }
 
 BanList readBans(const std::string& path) {
@@ -69,7 +78,8 @@ ServerProgram::ServerProgram(const CommandLine& line, const ServerOptions& optio
     : line_(line),
       options_(options),
       bans_(banStoreOf(options.banFile)),
-      server_(settingsOf(options, log), levelsOf(options, log), log),
+      levelFiles_(levelFilesOf(options)),
+      server_(settingsOf(options, log), load(levelFiles_.files(), log), log),
       console_(server_.match(), bans_, consoleProgram()),
       metricsServer_(metricsServerOf(options.metrics)),
       startedAt_(steadyNow()) {
@@ -108,7 +118,9 @@ void ServerProgram::announce() {
 
 void ServerProgram::run(const std::function<bool()>& stopRequested) {
   server_.run([&] {
-    if (steadyNow() >= nextPollAt_) pollTools();
+    const TimePoint now = steadyNow();
+    if (now >= nextPollAt_) pollTools();
+    pollLevels(now);
     return stopRequested() || stopping_;
   });
   logBans(bans_.finish());
@@ -143,10 +155,12 @@ ConsoleReply ServerProgram::reload() {
   Log& log = server_.log();
   try {
     const ServerOptions fresh = optionsOf(line_);
-    std::vector<LevelPointer> levels = levelsOf(fresh, log);
+    FileWatch levelFiles(levelFilesOf(fresh));
+    std::vector<LevelPointer> levels = load(levelFiles.files(), log);
     if (const auto error = bans_.replace(readBans(options_.banFile))) {
       throw ProgramError(ProgramError::kUsage, error->what);
     }
+    levelFiles_ = std::move(levelFiles);
     server_.setLevels(std::move(levels));
     const std::string later = takeOver(fresh);
     enforceBans(server_.match(), bans_.list(), utcNow());
@@ -154,11 +168,22 @@ ConsoleReply ServerProgram::reload() {
     log.info(done);
     return {true, done};
   } catch (const std::exception& error) {
-    std::istringstream errors(error.what());
-    for (std::string line; std::getline(errors, line);) log.warning(line);
+    warnOf(error, log);
     const std::string failed = "configuration and levels not reloaded";
     log.warning(failed);
     return {false, error.what() + ("\n" + failed)};
+  }
+}
+
+void ServerProgram::pollLevels(TimePoint now) {
+  if (!levelFiles_.poll(now)) return;
+  Log& log = server_.log();
+  try {
+    server_.updateLevels(load(levelFiles_.files(), log));
+    log.info("levels reloaded");
+  } catch (const std::exception& error) {
+    warnOf(error, log);
+    log.warning("levels not reloaded");
   }
 }
 

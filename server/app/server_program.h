@@ -13,6 +13,7 @@
 #include "server/admin/metrics_server.h"
 #include "server/app/command_line.h"
 #include "server/app/dedicated_server.h"
+#include "server/base/file_watch.h"
 
 namespace platon {
 
@@ -29,7 +30,8 @@ class ServerProgram {
 
   /// Logs where server, console and metrics are reached.
   void announce();
-  /// Serves until `stopRequested`, which is called before each step, returns true, or until the console stops it.
+  /// Serves until `stopRequested`, which is called before each step, returns true, or until the console stops it. Plays
+  /// levels whose files have changed from the next round on, if they are valid.
   void run(const std::function<bool()>& stopRequested);
   /// Reads configuration, levels and bans again. If anything is invalid, nothing changes. Returns what it has logged.
   ConsoleReply reload();
@@ -50,6 +52,7 @@ class ServerProgram {
 
   void openConsole();
   ConsoleProgram consoleProgram();
+  void pollLevels(TimePoint now);
   std::string takeOver(const ServerOptions& fresh);
   std::string status() const;
   void logBans(const std::optional<std::string>& fault);
@@ -57,6 +60,7 @@ class ServerProgram {
   CommandLine line_;
   ServerOptions options_;  // as they are in effect
   BanStore bans_;
+  FileWatch levelFiles_;
   DedicatedServer server_;
   Console console_;
   std::unique_ptr<ConsoleServer> consoleServer_;  // null: none

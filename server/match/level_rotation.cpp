@@ -21,6 +21,11 @@ void LevelRotation::replace(std::vector<LevelPointer> levels) {
   next_ = 0;
 }
 
+void LevelRotation::update(std::vector<LevelPointer> levels) {
+  assert(levels.size() == levels_.size());
+  levels_ = std::move(levels);
+}
+
 LevelPointer LevelRotation::find(std::uint64_t hash) const {
   if (current_->hash == hash) return current_;
   const auto found = std::find_if(levels_.begin(), levels_.end(), [hash](const auto& l) { return l->hash == hash; });

@@ -24,6 +24,10 @@ class LevelRotation {
   /// Replaces the levels; `levels` must not be empty. The current level stays; the first new one is next.
   void replace(std::vector<LevelPointer> levels);
 
+  /// Replaces each level by its new version: as many as there are, in the same order. The current level stays, and so
+  /// does what is next.
+  void update(std::vector<LevelPointer> levels);
+
   /// The current level or level of the rotation whose text has this hash; null if there is none.
   LevelPointer find(std::uint64_t hash) const;
 

@@ -90,6 +90,8 @@ class Match {
   void stop(const std::string& reason);
   /// Plays these levels after the current one, also when the round has ended already.
   void setLevels(std::vector<LevelPointer> levels);
+  /// Plays new versions of the levels from the next round on: as many as there are, in the same order.
+  void updateLevels(std::vector<LevelPointer> levels);
   /// Sets who keeps the best times of the levels; it must outlive the match. Without it, there are none.
   void keepBestTimes(BestTimeKeeper& keeper) { bestTimes_ = &keeper; }
 
@@ -107,6 +109,8 @@ class Match {
   /// Ends the round; the next one starts after kPauseTicks, or at once if the match has no players. Returns false if
   /// the round is over already.
   bool endRoundNow();
+  /// Starts the next round at once.
+  void startNextRound();
 
   /// Messages to send, in order, since the last call. They are valid until the next call.
   std::span<const Outgoing> takeOutgoing();
@@ -171,7 +175,6 @@ class Match {
   VoteCount countVotes();
   void endRound(const std::string& cause);
   RoundEnd roundEnd() const;
-  void startNextRound();
   void resync(ClientId client, MatchPlayer& player, MatchEvent::Kind cause, std::uint32_t confirmed);
   void sendState(MatchPlayer& player);
   void sendTransfers();

@@ -21,6 +21,11 @@ void Match::setLevels(std::vector<LevelPointer> levels) {
   if (overAt_) sendAll(encode(roundEnd()));
 }
 
+void Match::updateLevels(std::vector<LevelPointer> levels) {
+  rotation_.update(std::move(levels));
+  if (overAt_) sendAll(encode(roundEnd()));
+}
+
 void Match::handle(ClientId client, const Vote& vote) {
   const auto found = players_.find(client);
   if (found != players_.end() && vote.round == round_ && !overAt_) found->second.vote(vote.next, now_);

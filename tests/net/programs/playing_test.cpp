@@ -72,7 +72,7 @@ TEST_F(Play, HearsWhatTheOperatorSays) {
       runProcess(platonCommand("platon-server", {"--console", "--socket", socket}), {"", commands});
   EXPECT_EQ(console.exitCode, 0) << console.errors;
   EXPECT_EQ(console.output, "said to 1 player\n");
-  client.waitForError("platon-client: the operator of the server says: Restart at noon");
+  client.waitForError("platon-client: the server says: Restart at noon");
   client.signal(SIGTERM);
   EXPECT_LE(client.wait(), 1) << client.errors();  // 1 if it has not received the level yet
   stopServer();

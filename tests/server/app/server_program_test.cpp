@@ -67,6 +67,18 @@ TEST_F(ProgramTest, ReloadsLevelsOnHangUp) {
   EXPECT_EQ(server.wait(), 0);
 }
 
+TEST_F(ProgramTest, ReloadsALevelWhoseFileHasChanged) {
+  Process server(platonCommand("platon-server", {level_, "--port", "0", "--bind", "127.0.0.1"}));
+  server.waitForError("round started level=\"\"");
+  write("CUBE\n");
+  server.waitForError(level_ + ":1:1: error: ");
+  server.waitForError("levels not reloaded");
+  write(nearGoalText());
+  server.waitForError("levels reloaded");
+  server.signal(SIGTERM);
+  EXPECT_EQ(server.wait(), 0);
+}
+
 TEST_F(ProgramTest, KeepsItsSettingsWhenTheNewOnesAreInvalid) {
   const std::string file = folder_ / "server.toml";
   writeText(file, "levels = [\"test.level\"]\nlog-format = \"json\"\n");

@@ -50,5 +50,14 @@ TEST(LevelRotation, ReplacingStartsWithTheFirstNewLevel) {
   EXPECT_EQ(rotation.next(), near);
 }
 
+TEST(LevelRotation, UpdatingKeepsThePlace) {
+  const LevelPointer far = levelOf(farGoalText());
+  const LevelPointer near = levelOf(nearGoalText());
+  LevelRotation rotation({far, far});
+  rotation.update({far, near});
+  EXPECT_EQ(rotation.current(), far);
+  EXPECT_EQ(rotation.next(), near);
+}
+
 }  // namespace
 }  // namespace platon

@@ -181,6 +181,19 @@ TEST_F(MatchControlTest, WithoutPlayersTheNextRoundStartsAtOnce) {
   EXPECT_EQ(match().game().level().hash, levelOf(farGoalText())->hash);
 }
 
+TEST_F(MatchControlTest, TheNextRoundCanStartAtOnceWithANewVersionOfItsLevel) {
+  network_.add(player("Ann"));
+  network_.run(50);
+  match().updateLevels({levelOf(nearGoalText()), levelOf("# title: changed\n" + nearGoalText())});
+  EXPECT_EQ(match().game().level().hash, levelOf(farGoalText())->hash) << "the round goes on";
+  match().startNextRound();
+  EXPECT_EQ(match().round(), 2u);
+  EXPECT_EQ(match().game().level().title, "changed");
+  network_.run(60);
+  EXPECT_EQ(network_.client(1).round(), 2u);
+  EXPECT_EQ(network_.client(1).desyncs(), 0u);
+}
+
 TEST_F(MatchControlTest, PlayersAreListedBySlotWithTheirPresentAddress) {
   const auto at = [](const char* address) { return *IpAddress::parse(address); };
   EXPECT_TRUE(match().playerStatus().empty());
