@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Makes the pictures of README.md and docs/: the moving one and the stills. The plots come from ./platon bench.
+"""Makes the pictures of README.md and docs/, the moving one and the stills, and the page of the levels. The plots come
+from ./platon bench.
 
 usage: make_pictures.py PLATON-CLIENT PLATON-LEVEL ROOT
 
@@ -11,6 +12,8 @@ import subprocess
 import sys
 import tempfile
 from pathlib import Path
+
+import levels_page
 
 FOLDER = "docs/pictures"
 FRAMES_PER_SECOND = 20
@@ -89,7 +92,8 @@ def main(arguments):
             print(make_still(client, root, picture))
         for level in [*sorted(root.glob("levels/*/*.level"), key=lambda path: path.name), root / ELEMENTS]:
             print(make_level_picture(tool, root, level))
-    except PictureError as error:
+        print(levels_page.write(tool, root))
+    except (PictureError, levels_page.PageError) as error:
         print(f"make_pictures.py: {error}", file=sys.stderr)
         return 1
     return 0

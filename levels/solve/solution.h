@@ -26,8 +26,8 @@ struct SolutionFacts {
   friend bool operator==(const SolutionFacts&, const SolutionFacts&) = default;
 };
 
-/// How hard a solution is, to put levels in order: each press counts 1, each turn of down 4, and each tick that a player
-/// has less than 12 for the tightest jump counts 1.
+/// How hard a solution is, to put levels in order: each press counts 1, each turn of down 4, and each tick that a
+/// player has less than 12 for the tightest jump counts 1.
 int difficultyOf(const SolutionFacts& facts);
 
 /// Replays a solution. Nothing when it does not bring all players to the goal in its last tick.

@@ -38,7 +38,11 @@ int run(int argc, char** argv) {
   platon::SolveOptions solving;
   CLI::App* solve = app.add_subcommand("solve", "Search for a way to the goal");
   solve->add_option("FILE", solving.file, "Level file")->required();
-  solve->add_option("-o,--output", solving.recording, "Recording of the way to write");
+  CLI::Option* output = solve->add_option("-o,--output", solving.recording, "Recording of the way to write");
+  solve
+      ->add_option("--recorded", solving.recorded,
+                   "Tell about the way in this recording instead of searching; fails if it does not lead to the goal")
+      ->excludes(output);
   solve
       ->add_option("--without-crossing", solving.withoutCrossing,
                    "Prove that no way to the goal has fewer than this many crossings of edges")

@@ -2,29 +2,20 @@
 
 #include <cstdio>
 #include <fstream>
+#include <iterator>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "levels/reach/reach.h"
 #include "levels/solve/level_solver.h"
+#include "levels/solve/recorded_way.h"
 #include "levels/tool/exit_code.h"
 #include "levels/tool/json_text.h"
 #include "levels/tool/level_file.h"
-#include "platon/game/recorder.h"
 
 namespace platon {
 namespace {
-
-std::vector<std::uint8_t> recordingOf(const std::shared_ptr<const Level>& level, const Solution& solution) {
-  Game game(level);
-  Recorder recorder(game);
-  for (const std::vector<Input>& inputs : solution) {
-    game.advance(inputs);
-    recorder.record(inputs, game);
-  }
-  recorder.finish(game);
-  return recorder.takeBytes();
-}
 
 bool write(const std::string& file, const std::vector<std::uint8_t>& bytes) {
   std::ofstream out(file, std::ios::binary);
@@ -46,22 +37,22 @@ std::string elementsText(const Level& level, const SolutionFacts& facts, bool js
   return text;
 }
 
-void printFacts(const Level& level, const SolutionFacts& facts, std::size_t states) {
+void printFacts(const Level& level, const SolutionFacts& facts) {
   std::printf("solved in %.2f s: %u presses, %u crossings, %u turns of down", facts.ticks / 60.0, facts.presses,
               facts.crossings, facts.turns);
   if (facts.slack) std::printf(", tightest jump %d ticks", *facts.slack);
   const std::string elements = elementsText(level, facts, false);
   if (!elements.empty()) std::printf("; uses %s", elements.c_str());
-  std::printf(" (difficulty %d, %zu states searched)\n", difficultyOf(facts), states);
+  std::printf("; difficulty %d", difficultyOf(facts));
 }
 
-void printFactsJson(const Level& level, const SolutionFacts& facts, std::size_t states) {
+void printFactsJson(const Level& level, const SolutionFacts& facts) {
   const std::string slack = facts.slack ? std::to_string(*facts.slack) : "null";
   std::printf(
       "{\"solved\":true,\"ticks\":%u,\"presses\":%u,\"crossings\":%u,\"turns\":%u,\"slack\":%s,\"elements\":[%s],"
-      "\"difficulty\":%d,\"states\":%zu}\n",
+      "\"difficulty\":%d",
       facts.ticks, facts.presses, facts.crossings, facts.turns, slack.c_str(), elementsText(level, facts, true).c_str(),
-      difficultyOf(facts), states);
+      difficultyOf(facts));
 }
 
 int search(const std::shared_ptr<const Level>& level, const SolveOptions& options) {
@@ -75,8 +66,38 @@ int search(const std::shared_ptr<const Level>& level, const SolveOptions& option
     return kFailed;
   }
   const SolutionFacts facts = factsOf(level, *solution).value();
-  options.json ? printFactsJson(*level, facts, solver.states()) : printFacts(*level, facts, solver.states());
-  return options.recording.empty() || write(options.recording, recordingOf(level, *solution)) ? 0 : kFailed;
+  if (options.json) {
+    printFactsJson(*level, facts);
+    std::printf(",\"states\":%zu}\n", solver.states());
+  } else {
+    printFacts(*level, facts);
+    std::printf(" (%zu states searched)\n", solver.states());
+  }
+  return options.recording.empty() || write(options.recording, recordWay(level, *solution)) ? 0 : kFailed;
+}
+
+// Tells about a recorded way, if it is one of this level.
+int tell(const std::shared_ptr<const Level>& level, const SolveOptions& options) {
+  std::ifstream in(options.recorded, std::ios::binary);
+  const std::vector<std::uint8_t> bytes(std::istreambuf_iterator<char>(in), {});
+  if (!in) {
+    std::fprintf(stderr, "platon-level: cannot read '%s'\n", options.recorded.c_str());
+    return kUsage;
+  }
+  const RecordedWay way = readRecordedWay(bytes);
+  if (!way.fault.empty()) {
+    std::fprintf(stderr, "%s: error: %s\n", options.recorded.c_str(), way.fault.c_str());
+    return kInvalidLevel;
+  }
+  const auto facts = way.level->hash == level->hash ? factsOf(level, way.inputs) : std::nullopt;
+  if (!facts) {
+    std::fprintf(stderr, "platon-level: '%s' is no way to the goal of '%s' as it is now; record a new one with -o\n",
+                 options.recorded.c_str(), options.file.c_str());
+    return kFailed;
+  }
+  options.json ? printFactsJson(*level, *facts) : printFacts(*level, *facts);
+  std::printf(options.json ? "}\n" : "\n");
+  return 0;
 }
 
 // Proves that no way has fewer crossings, or shows one, or says that it can do neither.
@@ -95,7 +116,7 @@ int prove(const std::shared_ptr<const Level>& level, const SolveOptions& options
   const auto facts = way ? factsOf(level, *way) : std::nullopt;
   if (facts) {
     std::fprintf(stderr, "platon-level: a way has %u crossings\n", facts->crossings);
-    if (!options.recording.empty() && !write(options.recording, recordingOf(level, *way))) return kFailed;
+    if (!options.recording.empty() && !write(options.recording, recordWay(level, *way))) return kFailed;
   } else {
     std::fprintf(stderr,
                  "platon-level: not proved: there may be a way with fewer than %d crossings, but none was found\n",
@@ -110,6 +131,7 @@ int solveLevel(const SolveOptions& options) {
   const std::optional<LevelResult> result = loadLevelFile(options.file);
   if (!result) return kUsage;
   if (!result->level) return kInvalidLevel;
+  if (!options.recorded.empty()) return tell(result->level, options);
   return options.withoutCrossing ? prove(result->level, options) : search(result->level, options);
 }
 

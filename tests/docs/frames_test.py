@@ -10,7 +10,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-LEVEL = "levels/hexahedron/01_first_steps.level"
+LEVEL = "tests/determinism/golden/levels/hexahedron.level"
 
 
 class Frames(unittest.TestCase):

@@ -1,74 +1,117 @@
+// Each shipped level by itself, and all of them as a sequence.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <filesystem>
+#include <map>
+#include <set>
 #include <string>
-#include <vector>
 
-#include "platon/game/game.h"
-#include "platon/game/level.h"
-#include "tests/levels/written_solution.h"
+#include "levels/check/level_warnings.h"
+#include "levels/picture/level_picture.h"
+#include "tests/levels/shipped_level.h"
+#include "tests/sim/verification.h"
 #include "tests/support/files.h"
 
 namespace platon {
 namespace {
 
-std::string stemOf(const std::string& path) { return std::filesystem::path(path).stem().string(); }
+// Fewest ticks for which the tightest jump of a level may be pressed.
+constexpr int kLeastSlack = 5;
 
-class ShippedLevelTest : public testing::TestWithParam<std::string> {
- protected:
-  std::string text() const { return readText(GetParam()); }
-  std::shared_ptr<const Level> level() const { return loadLevel(text()).level; }
-  std::vector<Input> solution() const { return readSolution("tests/levels/solutions/" + stemOf(GetParam()) + ".txt"); }
-};
+class ShippedLevelTest : public testing::TestWithParam<std::string> {};
 
 TEST_P(ShippedLevelTest, HasNoErrorsAndNoWarnings) {
-  const LevelResult result = loadLevel(text());
-  for (const Diagnostic& one : result.diagnostics) {
-    ADD_FAILURE() << GetParam() << ":" << one.line << ":" << one.column << ": " << one.message;
-  }
-  ASSERT_NE(result.level, nullptr);
-  EXPECT_FALSE(result.level->title.empty());
-  EXPECT_FALSE(result.level->author.empty());
+  const LevelResult result = loadLevel(readText(GetParam()));
+  ASSERT_NE(result.level, nullptr) << GetParam();
+  std::vector<Diagnostic> found = result.diagnostics;
+  for (const Diagnostic& one : warningsOf(result.level)) found.push_back(one);
+  for (const Diagnostic& one : found) ADD_FAILURE() << format(GetParam(), one);
 }
 
-TEST_P(ShippedLevelTest, EveryFaceHas3To40Segments) {
-  const auto level = this->level();
-  ASSERT_NE(level, nullptr);
-  for (std::size_t face = 0; face < level->segments.size(); ++face) {
-    EXPECT_GE(level->segments[face].size(), 3u) << "face " << face;
-    EXPECT_LE(level->segments[face].size(), 40u) << "face " << face;
-  }
+TEST_P(ShippedLevelTest, StatesWhatItIs) {
+  const auto level = loadLevel(readText(GetParam())).level;
+  ASSERT_NE(level, nullptr) << GetParam();
+  EXPECT_FALSE(level->title.empty());
+  EXPECT_FALSE(level->author.empty());
+  EXPECT_TRUE(level->crossings.has_value()) << "# crossings: N is missing";
 }
 
-TEST_P(ShippedLevelTest, IsFinishedByItsSolution) {
-  Game game(level());
-  const std::vector<Input> inputs = solution();
-  for (std::size_t tick = 0; tick < inputs.size(); ++tick) {
-    ASSERT_FALSE(tick != 0 && game.player(0).finished()) << "already at tick " << tick << " of " << inputs.size();
-    game.advance({&inputs[tick], 1});
-  }
-  EXPECT_TRUE(game.player(0).finished());
-  EXPECT_TRUE(game.over());
-  EXPECT_GT(game.ticksLeft(), 0u);
+// The recording says for each tick what the game was, so it also shows that the rules are as they were.
+TEST_P(ShippedLevelTest, ItsRecordedWayReachesTheGoal) {
+  const ShippedLevel shipped(GetParam());
+  ASSERT_TRUE(shipped.isRecordedAsItIs()) << "run tests/levels/record.sh " << GetParam();
+  const sim::Verification found = sim::Verifier(shipped.recording()).run();
+  EXPECT_EQ(found.fault, "");
+  EXPECT_FALSE(found.divergence);
+  EXPECT_EQ(found.slots, shipped.level()->players);
+  const auto facts = factsOf(shipped.level(), shipped.way());
+  ASSERT_TRUE(facts) << "not all players are at the goal at the end";
+  EXPECT_GE(facts->crossings, shipped.level()->crossings.value_or(0));
+  EXPECT_GE(facts->slack.value_or(kLeastSlack), kLeastSlack) << "the tightest jump is too tight";
+}
+
+TEST_P(ShippedLevelTest, HasAPicture) {
+  const auto level = loadLevel(readText(GetParam())).level;
+  ASSERT_NE(level, nullptr) << GetParam();
+  const Canvas picture = drawLevel(*level, 800);
+  const std::vector<std::uint32_t> pixels = picture.pixels();
+  const std::set<std::uint32_t> colours(pixels.begin(), pixels.end());
+  EXPECT_GT(colours.size(), level->segments.size()) << "each face has a tint of its own";
+  EXPECT_TRUE(std::filesystem::exists("docs/pictures/level_" + shippedName(GetParam()) + ".png"))
+      << "run ./platon pictures";
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ShippedLevelTest, testing::ValuesIn(shippedLevels()),
-                         [](const auto& spec) { return stemOf(spec.param); });
+                         [](const auto& spec) { return shippedName(spec.param); });
 
-TEST(ShippedLevelsTest, EverySolidHasALevelAndTheFirstIsAHexahedron) {
-  std::set<SolidKind> kinds;
-  for (const std::string& name : shippedLevels()) kinds.insert(loadLevel(readText(name)).level->solid);
-  EXPECT_EQ(kinds.size(), static_cast<std::size_t>(kSolidKinds));
-  EXPECT_EQ(loadLevel(readText(shippedLevels().front())).level->solid, SolidKind::kHexahedron);
+std::vector<ShippedLevel> allLevels() {
+  std::vector<ShippedLevel> all;
+  for (const std::string& file : shippedLevels()) all.emplace_back(file);
+  return all;
 }
 
-TEST(ShippedLevelsTest, EverySolutionHasItsLevel) {
-  for (const auto& entry : std::filesystem::directory_iterator("tests/levels/solutions")) {
-    const auto levels = shippedLevels();
-    const std::string name = entry.path().stem().string();
-    EXPECT_TRUE(std::any_of(levels.begin(), levels.end(), [&](const auto& level) { return stemOf(level) == name; }))
-        << entry.path();
+TEST(ShippedLevelsTest, AreNumberedInTheOrderOfTheRotation) {
+  int number = 0;
+  for (const std::string& file : shippedLevels()) {
+    EXPECT_EQ(std::stoi(shippedName(file)), ++number) << file;
+  }
+}
+
+TEST(ShippedLevelsTest, AreEnoughOnEachSolidAndForTwoPlayers) {
+  std::map<SolidKind, int> ofSolid;
+  int forSeveral = 0;
+  int needCrossings = 0;
+  std::set<std::string> titles;
+  for (const ShippedLevel& one : allLevels()) {
+    ++ofSolid[one.level()->solid];
+    forSeveral += one.level()->players >= 2 ? 1 : 0;
+    needCrossings += one.level()->crossings.value_or(0) >= 1 ? 1 : 0;
+    EXPECT_TRUE(titles.insert(one.level()->title).second) << one.name() << " has the title of another level";
+  }
+  ASSERT_EQ(ofSolid.size(), static_cast<std::size_t>(kSolidKinds));
+  for (const auto& [solid, count] : ofSolid) EXPECT_GE(count, 6) << nameOf(solid);
+  EXPECT_GE(forSeveral, 6);
+  EXPECT_GE(needCrossings, 24);
+}
+
+TEST(ShippedLevelsTest, GetHarderOnEachSolid) {
+  std::map<SolidKind, std::pair<int, std::string>> hardest;
+  for (const ShippedLevel& one : allLevels()) {
+    const auto facts = factsOf(one.level(), one.way());
+    ASSERT_TRUE(facts) << one.name();
+    const int difficulty = difficultyOf(*facts);
+    auto& [most, name] = hardest[one.level()->solid];
+    EXPECT_GT(difficulty, most) << one.name() << " after " << name;
+    most = difficulty;
+    name = one.name();
+  }
+}
+
+TEST(ShippedLevelsTest, EachRecordingHasItsLevel) {
+  std::set<std::string> names;
+  for (const std::string& file : shippedLevels()) names.insert(shippedName(file));
+  for (const std::string& file : filesIn("tests/levels/ways", ".recording")) {
+    EXPECT_TRUE(names.contains(shippedName(file))) << file;
   }
 }
 

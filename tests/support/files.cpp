@@ -41,4 +41,12 @@ std::vector<std::string> filesIn(const std::filesystem::path& folder, const std:
 
 std::vector<std::string> shippedLevels() { return filesIn("levels", ".level"); }
 
+std::vector<std::string> solidLevels() {
+  std::vector<std::string> files;
+  for (const char* solid : {"tetrahedron", "hexahedron", "octahedron", "dodecahedron", "icosahedron"}) {
+    files.push_back(std::string("tests/determinism/golden/levels/") + solid + ".level");
+  }
+  return files;
+}
+
 }  // namespace platon

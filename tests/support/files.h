@@ -22,4 +22,7 @@ std::vector<std::string> filesIn(const std::filesystem::path& folder, const std:
 /// The levels that are shipped, in the order of the rotation.
 std::vector<std::string> shippedLevels();
 
+/// One level of each solid, with segments on every face, for whoever runs about at random.
+std::vector<std::string> solidLevels();
+
 }  // namespace platon

@@ -14,7 +14,7 @@ namespace platon {
 /// A dedicated server on a free loopback port.
 class ServerTest : public testing::Test {
  protected:
-  static inline const std::string kLevel = "levels/hexahedron/01_first_steps.level";
+  static inline const std::string kLevel = "tests/determinism/golden/levels/hexahedron.level";
 
   void startServer(std::vector<std::string> options = {}) {
     options.insert(options.begin(), {kLevel, "--bind", "127.0.0.1", "--port", "0"});

@@ -11,11 +11,12 @@
 #include "protocol/program_error.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/test_levels.h"
 
 namespace platon {
 namespace {
 
-constexpr const char* kLevel = "levels/hexahedron/01_first_steps.level";
+constexpr const char* kLevel = "tests/determinism/golden/levels/hexahedron.level";
 
 bool connects(const ServerAddress& address) {
   const Clock clock = steadyClock();
@@ -69,6 +70,46 @@ TEST(EmbeddedServer, AnInvalidLevelIsALevelError) {
   const auto [exitCode, message] = errorOf(file);
   EXPECT_EQ(exitCode, ProgramError::kLevel);
   EXPECT_EQ(message.find(file + ":1:1: error: "), 0U) << message;
+}
+
+// A client that plays on the server.
+class Guest {
+ public:
+  explicit Guest(const ServerAddress& address) : clock_(steadyClock()), client_(address, {"someone"}, clock_.now()) {}
+
+  template <class Condition>
+  bool playUntil(Condition&& condition) {
+    const Moment end = clock_.now() + std::chrono::seconds(20);
+    for (Moment now = clock_.now(); now < end; now = clock_.now()) {
+      if (condition(client_)) return true;
+      client_.update(now, [](const Game&, std::uint32_t) { return Input{}; });
+      clock_.sleepUntil(now + std::chrono::milliseconds(2));
+    }
+    return false;
+  }
+
+ private:
+  Clock clock_;
+  NetworkClient client_;
+};
+
+TEST(EmbeddedServer, PlaysTheLevelAnewWhenItsFileChanges) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "mine.level";
+  const auto plays = [](const std::string& title) {
+    return [title](const NetworkClient& client) {
+      const Round* const round = client.session() ? client.session()->round() : nullptr;
+      return round && round->prediction().predicted().level().title == title;
+    };
+  };
+  writeText(file, "# title: first\n" + nearGoalText());
+  const EmbeddedServer server(file);
+  Guest guest(server.address());
+  ASSERT_TRUE(guest.playUntil(plays("first")));
+  writeText(file, "# title: broken\nCUBE\n");
+  ASSERT_TRUE(guest.playUntil([](NetworkClient& client) { return client.takeNotice().has_value(); }));
+  writeText(file, "# title: second\n" + nearGoalText());
+  EXPECT_TRUE(guest.playUntil(plays("second")));
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ struct Step {
 class WindowPlayTest : public testing::Test {
  protected:
   WindowPlayTest() {
-    options_.level = "levels/hexahedron/01_first_steps.level";
+    options_.level = "tests/determinism/golden/levels/hexahedron.level";
     options_.seconds = 60;  // a test that does not end by itself fails
   }
   ~WindowPlayTest() override { fakeGamepad.reset(); }

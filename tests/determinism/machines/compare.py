@@ -20,6 +20,7 @@ from pathlib import Path
 from machine import MACHINES, ROOT, MachineError
 
 PLAYERS = 8
+SOLIDS = ("tetrahedron", "hexahedron", "octahedron", "dodecahedron", "icosahedron")
 
 
 @dataclass
@@ -33,16 +34,6 @@ class Outcome:
     fault: str = ""
 
 
-def first_level_of_each_solid(levels):
-    """The first level file, by name, of each solid."""
-    chosen = {}
-    for path in sorted(levels):
-        words = (line.split("#")[0].split() for line in path.read_text(encoding="utf-8").splitlines())
-        solid = next((word[0] for word in words if word), "")
-        chosen.setdefault(solid, path)
-    return sorted(chosen.values())
-
-
 def cases_of(options):
     """[(name, arguments of platon-sim)] of the runs on each machine."""
     if options.ticks is None:
@@ -50,7 +41,8 @@ def cases_of(options):
         return [(file.stem, ["verify", file, "--json"]) for file in files]
     settings = ["--players", PLAYERS, "--ticks", options.ticks, "--seed", options.seed]
     settings += ["--drive", options.drive, "--json"]
-    return [(file.stem, ["run", file, *settings]) for file in first_level_of_each_solid(options.levels.rglob("*.level"))]
+    solids = [options.golden / f"levels/{solid}.level" for solid in SOLIDS]
+    return [(file.stem, ["run", file, *settings]) for file in solids]
 
 
 def run(machine, builds, arguments):
@@ -143,7 +135,7 @@ def compare(machines, options):
     """Builds, runs and prints the table; returns the exit code."""
     cases = cases_of(options)
     if not cases:
-        progress(f"nothing to compare: no recording in {options.golden}, no level in {options.levels}")
+        progress(f"nothing to compare: no recording in {options.golden}")
         return 1
     built = build_all(machines, options)
     outcomes = run_all(machines, cases, options.builds, options.jobs)
@@ -165,7 +157,6 @@ def parsed(arguments):
     parser.add_argument("--builds", type=Path, default=ROOT / "build/machines", metavar="DIR")
     parser.add_argument("--launcher", default="", metavar="PROGRAM", help="runs the compilers, for example ccache")
     parser.add_argument("--golden", type=Path, default=ROOT / "tests/determinism/golden", metavar="DIR")
-    parser.add_argument("--levels", type=Path, default=ROOT / "levels", metavar="DIR")
     options = parser.parse_args(arguments)
     if options.ticks is not None and options.ticks < 1:
         parser.error("--ticks needs a number of at least 1")

@@ -1,4 +1,4 @@
-// Entities at random velocities on shipped levels and random fields of every solid. The oracle checks every leg of the
+// Entities at random velocities on a level and random fields of every solid. The oracle checks every leg of the
 // first ticks of each round.
 #include <gtest/gtest.h>
 
@@ -134,9 +134,9 @@ class Flight {
   Tally tally_;
 };
 
-std::vector<Field> fieldsOfShippedLevels() {
+std::vector<Field> fieldsOfSolidLevels() {
   std::vector<Field> fields;
-  for (const std::string& file : shippedLevels()) {
+  for (const std::string& file : solidLevels()) {
     const auto level = loadLevel(readText(file)).level;
     if (level) fields.push_back({file, level->world, playerShape(), level->solid, level->faceSize});
   }
@@ -168,7 +168,7 @@ void report(const Tally& total) {
 }
 
 TEST(FlingTest, InvariantsHoldOnTheShippedLevels) {
-  const std::vector<Field> fields = fieldsOfShippedLevels();
+  const std::vector<Field> fields = fieldsOfSolidLevels();
   ASSERT_GE(fields.size(), 5u);
   RandomSource random(kSeed);
   Tally total;

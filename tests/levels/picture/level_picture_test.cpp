@@ -58,9 +58,9 @@ double difference(const std::vector<std::uint32_t>& a, const std::vector<std::ui
   return sum / (3 * static_cast<double>(a.size()));
 }
 
-// The shipped levels, and one with every element.
+// One of each solid, and one with every element.
 std::vector<std::string> drawnLevels() {
-  std::vector<std::string> levels = shippedLevels();
+  std::vector<std::string> levels = solidLevels();
   levels.emplace_back("tests/levels/picture/elements.level");
   return levels;
 }

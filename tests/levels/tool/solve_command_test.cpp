@@ -46,6 +46,19 @@ TEST_F(SolveCommandTest, WritesARecordingThatReachesTheGoal) {
   EXPECT_GT(found.ticks, 60u);
 }
 
+TEST_F(SolveCommandTest, TellsAboutARecordedWay) {
+  const ProcessResult found = run("crossing.level --press-cost 30 -o way.recording");
+  const ProcessResult told = run("crossing.level --recorded way.recording");
+  EXPECT_EQ(told.exitCode, 0) << told.errors;
+  EXPECT_EQ(told.output, found.output.substr(0, found.output.rfind(" (")) + "\n");
+  EXPECT_TRUE(run("crossing.level --recorded way.recording --json").output.ends_with(",\"difficulty\":1}\n"));
+  const ProcessResult other = run("closed.level --recorded way.recording");
+  EXPECT_EQ(other.exitCode, 1);
+  EXPECT_NE(other.errors.find("is no way to the goal of 'closed.level' as it is now"), std::string::npos);
+  EXPECT_EQ(run("crossing.level --recorded missing.recording").exitCode, 2);
+  EXPECT_EQ(run("crossing.level --recorded closed.level").exitCode, 3);
+}
+
 TEST_F(SolveCommandTest, PrintsJson) {
   const ProcessResult result = run("crossing.level --json");
   EXPECT_EQ(result.exitCode, 0);

@@ -11,7 +11,7 @@ from types import SimpleNamespace
 
 from processes import Bots, Failure, Program, Server
 
-LEVEL = "levels/icosahedron/05_the_long_way_round.level"
+LEVEL = "tests/determinism/golden/levels/icosahedron.level"
 PLAYERS = 64
 BOTS = 4
 SETTLE = 4  # seconds until the bots are measured, and the attack begins

@@ -26,7 +26,7 @@ from protocol_page import Page
 sys.path.append(str(Path(__file__).resolve().parent.parent / "matrix"))
 import processes  # noqa: E402
 
-LEVEL = "levels/icosahedron/05_the_long_way_round.level"
+LEVEL = "tests/determinism/golden/levels/icosahedron.level"
 NAME = "Quixotic Axolotl"
 NOTICE = "Restart at noon: Łódź"
 PASSWORD = "correct horse battery staple"

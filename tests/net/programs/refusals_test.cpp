@@ -38,7 +38,7 @@ const std::vector<Refusal> kRefusals = {
     {"Name", "platon-client", {"--name", std::string(33, 'x')}, 2, "--name"},
     {"LevelForARemoteServer", "platon-client", {"localhost", "--level", "x.level"}, 2, "--level"},
     {"NoSuchLevel", "platon-client", {"--offscreen", "--level", "no/such.level"}, 2, "no/such.level"},
-    {"NoDisplay", "platon-client", {"--level", "levels/hexahedron/01_first_steps.level"}, 2, "--offscreen"},
+    {"NoDisplay", "platon-client", {"--level", "tests/determinism/golden/levels/hexahedron.level"}, 2, "--offscreen"},
     {"NoServer",
      "platon-client",
      {"127.0.0.1:1", "--offscreen", "--seconds", "30"},

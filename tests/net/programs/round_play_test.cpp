@@ -40,7 +40,7 @@ class Voter {
 
 class RoundPlay : public ServerTest {
  protected:
-  static constexpr const char* kSecond = "levels/tetrahedron/02_half_turn.level";
+  static constexpr const char* kSecond = "tests/determinism/golden/levels/tetrahedron.level";
 
   // Updates all until `done`. Returns whether it is done.
   static bool play(const std::vector<Voter*>& voters, const std::function<bool()>& done) {

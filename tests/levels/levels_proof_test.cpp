@@ -1,0 +1,82 @@
+// That each shipped level needs the crossings that it states, and that the proof would find a shortcut.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <optional>
+#include <sstream>
+#include <string>
+
+#include "levels/reach/reach.h"
+#include "platon/game/game.h"
+#include "tests/levels/shipped_level.h"
+#include "tests/support/files.h"
+
+namespace platon {
+namespace {
+
+// The same level with its goal at another place.
+std::shared_ptr<const Level> withGoal(const Level& level, const EntityState& place) {
+  char goal[80];
+  std::snprintf(goal, sizeof goal, "%u %.4f %.4f", place.part, place.position.x / 1024.0, place.position.y / 1024.0);
+  std::istringstream text(level.text);
+  std::string moved;
+  std::string line;
+  for (int number = 1; std::getline(text, line); ++number) {
+    moved += (number == level.goalAt.line ? goal : line) + "\n";
+  }
+  return loadLevel(moved).level;
+}
+
+class LevelProofTest : public testing::TestWithParam<std::string> {
+ protected:
+  LevelProofTest() : shipped_(GetParam()), level_(shipped_.level()) {}
+
+  int crossings() const { return static_cast<int>(level_->crossings.value_or(0)); }
+
+  // Plays the recorded way, and calls visit(player) for each player that has fewer crossings than the level states.
+  template <class Visitor>
+  void forEachEarlyPlace(Visitor&& visit) {
+    Game game(level_);
+    for (const std::vector<Input>& inputs : shipped_.way()) {
+      game.advance(inputs);
+      for (const EntityState& player : game.world().entities()) {
+        if (static_cast<int>(player.crossings) < crossings()) visit(player);
+      }
+    }
+  }
+
+  ShippedLevel shipped_;
+  std::shared_ptr<const Level> level_;
+};
+
+// The bound must also allow what players really do: wherever one is on the recorded way, with as many crossings.
+TEST_P(LevelProofTest, EveryWayNeedsTheCrossingsThatTheLevelStates) {
+  if (crossings() == 0) return;
+  const Reach reach(*level_, crossings() - 1);
+  EXPECT_EQ(reach.crossingsToGoal(), std::nullopt)
+      << "see platon-level solve --without-crossing " << crossings() << " " << GetParam();
+  forEachEarlyPlace([&](const EntityState& player) {
+    const auto least = reach.crossingsTo(player.part, player.position, player.angle);
+    EXPECT_TRUE(least && *least <= static_cast<int>(player.crossings))
+        << "face " << player.part << " at " << player.position.x / 1024 << " " << player.position.y / 1024;
+  });
+}
+
+// The goal is moved to the last place on the recorded way that has fewer crossings than the level states.
+TEST_P(LevelProofTest, APlantedShortcutIsFound) {
+  if (crossings() == 0) return;
+  std::optional<EntityState> place;
+  forEachEarlyPlace([&](const EntityState& player) { place = player; });
+  ASSERT_TRUE(place);
+  const auto planted = withGoal(*level_, *place);
+  ASSERT_TRUE(planted);
+  const auto found = Reach(*planted, crossings() - 1).crossingsToGoal();
+  ASSERT_TRUE(found) << "a way with " << place->crossings << " crossings is not found";
+  EXPECT_LE(*found, static_cast<int>(place->crossings));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, LevelProofTest, testing::ValuesIn(shippedLevels()),
+                         [](const auto& spec) { return shippedName(spec.param); });
+
+}  // namespace
+}  // namespace platon

@@ -1,0 +1,19 @@
+#include "tests/levels/shipped_level.h"
+
+#include <filesystem>
+#include <stdexcept>
+
+#include "tests/support/files.h"
+
+namespace platon {
+
+std::string shippedName(const std::string& file) { return std::filesystem::path(file).stem().string(); }
+
+ShippedLevel::ShippedLevel(const std::string& file) : name_(shippedName(file)) {
+  level_ = loadLevel(readText(file)).level;
+  if (!level_) throw std::runtime_error(file + " is invalid; see platon-level check");
+  recording_ = readBytes("tests/levels/ways/" + name_ + ".recording");
+  way_ = readRecordedWay(recording_);
+}
+
+}  // namespace platon
