@@ -174,6 +174,7 @@ class Match {
   bool arrivesInTime(std::uint32_t slot) const;
   VoteCount countVotes();
   void endRound(const std::string& cause);
+  void tellNextAgain();
   RoundEnd roundEnd() const;
   void resync(ClientId client, MatchPlayer& player, MatchEvent::Kind cause, std::uint32_t confirmed);
   void sendState(MatchPlayer& player);

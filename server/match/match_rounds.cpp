@@ -18,11 +18,16 @@ std::string shownTitle(const Level& level) {
 
 void Match::setLevels(std::vector<LevelPointer> levels) {
   rotation_.replace(std::move(levels));
-  if (overAt_) sendAll(encode(roundEnd()));
+  tellNextAgain();
 }
 
 void Match::updateLevels(std::vector<LevelPointer> levels) {
   rotation_.update(std::move(levels));
+  tellNextAgain();
+}
+
+// In the pause, players have been told how the round has ended and what comes next.
+void Match::tellNextAgain() {
   if (overAt_) sendAll(encode(roundEnd()));
 }
 
@@ -57,7 +62,7 @@ void Match::noteFinishes() {
     isBest = bestTimes_->offer(rotation_.current()->hash, time) || isBest;
   }
   bestIsNew_ = bestIsNew_ || isBest;
-  if (isBest && overAt_) sendAll(encode(roundEnd()));
+  if (isBest) tellNextAgain();
 }
 
 // Whether a player has reached the goal in the last tick, in its shortest time of this round. In a later tick of the
