@@ -19,10 +19,9 @@ FOLDER = "docs/pictures"
 FRAMES_PER_SECOND = 20
 MAX_GIF_BYTES = 1_500_000
 
-FILM = {"name": "crossing.gif", "level": "hexahedron/01_first_steps", "from": 2.9, "seconds": 4.6, "width": 640}
+FILM = {"name": "crossing.gif", "level": "hexahedron/03_a_wall_becomes_a_floor", "from": 5.0, "seconds": 5.4, "width": 640}
 STILLS = [
-    {"name": "hexahedron.png", "level": "hexahedron/01_first_steps", "from": 5.2, "players": 2},
-    {"name": "icosahedron.png", "level": "icosahedron/05_the_long_way_round", "from": 2.2, "players": 2},
+    {"name": "hexahedron.png", "level": "hexahedron/05_key_on_the_wall", "from": 6.5, "players": 2},
 ]
 LEVEL_WIDTH = 1200
 ELEMENTS = "tests/levels/picture/elements.level"
