@@ -64,6 +64,8 @@ Scene makeScene(const SceneSource& source) {
   scene.seconds = passed / kTicksPerSecond;
   scene.secondsLeft = double{1} * source.game->ticksLeft() / kTicksPerSecond;
   scene.over = source.roundOver || source.game->over();
+  const std::uint32_t needed = source.game->level().players;
+  if (scene.players.size() < needed && !scene.over) scene.neededPlayers = needed;
   if (!scene.players.empty() && scene.players.back().local) {
     scene.attempt = {double{1} * source.attempt.ticks() / kTicksPerSecond, source.attempt.arrived()};
     scene.needsRestart = source.needsRestart && !scene.over;

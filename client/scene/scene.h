@@ -61,6 +61,7 @@ struct Scene {
   double secondsLeft = 0;
   std::optional<AttemptDrawing> attempt;  ///< unset without a local player
   bool needsRestart = false;              ///< the local player has not touched ground for long
+  std::uint32_t neededPlayers = 0;        ///< how many the level needs; 0: enough are present
   bool over = false;
 };
 

@@ -131,6 +131,12 @@ std::vector<std::string> linesOf(const std::string& text, const Font& font, floa
   return wrapText(text, font, std::min(kWidestText, width - 4 * kMargin) / size);
 }
 
+std::string hintOf(const Scene& scene) {
+  if (scene.needsRestart) return kRestartHint;
+  if (scene.neededPlayers == 0) return {};
+  return "This level needs " + std::to_string(scene.neededPlayers) + " players. V: next level";
+}
+
 // At the lower edge the message, above it the notice, and above that the hint.
 void addTexts(OverlayWriter& writer, const HudStatus& status, const std::string& hint, const Font& font, float width) {
   glm::vec2 middle(width / 2, Overlay::kHeight - 40);
@@ -179,7 +185,7 @@ Overlay makeHud(const Scene& scene, const Camera& camera, const HudStatus& statu
   if (status.summary) addResults(writer, scene, *status.summary, font, width);
   if (status.vote) addVote(writer, *status.vote, width);
   if (status.help) addHelp(writer);
-  addTexts(writer, status, scene.needsRestart ? kRestartHint : "", font, width);
+  addTexts(writer, status, hintOf(scene), font, width);
   return writer.take();
 }
 

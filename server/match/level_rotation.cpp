@@ -7,12 +7,21 @@ namespace platon {
 
 LevelRotation::LevelRotation(std::vector<LevelPointer> levels) : levels_(std::move(levels)) {
   assert(!levels_.empty());
-  advance();
+  advance(1);
 }
 
-void LevelRotation::advance() {
-  current_ = levels_[next_];
-  next_ = (next_ + 1) % levels_.size();
+std::size_t LevelRotation::placeOfNext(std::size_t players) const {
+  for (std::size_t i = 0; i < levels_.size(); ++i) {
+    const std::size_t place = (next_ + i) % levels_.size();
+    if (levels_[place]->players <= std::max<std::size_t>(players, 1)) return place;
+  }
+  return next_;
+}
+
+void LevelRotation::advance(std::size_t players) {
+  const std::size_t place = placeOfNext(players);
+  current_ = levels_[place];
+  next_ = (place + 1) % levels_.size();
 }
 
 void LevelRotation::replace(std::vector<LevelPointer> levels) {

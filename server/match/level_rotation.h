@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -17,9 +18,10 @@ class LevelRotation {
   explicit LevelRotation(std::vector<LevelPointer> levels);
 
   const LevelPointer& current() const { return current_; }
-  /// The level after the current one.
-  const LevelPointer& next() const { return levels_[next_]; }
-  void advance();
+  /// The next level after the current one that needs at most so many players, or 1; the next one if there is none.
+  const LevelPointer& next(std::size_t players) const { return levels_[placeOfNext(players)]; }
+  /// Makes next(players) the current level.
+  void advance(std::size_t players);
 
   /// Replaces the levels; `levels` must not be empty. The current level stays; the first new one is next.
   void replace(std::vector<LevelPointer> levels);
@@ -32,6 +34,8 @@ class LevelRotation {
   LevelPointer find(std::uint64_t hash) const;
 
  private:
+  std::size_t placeOfNext(std::size_t players) const;
+
   std::vector<LevelPointer> levels_;
   std::size_t next_ = 0;
   LevelPointer current_;

@@ -174,7 +174,7 @@ class Match {
   bool arrivesInTime(std::uint32_t slot) const;
   VoteCount countVotes();
   void endRound(const std::string& cause);
-  void tellNextAgain();
+  void tellNext();
   RoundEnd roundEnd() const;
   void resync(ClientId client, MatchPlayer& player, MatchEvent::Kind cause, std::uint32_t confirmed);
   void sendState(MatchPlayer& player);
@@ -188,6 +188,7 @@ class Match {
   void addEvent(MatchEvent::Kind kind, ClientId client, std::uint32_t slot, std::string text);
 
   LevelRotation rotation_;
+  LevelPointer toldNext_;  // in the pause: the next level, as the players have been told
   MatchSettings settings_;
   std::uint32_t round_ = 0;
   std::uint64_t now_ = 0;  // ticks over all rounds

@@ -18,17 +18,19 @@ std::string shownTitle(const Level& level) {
 
 void Match::setLevels(std::vector<LevelPointer> levels) {
   rotation_.replace(std::move(levels));
-  tellNextAgain();
+  tellNext();
 }
 
 void Match::updateLevels(std::vector<LevelPointer> levels) {
   rotation_.update(std::move(levels));
-  tellNextAgain();
+  tellNext();
 }
 
-// In the pause, players have been told how the round has ended and what comes next.
-void Match::tellNextAgain() {
-  if (overAt_) sendAll(encode(roundEnd()));
+// In the pause, tells all players how the round has ended and what comes next.
+void Match::tellNext() {
+  if (!overAt_) return;
+  toldNext_ = rotation_.next(players());
+  sendAll(encode(roundEnd()));
 }
 
 void Match::handle(ClientId client, const Vote& vote) {
@@ -40,7 +42,9 @@ void Match::handle(ClientId client, const Vote& vote) {
 void Match::finishRound() {
   noteFinishes();
   if (overAt_) {
-    if (history_.end() - *overAt_ >= kPauseTicks) startNextRound();
+    if (history_.end() - *overAt_ >= kPauseTicks) return startNextRound();
+    // Players who have come or left decide whether a level for several players is next.
+    if (rotation_.next(players()) != toldNext_) tellNext();
     return;
   }
   const VoteCount votes = countVotes();
@@ -62,7 +66,7 @@ void Match::noteFinishes() {
     isBest = bestTimes_->offer(rotation_.current()->hash, time) || isBest;
   }
   bestIsNew_ = bestIsNew_ || isBest;
-  if (isBest) tellNextAgain();
+  if (isBest) tellNext();
 }
 
 // Whether a player has reached the goal in the last tick, in its shortest time of this round. In a later tick of the
@@ -105,13 +109,13 @@ bool Match::awaits(const MatchPlayer& player) const {
 
 void Match::endRound(const std::string& cause) {
   overAt_ = history_.end();
-  sendAll(encode(roundEnd()));
+  tellNext();
   events_.push_back({MatchEvent::Kind::kRoundEnd, 0, 0, cause, *overAt_});
 }
 
 // Call only when the round is over.
 RoundEnd Match::roundEnd() const {
-  const Level& next = *rotation_.next();
+  const Level& next = *rotation_.next(players());
   RoundEnd message{round_, *overAt_, next.hash, shownTitle(next), kPauseTicks, {}};
   const auto best = bestTimes_ ? bestTimes_->best(rotation_.current()->hash) : std::nullopt;
   if (best) message.best = LevelBest{best->ticks, best->name, bestIsNew_};
@@ -128,7 +132,7 @@ bool Match::endRoundNow() {
 }
 
 void Match::startNextRound() {
-  rotation_.advance();
+  rotation_.advance(players());
   startRound();
   sendAll(encode(RoundStart{round_, rotation_.current()->hash}));
 }

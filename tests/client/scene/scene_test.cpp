@@ -114,6 +114,15 @@ TEST(Scene, HasTheAttemptAndTheHintOfTheLocalPlayer) {
   EXPECT_FALSE(makeScene(source).needsRestart);
 }
 
+TEST(Scene, TellsHowManyPlayersTheLevelNeedsWhileFewerAreThere) {
+  const std::string floor = "HEXAHEDRON\n0 0 -180 0\n2 0 0\n480\n%\n-240 -200 240 -200\n%\n%\n%\n%\n%\n";
+  Game game(loadLevel("# players: 2\n" + floor).level);
+  run(game, 1, 0, 5);
+  EXPECT_EQ(sceneOf(game).neededPlayers, 2U);
+  run(game, 2, 0, 5);
+  EXPECT_EQ(sceneOf(game).neededPlayers, 0U);
+}
+
 TEST(Scene, ElementsAreThoseOfThePredictedGame) {
   Game confirmed(levelOf("0 -150 -180 0", "2 0 0", "-240 -200 240 -200\n-100 -195 -100 -160 key 3\n"));
   run(confirmed, 1, 0, 5);

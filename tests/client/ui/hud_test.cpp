@@ -169,6 +169,14 @@ TEST(Hud, ShowsThatRReturnsToTheStart) {
   EXPECT_LT(find(hud, "R: back to the start")->place.y, find(hud, "Restart at noon")->place.y);
 }
 
+TEST(Hud, ShowsThatTheLevelNeedsMorePlayers) {
+  Scene scene = sceneOf(1);
+  scene.neededPlayers = 2;
+  EXPECT_TRUE(find(hudOf(scene), "This level needs 2 players. V: next level"));
+  scene.needsRestart = true;
+  EXPECT_FALSE(find(hudOf(scene), "This level needs 2 players. V: next level")) << "one hint at a time";
+}
+
 TEST(Hud, WhatIsBelowTheClockDoesNotOverlap) {
   Scene scene = sceneOf(1);
   scene.players[0].local = true;

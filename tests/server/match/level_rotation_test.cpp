@@ -13,11 +13,11 @@ TEST(LevelRotation, StartsOverAfterTheLastLevel) {
   LevelRotation rotation({far, near});
   for (int lap = 0; lap < 2; ++lap) {
     EXPECT_EQ(rotation.current(), far);
-    EXPECT_EQ(rotation.next(), near);
-    rotation.advance();
+    EXPECT_EQ(rotation.next(1), near);
+    rotation.advance(1);
     EXPECT_EQ(rotation.current(), near);
-    EXPECT_EQ(rotation.next(), far);
-    rotation.advance();
+    EXPECT_EQ(rotation.next(1), far);
+    rotation.advance(1);
   }
 }
 
@@ -36,7 +36,7 @@ TEST(LevelRotation, ReplacingKeepsTheCurrentLevel) {
   rotation.replace({near});
   EXPECT_EQ(rotation.current(), far);
   EXPECT_EQ(rotation.find(far->hash), far);
-  rotation.advance();
+  rotation.advance(1);
   EXPECT_EQ(rotation.current(), near);
   EXPECT_EQ(rotation.find(far->hash), nullptr);
 }
@@ -45,9 +45,9 @@ TEST(LevelRotation, ReplacingStartsWithTheFirstNewLevel) {
   const LevelPointer far = levelOf(farGoalText());
   const LevelPointer near = levelOf(nearGoalText());
   LevelRotation rotation({far, far});
-  EXPECT_EQ(rotation.next(), far);
+  EXPECT_EQ(rotation.next(1), far);
   rotation.replace({near, far});
-  EXPECT_EQ(rotation.next(), near);
+  EXPECT_EQ(rotation.next(1), near);
 }
 
 TEST(LevelRotation, UpdatingKeepsThePlace) {
@@ -56,7 +56,27 @@ TEST(LevelRotation, UpdatingKeepsThePlace) {
   LevelRotation rotation({far, far});
   rotation.update({far, near});
   EXPECT_EQ(rotation.current(), far);
-  EXPECT_EQ(rotation.next(), near);
+  EXPECT_EQ(rotation.next(1), near);
+}
+
+TEST(LevelRotation, SkipsLevelsThatNeedMorePlayers) {
+  const LevelPointer alone = levelOf(farGoalText());
+  const LevelPointer pair = levelOf("# players: 2\n" + nearGoalText());
+  LevelRotation rotation({alone, pair, alone});
+  EXPECT_EQ(rotation.next(2), pair);
+  EXPECT_EQ(rotation.next(1), alone);
+  rotation.advance(1);
+  EXPECT_EQ(rotation.next(2), alone) << "the last one was played, so the first one comes";
+  rotation.advance(1);
+  EXPECT_EQ(rotation.next(2), pair);
+}
+
+TEST(LevelRotation, PlaysALevelForMorePlayersIfThereIsNoOther) {
+  const LevelPointer pair = levelOf("# players: 2\n" + nearGoalText());
+  LevelRotation rotation({pair});
+  EXPECT_EQ(rotation.current(), pair);
+  EXPECT_EQ(rotation.next(1), pair);
+  EXPECT_EQ(rotation.next(0), pair);
 }
 
 }  // namespace

@@ -288,6 +288,29 @@ TEST_F(MatchRounds, NewLevelsDuringThePauseAreNamedAgain) {
   EXPECT_EQ(match_.game().level().hash, ends[0].nextLevelHash);
 }
 
+TEST_F(MatchRounds, ALevelForTwoIsNextOnlyWhileTwoPlayersAreThere) {
+  const LevelPointer pair = titled("For two", "# players: 2\n" + nearGoalText());
+  match_ = Match(LevelRotation({far_, pair, near_}), {16, "Test"});
+  const auto nextTitles = [this] {
+    std::vector<std::string> titles;
+    for (const RoundEnd& end : sentTo<RoundEnd>(1)) titles.push_back(end.nextTitle);
+    return titles;
+  };
+  join(1, 2);
+  run();
+  match_.endRoundNow();
+  EXPECT_EQ(nextTitles(), std::vector<std::string>{"For two"});
+  match_.remove(2);
+  run(2);
+  EXPECT_EQ(nextTitles(), std::vector<std::string>{"Near by"});
+  join(2);
+  run(2);
+  EXPECT_EQ(nextTitles(), std::vector<std::string>{"For two"});
+  match_.remove(2);
+  run(Match::kPauseTicks);
+  EXPECT_EQ(match_.game().level().hash, near_->hash);
+}
+
 /// Players who run to the goal.
 class BestTimeOfMatch : public testing::Test {
  protected:
