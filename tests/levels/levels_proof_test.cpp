@@ -7,6 +7,7 @@
 #include <string>
 
 #include "levels/reach/reach.h"
+#include "levels/solve/level_solver.h"
 #include "platon/game/game.h"
 #include "tests/levels/shipped_level.h"
 #include "tests/support/files.h"
@@ -14,17 +15,24 @@
 namespace platon {
 namespace {
 
-// The same level with its goal at another place.
+// The level with each line of its text replaced by what change(number, line) returns.
+template <class Change>
+std::shared_ptr<const Level> changed(const Level& level, Change&& change) {
+  std::istringstream text(level.text);
+  std::string result;
+  std::string line;
+  for (int number = 1; std::getline(text, line); ++number) result += change(number, line) + "\n";
+  return loadLevel(result).level;
+}
+
 std::shared_ptr<const Level> withGoal(const Level& level, const EntityState& place) {
   char goal[80];
   std::snprintf(goal, sizeof goal, "%u %.4f %.4f", place.part, place.position.x / 1024.0, place.position.y / 1024.0);
-  std::istringstream text(level.text);
-  std::string moved;
-  std::string line;
-  for (int number = 1; std::getline(text, line); ++number) {
-    moved += (number == level.goalAt.line ? goal : line) + "\n";
-  }
-  return loadLevel(moved).level;
+  return changed(level, [&](int number, const std::string& line) { return number == level.goalAt.line ? goal : line; });
+}
+
+std::shared_ptr<const Level> forOnePlayer(const Level& level) {
+  return changed(level, [](int, const std::string& line) { return line.starts_with("# players:") ? "#" : line; });
 }
 
 class LevelProofTest : public testing::TestWithParam<std::string> {
@@ -73,6 +81,16 @@ TEST_P(LevelProofTest, APlantedShortcutIsFound) {
   const auto found = Reach(*planted, crossings() - 1).crossingsToGoal();
   ASSERT_TRUE(found) << "a way with " << place->crossings << " crossings is not found";
   EXPECT_LE(*found, static_cast<int>(place->crossings));
+}
+
+// A search, not a proof: all ways that differ by more than a few subunits.
+TEST_P(LevelProofTest, NobodyFindsAWayAloneThroughALevelForTwo) {
+  if (level_->players < 2) return;
+  const auto alone = forOnePlayer(*level_);
+  ASSERT_TRUE(alone);
+  LevelSolver solver(alone);
+  EXPECT_FALSE(solver.solve());
+  EXPECT_LT(solver.states(), LevelSolver::Limits().states) << "not everything was searched";
 }
 
 INSTANTIATE_TEST_SUITE_P(All, LevelProofTest, testing::ValuesIn(shippedLevels()),
