@@ -9,10 +9,10 @@ APP = "server/app/"
 TIMES = "server/times/"
 
 PROTOCOL_FAULTS = [
-    at_length("run-of-eight-without-length", PROTOCOL + "to_server.cpp",
+    at_length("long-run-without-length", PROTOCOL + "to_server.cpp",
               "length < kLongRun ? length : 0", "length <= kLongRun ? length : 0",
-              "a run of exactly eight equal inputs is written without its length",
-              "ToServer.DecodesWhatWasEncoded"),
+              "the shortest long run of equal inputs is written without its length",
+              "ToServer.DecodesRunsOfAnyLength"),
     at_length("inputs-beyond-the-limit", PROTOCOL + "to_server.cpp",
               "if (count > kMaxInputsPerMessage - inputs.size()) return false;",
               "if (count > kMaxInputsPerMessage) return false;",

@@ -19,6 +19,14 @@ TEST(ToServer, DecodesWhatWasEncoded) {
   }
 }
 
+// Long runs of equal inputs are written in another way than short ones.
+TEST(ToServer, DecodesRunsOfAnyLength) {
+  for (std::size_t length = 1; length <= kMaxInputsPerMessage; ++length) {
+    PlayerInputs message{9, 1, 5, 7, 5, std::vector<Input>(length, pressing(8))};
+    EXPECT_EQ(decodeToServer(encode(message)), ToServer(message)) << length;
+  }
+}
+
 TEST(ToServer, EveryKindOfMessageHasASample) {
   std::set<std::size_t> kinds;
   for (const ToServer& sample : sampleToServer()) kinds.insert(sample.index());
