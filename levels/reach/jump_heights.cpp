@@ -1,0 +1,181 @@
+#include "levels/reach/jump_heights.h"
+
+#include <algorithm>
+
+#include "levels/reach/flight_envelope.h"
+#include "platon/game/player.h"
+
+namespace platon {
+namespace {
+
+constexpr double kCell = 6;                   // level units
+constexpr double kMostCells = 4e6;            // on all faces with all ups
+constexpr std::size_t kPlacesAtATime = 4096;  // between two questions whether to stop
+
+// Larger cells for large faces, so that memory is bounded.
+double cellSizeFor(const UprightFaces& faces) {
+  double area = 0;
+  for (const UprightFace& face : faces.all()) {
+    double reach = 0;
+    for (const Vec corner : face.polygon) reach = std::max(reach, length(corner));
+    area += 4 * reach * reach;
+  }
+  return std::max(kCell, std::sqrt(area / kMostCells));
+}
+
+}  // namespace
+
+JumpHeights::JumpHeights(const Level& level, const Options& options)
+    : faces_(level), options_(options), opened_(options.allDoorsOpen ? UINT32_MAX : 0) {
+  const double cellSize = cellSizeFor(faces_);
+  for (std::uint32_t node = 0; node < faces_.all().size(); ++node) {
+    if (stops()) return;
+    grids_.emplace_back(level, faces_, node, cellSize);
+    apexes_.emplace_back(grids_.back().size(), kNever);
+    fallen_.emplace_back(grids_.back().size());
+  }
+  for (const Element& element : level.elements) hasHazard_ = hasHazard_ || element.kind == ElementKind::kHazard;
+  search(level);
+}
+
+// Begins anew when a door has opened: who could not pass it before may pass it now.
+void JumpHeights::search(const Level& level) {
+  std::uint32_t before = 0;
+  do {
+    before = opened_;
+    for (std::uint32_t node = 0; node < grids_.size(); ++node) {
+      apexes_[node].assign(grids_[node].size(), kNever);
+      fallen_[node].assign(grids_[node].size(), false);
+    }
+    fall(0, grids_[0].cellAt(uprightOf(level.start, level.startAngle)));
+    std::size_t count = 0;
+    while (const auto place = take()) {
+      if (++count % kPlacesAtATime == 0 && stops()) return;
+      spread(*place);
+    }
+  } while (opened_ != before);
+}
+
+bool JumpHeights::stops() {
+  stopped_ = stopped_ || (options_.stop && options_.stop());
+  return stopped_;
+}
+
+bool JumpHeights::reaches(std::uint32_t face, Point position) const {
+  for (std::uint32_t node = 0; node < grids_.size(); ++node) {
+    const UprightFace& upright = faces_.all()[node];
+    if (upright.face != face) continue;
+    const std::size_t cell = grids_[node].cellAt(uprightOf(position, upright.up));
+    if (cell < grids_[node].size() && fallen_[node][cell]) return true;
+  }
+  return false;
+}
+
+bool JumpHeights::touches(std::uint32_t face, const Segment& segment) const {
+  for (std::uint32_t node = 0; node < grids_.size(); ++node) {
+    const UprightFace& upright = faces_.all()[node];
+    if (upright.face != face) continue;
+    const Line line{uprightOf(segment.a, upright.up), uprightOf(segment.b, upright.up)};
+    if (touches(node, line)) return true;
+    for (const auto& behind : upright.neighbours) {
+      if (touches(behind.node, {line.a + behind.shift, line.b + behind.shift})) return true;
+    }
+  }
+  return false;
+}
+
+bool JumpHeights::touches(std::uint32_t node, const Line& line) const {
+  constexpr double reach = double{1} * kPlayerRadius / kSubunitsPerUnit + 0.05;
+  const Vec margin{reach, reach};
+  std::vector<std::size_t> cells;
+  grids_[node].findOverlapped({Vec{std::min(line.a.x, line.b.x), std::min(line.a.y, line.b.y)} - margin,
+                               Vec{std::max(line.a.x, line.b.x), std::max(line.a.y, line.b.y)} + margin},
+                              cells);
+  return std::any_of(cells.begin(), cells.end(), [&](std::size_t cell) {
+    return fallen_[node][cell] && distance(grids_[node].rectOf(cell), line) <= reach;
+  });
+}
+
+void JumpHeights::put(const Place& place, double height) {
+  open_[static_cast<std::size_t>(std::clamp(height, 0.0, double{1} * kMostHeight))].push_back(place);
+}
+
+std::optional<JumpHeights::Place> JumpHeights::take() {
+  for (auto places = open_.rbegin(); places != open_.rend(); ++places) {
+    if (places->empty()) continue;
+    const Place place = places->back();
+    places->pop_back();
+    return place;
+  }
+  return std::nullopt;
+}
+
+bool JumpHeights::isOpen(std::uint32_t node, std::size_t cell) const {
+  const ReachGrid& grid = grids_[node];
+  return cell < grid.size() && grid[cell].inside && !grid[cell].blocked && (grid[cell].doors & ~opened_) == 0;
+}
+
+// A player falls at the cell; where it can stand, it jumps.
+void JumpHeights::fall(std::uint32_t node, std::size_t cell) {
+  if (!isOpen(node, cell) || fallen_[node][cell]) return;
+  fallen_[node][cell] = true;
+  put({node, cell, false}, kMostHeight);
+  const ReachGrid::Cell& here = grids_[node][cell];
+  const FlightEnvelope& envelope = FlightEnvelope::measured();
+  reachesGoal_ = reachesGoal_ || here.atGoal;
+  for (const ReachWall& wall : grids_[node].touched(cell)) touch(wall);
+  if (here.grounded)
+    rise(node, cell, here.highest + envelope.jumpHeight() + envelope.pushGain() + envelope.slopeGain());
+}
+
+// A key or a plate opens its doors; from a checkpoint, a hazard brings a player to its middle.
+void JumpHeights::touch(const ReachWall& wall) {
+  const Element& element = *wall.element;
+  if (element.kind == ElementKind::kKey || element.kind == ElementKind::kPlate) opened_ |= element.bit();
+  if (element.kind != ElementKind::kCheckpoint || !hasHazard_) return;
+  fall(wall.node, grids_[wall.node].cellAt(uprightOf(placeOf(element), faces_.all()[wall.node].up)));
+}
+
+void JumpHeights::rise(std::uint32_t node, std::size_t cell, double apex) {
+  constexpr double leastGain = 0.5;
+  if (!isOpen(node, cell) || grids_[node].rectOf(cell).low.y > apex) return;
+  fall(node, cell);
+  // A way along edges may sink by a cell at each of them, and nobody rises more than from the ground.
+  apex = std::min(apex, grids_[node].rectOf(cell).low.y + kMostHeight);
+  if (apex < apexes_[node][cell] + leastGain) return;
+  apexes_[node][cell] = apex;
+  put({node, cell, true}, apex - grids_[node].rectOf(cell).low.y);
+}
+
+void JumpHeights::spread(const Place& place) {
+  const auto columns = static_cast<std::size_t>(grids_[place.node].columns());
+  const std::size_t cell = place.cell;
+  const auto go = [&](std::size_t to) {
+    place.rising ? rise(place.node, to, apexes_[place.node][cell]) : fall(place.node, to);
+  };
+  if (cell % columns > 0) go(cell - 1);
+  if (cell % columns + 1 < columns) go(cell + 1);
+  if (place.rising) go(cell + columns);
+  if (!place.rising && cell >= columns) go(cell - columns);
+  cross(place);
+}
+
+void JumpHeights::cross(const Place& place) {
+  const UprightFace& face = faces_.all()[place.node];
+  const Rect rect = grids_[place.node].rectOf(place.cell);
+  for (std::size_t edge = 0; edge < face.polygon.size(); ++edge) {
+    const Line line{face.polygon[edge], face.polygon[(edge + 1) % face.polygon.size()]};
+    if (distance(rect, line) > 0.1) continue;
+    const auto& behind = face.neighbours[edge];
+    std::vector<std::size_t> cells;
+    // Of the rows of cells behind the edge, only the nearest one, so that no way along the edge climbs from row to
+    // row.
+    const double y = rect.middle().y + behind.shift.y;
+    grids_[behind.node].findOverlapped({{rect.low.x + behind.shift.x, y}, {rect.high.x + behind.shift.x, y}}, cells);
+    for (const std::size_t next : cells)
+      place.rising ? rise(behind.node, next, apexes_[place.node][place.cell] + behind.shift.y)
+                   : fall(behind.node, next);
+  }
+}
+
+}  // namespace platon

@@ -1,0 +1,72 @@
+#include "levels/reach/jump_heights.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/shared/game/played_game.h"
+#include "tests/sim/button_presses.h"
+#include "tests/support/files.h"
+
+namespace platon {
+namespace {
+
+constexpr std::uint64_t kSeed = 11;
+
+const std::string kFlat = "-240 -200 240 -200\n";
+const std::string kRoom = "60 -200 60 -20 door 1\n60 -20 240 -20\n240 -20 240 -200\n";
+
+bool reachesGoal(const std::string& segments, const std::string& goal) {
+  return JumpHeights(*cubeLevel("0 0 -180 0", {kFlat + segments, kFlat, kFlat, kFlat}, goal), {}).reachesGoal();
+}
+
+TEST(JumpHeightsTest, AGoalOnTheFloorIsReached) { EXPECT_TRUE(reachesGoal("", "0 100 -184")); }
+
+TEST(JumpHeightsTest, AGoalInABoxIsNotReached) {
+  EXPECT_FALSE(reachesGoal("50 -150 150 -150\n150 -150 150 -50\n150 -50 50 -50\n50 -50 50 -150", "0 100 -100"));
+}
+
+TEST(JumpHeightsTest, AnyNumberOfCrossingsIsAllowed) { EXPECT_TRUE(reachesGoal("", "2 0 -184")); }
+
+TEST(JumpHeightsTest, ADoorIsNoWayWithoutItsKey) {
+  EXPECT_FALSE(reachesGoal(kRoom, "0 160 -184"));
+  EXPECT_FALSE(reachesGoal(kRoom + "-100 -180 -100 -160 key 2", "0 160 -184"));
+  EXPECT_TRUE(reachesGoal(kRoom + "-100 -180 -100 -160 key 1", "0 160 -184"));
+  const auto level = cubeLevel("0 0 -180 0", {kFlat + kRoom, kFlat, kFlat, kFlat}, "0 160 -184");
+  EXPECT_TRUE(JumpHeights(*level, {.allDoorsOpen = true}).reachesGoal());
+}
+
+// A checkpoint that reaches through a wall, and a hazard that brings the player to its middle.
+TEST(JumpHeightsTest, ACheckpointAndAHazardLeadThroughAWall) {
+  const std::string wall = "60 -200 60 0\n60 0 240 0\n240 0 240 -200\n";
+  const std::string checkpoint = "20 -180 220 -180 checkpoint\n";
+  EXPECT_FALSE(reachesGoal(wall + checkpoint, "0 160 -150"));
+  EXPECT_TRUE(reachesGoal(wall + checkpoint + "-100 -200 -60 -200 hazard", "0 160 -150"));
+}
+
+TEST(JumpHeightsTest, AStoppedSearchSaysSo) {
+  const auto level = cubeLevel("0 0 -180 0", {kFlat}, "0 100 -184");
+  EXPECT_TRUE(JumpHeights(*level, {.stop = [] { return true; }}).isStopped());
+  EXPECT_FALSE(JumpHeights(*level, {.stop = [] { return false; }}).isStopped());
+}
+
+TEST(JumpHeightsTest, ARandomPlayerIsOnlyWhereItMayBe) {
+  for (const std::string& file : shippedLevels()) {
+    const auto level = levelOf(readText(file));
+    const JumpHeights heights(*level, {});
+    EXPECT_TRUE(heights.reachesGoal()) << file;
+    for (std::uint32_t play = 0; play < 5; ++play) {
+      Game game(level);
+      sim::ButtonPresses presses(kSeed, play);
+      for (int tick = 0; tick < 1500; ++tick) {
+        const Input inputs[] = {presses.next()};
+        game.advance(inputs);
+        const EntityState& player = game.world().entities()[0];
+        ASSERT_TRUE(heights.reaches(player.part, player.position)) << file << ", seed " << kSeed << ", play " << play;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace platon
