@@ -121,6 +121,45 @@ void main() {
 }
 )";
 
+const char* const kMarkVertex = R"(
+layout(location = 0) in vec4 ends;
+layout(location = 1) in float width;
+layout(location = 2) in vec4 colourOfMark;
+uniform mat4 toClip;
+out vec2 place;
+out vec2 along;           // x: distance from the first end, y: distance across
+flat out float extent;
+flat out float halfWidth;
+flat out vec4 colour;
+
+void main() {
+  vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);
+  vec2 way = ends.zw - ends.xy;
+  extent = length(way);
+  halfWidth = width / 2.0;
+  colour = colourOfMark;
+  vec2 direction = extent > 0.0 ? way / extent : vec2(1, 0);
+  float reach = halfWidth + 2.0;
+  along = vec2(mix(-reach, extent + reach, corner.x), mix(-reach, reach, corner.y));
+  place = ends.xy + direction * along.x + vec2(-direction.y, direction.x) * along.y;
+  gl_Position = toClip * vec4(place, 0, 1);
+}
+)";
+
+const char* const kMarkFragment = R"(
+in vec2 along;
+flat in float extent;
+flat in float halfWidth;
+flat in vec4 colour;
+out vec4 result;
+
+void main() {
+  float distance = length(vec2(along.x - clamp(along.x, 0.0, extent), along.y));
+  float pixel = max(fwidth(along.y), 1e-4);
+  result = vec4(colour.rgb, colour.a * clamp((halfWidth - distance) / pixel + 0.5, 0.0, 1.0) * inFace());
+}
+)";
+
 const char* const kMarkerVertex = R"(
 uniform mat4 toClip;
 uniform vec2 centre;

@@ -15,6 +15,9 @@ extern const char* const kFaceFragment;
 /// Segments of a level: rods with round ends, and their shadows on the face.
 extern const char* const kRibbonVertex;
 extern const char* const kRibbonFragment;
+/// Marks of the editor: flat strokes with round ends.
+extern const char* const kMarkVertex;
+extern const char* const kMarkFragment;
 /// Round markers on a face: goal, start, shadow of a player.
 extern const char* const kMarkerVertex;
 extern const char* const kMarkerFragment;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <string>
 
 #include <glm/geometric.hpp>
@@ -21,6 +22,14 @@ constexpr float kLabelStep = 640;
 constexpr float kGoalReach = 4;  // radius of the goal's glow in goal radii
 constexpr glm::vec4 kLabelColour(1, 1, 1, 0.13F);
 
+// A FaceMark for the shader.
+struct MarkInstance {
+  glm::vec2 a;
+  glm::vec2 b;
+  float width;
+  glm::vec4 colour;
+};
+
 template <class Value>
 void fill(const GlBuffer& buffer, const std::vector<Value>& values) {
   glBindBuffer(GL_ARRAY_BUFFER, buffer.name());
@@ -37,7 +46,8 @@ bool inPolygon(const SolidMesh& mesh, glm::dvec2 point, double margin) {
 StagePainter::StagePainter()
     : face_(shaders::kFaceGeometry, shaders::kFaceVertex, shaders::kFaceFragment),
       ribbon_(shaders::kFaceGeometry, shaders::kRibbonVertex, std::string(shaders::kInk) + shaders::kRibbonFragment),
-      marker_(shaders::kFaceGeometry, shaders::kMarkerVertex, std::string(shaders::kInk) + shaders::kMarkerFragment) {
+      marker_(shaders::kFaceGeometry, shaders::kMarkerVertex, std::string(shaders::kInk) + shaders::kMarkerFragment),
+      mark_(shaders::kFaceGeometry, shaders::kMarkVertex, std::string(shaders::kInk) + shaders::kMarkFragment) {
   glBindVertexArray(faceArray_.name());
   glBindBuffer(GL_ARRAY_BUFFER, corners_.name());
   glEnableVertexAttribArray(0);
@@ -64,10 +74,12 @@ void StagePainter::draw(const std::shared_ptr<const StageModel>& stage, std::spa
 void StagePainter::drawOnFaces(const Scene& scene, std::span<const FaceView> views, float seconds, TextPainter& text) {
   for (const FaceView& view : views) {
     drawLabels(*scene.stage, view, text);
+    drawMarks(scene, view, scene.marksBelow, marksBelow_);
     drawRibbons(*scene.stage, view, true);
     drawMarkers(scene, view, seconds);
     elementPainter_.draw(scene, view, text);
     drawRibbons(*scene.stage, view, false);
+    drawMarks(scene, view, scene.marksAbove, marksAbove_);
     drawShadows(scene, view);
   }
 }
@@ -97,6 +109,41 @@ void StagePainter::drawRibbons(const StageModel& stage, const FaceView& view, bo
   const auto offset = static_cast<std::size_t>(ribbons.first) * sizeof(Ribbon);
   glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, sizeof(Ribbon), bufferOffset(offset));
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, ribbons.count);
+}
+
+void StagePainter::drawMarks(const Scene& scene, const FaceView& view, const FaceMarks& marks, Marks& kept) {
+  if (marks == nullptr || marks->empty()) return;
+  if (kept.loaded != marks) load(*scene.stage, marks, kept);
+  const Ribbons& part = kept.parts[static_cast<std::size_t>(view.face)];
+  if (part.count == 0) return;
+  useOnFace(mark_, *scene.stage, view);
+  glBindVertexArray(kept.array.name());
+  glBindBuffer(GL_ARRAY_BUFFER, kept.buffer.name());
+  constexpr GLuint kAttributes[] = {4, 1, 4};  // floats of ends, width and colour
+  std::size_t offset = static_cast<std::size_t>(part.first) * sizeof(MarkInstance);
+  for (GLuint index = 0; index < std::size(kAttributes); ++index) {
+    const GLuint size = kAttributes[index];
+    glEnableVertexAttribArray(index);
+    glVertexAttribDivisor(index, 1);
+    glVertexAttribPointer(index, static_cast<GLint>(size), GL_FLOAT, GL_FALSE, sizeof(MarkInstance),
+                          bufferOffset(offset));
+    offset += size * sizeof(float);
+  }
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, part.count);
+}
+
+void StagePainter::load(const StageModel& stage, const FaceMarks& marks, Marks& kept) {
+  kept.loaded = marks;
+  kept.parts.clear();
+  std::vector<MarkInstance> instances;
+  for (int face = 0; face < stage.mesh.faces(); ++face) {
+    const auto first = static_cast<GLsizei>(instances.size());
+    for (const FaceMark& mark : *marks) {
+      if (mark.face == face) instances.push_back({mark.a, mark.b, mark.width, mark.colour});
+    }
+    kept.parts.push_back({first, static_cast<GLsizei>(instances.size()) - first});
+  }
+  fill(kept.buffer, instances);
 }
 
 void StagePainter::drawMarkers(const Scene& scene, const FaceView& view, float seconds) {

@@ -21,13 +21,22 @@ class StagePainter {
 
   /// Draws the faces, with depth.
   void draw(const std::shared_ptr<const StageModel>& stage, std::span<const FaceView> views);
-  /// Draws segments, elements, markers, face numbers and shadows on the faces. `seconds` is the time of the animation.
+  /// Draws segments, elements, marks, markers, face numbers and shadows on the faces. `seconds` is the time of the
+  /// animation.
   void drawOnFaces(const Scene& scene, std::span<const FaceView> views, float seconds, TextPainter& text);
 
  private:
   struct Ribbons {
     GLsizei first = 0;
     GLsizei count = 0;
+  };
+
+  // A list of marks for the shader.
+  struct Marks {
+    FaceMarks loaded;
+    std::vector<Ribbons> parts;  // by face
+    GlVertexArray array;
+    GlBuffer buffer;
   };
 
   struct Look {
@@ -38,6 +47,8 @@ class StagePainter {
 
   void load(const StageModel& stage);
   void drawRibbons(const StageModel& stage, const FaceView& view, bool shadow);
+  void drawMarks(const Scene& scene, const FaceView& view, const FaceMarks& marks, Marks& kept);
+  void load(const StageModel& stage, const FaceMarks& marks, Marks& kept);
   void drawMarkers(const Scene& scene, const FaceView& view, float seconds);
   void drawMarker(const SolidMesh& mesh, const FaceView& view, const Marker& marker, const Look& look);
   void drawShadows(const Scene& scene, const FaceView& view);
@@ -47,6 +58,7 @@ class StagePainter {
   ShaderProgram face_;
   ShaderProgram ribbon_;
   ShaderProgram marker_;
+  ShaderProgram mark_;
   StageElementPainter elementPainter_;
   GlVertexArray faceArray_;
   GlVertexArray ribbonArray_;
@@ -54,6 +66,8 @@ class StagePainter {
   GlBuffer corners_;
   GlBuffer ends_;
   std::vector<Ribbons> ribbons_;  // by face: its part of ends_
+  Marks marksBelow_;
+  Marks marksAbove_;
 };
 
 }  // namespace platon

@@ -10,12 +10,13 @@
 #include <GLFW/glfw3.h>
 
 #include "client/gl/gl_loader.h"
+#include "client/ui/overlay.h"
 
 namespace platon {
 namespace {
 
 std::optional<Key> keyOf(int glfwKey) {
-  constexpr std::array<std::pair<int, Key>, 18> kKeys{{{GLFW_KEY_LEFT, Key::kArrowLeft},
+  constexpr std::array<std::pair<int, Key>, 37> kKeys{{{GLFW_KEY_LEFT, Key::kArrowLeft},
                                                        {GLFW_KEY_RIGHT, Key::kArrowRight},
                                                        {GLFW_KEY_UP, Key::kArrowUp},
                                                        {GLFW_KEY_DOWN, Key::kArrowDown},
@@ -32,7 +33,28 @@ std::optional<Key> keyOf(int glfwKey) {
                                                        {GLFW_KEY_ESCAPE, Key::kEscape},
                                                        {GLFW_KEY_F1, Key::kF1},
                                                        {GLFW_KEY_F3, Key::kF3},
-                                                       {GLFW_KEY_F11, Key::kF11}}};
+                                                       {GLFW_KEY_F11, Key::kF11},
+                                                       {GLFW_KEY_KP_ADD, Key::kPlus},
+                                                       {GLFW_KEY_EQUAL, Key::kPlus},
+                                                       {GLFW_KEY_KP_SUBTRACT, Key::kMinus},
+                                                       {GLFW_KEY_MINUS, Key::kMinus},
+                                                       {GLFW_KEY_DELETE, Key::kDelete},
+                                                       {GLFW_KEY_BACKSPACE, Key::kBackspace},
+                                                       {GLFW_KEY_PAGE_UP, Key::kPageUp},
+                                                       {GLFW_KEY_PAGE_DOWN, Key::kPageDown},
+                                                       {GLFW_KEY_B, Key::kB},
+                                                       {GLFW_KEY_C, Key::kC},
+                                                       {GLFW_KEY_E, Key::kE},
+                                                       {GLFW_KEY_F, Key::kF},
+                                                       {GLFW_KEY_G, Key::kG},
+                                                       {GLFW_KEY_H, Key::kH},
+                                                       {GLFW_KEY_P, Key::kP},
+                                                       {GLFW_KEY_T, Key::kT},
+                                                       {GLFW_KEY_X, Key::kX},
+                                                       {GLFW_KEY_Y, Key::kY},
+                                                       {GLFW_KEY_Z, Key::kZ}}};
+  if (glfwKey >= GLFW_KEY_0 && glfwKey <= GLFW_KEY_9)
+    return static_cast<Key>(static_cast<int>(Key::kDigit0) + glfwKey - GLFW_KEY_0);
   const auto found = std::find_if(kKeys.begin(), kKeys.end(), [&](const auto& pair) { return pair.first == glfwKey; });
   return found == kKeys.end() ? std::nullopt : std::optional(found->second);
 }
@@ -96,6 +118,9 @@ GLFWwindow* openWindow(const std::string& title, int width, int height) {
 Window::Window(const std::string& title, int width, int height) : handle_(openWindow(title, width, height)) {
   glfwSetWindowUserPointer(handle_, this);
   glfwSetKeyCallback(handle_, onKey);
+  glfwSetCursorPosCallback(handle_, onMove);
+  glfwSetMouseButtonCallback(handle_, onButton);
+  glfwSetScrollCallback(handle_, onScroll);
   glfwMakeContextCurrent(handle_);
   glfwSwapInterval(1);
   try {
@@ -125,7 +150,13 @@ void Window::poll() {
 
 bool Window::closing() const { return glfwWindowShouldClose(handle_) == GLFW_TRUE; }
 
+void Window::stayOpen() { glfwSetWindowShouldClose(handle_, GLFW_FALSE); }
+
 std::vector<KeyEvent> Window::takeKeyEvents() { return std::exchange(keyEvents_, {}); }
+
+std::vector<PointerEvent> Window::takePointerEvents() { return std::exchange(pointerEvents_, {}); }
+
+void Window::setTitle(const std::string& title) { glfwSetWindowTitle(handle_, title.c_str()); }
 
 void Window::setFullscreen(bool fullscreen) {
   const bool isFullscreen = glfwGetWindowMonitor(handle_) != nullptr;
@@ -148,7 +179,41 @@ void Window::onKey(GLFWwindow* handle, int key, int /*scancode*/, int action, in
   const std::optional<Key> known = keyOf(key);
   if (!known) return;
   auto& window = *static_cast<Window*>(glfwGetWindowUserPointer(handle));
-  window.keyEvents_.push_back({*known, kindOf(action), (mods & GLFW_MOD_ALT) != 0});
+  window.keyEvents_.push_back({*known, kindOf(action), (mods & GLFW_MOD_ALT) != 0, (mods & GLFW_MOD_CONTROL) != 0,
+                               (mods & GLFW_MOD_SHIFT) != 0});
+}
+
+void Window::onMove(GLFWwindow* handle, double /*x*/, double /*y*/) {
+  static_cast<Window*>(glfwGetWindowUserPointer(handle))->addPointerEvent({.kind = PointerEvent::Kind::kMove});
+}
+
+void Window::onButton(GLFWwindow* handle, int button, int action, int /*mods*/) {
+  if (button > GLFW_MOUSE_BUTTON_MIDDLE) return;
+  PointerEvent event;
+  event.kind = action == GLFW_PRESS ? PointerEvent::Kind::kPress : PointerEvent::Kind::kRelease;
+  event.button = static_cast<PointerEvent::Button>(button);
+  static_cast<Window*>(glfwGetWindowUserPointer(handle))->addPointerEvent(event);
+}
+
+void Window::onScroll(GLFWwindow* handle, double /*x*/, double y) {
+  static_cast<Window*>(glfwGetWindowUserPointer(handle))
+      ->addPointerEvent({.kind = PointerEvent::Kind::kScroll, .scroll = y});
+}
+
+// Adds the place and the keys that are held.
+void Window::addPointerEvent(PointerEvent event) {
+  int width = 0;
+  int height = 0;
+  glfwGetWindowSize(handle_, &width, &height);
+  glfwGetCursorPos(handle_, &event.place.x, &event.place.y);
+  event.place *= double{Overlay::kHeight} / std::max(height, 1);
+  const auto held = [this](int left, int right) {
+    return glfwGetKey(handle_, left) == GLFW_PRESS || glfwGetKey(handle_, right) == GLFW_PRESS;
+  };
+  event.alt = held(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT);
+  event.ctrl = held(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
+  event.shift = held(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
+  pointerEvents_.push_back(event);
 }
 
 }  // namespace platon

@@ -6,13 +6,15 @@
 
 #include "client/ui/gamepad_keys.h"
 #include "client/ui/key.h"
+#include "client/ui/pointer_event.h"
 
 struct GLFWwindow;
 
 namespace platon {
 
 /// A window with an OpenGL 3.3 core context, which is current from construction to destruction, and the source of the
-/// key events of keyboard and gamepads. At most one exists at a time, on the main thread.
+/// key events of keyboard and gamepads and of the pointer events of the mouse. At most one exists at a time, on the
+/// main thread.
 class Window {
  public:
   /// `width` × `height` in screen coordinates. Throws std::runtime_error if there is no display or no OpenGL 3.3.
@@ -25,9 +27,15 @@ class Window {
   void poll();
   /// Whether the player has asked to close the window.
   bool closing() const;
+  /// Forgets that the player has asked to close the window.
+  void stayOpen();
   /// Returns the key events since the last call: those of the keyboard in order, and those of the gamepads as of each
   /// `poll`. A window that loses the focus releases all keys.
   std::vector<KeyEvent> takeKeyEvents();
+  /// Returns the pointer events since the last call, in order.
+  std::vector<PointerEvent> takePointerEvents();
+  /// Shows this text in the title bar.
+  void setTitle(const std::string& title);
 
   /// Size of the picture in pixels; may be 0 while the window is minimised.
   std::uint32_t pixelWidth() const { return pixelWidth_; }
@@ -40,9 +48,14 @@ class Window {
 
  private:
   static void onKey(GLFWwindow* handle, int key, int scancode, int action, int mods);
+  static void onMove(GLFWwindow* handle, double x, double y);
+  static void onButton(GLFWwindow* handle, int button, int action, int mods);
+  static void onScroll(GLFWwindow* handle, double x, double y);
+  void addPointerEvent(PointerEvent event);
 
   GLFWwindow* handle_ = nullptr;
   std::vector<KeyEvent> keyEvents_;
+  std::vector<PointerEvent> pointerEvents_;
   GamepadKeys gamepadKeys_;
   std::uint32_t pixelWidth_ = 0;
   std::uint32_t pixelHeight_ = 0;

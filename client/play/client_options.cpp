@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <map>
 #include <stdexcept>
 
 #include "platon_version.h"
@@ -37,6 +38,20 @@ void describeFrameOptions(CLI::App& app, FrameOptions& frames) {
       ->group(kGroup);
 }
 
+void describeEditOptions(CLI::App& app, ClientOptions& options) {
+  const char* const kGroup = "Level editor";
+  std::map<std::string, SolidKind> solids;
+  for (int i = 0; i < kSolidKinds; ++i) {
+    const auto kind = static_cast<SolidKind>(i);
+    solids.emplace(nameOf(kind), kind);
+  }
+  app.add_option("--edit", options.edit, "Edit this level file; the first save creates it if it does not exist")
+      ->group(kGroup);
+  app.add_option("--solid", options.solid, "Solid of a new level; default: HEXAHEDRON")
+      ->transform(CLI::CheckedTransformer(solids, CLI::ignore_case))
+      ->group(kGroup);
+}
+
 void describe(CLI::App& app, ClientOptions& options, std::string& host, std::string& passwordFile) {
   app.add_option("HOST", host, "Server address, HOST or HOST:PORT; without it an embedded server is started");
   app.add_option("--level", options.level,
@@ -49,6 +64,22 @@ void describe(CLI::App& app, ClientOptions& options, std::string& host, std::str
       ->check(CLI::Range(0.1, 86400.0));
   app.add_option("--screenshot", options.screenshot, "Write the last frame to this PNG file");
   describeFrameOptions(app, options.frames);
+  describeEditOptions(app, options);
+}
+
+// The editor plays on no server, so options of a match are refused.
+void checkEdit(const CLI::App& app, const ClientOptions& options) {
+  if (options.edit.empty() && app.count("--edit") > 0)
+    throw std::invalid_argument("--edit needs the name of a level file");
+  if (options.edit.empty() && app.count("--solid") > 0) throw std::invalid_argument("--solid works only with --edit");
+  if (options.edit.empty()) return;
+  for (const char* const other : {"HOST", "--level", "--name", "--password-file", "--demo", "--frames", "--fps",
+                                  "--from", "--width", "--players"}) {
+    if (app.count(other) > 0)
+      throw std::invalid_argument("--edit does not work with " + std::string(other) + "; leave one of them out");
+  }
+  if (options.offscreen && options.screenshot.empty())
+    throw std::invalid_argument("--edit with --offscreen needs --screenshot FILE.png");
 }
 
 void check(ClientOptions& options, const std::string& host) {
@@ -77,6 +108,7 @@ std::optional<ClientOptions> readClientOptions(int argc, const char* const* argv
   describe(app, options, host, passwordFile);
   try {
     app.parse(argc, argv);
+    checkEdit(app, options);
     check(options, host);
     if (!passwordFile.empty()) options.knowledge.password = readPasswordFile(passwordFile);
     return options;

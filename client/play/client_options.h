@@ -5,6 +5,7 @@
 
 #include "client/net/server_address.h"
 #include "client/play/frame_options.h"
+#include "platon/game/solid.h"
 #include "protocol/transport/client_gate.h"
 
 namespace platon {
@@ -20,6 +21,8 @@ struct ClientOptions {
   std::optional<double> seconds;  ///< maximum duration
   std::string screenshot;         ///< PNG file for the last frame; empty: none
   FrameOptions frames;
+  std::string edit;                          ///< level file for the editor; empty: play
+  SolidKind solid = SolidKind::kHexahedron;  ///< of a new level of the editor
 };
 
 /// Parses the command line. Returns nothing after printing the help or the version. Throws ProgramError.

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "client/play/client_options.h"
+#include "client/play/edit_play.h"
 #include "client/play/embedded_server.h"
 #include "client/play/frame_play.h"
 #include "client/play/offscreen_play.h"
@@ -26,6 +27,10 @@ int play(int argc, char** argv) {
   std::signal(SIGINT, [](int) { stopSignal = 1; });
   if (!options->frames.folder.empty()) {
     FramePlay(*options, loadLevelFiles({options->level}).levels.front()).run(stopRequested);
+    return 0;
+  }
+  if (!options->edit.empty()) {
+    EditPlay(*options, steadyClock()).run(stopRequested);
     return 0;
   }
   std::optional<EmbeddedServer> embedded;

@@ -50,6 +50,12 @@ void Camera::set(const Pose& player, const SolidMesh& stage, std::uint32_t w, st
   radius_ = stage.circumradius();
 }
 
+void Camera::place(glm::dvec3 eye, glm::dvec3 up, const SolidMesh& stage) {
+  orientation_ = orientationOf(glm::normalize(eye), up);
+  distance_ = glm::length(eye);
+  radius_ = stage.circumradius();
+}
+
 // The rotation to the target is split into a swing of the line of sight, which keeps the player visible, and a roll
 // about it, which may be slow. Both decay exponentially, so the result does not depend on the frame rate.
 void Camera::lerp(const Pose& player, const SolidMesh& stage, double seconds) {

@@ -21,6 +21,8 @@ class Camera {
 
   /// Moves the camera to its target at once. The picture has w × h pixels, both at least 1.
   void set(const Pose& player, const SolidMesh& stage, std::uint32_t w, std::uint32_t h);
+  /// Puts the camera at `eye`, which is not the centre of the solid, with `up` up. The size of the picture stays.
+  void place(glm::dvec3 eye, glm::dvec3 up, const SolidMesh& stage);
   /// Moves the camera towards the target of `set` for `seconds` ≥ 0. While the player stands still, two calls have the
   /// effect of one call with the sum of their times.
   void lerp(const Pose& player, const SolidMesh& stage, double seconds);

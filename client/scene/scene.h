@@ -10,6 +10,7 @@
 #include "client/netcode/attempt_time.h"
 #include "client/netcode/player_snapshot.h"
 #include "client/scene/element_states.h"
+#include "client/scene/face_mark.h"
 #include "client/scene/palette.h"
 #include "client/scene/pose.h"
 #include "client/scene/stage_model.h"
@@ -56,6 +57,8 @@ struct Scene {
   std::shared_ptr<const StageModel> stage;
   ElementStates elements;
   std::vector<PlayerDrawing> players;  ///< by slot; the local player is last
+  FaceMarks marksBelow;                ///< of the editor, below the segments; null without any
+  FaceMarks marksAbove;                ///< of the editor, above the segments; null without any
   Pose focus;          ///< target of the camera: the local player, else the first player, else the start
   double seconds = 0;  ///< since the start of the round
   double secondsLeft = 0;

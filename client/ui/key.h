@@ -24,6 +24,33 @@ enum class Key : std::uint8_t {
   kF1,
   kF3,
   kF11,
+  kB,  ///< the editor uses this and the next ones up to kPageDown
+  kC,
+  kE,
+  kF,
+  kG,
+  kH,
+  kP,
+  kT,
+  kX,
+  kY,
+  kZ,
+  kDigit0,  ///< the digits are in order
+  kDigit1,
+  kDigit2,
+  kDigit3,
+  kDigit4,
+  kDigit5,
+  kDigit6,
+  kDigit7,
+  kDigit8,
+  kDigit9,
+  kPlus,
+  kMinus,
+  kDelete,
+  kBackspace,
+  kPageUp,
+  kPageDown,
   kPadLeft,  ///< D-pad or left stick, as the next three
   kPadRight,
   kPadUp,
@@ -42,7 +69,9 @@ struct KeyEvent {
 
   Key key = Key::kSpace;
   Kind kind = Kind::kPress;
-  bool alt = false;  ///< Alt was held
+  bool alt = false;    ///< Alt was held
+  bool ctrl = false;   ///< Ctrl was held
+  bool shift = false;  ///< Shift was held
 
   friend bool operator==(const KeyEvent&, const KeyEvent&) = default;
 };

@@ -167,14 +167,18 @@ void JumpHeights::cross(const Place& place) {
     const Line line{face.polygon[edge], face.polygon[(edge + 1) % face.polygon.size()]};
     if (distance(rect, line) > 0.1) continue;
     const auto& behind = face.neighbours[edge];
+    const ReachGrid& grid = grids_[behind.node];
     std::vector<std::size_t> cells;
-    // Of the rows of cells behind the edge, only the nearest one, so that no way along the edge climbs from row to
-    // row.
+    grid.findOverlapped({rect.low + behind.shift, rect.high + behind.shift}, cells);
     const double y = rect.middle().y + behind.shift.y;
-    grids_[behind.node].findOverlapped({{rect.low.x + behind.shift.x, y}, {rect.high.x + behind.shift.x, y}}, cells);
-    for (const std::size_t next : cells)
+    for (const std::size_t next : cells) {
+      // Of the rows of cells behind the edge, only the nearest one, so that no way along the edge climbs from row to
+      // row; another one where the nearest is blocked.
+      const std::size_t nearest = grid.cellAt({grid.rectOf(next).middle().x, y});
+      if (next != nearest && isOpen(behind.node, nearest)) continue;
       place.rising ? rise(behind.node, next, apexes_[place.node][place.cell] + behind.shift.y)
                    : fall(behind.node, next);
+    }
   }
 }
 

@@ -31,11 +31,18 @@ std::optional<Solution> LevelSolver::solve(const Limits& limits) {
 std::optional<Solution> LevelSolver::solveAlone(const Limits& limits) {
   Situation start = begin();
   WaySearch search(start.game, 0, {limits.states, limits.crossings, limits.pressCost});
-  const bool found = search.find({});
+  LevelSolver::search(search, true, limits);
   states_ = search.states();
-  if (!found) return std::nullopt;
+  if (!search.found().contains({})) return std::nullopt;
   play(start, 0, search.inputsTo({}));
   return start.inputs;
+}
+
+// Searches for the goal, or for all targets.
+void LevelSolver::search(WaySearch& way, bool toGoal, const Limits& limits) {
+  constexpr std::uint64_t ticksAtATime = 1000;
+  while (!(toGoal && way.found().contains({})) && !(limits.stop && limits.stop()) && way.work(ticksAtATime)) {
+  }
 }
 
 // Breadth first: the fewest moves of players.
@@ -49,7 +56,8 @@ std::optional<Solution> LevelSolver::solveTogether(const Limits& limits) {
     for (std::uint32_t slot = 0; slot < before.game.slots(); ++slot) {
       if (before.game.player(slot).arrived != 0) continue;
       WaySearch search(before.game, slot, {limits.states - states_, limits.crossings, limits.pressCost});
-      search.findAll();
+      LevelSolver::search(search, false, limits);
+      if (limits.stop && limits.stop()) return std::nullopt;
       states_ += search.states();
       for (const auto& [target, way] : search.found()) {
         Situation after = before;

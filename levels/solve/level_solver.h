@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <set>
@@ -20,6 +21,7 @@ class LevelSolver {
     std::size_t states = 6000000;            ///< most states of all searches together
     std::optional<std::uint32_t> crossings;  ///< most crossings of a player
     std::uint32_t pressCost = 0;             ///< of each press of a button, in ticks
+    std::function<bool()> stop = {};         ///< asked every few milliseconds; when it returns true, nothing is found
   };
 
   explicit LevelSolver(std::shared_ptr<const Level> level) : level_(std::move(level)) {}
@@ -40,6 +42,7 @@ class LevelSolver {
 
   std::optional<Solution> solveAlone(const Limits& limits);
   std::optional<Solution> solveTogether(const Limits& limits);
+  static void search(WaySearch& way, bool toGoal, const Limits& limits);
   Situation begin() const;
   void play(Situation& situation, std::uint32_t slot, const std::vector<Input>& inputs) const;
   bool settle(Situation& situation) const;

@@ -1,0 +1,69 @@
+#include "client/editor/edited_level.h"
+
+#include <algorithm>
+#include <iterator>
+#include <tuple>
+#include <utility>
+
+namespace platon {
+namespace {
+
+bool isBefore(const EditedSegment& left, const EditedSegment& right) {
+  const auto key = [](const EditedSegment& segment) {
+    const SegmentWord& word = segment.word;
+    return std::tuple(segment.face, segment.a.x, segment.a.y, segment.b.x, segment.b.y, word.kind, word.number);
+  };
+  return key(left) < key(right);
+}
+
+std::vector<EditedSegment> ordered(std::vector<EditedSegment> segments) {
+  std::sort(segments.begin(), segments.end(), isBefore);
+  return segments;
+}
+
+}  // namespace
+
+EditedLevel::EditedLevel(std::string_view text, bool saved) : document_(text) {
+  update();
+  if (saved) markSaved();
+}
+
+void EditedLevel::edit(const std::function<void(LevelDocument&)>& change) {
+  change(document_);
+  std::string before = text_;
+  if (document_.text() == before) return;
+  history_.keep(std::move(before));
+  document_.check();
+  update();
+}
+
+bool EditedLevel::undo() { return show(history_.undo(text_)); }
+
+bool EditedLevel::redo() { return show(history_.redo(text_)); }
+
+bool EditedLevel::show(const std::optional<std::string>& text) {
+  if (!text) return false;
+  document_.setText(*text);
+  document_.check();
+  update();
+  return true;
+}
+
+void EditedLevel::reload(std::string_view text) {
+  edit([&](LevelDocument& document) { document.setText(text); });
+  markSaved();
+}
+
+void EditedLevel::update() {
+  text_ = document_.text();
+  faulty_.clear();
+  std::vector<EditedSegment> present = ordered(document_.segments());
+  if (document_.valid()) {
+    shown_ = std::move(present);
+    return;
+  }
+  std::set_difference(present.begin(), present.end(), shown_.begin(), shown_.end(), std::back_inserter(faulty_),
+                      isBefore);
+}
+
+}  // namespace platon

@@ -1,0 +1,52 @@
+#include "client/editor/editor_camera.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "client/ui/overlay.h"
+
+namespace platon {
+namespace {
+
+constexpr double kWholeSolid = 3.0;   // distance in circumradii at which the solid fills the picture
+constexpr double kFarthest = 6.0;     // in circumradii
+constexpr double kNearest = 100;      // level units above the face
+constexpr double kNotch = 1.15;       // factor of the distance from the face
+constexpr double kViewHeight = 0.73;  // of the camera's field of view, at distance 1
+
+}  // namespace
+
+void EditorCamera::showAll(const SolidMesh& mesh, const Pose& pose) {
+  centre(pose);
+  distance_ = kWholeSolid * mesh.circumradius();
+}
+
+void EditorCamera::centre(const Pose& pose) {
+  orientation_ = glm::normalize(glm::quat_cast(glm::dmat3(glm::cross(pose.up, pose.normal), pose.up, pose.normal)));
+}
+
+void EditorCamera::drag(const SolidMesh& mesh, glm::dvec2 way) {
+  const double units = kViewHeight * (distance_ - mesh.inradius()) / double{Overlay::kHeight};
+  turn(way.x * units / mesh.inradius(), -way.y * units / mesh.inradius());
+}
+
+void EditorCamera::turn(double right, double up) {
+  orientation_ = glm::normalize(orientation_ * glm::angleAxis(-right, glm::dvec3(0, 1, 0)) *
+                                glm::angleAxis(up, glm::dvec3(1, 0, 0)));
+}
+
+void EditorCamera::zoom(const SolidMesh& mesh, double notches) {
+  const double above = (distance_ - mesh.inradius()) * std::pow(kNotch, -notches);
+  distance_ = std::clamp(mesh.inradius() + above, mesh.inradius() + kNearest, kFarthest * mesh.circumradius());
+}
+
+Camera EditorCamera::camera(const SolidMesh& mesh, std::uint32_t w, std::uint32_t h) const {
+  Camera camera;
+  camera.resize(w, h);
+  camera.place(orientation_ * glm::dvec3(0, 0, distance_), orientation_ * glm::dvec3(0, 1, 0), mesh);
+  return camera;
+}
+
+}  // namespace platon

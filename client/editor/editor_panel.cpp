@@ -1,0 +1,175 @@
+#include "client/editor/editor_panel.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdio>
+
+#include "client/editor/level_document.h"
+#include "client/ui/overlay_writer.h"
+#include "client/ui/text_wrap.h"
+
+namespace platon {
+namespace {
+
+using namespace overlay_colours;
+
+constexpr float kMargin = 16;
+constexpr float kWidth = 236;
+constexpr float kSize = 14;
+
+constexpr std::array<std::array<const char*, 2>, 20> kHelp{{{"S D E W T G P", "tools: select, draw … play"},
+                                                            {"left button", "use the tool"},
+                                                            {"right button, arrows", "turn the solid"},
+                                                            {"wheel, Page Up/Down", "nearer, farther"},
+                                                            {"C", "centre the face, upright"},
+                                                            {"Alt", "no snapping"},
+                                                            {"Shift", "only straight ways"},
+                                                            {"+  -", "grid"},
+                                                            {"X", "next word"},
+                                                            {"0 … 9", "number of the word, edge of up"},
+                                                            {"F", "flip the direction"},
+                                                            {"Delete", "erase the selected segment"},
+                                                            {"Ctrl+Z, Ctrl+Y", "undo, redo"},
+                                                            {"Ctrl+S", "save"},
+                                                            {"H", "show where the ball may be"},
+                                                            {"P, click", "play from there"},
+                                                            {"Esc", "end playing; menu: leave"},
+                                                            {"F1", "help"},
+                                                            {"F11", "full screen"},
+                                                            {"tool T, then F", "turn the ball's up"}}};
+
+glm::vec4 colourOf(LevelReport::Way way) {
+  switch (way) {
+    case LevelReport::Way::kFound:
+      return kGood;
+    case LevelReport::Way::kSearching:
+      return kSoft;
+    default:
+      return kWarning;
+  }
+}
+
+const char* signOf(LevelReport::Way way) {
+  switch (way) {
+    case LevelReport::Way::kFound:
+      return "✓ ";
+    case LevelReport::Way::kSearching:
+      return "… ";
+    default:
+      return "✗ ";
+  }
+}
+
+std::string counted(std::size_t count, const std::string& noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : noun.ends_with("s") ? "es" : "s");
+}
+
+std::string secondsText(std::uint32_t ticks) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.2f s", ticks / 60.0);
+  return text.data();
+}
+
+void addTools(OverlayWriter& writer, const EditorStatus& status, glm::vec2 place) {
+  for (const EditToolFacts& facts : kEditTools) {
+    const bool chosen = facts.tool == status.tool;
+    if (chosen) {
+      writer.panel({kMargin + 6, place.y - 16}, {kMargin + kWidth - 6, place.y + 6}, 7, kSelected);
+    }
+    writer.left(facts.letter, place, kSize, chosen ? kGold : kSoft);
+    writer.left(facts.name, place + glm::vec2(26, 0), kSize, chosen ? kBright : kSoft);
+    place.y += 24;
+  }
+}
+
+void addHead(OverlayWriter& writer, const EditorStatus& status) {
+  const float height = 106 + 24.0F * kEditTools.size();
+  writer.panel({kMargin, kMargin}, {kMargin + kWidth, kMargin + height}, 12, kPanel);
+  writer.left(status.file + (status.unsaved ? " *" : ""), {kMargin + 14, kMargin + 26}, 16,
+              status.unsaved ? kGold : kBright);
+  writer.left(status.title, {kMargin + 14, kMargin + 44}, 12, kSoft);
+  addTools(writer, status, {kMargin + 14, kMargin + 74});
+  const float below = kMargin + 74 + 24.0F * kEditTools.size();
+  writer.left(nameOf(status.word) + "   grid " + coordinateText(status.grid), {kMargin + 14, below}, kSize, kBright);
+  writer.left(status.place.empty() ? "F1: help" : status.place, {kMargin + 14, below + 20}, 12, kSoft);
+}
+
+void addReport(OverlayWriter& writer, const EditorStatus& status, const Font& font, float width) {
+  std::vector<std::string> lines;
+  for (const std::string& line : linesOf(status.report)) {
+    for (const std::string& part : wrapText(line, font, 262 / kSize)) lines.push_back(part);
+  }
+  const float left = width - kMargin - 290;
+  const float height = 22.0F * static_cast<float>(lines.size()) + 18;
+  writer.panel({left, kMargin}, {width - kMargin, kMargin + height}, 12, kPanel);
+  glm::vec2 place(left + 14, kMargin + 25);
+  for (std::size_t i = 0; i < lines.size(); ++i, place.y += 22) {
+    const std::string sign = i == 0 ? signOf(status.report.way) : "";
+    writer.left(sign + lines[i], place, kSize, i == 0 ? colourOf(status.report.way) : kSoft);
+  }
+}
+
+void addHelp(OverlayWriter& writer, float width) {
+  const float height = 21.0F * kHelp.size() + 18;
+  const glm::vec2 low(width - kMargin - 420, Overlay::kHeight - kMargin - height);
+  writer.panel(low, {width - kMargin, Overlay::kHeight - kMargin}, 12, {0.04F, 0.05F, 0.09F, 0.88F});
+  glm::vec2 place = low + glm::vec2(14, 25);
+  for (const auto& [keys, meaning] : kHelp) {
+    writer.left(keys, place, 13, kBright);
+    writer.left(meaning, place + glm::vec2(176, 0), 13, kSoft);
+    place.y += 21;
+  }
+}
+
+// At the lower edge, errors above other messages.
+void addMessages(OverlayWriter& writer, const EditorStatus& status, const Font& font, float width) {
+  glm::vec2 middle(width / 2, Overlay::kHeight - 34);
+  const auto add = [&](const std::string& text, glm::vec4 colour) {
+    if (text.empty()) return;
+    middle.y = writer.pill(wrapText(text, font, (width - 2 * kWidth) / 15), middle, 15, colour) - 22;
+  };
+  add(status.message, kSoft);
+  add(status.error, kWarning);
+  if (status.playing)
+    add(status.arrived ? "★  Goal!   Esc: back to editing" : "Playing.  R: again from here   Esc: back to editing",
+        status.arrived ? kGold : kBright);
+}
+
+}  // namespace
+
+std::vector<std::string> linesOf(const LevelReport& report) {
+  const SolutionFacts& facts = report.facts;
+  switch (report.way) {
+    case LevelReport::Way::kSearching:
+      return {report.reached ? "searching a way to the goal" : "searching where the ball may be"};
+    case LevelReport::Way::kImpossible:
+      return {"the goal cannot be reached", "proved: no jump leads to where the dots end"};
+    case LevelReport::Way::kNotFound:
+      return {"no way to the goal found", std::to_string(report.states) + " states searched; there may still be one"};
+    case LevelReport::Way::kFound:
+      break;
+  }
+  std::vector<std::string> lines{"solved in " + secondsText(facts.ticks)};
+  lines.push_back(counted(facts.presses, "press") + ", " + counted(facts.crossings, "crossing") + ", " +
+                  counted(facts.turns, "turn") + " of down");
+  lines.push_back((facts.slack ? "tightest jump " + counted(static_cast<std::size_t>(*facts.slack), "tick")
+                               : std::string("no jump")) +
+                  ", difficulty " + std::to_string(difficultyOf(facts)));
+  return lines;
+}
+
+std::string nameOf(const SegmentWord& word) {
+  if (!word.kind) return "segment";
+  return std::string(wordOf(*word.kind)) + (hasNumber(*word.kind) ? " " + std::to_string(word.number) : "");
+}
+
+Overlay makeEditorPanel(const EditorStatus& status, const Font& font, float width) {
+  OverlayWriter writer(font);
+  addHead(writer, status);
+  addReport(writer, status, font, width);
+  if (status.help) addHelp(writer, width);
+  addMessages(writer, status, font, width);
+  return writer.take();
+}
+
+}  // namespace platon

@@ -1,0 +1,116 @@
+#include <algorithm>
+#include <cstddef>
+
+#include "client/editor/editor.h"
+#include "client/editor/face_picker.h"
+
+// What the mouse does in the editor.
+namespace platon {
+namespace {
+
+SegmentWord nextWord(const SegmentWord& word) {
+  if (!word.kind) return {kElementKinds.front(), word.number};
+  const std::size_t next = static_cast<std::size_t>(*word.kind) + 1;
+  if (next == kElementKinds.size()) return {std::nullopt, word.number};
+  return {kElementKinds[next], word.number};
+}
+
+}  // namespace
+
+void Editor::handle(const PointerEvent& event) {
+  movePointer(event);
+  if (menu_.isOpen()) return;
+  using Kind = PointerEvent::Kind;
+  if (event.kind == Kind::kScroll) view_.zoom(mesh(), event.scroll);
+  if (event.kind == Kind::kMove) return;
+  const bool left = event.button == PointerEvent::Button::kLeft;
+  if (!left && event.kind != Kind::kScroll) turning_ = event.kind == Kind::kPress;
+  if (left && event.kind == Kind::kPress && pointer_) press(event);
+  if (left && event.kind == Kind::kRelease && gesture_) finishGesture();
+}
+
+void Editor::movePointer(const PointerEvent& event) {
+  const glm::dvec2 way = event.place - screen_;
+  screen_ = event.place;
+  free_ = event.alt;
+  if (turning_ && !play_) view_.drag(mesh(), way);
+  const Camera seen = camera();
+  pointer_ = pickFace(mesh(), seen, screen_);
+  hovered_.reset();
+  if (!pointer_ || play_) return;
+  if (gesture_) {
+    std::vector<EditedSegment> others = segments();
+    if (gesture_->moved()) others.erase(others.begin() + static_cast<std::ptrdiff_t>(*gesture_->moved()));
+    return gesture_->follow(*pointer_, others, snapOptions(event.alt), event.shift);
+  }
+  const bool picks = tool_ == EditTool::kSelect || tool_ == EditTool::kErase || tool_ == EditTool::kWord;
+  if (picks) hovered_ = pickSegment(segments(), *pointer_, kReach / screenScale(mesh(), seen, *pointer_));
+}
+
+void Editor::press(const PointerEvent& event) {
+  if (play_ || tool_ == EditTool::kPlay) return placeBall();
+  const FacePlace at{pointer_->face, snapped(mesh(), segments(), *pointer_, snapOptions(event.alt)).place};
+  const std::optional<PickedSegment> picked = hovered_;
+  switch (tool_) {
+    case EditTool::kSelect:
+      return beginMove();
+    case EditTool::kDraw:
+      selected_.reset();
+      gesture_.emplace(mesh(), at, word_);
+      return;
+    case EditTool::kErase:
+      selected_.reset();
+      if (picked) edit([&](LevelDocument& document) { document.erase(picked->segment); });
+      return;
+    case EditTool::kWord:
+      if (picked) cycleWord(picked->segment);
+      return;
+    case EditTool::kStart:
+      return placeStart(at);
+    case EditTool::kGoal:
+      return edit([&](LevelDocument& document) { document.setGoal(at); });
+    case EditTool::kPlay:
+      return;
+  }
+}
+
+void Editor::beginMove() {
+  selected_.reset();
+  if (!hovered_) return;
+  selected_ = hovered_->segment;
+  gesture_.emplace(mesh(), segments()[*selected_], *hovered_, pointer_->place);
+}
+
+// A segment that is moved over an edge becomes one piece on each face.
+void Editor::finishGesture() {
+  const std::vector<EditedSegment> pieces = gesture_->pieces();
+  const std::optional<std::size_t> moved = gesture_->moved();
+  gesture_.reset();
+  if (pieces.empty() || (moved && pieces.size() == 1 && pieces.front() == segments()[*moved])) return;
+  edit([&](LevelDocument& document) {
+    if (moved) document.replace(*moved, pieces.front());
+    for (std::size_t i = moved ? 1 : 0; i < pieces.size(); ++i) document.add(pieces[i]);
+  });
+  if (moved && pieces.front().face != segments()[std::min(*moved, segments().size() - 1)].face) selected_.reset();
+}
+
+SegmentWord Editor::wordAfter(SegmentWord word) const {
+  word = nextWord(word);
+  if (word.kind == ElementKind::kUp) word.number %= mesh().solid().edgesPerFace();
+  return word;
+}
+
+void Editor::cycleWord(std::size_t segment) {
+  EditedSegment changed = segments()[segment];
+  changed.word = wordAfter(changed.word);
+  edit([&](LevelDocument& document) { document.replace(segment, changed); });
+  selected_ = segment;
+  word_ = changed.word;
+}
+
+void Editor::placeStart(const FacePlace& at) {
+  const int degrees = uprightDegrees(at.face, 0);
+  edit([&](LevelDocument& document) { document.setStart(at, degrees); });
+}
+
+}  // namespace platon

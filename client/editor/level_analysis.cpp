@@ -1,0 +1,134 @@
+#include "client/editor/level_analysis.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "levels/drawing/solid_frame.h"
+#include "levels/drawing/units.h"
+#include "levels/reach/jump_heights.h"
+#include "levels/solve/level_solver.h"
+#include "platon/game/game.h"
+
+namespace platon {
+namespace {
+
+constexpr double kSmallestStep = 16;      // of the lattice of reached places, level units
+constexpr double kStepsPerFace = 40;      // at most, along an edge
+constexpr std::size_t kPathTicks = 4;     // between two places of a path
+constexpr std::uint32_t kPressCost = 30;  // so that the way is an easy one
+
+std::vector<FacePlace> reachedPlaces(const Level& level, const JumpHeights& heights) {
+  const SolidFrame frame(level.solid, level.faceSize);
+  const double step = std::max(kSmallestStep, level.faceSize / kStepsPerFace);
+  const int half = static_cast<int>(std::ceil(glm::length(frame.polygon()[0]) / step));
+  std::vector<FacePlace> places;
+  for (int face = 0; face < frame.faces(); ++face) {
+    for (int row = -half; row <= half; ++row) {
+      for (int column = -half; column <= half; ++column) {
+        const glm::dvec2 place = glm::dvec2(column, row) * step;
+        const bool inside = std::all_of(frame.edgeNormals().begin(), frame.edgeNormals().end(),
+                                        [&](glm::dvec2 normal) { return glm::dot(normal, place) <= frame.apothem(); });
+        const Point point(static_cast<std::int32_t>(place.x * kSubunitsPerUnit),
+                          static_cast<std::int32_t>(place.y * kSubunitsPerUnit));
+        if (inside && heights.reaches(static_cast<std::uint32_t>(face), point)) places.push_back({face, place});
+      }
+    }
+  }
+  return places;
+}
+
+std::vector<std::vector<FacePlace>> pathsOf(const std::shared_ptr<const Level>& level, const Solution& solution) {
+  std::vector<std::vector<FacePlace>> paths(level->players);
+  Game game(level);
+  for (std::size_t tick = 0; tick < solution.size(); ++tick) {
+    game.advance(solution[tick]);
+    for (std::uint32_t slot = 0; slot < game.slots() && tick % kPathTicks == 0; ++slot) {
+      const EntityState& entity = game.world().entities()[slot];
+      paths[slot].push_back({static_cast<int>(entity.part), toUnits(entity.position)});
+    }
+  }
+  return paths;
+}
+
+}  // namespace
+
+LevelAnalysis::LevelAnalysis() : thread_([this] { run(); }) {}
+
+LevelAnalysis::~LevelAnalysis() {
+  {
+    const std::lock_guard lock(mutex_);
+    ending_ = true;
+    ++newest_;
+  }
+  changed_.notify_all();
+  thread_.join();
+}
+
+void LevelAnalysis::start(std::shared_ptr<const Level> level) {
+  {
+    const std::lock_guard lock(mutex_);
+    level_ = std::move(level);
+    report_.reset();
+    ++newest_;
+  }
+  changed_.notify_all();
+}
+
+std::optional<LevelReport> LevelAnalysis::take() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(report_, std::nullopt);
+}
+
+void LevelAnalysis::run() {
+  std::uint64_t done = 0;
+  while (true) {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] { return ending_ || newest_ != done; });
+    if (ending_) return;
+    done = newest_;
+    const std::shared_ptr<const Level> level = level_;
+    lock.unlock();
+    analyse(level, done);
+  }
+}
+
+void LevelAnalysis::analyse(const std::shared_ptr<const Level>& level, std::uint64_t job) {
+  LevelReport report;
+  report.level = level;
+  publish(report, job);
+  JumpHeights::Options options;
+  options.stop = [&] { return newest_ != job; };
+  const JumpHeights heights(*level, options);
+  if (heights.isStopped()) return;
+  report.reached = std::make_shared<const std::vector<FacePlace>>(reachedPlaces(*level, heights));
+  if (!heights.reachesGoal()) report.way = LevelReport::Way::kImpossible;
+  publish(report, job);
+  if (heights.reachesGoal()) search(std::move(report), job);
+}
+
+void LevelAnalysis::search(LevelReport report, std::uint64_t job) {
+  LevelSolver solver(report.level);
+  LevelSolver::Limits limits;
+  limits.states = kMaxStates;
+  limits.pressCost = kPressCost;
+  limits.stop = [&] { return newest_ != job; };
+  const std::optional<Solution> solution = solver.solve(limits);
+  if (newest_ != job) return;
+  report.states = solver.states();
+  const std::optional<SolutionFacts> facts = solution ? factsOf(report.level, *solution) : std::nullopt;
+  report.way = facts ? LevelReport::Way::kFound : LevelReport::Way::kNotFound;
+  if (facts) report.facts = *facts;
+  if (facts) report.paths = pathsOf(report.level, *solution);
+  publish(report, job);
+}
+
+void LevelAnalysis::publish(const LevelReport& report, std::uint64_t job) {
+  const std::lock_guard lock(mutex_);
+  if (newest_ == job) report_ = report;
+}
+
+}  // namespace platon

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "client/editor/face_place.h"
+#include "levels/solve/solution.h"
+#include "platon/game/level.h"
+
+namespace platon {
+
+/// What is known of a level.
+struct LevelReport {
+  /// The way to the goal.
+  enum class Way : std::uint8_t {
+    kSearching,
+    kFound,
+    kNotFound,   ///< the search has ended; there may be a way that it misses
+    kImpossible  ///< proved: whatever is pressed, nobody touches the goal
+  };
+
+  std::shared_ptr<const Level> level;
+  Way way = Way::kSearching;
+  /// Places on a lattice where the centre of a ball may be at most; null until they are known.
+  std::shared_ptr<const std::vector<FacePlace>> reached;
+  SolutionFacts facts;                        ///< of kFound
+  std::vector<std::vector<FacePlace>> paths;  ///< of kFound: of each player, every few ticks
+  std::size_t states = 0;                     ///< states that were searched
+};
+
+/// Analyses one level after another on a thread of its own: first where a ball can be at most, then a way to the goal.
+class LevelAnalysis {
+ public:
+  /// Most states of a search: they bound its memory to some hundred megabytes.
+  static constexpr std::size_t kMaxStates = 1000000;
+
+  LevelAnalysis();
+  ~LevelAnalysis();
+  LevelAnalysis(const LevelAnalysis&) = delete;
+  LevelAnalysis& operator=(const LevelAnalysis&) = delete;
+
+  /// Gives up the present level and begins with this one. Does not wait.
+  void start(std::shared_ptr<const Level> level);
+  /// Returns the newest report if there is one since the last call.
+  std::optional<LevelReport> take();
+
+ private:
+  void run();
+  void analyse(const std::shared_ptr<const Level>& level, std::uint64_t job);
+  void search(LevelReport report, std::uint64_t job);
+  void publish(const LevelReport& report, std::uint64_t job);
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::shared_ptr<const Level> level_;  // of the newest job
+  std::optional<LevelReport> report_;   // not yet taken
+  bool ending_ = false;
+  std::atomic<std::uint64_t> newest_{0};  // job; older ones stop
+  std::thread thread_;                    // last: it uses the others
+};
+
+}  // namespace platon

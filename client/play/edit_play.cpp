@@ -1,0 +1,156 @@
+#include "client/play/edit_play.h"
+
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "client/editor/new_level.h"
+#include "client/gl/image.h"
+#include "protocol/program_error.h"
+
+namespace platon {
+
+namespace {
+
+constexpr std::uint32_t kWidth = 1280;
+constexpr std::uint32_t kHeight = 720;
+constexpr double kOffscreenSeconds = 10;
+constexpr Moment kMinFrameTime = std::chrono::milliseconds(2);  // for drivers that do not wait for the vertical blank
+constexpr Moment kAnalysisInterval = std::chrono::milliseconds(10);
+constexpr Moment kWatchInterval = std::chrono::milliseconds(500);
+
+// The text of the file, or of a new level. Throws ProgramError for an invalid level.
+std::string textOf(EditFile& file, SolidKind solid) {
+  if (!file.exists()) return newLevelText(solid, titleOf(file.path().filename().string()));
+  std::string text = file.load();
+  const LevelResult result = loadLevel(text);
+  if (result.level) return text;
+  std::string messages;
+  for (const Diagnostic& diagnostic : result.diagnostics)
+    messages += (messages.empty() ? "" : "\n") + format(file.path().string(), diagnostic);
+  throw ProgramError(ProgramError::kLevel, messages);
+}
+
+std::optional<Window> openWindow(bool offscreen) {
+  if (offscreen) return std::nullopt;
+  try {
+    return std::optional<Window>(std::in_place, "Platon", static_cast<int>(kWidth), static_cast<int>(kHeight));
+  } catch (const std::runtime_error& error) {
+    throw ProgramError(ProgramError::kUsage,
+                       std::string(error.what()) + "; to draw the editor without one, use --offscreen --screenshot");
+  }
+}
+
+std::optional<Offscreen> openOffscreen(bool offscreen) {
+  if (!offscreen) return std::nullopt;
+  return std::optional<Offscreen>(std::in_place);
+}
+
+}  // namespace
+
+EditPlay::EditPlay(const ClientOptions& options, const Clock& clock)
+    : options_(options),
+      clock_(clock),
+      file_(options.edit),
+      editor_(file_.path().filename().string(), textOf(file_, options.solid), file_.exists()),
+      window_(openWindow(options.offscreen)),
+      offscreen_(openOffscreen(options.offscreen)),
+      renderer_(kWidth, kHeight, font_),
+      startedAt_(clock_.now()),
+      watchedAt_(startedAt_) {}
+
+void EditPlay::run(const std::function<bool()>& stopRequested) {
+  window_ ? runWindow(stopRequested) : runOffscreen(stopRequested);
+  if (!options_.screenshot.empty()) takeScreenshot();
+}
+
+void EditPlay::runWindow(const std::function<bool()>& stopRequested) {
+  Moment before = clock_.now();
+  for (Moment now = before; timeIsLeft(now) && !editor_.leaving() && !stopRequested(); now = clock_.now()) {
+    handleEvents();
+    editor_.advance(toSeconds(now - before));
+    before = now;
+    updateAnalysis();
+    watchFile(now);
+    showTitle();
+    draw();
+    renderer_.present();
+    window_->show();
+    clock_.sleepUntil(now + kMinFrameTime);
+  }
+}
+
+// Waits for the analysis.
+void EditPlay::runOffscreen(const std::function<bool()>& stopRequested) {
+  const double seconds = options_.seconds.value_or(kOffscreenSeconds);
+  for (Moment now = clock_.now(); toSeconds(now - startedAt_) < seconds && !stopRequested(); now = clock_.now()) {
+    updateAnalysis();
+    clock_.sleepUntil(now + kAnalysisInterval);
+  }
+}
+
+bool EditPlay::timeIsLeft(Moment now) const {
+  return !options_.seconds || toSeconds(now - startedAt_) < *options_.seconds;
+}
+
+void EditPlay::handleEvents() {
+  window_->poll();
+  renderer_.resize(window_->pixelWidth(), window_->pixelHeight());
+  editor_.resize(window_->pixelWidth(), window_->pixelHeight());
+  for (const KeyEvent& event : window_->takeKeyEvents()) editor_.handle(event);
+  for (const PointerEvent& event : window_->takePointerEvents()) editor_.handle(event);
+  window_->setFullscreen(editor_.fullscreen());
+  if (window_->closing()) {
+    window_->stayOpen();
+    editor_.askToLeave();
+  }
+  if (editor_.takeSave()) save();
+}
+
+void EditPlay::updateAnalysis() {
+  if (analysed_ != editor_.analysed()) {
+    analysed_ = editor_.analysed();
+    analysis_.start(analysed_);
+  }
+  std::optional<LevelReport> report = analysis_.take();
+  if (report) editor_.setReport(std::move(*report));
+}
+
+void EditPlay::save() {
+  const std::optional<std::string> fault = file_.save(editor_.level().text());
+  fault ? editor_.failSave(*fault) : editor_.markSaved();
+}
+
+void EditPlay::watchFile(Moment now) {
+  if (now - watchedAt_ < kWatchInterval) return;
+  watchedAt_ = now;
+  const std::optional<std::string> text = file_.takeChange();
+  if (!text) return;
+  if (!editor_.level().unsaved() && loadLevel(*text).level) return editor_.reload(*text);
+  editor_.say("another program has changed the file; saving replaces its text");
+}
+
+void EditPlay::showTitle() {
+  const EditorStatus status = editor_.status();
+  const std::string title = status.file + (status.unsaved ? " *" : "") + " – Platon";
+  if (title != title_) window_->setTitle(title);
+  title_ = title;
+}
+
+void EditPlay::draw() {
+  const Camera camera = editor_.camera();
+  const float width = Overlay::kHeight * static_cast<float>(camera.width()) / static_cast<float>(camera.height());
+  const std::array overlays{makeEditorPanel(editor_.status(), font_, width), editor_.menu().overlay(font_, width)};
+  renderer_.draw(editor_.scene(), camera, overlays);
+}
+
+void EditPlay::takeScreenshot() {
+  draw();
+  writePng(renderer_.read(), options_.screenshot);
+  std::printf("screenshot: %s\n", options_.screenshot.c_str());
+}
+
+}  // namespace platon

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "client/editor/editor.h"
+#include "client/editor/level_analysis.h"
+#include "client/gl/offscreen.h"
+#include "client/gl/renderer.h"
+#include "client/gl/window.h"
+#include "client/play/client_options.h"
+#include "client/play/edit_file.h"
+#include "client/time/clock.h"
+#include "client/ui/font.h"
+
+namespace platon {
+
+/// Edits a level in a window, or with options.offscreen draws it once.
+class EditPlay {
+ public:
+  /// Throws ProgramError if the level file is invalid or cannot be read, or if no window can be opened.
+  EditPlay(const ClientOptions& options, const Clock& clock);
+
+  /// Edits until the user leaves, the time limit of the options is reached or `stopRequested` returns true.
+  void run(const std::function<bool()>& stopRequested);
+
+ private:
+  void runWindow(const std::function<bool()>& stopRequested);
+  void runOffscreen(const std::function<bool()>& stopRequested);
+  bool timeIsLeft(Moment now) const;
+  void handleEvents();
+  void updateAnalysis();
+  void save();
+  void watchFile(Moment now);
+  void showTitle();
+  void draw();
+  void takeScreenshot();
+
+  ClientOptions options_;
+  Clock clock_;
+  EditFile file_;
+  Editor editor_;
+  std::optional<Window> window_;  // one of these two
+  std::optional<Offscreen> offscreen_;
+  Font font_;
+  Renderer renderer_;
+  LevelAnalysis analysis_;
+  std::shared_ptr<const Level> analysed_;  // what the analysis was started with
+  std::string title_;
+  Moment startedAt_;
+  Moment watchedAt_;
+};
+
+}  // namespace platon
