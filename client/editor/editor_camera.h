@@ -14,7 +14,7 @@ namespace platon {
 /// A camera that turns round a solid and looks at its centre.
 class EditorCamera {
  public:
-  /// Looks at the face of the pose, with its up at the top, from where the whole solid is seen.
+  /// Looks at the face of the pose, a little from the side, with its up at the top, from where the whole solid is seen.
   void showAll(const SolidMesh& mesh, const Pose& pose);
   /// Looks at the middle of the face of the pose, with its up at the top, at the same distance.
   void centre(const Pose& pose);

@@ -14,7 +14,7 @@ constexpr glm::vec4 kSelected(1.0F, 0.85F, 0.40F, 0.75F);
 constexpr glm::vec4 kDrawn(0.50F, 0.95F, 0.62F, 0.95F);
 constexpr glm::vec4 kFaulty(1.0F, 0.35F, 0.28F, 0.85F);
 constexpr glm::vec4 kPointer(1.0F, 1.0F, 1.0F, 0.95F);
-constexpr glm::vec4 kReached(0.45F, 0.80F, 1.0F, 0.30F);
+constexpr glm::vec4 kReached(0.45F, 0.80F, 1.0F, 0.42F);
 constexpr glm::vec4 kWay(1.0F, 0.80F, 0.30F, 0.90F);
 constexpr float kReachedDot = 3.5F;  // level units
 constexpr float kWayDot = 5;

@@ -56,9 +56,12 @@ EditedSegment behind(const SolidMesh& mesh, EditedSegment segment, int edge) {
 
 double rounded(double value) { return std::round(value * 10000) / 10000; }
 
+// The point as it is written.
+glm::dvec2 written(glm::dvec2 point) { return {rounded(point.x), rounded(point.y)}; }
+
 bool isExact(const SolidMesh& mesh, glm::dvec2 point, int edge) {
-  const glm::dvec2 written(rounded(point.x), rounded(point.y));
-  return std::abs(glm::dot(mesh.edgeNormals()[static_cast<std::size_t>(edge)], written) - mesh.apothem()) < kOnEdge;
+  const glm::dvec2 normal = mesh.edgeNormals()[static_cast<std::size_t>(edge)];
+  return std::abs(glm::dot(normal, written(point)) - mesh.apothem()) < kOnEdge;
 }
 
 }  // namespace
@@ -79,7 +82,7 @@ std::vector<EditedSegment> splitOverEdges(const SolidMesh& mesh, const EditedSeg
     }
     const glm::dvec2 place = left.a + (left.b - left.a) * exit->part;
     const bool exact = isExact(mesh, place, exit->edge);
-    piece.b = exact ? place : place + along * std::min(kBeyond, length * (1 - exit->part));
+    piece.b = exact ? written(place) : place + along * std::min(kBeyond, length * (1 - exit->part));
     if (length * exit->part > kShortest) pieces.push_back(piece);
     left.a = place;
     left = behind(mesh, left, exit->edge);

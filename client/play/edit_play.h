@@ -26,6 +26,8 @@ class EditPlay {
   /// Edits until the user leaves, the time limit of the options is reached or `stopRequested` returns true.
   void run(const std::function<bool()>& stopRequested);
 
+  const Editor& editor() const { return editor_; }
+
  private:
   void runWindow(const std::function<bool()>& stopRequested);
   void runOffscreen(const std::function<bool()>& stopRequested);

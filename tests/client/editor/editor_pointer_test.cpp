@@ -1,0 +1,115 @@
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <string>
+
+#include <glm/geometric.hpp>
+
+#include "tests/client/editor/test_editor.h"
+
+namespace platon {
+namespace {
+
+TEST(EditorPointerTest, DrawingAddsASegmentOnTheGrid) {
+  TestEditor editor;
+  editor.key(Key::kD);
+  editor.drag({0, {-48, 12}}, {0, {53, 8}});
+  ASSERT_EQ(editor.all().size(), 2U);
+  EXPECT_EQ(editor.all()[1], (EditedSegment{0, {-50, 10}, {50, 10}, {}}));
+  EXPECT_TRUE(editor.level().unsaved());
+}
+
+TEST(EditorPointerTest, AltDrawsFreelyAndShiftStraight) {
+  TestEditor editor;
+  editor.key(Key::kD);
+  editor.drag({0, {-48.25, 12.5}}, {0, {53.5, 41.75}}, true);
+  ASSERT_EQ(editor.all().size(), 2U);
+  EXPECT_NEAR(editor.all()[1].b.x, 53.5, 0.001);
+  editor.drag({0, {-48, 112}}, {0, {53, 130}}, false, true);
+  EXPECT_EQ(editor.all()[2], (EditedSegment{0, {-50, 110}, {50, 110}, {}}));
+}
+
+TEST(EditorPointerTest, AClickDrawsNothing) {
+  TestEditor editor;
+  editor.key(Key::kD);
+  editor.click({0, {-48, 12}});
+  EXPECT_FALSE(editor.level().unsaved());
+}
+
+TEST(EditorPointerTest, ErasingRemovesTheSegmentUnderThePointer) {
+  TestEditor editor("-50 10 50 10\n");
+  editor.key(Key::kE);
+  editor.click({0, {0, 12}});
+  ASSERT_EQ(editor.all().size(), 1U);
+  editor.click({0, {0, 100}});
+  EXPECT_EQ(editor.all().size(), 1U);
+}
+
+TEST(EditorPointerTest, AnEndAndAWholeSegmentAreMoved) {
+  TestEditor editor("-50 10 50 10\n");
+  editor.drag({0, {48, 10}}, {0, {81, 62}});
+  EXPECT_EQ(editor.all()[1], (EditedSegment{0, {-50, 10}, {80, 60}, {}}));
+  editor.drag({0, {15, 35}}, {0, {26, 76}});
+  EXPECT_EQ(editor.all()[1], (EditedSegment{0, {-40, 50}, {90, 100}, {}}));
+}
+
+TEST(EditorPointerTest, AMovedSegmentKeepsItsComment) {
+  TestEditor editor;
+  editor.drag({0, {0, -200}}, {0, {0, -210}});
+  EXPECT_NE(editor.level().text().find("-200 -210 200 -210  # floor\n"), std::string::npos);
+}
+
+TEST(EditorPointerTest, TheWordToolGoesThroughAllWords) {
+  TestEditor editor("-50 10 50 10\n");
+  editor.key(Key::kW);
+  for (const ElementKind kind : kElementKinds) {
+    editor.click({0, {0, 10}});
+    EXPECT_EQ(editor.all()[1].word.kind, kind);
+  }
+  editor.click({0, {0, 10}});
+  EXPECT_EQ(editor.all()[1].word.kind, std::nullopt);
+}
+
+TEST(EditorPointerTest, StartAndGoalArePlaced) {
+  TestEditor editor;
+  editor.key(Key::kT);
+  editor.click({0, {51, 102}});
+  editor.key(Key::kG);
+  editor.click({0, {-51, 102}});
+  ASSERT_TRUE(editor.level().document().valid());
+  const Level& level = *editor.level().document().level();
+  EXPECT_EQ(level.start, Point(50 * 1024, 100 * 1024));
+  EXPECT_EQ(level.goal, Point(-50 * 1024, 100 * 1024));
+  EXPECT_EQ(level.startAngle, Angle());
+}
+
+TEST(EditorPointerTest, AStartInAWallIsKeptAndReported) {
+  TestEditor editor;
+  editor.key(Key::kT);
+  editor.click({0, {0, -201}});
+  EXPECT_FALSE(editor.level().document().valid());
+  EXPECT_EQ(editor.status().error.substr(0, 14), "test.level:3:3");
+  EXPECT_TRUE(editor.scene().stage);
+}
+
+TEST(EditorPointerTest, TheRightButtonTurnsTheSolid) {
+  TestEditor editor;
+  const glm::dvec3 before = editor.camera().back();
+  PointerEvent event;
+  event.kind = PointerEvent::Kind::kPress;
+  event.button = PointerEvent::Button::kRight;
+  event.place = {400, 300};
+  editor.handle(event);
+  event.kind = PointerEvent::Kind::kMove;
+  event.place = {500, 300};
+  editor.handle(event);
+  EXPECT_GT(glm::distance(editor.camera().back(), before), 0.1);
+  event.kind = PointerEvent::Kind::kScroll;
+  event.scroll = 3;
+  const double far = glm::length(editor.camera().eye());
+  editor.handle(event);
+  EXPECT_LT(glm::length(editor.camera().eye()), far);
+}
+
+}  // namespace
+}  // namespace platon

@@ -1,0 +1,88 @@
+#include "client/editor/level_analysis.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include "tests/client/editor/test_editor.h"
+#include "tests/support/files.h"
+#include "tests/support/wait_until.h"
+
+namespace platon {
+namespace {
+
+using Way = LevelReport::Way;
+
+std::shared_ptr<const Level> levelWith(const std::string& segments) {
+  return loadLevel(TestEditor::levelText(segments)).level;
+}
+
+// The last report: that of the finished search.
+LevelReport resultOf(LevelAnalysis& analysis) {
+  LevelReport last;
+  EXPECT_TRUE(stepUntil([&] { std::this_thread::yield(); },
+                        [&] {
+                          std::optional<LevelReport> report = analysis.take();
+                          if (report) last = std::move(*report);
+                          return last.way != Way::kSearching;
+                        }));
+  return last;
+}
+
+TEST(LevelAnalysisTest, AWayIsFound) {
+  LevelAnalysis analysis;
+  const auto level = levelWith("");
+  analysis.start(level);
+  const LevelReport report = resultOf(analysis);
+  EXPECT_EQ(report.way, Way::kFound);
+  EXPECT_EQ(report.level, level);
+  EXPECT_EQ(report.facts.presses, 1U);
+  ASSERT_TRUE(report.reached);
+  EXPECT_FALSE(report.reached->empty());
+  ASSERT_EQ(report.paths.size(), 1U);
+  EXPECT_GT(report.paths[0].size(), 5U);
+}
+
+TEST(LevelAnalysisTest, AGoalInABoxIsProvedToBeOutOfReach) {
+  LevelAnalysis analysis;
+  analysis.start(levelWith("60 -200 60 -140\n60 -140 140 -140\n140 -140 140 -200\n"));
+  const LevelReport report = resultOf(analysis);
+  EXPECT_EQ(report.way, Way::kImpossible);
+  for (const FacePlace& place : *report.reached)
+    EXPECT_FALSE(place.face == 0 && place.place.x > 66 && place.place.x < 134 && place.place.y < -146 &&
+                 place.place.y > -194);
+}
+
+TEST(LevelAnalysisTest, OnlyTheNewestLevelIsReported) {
+  LevelAnalysis analysis;
+  const auto hard = loadLevel(readText("levels/dodecahedron/04_twelve_rooms.level")).level;
+  const auto easy = levelWith("");
+  for (int i = 0; i < 20; ++i) {
+    analysis.start(hard);
+    std::this_thread::yield();
+    analysis.start(easy);
+  }
+  EXPECT_EQ(resultOf(analysis).level, easy);
+}
+
+// A search of seconds is given up when the analysis ends.
+TEST(LevelAnalysisTest, ASearchIsGivenUpAtOnce) {
+  std::optional<LevelAnalysis> analysis(std::in_place);
+  analysis->start(loadLevel(readText("levels/dodecahedron/04_twelve_rooms.level")).level);
+  ASSERT_TRUE(stepUntil([&] { std::this_thread::yield(); },
+                        [&] {
+                          const auto report = analysis->take();
+                          return report && report->reached;
+                        }));
+  const auto before = std::chrono::steady_clock::now();
+  analysis.reset();
+  EXPECT_LT(std::chrono::steady_clock::now() - before, std::chrono::seconds(1));
+}
+
+}  // namespace
+}  // namespace platon

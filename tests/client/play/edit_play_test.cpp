@@ -1,0 +1,126 @@
+#include "client/play/edit_play.h"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <GLFW/glfw3.h>
+
+#include "client/time/steady_now.h"
+#include "protocol/program_error.h"
+#include "tests/client/gl/desktop.h"
+#include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
+
+// Runs on a virtual display with a window manager (on_display.sh).
+namespace platon {
+namespace {
+
+// One step of a test: do something once, then edit until a condition holds.
+struct Step {
+  std::function<void()> act;
+  std::function<bool()> until;
+};
+
+class EditPlayTest : public testing::Test {
+ protected:
+  EditPlayTest() {
+    options_.edit = path_.string();
+    options_.seconds = 60;  // a test that does not end by itself fails
+  }
+
+  // Edits until the user leaves or all steps are done. Returns whether all steps were done.
+  bool edit(std::vector<Step> steps) {
+    EditPlay play(options_, steadyClock());
+    play_ = &play;
+    steps.insert(steps.begin(), {[] {}, [] { return has(GLFW_FOCUSED); }});
+    const Moment start = steadyClock().now();
+    std::size_t next = 0;
+    bool acted = false;
+    play.run([&] {
+      if (next == steps.size()) return true;
+      if (!std::exchange(acted, true)) steps[next].act();
+      if (steps[next].until()) {
+        ++next;
+        acted = false;
+      }
+      return false;
+    });
+    timeIsUp_ = toSeconds(steadyClock().now() - start) >= *options_.seconds;
+    return next == steps.size();
+  }
+
+  static bool has(int attribute) { return glfwGetWindowAttrib(glfwGetCurrentContext(), attribute) == GLFW_TRUE; }
+  bool fileHas(const std::string& text) const {
+    return std::filesystem::exists(path_) && readText(path_).find(text) != std::string::npos;
+  }
+
+  const TemporaryFolder folder_;
+  const std::filesystem::path path_ = folder_ / "02_new_room.level";
+  ClientOptions options_;
+  const EditPlay* play_ = nullptr;
+  bool timeIsUp_ = false;
+};
+
+TEST_F(EditPlayTest, ASegmentIsDrawnAndSavedIntoANewFile) {
+  EXPECT_TRUE(edit({{[] {
+                       xdotool(
+                           "key d mousemove 500 470 mousedown 1 mousemove --sync 600 470 mousemove --sync 700 480 "
+                           "mouseup 1 key ctrl+s");
+                     },
+                     [this] { return fileHas("# title: New room"); }}}));
+  const std::shared_ptr<const Level> level = loadLevel(readText(path_)).level;
+  ASSERT_TRUE(level);
+  std::size_t segments = 0;
+  for (const auto& face : level->segments) segments += face.size();
+  EXPECT_EQ(segments, 7U) << readText(path_);
+}
+
+TEST_F(EditPlayTest, LeavingWithUnsavedChangesAsks) {
+  edit({{[] { xdotool("key Escape Down Return"); }, [] { return false; }}});
+  EXPECT_FALSE(timeIsUp_);
+  EXPECT_TRUE(fileHas("HEXAHEDRON")) << "saved and left";
+}
+
+TEST_F(EditPlayTest, ClosingTheWindowAsksToo) {
+  edit({{[] { xdotool("key alt+F4"); }, [this] { return play_->editor().menu().isOpen(); }},
+        {[] { xdotool("key Up Return"); }, [] { return false; }}});
+  EXPECT_FALSE(timeIsUp_);
+  EXPECT_FALSE(std::filesystem::exists(path_)) << "left without saving";
+}
+
+TEST_F(EditPlayTest, AChangedFileIsReadAgain) {
+  std::filesystem::copy_file("levels/hexahedron/01_first_steps.level", path_);
+  const std::string text = readText(path_) + "# more\n";
+  EXPECT_TRUE(edit({{[&] { writeText(path_, text); }, [&] { return play_->editor().level().text() == text; }}}));
+}
+
+TEST_F(EditPlayTest, OffscreenThePictureIsWritten) {
+  options_.offscreen = true;
+  options_.seconds = 0.5;
+  options_.screenshot = (folder_ / "picture.png").string();
+  options_.solid = SolidKind::kIcosahedron;
+  EditPlay(options_, steadyClock()).run([] { return false; });
+  EXPECT_GT(std::filesystem::file_size(options_.screenshot), 10000U);
+  EXPECT_FALSE(std::filesystem::exists(path_));
+}
+
+TEST_F(EditPlayTest, AnInvalidLevelIsRefusedWithItsErrors) {
+  writeText(path_, "CUBE\n");
+  try {
+    EditPlay(options_, steadyClock());
+    ADD_FAILURE() << "accepted";
+  } catch (const ProgramError& error) {
+    EXPECT_EQ(error.exitCode(), ProgramError::kLevel);
+    EXPECT_NE(std::string(error.what()).find("02_new_room.level:1:1: error: unknown solid"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace platon
