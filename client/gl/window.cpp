@@ -121,6 +121,7 @@ Window::Window(const std::string& title, int width, int height) : handle_(openWi
   glfwSetCursorPosCallback(handle_, onMove);
   glfwSetMouseButtonCallback(handle_, onButton);
   glfwSetScrollCallback(handle_, onScroll);
+  glfwGetCursorPos(handle_, &pointerX_, &pointerY_);
   glfwMakeContextCurrent(handle_);
   glfwSwapInterval(1);
   try {
@@ -183,8 +184,11 @@ void Window::onKey(GLFWwindow* handle, int key, int /*scancode*/, int action, in
                                (mods & GLFW_MOD_SHIFT) != 0});
 }
 
-void Window::onMove(GLFWwindow* handle, double /*x*/, double /*y*/) {
-  static_cast<Window*>(glfwGetWindowUserPointer(handle))->addPointerEvent({.kind = PointerEvent::Kind::kMove});
+void Window::onMove(GLFWwindow* handle, double x, double y) {
+  auto& window = *static_cast<Window*>(glfwGetWindowUserPointer(handle));
+  window.pointerX_ = x;
+  window.pointerY_ = y;
+  window.addPointerEvent(PointerEvent());
 }
 
 void Window::onButton(GLFWwindow* handle, int button, int action, int /*mods*/) {
@@ -196,8 +200,10 @@ void Window::onButton(GLFWwindow* handle, int button, int action, int /*mods*/) 
 }
 
 void Window::onScroll(GLFWwindow* handle, double /*x*/, double y) {
-  static_cast<Window*>(glfwGetWindowUserPointer(handle))
-      ->addPointerEvent({.kind = PointerEvent::Kind::kScroll, .scroll = y});
+  PointerEvent event;
+  event.kind = PointerEvent::Kind::kScroll;
+  event.scroll = y;
+  static_cast<Window*>(glfwGetWindowUserPointer(handle))->addPointerEvent(event);
 }
 
 // Adds the place and the keys that are held.
@@ -205,8 +211,7 @@ void Window::addPointerEvent(PointerEvent event) {
   int width = 0;
   int height = 0;
   glfwGetWindowSize(handle_, &width, &height);
-  glfwGetCursorPos(handle_, &event.place.x, &event.place.y);
-  event.place *= double{Overlay::kHeight} / std::max(height, 1);
+  event.place = glm::dvec2(pointerX_, pointerY_) * (double{Overlay::kHeight} / std::max(height, 1));
   const auto held = [this](int left, int right) {
     return glfwGetKey(handle_, left) == GLFW_PRESS || glfwGetKey(handle_, right) == GLFW_PRESS;
   };

@@ -56,6 +56,8 @@ class Window {
   GLFWwindow* handle_ = nullptr;
   std::vector<KeyEvent> keyEvents_;
   std::vector<PointerEvent> pointerEvents_;
+  double pointerX_ = 0;  // as of the last event, in screen coordinates
+  double pointerY_ = 0;
   GamepadKeys gamepadKeys_;
   std::uint32_t pixelWidth_ = 0;
   std::uint32_t pixelHeight_ = 0;

@@ -124,6 +124,65 @@ TEST_F(WindowTest, EveryKeyIsDelivered) {
   }
 }
 
+TEST_F(WindowTest, TheKeysOfTheEditorAreDelivered) {
+  constexpr std::array<std::pair<const char*, Key>, 7> kKeys{{{"z", Key::kZ},
+                                                              {"0", Key::kDigit0},
+                                                              {"9", Key::kDigit9},
+                                                              {"plus", Key::kPlus},
+                                                              {"minus", Key::kMinus},
+                                                              {"Delete", Key::kDelete},
+                                                              {"Prior", Key::kPageUp}}};
+  for (const auto& [name, key] : kKeys) {
+    xdotool(std::string("key ") + name);
+    // The plus sign may need Shift.
+    Events events;
+    pollUntil([&] {
+      for (const KeyEvent& event : window_.takeKeyEvents()) {
+        if (event.key != Key::kShift) events.push_back(event);
+      }
+      return events.size() >= 2;
+    });
+    ASSERT_EQ(events.size(), 2U) << name;
+    EXPECT_EQ(events[0].key, key) << name;
+    EXPECT_EQ(events[1].kind, Kind::kRelease) << name;
+  }
+}
+
+TEST_F(WindowTest, CtrlAndShiftArePartOfTheEvent) {
+  xdotool("keydown ctrl keydown shift key z keyup shift keyup ctrl");
+  Events events;
+  pollUntil([&] {
+    for (const KeyEvent& event : window_.takeKeyEvents()) {
+      if (event.key == Key::kZ) events.push_back(event);
+    }
+    return !events.empty();
+  });
+  ASSERT_FALSE(events.empty());
+  EXPECT_EQ(events.front(), (KeyEvent{Key::kZ, Kind::kPress, false, true, true}));
+}
+
+// Each event has the place where the pointer was then, also if it has moved on before the next poll.
+TEST_F(WindowTest, TheMouseIsDelivered) {
+  int x = 0;
+  int y = 0;
+  glfwGetWindowPos(handle_, &x, &y);
+  const auto to = [&](int dx, int dy) { return std::to_string(x + dx) + " " + std::to_string(y + dy); };
+  xdotool("mousemove " + to(100, 50) + " mousedown 1 mousemove " + to(200, 90) + " mouseup 1 click 4");
+  std::vector<PointerEvent> events;
+  ASSERT_TRUE(pollUntil([&] {
+    for (const PointerEvent& event : window_.takePointerEvents()) {
+      if (event.kind != PointerEvent::Kind::kMove) events.push_back(event);
+    }
+    return events.size() >= 3;
+  }));
+  constexpr double kScale = 720.0 / kHeight;
+  EXPECT_EQ(events[0].kind, PointerEvent::Kind::kPress);
+  EXPECT_EQ(events[0].place, glm::dvec2(100, 50) * kScale);
+  EXPECT_EQ(events[1].kind, PointerEvent::Kind::kRelease);
+  EXPECT_EQ(events[1].place, glm::dvec2(200, 90) * kScale);
+  EXPECT_EQ(events[2].scroll, 1);
+}
+
 TEST_F(WindowTest, OtherKeysAreIgnored) {
   xdotool("key q F5 space");
   EXPECT_EQ(pollEvents(2), (Events{{Key::kSpace, Kind::kPress}, {Key::kSpace, Kind::kRelease}}));

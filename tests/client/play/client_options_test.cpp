@@ -35,6 +35,22 @@ TEST(ClientOptions, DefaultToAnEmbeddedServerAndAWindow) {
   EXPECT_EQ(options->level + options->name + options->screenshot, "");
 }
 
+TEST(ClientOptions, TheEditorExcludesAMatch) {
+  EXPECT_EQ(fault({"--edit", "a.level", "--solid", "icosahedron"}), "none");
+  EXPECT_EQ(read({"--edit", "a.level", "--solid", "icosahedron"})->solid, SolidKind::kIcosahedron);
+  EXPECT_EQ(read({"--edit", "a.level"})->solid, SolidKind::kHexahedron);
+  EXPECT_EQ(fault({"--edit", "a.level", "example.org"}), "2 --edit does not work with HOST; leave one of them out");
+  for (const std::vector<const char*>& other :
+       {std::vector<const char*>{"--level", "b"}, {"--demo"}, {"--name", "Ann"}, {"--frames", "/tmp"}}) {
+    std::vector<const char*> all{"--edit", "a.level"};
+    all.insert(all.end(), other.begin(), other.end());
+    EXPECT_EQ(fault(all), "2 --edit does not work with " + std::string(other.front()) + "; leave one of them out");
+  }
+  EXPECT_EQ(fault({"--solid", "ICOSAHEDRON"}), "2 --solid works only with --edit");
+  EXPECT_EQ(fault({"--edit", "a.level", "--offscreen"}), "2 --edit with --offscreen needs --screenshot FILE.png");
+  EXPECT_EQ(fault({"--edit", ""}), "2 --edit needs the name of a level file");
+}
+
 TEST(ClientOptions, ReadTheServerAddress) {
   const auto options = read({"example.org:7800", "--name", "Ann", "--seconds", "2.5"});
   ASSERT_TRUE(options && options->server);
