@@ -66,9 +66,12 @@ void Editor::showLevel() {
   hovered_.reset();
   gesture_.reset();
   if (shown_ == level_.document().level()) return;
+  const SolidKind before = shown_ ? shown_->solid : SolidKind::kHexahedron;
+  const std::int32_t size = shown_ ? shown_->faceSize : 0;
   shown_ = level_.document().level();
   stage_ = makeStageModel(*shown_);
   idle_.emplace(shown_);
+  if (shown_->solid != before || shown_->faceSize != size) below_.reset();
   if (pointer_ && pointer_->face >= mesh().faces()) pointer_.reset();
 }
 
@@ -76,7 +79,9 @@ const std::shared_ptr<const Level>& Editor::analysed() const { return play_ ? pl
 
 void Editor::setReport(LevelReport report) {
   report_ = std::move(report);
-  below_ = marksBelow(report_, showReached_);
+  // Until more is known, the marks of the level before the last edit stay: they would only flicker.
+  const bool known = report_.reached || report_.way != LevelReport::Way::kSearching;
+  if (known) below_ = marksBelow(report_, showReached_);
 }
 
 void Editor::advance(double seconds) {
@@ -136,6 +141,8 @@ EditorStatus Editor::status() const {
 }
 
 SnapOptions Editor::snapOptions(bool free) const {
+  // Start and goal belong between the segments, not onto them.
+  if (tool_ == EditTool::kStart || tool_ == EditTool::kGoal) return {kGrids[grid_], 0, free};
   const double scale = pointer_ ? screenScale(mesh(), camera(), *pointer_) : 1;
   return {kGrids[grid_], kReach / std::max(scale, 0.05), free};
 }

@@ -16,6 +16,7 @@ using namespace overlay_colours;
 constexpr float kMargin = 16;
 constexpr float kWidth = 236;
 constexpr float kSize = 14;
+constexpr std::size_t kMostLines = 5;  // of the report
 
 constexpr std::array<std::array<const char*, 2>, 20> kHelp{{{"S D E W T G P", "tools: select, draw … play"},
                                                             {"left button", "use the tool"},
@@ -135,9 +136,7 @@ void addMessages(OverlayWriter& writer, const EditorStatus& status, const Font& 
         status.arrived ? kGold : kBright);
 }
 
-}  // namespace
-
-std::vector<std::string> linesOf(const LevelReport& report) {
+std::vector<std::string> linesOfWay(const LevelReport& report) {
   const SolutionFacts& facts = report.facts;
   switch (report.way) {
     case LevelReport::Way::kSearching:
@@ -155,6 +154,17 @@ std::vector<std::string> linesOf(const LevelReport& report) {
   lines.push_back((facts.slack ? "tightest jump " + counted(static_cast<std::size_t>(*facts.slack), "tick")
                                : std::string("no jump")) +
                   ", difficulty " + std::to_string(difficultyOf(facts)));
+  return lines;
+}
+
+}  // namespace
+
+std::vector<std::string> linesOf(const LevelReport& report) {
+  std::vector<std::string> lines = linesOfWay(report);
+  for (const Diagnostic& warning : report.warnings) {
+    if (lines.size() == kMostLines) break;
+    lines.push_back("text line " + std::to_string(warning.line) + ": " + warning.message);
+  }
   return lines;
 }
 

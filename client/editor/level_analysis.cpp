@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "levels/check/level_warnings.h"
 #include "levels/drawing/solid_frame.h"
 #include "levels/drawing/units.h"
 #include "levels/reach/jump_heights.h"
@@ -97,33 +98,36 @@ void LevelAnalysis::run() {
 }
 
 void LevelAnalysis::analyse(const std::shared_ptr<const Level>& level, std::uint64_t job) {
+  const std::function<bool()> stop = [&] { return newest_ != job; };
   LevelReport report;
   report.level = level;
   publish(report, job);
   JumpHeights::Options options;
-  options.stop = [&] { return newest_ != job; };
+  options.stop = stop;
   const JumpHeights heights(*level, options);
   if (heights.isStopped()) return;
   report.reached = std::make_shared<const std::vector<FacePlace>>(reachedPlaces(*level, heights));
   if (!heights.reachesGoal()) report.way = LevelReport::Way::kImpossible;
   publish(report, job);
-  if (heights.reachesGoal()) search(std::move(report), job);
+  if (heights.reachesGoal()) search(report, stop);
+  publish(report, job);
+  report.warnings = warningsOf(level, stop);
+  publish(report, job);
 }
 
-void LevelAnalysis::search(LevelReport report, std::uint64_t job) {
+void LevelAnalysis::search(LevelReport& report, const std::function<bool()>& stop) {
   LevelSolver solver(report.level);
   LevelSolver::Limits limits;
   limits.states = kMaxStates;
   limits.pressCost = kPressCost;
-  limits.stop = [&] { return newest_ != job; };
+  limits.stop = stop;
   const std::optional<Solution> solution = solver.solve(limits);
-  if (newest_ != job) return;
+  if (stop()) return;  // what follows takes some hundredths of a second
   report.states = solver.states();
   const std::optional<SolutionFacts> facts = solution ? factsOf(report.level, *solution) : std::nullopt;
   report.way = facts ? LevelReport::Way::kFound : LevelReport::Way::kNotFound;
   if (facts) report.facts = *facts;
   if (facts) report.paths = pathsOf(report.level, *solution);
-  publish(report, job);
 }
 
 void LevelAnalysis::publish(const LevelReport& report, std::uint64_t job) {

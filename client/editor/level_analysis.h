@@ -3,6 +3,7 @@
 #include <atomic>
 #include <condition_variable>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -11,6 +12,7 @@
 
 #include "client/editor/face_place.h"
 #include "levels/solve/solution.h"
+#include "platon/game/diagnostics.h"
 #include "platon/game/level.h"
 
 namespace platon {
@@ -32,6 +34,7 @@ struct LevelReport {
   SolutionFacts facts;                        ///< of kFound
   std::vector<std::vector<FacePlace>> paths;  ///< of kFound: of each player, every few ticks
   std::size_t states = 0;                     ///< states that were searched
+  std::vector<Diagnostic> warnings;           ///< what the level probably does not mean
 };
 
 /// Analyses one level after another on a thread of its own: first where a ball can be at most, then a way to the goal.
@@ -53,7 +56,7 @@ class LevelAnalysis {
  private:
   void run();
   void analyse(const std::shared_ptr<const Level>& level, std::uint64_t job);
-  void search(LevelReport report, std::uint64_t job);
+  static void search(LevelReport& report, const std::function<bool()>& stop);
   void publish(const LevelReport& report, std::uint64_t job);
 
   std::mutex mutex_;

@@ -46,12 +46,12 @@ void warnOfGoalAtWall(const Level& level, Diagnostics& diagnostics) {
 
 }  // namespace
 
-std::vector<Diagnostic> warningsOf(const std::shared_ptr<const Level>& level) {
+std::vector<Diagnostic> warningsOf(const std::shared_ptr<const Level>& level, const std::function<bool()>& stop) {
   Diagnostics diagnostics;
   warnOfEndlessFall(level, diagnostics);
   warnOfGoalAtWall(*level, diagnostics);
   warnOfNarrowGaps(*level, diagnostics);
-  warnOfUntouchedLines(*level, diagnostics);
+  warnOfUntouchedLines(*level, diagnostics, stop);
   return diagnostics.take();
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <memory>
 #include <vector>
 
 #include "platon/game/diagnostics.h"
@@ -9,6 +11,7 @@ namespace platon {
 
 /// What a valid level probably does not mean: a start from which the player falls for ever, a goal at a wall, gaps that
 /// look wide enough for the ball and are not, and lines that nobody can touch. In the order of the text.
-std::vector<Diagnostic> warningsOf(const std::shared_ptr<const Level>& level);
+/// `stop` is asked every few milliseconds; when it returns true, warnings may be missing.
+std::vector<Diagnostic> warningsOf(const std::shared_ptr<const Level>& level, const std::function<bool()>& stop = {});
 
 }  // namespace platon

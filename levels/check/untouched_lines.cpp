@@ -17,9 +17,10 @@ std::size_t linesOf(const Level& level) {
 
 }  // namespace
 
-void warnOfUntouchedLines(const Level& level, Diagnostics& diagnostics) {
+void warnOfUntouchedLines(const Level& level, Diagnostics& diagnostics, const std::function<bool()>& stop) {
   if (linesOf(level) > kMostLines || level.faceSize > kLargestFace) return;
-  const JumpHeights heights(level, {.allDoorsOpen = true});
+  const JumpHeights heights(level, {.allDoorsOpen = true, .stop = stop});
+  if (heights.isStopped()) return;
   for (std::uint32_t face = 0; face < level.segments.size(); ++face) {
     for (std::size_t i = 0; i < level.segments[face].size(); ++i) {
       if (heights.touches(face, level.segments[face][i])) continue;

@@ -1,12 +1,14 @@
 #pragma once
 
+#include <functional>
+
 #include "platon/game/diagnostics.h"
 #include "platon/game/level.h"
 
 namespace platon {
 
 /// Warns of lines that nobody can touch, wherever doors are open: jumps are bounded by their height alone. So it warns
-/// of no line that can be touched.
-void warnOfUntouchedLines(const Level& level, Diagnostics& diagnostics);
+/// of no line that can be touched. `stop` is asked every few milliseconds; when it returns true, it warns of nothing.
+void warnOfUntouchedLines(const Level& level, Diagnostics& diagnostics, const std::function<bool()>& stop = {});
 
 }  // namespace platon

@@ -43,6 +43,13 @@ TEST(EditorPanelTest, TheReportSaysWhatIsKnown) {
   EXPECT_TRUE(shows(solved, "✓ solved in 6.30 s"));
 }
 
+TEST(EditorPanelTest, WarningsAreShownUpToALimit) {
+  LevelReport report;
+  report.warnings.assign(20, {7, 1, false, "nobody can touch this"});
+  EXPECT_EQ(linesOf(report).size(), 5U);
+  EXPECT_EQ(linesOf(report).back(), "text line 7: nobody can touch this");
+}
+
 TEST(EditorPanelTest, ErrorsAndTheHelpAreShown) {
   EditorStatus status = statusOf(LevelReport::Way::kSearching);
   EXPECT_FALSE(shows(status, "Ctrl+S"));

@@ -74,6 +74,9 @@ TEST(EditorPointerTest, StartAndGoalArePlaced) {
   TestEditor editor;
   editor.key(Key::kT);
   editor.click({0, {51, 102}});
+  editor.click({0, {-51, -184}});
+  EXPECT_EQ(editor.level().document().level()->start, Point(-50 * 1024, -180 * 1024)) << "not onto the floor";
+  editor.click({0, {51, 102}});
   editor.key(Key::kG);
   editor.click({0, {-51, 102}});
   ASSERT_TRUE(editor.level().document().valid());

@@ -1,7 +1,9 @@
 #include "client/gl/renderer.h"
 
 #include <array>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -144,6 +146,27 @@ TEST_F(RenderTest, SegmentsAreBright) {
     EXPECT_GT(brightness(pixel(image, pixelOf(scene, {x, -120}))), 0.7) << x;
     EXPECT_LT(brightness(pixel(image, pixelOf(scene, {x, -140}))), 0.5) << x;
   }
+}
+
+TEST_F(RenderTest, MarksAreDrawnOnTheirFaceAboveOrBelowTheSegments) {
+  const auto stage = cube();
+  Scene scene = sceneOf(stage);
+  const auto marksAt = [](int face, glm::vec2 place) {
+    return std::make_shared<const std::vector<FaceMark>>(1, FaceMark{face, place, place, 30, {0, 1, 0, 1}});
+  };
+  const glm::dvec2 onSegment(-130, -120);
+  const auto greenAt = [&](glm::dvec2 place) {
+    const glm::vec3 colour = pixel(draw(scene), pixelOf(scene, place));
+    return colour.g > 0.9F && colour.r < 0.1F;
+  };
+  EXPECT_FALSE(greenAt(onSegment));
+  scene.marksAbove = marksAt(0, onSegment);
+  EXPECT_TRUE(greenAt(onSegment));
+  scene.marksBelow = std::exchange(scene.marksAbove, nullptr);
+  EXPECT_FALSE(greenAt(onSegment)) << "below the segment";
+  EXPECT_TRUE(greenAt(onSegment + glm::dvec2(0, 10)));
+  scene.marksBelow = marksAt(1, onSegment);
+  EXPECT_FALSE(greenAt(onSegment + glm::dvec2(0, 10))) << "on another face";
 }
 
 TEST_F(RenderTest, ASegmentThatLeavesTheFaceEndsAtItsEdge) {

@@ -227,5 +227,15 @@ TEST(Camera, ZoomMagnifies) {
   EXPECT_NEAR(onScreen(camera, player.position + player.up).y / before, 2, 1e-6);
 }
 
+TEST(Camera, ThePlacedCameraIsWhereItWasPut) {
+  const SolidMesh mesh(SolidKind::kHexahedron, 480);
+  Camera camera;
+  camera.resize(640, 480);
+  camera.place({0, 0, 1500}, {1, 0, 0}, mesh);
+  EXPECT_LT(glm::distance(camera.eye(), glm::dvec3(0, 0, 1500)), 1e-9);
+  EXPECT_LT(glm::distance(camera.up(), glm::dvec3(1, 0, 0)), 1e-9);
+  EXPECT_EQ(camera.width(), 640U);
+}
+
 }  // namespace
 }  // namespace platon

@@ -29,6 +29,17 @@ TEST(LevelSolverTest, SaysThatItFoundNoWay) {
   EXPECT_FALSE(LevelSolver(level).solve());
 }
 
+TEST(LevelSolverTest, AStoppedSearchFindsNothing) {
+  for (const int players : {1, 2}) {
+    LevelSolver solver(levelFor(players, "", "0 100 -184"));
+    LevelSolver::Limits limits;
+    int asked = 0;
+    limits.stop = [&asked] { return ++asked > 0; };
+    EXPECT_FALSE(solver.solve(limits));
+    EXPECT_LE(asked, 2);
+  }
+}
+
 // A player opens the door for the other one, which then opens another door from inside.
 TEST(LevelSolverTest, TwoPlayersOpenDoorsForEachOther) {
   const std::string barred =
