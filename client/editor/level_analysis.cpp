@@ -112,6 +112,7 @@ void LevelAnalysis::analyse(const std::shared_ptr<const Level>& level, std::uint
   if (heights.reachesGoal()) search(report, stop);
   publish(report, job);
   report.warnings = warningsOf(level, stop);
+  report.finished = true;
   publish(report, job);
 }
 

@@ -35,6 +35,7 @@ struct LevelReport {
   std::vector<std::vector<FacePlace>> paths;  ///< of kFound: of each player, every few ticks
   std::size_t states = 0;                     ///< states that were searched
   std::vector<Diagnostic> warnings;           ///< what the level probably does not mean
+  bool finished = false;                      ///< nothing will be added
 };
 
 /// Analyses one level after another on a thread of its own: first where a ball can be at most, then a way to the goal.

@@ -83,11 +83,12 @@ void EditPlay::runWindow(const std::function<bool()>& stopRequested) {
   }
 }
 
-// Waits for the analysis.
+// Waits for the analysis, at most for the time of the options.
 void EditPlay::runOffscreen(const std::function<bool()>& stopRequested) {
   const double seconds = options_.seconds.value_or(kOffscreenSeconds);
   for (Moment now = clock_.now(); toSeconds(now - startedAt_) < seconds && !stopRequested(); now = clock_.now()) {
     updateAnalysis();
+    if (editor_.status().report.finished) break;
     clock_.sleepUntil(now + kAnalysisInterval);
   }
 }

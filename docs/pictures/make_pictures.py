@@ -24,6 +24,8 @@ STILLS = [
     {"name": "hexahedron.png", "level": "hexahedron/05_key_on_the_wall", "from": 6.5, "players": 2},
 ]
 LEVEL_WIDTH = 1200
+EDITED = "hexahedron/01_first_steps"
+EDITOR_SECONDS = 120  # at most: the picture is drawn when the search has ended
 ELEMENTS = "tests/levels/picture/elements.level"
 
 
@@ -70,6 +72,17 @@ def make_still(client, root, picture):
     return file
 
 
+def make_editor_picture(client, root):
+    """The level editor, with what the search has found."""
+    file = root / FOLDER / "editor.png"
+    with tempfile.TemporaryDirectory() as folder:
+        whole = Path(folder) / "whole.png"
+        level = root / "levels" / (EDITED + ".level")
+        run(client, "--edit", level, "--offscreen", "--seconds", EDITOR_SECONDS, "--screenshot", whole)
+        run("pngquant", "--speed", 1, "--strip", "--force", "--output", file, 256, whole)
+    return file
+
+
 def make_level_picture(tool, root, level):
     """The picture of a level: its solid and its net."""
     file = root / FOLDER / f"level_{level.stem}.png"
@@ -89,6 +102,7 @@ def main(arguments):
         print(make_film(client, root, FILM))
         for picture in STILLS:
             print(make_still(client, root, picture))
+        print(make_editor_picture(client, root))
         for level in [*sorted(root.glob("levels/*/*.level"), key=lambda path: path.name), root / ELEMENTS]:
             print(make_level_picture(tool, root, level))
         print(levels_page.write(tool, root))

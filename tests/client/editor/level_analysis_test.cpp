@@ -29,7 +29,7 @@ LevelReport resultOf(LevelAnalysis& analysis) {
                         [&] {
                           std::optional<LevelReport> report = analysis.take();
                           if (report) last = std::move(*report);
-                          return last.way != Way::kSearching;
+                          return last.finished;
                         }));
   return last;
 }
