@@ -11,7 +11,7 @@ namespace platon {
 namespace {
 
 constexpr double kWholeSolid = 3.0;   // distance in circumradii at which the solid fills the picture
-constexpr double kAside = 0.30;       // radians by which the first picture is turned, so that more faces are seen
+constexpr double kAside = 0.42;       // radians by which the first picture is turned, so that more faces are seen
 constexpr double kFarthest = 6.0;     // in circumradii
 constexpr double kNearest = 100;      // level units above the face
 constexpr double kNotch = 1.15;       // factor of the distance from the face
@@ -21,7 +21,7 @@ constexpr double kViewHeight = 0.73;  // of the camera's field of view, at dista
 
 void EditorCamera::showAll(const SolidMesh& mesh, const Pose& pose) {
   centre(pose);
-  turn(kAside, -kAside);
+  turn(-kAside, -kAside * 0.7);
   distance_ = kWholeSolid * mesh.circumradius();
 }
 
