@@ -39,7 +39,7 @@ void Editor::resize(std::uint32_t w, std::uint32_t h) {
 
 void Editor::markSaved() {
   level_.markSaved();
-  message_ = "saved";
+  message_ = level_.document().valid() ? "saved" : "saved, but nobody can play it before its error is corrected";
   if (leaveWhenSaved_) leaving_ = true;
 }
 

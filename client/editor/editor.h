@@ -80,6 +80,7 @@ class Editor {
   void press(const PointerEvent& event);
   void beginMove();
   void finishGesture();
+  std::optional<std::size_t> find(const EditedSegment& segment) const;
   SegmentWord wordAfter(SegmentWord word) const;
   void cycleWord(std::size_t segment);
   void placeStart(const FacePlace& at);

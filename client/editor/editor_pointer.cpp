@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include <glm/geometric.hpp>
+
 #include "client/editor/editor.h"
 #include "client/editor/face_picker.h"
 
@@ -91,13 +93,24 @@ void Editor::finishGesture() {
     if (moved) document.replace(*moved, pieces.front());
     for (std::size_t i = moved ? 1 : 0; i < pieces.size(); ++i) document.add(pieces[i]);
   });
-  if (moved && pieces.front().face != segments()[std::min(*moved, segments().size() - 1)].face) selected_.reset();
+  if (moved) selected_ = find(pieces.front());
 }
 
 SegmentWord Editor::wordAfter(SegmentWord word) const {
   word = nextWord(word);
   if (word.kind == ElementKind::kUp) word.number %= mesh().solid().edgesPerFace();
   return word;
+}
+
+// The indices of segments change when pieces on other faces are added. Of equal ones, any is as good.
+std::optional<std::size_t> Editor::find(const EditedSegment& segment) const {
+  constexpr double kRounding = 1e-4;
+  const auto found = std::find_if(segments().begin(), segments().end(), [&](const EditedSegment& other) {
+    return other.face == segment.face && other.word == segment.word && glm::distance(other.a, segment.a) < kRounding &&
+           glm::distance(other.b, segment.b) < kRounding;
+  });
+  if (found == segments().end()) return std::nullopt;
+  return static_cast<std::size_t>(found - segments().begin());
 }
 
 void Editor::cycleWord(std::size_t segment) {

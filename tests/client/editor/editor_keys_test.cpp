@@ -119,6 +119,16 @@ TEST(EditorKeysTest, EscapeEndsOneThingAfterAnother) {
   EXPECT_FALSE(editor.leaving());
 }
 
+TEST(EditorKeysTest, SavingAnInvalidLevelSaysSo) {
+  TestEditor editor;
+  editor.markSaved();
+  EXPECT_EQ(editor.status().message, "saved");
+  editor.key(Key::kT);
+  editor.click({0, {0, -201}});
+  editor.markSaved();
+  EXPECT_EQ(editor.status().message.substr(0, 10), "saved, but");
+}
+
 TEST(EditorKeysTest, SaveAndLeaveWaitsForTheSave) {
   TestEditor editor;
   editor.key(Key::kD);

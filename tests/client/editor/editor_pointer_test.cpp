@@ -59,6 +59,18 @@ TEST(EditorPointerTest, AMovedSegmentKeepsItsComment) {
   EXPECT_NE(editor.level().text().find("-200 -210 200 -210  # floor\n"), std::string::npos);
 }
 
+// The piece on face 1 comes before face 4 in the text.
+TEST(EditorPointerTest, AMovedSegmentStaysSelectedWhenAPieceOnAnotherFaceIsAdded) {
+  TestEditor editor;
+  for (int i = 0; i < 6; ++i) editor.key(Key::kArrowRight);
+  editor.drag({0, {195, -200}}, {1, {-200, -100}});
+  ASSERT_EQ(editor.all().size(), 2U);
+  EXPECT_EQ(editor.all()[1].face, 1);
+  editor.key(Key::kDelete);
+  ASSERT_EQ(editor.all().size(), 1U);
+  EXPECT_EQ(editor.all()[0].face, 1) << "the piece on face 0 was selected";
+}
+
 TEST(EditorPointerTest, TheWordToolGoesThroughAllWords) {
   TestEditor editor("-50 10 50 10\n");
   editor.key(Key::kW);
