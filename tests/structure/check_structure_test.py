@@ -19,7 +19,7 @@ ARCHITECTURE = (Path(__file__).parents[2] / "docs/architecture.md").read_text(en
 
 SHARED = ["exact", "physics", "game"]
 LEVELS = ["check", "drawing", "picture", "reach", "solve", "tool"]
-CLIENT = ["time", "net", "netcode", "desync", "session", "bot", "demo", "scene", "ui", "gl", "play"]
+CLIENT = ["time", "net", "netcode", "desync", "session", "bot", "demo", "scene", "ui", "editor", "gl", "play"]
 FOLDERS = (
     [f"shared/include/platon/{name}" for name in SHARED]
     + [f"shared/{name}" for name in SHARED]
@@ -68,10 +68,12 @@ class Includes(Tree):
             "session": ["time", "net", "netcode", "desync"],
             "bot": ["time", "net", "netcode", "desync", "session"],
             "demo": ["netcode"], "scene": ["netcode"], "ui": ["netcode", "scene"], "gl": ["scene", "ui"],
+            "editor": ["netcode", "scene", "ui"],
             "play": [name for name in CLIENT if name not in ("bot", "play")],
         }  # fmt: skip
-        drawn = ("scene", "ui")
-        wordless = ("demo", "scene", "ui", "gl")
+        drawn = ("scene", "ui", "editor")
+        solving = ["levels/check", "levels/reach", "levels/solve"]
+        wordless = ("demo", "scene", "ui", "editor", "gl")
         protocol = ["protocol", "protocol/transport"]
         allowed = {
             **{folder: public[:index] for index, folder in enumerate(public)},
@@ -91,6 +93,7 @@ class Includes(Tree):
                 f"client/{room}": public
                 + ([] if room in wordless else protocol)
                 + (["levels/drawing"] if room in drawn else [])
+                + (solving if room == "editor" else [])
                 + [f"client/{o}" for o in others]
                 for room, others in rooms.items()
             },
