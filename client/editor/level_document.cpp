@@ -13,7 +13,6 @@ constexpr std::size_t kStart = 1;  // index in the header
 constexpr std::size_t kGoal = 2;
 constexpr std::size_t kHeaderLines = 4;
 constexpr std::string_view kBlanks = " \t";
-constexpr std::string_view kTitle = "# title: ";
 constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 
 // The parts of a text line: blanks, words with blanks between them, the rest with the comment and the line end.
@@ -36,12 +35,6 @@ TextLine partsOf(std::string_view line) {
   }
   parts.rest = line.substr(last);
   return parts;
-}
-
-bool isTitle(const std::string& line) {
-  const std::size_t hash = line.find('#');
-  const std::size_t word = line.find_first_not_of("# \t", hash);
-  return hash != std::string::npos && word != std::string::npos && line.compare(word, 6, "title:") == 0;
 }
 
 double numberOf(std::string_view word) {
@@ -116,7 +109,6 @@ void LevelDocument::scan() {
   textLines_.clear();
   header_.clear();
   faceMarks_.clear();
-  titleLine_.reset();
   for (std::size_t index = 0; index < lines_.size(); ++index) scanLine(index);
 }
 
@@ -124,9 +116,8 @@ void LevelDocument::scanLine(std::size_t index) {
   std::string_view line = lines_[index];
   if (index == 0 && line.starts_with(kByteOrderMark)) line.remove_prefix(kByteOrderMark.size());
   const TextLine parts = partsOf(line);
-  if (parts.words.empty()) {
-    if (header_.empty() && !titleLine_ && isTitle(lines_[index])) titleLine_ = index;
-  } else if (parts.words[0] == "%") {
+  if (parts.words.empty()) return;
+  if (parts.words[0] == "%") {
     faceMarks_.push_back(index);
   } else if (header_.size() < kHeaderLines) {
     header_.push_back(index);
@@ -196,17 +187,6 @@ void LevelDocument::setStart(const FacePlace& start, int degrees) {
 
 void LevelDocument::setGoal(const FacePlace& goal) {
   rewrite(header_[kGoal], {std::to_string(goal.face), coordinateText(goal.place.x), coordinateText(goal.place.y)});
-}
-
-void LevelDocument::setTitle(const std::string& title) {
-  if (titleLine_) {
-    std::string& line = lines_[*titleLine_];
-    const std::size_t end = std::min(line.find_first_of("\r\n"), line.size());
-    line = std::string(kTitle) + title + line.substr(end);
-  } else {
-    lines_.insert(lines_.begin(), std::string(kTitle) + title + std::string(lineEnd()));
-  }
-  scan();
 }
 
 }  // namespace platon

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -45,8 +44,6 @@ class LevelDocument {
   void erase(std::size_t segment);
   void setStart(const FacePlace& start, int degrees);
   void setGoal(const FacePlace& goal);
-  /// Sets the title, or adds it before the first text line.
-  void setTitle(const std::string& title);
   /// Replaces the whole text.
   void setText(std::string_view text);
 
@@ -61,7 +58,6 @@ class LevelDocument {
   std::vector<std::size_t> textLines_;  // of the segments
   std::vector<std::size_t> header_;     // text lines of solid, start, goal and size
   std::vector<std::size_t> faceMarks_;  // text lines of the '%'
-  std::optional<std::size_t> titleLine_;
   std::shared_ptr<const Level> level_;
   bool valid_ = false;
   std::vector<Diagnostic> diagnostics_;

@@ -112,22 +112,12 @@ TEST(LevelDocumentTest, ErasingKeepsTheComment) {
             replaced(replaced(kText, "  -240.0 -200 240 -200   # floor\n", "# floor\n"), "10 20\t30 40 door 3\n", ""));
 }
 
-TEST(LevelDocumentTest, StartGoalAndTitleChangeOnlyTheirTextLines) {
+TEST(LevelDocumentTest, StartAndGoalChangeOnlyTheirTextLines) {
   LevelDocument document(kText);
   document.setStart({3, {10.5, -20}}, 90);
   document.setGoal({2, {0, 80}});
-  document.setTitle("Another room");
-  std::string expected = replaced(kText, "0 0 -180 0  # start", "3 10.5 -20 90  # start");
-  expected = replaced(expected, "0  120 80", "2  0 80");
-  EXPECT_EQ(document.text(), replaced(expected, "A room", "Another room"));
-}
-
-TEST(LevelDocumentTest, AMissingTitleIsAdded) {
-  LevelDocument document("HEXAHEDRON\n0 0 0 0\n0 100 0\n480\n%\n%\n%\n%\n%\n%\n");
-  document.setTitle("New");
-  document.check();
-  ASSERT_TRUE(document.valid());
-  EXPECT_EQ(document.level()->title, "New");
+  const std::string expected = replaced(kText, "0 0 -180 0  # start", "3 10.5 -20 90  # start");
+  EXPECT_EQ(document.text(), replaced(expected, "0  120 80", "2  0 80"));
 }
 
 TEST(LevelDocumentTest, LineEndsAreThoseOfTheText) {
