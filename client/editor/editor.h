@@ -113,6 +113,7 @@ class Editor {
 
   EditTool tool_ = EditTool::kSelect;
   SegmentWord word_;                  // of the next segment
+  int digits_ = 0;                    // of its number that have just been typed
   std::size_t grid_ = 2;              // index into kGrids
   std::optional<FacePlace> pointer_;  // on the solid
   glm::dvec2 screen_{0};              // of the pointer

@@ -79,6 +79,7 @@ void Editor::handleEdit(Key key) {
       std::find_if(kEditTools.begin(), kEditTools.end(), [&](const EditToolFacts& facts) { return facts.key == key; });
   if (tool != kEditTools.end()) return choose(tool->tool);
   if (key >= Key::kDigit0 && key <= Key::kDigit9) return typeDigit(digitOf(key));
+  digits_ = 0;
   switch (key) {
     case Key::kEscape:
       return escape();
@@ -107,15 +108,18 @@ void Editor::handleEdit(Key key) {
 
 void Editor::choose(EditTool tool) {
   tool_ = tool;
+  digits_ = 0;
   gesture_.reset();
   if (tool != EditTool::kSelect) selected_.reset();
 }
 
-// The last one or two digits, as far as they are a number of doors.
+// A second digit belongs to the first one, as far as both are a number of doors.
 void Editor::typeDigit(int digit) {
   SegmentWord word = selected_ ? segments()[*selected_].word : word_;
   const int both = word.number * 10 + digit;
-  word.number = both < static_cast<int>(kMaxDoorNumbers) ? both : digit;
+  const bool isSecond = digits_ == 1 && both < static_cast<int>(kMaxDoorNumbers);
+  digits_ = isSecond ? 2 : 1;
+  word.number = isSecond ? both : digit;
   if (word.kind == ElementKind::kUp) word.number = digit % mesh().solid().edgesPerFace();
   word_ = word;
   if (!selected_ || !word.kind || !hasNumber(*word.kind)) return;

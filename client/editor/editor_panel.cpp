@@ -144,6 +144,9 @@ std::vector<std::string> linesOfWay(const LevelReport& report) {
     case LevelReport::Way::kImpossible:
       return {"the goal cannot be reached", "proved: no jump leads to where the dots end"};
     case LevelReport::Way::kNotFound:
+      if (report.states >= LevelAnalysis::kMaxStates)
+        return {"gave up the search for a way",
+                "after " + std::to_string(report.states) + " states; closed rooms make it shorter"};
       return {"no way to the goal found", std::to_string(report.states) + " states searched; there may still be one"};
     case LevelReport::Way::kFound:
       break;
@@ -161,6 +164,8 @@ std::vector<std::string> linesOfWay(const LevelReport& report) {
 
 std::vector<std::string> linesOf(const LevelReport& report) {
   std::vector<std::string> lines = linesOfWay(report);
+  if (report.level && report.level->players > 1)
+    lines.push_back("for " + std::to_string(report.level->players) + " players, who all have to reach the goal");
   for (const Diagnostic& warning : report.warnings) {
     if (lines.size() == kMostLines) break;
     lines.push_back("text line " + std::to_string(warning.line) + ": " + warning.message);

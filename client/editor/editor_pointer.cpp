@@ -50,6 +50,7 @@ void Editor::movePointer(const PointerEvent& event) {
 }
 
 void Editor::press(const PointerEvent& event) {
+  digits_ = 0;
   if (play_ || tool_ == EditTool::kPlay) return placeBall();
   const FacePlace at{pointer_->face, snapped(mesh(), segments(), *pointer_, snapOptions(event.alt)).place};
   const std::optional<PickedSegment> picked = hovered_;

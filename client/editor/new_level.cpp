@@ -31,7 +31,9 @@ std::string newLevelText(SolidKind solid, const std::string& title) {
   text += "0 " + std::to_string(-half / 2) + " " + std::to_string(floor + ball) + " 0\n";
   text += "0 " + std::to_string(half / 2) + " " + std::to_string(floor + 2 * kGrid) + "\n";
   text += std::to_string(size) + "\n";
-  for (int face = 0; face < frame.faces(); ++face) text += "%  # face " + std::to_string(face) + "\n" + segment;
+  for (int face = 0; face < frame.faces(); ++face) {
+    text += "%  # face " + std::to_string(face) + "\n" + (face == 0 ? segment : "");
+  }
   return text;
 }
 

@@ -120,7 +120,12 @@ void EditPlay::updateAnalysis() {
   if (report) editor_.setReport(std::move(*report));
 }
 
+// What another program has written meanwhile is replaced only when the user asks again.
 void EditPlay::save() {
+  checkFile();
+  if (std::exchange(conflicts_, false)) {
+    return editor_.failSave("another program has changed the file; save again to replace its text");
+  }
   const std::optional<std::string> fault = file_.save(editor_.level().text());
   fault ? editor_.failSave(*fault) : editor_.markSaved();
 }
@@ -128,10 +133,15 @@ void EditPlay::save() {
 void EditPlay::watchFile(Moment now) {
   if (now - watchedAt_ < kWatchInterval) return;
   watchedAt_ = now;
+  checkFile();
+}
+
+void EditPlay::checkFile() {
   const std::optional<std::string> text = file_.takeChange();
   if (!text) return;
-  if (!editor_.level().unsaved() && loadLevel(*text).level) return editor_.reload(*text);
-  editor_.say("another program has changed the file; saving replaces its text");
+  conflicts_ = editor_.level().unsaved() || !loadLevel(*text).level;
+  if (!conflicts_) return editor_.reload(*text);
+  editor_.say("another program has changed the file");
 }
 
 void EditPlay::showTitle() {

@@ -36,6 +36,7 @@ class EditPlay {
   void updateAnalysis();
   void save();
   void watchFile(Moment now);
+  void checkFile();
   void showTitle();
   void draw();
   void takeScreenshot();
@@ -53,6 +54,7 @@ class EditPlay {
   std::string title_;
   Moment startedAt_;
   Moment watchedAt_;
+  bool conflicts_ = false;  // another program has changed the file, and its text is not shown
 };
 
 }  // namespace platon

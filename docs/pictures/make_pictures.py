@@ -24,7 +24,7 @@ STILLS = [
     {"name": "hexahedron.png", "level": "hexahedron/05_key_on_the_wall", "from": 6.5, "players": 2},
 ]
 LEVEL_WIDTH = 1200
-EDITED = "hexahedron/01_first_steps"
+EDITED = "hexahedron/05_key_on_the_wall"
 EDITOR_SECONDS = 120  # at most: the picture is drawn when the search has ended
 ELEMENTS = "tests/levels/picture/elements.level"
 

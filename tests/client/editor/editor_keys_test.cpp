@@ -46,11 +46,16 @@ TEST(EditorKeysTest, DigitsSetTheNumberOfTheSelectedSegment) {
   TestEditor editor("-50 10 50 10 door 3\n");
   editor.click({0, {0, 10}});
   editor.key(Key::kDigit1);
-  EXPECT_EQ(editor.all()[1].word.number, 31);
+  EXPECT_EQ(editor.all()[1].word.number, 1) << "a number of its own";
   editor.key(Key::kDigit2);
-  EXPECT_EQ(editor.all()[1].word.number, 2);
+  EXPECT_EQ(editor.all()[1].word.number, 12);
   editor.key(Key::kDigit7);
-  EXPECT_EQ(editor.all()[1].word.number, 27);
+  EXPECT_EQ(editor.all()[1].word.number, 7);
+  editor.key(Key::kDigit8);
+  EXPECT_EQ(editor.all()[1].word.number, 8) << "there is no door 78";
+  editor.click({0, {0, 10}});
+  editor.key(Key::kDigit0);
+  EXPECT_EQ(editor.all()[1].word.number, 0);
 }
 
 TEST(EditorKeysTest, AnUpHasTheNumberOfAnEdge) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string>
 #include <vector>
+#include "client/editor/new_level.h"
 
 namespace platon {
 namespace {
@@ -35,12 +36,21 @@ TEST(EditorPanelTest, TheReportSaysWhatIsKnown) {
   EXPECT_TRUE(shows(statusOf(LevelReport::Way::kImpossible), "the goal cannot be reached"));
   EXPECT_TRUE(shows(statusOf(LevelReport::Way::kImpossible), "proved"));
   EXPECT_TRUE(shows(statusOf(LevelReport::Way::kNotFound), "no way to the goal found"));
+  EditorStatus givenUp = statusOf(LevelReport::Way::kNotFound);
+  givenUp.report.states = LevelAnalysis::kMaxStates;
+  EXPECT_TRUE(shows(givenUp, "gave up the search"));
   EditorStatus solved = statusOf(LevelReport::Way::kFound);
   solved.report.facts = {.ticks = 378, .presses = 3, .crossings = 1, .turns = 2, .slack = 9, .elements = {}};
   EXPECT_EQ(linesOf(solved.report),
             (std::vector<std::string>{"solved in 6.30 s", "3 presses, 1 crossing, 2 turns of down",
                                       "tightest jump 9 ticks, difficulty 14"}));
   EXPECT_TRUE(shows(solved, "✓ solved in 6.30 s"));
+}
+
+TEST(EditorPanelTest, TheReportSaysForHowManyPlayersItIs) {
+  LevelReport report;
+  report.level = loadLevel("# players: 2\n" + newLevelText(SolidKind::kHexahedron, "For two")).level;
+  EXPECT_EQ(linesOf(report).back(), "for 2 players, who all have to reach the goal");
 }
 
 TEST(EditorPanelTest, WarningsAreShownUpToALimit) {

@@ -60,7 +60,7 @@ TEST(LevelAnalysisTest, AGoalInABoxIsProvedToBeOutOfReach) {
 
 TEST(LevelAnalysisTest, OnlyTheNewestLevelIsReported) {
   LevelAnalysis analysis;
-  const auto hard = loadLevel(readText("levels/dodecahedron/04_twelve_rooms.level")).level;
+  const auto hard = loadLevel(readText("tests/determinism/golden/levels/dodecahedron.level")).level;
   const auto easy = levelWith("");
   for (int i = 0; i < 20; ++i) {
     analysis.start(hard);
@@ -73,7 +73,7 @@ TEST(LevelAnalysisTest, OnlyTheNewestLevelIsReported) {
 // The whole analysis of this level takes many seconds.
 TEST(LevelAnalysisTest, AnAnalysisIsGivenUpAtOnce) {
   std::optional<LevelAnalysis> analysis(std::in_place);
-  analysis->start(loadLevel(readText("levels/dodecahedron/04_twelve_rooms.level")).level);
+  analysis->start(loadLevel(readText("tests/determinism/golden/levels/dodecahedron.level")).level);
   ASSERT_TRUE(waitUntil([&] { return analysis->take().has_value(); }));
   const auto before = std::chrono::steady_clock::now();
   analysis.reset();

@@ -79,7 +79,7 @@ TEST_F(EditPlayTest, ASegmentIsDrawnAndSavedIntoANewFile) {
   ASSERT_TRUE(level);
   std::size_t segments = 0;
   for (const auto& face : level->segments) segments += face.size();
-  EXPECT_EQ(segments, 7U) << readText(path_);
+  EXPECT_EQ(segments, 2U) << readText(path_);
 }
 
 TEST_F(EditPlayTest, LeavingWithUnsavedChangesAsks) {
@@ -96,9 +96,23 @@ TEST_F(EditPlayTest, ClosingTheWindowAsksToo) {
 }
 
 TEST_F(EditPlayTest, AChangedFileIsReadAgain) {
-  std::filesystem::copy_file("levels/hexahedron/01_first_steps.level", path_);
+  std::filesystem::copy_file("levels/hexahedron/01_run_and_jump.level", path_);
   const std::string text = readText(path_) + "# more\n";
   EXPECT_TRUE(edit({{[&] { writeText(path_, text); }, [&] { return play_->editor().level().text() == text; }}}));
+}
+
+TEST_F(EditPlayTest, WhatAnotherProgramHasWrittenIsReplacedOnlyWhenAskedAgain) {
+  const std::string text = readText("levels/hexahedron/01_run_and_jump.level");
+  writeText(path_, text);
+  const auto drawn = [&] { return play_->editor().level().unsaved(); };
+  const auto refuses = [&] { return play_->editor().status().message.find("save again") != std::string::npos; };
+  EXPECT_TRUE(edit({{[] { xdotool("key d mousemove 500 400 mousedown 1 mousemove --sync 700 420 mouseup 1"); }, drawn},
+                    {[&] {
+                       writeText(path_, text + "# theirs\n");
+                       xdotool("key ctrl+s");
+                     },
+                     refuses},
+                    {[] { xdotool("key ctrl+s"); }, [&] { return !fileHas("# theirs"); }}}));
 }
 
 TEST_F(EditPlayTest, OffscreenThePictureIsWritten) {
@@ -114,7 +128,7 @@ TEST_F(EditPlayTest, OffscreenThePictureIsWritten) {
 TEST_F(EditPlayTest, AnInvalidLevelIsRefusedWithItsErrors) {
   writeText(path_, "CUBE\n");
   try {
-    EditPlay(options_, steadyClock());
+    const EditPlay play(options_, steadyClock());
     ADD_FAILURE() << "accepted";
   } catch (const ProgramError& error) {
     EXPECT_EQ(error.exitCode(), ProgramError::kLevel);
