@@ -9,6 +9,7 @@
 #include <glm/vec4.hpp>
 
 #include "client/editor/face_picker.h"
+#include "levels/reach/upright_faces.h"
 
 namespace platon {
 namespace {
@@ -50,6 +51,7 @@ void Editor::failSave(const std::string& fault) {
 
 void Editor::reload(std::string_view text) {
   level_.reload(text);
+  selected_.reset();
   showLevel();
   message_ = "another program has changed the file: its text is shown";
 }
@@ -147,8 +149,8 @@ SnapOptions Editor::snapOptions(bool free) const {
   return {kGrids[grid_], kReach / std::max(scale, 0.05), free};
 }
 
-// The ups that a player can have on a face differ by multiples of this, degrees.
-int Editor::turnOfDown() const {
+// Half the angle of an edge, in which the up of the start is turned on triangles and pentagons; degrees.
+int Editor::turnOfStart() const {
   const int edges = mesh().solid().edgesPerFace();
   return edges == 3 ? 60 : edges == 4 ? 90 : 36;
 }
@@ -157,18 +159,36 @@ void Editor::centre() {
   if (pointer_) view_.centre(mesh().pose(pointer_->face, {0, 0}, 0));
 }
 
-// Degrees from the face's +y to the up of the picture, of those that differ from `offset` by whole turns of down.
-int Editor::uprightDegrees(int face, std::int32_t offset) const {
+// Degrees from the face's +y to the up of the picture.
+double Editor::upOfPicture(int face) const {
   const glm::dvec2 up(glm::inverse(mesh().faceToWorld(face)) * glm::dvec4(camera().up(), 0));
-  const double degrees = std::atan2(-up.x, up.y) * 180 / std::numbers::pi;
-  const int turn = turnOfDown();
-  return (static_cast<int>(std::lround((degrees - offset) / turn)) * turn + offset + 360) % 360;
+  return std::atan2(-up.x, up.y) * 180 / std::numbers::pi;
+}
+
+// The up of the start, degrees: nearly that of the picture.
+int Editor::upOfStart(int face) const {
+  const int turn = turnOfStart();
+  return (static_cast<int>(std::lround(upOfPicture(face) / turn)) * turn + 360) % 360;
+}
+
+// Of the ups that a player can have on the face, the one nearest to that of the picture; degrees.
+int Editor::upOfBall(int face) const {
+  const double wanted = upOfPicture(face);
+  const auto distance = [&](const UprightFace& upright) {
+    return std::abs(std::remainder(upright.up.centidegrees() / 100.0 - wanted, 360.0));
+  };
+  const UprightFaces faces(*shown_);
+  const UprightFace* nearest = nullptr;
+  for (const UprightFace& upright : faces.all()) {
+    if (static_cast<int>(upright.face) != face) continue;
+    if (nearest == nullptr || distance(upright) < distance(*nearest)) nearest = &upright;
+  }
+  return nearest->up.centidegrees() / 100;
 }
 
 void Editor::placeBall() {
   LevelDocument document = level_.document();
-  const std::int32_t offset = shown_->startAngle.centidegrees() / 100 % turnOfDown();
-  document.setStart(*pointer_, uprightDegrees(pointer_->face, offset));
+  document.setStart(*pointer_, upOfBall(pointer_->face));
   document.check();
   if (!document.valid()) {
     message_ = "the ball does not fit here: " + document.diagnostics().front().message;

@@ -30,10 +30,10 @@ namespace platon {
 /// The level editor without window, file and thread: events go in, pictures and wishes come out.
 class Editor {
  public:
-  /// `text` is a valid level; `file` its name for messages. `saved`: it is the text of the file. The pictures have
-  /// w × h pixels.
+  /// `text` is a valid level; `file` its name for messages. `saved`: it is the text of the file.
   Editor(std::string file, std::string_view text, bool saved);
 
+  /// The pictures have w × h pixels.
   void resize(std::uint32_t w, std::uint32_t h);
   void handle(const KeyEvent& event);
   void handle(const PointerEvent& event);
@@ -85,8 +85,10 @@ class Editor {
   void cycleWord(std::size_t segment);
   void placeStart(const FacePlace& at);
   void placeBall();
-  int turnOfDown() const;
-  int uprightDegrees(int face, std::int32_t offset) const;
+  int turnOfStart() const;
+  double upOfPicture(int face) const;
+  int upOfStart(int face) const;
+  int upOfBall(int face) const;
 
   // Keys.
   void handleInMenu(const KeyEvent& event);

@@ -30,12 +30,14 @@ void Editor::handleInMenu(const KeyEvent& event) {
   if (choice == LeaveMenu::Choice::kLeave) leaving_ = true;
   wantsSave_ = wantsSave_ || choice == LeaveMenu::Choice::kSaveAndLeave;
   leaveWhenSaved_ = choice == LeaveMenu::Choice::kSaveAndLeave;
+  if (event.kind == KeyEvent::Kind::kRelease) mapper_.handle(event, true);
 }
 
 void Editor::handleInPlay(const KeyEvent& event) {
   const bool ends = event.key == Key::kEscape && event.kind == KeyEvent::Kind::kPress;
   if (ends) play_.reset();
-  if (!ends && !event.ctrl) mapper_.handle(event, false);
+  const bool isCommand = event.ctrl && event.kind != KeyEvent::Kind::kRelease;
+  if (!ends && !isCommand) mapper_.handle(event, false);
 }
 
 bool Editor::turnView(const KeyEvent& event) {
@@ -141,9 +143,8 @@ void Editor::eraseSelected() {
 // Changes the direction of the selected segment, or with the tool for the start the up of the ball.
 void Editor::flip() {
   if (tool_ == EditTool::kStart) {
-    const int degrees = (shown_->startAngle.centidegrees() / 100 + turnOfDown()) % 360;
-    const FacePlace start{stage_->start.face, toUnits(shown_->start)};
-    return edit([&](LevelDocument& document) { document.setStart(start, degrees); });
+    const int degrees = (shown_->startAngle.centidegrees() / 100 + turnOfStart()) % 360;
+    return edit([&](LevelDocument& document) { document.turnStart(degrees); });
   }
   if (!selected_) return;
   EditedSegment turned = segments()[*selected_];

@@ -20,9 +20,13 @@ SegmentWord nextWord(const SegmentWord& word) {
 }  // namespace
 
 void Editor::handle(const PointerEvent& event) {
-  movePointer(event);
-  if (menu_.isOpen()) return;
   using Kind = PointerEvent::Kind;
+  if (menu_.isOpen()) {
+    screen_ = event.place;
+    if (event.kind == Kind::kRelease) turning_ = false;
+    return;
+  }
+  movePointer(event);
   if (event.kind == Kind::kScroll) view_.zoom(mesh(), event.scroll);
   if (event.kind == Kind::kMove) return;
   const bool left = event.button == PointerEvent::Button::kLeft;
@@ -123,7 +127,7 @@ void Editor::cycleWord(std::size_t segment) {
 }
 
 void Editor::placeStart(const FacePlace& at) {
-  const int degrees = uprightDegrees(at.face, 0);
+  const int degrees = upOfStart(at.face);
   edit([&](LevelDocument& document) { document.setStart(at, degrees); });
 }
 

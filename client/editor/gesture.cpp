@@ -28,6 +28,9 @@ Gesture::Gesture(const SolidMesh& mesh, const EditedSegment& segment, const Pick
 
 void Gesture::follow(const FacePlace& pointer, std::span<const EditedSegment> segments, const SnapOptions& options,
                      bool straight) {
+  // A click moves nothing.
+  if (moved_ && !moves_ && glm::distance(plane_.follow(pointer), grabbed_) <= options.reach / 2) return;
+  moves_ = true;
   if (part_ == Part::kWhole) {
     // Whole steps of the grid, so that the segment keeps its form.
     glm::dvec2 way = plane_.follow(pointer) - grabbed_;

@@ -42,6 +42,7 @@ class Gesture {
   PickedSegment::Part part_ = PickedSegment::Part::kSecondEnd;
   std::optional<std::size_t> moved_;
   glm::dvec2 grabbed_{0};
+  bool moves_ = false;  // the pointer has left the place where it grabbed the segment
   UnfoldedPlane plane_;
 };
 

@@ -185,6 +185,13 @@ void LevelDocument::setStart(const FacePlace& start, int degrees) {
                             std::to_string(degrees)});
 }
 
+void LevelDocument::turnStart(int degrees) {
+  const TextLine parts = partsOf(lines_[header_[kStart]]);
+  std::vector<std::string> words(parts.words.begin(), parts.words.end());
+  words.back() = std::to_string(degrees);
+  rewrite(header_[kStart], words);
+}
+
 void LevelDocument::setGoal(const FacePlace& goal) {
   rewrite(header_[kGoal], {std::to_string(goal.face), coordinateText(goal.place.x), coordinateText(goal.place.y)});
 }

@@ -43,6 +43,8 @@ class LevelDocument {
   /// Removes the text line of a segment. A comment behind it stays on a text line of its own.
   void erase(std::size_t segment);
   void setStart(const FacePlace& start, int degrees);
+  /// Changes only the up of the start.
+  void turnStart(int degrees);
   void setGoal(const FacePlace& goal);
   /// Replaces the whole text.
   void setText(std::string_view text);

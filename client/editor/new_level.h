@@ -6,7 +6,7 @@
 
 namespace platon {
 
-/// The text of a new level: a floor on each face, the start and the goal on face 0.
+/// The text of a new level: a floor, the start and the goal on face 0.
 std::string newLevelText(SolidKind solid, const std::string& title);
 
 /// A title made of the name of a level file: `02_half_turn.level` gives `Half turn`.

@@ -42,7 +42,6 @@ std::optional<Key> keyOf(int glfwKey) {
                                                        {GLFW_KEY_BACKSPACE, Key::kBackspace},
                                                        {GLFW_KEY_PAGE_UP, Key::kPageUp},
                                                        {GLFW_KEY_PAGE_DOWN, Key::kPageDown},
-                                                       {GLFW_KEY_B, Key::kB},
                                                        {GLFW_KEY_C, Key::kC},
                                                        {GLFW_KEY_E, Key::kE},
                                                        {GLFW_KEY_F, Key::kF},
@@ -216,7 +215,6 @@ void Window::addPointerEvent(PointerEvent event) {
     return glfwGetKey(handle_, left) == GLFW_PRESS || glfwGetKey(handle_, right) == GLFW_PRESS;
   };
   event.alt = held(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT);
-  event.ctrl = held(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
   event.shift = held(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
   pointerEvents_.push_back(event);
 }

@@ -24,7 +24,6 @@ enum class Key : std::uint8_t {
   kF1,
   kF3,
   kF11,
-  kB,  ///< the editor uses this and the next ones up to kPageDown
   kC,
   kE,
   kF,

@@ -16,7 +16,6 @@ struct PointerEvent {
   Button button = Button::kLeft;  ///< of kPress and kRelease
   double scroll = 0;              ///< of kScroll: notches, away from the user is positive
   bool alt = false;               ///< Alt was held
-  bool ctrl = false;              ///< Ctrl was held
   bool shift = false;             ///< Shift was held
 
   friend bool operator==(const PointerEvent&, const PointerEvent&) = default;

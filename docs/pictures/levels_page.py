@@ -15,7 +15,7 @@ from pathlib import Path
 PAGE = "docs/levels.md"
 INTRODUCTION = (
     "# Levels\n\n"
-    "The game has {count} levels, in the order in which a server plays them: {solids}. {several} of them need two players. "
+    "The game has {count} levels, in the order in which a server plays them; on each solid: {solids}. {several} of them need two players. "
     "*The pictures show where to go. Play first.*\n\n"
     "Each level states how many crossings of edges every way to its goal needs, which `platon-level solve "
     "--without-crossing` proves. The other figures are those of an easy way, which `tests/levels/record.sh` finds and "
@@ -46,6 +46,8 @@ def head_of(level):
     """Title, players, crossings and idea of a level: what its text says before the solid."""
     head = {"players": "1", "crossings": "0", "idea": []}
     for line in level.read_text(encoding="utf-8").splitlines():
+        if not line.strip():
+            continue
         if not line.startswith("#"):
             head["solid"] = line.split()[0].lower()
             break
@@ -63,10 +65,11 @@ def section(tool, root, level):
     row = [head["players"], head["crossings"], facts["crossings"], facts["presses"], facts["turns"], slack,
            f"{facts['ticks'] / 60:.1f}", facts["difficulty"]]
     title = head["title"]
+    article = "an" if head["solid"][0] in "io" else "a"
     return "\n".join((
         f"### {level.stem[:2]} {title}", "", " ".join(head["idea"]), "", COLUMNS, "|" + "---|" * len(row),
         "| " + " | ".join(map(str, row)) + " |", "",
-        f"![{title}: a {head['solid']} from two sides, and its net](pictures/level_{level.stem}.png)", ""))
+        f"![{title}: {article} {head['solid']} from two sides, and its net](pictures/level_{level.stem}.png)", ""))
 
 
 def counted(levels):
@@ -74,7 +77,7 @@ def counted(levels):
     solids = {}
     for level in levels:
         solids.setdefault(level.parent.name, []).append(level)
-    return ", ".join(f"{len(found)} on the {solid}" for solid, found in solids.items())
+    return ", ".join(f"{solid} {len(found)}" for solid, found in solids.items())
 
 
 def page(tool, root):
@@ -85,7 +88,8 @@ def page(tool, root):
     for level in levels:
         if level.parent.name != solid:
             solid = level.parent.name
-            parts.append(f"## {solid.capitalize()}\n")
+            again = any(part == f"## {solid.capitalize()}\n" for part in parts)
+            parts.append(f"## {solid.capitalize()}{' again' if again else ''}\n")
         parts.append(section(tool, root, level))
     return "\n".join(parts)
 

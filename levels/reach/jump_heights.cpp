@@ -141,7 +141,7 @@ void JumpHeights::rise(std::uint32_t node, std::size_t cell, double apex) {
   if (!isOpen(node, cell) || grids_[node].rectOf(cell).low.y > apex) return;
   fall(node, cell);
   // A way along edges may sink by a cell at each of them, and nobody rises more than from the ground.
-  apex = std::min(apex, grids_[node].rectOf(cell).low.y + kMostHeight);
+  apex = std::min(apex, grids_[node].rectOf(cell).high.y + kMostHeight);
   if (apex < apexes_[node][cell] + leastGain) return;
   apexes_[node][cell] = apex;
   put({node, cell, true}, apex - grids_[node].rectOf(cell).low.y);

@@ -38,11 +38,7 @@ int run(int argc, char** argv) {
   platon::SolveOptions solving;
   CLI::App* solve = app.add_subcommand("solve", "Search for a way to the goal");
   solve->add_option("FILE", solving.file, "Level file")->required();
-  CLI::Option* output = solve->add_option("-o,--output", solving.recording, "Recording of the way to write");
-  solve
-      ->add_option("--recorded", solving.recorded,
-                   "Tell about the way in this recording instead of searching; fails if it does not lead to the goal")
-      ->excludes(output);
+  solve->add_option("-o,--output", solving.recording, "Recording of the way to write");
   solve
       ->add_option("--without-crossing", solving.withoutCrossing,
                    "Prove that no way to the goal has fewer than this many crossings of edges")
@@ -52,6 +48,12 @@ int run(int argc, char** argv) {
                    "Count each press of a button as so many ticks: 0 finds a fast way, 30 an easy one")
       ->check(CLI::Range(0, 600))
       ->capture_default_str();
+  CLI::Option* recorded = solve->add_option(
+      "--recorded", solving.recorded,
+      "Tell about the way in this recording instead of searching; fails if it does not lead to the goal");
+  for (const char* search : {"--output", "--without-crossing", "--press-cost"}) {
+    recorded->excludes(solve->get_option(search));
+  }
   solve->add_flag("--json", solving.json, "Print one JSON object to stdout");
 
   try {

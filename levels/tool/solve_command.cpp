@@ -89,7 +89,9 @@ int tell(const std::shared_ptr<const Level>& level, const SolveOptions& options)
     std::fprintf(stderr, "%s: error: %s\n", options.recorded.c_str(), way.fault.c_str());
     return kInvalidLevel;
   }
-  const auto facts = way.level->hash == level->hash ? factsOf(level, way.inputs) : std::nullopt;
+  const bool isOfLevel =
+      way.level->hash == level->hash && !way.inputs.empty() && way.inputs.front().size() >= level->players;
+  const auto facts = isOfLevel ? factsOf(level, way.inputs) : std::nullopt;
   if (!facts) {
     std::fprintf(stderr, "platon-level: '%s' is no way to the goal of '%s' as it is now; record a new one with -o\n",
                  options.recorded.c_str(), options.file.c_str());

@@ -113,7 +113,10 @@ std::optional<std::uint32_t> Match::freeSlot() const {
 }
 
 MatchPlayer& Match::join(ClientId client, const Hello& hello, std::uint32_t slot) {
-  if (idle() && history_.end() > 0) startRound();
+  if (idle() && history_.end() > 0) {
+    if (rotation_.current()->players > 1) rotation_.advance(1);  // the players for whom it was chosen have left
+    startRound();
+  }
   MatchPlayer joining(slot, names_.claim(slot, hello.name), hello.token, now_);
   MatchPlayer& player = players_.emplace(client, std::move(joining)).first->second;
   player.joinAt(history_.end());

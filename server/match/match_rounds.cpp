@@ -42,9 +42,9 @@ void Match::handle(ClientId client, const Vote& vote) {
 void Match::finishRound() {
   noteFinishes();
   if (overAt_) {
-    if (history_.end() - *overAt_ >= kPauseTicks) return startNextRound();
-    // Players who have come or left decide whether a level for several players is next.
-    if (rotation_.next(players()) != toldNext_) tellNext();
+    // Players who have come or left decide whether a level for several players is next. It comes only once it was told.
+    if (rotation_.next(players()) != toldNext_) return tellNext();
+    if (history_.end() - *overAt_ >= kPauseTicks) startNextRound();
     return;
   }
   const VoteCount votes = countVotes();

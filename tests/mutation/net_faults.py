@@ -234,7 +234,7 @@ SERVER_FAULTS = [
               "the countdown names a level that does not come",
               "MatchRounds.NewLevelsDuringThePauseAreNamedAgain"),
     at_length("next-level-without-its-players", MATCH + "match_rounds.cpp",
-              "    if (rotation_.next(players()) != toldNext_) tellNext();\n", "",
+              "    if (rotation_.next(players()) != toldNext_) return tellNext();\n", "",
               "the countdown names a level for two after one of two players has left",
               "MatchRounds.ALevelForTwoIsNextOnlyWhileTwoPlayersAreThere"),
     at_length("half-written-file-is-read", "server/base/file_watch.cpp", " || last_ != before", "",

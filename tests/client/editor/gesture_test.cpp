@@ -39,6 +39,16 @@ TEST(GestureTest, AnUnmovedSegmentStaysAsItIs) {
   EXPECT_EQ(Gesture(cube(), segment, {4, Part::kWhole}, {-160, 0}).moved(), 4U);
 }
 
+TEST(GestureTest, AClickDoesNotMoveTheEnd) {
+  const EditedSegment segment{0, {-200, 30}, {200, 30}, {}};
+  Gesture gesture(cube(), segment, {0, Part::kFirstEnd}, {-120, 32});
+  gesture.follow({0, {-119, 31}}, {}, {}, false);
+  EXPECT_EQ(gesture.pieces(), std::vector{segment});
+  gesture.follow({0, {-90, 31}}, {}, {}, false);
+  gesture.follow({0, {-120, 32}}, {}, {}, false);
+  EXPECT_EQ(gesture.pieces(), (std::vector{EditedSegment{0, {-120, 30}, {200, 30}, {}}})) << "back where it began";
+}
+
 TEST(GestureTest, TheFirstEndMovesOverAnEdge) {
   const std::vector<EditedSegment> pieces =
       moved({0, {200, 30}, {100, 30}, {}}, Part::kFirstEnd, {200, 30}, {1, {-200, 30}});

@@ -120,6 +120,12 @@ TEST(LevelDocumentTest, StartAndGoalChangeOnlyTheirTextLines) {
   EXPECT_EQ(document.text(), replaced(expected, "0  120 80", "2  0 80"));
 }
 
+TEST(LevelDocumentTest, TurningTheStartKeepsItsPlaceAsItIsWritten) {
+  LevelDocument document(replaced(kText, "0 0 -180 0  # start", "0 0.10 -180 0  # start"));
+  document.turnStart(90);
+  EXPECT_EQ(document.text(), replaced(kText, "0 0 -180 0  # start", "0 0.10 -180 90  # start"));
+}
+
 TEST(LevelDocumentTest, LineEndsAreThoseOfTheText) {
   LevelDocument document(withCarriageReturns(kText));
   document.add({0, {1, 2}, {3, 4}, {}});

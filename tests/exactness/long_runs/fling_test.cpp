@@ -1,4 +1,4 @@
-// Entities at random velocities on a level and random fields of every solid. The oracle checks every leg of the
+// Entities at random velocities on a level of each solid and on random fields. The oracle checks every leg of the
 // first ticks of each round.
 #include <gtest/gtest.h>
 
@@ -167,7 +167,7 @@ void report(const Tally& total) {
             << " legs; " << total.crossings << " crossings, up to " << total.maxInstances << " instances\n";
 }
 
-TEST(FlingTest, InvariantsHoldOnTheShippedLevels) {
+TEST(FlingTest, InvariantsHoldOnALevelOfEachSolid) {
   const std::vector<Field> fields = fieldsOfSolidLevels();
   ASSERT_GE(fields.size(), 5u);
   RandomSource random(kSeed);

@@ -44,6 +44,17 @@ TEST(JumpHeightsTest, ACheckpointAndAHazardLeadThroughAWall) {
   EXPECT_TRUE(reachesGoal(wall + checkpoint + "-100 -200 -60 -200 hazard", "0 160 -150"));
 }
 
+// Cells grow with the face: a jump then rises by less than one of them.
+TEST(JumpHeightsTest, AJumpReachesItsGoalOnALargeFace) {
+  for (const int size : {2000, 12000, 40000, 65536}) {
+    const std::string floor = std::to_string(-size / 4);
+    const auto level =
+        levelOf("HEXAHEDRON\n0 0 " + std::to_string(20 - size / 4) + " 0\n0 300 " + std::to_string(95 - size / 4) +
+                "\n" + std::to_string(size) + "\n%\n-500 " + floor + " 500 " + floor + "\n%\n%\n%\n%\n%\n");
+    EXPECT_TRUE(JumpHeights(*level, {}).reachesGoal()) << size;
+  }
+}
+
 TEST(JumpHeightsTest, AStoppedSearchSaysSo) {
   const auto level = cubeLevel("0 0 -180 0", {kFlat}, "0 100 -184");
   EXPECT_TRUE(JumpHeights(*level, {.stop = [] { return true; }}).isStopped());

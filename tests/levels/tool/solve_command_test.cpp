@@ -56,6 +56,7 @@ TEST_F(SolveCommandTest, TellsAboutARecordedWay) {
   EXPECT_EQ(other.exitCode, 1);
   EXPECT_NE(other.errors.find("is no way to the goal of 'closed.level' as it is now"), std::string::npos);
   EXPECT_EQ(run("crossing.level --recorded missing.recording").exitCode, 2);
+  EXPECT_EQ(run("crossing.level --recorded way.recording --without-crossing 1").exitCode, 2);
   EXPECT_EQ(run("crossing.level --recorded closed.level").exitCode, 3);
 }
 
