@@ -9,6 +9,14 @@ SCENE = "client/scene/"
 UI = "client/ui/"
 
 CLIENT_FAULTS = [
+    # The editor and what it shows.
+    at_length("click-moves-an-end", "client/editor/gesture.cpp",
+              "  if (moved_ && !moves_ && glm::distance(plane_.follow(pointer), grabbed_) <= options.reach / 2) return;\n", "",
+              "a click on the outer part of a segment cuts it off there",
+              "GestureTest.AClickDoesNotMoveTheEnd"),
+    at_length("digits-without-end", "client/editor/editor_pointer.cpp", "  digits_ = 0;\n", "",
+              "a digit that is typed after a click is added to the number of before",
+              "EditorKeysTest.DigitsSetTheNumberOfTheSelectedSegment"),
     # Prediction and time.
     Fault("stale-by-the-last-slot", NETCODE + "prediction.cpp", "stale_ |= at(inputs", "stale_ = at(inputs",
           "only the input of the last slot can make a prediction stale",

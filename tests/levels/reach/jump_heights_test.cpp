@@ -44,14 +44,16 @@ TEST(JumpHeightsTest, ACheckpointAndAHazardLeadThroughAWall) {
   EXPECT_TRUE(reachesGoal(wall + checkpoint + "-100 -200 -60 -200 hazard", "0 160 -150"));
 }
 
-// Cells grow with the face: a jump then rises by less than one of them.
+// Cells grow with the face, until a jump rises by less than one of them. The floors of the closed room lie at different
+// heights of a cell.
 TEST(JumpHeightsTest, AJumpReachesItsGoalOnALargeFace) {
-  for (const int size : {2000, 12000, 40000, 65536}) {
-    const std::string floor = std::to_string(-size / 4);
+  for (int floor = -2000; floor > -2200; floor -= 25) {
+    const auto y = [floor](int above) { return " " + std::to_string(floor + above); };
+    const std::string room = "-900" + y(0) + " 900" + y(0) + "\n-900" + y(900) + " 900" + y(900) + "\n-900" + y(0) +
+                             " -900" + y(900) + "\n900" + y(0) + " 900" + y(900) + "\n";
     const auto level =
-        levelOf("HEXAHEDRON\n0 0 " + std::to_string(20 - size / 4) + " 0\n0 300 " + std::to_string(95 - size / 4) +
-                "\n" + std::to_string(size) + "\n%\n-500 " + floor + " 500 " + floor + "\n%\n%\n%\n%\n%\n");
-    EXPECT_TRUE(JumpHeights(*level, {}).reachesGoal()) << size;
+        levelOf("HEXAHEDRON\n0 0" + y(12) + " 0\n0 300" + y(95) + "\n20000\n%\n" + room + "%\n%\n%\n%\n%\n");
+    EXPECT_TRUE(JumpHeights(*level, {}).reachesGoal()) << floor;
   }
 }
 
