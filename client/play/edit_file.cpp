@@ -1,11 +1,10 @@
 #include "client/play/edit_file.h"
 
-#include <cerrno>
-#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <system_error>
 
+#include "client/play/replace_file.h"
 #include "platon/game/level.h"
 #include "protocol/program_error.h"
 
@@ -13,13 +12,6 @@ namespace platon {
 namespace {
 
 namespace fs = std::filesystem;
-
-// Returns the file behind `path` if that is a symbolic link: a rename would replace the link.
-fs::path resolved(const fs::path& path) {
-  std::error_code error;
-  const fs::path target = fs::canonical(path, error);
-  return error ? path : target;
-}
 
 // At most one byte more than a level may have.
 std::optional<std::string> readText(const fs::path& path) {
@@ -50,19 +42,7 @@ std::string EditFile::load() {
 }
 
 std::optional<std::string> EditFile::save(const std::string& text) {
-  const fs::path target = resolved(path_);
-  fs::path unfinished = target;
-  unfinished += ".new";
-  errno = 0;
-  std::ofstream file(unfinished, std::ios::binary | std::ios::trunc);
-  file << text;
-  file.close();
-  if (!file) return "cannot write '" + unfinished.string() + "': " + std::strerror(errno);
-  std::error_code error;
-  const fs::perms former = fs::status(target, error).permissions();
-  if (!error && fs::exists(target)) fs::permissions(unfinished, former, error);
-  fs::rename(unfinished, target, error);
-  if (error) return "cannot replace '" + target.string() + "': " + error.message();
+  if (const auto fault = replaceFile(path_, text)) return fault;
   text_ = text;
   known_ = stamp();
   return std::nullopt;

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "client/play/replace_file.h"
 #include "client/play/server_file_name.h"
 
 namespace platon {
@@ -102,14 +103,7 @@ void LevelCache::keep(const Level& level) {
   if (all_.empty()) return;
   std::error_code fault;
   fs::create_directories(folder_, fault);
-  const fs::path path = folder_ / fileNameOf(level.hash);
-  fs::path temporary = path;
-  temporary += ".new";
-  std::ofstream file(temporary, std::ios::binary | std::ios::trunc);
-  file << level.text;
-  file.close();
-  if (file) fs::rename(temporary, path, fault);
-  if (!file || fault) fs::remove(temporary, fault);
+  replaceFile(folder_ / fileNameOf(level.hash), level.text);  // a level that is not kept is loaded again
   limit();
 }
 

@@ -6,29 +6,9 @@
 #include <system_error>
 #include <utility>
 
+#include "client/play/replace_file.h"
+
 namespace platon {
-
-namespace {
-
-// Returns the file behind `path` if that is a symbolic link: a rename would replace the link.
-std::filesystem::path resolveLink(const std::filesystem::path& path) {
-  std::error_code error;
-  const std::filesystem::path resolved = std::filesystem::canonical(path, error);
-  return error ? path : resolved;
-}
-
-bool replaceFile(const std::filesystem::path& path, const std::string& text) {
-  std::filesystem::path unfinished = path;
-  unfinished += ".new";
-  std::ofstream file(unfinished, std::ios::binary | std::ios::trunc);
-  file << text;
-  file.close();
-  std::error_code error;
-  if (file) std::filesystem::rename(unfinished, path, error);
-  return file && !error;
-}
-
-}  // namespace
 
 SettingsFile::SettingsFile(const std::filesystem::path& folder) {
   if (!folder.empty()) path_ = folder / "settings";
@@ -52,7 +32,7 @@ void SettingsFile::save(const Settings& settings) const {
   std::filesystem::create_directories(path_.parent_path(), ignored);
   std::string text = settings.text();
   for (const std::string& line : unknownLines_) text += line + "\n";
-  if (!replaceFile(resolveLink(path_), text)) {
+  if (replaceFile(path_, text)) {
     std::fprintf(stderr, "platon-client: cannot write %s; the settings are not saved\n", path_.c_str());
   }
 }
