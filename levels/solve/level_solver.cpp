@@ -30,19 +30,12 @@ std::optional<Solution> LevelSolver::solve(const Limits& limits) {
 
 std::optional<Solution> LevelSolver::solveAlone(const Limits& limits) {
   Situation start = begin();
-  WaySearch search(start.game, 0, {limits.states, limits.crossings, limits.pressCost});
-  LevelSolver::search(search, true, limits);
+  WaySearch search(start.game, 0, {limits.states, limits.crossings, limits.pressCost, limits.stop});
+  const bool isFound = search.find({});
   states_ = search.states();
-  if (!search.found().contains({})) return std::nullopt;
+  if (!isFound) return std::nullopt;
   play(start, 0, search.inputsTo({}));
   return start.inputs;
-}
-
-// Searches for the goal, or for all targets.
-void LevelSolver::search(WaySearch& way, bool toGoal, const Limits& limits) {
-  constexpr std::uint64_t ticksAtATime = 1000;
-  while (!(toGoal && way.found().contains({})) && !(limits.stop && limits.stop()) && way.work(ticksAtATime)) {
-  }
 }
 
 // Breadth first: the fewest moves of players.
@@ -55,8 +48,8 @@ std::optional<Solution> LevelSolver::solveTogether(const Limits& limits) {
     const Situation& before = open.front();
     for (std::uint32_t slot = 0; slot < before.game.slots(); ++slot) {
       if (before.game.player(slot).arrived != 0) continue;
-      WaySearch search(before.game, slot, {limits.states - states_, limits.crossings, limits.pressCost});
-      LevelSolver::search(search, false, limits);
+      WaySearch search(before.game, slot, {limits.states - states_, limits.crossings, limits.pressCost, limits.stop});
+      search.findAll();
       if (limits.stop && limits.stop()) return std::nullopt;
       states_ += search.states();
       for (const auto& [target, way] : search.found()) {

@@ -42,7 +42,6 @@ class LevelSolver {
 
   std::optional<Solution> solveAlone(const Limits& limits);
   std::optional<Solution> solveTogether(const Limits& limits);
-  static void search(WaySearch& way, bool toGoal, const Limits& limits);
   Situation begin() const;
   void play(Situation& situation, std::uint32_t slot, const std::vector<Input>& inputs) const;
   bool settle(Situation& situation) const;

@@ -47,15 +47,20 @@ bool WaySearch::work(std::uint64_t ticks) {
   return !open_.empty() && nodes_.size() < limits_.states;
 }
 
+// A few milliseconds. Returns whether to go on.
+bool WaySearch::workOn() {
+  constexpr std::uint64_t ticks = 1000;
+  return !(limits_.stop && limits_.stop()) && work(ticks);
+}
+
 bool WaySearch::find(const Target& target) {
-  constexpr std::uint64_t ticksAtATime = 1000;
-  while (!found_.contains(target) && work(ticksAtATime)) {
+  while (!found_.contains(target) && workOn()) {
   }
   return found_.contains(target);
 }
 
 void WaySearch::findAll() {
-  while (work(UINT64_MAX)) {
+  while (workOn()) {
   }
 }
 

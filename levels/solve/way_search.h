@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <unordered_map>
@@ -23,12 +24,13 @@ class WaySearch {
     Kind kind = Kind::kGoal;
     std::uint32_t element = 0;  ///< index into Level::elements of a key or plate
 
-    friend auto operator<=>(const Target&, const Target&) = default;
+    friend auto operator<=>(const Target&, const Target&) = default;  // NOLINT(modernize-use-nullptr)
   };
   struct Limits {
     std::size_t states = 1500000;            ///< most states that are kept
     std::optional<std::uint32_t> crossings;  ///< most crossings of a way
     std::uint32_t pressCost = 0;             ///< of each press of a button, in ticks
+    std::function<bool()> stop = {};         ///< asked every few milliseconds by find and findAll; true: they end
   };
 
   /// Searches for `slot` from `start`, in which its player is present.
@@ -37,9 +39,9 @@ class WaySearch {
 
   /// Simulates about this many further ticks. Returns whether anything is left to search.
   bool work(std::uint64_t ticks);
-  /// Searches until the target is found or nothing is left. Returns whether it was found.
+  /// Searches until the target is found, nothing is left, or Limits::stop. Returns whether it was found.
   bool find(const Target& target);
-  /// Searches until nothing is left.
+  /// Searches until nothing is left, or Limits::stop.
   void findAll();
 
   /// The targets found so far.
@@ -62,6 +64,7 @@ class WaySearch {
     std::uint32_t ticks = 0;  // from the parent
   };
 
+  bool workOn();
   std::uint32_t takeCheapest();
   void expand(std::uint32_t index);
   void keep(std::uint32_t parent, std::uint8_t buttons);
