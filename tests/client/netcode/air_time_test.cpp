@@ -5,23 +5,11 @@
 #include <vector>
 
 #include "platon/game/game.h"
+#include "tests/client/netcode/player_states.h"
 #include "tests/support/test_level.h"
 
 namespace platon {
 namespace {
-
-PlayerState standing() {
-  PlayerState player;
-  player.present = 1;
-  player.ground = {0, PlayerState::kUnit};
-  return player;
-}
-
-PlayerState falling() {
-  PlayerState player;
-  player.present = 1;
-  return player;
-}
 
 TEST(AirTime, CountsTheTicksSinceThePlayerStood) {
   AirTime air;

@@ -2,21 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/client/netcode/player_states.h"
+
 namespace platon {
 namespace {
-
-PlayerState standing() {
-  PlayerState player;
-  player.present = 1;
-  player.ground = {0, PlayerState::kUnit};
-  return player;
-}
-
-PlayerState falling() {
-  PlayerState player;
-  player.present = 1;
-  return player;
-}
 
 // The player stands, falls from tick 10 on, and lands at tick `landing`.
 void fall(PlayerFlashes& flashes, std::uint32_t slot, std::uint32_t landing) {

@@ -15,18 +15,13 @@
 #include "client/time/steady_now.h"
 #include "protocol/program_error.h"
 #include "tests/client/gl/desktop.h"
+#include "tests/client/play/window_steps.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 
 // Runs on a virtual display with a window manager (on_display.sh).
 namespace platon {
 namespace {
-
-// One step of a test: do something once, then edit until a condition holds.
-struct Step {
-  std::function<void()> act;
-  std::function<bool()> until;
-};
 
 class EditPlayTest : public testing::Test {
  protected:
@@ -36,27 +31,15 @@ class EditPlayTest : public testing::Test {
   }
 
   // Edits until the user leaves or all steps are done. Returns whether all steps were done.
-  bool edit(std::vector<Step> steps) {
+  bool edit(std::vector<WindowStep> steps) {
     EditPlay play(options_, steadyClock());
     play_ = &play;
-    steps.insert(steps.begin(), {[] {}, [] { return has(GLFW_FOCUSED); }});
     const Moment start = steadyClock().now();
-    std::size_t next = 0;
-    bool acted = false;
-    play.run([&] {
-      if (next == steps.size()) return true;
-      if (!std::exchange(acted, true)) steps[next].act();
-      if (steps[next].until()) {
-        ++next;
-        acted = false;
-      }
-      return false;
-    });
+    const bool allDone = runSteps(play, std::move(steps));
     timeIsUp_ = toSeconds(steadyClock().now() - start) >= *options_.seconds;
-    return next == steps.size();
+    return allDone;
   }
 
-  static bool has(int attribute) { return glfwGetWindowAttrib(glfwGetCurrentContext(), attribute) == GLFW_TRUE; }
   bool fileHas(const std::string& text) const {
     return std::filesystem::exists(path_) && readText(path_).find(text) != std::string::npos;
   }

@@ -14,6 +14,7 @@
 #include "client/time/steady_now.h"
 #include "tests/client/gl/desktop.h"
 #include "tests/client/gl/fake_gamepad.h"
+#include "tests/client/play/window_steps.h"
 #include "tests/support/environment_variable.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
@@ -30,12 +31,6 @@ std::string keys(const std::string& key, int times) {
   return command;
 }
 
-// One step of a test: do something once, then play until a condition holds.
-struct Step {
-  std::function<void()> act;
-  std::function<bool()> until;
-};
-
 class WindowPlayTest : public testing::Test {
  protected:
   WindowPlayTest() {
@@ -45,27 +40,14 @@ class WindowPlayTest : public testing::Test {
   ~WindowPlayTest() override { fakeGamepad.reset(); }
 
   // Plays until the player leaves or all steps are done.
-  void play(std::vector<Step> steps) {
+  void play(std::vector<WindowStep> steps) {
     const EmbeddedServer server(options_.level);
     WindowPlay play(options_, server.address(), steadyClock());
-    steps.insert(steps.begin(), {[] {}, [] { return has(GLFW_FOCUSED); }});
     const Moment start = steadyClock().now();
-    std::size_t next = 0;
-    bool acted = false;
-    play.run([&] {
-      if (next == steps.size()) return true;
-      if (!std::exchange(acted, true)) steps[next].act();
-      if (steps[next].until()) {
-        ++next;
-        acted = false;
-      }
-      return false;
-    });
-    stepsDone_ = next == steps.size();
+    stepsDone_ = runSteps(play, std::move(steps));
     timeIsUp_ = toSeconds(steadyClock().now() - start) >= *options_.seconds;
   }
 
-  static bool has(int attribute) { return glfwGetWindowAttrib(glfwGetCurrentContext(), attribute) == GLFW_TRUE; }
   static bool isFullscreen() {
     int width = 0;
     int height = 0;
@@ -115,7 +97,7 @@ TEST_F(WindowPlayTest, TheMenuLeavesTheGame) {
 TEST_F(WindowPlayTest, AGamepadMovesThroughTheMenu) {
   const auto push = [](int button) { fakeGamepad.emplace().buttons[button] = GLFW_PRESS; };
   // Each state of the gamepad lasts one frame.
-  std::vector<Step> steps;
+  std::vector<WindowStep> steps;
   const auto tap = [&](int button) {
     steps.push_back({[=] { push(button); }, [] { return true; }});
     steps.push_back({[] { fakeGamepad.emplace(); }, [] { return true; }});
