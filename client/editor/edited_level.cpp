@@ -21,11 +21,32 @@ std::vector<EditedSegment> ordered(std::vector<EditedSegment> segments) {
   return segments;
 }
 
+bool hasError(const LevelDocument& document, int textLine) {
+  const auto isThere = [textLine](const Diagnostic& found) { return found.error && found.line == textLine; };
+  return std::any_of(document.diagnostics().begin(), document.diagnostics().end(), isThere);
+}
+
 }  // namespace
 
 EditedLevel::EditedLevel(std::string_view text, bool saved) : document_(text) {
+  if (!document_.valid() && !showValidPart(true)) showValidPart(false);
   update();
   if (saved) markSaved();
+}
+
+// Faults that are not those of a segment, such as a start that a segment blocks, need the level without segments.
+bool EditedLevel::showValidPart(bool withSegments) {
+  LevelDocument part = document_;
+  for (std::size_t i = part.segments().size(); i-- > 0;) {
+    if (!withSegments || hasError(document_, document_.textLineOf(i))) part.erase(i);
+  }
+  part.check();
+  if (!part.valid()) return false;
+  shown_ = ordered(part.segments());
+  part.setText(document_.text());
+  part.check();
+  document_ = std::move(part);
+  return true;
 }
 
 void EditedLevel::edit(const std::function<void(LevelDocument&)>& change) {

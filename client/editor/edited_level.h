@@ -14,7 +14,8 @@ namespace platon {
 /// A level document with its history and what of it is saved.
 class EditedLevel {
  public:
-  /// `saved`: the text is that of the file.
+  /// `saved`: the text is that of the file. Of an invalid text, the level without its faulty segments is shown; if
+  /// that is not valid either, there is no level.
   EditedLevel(std::string_view text, bool saved);
 
   const LevelDocument& document() const { return document_; }
@@ -28,6 +29,8 @@ class EditedLevel {
   const std::string& text() const { return text_; }
   /// The text is that of the file now.
   void markSaved() { saved_ = text_; }
+  /// No text of this level is that of the file any more.
+  void markUnsaved() { saved_.reset(); }
   /// Takes the text of the file, which another program has changed. This step can be undone.
   void reload(std::string_view text);
 
@@ -35,6 +38,7 @@ class EditedLevel {
   const std::vector<EditedSegment>& faulty() const { return faulty_; }
 
  private:
+  bool showValidPart(bool withSegments);
   bool show(const std::optional<std::string>& text);
   void update();
 

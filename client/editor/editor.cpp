@@ -23,6 +23,11 @@ std::string placeText(const FacePlace& at) {
          coordinateText(std::round(at.place.y));
 }
 
+std::string firstError(std::string_view file, const std::vector<Diagnostic>& found) {
+  const auto error = std::find_if(found.begin(), found.end(), [](const Diagnostic& each) { return each.error; });
+  return error == found.end() ? std::string() : format(file, *error);
+}
+
 }  // namespace
 
 Editor::Editor(std::string file, std::string_view text, bool saved) : file_(std::move(file)), level_(text, saved) {
@@ -118,7 +123,7 @@ Scene Editor::scene() const {
   const double scale = pointer_ ? screenScale(mesh(), camera(), *pointer_) : 1;
   const bool aims = tool_ == EditTool::kDraw || tool_ == EditTool::kStart || tool_ == EditTool::kGoal;
   if (pointer_ && aims)
-    marks.pointer = FacePlace{pointer_->face, snapped(mesh(), segments(), *pointer_, snapOptions(free_)).place};
+    marks.pointer = FacePlace{pointer_->face, snapped(mesh(), segments(), *pointer_, snapOptions(free_))};
   scene.marksAbove = marksAbove(marks, scale > 0.01 ? 2 / scale : 4);
   return scene;
 }
@@ -133,7 +138,7 @@ EditorStatus Editor::status() const {
   status.grid = kGrids[grid_];
   if (pointer_) status.place = placeText(*pointer_);
   status.message = message_;
-  if (!level_.document().valid()) status.error = format(file_, level_.document().diagnostics().front());
+  status.error = firstError(file_, level_.document().diagnostics());
   if (status.error.size() > kLongestError) status.error = status.error.substr(0, kLongestError) + "…";
   status.playing = play_.has_value();
   status.arrived = play_ && play_->game().player(0).arrived != 0;

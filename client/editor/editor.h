@@ -30,7 +30,7 @@ namespace platon {
 /// The level editor without window, file and thread: events go in, pictures and wishes come out.
 class Editor {
  public:
-  /// `text` is a valid level; `file` its name for messages. `saved`: it is the text of the file.
+  /// `text` is one of which EditedLevel has a level; `file` its name for messages. `saved`: it is the text of the file.
   Editor(std::string file, std::string_view text, bool saved);
 
   /// The pictures have w × h pixels.
@@ -50,6 +50,7 @@ class Editor {
 
   const EditedLevel& level() const { return level_; }
   void markSaved();
+  void markUnsaved() { level_.markUnsaved(); }
   /// The text could not be saved, because of this fault.
   void failSave(const std::string& fault);
   void reload(std::string_view text);
@@ -81,8 +82,8 @@ class Editor {
   void beginMove();
   void finishGesture();
   std::optional<std::size_t> find(const EditedSegment& segment) const;
-  SegmentWord wordAfter(SegmentWord word) const;
-  void cycleWord(std::size_t segment);
+  SegmentWord nextWord(SegmentWord word, bool back) const;
+  void cycleWord(std::size_t segment, bool back);
   void placeStart(const FacePlace& at);
   void placeBall();
   int turnOfStart() const;
@@ -95,7 +96,7 @@ class Editor {
   void handleInPlay(const KeyEvent& event);
   void handleCommand(const KeyEvent& event);
   bool turnView(const KeyEvent& event);
-  void handleEdit(Key key);
+  void handleEdit(Key key, bool shift);
   void typeDigit(int digit);
   void changeGrid(int step);
   void eraseSelected();

@@ -20,16 +20,15 @@ constexpr std::uint32_t kHeight = 720;
 constexpr double kOffscreenSeconds = 10;
 constexpr Moment kMinFrameTime = std::chrono::milliseconds(2);  // for drivers that do not wait for the vertical blank
 constexpr Moment kAnalysisInterval = std::chrono::milliseconds(10);
-constexpr Moment kWatchInterval = std::chrono::milliseconds(500);
 
-// The text of the file, or of a new level. Throws ProgramError for an invalid level.
+// The text of the file, or of a new level. Throws ProgramError if so much of it is wrong that nothing can be shown.
 std::string textOf(EditFile& file, SolidKind solid) {
   if (!file.exists()) return newLevelText(solid, titleOf(file.path().filename().string()));
   std::string text = file.load();
-  const LevelResult result = loadLevel(text);
-  if (result.level) return text;
+  const EditedLevel level(text, true);
+  if (level.document().level()) return text;
   std::string messages;
-  for (const Diagnostic& diagnostic : result.diagnostics)
+  for (const Diagnostic& diagnostic : level.document().diagnostics())
     messages += (messages.empty() ? "" : "\n") + format(file.path().string(), diagnostic);
   throw ProgramError(ProgramError::kLevel, messages);
 }
@@ -59,8 +58,7 @@ EditPlay::EditPlay(const ClientOptions& options, const Clock& clock)
       window_(openWindow(options.offscreen)),
       offscreen_(openOffscreen(options.offscreen)),
       renderer_(kWidth, kHeight, font_),
-      startedAt_(clock_.now()),
-      watchedAt_(startedAt_) {}
+      startedAt_(clock_.now()) {}
 
 void EditPlay::run(const std::function<bool()>& stopRequested) {
   window_ ? runWindow(stopRequested) : runOffscreen(stopRequested);
@@ -74,7 +72,7 @@ void EditPlay::runWindow(const std::function<bool()>& stopRequested) {
     editor_.advance(toSeconds(now - before));
     before = now;
     updateAnalysis();
-    watchFile(now);
+    takeFileChange(file_.pollChange(FileWatch::Time(now)));
     showTitle();
     draw();
     renderer_.present();
@@ -122,7 +120,7 @@ void EditPlay::updateAnalysis() {
 
 // What another program has written meanwhile is replaced only when the user asks again.
 void EditPlay::save() {
-  checkFile();
+  takeFileChange(file_.takeChange());
   if (std::exchange(conflicts_, false)) {
     return editor_.failSave("another program has changed the file; save again to replace its text");
   }
@@ -130,17 +128,11 @@ void EditPlay::save() {
   fault ? editor_.failSave(*fault) : editor_.markSaved();
 }
 
-void EditPlay::watchFile(Moment now) {
-  if (now - watchedAt_ < kWatchInterval) return;
-  watchedAt_ = now;
-  checkFile();
-}
-
-void EditPlay::checkFile() {
-  const std::optional<std::string> text = file_.takeChange();
+void EditPlay::takeFileChange(const std::optional<std::string>& text) {
   if (!text) return;
   conflicts_ = editor_.level().unsaved() || !loadLevel(*text).level;
   if (!conflicts_) return editor_.reload(*text);
+  editor_.markUnsaved();
   editor_.say("another program has changed the file");
 }
 

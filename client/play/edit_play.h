@@ -20,7 +20,8 @@ namespace platon {
 /// Edits a level in a window, or with options.offscreen draws it once.
 class EditPlay {
  public:
-  /// Throws ProgramError if the level file is invalid or cannot be read, or if no window can be opened.
+  /// Throws ProgramError if the level file cannot be read, has no part that can be shown, or if no window can be
+  /// opened.
   EditPlay(const ClientOptions& options, const Clock& clock);
 
   /// Edits until the user leaves, the time limit of the options is reached or `stopRequested` returns true.
@@ -35,8 +36,7 @@ class EditPlay {
   void handleEvents();
   void updateAnalysis();
   void save();
-  void watchFile(Moment now);
-  void checkFile();
+  void takeFileChange(const std::optional<std::string>& text);
   void showTitle();
   void draw();
   void takeScreenshot();
@@ -53,7 +53,6 @@ class EditPlay {
   std::shared_ptr<const Level> analysed_;  // what the analysis was started with
   std::string title_;
   Moment startedAt_;
-  Moment watchedAt_;
   bool conflicts_ = false;  // another program has changed the file, and its text is not shown
 };
 

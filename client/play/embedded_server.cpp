@@ -10,13 +10,13 @@
 #include <vector>
 
 #include "client/play/user_folders.h"
+#include "protocol/files/file_watch.h"
 #include "protocol/label.h"
 #include "protocol/limits.h"
 #include "protocol/program_error.h"
 #include "protocol/transport/udp_socket.h"
 #include "server/app/dedicated_server.h"
 #include "server/app/level_files.h"
-#include "server/base/file_watch.h"
 
 namespace platon {
 

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <system_error>
 
-#include "client/play/replace_file.h"
 #include "client/play/server_file_name.h"
+#include "protocol/files/text_file.h"
 
 namespace platon {
 namespace {
@@ -103,7 +103,7 @@ void LevelCache::keep(const Level& level) {
   if (all_.empty()) return;
   std::error_code fault;
   fs::create_directories(folder_, fault);
-  replaceFile(folder_ / fileNameOf(level.hash), level.text);  // a level that is not kept is loaded again
+  (void)replaceTextFile((folder_ / fileNameOf(level.hash)).string(), level.text);  // if not kept, it is loaded again
   limit();
 }
 

@@ -6,7 +6,7 @@
 #include <system_error>
 #include <utility>
 
-#include "client/play/replace_file.h"
+#include "protocol/files/text_file.h"
 
 namespace platon {
 
@@ -32,8 +32,9 @@ void SettingsFile::save(const Settings& settings) const {
   std::filesystem::create_directories(path_.parent_path(), ignored);
   std::string text = settings.text();
   for (const std::string& line : unknownLines_) text += line + "\n";
-  if (replaceFile(path_, text)) {
-    std::fprintf(stderr, "platon-client: cannot write %s; the settings are not saved\n", path_.c_str());
+  if (const std::string fault = replaceTextFile(path_.string(), text); !fault.empty()) {
+    std::fprintf(stderr, "platon-client: cannot write %s: %s; the settings are not saved\n", path_.c_str(),
+                 fault.c_str());
   }
 }
 

@@ -4,8 +4,8 @@
 #include <string_view>
 #include <variant>
 
+#include "protocol/files/parse_error.h"
 #include "protocol/transport/socket_address.h"
-#include "server/base/parse_error.h"
 
 namespace platon {
 

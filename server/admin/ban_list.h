@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "platon/game/diagnostics.h"
+#include "protocol/files/parse_error.h"
 #include "server/admin/address_range.h"
-#include "server/base/parse_error.h"
 #include "server/base/utc_time.h"
 
 namespace platon {

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "server/base/text_file.h"
+#include "protocol/files/text_file.h"
 
 namespace platon {
 namespace {

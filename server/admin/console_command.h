@@ -8,8 +8,8 @@
 #include <string_view>
 #include <variant>
 
+#include "protocol/files/parse_error.h"
 #include "server/admin/address_range.h"
-#include "server/base/parse_error.h"
 
 namespace platon {
 

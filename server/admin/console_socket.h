@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "server/base/descriptor.h"
+#include "protocol/files/descriptor.h"
 
 namespace platon {
 

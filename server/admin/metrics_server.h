@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "protocol/files/descriptor.h"
 #include "protocol/transport/socket_address.h"
-#include "server/base/descriptor.h"
 #include "server/net/time_point.h"
 
 namespace platon {

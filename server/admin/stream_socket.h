@@ -2,8 +2,8 @@
 
 #include <string>
 
+#include "protocol/files/descriptor.h"
 #include "protocol/transport/socket_address.h"
-#include "server/base/descriptor.h"
 
 namespace platon {
 

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "platon/game/diagnostics.h"
+#include "protocol/files/text_file.h"
 #include "server/app/option_table.h"
-#include "server/base/text_file.h"
 
 namespace platon {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "platon/game/diagnostics.h"
 #include "platon/game/level.h"
+#include "protocol/files/text_file.h"
 #include "protocol/program_error.h"
-#include "server/base/text_file.h"
 
 namespace platon {
 namespace {

@@ -8,8 +8,8 @@
 #include <variant>
 #include <vector>
 
+#include "protocol/files/parse_error.h"
 #include "server/app/server_options.h"
-#include "server/base/parse_error.h"
 
 namespace platon {
 

@@ -7,13 +7,13 @@
 #include <string_view>
 #include <vector>
 
+#include "protocol/files/file_watch.h"
 #include "server/admin/ban_store.h"
 #include "server/admin/console.h"
 #include "server/admin/console_server.h"
 #include "server/admin/metrics_server.h"
 #include "server/app/command_line.h"
 #include "server/app/dedicated_server.h"
-#include "server/base/file_watch.h"
 
 namespace platon {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "server/base/text_file.h"
+#include "protocol/files/text_file.h"
 
 namespace platon {
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "platon/game/game.h"
-#include "server/base/text_file.h"
+#include "protocol/files/text_file.h"
 
 namespace platon {
 namespace {

@@ -5,9 +5,9 @@
 #include <charconv>
 #include <cstdio>
 
+#include "protocol/files/parse_error.h"
 #include "protocol/label.h"
 #include "protocol/limits.h"
-#include "server/base/parse_error.h"
 #include "server/base/word_reader.h"
 
 namespace platon {

@@ -237,7 +237,7 @@ SERVER_FAULTS = [
               "    if (rotation_.next(players()) != toldNext_) return tellNext();\n", "",
               "the countdown names a level for two after one of two players has left",
               "MatchRounds.ALevelForTwoIsNextOnlyWhileTwoPlayersAreThere"),
-    at_length("half-written-file-is-read", "server/base/file_watch.cpp", " || last_ != before", "",
+    at_length("half-written-file-is-read", "protocol/files/file_watch.cpp", " || last_ != before", "",
               "a level is read while it is being written",
               "FileWatchTest.NoticesAChangeOnceTheFileStaysTheSame"),
     at_length("changed-level-starts-the-rotation-anew", MATCH + "level_rotation.cpp",

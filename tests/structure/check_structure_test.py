@@ -23,7 +23,7 @@ CLIENT = ["time", "net", "netcode", "desync", "session", "bot", "demo", "scene",
 FOLDERS = (
     [f"shared/include/platon/{name}" for name in SHARED]
     + [f"shared/{name}" for name in SHARED]
-    + ["shared/examples", "protocol", "protocol/transport", "server/match", "server/net", "server/base", "server/admin", "server/times", "server/app"]
+    + ["shared/examples", "protocol", "protocol/files", "protocol/transport", "server/match", "server/net", "server/base", "server/admin", "server/times", "server/app"]
     + [f"levels/{name}" for name in LEVELS]
     + [f"client/{name}" for name in CLIENT]
     + ["levels", "tests"]
@@ -74,7 +74,7 @@ class Includes(Tree):
         drawn = ("scene", "ui", "editor")
         solving = ["levels/check", "levels/reach", "levels/solve"]
         wordless = ("demo", "scene", "ui", "editor", "gl")
-        protocol = ["protocol", "protocol/transport"]
+        protocol = ["protocol", "protocol/files", "protocol/transport"]
         allowed = {
             **{folder: public[:index] for index, folder in enumerate(public)},
             "shared/exact": public[:1],
@@ -82,10 +82,11 @@ class Includes(Tree):
             "shared/game": public + ["shared/exact", "shared/physics"],
             "shared/examples": public,
             "protocol": public,
-            "protocol/transport": ["protocol"],
+            "protocol/files": [],
+            "protocol/transport": ["protocol", "protocol/files"],
             "server/match": public + protocol,
             "server/net": public + protocol + ["server/match"],
-            "server/base": [],
+            "server/base": ["protocol/files"],
             "server/admin": public + protocol + ["server/match", "server/net", "server/base"],
             "server/times": public + protocol + ["server/match", "server/base"],
             "server/app": public + protocol + ["server/match", "server/net", "server/base", "server/admin", "server/times"],

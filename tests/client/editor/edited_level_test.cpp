@@ -52,5 +52,36 @@ TEST(EditedLevelTest, SegmentsThatTheShownLevelLacksAreFaulty) {
   EXPECT_TRUE(level.faulty().empty());
 }
 
+TEST(EditedLevelTest, OfAnInvalidTextTheValidPartIsShown) {
+  const std::string text = TestEditor::levelText("0 10 50 10\n0 300 50 300\n");
+  EditedLevel level(text, true);
+  EXPECT_FALSE(level.document().valid());
+  EXPECT_EQ(level.text(), text);
+  ASSERT_TRUE(level.document().level());
+  ASSERT_EQ(level.faulty().size(), 1U);
+  EXPECT_EQ(level.faulty().front().b, glm::dvec2(50, 300));
+  EXPECT_FALSE(level.unsaved());
+  level.edit([](LevelDocument& document) { document.erase(document.segments().size() - 1); });
+  EXPECT_TRUE(level.document().valid());
+  EXPECT_TRUE(level.faulty().empty());
+}
+
+TEST(EditedLevelTest, OfATextWithABlockedStartTheSolidIsShown) {
+  EditedLevel level(TestEditor::levelText("-100 -200 -100 -150\n"), true);
+  EXPECT_FALSE(level.document().valid());
+  ASSERT_TRUE(level.document().level());
+  EXPECT_EQ(level.faulty().size(), level.document().segments().size());
+}
+
+TEST(EditedLevelTest, AnInvalidHeaderHasNoLevel) { EXPECT_EQ(EditedLevel("CUBE\n", true).document().level(), nullptr); }
+
+TEST(EditedLevelTest, AfterAForeignChangeNoTextIsSaved) {
+  EditedLevel level(TestEditor::levelText(), true);
+  addSegment(level);
+  level.markUnsaved();
+  EXPECT_TRUE(level.undo());
+  EXPECT_TRUE(level.unsaved());
+}
+
 }  // namespace
 }  // namespace platon

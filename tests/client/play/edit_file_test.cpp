@@ -47,6 +47,22 @@ TEST_F(EditFileTest, AChangeOfAnotherProgramIsToldOnce) {
   EXPECT_EQ(file_.takeChange(), std::nullopt);
 }
 
+TEST_F(EditFileTest, AChangeIsReadOnceTheFileStaysTheSame) {
+  FileWatch::Time now{};
+  const auto pollLater = [&] { return file_.pollChange(now += FileWatch::kInterval); };
+  writeText(path_, "one");
+  EXPECT_EQ(file_.load(), "one");
+  pollLater();
+  pollLater();
+  writeLater("two");
+  EXPECT_EQ(pollLater(), std::nullopt) << "still being written, perhaps";
+  EXPECT_EQ(file_.pollChange(now), std::nullopt) << "too early";
+  EXPECT_EQ(pollLater(), "two");
+  EXPECT_EQ(file_.save("three"), std::nullopt);
+  pollLater();
+  EXPECT_EQ(pollLater(), std::nullopt) << "the own text";
+}
+
 TEST_F(EditFileTest, TheOwnSaveAndAnEqualTextAreNoChange) {
   EXPECT_EQ(file_.save("one"), std::nullopt);
   EXPECT_EQ(file_.takeChange(), std::nullopt);

@@ -81,13 +81,12 @@ TEST_F(SettingsFileTest, SavingReplacesTheFileAndLeavesNoOther) {
 }
 
 TEST_F(SettingsFileTest, AnUnwritableFileIsReportedAndKept) {
-  write("zoom 2\n");
-  fs::create_directory(folder_ / "settings.new");
+  fs::create_directories(path_ / "not a file");
   testing::internal::CaptureStderr();
   SettingsFile(folder_).save(Settings());
   EXPECT_EQ(testing::internal::GetCapturedStderr(),
-            "platon-client: cannot write " + path_.string() + "; the settings are not saved\n");
-  EXPECT_EQ(read(), "zoom 2\n");
+            "platon-client: cannot write " + path_.string() + ": Is a directory; the settings are not saved\n");
+  EXPECT_TRUE(fs::exists(path_ / "not a file"));
 }
 
 TEST_F(SettingsFileTest, ASymbolicLinkStaysALink) {

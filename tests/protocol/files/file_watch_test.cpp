@@ -1,4 +1,4 @@
-#include "server/base/file_watch.h"
+#include "protocol/files/file_watch.h"
 
 #include <gtest/gtest.h>
 

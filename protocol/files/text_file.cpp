@@ -1,4 +1,4 @@
-#include "server/base/text_file.h"
+#include "protocol/files/text_file.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -11,7 +11,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "server/base/descriptor.h"
+#include "protocol/files/descriptor.h"
 
 namespace platon {
 namespace {

@@ -1,4 +1,4 @@
-#include "server/base/text_file.h"
+#include "protocol/files/text_file.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <variant>
 
-#include "server/base/parse_error.h"
+#include "protocol/files/parse_error.h"
 
 namespace platon {
 
