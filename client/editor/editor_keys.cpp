@@ -22,7 +22,7 @@ void Editor::handle(const KeyEvent& event) {
   if (play_) return handleInPlay(event);
   if (event.kind == KeyEvent::Kind::kRelease || turnView(event)) return;
   if (event.ctrl) return handleCommand(event);
-  if (event.kind == KeyEvent::Kind::kPress) handleEdit(event.key);
+  if (event.kind == KeyEvent::Kind::kPress) handleEdit(event.key, event.shift);
 }
 
 void Editor::handleInMenu(const KeyEvent& event) {
@@ -76,7 +76,7 @@ void Editor::handleCommand(const KeyEvent& event) {
   showLevel();
 }
 
-void Editor::handleEdit(Key key) {
+void Editor::handleEdit(Key key, bool shift) {
   const auto tool =
       std::find_if(kEditTools.begin(), kEditTools.end(), [&](const EditToolFacts& facts) { return facts.key == key; });
   if (tool != kEditTools.end()) return choose(tool->tool);
@@ -88,8 +88,8 @@ void Editor::handleEdit(Key key) {
     case Key::kC:
       return centre();
     case Key::kX:
-      if (selected_) return cycleWord(*selected_);
-      word_ = wordAfter(word_);
+      if (selected_) return cycleWord(*selected_, shift);
+      word_ = nextWord(word_, shift);
       return;
     case Key::kF:
       return flip();

@@ -26,7 +26,7 @@ constexpr std::array<std::array<const char*, 2>, 20> kHelp{{{"S D E W T G P", "t
                                                             {"Alt", "no snapping"},
                                                             {"Shift", "only straight ways"},
                                                             {"+  -", "grid"},
-                                                            {"X", "next word"},
+                                                            {"X, Shift+X", "next, previous word"},
                                                             {"0 … 9", "number of the word, edge of up"},
                                                             {"F", "flip the direction"},
                                                             {"Delete", "erase the selected segment"},

@@ -10,11 +10,13 @@
 namespace platon {
 namespace {
 
-SegmentWord nextWord(const SegmentWord& word) {
-  if (!word.kind) return {kElementKinds.front(), word.number};
-  const std::size_t next = static_cast<std::size_t>(*word.kind) + 1;
-  if (next == kElementKinds.size()) return {std::nullopt, word.number};
-  return {kElementKinds[next], word.number};
+// The words follow each other in a ring; 0 is that of a segment without a word.
+SegmentWord wordBeside(const SegmentWord& word, bool back) {
+  const std::size_t count = kElementKinds.size() + 1;
+  const std::size_t now = word.kind ? static_cast<std::size_t>(*word.kind) + 1 : 0;
+  const std::size_t next = (now + (back ? count - 1 : 1)) % count;
+  if (next == 0) return {std::nullopt, word.number};
+  return {kElementKinds[next - 1], word.number};
 }
 
 }  // namespace
@@ -56,7 +58,7 @@ void Editor::movePointer(const PointerEvent& event) {
 void Editor::press(const PointerEvent& event) {
   digits_ = 0;
   if (play_ || tool_ == EditTool::kPlay) return placeBall();
-  const FacePlace at{pointer_->face, snapped(mesh(), segments(), *pointer_, snapOptions(event.alt)).place};
+  const FacePlace at{pointer_->face, snapped(mesh(), segments(), *pointer_, snapOptions(event.alt))};
   const std::optional<PickedSegment> picked = hovered_;
   switch (tool_) {
     case EditTool::kSelect:
@@ -70,7 +72,7 @@ void Editor::press(const PointerEvent& event) {
       if (picked) edit([&](LevelDocument& document) { document.erase(picked->segment); });
       return;
     case EditTool::kWord:
-      if (picked) cycleWord(picked->segment);
+      if (picked) cycleWord(picked->segment, event.shift);
       return;
     case EditTool::kStart:
       return placeStart(at);
@@ -101,8 +103,8 @@ void Editor::finishGesture() {
   if (moved) selected_ = find(pieces.front());
 }
 
-SegmentWord Editor::wordAfter(SegmentWord word) const {
-  word = nextWord(word);
+SegmentWord Editor::nextWord(SegmentWord word, bool back) const {
+  word = wordBeside(word, back);
   if (word.kind == ElementKind::kUp) word.number %= mesh().solid().edgesPerFace();
   return word;
 }
@@ -118,9 +120,9 @@ std::optional<std::size_t> Editor::find(const EditedSegment& segment) const {
   return static_cast<std::size_t>(found - segments().begin());
 }
 
-void Editor::cycleWord(std::size_t segment) {
+void Editor::cycleWord(std::size_t segment, bool back) {
   EditedSegment changed = segments()[segment];
-  changed.word = wordAfter(changed.word);
+  changed.word = nextWord(changed.word, back);
   edit([&](LevelDocument& document) { document.replace(segment, changed); });
   selected_ = segment;
   word_ = changed.word;

@@ -34,7 +34,7 @@ void Gesture::follow(const FacePlace& pointer, std::span<const EditedSegment> se
   if (part_ == Part::kWhole) {
     // Whole steps of the grid, so that the segment keeps its form.
     glm::dvec2 way = plane_.follow(pointer) - grabbed_;
-    if (straight) way = straightened(*mesh_, {0, 0}, way, options).place;
+    if (straight) way = straightened(*mesh_, {0, 0}, way, options);
     if (!straight && !options.free)
       way = {std::round(way.x / options.grid) * options.grid, std::round(way.y / options.grid) * options.grid};
     now_.a = first_.a + way;
@@ -42,9 +42,9 @@ void Gesture::follow(const FacePlace& pointer, std::span<const EditedSegment> se
     return;
   }
   const glm::dvec2 fixed = part_ == Part::kFirstEnd ? first_.b : first_.a;
-  const FacePlace near{pointer.face, snapped(*mesh_, segments, pointer, options).place};
+  const FacePlace near{pointer.face, snapped(*mesh_, segments, pointer, options)};
   const glm::dvec2 place = plane_.follow(straight ? pointer : near);
-  (part_ == Part::kFirstEnd ? now_.a : now_.b) = straight ? straightened(*mesh_, fixed, place, options).place : place;
+  (part_ == Part::kFirstEnd ? now_.a : now_.b) = straight ? straightened(*mesh_, fixed, place, options) : place;
 }
 
 // A segment that is written beyond the edge stays on its face, where it is cut.

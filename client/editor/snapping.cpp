@@ -59,9 +59,9 @@ std::vector<EditedSegment> segmentsNear(const SolidMesh& mesh, std::span<const E
 
 }  // namespace
 
-Snapped snapped(const SolidMesh& mesh, std::span<const EditedSegment> segments, const FacePlace& pointer,
-                const SnapOptions& options) {
-  if (options.free) return {pointer.place, SnapKind::kFree};
+glm::dvec2 snapped(const SolidMesh& mesh, std::span<const EditedSegment> segments, const FacePlace& pointer,
+                   const SnapOptions& options) {
+  if (options.free) return pointer.place;
   const std::vector<EditedSegment> near = segmentsNear(mesh, segments, pointer.face);
   Nearest end{pointer.place, options.reach};
   for (const glm::dvec2 corner : mesh.polygon()) end.offer(corner, corner);
@@ -70,25 +70,25 @@ Snapped snapped(const SolidMesh& mesh, std::span<const EditedSegment> segments, 
       if (isOnFace(mesh, place)) end.offer(place, place);
     }
   }
-  if (end.place) return {*end.place, SnapKind::kEnd};
+  if (end.place) return *end.place;
   const glm::dvec2 grid = onGrid(pointer.place, options.grid);
   Nearest line{pointer.place, options.reach};
   for (const EditedSegment& segment : near) {
     const glm::dvec2 place = nearestOn(segment.a, segment.b, grid);
     if (isOnFace(mesh, place)) line.offer(place, nearestOn(segment.a, segment.b, pointer.place));
   }
-  if (line.place) return {*line.place, SnapKind::kSegment};
+  if (line.place) return *line.place;
   Nearest edge{pointer.place, options.reach};
   for (std::size_t i = 0; i < mesh.polygon().size(); ++i) {
     const glm::dvec2 from = mesh.polygon()[i];
     const glm::dvec2 to = mesh.polygon()[(i + 1) % mesh.polygon().size()];
     edge.offer(nearestOn(from, to, grid), nearestOn(from, to, pointer.place));
   }
-  if (edge.place) return {*edge.place, SnapKind::kEdge};
-  return isOnFace(mesh, grid) ? Snapped{grid, SnapKind::kGrid} : Snapped{pointer.place, SnapKind::kFree};
+  if (edge.place) return *edge.place;
+  return isOnFace(mesh, grid) ? grid : pointer.place;
 }
 
-Snapped straightened(const SolidMesh& mesh, glm::dvec2 from, glm::dvec2 pointer, const SnapOptions& options) {
+glm::dvec2 straightened(const SolidMesh& mesh, glm::dvec2 from, glm::dvec2 pointer, const SnapOptions& options) {
   std::vector<glm::dvec2> directions{{1, 0}, {0, 1}};
   for (const glm::dvec2 normal : mesh.edgeNormals()) directions.emplace_back(-normal.y, normal.x);
   const glm::dvec2 way = pointer - from;
@@ -97,7 +97,7 @@ Snapped straightened(const SolidMesh& mesh, glm::dvec2 from, glm::dvec2 pointer,
   });
   const double length = glm::dot(best, way);
   const double whole = options.free ? length : std::round(length / options.grid) * options.grid;
-  return {from + best * whole, SnapKind::kStraight};
+  return from + best * whole;
 }
 
 }  // namespace platon

@@ -87,6 +87,17 @@ TEST(EditorKeysTest, TheWordOfTheNextSegmentIsChosen) {
   EXPECT_EQ(editor.all()[1].word.kind, ElementKind::kOneway);
 }
 
+TEST(EditorKeysTest, ShiftXIsTheWordBefore) {
+  TestEditor editor;
+  editor.key(Key::kX, false, true);
+  EXPECT_EQ(editor.status().word.kind, kElementKinds.back());
+  editor.key(Key::kX);
+  EXPECT_EQ(editor.status().word.kind, std::nullopt);
+  editor.key(Key::kX);
+  editor.key(Key::kX, false, true);
+  EXPECT_EQ(editor.status().word.kind, std::nullopt);
+}
+
 TEST(EditorKeysTest, TheStartIsTurned) {
   TestEditor editor;
   editor.key(Key::kT);

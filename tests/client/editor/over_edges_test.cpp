@@ -76,15 +76,16 @@ TEST(OverEdgesTest, ThePiecesMeetAtTheEdge) {
   }
 }
 
+// On a square, the direction of each edge is that of an edge of the next face.
 TEST(OverEdgesTest, AnUpKeepsPointingTheSameWay) {
-  const SolidMesh mesh(SolidKind::kTetrahedron, 640);
-  const glm::dvec2 normal = mesh.edgeNormals()[1];
-  const std::vector<EditedSegment> pieces =
-      splitOverEdges(mesh, {0, normal * 150.0, normal * 220.0, {ElementKind::kUp, 1}});
-  ASSERT_EQ(pieces.size(), 2U);
-  const PlatonicSolid::Neighbour& next = mesh.solid().neighbour(0, 1);
-  // Away from the edge by which it came is between the other two edges; the direction of edge 1 is 60° from both.
-  EXPECT_NE(pieces[1].word.number, next.edge);
+  const glm::dvec2 normal = cube().edgeNormals()[1];
+  const int behind = cube().solid().neighbour(0, 1).edge;
+  for (int up = 0; up < 4; ++up) {
+    const std::vector<EditedSegment> pieces =
+        splitOverEdges(cube(), {0, normal * 200.0, normal * 280.0, {ElementKind::kUp, up}});
+    ASSERT_EQ(pieces.size(), 2U);
+    EXPECT_EQ(pieces[1].word.number, (behind + 1 + up) % 4);
+  }
 }
 
 TEST(OverEdgesTest, TheFaceOfTheFirstEndIsFound) {
