@@ -15,13 +15,13 @@ from pathlib import Path
 PAGE = "docs/levels.md"
 INTRODUCTION = (
     "# Levels\n\n"
-    "The game has {count} levels, in the order in which a server plays them; on each solid: {solids}. {several} of them need two players. "
+    "The game has {count} levels, in the order in which a server plays them: {solids}. {several} of them need two players. "
     "*The pictures show where to go. Play first.*\n\n"
     "Each level states how many crossings of edges every way to its goal needs, which `platon-level solve "
     "--without-crossing` proves. The other figures are those of an easy way, which `tests/levels/record.sh` finds and "
     "records, and which `platon-level solve --recorded` replays: presses of buttons; turns of down, which are returns to a "
     "face with another up; the ticks, of 60 a second, for which the tightest jump may be pressed; and the difficulty, which "
-    "rises on each solid. Each press counts 1, each turn 4, and each tick that the tightest jump has less than 12 counts 1. "
+    "rises on each solid; the last levels are in the order in which they were drawn. Each press counts 1, each turn 4, and each tick that the tightest jump has less than 12 counts 1. "
     "`./platon test -L levels` checks all of this. [level_format.md](level_format.md) describes the files and the "
     "pictures.\n"
 )
@@ -72,24 +72,28 @@ def section(tool, root, level):
         f"![{title}: {article} {head['solid']} from two sides, and its net](pictures/level_{level.stem}.png)", ""))
 
 
+def heading(folder):
+    """What is common to the levels of a folder: their solid, or that they were drawn by following editor.md."""
+    return "Drawn in the editor" if folder.name == "drawn" else folder.name.capitalize()
+
+
 def counted(levels):
-    """How many levels there are on each solid, in order."""
-    solids = {}
+    """How many levels there are in each folder, in order."""
+    folders = {}
     for level in levels:
-        solids.setdefault(level.parent.name, []).append(level)
-    return ", ".join(f"{solid} {len(found)}" for solid, found in solids.items())
+        folders.setdefault(level.parent, []).append(level)
+    return ", ".join(f"{heading(folder).lower()} {len(found)}" for folder, found in folders.items())
 
 
 def page(tool, root):
     levels = sorted(root.glob("levels/*/*.level"), key=lambda path: path.name)
     several = sum(head_of(level)["players"] != "1" for level in levels)
     parts = [INTRODUCTION.format(count=len(levels), solids=counted(levels), several=several)]
-    solid = ""
+    folder = None
     for level in levels:
-        if level.parent.name != solid:
-            solid = level.parent.name
-            again = any(part == f"## {solid.capitalize()}\n" for part in parts)
-            parts.append(f"## {solid.capitalize()}{' again' if again else ''}\n")
+        if level.parent != folder:
+            folder = level.parent
+            parts.append(f"## {heading(folder)}\n")
         parts.append(section(tool, root, level))
     return "\n".join(parts)
 
