@@ -11,6 +11,7 @@ constexpr double kMinTurnSpeed = 1;
 constexpr double kMaxTurnSpeed = 30;
 constexpr double kMinZoom = 0.5;
 constexpr double kMaxZoom = 2;
+constexpr double kMaxVolume = 100;
 
 // Each `parse` stores a valid value and returns true; otherwise it changes nothing and returns false.
 bool parse(std::string_view value, bool& flag) {
@@ -45,6 +46,10 @@ std::vector<Entry> entriesOf(Settings& settings) {
   const auto flag = [](std::string_view name, bool& target) {
     return Entry{name, "on or off", [&target](std::string_view value) { return parse(value, target); }};
   };
+  const auto volume = [](std::string_view name, double& target) {
+    return Entry{name, "a number from 0 to 100",
+                 [&target](std::string_view value) { return parse(value, target, 0, kMaxVolume); }};
+  };
   CameraComfort& comfort = settings.comfort;
   return {
       {"turn-speed", "a number from 1 to 30",
@@ -55,7 +60,10 @@ std::vector<Entry> entriesOf(Settings& settings) {
       flag("instant-cut", comfort.instantCut),
       flag("reduced-motion", comfort.reducedMotion),
       flag("fullscreen", settings.fullscreen),
-      flag("net-graph", settings.netGraph)};
+      flag("net-graph", settings.netGraph),
+      volume("volume", settings.volume),
+      volume("volume-effects", settings.effectsVolume),
+      volume("volume-music", settings.musicVolume)};
 }
 
 void parseLine(const std::string& line, const std::string& where, SettingsResult& result) {
@@ -83,7 +91,8 @@ std::string Settings::text() const {
   std::ostringstream out;
   out << "turn-speed " << comfort.turnSpeed << "\ninstant-cut " << onOff(comfort.instantCut) << "\nreduced-motion "
       << onOff(comfort.reducedMotion) << "\ncontrols " << (controls == ControlFrame::kScreen ? "screen" : "player")
-      << "\nzoom " << zoom << "\nfullscreen " << onOff(fullscreen) << "\nnet-graph " << onOff(netGraph) << "\n";
+      << "\nzoom " << zoom << "\nfullscreen " << onOff(fullscreen) << "\nnet-graph " << onOff(netGraph) << "\nvolume "
+      << volume << "\nvolume-effects " << effectsVolume << "\nvolume-music " << musicVolume << "\n";
   return out.str();
 }
 

@@ -62,13 +62,13 @@ TEST_F(SettingsFileTest, OneBadLineDoesNotLoseTheOtherSettings) {
 }
 
 TEST_F(SettingsFileTest, LinesOfUnknownSettingsAreKept) {
-  write("colour-blind  on  # of a later version\nzoom 2\nvolume 7\n");
+  write("colour-blind  on  # of a later version\nzoom 2\nfragrance 7\n");
   testing::internal::CaptureStderr();
   Settings settings = playOnce();
   settings = playOnce();
   testing::internal::GetCapturedStderr();
   EXPECT_EQ(settings.zoom, 2);
-  EXPECT_EQ(read(), settings.text() + "colour-blind  on  # of a later version\nvolume 7\n");
+  EXPECT_EQ(read(), settings.text() + "colour-blind  on  # of a later version\nfragrance 7\n");
 }
 
 TEST_F(SettingsFileTest, SavingReplacesTheFileAndLeavesNoOther) {

@@ -17,6 +17,9 @@ TEST(Settings, ParsingTheTextGivesTheSameSettings) {
   settings.zoom = 1.25;
   settings.fullscreen = true;
   settings.netGraph = true;
+  settings.volume = 0;
+  settings.effectsVolume = 37.5;
+  settings.musicVolume = 100;
   const SettingsResult result = parseSettings(settings.text());
   EXPECT_EQ(result.errors, Lines());
   EXPECT_EQ(result.unknownLines, Lines());
@@ -47,6 +50,10 @@ TEST(Settings, BadValuesAreReported) {
   for (const char* line : {"zoom nan", "zoom 1e999", "zoom 1x", "zoom", "zoom 1 2", "zoom 0.49", "zoom 2.01"}) {
     EXPECT_EQ(parseSettings(line).errors, Lines{zoom}) << line;
   }
+  const std::string range = " must be a number from 0 to 100";
+  EXPECT_EQ(parseSettings("volume 101\n").errors, Lines{"line 1: volume" + range});
+  EXPECT_EQ(parseSettings("volume-effects -1\n").errors, Lines{"line 1: volume-effects" + range});
+  EXPECT_EQ(parseSettings("volume-music off\n").errors, Lines{"line 1: volume-music" + range});
   EXPECT_EQ(parseSettings("controls mine\n").errors, Lines{"line 1: controls must be player or screen"});
   EXPECT_EQ(parseSettings("fullscreen yes\n").errors, Lines{"line 1: fullscreen must be on or off"});
 }
