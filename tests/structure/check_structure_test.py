@@ -19,7 +19,7 @@ ARCHITECTURE = (Path(__file__).parents[2] / "docs/architecture.md").read_text(en
 
 SHARED = ["exact", "physics", "game"]
 LEVELS = ["check", "drawing", "picture", "reach", "solve", "tool"]
-CLIENT = ["time", "net", "netcode", "desync", "session", "bot", "demo", "scene", "ui", "editor", "gl", "play"]
+CLIENT = ["time", "net", "netcode", "desync", "session", "bot", "demo", "scene", "ui", "audio", "editor", "gl", "play"]
 FOLDERS = (
     [f"shared/include/platon/{name}" for name in SHARED]
     + [f"shared/{name}" for name in SHARED]
@@ -68,12 +68,13 @@ class Includes(Tree):
             "session": ["time", "net", "netcode", "desync"],
             "bot": ["time", "net", "netcode", "desync", "session"],
             "demo": ["netcode"], "scene": ["netcode"], "ui": ["netcode", "scene"], "gl": ["scene", "ui"],
+            "audio": ["scene"],
             "editor": ["netcode", "scene", "ui"],
-            "play": [name for name in CLIENT if name not in ("bot", "play")],
+            "play": [name for name in CLIENT if name not in ("bot", "audio", "play")],
         }  # fmt: skip
-        drawn = ("scene", "ui", "editor")
+        drawn = ("scene", "ui", "audio", "editor")
         solving = ["levels/check", "levels/reach", "levels/solve"]
-        wordless = ("demo", "scene", "ui", "editor", "gl")
+        wordless = ("demo", "scene", "ui", "audio", "editor", "gl")
         protocol = ["protocol", "protocol/files", "protocol/transport"]
         allowed = {
             **{folder: public[:index] for index, folder in enumerate(public)},
