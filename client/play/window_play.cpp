@@ -66,7 +66,11 @@ void WindowPlay::reportEnding() {
 
 void WindowPlay::handleKeys() {
   window_.poll();
-  for (const KeyEvent& event : window_.takeKeyEvents()) interface_.handle(event);
+  for (const KeyEvent& event : window_.takeKeyEvents()) {
+    const bool wasOpen = interface_.menu().open();
+    interface_.handle(event);
+    sound_.key(event, wasOpen || interface_.menu().open());
+  }
   if (interface_.takeVote()) match_.toggleVote();
   window_.setFullscreen(interface_.settings().fullscreen);
 }
@@ -83,7 +87,15 @@ void WindowPlay::draw(Moment now) {
   const HudStatus status = match_.hudStatus(now, interface_.helpShown());
   view_.draw(scene ? &*scene : nullptr, status, interface_.settings(), interface_.menu(), toSeconds(now - drawnAt_));
   view_.present();
+  playSounds(scene ? &*scene : nullptr, status, toSeconds(now - drawnAt_));
   drawnAt_ = now;
+}
+
+// During an outage nothing is heard.
+void WindowPlay::playSounds(const Scene* scene, const HudStatus& status, double seconds) {
+  const NetworkClient& client = match_.client();
+  const std::optional<double> next = status.summary ? std::optional(status.summary->secondsLeft) : std::nullopt;
+  sound_.update(client.outage() ? nullptr : client.session(), scene, next, interface_.settings(), seconds);
 }
 
 void WindowPlay::takeScreenshot() {

@@ -9,6 +9,7 @@
 #include "client/play/match_play.h"
 #include "client/play/net_meter.h"
 #include "client/play/settings_file.h"
+#include "client/play/sound_feed.h"
 #include "client/play/user_folders.h"
 #include "client/time/clock.h"
 #include "client/ui/steering.h"
@@ -34,6 +35,7 @@ class WindowPlay {
   void reportEnding();
   Input choose(const Game& game, std::uint32_t slot);
   void draw(Moment now);
+  void playSounds(const Scene* scene, const HudStatus& status, double seconds);
   void takeScreenshot();
 
   ClientOptions options_;
@@ -46,6 +48,7 @@ class WindowPlay {
   Steering steering_;
   Demo demo_;
   NetMeter meter_;
+  SoundFeed sound_;
   bool endingReported_ = false;
   Moment startedAt_;
   Moment drawnAt_;

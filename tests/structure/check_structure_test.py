@@ -70,7 +70,7 @@ class Includes(Tree):
             "demo": ["netcode"], "scene": ["netcode"], "ui": ["netcode", "scene"], "gl": ["scene", "ui"],
             "audio": ["scene"],
             "editor": ["netcode", "scene", "ui"],
-            "play": [name for name in CLIENT if name not in ("bot", "audio", "play")],
+            "play": [name for name in CLIENT if name not in ("bot", "play")],
         }  # fmt: skip
         drawn = ("scene", "ui", "audio", "editor")
         solving = ["levels/check", "levels/reach", "levels/solve"]
