@@ -168,6 +168,7 @@ class Match {
   void sendRosters();
   std::vector<Input> decideInputs();
   bool roundOver() const;
+  bool someoneHasFinished() const;
   bool awaits(const MatchPlayer& player) const;
   void finishRound();
   void noteFinishes();
@@ -195,6 +196,7 @@ class Match {
   Game game_;
   TickHistory history_;
   std::optional<std::uint32_t> overAt_;      // ticks of the round when its end was detected
+  std::optional<std::uint64_t> finishedAt_;  // value of now_ when a player first finished this round
   std::map<ClientId, MatchPlayer> players_;  // connected ones
   std::vector<Disconnected> disconnected_;   // ordered by since
   PlayerNames names_;                        // of the connected and the disconnected players

@@ -41,6 +41,7 @@ void Match::handle(ClientId client, const Vote& vote) {
 // Ends the round when it is over, and starts the next one after the pause.
 void Match::finishRound() {
   noteFinishes();
+  if (!finishedAt_ && someoneHasFinished()) finishedAt_ = now_;
   if (overAt_) {
     // Players who have come or left decide whether a level for several players is next. It comes only once it was told.
     if (rotation_.next(players()) != toldNext_) return tellNext();
@@ -91,20 +92,28 @@ VoteCount Match::countVotes() {
 // inactive or disconnected: it is enough that one player has finished and that it awaits no other.
 bool Match::roundOver() const {
   if (game_.over()) return true;
-  bool finished = false;
-  for (std::uint32_t slot = 0; slot < game_.slots(); ++slot) finished = finished || game_.player(slot).finished();
-  return finished &&
+  return finishedAt_ &&
          std::none_of(players_.begin(), players_.end(), [this](const auto& entry) { return awaits(entry.second); }) &&
          std::none_of(disconnected_.begin(), disconnected_.end(), [this](const Disconnected& entry) {
            return now_ - entry.since < kAwaitTicks && awaits(entry.player);
          });
 }
 
-// Whether the player is active, in the game, and has not finished.
+bool Match::someoneHasFinished() const {
+  for (std::uint32_t slot = 0; slot < game_.slots(); ++slot) {
+    if (game_.player(slot).finished()) return true;
+  }
+  return false;
+}
+
+// Whether the player is in the game, has not finished, and is active. In a level for several players, one may have
+// stood on a plate for the other without a key; then it has as much time as if it had changed a button at the first
+// finish.
 bool Match::awaits(const MatchPlayer& player) const {
   if (player.slot() >= game_.slots()) return false;
   const PlayerState& state = game_.player(player.slot());
-  return state.present != 0 && !state.finished() && player.isActive(now_);
+  const bool mayHaveHelped = game_.level().players > 1 && now_ - *finishedAt_ < MatchPlayer::kActiveTicks;
+  return state.present != 0 && !state.finished() && (player.isActive(now_) || mayHaveHelped);
 }
 
 void Match::endRound(const std::string& cause) {
@@ -143,6 +152,7 @@ void Match::startRound() {
   game_ = Game(rotation_.current());
   history_ = TickHistory(round_, shortHash(game_.hash()));
   overAt_.reset();
+  finishedAt_.reset();
   bestIsNew_ = false;
   voteNotices_.startRound();
   for (auto& [client, player] : players_) player.startRound();

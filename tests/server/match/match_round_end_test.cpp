@@ -23,6 +23,9 @@ std::string shortWayText() {
 
 class MatchRoundEnd : public testing::Test {
  protected:
+  explicit MatchRoundEnd(const std::string& head = "")
+      : network_(Match(LevelRotation({levelOf(head + shortWayText())}), {4, "Test"}), {.delayMs = kTickMs}) {}
+
   FakeClient& add(std::function<int(std::uint32_t)> buttons) {
     return network_.add(FakeClient("P", 12, std::move(buttons)));
   }
@@ -36,7 +39,12 @@ class MatchRoundEnd : public testing::Test {
     return ticks;
   }
 
-  FakeClientNetwork network_{Match(LevelRotation({levelOf(shortWayText())}), {4, "Test"}), {.delayMs = kTickMs}};
+  FakeClientNetwork network_;
+};
+
+class MatchRoundEndForTwo : public MatchRoundEnd {
+ protected:
+  MatchRoundEndForTwo() : MatchRoundEnd("# players: 2\n") {}
 };
 
 TEST_F(MatchRoundEnd, APlayerThatChangesNoButtonForAMinuteDoesNotHoldTheRound) {
@@ -107,6 +115,18 @@ TEST_F(MatchRoundEnd, ADisconnectedPlayerThatIsResumedInTimeHoldsTheRound) {
   EXPECT_FALSE(ended());
   network_.disconnect(1);
   EXPECT_LT(ticksUntilEnd(kActiveTicks), kActiveTicks);
+}
+
+// Who stands on a plate for another one presses nothing.
+TEST_F(MatchRoundEndForTwo, WhoPressesNothingHasAMinuteAfterTheFirstFinish) {
+  add([](std::uint32_t tick) { return tick > 2 * kActiveTicks ? +Input::kRight : tick / 8 % 2; });
+  add(idle);
+  network_.run(2 * kActiveTicks);
+  std::uint32_t waited = 0;
+  for (; !finished(0) && waited < 600; ++waited) network_.tick();
+  ASSERT_TRUE(finished(0));
+  EXPECT_FALSE(ended());
+  EXPECT_EQ(ticksUntilEnd(2 * kActiveTicks), kActiveTicks);
 }
 
 TEST_F(MatchRoundEnd, TheNextRoundStartsFiveSecondsAfterTheEnd) {
