@@ -25,7 +25,7 @@ class OpenalOutput {
 
   static constexpr std::size_t kSources = 32;  ///< sounds that can be heard at once …
   static constexpr std::size_t kMaxLoops = 8;  ///< … of which so many are kept for loops
-  static constexpr double kHeadroom = 0.6;     ///< factor of all gains, so that many sounds together do not clip
+  static constexpr double kHeadroom = 0.8;     ///< factor of all gains, so that many sounds together do not clip
 
   /// Opens the default device; null if there is none, or none can be opened. Takes up to some hundred milliseconds.
   static std::unique_ptr<OpenalOutput> open();

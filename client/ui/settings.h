@@ -16,9 +16,9 @@ struct Settings {
   double zoom = 1;  ///< 0.5 … 2
   bool fullscreen = false;
   bool netGraph = false;
-  double volume = 80;         ///< of all sound, 0 … 100
-  double effectsVolume = 80;  ///< of the sounds of events, 0 … 100
-  double musicVolume = 60;    ///< 0 … 100
+  double volume = 80;          ///< of all sound, 0 … 100
+  double effectsVolume = 100;  ///< of the sounds of events, 0 … 100
+  double musicVolume = 70;     ///< 0 … 100
 
   /// The settings as lines `name value`, the format of `parseSettings`.
   std::string text() const;
