@@ -3,24 +3,27 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
+
+#include "client/scene/camera_ease.h"
+#include "client/scene/camera_framing.h"
 
 namespace platon {
 namespace {
 
-constexpr double kTangent = 0.365;  // tangent of half the smaller field of view: 40 degrees
-constexpr double kMinView = 460;    // shorter side of the picture at the player, level units
-constexpr double kMaxView = 760;
-constexpr double kViewOfFace = 1.3;  // the same in incircle diameters of a face, between the two bounds
+constexpr double kMaxLag = 0.6;     // radians between the line of sight and its target
+constexpr double kMaxSlant = 1.25;  // radians between the line of sight and the normal of the player's face
+constexpr double kNearest = 0.75;   // of the distance from the player, in target distances: what is nearer, jumps
+// Of half a view. With the shift of the framing, both together are less than kMiddle.
+constexpr glm::dvec2 kMaxLead(0.24, 0.18);
+constexpr double kCutAngle = 1.6;   // radians from the target from which the camera jumps there
+constexpr double kCutOffset = 1.0;  // distance of the player from the middle, in half views, from which it jumps
 
-// The orientation whose z axis is `back` and whose y axis is nearest to `up`.
-glm::dquat orientationOf(glm::dvec3 back, glm::dvec3 up) {
-  glm::dvec3 right = glm::cross(up, back);
-  // If `up` is parallel to `back`, any perpendicular direction is used.
-  if (glm::length(right) < 1e-9) right = glm::cross(glm::dvec3(back.y, back.z, back.x) + glm::dvec3(0.5, 0, 0), back);
-  right = glm::normalize(right);
-  return glm::normalize(glm::quat_cast(glm::dmat3(right, glm::cross(back, right), back)));
+// From a player who stands still to the eye, in the axes of the target.
+glm::dvec3 offsetOf(const Pose& player, const CameraTarget& target, const SolidMesh& stage) {
+  return {framingShift(target, player.position, stage), target.distance};
 }
 
 // The smallest rotation from one unit vector to another; about `axis` if they are opposite.
@@ -31,6 +34,8 @@ glm::dquat rotationBetween(glm::dvec3 from, glm::dvec3 to, glm::dvec3 axis) {
   return glm::normalize(glm::dquat(1 + cosine, normal.x, normal.y, normal.z));
 }
 
+double angleBetween(glm::dvec3 a, glm::dvec3 b) { return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)); }
+
 // Angle about `axis` between two vectors perpendicular to it, radians counter-clockwise.
 double angleAbout(glm::dvec3 axis, glm::dvec3 from, glm::dvec3 to) {
   return std::atan2(glm::dot(axis, glm::cross(from, to)), glm::dot(from, to));
@@ -38,37 +43,86 @@ double angleAbout(glm::dvec3 axis, glm::dvec3 from, glm::dvec3 to) {
 
 glm::dquat partOf(glm::dquat turn, double part) { return glm::slerp(glm::dquat(1, 0, 0, 0), turn, part); }
 
-// Part of the remaining distance covered in `seconds` by an exponential approach with this rate.
-double partIn(double rate, double seconds) { return -std::expm1(-rate * seconds); }
+glm::dvec2 shortened(glm::dvec2 vector, double longest) {
+  const double length = glm::length(vector);
+  return length > longest ? vector * (longest / length) : vector;
+}
 
 }  // namespace
 
 void Camera::set(const Pose& player, const SolidMesh& stage, std::uint32_t w, std::uint32_t h) {
   resize(w, h);
-  orientation_ = orientationOf(glm::normalize(player.position), player.up);
-  distance_ = targetDistance(player, stage);
+  hold_.reset();
+  lead_.reset(player);
   radius_ = stage.circumradius();
+  const CameraTarget target = cameraTarget(player, stage, zoom_);
+  const bool stands = comfort_.view == CameraView::kFace;
+  base_ = stands
+              ? hold_.view(player, stage, zoom_)
+              : ViewPoint{target.orientation, player.position + target.orientation * offsetOf(player, target, stage)};
+  shown_ = base_;
 }
 
 void Camera::place(glm::dvec3 eye, glm::dvec3 up, const SolidMesh& stage) {
-  orientation_ = orientationOf(glm::normalize(eye), up);
-  distance_ = glm::length(eye);
+  const glm::dvec3 back = glm::normalize(eye);
+  base_ = shown_ = {levelOrientation(back, glm::cross(up, back)), eye};
   radius_ = stage.circumradius();
 }
 
-// The rotation to the target is split into a swing of the line of sight, which keeps the player visible, and a roll
-// about it, which may be slow. Both decay exponentially, so the result does not depend on the frame rate.
+// Turns and offsets all approach their targets independently of each other, so the result does not depend on the frame
+// rate.
 void Camera::lerp(const Pose& player, const SolidMesh& stage, double seconds) {
-  if (comfort_.instantCut) return set(player, stage, width_, height_);
-  const glm::dquat target = orientationOf(glm::normalize(player.position), player.up);
-  const glm::dvec3 targetBack = target * glm::dvec3(0, 0, 1);
-  const glm::dquat swing = rotationBetween(back(), targetBack, up());
-  const double roll = angleAbout(targetBack, swing * up(), target * glm::dvec3(0, 1, 0));
-  const double follow = partIn(kFollowSpeed, seconds);
-  orientation_ = partOf(swing, follow) * orientation_;
-  orientation_ = glm::normalize(glm::angleAxis(rollDuring(roll, seconds), back()) * orientation_);
-  distance_ += (targetDistance(player, stage) - distance_) * follow;
+  if (comfort_.view == CameraView::kFace) {
+    lead_.reset(player);
+    base_ = shown_ = hold_.view(player, stage, zoom_);
+    return;
+  }
+  const CameraTarget target = cameraTarget(player, stage, zoom_);
+  if (comfort_.instantCut || !isNear(player, target)) return set(player, stage, width_, height_);
+  lead_.move(player);
+  const glm::dvec3 offset = offsetAfter(player, target, offsetOf(player, target, stage), seconds);
+  lead_.wait(seconds);
+  turn(player, target, seconds);
+  base_.eye = player.position + base_.orientation * offset;
+  shown_ = base_;
   radius_ = stage.circumradius();
+}
+
+bool Camera::isNear(const Pose& player, const CameraTarget& target) const {
+  const glm::dvec2 offset(glm::conjugate(base_.orientation) * (base_.eye - player.position));
+  return angleBetween(base_.back(), target.back()) < kCutAngle && glm::length(offset) < kCutOffset * target.halfView();
+}
+
+// The rotation to the target is split into a swing of the line of sight, which keeps the player visible, and a roll
+// about it, which may be slow.
+void Camera::turn(const Pose& player, const CameraTarget& target, double seconds) {
+  const glm::dvec3 targetBack = target.back();
+  const glm::dvec3 back = base_.back();
+  const glm::dquat swing = rotationBetween(back, targetBack, base_.up());
+  const double roll = angleAbout(targetBack, swing * base_.right(), target.orientation * glm::dvec3(1, 0, 0));
+  const double angle = angleBetween(back, targetBack);
+  const double longest = std::clamp(kMaxSlant - angleBetween(targetBack, player.normal), 0.0, kMaxLag);
+  const double maxSwing = comfort_.reducedMotion ? kSlowSwing : kMaxSwing;
+  const double left = leftAfter(std::min(angle, longest), kFollowSpeed, maxSwing, seconds);
+  if (angle > 0) base_.orientation = partOf(swing, 1 - left / angle) * base_.orientation;
+  const double maxRoll = comfort_.reducedMotion ? kSlowRoll : comfort_.turnSpeed;
+  const double rollLeft = leftAfter(std::abs(roll), comfort_.turnSpeed, maxRoll, seconds);
+  const double rolled = std::copysign(std::abs(roll) - rollLeft, roll);
+  base_.orientation = glm::normalize(glm::angleAxis(rolled, base_.back()) * base_.orientation);
+}
+
+// From the player to the eye, in the axes of the camera, `seconds` after now. `still` is where it would be if the
+// player had not moved.
+glm::dvec3 Camera::offsetAfter(const Pose& player, const CameraTarget& target, glm::dvec3 still, double seconds) const {
+  const double halfView = target.halfView();
+  const glm::dvec3 now = glm::conjugate(base_.orientation) * (base_.eye - player.position);
+  const glm::dvec3 start(shortened(now, kMiddle * halfView), std::max(now.z, kNearest * target.distance));
+  const glm::dquat toScreen = glm::conjugate(target.orientation);
+  const glm::dvec2 scale = glm::min(glm::dvec2(1), kMaxLead * halfView / CameraLead::kMaxLead);
+  const glm::dvec2 lead = scale * lead_.followed(kFollowSpeed, seconds, comfort_.reducedMotion);
+  const glm::dvec3 leading = lead.x * glm::cross(player.up, player.normal) + lead.y * player.up;
+  const double stay = std::exp(-kFollowSpeed * seconds);
+  return still * (1 - stay) + start * stay + glm::dvec3(glm::dvec2(toScreen * leading), 0);
 }
 
 void Camera::resize(std::uint32_t w, std::uint32_t h) {
@@ -77,31 +131,23 @@ void Camera::resize(std::uint32_t w, std::uint32_t h) {
 }
 
 glm::dmat4 Camera::view() const {
-  return glm::translate(glm::dmat4(1), glm::dvec3(0, 0, -distance_)) * glm::mat4_cast(glm::conjugate(orientation_));
+  return glm::mat4_cast(glm::conjugate(shown_.orientation)) * glm::translate(glm::dmat4(1), -shown_.eye);
 }
 
 glm::dmat4 Camera::viewProjection() const {
   const double aspect = double{1} * width_ / height_;
-  const double vertical = 2 * std::atan(kTangent / std::min(aspect, 1.0));
-  const double farthest = distance_ + radius_;
-  const double nearest = std::max((distance_ - radius_) / 2, farthest / 20000);
+  const double vertical = 2 * std::atan(CameraTarget::kTangent / std::min(aspect, 1.0));
+  const double fromCentre = glm::dot(eye(), back());
+  const double farthest = fromCentre + radius_;
+  const double nearest = std::max((fromCentre - radius_) / 2, farthest / 20000);
   return glm::perspective(vertical, aspect, nearest, farthest) * view();
 }
 
 double Camera::rollOf(const Pose& player) const {
-  const glm::dvec3 seen = player.up - back() * glm::dot(player.up, back());
-  return glm::length(seen) < 1e-9 ? 0 : angleAbout(back(), up(), seen);
-}
-
-double Camera::targetDistance(const Pose& player, const SolidMesh& stage) const {
-  const double view = std::clamp(2 * stage.apothem() * kViewOfFace, kMinView, kMaxView) / zoom_;
-  return glm::length(player.position) + view / 2 / kTangent;
-}
-
-double Camera::rollDuring(double roll, double seconds) const {
-  const double eased = roll * partIn(comfort_.turnSpeed, seconds);
-  const double maxRoll = comfort_.reducedMotion ? kSlowRoll * seconds : std::abs(eased);
-  return std::clamp(eased, -maxRoll, maxRoll);
+  const glm::dvec3 playerRight = glm::cross(player.up, player.normal);
+  const glm::dvec3 back = base_.back();
+  const glm::dvec3 seen = playerRight - back * glm::dot(playerRight, back);
+  return glm::length(seen) < 1e-9 ? 0 : angleAbout(back, base_.right(), seen);
 }
 
 }  // namespace platon

@@ -4,56 +4,77 @@
 
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "client/scene/camera_comfort.h"
+#include "client/scene/camera_lead.h"
+#include "client/scene/camera_target.h"
+#include "client/scene/face_hold.h"
 #include "client/scene/pose.h"
 #include "client/scene/solid_mesh.h"
+#include "client/scene/view_point.h"
 
 namespace platon {
 
-/// The camera stands on the ray from the solid's centre through the player and looks at the centre. Its up is the
-/// player's up. Its position follows from its orientation and its distance from the centre.
+/// The camera stands above the player, whose right is level on the screen, and looks along the normal of the face; near
+/// an edge it turns to the next face. It follows the player with a delay, and leads a player who runs on; the middle of
+/// the picture is a little nearer to the centre of the solid. The player is always in the middle part of the picture,
+/// and never hidden by the solid: where the player is too far from there, as after a return to the start, the camera
+/// jumps. With CameraView::kFace it stands still on each face.
 class Camera {
  public:
   static constexpr double kFollowSpeed = 14;  ///< rate of the approach to the player's position, per second
+  static constexpr double kMaxSwing = 9;      ///< largest turn of the line of sight, radians a second
+  static constexpr double kSlowSwing = 2.5;   ///< the same with reduced motion, unless the player would be hidden
   static constexpr double kSlowRoll = 0.8;    ///< largest roll with reduced motion, radians a second
+  static constexpr double kMiddle = 0.6;      ///< the player's distance from the middle, in half shorter sides
 
   /// Moves the camera to its target at once. The picture has w × h pixels, both at least 1.
   void set(const Pose& player, const SolidMesh& stage, std::uint32_t w, std::uint32_t h);
-  /// Puts the camera at `eye`, which is not the centre of the solid, with `up` up. The size of the picture stays.
+  /// Puts the camera at `eye`, which is not the centre of the solid, with `up` up, so that it looks at the centre. The
+  /// size of the picture stays.
   void place(glm::dvec3 eye, glm::dvec3 up, const SolidMesh& stage);
   /// Moves the camera towards the target of `set` for `seconds` ≥ 0. While the player stands still, two calls have the
-  /// effect of one call with the sum of their times.
+  /// effect of one call with the sum of their times. The roll is at most CameraComfort::turnSpeed radians a second.
   void lerp(const Pose& player, const SolidMesh& stage, double seconds);
+
+  /// What `set`, `place` and `lerp` have made of the view.
+  const ViewPoint& viewPoint() const { return base_; }
+  /// Shows another view, which does not affect the next `lerp`, until the next `set`, `place` or `lerp`.
+  void show(const ViewPoint& view) { shown_ = view; }
 
   void resize(std::uint32_t w, std::uint32_t h);
   void setComfort(const CameraComfort& comfort) { comfort_ = comfort; }
   /// Magnification, 0.25 … 4. Takes effect at the next `set` or `lerp`.
   void setZoom(double zoom) { zoom_ = zoom; }
 
-  glm::dvec3 eye() const { return distance_ * back(); }
-  glm::dvec3 right() const { return orientation_ * glm::dvec3(1, 0, 0); }
-  glm::dvec3 up() const { return orientation_ * glm::dvec3(0, 1, 0); }
-  /// Unit vector from the solid's centre to the eye.
-  glm::dvec3 back() const { return orientation_ * glm::dvec3(0, 0, 1); }
+  glm::dvec3 eye() const { return shown_.eye; }
+  glm::dvec3 right() const { return shown_.orientation * glm::dvec3(1, 0, 0); }
+  glm::dvec3 up() const { return shown_.orientation * glm::dvec3(0, 1, 0); }
+  /// Unit vector against the line of sight.
+  glm::dvec3 back() const { return shown_.orientation * glm::dvec3(0, 0, 1); }
 
   glm::dmat4 view() const;
   /// Transforms from space to OpenGL's clip space.
   glm::dmat4 viewProjection() const;
 
-  /// Angle from the screen's up to the player's up on the screen, radians counter-clockwise; 0 after `set`.
+  /// Angle from the screen's right to the player's right on the screen, radians counter-clockwise; 0 after `set` in the
+  /// middle part of a face. `show` does not affect it.
   double rollOf(const Pose& player) const;
 
   std::uint32_t width() const { return width_; }
   std::uint32_t height() const { return height_; }
 
  private:
-  double targetDistance(const Pose& player, const SolidMesh& stage) const;
-  double rollDuring(double roll, double seconds) const;
+  bool isNear(const Pose& player, const CameraTarget& target) const;
+  void turn(const Pose& player, const CameraTarget& target, double seconds);
+  glm::dvec3 offsetAfter(const Pose& player, const CameraTarget& target, glm::dvec3 still, double seconds) const;
 
-  glm::dquat orientation_{1, 0, 0, 0};
-  double distance_ = 1000;
+  ViewPoint base_;
+  ViewPoint shown_;
+  CameraLead lead_;
+  FaceHold hold_;
   double radius_ = 500;  // circumradius of the solid, for the depth range
   double zoom_ = 1;
   CameraComfort comfort_;

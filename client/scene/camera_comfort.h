@@ -1,12 +1,21 @@
 #pragma once
 
+#include <cstdint>
+
 namespace platon {
 
-/// The player's choice of how the camera turns.
+/// What the camera does while the player moves on a face.
+enum class CameraView : std::uint8_t {
+  kFollow,  ///< it follows the player
+  kFace     ///< it stands still, and cuts to the next face at an edge
+};
+
+/// The player's choice of how the camera moves.
 struct CameraComfort {
   double turnSpeed = 7;        ///< rate of the exponential approach to the player's roll, per second, 1 … 30
-  bool instantCut = false;     ///< no swing and no roll: the camera jumps to its target
-  bool reducedMotion = false;  ///< limits the roll to Camera::kSlowRoll radians a second
+  bool instantCut = false;     ///< no swing, roll or flight: the camera jumps to its target
+  bool reducedMotion = false;  ///< slower swing and roll, no look-ahead, no flight
+  CameraView view = CameraView::kFollow;
 };
 
 }  // namespace platon

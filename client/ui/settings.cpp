@@ -35,6 +35,12 @@ bool parse(std::string_view value, ControlFrame& frame) {
   return true;
 }
 
+bool parse(std::string_view value, CameraView& view) {
+  if (value != "follow" && value != "face") return false;
+  view = value == "face" ? CameraView::kFace : CameraView::kFollow;
+  return true;
+}
+
 // One setting of the file. `parse` stores a valid value.
 struct Entry {
   std::string_view name;
@@ -54,6 +60,7 @@ std::vector<Entry> entriesOf(Settings& settings) {
   return {
       {"turn-speed", "a number from 1 to 30",
        [&comfort](std::string_view value) { return parse(value, comfort.turnSpeed, kMinTurnSpeed, kMaxTurnSpeed); }},
+      {"camera", "follow or face", [&comfort](std::string_view value) { return parse(value, comfort.view); }},
       {"zoom", "a number from 0.5 to 2",
        [&settings](std::string_view value) { return parse(value, settings.zoom, kMinZoom, kMaxZoom); }},
       {"controls", "player or screen", [&settings](std::string_view value) { return parse(value, settings.controls); }},
@@ -91,8 +98,9 @@ std::string Settings::text() const {
   std::ostringstream out;
   out << "turn-speed " << comfort.turnSpeed << "\ninstant-cut " << onOff(comfort.instantCut) << "\nreduced-motion "
       << onOff(comfort.reducedMotion) << "\ncontrols " << (controls == ControlFrame::kScreen ? "screen" : "player")
-      << "\nzoom " << zoom << "\nfullscreen " << onOff(fullscreen) << "\nnet-graph " << onOff(netGraph) << "\nvolume "
-      << volume << "\nvolume-effects " << effectsVolume << "\nvolume-music " << musicVolume << "\n";
+      << "\ncamera " << (comfort.view == CameraView::kFace ? "face" : "follow") << "\nzoom " << zoom << "\nfullscreen "
+      << onOff(fullscreen) << "\nnet-graph " << onOff(netGraph) << "\nvolume " << volume << "\nvolume-effects "
+      << effectsVolume << "\nvolume-music " << musicVolume << "\n";
   return out.str();
 }
 

@@ -81,7 +81,7 @@ TEST_F(GameViewTest, TheMenuAndTheNetGraphAreDrawnWhenEnabled) {
 
 TEST_F(GameViewTest, OnAnotherStageTheCameraJumpsToItsTarget) {
   Scene turned = sceneOf(cube());
-  turned.focus = turned.stage->mesh.pose(3, {40, 50}, 1);
+  turned.focus = turned.stage->mesh.pose(3, {20, 30}, 1);
   GameView fresh(kWidth, kHeight);
   const Image expected = drawn(fresh, &turned);
   GameView view(kWidth, kHeight);

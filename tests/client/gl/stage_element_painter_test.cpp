@@ -45,6 +45,11 @@ class ElementPictureTest : public testing::Test {
  protected:
   Image draw(const Scene& scene) {
     camera_.set(scene.focus, scene.stage->mesh, kWidth, kHeight);
+    return seen(scene);
+  }
+
+  // As the camera stands.
+  Image seen(const Scene& scene) {
     renderer_.draw(scene, camera_, {}, false);
     EXPECT_EQ(takeGlErrors(), "");
     return renderer_.read();
@@ -169,14 +174,17 @@ Image readPng(const std::string& file) {
   return image;
 }
 
+constexpr double kHeightAbove = 624 / 1.6 / 2 / 0.365;  // of the eye above the face, along the ray from the centre
+
 // Every element, at the edge of two faces; below, the same in the other state.
 TEST_F(ElementPictureTest, EveryElementLooksAsBefore) {
   const std::string golden = "tests/client/gl/golden/elements.png";
   Scene scene = sceneOfLevel(readText("tests/levels/picture/elements.level"));
-  scene.focus = scene.stage->mesh.pose(0, {200, -20}, 0);
-  camera_.setZoom(1.6);
-  Image image = draw(scene);
-  const Image other = draw(inOtherState(scene));
+  camera_.resize(kWidth, kHeight);
+  const glm::dvec3 place = scene.stage->mesh.toWorld(0, {200, -20});
+  camera_.place(place * (1 + kHeightAbove / glm::length(place)), {0, 1, 0}, scene.stage->mesh);
+  Image image = seen(scene);
+  const Image other = seen(inOtherState(scene));
   image.pixels.insert(image.pixels.end(), other.pixels.begin(), other.pixels.end());
   image.height += other.height;
   const std::string drawn = testing::TempDir() + "platon_elements.png";

@@ -1,5 +1,6 @@
 #include "client/scene/camera.h"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -25,7 +26,7 @@ glm::dvec3 onScreen(const Camera& camera, glm::dvec3 point) {
 Pose randomPose(const SolidMesh& mesh, std::mt19937& random) {
   std::uniform_real_distribution<double> part(-1, 1);
   const int face = static_cast<int>(random() % static_cast<unsigned>(mesh.faces()));
-  const glm::dvec2 place(part(random) * mesh.apothem() * 0.7, part(random) * mesh.apothem() * 0.7);
+  const glm::dvec2 place(part(random) * mesh.apothem() * 0.35, part(random) * mesh.apothem() * 0.35);
   return mesh.pose(face, place, part(random) * 4);
 }
 
@@ -33,7 +34,7 @@ double apart(const Camera& a, const Camera& b) {
   return glm::distance(a.eye(), b.eye()) + glm::distance(a.up(), b.up()) * a.height();
 }
 
-TEST(Camera, SetShowsThePlayerUprightInTheMiddle) {
+TEST(Camera, SetShowsThePlayerUprightInTheMiddlePart) {
   RecordProperty("seed", static_cast<int>(kSeed));
   std::mt19937 random(kSeed);
   for (int kind = 0; kind < kSolidKinds; ++kind) {
@@ -45,11 +46,10 @@ TEST(Camera, SetShowsThePlayerUprightInTheMiddle) {
         camera.set(player, mesh, 1280, 720);
         const glm::dvec3 middle = onScreen(camera, player.position);
         const glm::dvec3 above = onScreen(camera, player.position + player.up);
-        EXPECT_NEAR(middle.x, 0, 1e-9) << "seed " << kSeed;
-        EXPECT_NEAR(middle.y, 0, 1e-9) << "seed " << kSeed;
+        EXPECT_LT(std::max(std::abs(middle.x) * 1280 / 720, std::abs(middle.y)), 0.31) << "seed " << kSeed;
         EXPECT_TRUE(middle.z > -1 && middle.z < 1);
-        EXPECT_NEAR(above.x, 0, 1e-9);
-        EXPECT_GT(above.y, 0);
+        EXPECT_NEAR(above.x, middle.x, 1e-3);
+        EXPECT_GT(above.y, middle.y);
         EXPECT_NEAR(camera.rollOf(player), 0, 1e-9);
       }
     }
@@ -83,7 +83,7 @@ TEST(Camera, LerpReachesTheTarget) {
     for (int step = 0; step < 600; ++step) camera.lerp(to, cube(), 1.0 / 60);
     Camera wanted;
     wanted.set(to, cube(), 1280, 720);
-    EXPECT_LT(apart(camera, wanted), 1e-6) << "seed " << kSeed;
+    EXPECT_LT(apart(camera, wanted), 1e-3) << "seed " << kSeed;
   }
 }
 
@@ -99,6 +99,34 @@ TEST(Camera, LerpDoesNotDependOnTheFrameRate) {
     for (int step = 0; step < 10; ++step) often.lerp(to, cube(), 0.01);
     EXPECT_LT(apart(once, often), 1e-6) << "seed " << kSeed;
   }
+}
+
+TEST(Camera, LerpDoesNotDependOnTheFrameRateAfterARun) {
+  std::mt19937 random(kSeed);
+  std::uniform_real_distribution<double> part(-1, 1);
+  for (int i = 0; i < 100; ++i) {
+    Camera once;
+    once.set(cube().pose(0, {0, 0}, 0), cube(), 1280, 720);
+    const glm::dvec2 step(3.2 * part(random), 5 * part(random));
+    for (int tick = 1; tick < 55; ++tick) once.lerp(cube().pose(0, step * (1.0 * tick), 0), cube(), 1.0 / 60);
+    const Pose player = cube().pose(0, step * 54.0, part(random));
+    Camera often = once;
+    once.lerp(player, cube(), 0.7);
+    for (int frame = 0; frame < 70; ++frame) often.lerp(player, cube(), 0.01);
+    EXPECT_LT(apart(once, often), 1e-6) << "seed " << kSeed;
+  }
+}
+
+TEST(Camera, AShownViewDoesNotAffectTheNextLerp) {
+  const Pose player = cube().pose(0, {10, 20}, 0.3);
+  Camera camera;
+  camera.set(player, cube(), 1280, 720);
+  const Camera before = camera;
+  camera.show({{1, 0, 0, 0}, {0, 0, 3000}});
+  EXPECT_EQ(camera.eye(), glm::dvec3(0, 0, 3000));
+  EXPECT_EQ(camera.rollOf(player), before.rollOf(player));
+  camera.lerp(player, cube(), 0.1);
+  EXPECT_LT(apart(camera, before), 1e-9);
 }
 
 // Without a roll, the angle between the camera and its target falls by the factor e each 1/14 s.
@@ -144,7 +172,7 @@ TEST(Camera, CrossingAnEdgeTurnsContinuously) {
       EXPECT_LT(glm::distance(camera.up(), before.up()), 0.12);
       EXPECT_LT(glm::distance(camera.back(), before.back()), 0.12);
       const glm::dvec3 seen = onScreen(camera, player.position);
-      EXPECT_LT(glm::length(glm::dvec2(seen)), 0.35) << "kind " << kind << " step " << step;
+      EXPECT_LT(glm::length(glm::dvec2(seen)), Camera::kMiddle) << "kind " << kind << " step " << step;
     }
   }
 }
@@ -189,6 +217,29 @@ TEST(Camera, InstantCutEqualsSet) {
   Camera wanted;
   wanted.set(player, cube(), 1280, 720);
   EXPECT_LT(apart(camera, wanted), 1e-9);
+}
+
+TEST(Camera, JumpsToAPlayerWhoIsFarAway) {
+  const Pose there = cube().pose(0, {-200, 200}, 1);
+  for (const Pose& here : {cube().pose(0, {200, -200}, 0), cube().pose(5, {0, 0}, 0)}) {
+    Camera camera;
+    camera.set(here, cube(), 1280, 720);
+    camera.lerp(there, cube(), 0.001);
+    Camera wanted;
+    wanted.set(there, cube(), 1280, 720);
+    EXPECT_LT(apart(camera, wanted), 1e-9);
+  }
+}
+
+TEST(Camera, TheCameraOfAFaceStandsStillUntilAnEdge) {
+  Camera camera;
+  camera.setComfort({.view = CameraView::kFace});
+  camera.set(cube().pose(0, {0, 0}, 0), cube(), 1280, 720);
+  const Camera before = camera;
+  camera.lerp(cube().pose(0, {200, 200}, 0), cube(), 1);
+  EXPECT_EQ(apart(camera, before), 0);
+  camera.lerp(cube().pose(1, {200, 200}, 0), cube(), 0);
+  EXPECT_NEAR(glm::dot(camera.back(), cube().normal(1)), 1, 1e-12);
 }
 
 TEST(Camera, ReducedMotionBoundsTheRoll) {

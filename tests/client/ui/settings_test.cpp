@@ -12,7 +12,7 @@ using Lines = std::vector<std::string>;
 
 TEST(Settings, ParsingTheTextGivesTheSameSettings) {
   Settings settings;
-  settings.comfort = {.turnSpeed = 12.5, .instantCut = true, .reducedMotion = true};
+  settings.comfort = {.turnSpeed = 12.5, .instantCut = true, .reducedMotion = true, .view = CameraView::kFace};
   settings.controls = ControlFrame::kScreen;
   settings.zoom = 1.25;
   settings.fullscreen = true;
@@ -55,6 +55,7 @@ TEST(Settings, BadValuesAreReported) {
   EXPECT_EQ(parseSettings("volume-effects -1\n").errors, Lines{"line 1: volume-effects" + range});
   EXPECT_EQ(parseSettings("volume-music off\n").errors, Lines{"line 1: volume-music" + range});
   EXPECT_EQ(parseSettings("controls mine\n").errors, Lines{"line 1: controls must be player or screen"});
+  EXPECT_EQ(parseSettings("camera me\n").errors, Lines{"line 1: camera must be follow or face"});
   EXPECT_EQ(parseSettings("fullscreen yes\n").errors, Lines{"line 1: fullscreen must be on or off"});
 }
 

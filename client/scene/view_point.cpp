@@ -1,0 +1,23 @@
+#include "client/scene/view_point.h"
+
+#include <algorithm>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace platon {
+namespace {
+
+constexpr double kWholeSolid = 2.7;  // distance in circumradii
+constexpr double kClearance = 90;    // smallest height of the eye above the faces, level units
+
+}  // namespace
+
+ViewPoint drawnBack(const SolidMesh& mesh, glm::dquat orientation, glm::dvec3 fromCentre, double part) {
+  const glm::dvec3 away(0, 0, std::max(fromCentre.z, kWholeSolid * mesh.circumradius()));
+  const glm::dvec3 eye = orientation * glm::mix(fromCentre, away, part);
+  const double height = glm::dot(mesh.normal(mesh.faceTowards(eye)), eye);
+  return {orientation, eye * std::max(1.0, (mesh.inradius() + kClearance) / height)};
+}
+
+}  // namespace platon

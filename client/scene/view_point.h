@@ -1,0 +1,26 @@
+#pragma once
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+
+#include "client/scene/solid_mesh.h"
+
+namespace platon {
+
+/// Where an eye is, and its axes right, up and back.
+struct ViewPoint {
+  glm::dquat orientation{1, 0, 0, 0};
+  glm::dvec3 eye{0, 0, 1000};  ///< level units, from the solid's centre
+
+  glm::dvec3 right() const { return orientation * glm::dvec3(1, 0, 0); }
+  glm::dvec3 up() const { return orientation * glm::dvec3(0, 1, 0); }
+  glm::dvec3 back() const { return orientation * glm::dvec3(0, 0, 1); }
+  /// The centre of the solid seen from the eye, negated: how far the eye is to the right of, above and behind it.
+  glm::dvec3 fromCentre() const { return glm::conjugate(orientation) * eye; }
+};
+
+/// The view in this orientation from `fromCentre`, drawn back by `part` (0 … 1) of the way to where the whole solid
+/// fills the picture. The eye is never in the solid.
+ViewPoint drawnBack(const SolidMesh& mesh, glm::dquat orientation, glm::dvec3 fromCentre, double part);
+
+}  // namespace platon

@@ -1,0 +1,187 @@
+// Laws of the camera on walks over every edge and round every corner of the solids.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <numbers>
+#include <random>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <glm/geometric.hpp>
+
+#include "client/scene/camera.h"
+#include "tests/client/scene/surface_walk.h"
+
+namespace platon {
+namespace {
+
+constexpr unsigned kSeed = 20261124;
+constexpr double kTicksPerSecond = 60;
+constexpr double kRun = 3.2;   // level units a tick
+constexpr double kFall = 7.5;  // the fastest
+constexpr double kPicture = 0.9;
+constexpr double kMaxTilt = 3 * std::numbers::pi / 180;
+
+double angleBetween(glm::dvec3 a, glm::dvec3 b) { return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)); }
+
+glm::dvec2 onScreen(const Camera& camera, glm::dvec3 point) {
+  const glm::dvec4 clip = camera.viewProjection() * glm::dvec4(point, 1);
+  return glm::dvec2(clip.x * camera.width() / camera.height(), clip.y) / clip.w;
+}
+
+// Angle on the screen between the player's right and the horizontal.
+double floorTilt(const Camera& camera, const Pose& player) {
+  const glm::dvec3 right = 10.0 * glm::cross(player.up, player.normal);
+  const glm::dvec2 way = onScreen(camera, player.position + right) - onScreen(camera, player.position - right);
+  return std::abs(std::atan2(way.y, way.x));
+}
+
+void expectVisible(const Camera& camera, const Pose& player, const std::string& where) {
+  const glm::dvec4 clip = camera.viewProjection() * glm::dvec4(player.position, 1);
+  ASSERT_GT(clip.w, 0) << where;
+  ASSERT_LT(std::max(std::abs(clip.x), std::abs(clip.y)) / clip.w, kPicture) << where;
+  ASSERT_LT(std::abs(clip.z) / clip.w, 1) << where;
+  // The solid is convex, so nothing else can hide the player.
+  ASSERT_GT(glm::dot(player.normal, camera.eye() - player.position), 0) << where;
+}
+
+// The angle by which the picture has turned about the line of sight.
+double rollBetween(const Camera& before, const Camera& after) {
+  const glm::dvec3 up = rotatedBetween(before.up(), before.back(), after.back());
+  return angleBetween(up, after.up());
+}
+
+struct Walker {
+  SurfaceWalk walk;
+  Camera camera;
+  CameraComfort comfort;
+  double framesPerSecond = 60;
+  double secondsInMiddle = 0;
+  double greatestSwing = 0;  // radians a second
+
+  void start(std::uint32_t w, std::uint32_t h) {
+    camera.setComfort(comfort);
+    camera.set(walk.pose(), *walk.mesh, w, h);
+  }
+
+  // Moves by `way` each tick for a frame, and checks the laws.
+  void frame(glm::dvec2 way, const std::string& where) {
+    const double seconds = 1 / framesPerSecond;
+    walk.step(way * (kTicksPerSecond * seconds));
+    const Camera before = camera;
+    camera.lerp(walk.pose(), *walk.mesh, seconds);
+    expectVisible(camera, walk.pose(), where);
+    ASSERT_LE(rollBetween(before, camera), comfort.turnSpeed * seconds + 1e-6) << where;
+    greatestSwing = std::max(greatestSwing, angleBetween(before.back(), camera.back()) / seconds);
+    const double zone = std::min(CameraTarget::kEdgeZone, walk.mesh->apothem() / 2);
+    secondsInMiddle = walk.depth() > zone ? secondsInMiddle + seconds : 0;
+    if (secondsInMiddle > (comfort.reducedMotion ? 5 : 0.8)) {
+      ASSERT_LT(floorTilt(camera, walk.pose()), kMaxTilt) << where;
+    }
+  }
+};
+
+std::string nameOf(const SolidMesh& mesh, const Walker& walker, const std::string& what) {
+  return std::string(platon::nameOf(mesh.solid().kind())) + " " + std::to_string(mesh.faceSize()) + ", " + what + ", " +
+         std::to_string(walker.framesPerSecond) + " pictures a second, seed " + std::to_string(kSeed);
+}
+
+void forEverySolid(const std::function<void(const SolidMesh&)>& check) {
+  for (int kind = 0; kind < kSolidKinds; ++kind) {
+    for (const double size : {200.0, 480.0, 65536.0}) check(SolidMesh(static_cast<SolidKind>(kind), size));
+  }
+}
+
+// Crosses every edge of face 0, at `part` of half the edge from its middle, in a straight way, and goes on.
+void crossEdges(const SolidMesh& mesh, double part, double speed, double framesPerSecond) {
+  for (int edge = 0; edge < mesh.solid().edgesPerFace(); ++edge) {
+    const glm::dvec2 out = mesh.edgeNormals()[static_cast<std::size_t>(edge)];
+    for (double angle = 0.1; angle < 6; angle += 1.5) {
+      Walker walker;
+      walker.framesPerSecond = framesPerSecond;
+      const glm::dvec2 along(-out.y, out.x);
+      walker.walk = {&mesh, 0, out * (mesh.apothem() - 100) + along * (part * mesh.faceSize() / 2), angle};
+      if (walker.walk.depth() < 0) walker.walk.place = out * (mesh.apothem() * 0.2);
+      walker.start(1280, 720);
+      const glm::dvec2 way(std::cos(angle) * out.x + std::sin(angle) * out.y,
+                           -std::sin(angle) * out.x + std::cos(angle) * out.y);
+      const std::string where = nameOf(mesh, walker, "edge " + std::to_string(edge));
+      for (double tick = 0; tick < 300 / speed; tick += kTicksPerSecond / framesPerSecond) {
+        walker.frame(way * speed, where);
+        if (testing::Test::HasFatalFailure()) return;
+      }
+    }
+  }
+}
+
+TEST(CameraWalk, OverEveryEdge) {
+  forEverySolid([](const SolidMesh& mesh) {
+    for (const double framesPerSecond : {20.0, 60.0, 240.0}) {
+      for (const double part : {-0.95, -0.4, 0.0, 0.7}) {
+        for (const double speed : {kRun, kFall}) crossEdges(mesh, part, speed, framesPerSecond);
+      }
+    }
+  });
+}
+
+TEST(CameraWalk, RoundEveryCorner) {
+  forEverySolid([](const SolidMesh& mesh) {
+    for (int face = 0; face < mesh.faces(); ++face) {
+      for (std::size_t corner = 0; corner < mesh.polygon().size(); ++corner) {
+        for (const double radius : {10.0, 40.0}) {
+          const glm::dvec2 vertex = mesh.polygon()[corner];
+          Walker walker;
+          walker.walk = {&mesh, face, vertex - glm::normalize(vertex) * radius, 0};
+          walker.start(1280, 720);
+          double direction = std::atan2(vertex.x, -vertex.y) + std::numbers::pi;  // across the way to the corner
+          for (int tick = 0; tick < 240; ++tick) {
+            direction += kRun / radius;
+            walker.frame(kRun * glm::dvec2(std::cos(direction), std::sin(direction)),
+                         nameOf(mesh, walker, "face " + std::to_string(face)));
+            if (testing::Test::HasFatalFailure()) return;
+          }
+        }
+      }
+    }
+  });
+}
+
+// Runs and falls with turns at random, from a place near a corner.
+void walkAtRandom(Walker walker, std::mt19937& random, double seconds) {
+  std::uniform_real_distribution<double> part(0, 1);
+  const SolidMesh& mesh = *walker.walk.mesh;
+  const glm::dvec2 vertex = mesh.polygon()[random() % mesh.polygon().size()];
+  walker.walk.face = static_cast<int>(random() % static_cast<unsigned>(mesh.faces()));
+  walker.walk.place = vertex - glm::normalize(vertex) * std::min(150.0, mesh.apothem());
+  walker.walk.angle = 7 * part(random);
+  walker.start(1280, 720);
+  glm::dvec2 way(0);
+  const std::string where = nameOf(mesh, walker, "at random");
+  for (double time = 0; time < seconds; time += 1 / walker.framesPerSecond) {
+    if (part(random) * walker.framesPerSecond < 4) {
+      const double direction = 7 * part(random);
+      way = (part(random) < 0.3 ? kFall : kRun) * glm::dvec2(std::cos(direction), std::sin(direction));
+    }
+    walker.frame(way, where);
+    if (testing::Test::HasFatalFailure()) return;
+  }
+}
+
+TEST(CameraWalk, AtRandom) {
+  std::mt19937 random(kSeed);
+  forEverySolid([&](const SolidMesh& mesh) {
+    for (const double framesPerSecond : {20.0, 37.0, 60.0, 240.0}) {
+      for (const bool reduced : {false, true}) {
+        Walker walker;
+        walker.walk.mesh = &mesh;
+        walker.framesPerSecond = framesPerSecond;
+        walker.comfort.reducedMotion = reduced;
+        walkAtRandom(walker, random, 40);
+      }
+    }
+  });
+}
+
+}  // namespace
+}  // namespace platon
