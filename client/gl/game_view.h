@@ -1,11 +1,11 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 
 #include "client/gl/image.h"
 #include "client/gl/renderer.h"
-#include "client/scene/camera.h"
+#include "client/scene/game_camera.h"
+#include "client/scene/look_input.h"
 #include "client/scene/scene.h"
 #include "client/ui/font.h"
 #include "client/ui/hud.h"
@@ -25,9 +25,19 @@ class GameView {
   /// No effect if a size is 0.
   void resize(std::uint32_t width, std::uint32_t height);
 
-  /// Draws the next picture, `seconds` after the last one. When the stage changes, the camera jumps to its target.
+  /// Draws the next picture, `seconds` after the last one. When the stage changes, the camera jumps to its target, or
+  /// flies there.
   /// `scene` is null while there is no game.
   void draw(const Scene* scene, const HudStatus& status, const Settings& settings, const Menu& menu, double seconds);
+
+  /// How the player looks round in the next pictures.
+  void look(const LookInput& input) { look_ = input; }
+  /// From now on a new stage begins with a flight from its goal to the player, unless the settings forbid it.
+  void enableFlights() { camera_.enableFlights(); }
+  /// Whether the picture is on such a flight.
+  bool flying() const { return camera_.flying(); }
+  /// Ends the flight soon.
+  void skip() { camera_.skipFlight(); }
 
   /// Camera::rollOf the focus of the last scene, for Steering.
   double roll() const { return roll_; }
@@ -42,9 +52,9 @@ class GameView {
 
   Font font_;
   Renderer renderer_;
-  Camera camera_;
+  GameCamera camera_;
+  LookInput look_;
   NetGraph netGraph_;
-  std::weak_ptr<const StageModel> stage_;  // stage of the last scene
   double roll_ = 0;
 };
 

@@ -16,7 +16,7 @@ namespace platon {
 namespace {
 
 std::optional<Key> keyOf(int glfwKey) {
-  constexpr std::array<std::pair<int, Key>, 37> kKeys{{{GLFW_KEY_LEFT, Key::kArrowLeft},
+  constexpr std::array<std::pair<int, Key>, 38> kKeys{{{GLFW_KEY_LEFT, Key::kArrowLeft},
                                                        {GLFW_KEY_RIGHT, Key::kArrowRight},
                                                        {GLFW_KEY_UP, Key::kArrowUp},
                                                        {GLFW_KEY_DOWN, Key::kArrowDown},
@@ -30,6 +30,7 @@ std::optional<Key> keyOf(int glfwKey) {
                                                        {GLFW_KEY_V, Key::kV},
                                                        {GLFW_KEY_LEFT_SHIFT, Key::kShift},
                                                        {GLFW_KEY_RIGHT_SHIFT, Key::kShift},
+                                                       {GLFW_KEY_TAB, Key::kTab},
                                                        {GLFW_KEY_ESCAPE, Key::kEscape},
                                                        {GLFW_KEY_F1, Key::kF1},
                                                        {GLFW_KEY_F3, Key::kF3},
@@ -68,6 +69,8 @@ GamepadState stateOf(const GLFWgamepadstate& glfwState) {
   GamepadState state;
   state.stickX = glfwState.axes[GLFW_GAMEPAD_AXIS_LEFT_X];
   state.stickY = glfwState.axes[GLFW_GAMEPAD_AXIS_LEFT_Y];
+  state.lookX = glfwState.axes[GLFW_GAMEPAD_AXIS_RIGHT_X];
+  state.lookY = glfwState.axes[GLFW_GAMEPAD_AXIS_RIGHT_Y];
   state.dpadLeft = down(GLFW_GAMEPAD_BUTTON_DPAD_LEFT);
   state.dpadRight = down(GLFW_GAMEPAD_BUTTON_DPAD_RIGHT);
   state.dpadUp = down(GLFW_GAMEPAD_BUTTON_DPAD_UP);

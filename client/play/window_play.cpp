@@ -35,7 +35,9 @@ WindowPlay::WindowPlay(const ClientOptions& options, const ServerAddress& server
       view_(std::max(window_.pixelWidth(), 1u), std::max(window_.pixelHeight(), 1u)),
       match_(options, server, clock.now()),
       startedAt_(clock.now()),
-      drawnAt_(startedAt_) {}
+      drawnAt_(startedAt_) {
+  view_.enableFlights();
+}
 
 void WindowPlay::run(const std::function<bool()>& stopRequested) {
   const Controls controls = [this](const Game& game, std::uint32_t slot) { return choose(game, slot); };
@@ -67,6 +69,7 @@ void WindowPlay::reportEnding() {
 void WindowPlay::handleKeys() {
   window_.poll();
   for (const KeyEvent& event : window_.takeKeyEvents()) {
+    if (event.kind == KeyEvent::Kind::kPress) view_.skip();
     const bool wasOpen = interface_.menu().open();
     interface_.handle(event);
     sound_.key(event, wasOpen || interface_.menu().open());
@@ -77,7 +80,9 @@ void WindowPlay::handleKeys() {
 
 Input WindowPlay::choose(const Game& game, std::uint32_t slot) {
   if (options_.demo) return demo_.choose(game, slot);
-  return steering_.input(interface_.takeHeld(), view_.roll(), interface_.settings().controls);
+  const HeldKeys held = interface_.takeHeld();
+  if (held != HeldKeys()) view_.skip();
+  return steering_.input(held, view_.roll(), interface_.settings().controls);
 }
 
 void WindowPlay::draw(Moment now) {
@@ -85,6 +90,7 @@ void WindowPlay::draw(Moment now) {
   const std::optional<Scene> scene = match_.scene(now);
   if (scene) view_.netGraph().add(meter_.sample(match_.client(), now));
   const HudStatus status = match_.hudStatus(now, interface_.helpShown());
+  view_.look(interface_.look());
   view_.draw(scene ? &*scene : nullptr, status, interface_.settings(), interface_.menu(), toSeconds(now - drawnAt_));
   view_.present();
   playSounds(scene ? &*scene : nullptr, status, toSeconds(now - drawnAt_));

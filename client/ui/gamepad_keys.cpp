@@ -10,13 +10,17 @@ namespace {
 
 std::bitset<kKeyCount> keysOf(const GamepadState& pad) {
   const float tilt = pad.dpadLeft || pad.dpadRight ? 1 : std::abs(pad.stickX);
-  const std::array<std::pair<Key, bool>, 9> states{
+  const std::array<std::pair<Key, bool>, 13> states{
       {{Key::kPadLeft, pad.dpadLeft || pad.stickX < -GamepadKeys::kDeadZone},
        {Key::kPadRight, pad.dpadRight || pad.stickX > GamepadKeys::kDeadZone},
        {Key::kPadUp, pad.dpadUp || pad.stickY < -GamepadKeys::kVerticalDeadZone},
        {Key::kPadDown, pad.dpadDown || pad.stickY > GamepadKeys::kVerticalDeadZone},
        {Key::kPadWalk, tilt > GamepadKeys::kCreep && tilt <= GamepadKeys::kWalk},
        {Key::kPadCreep, tilt > GamepadKeys::kDeadZone && tilt <= GamepadKeys::kCreep},
+       {Key::kPadLookLeft, pad.lookX < -GamepadKeys::kLookDeadZone},
+       {Key::kPadLookRight, pad.lookX > GamepadKeys::kLookDeadZone},
+       {Key::kPadLookUp, pad.lookY < -GamepadKeys::kLookDeadZone},
+       {Key::kPadLookDown, pad.lookY > GamepadKeys::kLookDeadZone},
        {Key::kPadA, pad.a},
        {Key::kPadStart, pad.start},
        {Key::kPadBack, pad.back}}};

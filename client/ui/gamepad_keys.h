@@ -17,6 +17,8 @@ class GamepadKeys {
   static constexpr float kDeadZone = 0.25F;
   static constexpr float kCreep = 0.5F;
   static constexpr float kWalk = 0.8F;
+  /// Deflection of the right stick from which the view turns.
+  static constexpr float kLookDeadZone = 0.3F;
   /// Deflection up or down from which it counts as pressed. Larger, so that nobody falls faster by running.
   static constexpr float kVerticalDeadZone = 0.5F;
 

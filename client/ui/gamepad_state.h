@@ -6,6 +6,8 @@ namespace platon {
 struct GamepadState {
   float stickX = 0;  ///< left stick, -1 … 1, + right
   float stickY = 0;  ///< -1 … 1, + down
+  float lookX = 0;   ///< right stick, -1 … 1, + right
+  float lookY = 0;   ///< -1 … 1, + down
   bool dpadLeft = false;
   bool dpadRight = false;
   bool dpadUp = false;

@@ -25,10 +25,11 @@ constexpr float kTextSize = 18;     // of messages and notices
 constexpr float kWidestText = 640;  // of messages and notices
 
 // Key, button of a gamepad, meaning.
-constexpr std::array<std::array<const char*, 3>, 10> kHelp{{{"← →  or  A D", "stick: 3 speeds", "run"},
+constexpr std::array<std::array<const char*, 3>, 11> kHelp{{{"← →  or  A D", "stick: 3 speeds", "run"},
                                                             {"Shift", "stick, a little", "run slower"},
                                                             {"Space, ↑ or W", "A", "jump; hold to jump higher"},
                                                             {"↓ or S", "stick, D-pad down", "fall faster"},
+                                                            {"Tab and arrows", "right stick", "look round the solid"},
                                                             {"R", "Back", "back to the start"},
                                                             {"V", "", "vote for the next level"},
                                                             {"F1", "", "help"},

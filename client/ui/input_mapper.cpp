@@ -7,6 +7,16 @@
 namespace platon {
 namespace {
 
+// The directions of the keyboard.
+constexpr std::initializer_list<Key> kLeftKeys{Key::kArrowLeft, Key::kA};
+constexpr std::initializer_list<Key> kRightKeys{Key::kArrowRight, Key::kD};
+constexpr std::initializer_list<Key> kUpKeys{Key::kArrowUp, Key::kW};
+constexpr std::initializer_list<Key> kDownKeys{Key::kArrowDown, Key::kS};
+
+bool isAny(const std::bitset<kKeyCount>& active, std::initializer_list<Key> keys) {
+  return std::any_of(keys.begin(), keys.end(), [&](Key key) { return active[static_cast<std::size_t>(key)]; });
+}
+
 std::optional<Action> menuActionOf(Key key) {
   switch (key) {
     case Key::kArrowUp:
@@ -71,11 +81,14 @@ std::optional<Action> InputMapper::handle(const KeyEvent& event, bool menuOpen) 
 }
 
 HeldKeys InputMapper::takeHeld() {
-  const std::bitset<kKeyCount> active = held_ | pressed_;
+  std::bitset<kKeyCount> active = held_ | pressed_;
   pressed_.reset();
-  const auto any = [&active](std::initializer_list<Key> keys) {
-    return std::any_of(keys.begin(), keys.end(), [&](Key key) { return active[static_cast<std::size_t>(key)]; });
-  };
+  if (isAny(held_, {Key::kTab})) {
+    for (const std::initializer_list<Key>& keys : {kLeftKeys, kRightKeys, kUpKeys, kDownKeys}) {
+      for (const Key key : keys) active.reset(static_cast<std::size_t>(key));
+    }
+  }
+  const auto any = [&active](std::initializer_list<Key> keys) { return isAny(active, keys); };
   HeldKeys keys;
   keys.left = any({Key::kArrowLeft, Key::kA, Key::kPadLeft});
   keys.right = any({Key::kArrowRight, Key::kD, Key::kPadRight});
@@ -86,6 +99,17 @@ HeldKeys InputMapper::takeHeld() {
   keys.creep = any({Key::kShift, Key::kPadCreep});
   keys.restart = any({Key::kR, Key::kPadBack});
   return keys;
+}
+
+LookInput InputMapper::look() const {
+  const auto turns = [this](std::initializer_list<Key> withTab, Key stick) {
+    return isAny(held_, {stick}) || (isAny(held_, {Key::kTab}) && isAny(held_, withTab)) ? 1 : 0;
+  };
+  LookInput input;
+  input.direction.x = turns(kRightKeys, Key::kPadLookRight) - turns(kLeftKeys, Key::kPadLookLeft);
+  input.direction.y = turns(kUpKeys, Key::kPadLookUp) - turns(kDownKeys, Key::kPadLookDown);
+  input.held = isAny(held_, {Key::kTab, Key::kPadLookLeft, Key::kPadLookRight, Key::kPadLookUp, Key::kPadLookDown});
+  return input;
 }
 
 }  // namespace platon

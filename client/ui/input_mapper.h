@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "client/scene/look_input.h"
 #include "client/ui/held_keys.h"
 #include "client/ui/key.h"
 
@@ -31,8 +32,12 @@ class InputMapper {
   std::optional<Action> handle(const KeyEvent& event, bool menuOpen);
 
   /// Returns the controls of the next tick: the held ones, and those pressed since the last call even if they have
-  /// been released again. Called once a tick.
+  /// been released again. While Tab is held, the arrow keys and those beside them move the view, not the player. Called
+  /// once a tick.
   HeldKeys takeHeld();
+
+  /// How the player looks round: with Tab and a direction, or with the right stick.
+  LookInput look() const;
 
  private:
   std::bitset<kKeyCount> held_;     // pressed while the menu was closed, not released yet

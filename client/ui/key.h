@@ -20,6 +20,7 @@ enum class Key : std::uint8_t {
   kR,
   kV,
   kShift,
+  kTab,
   kEscape,
   kF1,
   kF3,
@@ -54,8 +55,12 @@ enum class Key : std::uint8_t {
   kPadRight,
   kPadUp,
   kPadDown,
-  kPadWalk,   ///< left stick between kPadCreep and its full deflection
-  kPadCreep,  ///< left stick a little to the left or right
+  kPadWalk,      ///< left stick between kPadCreep and its full deflection
+  kPadCreep,     ///< left stick a little to the left or right
+  kPadLookLeft,  ///< right stick, as the next three
+  kPadLookRight,
+  kPadLookUp,
+  kPadLookDown,
   kPadA,
   kPadStart,
   kPadBack

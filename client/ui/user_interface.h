@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "client/scene/look_input.h"
 #include "client/ui/held_keys.h"
 #include "client/ui/input_mapper.h"
 #include "client/ui/key.h"
@@ -18,6 +19,9 @@ class UserInterface {
   void handle(const KeyEvent& event);
   /// Returns the controls of the next tick; none while the menu is open. Called once a tick.
   HeldKeys takeHeld();
+
+  /// How the player looks round; not at all while the menu is open.
+  LookInput look() const { return menu_.open() ? LookInput() : mapper_.look(); }
 
   /// Whether the player has changed its vote for the next level since the last call.
   bool takeVote() { return std::exchange(voteToggled_, false); }

@@ -56,6 +56,23 @@ TEST(GamepadKeys, TheStickPressesItsDirectionBeyondTheDeadZone) {
     EXPECT_EQ(update(keys, state), Events());
 }
 
+TEST(GamepadKeys, TheRightStickTurnsTheView) {
+  constexpr float kBeyond = GamepadKeys::kLookDeadZone + 0.01F;
+  constexpr std::array<std::pair<float GamepadState::*, std::pair<Key, Key>>, 2> kAxes{
+      {{&GamepadState::lookX, {Key::kPadLookLeft, Key::kPadLookRight}},
+       {&GamepadState::lookY, {Key::kPadLookUp, Key::kPadLookDown}}}};
+  for (const auto& [axis, directions] : kAxes) {
+    GamepadKeys keys;
+    GamepadState state;
+    state.*axis = -kBeyond;
+    EXPECT_EQ(update(keys, state), (Events{{directions.first, Kind::kPress}}));
+    state.*axis = GamepadKeys::kLookDeadZone;
+    EXPECT_EQ(update(keys, state), (Events{{directions.first, Kind::kRelease}}));
+    state.*axis = kBeyond;
+    EXPECT_EQ(update(keys, state), (Events{{directions.second, Kind::kPress}}));
+  }
+}
+
 TEST(GamepadKeys, TheTiltOfTheStickChoosesTheSpeed) {
   GamepadKeys keys;
   EXPECT_EQ(update(keys, stickAt(-GamepadKeys::kCreep, 0)),

@@ -139,6 +139,37 @@ TEST(InputMapper, ATapBeforeTheMenuOpensIsNotPassedOnAfterIt) {
   EXPECT_EQ(mapper.takeHeld(), HeldKeys());
 }
 
+TEST(InputMapper, WhileTabIsHeldTheDirectionsMoveTheViewAndNotThePlayer) {
+  constexpr std::array<std::pair<Key, std::pair<int, int>>, 8> kDirections{{{Key::kArrowLeft, {-1, 0}},
+                                                                            {Key::kA, {-1, 0}},
+                                                                            {Key::kArrowRight, {1, 0}},
+                                                                            {Key::kD, {1, 0}},
+                                                                            {Key::kArrowUp, {0, 1}},
+                                                                            {Key::kW, {0, 1}},
+                                                                            {Key::kArrowDown, {0, -1}},
+                                                                            {Key::kS, {0, -1}}}};
+  for (const auto& [key, way] : kDirections) {
+    InputMapper mapper;
+    press(mapper, key);
+    EXPECT_EQ(mapper.look(), LookInput());
+    press(mapper, Key::kTab);
+    EXPECT_EQ(mapper.look(), (LookInput{true, {way.first, way.second}}));
+    EXPECT_EQ(mapper.takeHeld(), HeldKeys());
+    release(mapper, Key::kTab);
+    EXPECT_EQ(mapper.look(), LookInput());
+    EXPECT_NE(mapper.takeHeld(), HeldKeys());
+  }
+}
+
+TEST(InputMapper, TheRightStickMovesTheViewWhileThePlayerRuns) {
+  InputMapper mapper;
+  press(mapper, Key::kArrowLeft);
+  press(mapper, Key::kPadLookRight);
+  press(mapper, Key::kPadLookDown);
+  EXPECT_EQ(mapper.look(), (LookInput{true, {1, -1}}));
+  EXPECT_EQ(mapper.takeHeld(), only(&HeldKeys::left));
+}
+
 TEST(InputMapper, AHeldKeyVotesOnce) {
   InputMapper mapper;
   EXPECT_EQ(mapper.handle({Key::kV, Kind::kPress}, false), Action::kToggleVote);

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "client/scene/camera.h"
+#include "client/scene/camera_comfort.h"
+#include "client/scene/camera_flight.h"
+#include "client/scene/look_input.h"
+#include "client/scene/look_round.h"
+#include "client/scene/pose.h"
+#include "client/scene/stage_model.h"
+
+namespace platon {
+
+/// The camera of the game: it follows the player, flies from the goal to the player at the start of a level, and turns
+/// round the solid while the player looks round.
+class GameCamera {
+ public:
+  void resize(std::uint32_t w, std::uint32_t h) { camera_.resize(w, h); }
+  /// Takes effect at the next `move`. For the zoom see Camera::setZoom.
+  void setComfort(const CameraComfort& comfort, double zoom);
+  /// From now on a new stage begins with a flight, unless the comfort forbids it.
+  void enableFlights() { flights_ = true; }
+  /// Whether the picture is still on its way from the goal to the player.
+  bool flying() const { return flight_.flying(); }
+  void skipFlight() { flight_.skip(); }
+
+  /// Follows `player` for `seconds` ≥ 0. On another stage than before, the camera jumps there.
+  void move(const Pose& player, const std::shared_ptr<const StageModel>& stage, const LookInput& look, double seconds);
+
+  /// The camera that sees the picture.
+  const Camera& camera() const { return camera_; }
+
+ private:
+  void begin(const Pose& player, const StageModel& stage);
+
+  Camera camera_;
+  CameraFlight flight_;
+  LookRound look_;
+  CameraComfort comfort_;
+  bool flights_ = false;
+  std::weak_ptr<const StageModel> stage_;  // of the last move
+};
+
+}  // namespace platon

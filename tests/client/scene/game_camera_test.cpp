@@ -1,0 +1,104 @@
+#include "client/scene/game_camera.h"
+
+#include <memory>
+
+#include <gtest/gtest.h>
+#include <glm/geometric.hpp>
+
+#include "platon/game/level.h"
+
+namespace platon {
+namespace {
+
+constexpr double kFrame = 1.0 / 60;
+
+std::shared_ptr<const StageModel> stage() {
+  return makeStageModel(*loadLevel("HEXAHEDRON\n0 0 0 0\n5 60 80\n480\n%\n%\n%\n%\n%\n%\n").level);
+}
+
+class GameCameraTest : public testing::Test {
+ protected:
+  GameCameraTest() { camera_.resize(1280, 720); }
+  void move(const LookInput& look = {}, double seconds = kFrame) { camera_.move(player_, stage_, look, seconds); }
+
+  // The view without a flight.
+  ViewPoint usual() const {
+    Camera camera;
+    camera.set(player_, stage_->mesh, 1280, 720);
+    return camera.viewPoint();
+  }
+
+  std::shared_ptr<const StageModel> stage_ = stage();
+  Pose player_ = stage_->mesh.pose(0, {20, -30}, 0);
+  GameCamera camera_;
+};
+
+TEST_F(GameCameraTest, WithoutFlightsANewStageBeginsAtThePlayer) {
+  move();
+  EXPECT_FALSE(camera_.flying());
+  EXPECT_EQ(camera_.camera().eye(), usual().eye);
+}
+
+TEST_F(GameCameraTest, ANewStageBeginsWithAFlightFromItsGoal) {
+  camera_.enableFlights();
+  move();
+  ASSERT_TRUE(camera_.flying());
+  const Marker& goal = stage_->goal;
+  EXPECT_NEAR(glm::dot(camera_.camera().back(), stage_->mesh.normal(goal.face)), 1, 0.01);
+  for (int frame = 0; frame < 151; ++frame) move();
+  EXPECT_FALSE(camera_.flying());
+  EXPECT_LT(glm::distance(camera_.camera().eye(), usual().eye), 1e-6);
+  stage_ = stage();
+  move();
+  EXPECT_TRUE(camera_.flying()) << "on the next stage";
+}
+
+TEST_F(GameCameraTest, AFlightCanBeSkipped) {
+  camera_.enableFlights();
+  move();
+  camera_.skipFlight();
+  for (int frame = 0; frame < 16; ++frame) move();
+  EXPECT_FALSE(camera_.flying());
+}
+
+TEST_F(GameCameraTest, ReducedMotionAndInstantCutHaveNoFlight) {
+  for (const bool reduced : {false, true}) {
+    GameCamera camera;
+    camera.setComfort({.instantCut = !reduced, .reducedMotion = reduced}, 1);
+    camera.enableFlights();
+    camera.move(player_, stage_, {}, kFrame);
+    EXPECT_FALSE(camera.flying());
+  }
+}
+
+TEST_F(GameCameraTest, LooksRoundAndGoesBack) {
+  move();
+  for (int frame = 0; frame < 60; ++frame) move({true, {1, 0}});
+  EXPECT_LT(glm::dot(camera_.camera().back(), usual().back()), 0);
+  EXPECT_NEAR(camera_.camera().rollOf(player_), 0, 1e-6) << "looking round does not turn the controls";
+  for (int frame = 0; frame < 300; ++frame) move();
+  EXPECT_LT(glm::distance(camera_.camera().eye(), usual().eye), 1e-3);
+}
+
+TEST_F(GameCameraTest, WithInstantCutTheViewIsBackAtOnce) {
+  camera_.setComfort({.instantCut = true}, 1);
+  move();
+  for (int frame = 0; frame < 60; ++frame) move({true, {0, 1}});
+  move();
+  EXPECT_EQ(camera_.camera().eye(), usual().eye);
+}
+
+TEST_F(GameCameraTest, TheCameraOfAFaceStandsStill) {
+  camera_.setComfort({.view = CameraView::kFace}, 1);
+  move();
+  const glm::dvec3 eye = camera_.camera().eye();
+  player_ = stage_->mesh.pose(0, {-200, 100}, 0);
+  move();
+  EXPECT_EQ(camera_.camera().eye(), eye);
+  player_ = stage_->mesh.pose(1, {-200, 100}, 0);
+  move();
+  EXPECT_NEAR(glm::dot(camera_.camera().back(), player_.normal), 1, 1e-9);
+}
+
+}  // namespace
+}  // namespace platon
