@@ -87,7 +87,7 @@ void Audio::updateMusic(const SoundFrame& frame, double seconds) {
 // Whether the pad can be heard. The first time, starts to make it.
 bool Audio::hasPad(SolidKind solid) {
   std::optional<Pad>& pad = pads_[static_cast<std::size_t>(solid)];
-  if (!pad) pad.emplace(std::async(std::launch::async, [solid] { return makePad(solid); }));
+  if (!pad) pad = Pad{std::async(std::launch::async, [solid] { return makePad(solid); })};
   return pad->loop.has_value();
 }
 
