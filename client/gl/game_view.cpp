@@ -15,7 +15,7 @@ void GameView::resize(std::uint32_t width, std::uint32_t height) {
 }
 
 void GameView::draw(const Scene* scene, const HudStatus& status, const Settings& settings, const Menu& menu,
-                    double seconds) {
+                    double seconds, std::span<const Overlay> more) {
   const Camera& camera = camera_.camera();
   const float width = Overlay::kHeight * static_cast<float>(camera.width()) / static_cast<float>(camera.height());
   std::vector<Overlay> overlays;
@@ -25,6 +25,7 @@ void GameView::draw(const Scene* scene, const HudStatus& status, const Settings&
   } else {
     overlays.push_back(makeEmptyHud(status, font_, width));
   }
+  overlays.insert(overlays.end(), more.begin(), more.end());
   if (settings.netGraph) overlays.push_back(netGraph_.overlay(font_, width));
   overlays.push_back(menu.overlay(settings, font_, width));
   if (scene != nullptr) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "client/gl/image.h"
 #include "client/gl/renderer.h"
@@ -26,9 +27,9 @@ class GameView {
   void resize(std::uint32_t width, std::uint32_t height);
 
   /// Draws the next picture, `seconds` after the last one. When the stage changes, the camera jumps to its target, or
-  /// flies there.
-  /// `scene` is null while there is no game.
-  void draw(const Scene* scene, const HudStatus& status, const Settings& settings, const Menu& menu, double seconds);
+  /// flies there. `scene` is null while there is no game. `more` is drawn above the head-up display.
+  void draw(const Scene* scene, const HudStatus& status, const Settings& settings, const Menu& menu, double seconds,
+            std::span<const Overlay> more = {});
 
   /// How the player looks round in the next pictures.
   void look(const LookInput& input) { look_ = input; }

@@ -64,22 +64,27 @@ void describe(CLI::App& app, ClientOptions& options, std::string& host, std::str
       ->check(CLI::Range(0.1, 86400.0));
   app.add_option("--screenshot", options.screenshot, "Write the last frame to this PNG file");
   describeFrameOptions(app, options.frames);
+  app.add_option("--replay", options.replay, "Watch this recording instead of playing");
   describeEditOptions(app, options);
 }
 
-// The editor plays on no server, so options of a match are refused.
-void checkEdit(const CLI::App& app, const ClientOptions& options) {
-  if (options.edit.empty() && app.count("--edit") > 0)
-    throw std::invalid_argument("--edit needs the name of a level file");
-  if (options.edit.empty() && app.count("--solid") > 0) throw std::invalid_argument("--solid works only with --edit");
-  if (options.edit.empty()) return;
+// Checks `mode`, an option with a file that plays on no server: options of a match are refused.
+void checkMode(const CLI::App& app, const std::string& mode, const std::string& file, const ClientOptions& options) {
+  if (file.empty() && app.count(mode) > 0) throw std::invalid_argument(mode + " needs the name of a file");
+  if (file.empty()) return;
   for (const char* const other : {"HOST", "--level", "--name", "--password-file", "--demo", "--frames", "--fps",
-                                  "--from", "--width", "--players"}) {
-    if (app.count(other) > 0)
-      throw std::invalid_argument("--edit does not work with " + std::string(other) + "; leave one of them out");
+                                  "--from", "--width", "--players", "--edit", "--replay"}) {
+    if (other != mode && app.count(other) > 0)
+      throw std::invalid_argument(mode + " does not work with " + other + "; leave one of them out");
   }
   if (options.offscreen && options.screenshot.empty())
-    throw std::invalid_argument("--edit with --offscreen needs --screenshot FILE.png");
+    throw std::invalid_argument(mode + " with --offscreen needs --screenshot FILE.png");
+}
+
+void checkModes(const CLI::App& app, const ClientOptions& options) {
+  if (options.edit.empty() && app.count("--solid") > 0) throw std::invalid_argument("--solid works only with --edit");
+  checkMode(app, "--edit", options.edit, options);
+  checkMode(app, "--replay", options.replay, options);
 }
 
 void check(ClientOptions& options, const std::string& host) {
@@ -108,7 +113,7 @@ std::optional<ClientOptions> readClientOptions(int argc, const char* const* argv
   describe(app, options, host, passwordFile);
   try {
     app.parse(argc, argv);
-    checkEdit(app, options);
+    checkModes(app, options);
     check(options, host);
     if (!passwordFile.empty()) options.knowledge.password = readPasswordFile(passwordFile);
     return options;

@@ -21,6 +21,7 @@ struct ClientOptions {
   std::optional<double> seconds;  ///< maximum duration
   std::string screenshot;         ///< PNG file for the last frame; empty: none
   FrameOptions frames;
+  std::string replay;                        ///< recording to watch; empty: play
   std::string edit;                          ///< level file for the editor; empty: play
   SolidKind solid = SolidKind::kHexahedron;  ///< of a new level of the editor
 };

@@ -8,6 +8,9 @@
 #include "client/play/embedded_server.h"
 #include "client/play/frame_play.h"
 #include "client/play/offscreen_play.h"
+#include "client/play/replay_play.h"
+#include "client/play/settings_file.h"
+#include "client/play/user_folders.h"
 #include "client/play/window_play.h"
 #include "client/time/steady_now.h"
 #include "protocol/program_error.h"
@@ -31,6 +34,10 @@ int play(int argc, char** argv) {
   }
   if (!options->edit.empty()) {
     EditPlay(*options, steadyClock()).run(stopRequested);
+    return 0;
+  }
+  if (!options->replay.empty()) {
+    ReplayPlay(*options, SettingsFile(configFolder()).load(), steadyClock()).run(stopRequested);
     return 0;
   }
   std::optional<EmbeddedServer> embedded;

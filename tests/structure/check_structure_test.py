@@ -19,7 +19,7 @@ ARCHITECTURE = (Path(__file__).parents[2] / "docs/architecture.md").read_text(en
 
 SHARED = ["exact", "physics", "game"]
 LEVELS = ["check", "drawing", "picture", "reach", "solve", "tool"]
-CLIENT = ["time", "net", "netcode", "desync", "session", "bot", "demo", "scene", "ui", "audio", "editor", "gl", "play"]
+CLIENT = ["time", "net", "netcode", "desync", "session", "bot", "demo", "scene", "ui", "audio", "editor", "replay", "gl", "play"]
 FOLDERS = (
     [f"shared/include/platon/{name}" for name in SHARED]
     + [f"shared/{name}" for name in SHARED]
@@ -70,6 +70,7 @@ class Includes(Tree):
             "demo": ["netcode"], "scene": ["netcode"], "ui": ["netcode", "scene"], "gl": ["scene", "ui"],
             "audio": ["scene"],
             "editor": ["netcode", "scene", "ui"],
+            "replay": ["netcode", "scene", "ui"],
             "play": [name for name in CLIENT if name not in ("bot", "play")],
         }  # fmt: skip
         drawn = ("scene", "ui", "audio", "editor")

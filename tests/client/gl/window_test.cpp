@@ -124,13 +124,14 @@ TEST_F(WindowTest, EveryKeyIsDelivered) {
   }
 }
 
-TEST_F(WindowTest, TheKeysOfTheEditorAreDelivered) {
-  constexpr std::array<std::pair<const char*, Key>, 7> kKeys{{{"z", Key::kZ},
+TEST_F(WindowTest, TheKeysOfEditorAndReplaysAreDelivered) {
+  constexpr std::array<std::pair<const char*, Key>, 8> kKeys{{{"z", Key::kZ},
                                                               {"0", Key::kDigit0},
                                                               {"9", Key::kDigit9},
                                                               {"plus", Key::kPlus},
                                                               {"minus", Key::kMinus},
                                                               {"Delete", Key::kDelete},
+                                                              {"Tab", Key::kTab},
                                                               {"Prior", Key::kPageUp}}};
   for (const auto& [name, key] : kKeys) {
     xdotool(std::string("key ") + name);

@@ -48,7 +48,16 @@ TEST(ClientOptions, TheEditorExcludesAMatch) {
   }
   EXPECT_EQ(fault({"--solid", "ICOSAHEDRON"}), "2 --solid works only with --edit");
   EXPECT_EQ(fault({"--edit", "a.level", "--offscreen"}), "2 --edit with --offscreen needs --screenshot FILE.png");
-  EXPECT_EQ(fault({"--edit", ""}), "2 --edit needs the name of a level file");
+  EXPECT_EQ(fault({"--edit", ""}), "2 --edit needs the name of a file");
+}
+
+TEST(ClientOptions, AReplayExcludesAMatchAndTheEditor) {
+  EXPECT_EQ(read({"--replay", "a.recording"})->replay, "a.recording");
+  EXPECT_EQ(fault({"--replay", "a", "example.org"}), "2 --replay does not work with HOST; leave one of them out");
+  EXPECT_EQ(fault({"--replay", "a", "--demo"}), "2 --replay does not work with --demo; leave one of them out");
+  EXPECT_EQ(fault({"--edit", "a", "--replay", "b"}), "2 --edit does not work with --replay; leave one of them out");
+  EXPECT_EQ(fault({"--replay", "a", "--offscreen"}), "2 --replay with --offscreen needs --screenshot FILE.png");
+  EXPECT_EQ(fault({"--replay", ""}), "2 --replay needs the name of a file");
 }
 
 TEST(ClientOptions, ReadTheServerAddress) {

@@ -1,0 +1,98 @@
+#include "client/replay/replay.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "client/replay/recording_head.h"
+
+namespace platon {
+namespace {
+
+constexpr std::uint32_t kMaxFirstTick = UINT32_MAX - Replay::kMaxWork;  // so that no tick is above 2^32
+
+std::string damaged(const std::string& fault) { return "is a damaged recording: " + fault; }
+
+// Why the reader has stopped; empty at the end of a complete recording.
+std::string faultOf(const RecordingReader& reader, std::span<const std::uint8_t> recording) {
+  if (reader.state() == RecordingReader::State::kComplete) return {};
+  const std::optional<RecordingHead> head = readRecordingHead(recording);
+  if (head && head->rules != kRulesVersion) return otherRulesText(head->rules);
+  if (reader.state() == RecordingReader::State::kTruncated) return "is a recording that is cut off: " + reader.fault();
+  return head ? damaged(reader.fault()) : "cannot be played: " + reader.fault();
+}
+
+}  // namespace
+
+std::variant<std::shared_ptr<const Replay>, std::string> Replay::read(std::span<const std::uint8_t> recording) {
+  RecordingReader reader(recording);
+  std::optional<RecordedBlock> first = reader.next();
+  if (!first) return faultOf(reader, recording);
+  Game start(reader.level());
+  if (!start.restore(first->state) || start.tick() != first->firstTick || start.tick() > kMaxFirstTick) {
+    return damaged("its first state is not valid on its level");
+  }
+  const std::shared_ptr<Replay> replay(new Replay(std::move(start)));
+  std::string fault = replay->readBlocks(reader, std::move(*first));
+  if (fault.empty()) fault = faultOf(reader, recording);
+  if (fault.empty()) fault = replay->play();
+  if (!fault.empty()) return fault;
+  return replay;
+}
+
+std::string Replay::readBlocks(RecordingReader& reader, RecordedBlock first) {
+  std::string fault = add(std::move(first));
+  while (fault.empty()) {
+    std::optional<RecordedBlock> block = reader.next();
+    if (!block) break;
+    fault = add(std::move(*block));
+  }
+  return fault;
+}
+
+std::string Replay::add(RecordedBlock block) {
+  ticks_ += block.ticks();
+  work_ += std::uint64_t{block.ticks()} * (block.slots + 1);
+  blocks_.push_back(std::move(block));
+  return work_ > kMaxWork ? "is too long to be played" : "";
+}
+
+// Plays it once. The recorded states and hashes must be those of this program.
+std::string Replay::play() {
+  interval_ = std::max(kMinInterval, ticks_ / (kMaxStates - 1) + 1);
+  Game game = start_;
+  std::uint32_t tick = 0;
+  const auto differs = [&] {
+    return damaged("it does not give the recorded game at tick " + std::to_string(game.tick()));
+  };
+  for (RecordedBlock& block : blocks_) {
+    if (game.save() != block.state) return differs();
+    for (std::uint32_t i = 0; i < block.ticks(); ++i, ++tick) {
+      if (tick % interval_ == 0) states_.push_back(game.save());
+      game.advance(block.inputsOf(i));
+      if (game.hash() != block.hashes[i]) return differs();
+    }
+    block.hashes = {};
+    block.state = {};
+  }
+  if (tick % interval_ == 0) states_.push_back(game.save());
+  return {};
+}
+
+std::span<const Input> Replay::inputsOf(std::uint32_t tick) const {
+  const std::uint32_t recorded = start_.tick() + tick;
+  const auto next = std::upper_bound(blocks_.begin(), blocks_.end(), recorded,
+                                     [](std::uint32_t at, const RecordedBlock& block) { return at < block.firstTick; });
+  const RecordedBlock& block = *std::prev(next);
+  return block.inputsOf(recorded - block.firstTick);
+}
+
+Game Replay::gameAfter(std::uint32_t tick) const {
+  Game game(level());
+  std::uint32_t reached = tick / interval_ * interval_;
+  game.restore(states_[reached / interval_]);
+  for (; reached < tick; ++reached) game.advance(inputsOf(reached));
+  return game;
+}
+
+}  // namespace platon

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include <glm/vec2.hpp>
+
+#include "client/ui/font.h"
+#include "client/ui/overlay.h"
+
+namespace platon {
+
+/// What the bar of a replay shows.
+struct ReplayStatus {
+  std::uint32_t tick = 0;   ///< recorded ticks that have been played
+  std::uint32_t ticks = 0;  ///< of the whole recording
+  double speed = 1;
+  bool paused = false;
+};
+
+/// The position in a replay at the lower edge of the picture, with speed and keys. `width` is that of the virtual
+/// screen.
+Overlay makeReplayBar(const ReplayStatus& status, const Font& font, float width);
+
+/// The position that a place of the virtual screen chooses: 0 at the start … 1 at the end. Nothing if the place is not
+/// on the bar.
+std::optional<double> replayBarAt(glm::dvec2 place, float width);
+
+/// As above for a pointer that was pressed on the bar and has been moved: at the sides of the bar, its ends.
+double replayBarNear(glm::dvec2 place, float width);
+
+}  // namespace platon

@@ -1,0 +1,127 @@
+#include "client/replay/replay.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "tests/client/replay/older_rules.h"
+#include "tests/client/replay/replay_of.h"
+#include "tests/exactness/properties/seeded_cases.h"
+#include "tests/shared/game/forged_recording.h"
+#include "tests/shared/game/recorded_game.h"
+#include "tests/support/files.h"
+
+namespace platon {
+namespace {
+
+std::string faultOf(std::span<const std::uint8_t> recording) {
+  const auto read = Replay::read(recording);
+  return std::holds_alternative<std::string>(read) ? std::get<std::string>(read) : "none";
+}
+
+// The hash of the game after each tick, from the first to the last, of a straight play.
+std::vector<std::uint64_t> straight(const Replay& replay) {
+  Game game = replay.gameAfter(0);
+  std::vector<std::uint64_t> hashes{game.hash()};
+  for (std::uint32_t tick = 0; tick < replay.ticks(); ++tick) {
+    game.advance(replay.inputsOf(tick));
+    hashes.push_back(game.hash());
+  }
+  return hashes;
+}
+
+class GoldenReplay : public testing::TestWithParam<std::string> {};
+
+TEST_P(GoldenReplay, EachTickIsThatOfTheStraightPlay) {
+  const auto replay = replayOf(readBytes(GetParam()));
+  const auto hashes = straight(*replay);
+  for (std::uint32_t tick = 0; tick <= replay->ticks(); tick += 37) {
+    ASSERT_EQ(replay->gameAfter(tick).hash(), hashes[tick]) << tick;
+  }
+  ASSERT_EQ(replay->gameAfter(replay->ticks()).hash(), hashes.back());
+}
+
+INSTANTIATE_TEST_SUITE_P(All, GoldenReplay, testing::ValuesIn(filesIn("tests/determinism/golden", ".recording")),
+                         [](const auto& file) { return std::filesystem::path(file.param).stem().string(); });
+
+TEST(Replay, ReachesAnyTickInAnyOrder) {
+  const RecordedGame recorded = recordGame(700, 50);
+  const auto replay = replayOf(recorded.recording);
+  ASSERT_EQ(replay->ticks(), 700U);
+  properties::forEachCase(3, [&](oracle::RandomSource& random) {
+    for (int i = 0; i < 100; ++i) {
+      const auto tick = static_cast<std::uint32_t>(random.below(701));
+      ASSERT_EQ(replay->gameAfter(tick).save(), recorded.states[tick]) << tick;
+    }
+  });
+}
+
+TEST(Replay, KeepsABoundedNumberOfStates) {
+  const auto replay = replayOf(recordGame(20'000, 600, 1).recording);
+  EXPECT_LE(replay->ticks() / replay->interval() + 1, Replay::kMaxStates);
+  EXPECT_GE(replay->interval(), Replay::kMinInterval);
+}
+
+TEST(Replay, PlaysARecordingFromTheMiddleOfARound) {
+  PlayedGame played(recordedLevel());
+  played.run(90, Input::kRight);
+  Recorder recorder(played.game);
+  const std::vector<Input> inputs{{Input::kPresent | Input::kJump}};
+  for (int i = 0; i < 70; ++i) {
+    played.game.advance(inputs);
+    recorder.record(inputs, played.game);
+  }
+  recorder.finish(played.game);
+  const auto replay = replayOf(recorder.takeBytes());
+  EXPECT_EQ(replay->gameAfter(0).tick(), 90U);
+  EXPECT_TRUE(replay->gameAfter(70) == played.game);
+}
+
+TEST(Replay, OlderRulesAreRefusedWithTheirVersion) {
+  EXPECT_EQ(faultOf(asOfOlderRules(recordGame(10, 60).recording, *recordedLevel())),
+            "was recorded by version " + std::to_string(kRulesVersion - 1) +
+                " of the rules; this program has version " + std::to_string(kRulesVersion) +
+                " and cannot play it, so it is kept as it is");
+}
+
+TEST(Replay, EveryDamageIsRefused) {
+  const std::vector<std::uint8_t> recording = recordGame(130, 60).recording;
+  for (std::size_t place = 0; place < recording.size(); place += 7) {
+    std::vector<std::uint8_t> bytes = recording;
+    bytes[place] ^= 1;
+    ASSERT_NE(faultOf(bytes), "none") << place;
+  }
+}
+
+TEST(Replay, AnyEndBeforeTheLastByteIsRefused) {
+  const std::vector<std::uint8_t> recording = recordGame(130, 60).recording;
+  for (std::size_t bytes = 0; bytes < recording.size(); bytes += 11) {
+    ASSERT_NE(faultOf(std::span(recording).first(bytes)), "none") << bytes;
+  }
+  EXPECT_EQ(faultOf(std::span(recording).first(recording.size() - 1)).substr(0, 32),
+            "is a recording that is cut off: ");
+}
+
+TEST(Replay, WhatIsNoRecordingIsRefused) {
+  const std::vector<std::uint8_t> bytes(100, 'x');
+  EXPECT_EQ(faultOf(bytes), "cannot be played: byte 0: not a recording, or an unsupported version");
+}
+
+TEST(Replay, ARecordingOfAnotherGameIsRefused) {
+  Game game(recordedLevel());
+  ForgedRecording forged(game);
+  forged.addBlock(0, 1, 0, std::vector<std::uint8_t>(8, 1));
+  forged.addBlock(1, 0, 0, {});
+  EXPECT_EQ(faultOf(forged.bytes()), "is a damaged recording: it does not give the recorded game at tick 1");
+  ForgedRecording late(game);
+  late.addBlock(5, 0, 0, {});
+  EXPECT_EQ(faultOf(late.bytes()), "is a damaged recording: its first state is not valid on its level");
+  ForgedRecording none(game);
+  none.setState({1, 2, 3});
+  none.addBlock(0, 0, 0, {});
+  EXPECT_EQ(faultOf(none.bytes()), "is a damaged recording: its first state is not valid on its level");
+}
+
+}  // namespace
+}  // namespace platon
