@@ -36,6 +36,7 @@ NetworkClient::NetworkClient(const ServerAddress& server, const Profile& profile
   const ServerAddress target = profile.relay.value_or(server);
   memory_.token = profile.token ? *profile.token : randomToken();
   memory_.store = profile.levels;
+  memory_.observer = profile.observer;
   resolved_ = resolve(target.host, target.port);
   connection_.emplace(resolved_, profile_.knowledge);
 }

@@ -24,9 +24,10 @@ class NetworkClient {
   struct Profile {
     std::string name;
     ServerKnowledge knowledge{};
-    std::optional<ServerAddress> relay{};  ///< through which to connect
-    std::optional<SessionToken> token{};   ///< of the player to resume; if not given, a random one
-    std::shared_ptr<LevelStore> levels{};  ///< of this server; null: levels are kept in memory only
+    std::optional<ServerAddress> relay{};           ///< through which to connect
+    std::optional<SessionToken> token{};            ///< of the player to resume; if not given, a random one
+    std::shared_ptr<LevelStore> levels{};           ///< of this server; null: levels are kept in memory only
+    std::shared_ptr<ConfirmedObserver> observer{};  ///< follows the confirmed games; null: none
   };
 
   /// Maximum time for the connection to be established.

@@ -4,13 +4,17 @@
 
 namespace platon {
 
-Round::Round(std::uint32_t id, const std::shared_ptr<const Level>& level, std::uint32_t slot, double lead)
+Round::Round(std::uint32_t id, const std::shared_ptr<const Level>& level, std::uint32_t slot, double lead,
+             ConfirmedObserver* observer)
     : id_(id),
       prediction_(Game(level), slot),
       clock_(lead),
       inputSender_(id),
       hash_(shortHash(prediction_.confirmed().hash())),
-      desyncDetector_(id, prediction_.confirmed()) {}
+      desyncDetector_(id, prediction_.confirmed()),
+      observer_(observer) {
+  if (observer_ != nullptr) observer_->began(prediction_.confirmed(), slot);
+}
 
 void Round::receive(const ConfirmedTicks& message, Moment now) {
   clock_.receive(message, now);
@@ -35,6 +39,7 @@ bool Round::applyTicks(const ConfirmedTicks& message) {
     }
     prediction_.confirm(inputs_);
     desyncDetector_.advanced(inputs_, prediction_.confirmed());
+    if (observer_ != nullptr) observer_->advanced(inputs_, prediction_.confirmed());
     interpolationBuffer_.advanced(prediction_.confirmed());
     observeOthers();
   }
@@ -68,6 +73,7 @@ void Round::receive(const StateChunk& last, std::span<const std::uint8_t> bytes)
   const bool hadTicks = prediction_.confirmedTicks() > 0;
   if (!state || !prediction_.restore(state->game, last.tick, state->held)) return;
   interpolationBuffer_.restart(prediction_.confirmed(), last.tick);
+  if (observer_ != nullptr) observer_->began(prediction_.confirmed(), prediction_.slot());
   desync_ = desyncDetector_.resynced(prediction_.confirmed(), prediction_.held());
   sync_ = last.sync;
   hash_ = shortHash(prediction_.confirmed().hash());

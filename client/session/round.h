@@ -11,6 +11,7 @@
 #include "client/desync/desync_detector.h"
 #include "client/netcode/air_time.h"
 #include "client/netcode/attempt_time.h"
+#include "client/netcode/confirmed_observer.h"
 #include "client/netcode/input_sender.h"
 #include "client/netcode/interpolation_buffer.h"
 #include "client/netcode/player_flashes.h"
@@ -38,7 +39,9 @@ struct RoundStatistics {
 class Round {
  public:
   /// `lead`: initial number of ticks that the prediction is ahead of the newest tick received.
-  Round(std::uint32_t id, const std::shared_ptr<const Level>& level, std::uint32_t slot, double lead);
+  /// `observer` follows the confirmed game and must outlive the round; null: none.
+  Round(std::uint32_t id, const std::shared_ptr<const Level>& level, std::uint32_t slot, double lead,
+        ConfirmedObserver* observer = nullptr);
 
   std::uint32_t id() const { return id_; }
   const Prediction& prediction() const { return prediction_; }
@@ -95,6 +98,7 @@ class Round {
   DesyncDetector desyncDetector_;
   std::optional<Desync> desync_;
   RoundStatistics statistics_;
+  ConfirmedObserver* observer_;                  // null: none
   std::uint64_t workLimit_ = kMaxWorkConfirmed;  // of prediction_, until the next `advance`
   std::vector<Input> inputs_;                    // scratch
 };

@@ -50,6 +50,7 @@ Session::Session(const std::string& name, Moment now, Memory memory)
       token_(memory.token),
       levels_(std::move(memory.levels)),
       store_(std::move(memory.store)),
+      observer_(std::move(memory.observer)),
       workBudget_(kMaxWorkPerSecond, kMaxWorkPerSecond * toSeconds(kWorkTime), now),
       updatedAt_(now),
       pastPrediction_(memory.prediction),
@@ -254,7 +255,7 @@ void Session::startRound(std::uint32_t round, std::uint64_t levelHash) {
   if (known) {
     pastWork_ += kWorkOfMessage;
     pendingRound_.reset();
-    round_.emplace(round, known, welcome_->slot, lead_);
+    round_.emplace(round, known, welcome_->slot, lead_, observer_.get());
   } else {
     pendingRound_ = RoundStart{round, levelHash};
     requestLevel(levelHash);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "client/desync/desync_report.h"
+#include "client/netcode/confirmed_observer.h"
 #include "client/netcode/link_meter.h"
 #include "client/netcode/link_statistics.h"
 #include "client/session/level_store.h"
@@ -34,7 +35,8 @@ class Session {
     std::vector<std::shared_ptr<const Level>> levels;  ///< at most kMaxLevelsKnown, newest last
     PredictionStatistics prediction;
     RoundStatistics rounds;
-    std::shared_ptr<LevelStore> store;  ///< levels of this server that are kept elsewhere; null: none
+    std::shared_ptr<LevelStore> store;            ///< levels of this server that are kept elsewhere; null: none
+    std::shared_ptr<ConfirmedObserver> observer;  ///< follows the confirmed game; null: none
   };
 
   /// Why a session has ended.
@@ -79,7 +81,7 @@ class Session {
 
   /// Why the session has ended; empty while it runs.
   const std::optional<Ending>& ending() const { return ending_; }
-  Memory memory() const { return {token_, levels_, predictionStatistics(), roundStatistics(), store_}; }
+  Memory memory() const { return {token_, levels_, predictionStatistics(), roundStatistics(), store_, observer_}; }
 
   /// Local slot and server name; empty until the server has accepted the client.
   const std::optional<Welcome>& welcome() const { return welcome_; }
@@ -144,6 +146,7 @@ class Session {
   std::optional<SessionToken> token_;
   std::vector<std::shared_ptr<const Level>> levels_;  // at most kMaxLevelsKnown, newest last
   std::shared_ptr<LevelStore> store_;                 // null: none
+  std::shared_ptr<ConfirmedObserver> observer_;       // null: none
   std::vector<std::uint64_t> announced_;              // levels that Hello has named
   std::optional<std::uint64_t> requestedLevel_;       // hash of the level being received
   std::uint32_t unanswered_ = 0;                      // requests since the last level

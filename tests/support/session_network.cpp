@@ -21,8 +21,10 @@ SessionNetwork::SessionNetwork(std::vector<std::shared_ptr<const Level>> levels,
                                std::uint32_t maxPlayers)
     : VirtualNetwork(Match(LevelRotation(std::move(levels)), MatchSettings{maxPlayers, "test"}), seed) {}
 
-std::size_t SessionNetwork::join(const LinkQuality& quality, Controls controls) {
+std::size_t SessionNetwork::join(const LinkQuality& quality, Controls controls,
+                                 std::shared_ptr<ConfirmedObserver> observer) {
   Session::Memory memory;
+  memory.observer = std::move(observer);
   memory.token = tokenOf(clients_.size());
   Client& client = *clients_.emplace_back(std::make_unique<Client>(*this, quality, std::move(controls)));
   client.session.emplace("someone", now(), std::move(memory));

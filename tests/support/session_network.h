@@ -21,8 +21,9 @@ class SessionNetwork : public VirtualNetwork {
 
   SessionNetwork(std::vector<std::shared_ptr<const Level>> levels, std::uint64_t seed, std::uint32_t maxPlayers = 16);
 
-  /// A client with these controls joins now. Returns its index.
-  std::size_t join(const LinkQuality& quality, Controls controls);
+  /// A client with these controls joins now; `observer`, if any, follows its confirmed game. Returns its index.
+  std::size_t join(const LinkQuality& quality, Controls controls,
+                   std::shared_ptr<ConfirmedObserver> observer = nullptr);
   /// The client's connection is lost, with all messages in flight. The server detects it after `detectedAfter`;
   /// nothing: never.
   void disconnect(std::size_t client, std::optional<Moment> detectedAfter);
