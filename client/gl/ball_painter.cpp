@@ -116,6 +116,7 @@ void BallPainter::draw(const PlayerDrawing& player, const Camera& camera, TextPa
   program_.set("toClip", glm::mat4(camera.viewProjection() * toWorld));
   program_.set("colour", player.colour);
   program_.set("outline", outlineOf(player));
+  program_.set("opacity", player.opacity);
   program_.set("toEye", glm::vec3(ball.toEye));
   program_.set("light", glm::vec3(lightOf(camera)));
   glBindVertexArray(array_.name());
@@ -124,7 +125,7 @@ void BallPainter::draw(const PlayerDrawing& player, const Camera& camera, TextPa
   glDisable(GL_CULL_FACE);
   const std::string label = player.finishSeconds ? "\u2713" : player.number;
   const float size = label.size() > 2 ? 0.75F : 1.0F;
-  text.addCentred(label, {0, 0}, size, {0.06F, 0.06F, 0.09F, 0.92F});
+  text.addCentred(label, {0, 0}, size, {0.06F, 0.06F, 0.09F, 0.92F * player.opacity});
   text.flush(labelToClip(player, camera, ball), 0);
 }
 

@@ -52,6 +52,7 @@ void Renderer::draw(const Scene& scene, const Camera& camera, std::span<const Ov
   }
   for (const PlayerDrawing& player : scene.players) ballPainter_.draw(player, camera, textPainter_);
   backgroundPainter_.draw(camera);
+  for (const PlayerDrawing& ghost : scene.ghosts) ballPainter_.draw(ghost, camera, textPainter_);
   drawOverlays(overlays);
 }
 

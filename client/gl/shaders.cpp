@@ -246,6 +246,7 @@ uniform vec3 colour;
 uniform vec3 outline;
 uniform vec3 toEye;
 uniform vec3 light;
+uniform float opacity;
 out vec4 result;
 
 void main() {
@@ -255,7 +256,7 @@ void main() {
   float gloss = pow(max(dot(n, normalize(light + toEye)), 0.0), 48.0);
   vec3 shade = colour * lit + gloss * 0.5;
   float edge = fwidth(facing);
-  result = vec4(mix(outline, shade, smoothstep(0.47 - edge, 0.47 + edge, facing)), 1);
+  result = vec4(mix(outline, shade, smoothstep(0.47 - edge, 0.47 + edge, facing)), opacity);
 }
 )";
 

@@ -1,6 +1,7 @@
 #include "client/scene/scene.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -10,6 +11,9 @@ namespace platon {
 namespace {
 
 constexpr double kMaxWhite = 0.6;  // largest share of white in a player's colour
+constexpr float kGhostOpacity = 0.5F;
+constexpr std::uint32_t kFirstGhostColour = 4;
+constexpr const char* kGhostLabel = "\u25cb";
 
 // Shifts a pose along the surface. `offset` is in the player's frame and shorter than an edge.
 void shift(Pose& pose, const SolidMesh& mesh, glm::dvec2 offset) {
@@ -45,6 +49,22 @@ void addPlayers(Scene& scene, const SceneSource& source) {
     add(source.local ? *source.local : source.others.at(*source.localSlot), *source.localSlot, true);
 }
 
+// The local player's own ghost is white, the others have colours that the first players do not have.
+void addGhosts(Scene& scene, const SceneSource& source) {
+  for (std::uint32_t i = 0; i < source.ghosts.size(); ++i) {
+    const GhostSource& ghost = source.ghosts[i];
+    if (!ghost.player.before.present || !ghost.player.now.present) continue;
+    PlayerDrawing drawing;
+    drawing.slot = i;
+    drawing.pose = poseBetween(scene.stage->mesh, ghost.player);
+    drawing.colour = ghost.own ? Colour(1) : playerColour(kFirstGhostColour + i);
+    drawing.number = kGhostLabel;
+    drawing.name = ghost.name;
+    drawing.opacity = kGhostOpacity;
+    scene.ghosts.push_back(std::move(drawing));
+  }
+}
+
 Pose focusOf(const Scene& scene) {
   if (!scene.players.empty())
     return scene.players.back().local ? scene.players.back().pose : scene.players.front().pose;
@@ -59,6 +79,7 @@ Scene makeScene(const SceneSource& source) {
   scene.stage = source.stage;
   scene.elements = elementStatesOf(*source.game, source.localSlot, source.stage->mesh);
   addPlayers(scene, source);
+  addGhosts(scene, source);
   scene.focus = focusOf(scene);
   const double passed = std::max(0.0, double{1} * source.game->tick() - 1 + source.fraction);
   scene.seconds = passed / kTicksPerSecond;

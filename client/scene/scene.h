@@ -19,6 +19,13 @@
 
 namespace platon {
 
+/// A player of another run, who is not in the game.
+struct GhostSource {
+  InterpolatedPlayer player;
+  std::string name;  ///< UTF-8
+  bool own = false;  ///< a run of the local player
+};
+
 /// Input of makeScene. `stage` and `game` must be set.
 struct SceneSource {
   std::shared_ptr<const StageModel> stage;  ///< of the game's level
@@ -33,6 +40,7 @@ struct SceneSource {
   std::span<const double> flashes;     ///< by slot, 0 … 1: brightness of the flash after an event
   AttemptTime attempt;                 ///< of the local player
   bool needsRestart = false;           ///< AirTime::needsHint of the local player
+  std::vector<GhostSource> ghosts;
 };
 
 /// One player as it is drawn, once even if it has several instances.
@@ -43,6 +51,7 @@ struct PlayerDrawing {
   std::string number;  ///< slot + 1
   std::string name;
   bool local = false;
+  float opacity = 1;                    ///< below 1: a ghost
   std::optional<double> finishSeconds;  ///< shortest time of an attempt to the goal in this round
 };
 
@@ -57,6 +66,7 @@ struct Scene {
   std::shared_ptr<const StageModel> stage;
   ElementStates elements;
   std::vector<PlayerDrawing> players;  ///< by slot; the local player is last
+  std::vector<PlayerDrawing> ghosts;   ///< of other runs; translucent
   FaceMarks marksBelow;                ///< of the editor, below the segments; null without any
   FaceMarks marksAbove;                ///< of the editor, above the segments; null without any
   Pose focus;          ///< target of the camera: the local player, else the first player, else the start

@@ -64,6 +64,28 @@ bool isOnSurface(const SolidMesh& mesh, glm::dvec3 point) {
   return std::abs(glm::dot(mesh.normal(mesh.faceTowards(point)), point) - mesh.inradius()) < 1e-6;
 }
 
+TEST(Scene, GhostsAreTranslucentAndNoPlayers) {
+  Game game(floorLevel());
+  run(game, 1, Input::kRight, 40);
+  const std::vector<PlayerSnapshot> players = playersOf(game);
+  SceneSource source = sourceOf(game, players, players, 1);
+  source.ghosts = {
+      {{players[0], players[0], 1}, "best", true}, {{}, "absent", false}, {{players[0], players[0], 1}, "Ada", false}};
+  const Scene scene = makeScene(source);
+  EXPECT_EQ(scene.players.size(), 1U);
+  EXPECT_EQ(scene.players[0].opacity, 1);
+  ASSERT_EQ(scene.ghosts.size(), 2U);
+  EXPECT_EQ(scene.ghosts[0].pose.position, scene.players[0].pose.position);
+  EXPECT_EQ(scene.ghosts[0].name, "best");
+  EXPECT_EQ(scene.ghosts[1].name, "Ada");
+  EXPECT_EQ(scene.ghosts[0].colour, Colour(1));
+  EXPECT_NE(scene.ghosts[1].colour, Colour(1));
+  for (const PlayerDrawing& ghost : scene.ghosts) {
+    EXPECT_LT(ghost.opacity, 1);
+    EXPECT_FALSE(ghost.local);
+  }
+}
+
 TEST(Scene, PlayersHaveThePositionsOfTheGame) {
   Game game(floorLevel());
   run(game, 3, Input::kRight, 40);
