@@ -18,6 +18,13 @@ std::filesystem::path desyncFolder() {
   return folder.empty() ? folder : folder / "desyncs";
 }
 
+// What the demonstration plays is no run of the user.
+std::shared_ptr<RunKeeper> runKeeper(const ClientOptions& options) {
+  const std::filesystem::path folder = options.demo ? std::filesystem::path() : dataFolder();
+  if (folder.empty()) return std::make_shared<RunKeeper>(folder, folder);
+  return std::make_shared<RunKeeper>(folder / "runs", folder / "ghosts");
+}
+
 // Empty for the embedded server: it ends with the program, so no token is stored.
 std::filesystem::path sessionFolder(const ClientOptions& options) {
   const std::filesystem::path folder = dataFolder();
@@ -68,11 +75,12 @@ std::optional<VoteStatus> voteOf(const Session& session) {
 
 MatchPlay::MatchPlay(const ClientOptions& options, const ServerAddress& server, Moment now)
     : server_(server),
+      runs_(runKeeper(options)),
       sessionFile_(sessionFolder(options), server),
       knownServers_(knownServersFile(options)),
       client_(server,
               {options.name, knowledgeOf(options, knownServers_, server), std::nullopt, sessionFile_.token(),
-               levelStore(options, server)},
+               levelStore(options, server), runs_},
               now),
       desyncFolder_(desyncFolder()) {}
 
@@ -80,6 +88,7 @@ void MatchPlay::update(Moment now, const Controls& controls) {
   client_.update(now, controls);
   reportDesync();
   reportOutage();
+  reportRuns();
   takeNotice(now);
   saveToken();
   rememberServer();
@@ -106,6 +115,15 @@ void MatchPlay::reportOutage() {
     std::fprintf(stderr, "platon-client: reconnected\n");
 }
 
+void MatchPlay::reportRuns() {
+  for (const std::string& fault : runs_->takeFaults()) std::fprintf(stderr, "platon-client: %s\n", fault.c_str());
+}
+
+void MatchPlay::show(const Settings& settings) {
+  timerShown_ = settings.timer;
+  ghostsShown_ = settings.ghosts;
+}
+
 void MatchPlay::takeNotice(Moment now) {
   std::optional<std::string> notice = client_.takeNotice();
   if (!notice) return;
@@ -120,10 +138,17 @@ void MatchPlay::saveToken() {
   tokenSaved_ = true;
 }
 
+std::vector<GhostSource> MatchPlay::ghosts() const {
+  const Round* const round = client_.session()->round();
+  if (!ghostsShown_ || round == nullptr) return {};
+  const Prediction& prediction = round->prediction();
+  return runs_->ghostsAt(prediction.predicted(), prediction.slot(), round->predictedFraction());
+}
+
 // During an outage the new session's game is still empty.
 std::optional<Scene> MatchPlay::scene(Moment now) {
   if (client_.outage()) return lastScene_;
-  lastScene_ = client_.session() == nullptr ? std::nullopt : sceneFeed_.scene(*client_.session(), now);
+  lastScene_ = client_.session() == nullptr ? std::nullopt : sceneFeed_.scene(*client_.session(), now, ghosts());
   return lastScene_;
 }
 
@@ -139,7 +164,9 @@ std::string MatchPlay::notice(Moment now) const { return now < noticeUntil_ ? no
 HudStatus MatchPlay::hudStatus(Moment now, bool help) const {
   HudStatus status{message(), client_.ending().has_value(), help, notice(now)};
   const Session* const session = client_.session();
+  status.timer = timerShown_;
   if (session == nullptr || client_.outage()) return status;
+  status.run = runs_->status();
   status.summary = summaryOf(*session);
   if (!status.summary) status.vote = voteOf(*session);
   return status;

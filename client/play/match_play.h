@@ -1,18 +1,22 @@
 #pragma once
 
 #include <chrono>
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "client/desync/desync_folder.h"
 #include "client/play/client_options.h"
 #include "client/play/known_servers.h"
 #include "client/play/scene_feed.h"
 #include "client/play/session_file.h"
+#include "client/replay/run_keeper.h"
 #include "client/scene/scene.h"
 #include "client/session/network_client.h"
 #include "client/time/clock.h"
 #include "client/ui/hud.h"
+#include "client/ui/settings.h"
 #include "protocol/moment.h"
 
 namespace platon {
@@ -38,6 +42,8 @@ class MatchPlay {
   HudStatus hudStatus(Moment now, bool help) const;
   /// Wishes the next level, or takes this wish back.
   void toggleVote() { client_.toggleVote(); }
+  /// Shows timer and ghosts as these settings say.
+  void show(const Settings& settings);
   /// Leaves the match; takes at most half a second.
   void leave(const Clock& clock);
 
@@ -46,17 +52,22 @@ class MatchPlay {
  private:
   void reportDesync();
   void reportOutage();
+  void reportRuns();
   void takeNotice(Moment now);
+  std::vector<GhostSource> ghosts() const;
   void saveToken();
   void rememberServer();
 
   ServerAddress server_;
+  std::shared_ptr<RunKeeper> runs_;
   SessionFile sessionFile_;
   KnownServers knownServers_;
   bool tokenSaved_ = false;
   bool serverRemembered_ = false;
   NetworkClient client_;
   SceneFeed sceneFeed_;
+  bool timerShown_ = true;
+  bool ghostsShown_ = true;
   DesyncFolder desyncFolder_;
   std::optional<Scene> lastScene_;
   std::optional<std::string> reportedOutage_;

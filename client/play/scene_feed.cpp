@@ -1,5 +1,7 @@
 #include "client/play/scene_feed.h"
 
+#include <utility>
+
 namespace platon {
 
 namespace {
@@ -30,7 +32,7 @@ void SceneFeed::updateFlashes(const Round& round) {
   }
 }
 
-std::optional<Scene> SceneFeed::scene(const Session& session, Moment now) {
+std::optional<Scene> SceneFeed::scene(const Session& session, Moment now, std::vector<GhostSource> ghosts) {
   const Round* const round = session.round();
   if (round == nullptr) return std::nullopt;
   const Prediction& prediction = round->prediction();
@@ -52,6 +54,7 @@ std::optional<Scene> SceneFeed::scene(const Session& session, Moment now) {
   source.flashes = flashes_;
   source.attempt = round->attemptTime();
   source.needsRestart = round->airTime().needsHint();
+  source.ghosts = std::move(ghosts);
   return makeScene(source);
 }
 

@@ -15,7 +15,7 @@ namespace platon {
 class SceneFeed {
  public:
   /// Returns nothing while the session has no round.
-  std::optional<Scene> scene(const Session& session, Moment now);
+  std::optional<Scene> scene(const Session& session, Moment now, std::vector<GhostSource> ghosts = {});
 
  private:
   void updateFlashes(const Round& round);

@@ -87,6 +87,7 @@ Input WindowPlay::choose(const Game& game, std::uint32_t slot) {
 
 void WindowPlay::draw(Moment now) {
   view_.resize(window_.pixelWidth(), window_.pixelHeight());
+  match_.show(interface_.settings());
   const std::optional<Scene> scene = match_.scene(now);
   if (scene) view_.netGraph().add(meter_.sample(match_.client(), now));
   const HudStatus status = match_.hudStatus(now, interface_.helpShown());

@@ -52,16 +52,6 @@ void addClock(OverlayWriter& writer, const Scene& scene, float width) {
   writer.pill(clockText(scene.secondsLeft), {width / 2, kMargin + 22}, 26, urgent ? kWarning : kBright);
 }
 
-// Below the clock of the round, the time of the local player's attempt, and its best time in this round.
-void addAttempt(OverlayWriter& writer, const Scene& scene, float width) {
-  if (!scene.attempt) return;
-  const auto& [seconds, arrived] = *scene.attempt;
-  const std::optional<double> best = scene.players.back().finishSeconds;
-  std::string text = std::string(arrived ? "✓ " : "") + "your time " + finishText(seconds);
-  if (best && !(arrived && *best == seconds)) text += "   best " + finishText(*best);
-  writer.pill(text, {width / 2, kMargin + 62}, 14, arrived ? kGold : kSoft);
-}
-
 void addRow(OverlayWriter& writer, const PlayerDrawing& player, float right, float top) {
   constexpr float kRowWidth = 232;
   const glm::vec2 dot(right - kRowWidth + 16, top + 13);
@@ -97,6 +87,13 @@ void addNameTag(OverlayWriter& writer, const PlayerDrawing& player, const Camera
   const glm::dvec4 clip = camera.viewProjection() * glm::dvec4(above, 1);
   const glm::vec2 place((clip.x / clip.w + 1) / 2 * width, (1 - clip.y / clip.w) / 2 * Overlay::kHeight);
   writer.centred(shownNameOf(player), place, 13, glm::vec4(glm::mix(player.colour, Colour(1), 0.35F), 0.9F));
+}
+
+// The name of a ghost would hide the ball that the player steers.
+bool coversLocalPlayer(const Scene& scene, const PlayerDrawing& ghost) {
+  constexpr double kDistance = 3.5 * StageModel::kPlayerRadius;
+  if (scene.players.empty() || !scene.players.back().local) return false;
+  return glm::distance(scene.players.back().pose.position, ghost.pose.position) < kDistance;
 }
 
 void addResult(OverlayWriter& writer, const Scene& scene, float width) {
@@ -177,10 +174,13 @@ Overlay makeEmptyHud(const HudStatus& status, const Font& font, float width) {
 Overlay makeHud(const Scene& scene, const Camera& camera, const HudStatus& status, const Font& font) {
   OverlayWriter writer(font);
   const float width = Overlay::kHeight * static_cast<float>(camera.width()) / static_cast<float>(camera.height());
+  for (const PlayerDrawing& ghost : scene.ghosts) {
+    if (!coversLocalPlayer(scene, ghost)) addNameTag(writer, ghost, camera, width);
+  }
   for (const PlayerDrawing& player : scene.players) addNameTag(writer, player, camera, width);
   addTitle(writer, scene);
   addClock(writer, scene, width);
-  addAttempt(writer, scene, width);
+  if (status.timer) addRunTimer(writer, scene, status.run, width);
   addPlayers(writer, scene, width);
   addResult(writer, scene, width);
   if (status.summary) addResults(writer, scene, *status.summary, font, width);

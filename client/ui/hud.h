@@ -9,6 +9,7 @@
 #include "client/ui/font.h"
 #include "client/ui/overlay.h"
 #include "client/ui/results_panel.h"
+#include "client/ui/run_timer.h"
 
 namespace platon {
 
@@ -27,6 +28,8 @@ struct HudStatus {
   std::string notice{};                   ///< text of the server's operator; empty: none
   std::optional<VoteStatus> vote{};       ///< nothing: nobody has voted
   std::optional<RoundSummary> summary{};  ///< nothing: the round has not ended
+  RunStatus run{};                        ///< how the attempt compares with the best run
+  bool timer = true;                      ///< show the own time and `run`
 };
 
 /// Time left as `minutes:seconds`; below ten seconds with tenths. `seconds` ≥ 0.

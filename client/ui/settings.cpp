@@ -70,7 +70,9 @@ std::vector<Entry> entriesOf(Settings& settings) {
       flag("net-graph", settings.netGraph),
       volume("volume", settings.volume),
       volume("volume-effects", settings.effectsVolume),
-      volume("volume-music", settings.musicVolume)};
+      volume("volume-music", settings.musicVolume),
+      flag("timer", settings.timer),
+      flag("ghosts", settings.ghosts)};
 }
 
 void parseLine(const std::string& line, const std::string& where, SettingsResult& result) {
@@ -100,7 +102,8 @@ std::string Settings::text() const {
       << onOff(comfort.reducedMotion) << "\ncontrols " << (controls == ControlFrame::kScreen ? "screen" : "player")
       << "\ncamera " << (comfort.view == CameraView::kFace ? "face" : "follow") << "\nzoom " << zoom << "\nfullscreen "
       << onOff(fullscreen) << "\nnet-graph " << onOff(netGraph) << "\nvolume " << volume << "\nvolume-effects "
-      << effectsVolume << "\nvolume-music " << musicVolume << "\n";
+      << effectsVolume << "\nvolume-music " << musicVolume << "\ntimer " << onOff(timer) << "\nghosts " << onOff(ghosts)
+      << "\n";
   return out.str();
 }
 

@@ -19,6 +19,8 @@ struct Settings {
   double volume = 80;          ///< of all sound, 0 … 100
   double effectsVolume = 100;  ///< of the sounds of events, 0 … 100
   double musicVolume = 70;     ///< 0 … 100
+  bool timer = true;           ///< show the own time, its differences to the best run, and the personal best
+  bool ghosts = true;          ///< show the best run and those of others
 
   /// The settings as lines `name value`, the format of `parseSettings`.
   std::string text() const;

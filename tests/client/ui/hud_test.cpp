@@ -217,6 +217,27 @@ TEST(Hud, OnlyVisibleOtherPlayersHaveNameTags) {
   }
 }
 
+TEST(Hud, AGhostHasANameTagUnlessItWouldHideTheLocalPlayer) {
+  Scene scene = sceneOf(1);
+  scene.players[0].local = true;
+  PlayerDrawing ghost;
+  ghost.name = "Ghost";
+  ghost.pose = scene.players[0].pose;
+  scene.ghosts.push_back(ghost);
+  EXPECT_EQ(count(hudOf(scene), "Ghost"), 0);
+  scene.ghosts[0].pose.position += 4 * StageModel::kPlayerRadius * ghost.pose.up;
+  EXPECT_EQ(count(hudOf(scene), "Ghost"), 1);
+}
+
+TEST(Hud, TheTimerCanBeHidden) {
+  Scene scene = sceneOf(1);
+  scene.players[0].local = true;
+  scene.attempt = {7.5, false};
+  EXPECT_TRUE(find(hudOf(scene), "your time 7.50 s"));
+  EXPECT_TRUE(find(hudOf(scene, {.run = {.best = 6.0}}), "your time 7.50 s   personal best 6.00 s"));
+  EXPECT_FALSE(find(hudOf(scene, {.timer = false}), "your time 7.50 s"));
+}
+
 TEST(Hud, TheListOfPlayersIsLimited) {
   const Overlay hud = hudOf(sceneOf(64));
   EXPECT_TRUE(find(hud, "and 52 more"));

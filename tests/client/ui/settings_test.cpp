@@ -20,11 +20,15 @@ TEST(Settings, ParsingTheTextGivesTheSameSettings) {
   settings.volume = 0;
   settings.effectsVolume = 37.5;
   settings.musicVolume = 100;
+  settings.timer = false;
+  settings.ghosts = false;
   const SettingsResult result = parseSettings(settings.text());
   EXPECT_EQ(result.errors, Lines());
   EXPECT_EQ(result.unknownLines, Lines());
   EXPECT_EQ(result.settings.text(), settings.text());
   EXPECT_NE(result.settings.text(), Settings().text());
+  EXPECT_TRUE(Settings().timer && Settings().ghosts);
+  EXPECT_FALSE(result.settings.timer || result.settings.ghosts);
 }
 
 TEST(Settings, EmptyLinesAndMissingSettingsAreAllowed) {

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "client/replay/run_track.h"
+
+namespace platon {
+
+/// A run that is shown beside the own attempt.
+struct Ghost {
+  std::string name;
+  std::shared_ptr<const RunTrack> track;
+};
+
+/// Most files that are looked at in a folder of ghosts.
+inline constexpr std::size_t kMaxGhostFiles = 64;
+
+/// The runs on this level in a folder, of the first `count` files by name; the ghost has the name of its file. Adds to
+/// `faults` a sentence for each recording on this level that cannot be a ghost.
+std::vector<Ghost> ghostsIn(const std::filesystem::path& folder, std::uint64_t level, std::size_t count,
+                            std::vector<std::string>& faults);
+
+}  // namespace platon

@@ -1,0 +1,117 @@
+#include "client/replay/run_cutter.h"
+
+#include <algorithm>
+
+#include "platon/game/recorder.h"
+
+namespace platon {
+namespace {
+
+std::uint32_t timeOf(const PlayerState& player, const Game& game) { return game.tick() - player.startedAt + 1; }
+
+bool presses(Input input, Input before, std::uint8_t button) { return input.has(button) && !before.has(button); }
+
+bool hasStarted(const Game& game) {
+  for (std::uint32_t slot = 0; slot < game.slots(); ++slot) {
+    if (game.player(slot).startedAt != 0) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::optional<RunCutter::Own> RunCutter::ownIn(const Game& game) const {
+  if (slot_ >= game.slots() || game.player(slot_).present == 0) return std::nullopt;
+  return Own{game.world().entities()[slot_], game.player(slot_)};
+}
+
+void RunCutter::begin(const Game& game, std::uint32_t slot) {
+  slot_ = slot;
+  own_ = ownIn(game);
+  known_ = false;
+  inputs_.clear();
+  groupInputs_.clear();
+  start_ = game.level().doorNumbers == 0 ? std::nullopt : std::optional(game);
+  if (own_ && own_->player.startedAt == 0) findRest(*own_, game);
+}
+
+// A player who has pressed nothing since it came has only fallen: finds out for how long.
+void RunCutter::findRest(const Own& own, const Game& game) {
+  const Input rest{Input::kPresent};
+  Game alone(game.sharedLevel());
+  for (std::uint32_t ticks = 1; ticks <= kMaxRest && !known_; ++ticks) {
+    alone.advance({&rest, 1});
+    const EntityState& entity = alone.world().entities()[0];
+    known_ = entity.part == own.entity.part && entity.position == own.entity.position &&
+             entity.remainder == own.entity.remainder && alone.player(0).velocity == own.player.velocity;
+    inputs_.push_back(rest);
+  }
+}
+
+std::optional<std::uint32_t> RunCutter::advance(std::span<const Input> inputs, const Game& game) {
+  const std::optional<Own> own = ownIn(game);
+  const bool arrives = own && own->player.arrived != 0 && (!own_ || own_->player.arrived == 0);
+  if (own) followOwn(inputs[slot_], *own);
+  own_ = own;
+  followGroup(inputs, game);
+  return arrives ? std::optional(timeOf(own->player, game)) : std::nullopt;
+}
+
+void RunCutter::followOwn(Input input, const Own& own) {
+  const Input before{own_ ? own_->player.held : std::uint8_t{0}};
+  if (!own_ || presses(input, before, Input::kRestart)) {
+    // A button that is held when the player restarts is not pressed again: the tick before is a part of the run.
+    inputs_.clear();
+    if (own_) inputs_.push_back({static_cast<std::uint8_t>((before.buttons & ~Input::kRestart) | Input::kPresent)});
+    known_ = true;
+  } else if (own.player.startedAt == 0 && own == *own_) {
+    return;  // rests: the tick changes nothing
+  }
+  if (own_ && own_->player.arrived != 0 && own.player.arrived != 0) return;
+  known_ = known_ && inputs_.size() < kMaxTicks;
+  if (known_) inputs_.push_back(input);
+}
+
+void RunCutter::followGroup(std::span<const Input> inputs, const Game& game) {
+  if (!start_) return;
+  groupInputs_.emplace_back(inputs.begin(), inputs.end());
+  if (groupInputs_.size() < kMinGroupTicks || (hasStarted(game) && groupInputs_.size() < kMaxTicks)) return;
+  start_ = game;
+  groupInputs_.clear();
+}
+
+std::optional<Run> RunCutter::cut(const Game& game) const {
+  std::optional<Run> run = cutAlone(game);
+  return run ? run : cutGroup(game);
+}
+
+// Nothing if this player alone would not have reached the goal like that.
+std::optional<Run> RunCutter::cutAlone(const Game& game) const {
+  if (!known_ || !own_) return std::nullopt;
+  Game alone(game.sharedLevel());
+  Recorder recorder(alone, kCheckpointTicks);
+  for (const Input& input : inputs_) {
+    alone.advance({&input, 1});
+    recorder.record({&input, 1}, alone);
+  }
+  recorder.finish(alone);
+  const std::uint32_t ticks = timeOf(own_->player, game);
+  const EntityState& entity = alone.world().entities()[0];
+  const bool same = entity.part == own_->entity.part && entity.position == own_->entity.position;
+  if (!same || alone.player(0).arrived == 0 || alone.player(0).finishTicks != ticks) return std::nullopt;
+  return Run{game.sharedLevel(), ticks, recorder.takeBytes()};
+}
+
+std::optional<Run> RunCutter::cutGroup(const Game& game) const {
+  if (!start_ || !own_ || own_->player.startedAt <= start_->tick()) return std::nullopt;
+  Game group = *start_;
+  Recorder recorder(group, kCheckpointTicks);
+  for (const std::vector<Input>& inputs : groupInputs_) {
+    group.advance(inputs);
+    recorder.record(inputs, group);
+  }
+  recorder.finish(group);
+  return Run{game.sharedLevel(), timeOf(own_->player, game), recorder.takeBytes()};
+}
+
+}  // namespace platon

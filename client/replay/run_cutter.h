@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "client/replay/run.h"
+#include "platon/game/game.h"
+
+namespace platon {
+
+/// Cuts the local player's attempts out of the rounds, each as a recording of its own. Usually that is a game of this
+/// player alone, from the start of the level. Where other players helped, it is the game of all players, from before
+/// the first input that the time of the attempt counts from.
+class RunCutter {
+ public:
+  /// Ticks between the checkpoints of a run's recording.
+  static constexpr std::uint32_t kCheckpointTicks = 600;
+
+  /// Goes on with another game, whose past is not known.
+  void begin(const Game& game, std::uint32_t slot);
+  /// `game` has been advanced by `inputs`. Returns the time of the attempt if it has reached the goal in this tick.
+  std::optional<std::uint32_t> advance(std::span<const Input> inputs, const Game& game);
+  /// The run that has ended with the tick of the last call of `advance`, after which `game` is. Nothing if it began
+  /// before the game was known. Plays the run once.
+  std::optional<Run> cut(const Game& game) const;
+
+ private:
+  static constexpr std::size_t kMaxTicks = 2 * kRoundTicks;  // of an attempt with the rest before it
+  static constexpr std::uint32_t kMaxRest = 600;             // ticks of rest that `begin` looks back over
+  static constexpr std::size_t kMinGroupTicks = 60;          // the start of the group's game is set at most so often
+
+  // The local player after a tick.
+  struct Own {
+    EntityState entity;
+    PlayerState player;
+
+    friend bool operator==(const Own&, const Own&) = default;
+  };
+
+  std::optional<Own> ownIn(const Game& game) const;
+  void followOwn(Input input, const Own& own);
+  void followGroup(std::span<const Input> inputs, const Game& game);
+  void findRest(const Own& own, const Game& game);
+  std::optional<Run> cutAlone(const Game& game) const;
+  std::optional<Run> cutGroup(const Game& game) const;
+
+  std::uint32_t slot_ = 0;
+  std::optional<Own> own_;                       // after the last tick; nothing: the player is absent
+  bool known_ = false;                           // inputs_ leads from a new game to own_
+  std::vector<Input> inputs_;                    // of the local player in a game of its own
+  std::optional<Game> start_;                    // of the group's game, on a level with doors
+  std::vector<std::vector<Input>> groupInputs_;  // since start_
+};
+
+}  // namespace platon

@@ -1,0 +1,118 @@
+#include "client/replay/run_keeper.h"
+
+#include <variant>
+
+#include "client/replay/replay_file.h"
+#include "client/ui/player_rows.h"
+
+namespace platon {
+namespace {
+
+double secondsOf(double ticks) { return ticks / kTicksPerSecond; }
+
+Ghost ghostOf(RunTrack track) {
+  const std::string name = "best " + finishText(secondsOf(track.ticks));
+  return {name, std::make_shared<RunTrack>(std::move(track))};
+}
+
+}  // namespace
+
+void RunKeeper::began(const Game& confirmed, std::uint32_t slot) {
+  slot_ = slot;
+  tick_ = confirmed.tick();
+  cutter_.begin(confirmed, slot);
+  if (level_ != confirmed.level().hash) load(confirmed.level().hash);
+  beginAttempt();
+}
+
+void RunKeeper::load(std::uint64_t level) {
+  level_ = level;
+  best_ = readBest(level);
+  others_ = ghostsIn(ghostFolder_, level, kMaxOthers, faults_);
+}
+
+std::optional<Ghost> RunKeeper::readBest(std::uint64_t level) {
+  const std::optional<StoredRun> stored = store_.best(level);
+  if (!stored) return std::nullopt;
+  const auto replay = readReplay(stored->file);
+  if (const auto* fault = std::get_if<std::string>(&replay)) {
+    faults_.push_back(*fault);
+    return std::nullopt;
+  }
+  std::optional<RunTrack> track = trackOf(*std::get<std::shared_ptr<const Replay>>(replay));
+  if (track && std::get<std::shared_ptr<const Replay>>(replay)->level()->hash == level)
+    return ghostOf(std::move(*track));
+  faults_.push_back(stored->file.string() + ": is no run on the level of its name");
+  return std::nullopt;
+}
+
+void RunKeeper::beginAttempt() {
+  startedAt_ = 0;
+  visits_ = FaceVisits();
+  rival_ = best_;
+  difference_.reset();
+  isNewBest_ = false;
+}
+
+void RunKeeper::advanced(std::span<const Input> inputs, const Game& confirmed) {
+  const std::optional<std::uint32_t> arrival = cutter_.advance(inputs, confirmed);
+  tick_ = confirmed.tick();
+  if (slot_ >= confirmed.slots()) return;
+  observe(confirmed, confirmed.player(slot_));
+  if (arrival) arrive(confirmed, *arrival);
+}
+
+void RunKeeper::observe(const Game& game, const PlayerState& player) {
+  const bool continues = player.startedAt == startedAt_ || startedAt_ == 0;
+  if (player.startedAt == 0 || !continues) beginAttempt();
+  startedAt_ = player.startedAt;
+  if (player.present == 0 || player.arrived != 0) return;
+  const std::uint32_t face = game.world().entities()[slot_].part;
+  if (!visits_.enters(face) || startedAt_ == 0 || !rival_) return;
+  if (const Split* split = rival_->track->splitOf(face))
+    show(tick_, std::int64_t{tick_} - startedAt_ + 1 - split->ticks);
+}
+
+void RunKeeper::show(std::uint32_t tick, std::int64_t difference) {
+  difference_ = difference;
+  differenceUntil_ = tick + kShownTicks;
+}
+
+// The difference at the goal is shown until the next attempt.
+void RunKeeper::arrive(const Game& game, std::uint32_t ticks) {
+  if (rival_) {
+    show(tick_, std::int64_t{ticks} - rival_->track->ticks);
+    differenceUntil_ = UINT32_MAX;
+  }
+  if (best_ && best_->track->ticks <= ticks) return;
+  const std::optional<Run> run = cutter_.cut(game);
+  if (!run) return;
+  const auto replay = Replay::read(run->recording);
+  const auto* const played = std::get_if<std::shared_ptr<const Replay>>(&replay);
+  std::optional<RunTrack> track = played == nullptr ? std::nullopt : trackOf(**played);
+  if (!track) return;
+  isNewBest_ = true;
+  best_ = ghostOf(std::move(*track));
+  if (const std::string fault = store_.keep(*run); !fault.empty())
+    faults_.push_back("the best run is not kept: " + fault);
+}
+
+RunStatus RunKeeper::status() const {
+  RunStatus status;
+  if (best_) status.best = secondsOf(best_->track->ticks);
+  if (difference_ && tick_ < differenceUntil_) status.difference = secondsOf(static_cast<double>(*difference_));
+  status.isNewBest = isNewBest_;
+  return status;
+}
+
+std::vector<GhostSource> RunKeeper::ghostsAt(const Game& game, std::uint32_t slot, double fraction) const {
+  std::vector<GhostSource> ghosts;
+  const bool runs = slot < game.slots() && game.player(slot).startedAt != 0;
+  if (!runs || game.level().hash != level_) return ghosts;
+  const std::uint32_t ticks = game.tick() - game.player(slot).startedAt + 1;
+  if (rival_) ghosts.push_back({rival_->track->at(ticks, fraction), rival_->name, true});
+  for (const Ghost& other : others_) ghosts.push_back({other.track->at(ticks, fraction), other.name, false});
+  return ghosts;
+}
+
+}  // namespace platon

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "client/netcode/confirmed_observer.h"
+#include "client/replay/ghost_folder.h"
+#include "client/replay/run_cutter.h"
+#include "client/replay/run_store.h"
+#include "client/replay/run_track.h"
+#include "client/scene/scene.h"
+#include "client/ui/run_timer.h"
+
+namespace platon {
+
+/// Keeps the local player's best run on each level, compares its attempts with it, and shows it and the runs of others
+/// as ghosts. It only watches the game.
+class RunKeeper : public ConfirmedObserver {
+ public:
+  /// Most ghosts of others.
+  static constexpr std::size_t kMaxOthers = 3;
+  /// How long a difference to the best run is shown: 2 s.
+  static constexpr std::uint32_t kShownTicks = 2 * kTicksPerSecond;
+
+  /// `ghosts`: a folder with runs of others. Empty paths: there are none.
+  RunKeeper(const std::filesystem::path& runs, std::filesystem::path ghosts)
+      : store_(runs), ghostFolder_(std::move(ghosts)) {}
+
+  void began(const Game& confirmed, std::uint32_t slot) override;
+  void advanced(std::span<const Input> inputs, const Game& confirmed) override;
+
+  /// How the attempt compares with the best run.
+  RunStatus status() const;
+  /// The ghosts `fraction` of a tick after the last but one of `game`, in which the attempt of the player in `slot`
+  /// runs. None before its first input.
+  std::vector<GhostSource> ghostsAt(const Game& game, std::uint32_t slot, double fraction) const;
+
+  /// What could not be kept or read, each a sentence that is returned once.
+  std::vector<std::string> takeFaults() { return std::exchange(faults_, {}); }
+  const RunStore& store() const { return store_; }
+
+ private:
+  void load(std::uint64_t level);
+  std::optional<Ghost> readBest(std::uint64_t level);
+  void beginAttempt();
+  void observe(const Game& game, const PlayerState& player);
+  void arrive(const Game& game, std::uint32_t ticks);
+  void show(std::uint32_t tick, std::int64_t difference);
+
+  RunStore store_;
+  std::filesystem::path ghostFolder_;
+  RunCutter cutter_;
+  std::uint32_t slot_ = 0;
+  std::optional<std::uint64_t> level_;  // hash, of best_ and others_
+  std::optional<Ghost> best_;
+  std::vector<Ghost> others_;
+  std::vector<std::string> faults_;
+  std::uint32_t tick_ = 0;  // of the confirmed game
+
+  // Of the attempt.
+  std::uint32_t startedAt_ = 0;  // as PlayerState
+  FaceVisits visits_;
+  std::optional<Ghost> rival_;              // the best run when it began, which remains its ghost
+  std::optional<std::int64_t> difference_;  // ticks, to rival_
+  std::uint32_t differenceUntil_ = 0;       // tick
+  bool isNewBest_ = false;
+};
+
+}  // namespace platon

@@ -1,0 +1,125 @@
+#include "client/replay/run_store.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <chrono>
+#include <cinttypes>
+#include <cstdio>
+#include <system_error>
+#include <utility>
+
+#include "client/replay/replay_file.h"
+#include "client/ui/player_rows.h"
+#include "platon/game/game.h"
+#include "protocol/files/text_file.h"
+
+namespace platon {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string fileNameOf(std::uint64_t level, std::uint32_t rules, std::uint32_t ticks) {
+  std::array<char, 64> name{};
+  std::snprintf(name.data(), name.size(), "%016" PRIx64 "-%" PRIu32 "-%" PRIu32 ".recording", level, rules, ticks);
+  return name.data();
+}
+
+// Nothing if it is not the name of a run.
+std::optional<StoredRun> runOf(const fs::path& file) {
+  const std::string name = file.filename().string();
+  StoredRun run;
+  run.file = file;
+  const char* const end = name.data() + name.size();
+  auto read = std::from_chars(name.data(), end, run.level, 16);
+  if (read.ptr != end) read = std::from_chars(read.ptr + 1, end, run.rules);
+  if (read.ptr != end) read = std::from_chars(read.ptr + 1, end, run.ticks);
+  return name == fileNameOf(run.level, run.rules, run.ticks) ? std::optional(run) : std::nullopt;
+}
+
+std::optional<StoredRun> storedRun(const fs::directory_entry& entry) {
+  std::error_code fault;
+  std::optional<StoredRun> run = runOf(entry.path());
+  if (!run || !entry.is_regular_file(fault)) return std::nullopt;
+  run->date = entry.last_write_time(fault);
+  return fault ? std::nullopt : run;
+}
+
+std::string dateText(fs::file_time_type date) {
+  using namespace std::chrono;
+  const year_month_day day(floor<days>(file_clock::to_sys(date)));
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%04d-%02u-%02u", static_cast<int>(day.year()),
+                static_cast<unsigned>(day.month()), static_cast<unsigned>(day.day()));
+  return text.data();
+}
+
+ListedRun listed(const StoredRun& run) {
+  const std::optional<RecordingHead> head = readRecordingHeadOf(run.file);
+  ListedRun entry{run.file, {}, finishText(double{1} * run.ticks / kTicksPerSecond), dateText(run.date), run.rules, {}};
+  if (head && head->level) entry.title = head->level->title;
+  if (run.rules != kRulesVersion) entry.note = otherRulesText(run.rules);
+  if (!head) entry.note = "is a damaged recording";
+  return entry;
+}
+
+}  // namespace
+
+std::vector<StoredRun> RunStore::all() const {
+  std::vector<StoredRun> runs;
+  if (folder_.empty()) return runs;
+  std::error_code fault;
+  for (fs::directory_iterator entry(folder_, fault), end; !fault && entry != end; entry.increment(fault)) {
+    if (auto run = storedRun(*entry)) runs.push_back(std::move(*run));
+  }
+  std::sort(runs.begin(), runs.end(), [](const StoredRun& a, const StoredRun& b) {
+    return a.date != b.date ? a.date > b.date : a.file < b.file;
+  });
+  return runs;
+}
+
+std::optional<StoredRun> RunStore::best(std::uint64_t level) const {
+  std::optional<StoredRun> best;
+  for (const StoredRun& run : all()) {
+    if (run.level != level || run.rules != kRulesVersion) continue;
+    if (!best || run.ticks < best->ticks) best = run;
+  }
+  return best;
+}
+
+std::vector<ListedRun> RunStore::list() const {
+  std::vector<ListedRun> entries;
+  for (const StoredRun& run : all()) entries.push_back(listed(run));
+  return entries;
+}
+
+// The new file is there before the old one goes, so at any time there is a best run.
+std::string RunStore::keep(const Run& run) {
+  if (folder_.empty()) return {};
+  if (run.recording.size() > kMaxRunBytes) return "its recording is too large";
+  std::error_code ignored;
+  fs::create_directories(folder_, ignored);  // writing reports the error
+  const fs::path file = folder_ / fileNameOf(run.level->hash, kRulesVersion, run.ticks);
+  const std::string fault =
+      replaceTextFile(file.string(), {reinterpret_cast<const char*>(run.recording.data()), run.recording.size()});
+  if (!fault.empty()) return file.string() + ": " + fault;
+  for (const StoredRun& old : all()) {
+    const bool replaced = old.level == run.level->hash && old.rules == kRulesVersion && old.ticks > run.ticks;
+    if (replaced) fs::remove(old.file, ignored);
+  }
+  limit();
+  return {};
+}
+
+void RunStore::limit() const {
+  std::size_t count = 0;
+  std::uint64_t bytes = 0;
+  std::error_code fault;
+  for (const StoredRun& run : all()) {
+    const std::uint64_t size = fs::file_size(run.file, fault);
+    bytes += fault ? 0 : size;
+    if (++count > kMaxRuns || bytes > kMaxBytes) fs::remove(run.file, fault);
+  }
+}
+
+}  // namespace platon

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "client/replay/replay.h"
+#include "client/replay/run.h"
+
+namespace platon {
+
+/// A best run that is kept.
+struct StoredRun {
+  std::filesystem::path file;
+  std::uint64_t level = 0;               ///< hash of the level
+  std::uint32_t rules = 0;               ///< version of the rules it was played by
+  std::uint32_t ticks = 0;               ///< its time
+  std::filesystem::file_time_type date;  ///< when the file was written
+};
+
+/// A best run as a list shows it.
+struct ListedRun {
+  std::filesystem::path file;
+  std::string title;        ///< of the level; empty if it has none or cannot be read
+  std::string time;         ///< `12.34 s`
+  std::string date;         ///< in UTC, `2026-12-01`
+  std::uint32_t rules = 0;  ///< version of the rules
+  std::string note;         ///< why it cannot be played; empty: it can
+};
+
+/// The best run on each level by each version of the rules: a folder with one recording each, whose name is the hash of
+/// the level, the version of the rules and the ticks. A file that is copied here counts like the others. A folder that
+/// cannot be read or written keeps nothing.
+class RunStore {
+ public:
+  /// Bounds of the folder; the runs that were written longest ago are removed.
+  static constexpr std::size_t kMaxRuns = 512;
+  static constexpr std::uint64_t kMaxBytes = std::uint64_t{64} << 20;
+  /// Most bytes of a run that is kept.
+  static constexpr std::size_t kMaxRunBytes = std::size_t{4} << 20;
+
+  /// An empty path: nothing is kept.
+  explicit RunStore(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+  /// The best run on a level by the present rules, by its name; the recording may turn out to be damaged.
+  std::optional<StoredRun> best(std::uint64_t level) const;
+  /// Keeps a run as the best one, in place of slower ones. Returns why that failed, or an empty text.
+  std::string keep(const Run& run);
+  /// All runs, newest first, older rules included.
+  std::vector<StoredRun> all() const;
+  /// All runs, newest first, for a list.
+  std::vector<ListedRun> list() const;
+
+ private:
+  void limit() const;
+
+  std::filesystem::path folder_;
+};
+
+}  // namespace platon

@@ -1,0 +1,59 @@
+#include "client/replay/run_track.h"
+
+#include <algorithm>
+
+namespace platon {
+namespace {
+
+bool arrived(const Game& game, std::uint32_t slot) { return slot < game.slots() && game.player(slot).arrived != 0; }
+
+// Who touches the goal in the tick from `before` to `after`.
+std::optional<std::uint32_t> runnerOf(const Game& before, const Game& after) {
+  for (std::uint32_t slot = 0; slot < after.slots(); ++slot) {
+    if (arrived(after, slot) && !arrived(before, slot)) return slot;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+bool FaceVisits::enters(std::uint32_t face) {
+  const std::uint32_t bit = std::uint32_t{1} << (face % 32);
+  const bool isNew = seen_ != 0 && (seen_ & bit) == 0;
+  seen_ |= bit;
+  return isNew;
+}
+
+const Split* RunTrack::splitOf(std::uint32_t face) const {
+  const auto found =
+      std::find_if(splits.begin(), splits.end(), [face](const Split& each) { return each.face == face; });
+  return found == splits.end() ? nullptr : &*found;
+}
+
+InterpolatedPlayer RunTrack::at(std::uint32_t passed, double fraction) const {
+  if (passed == 0) return {};
+  const std::uint32_t now = std::min(passed, ticks);
+  return {places[passed > ticks ? now : now - 1], places[now], fraction};
+}
+
+std::optional<RunTrack> trackOf(const Replay& replay) {
+  if (replay.ticks() == 0) return std::nullopt;
+  const Game end = replay.gameAfter(replay.ticks());
+  const std::optional<std::uint32_t> slot = runnerOf(replay.gameAfter(replay.ticks() - 1), end);
+  if (!slot) return std::nullopt;
+  RunTrack track;
+  track.ticks = end.tick() - end.player(*slot).startedAt + 1;
+  if (track.ticks > replay.ticks()) return std::nullopt;
+  const std::uint32_t first = replay.ticks() - track.ticks;
+  Game game = replay.gameAfter(first);
+  FaceVisits visits;
+  for (std::uint32_t ticks = 0;; ++ticks) {
+    track.places.push_back(snapshotOf(game, *slot));
+    const PlayerSnapshot& place = track.places.back();
+    if (place.present && visits.enters(place.part)) track.splits.push_back({place.part, ticks});
+    if (ticks == track.ticks) return track;
+    game.advance(replay.inputsOf(first + ticks));
+  }
+}
+
+}  // namespace platon

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "client/netcode/player_snapshot.h"
+#include "client/replay/replay.h"
+
+namespace platon {
+
+/// The moment at which a run enters a face for the first time.
+struct Split {
+  std::uint32_t face = 0;
+  std::uint32_t ticks = 0;  ///< of the attempt
+
+  friend bool operator==(const Split&, const Split&) = default;
+};
+
+/// Notices when an attempt enters a face that it has not been on. Its first face is none of them.
+class FaceVisits {
+ public:
+  /// Whether the player enters a new face now. `face` is below 32.
+  bool enters(std::uint32_t face);
+
+ private:
+  std::uint32_t seen_ = 0;  // bits
+};
+
+/// Where the player of a run was in every tick, and the splits. The run of a recording is that of the player who
+/// touches the goal in its last tick; of several, of the one in the first slot.
+struct RunTrack {
+  std::uint32_t ticks = 0;             ///< time of the attempt, as the game counts it
+  std::vector<PlayerSnapshot> places;  ///< after so many ticks of the attempt: 0 … ticks
+  std::vector<Split> splits;           ///< in order
+
+  /// The split of a face; null if the run did not enter it, or began there.
+  const Split* splitOf(std::uint32_t face) const;
+  /// The player `fraction` of a tick after `ticks` − 1 ticks of the attempt: not present before the first tick, at the
+  /// goal after the last.
+  InterpolatedPlayer at(std::uint32_t ticks, double fraction) const;
+};
+
+/// Nothing if nobody touches the goal in the last tick, or if the attempt began before the recording.
+std::optional<RunTrack> trackOf(const Replay& replay);
+
+}  // namespace platon

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "client/scene/scene.h"
+#include "client/ui/overlay_writer.h"
+
+namespace platon {
+
+/// How the local player's attempt compares with its best run on this level.
+struct RunStatus {
+  std::optional<double> best{};        ///< seconds of the best run; nothing: there is none
+  std::optional<double> difference{};  ///< seconds to the best run so far, negative: faster; nothing: not to be shown
+  bool isNewBest = false;              ///< this attempt has reached the goal as the best run
+};
+
+/// A difference of times with its sign: `+0.32`, `−1.05`, `±0.00`.
+std::string differenceText(double seconds);
+
+/// Below the clock of the round, the time of the local player's attempt with its best one, and the difference. Nothing
+/// without a local player.
+void addRunTimer(OverlayWriter& writer, const Scene& scene, const RunStatus& run, float width);
+
+}  // namespace platon

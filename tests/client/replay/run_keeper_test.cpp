@@ -1,0 +1,176 @@
+#include "client/replay/run_keeper.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/client/replay/replay_of.h"
+#include "tests/shared/game/played_game.h"
+#include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
+
+namespace platon {
+namespace {
+
+// Over an edge to the goal on the next face.
+std::shared_ptr<const Level> edgeLevel(const std::string& goal = "1 0 -190") {
+  return cubeLevel("0 0 -180 0", {"-240 -200 240 -200", "-240 -200 240 -200"}, goal);
+}
+
+class RunKeeperTest : public testing::Test {
+ protected:
+  void begin() { keeper_.began(game_, 0); }
+  void hold(int ticks, std::uint8_t buttons) {
+    const std::vector<Input> inputs{{static_cast<std::uint8_t>(buttons | Input::kPresent)}};
+    for (int i = 0; i < ticks; ++i) {
+      game_.advance(inputs);
+      keeper_.advanced(inputs, game_);
+    }
+  }
+  // An attempt after R: waits, runs to the goal with this speed. Returns its time.
+  std::uint32_t attempt(int wait, std::uint8_t speed) {
+    hold(1, Input::kRestart);
+    hold(wait, 0);
+    for (int i = 0; i < 1000 && game_.player(0).arrived == 0; ++i) {
+      hold(1, static_cast<std::uint8_t>(Input::kRight | speed));
+    }
+    return game_.tick() - game_.player(0).startedAt + 1;
+  }
+  double seconds(std::int64_t ticks) const { return static_cast<double>(ticks) / kTicksPerSecond; }
+
+  const TemporaryFolder folder_;
+  Game game_{edgeLevel()};
+  RunKeeper keeper_{folder_ / "runs", folder_ / "ghosts"};
+};
+
+TEST_F(RunKeeperTest, TheFirstRunIsTheBestAndIsKept) {
+  begin();
+  EXPECT_FALSE(keeper_.status().best);
+  const std::uint32_t ticks = attempt(40, 0);
+  EXPECT_TRUE(keeper_.status().isNewBest);
+  EXPECT_EQ(keeper_.status().best, seconds(ticks));
+  EXPECT_FALSE(keeper_.status().difference) << "there was none before";
+  ASSERT_TRUE(keeper_.store().best(game_.level().hash));
+  EXPECT_EQ(keeper_.store().best(game_.level().hash)->ticks, ticks);
+  RunKeeper next(folder_ / "runs", {});
+  next.began(Game(edgeLevel()), 0);
+  EXPECT_EQ(next.status().best, seconds(ticks));
+}
+
+TEST_F(RunKeeperTest, ASlowerRunIsNotKept) {
+  begin();
+  const std::uint32_t best = attempt(40, 0);
+  const std::uint32_t slow = attempt(40, Input::kWalk);
+  ASSERT_GT(slow, best);
+  EXPECT_FALSE(keeper_.status().isNewBest);
+  EXPECT_EQ(keeper_.status().best, seconds(best));
+  EXPECT_EQ(keeper_.status().difference, seconds(std::int64_t{slow} - best));
+  EXPECT_EQ(keeper_.store().best(game_.level().hash)->ticks, best);
+  hold(1, Input::kRestart);
+  EXPECT_FALSE(keeper_.status().difference);
+}
+
+TEST_F(RunKeeperTest, AFasterRunReplacesIt) {
+  begin();
+  const std::uint32_t slow = attempt(40, Input::kWalk);
+  const std::uint32_t fast = attempt(40, 0);
+  EXPECT_TRUE(keeper_.status().isNewBest);
+  EXPECT_EQ(keeper_.status().best, seconds(fast));
+  EXPECT_EQ(keeper_.status().difference, seconds(std::int64_t{fast} - slow));
+  EXPECT_EQ(keeper_.store().all().size(), 1U);
+}
+
+TEST_F(RunKeeperTest, TheDifferenceAtASplitIsShownForTwoSeconds) {
+  begin();
+  attempt(40, 0);
+  const auto best = trackOf(*replayOf(readBytes(keeper_.store().best(game_.level().hash)->file)));
+  ASSERT_TRUE(best);
+  ASSERT_EQ(best->splits.size(), 1U);
+  hold(1, Input::kRestart);
+  hold(40, 0);
+  while (game_.world().entities()[0].part == 0) hold(1, Input::kRight | Input::kWalk);
+  const std::int64_t ticks = std::int64_t{game_.tick()} - game_.player(0).startedAt + 1;
+  ASSERT_TRUE(keeper_.status().difference);
+  EXPECT_EQ(*keeper_.status().difference, seconds(ticks - best->splits[0].ticks));
+  EXPECT_GT(*keeper_.status().difference, 0);
+  hold(RunKeeper::kShownTicks - 1, 0);
+  EXPECT_TRUE(keeper_.status().difference);
+  hold(1, 0);
+  EXPECT_FALSE(keeper_.status().difference);
+}
+
+TEST_F(RunKeeperTest, TheGhostRunsInTimeWithTheAttempt) {
+  begin();
+  EXPECT_TRUE(keeper_.ghostsAt(game_, 0, 1).empty());
+  attempt(40, 0);
+  const auto best = trackOf(*replayOf(readBytes(keeper_.store().best(game_.level().hash)->file)));
+  hold(1, Input::kRestart);
+  hold(77, 0);
+  EXPECT_TRUE(keeper_.ghostsAt(game_, 0, 1).empty()) << "waits for the first input";
+  for (std::uint32_t ticks = 1; ticks <= best->ticks + 20; ++ticks) {
+    hold(1, ticks == 1 ? Input::kLeft : 0);
+    const auto ghosts = keeper_.ghostsAt(game_, 0, 0.5);
+    ASSERT_EQ(ghosts.size(), 1U);
+    ASSERT_EQ(ghosts[0].player.now.position, best->places[std::min(ticks, best->ticks)].position) << ticks;
+    ASSERT_EQ(ghosts[0].player.fraction, 0.5);
+  }
+}
+
+TEST_F(RunKeeperTest, TheGhostOfAnAttemptStaysThatOfItsBeginning) {
+  begin();
+  const std::uint32_t slow = attempt(40, Input::kWalk);
+  const std::uint32_t fast = attempt(40, 0);
+  const auto ghosts = keeper_.ghostsAt(game_, 0, 1);
+  ASSERT_EQ(ghosts.size(), 1U);
+  EXPECT_NE(ghosts[0].player.now.position, game_.world().entities()[0].position)
+      << "the slower run is still on its way";
+  EXPECT_LT(fast, slow);
+}
+
+TEST_F(RunKeeperTest, OthersAreGhostsToo) {
+  begin();
+  attempt(40, 0);
+  const auto bytes = readBytes(keeper_.store().best(game_.level().hash)->file);
+  std::filesystem::create_directories(folder_ / "ghosts");
+  for (const char* const name : {"a", "b", "c", "d"}) {
+    writeText(folder_ / "ghosts" / name, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  }
+  RunKeeper next(folder_ / "runs", folder_ / "ghosts");
+  Game game(edgeLevel());
+  next.began(game, 0);
+  const std::vector<Input> right{{Input::kPresent | Input::kRight}};
+  game.advance(right);
+  next.advanced(right, game);
+  const auto ghosts = next.ghostsAt(game, 0, 1);
+  ASSERT_EQ(ghosts.size(), 1 + RunKeeper::kMaxOthers);
+  EXPECT_EQ(ghosts[0].name.substr(0, 5), "best ");
+  EXPECT_EQ(ghosts[3].name, "c");
+}
+
+TEST_F(RunKeeperTest, AnotherLevelHasAnotherBestRun) {
+  begin();
+  attempt(40, 0);
+  const Game other(edgeLevel("1 100 -190"));
+  keeper_.began(other, 0);
+  EXPECT_FALSE(keeper_.status().best);
+  EXPECT_TRUE(keeper_.ghostsAt(game_, 0, 1).empty()) << "of the level before";
+  keeper_.began(Game(edgeLevel()), 0);
+  EXPECT_TRUE(keeper_.status().best);
+}
+
+TEST_F(RunKeeperTest, ADamagedBestRunIsNamedAndDoesNotCount) {
+  begin();
+  attempt(40, 0);
+  const std::filesystem::path file = keeper_.store().best(game_.level().hash)->file;
+  writeText(file, "damaged");
+  RunKeeper next(folder_ / "runs", {});
+  next.began(Game(edgeLevel()), 0);
+  EXPECT_FALSE(next.status().best);
+  const std::vector<std::string> faults = next.takeFaults();
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_EQ(faults[0].substr(0, file.string().size()), file.string());
+  EXPECT_TRUE(next.takeFaults().empty());
+}
+
+}  // namespace
+}  // namespace platon

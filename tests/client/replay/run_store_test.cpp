@@ -1,0 +1,161 @@
+#include "client/replay/run_store.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <fstream>
+
+#include "client/replay/recording_head.h"
+#include "platon/game/game.h"
+#include "tests/client/replay/followed_game.h"
+#include "tests/client/replay/older_rules.h"
+#include "tests/shared/game/played_game.h"
+#include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
+
+namespace platon {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A run to the goal on the right of the start, at a full run or slowly.
+Run runOf(std::uint8_t speed = 0) {
+  FollowedGame followed(
+      levelOf("# title: Floor\nHEXAHEDRON\n0 0 -180 0\n0 100 -190\n480\n%\n-240 -200 240 "
+              "-200\n%\n%\n%\n%\n%\n"));
+  followed.hold(30, 0);
+  followed.holdToGoal(300, static_cast<std::uint8_t>(Input::kRight | speed));
+  return followed.run.value();
+}
+
+class RunStoreTest : public testing::Test {
+ protected:
+  std::size_t files() const {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(path_), fs::directory_iterator()));
+  }
+
+  const TemporaryFolder folder_;
+  const fs::path path_ = folder_ / "data/runs";
+  RunStore store_{path_};
+};
+
+TEST_F(RunStoreTest, KeepsTheBestRunInOneFile) {
+  const auto slow = runOf(Input::kWalk);
+  const auto fast = runOf();
+  ASSERT_LT(fast.ticks, slow.ticks);
+  EXPECT_FALSE(store_.best(slow.level->hash));
+  EXPECT_EQ(store_.keep(slow), "");
+  EXPECT_EQ(store_.best(slow.level->hash)->ticks, slow.ticks);
+  EXPECT_EQ(store_.keep(fast), "");
+  EXPECT_EQ(files(), 1U);
+  const StoredRun best = store_.best(slow.level->hash).value();
+  EXPECT_EQ(best.ticks, fast.ticks);
+  EXPECT_EQ(best.rules, kRulesVersion);
+  EXPECT_EQ(readBytes(best.file), fast.recording);
+}
+
+TEST_F(RunStoreTest, OfTwoRunsOfALevelTheShorterCounts) {
+  const auto slow = runOf(Input::kWalk);
+  const auto fast = runOf();
+  store_.keep(fast);
+  store_.keep(slow);  // of another program that had read the folder before
+  EXPECT_EQ(store_.best(slow.level->hash)->ticks, fast.ticks);
+}
+
+TEST_F(RunStoreTest, RunsOfOlderRulesAreKeptAndSaySo) {
+  const auto run = runOf();
+  store_.keep(run);
+  const std::string name = store_.best(run.level->hash)->file.filename().string();
+  const std::string rules = "-" + std::to_string(kRulesVersion) + "-";
+  std::string older = name;
+  older.replace(older.find(rules), rules.size(), "-" + std::to_string(kRulesVersion - 1) + "-");
+  older.replace(older.rfind('-'), std::string::npos, "-1.recording");
+  const auto bytes = asOfOlderRules(run.recording, *run.level);
+  writeText(path_ / older, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  store_.keep(run);
+  EXPECT_EQ(store_.best(run.level->hash)->ticks, run.ticks) << "not that of older rules";
+  EXPECT_EQ(files(), 2U);
+  fs::last_write_time(path_ / older, fs::file_time_type::clock::now() - std::chrono::hours(48));
+  const std::vector<ListedRun> list = store_.list();
+  ASSERT_EQ(list.size(), 2U);
+  EXPECT_EQ(list[0].note, "");
+  EXPECT_EQ(list[1].title, "Floor");
+  EXPECT_EQ(list[1].time, "0.02 s");
+  EXPECT_EQ(list[1].rules, kRulesVersion - 1);
+  EXPECT_EQ(list[1].note, otherRulesText(kRulesVersion - 1));
+}
+
+TEST_F(RunStoreTest, TheListShowsLevelTimeAndDate) {
+  const auto run = runOf();
+  store_.keep(run);
+  const fs::path file = store_.best(run.level->hash)->file;
+  const auto noon = std::chrono::sys_days(std::chrono::year(2026) / 2 / 28) + std::chrono::seconds(12 * 3600);
+  fs::last_write_time(file, std::chrono::file_clock::from_sys(noon));
+  const std::vector<ListedRun> list = store_.list();
+  ASSERT_EQ(list.size(), 1U);
+  EXPECT_EQ(list[0].title, "Floor");
+  EXPECT_EQ(list[0].date, "2026-02-28");
+  EXPECT_EQ(list[0].rules, kRulesVersion);
+  EXPECT_EQ(list[0].time.substr(list[0].time.size() - 2), " s");
+}
+
+TEST_F(RunStoreTest, OtherFilesAreLeftAlone) {
+  store_.keep(runOf());
+  for (const char* const name : {"notes", "1-7-5.recording", "0123456789abcdef-7-05.recording",
+                                 "0123456789ABCDEF-7-5.recording", "0123456789abcdef-7-5.recordings"}) {
+    writeText(path_ / name, "mine");
+  }
+  EXPECT_EQ(store_.all().size(), 1U);
+  writeText(path_ / "0123456789abcdef-7-5.recording", "damaged");
+  ASSERT_EQ(store_.list().size(), 2U);
+  EXPECT_EQ(store_.list()[0].note + store_.list()[1].note, "is a damaged recording");
+}
+
+TEST_F(RunStoreTest, TheOldestOfTooManyIsRemoved) {
+  const auto run = runOf();
+  fs::create_directories(path_);
+  for (std::size_t i = 0; i < RunStore::kMaxRuns; ++i) {
+    std::string name = std::to_string(i);
+    name = std::string(16 - name.size(), '0') + name + "-7-5.recording";
+    writeText(path_ / name, "x");
+    fs::last_write_time(path_ / name, fs::file_time_type::clock::now() - std::chrono::hours(i + 1));
+  }
+  store_.keep(run);
+  EXPECT_EQ(store_.all().size(), RunStore::kMaxRuns);
+  EXPECT_TRUE(store_.best(run.level->hash));
+  EXPECT_FALSE(fs::exists(path_ / "0000000000000511-7-5.recording"));
+  EXPECT_TRUE(fs::exists(path_ / "0000000000000510-7-5.recording"));
+}
+
+TEST_F(RunStoreTest, TheBytesAreBounded) {
+  const auto run = runOf();
+  fs::create_directories(path_);
+  for (int i = 0; i < 2; ++i) {
+    const fs::path file = path_ / ("000000000000000" + std::to_string(i) + "-7-5.recording");
+    writeText(file, "x");
+    fs::resize_file(file, RunStore::kMaxBytes / 2);
+    fs::last_write_time(file, fs::file_time_type::clock::now() - std::chrono::hours(i + 1));
+  }
+  store_.keep(run);
+  EXPECT_EQ(store_.all().size(), 2U);
+  auto large = run;
+  large.recording.resize(RunStore::kMaxRunBytes + 1);
+  EXPECT_EQ(store_.keep(large), "its recording is too large");
+}
+
+TEST_F(RunStoreTest, WithoutAFolderNothingIsKept) {
+  RunStore none{fs::path()};
+  EXPECT_EQ(none.keep(runOf()), "");
+  EXPECT_TRUE(none.all().empty());
+  EXPECT_TRUE(store_.list().empty());
+}
+
+TEST_F(RunStoreTest, AFailureNamesTheFile) {
+  writeText(folder_ / "data", "a file");
+  const std::string fault = store_.keep(runOf());
+  EXPECT_EQ(fault.substr(0, path_.string().size()), path_.string());
+  EXPECT_NE(fault.find(": Not a directory"), std::string::npos) << fault;
+}
+
+}  // namespace
+}  // namespace platon

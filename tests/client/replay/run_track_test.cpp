@@ -1,0 +1,97 @@
+#include "client/replay/run_track.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/client/replay/followed_game.h"
+#include "tests/client/replay/replay_of.h"
+#include "tests/shared/game/recorded_game.h"
+#include "tests/support/files.h"
+
+namespace platon {
+namespace {
+
+// One player runs over the edge to the goal on the next face.
+FollowedGame overTheEdge() {
+  FollowedGame followed(cubeLevel("0 0 -180 0", {"-240 -200 240 -200", "-240 -200 240 -200"}, "1 0 -190"));
+  followed.hold(30, 0);
+  followed.holdToGoal(400, Input::kRight);
+  return followed;
+}
+
+TEST(FaceVisits, TheFirstFaceIsNoneAndEachOtherCountsOnce) {
+  FaceVisits visits;
+  EXPECT_FALSE(visits.enters(3));
+  EXPECT_FALSE(visits.enters(3));
+  EXPECT_TRUE(visits.enters(0));
+  EXPECT_FALSE(visits.enters(3));
+  EXPECT_TRUE(visits.enters(19));
+  EXPECT_FALSE(visits.enters(0));
+}
+
+TEST(RunTrack, HasThePlaceAfterEveryTickOfTheAttempt) {
+  const FollowedGame followed = overTheEdge();
+  ASSERT_TRUE(followed.run);
+  const auto replay = replayOf(followed.run->recording);
+  const auto track = trackOf(*replay);
+  ASSERT_TRUE(track);
+  ASSERT_EQ(track->places.size(), track->ticks + 1U);
+  const std::uint32_t before = replay->ticks() - track->ticks;
+  for (std::uint32_t ticks = 0; ticks <= track->ticks; ++ticks) {
+    const EntityState entity = replay->gameAfter(before + ticks).world().entities()[0];
+    ASSERT_EQ(track->places[ticks].position, entity.position) << ticks;
+    ASSERT_EQ(track->places[ticks].part, entity.part) << ticks;
+  }
+  EXPECT_EQ(replay->gameAfter(before).player(0).startedAt, 0U);
+  EXPECT_NE(replay->gameAfter(before + 1).player(0).startedAt, 0U);
+}
+
+TEST(RunTrack, ASplitIsTheTickAfterWhichThePlayerIsOnTheNewFace) {
+  const FollowedGame followed = overTheEdge();
+  const auto track = trackOf(*replayOf(followed.run->recording));
+  ASSERT_TRUE(track);
+  ASSERT_EQ(track->splits.size(), 1U);
+  const Split split = track->splits.front();
+  EXPECT_EQ(split.face, 1U);
+  EXPECT_EQ(track->places[split.ticks].part, 1U);
+  EXPECT_EQ(track->places[split.ticks - 1].part, 0U);
+  EXPECT_EQ(*track->splitOf(1), split);
+  EXPECT_EQ(track->splitOf(0), nullptr);
+  EXPECT_EQ(track->splitOf(4), nullptr);
+}
+
+TEST(RunTrack, TheGhostMovesInTimeAndStaysAtTheGoal) {
+  const FollowedGame followed = overTheEdge();
+  const auto track = trackOf(*replayOf(followed.run->recording));
+  ASSERT_TRUE(track);
+  EXPECT_FALSE(track->at(0, 1).now.present);
+  const InterpolatedPlayer third = track->at(3, 0.25);
+  EXPECT_EQ(third.before.position, track->places[2].position);
+  EXPECT_EQ(third.now.position, track->places[3].position);
+  EXPECT_EQ(third.fraction, 0.25);
+  const InterpolatedPlayer after = track->at(track->ticks + 100, 0.25);
+  EXPECT_EQ(after.before.position, track->places.back().position);
+  EXPECT_EQ(after.now.position, track->places.back().position);
+}
+
+TEST(RunTrack, ARecordingWithoutAnArrivalInItsLastTickIsNoRun) {
+  EXPECT_FALSE(trackOf(*replayOf(recordGame(100, 60).recording)));
+  Recorder recorder{Game(recordedLevel())};
+  recorder.finish(Game(recordedLevel()));
+  EXPECT_FALSE(trackOf(*replayOf(recorder.takeBytes())));
+}
+
+TEST(RunTrack, AnAttemptThatBeganBeforeTheRecordingIsNoRun) {
+  FollowedGame followed(cubeLevel("0 0 -180 0", {"-240 -200 240 -200"}, "0 100 -190"));
+  followed.hold(10, Input::kRight);
+  Recorder recorder(followed.game);
+  const std::vector<Input> inputs{{Input::kPresent | Input::kRight}};
+  while (!followed.time) {
+    followed.advance(inputs);
+    recorder.record(inputs, followed.game);
+  }
+  recorder.finish(followed.game);
+  EXPECT_FALSE(trackOf(*replayOf(recorder.takeBytes())));
+}
+
+}  // namespace
+}  // namespace platon
