@@ -24,4 +24,7 @@ glm::dvec3 lightOf(const Camera& camera);
 /// The faces whose outer side faces the camera.
 std::vector<FaceView> visibleFaces(const SolidMesh& mesh, const Camera& camera);
 
+/// The other faces on which something that stands up from them can be seen past the edges of the visible faces.
+std::vector<FaceView> facesBeyondTheHorizon(const SolidMesh& mesh, const Camera& camera);
+
 }  // namespace platon

@@ -27,6 +27,22 @@ class FaceViewTest : public testing::TestWithParam<int> {
   SolidMesh mesh_{static_cast<SolidKind>(GetParam()), kSize};
 };
 
+TEST_P(FaceViewTest, FacesBeyondTheHorizonAreNextToTheVisibleOnes) {
+  for (int focus = 0; focus < mesh_.faces(); ++focus) {
+    const Camera camera = cameraAt(mesh_, focus, {20, -30});
+    const std::set<int> visible = facesOf(visibleFaces(mesh_, camera));
+    const std::set<int> beyond = facesOf(facesBeyondTheHorizon(mesh_, camera));
+    for (const int face : beyond) EXPECT_FALSE(visible.contains(face));
+    for (const int face : visible) {
+      for (int edge = 0; edge < mesh_.solid().edgesPerFace(); ++edge) {
+        const int next = mesh_.solid().neighbour(face, edge).face;
+        const bool faint = glm::dot(mesh_.normal(next), camera.back()) < -0.6;
+        EXPECT_TRUE(visible.contains(next) || beyond.contains(next) || faint) << face << " " << next;
+      }
+    }
+  }
+}
+
 TEST_P(FaceViewTest, VisibleFacesAreThoseWhoseOuterSideFacesTheCamera) {
   for (int focus = 0; focus < mesh_.faces(); ++focus) {
     const Camera camera = cameraAt(mesh_, focus, {20, -30});

@@ -1,0 +1,117 @@
+#include "client/scene/look/scheme.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace platon {
+namespace {
+
+constexpr double kDarkest = 0.42;
+constexpr double kStep = 0.06;  // of lightness from tone to tone
+constexpr std::size_t kSolids = 5;
+
+// In the colour space of oklch().
+struct Shade {
+  double lightness;
+  double chroma;
+  double hue;
+};
+
+struct Plan {
+  double chroma;  // of the tones
+  double hue;     // of the darkest tone
+  double turn;    // of the hue from tone to tone
+  Shade wall;
+  Shade skyTop;
+  Shade skyBottom;
+  Shade glow;
+  Shade mote;
+};
+
+Colour colourOf(const Shade& shade) { return oklch(shade.lightness, shade.chroma, shade.hue); }
+
+const Plan& planOf(SolidKind solid) {
+  static const Plan fire{
+      0.115, 18, 12, {0.95, 0.035, 75}, {0.25, 0.06, 320}, {0.50, 0.09, 15}, {0.84, 0.10, 75}, {0.85, 0.13, 75}};
+  static const Plan earth{
+      0.085, 165, -13, {0.96, 0.03, 95}, {0.30, 0.055, 225}, {0.60, 0.075, 75}, {0.78, 0.09, 80}, {0.92, 0.07, 95}};
+  static const Plan air{
+      0.085, 262, -10, {0.97, 0.015, 250}, {0.36, 0.09, 270}, {0.62, 0.07, 340}, {0.80, 0.06, 25}, {0.96, 0.02, 250}};
+  static const Plan ether{
+      0.10, 285, 13, {0.95, 0.025, 320}, {0.21, 0.08, 285}, {0.46, 0.10, 345}, {0.66, 0.11, 10}, {0.88, 0.07, 320}};
+  static const Plan water{
+      0.085, 238, -13, {0.96, 0.02, 200}, {0.21, 0.07, 270}, {0.50, 0.075, 205}, {0.70, 0.075, 175}, {0.90, 0.06, 190}};
+  switch (solid) {
+    case SolidKind::kTetrahedron:
+      return fire;
+    case SolidKind::kHexahedron:
+      return earth;
+    case SolidKind::kOctahedron:
+      return air;
+    case SolidKind::kDodecahedron:
+      return ether;
+    default:
+      return water;
+  }
+}
+
+Scheme made(const Plan& plan) {
+  Scheme scheme;
+  for (int tone = 0; tone < Scheme::kTones; ++tone)
+    scheme.tones[static_cast<std::size_t>(tone)] =
+        oklch(kDarkest + kStep * tone, plan.chroma, plan.hue + plan.turn * tone);
+  scheme.wall = colourOf(plan.wall);
+  scheme.skyTop = colourOf(plan.skyTop);
+  scheme.skyBottom = colourOf(plan.skyBottom);
+  scheme.glow = colourOf(plan.glow);
+  scheme.mote = colourOf(plan.mote);
+  return scheme;
+}
+
+bool fits(const PlatonicSolid& solid, const std::vector<int>& tones, int face, int tone) {
+  for (int edge = 0; edge < solid.edgesPerFace(); ++edge) {
+    if (tones[solid.neighbour(face, edge).face] == tone) return false;
+  }
+  return true;
+}
+
+// Gives tones to `face` and all after it. Each face begins with another tone, so that all tones are used.
+bool giveTones(const PlatonicSolid& solid, std::vector<int>& tones, int face) {
+  if (face == solid.faces()) return true;
+  int& own = tones[static_cast<std::size_t>(face)];
+  for (int i = 0; i < Scheme::kTones; ++i) {
+    const int tone = (2 + 3 * face + i) % Scheme::kTones;
+    if (!fits(solid, tones, face, tone)) continue;
+    own = tone;
+    if (giveTones(solid, tones, face + 1)) return true;
+    own = -1;
+  }
+  return false;
+}
+
+template <class Value, class Make>
+const Value& perSolid(SolidKind solid, Make make) {
+  static const std::array<Value, kSolids> values = [&] {
+    std::array<Value, kSolids> all;
+    for (std::size_t i = 0; i < kSolids; ++i) all[i] = make(static_cast<SolidKind>(i));
+    return all;
+  }();
+  return values[static_cast<std::size_t>(solid)];
+}
+
+}  // namespace
+
+const Scheme& schemeOf(SolidKind solid) {
+  return perSolid<Scheme>(solid, [](SolidKind kind) { return made(planOf(kind)); });
+}
+
+const std::vector<int>& tonesOfFaces(SolidKind solid) {
+  return perSolid<std::vector<int>>(solid, [](SolidKind kind) {
+    const PlatonicSolid& faces = PlatonicSolid::of(kind);
+    std::vector<int> tones(static_cast<std::size_t>(faces.faces()), -1);
+    giveTones(faces, tones, 0);
+    return tones;
+  });
+}
+
+}  // namespace platon

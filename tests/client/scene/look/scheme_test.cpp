@@ -1,0 +1,90 @@
+#include "client/scene/look/scheme.h"
+
+#include <cmath>
+#include <set>
+
+#include <gtest/gtest.h>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+#include "client/scene/palette.h"
+
+namespace platon {
+namespace {
+
+constexpr SolidKind kKinds[] = {SolidKind::kTetrahedron, SolidKind::kHexahedron, SolidKind::kOctahedron,
+                                SolidKind::kDodecahedron, SolidKind::kIcosahedron};
+
+glm::dvec3 linear(Colour colour) {
+  glm::dvec3 result;
+  for (int i = 0; i < 3; ++i)
+    result[i] = colour[i] <= 0.04045F ? colour[i] / 12.92 : std::pow((colour[i] + 0.055) / 1.055, 2.4);
+  return result;
+}
+
+// CIE lightness, 0 … 100.
+double lightness(glm::dvec3 rgb) {
+  const double y = glm::dot(rgb, glm::dvec3(0.2126, 0.7152, 0.0722));
+  return y > 0.008856 ? 116 * std::cbrt(y) - 16 : 903.3 * y;
+}
+
+// Linear colours as eyes see them that lack red or green cones: Viénot, Brettel and Mollon, 1999.
+glm::dvec3 protanope(glm::dvec3 c) {
+  const double mixed = 0.11238 * c.r + 0.88762 * c.g;
+  return {mixed, mixed, 0.00401 * c.r - 0.00401 * c.g + c.b};
+}
+glm::dvec3 deuteranope(glm::dvec3 c) {
+  const double mixed = 0.29275 * c.r + 0.70725 * c.g;
+  return {mixed, mixed, -0.02234 * c.r + 0.02234 * c.g + c.b};
+}
+
+TEST(Scheme, NeighbouringFacesHaveDifferentTones) {
+  for (const SolidKind kind : kKinds) {
+    const PlatonicSolid& solid = PlatonicSolid::of(kind);
+    const std::vector<int>& tones = tonesOfFaces(kind);
+    ASSERT_EQ(tones.size(), static_cast<std::size_t>(solid.faces()));
+    for (int face = 0; face < solid.faces(); ++face) {
+      const int tone = tones[static_cast<std::size_t>(face)];
+      EXPECT_GE(tone, 0);
+      EXPECT_LT(tone, Scheme::kTones);
+      for (int edge = 0; edge < solid.edgesPerFace(); ++edge)
+        EXPECT_NE(tone, tones[solid.neighbour(face, edge).face]) << "face " << face;
+    }
+  }
+}
+
+TEST(Scheme, TonesDifferByLightnessForAllEyes) {
+  constexpr double kLeast = 4;  // a difference of 1 is just seen
+  for (const SolidKind kind : kKinds) {
+    for (const auto& eyes : {+[](glm::dvec3 c) { return c; }, &protanope, &deuteranope}) {
+      const auto& tones = schemeOf(kind).tones;
+      for (std::size_t i = 1; i < tones.size(); ++i) {
+        EXPECT_GT(lightness(eyes(linear(tones[i]))), lightness(eyes(linear(tones[i - 1]))) + kLeast)
+            << "solid " << static_cast<int>(kind) << " tone " << i;
+      }
+    }
+  }
+}
+
+TEST(Scheme, SolidsDiffer) {
+  for (const SolidKind a : kKinds) {
+    for (const SolidKind b : kKinds) {
+      if (a == b) continue;
+      EXPECT_GT(glm::distance(schemeOf(a).tones[1], schemeOf(b).tones[1]), 0.05F);
+      EXPECT_GT(glm::distance(schemeOf(a).skyBottom, schemeOf(b).skyBottom), 0.05F);
+    }
+  }
+}
+
+TEST(Scheme, WallsAndPlayersAreLighterThanFaces) {
+  for (const SolidKind kind : kKinds) {
+    const Scheme& scheme = schemeOf(kind);
+    const double lightest = lightness(linear(scheme.tones.back()));
+    EXPECT_GT(lightness(linear(scheme.wall)), lightest + 25);
+    for (std::uint32_t slot = 0; slot < 64; ++slot) EXPECT_GT(lightness(linear(playerColour(slot))), lightest) << slot;
+  }
+}
+
+}  // namespace
+}  // namespace platon

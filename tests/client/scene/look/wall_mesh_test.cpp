@@ -1,0 +1,149 @@
+#include "client/scene/look/wall_mesh.h"
+
+#include <cmath>
+#include <map>
+#include <random>
+#include <utility>
+
+#include <gtest/gtest.h>
+#include <glm/geometric.hpp>
+
+namespace platon {
+namespace {
+
+using Walls = std::vector<std::vector<Wall>>;
+
+Walls noWalls(const SolidMesh& solid) { return Walls(static_cast<std::size_t>(solid.faces())); }
+
+// Some walls on every face, also over its edges and corners.
+Walls someWalls(const SolidMesh& solid, int perFace) {
+  std::mt19937 random(7);
+  const double reach = solid.apothem() * 1.1;
+  std::uniform_real_distribution<double> place(-reach, reach);
+  Walls walls = noWalls(solid);
+  for (std::vector<Wall>& face : walls) {
+    for (int i = 0; i < perFace; ++i) face.push_back({{place(random), place(random)}, {place(random), place(random)}});
+    face.push_back({{3, 4}, {3, 4}});
+  }
+  return walls;
+}
+
+constexpr SolidKind kKinds[] = {SolidKind::kTetrahedron, SolidKind::kHexahedron, SolidKind::kOctahedron,
+                                SolidKind::kDodecahedron, SolidKind::kIcosahedron};
+
+glm::dvec3 placeOf(const WallMesh& mesh, std::size_t corner) { return mesh.vertices[mesh.triangles[corner]].place; }
+
+TEST(WallMesh, IsClosedButForItsUndersides) {
+  const SolidMesh solid(SolidKind::kDodecahedron, 300);
+  const WallMesh mesh = makeWallMesh(solid, someWalls(solid, 6));
+  using Point = std::array<long, 3>;
+  for (const WallMesh::Part& part : mesh.faces) {
+    std::map<std::pair<Point, Point>, int> ways;  // how often each edge runs this way, less how often the other way
+    const auto pointAt = [&](std::size_t corner) {
+      const glm::dvec3 place = placeOf(mesh, corner) * 1000.0;
+      return Point{std::lround(place.x), std::lround(place.y), std::lround(place.z)};
+    };
+    for (std::size_t i = part.first; i < part.first + part.count; ++i) {
+      const std::size_t next = i % 3 == 2 ? i - 2 : i + 1;
+      ++ways[{pointAt(i), pointAt(next)}];
+      --ways[{pointAt(next), pointAt(i)}];
+    }
+    for (const auto& [edge, sum] : ways) {
+      const bool onFace = edge.first[2] == 0 && edge.second[2] == 0;
+      EXPECT_TRUE(sum == 0 || onFace);
+    }
+  }
+}
+
+TEST(WallMesh, TrianglesFaceOutwardsAndTopsAreAtTheHeight) {
+  const SolidMesh solid(SolidKind::kTetrahedron, 400);
+  Walls walls = noWalls(solid);
+  walls[0] = {{{-50, 10}, {50, 30}}};
+  const WallMesh mesh = makeWallMesh(solid, walls);
+  const glm::dvec3 inside(0, 20, Wall::kHeight / 2);
+  double highest = 0;
+  ASSERT_GT(mesh.triangles.size(), 0U);
+  for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) {
+    const glm::dvec3 a = placeOf(mesh, i);
+    const glm::dvec3 normal = glm::cross(placeOf(mesh, i + 1) - a, placeOf(mesh, i + 2) - a);
+    EXPECT_GT(glm::dot(normal, a - inside), 0) << i;
+    const WallVertex& vertex = mesh.vertices[mesh.triangles[i]];
+    const glm::dvec3 stored(vertex.normal[0], vertex.normal[1], vertex.normal[2]);
+    EXPECT_GT(glm::dot(glm::normalize(normal), stored / 127.0), 0.98) << i;
+    highest = std::max(highest, a.z);
+  }
+  EXPECT_EQ(highest, Wall::kHeight);
+  for (const WallVertex& vertex : mesh.vertices) EXPECT_TRUE(vertex.place.z == 0 || vertex.place.z == 12);
+}
+
+TEST(WallMesh, StaysBetweenThePlanesThatBisectItsFaceAndTheNeighbours) {
+  for (const SolidKind kind : kKinds) {
+    const SolidMesh solid(kind, 300);
+    const WallMesh mesh = makeWallMesh(solid, someWalls(solid, 8));
+    const double lean = 1 / std::tan(solid.dihedral() / 2);
+    for (const WallVertex& vertex : mesh.vertices) {
+      for (const glm::dvec2 edge : solid.edgeNormals()) {
+        const double beyond = glm::dot(edge, glm::dvec2(vertex.place)) - solid.apothem();
+        EXPECT_LE(beyond, vertex.place.z * lean + 1e-3);
+      }
+    }
+  }
+}
+
+TEST(WallMesh, WallsMeetOverEveryEdge) {
+  for (const SolidKind kind : kKinds) {
+    const SolidMesh solid(kind, 300);
+    for (int edge = 0; edge < solid.solid().edgesPerFace(); ++edge) {
+      const PlatonicSolid::Neighbour& next = solid.solid().neighbour(0, edge);
+      const glm::dvec2 outwards = solid.edgeNormals()[static_cast<std::size_t>(edge)];
+      const glm::dvec2 along(-outwards.y, outwards.x);
+      const glm::dvec2 crossing = outwards * solid.apothem() + along * 20.0;
+      const glm::dvec2 way = glm::normalize(outwards + 0.6 * along);  // at a slant
+      const glm::dmat4 toNext = glm::inverse(solid.unfolded(0, edge));
+      const auto carried = [&](glm::dvec2 point) { return glm::dvec2(toNext * glm::dvec4(point, 0, 1)); };
+      Walls walls = noWalls(solid);
+      walls[0] = {{crossing - 50.0 * way, crossing}};
+      walls[next.face] = {{carried(crossing), carried(crossing + 50.0 * way)}};
+      const WallMesh mesh = makeWallMesh(solid, walls);
+      const glm::dvec3 lift = Wall::kHeight * (solid.normal(0) + solid.normal(next.face)) /
+                              (1 + glm::dot(solid.normal(0), solid.normal(next.face)));
+      const double half = 2 / glm::dot(way, outwards);  // half the width along the edge
+      for (const int face : {0, int{next.face}}) {
+        for (const double side : {-half, half}) {
+          const glm::dvec3 expected = solid.toWorld(0, crossing + side * along) + lift;
+          double nearest = 1e9;
+          const WallMesh::Part& part = mesh.faces[static_cast<std::size_t>(face)];
+          for (std::size_t i = part.first; i < part.first + part.count; ++i) {
+            const glm::dvec3 place(solid.faceToWorld(face) * glm::dvec4(placeOf(mesh, i), 1));
+            nearest = std::min(nearest, glm::distance(place, expected));
+          }
+          EXPECT_LT(nearest, 1e-3) << "solid " << static_cast<int>(kind) << " edge " << edge << " face " << face;
+        }
+      }
+    }
+  }
+}
+
+TEST(WallMesh, ManyWallsHaveFewTriangles) {
+  const SolidMesh solid(SolidKind::kHexahedron, 60000);
+  Walls walls = noWalls(solid);
+  for (int i = 0; i < 200000; ++i) {
+    const double y = -29000 + 0.29 * i;
+    walls[static_cast<std::size_t>(i % 6)].push_back({{-100, y}, {100, y}});
+  }
+  const WallMesh mesh = makeWallMesh(solid, walls);
+  EXPECT_GT(mesh.triangles.size(), 0U);
+  EXPECT_LE(mesh.triangles.size() / 3, kMaxTrianglesPerWall * 200000);
+}
+
+TEST(WallMesh, AWallBeyondItsFaceIsLeftOut) {
+  const SolidMesh solid(SolidKind::kHexahedron, 480);
+  Walls walls = noWalls(solid);
+  walls[2] = {{{300, 0}, {300, 50}}};
+  const WallMesh mesh = makeWallMesh(solid, walls);
+  EXPECT_TRUE(mesh.triangles.empty());
+  EXPECT_EQ(mesh.faces.size(), 6U);
+}
+
+}  // namespace
+}  // namespace platon
