@@ -68,6 +68,7 @@ std::vector<Entry> entriesOf(Settings& settings) {
       flag("reduced-motion", comfort.reducedMotion),
       flag("fullscreen", settings.fullscreen),
       flag("net-graph", settings.netGraph),
+      flag("face-numbers", settings.faceNumbers),
       volume("volume", settings.volume),
       volume("volume-effects", settings.effectsVolume),
       volume("volume-music", settings.musicVolume),
@@ -101,9 +102,9 @@ std::string Settings::text() const {
   out << "turn-speed " << comfort.turnSpeed << "\ninstant-cut " << onOff(comfort.instantCut) << "\nreduced-motion "
       << onOff(comfort.reducedMotion) << "\ncontrols " << (controls == ControlFrame::kScreen ? "screen" : "player")
       << "\ncamera " << (comfort.view == CameraView::kFace ? "face" : "follow") << "\nzoom " << zoom << "\nfullscreen "
-      << onOff(fullscreen) << "\nnet-graph " << onOff(netGraph) << "\nvolume " << volume << "\nvolume-effects "
-      << effectsVolume << "\nvolume-music " << musicVolume << "\ntimer " << onOff(timer) << "\nghosts " << onOff(ghosts)
-      << "\n";
+      << onOff(fullscreen) << "\nnet-graph " << onOff(netGraph) << "\nface-numbers " << onOff(faceNumbers)
+      << "\nvolume " << volume << "\nvolume-effects " << effectsVolume << "\nvolume-music " << musicVolume << "\ntimer "
+      << onOff(timer) << "\nghosts " << onOff(ghosts) << "\n";
   return out.str();
 }
 

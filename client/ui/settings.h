@@ -21,6 +21,7 @@ struct Settings {
   double musicVolume = 70;     ///< 0 … 100
   bool timer = true;           ///< show the own time, its differences to the best run, and the personal best
   bool ghosts = true;          ///< show the best run and those of others
+  bool faceNumbers = false;    ///< faces show their numbers instead of signs
 
   /// The settings as lines `name value`, the format of `parseSettings`.
   std::string text() const;

@@ -22,6 +22,7 @@ TEST(Settings, ParsingTheTextGivesTheSameSettings) {
   settings.musicVolume = 100;
   settings.timer = false;
   settings.ghosts = false;
+  settings.faceNumbers = true;
   const SettingsResult result = parseSettings(settings.text());
   EXPECT_EQ(result.errors, Lines());
   EXPECT_EQ(result.unknownLines, Lines());
