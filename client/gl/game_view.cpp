@@ -28,10 +28,11 @@ void GameView::draw(const Scene* scene, const HudStatus& status, const Settings&
   overlays.insert(overlays.end(), more.begin(), more.end());
   if (settings.netGraph) overlays.push_back(netGraph_.overlay(font_, width));
   overlays.push_back(menu.overlay(settings, font_, width));
+  renderer_.setFaceNumbers(settings.faceNumbers);
   if (scene != nullptr) {
     renderer_.draw(*scene, camera, overlays, !settings.comfort.reducedMotion);
   } else {
-    renderer_.drawEmpty(camera, overlays);
+    renderer_.drawEmpty(overlays);
   }
 }
 

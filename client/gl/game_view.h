@@ -23,6 +23,8 @@ class GameView {
   /// The pictures have this size in pixels, at least 1 × 1. Throws std::runtime_error on an OpenGL error.
   GameView(std::uint32_t width, std::uint32_t height);
 
+  /// What the next pictures may cost.
+  void setQuality(const Quality& quality) { renderer_.setQuality(quality); }
   /// No effect if a size is 0.
   void resize(std::uint32_t width, std::uint32_t height);
 

@@ -4,11 +4,9 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "client/gl/shaders.h"
-
 namespace platon {
 
-OverlayPainter::OverlayPainter() : program_("", shaders::kPanelVertex, shaders::kPanelFragment) {
+OverlayPainter::OverlayPainter() : program_("panel") {
   stream_.attribute(0, 2, offsetof(Vertex, place));
   stream_.attribute(1, 2, offsetof(Vertex, fromMiddle));
   stream_.attribute(2, 3, offsetof(Vertex, form));

@@ -34,32 +34,79 @@ void beginPicture() {
 }  // namespace
 
 Renderer::Renderer(std::uint32_t width, std::uint32_t height, const Font& font)
-    : target_(width, height, kSamples), textPainter_(font) {}
+    : target_(width, height, quality_.samples, quality_.scale), textPainter_(font) {}
 
 void Renderer::resize(std::uint32_t width, std::uint32_t height) {
   const bool same = width == target_.width() && height == target_.height();
-  if (!same && width != 0 && height != 0) target_ = RenderTarget(width, height, kSamples);
+  if (!same && width != 0 && height != 0) target_ = RenderTarget(width, height, quality_.samples, quality_.scale);
 }
 
 void Renderer::draw(const Scene& scene, const Camera& camera, std::span<const Overlay> overlays, bool animated) {
-  const std::vector<FaceView> views = visibleFaces(scene.stage->mesh, camera);
+  const StageModel& stage = *scene.stage;
+  const std::vector<FaceView> views = visibleFaces(stage.mesh, camera);
+  const bool particles = animated && quality_.particles;
+  StagePainter::Decoration decoration;
+  decoration.seconds = animated ? static_cast<float>(scene.seconds) : 0;
+  decoration.numbers = faceNumbers_;
+  decoration.trails = advance(scene, particles);
+  if (animated) decoration.goal = goal_;
+  stagePainter_.prepare(scene, quality_.shadows);
   target_.bindSampled();
   beginPicture();
-  stagePainter_.draw(scene.stage, views);
+  stagePainter_.drawFaces(stage, views);
   {
     const DecalScope scope;
-    stagePainter_.drawOnFaces(scene, views, animated ? static_cast<float>(scene.seconds) : 0, textPainter_);
+    stagePainter_.drawBelow(scene, views, decoration, textPainter_);
   }
-  for (const PlayerDrawing& player : scene.players) ballPainter_.draw(player, camera, textPainter_);
-  backgroundPainter_.draw(camera);
-  for (const PlayerDrawing& ghost : scene.ghosts) ballPainter_.draw(ghost, camera, textPainter_);
+  stagePainter_.drawWalls(stage, views);
+  stagePainter_.drawWalls(stage, facesBeyondTheHorizon(stage.mesh, camera));
+  {
+    const DecalScope scope;
+    stagePainter_.drawAbove(scene, views, textPainter_);
+  }
+  for (const PlayerDrawing& player : scene.players) {
+    ballPainter_.draw(player, balls_.at(player.slot), camera, textPainter_);
+  }
+  skyPainter_.drawSky(stage.scheme());
+  if (quality_.particles)
+    skyPainter_.drawMotes(stage.scheme(), camera, stage.mesh.circumradius(), animated ? scene.seconds : 0);
+  for (std::size_t i = 0; i < scene.ghosts.size(); ++i)
+    ballPainter_.draw(scene.ghosts[i], ghosts_[i], camera, textPainter_);
+  beamPainter_.draw(stage, camera, 1 + 2 * static_cast<float>(1 - decoration.goal.burst()));
+  scheme_ = stage.scheme();
   drawOverlays(overlays);
 }
 
-void Renderer::drawEmpty(const Camera& camera, std::span<const Overlay> overlays) {
+// Moves balls and goal on to this moment. Returns the trails.
+FaceMarks Renderer::advance(const Scene& scene, bool particles) {
+  if (stage_.lock() != scene.stage) {
+    balls_.clear();
+    ghosts_.clear();
+  }
+  stage_ = scene.stage;
+  goal_.advance(scene.attempt && scene.attempt->arrived, scene.seconds);
+  auto marks = std::make_shared<std::vector<FaceMark>>();
+  for (const PlayerDrawing& player : scene.players) {
+    BallMotion& ball = balls_.try_emplace(player.slot, StageModel::kPlayerRadius).first->second;
+    ball.advance(scene.stage->mesh, player.pose, scene.seconds);
+    if (particles) ball.addMarks(player.colour, scene.stage->scheme().wall, *marks);
+  }
+  ghosts_.resize(scene.ghosts.size(), BallMotion(StageModel::kPlayerRadius));
+  for (std::size_t i = 0; i < scene.ghosts.size(); ++i)
+    ghosts_[i].advance(scene.stage->mesh, scene.ghosts[i].pose, scene.seconds);
+  return marks;
+}
+
+void Renderer::setQuality(const Quality& quality) {
+  const bool same = quality.samples == quality_.samples && quality.scale == quality_.scale;
+  quality_ = quality;
+  if (!same) target_ = RenderTarget(target_.width(), target_.height(), quality.samples, quality.scale);
+}
+
+void Renderer::drawEmpty(std::span<const Overlay> overlays) {
   target_.bindSampled();
   beginPicture();
-  backgroundPainter_.draw(camera);
+  skyPainter_.drawSky(scheme_);
   drawOverlays(overlays);
 }
 

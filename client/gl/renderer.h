@@ -1,14 +1,19 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <memory>
 #include <span>
+#include <vector>
 
-#include "client/gl/background_painter.h"
-#include "client/gl/ball_painter.h"
 #include "client/gl/image.h"
 #include "client/gl/overlay_painter.h"
+#include "client/gl/paint/ball_painter.h"
+#include "client/gl/paint/beam_painter.h"
+#include "client/gl/paint/sky_painter.h"
+#include "client/gl/paint/stage_painter.h"
+#include "client/gl/quality.h"
 #include "client/gl/render_target.h"
-#include "client/gl/stage_painter.h"
 #include "client/gl/text_painter.h"
 #include "client/scene/camera.h"
 #include "client/scene/scene.h"
@@ -20,8 +25,6 @@ namespace platon {
 /// Draws scenes with OpenGL 3.3 core. The context must be current from construction to destruction.
 class Renderer {
  public:
-  static constexpr int kSamples = 4;
-
   /// The pictures have this size in pixels, at least 1 × 1. `font` must outlive the renderer. Throws
   /// std::runtime_error on an OpenGL error.
   Renderer(std::uint32_t width, std::uint32_t height, const Font& font);
@@ -33,8 +36,14 @@ class Renderer {
   /// Without `animated`, decorations such as the goal's glow stand still.
   void draw(const Scene& scene, const Camera& camera, std::span<const Overlay> overlays, bool animated = true);
 
+  /// What the next pictures may cost.
+  void setQuality(const Quality& quality);
+  const Quality& quality() const { return quality_; }
+  /// Whether faces have numbers instead of signs.
+  void setFaceNumbers(bool numbers) { faceNumbers_ = numbers; }
+
   /// Draws the background and the overlays.
-  void drawEmpty(const Camera& camera, std::span<const Overlay> overlays);
+  void drawEmpty(std::span<const Overlay> overlays);
 
   /// Copies the last picture to the window, which must have the same size.
   void present() const { target_.present(); }
@@ -43,13 +52,22 @@ class Renderer {
 
  private:
   void drawOverlays(std::span<const Overlay> overlays);
+  FaceMarks advance(const Scene& scene, bool particles);
 
+  Quality quality_ = defaultQuality();
+  bool faceNumbers_ = false;
+  std::weak_ptr<const StageModel> stage_;      // of the last scene
+  std::map<std::uint32_t, BallMotion> balls_;  // by slot
+  std::vector<BallMotion> ghosts_;             // as Scene::ghosts
+  GoalMotion goal_;
   RenderTarget target_;
   StagePainter stagePainter_;
   BallPainter ballPainter_;
   TextPainter textPainter_;
   OverlayPainter overlayPainter_;
-  BackgroundPainter backgroundPainter_;
+  SkyPainter skyPainter_;
+  BeamPainter beamPainter_;
+  Scheme scheme_ = schemeOf(SolidKind::kHexahedron);  // of the last scene
 };
 
 }  // namespace platon

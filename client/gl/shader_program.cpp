@@ -4,14 +4,16 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "client/gl/shader_text.h"
+
 namespace platon {
 namespace {
 
 constexpr const char* kVersionLine = "#version 330 core\n";
 
-GLuint compiled(GLenum kind, const std::string& shared, const std::string& source) {
+GLuint compiled(GLenum kind, const std::string& source) {
   const GLuint shader = glCreateShader(kind);
-  const std::array<const char*, 3> parts{kVersionLine, shared.c_str(), source.c_str()};
+  const std::array<const char*, 2> parts{kVersionLine, source.c_str()};
   glShaderSource(shader, static_cast<GLsizei>(parts.size()), parts.data(), nullptr);
   glCompileShader(shader);
   GLint succeeded = GL_FALSE;
@@ -25,9 +27,12 @@ GLuint compiled(GLenum kind, const std::string& shared, const std::string& sourc
 
 }  // namespace
 
-ShaderProgram::ShaderProgram(const std::string& shared, const std::string& vertex, const std::string& fragment) {
-  const GLuint first = compiled(GL_VERTEX_SHADER, shared, vertex);
-  const GLuint second = compiled(GL_FRAGMENT_SHADER, shared, fragment);
+ShaderProgram::ShaderProgram(const std::string& name)
+    : ShaderProgram(shaderText(name + ".vert"), shaderText(name + ".frag")) {}
+
+ShaderProgram::ShaderProgram(const std::string& vertex, const std::string& fragment) {
+  const GLuint first = compiled(GL_VERTEX_SHADER, vertex);
+  const GLuint second = compiled(GL_FRAGMENT_SHADER, fragment);
   name_ = glCreateProgram();
   glAttachShader(name_, first);
   glAttachShader(name_, second);

@@ -15,9 +15,11 @@ namespace platon {
 /// A linked vertex and fragment shader, with access to the uniforms by name.
 class ShaderProgram {
  public:
-  /// Sources are GLSL 3.30 without the #version line; `shared` is prepended to both. Throws std::runtime_error with the
-  /// driver's message when they do not compile or link.
-  ShaderProgram(const std::string& shared, const std::string& vertex, const std::string& fragment);
+  /// The program of the files NAME.vert and NAME.frag in client/gl/shaders. Throws as below.
+  explicit ShaderProgram(const std::string& name);
+  /// Sources are GLSL 3.30 without the #version line. Throws std::runtime_error with the driver's message when they do
+  /// not compile or link.
+  ShaderProgram(const std::string& vertex, const std::string& fragment);
   ~ShaderProgram();
   ShaderProgram(const ShaderProgram&) = delete;
   ShaderProgram& operator=(const ShaderProgram&) = delete;

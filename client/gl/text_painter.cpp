@@ -3,11 +3,9 @@
 #include <array>
 #include <cstddef>
 
-#include "client/gl/shaders.h"
-
 namespace platon {
 
-TextPainter::TextPainter(const Font& font) : atlas_(font), program_("", shaders::kTextVertex, shaders::kTextFragment) {
+TextPainter::TextPainter(const Font& font) : atlas_(font), program_("text") {
   stream_.attribute(0, 2, offsetof(Vertex, place));
   stream_.attribute(1, 2, offsetof(Vertex, texel));
   stream_.attribute(2, 4, offsetof(Vertex, colour));

@@ -32,6 +32,7 @@ FramePlay::FramePlay(const ClientOptions& options, std::shared_ptr<const Level> 
       game_(std::move(level)),
       stage_(makeStageModel(game_.level())),
       demos_(options_.players) {
+  view_.setQuality(kBestQuality);
   for (std::uint32_t slot = 0; slot < options_.players; ++slot) names_.emplace_back(kNames[slot % kNames.size()]);
 }
 

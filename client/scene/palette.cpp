@@ -8,8 +8,6 @@ constexpr double kGoldenAngle = 137.50776405003785;
 
 }  // namespace
 
-Colour faceColour(int face) { return oklch(face % 2 == 0 ? 0.50 : 0.45, 0.09, 255 + kGoldenAngle * face); }
-
 Colour playerColour(std::uint32_t slot) { return oklch(slot % 3 == 1 ? 0.70 : 0.80, 0.17, 70 + kGoldenAngle * slot); }
 
 }  // namespace platon

@@ -80,7 +80,11 @@ std::optional<Marker> markerOn(const SolidMesh& mesh, int face, const Marker& ma
 std::shared_ptr<const StageModel> makeStageModel(const Level& level) {
   auto stage =
       std::make_shared<StageModel>(StageModel{SolidMesh(level.solid, level.faceSize), {}, {}, {}, level.title});
-  for (int face = 0; face < stage->mesh.faces(); ++face) stage->faces.push_back({faceColour(face), faceLabel(face)});
+  const std::vector<int>& tones = tonesOfFaces(level.solid);
+  for (int face = 0; face < stage->mesh.faces(); ++face) {
+    const auto tone = static_cast<std::size_t>(tones[static_cast<std::size_t>(face)]);
+    stage->faces.push_back({stage->scheme().tones[tone], faceLabel(face)});
+  }
   for (int face = 0; face < stage->mesh.faces(); ++face) addRibbons(*stage, level, face);
   addElements(*stage, level);
   stage->goal = {static_cast<int>(level.goalFace), toUnits(level.goal), 0};

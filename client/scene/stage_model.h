@@ -8,7 +8,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "client/scene/palette.h"
+#include "client/scene/look/scheme.h"
 #include "client/scene/solid_mesh.h"
 #include "levels/drawing/level_marks.h"
 #include "platon/game/element.h"
@@ -52,6 +52,8 @@ struct StageModel {
   static constexpr double kRibbonWidth = LevelMarks::kSegmentWidth;
   static constexpr double kGoalRadius = LevelMarks::kGoalRadius;
   static constexpr double kPlayerRadius = LevelMarks::kBallRadius;
+
+  const Scheme& scheme() const { return schemeOf(mesh.solid().kind()); }
 
   SolidMesh mesh;
   std::vector<FaceDrawing> faces;

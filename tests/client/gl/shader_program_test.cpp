@@ -10,6 +10,7 @@
 #include "client/gl/gl_loader.h"
 #include "client/gl/offscreen.h"
 #include "client/gl/render_target.h"
+#include "client/gl/shader_text.h"
 
 namespace platon {
 namespace {
@@ -41,7 +42,7 @@ class ShaderProgramTest : public testing::Test {
 
   static std::string errorOf(const std::string& vertex, const std::string& source) {
     try {
-      ShaderProgram program("", vertex, source);
+      ShaderProgram program(vertex, source);
       return "";
     } catch (const std::runtime_error& error) {
       return error.what();
@@ -52,7 +53,7 @@ class ShaderProgramTest : public testing::Test {
 };
 
 TEST_F(ShaderProgramTest, UniformsAreSetByName) {
-  ShaderProgram program("", kVertex, fragment("uniform float a; uniform int b; uniform vec2 c;", "a, b, c.y"));
+  ShaderProgram program(kVertex, fragment("uniform float a; uniform int b; uniform vec2 c;", "a, b, c.y"));
   program.use();
   program.set("a", 0.2F);
   program.set("b", 1);
@@ -63,9 +64,8 @@ TEST_F(ShaderProgramTest, UniformsAreSetByName) {
 }
 
 TEST_F(ShaderProgramTest, VectorsMatricesAndArraysAreSetByName) {
-  ShaderProgram program(
-      "", kVertex,
-      fragment("uniform vec3 a; uniform vec4 b; uniform mat4 c; uniform vec2 d[2];", "a.z, b.w * c[3][0], d[1].y"));
+  ShaderProgram program(kVertex, fragment("uniform vec3 a; uniform vec4 b; uniform mat4 c; uniform vec2 d[2];",
+                                          "a.z, b.w * c[3][0], d[1].y"));
   program.use();
   program.set("a", glm::vec3(0, 0, 0.2F));
   program.set("b", glm::vec4(0, 0, 0, 0.5F));
@@ -76,13 +76,11 @@ TEST_F(ShaderProgramTest, VectorsMatricesAndArraysAreSetByName) {
   EXPECT_EQ(drawn(program), (std::vector<std::uint8_t>{51, 102, 153}));
 }
 
-TEST_F(ShaderProgramTest, SharedCodeIsPrependedToBothShaders) {
-  const std::string vertex =
-      "out vec3 tone;\nvoid main() {\n  tone = vec3(scaled(1.0));\n"
-      "  gl_Position = vec4((gl_VertexID & 1) * 4 - 1, (gl_VertexID >> 1) * 4 - 1, 0, 1);\n}\n";
-  ShaderProgram program("float scaled(float x) { return x * 0.4; }\n", vertex,
-                        fragment("in vec3 tone;", "tone.x, scaled(0.5), 0"));
-  EXPECT_EQ(drawn(program), (std::vector<std::uint8_t>{102, 51, 0}));
+TEST_F(ShaderProgramTest, AFileHoldsThePartsThatItIncludes) {
+  const std::string& text = shaderText("mark.frag");
+  EXPECT_NE(text.find("float depthInFace("), std::string::npos) << text;
+  EXPECT_EQ(text.find("#include"), std::string::npos) << text;
+  EXPECT_THROW(shaderText("nothing.frag"), std::logic_error);
 }
 
 TEST_F(ShaderProgramTest, ErrorsHaveTheMessageOfTheDriver) {

@@ -1,11 +1,12 @@
-#include "client/gl/stage_element_painter.h"
+#include "client/gl/paint/stage_element_painter.h"
 
 #include <cstddef>
 #include <string>
 
-#include "client/gl/element_shaders.h"
-#include "client/gl/face_program.h"
-#include "client/gl/shaders.h"
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "client/gl/paint/face_program.h"
+#include "client/scene/look/stage_walls.h"
 
 namespace platon {
 namespace {
@@ -16,6 +17,8 @@ constexpr float kKeyNumber = 4.2F;    // to the right of the middle
 constexpr float kPlateNumber = 6.2F;  // to the left of the segment
 constexpr float kNumberSize = 6.4F;
 constexpr float kTwoDigits = 0.7F;  // size of a number of two digits
+
+constexpr auto kHigh = static_cast<float>(Wall::kHeight);
 
 constexpr glm::vec4 kLock(1.0F, 0.83F, 0.42F, 1);
 constexpr glm::vec4 kPlate(0.87F, 0.75F, 1.0F, 1);
@@ -48,9 +51,7 @@ bool showsNumber(const ElementDrawing& drawing, bool active) {
 
 }  // namespace
 
-StageElementPainter::StageElementPainter()
-    : program_(shaders::kFaceGeometry, shaders::kElementVertex,
-               std::string(shaders::kInk) + shaders::kElementFragment) {
+StageElementPainter::StageElementPainter() : program_("element") {
   glBindVertexArray(array_.name());
   for (const GLuint attribute : {0U, 1U}) {
     glEnableVertexAttribArray(attribute);
@@ -58,7 +59,7 @@ StageElementPainter::StageElementPainter()
   }
 }
 
-void StageElementPainter::draw(const Scene& scene, const FaceView& view, TextPainter& text) {
+void StageElementPainter::draw(const Scene& scene, const FaceView& view, bool raised, TextPainter& text) {
   if (scene.elements.active.empty()) return;
   if (stage_.lock() != scene.stage || active_ != scene.elements.active) load(scene);
   const Part& part = parts_[static_cast<std::size_t>(view.face)];
@@ -68,14 +69,15 @@ void StageElementPainter::draw(const Scene& scene, const FaceView& view, TextPai
   program_.set("light", view.light);
   program_.set("width", kWidth);
   program_.set("up", up);
+  program_.set("raised", raised ? kHigh : 0);
   glBindVertexArray(array_.name());
   glBindBuffer(GL_ARRAY_BUFFER, instances_.name());
   const auto offset = static_cast<std::size_t>(part.first) * sizeof(Instance);
   glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, sizeof(Instance), bufferOffset(offset));
   glVertexAttribPointer(1, 4, GL_FLOAT, GL_FALSE, sizeof(Instance), bufferOffset(offset + sizeof(Ribbon)));
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, part.count);
-  addNumbers(scene, view, up, text);
-  text.flush(view.toClip, 0);
+  addNumbers(scene, view, raised, up, text);
+  text.flush(raised ? glm::translate(view.toClip, {0, 0, kHigh}) : view.toClip, 0);
 }
 
 void StageElementPainter::load(const Scene& scene) {
@@ -95,10 +97,12 @@ void StageElementPainter::load(const Scene& scene) {
                GL_STATIC_DRAW);
 }
 
-void StageElementPainter::addNumbers(const Scene& scene, const FaceView& view, glm::vec2 up, TextPainter& text) const {
+void StageElementPainter::addNumbers(const Scene& scene, const FaceView& view, bool raised, glm::vec2 up,
+                                     TextPainter& text) const {
   for (const ElementDrawing& drawing : scene.stage->faces[static_cast<std::size_t>(view.face)].elements) {
     const bool active = active_[drawing.element] != 0;
-    if (!showsNumber(drawing, active)) continue;
+    const bool high = active && drawing.kind != ElementKind::kPlate;
+    if (!showsNumber(drawing, active) || high != raised) continue;
     const std::string number = std::to_string(drawing.number);
     const glm::vec2 middle = (drawing.ends.a + drawing.ends.b) / 2.0F + offsetOf(drawing, up);
     const float size = kWidth * kNumberSize * (number.size() > 1 ? kTwoDigits : 1);

@@ -1,4 +1,4 @@
-#include "client/gl/ball_painter.h"
+#include "client/gl/paint/ball_painter.h"
 
 #include <array>
 #include <cstddef>
@@ -6,11 +6,10 @@
 #include <string>
 #include <vector>
 
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/quaternion.hpp>
 
-#include "client/gl/shaders.h"
 #include "client/scene/face_view.h"
 
 namespace platon {
@@ -62,23 +61,24 @@ BallMesh unitBall() {
   return ball;
 }
 
-// Where a ball is drawn: moved towards the eye and scaled down, so that it covers the same pixels and its face does
-// not cut it. The local player is in front of others at the same position.
+// Where a ball is drawn.
 struct Placement {
   glm::dvec3 centre{0};
   glm::dvec3 toEye{0, 0, 1};
-  double radius = 0;
 };
 
-Placement placementOf(const PlayerDrawing& player, const Camera& camera) {
-  const glm::dvec3 way = camera.eye() - player.pose.position;
-  const double distance = glm::length(way);
-  const glm::dvec3 toEye = way / distance;
-  const double facing = glm::dot(player.pose.normal, toEye);
-  // The shift fades out near the horizon, so that a face behind the horizon hides the ball.
-  const double lift = glm::clamp(facing * 8, 0.0, 1.0) / glm::max(facing, 0.3) + (player.local ? 2 : 0);
-  const double moved = glm::min(lift * StageModel::kPlayerRadius, distance / 2);
-  return {player.pose.position + toEye * moved, toEye, StageModel::kPlayerRadius * (distance - moved) / distance};
+Placement placementOf(const PlayerDrawing& player, const BallMotion& motion, const Camera& camera) {
+  const glm::dvec3 centre = player.pose.position + motion.lift() * StageModel::kPlayerRadius;
+  return {centre, glm::normalize(camera.eye() - centre)};
+}
+
+// Makes the ball shorter along up and wider across.
+glm::dmat4 shapeOf(const PlayerDrawing& player, const BallMotion& motion) {
+  const double squash = motion.squash();
+  const glm::dvec3 up = player.pose.up;
+  glm::dmat3 shape(1 + squash / 2);
+  for (int column = 0; column < 3; ++column) shape[column] -= up * (up[column] * 1.5 * squash);
+  return glm::translate(glm::dmat4(1), -up * squash) * glm::dmat4(shape);
 }
 
 // Transforms to clip space from the plane in front of the ball: units of its radius, +y is the player's up.
@@ -86,17 +86,24 @@ glm::mat4 labelToClip(const PlayerDrawing& player, const Camera& camera, const P
   const glm::dvec3 right = glm::cross(player.pose.up, ball.toEye);
   const glm::dvec3 across = glm::length(right) > 1e-6 ? glm::normalize(right) : camera.right();
   const glm::dvec3 up = glm::cross(ball.toEye, across);
-  const glm::dvec3 front = ball.centre + ball.toEye * (ball.radius * 1.02);
-  const glm::dmat4 toWorld(glm::dvec4(across * ball.radius, 0), glm::dvec4(up * ball.radius, 0),
-                           glm::dvec4(ball.toEye * ball.radius, 0), glm::dvec4(front, 1));
+  constexpr double kRadius = StageModel::kPlayerRadius;
+  const glm::dvec3 front = ball.centre + ball.toEye * (kRadius * 1.02);
+  const glm::dmat4 toWorld(glm::dvec4(across * kRadius, 0), glm::dvec4(up * kRadius, 0),
+                           glm::dvec4(ball.toEye * kRadius, 0), glm::dvec4(front, 1));
   return glm::mat4(camera.viewProjection() * toWorld);
 }
 
 Colour outlineOf(const PlayerDrawing& player) { return player.local ? Colour(1) : player.colour * 0.28F; }
 
+// The local player knows its ball: it has no number.
+std::string labelOf(const PlayerDrawing& player) {
+  if (player.finishSeconds) return "\u2713";
+  return player.local ? "" : player.number;
+}
+
 }  // namespace
 
-BallPainter::BallPainter() : program_("", shaders::kBallVertex, shaders::kBallFragment) {
+BallPainter::BallPainter() : program_("ball") {
   const BallMesh ball = unitBall();
   count_ = static_cast<GLsizei>(ball.triangles.size());
   const auto bytes = [](const auto& values) { return static_cast<GLsizeiptr>(values.size() * sizeof(values[0])); };
@@ -109,23 +116,27 @@ BallPainter::BallPainter() : program_("", shaders::kBallVertex, shaders::kBallFr
   glBufferData(GL_ELEMENT_ARRAY_BUFFER, bytes(ball.triangles), ball.triangles.data(), GL_STATIC_DRAW);
 }
 
-void BallPainter::draw(const PlayerDrawing& player, const Camera& camera, TextPainter& text) {
-  const Placement ball = placementOf(player, camera);
-  const glm::dmat4 toWorld = glm::scale(glm::translate(glm::dmat4(1), ball.centre), glm::dvec3(ball.radius));
+void BallPainter::draw(const PlayerDrawing& player, const BallMotion& motion, const Camera& camera, TextPainter& text) {
+  const Placement ball = placementOf(player, motion, camera);
+  const glm::dmat4 toWorld =
+      glm::scale(glm::translate(glm::dmat4(1), ball.centre), glm::dvec3(StageModel::kPlayerRadius));
   program_.use();
   program_.set("toClip", glm::mat4(camera.viewProjection() * toWorld));
+  program_.set("turned", glm::mat4(glm::mat4_cast(motion.orientation())));
+  program_.set("shaped", glm::mat4(shapeOf(player, motion)));
   program_.set("colour", player.colour);
   program_.set("outline", outlineOf(player));
   program_.set("opacity", player.opacity);
   program_.set("toEye", glm::vec3(ball.toEye));
   program_.set("light", glm::vec3(lightOf(camera)));
+  program_.set("up", glm::vec3(glm::normalize(player.pose.up + 0.9 * motion.lift())));
   glBindVertexArray(array_.name());
   glEnable(GL_CULL_FACE);
   glDrawElements(GL_TRIANGLES, count_, GL_UNSIGNED_SHORT, nullptr);
   glDisable(GL_CULL_FACE);
-  const std::string label = player.finishSeconds ? "\u2713" : player.number;
-  const float size = label.size() > 2 ? 0.75F : 1.0F;
-  text.addCentred(label, {0, 0}, size, {0.06F, 0.06F, 0.09F, 0.92F * player.opacity});
+  const std::string label = labelOf(player);
+  if (label.empty()) return;
+  text.addCentred(label, {0, 0}, label.size() > 2 ? 0.75F : 1.0F, {0.06F, 0.06F, 0.09F, 0.92F * player.opacity});
   text.flush(labelToClip(player, camera, ball), 0);
 }
 

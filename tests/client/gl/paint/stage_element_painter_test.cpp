@@ -1,4 +1,4 @@
-#include "client/gl/stage_element_painter.h"
+#include "client/gl/paint/stage_element_painter.h"
 
 #include <algorithm>
 #include <array>
@@ -50,6 +50,7 @@ class ElementPictureTest : public testing::Test {
 
   // As the camera stands.
   Image seen(const Scene& scene) {
+    renderer_.setQuality(kBestQuality);
     renderer_.draw(scene, camera_, {}, false);
     EXPECT_EQ(takeGlErrors(), "");
     return renderer_.read();
@@ -103,6 +104,7 @@ TEST_F(ElementPictureTest, EveryStateIsSeenWithoutColour) {
 }
 
 TEST_F(ElementPictureTest, ATakenKeyIsGone) {
+  renderer_.setFaceNumbers(true);  // signs give way to elements
   const Scene scene = sceneWith("-120 0 120 0 key 5\n-120 50 120 50 door 5\n");
   Scene taken = scene;
   taken.elements.active[0] = 0;

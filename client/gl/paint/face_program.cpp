@@ -1,5 +1,6 @@
-#include "client/gl/face_program.h"
+#include "client/gl/paint/face_program.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -9,6 +10,8 @@ namespace {
 constexpr std::size_t kMaxEdges = 5;  // of a face
 
 }  // namespace
+
+float litOf(const FaceView& view) { return 0.84F + 0.20F * std::max(view.light.z, 0.0F); }
 
 void useOnFace(ShaderProgram& program, const StageModel& stage, const FaceView& view) {
   std::vector<glm::vec2> normals(stage.mesh.edgeNormals().begin(), stage.mesh.edgeNormals().end());

@@ -11,21 +11,23 @@
 
 namespace platon {
 
-/// Draws the elements of a level, each kind in a pattern of its own, so that colour is never the only sign:
-///   oneway      triangles on the right side, from which it lets pass, point to the line
-///   up          dashes with arrows that point to its edge; thin and dim while it does not block the local player
+/// Draws what is flat of the elements of a level. With elementWallsOf(), each kind has a pattern of its own, so that
+/// colour is never the only sign:
+///   oneway      a step; triangles on the right side, from which it lets pass, point to it
+///   up          blocks with arrows that point to its edge; low and dim while it does not block the local player
 ///   hazard      a zigzag
 ///   checkpoint  dashes and a flag, which is filled where the local player returns to it
 ///   key         dots, and a key with its number; nothing once it is taken
-///   door        two lines and its number; only their ends while it is open
-///   plate       a line with a bar on its left side, which is low while it is pressed, and its number
+///   door        two rails and its number; only their ends while it is open
+///   plate       a wall with a bar on its left side, which is low while it is pressed, and its number
 /// Flags, keys and numbers stand upright for the local player.
 class StageElementPainter {
  public:
   StageElementPainter();
 
-  /// Draws the elements on a face. A face without elements has no draw call.
-  void draw(const Scene& scene, const FaceView& view, TextPainter& text);
+  /// Draws what lies flat on a face, or with `raised` what lies on the walls of the elements. A face without elements
+  /// has no draw call.
+  void draw(const Scene& scene, const FaceView& view, bool raised, TextPainter& text);
 
  private:
   // An element for the shader.
@@ -41,7 +43,7 @@ class StageElementPainter {
   };
 
   void load(const Scene& scene);
-  void addNumbers(const Scene& scene, const FaceView& view, glm::vec2 up, TextPainter& text) const;
+  void addNumbers(const Scene& scene, const FaceView& view, bool raised, glm::vec2 up, TextPainter& text) const;
 
   std::weak_ptr<const StageModel> stage_;  // that is loaded
   std::vector<std::uint8_t> active_;       // ElementStates::active that is loaded

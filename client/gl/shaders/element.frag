@@ -1,44 +1,4 @@
-#include "client/gl/element_shaders.h"
-
-namespace platon::shaders {
-
-// The order of ElementKind is that of `kind`: 0 oneway, 1 up, 2 hazard, 3 checkpoint, 4 key, 5 door, 6 plate.
-
-const char* const kElementVertex = R"(
-layout(location = 0) in vec4 ends;
-layout(location = 1) in vec4 look;        // towards its edge (kind 1), kind, 1: active, as in ElementStates
-uniform mat4 toClip;
-uniform float width;                      // of a segment
-out vec2 place;
-out vec2 at;                              // from the first end, in widths: x along, y to the left
-flat out vec2 direction;
-flat out float extent;                    // in widths
-flat out vec2 towards;
-flat out int kind;
-flat out float state;
-
-// Half the size of what is drawn round the segment and round its middle, in widths.
-const float kAside[7] = float[7](5.0, 6.0, 6.5, 4.0, 4.0, 4.0, 5.0);
-const float kRound[7] = float[7](0.0, 6.0, 0.0, 11.0, 11.0, 6.5, 11.0);
-
-void main() {
-  vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);
-  vec2 way = ends.zw - ends.xy;
-  extent = length(way) / width;
-  direction = extent > 0.0 ? normalize(way) : vec2(1, 0);
-  towards = look.xy;
-  kind = int(look.z);
-  state = look.w;
-  float aside = max(kAside[kind], kRound[kind]);
-  float beyond = max(kAside[kind], kRound[kind] - extent / 2.0);
-  at = vec2(mix(-beyond, extent + beyond, corner.x), mix(-aside, aside, corner.y));
-  place = ends.xy + width * (direction * at.x + vec2(-direction.y, direction.x) * at.y);
-  bool gone = kind == 4 && state < 0.5;  // a key that is taken
-  gl_Position = gone ? vec4(0, 0, 0, 1) : toClip * vec4(place, 0, 1);
-}
-)";
-
-const char* const kElementFragment = R"(
+#include "ink.glsl"
 in vec2 at;
 flat in vec2 direction;
 flat in float extent;
@@ -101,38 +61,26 @@ void glow(float distance, vec3 colour, float alpha) { ink = over(ink, colour, al
 
 void oneway() {
   float middle = nearest(5.0);
-  float ticks = triangle(at, vec2(middle - 1.4, -3.2), vec2(middle + 1.4, -3.2), vec2(middle, -1.0));
-  float wall = line(0.0, 0.5);
-  shadow(min(wall, ticks), 0.45);
-  paint(ticks, kWall, 0.85);
-  paint(wall, kWall, 1.0);
+  float ticks = triangle(at, vec2(middle - 1.4, -3.4), vec2(middle + 1.4, -3.4), vec2(middle, -1.2));
+  shadow(ticks, 0.3);
+  paint(ticks, kWall, 0.9);
 }
 
 void upwards() {
   vec2 aim = vec2(dot(towards, direction), dot(towards, vec2(-direction.y, direction.x)));
   vec2 aside = vec2(-aim.y, aim.x);
-  vec2 head = vec2(nearest(12.0), 0) + 4.0 * aim;
+  vec2 head = vec2(nearest(24.0), 0) + 4.0 * aim;
   vec2 back = head - 2.4 * aim;
   float arrow = rod(at, head - 7.0 * aim, head, 0.4);
   arrow = min(arrow, min(rod(at, back + 1.9 * aside, head, 0.4), rod(at, back - 1.9 * aside, head, 0.4)));
-  float wall = dashes(4.0, 0.66, mix(0.25, 0.5, state));
-  shadow(min(wall, arrow), 0.5 * state);
-  paint(wall, kWall, mix(0.35, 1.0, state));
   paint(arrow - 0.35, kDark, 0.75 * state);
   paint(arrow, kBlue, mix(0.35, 1.0, state));
 }
 
 void hazard() {
-  float gap = extent / max(1.0, floor(extent / 2.0));
-  float turns = at.x / (2.0 * gap) - 0.25;
-  float wave = 1.6 * (1.0 - 4.0 * abs(turns - floor(turns + 0.5)));
-  float slope = 3.2 / gap;
-  float zigzag = abs(at.y - wave) / sqrt(1.0 + slope * slope) - max(0.45, 0.8 * pixel);
-  zigzag = max(zigzag, max(-at.x - 0.3, at.x - extent - 0.3));
   float band = rod(at, vec2(0), vec2(extent, 0), 1.6);
-  shadow(band, 0.5);
-  glow(band, kRed, 0.3);
-  paint(zigzag, kRed, 1.0);
+  shadow(band, 0.55);
+  glow(band, kRed, 0.25);
 }
 
 void checkpoint(vec2 p) {
@@ -162,26 +110,18 @@ void key(vec2 p) {
 }
 
 void door(vec2 p) {
-  float rails = min(line(1.0, 0.4), line(-1.0, 0.4));
-  float posts = max(rails, min(at.x, extent - at.x) - 2.5);
   float badge = length(p) - 4.2;
-  shadow(mix(posts, min(rails, badge), state), 0.5);
-  paint(mix(posts, rails, state), kGold, mix(0.75, 1.0, state));
   paint(dashes(4.0, 0.3, 0.2), kGold, 0.3 * (1.0 - state));
   paint(badge, kDark, mix(0.35, 0.9, state));
   paint(abs(badge) - max(0.3, 0.8 * pixel), kGold, state);
 }
 
 void plate() {
-  vec2 middle = vec2(extent / 2.0, 6.2);
+  float badge = length(at - vec2(extent / 2.0, 6.2)) - 3.4;
   float high = mix(1.6, 0.7, state);
-  float bar = rod(at, vec2(0.15 * extent + high, high), vec2(0.85 * extent - high, high), mix(1.0, 0.55, state));
-  float base = line(0.0, 0.4);
-  float badge = length(at - middle) - 3.4;
-  shadow(min(min(bar, base), badge), 0.45);
+  float bar = rod(at, vec2(0.15 * extent + high, high), vec2(0.85 * extent - high, high), 1.0);
+  shadow(badge, 0.35);
   glow(bar, kViolet, 0.55 * state);
-  paint(bar, mix(kViolet, vec3(1), 0.35 * state), 1.0);
-  paint(base, kWall, 1.0);
   paint(badge, kDark, 0.82);
 }
 
@@ -199,6 +139,3 @@ void main() {
   float lit = 0.84 + 0.20 * max(light.z, 0.0);
   result = vec4(ink.rgb * lit, ink.a * inFace());
 }
-)";
-
-}  // namespace platon::shaders

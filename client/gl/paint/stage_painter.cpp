@@ -1,4 +1,4 @@
-#include "client/gl/stage_painter.h"
+#include "client/gl/paint/stage_painter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,17 +9,18 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "client/gl/face_program.h"
-#include "client/gl/shaders.h"
+#include "client/gl/paint/face_program.h"
+#include "client/scene/look/face_light.h"
+#include "client/scene/look/stage_walls.h"
 
 namespace platon {
 namespace {
 
-constexpr float kShadowReach = 8;  // width of a segment's shadow, level units
-constexpr float kGridStep = 60;
+constexpr float kSlope = 0.05F;    // how much a face is brighter on the side of the light
 constexpr float kLargeFace = 700;  // apothem from which a face has several numbers
 constexpr float kLabelStep = 640;
-constexpr float kGoalReach = 4;  // radius of the goal's glow in goal radii
+constexpr float kGoalReach = 4;   // radius of the goal's glow in goal radii
+constexpr float kBurstReach = 8;  // of the burst at a finish
 constexpr glm::vec4 kLabelColour(1, 1, 1, 0.13F);
 
 // A FaceMark for the shader.
@@ -43,78 +44,82 @@ bool inPolygon(const SolidMesh& mesh, glm::dvec2 point, double margin) {
 
 }  // namespace
 
-StagePainter::StagePainter()
-    : face_(shaders::kFaceGeometry, shaders::kFaceVertex, shaders::kFaceFragment),
-      ribbon_(shaders::kFaceGeometry, shaders::kRibbonVertex, std::string(shaders::kInk) + shaders::kRibbonFragment),
-      marker_(shaders::kFaceGeometry, shaders::kMarkerVertex, std::string(shaders::kInk) + shaders::kMarkerFragment),
-      mark_(shaders::kFaceGeometry, shaders::kMarkVertex, std::string(shaders::kInk) + shaders::kMarkFragment) {
+StagePainter::StagePainter() : face_("face"), marker_("marker"), mark_("mark") {
   glBindVertexArray(faceArray_.name());
   glBindBuffer(GL_ARRAY_BUFFER, corners_.name());
   glEnableVertexAttribArray(0);
   glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
-  glBindVertexArray(ribbonArray_.name());
-  glEnableVertexAttribArray(0);
-  glVertexAttribDivisor(0, 1);
 }
 
-void StagePainter::draw(const std::shared_ptr<const StageModel>& stage, std::span<const FaceView> views) {
-  if (loaded_.lock() != stage) load(*stage);
-  loaded_ = stage;
+void StagePainter::prepare(const Scene& scene, bool shadows) {
+  if (loaded_.lock() != scene.stage || shadows_ != shadows) load(*scene.stage, shadows);
+  loaded_ = scene.stage;
+  shadows_ = shadows;
+  if (scene.elements.active.empty() || active_ == scene.elements.active) return;
+  active_ = scene.elements.active;
+  elementWalls_.load(makeWallMesh(scene.stage->mesh, elementWallsOf(*scene.stage, scene.elements)));
+}
+
+void StagePainter::drawFaces(const StageModel& stage, std::span<const FaceView> views) {
+  face_.use();
   glBindVertexArray(faceArray_.name());
   for (const FaceView& view : views) {
-    useOnFace(face_, *stage, view);
-    face_.set("colour", stage->faces[static_cast<std::size_t>(view.face)].colour);
-    face_.set("eye", view.eye);
-    face_.set("light", view.light);
-    face_.set("gridStep", kGridStep);
-    glDrawArrays(GL_TRIANGLE_FAN, 0, static_cast<GLsizei>(stage->mesh.polygon().size()));
+    useOnFace(face_, stage, view);
+    lightMap_.bind(face_, view.face);
+    face_.set("colour", stage.faces[static_cast<std::size_t>(view.face)].colour);
+    face_.set("lit", litOf(view));
+    const glm::vec2 aside(faceLight(stage.mesh, view.face));
+    face_.set("slope", aside * (kSlope / static_cast<float>(stage.mesh.apothem())));
+    glDrawArrays(GL_TRIANGLE_FAN, 0, static_cast<GLsizei>(stage.mesh.polygon().size()));
   }
 }
 
-void StagePainter::drawOnFaces(const Scene& scene, std::span<const FaceView> views, float seconds, TextPainter& text) {
+void StagePainter::drawBelow(const Scene& scene, std::span<const FaceView> views, const Decoration& decoration,
+                             TextPainter& text) {
   for (const FaceView& view : views) {
-    drawLabels(*scene.stage, view, text);
+    decoration.numbers ? drawLabels(*scene.stage, view, text) : drawSign(*scene.stage, view);
     drawMarks(scene, view, scene.marksBelow, marksBelow_);
-    drawRibbons(*scene.stage, view, true);
-    drawMarkers(scene, view, seconds);
-    elementPainter_.draw(scene, view, text);
-    drawRibbons(*scene.stage, view, false);
-    drawMarks(scene, view, scene.marksAbove, marksAbove_);
+    drawMarkers(scene, view, decoration);
+    elementPainter_.draw(scene, view, false, text);
+    drawMarks(scene, view, decoration.trails, trails_);
     drawShadows(scene, view);
   }
 }
 
-void StagePainter::load(const StageModel& stage) {
-  std::vector<glm::vec2> corners(stage.mesh.polygon().begin(), stage.mesh.polygon().end());
-  fill(corners_, corners);
-  std::vector<Ribbon> ends;
-  ribbons_.clear();
-  for (const FaceDrawing& face : stage.faces) {
-    ribbons_.push_back({static_cast<GLsizei>(ends.size()), static_cast<GLsizei>(face.ribbons.size())});
-    ends.insert(ends.end(), face.ribbons.begin(), face.ribbons.end());
-  }
-  fill(ends_, ends);
+void StagePainter::drawSign(const StageModel& stage, const FaceView& view) {
+  const FaceSign& sign = signs_[static_cast<std::size_t>(view.face)];
+  useOnFace(marker_, stage, view);
+  glBindVertexArray(markerArray_.name());
+  marker_.set("form", glm::vec2(sign.corners, sign.dots));
+  drawMarker(stage.mesh, view, {view.face, sign.place, 0}, {3, sign.radius, sign.radius * 1.1F});
 }
 
-void StagePainter::drawRibbons(const StageModel& stage, const FaceView& view, bool shadow) {
-  const Ribbons& ribbons = ribbons_[static_cast<std::size_t>(view.face)];
-  if (ribbons.count == 0) return;
-  useOnFace(ribbon_, stage, view);
-  ribbon_.set("light", view.light);
-  ribbon_.set("halfWidth", static_cast<float>(StageModel::kRibbonWidth / 2));
-  ribbon_.set("reach", static_cast<float>(StageModel::kRibbonWidth / 2) + kShadowReach);
-  ribbon_.set("shadow", shadow ? 1.0F : 0.0F);
-  glBindVertexArray(ribbonArray_.name());
-  glBindBuffer(GL_ARRAY_BUFFER, ends_.name());
-  const auto offset = static_cast<std::size_t>(ribbons.first) * sizeof(Ribbon);
-  glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, sizeof(Ribbon), bufferOffset(offset));
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, ribbons.count);
+void StagePainter::drawWalls(const StageModel& stage, std::span<const FaceView> views) {
+  walls_.draw(stage, views);
+  if (!active_.empty()) elementWalls_.draw(stage, views);
+}
+
+void StagePainter::drawAbove(const Scene& scene, std::span<const FaceView> views, TextPainter& text) {
+  for (const FaceView& view : views) elementPainter_.draw(scene, view, true, text);
+  glDisable(GL_DEPTH_TEST);
+  for (const FaceView& view : views) drawMarks(scene, view, scene.marksAbove, marksAbove_);
+  glEnable(GL_DEPTH_TEST);
+}
+
+// Baking changes the state of OpenGL, so a stage is loaded before the picture begins.
+void StagePainter::load(const StageModel& stage, bool shadows) {
+  std::vector<glm::vec2> corners(stage.mesh.polygon().begin(), stage.mesh.polygon().end());
+  fill(corners_, corners);
+  walls_.load(makeWallMesh(stage.mesh, wallsOf(stage)));
+  lightMap_.bake(stage, shadows);
+  signs_ = signsOf(stage);
+  active_.clear();
 }
 
 void StagePainter::drawMarks(const Scene& scene, const FaceView& view, const FaceMarks& marks, Marks& kept) {
   if (marks == nullptr || marks->empty()) return;
   if (kept.loaded != marks) load(*scene.stage, marks, kept);
-  const Ribbons& part = kept.parts[static_cast<std::size_t>(view.face)];
+  const Part& part = kept.parts[static_cast<std::size_t>(view.face)];
   if (part.count == 0) return;
   useOnFace(mark_, *scene.stage, view);
   glBindVertexArray(kept.array.name());
@@ -146,15 +151,19 @@ void StagePainter::load(const StageModel& stage, const FaceMarks& marks, Marks& 
   fill(kept.buffer, instances);
 }
 
-void StagePainter::drawMarkers(const Scene& scene, const FaceView& view, float seconds) {
+void StagePainter::drawMarkers(const Scene& scene, const FaceView& view, const Decoration& decoration) {
   const StageModel& stage = *scene.stage;
   useOnFace(marker_, stage, view);
-  marker_.set("seconds", seconds);
+  marker_.set("seconds", decoration.seconds);
   glBindVertexArray(markerArray_.name());
   constexpr auto kStartRadius = static_cast<float>(StageModel::kPlayerRadius * 1.6);
   constexpr auto goalRadius = static_cast<float>(StageModel::kGoalRadius);
   drawMarker(stage.mesh, view, stage.start, {1, kStartRadius, kStartRadius * 1.2F});
+  marker_.set("opened", static_cast<float>(decoration.goal.opened()));
   drawMarker(stage.mesh, view, stage.goal, {0, goalRadius, goalRadius * kGoalReach});
+  if (decoration.goal.burst() >= 1) return;
+  marker_.set("opened", static_cast<float>(decoration.goal.burst()));
+  drawMarker(stage.mesh, view, stage.goal, {4, goalRadius, goalRadius * kBurstReach});
 }
 
 void StagePainter::drawMarker(const SolidMesh& mesh, const FaceView& view, const Marker& marker, const Look& look) {
@@ -176,7 +185,8 @@ void StagePainter::drawShadows(const Scene& scene, const FaceView& view) {
   for (const PlayerDrawing& player : scene.players) {
     const int face = mesh.faceTowards(player.pose.position);
     const glm::dvec4 place = glm::inverse(mesh.faceToWorld(face)) * glm::dvec4(player.pose.position, 1);
-    drawMarker(mesh, view, {face, glm::vec2(place), 0}, {2, kRadius, kRadius * 1.6F});
+    const glm::vec2 fall = -0.4F * kRadius * glm::vec2(faceLight(mesh, face));  // away from the light
+    drawMarker(mesh, view, {face, glm::vec2(place) + fall, 0}, {2, kRadius, kRadius * 1.6F});
   }
 }
 

@@ -4,16 +4,17 @@
 #include "client/gl/shader_program.h"
 #include "client/gl/text_painter.h"
 #include "client/scene/camera.h"
+#include "client/scene/look/ball_motion.h"
 #include "client/scene/scene.h"
 
 namespace platon {
 
-/// Draws players: balls with a number.
+/// Draws players: balls that roll. Those of others have a number. A bright spot shows where up is.
 class BallPainter {
  public:
   BallPainter();
 
-  void draw(const PlayerDrawing& player, const Camera& camera, TextPainter& text);
+  void draw(const PlayerDrawing& player, const BallMotion& motion, const Camera& camera, TextPainter& text);
 
  private:
   ShaderProgram program_;

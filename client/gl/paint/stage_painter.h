@@ -1,0 +1,93 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "client/gl/gl_handle.h"
+#include "client/gl/paint/light_map.h"
+#include "client/gl/paint/stage_element_painter.h"
+#include "client/gl/paint/wall_painter.h"
+#include "client/gl/shader_program.h"
+#include "client/gl/text_painter.h"
+#include "client/scene/face_view.h"
+#include "client/scene/look/face_sign.h"
+#include "client/scene/look/goal_motion.h"
+#include "client/scene/scene.h"
+#include "client/scene/stage_model.h"
+
+namespace platon {
+
+/// Draws the solid and everything on its faces.
+class StagePainter {
+ public:
+  /// What changes from picture to picture and belongs to no level.
+  struct Decoration {
+    float seconds = 0;     ///< time of the animation
+    bool numbers = false;  ///< faces have numbers instead of signs
+    FaceMarks trails;      ///< of the balls; null without any
+    GoalMotion goal;
+  };
+
+  StagePainter();
+
+  /// Loads what the scene needs. Changes the bound framebuffer, so it comes before the picture is begun.
+  void prepare(const Scene& scene, bool shadows);
+  /// Draws the faces, with depth.
+  void drawFaces(const StageModel& stage, std::span<const FaceView> views);
+  /// Draws what lies flat on the faces: signs or numbers, marks, markers, elements, trails and shadows.
+  void drawBelow(const Scene& scene, std::span<const FaceView> views, const Decoration& decoration, TextPainter& text);
+  /// Draws the walls, with depth.
+  void drawWalls(const StageModel& stage, std::span<const FaceView> views);
+  /// Draws what lies on the walls.
+  void drawAbove(const Scene& scene, std::span<const FaceView> views, TextPainter& text);
+
+ private:
+  struct Part {
+    GLsizei first = 0;
+    GLsizei count = 0;
+  };
+
+  // A list of marks for the shader.
+  struct Marks {
+    FaceMarks loaded;
+    std::vector<Part> parts;  // by face
+    GlVertexArray array;
+    GlBuffer buffer;
+  };
+
+  struct Look {
+    int kind = 0;  // as in the shader
+    float radius = 0;
+    float reach = 0;  // half side of the square that is drawn
+  };
+
+  void load(const StageModel& stage, bool shadows);
+  void drawMarks(const Scene& scene, const FaceView& view, const FaceMarks& marks, Marks& kept);
+  void load(const StageModel& stage, const FaceMarks& marks, Marks& kept);
+  void drawSign(const StageModel& stage, const FaceView& view);
+  void drawMarkers(const Scene& scene, const FaceView& view, const Decoration& decoration);
+  void drawMarker(const SolidMesh& mesh, const FaceView& view, const Marker& marker, const Look& look);
+  void drawShadows(const Scene& scene, const FaceView& view);
+  void drawLabels(const StageModel& stage, const FaceView& view, TextPainter& text) const;
+
+  std::weak_ptr<const StageModel> loaded_;
+  bool shadows_ = true;  // that are loaded
+  ShaderProgram face_;
+  ShaderProgram marker_;
+  ShaderProgram mark_;
+  StageElementPainter elementPainter_;
+  LightMap lightMap_;
+  WallPainter walls_;
+  WallPainter elementWalls_;
+  std::vector<std::uint8_t> active_;  // ElementStates::active that is loaded
+  GlVertexArray faceArray_;
+  GlVertexArray markerArray_;  // empty: the shader computes the corners from gl_VertexID
+  GlBuffer corners_;
+  std::vector<FaceSign> signs_;
+  Marks trails_;
+  Marks marksBelow_;
+  Marks marksAbove_;
+};
+
+}  // namespace platon

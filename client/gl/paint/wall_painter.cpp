@@ -1,0 +1,48 @@
+#include "client/gl/paint/wall_painter.h"
+
+#include <cstddef>
+#include <cstdint>
+
+#include "client/gl/paint/face_program.h"
+#include "client/scene/look/face_light.h"
+
+namespace platon {
+
+WallPainter::WallPainter() : program_("wall") {
+  glBindVertexArray(array_.name());
+  glBindBuffer(GL_ARRAY_BUFFER, vertices_.name());
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, triangles_.name());
+  constexpr GLsizei kSize = sizeof(WallVertex);
+  for (const GLuint attribute : {0U, 1U, 2U}) glEnableVertexAttribArray(attribute);
+  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, kSize, bufferOffset(offsetof(WallVertex, place)));
+  glVertexAttribPointer(1, 3, GL_BYTE, GL_TRUE, kSize, bufferOffset(offsetof(WallVertex, normal)));
+  glVertexAttribPointer(2, 3, GL_UNSIGNED_BYTE, GL_TRUE, kSize, bufferOffset(offsetof(WallVertex, colour)));
+}
+
+void WallPainter::load(const WallMesh& mesh) {
+  faces_ = mesh.faces;
+  const auto bytes = [](const auto& values) { return static_cast<GLsizeiptr>(values.size() * sizeof(values[0])); };
+  glBindVertexArray(array_.name());
+  glBindBuffer(GL_ARRAY_BUFFER, vertices_.name());
+  glBufferData(GL_ARRAY_BUFFER, bytes(mesh.vertices), mesh.vertices.data(), GL_STATIC_DRAW);
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER, bytes(mesh.triangles), mesh.triangles.data(), GL_STATIC_DRAW);
+}
+
+void WallPainter::draw(const StageModel& stage, std::span<const FaceView> views) {
+  glEnable(GL_CULL_FACE);
+  glBindVertexArray(array_.name());
+  program_.use();
+  for (const FaceView& view : views) {
+    const auto face = static_cast<std::size_t>(view.face);
+    if (face >= faces_.size() || faces_[face].count == 0) continue;
+    program_.set("toClip", view.toClip);
+    program_.set("light", glm::vec3(faceLight(stage.mesh, view.face)));
+    program_.set("ground", stage.faces[face].colour);
+    program_.set("lit", litOf(view));
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(faces_[face].count), GL_UNSIGNED_INT,
+                   bufferOffset(faces_[face].first * sizeof(std::uint32_t)));
+  }
+  glDisable(GL_CULL_FACE);
+}
+
+}  // namespace platon

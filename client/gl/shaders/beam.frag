@@ -1,0 +1,9 @@
+in vec2 at;
+uniform vec4 colour;
+out vec4 result;
+
+void main() {
+  float across = 1.0 - abs(at.x);
+  float core = across * across;
+  result = vec4(colour.rgb, colour.a * core * (0.35 + 0.65 * core) * (1.0 - at.y));
+}

@@ -1,0 +1,35 @@
+# Writes the C++ source that holds the shaders of this folder: cmake -DOUT=FILE.cpp -P embed.cmake. A line
+# #include "part.glsl" is replaced by that file. A part may include others.
+function(read_shader result file)
+  file(READ ${CMAKE_CURRENT_LIST_DIR}/${file} text)
+  while(text MATCHES "#include \"([a-z_]+\\.glsl)\"\n")
+    set(line "${CMAKE_MATCH_0}")
+    file(READ ${CMAKE_CURRENT_LIST_DIR}/${CMAKE_MATCH_1} part)
+    string(REPLACE "${line}" "${part}" text "${text}")
+  endwhile()
+  set(${result} "${text}" PARENT_SCOPE)
+endfunction()
+
+file(GLOB files RELATIVE ${CMAKE_CURRENT_LIST_DIR} ${CMAKE_CURRENT_LIST_DIR}/*.vert ${CMAKE_CURRENT_LIST_DIR}/*.frag)
+set(entries "")
+foreach(file IN LISTS files)
+  read_shader(text ${file})
+  string(APPEND entries "    {\"${file}\", R\"glsl(${text})glsl\"},\n")
+endforeach()
+file(WRITE ${OUT} "#include \"client/gl/shader_text.h\"
+
+#include <map>
+#include <stdexcept>
+
+namespace platon {
+
+const std::string& shaderText(std::string_view file) {
+  static const std::map<std::string, std::string, std::less<>> texts{
+${entries}  };
+  const auto found = texts.find(file);
+  if (found == texts.end()) throw std::logic_error(\"no shader is called \" + std::string(file));
+  return found->second;
+}
+
+}  // namespace platon
+")

@@ -1,0 +1,16 @@
+#include "face.glsl"
+#include "light.glsl"
+in vec2 place;
+uniform vec3 colour;
+uniform float lit;
+uniform vec2 slope;       // how the light changes over the face, per level unit
+out vec4 result;
+
+const vec3 kShadow = vec3(0.40, 0.40, 0.50);
+
+void main() {
+  float depth = depthInFace(place);
+  vec3 shade = colour * (lit + dot(place, slope)) * mix(kShadow, vec3(1), lightAt(place));
+  float edge = 1.0 - smoothstep(0.0, max(1.6, 1.2 * fwidth(depth)), depth);
+  result = vec4(mix(shade, colour * 1.25 + 0.10, edge * 0.45), 1);
+}

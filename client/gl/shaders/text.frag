@@ -1,0 +1,14 @@
+in vec2 texel;
+in vec4 colour;
+uniform sampler2D atlas;
+uniform float halo;       // opacity of the dark outline around the letters
+out vec4 result;
+
+void main() {
+  float distance = texture(atlas, texel).r - 0.502;
+  float pixel = max(fwidth(distance), 1e-4);
+  float letter = clamp(distance / pixel + 0.5, 0.0, 1.0);
+  float dark = halo * smoothstep(-0.36, -0.08, distance);
+  float alpha = letter + dark * (1.0 - letter);
+  result = vec4(colour.rgb * letter / max(alpha, 1e-4), alpha * colour.a);
+}

@@ -1,0 +1,124 @@
+#include "client/scene/look/stage_walls.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+namespace platon {
+namespace {
+
+constexpr double kWidth = StageModel::kRibbonWidth;
+constexpr double kLow = 1.5;        // height of what is open, level units
+constexpr double kStep = 7;         // height of a oneway
+constexpr double kFence = 8;        // height of a hazard
+constexpr double kMaxPieces = 256;  // of an element
+
+const Colour kGold(0.95F, 0.72F, 0.28F);
+const Colour kRed(1.0F, 0.40F, 0.34F);
+const Colour kViolet(0.74F, 0.55F, 0.95F);
+const Colour kBlue(0.62F, 0.80F, 0.98F);
+
+// The walls of one element.
+class ElementWalls {
+ public:
+  ElementWalls(const ElementDrawing& drawing, bool active, Colour wall, std::vector<Wall>& walls)
+      : active_(active),
+        wall_(wall),
+        walls_(walls),
+        from_(drawing.ends.a),
+        length_(glm::distance(drawing.ends.a, drawing.ends.b)) {
+    along_ = length_ > 0 ? (glm::dvec2(drawing.ends.b) - from_) / length_ : glm::dvec2(1, 0);
+  }
+
+  void add(ElementKind kind) {
+    if (kind == ElementKind::kOneway) addRod({0, 0}, {length_, 0}, kWidth / 2, kStep, wall_);
+    if (kind == ElementKind::kUp) addBlocks();
+    if (kind == ElementKind::kHazard) addZigzag();
+    if (kind == ElementKind::kDoor) addRails();
+    if (kind == ElementKind::kPlate) addPlate();
+  }
+
+ private:
+  // `from` and `to`: x along the segment, y to its left.
+  void addRod(glm::dvec2 from, glm::dvec2 to, double halfWidth, double height, Colour colour) {
+    walls_.push_back({at(from), at(to), halfWidth, height, colour});
+  }
+
+  glm::dvec2 at(glm::dvec2 place) const { return from_ + place.x * along_ + place.y * glm::dvec2(-along_.y, along_.x); }
+
+  double pieces(double gap) const { return std::clamp(std::floor(length_ / gap), 1.0, kMaxPieces); }
+
+  void addBlocks() {
+    const double count = pieces(4 * kWidth);
+    const double gap = length_ / count;
+    const double half = std::max(0.33 * gap - kWidth / 2, 0.0);
+    for (double i = 0.5; i < count; ++i) {
+      addRod({i * gap - half, 0}, {i * gap + half, 0}, active_ ? kWidth / 2 : kWidth / 4,
+             active_ ? Wall::kHeight : kLow, kBlue);
+    }
+  }
+
+  void addZigzag() {
+    const double count = pieces(2 * kWidth);
+    const double gap = length_ / count;
+    const double aside = 1.5 * kWidth;
+    for (double i = 0; i < count; ++i) {
+      const double side = std::fmod(i, 2) == 0 ? aside : -aside;
+      addRod({i * gap, -side}, {(i + 1) * gap, side}, 0.45 * kWidth, kFence, kRed);
+    }
+  }
+
+  void addRails() {
+    const double post = std::min(2.5 * kWidth, length_ / 2);
+    for (const double side : {-kWidth, kWidth}) {
+      if (active_) {
+        addRod({0, side}, {length_, side}, 0.4 * kWidth, Wall::kHeight, kGold);
+      } else {
+        addRod({0, side}, {post, side}, 0.4 * kWidth, 2 * kLow, kGold);
+        addRod({length_ - post, side}, {length_, side}, 0.4 * kWidth, 2 * kLow, kGold);
+      }
+    }
+  }
+
+  void addPlate() {
+    const double high = (active_ ? 0.7 : 1.6) * kWidth;
+    const double thick = (active_ ? 0.55 : 1.0) * kWidth;
+    addRod({0, 0}, {length_, 0}, 0.4 * kWidth, Wall::kHeight, wall_);
+    const double margin = std::min(0.15 * length_ + high, length_ / 2);
+    addRod({margin, high}, {length_ - margin, high}, thick, active_ ? kFence : Wall::kHeight, kViolet);
+  }
+
+  bool active_;
+  Colour wall_;
+  std::vector<Wall>& walls_;
+  glm::dvec2 from_;
+  double length_;
+  glm::dvec2 along_{1, 0};
+};
+
+}  // namespace
+
+std::vector<std::vector<Wall>> wallsOf(const StageModel& stage) {
+  std::vector<std::vector<Wall>> walls;
+  for (const FaceDrawing& face : stage.faces) {
+    walls.emplace_back();
+    for (const Ribbon& ends : face.ribbons)
+      walls.back().push_back({ends.a, ends.b, kWidth / 2, Wall::kHeight, stage.scheme().wall});
+  }
+  return walls;
+}
+
+std::vector<std::vector<Wall>> elementWallsOf(const StageModel& stage, const ElementStates& states) {
+  std::vector<std::vector<Wall>> walls;
+  for (const FaceDrawing& face : stage.faces) {
+    walls.emplace_back();
+    for (const ElementDrawing& drawing : face.elements) {
+      const bool active = states.active[drawing.element] != 0;
+      ElementWalls(drawing, active, stage.scheme().wall, walls.back()).add(drawing.kind);
+    }
+  }
+  return walls;
+}
+
+}  // namespace platon

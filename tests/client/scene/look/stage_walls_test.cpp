@@ -1,0 +1,83 @@
+#include "client/scene/look/stage_walls.h"
+
+#include <algorithm>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <glm/geometric.hpp>
+
+#include "platon/game/game.h"
+
+namespace platon {
+namespace {
+
+struct Walls {
+  std::vector<Wall> active;
+  std::vector<Wall> open;
+};
+
+// The walls of one element on face 0, in both states.
+Walls wallsOfElement(const std::string& word) {
+  const LevelResult result =
+      loadLevel("HEXAHEDRON\n1 0 0 0\n1 60 80\n480\n%\n-120 0 120 0 " + word + "\n%\n%\n%\n%\n%\n");
+  if (!result.level) throw std::logic_error("test level: " + result.diagnostics.front().message);
+  const auto stage = makeStageModel(*result.level);
+  ElementStates states = elementStatesOf(Game(result.level), std::nullopt, stage->mesh);
+  states.active = {1};
+  Walls walls;
+  walls.active = elementWallsOf(*stage, states)[0];
+  states.active = {0};
+  walls.open = elementWallsOf(*stage, states)[0];
+  return walls;
+}
+
+double highest(const std::vector<Wall>& walls) {
+  double height = 0;
+  for (const Wall& wall : walls) height = std::max(height, wall.height);
+  return height;
+}
+
+TEST(StageWalls, EverySegmentIsAWallOfTheHeight) {
+  const LevelResult result = loadLevel("HEXAHEDRON\n1 0 0 0\n1 60 80\n480\n%\n-100 20 100 -40\n%\n%\n%\n%\n%\n");
+  ASSERT_TRUE(result.level);
+  const auto walls = wallsOf(*makeStageModel(*result.level));
+  ASSERT_EQ(walls.size(), 6U);
+  ASSERT_EQ(walls[0].size(), 1U);
+  EXPECT_EQ(walls[0][0].a, glm::dvec2(-100, 20));
+  EXPECT_EQ(walls[0][0].b, glm::dvec2(100, -40));
+  EXPECT_EQ(walls[0][0].height, Wall::kHeight);
+  EXPECT_TRUE(walls[1].empty());
+}
+
+TEST(StageWalls, WhatDoesNotBlockIsLow) {
+  for (const char* word : {"up 2", "door 5"}) {
+    const Walls walls = wallsOfElement(word);
+    EXPECT_EQ(highest(walls.active), Wall::kHeight) << word;
+    EXPECT_LT(highest(walls.open), Wall::kHeight / 3) << word;
+  }
+  for (const char* word : {"checkpoint", "key 5"}) EXPECT_TRUE(wallsOfElement(word).active.empty()) << word;
+}
+
+TEST(StageWalls, WhatBlocksAlwaysDoesNotSink) {
+  for (const char* word : {"hazard", "plate 5", "oneway"}) {
+    const Walls walls = wallsOfElement(word);
+    EXPECT_GT(highest(walls.active), Wall::kHeight / 2) << word;
+    EXPECT_GT(highest(walls.open), Wall::kHeight / 2) << word;
+  }
+}
+
+TEST(StageWalls, WallsOfAnElementLieAlongItsSegment) {
+  for (const char* word : {"up 2", "door 5", "hazard", "plate 5", "oneway"}) {
+    for (const Wall& wall : wallsOfElement(word).active) {
+      for (const glm::dvec2 end : {wall.a, wall.b}) {
+        EXPECT_LE(std::abs(end.x), 120 + 1e-9) << word;
+        EXPECT_LE(std::abs(end.y), 8) << word;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace platon
