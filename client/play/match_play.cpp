@@ -20,9 +20,9 @@ std::filesystem::path desyncFolder() {
 
 // What the demonstration plays is no run of the user.
 std::shared_ptr<RunKeeper> runKeeper(const ClientOptions& options) {
-  const std::filesystem::path folder = options.demo ? std::filesystem::path() : dataFolder();
-  if (folder.empty()) return std::make_shared<RunKeeper>(folder, folder);
-  return std::make_shared<RunKeeper>(folder / "runs", folder / "ghosts");
+  using Path = std::filesystem::path;
+  return options.demo ? std::make_shared<RunKeeper>(Path(), Path())
+                      : std::make_shared<RunKeeper>(runsFolder(), ghostsFolder());
 }
 
 // Empty for the embedded server: it ends with the program, so no token is stored.

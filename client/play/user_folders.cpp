@@ -17,11 +17,20 @@ std::filesystem::path folder(const char* variable, const char* defaultInHome) {
   return std::filesystem::path(home) / defaultInHome / kName;
 }
 
+std::filesystem::path inData(const char* name) {
+  const std::filesystem::path data = dataFolder();
+  return data.empty() ? data : data / name;
+}
+
 }  // namespace
 
 std::filesystem::path configFolder() { return folder("XDG_CONFIG_HOME", ".config"); }
 
 std::filesystem::path dataFolder() { return folder("XDG_DATA_HOME", ".local/share"); }
+
+std::filesystem::path runsFolder() { return inData("runs"); }
+
+std::filesystem::path ghostsFolder() { return inData("ghosts"); }
 
 std::filesystem::path cacheFolder() { return folder("XDG_CACHE_HOME", ".cache"); }
 

@@ -10,6 +10,10 @@ std::filesystem::path configFolder();
 /// without a home folder.
 std::filesystem::path dataFolder();
 
+/// The local player's best runs, and those of others that are shown as ghosts, in the data folder. Empty without it.
+std::filesystem::path runsFolder();
+std::filesystem::path ghostsFolder();
+
 /// `platon` in XDG_CACHE_HOME, by default in ~/.cache: levels of servers. Empty without a home folder.
 std::filesystem::path cacheFolder();
 

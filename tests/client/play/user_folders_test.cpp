@@ -21,6 +21,8 @@ TEST_F(UserFoldersTest, AreEmptyWithoutAHomeFolder) {
   EXPECT_EQ(configFolder(), "");
   EXPECT_EQ(dataFolder(), "");
   EXPECT_EQ(cacheFolder(), "");
+  EXPECT_EQ(runsFolder(), "");
+  EXPECT_EQ(ghostsFolder(), "");
   home_.set("");
   EXPECT_EQ(configFolder(), "");
   EXPECT_EQ(dataFolder(), "");
@@ -43,6 +45,8 @@ TEST_F(UserFoldersTest, FollowTheXdgVariables) {
   EXPECT_EQ(configFolder(), "/config/platon");
   EXPECT_EQ(dataFolder(), "/data/platon");
   EXPECT_EQ(cacheFolder(), "/cache/platon");
+  EXPECT_EQ(runsFolder(), "/data/platon/runs");
+  EXPECT_EQ(ghostsFolder(), "/data/platon/ghosts");
 }
 
 }  // namespace
