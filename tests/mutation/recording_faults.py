@@ -4,6 +4,8 @@ from fault import Fault, at_length
 
 GAME = "shared/game/"
 
+REPLAY = "client/replay/"
+
 RECORDING_FAULTS = [
     Fault("checksum-not-compared", GAME + "recording_reader.cpp",
           "if (hash != hashOf(body)) return", "if (false) return",
@@ -26,4 +28,30 @@ RECORDING_FAULTS = [
               "if (expectedTick_ && block.firstTick < *expectedTick_)",
               "a block may be missing",
               "RecordingReaderTest.RefusesBlocksOutOfOrder"),
+    at_length("replay-not-compared", REPLAY + "replay.cpp",
+              "if (game.hash() != block.hashes[i]) return differs();", "",
+              "a recording of another game is played",
+              "Replay.ARecordingOfAnotherGameIsRefused"),
+    at_length("replay-from-a-later-state", REPLAY + "replay.cpp",
+              "std::uint32_t reached = tick / interval_ * interval_;",
+              "std::uint32_t reached = (tick + 1) / interval_ * interval_;",
+              "the tick before a state that is kept is shown wrongly",
+              "ReplayPlayer.EveryStateIsThatOfTheStraightPlay"),
+    at_length("held-button-pressed-again", REPLAY + "run_cutter.cpp",
+              "    if (own_) inputs_.push_back(", "    if (false) inputs_.push_back(",
+              "a run that begins with a held button is not kept, or begins otherwise",
+              "RunCutter.AButtonThatIsHeldAtTheRestartIsNotPressed"),
+    at_length("rest-recorded", REPLAY + "run_cutter.cpp",
+              "own.player.startedAt == 0 && own == *own_", "false",
+              "a run is as long as the wait before it",
+              "RunCutter.RestBeforeTheFirstInputIsLeftOut"),
+    at_length("ghost-a-tick-late", REPLAY + "run_track.cpp",
+              "return {places[passed > ticks ? now : now - 1], places[now], fraction};",
+              "return {places[now - 1], places[now - 1], fraction};",
+              "a ghost is a tick behind the attempt",
+              "RunKeeperTest.TheGhostRunsInTimeWithTheAttempt"),
+    at_length("older-rules-compared", REPLAY + "run_store.cpp",
+              "if (run.level != level || run.rules != kRulesVersion) continue;", "if (run.level != level) continue;",
+              "a time of older rules counts as the best one",
+              "RunStoreTest.RunsOfOlderRulesAreKeptAndSaySo"),
 ]

@@ -141,6 +141,20 @@ TEST_F(RenderTest, TheLocalPlayerHasABrightOutline) {
   EXPECT_LT(outlines[0], 0.4);
 }
 
+TEST_F(RenderTest, BehindAGhostTheSolidIsSeen) {
+  const auto stage = cube();
+  PlayerDrawing player = playerAt(*stage, 2, 0, {40, 30});
+  const Image without = draw(sceneOf(stage));
+  const glm::ivec2 beside = pixelOf(player.pose.position + 0.7 * camera_.right() * StageModel::kPlayerRadius);
+  const glm::vec3 solid = pixel(without, beside);
+  const glm::vec3 opaque = pixel(draw(sceneOf(stage, {player})), beside);
+  Scene scene = sceneOf(stage);
+  player.opacity = 0.25F;
+  scene.ghosts = {player};
+  const glm::vec3 ghost = pixel(draw(scene), beside);
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(ghost[i], glm::mix(solid[i], opaque[i], 0.25F), 0.01F) << i;
+}
+
 TEST_F(RenderTest, PlayersOfOneColourDifferByTheirNumber) {
   const auto stage = cube();
   PlayerDrawing one = playerAt(*stage, 0, 0, {40, 30});

@@ -112,6 +112,9 @@ TEST(Replay, ARecordingOfAnotherGameIsRefused) {
   Game game(recordedLevel());
   ForgedRecording forged(game);
   forged.addBlock(0, 1, 0, std::vector<std::uint8_t>(8, 1));
+  Game after = game;
+  after.advance({});
+  forged.setState(after.save());
   forged.addBlock(1, 0, 0, {});
   EXPECT_EQ(faultOf(forged.bytes()), "is a damaged recording: it does not give the recorded game at tick 1");
   ForgedRecording late(game);
