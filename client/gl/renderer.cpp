@@ -49,7 +49,8 @@ void Renderer::draw(const Scene& scene, const Camera& camera, std::span<const Ov
   decoration.seconds = animated ? static_cast<float>(scene.seconds) : 0;
   decoration.numbers = faceNumbers_;
   decoration.trails = advance(scene, particles);
-  if (animated) decoration.goal = goal_;
+  decoration.goal = goal_;
+  if (!animated) decoration.goal.settle();
   stagePainter_.prepare(scene, quality_.shadows);
   target_.bindSampled();
   beginPicture();
@@ -68,8 +69,7 @@ void Renderer::draw(const Scene& scene, const Camera& camera, std::span<const Ov
     ballPainter_.draw(player, balls_.at(player.slot), camera, textPainter_);
   }
   skyPainter_.drawSky(stage.scheme());
-  if (quality_.particles)
-    skyPainter_.drawMotes(stage.scheme(), camera, stage.mesh.circumradius(), animated ? scene.seconds : 0);
+  if (particles) skyPainter_.drawMotes(stage.scheme(), camera, stage.mesh.circumradius(), scene.seconds);
   for (std::size_t i = 0; i < scene.ghosts.size(); ++i)
     ballPainter_.draw(scene.ghosts[i], ghosts_[i], camera, textPainter_);
   beamPainter_.draw(stage, camera, 1 + 2 * static_cast<float>(1 - decoration.goal.burst()));

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kLength = 1.3;  // in circumradii of the solid
 constexpr float kAlpha = 0.42F;
-constexpr float kHiddenAlpha = 0.10F;
+constexpr float kHiddenAlpha = 0.30F;
 const Colour kLight(1.0F, 0.86F, 0.50F);
 
 }  // namespace
@@ -34,6 +34,8 @@ void BeamPainter::draw(const StageModel& stage, const Camera& camera, float stre
   glDepthMask(GL_FALSE);
   program_.set("colour", glm::vec4(kLight, kAlpha * fade * strength));
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  // What the solid hides is seen almost along the beam: it is drawn wider.
+  program_.set("aside", glm::vec3(across * (2 * StageModel::kGoalRadius / sine)));
   program_.set("colour", glm::vec4(kLight, kHiddenAlpha * strength));
   glDepthFunc(GL_GREATER);
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);

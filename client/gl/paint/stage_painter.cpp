@@ -17,6 +17,7 @@ namespace platon {
 namespace {
 
 constexpr float kSlope = 0.05F;    // how much a face is brighter on the side of the light
+constexpr float kGridStep = 60;    // of large faces, on which nothing else may show how a ball moves, level units
 constexpr float kLargeFace = 700;  // apothem from which a face has several numbers
 constexpr float kLabelStep = 640;
 constexpr float kGoalReach = 4;   // radius of the goal's glow in goal radii
@@ -70,6 +71,7 @@ void StagePainter::drawFaces(const StageModel& stage, std::span<const FaceView> 
     face_.set("lit", litOf(view));
     const glm::vec2 aside(faceLight(stage.mesh, view.face));
     face_.set("slope", aside * (kSlope / static_cast<float>(stage.mesh.apothem())));
+    face_.set("gridStep", stage.mesh.apothem() > kLargeFace ? kGridStep : 0.0F);
     glDrawArrays(GL_TRIANGLE_FAN, 0, static_cast<GLsizei>(stage.mesh.polygon().size()));
   }
 }

@@ -16,4 +16,9 @@ void GoalMotion::advance(bool arrived, double seconds) {
   burst_ = arrived ? std::clamp(passed / kBurst, 0.0, 1.0) : 1;
 }
 
+void GoalMotion::settle() {
+  opened_ = arrived_ ? 1 : 0;
+  burst_ = 1;
+}
+
 }  // namespace platon

@@ -11,6 +11,9 @@ class GoalMotion {
   /// Whether the player has arrived at `seconds`. A time before the last one begins anew.
   void advance(bool arrived, double seconds);
 
+  /// Ends the motion: the goal is open or closed, and nothing bursts from it.
+  void settle();
+
   /// 0: closed … 1: open.
   double opened() const { return opened_; }
   /// How far the burst is, 0 … 1. At both ends, nothing is seen of it.

@@ -1,5 +1,6 @@
 #include "client/scene/look/wall_mesh.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -37,6 +38,7 @@ class WallMeshBuilder {
   void endFace() { mesh_.faces.back().count = mesh_.triangles.size() - mesh_.faces.back().first; }
 
   void add(const Wall& wall) {
+    if (onlyTouches(wall)) return;
     Outline outline = outlineOf(wall);
     for (const glm::dvec2 edge : solid_.edgeNormals()) outline = cut(outline, edge);
     if (areaOf(outline) < kMinArea) return;
@@ -47,6 +49,15 @@ class WallMeshBuilder {
   WallMesh take() { return std::move(mesh_); }
 
  private:
+  // Whether a wall of a neighbour ends at the common edge: its round end would stick out of the wall that goes on here.
+  bool onlyTouches(const Wall& wall) const {
+    return std::any_of(solid_.edgeNormals().begin(), solid_.edgeNormals().end(), [&](glm::dvec2 edge) {
+      const double a = glm::dot(edge, wall.a) - solid_.apothem();
+      const double b = glm::dot(edge, wall.b) - solid_.apothem();
+      return std::min(a, b) > -kOnEdge && std::max(a, b) > wall.halfWidth;
+    });
+  }
+
   // An end on an edge is moved beyond it, so that the cut has the full width.
   glm::dvec2 endOf(glm::dvec2 end, glm::dvec2 outwards, double halfWidth) const {
     for (const glm::dvec2 edge : solid_.edgeNormals()) {

@@ -30,6 +30,17 @@ TEST(GoalMotion, ClosesWhenANewAttemptBegins) {
   EXPECT_EQ(goal.burst(), 1);
 }
 
+TEST(GoalMotion, SettledItIsOpenOrClosedAtOnce) {
+  GoalMotion goal;
+  goal.advance(false, 1);
+  goal.settle();
+  EXPECT_EQ(goal.opened(), 0);
+  goal.advance(true, 2);
+  goal.settle();
+  EXPECT_EQ(goal.opened(), 1);
+  EXPECT_EQ(goal.burst(), 1);
+}
+
 TEST(GoalMotion, AnOldArrivalIsOpenWithoutABurst) {
   GoalMotion goal;
   goal.advance(true, 100);

@@ -136,6 +136,15 @@ TEST(WallMesh, ManyWallsHaveFewTriangles) {
   EXPECT_LE(mesh.triangles.size() / 3, kMaxTrianglesPerWall * 200000);
 }
 
+TEST(WallMesh, AWallThatOnlyTouchesTheFaceIsLeftOutButNotOneAlongAnEdge) {
+  const SolidMesh solid(SolidKind::kHexahedron, 480);
+  Walls walls = noWalls(solid);
+  walls[2] = {{{240, 0}, {300, 50}}};
+  EXPECT_TRUE(makeWallMesh(solid, walls).triangles.empty());
+  walls[2] = {{{240, 0}, {240, 50}}};
+  EXPECT_FALSE(makeWallMesh(solid, walls).triangles.empty());
+}
+
 TEST(WallMesh, AWallBeyondItsFaceIsLeftOut) {
   const SolidMesh solid(SolidKind::kHexahedron, 480);
   Walls walls = noWalls(solid);
