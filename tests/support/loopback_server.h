@@ -21,8 +21,9 @@ class LoopbackServer {
  public:
   LoopbackServer() : LoopbackServer([](std::string_view) {}) {}
   /// `sink` receives the lines of the log. An empty password: none.
-  explicit LoopbackServer(std::function<void(std::string_view)> sink, const std::string& password = "")
-      : server_(settings(password), {endlessLevel()}, Log(LogFormat::kText, std::move(sink))) {}
+  explicit LoopbackServer(std::function<void(std::string_view)> sink, const std::string& password = "",
+                          const std::shared_ptr<const Level>& level = endlessLevel())
+      : server_(settings(password), {level}, Log(LogFormat::kText, std::move(sink))) {}
 
   ServerAddress address() const { return {kLoopback, server_.port()}; }
   DedicatedServer& server() { return server_; }

@@ -3,11 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
 #include <stdexcept>
 #include <string>
 
 #include "client/net/lossy_relay.h"
 #include "client/play/level_cache.h"
+#include "client/play/user_folders.h"
+#include "client/replay/run_store.h"
 #include "client/scene/camera.h"
 #include "client/ui/hud.h"
 #include "protocol/program_error.h"
@@ -52,6 +55,8 @@ class MatchPlayTest : public testing::Test {
                        [&](const Overlay::Text& text) { return text.content == line; });
   }
 
+  const TemporaryFolder data_;
+  const EnvironmentVariable dataHome_{"XDG_DATA_HOME", data_.path().string()};
   Font font_;
   LoopbackServer server_;
   std::optional<LossyRelay> relay_;
@@ -138,6 +143,52 @@ TEST_F(MatchPlayTest, KeepsTheLevelsOfAServerForTheNextStart) {
     const LevelCache levels(folder / "platon/levels", relay_->address());
     EXPECT_EQ(levels.newest(8), std::vector{endlessLevel()->hash});
   }
+}
+
+class RunsOfAMatch : public MatchPlayTest {
+ protected:
+  // Runs to the goal with these options. Returns whether a scene fulfils `done`.
+  bool playUntil(const ClientOptions& options, const std::function<bool(MatchPlay&, const Scene&)>& done) {
+    LoopbackServer server([](std::string_view) {}, "", flatLevel());
+    MatchPlay play(options, server.address(), server.clock().now());
+    const auto update = [&](Moment now) {
+      play.update(now, [](const Game&, std::uint32_t) { return Input{Input::kRight}; });
+    };
+    return server.runUntil(seconds(20), update, [&] {
+      const std::optional<Scene> scene = play.scene(server.clock().now());
+      return scene && done(play, *scene);
+    });
+  }
+  std::optional<StoredRun> best() const { return RunStore(runsFolder()).best(flatLevel()->hash); }
+};
+
+TEST_F(RunsOfAMatch, TheBestOneIsKeptAndPlaysAlongUnlessTheSettingsHideIt) {
+  EXPECT_TRUE(playUntil({}, [&](MatchPlay& play, const Scene& scene) {
+    EXPECT_TRUE(scene.ghosts.empty());
+    return play.hudStatus(Moment(), false).run.isNewBest;
+  }));
+  ASSERT_TRUE(best());
+  EXPECT_TRUE(playUntil({}, [&](MatchPlay& play, const Scene& scene) {
+    if (scene.ghosts.empty()) return false;
+    EXPECT_EQ(play.hudStatus(Moment(), false).run.best, double{1} * best()->ticks / kTicksPerSecond);
+    EXPECT_TRUE(play.hudStatus(Moment(), false).timer);
+    return true;
+  }));
+  Settings hidden;
+  hidden.timer = hidden.ghosts = false;
+  EXPECT_TRUE(playUntil({}, [&](MatchPlay& play, const Scene& scene) {
+    play.show(hidden);
+    EXPECT_TRUE(scene.ghosts.empty());
+    EXPECT_FALSE(play.hudStatus(Moment(), false).timer);
+    return scene.over;
+  }));
+}
+
+TEST_F(RunsOfAMatch, TheDemonstrationHasNone) {
+  ClientOptions demo;
+  demo.demo = true;
+  EXPECT_TRUE(playUntil(demo, [](MatchPlay&, const Scene& scene) { return scene.over; }));
+  EXPECT_FALSE(best());
 }
 
 TEST_F(MatchPlayTest, DoesNotJoinUnderFullLoss) {

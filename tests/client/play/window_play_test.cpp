@@ -60,6 +60,7 @@ class WindowPlayTest : public testing::Test {
   ClientOptions options_;
   const TemporaryFolder folder_;
   const EnvironmentVariable config_{"XDG_CONFIG_HOME", folder_.path()};
+  const EnvironmentVariable data_{"XDG_DATA_HOME", folder_.path()};
   bool stepsDone_ = false;
   bool timeIsUp_ = false;
 };

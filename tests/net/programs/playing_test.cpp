@@ -36,6 +36,22 @@ TEST_F(Play, PlaysOnAnEmbeddedServerAndSavesAScreenshot) {
   EXPECT_EQ(bytes.substr(0, 4), "\x89PNG");
 }
 
+TEST_F(Play, DrawsAReplayAndRefusesOneThatIsCutOff) {
+  const TemporaryFolder folder;
+  const std::string picture = folder / "picture.png";
+  const std::string whole = "tests/determinism/golden/hexahedron.recording";
+  const ProcessResult drawn = runProcess(
+      platonCommand("platon-client", {"--replay", whole, "--offscreen", "--seconds", "3", "--screenshot", picture}));
+  EXPECT_EQ(drawn.exitCode, 0) << drawn.errors;
+  EXPECT_GT(readText(picture).size(), 20000U);
+  const std::string cut = folder / "cut";
+  writeText(cut, readText(whole).substr(0, 5000));
+  const ProcessResult refused =
+      runProcess(platonCommand("platon-client", {"--replay", cut, "--offscreen", "--screenshot", picture}));
+  EXPECT_EQ(refused.exitCode, 3);
+  EXPECT_TRUE(refused.errors.starts_with(cut + ": is a recording that is cut off: byte 5000: ")) << refused.errors;
+}
+
 TEST_F(Play, ReconnectsAfterARestartOfTheServer) {
   startServer();
   Process client(platonCommand("platon-client", {address(), "--offscreen", "--demo", "--seconds", "60"}));
