@@ -295,8 +295,8 @@ std::vector<Rejection> DedicatedServer::rejections() const {
 // In a flood, the system's buffer does not hold what arrives in a whole tick.
 void DedicatedServer::wait() {
   if (!match_.idle()) {
-    const TimePoint next = clock_.next();
-    return std::this_thread::sleep_until(flooded_ ? std::min(next, steadyNow() + kFloodInterval) : next);
+    const std::chrono::nanoseconds left = clock_.next() - now_();
+    return std::this_thread::sleep_for(flooded_ ? std::min<std::chrono::nanoseconds>(left, kFloodInterval) : left);
   }
   host_.wait(idleWait_);
   std::this_thread::sleep_for(kMinIdleWait);
@@ -304,7 +304,7 @@ void DedicatedServer::wait() {
 
 void DedicatedServer::run(const std::function<bool()>& stopRequested) {
   while (!stopRequested()) {
-    step(steadyNow());
+    step(now_());
     wait();
   }
   stop("the server stops");
@@ -314,10 +314,9 @@ void DedicatedServer::stop(const std::string& reason) {
   match_.stop(reason);
   writeRecordings();
   const TimePoint end = steadyNow() + kFarewellTime;
-  for (TimePoint now = steadyNow(); now < end && !host_.empty(); now = steadyNow()) {
-    send(now);
-    host_.wait(std::chrono::milliseconds(10));
-    host_.service(momentOf(now));
+  for (; steadyNow() < end && !host_.empty(); host_.wait(std::chrono::milliseconds(10))) {
+    send(now_());
+    host_.service(momentOf(now_()));
   }
   finishRecordings();
   logBestTimes(bestTimes_.finish());

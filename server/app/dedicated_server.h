@@ -59,6 +59,9 @@ class DedicatedServer {
   /// From now on refuses clients whose address is banned, and tells the log of some (BanNotices). The list must outlive
   /// the server.
   void refuseBanned(const BanList& bans);
+  /// Sets the clock by which `run` and `stop` go; it never decreases, and while it stands still no tick passes. Without
+  /// it, they go by the monotonic clock of the system.
+  void setClock(std::function<TimePoint()> now) { now_ = std::move(now); }
   /// Longest sleep of `run` while the server has no players.
   void setIdleWait(std::chrono::milliseconds wait) { idleWait_ = wait; }
 
@@ -124,6 +127,7 @@ class DedicatedServer {
   RecentTickTimes recentTickTimes_;
   std::uint64_t desyncs_ = 0;
   std::chrono::milliseconds idleWait_ = kIdleWait;
+  std::function<TimePoint()> now_ = [] { return std::chrono::steady_clock::now(); };
 };
 
 }  // namespace platon

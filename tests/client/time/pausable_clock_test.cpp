@@ -1,0 +1,50 @@
+#include "client/time/pausable_clock.h"
+
+#include <chrono>
+
+#include <gtest/gtest.h>
+
+namespace platon {
+namespace {
+
+using std::chrono::seconds;
+
+class PausableClockTest : public testing::Test {
+ protected:
+  Moment source_ = seconds(100);
+  PausableClock clock_{[this] { return source_; }};
+};
+
+TEST_F(PausableClockTest, FollowsItsSource) {
+  EXPECT_EQ(clock_.now(), seconds(100));
+  source_ += seconds(5);
+  EXPECT_EQ(clock_.now(), seconds(105));
+  EXPECT_FALSE(clock_.paused());
+}
+
+TEST_F(PausableClockTest, StandsStillInAPauseAndGoesOnFromThere) {
+  clock_.setPaused(true);
+  source_ += seconds(60);
+  clock_.setPaused(true);
+  EXPECT_TRUE(clock_.paused());
+  EXPECT_EQ(clock_.now(), seconds(100));
+  source_ += seconds(60);
+  clock_.setPaused(false);
+  EXPECT_EQ(clock_.now(), seconds(100));
+  clock_.setPaused(false);
+  source_ += seconds(3);
+  EXPECT_EQ(clock_.now(), seconds(103));
+}
+
+TEST_F(PausableClockTest, SeveralPausesAddUp) {
+  for (int i = 0; i < 10; ++i) {
+    clock_.setPaused(true);
+    source_ += seconds(7);
+    clock_.setPaused(false);
+    source_ += seconds(1);
+  }
+  EXPECT_EQ(clock_.now(), seconds(110));
+}
+
+}  // namespace
+}  // namespace platon
