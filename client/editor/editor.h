@@ -18,8 +18,9 @@
 #include "client/editor/editor_marks.h"
 #include "client/editor/editor_panel.h"
 #include "client/editor/gesture.h"
-#include "client/editor/leave_menu.h"
+#include "client/menu/menu.h"
 #include "client/scene/scene.h"
+#include "client/ui/font.h"
 #include "client/ui/input_mapper.h"
 #include "client/ui/key.h"
 #include "client/ui/pointer_event.h"
@@ -43,7 +44,7 @@ class Editor {
   /// Whether the user has asked to save since the last call.
   bool takeSave() { return std::exchange(wantsSave_, false); }
   /// The user has asked to close the window.
-  void askToLeave() { menu_.open(level_.unsaved()); }
+  void askToLeave();
   /// Whether the user has left. With unsaved changes, they are to be dropped.
   bool leaving() const { return leaving_; }
   bool fullscreen() const { return fullscreen_; }
@@ -64,7 +65,9 @@ class Editor {
   Camera camera() const;
   Scene scene() const;
   EditorStatus status() const;
-  const LeaveMenu& menu() const { return menu_; }
+  const Menu& menu() const { return menu_; }
+  /// The picture of the menu; empty while it is closed.
+  Overlay menuOverlay() const { return menu_.overlay(font_, true); }
 
  private:
   static constexpr std::array<double, 6> kGrids{1, 5, 10, 20, 40, 60};  // level units
@@ -92,7 +95,9 @@ class Editor {
   int upOfBall(int face) const;
 
   // Keys.
-  void handleInMenu(const KeyEvent& event);
+  MenuPage leavePage();
+  void closeMenu();
+  void saveAndLeave();
   void handleInPlay(const KeyEvent& event);
   void handleCommand(const KeyEvent& event);
   bool turnView(const KeyEvent& event);
@@ -132,7 +137,8 @@ class Editor {
   Steering steering_;
   double untilTick_ = 0;  // seconds
 
-  LeaveMenu menu_;
+  Font font_;
+  Menu menu_;
   bool wantsSave_ = false;
   bool leaveWhenSaved_ = false;
   bool leaving_ = false;

@@ -16,7 +16,11 @@ int digitOf(Key key) { return static_cast<int>(key) - static_cast<int>(Key::kDig
 }  // namespace
 
 void Editor::handle(const KeyEvent& event) {
-  if (menu_.isOpen()) return handleInMenu(event);
+  if (menu_.isOpen()) {
+    if (event.kind == KeyEvent::Kind::kRelease) mapper_.handle(event, true);
+    return menu_.handle(event, font_);
+  }
+  if (event.kind == KeyEvent::Kind::kCharacter) return;
   if (event.key == Key::kF11 && event.kind == KeyEvent::Kind::kPress) fullscreen_ = !fullscreen_;
   if (event.key == Key::kF1 && event.kind == KeyEvent::Kind::kPress) help_ = !help_;
   if (play_) return handleInPlay(event);
@@ -25,12 +29,29 @@ void Editor::handle(const KeyEvent& event) {
   if (event.kind == KeyEvent::Kind::kPress) handleEdit(event.key, event.shift);
 }
 
-void Editor::handleInMenu(const KeyEvent& event) {
-  const std::optional<LeaveMenu::Choice> choice = menu_.handle(event);
-  if (choice == LeaveMenu::Choice::kLeave) leaving_ = true;
-  wantsSave_ = wantsSave_ || choice == LeaveMenu::Choice::kSaveAndLeave;
-  leaveWhenSaved_ = choice == LeaveMenu::Choice::kSaveAndLeave;
-  if (event.kind == KeyEvent::Kind::kRelease) mapper_.handle(event, true);
+void Editor::askToLeave() {
+  if (!menu_.isOpen()) menu_.open([this] { return leavePage(); });
+}
+
+MenuPage Editor::leavePage() {
+  const bool unsaved = level_.unsaved();
+  MenuPage page{unsaved ? "The level has unsaved changes" : "Platon: level editor"};
+  page.items.push_back({.name = "Back", .choose = [this] { closeMenu(); }});
+  if (unsaved) page.items.push_back({.name = "Save and leave", .choose = [this] { saveAndLeave(); }});
+  page.items.push_back(
+      {.name = unsaved ? "Leave without saving" : "Leave the editor", .choose = [this] { leaving_ = true; }});
+  page.back = [this] { closeMenu(); };
+  return page;
+}
+
+void Editor::closeMenu() {
+  menu_.close();
+  leaveWhenSaved_ = false;
+}
+
+void Editor::saveAndLeave() {
+  menu_.close();
+  leaveWhenSaved_ = wantsSave_ = true;
 }
 
 void Editor::handleInPlay(const KeyEvent& event) {

@@ -26,7 +26,7 @@ void Editor::handle(const PointerEvent& event) {
   if (menu_.isOpen()) {
     screen_ = event.place;
     if (event.kind == Kind::kRelease) turning_ = false;
-    return;
+    return menu_.handle(event, font_);
   }
   movePointer(event);
   if (event.kind == Kind::kScroll) view_.zoom(mesh(), event.scroll);

@@ -1,5 +1,6 @@
 #include "client/gl/game_view.h"
 
+#include <span>
 #include <vector>
 
 namespace platon {
@@ -14,10 +15,14 @@ void GameView::resize(std::uint32_t width, std::uint32_t height) {
   camera_.resize(width, height);
 }
 
-void GameView::draw(const Scene* scene, const HudStatus& status, const Settings& settings, const Menu& menu,
+float GameView::screenWidth() const {
+  return Overlay::kHeight * static_cast<float>(width()) / static_cast<float>(height());
+}
+
+void GameView::draw(const Scene* scene, const HudStatus& status, const Settings& settings, const Overlay& menu,
                     double seconds, std::span<const Overlay> more) {
   const Camera& camera = camera_.camera();
-  const float width = Overlay::kHeight * static_cast<float>(camera.width()) / static_cast<float>(camera.height());
+  const float width = screenWidth();
   std::vector<Overlay> overlays;
   if (scene != nullptr) {
     moveCamera(*scene, settings, seconds);
@@ -27,13 +32,17 @@ void GameView::draw(const Scene* scene, const HudStatus& status, const Settings&
   }
   overlays.insert(overlays.end(), more.begin(), more.end());
   if (settings.netGraph) overlays.push_back(netGraph_.overlay(font_, width));
-  overlays.push_back(menu.overlay(settings, font_, width));
+  overlays.push_back(menu);
   renderer_.setFaceNumbers(settings.faceNumbers);
   if (scene != nullptr) {
     renderer_.draw(*scene, camera, overlays, !settings.comfort.reducedMotion);
   } else {
     renderer_.drawEmpty(overlays);
   }
+}
+
+void GameView::drawStill(const Scene& scene, const Camera& camera, const Overlay& menu) {
+  renderer_.draw(scene, camera, std::span(&menu, 1), false);
 }
 
 void GameView::moveCamera(const Scene& scene, const Settings& settings, double seconds) {

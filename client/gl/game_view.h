@@ -10,8 +10,8 @@
 #include "client/scene/scene.h"
 #include "client/ui/font.h"
 #include "client/ui/hud.h"
-#include "client/ui/menu.h"
 #include "client/ui/net_graph.h"
+#include "client/ui/overlay.h"
 #include "client/ui/settings.h"
 
 namespace platon {
@@ -29,9 +29,16 @@ class GameView {
   void resize(std::uint32_t width, std::uint32_t height);
 
   /// Draws the next picture, `seconds` after the last one. When the stage changes, the camera jumps to its target, or
-  /// flies there. `scene` is null while there is no game. `more` is drawn above the head-up display.
-  void draw(const Scene* scene, const HudStatus& status, const Settings& settings, const Menu& menu, double seconds,
+  /// flies there. `scene` is null while there is no game. `more` is drawn above the head-up display, `menu` in front of
+  /// everything.
+  void draw(const Scene* scene, const HudStatus& status, const Settings& settings, const Overlay& menu, double seconds,
             std::span<const Overlay> more = {});
+
+  /// Draws a scene as a camera of the size of the picture sees it, and a menu in front of it.
+  void drawStill(const Scene& scene, const Camera& camera, const Overlay& menu);
+  /// Size of the picture in pixels.
+  std::uint32_t width() const { return camera_.camera().width(); }
+  std::uint32_t height() const { return camera_.camera().height(); }
 
   /// How the player looks round in the next pictures.
   void look(const LookInput& input) { look_ = input; }
@@ -45,6 +52,9 @@ class GameView {
   /// Camera::rollOf the focus of the last scene, for Steering.
   double roll() const { return roll_; }
   NetGraph& netGraph() { return netGraph_; }
+  const Font& font() const { return font_; }
+  /// Of the virtual screen.
+  float screenWidth() const;
 
   /// Copies the last picture to the window.
   void present() const { renderer_.present(); }

@@ -16,7 +16,7 @@ namespace platon {
 namespace {
 
 std::optional<Key> keyOf(int glfwKey) {
-  constexpr std::array<std::pair<int, Key>, 38> kKeys{{{GLFW_KEY_LEFT, Key::kArrowLeft},
+  constexpr std::array<std::pair<int, Key>, 39> kKeys{{{GLFW_KEY_LEFT, Key::kArrowLeft},
                                                        {GLFW_KEY_RIGHT, Key::kArrowRight},
                                                        {GLFW_KEY_UP, Key::kArrowUp},
                                                        {GLFW_KEY_DOWN, Key::kArrowDown},
@@ -43,6 +43,8 @@ std::optional<Key> keyOf(int glfwKey) {
                                                        {GLFW_KEY_BACKSPACE, Key::kBackspace},
                                                        {GLFW_KEY_PAGE_UP, Key::kPageUp},
                                                        {GLFW_KEY_PAGE_DOWN, Key::kPageDown},
+                                                       {GLFW_KEY_HOME, Key::kHome},
+                                                       {GLFW_KEY_END, Key::kEnd},
                                                        {GLFW_KEY_C, Key::kC},
                                                        {GLFW_KEY_E, Key::kE},
                                                        {GLFW_KEY_F, Key::kF},
@@ -76,6 +78,7 @@ GamepadState stateOf(const GLFWgamepadstate& glfwState) {
   state.dpadUp = down(GLFW_GAMEPAD_BUTTON_DPAD_UP);
   state.dpadDown = down(GLFW_GAMEPAD_BUTTON_DPAD_DOWN);
   state.a = down(GLFW_GAMEPAD_BUTTON_A);
+  state.b = down(GLFW_GAMEPAD_BUTTON_B);
   state.start = down(GLFW_GAMEPAD_BUTTON_START);
   state.back = down(GLFW_GAMEPAD_BUTTON_BACK);
   return state;
@@ -120,6 +123,7 @@ GLFWwindow* openWindow(const std::string& title, int width, int height) {
 Window::Window(const std::string& title, int width, int height) : handle_(openWindow(title, width, height)) {
   glfwSetWindowUserPointer(handle_, this);
   glfwSetKeyCallback(handle_, onKey);
+  glfwSetCharCallback(handle_, onCharacter);
   glfwSetCursorPosCallback(handle_, onMove);
   glfwSetMouseButtonCallback(handle_, onButton);
   glfwSetScrollCallback(handle_, onScroll);
@@ -153,11 +157,18 @@ void Window::poll() {
 
 bool Window::closing() const { return glfwWindowShouldClose(handle_) == GLFW_TRUE; }
 
+bool Window::focused() const { return glfwGetWindowAttrib(handle_, GLFW_FOCUSED) == GLFW_TRUE; }
+
 void Window::stayOpen() { glfwSetWindowShouldClose(handle_, GLFW_FALSE); }
 
 std::vector<KeyEvent> Window::takeKeyEvents() { return std::exchange(keyEvents_, {}); }
 
 std::vector<PointerEvent> Window::takePointerEvents() { return std::exchange(pointerEvents_, {}); }
+
+std::string Window::clipboard() const {
+  const char* const text = glfwGetClipboardString(handle_);
+  return text == nullptr ? std::string() : std::string(text);
+}
 
 void Window::setTitle(const std::string& title) { glfwSetWindowTitle(handle_, title.c_str()); }
 
@@ -184,6 +195,13 @@ void Window::onKey(GLFWwindow* handle, int key, int /*scancode*/, int action, in
   auto& window = *static_cast<Window*>(glfwGetWindowUserPointer(handle));
   window.keyEvents_.push_back({*known, kindOf(action), (mods & GLFW_MOD_ALT) != 0, (mods & GLFW_MOD_CONTROL) != 0,
                                (mods & GLFW_MOD_SHIFT) != 0});
+}
+
+void Window::onCharacter(GLFWwindow* handle, unsigned codePoint) {
+  KeyEvent event;
+  event.kind = KeyEvent::Kind::kCharacter;
+  event.character = codePoint;
+  static_cast<Window*>(glfwGetWindowUserPointer(handle))->keyEvents_.push_back(event);
 }
 
 void Window::onMove(GLFWwindow* handle, double x, double y) {

@@ -27,13 +27,17 @@ class Window {
   void poll();
   /// Whether the player has asked to close the window.
   bool closing() const;
+  /// Whether the keys go to this window.
+  bool focused() const;
   /// Forgets that the player has asked to close the window.
   void stayOpen();
   /// Returns the key events since the last call: those of the keyboard in order, and those of the gamepads as of each
-  /// `poll`. A window that loses the focus releases all keys.
+  /// `poll`. Characters that are typed follow their keys. A window that loses the focus releases all keys.
   std::vector<KeyEvent> takeKeyEvents();
   /// Returns the pointer events since the last call, in order.
   std::vector<PointerEvent> takePointerEvents();
+  /// The text of the clipboard, UTF-8; empty if it has none.
+  std::string clipboard() const;
   /// Shows this text in the title bar.
   void setTitle(const std::string& title);
 
@@ -48,6 +52,7 @@ class Window {
 
  private:
   static void onKey(GLFWwindow* handle, int key, int scancode, int action, int mods);
+  static void onCharacter(GLFWwindow* handle, unsigned codePoint);
   static void onMove(GLFWwindow* handle, double x, double y);
   static void onButton(GLFWwindow* handle, int button, int action, int mods);
   static void onScroll(GLFWwindow* handle, double x, double y);

@@ -30,7 +30,8 @@ class Connection : private EnetPort {
   /// Why the server does not take the client: a sentence for the player.
   struct Refused {
     std::string reason;
-    bool permanent = true;  ///< false: a later attempt may succeed
+    bool permanent = true;      ///< false: a later attempt may succeed
+    bool asksPassword = false;  ///< the server asks for a password, or for another one
   };
 
   /// Starts to connect to a server at one of these addresses, over UDP. Throws SocketError if no socket is available.

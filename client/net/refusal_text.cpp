@@ -22,7 +22,7 @@ Connection::Refused explain(const Refusal& refusal) {
     case RefusalReason::kBanned:
       return {refusal.text.empty() ? "you are banned from this server" : refusal.text, true};
     case RefusalReason::kPassword:
-      return {"the password is wrong", true};
+      return {"the password is wrong", true, true};
   }
   return {"the server refused the connection", true};
 }
@@ -31,7 +31,7 @@ Connection::Refused explain(const Refusal& refusal) {
 
 Connection::Refused refusalOf(const ClientGate& gate) {
   if (gate.state() == ClientGate::State::kNoPassword)
-    return {"the server needs a password: write it to a file and name the file after --password-file", true};
+    return {"the server needs a password: write it to a file and name the file after --password-file", true, true};
   if (gate.state() == ClientGate::State::kNoPasswordAsked)
     return {"the server does not ask for a password: leave out --password-file if that is right", true};
   if (gate.state() == ClientGate::State::kAnotherIdentity)

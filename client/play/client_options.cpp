@@ -53,7 +53,7 @@ void describeEditOptions(CLI::App& app, ClientOptions& options) {
 }
 
 void describe(CLI::App& app, ClientOptions& options, std::string& host, std::string& passwordFile) {
-  app.add_option("HOST", host, "Server address, HOST or HOST:PORT; without it an embedded server is started");
+  app.add_option("HOST", host, "Server address, HOST or HOST:PORT; without it, --level and --demo: the title");
   app.add_option("--level", options.level,
                  "Level file for the embedded server; default: the levels shipped with Platon");
   app.add_option("--name", options.name, "Your name, as other players see it");

@@ -16,6 +16,7 @@
 #include "protocol/program_error.h"
 #include "protocol/transport/udp_socket.h"
 #include "server/app/dedicated_server.h"
+#include "server/app/identity_file.h"
 #include "server/app/level_files.h"
 
 namespace platon {
@@ -23,6 +24,7 @@ namespace platon {
 namespace {
 
 constexpr const char* kLoopback = "127.0.0.1";
+constexpr const char* kAllAddresses = "::";
 
 std::vector<LevelPointer> load(const std::vector<std::string>& files) {
   LoadedLevels loaded = loadLevelFiles(files);
@@ -39,18 +41,22 @@ std::string bestTimesFile() {
   return fault ? std::string() : (folder / "best_times").string();
 }
 
-ServerSettings settings() {
-  ServerSettings settings;
-  settings.bestTimes = bestTimesFile();
-  settings.bind = kLoopback;
-  settings.port = 0;
-  settings.match.serverName = "Platon";
-  return settings;
-}
-
 // The messages are for the operator of a server; a player needs none of them.
 Log silentLog() {
   return Log(LogFormat::kText, [](std::string_view) {});
+}
+
+ServerSettings serverSettings(const EmbeddedSettings& wanted) {
+  ServerSettings settings;
+  settings.bestTimes = bestTimesFile();
+  settings.bind = wanted.listens ? kAllAddresses : kLoopback;
+  settings.port = wanted.listens ? wanted.port : 0;
+  settings.password = wanted.password;
+  settings.match.serverName = "Platon";
+  settings.match.maxPlayers = wanted.maxPlayers;
+  Log log = silentLog();
+  if (wanted.listens) settings.identity = loadIdentity("", log);
+  return settings;
 }
 
 // The first line of an error in a level file, as a notice for the player, who knows which file it is.
@@ -65,10 +71,12 @@ std::string noticeOf(const std::string& file, const std::string& error) {
 }  // namespace
 
 struct EmbeddedServer::Running {
-  explicit Running(const std::vector<std::string>& files)
-      : levelFiles(files),
-        server(settings(), load(files), silentLog()),
-        thread([this] { server.run([this] { return shouldStop(); }); }) {}
+  Running(const EmbeddedSettings& settings, const std::vector<std::string>& files,
+          const std::shared_ptr<const PausableClock>& clock)
+      : levelFiles(files), server(serverSettings(settings), load(files), silentLog()) {
+    if (clock) server.setClock([clock] { return TimePoint(clock->now()); });
+    thread = std::thread([this] { server.run([this] { return shouldStop(); }); });
+  }
   ~Running() {
     stop = true;
     thread.join();
@@ -76,6 +84,8 @@ struct EmbeddedServer::Running {
 
   bool shouldStop() {
     if (levelFiles.poll(std::chrono::steady_clock::now())) reload();
+    if (nextAsked.exchange(false)) server.match().startNextRound();
+    players = server.match().players();
     return stop;
   }
 
@@ -93,12 +103,15 @@ struct EmbeddedServer::Running {
   FileWatch levelFiles;
   DedicatedServer server;
   std::atomic<bool> stop{false};
+  std::atomic<bool> nextAsked{false};
+  std::atomic<std::size_t> players{0};
   std::thread thread;  // last: uses the members above from its start
 };
 
-EmbeddedServer::EmbeddedServer(const std::string& levelFile) {
+EmbeddedServer::EmbeddedServer(const EmbeddedSettings& settings, std::shared_ptr<const PausableClock> clock) {
   try {
-    running_ = std::make_unique<Running>(levelFile.empty() ? shippedLevelFiles() : std::vector{levelFile});
+    running_ =
+        std::make_unique<Running>(settings, settings.levels.empty() ? shippedLevelFiles() : settings.levels, clock);
   } catch (const SocketError& error) {
     throw ProgramError(ProgramError::kFailed, error.what());
   }
@@ -107,6 +120,10 @@ EmbeddedServer::EmbeddedServer(const std::string& levelFile) {
 EmbeddedServer::~EmbeddedServer() = default;
 
 ServerAddress EmbeddedServer::address() const { return {kLoopback, running_->server.port()}; }
+
+std::size_t EmbeddedServer::players() const { return running_->players; }
+
+void EmbeddedServer::startNextLevel() { running_->nextAsked = true; }
 
 CryptoKey EmbeddedServer::identity() const { return running_->server.identity().publicKey(); }
 

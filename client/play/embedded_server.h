@@ -1,28 +1,46 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "client/net/server_address.h"
+#include "client/time/pausable_clock.h"
 #include "protocol/transport/noise.h"
 
 namespace platon {
 
-/// A dedicated server on a free loopback port, in a thread of this program.
+/// What a server in this program plays, and for whom.
+struct EmbeddedSettings {
+  std::vector<std::string> levels{};  ///< files, in the order in which they are played; empty: the shipped levels
+  bool listens = false;               ///< to the network; otherwise only to this machine, on a free port
+  std::uint16_t port = kDefaultPort;  ///< of the network
+  std::string password{};             ///< empty: none
+  std::uint32_t maxPlayers = 16;      ///< 1 … kMaxPlayers
+};
+
+/// A dedicated server in a thread of this program.
 class EmbeddedServer {
  public:
-  /// Starts the server on this level, or on the shipped levels when `levelFile` is empty. Throws ProgramError. When the
-  /// file of the level changes, a new round plays it. If it is invalid, the old level stays, and a notice and stderr
-  /// say why.
-  explicit EmbeddedServer(const std::string& levelFile);
+  /// Starts the server. Throws ProgramError. When the file of its only level changes, a new round plays it. If it is
+  /// invalid, the old level stays, and a notice and stderr say why. The server goes by `clock`; without it, by the
+  /// clock of the system. A server that listens to the network has the identity of the user's other servers.
+  explicit EmbeddedServer(const EmbeddedSettings& settings, std::shared_ptr<const PausableClock> clock = nullptr);
   /// Stops the server.
   ~EmbeddedServer();
   EmbeddedServer(const EmbeddedServer&) = delete;
   EmbeddedServer& operator=(const EmbeddedServer&) = delete;
 
+  /// For a client in this program.
   ServerAddress address() const;
   /// Public key of the server.
   CryptoKey identity() const;
+  /// Number of connected players.
+  std::size_t players() const;
+  /// Starts the next level at once.
+  void startNextLevel();
 
  private:
   struct Running;

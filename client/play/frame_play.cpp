@@ -67,7 +67,7 @@ void FramePlay::writeFrame(std::uint32_t frame) {
   source.names = names_;
   source.attempt = attempt_;
   const Scene scene = makeScene(source);
-  view_.draw(&scene, HudStatus(), Settings(), Menu(), double{1} / options_.perSecond);
+  view_.draw(&scene, HudStatus(), Settings(), Overlay(), double{1} / options_.perSecond);
   writePng(view_.read(), frameFile(options_.folder, frame));
 }
 

@@ -23,6 +23,12 @@ volatile std::sig_atomic_t stopSignal = 0;
 
 bool stopRequested() { return stopSignal != 0; }
 
+EmbeddedSettings ownLevels(const ClientOptions& options) {
+  EmbeddedSettings settings;
+  if (!options.level.empty()) settings.levels = {options.level};
+  return settings;
+}
+
 int play(int argc, char** argv) {
   std::optional<ClientOptions> options = readClientOptions(argc, argv);
   if (!options) return 0;
@@ -40,15 +46,15 @@ int play(int argc, char** argv) {
     ReplayPlay(*options, SettingsFile(configFolder()).load(), steadyClock()).run(stopRequested);
     return 0;
   }
+  if (!options->offscreen) {
+    WindowPlay(*options, steadyClock()).run(stopRequested);
+    return 0;
+  }
   std::optional<EmbeddedServer> embedded;
-  if (!options->server) embedded.emplace(options->level);
+  if (!options->server) embedded.emplace(ownLevels(*options));
   if (embedded) options->knowledge.identity = embedded->identity();
   const ServerAddress server = embedded ? embedded->address() : *options->server;
-  if (options->offscreen) {
-    OffscreenPlay(*options, server, steadyClock()).run(stopRequested);
-  } else {
-    WindowPlay(*options, server, steadyClock()).run(stopRequested);
-  }
+  OffscreenPlay(*options, server, steadyClock()).run(stopRequested);
   return 0;
 }
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "client/desync/desync_folder.h"
+#include "client/lobby/known_servers.h"
 #include "client/play/client_options.h"
-#include "client/play/known_servers.h"
 #include "client/play/scene_feed.h"
 #include "client/play/session_file.h"
 #include "client/replay/run_keeper.h"
@@ -44,6 +44,8 @@ class MatchPlay {
   void toggleVote() { client_.toggleVote(); }
   /// Shows timer and ghosts as these settings say.
   void show(const Settings& settings);
+  /// Whether the local player wishes the next level.
+  bool wishesNext() const { return client_.session() != nullptr && client_.session()->wishesNext(); }
   /// Leaves the match; takes at most half a second.
   void leave(const Clock& clock);
 

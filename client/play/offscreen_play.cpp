@@ -40,7 +40,7 @@ void OffscreenPlay::takeScreenshot() {
   const Moment now = clock_.now();
   const std::optional<Scene> scene = match_.scene(now);
   view_.setQuality(kBestQuality);
-  view_.draw(scene ? &*scene : nullptr, match_.hudStatus(now, false), Settings(), Menu(), 0);
+  view_.draw(scene ? &*scene : nullptr, match_.hudStatus(now, false), Settings(), Overlay(), 0);
   writePng(view_.read(), options_.screenshot);
   std::printf("screenshot: %s\n", options_.screenshot.c_str());
 }

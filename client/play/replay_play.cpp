@@ -11,7 +11,6 @@
 #include "client/gl/image.h"
 #include "client/replay/replay_file.h"
 #include "client/ui/hud.h"
-#include "client/ui/menu.h"
 #include "client/ui/replay_bar.h"
 #include "protocol/program_error.h"
 
@@ -102,7 +101,7 @@ float ReplayPlay::width() const {
 void ReplayPlay::draw(double seconds) {
   const Scene scene = viewer_.scene();
   const std::array bar{makeReplayBar(viewer_.status(), font_, width())};
-  view_.draw(&scene, HudStatus(), settings_, Menu(), seconds, bar);
+  view_.draw(&scene, HudStatus(), settings_, Overlay(), seconds, bar);
 }
 
 void ReplayPlay::takeScreenshot() {

@@ -20,6 +20,7 @@ std::optional<Sound> menuSoundOf(Key key) {
     case Key::kEnter:
     case Key::kEscape:
     case Key::kPadA:
+    case Key::kPadB:
     case Key::kPadStart:
       return Sound::kMenuChoose;
     default:
@@ -51,7 +52,8 @@ std::optional<CueSource> sourceOf(const Session* session, const SolidMesh* mesh,
 
 void SoundFeed::key(const KeyEvent& event, bool menuOpen) {
   const std::optional<Sound> sound = menuOpen ? menuSoundOf(event.key) : std::nullopt;
-  if (sound && event.kind != KeyEvent::Kind::kRelease) audio_.play(*sound);
+  const bool isKey = event.kind == KeyEvent::Kind::kPress || event.kind == KeyEvent::Kind::kRepeat;
+  if (sound && isKey) audio_.play(*sound);
 }
 
 void SoundFeed::update(const Session* session, const Scene* scene, std::optional<double> nextRoundSeconds,

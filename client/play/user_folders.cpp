@@ -32,6 +32,8 @@ std::filesystem::path runsFolder() { return inData("runs"); }
 
 std::filesystem::path ghostsFolder() { return inData("ghosts"); }
 
+std::filesystem::path stateFolder() { return folder("XDG_STATE_HOME", ".local/state"); }
+
 std::filesystem::path cacheFolder() { return folder("XDG_CACHE_HOME", ".cache"); }
 
 }  // namespace platon

@@ -14,6 +14,9 @@ std::filesystem::path dataFolder();
 std::filesystem::path runsFolder();
 std::filesystem::path ghostsFolder();
 
+/// `platon` in XDG_STATE_HOME, by default in ~/.local/state: recent servers. Empty without a home folder.
+std::filesystem::path stateFolder();
+
 /// `platon` in XDG_CACHE_HOME, by default in ~/.cache: levels of servers. Empty without a home folder.
 std::filesystem::path cacheFolder();
 

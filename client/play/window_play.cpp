@@ -4,10 +4,11 @@
 #include <chrono>
 #include <cstdio>
 #include <stdexcept>
-#include <string>
 
 #include "client/gl/image.h"
-#include "protocol/program_error.h"
+#include "client/menu/failure_page.h"
+#include "client/menu/pause_page.h"
+#include "client/menu/settings_page.h"
 
 namespace platon {
 
@@ -16,6 +17,7 @@ namespace {
 constexpr int kWidth = 1280;
 constexpr int kHeight = 720;
 constexpr Moment kMinFrameTime = std::chrono::milliseconds(2);  // for drivers that do not wait for the vertical blank
+constexpr Moment kCalmFrameTime = std::chrono::microseconds(33'333);  // in the menu, and without the focus
 
 Window openWindow() {
   try {
@@ -25,82 +27,228 @@ Window openWindow() {
   }
 }
 
+bool namesMatch(const ClientOptions& options) { return options.server || !options.level.empty() || options.demo; }
+
+MatchChoice choiceOf(const ClientOptions& options) {
+  MatchChoice choice{options.server, options.knowledge.password};
+  if (!options.level.empty()) choice.own.levels = {options.level};
+  return choice;
+}
+
+std::filesystem::path recentServersFile() {
+  const std::filesystem::path folder = stateFolder();
+  return folder.empty() ? folder : folder / "recent_servers";
+}
+
+std::string titleOf(const ProgramError& error, const MatchChoice& choice) {
+  if (error.exitCode() == ProgramError::kLevel) return "The level is invalid";
+  return choice.server ? "The server cannot be joined" : "The game cannot be started";
+}
+
 }  // namespace
 
-WindowPlay::WindowPlay(const ClientOptions& options, const ServerAddress& server, const Clock& clock)
+WindowPlay::WindowPlay(const ClientOptions& options, const Clock& clock)
     : options_(options),
       clock_(clock),
       interface_(settingsFile_.load()),
       window_(openWindow()),
       view_(std::max(window_.pixelWidth(), 1u), std::max(window_.pixelHeight(), 1u)),
-      match_(options, server, clock.now()),
+      front_(menu_, interface_.settings(), RecentServers(recentServersFile()),
+             {[this](const MatchChoice& choice) { start(choice); }, [this] { leaving_ = true; }}),
+      firstKeys_(!interface_.settings().firstKeys),
       startedAt_(clock.now()),
       drawnAt_(startedAt_) {
   view_.enableFlights();
+  menu_.setClipboard([this] { return window_.clipboard(); });
+  named_ = namesMatch(options);
+  named_ ? start(choiceOf(options)) : front_.showTitle();
 }
 
 void WindowPlay::run(const std::function<bool()>& stopRequested) {
-  const Controls controls = [this](const Game& game, std::uint32_t slot) { return choose(game, slot); };
   for (Moment now = clock_.now(); shouldContinue(now) && !stopRequested(); now = clock_.now()) {
-    handleKeys();
-    match_.update(now, controls);
-    if (match_.client().ending() && !endingReported_) reportEnding();
+    handleEvents();
+    updateMatch();
     draw(now);
-    window_.show();
-    clock_.sleepUntil(now + kMinFrameTime);
+    clock_.sleepUntil(now + frameTime());
   }
   if (!options_.screenshot.empty()) takeScreenshot();
   settingsFile_.save(interface_.settings());
-  match_.leave(clock_);
+  leaveMatch();
+  if (failure_) throw ProgramError(*failure_);
 }
 
 bool WindowPlay::shouldContinue(Moment now) const {
   const bool timeLeft = !options_.seconds || toSeconds(now - startedAt_) < *options_.seconds;
-  return timeLeft && !window_.closing() && !interface_.menu().leaving();
+  return timeLeft && !window_.closing() && !leaving_;
 }
 
-void WindowPlay::reportEnding() {
-  const std::string& reason = *match_.client().ending();
-  if (!match_.client().welcomed()) throw ProgramError(ProgramError::kFailed, reason);
-  std::fprintf(stderr, "platon-client: %s\n", reason.c_str());
-  endingReported_ = true;
-}
+Moment WindowPlay::frameTime() const { return window_.focused() && !menu_.isOpen() ? kMinFrameTime : kCalmFrameTime; }
 
-void WindowPlay::handleKeys() {
+void WindowPlay::handleEvents() {
   window_.poll();
-  for (const KeyEvent& event : window_.takeKeyEvents()) {
-    if (event.kind == KeyEvent::Kind::kPress) view_.skip();
-    const bool wasOpen = interface_.menu().open();
-    interface_.handle(event);
-    sound_.key(event, wasOpen || interface_.menu().open());
-  }
-  if (interface_.takeVote()) match_.toggleVote();
+  view_.resize(window_.pixelWidth(), window_.pixelHeight());
+  menu_.resize(view_.screenWidth(), static_cast<float>(interface_.settings().uiScale));
+  for (const KeyEvent& event : window_.takeKeyEvents()) handle(event);
+  for (const PointerEvent& event : window_.takePointerEvents()) menu_.handle(event, view_.font());
+  if (interface_.takeVote() && match_) match_->skipLevel();
+  if (interface_.takeWatch()) spectator_.next();
   window_.setFullscreen(interface_.settings().fullscreen);
+}
+
+void WindowPlay::handle(const KeyEvent& event) {
+  if (event.kind == KeyEvent::Kind::kPress) view_.skip();
+  const bool inMenu = menu_.isOpen();
+  interface_.handle(event, inMenu);
+  menu_.handle(event, view_.font());
+  if (interface_.takeMenu() && match_) menu_.open([this] { return pausePage(); });
+  sound_.key(event, inMenu || menu_.isOpen());
+}
+
+MenuPage WindowPlay::pausePage() {
+  const bool alone = match_->alone();
+  PauseChoices choices;
+  choices.notes = match_->invitation();
+  if (!alone) choices.notes.emplace_back("The game goes on while the menu is open.");
+  choices.title = alone ? "Pause" : "Platon";
+  choices.next = alone                         ? "Next level"
+                 : match_->play().wishesNext() ? "Take back the vote for the next level"
+                                               : "Vote for the next level";
+  choices.onResume = [this] { menu_.close(); };
+  choices.onRestart = [this] {
+    interface_.restart();
+    menu_.close();
+  };
+  choices.onNext = [this] {
+    match_->skipLevel();
+    menu_.close();
+  };
+  choices.onSettings = [this] { menu_.push([this] { return settingsPage(interface_.settings()); }); };
+  choices.onLeave = [this] { leaveToTitle(); };
+  return platon::pausePage(choices);
 }
 
 Input WindowPlay::choose(const Game& game, std::uint32_t slot) {
   if (options_.demo) return demo_.choose(game, slot);
-  const HeldKeys held = interface_.takeHeld();
+  const HeldKeys held = interface_.takeHeld(menu_.isOpen());
   if (held != HeldKeys()) view_.skip();
+  learn(held, snapshotOf(game, slot));
   return steering_.input(held, view_.roll(), interface_.settings().controls);
 }
 
+void WindowPlay::learn(const HeldKeys& held, const PlayerSnapshot& player) {
+  Settings& settings = interface_.settings();
+  if (settings.firstKeys && firstKeys_.done()) firstKeys_ = FirstKeys(false);  // turned on again
+  if (!settings.firstKeys || !player.present) return;
+  firstKeys_.observe(held, player.part);
+  settings.firstKeys = !firstKeys_.done();
+}
+
+void WindowPlay::start(const MatchChoice& choice) {
+  leaveMatch();
+  choice_ = choice;
+  endingShown_ = remembered_ = false;
+  meter_ = NetMeter();
+  try {
+    match_.emplace(options_, choice, clock_);
+    menu_.close();
+  } catch (const ProgramError& error) {
+    fail(error);
+  } catch (const std::runtime_error& error) {
+    fail(ProgramError(ProgramError::kFailed, error.what()));
+  }
+}
+
+void WindowPlay::updateMatch() {
+  if (!match_) return;
+  match_->update(menu_.isOpen(), [this](const Game& game, std::uint32_t slot) { return choose(game, slot); });
+  const NetworkClient& client = match_->play().client();
+  if (client.welcomed() && !remembered_) {
+    if (choice_.server) front_.recent().remember(*choice_.server);
+    remembered_ = true;
+    named_ = false;
+    failure_.reset();
+  }
+  if (client.ending() && !endingShown_) checkEnding();
+}
+
+void WindowPlay::checkEnding() {
+  endingShown_ = true;
+  const NetworkClient& client = match_->play().client();
+  const std::string reason = *client.ending();
+  const bool asksPassword = client.asksPassword() && choice_.server;
+  if (client.welcomed()) {
+    std::fprintf(stderr, "platon-client: %s\n", reason.c_str());
+    return showFailure("The game has ended", reason);
+  }
+  leaveMatch();
+  fail(ProgramError(ProgramError::kFailed, reason));
+  if (asksPassword) front_.askPassword(*choice_.server, !choice_.password.empty());
+}
+
+void WindowPlay::fail(const ProgramError& error) {
+  if (named_) failure_ = error;
+  if (named_ && options_.seconds) throw ProgramError(error);
+  showFailure(titleOf(error, choice_), error.what());
+}
+
+void WindowPlay::showFailure(const std::string& title, const std::string& reason) {
+  menu_.open([this, title, reason] {
+    return failurePage(
+        title, reason, [this] { start(MatchChoice(choice_)); }, [this] { leaveToTitle(); });
+  });
+}
+
+void WindowPlay::leaveToTitle() {
+  leaveMatch();
+  named_ = false;
+  front_.showTitle();
+}
+
+void WindowPlay::leaveMatch() {
+  if (match_) match_->leave();
+  match_.reset();
+}
+
 void WindowPlay::draw(Moment now) {
-  view_.resize(window_.pixelWidth(), window_.pixelHeight());
-  match_.show(interface_.settings());
-  const std::optional<Scene> scene = match_.scene(now);
-  if (scene) view_.netGraph().add(meter_.sample(match_.client(), now));
-  const HudStatus status = match_.hudStatus(now, interface_.helpShown());
-  view_.look(interface_.look());
-  view_.draw(scene ? &*scene : nullptr, status, interface_.settings(), interface_.menu(), toSeconds(now - drawnAt_));
-  view_.present();
-  playSounds(scene ? &*scene : nullptr, status, toSeconds(now - drawnAt_));
+  const double seconds = toSeconds(now - drawnAt_);
   drawnAt_ = now;
+  if (window_.pixelWidth() == 0 || window_.pixelHeight() == 0) return;
+  match_ ? drawMatch(seconds) : drawFront(seconds);
+  view_.present();
+  window_.show();
+}
+
+void WindowPlay::drawMatch(double seconds) {
+  const Moment now = match_->now();
+  match_->play().show(interface_.settings());
+  std::optional<Scene> scene = match_->play().scene(now);
+  if (scene) view_.netGraph().add(meter_.sample(match_->play().client(), now));
+  if (scene) spectator_.direct(*scene);
+  HudStatus status = match_->play().hudStatus(now, interface_.helpShown());
+  status.hint = hint(status.summary.has_value());
+  view_.look(menu_.isOpen() ? LookInput() : interface_.look());
+  view_.draw(scene ? &*scene : nullptr, status, interface_.settings(), menu_.overlay(view_.font(), true), seconds);
+  playSounds(scene ? &*scene : nullptr, status, seconds);
+}
+
+std::string WindowPlay::hint(bool roundOver) const {
+  if (roundOver) return match_->alone() ? "V: next level" : "";
+  if (!spectator_.hint().empty() || options_.demo) return spectator_.hint();
+  return interface_.settings().firstKeys ? firstKeys_.hint() : "";
+}
+
+void WindowPlay::drawFront(double seconds) {
+  sound_.update(nullptr, nullptr, std::nullopt, interface_.settings(), seconds);
+  if (const auto level = front_.shownLevel()) turntable_.show(level);
+  const Overlay menu = menu_.overlay(view_.font(), false);
+  if (!turntable_.shows()) return view_.draw(nullptr, {}, interface_.settings(), menu, seconds);
+  if (!interface_.settings().comfort.reducedMotion) turntable_.advance(seconds);
+  view_.drawStill(turntable_.scene(), turntable_.camera(view_.width(), view_.height()), menu);
 }
 
 // During an outage nothing is heard.
 void WindowPlay::playSounds(const Scene* scene, const HudStatus& status, double seconds) {
-  const NetworkClient& client = match_.client();
+  const NetworkClient& client = match_->play().client();
   const std::optional<double> next = status.summary ? std::optional(status.summary->secondsLeft) : std::nullopt;
   sound_.update(client.outage() ? nullptr : client.session(), scene, next, interface_.settings(), seconds);
 }

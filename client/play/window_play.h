@@ -1,41 +1,71 @@
 #pragma once
 
 #include <functional>
+#include <optional>
+#include <string>
 
 #include "client/demo/demo.h"
 #include "client/gl/game_view.h"
 #include "client/gl/window.h"
+#include "client/menu/menu.h"
+#include "client/menu/turntable.h"
+#include "client/netcode/player_snapshot.h"
 #include "client/play/client_options.h"
-#include "client/play/match_play.h"
+#include "client/play/front_pages.h"
+#include "client/play/live_match.h"
 #include "client/play/net_meter.h"
 #include "client/play/settings_file.h"
 #include "client/play/sound_feed.h"
 #include "client/play/user_folders.h"
 #include "client/time/clock.h"
+#include "client/ui/first_keys.h"
+#include "client/ui/spectator.h"
 #include "client/ui/steering.h"
 #include "client/ui/user_interface.h"
+#include "protocol/program_error.h"
 
 namespace platon {
 
-/// Plays in a window.
+/// The game in a window: title, matches, menus. What goes wrong is shown on the screen, where the player can try again
+/// or go back.
 class WindowPlay {
  public:
-  /// Starts to connect. Throws std::runtime_error if connecting cannot start, and ProgramError if no window can be
-  /// opened.
-  WindowPlay(const ClientOptions& options, const ServerAddress& server, const Clock& clock);
+  /// Starts what the options name, or shows the title. Throws ProgramError if no window can be opened.
+  WindowPlay(const ClientOptions& options, const Clock& clock);
 
-  /// Plays until the player leaves, the time limit of the options is reached or `stopRequested` returns true. Throws
-  /// ProgramError when the server cannot be joined. When a match ends later, its last picture stays on the screen with
-  /// the reason.
+  /// Runs until the player leaves, the time limit of the options is reached or `stopRequested` returns true. Throws
+  /// ProgramError at the end if what the options name could not be played, and at once if they have a time limit.
   void run(const std::function<bool()>& stopRequested);
+
+  const Menu& menu() const { return menu_; }
+  /// The present match; null if there is none.
+  const LiveMatch* match() const { return match_ ? &*match_ : nullptr; }
 
  private:
   bool shouldContinue(Moment now) const;
-  void handleKeys();
-  void reportEnding();
+  Moment frameTime() const;
+
+  // Events.
+  void handleEvents();
+  void handle(const KeyEvent& event);
+  MenuPage pausePage();
   Input choose(const Game& game, std::uint32_t slot);
+  void learn(const HeldKeys& held, const PlayerSnapshot& player);
+
+  // Matches.
+  void start(const MatchChoice& choice);
+  void updateMatch();
+  void checkEnding();
+  void fail(const ProgramError& error);
+  void showFailure(const std::string& title, const std::string& reason);
+  void leaveToTitle();
+  void leaveMatch();
+
   void draw(Moment now);
   void playSounds(const Scene* scene, const HudStatus& status, double seconds);
+  void drawMatch(double seconds);
+  std::string hint(bool roundOver) const;
+  void drawFront(double seconds);
   void takeScreenshot();
 
   ClientOptions options_;
@@ -44,12 +74,22 @@ class WindowPlay {
   UserInterface interface_;
   Window window_;
   GameView view_;
-  MatchPlay match_;
+  Menu menu_;
+  FrontPages front_;
+  Turntable turntable_;
+  MatchChoice choice_;  // the last one
+  std::optional<LiveMatch> match_;
   Steering steering_;
+  FirstKeys firstKeys_;
+  Spectator spectator_;
   Demo demo_;
   NetMeter meter_;
   SoundFeed sound_;
-  bool endingReported_ = false;
+  std::optional<ProgramError> failure_;  // of what the options name
+  bool named_ = false;                   // the match is what the options name
+  bool endingShown_ = false;
+  bool remembered_ = false;
+  bool leaving_ = false;
   Moment startedAt_;
   Moment drawnAt_;
 };

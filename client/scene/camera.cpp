@@ -140,7 +140,8 @@ glm::dmat4 Camera::viewProjection() const {
   const double fromCentre = glm::dot(eye(), back());
   const double farthest = fromCentre + radius_;
   const double nearest = std::max((fromCentre - radius_) / 2, farthest / 20000);
-  return glm::perspective(vertical, aspect, nearest, farthest) * view();
+  const glm::dmat4 shifted = glm::translate(glm::dmat4(1), glm::dvec3(shift_, 0, 0));
+  return shifted * glm::perspective(vertical, aspect, nearest, farthest) * view();
 }
 
 double Camera::rollOf(const Pose& player) const {

@@ -49,6 +49,9 @@ class Camera {
   /// Magnification, 0.25 … 4. Takes effect at the next `set` or `lerp`.
   void setZoom(double zoom) { zoom_ = zoom; }
 
+  /// Shows the middle of the view this far to the right of the middle of the picture, in half widths of it.
+  void setShift(double shift) { shift_ = shift; }
+
   glm::dvec3 eye() const { return shown_.eye; }
   glm::dvec3 right() const { return shown_.orientation * glm::dvec3(1, 0, 0); }
   glm::dvec3 up() const { return shown_.orientation * glm::dvec3(0, 1, 0); }
@@ -77,6 +80,7 @@ class Camera {
   FaceHold hold_;
   double radius_ = 500;  // circumradius of the solid, for the depth range
   double zoom_ = 1;
+  double shift_ = 0;
   CameraComfort comfort_;
   std::uint32_t width_ = 1;
   std::uint32_t height_ = 1;

@@ -78,6 +78,7 @@ void NetworkClient::checkConnecting(Moment now) {
   if (connection_->identity()) profile_.knowledge.identity = connection_->identity();
   if (connection_->state() == Connection::State::kConnected) return startSession(now);
   if (connection_->refused()) {
+    asksPassword_ = connection_->refused()->asksPassword;
     return fail({server_.text() + ": " + connection_->refused()->reason, connection_->refused()->permanent}, now);
   }
   if (!closed() && now - std::get<Connecting>(state_).since <= kConnectTimeout) return;

@@ -54,6 +54,8 @@ class NetworkClient {
   bool closed() const { return !connection_ || connection_->state() == Connection::State::kClosed; }
   /// Why the match has ended permanently, a sentence for the player; empty until then.
   const std::optional<std::string>& ending() const { return ending_; }
+  /// Whether the match has ended because the server asks for a password, or for another one.
+  bool asksPassword() const { return asksPassword_; }
   /// Why the match is interrupted, a sentence for the player; empty while it is not.
   const std::optional<std::string>& outage() const { return recovery_.outage; }
   /// How often the client resumed its player or rejoined after an outage.
@@ -122,6 +124,7 @@ class NetworkClient {
   std::optional<Session> session_;
   Recovery recovery_;
   std::optional<std::string> ending_;
+  bool asksPassword_ = false;
   bool welcomed_ = false;
   std::uint32_t resumes_ = 0;
   Traffic pastTraffic_;  // of earlier connections

@@ -10,7 +10,7 @@ namespace {
 
 std::bitset<kKeyCount> keysOf(const GamepadState& pad) {
   const float tilt = pad.dpadLeft || pad.dpadRight ? 1 : std::abs(pad.stickX);
-  const std::array<std::pair<Key, bool>, 13> states{
+  const std::array<std::pair<Key, bool>, 14> states{
       {{Key::kPadLeft, pad.dpadLeft || pad.stickX < -GamepadKeys::kDeadZone},
        {Key::kPadRight, pad.dpadRight || pad.stickX > GamepadKeys::kDeadZone},
        {Key::kPadUp, pad.dpadUp || pad.stickY < -GamepadKeys::kVerticalDeadZone},
@@ -22,6 +22,7 @@ std::bitset<kKeyCount> keysOf(const GamepadState& pad) {
        {Key::kPadLookUp, pad.lookY < -GamepadKeys::kLookDeadZone},
        {Key::kPadLookDown, pad.lookY > GamepadKeys::kLookDeadZone},
        {Key::kPadA, pad.a},
+       {Key::kPadB, pad.b},
        {Key::kPadStart, pad.start},
        {Key::kPadBack, pad.back}}};
   std::bitset<kKeyCount> keys;

@@ -13,6 +13,7 @@ struct GamepadState {
   bool dpadUp = false;
   bool dpadDown = false;
   bool a = false;
+  bool b = false;
   bool start = false;
   bool back = false;
 };

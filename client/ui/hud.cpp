@@ -25,17 +25,18 @@ constexpr float kTextSize = 18;     // of messages and notices
 constexpr float kWidestText = 640;  // of messages and notices
 
 // Key, button of a gamepad, meaning.
-constexpr std::array<std::array<const char*, 3>, 11> kHelp{{{"← →  or  A D", "stick: 3 speeds", "run"},
+constexpr std::array<std::array<const char*, 3>, 12> kHelp{{{"← →  or  A D", "stick: 3 speeds", "run"},
                                                             {"Shift", "stick, a little", "run slower"},
                                                             {"Space, ↑ or W", "A", "jump; hold to jump higher"},
                                                             {"↓ or S", "stick, D-pad down", "fall faster"},
                                                             {"Tab and arrows", "right stick", "look round the solid"},
                                                             {"R", "Back", "back to the start"},
-                                                            {"V", "", "vote for the next level"},
+                                                            {"V", "", "next level: at once, or a vote"},
+                                                            {"E", "", "after the goal: watch others"},
                                                             {"F1", "", "help"},
                                                             {"F3", "", "connection graph"},
                                                             {"F11", "", "full screen"},
-                                                            {"Esc", "Start", "menu: settings, leave"}}};
+                                                            {"Esc", "Start", "pause, settings, leave"}}};
 constexpr const char* kRestartHint = "R: back to the start";
 
 std::string twoDigits(long value) { return std::string(value < 10 ? "0" : "") + std::to_string(value); }
@@ -129,9 +130,9 @@ std::vector<std::string> linesOf(const std::string& text, const Font& font, floa
   return wrapText(text, font, std::min(kWidestText, width - 4 * kMargin) / size);
 }
 
-std::string hintOf(const Scene& scene) {
+std::string hintOf(const Scene& scene, const HudStatus& status) {
   if (scene.needsRestart) return kRestartHint;
-  if (scene.neededPlayers == 0) return {};
+  if (scene.neededPlayers == 0) return status.hint;
   return "This level needs " + std::to_string(scene.neededPlayers) + " players. V: next level";
 }
 
@@ -186,7 +187,7 @@ Overlay makeHud(const Scene& scene, const Camera& camera, const HudStatus& statu
   if (status.summary) addResults(writer, scene, *status.summary, font, width);
   if (status.vote) addVote(writer, *status.vote, width);
   if (status.help) addHelp(writer);
-  addTexts(writer, status, hintOf(scene), font, width);
+  addTexts(writer, status, hintOf(scene, status), font, width);
   return writer.take();
 }
 

@@ -30,6 +30,7 @@ struct HudStatus {
   std::optional<RoundSummary> summary{};  ///< nothing: the round has not ended
   RunStatus run{};                        ///< how the attempt compares with the best run
   bool timer = true;                      ///< show the own time and `run`
+  std::string hint{};                     ///< what the player may do next; empty: nothing
 };
 
 /// Time left as `minutes:seconds`; below ten seconds with tenths. `seconds` ≥ 0.

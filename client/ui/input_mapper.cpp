@@ -17,44 +17,21 @@ bool isAny(const std::bitset<kKeyCount>& active, std::initializer_list<Key> keys
   return std::any_of(keys.begin(), keys.end(), [&](Key key) { return active[static_cast<std::size_t>(key)]; });
 }
 
-std::optional<Action> menuActionOf(Key key) {
-  switch (key) {
-    case Key::kArrowUp:
-    case Key::kW:
-    case Key::kPadUp:
-      return Action::kMenuUp;
-    case Key::kArrowDown:
-    case Key::kS:
-    case Key::kPadDown:
-      return Action::kMenuDown;
-    case Key::kArrowLeft:
-    case Key::kA:
-    case Key::kPadLeft:
-      return Action::kMenuLess;
-    case Key::kArrowRight:
-    case Key::kD:
-    case Key::kPadRight:
-      return Action::kMenuMore;
-    case Key::kSpace:
-    case Key::kEnter:
-    case Key::kPadA:
-      return Action::kMenuChoose;
-    default:
-      return std::nullopt;
-  }
-}
-
-std::optional<Action> toggleOf(const KeyEvent& event) {
+std::optional<Action> actionOf(const KeyEvent& event, bool menuOpen) {
   switch (event.key) {
     case Key::kEscape:
     case Key::kPadStart:
-      return Action::kToggleMenu;
+      return menuOpen ? std::nullopt : std::optional(Action::kOpenMenu);
     case Key::kF1:
       return Action::kToggleHelp;
     case Key::kF3:
       return Action::kToggleNetGraph;
     case Key::kF11:
       return Action::kToggleFullscreen;
+    case Key::kE:
+      return menuOpen ? std::nullopt : std::optional(Action::kWatchNext);
+    case Key::kV:
+      return menuOpen ? std::nullopt : std::optional(Action::kToggleVote);
     case Key::kEnter:
       return event.alt ? std::optional(Action::kToggleFullscreen) : std::nullopt;
     default:
@@ -65,6 +42,7 @@ std::optional<Action> toggleOf(const KeyEvent& event) {
 }  // namespace
 
 std::optional<Action> InputMapper::handle(const KeyEvent& event, bool menuOpen) {
+  if (event.kind == KeyEvent::Kind::kCharacter) return std::nullopt;
   const auto index = static_cast<std::size_t>(event.key);
   if (menuOpen) pressed_.reset();
   if (event.kind == KeyEvent::Kind::kRelease) held_.reset(index);
@@ -72,12 +50,7 @@ std::optional<Action> InputMapper::handle(const KeyEvent& event, bool menuOpen) 
     held_.set(index);
     pressed_.set(index);
   }
-  if (event.kind == KeyEvent::Kind::kRelease) return std::nullopt;
-  const bool first = event.kind == KeyEvent::Kind::kPress;
-  if (const std::optional<Action> toggle = toggleOf(event)) return first ? toggle : std::nullopt;
-  if (event.key == Key::kV && first && !menuOpen) return Action::kToggleVote;
-  const std::optional<Action> action = menuOpen ? menuActionOf(event.key) : std::nullopt;
-  return first || action != Action::kMenuChoose ? action : std::nullopt;
+  return event.kind == KeyEvent::Kind::kPress ? actionOf(event, menuOpen) : std::nullopt;
 }
 
 HeldKeys InputMapper::takeHeld() {

@@ -12,23 +12,19 @@ namespace platon {
 
 /// What a key does to the user interface.
 enum class Action : std::uint8_t {
-  kToggleMenu,
-  kMenuUp,
-  kMenuDown,
-  kMenuLess,
-  kMenuMore,
-  kMenuChoose,
+  kOpenMenu,
   kToggleHelp,
   kToggleNetGraph,
   kToggleFullscreen,
-  kToggleVote
+  kToggleVote,
+  kWatchNext
 };
 
 /// Decides what each key does: an action of the user interface, a control of the game, or both.
 class InputMapper {
  public:
   /// Returns the action of the event, if it has one. While the menu is open, a press is not passed to the game, and
-  /// neither is the rest of that press after the menu has closed. Key repeat only moves through the menu.
+  /// neither is the rest of that press after the menu has closed. Key repeat has no action.
   std::optional<Action> handle(const KeyEvent& event, bool menuOpen);
 
   /// Returns the controls of the next tick: the held ones, and those pressed since the last call even if they have

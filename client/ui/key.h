@@ -51,6 +51,8 @@ enum class Key : std::uint8_t {
   kBackspace,
   kPageUp,
   kPageDown,
+  kHome,
+  kEnd,
   kPadLeft,  ///< D-pad or left stick, as the next three
   kPadRight,
   kPadUp,
@@ -62,20 +64,22 @@ enum class Key : std::uint8_t {
   kPadLookUp,
   kPadLookDown,
   kPadA,
+  kPadB,
   kPadStart,
   kPadBack
 };
 inline constexpr std::size_t kKeyCount = static_cast<std::size_t>(Key::kPadBack) + 1;
 
-/// A change of one key.
+/// A change of one key, or a character that was typed.
 struct KeyEvent {
-  enum class Kind : std::uint8_t { kPress, kRepeat, kRelease };
+  enum class Kind : std::uint8_t { kPress, kRepeat, kRelease, kCharacter };
 
-  Key key = Key::kSpace;
+  Key key = Key::kSpace;  ///< means nothing of a kCharacter
   Kind kind = Kind::kPress;
-  bool alt = false;    ///< Alt was held
-  bool ctrl = false;   ///< Ctrl was held
-  bool shift = false;  ///< Shift was held
+  bool alt = false;        ///< Alt was held
+  bool ctrl = false;       ///< Ctrl was held
+  bool shift = false;      ///< Shift was held
+  char32_t character = 0;  ///< of a kCharacter: its code point
 
   friend bool operator==(const KeyEvent&, const KeyEvent&) = default;
 };

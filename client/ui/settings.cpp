@@ -63,12 +63,15 @@ std::vector<Entry> entriesOf(Settings& settings) {
       {"camera", "follow or face", [&comfort](std::string_view value) { return parse(value, comfort.view); }},
       {"zoom", "a number from 0.5 to 2",
        [&settings](std::string_view value) { return parse(value, settings.zoom, kMinZoom, kMaxZoom); }},
+      {"text-size", "a number from 0.75 to 1.75",
+       [&settings](std::string_view value) { return parse(value, settings.uiScale, kMinUiScale, kMaxUiScale); }},
       {"controls", "player or screen", [&settings](std::string_view value) { return parse(value, settings.controls); }},
       flag("instant-cut", comfort.instantCut),
       flag("reduced-motion", comfort.reducedMotion),
       flag("fullscreen", settings.fullscreen),
       flag("net-graph", settings.netGraph),
       flag("face-numbers", settings.faceNumbers),
+      flag("first-keys", settings.firstKeys),
       volume("volume", settings.volume),
       volume("volume-effects", settings.effectsVolume),
       volume("volume-music", settings.musicVolume),
@@ -99,12 +102,22 @@ const char* onOff(bool flag) { return flag ? "on" : "off"; }
 
 std::string Settings::text() const {
   std::ostringstream out;
-  out << "turn-speed " << comfort.turnSpeed << "\ninstant-cut " << onOff(comfort.instantCut) << "\nreduced-motion "
-      << onOff(comfort.reducedMotion) << "\ncontrols " << (controls == ControlFrame::kScreen ? "screen" : "player")
-      << "\ncamera " << (comfort.view == CameraView::kFace ? "face" : "follow") << "\nzoom " << zoom << "\nfullscreen "
-      << onOff(fullscreen) << "\nnet-graph " << onOff(netGraph) << "\nface-numbers " << onOff(faceNumbers)
-      << "\nvolume " << volume << "\nvolume-effects " << effectsVolume << "\nvolume-music " << musicVolume << "\ntimer "
-      << onOff(timer) << "\nghosts " << onOff(ghosts) << "\n";
+  out << "turn-speed " << comfort.turnSpeed << "\n";
+  out << "instant-cut " << onOff(comfort.instantCut) << "\n";
+  out << "reduced-motion " << onOff(comfort.reducedMotion) << "\n";
+  out << "controls " << (controls == ControlFrame::kScreen ? "screen" : "player") << "\n";
+  out << "camera " << (comfort.view == CameraView::kFace ? "face" : "follow") << "\n";
+  out << "zoom " << zoom << "\n";
+  out << "text-size " << uiScale << "\n";
+  out << "fullscreen " << onOff(fullscreen) << "\n";
+  out << "net-graph " << onOff(netGraph) << "\n";
+  out << "face-numbers " << onOff(faceNumbers) << "\n";
+  out << "first-keys " << onOff(firstKeys) << "\n";
+  out << "volume " << volume << "\n";
+  out << "volume-effects " << effectsVolume << "\n";
+  out << "volume-music " << musicVolume << "\n";
+  out << "timer " << onOff(timer) << "\n";
+  out << "ghosts " << onOff(ghosts) << "\n";
   return out.str();
 }
 

@@ -9,13 +9,19 @@
 
 namespace platon {
 
+/// Range of Settings::uiScale.
+inline constexpr double kMinUiScale = 0.75;
+inline constexpr double kMaxUiScale = 1.75;
+
 /// The player's settings. Each may change at any time.
 struct Settings {
   CameraComfort comfort;
   ControlFrame controls = ControlFrame::kPlayer;
-  double zoom = 1;  ///< 0.5 … 2
+  double zoom = 1;     ///< 0.5 … 2
+  double uiScale = 1;  ///< size of the menus, kMinUiScale … kMaxUiScale
   bool fullscreen = false;
   bool netGraph = false;
+  bool firstKeys = true;       ///< shows the first keys until they were used
   double volume = 80;          ///< of all sound, 0 … 100
   double effectsVolume = 100;  ///< of the sounds of events, 0 … 100
   double musicVolume = 70;     ///< 0 … 100

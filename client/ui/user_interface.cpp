@@ -4,30 +4,23 @@
 
 namespace platon {
 
-void UserInterface::handle(const KeyEvent& event) {
-  const std::optional<Action> action = mapper_.handle(event, menu_.open());
+void UserInterface::handle(const KeyEvent& event, bool menuOpen) {
+  const std::optional<Action> action = mapper_.handle(event, menuOpen);
   if (action) perform(*action);
 }
 
-HeldKeys UserInterface::takeHeld() {
-  const HeldKeys held = mapper_.takeHeld();
-  return menu_.open() ? HeldKeys() : held;
+HeldKeys UserInterface::takeHeld(bool menuOpen) {
+  HeldKeys held = mapper_.takeHeld();
+  if (menuOpen) return {};
+  held.restart = std::exchange(restart_, false) || held.restart;
+  return held;
 }
 
 void UserInterface::perform(Action action) {
   switch (action) {
-    case Action::kToggleMenu:
-      return menu_.toggle();
-    case Action::kMenuUp:
-      return menu_.step(Menu::Step::kUp, settings_);
-    case Action::kMenuDown:
-      return menu_.step(Menu::Step::kDown, settings_);
-    case Action::kMenuLess:
-      return menu_.step(Menu::Step::kLess, settings_);
-    case Action::kMenuMore:
-      return menu_.step(Menu::Step::kMore, settings_);
-    case Action::kMenuChoose:
-      return menu_.choose(settings_);
+    case Action::kOpenMenu:
+      menuAsked_ = true;
+      return;
     case Action::kToggleHelp:
       helpShown_ = !helpShown_;
       return;
@@ -39,6 +32,9 @@ void UserInterface::perform(Action action) {
       return;
     case Action::kToggleVote:
       voteToggled_ = !voteToggled_;
+      return;
+    case Action::kWatchNext:
+      watchAsked_ = true;
       return;
   }
 }

@@ -6,27 +6,33 @@
 #include "client/ui/held_keys.h"
 #include "client/ui/input_mapper.h"
 #include "client/ui/key.h"
-#include "client/ui/menu.h"
 #include "client/ui/settings.h"
 
 namespace platon {
 
-/// State of menu, settings and help, which the player changes by keys.
+/// What keys change besides the ball, and the keys that are held.
 class UserInterface {
  public:
   explicit UserInterface(const Settings& settings) : settings_(settings) {}
 
-  void handle(const KeyEvent& event);
+  /// `menuOpen`: the event belongs to the menu; keys that act everywhere act all the same.
+  void handle(const KeyEvent& event, bool menuOpen);
   /// Returns the controls of the next tick; none while the menu is open. Called once a tick.
-  HeldKeys takeHeld();
+  HeldKeys takeHeld(bool menuOpen);
+  /// Returns the player to the start in the next tick, as the key for it does.
+  void restart() { restart_ = true; }
 
-  /// How the player looks round; not at all while the menu is open.
-  LookInput look() const { return menu_.open() ? LookInput() : mapper_.look(); }
+  /// How the player looks round.
+  LookInput look() const { return mapper_.look(); }
 
+  /// Whether the player has asked for the menu since the last call.
+  bool takeMenu() { return std::exchange(menuAsked_, false); }
   /// Whether the player has changed its vote for the next level since the last call.
   bool takeVote() { return std::exchange(voteToggled_, false); }
+  /// Whether the player has asked since the last call to watch another player.
+  bool takeWatch() { return std::exchange(watchAsked_, false); }
 
-  const Menu& menu() const { return menu_; }
+  Settings& settings() { return settings_; }
   const Settings& settings() const { return settings_; }
   bool helpShown() const { return helpShown_; }
 
@@ -34,10 +40,12 @@ class UserInterface {
   void perform(Action action);
 
   Settings settings_;
-  Menu menu_;
   InputMapper mapper_;
   bool helpShown_ = false;
+  bool menuAsked_ = false;
   bool voteToggled_ = false;
+  bool watchAsked_ = false;
+  bool restart_ = false;
 };
 
 }  // namespace platon

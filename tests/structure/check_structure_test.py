@@ -19,7 +19,7 @@ ARCHITECTURE = (Path(__file__).parents[2] / "docs/architecture.md").read_text(en
 
 SHARED = ["exact", "physics", "game"]
 LEVELS = ["check", "drawing", "picture", "reach", "solve", "tool"]
-CLIENT = ["time", "net", "netcode", "desync", "session", "bot", "demo", "scene", "ui", "audio", "editor", "replay", "gl", "play"]
+CLIENT = ["time", "net", "netcode", "desync", "session", "bot", "demo", "scene", "ui", "audio", "menu", "lobby", "editor", "replay", "gl", "play"]
 FOLDERS = (
     [f"shared/include/platon/{name}" for name in SHARED]
     + [f"shared/{name}" for name in SHARED]
@@ -69,13 +69,15 @@ class Includes(Tree):
             "bot": ["time", "net", "netcode", "desync", "session"],
             "demo": ["netcode"], "scene": ["netcode"], "ui": ["netcode", "scene"], "gl": ["scene", "ui"],
             "audio": ["scene"],
-            "editor": ["netcode", "scene", "ui"],
+            "menu": ["netcode", "scene", "ui"],
+            "lobby": ["time", "net", "netcode", "scene", "ui", "menu"],
+            "editor": ["netcode", "scene", "ui", "menu"],
             "replay": ["netcode", "scene", "ui"],
             "play": [name for name in CLIENT if name not in ("bot", "play")],
         }  # fmt: skip
-        drawn = ("scene", "ui", "audio", "editor")
+        drawn = ("scene", "ui", "audio", "menu", "editor")
         solving = ["levels/check", "levels/reach", "levels/solve"]
-        wordless = ("demo", "scene", "ui", "audio", "editor", "gl")
+        wordless = ("demo", "scene", "ui", "audio", "menu", "editor", "gl")
         protocol = ["protocol", "protocol/files", "protocol/transport"]
         allowed = {
             **{folder: public[:index] for index, folder in enumerate(public)},

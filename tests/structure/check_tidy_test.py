@@ -58,9 +58,9 @@ class Repository(unittest.TestCase):
 
 class Choice(unittest.TestCase):
     def test_headers_are_checked_through_their_sources(self):
-        changed = ["shared/include/platon/game/game.h", "client/ui/menu.h", "client/ui/menu.cpp", "server/app/pacing.h", "README.md"]
-        compiled = ["shared/game/game.cpp", "client/ui/menu.cpp", "client/ui/hud.cpp"]
-        self.assertEqual(check_tidy.sources_of(changed, compiled), ["client/ui/menu.cpp", "shared/game/game.cpp"])
+        changed = ["shared/include/platon/game/game.h", "client/menu/menu.h", "client/menu/menu.cpp", "server/app/pacing.h", "README.md"]
+        compiled = ["shared/game/game.cpp", "client/menu/menu.cpp", "client/ui/hud.cpp"]
+        self.assertEqual(check_tidy.sources_of(changed, compiled), ["client/menu/menu.cpp", "shared/game/game.cpp"])
 
     def test_a_sample_is_evenly_spread(self):
         self.assertEqual(check_tidy.sample([1, 2, 3], 3), [1, 2, 3])

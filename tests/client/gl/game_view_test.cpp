@@ -18,7 +18,7 @@ namespace {
 constexpr std::uint32_t kWidth = 320;
 constexpr std::uint32_t kHeight = 180;
 
-Image drawn(GameView& view, const Scene* scene, const Settings& settings = {}, const Menu& menu = {}) {
+Image drawn(GameView& view, const Scene* scene, const Settings& settings = {}, const Overlay& menu = {}) {
   view.draw(scene, {}, settings, menu, 0.1);
   EXPECT_EQ(takeGlErrors(), "");
   return view.read();
@@ -71,8 +71,8 @@ TEST_F(GameViewTest, TheMenuAndTheNetGraphAreDrawnWhenEnabled) {
   GameView view(kWidth, kHeight);
   view.netGraph().add({});
   const Image plain = drawn(view, &scene_);
-  Menu menu;
-  menu.toggle();
+  Overlay menu;
+  menu.panels.push_back({{0, 0}, {400, 400}, 10, {1, 1, 1, 0.5F}});
   EXPECT_NE(drawn(view, &scene_, {}, menu), plain);
   Settings settings;
   settings.netGraph = true;

@@ -75,7 +75,7 @@ TEST(Render, AnotherContextGivesEqualBytes) {
   for (Image& image : images) {
     const Offscreen context;
     GameView view(kWidth, kHeight);
-    view.draw(&scene, {.message = "Hello", .warning = false, .help = true}, Settings(), Menu(), 0.1);
+    view.draw(&scene, {.message = "Hello", .warning = false, .help = true}, Settings(), Overlay(), 0.1);
     EXPECT_EQ(takeGlErrors(), "");
     image = view.read();
   }
@@ -348,7 +348,7 @@ TEST(Render, LargestAndSmallestSolidsShowTheirSegments) {
     ASSERT_TRUE(result.level);
     const auto stage = makeStageModel(*result.level);
     const Scene scene = sceneOf(stage, {playerAt(*stage, 0, 0, {0, -8})});
-    view.draw(&scene, {}, Settings(), Menu(), 0.1);
+    view.draw(&scene, {}, Settings(), Overlay(), 0.1);
     const Image image = view.read();
     EXPECT_EQ(takeGlErrors(), "");
     Camera camera;
@@ -364,15 +364,15 @@ TEST(Render, LargestAndSmallestSolidsShowTheirSegments) {
 TEST(Render, WithoutAGameTheOverlaysAreDrawn) {
   const Offscreen context;
   GameView view(kWidth, kHeight);
-  Menu menu;
-  menu.toggle();
+  Overlay menu;
+  menu.panels.push_back({{0, 0}, {1280, 720}, 0, {1, 1, 1, 0.5F}});
   Settings settings;
   settings.netGraph = true;
   view.netGraph().add({});
   view.draw(nullptr, {.message = "Connecting", .warning = true, .help = true}, settings, menu, 0);
   EXPECT_EQ(takeGlErrors(), "");
   const Image image = view.read();
-  view.draw(nullptr, {}, Settings(), Menu(), 0);
+  view.draw(nullptr, {}, Settings(), Overlay(), 0);
   const Image plain = view.read();
   const auto differs = [&](int x, int y) { return pixel(image, {x, y}) != pixel(plain, {x, y}); };
   // The picture has half the size of the virtual screen.

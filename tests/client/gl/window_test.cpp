@@ -57,11 +57,17 @@ class WindowTest : public testing::Test {
   bool pollUntil(Done done) {
     return stepUntil([this] { window_.poll(); }, done);
   }
+  // The events since the last call, without what was typed.
+  Events takeKeys() {
+    Events events = window_.takeKeyEvents();
+    std::erase_if(events, [](const KeyEvent& event) { return event.kind == Kind::kCharacter; });
+    return events;
+  }
   // Polls until there are `count` key events.
   Events pollEvents(std::size_t count) {
     Events events;
     pollUntil([&] {
-      for (const KeyEvent& event : window_.takeKeyEvents()) events.push_back(event);
+      for (const KeyEvent& event : takeKeys()) events.push_back(event);
       return events.size() >= count;
     });
     return events;
@@ -78,7 +84,7 @@ class WindowTest : public testing::Test {
     const auto drawFrame = [&] {
       window_.poll();
       view_.resize(window_.pixelWidth(), window_.pixelHeight());
-      view_.draw(nullptr, {.message = "Hello", .warning = false, .help = true}, Settings(), Menu(), 0);
+      view_.draw(nullptr, {.message = "Hello", .warning = false, .help = true}, Settings(), Overlay(), 0);
       view_.present();
       expected = view_.read();
       shown = backBuffer(window_);
@@ -138,7 +144,7 @@ TEST_F(WindowTest, TheKeysOfEditorAndReplaysAreDelivered) {
     // The plus sign may need Shift.
     Events events;
     pollUntil([&] {
-      for (const KeyEvent& event : window_.takeKeyEvents()) {
+      for (const KeyEvent& event : takeKeys()) {
         if (event.key != Key::kShift) events.push_back(event);
       }
       return events.size() >= 2;
@@ -153,7 +159,7 @@ TEST_F(WindowTest, CtrlAndShiftArePartOfTheEvent) {
   xdotool("keydown ctrl keydown shift key z keyup shift keyup ctrl");
   Events events;
   pollUntil([&] {
-    for (const KeyEvent& event : window_.takeKeyEvents()) {
+    for (const KeyEvent& event : takeKeys()) {
       if (event.key == Key::kZ) events.push_back(event);
     }
     return !events.empty();
@@ -194,6 +200,26 @@ TEST_F(WindowTest, AltIsPartOfTheEvent) {
   const Events events = pollEvents(2);
   ASSERT_FALSE(events.empty());
   EXPECT_EQ(events.front(), (KeyEvent{Key::kEnter, Kind::kPress, true}));
+}
+
+TEST_F(WindowTest, WhatIsTypedIsDeliveredInOrderWithTheKeys) {
+  xdotool("key a BackSpace shift+b");
+  std::u32string typed;
+  bool erased = false;
+  EXPECT_TRUE(pollUntil([&] {
+    for (const KeyEvent& event : window_.takeKeyEvents()) {
+      if (event.kind == Kind::kCharacter) typed += event.character;
+      erased = erased || (event.key == Key::kBackspace && event.kind == Kind::kPress && typed == U"a");
+    }
+    return typed.size() == 2;
+  }));
+  EXPECT_EQ(typed, U"aB");
+  EXPECT_TRUE(erased);
+}
+
+TEST_F(WindowTest, ReadsTheClipboard) {
+  glfwSetClipboardString(handle_, "host:7777");
+  EXPECT_EQ(window_.clipboard(), "host:7777");
 }
 
 TEST_F(WindowTest, AHeldKeyRepeats) {
@@ -302,7 +328,7 @@ TEST_F(WindowTest, AMinimisedWindowContinuesAndIsRestored) {
   for (int frame = 0; frame < 3; ++frame) {
     window_.poll();
     view_.resize(window_.pixelWidth(), window_.pixelHeight());
-    view_.draw(nullptr, {}, Settings(), Menu(), 0);
+    view_.draw(nullptr, {}, Settings(), Overlay(), 0);
     view_.present();
     window_.show();
     EXPECT_EQ(takeGlErrors(), "");

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -32,7 +33,7 @@ bool connects(const ServerAddress& address) {
 // The exit code and the message of the error.
 std::pair<int, std::string> errorOf(const std::string& levelFile) {
   try {
-    const EmbeddedServer server(levelFile);
+    const EmbeddedServer server({{levelFile}});
     return {0, ""};
   } catch (const ProgramError& error) {
     return {error.exitCode(), error.what()};
@@ -40,20 +41,20 @@ std::pair<int, std::string> errorOf(const std::string& levelFile) {
 }
 
 TEST(EmbeddedServer, AcceptsAClientOnLoopback) {
-  const EmbeddedServer server(kLevel);
+  const EmbeddedServer server({{kLevel}});
   EXPECT_EQ(server.address().host, "127.0.0.1");
   EXPECT_NE(server.address().port, 0);
   EXPECT_TRUE(connects(server.address()));
 }
 
 TEST(EmbeddedServer, WithoutALevelFileItPlaysTheShippedLevels) {
-  const EmbeddedServer server("");
+  const EmbeddedServer server({});
   EXPECT_TRUE(connects(server.address()));
 }
 
 TEST(EmbeddedServer, EachServerHasAPortOfItsOwn) {
-  const EmbeddedServer first(kLevel);
-  const EmbeddedServer second(kLevel);
+  const EmbeddedServer first({{kLevel}});
+  const EmbeddedServer second({{kLevel}});
   EXPECT_NE(first.address().port, second.address().port);
 }
 
@@ -103,12 +104,34 @@ TEST(EmbeddedServer, PlaysTheLevelAnewWhenItsFileChanges) {
     };
   };
   writeText(file, "# title: first\n" + nearGoalText());
-  const EmbeddedServer server(file);
+  const EmbeddedServer server({{file}});
   Guest guest(server.address());
   ASSERT_TRUE(guest.playUntil(plays("first")));
   writeText(file, "# title: broken\nCUBE\n");
   ASSERT_TRUE(guest.playUntil([](NetworkClient& client) { return client.takeNotice().has_value(); }));
   writeText(file, "# title: second\n" + nearGoalText());
+  EXPECT_TRUE(guest.playUntil(plays("second")));
+}
+
+TEST(EmbeddedServer, CountsItsPlayersAndStartsTheNextLevelWhenAsked) {
+  const TemporaryFolder folder;
+  std::vector<std::string> files;
+  for (const char* const title : {"first", "second"}) {
+    files.push_back(folder / (std::string(title) + ".level"));
+    writeText(files.back(), "# title: " + std::string(title) + "\n" + nearGoalText());
+  }
+  const auto plays = [](const std::string& title) {
+    return [title](const NetworkClient& client) {
+      const Round* const round = client.session() ? client.session()->round() : nullptr;
+      return round && round->prediction().predicted().level().title == title;
+    };
+  };
+  EmbeddedServer server({files});
+  EXPECT_EQ(server.players(), 0U);
+  Guest guest(server.address());
+  ASSERT_TRUE(guest.playUntil(plays("first")));
+  EXPECT_TRUE(guest.playUntil([&](const NetworkClient&) { return server.players() == 1; }));
+  server.startNextLevel();
   EXPECT_TRUE(guest.playUntil(plays("second")));
 }
 

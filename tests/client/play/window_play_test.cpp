@@ -1,6 +1,8 @@
 #include "client/play/window_play.h"
 
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -10,7 +12,6 @@
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 
-#include "client/play/embedded_server.h"
 #include "client/time/steady_now.h"
 #include "tests/client/gl/desktop.h"
 #include "tests/client/gl/fake_gamepad.h"
@@ -23,7 +24,7 @@
 namespace platon {
 namespace {
 
-constexpr int kFullscreenItem = 6;  // below Resume
+constexpr int kSettingsItem = 3;  // of the menu over the game, below Resume
 
 std::string keys(const std::string& key, int times) {
   std::string command = "key";
@@ -41,11 +42,11 @@ class WindowPlayTest : public testing::Test {
 
   // Plays until the player leaves or all steps are done.
   void play(std::vector<WindowStep> steps) {
-    const EmbeddedServer server(options_.level);
-    WindowPlay play(options_, server.address(), steadyClock());
+    WindowPlay play(options_, steadyClock());
+    play_ = &play;
     const Moment start = steadyClock().now();
     stepsDone_ = runSteps(play, std::move(steps));
-    timeIsUp_ = toSeconds(steadyClock().now() - start) >= *options_.seconds;
+    timeIsUp_ = toSeconds(steadyClock().now() - start) >= options_.seconds.value_or(60);
   }
 
   static bool isFullscreen() {
@@ -57,16 +58,36 @@ class WindowPlayTest : public testing::Test {
 
   std::string savedSettings() const { return readText(folder_ / "platon/settings"); }
 
+  // Clicks on an item of the menu, which is in a window of 1280 × 720.
+  void click(std::size_t item) const {
+    for (const MenuRow& row : play_->menu().layout(font_).rows) {
+      if (row.item != item) continue;
+      const glm::vec2 middle = (row.box.low + row.box.high) / 2.0F;
+      xdotool("mousemove --window $(xdotool getactivewindow) " + std::to_string(std::lround(middle.x)) + " " +
+              std::to_string(std::lround(middle.y)) + " click 1");
+    }
+  }
+  bool shows(const std::string& name) const {
+    for (const MenuRow& row : play_->menu().layout(font_).rows) {
+      if (row.name.text == name) return true;
+    }
+    return false;
+  }
+  bool inGame() const { return play_->match() != nullptr && !play_->menu().isOpen(); }
+
+  const Font font_;
   ClientOptions options_;
+  const WindowPlay* play_ = nullptr;
   const TemporaryFolder folder_;
   const EnvironmentVariable config_{"XDG_CONFIG_HOME", folder_.path()};
   const EnvironmentVariable data_{"XDG_DATA_HOME", folder_.path()};
+  const EnvironmentVariable state_{"XDG_STATE_HOME", folder_.path()};
   bool stepsDone_ = false;
   bool timeIsUp_ = false;
 };
 
 TEST_F(WindowPlayTest, TheRightArrowInTheMenuTurnsFullScreenOn) {
-  play({{[] { xdotool("key Escape " + keys("Down", kFullscreenItem).substr(4) + " Right"); }, isFullscreen},
+  play({{[] { xdotool("key Escape " + keys("Down", kSettingsItem).substr(4) + " Return Right"); }, isFullscreen},
         {[] { xdotool("key Left"); }, [] { return !isFullscreen(); }},
         {[] { xdotool("key Right"); }, isFullscreen}});
   EXPECT_TRUE(stepsDone_);
@@ -89,10 +110,47 @@ TEST_F(WindowPlayTest, StartsInFullScreenIfTheSettingsSaySo) {
   EXPECT_TRUE(stepsDone_);
 }
 
-TEST_F(WindowPlayTest, TheMenuLeavesTheGame) {
-  play({{[] { xdotool("key Escape Up Return"); }, [] { return false; }}});
+TEST_F(WindowPlayTest, TheMenuLeadsToTheTitleAndTheTitleQuits) {
+  play({{[] { xdotool("key Escape Up Return"); }, [this] { return play_->match() == nullptr; }},
+        {[] { xdotool("key Up Return"); }, [] { return false; }}});
   EXPECT_FALSE(timeIsUp_);
   EXPECT_EQ(savedSettings(), Settings().text());
+}
+
+TEST_F(WindowPlayTest, WithoutALevelItStartsAtTheTitleAndPlays) {
+  options_.level.clear();
+  play({{[] {}, [this] { return play_->match() == nullptr && play_->menu().isOpen(); }},
+        {[] { xdotool("key Return"); }, [this] { return inGame(); }}});
+  EXPECT_TRUE(stepsDone_);
+}
+
+TEST_F(WindowPlayTest, AServerThatDoesNotAnswerIsReportedOnTheScreenAndAtTheEnd) {
+  options_.level.clear();
+  options_.seconds.reset();
+  options_.server = ServerAddress{"127.0.0.1", 1};
+  const auto failed = [this] { return play_->menu().isOpen(); };
+  EXPECT_THROW(play({{[] {}, failed},
+                     {[] { xdotool("key Return"); }, [this] { return inGame(); }},
+                     {[] {}, failed},
+                     {[] { xdotool("key Escape"); }, [this] { return play_->match() == nullptr; }}}),
+               ProgramError);
+}
+
+TEST_F(WindowPlayTest, WithATimeLimitAFailureEndsTheProgram) {
+  options_.level = "no_such.level";
+  EXPECT_THROW(WindowPlay(options_, steadyClock()), ProgramError);
+}
+
+TEST_F(WindowPlayTest, AnInvalidLevelIsReportedOnTheScreen) {
+  options_.level = folder_ / "broken.level";
+  options_.seconds.reset();
+  writeText(options_.level, "CUBE\n");
+  try {
+    play({{[] {}, [this] { return play_->menu().isOpen() && play_->match() == nullptr; }}});
+    FAIL();
+  } catch (const ProgramError& error) {
+    EXPECT_EQ(error.exitCode(), ProgramError::kLevel);
+  }
 }
 
 TEST_F(WindowPlayTest, AGamepadMovesThroughTheMenu) {
@@ -104,10 +162,40 @@ TEST_F(WindowPlayTest, AGamepadMovesThroughTheMenu) {
     steps.push_back({[] { fakeGamepad.emplace(); }, [] { return true; }});
   };
   tap(GLFW_GAMEPAD_BUTTON_START);
-  for (int i = 0; i < kFullscreenItem; ++i) tap(GLFW_GAMEPAD_BUTTON_DPAD_DOWN);
+  for (int i = 0; i < kSettingsItem; ++i) tap(GLFW_GAMEPAD_BUTTON_DPAD_DOWN);
   tap(GLFW_GAMEPAD_BUTTON_A);
+  tap(GLFW_GAMEPAD_BUTTON_DPAD_RIGHT);
   steps.push_back({[] {}, isFullscreen});
   play(std::move(steps));
+  EXPECT_TRUE(stepsDone_);
+}
+
+TEST_F(WindowPlayTest, TheMouseChoosesAndChanges) {
+  play({{[] { xdotool("key Escape"); }, [this] { return play_->menu().isOpen(); }},
+        {[this] { click(kSettingsItem); }, [this] { return shows("Full screen"); }},
+        {[this] { click(1); }, isFullscreen}});
+  EXPECT_TRUE(stepsDone_);
+}
+
+TEST_F(WindowPlayTest, AloneTheMenuPausesTheGame) {
+  std::uint32_t ticks = 0;
+  const auto confirmed = [this] {
+    const Session* const session = play_->match()->play().client().session();
+    return session && session->round() ? session->round()->prediction().confirmedTicks() : 0;
+  };
+  int frames = 0;
+  play({{[] {}, [&] { return confirmed() > 30; }},
+        {[] { xdotool("key Escape"); }, [this] { return play_->match()->paused(); }},
+        {[&] { frames = 0; },
+         [&] {
+           if (++frames == 10) ticks = confirmed();
+           return frames == 40;
+         }},
+        {[&] {
+           EXPECT_EQ(confirmed(), ticks);
+           xdotool("key Escape");
+         },
+         [&] { return confirmed() > ticks + 30; }}});
   EXPECT_TRUE(stepsDone_);
 }
 

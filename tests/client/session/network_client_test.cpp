@@ -100,7 +100,7 @@ TEST(NetworkClient, ThrowsForAnUnknownHost) {
 }
 
 TEST(NetworkClient, PlaysOnAnEmbeddedServer) {
-  const EmbeddedServer server("tests/determinism/golden/levels/hexahedron.level");
+  const EmbeddedServer server({{"tests/determinism/golden/levels/hexahedron.level"}});
   NetworkClient client(server.address(), {"someone"}, steadyClock().now());
   ASSERT_TRUE(updateUntil(client, [&] {
     return client.session() != nullptr && client.session()->predictionStatistics().confirmedTicks > 60;

@@ -22,11 +22,12 @@ GamepadState stickAt(float x, float y) {
 Events update(GamepadKeys& keys, const GamepadState& state) { return keys.update(std::array{state}); }
 
 TEST(GamepadKeys, EveryButtonIsPressedAndReleasedOnce) {
-  constexpr std::array<std::pair<bool GamepadState::*, Key>, 7> kButtons{{{&GamepadState::dpadLeft, Key::kPadLeft},
+  constexpr std::array<std::pair<bool GamepadState::*, Key>, 8> kButtons{{{&GamepadState::dpadLeft, Key::kPadLeft},
                                                                           {&GamepadState::dpadRight, Key::kPadRight},
                                                                           {&GamepadState::dpadUp, Key::kPadUp},
                                                                           {&GamepadState::dpadDown, Key::kPadDown},
                                                                           {&GamepadState::a, Key::kPadA},
+                                                                          {&GamepadState::b, Key::kPadB},
                                                                           {&GamepadState::start, Key::kPadStart},
                                                                           {&GamepadState::back, Key::kPadBack}}};
   for (const auto& [button, key] : kButtons) {

@@ -55,11 +55,6 @@ bool HeldKeys::*controlOf(Key key) {
   }
 }
 
-std::optional<Action> menuActionOf(Key key) {
-  InputMapper mapper;
-  return mapper.handle({key, Kind::kPress}, true);
-}
-
 TEST(InputMapper, EveryKeyHoldsItsControlUntilItIsReleased) {
   for (std::size_t i = 0; i < kKeyCount; ++i) {
     const Key key = static_cast<Key>(i);
@@ -175,29 +170,32 @@ TEST(InputMapper, AHeldKeyVotesOnce) {
   EXPECT_EQ(mapper.handle({Key::kV, Kind::kPress}, false), Action::kToggleVote);
   EXPECT_EQ(mapper.handle({Key::kV, Kind::kRepeat}, false), std::nullopt);
   EXPECT_EQ(mapper.handle({Key::kV, Kind::kRelease}, false), std::nullopt);
-  EXPECT_EQ(menuActionOf(Key::kV), std::nullopt);
+  EXPECT_EQ(InputMapper().handle({Key::kV, Kind::kPress}, true), std::nullopt);
 }
 
-TEST(InputMapper, MenuKeysHaveTheirActions) {
-  for (const Key key : {Key::kArrowUp, Key::kW, Key::kPadUp}) EXPECT_EQ(menuActionOf(key), Action::kMenuUp);
-  for (const Key key : {Key::kArrowDown, Key::kS, Key::kPadDown}) EXPECT_EQ(menuActionOf(key), Action::kMenuDown);
-  for (const Key key : {Key::kArrowLeft, Key::kA, Key::kPadLeft}) EXPECT_EQ(menuActionOf(key), Action::kMenuLess);
-  for (const Key key : {Key::kArrowRight, Key::kD, Key::kPadRight}) EXPECT_EQ(menuActionOf(key), Action::kMenuMore);
-  for (const Key key : {Key::kSpace, Key::kEnter, Key::kPadA}) EXPECT_EQ(menuActionOf(key), Action::kMenuChoose);
-  for (const Key key : {Key::kR, Key::kPadBack}) EXPECT_EQ(menuActionOf(key), std::nullopt);
+TEST(InputMapper, WhatIsTypedHoldsNothing) {
+  InputMapper mapper;
+  KeyEvent event;
+  event.kind = Kind::kCharacter;
+  event.character = U' ';
+  EXPECT_EQ(mapper.handle(event, false), std::nullopt);
+  EXPECT_EQ(mapper.takeHeld(), HeldKeys());
 }
 
-TEST(InputMapper, MenuKeysHaveNoActionWhileTheMenuIsClosed) {
-  for (const Key key : {Key::kArrowUp, Key::kS, Key::kPadLeft, Key::kD, Key::kSpace, Key::kEnter, Key::kPadA}) {
-    InputMapper mapper;
-    EXPECT_EQ(mapper.handle({key, Kind::kPress}, false), std::nullopt);
+TEST(InputMapper, EWatchesAnotherPlayerInTheGameOnly) {
+  EXPECT_EQ(InputMapper().handle({Key::kE}, false), Action::kWatchNext);
+  EXPECT_EQ(InputMapper().handle({Key::kE}, true), std::nullopt);
+}
+
+TEST(InputMapper, EscapeAndStartOpenTheMenu) {
+  for (const Key key : {Key::kEscape, Key::kPadStart}) {
+    EXPECT_EQ(InputMapper().handle({key}, false), Action::kOpenMenu);
+    EXPECT_EQ(InputMapper().handle({key}, true), std::nullopt) << "in the menu the key belongs to the menu";
   }
 }
 
-constexpr std::array<std::pair<KeyEvent, Action>, 6> kToggles{
-    {{{Key::kEscape}, Action::kToggleMenu},
-     {{Key::kPadStart}, Action::kToggleMenu},
-     {{Key::kF1}, Action::kToggleHelp},
+constexpr std::array<std::pair<KeyEvent, Action>, 4> kToggles{
+    {{{Key::kF1}, Action::kToggleHelp},
      {{Key::kF3}, Action::kToggleNetGraph},
      {{Key::kF11}, Action::kToggleFullscreen},
      {{Key::kEnter, Kind::kPress, true}, Action::kToggleFullscreen}}};
@@ -216,15 +214,11 @@ TEST(InputMapper, ReleasesHaveNoAction) {
   }
 }
 
-TEST(InputMapper, KeyRepeatMovesThroughTheMenuButTogglesAndChoosesNothing) {
-  const auto repeated = [](KeyEvent event) {
+TEST(InputMapper, KeyRepeatHasNoAction) {
+  for (auto [event, action] : kToggles) {
     event.kind = Kind::kRepeat;
-    return InputMapper().handle(event, true);
-  };
-  EXPECT_EQ(repeated({Key::kArrowDown}), Action::kMenuDown);
-  EXPECT_EQ(repeated({Key::kArrowRight}), Action::kMenuMore);
-  EXPECT_EQ(repeated({Key::kSpace}), std::nullopt);
-  for (const auto& [event, action] : kToggles) EXPECT_EQ(repeated(event), std::nullopt);
+    EXPECT_EQ(InputMapper().handle(event, false), std::nullopt);
+  }
 }
 
 }  // namespace

@@ -15,8 +15,10 @@ TEST(Settings, ParsingTheTextGivesTheSameSettings) {
   settings.comfort = {.turnSpeed = 12.5, .instantCut = true, .reducedMotion = true, .view = CameraView::kFace};
   settings.controls = ControlFrame::kScreen;
   settings.zoom = 1.25;
+  settings.uiScale = 1.5;
   settings.fullscreen = true;
   settings.netGraph = true;
+  settings.firstKeys = false;
   settings.volume = 0;
   settings.effectsVolume = 37.5;
   settings.musicVolume = 100;

@@ -7,55 +7,58 @@ namespace {
 
 using Kind = KeyEvent::Kind;
 
-constexpr int kFullscreenItem = 6;  // below Resume
-
-void tap(UserInterface& interface, Key key, int times = 1) {
+void tap(UserInterface& interface, Key key, int times = 1, bool menuOpen = false) {
   for (int i = 0; i < times; ++i) {
-    interface.handle({key, Kind::kPress});
-    interface.handle({key, Kind::kRelease});
+    interface.handle({key, Kind::kPress}, menuOpen);
+    interface.handle({key, Kind::kRelease}, menuOpen);
   }
 }
 
-TEST(UserInterface, ResumeBySpaceDoesNotMakeTheBallJump) {
+TEST(UserInterface, APressInTheMenuIsNoJumpAfterIt) {
   for (const Key key : {Key::kSpace, Key::kPadA}) {
     UserInterface interface { Settings() };
-    tap(interface, Key::kEscape);
-    ASSERT_TRUE(interface.menu().open());
-    interface.handle({key, Kind::kPress});
-    ASSERT_FALSE(interface.menu().open());
-    for (int tick = 0; tick < 10; ++tick) EXPECT_FALSE(interface.takeHeld().jump);
-    interface.handle({key, Kind::kRelease});
-    EXPECT_FALSE(interface.takeHeld().jump);
+    interface.handle({key, Kind::kPress}, true);
+    for (int tick = 0; tick < 10; ++tick) EXPECT_FALSE(interface.takeHeld(false).jump);
+    interface.handle({key, Kind::kRelease}, false);
+    EXPECT_FALSE(interface.takeHeld(false).jump);
     tap(interface, key);
-    EXPECT_TRUE(interface.takeHeld().jump) << "the next press jumps again";
+    EXPECT_TRUE(interface.takeHeld(false).jump) << "the next press jumps again";
   }
 }
 
 TEST(UserInterface, AKeyTapShorterThanAFrameIsNotLost) {
   UserInterface interface { Settings() };
   tap(interface, Key::kSpace);
-  EXPECT_TRUE(interface.takeHeld().jump);
-  EXPECT_FALSE(interface.takeHeld().jump);
+  EXPECT_TRUE(interface.takeHeld(false).jump);
+  EXPECT_FALSE(interface.takeHeld(false).jump);
 }
 
 TEST(UserInterface, NoControlIsHeldWhileTheMenuIsOpen) {
   UserInterface interface { Settings() };
-  interface.handle({Key::kArrowRight, Kind::kPress});
-  EXPECT_TRUE(interface.takeHeld().right);
-  tap(interface, Key::kEscape);
-  EXPECT_EQ(interface.takeHeld(), HeldKeys());
-  tap(interface, Key::kEscape);
-  EXPECT_TRUE(interface.takeHeld().right) << "the key is still down";
+  interface.handle({Key::kArrowRight, Kind::kPress}, false);
+  EXPECT_TRUE(interface.takeHeld(false).right);
+  EXPECT_EQ(interface.takeHeld(true), HeldKeys());
+  EXPECT_TRUE(interface.takeHeld(false).right) << "the key is still down";
 }
 
-TEST(UserInterface, TheRightArrowInTheMenuTurnsFullScreenOn) {
-  for (const Key key : {Key::kArrowRight, Key::kArrowLeft, Key::kPadRight, Key::kEnter}) {
+TEST(UserInterface, AsksOnceForTheMenu) {
+  for (const Key key : {Key::kEscape, Key::kPadStart}) {
     UserInterface interface { Settings() };
-    tap(interface, Key::kEscape);
-    tap(interface, Key::kArrowDown, kFullscreenItem);
+    EXPECT_FALSE(interface.takeMenu());
     tap(interface, key);
-    EXPECT_TRUE(interface.settings().fullscreen);
+    EXPECT_TRUE(interface.takeMenu());
+    EXPECT_FALSE(interface.takeMenu());
+    tap(interface, key, 1, true);
+    EXPECT_FALSE(interface.takeMenu()) << "in the menu the key belongs to the menu";
   }
+}
+
+TEST(UserInterface, ARestartIsHeldForOneTick) {
+  UserInterface interface { Settings() };
+  interface.restart();
+  EXPECT_FALSE(interface.takeHeld(true).restart);
+  EXPECT_TRUE(interface.takeHeld(false).restart);
+  EXPECT_FALSE(interface.takeHeld(false).restart);
 }
 
 TEST(UserInterface, FunctionKeysToggle) {
@@ -78,18 +81,8 @@ TEST(UserInterface, TheVoteChangesWithEachPressWhileTheMenuIsClosed) {
   EXPECT_FALSE(interface.takeVote());
   tap(interface, Key::kV, 2);
   EXPECT_FALSE(interface.takeVote()) << "taken back";
-  tap(interface, Key::kEscape);
-  tap(interface, Key::kV);
+  tap(interface, Key::kV, 1, true);
   EXPECT_FALSE(interface.takeVote());
-}
-
-TEST(UserInterface, LastMenuItemLeaves) {
-  UserInterface interface { Settings() };
-  tap(interface, Key::kEscape);
-  tap(interface, Key::kArrowUp);
-  EXPECT_FALSE(interface.menu().leaving());
-  tap(interface, Key::kEnter);
-  EXPECT_TRUE(interface.menu().leaving());
 }
 
 TEST(UserInterface, StartsWithTheGivenSettings) {

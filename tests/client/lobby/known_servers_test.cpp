@@ -1,4 +1,4 @@
-#include "client/play/known_servers.h"
+#include "client/lobby/known_servers.h"
 
 #include <gtest/gtest.h>
 #include <sys/file.h>

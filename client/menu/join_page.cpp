@@ -1,0 +1,33 @@
+#include "client/menu/join_page.h"
+
+namespace platon {
+namespace {
+
+MenuItem fieldItem(const char* name, TextField& field, bool secret) {
+  MenuItem item{MenuItem::Kind::kText, name};
+  item.field = &field;
+  item.secret = secret;
+  return item;
+}
+
+}  // namespace
+
+MenuPage joinPage(JoinForm& form, const std::function<void()>& join) {
+  MenuPage page{"Join a server"};
+  page.place = MenuPage::Place::kLeft;
+  page.warning = !form.fault.empty();
+  page.notes.push_back(form.fault.empty() ? "Ask who runs the server for its address: HOST or HOST:PORT." : form.fault);
+  page.items.push_back(fieldItem("Address", form.address, false));
+  if (form.asksPassword) page.items.push_back(fieldItem("Password", form.password, true));
+  page.items.push_back({.name = "Join", .choose = join});
+  if (!form.recent.empty()) page.items.push_back({MenuItem::Kind::kHeading, "Joined before"});
+  for (const std::string& address : form.recent) {
+    page.items.push_back({.name = address, .choose = [&form, address, join] {
+                            form.address.setText(address);
+                            join();
+                          }});
+  }
+  return page;
+}
+
+}  // namespace platon

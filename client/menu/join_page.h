@@ -1,0 +1,25 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "client/menu/menu_page.h"
+#include "client/menu/text_field.h"
+
+namespace platon {
+
+/// What the player enters to join a server.
+struct JoinForm {
+  TextField address{128};
+  TextField password{128};
+  bool asksPassword = false;          ///< the server has asked for a password
+  std::string fault{};                ///< what is wrong with the address or the password; empty: nothing
+  std::vector<std::string> recent{};  ///< addresses of servers that were joined, the newest first
+};
+
+/// The page on which the player enters the address of a server. `join` is called with the present form. `form` outlives
+/// the page.
+MenuPage joinPage(JoinForm& form, const std::function<void()>& join);
+
+}  // namespace platon

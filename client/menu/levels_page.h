@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "client/menu/menu_page.h"
+
+namespace platon {
+
+/// What the list of levels shows of a level.
+struct LevelEntry {
+  std::string title;
+  std::string solid;                    ///< its name; levels of the same solid follow each other
+  std::uint32_t players = 1;            ///< that it needs
+  std::optional<double> bestSeconds{};  ///< nothing: no time of this player's own games
+};
+
+/// The list of the levels, by solid. `choose` gets the index of a level.
+MenuPage levelsPage(std::span<const LevelEntry> levels, const std::function<void(std::size_t)>& choose);
+
+/// Item of that page which stands for a level.
+std::size_t itemOfLevel(std::span<const LevelEntry> levels, std::size_t level);
+/// The level that an item of that page stands for; for a heading, the level below it.
+std::size_t levelOfItem(std::span<const LevelEntry> levels, std::size_t item);
+
+}  // namespace platon

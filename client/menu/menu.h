@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "client/menu/menu_layout.h"
+#include "client/menu/menu_page.h"
+#include "client/menu/text_field.h"
+#include "client/ui/font.h"
+#include "client/ui/key.h"
+#include "client/ui/overlay.h"
+#include "client/ui/pointer_event.h"
+
+namespace platon {
+
+/// Shows pages, and moves through them by keys, gamepad and mouse. A page is made anew for each event and each picture,
+/// so it always shows the present state.
+class Menu {
+ public:
+  using PageMaker = std::function<MenuPage()>;
+
+  /// The picture of the virtual screen has this width; one unit of the menu is `scale` of its units, 0.5 … 2.
+  void resize(float width, float scale);
+  void setClipboard(TextField::Clipboard clipboard) { clipboard_ = std::move(clipboard); }
+
+  bool isOpen() const { return !pages_.empty(); }
+  /// Shows this page instead of all others. The focus is on its first item that can have it.
+  void open(PageMaker page);
+  /// Shows this page; going back leads to the present one.
+  void push(PageMaker page);
+  /// Shows the page before; closes the menu if there is none.
+  void back();
+  void close() { pages_.clear(); }
+
+  /// Item of the page that has the focus. The menu is open.
+  std::size_t focus() const { return pages_.back().focus; }
+  /// Gives the focus to an item of the page. The menu is open.
+  void setFocus(std::size_t item);
+
+  /// No effect while the menu is closed.
+  void handle(const KeyEvent& event, const Font& font);
+  void handle(const PointerEvent& event, const Font& font);
+
+  /// Whether only the item whose value is being changed is shown, so that the picture behind it can be judged.
+  bool standsAside() const { return aside_; }
+  /// The picture of the menu; empty while it is closed. `dimsPicture`: what is behind it is dimmed.
+  Overlay overlay(const Font& font, bool dimsPicture) const;
+  /// Where the parts of the page are, in units of the menu. The menu is open.
+  MenuLayout layout(const Font& font) const;
+
+ private:
+  enum class Command { kNone, kUp, kDown, kLess, kMore, kChoose, kBack };
+
+  struct Shown {
+    PageMaker make;
+    std::size_t focus = 0;
+    std::size_t first = 0;  // item of the first row
+  };
+
+  static Command commandOf(const KeyEvent& event);
+  MenuPage make();
+  MenuLayout layoutOf(const MenuPage& page, const Font& font, bool followsFocus) const;
+  void moveFocus(const MenuPage& page, int direction);
+  void perform(Command command, const MenuPage& page);
+  void change(const MenuPage& page, int direction);
+  void leave(const MenuPage& page);
+  void point(const MenuPage& page, glm::vec2 place, const Font& font);
+  void press(const MenuPage& page, glm::vec2 place, const Font& font);
+  void click(const MenuPage& page, const MenuRow& row, glm::vec2 place);
+  void drag(const MenuPage& page, const MenuRow& row, glm::vec2 place);
+  void scroll(const MenuPage& page, const PointerEvent& event, glm::vec2 place, const Font& font);
+
+  std::vector<Shown> pages_;  // the last one is shown
+  TextField::Clipboard clipboard_;
+  glm::vec2 screen_{1280, Overlay::kHeight};  // in units of the menu
+  float width_ = 1280;
+  float scale_ = 1;
+  bool dragging_ = false;  // the slider that has the focus
+  bool aside_ = false;
+};
+
+}  // namespace platon

@@ -1,0 +1,222 @@
+#include "client/menu/menu_layout.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "client/menu/fitted_text.h"
+#include "client/ui/text_wrap.h"
+
+namespace platon {
+namespace {
+
+constexpr float kMargin = 24;  // from the edges of the screen
+constexpr float kPadding = 16;
+constexpr float kRowHeight = 38;
+constexpr float kRowGap = 4;
+constexpr float kInner = 16;  // from the ends of a row to its texts
+constexpr float kNameSize = 18;
+constexpr float kHeadingSize = 15;
+constexpr float kNoteSize = 16;
+constexpr float kNoteHeight = 22;
+constexpr float kArrow = 26;  // width of the arrow of a choice
+constexpr float kSwitch = 44;
+constexpr float kWidestTrack = 170;
+constexpr float kScrollBar = 6;
+constexpr std::size_t kMaxNotes = 6;  // lines
+constexpr std::size_t kFewestRows = 2;
+
+struct TitleForm {
+  float size;
+  float height;
+};
+
+TitleForm titleForm(const MenuPage& page, glm::vec2 screen) {
+  if (!page.large) return {26, 48};
+  const float size = std::clamp(screen.y * 0.13F, 40.0F, 84.0F);
+  return {size, size * 1.5F};
+}
+
+MenuLine lineIn(const MenuBox& box, const std::string& text, const Font& font, float size) {
+  return {box, fittedText(text, font, box.width() / size), size};
+}
+
+// Columns of a page.
+MenuBox columnOf(const MenuPage& page, glm::vec2 screen) {
+  const float most = screen.x - 2 * kMargin;
+  if (page.place == MenuPage::Place::kMiddle) {
+    const float half = std::min(600.0F, most) / 2;
+    return {{screen.x / 2 - half, kMargin}, {screen.x / 2 + half, screen.y - kMargin}};
+  }
+  const float left = std::min(kMargin * 2, kMargin + (most - std::min(most, 420.0F)) / 2);
+  return {{left, kMargin}, {left + std::min(std::max(420.0F, screen.x * 0.42F), most), screen.y - kMargin}};
+}
+
+std::vector<std::string> noteLines(const MenuPage& page, const Font& font, float width, float height) {
+  std::vector<std::string> lines;
+  for (const std::string& note : page.notes) {
+    for (std::string& line : wrapText(note, font, width / kNoteSize)) lines.push_back(std::move(line));
+  }
+  const float needed = static_cast<float>(kFewestRows) * (kRowHeight + kRowGap);
+  const auto room = static_cast<std::size_t>(std::max(0.0F, (height - needed) / kNoteHeight));
+  lines.resize(std::min({lines.size(), kMaxNotes, room}));
+  return lines;
+}
+
+// The share of a row that its name gets, so that both texts are as long as possible.
+float nameWidth(float name, float value, float inner) {
+  const float room = inner - kInner;
+  if (value <= 0) return inner;
+  return name + value <= room ? room - value : std::min(name, std::max(room * 0.45F, room - value));
+}
+
+// Width of everything at the right of the name.
+float controlWidth(const MenuItem& item, const Font& font, float inner) {
+  const float text = std::ceil(font.width(item.value) * kNameSize) + 2;
+  switch (item.kind) {
+    case MenuItem::Kind::kChoice:
+      return text + 2 * kArrow;
+    case MenuItem::Kind::kToggle:
+      return text + kSwitch + kInner / 2;
+    case MenuItem::Kind::kSlider:
+      return std::min(kWidestTrack, inner * 0.3F) + std::max(text, 76.0F);
+    case MenuItem::Kind::kText:
+      return inner * 0.6F;
+    default:
+      return item.value.empty() ? 0 : text;
+  }
+}
+
+// The end of a text that is longer than its box, as far as it fits: where the player types.
+void layOutField(MenuRow& row, const MenuItem& item, const Font& font) {
+  std::string text = item.field->text();
+  std::string before = text.substr(0, item.field->caret());
+  if (item.secret) {
+    const auto dots = [](const std::string& hidden) {
+      std::string shown;
+      for (std::size_t i = 0; i < codePointsOf(hidden).size(); ++i) shown += "•";
+      return shown;
+    };
+    text = dots(text);
+    before = dots(before);
+  }
+  const float room = row.value.box.width() / kNameSize;
+  while (!before.empty() && font.width(before) > room) {
+    const std::size_t length = (static_cast<unsigned char>(before.front()) & 0x80u) == 0 ? 1 : [&] {
+      std::size_t bytes = 1;
+      while (bytes < before.size() && (static_cast<unsigned char>(before[bytes]) & 0xC0u) == 0x80u) ++bytes;
+      return bytes;
+    }();
+    before.erase(0, length);
+    text.erase(0, length);
+  }
+  row.value.text = fittedText(text, font, room);
+  row.caret = row.value.box.low.x + font.width(before) * kNameSize;
+}
+
+void layOutControl(MenuRow& row, const MenuItem& item, const Font& font) {
+  MenuBox& value = row.value.box;
+  row.control = {{value.low.x, row.box.low.y + 5}, {value.high.x, row.box.high.y - 5}};
+  switch (item.kind) {
+    case MenuItem::Kind::kChoice:
+      value = {{value.low.x + kArrow, value.low.y}, {value.high.x - kArrow, value.high.y}};
+      break;
+    case MenuItem::Kind::kToggle:
+      row.control.low.x = value.high.x - kSwitch;
+      value.high.x -= kSwitch + kInner / 2;
+      break;
+    case MenuItem::Kind::kSlider:
+      row.control.high.x = value.high.x - std::max(76.0F, std::ceil(font.width(item.value) * kNameSize) + 2);
+      row.control.high.x = std::max(row.control.high.x, value.low.x + 20);
+      value.low.x = row.control.high.x + kInner / 2;
+      break;
+    case MenuItem::Kind::kText:
+      value = {{value.low.x + 8, value.low.y}, {value.high.x - 8, value.high.y}};
+      return layOutField(row, item, font);
+    default:
+      row.control = {};
+      break;
+  }
+  row.value.text = fittedText(item.value, font, value.width() / kNameSize);
+}
+
+MenuRow rowOf(const MenuPage& page, std::size_t index, const MenuBox& box, const Font& font) {
+  const MenuItem& item = page.items[index];
+  MenuRow row{index, box, {}, {}};
+  const MenuBox inner{{box.low.x + kInner, box.low.y}, {box.high.x - kInner, box.high.y}};
+  if (item.kind == MenuItem::Kind::kHeading) {
+    row.name = lineIn({{box.low.x + 2, box.low.y + 8}, {inner.high.x, box.high.y}}, item.name, font, kHeadingSize);
+    return row;
+  }
+  const float right = controlWidth(item, font, inner.width());
+  const float name = nameWidth(std::ceil(font.width(item.name) * kNameSize) + 1, right, inner.width());
+  row.name = lineIn({inner.low, {inner.low.x + name, inner.high.y}}, item.name, font, kNameSize);
+  if (right <= 0) return row;
+  const float left = std::max(inner.low.x + name + kInner, inner.high.x - right);
+  row.value = {{{left, inner.low.y}, inner.high}, "", kNameSize};
+  layOutControl(row, item, font);
+  return row;
+}
+
+// The heading above the focus is shown with it.
+std::size_t topOf(const MenuPage& page, std::size_t focus) {
+  return focus > 0 && page.items[focus - 1].kind == MenuItem::Kind::kHeading ? focus - 1 : focus;
+}
+
+std::size_t firstRow(const MenuPage& page, const MenuScroll& scroll, std::size_t visible) {
+  const std::size_t first = std::min(scroll.first, page.items.size() - visible);
+  if (!scroll.focus) return first;
+  const std::size_t least = *scroll.focus + 1 - std::min(visible, *scroll.focus + 1);
+  return std::max(std::min(first, topOf(page, *scroll.focus)), least);
+}
+
+void addScrollBar(MenuLayout& layout, std::size_t count, std::size_t visible, float top, float bottom) {
+  const float right = layout.panel.high.x - kPadding / 4;
+  layout.scrollTrack = {{right - kScrollBar, top}, {right, bottom}};
+  const auto part = [&](std::size_t items) {
+    return (bottom - top) * static_cast<float>(items) / static_cast<float>(count);
+  };
+  layout.scrollThumb = layout.scrollTrack;
+  layout.scrollThumb.low.y = top + part(layout.first);
+  layout.scrollThumb.high.y = layout.scrollThumb.low.y + part(visible);
+}
+
+}  // namespace
+
+bool MenuBox::contains(glm::vec2 place) const {
+  return place.x >= low.x && place.x < high.x && place.y >= low.y && place.y < high.y;
+}
+
+MenuLayout layOut(const MenuPage& page, const Font& font, glm::vec2 screen, const MenuScroll& scroll) {
+  MenuLayout layout;
+  const MenuBox column = columnOf(page, screen);
+  const TitleForm title = titleForm(page, screen);
+  const float width = column.width() - 2 * kPadding;
+  const float room = column.height() - 2 * kPadding - title.height;
+  const std::vector<std::string> notes = noteLines(page, font, width, room);
+  const float noteHeight = notes.empty() ? 0 : kNoteHeight * static_cast<float>(notes.size()) + kPadding / 2;
+  const float step = kRowHeight + kRowGap;
+  const auto fitting = static_cast<std::size_t>(std::max(1.0F, (room - noteHeight + kRowGap) / step));
+  const std::size_t visible = std::min(page.items.size(), fitting);
+  const float height =
+      2 * kPadding + title.height + noteHeight + step * static_cast<float>(visible) - (visible > 0 ? kRowGap : 0);
+  const float top = std::max(kMargin, (screen.y - height) / 2);
+  layout.panel = {{column.low.x, top}, {column.high.x, std::min(top + height, screen.y - kMargin)}};
+  const float left = column.low.x + kPadding;
+  float y = top + kPadding;
+  layout.title = lineIn({{left, y}, {left + width, y + title.height}}, page.title, font, title.size);
+  y += title.height;
+  for (const std::string& note : notes) {
+    layout.notes.push_back(lineIn({{left, y}, {left + width, y + kNoteHeight}}, note, font, kNoteSize));
+    y += kNoteHeight;
+  }
+  y = top + kPadding + title.height + noteHeight;
+  layout.first = firstRow(page, scroll, visible);
+  const float rowsTop = y;
+  for (std::size_t i = layout.first; i < std::min(layout.first + visible, page.items.size()); ++i, y += step) {
+    layout.rows.push_back(rowOf(page, i, {{left, y}, {left + width, y + kRowHeight}}, font));
+  }
+  if (visible < page.items.size()) addScrollBar(layout, page.items.size(), visible, rowsTop, y - kRowGap);
+  return layout;
+}
+
+}  // namespace platon

@@ -1,0 +1,16 @@
+#include "client/menu/pause_page.h"
+
+namespace platon {
+
+MenuPage pausePage(const PauseChoices& choices) {
+  MenuPage page{choices.title, choices.notes};
+  page.items = {{.name = "Resume", .choose = choices.onResume},
+                {.name = "Back to the start", .value = "R", .choose = choices.onRestart},
+                {.name = choices.next, .choose = choices.onNext},
+                {.name = "Settings", .choose = choices.onSettings},
+                {.name = "Leave to the title", .choose = choices.onLeave}};
+  page.back = choices.onResume;
+  return page;
+}
+
+}  // namespace platon

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "client/menu/menu_page.h"
+
+namespace platon {
+
+/// What the page over a game shows and calls.
+struct PauseChoices {
+  std::string title;
+  std::vector<std::string> notes;  ///< paragraphs
+  std::string next;                ///< name of the item that leads to the next level
+  std::function<void()> onResume;
+  std::function<void()> onRestart;
+  std::function<void()> onNext;
+  std::function<void()> onSettings;
+  std::function<void()> onLeave;
+};
+
+/// The page that Esc shows over a game.
+MenuPage pausePage(const PauseChoices& choices);
+
+}  // namespace platon

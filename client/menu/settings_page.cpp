@@ -1,0 +1,60 @@
+#include "client/menu/settings_page.h"
+
+#include <array>
+
+#include "client/menu/setting_items.h"
+
+namespace platon {
+namespace {
+
+constexpr std::array<NamedValue, 5> kTurnSpeeds{
+    {{2, "very slow"}, {4, "slow"}, {7, "normal"}, {12, "fast"}, {30, "very fast"}}};
+
+constexpr SliderRange kVolumes{0, 100, 5, 1};
+
+MenuItem heading(const char* name) { return {MenuItem::Kind::kHeading, name}; }
+
+MenuItem controlsItem(ControlFrame& frame) {
+  const bool player = frame == ControlFrame::kPlayer;
+  MenuItem item{MenuItem::Kind::kChoice, "Controls relative to", player ? "the player" : "the screen"};
+  item.step = [&frame, player](int) { frame = player ? ControlFrame::kScreen : ControlFrame::kPlayer; };
+  return item;
+}
+
+MenuItem cameraItem(CameraView& view) {
+  const bool follows = view == CameraView::kFollow;
+  MenuItem item{MenuItem::Kind::kChoice, "Camera", follows ? "follows you" : "stands still"};
+  item.step = [&view, follows](int) { view = follows ? CameraView::kFace : CameraView::kFollow; };
+  return item;
+}
+
+}  // namespace
+
+MenuPage settingsPage(Settings& settings) {
+  MenuPage page{"Settings"};
+  page.standsAside = true;
+  page.items = {heading("Picture"),
+                toggleItem("Full screen", settings.fullscreen),
+                percentItem("Zoom", settings.zoom, {0.5, 2, 0.05}),
+                percentItem("Size of texts", settings.uiScale, {kMinUiScale, kMaxUiScale, 0.05}),
+                toggleItem("Numbers on faces", settings.faceNumbers),
+                heading("Sound"),
+                percentItem("Volume", settings.volume, kVolumes),
+                percentItem("Volume of effects", settings.effectsVolume, kVolumes),
+                percentItem("Volume of music", settings.musicVolume, kVolumes),
+                heading("Comfort"),
+                cameraItem(settings.comfort.view),
+                choiceItem("Camera turn speed", settings.comfort.turnSpeed, kTurnSpeeds),
+                toggleItem("Instant camera cut", settings.comfort.instantCut),
+                toggleItem("Reduced motion", settings.comfort.reducedMotion),
+                heading("Controls"),
+                controlsItem(settings.controls),
+                heading("Game"),
+                toggleItem("Own time", settings.timer),
+                toggleItem("Ghosts", settings.ghosts),
+                toggleItem("Connection graph", settings.netGraph),
+                toggleItem("Show the first keys", settings.firstKeys)};
+  return page;
+}
+
+}  // namespace platon

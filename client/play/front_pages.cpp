@@ -1,0 +1,143 @@
+#include "client/play/front_pages.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include "client/menu/settings_page.h"
+#include "client/play/user_folders.h"
+
+namespace platon {
+namespace {
+
+std::optional<std::uint16_t> portOf(const std::string& text) {
+  std::uint16_t port = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), port);
+  if (error != std::errc() || end != text.data() + text.size() || port == 0) return std::nullopt;
+  return port;
+}
+
+}  // namespace
+
+FrontPages::FrontPages(Menu& menu, Settings& settings, RecentServers recent, Calls calls)
+    : menu_(&menu), settings_(&settings), recent_(std::move(recent)), calls_(std::move(calls)) {}
+
+void FrontPages::load() {
+  if (levels_.empty()) levels_ = loadShippedLevels();
+  entries_ = entriesOf(levels_, (dataFolder() / "best_times").string());
+}
+
+void FrontPages::showTitle() {
+  load();
+  choosesLevel_ = false;
+  menu_->open([this] { return titlePage(); });
+}
+
+MenuPage FrontPages::titlePage() {
+  choosesLevel_ = false;
+  MenuPage page{"Platon"};
+  page.large = true;
+  page.place = MenuPage::Place::kLeft;
+  page.items = {{.name = "Play", .value = entries_[nextLevel()].title, .choose = [this] { playFrom(nextLevel()); }},
+                {.name = "Levels", .choose = [this] { showLevels(); }},
+                {.name = "Join a server", .choose = [this] { showJoin(); }},
+                {.name = "Host a game", .choose = [this] { showHost(); }},
+                {.name = "Settings", .choose = [this] { showSettings(); }},
+                {.name = "Quit", .choose = calls_.quit}};
+  return page;
+}
+
+void FrontPages::showSettings() {
+  menu_->push([this] {
+    MenuPage page = settingsPage(*settings_);
+    page.place = MenuPage::Place::kLeft;
+    return page;
+  });
+}
+
+// The first level for one player whose goal the player has not reached yet; else the first one.
+std::size_t FrontPages::nextLevel() const {
+  const auto open = std::find_if(entries_.begin(), entries_.end(),
+                                 [](const LevelEntry& entry) { return entry.players == 1 && !entry.bestSeconds; });
+  return open == entries_.end() ? 0 : static_cast<std::size_t>(open - entries_.begin());
+}
+
+std::shared_ptr<const Level> FrontPages::shownLevel() const {
+  if (levels_.empty()) return nullptr;
+  const bool chooses = choosesLevel_ && menu_->isOpen();
+  return levels_[chooses ? levelOfItem(entries_, menu_->focus()) : nextLevel()].level;
+}
+
+void FrontPages::showLevels() {
+  menu_->push([this] {
+    choosesLevel_ = true;
+    return levelsPage(entries_, [this](std::size_t level) { playFrom(level); });
+  });
+  menu_->setFocus(itemOfLevel(entries_, nextLevel()));
+}
+
+std::vector<std::string> FrontPages::filesFrom(std::size_t level) const {
+  std::vector<std::string> files;
+  for (std::size_t i = 0; i < levels_.size(); ++i) files.push_back(levels_[(level + i) % levels_.size()].file);
+  return files;
+}
+
+void FrontPages::playFrom(std::size_t level) {
+  MatchChoice choice;
+  choice.own.levels = filesFrom(level);
+  calls_.start(choice);
+}
+
+void FrontPages::showJoin() {
+  joinForm_.fault.clear();
+  joinForm_.asksPassword = false;
+  joinForm_.recent.clear();
+  for (const ServerAddress& server : recent_.list()) joinForm_.recent.push_back(server.text());
+  menu_->push([this] { return joinPage(joinForm_, [this] { join(); }); });
+}
+
+void FrontPages::askPassword(const ServerAddress& server, bool wrong) {
+  showTitle();
+  showJoin();
+  joinForm_.address.setText(server.text());
+  joinForm_.password.setText("");
+  joinForm_.asksPassword = true;
+  joinForm_.fault = wrong ? "The password is wrong." : "The server asks for a password.";
+  menu_->setFocus(1);
+}
+
+void FrontPages::join() {
+  MatchChoice choice;
+  try {
+    choice.server = parseServerAddress(joinForm_.address.text());
+  } catch (const std::invalid_argument& error) {
+    joinForm_.fault = joinForm_.address.text().empty() ? "Enter the address of the server." : error.what();
+    return;
+  }
+  if (joinForm_.asksPassword) choice.password = Password(joinForm_.password.text());
+  calls_.start(choice);
+}
+
+void FrontPages::showHost() {
+  hostForm_.fault.clear();
+  menu_->push([this] { return hostPage(hostForm_, entries_, [this] { host(); }); });
+}
+
+void FrontPages::host() {
+  const std::optional<std::uint16_t> port = portOf(hostForm_.port.text());
+  hostForm_.fault = port ? "" : "The port is a number from 1 to 65535.";
+  if (!port) return;
+  MatchChoice choice;
+  choice.own.levels = filesFrom(hostForm_.level);
+  if (hostForm_.onlyLevel) choice.own.levels.resize(1);
+  choice.own.listens = true;
+  choice.own.port = *port;
+  choice.own.password = hostForm_.password.text();
+  choice.own.maxPlayers = static_cast<std::uint32_t>(std::lround(hostForm_.players));
+  calls_.start(choice);
+}
+
+}  // namespace platon

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "client/lobby/recent_servers.h"
+#include "client/lobby/shipped_levels.h"
+#include "client/menu/host_page.h"
+#include "client/menu/join_page.h"
+#include "client/menu/levels_page.h"
+#include "client/menu/menu.h"
+#include "client/play/live_match.h"
+#include "client/ui/settings.h"
+
+namespace platon {
+
+/// The pages before a match: title, levels, joining and hosting.
+class FrontPages {
+ public:
+  struct Calls {
+    std::function<void(const MatchChoice&)> start;  ///< what the player has chosen
+    std::function<void()> quit;
+  };
+
+  /// `menu` and `settings` outlive the pages.
+  FrontPages(Menu& menu, Settings& settings, RecentServers recent, Calls calls);
+
+  /// Shows the title and nothing else. Throws ProgramError if the levels of the game cannot be read.
+  void showTitle();
+  /// Asks for the password of a server, after it has refused another one if `wrong`.
+  void askPassword(const ServerAddress& server, bool wrong);
+  /// The level to see behind the pages; null before the title was shown.
+  std::shared_ptr<const Level> shownLevel() const;
+  const RecentServers& recent() const { return recent_; }
+
+ private:
+  MenuPage titlePage();
+  void showLevels();
+  void showJoin();
+  void showHost();
+  void showSettings();
+  void playFrom(std::size_t level);
+  void join();
+  void host();
+  void load();
+  std::size_t nextLevel() const;
+  std::vector<std::string> filesFrom(std::size_t level) const;
+
+  Menu* menu_;
+  Settings* settings_;
+  RecentServers recent_;
+  Calls calls_;
+  std::vector<ShippedLevel> levels_;
+  std::vector<LevelEntry> entries_;  // of levels_
+  bool choosesLevel_ = false;        // the list of levels was shown last
+  JoinForm joinForm_;
+  HostForm hostForm_;
+};
+
+}  // namespace platon

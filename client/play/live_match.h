@@ -1,0 +1,62 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "client/net/server_address.h"
+#include "client/play/client_options.h"
+#include "client/play/embedded_server.h"
+#include "client/play/match_play.h"
+#include "client/time/clock.h"
+#include "client/time/pausable_clock.h"
+#include "protocol/transport/password.h"
+
+namespace platon {
+
+/// What to play.
+struct MatchChoice {
+  std::optional<ServerAddress> server{};  ///< nothing: a server in this program
+  Password password{};                    ///< of that server
+  EmbeddedSettings own{};                 ///< of the server in this program
+};
+
+/// A match and, unless it is on another server, the server that runs it. Both go by one clock, which stands still while
+/// a player who is alone pauses.
+class LiveMatch {
+ public:
+  /// Starts the server, if it is in this program, and starts to connect. Throws as MatchPlay and EmbeddedServer do.
+  LiveMatch(const ClientOptions& options, const MatchChoice& choice, const Clock& clock);
+
+  /// `wantsPause`: the match pauses as far as nobody else plays in it.
+  void update(bool wantsPause, const Controls& controls);
+  /// Whether the game stands still.
+  bool paused() const { return time_->paused(); }
+  /// Whether the server is in this program and nobody else plays on it.
+  bool alone() const { return server_ && server_->players() <= 1; }
+  /// Time of the match: stands still in a pause.
+  Moment now() const { return time_->now(); }
+  /// Leads to the next level: at once for a player who is alone, else by a vote, or taking it back.
+  void skipLevel();
+  /// Leaves the match; takes at most half a second.
+  void leave();
+
+  /// Of the server in this program, for a client in this program.
+  ServerAddress serverAddress() const { return server_->address(); }
+  /// What to tell others so that they can join, a paragraph each; empty unless the server in this program listens to
+  /// the network.
+  std::vector<std::string> invitation() const;
+  const MatchChoice& choice() const { return choice_; }
+  MatchPlay& play() { return *play_; }
+  const MatchPlay& play() const { return *play_; }
+
+ private:
+  MatchChoice choice_;
+  Clock clock_;
+  std::shared_ptr<PausableClock> time_;
+  std::optional<EmbeddedServer> server_;
+  std::optional<MatchPlay> play_;
+};
+
+}  // namespace platon

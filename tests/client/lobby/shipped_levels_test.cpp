@@ -1,0 +1,47 @@
+#include "client/lobby/shipped_levels.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "platon/game/game.h"
+#include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
+
+namespace platon {
+namespace {
+
+TEST(ShippedLevels, TheLevelsOfASolidFollowEachOther) {
+  std::set<std::string> done;
+  std::string solid;
+  for (const LevelEntry& entry : entriesOf(loadShippedLevels(), "")) {
+    const bool begins = entry.solid != solid;
+    EXPECT_TRUE(!begins || done.insert(entry.solid).second) << entry.title;
+    solid = entry.solid;
+    EXPECT_FALSE(entry.title.empty());
+    EXPECT_GE(entry.players, 1U);
+    EXPECT_FALSE(entry.bestSeconds);
+  }
+  EXPECT_EQ(done.size(), std::size_t{kSolidKinds});
+}
+
+TEST(ShippedLevels, HaveTheBestTimesOfThePresentRules) {
+  const std::vector<ShippedLevel> levels = loadShippedLevels();
+  char hash[17];
+  std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(levels[2].level->hash));
+  const TemporaryFolder folder;
+  const std::string file = folder / "best_times";
+  writeText(file, std::string(hash) + " " + std::to_string(kRulesVersion) + " 90 2026-12-01T18:00:00Z Ann\n");
+  const std::vector<LevelEntry> entries = entriesOf(levels, file);
+  EXPECT_EQ(entries[2].bestSeconds, 1.5);
+  EXPECT_FALSE(entries[1].bestSeconds);
+  writeText(file, "damaged\n");
+  EXPECT_FALSE(entriesOf(levels, file)[2].bestSeconds);
+}
+
+}  // namespace
+}  // namespace platon

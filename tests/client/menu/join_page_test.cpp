@@ -1,0 +1,48 @@
+#include "client/menu/join_page.h"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+namespace platon {
+namespace {
+
+class JoinPage : public testing::Test {
+ protected:
+  MenuPage page() {
+    return joinPage(form_, [this] { joined_ = form_.address.text(); });
+  }
+  bool has(const std::string& name) {
+    const MenuPage shown = page();
+    return std::any_of(shown.items.begin(), shown.items.end(), [&](const MenuItem& item) { return item.name == name; });
+  }
+
+  JoinForm form_;
+  std::string joined_;
+};
+
+TEST_F(JoinPage, JoinsWhatWasEntered) {
+  form_.address.setText("host:1");
+  page().items[1].choose();
+  EXPECT_EQ(joined_, "host:1");
+}
+
+TEST_F(JoinPage, AServerThatWasJoinedBeforeIsOneClickAway) {
+  EXPECT_FALSE(has("Joined before"));
+  form_.recent = {"one:7777", "two:7777"};
+  EXPECT_TRUE(has("Joined before"));
+  page().items.back().choose();
+  EXPECT_EQ(joined_, "two:7777");
+}
+
+TEST_F(JoinPage, AsksForAPasswordOnlyIfTheServerDoes) {
+  EXPECT_FALSE(has("Password"));
+  form_.asksPassword = true;
+  form_.fault = "The password is wrong.";
+  EXPECT_TRUE(has("Password"));
+  EXPECT_TRUE(page().items[1].secret);
+  EXPECT_TRUE(page().warning);
+}
+
+}  // namespace
+}  // namespace platon

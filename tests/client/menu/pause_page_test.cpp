@@ -1,0 +1,23 @@
+#include "client/menu/pause_page.h"
+
+#include <gtest/gtest.h>
+
+namespace platon {
+namespace {
+
+TEST(PausePage, EachItemCallsItsOwn) {
+  std::string called;
+  const auto note = [&called](const char* name) { return [&called, name] { called += name; }; };
+  PauseChoices choices{"Pause",       {"a note"},        "Vote",        note("resume "), note("restart "),
+                       note("next "), note("settings "), note("leave ")};
+  const MenuPage page = pausePage(choices);
+  for (const MenuItem& item : page.items) item.choose();
+  page.back();
+  EXPECT_EQ(called, "resume restart next settings leave resume ");
+  EXPECT_EQ(page.notes, choices.notes);
+  EXPECT_EQ(page.items[2].name, "Vote");
+  EXPECT_EQ(page.title, "Pause");
+}
+
+}  // namespace
+}  // namespace platon

@@ -1,0 +1,136 @@
+#include "client/play/front_pages.h"
+
+#include <optional>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/environment_variable.h"
+#include "tests/support/temporary_folder.h"
+
+namespace platon {
+namespace {
+
+class FrontPagesTest : public testing::Test {
+ protected:
+  FrontPagesTest() { pages_.showTitle(); }
+
+  void tap(Key key, int times = 1) {
+    for (int i = 0; i < times; ++i) menu_.handle({key, KeyEvent::Kind::kPress}, font_);
+  }
+  void type(std::string_view text) {
+    for (const char character : text) {
+      KeyEvent event;
+      event.kind = KeyEvent::Kind::kCharacter;
+      event.character = static_cast<char32_t>(character);
+      menu_.handle(event, font_);
+    }
+  }
+  bool shows(const std::string& text) {
+    for (const Overlay::Text& each : menu_.overlay(font_, false).texts) {
+      if (each.content.find(text) != std::string::npos) return true;
+    }
+    return false;
+  }
+
+  const TemporaryFolder folder_;
+  const EnvironmentVariable data_{"XDG_DATA_HOME", folder_.path().string()};
+  Font font_;
+  Menu menu_;
+  Settings settings_;
+  std::optional<MatchChoice> started_;
+  bool quit_ = false;
+  FrontPages pages_{menu_,
+                    settings_,
+                    RecentServers(folder_ / "recent"),
+                    {[this](const MatchChoice& choice) { started_ = choice; }, [this] { quit_ = true; }}};
+};
+
+TEST_F(FrontPagesTest, PlayStartsTheFirstLevelAndTheOthersFollow) {
+  EXPECT_TRUE(shows("Run and jump"));
+  tap(Key::kEnter);
+  ASSERT_TRUE(started_);
+  EXPECT_FALSE(started_->server);
+  EXPECT_FALSE(started_->own.listens);
+  EXPECT_EQ(started_->own.levels.size(), loadShippedLevels().size());
+  EXPECT_NE(started_->own.levels.front().find("01_run_and_jump"), std::string::npos);
+}
+
+TEST_F(FrontPagesTest, LevelsStartsTheChosenOneAndShowsItBesideTheList) {
+  tap(Key::kArrowDown);
+  tap(Key::kEnter);
+  tap(Key::kArrowDown);
+  EXPECT_EQ(pages_.shownLevel()->title, loadShippedLevels()[1].level->title);
+  tap(Key::kEnter);
+  ASSERT_TRUE(started_);
+  EXPECT_EQ(started_->own.levels.front(), loadShippedLevels()[1].file);
+  EXPECT_EQ(started_->own.levels.back(), loadShippedLevels()[0].file);
+}
+
+TEST_F(FrontPagesTest, JoinTakesAnAddressAndRefusesWhatIsNone) {
+  pages_.recent().remember({"before", 1});
+  tap(Key::kArrowDown, 2);
+  tap(Key::kEnter);
+  EXPECT_TRUE(shows("before:1"));
+  tap(Key::kEnter, 2);
+  EXPECT_TRUE(shows("Enter the address"));
+  tap(Key::kArrowUp);
+  type("host:x");
+  tap(Key::kEnter, 2);
+  EXPECT_TRUE(shows("is not a server address"));
+  EXPECT_FALSE(started_);
+  tap(Key::kArrowUp);
+  tap(Key::kBackspace);
+  type("12");
+  tap(Key::kEnter, 2);
+  ASSERT_TRUE(started_ && started_->server);
+  EXPECT_EQ(started_->server->text(), "host:12");
+  EXPECT_TRUE(started_->password.empty());
+}
+
+TEST_F(FrontPagesTest, AskedForAPasswordThePlayerEntersIt) {
+  pages_.askPassword({"host", 12}, false);
+  EXPECT_TRUE(shows("asks for a password"));
+  type("secret");
+  EXPECT_FALSE(shows("secret"));
+  tap(Key::kEnter, 2);
+  ASSERT_TRUE(started_);
+  EXPECT_EQ(started_->server->text(), "host:12");
+  EXPECT_FALSE(started_->password.empty());
+  pages_.askPassword({"host", 12}, true);
+  EXPECT_TRUE(shows("The password is wrong."));
+}
+
+TEST_F(FrontPagesTest, HostListensAtAPort) {
+  tap(Key::kArrowDown, 3);
+  tap(Key::kEnter);
+  tap(Key::kArrowDown, 3);
+  type("7");
+  tap(Key::kArrowDown, 2);
+  tap(Key::kEnter);
+  EXPECT_TRUE(shows("from 1 to 65535"));
+  EXPECT_FALSE(started_);
+  tap(Key::kArrowUp, 2);
+  tap(Key::kBackspace);
+  tap(Key::kArrowDown, 2);
+  tap(Key::kEnter);
+  ASSERT_TRUE(started_);
+  EXPECT_TRUE(started_->own.listens);
+  EXPECT_EQ(started_->own.port, 7777);
+  EXPECT_EQ(started_->own.maxPlayers, 8U);
+  EXPECT_FALSE(started_->server);
+}
+
+TEST_F(FrontPagesTest, TheLastItemQuitsAndEscapeLeadsBackToTheTitle) {
+  tap(Key::kArrowUp);
+  tap(Key::kEnter);
+  EXPECT_TRUE(quit_);
+  tap(Key::kArrowUp);
+  tap(Key::kEnter);
+  EXPECT_TRUE(shows("Full screen"));
+  tap(Key::kEscape, 3);
+  EXPECT_TRUE(shows("Quit"));
+}
+
+}  // namespace
+}  // namespace platon
