@@ -34,6 +34,11 @@ inline constexpr std::size_t kMaxRosterEntries = 16;
 inline constexpr std::size_t kMaxNameBytes = 32;
 inline constexpr std::size_t kMaxReasonBytes = 200;
 
+/// Longest text of a player for the others, bytes of UTF-8.
+inline constexpr std::size_t kMaxChatBytes = 120;
+/// Number of emotes. An emote is a number from 1 on.
+inline constexpr std::uint32_t kEmotes = 4;
+
 /// Longest title of a level, bytes of UTF-8: as in the level format.
 inline constexpr std::size_t kMaxTitleBytes = 100;
 /// Longest pause between two rounds: a minute.

@@ -213,6 +213,12 @@ std::optional<ToClient> read(const wire::VoteCount& table) {
   return message;
 }
 
+std::optional<ToClient> read(const wire::PlayerChat& table) {
+  PlayerChat message{table.slot(), {textOf(table.text()), table.emote()}};
+  if (message.slot >= kMaxPlayers || !isChat(message.chat)) return std::nullopt;
+  return message;
+}
+
 std::optional<ToClient> readBody(const wire::ToClient& root) {
   switch (root.body_type()) {
     case Body::Welcome:
@@ -235,6 +241,8 @@ std::optional<ToClient> readBody(const wire::ToClient& root) {
       return read(*root.body_as_Notice());
     case Body::VoteCount:
       return read(*root.body_as_VoteCount());
+    case Body::PlayerChat:
+      return read(*root.body_as_PlayerChat());
     default:
       return std::nullopt;
   }
@@ -325,6 +333,13 @@ Bytes encode(const Notice& message) {
 Bytes encode(const VoteCount& message) {
   Builder builder;
   return finish(builder, Body::VoteCount, wire::CreateVoteCount(builder, message.round, message.votes, message.voters));
+}
+
+Bytes encode(const PlayerChat& message) {
+  assert(isChat(message.chat));
+  Builder builder;
+  const auto text = message.chat.text.empty() ? 0 : builder.CreateString(message.chat.text);
+  return finish(builder, Body::PlayerChat, wire::CreatePlayerChat(builder, message.slot, text, message.chat.emote));
 }
 
 Bytes encode(const ConfirmedTicks& message) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "platon/game/input.h"
+#include "protocol/chat.h"
 #include "protocol/limits.h"
 
 namespace platon {
@@ -127,6 +128,14 @@ struct VoteCount {
   friend bool operator==(const VoteCount&, const VoteCount&) = default;
 };
 
+/// A player says this.
+struct PlayerChat {
+  std::uint32_t slot = 0;  ///< below kMaxPlayers
+  Chat chat;
+
+  friend bool operator==(const PlayerChat&, const PlayerChat&) = default;
+};
+
 /// Input of a slot from `tick` on, until the slot's next change.
 struct InputChange {
   std::uint32_t tick = 0;
@@ -173,7 +182,7 @@ struct ConfirmedTicks {
 };
 
 using ToClient = std::variant<Welcome, Refused, LevelChunk, StateChunk, Roster, RoundStart, RoundEnd, Bye, Notice,
-                              VoteCount, ConfirmedTicks>;
+                              VoteCount, PlayerChat, ConfirmedTicks>;
 
 /// Decodes a message from the server. Returns nothing if it is malformed or a value is out of range.
 std::optional<ToClient> decodeToClient(std::span<const std::uint8_t> bytes);
@@ -189,6 +198,7 @@ std::vector<std::uint8_t> encode(const RoundEnd& message);
 std::vector<std::uint8_t> encode(const Bye& message);
 std::vector<std::uint8_t> encode(const Notice& message);
 std::vector<std::uint8_t> encode(const VoteCount& message);
+std::vector<std::uint8_t> encode(const PlayerChat& message);
 std::vector<std::uint8_t> encode(const ConfirmedTicks& message);
 
 }  // namespace platon

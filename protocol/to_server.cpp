@@ -97,6 +97,12 @@ std::optional<ToServer> readHello(const wire::Hello& table) {
   return hello;
 }
 
+std::optional<ToServer> readChat(const wire::Chat& table) {
+  Chat chat{textOf(table.text()), table.emote()};
+  if (!isChat(chat)) return std::nullopt;
+  return chat;
+}
+
 std::optional<ToServer> readBody(const wire::ToServer& root) {
   switch (root.body_type()) {
     case wire::ToServerBody::Hello:
@@ -107,6 +113,8 @@ std::optional<ToServer> readBody(const wire::ToServer& root) {
       return Leave{};
     case wire::ToServerBody::Vote:
       return Vote{root.body_as_Vote()->round(), root.body_as_Vote()->next()};
+    case wire::ToServerBody::Chat:
+      return readChat(*root.body_as_Chat());
     default:
       return std::nullopt;
   }
@@ -151,6 +159,13 @@ std::vector<std::uint8_t> encode(const Leave&) {
 std::vector<std::uint8_t> encode(const Vote& message) {
   flatbuffers::FlatBufferBuilder builder;
   return finish(builder, wire::ToServerBody::Vote, wire::CreateVote(builder, message.round, message.next));
+}
+
+std::vector<std::uint8_t> encode(const Chat& message) {
+  assert(isChat(message));
+  flatbuffers::FlatBufferBuilder builder;
+  const auto text = message.text.empty() ? 0 : builder.CreateString(message.text);
+  return finish(builder, wire::ToServerBody::Chat, wire::CreateChat(builder, text, message.emote));
 }
 
 std::vector<std::uint8_t> encode(const PlayerInputs& message) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "platon/game/input.h"
+#include "protocol/chat.h"
 #include "protocol/limits.h"
 #include "protocol/session_token.h"
 
@@ -59,7 +60,7 @@ struct PlayerInputs {
   friend bool operator==(const PlayerInputs&, const PlayerInputs&) = default;
 };
 
-using ToServer = std::variant<Hello, LevelRequest, Leave, Vote, PlayerInputs>;
+using ToServer = std::variant<Hello, LevelRequest, Leave, Vote, Chat, PlayerInputs>;
 
 /// Decodes a message from a client. Returns nothing if it is malformed or a value is out of range.
 std::optional<ToServer> decodeToServer(std::span<const std::uint8_t> bytes);
@@ -69,6 +70,7 @@ std::vector<std::uint8_t> encode(const Hello& message);
 std::vector<std::uint8_t> encode(const LevelRequest& message);
 std::vector<std::uint8_t> encode(const Leave& message);
 std::vector<std::uint8_t> encode(const Vote& message);
+std::vector<std::uint8_t> encode(const Chat& message);
 std::vector<std::uint8_t> encode(const PlayerInputs& message);
 
 }  // namespace platon

@@ -47,6 +47,8 @@ class NetworkClient {
   void update(Moment now, const Controls& controls);
   /// Wishes the next level, or takes this wish back (Session::toggleVote). No effect without a session.
   void toggleVote();
+  /// Says something to all players (Session::say). Returns false without a session.
+  bool say(const Chat& chat, Moment now) { return is<InSession>() && session_->say(chat, now); }
   /// Leaves the match. Keep calling `update` until `closed`. Closes at once if there is no session.
   void leave();
 
@@ -73,6 +75,8 @@ class NetworkClient {
   const Session* session() const { return session_ ? &*session_ : nullptr; }
   /// The newest text of the server's operator; each is returned once.
   std::optional<std::string> takeNotice() { return session_ ? session_->takeNotice() : std::nullopt; }
+  /// What players have said (Session::takeChats).
+  std::vector<PlayerChat> takeChats() { return session_ ? session_->takeChats() : std::vector<PlayerChat>(); }
   /// The last desync report; each is returned once.
   std::optional<DesyncReport> takeDesync();
   /// Total of all connections.

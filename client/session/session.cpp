@@ -47,6 +47,7 @@ std::string withReason(std::string_view what, std::string_view label) {
 Session::Session(const std::string& name, Moment now, Memory memory)
     : helloAt_(now),
       receivedAt_(now),
+      chatBudget_(kChatsPerSecond, kChatBurst, now),
       token_(memory.token),
       levels_(std::move(memory.levels)),
       store_(std::move(memory.store)),
@@ -93,6 +94,12 @@ void Session::toggleVote() {
   if (ending_ || !round_ || roundEnd()) return;
   wishesNext_ = !wishesNext_;
   send(Vote{round_->id(), wishesNext_}, true);
+}
+
+bool Session::say(const Chat& chat, Moment now) {
+  if (ending_ || !welcome_ || !chatBudget_.take(1, now)) return false;
+  send(chat, true);
+  return true;
 }
 
 void Session::leave() {
@@ -179,6 +186,13 @@ void Session::handle(const RoundEnd& message, Moment) {
 
 void Session::handle(const VoteCount& message, Moment) {
   if (round_ && round_->id() == message.round) voteCount_ = message;
+}
+
+void Session::handle(const PlayerChat& message, Moment) {
+  const PlayerChat said{message.slot, {visibleLabel(message.chat.text), message.chat.emote}};
+  if (!isChat(said.chat)) return;
+  if (chats_.size() == kMaxChats) chats_.erase(chats_.begin());
+  chats_.push_back(said);
 }
 
 // Requests the level of the next round, unless the one of this round is still on its way.

@@ -61,6 +61,9 @@ class Session {
   static constexpr Moment kSlowUpdate = std::chrono::milliseconds(250);
   static constexpr std::uint64_t kSlowWork = 4096;
 
+  /// Texts and emotes that wait to be taken; the oldest ones are dropped.
+  static constexpr std::size_t kMaxChats = 64;
+
   /// `name`: a valid label of at most kMaxNameBytes; may be empty. `now`: when the connection was established.
   /// `memory`: of the previous session, whose player and statistics this one resumes.
   Session(const std::string& name, Moment now, Memory memory = {});
@@ -72,6 +75,9 @@ class Session {
   /// Wishes that the next level follows at once, or takes this wish back. The wish ends with the round and with the
   /// session. No effect without a round, and when it is over.
   void toggleVote();
+  /// Says a text or an emote to all players, as soon as the server passes it on. `chat`: isChat. Returns false, without
+  /// effect, before Welcome, after the end, and when the server would drop it because this client has said too much.
+  bool say(const Chat& chat, Moment now);
   /// Queues a Leave message. The connection may be closed once it is sent.
   void leave();
   /// Ends the session because its connection was lost.
@@ -99,6 +105,8 @@ class Session {
 
   /// The newest text of the server's operator, which a player can see; each is returned once.
   std::optional<std::string> takeNotice() { return std::exchange(notice_, std::nullopt); }
+  /// What players have said, oldest first; each is returned once. At most kMaxChats are kept.
+  std::vector<PlayerChat> takeChats() { return std::exchange(chats_, {}); }
   /// The last desync report; each is returned once.
   std::optional<DesyncReport> takeDesync() { return std::exchange(desync_, std::nullopt); }
 
@@ -123,6 +131,7 @@ class Session {
   void handle(const Bye& message, Moment now);
   void handle(const Notice& message, Moment now);
   void handle(const VoteCount& message, Moment now);
+  void handle(const PlayerChat& message, Moment now);
   void handle(const ConfirmedTicks& message, Moment now);
 
   std::shared_ptr<const Level> level(std::uint64_t hash);
@@ -141,6 +150,8 @@ class Session {
   std::optional<Welcome> welcome_;
   std::vector<std::string> names_;
   std::optional<std::string> notice_;
+  std::vector<PlayerChat> chats_;
+  TokenBucket chatBudget_;
   std::vector<OutgoingMessage> outgoing_;
 
   std::optional<SessionToken> token_;

@@ -82,6 +82,8 @@ void write(Log& log, const MatchEvent& event) {
       return log.warning("desync", {client, slot, {"at", event.text}});
     case Kind::kResync:
       return log.info("resync", {client, slot, {"at", event.text}});
+    case Kind::kChat:
+      return log.info("chat", {client, slot, {"text", event.text}});
     case Kind::kRoundStart:
       return log.info("round started", {{"level", event.text}});
     case Kind::kRoundEnd:

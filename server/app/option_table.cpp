@@ -20,6 +20,7 @@ constexpr std::int64_t kMaxPerAddress = 4000;
 
 bool isAddress(const std::string& text) { return IpAddress::parse(text).has_value(); }
 bool isName(const std::string& text) { return isLabel(text, kMaxNameBytes); }
+bool isSwitch(const std::string& text) { return text == "on" || text == "off"; }
 bool isFormat(const std::string& text) { return text == "text" || text == "json"; }
 bool isByteSize(const std::string& text) { return parseByteSize(text).has_value(); }
 bool isSocketAddress(const std::string& text) { return parseSocketAddress(text).has_value(); }
@@ -63,6 +64,12 @@ const std::array kOptions{
                  .needsRestart = false,
                  .mustBe = "a text of at most 32 bytes without control characters",
                  .accepts = &isName},
+    ServerOption{.name = "chat",
+                 .placeholder = "on|off",
+                 .field = &ServerOptions::chat,
+                 .help = "Whether players can talk to each other: \"on\" or \"off\"",
+                 .mustBe = "\"on\" or \"off\"",
+                 .accepts = &isSwitch},
     ServerOption{.name = "log-format",
                  .placeholder = "text|json",
                  .field = &ServerOptions::logFormat,

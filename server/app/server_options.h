@@ -26,6 +26,7 @@ struct ServerOptions {
   std::string passwordFile{};       ///< empty: no password
   std::string recordLimit = "10G";  ///< of all recordings in the folder, as `parseByteSize` reads it
   std::string bestTimes{};          ///< file; empty: best times end with the server
+  std::string chat = "on";          ///< or "off"
 
   friend bool operator==(const ServerOptions&, const ServerOptions&) = default;
 };

@@ -31,6 +31,7 @@ ServerSettings settingsOf(const ServerOptions& options, Log& log) {
   settings.bind = options.bind;
   settings.port = options.port;
   settings.playersPerAddress = options.maxPerAddress;
+  settings.match.chat = options.chat == "on";
   settings.identity = loadIdentity(options.keyFile, log);
   if (!options.passwordFile.empty()) settings.password = readPasswordFile(options.passwordFile);
   settings.match.maxPlayers = options.maxPlayers;

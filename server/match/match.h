@@ -15,6 +15,7 @@
 #include "protocol/to_server.h"
 #include "protocol/transport/socket_address.h"
 #include "server/match/best_time_keeper.h"
+#include "server/match/chat_budget.h"
 #include "server/match/client_id.h"
 #include "server/match/level_rotation.h"
 #include "server/match/match_event.h"
@@ -33,6 +34,7 @@ struct MatchSettings {
   std::uint32_t maxPlayers = 16;                 ///< 1 … kMaxPlayers
   std::string serverName;                        ///< a label; invisible characters are left out
   bool record = false;                           ///< record every round
+  bool chat = true;                              ///< players can talk to each other
   std::uint32_t playersPerOrigin = kMaxPlayers;  ///< players of one origin, disconnected ones included
 };
 
@@ -101,7 +103,8 @@ class Match {
   /// Removes the player of a slot, connected or not, and tells its client the reason, a label of at most
   /// kMaxReasonBytes. Returns false if the slot has no player.
   bool kick(std::uint32_t slot, const std::string& reason);
-  /// Shows a player to everybody as "Player N" instead of by its name, also after it resumes, or by its name again.
+  /// Shows a player to everybody as "Player N" instead of by its name and passes on nothing that it says, also after it
+  /// resumes; or takes that back.
   /// Returns false if the slot has no player.
   bool mute(std::uint32_t slot, bool muted);
   /// Shows a text, a label of at most kMaxReasonBytes, to all connected players for some seconds.
@@ -146,6 +149,7 @@ class Match {
   void handle(ClientId client, const LevelRequest& request);
   void handle(ClientId client, const Leave& leave);
   void handle(ClientId client, const Vote& vote);
+  void handle(ClientId client, const Chat& chat);
   void handle(ClientId client, const PlayerInputs& inputs);
 
   /// The player of the client, or why it gets none.
@@ -202,6 +206,7 @@ class Match {
   PlayerNames names_;                        // of the connected and the disconnected players
   std::uint64_t nextRosterAt_ = 0;           // value of now_
   VoteNotices voteNotices_;
+  ChatBudget chatBudget_ = ChatBudget::ofAll();
   BestTimeKeeper* bestTimes_ = nullptr;  // null: none
   bool bestIsNew_ = false;               // the best time of the level was reached in this round
   std::vector<ClientId> newcomers_;      // clients that joined or resumed since the last tick

@@ -15,6 +15,7 @@ struct MatchEvent {
     kLeft,            ///< text: the player's name
     kDesync,          ///< the client's game differs; text: round, tick of the client's hash, tick of the state sent
     kResync,          ///< the client lacked ticks that can no longer be repeated; text: as for kDesync
+    kChat,            ///< text: what the player says
     kRoundStart,      ///< text: the level's title
     kRoundEnd,        ///< ticks: length of the round; text: why it ended: finished, time, vote or operator
   };

@@ -12,6 +12,7 @@
 #include "protocol/to_client.h"
 #include "protocol/to_server.h"
 #include "protocol/transport/socket_address.h"
+#include "server/match/chat_budget.h"
 #include "server/match/input_buffer.h"
 #include "server/match/transfer.h"
 #include "server/match/vote_wish.h"
@@ -71,6 +72,8 @@ class MatchPlayer {
   void vote(bool next, std::uint64_t now);
   /// Whether this wish counts now (VoteWish).
   bool wishesNext(std::uint64_t now) { return wish_.counts(now); }
+  /// Whether the player may say something more at tick `now` of the match; it counts then.
+  bool mayChat(std::uint64_t now) { return chatBudget_.take(now); }
   /// Whether the message reports the client's current progress: the client has restored the last state sent, and the
   /// message is not older than another one received.
   bool isCurrent(const PlayerInputs& message) const;
@@ -127,6 +130,7 @@ class MatchPlayer {
   std::uint64_t activeAt_;    // tick of the match in which the client last changed a button, voted or joined
   std::uint8_t buttons_ = 0;  // of the newest input of all rounds
   VoteWish wish_;
+  ChatBudget chatBudget_ = ChatBudget::ofPlayer();
   InputBuffer inputs_;
   std::deque<Transfer> transfers_;
   LossMeter loss_;  // of the messages of inputs

@@ -20,6 +20,8 @@ const Hello kHello{kRulesVersion, "Ann"};
 const Notice kNotice{"Restart at noon"};
 const Vote kVote{3, true};
 const VoteCount kVoteCount{3, 2, 5};
+const Chat kChat{"", 2};
+const PlayerChat kPlayerChat{5, {"Wait!", 0}};
 const RoundEnd kRoundEnd{3, 1800, 0x0123456789abcdef, "Corners", 300, LevelBest{743, "Ann", true}};
 const PlayerInputs kInputs{3,
                            1,
@@ -39,10 +41,10 @@ const ConfirmedTicks kTicks{3,
 
 TEST(GoldenBytes, TheDocumentedBytesAreThoseOfTheEncoder) {
   const auto page = documentedBytes();
-  const std::pair<const char*, Bytes> sent[] = {{"hello", encode(kHello)},        {"vote", encode(kVote)},
-                                                {"notice", encode(kNotice)},      {"vote-count", encode(kVoteCount)},
-                                                {"round-end", encode(kRoundEnd)}, {"inputs", encode(kInputs)},
-                                                {"ticks", encode(kTicks)}};
+  const std::pair<const char*, Bytes> sent[] = {
+      {"hello", encode(kHello)},          {"vote", encode(kVote)},          {"notice", encode(kNotice)},
+      {"vote-count", encode(kVoteCount)}, {"round-end", encode(kRoundEnd)}, {"inputs", encode(kInputs)},
+      {"ticks", encode(kTicks)},          {"chat", encode(kChat)},          {"player-chat", encode(kPlayerChat)}};
   for (const auto& [name, bytes] : sent) {
     ASSERT_TRUE(page.contains(name)) << name;
     EXPECT_EQ(page.at(name), bytes) << name << ": real bytes " << toHex(bytes);
@@ -72,13 +74,16 @@ TEST(GoldenBytes, ThePageHasARowForEveryReliableMessage) {
 
 TEST(GoldenBytes, TheDocumentedBytesAreDecoded) {
   const auto page = documentedBytes();
-  for (const char* name : {"inputs", "ticks", "hello", "notice", "vote", "vote-count", "round-end"}) {
+  for (const char* name :
+       {"inputs", "ticks", "hello", "notice", "vote", "vote-count", "round-end", "chat", "player-chat"}) {
     ASSERT_TRUE(page.contains(name)) << name;
   }
   EXPECT_EQ(decodeToServer(page.at("inputs")), ToServer(kInputs));
   EXPECT_EQ(decodeToServer(page.at("hello")), ToServer(kHello));
   EXPECT_EQ(decodeToClient(page.at("notice")), ToClient(kNotice));
   EXPECT_EQ(decodeToServer(page.at("vote")), ToServer(kVote));
+  EXPECT_EQ(decodeToServer(page.at("chat")), ToServer(kChat));
+  EXPECT_EQ(decodeToClient(page.at("player-chat")), ToClient(kPlayerChat));
   EXPECT_EQ(decodeToClient(page.at("vote-count")), ToClient(kVoteCount));
   EXPECT_EQ(decodeToClient(page.at("round-end")), ToClient(kRoundEnd));
   EXPECT_EQ(decodeToClient(page.at("ticks")), ToClient(kTicks));

@@ -127,6 +127,8 @@ void FakeClient::handle(const ConfirmedTicks& message) {
 
 void FakeClient::vote(std::uint32_t round, bool next) { send(Vote{round, next}, true); }
 
+void FakeClient::say(const Chat& chat) { send(chat, true); }
+
 void FakeClient::corruptGame() {
   ASSERT_TRUE(game_);
   game_->advance(std::vector<Input>(kMaxPlayers, Input{Input::kPresent}));

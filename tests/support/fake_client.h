@@ -38,6 +38,8 @@ class FakeClient : public VirtualClient {
   const std::vector<std::string>& notices() const { return notices_; }
   const std::map<std::uint32_t, std::string>& roster() const { return roster_; }
   const std::optional<RoundEnd>& roundEnd() const { return roundEnd_; }
+  /// All that players have said, in order.
+  const std::vector<PlayerChat>& chats() const { return chats_; }
   /// All counts of votes, in order.
   const std::vector<VoteCount>& voteCounts() const { return voteCounts_; }
 
@@ -60,6 +62,7 @@ class FakeClient : public VirtualClient {
   /// Sends a vote for the present round, or for another one.
   void vote(bool next) { vote(round_, next); }
   void vote(std::uint32_t round, bool next);
+  void say(const Chat& chat);
   /// Changes the confirmed game, so that it is in desync.
   void corruptGame();
 
@@ -76,6 +79,7 @@ class FakeClient : public VirtualClient {
   void handle(const RoundStart& message);
   void handle(const RoundEnd& message) { roundEnd_ = message; }
   void handle(const VoteCount& message) { voteCounts_.push_back(message); }
+  void handle(const PlayerChat& message) { chats_.push_back(message); }
   void handle(const Bye& message) { bye_ = message; }
   void handle(const Notice& message) { notices_.push_back(message.text); }
   void handle(const ConfirmedTicks& message);
@@ -94,6 +98,7 @@ class FakeClient : public VirtualClient {
   std::vector<std::string> notices_;
   std::optional<RoundEnd> roundEnd_;
   std::vector<VoteCount> voteCounts_;
+  std::vector<PlayerChat> chats_;
   std::optional<SlackReport> slack_;
   std::map<std::uint32_t, std::string> roster_;
   std::uint32_t round_ = 0;

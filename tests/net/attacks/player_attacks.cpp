@@ -73,6 +73,14 @@ void voteOften(Connection& connection, const Welcome& welcome, Dice& dice) {
   }
 }
 
+// As much as fits the budget of a connection: emotes, and the longest texts.
+void talk(Connection& connection, const Welcome&, Dice& dice) {
+  for (int i = 0; i < 4; ++i) {
+    const bool emote = dice.below(4) == 0;
+    connection.send(encode(emote ? Chat{"", 1} : Chat{std::string(kMaxChatBytes, 'x'), 0}), true);
+  }
+}
+
 // A part of a recorded datagram, or any bytes.
 void setToken(ToServer& message, AttackNetwork& network, Dice& dice) {
   auto* const hello = std::get_if<Hello>(&message);
@@ -108,6 +116,10 @@ std::unique_ptr<Attacker> requestLevels(AttackNetwork& network) {
 
 std::unique_ptr<Attacker> castVotes(AttackNetwork& network) {
   return attackOf(network, {.tamper = {}, .extra = voteOften}, kVoters);
+}
+
+std::unique_ptr<Attacker> talkWithoutEnd(AttackNetwork& network) {
+  return attackOf(network, {.tamper = {}, .extra = talk}, kPlayers);
 }
 
 std::unique_ptr<Attacker> sendMalformed(AttackNetwork& network) {

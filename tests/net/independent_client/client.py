@@ -131,6 +131,7 @@ _HANDLERS = {
     messages.RoundEnd: lambda client, message: setattr(client, "round_end", message),
     messages.RoundStart: _ignore,
     messages.VoteCount: _ignore,
+    messages.PlayerChat: _ignore,
     messages.Notice: lambda client, message: setattr(client, "notice", message.text),
     messages.Bye: lambda client, message: setattr(client, "bye", message),
 }

@@ -18,6 +18,7 @@ CONTENT = bytes([1, 2, 3])
 TO_CLIENT = {
     "notice": messages.Notice("Restart at noon"),
     "vote-count": messages.VoteCount(3, 2, 5),
+    "player-chat": messages.PlayerChat(5, "Wait!", 0),
     "round-end": messages.RoundEnd(3, 1800, 0x0123456789ABCDEF, "Corners", 300, 743, "Ann", True),
 }
 
@@ -57,6 +58,7 @@ class Golden:
             "inputs": INPUTS.encode(),
             "hello": self.hello,
             "vote": messages.vote(3, True),
+            "chat": messages.emote(2),
         }
 
     def of_server(self):
@@ -115,4 +117,5 @@ def _check_messages(page, hello):
         decoded = messages.decode(page.block(name))
         check(decoded == message, f"the block '{name}' was decoded as {decoded}")
     _check_both("vote", page, messages.vote(3, True), messages.decode_vote, (3, True))
+    _check_both("chat", page, messages.emote(2), messages.decode_chat, ("", 2))
     _check_both("hello", page, hello, messages.decode_hello, (page.rules_version(), "Ann", b"", []))

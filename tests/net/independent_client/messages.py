@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import flat
 from failure import Failure
 
-HELLO, LEVEL_REQUEST, LEAVE, VOTE = range(1, 5)
+HELLO, LEVEL_REQUEST, LEAVE, VOTE, CHAT = range(1, 6)
 
 
 def hash_of_level(level):
@@ -36,6 +36,16 @@ def leave():
 
 def vote(round_, next_):
     return _to_server(VOTE, flat.NewTable(flat.Number(round_, 4), flat.Number(int(next_), 1)))
+
+
+def emote(number):
+    return _to_server(CHAT, flat.NewTable(None, flat.Number(number, 4)))
+
+
+def decode_chat(data):
+    """(text, emote)"""
+    body = flat.Table(data).table(1)
+    return body.text(0), body.number(1, 4)
 
 
 def decode_vote(data):
@@ -125,6 +135,13 @@ class VoteCount:
     voters: int
 
 
+@dataclass
+class PlayerChat:
+    slot: int
+    text: str
+    emote: int
+
+
 def _round_end(body):
     pause_and_best = body.number(4, 4), body.number(5, 4), body.text(6), bool(body.number(7, 1))
     return RoundEnd(*_numbers(body, 4, 4, 8), body.text(3), *pause_and_best)
@@ -150,6 +167,7 @@ _READERS = (
     lambda body: Bye(*_numbers(body, 4), body.text(1)),
     lambda body: Notice(body.text(0)),
     lambda body: VoteCount(*_numbers(body, 4, 4, 4)),
+    lambda body: PlayerChat(body.number(0, 4), body.text(1), body.number(2, 4)),
 )
 
 

@@ -69,10 +69,11 @@ TEST_F(ConfigFileTest, TextIsTheDefaultAndANamedLogFormat) {
 }
 
 TEST_F(ConfigFileTest, ErrorsHaveALineAndAColumn) {
-  EXPECT_EQ(errorOf("port = 7777\n  colour = 2\n"),
-            ":2:3: error: 'colour' is not a key of the configuration; the keys are levels, bind, port, max-players, "
-            "max-per-address, name, log-format, record, record-limit, key-file, password-file, ban-file, best-times, "
-            "socket and metrics");
+  EXPECT_EQ(
+      errorOf("port = 7777\n  colour = 2\n"),
+      ":2:3: error: 'colour' is not a key of the configuration; the keys are levels, bind, port, max-players, "
+      "max-per-address, name, chat, log-format, record, record-limit, key-file, password-file, ban-file, best-times, "
+      "socket and metrics");
   EXPECT_EQ(errorOf("port = 65536"), ":1:8: error: port must be a whole number from 0 to 65535");
   EXPECT_EQ(errorOf("port = 1.5"), ":1:8: error: port must be a whole number from 0 to 65535");
   EXPECT_EQ(errorOf("max-players = 0"), ":1:15: error: max-players must be a whole number from 1 to 256");
@@ -102,7 +103,7 @@ TEST_F(ConfigFileTest, ReportsAllErrorsInTheOrderOfTheText) {
             (std::vector<std::string>{"f:1:8: error: port must be a whole number from 0 to 65535",
                                       "f:2:8: error: name must be a string in quotes",
                                       "f:3:1: error: 'colour' is not a key of the configuration; the keys are levels, "
-                                      "bind, port, max-players, max-per-address, name, log-format, record, "
+                                      "bind, port, max-players, max-per-address, name, chat, log-format, record, "
                                       "record-limit, key-file, password-file, ban-file, best-times, "
                                       "socket and metrics",
                                       "f:5:8: error: bind must be a string in quotes"}));

@@ -52,6 +52,7 @@ TEST(OptionTable, EveryOptionSetsAMemberOfItsOwn) {
     if (option.most != 0) value = option.least;
     if (option.isList()) value = std::vector<std::string>{"x"};
     if (option.name == "bind") value = std::string("127.0.0.1");
+    if (option.name == "chat") value = std::string("off");
     if (option.name == "log-format") value = std::string("json");
     if (option.name == "metrics") value = std::string("[::1]:1");
     if (option.name == "record-limit") value = std::string("5M");
@@ -94,7 +95,7 @@ TEST(OptionTable, TextsAreChecked) {
 }
 
 TEST(PrintedConfig, GivesTheDefaults) {
-  ServerOptions options{{"x"}, "::", 1, 2, 3, "x", LogFormat::kJson, "x", "x", "x", "x", "x", "x"};
+  ServerOptions options{{"x"}, "::", 1, 2, 3, "x", LogFormat::kJson, "x", "x", "x", "x", "x", "x", "x", "x", "off"};
   EXPECT_EQ(readConfig(printedConfig(), "server.toml", options), std::vector<std::string>{});
   EXPECT_EQ(options, ServerOptions{});
 }

@@ -1,0 +1,156 @@
+#include <gtest/gtest.h>
+
+#include "server/match/match.h"
+#include "tests/support/test_levels.h"
+
+namespace platon {
+namespace {
+
+/// A match without a network: messages of clients take effect at once. Client N has slot N - 1.
+class MatchChat : public testing::Test {
+ protected:
+  explicit MatchChat(bool chat = true) : match_(LevelRotation({levelOf(farGoalText())}), settings(chat)) {}
+
+  static MatchSettings settings(bool chat) {
+    MatchSettings settings;
+    settings.chat = chat;
+    return settings;
+  }
+  void join(ClientId first, ClientId last) {
+    for (ClientId client = first; client <= last; ++client) {
+      Hello hello;
+      hello.name = "P" + std::to_string(client);
+      hello.token = SessionToken{static_cast<std::uint8_t>(client)};
+      match_.receive(client, hello);
+    }
+    match_.tick();
+    match_.takeOutgoing();
+    match_.takeEvents();
+  }
+  void say(ClientId client, const std::string& text) { match_.receive(client, Chat{text, 0}); }
+  void run(std::uint32_t ticks) {
+    for (; ticks > 0; --ticks) match_.tick();
+  }
+
+  // What a client has been sent of the talk since the last call.
+  std::vector<PlayerChat> heardBy(ClientId client) {
+    std::vector<PlayerChat> found;
+    for (const Outgoing& sent : match_.takeOutgoing()) {
+      const auto message = decodeToClient(sent.bytes);
+      const auto* chat = message ? std::get_if<PlayerChat>(&*message) : nullptr;
+      if (chat && sent.client == client) found.push_back(*chat);
+    }
+    return found;
+  }
+
+  Match match_;
+};
+
+TEST_F(MatchChat, AllPlayersHearATextAlsoTheSpeaker) {
+  join(1, 3);
+  const std::vector<PlayerChat> expected{{1, {"Wait for me", 0}}};
+  for (const ClientId listener : {1u, 2u, 3u}) {
+    run(2 * kTicksPerSecond);
+    match_.takeOutgoing();
+    say(2, "Wait for me");
+    EXPECT_EQ(heardBy(listener), expected) << listener;
+  }
+}
+
+TEST_F(MatchChat, AnEmoteIsPassedOnWithoutAnEvent) {
+  join(1, 2);
+  match_.receive(1, Chat{"", 3});
+  EXPECT_EQ(heardBy(2), (std::vector<PlayerChat>{{0, {"", 3}}}));
+  EXPECT_TRUE(match_.takeEvents().empty());
+}
+
+TEST_F(MatchChat, ATextIsAnEventForTheLog) {
+  join(1, 2);
+  say(2, "Hello");
+  const std::vector<MatchEvent> events = match_.takeEvents();
+  ASSERT_EQ(events.size(), 1U);
+  EXPECT_EQ(events[0].kind, MatchEvent::Kind::kChat);
+  EXPECT_EQ(events[0].slot, 1U);
+  EXPECT_EQ(events[0].text, "Hello");
+}
+
+TEST_F(MatchChat, OnlyTheVisiblePartOfATextIsPassedOn) {
+  join(1, 2);
+  say(1, "  a \u200b  b ");
+  say(1, "\u200b");
+  EXPECT_EQ(heardBy(2), (std::vector<PlayerChat>{{0, {"a b", 0}}}));
+}
+
+TEST_F(MatchChat, AFloodIsDroppedDownToTheRate) {
+  join(1, 2);
+  for (int second = 0; second < 20; ++second) {
+    for (int i = 0; i < 50; ++i) say(1, "flood");
+    run(kTicksPerSecond);
+  }
+  EXPECT_EQ(heardBy(2).size(), 4U + 19 / 2);
+}
+
+TEST_F(MatchChat, ACrowdIsDroppedDownToTheRateOfAll) {
+  join(1, 16);
+  for (int second = 0; second < 10; ++second) {
+    for (ClientId client = 1; client <= 16; ++client) say(client, "flood");
+    run(kTicksPerSecond);
+  }
+  EXPECT_LE(heardBy(2).size(), 16U + 8 * 9);
+}
+
+TEST_F(MatchChat, AnotherPlayerIsHeardWhileOneFloods) {
+  join(1, 2);
+  for (int i = 0; i < 100; ++i) say(1, "flood");
+  say(2, "I");
+  const std::vector<PlayerChat> heard = heardBy(1);
+  ASSERT_FALSE(heard.empty());
+  EXPECT_EQ(heard.back(), (PlayerChat{1, {"I", 0}}));
+}
+
+TEST_F(MatchChat, AMutedPlayerIsNotHeard) {
+  join(1, 2);
+  match_.mute(0, true);
+  say(1, "a");
+  match_.receive(1, Chat{"", 1});
+  EXPECT_TRUE(heardBy(2).empty());
+  EXPECT_TRUE(match_.takeEvents().empty());
+  match_.mute(0, false);
+  say(1, "a");
+  EXPECT_EQ(heardBy(2).size(), 1U);
+}
+
+TEST_F(MatchChat, AStrangerIsNotHeard) {
+  join(1, 2);
+  say(3, "a");
+  EXPECT_TRUE(heardBy(1).empty());
+}
+
+// A new connection does not refill what the player may say.
+TEST_F(MatchChat, AResumedPlayerKeepsItsBudget) {
+  join(1, 2);
+  for (int i = 0; i < 4; ++i) say(1, "a");
+  match_.disconnect(1);
+  Hello again;
+  again.name = "P1";
+  again.token = SessionToken{1};
+  match_.receive(7, again);
+  match_.takeOutgoing();
+  say(7, "b");
+  EXPECT_TRUE(heardBy(2).empty());
+}
+
+class SilentMatch : public MatchChat {
+ protected:
+  SilentMatch() : MatchChat(false) {}
+};
+
+TEST_F(SilentMatch, PassesNothingOn) {
+  join(1, 2);
+  say(1, "a");
+  EXPECT_TRUE(heardBy(2).empty());
+  EXPECT_TRUE(match_.takeEvents().empty());
+}
+
+}  // namespace
+}  // namespace platon
