@@ -12,7 +12,7 @@
 namespace platon {
 namespace {
 
-constexpr double kTrailGap = 7;   // between two spots of the trail, level units
+constexpr double kTrailGap = 4;   // between two spots of the trail, level units
 constexpr double kStill = 0.01;   // a shorter way is none, level units
 constexpr double kLanding = 140;  // change of the speed along up that is a landing or a take-off, level units a second
 constexpr double kFullSquash = 700;  // the same of a landing with the largest squash
@@ -84,7 +84,7 @@ void BallMotion::addMarks(Colour ball, Colour wall, std::vector<FaceMark>& marks
   for (const Spot& spot : trail_) {
     const float left = fading(seconds_ - spot.seconds, kTrailSeconds);
     const float width = static_cast<float>(radius_) * (0.35F + 0.75F * left);
-    marks.push_back({spot.face, spot.place, spot.place, width, {ball, 0.34F * left * left}});
+    marks.push_back({spot.face, spot.place, spot.place, width, {ball, 0.20F * left * left}});
   }
   for (const Spot& spot : dust_) {
     const double age = seconds_ - spot.seconds;
