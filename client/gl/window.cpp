@@ -16,7 +16,7 @@ namespace platon {
 namespace {
 
 std::optional<Key> keyOf(int glfwKey) {
-  constexpr std::array<std::pair<int, Key>, 39> kKeys{{{GLFW_KEY_LEFT, Key::kArrowLeft},
+  constexpr std::array<std::pair<int, Key>, 40> kKeys{{{GLFW_KEY_LEFT, Key::kArrowLeft},
                                                        {GLFW_KEY_RIGHT, Key::kArrowRight},
                                                        {GLFW_KEY_UP, Key::kArrowUp},
                                                        {GLFW_KEY_DOWN, Key::kArrowDown},
@@ -35,6 +35,7 @@ std::optional<Key> keyOf(int glfwKey) {
                                                        {GLFW_KEY_F1, Key::kF1},
                                                        {GLFW_KEY_F3, Key::kF3},
                                                        {GLFW_KEY_F11, Key::kF11},
+                                                       {GLFW_KEY_F12, Key::kF12},
                                                        {GLFW_KEY_KP_ADD, Key::kPlus},
                                                        {GLFW_KEY_EQUAL, Key::kPlus},
                                                        {GLFW_KEY_KP_SUBTRACT, Key::kMinus},
@@ -170,6 +171,12 @@ std::string Window::clipboard() const {
   return text == nullptr ? std::string() : std::string(text);
 }
 
+void Window::setVsync(bool vsync) {
+  if (vsync == vsync_) return;
+  vsync_ = vsync;
+  glfwSwapInterval(vsync ? 1 : 0);
+}
+
 void Window::setTitle(const std::string& title) { glfwSetWindowTitle(handle_, title.c_str()); }
 
 void Window::setFullscreen(bool fullscreen) {
@@ -184,7 +191,7 @@ void Window::setFullscreen(bool fullscreen) {
   } else {
     glfwSetWindowMonitor(handle_, nullptr, windowed_[0], windowed_[1], windowed_[2], windowed_[3], GLFW_DONT_CARE);
   }
-  glfwSwapInterval(1);
+  glfwSwapInterval(vsync_ ? 1 : 0);
 }
 
 void Window::show() { glfwSwapBuffers(handle_); }

@@ -47,7 +47,9 @@ class Window {
 
   /// Covers the primary monitor, or restores the previous position and size. No effect if already in that state.
   void setFullscreen(bool fullscreen);
-  /// Shows what has been drawn; waits for the vertical blank of the screen.
+  /// Whether `show` waits for the vertical blank of the screen; it does at first.
+  void setVsync(bool vsync);
+  /// Shows what has been drawn.
   void show();
 
  private:
@@ -64,6 +66,7 @@ class Window {
   double pointerX_ = 0;  // as of the last event, in screen coordinates
   double pointerY_ = 0;
   GamepadKeys gamepadKeys_;
+  bool vsync_ = true;
   std::uint32_t pixelWidth_ = 0;
   std::uint32_t pixelHeight_ = 0;
   int windowed_[4] = {0, 0, 1280, 720};  // position and size before full screen

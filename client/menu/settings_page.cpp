@@ -12,6 +12,13 @@ constexpr std::array<NamedValue, 5> kTurnSpeeds{
 
 constexpr SliderRange kVolumes{0, 100, 5, 1};
 
+constexpr std::array<NamedValue, 6> kFrameCaps{{{0, "any number"},
+                                                {30, "at most 30"},
+                                                {60, "at most 60"},
+                                                {120, "at most 120"},
+                                                {144, "at most 144"},
+                                                {240, "at most 240"}}};
+
 MenuItem heading(const char* name) { return {MenuItem::Kind::kHeading, name}; }
 
 MenuItem controlsItem(ControlFrame& frame) {
@@ -35,6 +42,8 @@ MenuPage settingsPage(Settings& settings) {
   page.standsAside = true;
   page.items = {heading("Picture"),
                 toggleItem("Full screen", settings.fullscreen),
+                toggleItem("Vertical synchronisation", settings.vsync),
+                choiceItem("Pictures a second", settings.frameCap, kFrameCaps),
                 percentItem("Zoom", settings.zoom, {0.5, 2, 0.05}),
                 percentItem("Size of texts", settings.uiScale, {kMinUiScale, kMaxUiScale, 0.05}),
                 toggleItem("Numbers on faces", settings.faceNumbers),

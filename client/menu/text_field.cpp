@@ -30,6 +30,7 @@ bool movesThroughMenu(Key key) {
     case Key::kF1:
     case Key::kF3:
     case Key::kF11:
+    case Key::kF12:
       return true;
     default:
       return key >= Key::kPadLeft;

@@ -1,6 +1,9 @@
 #include "client/play/user_folders.h"
 
 #include <cstdlib>
+#include <fstream>
+#include <string>
+#include <string_view>
 
 namespace platon {
 
@@ -33,6 +36,21 @@ std::filesystem::path runsFolder() { return inData("runs"); }
 std::filesystem::path ghostsFolder() { return inData("ghosts"); }
 
 std::filesystem::path stateFolder() { return folder("XDG_STATE_HOME", ".local/state"); }
+
+std::filesystem::path picturesFolder() {
+  const char* const chosen = std::getenv("XDG_PICTURES_DIR");
+  if (chosen != nullptr && *chosen != '\0') return chosen;
+  const char* const home = std::getenv("HOME");
+  if (home == nullptr || *home == '\0') return {};
+  std::ifstream file(configFolder().parent_path() / "user-dirs.dirs");
+  for (std::string line; std::getline(file, line);) {
+    constexpr std::string_view kStart = "XDG_PICTURES_DIR=\"$HOME/";
+    if (line.starts_with(kStart) && line.ends_with('"')) {
+      return std::filesystem::path(home) / line.substr(kStart.size(), line.size() - kStart.size() - 1);
+    }
+  }
+  return std::filesystem::path(home) / "Pictures";
+}
 
 std::filesystem::path cacheFolder() { return folder("XDG_CACHE_HOME", ".cache"); }
 

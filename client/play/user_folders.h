@@ -17,6 +17,10 @@ std::filesystem::path ghostsFolder();
 /// `platon` in XDG_STATE_HOME, by default in ~/.local/state: recent servers. Empty without a home folder.
 std::filesystem::path stateFolder();
 
+/// The user's folder for pictures: $XDG_PICTURES_DIR, the one that the file `user-dirs.dirs` in the folder of the
+/// configuration names, or ~/Pictures. Empty without a home folder.
+std::filesystem::path picturesFolder();
+
 /// `platon` in XDG_CACHE_HOME, by default in ~/.cache: levels of servers. Empty without a home folder.
 std::filesystem::path cacheFolder();
 

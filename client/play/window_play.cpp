@@ -17,6 +17,7 @@ namespace {
 constexpr int kWidth = 1280;
 constexpr int kHeight = 720;
 constexpr Moment kMinFrameTime = std::chrono::milliseconds(2);  // for drivers that do not wait for the vertical blank
+constexpr Moment kSaidTime = std::chrono::seconds(4);
 constexpr Moment kCalmFrameTime = std::chrono::microseconds(33'333);  // in the menu, and without the focus
 
 Window openWindow() {
@@ -82,7 +83,11 @@ bool WindowPlay::shouldContinue(Moment now) const {
   return timeLeft && !window_.closing() && !leaving_;
 }
 
-Moment WindowPlay::frameTime() const { return window_.focused() && !menu_.isOpen() ? kMinFrameTime : kCalmFrameTime; }
+Moment WindowPlay::frameTime() const {
+  if (!window_.focused() || menu_.isOpen()) return kCalmFrameTime;
+  const double cap = interface_.settings().frameCap;
+  return cap < 1 ? kMinFrameTime : std::max(kMinFrameTime, Moment(static_cast<Moment::rep>(1e6 / cap)));
+}
 
 void WindowPlay::handleEvents() {
   window_.poll();
@@ -93,6 +98,7 @@ void WindowPlay::handleEvents() {
   if (interface_.takeVote() && match_) match_->skipLevel();
   if (interface_.takeWatch()) spectator_.next();
   window_.setFullscreen(interface_.settings().fullscreen);
+  window_.setVsync(interface_.settings().vsync);
 }
 
 void WindowPlay::handle(const KeyEvent& event) {
@@ -214,8 +220,17 @@ void WindowPlay::draw(Moment now) {
   drawnAt_ = now;
   if (window_.pixelWidth() == 0 || window_.pixelHeight() == 0) return;
   match_ ? drawMatch(seconds) : drawFront(seconds);
+  savePicture(now);
   view_.present();
   window_.show();
+}
+
+void WindowPlay::savePicture(Moment now) {
+  if (interface_.takePicture()) pictures_.write(view_.read());
+  const std::optional<std::string> report = pictures_.takeReport();
+  if (!report) return;
+  said_ = *report;
+  saidUntil_ = now + kSaidTime;
 }
 
 void WindowPlay::drawMatch(double seconds) {
@@ -225,6 +240,7 @@ void WindowPlay::drawMatch(double seconds) {
   if (scene) view_.netGraph().add(meter_.sample(match_->play().client(), now));
   if (scene) spectator_.direct(*scene);
   HudStatus status = match_->play().hudStatus(now, interface_.helpShown());
+  if (drawnAt_ < saidUntil_ && status.notice.empty()) status.notice = said_;
   status.hint = hint(status.summary.has_value());
   view_.look(menu_.isOpen() ? LookInput() : interface_.look());
   view_.draw(scene ? &*scene : nullptr, status, interface_.settings(), menu_.overlay(view_.font(), true), seconds);

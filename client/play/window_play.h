@@ -6,6 +6,7 @@
 
 #include "client/demo/demo.h"
 #include "client/gl/game_view.h"
+#include "client/gl/screenshot_writer.h"
 #include "client/gl/window.h"
 #include "client/menu/menu.h"
 #include "client/menu/turntable.h"
@@ -64,6 +65,7 @@ class WindowPlay {
   void draw(Moment now);
   void playSounds(const Scene* scene, const HudStatus& status, double seconds);
   void drawMatch(double seconds);
+  void savePicture(Moment now);
   std::string hint(bool roundOver) const;
   void drawFront(double seconds);
   void takeScreenshot();
@@ -84,12 +86,15 @@ class WindowPlay {
   Spectator spectator_;
   Demo demo_;
   NetMeter meter_;
+  ScreenshotWriter pictures_{picturesFolder()};
   SoundFeed sound_;
   std::optional<ProgramError> failure_;  // of what the options name
   bool named_ = false;                   // the match is what the options name
   bool endingShown_ = false;
   bool remembered_ = false;
   bool leaving_ = false;
+  std::string said_;  // of the last picture that was saved
+  Moment saidUntil_{};
   Moment startedAt_;
   Moment drawnAt_;
 };

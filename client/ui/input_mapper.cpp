@@ -28,6 +28,8 @@ std::optional<Action> actionOf(const KeyEvent& event, bool menuOpen) {
       return Action::kToggleNetGraph;
     case Key::kF11:
       return Action::kToggleFullscreen;
+    case Key::kF12:
+      return Action::kTakePicture;
     case Key::kE:
       return menuOpen ? std::nullopt : std::optional(Action::kWatchNext);
     case Key::kV:

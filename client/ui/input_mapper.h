@@ -17,7 +17,8 @@ enum class Action : std::uint8_t {
   kToggleNetGraph,
   kToggleFullscreen,
   kToggleVote,
-  kWatchNext
+  kWatchNext,
+  kTakePicture
 };
 
 /// Decides what each key does: an action of the user interface, a control of the game, or both.

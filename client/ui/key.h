@@ -25,6 +25,7 @@ enum class Key : std::uint8_t {
   kF1,
   kF3,
   kF11,
+  kF12,
   kC,
   kE,
   kF,

@@ -11,6 +11,7 @@ constexpr double kMinTurnSpeed = 1;
 constexpr double kMaxTurnSpeed = 30;
 constexpr double kMinZoom = 0.5;
 constexpr double kMaxZoom = 2;
+constexpr double kMaxFrameCap = 1000;
 constexpr double kMaxVolume = 100;
 
 // Each `parse` stores a valid value and returns true; otherwise it changes nothing and returns false.
@@ -69,6 +70,9 @@ std::vector<Entry> entriesOf(Settings& settings) {
       flag("instant-cut", comfort.instantCut),
       flag("reduced-motion", comfort.reducedMotion),
       flag("fullscreen", settings.fullscreen),
+      flag("vsync", settings.vsync),
+      {"frame-cap", "a number from 0 to 1000",
+       [&settings](std::string_view value) { return parse(value, settings.frameCap, 0, kMaxFrameCap); }},
       flag("net-graph", settings.netGraph),
       flag("face-numbers", settings.faceNumbers),
       flag("first-keys", settings.firstKeys),
@@ -110,6 +114,8 @@ std::string Settings::text() const {
   out << "zoom " << zoom << "\n";
   out << "text-size " << uiScale << "\n";
   out << "fullscreen " << onOff(fullscreen) << "\n";
+  out << "vsync " << onOff(vsync) << "\n";
+  out << "frame-cap " << frameCap << "\n";
   out << "net-graph " << onOff(netGraph) << "\n";
   out << "face-numbers " << onOff(faceNumbers) << "\n";
   out << "first-keys " << onOff(firstKeys) << "\n";

@@ -20,6 +20,8 @@ struct Settings {
   double zoom = 1;     ///< 0.5 … 2
   double uiScale = 1;  ///< size of the menus, kMinUiScale … kMaxUiScale
   bool fullscreen = false;
+  bool vsync = true;    ///< pictures wait for the screen
+  double frameCap = 0;  ///< pictures a second at most, 0 (any number) … 1000
   bool netGraph = false;
   bool firstKeys = true;       ///< shows the first keys until they were used
   double volume = 80;          ///< of all sound, 0 … 100

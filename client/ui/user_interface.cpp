@@ -33,6 +33,9 @@ void UserInterface::perform(Action action) {
     case Action::kToggleVote:
       voteToggled_ = !voteToggled_;
       return;
+    case Action::kTakePicture:
+      pictureAsked_ = true;
+      return;
     case Action::kWatchNext:
       watchAsked_ = true;
       return;

@@ -32,6 +32,9 @@ class UserInterface {
   /// Whether the player has asked since the last call to watch another player.
   bool takeWatch() { return std::exchange(watchAsked_, false); }
 
+  /// Whether the player has asked since the last call to save the picture.
+  bool takePicture() { return std::exchange(pictureAsked_, false); }
+
   Settings& settings() { return settings_; }
   const Settings& settings() const { return settings_; }
   bool helpShown() const { return helpShown_; }
@@ -45,6 +48,7 @@ class UserInterface {
   bool menuAsked_ = false;
   bool voteToggled_ = false;
   bool watchAsked_ = false;
+  bool pictureAsked_ = false;
   bool restart_ = false;
 };
 

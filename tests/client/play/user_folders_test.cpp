@@ -1,10 +1,13 @@
 #include "client/play/user_folders.h"
 
+#include <filesystem>
 #include <optional>
 
 #include <gtest/gtest.h>
 
 #include "tests/support/environment_variable.h"
+#include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
 
 namespace platon {
 namespace {
@@ -53,6 +56,19 @@ TEST_F(UserFoldersTest, FollowTheXdgVariables) {
   EXPECT_EQ(cacheFolder(), "/cache/platon");
   EXPECT_EQ(runsFolder(), "/data/platon/runs");
   EXPECT_EQ(ghostsFolder(), "/data/platon/ghosts");
+}
+
+TEST_F(UserFoldersTest, PicturesGoWhereTheUserKeepsThem) {
+  const TemporaryFolder folder;
+  const EnvironmentVariable pictures("XDG_PICTURES_DIR", std::nullopt);
+  EXPECT_EQ(picturesFolder(), "");
+  home_.set(folder.path().string());
+  EXPECT_EQ(picturesFolder(), folder / "Pictures");
+  std::filesystem::create_directories(folder / ".config");
+  writeText(folder / ".config/user-dirs.dirs", "# folders\nXDG_PICTURES_DIR=\"$HOME/Bilder\"\n");
+  EXPECT_EQ(picturesFolder(), folder / "Bilder");
+  pictures.set("/pictures");
+  EXPECT_EQ(picturesFolder(), "/pictures");
 }
 
 }  // namespace

@@ -16,6 +16,8 @@ TEST(Settings, ParsingTheTextGivesTheSameSettings) {
   settings.controls = ControlFrame::kScreen;
   settings.zoom = 1.25;
   settings.uiScale = 1.5;
+  settings.vsync = false;
+  settings.frameCap = 144;
   settings.fullscreen = true;
   settings.netGraph = true;
   settings.firstKeys = false;

@@ -53,6 +53,15 @@ TEST(UserInterface, AsksOnceForTheMenu) {
   }
 }
 
+TEST(UserInterface, F12AsksForThePictureEverywhere) {
+  for (const bool menuOpen : {false, true}) {
+    UserInterface interface { Settings() };
+    tap(interface, Key::kF12, 1, menuOpen);
+    EXPECT_TRUE(interface.takePicture());
+    EXPECT_FALSE(interface.takePicture());
+  }
+}
+
 TEST(UserInterface, ARestartIsHeldForOneTick) {
   UserInterface interface { Settings() };
   interface.restart();
