@@ -11,7 +11,7 @@ namespace platon {
 
 /// What a menu shows at a time. At least one item can have the focus.
 struct MenuPage {
-  /// kMiddle: on a panel in the middle of the picture. kLeft: at the left, without a panel, beside something to see.
+  /// kMiddle: on a panel in the middle of the picture. kLeft: at the left, beside something to see.
   enum class Place : std::uint8_t { kMiddle, kLeft };
 
   std::string title;

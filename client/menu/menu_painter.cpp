@@ -9,6 +9,7 @@ using namespace overlay_colours;
 
 constexpr glm::vec4 kDim{0.02F, 0.02F, 0.05F, 0.55F};
 constexpr glm::vec4 kSheet{0.07F, 0.08F, 0.13F, 0.94F};
+constexpr glm::vec4 kThinSheet{0.04F, 0.05F, 0.09F, 0.66F};  // beside something to see
 constexpr glm::vec4 kRowColour{0.10F, 0.12F, 0.20F, 0.55F};
 constexpr glm::vec4 kTrack{0.30F, 0.34F, 0.46F, 0.9F};
 constexpr glm::vec4 kField{0.02F, 0.03F, 0.06F, 0.95F};
@@ -38,7 +39,7 @@ class Painter {
   void paintSheet(const MenuLayout& layout, float width) {
     if (look_->aside) return;
     if (look_->dimsPicture) box({{0, 0}, glm::vec2(width, Overlay::kHeight) / look_->scale}, 0, kDim);
-    if (page_->place == MenuPage::Place::kMiddle) box(layout.panel, 18, kSheet);
+    if (!page_->large) box(layout.panel, 18, page_->place == MenuPage::Place::kMiddle ? kSheet : kThinSheet);
     if (!layout.scrollTrack.empty()) {
       box(layout.scrollTrack, 3, kRowColour);
       box(layout.scrollThumb, 3, kSoft);
