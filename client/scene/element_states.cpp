@@ -22,14 +22,16 @@ Pose poseOf(const Game& game, std::optional<std::uint32_t> local, const SolidMes
 
 }  // namespace
 
-int edgeTowards(const SolidMesh& mesh, const Pose& pose, int face) {
+glm::dvec2 carriedUp(const SolidMesh& mesh, const Pose& pose, int face) {
   const glm::dvec3 normal = mesh.normal(face);
-  if (glm::dot(pose.normal, normal) < -0.999) return 0;  // the opposite face, which is never seen
+  if (glm::dot(pose.normal, normal) < -0.999) return {0, 1};
   const glm::dvec4 carried(rotatedBetween(pose.up, pose.normal, normal), 0);
-  const glm::dvec2 up(glm::inverse(mesh.faceToWorld(face)) * carried);
+  return glm::normalize(glm::dvec2(glm::inverse(mesh.faceToWorld(face)) * carried));
+}
+
+int edgeTowards(glm::dvec2 up, int edges) {
   const double turns = std::atan2(-up.x, up.y) / (2 * std::numbers::pi);
   const Angle angle(static_cast<std::int32_t>(std::lround(turns * Angle::kTurn)));
-  const int edges = mesh.solid().edgesPerFace();
   Element element;
   element.kind = ElementKind::kUp;
   while (element.number < edges - 1 && !pointsTo(angle, element, edges)) ++element.number;
@@ -41,12 +43,12 @@ ElementStates elementStatesOf(const Game& game, std::optional<std::uint32_t> loc
   if (elements.empty()) return {};
   ElementStates states;
   const Pose pose = poseOf(game, local, mesh);
-  for (int face = 0; face < mesh.faces(); ++face) states.upEdges.push_back(edgeTowards(mesh, pose, face));
+  for (int face = 0; face < mesh.faces(); ++face) states.ups.emplace_back(carriedUp(mesh, pose, face));
   const std::size_t checkpoint = local && *local < game.slots() ? game.player(*local).checkpoint : 0;
   const auto isActive = [&](const Element& element, std::size_t number) {
     switch (element.kind) {
       case ElementKind::kUp:
-        return states.upEdges[element.face] == element.number;
+        return edgeTowards(states.ups[element.face], mesh.solid().edgesPerFace()) == element.number;
       case ElementKind::kCheckpoint:
         return checkpoint == number;
       case ElementKind::kKey:

@@ -4,6 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include <glm/vec2.hpp>
+
 #include "client/scene/pose.h"
 #include "client/scene/solid_mesh.h"
 #include "platon/game/game.h"
@@ -15,12 +17,15 @@ struct ElementStates {
   /// By Level::elements, 1: the `up` blocks the local player; the local player returns to the checkpoint; the key can
   /// be taken; the door is closed; the doors of the plate are open. Always 1 for other kinds.
   std::vector<std::uint8_t> active;
-  std::vector<int> upEdges;  ///< by face: the edge to which the local player's up points
+  std::vector<glm::vec2> ups;  ///< by face: the local player's up, carried there; unit, in the frame of the face
 };
 
-/// The edge of `face` to which the up of `pose` points when it is carried there, as pointsTo decides it for `up`
-/// elements. On a face that is no neighbour, the up is carried by the smallest rotation.
-int edgeTowards(const SolidMesh& mesh, const Pose& pose, int face);
+/// The up of `pose` when it is carried to `face`, in the frame of that face: over the common edge, and to a face that
+/// is no neighbour by the smallest rotation. On the opposite face, which is never seen: +y.
+glm::dvec2 carriedUp(const SolidMesh& mesh, const Pose& pose, int face);
+
+/// The edge to which an up on a face with so many edges points, as pointsTo decides it for `up` elements.
+int edgeTowards(glm::dvec2 up, int edges);
 
 /// The states that `local`, the slot of a player of `game`, sees. Without a player there, those at the start.
 ElementStates elementStatesOf(const Game& game, std::optional<std::uint32_t> local, const SolidMesh& mesh);

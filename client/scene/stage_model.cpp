@@ -33,7 +33,8 @@ glm::vec2 mapped(const glm::dmat4& map, glm::vec2 vector, double w) {
 Ribbon mapped(const glm::dmat4& map, const Ribbon& ends) { return {mapped(map, ends.a, 1), mapped(map, ends.b, 1)}; }
 
 ElementDrawing drawingOf(const StageModel& stage, const Element& element, std::size_t index) {
-  ElementDrawing drawing{{toUnits(element.ends.a), toUnits(element.ends.b)}, element.kind, element.number, {0, 1}, {}};
+  ElementDrawing drawing{
+      {toUnits(element.ends.a), toUnits(element.ends.b)}, element.kind, element.number, {0, 1}, {}, true};
   if (element.kind == ElementKind::kUp) drawing.towards = stage.mesh.edgeNormals()[element.number];
   drawing.element = static_cast<std::uint32_t>(index);
   return drawing;
@@ -58,6 +59,7 @@ void addElements(StageModel& stage, const Level& level) {
       ElementDrawing there = drawing;
       there.ends = mapped(toFace, drawing.ends);
       there.towards = mapped(toFace, drawing.towards, 0);
+      there.own = on == static_cast<std::size_t>(face);
       stage.faces[on].elements.push_back(there);
     });
   }

@@ -29,6 +29,7 @@ struct ElementDrawing {
   int number = 0;             ///< of a key, a door or a plate
   glm::vec2 towards{0, 1};    ///< of kUp: unit, to the edge to which the up of a blocked player points
   std::uint32_t element = 0;  ///< index into Level::elements
+  bool own = true;            ///< of the face in whose list it is; else a neighbour's that reaches over the edge
 };
 
 /// A face with its segments and label.

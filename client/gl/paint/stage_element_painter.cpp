@@ -24,11 +24,6 @@ constexpr glm::vec4 kLock(1.0F, 0.83F, 0.42F, 1);
 constexpr glm::vec4 kPlate(0.87F, 0.75F, 1.0F, 1);
 constexpr float kOpenAlpha = 0.45F;
 
-glm::vec2 upOf(const Scene& scene, int face) {
-  const int edge = scene.elements.upEdges[static_cast<std::size_t>(face)];
-  return scene.stage->mesh.edgeNormals()[static_cast<std::size_t>(edge)];
-}
-
 // The middle of the number of an element, relative to the middle of its segment.
 glm::vec2 offsetOf(const ElementDrawing& drawing, glm::vec2 up) {
   if (drawing.kind == ElementKind::kKey) return kKeyNumber * kWidth * glm::vec2(up.y, -up.x);
@@ -64,7 +59,7 @@ void StageElementPainter::draw(const Scene& scene, const FaceView& view, bool ra
   if (stage_.lock() != scene.stage || active_ != scene.elements.active) load(scene);
   const Part& part = parts_[static_cast<std::size_t>(view.face)];
   if (part.count == 0) return;
-  const glm::vec2 up = upOf(scene, view.face);
+  const glm::vec2 up = scene.elements.ups[static_cast<std::size_t>(view.face)];
   useOnFace(program_, *scene.stage, view);
   program_.set("light", view.light);
   program_.set("width", kWidth);
@@ -102,7 +97,7 @@ void StageElementPainter::addNumbers(const Scene& scene, const FaceView& view, b
   for (const ElementDrawing& drawing : scene.stage->faces[static_cast<std::size_t>(view.face)].elements) {
     const bool active = active_[drawing.element] != 0;
     const bool high = active && drawing.kind != ElementKind::kPlate;
-    if (!showsNumber(drawing, active) || high != raised) continue;
+    if (!drawing.own || !showsNumber(drawing, active) || high != raised) continue;
     const std::string number = std::to_string(drawing.number);
     const glm::vec2 middle = (drawing.ends.a + drawing.ends.b) / 2.0F + offsetOf(drawing, up);
     const float size = kWidth * kNumberSize * (number.size() > 1 ? kTwoDigits : 1);

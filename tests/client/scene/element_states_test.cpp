@@ -64,11 +64,25 @@ TEST(ElementStates, TheUpPointsToTheEdgeWhoseElementsBlock) {
       const Pose pose = mesh.pose(0, {0, 0}, toRadians(up));
       for (const Element& element : level->elements) {
         if (!near[element.face]) continue;
-        const bool towards = edgeTowards(mesh, pose, static_cast<int>(element.face)) == element.number;
+        const glm::dvec2 carried = carriedUp(mesh, pose, static_cast<int>(element.face));
+        const bool towards = edgeTowards(carried, mesh.solid().edgesPerFace()) == element.number;
         EXPECT_EQ(towards, !passes(*level, up, element, turns[element.face]))
             << nameOf(kind) << " " << degrees << " face " << element.face << " edge " << int{element.number};
       }
     }
+  }
+}
+
+// On a triangle, an up may point to a corner. What stands upright for the player follows it, not the next edge.
+TEST(ElementStates, AnUpThatPointsToACornerIsCarriedAsItIs) {
+  const SolidMesh mesh(SolidKind::kIcosahedron, 480);
+  const Pose pose = mesh.pose(0, {0, 0}, 0);
+  EXPECT_LT(glm::distance(carriedUp(mesh, pose, 0), {0, 1}), 1e-9);
+  for (int edge = 0; edge < 3; ++edge) {
+    const PlatonicSolid::Neighbour& next = mesh.solid().neighbour(0, edge);
+    const double turn = toRadians(next.turn);
+    const glm::dvec2 expected(-std::sin(turn), std::cos(turn));
+    EXPECT_LT(glm::distance(carriedUp(mesh, pose, static_cast<int>(next.face)), expected), 1e-6) << edge;
   }
 }
 
@@ -94,14 +108,14 @@ TEST(ElementStates, AreEmptyWithoutElements) {
   Game game = gameOn("");
   run(game, 5, 0);
   EXPECT_TRUE(statesOf(game).active.empty());
-  EXPECT_TRUE(statesOf(game).upEdges.empty());
+  EXPECT_TRUE(statesOf(game).ups.empty());
 }
 
 TEST(ElementStates, WithoutAPlayerThoseOfTheStart) {
   const Game game = gameOn("0 0 50 0 up 2\n0 50 50 50 up 1\n0 -50 50 -50 checkpoint\n100 0 150 0 key 4\n");
   EXPECT_EQ(statesOf(game).active, (States{1, 0, 0, 1}));
   EXPECT_EQ(statesOf(game, std::nullopt).active, (States{1, 0, 0, 1}));
-  EXPECT_EQ(statesOf(game).upEdges[0], 2) << "the upper edge";
+  EXPECT_LT(glm::distance(statesOf(game).ups[0], {0, 1}), 1e-6F);
 }
 
 TEST(ElementStates, OnewaySegmentsAndHazardsNeverChange) {

@@ -134,9 +134,16 @@ TEST_F(ElementPictureTest, AnElementAlongAnEdgeIsDrawnOnBothFaces) {
 TEST_F(ElementPictureTest, FlagsAndNumbersStandUprightForThePlayer) {
   const Scene scene = sceneWith("-120 0 120 0 checkpoint\n");
   Scene turned = scene;
-  ASSERT_EQ(turned.elements.upEdges[0], 2);
-  turned.elements.upEdges[0] = 0;
+  turned.elements.ups[0] = {1, 0};
   EXPECT_GT(differingPixels(draw(scene), draw(turned)), 50);
+}
+
+// The number of a door on an edge stood a second time in the air before the neighbouring face.
+TEST_F(ElementPictureTest, ANumberIsDrawnOnceAlsoOnAnEdge) {
+  Scene scene = sceneWith("-100 -240 100 -240 door 5\n");
+  const int below = scene.stage->mesh.solid().neighbour(0, 0).face;
+  EXPECT_TRUE(scene.stage->faces[0].elements.front().own);
+  EXPECT_FALSE(scene.stage->faces[static_cast<std::size_t>(below)].elements.front().own);
 }
 
 TEST_F(ElementPictureTest, AnotherStageReplacesTheFirst) {
