@@ -5,17 +5,18 @@
 
 #include <glm/geometric.hpp>
 
+#include "client/scene/camera_target.h"
 #include "client/ui/overlay.h"
 
 namespace platon {
 namespace {
 
-constexpr double kWholeSolid = 3.0;   // distance in circumradii at which the solid fills the picture
-constexpr double kAside = 0.42;       // radians by which the first picture is turned, so that more faces are seen
-constexpr double kFarthest = 6.0;     // in circumradii
-constexpr double kNearest = 100;      // level units above the face
-constexpr double kNotch = 1.15;       // factor of the distance from the face
-constexpr double kViewHeight = 0.73;  // of the camera's field of view, at distance 1
+constexpr double kWholeSolid = 1.1 / CameraTarget::kTangent;  // circumradii: distance at which the solid fits
+constexpr double kAside = 0.42;  // radians by which the first picture is turned, so that more faces are seen
+constexpr double kFarthest = 2 * kWholeSolid;
+constexpr double kNearest = 100;                            // level units above the face
+constexpr double kNotch = 1.15;                             // factor of the distance from the face
+constexpr double kViewHeight = 2 * CameraTarget::kTangent;  // of the field of view, at distance 1
 
 }  // namespace
 

@@ -13,7 +13,7 @@ constexpr double kMinView = 460;  // shorter side of the picture at the player, 
 constexpr double kMaxView = 760;
 constexpr double kViewOfFace = 1.3;  // the same in incircle diameters of a face, between the two bounds
 constexpr double kZoneOfFace = 0.5;  // largest edge zone in apothems
-constexpr double kPartOfRay = 0.12;  // more shows more of the neighbours, and tilts the floors more
+constexpr double kPartOfRay = 0.35;  // more shows more of the neighbours, and tilts the floors more
 
 double depthBelow(const SolidMesh& mesh, int face, glm::dvec3 place) {
   return mesh.inradius() - glm::dot(mesh.normal(face), place);

@@ -10,8 +10,8 @@ namespace platon {
 
 /// How the camera would look at a player that stands still.
 struct CameraTarget {
-  static constexpr double kEdgeZone = 60;    ///< level units from an edge within which the view turns to the next face
-  static constexpr double kTangent = 0.365;  ///< of half the smaller field of view, which is 40 degrees
+  static constexpr double kEdgeZone = 60;  ///< level units from an edge within which the view turns to the next face
+  static constexpr double kTangent = 0.2;  ///< of half the smaller field of view, which is 23 degrees
 
   glm::dquat orientation{1, 0, 0, 0};  ///< of the axes right, up, back
   double distance = 1000;              ///< from the player to the eye along back, level units
@@ -30,8 +30,8 @@ glm::dquat levelOrientation(glm::dvec3 back, glm::dvec3 right);
 glm::dvec3 roundedNormal(const SolidMesh& mesh, glm::dvec3 place);
 
 /// The line of sight is nearly the rounded normal, with a little of the ray from the solid's centre, so that the
-/// neighbouring faces are seen. The player's right is level on the screen, except near a corner. `zoom` is a
-/// magnification, more than 0.
+/// neighbouring faces are seen. The player's right is level on the screen, except near a
+/// corner. `zoom` is a magnification, more than 0.
 CameraTarget cameraTarget(const Pose& player, const SolidMesh& mesh, double zoom);
 
 }  // namespace platon

@@ -59,7 +59,7 @@ TEST(EditorCameraTest, TheDistanceIsBounded) {
   view.zoom(mesh, 1000);
   EXPECT_GT(glm::length(view.camera(mesh, 10, 10).eye()), mesh.inradius() + 50);
   view.zoom(mesh, -1000);
-  EXPECT_LT(glm::length(view.camera(mesh, 10, 10).eye()), 10 * mesh.circumradius());
+  EXPECT_LT(glm::length(view.camera(mesh, 10, 10).eye()), 12 * mesh.circumradius());
 }
 
 }  // namespace

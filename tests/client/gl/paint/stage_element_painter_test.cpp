@@ -12,6 +12,7 @@
 #include "client/gl/gl_loader.h"
 #include "client/gl/offscreen.h"
 #include "client/gl/renderer.h"
+#include "client/scene/camera_target.h"
 #include "platon/game/game.h"
 #include "tests/client/gl/test_stage.h"
 #include "tests/support/files.h"
@@ -183,7 +184,8 @@ Image readPng(const std::string& file) {
   return image;
 }
 
-constexpr double kHeightAbove = 624 / 1.6 / 2 / 0.365;  // of the eye above the face, along the ray from the centre
+constexpr double kHeightAbove =
+    624 / 1.6 / 2 / CameraTarget::kTangent;  // of the eye above the face, along the ray from the centre
 
 // Every element, at the edge of two faces; below, the same in the other state.
 TEST_F(ElementPictureTest, EveryElementLooksAsBefore) {
