@@ -61,6 +61,7 @@ MenuPage settingsPage(Settings& settings) {
                 heading("Game"),
                 toggleItem("Own time", settings.timer),
                 toggleItem("Ghosts", settings.ghosts),
+                toggleItem("Talk of players", settings.chat),
                 toggleItem("Connection graph", settings.netGraph),
                 toggleItem("Show the first keys", settings.firstKeys)};
   return page;

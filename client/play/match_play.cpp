@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <span>
 #include <utility>
 
 #include "client/play/level_cache.h"
@@ -90,6 +91,7 @@ void MatchPlay::update(Moment now, const Controls& controls) {
   reportOutage();
   reportRuns();
   takeNotice(now);
+  takeChats(now);
   saveToken();
   rememberServer();
 }
@@ -122,6 +124,16 @@ void MatchPlay::reportRuns() {
 void MatchPlay::show(const Settings& settings) {
   timerShown_ = settings.timer;
   ghostsShown_ = settings.ghosts;
+  chatShown_ = settings.chat;
+}
+
+void MatchPlay::takeChats(Moment now) {
+  for (const PlayerChat& said : client_.takeChats()) {
+    const std::span<const std::string> names = client_.session()->names();
+    const bool known = said.slot < names.size() && !names[said.slot].empty();
+    const std::string name = known ? names[said.slot] : "Player " + std::to_string(said.slot + 1);
+    chat_.add(name, said.chat.text, said.chat.emote, toSeconds(now));
+  }
 }
 
 void MatchPlay::takeNotice(Moment now) {
@@ -167,6 +179,7 @@ HudStatus MatchPlay::hudStatus(Moment now, bool help) const {
   status.timer = timerShown_;
   if (session == nullptr || client_.outage()) return status;
   status.run = runs_->status();
+  if (chatShown_) status.chat = chat_.lines(toSeconds(now));
   status.summary = summaryOf(*session);
   if (!status.summary) status.vote = voteOf(*session);
   return status;

@@ -15,6 +15,7 @@
 #include "client/scene/scene.h"
 #include "client/session/network_client.h"
 #include "client/time/clock.h"
+#include "client/ui/chat_feed.h"
 #include "client/ui/hud.h"
 #include "client/ui/settings.h"
 #include "protocol/moment.h"
@@ -42,7 +43,9 @@ class MatchPlay {
   HudStatus hudStatus(Moment now, bool help) const;
   /// Wishes the next level, or takes this wish back.
   void toggleVote() { client_.toggleVote(); }
-  /// Shows timer and ghosts as these settings say.
+  /// Says something to all players. Returns false if this client has said too much, or is in no match.
+  bool say(const Chat& chat, Moment now) { return client_.say(chat, now); }
+  /// Shows timer, ghosts and what players say as these settings tell.
   void show(const Settings& settings);
   /// Whether the local player wishes the next level.
   bool wishesNext() const { return client_.session() != nullptr && client_.session()->wishesNext(); }
@@ -56,6 +59,7 @@ class MatchPlay {
   void reportOutage();
   void reportRuns();
   void takeNotice(Moment now);
+  void takeChats(Moment now);
   std::vector<GhostSource> ghosts() const;
   void saveToken();
   void rememberServer();
@@ -70,6 +74,8 @@ class MatchPlay {
   SceneFeed sceneFeed_;
   bool timerShown_ = true;
   bool ghostsShown_ = true;
+  bool chatShown_ = true;
+  ChatFeed chat_;
   DesyncFolder desyncFolder_;
   std::optional<Scene> lastScene_;
   std::optional<std::string> reportedOutage_;

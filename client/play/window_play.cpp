@@ -8,6 +8,7 @@
 #include "client/gl/image.h"
 #include "client/menu/failure_page.h"
 #include "client/menu/pause_page.h"
+#include "client/menu/say_page.h"
 #include "client/menu/settings_page.h"
 
 namespace platon {
@@ -97,6 +98,8 @@ void WindowPlay::handleEvents() {
   for (const PointerEvent& event : window_.takePointerEvents()) menu_.handle(event, view_.font());
   if (interface_.takeVote() && match_) match_->skipLevel();
   if (interface_.takeWatch()) spectator_.next();
+  // After all events: the character of the key is not part of the text.
+  if (interface_.takeSay() && match_) menu_.open([this] { return sayPage(); });
   window_.setFullscreen(interface_.settings().fullscreen);
   window_.setVsync(interface_.settings().vsync);
 }
@@ -131,6 +134,25 @@ MenuPage WindowPlay::pausePage() {
   choices.onSettings = [this] { menu_.push([this] { return settingsPage(interface_.settings()); }); };
   choices.onLeave = [this] { leaveToTitle(); };
   return platon::pausePage(choices);
+}
+
+MenuPage WindowPlay::sayPage() {
+  SayChoices choices;
+  choices.say = [this] { say({text_.text(), 0}); };
+  choices.emote = [this](std::uint32_t emote) { say({"", emote}); };
+  choices.leave = [this] { menu_.close(); };
+  return platon::sayPage(text_, choices);
+}
+
+// A text that cannot be said stays in the field.
+void WindowPlay::say(const Chat& chat) {
+  menu_.close();
+  if (!isChat(chat)) return;
+  const bool sent = match_->play().say(chat, match_->now());
+  if (sent && chat.emote == 0) text_.setText("");
+  if (sent) return;
+  said_ = "too much at once: wait a moment";
+  saidUntil_ = drawnAt_ + kSaidTime;
 }
 
 Input WindowPlay::choose(const Game& game, std::uint32_t slot) {

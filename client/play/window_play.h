@@ -9,6 +9,7 @@
 #include "client/gl/screenshot_writer.h"
 #include "client/gl/window.h"
 #include "client/menu/menu.h"
+#include "client/menu/text_field.h"
 #include "client/menu/turntable.h"
 #include "client/netcode/player_snapshot.h"
 #include "client/play/client_options.h"
@@ -50,6 +51,8 @@ class WindowPlay {
   void handleEvents();
   void handle(const KeyEvent& event);
   MenuPage pausePage();
+  MenuPage sayPage();
+  void say(const Chat& chat);
   Input choose(const Game& game, std::uint32_t slot);
   void learn(const HeldKeys& held, const PlayerSnapshot& player);
 
@@ -93,7 +96,8 @@ class WindowPlay {
   bool endingShown_ = false;
   bool remembered_ = false;
   bool leaving_ = false;
-  std::string said_;  // of the last picture that was saved
+  TextField text_{kMaxChatBytes};  // what the player is about to say
+  std::string said_;               // about the last picture that was saved, or what could not be said
   Moment saidUntil_{};
   Moment startedAt_;
   Moment drawnAt_;

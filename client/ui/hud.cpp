@@ -25,7 +25,7 @@ constexpr float kTextSize = 18;     // of messages and notices
 constexpr float kWidestText = 640;  // of messages and notices
 
 // Key, button of a gamepad, meaning.
-constexpr std::array<std::array<const char*, 3>, 12> kHelp{{{"← →  or  A D", "stick: 3 speeds", "run"},
+constexpr std::array<std::array<const char*, 3>, 13> kHelp{{{"← →  or  A D", "stick: 3 speeds", "run"},
                                                             {"Shift", "stick, a little", "run slower"},
                                                             {"Space, ↑ or W", "A", "jump; hold to jump higher"},
                                                             {"↓ or S", "stick, D-pad down", "fall faster"},
@@ -33,6 +33,7 @@ constexpr std::array<std::array<const char*, 3>, 12> kHelp{{{"← →  or  A D",
                                                             {"R", "Back", "back to the start"},
                                                             {"V", "", "next level: at once, or a vote"},
                                                             {"E", "", "after the goal: watch others"},
+                                                            {"T", "", "talk to all players"},
                                                             {"F1", "", "help"},
                                                             {"F3", "", "connection graph"},
                                                             {"F11", "", "full screen"},
@@ -136,6 +137,28 @@ std::string hintOf(const Scene& scene, const HudStatus& status) {
   return "This level needs " + std::to_string(scene.neededPlayers) + " players. V: next level";
 }
 
+// At the left, in the middle of the height; the newest at the bottom.
+void addChat(OverlayWriter& writer, const std::vector<std::string>& chat, const Font& font) {
+  constexpr float kSize = 16;
+  constexpr float kHeight = 24;
+  constexpr float kWidth = 360;
+  std::vector<std::string> lines;
+  for (const std::string& said : chat) {
+    for (std::string& line : wrapText(said, font, kWidth / kSize)) lines.push_back(std::move(line));
+  }
+  if (lines.empty()) return;
+  float widest = 0;
+  for (const std::string& line : lines) widest = std::max(widest, writer.width(line, kSize));
+  const float top = Overlay::kHeight * 0.55F - kHeight * static_cast<float>(lines.size());
+  const glm::vec2 size(widest + 28, kHeight * static_cast<float>(lines.size()) + 14);
+  writer.panel({kMargin, top}, glm::vec2(kMargin, top) + size, 12, kPanel);
+  glm::vec2 place(kMargin + 14, top + 24);
+  for (const std::string& line : lines) {
+    writer.left(line, place, kSize, kBright);
+    place.y += kHeight;
+  }
+}
+
 // At the lower edge the message, above it the notice, and above that the hint.
 void addTexts(OverlayWriter& writer, const HudStatus& status, const std::string& hint, const Font& font, float width) {
   glm::vec2 middle(width / 2, Overlay::kHeight - 40);
@@ -187,6 +210,7 @@ Overlay makeHud(const Scene& scene, const Camera& camera, const HudStatus& statu
   if (status.summary) addResults(writer, scene, *status.summary, font, width);
   if (status.vote) addVote(writer, *status.vote, width);
   if (status.help) addHelp(writer);
+  addChat(writer, status.chat, font);
   addTexts(writer, status, hintOf(scene, status), font, width);
   return writer.take();
 }

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "client/scene/camera.h"
 #include "client/scene/scene.h"
@@ -30,6 +31,7 @@ struct HudStatus {
   std::optional<RoundSummary> summary{};  ///< nothing: the round has not ended
   RunStatus run{};                        ///< how the attempt compares with the best run
   bool timer = true;                      ///< show the own time and `run`
+  std::vector<std::string> chat{};        ///< what players have said lately, oldest first
   std::string hint{};                     ///< what the player may do next; empty: nothing
 };
 

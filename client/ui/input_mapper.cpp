@@ -32,6 +32,8 @@ std::optional<Action> actionOf(const KeyEvent& event, bool menuOpen) {
       return Action::kTakePicture;
     case Key::kE:
       return menuOpen ? std::nullopt : std::optional(Action::kWatchNext);
+    case Key::kT:
+      return menuOpen ? std::nullopt : std::optional(Action::kSay);
     case Key::kV:
       return menuOpen ? std::nullopt : std::optional(Action::kToggleVote);
     case Key::kEnter:

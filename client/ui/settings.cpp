@@ -75,6 +75,7 @@ std::vector<Entry> entriesOf(Settings& settings) {
        [&settings](std::string_view value) { return parse(value, settings.frameCap, 0, kMaxFrameCap); }},
       flag("net-graph", settings.netGraph),
       flag("face-numbers", settings.faceNumbers),
+      flag("chat", settings.chat),
       flag("first-keys", settings.firstKeys),
       volume("volume", settings.volume),
       volume("volume-effects", settings.effectsVolume),
@@ -118,6 +119,7 @@ std::string Settings::text() const {
   out << "frame-cap " << frameCap << "\n";
   out << "net-graph " << onOff(netGraph) << "\n";
   out << "face-numbers " << onOff(faceNumbers) << "\n";
+  out << "chat " << onOff(chat) << "\n";
   out << "first-keys " << onOff(firstKeys) << "\n";
   out << "volume " << volume << "\n";
   out << "volume-effects " << effectsVolume << "\n";

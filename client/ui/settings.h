@@ -23,6 +23,7 @@ struct Settings {
   bool vsync = true;    ///< pictures wait for the screen
   double frameCap = 0;  ///< pictures a second at most, 0 (any number) … 1000
   bool netGraph = false;
+  bool chat = true;            ///< shows what players say
   bool firstKeys = true;       ///< shows the first keys until they were used
   double volume = 80;          ///< of all sound, 0 … 100
   double effectsVolume = 100;  ///< of the sounds of events, 0 … 100

@@ -36,6 +36,9 @@ void UserInterface::perform(Action action) {
     case Action::kTakePicture:
       pictureAsked_ = true;
       return;
+    case Action::kSay:
+      sayAsked_ = true;
+      return;
     case Action::kWatchNext:
       watchAsked_ = true;
       return;

@@ -32,6 +32,9 @@ class UserInterface {
   /// Whether the player has asked since the last call to watch another player.
   bool takeWatch() { return std::exchange(watchAsked_, false); }
 
+  /// Whether the player has asked since the last call to say something.
+  bool takeSay() { return std::exchange(sayAsked_, false); }
+
   /// Whether the player has asked since the last call to save the picture.
   bool takePicture() { return std::exchange(pictureAsked_, false); }
 
@@ -49,6 +52,7 @@ class UserInterface {
   bool voteToggled_ = false;
   bool watchAsked_ = false;
   bool pictureAsked_ = false;
+  bool sayAsked_ = false;
   bool restart_ = false;
 };
 

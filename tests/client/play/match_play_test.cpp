@@ -111,6 +111,21 @@ TEST_F(MatchPlayTest, ATextOfTheConsoleIsInThePictureForEightSeconds) {
   EXPECT_FALSE(isInPicture("Restart at noon"));
 }
 
+TEST_F(MatchPlayTest, WhatAPlayerSaysIsInThePictureUnlessTheSettingsHideIt) {
+  connect(LinkQuality());
+  ASSERT_TRUE(updateUntil(seconds(10), [&] { return play_->scene(server_.clock().now()).has_value(); }));
+  EXPECT_TRUE(play_->say({"wait for me", 0}, server_.clock().now()));
+  const auto isShown = [&] {
+    const std::vector<std::string> chat = play_->hudStatus(server_.clock().now(), false).chat;
+    return !chat.empty() && chat.back().ends_with(": wait for me");
+  };
+  EXPECT_TRUE(updateUntil(seconds(2), isShown));
+  Settings settings;
+  settings.chat = false;
+  play_->show(settings);
+  EXPECT_FALSE(isShown());
+}
+
 TEST_F(MatchPlayTest, AVoteEndsTheRoundAndThePictureCountsDown) {
   connect(LinkQuality());
   const auto voter = [](ClientId client) {

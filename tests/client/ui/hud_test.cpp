@@ -52,6 +52,16 @@ long count(const Overlay& overlay, const std::string& content) {
                        [&](const Overlay::Text& text) { return text.content == content; });
 }
 
+TEST(Hud, WhatPlayersSayIsOneBelowTheOtherAndInsideThePicture) {
+  const std::string longest(120, 'W');
+  const Overlay hud = hudOf(sceneOf(1), {.chat = {"Ann: wait", "Ben: " + longest}});
+  ASSERT_NE(find(hud, "Ann: wait"), nullptr);
+  for (const Overlay::Text& text : hud.texts) {
+    EXPECT_GE(text.place.x, 0);
+    EXPECT_LE(text.place.x + font().width(text.content) * text.size, 1280);
+  }
+}
+
 TEST(Hud, ClockShowsMinutesAndThenTenths) {
   EXPECT_EQ(clockText(300), "5:00");
   EXPECT_EQ(clockText(299.01), "5:00");

@@ -187,6 +187,11 @@ TEST(InputMapper, EWatchesAnotherPlayerInTheGameOnly) {
   EXPECT_EQ(InputMapper().handle({Key::kE}, true), std::nullopt);
 }
 
+TEST(InputMapper, TTalksInTheGameOnly) {
+  EXPECT_EQ(InputMapper().handle({Key::kT}, false), Action::kSay);
+  EXPECT_EQ(InputMapper().handle({Key::kT}, true), std::nullopt);
+}
+
 TEST(InputMapper, EscapeAndStartOpenTheMenu) {
   for (const Key key : {Key::kEscape, Key::kPadStart}) {
     EXPECT_EQ(InputMapper().handle({key}, false), Action::kOpenMenu);

@@ -20,6 +20,7 @@ TEST(Settings, ParsingTheTextGivesTheSameSettings) {
   settings.frameCap = 144;
   settings.fullscreen = true;
   settings.netGraph = true;
+  settings.chat = false;
   settings.firstKeys = false;
   settings.volume = 0;
   settings.effectsVolume = 37.5;

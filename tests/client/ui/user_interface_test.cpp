@@ -94,6 +94,15 @@ TEST(UserInterface, TheVoteChangesWithEachPressWhileTheMenuIsClosed) {
   EXPECT_FALSE(interface.takeVote());
 }
 
+TEST(UserInterface, ThePlayerTalksWhileTheMenuIsClosed) {
+  UserInterface interface { Settings() };
+  tap(interface, Key::kT);
+  EXPECT_TRUE(interface.takeSay());
+  EXPECT_FALSE(interface.takeSay());
+  tap(interface, Key::kT, 1, true);
+  EXPECT_FALSE(interface.takeSay());
+}
+
 TEST(UserInterface, StartsWithTheGivenSettings) {
   Settings settings;
   settings.zoom = 2;

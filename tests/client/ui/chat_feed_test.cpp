@@ -1,0 +1,39 @@
+#include "client/ui/chat_feed.h"
+
+#include <gtest/gtest.h>
+
+namespace platon {
+namespace {
+
+using Lines = std::vector<std::string>;
+
+TEST(ChatFeed, TextsAndEmotesFollowTheName) {
+  ChatFeed feed;
+  feed.add("Ann", "wait!", 0, 1);
+  feed.add("Ben", "", 1, 2);
+  EXPECT_EQ(feed.lines(3), (Lines{"Ann: wait!", "Ben waves"}));
+}
+
+TEST(ChatFeed, ALineIsShownForEightSeconds) {
+  ChatFeed feed;
+  feed.add("Ann", "a", 0, 1);
+  feed.add("Ann", "b", 0, 5);
+  EXPECT_EQ(feed.lines(8.9), (Lines{"Ann: a", "Ann: b"}));
+  EXPECT_EQ(feed.lines(9), (Lines{"Ann: b"}));
+  EXPECT_EQ(feed.lines(13), Lines{});
+}
+
+TEST(ChatFeed, OnlyTheNewestLinesAreShown) {
+  ChatFeed feed;
+  for (int i = 0; i < 9; ++i) feed.add("Ann", std::to_string(i), 0, 0);
+  EXPECT_EQ(feed.lines(1), (Lines{"Ann: 4", "Ann: 5", "Ann: 6", "Ann: 7", "Ann: 8"}));
+}
+
+TEST(ChatFeed, AnUnknownEmoteIsLeftOut) {
+  ChatFeed feed;
+  feed.add("Ann", "", 5, 0);
+  EXPECT_TRUE(feed.lines(0).empty());
+}
+
+}  // namespace
+}  // namespace platon
