@@ -43,7 +43,8 @@ TEST_F(MenuPainter, ShowsEveryText) {
 TEST_F(MenuPainter, TheFocusHasAFormOfItsOwn) {
   for (std::size_t focus = 1; focus < page_.items.size(); ++focus) {
     const Overlay with = paint({focus});
-    EXPECT_GT(with.panels.size(), paint({99}).panels.size()) << focus;
+    const Overlay without = paint({0});  // on the heading, which looks the same with the focus
+    EXPECT_GT(with.panels.size(), without.panels.size()) << focus;
   }
 }
 
