@@ -57,13 +57,14 @@ void RecordingReader::readHead() {
   if (readHash(bytes_.subspan(head.size())) != hashOf(head)) {
     return setDamaged(0, "the checksum of the head is wrong");
   }
+  rules_ = rules;
+  levelText_ = head.subspan(kFixed);
   if (rules != kRulesVersion) {
     return setDamaged(kRecordingMagic.size(), "recorded with version " + std::to_string(rules) +
                                                   " of the rules, but this program has version " +
                                                   std::to_string(kRulesVersion));
   }
-  const auto text = head.subspan(kFixed);
-  LevelResult result = loadLevel(std::string(text.begin(), text.end()));
+  LevelResult result = loadLevel(std::string(levelText_.begin(), levelText_.end()));
   if (!result.level) return setDamaged(kFixed, "the level is invalid: " + format("level", result.diagnostics.front()));
   level_ = std::move(result.level);
   offset_ = head.size() + kHashBytes;

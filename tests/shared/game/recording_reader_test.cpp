@@ -158,5 +158,17 @@ TEST(RecordingReaderTest, RefusesHeadsThatThisProgramCannotPlay) {
             "byte 0: not a recording, or an unsupported version");
 }
 
+TEST(RecordingReaderTest, AnIntactHeadTellsItsRulesAlsoWhenTheyAreOthers) {
+  for (const std::uint32_t rules : {kRulesVersion, kRulesVersion + 1}) {
+    std::vector<std::uint8_t> head = headOf(rules, "CUBE\n");
+    const RecordingReader reader(head);
+    EXPECT_EQ(reader.rules(), rules);
+    EXPECT_EQ(std::string(reader.levelText().begin(), reader.levelText().end()), "CUBE\n");
+    head[20] ^= 1;
+    EXPECT_EQ(RecordingReader(head).rules(), std::nullopt);
+    EXPECT_TRUE(RecordingReader(head).levelText().empty());
+  }
+}
+
 }  // namespace
 }  // namespace platon

@@ -44,6 +44,10 @@ class RecordingReader {
   /// Reads the head of the recording. `bytes` must outlive the reader.
   explicit RecordingReader(std::span<const std::uint8_t> bytes);
 
+  /// Version of the rules that the game was recorded with; nothing when the head is damaged or cut off.
+  const std::optional<std::uint32_t>& rules() const { return rules_; }
+  /// Text of the level; empty without rules().
+  std::span<const std::uint8_t> levelText() const { return levelText_; }
   /// The level; null when the head is damaged or has another version of the rules.
   const std::shared_ptr<const Level>& level() const { return level_; }
 
@@ -65,6 +69,8 @@ class RecordingReader {
   std::size_t offset_ = 0;
   State state_ = State::kReading;
   std::string fault_;
+  std::optional<std::uint32_t> rules_;
+  std::span<const std::uint8_t> levelText_;
   std::shared_ptr<const Level> level_;
   std::optional<std::uint32_t> expectedTick_;  // first tick of the next block
 };
