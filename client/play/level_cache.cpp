@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <charconv>
-#include <fstream>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <variant>
 
 #include "client/play/server_file_name.h"
 #include "protocol/files/text_file.h"
@@ -61,15 +61,6 @@ std::vector<StoredLevel> levelsIn(const fs::path& folder) {
   return levels;
 }
 
-// At most one byte more than a level may have.
-std::string readLevel(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string text(kMaxLevelBytes + 1, '\0');
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(file.gcount()));
-  return text;
-}
-
 }  // namespace
 
 LevelCache::LevelCache(const fs::path& folder, const ServerAddress& server)
@@ -89,7 +80,9 @@ std::shared_ptr<const Level> LevelCache::load(std::uint64_t hash) {
   const fs::path path = folder_ / fileNameOf(hash);
   std::error_code fault;
   if (!fs::is_regular_file(path, fault)) return nullptr;
-  std::shared_ptr<const Level> level = loadLevel(readLevel(path)).level;
+  const auto text = readTextFile(path.string(), kMaxLevelBytes);
+  const std::string* const content = std::get_if<std::string>(&text);
+  std::shared_ptr<const Level> level = content == nullptr ? nullptr : loadLevel(*content).level;
   if (level && level->hash == hash) {
     keep(*level);  // makes it the newest
     return level;
@@ -98,12 +91,12 @@ std::shared_ptr<const Level> LevelCache::load(std::uint64_t hash) {
   return nullptr;
 }
 
-// A file that was written in part is refused when it is read.
+// Runs in a frame of the game, so it does not wait for the disk. A file that is not a level is refused when it is read.
 void LevelCache::keep(const Level& level) {
   if (all_.empty()) return;
   std::error_code fault;
   fs::create_directories(folder_, fault);
-  (void)replaceTextFile((folder_ / fileNameOf(level.hash)).string(), level.text);  // if not kept, it is loaded again
+  (void)replaceCachedFile((folder_ / fileNameOf(level.hash)).string(), level.text);  // if not kept, it is loaded again
   limit();
 }
 

@@ -40,6 +40,24 @@ bool syncFolder(const std::filesystem::path& file) {
   return opened && (fsync(opened.number()) == 0 || errno == EINVAL);
 }
 
+enum class Wait { kForDisk, kNot };
+
+std::string replaceFile(const std::string& path, std::string_view content, Wait wait) {
+  std::error_code missing;
+  const std::filesystem::path linked = std::filesystem::canonical(path, missing);
+  const std::string target = missing ? path : linked.string();
+  std::string temporary = target + ".XXXXXX";
+  const Descriptor file(mkstemp(temporary.data()));
+  if (!file) return std::strerror(errno);
+  const bool waits = wait == Wait::kForDisk;
+  const bool replaced = writeAll(file, content) && takeRights(file, target) && (!waits || fsync(file.number()) == 0) &&
+                        std::rename(temporary.c_str(), target.c_str()) == 0;
+  const int fault = errno;
+  if (replaced) return !waits || syncFolder(target) ? std::string() : std::strerror(errno);
+  unlink(temporary.c_str());
+  return std::strerror(fault);
+}
+
 }  // namespace
 
 std::variant<std::string, ParseError> readTextFile(const std::string& path, std::size_t maxBytes) {
@@ -53,18 +71,11 @@ std::variant<std::string, ParseError> readTextFile(const std::string& path, std:
 }
 
 std::string replaceTextFile(const std::string& path, std::string_view content) {
-  std::error_code missing;
-  const std::filesystem::path linked = std::filesystem::canonical(path, missing);
-  const std::string target = missing ? path : linked.string();
-  std::string temporary = target + ".XXXXXX";
-  const Descriptor file(mkstemp(temporary.data()));
-  if (!file) return std::strerror(errno);
-  const bool replaced = writeAll(file, content) && takeRights(file, target) && fsync(file.number()) == 0 &&
-                        std::rename(temporary.c_str(), target.c_str()) == 0;
-  const int fault = errno;
-  if (replaced) return syncFolder(target) ? std::string() : std::strerror(errno);
-  unlink(temporary.c_str());
-  return std::strerror(fault);
+  return replaceFile(path, content, Wait::kForDisk);
+}
+
+std::string replaceCachedFile(const std::string& path, std::string_view content) {
+  return replaceFile(path, content, Wait::kNot);
 }
 
 }  // namespace platon

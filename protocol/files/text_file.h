@@ -17,4 +17,8 @@ std::variant<std::string, ParseError> readTextFile(const std::string& path, std:
 /// that fails, or an empty text. May wait for the disk.
 std::string replaceTextFile(const std::string& path, std::string_view content);
 
+/// As above, but does not wait for the disk: after a power failure the file may be empty or the old one. For what can
+/// be made again.
+std::string replaceCachedFile(const std::string& path, std::string_view content);
+
 }  // namespace platon

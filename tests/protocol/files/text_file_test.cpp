@@ -79,6 +79,18 @@ TEST_F(TextFileTest, AReaderNeverSeesAPartOfTheNewContent) {
   EXPECT_EQ(line, "old");
 }
 
+TEST_F(TextFileTest, ACachedFileIsReplacedByARenameToo) {
+  writeText(path_, "old");
+  std::ifstream reader(path_);
+  EXPECT_EQ(replaceCachedFile(path_, "brand new"), "");
+  std::string line;
+  std::getline(reader, line);
+  EXPECT_EQ(line, "old");
+  EXPECT_EQ(readText(path_), "brand new");
+  EXPECT_EQ(replaceCachedFile(folder_ / "missing/file", "new"), "No such file or directory");
+  EXPECT_EQ(filesInFolder(), 1u);
+}
+
 TEST_F(TextFileTest, OnFailureTheFileIsAsBeforeAndNothingIsLeft) {
   EXPECT_EQ(replaceTextFile(folder_ / "missing/file", "new"), "No such file or directory");
   fs::create_directory(folder_ / "sub");
