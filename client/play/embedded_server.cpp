@@ -32,13 +32,13 @@ std::vector<LevelPointer> load(const std::vector<std::string>& files) {
   return std::move(loaded.levels);
 }
 
-// Without a folder, best times end with the server.
-std::string bestTimesFile() {
-  const std::filesystem::path folder = dataFolder();
-  if (folder.empty()) return {};
+// Where the server keeps best times. Without a folder for them, they end with the server.
+std::string keptBestTimes() {
+  const std::filesystem::path file = bestTimesFile();
+  if (file.empty()) return {};
   std::error_code fault;
-  std::filesystem::create_directories(folder, fault);
-  return fault ? std::string() : (folder / "best_times").string();
+  std::filesystem::create_directories(file.parent_path(), fault);
+  return fault ? std::string() : file.string();
 }
 
 // The messages are for the operator of a server; a player needs none of them.
@@ -48,7 +48,7 @@ Log silentLog() {
 
 ServerSettings serverSettings(const EmbeddedSettings& wanted) {
   ServerSettings settings;
-  settings.bestTimes = bestTimesFile();
+  settings.bestTimes = keptBestTimes();
   settings.bind = wanted.listens ? kAllAddresses : kLoopback;
   settings.port = wanted.listens ? wanted.port : 0;
   settings.password = wanted.password;

@@ -27,7 +27,7 @@ FrontPages::FrontPages(Menu& menu, Settings& settings, RecentServers recent, Cal
 
 void FrontPages::load() {
   if (levels_.empty()) levels_ = loadShippedLevels();
-  entries_ = entriesOf(levels_, (dataFolder() / "best_times").string());
+  entries_ = entriesOf(levels_, bestTimesFile().string());
 }
 
 void FrontPages::showTitle() {

@@ -31,6 +31,8 @@ std::filesystem::path configFolder() { return folder("XDG_CONFIG_HOME", ".config
 
 std::filesystem::path dataFolder() { return folder("XDG_DATA_HOME", ".local/share"); }
 
+std::filesystem::path bestTimesFile() { return inData("best_times"); }
+
 std::filesystem::path runsFolder() { return inData("runs"); }
 
 std::filesystem::path ghostsFolder() { return inData("ghosts"); }

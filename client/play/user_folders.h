@@ -10,6 +10,9 @@ std::filesystem::path configFolder();
 /// without a home folder.
 std::filesystem::path dataFolder();
 
+/// The best times of games on this machine, a file in the data folder. Empty without it.
+std::filesystem::path bestTimesFile();
+
 /// The local player's best runs, and those of others that are shown as ghosts, in the data folder. Empty without it.
 std::filesystem::path runsFolder();
 std::filesystem::path ghostsFolder();

@@ -26,6 +26,7 @@ TEST_F(UserFoldersTest, AreEmptyWithoutAHomeFolder) {
   EXPECT_EQ(dataFolder(), "");
   EXPECT_EQ(stateFolder(), "");
   EXPECT_EQ(cacheFolder(), "");
+  EXPECT_EQ(bestTimesFile(), "");
   EXPECT_EQ(runsFolder(), "");
   EXPECT_EQ(ghostsFolder(), "");
   home_.set("");
