@@ -41,7 +41,7 @@ void Editor::resize(std::uint32_t w, std::uint32_t h) {
   width_ = w;
   height_ = h;
   playCamera_.resize(w, h);
-  menu_.resize(Overlay::kHeight * static_cast<float>(w) / static_cast<float>(h), 1);
+  menu_.resize(Overlay::widthFor(w, h), 1);
 }
 
 void Editor::markSaved() {

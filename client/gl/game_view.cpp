@@ -15,9 +15,7 @@ void GameView::resize(std::uint32_t width, std::uint32_t height) {
   camera_.resize(width, height);
 }
 
-float GameView::screenWidth() const {
-  return Overlay::kHeight * static_cast<float>(width()) / static_cast<float>(height());
-}
+float GameView::screenWidth() const { return Overlay::widthFor(width(), height()); }
 
 void GameView::draw(const Scene* scene, const HudStatus& status, const Settings& settings, const Overlay& menu,
                     double seconds, std::span<const Overlay> more) {

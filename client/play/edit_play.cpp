@@ -145,7 +145,7 @@ void EditPlay::showTitle() {
 
 void EditPlay::draw() {
   const Camera camera = editor_.camera();
-  const float width = Overlay::kHeight * static_cast<float>(camera.width()) / static_cast<float>(camera.height());
+  const float width = Overlay::widthFor(camera.width(), camera.height());
   const std::array overlays{makeEditorPanel(editor_.status(), font_, width), editor_.menuOverlay()};
   renderer_.setFaceNumbers(true);  // levels name faces by their numbers
   renderer_.draw(editor_.scene(), camera, overlays);

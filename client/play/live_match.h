@@ -47,7 +47,6 @@ class LiveMatch {
   /// What to tell others so that they can join, a paragraph each; empty unless the server in this program listens to
   /// the network.
   std::vector<std::string> invitation() const;
-  const MatchChoice& choice() const { return choice_; }
   MatchPlay& play() { return *play_; }
   const MatchPlay& play() const { return *play_; }
 

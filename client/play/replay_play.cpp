@@ -89,18 +89,13 @@ void ReplayPlay::handleEvents() {
   window_->poll();
   view_.resize(window_->pixelWidth(), window_->pixelHeight());
   for (const KeyEvent& event : window_->takeKeyEvents()) viewer_.handle(event);
-  for (const PointerEvent& event : window_->takePointerEvents()) viewer_.handle(event, width());
+  for (const PointerEvent& event : window_->takePointerEvents()) viewer_.handle(event, view_.screenWidth());
   window_->setFullscreen(viewer_.fullscreen());
-}
-
-float ReplayPlay::width() const {
-  if (!window_ || window_->pixelHeight() == 0) return Overlay::kHeight * kWidth / kHeight;
-  return Overlay::kHeight * static_cast<float>(window_->pixelWidth()) / static_cast<float>(window_->pixelHeight());
 }
 
 void ReplayPlay::draw(double seconds) {
   const Scene scene = viewer_.scene();
-  const std::array bar{makeReplayBar(viewer_.status(), font_, width())};
+  const std::array bar{makeReplayBar(viewer_.status(), view_.font(), view_.screenWidth())};
   view_.draw(&scene, HudStatus(), settings_, Overlay(), seconds, bar);
 }
 

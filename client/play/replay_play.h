@@ -36,7 +36,6 @@ class ReplayPlay {
   void handleEvents();
   void draw(double seconds);
   void takeScreenshot();
-  float width() const;
 
   ClientOptions options_;
   Settings settings_;
@@ -45,7 +44,6 @@ class ReplayPlay {
   std::optional<Window> window_;  // one of these two
   std::optional<Offscreen> offscreen_;
   GameView view_;
-  Font font_;
   Moment startedAt_;
 };
 

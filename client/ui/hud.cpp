@@ -197,7 +197,7 @@ Overlay makeEmptyHud(const HudStatus& status, const Font& font, float width) {
 
 Overlay makeHud(const Scene& scene, const Camera& camera, const HudStatus& status, const Font& font) {
   OverlayWriter writer(font);
-  const float width = Overlay::kHeight * static_cast<float>(camera.width()) / static_cast<float>(camera.height());
+  const float width = Overlay::widthFor(camera.width(), camera.height());
   for (const PlayerDrawing& ghost : scene.ghosts) {
     if (!coversLocalPlayer(scene, ghost)) addNameTag(writer, ghost, camera, width);
   }

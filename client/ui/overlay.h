@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,10 @@ namespace platon {
 /// Panels and text in front of the scene. Positions are on a virtual screen that is 720 high, +y down.
 struct Overlay {
   static constexpr float kHeight = 720;
+  /// Width of the virtual screen for a picture of w × h pixels, both at least 1.
+  static float widthFor(std::uint32_t w, std::uint32_t h) {
+    return kHeight * static_cast<float>(w) / static_cast<float>(h);
+  }
 
   /// A rectangle with rounded corners.
   struct Panel {
