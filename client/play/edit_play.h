@@ -7,11 +7,11 @@
 
 #include "client/editor/editor.h"
 #include "client/editor/level_analysis.h"
+#include "client/files/edit_file.h"
 #include "client/gl/offscreen.h"
 #include "client/gl/renderer.h"
 #include "client/gl/window.h"
 #include "client/play/client_options.h"
-#include "client/play/edit_file.h"
 #include "client/time/clock.h"
 #include "client/ui/font.h"
 

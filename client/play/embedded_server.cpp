@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "client/play/user_folders.h"
+#include "client/files/user_folders.h"
 #include "protocol/files/file_watch.h"
 #include "protocol/label.h"
 #include "protocol/limits.h"

@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "client/files/user_folders.h"
 #include "client/menu/settings_page.h"
-#include "client/play/user_folders.h"
 
 namespace platon {
 namespace {

@@ -3,14 +3,14 @@
 #include <exception>
 #include <optional>
 
+#include "client/files/settings_file.h"
+#include "client/files/user_folders.h"
 #include "client/play/client_options.h"
 #include "client/play/edit_play.h"
 #include "client/play/embedded_server.h"
 #include "client/play/frame_play.h"
 #include "client/play/offscreen_play.h"
 #include "client/play/replay_play.h"
-#include "client/play/settings_file.h"
-#include "client/play/user_folders.h"
 #include "client/play/window_play.h"
 #include "client/time/steady_now.h"
 #include "protocol/program_error.h"

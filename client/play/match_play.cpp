@@ -6,8 +6,8 @@
 #include <span>
 #include <utility>
 
-#include "client/play/level_cache.h"
-#include "client/play/user_folders.h"
+#include "client/files/level_cache.h"
+#include "client/files/user_folders.h"
 #include "client/session/farewell.h"
 
 namespace platon {

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "client/desync/desync_folder.h"
+#include "client/files/session_file.h"
 #include "client/lobby/known_servers.h"
 #include "client/play/client_options.h"
 #include "client/play/scene_feed.h"
-#include "client/play/session_file.h"
 #include "client/replay/run_keeper.h"
 #include "client/scene/scene.h"
 #include "client/session/network_client.h"

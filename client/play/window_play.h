@@ -5,6 +5,8 @@
 #include <string>
 
 #include "client/demo/demo.h"
+#include "client/files/settings_file.h"
+#include "client/files/user_folders.h"
 #include "client/gl/game_view.h"
 #include "client/gl/screenshot_writer.h"
 #include "client/gl/window.h"
@@ -16,9 +18,7 @@
 #include "client/play/front_pages.h"
 #include "client/play/live_match.h"
 #include "client/play/net_meter.h"
-#include "client/play/settings_file.h"
 #include "client/play/sound_feed.h"
-#include "client/play/user_folders.h"
 #include "client/time/clock.h"
 #include "client/ui/first_keys.h"
 #include "client/ui/spectator.h"

@@ -19,7 +19,7 @@ ARCHITECTURE = (Path(__file__).parents[2] / "docs/architecture.md").read_text(en
 
 SHARED = ["exact", "physics", "game"]
 LEVELS = ["check", "drawing", "picture", "reach", "solve", "tool"]
-CLIENT = ["time", "net", "netcode", "desync", "session", "bot", "demo", "scene", "ui", "audio", "menu", "lobby", "editor", "replay", "gl", "play"]
+CLIENT = ["time", "net", "netcode", "desync", "session", "bot", "demo", "scene", "ui", "audio", "menu", "lobby", "editor", "replay", "files", "gl", "play"]
 FOLDERS = (
     [f"shared/include/platon/{name}" for name in SHARED]
     + [f"shared/{name}" for name in SHARED]
@@ -73,6 +73,7 @@ class Includes(Tree):
             "lobby": ["time", "net", "netcode", "scene", "ui", "menu"],
             "editor": ["netcode", "scene", "ui", "menu"],
             "replay": ["netcode", "scene", "ui"],
+            "files": ["time", "net", "netcode", "desync", "session", "scene", "ui"],
             "play": [name for name in CLIENT if name not in ("bot", "play")],
         }  # fmt: skip
         drawn = ("scene", "ui", "audio", "menu", "editor")

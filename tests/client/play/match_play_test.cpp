@@ -7,9 +7,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "client/files/level_cache.h"
+#include "client/files/user_folders.h"
 #include "client/net/lossy_relay.h"
-#include "client/play/level_cache.h"
-#include "client/play/user_folders.h"
 #include "client/replay/run_store.h"
 #include "client/scene/camera.h"
 #include "client/ui/hud.h"

@@ -1,4 +1,4 @@
-#include "client/play/user_folders.h"
+#include "client/files/user_folders.h"
 
 #include <cstdlib>
 #include <fstream>

@@ -1,4 +1,4 @@
-#include "client/play/level_cache.h"
+#include "client/files/level_cache.h"
 
 #include <algorithm>
 #include <charconv>
@@ -8,7 +8,7 @@
 #include <system_error>
 #include <variant>
 
-#include "client/play/server_file_name.h"
+#include "client/files/server_file_name.h"
 #include "protocol/files/text_file.h"
 
 namespace platon {

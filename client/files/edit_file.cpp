@@ -1,4 +1,4 @@
-#include "client/play/edit_file.h"
+#include "client/files/edit_file.h"
 
 #include <system_error>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "client/play/session_file.h"
+#include "client/files/session_file.h"
 
 #include <gtest/gtest.h>
 

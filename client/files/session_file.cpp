@@ -1,4 +1,4 @@
-#include "client/play/session_file.h"
+#include "client/files/session_file.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -9,7 +9,7 @@
 #include <span>
 #include <system_error>
 
-#include "client/play/server_file_name.h"
+#include "client/files/server_file_name.h"
 
 namespace platon {
 

@@ -1,4 +1,4 @@
-#include "client/play/level_cache.h"
+#include "client/files/level_cache.h"
 
 #include <gtest/gtest.h>
 

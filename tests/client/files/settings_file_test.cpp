@@ -1,4 +1,4 @@
-#include "client/play/settings_file.h"
+#include "client/files/settings_file.h"
 
 #include <filesystem>
 #include <fstream>

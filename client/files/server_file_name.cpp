@@ -1,4 +1,4 @@
-#include "client/play/server_file_name.h"
+#include "client/files/server_file_name.h"
 
 #include <string_view>
 
