@@ -29,4 +29,11 @@ std::string takeGlErrors() {
   return text;
 }
 
+std::string driverName() {
+  const GLubyte* const name = glGetString(GL_RENDERER);
+  return name == nullptr ? "" : reinterpret_cast<const char*>(name);
+}
+
+void finishDrawing() { glFinish(); }
+
 }  // namespace platon

@@ -10,4 +10,10 @@ void loadOpenGl();
 /// Returns and clears the recorded OpenGL errors as text; empty if there are none.
 std::string takeGlErrors();
 
+/// What the driver of the current context calls itself: GL_RENDERER.
+std::string driverName();
+
+/// Waits until everything is drawn.
+void finishDrawing();
+
 }  // namespace platon

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <stdexcept>
 
+#include "client/gl/draw_calls.h"
+
 namespace platon {
 namespace {
 
@@ -58,12 +60,11 @@ void RenderTarget::resolve() const {
   const bool scaling = sampledWidth_ != width_ || sampledHeight_ != height_;
   glBindFramebuffer(GL_READ_FRAMEBUFFER, sampled_.name());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, scaling ? small_.name() : plain_.name());
-  glBlitFramebuffer(0, 0, w, h, 0, 0, w, h, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  DrawCalls::blit(w, h, w, h, GL_NEAREST);
   if (scaling) {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, small_.name());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, plain_.name());
-    glBlitFramebuffer(0, 0, w, h, 0, 0, static_cast<GLint>(width_), static_cast<GLint>(height_), GL_COLOR_BUFFER_BIT,
-                      GL_LINEAR);
+    DrawCalls::blit(w, h, static_cast<GLint>(width_), static_cast<GLint>(height_), GL_LINEAR);
   }
   glBindFramebuffer(GL_FRAMEBUFFER, plain_.name());
   glViewport(0, 0, static_cast<GLsizei>(width_), static_cast<GLsizei>(height_));
@@ -74,7 +75,7 @@ void RenderTarget::present() const {
   const auto h = static_cast<GLint>(height_);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, plain_.name());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-  glBlitFramebuffer(0, 0, w, h, 0, 0, w, h, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  DrawCalls::blit(w, h, w, h, GL_NEAREST);
 }
 
 Image RenderTarget::read() const {

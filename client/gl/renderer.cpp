@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "client/gl/draw_calls.h"
+
 namespace platon {
 namespace {
 
@@ -28,7 +30,7 @@ void beginPicture() {
   glDisable(GL_CULL_FACE);
   glEnable(GL_BLEND);
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  glClear(GL_DEPTH_BUFFER_BIT);
+  DrawCalls::clear(GL_DEPTH_BUFFER_BIT);
 }
 
 }  // namespace

@@ -12,9 +12,9 @@
 #include "client/gl/paint/beam_painter.h"
 #include "client/gl/paint/sky_painter.h"
 #include "client/gl/paint/stage_painter.h"
-#include "client/gl/quality.h"
 #include "client/gl/render_target.h"
 #include "client/gl/text_painter.h"
+#include "client/quality/quality.h"
 #include "client/scene/camera.h"
 #include "client/scene/scene.h"
 #include "client/ui/font.h"
@@ -54,7 +54,7 @@ class Renderer {
   void drawOverlays(std::span<const Overlay> overlays);
   FaceMarks advance(const Scene& scene, bool particles);
 
-  Quality quality_ = defaultQuality();
+  Quality quality_ = namedQuality(QualityLevel::kHigh).quality;
   bool faceNumbers_ = false;
   std::weak_ptr<const StageModel> stage_;      // of the last scene
   std::map<std::uint32_t, BallMotion> balls_;  // by slot

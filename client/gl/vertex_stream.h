@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "client/gl/draw_calls.h"
 #include "client/gl/gl_handle.h"
 
 namespace platon {
@@ -23,7 +24,7 @@ class VertexStream {
     bind();
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(Vertex)), vertices.data(),
                  GL_STREAM_DRAW);
-    glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(vertices.size()));
+    DrawCalls::arrays(GL_TRIANGLES, static_cast<GLsizei>(vertices.size()));
   }
 
  private:

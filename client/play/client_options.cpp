@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <initializer_list>
 #include <map>
 #include <stdexcept>
 
@@ -63,25 +64,43 @@ void describe(CLI::App& app, ClientOptions& options, std::string& host, std::str
   app.add_option("--seconds", options.seconds, "Exit after this many seconds; default with --offscreen: 10")
       ->check(CLI::Range(0.1, 86400.0));
   app.add_option("--screenshot", options.screenshot, "Write the last frame to this PNG file");
+  app.add_flag("--benchmark", options.benchmark, "Measure what a frame costs in each quality; needs --offscreen");
+  app.add_flag("--json", options.json, "Print the result of --benchmark as JSON");
   describeFrameOptions(app, options.frames);
   app.add_option("--replay", options.replay, "Watch this recording instead of playing");
   describeEditOptions(app, options);
+}
+
+// Refuses `others` beside the option `mode`.
+void refuse(const CLI::App& app, const std::string& mode, std::initializer_list<const char*> others) {
+  for (const char* const other : others) {
+    if (other != mode && app.count(other) > 0)
+      throw std::invalid_argument(mode + " does not work with " + other + "; leave one of them out");
+  }
 }
 
 // Checks `mode`, an option with a file that plays on no server: options of a match are refused.
 void checkMode(const CLI::App& app, const std::string& mode, const std::string& file, const ClientOptions& options) {
   if (file.empty() && app.count(mode) > 0) throw std::invalid_argument(mode + " needs the name of a file");
   if (file.empty()) return;
-  for (const char* const other : {"HOST", "--level", "--name", "--password-file", "--demo", "--frames", "--fps",
-                                  "--from", "--width", "--players", "--edit", "--replay"}) {
-    if (other != mode && app.count(other) > 0)
-      throw std::invalid_argument(mode + " does not work with " + other + "; leave one of them out");
-  }
+  refuse(app, mode,
+         {"HOST", "--level", "--name", "--password-file", "--demo", "--frames", "--fps", "--from", "--width",
+          "--players", "--edit", "--replay"});
   if (options.offscreen && options.screenshot.empty())
     throw std::invalid_argument(mode + " with --offscreen needs --screenshot FILE.png");
 }
 
+void checkBenchmark(const CLI::App& app, const ClientOptions& options) {
+  if (options.json && !options.benchmark) throw std::invalid_argument("--json works only with --benchmark");
+  if (!options.benchmark) return;
+  if (!options.offscreen) throw std::invalid_argument("--benchmark needs --offscreen");
+  refuse(app, "--benchmark",
+         {"HOST", "--name", "--password-file", "--demo", "--seconds", "--screenshot", "--frames", "--fps", "--from",
+          "--width", "--players", "--edit", "--replay"});
+}
+
 void checkModes(const CLI::App& app, const ClientOptions& options) {
+  checkBenchmark(app, options);
   if (options.edit.empty() && app.count("--solid") > 0) throw std::invalid_argument("--solid works only with --edit");
   checkMode(app, "--edit", options.edit, options);
   checkMode(app, "--replay", options.replay, options);

@@ -20,6 +20,8 @@ struct ClientOptions {
   bool demo = false;
   std::optional<double> seconds;  ///< maximum duration
   std::string screenshot;         ///< PNG file for the last frame; empty: none
+  bool benchmark = false;         ///< measure frames instead of playing
+  bool json = false;              ///< the result of the benchmark as JSON
   FrameOptions frames;
   std::string replay;                        ///< recording to watch; empty: play
   std::string edit;                          ///< level file for the editor; empty: play

@@ -1,18 +1,23 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "client/files/settings_file.h"
 #include "client/files/user_folders.h"
 #include "client/play/client_options.h"
 #include "client/play/edit_play.h"
 #include "client/play/embedded_server.h"
+#include "client/play/frame_benchmark.h"
 #include "client/play/frame_play.h"
 #include "client/play/offscreen_play.h"
 #include "client/play/replay_play.h"
 #include "client/play/window_play.h"
 #include "client/time/steady_now.h"
+#include "client/time/thread_time.h"
 #include "protocol/program_error.h"
 #include "server/app/level_files.h"
 
@@ -29,6 +34,14 @@ EmbeddedSettings ownLevels(const ClientOptions& options) {
   return settings;
 }
 
+void benchmark(const ClientOptions& options) {
+  const std::vector<std::string> files =
+      options.level.empty() ? shippedLevelFiles() : std::vector<std::string>{options.level};
+  const std::shared_ptr<const Level> level = loadLevelFiles({files.front()}).levels.front();
+  const BenchmarkReport report = FrameBenchmark(level, steadyClock().now, threadTime).run(stopRequested);
+  std::fputs((options.json ? toJson(report) : toText(report)).c_str(), stdout);
+}
+
 int play(int argc, char** argv) {
   std::optional<ClientOptions> options = readClientOptions(argc, argv);
   if (!options) return 0;
@@ -36,6 +49,10 @@ int play(int argc, char** argv) {
   std::signal(SIGINT, [](int) { stopSignal = 1; });
   if (!options->frames.folder.empty()) {
     FramePlay(*options, loadLevelFiles({options->level}).levels.front()).run(stopRequested);
+    return 0;
+  }
+  if (options->benchmark) {
+    benchmark(*options);
     return 0;
   }
   if (!options->edit.empty()) {

@@ -19,7 +19,7 @@ ARCHITECTURE = (Path(__file__).parents[2] / "docs/architecture.md").read_text(en
 
 SHARED = ["exact", "physics", "game"]
 LEVELS = ["check", "drawing", "picture", "reach", "solve", "tool"]
-CLIENT = ["time", "net", "netcode", "desync", "session", "bot", "demo", "scene", "ui", "audio", "menu", "lobby", "editor", "replay", "files", "gl", "play"]
+CLIENT = ["time", "net", "netcode", "desync", "session", "bot", "demo", "quality", "scene", "ui", "audio", "menu", "lobby", "editor", "replay", "files", "gl", "play"]
 FOLDERS = (
     [f"shared/include/platon/{name}" for name in SHARED]
     + [f"shared/{name}" for name in SHARED]
@@ -67,9 +67,10 @@ class Includes(Tree):
             "time": [], "net": ["time"], "netcode": ["time"], "desync": [],
             "session": ["time", "net", "netcode", "desync"],
             "bot": ["time", "net", "netcode", "desync", "session"],
-            "demo": ["netcode"], "scene": ["netcode"], "ui": ["netcode", "scene"], "gl": ["scene", "ui"],
+            "demo": ["netcode"], "quality": ["time"], "scene": ["netcode"], "ui": ["netcode", "quality", "scene"],
+            "gl": ["quality", "scene", "ui"],
             "audio": ["scene"],
-            "menu": ["netcode", "scene", "ui"],
+            "menu": ["netcode", "quality", "scene", "ui"],
             "lobby": ["time", "net", "netcode", "scene", "ui", "menu"],
             "editor": ["netcode", "scene", "ui", "menu"],
             "replay": ["netcode", "scene", "ui"],

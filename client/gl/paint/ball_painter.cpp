@@ -10,6 +10,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include "client/gl/draw_calls.h"
 #include "client/scene/face_view.h"
 
 namespace platon {
@@ -132,7 +133,7 @@ void BallPainter::draw(const PlayerDrawing& player, const BallMotion& motion, co
   program_.set("up", glm::vec3(glm::normalize(player.pose.up + 0.9 * motion.lift())));
   glBindVertexArray(array_.name());
   glEnable(GL_CULL_FACE);
-  glDrawElements(GL_TRIANGLES, count_, GL_UNSIGNED_SHORT, nullptr);
+  DrawCalls::elements(GL_TRIANGLES, count_, GL_UNSIGNED_SHORT, nullptr);
   glDisable(GL_CULL_FACE);
   const std::string label = labelOf(player);
   if (label.empty()) return;

@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 
+#include "client/gl/draw_calls.h"
+
 namespace platon {
 namespace {
 
@@ -33,12 +35,12 @@ void BeamPainter::draw(const StageModel& stage, const Camera& camera, float stre
   glBindVertexArray(array_.name());
   glDepthMask(GL_FALSE);
   program_.set("colour", glm::vec4(kLight, kAlpha * fade * strength));
-  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  DrawCalls::arrays(GL_TRIANGLE_STRIP, 4);
   // What the solid hides is seen almost along the beam: it is drawn wider.
   program_.set("aside", glm::vec3(across * (2 * StageModel::kGoalRadius / sine)));
   program_.set("colour", glm::vec4(kLight, kHiddenAlpha * strength));
   glDepthFunc(GL_GREATER);
-  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  DrawCalls::arrays(GL_TRIANGLE_STRIP, 4);
   glDepthFunc(GL_LEQUAL);
   glDepthMask(GL_TRUE);
 }

@@ -6,6 +6,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "client/gl/draw_calls.h"
 #include "client/gl/paint/face_program.h"
 #include "client/scene/look/face_light.h"
 #include "client/scene/look/wall.h"
@@ -74,14 +75,14 @@ void LightMap::allocate(const StageModel& stage) {
 void LightMap::bakeFace(const StageModel& stage, int face, bool shadows) {
   glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, texture_.name(), 0, face);
   glClearColor(1, 1, 1, 1);
-  glClear(GL_COLOR_BUFFER_BIT);
+  DrawCalls::clear(GL_COLOR_BUFFER_BIT);
   FaceView view;
   view.face = face;
   view.toClip = glm::ortho(-reach_, reach_, -reach_, reach_);
   useOnFace(ground_, stage, view);
   glBindVertexArray(array_.name());
   ground_.set("reach", reach_);
-  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  DrawCalls::arrays(GL_TRIANGLE_STRIP, 4);
   const std::vector<Ribbon>& ribbons = stage.faces[static_cast<std::size_t>(face)].ribbons;
   if (ribbons.empty() || !shadows) return;
   const glm::dvec3 light = faceLight(stage.mesh, face);
@@ -94,7 +95,7 @@ void LightMap::bakeFace(const StageModel& stage, int face, bool shadows) {
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(ribbons.size() * sizeof(Ribbon)), ribbons.data(),
                GL_STREAM_DRAW);
   glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, 0, nullptr);
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(ribbons.size()));
+  DrawCalls::arraysInstanced(GL_TRIANGLE_STRIP, 4, static_cast<GLsizei>(ribbons.size()));
 }
 
 void LightMap::bind(ShaderProgram& program, int face) const {

@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "client/gl/draw_calls.h"
+
 namespace platon {
 namespace {
 
@@ -22,7 +24,7 @@ void SkyPainter::drawSky(const Scheme& scheme) {
   sky_.set("top", scheme.skyTop);
   sky_.set("bottom", scheme.skyBottom);
   sky_.set("glow", scheme.glow);
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  DrawCalls::arrays(GL_TRIANGLES, 3);
 }
 
 void SkyPainter::drawMotes(const Scheme& scheme, const Camera& camera, double radius, double seconds) {
@@ -35,7 +37,7 @@ void SkyPainter::drawMotes(const Scheme& scheme, const Camera& camera, double ra
   motes_.set("colour", scheme.mote);
   glEnable(GL_PROGRAM_POINT_SIZE);
   glDepthMask(GL_FALSE);
-  glDrawArrays(GL_POINTS, 0, kMotes);
+  DrawCalls::arrays(GL_POINTS, kMotes);
   glDepthMask(GL_TRUE);
 }
 

@@ -5,6 +5,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "client/gl/draw_calls.h"
 #include "client/gl/paint/face_program.h"
 #include "client/scene/look/stage_walls.h"
 
@@ -70,7 +71,7 @@ void StageElementPainter::draw(const Scene& scene, const FaceView& view, bool ra
   const auto offset = static_cast<std::size_t>(part.first) * sizeof(Instance);
   glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, sizeof(Instance), bufferOffset(offset));
   glVertexAttribPointer(1, 4, GL_FLOAT, GL_FALSE, sizeof(Instance), bufferOffset(offset + sizeof(Ribbon)));
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, part.count);
+  DrawCalls::arraysInstanced(GL_TRIANGLE_STRIP, 4, part.count);
   addNumbers(scene, view, raised, up, text);
   text.flush(raised ? glm::translate(view.toClip, {0, 0, kHigh}) : view.toClip, 0);
 }

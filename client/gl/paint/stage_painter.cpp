@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "client/gl/draw_calls.h"
 #include "client/gl/paint/face_program.h"
 #include "client/scene/look/face_light.h"
 #include "client/scene/look/stage_walls.h"
@@ -72,7 +73,7 @@ void StagePainter::drawFaces(const StageModel& stage, std::span<const FaceView> 
     const glm::vec2 aside(faceLight(stage.mesh, view.face));
     face_.set("slope", aside * (kSlope / static_cast<float>(stage.mesh.apothem())));
     face_.set("gridStep", stage.mesh.apothem() > kLargeFace ? kGridStep : 0.0F);
-    glDrawArrays(GL_TRIANGLE_FAN, 0, static_cast<GLsizei>(stage.mesh.polygon().size()));
+    DrawCalls::arrays(GL_TRIANGLE_FAN, static_cast<GLsizei>(stage.mesh.polygon().size()));
   }
 }
 
@@ -136,7 +137,7 @@ void StagePainter::drawMarks(const Scene& scene, const FaceView& view, const Fac
                           bufferOffset(offset));
     offset += size * sizeof(float);
   }
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, part.count);
+  DrawCalls::arraysInstanced(GL_TRIANGLE_STRIP, 4, part.count);
 }
 
 void StagePainter::load(const StageModel& stage, const FaceMarks& marks, Marks& kept) {
@@ -176,7 +177,7 @@ void StagePainter::drawMarker(const SolidMesh& mesh, const FaceView& view, const
   marker_.set("angle", static_cast<float>(here->angle));
   marker_.set("radius", look.radius);
   marker_.set("reach", look.reach);
-  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  DrawCalls::arrays(GL_TRIANGLE_STRIP, 4);
 }
 
 void StagePainter::drawShadows(const Scene& scene, const FaceView& view) {

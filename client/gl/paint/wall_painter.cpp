@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "client/gl/draw_calls.h"
 #include "client/gl/paint/face_program.h"
 #include "client/scene/look/face_light.h"
 
@@ -39,8 +40,8 @@ void WallPainter::draw(const StageModel& stage, std::span<const FaceView> views)
     program_.set("light", glm::vec3(faceLight(stage.mesh, view.face)));
     program_.set("ground", stage.faces[face].colour);
     program_.set("lit", litOf(view));
-    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(faces_[face].count), GL_UNSIGNED_INT,
-                   bufferOffset(faces_[face].first * sizeof(std::uint32_t)));
+    DrawCalls::elements(GL_TRIANGLES, static_cast<GLsizei>(faces_[face].count), GL_UNSIGNED_INT,
+                        bufferOffset(faces_[face].first * sizeof(std::uint32_t)));
   }
   glDisable(GL_CULL_FACE);
 }

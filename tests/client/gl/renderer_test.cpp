@@ -280,7 +280,7 @@ TEST_F(RenderTest, ALowerQualityShowsTheSameScene) {
   for (std::size_t i = 0; i < full.pixels.size(); ++i) sum += std::abs(int{full.pixels[i]} - int{low.pixels[i]});
   EXPECT_LT(sum / static_cast<double>(full.pixels.size()), 6);
   EXPECT_GT(sum, 0);
-  renderer_.setQuality(defaultQuality());
+  renderer_.setQuality(namedQuality(QualityLevel::kHigh).quality);
   EXPECT_EQ(draw(scene), full);
 }
 

@@ -51,6 +51,19 @@ TEST(ClientOptions, TheEditorExcludesAMatch) {
   EXPECT_EQ(fault({"--edit", ""}), "2 --edit needs the name of a file");
 }
 
+TEST(ClientOptions, TheBenchmarkExcludesAMatch) {
+  EXPECT_TRUE(read({"--offscreen", "--benchmark", "--json"})->json);
+  EXPECT_TRUE(read({"--offscreen", "--benchmark", "--level", "a.level"})->benchmark);
+  EXPECT_EQ(fault({"--benchmark"}), "2 --benchmark needs --offscreen");
+  EXPECT_EQ(fault({"--offscreen", "--json"}), "2 --json works only with --benchmark");
+  for (const std::vector<const char*>& other :
+       {std::vector<const char*>{"--demo"}, {"--seconds", "3"}, {"--screenshot", "a.png"}, {"--replay", "a"}}) {
+    std::vector<const char*> all{"--offscreen", "--benchmark"};
+    all.insert(all.end(), other.begin(), other.end());
+    EXPECT_EQ(fault(all), "2 --benchmark does not work with " + std::string(other.front()) + "; leave one of them out");
+  }
+}
+
 TEST(ClientOptions, AReplayExcludesAMatchAndTheEditor) {
   EXPECT_EQ(read({"--replay", "a.recording"})->replay, "a.recording");
   EXPECT_EQ(fault({"--replay", "a", "example.org"}), "2 --replay does not work with HOST; leave one of them out");

@@ -1,0 +1,45 @@
+#include "client/quality/benchmark_report.h"
+
+#include <gtest/gtest.h>
+
+namespace platon {
+namespace {
+
+BenchmarkReport report() {
+  return {"a driver",
+          300,
+          {{QualityLevel::kLow, 6.25, 9, 0.5, 80},
+           {QualityLevel::kMedium, 8, 10, 0.5, 81},
+           {QualityLevel::kHigh, 12, 20, 0.5, 81},
+           {QualityLevel::kAll, 30.1254, 40, 0.5, 81}}};
+}
+
+TEST(BenchmarkReport, TheDefaultIsTheQualityThatTheTimesChoose) {
+  EXPECT_EQ(report().chosen(), QualityLevel::kHigh);
+  BenchmarkReport fast = report();
+  for (FrameCost& cost : fast.costs) cost.p50Ms = 1;
+  EXPECT_EQ(fast.chosen(), QualityLevel::kAll);
+}
+
+TEST(BenchmarkReport, TheJsonHasARowForEachQuality) {
+  EXPECT_EQ(toJson(report()), R"({"default":"high","frames":[)"
+                              R"({"quality":"low","p50Ms":6.250,"p99Ms":9.000,"ownCpuMs":0.500,"drawCalls":80},)"
+                              R"({"quality":"medium","p50Ms":8.000,"p99Ms":10.000,"ownCpuMs":0.500,"drawCalls":81},)"
+                              R"({"quality":"high","p50Ms":12.000,"p99Ms":20.000,"ownCpuMs":0.500,"drawCalls":81},)"
+                              R"({"quality":"all","p50Ms":30.125,"p99Ms":40.000,"ownCpuMs":0.500,"drawCalls":81}]})"
+                              "\n");
+}
+
+TEST(BenchmarkReport, TheTextIsATable) {
+  EXPECT_EQ(toText(report()),
+            "a driver, 300 frames of each quality\n"
+            "quality   p50 ms   p99 ms   own CPU ms   draw calls\n"
+            "low         6.25     9.00        0.500           80\n"
+            "medium      8.00    10.00        0.500           81\n"
+            "high       12.00    20.00        0.500           81\n"
+            "all        30.13    40.00        0.500           81\n"
+            "default: high\n");
+}
+
+}  // namespace
+}  // namespace platon

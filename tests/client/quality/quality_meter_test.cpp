@@ -1,0 +1,105 @@
+#include "client/quality/quality_meter.h"
+
+#include <algorithm>
+#include <array>
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace platon {
+namespace {
+
+using Times = std::array<double, kQualities.size()>;  // of a picture, by level
+
+struct Outcome {
+  QualityLevel chosen;
+  int pictures;
+  double spent;
+};
+
+// Measures a machine on which each picture takes the time of its level, and the first one of a level `first` more.
+Outcome measure(const Times& times, double first = 0) {
+  QualityMeter meter;
+  Outcome outcome{meter.chosen(), 0, 0};
+  for (std::optional<QualityLevel> last; const auto level = meter.next(); last = level) {
+    const double seconds = times[static_cast<std::size_t>(*level)] + (level == last ? 0 : first);
+    meter.add(seconds);
+    outcome.spent += seconds;
+    ++outcome.pictures;
+  }
+  outcome.chosen = meter.chosen();
+  return outcome;
+}
+
+TEST(QualityMeter, ChoosesTheBestLevelThatHolds60PicturesASecond) {
+  EXPECT_EQ(measure({0.001, 0.002, 0.003, 0.004}).chosen, QualityLevel::kAll);
+  EXPECT_EQ(measure({0.008, 0.010, 0.012, 0.030}).chosen, QualityLevel::kHigh);
+  EXPECT_EQ(measure({0.008, 0.010, 0.015, 0.030}).chosen, QualityLevel::kMedium);
+  EXPECT_EQ(measure({0.011, 0.013, 0.015, 0.030}).chosen, QualityLevel::kLow);
+  EXPECT_EQ(measure({0.050, 0.060, 0.070, 0.080}).chosen, QualityLevel::kLow);
+  EXPECT_EQ(measure({QualityMeter::kHoldSeconds, 1, 1, 1}).chosen, QualityLevel::kLow);
+}
+
+TEST(QualityMeter, TheLimitIsInclusive) {
+  const double limit = QualityMeter::kHoldSeconds;
+  EXPECT_EQ(measure({limit, limit, limit * 1.001, 0}).chosen, QualityLevel::kMedium);
+}
+
+TEST(QualityMeter, TheFirstPictureOfALevelIsNotCounted) {
+  const Times times{0.002, 0.003, 0.004, 0.005};
+  EXPECT_EQ(measure(times, 0.05).chosen, measure(times).chosen);
+}
+
+TEST(QualityMeter, OneSlowPictureChangesNothing) {
+  QualityMeter meter;
+  for (int picture = 0; meter.next(); ++picture) meter.add(picture % 4 == 1 ? 0.03 : 0.001);
+  EXPECT_EQ(meter.chosen(), QualityLevel::kAll);
+}
+
+TEST(QualityMeter, EndsSoon) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> time(0, 0.3);
+  for (int round = 0; round < 1000; ++round) {
+    Times times;
+    for (double& seconds : times) seconds = time(random);
+    const Outcome outcome = measure(times);
+    EXPECT_LE(outcome.pictures, static_cast<int>(QualityMeter::kPictures * kQualities.size()));
+    EXPECT_LT(outcome.spent, QualityMeter::kMaxSeconds + 0.3) << "one picture more than the limit, at most";
+  }
+}
+
+TEST(QualityMeter, AFasterMachineNeverGetsALowerQuality) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> time(0.001, 0.03);
+  std::uniform_real_distribution<double> part(0.2, 1);
+  for (int round = 0; round < 1000; ++round) {
+    Times slow;
+    Times fast;
+    for (std::size_t i = 0; i < slow.size(); ++i) {
+      slow[i] = time(random);
+      fast[i] = slow[i] * part(random);
+    }
+    EXPECT_GE(measure(fast).chosen, measure(slow).chosen);
+    EXPECT_GE(bestLevel(fast), bestLevel(slow));
+    EXPECT_GE(bestLevel(slow), measure(slow).chosen) << "which may have run out of time";
+  }
+}
+
+TEST(QualityMeter, AfterTheChoiceNothingIsMeasured) {
+  QualityMeter meter;
+  while (meter.next()) meter.add(0.05);
+  const QualityLevel chosen = meter.chosen();
+  meter.add(0.001);
+  EXPECT_EQ(meter.next(), std::nullopt);
+  EXPECT_EQ(meter.chosen(), chosen);
+}
+
+TEST(QualityMeter, TheBestLevelNeedsAllCheaperOnes) {
+  EXPECT_EQ(bestLevel(Times{0.001, 0.002, 0.003, 0.004}), QualityLevel::kAll);
+  EXPECT_EQ(bestLevel(Times{0.001, 0.002, 0.02, 0.004}), QualityLevel::kMedium);
+  EXPECT_EQ(bestLevel(Times{1, 0, 0, 0}), QualityLevel::kLow);
+  EXPECT_EQ(bestLevel({}), QualityLevel::kLow);
+}
+
+}  // namespace
+}  // namespace platon
