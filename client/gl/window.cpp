@@ -1,7 +1,6 @@
 #include "client/gl/window.h"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -10,79 +9,15 @@
 #include <GLFW/glfw3.h>
 
 #include "client/gl/gl_loader.h"
+#include "client/gl/glfw_keys.h"
 #include "client/ui/overlay.h"
 
 namespace platon {
 namespace {
 
-std::optional<Key> keyOf(int glfwKey) {
-  constexpr std::array<std::pair<int, Key>, 40> kKeys{{{GLFW_KEY_LEFT, Key::kArrowLeft},
-                                                       {GLFW_KEY_RIGHT, Key::kArrowRight},
-                                                       {GLFW_KEY_UP, Key::kArrowUp},
-                                                       {GLFW_KEY_DOWN, Key::kArrowDown},
-                                                       {GLFW_KEY_A, Key::kA},
-                                                       {GLFW_KEY_D, Key::kD},
-                                                       {GLFW_KEY_W, Key::kW},
-                                                       {GLFW_KEY_S, Key::kS},
-                                                       {GLFW_KEY_SPACE, Key::kSpace},
-                                                       {GLFW_KEY_ENTER, Key::kEnter},
-                                                       {GLFW_KEY_R, Key::kR},
-                                                       {GLFW_KEY_V, Key::kV},
-                                                       {GLFW_KEY_LEFT_SHIFT, Key::kShift},
-                                                       {GLFW_KEY_RIGHT_SHIFT, Key::kShift},
-                                                       {GLFW_KEY_TAB, Key::kTab},
-                                                       {GLFW_KEY_ESCAPE, Key::kEscape},
-                                                       {GLFW_KEY_F1, Key::kF1},
-                                                       {GLFW_KEY_F3, Key::kF3},
-                                                       {GLFW_KEY_F11, Key::kF11},
-                                                       {GLFW_KEY_F12, Key::kF12},
-                                                       {GLFW_KEY_KP_ADD, Key::kPlus},
-                                                       {GLFW_KEY_EQUAL, Key::kPlus},
-                                                       {GLFW_KEY_KP_SUBTRACT, Key::kMinus},
-                                                       {GLFW_KEY_MINUS, Key::kMinus},
-                                                       {GLFW_KEY_DELETE, Key::kDelete},
-                                                       {GLFW_KEY_BACKSPACE, Key::kBackspace},
-                                                       {GLFW_KEY_PAGE_UP, Key::kPageUp},
-                                                       {GLFW_KEY_PAGE_DOWN, Key::kPageDown},
-                                                       {GLFW_KEY_HOME, Key::kHome},
-                                                       {GLFW_KEY_END, Key::kEnd},
-                                                       {GLFW_KEY_C, Key::kC},
-                                                       {GLFW_KEY_E, Key::kE},
-                                                       {GLFW_KEY_F, Key::kF},
-                                                       {GLFW_KEY_G, Key::kG},
-                                                       {GLFW_KEY_H, Key::kH},
-                                                       {GLFW_KEY_P, Key::kP},
-                                                       {GLFW_KEY_T, Key::kT},
-                                                       {GLFW_KEY_X, Key::kX},
-                                                       {GLFW_KEY_Y, Key::kY},
-                                                       {GLFW_KEY_Z, Key::kZ}}};
-  if (glfwKey >= GLFW_KEY_0 && glfwKey <= GLFW_KEY_9)
-    return static_cast<Key>(static_cast<int>(Key::kDigit0) + glfwKey - GLFW_KEY_0);
-  const auto found = std::find_if(kKeys.begin(), kKeys.end(), [&](const auto& pair) { return pair.first == glfwKey; });
-  return found == kKeys.end() ? std::nullopt : std::optional(found->second);
-}
-
 KeyEvent::Kind kindOf(int glfwAction) {
   if (glfwAction == GLFW_RELEASE) return KeyEvent::Kind::kRelease;
   return glfwAction == GLFW_REPEAT ? KeyEvent::Kind::kRepeat : KeyEvent::Kind::kPress;
-}
-
-GamepadState stateOf(const GLFWgamepadstate& glfwState) {
-  const auto down = [&glfwState](int button) { return glfwState.buttons[button] == GLFW_PRESS; };
-  GamepadState state;
-  state.stickX = glfwState.axes[GLFW_GAMEPAD_AXIS_LEFT_X];
-  state.stickY = glfwState.axes[GLFW_GAMEPAD_AXIS_LEFT_Y];
-  state.lookX = glfwState.axes[GLFW_GAMEPAD_AXIS_RIGHT_X];
-  state.lookY = glfwState.axes[GLFW_GAMEPAD_AXIS_RIGHT_Y];
-  state.dpadLeft = down(GLFW_GAMEPAD_BUTTON_DPAD_LEFT);
-  state.dpadRight = down(GLFW_GAMEPAD_BUTTON_DPAD_RIGHT);
-  state.dpadUp = down(GLFW_GAMEPAD_BUTTON_DPAD_UP);
-  state.dpadDown = down(GLFW_GAMEPAD_BUTTON_DPAD_DOWN);
-  state.a = down(GLFW_GAMEPAD_BUTTON_A);
-  state.b = down(GLFW_GAMEPAD_BUTTON_B);
-  state.start = down(GLFW_GAMEPAD_BUTTON_START);
-  state.back = down(GLFW_GAMEPAD_BUTTON_BACK);
-  return state;
 }
 
 std::vector<GamepadState> readGamepads() {
@@ -90,7 +25,7 @@ std::vector<GamepadState> readGamepads() {
   for (int joystick = GLFW_JOYSTICK_1; joystick <= GLFW_JOYSTICK_LAST; ++joystick) {
     GLFWgamepadstate state;
     if (glfwJoystickIsGamepad(joystick) != GLFW_TRUE || glfwGetGamepadState(joystick, &state) != GLFW_TRUE) continue;
-    gamepads.push_back(stateOf(state));
+    gamepads.push_back(gamepadOfGlfw(state));
   }
   return gamepads;
 }
@@ -197,7 +132,7 @@ void Window::setFullscreen(bool fullscreen) {
 void Window::show() { glfwSwapBuffers(handle_); }
 
 void Window::onKey(GLFWwindow* handle, int key, int /*scancode*/, int action, int mods) {
-  const std::optional<Key> known = keyOf(key);
+  const std::optional<Key> known = keyOfGlfw(key);
   if (!known) return;
   auto& window = *static_cast<Window*>(glfwGetWindowUserPointer(handle));
   window.keyEvents_.push_back({*known, kindOf(action), (mods & GLFW_MOD_ALT) != 0, (mods & GLFW_MOD_CONTROL) != 0,

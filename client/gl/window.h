@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "client/ui/gamepad_keys.h"
+#include "client/ui/controls/gamepad_keys.h"
 #include "client/ui/key.h"
 #include "client/ui/pointer_event.h"
 

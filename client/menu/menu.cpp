@@ -106,6 +106,7 @@ MenuPage Menu::make() {
 void Menu::handle(const KeyEvent& event, const Font& font) {
   if (!isOpen() || event.kind == KeyEvent::Kind::kRelease) return;
   const MenuPage page = make();
+  if (page.takeKey) return page.takeKey(event);
   const MenuItem& item = page.items[focus()];
   if (item.field != nullptr && item.field->handle(event, clipboard_)) return;
   if (event.kind == KeyEvent::Kind::kCharacter) return;
@@ -157,6 +158,7 @@ void Menu::change(const MenuPage& page, int direction) {
 void Menu::handle(const PointerEvent& event, const Font& font) {
   if (!isOpen()) return;
   const MenuPage page = make();
+  if (page.takeKey) return event.kind == PointerEvent::Kind::kPress ? page.takeKey({Key::kEscape}) : void();
   const glm::vec2 place = glm::vec2(event.place) / scale_;
   switch (event.kind) {
     case PointerEvent::Kind::kMove:

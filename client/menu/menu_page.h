@@ -19,8 +19,9 @@ struct MenuPage {
   bool warning = false;              ///< the notes report an error
   std::vector<MenuItem> items{};
   Place place = Place::kMiddle;
-  bool large = false;            ///< the title is the name of the game
-  bool standsAside = false;      ///< while a value is being changed, only its item is shown
+  bool large = false;                              ///< the title is the name of the game
+  bool standsAside = false;                        ///< while a value is being changed, only its item is shown
+  std::function<void(const KeyEvent&)> takeKey{};  ///< if set, gets every key; a press of the mouse is Esc to it
   std::function<void()> back{};  ///< called by Esc and B; nothing: the page before is shown, if there is one
 };
 

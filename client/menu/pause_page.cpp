@@ -5,7 +5,7 @@ namespace platon {
 MenuPage pausePage(const PauseChoices& choices) {
   MenuPage page{choices.title, choices.notes};
   page.items = {{.name = "Resume", .choose = choices.onResume},
-                {.name = "Back to the start", .value = "R", .choose = choices.onRestart},
+                {.name = "Back to the start", .value = choices.restartKey, .choose = choices.onRestart},
                 {.name = choices.next, .choose = choices.onNext},
                 {.name = "Settings", .choose = choices.onSettings},
                 {.name = "Leave to the title", .choose = choices.onLeave}};

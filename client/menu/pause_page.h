@@ -12,6 +12,7 @@ namespace platon {
 struct PauseChoices {
   std::string title;
   std::vector<std::string> notes;  ///< paragraphs
+  std::string restartKey;          ///< that returns to the start
   std::string next;                ///< name of the item that leads to the next level
   std::function<void()> onResume;
   std::function<void()> onRestart;

@@ -28,6 +28,13 @@ MenuItem controlsItem(ControlFrame& frame) {
   return item;
 }
 
+// `toggled`: a press turns the control on and the next press off.
+MenuItem heldItem(const char* control, bool& toggled) {
+  MenuItem item{MenuItem::Kind::kChoice, control, toggled ? "press on, press off" : "while the key is held"};
+  item.step = [&toggled](int) { toggled = !toggled; };
+  return item;
+}
+
 MenuItem cameraItem(CameraView& view) {
   const bool follows = view == CameraView::kFollow;
   MenuItem item{MenuItem::Kind::kChoice, "Camera", follows ? "follows you" : "stands still"};
@@ -37,7 +44,7 @@ MenuItem cameraItem(CameraView& view) {
 
 }  // namespace
 
-MenuPage settingsPage(Settings& settings) {
+MenuPage settingsPage(Settings& settings, const std::function<void()>& showKeys) {
   MenuPage page{"Settings"};
   page.standsAside = true;
   page.items = {heading("Picture"),
@@ -57,7 +64,10 @@ MenuPage settingsPage(Settings& settings) {
                 toggleItem("Instant camera cut", settings.comfort.instantCut),
                 toggleItem("Reduced motion", settings.comfort.reducedMotion),
                 heading("Controls"),
+                {.name = "Keys and buttons", .value = "choose", .choose = showKeys},
                 controlsItem(settings.controls),
+                heldItem("Run slower", settings.toggled.slow),
+                heldItem("Look round", settings.toggled.look),
                 heading("Game"),
                 toggleItem("Own time", settings.timer),
                 toggleItem("Ghosts", settings.ghosts),

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <functional>
+
 #include "client/menu/menu_page.h"
 #include "client/ui/settings.h"
 
 namespace platon {
 
-/// The page that changes `settings`, which outlive it.
-MenuPage settingsPage(Settings& settings);
+/// The page that changes `settings`, which outlive it. `showKeys` shows the page of keys and buttons.
+MenuPage settingsPage(Settings& settings, const std::function<void()>& showKeys);
 
 }  // namespace platon

@@ -33,7 +33,7 @@ bool movesThroughMenu(Key key) {
     case Key::kF12:
       return true;
     default:
-      return key >= Key::kPadLeft;
+      return isOfGamepad(key);
   }
 }
 

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "client/files/user_folders.h"
-#include "client/menu/settings_page.h"
 
 namespace platon {
 namespace {
@@ -23,7 +22,7 @@ std::optional<std::uint16_t> portOf(const std::string& text) {
 }  // namespace
 
 FrontPages::FrontPages(Menu& menu, Settings& settings, RecentServers recent, Calls calls)
-    : menu_(&menu), settings_(&settings), recent_(std::move(recent)), calls_(std::move(calls)) {}
+    : menu_(&menu), settingsPages_(menu, settings), recent_(std::move(recent)), calls_(std::move(calls)) {}
 
 void FrontPages::load() {
   if (levels_.empty()) levels_ = loadShippedLevels();
@@ -45,17 +44,9 @@ MenuPage FrontPages::titlePage() {
                 {.name = "Levels", .choose = [this] { showLevels(); }},
                 {.name = "Join a server", .choose = [this] { showJoin(); }},
                 {.name = "Host a game", .choose = [this] { showHost(); }},
-                {.name = "Settings", .choose = [this] { showSettings(); }},
+                {.name = "Settings", .choose = [this] { settingsPages_.show(MenuPage::Place::kLeft); }},
                 {.name = "Quit", .choose = calls_.quit}};
   return page;
-}
-
-void FrontPages::showSettings() {
-  menu_->push([this] {
-    MenuPage page = settingsPage(*settings_);
-    page.place = MenuPage::Place::kLeft;
-    return page;
-  });
 }
 
 // The first level for one player whose goal the player has not reached yet; else the first one.

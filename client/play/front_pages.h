@@ -11,6 +11,7 @@
 #include "client/menu/join_page.h"
 #include "client/menu/levels_page.h"
 #include "client/menu/menu.h"
+#include "client/menu/settings_pages.h"
 #include "client/play/live_match.h"
 #include "client/ui/settings.h"
 
@@ -40,7 +41,6 @@ class FrontPages {
   void showLevels();
   void showJoin();
   void showHost();
-  void showSettings();
   void playFrom(std::size_t level);
   void join();
   void host();
@@ -49,7 +49,7 @@ class FrontPages {
   std::vector<std::string> filesFrom(std::size_t level) const;
 
   Menu* menu_;
-  Settings* settings_;
+  SettingsPages settingsPages_;
   RecentServers recent_;
   Calls calls_;
   std::vector<ShippedLevel> levels_;

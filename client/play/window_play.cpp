@@ -9,7 +9,6 @@
 #include "client/menu/failure_page.h"
 #include "client/menu/pause_page.h"
 #include "client/menu/say_page.h"
-#include "client/menu/settings_page.h"
 
 namespace platon {
 
@@ -122,6 +121,7 @@ MenuPage WindowPlay::pausePage() {
   choices.next = alone                         ? "Next level"
                  : match_->play().wishesNext() ? "Take back the vote for the next level"
                                                : "Vote for the next level";
+  choices.restartKey = interface_.keyHints().of(Control::kRestart);
   choices.onResume = [this] { menu_.close(); };
   choices.onRestart = [this] {
     interface_.restart();
@@ -131,7 +131,7 @@ MenuPage WindowPlay::pausePage() {
     match_->skipLevel();
     menu_.close();
   };
-  choices.onSettings = [this] { menu_.push([this] { return settingsPage(interface_.settings()); }); };
+  choices.onSettings = [this] { settingsPages_.show(MenuPage::Place::kMiddle); };
   choices.onLeave = [this] { leaveToTitle(); };
   return platon::pausePage(choices);
 }
@@ -260,9 +260,10 @@ void WindowPlay::drawMatch(double seconds) {
   match_->play().show(interface_.settings());
   std::optional<Scene> scene = match_->play().scene(now);
   if (scene) view_.netGraph().add(meter_.sample(match_->play().client(), now));
-  if (scene) spectator_.direct(*scene);
+  if (scene) spectator_.direct(*scene, interface_.keyHints());
   HudStatus status = match_->play().hudStatus(now, interface_.helpShown());
   if (drawnAt_ < saidUntil_ && status.notice.empty()) status.notice = said_;
+  status.keys = interface_.keyHints();
   status.hint = hint(status.summary.has_value());
   view_.look(menu_.isOpen() ? LookInput() : interface_.look());
   view_.draw(scene ? &*scene : nullptr, status, interface_.settings(), menu_.overlay(view_.font(), true), seconds);
@@ -270,9 +271,9 @@ void WindowPlay::drawMatch(double seconds) {
 }
 
 std::string WindowPlay::hint(bool roundOver) const {
-  if (roundOver) return match_->alone() ? "V: next level" : "";
+  if (roundOver) return match_->alone() ? interface_.keyHints().to(Control::kVote, "next level") : "";
   if (!spectator_.hint().empty() || options_.demo) return spectator_.hint();
-  return interface_.settings().firstKeys ? firstKeys_.hint() : "";
+  return interface_.settings().firstKeys ? firstKeys_.hint(interface_.keyHints()) : "";
 }
 
 void WindowPlay::drawFront(double seconds) {

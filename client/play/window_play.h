@@ -11,6 +11,7 @@
 #include "client/gl/screenshot_writer.h"
 #include "client/gl/window.h"
 #include "client/menu/menu.h"
+#include "client/menu/settings_pages.h"
 #include "client/menu/text_field.h"
 #include "client/menu/turntable.h"
 #include "client/netcode/player_snapshot.h"
@@ -80,6 +81,7 @@ class WindowPlay {
   Window window_;
   GameView view_;
   Menu menu_;
+  SettingsPages settingsPages_{menu_, interface_.settings()};
   FrontPages front_;
   Turntable turntable_;
   MatchChoice choice_;  // the last one

@@ -32,12 +32,12 @@ void FirstKeys::observe(const HeldKeys& held, std::uint32_t face) {
   }
 }
 
-std::string FirstKeys::hint() const {
+std::string FirstKeys::hint(const KeyHints& keys) const {
   switch (step_) {
     case Step::kRun:
-      return "← → or A D: roll";
+      return keys.run() + ": roll";
     case Step::kJump:
-      return "Space: jump; hold it to jump higher";
+      return keys.to(Control::kJump, "jump; hold it to jump higher");
     case Step::kCross:
       return "Roll over an edge: the solid turns, and your down with it";
     default:

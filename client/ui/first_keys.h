@@ -3,7 +3,8 @@
 #include <cstdint>
 #include <string>
 
-#include "client/ui/held_keys.h"
+#include "client/ui/controls/held_keys.h"
+#include "client/ui/controls/key_hints.h"
 
 namespace platon {
 
@@ -16,7 +17,7 @@ class FirstKeys {
   /// Notes what the player does in a tick: the keys that are held, and the face that the ball is on.
   void observe(const HeldKeys& held, std::uint32_t face);
   /// What to do next; empty if there is nothing to teach.
-  std::string hint() const;
+  std::string hint(const KeyHints& keys) const;
   bool done() const { return step_ == Step::kDone; }
 
  private:

@@ -10,6 +10,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "client/ui/key_help.h"
 #include "client/ui/overlay_writer.h"
 #include "client/ui/player_rows.h"
 #include "client/ui/text_wrap.h"
@@ -23,22 +24,6 @@ constexpr std::size_t kMaxRows = 12;
 constexpr float kMargin = 16;
 constexpr float kTextSize = 18;     // of messages and notices
 constexpr float kWidestText = 640;  // of messages and notices
-
-// Key, button of a gamepad, meaning.
-constexpr std::array<std::array<const char*, 3>, 13> kHelp{{{"← →  or  A D", "stick: 3 speeds", "run"},
-                                                            {"Shift", "stick, a little", "run slower"},
-                                                            {"Space, ↑ or W", "A", "jump; hold to jump higher"},
-                                                            {"↓ or S", "stick, D-pad down", "fall faster"},
-                                                            {"Tab and arrows", "right stick", "look round the solid"},
-                                                            {"R", "Back", "back to the start"},
-                                                            {"V", "", "next level: at once, or a vote"},
-                                                            {"E", "", "after the goal: watch others"},
-                                                            {"T", "", "talk to all players"},
-                                                            {"F1", "", "help"},
-                                                            {"F3", "", "connection graph"},
-                                                            {"F11", "", "full screen"},
-                                                            {"Esc", "Start", "pause, settings, leave"}}};
-constexpr const char* kRestartHint = "R: back to the start";
 
 std::string twoDigits(long value) { return std::string(value < 10 ? "0" : "") + std::to_string(value); }
 
@@ -107,23 +92,10 @@ void addResult(OverlayWriter& writer, const Scene& scene, float width) {
   }
 }
 
-void addVote(OverlayWriter& writer, const VoteStatus& vote, float width) {
+void addVote(OverlayWriter& writer, const VoteStatus& vote, const KeyHints& keys, float width) {
   const std::string text = std::to_string(vote.votes) + " of " + std::to_string(vote.voters) +
-                           (vote.votes == 1 ? " wants" : " want") + " the next level (V)";
+                           (vote.votes == 1 ? " wants" : " want") + " the next level (" + keys.of(Control::kVote) + ")";
   writer.pill(vote.mine ? "✓ " + text : text, {width / 2, kMargin + 93}, 16, vote.mine ? kGold : kBright);
-}
-
-void addHelp(OverlayWriter& writer) {
-  const float height = 24.0F * kHelp.size() + 20;
-  const glm::vec2 low(kMargin, Overlay::kHeight - kMargin - height);
-  writer.panel(low, low + glm::vec2(492, height), 12, kPanel);
-  glm::vec2 place = low + glm::vec2(16, 27);
-  for (const auto& [keys, pad, meaning] : kHelp) {
-    writer.left(keys, place, 14, kBright);
-    writer.left(pad, place + glm::vec2(130, 0), 14, kBright);
-    writer.left(meaning, place + glm::vec2(282, 0), 14, kSoft);
-    place.y += 24;
-  }
 }
 
 // Lines of a message or a notice of any length.
@@ -132,9 +104,10 @@ std::vector<std::string> linesOf(const std::string& text, const Font& font, floa
 }
 
 std::string hintOf(const Scene& scene, const HudStatus& status) {
-  if (scene.needsRestart) return kRestartHint;
+  if (scene.needsRestart) return status.keys.to(Control::kRestart, "back to the start");
   if (scene.neededPlayers == 0) return status.hint;
-  return "This level needs " + std::to_string(scene.neededPlayers) + " players. V: next level";
+  return "This level needs " + std::to_string(scene.neededPlayers) + " players. " +
+         status.keys.to(Control::kVote, "next level");
 }
 
 // At the left, in the middle of the height; the newest at the bottom.
@@ -190,7 +163,7 @@ Overlay makeEmptyHud(const HudStatus& status, const Font& font, float width) {
     writer.centred(line, place, 20, status.warning ? kWarning : kSoft);
     place.y += 26;
   }
-  if (status.help) addHelp(writer);
+  if (status.help) addHelp(writer, status.keys);
   addTexts(writer, {.notice = status.notice}, "", font, width);
   return writer.take();
 }
@@ -208,8 +181,8 @@ Overlay makeHud(const Scene& scene, const Camera& camera, const HudStatus& statu
   addPlayers(writer, scene, width);
   addResult(writer, scene, width);
   if (status.summary) addResults(writer, scene, *status.summary, font, width);
-  if (status.vote) addVote(writer, *status.vote, width);
-  if (status.help) addHelp(writer);
+  if (status.vote) addVote(writer, *status.vote, status.keys, width);
+  if (status.help) addHelp(writer, status.keys);
   addChat(writer, status.chat, font);
   addTexts(writer, status, hintOf(scene, status), font, width);
   return writer.take();

@@ -7,6 +7,7 @@
 
 #include "client/scene/camera.h"
 #include "client/scene/scene.h"
+#include "client/ui/controls/key_hints.h"
 #include "client/ui/font.h"
 #include "client/ui/overlay.h"
 #include "client/ui/results_panel.h"
@@ -32,6 +33,7 @@ struct HudStatus {
   RunStatus run{};                        ///< how the attempt compares with the best run
   bool timer = true;                      ///< show the own time and `run`
   std::vector<std::string> chat{};        ///< what players have said lately, oldest first
+  KeyHints keys{};                        ///< the keys that texts name
   std::string hint{};                     ///< what the player may do next; empty: nothing
 };
 

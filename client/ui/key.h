@@ -36,6 +36,16 @@ enum class Key : std::uint8_t {
   kX,
   kY,
   kZ,
+  kB,
+  kI,
+  kJ,
+  kK,
+  kL,
+  kM,
+  kN,
+  kO,
+  kQ,
+  kU,
   kDigit0,  ///< the digits are in order
   kDigit1,
   kDigit2,
@@ -54,6 +64,28 @@ enum class Key : std::uint8_t {
   kPageDown,
   kHome,
   kEnd,
+  kInsert,
+  kControl,
+  kAlt,
+  kComma,
+  kPeriod,
+  kSlash,
+  kSemicolon,
+  kApostrophe,
+  kLeftBracket,
+  kRightBracket,
+  kBackslash,
+  kGrave,
+  kKeypad0,  ///< the digits of the keypad are in order
+  kKeypad1,
+  kKeypad2,
+  kKeypad3,
+  kKeypad4,
+  kKeypad5,
+  kKeypad6,
+  kKeypad7,
+  kKeypad8,
+  kKeypad9,
   kPadLeft,  ///< D-pad or left stick, as the next three
   kPadRight,
   kPadUp,
@@ -67,9 +99,20 @@ enum class Key : std::uint8_t {
   kPadA,
   kPadB,
   kPadStart,
-  kPadBack
+  kPadBack,
+  kPadX,
+  kPadY,
+  kPadLeftBumper,
+  kPadRightBumper,
+  kPadLeftTrigger,
+  kPadRightTrigger,
+  kPadLeftStick,  ///< pressed, as the next one
+  kPadRightStick
 };
-inline constexpr std::size_t kKeyCount = static_cast<std::size_t>(Key::kPadBack) + 1;
+inline constexpr std::size_t kKeyCount = static_cast<std::size_t>(Key::kPadRightStick) + 1;
+
+/// Whether the key belongs to a gamepad.
+constexpr bool isOfGamepad(Key key) { return key >= Key::kPadLeft; }
 
 /// A change of one key, or a character that was typed.
 struct KeyEvent {

@@ -2,7 +2,11 @@
 
 #include <charconv>
 #include <functional>
+#include <iterator>
+#include <optional>
 #include <sstream>
+
+#include "client/ui/controls/bindings_text.h"
 
 namespace platon {
 namespace {
@@ -67,6 +71,8 @@ std::vector<Entry> entriesOf(Settings& settings) {
       {"text-size", "a number from 0.75 to 1.75",
        [&settings](std::string_view value) { return parse(value, settings.uiScale, kMinUiScale, kMaxUiScale); }},
       {"controls", "player or screen", [&settings](std::string_view value) { return parse(value, settings.controls); }},
+      flag("toggle-slow", settings.toggled.slow),
+      flag("toggle-look", settings.toggled.look),
       flag("instant-cut", comfort.instantCut),
       flag("reduced-motion", comfort.reducedMotion),
       flag("fullscreen", settings.fullscreen),
@@ -84,21 +90,33 @@ std::vector<Entry> entriesOf(Settings& settings) {
       flag("ghosts", settings.ghosts)};
 }
 
-void parseLine(const std::string& line, const std::string& where, SettingsResult& result) {
-  std::istringstream words(line);
-  std::string name;
-  std::string value;
-  std::string extra;
-  if (!(words >> name)) return;
-  words >> value >> extra;
-  for (const Entry& entry : entriesOf(result.settings)) {
-    if (entry.name != name) continue;
-    if (extra.empty() && entry.parse(value)) return;
-    result.errors.push_back(where + name + " must be " + std::string(entry.allowed));
-    return;
+using Words = std::vector<std::string>;
+
+// What is wrong with the line of a setting; nothing if the line names no setting.
+std::optional<std::string> faultOf(const Words& words, Settings& settings, BindingsReader& bindings) {
+  const std::span<const std::string> values = std::span(words).subspan(1);
+  const std::optional<Control> control = words[0] == "key" && !values.empty() ? controlNamed(values[0]) : std::nullopt;
+  if (control) {
+    const std::string fault = bindings.read(*control, values.subspan(1));
+    return fault.empty() ? fault : "key " + values[0] + " " + fault;
   }
-  result.unknownLines.push_back(line);
-  result.errors.push_back(where + "unknown setting '" + name + "'");
+  for (const Entry& entry : entriesOf(settings)) {
+    if (entry.name != words[0]) continue;
+    return values.size() == 1 && entry.parse(values[0]) ? "" : words[0] + " must be " + std::string(entry.allowed);
+  }
+  return std::nullopt;
+}
+
+void parseLine(const std::string& line, const std::string& where, SettingsResult& result, BindingsReader& bindings) {
+  std::istringstream stream(line);
+  const Words words{std::istream_iterator<std::string>(stream), std::istream_iterator<std::string>()};
+  if (words.empty()) return;
+  const std::optional<std::string> fault = faultOf(words, result.settings, bindings);
+  if (!fault) result.unknownLines.push_back(line);
+  if (!fault)
+    result.errors.push_back(where + "unknown setting '" + words[0] + "'");
+  else if (!fault->empty())
+    result.errors.push_back(where + *fault);
 }
 
 const char* onOff(bool flag) { return flag ? "on" : "off"; }
@@ -126,6 +144,9 @@ std::string Settings::text() const {
   out << "volume-music " << musicVolume << "\n";
   out << "timer " << onOff(timer) << "\n";
   out << "ghosts " << onOff(ghosts) << "\n";
+  out << "toggle-slow " << onOff(toggled.slow) << "\n";
+  out << "toggle-look " << onOff(toggled.look) << "\n";
+  out << textOf(bindings);
   return out.str();
 }
 
@@ -133,9 +154,11 @@ SettingsResult parseSettings(std::string_view text) {
   SettingsResult result;
   std::istringstream lines{std::string(text)};
   std::string line;
+  BindingsReader bindings;
   for (int number = 1; std::getline(lines, line); ++number) {
-    parseLine(line, "line " + std::to_string(number) + ": ", result);
+    parseLine(line, "line " + std::to_string(number) + ": ", result, bindings);
   }
+  result.settings.bindings = bindings.bindings();
   return result;
 }
 

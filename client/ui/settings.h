@@ -6,6 +6,8 @@
 
 #include "client/scene/camera_comfort.h"
 #include "client/ui/control_frame.h"
+#include "client/ui/controls/bindings.h"
+#include "client/ui/controls/toggled_controls.h"
 
 namespace platon {
 
@@ -17,6 +19,8 @@ inline constexpr double kMaxUiScale = 1.75;
 struct Settings {
   CameraComfort comfort;
   ControlFrame controls = ControlFrame::kPlayer;
+  Bindings bindings;
+  ToggledControls toggled;
   double zoom = 1;     ///< 0.5 … 2
   double uiScale = 1;  ///< size of the menus, kMinUiScale … kMaxUiScale
   bool fullscreen = false;
@@ -32,7 +36,7 @@ struct Settings {
   bool ghosts = true;          ///< show the best run and those of others
   bool faceNumbers = false;    ///< faces show their numbers instead of signs
 
-  /// The settings as lines `name value`, the format of `parseSettings`.
+  /// The settings as lines `name value…`, the format of `parseSettings`.
   std::string text() const;
 };
 

@@ -7,7 +7,7 @@
 
 namespace platon {
 
-void Spectator::direct(Scene& scene) {
+void Spectator::direct(Scene& scene, const KeyHints& keys) {
   const bool asked = std::exchange(asked_, false);
   hint_.clear();
   const bool others = std::any_of(scene.players.begin(), scene.players.end(),
@@ -16,10 +16,10 @@ void Spectator::direct(Scene& scene) {
   if (asked) watchNext(scene);
   const auto watched = std::find_if(scene.players.begin(), scene.players.end(),
                                     [this](const PlayerDrawing& player) { return player.slot == watched_; });
-  hint_ = "E: watch another player";
+  hint_ = keys.to(Control::kWatch, "watch another player");
   if (!watched_ || watched == scene.players.end()) return watched_.reset();
   scene.focus = watched->pose;
-  hint_ = "watching " + shownNameOf(*watched) + "   E: next";
+  hint_ = "watching " + shownNameOf(*watched) + "   " + keys.to(Control::kWatch, "next");
 }
 
 void Spectator::watchNext(const Scene& scene) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "client/scene/scene.h"
+#include "client/ui/controls/key_hints.h"
 
 namespace platon {
 
@@ -14,7 +15,7 @@ class Spectator {
   /// Watches the next other player, by slot, and after the last one the local player again.
   void next() { asked_ = true; }
   /// Directs the camera of the next picture. While the local player is on its way, the camera follows it.
-  void direct(Scene& scene);
+  void direct(Scene& scene, const KeyHints& keys = KeyHints());
   /// What to tell the player of this; empty while there is nobody to watch.
   const std::string& hint() const { return hint_; }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "client/ui/control_frame.h"
-#include "client/ui/held_keys.h"
+#include "client/ui/controls/held_keys.h"
 #include "platon/game/input.h"
 
 namespace platon {

@@ -5,11 +5,14 @@
 namespace platon {
 
 void UserInterface::handle(const KeyEvent& event, bool menuOpen) {
+  if (event.kind == KeyEvent::Kind::kPress) gamepadUsed_ = isOfGamepad(event.key);
+  mapper_.configure(settings_.bindings, settings_.toggled);
   const std::optional<Action> action = mapper_.handle(event, menuOpen);
   if (action) perform(*action);
 }
 
 HeldKeys UserInterface::takeHeld(bool menuOpen) {
+  mapper_.configure(settings_.bindings, settings_.toggled);
   HeldKeys held = mapper_.takeHeld();
   if (menuOpen) return {};
   held.restart = std::exchange(restart_, false) || held.restart;

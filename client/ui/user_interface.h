@@ -3,8 +3,9 @@
 #include <utility>
 
 #include "client/scene/look_input.h"
-#include "client/ui/held_keys.h"
-#include "client/ui/input_mapper.h"
+#include "client/ui/controls/held_keys.h"
+#include "client/ui/controls/input_mapper.h"
+#include "client/ui/controls/key_hints.h"
 #include "client/ui/key.h"
 #include "client/ui/settings.h"
 
@@ -24,6 +25,8 @@ class UserInterface {
 
   /// How the player looks round.
   LookInput look() const { return mapper_.look(); }
+  /// The keys to name on the screen.
+  KeyHints keyHints() const { return KeyHints(settings_.bindings, gamepadUsed_); }
 
   /// Whether the player has asked for the menu since the last call.
   bool takeMenu() { return std::exchange(menuAsked_, false); }
@@ -54,6 +57,7 @@ class UserInterface {
   bool pictureAsked_ = false;
   bool sayAsked_ = false;
   bool restart_ = false;
+  bool gamepadUsed_ = false;  // later than the keyboard
 };
 
 }  // namespace platon

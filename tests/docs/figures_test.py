@@ -165,7 +165,7 @@ def turn_round(sources):
 
 def tilts(sources):
     """Run speed in units a tick; deflections of the stick up to which the player walks and creeps, in per cent."""
-    text = (sources.root / "client/ui/gamepad_keys.h").read_text(encoding="utf-8")
+    text = (sources.root / "client/ui/controls/gamepad_keys.h").read_text(encoding="utf-8")
     walk, creep = (float(re.search(rf"{name} = ([\d.]+)F", text)[1]) for name in ("kWalk", "kCreep"))
     return [f"{sources.constant(PLAYER, 'kRunSpeed') / 1024:.1f}", f"{100 * walk:.0f}", f"{100 * creep:.0f}"]
 

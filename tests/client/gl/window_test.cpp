@@ -14,7 +14,7 @@
 
 #include "client/gl/game_view.h"
 #include "client/gl/gl_loader.h"
-#include "client/ui/input_mapper.h"
+#include "client/ui/controls/input_mapper.h"
 #include "tests/client/gl/desktop.h"
 #include "tests/client/gl/fake_gamepad.h"
 #include "tests/support/environment_variable.h"
@@ -191,15 +191,16 @@ TEST_F(WindowTest, TheMouseIsDelivered) {
 }
 
 TEST_F(WindowTest, OtherKeysAreIgnored) {
-  xdotool("key q F5 space");
+  xdotool("key F4 F5 space");
   EXPECT_EQ(pollEvents(2), (Events{{Key::kSpace, Kind::kPress}, {Key::kSpace, Kind::kRelease}}));
 }
 
 TEST_F(WindowTest, AltIsPartOfTheEvent) {
   xdotool("key alt+Return");
   const Events events = pollEvents(2);
-  ASSERT_FALSE(events.empty());
-  EXPECT_EQ(events.front(), (KeyEvent{Key::kEnter, Kind::kPress, true}));
+  ASSERT_GE(events.size(), 2U);
+  EXPECT_EQ(events[0].key, Key::kAlt);
+  EXPECT_EQ(events[1], (KeyEvent{Key::kEnter, Kind::kPress, true}));
 }
 
 TEST_F(WindowTest, WhatIsTypedIsDeliveredInOrderWithTheKeys) {

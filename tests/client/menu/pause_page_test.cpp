@@ -8,7 +8,7 @@ namespace {
 TEST(PausePage, EachItemCallsItsOwn) {
   std::string called;
   const auto note = [&called](const char* name) { return [&called, name] { called += name; }; };
-  PauseChoices choices{"Pause",       {"a note"},        "Vote",        note("resume "), note("restart "),
+  PauseChoices choices{"Pause",       {"a note"},        "R",           "Vote", note("resume "), note("restart "),
                        note("next "), note("settings "), note("leave ")};
   const MenuPage page = pausePage(choices);
   for (const MenuItem& item : page.items) item.choose();

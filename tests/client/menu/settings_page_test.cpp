@@ -5,7 +5,13 @@
 namespace platon {
 namespace {
 
-bool isSetting(const MenuItem& item) { return item.kind != MenuItem::Kind::kHeading; }
+bool isSetting(const MenuItem& item) {
+  return item.kind != MenuItem::Kind::kHeading && item.kind != MenuItem::Kind::kAction;
+}
+
+MenuPage settingsPage(Settings& settings) {
+  return platon::settingsPage(settings, [] {});
+}
 
 TEST(SettingsPage, EverySettingCanBeChangedAndStaysValid) {
   Settings settings;

@@ -1,10 +1,12 @@
 #include "client/play/window_play.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +14,7 @@
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 
+#include "client/menu/settings_page.h"
 #include "client/time/steady_now.h"
 #include "tests/client/gl/desktop.h"
 #include "tests/client/gl/fake_gamepad.h"
@@ -25,6 +28,7 @@ namespace platon {
 namespace {
 
 constexpr int kSettingsItem = 3;  // of the menu over the game, below Resume
+constexpr const char* kKeysItem = "Keys and buttons";
 
 std::string keys(const std::string& key, int times) {
   std::string command = "key";
@@ -68,10 +72,20 @@ class WindowPlayTest : public testing::Test {
     }
   }
   bool shows(const std::string& name) const {
+    if (!play_->menu().isOpen()) return false;
     for (const MenuRow& row : play_->menu().layout(font_).rows) {
       if (row.name.text == name) return true;
     }
     return false;
+  }
+  // Nothing before the first round.
+  std::optional<bool> isOnGround() const {
+    const Session* const session = play_->match() ? play_->match()->play().client().session() : nullptr;
+    if (session == nullptr || session->round() == nullptr) return std::nullopt;
+    const Prediction& prediction = session->round()->prediction();
+    const Game& game = prediction.predicted();
+    if (prediction.slot() >= game.slots()) return std::nullopt;
+    return game.player(prediction.slot()).ground != Point();
   }
   bool inGame() const { return play_->match() != nullptr && !play_->menu().isOpen(); }
 
@@ -197,6 +211,24 @@ TEST_F(WindowPlayTest, AloneTheMenuPausesTheGame) {
          },
          [&] { return confirmed() > ticks + 30; }}});
   EXPECT_TRUE(stepsDone_);
+}
+
+TEST_F(WindowPlayTest, AChosenKeyJumps) {
+  Settings settings;
+  const std::vector<MenuItem> items = settingsPage(settings, [] {}).items;
+  const auto row = std::find_if(items.begin(), items.end(), [](const auto& item) { return item.name == kKeysItem; });
+  const auto above = std::count_if(items.begin(), row, [](const auto& item) { return item.canHaveFocus(); });
+  const auto grounded = [this] { return isOnGround() == std::optional(true); };
+  play({{[] {}, grounded},
+        {[] { xdotool("key Escape " + keys("Down", kSettingsItem).substr(4) + " Return"); },
+         [this] { return shows("Full screen"); }},
+        {[&] { xdotool(keys("Down", static_cast<int>(above)) + " Return"); }, [this] { return shows("Jump"); }},
+        {[] { xdotool(keys("Down", static_cast<int>(Control::kJump)) + " Return j"); }, [] { return true; }},
+        {[] { xdotool(keys("Escape", 3)); }, [this] { return inGame(); }},
+        {[] { xdotool("keydown j"); }, [this] { return isOnGround() == std::optional(false); }},
+        {[] { xdotool("keyup j"); }, grounded}});
+  EXPECT_TRUE(stepsDone_);
+  EXPECT_NE(savedSettings().find("\nkey jump j space pad-a\n"), std::string::npos);
 }
 
 TEST_F(WindowPlayTest, ClosingTheWindowLeavesTheGame) {

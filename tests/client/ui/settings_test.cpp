@@ -28,6 +28,8 @@ TEST(Settings, ParsingTheTextGivesTheSameSettings) {
   settings.timer = false;
   settings.ghosts = false;
   settings.faceNumbers = true;
+  settings.toggled = {.slow = true, .look = true};
+  settings.bindings.bind(Control::kJump, Key::kJ);
   const SettingsResult result = parseSettings(settings.text());
   EXPECT_EQ(result.errors, Lines());
   EXPECT_EQ(result.unknownLines, Lines());
@@ -66,6 +68,7 @@ TEST(Settings, BadValuesAreReported) {
   EXPECT_EQ(parseSettings("volume-music off\n").errors, Lines{"line 1: volume-music" + range});
   EXPECT_EQ(parseSettings("controls mine\n").errors, Lines{"line 1: controls must be player or screen"});
   EXPECT_EQ(parseSettings("camera me\n").errors, Lines{"line 1: camera must be follow or face"});
+  EXPECT_EQ(parseSettings("toggle-slow 1\n").errors, Lines{"line 1: toggle-slow must be on or off"});
   EXPECT_EQ(parseSettings("fullscreen yes\n").errors, Lines{"line 1: fullscreen must be on or off"});
 }
 

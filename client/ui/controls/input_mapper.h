@@ -5,7 +5,9 @@
 #include <optional>
 
 #include "client/scene/look_input.h"
-#include "client/ui/held_keys.h"
+#include "client/ui/controls/bindings.h"
+#include "client/ui/controls/held_keys.h"
+#include "client/ui/controls/toggled_controls.h"
 #include "client/ui/key.h"
 
 namespace platon {
@@ -25,19 +27,29 @@ enum class Action : std::uint8_t {
 /// Decides what each key does: an action of the user interface, a control of the game, or both.
 class InputMapper {
  public:
+  /// From now on the controls have these keys. A toggled control that is on stays on.
+  void configure(const Bindings& bindings, const ToggledControls& toggled);
+
   /// Returns the action of the event, if it has one. While the menu is open, a press is not passed to the game, and
   /// neither is the rest of that press after the menu has closed. Key repeat has no action.
   std::optional<Action> handle(const KeyEvent& event, bool menuOpen);
 
   /// Returns the controls of the next tick: the held ones, and those pressed since the last call even if they have
-  /// been released again. While Tab is held, the arrow keys and those beside them move the view, not the player. Called
+  /// been released again. While the player looks round by keys, the directions move the view, not the player. Called
   /// once a tick.
   HeldKeys takeHeld();
 
-  /// How the player looks round: with Tab and a direction, or with the right stick.
+  /// How the player looks round: with its key and a direction, or with the right stick.
   LookInput look() const;
 
  private:
+  std::optional<Action> press(const KeyEvent& event, bool menuOpen);
+  bool looksByKeys() const;
+
+  Bindings bindings_;
+  ToggledControls toggled_;
+  bool slow_ = false;  // toggled on, as the next one
+  bool looking_ = false;
   std::bitset<kKeyCount> held_;     // pressed while the menu was closed, not released yet
   std::bitset<kKeyCount> pressed_;  // since the last takeHeld
 };

@@ -1,4 +1,4 @@
-#include "client/ui/gamepad_keys.h"
+#include "client/ui/controls/gamepad_keys.h"
 
 #include <array>
 #include <utility>
@@ -22,14 +22,23 @@ GamepadState stickAt(float x, float y) {
 Events update(GamepadKeys& keys, const GamepadState& state) { return keys.update(std::array{state}); }
 
 TEST(GamepadKeys, EveryButtonIsPressedAndReleasedOnce) {
-  constexpr std::array<std::pair<bool GamepadState::*, Key>, 8> kButtons{{{&GamepadState::dpadLeft, Key::kPadLeft},
-                                                                          {&GamepadState::dpadRight, Key::kPadRight},
-                                                                          {&GamepadState::dpadUp, Key::kPadUp},
-                                                                          {&GamepadState::dpadDown, Key::kPadDown},
-                                                                          {&GamepadState::a, Key::kPadA},
-                                                                          {&GamepadState::b, Key::kPadB},
-                                                                          {&GamepadState::start, Key::kPadStart},
-                                                                          {&GamepadState::back, Key::kPadBack}}};
+  constexpr std::array<std::pair<bool GamepadState::*, Key>, 16> kButtons{
+      {{&GamepadState::dpadLeft, Key::kPadLeft},
+       {&GamepadState::dpadRight, Key::kPadRight},
+       {&GamepadState::dpadUp, Key::kPadUp},
+       {&GamepadState::dpadDown, Key::kPadDown},
+       {&GamepadState::a, Key::kPadA},
+       {&GamepadState::b, Key::kPadB},
+       {&GamepadState::x, Key::kPadX},
+       {&GamepadState::y, Key::kPadY},
+       {&GamepadState::start, Key::kPadStart},
+       {&GamepadState::back, Key::kPadBack},
+       {&GamepadState::leftBumper, Key::kPadLeftBumper},
+       {&GamepadState::rightBumper, Key::kPadRightBumper},
+       {&GamepadState::leftTrigger, Key::kPadLeftTrigger},
+       {&GamepadState::rightTrigger, Key::kPadRightTrigger},
+       {&GamepadState::leftStick, Key::kPadLeftStick},
+       {&GamepadState::rightStick, Key::kPadRightStick}}};
   for (const auto& [button, key] : kButtons) {
     GamepadKeys keys;
     GamepadState state;

@@ -1,4 +1,4 @@
-#include "client/ui/input_mapper.h"
+#include "client/ui/controls/input_mapper.h"
 
 #include <array>
 #include <cstddef>
@@ -45,6 +45,7 @@ bool HeldKeys::*controlOf(Key key) {
     case Key::kPadWalk:
       return &HeldKeys::walk;
     case Key::kShift:
+    case Key::kPadLeftBumper:
     case Key::kPadCreep:
       return &HeldKeys::creep;
     case Key::kR:
@@ -171,6 +172,50 @@ TEST(InputMapper, AHeldKeyVotesOnce) {
   EXPECT_EQ(mapper.handle({Key::kV, Kind::kRepeat}, false), std::nullopt);
   EXPECT_EQ(mapper.handle({Key::kV, Kind::kRelease}, false), std::nullopt);
   EXPECT_EQ(InputMapper().handle({Key::kV, Kind::kPress}, true), std::nullopt);
+}
+
+TEST(InputMapper, AChosenKeyHoldsItsControlAndTheOldOneNothing) {
+  Bindings bindings;
+  bindings.clear(Control::kJump);
+  bindings.bind(Control::kJump, Key::kV);
+  InputMapper mapper;
+  mapper.configure(bindings, {});
+  EXPECT_EQ(mapper.handle({Key::kV, Kind::kPress}, false), std::nullopt) << "it votes no more";
+  EXPECT_EQ(mapper.takeHeld(), only(&HeldKeys::jump));
+  release(mapper, Key::kV);
+  press(mapper, Key::kSpace);
+  EXPECT_EQ(mapper.takeHeld(), HeldKeys());
+}
+
+TEST(InputMapper, AToggledControlIsOnFromOnePressToTheNext) {
+  InputMapper mapper;
+  const auto tap = [&mapper](Key key, bool menuOpen = false) {
+    press(mapper, key, menuOpen);
+    release(mapper, key, menuOpen);
+  };
+  mapper.configure({}, {.slow = true, .look = true});
+  tap(Key::kShift);
+  for (int tick = 0; tick < 3; ++tick) EXPECT_EQ(mapper.takeHeld(), only(&HeldKeys::creep));
+  tap(Key::kShift, true);
+  EXPECT_EQ(mapper.takeHeld(), only(&HeldKeys::creep)) << "keys in the menu toggle nothing";
+  tap(Key::kShift);
+  EXPECT_EQ(mapper.takeHeld(), HeldKeys());
+  tap(Key::kTab);
+  EXPECT_TRUE(mapper.look().held);
+  tap(Key::kTab);
+  EXPECT_FALSE(mapper.look().held);
+}
+
+TEST(InputMapper, WhoStopsTogglingHasNothingToggledOn) {
+  InputMapper mapper;
+  mapper.configure({}, {.slow = true});
+  press(mapper, Key::kShift);
+  release(mapper, Key::kShift);
+  mapper.takeHeld();
+  mapper.configure({}, {});
+  EXPECT_EQ(mapper.takeHeld(), HeldKeys());
+  mapper.configure({}, {.slow = true});
+  EXPECT_EQ(mapper.takeHeld(), HeldKeys());
 }
 
 TEST(InputMapper, WhatIsTypedHoldsNothing) {

@@ -1,4 +1,4 @@
-#include "client/ui/gamepad_keys.h"
+#include "client/ui/controls/gamepad_keys.h"
 
 #include <array>
 #include <cmath>
@@ -10,7 +10,7 @@ namespace {
 
 std::bitset<kKeyCount> keysOf(const GamepadState& pad) {
   const float tilt = pad.dpadLeft || pad.dpadRight ? 1 : std::abs(pad.stickX);
-  const std::array<std::pair<Key, bool>, 14> states{
+  const std::array<std::pair<Key, bool>, 22> states{
       {{Key::kPadLeft, pad.dpadLeft || pad.stickX < -GamepadKeys::kDeadZone},
        {Key::kPadRight, pad.dpadRight || pad.stickX > GamepadKeys::kDeadZone},
        {Key::kPadUp, pad.dpadUp || pad.stickY < -GamepadKeys::kVerticalDeadZone},
@@ -24,7 +24,15 @@ std::bitset<kKeyCount> keysOf(const GamepadState& pad) {
        {Key::kPadA, pad.a},
        {Key::kPadB, pad.b},
        {Key::kPadStart, pad.start},
-       {Key::kPadBack, pad.back}}};
+       {Key::kPadBack, pad.back},
+       {Key::kPadX, pad.x},
+       {Key::kPadY, pad.y},
+       {Key::kPadLeftBumper, pad.leftBumper},
+       {Key::kPadRightBumper, pad.rightBumper},
+       {Key::kPadLeftTrigger, pad.leftTrigger},
+       {Key::kPadRightTrigger, pad.rightTrigger},
+       {Key::kPadLeftStick, pad.leftStick},
+       {Key::kPadRightStick, pad.rightStick}}};
   std::bitset<kKeyCount> keys;
   for (const auto& [key, down] : states) keys.set(static_cast<std::size_t>(key), down);
   return keys;

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "client/ui/gamepad_state.h"
+#include "client/ui/controls/gamepad_state.h"
 #include "client/ui/key.h"
 
 namespace platon {

@@ -16,6 +16,14 @@ struct GamepadState {
   bool b = false;
   bool start = false;
   bool back = false;
+  bool x = false;
+  bool y = false;
+  bool leftBumper = false;
+  bool rightBumper = false;
+  bool leftTrigger = false;
+  bool rightTrigger = false;
+  bool leftStick = false;  ///< pressed, as the next one
+  bool rightStick = false;
 };
 
 }  // namespace platon

@@ -1,0 +1,24 @@
+#include "client/menu/settings_pages.h"
+
+#include "client/menu/settings_page.h"
+
+namespace platon {
+
+void SettingsPages::show(MenuPage::Place place) {
+  menu_->push([this, place] {
+    MenuPage page = settingsPage(*settings_, [this, place] { showControls(place); });
+    page.place = place;
+    return page;
+  });
+}
+
+void SettingsPages::showControls(MenuPage::Place place) {
+  form_ = {};
+  menu_->push([this, place] {
+    MenuPage page = controlsPage(settings_->bindings, form_);
+    page.place = place;
+    return page;
+  });
+}
+
+}  // namespace platon

@@ -1,0 +1,106 @@
+#include "client/ui/controls/input_mapper.h"
+
+#include <cstddef>
+
+namespace platon {
+namespace {
+
+std::optional<Action> actionOf(Control control) {
+  switch (control) {
+    case Control::kVote:
+      return Action::kToggleVote;
+    case Control::kWatch:
+      return Action::kWatchNext;
+    case Control::kSay:
+      return Action::kSay;
+    default:
+      return std::nullopt;
+  }
+}
+
+// Of the keys that have the same meaning for everybody.
+std::optional<Action> fixedActionOf(const KeyEvent& event, bool menuOpen) {
+  switch (event.key) {
+    case Key::kEscape:
+    case Key::kPadStart:
+      return menuOpen ? std::nullopt : std::optional(Action::kOpenMenu);
+    case Key::kF1:
+      return Action::kToggleHelp;
+    case Key::kF3:
+      return Action::kToggleNetGraph;
+    case Key::kF11:
+      return Action::kToggleFullscreen;
+    case Key::kF12:
+      return Action::kTakePicture;
+    case Key::kEnter:
+      return event.alt ? std::optional(Action::kToggleFullscreen) : std::nullopt;
+    default:
+      return std::nullopt;
+  }
+}
+
+}  // namespace
+
+std::optional<Action> InputMapper::handle(const KeyEvent& event, bool menuOpen) {
+  if (event.kind == KeyEvent::Kind::kCharacter) return std::nullopt;
+  const auto index = static_cast<std::size_t>(event.key);
+  if (menuOpen) pressed_.reset();
+  if (event.kind == KeyEvent::Kind::kRelease) held_.reset(index);
+  if (event.kind == KeyEvent::Kind::kPress && !menuOpen) {
+    held_.set(index);
+    pressed_.set(index);
+  }
+  return event.kind == KeyEvent::Kind::kPress ? press(event, menuOpen) : std::nullopt;
+}
+
+std::optional<Action> InputMapper::press(const KeyEvent& event, bool menuOpen) {
+  if (const std::optional<Action> action = fixedActionOf(event, menuOpen)) return action;
+  const std::optional<Control> control = menuOpen ? std::nullopt : bindings_.controlOf(event.key);
+  if (!control) return std::nullopt;
+  if (control == Control::kSlow) slow_ = toggled_.slow && !slow_;
+  if (control == Control::kLook) looking_ = toggled_.look && !looking_;
+  return actionOf(*control);
+}
+
+void InputMapper::configure(const Bindings& bindings, const ToggledControls& toggled) {
+  bindings_ = bindings;
+  slow_ = slow_ && toggled.slow;
+  looking_ = looking_ && toggled.look;
+  toggled_ = toggled;
+}
+
+bool InputMapper::looksByKeys() const { return toggled_.look ? looking_ : bindings_.isAny(Control::kLook, held_); }
+
+HeldKeys InputMapper::takeHeld() {
+  const std::bitset<kKeyCount> active = held_ | pressed_;
+  pressed_.reset();
+  const bool moves = !looksByKeys();
+  const auto any = [&](Control control) { return bindings_.isAny(control, active); };
+  const auto is = [&active](Key key) { return active[static_cast<std::size_t>(key)]; };
+  HeldKeys keys;
+  keys.left = moves && any(Control::kLeft);
+  keys.right = moves && any(Control::kRight);
+  keys.up = moves && any(Control::kUp);
+  keys.down = moves && any(Control::kDown);
+  keys.jump = any(Control::kJump);
+  keys.walk = is(Key::kPadWalk);
+  keys.creep = is(Key::kPadCreep) || (toggled_.slow ? slow_ : any(Control::kSlow));
+  keys.restart = any(Control::kRestart);
+  return keys;
+}
+
+LookInput InputMapper::look() const {
+  const bool byKeys = looksByKeys();
+  const auto is = [this](Key key) { return held_[static_cast<std::size_t>(key)]; };
+  const auto turns = [&](Control control, Key stick) {
+    return is(stick) || (byKeys && bindings_.isAny(control, held_)) ? 1 : 0;
+  };
+  LookInput input;
+  input.direction.x = turns(Control::kRight, Key::kPadLookRight) - turns(Control::kLeft, Key::kPadLookLeft);
+  input.direction.y = turns(Control::kUp, Key::kPadLookUp) - turns(Control::kDown, Key::kPadLookDown);
+  input.held =
+      byKeys || is(Key::kPadLookLeft) || is(Key::kPadLookRight) || is(Key::kPadLookUp) || is(Key::kPadLookDown);
+  return input;
+}
+
+}  // namespace platon

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+
+#include "client/ui/controls/bindings.h"
+
+namespace platon {
+
+/// Tells the player which keys to press. All texts on the screen that name a key have the name from here.
+class KeyHints {
+ public:
+  /// `gamepad`: the player has used the gamepad last, so its buttons are named as far as there are any.
+  explicit KeyHints(const Bindings& bindings = {}, bool gamepad = false) : bindings_(bindings), gamepad_(gamepad) {}
+
+  /// One key of the control: `Space`; `no key` if it has none.
+  std::string of(Control control) const;
+  /// What a key of the control does: `R: back to the start`.
+  std::string to(Control control, const std::string& what) const;
+  /// The keys that run to both sides: `← → or A D`.
+  std::string run() const;
+
+  /// All keys of the control: `Space or J`; empty if it has none.
+  std::string keys(Control control) const;
+  /// Its button of the gamepad; empty if it has none.
+  std::string pad(Control control) const;
+
+ private:
+  Bindings bindings_;
+  bool gamepad_;
+};
+
+}  // namespace platon

@@ -1,0 +1,138 @@
+#include "client/ui/controls/key_names.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace platon {
+namespace {
+
+struct Name {
+  Key key;
+  const char* shown;
+  const char* word = "";
+};
+
+// In the order of Key, as keyNamesAreInOrder checks.
+constexpr std::array<Name, kKeyCount> kNames{{{Key::kArrowLeft, "←", "arrow-left"},
+                                              {Key::kArrowRight, "→", "arrow-right"},
+                                              {Key::kArrowUp, "↑", "arrow-up"},
+                                              {Key::kArrowDown, "↓", "arrow-down"},
+                                              {Key::kA, "A", "a"},
+                                              {Key::kD, "D", "d"},
+                                              {Key::kW, "W", "w"},
+                                              {Key::kS, "S", "s"},
+                                              {Key::kSpace, "Space", "space"},
+                                              {Key::kEnter, "Enter", "enter"},
+                                              {Key::kR, "R", "r"},
+                                              {Key::kV, "V", "v"},
+                                              {Key::kShift, "Shift", "shift"},
+                                              {Key::kTab, "Tab", "tab"},
+                                              {Key::kEscape, "Esc"},
+                                              {Key::kF1, "F1"},
+                                              {Key::kF3, "F3"},
+                                              {Key::kF11, "F11"},
+                                              {Key::kF12, "F12"},
+                                              {Key::kC, "C", "c"},
+                                              {Key::kE, "E", "e"},
+                                              {Key::kF, "F", "f"},
+                                              {Key::kG, "G", "g"},
+                                              {Key::kH, "H", "h"},
+                                              {Key::kP, "P", "p"},
+                                              {Key::kT, "T", "t"},
+                                              {Key::kX, "X", "x"},
+                                              {Key::kY, "Y", "y"},
+                                              {Key::kZ, "Z", "z"},
+                                              {Key::kB, "B", "b"},
+                                              {Key::kI, "I", "i"},
+                                              {Key::kJ, "J", "j"},
+                                              {Key::kK, "K", "k"},
+                                              {Key::kL, "L", "l"},
+                                              {Key::kM, "M", "m"},
+                                              {Key::kN, "N", "n"},
+                                              {Key::kO, "O", "o"},
+                                              {Key::kQ, "Q", "q"},
+                                              {Key::kU, "U", "u"},
+                                              {Key::kDigit0, "0", "0"},
+                                              {Key::kDigit1, "1", "1"},
+                                              {Key::kDigit2, "2", "2"},
+                                              {Key::kDigit3, "3", "3"},
+                                              {Key::kDigit4, "4", "4"},
+                                              {Key::kDigit5, "5", "5"},
+                                              {Key::kDigit6, "6", "6"},
+                                              {Key::kDigit7, "7", "7"},
+                                              {Key::kDigit8, "8", "8"},
+                                              {Key::kDigit9, "9", "9"},
+                                              {Key::kPlus, "+", "plus"},
+                                              {Key::kMinus, "−", "minus"},
+                                              {Key::kDelete, "Delete"},
+                                              {Key::kBackspace, "Backspace"},
+                                              {Key::kPageUp, "Page Up", "page-up"},
+                                              {Key::kPageDown, "Page Down", "page-down"},
+                                              {Key::kHome, "Home", "home"},
+                                              {Key::kEnd, "End", "end"},
+                                              {Key::kInsert, "Insert", "insert"},
+                                              {Key::kControl, "Ctrl", "ctrl"},
+                                              {Key::kAlt, "Alt", "alt"},
+                                              {Key::kComma, ",", "comma"},
+                                              {Key::kPeriod, ".", "period"},
+                                              {Key::kSlash, "/", "slash"},
+                                              {Key::kSemicolon, ";", "semicolon"},
+                                              {Key::kApostrophe, "'", "apostrophe"},
+                                              {Key::kLeftBracket, "[", "left-bracket"},
+                                              {Key::kRightBracket, "]", "right-bracket"},
+                                              {Key::kBackslash, "\\", "backslash"},
+                                              {Key::kGrave, "`", "grave"},
+                                              {Key::kKeypad0, "Keypad 0", "keypad-0"},
+                                              {Key::kKeypad1, "Keypad 1", "keypad-1"},
+                                              {Key::kKeypad2, "Keypad 2", "keypad-2"},
+                                              {Key::kKeypad3, "Keypad 3", "keypad-3"},
+                                              {Key::kKeypad4, "Keypad 4", "keypad-4"},
+                                              {Key::kKeypad5, "Keypad 5", "keypad-5"},
+                                              {Key::kKeypad6, "Keypad 6", "keypad-6"},
+                                              {Key::kKeypad7, "Keypad 7", "keypad-7"},
+                                              {Key::kKeypad8, "Keypad 8", "keypad-8"},
+                                              {Key::kKeypad9, "Keypad 9", "keypad-9"},
+                                              {Key::kPadLeft, "stick ←", "pad-left"},
+                                              {Key::kPadRight, "stick →", "pad-right"},
+                                              {Key::kPadUp, "stick ↑", "pad-up"},
+                                              {Key::kPadDown, "stick ↓", "pad-down"},
+                                              {Key::kPadWalk, "stick"},
+                                              {Key::kPadCreep, "stick"},
+                                              {Key::kPadLookLeft, "right stick"},
+                                              {Key::kPadLookRight, "right stick"},
+                                              {Key::kPadLookUp, "right stick"},
+                                              {Key::kPadLookDown, "right stick"},
+                                              {Key::kPadA, "pad A", "pad-a"},
+                                              {Key::kPadB, "pad B", "pad-b"},
+                                              {Key::kPadStart, "Start"},
+                                              {Key::kPadBack, "Back", "pad-back"},
+                                              {Key::kPadX, "pad X", "pad-x"},
+                                              {Key::kPadY, "pad Y", "pad-y"},
+                                              {Key::kPadLeftBumper, "LB", "pad-lb"},
+                                              {Key::kPadRightBumper, "RB", "pad-rb"},
+                                              {Key::kPadLeftTrigger, "LT", "pad-lt"},
+                                              {Key::kPadRightTrigger, "RT", "pad-rt"},
+                                              {Key::kPadLeftStick, "LS", "pad-ls"},
+                                              {Key::kPadRightStick, "RS", "pad-rs"}}};
+
+constexpr bool keyNamesAreInOrder() {
+  for (std::size_t i = 0; i < kKeyCount; ++i) {
+    if (static_cast<std::size_t>(kNames[i].key) != i) return false;
+  }
+  return true;
+}
+static_assert(keyNamesAreInOrder());
+
+}  // namespace
+
+std::string_view shownNameOf(Key key) { return kNames[static_cast<std::size_t>(key)].shown; }
+
+std::string_view wordOf(Key key) { return kNames[static_cast<std::size_t>(key)].word; }
+
+std::optional<Key> keyNamed(std::string_view word) {
+  const auto found = std::find_if(kNames.begin(), kNames.end(), [word](const Name& name) { return name.word == word; });
+  return word.empty() || found == kNames.end() ? std::nullopt : std::optional(found->key);
+}
+
+}  // namespace platon

@@ -1,0 +1,60 @@
+#include "client/ui/key_help.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+namespace platon {
+namespace {
+
+using namespace overlay_colours;
+
+constexpr float kMargin = 16;
+constexpr float kSize = 14;
+constexpr float kRowHeight = 24;
+constexpr float kGap = 18;
+
+using Row = std::array<std::string, 3>;  // keys, button of a gamepad, meaning
+
+std::vector<Row> rowsOf(const KeyHints& hints) {
+  const auto row = [&hints](Control control, const char* meaning) {
+    return Row{hints.keys(control), hints.pad(control), meaning};
+  };
+  return {{hints.run(), "stick: 3 speeds", "run"},
+          row(Control::kSlow, "run slower"),
+          row(Control::kJump, "jump; hold to jump higher"),
+          row(Control::kUp, "jump, or upwards on the screen"),
+          row(Control::kDown, "fall faster"),
+          {hints.keys(Control::kLook) + " and arrows", "right stick", "look round the solid"},
+          row(Control::kRestart, "back to the start"),
+          row(Control::kVote, "next level: at once, or a vote"),
+          row(Control::kWatch, "after the goal: watch others"),
+          row(Control::kSay, "talk to all players"),
+          {"F1", "", "help"},
+          {"F3", "", "connection graph"},
+          {"F11", "", "full screen"},
+          {"Esc", "Start", "pause, settings, leave"}};
+}
+
+}  // namespace
+
+void addHelp(OverlayWriter& writer, const KeyHints& keys) {
+  const std::vector<Row> rows = rowsOf(keys);
+  std::array<float, 3> widths{};
+  for (const Row& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], writer.width(row[i], kSize) + kGap);
+  }
+  const glm::vec2 size(widths[0] + widths[1] + widths[2] + kGap, kRowHeight * static_cast<float>(rows.size()) + 20);
+  const glm::vec2 low(kMargin, Overlay::kHeight - kMargin - size.y);
+  writer.panel(low, low + size, 12, kPanel);
+  glm::vec2 place = low + glm::vec2(kGap, 27);
+  for (const auto& [key, pad, meaning] : rows) {
+    writer.left(key, place, kSize, kBright);
+    writer.left(pad, place + glm::vec2(widths[0], 0), kSize, kBright);
+    writer.left(meaning, place + glm::vec2(widths[0] + widths[1], 0), kSize, kSoft);
+    place.y += kRowHeight;
+  }
+}
+
+}  // namespace platon

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "client/ui/controls/key_hints.h"
+#include "client/ui/overlay_writer.h"
+
+namespace platon {
+
+/// Adds the table of keys, buttons and their meaning at the lower left.
+void addHelp(OverlayWriter& writer, const KeyHints& keys);
+
+}  // namespace platon

@@ -1,0 +1,35 @@
+#include "client/ui/controls/key_names.h"
+
+#include <cstddef>
+#include <set>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace platon {
+namespace {
+
+TEST(KeyNames, EachKeyThatCanBeBoundIsFoundByItsWord) {
+  std::set<std::string_view> words;
+  for (std::size_t i = 0; i < kKeyCount; ++i) {
+    const Key key = static_cast<Key>(i);
+    EXPECT_FALSE(shownNameOf(key).empty());
+    if (!canBeBound(key)) continue;
+    EXPECT_TRUE(words.insert(wordOf(key)).second) << wordOf(key);
+    EXPECT_EQ(keyNamed(wordOf(key)), key);
+    EXPECT_EQ(wordOf(key).starts_with("pad-"), isOfGamepad(key)) << wordOf(key);
+    EXPECT_EQ(wordOf(key).find_first_of(" \t"), std::string_view::npos);
+    EXPECT_NE(wordOf(key), "none") << "the word for no key";
+  }
+}
+
+TEST(KeyNames, TheKeysOfMenusAndTiltsOfAStickCannotBeBound) {
+  for (const Key key : {Key::kEscape, Key::kPadStart, Key::kDelete, Key::kBackspace, Key::kF1, Key::kF3, Key::kF11,
+                        Key::kF12, Key::kPadWalk, Key::kPadCreep, Key::kPadLookLeft, Key::kPadLookDown})
+    EXPECT_FALSE(canBeBound(key)) << shownNameOf(key);
+  EXPECT_FALSE(keyNamed(""));
+  EXPECT_FALSE(keyNamed("Space"));
+}
+
+}  // namespace
+}  // namespace platon

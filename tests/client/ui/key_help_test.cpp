@@ -1,0 +1,49 @@
+#include "client/ui/key_help.h"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "tests/client/ui/controls/random_bindings.h"
+
+namespace platon {
+namespace {
+
+Overlay helpOf(const Bindings& bindings, const Font& font) {
+  OverlayWriter writer(font);
+  addHelp(writer, KeyHints(bindings));
+  return writer.take();
+}
+
+bool shows(const Overlay& overlay, const std::string& content) {
+  return std::any_of(overlay.texts.begin(), overlay.texts.end(),
+                     [&](const Overlay::Text& text) { return text.content == content; });
+}
+
+TEST(KeyHelp, NamesTheKeysThatThePlayerHasChosen) {
+  const Font font;
+  EXPECT_TRUE(shows(helpOf({}, font), "Space"));
+  Bindings bindings;
+  bindings.bind(Control::kJump, Key::kJ);
+  EXPECT_TRUE(shows(helpOf(bindings, font), "J or Space"));
+}
+
+TEST(KeyHelp, StaysInsideItsPanelAndTheNarrowestPicture) {
+  const Font font;
+  std::mt19937_64 random(4);
+  for (int i = 0; i < 50; ++i) {
+    Bindings bindings;
+    change(bindings, random, 30);
+    const Overlay help = helpOf(bindings, font);
+    const Overlay::Panel& panel = help.panels.front();
+    EXPECT_GE(panel.low.y, 0);
+    EXPECT_LE(panel.high.x, Overlay::kHeight * 4 / 3);
+    for (const Overlay::Text& text : help.texts) {
+      EXPECT_GE(text.place.x, panel.low.x);
+      EXPECT_LE(text.place.x + font.width(text.content) * text.size, panel.high.x) << text.content;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace platon
