@@ -10,6 +10,16 @@ MenuItem fieldItem(const char* name, TextField& field, bool secret) {
   return item;
 }
 
+MenuItem serverItem(const std::string& name, const std::string& about, const std::string& address, JoinForm& form,
+                    const std::function<void()>& join) {
+  MenuItem item{.name = name, .value = about};
+  item.choose = [&form, address, join] {
+    form.address.setText(address);
+    join();
+  };
+  return item;
+}
+
 }  // namespace
 
 MenuPage joinPage(JoinForm& form, const std::function<void()>& join) {
@@ -21,12 +31,11 @@ MenuPage joinPage(JoinForm& form, const std::function<void()>& join) {
   if (form.asksPassword) page.items.push_back(fieldItem("Password", form.password, true));
   page.items.push_back({.name = "Join", .choose = join});
   if (!form.recent.empty()) page.items.push_back({MenuItem::Kind::kHeading, "Joined before"});
-  for (const std::string& address : form.recent) {
-    page.items.push_back({.name = address, .choose = [&form, address, join] {
-                            form.address.setText(address);
-                            join();
-                          }});
-  }
+  for (const std::string& address : form.recent) page.items.push_back(serverItem(address, "", address, form, join));
+  // Last, so that a server that appears moves no item from under the focus.
+  if (!form.near.empty()) page.items.push_back({MenuItem::Kind::kHeading, "Nearby"});
+  for (const JoinForm::Near& server : form.near)
+    page.items.push_back(serverItem(server.name, server.about, server.address, form, join));
   return page;
 }
 

@@ -11,11 +11,18 @@ namespace platon {
 
 /// What the player enters to join a server.
 struct JoinForm {
+  struct Near {
+    std::string name;
+    std::string address;
+    std::string about;  ///< players, round-trip time, what keeps a player out
+  };
+
   TextField address{128};
   TextField password{128};
   bool asksPassword = false;          ///< the server has asked for a password
   std::string fault{};                ///< what is wrong with the address or the password; empty: nothing
   std::vector<std::string> recent{};  ///< addresses of servers that were joined, the newest first
+  std::vector<Near> near{};           ///< servers that answer in the networks of this machine
 };
 
 /// The page on which the player enters the address of a server. `join` is called with the present form. `form` outlives

@@ -64,6 +64,7 @@ void describe(CLI::App& app, ClientOptions& options, std::string& host, std::str
   app.add_option("--seconds", options.seconds, "Exit after this many seconds; default with --offscreen: 10")
       ->check(CLI::Range(0.1, 86400.0));
   app.add_option("--screenshot", options.screenshot, "Write the last frame to this PNG file");
+  app.add_flag("--list", options.list, "Print the servers on this machine and in its networks");
   app.add_flag("--benchmark", options.benchmark, "Measure what a frame costs in each quality; needs --offscreen");
   app.add_flag("--json", options.json, "Print the result of --benchmark as JSON");
   describeFrameOptions(app, options.frames);
@@ -99,7 +100,15 @@ void checkBenchmark(const CLI::App& app, const ClientOptions& options) {
           "--width", "--players", "--edit", "--replay"});
 }
 
+void checkList(const CLI::App& app, const ClientOptions& options) {
+  if (!options.list) return;
+  refuse(app, "--list",
+         {"HOST", "--level", "--name", "--password-file", "--offscreen", "--demo", "--seconds", "--screenshot",
+          "--benchmark", "--frames", "--fps", "--from", "--width", "--players", "--edit", "--replay"});
+}
+
 void checkModes(const CLI::App& app, const ClientOptions& options) {
+  checkList(app, options);
   checkBenchmark(app, options);
   if (options.edit.empty() && app.count("--solid") > 0) throw std::invalid_argument("--solid works only with --edit");
   checkMode(app, "--edit", options.edit, options);

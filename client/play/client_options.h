@@ -20,6 +20,7 @@ struct ClientOptions {
   bool demo = false;
   std::optional<double> seconds;  ///< maximum duration
   std::string screenshot;         ///< PNG file for the last frame; empty: none
+  bool list = false;              ///< print the servers nearby instead of playing
   bool benchmark = false;         ///< measure frames instead of playing
   bool json = false;              ///< the result of the benchmark as JSON
   FrameOptions frames;

@@ -87,7 +87,25 @@ void FrontPages::showJoin() {
   joinForm_.asksPassword = false;
   joinForm_.recent.clear();
   for (const ServerAddress& server : recent_.list()) joinForm_.recent.push_back(server.text());
-  menu_->push([this] { return joinPage(joinForm_, [this] { join(); }); });
+  menu_->push([this] {
+    joins_ = true;
+    return joinPage(joinForm_, [this] { join(); });
+  });
+}
+
+void FrontPages::update(Moment now) {
+  if (!std::exchange(joins_, false)) {
+    near_.reset();
+    joinForm_.near.clear();
+    return;
+  }
+  if (!near_) near_.emplace(searchNearby());
+  near_->update(now);
+  joinForm_.near.clear();
+  for (const NearServer& server : near_->list()) {
+    const std::string address = ServerAddress{server.address.ip.text(), server.address.port}.text();
+    joinForm_.near.push_back({server.info.name.empty() ? address : server.info.name, address, describe(server)});
+  }
 }
 
 void FrontPages::askPassword(const ServerAddress& server, bool wrong) {

@@ -2,9 +2,11 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "client/lobby/near_servers.h"
 #include "client/lobby/recent_servers.h"
 #include "client/lobby/shipped_levels.h"
 #include "client/menu/host_page.h"
@@ -32,6 +34,8 @@ class FrontPages {
   void showTitle();
   /// Asks for the password of a server, after it has refused another one if `wrong`.
   void askPassword(const ServerAddress& server, bool wrong);
+  /// Searches for servers nearby while the page is shown on which they can be joined.
+  void update(Moment now);
   /// The level to see behind the pages; null before the title was shown.
   std::shared_ptr<const Level> shownLevel() const;
   const RecentServers& recent() const { return recent_; }
@@ -56,6 +60,8 @@ class FrontPages {
   std::vector<LevelEntry> entries_;  // of levels_
   bool choosesLevel_ = false;        // the list of levels was shown last
   JoinForm joinForm_;
+  std::optional<NearServers> near_;  // since the page was shown
+  bool joins_ = false;               // the page was shown since the last update
   HostForm hostForm_;
 };
 

@@ -1,3 +1,4 @@
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <exception>
@@ -8,6 +9,7 @@
 
 #include "client/files/settings_file.h"
 #include "client/files/user_folders.h"
+#include "client/lobby/near_servers.h"
 #include "client/play/client_options.h"
 #include "client/play/edit_play.h"
 #include "client/play/embedded_server.h"
@@ -42,6 +44,19 @@ void benchmark(const ClientOptions& options) {
   std::fputs((options.json ? toJson(report) : toText(report)).c_str(), stdout);
 }
 
+// One search; a server in the same network answers within milliseconds.
+void listServers(const Clock& clock) {
+  NearServers servers = searchNearby();
+  for (const Moment end = clock.now() + std::chrono::seconds(1); clock.now() < end && !stopRequested();) {
+    servers.update(clock.now());
+    servers.socket().wait(std::chrono::milliseconds(20));
+  }
+  servers.update(clock.now());
+  if (servers.list().empty())
+    std::fputs("platon-client: no server nearby answers; ask who runs one for its address\n", stderr);
+  std::fputs(textOf(servers.list()).c_str(), stdout);
+}
+
 int play(int argc, char** argv) {
   std::optional<ClientOptions> options = readClientOptions(argc, argv);
   if (!options) return 0;
@@ -49,6 +64,10 @@ int play(int argc, char** argv) {
   std::signal(SIGINT, [](int) { stopSignal = 1; });
   if (!options->frames.folder.empty()) {
     FramePlay(*options, loadLevelFiles({options->level}).levels.front()).run(stopRequested);
+    return 0;
+  }
+  if (options->list) {
+    listServers(steadyClock());
     return 0;
   }
   if (options->benchmark) {

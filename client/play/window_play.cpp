@@ -278,6 +278,7 @@ std::string WindowPlay::hint(bool roundOver) const {
 
 void WindowPlay::drawFront(double seconds) {
   sound_.update(nullptr, nullptr, std::nullopt, interface_.settings(), seconds);
+  front_.update(clock_.now());
   if (const auto level = front_.shownLevel()) turntable_.show(level);
   const Overlay menu = menu_.overlay(view_.font(), false);
   if (!turntable_.shows()) return view_.draw(nullptr, {}, interface_.settings(), menu, seconds);

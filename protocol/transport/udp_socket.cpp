@@ -100,6 +100,11 @@ UdpSocket::~UdpSocket() {
   if (handle_ >= 0) close(handle_);
 }
 
+void UdpSocket::allowBroadcast() {
+  const int on = 1;
+  setsockopt(handle_, SOL_SOCKET, SO_BROADCAST, &on, sizeof on);
+}
+
 void UdpSocket::open(bool ipv6) {
   ipv6_ = ipv6;
   handle_ = socket(ipv6 ? AF_INET6 : AF_INET, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);

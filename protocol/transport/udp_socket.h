@@ -26,6 +26,9 @@ class UdpSocket : public DatagramSocket {
   UdpSocket();
   ~UdpSocket() override;
 
+  /// Lets `send` take addresses that all machines of a network receive.
+  void allowBroadcast();
+
   std::optional<Datagram> receive(Moment now) override;
   void send(const SocketAddress& receiver, ByteSpan bytes, Moment now) override;
   void flush(Moment now) override;

@@ -35,6 +35,15 @@ TEST_F(JoinPage, AServerThatWasJoinedBeforeIsOneClickAway) {
   EXPECT_EQ(joined_, "two:7777");
 }
 
+TEST_F(JoinPage, AServerNearbyIsOneClickAwayToo) {
+  form_.recent = {"one:7777"};
+  form_.near = {{"Den", "192.0.2.1:7778", "2/8 players, 3 ms"}};
+  EXPECT_TRUE(has("Nearby"));
+  EXPECT_EQ(page().items.back().value, "2/8 players, 3 ms");
+  page().items.back().choose();
+  EXPECT_EQ(joined_, "192.0.2.1:7778");
+}
+
 TEST_F(JoinPage, AsksForAPasswordOnlyIfTheServerDoes) {
   EXPECT_FALSE(has("Password"));
   form_.asksPassword = true;

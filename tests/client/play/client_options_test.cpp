@@ -64,6 +64,12 @@ TEST(ClientOptions, TheBenchmarkExcludesAMatch) {
   }
 }
 
+TEST(ClientOptions, TheListOfServersExcludesPlaying) {
+  EXPECT_TRUE(read({"--list"})->list);
+  EXPECT_EQ(fault({"--list", "example.org"}), "2 --list does not work with HOST; leave one of them out");
+  EXPECT_EQ(fault({"--list", "--demo"}), "2 --list does not work with --demo; leave one of them out");
+}
+
 TEST(ClientOptions, AReplayExcludesAMatchAndTheEditor) {
   EXPECT_EQ(read({"--replay", "a.recording"})->replay, "a.recording");
   EXPECT_EQ(fault({"--replay", "a", "example.org"}), "2 --replay does not work with HOST; leave one of them out");

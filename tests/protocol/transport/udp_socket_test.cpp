@@ -88,6 +88,20 @@ TEST(UdpSocket, ABatchThatTheSystemRefusesDoesNotStopTheOthers) {
   EXPECT_EQ(arrived.size(), 66u);
 }
 
+TEST(UdpSocket, SendsToAWholeNetworkOnlyIfAllowed) {
+  UdpSocket server("0.0.0.0", 0);
+  const SocketAddress all = addressAt("127.255.255.255", server.address().port);
+  UdpSocket client;
+  client.send(all, Bytes{1}, kNow);
+  client.flush(kNow);
+  client.allowBroadcast();
+  client.send(all, Bytes{2}, kNow);
+  client.flush(kNow);
+  const auto datagram = next(server);
+  ASSERT_TRUE(datagram);
+  EXPECT_EQ(datagram->bytes[0], 2);
+}
+
 TEST(UdpSocket, AllAddressesMeansBothKinds) {
   UdpSocket server("::", 0);
   const std::uint16_t port = server.address().port;

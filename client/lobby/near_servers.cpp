@@ -1,0 +1,83 @@
+#include "client/lobby/near_servers.h"
+
+#include <sodium.h>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "client/lobby/own_addresses.h"
+#include "protocol/limits.h"
+#include "protocol/transport/udp_socket.h"
+
+namespace platon {
+
+NearServers::NearServers(std::unique_ptr<DatagramSocket> socket, std::vector<SocketAddress> targets,
+                         std::uint64_t nonce)
+    : socket_(std::move(socket)), targets_(std::move(targets)), nonce_(nonce) {}
+
+void NearServers::update(Moment now) {
+  while (const std::optional<Datagram> datagram = socket_->receive(now)) take(*datagram, now);
+  if (!searchedAt_ || now - *searchedAt_ >= kInterval) search(now);
+}
+
+void NearServers::search(Moment now) {
+  std::erase_if(found_, [](NearServer& server) { return ++server.missed > kSearchesToForget; });
+  ++nonce_;
+  searchedAt_ = now;
+  const Bytes query = encode(Query{nonce_});
+  for (const SocketAddress& target : targets_) socket_->send(target, query, now);
+  socket_->flush(now);
+}
+
+void NearServers::take(const Datagram& datagram, Moment now) {
+  const std::optional<Info> info = decodeInfo(datagram.bytes);
+  if (!info || info->nonce != nonce_) return;
+  const auto known = std::find_if(found_.begin(), found_.end(), [&](const NearServer& server) {
+    return server.info.identity == info->identity && server.address.port == datagram.peer.port;
+  });
+  const NearServer server{datagram.peer, *info, now - *searchedAt_};
+  if (known == found_.end()) {
+    if (found_.size() < kMaxServers) found_.push_back(server);
+  } else if (known->missed != 0) {  // else a second answer: a server may receive a query at several addresses
+    *known = server;
+  }
+}
+
+NearServers searchNearby() {
+  auto socket = std::make_unique<UdpSocket>();
+  socket->allowBroadcast();
+  std::vector<IpAddress> machines{IpAddress::ofIpv4({127, 0, 0, 1})};
+  for (const IpAddress& network : broadcastAddresses()) machines.push_back(network);
+  std::vector<SocketAddress> targets;
+  for (const IpAddress& machine : machines) {
+    for (std::uint16_t i = 0; i < kNearPorts; ++i)
+      targets.push_back({machine, static_cast<std::uint16_t>(kDefaultPort + i)});
+  }
+  std::uint64_t nonce = 0;
+  randombytes_buf(&nonce, sizeof nonce);
+  return {std::move(socket), std::move(targets), nonce};
+}
+
+std::string describe(const NearServer& server) {
+  const auto milliseconds = std::chrono::round<std::chrono::milliseconds>(server.roundTrip).count();
+  std::string text = std::to_string(server.info.players) + "/" + std::to_string(server.info.maxPlayers) + " players, " +
+                     std::to_string(milliseconds) + " ms";
+  if (server.info.needsPassword) text += ", password";
+  if (server.info.version != kProtocolVersion) text += ", other version";
+  return text;
+}
+
+std::string textOf(const std::vector<NearServer>& servers) {
+  std::string text;
+  for (const NearServer& server : servers) {
+    std::string line = server.address.text();
+    line.resize(std::max<std::size_t>(line.size() + 2, 24), ' ');
+    line += describe(server);
+    if (!server.info.name.empty()) line.resize(std::max<std::size_t>(line.size() + 2, 56), ' ');
+    text += line + server.info.name + "\n";
+  }
+  return text;
+}
+
+}  // namespace platon

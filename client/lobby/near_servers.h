@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "protocol/moment.h"
+#include "protocol/transport/datagram_socket.h"
+#include "protocol/transport/handshake.h"
+
+namespace platon {
+
+/// A server that has answered a search.
+struct NearServer {
+  SocketAddress address;
+  Info info;
+  Moment roundTrip{};
+  std::size_t missed = 0;  ///< searches since its last answer
+};
+
+/// Searches for servers on this machine and in its networks: asks addresses that many machines receive, again and
+/// again, what docs/protocol.md calls Query. The answers are not authenticated: anybody in these networks can invent
+/// one.
+class NearServers {
+ public:
+  static constexpr std::size_t kMaxServers = 32;
+  static constexpr Moment kInterval = std::chrono::seconds(2);
+  static constexpr std::size_t kSearchesToForget = 3;  ///< without an answer
+
+  /// Sends each query from `socket` to all `targets`. `nonce` is a random number that others cannot guess.
+  NearServers(std::unique_ptr<DatagramSocket> socket, std::vector<SocketAddress> targets, std::uint64_t nonce);
+
+  /// Sends what is due and takes the answers that have arrived.
+  void update(Moment now);
+  /// In the order in which they have answered first; each server once, by its identity and port.
+  const std::vector<NearServer>& list() const { return found_; }
+
+  DatagramSocket& socket() { return *socket_; }
+
+ private:
+  void search(Moment now);
+  void take(const Datagram& datagram, Moment now);
+
+  std::unique_ptr<DatagramSocket> socket_;
+  std::vector<SocketAddress> targets_;
+  std::uint64_t nonce_;  // of the present search; it differs from one to the next
+  std::optional<Moment> searchedAt_;
+  std::vector<NearServer> found_;
+};
+
+inline constexpr std::uint16_t kNearPorts = 4;
+/// A search on this machine and in its IPv4 networks, on kNearPorts ports from the default one on.
+NearServers searchNearby();
+
+/// "2/8 players, 3 ms", and what keeps a player out: "password", "other version".
+std::string describe(const NearServer& server);
+/// A line for each server: its address, what `describe` says, and its name, in columns.
+std::string textOf(const std::vector<NearServer>& servers);
+
+}  // namespace platon
