@@ -63,6 +63,7 @@ Window::Window(const std::string& title, int width, int height) : handle_(openWi
   glfwSetCursorPosCallback(handle_, onMove);
   glfwSetMouseButtonCallback(handle_, onButton);
   glfwSetScrollCallback(handle_, onScroll);
+  glfwSetDropCallback(handle_, onDrop);
   glfwGetCursorPos(handle_, &pointerX_, &pointerY_);
   glfwMakeContextCurrent(handle_);
   glfwSwapInterval(1);
@@ -100,6 +101,8 @@ void Window::stayOpen() { glfwSetWindowShouldClose(handle_, GLFW_FALSE); }
 std::vector<KeyEvent> Window::takeKeyEvents() { return std::exchange(keyEvents_, {}); }
 
 std::vector<PointerEvent> Window::takePointerEvents() { return std::exchange(pointerEvents_, {}); }
+
+std::vector<std::string> Window::takeDroppedFiles() { return std::exchange(droppedFiles_, {}); }
 
 std::string Window::clipboard() const {
   const char* const text = glfwGetClipboardString(handle_);
@@ -159,6 +162,11 @@ void Window::onButton(GLFWwindow* handle, int button, int action, int /*mods*/) 
   event.kind = action == GLFW_PRESS ? PointerEvent::Kind::kPress : PointerEvent::Kind::kRelease;
   event.button = static_cast<PointerEvent::Button>(button);
   static_cast<Window*>(glfwGetWindowUserPointer(handle))->addPointerEvent(event);
+}
+
+void Window::onDrop(GLFWwindow* handle, int count, const char** paths) {
+  std::vector<std::string>& files = static_cast<Window*>(glfwGetWindowUserPointer(handle))->droppedFiles_;
+  files.insert(files.end(), paths, paths + count);
 }
 
 void Window::onScroll(GLFWwindow* handle, double /*x*/, double y) {

@@ -36,6 +36,8 @@ class Window {
   std::vector<KeyEvent> takeKeyEvents();
   /// Returns the pointer events since the last call, in order.
   std::vector<PointerEvent> takePointerEvents();
+  /// Returns the paths of the files that were dropped on the window since the last call, in order.
+  std::vector<std::string> takeDroppedFiles();
   /// The text of the clipboard, UTF-8; empty if it has none.
   std::string clipboard() const;
   /// Shows this text in the title bar.
@@ -58,11 +60,13 @@ class Window {
   static void onMove(GLFWwindow* handle, double x, double y);
   static void onButton(GLFWwindow* handle, int button, int action, int mods);
   static void onScroll(GLFWwindow* handle, double x, double y);
+  static void onDrop(GLFWwindow* handle, int count, const char** paths);
   void addPointerEvent(PointerEvent event);
 
   GLFWwindow* handle_ = nullptr;
   std::vector<KeyEvent> keyEvents_;
   std::vector<PointerEvent> pointerEvents_;
+  std::vector<std::string> droppedFiles_;
   double pointerX_ = 0;  // as of the last event, in screen coordinates
   double pointerY_ = 0;
   GamepadKeys gamepadKeys_;

@@ -342,6 +342,18 @@ TEST_F(WindowTest, AMinimisedWindowContinuesAndIsRestored) {
   EXPECT_EQ(pollEvents(2), (Events{{Key::kSpace, Kind::kPress}, {Key::kSpace, Kind::kRelease}}));
 }
 
+// The callback is called as GLFW does: xdotool cannot drop files.
+TEST_F(WindowTest, DroppedFilesAreTakenOnceInOrder) {
+  GLFWwindow* const handle = glfwGetCurrentContext();
+  const GLFWdropfun drop = glfwSetDropCallback(handle, nullptr);
+  glfwSetDropCallback(handle, drop);
+  std::array<const char*, 2> paths{"/a b", "/c"};
+  drop(handle, 2, paths.data());
+  drop(handle, 1, paths.data());
+  EXPECT_EQ(window_.takeDroppedFiles(), (std::vector<std::string>{"/a b", "/c", "/a b"}));
+  EXPECT_TRUE(window_.takeDroppedFiles().empty());
+}
+
 TEST_F(WindowTest, TheWindowManagerClosesTheWindow) {
   xdotool("key alt+F4");
   EXPECT_TRUE(pollUntil([&] { return window_.closing(); }));
