@@ -42,8 +42,8 @@ class GameView {
 
   /// How the player looks round in the next pictures.
   void look(const LookInput& input) { look_ = input; }
-  /// From now on a new stage begins with a flight from its goal to the player, unless the settings forbid it.
-  void enableFlights() { camera_.enableFlights(); }
+  /// Whether a new stage begins with a flight from its goal to the player, unless the settings forbid it; not at first.
+  void setFlights(bool flights) { camera_.setFlights(flights); }
   /// Whether the picture is on such a flight.
   bool flying() const { return camera_.flying(); }
   /// Ends the flight soon.

@@ -3,22 +3,20 @@
 #include <array>
 #include <chrono>
 #include <cstdio>
-#include <stdexcept>
+#include <memory>
 #include <string>
 #include <utility>
 
 #include "client/editor/new_level.h"
 #include "client/gl/image.h"
+#include "client/play/play_window.h"
 #include "protocol/program_error.h"
 
 namespace platon {
 
 namespace {
 
-constexpr std::uint32_t kWidth = 1280;
-constexpr std::uint32_t kHeight = 720;
 constexpr double kOffscreenSeconds = 10;
-constexpr Moment kMinFrameTime = std::chrono::milliseconds(2);  // for drivers that do not wait for the vertical blank
 constexpr Moment kAnalysisInterval = std::chrono::milliseconds(10);
 
 // The text of the file, or of a new level. Throws ProgramError if so much of it is wrong that nothing can be shown.
@@ -33,14 +31,10 @@ std::string textOf(EditFile& file, SolidKind solid) {
   throw ProgramError(ProgramError::kLevel, messages);
 }
 
-std::optional<Window> openWindow(bool offscreen) {
-  if (offscreen) return std::nullopt;
-  try {
-    return std::optional<Window>(std::in_place, "Platon", static_cast<int>(kWidth), static_cast<int>(kHeight));
-  } catch (const std::runtime_error& error) {
-    throw ProgramError(ProgramError::kUsage,
-                       std::string(error.what()) + "; to draw the editor without one, use --offscreen --screenshot");
-  }
+std::unique_ptr<Window> openEditWindow(bool offscreen) {
+  if (offscreen) return nullptr;
+  return std::unique_ptr<Window>(
+      new Window(openWindow("to draw the editor without one, use --offscreen --screenshot")));
 }
 
 std::optional<Offscreen> openOffscreen(bool offscreen) {
@@ -55,9 +49,9 @@ EditPlay::EditPlay(const ClientOptions& options, const Clock& clock)
       clock_(clock),
       file_(options.edit),
       editor_(file_.path().filename().string(), textOf(file_, options.solid), file_.exists()),
-      window_(openWindow(options.offscreen)),
+      window_(openEditWindow(options.offscreen)),
       offscreen_(openOffscreen(options.offscreen)),
-      renderer_(kWidth, kHeight, font_),
+      renderer_(kPictureWidth, kPictureHeight, font_),
       startedAt_(clock_.now()) {}
 
 void EditPlay::run(const std::function<bool()>& stopRequested) {

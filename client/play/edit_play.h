@@ -45,7 +45,7 @@ class EditPlay {
   Clock clock_;
   EditFile file_;
   Editor editor_;
-  std::optional<Window> window_;  // one of these two
+  std::unique_ptr<Window> window_;  // one of these two
   std::optional<Offscreen> offscreen_;
   Font font_;
   Renderer renderer_;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "client/files/user_folders.h"
+#include "protocol/files/text_file.h"
 
 namespace platon {
 namespace {
@@ -19,10 +20,27 @@ std::optional<std::uint16_t> portOf(const std::string& text) {
   return port;
 }
 
+// Writes a level for the server in this program, which says so if the file is missing.
+std::string racedLevelFile(const Level& level) {
+  const std::filesystem::path file = cacheFolder() / "raced" / (std::to_string(level.hash) + ".level");
+  std::error_code ignored;
+  std::filesystem::create_directories(file.parent_path(), ignored);
+  (void)replaceCachedFile(file.string(), level.text);
+  return file.string();
+}
+
 }  // namespace
 
 FrontPages::FrontPages(Menu& menu, Settings& settings, RecentServers recent, Calls calls)
-    : menu_(&menu), settingsPages_(menu, settings), recent_(std::move(recent)), calls_(std::move(calls)) {}
+    : menu_(&menu),
+      settingsPages_(menu, settings),
+      recent_(std::move(recent)),
+      calls_(std::move(calls)),
+      replays_(menu, runsFolder(), ghostsFolder(),
+               {[this](const std::filesystem::path& file) { calls_.watch(file); },
+                [this](const std::shared_ptr<const Level>& level, const std::filesystem::path& file) {
+                  race(level, file);
+                }}) {}
 
 void FrontPages::load() {
   if (levels_.empty()) levels_ = loadShippedLevels();
@@ -32,11 +50,13 @@ void FrontPages::load() {
 void FrontPages::showTitle() {
   load();
   choosesLevel_ = false;
+  replays_.leave();
   menu_->open([this] { return titlePage(); });
 }
 
 MenuPage FrontPages::titlePage() {
   choosesLevel_ = false;
+  replays_.leave();
   MenuPage page{"Platon"};
   page.large = true;
   page.place = MenuPage::Place::kLeft;
@@ -44,6 +64,7 @@ MenuPage FrontPages::titlePage() {
                 {.name = "Levels", .choose = [this] { showLevels(); }},
                 {.name = "Join a server", .choose = [this] { showJoin(); }},
                 {.name = "Host a game", .choose = [this] { showHost(); }},
+                {.name = "Replays", .choose = [this] { replays_.showList(); }},
                 {.name = "Settings", .choose = [this] { settingsPages_.show(MenuPage::Place::kLeft); }},
                 {.name = "Quit", .choose = calls_.quit}};
   return page;
@@ -56,8 +77,9 @@ std::size_t FrontPages::nextLevel() const {
   return open == entries_.end() ? 0 : static_cast<std::size_t>(open - entries_.begin());
 }
 
-std::shared_ptr<const Level> FrontPages::shownLevel() const {
+std::shared_ptr<const Level> FrontPages::shownLevel() {
   if (levels_.empty()) return nullptr;
+  if (std::shared_ptr<const Level> level = replays_.shownLevel()) return level;
   const bool chooses = choosesLevel_ && menu_->isOpen();
   return levels_[chooses ? levelOfItem(entries_, menu_->focus()) : nextLevel()].level;
 }
@@ -80,6 +102,25 @@ void FrontPages::playFrom(std::size_t level) {
   MatchChoice choice;
   choice.own.levels = filesFrom(level);
   calls_.start(choice);
+}
+
+// A level that did not come with the game is in the recording alone.
+void FrontPages::race(const std::shared_ptr<const Level>& level, const std::filesystem::path& rival) {
+  MatchChoice choice;
+  choice.rival = rival;
+  const auto shipped = std::find_if(levels_.begin(), levels_.end(),
+                                    [&](const ShippedLevel& each) { return each.level->hash == level->hash; });
+  if (shipped != levels_.end()) {
+    choice.own.levels = filesFrom(static_cast<std::size_t>(shipped - levels_.begin()));
+  } else {
+    choice.own.levels = {racedLevelFile(*level)};
+  }
+  calls_.start(choice);
+}
+
+void FrontPages::showRun(const std::filesystem::path& file) {
+  showTitle();
+  replays_.showRun(file);
 }
 
 void FrontPages::showJoin() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -15,16 +16,18 @@
 #include "client/menu/menu.h"
 #include "client/menu/settings_pages.h"
 #include "client/play/live_match.h"
+#include "client/play/replay_pages.h"
 #include "client/ui/settings.h"
 
 namespace platon {
 
-/// The pages before a match: title, levels, joining and hosting.
+/// The pages before a match: title, levels, joining, hosting and replays.
 class FrontPages {
  public:
   struct Calls {
     std::function<void(const MatchChoice&)> start;  ///< what the player has chosen
     std::function<void()> quit;
+    std::function<void(const std::filesystem::path&)> watch{};  ///< a recording
   };
 
   /// `menu` and `settings` outlive the pages.
@@ -37,8 +40,10 @@ class FrontPages {
   /// Searches for servers nearby while the page is shown on which they can be joined.
   void update(Moment now);
   /// The level to see behind the pages; null before the title was shown.
-  std::shared_ptr<const Level> shownLevel() const;
+  std::shared_ptr<const Level> shownLevel();
   const RecentServers& recent() const { return recent_; }
+  /// Shows the title, and above it the page of a recording.
+  void showRun(const std::filesystem::path& file);
 
  private:
   MenuPage titlePage();
@@ -46,6 +51,7 @@ class FrontPages {
   void showJoin();
   void showHost();
   void playFrom(std::size_t level);
+  void race(const std::shared_ptr<const Level>& level, const std::filesystem::path& rival);
   void join();
   void host();
   void load();
@@ -59,6 +65,7 @@ class FrontPages {
   std::vector<ShippedLevel> levels_;
   std::vector<LevelEntry> entries_;  // of levels_
   bool choosesLevel_ = false;        // the list of levels was shown last
+  ReplayPages replays_;
   JoinForm joinForm_;
   std::optional<NearServers> near_;  // since the page was shown
   bool joins_ = false;               // the page was shown since the last update

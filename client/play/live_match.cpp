@@ -14,7 +14,7 @@ LiveMatch::LiveMatch(const ClientOptions& options, const MatchChoice& choice, co
     server_.emplace(choice.own, time_);
     joined.knowledge = {server_->identity(), Password(choice.own.password)};
   }
-  play_.emplace(joined, choice.server ? *choice.server : server_->address(), now());
+  play_.emplace(joined, choice.server ? *choice.server : server_->address(), now(), choice.rival);
 }
 
 void LiveMatch::update(bool wantsPause, const Controls& controls) {

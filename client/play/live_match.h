@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -20,6 +21,7 @@ struct MatchChoice {
   std::optional<ServerAddress> server{};  ///< nothing: a server in this program
   Password password{};                    ///< of that server
   EmbeddedSettings own{};                 ///< of the server in this program
+  std::filesystem::path rival{};          ///< a recording that runs as a ghost, whatever the settings; empty: none
 };
 
 /// A match and, unless it is on another server, the server that runs it. Both go by one clock, which stands still while

@@ -16,7 +16,7 @@
 #include "client/play/frame_benchmark.h"
 #include "client/play/frame_play.h"
 #include "client/play/offscreen_play.h"
-#include "client/play/replay_play.h"
+#include "client/play/offscreen_replay.h"
 #include "client/play/window_play.h"
 #include "client/time/steady_now.h"
 #include "client/time/thread_time.h"
@@ -78,8 +78,8 @@ int play(int argc, char** argv) {
     EditPlay(*options, steadyClock()).run(stopRequested);
     return 0;
   }
-  if (!options->replay.empty()) {
-    ReplayPlay(*options, SettingsFile(configFolder()).load(), steadyClock()).run(stopRequested);
+  if (options->offscreen && !options->replay.empty()) {
+    OffscreenReplay(*options, SettingsFile(configFolder()).load()).run();
     return 0;
   }
   if (!options->offscreen) {

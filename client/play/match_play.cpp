@@ -20,10 +20,10 @@ std::filesystem::path desyncFolder() {
 }
 
 // What the demonstration plays is no run of the user.
-std::shared_ptr<RunKeeper> runKeeper(const ClientOptions& options) {
+std::shared_ptr<RunKeeper> runKeeper(const ClientOptions& options, const std::filesystem::path& rival) {
   using Path = std::filesystem::path;
   return options.demo ? std::make_shared<RunKeeper>(Path(), Path())
-                      : std::make_shared<RunKeeper>(runsFolder(), ghostsFolder());
+                      : std::make_shared<RunKeeper>(runsFolder(), ghostsFolder(), rival);
 }
 
 // Empty for the embedded server: it ends with the program, so no token is stored.
@@ -74,15 +74,17 @@ std::optional<VoteStatus> voteOf(const Session& session) {
 
 }  // namespace
 
-MatchPlay::MatchPlay(const ClientOptions& options, const ServerAddress& server, Moment now)
+MatchPlay::MatchPlay(const ClientOptions& options, const ServerAddress& server, Moment now,
+                     const std::filesystem::path& rival)
     : server_(server),
-      runs_(runKeeper(options)),
+      runs_(runKeeper(options, rival)),
       sessionFile_(sessionFolder(options), server),
       knownServers_(knownServersFile(options)),
       client_(server,
               {options.name, knowledgeOf(options, knownServers_, server), std::nullopt, sessionFile_.token(),
                levelStore(options, server), runs_},
               now),
+      hasRival_(!rival.empty()),
       desyncFolder_(desyncFolder()) {}
 
 void MatchPlay::update(Moment now, const Controls& controls) {
@@ -152,7 +154,7 @@ void MatchPlay::saveToken() {
 
 std::vector<GhostSource> MatchPlay::ghosts() const {
   const Round* const round = client_.session()->round();
-  if (!ghostsShown_ || round == nullptr) return {};
+  if ((!ghostsShown_ && !hasRival_) || round == nullptr) return {};
   const Prediction& prediction = round->prediction();
   return runs_->ghostsAt(prediction.predicted(), prediction.slot(), round->predictedFraction());
 }

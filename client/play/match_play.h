@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -30,7 +31,9 @@ class MatchPlay {
 
   /// Starts to connect, and resumes the player if the program ended without leaving. Throws std::runtime_error if the
   /// host name cannot be resolved or no socket is available, and ProgramError if the file of known servers is damaged.
-  MatchPlay(const ClientOptions& options, const ServerAddress& server, Moment now);
+  /// `rival`: a recording that is shown as a ghost on its level, whatever the settings; empty: none.
+  MatchPlay(const ClientOptions& options, const ServerAddress& server, Moment now,
+            const std::filesystem::path& rival = {});
 
   void update(Moment now, const Controls& controls);
   /// Empty before the first round. During an outage, the last scene.
@@ -74,6 +77,7 @@ class MatchPlay {
   SceneFeed sceneFeed_;
   bool timerShown_ = true;
   bool ghostsShown_ = true;
+  bool hasRival_ = false;
   bool chatShown_ = true;
   ChatFeed chat_;
   DesyncFolder desyncFolder_;

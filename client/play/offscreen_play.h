@@ -7,6 +7,7 @@
 #include "client/gl/offscreen.h"
 #include "client/play/client_options.h"
 #include "client/play/match_play.h"
+#include "client/play/play_window.h"
 #include "client/time/clock.h"
 
 namespace platon {
@@ -22,15 +23,13 @@ class OffscreenPlay {
 
  private:
   static constexpr double kSeconds = 10;
-  static constexpr std::uint32_t kWidth = 1280;
-  static constexpr std::uint32_t kHeight = 720;
 
   void takeScreenshot();
 
   ClientOptions options_;
   Clock clock_;
   Offscreen offscreen_;
-  GameView view_{kWidth, kHeight};
+  GameView view_{kPictureWidth, kPictureHeight};
   MatchPlay match_;
   Demo demo_;
 };

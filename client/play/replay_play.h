@@ -1,50 +1,52 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
+#include <future>
 #include <memory>
 #include <optional>
+#include <string>
+#include <variant>
 
 #include "client/gl/game_view.h"
-#include "client/gl/offscreen.h"
-#include "client/gl/window.h"
-#include "client/play/client_options.h"
 #include "client/replay/replay_viewer.h"
-#include "client/time/clock.h"
 #include "client/ui/settings.h"
 
 namespace platon {
 
-/// Reads a recording. Throws ProgramError with one sentence if it cannot be played.
-std::shared_ptr<const Replay> loadReplay(const std::filesystem::path& file);
+/// Draws a replay with its bar, `seconds` after the last picture.
+void drawReplay(const ReplayViewer& viewer, GameView& view, Settings settings, double seconds);
 
-/// Shows a recording in a window, or with options.offscreen draws its last picture.
+/// A recording in the window of the program. A thread reads it, so that the window stays alive meanwhile.
 class ReplayPlay {
  public:
-  /// Plays options.replay. Throws ProgramError if it cannot be played, or if no window can be opened.
-  ReplayPlay(const ClientOptions& options, const Settings& settings, const Clock& clock);
+  /// Starts to read the file. A file that cannot be played gives a fault.
+  explicit ReplayPlay(std::filesystem::path file);
 
-  /// Shows it until the user leaves, the time limit of the options is reached or `stopRequested` returns true.
-  /// Off-screen, the time limit is the time of the recording that is drawn; without one, its end is.
-  void run(const std::function<bool()>& stopRequested);
+  /// Plays on for `seconds`, as soon as the file has been read.
+  void advance(double seconds);
+  void handle(const KeyEvent& event);
+  /// `width` is that of the virtual screen.
+  void handle(const PointerEvent& event, float width);
+  void draw(GameView& view, const Settings& settings, double seconds) const;
 
-  const ReplayViewer& viewer() const { return viewer_; }
+  const std::filesystem::path& file() const { return file_; }
+  /// Why the recording cannot be played, a sentence; empty: it can, as far as is known.
+  const std::string& fault() const { return fault_; }
+  /// Whether the viewer wants to leave.
+  bool leaving() const { return leaving_; }
+  /// Null while the file is being read, and if it cannot be played.
+  const ReplayViewer* viewer() const { return viewer_ ? &*viewer_ : nullptr; }
 
  private:
-  void runWindow(const std::function<bool()>& stopRequested);
-  bool timeIsLeft(Moment now) const;
-  void handleEvents();
-  void draw(double seconds);
-  void takeScreenshot();
+  using Read = std::variant<std::shared_ptr<const Replay>, std::string>;
 
-  ClientOptions options_;
-  Settings settings_;
-  Clock clock_;
-  ReplayViewer viewer_;
-  std::optional<Window> window_;  // one of these two
-  std::optional<Offscreen> offscreen_;
-  GameView view_;
-  Moment startedAt_;
+  void takeRead();
+
+  std::filesystem::path file_;
+  std::future<Read> reading_;
+  std::optional<ReplayViewer> viewer_;
+  std::string fault_;
+  bool leaving_ = false;
 };
 
 }  // namespace platon

@@ -4,29 +4,20 @@
 #include <chrono>
 #include <cstdio>
 #include <stdexcept>
+#include <utility>
 
 #include "client/gl/image.h"
 #include "client/menu/failure_page.h"
 #include "client/menu/pause_page.h"
 #include "client/menu/say_page.h"
+#include "client/play/play_window.h"
 
 namespace platon {
 
 namespace {
 
-constexpr int kWidth = 1280;
-constexpr int kHeight = 720;
-constexpr Moment kMinFrameTime = std::chrono::milliseconds(2);  // for drivers that do not wait for the vertical blank
 constexpr Moment kSaidTime = std::chrono::seconds(4);
 constexpr Moment kCalmFrameTime = std::chrono::microseconds(33'333);  // in the menu, and without the focus
-
-Window openWindow() {
-  try {
-    return Window("Platon", kWidth, kHeight);
-  } catch (const std::runtime_error& error) {
-    throw ProgramError(ProgramError::kUsage, std::string(error.what()) + "; to play without one, use --offscreen");
-  }
-}
 
 bool namesMatch(const ClientOptions& options) { return options.server || !options.level.empty() || options.demo; }
 
@@ -52,23 +43,28 @@ WindowPlay::WindowPlay(const ClientOptions& options, const Clock& clock)
     : options_(options),
       clock_(clock),
       interface_(settingsFile_.load()),
-      window_(openWindow()),
+      window_(openWindow("to play without one, use --offscreen")),
       view_(std::max(window_.pixelWidth(), 1u), std::max(window_.pixelHeight(), 1u)),
       front_(menu_, interface_.settings(), RecentServers(recentServersFile()),
-             {[this](const MatchChoice& choice) { start(choice); }, [this] { leaving_ = true; }}),
+             {[this](const MatchChoice& choice) { start(choice); }, [this] { leaving_ = true; },
+              [this](const std::filesystem::path& file) { watch(file); }}),
       firstKeys_(!interface_.settings().firstKeys),
       startedAt_(clock.now()),
       drawnAt_(startedAt_) {
-  view_.enableFlights();
   menu_.setClipboard([this] { return window_.clipboard(); });
-  named_ = namesMatch(options);
-  named_ ? start(choiceOf(options)) : front_.showTitle();
+  named_ = namesMatch(options) || !options.replay.empty();
+  if (!options.replay.empty()) {
+    watch(options.replay);
+  } else {
+    named_ ? start(choiceOf(options)) : front_.showTitle();
+  }
 }
 
 void WindowPlay::run(const std::function<bool()>& stopRequested) {
   for (Moment now = clock_.now(); shouldContinue(now) && !stopRequested(); now = clock_.now()) {
     handleEvents();
     updateMatch();
+    updateReplay(toSeconds(now - drawnAt_));
     draw(now);
     clock_.sleepUntil(now + frameTime());
   }
@@ -94,7 +90,10 @@ void WindowPlay::handleEvents() {
   view_.resize(window_.pixelWidth(), window_.pixelHeight());
   menu_.resize(view_.screenWidth(), static_cast<float>(interface_.settings().uiScale));
   for (const KeyEvent& event : window_.takeKeyEvents()) handle(event);
-  for (const PointerEvent& event : window_.takePointerEvents()) menu_.handle(event, view_.font());
+  for (const PointerEvent& event : window_.takePointerEvents()) {
+    replay_ ? replay_->handle(event, view_.screenWidth()) : menu_.handle(event, view_.font());
+  }
+  takeDrops();
   if (interface_.takeVote() && match_) match_->skipLevel();
   if (interface_.takeWatch()) spectator_.next();
   // After all events: the character of the key is not part of the text.
@@ -106,7 +105,8 @@ void WindowPlay::handleEvents() {
 void WindowPlay::handle(const KeyEvent& event) {
   if (event.kind == KeyEvent::Kind::kPress) view_.skip();
   const bool inMenu = menu_.isOpen();
-  interface_.handle(event, inMenu);
+  interface_.handle(event, inMenu || replay_);
+  if (replay_) return replay_->handle(event);
   menu_.handle(event, view_.font());
   if (interface_.takeMenu() && match_) menu_.open([this] { return pausePage(); });
   sound_.key(event, inMenu || menu_.isOpen());
@@ -157,7 +157,7 @@ void WindowPlay::say(const Chat& chat) {
 
 Input WindowPlay::choose(const Game& game, std::uint32_t slot) {
   if (options_.demo) return demo_.choose(game, slot);
-  const HeldKeys held = interface_.takeHeld(menu_.isOpen());
+  const HeldKeys held = interface_.takeHeld(menu_.isOpen() || replay_);
   if (held != HeldKeys()) view_.skip();
   learn(held, snapshotOf(game, slot));
   return steering_.input(held, view_.roll(), interface_.settings().controls);
@@ -188,7 +188,8 @@ void WindowPlay::start(const MatchChoice& choice) {
 
 void WindowPlay::updateMatch() {
   if (!match_) return;
-  match_->update(menu_.isOpen(), [this](const Game& game, std::uint32_t slot) { return choose(game, slot); });
+  match_->update(menu_.isOpen() || replay_,
+                 [this](const Game& game, std::uint32_t slot) { return choose(game, slot); });
   const NetworkClient& client = match_->play().client();
   if (client.welcomed() && !remembered_) {
     if (choice_.server) front_.recent().remember(*choice_.server);
@@ -206,7 +207,7 @@ void WindowPlay::checkEnding() {
   const bool asksPassword = client.asksPassword() && choice_.server;
   if (client.welcomed()) {
     std::fprintf(stderr, "platon-client: %s\n", reason.c_str());
-    return showFailure("The game has ended", reason);
+    return failMatch("The game has ended", reason);
   }
   leaveMatch();
   fail(ProgramError(ProgramError::kFailed, reason));
@@ -216,13 +217,55 @@ void WindowPlay::checkEnding() {
 void WindowPlay::fail(const ProgramError& error) {
   if (named_) failure_ = error;
   if (named_ && options_.seconds) throw ProgramError(error);
-  showFailure(titleOf(error, choice_), error.what());
+  failMatch(titleOf(error, choice_), error.what());
 }
 
-void WindowPlay::showFailure(const std::string& title, const std::string& reason) {
+void WindowPlay::failMatch(const std::string& title, const std::string& reason) {
+  replay_.reset();
   menu_.open([this, title, reason] {
     return failurePage(
         title, reason, [this] { start(MatchChoice(choice_)); }, [this] { leaveToTitle(); });
+  });
+}
+
+// A recording that is dropped on a game would end it.
+void WindowPlay::takeDrops() {
+  const std::vector<std::string> files = window_.takeDroppedFiles();
+  if (files.empty()) return;
+  if (!match_) return watch(files.front());
+  said_ = "leave the game to watch a recording";
+  saidUntil_ = drawnAt_ + kSaidTime;
+}
+
+void WindowPlay::watch(const std::filesystem::path& file) {
+  replay_.emplace(file);
+  menu_.close();
+}
+
+void WindowPlay::updateReplay(double seconds) {
+  if (!replay_) return;
+  replay_->advance(seconds);
+  if (!replay_->fault().empty()) return failReplay();
+  if (replay_->viewer() != nullptr && std::exchange(named_, false)) failure_.reset();
+  if (replay_->leaving()) leaveReplay(std::filesystem::path(replay_->file()));
+}
+
+void WindowPlay::leaveReplay(const std::filesystem::path& file) {
+  named_ = false;
+  replay_.reset();
+  match_ ? menu_.open([this] { return pausePage(); }) : front_.showRun(file);
+}
+
+void WindowPlay::failReplay() {
+  const ProgramError error(ProgramError::kLevel, replay_->fault());
+  const std::filesystem::path file = replay_->file();
+  if (named_) failure_ = error;
+  if (named_ && options_.seconds) throw ProgramError(error);
+  replay_.reset();
+  menu_.open([this, file, reason = std::string(error.what())] {
+    return failurePage(
+        "The recording cannot be played", reason, [this, file] { watch(std::filesystem::path(file)); },
+        [this, file] { leaveReplay(std::filesystem::path(file)); });
   });
 }
 
@@ -241,7 +284,11 @@ void WindowPlay::draw(Moment now) {
   const double seconds = toSeconds(now - drawnAt_);
   drawnAt_ = now;
   if (window_.pixelWidth() == 0 || window_.pixelHeight() == 0) return;
-  match_ ? drawMatch(seconds) : drawFront(seconds);
+  if (replay_) {
+    drawReplay(seconds);
+  } else {
+    match_ ? drawMatch(seconds) : drawFront(seconds);
+  }
   savePicture(now);
   view_.present();
   window_.show();
@@ -255,6 +302,13 @@ void WindowPlay::savePicture(Moment now) {
   saidUntil_ = now + kSaidTime;
 }
 
+void WindowPlay::drawReplay(double seconds) {
+  sound_.update(nullptr, nullptr, std::nullopt, interface_.settings(), seconds);
+  view_.setFlights(false);
+  view_.look({});
+  replay_->draw(view_, interface_.settings(), seconds);
+}
+
 void WindowPlay::drawMatch(double seconds) {
   const Moment now = match_->now();
   match_->play().show(interface_.settings());
@@ -265,6 +319,7 @@ void WindowPlay::drawMatch(double seconds) {
   if (drawnAt_ < saidUntil_ && status.notice.empty()) status.notice = said_;
   status.keys = interface_.keyHints();
   status.hint = hint(status.summary.has_value());
+  view_.setFlights(!menu_.isOpen());
   view_.look(menu_.isOpen() ? LookInput() : interface_.look());
   view_.draw(scene ? &*scene : nullptr, status, interface_.settings(), menu_.overlay(view_.font(), true), seconds);
   playSounds(scene ? &*scene : nullptr, status, seconds);

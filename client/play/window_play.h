@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -19,6 +20,7 @@
 #include "client/play/front_pages.h"
 #include "client/play/live_match.h"
 #include "client/play/net_meter.h"
+#include "client/play/replay_play.h"
 #include "client/play/sound_feed.h"
 #include "client/time/clock.h"
 #include "client/ui/first_keys.h"
@@ -29,8 +31,8 @@
 
 namespace platon {
 
-/// The game in a window: title, matches, menus. What goes wrong is shown on the screen, where the player can try again
-/// or go back.
+/// The game in a window: title, matches, replays, menus. What goes wrong is shown on the screen, where the player can
+/// try again or go back.
 class WindowPlay {
  public:
   /// Starts what the options name, or shows the title. Throws ProgramError if no window can be opened.
@@ -43,6 +45,8 @@ class WindowPlay {
   const Menu& menu() const { return menu_; }
   /// The present match; null if there is none.
   const LiveMatch* match() const { return match_ ? &*match_ : nullptr; }
+  /// The recording that is shown; null if there is none.
+  const ReplayPlay* replay() const { return replay_ ? &*replay_ : nullptr; }
 
  private:
   bool shouldContinue(Moment now) const;
@@ -57,17 +61,25 @@ class WindowPlay {
   Input choose(const Game& game, std::uint32_t slot);
   void learn(const HeldKeys& held, const PlayerSnapshot& player);
 
+  // Recordings.
+  void takeDrops();
+  void watch(const std::filesystem::path& file);
+  void updateReplay(double seconds);
+  void leaveReplay(const std::filesystem::path& file);
+  void failReplay();
+
   // Matches.
   void start(const MatchChoice& choice);
   void updateMatch();
   void checkEnding();
   void fail(const ProgramError& error);
-  void showFailure(const std::string& title, const std::string& reason);
+  void failMatch(const std::string& title, const std::string& reason);
   void leaveToTitle();
   void leaveMatch();
 
   void draw(Moment now);
   void playSounds(const Scene* scene, const HudStatus& status, double seconds);
+  void drawReplay(double seconds);
   void drawMatch(double seconds);
   void savePicture(Moment now);
   std::string hint(bool roundOver) const;
@@ -86,6 +98,7 @@ class WindowPlay {
   Turntable turntable_;
   MatchChoice choice_;  // the last one
   std::optional<LiveMatch> match_;
+  std::optional<ReplayPlay> replay_;  // shown in front of a match
   Steering steering_;
   FirstKeys firstKeys_;
   Spectator spectator_;
@@ -94,7 +107,7 @@ class WindowPlay {
   ScreenshotWriter pictures_{picturesFolder()};
   SoundFeed sound_;
   std::optional<ProgramError> failure_;  // of what the options name
-  bool named_ = false;                   // the match is what the options name
+  bool named_ = false;                   // the match or the recording is what the options name
   bool endingShown_ = false;
   bool remembered_ = false;
   bool leaving_ = false;

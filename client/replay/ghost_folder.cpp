@@ -6,6 +6,9 @@
 #include <variant>
 
 #include "client/replay/replay_file.h"
+#include "client/replay/run_store.h"
+#include "client/replay/track_file.h"
+#include "client/ui/player_rows.h"
 #include "platon/game/game.h"
 #include "protocol/label.h"
 #include "protocol/limits.h"
@@ -27,21 +30,18 @@ std::vector<fs::path> filesOf(const fs::path& folder) {
   return files;
 }
 
-// What can be shown of the name of a file.
-std::string nameOf(const fs::path& file) {
+}  // namespace
+
+std::string ghostNameOf(const fs::path& file) {
   const std::string name = file.stem().string();
   return isLabel(name, kMaxNameBytes) ? visibleLabel(name) : std::string();
 }
 
-std::variant<RunTrack, std::string> readTrack(const fs::path& file) {
-  const auto replay = readReplay(file);
-  if (const auto* fault = std::get_if<std::string>(&replay)) return *fault;
-  std::optional<RunTrack> track = trackOf(*std::get<std::shared_ptr<const Replay>>(replay));
-  if (!track) return file.string() + ": is no run: it does not end with a player at the goal";
-  return std::move(*track);
+Ghost makeGhost(const fs::path& file, RunTrack track) {
+  const std::string name =
+      hasNameOfRun(file) ? finishText(double{1} * track.ticks / kTicksPerSecond) : ghostNameOf(file);
+  return {name, std::make_shared<RunTrack>(std::move(track))};
 }
-
-}  // namespace
 
 std::vector<Ghost> ghostsIn(const fs::path& folder, std::uint64_t level, std::size_t count,
                             std::vector<std::string>& faults) {
@@ -55,7 +55,7 @@ std::vector<Ghost> ghostsIn(const fs::path& folder, std::uint64_t level, std::si
     if (auto* fault = std::get_if<std::string>(&track)) {
       faults.push_back(std::move(*fault));
     } else {
-      ghosts.push_back({nameOf(file), std::make_shared<RunTrack>(std::get<RunTrack>(std::move(track)))});
+      ghosts.push_back(makeGhost(file, std::get<RunTrack>(std::move(track))));
     }
   }
   return ghosts;

@@ -20,6 +20,12 @@ struct Ghost {
 /// Most files that are looked at in a folder of ghosts.
 inline constexpr std::size_t kMaxGhostFiles = 64;
 
+/// What can be shown of the name of a ghost's file; empty if that is not valid text.
+std::string ghostNameOf(const std::filesystem::path& file);
+
+/// The ghost of a run that was read from this file. A file that has the name of a kept run is called by its time.
+Ghost makeGhost(const std::filesystem::path& file, RunTrack track);
+
 /// The runs on this level in a folder, of the first `count` files by name; the ghost has the name of its file. Adds to
 /// `faults` a sentence for each recording on this level that cannot be a ghost.
 std::vector<Ghost> ghostsIn(const std::filesystem::path& folder, std::uint64_t level, std::size_t count,

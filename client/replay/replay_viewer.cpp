@@ -13,9 +13,9 @@ ReplayViewer::ReplayViewer(std::shared_ptr<const Replay> replay)
 
 void ReplayViewer::handle(const KeyEvent& event) {
   if (event.kind == KeyEvent::Kind::kRelease) return;
-  const bool back = event.key == Key::kArrowLeft;
-  if (!back && event.key != Key::kArrowRight) {
-    if (event.kind == KeyEvent::Kind::kPress) press(event);
+  const bool back = event.key == Key::kArrowLeft || event.key == Key::kPadLeft;
+  if (!back && event.key != Key::kArrowRight && event.key != Key::kPadRight) {
+    if (event.kind == KeyEvent::Kind::kPress) press(event.key);
     return;
   }
   const int ticks = event.kind == KeyEvent::Kind::kRepeat ? kHeldTicks : 1;
@@ -23,22 +23,20 @@ void ReplayViewer::handle(const KeyEvent& event) {
   player_.step(back ? -ticks : ticks);
 }
 
-void ReplayViewer::press(const KeyEvent& event) {
-  switch (event.key) {
+void ReplayViewer::press(Key key) {
+  switch (key) {
     case Key::kSpace:
+    case Key::kPadA:
       return player_.togglePause();
     case Key::kPlus:
+    case Key::kPadUp:
       return player_.faster();
     case Key::kMinus:
+    case Key::kPadDown:
       return player_.slower();
     case Key::kTab:
+    case Key::kPadBack:
       return player_.followNext();
-    case Key::kF11:
-      fullscreen_ = !fullscreen_;
-      return;
-    case Key::kEscape:
-      leaving_ = true;
-      return;
     default:
       return;
   }

@@ -31,18 +31,14 @@ class ReplayViewer {
   /// The player whom the camera follows is drawn as the local one.
   Scene scene() const;
   ReplayStatus status() const;
-  bool leaving() const { return leaving_; }
-  bool fullscreen() const { return fullscreen_; }
 
  private:
   void goBy(std::int32_t ticks);
-  void press(const KeyEvent& event);
+  void press(Key key);
 
   ReplayPlayer player_;
   std::shared_ptr<const StageModel> stage_;
   bool dragging_ = false;  // the mouse was pressed on the bar
-  bool leaving_ = false;
-  bool fullscreen_ = false;
 };
 
 }  // namespace platon

@@ -3,6 +3,7 @@
 #include <variant>
 
 #include "client/replay/replay_file.h"
+#include "client/replay/track_file.h"
 #include "client/ui/player_rows.h"
 
 namespace platon {
@@ -29,20 +30,28 @@ void RunKeeper::load(std::uint64_t level) {
   level_ = level;
   best_ = readBest(level);
   others_ = ghostsIn(ghostFolder_, level, kMaxOthers, faults_);
+  addRival(level);
+}
+
+// It may be among the others, or the best run.
+void RunKeeper::addRival(std::uint64_t level) {
+  const std::optional<RecordingHead> head = rivalFile_.empty() ? std::nullopt : readRecordingHeadOf(rivalFile_);
+  if (!head || !head->level || head->level->hash != level) return;
+  const std::optional<StoredRun> stored = store_.best(level);
+  if (stored && stored->file == rivalFile_) return;
+  auto track = readTrack(rivalFile_, level);
+  if (auto* fault = std::get_if<std::string>(&track)) return faults_.push_back(std::move(*fault));
+  Ghost rival = makeGhost(rivalFile_, std::get<RunTrack>(std::move(track)));
+  std::erase_if(others_, [&](const Ghost& other) { return other.name == rival.name; });
+  others_.insert(others_.begin(), std::move(rival));
 }
 
 std::optional<Ghost> RunKeeper::readBest(std::uint64_t level) {
   const std::optional<StoredRun> stored = store_.best(level);
   if (!stored) return std::nullopt;
-  const auto replay = readReplay(stored->file);
-  if (const auto* fault = std::get_if<std::string>(&replay)) {
-    faults_.push_back(*fault);
-    return std::nullopt;
-  }
-  std::optional<RunTrack> track = trackOf(*std::get<std::shared_ptr<const Replay>>(replay));
-  if (track && std::get<std::shared_ptr<const Replay>>(replay)->level()->hash == level)
-    return ghostOf(std::move(*track));
-  faults_.push_back(stored->file.string() + ": is no run on the level of its name");
+  auto track = readTrack(stored->file, level);
+  if (auto* run = std::get_if<RunTrack>(&track)) return ghostOf(std::move(*run));
+  faults_.push_back(std::get<std::string>(std::move(track)));
   return std::nullopt;
 }
 

@@ -27,9 +27,10 @@ class RunKeeper : public ConfirmedObserver {
   /// How long a difference to the best run is shown: 2 s.
   static constexpr std::uint32_t kShownTicks = 2 * kTicksPerSecond;
 
-  /// `ghosts`: a folder with runs of others. Empty paths: there are none.
-  RunKeeper(const std::filesystem::path& runs, std::filesystem::path ghosts)
-      : store_(runs), ghostFolder_(std::move(ghosts)) {}
+  /// `ghosts`: a folder with runs of others. `rival`: a recording that is a ghost on its level besides those. Empty
+  /// paths: there are none.
+  RunKeeper(const std::filesystem::path& runs, std::filesystem::path ghosts, std::filesystem::path rival = {})
+      : store_(runs), ghostFolder_(std::move(ghosts)), rivalFile_(std::move(rival)) {}
 
   void began(const Game& confirmed, std::uint32_t slot) override;
   void advanced(std::span<const Input> inputs, const Game& confirmed) override;
@@ -47,6 +48,7 @@ class RunKeeper : public ConfirmedObserver {
  private:
   void load(std::uint64_t level);
   std::optional<Ghost> readBest(std::uint64_t level);
+  void addRival(std::uint64_t level);
   void beginAttempt();
   void observe(const Game& game, const PlayerState& player);
   void arrive(const Game& game, std::uint32_t ticks);
@@ -54,6 +56,7 @@ class RunKeeper : public ConfirmedObserver {
 
   RunStore store_;
   std::filesystem::path ghostFolder_;
+  std::filesystem::path rivalFile_;
   RunCutter cutter_;
   std::uint32_t slot_ = 0;
   std::optional<std::uint64_t> level_;  // hash, of best_ and others_

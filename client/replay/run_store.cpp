@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cinttypes>
 #include <cstdio>
+#include <map>
 #include <system_error>
 #include <utility>
 
@@ -45,15 +46,6 @@ std::optional<StoredRun> storedRun(const fs::directory_entry& entry) {
   return fault ? std::nullopt : run;
 }
 
-std::string dateText(fs::file_time_type date) {
-  using namespace std::chrono;
-  const year_month_day day(floor<days>(file_clock::to_sys(date)));
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%04d-%02u-%02u", static_cast<int>(day.year()),
-                static_cast<unsigned>(day.month()), static_cast<unsigned>(day.day()));
-  return text.data();
-}
-
 ListedRun listed(const StoredRun& run) {
   const std::optional<RecordingHead> head = readRecordingHeadOf(run.file);
   ListedRun entry{run.file, {}, finishText(double{1} * run.ticks / kTicksPerSecond), dateText(run.date), run.rules, {}};
@@ -64,6 +56,17 @@ ListedRun listed(const StoredRun& run) {
 }
 
 }  // namespace
+
+bool hasNameOfRun(const fs::path& file) { return runOf(file).has_value(); }
+
+std::string dateText(fs::file_time_type date) {
+  using namespace std::chrono;
+  const year_month_day day(floor<days>(file_clock::to_sys(date)));
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%04d-%02u-%02u", static_cast<int>(day.year()),
+                static_cast<unsigned>(day.month()), static_cast<unsigned>(day.day()));
+  return text.data();
+}
 
 std::vector<StoredRun> RunStore::all() const {
   std::vector<StoredRun> runs;
@@ -89,7 +92,15 @@ std::optional<StoredRun> RunStore::best(std::uint64_t level) const {
 
 std::vector<ListedRun> RunStore::list() const {
   std::vector<ListedRun> entries;
-  for (const StoredRun& run : all()) entries.push_back(listed(run));
+  std::map<std::uint64_t, std::pair<std::uint32_t, std::size_t>> best;  // by level: ticks and entry
+  for (const StoredRun& run : all()) {
+    const auto place = std::pair(run.ticks, entries.size());
+    entries.push_back(listed(run));
+    if (run.rules != kRulesVersion || !entries.back().note.empty()) continue;
+    const auto known = best.try_emplace(run.level, place).first;
+    known->second = std::min(known->second, place);
+  }
+  for (const auto& [level, place] : best) entries[place.second].isBest = true;
   return entries;
 }
 

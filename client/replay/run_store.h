@@ -26,11 +26,19 @@ struct StoredRun {
 struct ListedRun {
   std::filesystem::path file;
   std::string title;        ///< of the level; empty if it has none or cannot be read
-  std::string time;         ///< `12.34 s`
+  std::string time;         ///< `12.34 s`; empty: unknown
   std::string date;         ///< in UTC, `2026-12-01`
   std::uint32_t rules = 0;  ///< version of the rules
   std::string note;         ///< why it cannot be played; empty: it can
+  std::string who{};        ///< whose it is; empty: the player's own
+  bool isBest = false;      ///< the shortest one of a level by the present rules
 };
+
+/// Whether a file has a name that a RunStore gives to runs.
+bool hasNameOfRun(const std::filesystem::path& file);
+
+/// The date of a file as ListedRun shows it.
+std::string dateText(std::filesystem::file_time_type date);
 
 /// The best run on each level by each version of the rules: a folder with one recording each, whose name is the hash of
 /// the level, the version of the rules and the ticks. A file that is copied here counts like the others. A folder that

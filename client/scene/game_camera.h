@@ -20,8 +20,8 @@ class GameCamera {
   void resize(std::uint32_t w, std::uint32_t h) { camera_.resize(w, h); }
   /// Takes effect at the next `move`. For the zoom see Camera::setZoom.
   void setComfort(const CameraComfort& comfort, double zoom);
-  /// From now on a new stage begins with a flight, unless the comfort forbids it.
-  void enableFlights() { flights_ = true; }
+  /// Whether a new stage begins with a flight, unless the comfort forbids it; not at first.
+  void setFlights(bool flights) { flights_ = flights; }
   /// Whether the picture is still on its way from the goal to the player.
   bool flying() const { return flight_.flying(); }
   void skipFlight() { flight_.skip(); }

@@ -27,6 +27,7 @@
 namespace platon {
 namespace {
 
+constexpr const char* kRecording = "tests/determinism/golden/hexahedron.recording";
 constexpr int kSettingsItem = 3;  // of the menu over the game, below Resume
 constexpr const char* kKeysItem = "Keys and buttons";
 
@@ -87,6 +88,13 @@ class WindowPlayTest : public testing::Test {
     if (prediction.slot() >= game.slots()) return std::nullopt;
     return game.player(prediction.slot()).ground != Point();
   }
+  // Puts a recording where those of friends are.
+  void keepRecording(const std::string& name) const {
+    std::filesystem::create_directories(folder_ / "platon/ghosts");
+    writeText(folder_ / "platon/ghosts" / name, readText(kRecording));
+  }
+  const ReplayViewer* viewer() const { return play_->replay() == nullptr ? nullptr : play_->replay()->viewer(); }
+  const ReplayPlayer& player() const { return viewer()->player(); }
   bool inGame() const { return play_->match() != nullptr && !play_->menu().isOpen(); }
 
   const Font font_;
@@ -229,6 +237,82 @@ TEST_F(WindowPlayTest, AChosenKeyJumps) {
         {[] { xdotool("keyup j"); }, grounded}});
   EXPECT_TRUE(stepsDone_);
   EXPECT_NE(savedSettings().find("\nkey jump j space pad-a\n"), std::string::npos);
+}
+
+TEST_F(WindowPlayTest, AReplayIsWatchedFromTheTitleAndLeadsBack) {
+  options_.level.clear();
+  keepRecording("Anna.recording");
+  std::uint32_t at = 0;
+  play({{[] { xdotool("key Down Down Down Down Return"); }, [this] { return shows("Hexahedron"); }},
+        {[] { xdotool("key Return"); }, [this] { return shows("Watch"); }},
+        {[] { xdotool("key Return"); }, [this] { return viewer() && player().tick() > 10; }},
+        {[] { xdotool("key space"); }, [this] { return player().paused(); }},
+        {[&] {
+           at = player().tick();
+           xdotool("key Right");
+         },
+         [&] { return player().tick() == at + 1; }},
+        {[] { xdotool("key shift+Right"); }, [&] { return player().tick() == at + 301; }},
+        {[] { xdotool("mousemove --window $(xdotool getactivewindow) 640 666 click 1"); },
+         [this] { return std::abs(player().tick() - player().replay().ticks() / 2.0) < 10; }},
+        {[] { xdotool("key Tab"); }, [this] { return player().followed() != 0; }},
+        {[] { xdotool("key plus plus"); }, [this] { return player().speed() == 4; }},
+        {[] { xdotool("key F11"); }, isFullscreen},
+        {[] { xdotool("key F11"); }, [] { return !isFullscreen(); }},
+        {[] { xdotool("key Escape"); }, [this] { return play_->replay() == nullptr && shows("Watch"); }},
+        {[] { xdotool("key Escape"); }, [this] { return shows("Hexahedron"); }},
+        {[] { xdotool("key Escape"); }, [this] { return shows("Quit"); }}});
+  EXPECT_TRUE(stepsDone_);
+}
+
+TEST_F(WindowPlayTest, ARecordingThatCannotBePlayedIsReportedOnTheScreen) {
+  options_.level.clear();
+  const std::string whole = readText(kRecording);
+  std::filesystem::create_directories(folder_ / "platon/ghosts");
+  writeText(folder_ / "platon/ghosts/Anna.recording", whole.substr(0, whole.size() / 2));
+  play({{[] { xdotool("key Down Down Down Down Return Return"); }, [this] { return shows("Watch"); }},
+        {[] { xdotool("key Return"); }, [this] { return shows("Try again"); }},
+        {[] { xdotool("key Return"); }, [this] { return !play_->menu().isOpen(); }},
+        {[] {}, [this] { return shows("Try again"); }},
+        {[] { xdotool("key Escape"); }, [this] { return shows("Watch"); }}});
+  EXPECT_TRUE(stepsDone_);
+}
+
+TEST_F(WindowPlayTest, ARecordingOfTheCommandLineIsPlayedAndLeadsToItsPage) {
+  options_.level.clear();
+  options_.replay = kRecording;
+  play({{[] {}, [this] { return viewer() != nullptr; }},
+        {[] { xdotool("key Escape"); }, [this] { return shows("Watch"); }}});
+  EXPECT_TRUE(stepsDone_);
+}
+
+TEST_F(WindowPlayTest, ARecordingOfTheCommandLineThatCannotBePlayedIsReportedAlsoAtTheEnd) {
+  options_.level.clear();
+  options_.seconds.reset();
+  options_.replay = (folder_ / "text").string();
+  writeText(options_.replay, "no recording");
+  try {
+    play({{[] {}, [this] { return shows("Try again"); }}});
+    FAIL();
+  } catch (const ProgramError& error) {
+    EXPECT_EQ(error.exitCode(), ProgramError::kLevel);
+  }
+}
+
+TEST_F(WindowPlayTest, ADroppedRecordingIsPlayedButNotDuringAGame) {
+  const auto drop = [] {
+    GLFWwindow* const handle = glfwGetCurrentContext();
+    const GLFWdropfun dropped = glfwSetDropCallback(handle, nullptr);
+    glfwSetDropCallback(handle, dropped);
+    const char* path = kRecording;
+    dropped(handle, 1, &path);
+  };
+  int frames = 0;
+  play({{drop, [&] { return ++frames == 3; }},
+        {[this] { EXPECT_EQ(play_->replay(), nullptr); }, [] { return true; }},
+        {[] { xdotool("key Escape Up Return"); }, [this] { return play_->match() == nullptr; }},
+        {drop, [this] { return viewer() != nullptr; }}});
+  EXPECT_TRUE(stepsDone_);
 }
 
 TEST_F(WindowPlayTest, ClosingTheWindowLeavesTheGame) {

@@ -53,7 +53,7 @@ TEST_F(ReplayViewerTest, TheArrowsStepAndLeap) {
   EXPECT_EQ(tick(), 0U);
 }
 
-TEST_F(ReplayViewerTest, KeysPauseChangeTheSpeedAndLeave) {
+TEST_F(ReplayViewerTest, KeysPauseAndChangeTheSpeed) {
   press(Key::kSpace);
   EXPECT_TRUE(viewer_.status().paused);
   press(Key::kSpace);
@@ -62,11 +62,19 @@ TEST_F(ReplayViewerTest, KeysPauseChangeTheSpeedAndLeave) {
   press(Key::kMinus);
   press(Key::kMinus);
   EXPECT_EQ(viewer_.status().speed, 0.5);
-  press(Key::kF11);
-  EXPECT_TRUE(viewer_.fullscreen());
-  EXPECT_FALSE(viewer_.leaving());
-  press(Key::kEscape);
-  EXPECT_TRUE(viewer_.leaving());
+}
+
+TEST_F(ReplayViewerTest, AGamepadPausesStepsAndChangesTheSpeed) {
+  press(Key::kPadA);
+  EXPECT_TRUE(viewer_.status().paused);
+  press(Key::kPadRight);
+  press(Key::kPadRight);
+  press(Key::kPadLeft);
+  EXPECT_EQ(tick(), 1U);
+  press(Key::kPadUp);
+  press(Key::kPadUp);
+  press(Key::kPadDown);
+  EXPECT_EQ(viewer_.status().speed, 2);
 }
 
 TEST_F(ReplayViewerTest, TabFollowsTheNextPlayer) {

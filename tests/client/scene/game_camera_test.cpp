@@ -40,7 +40,7 @@ TEST_F(GameCameraTest, WithoutFlightsANewStageBeginsAtThePlayer) {
 }
 
 TEST_F(GameCameraTest, ANewStageBeginsWithAFlightFromItsGoal) {
-  camera_.enableFlights();
+  camera_.setFlights(true);
   move();
   ASSERT_TRUE(camera_.flying());
   const Marker& goal = stage_->goal;
@@ -54,7 +54,7 @@ TEST_F(GameCameraTest, ANewStageBeginsWithAFlightFromItsGoal) {
 }
 
 TEST_F(GameCameraTest, AFlightCanBeSkipped) {
-  camera_.enableFlights();
+  camera_.setFlights(true);
   move();
   camera_.skipFlight();
   for (int frame = 0; frame < 16; ++frame) move();
@@ -65,7 +65,7 @@ TEST_F(GameCameraTest, ReducedMotionAndInstantCutHaveNoFlight) {
   for (const bool reduced : {false, true}) {
     GameCamera camera;
     camera.setComfort({.instantCut = !reduced, .reducedMotion = reduced}, 1);
-    camera.enableFlights();
+    camera.setFlights(true);
     camera.move(player_, stage_, {}, kFrame);
     EXPECT_FALSE(camera.flying());
   }

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <string>
+
+#include "client/menu/menu_page.h"
+
+namespace platon {
+
+/// What the pages of replays show of a recording.
+struct ReplayEntry {
+  std::string title;   ///< of the level
+  std::string time{};  ///< to the goal; empty: unknown, or it is no run
+  std::string date{};
+  std::string who{};    ///< whose run it is; empty: the player's own
+  bool isBest = false;  ///< of the player's own runs on this level
+  std::string note{};   ///< why it cannot be played, a sentence; empty: it can
+};
+
+/// The list of recordings: the player's own runs, then those of others, in this order in `entries`. An empty list says
+/// how recordings get there. `choose` gets the index of an entry.
+MenuPage replaysPage(std::span<const ReplayEntry> entries, const std::function<void(std::size_t)>& choose,
+                     const std::function<void()>& back);
+
+/// Item of that page which stands for an entry.
+std::size_t itemOfReplay(std::span<const ReplayEntry> entries, std::size_t entry);
+/// The entry that an item of that page stands for; for a heading, the one below it. There is at least one entry.
+std::size_t replayOfItem(std::span<const ReplayEntry> entries, std::size_t item);
+
+}  // namespace platon

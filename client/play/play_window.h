@@ -1,0 +1,23 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+#include "client/gl/window.h"
+#include "protocol/moment.h"
+
+namespace platon {
+
+/// Size of the program's pictures: off-screen in pixels, of a new window in screen coordinates.
+inline constexpr std::uint32_t kPictureWidth = 1280;
+inline constexpr std::uint32_t kPictureHeight = 720;
+
+/// Shortest time of a picture, for drivers that do not wait for the vertical blank.
+inline constexpr Moment kMinFrameTime = std::chrono::milliseconds(2);
+
+/// Opens the window of the program. Throws ProgramError if there is none; its text ends with `otherwise`, which says
+/// what can be done without a window.
+Window openWindow(const std::string& otherwise);
+
+}  // namespace platon

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "client/menu/menu.h"
+#include "client/menu/replays_page.h"
+#include "client/replay/run_store.h"
+#include "platon/game/level.h"
+
+namespace platon {
+
+/// The pages about recordings: the list of all, and what can be done with one.
+class ReplayPages {
+ public:
+  using File = std::filesystem::path;
+  struct Calls {
+    std::function<void(const File&)> watch;
+    std::function<void(const std::shared_ptr<const Level>&, const File&)> race;
+  };
+
+  /// `menu` outlives the pages. `runs` and `ghosts` are folders; an empty path has no recordings.
+  ReplayPages(Menu& menu, File runs, File ghosts, Calls calls);
+
+  /// Shows the list above the present page.
+  void showList();
+  /// Shows the list above the present page, and above it the page of this recording, which may be anywhere.
+  void showRun(const File& file);
+  /// The player looks at other pages now.
+  void leave() { chosen_.clear(), inList_ = false; }
+
+  /// The level of the recording that the player looks at; null if there is none.
+  std::shared_ptr<const Level> shownLevel();
+
+ private:
+  void load();
+  std::size_t indexOf(const File& file);
+  MenuPage listPage();
+  MenuPage pageOf(std::size_t index);
+  void choose(std::size_t index);
+  bool canRace(std::size_t index);
+  bool canKeep(std::size_t index) const;
+  void keep(std::size_t index);
+  const std::shared_ptr<const Level>& levelOf(const File& file);
+
+  Menu* menu_;
+  RunStore store_;
+  File ghosts_;
+  Calls calls_;
+  std::vector<ReplayEntry> entries_;
+  std::vector<File> files_;  // of entries_
+  std::size_t listed_ = 0;   // entries of the list; one that lies elsewhere follows
+  bool inList_ = false;
+  File chosen_;        // whose page is shown; empty: none
+  std::string fault_;  // of the last copy
+  File levelFile_;     // of level_
+  std::shared_ptr<const Level> level_;
+};
+
+}  // namespace platon

@@ -1,0 +1,20 @@
+#include "client/replay/track_file.h"
+
+#include <memory>
+#include <utility>
+
+#include "client/replay/replay_file.h"
+
+namespace platon {
+
+std::variant<RunTrack, std::string> readTrack(const std::filesystem::path& file, std::optional<std::uint64_t> level) {
+  const auto read = readReplay(file);
+  if (const auto* fault = std::get_if<std::string>(&read)) return *fault;
+  const Replay& replay = *std::get<std::shared_ptr<const Replay>>(read);
+  if (level && replay.level()->hash != *level) return file.string() + ": is a recording of another level";
+  std::optional<RunTrack> track = trackOf(replay);
+  if (!track) return file.string() + ": is no run: it does not end with a player at the goal";
+  return std::move(*track);
+}
+
+}  // namespace platon

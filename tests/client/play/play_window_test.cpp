@@ -1,0 +1,37 @@
+#include "client/play/play_window.h"
+
+#include <optional>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "protocol/program_error.h"
+#include "tests/support/environment_variable.h"
+
+// Runs on a virtual display with a window manager (on_display.sh).
+namespace platon {
+namespace {
+
+// The window manager may take room for a frame.
+TEST(PlayWindow, IsAtMostOfTheSizeOfThePicture) {
+  const Window window = openWindow("");
+  EXPECT_GT(window.pixelWidth(), kPictureWidth / 2);
+  EXPECT_LE(window.pixelWidth(), kPictureWidth);
+  EXPECT_LE(window.pixelHeight(), kPictureHeight);
+}
+
+TEST(PlayWindow, WithoutADisplayItSaysWhatCanBeDone) {
+  const EnvironmentVariable noDisplay("DISPLAY", std::nullopt);
+  try {
+    openWindow("use --offscreen");
+    FAIL() << "opened";
+  } catch (const ProgramError& error) {
+    EXPECT_EQ(error.exitCode(), ProgramError::kUsage);
+    const std::string text = error.what();
+    EXPECT_EQ(text.substr(0, 22), "cannot open a window: ");
+    EXPECT_TRUE(text.ends_with("; use --offscreen")) << text;
+  }
+}
+
+}  // namespace
+}  // namespace platon

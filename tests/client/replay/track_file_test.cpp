@@ -1,0 +1,55 @@
+#include "client/replay/track_file.h"
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "platon/game/recorder.h"
+#include "tests/client/replay/followed_game.h"
+#include "tests/shared/game/played_game.h"
+#include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
+
+namespace platon {
+namespace {
+
+class TrackFileTest : public testing::Test {
+ protected:
+  TrackFileTest() {
+    followed_.hold(30, 0);
+    followed_.holdToGoal(300, Input::kRight);
+  }
+  void write(const std::vector<std::uint8_t>& bytes) {
+    writeText(file_, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  }
+  std::string fault(std::optional<std::uint64_t> level = std::nullopt) const {
+    const auto track = readTrack(file_, level);
+    const auto* const text = std::get_if<std::string>(&track);
+    return text == nullptr ? "" : text->substr(file_.string().size());
+  }
+
+  const TemporaryFolder folder_;
+  const std::filesystem::path file_ = folder_ / "run";
+  FollowedGame followed_{cubeLevel("0 0 -180 0", {"-240 -200 240 -200"}, "0 100 -190")};
+};
+
+TEST_F(TrackFileTest, ReadsARunOfItsLevel) {
+  write(followed_.run->recording);
+  const auto track = readTrack(file_, followed_.game.level().hash);
+  ASSERT_TRUE(std::holds_alternative<RunTrack>(track));
+  EXPECT_EQ(std::get<RunTrack>(track).ticks, *followed_.time);
+  EXPECT_EQ(fault(), "");
+}
+
+TEST_F(TrackFileTest, SaysWhyAFileIsNoRun) {
+  EXPECT_EQ(fault().substr(0, 17), ": cannot be read:");
+  write(followed_.run->recording);
+  EXPECT_EQ(fault(followed_.game.level().hash + 1), ": is a recording of another level");
+  Recorder recorder{Game(followed_.game.sharedLevel())};
+  recorder.finish(Game(followed_.game.sharedLevel()));
+  write(recorder.takeBytes());
+  EXPECT_EQ(fault(), ": is no run: it does not end with a player at the goal");
+}
+
+}  // namespace
+}  // namespace platon
