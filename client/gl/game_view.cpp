@@ -1,9 +1,20 @@
 #include "client/gl/game_view.h"
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
+#include "client/ui/high_contrast_overlay.h"
+
 namespace platon {
+namespace {
+
+PictureStyle styleOf(const Settings& settings) {
+  const bool animated = !settings.comfort.reducedMotion;
+  return {animated, animated && settings.flashes, settings.highContrast};
+}
+
+}  // namespace
 
 GameView::GameView(std::uint32_t width, std::uint32_t height) : renderer_(width, height, font_) {
   camera_.resize(width, height);
@@ -31,16 +42,21 @@ void GameView::draw(const Scene* scene, const HudStatus& status, const Settings&
   overlays.insert(overlays.end(), more.begin(), more.end());
   if (settings.netGraph) overlays.push_back(netGraph_.overlay(font_, width));
   overlays.push_back(menu);
+  const PictureStyle style = styleOf(settings);
+  if (style.highContrast) std::for_each(overlays.begin(), overlays.end(), raiseContrast);
   renderer_.setFaceNumbers(settings.faceNumbers);
   if (scene != nullptr) {
-    renderer_.draw(*scene, camera, overlays, !settings.comfort.reducedMotion);
+    renderer_.draw(*scene, camera, overlays, style);
   } else {
     renderer_.drawEmpty(overlays);
   }
 }
 
-void GameView::drawStill(const Scene& scene, const Camera& camera, const Overlay& menu) {
-  renderer_.draw(scene, camera, std::span(&menu, 1), false);
+void GameView::drawStill(const Scene& scene, const Camera& camera, const Settings& settings, Overlay menu) {
+  PictureStyle style = styleOf(settings);
+  style.animated = false;
+  if (style.highContrast) raiseContrast(menu);
+  renderer_.draw(scene, camera, std::span(&menu, 1), style);
 }
 
 void GameView::moveCamera(const Scene& scene, const Settings& settings, double seconds) {

@@ -35,7 +35,7 @@ class GameView {
             std::span<const Overlay> more = {});
 
   /// Draws a scene as a camera of the size of the picture sees it, and a menu in front of it.
-  void drawStill(const Scene& scene, const Camera& camera, const Overlay& menu);
+  void drawStill(const Scene& scene, const Camera& camera, const Settings& settings, Overlay menu);
   /// Size of the picture in pixels.
   std::uint32_t width() const { return camera_.camera().width(); }
   std::uint32_t height() const { return camera_.camera().height(); }

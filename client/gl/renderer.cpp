@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "client/gl/draw_calls.h"
+#include "client/scene/look/high_contrast.h"
 
 namespace platon {
 namespace {
@@ -43,17 +44,18 @@ void Renderer::resize(std::uint32_t width, std::uint32_t height) {
   if (!same && width != 0 && height != 0) target_ = RenderTarget(width, height, quality_.samples, quality_.scale);
 }
 
-void Renderer::draw(const Scene& scene, const Camera& camera, std::span<const Overlay> overlays, bool animated) {
+void Renderer::draw(const Scene& scene, const Camera& camera, std::span<const Overlay> overlays,
+                    const PictureStyle& style) {
   const StageModel& stage = *scene.stage;
   const std::vector<FaceView> views = visibleFaces(stage.mesh, camera);
-  const bool particles = animated && quality_.particles;
+  const bool particles = style.animated && !style.highContrast && quality_.particles;
   StagePainter::Decoration decoration;
-  decoration.seconds = animated ? static_cast<float>(scene.seconds) : 0;
+  decoration.seconds = style.animated ? static_cast<float>(scene.seconds) : 0;
   decoration.numbers = faceNumbers_;
   decoration.trails = advance(scene, particles);
   decoration.goal = goal_;
-  if (!animated) decoration.goal.settle();
-  stagePainter_.prepare(scene, quality_.shadows);
+  if (!style.animated || !style.flashes) decoration.goal.settle();
+  stagePainter_.prepare(scene, quality_.shadows, style.highContrast);
   target_.bindSampled();
   beginPicture();
   stagePainter_.drawFaces(stage, views);
@@ -67,16 +69,19 @@ void Renderer::draw(const Scene& scene, const Camera& camera, std::span<const Ov
     const DecalScope scope;
     stagePainter_.drawAbove(scene, views, textPainter_);
   }
-  for (const PlayerDrawing& player : scene.players) {
-    ballPainter_.draw(player, balls_.at(player.slot), camera, textPainter_);
-  }
-  skyPainter_.drawSky(stage.scheme());
+  for (const PlayerDrawing& player : scene.players) drawPlayer(player, balls_.at(player.slot), camera, style);
+  scheme_ = style.highContrast ? highContrast(stage.scheme()) : stage.scheme();
+  skyPainter_.drawSky(scheme_);
   if (particles) skyPainter_.drawMotes(stage.scheme(), camera, stage.mesh.circumradius(), scene.seconds);
-  for (std::size_t i = 0; i < scene.ghosts.size(); ++i)
-    ballPainter_.draw(scene.ghosts[i], ghosts_[i], camera, textPainter_);
+  for (std::size_t i = 0; i < scene.ghosts.size(); ++i) drawPlayer(scene.ghosts[i], ghosts_[i], camera, style);
   beamPainter_.draw(stage, camera, 1 + 2 * static_cast<float>(1 - decoration.goal.burst()));
-  scheme_ = stage.scheme();
   drawOverlays(overlays);
+}
+
+void Renderer::drawPlayer(PlayerDrawing player, BallMotion ball, const Camera& camera, const PictureStyle& style) {
+  if (!style.animated || !style.flashes) player.flash = 0;
+  if (!style.animated) ball.settle();
+  ballPainter_.draw(player, ball, camera, style.highContrast, textPainter_);
 }
 
 // Moves balls and goal on to this moment. Returns the trails.

@@ -12,6 +12,7 @@
 #include "client/gl/paint/beam_painter.h"
 #include "client/gl/paint/sky_painter.h"
 #include "client/gl/paint/stage_painter.h"
+#include "client/gl/picture_style.h"
 #include "client/gl/render_target.h"
 #include "client/gl/text_painter.h"
 #include "client/quality/quality.h"
@@ -33,8 +34,8 @@ class Renderer {
   void resize(std::uint32_t width, std::uint32_t height);
 
   /// Draws the scene as `camera` sees it, then the overlays, in order. The camera must have the size of the picture.
-  /// Without `animated`, decorations such as the goal's glow stand still.
-  void draw(const Scene& scene, const Camera& camera, std::span<const Overlay> overlays, bool animated = true);
+  void draw(const Scene& scene, const Camera& camera, std::span<const Overlay> overlays,
+            const PictureStyle& style = PictureStyle());
 
   /// What the next pictures may cost.
   void setQuality(const Quality& quality);
@@ -53,6 +54,7 @@ class Renderer {
  private:
   void drawOverlays(std::span<const Overlay> overlays);
   FaceMarks advance(const Scene& scene, bool particles);
+  void drawPlayer(PlayerDrawing player, BallMotion ball, const Camera& camera, const PictureStyle& style);
 
   Quality quality_ = namedQuality(QualityLevel::kHigh).quality;
   bool faceNumbers_ = false;

@@ -63,6 +63,8 @@ MenuPage settingsPage(Settings& settings, const std::function<void()>& showKeys)
                 choiceItem("Camera turn speed", settings.comfort.turnSpeed, kTurnSpeeds),
                 toggleItem("Instant camera cut", settings.comfort.instantCut),
                 toggleItem("Reduced motion", settings.comfort.reducedMotion),
+                toggleItem("Flashes", settings.flashes),
+                toggleItem("High contrast", settings.highContrast),
                 heading("Controls"),
                 {.name = "Keys and buttons", .value = "choose", .choose = showKeys},
                 controlsItem(settings.controls),

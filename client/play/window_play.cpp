@@ -338,7 +338,7 @@ void WindowPlay::drawFront(double seconds) {
   const Overlay menu = menu_.overlay(view_.font(), false);
   if (!turntable_.shows()) return view_.draw(nullptr, {}, interface_.settings(), menu, seconds);
   if (!interface_.settings().comfort.reducedMotion) turntable_.advance(seconds);
-  view_.drawStill(turntable_.scene(), turntable_.camera(view_.width(), view_.height()), menu);
+  view_.drawStill(turntable_.scene(), turntable_.camera(view_.width(), view_.height()), interface_.settings(), menu);
 }
 
 // During an outage nothing is heard.

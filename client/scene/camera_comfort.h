@@ -14,7 +14,7 @@ enum class CameraView : std::uint8_t {
 struct CameraComfort {
   double turnSpeed = 7;        ///< rate of the exponential approach to the player's roll, per second, 1 … 30
   bool instantCut = false;     ///< no swing, roll or flight: the camera jumps to its target
-  bool reducedMotion = false;  ///< slower swing and roll, no look-ahead, no flight
+  bool reducedMotion = false;  ///< slower swing and roll, no look-ahead, no flight; nothing moves but the players
   CameraView view = CameraView::kFollow;
 };
 

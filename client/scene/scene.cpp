@@ -10,7 +10,6 @@
 namespace platon {
 namespace {
 
-constexpr double kMaxWhite = 0.6;  // largest share of white in a player's colour
 constexpr float kGhostOpacity = 0.5F;
 constexpr std::uint32_t kFirstGhostColour = 4;
 constexpr const char* kGhostLabel = "\u25cb";
@@ -29,8 +28,8 @@ PlayerDrawing drawingOf(const SceneSource& source, const InterpolatedPlayer& tim
   player.slot = slot;
   player.pose = poseBetween(source.stage->mesh, time);
   if (local && source.localOffset != Point()) shift(player.pose, source.stage->mesh, toUnits(source.localOffset));
-  const double flash = slot < source.flashes.size() ? source.flashes[slot] : 0;
-  player.colour = glm::mix(playerColour(slot), Colour(1), static_cast<float>(kMaxWhite * flash));
+  if (slot < source.flashes.size()) player.flash = static_cast<float>(source.flashes[slot]);
+  player.colour = playerColour(slot);
   player.number = std::to_string(slot + 1);
   if (slot < source.names.size()) player.name = source.names[slot];
   player.local = local;

@@ -51,6 +51,7 @@ struct PlayerDrawing {
   std::string number;  ///< slot + 1
   std::string name;
   bool local = false;
+  float flash = 0;                      ///< brightness of the flash after an event, 0 … 1
   float opacity = 1;                    ///< below 1: a ghost
   std::optional<double> finishSeconds;  ///< shortest time of an attempt to the goal in this round
 };

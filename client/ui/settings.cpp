@@ -75,6 +75,8 @@ std::vector<Entry> entriesOf(Settings& settings) {
       flag("toggle-look", settings.toggled.look),
       flag("instant-cut", comfort.instantCut),
       flag("reduced-motion", comfort.reducedMotion),
+      flag("flashes", settings.flashes),
+      flag("high-contrast", settings.highContrast),
       flag("fullscreen", settings.fullscreen),
       flag("vsync", settings.vsync),
       {"frame-cap", "a number from 0 to 1000",
@@ -128,6 +130,8 @@ std::string Settings::text() const {
   out << "turn-speed " << comfort.turnSpeed << "\n";
   out << "instant-cut " << onOff(comfort.instantCut) << "\n";
   out << "reduced-motion " << onOff(comfort.reducedMotion) << "\n";
+  out << "flashes " << onOff(flashes) << "\n";
+  out << "high-contrast " << onOff(highContrast) << "\n";
   out << "controls " << (controls == ControlFrame::kScreen ? "screen" : "player") << "\n";
   out << "camera " << (comfort.view == CameraView::kFace ? "face" : "follow") << "\n";
   out << "zoom " << zoom << "\n";

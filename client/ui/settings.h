@@ -34,6 +34,8 @@ struct Settings {
   double musicVolume = 70;     ///< 0 … 100
   bool timer = true;           ///< show the own time, its differences to the best run, and the personal best
   bool ghosts = true;          ///< show the best run and those of others
+  bool flashes = true;         ///< players and goal flash
+  bool highContrast = false;   ///< black ground, white walls and opaque panels
   bool faceNumbers = false;    ///< faces show their numbers instead of signs
 
   /// The settings as lines `name value…`, the format of `parseSettings`.

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -17,6 +18,8 @@ namespace platon {
 namespace {
 
 constexpr int kDivisions = 6;  // parts of each edge of the icosahedron that is subdivided into a ball
+
+constexpr float kMaxWhite = 0.6F;  // largest share of white in a player who flashes
 
 struct BallMesh {
   std::vector<glm::vec3> points;
@@ -94,7 +97,11 @@ glm::mat4 labelToClip(const PlayerDrawing& player, const Camera& camera, const P
   return glm::mat4(camera.viewProjection() * toWorld);
 }
 
-Colour outlineOf(const PlayerDrawing& player) { return player.local ? Colour(1) : player.colour * 0.28F; }
+// With high contrast, the outlines of others are bright as well.
+Colour outlineOf(const PlayerDrawing& player, bool highContrast) {
+  if (player.local) return Colour(1);
+  return highContrast ? glm::mix(player.colour, Colour(1), 0.4F) : player.colour * 0.28F;
+}
 
 // The local player knows its ball: it has no number.
 std::string labelOf(const PlayerDrawing& player) {
@@ -117,7 +124,8 @@ BallPainter::BallPainter() : program_("ball") {
   glBufferData(GL_ELEMENT_ARRAY_BUFFER, bytes(ball.triangles), ball.triangles.data(), GL_STATIC_DRAW);
 }
 
-void BallPainter::draw(const PlayerDrawing& player, const BallMotion& motion, const Camera& camera, TextPainter& text) {
+void BallPainter::draw(const PlayerDrawing& player, const BallMotion& motion, const Camera& camera, bool highContrast,
+                       TextPainter& text) {
   const Placement ball = placementOf(player, motion, camera);
   const glm::dmat4 toWorld =
       glm::scale(glm::translate(glm::dmat4(1), ball.centre), glm::dvec3(StageModel::kPlayerRadius));
@@ -125,8 +133,8 @@ void BallPainter::draw(const PlayerDrawing& player, const BallMotion& motion, co
   program_.set("toClip", glm::mat4(camera.viewProjection() * toWorld));
   program_.set("turned", glm::mat4(glm::mat4_cast(motion.orientation())));
   program_.set("shaped", glm::mat4(shapeOf(player, motion)));
-  program_.set("colour", player.colour);
-  program_.set("outline", outlineOf(player));
+  program_.set("colour", glm::mix(player.colour, Colour(1), kMaxWhite * player.flash));
+  program_.set("outline", outlineOf(player, highContrast));
   program_.set("opacity", player.opacity);
   program_.set("toEye", glm::vec3(ball.toEye));
   program_.set("light", glm::vec3(lightOf(camera)));

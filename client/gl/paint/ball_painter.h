@@ -14,7 +14,8 @@ class BallPainter {
  public:
   BallPainter();
 
-  void draw(const PlayerDrawing& player, const BallMotion& motion, const Camera& camera, TextPainter& text);
+  void draw(const PlayerDrawing& player, const BallMotion& motion, const Camera& camera, bool highContrast,
+            TextPainter& text);
 
  private:
   ShaderProgram program_;

@@ -12,6 +12,7 @@
 #include "client/gl/draw_calls.h"
 #include "client/gl/paint/face_program.h"
 #include "client/scene/look/face_light.h"
+#include "client/scene/look/high_contrast.h"
 #include "client/scene/look/stage_walls.h"
 
 namespace platon {
@@ -53,7 +54,9 @@ StagePainter::StagePainter() : face_("face"), marker_("marker"), mark_("mark") {
   glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
 }
 
-void StagePainter::prepare(const Scene& scene, bool shadows) {
+void StagePainter::prepare(const Scene& scene, bool wantsShadows, bool highContrast) {
+  const bool shadows = wantsShadows && !highContrast;
+  highContrast_ = highContrast;
   if (loaded_.lock() != scene.stage || shadows_ != shadows) load(*scene.stage, shadows);
   loaded_ = scene.stage;
   shadows_ = shadows;
@@ -68,7 +71,8 @@ void StagePainter::drawFaces(const StageModel& stage, std::span<const FaceView> 
   for (const FaceView& view : views) {
     useOnFace(face_, stage, view);
     lightMap_.bind(face_, view.face);
-    face_.set("colour", stage.faces[static_cast<std::size_t>(view.face)].colour);
+    const Colour colour = stage.faces[static_cast<std::size_t>(view.face)].colour;
+    face_.set("colour", highContrast_ ? highContrastFace(colour) : colour);
     face_.set("lit", litOf(view));
     const glm::vec2 aside(faceLight(stage.mesh, view.face));
     face_.set("slope", aside * (kSlope / static_cast<float>(stage.mesh.apothem())));
@@ -98,8 +102,8 @@ void StagePainter::drawSign(const StageModel& stage, const FaceView& view) {
 }
 
 void StagePainter::drawWalls(const StageModel& stage, std::span<const FaceView> views) {
-  walls_.draw(stage, views);
-  if (!active_.empty()) elementWalls_.draw(stage, views);
+  walls_.draw(stage, views, highContrast_);
+  if (!active_.empty()) elementWalls_.draw(stage, views, highContrast_);
 }
 
 void StagePainter::drawAbove(const Scene& scene, std::span<const FaceView> views, TextPainter& text) {

@@ -32,7 +32,7 @@ class StagePainter {
   StagePainter();
 
   /// Loads what the scene needs. Changes the bound framebuffer, so it comes before the picture is begun.
-  void prepare(const Scene& scene, bool shadows);
+  void prepare(const Scene& scene, bool shadows, bool highContrast);
   /// Draws the faces, with depth.
   void drawFaces(const StageModel& stage, std::span<const FaceView> views);
   /// Draws what lies flat on the faces: signs or numbers, marks, markers, elements, trails and shadows.
@@ -73,6 +73,7 @@ class StagePainter {
 
   std::weak_ptr<const StageModel> loaded_;
   bool shadows_ = true;  // that are loaded
+  bool highContrast_ = false;
   ShaderProgram face_;
   ShaderProgram marker_;
   ShaderProgram mark_;

@@ -29,7 +29,7 @@ void WallPainter::load(const WallMesh& mesh) {
   glBufferData(GL_ELEMENT_ARRAY_BUFFER, bytes(mesh.triangles), mesh.triangles.data(), GL_STATIC_DRAW);
 }
 
-void WallPainter::draw(const StageModel& stage, std::span<const FaceView> views) {
+void WallPainter::draw(const StageModel& stage, std::span<const FaceView> views, bool highContrast) {
   glEnable(GL_CULL_FACE);
   glBindVertexArray(array_.name());
   program_.use();
@@ -38,7 +38,7 @@ void WallPainter::draw(const StageModel& stage, std::span<const FaceView> views)
     if (face >= faces_.size() || faces_[face].count == 0) continue;
     program_.set("toClip", view.toClip);
     program_.set("light", glm::vec3(faceLight(stage.mesh, view.face)));
-    program_.set("ground", stage.faces[face].colour);
+    program_.set("ground", highContrast ? Colour(1) : stage.faces[face].colour);
     program_.set("lit", litOf(view));
     DrawCalls::elements(GL_TRIANGLES, static_cast<GLsizei>(faces_[face].count), GL_UNSIGNED_INT,
                         bufferOffset(faces_[face].first * sizeof(std::uint32_t)));

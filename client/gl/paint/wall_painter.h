@@ -18,7 +18,7 @@ class WallPainter {
   /// Replaces the walls that are drawn.
   void load(const WallMesh& mesh);
   /// Draws the walls of these faces.
-  void draw(const StageModel& stage, std::span<const FaceView> views);
+  void draw(const StageModel& stage, std::span<const FaceView> views, bool highContrast);
 
  private:
   ShaderProgram program_;

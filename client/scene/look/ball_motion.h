@@ -27,6 +27,9 @@ class BallMotion {
   /// The ball is at `pose` at `seconds`. A time before the last one, or a jump, begins anew.
   void advance(const SolidMesh& mesh, const Pose& pose, double seconds);
 
+  /// Ends the squash of a landing.
+  void settle() { squash_ = 0; }
+
   /// Unit vector from the pose to the centre of the ball.
   glm::dvec3 lift() const { return lift_; }
   /// How the ball has rolled, from the start.

@@ -23,13 +23,14 @@ namespace {
 
 constexpr std::uint32_t kWidth = 640;
 constexpr std::uint32_t kHeight = 360;
+constexpr PictureStyle kStill{.animated = false};
 
 class RenderTest : public testing::Test {
  protected:
   // Draws the scene without overlays.
-  Image draw(const Scene& scene, bool animated = true) {
+  Image draw(const Scene& scene, const PictureStyle& style = PictureStyle()) {
     camera_.set(scene.focus, scene.stage->mesh, kWidth, kHeight);
-    renderer_.draw(scene, camera_, {}, animated);
+    renderer_.draw(scene, camera_, {}, style);
     EXPECT_EQ(takeGlErrors(), "");
     return renderer_.read();
   }
@@ -204,7 +205,7 @@ TEST_F(RenderTest, ASegmentThatLeavesTheFaceEndsBetweenTheFaces) {
 
 TEST_F(RenderTest, TheGoalIsDrawnOnItsFaceOnly) {
   const Scene scene = sceneOf(cube());
-  const Image image = draw(scene, false);
+  const Image image = draw(scene, kStill);
   const auto isGold = [](glm::vec3 colour) { return colour.r > 0.85F && colour.g > 0.65F && colour.b < 0.65F; };
   for (const glm::dvec2 side : {glm::dvec2(1, 0), glm::dvec2(-1, 0), glm::dvec2(0, 1), glm::dvec2(0, -1)}) {
     EXPECT_TRUE(isGold(pixel(image, pixelOf(scene, glm::dvec2(60, 80) + side * StageModel::kGoalRadius))))
@@ -213,7 +214,7 @@ TEST_F(RenderTest, TheGoalIsDrawnOnItsFaceOnly) {
   EXPECT_GT(brightness(pixel(image, pixelOf(scene, {60, 80}))), 0.8) << "the star in the middle";
   Scene turned = scene;
   turned.focus = scene.stage->mesh.pose(scene.stage->mesh.faceTowards(-scene.stage->mesh.normal(0)), {0, 0}, 0);
-  const Image behind = draw(turned, false);
+  const Image behind = draw(turned, kStill);
   int gold = 0;
   for (int y = 0; y < static_cast<int>(kHeight); ++y) {
     for (int x = 0; x < static_cast<int>(kWidth); ++x) gold += isGold(pixel(behind, {x, y})) ? 1 : 0;
@@ -223,10 +224,10 @@ TEST_F(RenderTest, TheGoalIsDrawnOnItsFaceOnly) {
 
 TEST_F(RenderTest, WithoutAnimationThePictureDoesNotDependOnTime) {
   Scene scene = sceneOf(cube());
-  const Image still = draw(scene, false);
+  const Image still = draw(scene, kStill);
   scene.seconds = 1.3;
-  EXPECT_EQ(draw(scene, false), still);
-  EXPECT_NE(draw(scene, true), still);
+  EXPECT_EQ(draw(scene, kStill), still);
+  EXPECT_NE(draw(scene), still);
 }
 
 TEST_F(RenderTest, AnotherStageReplacesTheFirst) {

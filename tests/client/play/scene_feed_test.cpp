@@ -66,8 +66,7 @@ TEST(SceneFeed, LandingPlayersFlash) {
     match.run(milliseconds(16));
     const auto scene = feed.scene(match.session(0), match.now());
     ASSERT_TRUE(scene.has_value());
-    for (const PlayerDrawing& player : scene->players)
-      bright[player.slot] += player.colour != playerColour(player.slot);
+    for (const PlayerDrawing& player : scene->players) bright[player.slot] += player.flash > 0;
   }
   for (const std::uint32_t slot : {0u, 1u}) {
     EXPECT_GT(bright[slot], 10) << slot;

@@ -28,6 +28,8 @@ TEST(Settings, ParsingTheTextGivesTheSameSettings) {
   settings.timer = false;
   settings.ghosts = false;
   settings.faceNumbers = true;
+  settings.flashes = false;
+  settings.highContrast = true;
   settings.toggled = {.slow = true, .look = true};
   settings.bindings.bind(Control::kJump, Key::kJ);
   const SettingsResult result = parseSettings(settings.text());

@@ -52,7 +52,7 @@ class ElementPictureTest : public testing::Test {
   // As the camera stands.
   Image seen(const Scene& scene) {
     renderer_.setQuality(kBestQuality);
-    renderer_.draw(scene, camera_, {}, false);
+    renderer_.draw(scene, camera_, {}, {.animated = false});
     EXPECT_EQ(takeGlErrors(), "");
     return renderer_.read();
   }

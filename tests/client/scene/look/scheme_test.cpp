@@ -1,43 +1,18 @@
 #include "client/scene/look/scheme.h"
 
-#include <cmath>
 #include <set>
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
-#include <glm/mat3x3.hpp>
-#include <glm/matrix.hpp>
 
 #include "client/scene/palette.h"
+#include "tests/client/scene/eyes.h"
 
 namespace platon {
 namespace {
 
 constexpr SolidKind kKinds[] = {SolidKind::kTetrahedron, SolidKind::kHexahedron, SolidKind::kOctahedron,
                                 SolidKind::kDodecahedron, SolidKind::kIcosahedron};
-
-glm::dvec3 linear(Colour colour) {
-  glm::dvec3 result;
-  for (int i = 0; i < 3; ++i)
-    result[i] = colour[i] <= 0.04045F ? colour[i] / 12.92 : std::pow((colour[i] + 0.055) / 1.055, 2.4);
-  return result;
-}
-
-// CIE lightness, 0 … 100.
-double lightness(glm::dvec3 rgb) {
-  const double y = glm::dot(rgb, glm::dvec3(0.2126, 0.7152, 0.0722));
-  return y > 0.008856 ? 116 * std::cbrt(y) - 16 : 903.3 * y;
-}
-
-// Linear colours as eyes see them that lack red or green cones: Viénot, Brettel and Mollon, 1999.
-glm::dvec3 protanope(glm::dvec3 c) {
-  const double mixed = 0.11238 * c.r + 0.88762 * c.g;
-  return {mixed, mixed, 0.00401 * c.r - 0.00401 * c.g + c.b};
-}
-glm::dvec3 deuteranope(glm::dvec3 c) {
-  const double mixed = 0.29275 * c.r + 0.70725 * c.g;
-  return {mixed, mixed, -0.02234 * c.r + 0.02234 * c.g + c.b};
-}
 
 TEST(Scheme, NeighbouringFacesHaveDifferentTones) {
   for (const SolidKind kind : kKinds) {

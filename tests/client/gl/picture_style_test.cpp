@@ -1,0 +1,102 @@
+#include "client/gl/picture_style.h"
+
+#include <gtest/gtest.h>
+#include <glm/geometric.hpp>
+
+#include "client/gl/gl_loader.h"
+#include "client/gl/offscreen.h"
+#include "client/gl/renderer.h"
+#include "client/scene/look/wall.h"
+#include "tests/client/gl/test_stage.h"
+
+namespace platon {
+namespace {
+
+constexpr std::uint32_t kWidth = 640;
+constexpr std::uint32_t kHeight = 360;
+constexpr PictureStyle kStill{.animated = false};
+
+class PictureStyleTest : public testing::Test {
+ protected:
+  // Draws the scene without overlays.
+  Image draw(const Scene& scene, const PictureStyle& style = PictureStyle()) {
+    camera_.set(scene.focus, scene.stage->mesh, kWidth, kHeight);
+    renderer_.draw(scene, camera_, {}, style);
+    EXPECT_EQ(takeGlErrors(), "");
+    return renderer_.read();
+  }
+  // The pixel at which the last picture shows a point.
+  glm::ivec2 pixelOf(glm::dvec3 point) const {
+    const glm::dvec4 clip = camera_.viewProjection() * glm::dvec4(point, 1);
+    return {static_cast<int>((clip.x / clip.w + 1) / 2 * kWidth),
+            static_cast<int>((1 - clip.y / clip.w) / 2 * kHeight)};
+  }
+  // The pixel at which the last picture shows a point on top of a wall of face 0.
+  glm::ivec2 pixelOfTop(const Scene& scene, glm::dvec2 point) const {
+    return pixelOf(scene.stage->mesh.toWorld(0, point) + Wall::kHeight * scene.stage->mesh.normal(0));
+  }
+  static glm::dvec3 centreOf(const PlayerDrawing& player) {
+    return player.pose.position + StageModel::kPlayerRadius * player.pose.normal;
+  }
+  // The pixel at which the last picture shows a point of face 0.
+  glm::ivec2 pixelOf(const Scene& scene, glm::dvec2 point) const {
+    return pixelOf(scene.stage->mesh.toWorld(0, point));
+  }
+
+  Offscreen context_;
+  Font font_;
+  Renderer renderer_{kWidth, kHeight, font_};
+  Camera camera_;
+};
+
+TEST_F(PictureStyleTest, WithReducedMotionTwoMomentsDifferOnlyByThePlayers) {
+  const auto stage = cube();
+  PlayerDrawing player = playerAt(*stage, 0, 0, {-100, 60});
+  player.local = true;
+  Scene before = sceneOf(stage, {player});
+  before.seconds = 5;
+  before.attempt = AttemptDrawing{3, false};
+  Scene after = before;
+  // Lands, flashes and reaches the goal.
+  after.seconds = 5.05;
+  after.players[0].pose = stage->mesh.pose(0, {-100, 50}, 0);
+  after.players[0].flash = 1;
+  after.attempt->arrived = true;
+  Scene later = after;
+  later.seconds = 5.1;
+  draw(before, kStill);
+  const Image moving = draw(after, kStill);
+  EXPECT_EQ(draw(later, kStill), moving) << "the player stands: nothing moves";
+  const Image landed = draw(before, kStill);
+  const glm::ivec2 ball = pixelOf(centreOf(player));
+  for (std::uint32_t y = 0; y < kHeight; ++y) {
+    for (std::uint32_t x = 0; x < kWidth; ++x) {
+      const glm::ivec2 at(x, y);
+      if (pixel(moving, at) == pixel(landed, at)) continue;
+      const bool goal = glm::distance(glm::vec2(at), glm::vec2(pixelOf(before, {60, 80}))) < 60;  // it has opened
+      EXPECT_TRUE(goal || glm::distance(glm::vec2(at), glm::vec2(ball)) < 40) << x << " " << y;
+    }
+  }
+}
+
+TEST_F(PictureStyleTest, WithoutFlashesPlayersAndGoalDoNotFlash) {
+  const auto stage = cube();
+  const PictureStyle style{.flashes = false};
+  Scene scene = sceneOf(stage, {playerAt(*stage, 0, 0, {-100, 60})});
+  const Image plain = draw(scene, style);
+  scene.players[0].flash = 1;
+  EXPECT_EQ(draw(scene, style), plain);
+  EXPECT_NE(draw(scene), plain);
+}
+
+TEST_F(PictureStyleTest, HighContrastIsADarkGroundWithBrightWalls) {
+  const auto stage = cube();
+  const Scene scene = sceneOf(stage, {playerAt(*stage, 0, 0, {-100, 60})});
+  const Image image = draw(scene, {.highContrast = true});
+  EXPECT_LT(brightness(pixel(image, {1, 1})), 0.02);
+  EXPECT_LT(brightness(pixel(image, pixelOf(scene, {100, -60}))), 0.2);
+  EXPECT_GT(brightness(pixel(image, pixelOfTop(scene, {-130, -120}))), 0.85);
+}
+
+}  // namespace
+}  // namespace platon
