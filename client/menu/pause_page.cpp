@@ -9,6 +9,8 @@ MenuPage pausePage(const PauseChoices& choices) {
                 {.name = choices.next, .choose = choices.onNext},
                 {.name = "Settings", .choose = choices.onSettings},
                 {.name = "Leave to the title", .choose = choices.onLeave}};
+  if (choices.onWatch)
+    page.items.insert(page.items.begin() + 3, {.name = "Watch your best run", .choose = choices.onWatch});
   page.back = choices.onResume;
   return page;
 }

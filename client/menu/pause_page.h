@@ -19,6 +19,7 @@ struct PauseChoices {
   std::function<void()> onNext;
   std::function<void()> onSettings;
   std::function<void()> onLeave;
+  std::function<void()> onWatch{};  ///< shows the player's best run on the level; empty: there is none
 };
 
 /// The page that Esc shows over a game.

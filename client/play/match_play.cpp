@@ -129,6 +129,13 @@ void MatchPlay::show(const Settings& settings) {
   chatShown_ = settings.chat;
 }
 
+std::filesystem::path MatchPlay::bestRun() const {
+  const Round* const round = client_.session() == nullptr ? nullptr : client_.session()->round();
+  if (round == nullptr) return {};
+  const std::optional<StoredRun> run = runs_->store().best(round->prediction().confirmed().level().hash);
+  return run ? run->file : std::filesystem::path();
+}
+
 void MatchPlay::takeChats(Moment now) {
   for (const PlayerChat& said : client_.takeChats()) {
     const std::span<const std::string> names = client_.session()->names();

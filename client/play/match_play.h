@@ -52,6 +52,8 @@ class MatchPlay {
   void show(const Settings& settings);
   /// Whether the local player wishes the next level.
   bool wishesNext() const { return client_.session() != nullptr && client_.session()->wishesNext(); }
+  /// The file of the local player's best run on the present level; empty: none.
+  std::filesystem::path bestRun() const;
   /// Leaves the match; takes at most half a second.
   void leave(const Clock& clock);
 

@@ -108,8 +108,14 @@ void WindowPlay::handle(const KeyEvent& event) {
   interface_.handle(event, inMenu || replay_);
   if (replay_) return replay_->handle(event);
   menu_.handle(event, view_.font());
-  if (interface_.takeMenu() && match_) menu_.open([this] { return pausePage(); });
+  if (interface_.takeMenu() && match_) openPause();
   sound_.key(event, inMenu || menu_.isOpen());
+}
+
+// The replay would hide a game that goes on.
+void WindowPlay::openPause() {
+  bestRun_ = match_->alone() ? match_->play().bestRun() : std::filesystem::path();
+  menu_.open([this] { return pausePage(); });
 }
 
 MenuPage WindowPlay::pausePage() {
@@ -133,6 +139,7 @@ MenuPage WindowPlay::pausePage() {
   };
   choices.onSettings = [this] { settingsPages_.show(MenuPage::Place::kMiddle); };
   choices.onLeave = [this] { leaveToTitle(); };
+  if (!bestRun_.empty()) choices.onWatch = [this] { watch(bestRun_); };
   return platon::pausePage(choices);
 }
 
@@ -253,7 +260,7 @@ void WindowPlay::updateReplay(double seconds) {
 void WindowPlay::leaveReplay(const std::filesystem::path& file) {
   named_ = false;
   replay_.reset();
-  match_ ? menu_.open([this] { return pausePage(); }) : front_.showRun(file);
+  match_ ? openPause() : front_.showRun(file);
 }
 
 void WindowPlay::failReplay() {

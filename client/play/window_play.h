@@ -55,6 +55,7 @@ class WindowPlay {
   // Events.
   void handleEvents();
   void handle(const KeyEvent& event);
+  void openPause();
   MenuPage pausePage();
   MenuPage sayPage();
   void say(const Chat& chat);
@@ -99,6 +100,7 @@ class WindowPlay {
   MatchChoice choice_;  // the last one
   std::optional<LiveMatch> match_;
   std::optional<ReplayPlay> replay_;  // shown in front of a match
+  std::filesystem::path bestRun_;     // on the level of the match when its menu was opened; empty: none
   Steering steering_;
   FirstKeys firstKeys_;
   Spectator spectator_;

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string fileNameOf(std::uint64_t level, std::uint32_t rules, std::uint32_t ticks) {
+std::string nameOf(std::uint64_t level, std::uint32_t rules, std::uint32_t ticks) {
   std::array<char, 64> name{};
   std::snprintf(name.data(), name.size(), "%016" PRIx64 "-%" PRIu32 "-%" PRIu32 ".recording", level, rules, ticks);
   return name.data();
@@ -35,7 +35,7 @@ std::optional<StoredRun> runOf(const fs::path& file) {
   auto read = std::from_chars(name.data(), end, run.level, 16);
   if (read.ptr != end) read = std::from_chars(read.ptr + 1, end, run.rules);
   if (read.ptr != end) read = std::from_chars(read.ptr + 1, end, run.ticks);
-  return name == fileNameOf(run.level, run.rules, run.ticks) ? std::optional(run) : std::nullopt;
+  return name == nameOf(run.level, run.rules, run.ticks) ? std::optional(run) : std::nullopt;
 }
 
 std::optional<StoredRun> storedRun(const fs::directory_entry& entry) {
@@ -56,6 +56,10 @@ ListedRun listed(const StoredRun& run) {
 }
 
 }  // namespace
+
+std::string RunStore::fileNameOf(std::uint64_t level, std::uint32_t ticks) {
+  return nameOf(level, kRulesVersion, ticks);
+}
 
 bool hasNameOfRun(const fs::path& file) { return runOf(file).has_value(); }
 
@@ -110,7 +114,7 @@ std::string RunStore::keep(const Run& run) {
   if (run.recording.size() > kMaxRunBytes) return "its recording is too large";
   std::error_code ignored;
   fs::create_directories(folder_, ignored);  // writing reports the error
-  const fs::path file = folder_ / fileNameOf(run.level->hash, kRulesVersion, run.ticks);
+  const fs::path file = folder_ / fileNameOf(run.level->hash, run.ticks);
   const std::string fault =
       replaceTextFile(file.string(), {reinterpret_cast<const char*>(run.recording.data()), run.recording.size()});
   if (!fault.empty()) return file.string() + ": " + fault;

@@ -51,6 +51,9 @@ class RunStore {
   /// Most bytes of a run that is kept.
   static constexpr std::size_t kMaxRunBytes = std::size_t{4} << 20;
 
+  /// Name of the file of a run by the present rules on a level with this hash.
+  static std::string fileNameOf(std::uint64_t level, std::uint32_t ticks);
+
   /// An empty path: nothing is kept.
   explicit RunStore(std::filesystem::path folder) : folder_(std::move(folder)) {}
 

@@ -19,5 +19,17 @@ TEST(PausePage, EachItemCallsItsOwn) {
   EXPECT_EQ(page.title, "Pause");
 }
 
+TEST(PausePage, TheBestRunIsOfferedIfThereIsOne) {
+  bool watched = false;
+  PauseChoices choices;
+  EXPECT_EQ(pausePage(choices).items.size(), 5U);
+  choices.onWatch = [&watched] { watched = true; };
+  const MenuPage page = pausePage(choices);
+  ASSERT_EQ(page.items.size(), 6U);
+  EXPECT_EQ(page.items[3].name, "Watch your best run");
+  page.items[3].choose();
+  EXPECT_TRUE(watched);
+}
+
 }  // namespace
 }  // namespace platon

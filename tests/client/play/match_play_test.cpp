@@ -165,7 +165,7 @@ class RunsOfAMatch : public MatchPlayTest {
   // Runs to the goal with these options. Returns whether a scene fulfils `done`.
   bool playUntil(const ClientOptions& options, const std::function<bool(MatchPlay&, const Scene&)>& done) {
     LoopbackServer server([](std::string_view) {}, "", flatLevel());
-    MatchPlay play(options, server.address(), server.clock().now());
+    MatchPlay play(options, server.address(), server.clock().now(), rival_);
     const auto update = [&](Moment now) {
       play.update(now, [](const Game&, std::uint32_t) { return Input{Input::kRight}; });
     };
@@ -174,12 +174,14 @@ class RunsOfAMatch : public MatchPlayTest {
       return scene && done(play, *scene);
     });
   }
+  std::filesystem::path rival_;
   std::optional<StoredRun> best() const { return RunStore(runsFolder()).best(flatLevel()->hash); }
 };
 
 TEST_F(RunsOfAMatch, TheBestOneIsKeptAndPlaysAlongUnlessTheSettingsHideIt) {
   EXPECT_TRUE(playUntil({}, [&](MatchPlay& play, const Scene& scene) {
     EXPECT_TRUE(scene.ghosts.empty());
+    EXPECT_EQ(play.bestRun().empty(), !play.hudStatus(Moment(), false).run.best);
     return play.hudStatus(Moment(), false).run.isNewBest;
   }));
   ASSERT_TRUE(best());
@@ -196,6 +198,22 @@ TEST_F(RunsOfAMatch, TheBestOneIsKeptAndPlaysAlongUnlessTheSettingsHideIt) {
     EXPECT_TRUE(scene.ghosts.empty());
     EXPECT_FALSE(play.hudStatus(Moment(), false).timer);
     return scene.over;
+  }));
+}
+
+TEST_F(RunsOfAMatch, TheRivalPlaysAlongAlsoIfTheSettingsHideGhosts) {
+  EXPECT_TRUE(
+      playUntil({}, [](MatchPlay& play, const Scene&) { return play.hudStatus(Moment(), false).run.isNewBest; }));
+  ASSERT_TRUE(best());
+  rival_ = best()->file.parent_path().parent_path() / "Anna.recording";
+  std::filesystem::rename(best()->file, rival_);
+  Settings hidden;
+  hidden.ghosts = false;
+  EXPECT_TRUE(playUntil({}, [&](MatchPlay& play, const Scene& scene) {
+    play.show(hidden);
+    if (scene.ghosts.empty()) return false;
+    EXPECT_EQ(scene.ghosts.size(), 1U);
+    return true;
   }));
 }
 

@@ -315,6 +315,19 @@ TEST_F(WindowPlayTest, ADroppedRecordingIsPlayedButNotDuringAGame) {
   EXPECT_TRUE(stepsDone_);
 }
 
+TEST_F(WindowPlayTest, TheBestRunIsWatchedInAPauseAndLeadsBackToIt) {
+  const std::uint64_t level = loadLevel(readText(options_.level)).level->hash;
+  std::filesystem::create_directories(folder_ / "platon/runs");
+  std::filesystem::copy_file(kRecording, folder_ / "platon/runs" / RunStore::fileNameOf(level, 5));
+  play({{[] {}, [this] { return isOnGround().has_value(); }},
+        {[] { xdotool("key Escape"); }, [this] { return shows("Watch your best run"); }},
+        {[] { xdotool("key Down Down Down Return"); }, [this] { return viewer() && player().tick() > 10; }},
+        {[] {}, [this] { return play_->match()->paused(); }},
+        {[] { xdotool("key Escape"); }, [this] { return shows("Watch your best run"); }},
+        {[] { xdotool("key Escape"); }, [this] { return inGame() && !play_->match()->paused(); }}});
+  EXPECT_TRUE(stepsDone_);
+}
+
 TEST_F(WindowPlayTest, ClosingTheWindowLeavesTheGame) {
   play({{[] { xdotool("key alt+F4"); }, [] { return false; }}});
   EXPECT_FALSE(timeIsUp_);
