@@ -1,5 +1,6 @@
 #include "client/play/frame_benchmark.h"
 
+#include <cstddef>
 #include <utility>
 
 #include "client/gl/draw_calls.h"
@@ -44,7 +45,7 @@ BenchmarkReport FrameBenchmark::run(const std::function<bool()>& stopRequested) 
       for (const Scene& scene : scenes) drawWithheld(course, scene);
     }
   }
-  for (const Course& course : courses_) report.costs.push_back(costOf(course));
+  for (const Course& course : courses_) report.costs[static_cast<std::size_t>(course.level)] = costOf(course);
   return report;
 }
 

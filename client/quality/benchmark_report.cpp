@@ -1,6 +1,6 @@
 #include "client/quality/benchmark_report.h"
 
-#include <array>
+#include <cstddef>
 #include <cstdio>
 
 #include "client/quality/quality_meter.h"
@@ -19,8 +19,8 @@ std::string line(const char* format, const FrameCost& cost) {
 }  // namespace
 
 QualityLevel BenchmarkReport::chosen() const {
-  std::vector<double> seconds;
-  for (const FrameCost& cost : costs) seconds.push_back(cost.p50Ms / 1000);
+  std::array<double, kQualities.size()> seconds{};
+  for (std::size_t i = 0; i < seconds.size(); ++i) seconds[i] = costs[i].p50Ms / 1000;
   return bestLevel(seconds);
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
-#include <vector>
 
 #include "client/quality/quality.h"
 
@@ -19,9 +19,9 @@ struct FrameCost {
 
 /// The result of `platon-client --benchmark`.
 struct BenchmarkReport {
-  std::string driver;            ///< that draws, as it calls itself
-  std::uint32_t frames = 0;      ///< of each quality
-  std::vector<FrameCost> costs;  ///< in the order of kQualities
+  std::string driver;                              ///< that draws, as it calls itself
+  std::uint32_t frames = 0;                        ///< of each quality
+  std::array<FrameCost, kQualities.size()> costs;  ///< in the order of kQualities
 
   /// The quality that a first start with these times chooses.
   QualityLevel chosen() const;

@@ -32,7 +32,7 @@ struct NamedQuality {
 
 /// In the order of QualityLevel; each draws at least what the one before draws.
 inline constexpr std::array<NamedQuality, 4> kQualities{{{QualityLevel::kLow, "low", {1, 0.75, true, false}},
-                                                         {QualityLevel::kMedium, "medium", {1, 0.85, true, true}},
+                                                         {QualityLevel::kMedium, "medium", {1, 1, true, false}},
                                                          {QualityLevel::kHigh, "high", {1, 1, true, true}},
                                                          {QualityLevel::kAll, "all", {4, 1, true, true}}}};
 

@@ -1,5 +1,7 @@
 #include "client/quality/quality_meter.h"
 
+#include <algorithm>
+
 namespace platon {
 
 void QualityMeter::add(double seconds) {
@@ -11,25 +13,26 @@ void QualityMeter::add(double seconds) {
 }
 
 void QualityMeter::endLevel() {
-  const bool holds = times_.quantile(0.5) <= kHoldSeconds;
-  if (holds) chosen_ = *next_;
-  const bool last = *next_ == kQualities.back().level;
+  const QualityLevel level = *next_;
+  const double seconds = times_.quantile(0.5);
+  const bool holds = seconds <= kHoldSeconds;
+  if (holds || seconds < fastest_) chosen_ = level;
+  fastest_ = std::min(fastest_, seconds);
   pictures_ = 0;
   times_ = {};
-  if (holds && !last)
-    next_ = static_cast<QualityLevel>(static_cast<int>(*next_) + 1);
-  else
-    next_.reset();
+  const bool rises = level >= kFirst;
+  const QualityLevel last = holds ? kQualities.back().level : kQualities.front().level;
+  next_.reset();
+  if (holds && rises && level != last) next_ = static_cast<QualityLevel>(static_cast<int>(level) + 1);
+  if (!holds && level <= kFirst && level != last) next_ = static_cast<QualityLevel>(static_cast<int>(level) - 1);
 }
 
-QualityLevel bestLevel(std::span<const double> seconds) {
-  QualityLevel best = kQualities.front().level;
-  for (const NamedQuality& named : kQualities) {
-    const auto index = static_cast<std::size_t>(named.level);
-    if (index >= seconds.size() || !(seconds[index] <= QualityMeter::kHoldSeconds)) break;
-    best = named.level;
+QualityLevel bestLevel(std::span<const double, kQualities.size()> seconds) {
+  for (std::size_t i = seconds.size(); i-- > 0;) {
+    if (seconds[i] <= QualityMeter::kHoldSeconds) return kQualities[i].level;
   }
-  return best;
+  const auto fastest = std::min_element(seconds.begin(), seconds.end()) - seconds.begin();
+  return kQualities[static_cast<std::size_t>(fastest)].level;
 }
 
 }  // namespace platon

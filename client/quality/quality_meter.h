@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <span>
 
@@ -9,37 +10,40 @@
 
 namespace platon {
 
-/// Chooses the quality by the times that pictures take. It asks for pictures of one level after the other, from the
-/// cheapest, and stops at the first that does not hold 60 pictures a second.
+/// Chooses the quality by the times that pictures take: the best level that holds 60 pictures a second; without one,
+/// the fastest. It begins with `high`, and goes up while levels hold, or down until one does.
 class QualityMeter {
  public:
   /// Median time of a picture up to which a level holds 60 pictures a second. A quarter of the time of such a picture
   /// is left for the game, and for showing the picture.
   static constexpr double kHoldSeconds = 0.75 / 60;
   /// After these seconds of pictures no other is asked for.
-  static constexpr double kMaxSeconds = 0.4;
+  static constexpr double kMaxSeconds = 0.45;
   /// Pictures of each level. The first is not counted: the driver prepares itself for it.
-  static constexpr std::size_t kPictures = 6;
+  static constexpr std::size_t kPictures = 4;
 
   /// The level of the next picture to measure; nothing when the quality is chosen.
   std::optional<QualityLevel> next() const { return next_; }
   /// The picture of level next() took this time.
   void add(double seconds);
-  /// The best level so far that holds 60 pictures a second; without one, the cheapest.
+  /// The choice by the pictures so far; `high` before the first ones.
   QualityLevel chosen() const { return chosen_; }
 
  private:
   void endLevel();
 
-  std::optional<QualityLevel> next_ = kQualities.front().level;
-  QualityLevel chosen_ = kQualities.front().level;
-  QuantileWindow<kPictures - 1> times_;  // of next_
-  std::size_t pictures_ = 0;             // of next_
+  static constexpr QualityLevel kFirst = QualityLevel::kHigh;
+
+  std::optional<QualityLevel> next_ = kFirst;
+  QualityLevel chosen_ = kFirst;
+  double fastest_ = std::numeric_limits<double>::infinity();  // median time of the fastest level so far
+  QuantileWindow<kPictures - 1> times_;                       // of next_
+  std::size_t pictures_ = 0;                                  // of next_
   double spent_ = 0;
 };
 
-/// The best level that holds 60 pictures a second, as every cheaper one does; without one, the cheapest. `seconds` has
-/// the median time of a picture of each level, in the order of kQualities.
-QualityLevel bestLevel(std::span<const double> seconds);
+/// The best level that holds 60 pictures a second; without one, the fastest. `seconds` has the median time of a picture
+/// of each level, in the order of kQualities.
+QualityLevel bestLevel(std::span<const double, kQualities.size()> seconds);
 
 }  // namespace platon

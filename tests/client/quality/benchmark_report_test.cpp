@@ -8,10 +8,10 @@ namespace {
 BenchmarkReport report() {
   return {"a driver",
           300,
-          {{QualityLevel::kLow, 6.25, 9, 0.5, 80},
-           {QualityLevel::kMedium, 8, 10, 0.5, 81},
-           {QualityLevel::kHigh, 12, 20, 0.5, 81},
-           {QualityLevel::kAll, 30.1254, 40, 0.5, 81}}};
+          {{{QualityLevel::kLow, 6.25, 9, 0.5, 80},
+            {QualityLevel::kMedium, 8, 10, 0.5, 81},
+            {QualityLevel::kHigh, 12, 20, 0.5, 81},
+            {QualityLevel::kAll, 30.1254, 40, 0.5, 81}}}};
 }
 
 TEST(BenchmarkReport, TheDefaultIsTheQualityThatTheTimesChoose) {
