@@ -2,9 +2,9 @@
 
 namespace platon {
 
-void DrawCalls::arrays(GLenum mode, GLsizei count) {
+void DrawCalls::arrays(GLenum mode, GLsizei count, GLint first) {
   ++count_;
-  if (!withheld_) glDrawArrays(mode, 0, count);
+  if (!withheld_) glDrawArrays(mode, first, count);
 }
 
 void DrawCalls::arraysInstanced(GLenum mode, GLsizei count, GLsizei instances) {

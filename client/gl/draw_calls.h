@@ -11,7 +11,7 @@ namespace platon {
 class DrawCalls {
  public:
   /// As the functions of OpenGL. `offset` is in bytes.
-  static void arrays(GLenum mode, GLsizei count);
+  static void arrays(GLenum mode, GLsizei count, GLint first = 0);
   static void arraysInstanced(GLenum mode, GLsizei count, GLsizei instances);
   static void elements(GLenum mode, GLsizei count, GLenum type, const void* offset);
   /// As glClear and glBlitFramebuffer from the lower left corner, of colours; neither is a draw call.

@@ -5,19 +5,21 @@
 #include <cstddef>
 #include <stdexcept>
 
+#include "client/gl/colour_texture.h"
 #include "client/gl/draw_calls.h"
 
 namespace platon {
 namespace {
 
-void attach(GLenum slot, const GlRenderbuffer& buffer, GLenum format, GLsizei samples, GLsizei width, GLsizei height) {
-  glBindRenderbuffer(GL_RENDERBUFFER, buffer.name());
-  glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width, height);
-  glFramebufferRenderbuffer(GL_FRAMEBUFFER, slot, GL_RENDERBUFFER, buffer.name());
-}
-
 std::uint32_t scaled(std::uint32_t size, double scale) {
   return std::max(1U, static_cast<std::uint32_t>(std::lround(scale * size)));
+}
+
+// One sample is asked for as 0: some drivers round 1 up.
+GLsizei supported(int samples) {
+  GLint max = 0;
+  glGetIntegerv(GL_MAX_SAMPLES, &max);
+  return samples > 1 ? std::min(samples, max) : 0;
 }
 
 void requireComplete() {
@@ -29,27 +31,32 @@ void requireComplete() {
 }  // namespace
 
 RenderTarget::RenderTarget(std::uint32_t width, std::uint32_t height, int samples, double scale)
-    : width_(width), height_(height), sampledWidth_(scaled(width, scale)), sampledHeight_(scaled(height, scale)) {
-  GLint maxSamples = 0;
-  glGetIntegerv(GL_MAX_SAMPLES, &maxSamples);
-  // One sample is asked for as 0: some drivers round 1 up.
-  const GLsizei used = samples > 1 ? std::min(samples, maxSamples) : 0;
-  const auto w = static_cast<GLsizei>(sampledWidth_);
-  const auto h = static_cast<GLsizei>(sampledHeight_);
-  glBindFramebuffer(GL_FRAMEBUFFER, sampled_.name());
-  attach(GL_COLOR_ATTACHMENT0, sampledColour_, GL_RGBA8, used, w, h);
-  attach(GL_DEPTH_ATTACHMENT, sampledDepth_, GL_DEPTH_COMPONENT24, used, w, h);
+    : width_(width),
+      height_(height),
+      sampledWidth_(scaled(width, scale)),
+      sampledHeight_(scaled(height, scale)),
+      samples_(supported(samples)),
+      scaler_(sampledWidth_ == width && sampledHeight_ == height ? nullptr : std::make_unique<PictureScaler>()) {
+  glBindFramebuffer(GL_FRAMEBUFFER, plain_.name());
+  attachColour(plainColour_, width, height);
   requireComplete();
   glBindFramebuffer(GL_FRAMEBUFFER, small_.name());
-  attach(GL_COLOR_ATTACHMENT0, smallColour_, GL_RGBA8, 0, w, h);
-  requireComplete();
-  glBindFramebuffer(GL_FRAMEBUFFER, plain_.name());
-  attach(GL_COLOR_ATTACHMENT0, plainColour_, GL_RGBA8, 0, static_cast<GLsizei>(width), static_cast<GLsizei>(height));
+  if (scaler_) attachColour(smallColour_, sampledWidth_, sampledHeight_);
+  glBindFramebuffer(GL_FRAMEBUFFER, drawn().name());
+  if (samples_ > 0) attachSampled(GL_COLOR_ATTACHMENT0, sampledColour_, GL_RGBA8);
+  attachSampled(GL_DEPTH_ATTACHMENT, depth_, GL_DEPTH_COMPONENT24);
   requireComplete();
 }
 
+void RenderTarget::attachSampled(GLenum slot, const GlRenderbuffer& buffer, GLenum format) const {
+  glBindRenderbuffer(GL_RENDERBUFFER, buffer.name());
+  glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples_, format, static_cast<GLsizei>(sampledWidth_),
+                                   static_cast<GLsizei>(sampledHeight_));
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, slot, GL_RENDERBUFFER, buffer.name());
+}
+
 void RenderTarget::bindSampled() const {
-  glBindFramebuffer(GL_FRAMEBUFFER, sampled_.name());
+  glBindFramebuffer(GL_FRAMEBUFFER, drawn().name());
   glViewport(0, 0, static_cast<GLsizei>(sampledWidth_), static_cast<GLsizei>(sampledHeight_));
 }
 
@@ -57,17 +64,14 @@ void RenderTarget::bindSampled() const {
 void RenderTarget::resolve() const {
   const auto w = static_cast<GLint>(sampledWidth_);
   const auto h = static_cast<GLint>(sampledHeight_);
-  const bool scaling = sampledWidth_ != width_ || sampledHeight_ != height_;
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, sampled_.name());
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, scaling ? small_.name() : plain_.name());
-  DrawCalls::blit(w, h, w, h, GL_NEAREST);
-  if (scaling) {
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, small_.name());
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, plain_.name());
-    DrawCalls::blit(w, h, static_cast<GLint>(width_), static_cast<GLint>(height_), GL_LINEAR);
+  if (samples_ > 0) {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, sampled_.name());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, scaler_ ? small_.name() : plain_.name());
+    DrawCalls::blit(w, h, w, h, GL_NEAREST);
   }
   glBindFramebuffer(GL_FRAMEBUFFER, plain_.name());
   glViewport(0, 0, static_cast<GLsizei>(width_), static_cast<GLsizei>(height_));
+  if (scaler_) scaler_->draw(smallColour_);
 }
 
 void RenderTarget::present() const {

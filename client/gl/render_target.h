@@ -1,26 +1,33 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 
 #include "client/gl/gl_handle.h"
 #include "client/gl/image.h"
+#include "client/gl/picture_scaler.h"
 
 namespace platon {
 
-/// A multisampled picture with depth, which may be smaller, and the plain picture that it is resolved to.
+/// A sampled picture with depth, which may be multisampled and smaller, and the plain picture that it is resolved to.
+/// With one sample at full size they are the same.
 class RenderTarget {
  public:
   /// `width` × `height` in pixels, at least 1 × 1. `samples` per pixel, limited by the driver. The
-  /// multisampled picture has `scale` times the size, more than 0. Throws std::runtime_error if the driver does not
+  /// sampled picture has `scale` times the size, more than 0. Throws std::runtime_error if the driver does not
   /// support the size.
   RenderTarget(std::uint32_t width, std::uint32_t height, int samples, double scale = 1);
 
   std::uint32_t width() const { return width_; }
   std::uint32_t height() const { return height_; }
 
-  /// Directs drawing to the multisampled picture.
+  /// Size of the sampled picture in pixels.
+  std::uint32_t sampledWidth() const { return sampledWidth_; }
+  std::uint32_t sampledHeight() const { return sampledHeight_; }
+
+  /// Directs drawing to the sampled picture.
   void bindSampled() const;
-  /// Resolves the multisampled picture and directs drawing to the plain one, which has no depth.
+  /// Resolves the sampled picture and directs drawing to the plain one.
   void resolve() const;
   /// Copies the plain picture to the window, which must have the same size.
   void present() const;
@@ -28,16 +35,25 @@ class RenderTarget {
   Image read() const;
 
  private:
+  // What is drawn to before resolve().
+  const GlFramebuffer& drawn() const {
+    if (samples_ > 0) return sampled_;
+    return scaler_ ? small_ : plain_;
+  }
+  void attachSampled(GLenum slot, const GlRenderbuffer& buffer, GLenum format) const;
+
   std::uint32_t width_;
   std::uint32_t height_;
   std::uint32_t sampledWidth_;
   std::uint32_t sampledHeight_;
+  GLsizei samples_;                        // 0: not multisampled
+  std::unique_ptr<PictureScaler> scaler_;  // null at full size
   GlRenderbuffer sampledColour_;
-  GlRenderbuffer sampledDepth_;
-  GlRenderbuffer smallColour_;
-  GlRenderbuffer plainColour_;
+  GlRenderbuffer depth_;
+  GlTexture smallColour_;
+  GlTexture plainColour_;
   GlFramebuffer sampled_;
-  GlFramebuffer small_;  // resolved, but not scaled yet
+  GlFramebuffer small_;  // not scaled yet
   GlFramebuffer plain_;
 };
 

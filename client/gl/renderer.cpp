@@ -24,14 +24,14 @@ class DecalScope {
   DecalScope& operator=(const DecalScope&) = delete;
 };
 
-void beginPicture() {
+// What may be seen through is blended; faces and walls are drawn without it.
+void setDefaults() {
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
   glDepthMask(GL_TRUE);
   glDisable(GL_CULL_FACE);
   glEnable(GL_BLEND);
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  DrawCalls::clear(GL_DEPTH_BUFFER_BIT);
 }
 
 }  // namespace
@@ -56,7 +56,7 @@ void Renderer::draw(const Scene& scene, const Camera& camera, std::span<const Ov
   decoration.goal = goal_;
   if (!style.animated || !style.flashes) decoration.goal.settle();
   stagePainter_.prepare(scene, quality_.shadows, style.highContrast);
-  target_.bindSampled();
+  scheme_ = style.highContrast ? highContrast(stage.scheme()) : stage.scheme();
   beginPicture();
   stagePainter_.drawFaces(stage, views);
   {
@@ -70,8 +70,6 @@ void Renderer::draw(const Scene& scene, const Camera& camera, std::span<const Ov
     stagePainter_.drawAbove(scene, views, textPainter_);
   }
   for (const PlayerDrawing& player : scene.players) drawPlayer(player, balls_.at(player.slot), camera, style);
-  scheme_ = style.highContrast ? highContrast(stage.scheme()) : stage.scheme();
-  skyPainter_.drawSky(scheme_);
   if (particles) skyPainter_.drawMotes(stage.scheme(), camera, stage.mesh.circumradius(), scene.seconds);
   for (std::size_t i = 0; i < scene.ghosts.size(); ++i) drawPlayer(scene.ghosts[i], ghosts_[i], camera, style);
   beamPainter_.draw(stage, camera, 1 + 2 * static_cast<float>(1 - decoration.goal.burst()));
@@ -104,6 +102,14 @@ FaceMarks Renderer::advance(const Scene& scene, bool particles) {
   return marks;
 }
 
+void Renderer::beginPicture() {
+  skyPainter_.prepare(scheme_, target_.sampledWidth(), target_.sampledHeight());
+  target_.bindSampled();
+  setDefaults();
+  DrawCalls::clear(GL_DEPTH_BUFFER_BIT);
+  skyPainter_.drawSky();
+}
+
 void Renderer::setQuality(const Quality& quality) {
   const bool same = quality.samples == quality_.samples && quality.scale == quality_.scale;
   quality_ = quality;
@@ -111,9 +117,7 @@ void Renderer::setQuality(const Quality& quality) {
 }
 
 void Renderer::drawEmpty(std::span<const Overlay> overlays) {
-  target_.bindSampled();
   beginPicture();
-  skyPainter_.drawSky(scheme_);
   drawOverlays(overlays);
 }
 

@@ -52,6 +52,7 @@ class Renderer {
   Image read() const { return target_.read(); }
 
  private:
+  void beginPicture();
   void drawOverlays(std::span<const Overlay> overlays);
   FaceMarks advance(const Scene& scene, bool particles);
   void drawPlayer(PlayerDrawing player, BallMotion ball, const Camera& camera, const PictureStyle& style);

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "client/gl/colour_texture.h"
 #include "client/gl/draw_calls.h"
 
 namespace platon {
@@ -18,13 +19,28 @@ constexpr double kPeriod = 3000;         // seconds after which the motes are wh
 
 SkyPainter::SkyPainter() : sky_("sky"), motes_("mote") {}
 
-void SkyPainter::drawSky(const Scheme& scheme) {
+// A copy costs a tenth of the time that the shader takes.
+void SkyPainter::prepare(const Scheme& scheme, std::uint32_t width, std::uint32_t height) {
+  const Look look{scheme.skyTop, scheme.skyBottom, scheme.glow, width, height};
+  if (look == painted_) return;
+  painted_ = look;
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+  attachColour(colour_, width, height);
+  glViewport(0, 0, static_cast<GLsizei>(width), static_cast<GLsizei>(height));
+  glDisable(GL_BLEND);
   glBindVertexArray(array_.name());
   sky_.use();
-  sky_.set("top", scheme.skyTop);
-  sky_.set("bottom", scheme.skyBottom);
-  sky_.set("glow", scheme.glow);
+  sky_.set("top", look.top);
+  sky_.set("bottom", look.bottom);
+  sky_.set("glow", look.glow);
   DrawCalls::arrays(GL_TRIANGLES, 3);
+}
+
+void SkyPainter::drawSky() const {
+  const auto width = static_cast<GLint>(painted_.width);
+  const auto height = static_cast<GLint>(painted_.height);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.name());
+  DrawCalls::blit(width, height, width, height, GL_NEAREST);
 }
 
 void SkyPainter::drawMotes(const Scheme& scheme, const Camera& camera, double radius, double seconds) {

@@ -12,14 +12,11 @@
 #include "client/gl/draw_calls.h"
 #include "client/gl/paint/face_program.h"
 #include "client/scene/look/face_light.h"
-#include "client/scene/look/high_contrast.h"
 #include "client/scene/look/stage_walls.h"
 
 namespace platon {
 namespace {
 
-constexpr float kSlope = 0.05F;    // how much a face is brighter on the side of the light
-constexpr float kGridStep = 60;    // of large faces, on which nothing else may show how a ball moves, level units
 constexpr float kLargeFace = 700;  // apothem from which a face has several numbers
 constexpr float kLabelStep = 640;
 constexpr float kGoalReach = 4;   // radius of the goal's glow in goal radii
@@ -47,12 +44,7 @@ bool inPolygon(const SolidMesh& mesh, glm::dvec2 point, double margin) {
 
 }  // namespace
 
-StagePainter::StagePainter() : face_("face"), marker_("marker"), mark_("mark") {
-  glBindVertexArray(faceArray_.name());
-  glBindBuffer(GL_ARRAY_BUFFER, corners_.name());
-  glEnableVertexAttribArray(0);
-  glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
-}
+StagePainter::StagePainter() : mark_("mark") {}
 
 void StagePainter::prepare(const Scene& scene, bool wantsShadows, bool highContrast) {
   const bool shadows = wantsShadows && !highContrast;
@@ -63,22 +55,6 @@ void StagePainter::prepare(const Scene& scene, bool wantsShadows, bool highContr
   if (scene.elements.active.empty() || active_ == scene.elements.active) return;
   active_ = scene.elements.active;
   elementWalls_.load(makeWallMesh(scene.stage->mesh, elementWallsOf(*scene.stage, scene.elements)));
-}
-
-void StagePainter::drawFaces(const StageModel& stage, std::span<const FaceView> views) {
-  face_.use();
-  glBindVertexArray(faceArray_.name());
-  for (const FaceView& view : views) {
-    useOnFace(face_, stage, view);
-    lightMap_.bind(face_, view.face);
-    const Colour colour = stage.faces[static_cast<std::size_t>(view.face)].colour;
-    face_.set("colour", highContrast_ ? highContrastFace(colour) : colour);
-    face_.set("lit", litOf(view));
-    const glm::vec2 aside(faceLight(stage.mesh, view.face));
-    face_.set("slope", aside * (kSlope / static_cast<float>(stage.mesh.apothem())));
-    face_.set("gridStep", stage.mesh.apothem() > kLargeFace ? kGridStep : 0.0F);
-    DrawCalls::arrays(GL_TRIANGLE_FAN, static_cast<GLsizei>(stage.mesh.polygon().size()));
-  }
 }
 
 void StagePainter::drawBelow(const Scene& scene, std::span<const FaceView> views, const Decoration& decoration,
@@ -95,10 +71,9 @@ void StagePainter::drawBelow(const Scene& scene, std::span<const FaceView> views
 
 void StagePainter::drawSign(const StageModel& stage, const FaceView& view) {
   const FaceSign& sign = signs_[static_cast<std::size_t>(view.face)];
-  useOnFace(marker_, stage, view);
-  glBindVertexArray(markerArray_.name());
-  marker_.set("form", glm::vec2(sign.corners, sign.dots));
-  drawMarker(stage.mesh, view, {view.face, sign.place, 0}, {3, sign.radius, sign.radius * 1.1F});
+  MarkerPainter::Look look{MarkerPainter::Kind::kSign, sign.radius, sign.radius * 1.1F};
+  look.form = glm::vec2(sign.corners, sign.dots);
+  markers_.draw(stage, view, {view.face, sign.place, 0}, look);
 }
 
 void StagePainter::drawWalls(const StageModel& stage, std::span<const FaceView> views) {
@@ -115,10 +90,8 @@ void StagePainter::drawAbove(const Scene& scene, std::span<const FaceView> views
 
 // Baking changes the state of OpenGL, so a stage is loaded before the picture begins.
 void StagePainter::load(const StageModel& stage, bool shadows) {
-  std::vector<glm::vec2> corners(stage.mesh.polygon().begin(), stage.mesh.polygon().end());
-  fill(corners_, corners);
   walls_.load(makeWallMesh(stage.mesh, wallsOf(stage)));
-  lightMap_.bake(stage, shadows);
+  faces_.load(stage, shadows);
   signs_ = signsOf(stage);
   active_.clear();
 }
@@ -160,40 +133,29 @@ void StagePainter::load(const StageModel& stage, const FaceMarks& marks, Marks& 
 
 void StagePainter::drawMarkers(const Scene& scene, const FaceView& view, const Decoration& decoration) {
   const StageModel& stage = *scene.stage;
-  useOnFace(marker_, stage, view);
-  marker_.set("seconds", decoration.seconds);
-  glBindVertexArray(markerArray_.name());
   constexpr auto kStartRadius = static_cast<float>(StageModel::kPlayerRadius * 1.6);
   constexpr auto goalRadius = static_cast<float>(StageModel::kGoalRadius);
-  drawMarker(stage.mesh, view, stage.start, {1, kStartRadius, kStartRadius * 1.2F});
-  marker_.set("opened", static_cast<float>(decoration.goal.opened()));
-  drawMarker(stage.mesh, view, stage.goal, {0, goalRadius, goalRadius * kGoalReach});
+  using Kind = MarkerPainter::Kind;
+  markers_.draw(stage, view, stage.start, {Kind::kStart, kStartRadius, kStartRadius * 1.2F});
+  MarkerPainter::Look goal{Kind::kGoal, goalRadius, goalRadius * kGoalReach};
+  goal.opened = static_cast<float>(decoration.goal.opened());
+  goal.seconds = decoration.seconds;
+  markers_.draw(stage, view, stage.goal, goal);
   if (decoration.goal.burst() >= 1) return;
-  marker_.set("opened", static_cast<float>(decoration.goal.burst()));
-  drawMarker(stage.mesh, view, stage.goal, {4, goalRadius, goalRadius * kBurstReach});
-}
-
-void StagePainter::drawMarker(const SolidMesh& mesh, const FaceView& view, const Marker& marker, const Look& look) {
-  const auto here = markerOn(mesh, view.face, marker, double{look.reach});
-  if (!here) return;
-  marker_.set("kind", look.kind);
-  marker_.set("centre", here->place);
-  marker_.set("angle", static_cast<float>(here->angle));
-  marker_.set("radius", look.radius);
-  marker_.set("reach", look.reach);
-  DrawCalls::arrays(GL_TRIANGLE_STRIP, 4);
+  MarkerPainter::Look burst{Kind::kBurst, goalRadius, goalRadius * kBurstReach};
+  burst.opened = static_cast<float>(decoration.goal.burst());
+  markers_.draw(stage, view, stage.goal, burst);
 }
 
 void StagePainter::drawShadows(const Scene& scene, const FaceView& view) {
   const SolidMesh& mesh = scene.stage->mesh;
-  useOnFace(marker_, *scene.stage, view);
-  glBindVertexArray(markerArray_.name());
   constexpr auto kRadius = static_cast<float>(StageModel::kPlayerRadius);
+  const MarkerPainter::Look look{MarkerPainter::Kind::kShadow, kRadius, kRadius * 1.6F};
   for (const PlayerDrawing& player : scene.players) {
     const int face = mesh.faceTowards(player.pose.position);
     const glm::dvec4 place = glm::inverse(mesh.faceToWorld(face)) * glm::dvec4(player.pose.position, 1);
     const glm::vec2 fall = -0.4F * kRadius * glm::vec2(faceLight(mesh, face));  // away from the light
-    drawMarker(mesh, view, {face, glm::vec2(place) + fall, 0}, {2, kRadius, kRadius * 1.6F});
+    markers_.draw(*scene.stage, view, {face, glm::vec2(place) + fall, 0}, look);
   }
 }
 

@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "client/gl/gl_handle.h"
-#include "client/gl/paint/light_map.h"
+#include "client/gl/paint/face_painter.h"
+#include "client/gl/paint/marker_painter.h"
 #include "client/gl/paint/stage_element_painter.h"
 #include "client/gl/paint/wall_painter.h"
 #include "client/gl/shader_program.h"
@@ -34,7 +35,7 @@ class StagePainter {
   /// Loads what the scene needs. Changes the bound framebuffer, so it comes before the picture is begun.
   void prepare(const Scene& scene, bool shadows, bool highContrast);
   /// Draws the faces, with depth.
-  void drawFaces(const StageModel& stage, std::span<const FaceView> views);
+  void drawFaces(const StageModel& stage, std::span<const FaceView> views) { faces_.draw(stage, views, highContrast_); }
   /// Draws what lies flat on the faces: signs or numbers, marks, markers, elements, trails and shadows.
   void drawBelow(const Scene& scene, std::span<const FaceView> views, const Decoration& decoration, TextPainter& text);
   /// Draws the walls, with depth.
@@ -56,35 +57,24 @@ class StagePainter {
     GlBuffer buffer;
   };
 
-  struct Look {
-    int kind = 0;  // as in the shader
-    float radius = 0;
-    float reach = 0;  // half side of the square that is drawn
-  };
-
   void load(const StageModel& stage, bool shadows);
   void drawMarks(const Scene& scene, const FaceView& view, const FaceMarks& marks, Marks& kept);
   void load(const StageModel& stage, const FaceMarks& marks, Marks& kept);
   void drawSign(const StageModel& stage, const FaceView& view);
   void drawMarkers(const Scene& scene, const FaceView& view, const Decoration& decoration);
-  void drawMarker(const SolidMesh& mesh, const FaceView& view, const Marker& marker, const Look& look);
   void drawShadows(const Scene& scene, const FaceView& view);
   void drawLabels(const StageModel& stage, const FaceView& view, TextPainter& text) const;
 
   std::weak_ptr<const StageModel> loaded_;
   bool shadows_ = true;  // that are loaded
   bool highContrast_ = false;
-  ShaderProgram face_;
-  ShaderProgram marker_;
   ShaderProgram mark_;
   StageElementPainter elementPainter_;
-  LightMap lightMap_;
+  FacePainter faces_;
+  MarkerPainter markers_;
   WallPainter walls_;
   WallPainter elementWalls_;
   std::vector<std::uint8_t> active_;  // ElementStates::active that is loaded
-  GlVertexArray faceArray_;
-  GlVertexArray markerArray_;  // empty: the shader computes the corners from gl_VertexID
-  GlBuffer corners_;
   std::vector<FaceSign> signs_;
   Marks trails_;
   Marks marksBelow_;

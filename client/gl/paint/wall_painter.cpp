@@ -31,6 +31,7 @@ void WallPainter::load(const WallMesh& mesh) {
 
 void WallPainter::draw(const StageModel& stage, std::span<const FaceView> views, bool highContrast) {
   glEnable(GL_CULL_FACE);
+  glDisable(GL_BLEND);
   glBindVertexArray(array_.name());
   program_.use();
   for (const FaceView& view : views) {
@@ -44,6 +45,7 @@ void WallPainter::draw(const StageModel& stage, std::span<const FaceView> views,
                         bufferOffset(faces_[face].first * sizeof(std::uint32_t)));
   }
   glDisable(GL_CULL_FACE);
+  glEnable(GL_BLEND);
 }
 
 }  // namespace platon
