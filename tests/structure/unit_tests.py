@@ -11,6 +11,7 @@ EXCEPTIONS = {
     "client/bot/bot_main.cpp": "tests/net/programs runs platon-bot",
     "client/gl/paint/sky_painter.cpp": "renderer_test compares its pixels",
     "client/gl/paint/ball_painter.cpp": "renderer_test compares its pixels",
+    "client/gl/paint/marker_painter.cpp": "renderer_test compares its pixels",
     "client/gl/paint/beam_painter.cpp": "renderer_test compares its pixels",
     "client/gl/paint/face_program.cpp": "renderer_test and stage_element_painter_test compare its pixels",
     "client/gl/gl_loader.cpp": "every test that draws loads OpenGL",
