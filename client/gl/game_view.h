@@ -5,12 +5,12 @@
 
 #include "client/gl/image.h"
 #include "client/gl/renderer.h"
+#include "client/hud/hud.h"
+#include "client/hud/net_graph.h"
 #include "client/scene/game_camera.h"
 #include "client/scene/look_input.h"
 #include "client/scene/scene.h"
 #include "client/ui/font.h"
-#include "client/ui/hud.h"
-#include "client/ui/net_graph.h"
 #include "client/ui/overlay.h"
 #include "client/ui/settings.h"
 

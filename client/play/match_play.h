@@ -9,6 +9,7 @@
 
 #include "client/desync/desync_folder.h"
 #include "client/files/session_file.h"
+#include "client/hud/hud.h"
 #include "client/lobby/known_servers.h"
 #include "client/play/client_options.h"
 #include "client/play/scene_feed.h"
@@ -17,7 +18,6 @@
 #include "client/session/network_client.h"
 #include "client/time/clock.h"
 #include "client/ui/chat_feed.h"
-#include "client/ui/hud.h"
 #include "client/ui/settings.h"
 #include "protocol/moment.h"
 

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <deque>
 
+#include "client/hud/net_graph.h"
 #include "client/session/network_client.h"
-#include "client/ui/net_graph.h"
 #include "protocol/moment.h"
 
 namespace platon {

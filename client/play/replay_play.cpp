@@ -4,8 +4,8 @@
 #include <chrono>
 #include <utility>
 
+#include "client/hud/hud.h"
 #include "client/replay/replay_file.h"
-#include "client/ui/hud.h"
 #include "client/ui/replay_bar.h"
 
 namespace platon {

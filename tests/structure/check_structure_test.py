@@ -19,7 +19,7 @@ ARCHITECTURE = (Path(__file__).parents[2] / "docs/architecture.md").read_text(en
 
 SHARED = ["exact", "physics", "game"]
 LEVELS = ["check", "drawing", "picture", "reach", "solve", "tool"]
-CLIENT = ["time", "net", "netcode", "desync", "session", "bot", "demo", "quality", "scene", "ui", "audio", "menu", "lobby", "editor", "replay", "files", "gl", "play"]
+CLIENT = ["time", "net", "netcode", "desync", "session", "bot", "demo", "quality", "scene", "ui", "hud", "audio", "menu", "lobby", "editor", "replay", "files", "gl", "play"]
 FOLDERS = (
     [f"shared/include/platon/{name}" for name in SHARED]
     + [f"shared/{name}" for name in SHARED]
@@ -68,7 +68,8 @@ class Includes(Tree):
             "session": ["time", "net", "netcode", "desync"],
             "bot": ["time", "net", "netcode", "desync", "session"],
             "demo": ["netcode"], "quality": ["time"], "scene": ["netcode"], "ui": ["netcode", "quality", "scene"],
-            "gl": ["quality", "scene", "ui"],
+            "hud": ["netcode", "scene", "ui"],
+            "gl": ["quality", "scene", "ui", "hud"],
             "audio": ["scene"],
             "menu": ["netcode", "quality", "scene", "ui"],
             "lobby": ["time", "net", "netcode", "scene", "ui", "menu"],
@@ -77,9 +78,9 @@ class Includes(Tree):
             "files": ["time", "net", "netcode", "desync", "session", "scene", "ui"],
             "play": [name for name in CLIENT if name not in ("bot", "play")],
         }  # fmt: skip
-        drawn = ("scene", "ui", "audio", "menu", "editor")
+        drawn = ("scene", "ui", "hud", "audio", "menu", "editor")
         solving = ["levels/check", "levels/reach", "levels/solve"]
-        wordless = ("demo", "scene", "ui", "audio", "menu", "editor", "gl")
+        wordless = ("demo", "scene", "ui", "hud", "audio", "menu", "editor", "gl")
         protocol = ["protocol", "protocol/files", "protocol/transport"]
         allowed = {
             **{folder: public[:index] for index, folder in enumerate(public)},

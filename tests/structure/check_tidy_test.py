@@ -59,7 +59,7 @@ class Repository(unittest.TestCase):
 class Choice(unittest.TestCase):
     def test_headers_are_checked_through_their_sources(self):
         changed = ["shared/include/platon/game/game.h", "client/menu/menu.h", "client/menu/menu.cpp", "server/app/pacing.h", "README.md"]
-        compiled = ["shared/game/game.cpp", "client/menu/menu.cpp", "client/ui/hud.cpp"]
+        compiled = ["shared/game/game.cpp", "client/menu/menu.cpp", "client/hud/hud.cpp"]
         self.assertEqual(check_tidy.sources_of(changed, compiled), ["client/menu/menu.cpp", "shared/game/game.cpp"])
 
     def test_a_sample_is_evenly_spread(self):

@@ -9,10 +9,10 @@
 
 #include "client/files/level_cache.h"
 #include "client/files/user_folders.h"
+#include "client/hud/hud.h"
 #include "client/net/lossy_relay.h"
 #include "client/replay/run_store.h"
 #include "client/scene/camera.h"
-#include "client/ui/hud.h"
 #include "protocol/program_error.h"
 #include "server/admin/console.h"
 #include "tests/support/environment_variable.h"

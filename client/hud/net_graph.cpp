@@ -1,4 +1,4 @@
-#include "client/ui/net_graph.h"
+#include "client/hud/net_graph.h"
 
 #include <algorithm>
 #include <array>

@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "client/hud/results_panel.h"
 #include "client/scene/camera.h"
 #include "client/scene/scene.h"
 #include "client/ui/controls/key_hints.h"
 #include "client/ui/font.h"
 #include "client/ui/overlay.h"
-#include "client/ui/results_panel.h"
 #include "client/ui/run_timer.h"
 
 namespace platon {

@@ -1,4 +1,4 @@
-#include "client/ui/hud.h"
+#include "client/hud/hud.h"
 
 #include <algorithm>
 #include <stdexcept>

@@ -1,4 +1,4 @@
-#include "client/ui/results_panel.h"
+#include "client/hud/results_panel.h"
 
 #include <gtest/gtest.h>
 
