@@ -43,6 +43,8 @@ inline constexpr std::uint32_t kEmotes = 4;
 inline constexpr std::size_t kMaxTitleBytes = 100;
 /// Longest pause between two rounds: a minute.
 inline constexpr std::uint32_t kMaxPauseTicks = 60 * kTicksPerSecond;
+/// Longest time to a goal that counts as a best time: a day. A round of a player who is alone may have no time limit.
+inline constexpr std::uint32_t kMaxBestTicks = 24 * 60 * 60 * kTicksPerSecond;
 
 /// Inputs in one message of a client: enough for a round trip of 2 s and a buffer of 1 s.
 inline constexpr std::uint32_t kMaxInputsPerMessage = 256;

@@ -186,7 +186,7 @@ std::optional<ToClient> read(const wire::RoundEnd& table) {
   if (!isLabel(message.nextTitle, kMaxTitleBytes) || message.pauseTicks > kMaxPauseTicks) return std::nullopt;
   if (table.best_ticks() == 0) return message;
   message.best = LevelBest{table.best_ticks(), textOf(table.best_name()), table.best_is_new()};
-  if (message.best->ticks > kRoundTicks || !isLabel(message.best->name, kMaxNameBytes)) return std::nullopt;
+  if (message.best->ticks > kMaxBestTicks || !isLabel(message.best->name, kMaxNameBytes)) return std::nullopt;
   return message;
 }
 

@@ -82,7 +82,7 @@ struct RoundStart {
 
 /// The shortest time in which a player has reached the goal of a level.
 struct LevelBest {
-  std::uint32_t ticks = 0;  ///< 1 … kRoundTicks
+  std::uint32_t ticks = 0;  ///< 1 … kMaxBestTicks
   std::string name;         ///< of the player, a label of at most kMaxNameBytes
   bool isNew = false;       ///< reached in this round
 
@@ -96,7 +96,7 @@ struct RoundEnd {
   std::uint32_t tick = 0;
   std::uint64_t nextLevelHash = 0;
   std::string nextTitle{};          ///< of the next level, a label of at most kMaxTitleBytes
-  std::uint32_t pauseTicks = 0;     ///< at most kMaxPauseTicks
+  std::uint32_t pauseTicks = 0;     ///< at most kMaxPauseTicks; 0: until the player asks for it
   std::optional<LevelBest> best{};  ///< of the level of this round; nothing: nobody has reached its goal
 
   friend bool operator==(const RoundEnd&, const RoundEnd&) = default;

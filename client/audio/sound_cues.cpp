@@ -87,7 +87,7 @@ void SoundCues::hearOthers(const CueSource& source, const Pose& listener, SoundF
 // Counts the last seconds of the round, unless the player has arrived, and those before the next one.
 void SoundCues::countDown(const CueSource& source, SoundFrame& frame) {
   const bool waits = source.over;
-  if (waits && !source.nextRoundSeconds) return;
+  if (waits ? !source.nextRoundSeconds : !source.timed) return;
   const double seconds = waits ? *source.nextRoundSeconds : double{1} * source.predicted->ticksLeft() / kTicksPerSecond;
   const int left = static_cast<int>(std::ceil(seconds));
   const bool arrived =

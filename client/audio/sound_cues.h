@@ -23,6 +23,7 @@ struct CueSource {
   double othersTick = 0;  ///< at which the other players are drawn
   std::uint32_t localSlot = 0;
   bool over = false;                         ///< the round has ended
+  bool timed = true;                         ///< the round has a time limit
   std::optional<double> nextRoundSeconds{};  ///< until the next round starts, if that is known
 };
 

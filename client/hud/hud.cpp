@@ -53,7 +53,7 @@ void addRow(OverlayWriter& writer, const PlayerDrawing& player, float right, flo
 
 void addPlayers(OverlayWriter& writer, const Scene& scene, float width) {
   const std::vector<const PlayerDrawing*> players = inOrder(scene);
-  if (players.empty()) return;
+  if (players.size() < 2) return;
   const std::size_t rows = std::min(players.size(), kMaxRows);
   const bool more = players.size() > rows;
   const float right = width - kMargin;
@@ -83,13 +83,12 @@ bool coversLocalPlayer(const Scene& scene, const PlayerDrawing& ghost) {
   return glm::distance(scene.players.back().pose.position, ghost.pose.position) < kDistance;
 }
 
-void addResult(OverlayWriter& writer, const Scene& scene, float width) {
-  const glm::vec2 middle(width / 2, Overlay::kHeight * 0.215F);
-  if (scene.attempt && scene.attempt->arrived) {
-    writer.pill(std::string("★  Goal in ") + finishText(scene.attempt->seconds), middle, 30, kGold);
-  } else if (scene.over) {
-    writer.pill(scene.secondsLeft <= 0 ? "Time is up" : "Round over", middle, 30, kBright);
-  }
+// At the top in the middle. The results tell the times of a round that has ended.
+void addTimes(OverlayWriter& writer, const Scene& scene, const HudStatus& status, float width) {
+  if (status.summary && (!status.summary->waits || showsOwnResult(scene, *status.summary))) return;
+  if (scene.timed) addClock(writer, scene, width);
+  const bool arrived = scene.attempt && scene.attempt->arrived;
+  if (status.timer || arrived) addRunTimer(writer, scene, status.run, width);
 }
 
 void addVote(OverlayWriter& writer, const VoteStatus& vote, const KeyHints& keys, float width) {
@@ -132,8 +131,19 @@ void addChat(OverlayWriter& writer, const std::vector<std::string>& chat, const 
   }
 }
 
-// At the lower edge the message, above it the notice, and above that the hint.
-void addTexts(OverlayWriter& writer, const HudStatus& status, const std::string& hint, const Font& font, float width) {
+// What the local player has reached and may do, one above the other from the lowest on.
+struct LowerTexts {
+  std::string keys;
+  std::string reached{};
+};
+
+LowerTexts lowerTextsOf(const Scene& scene, const HudStatus& status, const Font& font) {
+  if (!status.summary || !showsOwnResult(scene, *status.summary)) return {hintOf(scene, status)};
+  return {ownKeysOf(*status.summary, status.keys, font), ownResultOf(scene, status.run)};
+}
+
+// At the lower edge the message, above it the notice, and above that what the player may do and has reached.
+void addTexts(OverlayWriter& writer, const HudStatus& status, const LowerTexts& own, const Font& font, float width) {
   glm::vec2 middle(width / 2, Overlay::kHeight - 40);
   const auto add = [&](const std::string& text, glm::vec4 colour) {
     const std::vector<std::string> lines = linesOf(text, font, width, kTextSize);
@@ -141,7 +151,8 @@ void addTexts(OverlayWriter& writer, const HudStatus& status, const std::string&
   };
   add(status.message, status.warning ? kWarning : kBright);
   add(status.notice, kGold);
-  add(hint, kBright);
+  add(own.keys, kBright);
+  add(own.reached, kGold);
 }
 
 }  // namespace
@@ -164,7 +175,7 @@ Overlay makeEmptyHud(const HudStatus& status, const Font& font, float width) {
     place.y += 26;
   }
   if (status.help) addHelp(writer, status.keys);
-  addTexts(writer, {.notice = status.notice}, "", font, width);
+  addTexts(writer, {.notice = status.notice}, {}, font, width);
   return writer.take();
 }
 
@@ -176,15 +187,15 @@ Overlay makeHud(const Scene& scene, const Camera& camera, const HudStatus& statu
   }
   for (const PlayerDrawing& player : scene.players) addNameTag(writer, player, camera, width);
   addTitle(writer, scene);
-  addClock(writer, scene, width);
-  if (status.timer) addRunTimer(writer, scene, status.run, width);
-  addPlayers(writer, scene, width);
-  addResult(writer, scene, width);
-  if (status.summary) addResults(writer, scene, *status.summary, font, width);
+  addTimes(writer, scene, status, width);
+  if (status.summary && !status.summary->waits)
+    addResults(writer, scene, *status.summary, font, width);
+  else
+    addPlayers(writer, scene, width);
   if (status.vote) addVote(writer, *status.vote, status.keys, width);
   if (status.help) addHelp(writer, status.keys);
   addChat(writer, status.chat, font);
-  addTexts(writer, status, hintOf(scene, status), font, width);
+  addTexts(writer, status, lowerTextsOf(scene, status, font), font, width);
   return writer.take();
 }
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "client/ui/fitted_text.h"
 #include "client/ui/player_rows.h"
 #include "client/ui/text_wrap.h"
 
@@ -14,54 +15,78 @@ namespace {
 using namespace overlay_colours;
 
 constexpr std::size_t kMaxRows = 8;
-constexpr float kTop = Overlay::kHeight * 0.26F;
-constexpr float kWidth = 420;
-constexpr float kRowHeight = 28;
-constexpr float kTextSize = 18;  // of what comes next
-constexpr float kWidestText = 640;
+constexpr float kMargin = 16;
+constexpr float kWidth = 300;
+constexpr float kPadding = 14;
+constexpr float kRowHeight = 25;
+constexpr float kSize = 15;
+constexpr float kTimeWidth = 84;
 
 std::string bestText(const RoundSummary& summary) {
-  if (!summary.bestSeconds) return "Nobody has reached the goal of this level yet";
-  return std::string(summary.bestIsNew ? "New best time: " : "Best time: ") + finishText(*summary.bestSeconds) + ", " +
-         summary.bestName;
+  if (!summary.bestSeconds) return "Nobody has reached the goal yet";
+  if (summary.bestIsNew) return "New best time: " + summary.bestName;
+  return "Best time " + finishText(*summary.bestSeconds) + ", " + summary.bestName;
 }
 
-std::string nextText(const RoundSummary& summary) {
+std::string nextTitleOf(const RoundSummary& summary, const Font& font, float width) {
+  return fittedText(summary.nextTitle, font, width / kSize);
+}
+
+std::string nextText(const RoundSummary& summary, const Font& font) {
   const auto seconds = static_cast<long>(std::ceil(summary.secondsLeft - 1e-6));
   const std::string when = seconds > 0 ? " in " + std::to_string(seconds) + " s" : "";
-  return "next: " + summary.nextTitle + when;
+  return "Next level" + when + ": " + nextTitleOf(summary, font, 1.5F * (kWidth - 2 * kPadding));
 }
 
-void addRow(OverlayWriter& writer, const PlayerDrawing& player, std::size_t place, glm::vec2 low) {
+void addRow(OverlayWriter& writer, const PlayerDrawing& player, std::size_t place, glm::vec2 start, const Font& font) {
   const bool finished = player.finishSeconds.has_value();
   const glm::vec4 colour = player.local ? kBright : kSoft;
-  const float baseline = low.y + 20;
-  if (finished) writer.right(std::to_string(place) + ".", {low.x + 34, baseline}, 15, colour);
-  writer.left(shownNameOf(player), {low.x + 46, baseline}, 15, colour);
-  const std::string time = finished ? finishText(*player.finishSeconds) : "did not finish";
-  writer.right(time, {low.x + kWidth - 16, baseline}, 15, finished ? kGold : kSoft);
+  const float right = start.x + kWidth - 2 * kPadding;
+  const float nameWidth = right - kTimeWidth - (start.x + 32);
+  if (finished) writer.right(std::to_string(place) + ".", {start.x + 22, start.y}, kSize, colour);
+  writer.left(fittedText(shownNameOf(player), font, nameWidth / kSize), {start.x + 32, start.y}, kSize, colour);
+  writer.right(finished ? finishText(*player.finishSeconds) : "–", {right, start.y}, kSize, finished ? kGold : kSoft);
 }
 
 }  // namespace
+
+bool showsOwnResult(const Scene& scene, const RoundSummary& summary) {
+  return summary.waits && scene.attempt && scene.attempt->arrived;
+}
+
+std::string ownResultOf(const Scene& scene, const RunStatus& run) {
+  std::string reached = "★ Goal in " + finishText(scene.attempt->seconds);
+  if (run.isNewBest) reached += run.difference ? " – new best" : " – your first time here";
+  if (run.difference) reached += " (" + differenceText(*run.difference) + " s)";
+  return reached;
+}
+
+std::string ownKeysOf(const RoundSummary& summary, const KeyHints& keys, const Font& font) {
+  return keys.goOn() + ": next level, " + nextTitleOf(summary, font, kWidth) + " · " +
+         keys.to(Control::kRestart, "again");
+}
 
 void addResults(OverlayWriter& writer, const Scene& scene, const RoundSummary& summary, const Font& font, float width) {
   const std::vector<const PlayerDrawing*> players = inOrder(scene);
   const std::size_t rows = std::min(players.size(), kMaxRows);
   const bool more = players.size() > rows;
-  const float height = kRowHeight * static_cast<float>(rows + (more ? 2 : 1)) + 16;
-  const glm::vec2 low((width - kWidth) / 2, kTop);
-  writer.panel(low, low + glm::vec2(kWidth, height), 12, kPanel);
-  glm::vec2 place = low + glm::vec2(0, 6);
-  for (std::size_t i = 0; i < rows; ++i, place.y += kRowHeight) addRow(writer, *players[i], i + 1, place);
-  if (more) {
-    writer.left("and " + std::to_string(players.size() - rows) + " more", {place.x + 46, place.y + 20}, 13, kSoft);
-    place.y += kRowHeight;
+  std::vector<std::string> below = wrapText(bestText(summary), font, (kWidth - 2 * kPadding) / kSize);
+  const std::size_t bestLines = below.size();
+  for (std::string& line : wrapText(nextText(summary, font), font, (kWidth - 2 * kPadding) / kSize))
+    below.push_back(std::move(line));
+  const std::size_t lines = 1 + rows + (more ? 1 : 0) + below.size();
+  const glm::vec2 low(width - kMargin - kWidth, kMargin);
+  writer.panel(low, low + glm::vec2(kWidth, kRowHeight * static_cast<float>(lines) + 16), 12, kPanel);
+  glm::vec2 place = low + glm::vec2(kPadding, 26);
+  writer.left(scene.secondsLeft <= 0 ? "Time is up" : "Round over", place, kSize, kBright);
+  for (std::size_t i = 0; i < rows; ++i) addRow(writer, *players[i], i + 1, place += glm::vec2(0, kRowHeight), font);
+  if (more)
+    writer.left("and " + std::to_string(players.size() - rows) + " more",
+                (place += glm::vec2(0, kRowHeight)) + glm::vec2(32, 0), 13, kSoft);
+  for (std::size_t i = 0; i < below.size(); ++i) {
+    const glm::vec4 colour = i >= bestLines ? kBright : summary.bestIsNew ? kGold : kSoft;
+    writer.left(below[i], place += glm::vec2(0, kRowHeight), kSize, colour);
   }
-  writer.centred(bestText(summary), {width / 2, place.y + 22}, 15, summary.bestIsNew ? kGold : kSoft);
-  const std::vector<std::string> next =
-      wrapText(nextText(summary), font, std::min(kWidestText, width - 64) / kTextSize);
-  const float lines = static_cast<float>(next.size());
-  writer.pill(next, {width / 2, low.y + height + 1.3F * kTextSize * lines + 8}, kTextSize, kBright);
 }
 
 }  // namespace platon

@@ -4,7 +4,9 @@
 #include <string>
 
 #include "client/scene/scene.h"
+#include "client/ui/controls/key_hints.h"
 #include "client/ui/overlay_writer.h"
+#include "client/ui/run_timer.h"
 
 namespace platon {
 
@@ -15,9 +17,18 @@ struct RoundSummary {
   std::optional<double> bestSeconds{};  ///< best time of the level; nothing: nobody has reached its goal
   std::string bestName{};               ///< of the player who reached it in this time
   bool bestIsNew = false;               ///< in this round
+  bool waits = false;                   ///< the next round starts when the player asks for it
 };
 
-/// Adds the results of a round: names and times in order, the best time of the level, and what comes next when.
+/// Whether the local player is at the goal of a round that waits for it.
+bool showsOwnResult(const Scene& scene, const RoundSummary& summary);
+/// What this player has reached; `scene` has an attempt.
+std::string ownResultOf(const Scene& scene, const RunStatus& run);
+/// The keys with which it goes on.
+std::string ownKeysOf(const RoundSummary& summary, const KeyHints& keys, const Font& font);
+
+/// Adds the results of a round with others, at the right: names and times in order, the best time of the level, and
+/// what comes next when.
 void addResults(OverlayWriter& writer, const Scene& scene, const RoundSummary& summary, const Font& font, float width);
 
 }  // namespace platon

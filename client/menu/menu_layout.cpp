@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "client/menu/fitted_text.h"
+#include "client/ui/fitted_text.h"
 #include "client/ui/text_wrap.h"
 
 namespace platon {

@@ -54,6 +54,7 @@ ServerSettings serverSettings(const EmbeddedSettings& wanted) {
   settings.password = wanted.password;
   settings.match.serverName = "Platon";
   settings.match.maxPlayers = wanted.maxPlayers;
+  settings.match.waitsForOne = wanted.waitsForOne;
   Log log = silentLog();
   if (wanted.listens) settings.identity = loadIdentity("", log);
   return settings;

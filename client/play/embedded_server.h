@@ -19,6 +19,7 @@ struct EmbeddedSettings {
   std::uint16_t port = kDefaultPort;  ///< of the network
   std::string password{};             ///< empty: none
   std::uint32_t maxPlayers = 16;      ///< 1 … kMaxPlayers
+  bool waitsForOne = false;           ///< as MatchSettings::waitsForOne
 };
 
 /// A dedicated server in a thread of this program.

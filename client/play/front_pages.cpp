@@ -101,6 +101,7 @@ std::vector<std::string> FrontPages::filesFrom(std::size_t level) const {
 void FrontPages::playFrom(std::size_t level) {
   MatchChoice choice;
   choice.own.levels = filesFrom(level);
+  choice.own.waitsForOne = true;
   calls_.start(choice);
 }
 

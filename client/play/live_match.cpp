@@ -19,6 +19,7 @@ LiveMatch::LiveMatch(const ClientOptions& options, const MatchChoice& choice, co
 
 void LiveMatch::update(bool wantsPause, const Controls& controls) {
   time_->setPaused(wantsPause && alone() && play_->client().welcomed());
+  play_->setTimed(!waits());
   play_->update(now(), controls);
 }
 

@@ -37,6 +37,8 @@ class LiveMatch {
   bool paused() const { return time_->paused(); }
   /// Whether the server is in this program and nobody else plays on it.
   bool alone() const { return server_ && server_->players() <= 1; }
+  /// Whether a player who is alone has all the time it wants, and starts the next level itself.
+  bool waits() const { return alone() && choice_.own.waitsForOne; }
   /// Time of the match: stands still in a pause.
   Moment now() const { return time_->now(); }
   /// Leads to the next level: at once for a player who is alone, else by a vote, or taking it back.

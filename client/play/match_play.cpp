@@ -59,6 +59,7 @@ std::optional<RoundSummary> summaryOf(const Session& session) {
   const std::uint32_t confirmed = session.round()->prediction().confirmedTicks();
   const std::uint32_t passed = confirmed - std::min(confirmed, end->tick);
   RoundSummary summary{end->nextTitle, secondsOf(end->pauseTicks - std::min(end->pauseTicks, passed))};
+  summary.waits = end->pauseTicks == 0;
   if (!end->best) return summary;
   summary.bestSeconds = secondsOf(end->best->ticks);
   summary.bestName = end->best->name;

@@ -50,6 +50,10 @@ class MatchPlay {
   bool say(const Chat& chat, Moment now) { return client_.say(chat, now); }
   /// Shows timer, ghosts and what players say as these settings tell.
   void show(const Settings& settings);
+  /// Whether rounds have a time limit.
+  void setTimed(bool timed) { sceneFeed_.setTimed(timed); }
+  /// Whether the server has ended the round.
+  bool roundOver() const { return client_.session() != nullptr && client_.session()->roundEnd() != nullptr; }
   /// Whether the local player wishes the next level.
   bool wishesNext() const { return client_.session() != nullptr && client_.session()->wishesNext(); }
   /// The file of the local player's best run on the present level; empty: none.

@@ -44,6 +44,7 @@ std::optional<Scene> SceneFeed::scene(const Session& session, Moment now, std::v
   source.stage = stage_;
   source.game = &prediction.predicted();
   source.roundOver = session.roundEnd() != nullptr;
+  source.timed = timed_;
   source.fraction = round->predictedFraction();
   source.others = round->interpolationBuffer().players();
   source.localSlot = prediction.slot();

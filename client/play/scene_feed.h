@@ -17,12 +17,16 @@ class SceneFeed {
   /// Returns nothing while the session has no round.
   std::optional<Scene> scene(const Session& session, Moment now, std::vector<GhostSource> ghosts = {});
 
+  /// Whether rounds have a time limit.
+  void setTimed(bool timed) { timed_ = timed; }
+
  private:
   void updateFlashes(const Round& round);
 
   std::shared_ptr<const Level> level_;
   std::shared_ptr<const StageModel> stage_;  // of level_
   std::vector<double> flashes_;              // by slot
+  bool timed_ = true;
 };
 
 }  // namespace platon

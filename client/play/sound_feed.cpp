@@ -29,14 +29,13 @@ std::optional<Sound> menuSoundOf(Key key) {
 }
 
 // The last source of the session's round; nothing without a round.
-std::optional<CueSource> sourceOf(const Session* session, const SolidMesh* mesh,
-                                  std::optional<double> nextRoundSeconds) {
-  if (session == nullptr || session->round() == nullptr || mesh == nullptr) return std::nullopt;
+std::optional<CueSource> sourceOf(const Session* session, const Scene* scene, std::optional<double> nextRoundSeconds) {
+  if (session == nullptr || session->round() == nullptr || scene == nullptr) return std::nullopt;
   const Round& round = *session->round();
   const Prediction& prediction = round.prediction();
   CueSource source;
   source.round = round.id();
-  source.mesh = mesh;
+  source.mesh = &scene->stage->mesh;
   source.predicted = &prediction.predicted();
   source.predictedTicks = prediction.predictedTicks();
   source.confirmed = &prediction.confirmed();
@@ -44,6 +43,7 @@ std::optional<CueSource> sourceOf(const Session* session, const SolidMesh* mesh,
   source.othersTick = round.interpolationBuffer().tick();
   source.localSlot = prediction.slot();
   source.over = session->roundEnd() != nullptr || prediction.predicted().over();
+  source.timed = scene->timed;
   source.nextRoundSeconds = nextRoundSeconds;
   return source;
 }
@@ -58,8 +58,7 @@ void SoundFeed::key(const KeyEvent& event, bool menuOpen) {
 
 void SoundFeed::update(const Session* session, const Scene* scene, std::optional<double> nextRoundSeconds,
                        const Settings& settings, double seconds) {
-  const std::optional<CueSource> source =
-      sourceOf(session, scene == nullptr ? nullptr : &scene->stage->mesh, nextRoundSeconds);
+  const std::optional<CueSource> source = sourceOf(session, scene, nextRoundSeconds);
   audio_.update(cues_.update(source ? &*source : nullptr),
                 {settings.volume, settings.effectsVolume, settings.musicVolume}, seconds);
 }

@@ -24,6 +24,7 @@ bool namesMatch(const ClientOptions& options) { return options.server || !option
 MatchChoice choiceOf(const ClientOptions& options) {
   MatchChoice choice{options.server, options.knowledge.password};
   if (!options.level.empty()) choice.own.levels = {options.level};
+  choice.own.waitsForOne = !options.demo;
   return choice;
 }
 
@@ -94,7 +95,7 @@ void WindowPlay::handleEvents() {
     replay_ ? replay_->handle(event, view_.screenWidth()) : menu_.handle(event, view_.font());
   }
   takeDrops();
-  if (interface_.takeVote() && match_) match_->skipLevel();
+  if (interface_.takeGoOn() && match_ && match_->alone() && match_->play().roundOver()) match_->skipLevel();
   if (interface_.takeWatch()) spectator_.next();
   // After all events: the character of the key is not part of the text.
   if (interface_.takeSay() && match_) menu_.open([this] { return sayPage(); });
@@ -108,6 +109,10 @@ void WindowPlay::handle(const KeyEvent& event) {
   interface_.handle(event, inMenu || replay_);
   if (replay_) return replay_->handle(event);
   menu_.handle(event, view_.font());
+  if (interface_.takeVote())
+    wishNext();
+  else if (event.kind == KeyEvent::Kind::kPress)
+    skip_.takeBack();
   if (interface_.takeMenu() && match_) openPause();
   sound_.key(event, inMenu || menu_.isOpen());
 }
@@ -116,6 +121,11 @@ void WindowPlay::handle(const KeyEvent& event) {
 void WindowPlay::openPause() {
   bestRun_ = match_->alone() ? match_->play().bestRun() : std::filesystem::path();
   menu_.open([this] { return pausePage(); });
+}
+
+void WindowPlay::wishNext() {
+  if (!match_) return;
+  if (!match_->alone() || skip_.wish(match_->play().roundOver())) match_->skipLevel();
 }
 
 MenuPage WindowPlay::pausePage() {
@@ -333,9 +343,11 @@ void WindowPlay::drawMatch(double seconds) {
 }
 
 std::string WindowPlay::hint(bool roundOver) const {
-  if (roundOver) return match_->alone() ? interface_.keyHints().to(Control::kVote, "next level") : "";
+  const KeyHints keys = interface_.keyHints();
+  if (skip_.asked()) return keys.of(Control::kVote) + " again: next level, without this goal";
+  if (roundOver) return match_->alone() ? keys.goOn() + ": next level" : "";
   if (!spectator_.hint().empty() || options_.demo) return spectator_.hint();
-  return interface_.settings().firstKeys ? firstKeys_.hint(interface_.keyHints()) : "";
+  return interface_.settings().firstKeys ? firstKeys_.hint(keys) : "";
 }
 
 void WindowPlay::drawFront(double seconds) {

@@ -24,6 +24,7 @@
 #include "client/play/sound_feed.h"
 #include "client/time/clock.h"
 #include "client/ui/first_keys.h"
+#include "client/ui/skip_question.h"
 #include "client/ui/spectator.h"
 #include "client/ui/steering.h"
 #include "client/ui/user_interface.h"
@@ -60,6 +61,7 @@ class WindowPlay {
   MenuPage sayPage();
   void say(const Chat& chat);
   Input choose(const Game& game, std::uint32_t slot);
+  void wishNext();
   void learn(const HeldKeys& held, const PlayerSnapshot& player);
 
   // Recordings.
@@ -104,6 +106,7 @@ class WindowPlay {
   Steering steering_;
   FirstKeys firstKeys_;
   Spectator spectator_;
+  SkipQuestion skip_;
   Demo demo_;
   NetMeter meter_;
   ScreenshotWriter pictures_{picturesFolder()};

@@ -83,7 +83,8 @@ Scene makeScene(const SceneSource& source) {
   const double passed = std::max(0.0, double{1} * source.game->tick() - 1 + source.fraction);
   scene.seconds = passed / kTicksPerSecond;
   scene.secondsLeft = double{1} * source.game->ticksLeft() / kTicksPerSecond;
-  scene.over = source.roundOver || source.game->over();
+  scene.timed = source.timed;
+  scene.over = source.roundOver || (source.timed && source.game->over());
   const std::uint32_t needed = source.game->level().players;
   if (scene.players.size() < needed && !scene.over) scene.neededPlayers = needed;
   if (!scene.players.empty() && scene.players.back().local) {

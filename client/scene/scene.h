@@ -31,6 +31,7 @@ struct SceneSource {
   std::shared_ptr<const StageModel> stage;  ///< of the game's level
   const Game* game = nullptr;               ///< the predicted game, whose clock is shown
   bool roundOver = false;                   ///< the server has ended the round
+  bool timed = true;                        ///< the round ends when the clock of the game has run out
   double fraction = 1;                      ///< elapsed part of the last tick of `game`, 0 … 1
   InterpolatedPlayers others;               ///< from the interpolation buffer; may include the local player
   std::optional<std::uint32_t> localSlot;
@@ -70,9 +71,10 @@ struct Scene {
   std::vector<PlayerDrawing> ghosts;   ///< of other runs; translucent
   FaceMarks marksBelow;                ///< of the editor, below the segments; null without any
   FaceMarks marksAbove;                ///< of the editor, above the segments; null without any
-  Pose focus;          ///< target of the camera: the local player, else the first player, else the start
-  double seconds = 0;  ///< since the start of the round
-  double secondsLeft = 0;
+  Pose focus;              ///< target of the camera: the local player, else the first player, else the start
+  double seconds = 0;      ///< since the start of the round
+  double secondsLeft = 0;  ///< of the round, if it is timed
+  bool timed = true;       ///< the round has a time limit
   std::optional<AttemptDrawing> attempt;  ///< unset without a local player
   bool needsRestart = false;              ///< the local player has not touched ground for long
   std::uint32_t neededPlayers = 0;        ///< how many the level needs; 0: enough are present

@@ -28,7 +28,7 @@ std::vector<Row> rowsOf(const KeyHints& hints) {
           row(Control::kDown, "fall faster"),
           {hints.keys(Control::kLook) + " and arrows", "right stick", "look round the solid"},
           row(Control::kRestart, "back to the start"),
-          row(Control::kVote, "next level: at once, or a vote"),
+          row(Control::kVote, "next level, or a vote for it"),
           row(Control::kWatch, "after the goal: watch others"),
           row(Control::kSay, "talk to all players"),
           {"F1", "", "help"},

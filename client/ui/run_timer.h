@@ -18,8 +18,8 @@ struct RunStatus {
 /// A difference of times with its sign: `+0.32`, `−1.05`, `±0.00`.
 std::string differenceText(double seconds);
 
-/// Below the clock of the round, the time of the local player's attempt with its best one, and the difference. Nothing
-/// without a local player.
+/// The time of the local player's attempt with its best one, and the difference: below the clock of the round, or in
+/// its place if the round has no time limit. Nothing without a local player.
 void addRunTimer(OverlayWriter& writer, const Scene& scene, const RunStatus& run, float width);
 
 }  // namespace platon

@@ -36,6 +36,9 @@ void UserInterface::perform(Action action) {
     case Action::kToggleVote:
       voteToggled_ = !voteToggled_;
       return;
+    case Action::kGoOn:
+      goOnAsked_ = true;
+      return;
     case Action::kTakePicture:
       pictureAsked_ = true;
       return;

@@ -32,6 +32,8 @@ class UserInterface {
   bool takeMenu() { return std::exchange(menuAsked_, false); }
   /// Whether the player has changed its vote for the next level since the last call.
   bool takeVote() { return std::exchange(voteToggled_, false); }
+  /// Whether the player has asked since the last call to go on after the goal.
+  bool takeGoOn() { return std::exchange(goOnAsked_, false); }
   /// Whether the player has asked since the last call to watch another player.
   bool takeWatch() { return std::exchange(watchAsked_, false); }
 
@@ -53,6 +55,7 @@ class UserInterface {
   bool helpShown_ = false;
   bool menuAsked_ = false;
   bool voteToggled_ = false;
+  bool goOnAsked_ = false;
   bool watchAsked_ = false;
   bool pictureAsked_ = false;
   bool sayAsked_ = false;

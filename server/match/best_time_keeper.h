@@ -8,7 +8,7 @@ namespace platon {
 
 /// A time in which a player has reached the goal of a level.
 struct BestTime {
-  std::uint32_t ticks = 0;  ///< 1 … kRoundTicks
+  std::uint32_t ticks = 0;  ///< 1 … kMaxBestTicks
   std::string name;         ///< of the player, a label of 1 … kMaxNameBytes
 
   friend bool operator==(const BestTime&, const BestTime&) = default;

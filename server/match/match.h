@@ -31,10 +31,11 @@
 namespace platon {
 
 struct MatchSettings {
-  std::uint32_t maxPlayers = 16;                 ///< 1 … kMaxPlayers
-  std::string serverName;                        ///< a label; invisible characters are left out
-  bool record = false;                           ///< record every round
-  bool chat = true;                              ///< players can talk to each other
+  std::uint32_t maxPlayers = 16;  ///< 1 … kMaxPlayers
+  std::string serverName;         ///< a label; invisible characters are left out
+  bool record = false;            ///< record every round
+  bool chat = true;               ///< players can talk to each other
+  bool waitsForOne = false;  ///< rounds of a player who is alone have no time limit, and the next one starts when asked
   std::uint32_t playersPerOrigin = kMaxPlayers;  ///< players of one origin, disconnected ones included
 };
 
@@ -171,6 +172,8 @@ class Match {
   void startRound();
   void sendRosters();
   std::vector<Input> decideInputs();
+  bool waits() const { return settings_.waitsForOne && players_.size() <= 1; }
+  std::uint32_t pauseTicks() const { return waits() ? 0 : kPauseTicks; }
   bool roundOver() const;
   bool someoneHasFinished() const;
   bool awaits(const MatchPlayer& player) const;
@@ -193,7 +196,8 @@ class Match {
   void addEvent(MatchEvent::Kind kind, ClientId client, std::uint32_t slot, std::string text);
 
   LevelRotation rotation_;
-  LevelPointer toldNext_;  // in the pause: the next level, as the players have been told
+  LevelPointer toldNext_;        // in the pause: the next level, as the players have been told
+  std::uint32_t toldPause_ = 0;  // and its length
   MatchSettings settings_;
   std::uint32_t round_ = 0;
   std::uint64_t now_ = 0;  // ticks over all rounds

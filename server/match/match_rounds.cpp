@@ -30,6 +30,7 @@ void Match::updateLevels(std::vector<LevelPointer> levels) {
 void Match::tellNext() {
   if (!overAt_) return;
   toldNext_ = rotation_.next(players());
+  toldPause_ = pauseTicks();
   sendAll(encode(roundEnd()));
 }
 
@@ -43,9 +44,10 @@ void Match::finishRound() {
   noteFinishes();
   if (!finishedAt_ && someoneHasFinished()) finishedAt_ = now_;
   if (overAt_) {
-    // Players who have come or left decide whether a level for several players is next. It comes only once it was told.
-    if (rotation_.next(players()) != toldNext_) return tellNext();
-    if (history_.end() - *overAt_ >= kPauseTicks) startNextRound();
+    // Players who have come or left decide whether a level for several players is next, and whether it is waited for.
+    // It comes only once it was told.
+    if (rotation_.next(players()) != toldNext_ || pauseTicks() != toldPause_) return tellNext();
+    if (!waits() && history_.end() - *overAt_ >= kPauseTicks) startNextRound();
     return;
   }
   const VoteCount votes = countVotes();
@@ -74,7 +76,8 @@ void Match::noteFinishes() {
 // same attempt, more ticks have passed since its start.
 bool Match::arrivesInTime(std::uint32_t slot) const {
   const PlayerState& player = game_.player(slot);
-  return player.arrived != 0 && player.finishTicks == game_.tick() - player.startedAt + 1;
+  return player.arrived != 0 && player.finishTicks == game_.tick() - player.startedAt + 1 &&
+         player.finishTicks <= kMaxBestTicks;
 }
 
 // Connected players that are active.
@@ -89,9 +92,10 @@ VoteCount Match::countVotes() {
 }
 
 // The game is over when all players present have finished. A match does not wait that long for players that are
-// inactive or disconnected: it is enough that one player has finished and that it awaits no other.
+// inactive or disconnected: it is enough that one player has finished and that it awaits no other. Nor does it end when
+// the time is up while it waits for a player who is alone.
 bool Match::roundOver() const {
-  if (game_.over()) return true;
+  if (game_.over() && !(waits() && game_.ticksLeft() == 0)) return true;
   return finishedAt_ &&
          std::none_of(players_.begin(), players_.end(), [this](const auto& entry) { return awaits(entry.second); }) &&
          std::none_of(disconnected_.begin(), disconnected_.end(), [this](const Disconnected& entry) {
@@ -125,7 +129,7 @@ void Match::endRound(const std::string& cause) {
 // Call only when the round is over.
 RoundEnd Match::roundEnd() const {
   const Level& next = *rotation_.next(players());
-  RoundEnd message{round_, *overAt_, next.hash, shownTitle(next), kPauseTicks, {}};
+  RoundEnd message{round_, *overAt_, next.hash, shownTitle(next), pauseTicks(), {}};
   const auto best = bestTimes_ ? bestTimes_->best(rotation_.current()->hash) : std::nullopt;
   if (best) message.best = LevelBest{best->ticks, best->name, bestIsNew_};
   return message;

@@ -62,9 +62,9 @@ struct LineReader {
     const auto rules = numberOf(next());
     if (!rules) return ParseError{"after the hash must stand the version of the rules, a whole number"};
     const auto ticks = numberOf(next());
-    const bool possible = ticks && *ticks >= 1 && (*rules != kRulesVersion || *ticks <= kRoundTicks);
+    const bool possible = ticks && *ticks >= 1 && (*rules != kRulesVersion || *ticks <= kMaxBestTicks);
     if (!possible) {
-      return ParseError{"after the rules must stand the ticks to the goal, 1 to " + std::to_string(kRoundTicks)};
+      return ParseError{"after the rules must stand the ticks to the goal, 1 to " + std::to_string(kMaxBestTicks)};
     }
     const auto date = dateOf(next());
     if (!date) return ParseError{"after the ticks must stand the date in UTC, such as 2026-12-01T18:00:00Z"};

@@ -64,7 +64,7 @@ std::vector<ToClient> sampleToClient() {
           RoundEnd{2, 3600, 18},
           RoundEnd{2, 3600, 18, "First steps", 300, LevelBest{1, "", false}},
           RoundEnd{UINT32_MAX, UINT32_MAX, UINT64_MAX, std::string(kMaxTitleBytes, 'x'), kMaxPauseTicks,
-                   LevelBest{kRoundTicks, std::string(kMaxNameBytes, 'x'), true}},
+                   LevelBest{kMaxBestTicks, std::string(kMaxNameBytes, 'x'), true}},
           VoteCount{2, 3, 5},
           VoteCount{UINT32_MAX, kMaxPlayers, kMaxPlayers},
           VoteCount{},

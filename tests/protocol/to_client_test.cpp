@@ -80,7 +80,7 @@ TEST(ToClient, RefusesValuesOutOfRange) {
 }
 
 TEST(ToClient, RefusesAnEndOfTheRoundOutOfRange) {
-  const RoundEnd valid{2, 3600, 18, "First steps", kMaxPauseTicks, LevelBest{kRoundTicks, "Ann", true}};
+  const RoundEnd valid{2, 3600, 18, "First steps", kMaxPauseTicks, LevelBest{kMaxBestTicks, "Ann", true}};
   const auto refused = [&valid](auto change) {
     RoundEnd copy = valid;
     change(copy);
@@ -90,7 +90,7 @@ TEST(ToClient, RefusesAnEndOfTheRoundOutOfRange) {
   EXPECT_TRUE(refused([](RoundEnd& end) { end.nextTitle = "a\nb"; }));
   EXPECT_TRUE(refused([](RoundEnd& end) { end.nextTitle = std::string(kMaxTitleBytes + 1, 'a'); }));
   EXPECT_TRUE(refused([](RoundEnd& end) { end.pauseTicks = kMaxPauseTicks + 1; }));
-  EXPECT_TRUE(refused([](RoundEnd& end) { end.best->ticks = kRoundTicks + 1; }));
+  EXPECT_TRUE(refused([](RoundEnd& end) { end.best->ticks = kMaxBestTicks + 1; }));
   EXPECT_TRUE(refused([](RoundEnd& end) { end.best->name = "a\x1b"; }));
   EXPECT_TRUE(refused([](RoundEnd& end) { end.best->name = std::string(kMaxNameBytes + 1, 'a'); }));
 }

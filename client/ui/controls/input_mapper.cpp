@@ -56,7 +56,7 @@ std::optional<Action> InputMapper::handle(const KeyEvent& event, bool menuOpen) 
 std::optional<Action> InputMapper::press(const KeyEvent& event, bool menuOpen) {
   if (const std::optional<Action> action = fixedActionOf(event, menuOpen)) return action;
   const std::optional<Control> control = menuOpen ? std::nullopt : bindings_.controlOf(event.key);
-  if (!control) return std::nullopt;
+  if (!control) return event.key == Key::kEnter && !menuOpen ? std::optional(Action::kGoOn) : std::nullopt;
   if (control == Control::kSlow) slow_ = toggled_.slow && !slow_;
   if (control == Control::kLook) looking_ = toggled_.look && !looking_;
   return actionOf(*control);

@@ -19,6 +19,7 @@ enum class Action : std::uint8_t {
   kToggleNetGraph,
   kToggleFullscreen,
   kToggleVote,
+  kGoOn,
   kWatchNext,
   kSay,
   kTakePicture

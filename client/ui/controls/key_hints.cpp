@@ -25,6 +25,11 @@ std::string KeyHints::of(Control control) const {
 
 std::string KeyHints::to(Control control, const std::string& what) const { return of(control) + ": " + what; }
 
+std::string KeyHints::goOn() const {
+  const std::string button = pad(Control::kVote);
+  return gamepad_ && !button.empty() ? button : "Enter";
+}
+
 std::string KeyHints::run() const {
   const ControlKeys& left = bindings_.keysOf(Control::kLeft);
   const ControlKeys& right = bindings_.keysOf(Control::kRight);

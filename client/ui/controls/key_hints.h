@@ -19,6 +19,9 @@ class KeyHints {
   /// The keys that run to both sides: `← → or A D`.
   std::string run() const;
 
+  /// The key that leads to the next level after the goal.
+  std::string goOn() const;
+
   /// All keys of the control: `Space or J`; empty if it has none.
   std::string keys(Control control) const;
   /// Its button of the gamepad; empty if it has none.

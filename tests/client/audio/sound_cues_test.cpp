@@ -42,6 +42,7 @@ class Heard {
     source.predictedTicks = source.confirmedTicks = game.tick();
     source.othersTick = game.tick() - delay;
     source.over = over;
+    source.timed = timed;
     source.nextRoundSeconds = nextRoundSeconds;
     frame = decide.update(&source);
     cues.insert(cues.end(), frame.cues.begin(), frame.cues.end());
@@ -57,6 +58,7 @@ class Heard {
   std::uint32_t round = 1;
   double delay = 0;
   bool over = false;
+  bool timed = true;
   std::optional<double> nextRoundSeconds;
   SoundFrame frame;
   std::vector<Cue> cues;
@@ -128,6 +130,13 @@ TEST(SoundCues, TheLastSecondsOfARoundAreCounted) {
   Heard heard(endlessLevel());
   heard.play(0, 0, static_cast<int>(heard.game.ticksLeft()) - 1);
   EXPECT_EQ(heard.count(Sound::kCountdown), SoundCues::kRoundCountdown);
+}
+
+TEST(SoundCues, ARoundWithoutATimeLimitIsNotCounted) {
+  Heard heard(endlessLevel());
+  heard.timed = false;
+  heard.play(0, 0, static_cast<int>(heard.game.ticksLeft()) + 60);
+  EXPECT_EQ(heard.count(Sound::kCountdown), 0);
 }
 
 TEST(SoundCues, TheStartOfTheNextRoundIsCountedDown) {

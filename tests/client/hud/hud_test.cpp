@@ -129,16 +129,65 @@ TEST(Hud, FinishedPlayersComeFirstByTheirTime) {
 TEST(Hud, ShowsTheResultOfTheLocalPlayer) {
   Scene scene = sceneOf(2);
   scene.players[1].local = true;
-  scene.players[1].finishSeconds = 7;
+  scene.players[1].finishSeconds = 7.5;
   scene.attempt = {7.5, true};
-  EXPECT_TRUE(find(hudOf(scene), "★  Goal in 7.50 s")) << "of this attempt, which was not the best one";
+  EXPECT_TRUE(find(hudOf(scene), "★  Goal in 7.50 s"));
+  EXPECT_TRUE(find(hudOf(scene, {.timer = false}), "★  Goal in 7.50 s")) << "also without the timer";
   scene.attempt = {1, false};
   EXPECT_FALSE(find(hudOf(scene), "★  Goal in 7.50 s")) << "after a restart";
-  EXPECT_FALSE(find(hudOf(scene), "★  Goal in 7.00 s"));
-  scene.over = true;
-  EXPECT_TRUE(find(hudOf(scene), "Round over"));
-  scene.secondsLeft = 0;
-  EXPECT_TRUE(find(hudOf(scene), "Time is up"));
+}
+
+TEST(Hud, AloneTheOwnTimeIsTheOnlyClock) {
+  Scene scene = sceneOf(1);
+  scene.timed = false;
+  scene.players[0].local = true;
+  scene.attempt = {7.5, false};
+  const Overlay hud = hudOf(scene, {.run = {.best = 6.0}});
+  EXPECT_FALSE(find(hud, "1:23"));
+  ASSERT_TRUE(find(hud, "7.50 s"));
+  ASSERT_TRUE(find(hud, "personal best 6.00 s"));
+  EXPECT_LT(find(hud, "7.50 s")->place.y, find(hud, "personal best 6.00 s")->place.y);
+  EXPECT_EQ(count(hud, "Name1"), 0) << "and there is no list of one player";
+}
+
+// How often a figure stands in the texts.
+long mentions(const Overlay& overlay, const std::string& figure) {
+  return std::count_if(overlay.texts.begin(), overlay.texts.end(),
+                       [&](const Overlay::Text& text) { return text.content.find(figure) != std::string::npos; });
+}
+
+TEST(Hud, TheResultsTellEachTimeOnce) {
+  Scene scene = sceneOf(1);
+  scene.timed = false;
+  scene.players[0].local = true;
+  scene.players[0].finishSeconds = 7.5;
+  scene.attempt = {7.5, true};
+  const RunStatus best{.best = 7.5, .isNewBest = true};
+  const RoundSummary alone{
+      .nextTitle = "Edges", .bestSeconds = 7.5, .bestName = "Name1", .bestIsNew = true, .waits = true};
+  const Overlay own = hudOf(scene, {.summary = alone, .run = best});
+  EXPECT_EQ(mentions(own, "7.50"), 1);
+  EXPECT_TRUE(find(own, "Enter: next level, Edges · R: again"));
+  scene = sceneOf(3);
+  scene.players[2].local = true;
+  scene.players[2].finishSeconds = 7.5;
+  scene.attempt = {7.5, true};
+  const RoundSummary shared{
+      .nextTitle = "Edges", .secondsLeft = 5, .bestSeconds = 7.5, .bestName = "Name3", .bestIsNew = true};
+  EXPECT_EQ(mentions(hudOf(scene, {.summary = shared, .run = best}), "7.50"), 1);
+}
+
+TEST(Hud, TheResultsLeaveTheMiddleOfThePictureFree) {
+  Scene scene = sceneOf(12);
+  scene.players.back().local = true;
+  scene.attempt = {7.5, true};
+  for (const bool waits : {false, true}) {
+    const Overlay hud = hudOf(scene, {.summary = RoundSummary{.nextTitle = std::string(100, 'W'), .waits = waits}});
+    for (const Overlay::Panel& panel : hud.panels) {
+      const bool middle = panel.low.x < 940 && panel.high.x > 320 && panel.low.y < 560 && panel.high.y > 110;
+      EXPECT_FALSE(middle) << panel.low.x << " " << panel.low.y;
+    }
+  }
 }
 
 TEST(Hud, ShowsTheVoteAndWhetherTheLocalPlayerHasVoted) {
@@ -147,8 +196,8 @@ TEST(Hud, ShowsTheVoteAndWhetherTheLocalPlayerHasVoted) {
 }
 
 TEST(Hud, ShowsTheResultsOfARoundThatHasEnded) {
-  EXPECT_FALSE(find(hudOf(sceneOf(1)), "next: Corners in 5 s"));
-  EXPECT_TRUE(find(hudOf(sceneOf(1), {.summary = RoundSummary{"Corners", 5}}), "next: Corners in 5 s"));
+  EXPECT_FALSE(find(hudOf(sceneOf(1)), "Next level in 5 s: Corners"));
+  EXPECT_TRUE(find(hudOf(sceneOf(1), {.summary = RoundSummary{"Corners", 5}}), "Next level in 5 s: Corners"));
 }
 
 TEST(Hud, ShowsTheOwnTimeBelowTheClock) {
@@ -165,9 +214,9 @@ TEST(Hud, ShowsTheOwnTimeBelowTheClock) {
   scene.players[1].finishSeconds = 61.02;
   EXPECT_TRUE(find(hudOf(scene), "your time 83.25 s   best 61.02 s"));
   scene.attempt->arrived = true;
-  EXPECT_TRUE(find(hudOf(scene), "✓ your time 83.25 s   best 61.02 s"));
+  EXPECT_TRUE(find(hudOf(scene), "★  Goal in 83.25 s   best 61.02 s"));
   scene.players[1].finishSeconds = 83.25;
-  EXPECT_TRUE(find(hudOf(scene), "✓ your time 83.25 s")) << "the best time itself";
+  EXPECT_TRUE(find(hudOf(scene), "★  Goal in 83.25 s")) << "the best time itself";
 }
 
 TEST(Hud, ShowsThatRReturnsToTheStart) {
@@ -196,7 +245,7 @@ TEST(Hud, WhatIsBelowTheClockDoesNotOverlap) {
   for (const Overlay::Panel& panel : hud.panels) {
     if (panel.low.x < 640 && panel.high.x > 640) middle.push_back(panel);
   }
-  ASSERT_EQ(middle.size(), 4U) << "clock, own time, vote, result";
+  ASSERT_EQ(middle.size(), 3U) << "clock, own time, vote";
   std::sort(middle.begin(), middle.end(), [](const auto& a, const auto& b) { return a.low.y < b.low.y; });
   for (std::size_t i = 1; i < middle.size(); ++i) EXPECT_GT(middle[i].low.y, middle[i - 1].high.y) << i;
 }
@@ -255,7 +304,7 @@ TEST(Hud, TheListOfPlayersIsLimited) {
 }
 
 TEST(Hud, LongNamesAreCutBetweenCodePoints) {
-  Scene scene = sceneOf(1);
+  Scene scene = sceneOf(2);
   scene.players[0].name.clear();
   for (int i = 0; i < 40; ++i) scene.players[0].name += "ж";
   std::string wanted;
@@ -264,7 +313,7 @@ TEST(Hud, LongNamesAreCutBetweenCodePoints) {
 }
 
 TEST(Hud, PlayersWithoutANameHaveTheirNumber) {
-  Scene scene = sceneOf(1);
+  Scene scene = sceneOf(2);
   scene.players[0].name.clear();
   EXPECT_EQ(count(hudOf(scene), "Player 1"), 1);
 }

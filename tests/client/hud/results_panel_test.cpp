@@ -54,22 +54,24 @@ TEST(ResultsPanel, NamesTheTimesInOrderTheBestAndWhatComesNext) {
   scene.players[0].finishSeconds = 40;
   const RoundSummary summary{"Corners", 4.2, 11.5, "Cid", false};
   EXPECT_EQ(linesOf(panelOf(scene, summary)),
-            (std::vector<std::string>{"1. | Name3 | 12.34 s", "2. | Name1 | 40.00 s", "Name2 | did not finish",
-                                      "Best time: 11.50 s, Cid", "next: Corners in 5 s"}));
+            (std::vector<std::string>{"Time is up", "1. | Name3 | 12.34 s", "2. | Name1 | 40.00 s", "Name2 | –",
+                                      "Best time 11.50 s, Cid", "Next level in 5 s: Corners"}));
+  scene.secondsLeft = 1;
+  EXPECT_EQ(linesOf(panelOf(scene, summary)).front(), "Round over");
 }
 
 TEST(ResultsPanel, SaysThatTheBestTimeIsNewOrThatThereIsNone) {
-  EXPECT_EQ(linesOf(panelOf(sceneOf(0), {"A", 1, 7.0, "Ann", true})).front(), "New best time: 7.00 s, Ann");
-  EXPECT_EQ(linesOf(panelOf(sceneOf(0), {"A", 1})).front(), "Nobody has reached the goal of this level yet");
+  EXPECT_EQ(linesOf(panelOf(sceneOf(0), {"A", 1, 7.0, "Ann", true}))[1], "New best time: Ann");
+  EXPECT_EQ(linesOf(panelOf(sceneOf(0), {"A", 1}))[1], "Nobody has reached the goal yet");
 }
 
 TEST(ResultsPanel, CountsWholeSecondsDown) {
   const auto next = [](double seconds) { return linesOf(panelOf(sceneOf(1), {"A", seconds})).back(); };
-  EXPECT_EQ(next(5), "next: A in 5 s");
-  EXPECT_EQ(next(4.001), "next: A in 5 s");
-  EXPECT_EQ(next(4), "next: A in 4 s");
-  EXPECT_EQ(next(0.1), "next: A in 1 s");
-  EXPECT_EQ(next(0), "next: A");
+  EXPECT_EQ(next(5), "Next level in 5 s: A");
+  EXPECT_EQ(next(4.001), "Next level in 5 s: A");
+  EXPECT_EQ(next(4), "Next level in 4 s: A");
+  EXPECT_EQ(next(0.1), "Next level in 1 s: A");
+  EXPECT_EQ(next(0), "Next level: A");
 }
 
 TEST(ResultsPanel, ManyPlayersAndLongTextsStayOnTheScreen) {
@@ -81,8 +83,29 @@ TEST(ResultsPanel, ManyPlayersAndLongTextsStayOnTheScreen) {
   for (const Overlay::Text& text : panel.texts) {
     EXPECT_GE(text.place.x, 0) << text.content;
     EXPECT_LE(text.place.x + font().width(text.content) * text.size, kWidth) << text.content;
-    EXPECT_LT(text.place.y, Overlay::kHeight - 80) << text.content;
+    EXPECT_LT(text.place.y, Overlay::kHeight * 0.62F) << text.content;
   }
+}
+
+TEST(ResultsPanel, APlayerWhoIsAloneReadsItsTimeOnceAndTheKeys) {
+  Scene scene = sceneOf(1);
+  scene.attempt = {12.34, true};
+  EXPECT_EQ(ownResultOf(scene, {}), "★ Goal in 12.34 s");
+  EXPECT_EQ(ownResultOf(scene, {.best = 12.34, .isNewBest = true}), "★ Goal in 12.34 s – your first time here");
+  EXPECT_EQ(ownResultOf(scene, {.best = 12.34, .difference = -0.5, .isNewBest = true}),
+            "★ Goal in 12.34 s – new best (−0.50 s)");
+  EXPECT_EQ(ownResultOf(scene, {.best = 11.84, .difference = 0.5}), "★ Goal in 12.34 s (+0.50 s)");
+  EXPECT_EQ(ownKeysOf({.nextTitle = "Corners"}, KeyHints(), font()), "Enter: next level, Corners · R: again");
+}
+
+TEST(ResultsPanel, TheOwnResultIsShownAtTheGoalOfARoundThatWaits) {
+  Scene scene = sceneOf(1);
+  EXPECT_FALSE(showsOwnResult(scene, {.waits = true}));
+  scene.attempt = {12.34, true};
+  EXPECT_TRUE(showsOwnResult(scene, {.waits = true}));
+  EXPECT_FALSE(showsOwnResult(scene, {.waits = false}));
+  scene.attempt->arrived = false;
+  EXPECT_FALSE(showsOwnResult(scene, {.waits = true})) << "the player tries again";
 }
 
 }  // namespace

@@ -91,6 +91,28 @@ TEST_F(LiveMatchTest, WithAnotherPlayerTheGameGoesOn) {
   match.leave();
 }
 
+TEST_F(LiveMatchTest, ARoundOfAPlayerWhoIsAloneHasNoTimeLimit) {
+  MatchChoice choice = ownLevel();
+  choice.own.waitsForOne = true;
+  LiveMatch match(ClientOptions(), choice, clock_);
+  ASSERT_TRUE(updateUntil(match, false, [&] { return confirmed(match) > 10 && match.waits(); }));
+  match.update(false, [](const Game&, std::uint32_t) { return Input{}; });
+  EXPECT_FALSE(match.play().scene(match.now())->timed);
+  MatchChoice guest;
+  guest.server = match.serverAddress();
+  LiveMatch other(ClientOptions(), guest, clock_);
+  ASSERT_TRUE(updateUntil(match, false, [&] {
+    other.update(false, [](const Game&, std::uint32_t) { return Input{}; });
+    return confirmed(other) > 10 && !match.alone();
+  }));
+  EXPECT_FALSE(match.waits());
+  match.update(false, [](const Game&, std::uint32_t) { return Input{}; });
+  EXPECT_TRUE(match.play().scene(match.now())->timed);
+  EXPECT_TRUE(other.play().scene(other.now())->timed);
+  other.leave();
+  match.leave();
+}
+
 TEST_F(LiveMatchTest, OnlyAServerThatListensHasAnInvitation) {
   LiveMatch match(ClientOptions(), ownLevel(), clock_);
   EXPECT_TRUE(match.invitation().empty());

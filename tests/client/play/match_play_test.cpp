@@ -139,7 +139,7 @@ TEST_F(MatchPlayTest, AVoteEndsTheRoundAndThePictureCountsDown) {
   play_->toggleVote();
   EXPECT_TRUE(updateUntil(seconds(2), [&] { return isInPicture("✓ 1 of 3 wants the next level (V)"); }));
   server_.server().match().receive(1'000'000, Vote{server_.server().match().round(), true});
-  const auto next = [&](int second) { return "next: HEXAHEDRON in " + std::to_string(second) + " s"; };
+  const auto next = [&](int second) { return "Next level in " + std::to_string(second) + " s: HEXAHEDRON"; };
   for (int second = 5; second >= 1; --second) {
     EXPECT_TRUE(updateUntil(seconds(2), [&] { return isInPicture(next(second)); })) << second;
   }

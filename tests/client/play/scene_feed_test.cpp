@@ -46,6 +46,9 @@ TEST(SceneFeed, ShowsThatTheServerHasEndedTheRound) {
   session.receive(encode(Welcome{0, 1, level, 4, kTicksPerSecond, ""}), Moment(0));
   SceneFeed feed;
   EXPECT_FALSE(feed.scene(session, Moment(0))->over);
+  EXPECT_TRUE(feed.scene(session, Moment(0))->timed);
+  feed.setTimed(false);
+  EXPECT_FALSE(feed.scene(session, Moment(0))->timed);
   session.receive(encode(RoundEnd{1, 0, level}), Moment(0));
   EXPECT_TRUE(feed.scene(session, Moment(0))->over);
 }

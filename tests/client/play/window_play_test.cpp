@@ -328,6 +328,22 @@ TEST_F(WindowPlayTest, TheBestRunIsWatchedInAPauseAndLeadsBackToIt) {
   EXPECT_TRUE(stepsDone_);
 }
 
+TEST_F(WindowPlayTest, AloneAnUnfinishedLevelIsLeftAtTheSecondWish) {
+  const auto round = [this] {
+    const Session* const session = play_->match()->play().client().session();
+    return session && session->round() ? session->round()->id() : 0;
+  };
+  int frames = 0;
+  play({{[] {}, [&] { return round() == 1 && play_->match()->alone(); }},
+        {[] { xdotool("key v key Left key v"); }, [&] { return ++frames == 30; }},
+        {[&] {
+           EXPECT_EQ(round(), 1U) << "another key takes the wish back";
+           xdotool("key v");
+         },
+         [&] { return round() == 2; }}});
+  EXPECT_TRUE(stepsDone_);
+}
+
 TEST_F(WindowPlayTest, ClosingTheWindowLeavesTheGame) {
   play({{[] { xdotool("key alt+F4"); }, [] { return false; }}});
   EXPECT_FALSE(timeIsUp_);

@@ -290,6 +290,18 @@ TEST(Scene, TheClockIsThatOfTheGame) {
   EXPECT_FALSE(scene.over);
 }
 
+TEST(Scene, ARoundWithoutATimeLimitIsOverOnlyWhenTheServerSaysSo) {
+  Game game(floorLevel());
+  run(game, 1, 0, static_cast<int>(kRoundTicks) + 60);
+  SceneSource source = sourceOf(game, {}, {}, 0);
+  EXPECT_TRUE(makeScene(source).over);
+  source.timed = false;
+  EXPECT_FALSE(makeScene(source).over);
+  EXPECT_FALSE(makeScene(source).timed);
+  source.roundOver = true;
+  EXPECT_TRUE(makeScene(source).over);
+}
+
 TEST(Scene, ARoundThatTheServerEndedIsOver) {
   const Game game(floorLevel());
   SceneSource source = sourceOf(game, {}, {}, 0);

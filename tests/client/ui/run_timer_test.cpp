@@ -38,8 +38,8 @@ TEST(RunTimer, ADifferenceHasItsSignAndHundredths) {
 TEST(RunTimer, ShowsTheOwnTimeAndThePersonalBest) {
   EXPECT_EQ(textsOf(sceneOf(3, false), {}), Texts{"your time 3.00 s"});
   EXPECT_EQ(textsOf(sceneOf(3, false), {.best = 2.5}), Texts{"your time 3.00 s   personal best 2.50 s"});
-  EXPECT_EQ(textsOf(sceneOf(3, true), {.best = 2.5}), Texts{"✓ your time 3.00 s   personal best 2.50 s"});
-  EXPECT_EQ(textsOf(sceneOf(2, true), {.best = 2, .isNewBest = true}), Texts{"✓ your time 2.00 s   new personal best"});
+  EXPECT_EQ(textsOf(sceneOf(3, true), {.best = 2.5}), Texts{"★  Goal in 3.00 s   personal best 2.50 s"});
+  EXPECT_EQ(textsOf(sceneOf(2, true), {.best = 2, .isNewBest = true}), Texts{"★  Goal in 2.00 s   new personal best"});
 }
 
 TEST(RunTimer, ShowsTheDifferenceBesideIt) {
@@ -52,7 +52,16 @@ TEST(RunTimer, WithoutABestRunTheBestOfTheRoundIsShown) {
   scene.players.back().finishSeconds = 4;
   EXPECT_EQ(textsOf(scene, {}), Texts{"your time 3.00 s   best 4.00 s"});
   scene.attempt = AttemptDrawing{4, true};
-  EXPECT_EQ(textsOf(scene, {}), Texts{"✓ your time 4.00 s"});
+  EXPECT_EQ(textsOf(scene, {}), Texts{"★  Goal in 4.00 s"});
+}
+
+TEST(RunTimer, WithoutATimeLimitTheOwnTimeIsTheClock) {
+  Scene scene = sceneOf(3, false);
+  scene.timed = false;
+  EXPECT_EQ(textsOf(scene, {}), Texts{"3.00 s"});
+  EXPECT_EQ(textsOf(scene, {.best = 2.5, .difference = 0.25}), (Texts{"3.00 s", "+0.25", "personal best 2.50 s"}));
+  scene.attempt->arrived = true;
+  EXPECT_EQ(textsOf(scene, {.best = 3, .isNewBest = true}), (Texts{"★  Goal in 3.00 s", "new personal best"}));
 }
 
 TEST(RunTimer, WithoutALocalPlayerThereIsNone) { EXPECT_EQ(textsOf(Scene(), {.best = 1}), Texts{}); }

@@ -94,6 +94,15 @@ TEST(UserInterface, TheVoteChangesWithEachPressWhileTheMenuIsClosed) {
   EXPECT_FALSE(interface.takeVote());
 }
 
+TEST(UserInterface, EnterAsksToGoOnWhileTheMenuIsClosed) {
+  UserInterface interface { Settings() };
+  tap(interface, Key::kEnter);
+  EXPECT_TRUE(interface.takeGoOn());
+  EXPECT_FALSE(interface.takeGoOn());
+  tap(interface, Key::kEnter, 1, true);
+  EXPECT_FALSE(interface.takeGoOn());
+}
+
 TEST(UserInterface, ThePlayerTalksWhileTheMenuIsClosed) {
   UserInterface interface { Settings() };
   tap(interface, Key::kT);

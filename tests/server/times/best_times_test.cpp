@@ -37,7 +37,7 @@ std::vector<std::string> errorsOf(const std::string& text) {
 TEST(BestTimes, ReadsWhatItHasWritten) {
   BestTimes times;
   times.offer({1, kRulesVersion}, timeOf(1));
-  times.offer({UINT64_MAX, kRulesVersion}, timeOf(kRoundTicks, std::string(kMaxNameBytes, 'x'), 99));
+  times.offer({UINT64_MAX, kRulesVersion}, timeOf(kMaxBestTicks, std::string(kMaxNameBytes, 'x'), 99));
   times.offer({1, 0}, timeOf(UINT32_MAX, "# Łukasz the 2nd"));
   times.offer({1, UINT32_MAX}, timeOf(7));
   EXPECT_EQ(times.size(), 4u);

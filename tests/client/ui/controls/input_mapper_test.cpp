@@ -166,6 +166,11 @@ TEST(InputMapper, TheRightStickMovesTheViewWhileThePlayerRuns) {
   EXPECT_EQ(mapper.takeHeld(), only(&HeldKeys::left));
 }
 
+TEST(InputMapper, EnterGoesOnUnlessItChoosesInTheMenu) {
+  EXPECT_EQ(InputMapper().handle({Key::kEnter, Kind::kPress}, false), Action::kGoOn);
+  EXPECT_EQ(InputMapper().handle({Key::kEnter, Kind::kPress}, true), std::nullopt);
+}
+
 TEST(InputMapper, AHeldKeyVotesOnce) {
   InputMapper mapper;
   EXPECT_EQ(mapper.handle({Key::kV, Kind::kPress}, false), Action::kToggleVote);

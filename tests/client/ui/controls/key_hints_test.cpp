@@ -25,6 +25,11 @@ TEST(KeyHints, NameTheKeysThatThePlayerHasChosen) {
   EXPECT_EQ(KeyHints(bindings).pad(Control::kJump), "pad X");
 }
 
+TEST(KeyHints, EnterGoesOnAndWithAGamepadTheButtonOfTheVote) {
+  EXPECT_EQ(KeyHints().goOn(), "Enter");
+  EXPECT_EQ(KeyHints({}, true).goOn(), "pad Y");
+}
+
 TEST(KeyHints, NameTheKeysOfBothSides) {
   EXPECT_EQ(KeyHints().run(), "← → or A D");
   EXPECT_EQ(KeyHints({}, true).run(), "stick ← stick →");

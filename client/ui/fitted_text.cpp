@@ -1,4 +1,4 @@
-#include "client/menu/fitted_text.h"
+#include "client/ui/fitted_text.h"
 
 #include "platon/game/utf8.h"
 

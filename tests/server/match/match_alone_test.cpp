@@ -1,0 +1,88 @@
+// A match that waits for a player who is alone.
+#include <gtest/gtest.h>
+
+#include "protocol/limits.h"
+#include "server/match/match.h"
+#include "tests/server/match/kept_times.h"
+#include "tests/support/fake_client.h"
+#include "tests/support/fake_client_network.h"
+#include "tests/support/test_levels.h"
+
+namespace platon {
+namespace {
+
+int idle(std::uint32_t) { return 0; }
+int running(std::uint32_t) { return Input::kRight; }
+
+// A floor on which a player that runs to the right reaches the goal within two seconds.
+std::string shortWayText() {
+  return "HEXAHEDRON\n0 -100 -180 0\n0 0 -190\n480\n%\n-240 -200 240 -200\n-120 -200 -120 0\n%\n%\n%\n%\n%\n";
+}
+
+class MatchAlone : public testing::Test {
+ protected:
+  MatchAlone()
+      : network_(Match(LevelRotation({levelOf(shortWayText())}),
+                       {.maxPlayers = 4, .serverName = "Test", .waitsForOne = true}),
+                 {.delayMs = kTickMs}) {}
+
+  FakeClient& add(std::function<int(std::uint32_t)> buttons) {
+    return network_.add(FakeClient("P", 12, std::move(buttons)));
+  }
+  std::size_t ends() { return network_.count(MatchEvent::Kind::kRoundEnd); }
+
+  FakeClientNetwork network_;
+};
+
+TEST_F(MatchAlone, ARoundHasNoTimeLimit) {
+  add(idle);
+  network_.run(kRoundTicks + 600);
+  EXPECT_TRUE(network_.match().game().over()) << "its own clock has run out";
+  EXPECT_EQ(ends(), 0U);
+  EXPECT_EQ(network_.match().round(), 1U);
+}
+
+TEST_F(MatchAlone, WhoReachesTheGoalAfterTheTimeEndsTheRoundAndIsTimed) {
+  KeptTimes times;
+  network_.match().keepBestTimes(times);
+  add([](std::uint32_t tick) { return tick < kRoundTicks + 600 ? +Input::kLeft : +Input::kRight; });
+  network_.run(kRoundTicks + 900);
+  EXPECT_EQ(ends(), 1U);
+  ASSERT_EQ(times.offered.size(), 1U);
+  EXPECT_GT(times.offered[0].ticks, kRoundTicks);
+}
+
+TEST_F(MatchAlone, TheNextRoundStartsWhenItIsAskedFor) {
+  add(running);
+  network_.run(20 * Match::kPauseTicks);
+  EXPECT_EQ(ends(), 1U);
+  ASSERT_TRUE(network_.client(1).roundEnd());
+  EXPECT_EQ(network_.client(1).roundEnd()->pauseTicks, 0U);
+  EXPECT_EQ(network_.match().round(), 1U);
+  network_.match().startNextRound();
+  EXPECT_EQ(network_.match().round(), 2U);
+}
+
+TEST_F(MatchAlone, WithASecondPlayerTheTimeCountsAgain) {
+  add(idle);
+  network_.run(kRoundTicks + 600);
+  add(idle);
+  network_.run(5);
+  EXPECT_EQ(ends(), 1U) << "the time has passed";
+  network_.run(Match::kPauseTicks + 5);
+  EXPECT_EQ(network_.match().round(), 2U);
+}
+
+TEST_F(MatchAlone, ASecondPlayerInThePauseIsToldWhenTheNextRoundStarts) {
+  add(running);
+  network_.run(300);
+  ASSERT_EQ(network_.client(1).roundEnd()->pauseTicks, 0U);
+  add(idle);
+  network_.run(10);
+  EXPECT_EQ(network_.client(1).roundEnd()->pauseTicks, Match::kPauseTicks);
+  network_.run(Match::kPauseTicks);
+  EXPECT_EQ(network_.match().round(), 2U);
+}
+
+}  // namespace
+}  // namespace platon
