@@ -40,7 +40,7 @@ void GameView::draw(const Scene* scene, const HudStatus& status, const Settings&
     overlays.push_back(makeEmptyHud(status, font_, width));
   }
   overlays.insert(overlays.end(), more.begin(), more.end());
-  if (settings.netGraph) overlays.push_back(netGraph_.overlay(font_, width));
+  if (settings.netGraph && !status.underMenu) overlays.push_back(netGraph_.overlay(font_, width));
   overlays.push_back(menu);
   const PictureStyle style = styleOf(settings);
   if (style.highContrast) std::for_each(overlays.begin(), overlays.end(), raiseContrast);

@@ -182,6 +182,10 @@ Overlay makeEmptyHud(const HudStatus& status, const Font& font, float width) {
 Overlay makeHud(const Scene& scene, const Camera& camera, const HudStatus& status, const Font& font) {
   OverlayWriter writer(font);
   const float width = Overlay::widthFor(camera.width(), camera.height());
+  if (status.underMenu) {
+    addTexts(writer, status, {}, font, width);
+    return writer.take();
+  }
   for (const PlayerDrawing& ghost : scene.ghosts) {
     if (!coversLocalPlayer(scene, ghost)) addNameTag(writer, ghost, camera, width);
   }

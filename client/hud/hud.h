@@ -35,6 +35,7 @@ struct HudStatus {
   std::vector<std::string> chat{};        ///< what players have said lately, oldest first
   KeyHints keys{};                        ///< the keys that texts name
   std::string hint{};                     ///< what the player may do next; empty: nothing
+  bool underMenu = false;                 ///< a menu covers the display: only messages and notices are shown
 };
 
 /// Time left as `minutes:seconds`; below ten seconds with tenths. `seconds` ≥ 0.

@@ -1,16 +1,45 @@
 #include "client/menu/levels_page.h"
 
+#include <algorithm>
+#include <vector>
+
 #include "client/ui/player_rows.h"
 
 namespace platon {
 namespace {
 
-bool beginsGroup(std::span<const LevelEntry> levels, std::size_t level) {
-  return level == 0 || levels[level].solid != levels[level - 1].solid;
+// A row of the page: a level, or the heading of those that follow.
+struct Row {
+  std::string heading;
+  std::size_t level = 0;  // for a heading, the level below it
+};
+
+std::string groupOf(const LevelEntry& level) {
+  return level.players == 1 ? level.solid : "For " + std::to_string(level.players) + " players";
+}
+
+void addRow(std::vector<Row>& rows, std::string& group, std::span<const LevelEntry> levels, std::size_t level) {
+  if (groupOf(levels[level]) != group) {
+    group = groupOf(levels[level]);
+    rows.push_back({group, level});
+  }
+  rows.push_back({"", level});
+}
+
+// By solid those for one player, then those for several.
+std::vector<Row> rowsOf(std::span<const LevelEntry> levels) {
+  std::vector<Row> rows;
+  std::string group;
+  for (const bool several : {false, true}) {
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+      if ((levels[i].players > 1) == several) addRow(rows, group, levels, i);
+    }
+  }
+  return rows;
 }
 
 std::string factsOf(const LevelEntry& level) {
-  std::string facts = level.players > 1 ? std::to_string(level.players) + " players" : "";
+  std::string facts = level.players > 1 ? level.solid : "";
   if (level.bestSeconds) facts += (facts.empty() ? "★ " : "   ★ ") + finishText(*level.bestSeconds);
   return facts;
 }
@@ -20,23 +49,26 @@ std::string factsOf(const LevelEntry& level) {
 MenuPage levelsPage(std::span<const LevelEntry> levels, const std::function<void(std::size_t)>& choose) {
   MenuPage page{"Levels"};
   page.place = MenuPage::Place::kLeft;
-  for (std::size_t i = 0; i < levels.size(); ++i) {
-    if (beginsGroup(levels, i)) page.items.push_back({MenuItem::Kind::kHeading, levels[i].solid});
-    page.items.push_back({.name = levels[i].title, .value = factsOf(levels[i]), .choose = [choose, i] { choose(i); }});
+  for (const auto& [heading, i] : rowsOf(levels)) {
+    if (!heading.empty())
+      page.items.push_back({MenuItem::Kind::kHeading, heading});
+    else
+      page.items.push_back(
+          {.name = levels[i].title, .value = factsOf(levels[i]), .choose = [choose, i = i] { choose(i); }});
   }
   return page;
 }
 
 std::size_t itemOfLevel(std::span<const LevelEntry> levels, std::size_t level) {
-  std::size_t item = level;
-  for (std::size_t i = 0; i <= level; ++i) item += beginsGroup(levels, i) ? 1 : 0;
-  return item;
+  const std::vector<Row> rows = rowsOf(levels);
+  const auto found = std::find_if(rows.begin(), rows.end(),
+                                  [level](const Row& row) { return row.heading.empty() && row.level == level; });
+  return static_cast<std::size_t>(found - rows.begin());
 }
 
 std::size_t levelOfItem(std::span<const LevelEntry> levels, std::size_t item) {
-  std::size_t level = 0;
-  while (level + 1 < levels.size() && itemOfLevel(levels, level) < item) ++level;
-  return level;
+  const std::vector<Row> rows = rowsOf(levels);
+  return rows[std::min(item, rows.size() - 1)].level;
 }
 
 }  // namespace platon

@@ -19,12 +19,13 @@ struct LevelEntry {
   std::optional<double> bestSeconds{};  ///< nothing: no time of this player's own games
 };
 
-/// The list of the levels, by solid. `choose` gets the index of a level.
+/// The list of the levels for one player, by solid, and below them those for several. `choose` gets the index of a
+/// level.
 MenuPage levelsPage(std::span<const LevelEntry> levels, const std::function<void(std::size_t)>& choose);
 
 /// Item of that page which stands for a level.
 std::size_t itemOfLevel(std::span<const LevelEntry> levels, std::size_t level);
-/// The level that an item of that page stands for; for a heading, the level below it.
+/// The level that an item of that page stands for; for a heading, the level below it. `levels` is not empty.
 std::size_t levelOfItem(std::span<const LevelEntry> levels, std::size_t item);
 
 }  // namespace platon

@@ -12,18 +12,14 @@ constexpr std::array<NamedValue, 5> kTurnSpeeds{
 
 constexpr SliderRange kVolumes{0, 100, 5, 1};
 
-constexpr std::array<NamedValue, 6> kFrameCaps{{{0, "any number"},
-                                                {30, "at most 30"},
-                                                {60, "at most 60"},
-                                                {120, "at most 120"},
-                                                {144, "at most 144"},
-                                                {240, "at most 240"}}};
+constexpr std::array<NamedValue, 6> kFrameCaps{
+    {{0, "none"}, {30, "30 fps"}, {60, "60 fps"}, {120, "120 fps"}, {144, "144 fps"}, {240, "240 fps"}}};
 
 MenuItem heading(const char* name) { return {MenuItem::Kind::kHeading, name}; }
 
 MenuItem controlsItem(ControlFrame& frame) {
   const bool player = frame == ControlFrame::kPlayer;
-  MenuItem item{MenuItem::Kind::kChoice, "Controls relative to", player ? "the player" : "the screen"};
+  MenuItem item{MenuItem::Kind::kChoice, "Left and right", player ? "of the ball" : "of the screen"};
   item.step = [&frame, player](int) { frame = player ? ControlFrame::kScreen : ControlFrame::kPlayer; };
   return item;
 }
@@ -49,15 +45,15 @@ MenuPage settingsPage(Settings& settings, const std::function<void()>& showKeys)
   page.standsAside = true;
   page.items = {heading("Picture"),
                 toggleItem("Full screen", settings.fullscreen),
-                toggleItem("Vertical synchronisation", settings.vsync),
-                choiceItem("Pictures a second", settings.frameCap, kFrameCaps),
+                toggleItem("VSync", settings.vsync),
+                choiceItem("Frame rate limit", settings.frameCap, kFrameCaps),
                 percentItem("Zoom", settings.zoom, {0.5, 2, 0.05}),
-                percentItem("Size of texts", settings.uiScale, {kMinUiScale, kMaxUiScale, 0.05}),
+                percentItem("UI scale", settings.uiScale, {kMinUiScale, kMaxUiScale, 0.05}),
                 toggleItem("Numbers on faces", settings.faceNumbers),
                 heading("Sound"),
-                percentItem("Volume", settings.volume, kVolumes),
-                percentItem("Volume of effects", settings.effectsVolume, kVolumes),
-                percentItem("Volume of music", settings.musicVolume, kVolumes),
+                percentItem("Master volume", settings.volume, kVolumes),
+                percentItem("Effects volume", settings.effectsVolume, kVolumes),
+                percentItem("Music volume", settings.musicVolume, kVolumes),
                 heading("Comfort"),
                 cameraItem(settings.comfort.view),
                 choiceItem("Camera turn speed", settings.comfort.turnSpeed, kTurnSpeeds),
@@ -71,11 +67,11 @@ MenuPage settingsPage(Settings& settings, const std::function<void()>& showKeys)
                 heldItem("Run slower", settings.toggled.slow),
                 heldItem("Look round", settings.toggled.look),
                 heading("Game"),
-                toggleItem("Own time", settings.timer),
+                toggleItem("Timer", settings.timer),
                 toggleItem("Ghosts", settings.ghosts),
-                toggleItem("Talk of players", settings.chat),
+                toggleItem("Chat", settings.chat),
                 toggleItem("Connection graph", settings.netGraph),
-                toggleItem("Show the first keys", settings.firstKeys)};
+                toggleItem("Hints for new players", settings.firstKeys)};
   return page;
 }
 

@@ -109,6 +109,7 @@ void FrontPages::playFrom(std::size_t level) {
 void FrontPages::race(const std::shared_ptr<const Level>& level, const std::filesystem::path& rival) {
   MatchChoice choice;
   choice.rival = rival;
+  choice.own.waitsForOne = true;
   const auto shipped = std::find_if(levels_.begin(), levels_.end(),
                                     [&](const ShippedLevel& each) { return each.level->hash == level->hash; });
   if (shipped != levels_.end()) {

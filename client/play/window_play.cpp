@@ -176,15 +176,15 @@ Input WindowPlay::choose(const Game& game, std::uint32_t slot) {
   if (options_.demo) return demo_.choose(game, slot);
   const HeldKeys held = interface_.takeHeld(menu_.isOpen() || replay_);
   if (held != HeldKeys()) view_.skip();
-  learn(held, snapshotOf(game, slot));
+  learn(game, slot);
   return steering_.input(held, view_.roll(), interface_.settings().controls);
 }
 
-void WindowPlay::learn(const HeldKeys& held, const PlayerSnapshot& player) {
+void WindowPlay::learn(const Game& game, std::uint32_t slot) {
   Settings& settings = interface_.settings();
   if (settings.firstKeys && firstKeys_.done()) firstKeys_ = FirstKeys(false);  // turned on again
-  if (!settings.firstKeys || !player.present) return;
-  firstKeys_.observe(held, player.part);
+  if (!settings.firstKeys || slot >= game.slots() || game.player(slot).present == 0) return;
+  firstKeys_.observe(game.player(slot), game.world().entities()[slot].part);
   settings.firstKeys = !firstKeys_.done();
 }
 
@@ -336,6 +336,7 @@ void WindowPlay::drawMatch(double seconds) {
   if (drawnAt_ < saidUntil_ && status.notice.empty()) status.notice = said_;
   status.keys = interface_.keyHints();
   status.hint = hint(status.summary.has_value());
+  status.underMenu = menu_.isOpen() && !menu_.standsAside();
   view_.setFlights(!menu_.isOpen());
   view_.look(menu_.isOpen() ? LookInput() : interface_.look());
   view_.draw(scene ? &*scene : nullptr, status, interface_.settings(), menu_.overlay(view_.font(), true), seconds);

@@ -15,7 +15,6 @@
 #include "client/menu/settings_pages.h"
 #include "client/menu/text_field.h"
 #include "client/menu/turntable.h"
-#include "client/netcode/player_snapshot.h"
 #include "client/play/client_options.h"
 #include "client/play/front_pages.h"
 #include "client/play/live_match.h"
@@ -62,7 +61,7 @@ class WindowPlay {
   void say(const Chat& chat);
   Input choose(const Game& game, std::uint32_t slot);
   void wishNext();
-  void learn(const HeldKeys& held, const PlayerSnapshot& player);
+  void learn(const Game& game, std::uint32_t slot);
 
   // Recordings.
   void takeDrops();

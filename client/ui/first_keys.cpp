@@ -1,31 +1,65 @@
 #include "client/ui/first_keys.h"
 
+#include <cstdlib>
+
+#include "platon/exact/integer.h"
 #include "platon/game/game.h"
+#include "platon/game/player_motion.h"
 
 namespace platon {
 namespace {
 
-constexpr std::uint32_t kRunTicks = kTicksPerSecond / 2;  // long enough to see the ball roll
+constexpr std::int64_t kRoll = 60 * kSubunitsPerUnit;             // far enough to see the ball roll
+constexpr std::int64_t kRise = 40 * kSubunitsPerUnit;             // of a jump whose key was held
+constexpr std::uint32_t kReadTicks = 5 * kTicksPerSecond;         // to read a hint that asks for nothing
+constexpr std::uint32_t kStuckTicks = 3 * kTicksPerSecond;        // of pushing
+constexpr std::int32_t kStandingSpeed = motion::kCreepSpeed / 4;  // subunits a tick
 
 }  // namespace
 
-void FirstKeys::observe(const HeldKeys& held, std::uint32_t face) {
-  const auto begin = [this](Step step) {
-    step_ = step;
-    ticks_ = 0;
-  };
+void FirstKeys::begin(Step step) {
+  step_ = step;
+  way_ = 0;
+  ticks_ = 0;
+}
+
+void FirstKeys::observe(const PlayerState& player, std::uint32_t face) {
+  if (done()) return;
+  observePush(player);
+  observeStep(player, face);
+}
+
+// Rolling on takes twice as fast back what pushing has added: a ball that turns round stands for a moment, too.
+void FirstKeys::observePush(const PlayerState& player) {
+  const bool pushes = (player.held & (Input::kLeft | Input::kRight)) != 0;
+  const bool stands = std::abs(player.velocity.x) < kStandingSpeed;
+  if (pushes && stands)
+    ++pushed_;
+  else if (!stands)
+    pushed_ -= pushed_ < 2 ? pushed_ : 2;
+  if ((player.held & Input::kRestart) != 0) pushed_ = 0;
+}
+
+void FirstKeys::observeStep(const PlayerState& player, std::uint32_t face) {
+  const bool grounded = player.ground != Point();
   switch (step_) {
     case Step::kRun:
-      ticks_ += held.left || held.right ? 1 : 0;
-      if (ticks_ >= kRunTicks) begin(Step::kJump);
+      way_ += grounded ? std::abs(player.velocity.x) : 0;
+      if (way_ >= kRoll) begin(Step::kJump);
       return;
     case Step::kJump:
       face_ = face;
-      ticks_ += held.jump || held.up ? 1 : 0;
-      if (ticks_ > 0) begin(Step::kCross);
+      way_ = grounded || player.velocity.y <= 0 ? 0 : way_ + player.velocity.y;
+      if (way_ >= kRise) begin(Step::kCross);
       return;
     case Step::kCross:
-      if (face != face_) begin(Step::kDone);
+      if (face != face_) begin(Step::kGoal);
+      return;
+    case Step::kGoal:
+      if (++ticks_ >= kReadTicks || player.arrived != 0) begin(Step::kMenu);
+      return;
+    case Step::kMenu:
+      if (player.arrived == 0 && ++ticks_ >= kReadTicks) begin(Step::kDone);
       return;
     case Step::kDone:
       return;
@@ -33,13 +67,18 @@ void FirstKeys::observe(const HeldKeys& held, std::uint32_t face) {
 }
 
 std::string FirstKeys::hint(const KeyHints& keys) const {
+  if (!done() && pushed_ >= kStuckTicks) return "Stuck? " + keys.to(Control::kRestart, "back to the start");
   switch (step_) {
     case Step::kRun:
       return keys.run() + ": roll";
     case Step::kJump:
-      return keys.to(Control::kJump, "jump; hold it to jump higher");
+      return keys.to(Control::kJump, "jump. Hold it to jump high");
     case Step::kCross:
-      return "Roll over an edge: the solid turns, and your down with it";
+      return "Roll on over the bright edge: down turns with you";
+    case Step::kGoal:
+      return "The beam of light shows the goal";
+    case Step::kMenu:
+      return "Esc: pause, settings, other levels";
     default:
       return {};
   }

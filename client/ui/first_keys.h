@@ -3,29 +3,35 @@
 #include <cstdint>
 #include <string>
 
-#include "client/ui/controls/held_keys.h"
 #include "client/ui/controls/key_hints.h"
+#include "platon/game/player.h"
 
 namespace platon {
 
-/// Teaches a new player the first keys: shows each of them until the player has used it.
+/// Teaches a new player the first keys and what the picture means: shows each hint until the player has done it.
 class FirstKeys {
  public:
   /// `known`: the player needs none of it.
   explicit FirstKeys(bool known) : step_(known ? Step::kDone : Step::kRun) {}
 
-  /// Notes what the player does in a tick: the keys that are held, and the face that the ball is on.
-  void observe(const HeldKeys& held, std::uint32_t face);
+  /// Notes what the ball does in a tick; `face`: the one that it is on.
+  void observe(const PlayerState& player, std::uint32_t face);
   /// What to do next; empty if there is nothing to teach.
   std::string hint(const KeyHints& keys) const;
   bool done() const { return step_ == Step::kDone; }
 
  private:
-  enum class Step { kRun, kJump, kCross, kDone };
+  enum class Step { kRun, kJump, kCross, kGoal, kMenu, kDone };
+
+  void begin(Step step);
+  void observeStep(const PlayerState& player, std::uint32_t face);
+  void observePush(const PlayerState& player);
 
   Step step_;
-  std::uint32_t ticks_ = 0;  // in which the key of this step was held
-  std::uint32_t face_ = 0;   // where the step kCross began
+  std::int64_t way_ = 0;      // subunits rolled in kRun, or risen in the present jump in kJump
+  std::uint32_t ticks_ = 0;   // of kGoal or kMenu
+  std::uint32_t face_ = 0;    // where kCross began
+  std::uint32_t pushed_ = 0;  // ticks of pressing against something that does not give way
 };
 
 }  // namespace platon

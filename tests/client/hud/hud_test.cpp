@@ -318,6 +318,13 @@ TEST(Hud, PlayersWithoutANameHaveTheirNumber) {
   EXPECT_EQ(count(hudOf(scene), "Player 1"), 1);
 }
 
+TEST(Hud, UnderAMenuOnlyMessagesAndNoticesAreShown) {
+  Scene scene = sceneOf(3);
+  scene.needsRestart = true;
+  const HudStatus status{.message = "Connection lost", .help = true, .notice = "Restart at noon", .underMenu = true};
+  EXPECT_EQ(hudOf(scene, status).texts.size(), 2U);
+}
+
 TEST(Hud, ShowsHelpOnRequest) {
   EXPECT_FALSE(find(hudOf(sceneOf(1)), "run"));
   EXPECT_TRUE(find(hudOf(sceneOf(1), {.message = "", .warning = false, .help = true}), "run"));

@@ -10,19 +10,19 @@ namespace {
 const std::vector<LevelEntry> kLevels{
     {"One", "CUBE", 1, 12.34}, {"Two", "CUBE", 2, {}}, {"Three", "TETRAHEDRON", 2, 5.0}, {"Four", "CUBE"}};
 
-TEST(LevelsPage, EachSolidHasAHeading) {
+TEST(LevelsPage, EachSolidHasAHeadingAndLevelsForSeveralPlayersStandBelow) {
   const MenuPage page = levelsPage(kLevels, nullptr);
   std::vector<std::string> names;
   for (const MenuItem& item : page.items) names.push_back(item.name);
-  EXPECT_EQ(names, (std::vector<std::string>{"CUBE", "One", "Two", "TETRAHEDRON", "Three", "CUBE", "Four"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"CUBE", "One", "Four", "For 2 players", "Two", "Three"}));
 }
 
-TEST(LevelsPage, ShowsPlayersAndBestTimesWhereThereAreSome) {
+TEST(LevelsPage, ShowsBestTimesWhereThereAreSomeAndTheSolidBelow) {
   const MenuPage page = levelsPage(kLevels, nullptr);
   EXPECT_EQ(page.items[1].value, "★ 12.34 s");
-  EXPECT_EQ(page.items[2].value, "2 players");
-  EXPECT_EQ(page.items[4].value, "2 players   ★ 5.00 s");
-  EXPECT_EQ(page.items[6].value, "");
+  EXPECT_EQ(page.items[2].value, "");
+  EXPECT_EQ(page.items[4].value, "CUBE");
+  EXPECT_EQ(page.items[5].value, "TETRAHEDRON   ★ 5.00 s");
 }
 
 TEST(LevelsPage, ItemsAndLevelsBelongTogether) {
@@ -35,8 +35,8 @@ TEST(LevelsPage, ItemsAndLevelsBelongTogether) {
     page.items[item].choose();
   }
   EXPECT_EQ(chosen, (std::vector<std::size_t>{0, 1, 2, 3}));
-  EXPECT_EQ(levelOfItem(kLevels, 3), 2U) << "a heading";
-  EXPECT_EQ(levelOfItem(kLevels, 99), 3U);
+  EXPECT_EQ(levelOfItem(kLevels, 3), 1U) << "a heading";
+  EXPECT_EQ(levelOfItem(kLevels, 99), 2U) << "the last row";
 }
 
 }  // namespace

@@ -2,51 +2,93 @@
 
 #include <gtest/gtest.h>
 
+#include "platon/exact/integer.h"
 #include "platon/game/game.h"
 
 namespace platon {
 namespace {
 
-HeldKeys holding(bool HeldKeys::*key) {
-  HeldKeys held;
-  held.*key = true;
-  return held;
+std::shared_ptr<const Level> floorLevel() {
+  const LevelResult result =
+      loadLevel("HEXAHEDRON\n0 0 -188 0\n3 0 0\n480\n%\n-150 -200 240 -200\n-150 -200 -150 100\n%\n%\n%\n%\n%\n");
+  return result.level;
 }
 
-void observe(FirstKeys& keys, const HeldKeys& held, std::uint32_t ticks, std::uint32_t face = 0) {
-  for (std::uint32_t tick = 0; tick < ticks; ++tick) keys.observe(held, face);
+// A game with one player on a floor between a wall and an edge.
+class FirstKeysTest : public testing::Test {
+ protected:
+  void play(std::uint8_t buttons, std::uint32_t ticks) {
+    for (std::uint32_t tick = 0; tick < ticks; ++tick) {
+      const Input input{static_cast<std::uint8_t>(buttons | Input::kPresent)};
+      game_.advance({&input, 1});
+      keys_.observe(game_.player(0), game_.world().entities()[0].part);
+    }
+  }
+
+  Game game_{floorLevel()};
+  FirstKeys keys_{false};
+};
+
+TEST_F(FirstKeysTest, EachIsShownUntilItIsDone) {
+  play(0, 60);
+  EXPECT_EQ(keys_.hint(KeyHints()), "← → or A D: roll");
+  play(Input::kRight, 10);
+  EXPECT_EQ(keys_.hint(KeyHints()), "← → or A D: roll") << "the ball has hardly moved";
+  play(Input::kRight, 20);
+  EXPECT_EQ(keys_.hint(KeyHints()), "Space: jump. Hold it to jump high");
+  play(Input::kJump, 60);
+  EXPECT_EQ(keys_.hint(KeyHints()), "Roll on over the bright edge: down turns with you");
+  play(0, 600);
+  EXPECT_EQ(keys_.hint(KeyHints()), "Roll on over the bright edge: down turns with you");
+  play(Input::kRight, 120);
+  EXPECT_EQ(keys_.hint(KeyHints()), "The beam of light shows the goal");
+  play(0, 5 * kTicksPerSecond);
+  EXPECT_EQ(keys_.hint(KeyHints()), "Esc: pause, settings, other levels");
+  play(0, 5 * kTicksPerSecond);
+  EXPECT_TRUE(keys_.done());
+  EXPECT_EQ(keys_.hint(KeyHints()), "");
 }
 
-TEST(FirstKeys, EachIsShownUntilItWasUsed) {
-  FirstKeys keys(false);
-  observe(keys, holding(&HeldKeys::jump), 600, 1);
-  EXPECT_EQ(keys.hint(KeyHints()), "← → or A D: roll");
-  observe(keys, holding(&HeldKeys::right), kTicksPerSecond / 4);
-  observe(keys, {}, 10);
-  EXPECT_EQ(keys.hint(KeyHints()), "← → or A D: roll");
-  observe(keys, holding(&HeldKeys::left), kTicksPerSecond / 4);
-  EXPECT_EQ(keys.hint(KeyHints()).substr(0, 5), "Space");
-  observe(keys, {}, 600, 1);
-  observe(keys, holding(&HeldKeys::jump), 1, 1);
-  EXPECT_EQ(keys.hint(KeyHints()).substr(0, 4), "Roll");
-  observe(keys, {}, 600, 1);
-  EXPECT_FALSE(keys.done());
-  observe(keys, {}, 1, 2);
-  EXPECT_TRUE(keys.done());
-  EXPECT_EQ(keys.hint(KeyHints()), "");
+TEST_F(FirstKeysTest, AKeyThatMovesNothingIsNotEnough) {
+  play(Input::kLeft | Input::kRight, 120);
+  EXPECT_EQ(keys_.hint(KeyHints()), "← → or A D: roll");
 }
 
-TEST(FirstKeys, NameTheKeysThatThePlayerHasChosen) {
+TEST_F(FirstKeysTest, ATappedJumpIsNotEnough) {
+  play(Input::kRight, 30);
+  play(0, 30);
+  for (int tap = 0; tap < 5; ++tap) {
+    play(Input::kJump, 2);
+    play(0, 60);
+  }
+  EXPECT_EQ(keys_.hint(KeyHints()), "Space: jump. Hold it to jump high");
+}
+
+TEST_F(FirstKeysTest, WhoPushesAgainstAWallIsToldHowToReturn) {
+  play(Input::kLeft, 80);
+  EXPECT_NE(keys_.hint(KeyHints()), "Stuck? R: back to the start");
+  play(Input::kLeft, 3 * kTicksPerSecond);
+  EXPECT_EQ(keys_.hint(KeyHints()), "Stuck? R: back to the start");
+  play(Input::kRestart, 1);
+  EXPECT_NE(keys_.hint(KeyHints()), "Stuck? R: back to the start");
+  play(Input::kLeft, 5 * kTicksPerSecond);
+  EXPECT_EQ(keys_.hint(KeyHints()), "Stuck? R: back to the start");
+  play(Input::kRight, 100);
+  EXPECT_NE(keys_.hint(KeyHints()), "Stuck? R: back to the start");
+}
+
+TEST_F(FirstKeysTest, NamesTheChosenKeys) {
   Bindings bindings;
-  bindings.bind(Control::kLeft, Key::kJ);
-  EXPECT_EQ(FirstKeys(false).hint(KeyHints(bindings)), "J → or ← D: roll");
+  bindings.bind(Control::kJump, Key::kJ);
+  play(Input::kRight, 30);
+  EXPECT_EQ(keys_.hint(KeyHints(bindings)), "J: jump. Hold it to jump high");
 }
 
-TEST(FirstKeys, WhoKnowsThemSeesNone) {
-  FirstKeys keys(true);
-  EXPECT_TRUE(keys.done());
-  observe(keys, holding(&HeldKeys::right), 60);
-  EXPECT_EQ(keys.hint(KeyHints()), "");
+TEST_F(FirstKeysTest, WhoKnowsThemSeesNone) {
+  keys_ = FirstKeys(true);
+  EXPECT_TRUE(keys_.done());
+  play(Input::kLeft, 600);
+  EXPECT_EQ(keys_.hint(KeyHints()), "");
 }
 
 }  // namespace
