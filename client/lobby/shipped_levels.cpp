@@ -1,10 +1,13 @@
 #include "client/lobby/shipped_levels.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <sstream>
 #include <utility>
 #include <variant>
 
 #include "platon/game/game.h"
+#include "protocol/files/text_file.h"
 #include "server/app/level_files.h"
 #include "server/times/best_time_store.h"
 
@@ -17,12 +20,20 @@ BestTimes timesIn(const std::string& file) {
   return times == nullptr ? BestTimes() : std::move(*times);
 }
 
-LevelEntry entryOf(const Level& level, const BestTimes& times) {
-  LevelEntry entry{level.title, std::string(nameOf(level.solid)), std::max(level.players, 1u)};
-  if (const DatedTime* const best = times.find({level.hash, kRulesVersion})) {
-    entry.bestSeconds = double{1} * best->time.ticks / kTicksPerSecond;
-  }
-  return entry;
+constexpr std::size_t kMaxTimesBytes = 1 << 16;
+
+// The table is beside the folders of the solids.
+std::map<std::string, std::uint32_t> wayTimesBeside(const std::string& levelFile) {
+  const auto file = std::filesystem::path(levelFile).parent_path().parent_path() / "way_times";
+  const auto read = readTextFile(file.string(), kMaxTimesBytes);
+  const auto* const text = std::get_if<std::string>(&read);
+  return text == nullptr ? std::map<std::string, std::uint32_t>() : parseWayTimes(*text);
+}
+
+ShippedLevel shippedLevel(const std::string& file, std::shared_ptr<const Level> level,
+                          const std::map<std::string, std::uint32_t>& wayTimes) {
+  const auto way = wayTimes.find(std::filesystem::path(file).stem().string());
+  return {file, std::move(level), way == wayTimes.end() ? 0 : way->second};
 }
 
 }  // namespace
@@ -31,7 +42,8 @@ std::vector<ShippedLevel> loadShippedLevels() {
   const std::vector<std::string> files = shippedLevelFiles();
   const LoadedLevels loaded = loadLevelFiles(files);
   std::vector<ShippedLevel> levels;
-  for (std::size_t i = 0; i < files.size(); ++i) levels.push_back({files[i], loaded.levels[i]});
+  const std::map<std::string, std::uint32_t> times = wayTimesBeside(files.front());
+  for (std::size_t i = 0; i < files.size(); ++i) levels.push_back(shippedLevel(files[i], loaded.levels[i], times));
   // The solids follow each other as in the order of the files.
   std::vector<SolidKind> solids;
   const auto placeOf = [&solids](const ShippedLevel& level) {
@@ -45,10 +57,32 @@ std::vector<ShippedLevel> loadShippedLevels() {
   return levels;
 }
 
+std::map<std::string, std::uint32_t> parseWayTimes(const std::string& text) {
+  std::map<std::string, std::uint32_t> times;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string name;
+    std::uint32_t ticks = 0;
+    if (words >> name >> ticks && name.front() != '#') times[name] = ticks;
+  }
+  return times;
+}
+
+LevelEntry entryOf(const ShippedLevel& level) {
+  LevelEntry entry{level.level->title, std::string(nameOf(level.level->solid)), std::max(level.level->players, 1u)};
+  if (level.wayTicks != 0) entry.medals = medalTimesOf(level.wayTicks);
+  return entry;
+}
+
 std::vector<LevelEntry> entriesOf(const std::vector<ShippedLevel>& levels, const std::string& bestTimes) {
   const BestTimes times = timesIn(bestTimes);
   std::vector<LevelEntry> entries;
-  for (const ShippedLevel& each : levels) entries.push_back(entryOf(*each.level, times));
+  for (const ShippedLevel& each : levels) {
+    entries.push_back(entryOf(each));
+    const DatedTime* const best = times.find({each.level->hash, kRulesVersion});
+    if (best != nullptr) entries.back().bestTicks = best->time.ticks;
+  }
   return entries;
 }
 

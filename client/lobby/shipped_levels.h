@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -13,10 +15,18 @@ namespace platon {
 struct ShippedLevel {
   std::string file;
   std::shared_ptr<const Level> level;
+  std::uint32_t wayTicks = 0;  ///< of the recorded easy way to its goal; 0: unknown
 };
 
 /// The levels that come with the game, by solid, and on each solid in their order. Throws ProgramError.
 std::vector<ShippedLevel> loadShippedLevels();
+
+/// The ticks of the recorded easy ways to the goals, from the text of `levels/way_times`: lines with the name of a
+/// level file, without its extension, and a number. Other lines are left out.
+std::map<std::string, std::uint32_t> parseWayTimes(const std::string& text);
+
+/// What the list of levels shows of a level, without a time.
+LevelEntry entryOf(const ShippedLevel& level);
 
 /// What the list of levels shows of these levels, with the times of a file of best times. A file that cannot be read
 /// has none.

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "client/ui/player_rows.h"
+#include "platon/game/game.h"
 
 namespace platon {
 namespace {
@@ -38,10 +39,21 @@ std::vector<Row> rowsOf(std::span<const LevelEntry> levels) {
   return rows;
 }
 
+Medal medalOf(const LevelEntry& level) {
+  return level.medals && level.bestTicks ? medalFor(*level.medals, *level.bestTicks) : Medal::kNone;
+}
+
 std::string factsOf(const LevelEntry& level) {
   std::string facts = level.players > 1 ? level.solid : "";
-  if (level.bestSeconds) facts += (facts.empty() ? "★ " : "   ★ ") + finishText(*level.bestSeconds);
-  return facts;
+  if (!level.bestTicks) return facts;
+  const std::string best = finishText(double{1} * *level.bestTicks / kTicksPerSecond);
+  return facts + (facts.empty() ? "" : "   ") + (level.medals ? starsOf(medalOf(level)) : "★") + " " + best;
+}
+
+MenuItem itemOf(const LevelEntry& level) {
+  MenuItem item{.name = level.title, .value = factsOf(level)};
+  if (medalOf(level) != Medal::kNone) item.valueColour = colourOf(medalOf(level));
+  return item;
 }
 
 }  // namespace
@@ -50,11 +62,12 @@ MenuPage levelsPage(std::span<const LevelEntry> levels, const std::function<void
   MenuPage page{"Levels"};
   page.place = MenuPage::Place::kLeft;
   for (const auto& [heading, i] : rowsOf(levels)) {
-    if (!heading.empty())
+    if (!heading.empty()) {
       page.items.push_back({MenuItem::Kind::kHeading, heading});
-    else
-      page.items.push_back(
-          {.name = levels[i].title, .value = factsOf(levels[i]), .choose = [choose, i = i] { choose(i); }});
+    } else {
+      page.items.push_back(itemOf(levels[i]));
+      page.items.back().choose = [choose, i = i] { choose(i); };
+    }
   }
   return page;
 }

@@ -8,15 +8,17 @@
 #include <string>
 
 #include "client/menu/menu_page.h"
+#include "client/ui/medal.h"
 
 namespace platon {
 
 /// What the list of levels shows of a level.
 struct LevelEntry {
   std::string title;
-  std::string solid;                    ///< its name; levels of the same solid follow each other
-  std::uint32_t players = 1;            ///< that it needs
-  std::optional<double> bestSeconds{};  ///< nothing: no time of this player's own games
+  std::string solid;                         ///< its name; levels of the same solid follow each other
+  std::uint32_t players = 1;                 ///< that it needs
+  std::optional<std::uint32_t> bestTicks{};  ///< nothing: no time of this player's own games
+  std::optional<MedalTimes> medals{};        ///< nothing: the level has none
 };
 
 /// The list of the levels for one player, by solid, and below them those for several. `choose` gets the index of a

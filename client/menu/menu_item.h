@@ -2,7 +2,10 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
+
+#include <glm/vec4.hpp>
 
 #include "client/menu/text_field.h"
 
@@ -18,9 +21,10 @@ struct MenuItem {
   double part = 0;                  ///< of a kSlider: 0 … 1 of its range; of a kToggle: 1 is on
   std::function<void()> choose{};   ///< of a kAction
   std::function<void(int)> step{};  ///< of a kChoice, kSlider or kToggle: to the next value (1) or the one before (-1)
-  std::function<void(double)> set{};  ///< of a kSlider: to this part of its range
-  TextField* field = nullptr;         ///< of a kText
-  bool secret = false;                ///< of a kText: its characters are shown as dots
+  std::function<void(double)> set{};       ///< of a kSlider: to this part of its range
+  std::optional<glm::vec4> valueColour{};  ///< of a kAction; nothing: that of the name
+  TextField* field = nullptr;              ///< of a kText
+  bool secret = false;                     ///< of a kText: its characters are shown as dots
 
   bool canHaveFocus() const { return kind != Kind::kHeading; }
 };

@@ -84,7 +84,7 @@ class Painter {
       case MenuItem::Kind::kText:
         return paintField(row, focused);
       default:
-        return right(row.value, colour);
+        return right(row.value, item.valueColour.value_or(colour));
     }
   }
 

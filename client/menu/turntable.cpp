@@ -15,9 +15,8 @@ namespace {
 constexpr double kTurnPerSecond = 2 * std::numbers::pi / 40;
 constexpr double kHeight = 0.45;                             // of the eye, in distances from the axis
 constexpr double kDistance = 1.42 / CameraTarget::kTangent;  // of the eye, in circumradii, from the centre
-constexpr double kWide = 1.2;                                // width by height of a picture with room beside a menu
-constexpr double kLead = 0.5;    // radians from which the face of the start comes to the front
-constexpr double kShift = 0.42;  // of the solid, in half widths of the picture
+constexpr double kLead = 0.5;                          // radians from which the face of the start comes to the front
+constexpr double kShift = 2 * Turntable::kMiddle - 1;  // of the solid, in half widths of the picture
 
 }  // namespace
 

@@ -12,6 +12,11 @@ namespace platon {
 /// Shows the whole solid of a level, which turns slowly, at the right of a menu.
 class Turntable {
  public:
+  /// From this width by height on, a picture has room for the solid beside a menu.
+  static constexpr double kWide = 1.2;
+  /// Where the middle of the solid is then, in widths of the picture from the left.
+  static constexpr double kMiddle = 0.71;
+
   /// Shows this level from now on, first the face of its start if that is at a side. No effect if it does already.
   void show(const std::shared_ptr<const Level>& level);
   /// Turns the solid for `seconds`.

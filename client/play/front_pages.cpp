@@ -9,6 +9,7 @@
 
 #include "client/files/user_folders.h"
 #include "protocol/files/text_file.h"
+#include "protocol/program_error.h"
 
 namespace platon {
 namespace {
@@ -73,7 +74,7 @@ MenuPage FrontPages::titlePage() {
 // The first level for one player whose goal the player has not reached yet; else the first one.
 std::size_t FrontPages::nextLevel() const {
   const auto open = std::find_if(entries_.begin(), entries_.end(),
-                                 [](const LevelEntry& entry) { return entry.players == 1 && !entry.bestSeconds; });
+                                 [](const LevelEntry& entry) { return entry.players == 1 && !entry.bestTicks; });
   return open == entries_.end() ? 0 : static_cast<std::size_t>(open - entries_.begin());
 }
 
@@ -82,6 +83,23 @@ std::shared_ptr<const Level> FrontPages::shownLevel() {
   if (std::shared_ptr<const Level> level = replays_.shownLevel()) return level;
   const bool chooses = choosesLevel_ && menu_->isOpen();
   return levels_[chooses ? levelOfItem(entries_, menu_->focus()) : nextLevel()].level;
+}
+
+LevelEntry FrontPages::entryOf(const std::shared_ptr<const Level>& level) const {
+  const auto shipped = std::find_if(levels_.begin(), levels_.end(),
+                                    [&](const ShippedLevel& each) { return each.level->hash == level->hash; });
+  return shipped == levels_.end() ? platon::entryOf({"", level})
+                                  : entries_[static_cast<std::size_t>(shipped - levels_.begin())];
+}
+
+// Without the levels of the game a match goes on without medals.
+std::optional<MedalTimes> FrontPages::medalsOf(const std::shared_ptr<const Level>& level) {
+  try {
+    load();
+  } catch (const ProgramError&) {
+    return std::nullopt;
+  }
+  return entryOf(level).medals;
 }
 
 void FrontPages::showLevels() {

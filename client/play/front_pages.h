@@ -41,6 +41,10 @@ class FrontPages {
   void update(Moment now);
   /// The level to see behind the pages; null before the title was shown.
   std::shared_ptr<const Level> shownLevel();
+  /// What is known of a level. One that did not come with the game has no medals.
+  LevelEntry entryOf(const std::shared_ptr<const Level>& level) const;
+  /// The medals of a level, also before the title was shown; reads files.
+  std::optional<MedalTimes> medalsOf(const std::shared_ptr<const Level>& level);
   const RecentServers& recent() const { return recent_; }
   /// Shows the title, and above it the page of a recording.
   void showRun(const std::filesystem::path& file);

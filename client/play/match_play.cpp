@@ -130,10 +130,15 @@ void MatchPlay::show(const Settings& settings) {
   chatShown_ = settings.chat;
 }
 
-std::filesystem::path MatchPlay::bestRun() const {
+std::shared_ptr<const Level> MatchPlay::level() const {
   const Round* const round = client_.session() == nullptr ? nullptr : client_.session()->round();
-  if (round == nullptr) return {};
-  const std::optional<StoredRun> run = runs_->store().best(round->prediction().confirmed().level().hash);
+  return round == nullptr ? nullptr : round->prediction().confirmed().sharedLevel();
+}
+
+std::filesystem::path MatchPlay::bestRun() const {
+  const std::shared_ptr<const Level> played = level();
+  if (!played) return {};
+  const std::optional<StoredRun> run = runs_->store().best(played->hash);
   return run ? run->file : std::filesystem::path();
 }
 

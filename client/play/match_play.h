@@ -56,6 +56,8 @@ class MatchPlay {
   bool roundOver() const { return client_.session() != nullptr && client_.session()->roundEnd() != nullptr; }
   /// Whether the local player wishes the next level.
   bool wishesNext() const { return client_.session() != nullptr && client_.session()->wishesNext(); }
+  /// The present level; null before the first round.
+  std::shared_ptr<const Level> level() const;
   /// The file of the local player's best run on the present level; empty: none.
   std::filesystem::path bestRun() const;
   /// Leaves the match; takes at most half a second.

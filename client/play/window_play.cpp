@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <stdexcept>
 #include <utility>
 
 #include "client/gl/image.h"
 #include "client/menu/failure_page.h"
+#include "client/menu/level_card.h"
 #include "client/menu/pause_page.h"
 #include "client/menu/say_page.h"
 #include "client/play/play_window.h"
@@ -336,6 +338,7 @@ void WindowPlay::drawMatch(double seconds) {
   if (drawnAt_ < saidUntil_ && status.notice.empty()) status.notice = said_;
   status.keys = interface_.keyHints();
   status.hint = hint(status.summary.has_value());
+  if (scene) addMedal(status.hint, *scene);
   status.underMenu = menu_.isOpen() && !menu_.standsAside();
   view_.setFlights(!menu_.isOpen());
   view_.look(menu_.isOpen() ? LookInput() : interface_.look());
@@ -351,13 +354,25 @@ std::string WindowPlay::hint(bool roundOver) const {
   return interface_.settings().firstKeys ? firstKeys_.hint(keys) : "";
 }
 
+// Of the own time, while the player is at the goal.
+void WindowPlay::addMedal(std::string& hint, const Scene& scene) {
+  if (!scene.attempt || !scene.attempt->arrived) return medals_.reset();
+  const std::shared_ptr<const Level> level = match_->play().level();
+  if (!medals_ && level) medals_ = front_.medalsOf(level);
+  if (!medals_ || !*medals_) return;
+  const long ticks = std::lround(scene.attempt->seconds * kTicksPerSecond);
+  hint = medalText(**medals_, static_cast<std::uint32_t>(ticks)) + (hint.empty() ? "" : " · ") + hint;
+}
+
 void WindowPlay::drawFront(double seconds) {
   sound_.update(nullptr, nullptr, std::nullopt, interface_.settings(), seconds);
   front_.update(clock_.now());
-  if (const auto level = front_.shownLevel()) turntable_.show(level);
-  const Overlay menu = menu_.overlay(view_.font(), false);
+  const std::shared_ptr<const Level> level = front_.shownLevel();
+  if (level) turntable_.show(level);
+  Overlay menu = menu_.overlay(view_.font(), false);
   if (!turntable_.shows()) return view_.draw(nullptr, {}, interface_.settings(), menu, seconds);
   if (!interface_.settings().comfort.reducedMotion) turntable_.advance(seconds);
+  if (level) addLevelCard(menu, front_.entryOf(level), view_.font(), view_.screenWidth());
   view_.drawStill(turntable_.scene(), turntable_.camera(view_.width(), view_.height()), interface_.settings(), menu);
 }
 

@@ -85,6 +85,7 @@ class WindowPlay {
   void drawMatch(double seconds);
   void savePicture(Moment now);
   std::string hint(bool roundOver) const;
+  void addMedal(std::string& hint, const Scene& scene);
   void drawFront(double seconds);
   void takeScreenshot();
 
@@ -100,8 +101,9 @@ class WindowPlay {
   Turntable turntable_;
   MatchChoice choice_;  // the last one
   std::optional<LiveMatch> match_;
-  std::optional<ReplayPlay> replay_;  // shown in front of a match
-  std::filesystem::path bestRun_;     // on the level of the match when its menu was opened; empty: none
+  std::optional<ReplayPlay> replay_;                 // shown in front of a match
+  std::optional<std::optional<MedalTimes>> medals_;  // of the level, while the player is at its goal
+  std::filesystem::path bestRun_;                    // on the level of the match when its menu was opened; empty: none
   Steering steering_;
   FirstKeys firstKeys_;
   Spectator spectator_;

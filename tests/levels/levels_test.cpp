@@ -77,6 +77,17 @@ TEST(ShippedLevelsTest, AreNumberedInTheOrderOfTheRotation) {
   }
 }
 
+TEST(ShippedLevelsTest, TheTableOfWaysHasTheirTimes) {
+  std::string table =
+      "# Ticks of the recorded easy way to the goal of each level, made by tests/levels/record.sh --times.\n";
+  for (const ShippedLevel& shipped : allLevels()) {
+    const auto facts = factsOf(shipped.level(), shipped.way());
+    ASSERT_TRUE(facts) << shipped.name();
+    table += shipped.name() + " " + std::to_string(facts->ticks) + "\n";
+  }
+  EXPECT_EQ(readText("levels/way_times"), table) << "run tests/levels/record.sh --times";
+}
+
 TEST(ShippedLevelsTest, AreEnoughOnEachSolidAndForTwoPlayers) {
   std::map<SolidKind, int> ofSolid;
   int forSeveral = 0;

@@ -1,11 +1,24 @@
 #!/usr/bin/env bash
-# Records an easy way to the goal of each level file that is named, or of all levels, in tests/levels/ways. Needed after
-# a change of a level or of the rules. Usage: tests/levels/record.sh [LEVEL…]
+# Records an easy way to the goal of each level file that is named, or of all levels, in tests/levels/ways, and writes
+# the times of all ways to levels/way_times, from which the medals follow. Needed after a change of a level or of the
+# rules. Usage: tests/levels/record.sh [--times | LEVEL…]; --times records nothing.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
+tool=build/release/bin/platon-level
+way() { echo "tests/levels/ways/$(basename "$1" .level).recording"; }
 
-[[ $# != 0 ]] || set -- levels/*/*.level
-for level; do
-  printf '%s: ' "$level"
-  build/release/bin/platon-level solve --press-cost 30 "$level" -o "tests/levels/ways/$(basename "$level" .level).recording"
-done
+if [[ ${1:-} != --times ]]; then
+  [[ $# != 0 ]] || set -- levels/*/*.level
+  for level; do
+    printf '%s: ' "$level"
+    "$tool" solve --press-cost 30 "$level" -o "$(way "$level")"
+  done
+fi
+
+{
+  echo '# Ticks of the recorded easy way to the goal of each level, made by tests/levels/record.sh --times.'
+  for level in levels/*/*.level; do
+    ticks=$("$tool" solve --recorded "$(way "$level")" --json "$level" | sed -E 's/.*"ticks":([0-9]+).*/\1/')
+    echo "$(basename "$level" .level) $ticks"
+  done | sort
+} >levels/way_times

@@ -24,7 +24,8 @@ TEST(ShippedLevels, TheLevelsOfASolidFollowEachOther) {
     solid = entry.solid;
     EXPECT_FALSE(entry.title.empty());
     EXPECT_GE(entry.players, 1U);
-    EXPECT_FALSE(entry.bestSeconds);
+    EXPECT_FALSE(entry.bestTicks);
+    EXPECT_TRUE(entry.medals) << "run tests/levels/record.sh --times";
   }
   EXPECT_EQ(done.size(), std::size_t{kSolidKinds});
 }
@@ -37,10 +38,15 @@ TEST(ShippedLevels, HaveTheBestTimesOfThePresentRules) {
   const std::string file = folder / "best_times";
   writeText(file, std::string(hash) + " " + std::to_string(kRulesVersion) + " 90 2026-12-01T18:00:00Z Ann\n");
   const std::vector<LevelEntry> entries = entriesOf(levels, file);
-  EXPECT_EQ(entries[2].bestSeconds, 1.5);
-  EXPECT_FALSE(entries[1].bestSeconds);
+  EXPECT_EQ(entries[2].bestTicks, 90U);
+  EXPECT_FALSE(entries[1].bestTicks);
   writeText(file, "damaged\n");
-  EXPECT_FALSE(entriesOf(levels, file)[2].bestSeconds);
+  EXPECT_FALSE(entriesOf(levels, file)[2].bestTicks);
+}
+
+TEST(ShippedLevels, TheTimesOfWaysAreReadFromTheirTable) {
+  const auto times = parseWayTimes("# comment 1\n01_one 228\n\n02_two\n03_three 0x\n04_four 7 more\n");
+  EXPECT_EQ(times, (std::map<std::string, std::uint32_t>{{"01_one", 228}, {"03_three", 0}, {"04_four", 7}}));
 }
 
 }  // namespace

@@ -8,7 +8,7 @@ namespace platon {
 namespace {
 
 const std::vector<LevelEntry> kLevels{
-    {"One", "CUBE", 1, 12.34}, {"Two", "CUBE", 2, {}}, {"Three", "TETRAHEDRON", 2, 5.0}, {"Four", "CUBE"}};
+    {"One", "CUBE", 1, 741}, {"Two", "CUBE", 2, {}}, {"Three", "TETRAHEDRON", 2, 300}, {"Four", "CUBE"}};
 
 TEST(LevelsPage, EachSolidHasAHeadingAndLevelsForSeveralPlayersStandBelow) {
   const MenuPage page = levelsPage(kLevels, nullptr);
@@ -19,10 +19,22 @@ TEST(LevelsPage, EachSolidHasAHeadingAndLevelsForSeveralPlayersStandBelow) {
 
 TEST(LevelsPage, ShowsBestTimesWhereThereAreSomeAndTheSolidBelow) {
   const MenuPage page = levelsPage(kLevels, nullptr);
-  EXPECT_EQ(page.items[1].value, "★ 12.34 s");
+  EXPECT_EQ(page.items[1].value, "★ 12.35 s");
   EXPECT_EQ(page.items[2].value, "");
   EXPECT_EQ(page.items[4].value, "CUBE");
   EXPECT_EQ(page.items[5].value, "TETRAHEDRON   ★ 5.00 s");
+}
+
+TEST(LevelsPage, AMedalHasItsStarsAndItsColour) {
+  const std::vector<LevelEntry> levels{{"One", "CUBE", 1, 900, medalTimesOf(600)},
+                                       {"Two", "CUBE", 1, 9000, medalTimesOf(600)},
+                                       {"Three", "CUBE", 1, {}, medalTimesOf(600)}};
+  const MenuPage page = levelsPage(levels, nullptr);
+  EXPECT_EQ(page.items[1].value, "★★☆ 15.00 s");
+  EXPECT_EQ(page.items[1].valueColour, colourOf(Medal::kSilver));
+  EXPECT_EQ(page.items[2].value, "☆☆☆ 150.00 s");
+  EXPECT_FALSE(page.items[2].valueColour);
+  EXPECT_EQ(page.items[3].value, "");
 }
 
 TEST(LevelsPage, ItemsAndLevelsBelongTogether) {

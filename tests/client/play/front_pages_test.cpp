@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/environment_variable.h"
+#include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 
 namespace platon {
@@ -65,6 +66,13 @@ TEST_F(FrontPagesTest, LevelsStartsTheChosenOneAndShowsItBesideTheList) {
   ASSERT_TRUE(started_);
   EXPECT_EQ(started_->own.levels.front(), loadShippedLevels()[1].file);
   EXPECT_EQ(started_->own.levels.back(), loadShippedLevels()[0].file);
+}
+
+TEST_F(FrontPagesTest, OnlyLevelsOfTheGameHaveMedals) {
+  EXPECT_TRUE(pages_.medalsOf(loadShippedLevels()[1].level));
+  const auto other = loadLevel(readText("tests/determinism/golden/levels/hexahedron.level")).level;
+  EXPECT_FALSE(pages_.medalsOf(other));
+  EXPECT_EQ(pages_.entryOf(other).title, other->title);
 }
 
 TEST_F(FrontPagesTest, JoinTakesAnAddressAndRefusesWhatIsNone) {

@@ -1,0 +1,59 @@
+#include "client/ui/medal.h"
+
+#include <array>
+
+#include "client/ui/overlay_writer.h"
+#include "platon/game/game.h"
+
+namespace platon {
+namespace {
+
+constexpr std::uint32_t kStep = kTicksPerSecond / 10;
+constexpr std::array<const char*, 4> kStars{"☆☆☆", "★☆☆", "★★☆", "★★★"};
+constexpr std::array<glm::vec4, 4> kColours{overlay_colours::kSoft, glm::vec4(0.90F, 0.62F, 0.42F, 1),
+                                            glm::vec4(0.84F, 0.89F, 0.95F, 1), overlay_colours::kGold};
+
+std::uint32_t scaled(std::uint32_t ticks, std::uint32_t percent) {
+  const std::uint64_t whole = std::uint64_t{kStep} * 100;
+  return static_cast<std::uint32_t>((std::uint64_t{ticks} * percent + whole - 1) / whole * kStep);
+}
+
+std::string tenthsText(const char* medal, std::uint32_t ticks) {
+  const std::uint32_t tenths = ticks / kStep;
+  return std::string(medal) + ": " + std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " s";
+}
+
+}  // namespace
+
+MedalTimes medalTimesOf(std::uint32_t wayTicks) {
+  return {scaled(wayTicks, 115), scaled(wayTicks, 150), scaled(wayTicks, 250)};
+}
+
+Medal medalFor(const MedalTimes& times, std::uint32_t ticks) {
+  if (ticks <= times.gold) return Medal::kGold;
+  if (ticks <= times.silver) return Medal::kSilver;
+  return ticks <= times.bronze ? Medal::kBronze : Medal::kNone;
+}
+
+std::string starsOf(Medal medal) { return kStars[static_cast<std::size_t>(medal)]; }
+
+glm::vec4 colourOf(Medal medal) { return kColours[static_cast<std::size_t>(medal)]; }
+
+std::string medalText(const MedalTimes& times, std::uint32_t ticks) {
+  return starsOf(medalFor(times, ticks)) + " " + nextMedalText(times, ticks);
+}
+
+std::string nextMedalText(const MedalTimes& times, std::optional<std::uint32_t> best) {
+  switch (best ? medalFor(times, *best) : Medal::kNone) {
+    case Medal::kGold:
+      return "gold";
+    case Medal::kSilver:
+      return tenthsText("gold", times.gold);
+    case Medal::kBronze:
+      return tenthsText("silver", times.silver);
+    default:
+      return tenthsText("bronze", times.bronze);
+  }
+}
+
+}  // namespace platon
