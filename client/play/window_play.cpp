@@ -66,6 +66,7 @@ WindowPlay::WindowPlay(const ClientOptions& options, const Clock& clock)
 void WindowPlay::run(const std::function<bool()>& stopRequested) {
   for (Moment now = clock_.now(); shouldContinue(now) && !stopRequested(); now = clock_.now()) {
     handleEvents();
+    settingsFile_.update(interface_.settings(), now);
     updateMatch();
     updateReplay(toSeconds(now - drawnAt_));
     draw(now);

@@ -6,8 +6,8 @@
 #include <variant>
 #include <vector>
 
+#include "protocol/files/file_writer.h"
 #include "server/admin/ban_list.h"
-#include "server/base/file_writer.h"
 
 namespace platon {
 

@@ -6,8 +6,8 @@
 #include <future>
 #include <utility>
 
+#include "protocol/files/blocked_signals.h"
 #include "server/app/descriptor_sink.h"
-#include "server/base/blocked_signals.h"
 
 namespace platon {
 namespace {

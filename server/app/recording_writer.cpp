@@ -7,7 +7,7 @@
 #include <thread>
 #include <utility>
 
-#include "server/base/blocked_signals.h"
+#include "protocol/files/blocked_signals.h"
 
 namespace platon {
 

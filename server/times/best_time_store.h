@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "server/base/file_writer.h"
+#include "protocol/files/file_writer.h"
 #include "server/times/best_times.h"
 
 namespace platon {

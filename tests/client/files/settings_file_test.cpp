@@ -1,5 +1,6 @@
 #include "client/files/settings_file.h"
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -9,6 +10,7 @@
 
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/wait_until.h"
 
 namespace platon {
 namespace {
@@ -46,6 +48,26 @@ TEST_F(SettingsFileTest, SavedSettingsAreLoaded) {
   settings.fullscreen = true;
   SettingsFile(folder_).save(settings);
   EXPECT_EQ(SettingsFile(folder_).load().text(), settings.text());
+}
+
+TEST_F(SettingsFileTest, AChangeIsSavedWhenItHasStayedForASecond) {
+  using std::chrono::milliseconds;
+  SettingsFile file(folder_);
+  Settings settings = file.load();
+  Moment now(0);
+  const auto updateFor = [&](Moment time) {
+    for (const Moment end = now + time; now < end; now += milliseconds(50)) file.update(settings, now);
+  };
+  updateFor(milliseconds(3000));
+  EXPECT_FALSE(fs::exists(path_)) << "nothing has changed";
+  for (int i = 0; i < 10; ++i) {
+    settings.volume = i;
+    updateFor(milliseconds(500));
+  }
+  EXPECT_FALSE(fs::exists(path_)) << "still changing";
+  updateFor(SettingsFile::kCalmTime + milliseconds(500));
+  ASSERT_TRUE(waitUntil([&] { return fs::exists(path_); }));
+  EXPECT_EQ(read(), settings.text());
 }
 
 TEST_F(SettingsFileTest, OneBadLineDoesNotLoseTheOtherSettings) {

@@ -1,11 +1,11 @@
-#include "server/base/file_writer.h"
+#include "protocol/files/file_writer.h"
 
 #include <memory>
 #include <system_error>
 #include <thread>
 #include <utility>
 
-#include "server/base/blocked_signals.h"
+#include "protocol/files/blocked_signals.h"
 
 namespace platon {
 

@@ -1,4 +1,4 @@
-#include "server/base/blocked_signals.h"
+#include "protocol/files/blocked_signals.h"
 
 #include <gtest/gtest.h>
 

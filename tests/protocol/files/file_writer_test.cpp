@@ -1,4 +1,4 @@
-#include "server/base/file_writer.h"
+#include "protocol/files/file_writer.h"
 
 #include <gtest/gtest.h>
 
