@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "client/menu/quality_items.h"
 #include "client/menu/setting_items.h"
 
 namespace platon {
@@ -47,6 +48,10 @@ MenuPage settingsPage(Settings& settings, const std::function<void()>& showKeys)
                 toggleItem("Full screen", settings.fullscreen),
                 toggleItem("VSync", settings.vsync),
                 choiceItem("Frame rate limit", settings.frameCap, kFrameCaps),
+                qualityItem(settings.quality),
+                renderScaleItem(settings.quality),
+                multisamplingItem(settings.quality),
+                measureItem(settings.quality),
                 percentItem("Zoom", settings.zoom, {0.5, 2, 0.05}),
                 percentItem("UI scale", settings.uiScale, {kMinUiScale, kMaxUiScale, 0.05}),
                 toggleItem("Numbers on faces", settings.faceNumbers),

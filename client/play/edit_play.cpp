@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "client/editor/new_level.h"
+#include "client/files/settings_file.h"
+#include "client/files/user_folders.h"
 #include "client/gl/image.h"
 #include "client/play/play_window.h"
 #include "protocol/program_error.h"
@@ -52,7 +54,9 @@ EditPlay::EditPlay(const ClientOptions& options, const Clock& clock)
       window_(openEditWindow(options.offscreen)),
       offscreen_(openOffscreen(options.offscreen)),
       renderer_(kPictureWidth, kPictureHeight, font_),
-      startedAt_(clock_.now()) {}
+      startedAt_(clock_.now()) {
+  if (window_) renderer_.setQuality(SettingsFile(configFolder()).load().quality.quality());
+}
 
 void EditPlay::run(const std::function<bool()>& stopRequested) {
   window_ ? runWindow(stopRequested) : runOffscreen(stopRequested);

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "client/gl/gl_loader.h"
 #include "client/gl/image.h"
 #include "client/menu/failure_page.h"
 #include "client/menu/level_card.h"
@@ -304,6 +305,7 @@ void WindowPlay::draw(Moment now) {
   const double seconds = toSeconds(now - drawnAt_);
   drawnAt_ = now;
   if (window_.pixelWidth() == 0 || window_.pixelHeight() == 0) return;
+  view_.setQuality(trial_.quality(interface_.settings().quality));
   if (replay_) {
     drawReplay(seconds);
   } else {
@@ -343,7 +345,11 @@ void WindowPlay::drawMatch(double seconds) {
   status.underMenu = menu_.isOpen() && !menu_.standsAside();
   view_.setFlights(!menu_.isOpen());
   view_.look(menu_.isOpen() ? LookInput() : interface_.look());
-  view_.draw(scene ? &*scene : nullptr, status, interface_.settings(), menu_.overlay(view_.font(), true), seconds);
+  Settings& settings = interface_.settings();
+  const auto draw = [&] {
+    view_.draw(scene ? &*scene : nullptr, status, settings, menu_.overlay(view_.font(), true), seconds);
+  };
+  scene ? trial_.draw(settings.quality, clock_.now, finishDrawing, draw) : draw();
   playSounds(scene ? &*scene : nullptr, status, seconds);
 }
 

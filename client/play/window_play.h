@@ -21,6 +21,7 @@
 #include "client/play/net_meter.h"
 #include "client/play/replay_play.h"
 #include "client/play/sound_feed.h"
+#include "client/quality/quality_trial.h"
 #include "client/time/clock.h"
 #include "client/ui/first_keys.h"
 #include "client/ui/skip_question.h"
@@ -104,6 +105,7 @@ class WindowPlay {
   std::optional<ReplayPlay> replay_;                 // shown in front of a match
   std::optional<std::optional<MedalTimes>> medals_;  // of the level, while the player is at its goal
   std::filesystem::path bestRun_;                    // on the level of the match when its menu was opened; empty: none
+  QualityTrial trial_;
   Steering steering_;
   FirstKeys firstKeys_;
   Spectator spectator_;

@@ -77,6 +77,12 @@ std::vector<Entry> entriesOf(Settings& settings) {
       flag("reduced-motion", comfort.reducedMotion),
       flag("flashes", settings.flashes),
       flag("high-contrast", settings.highContrast),
+      {"quality", "auto, low, medium, high or all",
+       [&settings](std::string_view value) { return parseLevel(value, settings.quality); }},
+      {"render-scale", "a number from 0.5 to 1",
+       [&settings](std::string_view value) { return parseScale(value, settings.quality); }},
+      {"multisampling", "1, 2 or 4",
+       [&settings](std::string_view value) { return parseSamples(value, settings.quality); }},
       flag("fullscreen", settings.fullscreen),
       flag("vsync", settings.vsync),
       {"frame-cap", "a number from 0 to 1000",
@@ -136,6 +142,7 @@ std::string Settings::text() const {
   out << "camera " << (comfort.view == CameraView::kFace ? "face" : "follow") << "\n";
   out << "zoom " << zoom << "\n";
   out << "text-size " << uiScale << "\n";
+  out << quality.text();
   out << "fullscreen " << onOff(fullscreen) << "\n";
   out << "vsync " << onOff(vsync) << "\n";
   out << "frame-cap " << frameCap << "\n";

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "client/quality/quality_choice.h"
 #include "client/scene/camera_comfort.h"
 #include "client/ui/control_frame.h"
 #include "client/ui/controls/bindings.h"
@@ -23,6 +24,7 @@ struct Settings {
   ToggledControls toggled;
   double zoom = 1;     ///< 0.5 … 2
   double uiScale = 1;  ///< size of the menus, kMinUiScale … kMaxUiScale
+  QualityChoice quality;
   bool fullscreen = false;
   bool vsync = true;    ///< pictures wait for the screen
   double frameCap = 0;  ///< pictures a second at most, 0 (any number) … 1000

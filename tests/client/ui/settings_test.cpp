@@ -19,6 +19,7 @@ TEST(Settings, ParsingTheTextGivesTheSameSettings) {
   settings.vsync = false;
   settings.frameCap = 144;
   settings.fullscreen = true;
+  settings.quality = {QualityLevel::kAll, 0.75, 2};
   settings.netGraph = true;
   settings.chat = false;
   settings.firstKeys = false;
