@@ -31,16 +31,17 @@ float GameView::screenWidth() const { return Overlay::widthFor(width(), height()
 void GameView::draw(const Scene* scene, const HudStatus& status, const Settings& settings, const Overlay& menu,
                     double seconds, std::span<const Overlay> more) {
   const Camera& camera = camera_.camera();
-  const float width = screenWidth();
+  HudStatus shown = status;
+  shown.scale = static_cast<float>(settings.uiScale);
+  if (settings.netGraph) shown.netGraph = &netGraph_;
   std::vector<Overlay> overlays;
   if (scene != nullptr) {
     moveCamera(*scene, settings, seconds);
-    overlays.push_back(makeHud(*scene, camera, status, font_));
+    overlays.push_back(makeHud(*scene, camera, shown, font_));
   } else {
-    overlays.push_back(makeEmptyHud(status, font_, width));
+    overlays.push_back(makeEmptyHud(shown, font_, screenWidth()));
   }
   overlays.insert(overlays.end(), more.begin(), more.end());
-  if (settings.netGraph && !status.underMenu) overlays.push_back(netGraph_.overlay(font_, width));
   overlays.push_back(menu);
   const PictureStyle style = styleOf(settings);
   if (style.highContrast) std::for_each(overlays.begin(), overlays.end(), raiseContrast);

@@ -73,6 +73,10 @@ Window::Window(const std::string& title, int width, int height) : handle_(openWi
     glfwTerminate();
     throw;
   }
+  // Until the first picture, the window has the colour of the night sky instead of what was in its memory.
+  glClearColor(0.06F, 0.08F, 0.14F, 1);
+  glClear(GL_COLOR_BUFFER_BIT);
+  glfwSwapBuffers(handle_);
   poll();
 }
 

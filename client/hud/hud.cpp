@@ -1,15 +1,18 @@
 #include "client/hud/hud.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "client/hud/hud_space.h"
+#include "client/ui/fitted_text.h"
 #include "client/ui/key_help.h"
 #include "client/ui/overlay_writer.h"
 #include "client/ui/player_rows.h"
@@ -21,58 +24,82 @@ namespace {
 using namespace overlay_colours;
 
 constexpr std::size_t kMaxRows = 12;
+constexpr std::size_t kMaxResults = 8;
 constexpr float kMargin = 16;
+constexpr float kGap = 8;
+constexpr float kChatSize = 16;
 constexpr float kTextSize = 18;     // of messages and notices
 constexpr float kWidestText = 640;  // of messages and notices
 
 std::string twoDigits(long value) { return std::string(value < 10 ? "0" : "") + std::to_string(value); }
 
-void addTitle(OverlayWriter& writer, const Scene& scene) {
+// What a function draws.
+template <class Draw>
+Overlay drawn(const Font& font, Draw draw) {
+  OverlayWriter writer(font);
+  draw(writer);
+  return writer.take();
+}
+
+void addTitle(OverlayWriter& writer, const Scene& scene, const Font& font, float width) {
+  constexpr float kSize = 24;
   const std::string solid(nameOf(scene.stage->mesh.solid().kind()));
   const std::string title = scene.stage->title.empty() ? solid : scene.stage->title;
-  writer.left(title, {kMargin, kMargin + 22}, 24, kBright);
+  writer.left(fittedText(title, font, (width * 0.4F - kMargin) / kSize), {kMargin, kMargin + 22}, kSize, kBright);
   if (!scene.stage->title.empty()) writer.left(solid, {kMargin, kMargin + 42}, 12, kSoft);
 }
 
-void addClock(OverlayWriter& writer, const Scene& scene, float width) {
-  const bool urgent = scene.secondsLeft < 10;
-  writer.pill(clockText(scene.secondsLeft), {width / 2, kMargin + 22}, 26, urgent ? kWarning : kBright);
-}
-
-void addRow(OverlayWriter& writer, const PlayerDrawing& player, float right, float top) {
+void addRow(OverlayWriter& writer, const PlayerDrawing& player, const Font& font, float right, float top) {
   constexpr float kRowWidth = 232;
   const glm::vec2 dot(right - kRowWidth + 16, top + 13);
   if (player.local) writer.panel({right - kRowWidth, top}, {right, top + 26}, 8, {0.30F, 0.36F, 0.55F, 0.55F});
   writer.panel(dot - 9.0F, dot + 9.0F, 9, glm::vec4(player.colour, 1));
   const float size = player.number.size() > 2 ? 9 : 11;
   writer.centred(player.number, {dot.x, dot.y + size * 0.36F}, size, {0.05F, 0.05F, 0.08F, 1});
-  writer.left(shownNameOf(player), {dot.x + 18, top + 18}, 15, player.local ? kBright : kSoft);
+  const float room = kRowWidth - 44 - (player.finishSeconds ? 88 : 0);
+  writer.left(fittedText(shownNameOf(player), font, room / 15), {dot.x + 18, top + 18}, 15,
+              player.local ? kBright : kSoft);
   if (player.finishSeconds)
     writer.right(std::string("✓ ") + finishText(*player.finishSeconds), {right - 10, top + 18}, 13, kGold);
 }
 
-void addPlayers(OverlayWriter& writer, const Scene& scene, float width) {
-  const std::vector<const PlayerDrawing*> players = inOrder(scene);
-  if (players.size() < 2) return;
-  const std::size_t rows = std::min(players.size(), kMaxRows);
+void addPlayers(OverlayWriter& writer, const std::vector<const PlayerDrawing*>& players, std::size_t rows,
+                const Font& font, float width) {
   const bool more = players.size() > rows;
   const float right = width - kMargin;
   const float height = 28.0F * static_cast<float>(rows + (more ? 1 : 0)) + 10;
   writer.panel({right - 244, kMargin}, {right, kMargin + height}, 12, kPanel);
   float top = kMargin + 6;
-  for (std::size_t i = 0; i < rows; ++i, top += 28) addRow(writer, *players[i], right - 6, top);
+  for (std::size_t i = 0; i < rows; ++i, top += 28) addRow(writer, *players[i], font, right - 6, top);
   if (more)
     writer.right(std::string("and ") + std::to_string(players.size() - rows) + " more", {right - 16, top + 18}, 13,
                  kSoft);
 }
 
-void addNameTag(OverlayWriter& writer, const PlayerDrawing& player, const Camera& camera, float width) {
+// As many rows as there is room for.
+void placePlayers(HudSpace& space, const Scene& scene, const HudStatus& status, const Font& font) {
+  const std::vector<const PlayerDrawing*> players = inOrder(scene);
+  const float width = space.screen().x;
+  if (status.summary && !status.summary->waits) {
+    for (std::size_t rows = kMaxResults + 1; rows-- > 0;) {
+      const auto draw = [&](OverlayWriter& writer) { addResults(writer, scene, *status.summary, font, width, rows); };
+      if (space.add(drawn(font, draw))) return;
+    }
+    return;
+  }
+  if (players.size() < 2) return;
+  for (std::size_t rows = std::min(players.size(), kMaxRows); rows > 0; --rows) {
+    if (space.add(drawn(font, [&](OverlayWriter& writer) { addPlayers(writer, players, rows, font, width); }))) return;
+  }
+}
+
+void addNameTag(OverlayWriter& writer, const PlayerDrawing& player, const Camera& camera, glm::vec2 screen) {
   if (player.local || player.name.empty()) return;
   // Players whose face looks away from the camera are hidden by the solid.
   if (glm::dot(player.pose.normal, camera.eye() - player.pose.position) <= 0) return;
   const glm::dvec3 above = player.pose.position + camera.up() * (StageModel::kPlayerRadius * 1.35);
   const glm::dvec4 clip = camera.viewProjection() * glm::dvec4(above, 1);
-  const glm::vec2 place((clip.x / clip.w + 1) / 2 * width, (1 - clip.y / clip.w) / 2 * Overlay::kHeight);
+  const glm::vec2 place((clip.x / clip.w + 1) / 2 * screen.x, (1 - clip.y / clip.w) / 2 * screen.y);
   writer.centred(shownNameOf(player), place, 13, glm::vec4(glm::mix(player.colour, Colour(1), 0.35F), 0.9F));
 }
 
@@ -83,18 +110,34 @@ bool coversLocalPlayer(const Scene& scene, const PlayerDrawing& ghost) {
   return glm::distance(scene.players.back().pose.position, ghost.pose.position) < kDistance;
 }
 
-// At the top in the middle. The results tell the times of a round that has ended.
-void addTimes(OverlayWriter& writer, const Scene& scene, const HudStatus& status, float width) {
-  if (status.summary && (!status.summary->waits || showsOwnResult(scene, *status.summary))) return;
-  if (scene.timed) addClock(writer, scene, width);
-  const bool arrived = scene.attempt && scene.attempt->arrived;
-  if (status.timer || arrived) addRunTimer(writer, scene, status.run, width);
+void placeNameTags(HudSpace& space, const Scene& scene, const Camera& camera, const Font& font) {
+  const auto place = [&](const PlayerDrawing& player) {
+    space.addOver(drawn(font, [&](OverlayWriter& writer) { addNameTag(writer, player, camera, space.screen()); }));
+  };
+  for (const PlayerDrawing& ghost : scene.ghosts) {
+    if (!coversLocalPlayer(scene, ghost)) place(ghost);
+  }
+  for (const PlayerDrawing& player : scene.players) place(player);
 }
 
-void addVote(OverlayWriter& writer, const VoteStatus& vote, const KeyHints& keys, float width) {
+// At the left below the title. The results tell the times of a round that has ended.
+void addTimes(OverlayWriter& writer, const Scene& scene, const HudStatus& status) {
+  constexpr float kFirstRow = 90;
+  constexpr float kSecondRow = 126;
+  if (status.summary && (!status.summary->waits || showsOwnResult(scene, *status.summary))) return;
+  const glm::vec4 clock = scene.secondsLeft < 10 ? kWarning : kBright;
+  if (scene.timed) writer.pillFrom(kMargin, clockText(scene.secondsLeft), kFirstRow, 20, clock);
+  const bool arrived = scene.attempt && scene.attempt->arrived;
+  const glm::vec2 own(kMargin, scene.timed ? kSecondRow : kFirstRow);
+  if (status.timer || arrived) addRunTimer(writer, scene, status.run, own);
+}
+
+void addVote(OverlayWriter& writer, const VoteStatus& vote, const KeyHints& keys, float top) {
+  constexpr float kSize = 14;
   const std::string text = std::to_string(vote.votes) + " of " + std::to_string(vote.voters) +
                            (vote.votes == 1 ? " wants" : " want") + " the next level (" + keys.of(Control::kVote) + ")";
-  writer.pill(vote.mine ? "✓ " + text : text, {width / 2, kMargin + 93}, 16, vote.mine ? kGold : kBright);
+  const std::string shown = vote.mine ? "✓ " + text : text;
+  writer.pillFrom(kMargin, shown, top + kSize, kSize, vote.mine ? kGold : kBright);
 }
 
 // Lines of a message or a notice of any length.
@@ -109,26 +152,51 @@ std::string hintOf(const Scene& scene, const HudStatus& status) {
          status.keys.to(Control::kVote, "next level");
 }
 
-// At the left, in the middle of the height; the newest at the bottom.
-void addChat(OverlayWriter& writer, const std::vector<std::string>& chat, const Font& font) {
-  constexpr float kSize = 16;
+void addChat(OverlayWriter& writer, std::span<const std::string> lines, float bottom) {
   constexpr float kHeight = 24;
-  constexpr float kWidth = 360;
-  std::vector<std::string> lines;
-  for (const std::string& said : chat) {
-    for (std::string& line : wrapText(said, font, kWidth / kSize)) lines.push_back(std::move(line));
-  }
-  if (lines.empty()) return;
   float widest = 0;
-  for (const std::string& line : lines) widest = std::max(widest, writer.width(line, kSize));
-  const float top = Overlay::kHeight * 0.55F - kHeight * static_cast<float>(lines.size());
+  for (const std::string& line : lines) widest = std::max(widest, writer.width(line, kChatSize));
   const glm::vec2 size(widest + 28, kHeight * static_cast<float>(lines.size()) + 14);
+  const float top = bottom - size.y;
   writer.panel({kMargin, top}, glm::vec2(kMargin, top) + size, 12, kPanel);
   glm::vec2 place(kMargin + 14, top + 24);
   for (const std::string& line : lines) {
-    writer.left(line, place, kSize, kBright);
+    writer.left(line, place, kChatSize, kBright);
     place.y += kHeight;
   }
+}
+
+// At the left, in the middle of the height; the newest lines at the bottom, as many as there is room for.
+void placeChat(HudSpace& space, const std::vector<std::string>& chat, const Font& font) {
+  const float width = std::min(360.0F, space.screen().x * 0.45F);
+  std::vector<std::string> lines;
+  for (const std::string& said : chat) {
+    for (std::string& line : wrapText(said, font, width / kChatSize)) lines.push_back(std::move(line));
+  }
+  const float bottom = std::min(space.screen().y * 0.58F, space.startOfFoot() - kGap);
+  for (std::size_t first = 0; first < lines.size(); ++first) {
+    const auto draw = [&](OverlayWriter& writer) { addChat(writer, std::span(lines).subspan(first), bottom); };
+    if (space.add(drawn(font, draw))) return;
+  }
+}
+
+// At the lower left, as large as there is room for.
+void placeHelp(HudSpace& space, const KeyHints& keys, const Font& font) {
+  const Overlay help = drawn(font, [&](OverlayWriter& writer) { addHelp(writer, keys); });
+  for (float factor = 1; factor > 0.35F; factor -= 0.05F) {
+    const Overlay scaled = scaledBy(help, factor);
+    const HudBox box = boundsOf(scaled, font);
+    const glm::vec2 place(kMargin, space.startOfFoot() - kGap - (box.high.y - box.low.y));
+    if (space.add(movedBy(scaled, place - box.low))) return;
+  }
+}
+
+// At the lower right, or above what stands there.
+void placeGraph(HudSpace& space, const NetGraph& graph, const Font& font) {
+  const glm::vec2 corner(0, space.screen().y - Overlay::kHeight);
+  const Overlay part = movedBy(graph.overlay(font, space.screen().x), corner);
+  const float up = space.screen().y - space.startOfFoot();
+  if (!space.add(part)) space.add(movedBy(part, {0, -up}));
 }
 
 // What the local player has reached and may do, one above the other from the lowest on.
@@ -143,11 +211,14 @@ LowerTexts lowerTextsOf(const Scene& scene, const HudStatus& status, const Font&
 }
 
 // At the lower edge the message, above it the notice, and above that what the player may do and has reached.
-void addTexts(OverlayWriter& writer, const HudStatus& status, const LowerTexts& own, const Font& font, float width) {
-  glm::vec2 middle(width / 2, Overlay::kHeight - 40);
+void placeTexts(HudSpace& space, const HudStatus& status, const LowerTexts& own, const Font& font) {
+  glm::vec2 middle(space.screen().x / 2, space.screen().y - 40);
   const auto add = [&](const std::string& text, glm::vec4 colour) {
-    const std::vector<std::string> lines = linesOf(text, font, width, kTextSize);
-    if (!lines.empty()) middle.y = writer.pill(lines, middle, kTextSize, colour) - 1.4F * kTextSize;
+    const std::vector<std::string> lines = linesOf(text, font, space.screen().x, kTextSize);
+    if (lines.empty()) return;
+    float top = 0;
+    const auto draw = [&](OverlayWriter& writer) { top = writer.pill(lines, middle, kTextSize, colour); };
+    if (space.add(drawn(font, draw))) middle.y = top - 1.4F * kTextSize;
   };
   add(status.message, status.warning ? kWarning : kBright);
   add(status.notice, kGold);
@@ -167,40 +238,39 @@ std::string clockText(double seconds) {
 }
 
 Overlay makeEmptyHud(const HudStatus& status, const Font& font, float width) {
-  OverlayWriter writer(font);
-  writer.centred("Platon", {width / 2, Overlay::kHeight * 0.44F}, 64, kBright);
-  glm::vec2 place(width / 2, Overlay::kHeight * 0.52F);
-  for (const std::string& line : linesOf(status.message, font, width, 20)) {
-    writer.centred(line, place, 20, status.warning ? kWarning : kSoft);
-    place.y += 26;
-  }
-  if (status.help) addHelp(writer, status.keys);
-  addTexts(writer, {.notice = status.notice}, {}, font, width);
-  return writer.take();
+  HudSpace space(font, glm::vec2(width, Overlay::kHeight) / status.scale);
+  const glm::vec2 screen = space.screen();
+  placeTexts(space, {.notice = status.notice}, {}, font);
+  space.add(drawn(font, [&](OverlayWriter& writer) {
+    writer.centred("Platon", {screen.x / 2, screen.y * 0.44F}, 64, kBright);
+    glm::vec2 place(screen.x / 2, screen.y * 0.44F + 58);
+    for (const std::string& line : linesOf(status.message, font, screen.x, 20)) {
+      writer.centred(line, place, 20, status.warning ? kWarning : kSoft);
+      place.y += 26;
+    }
+  }));
+  if (status.help) placeHelp(space, status.keys, font);
+  return scaledBy(space.overlay(), status.scale);
 }
 
 Overlay makeHud(const Scene& scene, const Camera& camera, const HudStatus& status, const Font& font) {
-  OverlayWriter writer(font);
   const float width = Overlay::widthFor(camera.width(), camera.height());
-  if (status.underMenu) {
-    addTexts(writer, status, {}, font, width);
-    return writer.take();
+  HudSpace space(font, glm::vec2(width, Overlay::kHeight) / status.scale);
+  const glm::vec2 screen = space.screen();
+  placeTexts(space, status, status.underMenu ? LowerTexts() : lowerTextsOf(scene, status, font), font);
+  if (status.underMenu) return scaledBy(space.overlay(), status.scale);
+  space.add(drawn(font, [&](OverlayWriter& writer) { addTitle(writer, scene, font, screen.x); }));
+  space.add(drawn(font, [&](OverlayWriter& writer) { addTimes(writer, scene, status); }));
+  if (status.vote) {
+    const float top = space.endOfColumn(false) + kGap;
+    space.add(drawn(font, [&](OverlayWriter& writer) { addVote(writer, *status.vote, status.keys, top); }));
   }
-  for (const PlayerDrawing& ghost : scene.ghosts) {
-    if (!coversLocalPlayer(scene, ghost)) addNameTag(writer, ghost, camera, width);
-  }
-  for (const PlayerDrawing& player : scene.players) addNameTag(writer, player, camera, width);
-  addTitle(writer, scene);
-  addTimes(writer, scene, status, width);
-  if (status.summary && !status.summary->waits)
-    addResults(writer, scene, *status.summary, font, width);
-  else
-    addPlayers(writer, scene, width);
-  if (status.vote) addVote(writer, *status.vote, status.keys, width);
-  if (status.help) addHelp(writer, status.keys);
-  addChat(writer, status.chat, font);
-  addTexts(writer, status, lowerTextsOf(scene, status, font), font, width);
-  return writer.take();
+  if (status.netGraph != nullptr) placeGraph(space, *status.netGraph, font);
+  placePlayers(space, scene, status, font);
+  if (status.help) placeHelp(space, status.keys, font);
+  placeChat(space, status.chat, font);
+  placeNameTags(space, scene, camera, font);
+  return scaledBy(space.overlay(), status.scale);
 }
 
 }  // namespace platon

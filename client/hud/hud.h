@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "client/hud/net_graph.h"
 #include "client/hud/results_panel.h"
 #include "client/scene/camera.h"
 #include "client/scene/scene.h"
@@ -35,17 +36,19 @@ struct HudStatus {
   std::vector<std::string> chat{};        ///< what players have said lately, oldest first
   KeyHints keys{};                        ///< the keys that texts name
   std::string hint{};                     ///< what the player may do next; empty: nothing
+  float scale = 1;                        ///< of the display, as Settings::uiScale
+  const NetGraph* netGraph = nullptr;     ///< to be shown; null: none
   bool underMenu = false;                 ///< a menu covers the display: only messages and notices are shown
 };
 
 /// Time left as `minutes:seconds`; below ten seconds with tenths. `seconds` ≥ 0.
 std::string clockText(double seconds);
 
-/// The display while there is no game. `width` is that of the virtual screen.
+/// The display while there is no game. `width` is that of the virtual screen at scale 1.
 Overlay makeEmptyHud(const HudStatus& status, const Font& font, float width);
 
-/// Title, clock, the local player's own time, list of players, name tags, results, vote, message, notice, hint and
-/// help.
+/// Title, clock, the local player's own time, list of players, name tags, results, vote, message, notice, hint, graph
+/// and help. Nothing overlaps and all is on the screen; what finds no room is shortened or left out.
 Overlay makeHud(const Scene& scene, const Camera& camera, const HudStatus& status, const Font& font);
 
 }  // namespace platon

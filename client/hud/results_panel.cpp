@@ -14,7 +14,6 @@ namespace {
 
 using namespace overlay_colours;
 
-constexpr std::size_t kMaxRows = 8;
 constexpr float kMargin = 16;
 constexpr float kWidth = 300;
 constexpr float kPadding = 14;
@@ -66,9 +65,10 @@ std::string ownKeysOf(const RoundSummary& summary, const KeyHints& keys, const F
          keys.to(Control::kRestart, "again");
 }
 
-void addResults(OverlayWriter& writer, const Scene& scene, const RoundSummary& summary, const Font& font, float width) {
+void addResults(OverlayWriter& writer, const Scene& scene, const RoundSummary& summary, const Font& font, float width,
+                std::size_t maxRows) {
   const std::vector<const PlayerDrawing*> players = inOrder(scene);
-  const std::size_t rows = std::min(players.size(), kMaxRows);
+  const std::size_t rows = std::min(players.size(), maxRows);
   const bool more = players.size() > rows;
   std::vector<std::string> below = wrapText(bestText(summary), font, (kWidth - 2 * kPadding) / kSize);
   const std::size_t bestLines = below.size();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -28,7 +29,8 @@ std::string ownResultOf(const Scene& scene, const RunStatus& run);
 std::string ownKeysOf(const RoundSummary& summary, const KeyHints& keys, const Font& font);
 
 /// Adds the results of a round with others, at the right: names and times in order, the best time of the level, and
-/// what comes next when.
-void addResults(OverlayWriter& writer, const Scene& scene, const RoundSummary& summary, const Font& font, float width);
+/// what comes next when. At most `maxRows` players are listed; the others are counted.
+void addResults(OverlayWriter& writer, const Scene& scene, const RoundSummary& summary, const Font& font, float width,
+                std::size_t maxRows);
 
 }  // namespace platon

@@ -78,6 +78,7 @@ std::optional<VoteStatus> voteOf(const Session& session) {
 MatchPlay::MatchPlay(const ClientOptions& options, const ServerAddress& server, Moment now,
                      const std::filesystem::path& rival)
     : server_(server),
+      ownServer_(!options.server),
       runs_(runKeeper(options, rival)),
       sessionFile_(sessionFolder(options), server),
       knownServers_(knownServersFile(options)),
@@ -182,6 +183,7 @@ std::optional<Scene> MatchPlay::scene(Moment now) {
 std::string MatchPlay::message() const {
   if (client_.ending()) return *client_.ending();
   if (client_.outage()) return *client_.outage() + "; reconnecting …";
+  if (ownServer_ && (client_.session() == nullptr || client_.session()->round() == nullptr)) return "Loading …";
   if (client_.session() == nullptr) return "connecting to " + server_.text() + " …";
   return client_.session()->round() == nullptr ? "waiting for the level …" : "";
 }

@@ -76,6 +76,7 @@ class MatchPlay {
   void rememberServer();
 
   ServerAddress server_;
+  bool ownServer_ = false;  // in this program
   std::shared_ptr<RunKeeper> runs_;
   SessionFile sessionFile_;
   KnownServers knownServers_;

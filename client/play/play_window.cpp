@@ -14,4 +14,10 @@ Window openWindow(const std::string& otherwise) {
   }
 }
 
+void showLoading(Window& window, GameView& view) {
+  view.draw(nullptr, {.message = "Loading …"}, Settings(), Overlay(), 0);
+  view.present();
+  window.show();
+}
+
 }  // namespace platon

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+#include "client/gl/game_view.h"
 #include "client/gl/window.h"
 #include "protocol/moment.h"
 
@@ -19,5 +20,8 @@ inline constexpr Moment kMinFrameTime = std::chrono::milliseconds(2);
 /// Opens the window of the program. Throws ProgramError if there is none; its text ends with `otherwise`, which says
 /// what can be done without a window.
 Window openWindow(const std::string& otherwise);
+
+/// Says in the window that the program is loading, until the next picture.
+void showLoading(Window& window, GameView& view);
 
 }  // namespace platon

@@ -55,6 +55,7 @@ WindowPlay::WindowPlay(const ClientOptions& options, const Clock& clock)
       firstKeys_(!interface_.settings().firstKeys),
       startedAt_(clock.now()),
       drawnAt_(startedAt_) {
+  showLoading(window_, view_);
   menu_.setClipboard([this] { return window_.clipboard(); });
   named_ = namesMatch(options) || !options.replay.empty();
   if (!options.replay.empty()) {

@@ -25,8 +25,10 @@ void FirstKeys::begin(Step step) {
 
 void FirstKeys::observe(const PlayerState& player, std::uint32_t face) {
   if (done()) return;
+  if (!face_) face_ = face;
+  crossed_ = crossed_ || face != face_;
   observePush(player);
-  observeStep(player, face);
+  observeStep(player);
 }
 
 // Rolling on takes twice as fast back what pushing has added: a ball that turns round stands for a moment, too.
@@ -40,20 +42,19 @@ void FirstKeys::observePush(const PlayerState& player) {
   if ((player.held & Input::kRestart) != 0) pushed_ = 0;
 }
 
-void FirstKeys::observeStep(const PlayerState& player, std::uint32_t face) {
+void FirstKeys::observeStep(const PlayerState& player) {
   const bool grounded = player.ground != Point();
   switch (step_) {
     case Step::kRun:
-      way_ += grounded ? std::abs(player.velocity.x) : 0;
+      way_ += std::abs(player.velocity.x);
       if (way_ >= kRoll) begin(Step::kJump);
       return;
     case Step::kJump:
-      face_ = face;
       way_ = grounded || player.velocity.y <= 0 ? 0 : way_ + player.velocity.y;
       if (way_ >= kRise) begin(Step::kCross);
       return;
     case Step::kCross:
-      if (face != face_) begin(Step::kGoal);
+      if (crossed_) begin(Step::kGoal);
       return;
     case Step::kGoal:
       if (++ticks_ >= kReadTicks || player.arrived != 0) begin(Step::kMenu);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "client/ui/controls/key_hints.h"
@@ -24,14 +25,15 @@ class FirstKeys {
   enum class Step { kRun, kJump, kCross, kGoal, kMenu, kDone };
 
   void begin(Step step);
-  void observeStep(const PlayerState& player, std::uint32_t face);
+  void observeStep(const PlayerState& player);
   void observePush(const PlayerState& player);
 
   Step step_;
-  std::int64_t way_ = 0;      // subunits rolled in kRun, or risen in the present jump in kJump
-  std::uint32_t ticks_ = 0;   // of kGoal or kMenu
-  std::uint32_t face_ = 0;    // where kCross began
-  std::uint32_t pushed_ = 0;  // ticks of pressing against something that does not give way
+  std::int64_t way_ = 0;               // subunits moved to the sides in kRun, or risen in the present jump in kJump
+  std::uint32_t ticks_ = 0;            // of kGoal or kMenu
+  std::optional<std::uint32_t> face_;  // where the ball was first
+  bool crossed_ = false;               // it has been on another face
+  std::uint32_t pushed_ = 0;           // ticks of pressing against something that does not give way
 };
 
 }  // namespace platon

@@ -43,6 +43,12 @@ class OverlayWriter {
   void pill(const std::string& text, glm::vec2 middle, float size, glm::vec4 colour) {
     pill(std::vector<std::string>{text}, middle, size, colour);
   }
+  /// Text on a panel that fits it and begins at `left`. Returns the right end of the panel.
+  float pillFrom(float left, const std::string& text, float middle, float size, glm::vec4 colour) {
+    const float half = width(text, size) / 2 + size;
+    pill(text, {left + half, middle}, size, colour);
+    return left + 2 * half;
+  }
   /// Lines on a panel that fits them. `middle` is the middle of the last line. Returns the top of the panel.
   float pill(const std::vector<std::string>& lines, glm::vec2 middle, float size, glm::vec4 colour) {
     const float above = kLineDistance * size * static_cast<float>(lines.size() - 1);

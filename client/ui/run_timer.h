@@ -18,8 +18,8 @@ struct RunStatus {
 /// A difference of times with its sign: `+0.32`, `−1.05`, `±0.00`.
 std::string differenceText(double seconds);
 
-/// The time of the local player's attempt with its best one, and the difference: below the clock of the round, or in
-/// its place if the round has no time limit. Nothing without a local player.
-void addRunTimer(OverlayWriter& writer, const Scene& scene, const RunStatus& run, float width);
+/// The time of the local player's attempt, beside it the difference, and below it the best time. In a round without a
+/// time limit it is the only clock. `place`: left end and middle of the first row. Nothing without a local player.
+void addRunTimer(OverlayWriter& writer, const Scene& scene, const RunStatus& run, glm::vec2 place);
 
 }  // namespace platon

@@ -23,7 +23,7 @@ struct Settings {
   Bindings bindings;
   ToggledControls toggled;
   double zoom = 1;     ///< 0.5 … 2
-  double uiScale = 1;  ///< size of the menus, kMinUiScale … kMaxUiScale
+  double uiScale = 1;  ///< size of the menus and the display, kMinUiScale … kMaxUiScale
   QualityChoice quality;
   bool fullscreen = false;
   bool vsync = true;    ///< pictures wait for the screen

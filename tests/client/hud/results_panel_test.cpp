@@ -28,7 +28,7 @@ Scene sceneOf(int players) {
 
 Overlay panelOf(const Scene& scene, const RoundSummary& summary) {
   OverlayWriter writer(font());
-  addResults(writer, scene, summary, font(), kWidth);
+  addResults(writer, scene, summary, font(), kWidth, 8);
   return writer.take();
 }
 

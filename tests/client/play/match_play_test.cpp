@@ -67,7 +67,7 @@ TEST_F(MatchPlayTest, PlaysUnderDelayAndLeaves) {
   LinkQuality quality;
   quality.delayMs = 60;
   connect(quality);
-  EXPECT_EQ(play_->message(), "connecting to " + relay_->address().text() + " …");
+  EXPECT_EQ(play_->message(), "Loading …") << "a server of this program";
   EXPECT_FALSE(play_->scene(server_.clock().now()).has_value());
   ASSERT_TRUE(updateUntil(seconds(10), [&] {
     return play_->client().session() != nullptr &&
@@ -154,6 +154,7 @@ TEST_F(MatchPlayTest, KeepsTheLevelsOfAServerForTheNextStart) {
   options.server = relay_->address();
   for (int start = 0; start < 2; ++start) {
     play_.emplace(options, relay_->address(), server_.clock().now());
+    EXPECT_EQ(play_->message(), "connecting to " + relay_->address().text() + " …");
     EXPECT_TRUE(updateUntil(seconds(10), [&] { return play_->scene(server_.clock().now()).has_value(); }));
     const LevelCache levels(folder / "platon/levels", relay_->address());
     EXPECT_EQ(levels.newest(8), std::vector{endlessLevel()->hash});

@@ -1,5 +1,6 @@
 #include "client/play/play_window.h"
 
+#include <algorithm>
 #include <optional>
 #include <string>
 
@@ -18,6 +19,15 @@ TEST(PlayWindow, IsAtMostOfTheSizeOfThePicture) {
   EXPECT_GT(window.pixelWidth(), kPictureWidth / 2);
   EXPECT_LE(window.pixelWidth(), kPictureWidth);
   EXPECT_LE(window.pixelHeight(), kPictureHeight);
+}
+
+// The name of the game and the message are brighter than the sky behind them.
+TEST(PlayWindow, SaysThatItLoads) {
+  Window window = openWindow("");
+  GameView view(window.pixelWidth(), window.pixelHeight());
+  showLoading(window, view);
+  const Image picture = view.read();
+  EXPECT_GT(*std::max_element(picture.pixels.begin(), picture.pixels.end()), 240);
 }
 
 TEST(PlayWindow, WithoutADisplayItSaysWhatCanBeDone) {

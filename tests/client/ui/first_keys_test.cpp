@@ -49,6 +49,15 @@ TEST_F(FirstKeysTest, EachIsShownUntilItIsDone) {
   EXPECT_EQ(keys_.hint(KeyHints()), "");
 }
 
+TEST_F(FirstKeysTest, WhoHasCrossedAnEdgeBeforeIsNotToldHow) {
+  play(Input::kRight, 120);
+  ASSERT_EQ(keys_.hint(KeyHints()), "Space: jump. Hold it to jump high");
+  play(Input::kRestart, 1);
+  play(0, 30);
+  play(Input::kJump, 60);
+  EXPECT_EQ(keys_.hint(KeyHints()), "The beam of light shows the goal");
+}
+
 TEST_F(FirstKeysTest, AKeyThatMovesNothingIsNotEnough) {
   play(Input::kLeft | Input::kRight, 120);
   EXPECT_EQ(keys_.hint(KeyHints()), "← → or A D: roll");

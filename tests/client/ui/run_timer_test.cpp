@@ -19,7 +19,7 @@ Scene sceneOf(double seconds, bool arrived) {
 std::vector<std::string> textsOf(const Scene& scene, const RunStatus& run) {
   const Font font;
   OverlayWriter writer(font);
-  addRunTimer(writer, scene, run, 1280);
+  addRunTimer(writer, scene, run, {16, 90});
   std::vector<std::string> texts;
   for (const Overlay::Text& text : writer.take().texts) texts.push_back(text.content);
   return texts;
@@ -37,20 +37,21 @@ TEST(RunTimer, ADifferenceHasItsSignAndHundredths) {
 
 TEST(RunTimer, ShowsTheOwnTimeAndThePersonalBest) {
   EXPECT_EQ(textsOf(sceneOf(3, false), {}), Texts{"your time 3.00 s"});
-  EXPECT_EQ(textsOf(sceneOf(3, false), {.best = 2.5}), Texts{"your time 3.00 s   personal best 2.50 s"});
-  EXPECT_EQ(textsOf(sceneOf(3, true), {.best = 2.5}), Texts{"★  Goal in 3.00 s   personal best 2.50 s"});
-  EXPECT_EQ(textsOf(sceneOf(2, true), {.best = 2, .isNewBest = true}), Texts{"★  Goal in 2.00 s   new personal best"});
+  EXPECT_EQ(textsOf(sceneOf(3, false), {.best = 2.5}), (Texts{"your time 3.00 s", "personal best 2.50 s"}));
+  EXPECT_EQ(textsOf(sceneOf(3, true), {.best = 2.5}), (Texts{"★  Goal in 3.00 s", "personal best 2.50 s"}));
+  EXPECT_EQ(textsOf(sceneOf(2, true), {.best = 2, .isNewBest = true}),
+            (Texts{"★  Goal in 2.00 s", "new personal best"}));
 }
 
 TEST(RunTimer, ShowsTheDifferenceBesideIt) {
   EXPECT_EQ(textsOf(sceneOf(3, false), {.best = 2.5, .difference = 0.25}),
-            (Texts{"your time 3.00 s   personal best 2.50 s", "+0.25"}));
+            (Texts{"your time 3.00 s", "+0.25", "personal best 2.50 s"}));
 }
 
 TEST(RunTimer, WithoutABestRunTheBestOfTheRoundIsShown) {
   Scene scene = sceneOf(3, false);
   scene.players.back().finishSeconds = 4;
-  EXPECT_EQ(textsOf(scene, {}), Texts{"your time 3.00 s   best 4.00 s"});
+  EXPECT_EQ(textsOf(scene, {}), (Texts{"your time 3.00 s", "best 4.00 s"}));
   scene.attempt = AttemptDrawing{4, true};
   EXPECT_EQ(textsOf(scene, {}), Texts{"★  Goal in 4.00 s"});
 }
