@@ -1,6 +1,5 @@
 #include "client/files/level_cache.h"
 
-#include <algorithm>
 #include <charconv>
 #include <optional>
 #include <string>
@@ -9,6 +8,7 @@
 #include <variant>
 
 #include "client/files/server_file_name.h"
+#include "protocol/files/bounded_folder.h"
 #include "protocol/files/text_file.h"
 
 namespace platon {
@@ -17,13 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kHashDigits = 16;
-
-struct StoredLevel {
-  fs::path path;
-  std::uint64_t hash = 0;
-  std::uint64_t bytes = 0;
-  fs::file_time_type usedAt;
-};
 
 std::string fileNameOf(std::uint64_t hash) {
   constexpr std::string_view kDigits = "0123456789abcdef";
@@ -39,27 +32,10 @@ std::optional<std::uint64_t> hashOf(const std::string& name) {
   return name == fileNameOf(hash) ? std::optional(hash) : std::nullopt;
 }
 
-std::optional<StoredLevel> storedLevel(const fs::directory_entry& entry) {
-  std::error_code fault;
-  const std::optional<std::uint64_t> hash = hashOf(entry.path().filename().string());
-  if (!hash || !entry.is_regular_file(fault)) return std::nullopt;
-  StoredLevel level{entry.path(), *hash, entry.file_size(fault), {}};
-  if (!fault) level.usedAt = entry.last_write_time(fault);
-  return fault ? std::nullopt : std::optional(level);
-}
+bool isLevelFile(const fs::path& path) { return hashOf(path.filename().string()).has_value(); }
 
 // The levels in a folder and the folders in it, newest first.
-std::vector<StoredLevel> levelsIn(const fs::path& folder) {
-  std::vector<StoredLevel> levels;
-  std::error_code fault;
-  for (fs::recursive_directory_iterator entry(folder, fault), end; !fault && entry != end; entry.increment(fault)) {
-    if (auto level = storedLevel(*entry)) levels.push_back(std::move(*level));
-  }
-  std::sort(levels.begin(), levels.end(), [](const StoredLevel& a, const StoredLevel& b) {
-    return a.usedAt != b.usedAt ? a.usedAt > b.usedAt : a.path < b.path;
-  });
-  return levels;
-}
+std::vector<DatedFile> levelsIn(const fs::path& folder) { return newestFiles(folder, Subfolders::kWith, isLevelFile); }
 
 }  // namespace
 
@@ -69,8 +45,8 @@ LevelCache::LevelCache(const fs::path& folder, const ServerAddress& server)
 std::vector<std::uint64_t> LevelCache::newest(std::size_t count) const {
   std::vector<std::uint64_t> hashes;
   if (all_.empty()) return hashes;
-  for (const StoredLevel& level : levelsIn(folder_)) {
-    if (hashes.size() < count) hashes.push_back(level.hash);
+  for (const DatedFile& level : levelsIn(folder_)) {
+    if (hashes.size() < count) hashes.push_back(*hashOf(level.path.filename().string()));
   }
   return hashes;
 }
@@ -101,15 +77,10 @@ void LevelCache::keep(const Level& level) {
 }
 
 void LevelCache::limit() const {
-  std::size_t count = 0;
-  std::uint64_t bytes = 0;
+  const std::vector<DatedFile> levels = levelsIn(all_);
+  removeOldest(levels, kMaxLevels, kMaxBytes);
   std::error_code ignored;
-  for (const StoredLevel& level : levelsIn(all_)) {
-    bytes += level.bytes;
-    if (++count <= kMaxLevels && bytes <= kMaxBytes) continue;
-    fs::remove(level.path, ignored);
-    fs::remove(level.path.parent_path(), ignored);  // only if it is empty
-  }
+  for (const DatedFile& level : levels) fs::remove(level.path.parent_path(), ignored);  // only if it is empty
 }
 
 }  // namespace platon

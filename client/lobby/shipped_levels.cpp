@@ -8,6 +8,7 @@
 
 #include "platon/game/game.h"
 #include "protocol/files/text_file.h"
+#include "protocol/program_error.h"
 #include "server/app/level_files.h"
 #include "server/times/best_time_store.h"
 
@@ -55,6 +56,16 @@ std::vector<ShippedLevel> loadShippedLevels() {
   std::stable_sort(levels.begin(), levels.end(),
                    [&](const ShippedLevel& a, const ShippedLevel& b) { return placeOf(a) < placeOf(b); });
   return levels;
+}
+
+std::vector<std::uint64_t> shippedHashes() {
+  std::vector<std::uint64_t> hashes;
+  try {
+    for (const ShippedLevel& level : loadShippedLevels()) hashes.push_back(level.level->hash);
+  } catch (const ProgramError&) {
+    hashes.clear();
+  }
+  return hashes;
 }
 
 std::map<std::string, std::uint32_t> parseWayTimes(const std::string& text) {

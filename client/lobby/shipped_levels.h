@@ -21,6 +21,9 @@ struct ShippedLevel {
 /// The levels that come with the game, by solid, and on each solid in their order. Throws ProgramError.
 std::vector<ShippedLevel> loadShippedLevels();
 
+/// Hashes of the levels that come with the game; none if they cannot be read.
+std::vector<std::uint64_t> shippedHashes();
+
 /// The ticks of the recorded easy ways to the goals, from the text of `levels/way_times`: lines with the name of a
 /// level file, without its extension, and a number. Other lines are left out.
 std::map<std::string, std::uint32_t> parseWayTimes(const std::string& text);

@@ -7,7 +7,9 @@
 #include <utility>
 
 #include "client/files/level_cache.h"
+#include "client/files/server_file_name.h"
 #include "client/files/user_folders.h"
+#include "client/lobby/shipped_levels.h"
 #include "client/session/farewell.h"
 
 namespace platon {
@@ -22,8 +24,10 @@ std::filesystem::path desyncFolder() {
 // What the demonstration plays is no run of the user.
 std::shared_ptr<RunKeeper> runKeeper(const ClientOptions& options, const std::filesystem::path& rival) {
   using Path = std::filesystem::path;
-  return options.demo ? std::make_shared<RunKeeper>(Path(), Path())
-                      : std::make_shared<RunKeeper>(runsFolder(), ghostsFolder(), rival);
+  if (options.demo) return std::make_shared<RunKeeper>(RunStore(Path()), Path());
+  RunServer server;
+  if (options.server) server = {serverFileName(*options.server), shippedHashes()};
+  return std::make_shared<RunKeeper>(RunStore(runsFolder(), std::move(server)), ghostsFolder(), rival);
 }
 
 // Empty for the embedded server: it ends with the program, so no token is stored.

@@ -37,7 +37,7 @@ void RunKeeper::load(std::uint64_t level) {
 void RunKeeper::addRival(std::uint64_t level) {
   const std::optional<RecordingHead> head = rivalFile_.empty() ? std::nullopt : readRecordingHeadOf(rivalFile_);
   if (!head || !head->level || head->level->hash != level) return;
-  const std::optional<StoredRun> stored = store_.best(level);
+  const std::optional<StoredRun> stored = store().best(level);
   if (stored && stored->file == rivalFile_) return;
   auto track = readTrack(rivalFile_, level);
   if (auto* fault = std::get_if<std::string>(&track)) return faults_.push_back(std::move(*fault));
@@ -47,7 +47,7 @@ void RunKeeper::addRival(std::uint64_t level) {
 }
 
 std::optional<Ghost> RunKeeper::readBest(std::uint64_t level) {
-  const std::optional<StoredRun> stored = store_.best(level);
+  const std::optional<StoredRun> stored = store().best(level);
   if (!stored) return std::nullopt;
   auto track = readTrack(stored->file, level);
   if (auto* run = std::get_if<RunTrack>(&track)) return ghostOf(std::move(*run));
@@ -102,8 +102,17 @@ void RunKeeper::arrive(const Game& game, std::uint32_t ticks) {
   if (!track) return;
   isNewBest_ = true;
   best_ = ghostOf(std::move(*track));
-  if (const std::string fault = store_.keep(*run); !fault.empty())
-    faults_.push_back("the best run is not kept: " + fault);
+  saver_.keep(*run);
+}
+
+std::vector<std::string> RunKeeper::takeFaults() {
+  if (const std::optional<std::string> fault = saver_.poll()) faults_.push_back("the best run is not kept: " + *fault);
+  return std::exchange(faults_, {});
+}
+
+const RunStore& RunKeeper::store() {
+  saver_.finish();
+  return saver_.store();
 }
 
 RunStatus RunKeeper::status() const {

@@ -11,6 +11,7 @@
 #include "client/netcode/confirmed_observer.h"
 #include "client/replay/ghost_folder.h"
 #include "client/replay/run_cutter.h"
+#include "client/replay/run_saver.h"
 #include "client/replay/run_store.h"
 #include "client/replay/run_track.h"
 #include "client/scene/scene.h"
@@ -29,8 +30,8 @@ class RunKeeper : public ConfirmedObserver {
 
   /// `ghosts`: a folder with runs of others. `rival`: a recording that is a ghost on its level besides those. Empty
   /// paths: there are none.
-  RunKeeper(const std::filesystem::path& runs, std::filesystem::path ghosts, std::filesystem::path rival = {})
-      : store_(runs), ghostFolder_(std::move(ghosts)), rivalFile_(std::move(rival)) {}
+  RunKeeper(RunStore runs, std::filesystem::path ghosts, std::filesystem::path rival = {})
+      : saver_(std::move(runs)), ghostFolder_(std::move(ghosts)), rivalFile_(std::move(rival)) {}
 
   void began(const Game& confirmed, std::uint32_t slot) override;
   void advanced(std::span<const Input> inputs, const Game& confirmed) override;
@@ -42,8 +43,9 @@ class RunKeeper : public ConfirmedObserver {
   std::vector<GhostSource> ghostsAt(const Game& game, std::uint32_t slot, double fraction) const;
 
   /// What could not be kept or read, each a sentence that is returned once.
-  std::vector<std::string> takeFaults() { return std::exchange(faults_, {}); }
-  const RunStore& store() const { return store_; }
+  std::vector<std::string> takeFaults();
+  /// The runs that are kept; waits for the disk until all are.
+  const RunStore& store();
 
  private:
   void load(std::uint64_t level);
@@ -54,7 +56,7 @@ class RunKeeper : public ConfirmedObserver {
   void arrive(const Game& game, std::uint32_t ticks);
   void show(std::uint32_t tick, std::int64_t difference);
 
-  RunStore store_;
+  RunSaver saver_;
   std::filesystem::path ghostFolder_;
   std::filesystem::path rivalFile_;
   RunCutter cutter_;

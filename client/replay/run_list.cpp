@@ -11,32 +11,12 @@
 #include "client/replay/track_file.h"
 #include "client/ui/player_rows.h"
 #include "platon/game/game.h"
+#include "protocol/files/bounded_folder.h"
 
 namespace platon {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct DatedFile {
-  fs::path path;
-  fs::file_time_type date;
-};
-
-std::vector<DatedFile> newestIn(const fs::path& folder) {
-  std::vector<DatedFile> files;
-  std::error_code fault;
-  for (fs::directory_iterator entry(folder, fault), end; !fault && entry != end; entry.increment(fault)) {
-    std::error_code unreadable;
-    if (!entry->is_regular_file(unreadable)) continue;
-    const fs::file_time_type date = entry->last_write_time(unreadable);
-    if (!unreadable) files.push_back({entry->path(), date});
-  }
-  std::sort(files.begin(), files.end(), [](const DatedFile& a, const DatedFile& b) {
-    return a.date != b.date ? a.date > b.date : a.path < b.path;
-  });
-  if (files.size() > kMaxListedOthers) files.resize(kMaxListedOthers);
-  return files;
-}
 
 // Friends give files names; the name that the game has given says nothing.
 std::string ownerOf(const fs::path& file) {
@@ -73,7 +53,9 @@ ListedRun describeRecording(const fs::path& file) {
 std::vector<ListedRun> listRecordings(const RunStore& own, const fs::path& ghosts) {
   std::vector<ListedRun> entries = own.list();
   if (ghosts.empty()) return entries;
-  for (const DatedFile& file : newestIn(ghosts)) entries.push_back(describeRecording(file.path));
+  std::vector<DatedFile> others = newestFiles(ghosts, Subfolders::kWithout, [](const fs::path&) { return true; });
+  others.resize(std::min(others.size(), kMaxListedOthers));
+  for (const DatedFile& file : others) entries.push_back(describeRecording(file.path));
   return entries;
 }
 

@@ -13,6 +13,7 @@
 #include "client/replay/replay_file.h"
 #include "client/ui/player_rows.h"
 #include "platon/game/game.h"
+#include "protocol/files/bounded_folder.h"
 #include "protocol/files/text_file.h"
 
 namespace platon {
@@ -36,14 +37,6 @@ std::optional<StoredRun> runOf(const fs::path& file) {
   if (read.ptr != end) read = std::from_chars(read.ptr + 1, end, run.rules);
   if (read.ptr != end) read = std::from_chars(read.ptr + 1, end, run.ticks);
   return name == nameOf(run.level, run.rules, run.ticks) ? std::optional(run) : std::nullopt;
-}
-
-std::optional<StoredRun> storedRun(const fs::directory_entry& entry) {
-  std::error_code fault;
-  std::optional<StoredRun> run = runOf(entry.path());
-  if (!run || !entry.is_regular_file(fault)) return std::nullopt;
-  run->date = entry.last_write_time(fault);
-  return fault ? std::nullopt : run;
 }
 
 ListedRun listed(const StoredRun& run) {
@@ -75,13 +68,10 @@ std::string dateText(fs::file_time_type date) {
 std::vector<StoredRun> RunStore::all() const {
   std::vector<StoredRun> runs;
   if (folder_.empty()) return runs;
-  std::error_code fault;
-  for (fs::directory_iterator entry(folder_, fault), end; !fault && entry != end; entry.increment(fault)) {
-    if (auto run = storedRun(*entry)) runs.push_back(std::move(*run));
+  for (const DatedFile& file : newestFiles(folder_, Subfolders::kWith, hasNameOfRun)) {
+    runs.push_back(*runOf(file.path));
+    runs.back().date = file.date;
   }
-  std::sort(runs.begin(), runs.end(), [](const StoredRun& a, const StoredRun& b) {
-    return a.date != b.date ? a.date > b.date : a.file < b.file;
-  });
   return runs;
 }
 
@@ -108,33 +98,52 @@ std::vector<ListedRun> RunStore::list() const {
   return entries;
 }
 
-// The new file is there before the old one goes, so at any time there is a best run.
+bool RunStore::isOwn(std::uint64_t level) const {
+  const std::vector<std::uint64_t>& own = server_.ownLevels;
+  return server_.folder.empty() || std::find(own.begin(), own.end(), level) != own.end();
+}
+
+fs::path RunStore::folderFor(std::uint64_t level) const {
+  return isOwn(level) ? folder_ : serversFolder() / server_.folder;
+}
+
+// The new file is there before the old one goes, so at any time there is a best run. A run in the folder of a server
+// replaces none elsewhere, where it would have been safe from that server.
 std::string RunStore::keep(const Run& run) {
   if (folder_.empty()) return {};
   if (run.recording.size() > kMaxRunBytes) return "its recording is too large";
   std::error_code ignored;
-  fs::create_directories(folder_, ignored);  // writing reports the error
-  const fs::path file = folder_ / fileNameOf(run.level->hash, run.ticks);
+  const fs::path folder = folderFor(run.level->hash);
+  fs::create_directories(folder, ignored);  // writing reports the error
+  const fs::path file = folder / fileNameOf(run.level->hash, run.ticks);
   const std::string fault =
       replaceTextFile(file.string(), {reinterpret_cast<const char*>(run.recording.data()), run.recording.size()});
   if (!fault.empty()) return file.string() + ": " + fault;
   for (const StoredRun& old : all()) {
     const bool replaced = old.level == run.level->hash && old.rules == kRulesVersion && old.ticks > run.ticks;
-    if (replaced) fs::remove(old.file, ignored);
+    if (replaced && (isOwn(old.level) || old.file.parent_path() == folder)) fs::remove(old.file, ignored);
   }
   limit();
   return {};
 }
 
 void RunStore::limit() const {
-  std::size_t count = 0;
-  std::uint64_t bytes = 0;
-  std::error_code fault;
-  for (const StoredRun& run : all()) {
-    const std::uint64_t size = fs::file_size(run.file, fault);
-    bytes += fault ? 0 : size;
-    if (++count > kMaxRuns || bytes > kMaxBytes) fs::remove(run.file, fault);
+  removeOldest(newestFiles(folder_, Subfolders::kWithout, hasNameOfRun), kMaxRuns, kMaxBytes);
+  if (server_.folder.empty()) return;
+  const fs::path folder = serversFolder() / server_.folder;
+  removeOldest(newestFiles(folder, Subfolders::kWithout, hasNameOfRun), kMaxServerRuns, kMaxServerBytes);
+  limitServers();
+}
+
+// The servers come in the order of their newest runs.
+void RunStore::limitServers() const {
+  std::vector<fs::path> servers;
+  std::error_code ignored;
+  for (const DatedFile& run : newestFiles(serversFolder(), Subfolders::kWith, hasNameOfRun)) {
+    const fs::path server = run.path.parent_path();
+    if (std::find(servers.begin(), servers.end(), server) == servers.end()) servers.push_back(server);
   }
+  for (std::size_t i = kMaxServers; i < servers.size(); ++i) fs::remove_all(servers[i], ignored);
 }
 
 }  // namespace platon

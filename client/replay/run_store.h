@@ -40,14 +40,28 @@ bool hasNameOfRun(const std::filesystem::path& file);
 /// The date of a file as ListedRun shows it.
 std::string dateText(std::filesystem::file_time_type date);
 
+/// Whose levels are played, for a RunStore.
+struct RunServer {
+  std::string folder{};                    ///< name of a folder for the server; empty: it is the player's own
+  std::vector<std::uint64_t> ownLevels{};  ///< hashes of levels whose runs are kept as those of the player's own games
+};
+
 /// The best run on each level by each version of the rules: a folder with one recording each, whose name is the hash of
 /// the level, the version of the rules and the ticks. A file that is copied here counts like the others. A folder that
 /// cannot be read or written keeps nothing.
+///
+/// Runs on the levels of other servers are in a folder for each server, `servers/NAME`, with bounds of their own, so
+/// that a server with hundreds of levels cannot push out the runs of the player's own games, nor those of others.
 class RunStore {
  public:
-  /// Bounds of the folder; the runs that were written longest ago are removed.
+  /// Bounds of the runs of own games; the runs that were written longest ago are removed.
   static constexpr std::size_t kMaxRuns = 512;
   static constexpr std::uint64_t kMaxBytes = std::uint64_t{64} << 20;
+  /// Bounds of the folder of each server.
+  static constexpr std::size_t kMaxServerRuns = 64;
+  static constexpr std::uint64_t kMaxServerBytes = std::uint64_t{16} << 20;
+  /// Most folders of servers; those in which a run was kept longest ago are removed.
+  static constexpr std::size_t kMaxServers = 16;
   /// Most bytes of a run that is kept.
   static constexpr std::size_t kMaxRunBytes = std::size_t{4} << 20;
 
@@ -55,7 +69,8 @@ class RunStore {
   static std::string fileNameOf(std::uint64_t level, std::uint32_t ticks);
 
   /// An empty path: nothing is kept.
-  explicit RunStore(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  explicit RunStore(std::filesystem::path folder, RunServer server = {})
+      : folder_(std::move(folder)), server_(std::move(server)) {}
 
   /// The best run on a level by the present rules, by its name; the recording may turn out to be damaged.
   std::optional<StoredRun> best(std::uint64_t level) const;
@@ -67,9 +82,14 @@ class RunStore {
   std::vector<ListedRun> list() const;
 
  private:
+  bool isOwn(std::uint64_t level) const;
+  std::filesystem::path serversFolder() const { return folder_ / "servers"; }
+  std::filesystem::path folderFor(std::uint64_t level) const;
   void limit() const;
+  void limitServers() const;
 
   std::filesystem::path folder_;
+  RunServer server_;
 };
 
 }  // namespace platon

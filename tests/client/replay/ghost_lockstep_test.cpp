@@ -61,7 +61,7 @@ TEST(GhostLockstep, AMatchWithGhostsIsTheSameMatch) {
   std::vector<Watcher> none(3);
   std::vector<Watcher> watchers(3);
   for (std::size_t i = 0; i < watchers.size(); ++i) {
-    watchers[i].keeper = std::make_shared<RunKeeper>(folder / std::to_string(i), folder / "0");
+    watchers[i].keeper = std::make_shared<RunKeeper>(RunStore(folder / std::to_string(i)), folder / "0");
   }
   EXPECT_EQ(play(watchers), play(none));
   for (Watcher& watcher : watchers) {

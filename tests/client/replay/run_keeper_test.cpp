@@ -40,7 +40,7 @@ class RunKeeperTest : public testing::Test {
 
   const TemporaryFolder folder_;
   Game game_{edgeLevel()};
-  RunKeeper keeper_{folder_ / "runs", folder_ / "ghosts"};
+  RunKeeper keeper_{RunStore(folder_ / "runs"), folder_ / "ghosts"};
 };
 
 TEST_F(RunKeeperTest, TheFirstRunIsTheBestAndIsKept) {
@@ -52,7 +52,7 @@ TEST_F(RunKeeperTest, TheFirstRunIsTheBestAndIsKept) {
   EXPECT_FALSE(keeper_.status().difference) << "there was none before";
   ASSERT_TRUE(keeper_.store().best(game_.level().hash));
   EXPECT_EQ(keeper_.store().best(game_.level().hash)->ticks, ticks);
-  RunKeeper next(folder_ / "runs", {});
+  RunKeeper next(RunStore(folder_ / "runs"), {});
   next.began(Game(edgeLevel()), 0);
   EXPECT_EQ(next.status().best, seconds(ticks));
 }
@@ -135,7 +135,7 @@ TEST_F(RunKeeperTest, OthersAreGhostsToo) {
   for (const char* const name : {"a", "b", "c", "d"}) {
     writeText(folder_ / "ghosts" / name, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   }
-  RunKeeper next(folder_ / "runs", folder_ / "ghosts");
+  RunKeeper next(RunStore(folder_ / "runs"), folder_ / "ghosts");
   Game game(edgeLevel());
   next.began(game, 0);
   const std::vector<Input> right{{Input::kPresent | Input::kRight}};
@@ -163,7 +163,7 @@ TEST_F(RunKeeperTest, ADamagedBestRunIsNamedAndDoesNotCount) {
   attempt(40, 0);
   const std::filesystem::path file = keeper_.store().best(game_.level().hash)->file;
   writeText(file, "damaged");
-  RunKeeper next(folder_ / "runs", {});
+  RunKeeper next(RunStore(folder_ / "runs"), {});
   next.began(Game(edgeLevel()), 0);
   EXPECT_FALSE(next.status().best);
   const std::vector<std::string> faults = next.takeFaults();

@@ -143,6 +143,61 @@ TEST_F(RunStoreTest, TheBytesAreBounded) {
   EXPECT_EQ(store_.keep(large), "its recording is too large");
 }
 
+TEST_F(RunStoreTest, AServerCannotPushOutRunsOfOwnGamesNorOfOtherServers) {
+  const auto run = runOf();
+  const std::string name = RunStore::fileNameOf(run.level->hash, run.ticks);
+  fs::create_directories(path_ / "servers/hostile");
+  fs::create_directories(path_ / "servers/friend");
+  const auto old = [&](const fs::path& file, std::size_t hours) {
+    writeText(path_ / file, "x");
+    fs::last_write_time(path_ / file, fs::file_time_type::clock::now() - std::chrono::hours(hours));
+  };
+  old(RunStore::fileNameOf(1, 5), 9000);
+  old("servers/friend/" + RunStore::fileNameOf(2, 5), 9000);
+  for (std::uint64_t i = 0; i < RunStore::kMaxRuns; ++i)
+    old("servers/hostile/" + RunStore::fileNameOf(1000 + i, 5), i + 1);
+  RunStore hostile(path_, {"hostile", {}});
+  EXPECT_EQ(hostile.keep(run), "");
+  EXPECT_TRUE(fs::exists(path_ / "servers/hostile" / name));
+  EXPECT_EQ(store_.all().size(), RunStore::kMaxServerRuns + 2);
+  EXPECT_TRUE(store_.best(1));
+  EXPECT_TRUE(store_.best(2));
+  EXPECT_EQ(store_.best(run.level->hash)->ticks, run.ticks);
+}
+
+TEST_F(RunStoreTest, ARunOnALevelOfTheGameIsTheOwnAlsoOnAServer) {
+  const auto slow = runOf(Input::kWalk);
+  const auto fast = runOf();
+  RunStore other(path_, {"other", {}});
+  RunStore known(path_, {"known", {slow.level->hash}});
+  other.keep(slow);
+  known.keep(fast);
+  ASSERT_EQ(store_.all().size(), 1U) << "the slower one is not needed any more";
+  EXPECT_EQ(store_.all()[0].file.parent_path(), path_);
+}
+
+TEST_F(RunStoreTest, ARunOnAServerReplacesNoneOfOwnGames) {
+  store_.keep(runOf(Input::kWalk));
+  RunStore server(path_, {"server", {}});
+  server.keep(runOf());
+  EXPECT_EQ(store_.all().size(), 2U);
+}
+
+TEST_F(RunStoreTest, TheServersOfLongAgoAreRemoved) {
+  for (std::size_t i = 0; i < RunStore::kMaxServers; ++i) {
+    const fs::path folder = path_ / "servers" / std::to_string(i);
+    fs::create_directories(folder);
+    writeText(folder / RunStore::fileNameOf(1, 5), "x");
+    fs::last_write_time(folder / RunStore::fileNameOf(1, 5),
+                        fs::file_time_type::clock::now() - std::chrono::hours(i + 1));
+  }
+  RunStore server(path_, {"new", {}});
+  server.keep(runOf());
+  EXPECT_TRUE(fs::exists(path_ / "servers/new"));
+  EXPECT_TRUE(fs::exists(path_ / "servers" / std::to_string(RunStore::kMaxServers - 2)));
+  EXPECT_FALSE(fs::exists(path_ / "servers" / std::to_string(RunStore::kMaxServers - 1)));
+}
+
 TEST_F(RunStoreTest, WithoutAFolderNothingIsKept) {
   RunStore none{fs::path()};
   EXPECT_EQ(none.keep(runOf()), "");

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <deque>
+#include <future>
+#include <optional>
+#include <string>
+
+#include "client/replay/run_store.h"
+
+namespace platon {
+
+/// Keeps runs in a store without waiting for the disk: a thread writes them, one after the other.
+class RunSaver {
+ public:
+  explicit RunSaver(RunStore store) : store_(std::move(store)) {}
+  /// Waits until all runs are kept.
+  ~RunSaver() { finish(); }
+  RunSaver(const RunSaver&) = delete;
+  RunSaver& operator=(const RunSaver&) = delete;
+
+  void keep(Run run);
+  /// Goes on with the next run. Call now and then. Returns why the last one could not be kept, once.
+  std::optional<std::string> poll();
+  /// Waits until all runs are kept, or have failed.
+  void finish();
+
+  /// Holds all runs only after `finish`.
+  const RunStore& store() const { return store_; }
+
+ private:
+  void start();
+  void take();
+
+  RunStore store_;
+  std::deque<Run> waiting_;
+  std::future<std::string> writing_;  // why it failed, or an empty text
+  std::string fault_;                 // not reported yet
+};
+
+}  // namespace platon
