@@ -7,13 +7,13 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <stb/stb_image.h>
 
 #include "client/gl/gl_loader.h"
 #include "client/gl/offscreen.h"
 #include "client/gl/renderer.h"
 #include "client/scene/camera_target.h"
 #include "platon/game/game.h"
+#include "tests/client/gl/golden_picture.h"
 #include "tests/client/gl/test_stage.h"
 #include "tests/support/files.h"
 
@@ -156,34 +156,6 @@ TEST_F(ElementPictureTest, AnotherStageReplacesTheFirst) {
   EXPECT_EQ(draw(sceneWith("")), draw(sceneOf(sceneWith("").stage))) << "a stage without elements has no states";
 }
 
-// The largest mean difference of a byte in a block of pixels.
-double difference(const Image& a, const Image& b) {
-  double largest = 0;
-  for (std::size_t y = 0; y < a.height; y += kBlock) {
-    for (std::size_t x = 0; x < a.width; x += kBlock) {
-      double sum = 0;
-      for (std::size_t row = y; row < y + kBlock; ++row) {
-        for (std::size_t i = 3 * (row * a.width + x); i < 3 * (row * a.width + x + kBlock); ++i)
-          sum += std::abs(int{a.pixels[i]} - int{b.pixels[i]});
-      }
-      largest = std::max(largest, sum / (3 * kBlock * kBlock));
-    }
-  }
-  return largest;
-}
-
-Image readPng(const std::string& file) {
-  int width = 0;
-  int height = 0;
-  int parts = 0;
-  unsigned char* const pixels = stbi_load(file.c_str(), &width, &height, &parts, 3);
-  if (pixels == nullptr) return {};
-  Image image{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), {}};
-  image.pixels.assign(pixels, pixels + std::ptrdiff_t{3} * width * height);
-  stbi_image_free(pixels);
-  return image;
-}
-
 constexpr double kHeightAbove =
     624 / 1.6 / 2 / CameraTarget::kTangent;  // of the eye above the face, along the ray from the centre
 
@@ -203,7 +175,7 @@ TEST_F(ElementPictureTest, EveryElementLooksAsBefore) {
   const Image expected = readPng(golden);
   ASSERT_EQ(expected.pixels.size(), image.pixels.size())
       << "look at " << drawn << ", and write it with pngquant to " << golden;
-  EXPECT_LT(difference(image, expected), 8)
+  EXPECT_LT(blockDifference(image, expected, kBlock), 8)
       << "look at " << drawn << ", and if it is right, write it with pngquant to " << golden;
 }
 

@@ -1,0 +1,112 @@
+// A golden picture for each level of quality.
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "client/gl/game_view.h"
+#include "client/gl/gl_loader.h"
+#include "client/gl/offscreen.h"
+#include "client/gl/renderer.h"
+#include "client/quality/quality.h"
+#include "platon/game/game.h"
+#include "tests/client/gl/golden_picture.h"
+#include "tests/client/gl/test_stage.h"
+#include "tests/support/files.h"
+
+namespace platon {
+namespace {
+
+constexpr std::uint32_t kWidth = 480;
+constexpr std::uint32_t kHeight = 270;
+constexpr std::size_t kBlock = 30;  // pixels; divides both sizes
+// Of the golden pictures. Processors of another kind round its results in another way.
+const std::string kDriver = "llvmpipe (LLVM 15.0.6, 256 bits)";
+constexpr int kRounding = 2;        // steps of a colour, on that driver
+constexpr double kOtherDriver = 8;  // mean steps of a colour in a block, on others
+
+Scene matchScene() {
+  const LevelResult result = loadLevel(readText("levels/dodecahedron/21_leap_for_the_key.level"));
+  const auto stage = makeStageModel(*result.level);
+  std::vector<PlayerDrawing> players;
+  for (std::uint32_t slot = 0; slot < 3; ++slot) {
+    players.push_back(playerAt(*stage, slot, stage->start.face, stage->start.place + glm::vec2(40 * slot, 0)));
+    players.back().name = "Player " + players.back().number;
+  }
+  players.front().local = true;
+  std::rotate(players.begin(), players.begin() + 1, players.end());
+  Scene scene = sceneOf(stage, players);
+  scene.focus = players.back().pose;
+  scene.elements = elementStatesOf(Game(result.level), std::nullopt, stage->mesh);
+  scene.seconds = 2;
+  scene.secondsLeft = 298;
+  scene.attempt.emplace(1.5);
+  return scene;
+}
+
+// Without the head-up display.
+Image pictureIn(const Quality& quality) {
+  const Font font;
+  Renderer renderer(kWidth, kHeight, font);
+  renderer.setQuality(quality);
+  const Scene scene = matchScene();
+  Camera camera;
+  camera.set(scene.focus, scene.stage->mesh, kWidth, kHeight);
+  renderer.draw(scene, camera, {}, PictureStyle());
+  EXPECT_EQ(takeGlErrors(), "");
+  return renderer.read();
+}
+
+int largestDifference(const Image& a, const Image& b) {
+  int largest = 0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i)
+    largest = std::max(largest, std::abs(int{a.pixels[i]} - int{b.pixels[i]}));
+  return largest;
+}
+
+TEST(QualityPictures, EachLevelLooksAsBefore) {
+  const Offscreen context;
+  for (const NamedQuality& named : kQualities) {
+    const std::string name = "quality_" + std::string(named.name) + ".png";
+    const std::string golden = "tests/client/gl/golden/" + name;
+    const std::string drawn = testing::TempDir() + name;
+    const Image image = pictureIn(named.quality);
+    writePng(image, drawn);
+    const Image expected = readPng(golden);
+    const std::string advice = "look at " + drawn + ", and if it is right, copy it to " + golden;
+    EXPECT_EQ(expected.pixels.size(), image.pixels.size()) << advice;
+    if (expected.pixels.size() != image.pixels.size()) continue;
+    EXPECT_LT(blockDifference(image, expected, kBlock), kOtherDriver) << advice;
+    const int allowed = driverName() == kDriver ? kRounding : 255;
+    EXPECT_LE(largestDifference(image, expected), allowed) << advice;
+  }
+}
+
+TEST(QualityPictures, TheLevelsDiffer) {
+  const Offscreen context;
+  for (std::size_t i = 1; i < kQualities.size(); ++i)
+    EXPECT_NE(pictureIn(kQualities[i - 1].quality), pictureIn(kQualities[i].quality)) << kQualities[i].name;
+}
+
+// A panel hides the scene. Its text is the same at any scale.
+TEST(QualityPictures, TextsKeepTheirFullSize) {
+  const Offscreen context;
+  Overlay menu;
+  menu.panels.push_back({{0, 0}, {1280, 720}, 0, {0, 0, 0, 1}});
+  menu.texts.push_back({{100, 300}, 40, {1, 1, 1, 1}, "Platon"});
+  std::vector<Image> images;
+  for (const double scale : {1.0, 0.75, 0.5}) {
+    GameView view(kWidth, kHeight);
+    view.setQuality({1, scale, true, true});
+    const Scene scene = matchScene();
+    view.draw(&scene, {}, Settings(), menu, 0.1);
+    images.push_back(view.read());
+  }
+  EXPECT_EQ(images[1], images[0]);
+  EXPECT_EQ(images[2], images[0]);
+}
+
+}  // namespace
+}  // namespace platon
