@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "client/files/user_folders.h"
+#include "protocol/files/bounded_folder.h"
 #include "protocol/files/text_file.h"
 #include "protocol/program_error.h"
 
@@ -21,12 +22,17 @@ std::optional<std::uint16_t> portOf(const std::string& text) {
   return port;
 }
 
-// Writes a level for the server in this program, which says so if the file is missing.
+// Writes a level for the server in this program, which says so if the file is missing. A file of its own: another
+// program may play another level.
 std::string racedLevelFile(const Level& level) {
-  const std::filesystem::path file = cacheFolder() / "raced" / (std::to_string(level.hash) + ".level");
+  constexpr std::size_t kMaxFiles = 16;
+  const std::filesystem::path folder = cacheFolder() / "raced";
+  const std::filesystem::path file = folder / (std::to_string(level.hash) + ".level");
   std::error_code ignored;
-  std::filesystem::create_directories(file.parent_path(), ignored);
+  std::filesystem::create_directories(folder, ignored);
   (void)replaceCachedFile(file.string(), level.text);
+  const auto isLevel = [](const std::filesystem::path& path) { return path.extension() == ".level"; };
+  removeOldest(newestFiles(folder, Subfolders::kWithout, isLevel), kMaxFiles, kMaxFiles * kMaxLevelBytes);
   return file.string();
 }
 

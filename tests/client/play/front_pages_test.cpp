@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include "client/files/user_folders.h"
+#include "tests/client/replay/followed_game.h"
+#include "tests/shared/game/played_game.h"
 #include "tests/support/environment_variable.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
@@ -34,7 +37,15 @@ class FrontPagesTest : public testing::Test {
     return false;
   }
 
+  // Puts a recording where those of friends are.
+  std::filesystem::path keepGhost(const std::string& recording) const {
+    std::filesystem::create_directories(ghostsFolder());
+    writeText(ghostsFolder() / "Anna.recording", recording);
+    return ghostsFolder() / "Anna.recording";
+  }
+
   const TemporaryFolder folder_;
+  const EnvironmentVariable cache_{"XDG_CACHE_HOME", folder_.path().string()};
   const EnvironmentVariable data_{"XDG_DATA_HOME", folder_.path().string()};
   Font font_;
   Menu menu_;
@@ -73,6 +84,31 @@ TEST_F(FrontPagesTest, OnlyLevelsOfTheGameHaveMedals) {
   const auto other = loadLevel(readText("tests/determinism/golden/levels/hexahedron.level")).level;
   EXPECT_FALSE(pages_.medalsOf(other));
   EXPECT_EQ(pages_.entryOf(other).title, other->title);
+}
+
+TEST_F(FrontPagesTest, ARaceOnALevelOfTheGameStartsItAndTheOthersFollow) {
+  const auto ghost = keepGhost(readText("tests/levels/ways/02_over_the_edge.recording"));
+  pages_.showRun(ghost);
+  EXPECT_EQ(pages_.shownLevel()->title, "Over the edge");
+  tap(Key::kArrowDown);
+  tap(Key::kEnter);
+  ASSERT_TRUE(started_);
+  EXPECT_EQ(started_->rival, ghost);
+  EXPECT_NE(started_->own.levels.front().find("02_over_the_edge"), std::string::npos);
+  EXPECT_EQ(started_->own.levels.size(), loadShippedLevels().size());
+}
+
+TEST_F(FrontPagesTest, ARaceOnAnotherLevelTakesItFromTheRecording) {
+  FollowedGame game(cubeLevel("0 0 -180 0", {"-240 -200 240 -200"}, "0 100 -190"));
+  game.hold(30, 0);
+  game.holdToGoal(300, Input::kRight);
+  const std::vector<std::uint8_t>& bytes = game.run.value().recording;
+  pages_.showRun(keepGhost({reinterpret_cast<const char*>(bytes.data()), bytes.size()}));
+  tap(Key::kArrowDown);
+  tap(Key::kEnter);
+  ASSERT_TRUE(started_);
+  ASSERT_EQ(started_->own.levels.size(), 1U);
+  EXPECT_EQ(readText(started_->own.levels[0]), game.game.level().text);
 }
 
 TEST_F(FrontPagesTest, JoinTakesAnAddressAndRefusesWhatIsNone) {

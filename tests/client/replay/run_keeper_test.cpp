@@ -147,6 +147,27 @@ TEST_F(RunKeeperTest, OthersAreGhostsToo) {
   EXPECT_EQ(ghosts[3].name, "c");
 }
 
+TEST_F(RunKeeperTest, TheRivalIsAGhostOnceOnItsLevel) {
+  begin();
+  attempt(40, 0);
+  const std::filesystem::path best = keeper_.store().best(game_.level().hash)->file;
+  std::filesystem::copy_file(best, folder_ / "Anna.recording");
+  const auto ghostsWith = [&](const std::filesystem::path& rival) {
+    RunKeeper next(RunStore(folder_ / "runs"), {}, rival);
+    Game game(edgeLevel());
+    next.began(game, 0);
+    const std::vector<Input> right{{Input::kPresent | Input::kRight}};
+    game.advance(right);
+    next.advanced(right, game);
+    EXPECT_TRUE(next.takeFaults().empty());
+    return next.ghostsAt(game, 0, 1);
+  };
+  EXPECT_EQ(ghostsWith(best).size(), 1U) << "the best run is one already";
+  ASSERT_EQ(ghostsWith(folder_ / "Anna.recording").size(), 2U);
+  EXPECT_EQ(ghostsWith(folder_ / "Anna.recording")[1].name, "Anna");
+  EXPECT_EQ(ghostsWith(folder_ / "missing").size(), 1U);
+}
+
 TEST_F(RunKeeperTest, AnotherLevelHasAnotherBestRun) {
   begin();
   attempt(40, 0);
