@@ -16,6 +16,13 @@ Ghost ghostOf(RunTrack track) {
   return {name, std::make_shared<RunTrack>(std::move(track))};
 }
 
+// The run of a recording that this program has made.
+std::optional<RunTrack> trackIn(const std::vector<std::uint8_t>& recording) {
+  const auto read = Replay::read(recording);
+  const auto* const replay = std::get_if<std::shared_ptr<const Replay>>(&read);
+  return replay == nullptr ? std::nullopt : trackOf(**replay);
+}
+
 }  // namespace
 
 void RunKeeper::began(const Game& confirmed, std::uint32_t slot) {
@@ -28,7 +35,9 @@ void RunKeeper::began(const Game& confirmed, std::uint32_t slot) {
 
 void RunKeeper::load(std::uint64_t level) {
   level_ = level;
+  takeTrack();  // of the level before
   best_ = readBest(level);
+  bestTicks_ = best_ ? std::optional(best_->track->ticks) : std::nullopt;
   others_ = ghostsIn(ghostFolder_, level, kMaxOthers, faults_);
   addRival(level);
 }
@@ -55,7 +64,14 @@ std::optional<Ghost> RunKeeper::readBest(std::uint64_t level) {
   return std::nullopt;
 }
 
+// Usually done long ago: the attempt before has ended some time before the next one begins.
+void RunKeeper::takeTrack() {
+  if (!tracking_.valid()) return;
+  if (std::optional<RunTrack> track = tracking_.get()) best_ = ghostOf(std::move(*track));
+}
+
 void RunKeeper::beginAttempt() {
+  takeTrack();
   startedAt_ = 0;
   visits_ = FaceVisits();
   rival_ = best_;
@@ -93,16 +109,13 @@ void RunKeeper::arrive(const Game& game, std::uint32_t ticks) {
     show(tick_, std::int64_t{ticks} - rival_->track->ticks);
     differenceUntil_ = UINT32_MAX;
   }
-  if (best_ && best_->track->ticks <= ticks) return;
-  const std::optional<Run> run = cutter_.cut(game);
+  if (bestTicks_ && *bestTicks_ <= ticks) return;
+  std::optional<Run> run = cutter_.cut(game);
   if (!run) return;
-  const auto replay = Replay::read(run->recording);
-  const auto* const played = std::get_if<std::shared_ptr<const Replay>>(&replay);
-  std::optional<RunTrack> track = played == nullptr ? std::nullopt : trackOf(**played);
-  if (!track) return;
   isNewBest_ = true;
-  best_ = ghostOf(std::move(*track));
-  saver_.keep(*run);
+  bestTicks_ = ticks;
+  tracking_ = std::async(std::launch::async, [recording = run->recording] { return trackIn(recording); });
+  saver_.keep(std::move(*run));
 }
 
 std::vector<std::string> RunKeeper::takeFaults() {
@@ -117,7 +130,7 @@ const RunStore& RunKeeper::store() {
 
 RunStatus RunKeeper::status() const {
   RunStatus status;
-  if (best_) status.best = secondsOf(best_->track->ticks);
+  if (bestTicks_) status.best = secondsOf(*bestTicks_);
   if (difference_ && tick_ < differenceUntil_) status.difference = secondsOf(static_cast<double>(*difference_));
   status.isNewBest = isNewBest_;
   return status;

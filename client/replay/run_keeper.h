@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <future>
 #include <memory>
 #include <optional>
 #include <string>
@@ -52,6 +53,7 @@ class RunKeeper : public ConfirmedObserver {
   std::optional<Ghost> readBest(std::uint64_t level);
   void addRival(std::uint64_t level);
   void beginAttempt();
+  void takeTrack();
   void observe(const Game& game, const PlayerState& player);
   void arrive(const Game& game, std::uint32_t ticks);
   void show(std::uint32_t tick, std::int64_t difference);
@@ -63,6 +65,8 @@ class RunKeeper : public ConfirmedObserver {
   std::uint32_t slot_ = 0;
   std::optional<std::uint64_t> level_;  // hash, of best_ and others_
   std::optional<Ghost> best_;
+  std::optional<std::uint32_t> bestTicks_;         // its time; ahead of best_ while a thread plays a new one
+  std::future<std::optional<RunTrack>> tracking_;  // of a new best run, for best_
   std::vector<Ghost> others_;
   std::vector<std::string> faults_;
   std::uint32_t tick_ = 0;  // of the confirmed game
