@@ -11,6 +11,7 @@
 #include "client/files/user_folders.h"
 #include "client/lobby/shipped_levels.h"
 #include "client/session/farewell.h"
+#include "client/ui/player_rows.h"
 
 namespace platon {
 
@@ -150,9 +151,8 @@ std::filesystem::path MatchPlay::bestRun() const {
 void MatchPlay::takeChats(Moment now) {
   for (const PlayerChat& said : client_.takeChats()) {
     const std::span<const std::string> names = client_.session()->names();
-    const bool known = said.slot < names.size() && !names[said.slot].empty();
-    const std::string name = known ? names[said.slot] : "Player " + std::to_string(said.slot + 1);
-    chat_.add(name, said.chat.text, said.chat.emote, toSeconds(now));
+    const std::string name = said.slot < names.size() ? names[said.slot] : std::string();
+    chat_.add(calledName(name, std::to_string(said.slot + 1)), said.chat.text, said.chat.emote, toSeconds(now));
   }
 }
 

@@ -21,9 +21,11 @@ std::string shortened(const std::string& name) {
 
 }  // namespace
 
-std::string shownNameOf(const PlayerDrawing& player) {
-  return player.name.empty() ? std::string("Player ") + player.number : shortened(player.name);
+std::string calledName(const std::string& name, const std::string& number) {
+  return name.empty() ? "Player " + number : name;
 }
+
+std::string shownNameOf(const PlayerDrawing& player) { return shortened(calledName(player.name, player.number)); }
 
 std::string finishText(double seconds) {
   const long hundredths = std::lround(seconds * 100);

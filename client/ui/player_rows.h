@@ -7,7 +7,10 @@
 
 namespace platon {
 
-/// What lists call a player: its name, cut if it is long, or its number.
+/// What a player is called: its name, or its number, `Player 3`, if it has none.
+std::string calledName(const std::string& name, const std::string& number);
+
+/// What lists call a player: the same, cut if it is long.
 std::string shownNameOf(const PlayerDrawing& player);
 
 /// A time to the goal: `12.34 s`. `seconds` ≥ 0.

@@ -28,6 +28,11 @@ TEST(PlayerRows, TimesHaveHundredths) {
   EXPECT_EQ(finishText(299.999), "300.00 s");
 }
 
+TEST(PlayerRows, WhoHasNoNameIsCalledByItsNumber) {
+  EXPECT_EQ(calledName("", "7"), "Player 7");
+  EXPECT_EQ(calledName("Ann", "7"), "Ann");
+}
+
 TEST(PlayerRows, ALongNameIsCutBetweenCodePointsAndNoNameIsTheNumber) {
   PlayerDrawing player = playerOf(6);
   EXPECT_EQ(shownNameOf(player), "Player 7");
