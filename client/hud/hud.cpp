@@ -11,6 +11,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "client/hud/edge_sign.h"
 #include "client/hud/hud_space.h"
 #include "client/ui/fitted_text.h"
 #include "client/ui/key_help.h"
@@ -118,6 +119,32 @@ void placeNameTags(HudSpace& space, const Scene& scene, const Camera& camera, co
     if (!coversLocalPlayer(scene, ghost)) place(ghost);
   }
   for (const PlayerDrawing& player : scene.players) place(player);
+}
+
+// At the border, or nearer to the middle if there is no room.
+void placeSign(HudSpace& space, const Camera& camera, glm::dvec3 point, const std::string& name, glm::vec4 colour,
+               const Font& font) {
+  constexpr float kSize = 14;
+  const glm::dvec4 clip = camera.viewProjection() * glm::dvec4(point, 1);
+  for (float part = 1; part > 0.5F; part -= 0.08F) {
+    const glm::vec2 half(font.width(name + "  ") * kSize / 2 + 3 * kSize, 2 * kSize);
+    const auto sign = edgeSignOf(clip, space.screen(), (space.screen() / 2.0F - half) * part);
+    if (!sign) return;
+    const auto draw = [&](OverlayWriter& writer) {
+      writer.pill(std::string(sign->arrow) + " " + name, sign->place, kSize, colour);
+    };
+    if (space.add(drawn(font, draw))) return;
+  }
+}
+
+// Show where the goal and the other players are when they are out of the picture.
+void placeSigns(HudSpace& space, const Scene& scene, const Camera& camera, const Font& font) {
+  const Marker& goal = scene.stage->goal;
+  placeSign(space, camera, scene.stage->mesh.pose(goal.face, goal.place, goal.angle).position, "★ goal", kGold, font);
+  for (const PlayerDrawing& player : scene.players) {
+    const glm::vec4 colour(glm::mix(player.colour, Colour(1), 0.35F), 1);
+    if (!player.local) placeSign(space, camera, player.pose.position, shownNameOf(player), colour, font);
+  }
 }
 
 // At the left below the title. The results tell the times of a round that has ended.
@@ -269,6 +296,7 @@ Overlay makeHud(const Scene& scene, const Camera& camera, const HudStatus& statu
   placePlayers(space, scene, status, font);
   if (status.help) placeHelp(space, status.keys, font);
   placeChat(space, status.chat, font);
+  placeSigns(space, scene, camera, font);
   placeNameTags(space, scene, camera, font);
   return scaledBy(space.overlay(), status.scale);
 }

@@ -47,8 +47,9 @@ std::string clockText(double seconds);
 /// The display while there is no game. `width` is that of the virtual screen at scale 1.
 Overlay makeEmptyHud(const HudStatus& status, const Font& font, float width);
 
-/// Title, clock, the local player's own time, list of players, name tags, results, vote, message, notice, hint, graph
-/// and help. Nothing overlaps and all is on the screen; what finds no room is shortened or left out.
+/// Title, clock, the local player's own time, list of players, name tags, signs of what is out of the picture, results,
+/// vote, message, notice, hint, graph and help. Nothing overlaps and all is on the screen; what finds no room is
+/// shortened or left out.
 Overlay makeHud(const Scene& scene, const Camera& camera, const HudStatus& status, const Font& font);
 
 }  // namespace platon

@@ -274,6 +274,23 @@ TEST(Hud, AGhostHasANameTagUnlessItWouldHideTheLocalPlayer) {
   EXPECT_EQ(count(hudOf(scene), "Ghost"), 1);
 }
 
+TEST(Hud, WhatIsOutOfThePictureHasASignAtTheBorder) {
+  Scene scene = sceneOf(2);
+  scene.players[1].local = true;
+  const auto hasSign = [](const Overlay& hud, const std::string& name) {
+    return std::any_of(hud.texts.begin(), hud.texts.end(),
+                       [&](const Overlay::Text& text) { return text.content.ends_with(" " + name); });
+  };
+  EXPECT_FALSE(hasSign(hudOf(scene), "Name1"));
+  Camera camera;
+  camera.set(scene.focus, scene.stage->mesh, 1280, 720);
+  scene.players[0].pose.position += 3000.0 * camera.up();
+  const Overlay hud = hudOf(scene);
+  EXPECT_TRUE(hasSign(hud, "Name1"));
+  EXPECT_TRUE(find(hud, "↑ Name1"));
+  EXPECT_FALSE(hasSign(hud, "Name2")) << "the local player";
+}
+
 TEST(Hud, TheTimerCanBeHidden) {
   Scene scene = sceneOf(1);
   scene.players[0].local = true;
