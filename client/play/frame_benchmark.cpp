@@ -22,8 +22,8 @@ FrameBenchmark::Course::Course(const NamedQuality& named) : level(named.level) {
   commands.setQuality(named.quality);
 }
 
-FrameBenchmark::FrameBenchmark(std::shared_ptr<const Level> level, Now wall, Now own)
-    : wall_(std::move(wall)), own_(std::move(own)), game_(std::move(level)) {
+FrameBenchmark::FrameBenchmark(std::shared_ptr<const Level> level, Clocks clocks)
+    : clocks_(std::move(clocks)), game_(std::move(level)) {
   for (const NamedQuality& named : kQualities) courses_.emplace_back(named);
 }
 
@@ -53,32 +53,37 @@ std::vector<Scene> FrameBenchmark::nextScenes() {
   std::vector<Scene> scenes;
   for (std::uint32_t i = 0; i < kFramesInTurn; ++i) {
     game_.advance(kTicksBetween);
-    const Moment before = own_();
+    const Moment before = clocks_.own();
     scenes.push_back(game_.scene());
-    sceneTimes_.add(toMilliseconds(own_() - before));
+    sceneTimes_.add(toMilliseconds(clocks_.own() - before));
   }
   return scenes;
 }
 
 void FrameBenchmark::draw(Course& course, const Scene& scene) const {
   const std::uint64_t calls = DrawCalls::count();
-  const Moment before = wall_();
+  const Moment allBefore = clocks_.all();
+  const Moment before = clocks_.wall();
   drawOn(course.view, scene);
   finishDrawing();
-  course.times.add(toMilliseconds(wall_() - before));
+  course.times.add(toMilliseconds(clocks_.wall() - before));
+  course.allTimes.add(toMilliseconds(clocks_.all() - allBefore));
   course.drawCalls.add(static_cast<double>(DrawCalls::count() - calls));
 }
 
 void FrameBenchmark::drawWithheld(Course& course, const Scene& scene) const {
   DrawCalls::withhold(true);
-  const Moment before = own_();
+  const Moment before = clocks_.own();
   drawOn(course.commands, scene);
-  course.ownTimes.add(toMilliseconds(own_() - before));
+  course.ownTimes.add(toMilliseconds(clocks_.own() - before));
   DrawCalls::withhold(false);
 }
 
 FrameCost FrameBenchmark::costOf(const Course& course) const {
-  return {course.level, course.times.quantile(0.5), course.times.quantile(0.99),
+  return {course.level,
+          course.times.quantile(0.5),
+          course.times.quantile(0.99),
+          course.allTimes.quantile(0.5),
           sceneTimes_.quantile(0.5) + course.ownTimes.quantile(0.5),
           static_cast<std::uint32_t>(course.drawCalls.quantile(0.5))};
 }

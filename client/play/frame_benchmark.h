@@ -25,9 +25,14 @@ class FrameBenchmark {
 
   using Now = std::function<Moment()>;
 
-  /// `wall` is the time that passes, `own` that for which a processor has worked for this thread. Throws
-  /// std::runtime_error if there is no OpenGL.
-  FrameBenchmark(std::shared_ptr<const Level> level, Now wall, Now own);
+  struct Clocks {
+    Now wall;  ///< the time that passes
+    Now all;   ///< for which processors have worked for the program
+    Now own;   ///< for which a processor has worked for this thread
+  };
+
+  /// Throws std::runtime_error if there is no OpenGL.
+  FrameBenchmark(std::shared_ptr<const Level> level, Clocks clocks);
 
   /// Draws the frames. If `stopRequested` returns true, it measures fewer of them.
   BenchmarkReport run(const std::function<bool()>& stopRequested);
@@ -44,6 +49,7 @@ class FrameBenchmark {
     GameView view{kWidth, kHeight};
     GameView commands{kWidth, kHeight};  // whose draw calls are withheld
     QuantileWindow<kFrames> times;
+    QuantileWindow<kFrames> allTimes;
     QuantileWindow<kFrames> ownTimes;
     QuantileWindow<kFrames> drawCalls;
   };
@@ -53,8 +59,7 @@ class FrameBenchmark {
   void drawWithheld(Course& course, const Scene& scene) const;
   FrameCost costOf(const Course& course) const;
 
-  Now wall_;
-  Now own_;
+  Clocks clocks_;
   Offscreen offscreen_;
   BenchmarkGame game_;
   QuantileWindow<kFrames> sceneTimes_;  // of the processor

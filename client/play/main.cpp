@@ -18,8 +18,8 @@
 #include "client/play/offscreen_play.h"
 #include "client/play/offscreen_replay.h"
 #include "client/play/window_play.h"
+#include "client/time/processor_time.h"
 #include "client/time/steady_now.h"
-#include "client/time/thread_time.h"
 #include "protocol/program_error.h"
 #include "server/app/level_files.h"
 
@@ -40,7 +40,7 @@ void benchmark(const ClientOptions& options) {
   const std::vector<std::string> files =
       options.level.empty() ? shippedLevelFiles() : std::vector<std::string>{options.level};
   const std::shared_ptr<const Level> level = loadLevelFiles({files.front()}).levels.front();
-  const BenchmarkReport report = FrameBenchmark(level, steadyClock().now, threadTime).run(stopRequested);
+  const BenchmarkReport report = FrameBenchmark(level, {steadyClock().now, programTime, threadTime}).run(stopRequested);
   std::fputs((options.json ? toJson(report) : toText(report)).c_str(), stdout);
 }
 

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "client/time/processor_time.h"
 #include "client/time/steady_now.h"
-#include "client/time/thread_time.h"
 #include "server/app/level_files.h"
 
 namespace platon {
@@ -11,7 +11,7 @@ namespace {
 
 TEST(FrameBenchmark, MeasuresEveryQualityOnce) {
   const auto level = loadLevelFiles({shippedLevelFiles().front()}).levels.front();
-  FrameBenchmark benchmark(level, steadyClock().now, threadTime);
+  FrameBenchmark benchmark(level, {steadyClock().now, programTime, threadTime});
   const BenchmarkReport report = benchmark.run([] { return true; });
   EXPECT_FALSE(report.driver.empty());
   EXPECT_GT(report.frames, 0U);
@@ -22,6 +22,7 @@ TEST(FrameBenchmark, MeasuresEveryQualityOnce) {
     EXPECT_GT(cost.p50Ms, 0);
     EXPECT_LE(cost.p50Ms, cost.p99Ms);
     EXPECT_GT(cost.ownCpuMs, 0);
+    EXPECT_GT(cost.allCpuMs, 0);
     EXPECT_GE(cost.drawCalls, BenchmarkGame::kPlayers);
   }
 }

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <chrono>
+#include <ctime>
+
+#include "protocol/moment.h"
+
+namespace platon {
+
+namespace intern {
+
+inline Moment readClock(clockid_t clock) {
+  std::timespec time{};
+  clock_gettime(clock, &time);
+  return std::chrono::duration_cast<Moment>(std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec));
+}
+
+}  // namespace intern
+
+/// Time for which a processor has worked for the calling thread. Only programs and tests may use it.
+inline Moment threadTime() { return intern::readClock(CLOCK_THREAD_CPUTIME_ID); }
+
+/// Time for which processors have worked for all threads of the program. Only programs and tests may use it.
+inline Moment programTime() { return intern::readClock(CLOCK_PROCESS_CPUTIME_ID); }
+
+}  // namespace platon
