@@ -55,6 +55,7 @@ bool showsOwnResult(const Scene& scene, const RoundSummary& summary) {
 
 std::string ownResultOf(const Scene& scene, const RunStatus& run) {
   std::string reached = "★ Goal in " + finishText(scene.attempt->seconds);
+  if (run.speed < 1) return reached + " at " + std::to_string(std::lround(run.speed * 100)) + " % speed, not kept";
   if (run.isNewBest) reached += run.difference ? " – new best" : " – your first time here";
   if (run.difference) reached += " (" + differenceText(*run.difference) + " s)";
   return reached;

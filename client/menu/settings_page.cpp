@@ -41,7 +41,7 @@ MenuItem cameraItem(CameraView& view) {
 
 }  // namespace
 
-MenuPage settingsPage(Settings& settings, const std::function<void()>& showKeys) {
+MenuPage settingsPage(Settings& settings, const std::function<void()>& showKeys, bool alone) {
   MenuPage page{"Settings"};
   page.standsAside = true;
   page.items = {heading("Picture"),
@@ -77,6 +77,7 @@ MenuPage settingsPage(Settings& settings, const std::function<void()>& showKeys)
                 toggleItem("Chat", settings.chat),
                 toggleItem("Connection graph", settings.netGraph),
                 toggleItem("Hints for new players", settings.firstKeys)};
+  if (alone) page.items.push_back(percentItem("Game speed, alone", settings.gameSpeed, {50, 100, 5, 1}));
   return page;
 }
 

@@ -6,7 +6,8 @@ namespace platon {
 
 void SettingsPages::show(MenuPage::Place place) {
   menu_->push([this, place] {
-    MenuPage page = settingsPage(*settings_, [this, place] { showControls(place); });
+    MenuPage page = settingsPage(
+        *settings_, [this, place] { showControls(place); }, !alone_ || alone_());
     page.place = place;
     return page;
   });

@@ -85,6 +85,7 @@ struct EmbeddedServer::Running {
 
   bool shouldStop() {
     if (levelFiles.poll(std::chrono::steady_clock::now())) reload();
+    server.match().countTimes(timesCount);
     if (nextAsked.exchange(false)) server.match().startNextRound();
     players = server.match().players();
     return stop;
@@ -105,6 +106,7 @@ struct EmbeddedServer::Running {
   DedicatedServer server;
   std::atomic<bool> stop{false};
   std::atomic<bool> nextAsked{false};
+  std::atomic<bool> timesCount{true};
   std::atomic<std::size_t> players{0};
   std::thread thread;  // last: uses the members above from its start
 };
@@ -123,6 +125,8 @@ EmbeddedServer::~EmbeddedServer() = default;
 ServerAddress EmbeddedServer::address() const { return {kLoopback, running_->server.port()}; }
 
 std::size_t EmbeddedServer::players() const { return running_->players; }
+
+void EmbeddedServer::countTimes(bool count) { running_->timesCount = count; }
 
 void EmbeddedServer::startNextLevel() { running_->nextAsked = true; }
 

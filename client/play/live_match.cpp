@@ -1,5 +1,7 @@
 #include "client/play/live_match.h"
 
+#include <algorithm>
+
 #include "client/lobby/own_addresses.h"
 
 namespace platon {
@@ -20,7 +22,22 @@ LiveMatch::LiveMatch(const ClientOptions& options, const MatchChoice& choice, co
 void LiveMatch::update(bool wantsPause, const Controls& controls) {
   time_->setPaused(wantsPause && alone() && play_->client().welcomed());
   play_->setTimed(!waits());
+  applySpeed();
   play_->update(now(), controls);
+}
+
+void LiveMatch::setSpeed(double speed) { speed_ = speed; }
+
+// What counts is told before the time runs slower.
+void LiveMatch::applySpeed() {
+  const double speed = alone() ? speed_ : 1;
+  const Session* const session = play_->client().session();
+  const std::uint32_t round = session != nullptr && session->round() != nullptr ? session->round()->id() : round_;
+  leastSpeed_ = round == round_ ? std::min(leastSpeed_, speed) : speed;
+  round_ = round;
+  if (server_) server_->countTimes(speed == 1);
+  play_->countRuns(speed == 1);
+  time_->setSpeed(speed);
 }
 
 void LiveMatch::skipLevel() {
@@ -30,6 +47,7 @@ void LiveMatch::skipLevel() {
 
 void LiveMatch::leave() {
   time_->setPaused(false);
+  time_->setSpeed(1);
   const Moment pauses = clock_.now() - now();
   play_->leave({[this] { return now(); }, [this, pauses](Moment until) { clock_.sleepUntil(until + pauses); }});
 }

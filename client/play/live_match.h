@@ -33,6 +33,11 @@ class LiveMatch {
 
   /// `wantsPause`: the match pauses as far as nobody else plays in it.
   void update(bool wantsPause, const Controls& controls);
+  /// From now on, while nobody else plays on the server in this program, the game runs at this speed, 0.5 … 1. The
+  /// times and runs of a round in which it was less than 1 count for nothing.
+  void setSpeed(double speed);
+  /// The least speed of the present round.
+  double leastSpeed() const { return leastSpeed_; }
   /// Whether the game stands still.
   bool paused() const { return time_->paused(); }
   /// Whether the server is in this program and nobody else plays on it.
@@ -55,8 +60,13 @@ class LiveMatch {
   const MatchPlay& play() const { return *play_; }
 
  private:
+  void applySpeed();
+
   MatchChoice choice_;
   Clock clock_;
+  double speed_ = 1;  // that is wanted
+  double leastSpeed_ = 1;
+  std::uint32_t round_ = 0;  // of leastSpeed_
   std::shared_ptr<PausableClock> time_;
   std::optional<EmbeddedServer> server_;
   std::optional<MatchPlay> play_;

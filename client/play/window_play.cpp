@@ -16,7 +16,6 @@
 #include "client/play/play_window.h"
 
 namespace platon {
-
 namespace {
 
 constexpr Moment kSaidTime = std::chrono::seconds(4);
@@ -210,6 +209,7 @@ void WindowPlay::start(const MatchChoice& choice) {
 
 void WindowPlay::updateMatch() {
   if (!match_) return;
+  match_->setSpeed(interface_.settings().gameSpeed / 100);
   match_->update(menu_.isOpen() || replay_,
                  [this](const Game& game, std::uint32_t slot) { return choose(game, slot); });
   const NetworkClient& client = match_->play().client();
@@ -339,6 +339,7 @@ void WindowPlay::drawMatch(double seconds) {
   if (scene) view_.netGraph().add(meter_.sample(match_->play().client(), now));
   if (scene) spectator_.direct(*scene, interface_.keyHints());
   HudStatus status = match_->play().hudStatus(now, interface_.helpShown());
+  status.run.speed = match_->leastSpeed();
   if (drawnAt_ < saidUntil_ && status.notice.empty()) status.notice = said_;
   status.keys = interface_.keyHints();
   status.hint = hint(status.summary.has_value());

@@ -97,7 +97,7 @@ class WindowPlay {
   Window window_;
   GameView view_;
   Menu menu_;
-  SettingsPages settingsPages_{menu_, interface_.settings()};
+  SettingsPages settingsPages_{menu_, interface_.settings(), [this] { return !match_ || match_->alone(); }};
   FrontPages front_;
   Turntable turntable_;
   MatchChoice choice_;  // the last one

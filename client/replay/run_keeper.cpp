@@ -27,10 +27,16 @@ std::optional<RunTrack> trackIn(const std::vector<std::uint8_t>& recording) {
 
 void RunKeeper::began(const Game& confirmed, std::uint32_t slot) {
   slot_ = slot;
+  counts_ = willCount_;
   tick_ = confirmed.tick();
   cutter_.begin(confirmed, slot);
   if (level_ != confirmed.level().hash) load(confirmed.level().hash);
   beginAttempt();
+}
+
+void RunKeeper::countRuns(bool count) {
+  willCount_ = count;
+  counts_ = counts_ && count;
 }
 
 void RunKeeper::load(std::uint64_t level) {
@@ -109,7 +115,7 @@ void RunKeeper::arrive(const Game& game, std::uint32_t ticks) {
     show(tick_, std::int64_t{ticks} - rival_->track->ticks);
     differenceUntil_ = UINT32_MAX;
   }
-  if (bestTicks_ && *bestTicks_ <= ticks) return;
+  if (!counts_ || (bestTicks_ && *bestTicks_ <= ticks)) return;
   std::optional<Run> run = cutter_.cut(game);
   if (!run) return;
   isNewBest_ = true;

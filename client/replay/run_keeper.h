@@ -37,6 +37,9 @@ class RunKeeper : public ConfirmedObserver {
   void began(const Game& confirmed, std::uint32_t slot) override;
   void advanced(std::span<const Input> inputs, const Game& confirmed) override;
 
+  /// Whether attempts may become the best run; they may at first. Not: also not in the rest of the present round.
+  void countRuns(bool count);
+
   /// How the attempt compares with the best run.
   RunStatus status() const;
   /// The ghosts `fraction` of a tick after the last but one of `game`, in which the attempt of the player in `slot`
@@ -78,6 +81,9 @@ class RunKeeper : public ConfirmedObserver {
   std::optional<std::int64_t> difference_;  // ticks, to rival_
   std::uint32_t differenceUntil_ = 0;       // tick
   bool isNewBest_ = false;
+
+  bool counts_ = true;     // in this round
+  bool willCount_ = true;  // in the next round
 };
 
 }  // namespace platon

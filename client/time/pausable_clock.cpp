@@ -4,24 +4,37 @@ namespace platon {
 
 Moment PausableClock::now() const {
   const std::lock_guard lock(mutex_);
-  return stoppedAt_ ? *stoppedAt_ : source_() - pauses_;
+  return current();
+}
+
+Moment PausableClock::current() const {
+  if (paused_) return own0_;
+  const Moment passed = source_() - source0_;
+  if (speed_ == 1) return own0_ + passed;
+  return own0_ + Moment(static_cast<Moment::rep>(static_cast<double>(passed.count()) * speed_));
 }
 
 void PausableClock::setPaused(bool paused) {
   const std::lock_guard lock(mutex_);
-  if (paused == stoppedAt_.has_value()) return;
-  const Moment now = source_() - pauses_;
-  if (paused) {
-    stoppedAt_ = now;
-  } else {
-    pauses_ += now - *stoppedAt_;
-    stoppedAt_.reset();
-  }
+  change(paused, speed_);
+}
+
+void PausableClock::setSpeed(double speed) {
+  const std::lock_guard lock(mutex_);
+  change(paused_, speed);
+}
+
+void PausableClock::change(bool paused, double speed) {
+  if (paused == paused_ && speed == speed_) return;
+  own0_ = current();
+  source0_ = source_();
+  paused_ = paused;
+  speed_ = speed;
 }
 
 bool PausableClock::paused() const {
   const std::lock_guard lock(mutex_);
-  return stoppedAt_.has_value();
+  return paused_;
 }
 
 }  // namespace platon

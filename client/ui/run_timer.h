@@ -13,6 +13,7 @@ struct RunStatus {
   std::optional<double> best{};        ///< seconds of the best run; nothing: there is none
   std::optional<double> difference{};  ///< seconds to the best run so far, negative: faster; nothing: not to be shown
   bool isNewBest = false;              ///< this attempt has reached the goal as the best run
+  double speed = 1;                    ///< of the game; less than 1: times of this round are not kept
 };
 
 /// A difference of times with its sign: `+0.32`, `−1.05`, `±0.00`.

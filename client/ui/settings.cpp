@@ -17,6 +17,7 @@ constexpr double kMinZoom = 0.5;
 constexpr double kMaxZoom = 2;
 constexpr double kMaxFrameCap = 1000;
 constexpr double kMaxVolume = 100;
+constexpr double kMinGameSpeed = 50;
 
 // Each `parse` stores a valid value and returns true; otherwise it changes nothing and returns false.
 bool parse(std::string_view value, bool& flag) {
@@ -87,6 +88,8 @@ std::vector<Entry> entriesOf(Settings& settings) {
       flag("vsync", settings.vsync),
       {"frame-cap", "a number from 0 to 1000",
        [&settings](std::string_view value) { return parse(value, settings.frameCap, 0, kMaxFrameCap); }},
+      {"game-speed", "a number from 50 to 100",
+       [&settings](std::string_view value) { return parse(value, settings.gameSpeed, kMinGameSpeed, 100); }},
       flag("net-graph", settings.netGraph),
       flag("face-numbers", settings.faceNumbers),
       flag("chat", settings.chat),
@@ -146,6 +149,7 @@ std::string Settings::text() const {
   out << "fullscreen " << onOff(fullscreen) << "\n";
   out << "vsync " << onOff(vsync) << "\n";
   out << "frame-cap " << frameCap << "\n";
+  out << "game-speed " << gameSpeed << "\n";
   out << "net-graph " << onOff(netGraph) << "\n";
   out << "face-numbers " << onOff(faceNumbers) << "\n";
   out << "chat " << onOff(chat) << "\n";

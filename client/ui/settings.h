@@ -26,8 +26,9 @@ struct Settings {
   double uiScale = 1;  ///< size of the menus and the display, kMinUiScale … kMaxUiScale
   QualityChoice quality;
   bool fullscreen = false;
-  bool vsync = true;    ///< pictures wait for the screen
-  double frameCap = 0;  ///< pictures a second at most, 0 (any number) … 1000
+  bool vsync = true;       ///< pictures wait for the screen
+  double frameCap = 0;     ///< pictures a second at most, 0 (any number) … 1000
+  double gameSpeed = 100;  ///< percent, for who is alone on the own machine, 50 … 100
   bool netGraph = false;
   bool chat = true;            ///< shows what players say
   bool firstKeys = true;       ///< shows the first keys until they were used

@@ -97,6 +97,8 @@ class Match {
   void updateLevels(std::vector<LevelPointer> levels);
   /// Sets who keeps the best times of the levels; it must outlive the match. Without it, there are none.
   void keepBestTimes(BestTimeKeeper& keeper) { bestTimes_ = &keeper; }
+  /// Whether times may become best times; they may at first. Not: also not in the rest of the present round.
+  void countTimes(bool count);
 
   /// `name`: a label; invisible characters are left out.
   void setServerName(std::string_view name);
@@ -212,6 +214,8 @@ class Match {
   VoteNotices voteNotices_;
   ChatBudget chatBudget_ = ChatBudget::ofAll();
   BestTimeKeeper* bestTimes_ = nullptr;  // null: none
+  bool countsTimes_ = true;              // in this round
+  bool willCountTimes_ = true;           // in the next round
   bool bestIsNew_ = false;               // the best time of the level was reached in this round
   std::vector<ClientId> newcomers_;      // clients that joined or resumed since the last tick
   TransferCache transfers_;

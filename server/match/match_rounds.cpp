@@ -59,9 +59,14 @@ void Match::finishRound() {
     sendAll(encode(*count));
 }
 
+void Match::countTimes(bool count) {
+  willCountTimes_ = count;
+  countsTimes_ = countsTimes_ && count;
+}
+
 // Offers the times of those who have reached the goal in this tick. In the pause, a new best time is told at once.
 void Match::noteFinishes() {
-  if (!bestTimes_) return;
+  if (!bestTimes_ || !countsTimes_) return;
   bool isBest = false;
   for (std::uint32_t slot = 0; slot < game_.slots(); ++slot) {
     if (!arrivesInTime(slot) || names_.isFree(slot)) continue;
@@ -158,6 +163,7 @@ void Match::startRound() {
   overAt_.reset();
   finishedAt_.reset();
   bestIsNew_ = false;
+  countsTimes_ = willCountTimes_;
   voteNotices_.startRound();
   for (auto& [client, player] : players_) player.startRound();
   for (Disconnected& entry : disconnected_) entry.player.startRound();

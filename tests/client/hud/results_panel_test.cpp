@@ -108,5 +108,11 @@ TEST(ResultsPanel, TheOwnResultIsShownAtTheGoalOfARoundThatWaits) {
   EXPECT_FALSE(showsOwnResult(scene, {.waits = true})) << "the player tries again";
 }
 
+TEST(ResultsPanel, TellsThatASlowedGameIsNotKept) {
+  Scene scene = sceneOf(1);
+  scene.attempt = {12.34, true};
+  EXPECT_EQ(ownResultOf(scene, {.speed = 0.75}), "★ Goal in 12.34 s at 75 % speed, not kept");
+}
+
 }  // namespace
 }  // namespace platon

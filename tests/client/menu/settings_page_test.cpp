@@ -29,6 +29,15 @@ TEST(SettingsPage, EverySettingCanBeChangedAndStaysValid) {
   }
 }
 
+TEST(SettingsPage, WithOthersTheGameSpeedCannotBeChosen) {
+  Settings settings;
+  EXPECT_EQ(platon::settingsPage(
+                settings, [] {}, false)
+                    .items.size() +
+                1,
+            settingsPage(settings).items.size());
+}
+
 TEST(SettingsPage, EachSettingIsInAGroup) {
   Settings settings;
   const MenuPage page = settingsPage(settings);

@@ -113,6 +113,37 @@ TEST_F(LiveMatchTest, ARoundOfAPlayerWhoIsAloneHasNoTimeLimit) {
   match.leave();
 }
 
+TEST_F(LiveMatchTest, RunsSlowerForWhoIsAloneOnly) {
+  LiveMatch match(ClientOptions(), ownLevel(), clock_);
+  ASSERT_TRUE(updateUntil(match, false, [&] { return confirmed(match) > 10 && match.alone(); }));
+  EXPECT_EQ(match.leastSpeed(), 1);
+  match.setSpeed(0.5);
+  ASSERT_TRUE(updateUntil(match, false, [&] { return match.leastSpeed() == 0.5; }));
+  const Moment real = clock_.now();
+  const Moment own = match.now();
+  ASSERT_TRUE(updateUntil(match, false, [&] { return match.now() - own > milliseconds(100); }));
+  EXPECT_GE(clock_.now() - real, milliseconds(200));
+  match.setSpeed(1);
+  ASSERT_TRUE(updateUntil(match, false, [&] { return confirmed(match) > 30; }));
+  EXPECT_EQ(match.leastSpeed(), 0.5) << "of this round";
+  match.setSpeed(0.5);
+  MatchChoice guest;
+  guest.server = match.serverAddress();
+  LiveMatch other(ClientOptions(), guest, clock_);
+  other.setSpeed(0.5);
+  ASSERT_TRUE(updateUntil(match, false, [&] {
+    other.update(false, [](const Game&, std::uint32_t) { return Input{}; });
+    return confirmed(other) > 10 && !match.alone();
+  }));
+  EXPECT_EQ(other.leastSpeed(), 1);
+  const Moment before = clock_.now();
+  const Moment time = match.now();
+  updateUntil(match, false, [&] { return clock_.now() - before > milliseconds(50); });
+  EXPECT_GE(match.now() - time, milliseconds(50)) << "not slowed with others";
+  other.leave();
+  match.leave();
+}
+
 TEST_F(LiveMatchTest, OnlyAServerThatListensHasAnInvitation) {
   LiveMatch match(ClientOptions(), ownLevel(), clock_);
   EXPECT_TRUE(match.invitation().empty());
@@ -128,11 +159,12 @@ TEST_F(LiveMatchTest, OnlyAServerThatListensHasAnInvitation) {
 
 // Hashes of the confirmed game by tick, of a client and a server that go by one clock. With `pauses`, the clock stands
 // still for 3 s after every 0.7 s. Time is virtual.
-std::map<std::uint32_t, std::uint64_t> hashesOf(bool pauses) {
+std::map<std::uint32_t, std::uint64_t> hashesOf(bool pauses, double speed = 1) {
   Moment real = steadyClock().now();
   PausableClock clock([&real] { return real; });
   ServerSettings settings;
   settings.bind = "127.0.0.1";
+  clock.setSpeed(speed);
   DedicatedServer server(settings, loadLevelFiles({kLevel}).levels, Log(LogFormat::kText, [](std::string_view) {}));
   NetworkClient client({"127.0.0.1", server.port()}, {"Ann"}, clock.now());
   std::map<std::uint32_t, std::uint64_t> hashes;
@@ -149,6 +181,8 @@ std::map<std::uint32_t, std::uint64_t> hashesOf(bool pauses) {
   }
   return hashes;
 }
+
+TEST(PausedMatch, TheSameInputsAtHalfSpeedGiveTheSameHashes) { EXPECT_EQ(hashesOf(false, 0.5), hashesOf(false)); }
 
 TEST(PausedMatch, TheSameInputsWithPausesGiveTheSameHashes) { EXPECT_EQ(hashesOf(true), hashesOf(false)); }
 

@@ -193,5 +193,18 @@ TEST_F(RunKeeperTest, ADamagedBestRunIsNamedAndDoesNotCount) {
   EXPECT_TRUE(next.takeFaults().empty());
 }
 
+TEST_F(RunKeeperTest, ARoundInWhichRunsDidNotCountForAWhileKeepsNone) {
+  begin();
+  keeper_.countRuns(false);
+  keeper_.countRuns(true);
+  attempt(40, 0);
+  EXPECT_FALSE(keeper_.status().isNewBest);
+  EXPECT_FALSE(keeper_.store().best(game_.level().hash));
+  game_ = Game(edgeLevel());
+  begin();
+  attempt(40, 0);
+  EXPECT_TRUE(keeper_.store().best(game_.level().hash));
+}
+
 }  // namespace
 }  // namespace platon

@@ -95,5 +95,16 @@ TEST_F(BestTimeOfMatch, OfSeveralAttemptsEachBetterOneIsOffered) {
   EXPECT_EQ(times_.offered.back().ticks, network_.match().game().player(0).finishTicks);
 }
 
+TEST_F(BestTimeOfMatch, ARoundInWhichTimesDidNotCountForAWhileOffersNone) {
+  addRunner("Ann", 30);
+  network_.match().countTimes(false);
+  network_.run(5);
+  network_.match().countTimes(true);
+  playRound();
+  EXPECT_TRUE(times_.offered.empty());
+  playRound();
+  EXPECT_EQ(times_.offered.size(), 1u);
+}
+
 }  // namespace
 }  // namespace platon
