@@ -55,12 +55,31 @@ void Menu::open(PageMaker page) {
 void Menu::push(PageMaker page) {
   const std::size_t focus = firstFocus(page());
   pages_.push_back({std::move(page), focus, 0});
+  note(Deed::kChosen);
   aside_ = dragging_ = false;
 }
 
 void Menu::back() {
-  if (isOpen()) pages_.pop_back();
+  if (!isOpen()) return;
+  pages_.pop_back();
+  note(Deed::kChosen);
   aside_ = dragging_ = false;
+}
+
+void Menu::close() {
+  if (isOpen()) note(Deed::kChosen);
+  pages_.clear();
+}
+
+// By the player.
+void Menu::focusOn(std::size_t item) {
+  if (item != focus()) note(Deed::kMoved);
+  setFocus(item);
+}
+
+void Menu::choose(const MenuItem& item) {
+  note(Deed::kChosen);
+  item.choose();
 }
 
 void Menu::setFocus(std::size_t item) { pages_.back().focus = item; }
@@ -106,7 +125,10 @@ MenuPage Menu::make() {
 void Menu::handle(const KeyEvent& event, const Font& font) {
   if (!isOpen() || event.kind == KeyEvent::Kind::kRelease) return;
   const MenuPage page = make();
-  if (page.takeKey) return page.takeKey(event);
+  if (page.takeKey) {
+    if (event.kind == KeyEvent::Kind::kPress) note(Deed::kChosen);
+    return page.takeKey(event);
+  }
   const MenuItem& item = page.items[focus()];
   if (item.field != nullptr && item.field->handle(event, clipboard_)) return;
   if (event.kind == KeyEvent::Kind::kCharacter) return;
@@ -127,7 +149,7 @@ void Menu::perform(Command command, const MenuPage& page) {
     case Command::kMore:
       return change(page, 1);
     case Command::kChoose:
-      if (item.choose) return item.choose();
+      if (item.choose) return choose(item);
       return item.field != nullptr ? moveFocus(page, 1) : change(page, 1);
     default:
       return leave(page);
@@ -135,7 +157,10 @@ void Menu::perform(Command command, const MenuPage& page) {
 }
 
 void Menu::leave(const MenuPage& page) {
-  if (page.back) return page.back();
+  if (page.back) {
+    note(Deed::kChosen);
+    return page.back();
+  }
   if (pages_.size() > 1) back();
 }
 
@@ -145,13 +170,14 @@ void Menu::moveFocus(const MenuPage& page, int direction) {
   do {
     item = (item + count + static_cast<std::size_t>(direction)) % count;
   } while (!page.items[item].canHaveFocus());
-  setFocus(item);
+  focusOn(item);
 }
 
 void Menu::change(const MenuPage& page, int direction) {
   const MenuItem& item = page.items[focus()];
   if (!hasValue(item)) return;
   aside_ = page.standsAside;
+  note(Deed::kMoved);
   item.step(direction);
 }
 
@@ -185,7 +211,7 @@ void Menu::point(const MenuPage& page, glm::vec2 place, const Font& font) {
   if (row == nullptr || !page.items[row->item].canHaveFocus()) return;
   aside_ = aside_ && row->item == focus();
   pages_.back().first = shown.first;
-  setFocus(row->item);
+  focusOn(row->item);
 }
 
 void Menu::press(const MenuPage& page, glm::vec2 place, const Font& font) {
@@ -197,7 +223,7 @@ void Menu::press(const MenuPage& page, glm::vec2 place, const Font& font) {
 
 void Menu::click(const MenuPage& page, const MenuRow& row, glm::vec2 place) {
   const MenuItem& item = page.items[row.item];
-  if (item.choose) return item.choose();
+  if (item.choose) return choose(item);
   if (item.kind == MenuItem::Kind::kSlider) {
     dragging_ = place.x >= row.control.low.x - 8;
     return dragging_ ? drag(page, row, place) : void();
@@ -211,6 +237,7 @@ void Menu::drag(const MenuPage& page, const MenuRow& row, glm::vec2 place) {
   aside_ = page.standsAside;
   const double part = (place.x - row.control.low.x) / std::max(row.control.width(), 1.0F);
   page.items[row.item].set(std::clamp(part, 0.0, 1.0));
+  if (pages_.back().make().items[row.item].value != page.items[row.item].value) note(Deed::kMoved);
 }
 
 // The focus stays under the pointer, or goes with the rows.
@@ -221,7 +248,7 @@ void Menu::scroll(const MenuPage& page, const PointerEvent& event, glm::vec2 pla
   const MenuLayout rows = layoutOf(page, font, false);
   shown.first = rows.first;
   const MenuRow* const under = rowAt(rows, place);
-  if (under != nullptr && page.items[under->item].canHaveFocus()) return setFocus(under->item);
+  if (under != nullptr && page.items[under->item].canHaveFocus()) return focusOn(under->item);
   if (rowOf(rows, focus()) != nullptr) return;
   const bool above = focus() < rows.first;
   setFocus(above ? rows.rows.front().item : rows.rows.back().item);

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -22,6 +25,13 @@ class Menu {
  public:
   using PageMaker = std::function<MenuPage()>;
 
+  /// What the menu has done, from the least to the most important.
+  enum class Deed : std::uint8_t {
+    kNone,
+    kMoved,  ///< the focus, or a value
+    kChosen  ///< an item, or another page
+  };
+
   /// The picture of the virtual screen has this width; one unit of the menu is `scale` of its units, 0.5 … 2.
   void resize(float width, float scale);
   void setClipboard(TextField::Clipboard clipboard) { clipboard_ = std::move(clipboard); }
@@ -33,7 +43,7 @@ class Menu {
   void push(PageMaker page);
   /// Shows the page before; closes the menu if there is none.
   void back();
-  void close() { pages_.clear(); }
+  void close();
 
   /// Item of the page that has the focus. The menu is open.
   std::size_t focus() const { return pages_.back().focus; }
@@ -43,6 +53,9 @@ class Menu {
   /// No effect while the menu is closed.
   void handle(const KeyEvent& event, const Font& font);
   void handle(const PointerEvent& event, const Font& font);
+
+  /// The most important thing that the menu has done since the last call, by keys, gamepad, mouse or program.
+  Deed takeDeed() { return std::exchange(deed_, Deed::kNone); }
 
   /// Whether only the item whose value is being changed is shown, so that the picture behind it can be judged.
   bool standsAside() const { return aside_; }
@@ -63,6 +76,9 @@ class Menu {
   static Command commandOf(const KeyEvent& event);
   MenuPage make();
   MenuLayout layoutOf(const MenuPage& page, const Font& font, bool followsFocus) const;
+  void note(Deed deed) { deed_ = std::max(deed_, deed); }
+  void focusOn(std::size_t item);
+  void choose(const MenuItem& item);
   void moveFocus(const MenuPage& page, int direction);
   void perform(Command command, const MenuPage& page);
   void change(const MenuPage& page, int direction);
@@ -80,6 +96,7 @@ class Menu {
   float scale_ = 1;
   bool dragging_ = false;  // the slider that has the focus
   bool aside_ = false;
+  Deed deed_ = Deed::kNone;
 };
 
 }  // namespace platon

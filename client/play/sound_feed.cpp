@@ -5,29 +5,6 @@
 namespace platon {
 namespace {
 
-std::optional<Sound> menuSoundOf(Key key) {
-  switch (key) {
-    case Key::kArrowUp:
-    case Key::kArrowDown:
-    case Key::kArrowLeft:
-    case Key::kArrowRight:
-    case Key::kPadUp:
-    case Key::kPadDown:
-    case Key::kPadLeft:
-    case Key::kPadRight:
-      return Sound::kMenuMove;
-    case Key::kSpace:
-    case Key::kEnter:
-    case Key::kEscape:
-    case Key::kPadA:
-    case Key::kPadB:
-    case Key::kPadStart:
-      return Sound::kMenuChoose;
-    default:
-      return std::nullopt;
-  }
-}
-
 // The last source of the session's round; nothing without a round.
 std::optional<CueSource> sourceOf(const Session* session, const Scene* scene, std::optional<double> nextRoundSeconds) {
   if (session == nullptr || session->round() == nullptr || scene == nullptr) return std::nullopt;
@@ -50,10 +27,8 @@ std::optional<CueSource> sourceOf(const Session* session, const Scene* scene, st
 
 }  // namespace
 
-void SoundFeed::key(const KeyEvent& event, bool menuOpen) {
-  const std::optional<Sound> sound = menuOpen ? menuSoundOf(event.key) : std::nullopt;
-  const bool isKey = event.kind == KeyEvent::Kind::kPress || event.kind == KeyEvent::Kind::kRepeat;
-  if (sound && isKey) audio_.play(*sound);
+void SoundFeed::menu(Menu::Deed deed) {
+  if (deed != Menu::Deed::kNone) audio_.play(deed == Menu::Deed::kMoved ? Sound::kMenuMove : Sound::kMenuChoose);
 }
 
 void SoundFeed::update(const Session* session, const Scene* scene, std::optional<double> nextRoundSeconds,

@@ -103,6 +103,7 @@ void WindowPlay::handleEvents() {
   if (interface_.takeWatch()) spectator_.next();
   // After all events: the character of the key is not part of the text.
   if (interface_.takeSay() && match_) menu_.open([this] { return sayPage(); });
+  sound_.menu(menu_.takeDeed());
   window_.setFullscreen(interface_.settings().fullscreen);
   window_.setVsync(interface_.settings().vsync);
 }
@@ -118,7 +119,6 @@ void WindowPlay::handle(const KeyEvent& event) {
   else if (event.kind == KeyEvent::Kind::kPress)
     skip_.takeBack();
   if (interface_.takeMenu() && match_) openPause();
-  sound_.key(event, inMenu || menu_.isOpen());
 }
 
 // The replay would hide a game that goes on.

@@ -266,5 +266,40 @@ TEST_F(MenuTest, AFocusBeyondTheEndOfAShorterPageGoesToItsFirstItem) {
   EXPECT_EQ(chosen_, (std::vector<std::size_t>{1}));
 }
 
+TEST_F(MenuTest, TellsTheSameDeedsWhateverTheDevice) {
+  const std::vector<std::vector<Key>> devices{{Key::kArrowDown, Key::kArrowRight, Key::kEnter},
+                                              {Key::kS, Key::kD, Key::kSpace},
+                                              {Key::kPadDown, Key::kPadRight, Key::kPadA}};
+  for (const std::vector<Key>& keys : devices) {
+    openValues(kChoice);
+    EXPECT_EQ(menu_.takeDeed(), Menu::Deed::kChosen) << "another page";
+    EXPECT_EQ(menu_.takeDeed(), Menu::Deed::kNone);
+    tap(keys[0]);
+    EXPECT_EQ(menu_.takeDeed(), Menu::Deed::kMoved);
+    tap(keys[1]);
+    EXPECT_EQ(menu_.takeDeed(), Menu::Deed::kMoved);
+    menu_.setFocus(1);
+    tap(keys[2]);
+    EXPECT_EQ(menu_.takeDeed(), Menu::Deed::kChosen);
+    tap(Key::kShift);
+    EXPECT_EQ(menu_.takeDeed(), Menu::Deed::kNone);
+  }
+}
+
+TEST_F(MenuTest, TellsTheDeedsOfTheMouse) {
+  openList(4);
+  menu_.takeDeed();
+  point(PointerEvent::Kind::kMove, middle(row(2).box));
+  EXPECT_EQ(menu_.takeDeed(), Menu::Deed::kMoved);
+  point(PointerEvent::Kind::kMove, middle(row(2).box));
+  EXPECT_EQ(menu_.takeDeed(), Menu::Deed::kNone);
+  click(middle(row(2).box));
+  EXPECT_EQ(menu_.takeDeed(), Menu::Deed::kChosen);
+  menu_.close();
+  EXPECT_EQ(menu_.takeDeed(), Menu::Deed::kChosen);
+  menu_.close();
+  EXPECT_EQ(menu_.takeDeed(), Menu::Deed::kNone);
+}
+
 }  // namespace
 }  // namespace platon

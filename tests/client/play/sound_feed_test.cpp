@@ -46,12 +46,15 @@ TEST_F(SoundFeedTest, WithoutASessionNothingIsHeard) {
   EXPECT_EQ(hear(), 0);
 }
 
-TEST_F(SoundFeedTest, KeysAreHeardInTheMenuOnly) {
-  feed_.key({.key = Key::kArrowDown}, false);
-  feed_.key({.key = Key::kArrowDown, .kind = KeyEvent::Kind::kRelease}, true);
-  feed_.key({.key = Key::kShift}, true);
+TEST_F(SoundFeedTest, WhatTheMenuDoesIsHeard) {
+  feed_.menu(Menu::Deed::kNone);
   EXPECT_EQ(hear(), 0);
-  feed_.key({.key = Key::kArrowDown}, true);
+  feed_.menu(Menu::Deed::kMoved);
+  EXPECT_GT(hear(), 0.01);
+}
+
+TEST_F(SoundFeedTest, AChosenItemIsHeard) {
+  feed_.menu(Menu::Deed::kChosen);
   EXPECT_GT(hear(), 0.01);
 }
 
