@@ -1,9 +1,12 @@
 #include "client/menu/settings_page.h"
 
 #include <array>
+#include <cstdint>
+#include <optional>
 
 #include "client/menu/quality_items.h"
 #include "client/menu/setting_items.h"
+#include "client/ui/ball_choice_text.h"
 
 namespace platon {
 namespace {
@@ -32,6 +35,19 @@ MenuItem heldItem(const char* control, bool& toggled) {
   return item;
 }
 
+// Goes through the values and, before the first of them, none.
+template <class Value>
+MenuItem ballItem(const char* name, std::optional<Value>& value, std::uint32_t count) {
+  MenuItem item{MenuItem::Kind::kChoice, name, value ? wordOf(value) : "by your number"};
+  item.step = [&value, count](int direction) {
+    const std::uint32_t now = value ? static_cast<std::uint32_t>(*value) + 1 : 0;
+    const std::uint32_t next = (now + count + 1 + static_cast<std::uint32_t>(direction)) % (count + 1);
+    value.reset();
+    if (next > 0) value = static_cast<Value>(next - 1);
+  };
+  return item;
+}
+
 MenuItem cameraItem(CameraView& view) {
   const bool follows = view == CameraView::kFollow;
   MenuItem item{MenuItem::Kind::kChoice, "Camera", follows ? "follows you" : "stands still"};
@@ -55,6 +71,8 @@ MenuPage settingsPage(Settings& settings, const std::function<void()>& showKeys,
                 percentItem("Zoom", settings.zoom, {0.5, 2, 0.05}),
                 percentItem("UI scale", settings.uiScale, {kMinUiScale, kMaxUiScale, 0.05}),
                 toggleItem("Numbers on faces", settings.faceNumbers),
+                ballItem("Colour of your ball", settings.ball.colour, kBallColours),
+                ballItem("Pattern of your ball", settings.ball.pattern, kBallPatterns),
                 heading("Sound"),
                 percentItem("Master volume", settings.volume, kVolumes),
                 percentItem("Effects volume", settings.effectsVolume, kVolumes),

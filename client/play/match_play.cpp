@@ -134,6 +134,7 @@ void MatchPlay::show(const Settings& settings) {
   timerShown_ = settings.timer;
   ghostsShown_ = settings.ghosts;
   chatShown_ = settings.chat;
+  sceneFeed_.setOwnBall(settings.ball);
 }
 
 std::shared_ptr<const Level> MatchPlay::level() const {

@@ -56,6 +56,7 @@ std::optional<Scene> SceneFeed::scene(const Session& session, Moment now, std::v
   source.attempt = round->attemptTime();
   source.needsRestart = round->airTime().needsHint();
   source.ghosts = std::move(ghosts);
+  source.ownBall = ownBall_;
   return makeScene(source);
 }
 

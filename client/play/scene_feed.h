@@ -19,6 +19,8 @@ class SceneFeed {
 
   /// Whether rounds have a time limit.
   void setTimed(bool timed) { timed_ = timed; }
+  /// How the local player wants its ball in the next scenes.
+  void setOwnBall(const BallChoice& ball) { ownBall_ = ball; }
 
  private:
   void updateFlashes(const Round& round);
@@ -27,6 +29,7 @@ class SceneFeed {
   std::shared_ptr<const StageModel> stage_;  // of level_
   std::vector<double> flashes_;              // by slot
   bool timed_ = true;
+  BallChoice ownBall_;
 };
 
 }  // namespace platon

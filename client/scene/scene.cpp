@@ -29,7 +29,9 @@ PlayerDrawing drawingOf(const SceneSource& source, const InterpolatedPlayer& tim
   player.pose = poseBetween(source.stage->mesh, time);
   if (local && source.localOffset != Point()) shift(player.pose, source.stage->mesh, toUnits(source.localOffset));
   if (slot < source.flashes.size()) player.flash = static_cast<float>(source.flashes[slot]);
-  player.colour = playerColour(slot);
+  const BallLook look = lookOf(slot, source.localSlot, source.ownBall);
+  player.colour = ballColour(look.colour);
+  player.pattern = look.pattern;
   player.number = std::to_string(slot + 1);
   if (slot < source.names.size()) player.name = source.names[slot];
   player.local = local;

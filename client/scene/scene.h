@@ -42,6 +42,7 @@ struct SceneSource {
   AttemptTime attempt;                 ///< of the local player
   bool needsRestart = false;           ///< AirTime::needsHint of the local player
   std::vector<GhostSource> ghosts;
+  BallChoice ownBall;  ///< how the local player wants its ball
 };
 
 /// One player as it is drawn, once even if it has several instances.
@@ -49,6 +50,7 @@ struct PlayerDrawing {
   std::uint32_t slot = 0;
   Pose pose;
   Colour colour{1};
+  BallPattern pattern = BallPattern::kPlain;
   std::string number;  ///< slot + 1
   std::string name;
   bool local = false;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <sstream>
 
+#include "client/ui/ball_choice_text.h"
 #include "client/ui/controls/bindings_text.h"
 
 namespace platon {
@@ -50,7 +51,7 @@ bool parse(std::string_view value, CameraView& view) {
 // One setting of the file. `parse` stores a valid value.
 struct Entry {
   std::string_view name;
-  std::string_view allowed;
+  std::string allowed;
   std::function<bool(std::string_view)> parse;
 };
 
@@ -76,6 +77,10 @@ std::vector<Entry> entriesOf(Settings& settings) {
       flag("toggle-look", settings.toggled.look),
       flag("instant-cut", comfort.instantCut),
       flag("reduced-motion", comfort.reducedMotion),
+      {"ball-colour", ballColourWords(),
+       [&settings](std::string_view value) { return platon::parse(value, settings.ball.colour); }},
+      {"ball-pattern", ballPatternWords(),
+       [&settings](std::string_view value) { return platon::parse(value, settings.ball.pattern); }},
       flag("flashes", settings.flashes),
       flag("high-contrast", settings.highContrast),
       {"quality", "auto, low, medium, high or all",
@@ -113,7 +118,7 @@ std::optional<std::string> faultOf(const Words& words, Settings& settings, Bindi
   }
   for (const Entry& entry : entriesOf(settings)) {
     if (entry.name != words[0]) continue;
-    return values.size() == 1 && entry.parse(values[0]) ? "" : words[0] + " must be " + std::string(entry.allowed);
+    return values.size() == 1 && entry.parse(values[0]) ? "" : words[0] + " must be " + entry.allowed;
   }
   return std::nullopt;
 }
@@ -139,6 +144,8 @@ std::string Settings::text() const {
   out << "turn-speed " << comfort.turnSpeed << "\n";
   out << "instant-cut " << onOff(comfort.instantCut) << "\n";
   out << "reduced-motion " << onOff(comfort.reducedMotion) << "\n";
+  out << "ball-colour " << wordOf(ball.colour) << "\n";
+  out << "ball-pattern " << wordOf(ball.pattern) << "\n";
   out << "flashes " << onOff(flashes) << "\n";
   out << "high-contrast " << onOff(highContrast) << "\n";
   out << "controls " << (controls == ControlFrame::kScreen ? "screen" : "player") << "\n";

@@ -6,6 +6,7 @@
 
 #include "client/quality/quality_choice.h"
 #include "client/scene/camera_comfort.h"
+#include "client/scene/palette.h"
 #include "client/ui/control_frame.h"
 #include "client/ui/controls/bindings.h"
 #include "client/ui/controls/toggled_controls.h"
@@ -37,6 +38,7 @@ struct Settings {
   double musicVolume = 70;     ///< 0 … 100
   bool timer = true;           ///< show the own time, its differences to the best run, and the personal best
   bool ghosts = true;          ///< show the best run and those of others
+  BallChoice ball;             ///< of the own ball, as this player sees it
   bool flashes = true;         ///< players and goal flash
   bool highContrast = false;   ///< black ground, white walls and opaque panels
   bool faceNumbers = false;    ///< faces show their numbers instead of signs

@@ -134,6 +134,7 @@ void BallPainter::draw(const PlayerDrawing& player, const BallMotion& motion, co
   program_.set("turned", glm::mat4(glm::mat4_cast(motion.orientation())));
   program_.set("shaped", glm::mat4(shapeOf(player, motion)));
   program_.set("colour", glm::mix(player.colour, Colour(1), kMaxWhite * player.flash));
+  program_.set("pattern", static_cast<int>(player.pattern));
   program_.set("outline", outlineOf(player, highContrast));
   program_.set("opacity", player.opacity);
   program_.set("toEye", glm::vec3(ball.toEye));

@@ -101,7 +101,7 @@ TEST_F(RenderTest, EverySolidCoversTheMiddleButNotTheCorners) {
 TEST_F(RenderTest, PlayersHaveTheirColourAtTheirPosition) {
   const auto stage = cube();
   std::vector<PlayerDrawing> players;
-  for (std::uint32_t slot = 0; slot < 8; ++slot) {
+  for (std::uint32_t slot = 0; slot < kBallColours; ++slot) {
     players.push_back(playerAt(*stage, slot, 0, {50.0 * slot - 175, slot % 2 == 0 ? -60 : -20}));
   }
   const Scene scene = sceneOf(stage, players);
@@ -114,7 +114,8 @@ TEST_F(RenderTest, PlayersHaveTheirColourAtTheirPosition) {
     const auto likeness = [&](std::uint32_t slot) {
       return glm::dot(glm::normalize(colour), glm::normalize(playerColour(slot)));
     };
-    for (std::uint32_t slot = 0; slot < 8; ++slot) nearest = likeness(slot) > likeness(nearest) ? slot : nearest;
+    for (std::uint32_t slot = 0; slot < kBallColours; ++slot)
+      nearest = likeness(slot) > likeness(nearest) ? slot : nearest;
     EXPECT_EQ(nearest, player.slot);
     EXPECT_GT(likeness(player.slot), 0.97);
   }

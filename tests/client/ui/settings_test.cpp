@@ -30,6 +30,7 @@ TEST(Settings, ParsingTheTextGivesTheSameSettings) {
   settings.ghosts = false;
   settings.faceNumbers = true;
   settings.flashes = false;
+  settings.ball = {.colour = 3, .pattern = BallPattern::kBelt};
   settings.gameSpeed = 75;
   settings.highContrast = true;
   settings.toggled = {.slow = true, .look = true};
