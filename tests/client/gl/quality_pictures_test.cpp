@@ -42,7 +42,7 @@ Scene matchScene() {
   scene.elements = elementStatesOf(Game(result.level), std::nullopt, stage->mesh);
   scene.seconds = 2;
   scene.secondsLeft = 298;
-  scene.attempt.emplace(1.5);
+  scene.attempt = AttemptDrawing{1.5, false};
   return scene;
 }
 
