@@ -292,9 +292,9 @@ Overlay makeHud(const Scene& scene, const Camera& camera, const HudStatus& statu
     const float top = space.endOfColumn(false) + kGap;
     space.add(drawn(font, [&](OverlayWriter& writer) { addVote(writer, *status.vote, status.keys, top); }));
   }
+  if (status.help) placeHelp(space, status.keys, font);
   if (status.netGraph != nullptr) placeGraph(space, *status.netGraph, font);
   placePlayers(space, scene, status, font);
-  if (status.help) placeHelp(space, status.keys, font);
   placeChat(space, status.chat, font);
   placeSigns(space, scene, camera, font);
   placeNameTags(space, scene, camera, font);

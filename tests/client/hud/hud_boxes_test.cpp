@@ -145,6 +145,20 @@ TEST(HudBoxes, TheTitleTheTimeAndTheHintAreShownAtEachSize) {
   }
 }
 
+TEST(HudBoxes, TheHelpIsShownAtEachSizeAlsoWithTheGraph) {
+  const NetGraph graph = filledGraph();
+  for (const Picture& picture : kPictures) {
+    const Scene scene = longScene(12, true, false);
+    Camera camera;
+    camera.set(scene.focus, scene.stage->mesh, picture.width, picture.height);
+    const HudStatus status{.help = true, .hint = "Roll on", .scale = picture.scale, .netGraph = &graph};
+    const Overlay hud = makeHud(scene, camera, status, font());
+    EXPECT_TRUE(std::any_of(hud.texts.begin(), hud.texts.end(),
+                            [](const Overlay::Text& text) { return text.content == "run slower"; }))
+        << picture.width << " x " << picture.height << " at " << picture.scale;
+  }
+}
+
 TEST(HudBoxes, TheScaleEnlargesTheTexts) {
   const Scene scene = longScene(1, false, false);
   Camera camera;
