@@ -174,7 +174,10 @@ std::vector<std::string> linesOf(const std::string& text, const Font& font, floa
 
 std::string hintOf(const Scene& scene, const HudStatus& status) {
   if (scene.needsRestart) return status.keys.to(Control::kRestart, "back to the start");
-  if (scene.neededPlayers == 0) return status.hint;
+  if (scene.neededPlayers == 0) {
+    const std::string between = status.medal.empty() || status.hint.empty() ? "" : " · ";
+    return status.medal + between + status.hint;
+  }
   return "This level needs " + std::to_string(scene.neededPlayers) + " players. " +
          status.keys.to(Control::kVote, "next level");
 }
@@ -234,7 +237,7 @@ struct LowerTexts {
 
 LowerTexts lowerTextsOf(const Scene& scene, const HudStatus& status, const Font& font) {
   if (!status.summary || !showsOwnResult(scene, *status.summary)) return {hintOf(scene, status)};
-  return {ownKeysOf(*status.summary, status.keys, font), ownResultOf(scene, status.run)};
+  return {ownKeysOf(*status.summary, status.keys, font), ownResultOf(scene, status.run, status.medal)};
 }
 
 // At the lower edge the message, above it the notice, and above that what the player may do and has reached.

@@ -31,6 +31,7 @@ struct HudStatus {
   std::string notice{};                   ///< text of the server's operator; empty: none
   std::optional<VoteStatus> vote{};       ///< nothing: nobody has voted
   std::optional<RoundSummary> summary{};  ///< nothing: the round has not ended
+  std::string medal{};                    ///< what the own time at the goal is worth; empty: nothing to tell
   RunStatus run{};                        ///< how the attempt compares with the best run
   bool timer = true;                      ///< show the own time and `run`
   std::vector<std::string> chat{};        ///< what players have said lately, oldest first

@@ -53,16 +53,16 @@ bool showsOwnResult(const Scene& scene, const RoundSummary& summary) {
   return summary.waits && scene.attempt && scene.attempt->arrived;
 }
 
-std::string ownResultOf(const Scene& scene, const RunStatus& run) {
-  std::string reached = "★ Goal in " + finishText(scene.attempt->seconds);
+std::string ownResultOf(const Scene& scene, const RunStatus& run, const std::string& medal) {
+  std::string reached = "Goal in " + finishText(scene.attempt->seconds);
   if (run.speed < 1) return reached + " at " + std::to_string(std::lround(run.speed * 100)) + " % speed, not kept";
-  if (run.isNewBest) reached += run.difference ? " – new best" : " – your first time here";
+  if (run.isNewBest) reached += run.difference ? " – new best" : " – your first finish";
   if (run.difference) reached += " (" + differenceText(*run.difference) + " s)";
-  return reached;
+  return medal.empty() ? reached : reached + " · " + medal;
 }
 
 std::string ownKeysOf(const RoundSummary& summary, const KeyHints& keys, const Font& font) {
-  return keys.goOn() + ": next level, " + nextTitleOf(summary, font, kWidth) + " · " +
+  return keys.goOn() + ": next level (" + nextTitleOf(summary, font, kWidth) + ") · " +
          keys.to(Control::kRestart, "again");
 }
 

@@ -23,8 +23,8 @@ struct RoundSummary {
 
 /// Whether the local player is at the goal of a round that waits for it.
 bool showsOwnResult(const Scene& scene, const RoundSummary& summary);
-/// What this player has reached; `scene` has an attempt.
-std::string ownResultOf(const Scene& scene, const RunStatus& run);
+/// What this player has reached, and what it is worth; `scene` has an attempt.
+std::string ownResultOf(const Scene& scene, const RunStatus& run, const std::string& medal);
 /// The keys with which it goes on.
 std::string ownKeysOf(const RoundSummary& summary, const KeyHints& keys, const Font& font);
 

@@ -343,7 +343,7 @@ void WindowPlay::drawMatch(double seconds) {
   if (drawnAt_ < saidUntil_ && status.notice.empty()) status.notice = said_;
   status.keys = interface_.keyHints();
   status.hint = hint(status.summary.has_value());
-  if (scene) addMedal(status.hint, *scene);
+  if (scene) status.medal = medal(*scene);
   status.underMenu = menu_.isOpen() && !menu_.standsAside();
   view_.setFlights(!menu_.isOpen());
   view_.look(menu_.isOpen() ? LookInput() : interface_.look());
@@ -364,13 +364,12 @@ std::string WindowPlay::hint(bool roundOver) const {
 }
 
 // Of the own time, while the player is at the goal.
-void WindowPlay::addMedal(std::string& hint, const Scene& scene) {
-  if (!scene.attempt || !scene.attempt->arrived) return medals_.reset();
+std::string WindowPlay::medal(const Scene& scene) {
   const std::shared_ptr<const Level> level = match_->play().level();
-  if (!medals_ && level) medals_ = front_.medalsOf(level);
-  if (!medals_ || !*medals_) return;
-  const long ticks = std::lround(scene.attempt->seconds * kTicksPerSecond);
-  hint = medalText(**medals_, static_cast<std::uint32_t>(ticks)) + (hint.empty() ? "" : " · ") + hint;
+  if (!level || !scene.attempt || !scene.attempt->arrived) return medals_.reset(), "";
+  if (!medals_) medals_ = front_.medalsOf(level);
+  const auto ticks = static_cast<std::uint32_t>(std::lround(scene.attempt->seconds * kTicksPerSecond));
+  return *medals_ ? medalText(**medals_, ticks) : "";
 }
 
 void WindowPlay::drawFront(double seconds) {

@@ -86,7 +86,7 @@ class WindowPlay {
   void drawMatch(double seconds);
   void savePicture(Moment now);
   std::string hint(bool roundOver) const;
-  void addMedal(std::string& hint, const Scene& scene);
+  std::string medal(const Scene& scene);
   void drawFront(double seconds);
   void takeScreenshot();
 

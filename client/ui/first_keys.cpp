@@ -39,7 +39,8 @@ void FirstKeys::observePush(const PlayerState& player) {
     ++pushed_;
   else if (!stands)
     pushed_ -= pushed_ < 2 ? pushed_ : 2;
-  if ((player.held & Input::kRestart) != 0) pushed_ = 0;
+  const bool begins = player.startedAt == 0 || (player.held & Input::kRestart) != 0;
+  if (begins) pushed_ = 0;
 }
 
 void FirstKeys::observeStep(const PlayerState& player) {
@@ -68,14 +69,16 @@ void FirstKeys::observeStep(const PlayerState& player) {
 }
 
 std::string FirstKeys::hint(const KeyHints& keys) const {
-  if (!done() && pushed_ >= kStuckTicks) return "Stuck? " + keys.to(Control::kRestart, "back to the start");
+  // Who has not jumped yet is not stuck, but at a step.
+  if (!done() && step_ != Step::kJump && pushed_ >= kStuckTicks)
+    return "Stuck? " + keys.to(Control::kRestart, "back to the start");
   switch (step_) {
     case Step::kRun:
       return keys.run() + ": roll";
     case Step::kJump:
       return keys.to(Control::kJump, "jump. Hold it to jump high");
     case Step::kCross:
-      return "Roll on over the bright edge: down turns with you";
+      return "Roll on over the edge: the solid turns, and walls can become floors";
     case Step::kGoal:
       return "The beam of light shows the goal";
     case Step::kMenu:

@@ -90,12 +90,13 @@ TEST(ResultsPanel, ManyPlayersAndLongTextsStayOnTheScreen) {
 TEST(ResultsPanel, APlayerWhoIsAloneReadsItsTimeOnceAndTheKeys) {
   Scene scene = sceneOf(1);
   scene.attempt = {12.34, true};
-  EXPECT_EQ(ownResultOf(scene, {}), "★ Goal in 12.34 s");
-  EXPECT_EQ(ownResultOf(scene, {.best = 12.34, .isNewBest = true}), "★ Goal in 12.34 s – your first time here");
-  EXPECT_EQ(ownResultOf(scene, {.best = 12.34, .difference = -0.5, .isNewBest = true}),
-            "★ Goal in 12.34 s – new best (−0.50 s)");
-  EXPECT_EQ(ownResultOf(scene, {.best = 11.84, .difference = 0.5}), "★ Goal in 12.34 s (+0.50 s)");
-  EXPECT_EQ(ownKeysOf({.nextTitle = "Corners"}, KeyHints(), font()), "Enter: next level, Corners · R: again");
+  EXPECT_EQ(ownResultOf(scene, {}, ""), "Goal in 12.34 s");
+  EXPECT_EQ(ownResultOf(scene, {.best = 12.34, .isNewBest = true}, ""), "Goal in 12.34 s – your first finish");
+  EXPECT_EQ(ownResultOf(scene, {.best = 12.34, .difference = -0.5, .isNewBest = true}, ""),
+            "Goal in 12.34 s – new best (−0.50 s)");
+  EXPECT_EQ(ownResultOf(scene, {.best = 11.84, .difference = 0.5}, ""), "Goal in 12.34 s (+0.50 s)");
+  EXPECT_EQ(ownResultOf(scene, {}, "★★☆ gold: 9.5 s"), "Goal in 12.34 s · ★★☆ gold: 9.5 s");
+  EXPECT_EQ(ownKeysOf({.nextTitle = "Corners"}, KeyHints(), font()), "Enter: next level (Corners) · R: again");
 }
 
 TEST(ResultsPanel, TheOwnResultIsShownAtTheGoalOfARoundThatWaits) {
@@ -111,7 +112,7 @@ TEST(ResultsPanel, TheOwnResultIsShownAtTheGoalOfARoundThatWaits) {
 TEST(ResultsPanel, TellsThatASlowedGameIsNotKept) {
   Scene scene = sceneOf(1);
   scene.attempt = {12.34, true};
-  EXPECT_EQ(ownResultOf(scene, {.speed = 0.75}), "★ Goal in 12.34 s at 75 % speed, not kept");
+  EXPECT_EQ(ownResultOf(scene, {.speed = 0.75}, ""), "Goal in 12.34 s at 75 % speed, not kept");
 }
 
 }  // namespace

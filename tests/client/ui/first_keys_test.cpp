@@ -37,9 +37,9 @@ TEST_F(FirstKeysTest, EachIsShownUntilItIsDone) {
   play(Input::kRight, 20);
   EXPECT_EQ(keys_.hint(KeyHints()), "Space: jump. Hold it to jump high");
   play(Input::kJump, 60);
-  EXPECT_EQ(keys_.hint(KeyHints()), "Roll on over the bright edge: down turns with you");
+  EXPECT_EQ(keys_.hint(KeyHints()), "Roll on over the edge: the solid turns, and walls can become floors");
   play(0, 600);
-  EXPECT_EQ(keys_.hint(KeyHints()), "Roll on over the bright edge: down turns with you");
+  EXPECT_EQ(keys_.hint(KeyHints()), "Roll on over the edge: the solid turns, and walls can become floors");
   play(Input::kRight, 120);
   EXPECT_EQ(keys_.hint(KeyHints()), "The beam of light shows the goal");
   play(0, 5 * kTicksPerSecond);
@@ -74,7 +74,9 @@ TEST_F(FirstKeysTest, ATappedJumpIsNotEnough) {
 }
 
 TEST_F(FirstKeysTest, WhoPushesAgainstAWallIsToldHowToReturn) {
-  play(Input::kLeft, 80);
+  play(Input::kRight, 30);
+  play(Input::kJump, 60);
+  play(Input::kLeft, 120);
   EXPECT_NE(keys_.hint(KeyHints()), "Stuck? R: back to the start");
   play(Input::kLeft, 3 * kTicksPerSecond);
   EXPECT_EQ(keys_.hint(KeyHints()), "Stuck? R: back to the start");
@@ -83,6 +85,22 @@ TEST_F(FirstKeysTest, WhoPushesAgainstAWallIsToldHowToReturn) {
   play(Input::kLeft, 5 * kTicksPerSecond);
   EXPECT_EQ(keys_.hint(KeyHints()), "Stuck? R: back to the start");
   play(Input::kRight, 100);
+  EXPECT_NE(keys_.hint(KeyHints()), "Stuck? R: back to the start");
+}
+
+TEST_F(FirstKeysTest, WhoPushesAgainstAStepAndHasNotJumpedIsToldToJump) {
+  play(Input::kRight, 30);
+  play(Input::kLeft, 400);
+  EXPECT_EQ(keys_.hint(KeyHints()), "Space: jump. Hold it to jump high");
+}
+
+TEST_F(FirstKeysTest, NobodyIsStuckAtTheBeginningOfALevel) {
+  play(Input::kRight, 30);
+  play(Input::kJump, 60);
+  play(Input::kLeft, 400);
+  ASSERT_EQ(keys_.hint(KeyHints()), "Stuck? R: back to the start");
+  game_ = Game(floorLevel());
+  play(0, 1);
   EXPECT_NE(keys_.hint(KeyHints()), "Stuck? R: back to the start");
 }
 
