@@ -239,7 +239,7 @@ CLIENT_FAULTS = [
               "EdgeSign.WhatThePictureShowsHasNone"),
     at_length("sign-behind-is-mirrored", "client/hud/edge_sign.cpp", "before ? 1 : -1", "1",
               "the arrow to somebody behind the camera points away from it",
-              "EdgeSign.APointStraightBehindIsBelow"),
+              "EdgeSign.StandsOnTheRectangleInTheDirectionOfThePoint"),
     # Controls.
     at_length("key-with-two-controls", UI + "controls/bindings.cpp", "if (owner) remove(*owner, key);", "",
               "a key that is taken over keeps its old control",
@@ -252,10 +252,6 @@ CLIENT_FAULTS = [
     at_length("slow-picture-decides", "client/quality/quality_meter.cpp", "quantile(0.5)", "quantile(1)",
               "one slow picture lowers the quality for ever",
               "QualityMeter.OneSlowPictureChangesNothing"),
-    at_length("first-picture-counts", "client/quality/quality_meter.cpp", "if (pictures_ > 0) times_.add(seconds);",
-              "times_.add(seconds);",
-              "what a quality needs once when it is chosen counts against it",
-              "QualityMeter.TheFirstPictureOfALevelIsNotCounted"),
     # Servers nearby.
     at_length("answer-to-no-question", "client/lobby/near_servers.cpp", " || info->nonce != nonce_", "",
               "anybody fills the list of servers nearby without having been asked",

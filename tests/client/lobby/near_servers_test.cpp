@@ -67,8 +67,10 @@ TEST_F(NearServersTest, OneServerIsListedOnceHoweverManyOfItsAddressesAnswer) {
   answer(1, addressAt("192.0.2.2", 7778));
   answer(2, one_);
   servers_.update(kNow + 3ms);
-  EXPECT_EQ(servers_.list().size(), 3U) << "another port or identity is another server";
+  ASSERT_EQ(servers_.list().size(), 3U) << "another port or identity is another server";
   EXPECT_EQ(servers_.list()[0].address, one_);
+  EXPECT_EQ(servers_.list()[1].address, addressAt("192.0.2.2", 7778));
+  EXPECT_EQ(servers_.list()[2].address, one_);
 }
 
 TEST_F(NearServersTest, AnswersToNoQuestionAreIgnored) {
