@@ -4,7 +4,7 @@ from ./platon bench.
 
 usage: make_pictures.py PLATON-CLIENT PLATON-LEVEL ROOT
 
-Needs ImageMagick's convert, gifsicle and pngquant. The game that is drawn has no clock, so a machine makes the same
+Needs ImageMagick's convert, gifsicle, pngquant, Xvfb, openbox and xdotool. The game that is drawn has no clock, so a machine makes the same
 frames each time; other versions of Mesa, of Cairo or of these tools may give other bytes.
 """
 
@@ -14,6 +14,7 @@ import tempfile
 from pathlib import Path
 
 import levels_page
+import window_pictures
 
 FOLDER = "docs/pictures"
 FRAMES_PER_SECOND = 20
@@ -72,6 +73,17 @@ def make_still(client, root, picture):
     return file
 
 
+def make_window_picture(client, root, picture):
+    file = root / FOLDER / picture["name"]
+    with tempfile.TemporaryDirectory() as folder:
+        try:
+            whole = window_pictures.draw(client, root, picture, folder)
+        except (OSError, subprocess.CalledProcessError) as error:
+            raise PictureError(f"cannot draw {file}: {error}") from error
+        run("pngquant", "--speed", 1, "--strip", "--force", "--output", file, 256, whole)
+    return file
+
+
 def make_editor_picture(client, root):
     """The level editor, with what the search has found."""
     file = root / FOLDER / "editor.png"
@@ -102,6 +114,8 @@ def main(arguments):
         print(make_film(client, root, FILM))
         for picture in STILLS:
             print(make_still(client, root, picture))
+        for picture in window_pictures.PICTURES:
+            print(make_window_picture(client, root, picture))
         print(make_editor_picture(client, root))
         for level in [*sorted(root.glob("levels/*/*.level"), key=lambda path: path.name), root / ELEMENTS]:
             print(make_level_picture(tool, root, level))
