@@ -234,6 +234,10 @@ void Menu::click(const MenuPage& page, const MenuRow& row, glm::vec2 place) {
 }
 
 void Menu::drag(const MenuPage& page, const MenuRow& row, glm::vec2 place) {
+  if (!page.items[row.item].set) {  // the page has changed under the pointer
+    dragging_ = false;
+    return;
+  }
   aside_ = page.standsAside;
   const double part = (place.x - row.control.low.x) / std::max(row.control.width(), 1.0F);
   page.items[row.item].set(std::clamp(part, 0.0, 1.0));

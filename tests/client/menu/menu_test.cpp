@@ -206,6 +206,27 @@ TEST_F(MenuTest, ClicksChangeValues) {
   EXPECT_EQ(steps_, (std::vector{-1, 1, 1}));
 }
 
+// The slider of the game's speed goes when another player joins.
+TEST_F(MenuTest, ASliderThatGoesWhileItIsDraggedEndsTheDrag) {
+  bool slides = true;
+  menu_.open([&] {
+    MenuPage page = valuePage();
+    if (!slides) page.items[kSlider] = {.name = "name"};
+    return page;
+  });
+  menu_.setFocus(kSlider);
+  const MenuBox track = row(kSlider).control;
+  const float y = (track.low.y + track.high.y) / 2;
+  point(PointerEvent::Kind::kPress, {track.low.x + track.width() / 4, y});
+  ASSERT_NEAR(part_, 0.25, 1e-5);
+  part_ = -1;
+  slides = false;
+  point(PointerEvent::Kind::kMove, {track.low.x + track.width() / 2, y});
+  slides = true;
+  point(PointerEvent::Kind::kMove, {track.low.x + track.width() / 2, y});
+  EXPECT_EQ(part_, -1);
+}
+
 TEST_F(MenuTest, ASliderFollowsThePointerUntilTheButtonIsReleased) {
   openValues(1);
   const MenuBox track = row(kSlider).control;
