@@ -9,7 +9,9 @@ void QualityMeter::add(double seconds) {
   spent_ += seconds;
   if (pictures_ > 0) times_.add(seconds);
   if (++pictures_ == kPictures) endLevel();
-  if (spent_ >= kMaxSeconds) next_.reset();
+  if (spent_ < kMaxSeconds || !next_) return;
+  next_.reset();
+  if (fastest_ > kHoldSeconds) chosen_ = kQualities.front().level;
 }
 
 void QualityMeter::endLevel() {

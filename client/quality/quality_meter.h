@@ -17,7 +17,7 @@ class QualityMeter {
   /// Median time of a picture up to which a level holds 60 pictures a second. A quarter of the time of such a picture
   /// is left for the game, and for showing the picture.
   static constexpr double kHoldSeconds = 0.75 / 60;
-  /// After these seconds of pictures no other is asked for.
+  /// After these seconds of pictures no other is asked for. If no level has held until then, the choice is the lowest.
   static constexpr double kMaxSeconds = 0.45;
   /// Pictures of each level. The first is not counted: the driver prepares itself for it.
   static constexpr std::size_t kPictures = 4;

@@ -43,6 +43,11 @@ TEST(QualityMeter, WithoutALevelThatHoldsItChoosesTheFastest) {
   EXPECT_EQ(measure({0.020, 0.018, 0.019, 0.050}).chosen, QualityLevel::kMedium);
 }
 
+TEST(QualityMeter, AMachineThatIsTooSlowToTryThemAllGetsTheLowest) {
+  for (const double seconds : {0.045, 0.06, 0.11, 0.3, 5.0})
+    EXPECT_EQ(measure({seconds, seconds, seconds, seconds}).chosen, QualityLevel::kLow) << seconds;
+}
+
 TEST(QualityMeter, TheLimitIsInclusive) {
   const double limit = QualityMeter::kHoldSeconds;
   EXPECT_EQ(measure({limit, limit, limit * 1.001, 0}).chosen, QualityLevel::kMedium);
