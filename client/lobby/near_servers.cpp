@@ -22,7 +22,7 @@ void NearServers::update(Moment now) {
 }
 
 void NearServers::search(Moment now) {
-  std::erase_if(found_, [](NearServer& server) { return ++server.missed > kSearchesToForget; });
+  for (NearServer& server : found_) ++server.missed;
   ++nonce_;
   searchedAt_ = now;
   const Bytes query = encode(Query{nonce_});
@@ -38,7 +38,11 @@ void NearServers::take(const Datagram& datagram, Moment now) {
   });
   const NearServer server{datagram.peer, *info, now - *searchedAt_};
   if (known == found_.end()) {
-    if (found_.size() < kMaxServers) found_.push_back(server);
+    const auto silent = std::find_if(found_.begin(), found_.end(), isSilent);
+    if (found_.size() < kMaxServers)
+      found_.push_back(server);
+    else if (silent != found_.end())
+      *silent = server;
   } else if (known->missed != 0) {  // else a second answer: a server may receive a query at several addresses
     *known = server;
   }
@@ -59,7 +63,10 @@ NearServers searchNearby() {
   return {std::move(socket), std::move(targets), nonce};
 }
 
+bool isSilent(const NearServer& server) { return server.missed > NearServers::kPatience; }
+
 std::string describe(const NearServer& server) {
+  if (isSilent(server)) return "no answer";
   const auto milliseconds = std::chrono::round<std::chrono::milliseconds>(server.roundTrip).count();
   std::string text = std::to_string(server.info.players) + "/" + std::to_string(server.info.maxPlayers) + " players, " +
                      std::to_string(milliseconds) + " ms";

@@ -28,14 +28,15 @@ class NearServers {
  public:
   static constexpr std::size_t kMaxServers = 32;
   static constexpr Moment kInterval = std::chrono::seconds(2);
-  static constexpr std::size_t kSearchesToForget = 3;  ///< without an answer
+  static constexpr std::size_t kPatience = 3;  ///< searches without an answer until a server counts as silent
 
   /// Sends each query from `socket` to all `targets`. `nonce` is a random number that others cannot guess.
   NearServers(std::unique_ptr<DatagramSocket> socket, std::vector<SocketAddress> targets, std::uint64_t nonce);
 
   /// Sends what is due and takes the answers that have arrived.
   void update(Moment now);
-  /// In the order in which they have answered first; each server once, by its identity and port.
+  /// In the order in which they have answered first; each server once, by its identity and port. A silent one keeps its
+  /// place, so that no other moves under the player's finger, until a new one needs it.
   const std::vector<NearServer>& list() const { return found_; }
 
   DatagramSocket& socket() { return *socket_; }
@@ -55,7 +56,8 @@ inline constexpr std::uint16_t kNearPorts = 4;
 /// A search on this machine and in its IPv4 networks, on kNearPorts ports from the default one on.
 NearServers searchNearby();
 
-/// "2/8 players, 3 ms", and what keeps a player out: "password", "other version".
+bool isSilent(const NearServer& server);
+/// "2/8 players, 3 ms", and what keeps a player out: "password", "other version"; or "no answer".
 std::string describe(const NearServer& server);
 /// A line for each server: its address, what `describe` says, and its name, in columns.
 std::string textOf(const std::vector<NearServer>& servers);

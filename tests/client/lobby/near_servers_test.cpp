@@ -82,7 +82,7 @@ TEST_F(NearServersTest, AnswersToNoQuestionAreIgnored) {
   EXPECT_TRUE(servers_.list().empty());
 }
 
-TEST_F(NearServersTest, TellsWhatIsNewAndForgetsWhoIsSilent) {
+TEST_F(NearServersTest, TellsWhatIsNewAndWhoIsSilent) {
   servers_.update(kNow);
   answer(1, one_, 1);
   servers_.update(kNow + 2s);
@@ -92,10 +92,11 @@ TEST_F(NearServersTest, TellsWhatIsNewAndForgetsWhoIsSilent) {
   EXPECT_EQ(servers_.list()[0].info.players, 5);
   for (int i = 2; i <= 4; ++i) {
     servers_.update(kNow + i * 2s);
-    EXPECT_EQ(servers_.list().size(), 1U) << i;
+    EXPECT_FALSE(isSilent(servers_.list()[0])) << i;
   }
   servers_.update(kNow + 10s);
-  EXPECT_TRUE(servers_.list().empty());
+  ASSERT_EQ(servers_.list().size(), 1U) << "it keeps its place";
+  EXPECT_EQ(describe(servers_.list()[0]), "no answer");
 }
 
 TEST_F(NearServersTest, AFloodOfAnswersFillsABoundedList) {
@@ -103,6 +104,11 @@ TEST_F(NearServersTest, AFloodOfAnswersFillsABoundedList) {
   for (int i = 0; i < 200; ++i) answer(static_cast<std::uint8_t>(i), one_);
   servers_.update(kNow + 3ms);
   EXPECT_EQ(servers_.list().size(), NearServers::kMaxServers);
+  for (int i = 1; i <= 4; ++i) servers_.update(kNow + i * 2s);
+  answer(201, one_);
+  servers_.update(kNow + 9s);
+  EXPECT_EQ(servers_.list().size(), NearServers::kMaxServers);
+  EXPECT_EQ(servers_.list()[0].info.identity[0], 201) << "a silent one gives up its place";
 }
 
 TEST_F(NearServersTest, SaysWhatKeepsAPlayerOut) {
