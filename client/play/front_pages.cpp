@@ -6,11 +6,13 @@
 #include <optional>
 #include <stdexcept>
 #include <utility>
+#include <variant>
 
 #include "client/files/user_folders.h"
 #include "protocol/files/bounded_folder.h"
 #include "protocol/files/text_file.h"
 #include "protocol/program_error.h"
+#include "protocol/transport/udp_socket.h"
 
 namespace platon {
 namespace {
@@ -26,11 +28,15 @@ std::optional<std::uint16_t> portOf(const std::string& text) {
 // program may play another level.
 std::string racedLevelFile(const Level& level) {
   constexpr std::size_t kMaxFiles = 16;
-  const std::filesystem::path folder = cacheFolder() / "raced";
+  const std::filesystem::path cache = cacheFolder().empty() ? std::filesystem::temp_directory_path() : cacheFolder();
+  const std::filesystem::path folder = cache / "raced";
   const std::filesystem::path file = folder / (std::to_string(level.hash) + ".level");
   std::error_code ignored;
   std::filesystem::create_directories(folder, ignored);
-  (void)replaceCachedFile(file.string(), level.text);
+  // A file that is written again begins the round of another program that plays this level anew.
+  const auto kept = readTextFile(file.string(), kMaxLevelBytes);
+  const auto* const text = std::get_if<std::string>(&kept);
+  if (text == nullptr || *text != level.text) (void)replaceCachedFile(file.string(), level.text);
   const auto isLevel = [](const std::filesystem::path& path) { return path.extension() == ".level"; };
   removeOldest(newestFiles(folder, Subfolders::kWithout, isLevel), kMaxFiles, kMaxFiles * kMaxLevelBytes);
   return file.string();
@@ -166,12 +172,18 @@ void FrontPages::update(Moment now) {
     joinForm_.near.clear();
     return;
   }
-  if (!near_) near_.emplace(searchNearby());
+  try {
+    if (!near_) near_.emplace(searchNearby());
+  } catch (const SocketError&) {
+    return;  // joining says why
+  }
   near_->update(now);
   joinForm_.near.clear();
   for (const NearServer& server : near_->list()) {
     const std::string address = ServerAddress{server.address.ip.text(), server.address.port}.text();
-    joinForm_.near.push_back({server.info.name.empty() ? address : server.info.name, address, describe(server)});
+    const bool hasName = !server.info.name.empty();
+    joinForm_.near.push_back(
+        {hasName ? server.info.name : address, address, (hasName ? address + ", " : "") + describe(server)});
   }
 }
 

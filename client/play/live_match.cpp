@@ -41,8 +41,9 @@ void LiveMatch::applySpeed() {
 }
 
 void LiveMatch::skipLevel() {
-  if (alone()) return server_->startNextLevel();
-  play_->toggleVote();
+  if (!alone()) return play_->toggleVote();
+  if (asked_ != round_) server_->startNextLevel();  // it takes a while; a second press would skip the level after it
+  asked_ = round_;
 }
 
 void LiveMatch::leave() {

@@ -66,7 +66,8 @@ class LiveMatch {
   Clock clock_;
   double speed_ = 1;  // that is wanted
   double leastSpeed_ = 1;
-  std::uint32_t round_ = 0;  // of leastSpeed_
+  std::uint32_t round_ = 0;             // of leastSpeed_
+  std::optional<std::uint32_t> asked_;  // the round whose end the player who is alone has asked for
   std::shared_ptr<PausableClock> time_;
   std::optional<EmbeddedServer> server_;
   std::optional<MatchPlay> play_;

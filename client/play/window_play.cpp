@@ -343,7 +343,7 @@ void WindowPlay::drawMatch(double seconds) {
   if (drawnAt_ < saidUntil_ && status.notice.empty()) status.notice = said_;
   status.keys = interface_.keyHints();
   status.hint = hint(status.summary.has_value());
-  if (scene) status.medal = medal(*scene);
+  if (scene && match_->leastSpeed() == 1) status.medal = medal(*scene);
   status.underMenu = menu_.isOpen() && !menu_.standsAside();
   view_.setFlights(!menu_.isOpen());
   view_.look(menu_.isOpen() ? LookInput() : interface_.look());

@@ -27,7 +27,8 @@ std::string KeyHints::to(Control control, const std::string& what) const { retur
 
 std::string KeyHints::goOn() const {
   const std::string button = pad(Control::kVote);
-  return gamepad_ && !button.empty() ? button : "Enter";
+  if (gamepad_ && !button.empty()) return button;
+  return bindings_.controlOf(Key::kEnter) ? of(Control::kVote) : "Enter";
 }
 
 std::string KeyHints::run() const {

@@ -113,6 +113,20 @@ TEST_F(LiveMatchTest, ARoundOfAPlayerWhoIsAloneHasNoTimeLimit) {
   match.leave();
 }
 
+TEST_F(LiveMatchTest, AskingTwiceForTheNextLevelSkipsNone) {
+  LiveMatch match(ClientOptions(), ownLevel(), clock_);
+  ASSERT_TRUE(updateUntil(match, false, [&] { return confirmed(match) > 10 && match.alone(); }));
+  const auto round = [&] { return match.play().client().session()->round()->id(); };
+  const std::uint32_t first = round();
+  match.skipLevel();
+  ASSERT_TRUE(updateUntil(match, false, [&] {
+    if (round() == first) match.skipLevel();
+    return round() != first && confirmed(match) > 10;
+  }));
+  EXPECT_EQ(round(), first + 1);
+  match.leave();
+}
+
 TEST_F(LiveMatchTest, RunsSlowerForWhoIsAloneOnly) {
   LiveMatch match(ClientOptions(), ownLevel(), clock_);
   ASSERT_TRUE(updateUntil(match, false, [&] { return confirmed(match) > 10 && match.alone(); }));

@@ -27,6 +27,9 @@ TEST(KeyHints, NameTheKeysThatThePlayerHasChosen) {
 
 TEST(KeyHints, EnterGoesOnAndWithAGamepadTheButtonOfTheVote) {
   EXPECT_EQ(KeyHints().goOn(), "Enter");
+  Bindings jumpsByEnter;
+  jumpsByEnter.bind(Control::kJump, Key::kEnter);
+  EXPECT_EQ(KeyHints(jumpsByEnter).goOn(), "V");
   EXPECT_EQ(KeyHints({}, true).goOn(), "pad Y");
 }
 
