@@ -147,8 +147,13 @@ std::vector<GhostSource> RunKeeper::ghostsAt(const Game& game, std::uint32_t slo
   const bool runs = slot < game.slots() && game.player(slot).startedAt != 0;
   if (!runs || game.level().hash != level_) return ghosts;
   const std::uint32_t ticks = game.tick() - game.player(slot).startedAt + 1;
-  if (rival_) ghosts.push_back({rival_->track->at(ticks, fraction), rival_->name, true});
-  for (const Ghost& other : others_) ghosts.push_back({other.track->at(ticks, fraction), other.name, false});
+  // Hashes of levels can be forged: a recording of another solid would name faces that this one does not have.
+  const auto add = [&](const Ghost& ghost, bool isBest) {
+    if (ghost.track->solid == game.level().solid)
+      ghosts.push_back({ghost.track->at(ticks, fraction), ghost.name, isBest});
+  };
+  if (rival_) add(*rival_, true);
+  for (const Ghost& other : others_) add(other, false);
   return ghosts;
 }
 

@@ -1,6 +1,8 @@
 #include "client/replay/run_saver.h"
 
 #include <chrono>
+#include <memory>
+#include <system_error>
 #include <utility>
 
 namespace platon {
@@ -12,9 +14,13 @@ void RunSaver::keep(Run run) {
 
 void RunSaver::start() {
   if (waiting_.empty()) return;
-  writing_ = std::async(std::launch::async,
-                        [store = store_, run = std::move(waiting_.front())]() mutable { return store.keep(run); });
+  const auto run = std::make_shared<const Run>(std::move(waiting_.front()));
   waiting_.pop_front();
+  try {
+    writing_ = std::async(std::launch::async, [store = store_, run]() mutable { return store.keep(*run); });
+  } catch (const std::system_error&) {  // no thread
+    fault_ = store_.keep(*run);
+  }
 }
 
 void RunSaver::take() {
