@@ -97,11 +97,16 @@ std::shared_ptr<const Level> FrontPages::shownLevel() {
   return levels_[chooses ? levelOfItem(entries_, menu_->focus()) : nextLevel()].level;
 }
 
-LevelEntry FrontPages::entryOf(const std::shared_ptr<const Level>& level) const {
+std::optional<std::size_t> FrontPages::shippedIndexOf(const Level& level) const {
   const auto shipped = std::find_if(levels_.begin(), levels_.end(),
-                                    [&](const ShippedLevel& each) { return each.level->hash == level->hash; });
-  return shipped == levels_.end() ? platon::entryOf({"", level})
-                                  : entries_[static_cast<std::size_t>(shipped - levels_.begin())];
+                                    [&](const ShippedLevel& each) { return each.level->hash == level.hash; });
+  if (shipped == levels_.end()) return std::nullopt;
+  return static_cast<std::size_t>(shipped - levels_.begin());
+}
+
+LevelEntry FrontPages::entryOf(const std::shared_ptr<const Level>& level) const {
+  const std::optional<std::size_t> shipped = shippedIndexOf(*level);
+  return shipped ? entries_[*shipped] : platon::entryOf({"", level});
 }
 
 // Without the levels of the game a match goes on without medals.
@@ -140,13 +145,8 @@ void FrontPages::race(const std::shared_ptr<const Level>& level, const std::file
   MatchChoice choice;
   choice.rival = rival;
   choice.own.waitsForOne = true;
-  const auto shipped = std::find_if(levels_.begin(), levels_.end(),
-                                    [&](const ShippedLevel& each) { return each.level->hash == level->hash; });
-  if (shipped != levels_.end()) {
-    choice.own.levels = filesFrom(static_cast<std::size_t>(shipped - levels_.begin()));
-  } else {
-    choice.own.levels = {racedLevelFile(*level)};
-  }
+  const std::optional<std::size_t> shipped = shippedIndexOf(*level);
+  choice.own.levels = shipped ? filesFrom(*shipped) : std::vector<std::string>{racedLevelFile(*level)};
   calls_.start(choice);
 }
 

@@ -60,6 +60,8 @@ class FrontPages {
   void host();
   void load();
   std::size_t nextLevel() const;
+  /// Where a level stands in levels_; nothing if it did not come with the game.
+  std::optional<std::size_t> shippedIndexOf(const Level& level) const;
   std::vector<std::string> filesFrom(std::size_t level) const;
 
   Menu* menu_;
