@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "client/menu/levels_page.h"
+#include "client/menu/pages/levels_page.h"
 #include "platon/game/level.h"
 
 namespace platon {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "client/net/server_address.h"
-#include "client/play/frame_options.h"
+#include "client/play/offscreen/frame_options.h"
 #include "platon/game/solid.h"
 #include "protocol/transport/client_gate.h"
 

@@ -7,7 +7,7 @@
 #include <system_error>
 #include <utility>
 
-#include "client/menu/run_page.h"
+#include "client/menu/pages/run_page.h"
 #include "client/replay/replay_file.h"
 #include "client/replay/run_list.h"
 

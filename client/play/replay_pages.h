@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "client/menu/menu.h"
-#include "client/menu/replays_page.h"
+#include "client/menu/pages/replays_page.h"
 #include "client/replay/run_store.h"
 #include "platon/game/level.h"
 

@@ -9,10 +9,10 @@
 
 #include "client/gl/gl_loader.h"
 #include "client/gl/image.h"
-#include "client/menu/failure_page.h"
-#include "client/menu/level_card.h"
-#include "client/menu/pause_page.h"
-#include "client/menu/say_page.h"
+#include "client/menu/pages/failure_page.h"
+#include "client/menu/pages/level_card.h"
+#include "client/menu/pages/pause_page.h"
+#include "client/menu/pages/say_page.h"
 #include "client/play/play_window.h"
 
 namespace platon {

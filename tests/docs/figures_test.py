@@ -232,7 +232,7 @@ FIGURES = [
     Figures("docs/playing.md", "the other way in {} ticks", turn_round),
     Figures("docs/playing.md", "in the {} ticks after the last one on the ground", constant(PLAYER, "kCoyoteTicks")),
     Figures("docs/playing.md", "in the {} ticks before the ball may jump", constant(PLAYER, "kJumpBufferTicks")),
-    Figures("docs/playing.md", "{} frames of each quality", constant("client/play/frame_benchmark.h", "kFrames")),
+    Figures("docs/playing.md", "{} frames of each quality", constant("client/play/offscreen/frame_benchmark.h", "kFrames")),
     Figures("docs/playing.md", "median is at most {} ms", constant("client/quality/quality_meter.h", "kHoldSeconds", 1000)),
     Figures("docs/protocol.md", "one message of at most {} bytes", constant(LIMITS, "kMaxMessageBytes")),
     Figures("README.md", "**{} ×** | the step time of Chipmunk", quoted("docs/speed_vs_error.md", r"\| (\d\.\d+) × chipmunk-7.0 \|")),

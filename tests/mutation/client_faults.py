@@ -144,7 +144,7 @@ CLIENT_FAULTS = [
               "welcomed_ = welcomed_ || (session_->welcome() && !session_->ending());  //",
               "a client that a stopping server has just accepted ends",
               "AnsweredClient.RetriesWhenWelcomeAndByeArriveInOneServiceCall"),
-    at_length("notice-for-ever", "client/play/match_play.cpp",
+    at_length("notice-for-ever", "client/play/match/match_play.cpp",
               "noticeUntil_ = now + kNoticeTime;", "noticeUntil_ = Moment::max();",
               "a text of the operator stays in the picture",
               "MatchPlayTest.ATextOfTheConsoleIsInThePictureForEightSeconds"),

@@ -19,7 +19,7 @@ ARCHITECTURE = (Path(__file__).parents[2] / "docs/architecture.md").read_text(en
 
 SHARED = ["exact", "physics", "game"]
 LEVELS = ["check", "drawing", "picture", "reach", "solve", "tool"]
-CLIENT = ["time", "net", "netcode", "desync", "session", "bot", "demo", "quality", "scene", "ui", "hud", "audio", "menu", "lobby", "editor", "replay", "files", "gl", "play"]
+CLIENT = ["time", "net", "netcode", "desync", "session", "bot", "demo", "quality", "scene", "ui", "hud", "audio", "menu", "menu/pages", "lobby", "editor", "replay", "files", "gl", "play"]
 FOLDERS = (
     [f"shared/include/platon/{name}" for name in SHARED]
     + [f"shared/{name}" for name in SHARED]
@@ -71,16 +71,17 @@ class Includes(Tree):
             "hud": ["netcode", "scene", "ui"],
             "gl": ["quality", "scene", "ui", "hud"],
             "audio": ["scene"],
-            "menu": ["netcode", "quality", "scene", "ui"],
-            "lobby": ["time", "net", "netcode", "scene", "ui", "menu"],
-            "editor": ["netcode", "scene", "ui", "menu"],
+            "menu": ["netcode", "scene", "ui"],
+            "menu/pages": ["netcode", "quality", "scene", "ui", "menu"],
+            "lobby": ["time", "net", "netcode", "scene", "ui", "menu", "menu/pages"],
+            "editor": ["netcode", "scene", "ui", "menu", "menu/pages"],
             "replay": ["netcode", "scene", "ui"],
             "files": ["time", "net", "netcode", "desync", "session", "scene", "ui"],
             "play": [name for name in CLIENT if name not in ("bot", "play")],
         }  # fmt: skip
-        drawn = ("scene", "ui", "hud", "audio", "menu", "editor")
+        drawn = ("scene", "ui", "hud", "audio", "menu", "menu/pages", "editor")
         solving = ["levels/check", "levels/reach", "levels/solve"]
-        wordless = ("demo", "scene", "ui", "hud", "audio", "menu", "editor", "gl")
+        wordless = ("demo", "scene", "ui", "hud", "audio", "menu", "menu/pages", "editor", "gl")
         protocol = ["protocol", "protocol/files", "protocol/transport"]
         allowed = {
             **{folder: public[:index] for index, folder in enumerate(public)},
@@ -126,7 +127,7 @@ class Includes(Tree):
 
     def test_only_the_embedded_server_includes_both_sides(self):
         text = '#include "server/app/thing.h"\n'
-        self.assert_allowed("client/play/embedded_server.cpp", text)
+        self.assert_allowed("client/play/match/embedded_server.cpp", text)
         self.assert_allowed("client/play/main.cpp", text)
         self.assert_refused("client/play/main_menu.cpp", text, 1, "server/app/thing.h")
         self.assert_refused("server/app/main.cpp", '#include "client/play/thing.h"\n', 1, "client/play/thing.h")

@@ -14,7 +14,7 @@
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 
-#include "client/menu/settings_page.h"
+#include "client/menu/pages/settings_page.h"
 #include "client/time/steady_now.h"
 #include "tests/client/gl/desktop.h"
 #include "tests/client/gl/fake_gamepad.h"

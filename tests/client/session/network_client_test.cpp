@@ -7,7 +7,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "client/play/embedded_server.h"
+#include "client/play/match/embedded_server.h"
 #include "client/time/steady_now.h"
 #include "server/net/host.h"
 

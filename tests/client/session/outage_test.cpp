@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "client/net/lossy_relay.h"
-#include "client/play/match_play.h"
+#include "client/play/match/match_play.h"
 #include "client/session/network_client.h"
 #include "client/time/steady_now.h"
 #include "protocol/to_client.h"

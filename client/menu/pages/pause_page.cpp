@@ -1,0 +1,18 @@
+#include "client/menu/pages/pause_page.h"
+
+namespace platon {
+
+MenuPage pausePage(const PauseChoices& choices) {
+  MenuPage page{choices.title, choices.notes};
+  page.items = {{.name = "Resume", .choose = choices.onResume},
+                {.name = "Back to the start", .value = choices.restartKey, .choose = choices.onRestart},
+                {.name = choices.next, .choose = choices.onNext},
+                {.name = "Settings", .choose = choices.onSettings},
+                {.name = "Leave to the title", .choose = choices.onLeave}};
+  if (choices.onWatch)
+    page.items.insert(page.items.begin() + 3, {.name = "Watch your best run", .choose = choices.onWatch});
+  page.back = choices.onResume;
+  return page;
+}
+
+}  // namespace platon

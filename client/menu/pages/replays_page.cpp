@@ -1,0 +1,54 @@
+#include "client/menu/pages/replays_page.h"
+
+namespace platon {
+namespace {
+
+bool beginsGroup(std::span<const ReplayEntry> entries, std::size_t entry) {
+  return entry == 0 || entries[entry].who.empty() != entries[entry - 1].who.empty();
+}
+
+void append(std::string& text, const std::string& part) {
+  if (!part.empty()) text += (text.empty() ? "" : "   ") + part;
+}
+
+std::string factsOf(const ReplayEntry& entry) {
+  std::string facts = entry.who;
+  append(facts, entry.isBest && !entry.time.empty() ? "★ " + entry.time : entry.time);
+  append(facts, entry.note.empty() ? "" : "cannot be played");
+  append(facts, entry.date);
+  return facts;
+}
+
+}  // namespace
+
+MenuPage replaysPage(std::span<const ReplayEntry> entries, const std::function<void(std::size_t)>& choose,
+                     const std::function<void()>& back) {
+  MenuPage page{"Replays"};
+  page.place = MenuPage::Place::kLeft;
+  if (entries.empty()) {
+    page.notes = {"Reach a goal, and your best run on its level is here. Drop a recording on the window to watch it."};
+    page.items = {{.name = "Back", .choose = back}};
+    return page;
+  }
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const ReplayEntry& entry = entries[i];
+    const char* const group = entry.who.empty() ? "Your best runs" : "Runs of others";
+    if (beginsGroup(entries, i)) page.items.push_back({MenuItem::Kind::kHeading, group});
+    page.items.push_back({.name = entry.title, .value = factsOf(entry), .choose = [choose, i] { choose(i); }});
+  }
+  return page;
+}
+
+std::size_t itemOfReplay(std::span<const ReplayEntry> entries, std::size_t entry) {
+  std::size_t item = entry;
+  for (std::size_t i = 0; i <= entry; ++i) item += beginsGroup(entries, i) ? 1 : 0;
+  return item;
+}
+
+std::size_t replayOfItem(std::span<const ReplayEntry> entries, std::size_t item) {
+  std::size_t entry = 0;
+  while (entry + 1 < entries.size() && itemOfReplay(entries, entry) < item) ++entry;
+  return entry;
+}
+
+}  // namespace platon

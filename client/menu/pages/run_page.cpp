@@ -1,0 +1,37 @@
+#include "client/menu/pages/run_page.h"
+
+namespace platon {
+namespace {
+
+std::string factsOf(const ReplayEntry& entry) {
+  std::string facts = entry.who.empty() ? "Your run" : "A recording of " + entry.who;
+  if (!entry.time.empty()) facts += ": " + entry.time + (entry.isBest ? ", your best" : "");
+  return facts + ". " + entry.date;
+}
+
+}  // namespace
+
+MenuPage runPage(const ReplayEntry& entry, const std::string& file, const std::string& fault,
+                 const RunChoices& choices) {
+  MenuPage page{entry.title};
+  page.place = MenuPage::Place::kLeft;
+  page.warning = !fault.empty() || !entry.note.empty();
+  page.notes = {factsOf(entry), file};
+  if (!fault.empty()) {
+    page.notes.push_back(fault);
+  } else if (!entry.note.empty()) {
+    page.notes.push_back("It " + entry.note + ".");
+  } else {
+    page.notes.emplace_back("To share it, send this file. A friend drops it on the window of the game.");
+  }
+  const auto offer = [&page](const char* name, const std::function<void()>& choose) {
+    if (choose) page.items.push_back({.name = name, .choose = choose});
+  };
+  offer("Watch", choices.watch);
+  offer("Race against it", choices.race);
+  offer("Keep it as a ghost", choices.keep);
+  offer("Back", choices.back);
+  return page;
+}
+
+}  // namespace platon

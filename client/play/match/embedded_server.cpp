@@ -1,0 +1,135 @@
+#include "client/play/match/embedded_server.h"
+
+#include <atomic>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <string_view>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "client/files/user_folders.h"
+#include "protocol/files/file_watch.h"
+#include "protocol/label.h"
+#include "protocol/limits.h"
+#include "protocol/program_error.h"
+#include "protocol/transport/udp_socket.h"
+#include "server/app/dedicated_server.h"
+#include "server/app/identity_file.h"
+#include "server/app/level_files.h"
+
+namespace platon {
+
+namespace {
+
+constexpr const char* kLoopback = "127.0.0.1";
+constexpr const char* kAllAddresses = "::";
+
+std::vector<LevelPointer> load(const std::vector<std::string>& files) {
+  LoadedLevels loaded = loadLevelFiles(files);
+  for (const std::string& warning : loaded.warnings) std::fprintf(stderr, "%s\n", warning.c_str());
+  return std::move(loaded.levels);
+}
+
+// Where the server keeps best times. Without a folder for them, they end with the server.
+std::string keptBestTimes() {
+  const std::filesystem::path file = bestTimesFile();
+  if (file.empty()) return {};
+  std::error_code fault;
+  std::filesystem::create_directories(file.parent_path(), fault);
+  return fault ? std::string() : file.string();
+}
+
+// The messages are for the operator of a server; a player needs none of them.
+Log silentLog() {
+  return Log(LogFormat::kText, [](std::string_view) {});
+}
+
+ServerSettings serverSettings(const EmbeddedSettings& wanted) {
+  ServerSettings settings;
+  settings.bestTimes = keptBestTimes();
+  settings.bind = wanted.listens ? kAllAddresses : kLoopback;
+  settings.port = wanted.listens ? wanted.port : 0;
+  settings.password = wanted.password;
+  settings.match.serverName = "Platon";
+  settings.match.maxPlayers = wanted.maxPlayers;
+  settings.match.waitsForOne = wanted.waitsForOne;
+  Log log = silentLog();
+  if (wanted.listens) settings.identity = loadIdentity("", log);
+  return settings;
+}
+
+// The first line of an error in a level file, as a notice for the player, who knows which file it is.
+std::string noticeOf(const std::string& file, const std::string& error) {
+  std::string text = error.substr(0, error.find('\n'));
+  if (text.starts_with(file + ":")) text.erase(0, file.size() + 1);
+  text = ("level not reloaded: " + text).substr(0, kMaxReasonBytes);
+  while (!isLabel(text, kMaxReasonBytes)) text.pop_back();
+  return text;
+}
+
+}  // namespace
+
+struct EmbeddedServer::Running {
+  Running(const EmbeddedSettings& settings, const std::vector<std::string>& files,
+          const std::shared_ptr<const PausableClock>& clock)
+      : levelFiles(files), server(serverSettings(settings), load(files), silentLog()) {
+    if (clock) server.setClock([clock] { return TimePoint(clock->now()); });
+    thread = std::thread([this] { server.run([this] { return shouldStop(); }); });
+  }
+  ~Running() {
+    stop = true;
+    thread.join();
+  }
+
+  bool shouldStop() {
+    if (levelFiles.poll(std::chrono::steady_clock::now())) reload();
+    server.match().countTimes(timesCount);
+    if (nextAsked.exchange(false)) server.match().startNextRound();
+    players = server.match().players();
+    return stop;
+  }
+
+  // Whoever plays the only level while it is made sees each version at once.
+  void reload() {
+    try {
+      server.updateLevels(load(levelFiles.files()));
+      if (levelFiles.files().size() == 1) server.match().startNextRound();
+    } catch (const ProgramError& error) {
+      std::fprintf(stderr, "%s\n", error.what());
+      server.match().say(noticeOf(levelFiles.files().front(), error.what()));
+    }
+  }
+
+  FileWatch levelFiles;
+  DedicatedServer server;
+  std::atomic<bool> stop{false};
+  std::atomic<bool> nextAsked{false};
+  std::atomic<bool> timesCount{true};
+  std::atomic<std::size_t> players{0};
+  std::thread thread;  // last: uses the members above from its start
+};
+
+EmbeddedServer::EmbeddedServer(const EmbeddedSettings& settings, std::shared_ptr<const PausableClock> clock) {
+  try {
+    running_ =
+        std::make_unique<Running>(settings, settings.levels.empty() ? shippedLevelFiles() : settings.levels, clock);
+  } catch (const SocketError& error) {
+    throw ProgramError(ProgramError::kFailed, error.what());
+  }
+}
+
+EmbeddedServer::~EmbeddedServer() = default;
+
+ServerAddress EmbeddedServer::address() const { return {kLoopback, running_->server.port()}; }
+
+std::size_t EmbeddedServer::players() const { return running_->players; }
+
+void EmbeddedServer::countTimes(bool count) { running_->timesCount = count; }
+
+void EmbeddedServer::startNextLevel() { running_->nextAsked = true; }
+
+CryptoKey EmbeddedServer::identity() const { return running_->server.identity().publicKey(); }
+
+}  // namespace platon

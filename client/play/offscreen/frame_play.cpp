@@ -1,0 +1,74 @@
+#include "client/play/offscreen/frame_play.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "client/gl/image.h"
+
+namespace platon {
+
+namespace {
+
+constexpr std::array<const char*, 4> kNames{"Ada", "Grace", "Emmy", "Sofia"};
+
+std::uint32_t toTicks(double seconds) { return static_cast<std::uint32_t>(std::lround(seconds * kTicksPerSecond)); }
+
+std::string frameFile(const std::string& folder, std::uint32_t frame) {
+  std::array<char, 16> name{};
+  std::snprintf(name.data(), name.size(), "/%04u.png", frame);
+  return folder + name.data();
+}
+
+}  // namespace
+
+FramePlay::FramePlay(const ClientOptions& options, std::shared_ptr<const Level> level)
+    : options_(options.frames),
+      ticksPerFrame_(static_cast<std::uint32_t>(kTicksPerSecond / options_.perSecond)),
+      firstTick_(toTicks(options_.from)),
+      endTick_(firstTick_ + toTicks(options.seconds.value_or(kSeconds))),
+      view_(options_.width, options_.width * 9 / 16),
+      game_(std::move(level)),
+      stage_(makeStageModel(game_.level())),
+      demos_(options_.players) {
+  view_.setQuality(kBestQuality);
+  for (std::uint32_t slot = 0; slot < options_.players; ++slot) names_.emplace_back(kNames[slot % kNames.size()]);
+}
+
+void FramePlay::run(const std::function<bool()>& stopRequested) {
+  for (std::uint32_t tick = 0; tick < endTick_ && !stopRequested(); ++tick) {
+    advance();
+    if (tick >= firstTick_ && (tick - firstTick_) % ticksPerFrame_ == 0) {
+      writeFrame((tick - firstTick_) / ticksPerFrame_);
+    }
+  }
+}
+
+void FramePlay::advance() {
+  std::vector<Input> inputs(options_.players);
+  for (std::uint32_t slot = 0; slot < options_.players; ++slot) {
+    if (game_.tick() < slot * kTicksBetweenStarts) continue;
+    inputs[slot] = demos_[slot].choose(game_, slot);
+    inputs[slot].buttons |= Input::kPresent;
+  }
+  game_.advance(inputs);
+  attempt_.observe(game_.tick(), game_.player(0));
+}
+
+void FramePlay::writeFrame(std::uint32_t frame) {
+  players_.clear();
+  for (std::uint32_t slot = 0; slot < game_.slots(); ++slot) players_.push_back(snapshotOf(game_, slot));
+  SceneSource source;
+  source.stage = stage_;
+  source.game = &game_;
+  source.others = {players_, players_, 1};
+  source.localSlot = 0;
+  source.names = names_;
+  source.attempt = attempt_;
+  const Scene scene = makeScene(source);
+  view_.draw(&scene, HudStatus(), Settings(), Overlay(), double{1} / options_.perSecond);
+  writePng(view_.read(), frameFile(options_.folder, frame));
+}
+
+}  // namespace platon

@@ -1,0 +1,57 @@
+#include "client/menu/pages/join_page.h"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+namespace platon {
+namespace {
+
+class JoinPage : public testing::Test {
+ protected:
+  MenuPage page() {
+    return joinPage(form_, [this] { joined_ = form_.address.text(); });
+  }
+  bool has(const std::string& name) {
+    const MenuPage shown = page();
+    return std::any_of(shown.items.begin(), shown.items.end(), [&](const MenuItem& item) { return item.name == name; });
+  }
+
+  JoinForm form_;
+  std::string joined_;
+};
+
+TEST_F(JoinPage, JoinsWhatWasEntered) {
+  form_.address.setText("host:1");
+  page().items[1].choose();
+  EXPECT_EQ(joined_, "host:1");
+}
+
+TEST_F(JoinPage, AServerThatWasJoinedBeforeIsOneClickAway) {
+  EXPECT_FALSE(has("Joined before"));
+  form_.recent = {"one:7777", "two:7777"};
+  EXPECT_TRUE(has("Joined before"));
+  page().items.back().choose();
+  EXPECT_EQ(joined_, "two:7777");
+}
+
+TEST_F(JoinPage, AServerNearbyIsOneClickAwayToo) {
+  form_.recent = {"one:7777"};
+  form_.near = {{"Den", "192.0.2.1:7778", "2/8 players, 3 ms"}};
+  EXPECT_TRUE(has("Nearby"));
+  EXPECT_EQ(page().items.back().value, "2/8 players, 3 ms");
+  page().items.back().choose();
+  EXPECT_EQ(joined_, "192.0.2.1:7778");
+}
+
+TEST_F(JoinPage, AsksForAPasswordOnlyIfTheServerDoes) {
+  EXPECT_FALSE(has("Password"));
+  form_.asksPassword = true;
+  form_.fault = "The password is wrong.";
+  EXPECT_TRUE(has("Password"));
+  EXPECT_TRUE(page().items[1].secret);
+  EXPECT_TRUE(page().warning);
+}
+
+}  // namespace
+}  // namespace platon

@@ -1,0 +1,35 @@
+#include "client/menu/pages/pause_page.h"
+
+#include <gtest/gtest.h>
+
+namespace platon {
+namespace {
+
+TEST(PausePage, EachItemCallsItsOwn) {
+  std::string called;
+  const auto note = [&called](const char* name) { return [&called, name] { called += name; }; };
+  PauseChoices choices{"Pause",       {"a note"},        "R",           "Vote", note("resume "), note("restart "),
+                       note("next "), note("settings "), note("leave ")};
+  const MenuPage page = pausePage(choices);
+  for (const MenuItem& item : page.items) item.choose();
+  page.back();
+  EXPECT_EQ(called, "resume restart next settings leave resume ");
+  EXPECT_EQ(page.notes, choices.notes);
+  EXPECT_EQ(page.items[2].name, "Vote");
+  EXPECT_EQ(page.title, "Pause");
+}
+
+TEST(PausePage, TheBestRunIsOfferedIfThereIsOne) {
+  bool watched = false;
+  PauseChoices choices;
+  EXPECT_EQ(pausePage(choices).items.size(), 5U);
+  choices.onWatch = [&watched] { watched = true; };
+  const MenuPage page = pausePage(choices);
+  ASSERT_EQ(page.items.size(), 6U);
+  EXPECT_EQ(page.items[3].name, "Watch your best run");
+  page.items[3].choose();
+  EXPECT_TRUE(watched);
+}
+
+}  // namespace
+}  // namespace platon

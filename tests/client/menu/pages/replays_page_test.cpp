@@ -1,0 +1,59 @@
+#include "client/menu/pages/replays_page.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace platon {
+namespace {
+
+const std::vector<ReplayEntry> kEntries{{"One", "1.00 s", "2026-01-02", "", true},
+                                        {"Two", "2.00 s", "2026-01-01", "", false, "is a damaged recording"},
+                                        {"One", "1.50 s", "2026-01-03", "Anna"},
+                                        {"Three", "", "2026-01-02", "round"}};
+
+TEST(ReplaysPage, OwnRunsAndThoseOfOthersHaveHeadings) {
+  const MenuPage page = replaysPage(kEntries, nullptr, nullptr);
+  std::vector<std::string> names;
+  for (const MenuItem& item : page.items) names.push_back(item.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"Your best runs", "One", "Two", "Runs of others", "One", "Three"}));
+  EXPECT_TRUE(page.notes.empty());
+}
+
+TEST(ReplaysPage, ARowShowsWhoTimeAndDate) {
+  const MenuPage page = replaysPage(kEntries, nullptr, nullptr);
+  EXPECT_EQ(page.items[1].value, "★ 1.00 s   2026-01-02");
+  EXPECT_EQ(page.items[2].value, "2.00 s   cannot be played   2026-01-01");
+  EXPECT_EQ(page.items[4].value, "Anna   1.50 s   2026-01-03");
+  EXPECT_EQ(page.items[5].value, "round   2026-01-02");
+}
+
+TEST(ReplaysPage, ItemsAndEntriesBelongTogether) {
+  std::vector<std::size_t> chosen;
+  const MenuPage page = replaysPage(
+      kEntries, [&](std::size_t entry) { chosen.push_back(entry); }, nullptr);
+  for (std::size_t entry = 0; entry < kEntries.size(); ++entry) {
+    const std::size_t item = itemOfReplay(kEntries, entry);
+    EXPECT_EQ(page.items[item].name, kEntries[entry].title);
+    EXPECT_EQ(replayOfItem(kEntries, item), entry);
+    page.items[item].choose();
+  }
+  EXPECT_EQ(chosen, (std::vector<std::size_t>{0, 1, 2, 3}));
+  EXPECT_EQ(replayOfItem(kEntries, 3), 2U) << "a heading";
+  EXPECT_EQ(replayOfItem(kEntries, 99), 3U);
+}
+
+TEST(ReplaysPage, AnEmptyListSaysHowRunsGetThere) {
+  bool left = false;
+  const MenuPage page = replaysPage({}, nullptr, [&] { left = true; });
+  ASSERT_EQ(page.notes.size(), 1U);
+  EXPECT_NE(page.notes[0].find("Reach a goal"), std::string::npos);
+  ASSERT_EQ(page.items.size(), 1U);
+  page.items[0].choose();
+  EXPECT_TRUE(left);
+}
+
+}  // namespace
+}  // namespace platon

@@ -1,0 +1,28 @@
+#include "client/menu/pages/say_page.h"
+
+#include <gtest/gtest.h>
+
+#include "client/ui/chat_feed.h"
+#include "protocol/limits.h"
+
+namespace platon {
+namespace {
+
+static_assert(kEmoteNames.size() == kEmotes);
+
+TEST(SayPage, EachItemCallsItsOwn) {
+  std::string called;
+  TextField text(kMaxChatBytes);
+  const MenuPage page =
+      sayPage(text, {[&] { called += "say "; }, [&](std::uint32_t emote) { called += std::to_string(emote) + " "; },
+                     [&] { called += "leave"; }});
+  EXPECT_EQ(page.items.front().field, &text);
+  for (const MenuItem& item : page.items) {
+    if (item.choose) item.choose();
+  }
+  page.back();
+  EXPECT_EQ(called, "say say 1 2 3 4 leave");
+}
+
+}  // namespace
+}  // namespace platon

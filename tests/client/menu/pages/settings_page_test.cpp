@@ -1,0 +1,49 @@
+#include "client/menu/pages/settings_page.h"
+
+#include <gtest/gtest.h>
+
+namespace platon {
+namespace {
+
+bool isSetting(const MenuItem& item) {
+  return item.kind != MenuItem::Kind::kHeading && item.kind != MenuItem::Kind::kAction;
+}
+
+MenuPage settingsPage(Settings& settings) {
+  return platon::settingsPage(settings, [] {});
+}
+
+TEST(SettingsPage, EverySettingCanBeChangedAndStaysValid) {
+  Settings settings;
+  for (std::size_t i = 0; i < settingsPage(settings).items.size(); ++i) {
+    if (!isSetting(settingsPage(settings).items[i])) continue;
+    const std::string name = settingsPage(settings).items[i].name;
+    const std::string before = settings.text();
+    settingsPage(settings).items[i].step(1);
+    if (settings.text() == before) settingsPage(settings).items[i].step(-1);  // it was at its end
+    EXPECT_NE(settings.text(), before) << name;
+    for (int step = 0; step < 60; ++step) settingsPage(settings).items[i].step(-1);
+    EXPECT_TRUE(parseSettings(settings.text()).errors.empty()) << name;
+    for (int step = 0; step < 61; ++step) settingsPage(settings).items[i].step(1);
+    EXPECT_TRUE(parseSettings(settings.text()).errors.empty()) << name;
+  }
+}
+
+TEST(SettingsPage, WithOthersTheGameSpeedCannotBeChosen) {
+  Settings settings;
+  EXPECT_EQ(platon::settingsPage(
+                settings, [] {}, false)
+                    .items.size() +
+                1,
+            settingsPage(settings).items.size());
+}
+
+TEST(SettingsPage, EachSettingIsInAGroup) {
+  Settings settings;
+  const MenuPage page = settingsPage(settings);
+  EXPECT_FALSE(isSetting(page.items.front()));
+  EXPECT_TRUE(page.standsAside);
+}
+
+}  // namespace
+}  // namespace platon

@@ -1,0 +1,139 @@
+#include "client/play/match/embedded_server.h"
+
+#include <chrono>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "client/session/network_client.h"
+#include "client/time/steady_now.h"
+#include "protocol/program_error.h"
+#include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/test_levels.h"
+
+namespace platon {
+namespace {
+
+constexpr const char* kLevel = "tests/determinism/golden/levels/hexahedron.level";
+
+bool connects(const ServerAddress& address) {
+  const Clock clock = steadyClock();
+  NetworkClient client(address, {"someone"}, clock.now());
+  const Moment end = clock.now() + std::chrono::seconds(10);
+  for (Moment now = clock.now(); now < end && !client.welcomed() && !client.ending(); now = clock.now()) {
+    client.update(now, [](const Game&, std::uint32_t) { return Input{}; });
+    clock.sleepUntil(now + std::chrono::milliseconds(2));
+  }
+  return client.welcomed();
+}
+
+// The exit code and the message of the error.
+std::pair<int, std::string> errorOf(const std::string& levelFile) {
+  try {
+    const EmbeddedServer server({{levelFile}});
+    return {0, ""};
+  } catch (const ProgramError& error) {
+    return {error.exitCode(), error.what()};
+  }
+}
+
+TEST(EmbeddedServer, AcceptsAClientOnLoopback) {
+  const EmbeddedServer server({{kLevel}});
+  EXPECT_EQ(server.address().host, "127.0.0.1");
+  EXPECT_NE(server.address().port, 0);
+  EXPECT_TRUE(connects(server.address()));
+}
+
+TEST(EmbeddedServer, WithoutALevelFileItPlaysTheShippedLevels) {
+  const EmbeddedServer server({});
+  EXPECT_TRUE(connects(server.address()));
+}
+
+TEST(EmbeddedServer, EachServerHasAPortOfItsOwn) {
+  const EmbeddedServer first({{kLevel}});
+  const EmbeddedServer second({{kLevel}});
+  EXPECT_NE(first.address().port, second.address().port);
+}
+
+TEST(EmbeddedServer, AMissingLevelFileIsAUsageError) {
+  const auto [exitCode, message] = errorOf("levels/no_such.level");
+  EXPECT_EQ(exitCode, ProgramError::kUsage);
+  EXPECT_NE(message.find("levels/no_such.level"), std::string::npos) << message;
+}
+
+TEST(EmbeddedServer, AnInvalidLevelIsALevelError) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "invalid.level";
+  writeText(file, "CUBE\n");
+  const auto [exitCode, message] = errorOf(file);
+  EXPECT_EQ(exitCode, ProgramError::kLevel);
+  EXPECT_EQ(message.find(file + ":1:1: error: "), 0U) << message;
+}
+
+// A client that plays on the server.
+class Guest {
+ public:
+  explicit Guest(const ServerAddress& address) : clock_(steadyClock()), client_(address, {"someone"}, clock_.now()) {}
+
+  template <class Condition>
+  bool playUntil(Condition&& condition) {
+    const Moment end = clock_.now() + std::chrono::seconds(20);
+    for (Moment now = clock_.now(); now < end; now = clock_.now()) {
+      if (condition(client_)) return true;
+      client_.update(now, [](const Game&, std::uint32_t) { return Input{}; });
+      clock_.sleepUntil(now + std::chrono::milliseconds(2));
+    }
+    return false;
+  }
+
+ private:
+  Clock clock_;
+  NetworkClient client_;
+};
+
+TEST(EmbeddedServer, PlaysTheLevelAnewWhenItsFileChanges) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "mine.level";
+  const auto plays = [](const std::string& title) {
+    return [title](const NetworkClient& client) {
+      const Round* const round = client.session() ? client.session()->round() : nullptr;
+      return round && round->prediction().predicted().level().title == title;
+    };
+  };
+  writeText(file, "# title: first\n" + nearGoalText());
+  const EmbeddedServer server({{file}});
+  Guest guest(server.address());
+  ASSERT_TRUE(guest.playUntil(plays("first")));
+  writeText(file, "# title: broken\nCUBE\n");
+  ASSERT_TRUE(guest.playUntil([](NetworkClient& client) { return client.takeNotice().has_value(); }));
+  writeText(file, "# title: second\n" + nearGoalText());
+  EXPECT_TRUE(guest.playUntil(plays("second")));
+}
+
+TEST(EmbeddedServer, CountsItsPlayersAndStartsTheNextLevelWhenAsked) {
+  const TemporaryFolder folder;
+  std::vector<std::string> files;
+  for (const char* const title : {"first", "second"}) {
+    files.push_back(folder / (std::string(title) + ".level"));
+    writeText(files.back(), "# title: " + std::string(title) + "\n" + nearGoalText());
+  }
+  const auto plays = [](const std::string& title) {
+    return [title](const NetworkClient& client) {
+      const Round* const round = client.session() ? client.session()->round() : nullptr;
+      return round && round->prediction().predicted().level().title == title;
+    };
+  };
+  EmbeddedServer server({files});
+  EXPECT_EQ(server.players(), 0U);
+  Guest guest(server.address());
+  ASSERT_TRUE(guest.playUntil(plays("first")));
+  EXPECT_TRUE(guest.playUntil([&](const NetworkClient&) { return server.players() == 1; }));
+  server.startNextLevel();
+  EXPECT_TRUE(guest.playUntil(plays("second")));
+}
+
+}  // namespace
+}  // namespace platon

@@ -1,0 +1,33 @@
+#include "client/play/match/net_meter.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/loopback_server.h"
+
+namespace platon {
+namespace {
+
+using std::chrono::seconds;
+
+TEST(NetMeter, SamplesARunningClient) {
+  LoopbackServer server;
+  NetworkClient client(server.address(), {""}, server.clock().now());
+  NetMeter meter;
+  NetSample sample;
+  const auto update = [&](Moment now) {
+    client.update(now, [](const Game&, std::uint32_t) { return Input{Input::kRight}; });
+    if (client.session() != nullptr) sample = meter.sample(client, now);
+  };
+  ASSERT_TRUE(server.runUntil(seconds(10), update, [&] {
+    return client.session() != nullptr && client.session()->predictionStatistics().confirmedTicks > 120;
+  }));
+  EXPECT_GT(sample.aheadTicks, 0);
+  EXPECT_GT(sample.downBytesPerSecond, 100);
+  EXPECT_GT(sample.upBytesPerSecond, 100);
+  const Traffic total = client.traffic();
+  EXPECT_LT(sample.downBytesPerSecond, static_cast<double>(total.receivedBytes));  // only of the last second
+  EXPECT_EQ(sample.corrections, client.session()->predictionStatistics().corrections);
+}
+
+}  // namespace
+}  // namespace platon

@@ -1,0 +1,55 @@
+#include "client/play/offscreen/offscreen_replay.h"
+
+#include <filesystem>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "protocol/program_error.h"
+#include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
+
+namespace platon {
+namespace {
+
+class OffscreenReplayTest : public testing::Test {
+ protected:
+  OffscreenReplayTest() {
+    options_.offscreen = true;
+    options_.replay = "tests/determinism/golden/hexahedron.recording";
+  }
+
+  const TemporaryFolder folder_;
+  ClientOptions options_;
+};
+
+TEST_F(OffscreenReplayTest, TheMomentOfTheTimeIsDrawn) {
+  options_.seconds = 3;
+  options_.screenshot = (folder_ / "picture.png").string();
+  OffscreenReplay replay(options_, Settings());
+  replay.run();
+  EXPECT_EQ(replay.viewer().player().tick(), 180U);
+  EXPECT_GT(std::filesystem::file_size(options_.screenshot), 10000U);
+}
+
+TEST_F(OffscreenReplayTest, WithoutATimeTheEndIsDrawn) {
+  OffscreenReplay replay(options_, Settings());
+  replay.run();
+  EXPECT_EQ(replay.viewer().player().tick(), replay.viewer().player().replay().ticks());
+}
+
+TEST_F(OffscreenReplayTest, WhatCannotBePlayedIsRefused) {
+  options_.replay = (folder_ / "text").string();
+  writeText(options_.replay, "no recording");
+  try {
+    const OffscreenReplay replay(options_, Settings());
+    ADD_FAILURE() << "accepted";
+  } catch (const ProgramError& error) {
+    EXPECT_EQ(error.exitCode(), ProgramError::kLevel);
+    EXPECT_EQ(std::string(error.what()),
+              options_.replay + ": cannot be played: byte 0: not a recording, or an unsupported version");
+  }
+}
+
+}  // namespace
+}  // namespace platon
