@@ -11,14 +11,12 @@
 #include "client/gl/image.h"
 #include "client/menu/pages/failure_page.h"
 #include "client/menu/pages/level_card.h"
-#include "client/menu/pages/pause_page.h"
-#include "client/menu/pages/say_page.h"
 #include "client/play/play_window.h"
 
 namespace platon {
 namespace {
 
-constexpr Moment kSaidTime = std::chrono::seconds(4);
+constexpr Moment kToldTime = std::chrono::seconds(4);
 constexpr Moment kCalmFrameTime = std::chrono::microseconds(33'333);  // in the menu, and without the focus
 
 bool namesMatch(const ClientOptions& options) { return options.server || !options.level.empty() || options.demo; }
@@ -102,7 +100,7 @@ void WindowPlay::handleEvents() {
   if (interface_.takeGoOn() && match_ && match_->alone() && match_->play().roundOver()) match_->skipLevel();
   if (interface_.takeWatch()) spectator_.next();
   // After all events: the character of the key is not part of the text.
-  if (interface_.takeSay() && match_) menu_.open([this] { return sayPage(); });
+  if (interface_.takeSay() && match_) matchPages_.showSay(*match_);
   sound_.menu(menu_.takeDeed());
   window_.setFullscreen(interface_.settings().fullscreen);
   window_.setVsync(interface_.settings().vsync);
@@ -118,13 +116,7 @@ void WindowPlay::handle(const KeyEvent& event) {
     wishNext();
   else if (event.kind == KeyEvent::Kind::kPress)
     skip_.takeBack();
-  if (interface_.takeMenu() && match_) openPause();
-}
-
-// The replay would hide a game that goes on.
-void WindowPlay::openPause() {
-  bestRun_ = match_->alone() ? match_->play().bestRun() : std::filesystem::path();
-  menu_.open([this] { return pausePage(); });
+  if (interface_.takeMenu() && match_) matchPages_.showPause(*match_);
 }
 
 void WindowPlay::wishNext() {
@@ -132,48 +124,9 @@ void WindowPlay::wishNext() {
   if (!match_->alone() || skip_.wish(match_->play().roundOver())) match_->skipLevel();
 }
 
-MenuPage WindowPlay::pausePage() {
-  const bool alone = match_->alone();
-  PauseChoices choices;
-  choices.notes = match_->invitation();
-  if (!alone) choices.notes.emplace_back("The game goes on while the menu is open.");
-  choices.title = alone ? "Pause" : "Platon";
-  choices.next = alone                         ? "Next level"
-                 : match_->play().wishesNext() ? "Take back the vote for the next level"
-                                               : "Vote for the next level";
-  choices.restartKey = interface_.keyHints().of(Control::kRestart);
-  choices.onResume = [this] { menu_.close(); };
-  choices.onRestart = [this] {
-    interface_.restart();
-    menu_.close();
-  };
-  choices.onNext = [this] {
-    match_->skipLevel();
-    menu_.close();
-  };
-  choices.onSettings = [this] { settingsPages_.show(MenuPage::Place::kMiddle); };
-  choices.onLeave = [this] { leaveToTitle(); };
-  if (!bestRun_.empty()) choices.onWatch = [this] { watch(bestRun_); };
-  return platon::pausePage(choices);
-}
-
-MenuPage WindowPlay::sayPage() {
-  SayChoices choices;
-  choices.say = [this] { say({text_.text(), 0}); };
-  choices.emote = [this](std::uint32_t emote) { say({"", emote}); };
-  choices.leave = [this] { menu_.close(); };
-  return platon::sayPage(text_, choices);
-}
-
-// A text that cannot be said stays in the field.
-void WindowPlay::say(const Chat& chat) {
-  menu_.close();
-  if (!isChat(chat)) return;
-  const bool sent = match_->play().say(chat, match_->now());
-  if (sent && chat.emote == 0) text_.setText("");
-  if (sent) return;
-  said_ = "too much at once: wait a moment";
-  saidUntil_ = drawnAt_ + kSaidTime;
+void WindowPlay::tell(const std::string& text) {
+  told_ = text;
+  toldUntil_ = drawnAt_ + kToldTime;
 }
 
 Input WindowPlay::choose(const Game& game, std::uint32_t slot) {
@@ -255,8 +208,7 @@ void WindowPlay::takeDrops() {
   const std::vector<std::string> files = window_.takeDroppedFiles();
   if (files.empty()) return;
   if (!match_) return watch(files.front());
-  said_ = "leave the game to watch a recording";
-  saidUntil_ = drawnAt_ + kSaidTime;
+  tell("leave the game to watch a recording");
 }
 
 void WindowPlay::watch(const std::filesystem::path& file) {
@@ -275,7 +227,7 @@ void WindowPlay::updateReplay(double seconds) {
 void WindowPlay::leaveReplay(const std::filesystem::path& file) {
   named_ = false;
   replay_.reset();
-  match_ ? openPause() : front_.showRun(file);
+  match_ ? matchPages_.showPause(*match_) : front_.showRun(file);
 }
 
 void WindowPlay::failReplay() {
@@ -312,17 +264,14 @@ void WindowPlay::draw(Moment now) {
   } else {
     match_ ? drawMatch(seconds) : drawFront(seconds);
   }
-  savePicture(now);
+  savePicture();
   view_.present();
   window_.show();
 }
 
-void WindowPlay::savePicture(Moment now) {
+void WindowPlay::savePicture() {
   if (interface_.takePicture()) pictures_.write(view_.read());
-  const std::optional<std::string> report = pictures_.takeReport();
-  if (!report) return;
-  said_ = *report;
-  saidUntil_ = now + kSaidTime;
+  if (const std::optional<std::string> report = pictures_.takeReport()) tell(*report);
 }
 
 void WindowPlay::drawReplay(double seconds) {
@@ -340,7 +289,7 @@ void WindowPlay::drawMatch(double seconds) {
   if (scene) spectator_.direct(*scene, interface_.keyHints());
   HudStatus status = match_->play().hudStatus(now, interface_.helpShown());
   status.run.speed = match_->leastSpeed();
-  if (drawnAt_ < saidUntil_ && status.notice.empty()) status.notice = said_;
+  if (drawnAt_ < toldUntil_ && status.notice.empty()) status.notice = told_;
   status.keys = interface_.keyHints();
   status.hint = hint(status.summary.has_value());
   if (scene && match_->leastSpeed() == 1) status.medal = medal(*scene);

@@ -14,12 +14,12 @@
 #include "client/menu/menu.h"
 #include "client/menu/pages/settings_pages.h"
 #include "client/menu/pages/turntable.h"
-#include "client/menu/text_field.h"
 #include "client/play/client_options.h"
 #include "client/play/front_pages.h"
 #include "client/play/match/live_match.h"
 #include "client/play/match/net_meter.h"
 #include "client/play/match/sound_feed.h"
+#include "client/play/match_pages.h"
 #include "client/play/replay_play.h"
 #include "client/quality/quality_trial.h"
 #include "client/time/clock.h"
@@ -56,10 +56,7 @@ class WindowPlay {
   // Events.
   void handleEvents();
   void handle(const KeyEvent& event);
-  void openPause();
-  MenuPage pausePage();
-  MenuPage sayPage();
-  void say(const Chat& chat);
+  void tell(const std::string& text);
   Input choose(const Game& game, std::uint32_t slot);
   void wishNext();
   void learn(const Game& game, std::uint32_t slot);
@@ -84,7 +81,7 @@ class WindowPlay {
   void playSounds(const Scene* scene, const HudStatus& status, double seconds);
   void drawReplay(double seconds);
   void drawMatch(double seconds);
-  void savePicture(Moment now);
+  void savePicture();
   std::string hint(bool roundOver) const;
   std::string medal(const Scene& scene);
   void drawFront(double seconds);
@@ -99,12 +96,16 @@ class WindowPlay {
   Menu menu_;
   SettingsPages settingsPages_{menu_, interface_.settings(), [this] { return !match_ || match_->alone(); }};
   FrontPages front_;
+  MatchPages matchPages_{
+      menu_,
+      interface_,
+      {[this] { settingsPages_.show(MenuPage::Place::kMiddle); }, [this] { leaveToTitle(); },
+       [this](const std::filesystem::path& file) { watch(file); }, [this](const std::string& text) { tell(text); }}};
   Turntable turntable_;
   MatchChoice choice_;  // the last one
   std::optional<LiveMatch> match_;
   std::optional<ReplayPlay> replay_;                 // shown in front of a match
   std::optional<std::optional<MedalTimes>> medals_;  // of the level, while the player is at its goal
-  std::filesystem::path bestRun_;                    // on the level of the match when its menu was opened; empty: none
   QualityTrial trial_;
   Steering steering_;
   FirstKeys firstKeys_;
@@ -119,9 +120,8 @@ class WindowPlay {
   bool endingShown_ = false;
   bool remembered_ = false;
   bool leaving_ = false;
-  TextField text_{kMaxChatBytes};  // what the player is about to say
-  std::string said_;               // about the last picture that was saved, or what could not be said
-  Moment saidUntil_{};
+  std::string told_;  // to the player, for a moment
+  Moment toldUntil_{};
   Moment startedAt_;
   Moment drawnAt_;
 };

@@ -1,0 +1,62 @@
+#include "client/play/match_pages.h"
+
+#include <utility>
+
+#include "client/menu/pages/pause_page.h"
+#include "client/menu/pages/say_page.h"
+
+namespace platon {
+
+MatchPages::MatchPages(Menu& menu, UserInterface& interface, Calls calls)
+    : menu_(&menu), interface_(&interface), calls_(std::move(calls)) {}
+
+// With others no run is offered: the replay would hide a game that goes on.
+void MatchPages::showPause(LiveMatch& match) {
+  bestRun_ = match.alone() ? match.play().bestRun() : std::filesystem::path();
+  menu_->open([this, &match] { return pauseOver(match); });
+}
+
+MenuPage MatchPages::pauseOver(LiveMatch& match) {
+  const bool alone = match.alone();
+  PauseChoices choices;
+  choices.notes = match.invitation();
+  if (!alone) choices.notes.emplace_back("The game goes on while the menu is open.");
+  choices.title = alone ? "Pause" : "Platon";
+  choices.next = alone                       ? "Next level"
+                 : match.play().wishesNext() ? "Take back the vote for the next level"
+                                             : "Vote for the next level";
+  choices.restartKey = interface_->keyHints().of(Control::kRestart);
+  choices.onResume = [this] { menu_->close(); };
+  choices.onRestart = [this] {
+    interface_->restart();
+    menu_->close();
+  };
+  choices.onNext = [this, &match] {
+    match.skipLevel();
+    menu_->close();
+  };
+  choices.onSettings = calls_.showSettings;
+  choices.onLeave = calls_.leave;
+  if (!bestRun_.empty()) choices.onWatch = [this] { calls_.watch(std::filesystem::path(bestRun_)); };
+  return pausePage(choices);
+}
+
+void MatchPages::showSay(LiveMatch& match) {
+  menu_->open([this, &match] {
+    SayChoices choices;
+    choices.say = [this, &match] { say(match, {text_.text(), 0}); };
+    choices.emote = [this, &match](std::uint32_t emote) { say(match, {"", emote}); };
+    choices.leave = [this] { menu_->close(); };
+    return sayPage(text_, choices);
+  });
+}
+
+// A text that cannot be said stays in the field.
+void MatchPages::say(LiveMatch& match, const Chat& chat) {
+  menu_->close();
+  if (!isChat(chat)) return;
+  if (!match.play().say(chat, match.now())) return calls_.tell("too much at once: wait a moment");
+  if (chat.emote == 0) text_.setText("");
+}
+
+}  // namespace platon

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "client/menu/menu.h"
+#include "client/menu/text_field.h"
+#include "client/play/match/live_match.h"
+#include "client/ui/user_interface.h"
+#include "protocol/chat.h"
+
+namespace platon {
+
+/// The pages over a match: the pause, and the one to say something to the others.
+class MatchPages {
+ public:
+  struct Calls {
+    std::function<void()> showSettings;
+    std::function<void()> leave;                              ///< the match, to the title
+    std::function<void(const std::filesystem::path&)> watch;  ///< a recording
+    std::function<void(const std::string&)> tell;             ///< shows the player a short text
+  };
+
+  /// `menu` and `interface` outlive the pages.
+  MatchPages(Menu& menu, UserInterface& interface, Calls calls);
+
+  /// Shows the pause instead of all other pages. The match exists as long as the page is shown.
+  void showPause(LiveMatch& match);
+  /// Shows the page to say something instead of all other pages. The match exists as long as the page is shown.
+  void showSay(LiveMatch& match);
+
+ private:
+  MenuPage pauseOver(LiveMatch& match);
+  void say(LiveMatch& match, const Chat& chat);
+
+  Menu* menu_;
+  UserInterface* interface_;
+  Calls calls_;
+  std::filesystem::path bestRun_;  // on the level, when the pause was shown; empty: none
+  TextField text_{kMaxChatBytes};  // what the player is about to say
+};
+
+}  // namespace platon

@@ -1,0 +1,83 @@
+#include "client/play/match_pages.h"
+
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "client/time/steady_now.h"
+#include "client/ui/font.h"
+#include "tests/support/environment_variable.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/wait_until.h"
+
+namespace platon {
+namespace {
+
+class MatchPagesTest : public testing::Test {
+ protected:
+  MatchPagesTest() {
+    choice_.own.levels = {"tests/determinism/golden/levels/hexahedron.level"};
+    match_.emplace(ClientOptions(), choice_, clock_);
+    EXPECT_TRUE(waitUntil([this] {
+      match_->update(false, [](const Game&, std::uint32_t) { return Input{}; });
+      return match_->play().level() != nullptr;
+    }));
+  }
+  ~MatchPagesTest() override { match_->leave(); }
+
+  bool shows(const std::string& text) const {
+    for (const Overlay::Text& each : menu_.overlay(font_, false).texts) {
+      if (each.content.find(text) != std::string::npos) return true;
+    }
+    return false;
+  }
+  void tap(Key key) { menu_.handle({key, KeyEvent::Kind::kPress}, font_); }
+
+  const TemporaryFolder folder_;
+  const EnvironmentVariable data_{"XDG_DATA_HOME", folder_.path().string()};
+  const Clock clock_ = steadyClock();
+  const Font font_;
+  Menu menu_;
+  UserInterface interface_{Settings()};
+  MatchChoice choice_;
+  std::optional<LiveMatch> match_;
+  std::vector<std::string> called_;
+  MatchPages pages_{menu_,
+                    interface_,
+                    {[this] { called_.emplace_back("settings"); }, [this] { called_.emplace_back("leave"); },
+                     [this](const std::filesystem::path&) { called_.emplace_back("watch"); },
+                     [this](const std::string& text) { called_.push_back(text); }}};
+};
+
+TEST_F(MatchPagesTest, ThePauseOfAPlayerWhoIsAloneLeadsToTheNextLevel) {
+  pages_.showPause(*match_);
+  EXPECT_TRUE(shows("Pause"));
+  EXPECT_TRUE(shows("Next level"));
+  EXPECT_FALSE(shows("The game goes on"));
+  EXPECT_FALSE(shows("Watch")) << "there is no run";
+}
+
+TEST_F(MatchPagesTest, ThePauseLeadsToTheSettingsAndOut) {
+  pages_.showPause(*match_);
+  tap(Key::kArrowUp);  // to the last item
+  tap(Key::kEnter);
+  tap(Key::kArrowUp);
+  tap(Key::kEnter);
+  EXPECT_EQ(called_, (std::vector<std::string>{"leave", "settings"}));
+  tap(Key::kEscape);
+  EXPECT_FALSE(menu_.isOpen());
+}
+
+TEST_F(MatchPagesTest, WhoSaysTooMuchAtOnceIsTold) {
+  for (int times = 0; times < 100 && called_.empty(); ++times) {
+    pages_.showSay(*match_);
+    menu_.setFocus(2);  // an emote, below the text and its button
+    tap(Key::kEnter);
+    EXPECT_FALSE(menu_.isOpen());
+  }
+  EXPECT_EQ(called_, (std::vector<std::string>{"too much at once: wait a moment"}));
+}
+
+}  // namespace
+}  // namespace platon
