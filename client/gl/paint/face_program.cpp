@@ -11,7 +11,7 @@ constexpr std::size_t kMaxEdges = 5;  // of a face
 
 }  // namespace
 
-float litOf(const FaceView& view) { return 0.84F + 0.20F * std::max(view.light.z, 0.0F); }
+float litOf(const FaceView& view) { return 0.77F + 0.30F * std::max(view.light.z, 0.0F); }
 
 void useOnFace(ShaderProgram& program, const StageModel& stage, const FaceView& view) {
   std::vector<glm::vec2> normals(stage.mesh.edgeNormals().begin(), stage.mesh.edgeNormals().end());

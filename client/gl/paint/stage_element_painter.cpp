@@ -62,7 +62,7 @@ void StageElementPainter::draw(const Scene& scene, const FaceView& view, bool ra
   if (part.count == 0) return;
   const glm::vec2 up = scene.elements.ups[static_cast<std::size_t>(view.face)];
   useOnFace(program_, *scene.stage, view);
-  program_.set("light", view.light);
+  program_.set("lit", litOf(view));
   program_.set("width", kWidth);
   program_.set("up", up);
   program_.set("raised", raised ? kHigh : 0);

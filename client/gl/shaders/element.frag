@@ -5,7 +5,7 @@ flat in float extent;
 flat in vec2 towards;
 flat in int kind;
 flat in float state;
-uniform vec3 light;
+uniform float lit;
 uniform vec2 up;                          // the direction in which flags, keys and numbers stand upright
 uniform float width;
 out vec4 result;
@@ -136,6 +136,5 @@ void main() {
   else if (kind == 4) key(p);
   else if (kind == 5) door(p);
   else plate();
-  float lit = 0.84 + 0.20 * max(light.z, 0.0);
   result = vec4(ink.rgb * lit, ink.a * inFace());
 }

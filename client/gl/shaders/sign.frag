@@ -11,13 +11,13 @@ float linesAt(vec2 p) {
   float around = 6.2831853 / form.y;
   float nearest = (floor(turn / around) + 0.5) * around;
   vec2 middle = form.y < 1.5 ? vec2(0) : 0.30 * radius * vec2(sin(nearest), cos(nearest));
-  return min(abs(away) - 0.075 * radius, length(p - middle) - 0.12 * radius);
+  return min(abs(away) - 0.09 * radius, length(p - middle) - 0.14 * radius);
 }
 
 // Cut into the stone: dark, with a bright lower edge.
 vec4 engraving() {
-  vec4 shade = vec4(1.0, 1.0, 1.0, 0.22 * filled(linesAt(at + vec2(-0.03, 0.05) * radius)));
-  return over(shade, vec3(0.02, 0.02, 0.06), 0.34 * filled(linesAt(at)));
+  vec4 shade = vec4(1.0, 1.0, 1.0, 0.36 * filled(linesAt(at + vec2(-0.03, 0.05) * radius)));
+  return over(shade, vec3(0.02, 0.02, 0.06), 0.50 * filled(linesAt(at)));
 }
 
 void main() {

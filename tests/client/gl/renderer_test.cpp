@@ -223,7 +223,7 @@ TEST_F(RenderTest, MoreSamplesSmoothTheEdges) {
     int count = 0;
     for (int y = 0; y < static_cast<int>(kHeight); ++y) {
       for (int x = 1; x < static_cast<int>(kWidth); ++x)
-        count += glm::distance(pixel(image, {x - 1, y}), pixel(image, {x, y})) > 0.25F ? 1 : 0;
+        count += glm::distance(pixel(image, {x - 1, y}), pixel(image, {x, y})) > 0.35F ? 1 : 0;
     }
     return count;
   };

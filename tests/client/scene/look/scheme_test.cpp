@@ -1,6 +1,7 @@
 #include "client/scene/look/scheme.h"
 
-#include <set>
+#include <cstddef>
+#include <utility>
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
@@ -30,13 +31,33 @@ TEST(Scheme, NeighbouringFacesHaveDifferentTones) {
 }
 
 TEST(Scheme, TonesDifferByLightnessForAllEyes) {
-  constexpr double kLeast = 4;  // a difference of 1 is just seen
+  constexpr double kLeast = 7;  // a difference of 1 is just seen
   for (const SolidKind kind : kKinds) {
     for (const auto& eyes : {+[](glm::dvec3 c) { return c; }, &protanope, &deuteranope}) {
       const auto& tones = schemeOf(kind).tones;
       for (std::size_t i = 1; i < tones.size(); ++i) {
         EXPECT_GT(lightness(eyes(linear(tones[i]))), lightness(eyes(linear(tones[i - 1]))) + kLeast)
             << "solid " << static_cast<int>(kind) << " tone " << i;
+      }
+    }
+  }
+}
+
+TEST(Scheme, NeighbouringFacesHaveClearlyDifferentColoursForAllEyes) {
+  const auto usual = +[](glm::dvec3 c) { return c; };
+  for (const SolidKind kind : kKinds) {
+    const PlatonicSolid& solid = PlatonicSolid::of(kind);
+    const auto colourOf = [&](int face) {
+      const int tone = tonesOfFaces(kind)[static_cast<std::size_t>(face)];
+      return linear(schemeOf(kind).tones[static_cast<std::size_t>(tone)]);
+    };
+    for (int face = 0; face < solid.faces(); ++face) {
+      for (int edge = 0; edge < solid.edgesPerFace(); ++edge) {
+        const int next = solid.neighbour(face, edge).face;
+        for (const auto& [eyes, least] : {std::pair(usual, 12.0), {&protanope, 8.0}, {&deuteranope, 8.0}}) {
+          EXPECT_GT(glm::distance(lab(eyes(colourOf(face))), lab(eyes(colourOf(next)))), least)
+              << "solid " << static_cast<int>(kind) << " faces " << face << " and " << next;
+        }
       }
     }
   }
