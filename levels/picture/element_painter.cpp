@@ -41,14 +41,14 @@ void ElementPainter::paint(glm::dvec2 a, glm::dvec2 b, const ElementStyle& style
 }
 
 void ElementPainter::paintOneWay(const Track& track) {
-  repeat(track, 5 * width_, [&](double distance) {
-    const glm::dvec2 corners[] = {track.at(distance - 1.3 * width_, -3 * width_), track.at(distance, -width_),
-                                  track.at(distance + 1.3 * width_, -3 * width_)};
-    canvas_->polygon(corners);
+  repeat(track, 6 * width_, [&](double distance) {
+    const glm::dvec2 corners[] = {track.at(distance - 1.5 * width_, -3.3 * width_), track.at(distance, -1.9 * width_),
+                                  track.at(distance + 1.5 * width_, -3.3 * width_)};
+    canvas_->lines(corners);
   });
-  canvas_->fill({tints_->ink(), 0.8});
+  canvas_->stroke({tints_->ink(), 0.8}, 0.7 * width_);
   canvas_->line(track.a, track.b);
-  canvas_->stroke({tints_->ink()}, width_);
+  canvas_->stroke({tints_->ink()}, 0.7 * width_);
 }
 
 void ElementPainter::paintUp(const Track& track, glm::dvec2 towards) {

@@ -17,7 +17,7 @@ struct ElementStyle {
 
 /// Draws elements, the segments that are more than walls. Each kind has a pattern, and most have a glyph, so that they
 /// differ without colour as well:
-///   oneway      triangles on the right side, from which it lets pass, point to the line
+///   oneway      chevrons on the right side, from which it lets pass, point through the thin line
 ///   up          arrows point to its edge
 ///   hazard      a zigzag
 ///   checkpoint  dashes and a flag

@@ -59,11 +59,19 @@ void paint(float distance, vec3 colour, float alpha) {
 void shadow(float distance, float alpha) { ink = over(ink, kDark, alpha * exp(-1.3 * max(distance, 0.0))); }
 void glow(float distance, vec3 colour, float alpha) { ink = over(ink, colour, alpha * exp(-0.9 * max(distance, 0.0))); }
 
+// Chevrons that lie flat point through the ledge, from the side from which it lets pass.
+float chevrons(float head) {
+  float middle = nearest(7.0);
+  vec2 tip = vec2(middle, head);
+  return min(rod(at, tip + vec2(-1.7, -1.5), tip, 0.36), rod(at, tip + vec2(1.7, -1.5), tip, 0.36));
+}
+
 void oneway() {
-  float middle = nearest(5.0);
-  float ticks = triangle(at, vec2(middle - 1.4, -3.4), vec2(middle + 1.4, -3.4), vec2(middle, -1.2));
-  shadow(ticks, 0.3);
-  paint(ticks, kWall, 0.9);
+  float fall = clamp(1.0 + at.y / 7.0, 0.0, 1.0) * step(at.y, 0.0);
+  float within = smoothstep(-0.6, 0.6, min(at.x, extent - at.x));
+  ink = vec4(kWall, 0.30 * fall * fall * within);
+  paint(chevrons(-1.7), kWall, 0.95);
+  paint(chevrons(-3.9), kWall, 0.50);
 }
 
 void upwards() {

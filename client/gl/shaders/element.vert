@@ -13,7 +13,7 @@ flat out int kind;
 flat out float state;
 
 // Half the size of what is drawn round the segment and round its middle, in widths.
-const float kAside[7] = float[7](5.0, 6.0, 6.5, 4.0, 4.0, 4.0, 5.0);
+const float kAside[7] = float[7](7.0, 6.0, 6.5, 4.0, 4.0, 4.0, 5.0);
 const float kRound[7] = float[7](0.0, 6.0, 0.0, 11.0, 11.0, 6.5, 11.0);
 
 void main() {

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kWidth = StageModel::kRibbonWidth;
 constexpr double kLow = 1.5;        // height of what is open, level units
-constexpr double kStep = 7;         // height of a oneway
+constexpr double kLedge = 4;        // height of a oneway
 constexpr double kFence = 8;        // height of a hazard
 constexpr double kMaxPieces = 256;  // of an element
 
@@ -32,7 +32,7 @@ class ElementWalls {
   }
 
   void add(ElementKind kind) {
-    if (kind == ElementKind::kOneway) addRod({0, 0}, {length_, 0}, kWidth / 2, kStep, wall_);
+    if (kind == ElementKind::kOneway) addRod({0, 0}, {length_, 0}, kWidth / 3, kLedge, wall_);
     if (kind == ElementKind::kUp) addBlocks();
     if (kind == ElementKind::kHazard) addZigzag();
     if (kind == ElementKind::kDoor) addRails();

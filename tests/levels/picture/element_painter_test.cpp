@@ -64,7 +64,7 @@ TEST_F(ElementPainterTest, KindsDifferWithoutColour) {
   }
 }
 
-TEST_F(ElementPainterTest, AOneWaySegmentHasItsTrianglesOnTheRight) {
+TEST_F(ElementPainterTest, AOneWaySegmentHasItsChevronsOnTheRight) {
   const ElementStyle style{ElementKind::kOneway, 0, {0, 1}};
   EXPECT_GT(drawn(painted(style), false), drawn(painted(style), true) + 300);
   EXPECT_GT(drawn(painted(style, true), true), drawn(painted(style, true), false) + 300) << "from b to a";

@@ -61,10 +61,20 @@ TEST(StageWalls, WhatDoesNotBlockIsLow) {
 }
 
 TEST(StageWalls, WhatBlocksAlwaysDoesNotSink) {
-  for (const char* word : {"hazard", "plate 5", "oneway"}) {
+  for (const char* word : {"hazard", "plate 5"}) {
     const Walls walls = wallsOfElement(word);
     EXPECT_GT(highest(walls.active), Wall::kHeight / 2) << word;
     EXPECT_GT(highest(walls.open), Wall::kHeight / 2) << word;
+  }
+}
+
+TEST(StageWalls, WhatLetsPassFromOneSideIsAThinLedge) {
+  for (const std::vector<Wall>& walls : {wallsOfElement("oneway").active, wallsOfElement("oneway").open}) {
+    ASSERT_EQ(walls.size(), 1U);
+    EXPECT_LT(walls[0].height, Wall::kHeight / 2);
+    EXPECT_LT(walls[0].halfWidth, StageModel::kRibbonWidth / 2);
+    EXPECT_EQ(walls[0].a, glm::dvec2(-120, 0));
+    EXPECT_EQ(walls[0].b, glm::dvec2(120, 0));
   }
 }
 
