@@ -54,7 +54,10 @@ void Renderer::draw(const Scene& scene, const Camera& camera, std::span<const Ov
   decoration.numbers = faceNumbers_;
   decoration.trails = advance(scene, particles);
   decoration.goal = goal_;
+  decoration.crossing = crossing_;
   if (!style.animated || !style.flashes) decoration.goal.settle();
+  if (!style.animated) decoration.crossing.reset();
+  if (!style.flashes) decoration.crossing.darken();
   stagePainter_.prepare(scene, quality_.shadows, style.highContrast);
   scheme_ = style.highContrast ? highContrast(stage.scheme()) : stage.scheme();
   beginPicture();
@@ -87,6 +90,7 @@ FaceMarks Renderer::advance(const Scene& scene, bool particles) {
   if (stage_.lock() != scene.stage) {
     balls_.clear();
     ghosts_.clear();
+    crossing_.reset();
   }
   stage_ = scene.stage;
   goal_.advance(scene.attempt && scene.attempt->arrived, scene.seconds);
@@ -96,6 +100,8 @@ FaceMarks Renderer::advance(const Scene& scene, bool particles) {
     ball.advance(scene.stage->mesh, player.pose, scene.seconds);
     if (particles) ball.addMarks(player.colour, scene.stage->scheme().wall, *marks);
   }
+  if (!scene.players.empty() && scene.players.back().local)
+    crossing_.advance(*scene.stage, scene.elements, scene.players.back().pose, scene.seconds);
   ghosts_.resize(scene.ghosts.size(), BallMotion(StageModel::kPlayerRadius));
   for (std::size_t i = 0; i < scene.ghosts.size(); ++i)
     ghosts_[i].advance(scene.stage->mesh, scene.ghosts[i].pose, scene.seconds);

@@ -63,6 +63,7 @@ class Renderer {
   std::map<std::uint32_t, BallMotion> balls_;  // by slot
   std::vector<BallMotion> ghosts_;             // as Scene::ghosts
   GoalMotion goal_;
+  EdgeCrossing crossing_;
   RenderTarget target_;
   StagePainter stagePainter_;
   BallPainter ballPainter_;

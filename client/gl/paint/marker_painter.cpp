@@ -15,8 +15,8 @@ ShaderProgram programOf(const char* fragments) { return {shaderText("marker.vert
 
 // A program for each kind: drivers that draw with the processor execute all branches of a shader.
 MarkerPainter::MarkerPainter()
-    : programs_{programOf("goal.frag"), programOf("burst.frag"), programOf("start.frag"), programOf("sign.frag"),
-                programOf("shadow.frag")} {}
+    : programs_{programOf("goal.frag"),   programOf("burst.frag"), programOf("start.frag"), programOf("sign.frag"),
+                programOf("shadow.frag"), programOf("edge.frag"),  programOf("arrow.frag")} {}
 
 void MarkerPainter::draw(const StageModel& stage, const FaceView& view, const Marker& marker, const Look& look) {
   const auto here = markerOn(stage.mesh, view.face, marker, double{look.reach});
@@ -26,7 +26,7 @@ void MarkerPainter::draw(const StageModel& stage, const FaceView& view, const Ma
   program.set("centre", here->place);
   program.set("angle", static_cast<float>(here->angle));
   program.set("radius", look.radius);
-  program.set("reach", look.reach);
+  program.set("reach", glm::vec2(look.reach, look.reach * look.height));
   program.set("opened", look.opened);
   program.set("seconds", look.seconds);
   program.set("form", look.form);

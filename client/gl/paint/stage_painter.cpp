@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <optional>
 #include <string>
 
 #include <glm/geometric.hpp>
@@ -19,8 +20,11 @@ namespace {
 
 constexpr float kLargeFace = 700;  // apothem from which a face has several numbers
 constexpr float kLabelStep = 640;
-constexpr float kGoalReach = 4;   // radius of the goal's glow in goal radii
-constexpr float kBurstReach = 8;  // of the burst at a finish
+constexpr float kGoalReach = 4;     // radius of the goal's glow in goal radii
+constexpr float kBurstReach = 8;    // of the burst at a finish
+constexpr float kGlowLength = 110;  // of an edge that is lit, to each side of the ball, level units
+constexpr float kGlowWidth = 22;
+constexpr float kArrowLength = 32;
 constexpr glm::vec4 kLabelColour(1, 1, 1, 0.13F);
 
 // A FaceMark for the shader.
@@ -66,6 +70,7 @@ void StagePainter::drawBelow(const Scene& scene, std::span<const FaceView> views
     elementPainter_.draw(scene, view, false, text);
     drawMarks(scene, view, decoration.trails, trails_);
     drawShadows(scene, view);
+    drawCrossing(*scene.stage, view, decoration.crossing);
   }
 }
 
@@ -145,6 +150,21 @@ void StagePainter::drawMarkers(const Scene& scene, const FaceView& view, const D
   MarkerPainter::Look burst{Kind::kBurst, goalRadius, goalRadius * kBurstReach};
   burst.opened = static_cast<float>(decoration.goal.burst());
   markers_.draw(stage, view, stage.goal, burst);
+}
+
+void StagePainter::drawCrossing(const StageModel& stage, const FaceView& view, const EdgeCrossing& crossing) {
+  for (const EdgeCrossing::Glow& glow : crossing.glows()) {
+    MarkerPainter::Look look{MarkerPainter::Kind::kEdge, kGlowWidth, kGlowLength};
+    look.opened = static_cast<float>(glow.light);
+    look.height = kGlowWidth / kGlowLength;
+    look.form.x = kGlowLength;
+    markers_.draw(stage, view, glow.foot, look);
+  }
+  const std::optional<EdgeCrossing::Arrow> arrow = crossing.arrow();
+  if (!arrow) return;
+  MarkerPainter::Look look{MarkerPainter::Kind::kArrow, kArrowLength / 2, kArrowLength / 2 * 1.4F};
+  look.opened = static_cast<float>(arrow->light);
+  markers_.draw(stage, view, arrow->place, look);
 }
 
 void StagePainter::drawShadows(const Scene& scene, const FaceView& view) {

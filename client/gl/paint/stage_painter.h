@@ -12,6 +12,7 @@
 #include "client/gl/shader_program.h"
 #include "client/gl/text_painter.h"
 #include "client/scene/face_view.h"
+#include "client/scene/look/edge_crossing.h"
 #include "client/scene/look/face_sign.h"
 #include "client/scene/look/goal_motion.h"
 #include "client/scene/scene.h"
@@ -28,6 +29,7 @@ class StagePainter {
     bool numbers = false;  ///< faces have numbers instead of signs
     FaceMarks trails;      ///< of the balls; null without any
     GoalMotion goal;
+    EdgeCrossing crossing;
   };
 
   StagePainter();
@@ -62,6 +64,7 @@ class StagePainter {
   void load(const StageModel& stage, const FaceMarks& marks, Marks& kept);
   void drawSign(const StageModel& stage, const FaceView& view);
   void drawMarkers(const Scene& scene, const FaceView& view, const Decoration& decoration);
+  void drawCrossing(const StageModel& stage, const FaceView& view, const EdgeCrossing& crossing);
   void drawShadows(const Scene& scene, const FaceView& view);
   void drawLabels(const StageModel& stage, const FaceView& view, TextPainter& text) const;
 

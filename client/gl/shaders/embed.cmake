@@ -1,20 +1,23 @@
-# Writes the C++ source that holds the shaders of this folder: cmake -DOUT=FILE.cpp -P embed.cmake. A line
-# #include "part.glsl" is replaced by that file. A part may include others.
+# Writes the C++ source that holds the shaders of this folder and of those in it, by their file names:
+# cmake -DOUT=FILE.cpp -P embed.cmake. A line #include "part.glsl" is replaced by that file, wherever it is. A part may
+# include others.
 function(read_shader result file)
-  file(READ ${CMAKE_CURRENT_LIST_DIR}/${file} text)
+  file(READ ${file} text)
   while(text MATCHES "#include \"([a-z_]+\\.glsl)\"\n")
     set(line "${CMAKE_MATCH_0}")
-    file(READ ${CMAKE_CURRENT_LIST_DIR}/${CMAKE_MATCH_1} part)
+    file(GLOB_RECURSE found ${CMAKE_CURRENT_LIST_DIR}/${CMAKE_MATCH_1})
+    file(READ ${found} part)
     string(REPLACE "${line}" "${part}" text "${text}")
   endwhile()
   set(${result} "${text}" PARENT_SCOPE)
 endfunction()
 
-file(GLOB files RELATIVE ${CMAKE_CURRENT_LIST_DIR} ${CMAKE_CURRENT_LIST_DIR}/*.vert ${CMAKE_CURRENT_LIST_DIR}/*.frag)
+file(GLOB_RECURSE files ${CMAKE_CURRENT_LIST_DIR}/*.vert ${CMAKE_CURRENT_LIST_DIR}/*.frag)
 set(entries "")
 foreach(file IN LISTS files)
   read_shader(text ${file})
-  string(APPEND entries "    {\"${file}\", R\"glsl(${text})glsl\"},\n")
+  get_filename_component(name ${file} NAME)
+  string(APPEND entries "    {\"${name}\", R\"glsl(${text})glsl\"},\n")
 endforeach()
 file(WRITE ${OUT} "#include \"client/gl/shader_text.h\"
 

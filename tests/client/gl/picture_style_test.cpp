@@ -1,5 +1,7 @@
 #include "client/gl/picture_style.h"
 
+#include <utility>
+
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
@@ -53,6 +55,55 @@ TEST_F(PictureStyleTest, WithoutFlashesPlayersAndGoalDoNotFlash) {
   scene.players[0].flash = 1;
   EXPECT_EQ(draw(scene, style), plain);
   EXPECT_NE(draw(scene), plain);
+}
+
+TEST_F(PictureStyleTest, AnEdgeAheadIsLitUnlessMotionOrFlashesAreUnwanted) {
+  renderer_.setQuality(namedQuality(QualityLevel::kMedium).quality);  // without trails
+  const auto stage = cube();
+  const auto lastOfARun = [&](const PictureStyle& style) {
+    Scene scene = sceneOf(stage, {playerAt(*stage, 0, 0, {210, 20})});
+    scene.players[0].local = true;
+    Image image = draw(scene, style);
+    for (int i = 0; i < 9; ++i) {
+      scene.seconds += 0.02;
+      scene.players[0].pose.position += glm::cross(scene.players[0].pose.up, scene.players[0].pose.normal) * 3.0;
+      image = draw(scene, style);
+    }
+    scene.seconds = 0;  // begins anew
+    const Image still = draw(scene, style);
+    return std::pair(brightness(pixel(image, pixelOf(scene, {237, -10}))),
+                     brightness(pixel(still, pixelOf(scene, {237, -10}))));
+  };
+  const auto [lit, plain] = lastOfARun({});
+  EXPECT_GT(lit, plain + 0.1);
+  for (const PictureStyle style : {kStill, PictureStyle{.flashes = false}}) {
+    const auto [before, after] = lastOfARun(style);
+    EXPECT_EQ(before, after);
+  }
+}
+
+TEST_F(PictureStyleTest, AnArrowPointsDownAfterACrossingUnlessMotionIsUnwanted) {
+  renderer_.setQuality(namedQuality(QualityLevel::kMedium).quality);
+  const auto stage = cube();
+  const auto brightest = [&](const PictureStyle& style) {
+    Scene scene = sceneOf(stage, {playerAt(*stage, 0, 1, {0, 238})});
+    scene.players[0].local = true;
+    scene.focus = scene.players[0].pose;
+    draw(scene, style);
+    const int beyond = stage->mesh.solid().neighbour(1, 2).face;
+    const glm::dvec3 up = rotatedBetween(scene.players[0].pose.up, stage->mesh.normal(1), stage->mesh.normal(beyond));
+    const glm::dvec3 edge = stage->mesh.toWorld(1, {0, 240});
+    scene.players[0].pose = {edge + 4.0 * up, up, stage->mesh.normal(beyond)};
+    scene.seconds += 0.02;
+    draw(scene, style);
+    scene.seconds += 0.4;
+    scene.players[0].pose.position = edge + 60.0 * up;
+    scene.focus = scene.players[0].pose;
+    const Image image = draw(scene, style);
+    return brightness(pixel(image, pixelOf(scene.players[0].pose.position - EdgeCrossing::kArrowBelow * up)));
+  };
+  EXPECT_GT(brightest({}), brightest(kStill) + 0.2);
+  EXPECT_GT(brightest({.flashes = false}), brightest(kStill) + 0.2);
 }
 
 TEST_F(PictureStyleTest, HighContrastIsADarkGroundWithBrightWalls) {

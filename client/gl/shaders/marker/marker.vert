@@ -1,6 +1,6 @@
 uniform mat4 toClip;
 uniform vec2 centre;
-uniform float reach;
+uniform vec2 reach;       // half the size
 uniform float angle;
 out vec2 place;
 out vec2 at;              // offset from the centre in the marker's frame
