@@ -49,7 +49,7 @@ WindowPlay::WindowPlay(const ClientOptions& options, const Clock& clock)
       front_(menu_, interface_.settings(), RecentServers(recentServersFile()),
              {[this](const MatchChoice& choice) { start(choice); }, [this] { leaving_ = true; },
               [this](const std::filesystem::path& file) { watch(file); }}),
-      firstKeys_(!interface_.settings().firstKeys),
+      hints_(interface_.settings()),
       startedAt_(clock.now()),
       drawnAt_(startedAt_) {
   showLoading(window_, view_);
@@ -133,16 +133,8 @@ Input WindowPlay::choose(const Game& game, std::uint32_t slot) {
   if (options_.demo) return demo_.choose(game, slot);
   const HeldKeys held = interface_.takeHeld(menu_.isOpen() || replay_);
   if (held != HeldKeys()) view_.skip();
-  learn(game, slot);
+  hints_.observe(game, slot, interface_.settings());
   return steering_.input(held, view_.roll(), interface_.settings().controls);
-}
-
-void WindowPlay::learn(const Game& game, std::uint32_t slot) {
-  Settings& settings = interface_.settings();
-  if (settings.firstKeys && firstKeys_.done()) firstKeys_ = FirstKeys(false);  // turned on again
-  if (!settings.firstKeys || slot >= game.slots() || game.player(slot).present == 0) return;
-  firstKeys_.observe(game.player(slot), game.world().entities()[slot].part);
-  settings.firstKeys = !firstKeys_.done();
 }
 
 void WindowPlay::start(const MatchChoice& choice) {
@@ -309,7 +301,7 @@ std::string WindowPlay::hint(bool roundOver) const {
   if (skip_.asked()) return keys.of(Control::kVote) + " again: next level, without this goal";
   if (roundOver) return match_->alone() ? keys.goOn() + ": next level" : "";
   if (!spectator_.hint().empty() || options_.demo) return spectator_.hint();
-  return interface_.settings().firstKeys ? firstKeys_.hint(keys) : "";
+  return hints_.hint(keys);
 }
 
 // Of the own time, while the player is at the goal.

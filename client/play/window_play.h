@@ -23,7 +23,7 @@
 #include "client/play/replay_play.h"
 #include "client/quality/quality_trial.h"
 #include "client/time/clock.h"
-#include "client/ui/first_keys.h"
+#include "client/ui/hints/new_player_hints.h"
 #include "client/ui/skip_question.h"
 #include "client/ui/spectator.h"
 #include "client/ui/steering.h"
@@ -59,7 +59,6 @@ class WindowPlay {
   void tell(const std::string& text);
   Input choose(const Game& game, std::uint32_t slot);
   void wishNext();
-  void learn(const Game& game, std::uint32_t slot);
 
   // Recordings.
   void takeDrops();
@@ -108,7 +107,7 @@ class WindowPlay {
   std::optional<std::optional<MedalTimes>> medals_;  // of the level, while the player is at its goal
   QualityTrial trial_;
   Steering steering_;
-  FirstKeys firstKeys_;
+  NewPlayerHints hints_;
   Spectator spectator_;
   SkipQuestion skip_;
   Demo demo_;

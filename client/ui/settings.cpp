@@ -99,6 +99,8 @@ std::vector<Entry> entriesOf(Settings& settings) {
       flag("face-numbers", settings.faceNumbers),
       flag("chat", settings.chat),
       flag("first-keys", settings.firstKeys),
+      {"element-hints", "none, or words of elements with commas between",
+       [&settings](std::string_view value) { return platon::parse(value, settings.untold); }},
       volume("volume", settings.volume),
       volume("volume-effects", settings.effectsVolume),
       volume("volume-music", settings.musicVolume),
@@ -161,6 +163,7 @@ std::string Settings::text() const {
   out << "face-numbers " << onOff(faceNumbers) << "\n";
   out << "chat " << onOff(chat) << "\n";
   out << "first-keys " << onOff(firstKeys) << "\n";
+  out << "element-hints " << textOf(untold) << "\n";
   out << "volume " << volume << "\n";
   out << "volume-effects " << effectsVolume << "\n";
   out << "volume-music " << musicVolume << "\n";

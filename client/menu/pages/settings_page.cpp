@@ -55,6 +55,17 @@ MenuItem cameraItem(CameraView& view) {
   return item;
 }
 
+// On while a hint is left. Turned on, it shows all of them again.
+MenuItem hintsItem(Settings& settings) {
+  const bool on = settings.firstKeys || settings.untold != UntoldElements{0};
+  MenuItem item{MenuItem::Kind::kToggle, "Hints for new players", on ? "on" : "off", on ? 1.0 : 0.0};
+  item.step = [&settings, on](int) {
+    settings.firstKeys = !on;
+    settings.untold = on ? UntoldElements{0} : UntoldElements();
+  };
+  return item;
+}
+
 }  // namespace
 
 MenuPage settingsPage(Settings& settings, const std::function<void()>& showKeys, bool alone) {
@@ -94,7 +105,7 @@ MenuPage settingsPage(Settings& settings, const std::function<void()>& showKeys,
                 toggleItem("Ghosts", settings.ghosts),
                 toggleItem("Chat", settings.chat),
                 toggleItem("Connection graph", settings.netGraph),
-                toggleItem("Hints for new players", settings.firstKeys)};
+                hintsItem(settings)};
   if (alone) page.items.push_back(percentItem("Game speed, alone", settings.gameSpeed, {50, 100, 5, 1}));
   return page;
 }

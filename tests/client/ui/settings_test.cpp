@@ -23,6 +23,7 @@ TEST(Settings, ParsingTheTextGivesTheSameSettings) {
   settings.netGraph = true;
   settings.chat = false;
   settings.firstKeys = false;
+  settings.untold.mask = 0b0100010;
   settings.volume = 0;
   settings.effectsVolume = 37.5;
   settings.musicVolume = 100;

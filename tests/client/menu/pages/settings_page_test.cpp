@@ -38,6 +38,25 @@ TEST(SettingsPage, WithOthersTheGameSpeedCannotBeChosen) {
             settingsPage(settings).items.size());
 }
 
+TEST(SettingsPage, HintsAreOnWhileOneIsLeft) {
+  Settings settings;
+  settings.firstKeys = false;
+  const auto item = [&settings] {
+    for (MenuItem& found : settingsPage(settings).items) {
+      if (found.name == "Hints for new players") return found;
+    }
+    return MenuItem();
+  };
+  EXPECT_EQ(item().value, "on") << "the elements are left";
+  item().step(1);
+  EXPECT_EQ(item().value, "off");
+  EXPECT_EQ(settings.untold, UntoldElements{0});
+  item().step(1);
+  EXPECT_EQ(item().value, "on");
+  EXPECT_TRUE(settings.firstKeys);
+  EXPECT_EQ(settings.untold, UntoldElements());
+}
+
 TEST(SettingsPage, EachSettingIsInAGroup) {
   Settings settings;
   const MenuPage page = settingsPage(settings);

@@ -1,4 +1,4 @@
-#include "client/ui/first_keys.h"
+#include "client/ui/hints/first_keys.h"
 
 #include <gtest/gtest.h>
 

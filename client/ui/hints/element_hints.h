@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "platon/game/element.h"
+#include "platon/game/player.h"
+
+namespace platon {
+
+/// Kinds of elements that a player has not been told about yet: bit K of `mask` is kElementKinds[K].
+struct UntoldElements {
+  std::uint8_t mask = (1U << kElementKinds.size()) - 1;
+
+  friend bool operator==(const UntoldElements&, const UntoldElements&) = default;
+};
+
+/// For the settings file: the words of the kinds with commas between, or "none".
+std::string textOf(UntoldElements untold);
+/// Reads what textOf writes. Another text changes nothing and returns false.
+bool parse(std::string_view text, UntoldElements& untold);
+
+/// Tells a new player what the elements of a level do, one kind at a time, each once.
+class ElementHints {
+ public:
+  /// Notes a tick of the player in a level with these elements. A kind that was shown long enough leaves `untold`.
+  void observe(const PlayerState& player, std::span<const Element> elements, UntoldElements& untold);
+  /// What the kind does that is told now; empty if there is none.
+  std::string_view hint() const;
+
+ private:
+  std::uint8_t kind_ = kNone;  // index into kElementKinds
+  std::uint32_t ticks_ = 0;    // for which the hint has been on the screen while the ball was played
+
+  static constexpr std::uint8_t kNone = kElementKinds.size();
+};
+
+}  // namespace platon
