@@ -219,6 +219,12 @@ std::optional<ToClient> read(const wire::PlayerChat& table) {
   return message;
 }
 
+std::optional<ToClient> read(const wire::RoundTrips& table) {
+  const auto codes = spanOf(table.codes());
+  if (codes.size() > kMaxPlayers) return std::nullopt;
+  return RoundTrips{{codes.begin(), codes.end()}};
+}
+
 std::optional<ToClient> readBody(const wire::ToClient& root) {
   switch (root.body_type()) {
     case Body::Welcome:
@@ -243,6 +249,8 @@ std::optional<ToClient> readBody(const wire::ToClient& root) {
       return read(*root.body_as_VoteCount());
     case Body::PlayerChat:
       return read(*root.body_as_PlayerChat());
+    case Body::RoundTrips:
+      return read(*root.body_as_RoundTrips());
     default:
       return std::nullopt;
   }
@@ -340,6 +348,13 @@ Bytes encode(const PlayerChat& message) {
   Builder builder;
   const auto text = message.chat.text.empty() ? 0 : builder.CreateString(message.chat.text);
   return finish(builder, Body::PlayerChat, wire::CreatePlayerChat(builder, message.slot, text, message.chat.emote));
+}
+
+Bytes encode(const RoundTrips& message) {
+  assert(message.codes.size() <= kMaxPlayers);
+  Builder builder;
+  const auto codes = builder.CreateVector(message.codes);
+  return finish(builder, Body::RoundTrips, wire::CreateRoundTrips(builder, codes));
 }
 
 Bytes encode(const ConfirmedTicks& message) {

@@ -13,7 +13,8 @@
 
 namespace platon {
 
-/// Answer to Hello: the client plays `slot`. Reliable, like all messages below except `ConfirmedTicks`.
+/// Answer to Hello: the client plays `slot`. Reliable, like all messages below except `RoundTrips` and
+/// `ConfirmedTicks`.
 struct Welcome {
   std::uint32_t slot = 0;  ///< below maxPlayers
   std::uint32_t round = 0;
@@ -136,6 +137,13 @@ struct PlayerChat {
   friend bool operator==(const PlayerChat&, const PlayerChat&) = default;
 };
 
+/// The round trips between the server and the connected players. Unsequenced; about one every two seconds.
+struct RoundTrips {
+  std::vector<std::uint8_t> codes;  ///< by slot (round_trip_code.h); at most kMaxPlayers
+
+  friend bool operator==(const RoundTrips&, const RoundTrips&) = default;
+};
+
 /// Input of a slot from `tick` on, until the slot's next change.
 struct InputChange {
   std::uint32_t tick = 0;
@@ -182,7 +190,7 @@ struct ConfirmedTicks {
 };
 
 using ToClient = std::variant<Welcome, Refused, LevelChunk, StateChunk, Roster, RoundStart, RoundEnd, Bye, Notice,
-                              VoteCount, PlayerChat, ConfirmedTicks>;
+                              VoteCount, PlayerChat, RoundTrips, ConfirmedTicks>;
 
 /// Decodes a message from the server. Returns nothing if it is malformed or a value is out of range.
 std::optional<ToClient> decodeToClient(std::span<const std::uint8_t> bytes);
@@ -199,6 +207,7 @@ std::vector<std::uint8_t> encode(const Bye& message);
 std::vector<std::uint8_t> encode(const Notice& message);
 std::vector<std::uint8_t> encode(const VoteCount& message);
 std::vector<std::uint8_t> encode(const PlayerChat& message);
+std::vector<std::uint8_t> encode(const RoundTrips& message);
 std::vector<std::uint8_t> encode(const ConfirmedTicks& message);
 
 }  // namespace platon

@@ -50,10 +50,13 @@ void addTitle(OverlayWriter& writer, const Scene& scene, const Font& font, float
   if (!scene.stage->title.empty()) writer.left(solid, {kMargin, kMargin + 42}, 12, kSoft);
 }
 
-void addRow(OverlayWriter& writer, const PlayerDrawing& player, const Font& font, float right, float top) {
+// `tripWidth`: for the round trip, at the right.
+void addRow(OverlayWriter& writer, const PlayerDrawing& player, const Font& font, float right, float top,
+            float tripWidth) {
   constexpr float kRowWidth = 232;
-  const glm::vec2 dot(right - kRowWidth + 16, top + 13);
-  if (player.local) writer.panel({right - kRowWidth, top}, {right, top + 26}, 8, {0.30F, 0.36F, 0.55F, 0.55F});
+  const float left = right - kRowWidth - tripWidth;
+  const glm::vec2 dot(left + 16, top + 13);
+  if (player.local) writer.panel({left, top}, {right, top + 26}, 8, {0.30F, 0.36F, 0.55F, 0.55F});
   writer.panel(dot - 9.0F, dot + 9.0F, 9, glm::vec4(player.colour, 1));
   const float size = player.number.size() > 2 ? 9 : 11;
   writer.centred(player.number, {dot.x, dot.y + size * 0.36F}, size, {0.05F, 0.05F, 0.08F, 1});
@@ -61,17 +64,18 @@ void addRow(OverlayWriter& writer, const PlayerDrawing& player, const Font& font
   writer.left(fittedText(shownNameOf(player), font, room / 15), {dot.x + 18, top + 18}, 15,
               player.local ? kBright : kSoft);
   if (player.finishSeconds)
-    writer.right(std::string("✓ ") + finishText(*player.finishSeconds), {right - 10, top + 18}, 13, kGold);
+    writer.right(std::string("✓ ") + finishText(*player.finishSeconds), {right - 10 - tripWidth, top + 18}, 13, kGold);
+  if (player.roundTripMs) writer.right(roundTripText(player), {right - 10, top + 18}, 13, kSoft);
 }
 
 void addPlayers(OverlayWriter& writer, const std::vector<const PlayerDrawing*>& players, std::size_t rows,
-                const Font& font, float width) {
+                const Font& font, float width, float tripWidth) {
   const bool more = players.size() > rows;
   const float right = width - kMargin;
   const float height = 28.0F * static_cast<float>(rows + (more ? 1 : 0)) + 10;
-  writer.panel({right - 244, kMargin}, {right, kMargin + height}, 12, kPanel);
+  writer.panel({right - 244 - tripWidth, kMargin}, {right, kMargin + height}, 12, kPanel);
   float top = kMargin + 6;
-  for (std::size_t i = 0; i < rows; ++i, top += 28) addRow(writer, *players[i], font, right - 6, top);
+  for (std::size_t i = 0; i < rows; ++i, top += 28) addRow(writer, *players[i], font, right - 6, top, tripWidth);
   if (more)
     writer.right(std::string("and ") + std::to_string(players.size() - rows) + " more", {right - 16, top + 18}, 13,
                  kSoft);
@@ -90,7 +94,10 @@ void placePlayers(HudSpace& space, const Scene& scene, const HudStatus& status, 
   }
   if (players.size() < 2) return;
   for (std::size_t rows = std::min(players.size(), kMaxRows); rows > 0; --rows) {
-    if (space.add(drawn(font, [&](OverlayWriter& writer) { addPlayers(writer, players, rows, font, width); }))) return;
+    const auto draw = [&](OverlayWriter& writer) {
+      addPlayers(writer, players, rows, font, width, roundTripWidth(scene));
+    };
+    if (space.add(drawn(font, draw))) return;
   }
 }
 

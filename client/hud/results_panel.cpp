@@ -37,7 +37,9 @@ std::string nextText(const RoundSummary& summary, const Font& font) {
   return "Next level" + when + ": " + nextTitleOf(summary, font, 1.5F * (kWidth - 2 * kPadding));
 }
 
-void addRow(OverlayWriter& writer, const PlayerDrawing& player, std::size_t place, glm::vec2 start, const Font& font) {
+// `tripWidth`: for the round trip, right of the time.
+void addRow(OverlayWriter& writer, const PlayerDrawing& player, std::size_t place, glm::vec2 start, float tripWidth,
+            const Font& font) {
   const bool finished = player.finishSeconds.has_value();
   const glm::vec4 colour = player.local ? kBright : kSoft;
   const float right = start.x + kWidth - 2 * kPadding;
@@ -45,6 +47,7 @@ void addRow(OverlayWriter& writer, const PlayerDrawing& player, std::size_t plac
   if (finished) writer.right(std::to_string(place) + ".", {start.x + 22, start.y}, kSize, colour);
   writer.left(fittedText(shownNameOf(player), font, nameWidth / kSize), {start.x + 32, start.y}, kSize, colour);
   writer.right(finished ? finishText(*player.finishSeconds) : "–", {right, start.y}, kSize, finished ? kGold : kSoft);
+  if (player.roundTripMs) writer.right(roundTripText(player), {right + tripWidth, start.y}, 13, kSoft);
 }
 
 }  // namespace
@@ -76,11 +79,13 @@ void addResults(OverlayWriter& writer, const Scene& scene, const RoundSummary& s
   for (std::string& line : wrapText(nextText(summary, font), font, (kWidth - 2 * kPadding) / kSize))
     below.push_back(std::move(line));
   const std::size_t lines = 1 + rows + (more ? 1 : 0) + below.size();
-  const glm::vec2 low(width - kMargin - kWidth, kMargin);
-  writer.panel(low, low + glm::vec2(kWidth, kRowHeight * static_cast<float>(lines) + 16), 12, kPanel);
+  const float tripWidth = roundTripWidth(scene);
+  const glm::vec2 low(width - kMargin - kWidth - tripWidth, kMargin);
+  writer.panel(low, low + glm::vec2(kWidth + tripWidth, kRowHeight * static_cast<float>(lines) + 16), 12, kPanel);
   glm::vec2 place = low + glm::vec2(kPadding, 26);
   writer.left(scene.secondsLeft <= 0 ? "Time is up" : "Round over", place, kSize, kBright);
-  for (std::size_t i = 0; i < rows; ++i) addRow(writer, *players[i], i + 1, place += glm::vec2(0, kRowHeight), font);
+  for (std::size_t i = 0; i < rows; ++i)
+    addRow(writer, *players[i], i + 1, place += glm::vec2(0, kRowHeight), tripWidth, font);
   if (more)
     writer.left("and " + std::to_string(players.size() - rows) + " more",
                 (place += glm::vec2(0, kRowHeight)) + glm::vec2(32, 0), 13, kSoft);

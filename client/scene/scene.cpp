@@ -34,6 +34,7 @@ PlayerDrawing drawingOf(const SceneSource& source, const InterpolatedPlayer& tim
   player.pattern = look.pattern;
   player.number = std::to_string(slot + 1);
   if (slot < source.names.size()) player.name = source.names[slot];
+  if (slot < source.roundTrips.size()) player.roundTripMs = source.roundTrips[slot];
   player.local = local;
   if (time.now.finishTicks != 0) player.finishSeconds = double{1} * time.now.finishTicks / kTicksPerSecond;
   return player;

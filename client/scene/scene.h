@@ -37,10 +37,11 @@ struct SceneSource {
   std::optional<std::uint32_t> localSlot;
   std::optional<InterpolatedPlayer> local;  ///< from the predicted game; if unset, taken from `others`
   Point localOffset;  ///< error smoothing of the local player: subunits, in its own frame (+y is its up)
-  std::span<const std::string> names;  ///< by slot, UTF-8
-  std::span<const double> flashes;     ///< by slot, 0 … 1: brightness of the flash after an event
-  AttemptTime attempt;                 ///< of the local player
-  bool needsRestart = false;           ///< AirTime::needsHint of the local player
+  std::span<const std::string> names;                        ///< by slot, UTF-8
+  std::span<const std::optional<std::uint32_t>> roundTrips;  ///< by slot, milliseconds
+  std::span<const double> flashes;  ///< by slot, 0 … 1: brightness of the flash after an event
+  AttemptTime attempt;              ///< of the local player
+  bool needsRestart = false;        ///< AirTime::needsHint of the local player
   std::vector<GhostSource> ghosts;
   BallChoice ownBall;  ///< how the local player wants its ball
 };
@@ -54,9 +55,10 @@ struct PlayerDrawing {
   std::string number;  ///< slot + 1
   std::string name;
   bool local = false;
-  float flash = 0;                      ///< brightness of the flash after an event, 0 … 1
-  float opacity = 1;                    ///< below 1: a ghost
-  std::optional<double> finishSeconds;  ///< shortest time of an attempt to the goal in this round
+  float flash = 0;                           ///< brightness of the flash after an event, 0 … 1
+  float opacity = 1;                         ///< below 1: a ghost
+  std::optional<std::uint32_t> roundTripMs;  ///< to the server; nothing: not known
+  std::optional<double> finishSeconds;       ///< shortest time of an attempt to the goal in this round
 };
 
 /// The local player's attempt to reach the goal.

@@ -195,6 +195,13 @@ void Session::handle(const PlayerChat& message, Moment) {
   chats_.push_back(said);
 }
 
+void Session::handle(const RoundTrips& message, Moment now) { roundTrips_.receive(message, now); }
+
+std::optional<std::uint32_t> Session::roundTripMs(std::uint32_t slot, Moment now) const {
+  const bool isFree = slot >= names_.size() || names_[slot].empty();
+  return isFree ? std::nullopt : roundTrips_.of(slot, now);
+}
+
 // Requests the level of the next round, unless the one of this round is still on its way.
 void Session::prefetch() {
   if (roundEnd_ && !pendingRound_) requestLevel(roundEnd_->nextLevelHash);

@@ -15,6 +15,7 @@
 #include "client/session/level_store.h"
 #include "client/session/outgoing_message.h"
 #include "client/session/round.h"
+#include "client/session/round_trip_list.h"
 #include "platon/game/level.h"
 #include "protocol/assembly.h"
 #include "protocol/moment.h"
@@ -103,6 +104,10 @@ class Session {
   /// Player names by slot; an empty name means a free slot.
   std::span<const std::string> names() const { return names_; }
 
+  /// Round trip between the server and the player of a slot, milliseconds; nothing for a free slot, a disconnected
+  /// player, and when the server has not told it lately, as to a player who is alone.
+  std::optional<std::uint32_t> roundTripMs(std::uint32_t slot, Moment now) const;
+
   /// The newest text of the server's operator, which a player can see; each is returned once.
   std::optional<std::string> takeNotice() { return std::exchange(notice_, std::nullopt); }
   /// What players have said, oldest first; each is returned once. At most kMaxChats are kept.
@@ -132,6 +137,7 @@ class Session {
   void handle(const Notice& message, Moment now);
   void handle(const VoteCount& message, Moment now);
   void handle(const PlayerChat& message, Moment now);
+  void handle(const RoundTrips& message, Moment now);
   void handle(const ConfirmedTicks& message, Moment now);
 
   std::shared_ptr<const Level> level(std::uint64_t hash);
@@ -149,6 +155,7 @@ class Session {
   LinkMeter linkMeter_;
   std::optional<Welcome> welcome_;
   std::vector<std::string> names_;
+  RoundTripList roundTrips_;
   std::optional<std::string> notice_;
   std::vector<PlayerChat> chats_;
   TokenBucket chatBudget_;

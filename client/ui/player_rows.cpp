@@ -33,6 +33,18 @@ std::string finishText(double seconds) {
   return std::to_string(hundredths / 100) + (rest < 10 ? ".0" : ".") + std::to_string(rest) + " s";
 }
 
+std::string roundTripText(const PlayerDrawing& player) {
+  if (!player.roundTripMs) return {};
+  return *player.roundTripMs > 1000 ? "over 1 s" : std::to_string(*player.roundTripMs) + " ms";
+}
+
+float roundTripWidth(const Scene& scene) {
+  constexpr float kWidth = 64;
+  const bool known = std::any_of(scene.players.begin(), scene.players.end(),
+                                 [](const PlayerDrawing& player) { return player.roundTripMs.has_value(); });
+  return known ? kWidth : 0;
+}
+
 std::vector<const PlayerDrawing*> inOrder(const Scene& scene) {
   std::vector<const PlayerDrawing*> players;
   for (const PlayerDrawing& player : scene.players) players.push_back(&player);

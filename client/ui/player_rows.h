@@ -16,6 +16,11 @@ std::string shownNameOf(const PlayerDrawing& player);
 /// A time to the goal: `12.34 s`. `seconds` ≥ 0.
 std::string finishText(double seconds);
 
+/// How long the connection of a player is: `24 ms`; `over 1 s` for more than a second; empty if that is not known.
+std::string roundTripText(const PlayerDrawing& player);
+/// The part of the width of a list that it takes: 0 if it is known of nobody.
+float roundTripWidth(const Scene& scene);
+
 /// Players who have finished, by time; then the others, by slot. Valid as long as the scene.
 std::vector<const PlayerDrawing*> inOrder(const Scene& scene);
 

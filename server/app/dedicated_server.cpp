@@ -124,6 +124,7 @@ DedicatedServer::DedicatedServer(std::unique_ptr<DatagramSocket> socket, const S
     const std::size_t room = host_.room(client);
     return room - std::min(room, kReservedRoom);
   });
+  match_.setRoundTrip([this](ClientId client) { return host_.roundTripMs(client); });
   match_.keepBestTimes(bestTimes_);
   if (!settings.recordings.empty()) recordings_.emplace(writeTo(settings));
   updateInfo();

@@ -250,6 +250,7 @@ void Match::tick() {
   history_.append(inputs, shortHash(hash));
   sendTransfers();
   sendTicks();
+  sendRoundTrips();
   finishRound();
 }
 

@@ -63,6 +63,9 @@ class Match {
   /// Fewest ticks between two messages about changed names: 0.25 s.
   static constexpr std::uint64_t kRosterTicks = kTicksPerSecond / 4;
 
+  /// Ticks between two messages about the round trips of the players: 2 s.
+  static constexpr std::uint64_t kRoundTripsTicks = 2 * kTicksPerSecond;
+
   /// Ticks for which a disconnected player can be resumed: 60 s.
   static constexpr std::uint64_t kResumeTicks = 60 * kTicksPerSecond;
   /// Ticks for which a round waits for a disconnected player: 10 s.
@@ -82,6 +85,9 @@ class Match {
   /// Sets who knows how many reliable messages a client can be sent in this tick; without it, any number. Chunks wait
   /// for a client that does not keep up.
   void setRoom(std::function<std::size_t(ClientId)> room) { room_ = std::move(room); }
+  /// Sets who knows the round trip to a client, milliseconds. Without it, clients are told none. A player who is alone
+  /// is told none.
+  void setRoundTrip(std::function<std::uint32_t(ClientId)> roundTrip) { roundTrip_ = std::move(roundTrip); }
   /// Call when the connection of a client was lost. A player with a token stays until a client resumes it or
   /// kResumeTicks have passed; its buttons are held for one second and then released.
   void disconnect(ClientId client);
@@ -192,6 +198,7 @@ class Match {
   std::size_t sendChunks(ClientId client, MatchPlayer& player, std::size_t maxChunks);
   std::uint32_t sendInterval() const;
   void sendTicks();
+  void sendRoundTrips();
 
   void send(ClientId client, SharedBytes bytes);
   void sendAll(const SharedBytes& bytes);
@@ -220,6 +227,7 @@ class Match {
   std::vector<ClientId> newcomers_;      // clients that joined or resumed since the last tick
   TransferCache transfers_;
   std::function<std::size_t(ClientId)> room_;
+  std::function<std::uint32_t(ClientId)> roundTrip_;
   ClientId nextTransfer_ = 0;  // client whose transfers go on first in the next tick
   std::uint64_t missedInputs_ = 0;
   std::vector<Outgoing> outgoing_;

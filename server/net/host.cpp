@@ -236,6 +236,11 @@ std::size_t Host::room(ClientId client) const {
   return index ? roomOf(host_->peers[*index]) : 0;
 }
 
+std::uint32_t Host::roundTripMs(ClientId client) const {
+  const auto index = indexOf(client);
+  return index ? host_->peers[*index].roundTripTime : 0;
+}
+
 void Host::close(ClientId client, Moment now) {
   const auto index = indexOf(client);
   if (!index) return;

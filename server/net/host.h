@@ -77,6 +77,9 @@ class Host : private EnetPort {
   void send(ClientId client, bool reliable, std::span<const std::uint8_t> message);
   /// Number of reliable messages that can be sent to the client now, so that it can keep up; 0 if it is disconnected.
   std::size_t room(ClientId client) const;
+  /// Average round trip to the client, milliseconds, as ENet measures it by what the client acknowledges; 0 if it is
+  /// disconnected.
+  std::uint32_t roundTripMs(ClientId client) const;
   /// Closes the connection once everything queued has arrived, or after kAnswerTime. Until then messages may still
   /// arrive; `isOpen` is false for them.
   void close(ClientId client, Moment now);

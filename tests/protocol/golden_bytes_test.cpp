@@ -22,6 +22,7 @@ const Vote kVote{3, true};
 const VoteCount kVoteCount{3, 2, 5};
 const Chat kChat{"", 2};
 const PlayerChat kPlayerChat{5, {"Wait!", 0}};
+const RoundTrips kRoundTrips{{11, 0, 1, 255}};
 const RoundEnd kRoundEnd{3, 1800, 0x0123456789abcdef, "Corners", 300, LevelBest{743, "Ann", true}};
 const PlayerInputs kInputs{3,
                            1,
@@ -42,9 +43,10 @@ const ConfirmedTicks kTicks{3,
 TEST(GoldenBytes, TheDocumentedBytesAreThoseOfTheEncoder) {
   const auto page = documentedBytes();
   const std::pair<const char*, Bytes> sent[] = {
-      {"hello", encode(kHello)},          {"vote", encode(kVote)},          {"notice", encode(kNotice)},
-      {"vote-count", encode(kVoteCount)}, {"round-end", encode(kRoundEnd)}, {"inputs", encode(kInputs)},
-      {"ticks", encode(kTicks)},          {"chat", encode(kChat)},          {"player-chat", encode(kPlayerChat)}};
+      {"hello", encode(kHello)},           {"vote", encode(kVote)},          {"notice", encode(kNotice)},
+      {"vote-count", encode(kVoteCount)},  {"round-end", encode(kRoundEnd)}, {"inputs", encode(kInputs)},
+      {"ticks", encode(kTicks)},           {"chat", encode(kChat)},          {"player-chat", encode(kPlayerChat)},
+      {"round-trips", encode(kRoundTrips)}};
   for (const auto& [name, bytes] : sent) {
     ASSERT_TRUE(page.contains(name)) << name;
     EXPECT_EQ(page.at(name), bytes) << name << ": real bytes " << toHex(bytes);
@@ -74,8 +76,8 @@ TEST(GoldenBytes, ThePageHasARowForEveryReliableMessage) {
 
 TEST(GoldenBytes, TheDocumentedBytesAreDecoded) {
   const auto page = documentedBytes();
-  for (const char* name :
-       {"inputs", "ticks", "hello", "notice", "vote", "vote-count", "round-end", "chat", "player-chat"}) {
+  for (const char* name : {"inputs", "ticks", "hello", "notice", "vote", "vote-count", "round-end", "chat",
+                           "player-chat", "round-trips"}) {
     ASSERT_TRUE(page.contains(name)) << name;
   }
   EXPECT_EQ(decodeToServer(page.at("inputs")), ToServer(kInputs));

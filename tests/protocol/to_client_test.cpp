@@ -107,6 +107,18 @@ TEST(ToClient, RefusesMoreVotesThanVotersAndMoreVotersThanPlayers) {
   EXPECT_TRUE(refused({1, 1, kMaxPlayers + 1}));
 }
 
+// Encoded with the largest number, which is then raised, since `encode` asserts the range.
+TEST(ToClient, RefusesRoundTripsOfMoreSlotsThanThereAre) {
+  std::vector<std::uint8_t> bytes = encode(RoundTrips{std::vector<std::uint8_t>(kMaxPlayers, 13)});
+  ASSERT_TRUE(decodeToClient(bytes));
+  constexpr std::array<std::uint8_t, 4> kLength = {0, 1, 0, 0};
+  const auto length = std::search(bytes.begin(), bytes.end(), kLength.begin(), kLength.end());
+  ASSERT_NE(length, bytes.end());
+  *length = 4;
+  bytes.insert(bytes.end(), 4, 13);
+  EXPECT_FALSE(decodeToClient(bytes));
+}
+
 // Changes the encoded byte, since `encode` asserts the range.
 TEST(ToClient, RefusesALossAboveHundredPerCent) {
   const ConfirmedTicks message{3, 300, 8, 0, LinkReport{1, 100, std::nullopt}, {}};

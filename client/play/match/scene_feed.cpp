@@ -32,6 +32,11 @@ void SceneFeed::updateFlashes(const Round& round) {
   }
 }
 
+void SceneFeed::updateRoundTrips(const Session& session, Moment now) {
+  roundTrips_.resize(session.names().size());
+  for (std::uint32_t slot = 0; slot < roundTrips_.size(); ++slot) roundTrips_[slot] = session.roundTripMs(slot, now);
+}
+
 std::optional<Scene> SceneFeed::scene(const Session& session, Moment now, std::vector<GhostSource> ghosts) {
   const Round* const round = session.round();
   if (round == nullptr) return std::nullopt;
@@ -51,6 +56,8 @@ std::optional<Scene> SceneFeed::scene(const Session& session, Moment now, std::v
   source.local = localPlayer(*round);
   source.localOffset = prediction.smoothing(now);
   source.names = session.names();
+  updateRoundTrips(session, now);
+  source.roundTrips = roundTrips_;
   updateFlashes(*round);
   source.flashes = flashes_;
   source.attempt = round->attemptTime();

@@ -24,10 +24,12 @@ class SceneFeed {
 
  private:
   void updateFlashes(const Round& round);
+  void updateRoundTrips(const Session& session, Moment now);
 
   std::shared_ptr<const Level> level_;
-  std::shared_ptr<const StageModel> stage_;  // of level_
-  std::vector<double> flashes_;              // by slot
+  std::shared_ptr<const StageModel> stage_;               // of level_
+  std::vector<double> flashes_;                           // by slot
+  std::vector<std::optional<std::uint32_t>> roundTrips_;  // by slot, ms
   bool timed_ = true;
   BallChoice ownBall_;
 };

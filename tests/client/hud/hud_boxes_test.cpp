@@ -42,6 +42,7 @@ Scene longScene(int players, bool timed, bool arrived) {
     player.number = std::to_string(i + 1);
     player.name = std::string(32, 'W');
     player.finishSeconds = 299.99;
+    player.roundTripMs = 1016;
     scene.players.push_back(player);
   }
   scene.players.back().local = true;

@@ -126,6 +126,20 @@ TEST(Hud, FinishedPlayersComeFirstByTheirTime) {
   EXPECT_LT(row("Name2"), row("Name1"));
 }
 
+TEST(Hud, TheListOfPlayersTellsTheKnownRoundTrips) {
+  Scene scene = sceneOf(3);
+  EXPECT_FALSE(find(hudOf(scene), "24 ms"));
+  scene.players[1].roundTripMs = 24;
+  scene.players[1].finishSeconds = 12.34;
+  const Overlay hud = hudOf(scene);
+  const Overlay::Text* const trip = find(hud, "24 ms");
+  const Overlay::Text* const time = find(hud, "✓ 12.34 s");
+  ASSERT_TRUE(trip && time);
+  EXPECT_EQ(trip->place.y, time->place.y);
+  EXPECT_LT(time->place.x + font().width(time->content) * time->size, trip->place.x);
+  EXPECT_LE(trip->place.x + font().width(trip->content) * trip->size, 1280.0F - 16);
+}
+
 TEST(Hud, ShowsTheResultOfTheLocalPlayer) {
   Scene scene = sceneOf(2);
   scene.players[1].local = true;

@@ -60,6 +60,15 @@ TEST(ResultsPanel, NamesTheTimesInOrderTheBestAndWhatComesNext) {
   EXPECT_EQ(linesOf(panelOf(scene, summary)).front(), "Round over");
 }
 
+TEST(ResultsPanel, TellsTheKnownRoundTrips) {
+  Scene scene = sceneOf(2);
+  scene.players[0].finishSeconds = 7;
+  scene.players[0].roundTripMs = 24;
+  const std::vector<std::string> lines = linesOf(panelOf(scene, {"A", 1}));
+  EXPECT_EQ(lines[1], "1. | Name1 | 7.00 s | 24 ms");
+  EXPECT_EQ(lines[2], "Name2 | –");
+}
+
 TEST(ResultsPanel, SaysThatTheBestTimeIsNewOrThatThereIsNone) {
   EXPECT_EQ(linesOf(panelOf(sceneOf(0), {"A", 1, 7.0, "Ann", true}))[1], "New best time: Ann");
   EXPECT_EQ(linesOf(panelOf(sceneOf(0), {"A", 1}))[1], "Nobody has reached the goal yet");
@@ -76,7 +85,10 @@ TEST(ResultsPanel, CountsWholeSecondsDown) {
 
 TEST(ResultsPanel, ManyPlayersAndLongTextsStayOnTheScreen) {
   Scene scene = sceneOf(256);
-  for (PlayerDrawing& player : scene.players) player.name = std::string(32, 'W');
+  for (PlayerDrawing& player : scene.players) {
+    player.name = std::string(32, 'W');
+    player.roundTripMs = 1016;
+  }
   const Overlay panel = panelOf(scene, {std::string(100, 'W'), 5, 300.0, std::string(32, 'W'), true});
   const std::vector<std::string> lines = linesOf(panel);
   EXPECT_NE(std::find(lines.begin(), lines.end(), "and 248 more"), lines.end());

@@ -28,6 +28,25 @@ TEST(PlayerRows, TimesHaveHundredths) {
   EXPECT_EQ(finishText(299.999), "300.00 s");
 }
 
+TEST(PlayerRows, ARoundTripIsInMillisecondsUpToASecond) {
+  PlayerDrawing player = playerOf(0);
+  EXPECT_EQ(roundTripText(player), "");
+  player.roundTripMs = 0;
+  EXPECT_EQ(roundTripText(player), "0 ms");
+  player.roundTripMs = 1000;
+  EXPECT_EQ(roundTripText(player), "1000 ms");
+  player.roundTripMs = 1004;
+  EXPECT_EQ(roundTripText(player), "over 1 s");
+}
+
+TEST(PlayerRows, OnlyAKnownRoundTripTakesRoom) {
+  Scene scene;
+  scene.players = {playerOf(1), playerOf(2)};
+  EXPECT_EQ(roundTripWidth(scene), 0);
+  scene.players[1].roundTripMs = 20;
+  EXPECT_GT(roundTripWidth(scene), 0);
+}
+
 TEST(PlayerRows, WhoHasNoNameIsCalledByItsNumber) {
   EXPECT_EQ(calledName("", "7"), "Player 7");
   EXPECT_EQ(calledName("Ann", "7"), "Ann");

@@ -94,6 +94,16 @@ TEST(HostileServer, RostersWithoutEndAreNamesOfSlots) {
   EXPECT_LE(server.heapGrowth(), kMegabyte);
 }
 
+TEST(HostileServer, RoundTripsWithoutEndAreThoseOfSlots) {
+  HostileServer server;
+  server.run([&](HostileServer& to) {
+    if (to.call() == 0) sendWelcome(to);
+    for (int i = 0; i < 100; ++i) to.send(false, encode(RoundTrips{std::vector<std::uint8_t>(kMaxPlayers, 255)}));
+  });
+  EXPECT_EQ(reasonOf(server), "");
+  EXPECT_LE(server.heapGrowth(), kMegabyte);
+}
+
 HostileServer::Attack roundsWithoutEnd() {
   return [](HostileServer& to) {
     if (to.call() == 0) to.welcome();

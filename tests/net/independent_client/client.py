@@ -132,6 +132,7 @@ _HANDLERS = {
     messages.RoundStart: _ignore,
     messages.VoteCount: _ignore,
     messages.PlayerChat: _ignore,
+    messages.RoundTrips: _ignore,
     messages.Notice: lambda client, message: setattr(client, "notice", message.text),
     messages.Bye: lambda client, message: setattr(client, "bye", message),
 }

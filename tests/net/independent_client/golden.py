@@ -19,6 +19,7 @@ TO_CLIENT = {
     "notice": messages.Notice("Restart at noon"),
     "vote-count": messages.VoteCount(3, 2, 5),
     "player-chat": messages.PlayerChat(5, "Wait!", 0),
+    "round-trips": messages.RoundTrips(bytes([11, 0, 1, 255])),
     "round-end": messages.RoundEnd(3, 1800, 0x0123456789ABCDEF, "Corners", 300, 743, "Ann", True),
 }
 

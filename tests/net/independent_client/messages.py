@@ -1,4 +1,4 @@
-"""Reliable messages: docs/protocol.md, "Reliable messages", and the two schemas."""
+"""Messages but those of each tick: docs/protocol.md, "FlatBuffers", and the two schemas."""
 
 from dataclasses import dataclass
 
@@ -142,6 +142,11 @@ class PlayerChat:
     emote: int
 
 
+@dataclass
+class RoundTrips:
+    codes: bytes
+
+
 def _round_end(body):
     pause_and_best = body.number(4, 4), body.number(5, 4), body.text(6), bool(body.number(7, 1))
     return RoundEnd(*_numbers(body, 4, 4, 8), body.text(3), *pause_and_best)
@@ -168,6 +173,7 @@ _READERS = (
     lambda body: Notice(body.text(0)),
     lambda body: VoteCount(*_numbers(body, 4, 4, 4)),
     lambda body: PlayerChat(body.number(0, 4), body.text(1), body.number(2, 4)),
+    lambda body: RoundTrips(body.bytes(0)),
 )
 
 

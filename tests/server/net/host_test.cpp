@@ -119,6 +119,22 @@ TEST_F(HostTest, DeliversTheMessagesOfAClient) {
   EXPECT_FALSE(host_.isOpen(client + 1));
 }
 
+// ENet averages, in whole milliseconds: it comes as near as eight.
+TEST_F(HostTest, TheRoundTripIsTheTimeInWhichAClientAnswers) {
+  const ClientId client = connect();
+  EXPECT_LE(host_.roundTripMs(client), 1u);
+  for (int i = 0; i < 50; ++i) {
+    host_.send(client, true, Bytes{1});
+    host_.flush(now_);
+    now_ += 40ms;
+    client_.service(now_, [](std::span<const std::uint8_t>) {});
+    client_.flush(now_);
+    host_.service(now_);
+  }
+  EXPECT_EQ(host_.roundTripMs(client), 33u);
+  EXPECT_EQ(host_.roundTripMs(client + 1), 0u);
+}
+
 TEST_F(HostTest, ReportsThatAClientHasDisconnected) {
   const ClientId client = connect();
   host_.close(client, now_);

@@ -53,6 +53,20 @@ TEST(SceneFeed, ShowsThatTheServerHasEndedTheRound) {
   EXPECT_TRUE(feed.scene(session, Moment(0))->over);
 }
 
+TEST(SceneFeed, ShowsTheRoundTripsThatTheServerTells) {
+  SessionNetwork match({endlessLevel()}, 1);
+  match.match().setRoundTrip([](ClientId client) { return static_cast<std::uint32_t>(20 * client); });
+  match.join({}, kRight);
+  match.join({}, kRight);
+  SceneFeed feed;
+  match.run(milliseconds(3000));
+  const auto scene = feed.scene(match.session(0), match.now());
+  ASSERT_TRUE(scene.has_value());
+  ASSERT_EQ(scene->players.size(), 2u);
+  EXPECT_EQ(scene->players[0].roundTripMs, 40u);
+  EXPECT_EQ(scene->players[1].roundTripMs, 20u);
+}
+
 // Jumping players are brighter for a short time after each landing.
 TEST(SceneFeed, LandingPlayersFlash) {
   LinkQuality quality;
