@@ -24,6 +24,11 @@ class DecalScope {
   DecalScope& operator=(const DecalScope&) = delete;
 };
 
+// The beam calls until the goal is reached, flares up then, and stays as a faint light.
+float beamStrength(const GoalMotion& goal) {
+  return static_cast<float>(1 - 0.7 * goal.opened() + 2 * (1 - goal.burst()));
+}
+
 // What may be seen through is blended; faces and walls are drawn without it.
 void setDefaults() {
   glEnable(GL_DEPTH_TEST);
@@ -75,7 +80,7 @@ void Renderer::draw(const Scene& scene, const Camera& camera, std::span<const Ov
   for (const PlayerDrawing& player : scene.players) drawPlayer(player, balls_.at(player.slot), camera, style);
   if (particles) skyPainter_.drawMotes(stage.scheme(), camera, stage.mesh.circumradius(), scene.seconds);
   for (std::size_t i = 0; i < scene.ghosts.size(); ++i) drawPlayer(scene.ghosts[i], ghosts_[i], camera, style);
-  beamPainter_.draw(stage, camera, 1 + 2 * static_cast<float>(1 - decoration.goal.burst()));
+  beamPainter_.draw(stage, camera, beamStrength(decoration.goal), decoration.seconds);
   drawOverlays(overlays);
 }
 

@@ -1,48 +1,81 @@
 #include "client/gl/paint/beam_painter.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 
 #include "client/gl/draw_calls.h"
+#include "client/gl/shader_text.h"
 
 namespace platon {
 namespace {
 
 constexpr double kLength = 1.3;  // in circumradii of the solid
-constexpr float kAlpha = 0.42F;
+constexpr double kRadius = StageModel::kGoalRadius;
+constexpr double kRingReach = 2.5;  // of what is drawn round the ring, in its radii
+constexpr float kAlpha = 0.55F;
 constexpr float kHiddenAlpha = 0.30F;
-const Colour kLight(1.0F, 0.86F, 0.50F);
+constexpr float kHiddenRingAlpha = 0.45F;
+const Colour kLight(1.0F, 0.84F, 0.36F);  // as the ring of the goal
+
+glm::dvec3 footOf(const StageModel& stage) { return stage.mesh.toWorld(stage.goal.face, glm::dvec2(stage.goal.place)); }
 
 }  // namespace
 
-BeamPainter::BeamPainter() : program_("beam") {}
+BeamPainter::BeamPainter() : beam_("beam"), ring_(shaderText("beam.vert"), shaderText("halo.frag")) {}
 
-void BeamPainter::draw(const StageModel& stage, const Camera& camera, float strength) {
-  const SolidMesh& mesh = stage.mesh;
-  const glm::dvec3 foot = mesh.toWorld(stage.goal.face, glm::dvec2(stage.goal.place));
-  const glm::dvec3 normal = mesh.normal(stage.goal.face);
-  const glm::dvec3 across = glm::cross(normal, glm::normalize(camera.eye() - foot));
-  const double sine = glm::length(across);  // of the angle between beam and line of sight
-  if (sine < 0.02) return;
-  const auto fade = static_cast<float>(std::clamp(sine * 1.6 - 0.25, 0.0, 1.0));
-  program_.use();
-  program_.set("toClip", glm::mat4(camera.viewProjection()));
-  program_.set("foot", glm::vec3(foot));
-  program_.set("way", glm::vec3(normal * (kLength * mesh.circumradius())));
-  program_.set("aside", glm::vec3(across * (StageModel::kGoalRadius / sine)));
+void BeamPainter::draw(const StageModel& stage, const Camera& camera, float strength, float seconds) {
   glBindVertexArray(array_.name());
   glDepthMask(GL_FALSE);
-  program_.set("colour", glm::vec4(kLight, kAlpha * fade * strength));
+  drawBeam(stage, camera, strength, seconds);
+  drawHiddenRing(stage, camera, strength, seconds);
+  glDepthMask(GL_TRUE);
+}
+
+void BeamPainter::drawBeam(const StageModel& stage, const Camera& camera, float strength, float seconds) {
+  const SolidMesh& mesh = stage.mesh;
+  const glm::dvec3 foot = footOf(stage);
+  const glm::dvec3 normal = mesh.normal(stage.goal.face);
+  const glm::dvec3 toEye = glm::normalize(camera.eye() - foot);
+  const glm::dvec3 across = glm::cross(normal, toEye);
+  const double sine = glm::length(across);  // of the angle between beam and line of sight
+  if (sine < 0.02) return;
+  const double length = kLength * mesh.circumradius();
+  const auto fade = static_cast<float>(std::clamp(sine * 1.6 - 0.25, 0.0, 1.0));
+  beam_.use();
+  beam_.set("toClip", glm::mat4(camera.viewProjection()));
+  beam_.set("foot", glm::vec3(foot));
+  beam_.set("way", glm::vec3(normal * length));
+  beam_.set("aside", glm::vec3(across * (kRadius / sine)));
+  beam_.set("tilt", static_cast<float>(kRadius * std::abs(glm::dot(normal, toEye)) / (length * sine)));
+  beam_.set("seconds", seconds);
+  beam_.set("colour", glm::vec4(kLight, kAlpha * fade * strength));
   DrawCalls::arrays(GL_TRIANGLE_STRIP, 4);
-  // What the solid hides is seen almost along the beam: it is drawn wider.
-  program_.set("aside", glm::vec3(across * (2 * StageModel::kGoalRadius / sine)));
-  program_.set("colour", glm::vec4(kLight, kHiddenAlpha * strength));
+  beam_.set("colour", glm::vec4(kLight, kHiddenAlpha * strength));
   glDepthFunc(GL_GREATER);
   DrawCalls::arrays(GL_TRIANGLE_STRIP, 4);
   glDepthFunc(GL_LEQUAL);
-  glDepthMask(GL_TRUE);
+}
+
+void BeamPainter::drawHiddenRing(const StageModel& stage, const Camera& camera, float strength, float seconds) {
+  const SolidMesh& mesh = stage.mesh;
+  if (glm::dot(mesh.normal(stage.goal.face), camera.eye()) > mesh.inradius()) return;
+  const glm::dmat4& toWorld = mesh.faceToWorld(stage.goal.face);
+  const glm::dvec3 aside = glm::dvec3(toWorld[0]) * (kRingReach * kRadius);
+  const glm::dvec3 up = glm::dvec3(toWorld[1]) * (kRingReach * kRadius);
+  ring_.use();
+  ring_.set("toClip", glm::mat4(camera.viewProjection()));
+  ring_.set("foot", glm::vec3(footOf(stage) - up));
+  ring_.set("way", glm::vec3(2.0 * up));
+  ring_.set("aside", glm::vec3(aside));
+  ring_.set("reach", static_cast<float>(kRingReach));
+  ring_.set("seconds", seconds);
+  ring_.set("colour", glm::vec4(kLight, kHiddenRingAlpha * std::min(strength, 1.0F)));
+  glDepthFunc(GL_GREATER);
+  DrawCalls::arrays(GL_TRIANGLE_STRIP, 4);
+  glDepthFunc(GL_LEQUAL);
 }
 
 }  // namespace platon

@@ -7,17 +7,22 @@
 
 namespace platon {
 
-/// Draws the beam of light that stands on the goal, so that the goal is found from every side of the solid.
+/// Draws the beam of light that stands on the ring of the goal, so that the goal is found from every side of the solid.
 class BeamPainter {
  public:
   BeamPainter();
 
-  /// Draws the beam, and faintly also the part of it that the solid hides. Along the line of sight it fades, so that it
-  /// covers nothing on the face of the player. `strength` is 1, or more while a finish is celebrated.
-  void draw(const StageModel& stage, const Camera& camera, float strength);
+  /// Draws the beam, and faintly also what the solid hides of it and of the ring. Along the line of sight the beam
+  /// fades, so that it covers nothing on the face of the player. `strength` is 1, or more while a finish is celebrated.
+  /// `seconds` is the time of the animation.
+  void draw(const StageModel& stage, const Camera& camera, float strength, float seconds);
 
  private:
-  ShaderProgram program_;
+  void drawBeam(const StageModel& stage, const Camera& camera, float strength, float seconds);
+  void drawHiddenRing(const StageModel& stage, const Camera& camera, float strength, float seconds);
+
+  ShaderProgram beam_;
+  ShaderProgram ring_;
   GlVertexArray array_;  // empty: the shader computes the corners from gl_VertexID
 };
 

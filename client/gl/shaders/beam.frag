@@ -1,10 +1,23 @@
 in vec2 at;
 uniform vec4 colour;
+uniform float tilt;       // half the height of the foot as it is seen from the side, in lengths of the beam
+uniform float seconds;    // time of the animation
 out vec4 result;
 
+// Rings that rise, by their height.
+float ringsAt(float high) {
+  float phase = fract(4.0 * high - 0.22 * seconds) - 0.5;
+  return (1.0 - smoothstep(0.0, 0.06, abs(phase))) * step(0.0, high);
+}
+
+// A tube of light that stands on the ring of the goal and tapers to a thread.
 void main() {
-  float across = 1.0 - abs(at.x);
-  float core = across * across;
-  float along = smoothstep(0.0, 0.08, at.y) * (1.0 - at.y);
-  result = vec4(colour.rgb, colour.a * core * (0.35 + 0.65 * core) * along);
+  float wide = 1.0 - 0.82 * at.y;
+  float across = min(abs(at.x) / wide, 1.0);
+  float round = sqrt(1.0 - across * across);
+  float body = mix(0.30 + 0.70 * across * across, round, smoothstep(0.0, 0.5, at.y));
+  float rings = max(ringsAt(at.y + tilt * wide * round), 0.6 * ringsAt(at.y - tilt * wide * round));
+  float along = (1.0 - at.y) * (1.0 - at.y) * smoothstep(0.0, 0.01, at.y);
+  float edge = 1.0 - smoothstep(0.80, 1.0, across);
+  result = vec4(colour.rgb, colour.a * (body + 0.9 * rings) * along * edge);
 }

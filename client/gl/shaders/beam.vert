@@ -6,5 +6,5 @@ out vec2 at;              // x: −1 … 1 across, y: 0 at the foot … 1 at the
 
 void main() {
   at = vec2((gl_VertexID & 1) * 2 - 1, gl_VertexID >> 1);
-  gl_Position = toClip * vec4(foot + way * at.y + aside * at.x * (1.0 + 1.2 * at.y), 1);
+  gl_Position = toClip * vec4(foot + way * at.y + aside * at.x, 1);
 }

@@ -289,6 +289,33 @@ TEST_F(RenderTest, AFinishBurstsFromTheGoal) {
   EXPECT_GT(brightness(pixel(burst, nearGoal)), brightness(pixel(before, nearGoal)) + 0.05);
 }
 
+TEST_F(RenderTest, AReachedGoalIsARingRoundADarkDepth) {
+  Scene scene = sceneOf(cube());
+  scene.attempt.emplace();
+  scene.attempt->arrived = true;
+  const Image image = draw(scene, kStill);
+  const auto brightnessAt = [&](double share) {
+    return brightness(pixel(image, pixelOf(scene, {60 + share * 1.25 * StageModel::kGoalRadius, 80})));
+  };
+  EXPECT_GT(brightnessAt(1), 0.6) << "the ring";
+  EXPECT_LT(brightnessAt(0), 0.25) << "the depth";
+  EXPECT_GT(brightnessAt(0.8), brightnessAt(0.2) + 0.1) << "light rises towards the ring";
+}
+
+TEST_F(RenderTest, TheRingOfTheGoalIsSeenThroughTheSolid) {
+  const auto stage = cube();
+  Scene scene = sceneOf(stage);
+  scene.focus = stage->mesh.pose(stage->mesh.faceTowards(-stage->mesh.normal(0)), {0, 0}, 0);
+  const Image image = draw(scene, kStill);
+  for (const double angle : {0.5, 2.0, 3.5, 5.0}) {
+    const auto at = [&](double radius) {
+      const glm::dvec2 place = glm::dvec2(stage->goal.place) + radius * glm::dvec2(std::cos(angle), std::sin(angle));
+      return pixel(image, pixelOf(stage->mesh.toWorld(0, place)));
+    };
+    EXPECT_GT(at(StageModel::kGoalRadius).r, at(1.8 * StageModel::kGoalRadius).r + 0.1F) << angle;
+  }
+}
+
 TEST_F(RenderTest, TheBeamOfTheGoalIsSeenFromTheOtherSide) {
   const auto stage = cube();
   Scene scene = sceneOf(stage);
