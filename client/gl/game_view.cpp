@@ -37,6 +37,7 @@ void GameView::draw(const Scene* scene, const HudStatus& status, const Settings&
   std::vector<Overlay> overlays;
   if (scene != nullptr) {
     moveCamera(*scene, settings, seconds);
+    shown.assembling = camera_.folded() < 1;
     overlays.push_back(makeHud(*scene, camera, shown, font_));
   } else {
     overlays.push_back(makeEmptyHud(shown, font_, screenWidth()));
@@ -56,6 +57,7 @@ void GameView::draw(const Scene* scene, const HudStatus& status, const Settings&
 void GameView::drawStill(const Scene& scene, const Camera& camera, const Settings& settings, Overlay menu) {
   PictureStyle style = styleOf(settings);
   style.animated = false;
+  renderer_.setPlaces({});
   if (style.highContrast) raiseContrast(menu);
   renderer_.draw(scene, camera, std::span(&menu, 1), style);
 }
@@ -63,6 +65,9 @@ void GameView::drawStill(const Scene& scene, const Camera& camera, const Setting
 void GameView::moveCamera(const Scene& scene, const Settings& settings, double seconds) {
   camera_.setComfort(settings.comfort, settings.zoom);
   camera_.move(scene.focus, scene.stage, look_, seconds);
+  const double folded = camera_.folded();
+  const StageModel& stage = *scene.stage;
+  renderer_.setPlaces(folded < 1 ? foldedPlaces(stage.mesh, stage.goal.face, folded) : std::vector<glm::dmat4>());
   roll_ = camera_.camera().rollOf(scene.focus);
 }
 

@@ -1,6 +1,10 @@
 #include "client/gl/renderer.h"
 
+#include <cstddef>
 #include <vector>
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/matrix.hpp>
 
 #include "client/gl/draw_calls.h"
 #include "client/scene/look/high_contrast.h"
@@ -29,6 +33,35 @@ float beamStrength(const GoalMotion& goal) {
   return static_cast<float>(1 - 0.7 * goal.opened() + 2 * (1 - goal.burst()));
 }
 
+// What is drawn of the faces.
+struct SolidViews {
+  std::vector<FaceView> faces;      // that are seen, also from inside
+  std::vector<FaceView> outer;      // that are seen from outside, with what is on them
+  std::vector<FaceView> onlyWalls;  // whose walls may be seen without them
+};
+
+SolidViews viewsOf(const SolidMesh& mesh, const Camera& camera, std::span<const glm::dmat4> places) {
+  SolidViews views;
+  views.faces = places.empty() ? visibleFaces(mesh, camera) : facesAt(places, camera);
+  if (places.empty()) {
+    views.outer = views.faces;
+    views.onlyWalls = facesBeyondTheHorizon(mesh, camera);
+    return views;
+  }
+  for (const FaceView& view : views.faces) (view.eye.z > 0 ? views.outer : views.onlyWalls).push_back(view);
+  return views;
+}
+
+// Moves a player with the face on which it is.
+void carry(PlayerDrawing& player, BallMotion& ball, const SolidMesh& mesh, std::span<const glm::dmat4> places) {
+  const int face = mesh.faceTowards(player.pose.normal);
+  const glm::dmat4 carried = places[static_cast<std::size_t>(face)] * glm::inverse(mesh.faceToWorld(face));
+  const glm::dmat3 turn(carried);
+  player.pose = {glm::dvec3(carried * glm::dvec4(player.pose.position, 1)), turn * player.pose.up,
+                 turn * player.pose.normal};
+  ball.turn(glm::quat_cast(turn));
+}
+
 // What may be seen through is blended; faces and walls are drawn without it.
 void setDefaults() {
   glEnable(GL_DEPTH_TEST);
@@ -52,7 +85,6 @@ void Renderer::resize(std::uint32_t width, std::uint32_t height) {
 void Renderer::draw(const Scene& scene, const Camera& camera, std::span<const Overlay> overlays,
                     const PictureStyle& style) {
   const StageModel& stage = *scene.stage;
-  const std::vector<FaceView> views = visibleFaces(stage.mesh, camera);
   const bool particles = style.animated && !style.highContrast && quality_.particles;
   StagePainter::Decoration decoration;
   decoration.seconds = style.animated ? static_cast<float>(scene.seconds) : 0;
@@ -66,17 +98,7 @@ void Renderer::draw(const Scene& scene, const Camera& camera, std::span<const Ov
   stagePainter_.prepare(scene, quality_.shadows, style.highContrast);
   scheme_ = style.highContrast ? highContrast(stage.scheme()) : stage.scheme();
   beginPicture();
-  stagePainter_.drawFaces(stage, views);
-  {
-    const DecalScope scope;
-    stagePainter_.drawBelow(scene, views, decoration, textPainter_);
-  }
-  stagePainter_.drawWalls(stage, views);
-  stagePainter_.drawWalls(stage, facesBeyondTheHorizon(stage.mesh, camera));
-  {
-    const DecalScope scope;
-    stagePainter_.drawAbove(scene, views, textPainter_);
-  }
+  drawSolid(scene, camera, decoration);
   for (const PlayerDrawing& player : scene.players) drawPlayer(player, balls_.at(player.slot), camera, style);
   if (particles) skyPainter_.drawMotes(stage.scheme(), camera, stage.mesh.circumradius(), scene.seconds);
   for (std::size_t i = 0; i < scene.ghosts.size(); ++i) drawPlayer(scene.ghosts[i], ghosts_[i], camera, style);
@@ -84,9 +106,26 @@ void Renderer::draw(const Scene& scene, const Camera& camera, std::span<const Ov
   drawOverlays(overlays);
 }
 
+void Renderer::drawSolid(const Scene& scene, const Camera& camera, const StagePainter::Decoration& decoration) {
+  const StageModel& stage = *scene.stage;
+  const SolidViews views = viewsOf(stage.mesh, camera, places_);
+  stagePainter_.drawFaces(stage, views.faces);
+  {
+    const DecalScope scope;
+    stagePainter_.drawBelow(scene, views.outer, decoration, textPainter_);
+  }
+  stagePainter_.drawWalls(stage, views.outer);
+  stagePainter_.drawWalls(stage, views.onlyWalls);
+  {
+    const DecalScope scope;
+    stagePainter_.drawAbove(scene, views.outer, textPainter_);
+  }
+}
+
 void Renderer::drawPlayer(PlayerDrawing player, BallMotion ball, const Camera& camera, const PictureStyle& style) {
   if (!style.animated || !style.flashes) player.flash = 0;
   if (!style.animated) ball.settle();
+  if (const auto stage = stage_.lock(); stage && !places_.empty()) carry(player, ball, stage->mesh, places_);
   ballPainter_.draw(player, ball, camera, style.highContrast, textPainter_);
 }
 

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "client/gl/image.h"
@@ -43,6 +44,10 @@ class Renderer {
   /// Whether faces have numbers instead of signs.
   void setFaceNumbers(bool numbers) { faceNumbers_ = numbers; }
 
+  /// Where the faces of the next pictures are, with everything on them: transforms from their frames to space. Empty:
+  /// in the solid.
+  void setPlaces(std::vector<glm::dmat4> places) { places_ = std::move(places); }
+
   /// Draws the background and the overlays.
   void drawEmpty(std::span<const Overlay> overlays);
 
@@ -55,10 +60,12 @@ class Renderer {
   void beginPicture();
   void drawOverlays(std::span<const Overlay> overlays);
   FaceMarks advance(const Scene& scene, bool particles);
+  void drawSolid(const Scene& scene, const Camera& camera, const StagePainter::Decoration& decoration);
   void drawPlayer(PlayerDrawing player, BallMotion ball, const Camera& camera, const PictureStyle& style);
 
   Quality quality_ = namedQuality(QualityLevel::kHigh).quality;
   bool faceNumbers_ = false;
+  std::vector<glm::dmat4> places_;
   std::weak_ptr<const StageModel> stage_;      // of the last scene
   std::map<std::uint32_t, BallMotion> balls_;  // by slot
   std::vector<BallMotion> ghosts_;             // as Scene::ghosts

@@ -306,6 +306,7 @@ Overlay makeHud(const Scene& scene, const Camera& camera, const HudStatus& statu
   if (status.netGraph != nullptr) placeGraph(space, *status.netGraph, font);
   placePlayers(space, scene, status, font);
   placeChat(space, status.chat, font);
+  if (status.assembling) return scaledBy(space.overlay(), status.scale);
   placeSigns(space, scene, camera, font);
   placeNameTags(space, scene, camera, font);
   return scaledBy(space.overlay(), status.scale);

@@ -40,6 +40,7 @@ struct HudStatus {
   float scale = 1;                        ///< of the display, as Settings::uiScale
   const NetGraph* netGraph = nullptr;     ///< to be shown; null: none
   bool underMenu = false;                 ///< a menu covers the display: only messages and notices are shown
+  bool assembling = false;                ///< the solid is not complete: nothing points to places on it
 };
 
 /// Time left as `minutes:seconds`; below ten seconds with tenths. `seconds` ≥ 0.

@@ -138,8 +138,9 @@ glm::dmat4 Camera::viewProjection() const {
   const double aspect = double{1} * width_ / height_;
   const double vertical = 2 * std::atan(CameraTarget::kTangent / std::min(aspect, 1.0));
   const double fromCentre = glm::dot(eye(), back());
-  const double farthest = fromCentre + radius_;
-  const double nearest = std::max((fromCentre - radius_) / 2, farthest / 20000);
+  const double radius = std::max(radius_, reach_);
+  const double farthest = fromCentre + radius;
+  const double nearest = std::max((fromCentre - radius) / 2, farthest / 20000);
   const glm::dmat4 shifted = glm::translate(glm::dmat4(1), glm::dvec3(shift_, 0, 0));
   return shifted * glm::perspective(vertical, aspect, nearest, farthest) * view();
 }

@@ -52,6 +52,9 @@ class Camera {
   /// Shows the middle of the view this far to the right of the middle of the picture, in half widths of it.
   void setShift(double shift) { shift_ = shift; }
 
+  /// The pictures show what is within this distance from the centre of the solid, level units, and all of the solid.
+  void setReach(double reach) { reach_ = reach; }
+
   glm::dvec3 eye() const { return shown_.eye; }
   glm::dvec3 right() const { return shown_.orientation * glm::dvec3(1, 0, 0); }
   glm::dvec3 up() const { return shown_.orientation * glm::dvec3(0, 1, 0); }
@@ -79,6 +82,7 @@ class Camera {
   CameraLead lead_;
   FaceHold hold_;
   double radius_ = 500;  // circumradius of the solid, for the depth range
+  double reach_ = 0;
   double zoom_ = 1;
   double shift_ = 0;
   CameraComfort comfort_;

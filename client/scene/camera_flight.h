@@ -19,6 +19,8 @@ class CameraFlight {
   /// Flies on for `seconds` ≥ 0.
   void advance(double seconds);
   bool flying() const { return progress_ < 1; }
+  /// The part of the time that has passed, 0 … 1.
+  double progress() const { return progress_; }
 
   /// The view on the way to `to`, which is `to` at the end.
   ViewPoint towards(const ViewPoint& to, const SolidMesh& mesh) const;

@@ -1,5 +1,7 @@
 #include "client/scene/face_view.h"
 
+#include <cstddef>
+
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
@@ -15,18 +17,27 @@ bool isVisible(const SolidMesh& mesh, const Camera& camera, int face) {
   return glm::dot(mesh.normal(face), camera.eye()) > mesh.inradius();
 }
 
+// What the views of all faces share.
+struct Frame {
+  explicit Frame(const Camera& camera) : toClip(camera.viewProjection()), light(lightOf(camera)) {}
+
+  glm::dmat4 toClip;
+  glm::dvec3 light;
+};
+
+FaceView viewOf(int face, const glm::dmat4& toWorld, const Camera& camera, const Frame& frame) {
+  const glm::dmat4 toFace = glm::inverse(toWorld);
+  return {face, glm::mat4(frame.toClip * toWorld), glm::vec3(toFace * glm::dvec4(camera.eye(), 1)),
+          glm::vec3(toFace * glm::dvec4(frame.light, 0))};
+}
+
 // The views of the faces for which `matches` returns true.
 template <class Matches>
 std::vector<FaceView> viewsOf(const SolidMesh& mesh, const Camera& camera, Matches matches) {
   std::vector<FaceView> views;
-  const glm::dmat4 toClip = camera.viewProjection();
-  const glm::dvec3 light = lightOf(camera);
+  const Frame frame(camera);
   for (int face = 0; face < mesh.faces(); ++face) {
-    if (!matches(face)) continue;
-    const glm::dmat4& toWorld = mesh.faceToWorld(face);
-    const glm::dmat4 toFace = glm::inverse(toWorld);
-    views.push_back({face, glm::mat4(toClip * toWorld), glm::vec3(toFace * glm::dvec4(camera.eye(), 1)),
-                     glm::vec3(toFace * glm::dvec4(light, 0))});
+    if (matches(face)) views.push_back(viewOf(face, mesh.faceToWorld(face), camera, frame));
   }
   return views;
 }
@@ -35,6 +46,14 @@ std::vector<FaceView> viewsOf(const SolidMesh& mesh, const Camera& camera, Match
 
 std::vector<FaceView> visibleFaces(const SolidMesh& mesh, const Camera& camera) {
   return viewsOf(mesh, camera, [&](int face) { return isVisible(mesh, camera, face); });
+}
+
+std::vector<FaceView> facesAt(std::span<const glm::dmat4> places, const Camera& camera) {
+  std::vector<FaceView> views;
+  const Frame frame(camera);
+  for (std::size_t face = 0; face < places.size(); ++face)
+    views.push_back(viewOf(static_cast<int>(face), places[face], camera, frame));
+  return views;
 }
 
 std::vector<FaceView> facesBeyondTheHorizon(const SolidMesh& mesh, const Camera& camera) {

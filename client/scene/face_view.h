@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include <glm/mat4x4.hpp>
@@ -23,6 +24,9 @@ glm::dvec3 lightOf(const Camera& camera);
 
 /// The faces whose outer side faces the camera.
 std::vector<FaceView> visibleFaces(const SolidMesh& mesh, const Camera& camera);
+
+/// All faces, when they are not in the solid but at these places: transforms from their frames to space.
+std::vector<FaceView> facesAt(std::span<const glm::dmat4> places, const Camera& camera);
 
 /// The other faces on which something that stands up from them can be seen past the edges of the visible faces.
 std::vector<FaceView> facesBeyondTheHorizon(const SolidMesh& mesh, const Camera& camera);

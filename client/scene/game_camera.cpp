@@ -1,9 +1,17 @@
 #include "client/scene/game_camera.h"
 
-#include "client/scene/camera_target.h"
-#include "client/scene/view_point.h"
+#include <algorithm>
+
+#include <glm/common.hpp>
 
 namespace platon {
+namespace {
+
+// Parts of the time of a flight.
+constexpr double kFlat = 0.1;    // until which the net lies flat
+constexpr double kFolded = 0.7;  // from which the solid is complete
+
+}  // namespace
 
 void GameCamera::setComfort(const CameraComfort& comfort, double zoom) {
   comfort_ = comfort;
@@ -23,15 +31,34 @@ void GameCamera::move(const Pose& player, const std::shared_ptr<const StageModel
   if (comfort_.reducedMotion) flight_.stop();
   look_.update(look, seconds);
   if (comfort_.instantCut && !look.held) look_.reset();
-  camera_.show(look_.turned(flight_.towards(camera_.viewPoint(), stage->mesh), stage->mesh));
+  camera_.setReach(flying() ? net_.reach : 0);
+  camera_.show(look_.turned(flightView(stage->mesh), stage->mesh));
+}
+
+double GameCamera::folded() const {
+  if (!flying()) return 1;
+  const double part = std::clamp((flight_.progress() - kFlat) / (kFolded - kFlat), 0.0, 1.0);
+  return part * part * part * (part * (6 * part - 15) + 10);
+}
+
+// The flight begins where the whole net is seen.
+ViewPoint GameCamera::flightView(const SolidMesh& mesh) const {
+  ViewPoint view = flight_.towards(camera_.viewPoint(), mesh);
+  if (!flying()) return view;
+  const double part = glm::smoothstep(kFlat / 2, kFolded, flight_.progress());
+  view.eye = view.orientation * glm::mix(net_.view.fromCentre(), view.fromCentre(), part);
+  return view;
 }
 
 void GameCamera::begin(const Pose& player, const StageModel& stage) {
   look_.reset();
   flight_.stop();
-  camera_.set(stage.mesh.pose(stage.goal.face, stage.goal.place, stage.goal.angle), stage.mesh, camera_.width(),
-              camera_.height());
-  if (flights_ && !comfort_.instantCut) flight_.start(camera_.viewPoint());
+  const Pose goal = stage.mesh.pose(stage.goal.face, stage.goal.place, stage.goal.angle);
+  camera_.set(goal, stage.mesh, camera_.width(), camera_.height());
+  if (flights_ && !comfort_.instantCut) {
+    flight_.start(camera_.viewPoint());
+    net_ = viewOfNet(stage.mesh, goal, double{1} * camera_.width() / camera_.height());
+  }
   camera_.set(player, stage.mesh, camera_.width(), camera_.height());
 }
 

@@ -9,12 +9,13 @@
 #include "client/scene/look_input.h"
 #include "client/scene/look_round.h"
 #include "client/scene/pose.h"
+#include "client/scene/solid_folding.h"
 #include "client/scene/stage_model.h"
 
 namespace platon {
 
-/// The camera of the game: it follows the player, flies from the goal to the player at the start of a level, and turns
-/// round the solid while the player looks round.
+/// The camera of the game: it follows the player, flies from the goal to the player at the start of a level, while
+/// the solid is folded from its net, and turns round the solid while the player looks round.
 class GameCamera {
  public:
   void resize(std::uint32_t w, std::uint32_t h) { camera_.resize(w, h); }
@@ -25,6 +26,9 @@ class GameCamera {
   /// Whether the picture is still on its way from the goal to the player.
   bool flying() const { return flight_.flying(); }
   void skipFlight() { flight_.skip(); }
+  /// How far the solid is folded from its net, which lies in the plane of the goal: 0 at the start of a flight, 1
+  /// without one.
+  double folded() const;
 
   /// Follows `player` for `seconds` ≥ 0. On another stage than before, the camera jumps there.
   void move(const Pose& player, const std::shared_ptr<const StageModel>& stage, const LookInput& look, double seconds);
@@ -34,9 +38,11 @@ class GameCamera {
 
  private:
   void begin(const Pose& player, const StageModel& stage);
+  ViewPoint flightView(const SolidMesh& mesh) const;
 
   Camera camera_;
   CameraFlight flight_;
+  NetView net_;  // at the start of the flight
   LookRound look_;
   CameraComfort comfort_;
   bool flights_ = false;

@@ -41,6 +41,11 @@ void BallMotion::advance(const SolidMesh& mesh, const Pose& pose, double seconds
   forget(seconds);
 }
 
+void BallMotion::turn(glm::dquat turn) {
+  lift_ = turn * lift_;
+  orientation_ = turn * orientation_;
+}
+
 void BallMotion::begin(const SolidMesh& mesh, const Pose& pose, double seconds) {
   *this = BallMotion(radius_);
   begun_ = true;

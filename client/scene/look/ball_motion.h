@@ -27,6 +27,8 @@ class BallMotion {
   /// The ball is at `pose` at `seconds`. A time before the last one, or a jump, begins anew.
   void advance(const SolidMesh& mesh, const Pose& pose, double seconds);
 
+  /// Turns what is drawn, with the face on which the ball lies.
+  void turn(glm::dquat turn);
   /// Ends the squash of a landing.
   void settle() { squash_ = 0; }
 

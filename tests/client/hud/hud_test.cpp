@@ -276,6 +276,14 @@ TEST(Hud, OnlyVisibleOtherPlayersHaveNameTags) {
   }
 }
 
+TEST(Hud, WhileTheSolidIsAssembledNothingPointsToPlacesOnIt) {
+  const Scene scene = sceneOf(2);
+  const Overlay whole = hudOf(scene);
+  const Overlay assembling = hudOf(scene, {.assembling = true});
+  EXPECT_EQ(count(assembling, "Name2"), count(whole, "Name2") - 1) << "the list has it still";
+  EXPECT_NE(find(assembling, "Corners"), nullptr);
+}
+
 TEST(Hud, AGhostHasANameTagUnlessItWouldHideTheLocalPlayer) {
   Scene scene = sceneOf(1);
   scene.players[0].local = true;

@@ -1,5 +1,6 @@
 #include "client/scene/game_camera.h"
 
+#include <algorithm>
 #include <memory>
 
 #include <gtest/gtest.h>
@@ -53,12 +54,50 @@ TEST_F(GameCameraTest, ANewStageBeginsWithAFlightFromItsGoal) {
   EXPECT_TRUE(camera_.flying()) << "on the next stage";
 }
 
+TEST_F(GameCameraTest, OnAFlightTheSolidIsFoldedFromItsNet) {
+  EXPECT_EQ(camera_.folded(), 1);
+  camera_.setFlights(true);
+  move();
+  EXPECT_EQ(camera_.folded(), 0);
+  double last = 0;
+  for (int frame = 0; frame < 105; ++frame) {
+    move();
+    EXPECT_GE(camera_.folded(), last);
+    last = camera_.folded();
+  }
+  EXPECT_TRUE(camera_.flying());
+  EXPECT_EQ(last, 1) << "before the picture has reached the player";
+}
+
+TEST_F(GameCameraTest, AReturnToTheStartFoldsNothing) {
+  camera_.setFlights(true);
+  move();
+  for (int frame = 0; frame < 160; ++frame) move();
+  player_ = stage_->mesh.pose(2, {0, 0}, 0);
+  move();
+  EXPECT_EQ(camera_.folded(), 1);
+}
+
+TEST_F(GameCameraTest, TheFlightHasNoJump) {
+  camera_.setFlights(true);
+  move();
+  glm::dvec3 last = camera_.camera().eye();
+  double fastest = 0;
+  for (int frame = 0; frame < 160; ++frame) {
+    move();
+    fastest = std::max(fastest, glm::distance(camera_.camera().eye(), last));
+    last = camera_.camera().eye();
+  }
+  EXPECT_LT(fastest, 200) << "level units in a picture";
+}
+
 TEST_F(GameCameraTest, AFlightCanBeSkipped) {
   camera_.setFlights(true);
   move();
   camera_.skipFlight();
   for (int frame = 0; frame < 16; ++frame) move();
   EXPECT_FALSE(camera_.flying());
+  EXPECT_EQ(camera_.folded(), 1);
 }
 
 TEST_F(GameCameraTest, ReducedMotionAndInstantCutHaveNoFlight) {
@@ -68,6 +107,7 @@ TEST_F(GameCameraTest, ReducedMotionAndInstantCutHaveNoFlight) {
     camera.setFlights(true);
     camera.move(player_, stage_, {}, kFrame);
     EXPECT_FALSE(camera.flying());
+    EXPECT_EQ(camera.folded(), 1);
   }
 }
 
