@@ -95,7 +95,7 @@ void Renderer::draw(const Scene& scene, const Camera& camera, std::span<const Ov
   if (!style.animated || !style.flashes) decoration.goal.settle();
   if (!style.animated) decoration.crossing.reset();
   if (!style.flashes) decoration.crossing.darken();
-  stagePainter_.prepare(scene, quality_.shadows, style.highContrast);
+  stagePainter_.prepare(scene, quality_.shadows, style.highContrast, style.animated);
   scheme_ = style.highContrast ? highContrast(stage.scheme()) : stage.scheme();
   beginPicture();
   drawSolid(scene, camera, decoration);

@@ -50,15 +50,17 @@ bool inPolygon(const SolidMesh& mesh, glm::dvec2 point, double margin) {
 
 StagePainter::StagePainter() : mark_("mark") {}
 
-void StagePainter::prepare(const Scene& scene, bool wantsShadows, bool highContrast) {
+void StagePainter::prepare(const Scene& scene, bool wantsShadows, bool highContrast, bool animated) {
   const bool shadows = wantsShadows && !highContrast;
   highContrast_ = highContrast;
   if (loaded_.lock() != scene.stage || shadows_ != shadows) load(*scene.stage, shadows);
   loaded_ = scene.stage;
   shadows_ = shadows;
-  if (scene.elements.active.empty() || active_ == scene.elements.active) return;
-  active_ = scene.elements.active;
-  elementWalls_.load(makeWallMesh(scene.stage->mesh, elementWallsOf(*scene.stage, scene.elements)));
+  elements_.advance(scene.elements.active, scene.seconds);
+  if (!animated) elements_.settle();
+  if (shares_ == elements_.shares()) return;
+  shares_ = elements_.shares();
+  elementWalls_.load(makeWallMesh(scene.stage->mesh, elementWallsOf(*scene.stage, shares_)));
 }
 
 void StagePainter::drawBelow(const Scene& scene, std::span<const FaceView> views, const Decoration& decoration,
@@ -83,7 +85,7 @@ void StagePainter::drawSign(const StageModel& stage, const FaceView& view) {
 
 void StagePainter::drawWalls(const StageModel& stage, std::span<const FaceView> views) {
   walls_.draw(stage, views, highContrast_);
-  if (!active_.empty()) elementWalls_.draw(stage, views, highContrast_);
+  if (!shares_.empty()) elementWalls_.draw(stage, views, highContrast_);
 }
 
 void StagePainter::drawAbove(const Scene& scene, std::span<const FaceView> views, TextPainter& text) {
@@ -98,7 +100,8 @@ void StagePainter::load(const StageModel& stage, bool shadows) {
   walls_.load(makeWallMesh(stage.mesh, wallsOf(stage)));
   faces_.load(stage, shadows);
   signs_ = signsOf(stage);
-  active_.clear();
+  shares_.clear();
+  elements_ = ElementMotion();
 }
 
 void StagePainter::drawMarks(const Scene& scene, const FaceView& view, const FaceMarks& marks, Marks& kept) {

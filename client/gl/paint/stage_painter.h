@@ -13,6 +13,7 @@
 #include "client/gl/text_painter.h"
 #include "client/scene/face_view.h"
 #include "client/scene/look/edge_crossing.h"
+#include "client/scene/look/element_motion.h"
 #include "client/scene/look/face_sign.h"
 #include "client/scene/look/goal_motion.h"
 #include "client/scene/scene.h"
@@ -35,7 +36,8 @@ class StagePainter {
   StagePainter();
 
   /// Loads what the scene needs. Changes the bound framebuffer, so it comes before the picture is begun.
-  void prepare(const Scene& scene, bool shadows, bool highContrast);
+  /// Without `animated`, elements change at once.
+  void prepare(const Scene& scene, bool shadows, bool highContrast, bool animated);
   /// Draws the faces, with depth.
   void drawFaces(const StageModel& stage, std::span<const FaceView> views) { faces_.draw(stage, views, highContrast_); }
   /// Draws what lies flat on the faces: signs or numbers, marks, markers, elements, trails and shadows.
@@ -77,7 +79,8 @@ class StagePainter {
   MarkerPainter markers_;
   WallPainter walls_;
   WallPainter elementWalls_;
-  std::vector<std::uint8_t> active_;  // ElementStates::active that is loaded
+  ElementMotion elements_;
+  std::vector<double> shares_;  // ElementMotion::shares that are loaded
   std::vector<FaceSign> signs_;
   Marks trails_;
   Marks marksBelow_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace platon {
@@ -22,7 +23,7 @@ const Colour kBlue(0.62F, 0.80F, 0.98F);
 // The walls of one element.
 class ElementWalls {
  public:
-  ElementWalls(const ElementDrawing& drawing, bool active, Colour wall, std::vector<Wall>& walls)
+  ElementWalls(const ElementDrawing& drawing, double active, Colour wall, std::vector<Wall>& walls)
       : active_(active),
         wall_(wall),
         walls_(walls),
@@ -54,8 +55,8 @@ class ElementWalls {
     const double gap = length_ / count;
     const double half = std::max(0.33 * gap - kWidth / 2, 0.0);
     for (double i = 0.5; i < count; ++i) {
-      addRod({i * gap - half, 0}, {i * gap + half, 0}, active_ ? kWidth / 2 : kWidth / 4,
-             active_ ? Wall::kHeight : kLow, kBlue);
+      addRod({i * gap - half, 0}, {i * gap + half, 0}, glm::mix(kWidth / 4, kWidth / 2, active_),
+             glm::mix(kLow, Wall::kHeight, active_), kBlue);
     }
   }
 
@@ -70,26 +71,27 @@ class ElementWalls {
   }
 
   void addRails() {
-    const double post = std::min(2.5 * kWidth, length_ / 2);
+    const double leaf = glm::mix(std::min(2.5 * kWidth, length_ / 2), length_ / 2, active_);
+    const double height = glm::mix(2 * kLow, Wall::kHeight, active_);
     for (const double side : {-kWidth, kWidth}) {
-      if (active_) {
-        addRod({0, side}, {length_, side}, 0.4 * kWidth, Wall::kHeight, kGold);
+      if (active_ >= 1) {
+        addRod({0, side}, {length_, side}, 0.4 * kWidth, height, kGold);
       } else {
-        addRod({0, side}, {post, side}, 0.4 * kWidth, 2 * kLow, kGold);
-        addRod({length_ - post, side}, {length_, side}, 0.4 * kWidth, 2 * kLow, kGold);
+        addRod({0, side}, {leaf, side}, 0.4 * kWidth, height, kGold);
+        addRod({length_ - leaf, side}, {length_, side}, 0.4 * kWidth, height, kGold);
       }
     }
   }
 
   void addPlate() {
-    const double high = (active_ ? 0.7 : 1.6) * kWidth;
-    const double thick = (active_ ? 0.55 : 1.0) * kWidth;
+    const double high = glm::mix(1.6, 0.7, active_) * kWidth;
+    const double thick = glm::mix(1.0, 0.55, active_) * kWidth;
     addRod({0, 0}, {length_, 0}, 0.4 * kWidth, Wall::kHeight, wall_);
     const double margin = std::min(0.15 * length_ + high, length_ / 2);
-    addRod({margin, high}, {length_ - margin, high}, thick, active_ ? kFence : Wall::kHeight, kViolet);
+    addRod({margin, high}, {length_ - margin, high}, thick, glm::mix(Wall::kHeight, kFence, active_), kViolet);
   }
 
-  bool active_;
+  double active_;  // 0 … 1
   Colour wall_;
   std::vector<Wall>& walls_;
   glm::dvec2 from_;
@@ -109,13 +111,12 @@ std::vector<std::vector<Wall>> wallsOf(const StageModel& stage) {
   return walls;
 }
 
-std::vector<std::vector<Wall>> elementWallsOf(const StageModel& stage, const ElementStates& states) {
+std::vector<std::vector<Wall>> elementWallsOf(const StageModel& stage, std::span<const double> shares) {
   std::vector<std::vector<Wall>> walls;
   for (const FaceDrawing& face : stage.faces) {
     walls.emplace_back();
     for (const ElementDrawing& drawing : face.elements) {
-      const bool active = states.active[drawing.element] != 0;
-      ElementWalls(drawing, active, stage.scheme().wall, walls.back()).add(drawing.kind);
+      ElementWalls(drawing, shares[drawing.element], stage.scheme().wall, walls.back()).add(drawing.kind);
     }
   }
   return walls;

@@ -1,8 +1,8 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
-#include "client/scene/element_states.h"
 #include "client/scene/look/wall.h"
 #include "client/scene/stage_model.h"
 
@@ -13,6 +13,7 @@ std::vector<std::vector<Wall>> wallsOf(const StageModel& stage);
 
 /// The walls of the elements, by face: thin low ledges for `oneway`, blocks for `up`, a zigzag for `hazard`, two rails
 /// for `door`, a wall and a bar for `plate`. `up` and `door` are low while they are open, the bar while it is pressed.
-std::vector<std::vector<Wall>> elementWallsOf(const StageModel& stage, const ElementStates& states);
+/// `shares`: by Level::elements, how active each one looks, 0 … 1; the leaves of a door slide meanwhile.
+std::vector<std::vector<Wall>> elementWallsOf(const StageModel& stage, std::span<const double> shares);
 
 }  // namespace platon

@@ -1,6 +1,7 @@
 #include "client/gl/picture_style.h"
 
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
@@ -104,6 +105,24 @@ TEST_F(PictureStyleTest, AnArrowPointsDownAfterACrossingUnlessMotionIsUnwanted) 
   };
   EXPECT_GT(brightest({}), brightest(kStill) + 0.2);
   EXPECT_GT(brightest({.flashes = false}), brightest(kStill) + 0.2);
+}
+
+TEST_F(PictureStyleTest, ADoorMovesUnlessMotionIsUnwanted) {
+  const auto stage = stageOf("HEXAHEDRON", 6, "-120 -60 120 -60 door 5\n");
+  const auto shortlyAfter = [&](const PictureStyle& style, double seconds) {
+    Scene scene = sceneOf(stage);
+    scene.elements = {{1}, std::vector<glm::vec2>(6, glm::vec2(0, 1))};
+    draw(scene, style);
+    scene.elements.active = {0};
+    scene.seconds = seconds;
+    const Image image = draw(scene, style);
+    scene.seconds = 0;
+    draw(scene, style);
+    return image;
+  };
+  EXPECT_EQ(shortlyAfter(kStill, 0.05), shortlyAfter(kStill, 1));
+  const PictureStyle style{.highContrast = true};  // without motes and trails
+  EXPECT_NE(shortlyAfter(style, 0.05), shortlyAfter(style, 1));
 }
 
 TEST_F(PictureStyleTest, HighContrastIsADarkGroundWithBrightWalls) {

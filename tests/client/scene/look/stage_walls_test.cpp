@@ -1,7 +1,7 @@
 #include "client/scene/look/stage_walls.h"
 
 #include <algorithm>
-#include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 
@@ -15,6 +15,7 @@ namespace {
 
 struct Walls {
   std::vector<Wall> active;
+  std::vector<Wall> between;
   std::vector<Wall> open;
 };
 
@@ -24,13 +25,8 @@ Walls wallsOfElement(const std::string& word) {
       loadLevel("HEXAHEDRON\n1 0 0 0\n1 60 80\n480\n%\n-120 0 120 0 " + word + "\n%\n%\n%\n%\n%\n");
   if (!result.level) throw std::logic_error("test level: " + result.diagnostics.front().message);
   const auto stage = makeStageModel(*result.level);
-  ElementStates states = elementStatesOf(Game(result.level), std::nullopt, stage->mesh);
-  states.active = {1};
-  Walls walls;
-  walls.active = elementWallsOf(*stage, states)[0];
-  states.active = {0};
-  walls.open = elementWallsOf(*stage, states)[0];
-  return walls;
+  const auto at = [&](double share) { return elementWallsOf(*stage, std::span(&share, 1))[0]; };
+  return {at(1), at(0.5), at(0)};
 }
 
 double highest(const std::vector<Wall>& walls) {
@@ -58,6 +54,25 @@ TEST(StageWalls, WhatDoesNotBlockIsLow) {
     EXPECT_LT(highest(walls.open), Wall::kHeight / 3) << word;
   }
   for (const char* word : {"checkpoint", "key 5"}) EXPECT_TRUE(wallsOfElement(word).active.empty()) << word;
+}
+
+TEST(StageWalls, WhatOpensIsBetweenItsStatesMeanwhile) {
+  for (const char* word : {"up 2", "door 5", "plate 5"}) {
+    const Walls walls = wallsOfElement(word);
+    const auto heightOf = [](const std::vector<Wall>& all) { return all.back().height; };
+    EXPECT_NEAR(heightOf(walls.between), (heightOf(walls.active) + heightOf(walls.open)) / 2, 1e-9) << word;
+  }
+}
+
+TEST(StageWalls, TheLeavesOfADoorMeetWhenItIsClosed) {
+  const Walls walls = wallsOfElement("door 5");
+  ASSERT_EQ(walls.active.size(), 2U) << "a rail on each side";
+  ASSERT_EQ(walls.between.size(), 4U);
+  EXPECT_GT(walls.between[0].b.x, walls.open[0].b.x);
+  EXPECT_LT(walls.between[0].b.x, 0) << "a gap in the middle";
+  EXPECT_EQ(walls.between[0].b.x, -walls.between[1].a.x);
+  EXPECT_EQ(walls.active[0].a.x, -120);
+  EXPECT_EQ(walls.active[0].b.x, 120);
 }
 
 TEST(StageWalls, WhatBlocksAlwaysDoesNotSink) {
