@@ -24,10 +24,6 @@ constexpr std::array kKeys{std::pair{GLFW_KEY_LEFT, Key::kArrowLeft},
                            std::pair{GLFW_KEY_RIGHT_ALT, Key::kAlt},
                            std::pair{GLFW_KEY_TAB, Key::kTab},
                            std::pair{GLFW_KEY_ESCAPE, Key::kEscape},
-                           std::pair{GLFW_KEY_F1, Key::kF1},
-                           std::pair{GLFW_KEY_F3, Key::kF3},
-                           std::pair{GLFW_KEY_F11, Key::kF11},
-                           std::pair{GLFW_KEY_F12, Key::kF12},
                            std::pair{GLFW_KEY_KP_ADD, Key::kPlus},
                            std::pair{GLFW_KEY_EQUAL, Key::kPlus},
                            std::pair{GLFW_KEY_KP_SUBTRACT, Key::kMinus},
@@ -62,6 +58,7 @@ std::optional<Key> keyOfGlfw(int glfwKey) {
   if (glfwKey >= GLFW_KEY_A && glfwKey <= GLFW_KEY_Z)
     return kLetters.at(static_cast<std::size_t>(glfwKey - GLFW_KEY_A));
   if (glfwKey >= GLFW_KEY_0 && glfwKey <= GLFW_KEY_9) return after(Key::kDigit0, glfwKey - GLFW_KEY_0);
+  if (glfwKey >= GLFW_KEY_F1 && glfwKey <= GLFW_KEY_F12) return after(Key::kF1, glfwKey - GLFW_KEY_F1);
   if (glfwKey >= GLFW_KEY_KP_0 && glfwKey <= GLFW_KEY_KP_9) return after(Key::kKeypad0, glfwKey - GLFW_KEY_KP_0);
   const auto found = std::find_if(kKeys.begin(), kKeys.end(), [&](const auto& pair) { return pair.first == glfwKey; });
   return found == kKeys.end() ? std::nullopt : std::optional(found->second);

@@ -23,12 +23,16 @@ TEST(GlfwKeys, EachKeyOfTheKeyboardHasOneOfGlfw) {
   EXPECT_FALSE(keyOfGlfw(GLFW_KEY_UNKNOWN));
 }
 
-TEST(GlfwKeys, LettersAndDigitsAreThemselves) {
+TEST(GlfwKeys, LettersDigitsAndFunctionKeysAreThemselves) {
   EXPECT_EQ(keyOfGlfw(GLFW_KEY_A), Key::kA);
   EXPECT_EQ(keyOfGlfw(GLFW_KEY_Q), Key::kQ);
   EXPECT_EQ(keyOfGlfw(GLFW_KEY_Z), Key::kZ);
   EXPECT_EQ(keyOfGlfw(GLFW_KEY_7), Key::kDigit7);
   EXPECT_EQ(keyOfGlfw(GLFW_KEY_KP_7), Key::kKeypad7);
+  EXPECT_EQ(keyOfGlfw(GLFW_KEY_F1), Key::kF1);
+  EXPECT_EQ(keyOfGlfw(GLFW_KEY_F10), Key::kF10);
+  EXPECT_EQ(keyOfGlfw(GLFW_KEY_F12), Key::kF12);
+  EXPECT_FALSE(keyOfGlfw(GLFW_KEY_F13));
 }
 
 TEST(GlfwKeys, ATriggerIsPressedFromHalfItsWay) {

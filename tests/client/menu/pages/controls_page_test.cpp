@@ -66,6 +66,14 @@ TEST_F(ControlsPageTest, DeleteTakesAllKeys) {
   EXPECT_EQ(bindings_.keysOf(Control::kJump), ControlKeys());
 }
 
+TEST_F(ControlsPageTest, AFunctionKeyThatDoesNothingElseIsTaken) {
+  row(Control::kVote).choose();
+  press(Key::kF5);
+  EXPECT_FALSE(waits());
+  EXPECT_EQ(note(), "“Next level, or vote” has F5 now.");
+  EXPECT_EQ(bindings_.keysOf(Control::kVote).first, Key::kF5);
+}
+
 TEST_F(ControlsPageTest, KeysOfTheProgramAreRefused) {
   row(Control::kJump).choose();
   press(Key::kF11);

@@ -23,6 +23,13 @@ TEST(KeyNames, EachKeyThatCanBeBoundIsFoundByItsWord) {
   }
 }
 
+TEST(KeyNames, TheFunctionKeysThatDoNothingElseCanBeBound) {
+  EXPECT_EQ(wordOf(Key::kF2), "f2");
+  EXPECT_EQ(shownNameOf(Key::kF10), "F10");
+  for (int i = static_cast<int>(Key::kF4); i <= static_cast<int>(Key::kF10); ++i)
+    EXPECT_TRUE(canBeBound(static_cast<Key>(i))) << shownNameOf(static_cast<Key>(i));
+}
+
 TEST(KeyNames, TheKeysOfMenusAndTiltsOfAStickCannotBeBound) {
   for (const Key key : {Key::kEscape, Key::kPadStart, Key::kDelete, Key::kBackspace, Key::kF1, Key::kF3, Key::kF11,
                         Key::kF12, Key::kPadWalk, Key::kPadCreep, Key::kPadLookLeft, Key::kPadLookDown})
