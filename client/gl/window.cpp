@@ -26,6 +26,7 @@ std::vector<GamepadState> readGamepads() {
     GLFWgamepadstate state;
     if (glfwJoystickIsGamepad(joystick) != GLFW_TRUE || glfwGetGamepadState(joystick, &state) != GLFW_TRUE) continue;
     gamepads.push_back(gamepadOfGlfw(state));
+    gamepads.back().id = joystick;
   }
   return gamepads;
 }

@@ -34,6 +34,8 @@ class Window {
   /// Returns the key events since the last call: those of the keyboard in order, and those of the gamepads as of each
   /// `poll`. Characters that are typed follow their keys. A window that loses the focus releases all keys.
   std::vector<KeyEvent> takeKeyEvents();
+  /// Whether the gamepad that was used last has been disconnected since the last call; its keys are released.
+  bool takeLostGamepad() { return gamepadKeys_.takeLost(); }
   /// Returns the pointer events since the last call, in order.
   std::vector<PointerEvent> takePointerEvents();
   /// Returns the paths of the files that were dropped on the window since the last call, in order.

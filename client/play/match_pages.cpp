@@ -10,16 +10,25 @@ namespace platon {
 MatchPages::MatchPages(Menu& menu, UserInterface& interface, Calls calls)
     : menu_(&menu), interface_(&interface), calls_(std::move(calls)) {}
 
-// With others no run is offered: the replay would hide a game that goes on.
-void MatchPages::showPause(LiveMatch& match) {
-  bestRun_ = match.alone() ? match.play().bestRun() : std::filesystem::path();
-  menu_->open([this, &match] { return pauseOver(match); });
+void MatchPages::showPause(LiveMatch& match) { openPause(match, ""); }
+
+void MatchPages::loseGamepad(LiveMatch& match) {
+  constexpr const char* kLost = "Gamepad disconnected";
+  if (match.alone() && !menu_->isOpen()) return openPause(match, kLost);
+  calls_.tell(kLost);
 }
 
-MenuPage MatchPages::pauseOver(LiveMatch& match) {
+// With others no run is offered: the replay would hide a game that goes on.
+void MatchPages::openPause(LiveMatch& match, const std::string& note) {
+  bestRun_ = match.alone() ? match.play().bestRun() : std::filesystem::path();
+  menu_->open([this, &match, note] { return pauseOver(match, note); });
+}
+
+MenuPage MatchPages::pauseOver(LiveMatch& match, const std::string& note) {
   const bool alone = match.alone();
   PauseChoices choices;
   choices.notes = match.invitation();
+  if (!note.empty()) choices.notes.insert(choices.notes.begin(), note);
   if (!alone) choices.notes.emplace_back("The game goes on while the menu is open.");
   choices.title = alone ? "Pause" : "Platon";
   choices.next = alone                       ? "Next level"

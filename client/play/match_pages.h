@@ -27,11 +27,15 @@ class MatchPages {
 
   /// Shows the pause instead of all other pages. The match exists as long as the page is shown.
   void showPause(LiveMatch& match);
+  /// Call when the gamepad that the player uses was disconnected: shows the pause to a player who is alone and has no
+  /// page open, and tells the others, whose game goes on.
+  void loseGamepad(LiveMatch& match);
   /// Shows the page to say something instead of all other pages. The match exists as long as the page is shown.
   void showSay(LiveMatch& match);
 
  private:
-  MenuPage pauseOver(LiveMatch& match);
+  void openPause(LiveMatch& match, const std::string& note);
+  MenuPage pauseOver(LiveMatch& match, const std::string& note);
   void say(LiveMatch& match, const Chat& chat);
 
   Menu* menu_;

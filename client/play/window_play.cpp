@@ -96,6 +96,7 @@ void WindowPlay::handleEvents() {
   for (const PointerEvent& event : window_.takePointerEvents()) {
     replay_ ? replay_->handle(event, view_.screenWidth()) : menu_.handle(event, view_.font());
   }
+  if (window_.takeLostGamepad() && interface_.loseGamepad() && match_ && !replay_) matchPages_.loseGamepad(*match_);
   takeDrops();
   if (interface_.takeGoOn() && match_ && match_->alone() && match_->play().roundOver()) match_->skipLevel();
   if (interface_.takeWatch()) spectator_.next();

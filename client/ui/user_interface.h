@@ -23,6 +23,10 @@ class UserInterface {
   /// Returns the player to the start in the next tick, as the key for it does.
   void restart() { restart_ = true; }
 
+  /// Call when the gamepad that was used last was disconnected. Returns whether the player has used it later than the
+  /// keyboard, and names the keys of the keyboard from now on.
+  bool loseGamepad() { return std::exchange(gamepadUsed_, false); }
+
   /// How the player looks round.
   LookInput look() const { return mapper_.look(); }
   /// The keys to name on the screen.

@@ -1,5 +1,6 @@
 #include "client/ui/controls/gamepad_keys.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -43,6 +44,7 @@ std::bitset<kKeyCount> keysOf(const GamepadState& pad) {
 std::vector<KeyEvent> GamepadKeys::update(std::span<const GamepadState> gamepads) {
   std::bitset<kKeyCount> down;
   for (const GamepadState& pad : gamepads) down |= keysOf(pad);
+  noteUsed(gamepads);
   std::vector<KeyEvent> events;
   for (std::size_t i = 0; i < kKeyCount; ++i) {
     if (down[i] == down_[i]) continue;
@@ -50,6 +52,17 @@ std::vector<KeyEvent> GamepadKeys::update(std::span<const GamepadState> gamepads
   }
   down_ = down;
   return events;
+}
+
+void GamepadKeys::noteUsed(std::span<const GamepadState> gamepads) {
+  const auto isUsed = [this](const GamepadState& pad) { return pad.id == used_; };
+  if (used_ && std::none_of(gamepads.begin(), gamepads.end(), isUsed)) {
+    lost_ = true;
+    used_.reset();
+  }
+  for (const GamepadState& pad : gamepads) {
+    if (keysOf(pad).any()) used_ = pad.id;
+  }
 }
 
 }  // namespace platon

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <bitset>
+#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "client/ui/controls/gamepad_state.h"
@@ -26,8 +28,15 @@ class GamepadKeys {
   /// disconnected releases its keys.
   std::vector<KeyEvent> update(std::span<const GamepadState> gamepads);
 
+  /// Whether the gamepad on which a key was down last has been disconnected since the last call.
+  bool takeLost() { return std::exchange(lost_, false); }
+
  private:
+  void noteUsed(std::span<const GamepadState> gamepads);
+
   std::bitset<kKeyCount> down_;
+  std::optional<int> used_;  // id of the gamepad on which a key was down last
+  bool lost_ = false;
 };
 
 }  // namespace platon

@@ -4,6 +4,7 @@ namespace platon {
 
 /// State of one gamepad. Buttons have their Xbox names.
 struct GamepadState {
+  int id = 0;        ///< of the gamepad, as long as it is connected
   float stickX = 0;  ///< left stick, -1 … 1, + right
   float stickY = 0;  ///< -1 … 1, + down
   float lookX = 0;   ///< right stick, -1 … 1, + right

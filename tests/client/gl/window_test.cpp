@@ -277,6 +277,20 @@ TEST_F(WindowTest, TheLeftStickIsDelivered) {
   }
 }
 
+TEST_F(WindowTest, AGamepadIsLostWhenItIsUnplugged) {
+  fakeGamepad.emplace();
+  window_.poll();
+  fakeGamepad.reset();
+  window_.poll();
+  EXPECT_FALSE(window_.takeLostGamepad()) << "it was not used";
+  fakeGamepad.emplace().buttons[GLFW_GAMEPAD_BUTTON_A] = GLFW_PRESS;
+  window_.poll();
+  fakeGamepad.reset();
+  window_.poll();
+  EXPECT_EQ(window_.takeKeyEvents(), (Events{{Key::kPadA, Kind::kPress}, {Key::kPadA, Kind::kRelease}}));
+  EXPECT_TRUE(window_.takeLostGamepad());
+}
+
 TEST_F(WindowTest, AResizedWindowShowsAPictureOfItsSize) {
   xdotool("getactivewindow windowsize 800 500");
   ASSERT_TRUE(pollUntil([&] { return hasSize(800, 500); }));

@@ -69,6 +69,35 @@ TEST_F(MatchPagesTest, ThePauseLeadsToTheSettingsAndOut) {
   EXPECT_FALSE(menu_.isOpen());
 }
 
+TEST_F(MatchPagesTest, AGamepadThatIsUnpluggedShowsThePauseToWhoIsAlone) {
+  pages_.loseGamepad(*match_);
+  EXPECT_TRUE(shows("Pause"));
+  EXPECT_TRUE(shows("Gamepad disconnected"));
+  EXPECT_TRUE(called_.empty());
+  tap(Key::kEscape);
+  pages_.showPause(*match_);
+  EXPECT_FALSE(shows("Gamepad disconnected"));
+  pages_.loseGamepad(*match_);
+  EXPECT_EQ(called_, (std::vector<std::string>{"Gamepad disconnected"})) << "an open page stays";
+  EXPECT_FALSE(shows("Gamepad disconnected"));
+}
+
+TEST_F(MatchPagesTest, AGamepadThatIsUnpluggedStopsNoGameWithOthers) {
+  MatchChoice guest;
+  guest.server = match_->serverAddress();
+  LiveMatch other(ClientOptions(), guest, clock_);
+  const auto idle = [](const Game&, std::uint32_t) { return Input{}; };
+  ASSERT_TRUE(waitUntil([&] {
+    other.update(false, idle);
+    match_->update(false, idle);
+    return !match_->alone();
+  }));
+  for (LiveMatch* const match : {&*match_, &other}) pages_.loseGamepad(*match);
+  EXPECT_FALSE(menu_.isOpen());
+  EXPECT_EQ(called_, std::vector<std::string>(2, "Gamepad disconnected"));
+  other.leave();
+}
+
 TEST_F(MatchPagesTest, WhoSaysTooMuchAtOnceIsTold) {
   for (int times = 0; times < 100 && called_.empty(); ++times) {
     pages_.showSay(*match_);

@@ -192,6 +192,15 @@ TEST_F(WindowPlayTest, AGamepadMovesThroughTheMenu) {
   EXPECT_TRUE(stepsDone_);
 }
 
+TEST_F(WindowPlayTest, AGamepadThatIsUnpluggedPausesAndIsUsedAgainWhenItIsPlugged) {
+  const auto push = [](int button) { fakeGamepad.emplace().buttons[button] = GLFW_PRESS; };
+  play({{[] {}, [this] { return isOnGround() == std::optional(true); }},
+        {[=] { push(GLFW_GAMEPAD_BUTTON_A); }, [this] { return isOnGround() == std::optional(false); }},
+        {[] { fakeGamepad.reset(); }, [this] { return shows("Resume") && play_->match()->paused(); }},
+        {[=] { push(GLFW_GAMEPAD_BUTTON_A); }, [this] { return inGame(); }}});
+  EXPECT_TRUE(stepsDone_);
+}
+
 TEST_F(WindowPlayTest, TheMouseChoosesAndChanges) {
   play({{[] { xdotool("key Escape"); }, [this] { return play_->menu().isOpen(); }},
         {[this] { click(kSettingsItem); }, [this] { return shows("Full screen"); }},

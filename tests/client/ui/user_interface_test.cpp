@@ -70,6 +70,19 @@ TEST(UserInterface, ARestartIsHeldForOneTick) {
   EXPECT_FALSE(interface.takeHeld(false).restart);
 }
 
+TEST(UserInterface, AGamepadIsLostIfItWasUsedLaterThanTheKeyboard) {
+  UserInterface interface { Settings() };
+  EXPECT_FALSE(interface.loseGamepad());
+  tap(interface, Key::kPadA);
+  EXPECT_EQ(interface.keyHints().of(Control::kJump), "pad A");
+  EXPECT_TRUE(interface.loseGamepad());
+  EXPECT_EQ(interface.keyHints().of(Control::kJump), "Space");
+  EXPECT_FALSE(interface.loseGamepad());
+  tap(interface, Key::kPadA);
+  tap(interface, Key::kJ);
+  EXPECT_FALSE(interface.loseGamepad()) << "the player plays with the keyboard";
+}
+
 TEST(UserInterface, FunctionKeysToggle) {
   UserInterface interface { Settings() };
   for (const bool on : {true, false}) {

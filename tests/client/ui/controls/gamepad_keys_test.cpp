@@ -21,6 +21,41 @@ GamepadState stickAt(float x, float y) {
 
 Events update(GamepadKeys& keys, const GamepadState& state) { return keys.update(std::array{state}); }
 
+TEST(GamepadKeys, OnlyTheGamepadThatWasUsedLastIsLost) {
+  GamepadKeys keys;
+  GamepadState first;
+  GamepadState second;
+  second.id = 1;
+  keys.update({});
+  keys.update(std::array{first, second});
+  keys.update(std::array{second});
+  EXPECT_FALSE(keys.takeLost()) << "never used";
+  second.a = true;
+  keys.update(std::array{first, second});
+  second.a = false;
+  keys.update(std::array{first, second});
+  keys.update(std::array{second});
+  EXPECT_FALSE(keys.takeLost()) << "the other one was used";
+  keys.update(std::array{first});
+  EXPECT_TRUE(keys.takeLost());
+  EXPECT_FALSE(keys.takeLost());
+  keys.update({});
+  EXPECT_FALSE(keys.takeLost());
+}
+
+TEST(GamepadKeys, AGamepadThatIsConnectedAgainIsLostAgain) {
+  GamepadKeys keys;
+  GamepadState pad;
+  pad.stickX = 1;
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_FALSE(update(keys, pad).empty());
+    const Events released = keys.update({});
+    ASSERT_EQ(released.size(), 1u);
+    EXPECT_EQ(released[0], (KeyEvent{Key::kPadRight, Kind::kRelease}));
+    EXPECT_TRUE(keys.takeLost());
+  }
+}
+
 TEST(GamepadKeys, EveryButtonIsPressedAndReleasedOnce) {
   constexpr std::array<std::pair<bool GamepadState::*, Key>, 16> kButtons{
       {{&GamepadState::dpadLeft, Key::kPadLeft},
