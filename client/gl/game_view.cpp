@@ -37,9 +37,11 @@ void GameView::draw(const Scene* scene, const HudStatus& status, const Settings&
   std::vector<Overlay> overlays;
   if (scene != nullptr) {
     moveCamera(*scene, settings, seconds);
+    fade(seconds);
     shown.assembling = camera_.folded() < 1;
     overlays.push_back(makeHud(*scene, camera, shown, font_));
   } else {
+    renderer_.setFade(fadeLeft_ = 0);
     overlays.push_back(makeEmptyHud(shown, font_, screenWidth()));
   }
   overlays.insert(overlays.end(), more.begin(), more.end());
@@ -58,8 +60,19 @@ void GameView::drawStill(const Scene& scene, const Camera& camera, const Setting
   PictureStyle style = styleOf(settings);
   style.animated = false;
   renderer_.setPlaces({});
+  renderer_.setFade(fadeLeft_ = 0);
   if (style.highContrast) raiseContrast(menu);
   renderer_.draw(scene, camera, std::span(&menu, 1), style);
+}
+
+// The picture before a cut lies over those after it. It is kept before they are drawn.
+void GameView::fade(double seconds) {
+  fadeLeft_ = std::max(0.0, fadeLeft_ - seconds / kFadeSeconds);
+  if (camera_.takeFadingCut()) {
+    renderer_.keepPicture();
+    fadeLeft_ = 1;
+  }
+  renderer_.setFade(fadeLeft_);
 }
 
 void GameView::moveCamera(const Scene& scene, const Settings& settings, double seconds) {

@@ -28,6 +28,8 @@ class GameView {
   /// No effect if a size is 0.
   void resize(std::uint32_t width, std::uint32_t height);
 
+  static constexpr double kFadeSeconds = 0.2;  ///< of a cut of the camera that fades
+
   /// Draws the next picture, `seconds` after the last one. When the stage changes, the camera jumps to its target, or
   /// flies there. `scene` is null while there is no game. `more` is drawn above the head-up display, `menu` in front of
   /// everything.
@@ -61,6 +63,7 @@ class GameView {
   Image read() const { return renderer_.read(); }
 
  private:
+  void fade(double seconds);
   void moveCamera(const Scene& scene, const Settings& settings, double seconds);
 
   Font font_;
@@ -68,6 +71,7 @@ class GameView {
   GameCamera camera_;
   LookInput look_;
   NetGraph netGraph_;
+  double fadeLeft_ = 0;  // of a cut of the camera, 0 … 1
   double roll_ = 0;
 };
 

@@ -74,11 +74,11 @@ void RenderTarget::resolve() const {
   if (scaler_) scaler_->draw(smallColour_);
 }
 
-void RenderTarget::present() const {
+void RenderTarget::copyTo(GLuint framebuffer) const {
   const auto w = static_cast<GLint>(width_);
   const auto h = static_cast<GLint>(height_);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, plain_.name());
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
   DrawCalls::blit(w, h, w, h, GL_NEAREST);
 }
 

@@ -30,7 +30,9 @@ class RenderTarget {
   /// Resolves the sampled picture and directs drawing to the plain one.
   void resolve() const;
   /// Copies the plain picture to the window, which must have the same size.
-  void present() const;
+  void present() const { copyTo(0); }
+  /// Copies the plain picture to a framebuffer with a picture of the same size.
+  void copyTo(const GlFramebuffer& other) const { copyTo(other.name()); }
   /// Returns the plain picture.
   Image read() const;
 
@@ -40,6 +42,7 @@ class RenderTarget {
     if (samples_ > 0) return sampled_;
     return scaler_ ? small_ : plain_;
   }
+  void copyTo(GLuint framebuffer) const;
   void attachSampled(GLenum slot, const GlRenderbuffer& buffer, GLenum format) const;
 
   std::uint32_t width_;

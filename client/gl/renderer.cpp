@@ -173,6 +173,7 @@ void Renderer::drawEmpty(std::span<const Overlay> overlays) {
 
 void Renderer::drawOverlays(std::span<const Overlay> overlays) {
   target_.resolve();
+  if (fadeOpacity_ > 0) fade_.draw(fadeOpacity_);
   glDisable(GL_DEPTH_TEST);
   const float aspect = static_cast<float>(target_.width()) / static_cast<float>(target_.height());
   for (const Overlay& overlay : overlays) overlayPainter_.draw(overlay, aspect, textPainter_);

@@ -13,6 +13,7 @@
 #include "client/gl/paint/beam_painter.h"
 #include "client/gl/paint/sky_painter.h"
 #include "client/gl/paint/stage_painter.h"
+#include "client/gl/picture_fade.h"
 #include "client/gl/picture_style.h"
 #include "client/gl/render_target.h"
 #include "client/gl/text_painter.h"
@@ -48,6 +49,11 @@ class Renderer {
   /// in the solid.
   void setPlaces(std::vector<glm::dmat4> places) { places_ = std::move(places); }
 
+  /// Keeps the last picture, for `setFade`.
+  void keepPicture() { fade_.keep(target_); }
+  /// How much of the kept picture lies over the scenes of the next pictures: 0 … 1.
+  void setFade(double opacity) { fadeOpacity_ = opacity; }
+
   /// Draws the background and the overlays.
   void drawEmpty(std::span<const Overlay> overlays);
 
@@ -72,6 +78,8 @@ class Renderer {
   GoalMotion goal_;
   EdgeCrossing crossing_;
   RenderTarget target_;
+  PictureFade fade_;
+  double fadeOpacity_ = 0;
   StagePainter stagePainter_;
   BallPainter ballPainter_;
   TextPainter textPainter_;

@@ -56,7 +56,7 @@ void Camera::set(const Pose& player, const SolidMesh& stage, std::uint32_t w, st
   lead_.reset(player);
   radius_ = stage.circumradius();
   const CameraTarget target = cameraTarget(player, stage, zoom_);
-  const bool stands = comfort_.view == CameraView::kFace;
+  const bool stands = comfort_.view != CameraView::kFollow;
   base_ = stands
               ? hold_.view(player, stage, zoom_)
               : ViewPoint{target.orientation, player.position + target.orientation * offsetOf(player, target, stage)};
@@ -72,7 +72,7 @@ void Camera::place(glm::dvec3 eye, glm::dvec3 up, const SolidMesh& stage) {
 // Turns and offsets all approach their targets independently of each other, so the result does not depend on the frame
 // rate.
 void Camera::lerp(const Pose& player, const SolidMesh& stage, double seconds) {
-  if (comfort_.view == CameraView::kFace) {
+  if (comfort_.view != CameraView::kFollow) {
     lead_.reset(player);
     base_ = shown_ = hold_.view(player, stage, zoom_);
     return;

@@ -6,8 +6,9 @@ namespace platon {
 
 /// What the camera does while the player moves on a face.
 enum class CameraView : std::uint8_t {
-  kFollow,  ///< it follows the player
-  kFace     ///< it stands still, and cuts to the next face at an edge
+  kFollow,   ///< it follows the player
+  kFace,     ///< it stands still, and cuts to the next face at an edge
+  kFaceFade  ///< as kFace, but the picture fades to the next face
 };
 
 /// The player's choice of how the camera moves.

@@ -17,17 +17,24 @@ void GameCamera::setComfort(const CameraComfort& comfort, double zoom) {
   comfort_ = comfort;
   camera_.setComfort(comfort);
   camera_.setZoom(zoom);
+  zooming_ = zooming_ || zoom != zoom_;
+  zoom_ = zoom;
 }
 
 void GameCamera::move(const Pose& player, const std::shared_ptr<const StageModel>& stage, const LookInput& look,
                       double seconds) {
   if (stage_.lock() == stage) {
+    const glm::dvec3 before = camera_.viewPoint().eye;
+    const glm::dquat turned = camera_.viewPoint().orientation;
     camera_.lerp(player, stage->mesh, seconds);
+    const bool cut = camera_.viewPoint().eye != before || camera_.viewPoint().orientation != turned;
+    fadingCut_ = cut && comfort_.view == CameraView::kFaceFade && !zooming_ && !flying();
     flight_.advance(seconds);
   } else {
     begin(player, *stage);
   }
   stage_ = stage;
+  zooming_ = false;
   if (comfort_.reducedMotion) flight_.stop();
   look_.update(look, seconds);
   if (comfort_.instantCut && !look.held) look_.reset();
@@ -52,6 +59,7 @@ ViewPoint GameCamera::flightView(const SolidMesh& mesh) const {
 
 void GameCamera::begin(const Pose& player, const StageModel& stage) {
   look_.reset();
+  fadingCut_ = false;
   flight_.stop();
   const Pose goal = stage.mesh.pose(stage.goal.face, stage.goal.place, stage.goal.angle);
   camera_.set(goal, stage.mesh, camera_.width(), camera_.height());

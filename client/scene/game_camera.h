@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <utility>
 
 #include "client/scene/camera.h"
 #include "client/scene/camera_comfort.h"
@@ -33,6 +34,9 @@ class GameCamera {
   /// Follows `player` for `seconds` ≥ 0. On another stage than before, the camera jumps there.
   void move(const Pose& player, const std::shared_ptr<const StageModel>& stage, const LookInput& look, double seconds);
 
+  /// Whether the last `move` has cut to another view of a camera that stands still and fades, since the last call.
+  bool takeFadingCut() { return std::exchange(fadingCut_, false); }
+
   /// The camera that sees the picture.
   const Camera& camera() const { return camera_; }
 
@@ -45,6 +49,9 @@ class GameCamera {
   NetView net_;  // at the start of the flight
   LookRound look_;
   CameraComfort comfort_;
+  double zoom_ = 1;
+  bool zooming_ = false;  // the zoom has changed since the last move
+  bool fadingCut_ = false;
   bool flights_ = false;
   std::weak_ptr<const StageModel> stage_;  // of the last move
 };

@@ -1,6 +1,9 @@
 #include "client/ui/settings.h"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
+#include <cstddef>
 #include <functional>
 #include <iterator>
 #include <optional>
@@ -11,6 +14,9 @@
 
 namespace platon {
 namespace {
+
+// By CameraView.
+constexpr std::array<std::string_view, 3> kCameraWords{"follow", "face", "face-fade"};
 
 constexpr double kMinTurnSpeed = 1;
 constexpr double kMaxTurnSpeed = 30;
@@ -43,8 +49,9 @@ bool parse(std::string_view value, ControlFrame& frame) {
 }
 
 bool parse(std::string_view value, CameraView& view) {
-  if (value != "follow" && value != "face") return false;
-  view = value == "face" ? CameraView::kFace : CameraView::kFollow;
+  const auto found = std::find(kCameraWords.begin(), kCameraWords.end(), value);
+  if (found == kCameraWords.end()) return false;
+  view = static_cast<CameraView>(found - kCameraWords.begin());
   return true;
 }
 
@@ -67,7 +74,8 @@ std::vector<Entry> entriesOf(Settings& settings) {
   return {
       {"turn-speed", "a number from 1 to 30",
        [&comfort](std::string_view value) { return parse(value, comfort.turnSpeed, kMinTurnSpeed, kMaxTurnSpeed); }},
-      {"camera", "follow or face", [&comfort](std::string_view value) { return parse(value, comfort.view); }},
+      {"camera", "follow, face or face-fade",
+       [&comfort](std::string_view value) { return parse(value, comfort.view); }},
       {"zoom", "a number from 0.5 to 2",
        [&settings](std::string_view value) { return parse(value, settings.zoom, kMinZoom, kMaxZoom); }},
       {"text-size", "a number from 0.75 to 1.75",
@@ -151,7 +159,7 @@ std::string Settings::text() const {
   out << "flashes " << onOff(flashes) << "\n";
   out << "high-contrast " << onOff(highContrast) << "\n";
   out << "controls " << (controls == ControlFrame::kScreen ? "screen" : "player") << "\n";
-  out << "camera " << (comfort.view == CameraView::kFace ? "face" : "follow") << "\n";
+  out << "camera " << kCameraWords.at(static_cast<std::size_t>(comfort.view)) << "\n";
   out << "zoom " << zoom << "\n";
   out << "text-size " << uiScale << "\n";
   out << quality.text();

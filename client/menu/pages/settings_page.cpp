@@ -49,9 +49,12 @@ MenuItem ballItem(const char* name, std::optional<Value>& value, std::uint32_t c
 }
 
 MenuItem cameraItem(CameraView& view) {
-  const bool follows = view == CameraView::kFollow;
-  MenuItem item{MenuItem::Kind::kChoice, "Camera", follows ? "follows you" : "stands still"};
-  item.step = [&view, follows](int) { view = follows ? CameraView::kFace : CameraView::kFollow; };
+  constexpr std::array kNames{"follows you", "stands still, cuts", "stands still, fades"};
+  const auto now = static_cast<std::size_t>(view);
+  MenuItem item{MenuItem::Kind::kChoice, "Camera", kNames.at(now)};
+  item.step = [&view, now, kNames](int direction) {
+    view = static_cast<CameraView>((now + kNames.size() + static_cast<std::size_t>(direction)) % kNames.size());
+  };
   return item;
 }
 

@@ -101,5 +101,24 @@ TEST_F(GameViewTest, OnTheSameStageTheCameraMovesGradually) {
   EXPECT_LT(view.roll(), 0.7);
 }
 
+TEST_F(GameViewTest, ACutThatFadesBeginsWithThePictureBeforeIt) {
+  Settings settings;
+  settings.comfort = {.reducedMotion = true, .view = CameraView::kFaceFade};
+  Settings cuts = settings;
+  cuts.comfort.view = CameraView::kFace;
+  Scene beyond = sceneOf(stage_);
+  beyond.focus = stage_->mesh.pose(3, {0, 0}, 0);
+  GameView view(kWidth, kHeight);
+  GameView cutting(kWidth, kHeight);
+  const auto middle = [](const Image& image) { return pixel(image, {kWidth / 2, kHeight / 2}); };
+  const glm::vec3 before = middle(drawn(view, &scene_, settings));
+  drawn(cutting, &scene_, cuts);
+  const glm::vec3 after = middle(drawn(cutting, &beyond, cuts));
+  ASSERT_GT(glm::distance(before, after), 0.05F);
+  EXPECT_LT(glm::distance(middle(drawn(view, &beyond, settings)), before), 0.02F);
+  EXPECT_LT(glm::distance(middle(drawn(view, &beyond, settings)), (before + after) / 2.0F), 0.02F) << "after 0.1 s";
+  EXPECT_EQ(drawn(view, &beyond, settings), drawn(cutting, &beyond, cuts)) << "after 0.2 s";
+}
+
 }  // namespace
 }  // namespace platon

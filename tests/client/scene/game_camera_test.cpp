@@ -140,5 +140,23 @@ TEST_F(GameCameraTest, TheCameraOfAFaceStandsStill) {
   EXPECT_NEAR(glm::dot(camera_.camera().back(), player_.normal), 1, 1e-9);
 }
 
+TEST_F(GameCameraTest, OnlyTheCameraThatFadesHasFadingCutsAndOnlyAtAnotherView) {
+  for (const CameraView view : {CameraView::kFollow, CameraView::kFace, CameraView::kFaceFade}) {
+    GameCamera camera;
+    camera.resize(1280, 720);
+    camera.setComfort({.reducedMotion = true, .view = view}, 1);
+    const auto cutsAt = [&](const Pose& pose) {
+      camera.move(pose, stage_, {}, kFrame);
+      return camera.takeFadingCut();
+    };
+    EXPECT_FALSE(cutsAt(stage_->mesh.pose(0, {0, 0}, 0))) << "the first view";
+    EXPECT_FALSE(cutsAt(stage_->mesh.pose(0, {100, 0}, 0)));
+    EXPECT_EQ(cutsAt(stage_->mesh.pose(1, {100, 0}, 0)), view == CameraView::kFaceFade);
+    EXPECT_FALSE(camera.takeFadingCut()) << "it was taken";
+    camera.setComfort({.reducedMotion = true, .view = view}, 1.5);
+    EXPECT_FALSE(cutsAt(stage_->mesh.pose(1, {100, 0}, 0))) << "the zoom changes without a fade";
+  }
+}
+
 }  // namespace
 }  // namespace platon

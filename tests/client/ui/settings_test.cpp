@@ -12,7 +12,7 @@ using Lines = std::vector<std::string>;
 
 TEST(Settings, ParsingTheTextGivesTheSameSettings) {
   Settings settings;
-  settings.comfort = {.turnSpeed = 12.5, .instantCut = true, .reducedMotion = true, .view = CameraView::kFace};
+  settings.comfort = {.turnSpeed = 12.5, .instantCut = true, .reducedMotion = true, .view = CameraView::kFaceFade};
   settings.controls = ControlFrame::kScreen;
   settings.zoom = 1.25;
   settings.uiScale = 1.5;
@@ -73,7 +73,7 @@ TEST(Settings, BadValuesAreReported) {
   EXPECT_EQ(parseSettings("volume-effects -1\n").errors, Lines{"line 1: volume-effects" + range});
   EXPECT_EQ(parseSettings("volume-music off\n").errors, Lines{"line 1: volume-music" + range});
   EXPECT_EQ(parseSettings("controls mine\n").errors, Lines{"line 1: controls must be player or screen"});
-  EXPECT_EQ(parseSettings("camera me\n").errors, Lines{"line 1: camera must be follow or face"});
+  EXPECT_EQ(parseSettings("camera me\n").errors, Lines{"line 1: camera must be follow, face or face-fade"});
   EXPECT_EQ(parseSettings("toggle-slow 1\n").errors, Lines{"line 1: toggle-slow must be on or off"});
   EXPECT_EQ(parseSettings("fullscreen yes\n").errors, Lines{"line 1: fullscreen must be on or off"});
 }
