@@ -114,8 +114,9 @@ void Renderer::drawSolid(const Scene& scene, const Camera& camera, const StagePa
     const DecalScope scope;
     stagePainter_.drawBelow(scene, views.outer, decoration, textPainter_);
   }
-  stagePainter_.drawWalls(stage, views.outer);
-  stagePainter_.drawWalls(stage, views.onlyWalls);
+  const glm::uvec2 pixels(target_.sampledWidth(), target_.sampledHeight());
+  stagePainter_.drawWalls(stage, views.outer, pixels);
+  stagePainter_.drawWalls(stage, views.onlyWalls, pixels);
   {
     const DecalScope scope;
     stagePainter_.drawAbove(scene, views.outer, textPainter_);

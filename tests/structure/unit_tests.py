@@ -17,7 +17,6 @@ EXCEPTIONS = {
     "client/gl/gl_loader.cpp": "every test that draws loads OpenGL",
     "client/gl/overlay_painter.cpp": "renderer_test compares its pixels",
     "client/gl/paint/light_map.cpp": "renderer_test compares its pixels",
-    "client/gl/paint/wall_painter.cpp": "renderer_test compares its pixels",
     "client/gl/paint/stage_painter.cpp": "renderer_test compares its pixels",
     "client/play/offscreen/frame_play.cpp": "tests/net/programs runs platon-client",
     "client/play/main.cpp": "tests/net/programs runs platon-client",

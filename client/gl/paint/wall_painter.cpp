@@ -14,10 +14,11 @@ WallPainter::WallPainter() : program_("wall") {
   glBindBuffer(GL_ARRAY_BUFFER, vertices_.name());
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, triangles_.name());
   constexpr GLsizei kSize = sizeof(WallVertex);
-  for (const GLuint attribute : {0U, 1U, 2U}) glEnableVertexAttribArray(attribute);
+  for (const GLuint attribute : {0U, 1U, 2U, 3U}) glEnableVertexAttribArray(attribute);
   glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, kSize, bufferOffset(offsetof(WallVertex, place)));
   glVertexAttribPointer(1, 3, GL_BYTE, GL_TRUE, kSize, bufferOffset(offsetof(WallVertex, normal)));
   glVertexAttribPointer(2, 3, GL_UNSIGNED_BYTE, GL_TRUE, kSize, bufferOffset(offsetof(WallVertex, colour)));
+  glVertexAttribPointer(3, 2, GL_BYTE, GL_TRUE, kSize, bufferOffset(offsetof(WallVertex, aside)));
 }
 
 void WallPainter::load(const WallMesh& mesh) {
@@ -29,15 +30,18 @@ void WallPainter::load(const WallMesh& mesh) {
   glBufferData(GL_ELEMENT_ARRAY_BUFFER, bytes(mesh.triangles), mesh.triangles.data(), GL_STATIC_DRAW);
 }
 
-void WallPainter::draw(const StageModel& stage, std::span<const FaceView> views, bool highContrast) {
+void WallPainter::draw(const StageModel& stage, std::span<const FaceView> views, glm::uvec2 pixels, bool highContrast) {
   glEnable(GL_CULL_FACE);
   glDisable(GL_BLEND);
   glBindVertexArray(array_.name());
   program_.use();
+  program_.set("pixels", glm::vec2(pixels) / 2.0F);
+  program_.set("asideScale", static_cast<float>(127 / WallVertex::kAsideScale));
   for (const FaceView& view : views) {
     const auto face = static_cast<std::size_t>(view.face);
     if (face >= faces_.size() || faces_[face].count == 0) continue;
     program_.set("toClip", view.toClip);
+    program_.set("eye", view.eye);
     program_.set("light", glm::vec3(faceLight(stage.mesh, view.face)));
     program_.set("ground", highContrast ? Colour(1) : stage.faces[face].colour);
     program_.set("lit", litOf(view));

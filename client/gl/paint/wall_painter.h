@@ -17,8 +17,8 @@ class WallPainter {
 
   /// Replaces the walls that are drawn.
   void load(const WallMesh& mesh);
-  /// Draws the walls of these faces.
-  void draw(const StageModel& stage, std::span<const FaceView> views, bool highContrast);
+  /// Draws the walls of these faces into a picture of this size.
+  void draw(const StageModel& stage, std::span<const FaceView> views, glm::uvec2 pixels, bool highContrast);
 
  private:
   ShaderProgram program_;

@@ -1,16 +1,47 @@
 layout(location = 0) in vec3 place;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec3 colour;
+layout(location = 3) in vec2 aside;       // of a corner of a top: the way from the axis of the wall, at any scale
 uniform mat4 toClip;
+uniform vec3 eye;
 uniform vec3 light;
 uniform vec3 ground;      // colour of the face
 uniform float lit;
+uniform vec2 pixels;      // half the size of the picture
+uniform float asideScale; // level units per unit of `aside`
 out vec3 shade;
+
+const float kLeast = 0.52; // half the least width of a top, pixels
+
+// How a point at `clip` moves on the picture when it goes this way on the face.
+vec2 moved(vec4 clip, vec2 way) {
+  vec4 change = toClip * vec4(way, 0, 0);
+  return (change.xy - clip.xy * change.w / clip.w) / clip.w * pixels;
+}
+
+// A top that is seen almost from the side would be thinner than a pixel and break into dashes. It is widened on the
+// picture, and drawn before the side below it.
+vec4 widened(vec4 clip) {
+  vec2 way = aside * asideScale;
+  vec2 along = moved(clip, vec2(-way.y, way.x));
+  vec2 across = vec2(-along.y, along.x) / max(length(along), 1e-6);
+  float wide = dot(moved(clip, way), across);
+  float lack = max(kLeast - abs(wide), 0.0);
+  vec4 nearer = toClip * vec4(place + normalize(eye - place) * (12.0 * lack), 1);
+  clip.z = nearer.z / nearer.w * clip.w;
+  clip.xy += across * (wide < 0.0 ? -lack : lack) / pixels * clip.w;
+  return clip;
+}
+
+// As a top turns away, it comes near to the colour of the sides.
+float brightnessOfTop() { return mix(0.4, 1.0, smoothstep(0.0, 0.12, normalize(eye - place).z)); }
 
 void main() {
   float sun = max(dot(normal, light), 0.0);
-  float top = step(0.9, normal.z);
   vec3 side = mix(ground * 0.80, colour, 0.26 + 0.62 * sun) * (place.z > 0.0 ? 1.0 : 0.70);
-  shade = mix(side, colour, top) * lit;
   gl_Position = toClip * vec4(place, 1);
+  float top = step(0.9, normal.z);
+  if (top > 0.0) top = brightnessOfTop();
+  if (aside != vec2(0)) gl_Position = widened(gl_Position);
+  shade = mix(side, colour, top) * lit;
 }

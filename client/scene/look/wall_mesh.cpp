@@ -10,7 +10,11 @@
 namespace platon {
 namespace {
 
-using Outline = std::vector<glm::dvec2>;  // counter-clockwise
+struct Corner {
+  glm::dvec2 place{0};
+  glm::dvec2 aside{0};  // from the axis of the wall
+};
+using Outline = std::vector<Corner>;  // counter-clockwise
 
 constexpr double kOnEdge = 0.01;  // level units: an end this near to an edge reaches it
 constexpr double kMinArea = 1e-3;
@@ -43,7 +47,8 @@ class WallMeshBuilder {
     for (const glm::dvec2 edge : solid_.edgeNormals()) outline = cut(outline, edge);
     if (areaOf(outline) < kMinArea) return;
     addTop(outline, wall);
-    for (std::size_t i = 0; i < outline.size(); ++i) addSide(outline[i], outline[(i + 1) % outline.size()], wall);
+    for (std::size_t i = 0; i < outline.size(); ++i)
+      addSide(outline[i].place, outline[(i + 1) % outline.size()].place, wall);
   }
 
   WallMesh take() { return std::move(mesh_); }
@@ -76,7 +81,8 @@ class WallMeshBuilder {
          {std::pair(endOf(wall.b, way, wall.halfWidth), way), {endOf(wall.a, -way, wall.halfWidth), -way}}) {
       for (int part = 0; part <= partsOfEnd_; ++part) {
         const double angle = (double{1} * part / partsOfEnd_ - 0.5) * std::numbers::pi;
-        outline.push_back(middle + wall.halfWidth * rotated(outwards, angle));
+        const glm::dvec2 aside = wall.halfWidth * rotated(outwards, angle);
+        outline.push_back({middle + aside, aside});
       }
     }
     return outline;
@@ -87,12 +93,14 @@ class WallMeshBuilder {
     Outline inner;
     const auto beyond = [&](glm::dvec2 point) { return glm::dot(edge, point) - solid_.apothem(); };
     for (std::size_t i = 0; i < outline.size(); ++i) {
-      const glm::dvec2 from = outline[i];
-      const glm::dvec2 to = outline[(i + 1) % outline.size()];
-      const double out = beyond(from);
-      const double next = beyond(to);
+      const Corner& from = outline[i];
+      const Corner& to = outline[(i + 1) % outline.size()];
+      const double out = beyond(from.place);
+      const double next = beyond(to.place);
       if (out <= 0) inner.push_back(from);
-      if ((out < 0 && next > 0) || (out > 0 && next < 0)) inner.push_back(from + (to - from) * (out / (out - next)));
+      const double share = out / (out - next);
+      if ((out < 0 && next > 0) || (out > 0 && next < 0))
+        inner.push_back({glm::mix(from.place, to.place, share), glm::mix(from.aside, to.aside, share)});
     }
     return inner;
   }
@@ -100,8 +108,9 @@ class WallMeshBuilder {
   static double areaOf(const Outline& outline) {
     double twice = 0;
     for (std::size_t i = 0; i < outline.size(); ++i) {
-      const glm::dvec2 next = outline[(i + 1) % outline.size()];
-      twice += outline[i].x * next.y - outline[i].y * next.x;
+      const glm::dvec2 from = outline[i].place;
+      const glm::dvec2 to = outline[(i + 1) % outline.size()].place;
+      twice += from.x * to.y - from.y * to.x;
     }
     return twice / 2;
   }
@@ -122,7 +131,13 @@ class WallMeshBuilder {
 
   void addTop(const Outline& outline, const Wall& wall) {
     const std::size_t first = mesh_.vertices.size();
-    for (const glm::dvec2 point : outline) addVertex(topOf(point, wall.height), {0, 0, 1}, wall.colour);
+    for (const Corner& corner : outline) {
+      addVertex(topOf(corner.place, wall.height), {0, 0, 1}, wall.colour);
+      for (int i = 0; i < 2; ++i) {
+        const double scaled = std::clamp(corner.aside[i] * WallVertex::kAsideScale, -127.0, 127.0);
+        mesh_.vertices.back().aside[static_cast<std::size_t>(i)] = static_cast<std::int8_t>(std::lround(scaled));
+      }
+    }
     for (std::size_t i = 2; i < outline.size(); ++i) addTriangle(first, first + i - 1, first + i);
   }
 
@@ -145,7 +160,9 @@ class WallMeshBuilder {
     const auto shade = [](float value) { return static_cast<std::uint8_t>(std::lround(value * 255)); };
     mesh_.vertices.push_back({glm::vec3(place),
                               {byte(normal.x), byte(normal.y), byte(normal.z), 0},
-                              {shade(colour.r), shade(colour.g), shade(colour.b), 255}});
+                              {shade(colour.r), shade(colour.g), shade(colour.b), 255},
+                              {},
+                              {}});
   }
 
   void addTriangle(std::size_t a, std::size_t b, std::size_t c) {

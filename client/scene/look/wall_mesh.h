@@ -18,6 +18,13 @@ struct WallVertex {
   glm::vec3 place{0};
   std::array<std::int8_t, 4> normal{};   ///< outward, × 127; the last one is 0
   std::array<std::uint8_t, 4> colour{};  ///< sRGB × 255; the last one is 255
+  /// Of a corner of a top: how far it is from the axis of the wall, in the plane of the face: level units ×
+  /// kAsideScale. A painter widens a top that is seen almost from the side, so that it does not break into dashes. 0
+  /// for sides.
+  std::array<std::int8_t, 2> aside{};
+  std::array<std::int8_t, 2> unused{};  ///< keeps vertices aligned
+
+  static constexpr double kAsideScale = 127 / 8.0;
 };
 
 /// The surface of walls as flat triangles, counter-clockwise from outside. The undersides, which lie on the faces, are

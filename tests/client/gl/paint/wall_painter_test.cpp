@@ -1,0 +1,45 @@
+#include "client/gl/paint/wall_painter.h"
+
+#include <algorithm>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "tests/client/gl/render_fixture.h"
+
+namespace platon {
+namespace {
+
+// The least brightness of a top along its axis. Each place counts as bright as the brightest pixel round it.
+double faintest(const Image& image, const std::vector<glm::ivec2>& axis) {
+  double least = 1;
+  for (const glm::ivec2 at : axis) {
+    double most = 0;
+    for (const int x : {-1, 0, 1}) {
+      for (const int y : {-1, 0, 1}) most = std::max(most, brightness(pixel(image, at + glm::ivec2(x, y))));
+    }
+    least = std::min(least, most);
+  }
+  return least;
+}
+
+// Tops that were thinner than a pixel broke into dashes.
+TEST_F(RenderTest, ATopThatIsSeenAlmostFromTheSideHasNoGaps) {
+  const Scene scene = sceneOf(stageOf("HEXAHEDRON", 6, "150 -200 162 200\n"));
+  const SolidMesh& mesh = scene.stage->mesh;
+  camera_.resize(kWidth, kHeight);
+  for (const double scale : {1.0, 0.75}) {
+    renderer_.setQuality({1, scale, true, false});
+    for (const double high : {20.0, 40.0, 80.0, 160.0}) {
+      camera_.place(mesh.toWorld(0, {2000, 0}) + high * mesh.normal(0), mesh.normal(0), mesh);
+      renderer_.draw(scene, camera_, {}, kStill);
+      std::vector<glm::ivec2> axis;
+      for (double along = -190; along <= 190; along += 5)
+        axis.push_back(pixelOfTop(scene, {156 + 0.03 * along, along}));
+      EXPECT_GT(faintest(renderer_.read(), axis), 0.5) << "scale " << scale << ", eye " << high << " above the face";
+    }
+  }
+}
+
+}  // namespace
+}  // namespace platon
