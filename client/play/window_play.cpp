@@ -95,7 +95,9 @@ void WindowPlay::handleEvents() {
   for (const KeyEvent& event : window_.takeKeyEvents()) handle(event);
   for (const PointerEvent& event : window_.takePointerEvents()) {
     replay_ ? replay_->handle(event, view_.screenWidth()) : menu_.handle(event, view_.font());
+    mouseLook_.handle(event);
   }
+  if (menu_.isOpen() || replay_) mouseLook_.release();
   if (window_.takeLostGamepad() && interface_.loseGamepad() && match_ && !replay_) matchPages_.loseGamepad(*match_);
   takeDrops();
   if (interface_.takeGoOn() && match_ && match_->alone() && match_->play().roundOver()) match_->skipLevel();
@@ -288,7 +290,7 @@ void WindowPlay::drawMatch(double seconds) {
   if (scene && match_->leastSpeed() == 1) status.medal = medal(*scene);
   status.underMenu = menu_.isOpen() && !menu_.standsAside();
   view_.setFlights(!menu_.isOpen());
-  view_.look(menu_.isOpen() ? LookInput() : interface_.look());
+  view_.look(menu_.isOpen() ? LookInput() : mouseLook_.take(interface_.look()));
   Settings& settings = interface_.settings();
   const auto draw = [&] {
     view_.draw(scene ? &*scene : nullptr, status, settings, menu_.overlay(view_.font(), true), seconds);

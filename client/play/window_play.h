@@ -23,6 +23,7 @@
 #include "client/play/replay_play.h"
 #include "client/quality/quality_trial.h"
 #include "client/time/clock.h"
+#include "client/ui/controls/mouse_look.h"
 #include "client/ui/hints/new_player_hints.h"
 #include "client/ui/skip_question.h"
 #include "client/ui/spectator.h"
@@ -107,6 +108,7 @@ class WindowPlay {
   std::optional<std::optional<MedalTimes>> medals_;  // of the level, while the player is at its goal
   QualityTrial trial_;
   Steering steering_;
+  MouseLook mouseLook_;
   NewPlayerHints hints_;
   Spectator spectator_;
   SkipQuestion skip_;

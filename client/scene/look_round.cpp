@@ -18,7 +18,7 @@ constexpr double kWholeAngle = 0.7;  // radians from which the whole solid is se
 
 void LookRound::update(const LookInput& input, double seconds) {
   if (input.held) {
-    angles_ += kSpeed * seconds * input.direction;
+    angles_ += kSpeed * seconds * input.direction + input.turn;
     angles_.x = std::remainder(angles_.x, 2 * std::numbers::pi);
     angles_.y = std::clamp(angles_.y, -kMaxUp, kMaxUp);
     return;

@@ -16,7 +16,7 @@ class LookRound {
   static constexpr double kMaxReturn = 5;  ///< radians a second
   static constexpr double kMaxUp = 1.5;    ///< largest angle upwards and downwards, radians
 
-  /// Turns for `seconds` ≥ 0.
+  /// Turns for `seconds` ≥ 0, and by LookInput::turn.
   void update(const LookInput& input, double seconds);
   void reset() { angles_ = glm::dvec2(0); }
 

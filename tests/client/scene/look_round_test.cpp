@@ -75,5 +75,15 @@ TEST(LookRound, WithoutAnglesItChangesNothing) {
   EXPECT_EQ(view.orientation, kView.orientation);
 }
 
+TEST(LookRound, ATurnIsMadeAtOnceWithinTheLimits) {
+  LookRound look;
+  look.update({true, {}, {0.3, -0.2}}, 0);
+  EXPECT_EQ(look.angles(), glm::dvec2(0.3, -0.2));
+  look.update({true, {}, {0, 9}}, 0);
+  EXPECT_EQ(look.angles().y, LookRound::kMaxUp);
+  look.update({}, 5);
+  EXPECT_LT(glm::length(look.angles()), 1e-3) << "it goes back";
+}
+
 }  // namespace
 }  // namespace platon
