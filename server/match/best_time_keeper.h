@@ -21,7 +21,8 @@ class BestTimeKeeper {
   /// The best time of the level with this hash; nothing if nobody has reached its goal.
   virtual std::optional<BestTime> best(std::uint64_t level) const = 0;
   /// A player has reached the goal of the level. Returns whether its time is less than the best one, which it replaces.
-  virtual bool offer(std::uint64_t level, const BestTime& time) = 0;
+  /// `lasts`: otherwise the time ends with the server.
+  virtual bool offer(std::uint64_t level, const BestTime& time, bool lasts) = 0;
 };
 
 }  // namespace platon

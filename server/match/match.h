@@ -36,6 +36,8 @@ struct MatchSettings {
   bool record = false;            ///< record every round
   bool chat = true;               ///< players can talk to each other
   bool waitsForOne = false;  ///< rounds of a player who is alone have no time limit, and the next one starts when asked
+  bool keepsTimesOfOne = false;  ///< only times of attempts in which no more players were connected than the level
+                                 ///< needs outlast the server
   std::uint32_t playersPerOrigin = kMaxPlayers;  ///< players of one origin, disconnected ones included
 };
 
@@ -103,8 +105,10 @@ class Match {
   void updateLevels(std::vector<LevelPointer> levels);
   /// Sets who keeps the best times of the levels; it must outlive the match. Without it, there are none.
   void keepBestTimes(BestTimeKeeper& keeper) { bestTimes_ = &keeper; }
-  /// Whether times may become best times; they may at first. Not: also not in the rest of the present round.
-  void countTimes(bool count);
+  /// Whether times may become best times; they may at first. Not: neither may those of the present attempts.
+  void countTimes(bool count) { countsTimes_ = count; }
+  /// Whether the match has one player, whom its rounds wait for: they have no time limit.
+  bool waits() const { return settings_.waitsForOne && players_.size() <= 1; }
 
   /// `name`: a label; invisible characters are left out.
   void setServerName(std::string_view name);
@@ -180,14 +184,14 @@ class Match {
   void startRound();
   void sendRosters();
   std::vector<Input> decideInputs();
-  bool waits() const { return settings_.waitsForOne && players_.size() <= 1; }
   std::uint32_t pauseTicks() const { return waits() ? 0 : kPauseTicks; }
   bool roundOver() const;
   bool someoneHasFinished() const;
   bool awaits(const MatchPlayer& player) const;
   void finishRound();
   void noteFinishes();
-  bool arrivesInTime(std::uint32_t slot) const;
+  void noteTick();
+  bool arrives(std::uint32_t slot) const;
   VoteCount countVotes();
   void endRound(const std::string& cause);
   void tellNext();
@@ -221,10 +225,12 @@ class Match {
   VoteNotices voteNotices_;
   ChatBudget chatBudget_ = ChatBudget::ofAll();
   BestTimeKeeper* bestTimes_ = nullptr;  // null: none
-  bool countsTimes_ = true;              // in this round
-  bool willCountTimes_ = true;           // in the next round
-  bool bestIsNew_ = false;               // the best time of the level was reached in this round
-  std::vector<ClientId> newcomers_;      // clients that joined or resumed since the last tick
+  bool countsTimes_ = true;
+  std::uint32_t uncountedAt_ = 0;    // last tick of the round in which times did not count; 0: none
+  std::uint32_t sharedAt_ = 0;       // last tick of the round with more players than the level needs; 0: none
+  std::vector<bool> arrived_;        // by slot: at the goal in the tick before the last one
+  bool bestIsNew_ = false;           // the best time of the level was reached in this round
+  std::vector<ClientId> newcomers_;  // clients that joined or resumed since the last tick
   TransferCache transfers_;
   std::function<std::size_t(ClientId)> room_;
   std::function<std::uint32_t(ClientId)> roundTrip_;

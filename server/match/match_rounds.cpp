@@ -59,30 +59,32 @@ void Match::finishRound() {
     sendAll(encode(*count));
 }
 
-void Match::countTimes(bool count) {
-  willCountTimes_ = count;
-  countsTimes_ = countsTimes_ && count;
+// What attempts that run in this tick are worth.
+void Match::noteTick() {
+  if (!countsTimes_) uncountedAt_ = game_.tick();
+  if (settings_.keepsTimesOfOne && players_.size() > std::max(1u, game_.level().players)) sharedAt_ = game_.tick();
 }
 
 // Offers the times of those who have reached the goal in this tick. In the pause, a new best time is told at once.
 void Match::noteFinishes() {
-  if (!bestTimes_ || !countsTimes_) return;
+  noteTick();
   bool isBest = false;
-  for (std::uint32_t slot = 0; slot < game_.slots(); ++slot) {
-    if (!arrivesInTime(slot) || names_.isFree(slot)) continue;
-    const BestTime time{game_.player(slot).finishTicks, names_.shown(slot)};
-    isBest = bestTimes_->offer(rotation_.current()->hash, time) || isBest;
+  for (std::uint32_t slot = 0; bestTimes_ && slot < game_.slots(); ++slot) {
+    const PlayerState& player = game_.player(slot);
+    if (!arrives(slot) || player.startedAt <= uncountedAt_ || names_.isFree(slot)) continue;
+    const BestTime time{game_.tick() - player.startedAt + 1, names_.shown(slot)};
+    if (time.ticks > kMaxBestTicks) continue;
+    isBest = bestTimes_->offer(rotation_.current()->hash, time, player.startedAt > sharedAt_) || isBest;
   }
+  arrived_.assign(game_.slots(), false);
+  for (std::uint32_t slot = 0; slot < game_.slots(); ++slot) arrived_[slot] = game_.player(slot).arrived != 0;
   bestIsNew_ = bestIsNew_ || isBest;
   if (isBest) tellNext();
 }
 
-// Whether a player has reached the goal in the last tick, in its shortest time of this round. In a later tick of the
-// same attempt, more ticks have passed since its start.
-bool Match::arrivesInTime(std::uint32_t slot) const {
-  const PlayerState& player = game_.player(slot);
-  return player.arrived != 0 && player.finishTicks == game_.tick() - player.startedAt + 1 &&
-         player.finishTicks <= kMaxBestTicks;
+// Whether a player has reached the goal in the last tick.
+bool Match::arrives(std::uint32_t slot) const {
+  return game_.player(slot).arrived != 0 && (slot >= arrived_.size() || !arrived_[slot]);
 }
 
 // Connected players that are active.
@@ -163,7 +165,8 @@ void Match::startRound() {
   overAt_.reset();
   finishedAt_.reset();
   bestIsNew_ = false;
-  countsTimes_ = willCountTimes_;
+  uncountedAt_ = sharedAt_ = 0;
+  arrived_.clear();
   voteNotices_.startRound();
   for (auto& [client, player] : players_) player.startRound();
   for (Disconnected& entry : disconnected_) entry.player.startRound();

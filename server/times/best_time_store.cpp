@@ -41,6 +41,7 @@ std::string addBestTimes(const std::string& path, std::string_view text) {
 BestTimeStore::BestTimeStore(Clock clock, const std::string& path, BestTimes times)
     : clock_(std::move(clock)),
       times_(std::move(times)),
+      kept_(times_),
       file_(std::make_unique<FileWriter>(path, FileWriter::startThread, addBestTimes)) {}
 
 std::optional<BestTime> BestTimeStore::best(std::uint64_t level) const {
@@ -48,15 +49,15 @@ std::optional<BestTime> BestTimeStore::best(std::uint64_t level) const {
   return best ? std::optional(best->time) : std::nullopt;
 }
 
-bool BestTimeStore::offer(std::uint64_t level, const BestTime& time) {
+bool BestTimeStore::offer(std::uint64_t level, const BestTime& time, bool lasts) {
   const PlayedLevel played{level, kRulesVersion};
   const DatedTime dated{time, clock_()};
-  if (!times_.offer(played, dated)) return false;
-  if (!file_) return true;
+  const bool isBest = times_.offer(played, dated);
+  if (!file_ || !lasts || !kept_.offer(played, dated)) return isBest;
   if (!file_->pending()) unwritten_ = BestTimes();
   unwritten_.offer(played, dated);
   file_->write(unwritten_.text());
-  return true;
+  return isBest;
 }
 
 std::optional<std::string> BestTimeStore::poll(FileWriter::Time now) { return file_ ? file_->poll(now) : std::nullopt; }

@@ -33,7 +33,7 @@ class BestTimeStore : public BestTimeKeeper {
   BestTimeStore(Clock clock, const std::string& path, BestTimes times);
 
   std::optional<BestTime> best(std::uint64_t level) const override;
-  bool offer(std::uint64_t level, const BestTime& time) override;
+  bool offer(std::uint64_t level, const BestTime& time, bool lasts = true) override;
 
   const BestTimes& times() const { return times_; }
   /// Whether a time is not in the file yet.
@@ -46,6 +46,7 @@ class BestTimeStore : public BestTimeKeeper {
  private:
   Clock clock_;
   BestTimes times_;
+  BestTimes kept_;  // those of them that are in the file, or will be
   BestTimes unwritten_;
   std::unique_ptr<FileWriter> file_;  // null: none
 };

@@ -16,8 +16,9 @@ class KeptTimes : public BestTimeKeeper {
     const auto found = times_.find(level);
     return found == times_.end() ? std::nullopt : std::optional(found->second);
   }
-  bool offer(std::uint64_t level, const BestTime& time) override {
+  bool offer(std::uint64_t level, const BestTime& time, bool lasts) override {
     offered.push_back(time);
+    if (lasts) lasting.push_back(time);
     const auto [place, isNew] = times_.try_emplace(level, time);
     if (!isNew && place->second.ticks <= time.ticks) return false;
     place->second = time;
@@ -25,6 +26,7 @@ class KeptTimes : public BestTimeKeeper {
   }
 
   std::vector<BestTime> offered;
+  std::vector<BestTime> lasting;  // of these
 
  private:
   std::map<std::uint64_t, BestTime> times_;

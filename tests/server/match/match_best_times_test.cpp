@@ -95,8 +95,9 @@ TEST_F(BestTimeOfMatch, OfSeveralAttemptsEachBetterOneIsOffered) {
   EXPECT_EQ(times_.offered.back().ticks, network_.match().game().player(0).finishTicks);
 }
 
-TEST_F(BestTimeOfMatch, ARoundInWhichTimesDidNotCountForAWhileOffersNone) {
-  addRunner("Ann", 30);
+TEST_F(BestTimeOfMatch, AnAttemptInWhichTimesDidNotCountForAWhileIsNotOffered) {
+  addDawdler("Ann", 40);
+  network_.run(40);
   network_.match().countTimes(false);
   network_.run(5);
   network_.match().countTimes(true);
@@ -104,6 +105,39 @@ TEST_F(BestTimeOfMatch, ARoundInWhichTimesDidNotCountForAWhileOffersNone) {
   EXPECT_TRUE(times_.offered.empty());
   playRound();
   EXPECT_EQ(times_.offered.size(), 1u);
+}
+
+TEST_F(BestTimeOfMatch, AnAttemptThatBeginsWhenTimesCountAgainIsOfferedAlsoAfterAShorterOne) {
+  network_.add(FakeClient("Ann", 12, [](std::uint32_t tick) -> int {
+    if (tick == 249) return Input::kRestart;
+    return tick > 258 && tick < 300 ? 0 : +Input::kRight;  // the second attempt pauses
+  }));
+  network_.add(FakeClient("Ben", 12, [](std::uint32_t tick) { return tick / 30 % 2 == 0 ? 0 : +Input::kLeft; }));
+  network_.match().countTimes(false);
+  network_.run(200);
+  network_.match().countTimes(true);
+  network_.run(500);
+  ASSERT_EQ(network_.match().round(), 1u);
+  ASSERT_EQ(times_.offered.size(), 1u);
+  EXPECT_GT(times_.offered[0].ticks, network_.match().game().player(0).finishTicks);
+}
+
+TEST_F(BestTimeOfMatch, OnAServerThatKeepsTimesOfOneThoseWithOthersEndWithIt) {
+  FakeClientNetwork network(
+      Match(LevelRotation({levelOf(shortWayText())}), {.maxPlayers = 4, .serverName = "Test", .keepsTimesOfOne = true}),
+      {.delayMs = kTickMs});
+  KeptTimes times;
+  network.match().keepBestTimes(times);
+  network.add(FakeClient("Ann", 12, [](std::uint32_t tick) { return tick < 30 ? 0 : +Input::kRight; }));
+  network.add(FakeClient("Ben", 12, [](std::uint32_t tick) { return tick / 30 % 2 == 0 ? 0 : +Input::kLeft; }));
+  network.run(40);
+  network.leave(2);  // an attempt that has begun with others is not one alone
+  while (network.match().round() == 1) network.tick();
+  EXPECT_EQ(times.offered.size(), 1u);
+  EXPECT_TRUE(times.lasting.empty());
+  while (network.match().round() == 2) network.tick();
+  EXPECT_EQ(times.offered.size(), 2u);
+  EXPECT_EQ(times.lasting.size(), 1u);
 }
 
 }  // namespace

@@ -44,6 +44,18 @@ TEST_F(BestTimeStoreTest, WithoutAFileTimesEndWithTheStore) {
   EXPECT_EQ(store.finish(), std::nullopt);
 }
 
+TEST_F(BestTimeStoreTest, ATimeThatEndsWithTheServerIsNotInTheFileNorHidesOneThatLasts) {
+  {
+    BestTimeStore store = open();
+    EXPECT_TRUE(store.offer(5, {100, "Ben"}, false));
+    EXPECT_FALSE(store.pending());
+    EXPECT_FALSE(store.offer(5, {110, "Ann"}, true));
+    EXPECT_EQ(store.best(5), (BestTime{100, "Ben"}));
+    EXPECT_EQ(store.finish(), std::nullopt);
+  }
+  EXPECT_EQ(open().best(5), (BestTime{110, "Ann"}));
+}
+
 TEST_F(BestTimeStoreTest, AFileKeepsTheTimesForTheNextStart) {
   {
     BestTimeStore store = open();
