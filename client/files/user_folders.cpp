@@ -33,6 +33,8 @@ std::filesystem::path dataFolder() { return folder("XDG_DATA_HOME", ".local/shar
 
 std::filesystem::path bestTimesFile() { return inData("best_times"); }
 
+std::filesystem::path reachedLevelsFile() { return inData("reached_levels"); }
+
 std::filesystem::path runsFolder() { return inData("runs"); }
 
 std::filesystem::path ghostsFolder() { return inData("ghosts"); }

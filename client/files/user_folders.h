@@ -12,6 +12,8 @@ std::filesystem::path dataFolder();
 
 /// The best times of games on this machine, a file in the data folder. Empty without it.
 std::filesystem::path bestTimesFile();
+/// The levels whose goal the player has reached alone, a file in the data folder. Empty without it.
+std::filesystem::path reachedLevelsFile();
 
 /// The local player's best runs, and those of others that are shown as ghosts, in the data folder. Empty without it.
 std::filesystem::path runsFolder();

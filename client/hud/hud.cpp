@@ -87,7 +87,9 @@ void placePlayers(HudSpace& space, const Scene& scene, const HudStatus& status, 
   const float width = space.screen().x;
   if (status.summary && !status.summary->waits) {
     for (std::size_t rows = kMaxResults + 1; rows-- > 0;) {
-      const auto draw = [&](OverlayWriter& writer) { addResults(writer, scene, *status.summary, font, width, rows); };
+      const auto draw = [&](OverlayWriter& writer) {
+        addResults(writer, scene, *status.summary, status.run, font, width, rows);
+      };
       if (space.add(drawn(font, draw))) return;
     }
     return;

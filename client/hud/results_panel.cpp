@@ -58,7 +58,8 @@ bool showsOwnResult(const Scene& scene, const RoundSummary& summary) {
 
 std::string ownResultOf(const Scene& scene, const RunStatus& run, const std::string& medal) {
   std::string reached = "Goal in " + finishText(scene.attempt->seconds);
-  if (run.speed < 1) return reached + " at " + std::to_string(std::lround(run.speed * 100)) + " % speed, not kept";
+  if (run.speed < 1) return reached + " " + slowedText(run.speed);
+  if (run.tooLong) reached += ", too long to be recorded";
   if (run.isNewBest) reached += run.difference ? " – new best" : " – your first finish";
   if (run.difference) reached += " (" + differenceText(*run.difference) + " s)";
   return medal.empty() ? reached : reached + " · " + medal;
@@ -69,12 +70,14 @@ std::string ownKeysOf(const RoundSummary& summary, const KeyHints& keys, const F
          keys.to(Control::kRestart, "again");
 }
 
-void addResults(OverlayWriter& writer, const Scene& scene, const RoundSummary& summary, const Font& font, float width,
-                std::size_t maxRows) {
+void addResults(OverlayWriter& writer, const Scene& scene, const RoundSummary& summary, const RunStatus& run,
+                const Font& font, float width, std::size_t maxRows) {
   const std::vector<const PlayerDrawing*> players = inOrder(scene);
   const std::size_t rows = std::min(players.size(), maxRows);
   const bool more = players.size() > rows;
   std::vector<std::string> below = wrapText(bestText(summary), font, (kWidth - 2 * kPadding) / kSize);
+  if (run.speed < 1 && scene.attempt && scene.attempt->arrived)
+    below.insert(below.begin(), "Your time: " + slowedText(run.speed));
   const std::size_t bestLines = below.size();
   for (std::string& line : wrapText(nextText(summary, font), font, (kWidth - 2 * kPadding) / kSize))
     below.push_back(std::move(line));

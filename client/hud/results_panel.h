@@ -28,9 +28,9 @@ std::string ownResultOf(const Scene& scene, const RunStatus& run, const std::str
 /// The keys with which it goes on.
 std::string ownKeysOf(const RoundSummary& summary, const KeyHints& keys, const Font& font);
 
-/// Adds the results of a round with others, at the right: names and times in order, the best time of the level, and
-/// what comes next when. At most `maxRows` players are listed; the others are counted.
-void addResults(OverlayWriter& writer, const Scene& scene, const RoundSummary& summary, const Font& font, float width,
-                std::size_t maxRows);
+/// Adds the results of a round with others, at the right: names and times in order, whether the own time is not kept,
+/// the best time of the level, and what comes next when. At most `maxRows` players are listed; the others are counted.
+void addResults(OverlayWriter& writer, const Scene& scene, const RoundSummary& summary, const RunStatus& run,
+                const Font& font, float width, std::size_t maxRows);
 
 }  // namespace platon

@@ -58,16 +58,6 @@ std::vector<ShippedLevel> loadShippedLevels() {
   return levels;
 }
 
-std::vector<std::uint64_t> shippedHashes() {
-  std::vector<std::uint64_t> hashes;
-  try {
-    for (const ShippedLevel& level : loadShippedLevels()) hashes.push_back(level.level->hash);
-  } catch (const ProgramError&) {
-    hashes.clear();
-  }
-  return hashes;
-}
-
 std::map<std::string, std::uint32_t> parseWayTimes(const std::string& text) {
   std::map<std::string, std::uint32_t> times;
   std::istringstream lines(text);
@@ -86,13 +76,15 @@ LevelEntry entryOf(const ShippedLevel& level) {
   return entry;
 }
 
-std::vector<LevelEntry> entriesOf(const std::vector<ShippedLevel>& levels, const std::string& bestTimes) {
+std::vector<LevelEntry> entriesOf(const std::vector<ShippedLevel>& levels, const std::string& bestTimes,
+                                  const ReachedLevels& reached) {
   const BestTimes times = timesIn(bestTimes);
   std::vector<LevelEntry> entries;
   for (const ShippedLevel& each : levels) {
     entries.push_back(entryOf(each));
     const DatedTime* const best = times.find({each.level->hash, kRulesVersion});
     if (best != nullptr) entries.back().bestTicks = best->time.ticks;
+    entries.back().reached = best != nullptr || reached.has(each.level->hash);
   }
   return entries;
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "client/lobby/reached_levels.h"
 #include "client/menu/pages/levels_page.h"
 #include "platon/game/level.h"
 
@@ -21,9 +22,6 @@ struct ShippedLevel {
 /// The levels that come with the game, by solid, and on each solid in their order. Throws ProgramError.
 std::vector<ShippedLevel> loadShippedLevels();
 
-/// Hashes of the levels that come with the game; none if they cannot be read.
-std::vector<std::uint64_t> shippedHashes();
-
 /// The ticks of the recorded easy ways to the goals, from the text of `levels/way_times`: lines with the name of a
 /// level file, without its extension, and a number. Other lines are left out.
 std::map<std::string, std::uint32_t> parseWayTimes(const std::string& text);
@@ -31,8 +29,9 @@ std::map<std::string, std::uint32_t> parseWayTimes(const std::string& text);
 /// What the list of levels shows of a level, without a time.
 LevelEntry entryOf(const ShippedLevel& level);
 
-/// What the list of levels shows of these levels, with the times of a file of best times. A file that cannot be read
-/// has none.
-std::vector<LevelEntry> entriesOf(const std::vector<ShippedLevel>& levels, const std::string& bestTimes);
+/// What the list of levels shows of these levels, with the times of a file of best times, and with the levels whose
+/// goal was reached. A file that cannot be read has none.
+std::vector<LevelEntry> entriesOf(const std::vector<ShippedLevel>& levels, const std::string& bestTimes,
+                                  const ReachedLevels& reached);
 
 }  // namespace platon

@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "client/files/user_folders.h"
+#include "client/replay/same_level.h"
 #include "protocol/files/bounded_folder.h"
 #include "protocol/files/text_file.h"
 #include "protocol/program_error.h"
@@ -57,7 +58,7 @@ FrontPages::FrontPages(Menu& menu, Settings& settings, RecentServers recent, Cal
 
 void FrontPages::load() {
   if (levels_.empty()) levels_ = loadShippedLevels();
-  entries_ = entriesOf(levels_, bestTimesFile().string());
+  entries_ = entriesOf(levels_, bestTimesFile().string(), ReachedLevels(reachedLevelsFile()));
 }
 
 void FrontPages::showTitle() {
@@ -86,7 +87,7 @@ MenuPage FrontPages::titlePage() {
 // The first level for one player whose goal the player has not reached yet; else the first one.
 std::size_t FrontPages::nextLevel() const {
   const auto open = std::find_if(entries_.begin(), entries_.end(),
-                                 [](const LevelEntry& entry) { return entry.players == 1 && !entry.bestTicks; });
+                                 [](const LevelEntry& entry) { return entry.players == 1 && !entry.reached; });
   return open == entries_.end() ? 0 : static_cast<std::size_t>(open - entries_.begin());
 }
 
@@ -99,7 +100,7 @@ std::shared_ptr<const Level> FrontPages::shownLevel() {
 
 std::optional<std::size_t> FrontPages::shippedIndexOf(const Level& level) const {
   const auto shipped = std::find_if(levels_.begin(), levels_.end(),
-                                    [&](const ShippedLevel& each) { return each.level->hash == level.hash; });
+                                    [&](const ShippedLevel& each) { return isSameLevel(*each.level, level); });
   if (shipped == levels_.end()) return std::nullopt;
   return static_cast<std::size_t>(shipped - levels_.begin());
 }
@@ -222,6 +223,7 @@ void FrontPages::host() {
   choice.own.levels = filesFrom(hostForm_.level);
   if (hostForm_.onlyLevel) choice.own.levels.resize(1);
   choice.own.listens = true;
+  choice.own.waitsForOne = true;
   choice.own.port = *port;
   choice.own.password = hostForm_.password.text();
   choice.own.maxPlayers = static_cast<std::uint32_t>(std::lround(hostForm_.players));

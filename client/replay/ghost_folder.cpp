@@ -7,6 +7,7 @@
 
 #include "client/replay/replay_file.h"
 #include "client/replay/run_store.h"
+#include "client/replay/same_level.h"
 #include "client/replay/track_file.h"
 #include "client/ui/player_rows.h"
 #include "platon/game/game.h"
@@ -43,14 +44,14 @@ Ghost makeGhost(const fs::path& file, RunTrack track) {
   return {name, std::make_shared<RunTrack>(std::move(track))};
 }
 
-std::vector<Ghost> ghostsIn(const fs::path& folder, std::uint64_t level, std::size_t count,
+std::vector<Ghost> ghostsIn(const fs::path& folder, const Level& level, std::size_t count,
                             std::vector<std::string>& faults) {
   std::vector<Ghost> ghosts;
   if (folder.empty()) return ghosts;
   for (const fs::path& file : filesOf(folder)) {
     if (ghosts.size() == count) break;
     const std::optional<RecordingHead> head = readRecordingHeadOf(file);
-    if (!head || !head->level || head->level->hash != level) continue;
+    if (!head || !head->level || !isSameLevel(*head->level, level)) continue;
     auto track = readTrack(file);
     if (auto* fault = std::get_if<std::string>(&track)) {
       faults.push_back(std::move(*fault));

@@ -28,7 +28,7 @@ Ghost makeGhost(const std::filesystem::path& file, RunTrack track);
 
 /// The runs on this level in a folder, of the first `count` files by name; the ghost has the name of its file. Adds to
 /// `faults` a sentence for each recording on this level that cannot be a ghost.
-std::vector<Ghost> ghostsIn(const std::filesystem::path& folder, std::uint64_t level, std::size_t count,
+std::vector<Ghost> ghostsIn(const std::filesystem::path& folder, const Level& level, std::size_t count,
                             std::vector<std::string>& faults);
 
 }  // namespace platon

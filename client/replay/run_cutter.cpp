@@ -75,7 +75,7 @@ void RunCutter::followOwn(Input input, const Own& own) {
 void RunCutter::followGroup(std::span<const Input> inputs, const Game& game) {
   if (!start_) return;
   groupInputs_.emplace_back(inputs.begin(), inputs.end());
-  if (groupInputs_.size() < kMinGroupTicks || (hasStarted(game) && groupInputs_.size() < kMaxTicks)) return;
+  if (groupInputs_.size() < kMinGroupTicks || (hasStarted(game) && groupInputs_.size() < kMaxGroupTicks)) return;
   start_ = game;
   groupInputs_.clear();
 }

@@ -17,6 +17,9 @@ class RunCutter {
  public:
   /// Ticks between the checkpoints of a run's recording.
   static constexpr std::uint32_t kCheckpointTicks = 600;
+  /// Longest attempt of one player that is recorded, with the rest before it: 30 min. Its inputs and its recording are
+  /// bounded by that, and so is the time to play it once.
+  static constexpr std::size_t kMaxTicks = 30 * 60 * kTicksPerSecond;
 
   /// Goes on with another game, whose past is not known.
   void begin(const Game& game, std::uint32_t slot);
@@ -27,9 +30,9 @@ class RunCutter {
   std::optional<Run> cut(const Game& game) const;
 
  private:
-  static constexpr std::size_t kMaxTicks = 2 * kRoundTicks;  // of an attempt with the rest before it
-  static constexpr std::uint32_t kMaxRest = 600;             // ticks of rest that `begin` looks back over
-  static constexpr std::size_t kMinGroupTicks = 60;          // the start of the group's game is set at most so often
+  static constexpr std::size_t kMaxGroupTicks = 2 * kRoundTicks;  // as kMaxTicks, of several players
+  static constexpr std::uint32_t kMaxRest = 600;                  // ticks of rest that `begin` looks back over
+  static constexpr std::size_t kMinGroupTicks = 60;  // the start of the group's game is set at most so often
 
   // The local player after a tick.
   struct Own {

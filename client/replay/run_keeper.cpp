@@ -3,6 +3,7 @@
 #include <variant>
 
 #include "client/replay/replay_file.h"
+#include "client/replay/same_level.h"
 #include "client/replay/track_file.h"
 #include "client/ui/player_rows.h"
 
@@ -27,10 +28,9 @@ std::optional<RunTrack> trackIn(const std::vector<std::uint8_t>& recording) {
 
 void RunKeeper::began(const Game& confirmed, std::uint32_t slot) {
   slot_ = slot;
-  counts_ = willCount_;
   tick_ = confirmed.tick();
   cutter_.begin(confirmed, slot);
-  if (level_ != confirmed.level().hash) load(confirmed.level().hash);
+  if (!level_ || !isSameLevel(*level_, confirmed.level())) load(confirmed.sharedLevel());
   beginAttempt();
 }
 
@@ -39,32 +39,32 @@ void RunKeeper::countRuns(bool count) {
   counts_ = counts_ && count;
 }
 
-void RunKeeper::load(std::uint64_t level) {
-  level_ = level;
+void RunKeeper::load(std::shared_ptr<const Level> level) {
+  level_ = std::move(level);
   takeTrack();  // of the level before
-  best_ = readBest(level);
+  best_ = readBest();
   bestTicks_ = best_ ? std::optional(best_->track->ticks) : std::nullopt;
-  others_ = ghostsIn(ghostFolder_, level, kMaxOthers, faults_);
-  addRival(level);
+  others_ = ghostsIn(ghostFolder_, *level_, kMaxOthers, faults_);
+  addRival();
 }
 
 // It may be among the others, or the best run.
-void RunKeeper::addRival(std::uint64_t level) {
+void RunKeeper::addRival() {
   const std::optional<RecordingHead> head = rivalFile_.empty() ? std::nullopt : readRecordingHeadOf(rivalFile_);
-  if (!head || !head->level || head->level->hash != level) return;
-  const std::optional<StoredRun> stored = store().best(level);
+  if (!head || !head->level || !isSameLevel(*head->level, *level_)) return;
+  const std::optional<StoredRun> stored = store().best(*level_);
   if (stored && stored->file == rivalFile_) return;
-  auto track = readTrack(rivalFile_, level);
+  auto track = readTrack(rivalFile_, level_.get());
   if (auto* fault = std::get_if<std::string>(&track)) return faults_.push_back(std::move(*fault));
   Ghost rival = makeGhost(rivalFile_, std::get<RunTrack>(std::move(track)));
   std::erase_if(others_, [&](const Ghost& other) { return other.name == rival.name; });
   others_.insert(others_.begin(), std::move(rival));
 }
 
-std::optional<Ghost> RunKeeper::readBest(std::uint64_t level) {
-  const std::optional<StoredRun> stored = store().best(level);
+std::optional<Ghost> RunKeeper::readBest() {
+  const std::optional<StoredRun> stored = store().best(*level_);
   if (!stored) return std::nullopt;
-  auto track = readTrack(stored->file, level);
+  auto track = readTrack(stored->file, level_.get());
   if (auto* run = std::get_if<RunTrack>(&track)) return ghostOf(std::move(*run));
   faults_.push_back(std::get<std::string>(std::move(track)));
   return std::nullopt;
@@ -82,7 +82,8 @@ void RunKeeper::beginAttempt() {
   visits_ = FaceVisits();
   rival_ = best_;
   difference_.reset();
-  isNewBest_ = false;
+  isNewBest_ = tooLong_ = false;
+  counts_ = willCount_;
 }
 
 void RunKeeper::advanced(std::span<const Input> inputs, const Game& confirmed) {
@@ -116,6 +117,7 @@ void RunKeeper::arrive(const Game& game, std::uint32_t ticks) {
     differenceUntil_ = UINT32_MAX;
   }
   if (!counts_ || (bestTicks_ && *bestTicks_ <= ticks)) return;
+  tooLong_ = ticks > RunCutter::kMaxTicks;
   std::optional<Run> run = cutter_.cut(game);
   if (!run) return;
   isNewBest_ = true;
@@ -139,18 +141,17 @@ RunStatus RunKeeper::status() const {
   if (bestTicks_) status.best = secondsOf(*bestTicks_);
   if (difference_ && tick_ < differenceUntil_) status.difference = secondsOf(static_cast<double>(*difference_));
   status.isNewBest = isNewBest_;
+  status.tooLong = tooLong_;
   return status;
 }
 
 std::vector<GhostSource> RunKeeper::ghostsAt(const Game& game, std::uint32_t slot, double fraction) const {
   std::vector<GhostSource> ghosts;
   const bool runs = slot < game.slots() && game.player(slot).startedAt != 0;
-  if (!runs || game.level().hash != level_) return ghosts;
+  if (!runs || !level_ || !isSameLevel(game.level(), *level_)) return ghosts;
   const std::uint32_t ticks = game.tick() - game.player(slot).startedAt + 1;
-  // Hashes of levels can be forged: a recording of another solid would name faces that this one does not have.
   const auto add = [&](const Ghost& ghost, bool isBest) {
-    if (ghost.track->solid == game.level().solid)
-      ghosts.push_back({ghost.track->at(ticks, fraction), ghost.name, isBest});
+    ghosts.push_back({ghost.track->at(ticks, fraction), ghost.name, isBest});
   };
   if (rival_) add(*rival_, true);
   for (const Ghost& other : others_) add(other, false);

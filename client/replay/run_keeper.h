@@ -37,7 +37,7 @@ class RunKeeper : public ConfirmedObserver {
   void began(const Game& confirmed, std::uint32_t slot) override;
   void advanced(std::span<const Input> inputs, const Game& confirmed) override;
 
-  /// Whether attempts may become the best run; they may at first. Not: also not in the rest of the present round.
+  /// Whether attempts may become the best run; they may at first. Not: neither may the present one.
   void countRuns(bool count);
 
   /// How the attempt compares with the best run.
@@ -52,9 +52,9 @@ class RunKeeper : public ConfirmedObserver {
   const RunStore& store();
 
  private:
-  void load(std::uint64_t level);
-  std::optional<Ghost> readBest(std::uint64_t level);
-  void addRival(std::uint64_t level);
+  void load(std::shared_ptr<const Level> level);
+  std::optional<Ghost> readBest();
+  void addRival();
   void beginAttempt();
   void takeTrack();
   void observe(const Game& game, const PlayerState& player);
@@ -66,7 +66,7 @@ class RunKeeper : public ConfirmedObserver {
   std::filesystem::path rivalFile_;
   RunCutter cutter_;
   std::uint32_t slot_ = 0;
-  std::optional<std::uint64_t> level_;  // hash, of best_ and others_
+  std::shared_ptr<const Level> level_;  // of best_ and others_; null: none
   std::optional<Ghost> best_;
   std::optional<std::uint32_t> bestTicks_;         // its time; ahead of best_ while a thread plays a new one
   std::future<std::optional<RunTrack>> tracking_;  // of a new best run, for best_
@@ -81,9 +81,10 @@ class RunKeeper : public ConfirmedObserver {
   std::optional<std::int64_t> difference_;  // ticks, to rival_
   std::uint32_t differenceUntil_ = 0;       // tick
   bool isNewBest_ = false;
+  bool tooLong_ = false;  // it would be the best run, if it could be recorded
+  bool counts_ = true;
 
-  bool counts_ = true;     // in this round
-  bool willCount_ = true;  // in the next round
+  bool willCount_ = true;  // the next attempt
 };
 
 }  // namespace platon

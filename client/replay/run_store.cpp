@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "client/replay/replay_file.h"
+#include "client/replay/same_level.h"
 #include "client/ui/player_rows.h"
 #include "platon/game/game.h"
 #include "protocol/files/bounded_folder.h"
@@ -75,13 +76,19 @@ std::vector<StoredRun> RunStore::all() const {
   return runs;
 }
 
-std::optional<StoredRun> RunStore::best(std::uint64_t level) const {
-  std::optional<StoredRun> best;
+std::optional<StoredRun> RunStore::best(const Level& level) const {
+  std::vector<StoredRun> runs;
   for (const StoredRun& run : all()) {
-    if (run.level != level || run.rules != kRulesVersion) continue;
-    if (!best || run.ticks < best->ticks) best = run;
+    const fs::path folder = run.file.parent_path();
+    const bool seen = folder == folder_ || folder == keepFolder();
+    if (seen && run.level == level.hash && run.rules == kRulesVersion) runs.push_back(run);
   }
-  return best;
+  std::stable_sort(runs.begin(), runs.end(), [](const auto& a, const auto& b) { return a.ticks < b.ticks; });
+  const auto best = std::find_if(runs.begin(), runs.end(), [&](const StoredRun& run) {
+    const std::optional<RecordingHead> head = readRecordingHeadOf(run.file);
+    return !head || !head->level || isSameLevel(*head->level, level);
+  });
+  return best == runs.end() ? std::nullopt : std::optional(*best);
 }
 
 std::vector<ListedRun> RunStore::list() const {
@@ -90,7 +97,8 @@ std::vector<ListedRun> RunStore::list() const {
   for (const StoredRun& run : all()) {
     const auto place = std::pair(run.ticks, entries.size());
     entries.push_back(listed(run));
-    if (run.rules != kRulesVersion || !entries.back().note.empty()) continue;
+    const bool isOwn = run.file.parent_path() == folder_;
+    if (!isOwn || run.rules != kRulesVersion || !entries.back().note.empty()) continue;
     const auto known = best.try_emplace(run.level, place).first;
     known->second = std::min(known->second, place);
   }
@@ -98,22 +106,12 @@ std::vector<ListedRun> RunStore::list() const {
   return entries;
 }
 
-bool RunStore::isOwn(std::uint64_t level) const {
-  const std::vector<std::uint64_t>& own = server_.ownLevels;
-  return server_.folder.empty() || std::find(own.begin(), own.end(), level) != own.end();
-}
-
-fs::path RunStore::folderFor(std::uint64_t level) const {
-  return isOwn(level) ? folder_ : serversFolder() / server_.folder;
-}
-
-// The new file is there before the old one goes, so at any time there is a best run. A run in the folder of a server
-// replaces none elsewhere, where it would have been safe from that server.
+// The new file is there before the old one goes, so at any time there is a best run.
 std::string RunStore::keep(const Run& run) {
   if (folder_.empty()) return {};
   if (run.recording.size() > kMaxRunBytes) return "its recording is too large";
   std::error_code ignored;
-  const fs::path folder = folderFor(run.level->hash);
+  const fs::path folder = keepFolder();
   fs::create_directories(folder, ignored);  // writing reports the error
   const fs::path file = folder / fileNameOf(run.level->hash, run.ticks);
   const std::string fault =
@@ -121,7 +119,7 @@ std::string RunStore::keep(const Run& run) {
   if (!fault.empty()) return file.string() + ": " + fault;
   for (const StoredRun& old : all()) {
     const bool replaced = old.level == run.level->hash && old.rules == kRulesVersion && old.ticks > run.ticks;
-    if (replaced && (isOwn(old.level) || old.file.parent_path() == folder)) fs::remove(old.file, ignored);
+    if (replaced && old.file.parent_path() == folder) fs::remove(old.file, ignored);
   }
   limit();
   return {};
@@ -129,9 +127,8 @@ std::string RunStore::keep(const Run& run) {
 
 void RunStore::limit() const {
   removeOldest(newestFiles(folder_, Subfolders::kWithout, hasNameOfRun), kMaxRuns, kMaxBytes);
-  if (server_.folder.empty()) return;
-  const fs::path folder = serversFolder() / server_.folder;
-  removeOldest(newestFiles(folder, Subfolders::kWithout, hasNameOfRun), kMaxServerRuns, kMaxServerBytes);
+  if (server_.empty()) return;
+  removeOldest(newestFiles(keepFolder(), Subfolders::kWithout, hasNameOfRun), kMaxServerRuns, kMaxServerBytes);
   limitServers();
 }
 

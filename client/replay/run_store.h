@@ -31,7 +31,7 @@ struct ListedRun {
   std::uint32_t rules = 0;  ///< version of the rules
   std::string note;         ///< why it cannot be played; empty: it can
   std::string who{};        ///< whose it is; empty: the player's own
-  bool isBest = false;      ///< the shortest one of a level by the present rules
+  bool isBest = false;      ///< the shortest one of own games on a level by the present rules
 };
 
 /// Whether a file has a name that a RunStore gives to runs.
@@ -40,18 +40,12 @@ bool hasNameOfRun(const std::filesystem::path& file);
 /// The date of a file as ListedRun shows it.
 std::string dateText(std::filesystem::file_time_type date);
 
-/// Whose levels are played, for a RunStore.
-struct RunServer {
-  std::string folder{};                    ///< name of a folder for the server; empty: it is the player's own
-  std::vector<std::uint64_t> ownLevels{};  ///< hashes of levels whose runs are kept as those of the player's own games
-};
-
 /// The best run on each level by each version of the rules: a folder with one recording each, whose name is the hash of
 /// the level, the version of the rules and the ticks. A file that is copied here counts like the others. A folder that
 /// cannot be read or written keeps nothing.
 ///
-/// Runs on the levels of other servers are in a folder for each server, `servers/NAME`, with bounds of their own, so
-/// that a server with hundreds of levels cannot push out the runs of the player's own games, nor those of others.
+/// Runs on other servers are in a folder for each server, `servers/NAME`, with bounds of their own: a server decides
+/// which inputs count, so its runs neither push out nor replace those of the player's own games, nor those on others.
 class RunStore {
  public:
   /// Bounds of the runs of own games; the runs that were written longest ago are removed.
@@ -68,28 +62,30 @@ class RunStore {
   /// Name of the file of a run by the present rules on a level with this hash.
   static std::string fileNameOf(std::uint64_t level, std::uint32_t ticks);
 
-  /// An empty path: nothing is kept.
-  explicit RunStore(std::filesystem::path folder, RunServer server = {})
+  /// An empty path: nothing is kept. `server`: name of a folder for the server on which runs are played; empty: it is
+  /// the player's own.
+  explicit RunStore(std::filesystem::path folder, std::string server = {})
       : folder_(std::move(folder)), server_(std::move(server)) {}
 
-  /// The best run on a level by the present rules, by its name; the recording may turn out to be damaged.
-  std::optional<StoredRun> best(std::uint64_t level) const;
+  /// The best run on a level by the present rules, of the player's own games and on this server, by its name; the
+  /// recording may turn out to be damaged.
+  std::optional<StoredRun> best(const Level& level) const;
   /// Keeps a run as the best one, in place of slower ones. Returns why that failed, or an empty text.
   std::string keep(const Run& run);
-  /// All runs, newest first, older rules included.
+  /// All runs on all servers, newest first, older rules included.
   std::vector<StoredRun> all() const;
   /// All runs, newest first, for a list.
   std::vector<ListedRun> list() const;
 
  private:
-  bool isOwn(std::uint64_t level) const;
   std::filesystem::path serversFolder() const { return folder_ / "servers"; }
-  std::filesystem::path folderFor(std::uint64_t level) const;
+  /// Where the runs of this server are.
+  std::filesystem::path keepFolder() const { return server_.empty() ? folder_ : serversFolder() / server_; }
   void limit() const;
   void limitServers() const;
 
   std::filesystem::path folder_;
-  RunServer server_;
+  std::string server_;
 };
 
 }  // namespace platon

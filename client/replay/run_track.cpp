@@ -42,7 +42,6 @@ std::optional<RunTrack> trackOf(const Replay& replay) {
   const std::optional<std::uint32_t> slot = runnerOf(replay.gameAfter(replay.ticks() - 1), end);
   if (!slot) return std::nullopt;
   RunTrack track;
-  track.solid = replay.level()->solid;
   track.ticks = end.tick() - end.player(*slot).startedAt + 1;
   if (track.ticks > replay.ticks()) return std::nullopt;
   const std::uint32_t first = replay.ticks() - track.ticks;

@@ -30,7 +30,6 @@ class FaceVisits {
 /// Where the player of a run was in every tick, and the splits. The run of a recording is that of the player who
 /// touches the goal in its last tick; of several, of the one in the first slot.
 struct RunTrack {
-  SolidKind solid = SolidKind::kHexahedron;
   std::uint32_t ticks = 0;             ///< time of the attempt, as the game counts it
   std::vector<PlayerSnapshot> places;  ///< after so many ticks of the attempt: 0 … ticks
   std::vector<Split> splits;           ///< in order

@@ -4,14 +4,16 @@
 #include <utility>
 
 #include "client/replay/replay_file.h"
+#include "client/replay/same_level.h"
 
 namespace platon {
 
-std::variant<RunTrack, std::string> readTrack(const std::filesystem::path& file, std::optional<std::uint64_t> level) {
+std::variant<RunTrack, std::string> readTrack(const std::filesystem::path& file, const Level* level) {
   const auto read = readReplay(file);
   if (const auto* fault = std::get_if<std::string>(&read)) return *fault;
   const Replay& replay = *std::get<std::shared_ptr<const Replay>>(read);
-  if (level && replay.level()->hash != *level) return file.string() + ": is a recording of another level";
+  if (level != nullptr && !isSameLevel(*replay.level(), *level))
+    return file.string() + ": is a recording of another level";
   std::optional<RunTrack> track = trackOf(replay);
   if (!track) return file.string() + ": is no run: it does not end with a player at the goal";
   return std::move(*track);

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <variant>
 
@@ -10,9 +8,8 @@
 
 namespace platon {
 
-/// Reads the run of a recording from a file, and plays it once, or says in one sentence why it is none. `level`: hash
-/// of the level that it must be on; nothing: any.
-std::variant<RunTrack, std::string> readTrack(const std::filesystem::path& file,
-                                              std::optional<std::uint64_t> level = std::nullopt);
+/// Reads the run of a recording from a file, and plays it once, or says in one sentence why it is none. `level`: that
+/// it must be on; null: any.
+std::variant<RunTrack, std::string> readTrack(const std::filesystem::path& file, const Level* level = nullptr);
 
 }  // namespace platon

@@ -15,7 +15,9 @@ constexpr float kRowHeight = 36;
 // The best time of the round, unless there is a best run, which counts more.
 std::string bestTextOf(const Scene& scene, const RunStatus& run) {
   const auto& [seconds, arrived] = *scene.attempt;
+  if (arrived && run.speed < 1) return slowedText(run.speed);
   if (arrived && run.isNewBest) return "new personal best";
+  if (arrived && run.tooLong) return "too long to be recorded";
   if (run.best) return "personal best " + finishText(*run.best);
   const std::optional<double> best = scene.players.back().finishSeconds;
   return best && !(arrived && *best == seconds) ? "best " + finishText(*best) : "";
@@ -29,6 +31,8 @@ std::string differenceText(double seconds) {
   const std::string sign = hundredths > 0 ? "+" : hundredths < 0 ? "−" : "±";
   return sign + std::to_string(magnitude / 100) + (magnitude % 100 < 10 ? ".0" : ".") + std::to_string(magnitude % 100);
 }
+
+std::string slowedText(double speed) { return "at " + std::to_string(std::lround(speed * 100)) + " % speed, not kept"; }
 
 void addRunTimer(OverlayWriter& writer, const Scene& scene, const RunStatus& run, glm::vec2 place) {
   if (!scene.attempt) return;

@@ -13,11 +13,15 @@ struct RunStatus {
   std::optional<double> best{};        ///< seconds of the best run; nothing: there is none
   std::optional<double> difference{};  ///< seconds to the best run so far, negative: faster; nothing: not to be shown
   bool isNewBest = false;              ///< this attempt has reached the goal as the best run
-  double speed = 1;                    ///< of the game; less than 1: times of this round are not kept
+  bool tooLong = false;                ///< it would be the best run, but is longer than any that is recorded
+  double speed = 1;                    ///< the least of the attempt; less than 1: its time is not kept
 };
 
 /// A difference of times with its sign: `+0.32`, `−1.05`, `±0.00`.
 std::string differenceText(double seconds);
+
+/// What is told of a time that was reached at less than full speed: `at 50 % speed, not kept`.
+std::string slowedText(double speed);
 
 /// The time of the local player's attempt, beside it the difference, and below it the best time. In a round without a
 /// time limit it is the only clock. `place`: left end and middle of the first row. Nothing without a local player.

@@ -45,6 +45,7 @@ Medal medalOf(const LevelEntry& level) {
 
 std::string factsOf(const LevelEntry& level) {
   std::string facts = level.players > 1 ? level.solid : "";
+  if (!level.bestTicks && level.reached) return facts + (facts.empty() ? "" : "   ") + "✓";
   if (!level.bestTicks) return facts;
   const std::string best = finishText(double{1} * *level.bestTicks / kTicksPerSecond);
   return facts + (facts.empty() ? "" : "   ") + (level.medals ? starsOf(medalOf(level)) : "★") + " " + best;

@@ -19,6 +19,7 @@ struct LevelEntry {
   std::uint32_t players = 1;                 ///< that it needs
   std::optional<std::uint32_t> bestTicks{};  ///< nothing: no time of this player's own games
   std::optional<MedalTimes> medals{};        ///< nothing: the level has none
+  bool reached = false;                      ///< this player has reached its goal alone, with a time or slowed
 };
 
 /// The list of the levels for one player, by solid, and below them those for several. `choose` gets the index of a

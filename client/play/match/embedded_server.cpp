@@ -26,8 +26,29 @@ namespace {
 constexpr const char* kLoopback = "127.0.0.1";
 constexpr const char* kAllAddresses = "::";
 
+// The levels that come with the game; none if they cannot be read.
+std::vector<LevelPointer> levelsOfTheGame() {
+  try {
+    return loadLevelFiles(shippedLevelFiles()).levels;
+  } catch (const ProgramError&) {
+    return {};
+  }
+}
+
+// Hashes can be forged: such a level would take over the times and runs of a level of the game.
+void refuseForged(const std::vector<std::string>& files, const std::vector<LevelPointer>& levels) {
+  for (const LevelPointer& ours : levelsOfTheGame()) {
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+      if (levels[i]->hash == ours->hash && levels[i]->text != ours->text)
+        throw ProgramError(ProgramError::kLevel,
+                           files[i] + ": error: has the hash of a level of the game; change its text");
+    }
+  }
+}
+
 std::vector<LevelPointer> load(const std::vector<std::string>& files) {
   LoadedLevels loaded = loadLevelFiles(files);
+  refuseForged(files, loaded.levels);
   for (const std::string& warning : loaded.warnings) std::fprintf(stderr, "%s\n", warning.c_str());
   return std::move(loaded.levels);
 }
@@ -55,6 +76,7 @@ ServerSettings serverSettings(const EmbeddedSettings& wanted) {
   settings.match.serverName = "Platon";
   settings.match.maxPlayers = wanted.maxPlayers;
   settings.match.waitsForOne = wanted.waitsForOne;
+  settings.match.keepsTimesOfOne = true;
   Log log = silentLog();
   if (wanted.listens) settings.identity = loadIdentity("", log);
   return settings;
@@ -88,6 +110,7 @@ struct EmbeddedServer::Running {
     server.match().countTimes(timesCount);
     if (nextAsked.exchange(false)) server.match().startNextRound();
     players = server.match().players();
+    waits = server.match().waits();
     return stop;
   }
 
@@ -108,6 +131,7 @@ struct EmbeddedServer::Running {
   std::atomic<bool> nextAsked{false};
   std::atomic<bool> timesCount{true};
   std::atomic<std::size_t> players{0};
+  std::atomic<bool> waits{false};
   std::thread thread;  // last: uses the members above from its start
 };
 
@@ -125,6 +149,8 @@ EmbeddedServer::~EmbeddedServer() = default;
 ServerAddress EmbeddedServer::address() const { return {kLoopback, running_->server.port()}; }
 
 std::size_t EmbeddedServer::players() const { return running_->players; }
+
+bool EmbeddedServer::waits() const { return running_->waits; }
 
 void EmbeddedServer::countTimes(bool count) { running_->timesCount = count; }
 

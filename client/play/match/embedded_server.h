@@ -40,6 +40,8 @@ class EmbeddedServer {
   CryptoKey identity() const;
   /// Number of connected players.
   std::size_t players() const;
+  /// Whether rounds have no time limit (Match::waits).
+  bool waits() const;
   /// Whether times may become best times (Match::countTimes).
   void countTimes(bool count);
   /// Starts the next level at once.

@@ -1,13 +1,36 @@
 #include "client/play/match/live_match.h"
 
-#include <algorithm>
+#include <cstdio>
 
+#include "client/files/user_folders.h"
 #include "client/lobby/own_addresses.h"
 
 namespace platon {
+namespace {
+
+// What the demonstration reaches is nothing that the user has reached.
+std::filesystem::path reachedFileOf(const ClientOptions& options) {
+  return options.demo ? std::filesystem::path() : reachedLevelsFile();
+}
+
+const Round* roundOf(const MatchPlay& play) {
+  return play.client().session() == nullptr ? nullptr : play.client().session()->round();
+}
+
+// The player of this program in the confirmed game; null if it has none.
+const PlayerState* localPlayer(const Round& round) {
+  const Prediction& prediction = round.prediction();
+  const Game& game = prediction.confirmed();
+  return prediction.slot() < game.slots() ? &game.player(prediction.slot()) : nullptr;
+}
+
+}  // namespace
 
 LiveMatch::LiveMatch(const ClientOptions& options, const MatchChoice& choice, const Clock& clock)
-    : choice_(choice), clock_(clock), time_(std::make_shared<PausableClock>(clock.now)) {
+    : choice_(choice),
+      clock_(clock),
+      reached_(reachedFileOf(options)),
+      time_(std::make_shared<PausableClock>(clock.now)) {
   ClientOptions joined = options;
   joined.server = choice.server;
   joined.knowledge = {};
@@ -24,6 +47,16 @@ void LiveMatch::update(bool wantsPause, const Controls& controls) {
   play_->setTimed(!waits());
   applySpeed();
   play_->update(now(), controls);
+  noteGoal();
+}
+
+// Also an attempt whose time does not count has reached the goal.
+void LiveMatch::noteGoal() {
+  const Round* const round = roundOf(*play_);
+  const PlayerState* const player = round == nullptr ? nullptr : localPlayer(*round);
+  if (player == nullptr || player->arrived == 0 || !alone()) return;
+  const std::string fault = reached_.add(round->prediction().confirmed().level().hash);
+  if (!fault.empty()) std::fprintf(stderr, "platon-client: %s\n", fault.c_str());
 }
 
 void LiveMatch::setSpeed(double speed) { speed_ = speed; }
@@ -31,10 +64,9 @@ void LiveMatch::setSpeed(double speed) { speed_ = speed; }
 // What counts is told before the time runs slower.
 void LiveMatch::applySpeed() {
   const double speed = alone() ? speed_ : 1;
-  const Session* const session = play_->client().session();
-  const std::uint32_t round = session != nullptr && session->round() != nullptr ? session->round()->id() : round_;
-  leastSpeed_ = round == round_ ? std::min(leastSpeed_, speed) : speed;
-  round_ = round;
+  const Round* const round = roundOf(*play_);
+  const PlayerState* const player = round == nullptr ? nullptr : localPlayer(*round);
+  if (player != nullptr) attempt_.observe(round->id(), *player, speed);
   if (server_) server_->countTimes(speed == 1);
   play_->countRuns(speed == 1);
   time_->setSpeed(speed);
@@ -42,8 +74,10 @@ void LiveMatch::applySpeed() {
 
 void LiveMatch::skipLevel() {
   if (!alone()) return play_->toggleVote();
-  if (asked_ != round_) server_->startNextLevel();  // it takes a while; a second press would skip the level after it
-  asked_ = round_;
+  const Round* const round = roundOf(*play_);
+  const std::uint32_t present = round == nullptr ? 0 : round->id();
+  if (asked_ != present) server_->startNextLevel();  // it takes a while; a second press would skip the level after it
+  asked_ = present;
 }
 
 void LiveMatch::leave() {

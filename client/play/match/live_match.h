@@ -6,8 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "client/lobby/reached_levels.h"
 #include "client/net/server_address.h"
 #include "client/play/client_options.h"
+#include "client/play/match/attempt_speed.h"
 #include "client/play/match/embedded_server.h"
 #include "client/play/match/match_play.h"
 #include "client/time/clock.h"
@@ -34,16 +36,16 @@ class LiveMatch {
   /// `wantsPause`: the match pauses as far as nobody else plays in it.
   void update(bool wantsPause, const Controls& controls);
   /// From now on, while nobody else plays on the server in this program, the game runs at this speed, 0.5 … 1. The
-  /// times and runs of a round in which it was less than 1 count for nothing.
+  /// time and the run of an attempt in which it was less than 1 count for nothing.
   void setSpeed(double speed);
-  /// The least speed of the present round.
-  double leastSpeed() const { return leastSpeed_; }
+  /// The least speed of the present attempt.
+  double leastSpeed() const { return attempt_.least(); }
   /// Whether the game stands still.
   bool paused() const { return time_->paused(); }
   /// Whether the server is in this program and nobody else plays on it.
   bool alone() const { return server_ && server_->players() <= 1; }
-  /// Whether a player who is alone has all the time it wants, and starts the next level itself.
-  bool waits() const { return alone() && choice_.own.waitsForOne; }
+  /// Whether a player who is alone has all the time it wants, and starts the next level itself: the server decides it.
+  bool waits() const { return server_ && server_->waits(); }
   /// Time of the match: stands still in a pause.
   Moment now() const { return time_->now(); }
   /// Leads to the next level: at once for a player who is alone, else by a vote, or taking it back.
@@ -61,12 +63,13 @@ class LiveMatch {
 
  private:
   void applySpeed();
+  void noteGoal();
 
   MatchChoice choice_;
   Clock clock_;
   double speed_ = 1;  // that is wanted
-  double leastSpeed_ = 1;
-  std::uint32_t round_ = 0;             // of leastSpeed_
+  AttemptSpeed attempt_;
+  ReachedLevels reached_;
   std::optional<std::uint32_t> asked_;  // the round whose end the player who is alone has asked for
   std::shared_ptr<PausableClock> time_;
   std::optional<EmbeddedServer> server_;

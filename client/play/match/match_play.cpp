@@ -9,7 +9,6 @@
 #include "client/files/level_cache.h"
 #include "client/files/server_file_name.h"
 #include "client/files/user_folders.h"
-#include "client/lobby/shipped_levels.h"
 #include "client/session/farewell.h"
 #include "client/ui/player_rows.h"
 
@@ -26,9 +25,8 @@ std::filesystem::path desyncFolder() {
 std::shared_ptr<RunKeeper> runKeeper(const ClientOptions& options, const std::filesystem::path& rival) {
   using Path = std::filesystem::path;
   if (options.demo) return std::make_shared<RunKeeper>(RunStore(Path()), Path());
-  RunServer server;
-  if (options.server) server = {serverFileName(*options.server), shippedHashes()};
-  return std::make_shared<RunKeeper>(RunStore(runsFolder(), std::move(server)), ghostsFolder(), rival);
+  const std::string server = options.server ? serverFileName(*options.server) : std::string();
+  return std::make_shared<RunKeeper>(RunStore(runsFolder(), server), ghostsFolder(), rival);
 }
 
 // Empty for the embedded server: it ends with the program, so no token is stored.
@@ -145,7 +143,7 @@ std::shared_ptr<const Level> MatchPlay::level() const {
 std::filesystem::path MatchPlay::bestRun() const {
   const std::shared_ptr<const Level> played = level();
   if (!played) return {};
-  const std::optional<StoredRun> run = runs_->store().best(played->hash);
+  const std::optional<StoredRun> run = runs_->store().best(*played);
   return run ? run->file : std::filesystem::path();
 }
 

@@ -54,7 +54,7 @@ class MatchPlay {
   void setTimed(bool timed) { sceneFeed_.setTimed(timed); }
   /// Whether the server has ended the round.
   bool roundOver() const { return client_.session() != nullptr && client_.session()->roundEnd() != nullptr; }
-  /// Whether runs may be kept (RunKeeper::countRuns).
+  /// Whether attempts may be kept (RunKeeper::countRuns).
   void countRuns(bool count) { runs_->countRuns(count); }
   /// Whether the local player wishes the next level.
   bool wishesNext() const { return client_.session() != nullptr && client_.session()->wishesNext(); }

@@ -26,9 +26,9 @@ Scene sceneOf(int players) {
   return scene;
 }
 
-Overlay panelOf(const Scene& scene, const RoundSummary& summary) {
+Overlay panelOf(const Scene& scene, const RoundSummary& summary, const RunStatus& run = {}) {
   OverlayWriter writer(font());
-  addResults(writer, scene, summary, font(), kWidth, 8);
+  addResults(writer, scene, summary, run, font(), kWidth, 8);
   return writer.take();
 }
 
@@ -125,6 +125,20 @@ TEST(ResultsPanel, TellsThatASlowedGameIsNotKept) {
   Scene scene = sceneOf(1);
   scene.attempt = {12.34, true};
   EXPECT_EQ(ownResultOf(scene, {.speed = 0.75}, ""), "Goal in 12.34 s at 75 % speed, not kept");
+}
+
+TEST(ResultsPanel, AlsoTheResultsOfARoundWithATimeLimitTellIt) {
+  Scene scene = sceneOf(1);
+  scene.attempt = {12.34, true};
+  EXPECT_EQ(linesOf(panelOf(scene, {.nextTitle = "Corners"}, {.speed = 0.75})),
+            (std::vector<std::string>{"Time is up", "Name1 | –", "Your time: at 75 % speed, not kept",
+                                      "Nobody has reached the goal yet", "Next level: Corners"}));
+}
+
+TEST(ResultsPanel, TellsThatARunIsTooLongToBeRecorded) {
+  Scene scene = sceneOf(1);
+  scene.attempt = {2000, true};
+  EXPECT_EQ(ownResultOf(scene, {.tooLong = true}, ""), "Goal in 2000.00 s, too long to be recorded");
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ namespace {
 TEST(ShippedLevels, TheLevelsOfASolidFollowEachOther) {
   std::set<std::string> done;
   std::string solid;
-  for (const LevelEntry& entry : entriesOf(loadShippedLevels(), "")) {
+  for (const LevelEntry& entry : entriesOf(loadShippedLevels(), "", ReachedLevels({}))) {
     const bool begins = entry.solid != solid;
     EXPECT_TRUE(!begins || done.insert(entry.solid).second) << entry.title;
     solid = entry.solid;
@@ -37,11 +37,23 @@ TEST(ShippedLevels, HaveTheBestTimesOfThePresentRules) {
   const TemporaryFolder folder;
   const std::string file = folder / "best_times";
   writeText(file, std::string(hash) + " " + std::to_string(kRulesVersion) + " 90 2026-12-01T18:00:00Z Ann\n");
-  const std::vector<LevelEntry> entries = entriesOf(levels, file);
+  const std::vector<LevelEntry> entries = entriesOf(levels, file, ReachedLevels({}));
   EXPECT_EQ(entries[2].bestTicks, 90U);
+  EXPECT_TRUE(entries[2].reached) << "by a program that kept times alone";
   EXPECT_FALSE(entries[1].bestTicks);
   writeText(file, "damaged\n");
-  EXPECT_FALSE(entriesOf(levels, file)[2].bestTicks);
+  EXPECT_FALSE(entriesOf(levels, file, ReachedLevels({}))[2].bestTicks);
+}
+
+TEST(ShippedLevels, AreReachedWithATimeOrWithoutOne) {
+  const std::vector<ShippedLevel> levels = loadShippedLevels();
+  const TemporaryFolder folder;
+  ReachedLevels reached(folder / "reached");
+  reached.add(levels[1].level->hash);
+  const std::vector<LevelEntry> entries = entriesOf(levels, "", reached);
+  EXPECT_FALSE(entries[0].reached);
+  EXPECT_TRUE(entries[1].reached);
+  EXPECT_FALSE(entries[1].bestTicks);
 }
 
 TEST(ShippedLevels, TheTimesOfWaysAreReadFromTheirTable) {

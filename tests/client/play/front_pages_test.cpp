@@ -68,6 +68,21 @@ TEST_F(FrontPagesTest, PlayStartsTheFirstLevelAndTheOthersFollow) {
   EXPECT_NE(started_->own.levels.front().find("01_run_and_jump"), std::string::npos);
 }
 
+TEST_F(FrontPagesTest, WhoAlwaysPlaysSlowedAdvancesToTheNextLevel) {
+  const std::vector<ShippedLevel> levels = loadShippedLevels();
+  ReachedLevels(reachedLevelsFile()).add(levels[0].level->hash);
+  pages_.showTitle();
+  tap(Key::kEnter);
+  ASSERT_TRUE(started_);
+  EXPECT_EQ(started_->own.levels.front(), levels[1].file);
+}
+
+TEST_F(FrontPagesTest, ALevelWithTheHashOfOneOfTheGameHasNoMedals) {
+  auto forged = std::make_shared<Level>(*loadShippedLevels().front().level);
+  forged->text += "# another";
+  EXPECT_FALSE(pages_.medalsOf(forged));
+}
+
 TEST_F(FrontPagesTest, LevelsStartsTheChosenOneAndShowsItBesideTheList) {
   tap(Key::kArrowDown);
   tap(Key::kEnter);
@@ -143,6 +158,16 @@ TEST_F(FrontPagesTest, AskedForAPasswordThePlayerEntersIt) {
   EXPECT_FALSE(started_->password.empty());
   pages_.askPassword({"host", 12}, true);
   EXPECT_TRUE(shows("The password is wrong."));
+}
+
+TEST_F(FrontPagesTest, WhoHostsHasAllTheTimeItWantsWhileItIsAlone) {
+  tap(Key::kArrowDown, 3);
+  tap(Key::kEnter);
+  tap(Key::kArrowDown, 5);
+  tap(Key::kEnter);
+  ASSERT_TRUE(started_);
+  EXPECT_TRUE(started_->own.listens);
+  EXPECT_TRUE(started_->own.waitsForOne);
 }
 
 TEST_F(FrontPagesTest, HostListensAtAPort) {

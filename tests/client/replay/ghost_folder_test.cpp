@@ -24,7 +24,7 @@ class GhostFolderTest : public testing::Test {
   }
   std::vector<Ghost> ghosts() {
     faults_.clear();
-    return ghostsIn(folder_.path(), followed_.game.level().hash, 3, faults_);
+    return ghostsIn(folder_.path(), followed_.game.level(), 3, faults_);
   }
 
   const TemporaryFolder folder_;
@@ -68,8 +68,8 @@ TEST_F(GhostFolderTest, ANameThatCannotBeShownIsLeftOut) {
 }
 
 TEST_F(GhostFolderTest, WithoutAFolderThereAreNone) {
-  EXPECT_TRUE(ghostsIn({}, 1, 3, faults_).empty());
-  EXPECT_TRUE(ghostsIn(folder_ / "missing", 1, 3, faults_).empty());
+  EXPECT_TRUE(ghostsIn({}, followed_.game.level(), 3, faults_).empty());
+  EXPECT_TRUE(ghostsIn(folder_ / "missing", followed_.game.level(), 3, faults_).empty());
   EXPECT_TRUE(faults_.empty());
 }
 

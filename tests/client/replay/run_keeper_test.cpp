@@ -50,8 +50,8 @@ TEST_F(RunKeeperTest, TheFirstRunIsTheBestAndIsKept) {
   EXPECT_TRUE(keeper_.status().isNewBest);
   EXPECT_EQ(keeper_.status().best, seconds(ticks));
   EXPECT_FALSE(keeper_.status().difference) << "there was none before";
-  ASSERT_TRUE(keeper_.store().best(game_.level().hash));
-  EXPECT_EQ(keeper_.store().best(game_.level().hash)->ticks, ticks);
+  ASSERT_TRUE(keeper_.store().best(game_.level()));
+  EXPECT_EQ(keeper_.store().best(game_.level())->ticks, ticks);
   RunKeeper next(RunStore(folder_ / "runs"), {});
   next.began(Game(edgeLevel()), 0);
   EXPECT_EQ(next.status().best, seconds(ticks));
@@ -65,7 +65,7 @@ TEST_F(RunKeeperTest, ASlowerRunIsNotKept) {
   EXPECT_FALSE(keeper_.status().isNewBest);
   EXPECT_EQ(keeper_.status().best, seconds(best));
   EXPECT_EQ(keeper_.status().difference, seconds(std::int64_t{slow} - best));
-  EXPECT_EQ(keeper_.store().best(game_.level().hash)->ticks, best);
+  EXPECT_EQ(keeper_.store().best(game_.level())->ticks, best);
   hold(1, Input::kRestart);
   EXPECT_FALSE(keeper_.status().difference);
 }
@@ -83,7 +83,7 @@ TEST_F(RunKeeperTest, AFasterRunReplacesIt) {
 TEST_F(RunKeeperTest, TheDifferenceAtASplitIsShownForTwoSeconds) {
   begin();
   attempt(40, 0);
-  const auto best = trackOf(*replayOf(readBytes(keeper_.store().best(game_.level().hash)->file)));
+  const auto best = trackOf(*replayOf(readBytes(keeper_.store().best(game_.level())->file)));
   ASSERT_TRUE(best);
   ASSERT_EQ(best->splits.size(), 1U);
   hold(1, Input::kRestart);
@@ -103,7 +103,7 @@ TEST_F(RunKeeperTest, TheGhostRunsInTimeWithTheAttempt) {
   begin();
   EXPECT_TRUE(keeper_.ghostsAt(game_, 0, 1).empty());
   attempt(40, 0);
-  const auto best = trackOf(*replayOf(readBytes(keeper_.store().best(game_.level().hash)->file)));
+  const auto best = trackOf(*replayOf(readBytes(keeper_.store().best(game_.level())->file)));
   hold(1, Input::kRestart);
   hold(77, 0);
   EXPECT_TRUE(keeper_.ghostsAt(game_, 0, 1).empty()) << "waits for the first input";
@@ -130,7 +130,7 @@ TEST_F(RunKeeperTest, TheGhostOfAnAttemptStaysThatOfItsBeginning) {
 TEST_F(RunKeeperTest, OthersAreGhostsToo) {
   begin();
   attempt(40, 0);
-  const auto bytes = readBytes(keeper_.store().best(game_.level().hash)->file);
+  const auto bytes = readBytes(keeper_.store().best(game_.level())->file);
   std::filesystem::create_directories(folder_ / "ghosts");
   for (const char* const name : {"a", "b", "c", "d"}) {
     writeText(folder_ / "ghosts" / name, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
@@ -150,7 +150,7 @@ TEST_F(RunKeeperTest, OthersAreGhostsToo) {
 TEST_F(RunKeeperTest, TheRivalIsAGhostOnceOnItsLevel) {
   begin();
   attempt(40, 0);
-  const std::filesystem::path best = keeper_.store().best(game_.level().hash)->file;
+  const std::filesystem::path best = keeper_.store().best(game_.level())->file;
   std::filesystem::copy_file(best, folder_ / "Anna.recording");
   const auto ghostsWith = [&](const std::filesystem::path& rival) {
     RunKeeper next(RunStore(folder_ / "runs"), {}, rival);
@@ -182,7 +182,7 @@ TEST_F(RunKeeperTest, AnotherLevelHasAnotherBestRun) {
 TEST_F(RunKeeperTest, ADamagedBestRunIsNamedAndDoesNotCount) {
   begin();
   attempt(40, 0);
-  const std::filesystem::path file = keeper_.store().best(game_.level().hash)->file;
+  const std::filesystem::path file = keeper_.store().best(game_.level())->file;
   writeText(file, "damaged");
   RunKeeper next(RunStore(folder_ / "runs"), {});
   next.began(Game(edgeLevel()), 0);
@@ -193,17 +193,37 @@ TEST_F(RunKeeperTest, ADamagedBestRunIsNamedAndDoesNotCount) {
   EXPECT_TRUE(next.takeFaults().empty());
 }
 
-TEST_F(RunKeeperTest, ARoundInWhichRunsDidNotCountForAWhileKeepsNone) {
+TEST_F(RunKeeperTest, AnAttemptInWhichRunsDidNotCountForAWhileIsNotKept) {
   begin();
+  hold(1, Input::kRestart);
+  hold(20, Input::kRight);
   keeper_.countRuns(false);
   keeper_.countRuns(true);
-  attempt(40, 0);
+  for (int i = 0; i < 1000 && game_.player(0).arrived == 0; ++i) hold(1, Input::kRight);
+  ASSERT_NE(game_.player(0).arrived, 0);
   EXPECT_FALSE(keeper_.status().isNewBest);
-  EXPECT_FALSE(keeper_.store().best(game_.level().hash));
-  game_ = Game(edgeLevel());
+  EXPECT_FALSE(keeper_.store().best(game_.level()));
+  attempt(40, Input::kWalk);
+  EXPECT_TRUE(keeper_.status().isNewBest) << "an attempt begun when runs count again";
+  EXPECT_TRUE(keeper_.store().best(game_.level()));
+}
+
+TEST_F(RunKeeperTest, ALevelWithTheHashOfAnotherHasNoneOfItsRuns) {
   begin();
   attempt(40, 0);
-  EXPECT_TRUE(keeper_.store().best(game_.level().hash));
+  ASSERT_TRUE(keeper_.store().best(game_.level()));
+  auto forged = std::make_shared<Level>(*edgeLevel("1 100 -190"));
+  forged->hash = game_.level().hash;
+  std::filesystem::create_directories(folder_ / "ghosts");
+  std::filesystem::copy_file(keeper_.store().best(game_.level())->file, folder_ / "ghosts/Anna.recording");
+  RunKeeper next(RunStore(folder_ / "runs"), folder_ / "ghosts", folder_ / "ghosts/Anna.recording");
+  Game game(forged);
+  next.began(game, 0);
+  EXPECT_FALSE(next.status().best);
+  const std::vector<Input> right{{Input::kPresent | Input::kRight}};
+  game.advance(right);
+  next.advanced(right, game);
+  EXPECT_TRUE(next.ghostsAt(game, 0, 1).empty());
 }
 
 }  // namespace

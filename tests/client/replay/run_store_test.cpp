@@ -43,12 +43,12 @@ TEST_F(RunStoreTest, KeepsTheBestRunInOneFile) {
   const auto slow = runOf(Input::kWalk);
   const auto fast = runOf();
   ASSERT_LT(fast.ticks, slow.ticks);
-  EXPECT_FALSE(store_.best(slow.level->hash));
+  EXPECT_FALSE(store_.best(*slow.level));
   EXPECT_EQ(store_.keep(slow), "");
-  EXPECT_EQ(store_.best(slow.level->hash)->ticks, slow.ticks);
+  EXPECT_EQ(store_.best(*slow.level)->ticks, slow.ticks);
   EXPECT_EQ(store_.keep(fast), "");
   EXPECT_EQ(files(), 1U);
-  const StoredRun best = store_.best(slow.level->hash).value();
+  const StoredRun best = store_.best(*slow.level).value();
   EXPECT_EQ(best.ticks, fast.ticks);
   EXPECT_EQ(best.rules, kRulesVersion);
   EXPECT_EQ(readBytes(best.file), fast.recording);
@@ -59,13 +59,13 @@ TEST_F(RunStoreTest, OfTwoRunsOfALevelTheShorterCounts) {
   const auto fast = runOf();
   store_.keep(fast);
   store_.keep(slow);  // of another program that had read the folder before
-  EXPECT_EQ(store_.best(slow.level->hash)->ticks, fast.ticks);
+  EXPECT_EQ(store_.best(*slow.level)->ticks, fast.ticks);
 }
 
 TEST_F(RunStoreTest, RunsOfOlderRulesAreKeptAndSaySo) {
   const auto run = runOf();
   store_.keep(run);
-  const std::string name = store_.best(run.level->hash)->file.filename().string();
+  const std::string name = store_.best(*run.level)->file.filename().string();
   const std::string rules = "-" + std::to_string(kRulesVersion) + "-";
   std::string older = name;
   older.replace(older.find(rules), rules.size(), "-" + std::to_string(kRulesVersion - 1) + "-");
@@ -73,7 +73,7 @@ TEST_F(RunStoreTest, RunsOfOlderRulesAreKeptAndSaySo) {
   const auto bytes = asOfOlderRules(run.recording, *run.level);
   writeText(path_ / older, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   store_.keep(run);
-  EXPECT_EQ(store_.best(run.level->hash)->ticks, run.ticks) << "not that of older rules";
+  EXPECT_EQ(store_.best(*run.level)->ticks, run.ticks) << "not that of older rules";
   EXPECT_EQ(files(), 2U);
   fs::last_write_time(path_ / older, fs::file_time_type::clock::now() - std::chrono::hours(48));
   const std::vector<ListedRun> list = store_.list();
@@ -88,7 +88,7 @@ TEST_F(RunStoreTest, RunsOfOlderRulesAreKeptAndSaySo) {
 TEST_F(RunStoreTest, TheListShowsLevelTimeAndDate) {
   const auto run = runOf();
   store_.keep(run);
-  const fs::path file = store_.best(run.level->hash)->file;
+  const fs::path file = store_.best(*run.level)->file;
   const auto noon = std::chrono::sys_days(std::chrono::year(2026) / 2 / 28) + std::chrono::seconds(12 * 3600);
   fs::last_write_time(file, std::chrono::file_clock::from_sys(noon));
   const std::vector<ListedRun> list = store_.list();
@@ -122,7 +122,7 @@ TEST_F(RunStoreTest, TheOldestOfTooManyIsRemoved) {
   }
   store_.keep(run);
   EXPECT_EQ(store_.all().size(), RunStore::kMaxRuns);
-  EXPECT_TRUE(store_.best(run.level->hash));
+  EXPECT_TRUE(store_.best(*run.level));
   EXPECT_FALSE(fs::exists(path_ / "0000000000000511-7-5.recording"));
   EXPECT_TRUE(fs::exists(path_ / "0000000000000510-7-5.recording"));
 }
@@ -156,29 +156,40 @@ TEST_F(RunStoreTest, AServerCannotPushOutRunsOfOwnGamesNorOfOtherServers) {
   old("servers/friend/" + RunStore::fileNameOf(2, 5), 9000);
   for (std::uint64_t i = 0; i < RunStore::kMaxRuns; ++i)
     old("servers/hostile/" + RunStore::fileNameOf(1000 + i, 5), i + 1);
-  RunStore hostile(path_, {"hostile", {}});
+  RunStore hostile(path_, "hostile");
   EXPECT_EQ(hostile.keep(run), "");
   EXPECT_TRUE(fs::exists(path_ / "servers/hostile" / name));
   EXPECT_EQ(store_.all().size(), RunStore::kMaxServerRuns + 2);
-  EXPECT_TRUE(store_.best(1));
-  EXPECT_TRUE(store_.best(2));
-  EXPECT_EQ(store_.best(run.level->hash)->ticks, run.ticks);
+  EXPECT_TRUE(fs::exists(path_ / RunStore::fileNameOf(1, 5)));
+  EXPECT_TRUE(fs::exists(path_ / "servers/friend" / RunStore::fileNameOf(2, 5)));
+  EXPECT_EQ(hostile.best(*run.level)->ticks, run.ticks);
 }
 
-TEST_F(RunStoreTest, ARunOnALevelOfTheGameIsTheOwnAlsoOnAServer) {
+TEST_F(RunStoreTest, ARunOnAServerIsTheBestOnlyThere) {
   const auto slow = runOf(Input::kWalk);
   const auto fast = runOf();
-  RunStore other(path_, {"other", {}});
-  RunStore known(path_, {"known", {slow.level->hash}});
-  other.keep(slow);
-  known.keep(fast);
-  ASSERT_EQ(store_.all().size(), 1U) << "the slower one is not needed any more";
-  EXPECT_EQ(store_.all()[0].file.parent_path(), path_);
+  RunStore server(path_, "server");
+  server.keep(fast);
+  EXPECT_FALSE(store_.best(*fast.level)) << "the server may have fed its inputs";
+  store_.keep(slow);
+  EXPECT_EQ(store_.best(*slow.level)->ticks, slow.ticks);
+  EXPECT_EQ(server.best(*slow.level)->ticks, fast.ticks);
+  EXPECT_EQ(RunStore(path_, "other").best(*slow.level)->ticks, slow.ticks);
+  for (const ListedRun& run : store_.list()) EXPECT_EQ(run.isBest, run.file.parent_path() == path_) << run.file;
+}
+
+TEST_F(RunStoreTest, ARunOnAnotherLevelWithTheSameHashIsNotTheBest) {
+  const auto run = runOf();
+  auto forged = std::make_shared<Level>(*run.level);
+  forged->text += "# another";
+  store_.keep(run);
+  EXPECT_TRUE(store_.best(*run.level));
+  EXPECT_FALSE(store_.best(*forged));
 }
 
 TEST_F(RunStoreTest, ARunOnAServerReplacesNoneOfOwnGames) {
   store_.keep(runOf(Input::kWalk));
-  RunStore server(path_, {"server", {}});
+  RunStore server(path_, "server");
   server.keep(runOf());
   EXPECT_EQ(store_.all().size(), 2U);
 }
@@ -191,7 +202,7 @@ TEST_F(RunStoreTest, TheServersOfLongAgoAreRemoved) {
     fs::last_write_time(folder / RunStore::fileNameOf(1, 5),
                         fs::file_time_type::clock::now() - std::chrono::hours(i + 1));
   }
-  RunStore server(path_, {"new", {}});
+  RunStore server(path_, "new");
   server.keep(runOf());
   EXPECT_TRUE(fs::exists(path_ / "servers/new"));
   EXPECT_TRUE(fs::exists(path_ / "servers" / std::to_string(RunStore::kMaxServers - 2)));

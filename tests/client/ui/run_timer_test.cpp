@@ -65,6 +65,12 @@ TEST(RunTimer, WithoutATimeLimitTheOwnTimeIsTheClock) {
   EXPECT_EQ(textsOf(scene, {.best = 3, .isNewBest = true}), (Texts{"★  Goal in 3.00 s", "new personal best"}));
 }
 
+TEST(RunTimer, TellsAtTheGoalWhyTheRunIsNotKept) {
+  EXPECT_EQ(textsOf(sceneOf(3, true), {.best = 2.5, .speed = 0.5}),
+            (Texts{"★  Goal in 3.00 s", "at 50 % speed, not kept"}));
+  EXPECT_EQ(textsOf(sceneOf(3, true), {.tooLong = true}), (Texts{"★  Goal in 3.00 s", "too long to be recorded"}));
+}
+
 TEST(RunTimer, WithoutALocalPlayerThereIsNone) { EXPECT_EQ(textsOf(Scene(), {.best = 1}), Texts{}); }
 
 }  // namespace

@@ -37,6 +37,14 @@ TEST(LevelsPage, AMedalHasItsStarsAndItsColour) {
   EXPECT_EQ(page.items[3].value, "");
 }
 
+TEST(LevelsPage, AGoalThatWasReachedWithoutATimeHasACheckMark) {
+  const std::vector<LevelEntry> levels{{.title = "One", .solid = "CUBE", .reached = true},
+                                       {.title = "Two", .solid = "CUBE", .bestTicks = 60, .reached = true}};
+  const MenuPage page = levelsPage(levels, nullptr);
+  EXPECT_EQ(page.items[1].value, "✓");
+  EXPECT_EQ(page.items[2].value, "★ 1.00 s");
+}
+
 TEST(LevelsPage, ItemsAndLevelsBelongTogether) {
   std::vector<std::size_t> chosen;
   const MenuPage page = levelsPage(kLevels, [&](std::size_t level) { chosen.push_back(level); });

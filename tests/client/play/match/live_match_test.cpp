@@ -8,11 +8,14 @@
 
 #include <gtest/gtest.h>
 
+#include "client/files/user_folders.h"
 #include "client/time/steady_now.h"
 #include "server/app/dedicated_server.h"
 #include "server/app/level_files.h"
 #include "tests/support/environment_variable.h"
+#include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/wait_until.h"
 
 namespace platon {
 namespace {
@@ -139,7 +142,7 @@ TEST_F(LiveMatchTest, RunsSlowerForWhoIsAloneOnly) {
   EXPECT_GE(clock_.now() - real, milliseconds(200));
   match.setSpeed(1);
   ASSERT_TRUE(updateUntil(match, false, [&] { return confirmed(match) > 30; }));
-  EXPECT_EQ(match.leastSpeed(), 0.5) << "of this round";
+  EXPECT_EQ(match.leastSpeed(), 0.5) << "of this attempt";
   match.setSpeed(0.5);
   MatchChoice guest;
   guest.server = match.serverAddress();
@@ -155,6 +158,40 @@ TEST_F(LiveMatchTest, RunsSlowerForWhoIsAloneOnly) {
   updateUntil(match, false, [&] { return clock_.now() - before > milliseconds(50); });
   EXPECT_GE(match.now() - time, milliseconds(50)) << "not slowed with others";
   other.leave();
+  match.leave();
+}
+
+// A floor on which a player that runs to the right reaches the goal within two seconds.
+constexpr const char* kShortWay =
+    "HEXAHEDRON\n0 -100 -180 0\n0 0 -190\n480\n%\n-240 -200 240 -200\n-120 -200 -120 0\n%\n%\n%\n%\n%\n";
+
+TEST_F(LiveMatchTest, AGoalReachedAtHalfSpeedIsRememberedWithoutATime) {
+  const std::string file = folder_ / "short.level";
+  writeText(file, kShortWay);
+  MatchChoice choice;
+  choice.own.levels = {file};
+  choice.own.waitsForOne = true;
+  LiveMatch match(ClientOptions(), choice, clock_);
+  const auto run = [&](Input input, const std::function<bool()>& done) {
+    return waitUntil([&] {
+      match.update(false, [&](const Game&, std::uint32_t) { return input; });
+      return done();
+    });
+  };
+  const auto arrived = [&] {
+    const Prediction* const known = prediction(match);
+    return known && known->confirmed().slots() > 0 && known->confirmed().player(0).arrived != 0;
+  };
+  match.setSpeed(0.5);
+  ASSERT_TRUE(run(Input{Input::kRight}, arrived));
+  EXPECT_EQ(match.leastSpeed(), 0.5);
+  EXPECT_TRUE(ReachedLevels(reachedLevelsFile()).has(match.play().level()->hash));
+  EXPECT_FALSE(match.play().hudStatus(match.now(), false).run.isNewBest);
+  match.setSpeed(1);
+  ASSERT_TRUE(run(Input{Input::kRestart}, [&] { return !arrived(); }));
+  ASSERT_TRUE(run(Input{Input::kRight}, arrived));
+  EXPECT_EQ(match.leastSpeed(), 1) << "an attempt begun at full speed counts";
+  EXPECT_TRUE(match.play().hudStatus(match.now(), false).run.isNewBest);
   match.leave();
 }
 

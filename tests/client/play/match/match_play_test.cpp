@@ -176,7 +176,7 @@ class RunsOfAMatch : public MatchPlayTest {
     });
   }
   std::filesystem::path rival_;
-  std::optional<StoredRun> best() const { return RunStore(runsFolder()).best(flatLevel()->hash); }
+  std::optional<StoredRun> best() const { return RunStore(runsFolder()).best(*flatLevel()); }
 };
 
 TEST_F(RunsOfAMatch, TheBestOneIsKeptAndPlaysAlongUnlessTheSettingsHideIt) {

@@ -1,0 +1,69 @@
+#include "client/lobby/reached_levels.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cinttypes>
+#include <cstdio>
+#include <optional>
+#include <sstream>
+#include <system_error>
+#include <utility>
+#include <variant>
+
+#include "protocol/files/text_file.h"
+
+namespace platon {
+namespace {
+
+constexpr const char* kHead = "# Levels whose goal you have reached: the hash of each.\n";
+constexpr std::size_t kMaxBytes = ReachedLevels::kMaxLevels * 32;
+
+std::string hexOf(std::uint64_t hash) {
+  std::array<char, 17> text{};
+  std::snprintf(text.data(), text.size(), "%016" PRIx64, hash);
+  return text.data();
+}
+
+std::optional<std::uint64_t> hashOf(const std::string& line) {
+  std::uint64_t hash = 0;
+  std::from_chars(line.data(), line.data() + line.size(), hash, 16);
+  return line == hexOf(hash) ? std::optional(hash) : std::nullopt;
+}
+
+}  // namespace
+
+ReachedLevels::ReachedLevels(std::filesystem::path file) : file_(std::move(file)) { read(); }
+
+void ReachedLevels::read() {
+  levels_.clear();
+  if (file_.empty()) return;
+  const auto content = readTextFile(file_.string(), kMaxBytes);
+  const auto* const text = std::get_if<std::string>(&content);
+  if (text == nullptr) return;
+  std::istringstream lines(*text);
+  for (std::string line; std::getline(lines, line);) {
+    if (const std::optional<std::uint64_t> hash = hashOf(line)) levels_.push_back(*hash);
+  }
+}
+
+bool ReachedLevels::has(std::uint64_t level) const {
+  return std::find(levels_.begin(), levels_.end(), level) != levels_.end();
+}
+
+// Another program may have added some.
+std::string ReachedLevels::add(std::uint64_t level) {
+  if (file_.empty() || has(level)) return {};
+  read();
+  if (has(level)) return {};
+  levels_.push_back(level);
+  if (levels_.size() > kMaxLevels) levels_.erase(levels_.begin(), levels_.end() - kMaxLevels);
+  std::string text = kHead;
+  for (const std::uint64_t each : levels_) text += hexOf(each) + "\n";
+  std::error_code ignored;
+  std::filesystem::create_directories(file_.parent_path(), ignored);  // writing reports the error
+  const std::string fault = replaceCachedFile(file_.string(), text);
+  return fault.empty() ? fault : "that the goal was reached is not kept: " + file_.string() + ": " + fault;
+}
+
+}  // namespace platon

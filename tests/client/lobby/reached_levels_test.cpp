@@ -1,0 +1,76 @@
+#include "client/lobby/reached_levels.h"
+
+#include <filesystem>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
+
+namespace platon {
+namespace {
+
+class ReachedLevelsTest : public testing::Test {
+ protected:
+  const TemporaryFolder folder_;
+  const std::filesystem::path file_ = folder_ / "data/reached_levels";
+};
+
+TEST_F(ReachedLevelsTest, AreKeptForTheNextStart) {
+  ReachedLevels levels(file_);
+  EXPECT_FALSE(levels.has(7));
+  EXPECT_EQ(levels.add(7), "");
+  EXPECT_EQ(levels.add(UINT64_MAX), "");
+  EXPECT_EQ(levels.add(7), "");
+  EXPECT_TRUE(levels.has(7));
+  const ReachedLevels next(file_);
+  EXPECT_TRUE(next.has(7));
+  EXPECT_TRUE(next.has(UINT64_MAX));
+  EXPECT_FALSE(next.has(8));
+  EXPECT_EQ(readText(file_),
+            "# Levels whose goal you have reached: the hash of each.\n0000000000000007\nffffffffffffffff\n");
+}
+
+TEST_F(ReachedLevelsTest, ThoseOfAnotherProgramStay) {
+  ReachedLevels one(file_);
+  ReachedLevels other(file_);
+  one.add(1);
+  other.add(2);
+  const ReachedLevels next(file_);
+  EXPECT_TRUE(next.has(1));
+  EXPECT_TRUE(next.has(2));
+}
+
+TEST_F(ReachedLevelsTest, WhatIsNoHashIsLeftOut) {
+  std::filesystem::create_directories(file_.parent_path());
+  writeText(file_, "# x\n\n7\n00000000000000AB\n00000000000000ab\n00000000000000cd 5\n");
+  EXPECT_TRUE(ReachedLevels(file_).has(0xab));
+  EXPECT_FALSE(ReachedLevels(file_).has(7));
+  EXPECT_FALSE(ReachedLevels(file_).has(0xcd));
+}
+
+TEST_F(ReachedLevelsTest, TheFirstOfTooManyAreForgotten) {
+  std::filesystem::create_directories(file_.parent_path());
+  std::string text;
+  for (std::size_t i = 1; i <= ReachedLevels::kMaxLevels; ++i) {
+    const std::string digits = std::to_string(i);
+    text += std::string(16 - digits.size(), '0') + digits + "\n";
+  }
+  writeText(file_, text);
+  ReachedLevels levels(file_);
+  levels.add(0xff);
+  EXPECT_FALSE(levels.has(1));
+  EXPECT_TRUE(ReachedLevels(file_).has(2));
+  EXPECT_TRUE(ReachedLevels(file_).has(0xff));
+}
+
+TEST_F(ReachedLevelsTest, AFailureNamesTheFileAndWithoutAFileThereIsNone) {
+  writeText(folder_ / "data", "a file");
+  EXPECT_EQ(ReachedLevels(file_).add(7),
+            "that the goal was reached is not kept: " + file_.string() + ": Not a directory");
+  EXPECT_EQ(ReachedLevels({}).add(7), "");
+}
+
+}  // namespace
+}  // namespace platon
