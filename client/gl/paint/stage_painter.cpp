@@ -60,7 +60,7 @@ void StagePainter::prepare(const Scene& scene, bool wantsShadows, bool highContr
   if (!animated) elements_.settle();
   if (shares_ == elements_.shares()) return;
   shares_ = elements_.shares();
-  elementWalls_.load(makeWallMesh(scene.stage->mesh, elementWallsOf(*scene.stage, shares_)));
+  elementWalls_.load(makeWallMesh(scene.stage->mesh, elementWallsOf(*scene.stage, shares_), *meetings_));
 }
 
 void StagePainter::drawBelow(const Scene& scene, std::span<const FaceView> views, const Decoration& decoration,
@@ -97,7 +97,8 @@ void StagePainter::drawAbove(const Scene& scene, std::span<const FaceView> views
 
 // Baking changes the state of OpenGL, so a stage is loaded before the picture begins.
 void StagePainter::load(const StageModel& stage, bool shadows) {
-  walls_.load(makeWallMesh(stage.mesh, wallsOf(stage)));
+  meetings_.emplace(edgeMeetingsOf(stage));
+  walls_.load(makeWallMesh(stage.mesh, wallsOf(stage), *meetings_));
   faces_.load(stage, shadows);
   signs_ = signsOf(stage);
   shares_.clear();

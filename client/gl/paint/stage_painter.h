@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "client/gl/text_painter.h"
 #include "client/scene/face_view.h"
 #include "client/scene/look/edge_crossing.h"
+#include "client/scene/look/edge_meetings.h"
 #include "client/scene/look/element_motion.h"
 #include "client/scene/look/face_sign.h"
 #include "client/scene/look/goal_motion.h"
@@ -79,6 +81,7 @@ class StagePainter {
   MarkerPainter markers_;
   WallPainter walls_;
   WallPainter elementWalls_;
+  std::optional<EdgeMeetings> meetings_;  // of the stage that is loaded
   ElementMotion elements_;
   std::vector<double> shares_;  // ElementMotion::shares that are loaded
   std::vector<FaceSign> signs_;

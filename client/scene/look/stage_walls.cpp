@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -120,6 +121,17 @@ std::vector<std::vector<Wall>> elementWallsOf(const StageModel& stage, std::span
     }
   }
   return walls;
+}
+
+EdgeMeetings edgeMeetingsOf(const StageModel& stage) {
+  std::vector<std::vector<Wall>> walls = wallsOf(stage);
+  for (std::size_t face = 0; face < walls.size(); ++face) {
+    for (const ElementDrawing& drawing : stage.faces[face].elements) {
+      if (drawing.kind == ElementKind::kCheckpoint || drawing.kind == ElementKind::kKey) continue;
+      walls[face].push_back({drawing.ends.a, drawing.ends.b});
+    }
+  }
+  return {stage.mesh, walls};
 }
 
 }  // namespace platon

@@ -35,14 +35,18 @@ glm::dvec2 rotated(glm::dvec2 vector, double angle) {
 
 class WallMeshBuilder {
  public:
-  WallMeshBuilder(const SolidMesh& solid, int partsOfEnd)
-      : solid_(solid), partsOfEnd_(partsOfEnd), lean_(1 / std::tan(solid.dihedral() / 2)) {}
+  WallMeshBuilder(const SolidMesh& solid, const EdgeMeetings& meetings, int partsOfEnd)
+      : solid_(solid), meetings_(meetings), partsOfEnd_(partsOfEnd), lean_(1 / std::tan(solid.dihedral() / 2)) {}
 
-  void beginFace() { mesh_.faces.push_back({mesh_.triangles.size(), 0}); }
+  void beginFace() {
+    ++face_;
+    mesh_.faces.push_back({mesh_.triangles.size(), 0});
+  }
   void endFace() { mesh_.faces.back().count = mesh_.triangles.size() - mesh_.faces.back().first; }
 
   void add(const Wall& wall) {
     if (onlyTouches(wall)) return;
+    findLeans(wall);
     Outline outline = outlineOf(wall);
     for (const glm::dvec2 edge : solid_.edgeNormals()) outline = cut(outline, edge);
     if (areaOf(outline) < kMinArea) return;
@@ -59,8 +63,15 @@ class WallMeshBuilder {
     return std::any_of(solid_.edgeNormals().begin(), solid_.edgeNormals().end(), [&](glm::dvec2 edge) {
       const double a = glm::dot(edge, wall.a) - solid_.apothem();
       const double b = glm::dot(edge, wall.b) - solid_.apothem();
-      return std::min(a, b) > -kOnEdge && std::max(a, b) > wall.halfWidth;
+      return std::min(a, b) > -EdgeMeetings::kStub && std::max(a, b) > wall.halfWidth;
     });
+  }
+
+  void findLeans(const Wall& wall) {
+    leans_.clear();
+    for (int edge = 0; edge < solid_.solid().edgesPerFace(); ++edge) {
+      if (meetings_.goesOn(wall, face_, edge)) leans_.push_back(solid_.edgeNormals()[static_cast<std::size_t>(edge)]);
+    }
   }
 
   // An end on an edge is moved beyond it, so that the cut has the full width.
@@ -120,7 +131,7 @@ class WallMeshBuilder {
     glm::dvec2 shift(0);
     glm::dvec2 sum(0);
     int edges = 0;
-    for (const glm::dvec2 edge : solid_.edgeNormals()) {
+    for (const glm::dvec2 edge : leans_) {
       if (glm::dot(edge, point) < solid_.apothem() - 1e-6) continue;
       sum += edge;
       ++edges;
@@ -170,6 +181,9 @@ class WallMeshBuilder {
   }
 
   const SolidMesh& solid_;
+  const EdgeMeetings& meetings_;
+  int face_ = -1;
+  std::vector<glm::dvec2> leans_;  // normals of the edges over which the wall goes on
   int partsOfEnd_;
   double lean_;  // outward shift of a top on an edge, by its height
   WallMesh mesh_;
@@ -177,16 +191,21 @@ class WallMeshBuilder {
 
 }  // namespace
 
-WallMesh makeWallMesh(const SolidMesh& solid, std::span<const std::vector<Wall>> wallsOfFaces) {
+WallMesh makeWallMesh(const SolidMesh& solid, std::span<const std::vector<Wall>> wallsOfFaces,
+                      const EdgeMeetings& meetings) {
   std::size_t count = 0;
   for (const std::vector<Wall>& walls : wallsOfFaces) count += walls.size();
-  WallMeshBuilder builder(solid, partsOfAnEnd(count));
+  WallMeshBuilder builder(solid, meetings, partsOfAnEnd(count));
   for (const std::vector<Wall>& walls : wallsOfFaces) {
     builder.beginFace();
     for (const Wall& wall : walls) builder.add(wall);
     builder.endFace();
   }
   return builder.take();
+}
+
+WallMesh makeWallMesh(const SolidMesh& solid, std::span<const std::vector<Wall>> wallsOfFaces) {
+  return makeWallMesh(solid, wallsOfFaces, EdgeMeetings(solid, wallsOfFaces));
 }
 
 }  // namespace platon

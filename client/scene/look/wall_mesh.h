@@ -8,6 +8,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "client/scene/look/edge_meetings.h"
 #include "client/scene/look/wall.h"
 #include "client/scene/solid_mesh.h"
 
@@ -43,9 +44,13 @@ struct WallMesh {
 /// The most triangles of a mesh of many walls; few walls have rounder ends.
 inline constexpr std::size_t kMaxTrianglesPerWall = 12;
 
-/// The walls of each face, cut at its edges. Where a wall meets an edge, it leans along the plane that bisects the two
-/// faces: its top is lifted by height · (n1 + n2) / (1 + n1 · n2) there. So walls on two faces that meet at an edge
-/// have no gap between them.
+/// The walls of each face, cut at its edges. Where a wall goes on over an edge, it leans along the plane that bisects
+/// the two faces: its top is lifted by height · (n1 + n2) / (1 + n1 · n2) there. So walls on two faces that meet at an
+/// edge have no gap between them. A wall that does not go on ends upright at the edge, and does not overhang it.
+WallMesh makeWallMesh(const SolidMesh& solid, std::span<const std::vector<Wall>> wallsOfFaces,
+                      const EdgeMeetings& meetings);
+
+/// The same where these are all walls.
 WallMesh makeWallMesh(const SolidMesh& solid, std::span<const std::vector<Wall>> wallsOfFaces);
 
 }  // namespace platon

@@ -83,6 +83,22 @@ TEST(StageWalls, WhatBlocksAlwaysDoesNotSink) {
   }
 }
 
+TEST(StageWalls, AWallGoesOnOverAnEdgeWhereADoorBeginsButNotWhereACheckpointDoes) {
+  const auto meets = [](const std::string& word) {
+    const LevelResult result =
+        loadLevel("HEXAHEDRON\n2 0 0 0\n2 60 80\n480\n%\n180 20 242 20\n%\n-242 20 -180 20" + word + "\n%\n%\n%\n%\n");
+    if (!result.level) throw std::logic_error("test level: " + result.diagnostics.front().message);
+    const auto stage = makeStageModel(*result.level);
+    for (int edge = 0; edge < 4; ++edge) {
+      if (edgeMeetingsOf(*stage).goesOn({{180, 20}, {242, 20}}, 0, edge)) return true;
+    }
+    return false;
+  };
+  EXPECT_TRUE(meets(""));
+  EXPECT_TRUE(meets(" door 1"));
+  EXPECT_FALSE(meets(" checkpoint"));
+}
+
 TEST(StageWalls, WhatLetsPassFromOneSideIsAThinLedge) {
   for (const std::vector<Wall>& walls : {wallsOfElement("oneway").active, wallsOfElement("oneway").open}) {
     ASSERT_EQ(walls.size(), 1U);

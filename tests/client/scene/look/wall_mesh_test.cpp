@@ -124,6 +124,17 @@ TEST(WallMesh, WallsMeetOverEveryEdge) {
   }
 }
 
+TEST(WallMesh, AWallThatDoesNotGoOnEndsUprightAtTheEdge) {
+  const SolidMesh solid(SolidKind::kTetrahedron, 400);
+  const glm::dvec2 outwards = solid.edgeNormals()[0];
+  Walls walls = noWalls(solid);
+  walls[0] = {{{0, 0}, outwards * (solid.apothem() + 2)}};
+  double farthest = 0;
+  for (const WallVertex& vertex : makeWallMesh(solid, walls).vertices)
+    farthest = std::max(farthest, glm::dot(outwards, glm::dvec2(vertex.place)));
+  EXPECT_NEAR(farthest, solid.apothem(), 1e-3);
+}
+
 TEST(WallMesh, ManyWallsHaveFewTriangles) {
   const SolidMesh solid(SolidKind::kHexahedron, 60000);
   Walls walls = noWalls(solid);
