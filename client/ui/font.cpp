@@ -17,13 +17,15 @@ Font::Glyph Font::glyph(char32_t codePoint) const {
   Glyph glyph;
   int left = 0;
   int top = 0;
-  unsigned char* field = stbtt_GetCodepointSDF(&info(), scale() * kSamplesPerLine, static_cast<int>(codePoint),
-                                               kPadding, kOnOutline, kSlope, &glyph.width, &glyph.height, &left, &top);
+  const Source from = source(codePoint);
+  unsigned char* field = stbtt_GetGlyphSDF(from.file, from.scale * kSamplesPerLine, from.glyph, kPadding, kOnOutline,
+                                           kSlope, &glyph.width, &glyph.height, &left, &top);
   if (field == nullptr) return Glyph();
   glyph.distances.assign(field, field + std::ptrdiff_t{1} * glyph.width * glyph.height);
   stbtt_FreeSDF(field, nullptr);
-  glyph.low = glm::vec2(left, -(top + glyph.height)) / kSamplesPerLine;
-  glyph.high = glm::vec2(left + glyph.width, -top) / kSamplesPerLine;
+  const glm::vec2 shift(from.shift, 0);
+  glyph.low = glm::vec2(left, -(top + glyph.height)) / kSamplesPerLine + shift;
+  glyph.high = glm::vec2(left + glyph.width, -top) / kSamplesPerLine + shift;
   return glyph;
 }
 

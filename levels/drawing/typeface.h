@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -14,8 +15,9 @@ namespace platon {
 /// Decodes UTF-8. Each invalid byte becomes U+FFFD; control characters are omitted.
 std::u32string codePointsOf(std::string_view utf8);
 
-/// The typeface of Platon, DejaVu Sans Bold, compiled into the program. The size of text is the distance between the
-/// baselines of two lines; +y is up.
+/// The typeface of Platon, compiled into the program: Quicksand, and DejaVu Sans for what Quicksand lacks. Digits have
+/// one advance, so that a running time stands still. The size of text is the distance between the baselines of two
+/// lines; +y is up.
 class Typeface {
  public:
   /// A step along the outline of a glyph, from the pen position on the baseline, at size 1. A move begins a closed
@@ -41,15 +43,24 @@ class Typeface {
   /// Width of a line of text, at size 1.
   float width(std::string_view utf8) const;
   /// Height of a capital letter at size 1.
-  static constexpr float kCapitalHeight = 0.626F;
+  static constexpr float kCapitalHeight = 0.644F;
 
-  /// The font file for stb_truetype, and the scale from its units to size 1.
-  const stbtt_fontinfo& info() const { return *info_; }
-  float scale() const { return scale_; }
+ protected:
+  /// A glyph in a font file of stb_truetype.
+  struct Source {
+    const stbtt_fontinfo* file = nullptr;
+    int glyph = 0;      ///< of the file; 0 is a box
+    float scale = 1;    ///< from the units of the file to size 1
+    float advance = 0;  ///< at size 1
+    float shift = 0;    ///< of the outline to the right, at size 1
+  };
+  Source source(char32_t codePoint) const;
 
  private:
-  std::unique_ptr<stbtt_fontinfo> info_;
-  float scale_ = 1;
+  // The first one that has a glyph draws it, else the last one.
+  std::array<std::unique_ptr<stbtt_fontinfo>, 2> files_;
+  std::array<float, 2> scales_{};  // from the units of the files to size 1
+  float digitAdvance_ = 0;         // at size 1
 };
 
 }  // namespace platon

@@ -67,6 +67,31 @@ TEST(Typeface, OutlinesStandOnTheBaselineAndHaveTheStatedHeight) {
   EXPECT_NEAR(high, Typeface::kCapitalHeight, 1e-3);
 }
 
+TEST(Typeface, DigitsHaveOneAdvanceAndStandInItsMiddle) {
+  const Typeface face;
+  for (char32_t digit = U'0'; digit <= U'9'; ++digit) {
+    EXPECT_EQ(face.advance(digit), face.advance(U'0'));
+    float left = 1;
+    float right = 0;
+    for (const Typeface::OutlineStep& step : face.outline(digit)) {
+      left = std::min(left, step.to.x);
+      right = std::max(right, step.to.x);
+    }
+    EXPECT_NEAR(left, face.advance(digit) - right, 0.1F) << static_cast<unsigned>(digit);
+    EXPECT_GE(left, -0.01F);
+  }
+  EXPECT_EQ(face.width("11:11.11"), face.width("48:30.96"));
+}
+
+TEST(Typeface, HasWhatTheGameWrites) {
+  const Typeface face;
+  const auto missing = face.outline(U'\uE000');
+  for (const char32_t point : std::u32string(U"09AZazéß…–−±×·✓✗★☆←→↑↓↖↗↘↙‹›Жω")) {
+    EXPECT_NE(face.outline(point), missing) << static_cast<unsigned>(point);
+    EXPECT_GT(face.advance(point), 0);
+  }
+}
+
 TEST(Typeface, AMissingGlyphHasTheOutlineOfABox) {
   const Typeface face;
   EXPECT_FALSE(face.outline(U'\uE000').empty());

@@ -108,7 +108,7 @@ TEST_F(CanvasTest, TextStandsOnItsBaseline) {
     canvas_.fill({Colour(0)});
   }
   const Pixels pixels(canvas_);
-  EXPECT_GT(pixels.count(kBlack), 60);
+  EXPECT_GT(pixels.count(kBlack), 40);
   for (int x = 0; x < 40; ++x) {
     EXPECT_EQ(pixels.at(x, 16), kWhite);
     EXPECT_EQ(pixels.at(x, 2), kWhite) << "the capitals are " << 20 * Typeface::kCapitalHeight << " high";
