@@ -9,6 +9,7 @@
 #include <glm/vec4.hpp>
 
 #include "client/editor/face_picker.h"
+#include "client/ui/text_scale.h"
 #include "levels/reach/upright_faces.h"
 
 namespace platon {
@@ -41,7 +42,7 @@ void Editor::resize(std::uint32_t w, std::uint32_t h) {
   width_ = w;
   height_ = h;
   playCamera_.resize(w, h);
-  menu_.resize(Overlay::widthFor(w, h), 1);
+  menu_.resize(Overlay::widthFor(w, h), textScale(1, h));
 }
 
 void Editor::markSaved() {

@@ -6,6 +6,7 @@
 
 #include "client/editor/level_document.h"
 #include "client/ui/overlay_writer.h"
+#include "client/ui/text_scale.h"
 #include "client/ui/text_wrap.h"
 
 namespace platon {
@@ -14,8 +15,8 @@ namespace {
 using namespace overlay_colours;
 
 constexpr float kMargin = 16;
-constexpr float kWidth = 236;
-constexpr float kSize = 14;
+constexpr float kWidth = 250;
+constexpr float kSize = kSmallestText;
 constexpr std::size_t kMostLines = 5;  // of the report
 
 constexpr std::array<std::array<const char*, 2>, 20> kHelp{{{"S D E W T G P", "tools: select, draw … play"},
@@ -84,23 +85,23 @@ void addTools(OverlayWriter& writer, const EditorStatus& status, glm::vec2 place
 }
 
 void addHead(OverlayWriter& writer, const EditorStatus& status) {
-  const float height = 106 + 24.0F * kEditTools.size();
+  const float height = 108 + 24.0F * kEditTools.size();
   writer.panel({kMargin, kMargin}, {kMargin + kWidth, kMargin + height}, 12, kPanel);
   writer.left(status.file + (status.unsaved ? " *" : ""), {kMargin + 14, kMargin + 26}, 16,
               status.unsaved ? kGold : kBright);
-  writer.left(status.title, {kMargin + 14, kMargin + 44}, 12, kSoft);
+  writer.left(status.title, {kMargin + 14, kMargin + 46}, kSize, kSoft);
   addTools(writer, status, {kMargin + 14, kMargin + 74});
   const float below = kMargin + 74 + 24.0F * kEditTools.size();
   writer.left(nameOf(status.word) + "   grid " + coordinateText(status.grid), {kMargin + 14, below}, kSize, kBright);
-  writer.left(status.place.empty() ? "F1: help" : status.place, {kMargin + 14, below + 20}, 12, kSoft);
+  writer.left(status.place.empty() ? "F1: help" : status.place, {kMargin + 14, below + 22}, kSize, kSoft);
 }
 
 void addReport(OverlayWriter& writer, const EditorStatus& status, const Font& font, float width) {
   std::vector<std::string> lines;
   for (const std::string& line : linesOf(status.report)) {
-    for (const std::string& part : wrapText(line, font, 262 / kSize)) lines.push_back(part);
+    for (const std::string& part : wrapText(line, font, 272 / kSize)) lines.push_back(part);
   }
-  const float left = width - kMargin - 290;
+  const float left = width - kMargin - 300;
   const float height = 22.0F * static_cast<float>(lines.size()) + 18;
   writer.panel({left, kMargin}, {width - kMargin, kMargin + height}, 12, kPanel);
   glm::vec2 place(left + 14, kMargin + 25);
@@ -110,24 +111,24 @@ void addReport(OverlayWriter& writer, const EditorStatus& status, const Font& fo
   }
 }
 
-void addHelp(OverlayWriter& writer, float width) {
+void addHelp(OverlayWriter& writer, glm::vec2 screen) {
   const float height = 21.0F * kHelp.size() + 18;
-  const glm::vec2 low(width - kMargin - 420, Overlay::kHeight - kMargin - height);
-  writer.panel(low, {width - kMargin, Overlay::kHeight - kMargin}, 12, {0.04F, 0.05F, 0.09F, 0.88F});
+  const glm::vec2 low(screen.x - kMargin - 420, screen.y - kMargin - height);
+  writer.panel(low, screen - kMargin, 12, {0.04F, 0.05F, 0.09F, 0.88F});
   glm::vec2 place = low + glm::vec2(14, 25);
   for (const auto& [keys, meaning] : kHelp) {
-    writer.left(keys, place, 13, kBright);
-    writer.left(meaning, place + glm::vec2(176, 0), 13, kSoft);
+    writer.left(keys, place, kSize, kBright);
+    writer.left(meaning, place + glm::vec2(176, 0), kSize, kSoft);
     place.y += 21;
   }
 }
 
 // At the lower edge, errors above other messages.
-void addMessages(OverlayWriter& writer, const EditorStatus& status, const Font& font, float width) {
-  glm::vec2 middle(width / 2, Overlay::kHeight - 34);
+void addMessages(OverlayWriter& writer, const EditorStatus& status, const Font& font, glm::vec2 screen) {
+  glm::vec2 middle(screen.x / 2, screen.y - 34);
   const auto add = [&](const std::string& text, glm::vec4 colour) {
     if (text.empty()) return;
-    middle.y = writer.pill(wrapText(text, font, (width - 2 * kWidth) / 15), middle, 15, colour) - 22;
+    middle.y = writer.pill(wrapText(text, font, (screen.x - 2 * kWidth) / kSize), middle, kSize, colour) - 22;
   };
   add(status.message, kSoft);
   add(status.error, kWarning);
@@ -178,12 +179,12 @@ std::string nameOf(const SegmentWord& word) {
   return std::string(wordOf(*word.kind)) + (hasNumber(*word.kind) ? " " + std::to_string(word.number) : "");
 }
 
-Overlay makeEditorPanel(const EditorStatus& status, const Font& font, float width) {
+Overlay makeEditorPanel(const EditorStatus& status, const Font& font, glm::vec2 screen) {
   OverlayWriter writer(font);
   addHead(writer, status);
-  addReport(writer, status, font, width);
-  if (status.help) addHelp(writer, width);
-  addMessages(writer, status, font, width);
+  addReport(writer, status, font, screen.x);
+  if (status.help) addHelp(writer, screen);
+  addMessages(writer, status, font, screen);
   return writer.take();
 }
 

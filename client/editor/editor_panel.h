@@ -34,7 +34,7 @@ std::vector<std::string> linesOf(const LevelReport& report);
 /// "oneway", "door 3" or "segment".
 std::string nameOf(const SegmentWord& word);
 
-/// The panel, which never covers the middle of the picture. `width` is that of the virtual screen.
-Overlay makeEditorPanel(const EditorStatus& status, const Font& font, float width);
+/// The panel, which never covers the middle of the picture. `screen` is the size of the screen.
+Overlay makeEditorPanel(const EditorStatus& status, const Font& font, glm::vec2 screen);
 
 }  // namespace platon

@@ -32,7 +32,7 @@ void GameView::draw(const Scene* scene, const HudStatus& status, const Settings&
                     double seconds, std::span<const Overlay> more) {
   const Camera& camera = camera_.camera();
   HudStatus shown = status;
-  shown.scale = static_cast<float>(settings.uiScale);
+  shown.scale = textScale(settings);
   if (settings.netGraph) shown.netGraph = &netGraph_;
   std::vector<Overlay> overlays;
   if (scene != nullptr) {

@@ -13,6 +13,7 @@
 #include "client/ui/font.h"
 #include "client/ui/overlay.h"
 #include "client/ui/settings.h"
+#include "client/ui/text_scale.h"
 
 namespace platon {
 
@@ -57,6 +58,10 @@ class GameView {
   const Font& font() const { return font_; }
   /// Of the virtual screen.
   float screenWidth() const;
+  /// Size of the virtual screen.
+  glm::vec2 screen() const { return {screenWidth(), Overlay::kHeight}; }
+  /// How much menus and display are enlarged in this picture.
+  float textScale(const Settings& settings) const { return platon::textScale(settings.uiScale, height()); }
 
   /// Copies the last picture to the window.
   void present() const { renderer_.present(); }

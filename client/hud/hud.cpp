@@ -17,6 +17,7 @@
 #include "client/ui/key_help.h"
 #include "client/ui/overlay_writer.h"
 #include "client/ui/player_rows.h"
+#include "client/ui/text_scale.h"
 #include "client/ui/text_wrap.h"
 
 namespace platon {
@@ -28,7 +29,7 @@ constexpr std::size_t kMaxRows = 12;
 constexpr std::size_t kMaxResults = 8;
 constexpr float kMargin = 16;
 constexpr float kGap = 8;
-constexpr float kChatSize = 16;
+constexpr float kChatSize = kSmallestText;
 constexpr float kTextSize = 18;     // of messages and notices
 constexpr float kWidestText = 640;  // of messages and notices
 
@@ -47,25 +48,26 @@ void addTitle(OverlayWriter& writer, const Scene& scene, const Font& font, float
   const std::string solid(nameOf(scene.stage->mesh.solid().kind()));
   const std::string title = scene.stage->title.empty() ? solid : scene.stage->title;
   writer.left(fittedText(title, font, (width * 0.4F - kMargin) / kSize), {kMargin, kMargin + 22}, kSize, kBright);
-  if (!scene.stage->title.empty()) writer.left(solid, {kMargin, kMargin + 42}, 12, kSoft);
+  if (!scene.stage->title.empty()) writer.left(solid, {kMargin, kMargin + 46}, kSmallestText, kSoft);
 }
 
 // `tripWidth`: for the round trip, at the right.
 void addRow(OverlayWriter& writer, const PlayerDrawing& player, const Font& font, float right, float top,
             float tripWidth) {
-  constexpr float kRowWidth = 232;
+  constexpr float kRowWidth = 256;
   const float left = right - kRowWidth - tripWidth;
-  const glm::vec2 dot(left + 16, top + 13);
+  const glm::vec2 dot(left + 20, top + 13);
   if (player.local) writer.panel({left, top}, {right, top + 26}, 8, {0.30F, 0.36F, 0.55F, 0.55F});
-  writer.panel(dot - 9.0F, dot + 9.0F, 9, glm::vec4(player.colour, 1));
-  const float size = player.number.size() > 2 ? 9 : 11;
-  writer.centred(player.number, {dot.x, dot.y + size * 0.36F}, size, {0.05F, 0.05F, 0.08F, 1});
-  const float room = kRowWidth - 44 - (player.finishSeconds ? 88 : 0);
-  writer.left(fittedText(shownNameOf(player), font, room / 15), {dot.x + 18, top + 18}, 15,
+  const float half = std::max(11.0F, writer.width(player.number, kSmallestText) / 2 + 4);
+  const float baseline = dot.y + kSmallestText * Font::kCapitalHeight / 2;
+  writer.panel(dot - glm::vec2(half, 11), dot + glm::vec2(half, 11), 11, glm::vec4(player.colour, 1));
+  writer.centred(player.number, {dot.x, baseline}, kSmallestText, {0.05F, 0.05F, 0.08F, 1});
+  const std::string time = player.finishSeconds ? "✓ " + finishText(*player.finishSeconds) : "";
+  const float room = kRowWidth - 52 - (time.empty() ? 0 : writer.width(time, kSmallestText) + 12);
+  writer.left(fittedText(shownNameOf(player), font, room / kSmallestText), {dot.x + 22, baseline}, kSmallestText,
               player.local ? kBright : kSoft);
-  if (player.finishSeconds)
-    writer.right(std::string("✓ ") + finishText(*player.finishSeconds), {right - 10 - tripWidth, top + 18}, 13, kGold);
-  if (player.roundTripMs) writer.right(roundTripText(player), {right - 10, top + 18}, 13, kSoft);
+  writer.right(time, {right - 10 - tripWidth, baseline}, kSmallestText, kGold);
+  if (player.roundTripMs) writer.right(roundTripText(player), {right - 10, baseline}, kSmallestText, kSoft);
 }
 
 void addPlayers(OverlayWriter& writer, const std::vector<const PlayerDrawing*>& players, std::size_t rows,
@@ -73,12 +75,12 @@ void addPlayers(OverlayWriter& writer, const std::vector<const PlayerDrawing*>& 
   const bool more = players.size() > rows;
   const float right = width - kMargin;
   const float height = 28.0F * static_cast<float>(rows + (more ? 1 : 0)) + 10;
-  writer.panel({right - 244 - tripWidth, kMargin}, {right, kMargin + height}, 12, kPanel);
+  writer.panel({right - 268 - tripWidth, kMargin}, {right, kMargin + height}, 12, kPanel);
   float top = kMargin + 6;
   for (std::size_t i = 0; i < rows; ++i, top += 28) addRow(writer, *players[i], font, right - 6, top, tripWidth);
   if (more)
-    writer.right(std::string("and ") + std::to_string(players.size() - rows) + " more", {right - 16, top + 18}, 13,
-                 kSoft);
+    writer.right(std::string("and ") + std::to_string(players.size() - rows) + " more", {right - 16, top + 19},
+                 kSmallestText, kSoft);
 }
 
 // As many rows as there is room for.
@@ -110,7 +112,7 @@ void addNameTag(OverlayWriter& writer, const PlayerDrawing& player, const Camera
   const glm::dvec3 above = player.pose.position + camera.up() * (StageModel::kPlayerRadius * 1.35);
   const glm::dvec4 clip = camera.viewProjection() * glm::dvec4(above, 1);
   const glm::vec2 place((clip.x / clip.w + 1) / 2 * screen.x, (1 - clip.y / clip.w) / 2 * screen.y);
-  writer.centred(shownNameOf(player), place, 13, glm::vec4(glm::mix(player.colour, Colour(1), 0.35F), 0.9F));
+  writer.centred(shownNameOf(player), place, kSmallestText, glm::vec4(glm::mix(player.colour, Colour(1), 0.35F), 0.9F));
 }
 
 // The name of a ghost would hide the ball that the player steers.
@@ -133,7 +135,7 @@ void placeNameTags(HudSpace& space, const Scene& scene, const Camera& camera, co
 // At the border, or nearer to the middle if there is no room.
 void placeSign(HudSpace& space, const Camera& camera, glm::dvec3 point, const std::string& name, glm::vec4 colour,
                const Font& font) {
-  constexpr float kSize = 14;
+  constexpr float kSize = kSmallestText;
   const glm::dvec4 clip = camera.viewProjection() * glm::dvec4(point, 1);
   for (float part = 1; part > 0.5F; part -= 0.08F) {
     const glm::vec2 half(font.width(name + "  ") * kSize / 2 + 3 * kSize, 2 * kSize);
@@ -169,7 +171,7 @@ void addTimes(OverlayWriter& writer, const Scene& scene, const HudStatus& status
 }
 
 void addVote(OverlayWriter& writer, const VoteStatus& vote, const KeyHints& keys, float top) {
-  constexpr float kSize = 14;
+  constexpr float kSize = kSmallestText;
   const std::string text = std::to_string(vote.votes) + " of " + std::to_string(vote.voters) +
                            (vote.votes == 1 ? " wants" : " want") + " the next level (" + keys.of(Control::kVote) + ")";
   const std::string shown = vote.mine ? "✓ " + text : text;
@@ -219,15 +221,19 @@ void placeChat(HudSpace& space, const std::vector<std::string>& chat, const Font
   }
 }
 
-// At the lower left, as large as there is room for.
-void placeHelp(HudSpace& space, const KeyHints& keys, const Font& font) {
+// At the lower left. Returns whether there was room.
+bool placeHelp(HudSpace& space, const KeyHints& keys, const Font& font) {
   const Overlay help = drawn(font, [&](OverlayWriter& writer) { addHelp(writer, keys); });
-  for (float factor = 1; factor > 0.35F; factor -= 0.05F) {
-    const Overlay scaled = scaledBy(help, factor);
-    const HudBox box = boundsOf(scaled, font);
-    const glm::vec2 place(kMargin, space.startOfFoot() - kGap - (box.high.y - box.low.y));
-    if (space.add(movedBy(scaled, place - box.low))) return;
-  }
+  const HudBox box = boundsOf(help, font);
+  const glm::vec2 place(kMargin, space.startOfFoot() - kGap - (box.high.y - box.low.y));
+  return space.add(movedBy(help, place - box.low));
+}
+
+// The help instead of what it has no room beside, as long as the player asks for it.
+HudSpace helpAlone(glm::vec2 screen, const HudStatus& status, const Font& font) {
+  HudSpace space(font, screen);
+  placeHelp(space, status.keys, font);
+  return space;
 }
 
 // At the lower right, or above what stands there.
@@ -304,7 +310,7 @@ Overlay makeHud(const Scene& scene, const Camera& camera, const HudStatus& statu
     const float top = space.endOfColumn(false) + kGap;
     space.add(drawn(font, [&](OverlayWriter& writer) { addVote(writer, *status.vote, status.keys, top); }));
   }
-  if (status.help) placeHelp(space, status.keys, font);
+  if (status.help && !placeHelp(space, status.keys, font)) space = helpAlone(screen, status, font);
   if (status.netGraph != nullptr) placeGraph(space, *status.netGraph, font);
   placePlayers(space, scene, status, font);
   placeChat(space, status.chat, font);

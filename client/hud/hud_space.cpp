@@ -37,19 +37,6 @@ Overlay movedBy(Overlay part, glm::vec2 offset) {
   return part;
 }
 
-Overlay scaledBy(Overlay part, float factor) {
-  for (Overlay::Panel& panel : part.panels) {
-    panel.low *= factor;
-    panel.high *= factor;
-    panel.radius *= factor;
-  }
-  for (Overlay::Text& text : part.texts) {
-    text.place *= factor;
-    text.size *= factor;
-  }
-  return part;
-}
-
 bool HudSpace::fits(const Overlay& part) const {
   if (isEmpty(part)) return true;
   const HudBox box = boundsOf(part, *font_);

@@ -21,8 +21,6 @@ struct HudBox {
 HudBox boundsOf(const Overlay& part, const Font& font);
 /// The part at another place.
 Overlay movedBy(Overlay part, glm::vec2 offset);
-/// The part with all lengths multiplied, as seen from the upper left corner of the screen.
-Overlay scaledBy(Overlay part, float factor);
 
 /// The places of the display: parts that are added never overlap and never leave the screen.
 class HudSpace {

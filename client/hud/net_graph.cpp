@@ -6,14 +6,15 @@
 #include <string>
 
 #include "client/ui/overlay_writer.h"
+#include "client/ui/text_scale.h"
 #include "platon/exact/integer.h"
 
 namespace platon {
 namespace {
 
-constexpr float kWidth = 236;
+constexpr float kWidth = 290;
 constexpr float kGraphHeight = 52;
-constexpr float kLineHeight = 18;
+constexpr float kLineHeight = 21;
 constexpr float kHeight = kGraphHeight + 26 + 5 * kLineHeight;
 
 std::string rounded(double value) { return std::to_string(std::lround(value)); }
@@ -29,7 +30,7 @@ std::string units(double subunits) { return withTenths(subunits / kSubunitsPerUn
 
 std::string correctionsText(const NetSample& sample) {
   if (sample.corrections == 0) return "no corrections";
-  return rounded(sample.corrections) + " corrections, the last of " + units(sample.lastCorrection) + " units";
+  return rounded(sample.corrections) + " corrections, the last " + units(sample.lastCorrection) + " units";
 }
 
 std::array<std::string, 5> textOf(const NetSample& sample) {
@@ -71,7 +72,7 @@ Overlay NetGraph::overlay(const Font& font, float width) const {
   const glm::vec2 text = low + glm::vec2(10, kGraphHeight + 28);
   float below = 0;
   for (const std::string& line : textOf(last)) {
-    writer.left(line, text + glm::vec2(0, below), 12, overlay_colours::kSoft);
+    writer.left(line, text + glm::vec2(0, below), kSmallestText, overlay_colours::kSoft);
     below += kLineHeight;
   }
   return writer.take();

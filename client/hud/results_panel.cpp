@@ -7,6 +7,7 @@
 
 #include "client/ui/fitted_text.h"
 #include "client/ui/player_rows.h"
+#include "client/ui/text_scale.h"
 #include "client/ui/text_wrap.h"
 
 namespace platon {
@@ -15,11 +16,11 @@ namespace {
 using namespace overlay_colours;
 
 constexpr float kMargin = 16;
-constexpr float kWidth = 300;
+constexpr float kWidth = 310;
 constexpr float kPadding = 14;
 constexpr float kRowHeight = 25;
-constexpr float kSize = 15;
-constexpr float kTimeWidth = 84;
+constexpr float kSize = kSmallestText;
+constexpr float kTimeWidth = 90;
 
 std::string bestText(const RoundSummary& summary) {
   if (!summary.bestSeconds) return "Nobody has reached the goal yet";
@@ -47,7 +48,7 @@ void addRow(OverlayWriter& writer, const PlayerDrawing& player, std::size_t plac
   if (finished) writer.right(std::to_string(place) + ".", {start.x + 22, start.y}, kSize, colour);
   writer.left(fittedText(shownNameOf(player), font, nameWidth / kSize), {start.x + 32, start.y}, kSize, colour);
   writer.right(finished ? finishText(*player.finishSeconds) : "–", {right, start.y}, kSize, finished ? kGold : kSoft);
-  if (player.roundTripMs) writer.right(roundTripText(player), {right + tripWidth, start.y}, 13, kSoft);
+  if (player.roundTripMs) writer.right(roundTripText(player), {right + tripWidth, start.y}, kSize, kSoft);
 }
 
 }  // namespace
@@ -91,7 +92,7 @@ void addResults(OverlayWriter& writer, const Scene& scene, const RoundSummary& s
     addRow(writer, *players[i], i + 1, place += glm::vec2(0, kRowHeight), tripWidth, font);
   if (more)
     writer.left("and " + std::to_string(players.size() - rows) + " more",
-                (place += glm::vec2(0, kRowHeight)) + glm::vec2(32, 0), 13, kSoft);
+                (place += glm::vec2(0, kRowHeight)) + glm::vec2(32, 0), kSize, kSoft);
   for (std::size_t i = 0; i < below.size(); ++i) {
     const glm::vec4 colour = i >= bestLines ? kBright : summary.bestIsNew ? kGold : kSoft;
     writer.left(below[i], place += glm::vec2(0, kRowHeight), kSize, colour);

@@ -32,7 +32,7 @@ class Menu {
     kChosen  ///< an item, or another page
   };
 
-  /// The picture of the virtual screen has this width; one unit of the menu is `scale` of its units, 0.5 … 2.
+  /// The picture of the virtual screen has this width; one unit of the menu is `scale` of its units, at least 0.5.
   void resize(float width, float scale);
   void setClipboard(TextField::Clipboard clipboard) { clipboard_ = std::move(clipboard); }
 

@@ -15,7 +15,7 @@ constexpr float kRowHeight = 38;
 constexpr float kRowGap = 4;
 constexpr float kInner = 16;  // from the ends of a row to its texts
 constexpr float kNameSize = 18;
-constexpr float kHeadingSize = 15;
+constexpr float kHeadingSize = 16;
 constexpr float kNoteSize = 16;
 constexpr float kNoteHeight = 22;
 constexpr float kArrow = 26;  // width of the arrow of a choice
@@ -181,6 +181,12 @@ void addScrollBar(MenuLayout& layout, std::size_t count, std::size_t visible, fl
 }
 
 }  // namespace
+
+float endOfLeftColumn(glm::vec2 screen) {
+  MenuPage page;
+  page.place = MenuPage::Place::kLeft;
+  return columnOf(page, screen).high.x;
+}
 
 bool MenuBox::contains(glm::vec2 place) const {
   return place.x >= low.x && place.x < high.x && place.y >= low.y && place.y < high.y;

@@ -57,6 +57,9 @@ struct MenuScroll {
   std::optional<std::size_t> focus;  ///< item that must be visible
 };
 
+/// Where the column of a page at the left ends.
+float endOfLeftColumn(glm::vec2 screen);
+
 /// Lays out a page on a screen of this size. Text that is too long is cut and ends with an ellipsis.
 MenuLayout layOut(const MenuPage& page, const Font& font, glm::vec2 screen, const MenuScroll& scroll);
 

@@ -1,6 +1,7 @@
 #include "client/menu/menu_painter.h"
 
 #include "client/ui/overlay_writer.h"
+#include "client/ui/text_scale.h"
 
 namespace platon {
 namespace {
@@ -48,19 +49,7 @@ class Painter {
     for (const MenuLine& note : layout.notes) left(note, page_->warning ? kWarning : kSoft);
   }
 
-  Overlay take() {
-    Overlay overlay = writer_.take();
-    for (Overlay::Panel& panel : overlay.panels) {
-      panel.low *= look_->scale;
-      panel.high *= look_->scale;
-      panel.radius *= look_->scale;
-    }
-    for (Overlay::Text& text : overlay.texts) {
-      text.place *= look_->scale;
-      text.size *= look_->scale;
-    }
-    return overlay;
-  }
+  Overlay take() { return scaledBy(writer_.take(), look_->scale); }
 
  private:
   void box(const MenuBox& box, float radius, glm::vec4 colour) { writer_.panel(box.low, box.high, radius, colour); }

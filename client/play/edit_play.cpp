@@ -12,6 +12,7 @@
 #include "client/files/user_folders.h"
 #include "client/gl/image.h"
 #include "client/play/play_window.h"
+#include "client/ui/text_scale.h"
 #include "protocol/program_error.h"
 
 namespace platon {
@@ -143,8 +144,10 @@ void EditPlay::showTitle() {
 
 void EditPlay::draw() {
   const Camera camera = editor_.camera();
-  const float width = Overlay::widthFor(camera.width(), camera.height());
-  const std::array overlays{makeEditorPanel(editor_.status(), font_, width), editor_.menuOverlay()};
+  const float scale = textScale(1, camera.height());
+  const glm::vec2 screen(Overlay::widthFor(camera.width(), camera.height()), Overlay::kHeight);
+  const Overlay panel = makeEditorPanel(editor_.status(), font_, screen / scale);
+  const std::array overlays{scaledBy(panel, scale), editor_.menuOverlay()};
   renderer_.setFaceNumbers(true);  // levels name faces by their numbers
   renderer_.draw(editor_.scene(), camera, overlays);
 }

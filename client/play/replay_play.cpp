@@ -7,13 +7,16 @@
 #include "client/hud/hud.h"
 #include "client/replay/replay_file.h"
 #include "client/ui/replay_bar.h"
+#include "client/ui/text_scale.h"
 
 namespace platon {
 
 void drawReplay(const ReplayViewer& viewer, GameView& view, Settings settings, double seconds) {
   settings.netGraph = false;
   const Scene scene = viewer.scene();
-  const std::array bar{makeReplayBar(viewer.status(), view.font(), view.screenWidth())};
+  const float scale = view.textScale(settings);
+  const Overlay unscaled = makeReplayBar(viewer.status(), view.font(), view.screen() / scale);
+  const std::array bar{scaledBy(unscaled, scale)};
   view.draw(&scene, HudStatus(), settings, Overlay(), seconds, bar);
 }
 
@@ -40,8 +43,10 @@ void ReplayPlay::handle(const KeyEvent& event) {
   if (viewer_) viewer_->handle(event);
 }
 
-void ReplayPlay::handle(const PointerEvent& event, float width) {
-  if (viewer_) viewer_->handle(event, width);
+void ReplayPlay::handle(PointerEvent event, const GameView& view, const Settings& settings) {
+  const float scale = view.textScale(settings);
+  event.place /= scale;
+  if (viewer_) viewer_->handle(event, view.screen() / scale);
 }
 
 void ReplayPlay::draw(GameView& view, const Settings& settings, double seconds) const {

@@ -25,8 +25,7 @@ class ReplayPlay {
   /// Plays on for `seconds`, as soon as the file has been read.
   void advance(double seconds);
   void handle(const KeyEvent& event);
-  /// `width` is that of the virtual screen.
-  void handle(const PointerEvent& event, float width);
+  void handle(PointerEvent event, const GameView& view, const Settings& settings);
   void draw(GameView& view, const Settings& settings, double seconds) const;
 
   const std::filesystem::path& file() const { return file_; }

@@ -91,10 +91,11 @@ Moment WindowPlay::frameTime() const {
 void WindowPlay::handleEvents() {
   window_.poll();
   view_.resize(window_.pixelWidth(), window_.pixelHeight());
-  menu_.resize(view_.screenWidth(), static_cast<float>(interface_.settings().uiScale));
+  const Settings& settings = interface_.settings();
+  menu_.resize(view_.screenWidth(), view_.textScale(settings));
   for (const KeyEvent& event : window_.takeKeyEvents()) handle(event);
   for (const PointerEvent& event : window_.takePointerEvents()) {
-    replay_ ? replay_->handle(event, view_.screenWidth()) : menu_.handle(event, view_.font());
+    replay_ ? replay_->handle(event, view_, settings) : menu_.handle(event, view_.font());
     mouseLook_.handle(event);
   }
   if (menu_.isOpen() || replay_) mouseLook_.release();
@@ -105,8 +106,8 @@ void WindowPlay::handleEvents() {
   // After all events: the character of the key is not part of the text.
   if (interface_.takeSay() && match_) matchPages_.showSay(*match_);
   sound_.menu(menu_.takeDeed());
-  window_.setFullscreen(interface_.settings().fullscreen);
-  window_.setVsync(interface_.settings().vsync);
+  window_.setFullscreen(settings.fullscreen);
+  window_.setVsync(settings.vsync);
 }
 
 void WindowPlay::handle(const KeyEvent& event) {
@@ -324,7 +325,9 @@ void WindowPlay::drawFront(double seconds) {
   Overlay menu = menu_.overlay(view_.font(), false);
   if (!turntable_.shows()) return view_.draw(nullptr, {}, interface_.settings(), menu, seconds);
   if (!interface_.settings().comfort.reducedMotion) turntable_.advance(seconds);
-  if (level) addLevelCard(menu, front_.entryOf(level), view_.font(), view_.screenWidth());
+  if (level)
+    addLevelCard(menu, front_.entryOf(level), view_.font(), view_.screenWidth(),
+                 view_.textScale(interface_.settings()));
   view_.drawStill(turntable_.scene(), turntable_.camera(view_.width(), view_.height()), interface_.settings(), menu);
 }
 

@@ -47,13 +47,13 @@ void ReplayViewer::goBy(std::int32_t ticks) {
   player_.seek(static_cast<std::uint32_t>(std::max<std::int64_t>(target, 0)));
 }
 
-void ReplayViewer::handle(const PointerEvent& event, float width) {
+void ReplayViewer::handle(const PointerEvent& event, glm::vec2 screen) {
   const bool left = event.button == PointerEvent::Button::kLeft;
   if (event.kind == PointerEvent::Kind::kRelease && left) dragging_ = false;
-  if (event.kind == PointerEvent::Kind::kPress && left) dragging_ = replayBarAt(event.place, width).has_value();
+  if (event.kind == PointerEvent::Kind::kPress && left) dragging_ = replayBarAt(event.place, screen).has_value();
   const bool moves = event.kind == PointerEvent::Kind::kMove || event.kind == PointerEvent::Kind::kPress;
   if (!dragging_ || !moves) return;
-  player_.seek(static_cast<std::uint32_t>(std::lround(replayBarNear(event.place, width) * player_.replay().ticks())));
+  player_.seek(static_cast<std::uint32_t>(std::lround(replayBarNear(event.place, screen) * player_.replay().ticks())));
 }
 
 void ReplayViewer::advance(double seconds) {

@@ -22,8 +22,8 @@ class ReplayViewer {
   explicit ReplayViewer(std::shared_ptr<const Replay> replay);
 
   void handle(const KeyEvent& event);
-  /// `width` is that of the virtual screen.
-  void handle(const PointerEvent& event, float width);
+  /// Places are on a screen of this size.
+  void handle(const PointerEvent& event, glm::vec2 screen);
   /// Plays on for `seconds`.
   void advance(double seconds);
 

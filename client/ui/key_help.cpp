@@ -5,14 +5,16 @@
 #include <string>
 #include <vector>
 
+#include "client/ui/text_scale.h"
+
 namespace platon {
 namespace {
 
 using namespace overlay_colours;
 
 constexpr float kMargin = 16;
-constexpr float kSize = 14;
-constexpr float kRowHeight = 24;
+constexpr float kSize = kSmallestText;
+constexpr float kRowHeight = 22;
 constexpr float kGap = 18;
 
 using Row = std::array<std::string, 3>;  // keys, button of a gamepad, meaning

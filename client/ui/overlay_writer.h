@@ -7,6 +7,7 @@
 
 #include "client/ui/font.h"
 #include "client/ui/overlay.h"
+#include "client/ui/text_scale.h"
 
 namespace platon {
 
@@ -22,7 +23,7 @@ inline constexpr glm::vec4 kSelected{0.24F, 0.34F, 0.60F, 0.85F};
 
 }  // namespace overlay_colours
 
-/// Builds an overlay. Text positions are on the baseline.
+/// Builds an overlay. Text positions are on the baseline. No text is smaller than kSmallestText.
 class OverlayWriter {
  public:
   explicit OverlayWriter(const Font& font) : font_(&font) {}
@@ -31,7 +32,7 @@ class OverlayWriter {
     overlay_.panels.push_back({low, high, radius, colour});
   }
   void left(std::string text, glm::vec2 place, float size, glm::vec4 colour) {
-    overlay_.texts.push_back({place, size, colour, std::move(text)});
+    overlay_.texts.push_back({place, atLeast(size), colour, std::move(text)});
   }
   void right(const std::string& text, glm::vec2 place, float size, glm::vec4 colour) {
     left(text, {place.x - width(text, size), place.y}, size, colour);
@@ -65,10 +66,12 @@ class OverlayWriter {
     return low.y;
   }
 
-  float width(const std::string& text, float size) const { return font_->width(text) * size; }
+  float width(const std::string& text, float size) const { return font_->width(text) * atLeast(size); }
   Overlay take() { return std::move(overlay_); }
 
  private:
+  static float atLeast(float size) { return std::max(size, kSmallestText); }
+
   static constexpr float kLineDistance = 1.3F;  // of two baselines, at size 1
 
   const Font* font_;

@@ -39,7 +39,7 @@ std::string roundTripText(const PlayerDrawing& player) {
 }
 
 float roundTripWidth(const Scene& scene) {
-  constexpr float kWidth = 64;
+  constexpr float kWidth = 72;
   const bool known = std::any_of(scene.players.begin(), scene.players.end(),
                                  [](const PlayerDrawing& player) { return player.roundTripMs.has_value(); });
   return known ? kWidth : 0;

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <string>
 
+#include "client/ui/fitted_text.h"
 #include "client/ui/overlay_writer.h"
+#include "client/ui/text_scale.h"
 #include "platon/game/game.h"
 
 namespace platon {
@@ -13,15 +15,16 @@ namespace {
 using namespace overlay_colours;
 
 constexpr float kMargin = 16;
-constexpr float kTop = Overlay::kHeight - 74;
-constexpr float kLine = Overlay::kHeight - 54;  // middle of the line
+constexpr float kTop = 78;   // above the lower edge of the screen
+constexpr float kLine = 56;  // middle of the line
 constexpr float kThick = 8;
 constexpr float kReach = 14;      // above and below the line, where a click counts
 constexpr float kTextWidth = 96;  // left and right of the line
-constexpr const char* kKeys = "Space pause    ← → tick    Shift + ← → 5 s    + − speed    Tab next player    Esc leave";
+constexpr const char* kKeys = "Space pause   ← → tick   Shift + ← → 5 s   + − speed   Tab next player   Esc leave";
 
 float left() { return kMargin + kTextWidth; }
-float right(float width) { return std::max(width - kMargin - kTextWidth, left() + 1); }
+float right(glm::vec2 screen) { return std::max(screen.x - kMargin - kTextWidth, left() + 1); }
+float line(glm::vec2 screen) { return screen.y - kLine; }
 
 // Minutes, seconds and hundredths.
 std::string timeText(std::uint32_t ticks) {
@@ -40,30 +43,34 @@ std::string speedText(const ReplayStatus& status) {
 
 }  // namespace
 
-Overlay makeReplayBar(const ReplayStatus& status, const Font& font, float width) {
+Overlay makeReplayBar(const ReplayStatus& status, const Font& font, glm::vec2 screen) {
   OverlayWriter writer(font);
   const double share = status.ticks == 0 ? 0 : double{1} * status.tick / status.ticks;
-  const float at = left() + (right(width) - left()) * static_cast<float>(share);
+  const float at = left() + (right(screen) - left()) * static_cast<float>(share);
+  const float middle = line(screen);
   const glm::vec2 half(0, kThick / 2);
-  writer.panel({kMargin, kTop}, {width - kMargin, Overlay::kHeight - kMargin}, 12, kPanel);
-  writer.panel(glm::vec2(left(), kLine) - half, glm::vec2(right(width), kLine) + half, kThick / 2, kSelected);
-  writer.panel(glm::vec2(left(), kLine) - half, glm::vec2(at, kLine) + half, kThick / 2, kGold);
-  writer.panel(glm::vec2(at, kLine) - kThick, glm::vec2(at, kLine) + kThick, kThick, kBright);
-  writer.left(timeText(status.tick), {kMargin + 16, kLine + 5}, 15, kBright);
-  writer.right(speedText(status), {width - kMargin - 16, kLine + 5}, 15, status.paused ? kGold : kBright);
-  writer.left(timeText(status.ticks), {kMargin + 16, kLine + 27}, 12, kSoft);
-  writer.centred(kKeys, {width / 2, kLine + 27}, 12, kSoft);
+  writer.panel({kMargin, screen.y - kTop}, screen - kMargin, 12, kPanel);
+  writer.panel(glm::vec2(left(), middle) - half, glm::vec2(right(screen), middle) + half, kThick / 2, kSelected);
+  writer.panel(glm::vec2(left(), middle) - half, glm::vec2(at, middle) + half, kThick / 2, kGold);
+  writer.panel(glm::vec2(at, middle) - kThick, glm::vec2(at, middle) + kThick, kThick, kBright);
+  const float upper = middle + 6;
+  const float lower = middle + 29;
+  writer.left(timeText(status.tick), {kMargin + 16, upper}, kSmallestText, kBright);
+  writer.right(speedText(status), {screen.x - kMargin - 16, upper}, kSmallestText, status.paused ? kGold : kBright);
+  writer.left(timeText(status.ticks), {kMargin + 16, lower}, kSmallestText, kSoft);
+  const float room = (right(screen) - left()) / kSmallestText;
+  writer.centred(fittedText(kKeys, font, room), {screen.x / 2, lower}, kSmallestText, kSoft);
   return writer.take();
 }
 
-std::optional<double> replayBarAt(glm::dvec2 place, float width) {
-  const bool beside = place.x < left() - kThick || place.x > right(width) + kThick;
-  if (beside || std::abs(place.y - kLine) > kReach) return std::nullopt;
-  return replayBarNear(place, width);
+std::optional<double> replayBarAt(glm::dvec2 place, glm::vec2 screen) {
+  const bool beside = place.x < left() - kThick || place.x > right(screen) + kThick;
+  if (beside || std::abs(place.y - line(screen)) > kReach) return std::nullopt;
+  return replayBarNear(place, screen);
 }
 
-double replayBarNear(glm::dvec2 place, float width) {
-  return std::clamp((place.x - left()) / (right(width) - left()), 0.0, 1.0);
+double replayBarNear(glm::dvec2 place, glm::vec2 screen) {
+  return std::clamp((place.x - left()) / (right(screen) - left()), 0.0, 1.0);
 }
 
 }  // namespace platon

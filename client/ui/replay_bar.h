@@ -18,15 +18,14 @@ struct ReplayStatus {
   bool paused = false;
 };
 
-/// The position in a replay at the lower edge of the picture, with speed and keys. `width` is that of the virtual
-/// screen.
-Overlay makeReplayBar(const ReplayStatus& status, const Font& font, float width);
+/// The position in a replay at the lower edge of a screen of this size, with speed and keys.
+Overlay makeReplayBar(const ReplayStatus& status, const Font& font, glm::vec2 screen);
 
-/// The position that a place of the virtual screen chooses: 0 at the start … 1 at the end. Nothing if the place is not
+/// The position that a place of the screen chooses: 0 at the start … 1 at the end. Nothing if the place is not
 /// on the bar.
-std::optional<double> replayBarAt(glm::dvec2 place, float width);
+std::optional<double> replayBarAt(glm::dvec2 place, glm::vec2 screen);
 
 /// As above for a pointer that was pressed on the bar and has been moved: at the sides of the bar, its ends.
-double replayBarNear(glm::dvec2 place, float width);
+double replayBarNear(glm::dvec2 place, glm::vec2 screen);
 
 }  // namespace platon

@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "client/ui/player_rows.h"
+#include "client/ui/text_scale.h"
 
 namespace platon {
 namespace {
@@ -37,13 +38,13 @@ std::string slowedText(double speed) { return "at " + std::to_string(std::lround
 void addRunTimer(OverlayWriter& writer, const Scene& scene, const RunStatus& run, glm::vec2 place) {
   if (!scene.attempt) return;
   const auto& [seconds, arrived] = *scene.attempt;
-  const float size = arrived ? 18 : scene.timed ? 14 : 22;
+  const float size = arrived ? 18 : scene.timed ? kSmallestText : 22;
   const std::string own = (arrived ? "★  Goal in " : scene.timed ? "your time " : "") + finishText(seconds);
   const float end = writer.pillFrom(place.x, own, place.y, size, arrived ? kGold : scene.timed ? kSoft : kBright);
   if (run.difference)
     writer.pillFrom(end + 8, differenceText(*run.difference), place.y, 16, *run.difference <= 0 ? kGood : kWarning);
   const std::string best = bestTextOf(scene, run);
-  if (!best.empty()) writer.pillFrom(place.x, best, place.y + kRowHeight, 13, kSoft);
+  if (!best.empty()) writer.pillFrom(place.x, best, place.y + kRowHeight, kSmallestText, kSoft);
 }
 
 }  // namespace platon

@@ -19,7 +19,7 @@ void Spectator::direct(Scene& scene, const KeyHints& keys) {
   hint_ = keys.to(Control::kWatch, "watch another player");
   if (!watched_ || watched == scene.players.end()) return watched_.reset();
   scene.focus = watched->pose;
-  hint_ = "watching " + shownNameOf(*watched) + "   " + keys.to(Control::kWatch, "next");
+  hint_ = "watching " + shownNameOf(*watched) + " · " + keys.to(Control::kWatch, "next");
 }
 
 void Spectator::watchNext(const Scene& scene) {

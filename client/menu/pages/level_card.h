@@ -7,8 +7,8 @@
 namespace platon {
 
 /// Adds what is written below the solid that turns beside a menu: the title of its level, the players that it needs,
-/// and the times of its medals. `width` is that of the virtual screen; where there is no room beside the menu, nothing
-/// is added.
-void addLevelCard(Overlay& overlay, const LevelEntry& level, const Font& font, float width);
+/// and the times of its medals. `width` is that of the virtual screen, and a unit of the card is `scale`
+/// of its units; what finds no room beside the menu is left out.
+void addLevelCard(Overlay& overlay, const LevelEntry& level, const Font& font, float width, float scale);
 
 }  // namespace platon

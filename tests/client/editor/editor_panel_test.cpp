@@ -12,7 +12,7 @@ namespace {
 
 bool shows(const EditorStatus& status, const std::string& text) {
   const Font font;
-  const Overlay overlay = makeEditorPanel(status, font, 1280);
+  const Overlay overlay = makeEditorPanel(status, font, {1280, 720});
   return std::any_of(overlay.texts.begin(), overlay.texts.end(),
                      [&](const Overlay::Text& one) { return one.content.find(text) != std::string::npos; });
 }
@@ -79,7 +79,7 @@ TEST(EditorPanelTest, EverythingIsOnTheScreen) {
   const Font font;
   EditorStatus status = statusOf(LevelReport::Way::kImpossible);
   status.help = true;
-  for (const Overlay::Text& text : makeEditorPanel(status, font, 960).texts) {
+  for (const Overlay::Text& text : makeEditorPanel(status, font, {960, 720}).texts) {
     EXPECT_GE(text.place.x, 0);
     EXPECT_LE(text.place.x + font.width(text.content) * text.size, 960) << text.content;
     EXPECT_LE(text.place.y, Overlay::kHeight);

@@ -68,7 +68,7 @@ TEST_F(GameViewTest, AMinimisedWindowKeepsItsPicture) {
 }
 
 TEST_F(GameViewTest, TheMenuAndTheNetGraphAreDrawnWhenEnabled) {
-  GameView view(kWidth, kHeight);
+  GameView view(2 * kWidth, 2 * kHeight);  // where the graph has room
   view.netGraph().add({});
   const Image plain = drawn(view, &scene_);
   Overlay menu;

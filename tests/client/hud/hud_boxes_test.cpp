@@ -8,6 +8,7 @@
 
 #include "client/hud/hud.h"
 #include "client/hud/hud_space.h"
+#include "client/ui/text_scale.h"
 
 namespace platon {
 namespace {
@@ -58,7 +59,7 @@ HudStatus everything(const NetGraph& graph) {
   status.vote = VoteStatus{100, 256, true};
   status.run = {.best = 299.99, .difference = -299.99, .isNewBest = false};
   status.chat = {"Ann: " + std::string(120, 'W'), "Ben: wait for me", "Cid: " + std::string(60, 'm')};
-  status.hint = "watching " + std::string(20, 'W') + "…   E: next";
+  status.hint = "watching " + std::string(20, 'W') + "… · E: next";
   status.netGraph = &graph;
   return status;
 }
@@ -88,8 +89,12 @@ std::vector<HudBox> boxesOf(const Overlay& hud) {
 void expectOrder(const Scene& scene, HudStatus status, const Picture& picture) {
   Camera camera;
   camera.set(scene.focus, scene.stage->mesh, picture.width, picture.height);
-  status.scale = picture.scale;
-  const std::vector<HudBox> boxes = boxesOf(makeHud(scene, camera, status, font()));
+  status.scale = textScale(picture.scale, picture.height);
+  const Overlay hud = makeHud(scene, camera, status, font());
+  const float pixels = static_cast<float>(picture.height) / Overlay::kHeight;
+  for (const Overlay::Text& text : hud.texts)
+    EXPECT_GT(text.size * pixels, kSmallestTextPixels - 0.01F) << text.content;
+  const std::vector<HudBox> boxes = boxesOf(hud);
   const float width = Overlay::widthFor(picture.width, picture.height);
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     EXPECT_GE(boxes[i].low.x, 0);
@@ -136,7 +141,8 @@ TEST(HudBoxes, TheTitleTheTimeAndTheHintAreShownAtEachSize) {
     Scene scene = longScene(2, true, false);
     Camera camera;
     camera.set(scene.focus, scene.stage->mesh, picture.width, picture.height);
-    const HudStatus status{.vote = VoteStatus{1, 2, false}, .hint = "Roll on", .scale = picture.scale};
+    const HudStatus status{
+        .vote = VoteStatus{1, 2, false}, .hint = "Roll on", .scale = textScale(picture.scale, picture.height)};
     const Overlay hud = makeHud(scene, camera, status, font());
     for (const char* const content : {"HEXAHEDRON", "4:59", "your time 299.98 s", "Roll on"}) {
       EXPECT_TRUE(std::any_of(hud.texts.begin(), hud.texts.end(), [&](const Overlay::Text& text) {
@@ -152,7 +158,8 @@ TEST(HudBoxes, TheHelpIsShownAtEachSizeAlsoWithTheGraph) {
     const Scene scene = longScene(12, true, false);
     Camera camera;
     camera.set(scene.focus, scene.stage->mesh, picture.width, picture.height);
-    const HudStatus status{.help = true, .hint = "Roll on", .scale = picture.scale, .netGraph = &graph};
+    const HudStatus status{
+        .help = true, .hint = "Roll on", .scale = textScale(picture.scale, picture.height), .netGraph = &graph};
     const Overlay hud = makeHud(scene, camera, status, font());
     EXPECT_TRUE(std::any_of(hud.texts.begin(), hud.texts.end(),
                             [](const Overlay::Text& text) { return text.content == "run slower"; }))

@@ -62,7 +62,7 @@ TEST(NetGraph, ShowsTheLatestLinkStatistics) {
   std::vector<std::string> lines;
   for (const Overlay::Text& text : overlay.texts) lines.push_back(text.content);
   const std::vector<std::string> expected = {"round trip 1234 ms, jitter 345 ms", "lead 123 ticks, slack -12 ticks",
-                                             "lost 100 % down, 20 % up", "9999 corrections, the last of 1.5 units",
+                                             "lost 100 % down, 20 % up", "9999 corrections, the last 1.5 units",
                                              "12.3 kB/s down, 1.0 kB/s up"};
   EXPECT_EQ(lines, expected);
 }

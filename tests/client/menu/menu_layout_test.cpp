@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "client/ui/overlay.h"
+#include "client/ui/text_scale.h"
 #include "tests/client/menu/sample_pages.h"
 
 namespace platon {
@@ -16,11 +17,12 @@ const Font& font() {
   return font;
 }
 
-// The sizes 640 × 360, 1280 × 720 and 3840 × 2160 have the same virtual screen; the others are narrow, wide and square.
+// 1280 × 720 and 3840 × 2160 have the same virtual screen, at scale 1, and 640 × 360 is enlarged; the others are
+// narrow, wide and square.
 std::vector<glm::vec2> screens() {
   std::vector<glm::vec2> all;
   for (const float aspect : {16.0F / 9, 4.0F / 3, 21.0F / 9, 1.0F, 0.56F}) {
-    for (const float scale : {0.75F, 1.0F, 1.75F})
+    for (const float scale : {0.75F, 1.0F, 1.5F, 1.75F})
       all.push_back(glm::vec2(Overlay::kHeight * aspect, Overlay::kHeight) / scale);
   }
   return all;
@@ -108,15 +110,15 @@ TEST(MenuLayout, AShortPageShowsAllItsTextUncut) {
   EXPECT_EQ(layout.notes.front().text, "A note.");
 }
 
-TEST(MenuLayout, NoTextIsSmallerThan11PixelsAt1280By720) {
+TEST(MenuLayout, NoTextIsSmallerThanTheSmallest) {
   TextField field(200);
   MenuPage page{"Title", {"A note."}};
   page.items = itemsOfEveryKind(field, false);
-  const MenuLayout layout = layOut(page, font(), glm::vec2(1280, 720) / 0.75F, {});
-  EXPECT_GE(layout.notes.front().size * 0.75F, 11);
+  const MenuLayout layout = layOut(page, font(), {1280, 720}, {});
+  EXPECT_GE(layout.notes.front().size, kSmallestText);
   for (const MenuRow& row : layout.rows) {
-    EXPECT_GE(row.name.size * 0.75F, 11);
-    EXPECT_TRUE(row.value.box.empty() || row.value.size * 0.75F >= 11);
+    EXPECT_GE(row.name.size, kSmallestText);
+    EXPECT_TRUE(row.value.box.empty() || row.value.size >= kSmallestText);
   }
 }
 

@@ -9,27 +9,28 @@ namespace platon {
 namespace {
 
 constexpr float kWidth = 1280;
+constexpr glm::vec2 kScreen(kWidth, Overlay::kHeight);
 
 class ReplayViewerTest : public testing::Test {
  protected:
   void press(Key key, bool shift = false) { viewer_.handle(KeyEvent{.key = key, .shift = shift}); }
   void point(PointerEvent::Kind kind, glm::dvec2 place) {
-    viewer_.handle(PointerEvent{.kind = kind, .place = place}, kWidth);
+    viewer_.handle(PointerEvent{.kind = kind, .place = place}, kScreen);
   }
   std::uint32_t tick() const { return viewer_.player().tick(); }
 
   // The place of the bar for a tick.
   static glm::dvec2 placeOf(double share) {
     double from = 0;
-    while (!replayBarAt({from, kLine}, kWidth)) from += 1;
-    while (replayBarAt({from, kLine}, kWidth) == 0) from += 1;
+    while (!replayBarAt({from, kLine}, kScreen)) from += 1;
+    while (replayBarAt({from, kLine}, kScreen) == 0) from += 1;
     from -= 1;
     double to = from + 1;
-    while (replayBarAt({to, kLine}, kWidth) < 1) to += 1;
+    while (replayBarAt({to, kLine}, kScreen) < 1) to += 1;
     return {from + (to - from) * share, kLine};
   }
 
-  static constexpr double kLine = Overlay::kHeight - 54;
+  static constexpr double kLine = Overlay::kHeight - 56;
   const RecordedGame recorded_ = recordGame(1000, 60);
   ReplayViewer viewer_{replayOf(recorded_.recording)};
 };

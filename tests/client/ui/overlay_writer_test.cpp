@@ -33,6 +33,13 @@ TEST(OverlayWriter, LeftRightAndCentredTextSharesItsBaseline) {
   }
 }
 
+TEST(OverlayWriter, NoTextIsSmallerThanTheSmallest) {
+  OverlayWriter writer(font());
+  writer.left("Text", {100, 50}, kSmallestText / 2, kColour);
+  EXPECT_FLOAT_EQ(writer.width("Text", kSmallestText / 2), font().width("Text") * kSmallestText);
+  EXPECT_EQ(writer.take().texts[0].size, kSmallestText);
+}
+
 TEST(OverlayWriter, PanelsKeepTheirOrder) {
   OverlayWriter writer(font());
   writer.panel({1, 2}, {3, 4}, 5, kColour);

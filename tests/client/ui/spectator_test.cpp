@@ -37,7 +37,7 @@ TEST(Spectator, GoesThroughTheOthersAndBack) {
     EXPECT_EQ(focusOf(spectator, sceneWith(true)), expected);
     EXPECT_EQ(focusOf(spectator, sceneWith(true)), expected);
   }
-  EXPECT_EQ(spectator.hint(), "watching P2   E: next");
+  EXPECT_EQ(spectator.hint(), "watching P2 · E: next");
 }
 
 TEST(Spectator, FollowsTheLocalPlayerOnItsWay) {

@@ -10,10 +10,10 @@
 namespace platon {
 namespace {
 
-std::vector<std::string> textsOf(const LevelEntry& level, float width) {
+std::vector<std::string> textsOf(const LevelEntry& level, float width, float scale = 1) {
   const Font font;
   Overlay overlay;
-  addLevelCard(overlay, level, font, width);
+  addLevelCard(overlay, level, font, width, scale);
   std::vector<std::string> texts;
   for (const Overlay::Text& text : overlay.texts) {
     texts.push_back(text.content);
@@ -31,6 +31,12 @@ TEST(LevelCard, ShowsTitlePlayersAndMedals) {
   level.medals = medalTimesOf(600);
   EXPECT_EQ(textsOf(level, 1280), (std::vector<std::string>{"Half turn", "TETRAHEDRON   1 player", "★★★ 11.50 s",
                                                             "★★☆ 15.00 s", "★☆☆ 25.00 s"}));
+}
+
+TEST(LevelCard, LeavesOutWhatHasNoRoomBesideTheMenu) {
+  const LevelEntry level{"Half turn", "TETRAHEDRON", 1, {}, medalTimesOf(600)};
+  EXPECT_EQ(textsOf(level, 1280, 1.5F).size(), 2U);
+  EXPECT_TRUE(textsOf(level, 1280, 2).empty());
 }
 
 TEST(LevelCard, IsLeftOutWhereThereIsNoRoomBesideTheMenu) {
