@@ -6,10 +6,6 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include "client/gl/gl_loader.h"
-#include "client/gl/offscreen.h"
-#include "client/gl/renderer.h"
-#include "client/scene/look/wall.h"
 #include "tests/client/gl/render_fixture.h"
 #include "tests/client/gl/test_stage.h"
 

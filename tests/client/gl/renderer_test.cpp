@@ -1,9 +1,7 @@
 #include "client/gl/renderer.h"
 
 #include <array>
-#include <cmath>
 #include <cstdlib>
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
