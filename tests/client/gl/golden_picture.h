@@ -4,10 +4,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <filesystem>
 #include <string>
 
+#include <gtest/gtest.h>
 #include <stb/stb_image.h>
 
+#include "client/gl/gl_loader.h"
 #include "client/gl/image.h"
 
 namespace platon {
@@ -39,6 +42,39 @@ inline double blockDifference(const Image& a, const Image& b, std::size_t block)
     }
   }
   return largest;
+}
+
+/// The greatest difference of a byte; 255 if the sizes differ.
+inline int largestDifference(const Image& a, const Image& b) {
+  if (a.pixels.size() != b.pixels.size()) return 255;
+  int largest = 0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i)
+    largest = std::max(largest, std::abs(int{a.pixels[i]} - int{b.pixels[i]}));
+  return largest;
+}
+
+/// Compares a picture with tests/client/gl/golden/NAME.png: every pixel on the driver of the golden pictures, blocks of
+/// them on others. If PLATON_DRAW_GOLDEN is set, writes it there instead. `block` divides both sizes.
+inline void expectGolden(const Image& image, const std::string& name, std::size_t block = 30) {
+  // Processors of another kind round the results of this driver in another way.
+  const std::string driver = "llvmpipe (LLVM 15.0.6, 256 bits)";
+  constexpr int kRounding = 2;        // steps of a colour, on that driver
+  constexpr double kOtherDriver = 8;  // mean steps of a colour in a block, on others
+  EXPECT_EQ(takeGlErrors(), "");
+  const std::filesystem::path golden = "tests/client/gl/golden/" + name + ".png";
+  if (std::getenv("PLATON_DRAW_GOLDEN") != nullptr) {
+    std::filesystem::create_directories(golden.parent_path());
+    return writePng(image, golden.string());
+  }
+  const std::filesystem::path drawn = testing::TempDir() + "golden/" + name + ".png";
+  std::filesystem::create_directories(drawn.parent_path());
+  writePng(image, drawn.string());
+  const Image expected = readPng(golden.string());
+  const std::string advice = "look at " + drawn.string() + ", and if it is right, run tests/client/gl/golden/draw.sh";
+  ASSERT_EQ(expected.pixels.size(), image.pixels.size()) << advice;
+  EXPECT_LT(blockDifference(image, expected, block), kOtherDriver) << advice;
+  const int allowed = driverName() == driver ? kRounding : 255;
+  EXPECT_LE(largestDifference(image, expected), allowed) << advice;
 }
 
 }  // namespace platon

@@ -21,11 +21,6 @@ namespace {
 
 constexpr std::uint32_t kWidth = 480;
 constexpr std::uint32_t kHeight = 270;
-constexpr std::size_t kBlock = 30;  // pixels; divides both sizes
-// Of the golden pictures. Processors of another kind round its results in another way.
-const std::string kDriver = "llvmpipe (LLVM 15.0.6, 256 bits)";
-constexpr int kRounding = 2;        // steps of a colour, on that driver
-constexpr double kOtherDriver = 8;  // mean steps of a colour in a block, on others
 
 Scene matchScene() {
   const LevelResult result = loadLevel(readText("levels/dodecahedron/21_leap_for_the_key.level"));
@@ -59,29 +54,10 @@ Image pictureIn(const Quality& quality) {
   return renderer.read();
 }
 
-int largestDifference(const Image& a, const Image& b) {
-  int largest = 0;
-  for (std::size_t i = 0; i < a.pixels.size(); ++i)
-    largest = std::max(largest, std::abs(int{a.pixels[i]} - int{b.pixels[i]}));
-  return largest;
-}
-
 TEST(QualityPictures, EachLevelLooksAsBefore) {
   const Offscreen context;
-  for (const NamedQuality& named : kQualities) {
-    const std::string name = "quality_" + std::string(named.name) + ".png";
-    const std::string golden = "tests/client/gl/golden/" + name;
-    const std::string drawn = testing::TempDir() + name;
-    const Image image = pictureIn(named.quality);
-    writePng(image, drawn);
-    const Image expected = readPng(golden);
-    const std::string advice = "look at " + drawn + ", and if it is right, copy it to " + golden;
-    EXPECT_EQ(expected.pixels.size(), image.pixels.size()) << advice;
-    if (expected.pixels.size() != image.pixels.size()) continue;
-    EXPECT_LT(blockDifference(image, expected, kBlock), kOtherDriver) << advice;
-    const int allowed = driverName() == kDriver ? kRounding : 255;
-    EXPECT_LE(largestDifference(image, expected), allowed) << advice;
-  }
+  for (const NamedQuality& named : kQualities)
+    expectGolden(pictureIn(named.quality), "quality_" + std::string(named.name));
 }
 
 TEST(QualityPictures, TheLevelsDiffer) {
