@@ -133,6 +133,14 @@ std::optional<std::string> faultOf(const Words& words, Settings& settings, Bindi
   return std::nullopt;
 }
 
+// A name from outside goes to the terminal only if it can be read there.
+std::string unknown(const std::string& name) {
+  constexpr std::size_t kMaxShown = 40;
+  const bool readable = name.size() <= kMaxShown &&
+                        std::all_of(name.begin(), name.end(), [](char byte) { return byte > ' ' && byte <= '~'; });
+  return readable ? "unknown setting '" + name + "'" : "unknown setting";
+}
+
 void parseLine(const std::string& line, const std::string& where, SettingsResult& result, BindingsReader& bindings) {
   std::istringstream stream(line);
   const Words words{std::istream_iterator<std::string>(stream), std::istream_iterator<std::string>()};
@@ -140,7 +148,7 @@ void parseLine(const std::string& line, const std::string& where, SettingsResult
   const std::optional<std::string> fault = faultOf(words, result.settings, bindings);
   if (!fault) result.unknownLines.push_back(line);
   if (!fault)
-    result.errors.push_back(where + "unknown setting '" + words[0] + "'");
+    result.errors.push_back(where + unknown(words[0]));
   else if (!fault->empty())
     result.errors.push_back(where + *fault);
 }

@@ -38,7 +38,8 @@ INSTANTIATE_TEST_SUITE_P(Targets, FuzzCorpusTest,
                                          Target{"recording", &recordingFault}, Target{"protocol", &protocolFault},
                                          Target{"handshake", &handshakeFault}, Target{"channel", &channelFault},
                                          Target{"console", &consoleFault}, Target{"config", &configFault},
-                                         Target{"ban_list", &banListFault}, Target{"best_times", &bestTimesFault}),
+                                         Target{"ban_list", &banListFault}, Target{"best_times", &bestTimesFault},
+                                         Target{"settings", &settingsFault}),
                          [](const auto& described) { return std::string(described.param.name); });
 
 }  // namespace

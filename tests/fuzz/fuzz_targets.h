@@ -41,4 +41,8 @@ std::string banListFault(Bytes bytes);
 /// the lesser of two times.
 std::string bestTimesFault(Bytes bytes);
 
+/// A settings file: each error is one printable line, what was read is written and read again alike, each key belongs
+/// to one control at most, and the menu can always be reached.
+std::string settingsFault(Bytes bytes);
+
 }  // namespace platon::fuzz

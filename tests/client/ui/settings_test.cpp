@@ -52,6 +52,15 @@ TEST(Settings, EmptyLinesAndMissingSettingsAreAllowed) {
   EXPECT_EQ(result.settings.comfort.turnSpeed, Settings().comfort.turnSpeed);
 }
 
+// The terminal obeyed what a damaged file told it.
+TEST(Settings, AnErrorIsReadableWhateverTheLine) {
+  const std::string longName(41, 'x');
+  const SettingsResult result = parseSettings("\x1b[2J on\n\xff\n" + longName + "\n" + longName.substr(1));
+  EXPECT_EQ(result.errors, (Lines{"line 1: unknown setting", "line 2: unknown setting", "line 3: unknown setting",
+                                  "line 4: unknown setting '" + longName.substr(1) + "'"}));
+  EXPECT_EQ(result.unknownLines.size(), 4u);
+}
+
 TEST(Settings, EveryBadLineIsReportedAndAffectsNoOther) {
   const SettingsResult result = parseSettings("turn-speed 0\nfullscreen on\ncolour red\nzoom 2 1\nnet-graph on");
   EXPECT_EQ(result.errors, (Lines{"line 1: turn-speed must be a number from 1 to 30",
