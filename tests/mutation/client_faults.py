@@ -277,5 +277,5 @@ CLIENT_FAULTS = [
               "NearServersTest.OneServerIsListedOnceHoweverManyOfItsAddressesAnswer"),
     at_length("slowed-run-counts", "client/replay/run_keeper.cpp", "counts_ = counts_ && count;", "counts_ = count;",
               "a run of which a part was played slower is kept as the best",
-              "RunKeeperTest.ARoundInWhichRunsDidNotCountForAWhileKeepsNone"),
+              "RunKeeperTest.AnAttemptInWhichRunsDidNotCountForAWhileIsNotKept"),
 ]  # fmt: skip

@@ -51,7 +51,8 @@ RECORDING_FAULTS = [
               "a ghost is a tick behind the attempt",
               "RunKeeperTest.TheGhostRunsInTimeWithTheAttempt"),
     at_length("older-rules-compared", REPLAY + "run_store.cpp",
-              "if (run.level != level || run.rules != kRulesVersion) continue;", "if (run.level != level) continue;",
+              "if (seen && run.level == level.hash && run.rules == kRulesVersion) runs.push_back(run);",
+              "if (seen && run.level == level.hash) runs.push_back(run);",
               "a time of older rules counts as the best one",
               "RunStoreTest.RunsOfOlderRulesAreKeptAndSaySo"),
 ]

@@ -132,7 +132,7 @@ TEST_F(MenuPicturesTest, Replays) {
   expectPage("replays_none", replaysPage(
                                  {}, [](std::size_t) {}, [] {}));
   const RunChoices choices{[] {}, [] {}, [] {}, [] {}};
-  expectPage("run", runPage(runs[2], "/home/ann/.local/share/platon/ghosts/Ann.recording", "", choices));
+  expectPage("run", runPage(runs[2], "/data/ann/.local/share/platon/ghosts/Ann.recording", "", choices));
 }
 
 TEST_F(MenuPicturesTest, Settings) {
