@@ -22,7 +22,7 @@ MAX_GIF_BYTES = 1_500_000
 
 FILM = {"name": "crossing.gif", "level": "hexahedron/03_a_wall_becomes_a_floor", "from": 5.0, "seconds": 5.4, "width": 640}
 STILLS = [
-    {"name": "hexahedron.png", "level": "hexahedron/05_key_on_the_wall", "from": 6.5, "players": 2},
+    {"name": "hexahedron.png", "level": "hexahedron/02_over_the_edge", "from": 8.0, "players": 2},
 ]
 LEVEL_WIDTH = 1200
 EDITED = "hexahedron/05_key_on_the_wall"
@@ -59,7 +59,7 @@ def make_film(client, root, picture):
         whole = Path(folder) / "whole.gif"
         # The unit of -delay is a hundredth of a second. Dithering would change every pixel from frame to frame.
         run("convert", "-delay", 100 // FRAMES_PER_SECOND, "-loop", 0, *frames, "+dither", "-colors", 255, whole)
-        run("gifsicle", "-O3", "--lossy=30", "--colors", 128, whole, "-o", file)
+        run("gifsicle", "-O3", "--lossy=30", "--colors", 256, whole, "-o", file)
     if file.stat().st_size > MAX_GIF_BYTES:
         raise PictureError(f"{file} has {file.stat().st_size} bytes; {MAX_GIF_BYTES} are allowed")
     return file
