@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::uint32_t kStep = kTicksPerSecond / 10;
 constexpr std::array<const char*, 4> kStars{"☆☆☆", "★☆☆", "★★☆", "★★★"};
+constexpr std::array<const char*, 4> kNames{"no medal", "bronze", "silver", "gold"};
 constexpr std::array<glm::vec4, 4> kColours{overlay_colours::kSoft, glm::vec4(0.90F, 0.62F, 0.42F, 1),
                                             glm::vec4(0.84F, 0.89F, 0.95F, 1), overlay_colours::kGold};
 
@@ -40,7 +41,9 @@ std::string starsOf(Medal medal) { return kStars[static_cast<std::size_t>(medal)
 glm::vec4 colourOf(Medal medal) { return kColours[static_cast<std::size_t>(medal)]; }
 
 std::string medalText(const MedalTimes& times, std::uint32_t ticks) {
-  return starsOf(medalFor(times, ticks)) + " " + nextMedalText(times, ticks);
+  const Medal medal = medalFor(times, ticks);
+  const std::string own = starsOf(medal) + " " + kNames[static_cast<std::size_t>(medal)];
+  return medal == Medal::kGold ? own : own + ", " + nextMedalText(times, ticks);
 }
 
 std::string nextMedalText(const MedalTimes& times, std::optional<std::uint32_t> best) {

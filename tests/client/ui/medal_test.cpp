@@ -42,7 +42,8 @@ TEST(Medal, TheNextOneIsNamedWithItsTime) {
   EXPECT_EQ(nextMedalText(times, std::nullopt), "bronze: 25.0 s");
   EXPECT_EQ(nextMedalText(times, 1600), "bronze: 25.0 s");
   EXPECT_EQ(nextMedalText(times, 1500), "silver: 15.0 s");
-  EXPECT_EQ(medalText(times, 900), "★★☆ gold: 11.5 s");
+  EXPECT_EQ(medalText(times, 900), "★★☆ silver, gold: 11.5 s");
+  EXPECT_EQ(medalText(times, 1600), "☆☆☆ no medal, bronze: 25.0 s");
   EXPECT_EQ(medalText(times, 1), "★★★ gold");
 }
 
