@@ -210,6 +210,8 @@ void MatchPlay::leave(const Clock& clock) {
   if (!client_.outage()) sessionFile_.forget();
   client_.leave();
   reportDesync();
+  runs_->store();  // waits for the last run
+  reportRuns();
   const auto update = [this](Moment now) { client_.update(now, [](const Game&, std::uint32_t) { return Input{}; }); };
   updateUntilClosed(clock, update, [this] { return client_.closed(); });
 }
