@@ -305,7 +305,7 @@ std::string WindowPlay::hint(bool roundOver) const {
   if (skip_.asked()) return keys.of(Control::kVote) + " again: next level, without this goal";
   if (roundOver) return match_->alone() ? keys.goOn() + ": next level" : "";
   if (!spectator_.hint().empty() || options_.demo) return spectator_.hint();
-  return hints_.hint(keys);
+  return view_.flying() ? "" : hints_.hint(keys);  // the goal in the picture is not the ball
 }
 
 // Of the own time, while the player is at the goal.

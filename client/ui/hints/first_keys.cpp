@@ -55,7 +55,10 @@ void FirstKeys::observeStep(const PlayerState& player) {
       if (way_ >= kRise) begin(Step::kCross);
       return;
     case Step::kCross:
-      if (crossed_) begin(Step::kGoal);
+      if (crossed_) begin(Step::kDown);
+      return;
+    case Step::kDown:
+      if (player.arrived == 0 && ++ticks_ >= kReadTicks) begin(Step::kGoal);
       return;
     case Step::kGoal:
       if (++ticks_ >= kReadTicks || player.arrived != 0) begin(Step::kMenu);
@@ -78,7 +81,9 @@ std::string FirstKeys::hint(const KeyHints& keys) const {
     case Step::kJump:
       return keys.to(Control::kJump, "jump. Hold it to jump high");
     case Step::kCross:
-      return "Roll on over the edge: the solid turns, and walls can become floors";
+      return "Roll on over the edge, to the next face";
+    case Step::kDown:
+      return "Down goes with you over every edge: a wall may become a floor";
     case Step::kGoal:
       return "The beam of light shows the goal";
     case Step::kMenu:

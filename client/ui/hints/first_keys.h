@@ -22,7 +22,7 @@ class FirstKeys {
   bool done() const { return step_ == Step::kDone; }
 
  private:
-  enum class Step { kRun, kJump, kCross, kGoal, kMenu, kDone };
+  enum class Step { kRun, kJump, kCross, kDown, kGoal, kMenu, kDone };
 
   void begin(Step step);
   void observeStep(const PlayerState& player);
@@ -30,7 +30,7 @@ class FirstKeys {
 
   Step step_;
   std::int64_t way_ = 0;               // subunits moved to the sides in kRun, or risen in the present jump in kJump
-  std::uint32_t ticks_ = 0;            // of kGoal or kMenu
+  std::uint32_t ticks_ = 0;            // of kDown, kGoal or kMenu
   std::optional<std::uint32_t> face_;  // where the ball was first
   bool crossed_ = false;               // it has been on another face
   std::uint32_t pushed_ = 0;           // ticks of pressing against something that does not give way

@@ -37,10 +37,12 @@ TEST_F(FirstKeysTest, EachIsShownUntilItIsDone) {
   play(Input::kRight, 20);
   EXPECT_EQ(keys_.hint(KeyHints()), "Space: jump. Hold it to jump high");
   play(Input::kJump, 60);
-  EXPECT_EQ(keys_.hint(KeyHints()), "Roll on over the edge: the solid turns, and walls can become floors");
+  EXPECT_EQ(keys_.hint(KeyHints()), "Roll on over the edge, to the next face");
   play(0, 600);
-  EXPECT_EQ(keys_.hint(KeyHints()), "Roll on over the edge: the solid turns, and walls can become floors");
+  EXPECT_EQ(keys_.hint(KeyHints()), "Roll on over the edge, to the next face");
   play(Input::kRight, 120);
+  EXPECT_EQ(keys_.hint(KeyHints()), "Down goes with you over every edge: a wall may become a floor");
+  play(0, 5 * kTicksPerSecond);
   EXPECT_EQ(keys_.hint(KeyHints()), "The beam of light shows the goal");
   play(0, 5 * kTicksPerSecond);
   EXPECT_EQ(keys_.hint(KeyHints()), "Esc: pause, settings, other levels");
@@ -55,7 +57,7 @@ TEST_F(FirstKeysTest, WhoHasCrossedAnEdgeBeforeIsNotToldHow) {
   play(Input::kRestart, 1);
   play(0, 30);
   play(Input::kJump, 60);
-  EXPECT_EQ(keys_.hint(KeyHints()), "The beam of light shows the goal");
+  EXPECT_EQ(keys_.hint(KeyHints()), "Down goes with you over every edge: a wall may become a floor");
 }
 
 TEST_F(FirstKeysTest, AKeyThatMovesNothingIsNotEnough) {
