@@ -166,7 +166,8 @@ class RunsOfAMatch : public MatchPlayTest {
   // Runs to the goal with these options. Returns whether a scene fulfils `done`.
   bool playUntil(const ClientOptions& options, const std::function<bool(MatchPlay&, const Scene&)>& done) {
     LoopbackServer server([](std::string_view) {}, "", flatLevel());
-    MatchPlay play(options, server.address(), server.clock().now(), rival_);
+    clock_ = server.clock();
+    MatchPlay play(options, server.address(), clock_.now(), rival_);
     const auto update = [&](Moment now) {
       play.update(now, [](const Game&, std::uint32_t) { return Input{Input::kRight}; });
     };
@@ -176,6 +177,7 @@ class RunsOfAMatch : public MatchPlayTest {
     });
   }
   std::filesystem::path rival_;
+  Clock clock_;  // of the server of this match
   std::optional<StoredRun> best() const { return RunStore(runsFolder()).best(*flatLevel()); }
 };
 
@@ -216,6 +218,19 @@ TEST_F(RunsOfAMatch, TheRivalPlaysAlongAlsoIfTheSettingsHideGhosts) {
     EXPECT_EQ(scene.ghosts.size(), 1U);
     return true;
   }));
+}
+
+TEST_F(RunsOfAMatch, WhatCouldNotBeKeptIsReportedToWhoLeavesAtOnce) {
+  std::filesystem::create_directories(runsFolder().parent_path());
+  writeText(runsFolder(), "a file in place of the folder");
+  testing::internal::CaptureStderr();
+  EXPECT_TRUE(playUntil({}, [&](MatchPlay& play, const Scene&) {
+    if (!play.hudStatus(Moment(), false).run.isNewBest) return false;
+    play.leave(clock_);
+    return true;
+  }));
+  const std::string said = testing::internal::GetCapturedStderr();
+  EXPECT_NE(said.find("the best run is not kept: "), std::string::npos) << said;
 }
 
 TEST_F(RunsOfAMatch, TheDemonstrationHasNone) {
