@@ -19,7 +19,7 @@ std::optional<CueSource> sourceOf(const Session* session, const Scene* scene, st
   source.confirmedTicks = prediction.confirmedTicks();
   source.othersTick = round.interpolationBuffer().tick();
   source.localSlot = prediction.slot();
-  source.over = session->roundEnd() != nullptr || prediction.predicted().over();
+  source.over = scene->over;
   source.timed = scene->timed;
   source.nextRoundSeconds = nextRoundSeconds;
   return source;

@@ -2,14 +2,11 @@
 
 #include <cstdint>
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "client/demo/demo.h"
-#include "client/netcode/attempt_time.h"
-#include "client/netcode/player_snapshot.h"
+#include "client/play/offscreen/local_game.h"
 #include "client/scene/scene.h"
-#include "client/scene/stage_model.h"
 #include "platon/game/game.h"
 
 namespace platon {
@@ -25,22 +22,16 @@ class BenchmarkGame {
   /// Plays this number of ticks.
   void advance(std::uint32_t ticks);
   /// The moment to draw.
-  Scene scene() const;
+  Scene scene() const { return game_.scene(); }
 
  private:
   static constexpr std::uint32_t kTicksBetween = 12;  // from one player to the next
 
-  void begin();
   void advance();
 
-  std::shared_ptr<const Level> level_;
-  std::shared_ptr<const StageModel> stage_;
-  std::vector<std::string> names_;  // by slot
-  Game game_;
-  Demo demo_;                            // of the first player
-  std::vector<Input> inputs_;            // of the first player, by tick
-  AttemptTime attempt_;                  // of the first player
-  std::vector<PlayerSnapshot> players_;  // by slot
+  LocalGame game_;
+  Demo demo_;                  // of the first player
+  std::vector<Input> inputs_;  // of the first player, by tick
 };
 
 }  // namespace platon

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <string>
 #include <utility>
 
 #include "client/gl/image.h"
@@ -14,6 +15,12 @@ namespace {
 constexpr std::array<const char*, 4> kNames{"Ada", "Grace", "Emmy", "Sofia"};
 
 std::uint32_t toTicks(double seconds) { return static_cast<std::uint32_t>(std::lround(seconds * kTicksPerSecond)); }
+
+std::vector<std::string> namesOfPlayers(std::uint32_t players) {
+  std::vector<std::string> names;
+  for (std::uint32_t slot = 0; slot < players; ++slot) names.emplace_back(kNames[slot % kNames.size()]);
+  return names;
+}
 
 std::string frameFile(const std::string& folder, std::uint32_t frame) {
   std::array<char, 16> name{};
@@ -29,11 +36,9 @@ FramePlay::FramePlay(const ClientOptions& options, std::shared_ptr<const Level> 
       firstTick_(toTicks(options_.from)),
       endTick_(firstTick_ + toTicks(options.seconds.value_or(kSeconds))),
       view_(options_.width, options_.width * 9 / 16),
-      game_(std::move(level)),
-      stage_(makeStageModel(game_.level())),
+      game_(std::move(level), namesOfPlayers(options_.players)),
       demos_(options_.players) {
   view_.setQuality(kBestQuality);
-  for (std::uint32_t slot = 0; slot < options_.players; ++slot) names_.emplace_back(kNames[slot % kNames.size()]);
 }
 
 void FramePlay::run(const std::function<bool()>& stopRequested) {
@@ -48,25 +53,15 @@ void FramePlay::run(const std::function<bool()>& stopRequested) {
 void FramePlay::advance() {
   std::vector<Input> inputs(options_.players);
   for (std::uint32_t slot = 0; slot < options_.players; ++slot) {
-    if (game_.tick() < slot * kTicksBetweenStarts) continue;
-    inputs[slot] = demos_[slot].choose(game_, slot);
+    if (game_.game().tick() < slot * kTicksBetweenStarts) continue;
+    inputs[slot] = demos_[slot].choose(game_.game(), slot);
     inputs[slot].buttons |= Input::kPresent;
   }
   game_.advance(inputs);
-  attempt_.observe(game_.tick(), game_.player(0));
 }
 
 void FramePlay::writeFrame(std::uint32_t frame) {
-  players_.clear();
-  for (std::uint32_t slot = 0; slot < game_.slots(); ++slot) players_.push_back(snapshotOf(game_, slot));
-  SceneSource source;
-  source.stage = stage_;
-  source.game = &game_;
-  source.others = {players_, players_, 1};
-  source.localSlot = 0;
-  source.names = names_;
-  source.attempt = attempt_;
-  const Scene scene = makeScene(source);
+  const Scene scene = game_.scene();
   view_.draw(&scene, HudStatus(), Settings(), Overlay(), double{1} / options_.perSecond);
   writePng(view_.read(), frameFile(options_.folder, frame));
 }

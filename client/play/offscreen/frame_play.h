@@ -3,16 +3,13 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "client/demo/demo.h"
 #include "client/gl/game_view.h"
 #include "client/gl/offscreen.h"
-#include "client/netcode/attempt_time.h"
-#include "client/netcode/player_snapshot.h"
 #include "client/play/client_options.h"
-#include "client/scene/stage_model.h"
+#include "client/play/offscreen/local_game.h"
 #include "platon/game/game.h"
 
 namespace platon {
@@ -41,12 +38,8 @@ class FramePlay {
   std::uint32_t endTick_;
   Offscreen offscreen_;
   GameView view_;
-  Game game_;
-  AttemptTime attempt_;  // of slot 0, which is the local player
-  std::shared_ptr<const StageModel> stage_;
-  std::vector<Demo> demos_;         // by slot
-  std::vector<std::string> names_;  // by slot
-  std::vector<PlayerSnapshot> players_;
+  LocalGame game_;
+  std::vector<Demo> demos_;  // by slot
 };
 
 }  // namespace platon
