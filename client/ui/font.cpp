@@ -13,6 +13,8 @@ constexpr float kSlope = 24;           // change of the distance value per sampl
 
 }  // namespace
 
+Font::Font() = default;
+
 Font::Glyph Font::glyph(char32_t codePoint) const {
   Glyph glyph;
   int left = 0;

@@ -22,6 +22,8 @@ class Font : public Typeface {
   };
   static constexpr int kOnOutline = 128;
 
+  Font();
+
   Glyph glyph(char32_t codePoint) const;
 };
 
