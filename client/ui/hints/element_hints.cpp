@@ -13,7 +13,7 @@ constexpr std::uint32_t kReadTicks = 8 * kTicksPerSecond;  // of play: who only 
 // In the order of kElementKinds. A level with doors has keys or plates, which tell of them.
 constexpr std::array<std::string_view, kElementKinds.size()> kHints = {
     "A ledge with arrows lets you pass the way they point",
-    "A block with an arrow is in your way only while your up points there",
+    "A block with an arrow is solid only while its arrow points up on the screen",
     "A zigzag sends you back to the start, or to your last flag",
     "Touch a flag, and a zigzag sends you back only to there",
     "A key opens all doors with its number",
