@@ -28,17 +28,20 @@ inline Image readPng(const std::string& file) {
   return image;
 }
 
-/// The largest mean difference of a byte in a block of pixels. `block` divides both sizes, which are equal.
+/// The largest mean difference of a byte in a block of pixels; blocks at the right and at the bottom may be smaller.
+/// The sizes are equal.
 inline double blockDifference(const Image& a, const Image& b, std::size_t block) {
   double largest = 0;
   for (std::size_t y = 0; y < a.height; y += block) {
     for (std::size_t x = 0; x < a.width; x += block) {
+      const std::size_t bottom = std::min<std::size_t>(y + block, a.height);
+      const std::size_t right = std::min<std::size_t>(x + block, a.width);
       double sum = 0;
-      for (std::size_t row = y; row < y + block; ++row) {
-        for (std::size_t i = 3 * (row * a.width + x); i < 3 * (row * a.width + x + block); ++i)
+      for (std::size_t row = y; row < bottom; ++row) {
+        for (std::size_t i = 3 * (row * a.width + x); i < 3 * (row * a.width + right); ++i)
           sum += std::abs(int{a.pixels[i]} - int{b.pixels[i]});
       }
-      largest = std::max(largest, sum / static_cast<double>(3 * block * block));
+      largest = std::max(largest, sum / static_cast<double>(3 * (bottom - y) * (right - x)));
     }
   }
   return largest;
@@ -54,7 +57,7 @@ inline int largestDifference(const Image& a, const Image& b) {
 }
 
 /// Compares a picture with tests/client/gl/golden/NAME.png: every pixel on the driver of the golden pictures, blocks of
-/// them on others. If PLATON_DRAW_GOLDEN is set, writes it there instead. `block` divides both sizes.
+/// them on others. If PLATON_DRAW_GOLDEN is set, writes it there instead.
 inline void expectGolden(const Image& image, const std::string& name, std::size_t block = 30) {
   // Processors of another kind round the results of this driver in another way.
   const std::string driver = "llvmpipe (LLVM 15.0.6, 256 bits)";
