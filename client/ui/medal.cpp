@@ -19,9 +19,11 @@ std::uint32_t scaled(std::uint32_t ticks, std::uint32_t percent) {
   return static_cast<std::uint32_t>((std::uint64_t{ticks} * percent + whole - 1) / whole * kStep);
 }
 
-std::string tenthsText(const char* medal, std::uint32_t ticks) {
+std::string nameOf(Medal medal) { return kNames[static_cast<std::size_t>(medal)]; }
+
+std::string tenthsText(Medal medal, std::uint32_t ticks) {
   const std::uint32_t tenths = ticks / kStep;
-  return std::string(medal) + ": " + std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " s";
+  return nameOf(medal) + ": " + std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " s";
 }
 
 }  // namespace
@@ -42,20 +44,20 @@ glm::vec4 colourOf(Medal medal) { return kColours[static_cast<std::size_t>(medal
 
 std::string medalText(const MedalTimes& times, std::uint32_t ticks) {
   const Medal medal = medalFor(times, ticks);
-  const std::string own = starsOf(medal) + " " + kNames[static_cast<std::size_t>(medal)];
+  const std::string own = starsOf(medal) + " " + nameOf(medal);
   return medal == Medal::kGold ? own : own + ", " + nextMedalText(times, ticks);
 }
 
 std::string nextMedalText(const MedalTimes& times, std::optional<std::uint32_t> best) {
   switch (best ? medalFor(times, *best) : Medal::kNone) {
     case Medal::kGold:
-      return "gold";
+      return nameOf(Medal::kGold);
     case Medal::kSilver:
-      return tenthsText("gold", times.gold);
+      return tenthsText(Medal::kGold, times.gold);
     case Medal::kBronze:
-      return tenthsText("silver", times.silver);
+      return tenthsText(Medal::kSilver, times.silver);
     default:
-      return tenthsText("bronze", times.bronze);
+      return tenthsText(Medal::kBronze, times.bronze);
   }
 }
 

@@ -8,12 +8,11 @@ void NewPlayerHints::observe(const Game& game, std::uint32_t slot, Settings& set
   const PlayerState player = game.player(slot);
   keys_.observe(player, game.world().entities()[slot].part);
   settings.firstKeys = !keys_.done();
-  if (keys_.hint(KeyHints()).empty()) elements_.observe(player, game.level().elements, settings.untold);
+  if (keys_.done()) elements_.observe(player, game.level().elements, settings.untold);
 }
 
 std::string NewPlayerHints::hint(const KeyHints& keys) const {
-  const std::string ofKeys = keys_.hint(keys);
-  return ofKeys.empty() ? std::string(elements_.hint()) : ofKeys;
+  return keys_.done() ? std::string(elements_.hint()) : keys_.hint(keys);
 }
 
 }  // namespace platon
