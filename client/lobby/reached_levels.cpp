@@ -1,10 +1,6 @@
 #include "client/lobby/reached_levels.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
-#include <cinttypes>
-#include <cstdio>
 #include <optional>
 #include <sstream>
 #include <system_error>
@@ -12,24 +8,13 @@
 #include <variant>
 
 #include "protocol/files/text_file.h"
+#include "protocol/hash_text.h"
 
 namespace platon {
 namespace {
 
 constexpr const char* kHead = "# Levels whose goal you have reached: the hash of each.\n";
 constexpr std::size_t kMaxBytes = ReachedLevels::kMaxLevels * 32;
-
-std::string hexOf(std::uint64_t hash) {
-  std::array<char, 17> text{};
-  std::snprintf(text.data(), text.size(), "%016" PRIx64, hash);
-  return text.data();
-}
-
-std::optional<std::uint64_t> hashOf(const std::string& line) {
-  std::uint64_t hash = 0;
-  std::from_chars(line.data(), line.data() + line.size(), hash, 16);
-  return line == hexOf(hash) ? std::optional(hash) : std::nullopt;
-}
 
 }  // namespace
 
@@ -43,7 +28,7 @@ void ReachedLevels::read() {
   if (text == nullptr) return;
   std::istringstream lines(*text);
   for (std::string line; std::getline(lines, line);) {
-    if (const std::optional<std::uint64_t> hash = hashOf(line)) levels_.push_back(*hash);
+    if (const std::optional<std::uint64_t> hash = hashIn(line)) levels_.push_back(*hash);
   }
 }
 
@@ -59,7 +44,7 @@ std::string ReachedLevels::add(std::uint64_t level) {
   levels_.push_back(level);
   if (levels_.size() > kMaxLevels) levels_.erase(levels_.begin(), levels_.end() - kMaxLevels);
   std::string text = kHead;
-  for (const std::uint64_t each : levels_) text += hexOf(each) + "\n";
+  for (const std::uint64_t each : levels_) text += hashText(each) + "\n";
   std::error_code ignored;
   std::filesystem::create_directories(file_.parent_path(), ignored);  // writing reports the error
   const std::string fault = replaceCachedFile(file_.string(), text);

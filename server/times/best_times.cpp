@@ -1,11 +1,10 @@
 #include "server/times/best_times.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
-#include <cstdio>
 
 #include "protocol/files/parse_error.h"
+#include "protocol/hash_text.h"
 #include "protocol/label.h"
 #include "protocol/limits.h"
 #include "server/base/word_reader.h"
@@ -15,27 +14,14 @@ namespace {
 
 constexpr std::string_view kHead =
     "# Best times: hash of the level, version of the rules, ticks (60 a second), date, name of the player.\n";
-constexpr std::size_t kHashDigits = 16;
 constexpr std::size_t kMaxLineBytes = kHashDigits + 10 + 10 + 20 + kMaxNameBytes + 5;  // five separators
 static_assert(kHead.size() + BestTimes::kMaxTimes * kMaxLineBytes <= BestTimes::kMaxBytes);
-
-std::string hexOf(std::uint64_t hash) {
-  std::array<char, kHashDigits + 1> text{};
-  std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(hash));
-  return text.data();
-}
 
 // Nothing if the text is not the number in its shortest form.
 std::optional<std::uint32_t> numberOf(std::string_view text) {
   std::uint32_t number = 0;
   std::from_chars(text.data(), text.data() + text.size(), number);
   return text == std::to_string(number) ? std::optional(number) : std::nullopt;
-}
-
-std::optional<std::uint64_t> hashOf(std::string_view text) {
-  std::uint64_t hash = 0;
-  std::from_chars(text.data(), text.data() + text.size(), hash, 16);
-  return text == hexOf(hash) ? std::optional(hash) : std::nullopt;
 }
 
 // The date is written with its time of day.
@@ -57,7 +43,7 @@ struct LineReader {
   }
 
   std::variant<Entry, ParseError> read() {
-    const auto hash = hashOf(next());
+    const auto hash = hashIn(next());
     if (!hash) return ParseError{"a line begins with the hash of a level, 16 digits 0 to 9 and a to f"};
     const auto rules = numberOf(next());
     if (!rules) return ParseError{"after the hash must stand the version of the rules, a whole number"};
@@ -106,7 +92,7 @@ std::variant<BestTimes, std::vector<Diagnostic>> BestTimes::parse(std::string_vi
 std::string BestTimes::text() const {
   std::string text(kHead);
   for (const auto& [level, best] : times_) {
-    text += hexOf(level.hash) + " " + std::to_string(level.rules) + " " + std::to_string(best.time.ticks) + " " +
+    text += hashText(level.hash) + " " + std::to_string(level.rules) + " " + std::to_string(best.time.ticks) + " " +
             formatUtcTime(best.date) + " " + best.time.name + "\n";
   }
   return text;
