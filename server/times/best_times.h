@@ -21,7 +21,7 @@ struct PlayedLevel {
   std::uint64_t hash = 0;  ///< of the level
   std::uint32_t rules = 0;
 
-  friend auto operator<=>(const PlayedLevel&, const PlayedLevel&) = default;
+  friend auto operator<=>(const PlayedLevel&, const PlayedLevel&) = default;  // NOLINT(modernize-use-nullptr)
 };
 
 /// A best time and when it was reached.

@@ -93,7 +93,7 @@ class HandshakeWorld {
     CryptoKey clientKey{};
     platon::Bytes bytes;
 
-    friend auto operator<=>(const Content&, const Content&) = default;
+    friend auto operator<=>(const Content&, const Content&) = default;  // NOLINT(modernize-use-nullptr)
   };
 
   void require(bool holds, const char* law);
