@@ -106,7 +106,7 @@ void Round::observeLocal() {
   if (slot >= game.slots()) return;
   const std::uint32_t ticks = prediction_.predictedTicks();
   flashes_.observe(slot, ticks, game.player(slot));
-  airTime_.observe(ticks, game.player(slot));
+  airTime_.observe(ticks, game.player(slot), game.world().entities()[slot].part);
   attemptTime_.observe(ticks, game.player(slot));
 }
 
