@@ -34,7 +34,7 @@ struct Settings {
   bool netGraph = false;
   bool chat = true;            ///< shows what players say
   bool firstKeys = true;       ///< shows the first keys until they were used
-  UntoldElements untold;       ///< shows what these elements do, once each
+  UntoldElements untold;       ///< shows what these elements do until the ball has met one of each
   double volume = 80;          ///< of all sound, 0 … 100
   double effectsVolume = 100;  ///< of the sounds of events, 0 … 100
   double musicVolume = 70;     ///< 0 … 100

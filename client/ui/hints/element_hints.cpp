@@ -3,12 +3,18 @@
 #include <algorithm>
 #include <array>
 
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+
 #include "platon/game/game.h"
 
 namespace platon {
 namespace {
 
-constexpr std::uint32_t kReadTicks = 8 * kTicksPerSecond;  // of play: who only looks at the level reads on
+// Of play: who only looks at the level reads on.
+constexpr std::uint32_t kReadTicks = 4 * kTicksPerSecond;  // to read a hint of an element that the ball has met
+constexpr std::uint32_t kTurnTicks = 8 * kTicksPerSecond;  // after which the next kind has its turn
+constexpr double kNear = 2.0 * kPlayerRadius;              // from the ball to an element that it meets, subunits
 
 // In the order of kElementKinds. A level with doors has keys or plates, which tell of them.
 constexpr std::array<std::string_view, kElementKinds.size()> kHints = {
@@ -27,6 +33,15 @@ std::uint8_t kindsOf(std::span<const Element> elements) {
   std::uint8_t kinds = 0;
   for (const Element& element : elements) kinds |= bit(static_cast<std::size_t>(element.kind));
   return kinds;
+}
+
+bool isNear(const EntityState& ball, const Element& element) {
+  if (ball.part != element.face) return false;
+  const auto inSubunits = [](Point point) { return glm::dvec2(point.x, point.y); };
+  const glm::dvec2 way = inSubunits(element.ends.b) - inSubunits(element.ends.a);
+  const glm::dvec2 place = inSubunits(ball.position) - inSubunits(element.ends.a);
+  const double part = std::clamp(glm::dot(place, way) / std::max(glm::dot(way, way), 1.0), 0.0, 1.0);
+  return glm::distance(place, part * way) < kNear;
 }
 
 }  // namespace
@@ -53,14 +68,28 @@ bool parse(std::string_view text, UntoldElements& untold) {
   return true;
 }
 
-void ElementHints::observe(const PlayerState& player, std::span<const Element> elements, UntoldElements& untold) {
+std::uint8_t ElementHints::nextOf(std::uint8_t open) const {
+  for (std::size_t step = 1; step <= kNone + std::size_t{1}; ++step) {
+    const std::size_t kind = (kind_ + step) % (kNone + std::size_t{1});
+    if ((open & bit(kind)) != 0 && !kHints[kind].empty()) return static_cast<std::uint8_t>(kind);
+  }
+  return kNone;
+}
+
+void ElementHints::observe(const PlayerState& player, const EntityState& ball, std::span<const Element> elements,
+                           UntoldElements& untold) {
   const std::uint8_t open = kindsOf(elements) & untold.mask;
-  std::uint8_t kind = 0;
-  while (kind < kNone && ((open & bit(kind)) == 0 || kHints[kind].empty())) ++kind;
-  if (kind != kind_) ticks_ = 0;
-  kind_ = kind;
+  if (kind_ == kNone || (open & bit(kind_)) == 0 || ticks_ >= kTurnTicks) {
+    kind_ = nextOf(open);
+    ticks_ = 0;
+  }
   if (kind_ == kNone || player.startedAt == 0 || player.arrived != 0) return;
-  if (++ticks_ >= kReadTicks) untold.mask &= static_cast<std::uint8_t>(~bit(kind_));
+  for (const Element& element : elements) {
+    if (isNear(ball, element)) met_ |= bit(static_cast<std::size_t>(element.kind));
+  }
+  if (++ticks_ < kReadTicks || (met_ & bit(kind_)) == 0) return;
+  untold.mask &= static_cast<std::uint8_t>(~bit(kind_));
+  met_ &= static_cast<std::uint8_t>(~bit(kind_));
 }
 
 std::string_view ElementHints::hint() const { return kind_ == kNone ? std::string_view() : kHints[kind_]; }

@@ -7,6 +7,7 @@
 
 #include "platon/game/element.h"
 #include "platon/game/player.h"
+#include "platon/physics/entity_state.h"
 
 namespace platon {
 
@@ -22,16 +23,22 @@ std::string textOf(UntoldElements untold);
 /// Reads what textOf writes. Another text changes nothing and returns false.
 bool parse(std::string_view text, UntoldElements& untold);
 
-/// Tells a new player what the elements of a level do, one kind at a time, each once.
+/// Tells a new player what the elements of a level do, one kind at a time, in turns until the ball has met one of it.
 class ElementHints {
  public:
-  /// Notes a tick of the player in a level with these elements. A kind that was shown long enough leaves `untold`.
-  void observe(const PlayerState& player, std::span<const Element> elements, UntoldElements& untold);
+  /// Notes a tick of the player in a level with these elements. A kind that the ball has met, and whose hint was shown
+  /// long enough, leaves `untold`. A restart changes nothing.
+  void observe(const PlayerState& player, const EntityState& ball, std::span<const Element> elements,
+               UntoldElements& untold);
   /// What the kind does that is told now; empty if there is none.
   std::string_view hint() const;
 
  private:
+  // The next kind of `open` that has a hint, which may be the present one; kNone if there is none.
+  std::uint8_t nextOf(std::uint8_t open) const;
+
   std::uint8_t kind_ = kNone;  // index into kElementKinds
+  std::uint8_t met_ = 0;       // bit K: the ball has been near an element of kElementKinds[K]
   std::uint32_t ticks_ = 0;    // for which the hint has been on the screen while the ball was played
 
   static constexpr std::uint8_t kNone = kElementKinds.size();

@@ -6,9 +6,10 @@ void NewPlayerHints::observe(const Game& game, std::uint32_t slot, Settings& set
   if (settings.firstKeys == keys_.done()) keys_ = FirstKeys(!settings.firstKeys);  // turned on again, or off
   if (slot >= game.slots() || game.player(slot).present == 0) return;
   const PlayerState player = game.player(slot);
-  keys_.observe(player, game.world().entities()[slot].part);
+  const EntityState& ball = game.world().entities()[slot];
+  keys_.observe(player, ball.part);
   settings.firstKeys = !keys_.done();
-  if (keys_.done()) elements_.observe(player, game.level().elements, settings.untold);
+  if (keys_.done()) elements_.observe(player, ball, game.level().elements, settings.untold);
 }
 
 std::string NewPlayerHints::hint(const KeyHints& keys) const {

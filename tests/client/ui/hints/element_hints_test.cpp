@@ -9,11 +9,20 @@
 namespace platon {
 namespace {
 
-constexpr std::uint32_t kReadTicks = 480;  // 8 s
+constexpr std::uint32_t kReadTicks = 240;  // 4 s
+constexpr std::uint32_t kTurnTicks = 480;  // 8 s
+constexpr const char* kOneway = "A ledge with arrows lets you pass the way they point";
+constexpr const char* kKey = "A key opens all doors with its number";
 
+// Each on the face of its index in the list.
 std::vector<Element> elementsOf(std::initializer_list<ElementKind> kinds) {
   std::vector<Element> elements;
-  for (const ElementKind kind : kinds) elements.emplace_back().kind = kind;
+  for (const ElementKind kind : kinds) {
+    Element& element = elements.emplace_back();
+    element.kind = kind;
+    element.face = static_cast<std::uint32_t>(elements.size() - 1);
+    element.ends = {{-kPlayerRadius, 0}, {kPlayerRadius, 0}};
+  }
   return elements;
 }
 
@@ -23,29 +32,64 @@ PlayerState playing() {
   return player;
 }
 
-void play(ElementHints& hints, const std::vector<Element>& elements, UntoldElements& untold, std::uint32_t ticks) {
-  for (std::uint32_t tick = 0; tick < ticks; ++tick) hints.observe(playing(), elements, untold);
+EntityState ballOn(std::uint32_t face, std::int32_t height = 0) {
+  EntityState ball;
+  ball.part = face;
+  ball.position = {0, height};
+  return ball;
 }
 
-TEST(ElementHints, EachKindIsToldOnceOneAfterAnother) {
+void play(ElementHints& hints, const std::vector<Element>& elements, UntoldElements& untold, std::uint32_t ticks,
+          const EntityState& ball = ballOn(0)) {
+  for (std::uint32_t tick = 0; tick < ticks; ++tick) hints.observe(playing(), ball, elements, untold);
+}
+
+TEST(ElementHints, EachKindIsToldOneAfterAnother) {
   const std::vector<Element> elements = elementsOf({ElementKind::kKey, ElementKind::kOneway, ElementKind::kKey});
   ElementHints hints;
   UntoldElements untold;
   EXPECT_EQ(hints.hint(), "");
-  play(hints, elements, untold, kReadTicks);
-  EXPECT_EQ(hints.hint(), "A ledge with arrows lets you pass the way they point");
-  play(hints, elements, untold, kReadTicks);
-  EXPECT_EQ(hints.hint(), "A key opens all doors with its number");
+  play(hints, elements, untold, kReadTicks, ballOn(1));
+  EXPECT_EQ(hints.hint(), kOneway);
+  play(hints, elements, untold, kReadTicks, ballOn(2));
+  EXPECT_EQ(hints.hint(), kKey);
   play(hints, elements, untold, 1);
   EXPECT_EQ(hints.hint(), "");
   EXPECT_EQ(textOf(untold), "up,hazard,checkpoint,door,plate");
+}
+
+TEST(ElementHints, AKindIsToldUntilTheBallHasMetOne) {
+  const std::vector<Element> elements = elementsOf({ElementKind::kKey});
+  ElementHints hints;
+  UntoldElements untold;
+  play(hints, elements, untold, 10 * kTurnTicks, ballOn(1));
+  EXPECT_EQ(hints.hint(), kKey);
+  play(hints, elements, untold, kTurnTicks, ballOn(0, 2 * kPlayerRadius));
+  EXPECT_EQ(hints.hint(), kKey) << "passed at a distance";
+  hints.observe(PlayerState(), ballOn(1), elements, untold);  // a restart
+  EXPECT_EQ(hints.hint(), kKey);
+  play(hints, elements, untold, 1, ballOn(0, 2 * kPlayerRadius - 1));
+  play(hints, elements, untold, kReadTicks, ballOn(1));
+  EXPECT_EQ(hints.hint(), "");
+  EXPECT_EQ(textOf(untold), "oneway,up,hazard,checkpoint,door,plate");
+}
+
+TEST(ElementHints, KindsThatTheBallHasNotMetTakeTurns) {
+  const std::vector<Element> elements = elementsOf({ElementKind::kKey, ElementKind::kOneway});
+  ElementHints hints;
+  UntoldElements untold;
+  for (const char* text : {kOneway, kKey, kOneway}) {
+    play(hints, elements, untold, kTurnTicks, ballOn(3));
+    EXPECT_EQ(hints.hint(), text);
+  }
+  EXPECT_EQ(untold, UntoldElements());
 }
 
 TEST(ElementHints, WaitsUntilTheBallIsPlayed) {
   const std::vector<Element> elements = elementsOf({ElementKind::kPlate});
   ElementHints hints;
   UntoldElements untold;
-  for (std::uint32_t tick = 0; tick < 2 * kReadTicks; ++tick) hints.observe(PlayerState(), elements, untold);
+  for (std::uint32_t tick = 0; tick < 2 * kTurnTicks; ++tick) hints.observe(PlayerState(), ballOn(0), elements, untold);
   EXPECT_EQ(hints.hint(), "The doors with the number of a plate are open while somebody stands on it");
   EXPECT_EQ(untold, UntoldElements());
 }

@@ -19,7 +19,7 @@ class NewPlayerHintsTest : public testing::Test {
   static std::shared_ptr<const Level> keyLevel() {
     return loadLevel(
                "HEXAHEDRON\n0 0 -188 0\n3 0 0\n480\n%\n-150 -200 240 -200\n-150 -200 -150 100\n"
-               "-140 90 -140 100 key 1\n-200 90 -200 100 door 1\n%\n%\n%\n%\n%\n")
+               "-100 -190 -100 -180 key 1\n-200 90 -200 100 door 1\n%\n%\n%\n%\n%\n")
         .level;
   }
 
@@ -34,7 +34,11 @@ TEST_F(NewPlayerHintsTest, KeysComeBeforeElements) {
   settings_.firstKeys = false;  // turned off in the menu
   play(0, 1);
   EXPECT_EQ(hints_.hint(KeyHints()), "A key opens all doors with its number");
-  play(Input::kLeft, 481);
+  play(Input::kRight, 600);
+  EXPECT_EQ(hints_.hint(KeyHints()), "A key opens all doors with its number") << "not met";
+  play(Input::kRestart, 1);
+  EXPECT_EQ(hints_.hint(KeyHints()), "A key opens all doors with its number") << "a restart does not end it";
+  play(Input::kLeft, 300);
   EXPECT_EQ(hints_.hint(KeyHints()), "");
   EXPECT_EQ(textOf(settings_.untold), "oneway,up,hazard,checkpoint,door,plate");
 }
