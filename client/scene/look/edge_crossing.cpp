@@ -91,11 +91,12 @@ EdgeCrossing::Glow& EdgeCrossing::glowOf(const SolidMesh& mesh, int edge) {
   return found == glows_.end() ? glows_.emplace_back() : *found;
 }
 
-// The arrow goes with the ball. Who crosses again meanwhile sees it for the full time, without a gap.
+// The arrow goes with the ball.
 void EdgeCrossing::follow(const StageModel& stage, const Pose& pose, bool crossed, double passed) {
-  const bool seen = arrowAge_ < kArrowSeconds;
   arrowAge_ = std::min(arrowAge_ + passed, kArrowSeconds);
-  if (crossed) arrowAge_ = seen ? std::min(arrowAge_, kArrowRise) : 0;
+  sinceCrossing_ = std::min(sinceCrossing_ + passed, kArrowPause);
+  if (crossed && sinceCrossing_ >= kArrowPause) arrowAge_ = 0;
+  if (crossed) sinceCrossing_ = 0;
   if (arrowAge_ >= kArrowSeconds) return;
   const glm::dvec2 up = onFace(stage.mesh, face_, pose.up, 0);
   const glm::dvec2 place = onFace(stage.mesh, face_, pose.position, 1) - kArrowBelow * up;

@@ -12,8 +12,8 @@
 namespace platon {
 
 /// What shows that edges are doors and that down is carried over them: an edge that the local player can cross lights
-/// up while the ball is near, and after a crossing an arrow beside the ball points down. Computed from its poses alone.
-/// It decides nothing.
+/// up while the ball is near, and after a crossing an arrow beside the ball points down for a moment. A ball that falls
+/// over edge after edge shows it once. Computed from its poses alone. It decides nothing.
 class EdgeCrossing {
  public:
   static constexpr double kReach = 40;  ///< largest distance from the ball to an edge that is lit, level units
@@ -22,6 +22,7 @@ class EdgeCrossing {
   static constexpr double kRiseSeconds = 0.12;
   static constexpr double kFadeSeconds = 0.3;
   static constexpr double kArrowSeconds = 0.8;
+  static constexpr double kArrowPause = 2;   ///< without a crossing, before the next one shows an arrow
   static constexpr double kArrowBelow = 36;  ///< from the ball to the middle of the arrow, level units
   static constexpr double kMaxStep = 60;     ///< a longer way between two pictures is a jump, such as a restart
 
@@ -61,6 +62,7 @@ class EdgeCrossing {
   double seconds_ = 0;
   Marker arrow_;
   double arrowAge_ = kArrowSeconds;
+  double sinceCrossing_ = kArrowPause;  // seconds, at most kArrowPause
 };
 
 }  // namespace platon

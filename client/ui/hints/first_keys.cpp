@@ -83,7 +83,7 @@ std::string FirstKeys::hint(const KeyHints& keys) const {
     case Step::kCross:
       return "Roll on over the edge, to the next face";
     case Step::kDown:
-      return "Down goes with you over every edge: a wall may become a floor";
+      return "After an edge an arrow shows where down is now: a wall may become a floor";
     case Step::kGoal:
       return "The beam of light shows the goal";
     case Step::kMenu:

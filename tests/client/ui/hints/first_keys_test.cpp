@@ -41,7 +41,7 @@ TEST_F(FirstKeysTest, EachIsShownUntilItIsDone) {
   play(0, 600);
   EXPECT_EQ(keys_.hint(KeyHints()), "Roll on over the edge, to the next face");
   play(Input::kRight, 120);
-  EXPECT_EQ(keys_.hint(KeyHints()), "Down goes with you over every edge: a wall may become a floor");
+  EXPECT_EQ(keys_.hint(KeyHints()), "After an edge an arrow shows where down is now: a wall may become a floor");
   play(0, 5 * kTicksPerSecond);
   EXPECT_EQ(keys_.hint(KeyHints()), "The beam of light shows the goal");
   play(0, 5 * kTicksPerSecond);
@@ -57,7 +57,7 @@ TEST_F(FirstKeysTest, WhoHasCrossedAnEdgeBeforeIsNotToldHow) {
   play(Input::kRestart, 1);
   play(0, 30);
   play(Input::kJump, 60);
-  EXPECT_EQ(keys_.hint(KeyHints()), "Down goes with you over every edge: a wall may become a floor");
+  EXPECT_EQ(keys_.hint(KeyHints()), "After an edge an arrow shows where down is now: a wall may become a floor");
 }
 
 TEST_F(FirstKeysTest, AKeyThatMovesNothingIsNotEnough) {
