@@ -9,6 +9,7 @@
 #include <glm/vec4.hpp>
 
 #include "client/editor/face_picker.h"
+#include "client/ui/solid_text.h"
 #include "client/ui/text_scale.h"
 #include "levels/reach/upright_faces.h"
 
@@ -133,7 +134,7 @@ Scene Editor::scene() const {
 EditorStatus Editor::status() const {
   EditorStatus status;
   status.file = file_;
-  status.title = shown_->title.empty() ? std::string(nameOf(shown_->solid)) : shown_->title;
+  status.title = shown_->title.empty() ? textOf(shown_->solid) : shown_->title;
   status.unsaved = level_.unsaved();
   status.tool = tool_;
   status.word = selected_ ? segments()[*selected_].word : word_;

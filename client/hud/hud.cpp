@@ -17,6 +17,7 @@
 #include "client/ui/key_help.h"
 #include "client/ui/overlay_writer.h"
 #include "client/ui/player_rows.h"
+#include "client/ui/solid_text.h"
 #include "client/ui/text_scale.h"
 #include "client/ui/text_wrap.h"
 
@@ -45,7 +46,7 @@ Overlay drawn(const Font& font, Draw draw) {
 
 void addTitle(OverlayWriter& writer, const Scene& scene, const Font& font, float width) {
   constexpr float kSize = 24;
-  const std::string solid(nameOf(scene.stage->mesh.solid().kind()));
+  const std::string solid = textOf(scene.stage->mesh.solid().kind());
   const std::string title = scene.stage->title.empty() ? solid : scene.stage->title;
   writer.left(fittedText(title, font, (width * 0.4F - kMargin) / kSize), {kMargin, kMargin + 22}, kSize, kBright);
   if (!scene.stage->title.empty()) writer.left(solid, {kMargin, kMargin + 46}, kSmallestText, kSoft);
@@ -160,8 +161,8 @@ void placeSigns(HudSpace& space, const Scene& scene, const Camera& camera, const
 
 // At the left below the title. The results tell the times of a round that has ended.
 void addTimes(OverlayWriter& writer, const Scene& scene, const HudStatus& status) {
-  constexpr float kFirstRow = 90;
-  constexpr float kSecondRow = 126;
+  constexpr float kFirstRow = 98;
+  constexpr float kSecondRow = 134;
   if (status.summary && (!status.summary->waits || showsOwnResult(scene, *status.summary))) return;
   const glm::vec4 clock = scene.secondsLeft < 10 ? kWarning : kBright;
   if (scene.timed) writer.pillFrom(kMargin, clockText(scene.secondsLeft), kFirstRow, 20, clock);

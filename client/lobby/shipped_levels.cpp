@@ -6,6 +6,7 @@
 #include <utility>
 #include <variant>
 
+#include "client/ui/solid_text.h"
 #include "platon/game/game.h"
 #include "protocol/files/text_file.h"
 #include "protocol/program_error.h"
@@ -71,7 +72,7 @@ std::map<std::string, std::uint32_t> parseWayTimes(const std::string& text) {
 }
 
 LevelEntry entryOf(const ShippedLevel& level) {
-  LevelEntry entry{level.level->title, std::string(nameOf(level.level->solid)), std::max(level.level->players, 1u)};
+  LevelEntry entry{level.level->title, textOf(level.level->solid), std::max(level.level->players, 1u)};
   if (level.wayTicks != 0) entry.medals = medalTimesOf(level.wayTicks);
   return entry;
 }

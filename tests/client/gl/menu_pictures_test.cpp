@@ -71,9 +71,9 @@ LevelEntry entry(const std::string& title, const std::string& solid, std::uint32
 }
 
 std::vector<LevelEntry> entries() {
-  std::vector<LevelEntry> levels{entry("Run and jump", "HEXAHEDRON"), entry("Over the edge", "HEXAHEDRON"),
-                                 entry("A wall becomes a floor", "HEXAHEDRON"), entry("Half turn", "TETRAHEDRON"),
-                                 entry("After you", "OCTAHEDRON", 2)};
+  std::vector<LevelEntry> levels{entry("Run and jump", "Cube · earth"), entry("Over the edge", "Cube · earth"),
+                                 entry("A wall becomes a floor", "Cube · earth"),
+                                 entry("Half turn", "Tetrahedron · fire"), entry("After you", "Octahedron · air", 2)};
   levels[0].bestTicks = 640;
   levels[1].bestTicks = 1000;
   return levels;

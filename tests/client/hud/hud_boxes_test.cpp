@@ -144,7 +144,7 @@ TEST(HudBoxes, TheTitleTheTimeAndTheHintAreShownAtEachSize) {
     const HudStatus status{
         .vote = VoteStatus{1, 2, false}, .hint = "Roll on", .scale = textScale(picture.scale, picture.height)};
     const Overlay hud = makeHud(scene, camera, status, font());
-    for (const char* const content : {"HEXAHEDRON", "4:59", "your time 299.98 s", "Roll on"}) {
+    for (const char* const content : {"Cube · earth", "4:59", "your time 299.98 s", "Roll on"}) {
       EXPECT_TRUE(std::any_of(hud.texts.begin(), hud.texts.end(), [&](const Overlay::Text& text) {
         return text.content == content;
       })) << content;

@@ -75,7 +75,7 @@ TEST(Hud, ClockShowsMinutesAndThenTenths) {
 TEST(Hud, ShowsTitleClockAndMessage) {
   const Overlay hud = hudOf(sceneOf(1), {.message = "Connection lost", .warning = true, .help = false});
   EXPECT_TRUE(find(hud, "Corners"));
-  EXPECT_TRUE(find(hud, "HEXAHEDRON"));
+  EXPECT_TRUE(find(hud, "Cube · earth"));
   EXPECT_TRUE(find(hud, "1:23"));
   EXPECT_TRUE(find(hud, "Connection lost"));
 }

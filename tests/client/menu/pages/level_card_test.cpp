@@ -25,22 +25,22 @@ std::vector<std::string> textsOf(const LevelEntry& level, float width, float sca
 }
 
 TEST(LevelCard, ShowsTitlePlayersAndMedals) {
-  LevelEntry level{"Half turn", "TETRAHEDRON", 2};
-  EXPECT_EQ(textsOf(level, 1280), (std::vector<std::string>{"Half turn", "TETRAHEDRON   2 players"}));
+  LevelEntry level{"Half turn", "Tetrahedron · fire", 2};
+  EXPECT_EQ(textsOf(level, 1280), (std::vector<std::string>{"Half turn", "Tetrahedron · fire   2 players"}));
   level.players = 1;
   level.medals = medalTimesOf(600);
-  EXPECT_EQ(textsOf(level, 1280), (std::vector<std::string>{"Half turn", "TETRAHEDRON   1 player", "★★★ 11.50 s",
+  EXPECT_EQ(textsOf(level, 1280), (std::vector<std::string>{"Half turn", "Tetrahedron · fire   1 player", "★★★ 11.50 s",
                                                             "★★☆ 15.00 s", "★☆☆ 25.00 s"}));
 }
 
 TEST(LevelCard, LeavesOutWhatHasNoRoomBesideTheMenu) {
-  const LevelEntry level{"Half turn", "TETRAHEDRON", 1, {}, medalTimesOf(600)};
+  const LevelEntry level{"Half turn", "Tetrahedron · fire", 1, {}, medalTimesOf(600)};
   EXPECT_EQ(textsOf(level, 1280, 1.5F).size(), 2U);
   EXPECT_TRUE(textsOf(level, 1280, 2).empty());
 }
 
 TEST(LevelCard, IsLeftOutWhereThereIsNoRoomBesideTheMenu) {
-  EXPECT_TRUE(textsOf({"Half turn", "TETRAHEDRON"}, Turntable::kWide * Overlay::kHeight).empty());
+  EXPECT_TRUE(textsOf({"Half turn", "Tetrahedron · fire"}, Turntable::kWide * Overlay::kHeight).empty());
 }
 
 }  // namespace
