@@ -10,7 +10,7 @@
 namespace platon {
 
 /// Version of the messages. It changes whenever the layout or meaning of a message does; both sides must have the same.
-inline constexpr std::uint32_t kProtocolVersion = 3;
+inline constexpr std::uint32_t kProtocolVersion = 4;
 inline constexpr std::uint16_t kDefaultPort = 7777;
 
 /// Channels of the transport. All reliable messages share one, so that they arrive in the order in which they were
