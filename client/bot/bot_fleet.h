@@ -8,9 +8,9 @@
 #include "client/bot/bot.h"
 #include "client/desync/desync_folder.h"
 #include "client/net/network_conditions.h"
-#include "client/net/server_address.h"
 #include "client/time/clock.h"
 #include "protocol/transport/client_gate.h"
+#include "protocol/transport/server_address.h"
 
 namespace platon {
 

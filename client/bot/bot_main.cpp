@@ -10,11 +10,11 @@
 #include "client/bot/bot_fleet.h"
 #include "client/bot/bot_report.h"
 #include "client/bot/condition_options.h"
-#include "client/net/server_address.h"
 #include "client/time/steady_now.h"
 #include "platon_version.h"
 #include "protocol/program_error.h"
 #include "protocol/transport/secret_file.h"
+#include "protocol/transport/server_address.h"
 
 namespace platon {
 

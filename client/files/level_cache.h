@@ -6,8 +6,8 @@
 #include <memory>
 #include <vector>
 
-#include "client/net/server_address.h"
 #include "client/session/level_store.h"
+#include "protocol/transport/server_address.h"
 
 namespace platon {
 

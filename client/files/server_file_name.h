@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "client/net/server_address.h"
+#include "protocol/transport/server_address.h"
 
 namespace platon {
 

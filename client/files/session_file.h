@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <optional>
 
-#include "client/net/server_address.h"
 #include "protocol/session_token.h"
+#include "protocol/transport/server_address.h"
 
 namespace platon {
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "client/net/server_address.h"
 #include "protocol/transport/noise.h"
+#include "protocol/transport/server_address.h"
 
 namespace platon {
 

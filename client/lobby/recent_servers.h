@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "client/net/server_address.h"
+#include "protocol/transport/server_address.h"
 
 namespace platon {
 

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "client/net/network_conditions.h"
-#include "client/net/server_address.h"
+#include "protocol/transport/server_address.h"
 
 namespace platon {
 

@@ -3,10 +3,10 @@
 #include <optional>
 #include <string>
 
-#include "client/net/server_address.h"
 #include "client/play/offscreen/frame_options.h"
 #include "platon/game/solid.h"
 #include "protocol/transport/client_gate.h"
+#include "protocol/transport/server_address.h"
 
 namespace platon {
 

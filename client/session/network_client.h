@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "client/net/connection.h"
-#include "client/net/server_address.h"
 #include "client/session/session.h"
 #include "protocol/moment.h"
+#include "protocol/transport/server_address.h"
 
 namespace platon {
 

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "client/net/server_address.h"
 #include "client/time/clock.h"
 #include "client/time/steady_now.h"
+#include "protocol/transport/server_address.h"
 #include "server/app/dedicated_server.h"
 #include "tests/support/test_level.h"
 

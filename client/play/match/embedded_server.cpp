@@ -137,8 +137,8 @@ struct EmbeddedServer::Running {
 
 EmbeddedServer::EmbeddedServer(const EmbeddedSettings& settings, std::shared_ptr<const PausableClock> clock) {
   try {
-    running_ =
-        std::make_unique<Running>(settings, settings.levels.empty() ? shippedLevelFiles() : settings.levels, clock);
+    running_ = std::make_unique<Running>(settings, settings.levels.empty() ? shippedLevelFiles() : settings.levels,
+                                         std::move(clock));
   } catch (const SocketError& error) {
     throw ProgramError(ProgramError::kFailed, error.what());
   }

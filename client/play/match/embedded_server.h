@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "client/net/server_address.h"
 #include "client/time/pausable_clock.h"
 #include "protocol/transport/noise.h"
+#include "protocol/transport/server_address.h"
 
 namespace platon {
 

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "client/lobby/reached_levels.h"
-#include "client/net/server_address.h"
 #include "client/play/client_options.h"
 #include "client/play/match/attempt_speed.h"
 #include "client/play/match/embedded_server.h"
@@ -15,6 +14,7 @@
 #include "client/time/clock.h"
 #include "client/time/pausable_clock.h"
 #include "protocol/transport/password.h"
+#include "protocol/transport/server_address.h"
 
 namespace platon {
 

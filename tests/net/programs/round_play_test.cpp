@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "client/net/server_address.h"
 #include "client/session/network_client.h"
 #include "client/time/steady_now.h"
+#include "protocol/transport/server_address.h"
 #include "server/times/best_time_store.h"
 #include "tests/support/files.h"
 #include "tests/support/process.h"

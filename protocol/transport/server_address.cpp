@@ -1,4 +1,4 @@
-#include "client/net/server_address.h"
+#include "protocol/transport/server_address.h"
 
 #include <charconv>
 #include <stdexcept>
