@@ -34,6 +34,9 @@ inline constexpr std::size_t kMaxRosterEntries = 16;
 inline constexpr std::size_t kMaxNameBytes = 32;
 inline constexpr std::size_t kMaxReasonBytes = 200;
 
+/// Longest address of another server that a server tells its players, bytes.
+inline constexpr std::size_t kMaxNextServerBytes = 128;
+
 /// Longest text of a player for the others, bytes of UTF-8.
 inline constexpr std::size_t kMaxChatBytes = 120;
 /// Number of emotes. An emote is a number from 1 on.

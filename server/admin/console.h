@@ -18,8 +18,9 @@ namespace platon {
 struct ConsoleProgram {
   std::function<std::string()> status;  ///< lines about the server, before those about the match
   std::function<ConsoleReply()> reload;
-  std::function<void()> stop;                 ///< only requests the end
-  std::function<void(std::string_view)> log;  ///< gets each line that has changed something
+  std::function<void()> stop;                                ///< only requests the end
+  std::function<ConsoleReply(const DrainCommand&)> drain{};  ///< begins to drain
+  std::function<void(std::string_view)> log;                 ///< gets each line that has changed something
 };
 
 /// Executes the commands of the console on a match and a list of bans.
@@ -45,6 +46,7 @@ class Console {
   ConsoleReply run(const SayCommand& command, UtcTime) const;
   ConsoleReply run(const NextCommand&, UtcTime) const;
   ConsoleReply run(const ReloadCommand&, UtcTime) const { return program_.reload(); }
+  ConsoleReply run(const DrainCommand& command, UtcTime) const { return program_.drain(command); }
   ConsoleReply run(const StopCommand&, UtcTime) const;
   ConsoleReply run(const HelpCommand&, UtcTime) const;
 

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <stdexcept>
 #include <utility>
 
 #include "platon/game/diagnostics.h"
 #include "protocol/label.h"
 #include "protocol/limits.h"
+#include "protocol/transport/server_address.h"
 #include "server/admin/ban_list.h"
 #include "server/base/utc_time.h"
 #include "server/base/word_reader.h"
@@ -112,6 +115,25 @@ Result readSay(Arguments& arguments) {
   return ParseError{"the text must have 1 to " + std::to_string(kMaxReasonBytes) + " bytes that can be seen"};
 }
 
+Result readDrain(Arguments& arguments) {
+  DrainCommand command;
+  const bool hasLimit =
+      !arguments.empty() && arguments.peek().find_first_not_of("0123456789") == std::string_view::npos;
+  if (hasLimit) {
+    const std::string_view word = arguments.next();
+    std::int64_t seconds = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), seconds);
+    if (error != std::errc() || seconds < 1 || seconds > kMaxDrain.count()) {
+      return ParseError{"the limit is a number of seconds from 1 to " + std::to_string(kMaxDrain.count()) +
+                        "; stop ends the server at once"};
+    }
+    command.limit = std::chrono::seconds(seconds);
+  }
+  command.next = arguments.next();
+  if (arguments.empty() && (command.next.empty() || isNextServer(command.next))) return command;
+  return ParseError{"name a number of seconds, then perhaps one server, such as 600 play.example.org:7777"};
+}
+
 constexpr std::array kSyntax{
     Syntax{{"status", "", "server, level, players, tick times"}, &readPlain<StatusCommand>},
     Syntax{{"players", "", "each player with number, name and address"}, &readPlain<PlayersCommand>},
@@ -126,6 +148,8 @@ constexpr std::array kSyntax{
     Syntax{{"say", "TEXT", "shows a text to all players for some seconds"}, &readSay},
     Syntax{{"next", "", "ends the round; the next level follows"}, &readPlain<NextCommand>},
     Syntax{{"reload", "", "reads configuration, levels and bans again, as SIGHUP does"}, &readPlain<ReloadCommand>},
+    Syntax{{"drain", "[SECONDS] [HOST:PORT]", "stops after this round; new players are sent to the other server"},
+           &readDrain},
     Syntax{{"stop", "", "stops the server, as SIGTERM does"}, &readPlain<StopCommand>},
     Syntax{{"help", "", "this list"}, &readPlain<HelpCommand>}};
 
@@ -136,6 +160,14 @@ constexpr auto kHelp = [] {
 }();
 
 }  // namespace
+
+bool isNextServer(const std::string& text) {
+  try {
+    return !parseServerAddress(text).host.empty() && text.size() <= kMaxNextServerBytes;
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
+}
 
 std::span<const ConsoleCommandHelp> consoleCommands() { return kHelp; }
 

@@ -18,6 +18,11 @@ inline constexpr std::size_t kMaxConsoleLineBytes = 512;
 /// Longest reason of a kick, bytes: with the sentence around it, it fits kMaxReasonBytes.
 inline constexpr std::size_t kMaxKickReasonBytes = 100;
 
+/// Longest time for which a server can drain: a day.
+inline constexpr std::chrono::seconds kMaxDrain{24 * 60 * 60};
+/// Whether a text is the address of a server, of at most kMaxNextServerBytes, that players can be told.
+bool isNextServer(const std::string& text);
+
 /// A player, by the number or the name that the command `players` lists.
 struct PlayerWord {
   std::string text;
@@ -69,6 +74,12 @@ struct NextCommand {
 struct ReloadCommand {
   friend bool operator==(const ReloadCommand&, const ReloadCommand&) = default;
 };
+struct DrainCommand {
+  std::optional<std::chrono::seconds> limit;  ///< 1 s … kMaxDrain; nothing: that of the configuration
+  std::string next;                           ///< isNextServer, or empty: that of the configuration
+
+  friend bool operator==(const DrainCommand&, const DrainCommand&) = default;
+};
 struct StopCommand {
   friend bool operator==(const StopCommand&, const StopCommand&) = default;
 };
@@ -76,8 +87,9 @@ struct HelpCommand {
   friend bool operator==(const HelpCommand&, const HelpCommand&) = default;
 };
 
-using ConsoleCommand = std::variant<StatusCommand, PlayersCommand, KickCommand, BanCommand, UnbanCommand, BansCommand,
-                                    MuteCommand, SayCommand, NextCommand, ReloadCommand, StopCommand, HelpCommand>;
+using ConsoleCommand =
+    std::variant<StatusCommand, PlayersCommand, KickCommand, BanCommand, UnbanCommand, BansCommand, MuteCommand,
+                 SayCommand, NextCommand, ReloadCommand, DrainCommand, StopCommand, HelpCommand>;
 
 /// Reads a line of the console. The first word is the name of a command; a name of a player that contains spaces stands
 /// in quotes. A line that is too long, or contains a control character, is refused.

@@ -310,7 +310,7 @@ void DedicatedServer::run(const std::function<bool()>& stopRequested) {
     step(now_());
     wait();
   }
-  stop("the server stops");
+  stop(farewell_);
 }
 
 void DedicatedServer::stop(const std::string& reason) {

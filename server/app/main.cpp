@@ -21,6 +21,7 @@ namespace platon {
 namespace {
 
 volatile std::sig_atomic_t stopRequested = 0;
+volatile std::sig_atomic_t terminations = 0;
 volatile std::sig_atomic_t reloadRequested = 0;
 
 // Sets a signal handler without SA_RESTART, so that a signal ends the server's sleep.
@@ -33,11 +34,12 @@ void onSignal(int signal, void (*handler)(int)) {
 int serve(const CommandLine& line) {
   AsyncLineWriter errors(STDERR_FILENO);
   ServerProgram program(line, [&errors](std::string_view text) { errors.write(text); });
-  onSignal(SIGTERM, [](int) { stopRequested = 1; });
+  onSignal(SIGTERM, [](int) { terminations = terminations + 1; });
   onSignal(SIGINT, [](int) { stopRequested = 1; });
   onSignal(SIGHUP, [](int) { reloadRequested = 1; });
   program.announce();
-  program.run([&] {
+  program.run([&, terminated = 0]() mutable {
+    for (; terminated < terminations; ++terminated) program.terminate();
     if (reloadRequested != 0) {
       reloadRequested = 0;
       program.reload();

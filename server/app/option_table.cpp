@@ -8,6 +8,7 @@
 
 #include "platon/game/game.h"
 #include "protocol/label.h"
+#include "server/admin/console_command.h"
 #include "server/admin/metrics_server.h"
 #include "server/app/byte_size.h"
 
@@ -125,7 +126,21 @@ const std::array kOptions{
                  .help = "TCP address that answers GET /metrics for Prometheus",
                  .whenEmpty = "no metrics",
                  .mustBe = "an address and a port, such as 127.0.0.1:9100 or [::1]:9100",
-                 .accepts = &isSocketAddress}};
+                 .accepts = &isSocketAddress},
+    ServerOption{.name = "drain",
+                 .placeholder = "SECONDS",
+                 .field = &ServerOptions::drain,
+                 .help = "Longest time for which SIGTERM lets the players finish their round; 0: none",
+                 .needsRestart = false,
+                 .most = kMaxDrain.count()},
+    ServerOption{.name = "drain-to",
+                 .placeholder = "HOST:PORT",
+                 .field = &ServerOptions::drainTo,
+                 .help = "Server where the players of a server that drains are told to go on",
+                 .whenEmpty = "none",
+                 .needsRestart = false,
+                 .mustBe = "an address of a server of at most 128 bytes, such as play.example.org:7777",
+                 .accepts = &isNextServer}};
 static_assert(kMaxNameBytes == 32);
 
 std::optional<ParseError> checkText(const ServerOption& option, const std::string& text) {

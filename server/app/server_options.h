@@ -27,6 +27,8 @@ struct ServerOptions {
   std::string recordLimit = "10G";  ///< of all recordings in the folder, as `parseByteSize` reads it
   std::string bestTimes{};          ///< file; empty: best times end with the server
   std::string chat = "on";          ///< or "off"
+  std::uint32_t drain = 0;          ///< longest time to drain at SIGTERM, seconds; 0: stops at once
+  std::string drainTo{};            ///< address of the server where players go on; empty: none
 
   friend bool operator==(const ServerOptions&, const ServerOptions&) = default;
 };

@@ -3,6 +3,7 @@
 #include <exception>
 #include <sstream>
 #include <utility>
+#include <vector>
 
 #include "protocol/program_error.h"
 #include "protocol/transport/secret_file.h"
@@ -102,6 +103,7 @@ void ServerProgram::openConsole() {
 
 ConsoleProgram ServerProgram::consoleProgram() {
   return {[this] { return status(); }, [this] { return reload(); }, [this] { stopping_ = true; },
+          [this](const DrainCommand& command) { return drain(command); },
           [this](std::string_view line) {
             server_.log().info("console", {{"command", std::string(line)}});
           }};
@@ -122,9 +124,34 @@ void ServerProgram::run(const std::function<bool()>& stopRequested) {
     const TimePoint now = steadyNow();
     if (now >= nextPollAt_) pollTools();
     pollLevels(now);
-    return stopRequested() || stopping_;
+    return stopRequested() || stopping_ || hasDrained(now);
   });
   logBans(bans_.finish());
+}
+
+void ServerProgram::terminate() {
+  if (options_.drain == 0 || drain_.begun())
+    stopping_ = true;
+  else
+    drain({});
+}
+
+ConsoleReply ServerProgram::drain(const DrainCommand& command) {
+  const std::chrono::seconds limit = command.limit.value_or(std::chrono::seconds(options_.drain));
+  if (limit.count() == 0) return {false, "name the longest time in seconds, such as drain 600"};
+  const std::string& next = command.next.empty() ? options_.drainTo : command.next;
+  drain_.begin(steadyNow(), limit, next);
+  server_.setFarewell(drain_.farewell());
+  std::vector<LogField> fields{{"seconds", std::uint64_t(limit.count())}};
+  if (!next.empty()) fields.push_back({"next", next});
+  server_.log().info("draining", fields);
+  return {true, "the server stops after this round, at the latest in " + std::to_string(limit.count()) + " s"};
+}
+
+bool ServerProgram::hasDrained(TimePoint now) {
+  const auto cause = drain_.over(now);
+  if (cause) server_.log().info("drained", {{"cause", std::string(*cause)}});
+  return cause.has_value();
 }
 
 // Logs why the bans could not be written, and the end of such a failure.
@@ -210,6 +237,7 @@ std::string ServerProgram::status() const {
   text << "server: " << options_.name << "\naddress: " << server_.address().text() << "\nuptime: " << uptime.count()
        << " s\nticks: " << server_.tickTimes().count() << ", p50 " << recent.quantile(0.5) << " µs, p99 "
        << recent.quantile(0.99) << " µs, longest " << recent.longest() << " µs";
+  if (drain_.begun()) text << "\ndraining: at most " << drain_.secondsLeft(steadyNow()).count() << " s more";
   return text.str();
 }
 

@@ -14,6 +14,7 @@
 #include "server/admin/metrics_server.h"
 #include "server/app/command_line.h"
 #include "server/app/dedicated_server.h"
+#include "server/app/drain.h"
 
 namespace platon {
 
@@ -33,6 +34,8 @@ class ServerProgram {
   /// Serves until `stopRequested`, which is called before each step, returns true, or until the console stops it. Plays
   /// levels whose files have changed from the next round on, if they are valid.
   void run(const std::function<bool()>& stopRequested);
+  /// Begins to drain if the options give it time, and otherwise stops at once. While it drains, stops it at once.
+  void terminate();
   /// Reads configuration, levels and bans again. If anything is invalid, nothing changes. Returns what it has logged.
   ConsoleReply reload();
   /// Serves consoles and metrics. `run` calls it before each step while any are connected, and otherwise before the
@@ -52,6 +55,8 @@ class ServerProgram {
 
   void openConsole();
   ConsoleProgram consoleProgram();
+  ConsoleReply drain(const DrainCommand& command);
+  bool hasDrained(TimePoint now);
   void pollLevels(TimePoint now);
   std::string takeOver(const ServerOptions& fresh);
   std::string status() const;
@@ -62,6 +67,7 @@ class ServerProgram {
   BanStore bans_;
   FileWatch levelFiles_;
   DedicatedServer server_;
+  Drain drain_{server_.match()};
   Console console_;
   std::unique_ptr<ConsoleServer> consoleServer_;  // null: none
   std::string whyNoConsole_;

@@ -60,6 +60,7 @@ void Match::handleHello(ClientId client, const Hello& hello, const IpAddress& ad
 std::variant<MatchPlayer*, Refused> Match::admit(ClientId client, const Hello& hello, std::uint64_t origin) {
   if (const std::optional<Refused> refused = wrongVersion(hello)) return *refused;
   if (MatchPlayer* resumed = resume(client, hello)) return resumed;
+  if (draining_) return Refused{RefusalCode::kOther, draining_->refusal};
   if (connectedOf(origin) >= settings_.playersPerOrigin) return refuseOrigin();
   evictDisconnected(origin, 1);
   if (const std::optional<std::uint32_t> slot = freeSlot()) return &join(client, hello, *slot);
@@ -260,6 +261,7 @@ void Match::sendRosters() {
     if (!isPlaying(client)) continue;
     for (const SharedBytes& roster : names_.all()) send(client, roster);
     if (const std::optional<VoteCount> told = voteNotices_.told()) send(client, encode(*told));
+    if (draining_) send(client, encode(Notice{draining_->notice}));
   }
   if (now_ < nextRosterAt_) return;
   const std::vector<SharedBytes> changes = names_.takeChanges();

@@ -127,6 +127,13 @@ class Match {
   bool endRoundNow();
   /// Starts the next round at once.
   void startNextRound();
+  /// From now on starts no other round by itself and lets no new player join; known players may still resume. All texts
+  /// are labels of at most kMaxReasonBytes. `refusal` tells newcomers why. `notice` is shown to players who resume, and
+  /// to all when the round ends. Another call replaces both.
+  void drain(std::string notice, std::string refusal) { draining_ = Draining{std::move(notice), std::move(refusal)}; }
+  bool draining() const { return draining_.has_value(); }
+  /// Whether nothing is left to play for a match that drains: it has no players, or the pause after its round is over.
+  bool drained() const { return draining_ && (idle() || pauseIsOver()); }
 
   /// Messages to send, in order, since the last call. They are valid until the next call.
   std::span<const Outgoing> takeOutgoing();
@@ -155,6 +162,11 @@ class Match {
   struct Disconnected {
     MatchPlayer player;
     std::uint64_t since = 0;  // value of now_
+  };
+
+  struct Draining {
+    std::string notice;
+    std::string refusal;
   };
 
   void handleHello(ClientId client, const Hello& hello, const IpAddress& address);
@@ -186,6 +198,7 @@ class Match {
   std::vector<Input> decideInputs();
   std::uint32_t pauseTicks() const { return waits() ? 0 : kPauseTicks; }
   bool roundOver() const;
+  bool pauseIsOver() const { return overAt_ && history_.end() - *overAt_ >= kPauseTicks; }
   bool someoneHasFinished() const;
   bool awaits(const MatchPlayer& player) const;
   void finishRound();
@@ -216,6 +229,7 @@ class Match {
   std::uint64_t now_ = 0;  // ticks over all rounds
   Game game_;
   TickHistory history_;
+  std::optional<Draining> draining_;         // nothing: players may join, and rounds follow each other
   std::optional<std::uint32_t> overAt_;      // ticks of the round when its end was detected
   std::optional<std::uint64_t> finishedAt_;  // value of now_ when a player first finished this round
   std::map<ClientId, MatchPlayer> players_;  // connected ones

@@ -47,7 +47,7 @@ void Match::finishRound() {
     // Players who have come or left decide whether a level for several players is next, and whether it is waited for.
     // It comes only once it was told.
     if (rotation_.next(players()) != toldNext_ || pauseTicks() != toldPause_) return tellNext();
-    if (!waits() && history_.end() - *overAt_ >= kPauseTicks) startNextRound();
+    if (!waits() && !draining_ && pauseIsOver()) startNextRound();
     return;
   }
   const VoteCount votes = countVotes();
@@ -130,6 +130,7 @@ bool Match::awaits(const MatchPlayer& player) const {
 void Match::endRound(const std::string& cause) {
   overAt_ = history_.end();
   tellNext();
+  if (draining_) say(draining_->notice);
   events_.push_back({MatchEvent::Kind::kRoundEnd, 0, 0, cause, *overAt_});
 }
 

@@ -98,6 +98,21 @@ TEST(ConsoleCommand, SayTakesTheRestOfTheLineAsItIs) {
   EXPECT_EQ(errorOf("say " + std::string(kMaxReasonBytes + 1, 'x')), refusal);
 }
 
+TEST(ConsoleCommand, DrainTakesALimitAndAServer) {
+  EXPECT_EQ(commandOf("drain"), ConsoleCommand(DrainCommand{}));
+  EXPECT_EQ(commandOf("drain 1"), ConsoleCommand(DrainCommand{1s, ""}));
+  EXPECT_EQ(commandOf("drain 86400 192.0.2.7:7777"), ConsoleCommand(DrainCommand{24h, "192.0.2.7:7777"}));
+  EXPECT_EQ(commandOf("drain play.example.org"), ConsoleCommand(DrainCommand{{}, "play.example.org"}));
+  const std::string range = "the limit is a number of seconds from 1 to 86400; stop ends the server at once";
+  for (const char* line : {"drain 0", "drain 86401", "drain 99999999999999999999"})
+    EXPECT_EQ(errorOf(line), range) << line;
+  const std::string usage = "name a number of seconds, then perhaps one server, such as 600 play.example.org:7777";
+  for (const char* line : {"drain 1 a b", "drain 1.5.0:x", "drain host:0", "drain 1 host:x", "drain 1 ho/st"})
+    EXPECT_EQ(errorOf(line), usage) << line;
+  EXPECT_EQ(errorOf("drain " + std::string(kMaxNextServerBytes, 'x')), "none");
+  EXPECT_EQ(errorOf("drain " + std::string(kMaxNextServerBytes + 1, 'x')), usage);
+}
+
 TEST(ConsoleCommand, RefusesAnUnknownName) {
   EXPECT_EQ(errorOf("shutdown"), "'shutdown' is no command: help lists all");
   EXPECT_EQ(errorOf("STOP"), "'STOP' is no command: help lists all");
@@ -125,7 +140,7 @@ TEST(ConsoleCommand, TheHelpListsEveryCommandOnce) {
     EXPECT_EQ(errorOf(names.back()).find("is no command"), std::string::npos) << one.name;
   }
   EXPECT_EQ(names, (std::vector<std::string>{"status", "players", "kick", "ban", "unban", "bans", "mute", "unmute",
-                                             "say", "next", "reload", "stop", "help"}));
+                                             "say", "next", "reload", "drain", "stop", "help"}));
 }
 
 TEST(HostingPage, ListsEveryCommandWithItsArguments) {

@@ -52,6 +52,7 @@ class ConsoleTest : public testing::Test {
   BanStore bans_;
   int reloads_ = 0;
   int stops_ = 0;
+  std::optional<DrainCommand> drain_;
   std::vector<std::string> log_;
   Console console_{match_,
                    bans_,
@@ -60,7 +61,12 @@ class ConsoleTest : public testing::Test {
                       ++reloads_;
                       return ConsoleReply{false, "broken"};
                     },
-                    [this] { ++stops_; }, [this](std::string_view line) { log_.emplace_back(line); }}};
+                    [this] { ++stops_; },
+                    [this](const DrainCommand& command) {
+                      drain_ = command;
+                      return ConsoleReply{true, "drains"};
+                    },
+                    [this](std::string_view line) { log_.emplace_back(line); }}};
 };
 
 TEST_F(ConsoleTest, Status) {
@@ -186,6 +192,12 @@ TEST_F(ConsoleTest, NextEndsTheRound) {
   EXPECT_EQ(error("next"), "the round is over already; the next one starts within seconds");
   for (std::uint32_t tick = 0; tick < Match::kPauseTicks; ++tick) match_.tick();
   EXPECT_EQ(match_.round(), 2u);
+}
+
+TEST_F(ConsoleTest, DrainIsHandedToTheProgram) {
+  EXPECT_EQ(text("drain 600 [::1]:7777"), "drains");
+  EXPECT_EQ(drain_, (DrainCommand{std::chrono::seconds(600), "[::1]:7777"}));
+  EXPECT_EQ(log_, std::vector<std::string>{"drain 600 [::1]:7777"});
 }
 
 TEST_F(ConsoleTest, ReloadAndStopAskTheProgram) {

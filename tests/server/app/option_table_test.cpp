@@ -54,6 +54,7 @@ TEST(OptionTable, EveryOptionSetsAMemberOfItsOwn) {
     if (option.name == "bind") value = std::string("127.0.0.1");
     if (option.name == "chat") value = std::string("off");
     if (option.name == "log-format") value = std::string("json");
+    if (option.name == "drain") value = std::int64_t{600};
     if (option.name == "metrics") value = std::string("[::1]:1");
     if (option.name == "record-limit") value = std::string("5M");
     EXPECT_EQ(setOption(option, value, options), std::nullopt) << option.name;

@@ -185,6 +185,14 @@ TEST_F(ToolsTest, TheConsoleStopsTheServer) {
   EXPECT_TRUE(result.errors.starts_with("platon-server: no server answers at '" + socket_ + "'")) << result.errors;
 }
 
+TEST_F(ToolsTest, TheConsoleDrainsTheServer) {
+  start();
+  EXPECT_EQ(console("drain\n").errors, "error: name the longest time in seconds, such as drain 600\n");
+  EXPECT_EQ(console("drain 5 127.0.0.1:7777\n").output, "the server stops after this round, at the latest in 5 s\n");
+  server_->waitForError("draining seconds=5 next=\"127.0.0.1:7777\"");
+  EXPECT_EQ(server_->wait(), 0);
+}
+
 TEST_F(ToolsTest, TheConsoleReloads) {
   start();
   write("CUBE\n");

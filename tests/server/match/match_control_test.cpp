@@ -228,5 +228,55 @@ TEST_F(MatchControlTest, MissedInputsOfConnectedPlayersAreCountedOverAllRounds) 
   EXPECT_EQ(match().missedInputs(), missed);
 }
 
+TEST_F(MatchControlTest, AMatchThatDrainsLetsNoNewPlayerJoin) {
+  network_.add(player("Ann"));
+  network_.run(20);
+  match().drain("Soon over.", "go elsewhere");
+  network_.add(player("Ben"));
+  network_.run(20);
+  ASSERT_TRUE(network_.client(2).refused());
+  EXPECT_EQ(*network_.client(2).refused(), (Refused{RefusalCode::kOther, "go elsewhere"}));
+  EXPECT_TRUE(match().isPlaying(1));
+  EXPECT_FALSE(match().isPlaying(2));
+}
+
+TEST_F(MatchControlTest, AMatchThatDrainsLetsItsPlayersResume) {
+  network_.add(player("Ann"));
+  network_.add(player("Ben"));
+  network_.run(20);
+  network_.disconnect(2);
+  match().drain("Soon over.", "go elsewhere");
+  network_.run(20);
+  network_.add(FakeClient(network_.client(2), [](std::uint32_t) { return 0; }));
+  network_.run(20);
+  EXPECT_EQ(network_.count(Kind::kResumed), 1u);
+  EXPECT_EQ(network_.count(Kind::kRefused), 0u);
+}
+
+TEST_F(MatchControlTest, AMatchThatDrainsStartsNoOtherRound) {
+  network_.add(player("Ann"));
+  network_.run(20);
+  match().drain("Soon over.", "go elsewhere");
+  EXPECT_FALSE(match().drained());
+  EXPECT_TRUE(match().endRoundNow());
+  network_.run(Match::kPauseTicks - 1);
+  EXPECT_FALSE(match().drained());
+  network_.run(1);
+  EXPECT_TRUE(match().drained());
+  network_.run(100);
+  EXPECT_EQ(match().round(), 1u);
+  EXPECT_EQ(network_.client(1).desyncs(), 0u);
+}
+
+TEST_F(MatchControlTest, AMatchThatDrainsIsDrainedWhenItsLastPlayerHasLeft) {
+  network_.add(player("Ann"));
+  network_.run(20);
+  match().drain("Soon over.", "go elsewhere");
+  EXPECT_FALSE(match().drained());
+  network_.leave(1);
+  network_.run(2);
+  EXPECT_TRUE(match().drained());
+}
+
 }  // namespace
 }  // namespace platon

@@ -1,0 +1,38 @@
+#include "server/app/drain.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "protocol/limits.h"
+
+namespace platon {
+namespace {
+
+// The longest sentence below has fewer bytes than this besides the address.
+static_assert(kMaxNextServerBytes + 70 <= kMaxReasonBytes);
+
+}  // namespace
+
+void Drain::begin(TimePoint now, std::chrono::seconds limit, std::string next) {
+  end_ = now + limit;
+  next_ = std::move(next);
+  const std::string where = next_.empty() ? "" : " Go on at " + next_ + ".";
+  const std::string refusal = next_.empty() ? "join another one" : "go on at " + next_;
+  match_.drain("The server stops after this round." + where, "the server is about to stop: " + refusal);
+  match_.say("The server stops after this round, in " + std::to_string(limit.count()) + " s at most." + where);
+}
+
+std::optional<std::string_view> Drain::over(TimePoint now) const {
+  if (!begun()) return std::nullopt;
+  if (match_.idle()) return "no players";
+  if (match_.drained()) return "round over";
+  return now >= end_ ? std::optional<std::string_view>("time") : std::nullopt;
+}
+
+std::chrono::seconds Drain::secondsLeft(TimePoint now) const {
+  return std::chrono::ceil<std::chrono::seconds>(std::max(end_ - now, TimePoint::duration::zero()));
+}
+
+std::string Drain::farewell() const { return "the server stops" + (next_.empty() ? "" : ": go on at " + next_); }
+
+}  // namespace platon
