@@ -48,8 +48,8 @@ void addTitle(OverlayWriter& writer, const Scene& scene, const Font& font, float
   constexpr float kSize = 24;
   const std::string solid = textOf(scene.stage->mesh.solid().kind());
   const std::string title = scene.stage->title.empty() ? solid : scene.stage->title;
-  writer.left(fittedText(title, font, (width * 0.4F - kMargin) / kSize), {kMargin, kMargin + 22}, kSize, kBright);
-  if (!scene.stage->title.empty()) writer.left(solid, {kMargin, kMargin + 46}, kSmallestText, kSoft);
+  writer.left(fittedText(title, font, (width * 0.4F - kMargin) / kSize), {kMargin, kMargin + 18}, kSize, kBright);
+  if (!scene.stage->title.empty()) writer.left(solid, {kMargin, kMargin + 42}, kSmallestText, kBright);
 }
 
 // `tripWidth`: for the round trip, at the right.
@@ -161,8 +161,8 @@ void placeSigns(HudSpace& space, const Scene& scene, const Camera& camera, const
 
 // At the left below the title. The results tell the times of a round that has ended.
 void addTimes(OverlayWriter& writer, const Scene& scene, const HudStatus& status) {
-  constexpr float kFirstRow = 98;
-  constexpr float kSecondRow = 134;
+  constexpr float kFirstRow = 90;
+  constexpr float kSecondRow = 126;
   if (status.summary && (!status.summary->waits || showsOwnResult(scene, *status.summary))) return;
   const glm::vec4 clock = scene.secondsLeft < 10 ? kWarning : kBright;
   if (scene.timed) writer.pillFrom(kMargin, clockText(scene.secondsLeft), kFirstRow, 20, clock);
@@ -289,11 +289,10 @@ Overlay makeEmptyHud(const HudStatus& status, const Font& font, float width) {
   placeTexts(space, {.notice = status.notice}, {}, font);
   space.add(drawn(font, [&](OverlayWriter& writer) {
     writer.centred("Platon", {screen.x / 2, screen.y * 0.44F}, 64, kBright);
-    glm::vec2 place(screen.x / 2, screen.y * 0.44F + 58);
-    for (const std::string& line : linesOf(status.message, font, screen.x, 20)) {
-      writer.centred(line, place, 20, status.warning ? kWarning : kSoft);
-      place.y += 26;
-    }
+    const std::vector<std::string> lines = linesOf(status.message, font, screen.x, kTextSize);
+    if (lines.empty()) return;
+    const float below = 1.3F * kTextSize * static_cast<float>(lines.size() - 1);
+    writer.pill(lines, {screen.x / 2, screen.y * 0.44F + 54 + below}, kTextSize, status.warning ? kWarning : kBright);
   }));
   if (status.help) placeHelp(space, status.keys, font);
   return scaledBy(space.overlay(), status.scale);

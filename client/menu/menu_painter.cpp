@@ -10,9 +10,9 @@ using namespace overlay_colours;
 
 constexpr glm::vec4 kDim{0.02F, 0.02F, 0.05F, 0.55F};
 constexpr glm::vec4 kSheet{0.07F, 0.08F, 0.13F, 0.94F};
-constexpr glm::vec4 kThinSheet{0.04F, 0.05F, 0.09F, 0.66F};  // beside something to see
 constexpr glm::vec4 kRowColour{0.10F, 0.12F, 0.20F, 0.55F};
-constexpr glm::vec4 kTrack{0.30F, 0.34F, 0.46F, 0.9F};
+constexpr glm::vec4 kLoneRow{0.07F, 0.09F, 0.16F, 0.80F};  // without a sheet behind it
+constexpr glm::vec4 kTrack{0.42F, 0.47F, 0.60F, 1.0F};
 constexpr glm::vec4 kField{0.02F, 0.03F, 0.06F, 0.95F};
 constexpr float kFocusBar = 4;
 
@@ -30,7 +30,7 @@ class Painter {
     if (look_->aside && !focused) return;
     if (item.kind == MenuItem::Kind::kHeading) return left(row.name, kSoft);
     if (look_->aside) box(row.box, 9, kSheet);
-    box(row.box, 9, focused ? kSelected : kRowColour);
+    box(row.box, 9, focused ? kSelected : page_->large ? kLoneRow : kRowColour);
     if (focused) box({row.box.low, {row.box.low.x + kFocusBar, row.box.high.y}}, 2, kBright);
     const glm::vec4 colour = focused ? kBright : kSoft;
     left(row.name, colour);
@@ -40,7 +40,7 @@ class Painter {
   void paintSheet(const MenuLayout& layout, float width) {
     if (look_->aside) return;
     if (look_->dimsPicture) box({{0, 0}, glm::vec2(width, Overlay::kHeight) / look_->scale}, 0, kDim);
-    if (!page_->large) box(layout.panel, 18, page_->place == MenuPage::Place::kMiddle ? kSheet : kThinSheet);
+    if (!page_->large) box(layout.panel, 18, page_->place == MenuPage::Place::kMiddle ? kSheet : kPanel);
     if (!layout.scrollTrack.empty()) {
       box(layout.scrollTrack, 3, kRowColour);
       box(layout.scrollThumb, 3, kSoft);
@@ -73,14 +73,14 @@ class Painter {
       case MenuItem::Kind::kText:
         return paintField(row, focused);
       default:
-        return right(row.value, item.valueColour.value_or(colour));
+        return right(row.value, focused ? colour : item.valueColour.value_or(colour));
     }
   }
 
   void paintChoice(const MenuRow& row, bool focused, glm::vec4 colour) {
     const MenuLine& value = row.value;
     writer_.centred(value.text, {(value.box.low.x + value.box.high.x) / 2, baselineOf(value)}, value.size, colour);
-    const glm::vec4 arrows = focused ? kBright : kTrack;
+    const glm::vec4 arrows = focused ? kBright : kSoft;
     writer_.centred("‹", {(row.control.low.x + value.box.low.x) / 2, baselineOf(value)}, value.size, arrows);
     writer_.centred("›", {(row.control.high.x + value.box.high.x) / 2, baselineOf(value)}, value.size, arrows);
   }

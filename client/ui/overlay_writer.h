@@ -18,7 +18,7 @@ inline constexpr glm::vec4 kSoft{0.72F, 0.76F, 0.86F, 1.0F};
 inline constexpr glm::vec4 kGold{1.0F, 0.85F, 0.40F, 1.0F};
 inline constexpr glm::vec4 kWarning{1.0F, 0.55F, 0.42F, 1.0F};
 inline constexpr glm::vec4 kGood{0.50F, 0.90F, 0.62F, 1.0F};
-inline constexpr glm::vec4 kPanel{0.04F, 0.05F, 0.09F, 0.66F};
+inline constexpr glm::vec4 kPanel{0.04F, 0.05F, 0.09F, 0.80F};
 inline constexpr glm::vec4 kSelected{0.24F, 0.34F, 0.60F, 0.85F};
 
 }  // namespace overlay_colours

@@ -17,8 +17,8 @@ namespace {
 
 using namespace overlay_colours;
 
-constexpr float kTitle = 98;  // baselines above the lower edge of the screen
-constexpr float kFacts = 72;
+constexpr float kTitle = 104;  // baselines above the lower edge of the screen
+constexpr float kFacts = 74;
 constexpr float kMedals = 40;
 constexpr float kMargin = 24;
 constexpr float kLeast = 100;  // room on each side of the middle
@@ -56,7 +56,8 @@ void addLevelCard(Overlay& overlay, const LevelEntry& level, const Font& font, f
   OverlayWriter writer(font);
   const std::string players = level.players == 1 ? "1 player" : std::to_string(level.players) + " players";
   writer.centred(fittedText(level.title, font, 2 * room / 24), {middle, screen.y - kTitle}, 24, kBright);
-  writer.centred(level.solid + "   " + players, {middle, screen.y - kFacts}, kSmallestText, kSoft);
+  const float baseline = kSmallestText * Font::kCapitalHeight / 2;
+  writer.pill(level.solid + " · " + players, {middle, screen.y - kFacts - baseline}, kSmallestText, kSoft);
   if (level.medals) addMedals(writer, *level.medals, {middle, screen.y - kMedals}, room);
   const Overlay card = scaledBy(writer.take(), scale);
   overlay.panels.insert(overlay.panels.end(), card.panels.begin(), card.panels.end());

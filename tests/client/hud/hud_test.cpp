@@ -1,4 +1,6 @@
 #include "client/hud/hud.h"
+#include "client/ui/overlay_writer.h"
+#include "tests/client/ui/overlay_contrast.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -353,6 +355,23 @@ TEST(Hud, UnderAMenuOnlyMessagesAndNoticesAreShown) {
 TEST(Hud, ShowsHelpOnRequest) {
   EXPECT_FALSE(find(hudOf(sceneOf(1)), "run"));
   EXPECT_TRUE(find(hudOf(sceneOf(1), {.message = "", .warning = false, .help = true}), "run"));
+}
+
+// The picture behind may be white. A text without a panel has a dark seam.
+TEST(Hud, TextsOnPanelsStandOutFromTheirGround) {
+  HudStatus status{.message = "Connection lost", .warning = true, .help = true, .notice = "Restart at noon"};
+  status.vote = VoteStatus{2, 3, true};
+  status.run = {.best = 10, .difference = 2.5};
+  status.chat = {"Ann: wait for me"};
+  for (const Overlay& hud : {hudOf(sceneOf(3), status), makeEmptyHud(status, font(), 1280)}) {
+    for (const Overlay::Text& text : hud.texts) {
+      if (text.content.empty()) continue;
+      const glm::vec3 ground = groundOf(hud, text, font(), glm::vec3(1));
+      const bool hasSeam = text.colour == overlay_colours::kBright || text.colour.a < 1;  // titles and name tags
+      if (ground == glm::vec3(1) && hasSeam) continue;
+      EXPECT_GE(contrast(glm::vec3(text.colour), ground), 4.5F) << text.content;
+    }
+  }
 }
 
 TEST(Hud, ShowsTheMessageWithoutAGame) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/client/menu/sample_pages.h"
+#include "tests/client/ui/overlay_contrast.h"
 
 namespace platon {
 namespace {
@@ -53,6 +54,25 @@ TEST_F(MenuPainter, AMenuThatStandsAsideShowsOneItemAndDimsNothing) {
   EXPECT_EQ(count(overlay, "Title"), 0U);
   EXPECT_EQ(count(overlay, "name"), 1U);
   for (const Overlay::Panel& panel : overlay.panels) EXPECT_LT(panel.high.y - panel.low.y, 50);
+}
+
+// A picture behind the menu may be white.
+TEST_F(MenuPainter, TextsStandOutFromTheirGround) {
+  for (const bool large : {false, true}) {
+    page_.large = large;
+    for (const auto place : {MenuPage::Place::kMiddle, MenuPage::Place::kLeft}) {
+      page_.place = place;
+      for (std::size_t focus = 0; focus < page_.items.size(); ++focus) {
+        const Overlay overlay = paint({focus});
+        for (const Overlay::Text& text : overlay.texts) {
+          if (text.content.empty()) continue;
+          const glm::vec3 ground = groundOf(overlay, text, font_, glm::vec3(1));
+          if (large && ground == glm::vec3(1)) continue;  // the title: large, with a dark seam
+          EXPECT_GE(contrast(glm::vec3(text.colour), ground), 4.5F) << text.content << ", focus " << focus;
+        }
+      }
+    }
+  }
 }
 
 TEST_F(MenuPainter, TheScaleEnlargesAllAndStaysOnTheScreen) {

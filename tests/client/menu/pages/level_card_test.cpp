@@ -26,10 +26,10 @@ std::vector<std::string> textsOf(const LevelEntry& level, float width, float sca
 
 TEST(LevelCard, ShowsTitlePlayersAndMedals) {
   LevelEntry level{"Half turn", "Tetrahedron · fire", 2};
-  EXPECT_EQ(textsOf(level, 1280), (std::vector<std::string>{"Half turn", "Tetrahedron · fire   2 players"}));
+  EXPECT_EQ(textsOf(level, 1280), (std::vector<std::string>{"Half turn", "Tetrahedron · fire · 2 players"}));
   level.players = 1;
   level.medals = medalTimesOf(600);
-  EXPECT_EQ(textsOf(level, 1280), (std::vector<std::string>{"Half turn", "Tetrahedron · fire   1 player", "★★★ 11.50 s",
+  EXPECT_EQ(textsOf(level, 1280), (std::vector<std::string>{"Half turn", "Tetrahedron · fire · 1 player", "★★★ 11.50 s",
                                                             "★★☆ 15.00 s", "★☆☆ 25.00 s"}));
 }
 
