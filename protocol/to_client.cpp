@@ -149,8 +149,8 @@ RefusalCode refusalCode(std::uint32_t code) {
 }
 
 std::optional<ToClient> read(const wire::Refused& table) {
-  Refused message{refusalCode(table.code()), textOf(table.reason())};
-  if (!isLabel(message.reason, kMaxReasonBytes)) return std::nullopt;
+  Refused message{refusalCode(table.code()), textOf(table.reason()), textOf(table.next())};
+  if (!isLabel(message.reason, kMaxReasonBytes) || !isLabel(message.next, kMaxNextServerBytes)) return std::nullopt;
   return message;
 }
 
@@ -196,8 +196,8 @@ ByeCode byeCode(std::uint32_t code) {
 }
 
 std::optional<ToClient> read(const wire::Bye& table) {
-  Bye message{byeCode(table.code()), textOf(table.reason())};
-  if (!isLabel(message.reason, kMaxReasonBytes)) return std::nullopt;
+  Bye message{byeCode(table.code()), textOf(table.reason()), textOf(table.next())};
+  if (!isLabel(message.reason, kMaxReasonBytes) || !isLabel(message.next, kMaxNextServerBytes)) return std::nullopt;
   return message;
 }
 
@@ -282,7 +282,9 @@ Bytes encode(const Welcome& message) {
 Bytes encode(const Refused& message) {
   Builder builder;
   const auto reason = builder.CreateString(message.reason);
-  return finish(builder, Body::Refused, wire::CreateRefused(builder, static_cast<std::uint32_t>(message.code), reason));
+  const auto next = message.next.empty() ? 0 : builder.CreateString(message.next);
+  const auto code = static_cast<std::uint32_t>(message.code);
+  return finish(builder, Body::Refused, wire::CreateRefused(builder, code, reason, next));
 }
 
 Bytes encode(const LevelChunk& message) {
@@ -329,7 +331,9 @@ Bytes encode(const RoundEnd& message) {
 Bytes encode(const Bye& message) {
   Builder builder;
   const auto reason = builder.CreateString(message.reason);
-  return finish(builder, Body::Bye, wire::CreateBye(builder, static_cast<std::uint32_t>(message.code), reason));
+  const auto next = message.next.empty() ? 0 : builder.CreateString(message.next);
+  const auto code = static_cast<std::uint32_t>(message.code);
+  return finish(builder, Body::Bye, wire::CreateBye(builder, code, reason, next));
 }
 
 Bytes encode(const Notice& message) {

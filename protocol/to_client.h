@@ -32,6 +32,7 @@ enum class RefusalCode : std::uint32_t { kWrongRules = 2, kFull = 3, kOther = 25
 struct Refused {
   RefusalCode code = RefusalCode::kOther;  ///< a code from a newer server reads as kOther
   std::string reason;                      ///< one sentence for the player, a label
+  std::string next{};                      ///< as in Bye: a server to join instead
 
   friend bool operator==(const Refused&, const Refused&) = default;
 };
@@ -109,6 +110,8 @@ enum class ByeCode : std::uint32_t { kServerStops = 1, kRemoved = 2, kOther = 25
 struct Bye {
   ByeCode code = ByeCode::kOther;  ///< a code from a newer server reads as kOther
   std::string reason;              ///< one sentence for the player, a label
+  std::string next{};              ///< a label of at most kMaxNextServerBytes: if it is an address, as isNextServer
+                                   ///< tells, the player can go on there
 
   friend bool operator==(const Bye&, const Bye&) = default;
 };

@@ -144,6 +144,7 @@ Input WindowPlay::choose(const Game& game, std::uint32_t slot) {
 void WindowPlay::start(const MatchChoice& choice) {
   leaveMatch();
   choice_ = choice;
+  next_.reset();
   endingShown_ = remembered_ = false;
   meter_ = NetMeter();
   try {
@@ -175,6 +176,7 @@ void WindowPlay::checkEnding() {
   endingShown_ = true;
   const NetworkClient& client = match_->play().client();
   const std::string reason = *client.ending();
+  next_ = client.next();
   const bool asksPassword = client.asksPassword() && choice_.server;
   if (client.welcomed()) {
     std::fprintf(stderr, "platon-client: %s\n", reason.c_str());
@@ -195,8 +197,14 @@ void WindowPlay::failMatch(const std::string& title, const std::string& reason) 
   replay_.reset();
   menu_.open([this, title, reason] {
     return failurePage(
-        title, reason, [this] { start(MatchChoice(choice_)); }, [this] { leaveToTitle(); });
+        title, reason, [this] { start(MatchChoice(choice_)); }, [this] { leaveToTitle(); }, goOn());
   });
+}
+
+// The player decides, because any server can name any other. It gets no password.
+std::optional<MenuItem> WindowPlay::goOn() {
+  if (!next_) return std::nullopt;
+  return MenuItem{.name = "Join " + next_->text(), .choose = [this] { start(MatchChoice{ServerAddress(*next_)}); }};
 }
 
 // A recording that is dropped on a game would end it.

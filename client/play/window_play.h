@@ -74,6 +74,7 @@ class WindowPlay {
   void checkEnding();
   void fail(const ProgramError& error);
   void failMatch(const std::string& title, const std::string& reason);
+  std::optional<MenuItem> goOn();
   void leaveToTitle();
   void leaveMatch();
 
@@ -102,7 +103,8 @@ class WindowPlay {
       {[this] { settingsPages_.show(MenuPage::Place::kMiddle); }, [this] { leaveToTitle(); },
        [this](const std::filesystem::path& file) { watch(file); }, [this](const std::string& text) { tell(text); }}};
   Turntable turntable_;
-  MatchChoice choice_;  // the last one
+  MatchChoice choice_;                 // the last one
+  std::optional<ServerAddress> next_;  // where its server has told to go on after its end
   std::optional<LiveMatch> match_;
   std::optional<ReplayPlay> replay_;                 // shown in front of a match
   std::optional<std::optional<MedalTimes>> medals_;  // of the level, while the player is at its goal

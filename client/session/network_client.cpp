@@ -134,6 +134,11 @@ void NetworkClient::dropConnection() {
   connection_.reset();
 }
 
+std::optional<ServerAddress> NetworkClient::next() const {
+  const bool told = ending_ && session_ && session_->ending() && !session_->ending()->next.empty();
+  return told ? std::optional(parseServerAddress(session_->ending()->next)) : std::nullopt;
+}
+
 void NetworkClient::toggleVote() {
   if (is<InSession>()) session_->toggleVote();
 }

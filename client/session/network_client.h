@@ -56,6 +56,8 @@ class NetworkClient {
   bool closed() const { return !connection_ || connection_->state() == Connection::State::kClosed; }
   /// Why the match has ended permanently, a sentence for the player; empty until then.
   const std::optional<std::string>& ending() const { return ending_; }
+  /// The server where the player can go on after the end, as the server has told; nothing if it has told none.
+  std::optional<ServerAddress> next() const;
   /// Whether the match has ended because the server asks for a password, or for another one.
   bool asksPassword() const { return asksPassword_; }
   /// Why the match is interrupted, a sentence for the player; empty while it is not.

@@ -7,6 +7,7 @@
 
 #include "client/netcode/prediction_clock.h"
 #include "protocol/label.h"
+#include "protocol/transport/server_address.h"
 
 namespace platon {
 
@@ -75,8 +76,9 @@ void Session::send(const Message& message, bool reliable) {
 
 std::vector<OutgoingMessage> Session::takeOutgoing() { return std::exchange(outgoing_, {}); }
 
-void Session::end(std::string reason, bool permanent) {
-  ending_ = Ending{std::move(reason), permanent};
+void Session::end(std::string reason, bool permanent, const std::string& next) {
+  const bool goesOn = isNextServer(next);
+  ending_ = Ending{std::move(reason), permanent || goesOn, goesOn ? next : ""};
   if (round_) reportDesync(round_->endDesync());
 }
 
@@ -152,13 +154,13 @@ void Session::handle(const Welcome& message, Moment now) {
   startRound(message.round, message.levelHash);
 }
 
-// A full server may have a free slot later, and a stopping one may restart.
+// A full server may have a free slot later, and a stopping one may restart, unless it names another one.
 void Session::handle(const Refused& message, Moment) {
-  end(withReason("the server refused this client", message.reason), message.code != RefusalCode::kFull);
+  end(withReason("the server refused this client", message.reason), message.code != RefusalCode::kFull, message.next);
 }
 
 void Session::handle(const Bye& message, Moment) {
-  end(withReason("the server ended the game", message.reason), message.code != ByeCode::kServerStops);
+  end(withReason("the server ended the game", message.reason), message.code != ByeCode::kServerStops, message.next);
 }
 
 void Session::handle(const Notice& message, Moment) {

@@ -44,6 +44,7 @@ class Session {
   struct Ending {
     std::string reason;      ///< one sentence for the player
     bool permanent = false;  ///< reconnecting would fail too
+    std::string next{};      ///< where the player can go on (isNextServer), perhaps empty
   };
 
   /// A session ends if it receives nothing for this long after Welcome.
@@ -123,7 +124,7 @@ class Session {
  private:
   template <class Message>
   void send(const Message& message, bool reliable);
-  void end(std::string reason, bool permanent);
+  void end(std::string reason, bool permanent, const std::string& next = {});
   void reportDesync(std::optional<Desync> desync);
 
   void handle(const Welcome& message, Moment now);

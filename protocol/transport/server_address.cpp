@@ -73,4 +73,14 @@ ServerAddress parseServerAddress(std::string_view text) {
   return address;
 }
 
+bool isNextServer(std::string_view text) {
+  if (text.size() > kMaxNextServerBytes) return false;
+  try {
+    parseServerAddress(text);
+    return true;
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
+}
+
 }  // namespace platon

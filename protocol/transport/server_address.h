@@ -21,4 +21,7 @@ struct ServerAddress {
 /// that names the error and the format.
 ServerAddress parseServerAddress(std::string_view text);
 
+/// Whether a text is such an address, of at most kMaxNextServerBytes: a server may tell its players to go on there.
+bool isNextServer(std::string_view text);
+
 }  // namespace platon

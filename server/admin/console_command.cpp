@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <stdexcept>
 #include <utility>
 
 #include "platon/game/diagnostics.h"
@@ -160,14 +159,6 @@ constexpr auto kHelp = [] {
 }();
 
 }  // namespace
-
-bool isNextServer(const std::string& text) {
-  try {
-    return !parseServerAddress(text).host.empty() && text.size() <= kMaxNextServerBytes;
-  } catch (const std::invalid_argument&) {
-    return false;
-  }
-}
 
 std::span<const ConsoleCommandHelp> consoleCommands() { return kHelp; }
 

@@ -20,8 +20,6 @@ inline constexpr std::size_t kMaxKickReasonBytes = 100;
 
 /// Longest time for which a server can drain: a day.
 inline constexpr std::chrono::seconds kMaxDrain{24 * 60 * 60};
-/// Whether a text is the address of a server, of at most kMaxNextServerBytes, that players can be told.
-bool isNextServer(const std::string& text);
 
 /// A player, by the number or the name that the command `players` lists.
 struct PlayerWord {

@@ -310,11 +310,11 @@ void DedicatedServer::run(const std::function<bool()>& stopRequested) {
     step(now_());
     wait();
   }
-  stop(farewell_);
+  stop(next_.empty() ? "the server stops" : "the server stops: go on at " + next_);
 }
 
 void DedicatedServer::stop(const std::string& reason) {
-  match_.stop(reason);
+  match_.stop(reason, next_);
   writeRecordings();
   const TimePoint end = steadyNow() + kFarewellTime;
   for (; steadyNow() < end && !host_.empty(); host_.wait(std::chrono::milliseconds(10))) {

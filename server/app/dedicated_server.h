@@ -48,8 +48,8 @@ class DedicatedServer {
   void step(TimePoint now);
   /// Steps at the times that are due until `stopRequested`, which is called before each step, returns true; then stops.
   void run(const std::function<bool()>& stopRequested);
-  /// Sets the reason that `run` tells all clients at its end: a label of at most kMaxReasonBytes.
-  void setFarewell(std::string reason) { farewell_ = std::move(reason); }
+  /// Sets where `run` tells all clients at its end that they can go on (isNextServer); empty: nowhere.
+  void setNextServer(std::string next) { next_ = std::move(next); }
   /// Tells all clients the reason, waits at most half a second for their acknowledgements, and logs the tick times.
   void stop(const std::string& reason);
 
@@ -128,7 +128,7 @@ class DedicatedServer {
   TickTimes tickTimes_;
   RecentTickTimes recentTickTimes_;
   std::uint64_t desyncs_ = 0;
-  std::string farewell_ = "the server stops";
+  std::string next_;  // where clients can go on after the end; empty: nowhere
   std::chrono::milliseconds idleWait_ = kIdleWait;
   std::function<TimePoint()> now_ = [] { return std::chrono::steady_clock::now(); };
 };

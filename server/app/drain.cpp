@@ -1,7 +1,6 @@
 #include "server/app/drain.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "protocol/limits.h"
 
@@ -13,12 +12,12 @@ static_assert(kMaxNextServerBytes + 70 <= kMaxReasonBytes);
 
 }  // namespace
 
-void Drain::begin(TimePoint now, std::chrono::seconds limit, std::string next) {
+void Drain::begin(TimePoint now, std::chrono::seconds limit, const std::string& next) {
   end_ = now + limit;
-  next_ = std::move(next);
-  const std::string where = next_.empty() ? "" : " Go on at " + next_ + ".";
-  const std::string refusal = next_.empty() ? "join another one" : "go on at " + next_;
-  match_.drain("The server stops after this round." + where, "the server is about to stop: " + refusal);
+  const std::string where = next.empty() ? "" : " Go on at " + next + ".";
+  const std::string refusal =
+      "the server is about to stop: " + (next.empty() ? "join another one" : "go on at " + next);
+  match_.drain("The server stops after this round." + where, {RefusalCode::kOther, refusal, next});
   match_.say("The server stops after this round, in " + std::to_string(limit.count()) + " s at most." + where);
 }
 
@@ -32,7 +31,5 @@ std::optional<std::string_view> Drain::over(TimePoint now) const {
 std::chrono::seconds Drain::secondsLeft(TimePoint now) const {
   return std::chrono::ceil<std::chrono::seconds>(std::max(end_ - now, TimePoint::duration::zero()));
 }
-
-std::string Drain::farewell() const { return "the server stops" + (next_.empty() ? "" : ": go on at " + next_); }
 
 }  // namespace platon

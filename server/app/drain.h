@@ -17,21 +17,18 @@ class Drain {
   /// The match must outlive this.
   explicit Drain(Match& match) : match_(match) {}
 
-  /// Begins, or goes on with another limit. `next`: address of the server where the players go on, at most
-  /// kMaxNextServerBytes; empty: they are told none.
-  void begin(TimePoint now, std::chrono::seconds limit, std::string next);
+  /// Begins, or goes on with another limit. `next`: where the players can go on (isNextServer); empty: they are
+  /// told nothing.
+  void begin(TimePoint now, std::chrono::seconds limit, const std::string& next);
   bool begun() const { return match_.draining(); }
   /// Why the server is to stop now, in one or two words; nothing as long as it is not.
   std::optional<std::string_view> over(TimePoint now) const;
   /// Until the limit, rounded up; at least 0. Call only after `begin`.
   std::chrono::seconds secondsLeft(TimePoint now) const;
-  /// The reason for the players when the server stops. Call only after `begin`.
-  std::string farewell() const;
 
  private:
   Match& match_;
   TimePoint end_{};
-  std::string next_;
 };
 
 }  // namespace platon

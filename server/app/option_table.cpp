@@ -8,6 +8,7 @@
 
 #include "platon/game/game.h"
 #include "protocol/label.h"
+#include "protocol/transport/server_address.h"
 #include "server/admin/console_command.h"
 #include "server/admin/metrics_server.h"
 #include "server/app/byte_size.h"
@@ -25,6 +26,8 @@ bool isSwitch(const std::string& text) { return text == "on" || text == "off"; }
 bool isFormat(const std::string& text) { return text == "text" || text == "json"; }
 bool isByteSize(const std::string& text) { return parseByteSize(text).has_value(); }
 bool isSocketAddress(const std::string& text) { return parseSocketAddress(text).has_value(); }
+
+bool isOtherServer(const std::string& text) { return isNextServer(text); }
 
 const std::array kOptions{
     ServerOption{.name = kLevelsOption,
@@ -140,7 +143,7 @@ const std::array kOptions{
                  .whenEmpty = "none",
                  .needsRestart = false,
                  .mustBe = "an address of a server of at most 128 bytes, such as play.example.org:7777",
-                 .accepts = &isNextServer}};
+                 .accepts = &isOtherServer}};
 static_assert(kMaxNameBytes == 32);
 
 std::optional<ParseError> checkText(const ServerOption& option, const std::string& text) {

@@ -141,7 +141,7 @@ ConsoleReply ServerProgram::drain(const DrainCommand& command) {
   if (limit.count() == 0) return {false, "name the longest time in seconds, such as drain 600"};
   const std::string& next = command.next.empty() ? options_.drainTo : command.next;
   drain_.begin(steadyNow(), limit, next);
-  server_.setFarewell(drain_.farewell());
+  server_.setNextServer(next);
   std::vector<LogField> fields{{"seconds", std::uint64_t(limit.count())}};
   if (!next.empty()) fields.push_back({"next", next});
   server_.log().info("draining", fields);

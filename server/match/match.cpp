@@ -60,7 +60,7 @@ void Match::handleHello(ClientId client, const Hello& hello, const IpAddress& ad
 std::variant<MatchPlayer*, Refused> Match::admit(ClientId client, const Hello& hello, std::uint64_t origin) {
   if (const std::optional<Refused> refused = wrongVersion(hello)) return *refused;
   if (MatchPlayer* resumed = resume(client, hello)) return resumed;
-  if (draining_) return Refused{RefusalCode::kOther, draining_->refusal};
+  if (draining_) return draining_->refusal;
   if (connectedOf(origin) >= settings_.playersPerOrigin) return refuseOrigin();
   evictDisconnected(origin, 1);
   if (const std::optional<std::uint32_t> slot = freeSlot()) return &join(client, hello, *slot);

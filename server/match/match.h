@@ -98,7 +98,8 @@ class Match {
   /// Decides the inputs of one tick and advances the game. Without any player the game is paused.
   void tick();
   /// Removes all players and tells their clients the reason.
-  void stop(const std::string& reason);
+  /// `next`: where they can go on (isNextServer), or empty.
+  void stop(const std::string& reason, const std::string& next = {});
   /// Plays these levels after the current one, also when the round has ended already.
   void setLevels(std::vector<LevelPointer> levels);
   /// Plays new versions of the levels from the next round on: as many as there are, in the same order.
@@ -127,10 +128,10 @@ class Match {
   bool endRoundNow();
   /// Starts the next round at once.
   void startNextRound();
-  /// From now on starts no other round by itself and lets no new player join; known players may still resume. All texts
-  /// are labels of at most kMaxReasonBytes. `refusal` tells newcomers why. `notice` is shown to players who resume, and
-  /// to all when the round ends. Another call replaces both.
-  void drain(std::string notice, std::string refusal) { draining_ = Draining{std::move(notice), std::move(refusal)}; }
+  /// From now on starts no other round by itself and lets no new player join; known players may still resume. `refusal`
+  /// answers newcomers. `notice`, a label of at most kMaxReasonBytes, is shown to players who resume, and to all when
+  /// the round ends. Another call replaces both.
+  void drain(std::string notice, Refused refusal) { draining_ = Draining{std::move(notice), std::move(refusal)}; }
   bool draining() const { return draining_.has_value(); }
   /// Whether nothing is left to play for a match that drains: it has no players, or the pause after its round is over.
   bool drained() const { return draining_ && (idle() || pauseIsOver()); }
@@ -166,7 +167,7 @@ class Match {
 
   struct Draining {
     std::string notice;
-    std::string refusal;
+    Refused refusal;
   };
 
   void handleHello(ClientId client, const Hello& hello, const IpAddress& address);

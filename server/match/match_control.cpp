@@ -41,8 +41,8 @@ std::vector<PlayerStatus> Match::playerStatus() const {
   return all;
 }
 
-void Match::stop(const std::string& reason) {
-  const SharedBytes bye = encode(Bye{ByeCode::kServerStops, visibleLabel(reason)});
+void Match::stop(const std::string& reason, const std::string& next) {
+  const SharedBytes bye = encode(Bye{ByeCode::kServerStops, visibleLabel(reason), next});
   for (const auto& [client, player] : players_) outgoing_.push_back({client, true, true, bye});
   players_.clear();
   disconnected_.clear();

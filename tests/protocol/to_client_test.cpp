@@ -73,6 +73,8 @@ TEST(ToClient, RefusesValuesOutOfRange) {
   EXPECT_TRUE(refused(Roster{{{1, "Ben"}, {kMaxPlayers, "Ann"}}}));
   EXPECT_TRUE(refused(Roster{{{1, "Ben"}, {2, "a\nb"}}}));
   EXPECT_TRUE(refused(Refused{RefusalCode::kFull, "a\nb"}));
+  EXPECT_TRUE(refused(Refused{RefusalCode::kFull, "a", std::string(kMaxNextServerBytes + 1, 'a')}));
+  EXPECT_TRUE(refused(Bye{ByeCode::kRemoved, "a", "a\nb"}));
   EXPECT_TRUE(refused(Bye{ByeCode::kRemoved, std::string(kMaxReasonBytes + 1, 'a')}));
   EXPECT_TRUE(refused(Notice{std::string(kMaxReasonBytes + 1, 'a')}));
   EXPECT_TRUE(refused(Notice{"a\nb"}));

@@ -95,6 +95,16 @@ TEST_F(AnsweredClient, EndsWhenItIsRemovedInTheServiceCallOfItsWelcome) {
   EXPECT_EQ(client_.ending(), "the server ended the game: why");
 }
 
+TEST_F(AnsweredClient, TellsWhereTheServerSendsIt) {
+  run(100, [](Host& host, ClientId client, Moment now) {
+    host.send(client, true, encode(Refused{RefusalCode::kOther, "why", "[::1]:5"}));
+    host.close(client, now);
+  });
+  ASSERT_TRUE(client_.next().has_value());
+  EXPECT_EQ(client_.next()->text(), "[::1]:5");
+  EXPECT_EQ(greeted_.size(), 1u);
+}
+
 TEST(NetworkClient, ThrowsForAnUnknownHost) {
   EXPECT_THROW(NetworkClient({"no such host", 1}, {""}, Moment(1)), std::runtime_error);
 }

@@ -207,6 +207,26 @@ TEST(Session, ReconnectsToAServerThatStopsButNotToOneThatRemovesThePlayer) {
   }
 }
 
+// The player decides whether to go there.
+TEST(Session, AServerThatNamesAnotherOneIsNotAskedAgain) {
+  for (const ToClient& message : std::vector<ToClient>{Bye{ByeCode::kServerStops, "why", "example.org:7777"},
+                                                       Refused{RefusalCode::kFull, "why", "example.org:7777"}}) {
+    Session session("x", Moment(0));
+    session.receive(std::visit([](const auto& body) { return encode(body); }, message), Moment(0));
+    ASSERT_TRUE(session.ending().has_value());
+    EXPECT_TRUE(session.ending()->permanent);
+    EXPECT_EQ(session.ending()->next, "example.org:7777");
+  }
+}
+
+TEST(Session, IgnoresAnotherServerThatIsNoAddress) {
+  Session session("x", Moment(0));
+  session.receive(encode(Bye{ByeCode::kServerStops, "why", "no address"}), Moment(0));
+  ASSERT_TRUE(session.ending().has_value());
+  EXPECT_FALSE(session.ending()->permanent);
+  EXPECT_EQ(session.ending()->next, "");
+}
+
 TEST(Session, CountsTheDesyncsOfAllRounds) {
   Session::Memory memory;
   memory.levels = {endlessLevel()};

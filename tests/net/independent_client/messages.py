@@ -74,6 +74,7 @@ class Welcome:
 class Refused:
     code: int
     reason: str
+    next: str
 
 
 @dataclass
@@ -121,6 +122,7 @@ class RoundEnd:
 class Bye:
     code: int
     reason: str
+    next: str
 
 
 @dataclass
@@ -163,13 +165,13 @@ def _numbers(body, *sizes):
 # In the order of the union ToClientBody.
 _READERS = (
     lambda body: Welcome(*_numbers(body, 4, 4, 8, 4, 4), body.text(5)),
-    lambda body: Refused(*_numbers(body, 4), body.text(1)),
+    lambda body: Refused(*_numbers(body, 4), body.text(1), body.text(2)),
     lambda body: LevelChunk(*_numbers(body, 8, 4, 4), body.bytes(3)),
     lambda body: StateChunk(*_numbers(body, 4, 4, 1, 4, 4), body.bytes(5)),
     _roster,
     lambda body: RoundStart(*_numbers(body, 4, 8)),
     _round_end,
-    lambda body: Bye(*_numbers(body, 4), body.text(1)),
+    lambda body: Bye(*_numbers(body, 4), body.text(1), body.text(2)),
     lambda body: Notice(body.text(0)),
     lambda body: VoteCount(*_numbers(body, 4, 4, 4)),
     lambda body: PlayerChat(body.number(0, 4), body.text(1), body.number(2, 4)),

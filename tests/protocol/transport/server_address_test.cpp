@@ -60,5 +60,12 @@ INSTANTIATE_TEST_SUITE_P(All, BadAddress,
                                          "a:b:1", "[::1", "[::1]7777", "[host]:1", "::1:x", "host%eth0", "host:1%",
                                          "ho st", "host/7", "host:99999999999999999999"));
 
+TEST(ServerAddress, OneToGoOnHasAtMost128Bytes) {
+  EXPECT_TRUE(isNextServer("[2001:db8::1]:7777"));
+  EXPECT_TRUE(isNextServer(std::string(kMaxNextServerBytes, 'x')));
+  EXPECT_FALSE(isNextServer(std::string(kMaxNextServerBytes + 1, 'x')));
+  for (const char* text : {"", "a b", "host:0", "ho/st", "host:99999"}) EXPECT_FALSE(isNextServer(text)) << text;
+}
+
 }  // namespace
 }  // namespace platon

@@ -231,11 +231,11 @@ TEST_F(MatchControlTest, MissedInputsOfConnectedPlayersAreCountedOverAllRounds) 
 TEST_F(MatchControlTest, AMatchThatDrainsLetsNoNewPlayerJoin) {
   network_.add(player("Ann"));
   network_.run(20);
-  match().drain("Soon over.", "go elsewhere");
+  match().drain("Soon over.", {RefusalCode::kOther, "go elsewhere", "example.org:1"});
   network_.add(player("Ben"));
   network_.run(20);
   ASSERT_TRUE(network_.client(2).refused());
-  EXPECT_EQ(*network_.client(2).refused(), (Refused{RefusalCode::kOther, "go elsewhere"}));
+  EXPECT_EQ(*network_.client(2).refused(), (Refused{RefusalCode::kOther, "go elsewhere", "example.org:1"}));
   EXPECT_TRUE(match().isPlaying(1));
   EXPECT_FALSE(match().isPlaying(2));
 }
@@ -245,7 +245,7 @@ TEST_F(MatchControlTest, AMatchThatDrainsLetsItsPlayersResume) {
   network_.add(player("Ben"));
   network_.run(20);
   network_.disconnect(2);
-  match().drain("Soon over.", "go elsewhere");
+  match().drain("Soon over.", {RefusalCode::kOther, "go elsewhere", "example.org:1"});
   network_.run(20);
   network_.add(FakeClient(network_.client(2), [](std::uint32_t) { return 0; }));
   network_.run(20);
@@ -256,7 +256,7 @@ TEST_F(MatchControlTest, AMatchThatDrainsLetsItsPlayersResume) {
 TEST_F(MatchControlTest, AMatchThatDrainsStartsNoOtherRound) {
   network_.add(player("Ann"));
   network_.run(20);
-  match().drain("Soon over.", "go elsewhere");
+  match().drain("Soon over.", {RefusalCode::kOther, "go elsewhere", "example.org:1"});
   EXPECT_FALSE(match().drained());
   EXPECT_TRUE(match().endRoundNow());
   network_.run(Match::kPauseTicks - 1);
@@ -271,7 +271,7 @@ TEST_F(MatchControlTest, AMatchThatDrainsStartsNoOtherRound) {
 TEST_F(MatchControlTest, AMatchThatDrainsIsDrainedWhenItsLastPlayerHasLeft) {
   network_.add(player("Ann"));
   network_.run(20);
-  match().drain("Soon over.", "go elsewhere");
+  match().drain("Soon over.", {RefusalCode::kOther, "go elsewhere", "example.org:1"});
   EXPECT_FALSE(match().drained());
   network_.leave(1);
   network_.run(2);

@@ -19,5 +19,13 @@ TEST(FailurePage, ShowsEachLineOfTheReasonAndOffersToTryAgain) {
   EXPECT_EQ(called, "retry back back ");
 }
 
+TEST(FailurePage, OffersTheOtherWayFirst) {
+  const MenuItem other{.name = "Join example.org:7777", .choose = [] {}};
+  const MenuPage page = failurePage(
+      "Title", "why", [] {}, [] {}, other);
+  ASSERT_EQ(page.items.size(), 3u);
+  EXPECT_EQ(page.items[0].name, "Join example.org:7777");
+}
+
 }  // namespace
 }  // namespace platon
