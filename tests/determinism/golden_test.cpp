@@ -5,7 +5,7 @@
 
 #include "platon/game/recording_reader.h"
 #include "tests/determinism/lockstep_levels.h"
-#include "tests/sim/verification.h"
+#include "tests/sim/verify/verification.h"
 
 namespace platon::sim {
 namespace {

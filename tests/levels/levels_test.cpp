@@ -9,7 +9,7 @@
 #include "levels/check/level_warnings.h"
 #include "levels/picture/level_picture.h"
 #include "tests/levels/shipped_level.h"
-#include "tests/sim/verification.h"
+#include "tests/sim/verify/verification.h"
 #include "tests/support/files.h"
 
 namespace platon {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "platon/game/recorder.h"
 #include "tests/sim/commands.h"
 #include "tests/support/files.h"
 #include "tests/support/process.h"
@@ -61,6 +62,27 @@ inline std::string recordedFile(const std::vector<std::string>& more = {}) {
   arguments.insert(arguments.end(), more.begin(), more.end());
   outputOf(runCommand, arguments);
   return path;
+}
+
+/// The bytes of a recording of 30 ticks that differs from its replay at tick 20, in one bit of the position of
+/// entity 1.
+inline std::string differingRecording() {
+  Game game(loadLevel(readText(levelFile())).level);
+  Recorder recorder(game, 1);
+  const std::vector<Input> inputs(2, Input{Input::kPresent | Input::kRight});
+  for (int tick = 1; tick <= 30; ++tick) {
+    game.advance(inputs);
+    if (tick == 20) {
+      auto state = game.save();
+      constexpr std::size_t kPositionOfEntity1 = 2 + 58 + 8;
+      state[kPositionOfEntity1] ^= 1;
+      EXPECT_TRUE(game.restore(state));
+    }
+    recorder.record(inputs, game);
+  }
+  recorder.finish(game);
+  const auto bytes = recorder.takeBytes();
+  return {bytes.begin(), bytes.end()};
 }
 
 }  // namespace platon::sim

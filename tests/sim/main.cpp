@@ -26,6 +26,10 @@ constexpr std::string_view kHelp = R"(platon-sim: runs the simulation without se
       Replays a recording from its start, or from the last checkpoint before TICK, and compares every hash and
       checkpoint. Reports the first difference by tick, entity and field. --record writes the replayed game to a new
       file.
+  platon-sim verify FILE|FOLDER... --jobs N [--json]
+      Replays many recordings, those of a server or a fleet, with N threads. A folder stands for all files NAME.recording
+      in it and in its folders. Says what is wrong with which, how many agree, and how fast it was. Leaves out what a
+      server is still writing. --jobs 1 can be left out for a folder or several files.
   platon-sim world SCENE --ticks T [--seed S --max-speed U] [--trace FILE] [--json]
       Runs a scene file, without the game rules. With --max-speed, velocities are random instead of the scene's.
   platon-sim sweep

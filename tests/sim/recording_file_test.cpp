@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "tests/shared/game/played_game.h"
-#include "tests/sim/verification.h"
+#include "tests/sim/verify/verification.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 

@@ -9,7 +9,7 @@
 #include "server/app/tick_clock.h"
 #include "server/match/match.h"
 #include "server/net/host.h"
-#include "tests/sim/verification.h"
+#include "tests/sim/verify/verification.h"
 #include "tests/support/files.h"
 #include "tests/support/input_flipper.h"
 #include "tests/support/loopback_server.h"

@@ -4,7 +4,7 @@
 
 #include "platon/game/state_difference.h"
 #include "protocol/limits.h"
-#include "tests/sim/verification.h"
+#include "tests/sim/verify/verification.h"
 #include "tests/support/flipped_bit.h"
 #include "tests/support/test_level.h"
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/sim/verification.h"
+#include "tests/sim/verify/verification.h"
 #include "tests/support/test_level.h"
 
 namespace platon {

@@ -10,7 +10,7 @@
 
 #include "platon/game/state_difference.h"
 #include "protocol/full_state.h"
-#include "tests/sim/verification.h"
+#include "tests/sim/verify/verification.h"
 #include "tests/support/flipped_bit.h"
 #include "tests/support/input_flipper.h"
 #include "tests/support/pressing.h"

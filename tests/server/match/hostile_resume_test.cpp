@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "server/match/match.h"
-#include "tests/sim/verification.h"
+#include "tests/sim/verify/verification.h"
 #include "tests/support/fake_client.h"
 #include "tests/support/fake_client_network.h"
 #include "tests/support/test_levels.h"

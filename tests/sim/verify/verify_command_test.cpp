@@ -5,9 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "platon/game/recorder.h"
 #include "tests/sim/command_testing.h"
-#include "tests/sim/files.h"
 #include "tests/sim/sim_options.h"
 
 namespace platon::sim {
@@ -75,26 +73,8 @@ TEST(VerifyCommandTest, NamesTheErrorOfTruncatedAndDamagedRecordings) {
   EXPECT_EQ(runProgram("verify " + path).exitCode, 0);
 }
 
-// The recording differs from the replay in one bit of the position of entity 1.
 TEST(VerifyCommandTest, NamesTickEntityAndFieldOfADesync) {
-  const std::string path = pathOf("another_game");
-  Game game(loadLevel(readText(levelFile())).level);
-  Recorder recorder(game, 1);
-  const std::vector<Input> inputs(2, Input{Input::kPresent | Input::kRight});
-  for (int tick = 0; tick < 30; ++tick) {
-    game.advance(inputs);
-    if (tick == 19) {
-      auto state = game.save();
-      constexpr std::size_t kPositionOfEntity1 = 2 + 58 + 8;
-      state[kPositionOfEntity1] ^= 1;
-      ASSERT_TRUE(game.restore(state));
-    }
-    recorder.record(inputs, game);
-  }
-  recorder.finish(game);
-  OutputFile file(path);
-  file.write(recorder.takeBytes());
-  file.close();
+  const std::string path = fileWith("another_game", differingRecording());
   const ProcessResult found = runProgram("verify " + path);
   EXPECT_EQ(found.exitCode, 1);
   EXPECT_THAT(found.errors, HasSubstr(path + ": desync at tick 20: hash "));

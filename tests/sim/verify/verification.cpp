@@ -1,4 +1,4 @@
-#include "tests/sim/verification.h"
+#include "tests/sim/verify/verification.h"
 
 namespace platon::sim {
 

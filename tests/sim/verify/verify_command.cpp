@@ -1,0 +1,85 @@
+#include <chrono>
+#include <cstdint>
+#include <cstdio>
+
+#include "levels/tool/json_text.h"
+#include "tests/sim/commands.h"
+#include "tests/sim/files.h"
+#include "tests/sim/recording_file.h"
+#include "tests/sim/sim_options.h"
+#include "tests/sim/verify/verification.h"
+#include "tests/sim/verify/verify_many.h"
+#include "tests/sim/verify/verify_report.h"
+
+namespace platon::sim {
+namespace {
+
+void printJson(const std::string& path, const Verification& found, double timesRealTime) {
+  std::printf(
+      "{\"recording\":%s,\"firstTick\":%u,\"ticks\":%u,\"players\":%u,\"hash\":\"%016llx\",\"complete\":%s,"
+      "\"timesRealTime\":%.0f%s}\n",
+      jsonText(path).c_str(), found.firstTick, found.ticks, found.slots, static_cast<unsigned long long>(found.hash),
+      found.fault.empty() ? "true" : "false", timesRealTime,
+      found.divergence ? (",\"differs\":" + jsonOf(*found.divergence)).c_str() : "");
+}
+
+void printText(const std::string& path, const Verification& found, double timesRealTime) {
+  std::printf("recording %s\nfirst tick %u\nticks %u\nplayers %u\nhash %016llx\n%.0f times real time\n", path.c_str(),
+              found.firstTick, found.ticks, found.slots, static_cast<unsigned long long>(found.hash), timesRealTime);
+}
+
+// One recording: says all about it.
+int verifyFile(const std::string& path, const Options& options) {
+  const auto from = static_cast<std::uint32_t>(options.number("from", 0, 0, ~std::uint32_t{0}));
+  const auto bytes = readBytes(path, kMaxRecordingBytes);
+  const auto begin = std::chrono::steady_clock::now();
+  Verifier verifier(bytes, from);
+  RecordingFile recording(options);
+  if (verifier.game() != nullptr) recording.start(*verifier.game(), OutputFile::Mode::kCreateNew);
+  const Verification found = verifier.run([&](auto inputs, const Game& game) { recording.tick(inputs, game); });
+  if (verifier.game() != nullptr) recording.finish(*verifier.game());
+  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
+  const double timesRealTime = found.ticks / (kTicksPerSecond * spent.count());
+  if (verifier.game() != nullptr) (options.has("json") ? printJson : printText)(path, found, timesRealTime);
+  const VerifyReport report = reportOf(path, found);
+  std::fputs(report.text.c_str(), stderr);
+  return report.exitCode;
+}
+
+constexpr const char* kSummaryText =
+    "recordings %ju\nagree %ju\ndiffer %ju\ninvalid %ju\nskipped %ju\nticks %ju\nseconds %.3f\njobs %u\n"
+    "%.0f recordings an hour and job\n%.0f times real time a job\n";
+constexpr const char* kSummaryJson =
+    "{\"recordings\":%ju,\"agree\":%ju,\"differ\":%ju,\"invalid\":%ju,\"skipped\":%ju,\"ticks\":%ju,\"seconds\":%.3f,"
+    "\"jobs\":%u,\"recordingsPerHourAndJob\":%.0f,\"timesRealTimePerJob\":%.0f}\n";
+
+void printSummary(const VerifySummary& summary, const char* layout) {
+  using Count = std::uintmax_t;
+  std::printf(layout, Count{summary.recordings}, Count{summary.agree}, Count{summary.differ}, Count{summary.invalid},
+              Count{summary.skipped}, Count{summary.ticks}, summary.seconds, summary.jobs, summary.recordingsPerHour(),
+              summary.timesRealTime());
+}
+
+// Recordings and folders of them: says how many agree, and what is wrong with the others.
+int verifyAll(const Options& options) {
+  for (const char* const ofOne : {"from", "record", "checkpoint-every"}) {
+    if (options.has(ofOne)) throw UsageError(std::string("--") + ofOne + " works only with one recording");
+  }
+  const auto jobs = static_cast<unsigned>(options.number("jobs", 1, 1, kMaxJobs));
+  const VerifySummary summary = verifyMany(recordingsAmong(options.positionals()), jobs,
+                                           [](const std::string& fault) { std::fputs(fault.c_str(), stderr); });
+  printSummary(summary, options.has("json") ? kSummaryJson : kSummaryText);
+  return summary.exitCode();
+}
+
+}  // namespace
+
+int verifyCommand(const std::vector<std::string>& arguments) {
+  const Options options(arguments, {"from", "record", "checkpoint-every", "jobs"}, {"json"});
+  const std::vector<std::string>& paths = options.positionals();
+  if (paths.empty()) throw UsageError("platon-sim verify needs recordings: platon-sim verify FILE or FOLDER");
+  const bool one = paths.size() == 1 && !options.has("jobs") && !isFolder(paths.front());
+  return one ? verifyFile(paths.front(), options) : verifyAll(options);
+}
+
+}  // namespace platon::sim

@@ -1,0 +1,45 @@
+#include "tests/sim/verify/verify_report.h"
+
+#include "levels/tool/json_text.h"
+#include "tests/sim/hex_digits.h"
+
+namespace platon::sim {
+namespace {
+
+std::string sentenceOf(const Divergence& divergence) {
+  std::string text = "desync at tick " + std::to_string(divergence.tick) + ": hash " + hexDigits(divergence.replayed) +
+                     " replayed, " + hexDigits(divergence.recorded) + " recorded; ";
+  if (!divergence.comparedAt) return text + "the recording ends before the next checkpoint, so that no field is known";
+  text += "at the checkpoint of tick " + std::to_string(*divergence.comparedAt) + ", ";
+  if (!divergence.difference) return text + "no field differs";
+  const StateDifference& found = *divergence.difference;
+  return text + found.field + " of " + found.owner + " is the first field that differs: " + found.left + " replayed, " +
+         found.right + " recorded";
+}
+
+}  // namespace
+
+std::string jsonOf(const Divergence& divergence) {
+  std::string text = "{\"tick\":" + std::to_string(divergence.tick) + ",\"hash\":\"" + hexDigits(divergence.replayed) +
+                     "\",\"recordedHash\":\"" + hexDigits(divergence.recorded) + "\"";
+  if (divergence.comparedAt) text += ",\"comparedAt\":" + std::to_string(*divergence.comparedAt);
+  if (divergence.difference) {
+    const StateDifference& found = *divergence.difference;
+    text += ",\"entity\":" + jsonText(found.owner) + ",\"field\":" + jsonText(found.field) +
+            ",\"value\":" + jsonText(found.left) + ",\"recordedValue\":" + jsonText(found.right);
+  }
+  return text + "}";
+}
+
+VerifyReport reportOf(const std::string& path, const Verification& found) {
+  VerifyReport report{{}, found.divergence ? 1 : found.fault.empty() ? 0 : 3};
+  if (found.divergence) report.text += path + ": " + sentenceOf(*found.divergence) + "\n";
+  if (found.fault.empty()) return report;
+  const bool agreed = !found.divergence && found.ticks != 0;
+  report.text += path + ": " + found.fault;
+  if (agreed) report.text += "; the " + std::to_string(found.ticks) + " ticks before agree";
+  report.text += "\n";
+  return report;
+}
+
+}  // namespace platon::sim

@@ -1,0 +1,43 @@
+#include "tests/sim/verify/verify_report.h"
+
+#include <gtest/gtest.h>
+
+namespace platon::sim {
+namespace {
+
+Verification found(std::uint32_t ticks) {
+  Verification verification;
+  verification.ticks = ticks;
+  return verification;
+}
+
+TEST(VerifyReportTest, SaysNothingOfARecordingThatAgrees) {
+  const VerifyReport report = reportOf("a", found(300));
+  EXPECT_EQ(report.text, "");
+  EXPECT_EQ(report.exitCode, 0);
+}
+
+TEST(VerifyReportTest, CountsTheTicksBeforeAFault) {
+  Verification cut = found(300);
+  cut.fault = "byte 9: cut off";
+  EXPECT_EQ(reportOf("a", cut).text, "a: byte 9: cut off; the 300 ticks before agree\n");
+  EXPECT_EQ(reportOf("a", cut).exitCode, 3);
+  cut.ticks = 0;
+  EXPECT_EQ(reportOf("a", cut).text, "a: byte 9: cut off\n");
+}
+
+TEST(VerifyReportTest, ADivergenceComesBeforeAFault) {
+  Verification both = found(20);
+  both.divergence = Divergence{20, 0x0123, 0x4567, {}, {}};
+  both.fault = "byte 9: cut off";
+  const VerifyReport report = reportOf("a", both);
+  EXPECT_EQ(
+      report.text,
+      "a: desync at tick 20: hash 0000000000000123 replayed, 0000000000004567 recorded; the recording ends before "
+      "the next checkpoint, so that no field is known\na: byte 9: cut off\n");
+  EXPECT_EQ(report.exitCode, 1);
+  EXPECT_EQ(jsonOf(*both.divergence), R"({"tick":20,"hash":"0000000000000123","recordedHash":"0000000000004567"})");
+}
+
+}  // namespace
+}  // namespace platon::sim
