@@ -40,6 +40,24 @@ bool peerIsTrusted(const Descriptor& socket) {
   return peer.uid == geteuid() || peer.uid == 0;
 }
 
+bool waitFor(const Descriptor& socket, bool sends, std::chrono::milliseconds limit) {
+  pollfd waiting{socket.number(), static_cast<short>(sends ? POLLIN | POLLOUT : POLLIN), 0};
+  return poll(&waiting, 1, static_cast<int>(limit.count())) > 0;
+}
+
+Descriptor connectTcp(const SocketAddress& address, std::chrono::milliseconds limit) {
+  SystemAddress system;
+  const socklen_t length = toSystem(address, !address.ip.isIpv4(), system);
+  Descriptor socket(::socket(system.any.sa_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
+  if (!socket || connect(socket.number(), &system.any, length) == 0) return socket;
+  if (errno != EINPROGRESS) return Descriptor();
+  int fault = waitFor(socket, true, limit) ? 0 : ETIMEDOUT;
+  socklen_t size = sizeof fault;
+  if (fault == 0) getsockopt(socket.number(), SOL_SOCKET, SO_ERROR, &fault, &size);
+  errno = fault;
+  return fault == 0 ? std::move(socket) : Descriptor();
+}
+
 Descriptor listenTcp(const SocketAddress& address) {
   SystemAddress system;
   const socklen_t length = toSystem(address, !address.ip.isIpv4(), system);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <string>
 
 #include "protocol/files/descriptor.h"
@@ -12,6 +13,13 @@ namespace platon {
 Descriptor connectUnix(const std::string& path);
 /// The user who runs the program at the other end of a Unix socket is this user or root.
 bool peerIsTrusted(const Descriptor& socket);
+
+/// Connects to a TCP address, and waits for at most `limit`. The descriptor is empty on failure; errno then holds the
+/// reason.
+Descriptor connectTcp(const SocketAddress& address, std::chrono::milliseconds limit);
+/// Waits until bytes have arrived, or with `sends` until the system takes some, for at most `limit`. Returns whether
+/// that has happened; a broken connection counts.
+bool waitFor(const Descriptor& socket, bool sends, std::chrono::milliseconds limit);
 
 /// Listens at a TCP address; port 0: any that is free. The descriptor is empty on failure; errno then holds the reason.
 Descriptor listenTcp(const SocketAddress& address);

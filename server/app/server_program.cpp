@@ -1,5 +1,6 @@
 #include "server/app/server_program.h"
 
+#include <cstdlib>
 #include <exception>
 #include <sstream>
 #include <utility>
@@ -13,6 +14,7 @@
 #include "server/app/level_files.h"
 #include "server/app/option_table.h"
 #include "server/app/server_metrics.h"
+#include "server/fleet/agones_port.h"
 
 namespace platon {
 namespace {
@@ -82,6 +84,7 @@ ServerProgram::ServerProgram(const CommandLine& line, const ServerOptions& optio
       bans_(banStoreOf(options.banFile)),
       levelFiles_(levelFilesOf(options)),
       server_(settingsOf(options, log), load(levelFiles_.files(), log), log),
+      agones_(agonesPortOf(std::getenv(kAgonesPortVariable)), steadyNow),
       console_(server_.match(), bans_, consoleProgram()),
       metricsServer_(metricsServerOf(options.metrics)),
       startedAt_(steadyNow()) {
@@ -120,13 +123,16 @@ void ServerProgram::announce() {
 }
 
 void ServerProgram::run(const std::function<bool()>& stopRequested) {
+  agones_.start(server_.log());
   server_.run([&] {
     const TimePoint now = steadyNow();
+    agones_.report(server_.match(), server_.log());
     if (now >= nextPollAt_) pollTools();
     pollLevels(now);
     return stopRequested() || stopping_ || hasDrained(now);
   });
   logBans(bans_.finish());
+  agones_.finish(server_.log());
 }
 
 void ServerProgram::terminate() {

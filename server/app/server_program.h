@@ -11,10 +11,11 @@
 #include "server/admin/ban_store.h"
 #include "server/admin/console.h"
 #include "server/admin/console_server.h"
+#include "server/admin/drain.h"
 #include "server/admin/metrics_server.h"
+#include "server/app/agones_link.h"
 #include "server/app/command_line.h"
 #include "server/app/dedicated_server.h"
-#include "server/app/drain.h"
 
 namespace platon {
 
@@ -68,6 +69,7 @@ class ServerProgram {
   FileWatch levelFiles_;
   DedicatedServer server_;
   Drain drain_{server_.match()};
+  AgonesLink agones_;
   Console console_;
   std::unique_ptr<ConsoleServer> consoleServer_;  // null: none
   std::string whyNoConsole_;

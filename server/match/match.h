@@ -146,6 +146,8 @@ class Match {
 
   /// Whether the match has no players, neither connected nor disconnected ones.
   bool idle() const { return players_.empty() && disconnected_.empty(); }
+  /// Number of players, disconnected ones included.
+  std::size_t allPlayers() const { return players_.size() + disconnected_.size(); }
   /// Number of connected players.
   std::size_t players() const { return players_.size(); }
   bool isPlaying(ClientId client) const { return players_.contains(client); }

@@ -23,7 +23,7 @@ CLIENT = ["time", "net", "netcode", "desync", "session", "bot", "demo", "quality
 FOLDERS = (
     [f"shared/include/platon/{name}" for name in SHARED]
     + [f"shared/{name}" for name in SHARED]
-    + ["shared/examples", "protocol", "protocol/files", "protocol/transport", "server/match", "server/net", "server/base", "server/admin", "server/times", "server/app"]
+    + ["shared/examples", "protocol", "protocol/files", "protocol/transport", "server/match", "server/net", "server/base", "server/admin", "server/fleet", "server/times", "server/app"]
     + [f"levels/{name}" for name in LEVELS]
     + [f"client/{name}" for name in CLIENT]
     + ["levels", "tests"]
@@ -89,15 +89,15 @@ class Includes(Tree):
             "shared/physics": public[:2] + ["shared/exact"],
             "shared/game": public + ["shared/exact", "shared/physics"],
             "shared/examples": public,
-            "protocol": public,
-            "protocol/files": [],
+            **{"protocol": public, "protocol/files": []},
             "protocol/transport": ["protocol", "protocol/files"],
             "server/match": public + protocol,
             "server/net": public + protocol + ["server/match"],
             "server/base": ["protocol/files"],
             "server/admin": public + protocol + ["server/match", "server/net", "server/base"],
+            "server/fleet": protocol + ["server/net", "server/admin"],
             "server/times": public + protocol + ["server/match", "server/base"],
-            "server/app": public + protocol + ["server/match", "server/net", "server/base", "server/admin", "server/times"],
+            "server/app": public + protocol + ["server/match", "server/net", "server/base", "server/admin", "server/fleet", "server/times"],
             **{
                 f"client/{room}": public
                 + ([] if room in wordless else protocol)

@@ -1,4 +1,4 @@
-#include "server/app/drain.h"
+#include "server/admin/drain.h"
 
 #include <gtest/gtest.h>
 

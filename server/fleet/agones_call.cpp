@@ -1,0 +1,62 @@
+#include "server/fleet/agones_call.h"
+
+#include <algorithm>
+#include <charconv>
+
+namespace platon {
+namespace {
+
+// Longest first line of a response, bytes; a sidecar sends far less.
+constexpr std::size_t kMaxLineBytes = 512;
+
+std::string_view pathOf(AgonesCall call) {
+  switch (call) {
+    case AgonesCall::kReady:
+      return "/ready";
+    case AgonesCall::kHealth:
+      return "/health";
+    case AgonesCall::kAllocate:
+      return "/allocate";
+    case AgonesCall::kPlayers:
+      return "/v1beta1/counters/players";
+    case AgonesCall::kShutdown:
+      return "/shutdown";
+  }
+  return "";
+}
+
+// Numbers of 64 bits are texts in the JSON of protocol buffers.
+std::string bodyOf(AgonesCall call, const PlayerCount& count) {
+  if (call != AgonesCall::kPlayers) return "{}";
+  return R"({"count":")" + std::to_string(count.players) + R"(","capacity":")" + std::to_string(count.limit) + "\"}";
+}
+
+}  // namespace
+
+std::string_view nameOf(AgonesCall call) {
+  const std::string_view path = pathOf(call);
+  return path.substr(path.rfind('/') + 1);
+}
+
+std::string agonesRequest(AgonesCall call, std::uint16_t port, const PlayerCount& count) {
+  const std::string body = bodyOf(call, count);
+  std::string request(call == AgonesCall::kPlayers ? "PATCH " : "POST ");
+  request.append(pathOf(call)).append(" HTTP/1.1\r\nHost: localhost:").append(std::to_string(port));
+  request.append("\r\nContent-Type: application/json\r\nContent-Length: ").append(std::to_string(body.size()));
+  return request.append("\r\nConnection: close\r\n\r\n").append(body);
+}
+
+std::optional<int> statusOf(std::string_view received) {
+  const std::size_t end = received.find("\r\n");
+  if (end == std::string_view::npos) return received.size() > kMaxLineBytes ? std::optional(0) : std::nullopt;
+  const std::string_view line = received.substr(0, end);
+  if (!line.starts_with("HTTP/1.1 ") && !line.starts_with("HTTP/1.0 ")) return 0;
+  const std::string_view digits = line.substr(9, 3);
+  const bool ends = line.size() == 12 || (line.size() > 12 && line[12] == ' ');
+  int status = 0;
+  const auto [rest, error] = std::from_chars(digits.data(), digits.data() + digits.size(), status);
+  const bool whole = error == std::errc() && rest == digits.data() + digits.size() && ends;
+  return whole && status >= 100 ? status : 0;
+}
+
+}  // namespace platon

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace platon {
+
+/// What the server tells Agones through the process that Agones runs beside it, its sidecar.
+enum class AgonesCall : std::uint8_t {
+  kReady,     ///< players can be sent to the server; it may be removed
+  kHealth,    ///< the server is alive
+  kAllocate,  ///< somebody plays: the server must not be removed
+  kPlayers,   ///< number of players
+  kShutdown,  ///< the server has stopped
+};
+inline constexpr std::size_t kAgonesCalls = 5;
+
+/// One word, for the log.
+std::string_view nameOf(AgonesCall call);
+
+/// How many players the server has, and how many it can have.
+struct PlayerCount {
+  std::uint32_t players = 0;
+  std::uint32_t limit = 0;
+
+  friend bool operator==(const PlayerCount&, const PlayerCount&) = default;
+};
+
+/// The request of HTTP/1.1 that makes the call, for a sidecar on this port of the loopback interface. Paths and bodies
+/// are those of sdks/swagger/sdk.swagger.json and beta.swagger.json of github.com/googleforgames/agones. `count` is
+/// sent by kPlayers alone.
+std::string agonesRequest(AgonesCall call, std::uint16_t port, const PlayerCount& count);
+
+/// The status of a response of HTTP/1.0 or HTTP/1.1, 100 … 999, once its first line has arrived. 0: the line is none.
+/// Nothing: the line is incomplete.
+std::optional<int> statusOf(std::string_view received);
+
+}  // namespace platon

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <optional>
+
+#include "server/fleet/agones_call.h"
+#include "server/net/time_point.h"
+
+namespace platon {
+
+/// What the server tells about itself.
+struct FleetStatus {
+  std::uint64_t steps = 0;  ///< of the tick loop since the start
+  bool playing = false;     ///< somebody plays, or may resume
+  PlayerCount count;        ///< as the counter of Agones shows it
+  bool stopped = false;     ///< the server has stopped
+};
+
+/// Decides which call is due. It has neither socket nor clock nor thread.
+class AgonesSchedule {
+ public:
+  /// Between two pings, as the documentation of Agones shows it for `periodSeconds: 5`.
+  static constexpr std::chrono::seconds kHealthInterval{2};
+  /// No pings are sent when the tick loop has not advanced for this long.
+  static constexpr std::chrono::seconds kStallTime{2};
+  /// Pause after a call that failed; doubled after each further failure of this call, up to kMaxPause.
+  static constexpr std::chrono::milliseconds kFirstPause{500};
+  static constexpr std::chrono::seconds kMaxPause{8};
+  /// The number of players is told again after this time, so that places which an allocation has reserved and nobody
+  /// has taken become free.
+  static constexpr std::chrono::seconds kCountInterval{30};
+
+  explicit AgonesSchedule(TimePoint now) : advancedAt_(now), healthAt_(now) {}
+
+  /// The call to make now; nothing if none is due. The first one is kReady.
+  std::optional<AgonesCall> due(const FleetStatus& status, TimePoint now);
+  /// Tells how a call that `due` has named ended, with the status it was made for.
+  void made(AgonesCall call, const FleetStatus& status, bool succeeded, TimePoint now);
+  /// Whether the sidecar knows that the server has stopped.
+  bool shutDown() const { return told_ == AgonesCall::kShutdown; }
+
+ private:
+  struct Retry {
+    TimePoint at{};  // not before
+    std::chrono::milliseconds pause{};
+  };
+
+  bool mayRetry(AgonesCall call, TimePoint now) const { return now >= retries_[index(call)].at; }
+  static std::size_t index(AgonesCall call) { return static_cast<std::size_t>(call); }
+
+  std::uint64_t steps_ = 0;
+  TimePoint advancedAt_;              // when the tick loop was seen to advance
+  TimePoint healthAt_;                // next ping
+  bool tried_ = false;                // kReady was tried once
+  std::optional<AgonesCall> told_;    // kReady, kAllocate or kShutdown: what the sidecar has taken last
+  std::optional<PlayerCount> count_;  // the same for kPlayers
+  TimePoint countAt_{};               // when it is told again
+  std::array<Retry, kAgonesCalls> retries_{};
+};
+
+}  // namespace platon

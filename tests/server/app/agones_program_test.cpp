@@ -1,0 +1,114 @@
+// The program platon-server under a stand-in for Agones.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <optional>
+
+#include "protocol/to_server.h"
+#include "tests/server/fleet/fake_sidecar.h"
+#include "tests/support/enet_client.h"
+#include "tests/support/environment_variable.h"
+#include "tests/support/server_fixture.h"
+#include "tests/support/wait_until.h"
+
+namespace platon {
+namespace {
+
+const std::string kOnePlayer = "PATCH /v1beta1/counters/players {\"count\":\"1\",\"capacity\":\"16\"}";
+const std::string kNoPlayer = "PATCH /v1beta1/counters/players {\"count\":\"0\",\"capacity\":\"16\"}";
+
+class AgonesProgramTest : public ServerTest {
+ protected:
+  std::uint16_t serverPort() const {
+    return static_cast<std::uint16_t>(std::stoi(address().substr(address().rfind(':') + 1)));
+  }
+
+  bool reaches(const std::string& call, std::size_t calls = 1) {
+    return waitUntil([&] { return sidecar_.count(call) >= calls; });
+  }
+
+  void join() {
+    ann_.emplace(serverPort(), FakeClient("Ann", 8, [](std::uint32_t) { return 0; }));
+    EXPECT_TRUE(stepUntil(step_, [this] { return ann_->fake().confirmed() >= 10; }));
+  }
+
+  // Steps the player until the sidecar has taken the call.
+  bool playsUntil(const std::string& call, std::size_t calls = 1) {
+    return stepUntil(step_, [&] { return sidecar_.count(call) >= calls; });
+  }
+
+  FakeSidecar sidecar_;
+  const EnvironmentVariable port_{"AGONES_SDK_HTTP_PORT", std::to_string(sidecar_.port())};
+  std::optional<EnetClient> ann_;
+  const std::function<void()> step_ = [this] { ann_->step(); };
+};
+
+TEST_F(AgonesProgramTest, TheSidecarIsToldTheLifeOfTheServerInOrder) {
+  startServer({"--drain", "600"});
+  ASSERT_TRUE(reaches("POST /health"));
+  EXPECT_EQ(sidecar_.calls()[0], "POST /ready {}");
+  EXPECT_EQ(sidecar_.calls()[1], "POST /health {}");
+  ASSERT_TRUE(reaches(kNoPlayer));
+  EXPECT_EQ(sidecar_.count("POST /allocate"), 0u);
+  join();
+  ASSERT_TRUE(playsUntil(kOnePlayer));
+  EXPECT_EQ(sidecar_.count("POST /allocate"), 1u);
+  EXPECT_EQ(sidecar_.count("POST /shutdown"), 0u);
+  server().signal(SIGTERM);
+  server().waitForError("draining seconds=600");
+  ann_->sendRaw(encode(Leave{}), true);
+  EXPECT_TRUE(stepUntil(step_, [this] { return ann_->disconnected(); }));
+  EXPECT_EQ(server().wait(), 0);
+  EXPECT_EQ(sidecar_.calls().back(), "POST /shutdown {}");
+  EXPECT_EQ(sidecar_.count("POST /shutdown"), 1u);
+  EXPECT_EQ(sidecar_.faults(), std::vector<std::string>{});
+}
+
+TEST_F(AgonesProgramTest, AServerWhosePlayersHaveLeftMayBeRemovedAgain) {
+  startServer();
+  join();
+  ASSERT_TRUE(playsUntil(kOnePlayer));
+  ann_->sendRaw(encode(Leave{}), true);
+  ASSERT_TRUE(playsUntil(kNoPlayer));
+  ASSERT_TRUE(playsUntil("POST /ready", 2));
+  stopServer();
+}
+
+TEST_F(AgonesProgramTest, ASidecarThatComesLateIsToldAllOfIt) {
+  sidecar_.vanish();
+  startServer();
+  server().waitForError("agones call fails call=\"ready\" reason=\"Connection refused\"");
+  join();
+  sidecar_.comeBack();
+  ASSERT_TRUE(playsUntil(kOnePlayer));
+  server().waitForError("agones call succeeds again call=\"ready\"");
+  EXPECT_EQ(sidecar_.count("POST /allocate"), 1u);
+  stopServer();
+}
+
+TEST_F(AgonesProgramTest, ASidecarThatRefusesOrIsSilentHoldsUpNoTick) {
+  for (const FakeSidecar::Mode mode : {FakeSidecar::Mode::kRefuses, FakeSidecar::Mode::kIsSilent}) {
+    sidecar_.set(mode);
+    startServer();
+    join();
+    const std::uint32_t before = ann_->fake().confirmed();
+    const std::size_t requests = sidecar_.requests();
+    EXPECT_TRUE(stepUntil(step_, [&] { return sidecar_.requests() >= requests + 3; }));
+    EXPECT_GT(ann_->fake().confirmed(), before);
+    EXPECT_EQ(ann_->fake().desyncs(), 0u);
+    server().signal(SIGTERM);
+    EXPECT_EQ(server().wait(), 0);
+    EXPECT_NE(server().errors().find("\nagones was not told the end\n"), std::string::npos);
+    EXPECT_EQ(server().errors().find("ticks dropped"), std::string::npos) << server().errors();
+  }
+}
+
+TEST_F(AgonesProgramTest, AnInvalidPortIsRefusedAtTheStart) {
+  const EnvironmentVariable wrong("AGONES_SDK_HTTP_PORT", "http");
+  const ProcessResult result = runProcess(platonCommand("platon-server", {kLevel, "--port", "0"}));
+  EXPECT_EQ(result.exitCode, 2);
+  EXPECT_NE(result.errors.find("AGONES_SDK_HTTP_PORT must be a port from 1 to 65535, not 'http'"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace platon

@@ -1,0 +1,128 @@
+#include "tests/server/fleet/fake_sidecar.h"
+
+#include <algorithm>
+#include <chrono>
+#include <regex>
+#include <stdexcept>
+
+#include "server/admin/stream_socket.h"
+
+namespace platon {
+namespace {
+
+Descriptor listenAt(std::uint16_t port) { return listenTcp({*IpAddress::parse("127.0.0.1"), port}); }
+
+std::string responseOf(const std::string& status, const std::string& body) {
+  return "HTTP/1.1 " + status + "\r\nContent-Type: application/json\r\nContent-Length: " + std::to_string(body.size()) +
+         "\r\nConnection: close\r\n\r\n" + body;
+}
+
+// The whole request, head and body, once it has arrived; empty before.
+std::string wholeRequest(const std::string& received) {
+  const std::size_t head = received.find("\r\n\r\n");
+  std::smatch found;
+  const bool has = std::regex_search(received, found, std::regex("\r\nContent-Length: ([0-9]+)\r\n"));
+  if (head == std::string::npos) return "";
+  const std::size_t size = head + 4 + (has ? std::stoul(found[1]) : 0);
+  return received.size() >= size ? received.substr(0, size) : "";
+}
+
+}  // namespace
+
+FakeSidecar::FakeSidecar() : listener_(listenAt(0)) {
+  if (!listener_) throw std::runtime_error("cannot listen on 127.0.0.1");
+  port_ = portOf(listener_);
+  thread_ = std::thread([this] { run(); });
+}
+
+FakeSidecar::~FakeSidecar() {
+  {
+    const std::lock_guard lock(mutex_);
+    ended_ = true;
+  }
+  thread_.join();
+}
+
+void FakeSidecar::set(Mode mode) {
+  const std::lock_guard lock(mutex_);
+  mode_ = mode;
+}
+
+void FakeSidecar::vanish() {
+  const std::lock_guard lock(mutex_);
+  listener_ = Descriptor();
+  connections_.clear();
+}
+
+void FakeSidecar::comeBack() {
+  const std::lock_guard lock(mutex_);
+  listener_ = listenAt(port_);
+  if (!listener_) throw std::runtime_error("cannot listen on the same port again");
+}
+
+std::vector<std::string> FakeSidecar::calls() {
+  const std::lock_guard lock(mutex_);
+  return calls_;
+}
+
+std::size_t FakeSidecar::count(const std::string& call) {
+  const std::vector<std::string> all = calls();
+  return static_cast<std::size_t>(
+      std::count_if(all.begin(), all.end(), [&](const std::string& one) { return one.starts_with(call); }));
+}
+
+std::size_t FakeSidecar::requests() {
+  const std::lock_guard lock(mutex_);
+  return requests_;
+}
+
+std::vector<std::string> FakeSidecar::faults() {
+  const std::lock_guard lock(mutex_);
+  return faults_;
+}
+
+void FakeSidecar::run() {
+  for (;; std::this_thread::sleep_for(std::chrono::milliseconds(1))) {
+    const std::lock_guard lock(mutex_);
+    if (ended_) return;
+    if (listener_) {
+      if (Descriptor socket = acceptFrom(listener_)) connections_.push_back({std::move(socket), {}, {}, false});
+    }
+    for (Connection& connection : connections_) serve(connection);
+    std::erase_if(connections_, [](const Connection& connection) { return !connection.socket; });
+  }
+}
+
+void FakeSidecar::serve(Connection& connection) {
+  const Received part = receiveFrom(connection.socket);
+  connection.received += part.bytes;
+  const std::string request = wholeRequest(connection.received);
+  if (!connection.answered && !request.empty()) {
+    connection.answered = true;
+    connection.response = answer(request);
+  }
+  if (part.closed || !sendTo(connection.socket, connection.response)) connection.socket = Descriptor();
+}
+
+std::string FakeSidecar::answer(const std::string& request) {
+  ++requests_;
+  if (mode_ == Mode::kRefuses) return responseOf("500 Internal Server Error", R"({"code":2,"message":"refused"})");
+  if (mode_ == Mode::kIsSilent) return "";
+  const std::string call = request.substr(0, request.find(" HTTP/1.1\r\n"));
+  const std::string body = request.substr(request.find("\r\n\r\n") + 4);
+  static const std::regex empty("POST /(ready|health|allocate|shutdown)");
+  static const std::regex counter(R"re(\{"count":"([0-9]+)","capacity":"([0-9]+)"\})re");
+  std::string answered;
+  std::smatch count;
+  if (std::regex_match(call, empty) && body == "{}") answered = "{}";
+  if (call == "PATCH /v1beta1/counters/players" && std::regex_match(body, count, counter))
+    answered = R"({"name":"players",)" + body.substr(1);
+  if (answered.empty() || request.find("\r\nContent-Type: application/json\r\n") == std::string::npos) {
+    faults_.push_back(request);
+    return responseOf("400 Bad Request", R"({"code":3,"message":"bad request"})");
+  }
+  calls_.push_back(call + " " + body);
+  return responseOf("200 OK", answered);
+}
+
+}  // namespace platon

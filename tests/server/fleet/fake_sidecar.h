@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "protocol/files/descriptor.h"
+
+namespace platon {
+
+/// Stands in for the sidecar of Agones. Answers the calls that the server makes as sdks/swagger/sdk.swagger.json and
+/// beta.swagger.json of Agones describe them, and anything else with an error.
+class FakeSidecar {
+ public:
+  enum class Mode {
+    kAnswers,
+    kRefuses,  ///< with HTTP status 500
+    kIsSilent  ///< keeps connections open without an answer
+  };
+
+  /// Listens on a free port of 127.0.0.1.
+  FakeSidecar();
+  ~FakeSidecar();
+  FakeSidecar(const FakeSidecar&) = delete;
+  FakeSidecar& operator=(const FakeSidecar&) = delete;
+
+  std::uint16_t port() const { return port_; }
+  void set(Mode mode);
+  /// Stops to listen: connections are refused.
+  void vanish();
+  /// Listens again, at the same port.
+  void comeBack();
+
+  /// The calls that were answered with 200, in order, such as "POST /ready {}".
+  std::vector<std::string> calls();
+  /// How many of them begin with this.
+  std::size_t count(const std::string& call);
+  /// All requests that have arrived, answered or not.
+  std::size_t requests();
+  /// Requests that the description of Agones does not allow.
+  std::vector<std::string> faults();
+
+ private:
+  struct Connection {
+    Descriptor socket;
+    std::string received;
+    std::string response;
+    bool answered = false;
+  };
+
+  void run();
+  void serve(Connection& connection);
+  std::string answer(const std::string& request);
+
+  std::uint16_t port_ = 0;
+  std::mutex mutex_;
+  Descriptor listener_;  // this and all below: under the mutex
+  Mode mode_ = Mode::kAnswers;
+  std::vector<Connection> connections_;
+  std::vector<std::string> calls_;
+  std::vector<std::string> faults_;
+  std::size_t requests_ = 0;
+  bool ended_ = false;
+  std::thread thread_;  // last: uses the members above from its start
+};
+
+}  // namespace platon

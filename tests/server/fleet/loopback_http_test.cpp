@@ -1,0 +1,56 @@
+#include "server/fleet/loopback_http.h"
+
+#include <gtest/gtest.h>
+
+#include "server/fleet/agones_call.h"
+#include "tests/server/fleet/fake_sidecar.h"
+
+namespace platon {
+namespace {
+
+using namespace std::chrono_literals;
+
+class LoopbackHttpTest : public testing::Test {
+ protected:
+  std::optional<std::string> send(const std::string& request, std::chrono::milliseconds limit = 20s) {
+    return sendOverLoopback(request, sidecar_.port(), limit, [] { return std::chrono::steady_clock::now(); });
+  }
+
+  std::string request(AgonesCall call) const { return agonesRequest(call, sidecar_.port(), {3, 16}); }
+
+  FakeSidecar sidecar_;
+};
+
+TEST_F(LoopbackHttpTest, TheSidecarTakesEveryCall) {
+  for (const AgonesCall call :
+       {AgonesCall::kReady, AgonesCall::kHealth, AgonesCall::kAllocate, AgonesCall::kPlayers, AgonesCall::kShutdown}) {
+    EXPECT_EQ(send(request(call)), std::nullopt) << nameOf(call);
+  }
+  EXPECT_EQ(sidecar_.calls(),
+            (std::vector<std::string>{"POST /ready {}", "POST /health {}", "POST /allocate {}",
+                                      "PATCH /v1beta1/counters/players {\"count\":\"3\",\"capacity\":\"16\"}",
+                                      "POST /shutdown {}"}));
+  EXPECT_EQ(sidecar_.faults(), std::vector<std::string>{});
+}
+
+TEST_F(LoopbackHttpTest, ARefusalIsReported) {
+  sidecar_.set(FakeSidecar::Mode::kRefuses);
+  EXPECT_EQ(send(request(AgonesCall::kReady)), "it answers with HTTP status 500");
+  sidecar_.set(FakeSidecar::Mode::kAnswers);
+  EXPECT_EQ(send("GET /nothing HTTP/1.1\r\n\r\n"), "it answers with HTTP status 400");
+}
+
+TEST_F(LoopbackHttpTest, ASilentSidecarIsNotWaitedForLonger) {
+  sidecar_.set(FakeSidecar::Mode::kIsSilent);
+  EXPECT_EQ(send(request(AgonesCall::kReady), 20ms), "it does not answer in time");
+}
+
+TEST_F(LoopbackHttpTest, AMissingSidecarIsReportedAndFoundAgain) {
+  sidecar_.vanish();
+  EXPECT_EQ(send(request(AgonesCall::kReady)), "Connection refused");
+  sidecar_.comeBack();
+  EXPECT_EQ(send(request(AgonesCall::kReady)), std::nullopt);
+}
+
+}  // namespace
+}  // namespace platon
