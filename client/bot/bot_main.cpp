@@ -39,7 +39,8 @@ void describe(CLI::App& app, Options& options) {
   app.add_option("--seed", options.fleet.seed, "Seed of the buttons and of the simulated network conditions")
       ->capture_default_str();
   app.add_option("--desync-dir", options.fleet.desyncFolder,
-                 "Folder for desync reports, created if missing; without it none are written");
+                 "Folder for desync reports, created if missing; without it none are written")
+      ->type_name("DIR");
   app.add_flag("--hollow", options.fleet.hollow,
                "Bots without a game, to load a server: they join, send inputs and acknowledge ticks; hundreds run on "
                "one machine");
@@ -47,7 +48,8 @@ void describe(CLI::App& app, Options& options) {
                  "Seconds after its first tick before a bot is measured; desyncs, resyncs and the largest correction "
                  "are counted from the start")
       ->check(CLI::Range(0.0, 86400.0));
-  app.add_option("--password-file", options.passwordFile, "File with the server's password in its first line");
+  app.add_option("--password-file", options.passwordFile, "File with the server's password in its first line")
+      ->type_name("FILE");
   app.add_flag("--json", options.json, "Print one JSON object");
   addConditionOptions(app, options.fleet.quality);
 }

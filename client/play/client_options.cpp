@@ -6,6 +6,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "client/net/server_link.h"
 #include "platon_version.h"
 #include "protocol/label.h"
 #include "protocol/limits.h"
@@ -21,6 +22,7 @@ void describeFrameOptions(CLI::App& app, FrameOptions& frames) {
   app.add_option("--frames", frames.folder,
                  "Write the frames of a demonstration to this folder; needs --offscreen, --demo and --level")
       ->check(CLI::ExistingDirectory)
+      ->option_text("DIR")
       ->group(kGroup);
   app.add_option("--fps", frames.perSecond, "Frames per second of play")
       ->check(CLI::IsMember({1, 2, 3, 4, 5, 6, 10, 12, 15, 20, 30, 60}))
@@ -47,28 +49,34 @@ void describeEditOptions(CLI::App& app, ClientOptions& options) {
     solids.emplace(nameOf(kind), kind);
   }
   app.add_option("--edit", options.edit, "Edit this level file; the first save creates it if it does not exist")
+      ->type_name("FILE")
       ->group(kGroup);
   app.add_option("--solid", options.solid, "Solid of a new level; default: HEXAHEDRON")
       ->transform(CLI::CheckedTransformer(solids, CLI::ignore_case))
+      ->option_text("TETRAHEDRON|HEXAHEDRON|OCTAHEDRON|DODECAHEDRON|ICOSAHEDRON")
       ->group(kGroup);
 }
 
 void describe(CLI::App& app, ClientOptions& options, std::string& host, std::string& passwordFile) {
-  app.add_option("HOST", host, "Server address, HOST or HOST:PORT; without it, --level and --demo: the title");
+  app.add_option(
+      "HOST", host,
+      "Server address, HOST or HOST:PORT, or a link platon://HOST:PORT; without it, --level and --demo: the title");
   app.add_option("--level", options.level,
-                 "Level file for the embedded server; default: the levels shipped with Platon");
+                 "Level file for the embedded server; default: the levels shipped with Platon")
+      ->type_name("FILE");
   app.add_option("--name", options.name, "Your name, as other players see it");
-  app.add_option("--password-file", passwordFile, "File with the server's password in its first line");
+  app.add_option("--password-file", passwordFile, "File with the server's password in its first line")
+      ->type_name("FILE");
   app.add_flag("--offscreen", options.offscreen, "Play without a window; needs no display");
   app.add_flag("--demo", options.demo, "Let the program play automatically");
   app.add_option("--seconds", options.seconds, "Exit after this many seconds; default with --offscreen: 10")
       ->check(CLI::Range(0.1, 86400.0));
-  app.add_option("--screenshot", options.screenshot, "Write the last frame to this PNG file");
+  app.add_option("--screenshot", options.screenshot, "Write the last frame to this PNG file")->type_name("FILE");
   app.add_flag("--list", options.list, "Print the servers on this machine and in its networks");
   app.add_flag("--benchmark", options.benchmark, "Measure what a frame costs in each quality; needs --offscreen");
   app.add_flag("--json", options.json, "Print the result of --benchmark as JSON");
   describeFrameOptions(app, options.frames);
-  app.add_option("--replay", options.replay, "Watch this recording instead of playing");
+  app.add_option("--replay", options.replay, "Watch this recording instead of playing")->type_name("FILE");
   describeEditOptions(app, options);
 }
 
@@ -116,7 +124,7 @@ void checkModes(const CLI::App& app, const ClientOptions& options) {
 }
 
 void check(ClientOptions& options, const std::string& host) {
-  if (!host.empty()) options.server = parseServerAddress(host);
+  if (!host.empty()) options.server = parseServerAddress(addressOfLink(host));
   if (options.server && !options.level.empty()) {
     throw std::invalid_argument("--level works only with the embedded server; the server at " + options.server->text() +
                                 " chooses its own levels");

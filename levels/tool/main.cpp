@@ -30,7 +30,7 @@ int run(int argc, char** argv) {
   int width = platon::kPictureWidth;
   CLI::App* preview = app.add_subcommand("preview", "Draw a level: its solid from two sides, and its net");
   preview->add_option("FILE", level, "Level file")->required();
-  preview->add_option("-o,--output", picture, "PNG file to write")->required();
+  preview->add_option("-o,--output", picture, "PNG file to write")->type_name("FILE")->required();
   preview->add_option("--width", width, "Width of the picture in pixels; the height is 5/8 of it")
       ->check(CLI::Range(platon::kMinPictureWidth, platon::kMaxPictureWidth))
       ->capture_default_str();
@@ -38,7 +38,7 @@ int run(int argc, char** argv) {
   platon::SolveOptions solving;
   CLI::App* solve = app.add_subcommand("solve", "Search for a way to the goal");
   solve->add_option("FILE", solving.file, "Level file")->required();
-  solve->add_option("-o,--output", solving.recording, "Recording of the way to write");
+  solve->add_option("-o,--output", solving.recording, "Recording of the way to write")->type_name("FILE");
   solve
       ->add_option("--without-crossing", solving.withoutCrossing,
                    "Prove that no way to the goal has fewer than this many crossings of edges")
@@ -48,9 +48,12 @@ int run(int argc, char** argv) {
                    "Count each press of a button as so many ticks: 0 finds a fast way, 30 an easy one")
       ->check(CLI::Range(0, 600))
       ->capture_default_str();
-  CLI::Option* recorded = solve->add_option(
-      "--recorded", solving.recorded,
-      "Tell about the way in this recording instead of searching; fails if it does not lead to the goal");
+  CLI::Option* recorded =
+      solve
+          ->add_option(
+              "--recorded", solving.recorded,
+              "Tell about the way in this recording instead of searching; fails if it does not lead to the goal")
+          ->type_name("FILE");
   for (const char* search : {"--output", "--without-crossing", "--press-cost"}) {
     recorded->excludes(solve->get_option(search));
   }

@@ -87,6 +87,10 @@ TEST(ClientOptions, ReadTheServerAddress) {
   EXPECT_EQ(options->seconds, 2.5);
 }
 
+TEST(ClientOptions, ReadALinkToAServer) {
+  EXPECT_EQ(read({"platon://example.org:7800/"})->server->text(), "example.org:7800");
+}
+
 TEST(ClientOptions, RefuseALevelForARemoteServer) {
   EXPECT_EQ(fault({"example.org", "--level", "any.level"}),
             "2 --level works only with the embedded server; the server at example.org:7777 chooses its own levels");
