@@ -72,13 +72,13 @@ LoadedLevels loadLevelFiles(const std::vector<std::string>& paths) {
 std::vector<std::string> shippedLevelFiles() {
   std::error_code fault;
   const fs::path program = fs::read_symlink("/proc/self/exe", fault).parent_path();
-  for (const fs::path& folder : {program / "../share/platon/levels", fs::path(PLATON_SOURCE_LEVELS)}) {
+  for (const fs::path& folder : {program / "../share/platon/levels", fs::path(PLATON_LEVELS)}) {
     std::vector<std::string> files = levelFilesIn(folder.lexically_normal());
     if (!files.empty()) return files;
   }
   throw ProgramError(ProgramError::kUsage, "cannot find the levels of the game, neither in '" +
                                                (program / "../share/platon/levels").lexically_normal().string() +
-                                               "' nor in '" + PLATON_SOURCE_LEVELS +
+                                               "' nor in '" + PLATON_LEVELS +
                                                "'; name level files, such as platon-server my.level");
 }
 

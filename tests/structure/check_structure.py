@@ -18,7 +18,7 @@ MAX_FILE_LINES = 400
 MAX_FOLDER_FILES = 40
 
 TOP_LEVEL = {
-    "CMakeLists.txt", "shared", "server", "client", "protocol", "levels", "tests",
+    "CMakeLists.txt", "shared", "server", "client", "protocol", "levels", "tests", "deploy",
     "README.md", "CONTRIBUTING.md", "CHANGELOG.md", "SECURITY.md", "LICENSE", "CMakePresets.json", "platon", "docs", "build", "CMakeUserPresets.json",
 }  # fmt: skip
 

@@ -94,12 +94,13 @@ class Usage(Script):
         self.assertRegex(self.run_platon("fly")[1], "^platon: no command 'fly': .*\n$")
         self.assertEqual(self.run_platon("fly")[0], 2)
         self.assert_refused(["join"], "join needs an address: ./platon join HOST[:PORT]")
+        self.assert_refused(["package", "now"], "package has no options; see ./platon help")
         self.assert_refused(["bench", "--long"], "bench has no options but --quick, --network and --attacks; see ./platon help")
         self.assert_refused(["bench", "--network", "x"], "bench --network has no option but --quick; see ./platon help")
 
     def test_files_that_it_names_exist(self):
         text = (ROOT / "platon").read_text() + (ROOT / "tests/test_command.sh").read_text()
-        named = re.findall(r"\$root/((?:tests|docs)/[\w/.]+\.\w+)", text)
+        named = re.findall(r"\$root/((?:tests|docs|deploy)/[\w/.]+\.\w+)", text)
         self.assertGreaterEqual(len(named), 4)
         for path in named:
             self.assertTrue((ROOT / path).is_file(), path)
