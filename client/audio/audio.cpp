@@ -1,9 +1,9 @@
 #include "client/audio/audio.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <string>
 #include <utility>
 
 #include "client/audio/pads.h"
@@ -14,27 +14,17 @@ namespace {
 constexpr double kRollGain = 0.5;        // at full speed
 constexpr double kRollSmoothing = 0.07;  // seconds in which the heard speed follows to 1/e
 
-template <class Value>
-bool isDone(const std::future<Value>& future) {
-  return future.valid() && future.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
-}
-
 }  // namespace
 
 Audio::Audio(Open open)
-    : loading_(std::async(std::launch::async, [this, open = std::move(open)] { return load(open); })) {}
+    : loading_([open = std::move(open)](const std::stop_token& stop) { return load(open, stop); }) {}
 
-Audio::~Audio() {
-  stopped_ = true;
-  if (loading_.valid()) loading_.wait();
-}
-
-Audio::Ready Audio::load(const Open& open) const {
+Audio::Ready Audio::load(const Open& open, const std::stop_token& stop) {
   Ready ready;
   ready.output = open();
   if (ready.output == nullptr) return ready;
   for (const Sound sound : kAllSounds) {
-    if (stopped_) return ready;
+    if (stop.stop_requested()) return ready;
     ready.sounds[static_cast<std::size_t>(sound)] = ready.output->addBuffer(makeSound(sound));
   }
   ready.roll =
@@ -43,9 +33,10 @@ Audio::Ready Audio::load(const Open& open) const {
 }
 
 bool Audio::isReady() {
-  if (isDone(loading_)) {
-    ready_ = loading_.get();
-    if (ready_->output == nullptr) std::fprintf(stderr, "platon-client: no sound: there is no audio device\n");
+  if (auto loaded = loading_.poll()) {
+    const std::string fault = loaded->value ? "there is no audio device" : loaded->fault;
+    ready_ = loaded->value ? std::move(*loaded->value) : Ready();
+    if (ready_->output == nullptr) std::fprintf(stderr, "platon-client: no sound: %s\n", fault.c_str());
   }
   return output() != nullptr;
 }
@@ -87,14 +78,15 @@ void Audio::updateMusic(const SoundFrame& frame, double seconds) {
 // Whether the pad can be heard. The first time, starts to make it.
 bool Audio::hasPad(SolidKind solid) {
   std::optional<Pad>& pad = pads_[static_cast<std::size_t>(solid)];
-  if (!pad) pad = Pad{std::async(std::launch::async, [solid] { return makePad(solid); })};
+  if (!pad) pad = Pad{Job<Pcm>([solid](const std::stop_token&) { return makePad(solid); })};
   return pad->loop.has_value();
 }
 
 void Audio::takePads() {
   for (std::optional<Pad>& pad : pads_) {
-    if (!pad || !isDone(pad->making)) continue;
-    const OpenalOutput::Buffer buffer = ready_->output->addBuffer(pad->making.get());
+    const std::optional<JobResult<Pcm>> made = pad ? pad->making.poll() : std::nullopt;
+    if (!made || !made->value) continue;  // without memory for it, there is no music
+    const OpenalOutput::Buffer buffer = ready_->output->addBuffer(*made->value);
     pad->loop = ready_->output->startLoop(buffer, OpenalOutput::Group::kMusic);
   }
 }

@@ -1,9 +1,7 @@
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <functional>
-#include <future>
 #include <memory>
 #include <optional>
 
@@ -12,11 +10,13 @@
 #include "client/audio/sound_frame.h"
 #include "client/audio/sounds.h"
 #include "client/audio/volumes.h"
+#include "client/job/job.h"
 
 namespace platon {
 
 /// Makes the game heard: opens the device, makes the sounds and plays them. The device is opened, and sounds and pads
-/// are made, in threads of their own, so that no frame waits for them; what is to be heard before is left out.
+/// are made, in threads of their own, so that no frame waits for them; what is to be heard before is left out. The
+/// end waits for the threads: usually not at all, at most until a pad has been made.
 class Audio {
  public:
   using Open = std::function<std::unique_ptr<OpenalOutput>()>;
@@ -24,9 +24,6 @@ class Audio {
   /// `open` is called once, in another thread. If it returns null, that is reported once on standard error and nothing
   /// is heard.
   explicit Audio(Open open = &OpenalOutput::open);
-  /// Waits for the threads: usually not at all, at most until a pad has been made.
-  ~Audio();
-
   /// Plays what a frame brings. `seconds` since the last call.
   void update(const SoundFrame& frame, const Volumes& volumes, double seconds);
   /// Plays a sound of the menu.
@@ -42,11 +39,11 @@ class Audio {
     OpenalOutput::Loop roll{};
   };
   struct Pad {
-    std::future<Pcm> making;
+    Job<Pcm> making;
     std::optional<OpenalOutput::Loop> loop{};
   };
 
-  Ready load(const Open& open) const;
+  static Ready load(const Open& open, const std::stop_token& stop);
   bool isReady();
   void play(const Cue& cue);
   void updateRoll(double speed, double seconds);
@@ -54,8 +51,7 @@ class Audio {
   bool hasPad(SolidKind solid);
   void takePads();
 
-  std::atomic<bool> stopped_ = false;
-  std::future<Ready> loading_;
+  Job<Ready> loading_;
   std::optional<Ready> ready_;
   std::array<std::optional<Pad>, kSolidKinds> pads_;
   MusicFade fade_;

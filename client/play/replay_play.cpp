@@ -1,7 +1,6 @@
 #include "client/play/replay_play.h"
 
 #include <array>
-#include <chrono>
 #include <utility>
 
 #include "client/hud/hud.h"
@@ -21,19 +20,21 @@ void drawReplay(const ReplayViewer& viewer, GameView& view, Settings settings, d
 }
 
 ReplayPlay::ReplayPlay(std::filesystem::path file)
-    : file_(std::move(file)), reading_(std::async(std::launch::async, [file = file_] { return readReplay(file); })) {}
+    : file_(std::move(file)),
+      reading_([file = file_](const std::stop_token& stop) { return readReplay(file, stop); }) {}
 
 void ReplayPlay::advance(double seconds) {
-  if (reading_.valid() && reading_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) return takeRead();
+  if (auto read = reading_.poll()) return take(std::move(*read));
   if (viewer_) viewer_->advance(seconds);
 }
 
-void ReplayPlay::takeRead() {
-  auto read = reading_.get();
-  if (auto* fault = std::get_if<std::string>(&read)) {
+void ReplayPlay::take(JobResult<Read> read) {
+  if (!read.value) {
+    fault_ = file_.string() + ": cannot be read: " + read.fault;
+  } else if (auto* fault = std::get_if<std::string>(&*read.value)) {
     fault_ = std::move(*fault);
   } else {
-    viewer_.emplace(std::get<std::shared_ptr<const Replay>>(std::move(read)));
+    viewer_.emplace(std::get<std::shared_ptr<const Replay>>(std::move(*read.value)));
   }
 }
 

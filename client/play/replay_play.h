@@ -1,13 +1,13 @@
 #pragma once
 
 #include <filesystem>
-#include <future>
 #include <memory>
 #include <optional>
 #include <string>
 #include <variant>
 
 #include "client/gl/game_view.h"
+#include "client/job/job.h"
 #include "client/replay/replay_viewer.h"
 #include "client/ui/settings.h"
 
@@ -16,7 +16,8 @@ namespace platon {
 /// Draws a replay with its bar, `seconds` after the last picture.
 void drawReplay(const ReplayViewer& viewer, GameView& view, Settings settings, double seconds);
 
-/// A recording in the window of the program. A thread reads it, so that the window stays alive meanwhile.
+/// A recording in the window of the program. A thread reads it, so that the window stays alive meanwhile; the end of
+/// this object waits at most until a block has been read.
 class ReplayPlay {
  public:
   /// Starts to read the file. A file that cannot be played gives a fault.
@@ -39,10 +40,10 @@ class ReplayPlay {
  private:
   using Read = std::variant<std::shared_ptr<const Replay>, std::string>;
 
-  void takeRead();
+  void take(JobResult<Read> read);
 
   std::filesystem::path file_;
-  std::future<Read> reading_;
+  Job<Read> reading_;
   std::optional<ReplayViewer> viewer_;
   std::string fault_;
   bool leaving_ = false;

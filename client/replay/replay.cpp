@@ -10,6 +10,7 @@ namespace platon {
 namespace {
 
 constexpr std::uint32_t kMaxFirstTick = UINT32_MAX - Replay::kMaxWork;  // so that no tick is above 2^32
+constexpr const char* kStopped = "was not read to its end";
 
 std::string damaged(const std::string& fault) { return "is a damaged recording: " + fault; }
 
@@ -24,7 +25,8 @@ std::string faultOf(const RecordingReader& reader, std::span<const std::uint8_t>
 
 }  // namespace
 
-std::variant<std::shared_ptr<const Replay>, std::string> Replay::read(std::span<const std::uint8_t> recording) {
+std::variant<std::shared_ptr<const Replay>, std::string> Replay::read(std::span<const std::uint8_t> recording,
+                                                                      const std::stop_token& stop) {
   RecordingReader reader(recording);
   std::optional<RecordedBlock> first = reader.next();
   if (!first) return faultOf(reader, recording);
@@ -33,16 +35,17 @@ std::variant<std::shared_ptr<const Replay>, std::string> Replay::read(std::span<
     return damaged("its first state is not valid on its level");
   }
   const std::shared_ptr<Replay> replay(new Replay(std::move(start)));
-  std::string fault = replay->readBlocks(reader, std::move(*first));
+  std::string fault = replay->readBlocks(reader, std::move(*first), stop);
   if (fault.empty()) fault = faultOf(reader, recording);
-  if (fault.empty()) fault = replay->play();
+  if (fault.empty()) fault = replay->play(stop);
   if (!fault.empty()) return fault;
   return replay;
 }
 
-std::string Replay::readBlocks(RecordingReader& reader, RecordedBlock first) {
+std::string Replay::readBlocks(RecordingReader& reader, RecordedBlock first, const std::stop_token& stop) {
   std::string fault = add(std::move(first));
   while (fault.empty()) {
+    if (stop.stop_requested()) return kStopped;
     std::optional<RecordedBlock> block = reader.next();
     if (!block) break;
     fault = add(std::move(*block));
@@ -58,7 +61,7 @@ std::string Replay::add(RecordedBlock block) {
 }
 
 // Plays it once. The recorded states and hashes must be those of this program.
-std::string Replay::play() {
+std::string Replay::play(const std::stop_token& stop) {
   interval_ = std::max(kMinInterval, ticks_ / (kMaxStates - 1) + 1);
   Game game = start_;
   std::uint32_t tick = 0;
@@ -68,6 +71,7 @@ std::string Replay::play() {
   for (RecordedBlock& block : blocks_) {
     if (game.save() != block.state) return differs();
     for (std::uint32_t i = 0; i < block.ticks(); ++i, ++tick) {
+      if (stop.stop_requested()) return kStopped;
       if (tick % interval_ == 0) states_.push_back(game.save());
       game.advance(block.inputsOf(i));
       if (game.hash() != block.hashes[i]) return differs();

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <variant>
 #include <vector>
@@ -27,8 +28,10 @@ class Replay {
   static constexpr std::size_t kMaxBytes = std::size_t{64} << 20;
 
   /// The replay of a recording, or why there is none, as the end of a sentence that begins with the name of its file:
-  /// it is damaged, cut off or too long, or was made by other rules.
-  static std::variant<std::shared_ptr<const Replay>, std::string> read(std::span<const std::uint8_t> recording);
+  /// it is damaged, cut off or too long, or was made by other rules. Ends with the present block or tick when it is
+  /// asked to stop.
+  static std::variant<std::shared_ptr<const Replay>, std::string> read(std::span<const std::uint8_t> recording,
+                                                                       const std::stop_token& stop = {});
 
   const std::shared_ptr<const Level>& level() const { return start_.sharedLevel(); }
   /// Number of recorded ticks.
@@ -42,9 +45,9 @@ class Replay {
 
  private:
   explicit Replay(Game start) : start_(std::move(start)) {}
-  std::string readBlocks(RecordingReader& reader, RecordedBlock first);
+  std::string readBlocks(RecordingReader& reader, RecordedBlock first, const std::stop_token& stop);
   std::string add(RecordedBlock block);
-  std::string play();
+  std::string play(const std::stop_token& stop);
 
   Game start_;
   std::vector<RecordedBlock> blocks_;  // not empty; the last one has no ticks

@@ -26,12 +26,13 @@ std::variant<std::string, ParseError> readFile(const std::filesystem::path& file
 
 }  // namespace
 
-std::variant<std::shared_ptr<const Replay>, std::string> readReplay(const std::filesystem::path& file) {
+std::variant<std::shared_ptr<const Replay>, std::string> readReplay(const std::filesystem::path& file,
+                                                                    const std::stop_token& stop) {
   const auto read = readFile(file, Replay::kMaxBytes);
   if (const auto* error = std::get_if<ParseError>(&read)) return file.string() + ": cannot be read: " + error->what;
   const std::string& content = std::get<std::string>(read);
   if (content.size() > Replay::kMaxBytes) return file.string() + ": is larger than any recording that can be played";
-  auto replay = Replay::read(bytesOf(content));
+  auto replay = Replay::read(bytesOf(content), stop);
   if (const auto* fault = std::get_if<std::string>(&replay)) return file.string() + ": " + *fault;
   return replay;
 }

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <variant>
 
@@ -11,8 +12,9 @@
 
 namespace platon {
 
-/// Reads a recording from a file, or says in one sentence why it cannot be played.
-std::variant<std::shared_ptr<const Replay>, std::string> readReplay(const std::filesystem::path& file);
+/// Reads a recording from a file, or says in one sentence why it cannot be played. Stops as Replay::read does.
+std::variant<std::shared_ptr<const Replay>, std::string> readReplay(const std::filesystem::path& file,
+                                                                    const std::stop_token& stop = {});
 
 /// Reads the head of a recording from a file. Nothing if it cannot be read.
 std::optional<RecordingHead> readRecordingHeadOf(const std::filesystem::path& file);

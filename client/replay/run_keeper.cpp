@@ -18,8 +18,8 @@ Ghost ghostOf(RunTrack track) {
 }
 
 // The run of a recording that this program has made.
-std::optional<RunTrack> trackIn(const std::vector<std::uint8_t>& recording) {
-  const auto read = Replay::read(recording);
+std::optional<RunTrack> trackIn(const std::vector<std::uint8_t>& recording, const std::stop_token& stop) {
+  const auto read = Replay::read(recording, stop);
   const auto* const replay = std::get_if<std::shared_ptr<const Replay>>(&read);
   return replay == nullptr ? std::nullopt : trackOf(**replay);
 }
@@ -72,8 +72,10 @@ std::optional<Ghost> RunKeeper::readBest() {
 
 // Usually done long ago: the attempt before has ended some time before the next one begins.
 void RunKeeper::takeTrack() {
-  if (!tracking_.valid()) return;
-  if (std::optional<RunTrack> track = tracking_.get()) best_ = ghostOf(std::move(*track));
+  if (!tracking_.isPending()) return;
+  JobResult<std::optional<RunTrack>> track = tracking_.wait();
+  if (track.value && *track.value) best_ = ghostOf(std::move(**track.value));
+  if (!track.fault.empty()) faults_.push_back("the best run is no ghost: " + track.fault);
 }
 
 void RunKeeper::beginAttempt() {
@@ -122,7 +124,8 @@ void RunKeeper::arrive(const Game& game, std::uint32_t ticks) {
   if (!run) return;
   isNewBest_ = true;
   bestTicks_ = ticks;
-  tracking_ = std::async(std::launch::async, [recording = run->recording] { return trackIn(recording); });
+  tracking_ = Job<std::optional<RunTrack>>(
+      [recording = run->recording](const std::stop_token& stop) { return trackIn(recording, stop); });
   saver_.keep(std::move(*run));
 }
 

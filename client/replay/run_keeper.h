@@ -2,13 +2,13 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <future>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "client/job/job.h"
 #include "client/netcode/confirmed_observer.h"
 #include "client/replay/ghost_folder.h"
 #include "client/replay/run_cutter.h"
@@ -68,8 +68,8 @@ class RunKeeper : public ConfirmedObserver {
   std::uint32_t slot_ = 0;
   std::shared_ptr<const Level> level_;  // of best_ and others_; null: none
   std::optional<Ghost> best_;
-  std::optional<std::uint32_t> bestTicks_;         // its time; ahead of best_ while a thread plays a new one
-  std::future<std::optional<RunTrack>> tracking_;  // of a new best run, for best_
+  std::optional<std::uint32_t> bestTicks_;  // its time; ahead of best_ while a thread plays a new one
+  Job<std::optional<RunTrack>> tracking_;   // of a new best run, for best_
   std::vector<Ghost> others_;
   std::vector<std::string> faults_;
   std::uint32_t tick_ = 0;  // of the confirmed game

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <deque>
-#include <future>
 #include <optional>
 #include <string>
 
+#include "client/job/job.h"
 #include "client/replay/run_store.h"
 
 namespace platon {
@@ -29,12 +29,12 @@ class RunSaver {
 
  private:
   void start();
-  void take();
+  void take(JobResult<std::string> written);
 
   RunStore store_;
   std::deque<Run> waiting_;
-  std::future<std::string> writing_;  // why it failed, or an empty text
-  std::string fault_;                 // not reported yet
+  Job<std::string> writing_;  // why it failed, or an empty text
+  std::string fault_;         // not reported yet
 };
 
 }  // namespace platon

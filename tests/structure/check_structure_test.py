@@ -19,7 +19,7 @@ ARCHITECTURE = (Path(__file__).parents[2] / "docs/architecture.md").read_text(en
 
 SHARED = ["exact", "physics", "game"]
 LEVELS = ["check", "drawing", "picture", "reach", "solve", "tool"]
-CLIENT = ["time", "net", "netcode", "desync", "session", "bot", "demo", "quality", "scene", "ui", "hud", "audio", "menu", "menu/pages", "lobby", "editor", "replay", "files", "gl", "play"]
+CLIENT = ["time", "job", "net", "netcode", "desync", "session", "bot", "demo", "quality", "scene", "ui", "hud", "audio", "menu", "menu/pages", "lobby", "editor", "replay", "files", "gl", "play"]
 FOLDERS = (
     [f"shared/include/platon/{name}" for name in SHARED]
     + [f"shared/{name}" for name in SHARED]
@@ -64,18 +64,18 @@ class Includes(Tree):
     def test_every_pair_of_folders(self):
         public = [f"shared/include/platon/{name}" for name in SHARED]
         rooms = {
-            "time": [], "net": ["time"], "netcode": ["time"], "desync": [],
+            "time": [], "job": [], "net": ["time"], "netcode": ["time"], "desync": [],
             "session": ["time", "net", "netcode", "desync"],
             "bot": ["time", "net", "netcode", "desync", "session"],
             "demo": ["netcode"], "quality": ["time"], "scene": ["netcode"], "ui": ["netcode", "quality", "scene"],
             "hud": ["netcode", "scene", "ui"],
             "gl": ["quality", "scene", "ui", "hud"],
-            "audio": ["scene"],
+            "audio": ["job", "scene"],
             "menu": ["netcode", "scene", "ui"],
             "menu/pages": ["netcode", "quality", "scene", "ui", "menu"],
             "lobby": ["time", "net", "netcode", "scene", "ui", "menu", "menu/pages"],
             "editor": ["netcode", "scene", "ui", "menu", "menu/pages"],
-            "replay": ["netcode", "scene", "ui"],
+            "replay": ["job", "netcode", "scene", "ui"],
             "files": ["time", "net", "netcode", "desync", "session", "scene", "ui"],
             "play": [name for name in CLIENT if name not in ("bot", "play")],
         }  # fmt: skip

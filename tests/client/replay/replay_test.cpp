@@ -126,5 +126,12 @@ TEST(Replay, ARecordingOfAnotherGameIsRefused) {
   EXPECT_EQ(faultOf(none.bytes()), "is a damaged recording: its first state is not valid on its level");
 }
 
+TEST(Replay, StopsWhenItIsAskedTo) {
+  std::stop_source stop;
+  stop.request_stop();
+  const auto read = Replay::read(recordGame(100, 60).recording, stop.get_token());
+  EXPECT_EQ(std::get<std::string>(read), "was not read to its end");
+}
+
 }  // namespace
 }  // namespace platon
