@@ -16,7 +16,7 @@ void Drain::begin(TimePoint now, std::chrono::seconds limit, const std::string& 
   end_ = now + limit;
   const std::string where = next.empty() ? "" : " Go on at " + next + ".";
   const std::string refusal =
-      "the server is about to stop: " + (next.empty() ? "join another one" : "go on at " + next);
+      "the server is about to stop; " + (next.empty() ? "join another one" : "go on at " + next);
   match_.drain("The server stops after this round." + where, {RefusalCode::kOther, refusal, next});
   match_.say("The server stops after this round, in " + std::to_string(limit.count()) + " s at most." + where);
 }

@@ -310,7 +310,7 @@ void DedicatedServer::run(const std::function<bool()>& stopRequested) {
     step(now_());
     wait();
   }
-  stop(next_.empty() ? "the server stops" : "the server stops: go on at " + next_);
+  stop(next_.empty() ? "the server stops" : "the server stops; go on at " + next_);
 }
 
 void DedicatedServer::stop(const std::string& reason) {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <csignal>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -6,6 +7,7 @@
 #include "client/play/match/embedded_server.h"
 #include "client/play/match/match_play.h"
 #include "tests/client/play/window_play_fixture.h"
+#include "tests/support/process.h"
 
 // The ways from the title to a match, by keys and mouse in a real window.
 namespace platon {
@@ -43,6 +45,24 @@ TEST_F(WindowMatchTest, ALevelOfTheListIsPlayedOverAnEdge) {
         {[] { xdotool("keydown Left"); }, [this] { return face() == 5U; }},
         {[] { xdotool("keyup Left"); }, [] { return true; }}});
   EXPECT_TRUE(stepsDone_);
+}
+
+TEST_F(WindowMatchTest, AServerThatStopsLeadsToTheOneThatItNames) {
+  const EmbeddedServer other({{kLevel}});
+  const std::string next = "127.0.0.1:" + std::to_string(other.address().port);
+  Process server(platonCommand("platon-server",
+                               {kLevel, "--bind", "127.0.0.1", "--port", "0", "--drain", "600", "--drain-to", next}));
+  options_.server = parseServerAddress(server.waitForError("listening on "));
+  const auto stop = [&] {
+    server.signal(SIGTERM);
+    server.waitForError("draining seconds=600");
+    server.signal(SIGTERM);
+  };
+  play({{[] {}, [this] { return inGame() && isOnGround(); }},
+        {stop, [&] { return shows("Join " + next); }},
+        {[&] { clickOn("Join " + next); }, [&] { return inGame() && isOnGround() && other.players() == 1; }}});
+  EXPECT_TRUE(stepsDone_);
+  EXPECT_EQ(server.wait(), 0);
 }
 
 TEST_F(WindowMatchTest, AServerIsJoinedByItsAddressAndPlayersTalk) {

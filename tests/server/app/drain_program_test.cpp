@@ -35,7 +35,7 @@ TEST_F(DrainingTest, ADrainingServerRefusesNewPlayersAndStopsWhenThePlayersHaveL
   server().waitForError("draining seconds=600 next=\"play.example.org:7777\"");
   const ProcessResult bot = runProcess(platonCommand("platon-bot", {address(), "--count", "1", "--seconds", "1"}));
   EXPECT_EQ(bot.exitCode, 1);
-  EXPECT_NE(bot.errors.find("the server is about to stop: go on at play.example.org:7777"), std::string::npos)
+  EXPECT_NE(bot.errors.find("the server is about to stop; go on at play.example.org:7777"), std::string::npos)
       << bot.errors;
   EXPECT_FALSE(ann_->fake().bye());
   ann_->sendRaw(encode(Leave{}), true);
