@@ -15,10 +15,17 @@ std::optional<AgonesCall> AgonesSchedule::due(const FleetStatus& status, TimePoi
   }
   if (!tried_) return AgonesCall::kReady;
   if (now >= healthAt_ && now - advancedAt_ < kStallTime) return AgonesCall::kHealth;
-  const AgonesCall state = status.playing && told_ ? AgonesCall::kAllocate : AgonesCall::kReady;
+  const AgonesCall state = stateOf(status, now);
   if (told_ != state && mayRetry(state, now)) return state;
   const bool counts = count_ != status.count || now >= countAt_;
   return told_ && counts && mayRetry(AgonesCall::kPlayers, now) ? std::optional(AgonesCall::kPlayers) : std::nullopt;
+}
+
+// The state that the server should have: kReady or kAllocate.
+AgonesCall AgonesSchedule::stateOf(const FleetStatus& status, TimePoint now) {
+  if (status.playing) playedAt_ = now;
+  const bool waits = told_ == AgonesCall::kAllocate && now - playedAt_ < kEmptyTime;
+  return (status.playing && told_) || waits ? AgonesCall::kAllocate : AgonesCall::kReady;
 }
 
 void AgonesSchedule::made(AgonesCall call, const FleetStatus& status, bool succeeded, TimePoint now) {

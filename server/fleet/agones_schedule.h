@@ -32,6 +32,9 @@ class AgonesSchedule {
   /// has taken become free.
   static constexpr std::chrono::seconds kCountInterval{30};
 
+  /// The server may be removed when nobody has played for this long: until then an allocation may have sent somebody.
+  static constexpr std::chrono::seconds kEmptyTime = kCountInterval;
+
   explicit AgonesSchedule(TimePoint now) : advancedAt_(now), healthAt_(now) {}
 
   /// The call to make now; nothing if none is due. The first one is kReady.
@@ -47,11 +50,13 @@ class AgonesSchedule {
     std::chrono::milliseconds pause{};
   };
 
+  AgonesCall stateOf(const FleetStatus& status, TimePoint now);
   bool mayRetry(AgonesCall call, TimePoint now) const { return now >= retries_[index(call)].at; }
   static std::size_t index(AgonesCall call) { return static_cast<std::size_t>(call); }
 
   std::uint64_t steps_ = 0;
   TimePoint advancedAt_;              // when the tick loop was seen to advance
+  TimePoint playedAt_{};              // when somebody was seen to play
   TimePoint healthAt_;                // next ping
   bool tried_ = false;                // kReady was tried once
   std::optional<AgonesCall> told_;    // kReady, kAllocate or kShutdown: what the sidecar has taken last

@@ -250,7 +250,7 @@ SERVER_FAULTS = [
               "a server whose tick loop stalls still pings",
               "AgonesScheduleTest.AStalledTickLoopEndsThePingsUntilItAdvances"),
     at_length("calls-before-ready", "server/fleet/agones_schedule.cpp",
-              "status.playing && told_ ?", "status.playing ?",
+              "(status.playing && told_) || waits", "status.playing || waits",
               "a server is allocated before it is ready",
               "AgonesScheduleTest.NothingButPingsIsToldBeforeReadyHasSucceeded"),
     Fault("half-of-the-votes-suffices", MATCH + "vote_notices.h",

@@ -90,10 +90,21 @@ TEST_F(AgonesScheduleTest, TheServerIsAllocatedAsLongAsSomebodyPlays) {
   status_.count.players = 2;
   run(10s);
   EXPECT_EQ(calls(), std::vector<Call>{Call::kPlayers});
-  status_.playing = false;
-  status_.count.players = 0;
+}
+
+// Somebody may be on the way.
+TEST_F(AgonesScheduleTest, AnEmptyServerMayBeRemovedAfterThirtySeconds) {
+  status_.playing = true;
   run(10s);
-  EXPECT_EQ(calls(), (std::vector<Call>{Call::kReady, Call::kPlayers}));
+  calls();
+  status_.playing = false;
+  status_.count.players = 1;
+  run(29s);
+  EXPECT_EQ(calls(), std::vector<Call>{Call::kPlayers});
+  run(10s);
+  EXPECT_EQ(calls().front(), Call::kReady);
+  run(60s);
+  for (const Call call : calls()) EXPECT_EQ(call, Call::kPlayers);
 }
 
 TEST_F(AgonesScheduleTest, ThePlayersAreToldAgainEveryThirtySeconds) {
