@@ -124,12 +124,16 @@ void ServerProgram::announce() {
 
 void ServerProgram::run(const std::function<bool()>& stopRequested) {
   agones_.start(server_.log());
+  serviceManager_.ready();
   server_.run([&] {
     const TimePoint now = steadyNow();
+    serviceManager_.alive(now, drain_.begun());
     agones_.report(server_.match(), server_.log());
     if (now >= nextPollAt_) pollTools();
     pollLevels(now);
-    return stopRequested() || stopping_ || hasDrained(now);
+    const bool stops = stopRequested() || stopping_ || hasDrained(now);
+    if (stops) serviceManager_.stopping();
+    return stops;
   });
   logBans(bans_.finish());
   agones_.finish(server_.log());
@@ -186,6 +190,13 @@ void ServerProgram::pollTools() {
 }
 
 ConsoleReply ServerProgram::reload() {
+  serviceManager_.reloading(steadyNow());
+  ConsoleReply reply = readAgain();
+  serviceManager_.ready();
+  return reply;
+}
+
+ConsoleReply ServerProgram::readAgain() {
   Log& log = server_.log();
   try {
     const ServerOptions fresh = optionsOf(line_);

@@ -16,6 +16,7 @@
 #include "server/app/agones_link.h"
 #include "server/app/command_line.h"
 #include "server/app/dedicated_server.h"
+#include "server/service/service_manager.h"
 
 namespace platon {
 
@@ -58,6 +59,7 @@ class ServerProgram {
   ConsoleProgram consoleProgram();
   ConsoleReply drain(const DrainCommand& command);
   bool hasDrained(TimePoint now);
+  ConsoleReply readAgain();
   void pollLevels(TimePoint now);
   std::string takeOver(const ServerOptions& fresh);
   std::string status() const;
@@ -70,6 +72,7 @@ class ServerProgram {
   DedicatedServer server_;
   Drain drain_{server_.match()};
   AgonesLink agones_;
+  ServiceManager serviceManager_{ServiceManager::Environment::current()};
   Console console_;
   std::unique_ptr<ConsoleServer> consoleServer_;  // null: none
   std::string whyNoConsole_;

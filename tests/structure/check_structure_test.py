@@ -23,7 +23,7 @@ CLIENT = ["time", "job", "net", "netcode", "desync", "session", "bot", "demo", "
 FOLDERS = (
     [f"shared/include/platon/{name}" for name in SHARED]
     + [f"shared/{name}" for name in SHARED]
-    + ["shared/examples", "protocol", "protocol/files", "protocol/transport", "server/match", "server/net", "server/base", "server/admin", "server/fleet", "server/times", "server/app"]
+    + ["shared/examples", "protocol", "protocol/files", "protocol/transport", "server/match", "server/net", "server/base", "server/admin", "server/fleet", "server/service", "server/times", "server/app"]
     + [f"levels/{name}" for name in LEVELS]
     + [f"client/{name}" for name in CLIENT]
     + ["levels", "tests"]
@@ -95,9 +95,9 @@ class Includes(Tree):
             "server/net": public + protocol + ["server/match"],
             "server/base": ["protocol/files"],
             "server/admin": public + protocol + ["server/match", "server/net", "server/base"],
-            "server/fleet": protocol + ["server/net", "server/admin"],
+            **{"server/fleet": protocol + ["server/net", "server/admin"], "server/service": protocol + ["server/net"]},
             "server/times": public + protocol + ["server/match", "server/base"],
-            "server/app": public + protocol + ["server/match", "server/net", "server/base", "server/admin", "server/fleet", "server/times"],
+            "server/app": public + protocol + ["server/match", "server/net", "server/base", "server/admin", "server/fleet", "server/service", "server/times"],
             **{
                 f"client/{room}": public
                 + ([] if room in wordless else protocol)
