@@ -9,7 +9,6 @@
 
 #include "client/menu/pages/run_page.h"
 #include "client/replay/replay_file.h"
-#include "client/replay/run_list.h"
 
 namespace platon {
 namespace {
@@ -17,7 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 
 ReplayEntry entryOf(const ListedRun& run) {
-  const std::string title = run.title.empty() ? "Level without a title" : run.title;
+  const char* const unnamed = run.isRead ? "Level without a title" : "…";
+  const std::string title = run.title.empty() ? unnamed : run.title;
   return {title, run.time, run.date, run.who, run.isBest, run.note};
 }
 
@@ -42,18 +42,23 @@ fs::path freePath(const fs::path& folder, const fs::path& name) {
 }  // namespace
 
 ReplayPages::ReplayPages(Menu& menu, File runs, File ghosts, Calls calls)
-    : menu_(&menu), store_(std::move(runs)), ghosts_(std::move(ghosts)), calls_(std::move(calls)) {}
+    : menu_(&menu), list_(RunStore(std::move(runs)), ghosts), ghosts_(std::move(ghosts)), calls_(std::move(calls)) {}
 
 void ReplayPages::load() {
-  entries_.clear();
-  files_.clear();
-  for (const ListedRun& run : listRecordings(store_, ghosts_)) {
-    entries_.push_back(entryOf(run));
-    files_.push_back(run.file);
-  }
-  listed_ = files_.size();
+  list_.load();
+  refresh();
   levelFile_.clear();
   fault_.clear();
+}
+
+void ReplayPages::refresh() {
+  entries_.clear();
+  for (const ListedRun& run : list_.runs()) entries_.push_back(entryOf(run));
+}
+
+// The pages are made anew for each picture.
+void ReplayPages::poll() {
+  if (list_.poll()) refresh();
 }
 
 void ReplayPages::showList() {
@@ -63,24 +68,19 @@ void ReplayPages::showList() {
 
 void ReplayPages::showRun(const File& file) {
   showList();
-  const std::size_t index = indexOf(file);
-  if (index < listed_) menu_->setFocus(itemOfReplay(entries_, index));
+  const std::size_t index = list_.indexOf(file);
+  refresh();
+  if (index < list_.listed()) menu_->setFocus(itemOfReplay(entries_, index));
   choose(index);
 }
 
-std::size_t ReplayPages::indexOf(const File& file) {
-  const auto found = std::find(files_.begin(), files_.end(), file);
-  if (found != files_.end()) return static_cast<std::size_t>(found - files_.begin());
-  entries_.push_back(entryOf(describeRecording(file)));
-  files_.push_back(file);
-  return files_.size() - 1;
-}
-
 MenuPage ReplayPages::listPage() {
+  poll();
   inList_ = true;
   chosen_.clear();
   return replaysPage(
-      std::span(entries_).first(listed_), [this](std::size_t index) { choose(index); }, [this] { menu_->back(); });
+      std::span(entries_).first(list_.listed()), [this](std::size_t index) { choose(index); },
+      [this] { menu_->back(); });
 }
 
 void ReplayPages::choose(std::size_t index) {
@@ -89,31 +89,32 @@ void ReplayPages::choose(std::size_t index) {
 }
 
 MenuPage ReplayPages::pageOf(std::size_t index) {
-  chosen_ = files_[index];
+  poll();
+  chosen_ = fileOf(index);
   RunChoices choices;
-  if (entries_[index].note.empty()) choices.watch = [this, index] { calls_.watch(File(files_[index])); };
-  if (canRace(index)) choices.race = [this, index] { calls_.race(levelOf(files_[index]), File(files_[index])); };
+  if (entries_[index].note.empty()) choices.watch = [this, index] { calls_.watch(File(fileOf(index))); };
+  if (canRace(index)) choices.race = [this, index] { calls_.race(levelOf(fileOf(index)), File(fileOf(index))); };
   if (canKeep(index)) choices.keep = [this, index] { keep(index); };
   choices.back = [this] { menu_->back(); };
-  return runPage(entries_[index], shownPath(files_[index]), fault_, choices);
+  return runPage(entries_[index], shownPath(fileOf(index)), fault_, choices);
 }
 
 // One player is alone in the race.
 bool ReplayPages::canRace(std::size_t index) {
   if (entries_[index].time.empty() || !entries_[index].note.empty()) return false;
-  const std::shared_ptr<const Level>& level = levelOf(files_[index]);
+  const std::shared_ptr<const Level>& level = levelOf(fileOf(index));
   return level && level->players <= 1;
 }
 
 bool ReplayPages::canKeep(std::size_t index) const {
-  return index >= listed_ && !ghosts_.empty() && !entries_[index].time.empty() && entries_[index].note.empty();
+  return index >= list_.listed() && !ghosts_.empty() && !entries_[index].time.empty() && entries_[index].note.empty();
 }
 
 void ReplayPages::keep(std::size_t index) {
-  const File copy = freePath(ghosts_, files_[index].filename());
+  const File copy = freePath(ghosts_, fileOf(index).filename());
   std::error_code error;
   fs::create_directories(ghosts_, error);
-  if (!error) fs::copy_file(files_[index], copy, error);
+  if (!error) fs::copy_file(fileOf(index), copy, error);
   if (error) {
     fault_ = "It cannot be kept: " + error.message() + ".";
     return;
@@ -134,8 +135,8 @@ const std::shared_ptr<const Level>& ReplayPages::levelOf(const File& file) {
 std::shared_ptr<const Level> ReplayPages::shownLevel() {
   if (!menu_->isOpen()) return nullptr;
   if (!chosen_.empty()) return levelOf(chosen_);
-  if (!inList_ || listed_ == 0) return nullptr;
-  return levelOf(files_[replayOfItem(std::span(entries_).first(listed_), menu_->focus())]);
+  if (!inList_ || list_.listed() == 0) return nullptr;
+  return levelOf(fileOf(replayOfItem(std::span(entries_).first(list_.listed()), menu_->focus())));
 }
 
 }  // namespace platon

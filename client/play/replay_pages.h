@@ -10,7 +10,7 @@
 
 #include "client/menu/menu.h"
 #include "client/menu/pages/replays_page.h"
-#include "client/replay/run_store.h"
+#include "client/replay/run_list.h"
 #include "platon/game/level.h"
 
 namespace platon {
@@ -39,7 +39,9 @@ class ReplayPages {
 
  private:
   void load();
-  std::size_t indexOf(const File& file);
+  void refresh();
+  void poll();
+  const File& fileOf(std::size_t index) const { return list_.runs()[index].file; }
   MenuPage listPage();
   MenuPage pageOf(std::size_t index);
   void choose(std::size_t index);
@@ -49,12 +51,10 @@ class ReplayPages {
   const std::shared_ptr<const Level>& levelOf(const File& file);
 
   Menu* menu_;
-  RunStore store_;
+  RunList list_;
   File ghosts_;
   Calls calls_;
-  std::vector<ReplayEntry> entries_;
-  std::vector<File> files_;  // of entries_
-  std::size_t listed_ = 0;   // entries of the list; one that lies elsewhere follows
+  std::vector<ReplayEntry> entries_;  // of list_
   bool inList_ = false;
   File chosen_;        // whose page is shown; empty: none
   std::string fault_;  // of the last copy

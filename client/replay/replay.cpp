@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "client/replay/recording_head.h"
+#include "client/replay/recording_fault.h"
 
 namespace platon {
 namespace {
@@ -12,31 +12,20 @@ namespace {
 constexpr std::uint32_t kMaxFirstTick = UINT32_MAX - Replay::kMaxWork;  // so that no tick is above 2^32
 constexpr const char* kStopped = "was not read to its end";
 
-std::string damaged(const std::string& fault) { return "is a damaged recording: " + fault; }
-
-// Why the reader has stopped; empty at the end of a complete recording.
-std::string faultOf(const RecordingReader& reader, std::span<const std::uint8_t> recording) {
-  if (reader.state() == RecordingReader::State::kComplete) return {};
-  const std::optional<RecordingHead> head = readRecordingHead(recording);
-  if (head && head->rules != kRulesVersion) return otherRulesText(head->rules);
-  if (reader.state() == RecordingReader::State::kTruncated) return "is a recording that is cut off: " + reader.fault();
-  return head ? damaged(reader.fault()) : "cannot be played: " + reader.fault();
-}
-
 }  // namespace
 
 std::variant<std::shared_ptr<const Replay>, std::string> Replay::read(std::span<const std::uint8_t> recording,
                                                                       const std::stop_token& stop) {
   RecordingReader reader(recording);
   std::optional<RecordedBlock> first = reader.next();
-  if (!first) return faultOf(reader, recording);
+  if (!first) return recordingFault(reader, recording);
   Game start(reader.level());
   if (!start.restore(first->state) || start.tick() != first->firstTick || start.tick() > kMaxFirstTick) {
-    return damaged("its first state is not valid on its level");
+    return damagedText("its first state is not valid on its level");
   }
   const std::shared_ptr<Replay> replay(new Replay(std::move(start)));
   std::string fault = replay->readBlocks(reader, std::move(*first), stop);
-  if (fault.empty()) fault = faultOf(reader, recording);
+  if (fault.empty()) fault = recordingFault(reader, recording);
   if (fault.empty()) fault = replay->play(stop);
   if (!fault.empty()) return fault;
   return replay;
@@ -55,9 +44,9 @@ std::string Replay::readBlocks(RecordingReader& reader, RecordedBlock first, con
 
 std::string Replay::add(RecordedBlock block) {
   ticks_ += block.ticks();
-  work_ += std::uint64_t{block.ticks()} * (block.slots + 1);
+  work_ += workOf(block);
   blocks_.push_back(std::move(block));
-  return work_ > kMaxWork ? "is too long to be played" : "";
+  return work_ > kMaxWork ? kTooLong : "";
 }
 
 // Plays it once. The recorded states and hashes must be those of this program.
@@ -66,7 +55,7 @@ std::string Replay::play(const std::stop_token& stop) {
   Game game = start_;
   std::uint32_t tick = 0;
   const auto differs = [&] {
-    return damaged("it does not give the recorded game at tick " + std::to_string(game.tick()));
+    return damagedText("it does not give the recorded game at tick " + std::to_string(game.tick()));
   };
   for (RecordedBlock& block : blocks_) {
     if (game.save() != block.state) return differs();

@@ -26,13 +26,21 @@ std::variant<std::string, ParseError> readFile(const std::filesystem::path& file
 
 }  // namespace
 
+std::span<const std::uint8_t> RecordingBytes::bytes() const { return bytesOf(content); }
+
+RecordingBytes readRecordingBytes(const std::filesystem::path& file) {
+  auto read = readFile(file, Replay::kMaxBytes);
+  if (const auto* error = std::get_if<ParseError>(&read)) return {{}, "cannot be read: " + error->what};
+  RecordingBytes bytes{std::get<std::string>(std::move(read)), {}};
+  if (bytes.content.size() > Replay::kMaxBytes) return {{}, "is larger than any recording that can be played"};
+  return bytes;
+}
+
 std::variant<std::shared_ptr<const Replay>, std::string> readReplay(const std::filesystem::path& file,
                                                                     const std::stop_token& stop) {
-  const auto read = readFile(file, Replay::kMaxBytes);
-  if (const auto* error = std::get_if<ParseError>(&read)) return file.string() + ": cannot be read: " + error->what;
-  const std::string& content = std::get<std::string>(read);
-  if (content.size() > Replay::kMaxBytes) return file.string() + ": is larger than any recording that can be played";
-  auto replay = Replay::read(bytesOf(content), stop);
+  const RecordingBytes read = readRecordingBytes(file);
+  if (!read.fault.empty()) return file.string() + ": " + read.fault;
+  auto replay = Replay::read(read.bytes(), stop);
   if (const auto* fault = std::get_if<std::string>(&replay)) return file.string() + ": " + *fault;
   return replay;
 }

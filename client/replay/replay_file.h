@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <string>
 #include <variant>
@@ -11,6 +13,16 @@
 #include "client/replay/replay.h"
 
 namespace platon {
+
+/// The content of a file that may be a recording, or why there is none, as the end of a sentence that begins with the
+/// name of the file.
+struct RecordingBytes {
+  std::string content{};
+  std::string fault{};  ///< empty: there is content
+
+  std::span<const std::uint8_t> bytes() const;
+};
+RecordingBytes readRecordingBytes(const std::filesystem::path& file);
 
 /// Reads a recording from a file, or says in one sentence why it cannot be played. Stops as Replay::read does.
 std::variant<std::shared_ptr<const Replay>, std::string> readReplay(const std::filesystem::path& file,

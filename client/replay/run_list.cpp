@@ -1,22 +1,22 @@
 #include "client/replay/run_list.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
+#include <string>
 #include <system_error>
 #include <utility>
-#include <variant>
 
 #include "client/replay/ghost_folder.h"
-#include "client/replay/replay_file.h"
-#include "client/replay/track_file.h"
 #include "client/ui/player_rows.h"
 #include "platon/game/game.h"
-#include "protocol/files/bounded_folder.h"
 
 namespace platon {
 namespace {
 
 namespace fs = std::filesystem;
+
+std::string timeOf(std::uint32_t ticks) { return finishText(double{1} * ticks / kTicksPerSecond); }
 
 // Friends give files names; the name that the game has given says nothing.
 std::string ownerOf(const fs::path& file) {
@@ -24,39 +24,76 @@ std::string ownerOf(const fs::path& file) {
   return name.empty() ? "a friend" : name;
 }
 
-// Of a long recording, the time is not worth the time to play it.
-std::string timeOf(const fs::path& file) {
-  std::error_code fault;
-  if (fs::file_size(file, fault) > RunStore::kMaxRunBytes || fault) return {};
-  const auto track = readTrack(file);
-  const auto* const run = std::get_if<RunTrack>(&track);
-  return run == nullptr ? std::string() : finishText(double{1} * run->ticks / kTicksPerSecond);
-}
-
 }  // namespace
 
-ListedRun describeRecording(const fs::path& file) {
-  ListedRun entry{file, {}, {}, {}, 0, "is not a recording"};
-  entry.who = ownerOf(file);
-  std::error_code fault;
-  const fs::file_time_type date = fs::last_write_time(file, fault);
-  if (!fault) entry.date = dateText(date);
-  const std::optional<RecordingHead> head = readRecordingHeadOf(file);
-  if (!head) return entry;
-  entry.rules = head->rules;
-  if (head->level) entry.title = head->level->title;
-  entry.note = head->rules == kRulesVersion ? "" : otherRulesText(head->rules);
-  if (entry.note.empty()) entry.time = timeOf(file);
-  return entry;
+RunList::RunList(RunStore own, fs::path ghosts, ThreadStart start)
+    : own_(std::move(own)), ghosts_(std::move(ghosts)), reader_(std::move(start)) {}
+
+void RunList::load() {
+  files_.clear();
+  runs_.clear();
+  for (const StoredRun& run : own_.all()) {
+    if (runs_.size() == kMaxOwn) break;
+    add({run.file, run.bytes, run.date}, {.file = run.file, .time = timeOf(run.ticks)});
+  }
+  std::vector<DatedFile> others;
+  if (!ghosts_.empty()) others = newestFiles(ghosts_, Subfolders::kWithout, [](const fs::path&) { return true; });
+  others.resize(std::min(others.size(), kMaxOthers));
+  for (const DatedFile& file : others) add(file, {.file = file.path, .who = ownerOf(file.path)});
+  listed_ = runs_.size();
+  reader_.read(files_);
+  fill();
 }
 
-std::vector<ListedRun> listRecordings(const RunStore& own, const fs::path& ghosts) {
-  std::vector<ListedRun> entries = own.list();
-  if (ghosts.empty()) return entries;
-  std::vector<DatedFile> others = newestFiles(ghosts, Subfolders::kWithout, [](const fs::path&) { return true; });
-  others.resize(std::min(others.size(), kMaxListedOthers));
-  for (const DatedFile& file : others) entries.push_back(describeRecording(file.path));
-  return entries;
+void RunList::add(const DatedFile& file, ListedRun run) {
+  if (file.date != fs::file_time_type()) run.date = dateText(file.date);
+  files_.push_back(file);
+  runs_.push_back(std::move(run));
+}
+
+std::size_t RunList::indexOf(const fs::path& file) {
+  const auto found = std::find_if(runs_.begin(), runs_.end(), [&](const ListedRun& run) { return run.file == file; });
+  const auto index = static_cast<std::size_t>(found - runs_.begin());
+  if (found != runs_.end()) return index;
+  std::error_code fault;
+  DatedFile dated{file, fs::file_size(file, fault), {}};
+  if (!fault) dated.date = fs::last_write_time(file, fault);
+  add(dated, {.file = file, .who = ownerOf(file)});
+  reader_.read(files_);
+  fill();
+  return index;
+}
+
+bool RunList::poll() {
+  const bool found = reader_.poll();
+  if (found) fill();
+  return found;
+}
+
+// The name of an own run tells its time.
+void RunList::fill() {
+  for (ListedRun& run : runs_) {
+    const RecordingFacts* const facts = reader_.find(run.file);
+    if (facts == nullptr) continue;
+    run.title = facts->title;
+    run.note = facts->note;
+    run.isRead = true;
+    if (!run.who.empty()) run.time = facts->ticks ? timeOf(*facts->ticks) : "";
+  }
+  markBest();
+}
+
+void RunList::markBest() {
+  std::map<std::uint64_t, std::pair<std::uint32_t, std::size_t>> best;  // by level: ticks and index
+  for (std::size_t i = 0; i < runs_.size() && runs_[i].who.empty(); ++i) {
+    runs_[i].isBest = false;
+    const std::optional<StoredRun> run = own_.ownRunOf(runs_[i].file);
+    if (!run || !runs_[i].note.empty()) continue;
+    const auto place = std::pair(run->ticks, i);
+    const auto known = best.try_emplace(run->level, place).first;
+    known->second = std::min(known->second, place);
+  }
+  for (const auto& [level, place] : best) runs_[place.second].isBest = true;
 }
 
 }  // namespace platon

@@ -3,16 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <chrono>
 #include <cinttypes>
 #include <cstdio>
-#include <map>
 #include <system_error>
 #include <utility>
 
 #include "client/replay/replay_file.h"
 #include "client/replay/same_level.h"
-#include "client/ui/player_rows.h"
 #include "platon/game/game.h"
 #include "protocol/files/bounded_folder.h"
 #include "protocol/files/text_file.h"
@@ -40,15 +37,6 @@ std::optional<StoredRun> runOf(const fs::path& file) {
   return name == nameOf(run.level, run.rules, run.ticks) ? std::optional(run) : std::nullopt;
 }
 
-ListedRun listed(const StoredRun& run) {
-  const std::optional<RecordingHead> head = readRecordingHeadOf(run.file);
-  ListedRun entry{run.file, {}, finishText(double{1} * run.ticks / kTicksPerSecond), dateText(run.date), run.rules, {}};
-  if (head && head->level) entry.title = head->level->title;
-  if (run.rules != kRulesVersion) entry.note = otherRulesText(run.rules);
-  if (!head) entry.note = "is a damaged recording";
-  return entry;
-}
-
 }  // namespace
 
 std::string RunStore::fileNameOf(std::uint64_t level, std::uint32_t ticks) {
@@ -57,20 +45,12 @@ std::string RunStore::fileNameOf(std::uint64_t level, std::uint32_t ticks) {
 
 bool hasNameOfRun(const fs::path& file) { return runOf(file).has_value(); }
 
-std::string dateText(fs::file_time_type date) {
-  using namespace std::chrono;
-  const year_month_day day(floor<days>(file_clock::to_sys(date)));
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%04d-%02u-%02u", static_cast<int>(day.year()),
-                static_cast<unsigned>(day.month()), static_cast<unsigned>(day.day()));
-  return text.data();
-}
-
 std::vector<StoredRun> RunStore::all() const {
   std::vector<StoredRun> runs;
   if (folder_.empty()) return runs;
   for (const DatedFile& file : newestFiles(folder_, Subfolders::kWith, hasNameOfRun)) {
     runs.push_back(*runOf(file.path));
+    runs.back().bytes = file.bytes;
     runs.back().date = file.date;
   }
   return runs;
@@ -91,19 +71,9 @@ std::optional<StoredRun> RunStore::best(const Level& level) const {
   return best == runs.end() ? std::nullopt : std::optional(*best);
 }
 
-std::vector<ListedRun> RunStore::list() const {
-  std::vector<ListedRun> entries;
-  std::map<std::uint64_t, std::pair<std::uint32_t, std::size_t>> best;  // by level: ticks and entry
-  for (const StoredRun& run : all()) {
-    const auto place = std::pair(run.ticks, entries.size());
-    entries.push_back(listed(run));
-    const bool isOwn = run.file.parent_path() == folder_;
-    if (!isOwn || run.rules != kRulesVersion || !entries.back().note.empty()) continue;
-    const auto known = best.try_emplace(run.level, place).first;
-    known->second = std::min(known->second, place);
-  }
-  for (const auto& [level, place] : best) entries[place.second].isBest = true;
-  return entries;
+std::optional<StoredRun> RunStore::ownRunOf(const fs::path& file) const {
+  std::optional<StoredRun> run = file.parent_path() == folder_ ? runOf(file) : std::nullopt;
+  return run && run->rules == kRulesVersion ? run : std::nullopt;
 }
 
 // The new file is there before the old one goes, so at any time there is a best run.

@@ -19,26 +19,12 @@ struct StoredRun {
   std::uint64_t level = 0;               ///< hash of the level
   std::uint32_t rules = 0;               ///< version of the rules it was played by
   std::uint32_t ticks = 0;               ///< its time
+  std::uint64_t bytes = 0;               ///< of the file, when it was found in the folder
   std::filesystem::file_time_type date;  ///< when the file was written
-};
-
-/// A best run as a list shows it.
-struct ListedRun {
-  std::filesystem::path file;
-  std::string title;        ///< of the level; empty if it has none or cannot be read
-  std::string time;         ///< `12.34 s`; empty: unknown
-  std::string date;         ///< in UTC, `2026-12-01`
-  std::uint32_t rules = 0;  ///< version of the rules
-  std::string note;         ///< why it cannot be played; empty: it can
-  std::string who{};        ///< whose it is; empty: the player's own
-  bool isBest = false;      ///< the shortest one of own games on a level by the present rules
 };
 
 /// Whether a file has a name that a RunStore gives to runs.
 bool hasNameOfRun(const std::filesystem::path& file);
-
-/// The date of a file as ListedRun shows it.
-std::string dateText(std::filesystem::file_time_type date);
 
 /// The best run on each level by each version of the rules: a folder with one recording each, whose name is the hash of
 /// the level, the version of the rules and the ticks. A file that is copied here counts like the others. A folder that
@@ -74,8 +60,8 @@ class RunStore {
   std::string keep(const Run& run);
   /// All runs on all servers, newest first, older rules included.
   std::vector<StoredRun> all() const;
-  /// All runs, newest first, for a list.
-  std::vector<ListedRun> list() const;
+  /// What the name of a run of an own game by the present rules tells; nothing if the file is none.
+  std::optional<StoredRun> ownRunOf(const std::filesystem::path& file) const;
 
  private:
   std::filesystem::path serversFolder() const { return folder_ / "servers"; }

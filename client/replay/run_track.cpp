@@ -36,19 +36,25 @@ InterpolatedPlayer RunTrack::at(std::uint32_t passed, double fraction) const {
   return {places[passed > ticks ? now : now - 1], places[now], fraction};
 }
 
+std::optional<RunFinish> finishOf(const Game& before, const Game& end, std::uint32_t recordedTicks) {
+  const std::optional<std::uint32_t> slot = runnerOf(before, end);
+  if (!slot) return std::nullopt;
+  const RunFinish finish{*slot, end.tick() - end.player(*slot).startedAt + 1};
+  return finish.ticks > recordedTicks ? std::nullopt : std::optional(finish);
+}
+
 std::optional<RunTrack> trackOf(const Replay& replay) {
   if (replay.ticks() == 0) return std::nullopt;
   const Game end = replay.gameAfter(replay.ticks());
-  const std::optional<std::uint32_t> slot = runnerOf(replay.gameAfter(replay.ticks() - 1), end);
-  if (!slot) return std::nullopt;
+  const std::optional<RunFinish> finish = finishOf(replay.gameAfter(replay.ticks() - 1), end, replay.ticks());
+  if (!finish) return std::nullopt;
   RunTrack track;
-  track.ticks = end.tick() - end.player(*slot).startedAt + 1;
-  if (track.ticks > replay.ticks()) return std::nullopt;
+  track.ticks = finish->ticks;
   const std::uint32_t first = replay.ticks() - track.ticks;
   Game game = replay.gameAfter(first);
   FaceVisits visits;
   for (std::uint32_t ticks = 0;; ++ticks) {
-    track.places.push_back(snapshotOf(game, *slot));
+    track.places.push_back(snapshotOf(game, finish->slot));
     const PlayerSnapshot& place = track.places.back();
     if (place.present && visits.enters(place.part)) track.splits.push_back({place.part, ticks});
     if (ticks == track.ticks) return track;

@@ -11,6 +11,7 @@
 #include "tests/shared/game/played_game.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/wait_until.h"
 
 namespace platon {
 namespace {
@@ -47,6 +48,11 @@ class ReplayPagesTest : public testing::Test {
     return false;
   }
 
+  // Shows it as soon as the recordings have been read.
+  bool becomes(const std::string& text) {
+    return waitUntil([&] { return shows(text); });
+  }
+
   const TemporaryFolder folder_;
   const fs::path ghosts_ = folder_ / "ghosts";
   const fs::path elsewhere_ = folder_ / "elsewhere/Anna.recording";
@@ -79,7 +85,7 @@ TEST_F(ReplayPagesTest, ARunOfTheListIsWatchedAndRaced) {
   store_.keep(*played_.run);
   const fs::path file = store_.all().at(0).file;
   pages_.showList();
-  EXPECT_TRUE(shows("Floor"));
+  EXPECT_TRUE(becomes("Floor"));
   EXPECT_EQ(pages_.shownLevel()->title, "Floor");
   tap(Key::kEnter);
   EXPECT_TRUE(shows("send this file"));
@@ -102,9 +108,9 @@ TEST_F(ReplayPagesTest, ARecordingFromElsewhereIsKeptAsAGhost) {
   pages_.showRun(elsewhere_);
   EXPECT_TRUE(shows("Anna"));
   EXPECT_EQ(pages_.shownLevel()->title, "Floor");
+  EXPECT_TRUE(becomes("Keep it as a ghost"));
   tap(Key::kArrowDown);
   tap(Key::kArrowDown);
-  EXPECT_TRUE(shows("Keep it as a ghost"));
   tap(Key::kEnter);
   EXPECT_EQ(readBytes(ghosts_ / "Anna 2.recording"), played_.run->recording) << "no file is replaced";
   EXPECT_TRUE(shows("Anna 2.recording"));
@@ -119,6 +125,7 @@ TEST_F(ReplayPagesTest, AFailedCopySaysWhy) {
   write(elsewhere_, played_.run->recording);
   writeText(ghosts_, "a file");
   pages_.showRun(elsewhere_);
+  EXPECT_TRUE(becomes("Keep it as a ghost"));
   tap(Key::kArrowDown);
   tap(Key::kArrowDown);
   tap(Key::kEnter);
@@ -128,6 +135,7 @@ TEST_F(ReplayPagesTest, AFailedCopySaysWhy) {
 TEST_F(ReplayPagesTest, NobodyRacesAloneOnALevelForTwo) {
   write(elsewhere_, gameToGoal("# players: 2\n").run->recording);
   pages_.showRun(elsewhere_);
+  EXPECT_TRUE(becomes("Floor"));
   EXPECT_TRUE(shows("Watch"));
   EXPECT_FALSE(shows("Race"));
 }
@@ -135,9 +143,16 @@ TEST_F(ReplayPagesTest, NobodyRacesAloneOnALevelForTwo) {
 TEST_F(ReplayPagesTest, WhatIsNoRecordingSaysSoAndIsNotWatched) {
   write(elsewhere_, {1, 2, 3});
   pages_.showRun(elsewhere_);
-  EXPECT_TRUE(shows("It is not a recording."));
+  EXPECT_TRUE(becomes("It is not a recording."));
   EXPECT_FALSE(shows("Watch"));
   EXPECT_EQ(pages_.shownLevel(), nullptr);
+}
+
+TEST_F(ReplayPagesTest, WhatIsKnownIsShownBeforeTheRecordingIsRead) {
+  store_.keep(*played_.run);
+  pages_.showList();
+  EXPECT_TRUE(shows("★")) << "the time is in the name of the file";
+  EXPECT_TRUE(becomes("Floor"));
 }
 
 TEST_F(ReplayPagesTest, OtherPagesShowNoLevelOfARecording) {

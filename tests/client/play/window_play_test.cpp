@@ -206,10 +206,13 @@ TEST_F(WindowPlayTest, AReplayIsWatchedFromTheTitleAndLeadsBack) {
 TEST_F(WindowPlayTest, ARecordingThatCannotBePlayedIsReportedOnTheScreen) {
   options_.level.clear();
   const std::string whole = readText(kRecording);
-  std::filesystem::create_directories(folder_ / "platon/ghosts");
-  writeText(folder_ / "platon/ghosts/Anna.recording", whole.substr(0, whole.size() / 2));
+  keepRecording("Anna.recording");
   play({{[] { xdotool("key Down Down Down Down Return Return"); }, [this] { return shows("Watch"); }},
-        {[] { xdotool("key Return"); }, [this] { return shows("Try again"); }},
+        {[&] {
+           writeText(folder_ / "platon/ghosts/Anna.recording", whole.substr(0, whole.size() / 2));
+           xdotool("key Return");
+         },
+         [this] { return shows("Try again"); }},
         {[this] {
            keepRecording("Anna.recording");  // mended
            xdotool("key Return");

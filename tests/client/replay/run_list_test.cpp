@@ -1,5 +1,6 @@
 #include "client/replay/run_list.h"
 
+#include <algorithm>
 #include <chrono>
 #include <string>
 #include <vector>
@@ -12,9 +13,9 @@
 #include "tests/client/replay/followed_game.h"
 #include "tests/client/replay/older_rules.h"
 #include "tests/shared/game/played_game.h"
-#include "tests/shared/game/recorded_game.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/wait_until.h"
 
 namespace platon {
 namespace {
@@ -32,40 +33,60 @@ class RunListTest : public testing::Test {
     writeText(ghosts_ / name, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     return ghosts_ / name;
   }
+  void readAll() {
+    EXPECT_TRUE(waitUntil([&] {
+      list_.poll();
+      return std::all_of(list_.runs().begin(), list_.runs().end(), [](const ListedRun& run) { return run.isRead; });
+    }));
+  }
+  void load() {
+    list_.load();
+    readAll();
+  }
+  ListedRun describe(const fs::path& file) {
+    list_.load();
+    const std::size_t index = list_.indexOf(file);
+    readAll();
+    return list_.runs()[index];
+  }
   std::string time() const { return finishText(double{1} * *followed_.time / kTicksPerSecond); }
 
   const TemporaryFolder folder_;
   const fs::path ghosts_ = folder_ / "ghosts";
   RunStore store_{folder_ / "runs"};
+  RunList list_{store_, ghosts_};
   FollowedGame followed_{
       levelOf("# title: Floor\nHEXAHEDRON\n0 0 -180 0\n0 100 -190\n480\n%\n-240 -200 240 -200\n%\n%\n%\n%\n%\n")};
 };
 
 TEST_F(RunListTest, ARunOfAFriendHasTheNameOfItsFile) {
-  const ListedRun run = describeRecording(write("Anna.recording", followed_.run->recording));
+  const ListedRun run = describe(write("Anna.recording", followed_.run->recording));
   EXPECT_EQ(run.who, "Anna");
   EXPECT_EQ(run.title, "Floor");
   EXPECT_EQ(run.time, time());
-  EXPECT_EQ(run.rules, kRulesVersion);
   EXPECT_EQ(run.note, "");
 }
 
 TEST_F(RunListTest, AFileWithTheNameOfAKeptRunIsThatOfAFriend) {
+  EXPECT_EQ(describe(write(RunStore::fileNameOf(1, 5), followed_.run->recording)).who, "a friend");
+}
+
+TEST_F(RunListTest, BeforeItIsReadARunHasTheTimeAndDateOfItsFile) {
   store_.keep(*followed_.run);
-  EXPECT_EQ(describeRecording(store_.all().at(0).file).who, "a friend");
-}
-
-TEST_F(RunListTest, ARoundHasNoTime) {
-  const ListedRun round = describeRecording(write("round", recordGame(100, 60).recording));
-  EXPECT_EQ(round.time, "");
-  EXPECT_EQ(round.note, "");
-}
-
-TEST_F(RunListTest, SaysWhatCannotBePlayed) {
-  EXPECT_EQ(describeRecording(write("text", {1, 2, 3})).note, "is not a recording");
-  EXPECT_EQ(describeRecording(ghosts_ / "missing").note, "is not a recording");
-  const auto older = asOfOlderRules(followed_.run->recording, followed_.game.level());
-  EXPECT_EQ(describeRecording(write("older", older)).note, otherRulesText(kRulesVersion - 1));
+  const auto noon = std::chrono::sys_days(std::chrono::year(2026) / 2 / 28) + std::chrono::seconds(12 * 3600);
+  fs::last_write_time(store_.all().at(0).file, std::chrono::file_clock::from_sys(noon));
+  list_.load();
+  ASSERT_EQ(list_.runs().size(), 1U);
+  EXPECT_FALSE(list_.runs()[0].isRead);
+  EXPECT_EQ(list_.runs()[0].title, "");
+  EXPECT_EQ(list_.runs()[0].time, time());
+  EXPECT_EQ(list_.runs()[0].date, "2026-02-28");
+  EXPECT_TRUE(list_.runs()[0].isBest);
+  readAll();
+  EXPECT_EQ(list_.runs()[0].title, "Floor");
+  EXPECT_EQ(list_.runs()[0].time, time());
+  list_.load();
+  EXPECT_TRUE(list_.runs()[0].isRead) << "it is remembered";
 }
 
 TEST_F(RunListTest, OwnRunsComeFirstAndThoseOfOthersNewestFirst) {
@@ -73,13 +94,53 @@ TEST_F(RunListTest, OwnRunsComeFirstAndThoseOfOthersNewestFirst) {
   const auto now = fs::file_time_type::clock::now();
   fs::last_write_time(write("Old", followed_.run->recording), now - std::chrono::hours(48));
   fs::last_write_time(write("New", followed_.run->recording), now);
-  const std::vector<ListedRun> list = listRecordings(store_, ghosts_);
-  ASSERT_EQ(list.size(), 3U);
-  EXPECT_EQ(list[0].who, "");
-  EXPECT_TRUE(list[0].isBest);
-  EXPECT_EQ(list[1].who, "New");
-  EXPECT_EQ(list[2].who, "Old");
-  EXPECT_EQ(listRecordings(store_, {}).size(), 1U);
+  load();
+  ASSERT_EQ(list_.runs().size(), 3U);
+  EXPECT_EQ(list_.runs()[0].who, "");
+  EXPECT_TRUE(list_.runs()[0].isBest);
+  EXPECT_EQ(list_.runs()[1].who, "New");
+  EXPECT_EQ(list_.runs()[2].who, "Old");
+  EXPECT_EQ(list_.listed(), 3U);
+  RunList alone(store_, {});
+  alone.load();
+  EXPECT_EQ(alone.runs().size(), 1U);
+}
+
+TEST_F(RunListTest, ADamagedRunAndOneOnAServerAreNotTheBest) {
+  store_.keep(*followed_.run);
+  RunStore(folder_ / "runs", "server").keep(*followed_.run);
+  writeText(folder_ / "runs" / RunStore::fileNameOf(followed_.run->level->hash, 1), "damaged");
+  load();
+  ASSERT_EQ(list_.runs().size(), 3U);
+  for (const ListedRun& run : list_.runs()) {
+    const bool isOwn = run.file.parent_path() == folder_ / "runs";
+    EXPECT_EQ(run.isBest, isOwn && run.note.empty()) << run.file;
+    EXPECT_EQ(run.note.empty(), run.time == time()) << run.file;
+  }
+}
+
+TEST_F(RunListTest, ARunOfOlderRulesKeepsTheTimeOfItsName) {
+  const auto older = asOfOlderRules(followed_.run->recording, followed_.game.level());
+  fs::create_directories(folder_ / "runs");
+  const std::string name = "0123456789abcdef-" + std::to_string(kRulesVersion - 1) + "-1.recording";
+  writeText(folder_ / "runs" / name, {reinterpret_cast<const char*>(older.data()), older.size()});
+  load();
+  ASSERT_EQ(list_.runs().size(), 1U);
+  EXPECT_EQ(list_.runs()[0].title, "Floor");
+  EXPECT_EQ(list_.runs()[0].time, "0.02 s");
+  EXPECT_EQ(list_.runs()[0].note, otherRulesText(kRulesVersion - 1));
+  EXPECT_FALSE(list_.runs()[0].isBest);
+}
+
+TEST_F(RunListTest, ARecordingElsewhereIsAddedOnce) {
+  const fs::path file = write("Anna.recording", followed_.run->recording);
+  RunList list(store_, {});
+  list.load();
+  EXPECT_EQ(list.indexOf(file), 0U);
+  EXPECT_EQ(list.indexOf(file), 0U);
+  EXPECT_EQ(list.listed(), 0U);
+  EXPECT_EQ(list.indexOf(ghosts_ / "missing"), 1U);
+  EXPECT_EQ(list.runs()[1].date, "");
 }
 
 }  // namespace

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+#include "client/job/job.h"
+#include "client/replay/recording_facts.h"
+#include "protocol/files/bounded_folder.h"
+
+namespace platon {
+
+/// Reads the facts of recordings in a thread, one after the other. Remembers those of the files that it was last asked
+/// for, as long as a file has the same size and date.
+class FactsReader {
+ public:
+  explicit FactsReader(ThreadStart start = &startThread) : start_(std::move(start)) {}
+
+  /// Reads the facts of these files that are not known, and stops reading and forgets those of others. Does not wait.
+  void read(const std::vector<DatedFile>& files);
+  /// Takes what has been read. Returns whether anything has.
+  bool poll();
+  /// The facts of a file as soon as they have been taken; null until then.
+  const RecordingFacts* find(const std::filesystem::path& file) const;
+
+ private:
+  struct Known {
+    DatedFile file;
+    RecordingFacts facts;
+  };
+  // Between the threads.
+  struct Found {
+    std::mutex mutex;
+    std::vector<Known> facts;
+  };
+
+  static Known readOne(const DatedFile& file, const std::stop_token& stop);
+  static bool readAll(const std::vector<DatedFile>& files, Found& found, const std::stop_token& stop);
+  bool knows(const DatedFile& file) const;
+  void remember(Known known);
+
+  ThreadStart start_;
+  std::map<std::filesystem::path, Known> known_;
+  std::vector<DatedFile> waiting_;  // what the job reads
+  std::shared_ptr<Found> found_ = std::make_shared<Found>();
+  Job<bool> job_;
+};
+
+}  // namespace platon

@@ -1,0 +1,79 @@
+#include "client/replay/recording_facts.h"
+
+#include <span>
+#include <utility>
+
+#include "client/replay/recording_fault.h"
+#include "client/replay/recording_head.h"
+#include "client/replay/replay.h"
+#include "client/replay/replay_file.h"
+#include "client/replay/run_track.h"
+#include "platon/game/game.h"
+#include "platon/game/recording_reader.h"
+
+namespace platon {
+namespace {
+
+constexpr const char* kDamagedEnd = "is a damaged recording: its end does not give the recorded game";
+
+// The end of a recording: its last block with ticks, and the state after it.
+struct Ending {
+  RecordedBlock block;
+  std::vector<std::uint8_t> state;
+  std::uint32_t ticks = 0;  // of the whole recording
+};
+
+// Reads to the end. Notes why that is impossible.
+Ending readEnding(RecordingReader& reader, std::string& note, const std::stop_token& stop) {
+  Ending ending;
+  std::uint64_t work = 0;
+  while (std::optional<RecordedBlock> block = reader.next()) {
+    ending.ticks += block->ticks();
+    work += Replay::workOf(*block);
+    if (work > Replay::kMaxWork) note = Replay::kTooLong;
+    if (!note.empty() || stop.stop_requested()) break;
+    ending.state = block->state;
+    if (block->ticks() != 0) ending.block = std::move(*block);
+  }
+  return ending;
+}
+
+// Plays the last block. Gives the time of the run, if it is one.
+void playEnding(const std::shared_ptr<const Level>& level, const Ending& ending, RecordingFacts& facts) {
+  if (ending.ticks == 0) return;
+  Game game(level);
+  bool agrees = game.restore(ending.block.state) && game.tick() == ending.block.firstTick;
+  const std::uint32_t last = ending.block.ticks() - 1;
+  for (std::uint32_t tick = 0; agrees && tick < last; ++tick) game.advance(ending.block.inputsOf(tick));
+  const Game before = game;
+  if (agrees) game.advance(ending.block.inputsOf(last));
+  agrees = agrees && game.save() == ending.state;
+  if (!agrees) facts.note = kDamagedEnd;
+  if (const auto run = agrees ? finishOf(before, game, ending.ticks) : std::nullopt) facts.ticks = run->ticks;
+}
+
+}  // namespace
+
+RecordingFacts readRecordingFacts(const std::filesystem::path& file, const std::stop_token& stop) {
+  RecordingFacts facts;
+  const RecordingBytes read = readRecordingBytes(file);
+  facts.note = read.fault;
+  if (!facts.note.empty()) return facts;
+  const auto bytes = read.bytes();
+  RecordingReader reader(bytes);
+  const std::optional<RecordingHead> head = readRecordingHead(bytes);
+  if (!head) {
+    const bool isCut = reader.state() == RecordingReader::State::kTruncated;
+    facts.note = isCut ? recordingFault(reader, bytes) : "is not a recording";
+    return facts;
+  }
+  facts.rules = head->rules;
+  if (head->level) facts.title = head->level->title;
+  const Ending ending = readEnding(reader, facts.note, stop);
+  if (stop.stop_requested()) return facts;
+  if (facts.note.empty()) facts.note = recordingFault(reader, bytes);
+  if (facts.note.empty()) playEnding(head->level, ending, facts);
+  return facts;
+}
+
+}  // namespace platon
