@@ -29,6 +29,17 @@ class WindowMatchTest : public WindowPlayTest {
     const Prediction& prediction = play_->match()->play().client().session()->round()->prediction();
     return prediction.predicted().world().entities()[prediction.slot()].part;
   }
+  const Round* round() const { return isOnGround() ? play_->match()->play().client().session()->round() : nullptr; }
+  // Where the own ball is on its face; nothing before the first round.
+  std::optional<Point> place() const {
+    if (round() == nullptr) return std::nullopt;
+    const Prediction& prediction = round()->prediction();
+    return prediction.predicted().world().entities()[prediction.slot()].position;
+  }
+  // Ticks that the timer shows; nothing before the first round.
+  std::optional<std::uint32_t> timer() const {
+    return round() == nullptr ? std::nullopt : std::optional(round()->attemptTime().ticks());
+  }
   static bool hears(const MatchPlay& play, std::string_view end) {
     const std::vector<std::string> chat = play.hudStatus(steadyClock().now(), false).chat;
     return std::any_of(chat.begin(), chat.end(), [&](const std::string& line) { return line.ends_with(end); });
@@ -63,6 +74,20 @@ TEST_F(WindowMatchTest, AServerThatStopsLeadsToTheOneThatItNames) {
         {[&] { clickOn("Join " + next); }, [&] { return inGame() && isOnGround() && other.players() == 1; }}});
   EXPECT_TRUE(stepsDone_);
   EXPECT_EQ(server.wait(), 0);
+}
+
+TEST_F(WindowMatchTest, RPutsTheBallBackToTheStartAndTheTimerToZero) {
+  options_.level = kLevel;
+  std::optional<Point> start;
+  play({{[] {}, [this] { return inGame() && isOnGround() == std::optional(true) && timer() == 0U; }},
+        {[&] {
+           start = place();
+           xdotool("keydown Right");
+         },
+         [&] { return place() != start && timer() > 30U; }},
+        {[] { xdotool("keyup Right"); }, [&] { return place() != start; }},
+        {[] { xdotool("key r"); }, [&] { return place() == start && timer() == 0U; }}});
+  EXPECT_TRUE(stepsDone_);
 }
 
 TEST_F(WindowMatchTest, AServerIsJoinedByItsAddressAndPlayersTalk) {
