@@ -21,7 +21,9 @@ enum class Subfolders : std::uint8_t { kWithout, kWith };
 std::vector<DatedFile> newestFiles(const std::filesystem::path& folder, Subfolders subfolders,
                                    const std::function<bool(const std::filesystem::path&)>& belongs);
 
-/// Removes the last of these files, so that at most `maxFiles` with at most `maxBytes` together are left.
+/// Removes the last of these files, so that at most `maxFiles` with at most `maxBytes` together are left. Dates tell
+/// which are the oldest, since one program keeps each of these files, whose names tell no time and which are whole when
+/// they appear, whereas several servers write to a RecordingFolder at once for minutes: there names and locks decide.
 void removeOldest(const std::vector<DatedFile>& newestFirst, std::size_t maxFiles, std::uint64_t maxBytes);
 
 }  // namespace platon

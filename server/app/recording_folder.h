@@ -18,7 +18,9 @@ namespace platon {
 
 /// A folder to which recordings are written, one file for each round. The recordings in it, of all servers together,
 /// are kept within a limit: the oldest ones are removed first. A file that a server is writing is locked and never
-/// removed, nor is a file whose name is not that of a recording.
+/// removed, nor is a file whose name is not that of a recording. Names tell which are the oldest, since the date of a
+/// file changes with each piece and when an operator copies it, whereas the files of `protocol/files/bounded_folder.h`
+/// are whole when they appear and have names without a time: there dates decide, without locks.
 ///
 /// A server learns what others write by searching the folder, at the latest after kSpareBytes of its own. So each
 /// further server that writes at the same time may exceed the limit by kSpareBytes, or by one piece if that is longer.
