@@ -16,7 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 
 ReplayEntry entryOf(const ListedRun& run) {
-  const char* const unnamed = run.isRead ? "Level without a title" : "…";
+  std::string unnamed = run.isRead ? "Level without a title" : "…";
+  if (!run.note.empty()) unnamed = run.file.filename().string();
   const std::string title = run.title.empty() ? unnamed : run.title;
   return {title, run.time, run.date, run.who, run.isBest, run.note};
 }

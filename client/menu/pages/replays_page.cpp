@@ -14,7 +14,7 @@ void append(std::string& text, const std::string& part) {
 std::string factsOf(const ReplayEntry& entry) {
   std::string facts = entry.who;
   append(facts, entry.isBest && !entry.time.empty() ? "★ " + entry.time : entry.time);
-  append(facts, entry.note.empty() ? "" : "cannot be played");
+  append(facts, entry.note.substr(0, entry.note.find_first_of(":;")));  // its page tells the rest
   append(facts, entry.date);
   return facts;
 }

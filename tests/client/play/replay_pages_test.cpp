@@ -144,6 +144,7 @@ TEST_F(ReplayPagesTest, WhatIsNoRecordingSaysSoAndIsNotWatched) {
   write(elsewhere_, {1, 2, 3});
   pages_.showRun(elsewhere_);
   EXPECT_TRUE(becomes("It is not a recording."));
+  EXPECT_FALSE(shows("Level without a title")) << "its file tells more";
   EXPECT_FALSE(shows("Watch"));
   EXPECT_EQ(pages_.shownLevel(), nullptr);
 }

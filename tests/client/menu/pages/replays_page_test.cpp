@@ -9,10 +9,11 @@
 namespace platon {
 namespace {
 
-const std::vector<ReplayEntry> kEntries{{"One", "1.00 s", "2026-01-02", "", true},
-                                        {"Two", "2.00 s", "2026-01-01", "", false, "is a damaged recording"},
-                                        {"One", "1.50 s", "2026-01-03", "Anna"},
-                                        {"Three", "", "2026-01-02", "round"}};
+const std::vector<ReplayEntry> kEntries{
+    {"One", "1.00 s", "2026-01-02", "", true},
+    {"Two", "2.00 s", "2026-01-01", "", false, "is a damaged recording: byte 5: wrong"},
+    {"One", "1.50 s", "2026-01-03", "Anna"},
+    {"Three", "", "2026-01-02", "round"}};
 
 TEST(ReplaysPage, OwnRunsAndThoseOfOthersHaveHeadings) {
   const MenuPage page = replaysPage(kEntries, nullptr, nullptr);
@@ -25,7 +26,7 @@ TEST(ReplaysPage, OwnRunsAndThoseOfOthersHaveHeadings) {
 TEST(ReplaysPage, ARowShowsWhoTimeAndDate) {
   const MenuPage page = replaysPage(kEntries, nullptr, nullptr);
   EXPECT_EQ(page.items[1].value, "★ 1.00 s   2026-01-02");
-  EXPECT_EQ(page.items[2].value, "2.00 s   cannot be played   2026-01-01");
+  EXPECT_EQ(page.items[2].value, "2.00 s   is a damaged recording   2026-01-01");
   EXPECT_EQ(page.items[4].value, "Anna   1.50 s   2026-01-03");
   EXPECT_EQ(page.items[5].value, "round   2026-01-02");
 }
