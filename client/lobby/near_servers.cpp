@@ -16,6 +16,11 @@ NearServers::NearServers(std::unique_ptr<DatagramSocket> socket, std::vector<Soc
                          std::uint64_t nonce)
     : socket_(std::move(socket)), targets_(std::move(targets)), nonce_(nonce) {}
 
+void NearServers::setTargets(std::vector<SocketAddress> targets) {
+  targets_ = std::move(targets);
+  searchedAt_.reset();
+}
+
 void NearServers::update(Moment now) {
   while (const std::optional<Datagram> datagram = socket_->receive(now)) take(*datagram, now);
   if (!searchedAt_ || now - *searchedAt_ >= kInterval) search(now);
@@ -32,7 +37,7 @@ void NearServers::search(Moment now) {
 
 void NearServers::take(const Datagram& datagram, Moment now) {
   const std::optional<Info> info = decodeInfo(datagram.bytes);
-  if (!info || info->nonce != nonce_) return;
+  if (!info || info->nonce != nonce_ || !searchedAt_) return;
   const auto known = std::find_if(found_.begin(), found_.end(), [&](const NearServer& server) {
     return server.info.identity == info->identity && server.address.port == datagram.peer.port;
   });
@@ -75,16 +80,22 @@ std::string describe(const NearServer& server) {
   return text;
 }
 
-std::string textOf(const std::vector<NearServer>& servers) {
+std::string textOf(const std::vector<ServerRow>& rows) {
   std::string text;
-  for (const NearServer& server : servers) {
-    std::string line = server.address.text();
+  for (const ServerRow& row : rows) {
+    std::string line = row.address;
     line.resize(std::max<std::size_t>(line.size() + 2, 24), ' ');
-    line += describe(server);
-    if (!server.info.name.empty()) line.resize(std::max<std::size_t>(line.size() + 2, 56), ' ');
-    text += line + server.info.name + "\n";
+    line += row.about;
+    if (!row.name.empty()) line.resize(std::max<std::size_t>(line.size() + 2, 56), ' ');
+    text += line + row.name + "\n";
   }
   return text;
+}
+
+std::string textOf(const std::vector<NearServer>& servers) {
+  std::vector<ServerRow> rows;
+  for (const NearServer& server : servers) rows.push_back({server.address.text(), describe(server), server.info.name});
+  return textOf(rows);
 }
 
 }  // namespace platon

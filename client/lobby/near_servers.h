@@ -33,6 +33,8 @@ class NearServers {
   /// Sends each query from `socket` to all `targets`. `nonce` is a random number that others cannot guess.
   NearServers(std::unique_ptr<DatagramSocket> socket, std::vector<SocketAddress> targets, std::uint64_t nonce);
 
+  /// Searches at these addresses instead, at the next update for the first time.
+  void setTargets(std::vector<SocketAddress> targets);
   /// Sends what is due and takes the answers that have arrived.
   void update(Moment now);
   /// In the order in which they have answered first; each server once, by its identity and port. A silent one keeps its
@@ -59,6 +61,14 @@ NearServers searchNearby();
 bool isSilent(const NearServer& server);
 /// "2/8 players, 3 ms", and what keeps a player out: "password", "other version"; or "no answer".
 std::string describe(const NearServer& server);
+/// What a line of a printed list says of a server.
+struct ServerRow {
+  std::string address;
+  std::string about;
+  std::string name;
+};
+/// The rows, in columns.
+std::string textOf(const std::vector<ServerRow>& rows);
 /// A line for each server: its address, what `describe` says, and its name, in columns.
 std::string textOf(const std::vector<NearServer>& servers);
 

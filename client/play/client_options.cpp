@@ -73,6 +73,8 @@ void describe(CLI::App& app, ClientOptions& options, std::string& host, std::str
       ->check(CLI::Range(0.1, 86400.0));
   app.add_option("--screenshot", options.screenshot, "Write the last frame to this PNG file")->type_name("FILE");
   app.add_flag("--list", options.list, "Print the servers on this machine and in its networks");
+  app.add_option("--list-url", options.listUrl,
+                 "List of servers on a web server, http:// or https://, for --list and for joining in the window");
   app.add_flag("--benchmark", options.benchmark, "Measure what a frame costs in each quality; needs --offscreen");
   app.add_flag("--json", options.json, "Print the result of --benchmark as JSON");
   describeFrameOptions(app, options.frames);
@@ -115,8 +117,17 @@ void checkList(const CLI::App& app, const ClientOptions& options) {
           "--benchmark", "--frames", "--fps", "--from", "--width", "--players", "--edit", "--replay"});
 }
 
+void checkListUrl(const CLI::App& app, const ClientOptions& options) {
+  if (app.count("--list-url") == 0) return;
+  const std::string& url = options.listUrl;
+  if (!url.starts_with("http://") && !url.starts_with("https://"))
+    throw std::invalid_argument("--list-url must begin with http:// or https://");
+  refuse(app, "--list-url", {"HOST", "--offscreen", "--demo", "--benchmark", "--frames", "--edit", "--replay"});
+}
+
 void checkModes(const CLI::App& app, const ClientOptions& options) {
   checkList(app, options);
+  checkListUrl(app, options);
   checkBenchmark(app, options);
   if (options.edit.empty() && app.count("--solid") > 0) throw std::invalid_argument("--solid works only with --edit");
   checkMode(app, "--edit", options.edit, options);

@@ -21,6 +21,7 @@ struct ClientOptions {
   std::optional<double> seconds;  ///< maximum duration
   std::string screenshot;         ///< PNG file for the last frame; empty: none
   bool list = false;              ///< print the servers nearby instead of playing
+  std::string listUrl;            ///< list of servers on a web server; empty: none
   bool benchmark = false;         ///< measure frames instead of playing
   bool json = false;              ///< the result of the benchmark as JSON
   FrameOptions frames;

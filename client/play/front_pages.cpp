@@ -18,6 +18,9 @@
 namespace platon {
 namespace {
 
+// For how long a list of servers is not read again.
+constexpr Moment kListLife = std::chrono::seconds(60);
+
 std::optional<std::uint16_t> portOf(const std::string& text) {
   std::uint16_t port = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), port);
@@ -43,9 +46,25 @@ std::string racedLevelFile(const Level& level) {
   return file.string();
 }
 
+JoinForm::Found rowOf(const std::string& name, const std::string& address, const std::string& about) {
+  return name.empty() ? JoinForm::Found{address, address, about}
+                      : JoinForm::Found{name, address, address + ", " + about};
+}
+
+// New servers come last, so that none moves from under the focus.
+std::vector<JoinForm::Found> inOldOrder(const std::vector<JoinForm::Found>& old, std::vector<JoinForm::Found> found) {
+  const auto placeOf = [&](const JoinForm::Found& server) {
+    return std::find_if(old.begin(), old.end(),
+                        [&](const JoinForm::Found& other) { return other.address == server.address; });
+  };
+  std::stable_sort(found.begin(), found.end(),
+                   [&](const JoinForm::Found& a, const JoinForm::Found& b) { return placeOf(a) < placeOf(b); });
+  return found;
+}
+
 }  // namespace
 
-FrontPages::FrontPages(Menu& menu, Settings& settings, RecentServers recent, Calls calls)
+FrontPages::FrontPages(Menu& menu, Settings& settings, RecentServers recent, Calls calls, std::string listUrl)
     : menu_(&menu),
       settingsPages_(menu, settings),
       recent_(std::move(recent)),
@@ -54,7 +73,10 @@ FrontPages::FrontPages(Menu& menu, Settings& settings, RecentServers recent, Cal
                {[this](const std::filesystem::path& file) { calls_.watch(file); },
                 [this](const std::shared_ptr<const Level>& level, const std::filesystem::path& file) {
                   race(level, file);
-                }}) {}
+                }}),
+      listUrl_(std::move(listUrl)) {
+  joinForm_.hasList = !listUrl_.empty();
+}
 
 void FrontPages::load() {
   if (levels_.empty()) levels_ = loadShippedLevels();
@@ -170,22 +192,43 @@ void FrontPages::showJoin() {
 void FrontPages::update(Moment now) {
   if (!std::exchange(joins_, false)) {
     near_.reset();
-    joinForm_.near.clear();
+    joinForm_.found.clear();
     return;
   }
   try {
+    readList(now);
     if (!near_) near_.emplace(searchNearby());
+    near_->update(now);
   } catch (const SocketError&) {
-    return;  // joining says why
+    near_.reset();  // joining says why
   }
-  near_->update(now);
-  joinForm_.near.clear();
+  joinForm_.found = inOldOrder(joinForm_.found, foundServers());
+}
+
+// The list is kept while other pages are shown: ending its search may take a second.
+void FrontPages::readList(Moment now) {
+  if (listUrl_.empty()) return;
+  const bool pageIsNew = !near_;
+  if (!listReadAt_ || (pageIsNew && now - *listReadAt_ >= kListLife)) {
+    listed_.emplace(listUrl_);
+    listReadAt_ = now;
+  }
+  listed_->update(now);
+  joinForm_.listFault = listed_->faults().empty() ? "" : listed_->faults().front();
+}
+
+std::vector<JoinForm::Found> FrontPages::foundServers() const {
+  std::vector<JoinForm::Found> found;
+  if (listed_) {
+    for (const FoundServer& server : listed_->list())
+      found.push_back(rowOf(server.listed.name, server.listed.address.text(), describe(server.answer)));
+  }
+  if (!near_) return found;
   for (const NearServer& server : near_->list()) {
     const std::string address = ServerAddress{server.address.ip.text(), server.address.port}.text();
-    const bool hasName = !server.info.name.empty();
-    joinForm_.near.push_back(
-        {hasName ? server.info.name : address, address, (hasName ? address + ", " : "") + describe(server)});
+    found.push_back(rowOf(server.info.name, address, describe(server)));
   }
+  return found;
 }
 
 void FrontPages::askPassword(const ServerAddress& server, bool wrong) {
@@ -206,6 +249,7 @@ void FrontPages::join() {
     joinForm_.fault = joinForm_.address.text().empty() ? "Enter the address of the server." : error.what();
     return;
   }
+  if (listed_) choice.key = listed_->keyOf(*choice.server);
   if (joinForm_.asksPassword) choice.password = Password(joinForm_.password.text());
   calls_.start(choice);
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "client/lobby/listed_servers.h"
 #include "client/lobby/near_servers.h"
 #include "client/lobby/recent_servers.h"
 #include "client/lobby/shipped_levels.h"
@@ -30,14 +31,14 @@ class FrontPages {
     std::function<void(const std::filesystem::path&)> watch{};  ///< a recording
   };
 
-  /// `menu` and `settings` outlive the pages.
-  FrontPages(Menu& menu, Settings& settings, RecentServers recent, Calls calls);
+  /// `menu` and `settings` outlive the pages. `listUrl`: a list of servers on a web server; empty: none.
+  FrontPages(Menu& menu, Settings& settings, RecentServers recent, Calls calls, std::string listUrl = {});
 
   /// Shows the title and nothing else. Throws ProgramError if the levels of the game cannot be read.
   void showTitle();
   /// Asks for the password of a server, after it has refused another one if `wrong`.
   void askPassword(const ServerAddress& server, bool wrong);
-  /// Searches for servers nearby while the page is shown on which they can be joined.
+  /// Searches for servers nearby and asks those of the list while the page is shown on which they can be joined.
   void update(Moment now);
   /// The level to see behind the pages; null before the title was shown.
   std::shared_ptr<const Level> shownLevel();
@@ -56,6 +57,8 @@ class FrontPages {
   void showHost();
   void playFrom(std::size_t level);
   void race(const std::shared_ptr<const Level>& level, const std::filesystem::path& rival);
+  void readList(Moment now);
+  std::vector<JoinForm::Found> foundServers() const;
   void join();
   void host();
   void load();
@@ -74,7 +77,10 @@ class FrontPages {
   ReplayPages replays_;
   JoinForm joinForm_;
   std::optional<NearServers> near_;  // since the page was shown
-  bool joins_ = false;               // the page was shown since the last update
+  std::string listUrl_;
+  std::optional<ListedServers> listed_;  // since the page was shown first
+  std::optional<Moment> listReadAt_;
+  bool joins_ = false;  // the page was shown since the last update
   HostForm hostForm_;
 };
 

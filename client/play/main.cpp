@@ -9,6 +9,7 @@
 
 #include "client/files/settings_file.h"
 #include "client/files/user_folders.h"
+#include "client/lobby/listed_servers.h"
 #include "client/lobby/near_servers.h"
 #include "client/play/client_options.h"
 #include "client/play/edit_play.h"
@@ -45,7 +46,7 @@ void benchmark(const ClientOptions& options) {
 }
 
 // One search; a server in the same network answers within milliseconds.
-void listServers(const Clock& clock) {
+void listNearServers(const Clock& clock) {
   NearServers servers = searchNearby();
   for (const Moment end = clock.now() + std::chrono::seconds(1); clock.now() < end && !stopRequested();) {
     servers.update(clock.now());
@@ -57,6 +58,28 @@ void listServers(const Clock& clock) {
   std::fputs(textOf(servers.list()).c_str(), stdout);
 }
 
+// Returns the exit code: 1 if the list could not be read as a whole.
+int printListedServers(const std::string& url, const Clock& clock) {
+  ListedServers servers(url);
+  for (Moment end = clock.now() + std::chrono::seconds(1); clock.now() < end && !stopRequested();) {
+    servers.update(clock.now());
+    if (servers.reading()) end = clock.now() + std::chrono::seconds(1);
+    servers.wait(std::chrono::milliseconds(20));
+  }
+  servers.update(clock.now());
+  for (const std::string& fault : servers.faults()) std::fprintf(stderr, "platon-client: %s\n", fault.c_str());
+  if (servers.list().empty() && servers.faults().empty())
+    std::fputs("platon-client: no server of the list answers\n", stderr);
+  std::fputs(textOf(servers.list()).c_str(), stdout);
+  return servers.faults().empty() ? 0 : 1;
+}
+
+int listServers(const ClientOptions& options, const Clock& clock) {
+  if (!options.listUrl.empty()) return printListedServers(options.listUrl, clock);
+  listNearServers(clock);
+  return 0;
+}
+
 int play(int argc, char** argv) {
   std::optional<ClientOptions> options = readClientOptions(argc, argv);
   if (!options) return 0;
@@ -66,10 +89,7 @@ int play(int argc, char** argv) {
     FramePlay(*options, loadLevelFiles({options->level}).levels.front()).run(stopRequested);
     return 0;
   }
-  if (options->list) {
-    listServers(steadyClock());
-    return 0;
-  }
+  if (options->list) return listServers(*options, steadyClock());
   if (options->benchmark) {
     benchmark(*options);
     return 0;

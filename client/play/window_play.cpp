@@ -48,7 +48,8 @@ WindowPlay::WindowPlay(const ClientOptions& options, const Clock& clock)
       view_(std::max(window_.pixelWidth(), 1u), std::max(window_.pixelHeight(), 1u)),
       front_(menu_, interface_.settings(), RecentServers(recentServersFile()),
              {[this](const MatchChoice& choice) { start(choice); }, [this] { leaving_ = true; },
-              [this](const std::filesystem::path& file) { watch(file); }}),
+              [this](const std::filesystem::path& file) { watch(file); }},
+             options.listUrl),
       hints_(interface_.settings()),
       startedAt_(clock.now()),
       drawnAt_(startedAt_) {

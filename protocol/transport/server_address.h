@@ -15,6 +15,8 @@ struct ServerAddress {
 
   /// "HOST:PORT", or "[HOST]:PORT" for an IPv6 address.
   std::string text() const;
+
+  friend bool operator==(const ServerAddress&, const ServerAddress&) = default;
 };
 
 /// Parses `HOST[:PORT]`, where an IPv6 address with a port is in brackets. Throws std::invalid_argument with a sentence

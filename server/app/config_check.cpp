@@ -6,6 +6,7 @@
 #include "protocol/program_error.h"
 #include "protocol/transport/secret_file.h"
 #include "protocol/transport/udp_socket.h"
+#include "server/admin/announcement.h"
 #include "server/admin/ban_store.h"
 #include "server/admin/console_socket.h"
 #include "server/admin/metrics_server.h"
@@ -77,6 +78,10 @@ class Checker {
     });
   }
 
+  void checkAnnouncement(const ServerOptions& options) {
+    attempt([&] { (void)announcementOf(options.announce, options.announceAs, ServerIdentity::random()); });
+  }
+
   // At any free port, because the server may be running.
   void checkAddresses(const ServerOptions& options) {
     attempt([&] { UdpSocket(options.bind, 0); });
@@ -105,6 +110,7 @@ ConfigCheck checkConfig(const CommandLine& line) {
   checker.checkBans(options.banFile);
   checker.checkBestTimes(options.bestTimes);
   checker.checkSecrets(options);
+  checker.checkAnnouncement(options);
   checker.checkAddresses(options);
   return checker.take();
 }

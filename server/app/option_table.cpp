@@ -143,6 +143,20 @@ const std::array kOptions{
                  .whenEmpty = "none",
                  .needsRestart = false,
                  .mustBe = "an address of a server of at most 128 bytes, such as play.example.org:7777",
+                 .accepts = &isOtherServer},
+    ServerOption{
+        .name = "announce",
+        .placeholder = "FILE",
+        .field = &ServerOptions::announce,
+        .help = "List of servers that this one enters itself into, for a web server to publish; made if missing",
+        .whenEmpty = "none",
+        .isPath = true},
+    ServerOption{.name = "announce-as",
+                 .placeholder = "HOST:PORT",
+                 .field = &ServerOptions::announceAs,
+                 .help = "Address in this list, at which players reach the server",
+                 .whenEmpty = "none",
+                 .mustBe = "an address of a server of at most 128 bytes, such as play.example.org:7777",
                  .accepts = &isOtherServer}};
 static_assert(kMaxNameBytes == 32);
 

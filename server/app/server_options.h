@@ -29,6 +29,8 @@ struct ServerOptions {
   std::string chat = "on";          ///< or "off"
   std::uint32_t drain = 0;          ///< longest time to drain at SIGTERM, seconds; 0: stops at once
   std::string drainTo{};            ///< address of the server where players go on; empty: none
+  std::string announce{};           ///< file: list of servers with this one; empty: none
+  std::string announceAs{};         ///< address in this list, where players join; not empty if `announce` is not
 
   friend bool operator==(const ServerOptions&, const ServerOptions&) = default;
 };

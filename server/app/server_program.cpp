@@ -85,6 +85,7 @@ ServerProgram::ServerProgram(const CommandLine& line, const ServerOptions& optio
       levelFiles_(levelFilesOf(options)),
       server_(settingsOf(options, log), load(levelFiles_.files(), log), log),
       agones_(agonesPortOf(std::getenv(kAgonesPortVariable)), steadyNow),
+      announcement_(announcementOf(options.announce, options.announceAs, server_.identity())),
       console_(server_.match(), bans_, consoleProgram()),
       metricsServer_(metricsServerOf(options.metrics)),
       startedAt_(steadyNow()) {
@@ -120,6 +121,23 @@ void ServerProgram::announce() {
   else
     log.warning("no console: " + whyNoConsole_);
   if (metricsServer_) log.info("metrics on " + metricsServer_->address().text());
+  enterList();
+}
+
+void ServerProgram::enterList() {
+  if (!announcement_) return;
+  const std::string fault = announcement_->enter(options_.name);
+  const std::vector<LogField> fields{{"file", options_.announce}, {"address", options_.announceAs}};
+  if (fault.empty())
+    server_.log().info("announced", fields);
+  else
+    server_.log().warning("not announced", {{"file", options_.announce}, {"reason", fault}});
+}
+
+void ServerProgram::leaveList() {
+  const std::string fault = announcement_ ? announcement_->leave() : "";
+  if (!fault.empty())
+    server_.log().warning("not taken out of the list of servers", {{"file", options_.announce}, {"reason", fault}});
 }
 
 void ServerProgram::run(const std::function<bool()>& stopRequested) {
@@ -135,6 +153,7 @@ void ServerProgram::run(const std::function<bool()>& stopRequested) {
     if (stops) serviceManager_.stopping();
     return stops;
   });
+  leaveList();
   logBans(bans_.finish());
   agones_.finish(server_.log());
 }
@@ -152,6 +171,7 @@ ConsoleReply ServerProgram::drain(const DrainCommand& command) {
   const std::string& next = command.next.empty() ? options_.drainTo : command.next;
   drain_.begin(steadyNow(), limit, next);
   server_.setNextServer(next);
+  leaveList();
   std::vector<LogField> fields{{"seconds", std::uint64_t(limit.count())}};
   if (!next.empty()) fields.push_back({"next", next});
   server_.log().info("draining", fields);
@@ -243,6 +263,7 @@ std::string ServerProgram::takeOver(const ServerOptions& fresh) {
       waiting += (waiting.empty() ? "; restart the server to change " : ", ") + std::string(option.name);
   }
   server_.setName(options_.name);
+  if (!drain_.begun()) enterList();
   server_.log().setFormat(options_.logFormat);
   return waiting;
 }

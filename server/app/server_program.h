@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "protocol/files/file_watch.h"
+#include "server/admin/announcement.h"
 #include "server/admin/ban_store.h"
 #include "server/admin/console.h"
 #include "server/admin/console_server.h"
@@ -57,6 +58,8 @@ class ServerProgram {
 
   void openConsole();
   ConsoleProgram consoleProgram();
+  void enterList();
+  void leaveList();
   ConsoleReply drain(const DrainCommand& command);
   bool hasDrained(TimePoint now);
   ConsoleReply readAgain();
@@ -73,6 +76,7 @@ class ServerProgram {
   Drain drain_{server_.match()};
   AgonesLink agones_;
   ServiceManager serviceManager_{ServiceManager::Environment::current()};
+  std::optional<Announcement> announcement_;  // nothing: in no list
   Console console_;
   std::unique_ptr<ConsoleServer> consoleServer_;  // null: none
   std::string whyNoConsole_;

@@ -73,7 +73,7 @@ class Includes(Tree):
             "audio": ["job", "scene"],
             "menu": ["netcode", "scene", "ui"],
             "menu/pages": ["netcode", "quality", "scene", "ui", "menu"],
-            "lobby": ["time", "net", "netcode", "scene", "ui", "menu", "menu/pages"],
+            "lobby": ["time", "job", "net", "netcode", "scene", "ui", "menu", "menu/pages"],
             "editor": ["netcode", "scene", "ui", "menu", "menu/pages"],
             "replay": ["job", "netcode", "scene", "ui"],
             "files": ["time", "net", "netcode", "desync", "session", "scene", "ui"],

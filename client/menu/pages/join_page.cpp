@@ -27,14 +27,16 @@ MenuPage joinPage(JoinForm& form, const std::function<void()>& join) {
   page.place = MenuPage::Place::kLeft;
   page.warning = !form.fault.empty();
   page.notes.push_back(form.fault.empty() ? "Ask who runs the server for its address: HOST or HOST:PORT." : form.fault);
+  if (!form.listFault.empty()) page.notes.push_back(form.listFault);
   page.items.push_back(fieldItem("Address", form.address, false));
   if (form.asksPassword) page.items.push_back(fieldItem("Password", form.password, true));
   page.items.push_back({.name = "Join", .choose = join});
   if (!form.recent.empty()) page.items.push_back({MenuItem::Kind::kHeading, "Joined before"});
   for (const std::string& address : form.recent) page.items.push_back(serverItem(address, "", address, form, join));
   // Last, so that a server that appears moves no item from under the focus.
-  if (!form.near.empty()) page.items.push_back({MenuItem::Kind::kHeading, "Nearby"});
-  for (const JoinForm::Near& server : form.near)
+  if (!form.found.empty())
+    page.items.push_back({MenuItem::Kind::kHeading, form.hasList ? "Nearby and in the list" : "Nearby"});
+  for (const JoinForm::Found& server : form.found)
     page.items.push_back(serverItem(server.name, server.about, server.address, form, join));
   return page;
 }

@@ -11,7 +11,7 @@ namespace platon {
 
 /// What the player enters to join a server.
 struct JoinForm {
-  struct Near {
+  struct Found {
     std::string name;
     std::string address;
     std::string about;  ///< players, round-trip time, what keeps a player out
@@ -22,7 +22,9 @@ struct JoinForm {
   bool asksPassword = false;          ///< the server has asked for a password
   std::string fault{};                ///< what is wrong with the address or the password; empty: nothing
   std::vector<std::string> recent{};  ///< addresses of servers that were joined, the newest first
-  std::vector<Near> near{};           ///< servers that answer in the networks of this machine
+  std::vector<Found> found{};         ///< servers that answer: those nearby and those of a list
+  bool hasList = false;               ///< there is a list
+  std::string listFault{};            ///< why the list, or a server in it, is left out; empty: it is not
 };
 
 /// The page on which the player enters the address of a server. `join` is called with the present form. `form` outlives

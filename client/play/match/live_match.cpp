@@ -33,8 +33,7 @@ LiveMatch::LiveMatch(const ClientOptions& options, const MatchChoice& choice, co
       time_(std::make_shared<PausableClock>(clock.now)) {
   ClientOptions joined = options;
   joined.server = choice.server;
-  joined.knowledge = {};
-  joined.knowledge.password = choice.password;
+  joined.knowledge = {choice.key, choice.password};
   if (!choice.server) {
     server_.emplace(choice.own, time_);
     joined.knowledge = {server_->identity(), Password(choice.own.password)};

@@ -22,6 +22,7 @@ namespace platon {
 struct MatchChoice {
   std::optional<ServerAddress> server{};  ///< nothing: a server in this program
   Password password{};                    ///< of that server
+  std::optional<CryptoKey> key{};         ///< of that server, from a list; nothing: the one that the client remembers
   EmbeddedSettings own{};                 ///< of the server in this program
   std::filesystem::path rival{};          ///< a recording that runs as a ghost, whatever the settings; empty: none
 };

@@ -42,9 +42,10 @@ std::shared_ptr<LevelStore> levelStore(const ClientOptions& options, const Serve
   return std::make_shared<LevelCache>(folder / "levels", server);
 }
 
+// Empty if the key of the server is known without the file: a list of servers tells new keys, too.
 std::filesystem::path knownServersFile(const ClientOptions& options) {
   const std::filesystem::path folder = dataFolder();
-  return folder.empty() || !options.server ? std::filesystem::path() : folder / "known_servers";
+  return folder.empty() || options.knowledge.identity ? std::filesystem::path() : folder / "known_servers";
 }
 
 ServerKnowledge knowledgeOf(const ClientOptions& options, const KnownServers& servers, const ServerAddress& server) {

@@ -104,7 +104,7 @@ TEST_F(MenuPicturesTest, Join) {
   JoinForm form;
   form.address.setText("play.example.org:7777");
   form.recent = {"192.0.2.7:7777", "[2001:db8::7]:7777"};
-  form.near = {{"Ann's server", "192.0.2.9:7777", "192.0.2.9:7777, 3 of 8 players, 12 ms"}};
+  form.found = {{"Ann's server", "192.0.2.9:7777", "192.0.2.9:7777, 3 of 8 players, 12 ms"}};
   expectPage("join", joinPage(form, [] {}), 1);
   form.asksPassword = true;
   form.password.setText("secret");

@@ -6,11 +6,14 @@
 #include <gtest/gtest.h>
 
 #include "client/files/user_folders.h"
+#include "client/time/steady_now.h"
+#include "tests/client/lobby/web_server.h"
 #include "tests/client/replay/followed_game.h"
 #include "tests/shared/game/played_game.h"
 #include "tests/support/environment_variable.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/wait_until.h"
 
 namespace platon {
 namespace {
@@ -124,6 +127,26 @@ TEST_F(FrontPagesTest, ARaceOnAnotherLevelTakesItFromTheRecording) {
   ASSERT_TRUE(started_);
   ASSERT_EQ(started_->own.levels.size(), 1U);
   EXPECT_EQ(readText(started_->own.levels[0]), game.game.level().text);
+}
+
+// The key of the list is expected, whatever the client remembers for the address.
+TEST_F(FrontPagesTest, JoinsAServerOfTheListUnderTheKeyOfTheList) {
+  const ServerIdentity identity = ServerIdentity::random();
+  const std::string list = serverListText({listedServer(identity, {"127.0.0.1", 1}, "Listed")});
+  const WebServer web([&](std::string_view) { return WebServer::ok(list); });
+  FrontPages pages(menu_, settings_, RecentServers(folder_ / "recent"),
+                   {[this](const MatchChoice& choice) { started_ = choice; }, [] {}}, web.url());
+  pages.showTitle();
+  tap(Key::kArrowDown, 2);
+  tap(Key::kEnter);
+  type("127.0.0.1:1");
+  EXPECT_TRUE(waitUntil([&] {
+    menu_.overlay(font_, false);
+    pages.update(steadyClock().now());
+    tap(Key::kEnter);
+    return started_ && started_->key;
+  }));
+  EXPECT_EQ(started_->key, identity.publicKey());
 }
 
 TEST_F(FrontPagesTest, JoinTakesAnAddressAndRefusesWhatIsNone) {

@@ -37,11 +37,20 @@ TEST_F(JoinPage, AServerThatWasJoinedBeforeIsOneClickAway) {
 
 TEST_F(JoinPage, AServerNearbyIsOneClickAwayToo) {
   form_.recent = {"one:7777"};
-  form_.near = {{"Den", "192.0.2.1:7778", "2/8 players, 3 ms"}};
+  form_.found = {{"Den", "192.0.2.1:7778", "2/8 players, 3 ms"}};
   EXPECT_TRUE(has("Nearby"));
   EXPECT_EQ(page().items.back().value, "2/8 players, 3 ms");
   page().items.back().choose();
   EXPECT_EQ(joined_, "192.0.2.1:7778");
+}
+
+TEST_F(JoinPage, TellsWhyAListIsLeftOut) {
+  form_.hasList = true;
+  form_.found = {{"Den", "192.0.2.1:7778", "2/8 players, 3 ms"}};
+  EXPECT_TRUE(has("Nearby and in the list"));
+  EXPECT_EQ(page().notes.size(), 1u);
+  form_.listFault = "cannot read the list";
+  EXPECT_EQ(page().notes.back(), "cannot read the list");
 }
 
 TEST_F(JoinPage, AsksForAPasswordOnlyIfTheServerDoes) {

@@ -1,0 +1,80 @@
+#include "client/lobby/download.h"
+
+#include <curl/curl.h>
+
+#include <array>
+#include <memory>
+
+#include "platon_version.h"
+
+namespace platon {
+namespace {
+
+constexpr long kTimeout = 10;        // s
+constexpr long kConnectTimeout = 5;  // s
+constexpr long kMaxRedirections = 3;
+
+struct Transfer {
+  std::string content;
+  std::size_t maxBytes = 0;
+  std::stop_token stop;
+  bool tooLong = false;
+};
+
+// Called by curl with `count` bytes; another result than `count` ends the transfer.
+std::size_t take(const char* bytes, std::size_t size, std::size_t count, void* transfer) {
+  auto& into = *static_cast<Transfer*>(transfer);
+  into.tooLong = into.content.size() + size * count > into.maxBytes;
+  if (into.tooLong) return 0;
+  into.content.append(bytes, size * count);
+  return size * count;
+}
+
+// Called by curl again and again; another result than 0 ends the transfer.
+int progress(void* transfer, curl_off_t, curl_off_t, curl_off_t, curl_off_t) {
+  return static_cast<Transfer*>(transfer)->stop.stop_requested() ? 1 : 0;
+}
+
+// Curl wants one call before all others in the program.
+void startCurl() {
+  static const bool started = curl_global_init(CURL_GLOBAL_DEFAULT) == CURLE_OK;
+  if (!started) throw DownloadError("libcurl does not start");
+}
+
+void describe(CURL* curl, const std::string& url, Transfer& transfer, char* reason) {
+  const bool secure = url.starts_with("https://");
+  curl_easy_setopt(curl, CURLOPT_URL, url.c_str());
+  curl_easy_setopt(curl, CURLOPT_PROTOCOLS_STR, "http,https");
+  curl_easy_setopt(curl, CURLOPT_REDIR_PROTOCOLS_STR, secure ? "https" : "http,https");
+  curl_easy_setopt(curl, CURLOPT_FOLLOWLOCATION, 1L);
+  curl_easy_setopt(curl, CURLOPT_MAXREDIRS, kMaxRedirections);
+  curl_easy_setopt(curl, CURLOPT_FAILONERROR, 1L);
+  curl_easy_setopt(curl, CURLOPT_NOSIGNAL, 1L);
+  curl_easy_setopt(curl, CURLOPT_TIMEOUT, kTimeout);
+  curl_easy_setopt(curl, CURLOPT_CONNECTTIMEOUT, kConnectTimeout);
+  curl_easy_setopt(curl, CURLOPT_USERAGENT, ("platon-client/" + std::string(kVersion)).c_str());
+  curl_easy_setopt(curl, CURLOPT_ERRORBUFFER, reason);
+  curl_easy_setopt(curl, CURLOPT_WRITEFUNCTION, take);
+  curl_easy_setopt(curl, CURLOPT_WRITEDATA, &transfer);
+  curl_easy_setopt(curl, CURLOPT_NOPROGRESS, 0L);
+  curl_easy_setopt(curl, CURLOPT_XFERINFOFUNCTION, progress);
+  curl_easy_setopt(curl, CURLOPT_XFERINFODATA, &transfer);
+}
+
+}  // namespace
+
+std::string download(const std::string& url, std::size_t maxBytes, const std::stop_token& stop) {
+  startCurl();
+  const std::unique_ptr<CURL, decltype(&curl_easy_cleanup)> curl(curl_easy_init(), curl_easy_cleanup);
+  if (!curl) throw DownloadError("libcurl does not start");
+  Transfer transfer{{}, maxBytes, stop};
+  std::array<char, CURL_ERROR_SIZE> reason{};
+  describe(curl.get(), url, transfer, reason.data());
+  const CURLcode result = curl_easy_perform(curl.get());
+  if (transfer.tooLong) throw DownloadError("it has more than " + std::to_string(maxBytes) + " bytes");
+  if (stop.stop_requested()) throw DownloadError("stopped");
+  if (result != CURLE_OK) throw DownloadError(reason[0] != '\0' ? reason.data() : curl_easy_strerror(result));
+  return std::move(transfer.content);
+}
+
+}  // namespace platon

@@ -1,0 +1,91 @@
+#include "protocol/transport/server_list.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "protocol/label.h"
+#include "protocol/limits.h"
+
+namespace platon {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kServers = "platonServers";
+
+// What a server signs. A label has no line feed, nor has an address.
+std::string signedText(const ServerAddress& address, std::string_view name) {
+  return "platon server list\n" + address.text() + "\n" + std::string(name);
+}
+
+std::string textIn(const Json& entry, const char* key) {
+  const auto found = entry.find(key);
+  if (found == entry.end() || !found->is_string())
+    throw std::invalid_argument(std::string("\"") + key + "\" must be a text");
+  return found->get<std::string>();
+}
+
+ListedServer readEntry(const Json& entry) {
+  if (!entry.is_object()) throw std::invalid_argument("it must be an object");
+  ListedServer server;
+  const std::string address = textIn(entry, "address");
+  if (!isNextServer(address)) throw std::invalid_argument("\"address\" must be HOST:PORT of at most 128 bytes");
+  server.address = parseServerAddress(address);
+  server.name = textIn(entry, "name");
+  if (!isLabel(server.name, kMaxNameBytes)) throw std::invalid_argument("\"name\" is not one of a server");
+  const auto key = keyOf(textIn(entry, "key"));
+  const auto signature = signatureOf(textIn(entry, "signature"));
+  if (!key) throw std::invalid_argument("\"key\" is not one of a server");
+  if (!signature || !isSignature(*signature, signedText(server.address, server.name), *key))
+    throw std::invalid_argument("the signature is not one of this key; let the server write the entry again");
+  server.key = *key;
+  server.signature = *signature;
+  return server;
+}
+
+void refuseTwins(const std::vector<ListedServer>& servers, const ListedServer& server) {
+  const std::string address = server.address.text();
+  if (std::any_of(servers.begin(), servers.end(),
+                  [&](const ListedServer& other) { return other.address.text() == address; }))
+    throw std::invalid_argument("another entry has this address; leave one out");
+}
+
+}  // namespace
+
+ListedServer listedServer(const ServerIdentity& identity, const ServerAddress& address, std::string_view name) {
+  return {address, std::string(name), identity.publicKey(), identity.sign(signedText(address, name))};
+}
+
+std::string serverListText(const std::vector<ListedServer>& servers) {
+  Json entries = Json::array();
+  for (const ListedServer& server : servers) {
+    entries.push_back({{"address", server.address.text()},
+                       {"name", server.name},
+                       {"key", textOf(server.key)},
+                       {"signature", textOf(server.signature)}});
+  }
+  return Json{{kServers, entries}}.dump(2) + "\n";
+}
+
+std::variant<ServerList, ParseError> readServerList(std::string_view text) {
+  const Json json = text.size() <= kMaxServerListBytes ? Json::parse(text, nullptr, false) : Json();
+  const auto entries = json.find(kServers);
+  if (entries == json.end() || !entries->is_array())
+    return ParseError{"it is no list of servers: JSON of at most 512 KiB with the key \"platonServers\""};
+  if (entries->size() > kMaxListedServers) return ParseError{"it has more than 1000 servers"};
+  ServerList list;
+  for (std::size_t i = 0; i < entries->size(); ++i) {
+    try {
+      const ListedServer server = readEntry((*entries)[i]);
+      refuseTwins(list.servers, server);
+      list.servers.push_back(server);
+    } catch (const std::invalid_argument& error) {
+      list.faults.push_back("server " + std::to_string(i + 1) + " of the list: " + error.what());
+    }
+  }
+  return list;
+}
+
+}  // namespace platon

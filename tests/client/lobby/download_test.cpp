@@ -1,0 +1,63 @@
+#include "client/lobby/download.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/client/lobby/web_server.h"
+
+namespace platon {
+namespace {
+
+using testing::HasSubstr;
+
+std::string faultOf(const std::string& url, std::size_t maxBytes = 1000, const std::stop_token& stop = {}) {
+  try {
+    return "no fault: " + download(url, maxBytes, stop);
+  } catch (const DownloadError& error) {
+    return error.what();
+  }
+}
+
+TEST(DownloadTest, ReturnsTheContent) {
+  const WebServer server([](std::string_view request) { return WebServer::ok("asked for " + std::string(request)); });
+  EXPECT_EQ(download(server.url("/list"), 1000), "asked for GET /list HTTP/1.1");
+}
+
+TEST(DownloadTest, TheLengthIsBounded) {
+  const WebServer server([](std::string_view) { return WebServer::ok(std::string(1001, 'x')); });
+  EXPECT_EQ(download(server.url(), 1001).size(), 1001u);
+  EXPECT_EQ(faultOf(server.url(), 1000), "it has more than 1000 bytes");
+}
+
+TEST(DownloadTest, NamesTheCauseOfAFailure) {
+  const WebServer missing([](std::string_view) { return std::string("HTTP/1.1 404 Not Found\r\n\r\n"); });
+  EXPECT_THAT(faultOf(missing.url()), HasSubstr("404"));
+  const WebServer cut([](std::string_view) { return std::string("HTTP/1.1 200 OK\r\nContent-Length: 9\r\n\r\nab"); });
+  EXPECT_THAT(faultOf(cut.url()), HasSubstr("remaining to read"));
+  const WebServer silent([](std::string_view) { return std::string(); });
+  EXPECT_THAT(faultOf(silent.url()), HasSubstr("Empty reply"));
+  EXPECT_NE(faultOf("http://127.0.0.1:1/"), "");
+}
+
+TEST(DownloadTest, LeavesTheWebForNothing) {
+  EXPECT_THAT(faultOf("file:///etc/hostname"), HasSubstr("not supported"));
+  const WebServer sly([](std::string_view) {
+    return std::string("HTTP/1.1 302 Found\r\nLocation: file:///etc/hostname\r\nContent-Length: 0\r\n\r\n");
+  });
+  EXPECT_THAT(faultOf(sly.url()), HasSubstr("not supported"));
+  const WebServer round([](std::string_view) {
+    return std::string("HTTP/1.1 302 Found\r\nLocation: /again\r\nContent-Length: 0\r\n\r\n");
+  });
+  EXPECT_THAT(faultOf(round.url()), HasSubstr("redirects"));
+}
+
+TEST(DownloadTest, CanBeStopped) {
+  const WebServer server(
+      [](std::string_view) { return std::string("HTTP/1.1 200 OK\r\nContent-Length: 9\r\n\r\nab"); });
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_EQ(faultOf(server.url(), 1000, stop.get_token()), "stopped");
+}
+
+}  // namespace
+}  // namespace platon
