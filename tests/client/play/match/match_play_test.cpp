@@ -90,7 +90,7 @@ TEST_F(MatchPlayTest, PlaysUnderDelayAndLeaves) {
 
 TEST_F(MatchPlayTest, ATextOfTheConsoleIsInThePictureForEightSeconds) {
   BanStore bans;
-  Console console(server_.server().match(), bans, {[] { return ""; }, {}, {}, [](std::string_view) {}});
+  Console console(server_.server().match(), bans, {[] { return ""; }, {}, {}, {}, [](std::string_view) {}});
   const auto say = [&](const std::string& text) {
     EXPECT_EQ(console.execute("say " + text, UtcTime()), (ConsoleReply{true, "said to 1 player"}));
     const Moment saidAt = server_.clock().now();
