@@ -54,5 +54,5 @@ RECORDING_FAULTS = [
               "if (seen && run.level == level.hash && run.rules == kRulesVersion) runs.push_back(run);",
               "if (seen && run.level == level.hash) runs.push_back(run);",
               "a time of older rules counts as the best one",
-              "RunStoreTest.RunsOfOlderRulesAreKeptAndSaySo"),
+              "RunStoreTest.RunsOfOlderRulesAreKept"),
 ]

@@ -108,6 +108,7 @@ TEST_F(FrontPagesTest, ARaceOnALevelOfTheGameStartsItAndTheOthersFollow) {
   const auto ghost = keepGhost(readText("tests/levels/ways/02_over_the_edge.recording"));
   pages_.showRun(ghost);
   EXPECT_EQ(pages_.shownLevel()->title, "Over the edge");
+  EXPECT_TRUE(waitUntil([&] { return shows("Race"); }));
   tap(Key::kArrowDown);
   tap(Key::kEnter);
   ASSERT_TRUE(started_);
@@ -122,6 +123,7 @@ TEST_F(FrontPagesTest, ARaceOnAnotherLevelTakesItFromTheRecording) {
   game.holdToGoal(300, Input::kRight);
   const std::vector<std::uint8_t>& bytes = game.run.value().recording;
   pages_.showRun(keepGhost({reinterpret_cast<const char*>(bytes.data()), bytes.size()}));
+  EXPECT_TRUE(waitUntil([&] { return shows("Race"); }));
   tap(Key::kArrowDown);
   tap(Key::kEnter);
   ASSERT_TRUE(started_);

@@ -73,7 +73,7 @@ TEST_F(ConfigFileTest, ErrorsHaveALineAndAColumn) {
       errorOf("port = 7777\n  colour = 2\n"),
       ":2:3: error: 'colour' is not a key of the configuration; the keys are levels, bind, port, max-players, "
       "max-per-address, name, chat, log-format, record, record-limit, key-file, password-file, ban-file, best-times, "
-      "socket, metrics, drain and drain-to");
+      "socket, metrics, drain, drain-to, announce and announce-as");
   EXPECT_EQ(errorOf("port = 65536"), ":1:8: error: port must be a whole number from 0 to 65535");
   EXPECT_EQ(errorOf("port = 1.5"), ":1:8: error: port must be a whole number from 0 to 65535");
   EXPECT_EQ(errorOf("max-players = 0"), ":1:15: error: max-players must be a whole number from 1 to 256");
@@ -105,7 +105,7 @@ TEST_F(ConfigFileTest, ReportsAllErrorsInTheOrderOfTheText) {
                                       "f:3:1: error: 'colour' is not a key of the configuration; the keys are levels, "
                                       "bind, port, max-players, max-per-address, name, chat, log-format, record, "
                                       "record-limit, key-file, password-file, ban-file, best-times, "
-                                      "socket, metrics, drain and drain-to",
+                                      "socket, metrics, drain, drain-to, announce and announce-as",
                                       "f:5:8: error: bind must be a string in quotes"}));
   EXPECT_EQ(options.maxPlayers, 5u);
 }
