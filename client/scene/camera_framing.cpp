@@ -7,7 +7,7 @@
 namespace platon {
 namespace {
 
-constexpr double kPart = 0.65;  // of the way to the centre, up to the largest shift
+constexpr double kPart = 0.85;  // of the way to the centre, up to the largest shift
 
 }  // namespace
 

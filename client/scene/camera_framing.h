@@ -8,7 +8,7 @@
 
 namespace platon {
 
-constexpr double kMaxFramingShift = 0.3;  ///< in half shorter sides of the picture
+constexpr double kMaxFramingShift = 0.5;  ///< in half shorter sides of the picture
 
 /// How far the middle of the picture is from a player who stands still at `place`, along the axes of the target, in
 /// level units. It lies towards the solid's centre, so that the picture shows more of the solid; on a face that is much

@@ -7,34 +7,21 @@
 #include <glm/mat4x4.hpp>
 
 #include "client/gl/draw_calls.h"
-#include "client/gl/shader_text.h"
 
 namespace platon {
 namespace {
 
 constexpr double kLength = 1.3;  // in circumradii of the solid
 constexpr double kRadius = StageModel::kGoalRadius;
-constexpr double kRingReach = 2.5;  // of what is drawn round the ring, in its radii
 constexpr float kAlpha = 0.55F;
-constexpr float kHiddenAlpha = 0.30F;
-constexpr float kHiddenRingAlpha = 0.45F;
+constexpr float kHiddenAlpha = 0.55F;
 const Colour kLight(1.0F, 0.84F, 0.36F);  // as the ring of the goal
 
 glm::dvec3 footOf(const StageModel& stage) { return stage.mesh.toWorld(stage.goal.face, glm::dvec2(stage.goal.place)); }
 
 }  // namespace
 
-BeamPainter::BeamPainter() : beam_("beam"), ring_(shaderText("beam.vert"), shaderText("halo.frag")) {}
-
 void BeamPainter::draw(const StageModel& stage, const Camera& camera, float strength, float seconds) {
-  glBindVertexArray(array_.name());
-  glDepthMask(GL_FALSE);
-  drawBeam(stage, camera, strength, seconds);
-  drawHiddenRing(stage, camera, strength, seconds);
-  glDepthMask(GL_TRUE);
-}
-
-void BeamPainter::drawBeam(const StageModel& stage, const Camera& camera, float strength, float seconds) {
   const SolidMesh& mesh = stage.mesh;
   const glm::dvec3 foot = footOf(stage);
   const glm::dvec3 normal = mesh.normal(stage.goal.face);
@@ -43,6 +30,8 @@ void BeamPainter::drawBeam(const StageModel& stage, const Camera& camera, float 
   const double sine = glm::length(across);  // of the angle between beam and line of sight
   if (sine < 0.02) return;
   const double length = kLength * mesh.circumradius();
+  glBindVertexArray(array_.name());
+  glDepthMask(GL_FALSE);
   const auto fade = static_cast<float>(std::clamp(sine * 1.6 - 0.25, 0.0, 1.0));
   beam_.use();
   beam_.set("toClip", glm::mat4(camera.viewProjection()));
@@ -51,31 +40,15 @@ void BeamPainter::drawBeam(const StageModel& stage, const Camera& camera, float 
   beam_.set("aside", glm::vec3(across * (kRadius / sine)));
   beam_.set("tilt", static_cast<float>(kRadius * std::abs(glm::dot(normal, toEye)) / (length * sine)));
   beam_.set("seconds", seconds);
+  beam_.set("hidden", false);
   beam_.set("colour", glm::vec4(kLight, kAlpha * fade * strength));
   DrawCalls::arrays(GL_TRIANGLE_STRIP, 4);
-  beam_.set("colour", glm::vec4(kLight, kHiddenAlpha * strength));
+  beam_.set("hidden", true);
+  beam_.set("colour", glm::vec4(kLight, kHiddenAlpha * std::min(strength, 1.0F)));
   glDepthFunc(GL_GREATER);
   DrawCalls::arrays(GL_TRIANGLE_STRIP, 4);
   glDepthFunc(GL_LEQUAL);
-}
-
-void BeamPainter::drawHiddenRing(const StageModel& stage, const Camera& camera, float strength, float seconds) {
-  const SolidMesh& mesh = stage.mesh;
-  if (glm::dot(mesh.normal(stage.goal.face), camera.eye()) > mesh.inradius()) return;
-  const glm::dmat4& toWorld = mesh.faceToWorld(stage.goal.face);
-  const glm::dvec3 aside = glm::dvec3(toWorld[0]) * (kRingReach * kRadius);
-  const glm::dvec3 up = glm::dvec3(toWorld[1]) * (kRingReach * kRadius);
-  ring_.use();
-  ring_.set("toClip", glm::mat4(camera.viewProjection()));
-  ring_.set("foot", glm::vec3(footOf(stage) - up));
-  ring_.set("way", glm::vec3(2.0 * up));
-  ring_.set("aside", glm::vec3(aside));
-  ring_.set("reach", static_cast<float>(kRingReach));
-  ring_.set("seconds", seconds);
-  ring_.set("colour", glm::vec4(kLight, kHiddenRingAlpha * std::min(strength, 1.0F)));
-  glDepthFunc(GL_GREATER);
-  DrawCalls::arrays(GL_TRIANGLE_STRIP, 4);
-  glDepthFunc(GL_LEQUAL);
+  glDepthMask(GL_TRUE);
 }
 
 }  // namespace platon

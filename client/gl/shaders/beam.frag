@@ -2,7 +2,10 @@ in vec2 at;
 uniform vec4 colour;
 uniform float tilt;       // half the height of the foot as it is seen from the side, in lengths of the beam
 uniform float seconds;    // time of the animation
+uniform bool hidden;      // by the solid
 out vec4 result;
+
+const float kDashes = 18.0;  // along the beam
 
 // Rings that rise, by their height.
 float ringsAt(float high) {
@@ -10,8 +13,20 @@ float ringsAt(float high) {
   return (1.0 - smoothstep(0.0, 0.06, abs(phase))) * step(0.0, high);
 }
 
+// What the solid hides is drawn as hidden lines are: a thin line of dashes, which nobody takes for light on the face in
+// front.
+float dashesAt(float aside, float high) {
+  float line = 1.0 - smoothstep(0.10, 0.17, aside);
+  float dash = abs(fract(kDashes * high) - 0.5);
+  return line * (1.0 - smoothstep(0.20, 0.25, dash)) * (1.0 - high);
+}
+
 // A tube of light that stands on the ring of the goal and tapers to a thread.
 void main() {
+  if (hidden) {
+    result = vec4(colour.rgb, colour.a * dashesAt(abs(at.x), at.y));
+    return;
+  }
   float wide = 1.0 - 0.82 * at.y;
   float across = min(abs(at.x) / wide, 1.0);
   float round = sqrt(1.0 - across * across);

@@ -299,7 +299,8 @@ TEST_F(RenderTest, AReachedGoalIsARingRoundADarkDepth) {
   EXPECT_GT(brightnessAt(0.8), brightnessAt(0.2) + 0.1) << "light rises towards the ring";
 }
 
-TEST_F(RenderTest, TheRingOfTheGoalIsSeenThroughTheSolid) {
+// Seen through the solid, a ring would look as if it lay on the face in front.
+TEST_F(RenderTest, TheRingOfAHiddenGoalIsNotSeen) {
   const auto stage = cube();
   Scene scene = sceneOf(stage);
   scene.focus = stage->mesh.pose(stage->mesh.faceTowards(-stage->mesh.normal(0)), {0, 0}, 0);
@@ -309,20 +310,26 @@ TEST_F(RenderTest, TheRingOfTheGoalIsSeenThroughTheSolid) {
       const glm::dvec2 place = glm::dvec2(stage->goal.place) + radius * glm::dvec2(std::cos(angle), std::sin(angle));
       return pixel(image, pixelOf(stage->mesh.toWorld(0, place)));
     };
-    EXPECT_GT(at(StageModel::kGoalRadius).r, at(1.8 * StageModel::kGoalRadius).r + 0.1F) << angle;
+    EXPECT_NEAR(at(StageModel::kGoalRadius).r, at(1.8 * StageModel::kGoalRadius).r, 0.03F) << angle;
   }
 }
 
-TEST_F(RenderTest, TheBeamOfTheGoalIsSeenFromTheOtherSide) {
+TEST_F(RenderTest, TheBeamOfAHiddenGoalIsALineOfDashes) {
   const auto stage = cube();
   Scene scene = sceneOf(stage);
-  const int opposite = stage->mesh.faceTowards(-stage->mesh.normal(0));
-  scene.focus = stage->mesh.pose(opposite, {0, 0}, 0);
-  const Image image = draw(scene);
+  scene.focus = stage->mesh.pose(stage->mesh.faceTowards(-stage->mesh.normal(0)), {0, 0}, 0);
+  const Image image = draw(scene, kStill);
   const glm::dvec3 foot = stage->mesh.toWorld(0, glm::dvec2(stage->goal.place));
-  const glm::ivec2 seen = pixelOf(foot + 20.0 * stage->mesh.normal(0));
-  const glm::ivec2 beside = seen + glm::ivec2(40, 0);
-  EXPECT_GT(brightness(pixel(image, seen)), brightness(pixel(image, beside)) + 0.02);
+  double brightest = 0;
+  double darkest = 1;
+  for (int along = 1; along <= 60; ++along) {
+    const glm::ivec2 seen = pixelOf(foot + 2.0 * along * stage->mesh.normal(0));
+    const double more = brightness(pixel(image, seen)) - brightness(pixel(image, seen + glm::ivec2(40, 0)));
+    brightest = std::max(brightest, more);
+    darkest = std::min(darkest, more);
+  }
+  EXPECT_GT(brightest, 0.1);
+  EXPECT_LT(darkest, 0.03);
 }
 
 TEST(Render, LargestAndSmallestSolidsShowTheirSegments) {
