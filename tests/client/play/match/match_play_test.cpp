@@ -259,7 +259,7 @@ TEST_F(MatchPlayTest, ReportsWhyTheMatchEnded) {
 
 TEST_F(MatchPlayTest, ThrowsForAnUnknownHost) {
   try {
-    MatchPlay(ClientOptions(), {"no such host", 1}, server_.clock().now());
+    const MatchPlay play(ClientOptions(), {"no such host", 1}, server_.clock().now());
     FAIL();
   } catch (const std::runtime_error& error) {
     EXPECT_EQ(std::string(error.what()), "cannot resolve host no such host");
@@ -274,7 +274,7 @@ TEST_F(MatchPlayTest, JoinsNoServerWhileAKnownKeyIsDamaged) {
   ClientOptions options;
   options.server = server_.address();
   try {
-    MatchPlay(options, server_.address(), server_.clock().now());
+    const MatchPlay play(options, server_.address(), server_.clock().now());
     FAIL();
   } catch (const ProgramError& error) {
     EXPECT_TRUE(std::string(error.what()).starts_with((folder / "platon/known_servers").string() + ":1: error: "));
