@@ -84,9 +84,6 @@ int run(int argc, char** argv) {
   } catch (const std::invalid_argument& error) {
     std::fprintf(stderr, "platon-bot: %s\n", error.what());
     return kUsage;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "platon-bot: %s\n", error.what());
-    return kFailed;
   }
 }
 
@@ -94,4 +91,11 @@ int run(int argc, char** argv) {
 
 }  // namespace platon
 
-int main(int argc, char** argv) { return platon::run(argc, argv); }
+int main(int argc, char** argv) {
+  try {
+    return platon::run(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "platon-bot: %s\n", error.what());
+    return platon::kFailed;
+  }
+}

@@ -135,10 +135,10 @@ struct EmbeddedServer::Running {
   std::thread thread;  // last: uses the members above from its start
 };
 
-EmbeddedServer::EmbeddedServer(const EmbeddedSettings& settings, std::shared_ptr<const PausableClock> clock) {
+EmbeddedServer::EmbeddedServer(const EmbeddedSettings& settings, const std::shared_ptr<const PausableClock>& clock) {
   try {
-    running_ = std::make_unique<Running>(settings, settings.levels.empty() ? shippedLevelFiles() : settings.levels,
-                                         std::move(clock));
+    running_ =
+        std::make_unique<Running>(settings, settings.levels.empty() ? shippedLevelFiles() : settings.levels, clock);
   } catch (const SocketError& error) {
     throw ProgramError(ProgramError::kFailed, error.what());
   }

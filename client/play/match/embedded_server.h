@@ -28,7 +28,8 @@ class EmbeddedServer {
   /// Starts the server. Throws ProgramError. When the file of its only level changes, a new round plays it. If it is
   /// invalid, the old level stays, and a notice and stderr say why. The server goes by `clock`; without it, by the
   /// clock of the system. A server that listens to the network has the identity of the user's other servers.
-  explicit EmbeddedServer(const EmbeddedSettings& settings, std::shared_ptr<const PausableClock> clock = nullptr);
+  explicit EmbeddedServer(const EmbeddedSettings& settings,
+                          const std::shared_ptr<const PausableClock>& clock = nullptr);
   /// Stops the server.
   ~EmbeddedServer();
   EmbeddedServer(const EmbeddedServer&) = delete;

@@ -100,7 +100,8 @@ TEST_F(RunStoreTest, TheOldestOfTooManyIsRemoved) {
   fs::create_directories(path_);
   for (std::size_t i = 0; i < RunStore::kMaxRuns; ++i) {
     std::string name = std::to_string(i);
-    name = std::string(16 - name.size(), '0') + name + "-7-5.recording";
+    name.insert(0, 16 - name.size(), '0');
+    name += "-7-5.recording";
     writeText(path_ / name, "x");
     fs::last_write_time(path_ / name, fs::file_time_type::clock::now() - std::chrono::hours(i + 1));
   }
