@@ -20,7 +20,8 @@ MEMBER = re.compile(r"([A-Z]\w*)::([a-z]\w*)(?:\(.*\))?")
 CONSTANT = re.compile(r"(?:[A-Z]\w*::)?(k[A-Z]\w+)")
 
 # Options of the tools of others that the docs name.
-FOREIGN_OPTIONS = {"--preset", "--build", "--target", "--from-file", "--now"}
+FOREIGN_OPTIONS = {"--preset", "--build", "--target", "--from-file", "--now", "--format", "--read-only",
+                   "--cap-drop", "--publish", "--volume"}  # fmt: skip
 
 
 def sources_of(root):

@@ -77,12 +77,12 @@ def built_packages(root):
     return [deb for deb in sorted((root / "build/packages").glob("*.deb")) if "-dbgsym_" not in deb.name]
 
 
-def machine_image(root):
-    """A minimal Debian 12 with systemd, as an archive."""
-    image = root / "build/packages/work/machine.tar"
+def debian_image(root, name, included):
+    """A minimal Debian 12 with some more packages, as an archive that is made once."""
+    image = root / f"build/packages/work/{name}.tar"
     if not image.exists():
-        partial = image.with_name("machine-partial.tar")
-        result = subprocess.run(["mmdebstrap", "--variant=minbase", f"--include={INCLUDED}", "bookworm", partial],
+        partial = image.with_name(f"{name}-partial.tar")
+        result = subprocess.run(["mmdebstrap", "--variant=minbase", f"--include={included}", "bookworm", partial],
                                 stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=600)  # fmt: skip
         if result.returncode != 0:
             skip(f"mmdebstrap cannot make a Debian 12 here: {result.stdout.strip().splitlines()[-1]}")
@@ -143,15 +143,19 @@ def boot(machine):
     return log.read_text(encoding="utf-8", errors="replace")
 
 
-def main(arguments):
-    root = Path(arguments[1]).resolve()
+def skip_without(*tools):
     if os.geteuid() != 0:
         skip("only root can boot a machine")
-    missing = [tool for tool in TOOLS if not shutil.which(tool)]
+    missing = [tool for tool in tools if not shutil.which(tool)]
     if missing:
         skip(f"these programs are missing: {' '.join(missing)}")
+
+
+def main(arguments):
+    root = Path(arguments[1]).resolve()
+    skip_without(*TOOLS)
     debs = built_packages(root)
-    image = machine_image(root)
+    image = debian_image(root, "machine", INCLUDED)
     machine = Path(tempfile.mkdtemp(prefix="platon-machine-", dir="/var/tmp"))
     try:
         run("tar", "-C", machine, "-xf", image)
