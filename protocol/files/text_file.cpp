@@ -25,10 +25,11 @@ bool writeAll(const Descriptor& file, std::string_view content) {
   return true;
 }
 
-// Gives the new file owner and access rights of the old one. The owner stays the user's where that is not allowed.
-bool takeRights(const Descriptor& file, const std::string& old) {
+// Gives the new file owner and access rights of the old one, or `rights` if there is none. The owner stays the user's
+// where that is not allowed.
+bool takeRights(const Descriptor& file, const std::string& old, mode_t rights) {
   struct stat status {};
-  if (stat(old.c_str(), &status) != 0) return true;
+  if (stat(old.c_str(), &status) != 0) return fchmod(file.number(), rights) == 0;
   if (fchown(file.number(), status.st_uid, status.st_gid) != 0 && errno != EPERM) return false;
   return fchmod(file.number(), status.st_mode & 07777) == 0;
 }
@@ -40,9 +41,12 @@ bool syncFolder(const std::filesystem::path& file) {
   return opened && (fsync(opened.number()) == 0 || errno == EINVAL);
 }
 
+constexpr mode_t kOwnRights = 0600;
+constexpr mode_t kPublicRights = 0644;
+
 enum class Wait { kForDisk, kNot };
 
-std::string replaceFile(const std::string& path, std::string_view content, Wait wait) {
+std::string replaceFile(const std::string& path, std::string_view content, Wait wait, mode_t rights = kOwnRights) {
   std::error_code missing;
   const std::filesystem::path linked = std::filesystem::canonical(path, missing);
   const std::string target = missing ? path : linked.string();
@@ -50,8 +54,8 @@ std::string replaceFile(const std::string& path, std::string_view content, Wait 
   const Descriptor file(mkstemp(temporary.data()));
   if (!file) return std::strerror(errno);
   const bool waits = wait == Wait::kForDisk;
-  const bool replaced = writeAll(file, content) && takeRights(file, target) && (!waits || fsync(file.number()) == 0) &&
-                        std::rename(temporary.c_str(), target.c_str()) == 0;
+  const bool replaced = writeAll(file, content) && takeRights(file, target, rights) &&
+                        (!waits || fsync(file.number()) == 0) && std::rename(temporary.c_str(), target.c_str()) == 0;
   const int fault = errno;
   if (replaced) return !waits || syncFolder(target) ? std::string() : std::strerror(errno);
   unlink(temporary.c_str());
@@ -72,6 +76,10 @@ std::variant<std::string, ParseError> readTextFile(const std::string& path, std:
 
 std::string replaceTextFile(const std::string& path, std::string_view content) {
   return replaceFile(path, content, Wait::kForDisk);
+}
+
+std::string replacePublicFile(const std::string& path, std::string_view content) {
+  return replaceFile(path, content, Wait::kForDisk, kPublicRights);
 }
 
 std::string replaceCachedFile(const std::string& path, std::string_view content) {

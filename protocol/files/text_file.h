@@ -13,12 +13,15 @@ namespace platon {
 std::variant<std::string, ParseError> readTextFile(const std::string& path, std::size_t maxBytes);
 
 /// Replaces the content of a file: at any time the file holds all of the old content or all of the new one, also after
-/// a power failure. Keeps the access rights of the file, and a symbolic link to it. Returns the reason of the system if
-/// that fails, or an empty text. May wait for the disk.
+/// a power failure. Keeps the access rights of the file, and a symbolic link to it; only its owner may read a new file.
+/// Returns the reason of the system if that fails, or an empty text. May wait for the disk.
 std::string replaceTextFile(const std::string& path, std::string_view content);
 
-/// As above, but does not wait for the disk: after a power failure the file may be empty or the old one. For what can
-/// be made again.
+/// As above, but everybody may read a new file, whatever the umask: for what another program publishes.
+std::string replacePublicFile(const std::string& path, std::string_view content);
+
+/// As replaceTextFile, but does not wait for the disk: after a power failure the file may be empty or the old one. For
+/// what can be made again.
 std::string replaceCachedFile(const std::string& path, std::string_view content);
 
 }  // namespace platon

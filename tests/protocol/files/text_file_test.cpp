@@ -14,10 +14,28 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// The mask of access rights of this program while this lives.
+class Umask {
+ public:
+  explicit Umask(mode_t mask) : before_(umask(mask)) {}
+  ~Umask() { umask(before_); }
+  Umask(const Umask&) = delete;
+  Umask& operator=(const Umask&) = delete;
+
+ private:
+  mode_t before_;
+};
+
 class TextFileTest : public testing::Test {
  protected:
   std::size_t filesInFolder() const {
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator()));
+  }
+
+  mode_t rights() const {
+    struct stat status {};
+    EXPECT_EQ(stat(path_.c_str(), &status), 0);
+    return status.st_mode & 0777u;
   }
 
   const TemporaryFolder folder_;
@@ -55,9 +73,21 @@ TEST_F(TextFileTest, KeepsTheAccessRights) {
   for (const mode_t mode : {0640u, 0600u, 0664u}) {
     ASSERT_EQ(chmod(path_.c_str(), mode), 0);
     EXPECT_EQ(replaceTextFile(path_, "new"), "");
-    struct stat status {};
-    ASSERT_EQ(stat(path_.c_str(), &status), 0);
-    EXPECT_EQ(status.st_mode & 0777u, mode);
+    EXPECT_EQ(rights(), mode);
+    EXPECT_EQ(replacePublicFile(path_, "newer"), "");
+    EXPECT_EQ(rights(), mode);
+  }
+}
+
+TEST_F(TextFileTest, OnlyAPublicFileCanBeReadByOthersWhenItIsNew) {
+  for (const mode_t mask : {0022u, 0077u, 0000u}) {
+    const Umask umask(mask);
+    fs::remove(path_);
+    EXPECT_EQ(replacePublicFile(path_, "list"), "");
+    EXPECT_EQ(rights(), 0644u) << mask;
+    fs::remove(path_);
+    EXPECT_EQ(replaceTextFile(path_, "mine"), "");
+    EXPECT_EQ(rights(), 0600u) << mask;
   }
 }
 
