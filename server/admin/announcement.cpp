@@ -3,12 +3,15 @@
 #include <fcntl.h>
 #include <sys/file.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <exception>
 #include <filesystem>
+#include <system_error>
+#include <thread>
 #include <utility>
 #include <variant>
-#include <vector>
 
 #include "protocol/files/descriptor.h"
 #include "protocol/files/text_file.h"
@@ -17,24 +20,42 @@
 namespace platon {
 namespace {
 
+constexpr std::chrono::milliseconds kLockInterval{20};
+
 // Lets one server at a time change a file. The lock is on a file beside it, because the file itself is replaced.
 class FileLock {
  public:
   explicit FileLock(const std::string& file)
       : lock_(::open((file + ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0644)) {
-    if (!lock_ || flock(lock_.number(), LOCK_EX) != 0) fault_ = std::strerror(errno);
+    if (!lock_)
+      fault_ = std::strerror(errno);
+    else
+      take(file);
   }
 
   const std::string& fault() const { return fault_; }
 
  private:
+  // A lock that is awaited without a limit would keep the thread for ever if its holder does.
+  void take(const std::string& file) {
+    for (auto left = Announcement::kLockTime; flock(lock_.number(), LOCK_EX | LOCK_NB) != 0; left -= kLockInterval) {
+      if (errno != EWOULDBLOCK && errno != EINTR) fault_ = std::strerror(errno);
+      if (left <= kLockInterval) fault_ = "another program holds the lock on '" + file + ".lock'";
+      if (!fault_.empty()) return;
+      std::this_thread::sleep_for(kLockInterval);
+    }
+  }
+
   Descriptor lock_;
   std::string fault_;
 };
 
 // The servers in a file, none if it does not exist; or what is wrong with it.
 std::variant<std::vector<ListedServer>, ParseError> serversIn(const std::string& file) {
-  if (!std::filesystem::exists(file)) return std::vector<ListedServer>();
+  std::error_code fault;
+  const bool exists = std::filesystem::exists(file, fault);
+  if (fault) return ParseError{fault.message()};
+  if (!exists) return std::vector<ListedServer>();
   const auto text = readTextFile(file, kMaxServerListBytes);
   if (const auto* error = std::get_if<ParseError>(&text)) return *error;
   auto read = readServerList(std::get<std::string>(text));
@@ -44,36 +65,67 @@ std::variant<std::vector<ListedServer>, ParseError> serversIn(const std::string&
   return std::move(list.servers);
 }
 
+// Puts `own`, a list with the entry at this address or with none, in place of the entry that a file has there. Returns
+// why that failed, or an empty text.
+std::string replaceEntry(const std::string& file, const ServerAddress& address, std::string_view own) {
+  const FileLock lock(file);
+  if (!lock.fault().empty()) return lock.fault();
+  auto read = serversIn(file);
+  if (const auto* error = std::get_if<ParseError>(&read)) return error->what;
+  auto& servers = std::get<std::vector<ListedServer>>(read);
+  const auto before =
+      std::find_if(servers.begin(), servers.end(), [&](const ListedServer& each) { return each.address == address; });
+  const auto wanted = std::get<ServerList>(readServerList(own)).servers;
+  if (before == servers.end() ? wanted.empty() : wanted == std::vector{*before}) return {};
+  if (before != servers.end()) servers.erase(before);
+  servers.insert(servers.end(), wanted.begin(), wanted.end());
+  if (servers.size() > kMaxListedServers) return "the list is full: it has 1000 servers";
+  return replacePublicFile(file, serverListText(servers));
+}
+
+// In the thread of the writer, which takes no exceptions.
+FileWriter::Replace replaceEntryAt(const ServerAddress& address) {
+  return [address](const std::string& file, std::string_view own) -> std::string {
+    try {
+      return replaceEntry(file, address, own);
+    } catch (const std::exception& error) {
+      return error.what();
+    }
+  };
+}
+
 }  // namespace
 
-Announcement::Announcement(std::string file, const ServerIdentity& identity, ServerAddress address)
-    : file_(std::move(file)), identity_(identity), address_(std::move(address)) {
-  const auto servers = serversIn(file_);
+Announcement::Announcement(const std::string& file, const ServerIdentity& identity, ServerAddress address)
+    : identity_(identity),
+      address_(std::move(address)),
+      file_(std::make_unique<FileWriter>(file, FileWriter::startThread, replaceEntryAt(address_))) {
+  const auto servers = serversIn(file);
   if (const auto* error = std::get_if<ParseError>(&servers)) {
-    throw ProgramError(ProgramError::kUsage, "cannot announce the server in '" + file_ + "': " + error->what +
+    throw ProgramError(ProgramError::kUsage, "cannot announce the server in '" + file + "': " + error->what +
                                                  "; correct the file or name another one after --announce");
   }
 }
 
-std::string Announcement::enter(std::string_view name) {
-  const ListedServer own = listedServer(identity_, address_, name);
-  return write(&own);
+void Announcement::enter(std::string_view name) { write(true, {listedServer(identity_, address_, name)}); }
+
+void Announcement::leave() { write(false, {}); }
+
+void Announcement::write(bool enters, const std::vector<ListedServer>& own) {
+  enters_ = enters;
+  told_ = false;
+  file_->write(serverListText(own));
 }
 
-std::string Announcement::leave() { return write(nullptr); }
+std::optional<Announcement::Outcome> Announcement::poll(FileWriter::Time now) { return outcomeOf(file_->poll(now)); }
 
-std::string Announcement::write(const ListedServer* own) {
-  const FileLock lock(file_);
-  if (!lock.fault().empty()) return lock.fault();
-  auto read = serversIn(file_);
-  if (const auto* error = std::get_if<ParseError>(&read)) return error->what;
-  auto& servers = std::get<std::vector<ListedServer>>(read);
-  std::erase_if(servers, [&](const ListedServer& server) {
-    return server.key == identity_.publicKey() || server.address == address_;
-  });
-  if (own != nullptr) servers.push_back(*own);
-  if (servers.size() > kMaxListedServers) return "the list is full: it has 1000 servers";
-  return replaceTextFile(file_, serverListText(servers));
+std::optional<Announcement::Outcome> Announcement::finish() { return outcomeOf(file_->finish()); }
+
+std::optional<Announcement::Outcome> Announcement::outcomeOf(const std::optional<std::string>& fault) {
+  if (fault) return Outcome{enters_, *fault};
+  if (told_ || file_->pending()) return std::nullopt;
+  told_ = true;
+  return Outcome{enters_, {}};
 }
 
 std::optional<Announcement> announcementOf(const std::string& file, const std::string& address,

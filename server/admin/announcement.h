@@ -1,9 +1,13 @@
 #pragma once
 
+#include <chrono>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "protocol/files/file_writer.h"
 #include "protocol/transport/server_address.h"
 #include "protocol/transport/server_identity.h"
 #include "protocol/transport/server_list.h"
@@ -11,25 +15,45 @@
 namespace platon {
 
 /// The entry of a server in a list of servers (protocol/transport/server_list.h), a file that several servers of this
-/// machine may share and that any web server can publish. What the others wrote is kept.
+/// machine may share and that any web server can publish. What the others wrote is kept, also where they have the same
+/// key: the entry of this server is the one at its address. A thread writes the file, so nothing waits for the disk or
+/// for another server that holds the lock of the file.
 class Announcement {
  public:
-  /// `file` is created if it is missing; players join at `address`. Throws ProgramError if the file holds something
-  /// else than a list, or an entry that is damaged.
-  Announcement(std::string file, const ServerIdentity& identity, ServerAddress address);
+  /// How a change of the entry ended.
+  struct Outcome {
+    bool enters = false;  ///< the server was to be in the list, or else out of it
+    std::string fault;    ///< why that failed; empty: it is so
 
-  /// Puts the entry of the server with this name into the file, in place of older ones of its key or its address.
-  /// Returns why that failed, or an empty text. May wait for the disk, and for other servers that write the file.
-  std::string enter(std::string_view name);
+    friend bool operator==(const Outcome&, const Outcome&) = default;
+  };
+
+  /// Longest time that a change waits for another server to finish its own. Below FileWriter::kFinishTime.
+  static constexpr std::chrono::milliseconds kLockTime{3000};
+
+  /// `file` is created, readable by all, if it is missing; players join at `address`. Throws ProgramError if the file
+  /// holds something else than a list, or an entry that is damaged.
+  Announcement(const std::string& file, const ServerIdentity& identity, ServerAddress address);
+
+  /// Puts the entry of the server with this name into the file, in place of an older one of its address. `poll` writes.
+  void enter(std::string_view name);
   /// Takes the entry out; nothing if it is not there.
-  std::string leave();
+  void leave();
+  /// Call now and then: starts to write, again after a failure. Returns how the last change ended, once, and of its
+  /// failures each reason once in a row.
+  std::optional<Outcome> poll(FileWriter::Time now);
+  /// Tries once to make the last change, as FileWriter::finish does. Returns how it ended, as `poll` does.
+  std::optional<Outcome> finish();
 
  private:
-  std::string write(const ListedServer* own);
+  void write(bool enters, const std::vector<ListedServer>& own);
+  std::optional<Outcome> outcomeOf(const std::optional<std::string>& fault);
 
-  std::string file_;
   ServerIdentity identity_;
   ServerAddress address_;
+  std::unique_ptr<FileWriter> file_;  // its content is what this server contributes to the list
+  bool enters_ = false;               // the last change
+  bool told_ = true;                  // how it ended
 };
 
 /// The announcement in `file` at `address`, as isNextServer takes it; nothing without a file. Throws ProgramError, also

@@ -125,19 +125,22 @@ void ServerProgram::announce() {
 }
 
 void ServerProgram::enterList() {
-  if (!announcement_) return;
-  const std::string fault = announcement_->enter(options_.name);
-  const std::vector<LogField> fields{{"file", options_.announce}, {"address", options_.announceAs}};
-  if (fault.empty())
-    server_.log().info("announced", fields);
-  else
-    server_.log().warning("not announced", {{"file", options_.announce}, {"reason", fault}});
+  if (announcement_) announcement_->enter(options_.name);
 }
 
 void ServerProgram::leaveList() {
-  const std::string fault = announcement_ ? announcement_->leave() : "";
-  if (!fault.empty())
-    server_.log().warning("not taken out of the list of servers", {{"file", options_.announce}, {"reason", fault}});
+  if (announcement_) announcement_->leave();
+}
+
+void ServerProgram::logList(const std::optional<Announcement::Outcome>& outcome) {
+  if (!outcome) return;
+  const LogField file{"file", options_.announce};
+  if (!outcome->fault.empty()) {
+    const char* const what = outcome->enters ? "not announced" : "not taken out of the list of servers";
+    server_.log().warning(what, {file, {"reason", outcome->fault}});
+  } else if (outcome->enters) {
+    server_.log().info("announced", {file, {"address", options_.announceAs}});
+  }
 }
 
 void ServerProgram::run(const std::function<bool()>& stopRequested) {
@@ -154,6 +157,7 @@ void ServerProgram::run(const std::function<bool()>& stopRequested) {
     return stops;
   });
   leaveList();
+  if (announcement_) logList(announcement_->finish());
   logBans(bans_.finish());
   agones_.finish(server_.log());
 }
@@ -203,6 +207,7 @@ void ServerProgram::pollTools() {
   }
   if (metricsServer_) metricsServer_->poll(now, [this] { return metricsText(); });
   logBans(bans_.poll(now));
+  if (announcement_) logList(announcement_->poll(now));
   const bool watched =
       (consoleServer_ && consoleServer_->consoles() > 0) || (metricsServer_ && metricsServer_->connections() > 0);
   server_.setIdleWait(watched ? kWatchedWait : DedicatedServer::kIdleWait);

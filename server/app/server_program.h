@@ -60,6 +60,7 @@ class ServerProgram {
   ConsoleProgram consoleProgram();
   void enterList();
   void leaveList();
+  void logList(const std::optional<Announcement::Outcome>& outcome);
   ConsoleReply drain(const DrainCommand& command);
   bool hasDrained(TimePoint now);
   ConsoleReply readAgain();
