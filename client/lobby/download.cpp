@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "platon_version.h"
+#include "protocol/transport/socket_address.h"
 
 namespace platon {
 namespace {
@@ -50,6 +51,7 @@ void describe(CURL* curl, const std::string& url, Transfer& transfer, char* reas
   curl_easy_setopt(curl, CURLOPT_MAXREDIRS, kMaxRedirections);
   curl_easy_setopt(curl, CURLOPT_FAILONERROR, 1L);
   curl_easy_setopt(curl, CURLOPT_NOSIGNAL, 1L);
+  curl_easy_setopt(curl, CURLOPT_QUICK_EXIT, 1L);  // does not wait for a name that is looked up
   curl_easy_setopt(curl, CURLOPT_TIMEOUT, kTimeout);
   curl_easy_setopt(curl, CURLOPT_CONNECTTIMEOUT, kConnectTimeout);
   curl_easy_setopt(curl, CURLOPT_USERAGENT, ("platon-client/" + std::string(kVersion)).c_str());
@@ -75,6 +77,18 @@ std::string download(const std::string& url, std::size_t maxBytes, const std::st
   if (stop.stop_requested()) throw DownloadError("stopped");
   if (result != CURLE_OK) throw DownloadError(reason[0] != '\0' ? reason.data() : curl_easy_strerror(result));
   return std::move(transfer.content);
+}
+
+bool isOfThisMachine(const std::string& url) {
+  const std::unique_ptr<CURLU, decltype(&curl_url_cleanup)> parsed(curl_url(), curl_url_cleanup);
+  if (!parsed || curl_url_set(parsed.get(), CURLUPART_URL, url.c_str(), 0) != CURLUE_OK) return false;
+  char* part = nullptr;
+  if (curl_url_get(parsed.get(), CURLUPART_HOST, &part, 0) != CURLUE_OK) return false;
+  const std::unique_ptr<char, decltype(&curl_free)> owned(part, curl_free);
+  const std::string host = part;
+  if (host == "localhost" || host == "[::1]") return true;
+  const auto ip = IpAddress::parse(host);
+  return ip && ip->isIpv4() && ip->ipv4()[0] == 127;
 }
 
 }  // namespace platon

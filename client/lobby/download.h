@@ -17,4 +17,7 @@ class DownloadError : public std::runtime_error {
 /// others of https, whose certificates the system trusts. Throws DownloadError, also when a stop is requested.
 std::string download(const std::string& url, std::size_t maxBytes, const std::stop_token& stop = {});
 
+/// Whether a URL names this machine: localhost, 127.0.0.0/8 or ::1.
+bool isOfThisMachine(const std::string& url);
+
 }  // namespace platon

@@ -3,6 +3,7 @@
 #include <sodium.h>
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 #include <variant>
 
@@ -19,18 +20,14 @@ std::uint64_t randomNumber() {
   return number;
 }
 
-// The first address of each; a name that is not known has none.
-std::vector<SocketAddress> targetsOf(const std::vector<ListedServer>& servers, const std::stop_token& stop) {
-  std::vector<SocketAddress> targets;
+// The names, each once.
+std::vector<std::string> namesIn(const std::vector<ListedServer>& servers) {
+  std::vector<std::string> names;
   for (const ListedServer& server : servers) {
-    if (stop.stop_requested()) break;
-    try {
-      targets.push_back(resolve(server.address.host, server.address.port).front());
-    } catch (const SocketError&) {
-      continue;
-    }
+    const std::string& host = server.address.host;
+    if (!IpAddress::parse(host) && std::find(names.begin(), names.end(), host) == names.end()) names.push_back(host);
   }
-  return targets;
+  return names;
 }
 
 ServerList readAt(const std::string& url, const std::stop_token& stop) {
@@ -41,38 +38,46 @@ ServerList readAt(const std::string& url, const std::stop_token& stop) {
 
 }  // namespace
 
-ListedServers::ListedServers(std::string url)
+ListedServers::ListedServers(std::string url, NameLookup::Resolve resolve)
     : url_(std::move(url)),
-      search_(std::make_unique<UdpSocket>(), {}, randomNumber()),
-      job_([url = url_](const std::stop_token& stop) {
-        Reading reading{readAt(url, stop), {}};
-        reading.targets = targetsOf(reading.list.servers, stop);
-        return reading;
-      }) {}
+      resolve_(std::move(resolve)),
+      search_(std::make_unique<UdpSocket>(), randomNumber, isOfThisMachine(url_)),
+      job_([url = url_](const std::stop_token& stop) { return readAt(url, stop); }) {}
 
 void ListedServers::update(Moment now) {
-  if (auto result = job_.poll()) take(*result);
+  if (auto result = job_.poll()) take(*result, now);
+  takeNames(now);
   search_.update(now);
 }
 
-void ListedServers::take(JobResult<Reading>& result) {
+void ListedServers::take(JobResult<ServerList>& result, Moment now) {
   if (!result.value) {
     list_.faults = {"cannot read the list of servers at " + url_ + ": " + result.fault};
     return;
   }
-  list_ = std::move(result.value->list);
-  search_.setTargets(std::move(result.value->targets));
+  list_ = std::move(*result.value);
+  for (const ListedServer& server : list_.servers) {
+    if (const auto ip = IpAddress::parse(server.address.host)) ask(server, *ip);
+  }
+  lookup_.emplace(namesIn(list_.servers), resolve_);
+  lookupEnd_ = now + kLookupTime;
 }
 
-std::vector<FoundServer> ListedServers::list() const {
-  std::vector<FoundServer> found;
-  for (const NearServer& answer : search_.list()) {
-    const auto listed = std::find_if(list_.servers.begin(), list_.servers.end(), [&](const ListedServer& server) {
-      return server.key == answer.info.identity && server.address.port == answer.address.port;
-    });
-    if (listed != list_.servers.end()) found.push_back({*listed, answer});
+void ListedServers::takeNames(Moment now) {
+  if (!lookup_) return;
+  for (const NameLookup::Answer& answer : lookup_->take()) {
+    for (const ListedServer& server : list_.servers) {
+      if (answer.address && server.address.host == answer.host) ask(server, *answer.address);
+    }
   }
-  return found;
+  if (lookup_->isPending() && now >= lookupEnd_)
+    list_.faults.emplace_back("servers of the list are left out: their names were not found in time");
+  if (!lookup_->isPending() || now >= lookupEnd_) lookup_.reset();
+}
+
+void ListedServers::ask(const ListedServer& server, const IpAddress& ip) {
+  const std::string why = search_.add(server, {ip, server.address.port});
+  if (!why.empty()) list_.faults.push_back("server " + server.address.text() + " of the list is left out: " + why);
 }
 
 std::optional<CryptoKey> ListedServers::keyOf(const ServerAddress& address) const {

@@ -6,50 +6,48 @@
 #include <vector>
 
 #include "client/job/job.h"
-#include "client/lobby/near_servers.h"
+#include "client/lobby/listed_search.h"
+#include "client/lobby/name_lookup.h"
 #include "protocol/transport/server_list.h"
 
 namespace platon {
-
-/// A server of a list that has answered under the key that the list has for it.
-struct FoundServer {
-  ListedServer listed;
-  NearServer answer;
-};
 
 /// Reads a list of servers from a web server, in a thread, and then asks these servers again and again how many play on
 /// them. A server that answers under another key than the one of the list is left out.
 class ListedServers {
  public:
-  /// Begins to read the list at a URL. The destructor ends the reading, which may take a second.
-  /// Throws SocketError.
-  explicit ListedServers(std::string url);
+  /// For so long the names of the servers are looked up. The servers with numeric addresses are asked at once.
+  static constexpr Moment kLookupTime = std::chrono::seconds(20);
+
+  /// Begins to read the list at a URL. The destructor ends the reading, which may take a second, and does not wait for
+  /// names that are looked up. Throws SocketError.
+  explicit ListedServers(std::string url, NameLookup::Resolve resolve = NameLookup::firstAddressOf);
 
   /// Sends what is due and takes what has arrived.
   void update(Moment now);
   /// Sleeps until something may have arrived, at most so long.
   void wait(std::chrono::milliseconds time) { search_.socket().wait(time); }
-  /// Whether the list is still being read.
-  bool reading() const { return job_.isPending(); }
+  /// Whether the list is still being read, or a server in it has not been asked yet.
+  bool reading() const { return job_.isPending() || lookup_ || search_.isBehind(); }
   /// Sentences on why the list, or servers in it, are left out.
   const std::vector<std::string>& faults() const { return list_.faults; }
-  /// In the order in which they have answered first; at most NearServers::kMaxServers.
-  std::vector<FoundServer> list() const;
+  /// In the order in which they have answered first; at most ListedSearch::kMaxServers.
+  std::vector<FoundServer> list() const { return search_.list(); }
   /// The key that the list has for this address; nothing if it has none.
   std::optional<CryptoKey> keyOf(const ServerAddress& address) const;
 
  private:
-  struct Reading {
-    ServerList list;
-    std::vector<SocketAddress> targets;  // of the servers whose names are known
-  };
-
-  void take(JobResult<Reading>& result);
+  void take(JobResult<ServerList>& result, Moment now);
+  void takeNames(Moment now);
+  void ask(const ListedServer& server, const IpAddress& ip);
 
   std::string url_;
+  NameLookup::Resolve resolve_;
   ServerList list_;
-  NearServers search_;  // at no address until the list is read
-  Job<Reading> job_;
+  ListedSearch search_;  // of no server until the list is read
+  Job<ServerList> job_;
+  std::optional<NameLookup> lookup_;  // nothing: all names were looked up
+  Moment lookupEnd_{};
 };
 
 /// A line for each server: its address in the list, what `describe` says, and its name, in columns.

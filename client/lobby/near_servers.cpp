@@ -16,11 +16,6 @@ NearServers::NearServers(std::unique_ptr<DatagramSocket> socket, std::vector<Soc
                          std::uint64_t nonce)
     : socket_(std::move(socket)), targets_(std::move(targets)), nonce_(nonce) {}
 
-void NearServers::setTargets(std::vector<SocketAddress> targets) {
-  targets_ = std::move(targets);
-  searchedAt_.reset();
-}
-
 void NearServers::update(Moment now) {
   while (const std::optional<Datagram> datagram = socket_->receive(now)) take(*datagram, now);
   if (!searchedAt_ || now - *searchedAt_ >= kInterval) search(now);

@@ -33,8 +33,6 @@ class NearServers {
   /// Sends each query from `socket` to all `targets`. `nonce` is a random number that others cannot guess.
   NearServers(std::unique_ptr<DatagramSocket> socket, std::vector<SocketAddress> targets, std::uint64_t nonce);
 
-  /// Searches at these addresses instead, at the next update for the first time.
-  void setTargets(std::vector<SocketAddress> targets);
   /// Sends what is due and takes the answers that have arrived.
   void update(Moment now);
   /// In the order in which they have answered first; each server once, by its identity and port. A silent one keeps its

@@ -3,9 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <functional>
+#include <future>
 
 #include "client/time/steady_now.h"
+#include "protocol/transport/udp_socket.h"
 #include "server/app/dedicated_server.h"
 #include "tests/client/lobby/web_server.h"
 #include "tests/support/test_level.h"
@@ -70,6 +73,73 @@ TEST_F(ListedServersTest, AServerWithAnotherKeyIsNotTheListedOne) {
   follow(servers, [&] { return !servers.reading() && clock.now() > end; });
   EXPECT_THAT(servers.list(), IsEmpty());
   EXPECT_FALSE(servers.reading());
+}
+
+// A fleet shares a key, and behind one name there may be many.
+TEST_F(ListedServersTest, NamesAreHandedOverAsTheyAreFoundAndDelayNoOthers) {
+  std::promise<void> open;
+  const auto resolve = [gate = open.get_future().share()](const std::string& host) {
+    if (host == "slow.example") gate.wait();
+    return std::optional(IpAddress::ofIpv4({127, 0, 0, 1}));
+  };
+  const WebServer web([this](std::string_view) {
+    const ServerIdentity& identity = server_->identity();
+    return WebServer::ok(serverListText({listedServer(identity, {"first.example", address().port}, "First"),
+                                         listedServer(identity, {"slow.example", address().port}, "Slow"),
+                                         listedServer(identity, address(), "Numeric")}));
+  });
+  const Clock clock = steadyClock();
+  std::optional<ListedServers> servers(std::in_place, web.url(), resolve);
+  follow(*servers, [&] { return !servers->list().empty(); });
+  ASSERT_EQ(servers->list().size(), 1u) << "the other name leads to the same server";
+  EXPECT_EQ(servers->list()[0].listed.name, "Numeric");
+  EXPECT_TRUE(servers->reading()) << "a name is still looked up";
+  const Moment begin = clock.now();
+  servers.reset();
+  EXPECT_LT(clock.now() - begin, std::chrono::seconds(1)) << "waits for no name";
+  open.set_value();
+}
+
+TEST_F(ListedServersTest, NamesThatAreNotFoundInTimeAreLeftOut) {
+  std::promise<void> open;
+  const auto resolve = [gate = open.get_future().share()](const std::string&) -> std::optional<IpAddress> {
+    gate.wait();
+    return std::nullopt;
+  };
+  const WebServer web([this](std::string_view) { return WebServer::ok(listOf(server_->identity())); });
+  ListedServers servers(web.url(), resolve);
+  follow(servers, [&] { return !servers.list().empty(); });
+  const Moment late = steadyClock().now() + ListedServers::kLookupTime;
+  servers.update(late);
+  EXPECT_FALSE(servers.reading());
+  EXPECT_THAT(servers.faults(), ElementsAre("servers of the list are left out: their names were not found in time"));
+  open.set_value();
+}
+
+// Whoever signs its own entries can name a machine that has not asked for it, at any ports and under any names.
+TEST_F(ListedServersTest, AHostileListTurnsAClientIntoNoFlood) {
+  UdpSocket victim("127.0.0.1", 0);
+  const ServerIdentity hostile = ServerIdentity::random();
+  std::vector<ListedServer> entries;
+  for (std::size_t i = 0; i < kMaxListedServers; ++i)
+    entries.push_back(listedServer(hostile, {"n" + std::to_string(i) + ".example", victim.address().port}, ""));
+  const WebServer web([&](std::string_view) { return WebServer::ok(serverListText(entries)); });
+  std::atomic<std::uint32_t> names = 0;
+  ListedServers servers(web.url(), [&](const std::string&) {
+    ++names;
+    return IpAddress::ofIpv4({127, 0, 0, 1});
+  });
+  std::size_t bytes = 0;
+  const Clock clock = steadyClock();
+  follow(servers, [&] { return !servers.reading(); });
+  const Moment end = clock.now() + std::chrono::seconds(7);
+  follow(servers, [&] {
+    while (const auto datagram = victim.receive(clock.now())) bytes += datagram->bytes.size();
+    return clock.now() > end;
+  });
+  EXPECT_EQ(names, kMaxListedServers);
+  EXPECT_EQ(servers.faults().size(), kMaxListedServers - 1);
+  EXPECT_EQ(bytes, ListedSearch::kMaxTries * encode(Query{}).size());
 }
 
 TEST_F(ListedServersTest, SaysWhyAListIsNotRead) {
