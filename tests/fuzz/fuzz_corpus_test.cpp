@@ -39,7 +39,7 @@ INSTANTIATE_TEST_SUITE_P(Targets, FuzzCorpusTest,
                                          Target{"handshake", &handshakeFault}, Target{"channel", &channelFault},
                                          Target{"console", &consoleFault}, Target{"config", &configFault},
                                          Target{"ban_list", &banListFault}, Target{"best_times", &bestTimesFault},
-                                         Target{"settings", &settingsFault}),
+                                         Target{"server_list", &serverListFault}, Target{"settings", &settingsFault}),
                          [](const auto& described) { return std::string(described.param.name); });
 
 }  // namespace

@@ -40,6 +40,9 @@ std::string banListFault(Bytes bytes);
 /// A file of best times: it is refused with errors inside the text, or it is written and read again alike, and keeps
 /// the lesser of two times.
 std::string bestTimesFault(Bytes bytes);
+/// A list of servers, as a text or as entries that are signed and perhaps changed: it is refused with a sentence, or
+/// exactly the servers that signed their entries are read, each address once, and read again alike when written.
+std::string serverListFault(Bytes bytes);
 
 /// A settings file: each error is one printable line, what was read is written and read again alike, each key belongs
 /// to one control at most, and the menu can always be reached.
