@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "client/net/server_link.h"
+#include "client/ui/settings.h"
 #include "platon_version.h"
 #include "protocol/label.h"
 #include "protocol/limits.h"
@@ -73,8 +74,10 @@ void describe(CLI::App& app, ClientOptions& options, std::string& host, std::str
       ->check(CLI::Range(0.1, 86400.0));
   app.add_option("--screenshot", options.screenshot, "Write the last frame to this PNG file")->type_name("FILE");
   app.add_flag("--list", options.list, "Print the servers on this machine and in its networks");
-  app.add_option("--list-url", options.listUrl,
-                 "List of servers on a web server, http:// or https://, for --list and for joining in the window");
+  app.add_option(
+      "--list-url", options.listUrl,
+      "List of servers on a web server, http:// or https://, for --list and for joining in the window, where it "
+      "goes before that of the page");
   app.add_flag("--benchmark", options.benchmark, "Measure what a frame costs in each quality; needs --offscreen");
   app.add_flag("--json", options.json, "Print the result of --benchmark as JSON");
   describeFrameOptions(app, options.frames);
@@ -119,9 +122,7 @@ void checkList(const CLI::App& app, const ClientOptions& options) {
 
 void checkListUrl(const CLI::App& app, const ClientOptions& options) {
   if (app.count("--list-url") == 0) return;
-  const std::string& url = options.listUrl;
-  if (!url.starts_with("http://") && !url.starts_with("https://"))
-    throw std::invalid_argument("--list-url must begin with http:// or https://");
+  if (!isListUrl(options.listUrl)) throw std::invalid_argument(std::string("--list-url must be ") + kListUrlForm);
   refuse(app, "--list-url", {"HOST", "--offscreen", "--demo", "--benchmark", "--frames", "--edit", "--replay"});
 }
 

@@ -74,8 +74,9 @@ FrontPages::FrontPages(Menu& menu, Settings& settings, RecentServers recent, Cal
                 [this](const std::shared_ptr<const Level>& level, const std::filesystem::path& file) {
                   race(level, file);
                 }}),
-      listUrl_(std::move(listUrl)) {
-  joinForm_.hasList = !listUrl_.empty();
+      settings_(&settings),
+      givenListUrl_(std::move(listUrl)) {
+  joinForm_.asksList = givenListUrl_.empty();
 }
 
 void FrontPages::load() {
@@ -182,6 +183,9 @@ void FrontPages::showJoin() {
   joinForm_.fault.clear();
   joinForm_.asksPassword = false;
   joinForm_.recent.clear();
+  joinForm_.listFault.clear();
+  joinForm_.listUrl.setText(settings_->listUrl);
+  enteredListUrl_ = settings_->listUrl;
   for (const ServerAddress& server : recent_.list()) joinForm_.recent.push_back(server.text());
   menu_->push([this] {
     joins_ = true;
@@ -190,7 +194,11 @@ void FrontPages::showJoin() {
 }
 
 void FrontPages::update(Moment now) {
-  if (!std::exchange(joins_, false)) {
+  const bool shown = std::exchange(joins_, false);
+  // While the player types, the URL is not complete.
+  const bool types = shown && menu_->isOpen() && menu_->focus() == itemOfList(joinForm_);
+  if (joinForm_.asksList && !types) takeListUrl();
+  if (!shown) {
     near_.reset();
     joinForm_.found.clear();
     return;
@@ -205,12 +213,27 @@ void FrontPages::update(Moment now) {
   joinForm_.found = inOldOrder(joinForm_.found, foundServers());
 }
 
-// The list is kept while other pages are shown: ending its search may take a second.
+const std::string& FrontPages::listUrl() const { return givenListUrl_.empty() ? settings_->listUrl : givenListUrl_; }
+
+// A URL that is refused is not kept.
+void FrontPages::takeListUrl() {
+  const std::string& text = joinForm_.listUrl.text();
+  if (text == enteredListUrl_) return;
+  enteredListUrl_ = text;
+  listed_.reset();
+  listReadAt_.reset();
+  const bool valid = text.empty() || isListUrl(text);
+  settings_->listUrl = valid ? text : "";
+  joinForm_.listFault = valid ? "" : std::string("The list of servers must be ") + kListUrlForm + ".";
+}
+
+// The list is kept while other pages are shown: ending its reading may take a second.
 void FrontPages::readList(Moment now) {
-  if (listUrl_.empty()) return;
+  joinForm_.hasList = !listUrl().empty();
+  if (!joinForm_.hasList) return;
   const bool pageIsNew = !near_;
   if (!listReadAt_ || (pageIsNew && now - *listReadAt_ >= kListLife)) {
-    listed_.emplace(listUrl_);
+    listed_.emplace(listUrl());
     listReadAt_ = now;
   }
   listed_->update(now);

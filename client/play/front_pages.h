@@ -31,7 +31,8 @@ class FrontPages {
     std::function<void(const std::filesystem::path&)> watch{};  ///< a recording
   };
 
-  /// `menu` and `settings` outlive the pages. `listUrl`: a list of servers on a web server; empty: none.
+  /// `menu` and `settings` outlive the pages. `listUrl`: a list of servers on a web server, instead of that of the
+  /// settings, which the player may change; empty: none.
   FrontPages(Menu& menu, Settings& settings, RecentServers recent, Calls calls, std::string listUrl = {});
 
   /// Shows the title and nothing else. Throws ProgramError if the levels of the game cannot be read.
@@ -57,6 +58,8 @@ class FrontPages {
   void showHost();
   void playFrom(std::size_t level);
   void race(const std::shared_ptr<const Level>& level, const std::filesystem::path& rival);
+  const std::string& listUrl() const;
+  void takeListUrl();
   void readList(Moment now);
   std::vector<JoinForm::Found> foundServers() const;
   void join();
@@ -77,8 +80,10 @@ class FrontPages {
   ReplayPages replays_;
   JoinForm joinForm_;
   std::optional<NearServers> near_;  // since the page was shown
-  std::string listUrl_;
-  std::optional<ListedServers> listed_;  // since the page was shown first
+  Settings* settings_;
+  std::string givenListUrl_;
+  std::string enteredListUrl_;           // that was looked at last
+  std::optional<ListedServers> listed_;  // since the page was shown first, of the present URL
   std::optional<Moment> listReadAt_;
   bool joins_ = false;  // the page was shown since the last update
   HostForm hostForm_;

@@ -18,6 +18,9 @@ namespace {
 // By CameraView.
 constexpr std::array<std::string_view, 3> kCameraWords{"follow", "face", "face-fade"};
 
+// Stands for an empty text.
+constexpr std::string_view kNone = "none";
+
 constexpr double kMinTurnSpeed = 1;
 constexpr double kMaxTurnSpeed = 30;
 constexpr double kMinZoom = 0.5;
@@ -52,6 +55,16 @@ bool parse(std::string_view value, CameraView& view) {
   const auto found = std::find(kCameraWords.begin(), kCameraWords.end(), value);
   if (found == kCameraWords.end()) return false;
   view = static_cast<CameraView>(found - kCameraWords.begin());
+  return true;
+}
+
+bool isReadable(std::string_view word) {
+  return std::all_of(word.begin(), word.end(), [](char byte) { return byte > ' ' && byte <= '~'; });
+}
+
+bool parseListUrl(std::string_view value, std::string& url) {
+  if (value != kNone && !isListUrl(value)) return false;
+  url = value == kNone ? "" : value;
   return true;
 }
 
@@ -109,6 +122,8 @@ std::vector<Entry> entriesOf(Settings& settings) {
       flag("first-keys", settings.firstKeys),
       {"element-hints", "none, or words of elements with commas between",
        [&settings](std::string_view value) { return platon::parse(value, settings.untold); }},
+      {"list-url", std::string("none, or ") + kListUrlForm,
+       [&settings](std::string_view value) { return parseListUrl(value, settings.listUrl); }},
       volume("volume", settings.volume),
       volume("volume-effects", settings.effectsVolume),
       volume("volume-music", settings.musicVolume),
@@ -136,9 +151,7 @@ std::optional<std::string> faultOf(const Words& words, Settings& settings, Bindi
 // A name from outside goes to the terminal only if it can be read there.
 std::string unknown(const std::string& name) {
   constexpr std::size_t kMaxShown = 40;
-  const bool readable = name.size() <= kMaxShown &&
-                        std::all_of(name.begin(), name.end(), [](char byte) { return byte > ' ' && byte <= '~'; });
-  return readable ? "unknown setting '" + name + "'" : "unknown setting";
+  return name.size() <= kMaxShown && isReadable(name) ? "unknown setting '" + name + "'" : "unknown setting";
 }
 
 void parseLine(const std::string& line, const std::string& where, SettingsResult& result, BindingsReader& bindings) {
@@ -156,6 +169,11 @@ void parseLine(const std::string& line, const std::string& where, SettingsResult
 const char* onOff(bool flag) { return flag ? "on" : "off"; }
 
 }  // namespace
+
+bool isListUrl(std::string_view text) {
+  const std::size_t scheme = text.starts_with("https://") ? 8 : text.starts_with("http://") ? 7 : text.size();
+  return text.size() > scheme && text.size() <= kMaxListUrlBytes && isReadable(text);
+}
 
 std::string Settings::text() const {
   std::ostringstream out;
@@ -180,6 +198,7 @@ std::string Settings::text() const {
   out << "chat " << onOff(chat) << "\n";
   out << "first-keys " << onOff(firstKeys) << "\n";
   out << "element-hints " << textOf(untold) << "\n";
+  out << "list-url " << (listUrl.empty() ? kNone : listUrl) << "\n";
   out << "volume " << volume << "\n";
   out << "volume-effects " << effectsVolume << "\n";
   out << "volume-music " << musicVolume << "\n";

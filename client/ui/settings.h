@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +18,12 @@ namespace platon {
 /// Range of Settings::uiScale.
 inline constexpr double kMinUiScale = 0.75;
 inline constexpr double kMaxUiScale = 1.75;
+
+/// Whether a text is a list of servers on a web server: kListUrlForm.
+bool isListUrl(std::string_view text);
+inline constexpr const char* kListUrlForm =
+    "a URL that begins with https:// or http://, of at most 512 bytes and without spaces";
+inline constexpr std::size_t kMaxListUrlBytes = 512;
 
 /// The player's settings. Each may change at any time.
 struct Settings {
@@ -44,6 +51,7 @@ struct Settings {
   bool flashes = true;         ///< players and goal flash
   bool highContrast = false;   ///< black ground, white walls and opaque panels
   bool faceNumbers = false;    ///< faces show their numbers instead of signs
+  std::string listUrl;         ///< isListUrl, or empty: no list
 
   /// The settings as lines `name value…`, the format of `parseSettings`.
   std::string text() const;

@@ -22,6 +22,8 @@ MenuItem serverItem(const std::string& name, const std::string& about, const std
 
 }  // namespace
 
+std::size_t itemOfList(const JoinForm& form) { return form.asksPassword ? 3 : 2; }
+
 MenuPage joinPage(JoinForm& form, const std::function<void()>& join) {
   MenuPage page{"Join a server"};
   page.place = MenuPage::Place::kLeft;
@@ -31,6 +33,7 @@ MenuPage joinPage(JoinForm& form, const std::function<void()>& join) {
   page.items.push_back(fieldItem("Address", form.address, false));
   if (form.asksPassword) page.items.push_back(fieldItem("Password", form.password, true));
   page.items.push_back({.name = "Join", .choose = join});
+  if (form.asksList) page.items.push_back(fieldItem("List of servers", form.listUrl, false));
   if (!form.recent.empty()) page.items.push_back({MenuItem::Kind::kHeading, "Joined before"});
   for (const std::string& address : form.recent) page.items.push_back(serverItem(address, "", address, form, join));
   // Last, so that a server that appears moves no item from under the focus.

@@ -103,6 +103,8 @@ TEST_F(MenuPicturesTest, Join) {
   resize(960, 540);
   JoinForm form;
   form.address.setText("play.example.org:7777");
+  form.listUrl.setText("https://play.example.org/servers.json");
+  form.hasList = true;
   form.recent = {"192.0.2.7:7777", "[2001:db8::7]:7777"};
   form.found = {{"Ann's server", "192.0.2.9:7777", "192.0.2.9:7777, 3 of 8 players, 12 ms"}};
   expectPage("join", joinPage(form, [] {}), 1);

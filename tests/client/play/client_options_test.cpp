@@ -70,6 +70,22 @@ TEST(ClientOptions, TheListOfServersExcludesPlaying) {
   EXPECT_EQ(fault({"--list", "--demo"}), "2 --list does not work with --demo; leave one of them out");
 }
 
+TEST(ClientOptions, AListOnAWebServerIsForThePrintedListAndTheWindow) {
+  EXPECT_EQ(read({"--list-url", "https://example.org/servers.json"})->listUrl, "https://example.org/servers.json");
+  EXPECT_TRUE(read({"--list", "--list-url", "http://x"})->list);
+  for (const char* const bad : {"example.org", "file:///etc/passwd", "https://", "http://a b", ""}) {
+    EXPECT_EQ(
+        fault({"--list-url", bad}),
+        "2 --list-url must be a URL that begins with https:// or http://, of at most 512 bytes and without spaces");
+  }
+  for (const std::vector<const char*>& other : std::vector<std::vector<const char*>>{
+           {"HOST"}, {"--offscreen"}, {"--demo"}, {"--edit", "a"}, {"--replay", "a"}}) {
+    std::vector<const char*> all{"--list-url", "http://x"};
+    all.insert(all.end(), other.begin(), other.end());
+    EXPECT_EQ(fault(all), "2 --list-url does not work with " + std::string(other.front()) + "; leave one of them out");
+  }
+}
+
 TEST(ClientOptions, AReplayExcludesAMatchAndTheEditor) {
   EXPECT_EQ(read({"--replay", "a.recording"})->replay, "a.recording");
   EXPECT_EQ(fault({"--replay", "a", "example.org"}), "2 --replay does not work with HOST; leave one of them out");

@@ -1,5 +1,6 @@
 #include "client/play/front_pages.h"
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -149,6 +150,75 @@ TEST_F(FrontPagesTest, JoinsAServerOfTheListUnderTheKeyOfTheList) {
     return started_ && started_->key;
   }));
   EXPECT_EQ(started_->key, identity.publicKey());
+}
+
+// Before, a list could be named at the command line only.
+TEST_F(FrontPagesTest, AListThatIsEnteredIsKeptAndRead) {
+  const ServerIdentity identity = ServerIdentity::random();
+  const WebServer web([&](std::string_view request) {
+    const bool wanted = request.starts_with("GET /list ");
+    return WebServer::ok(wanted ? serverListText({listedServer(identity, {"127.0.0.1", 1}, "Listed")}) : "<html>");
+  });
+  const auto drawUntil = [this](const std::function<bool()>& done) {
+    return waitUntil([&] {
+      menu_.overlay(font_, false);
+      pages_.update(steadyClock().now());
+      return done();
+    });
+  };
+  tap(Key::kArrowDown, 2);
+  tap(Key::kEnter);
+  type("127.0.0.1:1");
+  tap(Key::kArrowDown, 2);
+  type("ftp://x");
+  EXPECT_TRUE(drawUntil([] { return true; }));
+  EXPECT_FALSE(shows("must be a URL")) << "it is still being typed";
+  tap(Key::kArrowUp);
+  EXPECT_TRUE(drawUntil([this] { return shows("must be a URL"); }));
+  EXPECT_EQ(settings_.listUrl, "");
+  tap(Key::kArrowDown);
+  tap(Key::kBackspace, 7);
+  type(web.url("/other"));
+  tap(Key::kArrowUp);
+  EXPECT_TRUE(drawUntil([this] { return shows("cannot read the list"); }));
+  tap(Key::kArrowDown);
+  tap(Key::kBackspace, 5);
+  type("list");
+  tap(Key::kArrowUp);
+  EXPECT_TRUE(drawUntil([this] {
+    tap(Key::kEnter);
+    return started_ && started_->key;
+  }));
+  EXPECT_EQ(started_->key, identity.publicKey());
+  EXPECT_EQ(settings_.listUrl, web.url("/list"));
+}
+
+TEST_F(FrontPagesTest, AListThatIsEnteredIsKeptByWhoLeavesThePageAtOnce) {
+  tap(Key::kArrowDown, 2);
+  tap(Key::kEnter);
+  tap(Key::kArrowDown, 2);
+  type("http://127.0.0.1:1/");
+  menu_.overlay(font_, false);
+  tap(Key::kEscape);
+  pages_.update(steadyClock().now());
+  pages_.update(steadyClock().now());
+  EXPECT_EQ(settings_.listUrl, "http://127.0.0.1:1/");
+}
+
+TEST_F(FrontPagesTest, AListThatIsGivenGoesBeforeThatOfTheSettings) {
+  settings_.listUrl = "http://127.0.0.1:1/";
+  const WebServer web([](std::string_view) { return WebServer::ok("<html>"); });
+  FrontPages pages(menu_, settings_, RecentServers(folder_ / "recent"), {[](const MatchChoice&) {}, [] {}}, web.url());
+  pages.showTitle();
+  tap(Key::kArrowDown, 2);
+  tap(Key::kEnter);
+  EXPECT_FALSE(shows("List of servers"));
+  EXPECT_TRUE(waitUntil([&] {
+    menu_.overlay(font_, false);
+    pages.update(steadyClock().now());
+    return shows("cannot read the list of servers at " + web.url().substr(0, 15));
+  }));
+  EXPECT_EQ(settings_.listUrl, "http://127.0.0.1:1/");
 }
 
 TEST_F(FrontPagesTest, JoinTakesAnAddressAndRefusesWhatIsNone) {

@@ -34,6 +34,7 @@ TEST(Settings, ParsingTheTextGivesTheSameSettings) {
   settings.ball = {.colour = 3, .pattern = BallPattern::kBelt};
   settings.gameSpeed = 75;
   settings.highContrast = true;
+  settings.listUrl = "https://example.org/servers.json";
   settings.toggled = {.slow = true, .look = true};
   settings.bindings.bind(Control::kJump, Key::kJ);
   const SettingsResult result = parseSettings(settings.text());
@@ -85,6 +86,28 @@ TEST(Settings, BadValuesAreReported) {
   EXPECT_EQ(parseSettings("camera me\n").errors, Lines{"line 1: camera must be follow, face or face-fade"});
   EXPECT_EQ(parseSettings("toggle-slow 1\n").errors, Lines{"line 1: toggle-slow must be on or off"});
   EXPECT_EQ(parseSettings("fullscreen yes\n").errors, Lines{"line 1: fullscreen must be on or off"});
+}
+
+TEST(Settings, AListOfServersIsAUrlOfTheWebOrNone) {
+  const std::string longest = "https://" + std::string(kMaxListUrlBytes - 8, 'x');
+  for (const std::string& url : {std::string("http://x"), std::string("https://[::1]:8000/a?b=c#d"), longest}) {
+    const SettingsResult result = parseSettings("list-url " + url);
+    EXPECT_EQ(result.errors, Lines());
+    EXPECT_EQ(result.settings.listUrl, url);
+    EXPECT_TRUE(isListUrl(url));
+  }
+  EXPECT_EQ(parseSettings("list-url https://x\nlist-url none").settings.listUrl, "");
+  EXPECT_FALSE(isListUrl("none"));
+  for (const std::string& bad : {std::string("http://"), std::string("https://"), std::string("file:///etc/passwd"),
+                                 std::string("example.org"), std::string("http://\xc3\xa9"), std::string("http://\x7f"),
+                                 longest + "x", std::string("http://a b"), std::string()}) {
+    EXPECT_EQ(
+        parseSettings("list-url " + bad).errors,
+        Lines{"line 1: list-url must be none, or a URL that begins with https:// or http://, of at most 512 bytes "
+              "and without spaces"})
+        << bad;
+    EXPECT_FALSE(isListUrl(bad));
+  }
 }
 
 }  // namespace

@@ -53,6 +53,17 @@ TEST_F(JoinPage, TellsWhyAListIsLeftOut) {
   EXPECT_EQ(page().notes.back(), "cannot read the list");
 }
 
+TEST_F(JoinPage, AsksForAListUnlessOneIsGiven) {
+  for (const bool asks : {false, true}) {
+    form_.asksPassword = asks;
+    ASSERT_LT(itemOfList(form_), page().items.size());
+    EXPECT_EQ(page().items[itemOfList(form_)].name, "List of servers");
+    EXPECT_EQ(page().items[itemOfList(form_)].field, &form_.listUrl);
+  }
+  form_.asksList = false;
+  EXPECT_FALSE(has("List of servers"));
+}
+
 TEST_F(JoinPage, AsksForAPasswordOnlyIfTheServerDoes) {
   EXPECT_FALSE(has("Password"));
   form_.asksPassword = true;
