@@ -13,6 +13,7 @@ namespace platon {
 /// player; the others are jump, down and restart.
 inline constexpr int kInputCodeBits = 6;
 inline constexpr std::uint8_t kAbsentCode = 7;
+inline constexpr std::uint8_t kInputCodeMask = (1 << kInputCodeBits) - 1;
 
 namespace input_code {
 

@@ -21,7 +21,6 @@ using Body = wire::ToClientBody;
 
 // An input change is two bytes: the code of the input, with the ticks since the last change in the high bits, then the
 // slot. kLongGap in the high bits means that a varint follows the first byte: the ticks minus kLongGap.
-constexpr std::uint8_t kCodeMask = (1 << kInputCodeBits) - 1;
 constexpr std::uint32_t kLongGap = 3;
 
 void writeChange(ByteWriter& out, const InputChange& change, std::uint32_t gap) {
@@ -34,7 +33,7 @@ std::optional<InputChange> readChange(ByteReader& in, std::uint32_t lastTick) {
   const std::uint8_t head = in.byte();
   std::uint32_t gap = head >> kInputCodeBits;
   if (gap == kLongGap) gap += std::min(in.varint(), kMaxTicksPerMessage);
-  const auto input = inputOf(head & kCodeMask);
+  const auto input = inputOf(head & kInputCodeMask);
   const std::uint8_t slot = in.byte();
   if (!in.ok() || !input) return std::nullopt;
   return InputChange{lastTick + gap, slot, *input};

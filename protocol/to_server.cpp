@@ -16,7 +16,6 @@ namespace {
 
 // A run of equal inputs is one byte: the code of the input in the low bits, the length above them. A length of 0 means
 // that a varint follows: the length minus kLongRun.
-constexpr std::uint8_t kCodeMask = (1 << kInputCodeBits) - 1;
 constexpr std::uint32_t kLongRun = 1 << (8 - kInputCodeBits);
 
 void writeRuns(ByteWriter& out, const std::vector<Input>& inputs) {
@@ -33,7 +32,7 @@ void writeRuns(ByteWriter& out, const std::vector<Input>& inputs) {
 bool readRuns(ByteReader& in, std::vector<Input>& inputs) {
   while (in.ok() && !in.atEnd()) {
     const std::uint8_t head = in.byte();
-    const auto input = inputOf(head & kCodeMask);
+    const auto input = inputOf(head & kInputCodeMask);
     if (!input || !input->has(Input::kPresent)) return false;
     std::uint32_t count = head >> kInputCodeBits;
     if (count == 0) count = std::min(in.varint(), kMaxInputsPerMessage) + kLongRun;
@@ -43,7 +42,7 @@ bool readRuns(ByteReader& in, std::vector<Input>& inputs) {
   return in.ok();
 }
 
-std::vector<std::uint8_t> pack(const PlayerInputs& message) {
+std::vector<std::uint8_t> packInputs(const PlayerInputs& message) {
   ByteWriter out;
   out.byte(kTickMessage);
   out.varint(message.round);
@@ -56,7 +55,7 @@ std::vector<std::uint8_t> pack(const PlayerInputs& message) {
   return out.take();
 }
 
-std::optional<PlayerInputs> unpack(std::span<const std::uint8_t> bytes) {
+std::optional<PlayerInputs> unpackInputs(std::span<const std::uint8_t> bytes) {
   ByteReader in(bytes);
   PlayerInputs message;
   message.round = in.varint();
@@ -130,7 +129,7 @@ std::vector<std::uint8_t> finish(flatbuffers::FlatBufferBuilder& builder, wire::
 }  // namespace
 
 std::optional<ToServer> decodeToServer(std::span<const std::uint8_t> bytes) {
-  if (isTickMessage(bytes)) return unpack(bytes.subspan(1));
+  if (isTickMessage(bytes)) return unpackInputs(bytes.subspan(1));
   const Envelope<wire::ToServer> envelope(bytes);
   const wire::ToServer* root = envelope.root();
   return root && root->body() ? readBody(*root) : std::nullopt;
@@ -170,7 +169,7 @@ std::vector<std::uint8_t> encode(const Chat& message) {
 
 std::vector<std::uint8_t> encode(const PlayerInputs& message) {
   assert(message.first >= message.confirmed && message.inputs.size() <= kMaxInputsPerMessage);
-  return pack(message);
+  return packInputs(message);
 }
 
 }  // namespace platon

@@ -19,7 +19,7 @@ constexpr glm::vec4 kWay(1.0F, 0.80F, 0.30F, 0.90F);
 constexpr float kReachedDot = 3.5F;  // level units
 constexpr float kWayDot = 5;
 
-constexpr auto kWidth = static_cast<float>(LevelMarks::kSegmentWidth);
+constexpr auto kSegmentWidth = static_cast<float>(LevelMarks::kSegmentWidth);
 
 FaceMark strokeOf(const EditedSegment& segment, float width, glm::vec4 colour) {
   return {segment.face, segment.a, segment.b, width, colour};
@@ -32,7 +32,7 @@ FaceMark dotAt(const FacePlace& at, float width, glm::vec4 colour) {
 }  // namespace
 
 FaceMarks marksAbove(const EditorMarks& marks, double unit) {
-  const float thin = std::max(kWidth, static_cast<float>(1.5 * unit));
+  const float thin = std::max(kSegmentWidth, static_cast<float>(1.5 * unit));
   std::vector<FaceMark> all;
   for (const EditedSegment& segment : marks.faulty) all.push_back(strokeOf(segment, thin, kFaulty));
   if (marks.hovered) all.push_back(strokeOf(*marks.hovered, 2.2F * thin, kHovered));

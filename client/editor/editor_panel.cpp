@@ -15,7 +15,7 @@ namespace {
 using namespace overlay_colours;
 
 constexpr float kMargin = 16;
-constexpr float kWidth = 250;
+constexpr float kPanelWidth = 250;
 constexpr float kSize = kSmallestText;
 constexpr std::size_t kMostLines = 5;  // of the report
 
@@ -76,7 +76,7 @@ void addTools(OverlayWriter& writer, const EditorStatus& status, glm::vec2 place
   for (const EditToolFacts& facts : kEditTools) {
     const bool chosen = facts.tool == status.tool;
     if (chosen) {
-      writer.panel({kMargin + 6, place.y - 16}, {kMargin + kWidth - 6, place.y + 6}, 7, kSelected);
+      writer.panel({kMargin + 6, place.y - 16}, {kMargin + kPanelWidth - 6, place.y + 6}, 7, kSelected);
     }
     writer.left(facts.letter, place, kSize, chosen ? kGold : kSoft);
     writer.left(facts.name, place + glm::vec2(26, 0), kSize, chosen ? kBright : kSoft);
@@ -86,7 +86,7 @@ void addTools(OverlayWriter& writer, const EditorStatus& status, glm::vec2 place
 
 void addHead(OverlayWriter& writer, const EditorStatus& status) {
   const float height = 108 + 24.0F * kEditTools.size();
-  writer.panel({kMargin, kMargin}, {kMargin + kWidth, kMargin + height}, 12, kPanel);
+  writer.panel({kMargin, kMargin}, {kMargin + kPanelWidth, kMargin + height}, 12, kPanel);
   writer.left(status.file + (status.unsaved ? " *" : ""), {kMargin + 14, kMargin + 26}, 16,
               status.unsaved ? kGold : kBright);
   writer.left(status.title, {kMargin + 14, kMargin + 46}, kSize, kSoft);
@@ -128,7 +128,7 @@ void addMessages(OverlayWriter& writer, const EditorStatus& status, const Font& 
   glm::vec2 middle(screen.x / 2, screen.y - 34);
   const auto add = [&](const std::string& text, glm::vec4 colour) {
     if (text.empty()) return;
-    middle.y = writer.pill(wrapText(text, font, (screen.x - 2 * kWidth) / kSize), middle, kSize, colour) - 22;
+    middle.y = writer.pill(wrapText(text, font, (screen.x - 2 * kPanelWidth) / kSize), middle, kSize, colour) - 22;
   };
   add(status.message, kSoft);
   add(status.error, kWarning);

@@ -14,7 +14,7 @@ namespace platon {
 
 namespace {
 
-using Datagram = std::vector<std::uint8_t>;
+using Payload = std::vector<std::uint8_t>;
 
 sockaddr_in resolve(const ServerAddress& server) {
   addrinfo wanted{};
@@ -47,13 +47,13 @@ std::uint16_t bindToLoopback(int handle) {
   return ntohs(own.sin_port);
 }
 
-std::optional<Datagram> receive(int handle, sockaddr_in* sender) {
+std::optional<Payload> receive(int handle, sockaddr_in* sender) {
   std::array<std::uint8_t, 65536> buffer;
   socklen_t size = sizeof(sockaddr_in);
   const ssize_t count = recvfrom(handle, buffer.data(), buffer.size(), 0,
                                  sender == nullptr ? nullptr : generic(*sender), sender == nullptr ? nullptr : &size);
   if (count < 0) return std::nullopt;
-  return Datagram(buffer.begin(), buffer.begin() + count);
+  return Payload(buffer.begin(), buffer.begin() + count);
 }
 
 }  // namespace
@@ -74,7 +74,7 @@ LossyRelay::Socket::~Socket() { close(handle); }
 
 void LossyRelay::receiveFromClient(Moment now) {
   sockaddr_in sender{};
-  while (std::optional<Datagram> datagram = receive(clientSide_.handle, &sender)) {
+  while (std::optional<Payload> datagram = receive(clientSide_.handle, &sender)) {
     if (sender.sin_port != client_.sin_port) setClient(sender);
     up_.send(std::move(*datagram), now);
   }
@@ -93,7 +93,7 @@ void LossyRelay::setClient(const sockaddr_in& client) {
 }
 
 void LossyRelay::receiveFromServer(Moment now) {
-  while (std::optional<Datagram> datagram = receive(serverSide_->handle, nullptr))
+  while (std::optional<Payload> datagram = receive(serverSide_->handle, nullptr))
     down_.send(std::move(*datagram), now);
 }
 
@@ -106,10 +106,10 @@ void LossyRelay::pump(Moment now) {
   receiveFromClient(now);
   receiveFromServer(now);
   // Ignores errors: a datagram that the socket does not accept is lost.
-  while (const std::optional<Datagram> datagram = up_.receive(now)) {
+  while (const std::optional<Payload> datagram = up_.receive(now)) {
     (void)!send(serverSide_->handle, datagram->data(), datagram->size(), 0);
   }
-  while (const std::optional<Datagram> datagram = down_.receive(now)) {
+  while (const std::optional<Payload> datagram = down_.receive(now)) {
     (void)!sendto(clientSide_.handle, datagram->data(), datagram->size(), 0, generic(client_), sizeof client_);
   }
 }

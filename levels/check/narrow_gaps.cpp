@@ -15,7 +15,7 @@ constexpr double kUnit = kSubunitsPerUnit;
 constexpr double kWidestGap = (2 * kPlayerRadius + 3) / kUnit;
 constexpr double kTouching = 0.01;
 // Levels with more lines are not made by hand, and are not searched.
-constexpr std::size_t kMostLines = 3000;
+constexpr std::size_t kMaxLinesOfAFace = 3000;
 
 struct Wall {
   Line line;
@@ -95,7 +95,7 @@ class NarrowGaps {
 
 void warnOfNarrowGaps(const Level& level, Diagnostics& diagnostics) {
   for (std::size_t face = 0; face < level.segments.size(); ++face) {
-    if (level.segments[face].size() <= kMostLines) NarrowGaps(level, face).warn(diagnostics);
+    if (level.segments[face].size() <= kMaxLinesOfAFace) NarrowGaps(level, face).warn(diagnostics);
   }
 }
 

@@ -6,7 +6,7 @@ namespace platon {
 namespace {
 
 // Levels with more lines or larger faces are not made by hand, and are not searched.
-constexpr std::size_t kMostLines = 3000;
+constexpr std::size_t kMaxLinesOfALevel = 3000;
 constexpr std::int32_t kLargestFace = 2000;
 
 std::size_t linesOf(const Level& level) {
@@ -18,7 +18,7 @@ std::size_t linesOf(const Level& level) {
 }  // namespace
 
 void warnOfUntouchedLines(const Level& level, Diagnostics& diagnostics, const std::function<bool()>& stop) {
-  if (linesOf(level) > kMostLines || level.faceSize > kLargestFace) return;
+  if (linesOf(level) > kMaxLinesOfALevel || level.faceSize > kLargestFace) return;
   const JumpHeights heights(level, {.allDoorsOpen = true, .stop = stop});
   if (heights.isStopped()) return;
   for (std::uint32_t face = 0; face < level.segments.size(); ++face) {

@@ -13,7 +13,7 @@
 namespace platon {
 namespace {
 
-constexpr double kUnit = kSubunitsPerUnit;
+constexpr double kSubunits = kSubunitsPerUnit;
 
 // A player standing in the middle of a large face.
 Game standingGame() {
@@ -25,7 +25,7 @@ Game standingGame() {
 }
 
 // Runs off the edge of the floor at the highest speed: falls from rest are measured on jumps.
-double heightOf(const Game& game) { return game.world().entities()[0].position.y / kUnit; }
+double heightOf(const Game& game) { return game.world().entities()[0].position.y / kSubunits; }
 
 // Rise before a late jump: the player leaves the steepest ground at the run speed.
 double measuredSlopeGain() {
@@ -33,13 +33,13 @@ double measuredSlopeGain() {
   double speed = motion::kRunSpeed * std::max(0.0, std::min(1.0, std::sqrt(1 - slope * slope)));
   double gain = 0;
   for (int tick = 0; tick <= motion::kCoyoteTicks; ++tick, speed -= motion::kGravity) gain += std::max(speed, 0.0);
-  return gain / kUnit;
+  return gain / kSubunits;
 }
 
 // A slide along a segment turns at most half of what the horizontal speed adds to a displacement upwards: sin a cos a.
 // Each contact takes that speed away, so it must be gained again.
 double measuredPushGain(int riseTicks) {
-  return (motion::kRunSpeed + double{1} * riseTicks * motion::kAirGrip.acceleration) / 2 / kUnit;
+  return (motion::kRunSpeed + double{1} * riseTicks * motion::kAirGrip.acceleration) / 2 / kSubunits;
 }
 
 }  // namespace
@@ -66,8 +66,8 @@ FlightEnvelope::FlightEnvelope() {
   for (auto after = top; after != heights.end() - 1; ++after) fallen_.push_back(*top - *after);
   slopeGain_ = measuredSlopeGain();
   pushGain_ = measuredPushGain(static_cast<int>(below_.size()));
-  runSpeed_ = motion::kRunSpeed / kUnit;
-  slideSpeed_ = motion::kSlideSpeed / kUnit;
+  runSpeed_ = motion::kRunSpeed / kSubunits;
+  slideSpeed_ = motion::kSlideSpeed / kSubunits;
   lateTicks_ = motion::kCoyoteTicks;
 }
 

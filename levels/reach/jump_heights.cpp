@@ -9,25 +9,25 @@ namespace platon {
 namespace {
 
 constexpr double kCell = 6;                   // level units
-constexpr double kMostCells = 4e6;            // on all faces with all ups
+constexpr double kMaxHeightCells = 4e6;            // on all faces with all ups
 constexpr std::size_t kPlacesAtATime = 4096;  // between two questions whether to stop
 
 // Larger cells for large faces, so that memory is bounded.
-double cellSizeFor(const UprightFaces& faces) {
+double heightCellSize(const UprightFaces& faces) {
   double area = 0;
   for (const UprightFace& face : faces.all()) {
     double reach = 0;
     for (const Vec corner : face.polygon) reach = std::max(reach, length(corner));
     area += 4 * reach * reach;
   }
-  return std::max(kCell, std::sqrt(area / kMostCells));
+  return std::max(kCell, std::sqrt(area / kMaxHeightCells));
 }
 
 }  // namespace
 
 JumpHeights::JumpHeights(const Level& level, const Options& options)
     : faces_(level), options_(options), opened_(options.allDoorsOpen ? UINT32_MAX : 0) {
-  const double cellSize = cellSizeFor(faces_);
+  const double cellSize = heightCellSize(faces_);
   for (std::uint32_t node = 0; node < faces_.all().size(); ++node) {
     if (stops()) return;
     grids_.emplace_back(level, faces_, node, cellSize);

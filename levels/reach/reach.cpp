@@ -6,11 +6,11 @@
 namespace platon {
 namespace {
 
-constexpr double kMostCells = 1.2e6;  // on all faces with all ups
+constexpr double kMaxCells = 1.2e6;  // on all faces with all ups
 constexpr double kSmallestCell = 2;   // level units
 constexpr int kNever = 1 << 20;
 
-double cellSizeFor(const UprightFaces& faces) {
+double reachCellSize(const UprightFaces& faces) {
   double area = 0;
   for (const UprightFace& face : faces.all()) {
     Vec low = face.polygon[0];
@@ -21,14 +21,14 @@ double cellSizeFor(const UprightFaces& faces) {
     }
     area += (high.x - low.x) * (high.y - low.y);
   }
-  return std::max(kSmallestCell, std::sqrt(area / kMostCells));
+  return std::max(kSmallestCell, std::sqrt(area / kMaxCells));
 }
 
 }  // namespace
 
 Reach::Reach(const Level& level, int maxCrossings)
     : faces_(level), maxCrossings_(maxCrossings), opened_(kMaxDoorNumbers, level.players > 1 ? 0 : kNever) {
-  const double cellSize = cellSizeFor(faces_);
+  const double cellSize = reachCellSize(faces_);
   for (std::uint32_t node = 0; node < faces_.all().size(); ++node)
     grids_.push_back(std::make_unique<ReachGrid>(level, faces_, node, cellSize));
   for (const Element& element : level.elements) hasHazard_ = hasHazard_ || element.kind == ElementKind::kHazard;

@@ -8,9 +8,8 @@
 namespace platon {
 namespace {
 
-constexpr double kApothem = double{1} * kPlayerApothem / kSubunitsPerUnit;
 // A player on the left of a one-way segment is at least this far from it; see GameRules.
-constexpr double kOnewayDistance = kApothem - 0.1;
+constexpr double kOnewayDistance = kApothemInUnits - 0.1;
 // Rounding of positions and ticks.
 constexpr double kSideways = 1;
 constexpr int kTicks = 2;
@@ -52,7 +51,7 @@ bool isOnLeft(const Line& oneway, const Rect& cell) {
 
 // Whether a player with its centre in the cell may overlap the segment although it has not entered it from the left.
 bool mayOverlap(const Line& oneway, const Rect& cell) {
-  return distance(cell, oneway) < kApothem + 0.5 && leftOf(oneway, cell.middle()) < kOnewayDistance;
+  return distance(cell, oneway) < kApothemInUnits + 0.5 && leftOf(oneway, cell.middle()) < kOnewayDistance;
 }
 
 // Whether a player with its centre in the cell may be wholly on the left of the segment, or away from it.
@@ -60,7 +59,7 @@ bool mayBeFree(const Line& oneway, const Rect& cell) {
   const double farthest =
       std::max({leftOf(oneway, cell.low), leftOf(oneway, cell.high), leftOf(oneway, {cell.low.x, cell.high.y}),
                 leftOf(oneway, {cell.high.x, cell.low.y})});
-  return farthest >= kOnewayDistance || distance(cell, oneway) >= kApothem - 3;
+  return farthest >= kOnewayDistance || distance(cell, oneway) >= kApothemInUnits - 3;
 }
 
 }  // namespace

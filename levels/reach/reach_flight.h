@@ -96,7 +96,6 @@ class ReachFlight {
   const FlightEnvelope& envelope_ = FlightEnvelope::measured();
   double left_ = 0;  // of the launch
   double right_ = 0;
-  double bottom_ = 0;
   double apex_;
   double speed_;
   int launchTicks_;  // until a fall begins

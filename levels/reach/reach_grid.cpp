@@ -10,7 +10,6 @@ namespace platon {
 namespace {
 
 constexpr double kRadius = double{1} * kPlayerRadius / kSubunitsPerUnit;
-constexpr double kApothem = double{1} * kPlayerApothem / kSubunitsPerUnit;
 constexpr double kMargin = 0.05;              // of rounding, level units
 constexpr double kTouch = kRadius + kMargin;  // a player touches nothing farther away
 constexpr double kGoalReach = kTouch + double{1} * kGoalRadius / kSubunitsPerUnit;
@@ -151,7 +150,7 @@ void ReachGrid::addOneway(ReachWall wall, const std::vector<Vec>& polygon) {
 
 void ReachGrid::addBlocking(const ReachWall& wall) {
   if (wall.kind != ReachWall::Kind::kSolid && wall.kind != ReachWall::Kind::kDoor) return;
-  const double reach = kApothem - cellSize_ / 2 * std::sqrt(2.0) - kMargin;
+  const double reach = kApothemInUnits - cellSize_ / 2 * std::sqrt(2.0) - kMargin;
   visitNear(wall.line, reach, [&](Cell& cell, const Rect& rect, std::size_t) {
     if (distance(rect.middle(), wall.line) >= reach) return;
     cell.blocked = cell.blocked || wall.kind == ReachWall::Kind::kSolid;

@@ -6,8 +6,12 @@
 #include <vector>
 
 #include "levels/reach/reach_walls.h"
+#include "platon/game/player.h"
 
 namespace platon {
+
+/// Least distance of the edges of the player's shape from its middle, in level units.
+inline constexpr double kApothemInUnits = double{1} * kPlayerApothem / kSubunitsPerUnit;
 
 /// An upright face divided into square cells: where the centre of a player can be, and what it can touch there. Every
 /// answer errs on the side of the player: what is impossible here is impossible in the game.

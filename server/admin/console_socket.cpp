@@ -17,7 +17,7 @@
 namespace platon {
 namespace {
 
-constexpr int kBacklog = 8;
+constexpr int kConsoleBacklog = 8;
 constexpr mode_t kOwnerOnly = S_IRUSR | S_IWUSR;
 
 [[noreturn]] void refuse(const std::string& path, const std::string& why) {
@@ -75,7 +75,7 @@ bool ConsoleSocket::bindAndListen() {
   Descriptor socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
   const bool listens = socket && fchmod(socket.number(), kOwnerOnly) == 0 &&
                        bind(socket.number(), reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0 &&
-                       listen(socket.number(), kBacklog) == 0;
+                       listen(socket.number(), kConsoleBacklog) == 0;
   if (listens) listener_ = std::move(socket);
   return listens;
 }

@@ -9,7 +9,7 @@ namespace platon {
 namespace {
 
 // Escapes quotes, backslashes and control characters, as JSON requires.
-std::string quoted(std::string_view text) {
+std::string jsonText(std::string_view text) {
   std::string out = "\"";
   for (const char c : text) {
     const auto code = static_cast<unsigned char>(c);
@@ -24,7 +24,7 @@ std::string quoted(std::string_view text) {
 
 std::string valueOf(const LogField& field) {
   if (const auto* number = std::get_if<std::uint64_t>(&field.value)) return std::to_string(*number);
-  return quoted(std::get<std::string>(field.value));
+  return jsonText(std::get<std::string>(field.value));
 }
 
 std::string utcTime() {
@@ -38,7 +38,7 @@ std::string utcTime() {
 void Log::write(std::string_view severity, std::string_view message, const std::vector<LogField>& fields) {
   const bool json = format_ == LogFormat::kJson;
   std::string line(message);
-  if (json) line = fmt::format(R"({{"time":"{}","level":"{}","message":{})", utcTime(), severity, quoted(message));
+  if (json) line = fmt::format(R"({{"time":"{}","level":"{}","message":{})", utcTime(), severity, jsonText(message));
   for (const LogField& field : fields) {
     line +=
         json ? fmt::format(R"(,"{}":{})", field.key, valueOf(field)) : fmt::format(" {}={}", field.key, valueOf(field));

@@ -5,13 +5,13 @@
 namespace platon {
 namespace {
 
-struct Name {
+struct ControlName {
   std::string_view word;
   std::string_view shown;
 };
 
 // By Control.
-constexpr std::array<Name, kControlCount> kNames{{{"left", "Run left"},
+constexpr std::array<ControlName, kControlCount> kControlNames{{{"left", "Run left"},
                                                   {"right", "Run right"},
                                                   {"up", "Up, also jumps"},
                                                   {"down", "Down, falls faster"},
@@ -25,13 +25,13 @@ constexpr std::array<Name, kControlCount> kNames{{{"left", "Run left"},
 
 }  // namespace
 
-std::string_view nameOf(Control control) { return kNames[static_cast<std::size_t>(control)].shown; }
+std::string_view nameOf(Control control) { return kControlNames[static_cast<std::size_t>(control)].shown; }
 
-std::string_view wordOf(Control control) { return kNames[static_cast<std::size_t>(control)].word; }
+std::string_view wordOf(Control control) { return kControlNames[static_cast<std::size_t>(control)].word; }
 
 std::optional<Control> controlNamed(std::string_view word) {
   for (std::size_t i = 0; i < kControlCount; ++i) {
-    if (kNames[i].word == word) return static_cast<Control>(i);
+    if (kControlNames[i].word == word) return static_cast<Control>(i);
   }
   return std::nullopt;
 }

@@ -7,14 +7,14 @@
 namespace platon {
 namespace {
 
-struct Name {
+struct KeyName {
   Key key;
   const char* shown;
   const char* word = "";
 };
 
 // In the order of Key, as keyNamesAreInOrder checks.
-constexpr std::array<Name, kKeyCount> kNames{{{Key::kArrowLeft, "←", "arrow-left"},
+constexpr std::array<KeyName, kKeyCount> kKeyNames{{{Key::kArrowLeft, "←", "arrow-left"},
                                               {Key::kArrowRight, "→", "arrow-right"},
                                               {Key::kArrowUp, "↑", "arrow-up"},
                                               {Key::kArrowDown, "↓", "arrow-down"},
@@ -126,7 +126,7 @@ constexpr std::array<Name, kKeyCount> kNames{{{Key::kArrowLeft, "←", "arrow-le
 
 constexpr bool keyNamesAreInOrder() {
   for (std::size_t i = 0; i < kKeyCount; ++i) {
-    if (static_cast<std::size_t>(kNames[i].key) != i) return false;
+    if (static_cast<std::size_t>(kKeyNames[i].key) != i) return false;
   }
   return true;
 }
@@ -134,13 +134,13 @@ static_assert(keyNamesAreInOrder());
 
 }  // namespace
 
-std::string_view shownNameOf(Key key) { return kNames[static_cast<std::size_t>(key)].shown; }
+std::string_view shownNameOf(Key key) { return kKeyNames[static_cast<std::size_t>(key)].shown; }
 
-std::string_view wordOf(Key key) { return kNames[static_cast<std::size_t>(key)].word; }
+std::string_view wordOf(Key key) { return kKeyNames[static_cast<std::size_t>(key)].word; }
 
 std::optional<Key> keyNamed(std::string_view word) {
-  const auto found = std::find_if(kNames.begin(), kNames.end(), [word](const Name& name) { return name.word == word; });
-  return word.empty() || found == kNames.end() ? std::nullopt : std::optional(found->key);
+  const auto found = std::find_if(kKeyNames.begin(), kKeyNames.end(), [word](const KeyName& name) { return name.word == word; });
+  return word.empty() || found == kKeyNames.end() ? std::nullopt : std::optional(found->key);
 }
 
 }  // namespace platon
