@@ -15,7 +15,8 @@ namespace {
 constexpr float kWidth = 290;
 constexpr float kGraphHeight = 52;
 constexpr float kLineHeight = 21;
-constexpr float kHeight = kGraphHeight + 26 + 5 * kLineHeight;
+constexpr int kLines = 6;
+constexpr float kHeight = kGraphHeight + 26 + kLines * kLineHeight;
 
 std::string rounded(double value) { return std::to_string(std::lround(value)); }
 
@@ -33,13 +34,14 @@ std::string correctionsText(const NetSample& sample) {
   return rounded(sample.corrections) + " corrections, the last " + units(sample.lastCorrection) + " units";
 }
 
-std::array<std::string, 5> textOf(const NetSample& sample) {
+std::array<std::string, kLines> textOf(const NetSample& sample) {
   const LinkStatistics& link = sample.link;
   return {"round trip " + rounded(link.rttMs) + " ms, jitter " + rounded(link.jitterMs) + " ms",
           "lead " + rounded(sample.aheadTicks) + " ticks, slack " + rounded(link.slackTicks) + " ticks",
           "lost " + rounded(link.lostDownPercent) + " % down, " + rounded(link.lostUpPercent) + " % up",
           correctionsText(sample),
-          kilobytes(sample.downBytesPerSecond) + " kB/s down, " + kilobytes(sample.upBytesPerSecond) + " kB/s up"};
+          kilobytes(sample.downBytesPerSecond) + " kB/s down, " + kilobytes(sample.upBytesPerSecond) + " kB/s up",
+          rounded(sample.framesPerSecond) + " frames per second"};
 }
 
 }  // namespace

@@ -18,6 +18,7 @@ struct NetSample {
   double lastCorrection = 0;      ///< size of the last correction, subunits; 0 before the first
   double downBytesPerSecond = 0;
   double upBytesPerSecond = 0;
+  double framesPerSecond = 0;  ///< drawn, over the last second
 };
 
 /// Graph of the round trip and the corrections of the last frames, with the latest link statistics.

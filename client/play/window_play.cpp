@@ -290,7 +290,7 @@ void WindowPlay::drawMatch(double seconds) {
   const Moment now = match_->now();
   match_->play().show(interface_.settings());
   std::optional<Scene> scene = match_->play().scene(now);
-  if (scene) view_.netGraph().add(meter_.sample(match_->play().client(), now));
+  if (scene) view_.netGraph().add(meter_.sample(match_->play().client(), drawnAt_));
   if (scene) spectator_.direct(*scene, interface_.keyHints());
   HudStatus status = match_->play().hudStatus(now, interface_.helpShown());
   status.run.speed = match_->leastSpeed();

@@ -18,6 +18,7 @@ NetSample NetMeter::sample(const NetworkClient& client, Moment now) {
   sample.link = client.session()->linkStatistics();
   sample.downBytesPerSecond = static_cast<double>(recent.receivedBytes) / seconds;
   sample.upBytesPerSecond = static_cast<double>(recent.sentBytes) / seconds;
+  sample.framesPerSecond = static_cast<double>(readings_.size() - 1) / seconds;
   const PredictionStatistics prediction = client.session()->predictionStatistics();
   if (std::exchange(corrections_, prediction.corrections) != prediction.corrections) {
     sample.correctionSubunits = prediction.lastSubunits;

@@ -9,10 +9,11 @@
 
 namespace platon {
 
-/// Samples the state of a connection for the net graph.
+/// Samples the state of a connection, and how often pictures are drawn, for the net graph.
 class NetMeter {
  public:
-  /// Call once per frame. Rates are averages over the last second. The client must have a session.
+  /// Call once per frame. `now` goes on also while the game is paused. Rates are averages over the last second. The
+  /// client must have a session.
   NetSample sample(const NetworkClient& client, Moment now);
 
  private:

@@ -148,6 +148,7 @@ TEST_F(HudPicturesTest, HelpAndGraph) {
     sample.aheadTicks = 6;
     sample.downBytesPerSecond = 1900;
     sample.upBytesPerSecond = 1200;
+    sample.framesPerSecond = 60;
     graph_.add(sample);
   }
   status_.netGraph = &graph_;

@@ -17,6 +17,7 @@ NetSample sampleOf(double rttMs) {
   sample.lastCorrection = 1536;
   sample.downBytesPerSecond = 12345;
   sample.upBytesPerSecond = 999;
+  sample.framesPerSecond = 143.6;
   return sample;
 }
 
@@ -44,7 +45,7 @@ TEST(NetGraph, BarsAndTextStayInThePanel) {
     EXPECT_LE(bar.high.x, frame.high.x);
     EXPECT_LE(bar.high.y, frame.high.y);
   }
-  ASSERT_EQ(overlay.texts.size(), 5U);
+  ASSERT_EQ(overlay.texts.size(), 6U);
   for (const Overlay::Text& text : overlay.texts) {
     EXPECT_LT(text.place.x + font.width(text.content) * text.size, frame.high.x) << text.content;
   }
@@ -61,9 +62,9 @@ TEST(NetGraph, ShowsTheLatestLinkStatistics) {
   const Overlay overlay = graph.overlay(font, 1280);
   std::vector<std::string> lines;
   for (const Overlay::Text& text : overlay.texts) lines.push_back(text.content);
-  const std::vector<std::string> expected = {"round trip 1234 ms, jitter 345 ms", "lead 123 ticks, slack -12 ticks",
-                                             "lost 100 % down, 20 % up", "9999 corrections, the last 1.5 units",
-                                             "12.3 kB/s down, 1.0 kB/s up"};
+  const std::vector<std::string> expected = {
+      "round trip 1234 ms, jitter 345 ms",    "lead 123 ticks, slack -12 ticks", "lost 100 % down, 20 % up",
+      "9999 corrections, the last 1.5 units", "12.3 kB/s down, 1.0 kB/s up",     "144 frames per second"};
   EXPECT_EQ(lines, expected);
 }
 
@@ -72,7 +73,7 @@ TEST(NetGraph, ShowsThatThereWereNoCorrections) {
   NetGraph graph;
   graph.add(NetSample());
   const Overlay overlay = graph.overlay(font, 1280);
-  ASSERT_EQ(overlay.texts.size(), 5U);
+  ASSERT_EQ(overlay.texts.size(), 6U);
   EXPECT_EQ(overlay.texts[3].content, "no corrections");
 }
 

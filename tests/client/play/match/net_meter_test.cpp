@@ -1,5 +1,7 @@
 #include "client/play/match/net_meter.h"
 
+#include <chrono>
+
 #include <gtest/gtest.h>
 
 #include "tests/support/loopback_server.h"
@@ -14,7 +16,9 @@ TEST(NetMeter, SamplesARunningClient) {
   NetworkClient client(server.address(), {""}, server.clock().now());
   NetMeter meter;
   NetSample sample;
+  Moment last{};
   const auto update = [&](Moment now) {
+    last = now;
     client.update(now, [](const Game&, std::uint32_t) { return Input{Input::kRight}; });
     if (client.session() != nullptr) sample = meter.sample(client, now);
   };
@@ -27,6 +31,8 @@ TEST(NetMeter, SamplesARunningClient) {
   const Traffic total = client.traffic();
   EXPECT_LT(sample.downBytesPerSecond, static_cast<double>(total.receivedBytes));  // only of the last second
   EXPECT_EQ(sample.corrections, client.session()->predictionStatistics().corrections);
+  for (int i = 0; i < 60; ++i) sample = meter.sample(client, last += std::chrono::milliseconds(20));
+  EXPECT_DOUBLE_EQ(sample.framesPerSecond, 50);
 }
 
 }  // namespace
