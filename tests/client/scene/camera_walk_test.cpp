@@ -1,7 +1,9 @@
 // Laws of the camera on walks over every edge and round every corner of the solids.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <numbers>
 #include <random>
@@ -52,26 +54,43 @@ double rollBetween(const Camera& before, const Camera& after) {
   return angleBetween(up, after.up());
 }
 
+struct Picture {
+  std::uint32_t width = 1280;
+  std::uint32_t height = 720;
+  double zoom = 1;
+};
+
+constexpr std::array kPictures{Picture{},
+                               Picture{960, 720, 0.5},
+                               Picture{960, 720, 2},
+                               Picture{2560, 1080, 0.5},
+                               Picture{2560, 1080, 2},
+                               Picture{400, 720, 0.5},
+                               Picture{400, 720, 2}};
+
 struct Walker {
   SurfaceWalk walk;
+  Picture picture;
   Camera camera;
   CameraComfort comfort;
   double framesPerSecond = 60;
   double secondsInMiddle = 0;
   double greatestSwing = 0;  // radians a second
 
-  void start(std::uint32_t w, std::uint32_t h) {
+  void start() {
     camera.setComfort(comfort);
-    camera.set(walk.pose(), *walk.mesh, w, h);
+    camera.setZoom(picture.zoom);
+    camera.set(walk.pose(), *walk.mesh, picture.width, picture.height);
   }
 
-  // Moves by `way` each tick for a frame, and checks the laws.
+  // Moves by `way` each tick for a frame, and checks the laws: of a camera that stands still, that the player is seen.
   void frame(glm::dvec2 way, const std::string& where) {
     const double seconds = 1 / framesPerSecond;
     walk.step(way * (kTicksPerSecond * seconds));
     const Camera before = camera;
     camera.lerp(walk.pose(), *walk.mesh, seconds);
     expectVisible(camera, walk.pose(), where);
+    if (comfort.view != CameraView::kFollow) return;
     ASSERT_LE(rollBetween(before, camera), comfort.turnSpeed * seconds + 1e-6) << where;
     greatestSwing = std::max(greatestSwing, angleBetween(before.back(), camera.back()) / seconds);
     const double zone = std::min(CameraTarget::kEdgeZone, walk.mesh->apothem() / 2);
@@ -84,7 +103,9 @@ struct Walker {
 
 std::string nameOf(const SolidMesh& mesh, const Walker& walker, const std::string& what) {
   return std::string(platon::nameOf(mesh.solid().kind())) + " " + std::to_string(mesh.faceSize()) + ", " + what + ", " +
-         std::to_string(walker.framesPerSecond) + " pictures a second, seed " + std::to_string(kSeed);
+         std::to_string(walker.framesPerSecond) + " pictures a second of " + std::to_string(walker.picture.width) +
+         " × " + std::to_string(walker.picture.height) + " at " + std::to_string(walker.picture.zoom) + ", view " +
+         std::to_string(static_cast<int>(walker.comfort.view)) + ", seed " + std::to_string(kSeed);
 }
 
 void forEverySolid(const std::function<void(const SolidMesh&)>& check) {
@@ -94,20 +115,19 @@ void forEverySolid(const std::function<void(const SolidMesh&)>& check) {
 }
 
 // Crosses every edge of face 0, at `part` of half the edge from its middle, in a straight way, and goes on.
-void crossEdges(const SolidMesh& mesh, double part, double speed, double framesPerSecond) {
+void crossEdges(const Walker& kind, const SolidMesh& mesh, double part, double speed) {
   for (int edge = 0; edge < mesh.solid().edgesPerFace(); ++edge) {
     const glm::dvec2 out = mesh.edgeNormals()[static_cast<std::size_t>(edge)];
     for (double angle = 0.1; angle < 6; angle += 1.5) {
-      Walker walker;
-      walker.framesPerSecond = framesPerSecond;
+      Walker walker = kind;
       const glm::dvec2 along(-out.y, out.x);
       walker.walk = {&mesh, 0, out * (mesh.apothem() - 100) + along * (part * mesh.faceSize() / 2), angle};
       if (walker.walk.depth() < 0) walker.walk.place = out * (mesh.apothem() * 0.2);
-      walker.start(1280, 720);
+      walker.start();
       const glm::dvec2 way(std::cos(angle) * out.x + std::sin(angle) * out.y,
                            -std::sin(angle) * out.x + std::cos(angle) * out.y);
       const std::string where = nameOf(mesh, walker, "edge " + std::to_string(edge));
-      for (double tick = 0; tick < 300 / speed; tick += kTicksPerSecond / framesPerSecond) {
+      for (double tick = 0; tick < 300 / speed; tick += kTicksPerSecond / walker.framesPerSecond) {
         walker.frame(way * speed, where);
         if (testing::Test::HasFatalFailure()) return;
       }
@@ -118,33 +138,61 @@ void crossEdges(const SolidMesh& mesh, double part, double speed, double framesP
 TEST(CameraWalk, OverEveryEdge) {
   forEverySolid([](const SolidMesh& mesh) {
     for (const double framesPerSecond : {20.0, 60.0, 240.0}) {
+      Walker walker;
+      walker.framesPerSecond = framesPerSecond;
       for (const double part : {-0.95, -0.4, 0.0, 0.7}) {
-        for (const double speed : {kRun, kFall}) crossEdges(mesh, part, speed, framesPerSecond);
+        for (const double speed : {kRun, kFall}) crossEdges(walker, mesh, part, speed);
       }
     }
   });
 }
 
+// In each picture, and with a camera that stands still.
+void forEveryView(const std::function<void(const Walker&)>& check) {
+  for (const Picture& picture : kPictures) {
+    for (const CameraView view : {CameraView::kFollow, CameraView::kFace, CameraView::kFaceFade}) {
+      Walker walker;
+      walker.picture = picture;
+      walker.comfort.view = view;
+      check(walker);
+    }
+  }
+}
+
+TEST(CameraWalk, OverEveryEdgeInEachPicture) {
+  forEveryView([](const Walker& kind) {
+    forEverySolid([&](const SolidMesh& mesh) {
+      for (const double part : {-0.95, 0.4}) crossEdges(kind, mesh, part, kFall);
+    });
+  });
+}
+
+void roundCorners(const Walker& kind, const SolidMesh& mesh, int face, double radius) {
+  for (const glm::dvec2 vertex : mesh.polygon()) {
+    Walker walker = kind;
+    walker.walk = {&mesh, face, vertex - glm::normalize(vertex) * radius, 0};
+    walker.start();
+    const std::string where = nameOf(mesh, walker, "face " + std::to_string(face));
+    double direction = std::atan2(vertex.x, -vertex.y) + std::numbers::pi;  // across the way to the corner
+    for (int tick = 0; tick < 240; ++tick) {
+      direction += kRun / radius;
+      walker.frame(kRun * glm::dvec2(std::cos(direction), std::sin(direction)), where);
+      if (testing::Test::HasFatalFailure()) return;
+    }
+  }
+}
+
 TEST(CameraWalk, RoundEveryCorner) {
   forEverySolid([](const SolidMesh& mesh) {
     for (int face = 0; face < mesh.faces(); ++face) {
-      for (std::size_t corner = 0; corner < mesh.polygon().size(); ++corner) {
-        for (const double radius : {10.0, 40.0}) {
-          const glm::dvec2 vertex = mesh.polygon()[corner];
-          Walker walker;
-          walker.walk = {&mesh, face, vertex - glm::normalize(vertex) * radius, 0};
-          walker.start(1280, 720);
-          double direction = std::atan2(vertex.x, -vertex.y) + std::numbers::pi;  // across the way to the corner
-          for (int tick = 0; tick < 240; ++tick) {
-            direction += kRun / radius;
-            walker.frame(kRun * glm::dvec2(std::cos(direction), std::sin(direction)),
-                         nameOf(mesh, walker, "face " + std::to_string(face)));
-            if (testing::Test::HasFatalFailure()) return;
-          }
-        }
-      }
+      for (const double radius : {10.0, 40.0}) roundCorners({}, mesh, face, radius);
     }
   });
+}
+
+TEST(CameraWalk, RoundACornerInEachPicture) {
+  forEveryView(
+      [](const Walker& kind) { forEverySolid([&](const SolidMesh& mesh) { roundCorners(kind, mesh, 0, 40); }); });
 }
 
 // Runs and falls with turns at random, from a place near a corner.
@@ -155,7 +203,7 @@ void walkAtRandom(Walker walker, std::mt19937& random, double seconds) {
   walker.walk.face = static_cast<int>(random() % static_cast<unsigned>(mesh.faces()));
   walker.walk.place = vertex - glm::normalize(vertex) * std::min(150.0, mesh.apothem());
   walker.walk.angle = 7 * part(random);
-  walker.start(1280, 720);
+  walker.start();
   glm::dvec2 way(0);
   const std::string where = nameOf(mesh, walker, "at random");
   for (double time = 0; time < seconds; time += 1 / walker.framesPerSecond) {
@@ -180,6 +228,19 @@ TEST(CameraWalk, AtRandom) {
         walkAtRandom(walker, random, 40);
       }
     }
+  });
+}
+
+TEST(CameraWalk, AtRandomInEachPicture) {
+  std::mt19937 random(kSeed);
+  forEveryView([&](Walker kind) {
+    forEverySolid([&](const SolidMesh& mesh) {
+      for (const double framesPerSecond : {20.0, 60.0}) {
+        kind.walk.mesh = &mesh;
+        kind.framesPerSecond = framesPerSecond;
+        walkAtRandom(kind, random, 20);
+      }
+    });
   });
 }
 
