@@ -30,12 +30,12 @@ class EditPlayTest : public testing::Test {
     options_.seconds = 60;  // a test that does not end by itself fails
   }
 
-  // Edits until the user leaves or all steps are done. Returns whether all steps were done.
-  bool edit(std::vector<WindowStep> steps) {
+  // Edits until the user leaves or all steps are done. Returns whether all steps were done, as `runSteps`.
+  testing::AssertionResult edit(std::vector<WindowStep> steps) {
     EditPlay play(options_, steadyClock());
     play_ = &play;
     const Moment start = steadyClock().now();
-    const bool allDone = runSteps(play, std::move(steps));
+    testing::AssertionResult allDone = runSteps(play, std::move(steps));
     timeIsUp_ = toSeconds(steadyClock().now() - start) >= *options_.seconds;
     return allDone;
   }

@@ -91,7 +91,7 @@ class WindowPlayTest : public testing::Test {
   const EnvironmentVariable config_{"XDG_CONFIG_HOME", folder_.path()};
   const EnvironmentVariable data_{"XDG_DATA_HOME", folder_.path()};
   const EnvironmentVariable state_{"XDG_STATE_HOME", folder_.path()};
-  bool stepsDone_ = false;
+  testing::AssertionResult stepsDone_ = testing::AssertionFailure();
   bool timeIsUp_ = false;
 };
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <GLFW/glfw3.h>
+#include <gtest/gtest.h>
 
 namespace platon {
 
@@ -18,9 +19,10 @@ struct WindowStep {
 inline bool windowHas(int attribute) { return glfwGetWindowAttrib(glfwGetCurrentContext(), attribute) == GLFW_TRUE; }
 
 /// Runs a program in its window until all steps are done, or until it ends by itself. The first step begins when the
-/// window has the focus. Returns whether all steps were done.
+/// window has the focus. Returns whether all steps were done, and else the number of the step that was not,
+/// from 1 on; 0: the window never had the focus.
 template <class Program>
-bool runSteps(Program& program, std::vector<WindowStep> steps) {
+testing::AssertionResult runSteps(Program& program, std::vector<WindowStep> steps) {
   steps.insert(steps.begin(), {[] {}, [] { return windowHas(GLFW_FOCUSED); }});
   std::size_t next = 0;
   bool acted = false;
@@ -33,7 +35,8 @@ bool runSteps(Program& program, std::vector<WindowStep> steps) {
     }
     return false;
   });
-  return next == steps.size();
+  if (next == steps.size()) return testing::AssertionSuccess();
+  return testing::AssertionFailure() << "the program ended at step " << next << " of " << steps.size() - 1;
 }
 
 }  // namespace platon
