@@ -1,17 +1,19 @@
 #include "client/files/settings_file.h"
 
+#include <cstddef>
 #include <cstdio>
-#include <fstream>
-#include <iterator>
 #include <string_view>
 #include <system_error>
 #include <utility>
+#include <variant>
 
 #include "protocol/files/text_file.h"
 
 namespace platon {
 
 namespace {
+
+constexpr std::size_t kMaxBytes = std::size_t{1} << 20;
 
 std::string replaceWithFolder(const std::string& path, std::string_view content) {
   std::error_code ignored;  // writing reports the error
@@ -28,16 +30,34 @@ SettingsFile::SettingsFile(const std::filesystem::path& folder) {
 }
 
 Settings SettingsFile::load() {
-  std::ifstream file(path_, std::ios::binary);
-  if (!file) return {};
-  const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  SettingsResult result = parseSettings(text);
+  std::error_code ignored;  // reading reports the error
+  if (!std::filesystem::exists(std::filesystem::symlink_status(path_, ignored))) return {};
+  auto read = readTextFile(path_.string(), kMaxBytes);
+  std::string* const text = std::get_if<std::string>(&read);
+  if (text == nullptr) return refuse("cannot be read: " + std::get<ParseError>(read).what);
+  if (text->size() > kMaxBytes) return refuse("is larger than 1 MiB");
+  SettingsResult result = parseSettings(*text);
   for (const std::string& error : result.errors) {
     std::fprintf(stderr, "platon-client: %s: %s\n", path_.c_str(), error.c_str());
+  }
+  // Each unknown line has an error, too.
+  if (const std::size_t invalid = result.errors.size() - result.unknownLines.size(); invalid != 0) {
+    fault_ = (invalid == 1 ? "1 line" : std::to_string(invalid) + " lines") + " of " + path_.string() +
+             (invalid == 1 ? " is" : " are") + " invalid; the old file is kept as " + brokenPath();
+    broken_ = std::move(*text);
   }
   unknownLines_ = std::move(result.unknownLines);
   return result.settings;
 }
+
+Settings SettingsFile::refuse(const std::string& reason) {
+  fault_ = path_.string() + " " + reason + "; the settings are not saved";
+  std::fprintf(stderr, "platon-client: %s\n", fault_.c_str());
+  writer_.reset();
+  return {};
+}
+
+std::string SettingsFile::brokenPath() const { return path_.string() + ".broken"; }
 
 std::string SettingsFile::textOf(const Settings& settings) const {
   std::string text = settings.text();
@@ -61,13 +81,29 @@ void SettingsFile::look(const Settings& settings, Moment now) {
   }
   if (text_ == *saved_ || now - changedAt_ < kCalmTime) return;
   saved_ = text_;
-  writer_->write(text_);
+  write();
+}
+
+void SettingsFile::write() {
+  if (keepBroken()) writer_->write(*saved_);
+}
+
+// Returns whether the file may be replaced.
+bool SettingsFile::keepBroken() {
+  if (!broken_) return true;
+  const std::string fault = replaceTextFile(brokenPath(), *broken_);
+  if (fault.empty())
+    broken_.reset();
+  else
+    std::fprintf(stderr, "platon-client: cannot write %s: %s; the settings are not saved\n", brokenPath().c_str(),
+                 fault.c_str());
+  return fault.empty();
 }
 
 void SettingsFile::save(const Settings& settings) {
   if (!writer_) return;
   saved_ = textOf(settings);
-  writer_->write(*saved_);
+  write();
   report(writer_->finish());
 }
 

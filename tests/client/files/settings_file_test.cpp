@@ -71,7 +71,8 @@ TEST_F(SettingsFileTest, AChangeIsSavedWhenItHasStayedForASecond) {
 }
 
 TEST_F(SettingsFileTest, OneBadLineDoesNotLoseTheOtherSettings) {
-  write("turn-speed 12\nzoom huge\ncontrols screen\nfullscreen on\n");
+  const std::string broken = "turn-speed 12\nzoom huge\ncontrols screen\nfullscreen on\n";
+  write(broken);
   testing::internal::CaptureStderr();
   const Settings settings = playOnce();
   EXPECT_EQ(testing::internal::GetCapturedStderr(),
@@ -81,6 +82,75 @@ TEST_F(SettingsFileTest, OneBadLineDoesNotLoseTheOtherSettings) {
   EXPECT_EQ(settings.controls, ControlFrame::kScreen);
   EXPECT_TRUE(settings.fullscreen);
   EXPECT_EQ(read(), settings.text());
+  EXPECT_EQ(readText(path_.string() + ".broken"), broken);
+}
+
+TEST_F(SettingsFileTest, AFileWithInvalidLinesIsKeptOnceBeforeItIsReplaced) {
+  const std::string broken = "zoom 2\nkey jump spcae\nfragrance 7\nvolume loud\n";
+  const fs::path kept = path_.string() + ".broken";
+  write(broken);
+  testing::internal::CaptureStderr();
+  SettingsFile file(folder_);
+  Settings settings = file.load();
+  EXPECT_EQ(file.fault(), "2 lines of " + path_.string() + " are invalid; the old file is kept as " + kept.string());
+  EXPECT_EQ(read(), broken);
+  EXPECT_FALSE(fs::exists(kept)) << "the file has not been replaced";
+  file.save(settings);
+  EXPECT_EQ(readText(kept), broken);
+  fs::remove(kept);
+  settings.zoom = 1.5;
+  file.save(settings);
+  EXPECT_EQ(read(), settings.text() + "fragrance 7\n");
+  EXPECT_FALSE(fs::exists(kept)) << "kept again, although the file was valid then";
+  testing::internal::GetCapturedStderr();
+}
+
+TEST_F(SettingsFileTest, AValidFileHasNoFaultAndAnInvalidLineIsCounted) {
+  testing::internal::CaptureStderr();
+  SettingsFile file(folder_);
+  file.load();
+  EXPECT_EQ(file.fault(), "");
+  write("fragrance 7\nzoom 2\n");
+  file.load();
+  EXPECT_EQ(file.fault(), "");
+  write("zoom\n");
+  file.load();
+  EXPECT_EQ(file.fault(),
+            "1 line of " + path_.string() + " is invalid; the old file is kept as " + path_.string() + ".broken");
+  testing::internal::GetCapturedStderr();
+}
+
+TEST_F(SettingsFileTest, AFileWithInvalidLinesStaysIfItCannotBeKept) {
+  const std::string broken = "zoom huge\n";
+  write(broken);
+  const std::string kept = path_.string() + ".broken";
+  fs::create_directories(fs::path(kept) / "not a file");
+  testing::internal::CaptureStderr();
+  playOnce();
+  EXPECT_NE(testing::internal::GetCapturedStderr().find("platon-client: cannot write " + kept +
+                                                        ": Is a directory; the settings are not saved\n"),
+            std::string::npos);
+  EXPECT_EQ(read(), broken);
+}
+
+TEST_F(SettingsFileTest, AFileThatCannotBeReadAsAWholeIsNotWritten) {
+  const std::string large = "zoom 2\n" + std::string(1 << 20, '#');
+  write(large);
+  testing::internal::CaptureStderr();
+  SettingsFile file(folder_);
+  const Settings settings = file.load();
+  EXPECT_EQ(file.fault(), path_.string() + " is larger than 1 MiB; the settings are not saved");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "platon-client: " + file.fault() + "\n");
+  EXPECT_EQ(settings.text(), Settings().text());
+  file.save(settings);
+  EXPECT_EQ(read(), large);
+  fs::remove(path_);
+  fs::create_directories(path_);
+  testing::internal::CaptureStderr();
+  SettingsFile folder(folder_);
+  folder.load();
+  EXPECT_EQ(folder.fault(), path_.string() + " cannot be read: Is a directory; the settings are not saved");
+  testing::internal::GetCapturedStderr();
 }
 
 TEST_F(SettingsFileTest, LinesOfUnknownSettingsAreKept) {
