@@ -14,8 +14,7 @@ void loadOpenGl() {
     throw std::runtime_error(std::string("cannot load OpenGL: ") +
                              reinterpret_cast<const char*>(glewGetErrorString(result)));
   }
-  if (GLEW_VERSION_3_3 == GL_FALSE)
-    throw std::runtime_error("OpenGL 3.3 is required; this machine has an older version");
+  if (GLEW_VERSION_3_3 == GL_FALSE) throw NoOpenGl();
   while (glGetError() != GL_NO_ERROR) {
     // Clears errors that glewInit has caused.
   }

@@ -1,10 +1,18 @@
 #pragma once
 
+#include <stdexcept>
 #include <string>
 
 namespace platon {
 
-/// Loads the functions of the current OpenGL context. Throws std::runtime_error below OpenGL 3.3.
+/// The graphics driver has no OpenGL 3.3, with or without a window; the text says what can be done.
+struct NoOpenGl : std::runtime_error {
+  NoOpenGl()
+      : std::runtime_error("the graphics driver has no OpenGL 3.3: update it, or start with LIBGL_ALWAYS_SOFTWARE=1") {}
+};
+
+/// Loads the functions of the current OpenGL context. Throws NoOpenGl below OpenGL 3.3, and std::runtime_error if they
+/// cannot be loaded.
 void loadOpenGl();
 
 /// Returns and clears the recorded OpenGL errors as text; empty if there are none.

@@ -37,7 +37,7 @@ void* openContext(void* display) {
 Offscreen::Offscreen() : display_(openDisplay()), context_(openContext(display_)) {
   if (context_ == nullptr) {
     eglTerminate(display_);
-    throw std::runtime_error("cannot draw off-screen: EGL has no OpenGL 3.3 core context");
+    throw NoOpenGl();
   }
   loadOpenGl();
 }

@@ -6,7 +6,7 @@ namespace platon {
 /// destruction. Pictures are drawn into a RenderTarget. Equal scenes give equal bytes.
 class Offscreen {
  public:
-  /// Throws std::runtime_error if the machine has no surfaceless EGL or no OpenGL 3.3.
+  /// Throws NoOpenGl if the driver has no OpenGL 3.3, and std::runtime_error if the machine has no surfaceless EGL.
   Offscreen();
   ~Offscreen();
   Offscreen(const Offscreen&) = delete;

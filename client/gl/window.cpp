@@ -31,14 +31,14 @@ std::vector<GamepadState> readGamepads() {
   return gamepads;
 }
 
-std::string lastError() {
-  const char* description = nullptr;
-  glfwGetError(&description);
-  return description != nullptr ? description : "unknown error";
-}
+std::string textOf(const char* description) { return description != nullptr ? description : "unknown error"; }
 
 GLFWwindow* openWindow(const std::string& title, int width, int height) {
-  if (glfwInit() != GLFW_TRUE) throw std::runtime_error("cannot open a window: " + lastError());
+  const char* description = nullptr;
+  if (glfwInit() != GLFW_TRUE) {
+    glfwGetError(&description);
+    throw std::runtime_error("cannot open a window: " + textOf(description));
+  }
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
@@ -48,9 +48,11 @@ GLFWwindow* openWindow(const std::string& title, int width, int height) {
   glfwWindowHint(GLFW_STENCIL_BITS, 0);
   GLFWwindow* handle = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
   if (handle == nullptr) {
-    const std::string error = lastError();
+    const int code = glfwGetError(&description);
+    const std::string error = "cannot open a window: " + textOf(description);
     glfwTerminate();
-    throw std::runtime_error("cannot open a window: " + error);
+    if (code == GLFW_API_UNAVAILABLE || code == GLFW_VERSION_UNAVAILABLE) throw NoOpenGl();
+    throw std::runtime_error(error);
   }
   return handle;
 }

@@ -17,7 +17,8 @@ namespace platon {
 /// main thread.
 class Window {
  public:
-  /// `width` × `height` in screen coordinates. Throws std::runtime_error if there is no display or no OpenGL 3.3.
+  /// `width` × `height` in screen coordinates. Throws NoOpenGl if the driver has no OpenGL 3.3, and
+  /// std::runtime_error if there is no display.
   Window(const std::string& title, int width, int height);
   ~Window();
   Window(const Window&) = delete;

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "client/gl/gl_loader.h"
 #include "protocol/program_error.h"
 
 namespace platon {
@@ -9,6 +10,8 @@ namespace platon {
 Window openWindow(const std::string& otherwise) {
   try {
     return {"Platon", static_cast<int>(kPictureWidth), static_cast<int>(kPictureHeight)};
+  } catch (const NoOpenGl& error) {
+    throw ProgramError(ProgramError::kFailed, error.what());
   } catch (const std::runtime_error& error) {
     throw ProgramError(ProgramError::kUsage, error.what() + ("; " + otherwise));
   }

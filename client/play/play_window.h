@@ -17,8 +17,8 @@ inline constexpr std::uint32_t kPictureHeight = 720;
 /// Shortest time of a picture, for drivers that do not wait for the vertical blank.
 inline constexpr Moment kMinFrameTime = std::chrono::milliseconds(2);
 
-/// Opens the window of the program. Throws ProgramError if there is none; its text ends with `otherwise`, which says
-/// what can be done without a window.
+/// Opens the window of the program. Throws ProgramError if there is none. Without a display its text ends with
+/// `otherwise`, which says what can be done without a window.
 Window openWindow(const std::string& otherwise);
 
 /// Says in the window that the program is loading, until the next picture.

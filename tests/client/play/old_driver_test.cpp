@@ -1,0 +1,52 @@
+// What the program says on a driver without OpenGL 3.3. Mesa looks only once whether it has to behave like one.
+#include <stdexcept>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "client/gl/gl_loader.h"
+#include "client/gl/offscreen.h"
+#include "client/gl/window.h"
+#include "client/play/play_window.h"
+#include "protocol/program_error.h"
+#include "tests/support/environment_variable.h"
+
+// Runs on a virtual display with a window manager (on_display.sh).
+namespace platon {
+namespace {
+
+const EnvironmentVariable kOldVersion("MESA_GL_VERSION_OVERRIDE", "2.1");
+constexpr const char* kText = "the graphics driver has no OpenGL 3.3: update it, or start with LIBGL_ALWAYS_SOFTWARE=1";
+
+template <class Open>
+std::string reasonOf(Open open) {
+  try {
+    open();
+  } catch (const NoOpenGl& error) {
+    return error.what();
+  } catch (const std::runtime_error& error) {
+    return std::string("another error: ") + error.what();
+  }
+  return "opened";
+}
+
+TEST(OldDriver, AWindowTellsThatOpenGl33IsMissing) {
+  EXPECT_EQ(reasonOf([] { const Window window("Platon", 640, 360); }), kText);
+}
+
+TEST(OldDriver, OffScreenTheReasonIsTheSame) {
+  EXPECT_EQ(reasonOf([] { const Offscreen context; }), kText);
+}
+
+TEST(OldDriver, TheProgramDoesNotAdviseToDrawOffScreen) {
+  try {
+    openWindow("use --offscreen");
+    FAIL() << "opened";
+  } catch (const ProgramError& error) {
+    EXPECT_EQ(error.exitCode(), ProgramError::kFailed);
+    EXPECT_STREQ(error.what(), kText);
+  }
+}
+
+}  // namespace
+}  // namespace platon
