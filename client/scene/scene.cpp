@@ -89,7 +89,7 @@ Scene makeScene(const SceneSource& source) {
   scene.timed = source.timed;
   scene.over = source.roundOver || (source.timed && source.game->over());
   const std::uint32_t needed = source.game->level().players;
-  if (scene.players.size() < needed && !scene.over) scene.neededPlayers = needed;
+  if (source.othersCanJoin && scene.players.size() < needed && !scene.over) scene.neededPlayers = needed;
   if (!scene.players.empty() && scene.players.back().local) {
     scene.attempt = {double{1} * source.attempt.ticks() / kTicksPerSecond, source.attempt.arrived()};
     scene.needsRestart = source.needsRestart && !scene.over;

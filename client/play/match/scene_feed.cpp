@@ -62,6 +62,7 @@ std::optional<Scene> SceneFeed::scene(const Session& session, Moment now, std::v
   source.flashes = flashes_;
   source.attempt = round->attemptTime();
   source.needsRestart = round->airTime().needsHint();
+  source.othersCanJoin = true;
   source.ghosts = std::move(ghosts);
   source.ownBall = ownBall_;
   return makeScene(source);

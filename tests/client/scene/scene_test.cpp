@@ -139,10 +139,17 @@ TEST(Scene, HasTheAttemptAndTheHintOfTheLocalPlayer) {
 TEST(Scene, TellsHowManyPlayersTheLevelNeedsWhileFewerAreThere) {
   const std::string floor = "HEXAHEDRON\n0 0 -180 0\n2 0 0\n480\n%\n-240 -200 240 -200\n%\n%\n%\n%\n%\n";
   Game game(loadLevel("# players: 2\n" + floor).level);
+  const auto neededPlayers = [&game](bool othersCanJoin) {
+    const std::vector<PlayerSnapshot> players = playersOf(game);
+    SceneSource source = sourceOf(game, players, players, 1);
+    source.othersCanJoin = othersCanJoin;
+    return makeScene(source).neededPlayers;
+  };
   run(game, 1, 0, 5);
-  EXPECT_EQ(sceneOf(game).neededPlayers, 2U);
+  EXPECT_EQ(neededPlayers(true), 2U);
+  EXPECT_EQ(neededPlayers(false), 0U) << "in a replay";
   run(game, 2, 0, 5);
-  EXPECT_EQ(sceneOf(game).neededPlayers, 0U);
+  EXPECT_EQ(neededPlayers(true), 0U);
 }
 
 TEST(Scene, ElementsAreThoseOfThePredictedGame) {

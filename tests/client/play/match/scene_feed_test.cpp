@@ -53,6 +53,14 @@ TEST(SceneFeed, ShowsThatTheServerHasEndedTheRound) {
   EXPECT_TRUE(feed.scene(session, Moment(0))->over);
 }
 
+TEST(SceneFeed, ShowsThatPlayersAreMissing) {
+  const std::string level = "# players: 2\nHEXAHEDRON\n0 0 0 0\n2 0 0\n480\n%\n-240 -200 240 -200\n%\n%\n%\n%\n%\n";
+  SessionNetwork match({loadLevel(level).level}, 1);
+  match.join({}, kRight);
+  match.run(milliseconds(500));
+  EXPECT_EQ(SceneFeed().scene(match.session(0), match.now())->neededPlayers, 2U);
+}
+
 TEST(SceneFeed, ShowsTheRoundTripsThatTheServerTells) {
   SessionNetwork match({endlessLevel()}, 1);
   match.match().setRoundTrip([](ClientId client) { return static_cast<std::uint32_t>(20 * client); });
