@@ -223,8 +223,8 @@ void placeChat(HudSpace& space, const std::vector<std::string>& chat, const Font
 }
 
 // At the lower left. Returns whether there was room.
-bool placeHelp(HudSpace& space, const KeyHints& keys, const Font& font) {
-  const Overlay help = drawn(font, [&](OverlayWriter& writer) { addHelp(writer, keys); });
+bool placeHelp(HudSpace& space, const KeyHints& keys, const Font& font, bool brief = false) {
+  const Overlay help = drawn(font, [&](OverlayWriter& writer) { addHelp(writer, keys, brief); });
   const HudBox box = boundsOf(help, font);
   const glm::vec2 place(kMargin, space.startOfFoot() - kGap - (box.high.y - box.low.y));
   return space.add(movedBy(help, place - box.low));
@@ -233,7 +233,7 @@ bool placeHelp(HudSpace& space, const KeyHints& keys, const Font& font) {
 // The help instead of what it has no room beside, as long as the player asks for it.
 HudSpace helpAlone(glm::vec2 screen, const HudStatus& status, const Font& font) {
   HudSpace space(font, screen);
-  placeHelp(space, status.keys, font);
+  if (!placeHelp(space, status.keys, font)) placeHelp(space, status.keys, font, true);
   return space;
 }
 

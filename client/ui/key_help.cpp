@@ -19,16 +19,20 @@ constexpr float kGap = 18;
 
 using Row = std::array<std::string, 3>;  // keys, button of a gamepad, meaning
 
-std::vector<Row> rowsOf(const KeyHints& hints) {
-  const auto row = [&hints](Control control, const char* meaning) {
-    return Row{hints.keys(control), hints.pad(control), meaning};
+// `brief`: one key or button of each control.
+std::vector<Row> rowsOf(const KeyHints& hints, bool brief) {
+  const auto keys = [&](Control control) { return brief ? hints.of(control) : hints.keys(control); };
+  const auto pad = [brief](const std::string& button) { return brief ? std::string() : button; };
+  const auto row = [&](Control control, const char* meaning) {
+    return Row{keys(control), pad(hints.pad(control)), meaning};
   };
-  return {{hints.run(), "stick: 3 speeds", "run"},
+  const std::string run = brief ? hints.of(Control::kLeft) + " " + hints.of(Control::kRight) : hints.run();
+  return {{run, pad("stick: 3 speeds"), "run"},
           row(Control::kSlow, "run slower"),
           row(Control::kJump, "jump; hold to jump higher"),
           row(Control::kUp, "jump, or upwards on the screen"),
           row(Control::kDown, "fall faster"),
-          {hints.keys(Control::kLook) + " and arrows", "right stick", "look round the solid"},
+          {keys(Control::kLook) + " and arrows", pad("right stick"), "look round the solid"},
           row(Control::kRestart, "back to the start"),
           row(Control::kVote, "next level, or a vote for it"),
           row(Control::kWatch, "after the goal: watch others"),
@@ -36,16 +40,18 @@ std::vector<Row> rowsOf(const KeyHints& hints) {
           {"F1", "", "help"},
           {"F3", "", "connection graph"},
           {"F11", "", "full screen"},
-          {"Esc", "Start", "pause, settings, leave"}};
+          {"Esc", pad("Start"), "pause, settings, leave"}};
 }
 
 }  // namespace
 
-void addHelp(OverlayWriter& writer, const KeyHints& keys) {
-  const std::vector<Row> rows = rowsOf(keys);
+void addHelp(OverlayWriter& writer, const KeyHints& keys, bool brief) {
+  const std::vector<Row> rows = rowsOf(keys, brief);
   std::array<float, 3> widths{};
   for (const Row& row : rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], writer.width(row[i], kSize) + kGap);
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      if (!row[i].empty()) widths[i] = std::max(widths[i], writer.width(row[i], kSize) + kGap);
+    }
   }
   const glm::vec2 size(widths[0] + widths[1] + widths[2] + kGap, kRowHeight * static_cast<float>(rows.size()) + 20);
   const glm::vec2 low(kMargin, Overlay::kHeight - kMargin - size.y);

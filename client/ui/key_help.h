@@ -5,7 +5,8 @@
 
 namespace platon {
 
-/// Adds the table of keys, buttons and their meaning at the lower left.
-void addHelp(OverlayWriter& writer, const KeyHints& keys);
+/// Adds the table of keys, buttons and their meaning at the lower left. `brief`: with one key or button of each
+/// control.
+void addHelp(OverlayWriter& writer, const KeyHints& keys, bool brief);
 
 }  // namespace platon

@@ -9,9 +9,9 @@
 namespace platon {
 namespace {
 
-Overlay helpOf(const Bindings& bindings, const Font& font) {
+Overlay helpOf(const Bindings& bindings, const Font& font, bool brief = false) {
   OverlayWriter writer(font);
-  addHelp(writer, KeyHints(bindings));
+  addHelp(writer, KeyHints(bindings), brief);
   return writer.take();
 }
 
@@ -26,6 +26,18 @@ TEST(KeyHelp, NamesTheKeysThatThePlayerHasChosen) {
   Bindings bindings;
   bindings.bind(Control::kJump, Key::kJ);
   EXPECT_TRUE(shows(helpOf(bindings, font), "J or Space"));
+}
+
+TEST(KeyHelp, IsBriefWhereAllKeysHaveNoRoom) {
+  const Font font;
+  Bindings bindings;
+  bindings.bind(Control::kJump, Key::kJ);
+  const Overlay brief = helpOf(bindings, font, true);
+  EXPECT_TRUE(shows(brief, "J"));
+  EXPECT_TRUE(shows(brief, "← →"));
+  EXPECT_TRUE(shows(brief, "pause, settings, leave"));
+  EXPECT_FALSE(shows(brief, "pad A"));
+  EXPECT_LT(brief.panels.front().high.x, helpOf(bindings, font).panels.front().high.x);
 }
 
 TEST(KeyHelp, StaysInsideItsPanelAndTheNarrowestPicture) {
