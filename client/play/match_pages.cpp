@@ -56,6 +56,7 @@ void MatchPages::showSay(LiveMatch& match) {
     choices.say = [this, &match] { say(match, {text_.text(), 0}); };
     choices.emote = [this, &match](std::uint32_t emote) { say(match, {"", emote}); };
     choices.leave = [this] { menu_->close(); };
+    choices.said = match.play().said();
     return sayPage(text_, choices);
   });
 }

@@ -17,4 +17,10 @@ std::vector<std::string> ChatFeed::lines(double seconds) const {
   return shown;
 }
 
+std::vector<std::string> ChatFeed::newest() const {
+  std::vector<std::string> texts;
+  for (auto line = lines_.rbegin(); line != lines_.rend(); ++line) texts.push_back(line->text);
+  return texts;
+}
+
 }  // namespace platon

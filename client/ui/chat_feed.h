@@ -24,6 +24,8 @@ class ChatFeed {
   void add(const std::string& name, const std::string& text, std::uint32_t emote, double seconds);
   /// The lines to show now, oldest first.
   std::vector<std::string> lines(double seconds) const;
+  /// The last lines whatever their age, newest first.
+  std::vector<std::string> newest() const;
 
  private:
   struct Line {

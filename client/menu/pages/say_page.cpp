@@ -7,7 +7,7 @@
 namespace platon {
 
 MenuPage sayPage(TextField& text, const SayChoices& choices) {
-  MenuPage page{"Say to all players"};
+  MenuPage page{"Say to all players", choices.said};
   MenuItem field{MenuItem::Kind::kText, "Text"};
   field.field = &text;
   field.choose = choices.say;

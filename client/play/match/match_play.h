@@ -48,6 +48,8 @@ class MatchPlay {
   void toggleVote() { client_.toggleVote(); }
   /// Says something to all players. Returns false if this client has said too much, or is in no match.
   bool say(const Chat& chat, Moment now) { return client_.say(chat, now); }
+  /// What players have said lately, newest first; empty if the settings hide it.
+  std::vector<std::string> said() const { return chatShown_ ? chat_.newest() : std::vector<std::string>(); }
   /// Shows timer, ghosts and what players say as these settings tell.
   void show(const Settings& settings);
   /// Whether rounds have a time limit.

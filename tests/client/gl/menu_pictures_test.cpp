@@ -185,7 +185,7 @@ TEST_F(MenuPicturesTest, Say) {
   resize(960, 540);
   TextField text(200);
   text.setText("wait for me");
-  expectPage("say", sayPage(text, {[] {}, [](std::uint32_t) {}, [] {}}));
+  expectPage("say", sayPage(text, {[] {}, [](std::uint32_t) {}, [] {}, {"Ann: where are you?", "Zoë waves"}}));
 }
 
 TEST_F(MenuPicturesTest, Failure) {

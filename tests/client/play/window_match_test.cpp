@@ -113,6 +113,8 @@ TEST_F(WindowMatchTest, AServerIsJoinedByItsAddressAndPlayersTalk) {
            EXPECT_TRUE(grace.say({"well done", 0}, steadyClock().now()));
          },
          [&] { return meanwhile(hears(play_->match()->play(), "Grace: well done")); }},
+        {[] { xdotool("key t"); }, [&] { return meanwhile(notes("Grace: well done")); }},
+        {[] { xdotool("key Escape"); }, [&] { return meanwhile(inGame()); }},
         {[] { xdotool("key Escape"); }, [&] { return meanwhile(shows("Leave to the title")); }},
         {[this] { clickOn("Leave to the title"); },
          [&] { return meanwhile(play_->match() == nullptr && server.players() == 1); }}});

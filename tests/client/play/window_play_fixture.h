@@ -66,6 +66,14 @@ class WindowPlayTest : public testing::Test {
     }
     return false;
   }
+  // Whether the menu shows a paragraph that begins with this text.
+  bool notes(const std::string& start) const {
+    if (!play_->menu().isOpen()) return false;
+    for (const MenuLine& note : play_->menu().layout(font_).notes) {
+      if (note.text.starts_with(start)) return true;
+    }
+    return false;
+  }
   // Whether the own ball stands on something. Nothing before the first round.
   std::optional<bool> isOnGround() const {
     const Session* const session = play_->match() ? play_->match()->play().client().session() : nullptr;

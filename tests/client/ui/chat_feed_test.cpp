@@ -29,6 +29,13 @@ TEST(ChatFeed, OnlyTheNewestLinesAreShown) {
   EXPECT_EQ(feed.lines(1), (Lines{"Ann: 4", "Ann: 5", "Ann: 6", "Ann: 7", "Ann: 8"}));
 }
 
+TEST(ChatFeed, TheNewestLinesAreKeptForWhoAnswers) {
+  ChatFeed feed;
+  for (int i = 0; i < 6; ++i) feed.add("Ann", std::to_string(i), 0, i);
+  EXPECT_TRUE(feed.lines(100).empty());
+  EXPECT_EQ(feed.newest(), (Lines{"Ann: 5", "Ann: 4", "Ann: 3", "Ann: 2", "Ann: 1"}));
+}
+
 TEST(ChatFeed, AnUnknownEmoteIsLeftOut) {
   ChatFeed feed;
   feed.add("Ann", "", 5, 0);

@@ -24,5 +24,12 @@ TEST(SayPage, EachItemCallsItsOwn) {
   EXPECT_EQ(called, "say say 1 2 3 4 leave");
 }
 
+TEST(SayPage, ShowsWhatWasSaidWhileThePlayerAnswers) {
+  TextField text(kMaxChatBytes);
+  SayChoices choices;
+  choices.said = {"Ben: here", "Ann: where are you?"};
+  EXPECT_EQ(sayPage(text, choices).notes, choices.said);
+}
+
 }  // namespace
 }  // namespace platon
