@@ -21,7 +21,7 @@ Bindings::Bindings()
              {Key::kV, {}, Key::kPadY},
              {Key::kTab, {}, {}},  // the right stick looks round
              {Key::kE, {}, Key::kPadRightBumper},
-             {Key::kT, {}, {}}}} {}
+             {Key::kT, {}, Key::kPadX}}} {}
 
 std::optional<Control> Bindings::controlOf(Key key) const {
   for (std::size_t i = 0; i < kControlCount; ++i) {

@@ -21,7 +21,7 @@ class ControlsPageTest : public testing::Test {
 
 TEST_F(ControlsPageTest, ShowsTheKeysOfEachControl) {
   EXPECT_EQ(row(Control::kLeft).value, "← or A, stick ←");
-  EXPECT_EQ(row(Control::kSay).value, "T");
+  EXPECT_EQ(row(Control::kSay).value, "T, pad X");
   bindings_.clear(Control::kSay);
   EXPECT_EQ(row(Control::kSay).value, "none");
   EXPECT_EQ(page().items.size(), kControlCount + 1);
@@ -48,7 +48,7 @@ TEST_F(ControlsPageTest, TellsFromWhomAKeyWasTaken) {
   EXPECT_EQ(note(), "“Jump” has taken V from “Next level, or vote”, which has pad Y now.");
   row(Control::kJump).choose();
   press(Key::kT);
-  EXPECT_EQ(note(), "“Jump” has taken T from “Talk to all players”, which has none now.");
+  EXPECT_EQ(note(), "“Jump” has taken T from “Talk to all players”, which has pad X now.");
 }
 
 TEST_F(ControlsPageTest, EscapeAndStartLeaveEverythingAsItWas) {

@@ -34,6 +34,10 @@ void expectSound(const Bindings& bindings) {
   }
 }
 
+TEST(Bindings, WhoPlaysWithAGamepadCanTalk) {
+  EXPECT_EQ(Bindings().keysOf(Control::kSay), (ControlKeys{Key::kT, std::nullopt, Key::kPadX}));
+}
+
 TEST(Bindings, EachKeyHasAtMostOneControlWhateverThePlayerChooses) {
   std::mt19937_64 random(1);
   Bindings bindings;

@@ -8,7 +8,7 @@ namespace {
 TEST(KeyHints, NameTheFirstKeyAndWithAGamepadItsButton) {
   EXPECT_EQ(KeyHints().of(Control::kJump), "Space");
   EXPECT_EQ(KeyHints({}, true).of(Control::kJump), "pad A");
-  EXPECT_EQ(KeyHints({}, true).of(Control::kSay), "T") << "it has no button";
+  EXPECT_EQ(KeyHints({}, true).of(Control::kLook), "Tab") << "it has no button";
   EXPECT_EQ(KeyHints().to(Control::kRestart, "back"), "R: back");
 }
 
