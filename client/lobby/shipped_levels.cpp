@@ -22,6 +22,14 @@ BestTimes timesIn(const std::string& file) {
   return times == nullptr ? BestTimes() : std::move(*times);
 }
 
+// The best time by the last rules before the present ones that have one.
+std::optional<std::uint32_t> olderTicks(const BestTimes& times, std::uint64_t level) {
+  for (std::uint32_t rules = kRulesVersion; rules-- > 0;) {
+    if (const DatedTime* const best = times.find({level, rules})) return best->time.ticks;
+  }
+  return std::nullopt;
+}
+
 constexpr std::size_t kMaxTimesBytes = 1 << 16;
 
 // The table is beside the folders of the solids.
@@ -85,6 +93,7 @@ std::vector<LevelEntry> entriesOf(const std::vector<ShippedLevel>& levels, const
     entries.push_back(entryOf(each));
     const DatedTime* const best = times.find({each.level->hash, kRulesVersion});
     if (best != nullptr) entries.back().bestTicks = best->time.ticks;
+    entries.back().olderTicks = olderTicks(times, each.level->hash);
     entries.back().reached = best != nullptr || reached.has(each.level->hash);
   }
   return entries;

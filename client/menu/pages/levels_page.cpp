@@ -43,12 +43,20 @@ Medal medalOf(const LevelEntry& level) {
   return level.medals && level.bestTicks ? medalFor(*level.medals, *level.bestTicks) : Medal::kNone;
 }
 
+std::string timeText(std::uint32_t ticks) { return finishText(double{1} * ticks / kTicksPerSecond); }
+
+// What the player has reached; a time of older rules gives no medal.
+std::string reachedText(const LevelEntry& level) {
+  if (level.bestTicks) return (level.medals ? starsOf(medalOf(level)) : "★") + " " + timeText(*level.bestTicks);
+  const std::string reached = level.reached ? "✓" : "";
+  if (!level.olderTicks) return reached;
+  return reached + (level.reached ? " " : "") + timeText(*level.olderTicks) + ", older rules";
+}
+
 std::string factsOf(const LevelEntry& level) {
-  std::string facts = level.players > 1 ? level.solid : "";
-  if (!level.bestTicks && level.reached) return facts + (facts.empty() ? "" : "   ") + "✓";
-  if (!level.bestTicks) return facts;
-  const std::string best = finishText(double{1} * *level.bestTicks / kTicksPerSecond);
-  return facts + (facts.empty() ? "" : "   ") + (level.medals ? starsOf(medalOf(level)) : "★") + " " + best;
+  const std::string solid = level.players > 1 ? level.solid : "";
+  const std::string reached = reachedText(level);
+  return solid + (solid.empty() || reached.empty() ? "" : "   ") + reached;
 }
 
 MenuItem itemOf(const LevelEntry& level) {

@@ -45,6 +45,25 @@ TEST(ShippedLevels, HaveTheBestTimesOfThePresentRules) {
   EXPECT_FALSE(entriesOf(levels, file, ReachedLevels({}))[2].bestTicks);
 }
 
+TEST(ShippedLevels, TellTheTimesOfOlderRulesApart) {
+  const std::vector<ShippedLevel> levels = loadShippedLevels();
+  const auto lineOf = [&](std::size_t level, std::uint32_t rules, int ticks) {
+    char hash[17];
+    std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(levels[level].level->hash));
+    return std::string(hash) + " " + std::to_string(rules) + " " + std::to_string(ticks) +
+           " 2026-12-01T18:00:00Z Ann\n";
+  };
+  const TemporaryFolder folder;
+  const std::string file = folder / "best_times";
+  writeText(file, lineOf(0, kRulesVersion, 90) + lineOf(1, kRulesVersion - 1, 80) + lineOf(1, kRulesVersion - 2, 70));
+  const std::vector<LevelEntry> entries = entriesOf(levels, file, ReachedLevels({}));
+  EXPECT_FALSE(entries[0].olderTicks);
+  EXPECT_FALSE(entries[1].bestTicks);
+  EXPECT_EQ(entries[1].olderTicks, 80U) << "of the newest ones of them";
+  EXPECT_FALSE(entries[1].reached);
+  EXPECT_FALSE(entries[2].olderTicks);
+}
+
 TEST(ShippedLevels, AreReachedWithATimeOrWithoutOne) {
   const std::vector<ShippedLevel> levels = loadShippedLevels();
   const TemporaryFolder folder;

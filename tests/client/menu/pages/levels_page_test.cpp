@@ -45,6 +45,19 @@ TEST(LevelsPage, AGoalThatWasReachedWithoutATimeHasACheckMark) {
   EXPECT_EQ(page.items[2].value, "★ 1.00 s");
 }
 
+TEST(LevelsPage, ATimeOfOlderRulesSaysSoAndGivesNoMedal) {
+  LevelEntry level{.title = "One", .solid = "CUBE", .medals = medalTimesOf(600), .olderTicks = 741};
+  const auto valueOf = [](const LevelEntry& entry) { return levelsPage({&entry, 1}, nullptr).items[1].value; };
+  EXPECT_EQ(valueOf(level), "12.35 s, older rules");
+  EXPECT_FALSE(levelsPage({&level, 1}, nullptr).items[1].valueColour);
+  level.reached = true;
+  EXPECT_EQ(valueOf(level), "✓ 12.35 s, older rules");
+  level.players = 2;
+  EXPECT_EQ(valueOf(level), "CUBE   ✓ 12.35 s, older rules");
+  level.bestTicks = 900;
+  EXPECT_EQ(valueOf(level), "CUBE   ★★☆ 15.00 s");
+}
+
 TEST(LevelsPage, ItemsAndLevelsBelongTogether) {
   std::vector<std::size_t> chosen;
   const MenuPage page = levelsPage(kLevels, [&](std::size_t level) { chosen.push_back(level); });
