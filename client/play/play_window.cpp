@@ -1,11 +1,17 @@
 #include "client/play/play_window.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "client/gl/gl_loader.h"
 #include "protocol/program_error.h"
 
 namespace platon {
+
+Moment frameTimeOf(bool calm, double frameCap) {
+  if (calm) return kCalmFrameTime;
+  return frameCap < 1 ? kMinFrameTime : std::max(kMinFrameTime, Moment(static_cast<Moment::rep>(1e6 / frameCap)));
+}
 
 Window openWindow(const std::string& otherwise) {
   try {

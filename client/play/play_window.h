@@ -17,6 +17,13 @@ inline constexpr std::uint32_t kPictureHeight = 720;
 /// Shortest time of a picture, for drivers that do not wait for the vertical blank.
 inline constexpr Moment kMinFrameTime = std::chrono::milliseconds(2);
 
+/// Least time from one picture to the next while the player does not look at a game that runs.
+inline constexpr Moment kCalmFrameTime = std::chrono::microseconds(33'333);
+
+/// Least time from one picture to the next: kCalmFrameTime in a `calm` window, else that of `frameCap` pictures a
+/// second (Settings::frameCap), but at least kMinFrameTime.
+Moment frameTimeOf(bool calm, double frameCap);
+
 /// Opens the window of the program. Throws ProgramError if there is none. Without a display its text ends with
 /// `otherwise`, which says what can be done without a window.
 Window openWindow(const std::string& otherwise);

@@ -17,7 +17,6 @@ namespace platon {
 namespace {
 
 constexpr Moment kToldTime = std::chrono::seconds(4);
-constexpr Moment kCalmFrameTime = std::chrono::microseconds(33'333);  // in the menu, and without the focus
 
 bool namesMatch(const ClientOptions& options) { return options.server || !options.level.empty() || options.demo; }
 
@@ -70,7 +69,7 @@ void WindowPlay::run(const std::function<bool()>& stopRequested) {
     updateMatch();
     updateReplay(toSeconds(now - drawnAt_));
     draw(now);
-    clock_.sleepUntil(now + frameTime());
+    clock_.sleepUntil(now + frameTimeOf(!window_.focused() || menu_.isOpen(), interface_.settings().frameCap));
   }
   if (!options_.screenshot.empty()) takeScreenshot();
   settingsFile_.save(interface_.settings());
@@ -81,12 +80,6 @@ void WindowPlay::run(const std::function<bool()>& stopRequested) {
 bool WindowPlay::shouldContinue(Moment now) const {
   const bool timeLeft = !options_.seconds || toSeconds(now - startedAt_) < *options_.seconds;
   return timeLeft && !window_.closing() && !leaving_;
-}
-
-Moment WindowPlay::frameTime() const {
-  if (!window_.focused() || menu_.isOpen()) return kCalmFrameTime;
-  const double cap = interface_.settings().frameCap;
-  return cap < 1 ? kMinFrameTime : std::max(kMinFrameTime, Moment(static_cast<Moment::rep>(1e6 / cap)));
 }
 
 void WindowPlay::handleEvents() {

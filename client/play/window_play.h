@@ -52,7 +52,6 @@ class WindowPlay {
 
  private:
   bool shouldContinue(Moment now) const;
-  Moment frameTime() const;
 
   // Events.
   void handleEvents();

@@ -1,6 +1,7 @@
 #include "client/play/play_window.h"
 
 #include <algorithm>
+#include <chrono>
 #include <optional>
 #include <string>
 
@@ -12,6 +13,17 @@
 // Runs on a virtual display with a window manager (on_display.sh).
 namespace platon {
 namespace {
+
+TEST(PlayWindow, AFrameTakesAsLongAsTheCapSaysAndLongerInACalmWindow) {
+  using std::chrono::microseconds;
+  EXPECT_EQ(frameTimeOf(false, 0), kMinFrameTime) << "no cap";
+  EXPECT_EQ(frameTimeOf(false, 0.5), kMinFrameTime);
+  EXPECT_EQ(frameTimeOf(false, 50), microseconds(20'000));
+  EXPECT_EQ(frameTimeOf(false, 1), microseconds(1'000'000));
+  EXPECT_EQ(frameTimeOf(false, 1000), kMinFrameTime) << "a cap above what a driver may draw";
+  EXPECT_EQ(frameTimeOf(true, 0), microseconds(33'333));
+  EXPECT_EQ(frameTimeOf(true, 1000), microseconds(33'333));
+}
 
 // The window manager may take room for a frame.
 TEST(PlayWindow, IsAtMostOfTheSizeOfThePicture) {
