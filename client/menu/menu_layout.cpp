@@ -58,7 +58,10 @@ std::vector<std::string> noteLines(const MenuPage& page, const Font& font, float
   }
   const float needed = static_cast<float>(kFewestRows) * (kRowHeight + kRowGap);
   const auto room = static_cast<std::size_t>(std::max(0.0F, (height - needed) / kNoteHeight));
-  lines.resize(std::min({lines.size(), kMaxNotes, room}));
+  const std::size_t shown = std::min({lines.size(), kMaxNotes, room});
+  const bool cut = shown < lines.size();
+  lines.resize(shown);
+  if (cut && shown > 0) lines.back() += " …";
   return lines;
 }
 

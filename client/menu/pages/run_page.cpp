@@ -16,13 +16,13 @@ MenuPage runPage(const ReplayEntry& entry, const std::string& file, const std::s
   MenuPage page{entry.title};
   page.place = MenuPage::Place::kLeft;
   page.warning = !fault.empty() || !entry.note.empty();
-  page.notes = {factsOf(entry), file};
+  // The path comes last: it may be longer than the page.
   if (!fault.empty()) {
-    page.notes.push_back(fault);
+    page.notes = {factsOf(entry), fault, file};
   } else if (!entry.note.empty()) {
-    page.notes.push_back("It " + entry.note + ".");
+    page.notes = {factsOf(entry), "It " + entry.note + ".", file};
   } else {
-    page.notes.emplace_back("To share it, send this file. A friend drops it on the window of the game.");
+    page.notes = {factsOf(entry), "To share it, send this file. A friend drops it on the window of the game.", file};
   }
   const auto offer = [&page](const char* name, const std::function<void()>& choose) {
     if (choose) page.items.push_back({.name = name, .choose = choose});

@@ -1,10 +1,18 @@
 #include "client/menu/menu_layout.h"
 
+#include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "client/menu/pages/controls_page.h"
+#include "client/menu/pages/failure_page.h"
+#include "client/menu/pages/join_page.h"
+#include "client/menu/pages/replays_page.h"
+#include "client/menu/pages/run_page.h"
+#include "client/menu/pages/settings_page.h"
 #include "client/ui/overlay.h"
 #include "client/ui/text_scale.h"
 #include "tests/client/menu/sample_pages.h"
@@ -94,6 +102,106 @@ TEST(MenuLayout, NothingOverlapsAndNothingIsOutsideTheScreen) {
       }
     }
   }
+}
+
+// The virtual screens of pictures of 640 × 360, 1280 × 720 and 3840 × 2160 pixels.
+std::vector<glm::vec2> pictures() {
+  std::vector<glm::vec2> all;
+  for (const std::uint32_t height : {360U, 720U, 2160U})
+    all.push_back(glm::vec2(Overlay::kHeight * 16 / 9, Overlay::kHeight) / textScale(1, height));
+  return all;
+}
+
+// In order at each focus; at each focus its whole name and value are shown unless `cut`.
+void expectReal(const MenuPage& page, bool cut = false) {
+  for (const glm::vec2 screen : pictures()) {
+    for (std::size_t focus = 0; focus < page.items.size(); ++focus) {
+      if (!page.items[focus].canHaveFocus()) continue;
+      SCOPED_TRACE(testing::Message() << page.title << " " << screen.x << " × " << screen.y << " focus " << focus);
+      expectInOrder(page, screen, focus);
+      for (const MenuRow& row : layOut(page, font(), screen, {0, focus}).rows) {
+        const MenuItem& item = page.items[row.item];
+        EXPECT_TRUE(cut || row.name.text == item.name) << row.name.text << " of " << item.name;
+        EXPECT_TRUE(cut || item.field != nullptr || row.value.text == item.value)
+            << row.value.text << " of " << item.value;
+      }
+    }
+  }
+}
+
+bool notes(const MenuPage& page, const std::string& text) {
+  for (const glm::vec2 screen : pictures()) {
+    std::string shown;
+    for (const MenuLine& line : layOut(page, font(), screen, {0, std::nullopt}).notes) shown += line.text + " ";
+    if (shown.find(text) == std::string::npos) return false;
+  }
+  return true;
+}
+
+TEST(MenuLayout, ThePagesOfSettingsAndKeysShowAllTheirTexts) {
+  Settings settings;
+  for (const bool turned : {false, true}) {
+    settings.toggled = {turned, turned};
+    settings.controls = turned ? ControlFrame::kScreen : ControlFrame::kPlayer;
+    settings.comfort.view = turned ? CameraView::kFaceFade : CameraView::kFollow;
+    for (const MenuPage::Place place : {MenuPage::Place::kMiddle, MenuPage::Place::kLeft}) {
+      MenuPage page = settingsPage(settings, [] {});
+      page.place = place;
+      expectReal(page);
+    }
+  }
+  constexpr std::array kLong{Key::kBackslash, Key::kKeypad0, Key::kPageDown,
+                             Key::kPageUp,    Key::kKeypad9, Key::kPadLeft};
+  ControlsForm form{Control::kVote, "Backspace cannot be chosen."};
+  for (std::size_t i = 0; i < kControlCount; ++i) {
+    Bindings bindings;
+    for (const Key key : kLong) bindings.bind(static_cast<Control>(i), key);
+    expectReal(controlsPage(bindings, form));
+    form = {};
+  }
+}
+
+TEST(MenuLayout, TheListsOfServersAndRunsShowTheirFacts) {
+  JoinForm form;
+  form.address.setText(std::string(128, 'W'));
+  form.recent = {"[2001:0db8:85a3:0000:0000:8a2e:0370:7334]:65535", std::string(63, 'w') + ".example.org:65535"};
+  form.found = {{std::string(32, 'W'), "192.0.2.100:65535", "192.0.2.100:65535, 256 of 256 players, 1000 ms"},
+                {std::string(32, 'i'), "192.0.2.100:65535", "192.0.2.100:65535, full, needs a password"}};
+  form.listFault = std::string(200, 'f');
+  form.fault = "The password is wrong.";
+  EXPECT_TRUE(notes(joinPage(form, [] {}), form.fault));
+  expectReal(joinPage(form, [] {}), true);
+  const std::vector<ReplayEntry> runs{{std::string(100, 'W'), "86400.00 s", "2026-11-23", "", true},
+                                      {"Half turn", "86400.00 s", "2026-11-23", std::string(32, 'W')},
+                                      {"Half turn", "", "2026-10-01", "Ben", false, "was recorded by older rules"}};
+  expectReal(replaysPage(
+                 runs, [](std::size_t) {}, [] {}),
+             true);
+}
+
+TEST(MenuLayout, ALongPathHidesNeitherAFaultNorTheFacts) {
+  const RunChoices choices{[] {}, [] {}, [] {}, [] {}};
+  const ReplayEntry run{std::string(100, 'W'), "1.00 s", "2026-01-02", std::string(32, 'W')};
+  const MenuPage page = runPage(run, "/" + std::string(400, 'p'), "It cannot be kept: the disk is full.", choices);
+  expectReal(page, true);
+  EXPECT_TRUE(notes(page, "It cannot be kept: the disk is full."));
+  EXPECT_TRUE(notes(page, "1.00 s. 2026-01-02"));
+}
+
+TEST(MenuLayout, ACutReasonEndsWithDots) {
+  std::string reason = "play.example.org: the list is damaged";
+  for (int line = 0; line < 20; ++line) reason += "\nline " + std::to_string(line) + ": an error";
+  const MenuPage page = failurePage(
+      "The level is invalid", reason, [] {}, [] {});
+  expectReal(page);
+  for (const glm::vec2 screen : pictures()) {
+    const MenuLayout layout = layOut(page, font(), screen, {});
+    EXPECT_EQ(layout.notes.front().text, "play.example.org: the list is damaged");
+    EXPECT_TRUE(layout.notes.back().text.ends_with(" …")) << layout.notes.back().text;
+  }
+  const MenuPage all = failurePage(
+      "The level is invalid", "one\ntwo", [] {}, [] {});
+  EXPECT_EQ(layOut(all, font(), {1280, 720}, {}).notes.back().text, "two");
 }
 
 TEST(MenuLayout, AShortPageShowsAllItsTextUncut) {

@@ -3,7 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <string>
+#include <vector>
+
+#include "client/hud/hud_space.h"
+#include "client/ui/text_scale.h"
 
 namespace platon {
 namespace {
@@ -45,6 +51,32 @@ TEST(ReplayBar, OnlyTheBarIsClickable) {
   EXPECT_TRUE(replayBarAt({kWidth / 2, kLine}, kScreen));
   EXPECT_EQ(replayBarNear({-50, 0}, kScreen), 0);
   EXPECT_EQ(replayBarNear({kWidth + 50, 0}, kScreen), 1);
+}
+
+// The longest one is as long as the longest round, 24 hours.
+TEST(ReplayBar, NothingOverlapsInALongRecording) {
+  const Font font;
+  constexpr std::uint32_t kTicks = 5'184'000;
+  for (const std::uint32_t height : {360U, 720U, 2160U}) {
+    const glm::vec2 screen = kScreen / textScale(1, height);
+    for (const std::uint32_t tick : {0U, kTicks / 2, kTicks}) {
+      const Overlay bar = makeReplayBar({tick, kTicks, 0.25, tick == 0}, font, screen);
+      std::vector<HudBox> boxes{{bar.panels[1].low, bar.panels[1].high}, {bar.panels[3].low, bar.panels[3].high}};
+      const std::size_t line = boxes.size();
+      for (const Overlay::Text& text : bar.texts) {
+        Overlay alone;
+        alone.texts.push_back(text);
+        boxes.push_back(boundsOf(alone, font));
+        EXPECT_GE(boxes.back().low.x, bar.panels[0].low.x) << text.content;
+        EXPECT_LE(boxes.back().high.x, bar.panels[0].high.x) << text.content;
+      }
+      for (std::size_t i = line; i < boxes.size(); ++i) {
+        const HudBox inner{boxes[i].low + 0.5F, boxes[i].high - 0.5F};
+        for (std::size_t j = 0; j < i; ++j)
+          EXPECT_FALSE(inner.overlaps(boxes[j])) << height << " " << tick << " " << bar.texts[i - line].content;
+      }
+    }
+  }
 }
 
 TEST(ReplayBar, AnEmptyRecordingHasABar) {

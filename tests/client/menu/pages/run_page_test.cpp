@@ -31,8 +31,8 @@ TEST(RunPage, NamesTheFileAndSaysWhoseItIs) {
   const MenuPage own = runPage({"One", "1.00 s", "2026-01-02", "", true}, "~/runs/x", "", {});
   EXPECT_EQ(own.title, "One");
   EXPECT_EQ(own.notes[0], "Your run: 1.00 s, your best. 2026-01-02");
-  EXPECT_EQ(own.notes[1], "~/runs/x");
-  EXPECT_NE(own.notes[2].find("send this file"), std::string::npos);
+  EXPECT_NE(own.notes[1].find("send this file"), std::string::npos);
+  EXPECT_EQ(own.notes[2], "~/runs/x");
   EXPECT_FALSE(own.warning);
   const MenuPage other = runPage({"One", "", "2026-01-02", "Anna"}, "x", "", {});
   EXPECT_EQ(other.notes[0], "A recording of Anna. 2026-01-02");
@@ -40,10 +40,10 @@ TEST(RunPage, NamesTheFileAndSaysWhoseItIs) {
 
 TEST(RunPage, SaysWhyItCannotBePlayedOrKept) {
   const MenuPage damaged = runPage({"One", "", "", "", false, "is a damaged recording"}, "x", "", {});
-  EXPECT_EQ(damaged.notes[2], "It is a damaged recording.");
+  EXPECT_EQ(damaged.notes[1], "It is a damaged recording.");
   EXPECT_TRUE(damaged.warning);
   const MenuPage full = runPage({"One"}, "x", "It cannot be kept: the disk is full.", {});
-  EXPECT_EQ(full.notes[2], "It cannot be kept: the disk is full.");
+  EXPECT_EQ(full.notes[1], "It cannot be kept: the disk is full.");
   EXPECT_TRUE(full.warning);
 }
 
