@@ -1,9 +1,11 @@
 #include "client/gl/game_view.h"
 
 #include <algorithm>
+#include <array>
 #include <span>
 #include <vector>
 
+#include "client/hud/hud_space.h"
 #include "client/ui/high_contrast_overlay.h"
 
 namespace platon {
@@ -12,6 +14,12 @@ namespace {
 PictureStyle styleOf(const Settings& settings) {
   const bool animated = !settings.comfort.reducedMotion;
   return {animated, animated && settings.flashes, settings.highContrast};
+}
+
+float footOf(std::span<const Overlay> parts, const Font& font) {
+  float foot = 0;
+  for (const Overlay& part : parts) foot = std::max(foot, Overlay::kHeight - boundsOf(part, font).low.y);
+  return foot;
 }
 
 }  // namespace
@@ -33,6 +41,8 @@ void GameView::draw(const Scene* scene, const HudStatus& status, const Settings&
   const Camera& camera = camera_.camera();
   HudStatus shown = status;
   shown.scale = textScale(settings);
+  if (shown.notice.empty()) shown.notice = notice_;
+  shown.foot = footOf(more, font_);
   if (settings.netGraph) shown.netGraph = &netGraph_;
   std::vector<Overlay> overlays;
   if (scene != nullptr) {
@@ -56,13 +66,16 @@ void GameView::draw(const Scene* scene, const HudStatus& status, const Settings&
   }
 }
 
-void GameView::drawStill(const Scene& scene, const Camera& camera, const Settings& settings, Overlay menu) {
+void GameView::drawStill(const Scene& scene, const Camera& camera, const Settings& settings, const Overlay& menu,
+                         float left) {
   PictureStyle style = styleOf(settings);
   style.animated = false;
   renderer_.setPlaces({});
   renderer_.setFade(fadeLeft_ = 0);
-  if (style.highContrast) raiseContrast(menu);
-  renderer_.draw(scene, camera, std::span(&menu, 1), style);
+  const Overlay notice = makeNotice(notice_, font_, screenWidth() - left, textScale(settings));
+  std::array overlays{menu, movedBy(notice, {left, 0})};
+  if (style.highContrast) std::for_each(overlays.begin(), overlays.end(), raiseContrast);
+  renderer_.draw(scene, camera, overlays, style);
 }
 
 // The picture before a cut lies over those after it. It is kept before they are drawn.

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 
 #include "client/gl/image.h"
 #include "client/gl/renderer.h"
@@ -31,14 +32,18 @@ class GameView {
 
   static constexpr double kFadeSeconds = 0.2;  ///< of a cut of the camera that fades
 
+  /// The next pictures show this text, unless the head-up display has another notice; empty: none.
+  void setNotice(const std::string& notice) { notice_ = notice; }
+
   /// Draws the next picture, `seconds` after the last one. When the stage changes, the camera jumps to its target, or
-  /// flies there. `scene` is null while there is no game. `more` is drawn above the head-up display, `menu` in front of
-  /// everything.
+  /// flies there. `scene` is null while there is no game. `more` is drawn at the lower edge, which the head-up display
+  /// keeps clear, `menu` in front of everything.
   void draw(const Scene* scene, const HudStatus& status, const Settings& settings, const Overlay& menu, double seconds,
             std::span<const Overlay> more = {});
 
-  /// Draws a scene as a camera of the size of the picture sees it, and a menu in front of it.
-  void drawStill(const Scene& scene, const Camera& camera, const Settings& settings, Overlay menu);
+  /// Draws a scene as a camera of the size of the picture sees it, and a menu and the notice in front of it. The notice
+  /// stands to the right of `left` on the virtual screen.
+  void drawStill(const Scene& scene, const Camera& camera, const Settings& settings, const Overlay& menu, float left);
   /// Size of the picture in pixels.
   std::uint32_t width() const { return camera_.camera().width(); }
   std::uint32_t height() const { return camera_.camera().height(); }
@@ -75,6 +80,7 @@ class GameView {
   Renderer renderer_;
   GameCamera camera_;
   LookInput look_;
+  std::string notice_;
   NetGraph netGraph_;
   double fadeLeft_ = 0;  // of a cut of the camera, 0 … 1
   double roll_ = 0;

@@ -36,6 +36,13 @@ constexpr float kWidestText = 640;  // of messages and notices
 
 std::string twoDigits(long value) { return std::string(value < 10 ? "0" : "") + std::to_string(value); }
 
+// The empty display.
+HudSpace spaceFor(const HudStatus& status, const Font& font, float width) {
+  HudSpace space(font, glm::vec2(width, Overlay::kHeight) / status.scale);
+  space.reserveFoot(status.foot / status.scale);
+  return space;
+}
+
 // What a function draws.
 template <class Draw>
 Overlay drawn(const Font& font, Draw draw) {
@@ -231,8 +238,8 @@ bool placeHelp(HudSpace& space, const KeyHints& keys, const Font& font, bool bri
 }
 
 // The help instead of what it has no room beside, as long as the player asks for it.
-HudSpace helpAlone(glm::vec2 screen, const HudStatus& status, const Font& font) {
-  HudSpace space(font, screen);
+HudSpace helpAlone(const HudStatus& status, const Font& font, float width) {
+  HudSpace space = spaceFor(status, font, width);
   if (!placeHelp(space, status.keys, font)) placeHelp(space, status.keys, font, true);
   return space;
 }
@@ -258,7 +265,7 @@ LowerTexts lowerTextsOf(const Scene& scene, const HudStatus& status, const Font&
 
 // At the lower edge the message, above it the notice, and above that what the player may do and has reached.
 void placeTexts(HudSpace& space, const HudStatus& status, const LowerTexts& own, const Font& font) {
-  glm::vec2 middle(space.screen().x / 2, space.screen().y - 40);
+  glm::vec2 middle(space.screen().x / 2, space.startOfFoot() - 40);
   const auto add = [&](const std::string& text, glm::vec4 colour) {
     const std::vector<std::string> lines = linesOf(text, font, space.screen().x, kTextSize);
     if (lines.empty()) return;
@@ -284,7 +291,7 @@ std::string clockText(double seconds) {
 }
 
 Overlay makeEmptyHud(const HudStatus& status, const Font& font, float width) {
-  HudSpace space(font, glm::vec2(width, Overlay::kHeight) / status.scale);
+  HudSpace space = spaceFor(status, font, width);
   const glm::vec2 screen = space.screen();
   placeTexts(space, {.notice = status.notice}, {}, font);
   space.add(drawn(font, [&](OverlayWriter& writer) {
@@ -298,9 +305,15 @@ Overlay makeEmptyHud(const HudStatus& status, const Font& font, float width) {
   return scaledBy(space.overlay(), status.scale);
 }
 
+Overlay makeNotice(const std::string& notice, const Font& font, float width, float scale) {
+  HudSpace space = spaceFor({.scale = scale}, font, width);
+  placeTexts(space, {.notice = notice}, {}, font);
+  return scaledBy(space.overlay(), scale);
+}
+
 Overlay makeHud(const Scene& scene, const Camera& camera, const HudStatus& status, const Font& font) {
   const float width = Overlay::widthFor(camera.width(), camera.height());
-  HudSpace space(font, glm::vec2(width, Overlay::kHeight) / status.scale);
+  HudSpace space = spaceFor(status, font, width);
   const glm::vec2 screen = space.screen();
   placeTexts(space, status, status.underMenu ? LowerTexts() : lowerTextsOf(scene, status, font), font);
   if (status.underMenu) return scaledBy(space.overlay(), status.scale);
@@ -310,7 +323,7 @@ Overlay makeHud(const Scene& scene, const Camera& camera, const HudStatus& statu
     const float top = space.endOfColumn(false) + kGap;
     space.add(drawn(font, [&](OverlayWriter& writer) { addVote(writer, *status.vote, status.keys, top); }));
   }
-  if (status.help && !placeHelp(space, status.keys, font)) space = helpAlone(screen, status, font);
+  if (status.help && !placeHelp(space, status.keys, font)) space = helpAlone(status, font, width);
   if (status.netGraph != nullptr) placeGraph(space, *status.netGraph, font);
   placePlayers(space, scene, status, font);
   placeChat(space, status.chat, font);

@@ -38,6 +38,7 @@ struct HudStatus {
   KeyHints keys{};                        ///< the keys that texts name
   std::string hint{};                     ///< what the player may do next; empty: nothing
   float scale = 1;                        ///< of the display, as Settings::uiScale
+  float foot = 0;                         ///< height at the lower edge that is taken, of the virtual screen at scale 1
   const NetGraph* netGraph = nullptr;     ///< to be shown; null: none
   bool underMenu = false;                 ///< a menu covers the display: only messages and notices are shown
   bool assembling = false;                ///< the solid is not complete: nothing points to places on it
@@ -48,6 +49,9 @@ std::string clockText(double seconds);
 
 /// The display while there is no game. `width` is that of the virtual screen at scale 1.
 Overlay makeEmptyHud(const HudStatus& status, const Font& font, float width);
+
+/// A notice alone, at the lower edge of a virtual screen of this width at scale 1; `scale`: as HudStatus::scale.
+Overlay makeNotice(const std::string& notice, const Font& font, float width, float scale);
 
 /// Title, clock, the local player's own time, list of players, name tags, signs of what is out of the picture, results,
 /// vote, message, notice, hint, graph and help. Nothing overlaps and all is on the screen; what finds no room is

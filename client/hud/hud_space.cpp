@@ -37,6 +37,10 @@ Overlay movedBy(Overlay part, glm::vec2 offset) {
   return part;
 }
 
+void HudSpace::reserveFoot(float height) {
+  if (height > 0) taken_.push_back({{0, screen_.y - height}, screen_});
+}
+
 bool HudSpace::fits(const Overlay& part) const {
   if (isEmpty(part)) return true;
   const HudBox box = boundsOf(part, *font_);

@@ -27,6 +27,8 @@ class HudSpace {
  public:
   HudSpace(const Font& font, glm::vec2 screen) : font_(&font), screen_(screen) {}
 
+  /// Nothing is added in this height above the lower edge, ≥ 0, from now on.
+  void reserveFoot(float height);
   /// Whether the part would be added.
   bool fits(const Overlay& part) const;
   /// Adds the part where it is, if there is room. Returns whether it was added; an empty part needs no room.

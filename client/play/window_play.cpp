@@ -9,6 +9,7 @@
 
 #include "client/gl/gl_loader.h"
 #include "client/gl/image.h"
+#include "client/menu/menu_layout.h"
 #include "client/menu/pages/failure_page.h"
 #include "client/menu/pages/level_card.h"
 #include "client/play/play_window.h"
@@ -16,7 +17,7 @@
 namespace platon {
 namespace {
 
-constexpr Moment kToldTime = std::chrono::seconds(4);
+constexpr Moment kFaultTime = std::chrono::seconds(12);
 
 bool namesMatch(const ClientOptions& options) { return options.server || !options.level.empty() || options.demo; }
 
@@ -53,6 +54,7 @@ WindowPlay::WindowPlay(const ClientOptions& options, const Clock& clock)
       startedAt_(clock.now()),
       drawnAt_(startedAt_) {
   showLoading(window_, view_);
+  if (!settingsFile_.fault().empty()) tell(settingsFile_.fault(), kFaultTime);
   menu_.setClipboard([this] { return window_.clipboard(); });
   named_ = namesMatch(options) || !options.replay.empty();
   if (!options.replay.empty()) {
@@ -122,9 +124,9 @@ void WindowPlay::wishNext() {
   if (!match_->alone() || skip_.wish(match_->play().roundOver())) match_->skipLevel();
 }
 
-void WindowPlay::tell(const std::string& text) {
+void WindowPlay::tell(const std::string& text, Moment time) {
   told_ = text;
-  toldUntil_ = drawnAt_ + kToldTime;
+  toldUntil_ = drawnAt_ + time;
 }
 
 Input WindowPlay::choose(const Game& game, std::uint32_t slot) {
@@ -257,6 +259,7 @@ void WindowPlay::draw(Moment now) {
   drawnAt_ = now;
   if (window_.pixelWidth() == 0 || window_.pixelHeight() == 0) return;
   view_.setQuality(trial_.quality(interface_.settings().quality));
+  view_.setNotice(told());
   if (replay_) {
     drawReplay(seconds);
   } else {
@@ -287,7 +290,6 @@ void WindowPlay::drawMatch(double seconds) {
   if (scene) spectator_.direct(*scene, interface_.keyHints());
   HudStatus status = match_->play().hudStatus(now, interface_.helpShown());
   status.run.speed = match_->leastSpeed();
-  if (drawnAt_ < toldUntil_ && status.notice.empty()) status.notice = told_;
   status.keys = interface_.keyHints();
   status.hint = hint(status.summary.has_value());
   if (scene && match_->leastSpeed() == 1) status.medal = medal(*scene);
@@ -322,15 +324,19 @@ std::string WindowPlay::medal(const Scene& scene) {
 void WindowPlay::drawFront(double seconds) {
   sound_.update(nullptr, nullptr, std::nullopt, interface_.settings(), seconds);
   front_.update(clock_.now());
+  const Settings& settings = interface_.settings();
   const std::shared_ptr<const Level> level = front_.shownLevel();
   if (level) turntable_.show(level);
   Overlay menu = menu_.overlay(view_.font(), false);
-  if (!turntable_.shows()) return view_.draw(nullptr, {}, interface_.settings(), menu, seconds);
-  if (!interface_.settings().comfort.reducedMotion) turntable_.advance(seconds);
-  if (level)
-    addLevelCard(menu, front_.entryOf(level), view_.font(), view_.screenWidth(),
-                 view_.textScale(interface_.settings()));
-  view_.drawStill(turntable_.scene(), turntable_.camera(view_.width(), view_.height()), interface_.settings(), menu);
+  if (!turntable_.shows()) return view_.draw(nullptr, {}, settings, menu, seconds);
+  if (!settings.comfort.reducedMotion) turntable_.advance(seconds);
+  const float width = view_.screenWidth();
+  const float scale = view_.textScale(settings);
+  // The notice stands where the card does.
+  if (level && told().empty()) addLevelCard(menu, front_.entryOf(level), view_.font(), width, scale);
+  const bool beside = width > Turntable::kWide * Overlay::kHeight;
+  const float left = beside ? scale * endOfLeftColumn(view_.screen() / scale) : 0;
+  view_.drawStill(turntable_.scene(), turntable_.camera(view_.width(), view_.height()), settings, menu, left);
 }
 
 // During an outage nothing is heard.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -29,6 +30,7 @@
 #include "client/ui/spectator.h"
 #include "client/ui/steering.h"
 #include "client/ui/user_interface.h"
+#include "protocol/moment.h"
 #include "protocol/program_error.h"
 
 namespace platon {
@@ -49,14 +51,18 @@ class WindowPlay {
   const LiveMatch* match() const { return match_ ? &*match_ : nullptr; }
   /// The recording that is shown; null if there is none.
   const ReplayPlay* replay() const { return replay_ ? &*replay_ : nullptr; }
+  /// What the picture tells the player for a moment; empty: nothing.
+  std::string told() const { return drawnAt_ < toldUntil_ ? told_ : std::string(); }
 
  private:
+  static constexpr Moment kToldTime = std::chrono::seconds(4);
+
   bool shouldContinue(Moment now) const;
 
   // Events.
   void handleEvents();
   void handle(const KeyEvent& event);
-  void tell(const std::string& text);
+  void tell(const std::string& text, Moment time = kToldTime);
   Input choose(const Game& game, std::uint32_t slot);
   void wishNext();
 

@@ -80,6 +80,36 @@ TEST_F(GameViewTest, TheMenuAndTheNetGraphAreDrawnWhenEnabled) {
   EXPECT_EQ(drawn(view, &scene_), plain);
 }
 
+// Also during the flight over the title, in a replay and while there is no game.
+TEST_F(GameViewTest, TheNoticeIsInEveryPictureUntilItIsTakenBack) {
+  GameView view(2 * kWidth, 2 * kHeight);
+  const Camera camera = [&] {
+    Camera set;
+    set.set(scene_.focus, stage_->mesh, view.width(), view.height());
+    return set;
+  }();
+  const auto drawnStill = [&] {
+    view.drawStill(scene_, camera, {}, {}, view.screenWidth() / 2);
+    return view.read();
+  };
+  const Image game = drawn(view, &scene_);
+  const Image empty = drawn(view, nullptr);
+  const Image still = drawnStill();
+  view.setNotice("picture saved");
+  EXPECT_NE(drawn(view, &scene_), game);
+  EXPECT_NE(drawn(view, nullptr), empty);
+  const Image told = drawnStill();
+  EXPECT_NE(told, still);
+  const auto differsAt = [&](int x) {
+    return pixel(told, {x, 2 * kHeight - 20}) != pixel(still, {x, 2 * kHeight - 20});
+  };
+  EXPECT_TRUE(differsAt(3 * kWidth / 2)) << "in the middle of the right half";
+  for (int x = 0; x < static_cast<int>(kWidth); ++x) EXPECT_FALSE(differsAt(x)) << x;
+  view.setNotice("");
+  EXPECT_EQ(drawn(view, nullptr), empty);
+  EXPECT_EQ(drawnStill(), still);
+}
+
 TEST_F(GameViewTest, OnAnotherStageTheCameraJumpsToItsTarget) {
   Scene turned = sceneOf(cube());
   turned.focus = turned.stage->mesh.pose(3, {20, 30}, 1);

@@ -53,6 +53,17 @@ TEST(HudSpace, TellsWhereTheColumnsEndAndTheFootStarts) {
   EXPECT_EQ(space.startOfFoot(), 80);
 }
 
+TEST(HudSpace, AReservedFootStaysFree) {
+  HudSpace space(font(), {100, 100});
+  space.reserveFoot(0);
+  EXPECT_EQ(space.startOfFoot(), 100);
+  space.reserveFoot(20);
+  EXPECT_EQ(space.startOfFoot(), 80);
+  EXPECT_FALSE(space.add(panelAt({10, 50}, {20, 81})));
+  EXPECT_TRUE(space.add(panelAt({10, 50}, {20, 80})));
+  EXPECT_EQ(space.overlay().panels.size(), 1U);
+}
+
 TEST(HudSpace, BoundsAndMovesAgree) {
   Overlay part = panelAt({10, 20}, {30, 40});
   part.texts.push_back({{28, 44}, 10, glm::vec4(1), "W"});

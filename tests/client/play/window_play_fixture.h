@@ -88,6 +88,18 @@ class WindowPlayTest : public testing::Test {
     std::filesystem::create_directories(folder_ / "platon/ghosts");
     writeText(folder_ / "platon/ghosts" / name, readText(recording));
   }
+  // From the title to the replay of a recording that was kept, and from there to a game.
+  std::vector<WindowStep> toReplay() const {
+    return {{[] { xdotool("key Down Down Down Down Return"); }, [this] { return shows("Hexahedron"); }},
+            {[] { xdotool("key Return"); }, [this] { return shows("Watch"); }},
+            {[] { xdotool("key Return"); }, [this] { return viewer() != nullptr; }}};
+  }
+  std::vector<WindowStep> fromReplayToGame() const {
+    return {{[] { xdotool("key Escape"); }, [this] { return shows("Watch"); }},
+            {[] { xdotool("key Escape"); }, [this] { return shows("Hexahedron"); }},
+            {[] { xdotool("key Escape"); }, [this] { return shows("Quit"); }},
+            {[this] { clickOn("Play"); }, [this] { return isOnGround() == std::optional(true); }}};
+  }
   const ReplayViewer* viewer() const { return play_->replay() == nullptr ? nullptr : play_->replay()->viewer(); }
   const ReplayPlayer& player() const { return viewer()->player(); }
   bool inGame() const { return play_->match() != nullptr && !play_->menu().isOpen(); }
@@ -99,6 +111,7 @@ class WindowPlayTest : public testing::Test {
   const EnvironmentVariable config_{"XDG_CONFIG_HOME", folder_.path()};
   const EnvironmentVariable data_{"XDG_DATA_HOME", folder_.path()};
   const EnvironmentVariable state_{"XDG_STATE_HOME", folder_.path()};
+  const EnvironmentVariable pictures_{"XDG_PICTURES_DIR", folder_.path()};
   testing::AssertionResult stepsDone_ = testing::AssertionFailure();
   bool timeIsUp_ = false;
 };

@@ -30,12 +30,14 @@ std::string keys(const std::string& key, int times) {
   return command;
 }
 
-bool isFullscreen() {
-  int width = 0;
-  int height = 0;
-  glfwGetWindowSize(glfwGetCurrentContext(), &width, &height);
-  return glfwGetWindowMonitor(glfwGetCurrentContext()) != nullptr && width == 1280 && height == 1024;
+bool hasSize(int width, int height) {
+  int nowWidth = 0;
+  int nowHeight = 0;
+  glfwGetWindowSize(glfwGetCurrentContext(), &nowWidth, &nowHeight);
+  return nowWidth == width && nowHeight == height;
 }
+
+bool isFullscreen() { return glfwGetWindowMonitor(glfwGetCurrentContext()) != nullptr && hasSize(1280, 1024); }
 
 TEST_F(WindowPlayTest, TheRightArrowInTheMenuTurnsFullScreenOn) {
   play({{[] { xdotool("key Escape " + keys("Down", kSettingsItem).substr(4) + " Return Right"); }, isFullscreen},
@@ -58,6 +60,32 @@ TEST_F(WindowPlayTest, StartsInFullScreenIfTheSettingsSaySo) {
   std::filesystem::create_directories(folder_ / "platon");
   writeText(folder_ / "platon/settings", "fullscreen on\n");
   play({{[] {}, isFullscreen}});
+  EXPECT_TRUE(stepsDone_);
+}
+
+TEST_F(WindowPlayTest, AWindowOfOnePixelGoesOnAndComesBackInTheTitleInAReplayAndInTheGame) {
+  options_.level.clear();
+  keepRecording("Anna.recording");
+  std::vector<WindowStep> steps;
+  int frames = 0;
+  const auto add = [&steps](std::vector<WindowStep> more) { steps.insert(steps.end(), more.begin(), more.end()); };
+  const auto resized = [&frames](int width, int height) {
+    const std::string size = std::to_string(width) + " " + std::to_string(height);
+    return std::vector<WindowStep>{
+        {[size] { xdotool("getactivewindow windowsize " + size); }, [=] { return hasSize(width, height); }},
+        {[&frames] { frames = 0; }, [&frames] { return ++frames == 5; }}};
+  };
+  const auto shrink = [&] {
+    add(resized(1, 1));
+    add(resized(1280, 720));
+  };
+  shrink();
+  add(toReplay());
+  shrink();
+  add(fromReplayToGame());
+  shrink();
+  add({{[] { xdotool("key Escape"); }, [this] { return shows("Resume"); }}});
+  play(std::move(steps));
   EXPECT_TRUE(stepsDone_);
 }
 
@@ -175,6 +203,36 @@ TEST_F(WindowPlayTest, AChosenKeyJumps) {
         {[] { xdotool("keyup j"); }, grounded}});
   EXPECT_TRUE(stepsDone_);
   EXPECT_NE(savedSettings().find("\nkey jump j space pad-a\n"), std::string::npos);
+}
+
+TEST_F(WindowPlayTest, TheTitleTellsThatLinesOfTheSettingsAreInvalid) {
+  options_.level.clear();
+  const std::string file = folder_ / "platon/settings";
+  std::filesystem::create_directories(folder_ / "platon");
+  writeText(file, "key jump spcae\n");
+  play({{[] {},
+         [&] {
+           return shows("Quit") &&
+                  play_->told() == "1 line of " + file + " is invalid; the old file is kept as " + file + ".broken";
+         }}});
+  EXPECT_TRUE(stepsDone_);
+  EXPECT_EQ(readText(file + ".broken"), "key jump spcae\n");
+}
+
+TEST_F(WindowPlayTest, ASavedPictureIsToldInTheTitleInAReplayAndInTheGame) {
+  options_.level.clear();
+  keepRecording("Anna.recording");
+  const auto press = [this](int number) {
+    const std::string file = (folder_ / ("platon-000" + std::to_string(number) + ".png")).string();
+    return WindowStep{[] { xdotool("key F12"); }, [this, file] { return play_->told() == "picture saved: " + file; }};
+  };
+  std::vector<WindowStep> steps{press(1)};
+  for (WindowStep& step : toReplay()) steps.push_back(std::move(step));
+  steps.push_back(press(2));
+  for (WindowStep& step : fromReplayToGame()) steps.push_back(std::move(step));
+  steps.push_back(press(3));
+  play(std::move(steps));
+  EXPECT_TRUE(stepsDone_);
 }
 
 TEST_F(WindowPlayTest, AReplayIsWatchedFromTheTitleAndLeadsBack) {
