@@ -101,7 +101,11 @@ void Window::poll() {
 
 bool Window::closing() const { return glfwWindowShouldClose(handle_) == GLFW_TRUE; }
 
-bool Window::focused() const { return glfwGetWindowAttrib(handle_, GLFW_FOCUSED) == GLFW_TRUE; }
+bool Window::focused() const { return !minimised() && glfwGetWindowAttrib(handle_, GLFW_FOCUSED) == GLFW_TRUE; }
+
+bool Window::minimised() const {
+  return pixelWidth_ == 0 || pixelHeight_ == 0 || glfwGetWindowAttrib(handle_, GLFW_ICONIFIED) == GLFW_TRUE;
+}
 
 void Window::stayOpen() { glfwSetWindowShouldClose(handle_, GLFW_FALSE); }
 

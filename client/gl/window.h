@@ -28,8 +28,10 @@ class Window {
   void poll();
   /// Whether the player has asked to close the window.
   bool closing() const;
-  /// Whether the keys go to this window.
+  /// Whether the keys go to this window; not while it is minimised.
   bool focused() const;
+  /// Whether nothing of the window is shown; also if its size is 0.
+  bool minimised() const;
   /// Forgets that the player has asked to close the window.
   void stayOpen();
   /// Returns the key events since the last call: those of the keyboard in order, and those of the gamepads as of each
@@ -46,7 +48,7 @@ class Window {
   /// Shows this text in the title bar.
   void setTitle(const std::string& title);
 
-  /// Size of the picture in pixels; may be 0 while the window is minimised.
+  /// Size of the picture in pixels. While the window is minimised, it may be 0 or what it was before.
   std::uint32_t pixelWidth() const { return pixelWidth_; }
   std::uint32_t pixelHeight() const { return pixelHeight_; }
 

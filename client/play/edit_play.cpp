@@ -73,9 +73,7 @@ void EditPlay::runWindow(const std::function<bool()>& stopRequested) {
     updateAnalysis();
     takeFileChange(file_.pollChange(FileWatch::Time(now)));
     showTitle();
-    draw();
-    renderer_.present();
-    window_->show();
+    if (!window_->minimised()) show();
     clock_.sleepUntil(now + kMinFrameTime);
   }
 }
@@ -150,6 +148,12 @@ void EditPlay::draw() {
   const std::array overlays{scaledBy(panel, scale), editor_.menuOverlay()};
   renderer_.setFaceNumbers(true);  // levels name faces by their numbers
   renderer_.draw(editor_.scene(), camera, overlays);
+}
+
+void EditPlay::show() {
+  draw();
+  renderer_.present();
+  window_->show();
 }
 
 void EditPlay::takeScreenshot() {

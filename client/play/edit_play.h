@@ -39,6 +39,7 @@ class EditPlay {
   void takeFileChange(const std::optional<std::string>& text);
   void showTitle();
   void draw();
+  void show();
   void takeScreenshot();
 
   ClientOptions options_;

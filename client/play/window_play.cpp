@@ -257,7 +257,7 @@ void WindowPlay::leaveMatch() {
 void WindowPlay::draw(Moment now) {
   const double seconds = toSeconds(now - drawnAt_);
   drawnAt_ = now;
-  if (window_.pixelWidth() == 0 || window_.pixelHeight() == 0) return;
+  if (window_.minimised()) return;
   view_.setQuality(trial_.quality(interface_.settings().quality));
   view_.setNotice(told());
   if (replay_) {

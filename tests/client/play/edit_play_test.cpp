@@ -15,6 +15,7 @@
 #include "client/time/steady_now.h"
 #include "protocol/program_error.h"
 #include "tests/client/gl/desktop.h"
+#include "tests/client/gl/shown_pictures.h"
 #include "tests/client/play/window_steps.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
@@ -96,6 +97,18 @@ TEST_F(EditPlayTest, WhatAnotherProgramHasWrittenIsReplacedOnlyWhenAskedAgain) {
                      },
                      refuses},
                     {[] { xdotool("key ctrl+s"); }, [&] { return !fileHas("# theirs"); }}}));
+}
+
+TEST_F(EditPlayTest, AMinimisedWindowDrawsNothing) {
+  std::size_t pictures = 0;
+  int frames = 0;
+  EXPECT_TRUE(edit({{[] { xdotool("getactivewindow windowminimize"); }, [] { return windowHas(GLFW_ICONIFIED); }},
+                    {[&] { pictures = shownPictures; }, [&] { return ++frames == 10; }},
+                    {[&] {
+                       EXPECT_EQ(shownPictures, pictures);
+                       glfwRestoreWindow(glfwGetCurrentContext());
+                     },
+                     [&] { return shownPictures > pictures; }}}));
 }
 
 TEST_F(EditPlayTest, OffscreenThePictureIsWritten) {

@@ -83,6 +83,11 @@ class WindowPlayTest : public testing::Test {
     if (prediction.slot() >= game.slots()) return std::nullopt;
     return game.player(prediction.slot()).ground != Point();
   }
+  // Ticks of the round that the server has confirmed; 0 before the first round.
+  std::uint32_t confirmedTicks() const {
+    const Session* const session = play_->match() ? play_->match()->play().client().session() : nullptr;
+    return session && session->round() ? session->round()->prediction().confirmedTicks() : 0;
+  }
   // Puts a recording where those of friends are.
   void keepRecording(const std::string& name, const char* recording = kRecording) const {
     std::filesystem::create_directories(folder_ / "platon/ghosts");

@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include "client/menu/pages/settings_page.h"
+#include "tests/client/gl/shown_pictures.h"
 #include "tests/client/play/window_play_fixture.h"
 
 // Runs on a virtual display with a window manager (on_display.sh).
@@ -167,23 +168,38 @@ TEST_F(WindowPlayTest, TheMouseChoosesAndChanges) {
 
 TEST_F(WindowPlayTest, AloneTheMenuPausesTheGame) {
   std::uint32_t ticks = 0;
-  const auto confirmed = [this] {
-    const Session* const session = play_->match()->play().client().session();
-    return session && session->round() ? session->round()->prediction().confirmedTicks() : 0;
-  };
   int frames = 0;
-  play({{[] {}, [&] { return confirmed() > 30; }},
+  play({{[] {}, [&] { return confirmedTicks() > 30; }},
         {[] { xdotool("key Escape"); }, [this] { return play_->match()->paused(); }},
         {[&] { frames = 0; },
          [&] {
-           if (++frames == 10) ticks = confirmed();
+           if (++frames == 10) ticks = confirmedTicks();
            return frames == 40;
          }},
         {[&] {
-           EXPECT_EQ(confirmed(), ticks);
+           EXPECT_EQ(confirmedTicks(), ticks);
            xdotool("key Escape");
          },
-         [&] { return confirmed() > ticks + 30; }}});
+         [&] { return confirmedTicks() > ticks + 30; }}});
+  EXPECT_TRUE(stepsDone_);
+}
+
+// An X11 window keeps its size while it is minimised.
+TEST_F(WindowPlayTest, AMinimisedWindowDrawsNothingAndPlaysOn) {
+  std::uint32_t ticks = 0;
+  std::size_t pictures = 0;
+  play({{[] {}, [this] { return confirmedTicks() > 30; }},
+        {[] { xdotool("getactivewindow windowminimize"); }, [] { return windowHas(GLFW_ICONIFIED); }},
+        {[&] {
+           ticks = confirmedTicks();
+           pictures = shownPictures;
+         },
+         [&] { return confirmedTicks() > ticks + 30; }},
+        {[&] {
+           EXPECT_EQ(shownPictures, pictures);
+           glfwRestoreWindow(glfwGetCurrentContext());
+         },
+         [&] { return shownPictures > pictures; }}});
   EXPECT_TRUE(stepsDone_);
 }
 
