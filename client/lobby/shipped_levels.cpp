@@ -48,8 +48,12 @@ ShippedLevel shippedLevel(const std::string& file, std::shared_ptr<const Level> 
 
 }  // namespace
 
+std::vector<std::string> gameLevelFiles() {
+  return shippedLevelFiles("reinstall Platon, or start it with --level FILE");
+}
+
 std::vector<ShippedLevel> loadShippedLevels() {
-  const std::vector<std::string> files = shippedLevelFiles();
+  const std::vector<std::string> files = gameLevelFiles();
   const LoadedLevels loaded = loadLevelFiles(files);
   std::vector<ShippedLevel> levels;
   const std::map<std::string, std::uint32_t> times = wayTimesBeside(files.front());

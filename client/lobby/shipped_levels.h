@@ -19,6 +19,10 @@ struct ShippedLevel {
   std::uint32_t wayTicks = 0;  ///< of the recorded easy way to its goal; 0: unknown
 };
 
+/// Files of the levels that come with the game, in order. Throws ProgramError, which says what a player can do, if they
+/// are missing.
+std::vector<std::string> gameLevelFiles();
+
 /// The levels that come with the game, by solid, and on each solid in their order. Throws ProgramError.
 std::vector<ShippedLevel> loadShippedLevels();
 

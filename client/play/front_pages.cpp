@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "client/files/user_folders.h"
+#include "client/menu/pages/failure_page.h"
 #include "client/replay/same_level.h"
 #include "protocol/files/bounded_folder.h"
 #include "protocol/files/text_file.h"
@@ -80,15 +81,30 @@ FrontPages::FrontPages(Menu& menu, Settings& settings, RecentServers recent, Cal
 }
 
 void FrontPages::load() {
-  if (levels_.empty()) levels_ = loadShippedLevels();
+  if (levels_.empty()) levels_ = calls_.loadLevels();
   entries_ = entriesOf(levels_, bestTimesFile().string(), ReachedLevels(reachedLevelsFile()));
 }
 
-void FrontPages::showTitle() {
-  load();
+bool FrontPages::showTitle() {
+  try {
+    load();
+  } catch (const ProgramError& error) {
+    menu_->open([this, reason = std::string(error.what())] { return failedTitle(reason); });
+    return false;
+  }
   choosesLevel_ = false;
   replays_.leave();
   menu_->open([this] { return titlePage(); });
+  return true;
+}
+
+// Nothing is behind it: going back leads nowhere.
+MenuPage FrontPages::failedTitle(const std::string& reason) {
+  MenuPage page = failurePage(
+      "The levels of the game cannot be read", reason, [this] { showTitle(); }, calls_.quit);
+  page.items.back().name = "Quit";
+  page.back = {};
+  return page;
 }
 
 MenuPage FrontPages::titlePage() {
@@ -175,8 +191,7 @@ void FrontPages::race(const std::shared_ptr<const Level>& level, const std::file
 }
 
 void FrontPages::showRun(const std::filesystem::path& file) {
-  showTitle();
-  replays_.showRun(file);
+  if (showTitle()) replays_.showRun(file);
 }
 
 void FrontPages::showJoin() {
@@ -255,7 +270,7 @@ std::vector<JoinForm::Found> FrontPages::foundServers() const {
 }
 
 void FrontPages::askPassword(const ServerAddress& server, bool wrong) {
-  showTitle();
+  if (!showTitle()) return;
   showJoin();
   joinForm_.address.setText(server.text());
   joinForm_.password.setText("");

@@ -29,14 +29,16 @@ class FrontPages {
     std::function<void(const MatchChoice&)> start;  ///< what the player has chosen
     std::function<void()> quit;
     std::function<void(const std::filesystem::path&)> watch{};  ///< a recording
+    /// The levels of the game; throws ProgramError if they cannot be read.
+    std::function<std::vector<ShippedLevel>()> loadLevels = loadShippedLevels;
   };
 
   /// `menu` and `settings` outlive the pages. `listUrl`: a list of servers on a web server, instead of that of the
   /// settings, which the player may change; empty: none.
   FrontPages(Menu& menu, Settings& settings, RecentServers recent, Calls calls, std::string listUrl = {});
 
-  /// Shows the title and nothing else. Throws ProgramError if the levels of the game cannot be read.
-  void showTitle();
+  /// Shows the title and nothing else. If the levels of the game cannot be read, shows why instead and returns false.
+  bool showTitle();
   /// Asks for the password of a server, after it has refused another one if `wrong`.
   void askPassword(const ServerAddress& server, bool wrong);
   /// Searches for servers nearby and asks those of the list while the page is shown on which they can be joined.
@@ -48,11 +50,12 @@ class FrontPages {
   /// The medals of a level, also before the title was shown; reads files.
   std::optional<MedalTimes> medalsOf(const std::shared_ptr<const Level>& level);
   const RecentServers& recent() const { return recent_; }
-  /// Shows the title, and above it the page of a recording.
+  /// Shows the title and, if there is one, above it the page of a recording.
   void showRun(const std::filesystem::path& file);
 
  private:
   MenuPage titlePage();
+  MenuPage failedTitle(const std::string& reason);
   void showLevels();
   void showJoin();
   void showHost();

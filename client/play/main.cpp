@@ -11,6 +11,7 @@
 #include "client/files/user_folders.h"
 #include "client/lobby/listed_servers.h"
 #include "client/lobby/near_servers.h"
+#include "client/lobby/shipped_levels.h"
 #include "client/play/client_options.h"
 #include "client/play/edit_play.h"
 #include "client/play/match/embedded_server.h"
@@ -39,7 +40,7 @@ EmbeddedSettings ownLevels(const ClientOptions& options) {
 
 void benchmark(const ClientOptions& options) {
   const std::vector<std::string> files =
-      options.level.empty() ? shippedLevelFiles() : std::vector<std::string>{options.level};
+      options.level.empty() ? gameLevelFiles() : std::vector<std::string>{options.level};
   const std::shared_ptr<const Level> level = loadLevelFiles({files.front()}).levels.front();
   const BenchmarkReport report = FrameBenchmark(level, {steadyClock().now, programTime, threadTime}).run(stopRequested);
   std::fputs((options.json ? toJson(report) : toText(report)).c_str(), stdout);

@@ -59,8 +59,10 @@ WindowPlay::WindowPlay(const ClientOptions& options, const Clock& clock)
   named_ = namesMatch(options) || !options.replay.empty();
   if (!options.replay.empty()) {
     watch(options.replay);
+  } else if (named_) {
+    start(choiceOf(options));
   } else {
-    named_ ? start(choiceOf(options)) : front_.showTitle();
+    front_.showTitle();
   }
 }
 

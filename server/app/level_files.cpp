@@ -69,7 +69,7 @@ LoadedLevels loadLevelFiles(const std::vector<std::string>& paths) {
   return loaded;
 }
 
-std::vector<std::string> shippedLevelFiles() {
+std::vector<std::string> shippedLevelFiles(const std::string& otherwise) {
   std::error_code fault;
   const fs::path program = fs::read_symlink("/proc/self/exe", fault).parent_path();
   for (const fs::path& folder : {program / "../share/platon/levels", fs::path(PLATON_LEVELS)}) {
@@ -78,8 +78,7 @@ std::vector<std::string> shippedLevelFiles() {
   }
   throw ProgramError(ProgramError::kUsage, "cannot find the levels of the game, neither in '" +
                                                (program / "../share/platon/levels").lexically_normal().string() +
-                                               "' nor in '" + PLATON_LEVELS +
-                                               "'; name level files, such as platon-server my.level");
+                                               "' nor in '" + PLATON_LEVELS + "'; " + otherwise);
 }
 
 }  // namespace platon

@@ -19,7 +19,9 @@ struct LoadedLevels {
 LoadedLevels loadLevelFiles(const std::vector<std::string>& paths);
 
 /// Files of the levels that come with the game, in order. They lie beside the installed program or in the source tree
-/// from which it was built. Throws ProgramError if they are in neither place.
-std::vector<std::string> shippedLevelFiles();
+/// from which it was built. Throws ProgramError if they are in neither place; its text ends with `otherwise`, which
+/// says what the user can do.
+std::vector<std::string> shippedLevelFiles(
+    const std::string& otherwise = "name level files, such as platon-server my.level");
 
 }  // namespace platon

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "client/files/user_folders.h"
+#include "client/lobby/shipped_levels.h"
 #include "protocol/files/file_watch.h"
 #include "protocol/label.h"
 #include "protocol/limits.h"
@@ -29,7 +30,7 @@ constexpr const char* kAllAddresses = "::";
 // The levels that come with the game; none if they cannot be read.
 std::vector<LevelPointer> levelsOfTheGame() {
   try {
-    return loadLevelFiles(shippedLevelFiles()).levels;
+    return loadLevelFiles(gameLevelFiles()).levels;
   } catch (const ProgramError&) {
     return {};
   }
@@ -137,8 +138,7 @@ struct EmbeddedServer::Running {
 
 EmbeddedServer::EmbeddedServer(const EmbeddedSettings& settings, const std::shared_ptr<const PausableClock>& clock) {
   try {
-    running_ =
-        std::make_unique<Running>(settings, settings.levels.empty() ? shippedLevelFiles() : settings.levels, clock);
+    running_ = std::make_unique<Running>(settings, settings.levels.empty() ? gameLevelFiles() : settings.levels, clock);
   } catch (const SocketError& error) {
     throw ProgramError(ProgramError::kFailed, error.what());
   }

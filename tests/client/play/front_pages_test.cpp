@@ -8,6 +8,7 @@
 
 #include "client/files/user_folders.h"
 #include "client/time/steady_now.h"
+#include "protocol/program_error.h"
 #include "tests/client/lobby/web_server.h"
 #include "tests/client/replay/followed_game.h"
 #include "tests/shared/game/played_game.h"
@@ -283,6 +284,33 @@ TEST_F(FrontPagesTest, HostListensAtAPort) {
   EXPECT_EQ(started_->own.port, 7777);
   EXPECT_EQ(started_->own.maxPlayers, 8U);
   EXPECT_FALSE(started_->server);
+}
+
+TEST_F(FrontPagesTest, WithoutTheLevelsOfTheGameItSaysWhyAndTriesAgain) {
+  bool missing = true;
+  FrontPages pages(menu_, settings_, RecentServers(folder_ / "recent"),
+                   {.start = [this](const MatchChoice& choice) { started_ = choice; },
+                    .quit = [this] { quit_ = true; },
+                    .loadLevels =
+                        [&] {
+                          if (missing) throw ProgramError(ProgramError::kUsage, "cannot find the levels");
+                          return loadShippedLevels();
+                        }});
+  EXPECT_FALSE(pages.showTitle());
+  EXPECT_TRUE(shows("cannot find the levels"));
+  EXPECT_EQ(pages.shownLevel(), nullptr);
+  pages.askPassword({"host", 12}, false);
+  pages.showRun(folder_ / "no.recording");
+  tap(Key::kEscape);
+  tap(Key::kEnter);
+  EXPECT_TRUE(shows("cannot find the levels"));
+  tap(Key::kArrowDown);
+  tap(Key::kEnter);
+  EXPECT_TRUE(quit_);
+  missing = false;
+  tap(Key::kArrowUp);
+  tap(Key::kEnter);
+  EXPECT_TRUE(shows("Run and jump"));
 }
 
 TEST_F(FrontPagesTest, TheLastItemQuitsAndEscapeLeadsBackToTheTitle) {
