@@ -5,8 +5,8 @@
 #include <sstream>
 #include <system_error>
 #include <utility>
-#include <variant>
 
+#include "client/lobby/kept_file.h"
 #include "protocol/files/text_file.h"
 #include "protocol/hash_text.h"
 
@@ -20,16 +20,16 @@ constexpr std::size_t kMaxBytes = ReachedLevels::kMaxLevels * 32;
 
 ReachedLevels::ReachedLevels(std::filesystem::path file) : file_(std::move(file)) { read(); }
 
-void ReachedLevels::read() {
+bool ReachedLevels::read() {
+  if (file_.empty()) return true;
+  const std::optional<std::string> text = readKeptFile(file_, kMaxBytes);
+  if (!text) return false;
   levels_.clear();
-  if (file_.empty()) return;
-  const auto content = readTextFile(file_.string(), kMaxBytes);
-  const auto* const text = std::get_if<std::string>(&content);
-  if (text == nullptr) return;
   std::istringstream lines(*text);
   for (std::string line; std::getline(lines, line);) {
     if (const std::optional<std::uint64_t> hash = hashIn(line)) levels_.push_back(*hash);
   }
+  return true;
 }
 
 bool ReachedLevels::has(std::uint64_t level) const {
@@ -39,16 +39,21 @@ bool ReachedLevels::has(std::uint64_t level) const {
 // Another program may have added some.
 std::string ReachedLevels::add(std::uint64_t level) {
   if (file_.empty() || has(level)) return {};
-  read();
+  const bool isRead = read();
   if (has(level)) return {};
   levels_.push_back(level);
+  if (!isRead) return faultOf("cannot be read");
   if (levels_.size() > kMaxLevels) levels_.erase(levels_.begin(), levels_.end() - kMaxLevels);
   std::string text = kHead;
   for (const std::uint64_t each : levels_) text += hashText(each) + "\n";
   std::error_code ignored;
   std::filesystem::create_directories(file_.parent_path(), ignored);  // writing reports the error
   const std::string fault = replaceCachedFile(file_.string(), text);
-  return fault.empty() ? fault : "that the goal was reached is not kept: " + file_.string() + ": " + fault;
+  return fault.empty() ? fault : faultOf(fault);
+}
+
+std::string ReachedLevels::faultOf(const std::string& reason) const {
+  return "that the goal was reached is not kept: " + file_.string() + ": " + reason;
 }
 
 }  // namespace platon

@@ -10,7 +10,7 @@ namespace platon {
 
 /// The levels whose goal the player has reached alone, at any speed, without a time: a text file with the hash of a
 /// level in each line. Lines that begin with `#` and those that are no hash are left out. A file that cannot be read
-/// has none.
+/// has none, and is not written.
 class ReachedLevels {
  public:
   /// Most levels; those that were reached first are forgotten.
@@ -25,7 +25,8 @@ class ReachedLevels {
   std::string add(std::uint64_t level);
 
  private:
-  void read();
+  bool read();
+  std::string faultOf(const std::string& reason) const;
 
   std::filesystem::path file_;
   std::vector<std::uint64_t> levels_;  // in the order in which they were reached

@@ -1,12 +1,13 @@
 #include "client/lobby/recent_servers.h"
 
 #include <algorithm>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 #include <system_error>
-#include <variant>
 
+#include "client/lobby/kept_file.h"
 #include "protocol/files/text_file.h"
 
 namespace platon {
@@ -14,15 +15,10 @@ namespace {
 
 constexpr std::size_t kMaxBytes = 64 * 1024;
 
-}  // namespace
-
-std::vector<ServerAddress> RecentServers::list() const {
+std::vector<ServerAddress> serversIn(const std::string& text) {
   std::vector<ServerAddress> servers;
-  if (file_.empty()) return servers;
-  const auto text = readTextFile(file_.string(), kMaxBytes);
-  if (!std::holds_alternative<std::string>(text)) return servers;
-  std::istringstream lines(std::get<std::string>(text));
-  for (std::string line; servers.size() < kMaxServers && std::getline(lines, line);) {
+  std::istringstream lines(text);
+  for (std::string line; servers.size() < RecentServers::kMaxServers && std::getline(lines, line);) {
     try {
       servers.push_back(parseServerAddress(line));
     } catch (const std::invalid_argument&) {
@@ -32,10 +28,18 @@ std::vector<ServerAddress> RecentServers::list() const {
   return servers;
 }
 
+}  // namespace
+
+std::vector<ServerAddress> RecentServers::list() const {
+  return file_.empty() ? std::vector<ServerAddress>() : serversIn(readKeptFile(file_, kMaxBytes).value_or(""));
+}
+
 void RecentServers::remember(const ServerAddress& server) const {
   if (file_.empty()) return;
+  const std::optional<std::string> kept = readKeptFile(file_, kMaxBytes);
+  if (!kept) return;
   std::string text = server.text() + "\n";
-  for (const ServerAddress& other : list()) {
+  for (const ServerAddress& other : serversIn(*kept)) {
     if (other.text() != server.text()) text += other.text() + "\n";
   }
   std::error_code ignored;  // the file cannot be written then

@@ -19,7 +19,7 @@ class RecentServers {
 
   /// At most kMaxServers; none if the file cannot be read.
   std::vector<ServerAddress> list() const;
-  /// Puts a server first. The file stays as it is if it cannot be written.
+  /// Puts a server first. The file stays as it is if it cannot be read or written.
   void remember(const ServerAddress& server) const;
 
  private:

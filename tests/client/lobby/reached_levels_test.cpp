@@ -65,6 +65,17 @@ TEST_F(ReachedLevelsTest, TheFirstOfTooManyAreForgotten) {
   EXPECT_TRUE(ReachedLevels(file_).has(0xff));
 }
 
+// It may be readable again at the next start.
+TEST_F(ReachedLevelsTest, AFileThatCannotBeReadIsNotReplaced) {
+  std::filesystem::create_directories(file_.parent_path());
+  std::filesystem::create_symlink(file_, file_);
+  ReachedLevels levels(file_);
+  EXPECT_EQ(levels.add(7), "that the goal was reached is not kept: " + file_.string() + ": cannot be read");
+  EXPECT_TRUE(levels.has(7)) << "until the program ends";
+  EXPECT_EQ(levels.add(7), "") << "told once";
+  EXPECT_TRUE(std::filesystem::is_symlink(file_));
+}
+
 TEST_F(ReachedLevelsTest, AFailureNamesTheFileAndWithoutAFileThereIsNone) {
   writeText(folder_ / "data", "a file");
   EXPECT_EQ(ReachedLevels(file_).add(7),

@@ -1,5 +1,6 @@
 #include "client/lobby/recent_servers.h"
 
+#include <filesystem>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -32,6 +33,15 @@ TEST(RecentServers, TheOldestAreForgotten) {
   for (std::uint16_t port = 1; port <= 20; ++port) servers.remember({"host", port});
   EXPECT_EQ(servers.list().size(), RecentServers::kMaxServers);
   EXPECT_EQ(servers.list().front().port, 20);
+}
+
+TEST(RecentServers, AFileThatCannotBeReadIsNotReplaced) {
+  const TemporaryFolder folder;
+  std::filesystem::create_symlink(folder / "recent_servers", folder / "recent_servers");
+  const RecentServers servers(folder / "recent_servers");
+  servers.remember({"host", 1});
+  EXPECT_EQ(textOf(servers), "");
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "recent_servers"));
 }
 
 TEST(RecentServers, DamagedLinesAreIgnored) {
