@@ -38,12 +38,12 @@ Editor::Editor(std::string file, std::string_view text, bool saved) : file_(std:
   view_.showAll(mesh(), mesh().pose(start.face, start.place, start.angle));
 }
 
-void Editor::resize(std::uint32_t w, std::uint32_t h) {
+void Editor::resize(std::uint32_t w, std::uint32_t h, double uiScale) {
   if (w == 0 || h == 0) return;
   width_ = w;
   height_ = h;
   playCamera_.resize(w, h);
-  menu_.resize(Overlay::widthFor(w, h), textScale(1, h));
+  menu_.resize(Overlay::widthFor(w, h), textScale(uiScale, h));
 }
 
 void Editor::markSaved() {

@@ -34,8 +34,8 @@ class Editor {
   /// `text` is one of which EditedLevel has a level; `file` its name for messages. `saved`: it is the text of the file.
   Editor(std::string file, std::string_view text, bool saved);
 
-  /// The pictures have w × h pixels.
-  void resize(std::uint32_t w, std::uint32_t h);
+  /// The pictures have w × h pixels; the menu is enlarged as Settings::uiScale says.
+  void resize(std::uint32_t w, std::uint32_t h, double uiScale = 1);
   void handle(const KeyEvent& event);
   void handle(const PointerEvent& event);
   /// Lets `seconds` pass: plays the ball.

@@ -11,11 +11,6 @@
 namespace platon {
 namespace {
 
-PictureStyle styleOf(const Settings& settings) {
-  const bool animated = !settings.comfort.reducedMotion;
-  return {animated, animated && settings.flashes, settings.highContrast};
-}
-
 float footOf(std::span<const Overlay> parts, const Font& font) {
   float foot = 0;
   for (const Overlay& part : parts) foot = std::max(foot, Overlay::kHeight - boundsOf(part, font).low.y);

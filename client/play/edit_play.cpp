@@ -1,5 +1,6 @@
 #include "client/play/edit_play.h"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdio>
@@ -12,6 +13,7 @@
 #include "client/files/user_folders.h"
 #include "client/gl/image.h"
 #include "client/play/play_window.h"
+#include "client/ui/high_contrast_overlay.h"
 #include "client/ui/text_scale.h"
 #include "protocol/program_error.h"
 
@@ -56,7 +58,9 @@ EditPlay::EditPlay(const ClientOptions& options, const Clock& clock)
       offscreen_(openOffscreen(options.offscreen)),
       renderer_(kPictureWidth, kPictureHeight, font_),
       startedAt_(clock_.now()) {
-  if (window_) renderer_.setQuality(SettingsFile(configFolder()).load().quality.quality());
+  if (!window_) return;
+  settings_ = SettingsFile(configFolder()).load();
+  renderer_.setQuality(settings_.quality.quality());
 }
 
 void EditPlay::run(const std::function<bool()>& stopRequested) {
@@ -74,7 +78,7 @@ void EditPlay::runWindow(const std::function<bool()>& stopRequested) {
     takeFileChange(file_.pollChange(FileWatch::Time(now)));
     showTitle();
     if (!window_->minimised()) show();
-    clock_.sleepUntil(now + kMinFrameTime);
+    clock_.sleepUntil(now + frameTimeOf(!window_->focused(), settings_.frameCap));
   }
 }
 
@@ -95,7 +99,7 @@ bool EditPlay::timeIsLeft(Moment now) const {
 void EditPlay::handleEvents() {
   window_->poll();
   renderer_.resize(window_->pixelWidth(), window_->pixelHeight());
-  editor_.resize(window_->pixelWidth(), window_->pixelHeight());
+  editor_.resize(window_->pixelWidth(), window_->pixelHeight(), settings_.uiScale);
   for (const KeyEvent& event : window_->takeKeyEvents()) editor_.handle(event);
   for (const PointerEvent& event : window_->takePointerEvents()) editor_.handle(event);
   window_->setFullscreen(editor_.fullscreen());
@@ -142,12 +146,14 @@ void EditPlay::showTitle() {
 
 void EditPlay::draw() {
   const Camera camera = editor_.camera();
-  const float scale = textScale(1, camera.height());
+  const float scale = textScale(settings_.uiScale, camera.height());
   const glm::vec2 screen(Overlay::widthFor(camera.width(), camera.height()), Overlay::kHeight);
   const Overlay panel = makeEditorPanel(editor_.status(), font_, screen / scale);
-  const std::array overlays{scaledBy(panel, scale), editor_.menuOverlay()};
+  std::array overlays{scaledBy(panel, scale), editor_.menuOverlay()};
+  const PictureStyle style = styleOf(settings_);
+  if (style.highContrast) std::for_each(overlays.begin(), overlays.end(), raiseContrast);
   renderer_.setFaceNumbers(true);  // levels name faces by their numbers
-  renderer_.draw(editor_.scene(), camera, overlays);
+  renderer_.draw(editor_.scene(), camera, overlays, style);
 }
 
 void EditPlay::show() {

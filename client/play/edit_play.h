@@ -14,6 +14,7 @@
 #include "client/play/client_options.h"
 #include "client/time/clock.h"
 #include "client/ui/font.h"
+#include "client/ui/settings.h"
 
 namespace platon {
 
@@ -48,6 +49,7 @@ class EditPlay {
   Editor editor_;
   std::unique_ptr<Window> window_;  // one of these two
   std::optional<Offscreen> offscreen_;
+  Settings settings_;  // of the player, who sees the window; off-screen, the defaults
   Font font_;
   Renderer renderer_;
   LevelAnalysis analysis_;

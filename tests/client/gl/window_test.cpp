@@ -17,6 +17,7 @@
 #include "client/ui/controls/input_mapper.h"
 #include "tests/client/gl/desktop.h"
 #include "tests/client/gl/fake_gamepad.h"
+#include "tests/client/gl/shown_pictures.h"
 #include "tests/support/environment_variable.h"
 #include "tests/support/wait_until.h"
 
@@ -31,19 +32,6 @@ constexpr std::uint32_t kScreenWidth = 1280;
 constexpr std::uint32_t kScreenHeight = 1024;
 constexpr int kWidth = 640;
 constexpr int kHeight = 360;
-
-// The picture that the window is about to show.
-Image backBuffer(const Window& window) {
-  Image image{window.pixelWidth(), window.pixelHeight(), {}};
-  image.pixels.resize(std::size_t{3} * image.width * image.height);
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
-  glReadBuffer(GL_BACK);
-  glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadPixels(0, 0, static_cast<GLsizei>(image.width), static_cast<GLsizei>(image.height), GL_RGB, GL_UNSIGNED_BYTE,
-               image.pixels.data());
-  flipRows(image);
-  return image;
-}
 
 class WindowTest : public testing::Test {
  protected:
@@ -87,7 +75,7 @@ class WindowTest : public testing::Test {
       view_.draw(nullptr, {.message = "Hello", .warning = false, .help = true}, Settings(), Overlay(), 0);
       view_.present();
       expected = view_.read();
-      shown = backBuffer(window_);
+      shown = backBuffer();
       window_.show();
     };
     drawFrame();

@@ -17,6 +17,7 @@
 #include "tests/client/gl/desktop.h"
 #include "tests/client/gl/shown_pictures.h"
 #include "tests/client/play/window_steps.h"
+#include "tests/support/environment_variable.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 
@@ -39,6 +40,20 @@ class EditPlayTest : public testing::Test {
     testing::AssertionResult allDone = runSteps(play, std::move(steps));
     timeIsUp_ = toSeconds(steadyClock().now() - start) >= *options_.seconds;
     return allDone;
+  }
+
+  // What the editor shows with these settings when its search has ended.
+  Image pictureWith(const std::string& settings) {
+    const EnvironmentVariable config("XDG_CONFIG_HOME", folder_.path().string());
+    std::filesystem::create_directories(folder_ / "platon");
+    writeText(folder_ / "platon/settings", settings);
+    Image image;
+    int frames = 0;
+    const auto isFound = [this] { return play_->editor().status().report.finished; };
+    EXPECT_TRUE(edit({{[] {}, isFound},
+                      {[&] { onPicture = [&image] { image = backBuffer(); }; }, [&frames] { return ++frames == 3; }}}));
+    onPicture = {};
+    return image;
   }
 
   bool fileHas(const std::string& text) const {
@@ -97,6 +112,14 @@ TEST_F(EditPlayTest, WhatAnotherProgramHasWrittenIsReplacedOnlyWhenAskedAgain) {
                      },
                      refuses},
                     {[] { xdotool("key ctrl+s"); }, [&] { return !fileHas("# theirs"); }}}));
+}
+
+TEST_F(EditPlayTest, IsDrawnAsTheSettingsSay) {
+  std::filesystem::copy_file("levels/hexahedron/01_run_and_jump.level", path_);
+  const Image plain = pictureWith("");
+  EXPECT_EQ(pictureWith(""), plain);
+  for (const char* const settings : {"reduced-motion on\n", "high-contrast on\n", "text-size 1.5\n"})
+    EXPECT_NE(pictureWith(settings), plain) << settings;
 }
 
 TEST_F(EditPlayTest, AMinimisedWindowDrawsNothing) {
