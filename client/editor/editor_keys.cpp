@@ -41,6 +41,7 @@ MenuPage Editor::leavePage() {
   page.items.push_back(
       {.name = unsaved ? "Leave without saving" : "Leave the editor", .choose = [this] { leaving_ = true; }});
   page.back = [this] { closeMenu(); };
+  page.backMark = false;
   return page;
 }
 

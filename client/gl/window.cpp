@@ -168,7 +168,7 @@ void Window::onMove(GLFWwindow* handle, double x, double y) {
 }
 
 void Window::onButton(GLFWwindow* handle, int button, int action, int /*mods*/) {
-  if (button > GLFW_MOUSE_BUTTON_MIDDLE) return;
+  if (button > GLFW_MOUSE_BUTTON_4) return;  // the one that goes back
   PointerEvent event;
   event.kind = action == GLFW_PRESS ? PointerEvent::Kind::kPress : PointerEvent::Kind::kRelease;
   event.button = static_cast<PointerEvent::Button>(button);

@@ -116,8 +116,14 @@ Menu::Command Menu::commandOf(const KeyEvent& event) {
   }
 }
 
-MenuPage Menu::make() {
+MenuPage Menu::present() const {
   MenuPage page = pages_.back().make();
+  page.backMark = page.backMark && (page.back || pages_.size() > 1);
+  return page;
+}
+
+MenuPage Menu::make() {
+  MenuPage page = present();
   setFocus(validFocus(page, focus()));
   return page;
 }
@@ -190,6 +196,7 @@ void Menu::handle(const PointerEvent& event, const Font& font) {
     case PointerEvent::Kind::kMove:
       return point(page, place, font);
     case PointerEvent::Kind::kPress:
+      if (goesBack(event)) return perform(Command::kBack, page);
       if (event.button == PointerEvent::Button::kLeft) press(page, place, font);
       return;
     case PointerEvent::Kind::kRelease:
@@ -217,6 +224,7 @@ void Menu::point(const MenuPage& page, glm::vec2 place, const Font& font) {
 void Menu::press(const MenuPage& page, glm::vec2 place, const Font& font) {
   point(page, place, font);
   const MenuLayout shown = layoutOf(page, font, true);
+  if (!aside_ && shown.back.box.contains(place)) return perform(Command::kBack, page);
   const MenuRow* const row = rowAt(shown, place);
   if (row != nullptr && row->item == focus()) click(page, *row, place);
 }
@@ -264,11 +272,11 @@ MenuLayout Menu::layoutOf(const MenuPage& page, const Font& font, bool followsFo
   return layOut(page, font, screen_, scroll);
 }
 
-MenuLayout Menu::layout(const Font& font) const { return layoutOf(pages_.back().make(), font, true); }
+MenuLayout Menu::layout(const Font& font) const { return layoutOf(present(), font, true); }
 
 Overlay Menu::overlay(const Font& font, bool dimsPicture) const {
   if (!isOpen()) return {};
-  const MenuPage page = pages_.back().make();
+  const MenuPage page = present();
   const MenuLook look{validFocus(page, focus()), aside_, dimsPicture, scale_};
   return paintMenu(page, layoutOf(page, font, true), look, font, width_);
 }

@@ -74,6 +74,7 @@ class Menu {
   };
 
   static Command commandOf(const KeyEvent& event);
+  MenuPage present() const;
   MenuPage make();
   MenuLayout layoutOf(const MenuPage& page, const Font& font, bool followsFocus) const;
   void note(Deed deed) { deed_ = std::max(deed_, deed); }

@@ -22,6 +22,9 @@ constexpr float kArrow = 26;  // width of the arrow of a choice
 constexpr float kSwitch = 44;
 constexpr float kWidestTrack = 170;
 constexpr float kScrollBar = 6;
+constexpr const char* kBack = "‹ Back";
+constexpr float kBackSize = 16;
+constexpr float kBackHeight = 30;
 constexpr std::size_t kMaxNotes = 6;  // lines
 constexpr std::size_t kFewestRows = 2;
 
@@ -49,6 +52,17 @@ MenuBox columnOf(const MenuPage& page, glm::vec2 screen) {
   }
   const float left = std::min(kMargin * 2, kMargin + (most - std::min(most, 420.0F)) / 2);
   return {{left, kMargin}, {left + std::min(std::max(420.0F, screen.x * 0.42F), most), screen.y - kMargin}};
+}
+
+// At the right end of the title, which becomes shorter.
+MenuLine takeBackMark(MenuBox& title, const Font& font) {
+  const float width = std::ceil(font.width(kBack) * kBackSize) + kInner;
+  const float middle = (title.low.y + title.high.y) / 2;
+  title.high.x -= width + kInner / 2;
+  return {{{title.high.x + kInner / 2, middle - kBackHeight / 2},
+           {title.high.x + kInner / 2 + width, middle + kBackHeight / 2}},
+          kBack,
+          kBackSize};
 }
 
 std::vector<std::string> noteLines(const MenuPage& page, const Font& font, float width, float height) {
@@ -212,7 +226,9 @@ MenuLayout layOut(const MenuPage& page, const Font& font, glm::vec2 screen, cons
   layout.panel = {{column.low.x, top}, {column.high.x, std::min(top + height, screen.y - kMargin)}};
   const float left = column.low.x + kPadding;
   float y = top + kPadding;
-  layout.title = lineIn({{left, y}, {left + width, y + title.height}}, page.title, font, title.size);
+  MenuBox titleBox{{left, y}, {left + width, y + title.height}};
+  if (page.backMark) layout.back = takeBackMark(titleBox, font);
+  layout.title = lineIn(titleBox, page.title, font, title.size);
   y += title.height;
   for (const std::string& note : notes) {
     layout.notes.push_back(lineIn({{left, y}, {left + width, y + kNoteHeight}}, note, font, kNoteSize));

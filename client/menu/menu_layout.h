@@ -44,6 +44,7 @@ struct MenuRow {
 struct MenuLayout {
   MenuBox panel;
   MenuLine title;
+  MenuLine back{};  ///< the mark that goes back; its box is empty if there is none
   std::vector<MenuLine> notes;
   std::vector<MenuRow> rows;  ///< the visible ones, in order
   std::size_t first = 0;      ///< item of the first row

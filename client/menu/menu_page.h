@@ -22,7 +22,9 @@ struct MenuPage {
   bool large = false;                              ///< the title is the name of the game
   bool standsAside = false;                        ///< while a value is being changed, only its item is shown
   std::function<void(const KeyEvent&)> takeKey{};  ///< if set, gets every key; a press of the mouse is Esc to it
-  std::function<void()> back{};  ///< called by Esc and B; nothing: the page before is shown, if there is one
+  std::function<void()> back{};  ///< called by Esc, B and the mouse; nothing: the page before is shown, if there is one
+  /// Whether a mark beside the title goes back, too. A menu shows none on a page from which nothing leads back.
+  bool backMark = true;
 };
 
 }  // namespace platon

@@ -46,6 +46,7 @@ class Painter {
       box(layout.scrollThumb, 3, kSoft);
     }
     left(layout.title, kBright);
+    if (!layout.back.box.empty()) paintBackMark(layout.back);
     for (const MenuLine& note : layout.notes) left(note, page_->warning ? kWarning : kSoft);
   }
 
@@ -58,6 +59,11 @@ class Painter {
   }
   void right(const MenuLine& line, glm::vec4 colour) {
     writer_.right(line.text, {line.box.high.x, baselineOf(line)}, line.size, colour);
+  }
+
+  void paintBackMark(const MenuLine& mark) {
+    box(mark.box, 9, page_->large ? kLoneRow : kRowColour);
+    writer_.centred(mark.text, {(mark.box.low.x + mark.box.high.x) / 2, baselineOf(mark)}, mark.size, kSoft);
   }
 
   void paintControl(const MenuItem& item, const MenuRow& row, bool focused, glm::vec4 colour) {

@@ -35,6 +35,7 @@ MenuPage MatchPages::pauseOver(LiveMatch& match, const std::string& note) {
                  : match.play().wishesNext() ? "Take back the vote for the next level"
                                              : "Vote for the next level";
   choices.restartKey = interface_->keyHints().of(Control::kRestart);
+  choices.sayKey = interface_->keyHints().of(Control::kSay);
   choices.onResume = [this] { menu_->close(); };
   choices.onRestart = [this] {
     interface_->restart();
@@ -46,6 +47,7 @@ MenuPage MatchPages::pauseOver(LiveMatch& match, const std::string& note) {
   };
   choices.onSettings = calls_.showSettings;
   choices.onLeave = calls_.leave;
+  if (!alone) choices.onSay = [this, &match] { showSay(match); };
   if (!bestRun_.empty()) choices.onWatch = [this] { calls_.watch(std::filesystem::path(bestRun_)); };
   return pausePage(choices);
 }

@@ -45,6 +45,7 @@ void ReplayPlay::handle(const KeyEvent& event) {
 }
 
 void ReplayPlay::handle(PointerEvent event, const GameView& view, const Settings& settings) {
+  if (goesBack(event)) leaving_ = true;
   const float scale = view.textScale(settings);
   event.place /= scale;
   if (viewer_) viewer_->handle(event, view.screen() / scale);

@@ -91,11 +91,9 @@ void WindowPlay::handleEvents() {
   view_.resize(window_.pixelWidth(), window_.pixelHeight());
   const Settings& settings = interface_.settings();
   menu_.resize(view_.screenWidth(), view_.textScale(settings));
-  for (const KeyEvent& event : window_.takeKeyEvents()) handle(event);
-  for (const PointerEvent& event : window_.takePointerEvents()) {
-    replay_ ? replay_->handle(event, view_, settings) : menu_.handle(event, view_.font());
-    mouseLook_.handle(event);
-  }
+  const bool repeats = menu_.isOpen() || replay_;
+  for (const KeyEvent& event : padRepeat_.withRepeats(window_.takeKeyEvents(), repeats, clock_.now())) handle(event);
+  for (const PointerEvent& event : window_.takePointerEvents()) handle(event);
   if (menu_.isOpen() || replay_) mouseLook_.release();
   if (window_.takeLostGamepad() && interface_.loseGamepad() && match_ && !replay_) matchPages_.loseGamepad(*match_);
   takeDrops();
@@ -119,6 +117,14 @@ void WindowPlay::handle(const KeyEvent& event) {
   else if (event.kind == KeyEvent::Kind::kPress)
     skip_.takeBack();
   if (interface_.takeMenu() && match_) matchPages_.showPause(*match_);
+}
+
+// The press that closes the menu does not look round.
+void WindowPlay::handle(const PointerEvent& event) {
+  if (event.kind == PointerEvent::Kind::kPress) view_.skip();
+  const bool inGame = !menu_.isOpen() && !replay_;
+  replay_ ? replay_->handle(event, view_, interface_.settings()) : menu_.handle(event, view_.font());
+  if (inGame) mouseLook_.handle(event);
 }
 
 void WindowPlay::wishNext() {

@@ -25,6 +25,7 @@
 #include "client/quality/quality_trial.h"
 #include "client/time/clock.h"
 #include "client/ui/controls/mouse_look.h"
+#include "client/ui/controls/pad_repeat.h"
 #include "client/ui/hints/new_player_hints.h"
 #include "client/ui/skip_question.h"
 #include "client/ui/spectator.h"
@@ -62,6 +63,7 @@ class WindowPlay {
   // Events.
   void handleEvents();
   void handle(const KeyEvent& event);
+  void handle(const PointerEvent& event);
   void tell(const std::string& text, Moment time = kToldTime);
   Input choose(const Game& game, std::uint32_t slot);
   void wishNext();
@@ -116,6 +118,7 @@ class WindowPlay {
   QualityTrial trial_;
   Steering steering_;
   MouseLook mouseLook_;
+  PadRepeat padRepeat_;
   NewPlayerHints hints_;
   Spectator spectator_;
   SkipQuestion skip_;

@@ -34,6 +34,10 @@ void ReplayViewer::press(Key key) {
     case Key::kMinus:
     case Key::kPadDown:
       return player_.slower();
+    case Key::kPadLeftBumper:
+      return goBy(-kLeapTicks);
+    case Key::kPadRightBumper:
+      return goBy(kLeapTicks);
     case Key::kTab:
     case Key::kPadBack:
       return player_.followNext();
@@ -50,7 +54,10 @@ void ReplayViewer::goBy(std::int32_t ticks) {
 void ReplayViewer::handle(const PointerEvent& event, glm::vec2 screen) {
   const bool left = event.button == PointerEvent::Button::kLeft;
   if (event.kind == PointerEvent::Kind::kRelease && left) dragging_ = false;
-  if (event.kind == PointerEvent::Kind::kPress && left) dragging_ = replayBarAt(event.place, screen).has_value();
+  if (event.kind == PointerEvent::Kind::kPress && left) {
+    dragging_ = replayBarAt(event.place, screen).has_value();
+    if (!dragging_ && !isOnReplayBar(event.place, screen)) player_.togglePause();
+  }
   const bool moves = event.kind == PointerEvent::Kind::kMove || event.kind == PointerEvent::Kind::kPress;
   if (!dragging_ || !moves) return;
   player_.seek(static_cast<std::uint32_t>(std::lround(replayBarNear(event.place, screen) * player_.replay().ticks())));

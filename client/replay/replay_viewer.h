@@ -14,7 +14,7 @@ namespace platon {
 /// Watches a replay: what keys and mouse do to it, and what is to be drawn. It has no window and no clock.
 class ReplayViewer {
  public:
-  /// Ticks that Shift with an arrow key goes forwards or back: 5 s.
+  /// Ticks that Shift with an arrow key, LB and RB go forwards or back: 5 s.
   static constexpr std::int32_t kLeapTicks = 5 * kTicksPerSecond;
   /// Ticks of each repetition of an arrow key that is held.
   static constexpr std::int32_t kHeldTicks = 2;
@@ -22,7 +22,7 @@ class ReplayViewer {
   explicit ReplayViewer(std::shared_ptr<const Replay> replay);
 
   void handle(const KeyEvent& event);
-  /// Places are on a screen of this size.
+  /// Places are on a screen of this size. A click on the bar goes there, one on the picture pauses or plays on.
   void handle(const PointerEvent& event, glm::vec2 screen);
   /// Plays on for `seconds`.
   void advance(double seconds);

@@ -69,6 +69,10 @@ std::optional<double> replayBarAt(glm::dvec2 place, glm::vec2 screen) {
   return replayBarNear(place, screen);
 }
 
+bool isOnReplayBar(glm::dvec2 place, glm::vec2 screen) {
+  return place.x >= kMargin && place.x <= screen.x - kMargin && place.y >= screen.y - kTop;
+}
+
 double replayBarNear(glm::dvec2 place, glm::vec2 screen) {
   return std::clamp((place.x - left()) / (right(screen) - left()), 0.0, 1.0);
 }

@@ -25,6 +25,9 @@ Overlay makeReplayBar(const ReplayStatus& status, const Font& font, glm::vec2 sc
 /// on the bar.
 std::optional<double> replayBarAt(glm::dvec2 place, glm::vec2 screen);
 
+/// Whether a place of the screen is on the panel of the bar, whose free parts choose nothing.
+bool isOnReplayBar(glm::dvec2 place, glm::vec2 screen);
+
 /// As above for a pointer that was pressed on the bar and has been moved: at the sides of the bar, its ends.
 double replayBarNear(glm::dvec2 place, glm::vec2 screen);
 

@@ -13,6 +13,7 @@ MenuPage failurePage(const std::string& title, const std::string& reason, const 
   page.items = {{.name = "Try again", .choose = retry}, {.name = "Back", .choose = back}};
   if (other) page.items.insert(page.items.begin(), *other);
   page.back = back;
+  page.backMark = false;
   return page;
 }
 

@@ -11,7 +11,10 @@ MenuPage pausePage(const PauseChoices& choices) {
                 {.name = "Leave to the title", .choose = choices.onLeave}};
   if (choices.onWatch)
     page.items.insert(page.items.begin() + 3, {.name = "Watch your best run", .choose = choices.onWatch});
+  if (choices.onSay)
+    page.items.insert(page.items.begin() + 3, {.name = "Say", .value = choices.sayKey, .choose = choices.onSay});
   page.back = choices.onResume;
+  page.backMark = false;
   return page;
 }
 

@@ -20,6 +20,8 @@ struct PauseChoices {
   std::function<void()> onSettings;
   std::function<void()> onLeave;
   std::function<void()> onWatch{};  ///< shows the player's best run on the level; empty: there is none
+  std::function<void()> onSay{};    ///< to say something to the others; empty: there are none
+  std::string sayKey{};             ///< that does so, too
 };
 
 /// The page that Esc shows over a game.

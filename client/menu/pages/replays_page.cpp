@@ -28,6 +28,7 @@ MenuPage replaysPage(std::span<const ReplayEntry> entries, const std::function<v
   if (entries.empty()) {
     page.notes = {"Reach a goal, and your best run on its level is here. Drop a recording on the window to watch it."};
     page.items = {{.name = "Back", .choose = back}};
+    page.backMark = false;
     return page;
   }
   for (std::size_t i = 0; i < entries.size(); ++i) {

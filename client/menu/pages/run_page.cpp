@@ -15,6 +15,7 @@ MenuPage runPage(const ReplayEntry& entry, const std::string& file, const std::s
                  const RunChoices& choices) {
   MenuPage page{entry.title};
   page.place = MenuPage::Place::kLeft;
+  page.backMark = false;
   page.warning = !fault.empty() || !entry.note.empty();
   // The path comes last: it may be longer than the page.
   if (!fault.empty()) {

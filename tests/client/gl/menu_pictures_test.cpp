@@ -14,6 +14,7 @@
 #include "client/menu/pages/run_page.h"
 #include "client/menu/pages/say_page.h"
 #include "client/play/front_pages.h"
+#include "client/replay/recording_head.h"
 #include "client/ui/high_contrast_overlay.h"
 #include "tests/client/gl/flat_picture.h"
 #include "tests/client/gl/golden_picture.h"
@@ -36,6 +37,12 @@ class MenuPicturesTest : public testing::Test {
   }
   void expectPage(const std::string& name, MenuPage page, std::size_t focus = 0) {
     menu_.open([&page] { return page; });
+    expectPage(name, focus);
+  }
+  // As above for a page from which one goes back to another.
+  void expectPageAbove(const std::string& name, MenuPage page, std::size_t focus = 0) {
+    menu_.open([&page] { return page; });
+    menu_.push([&page] { return page; });
     expectPage(name, focus);
   }
   // In a picture of this size.
@@ -96,7 +103,7 @@ TEST_F(MenuPicturesTest, Levels) {
   resize(960, 540);
   const std::vector<LevelEntry> levels = entries();
   MenuPage page = levelsPage(levels, [](std::size_t) {});
-  expectPage("levels", page, 2);
+  expectPageAbove("levels", page, 2);
 }
 
 TEST_F(MenuPicturesTest, Join) {
@@ -107,18 +114,18 @@ TEST_F(MenuPicturesTest, Join) {
   form.hasList = true;
   form.recent = {"192.0.2.7:7777", "[2001:db8::7]:7777"};
   form.found = {{"Ann's server", "192.0.2.9:7777", "192.0.2.9:7777, 3 of 8 players, 12 ms"}};
-  expectPage("join", joinPage(form, [] {}), 1);
+  expectPageAbove("join", joinPage(form, [] {}), 1);
   form.asksPassword = true;
   form.password.setText("secret");
   form.fault = "The password is wrong.";
-  expectPage("join_password", joinPage(form, [] {}), 1);
+  expectPageAbove("join_password", joinPage(form, [] {}), 1);
 }
 
 TEST_F(MenuPicturesTest, Host) {
   resize(960, 540);
   HostForm form;
   const std::vector<LevelEntry> levels = entries();
-  expectPage("host", hostPage(form, levels, [] {}), 2);
+  expectPageAbove("host", hostPage(form, levels, [] {}), 2);
 }
 
 TEST_F(MenuPicturesTest, Replays) {
@@ -126,15 +133,15 @@ TEST_F(MenuPicturesTest, Replays) {
   const std::vector<ReplayEntry> runs{{"Run and jump", "10.67 s", "2026-11-23", "", true},
                                       {"Run and jump", "12.02 s", "2026-11-22"},
                                       {"Over the edge", "16.67 s", "2026-11-20", "Ann"},
-                                      {"Half turn", "", "2026-10-01", "Ben", false, "It was recorded by older rules."}};
-  expectPage("replays",
-             replaysPage(
-                 runs, [](std::size_t) {}, [] {}),
-             1);
-  expectPage("replays_none", replaysPage(
-                                 {}, [](std::size_t) {}, [] {}));
+                                      {"Half turn", "", "2026-10-01", "Ben", false, otherRulesText(1)}};
+  expectPageAbove("replays",
+                  replaysPage(
+                      runs, [](std::size_t) {}, [] {}),
+                  1);
+  expectPageAbove("replays_none", replaysPage(
+                                      {}, [](std::size_t) {}, [] {}));
   const RunChoices choices{[] {}, [] {}, [] {}, [] {}};
-  expectPage("run", runPage(runs[2], "/data/ann/.local/share/platon/ghosts/Ann.recording", "", choices));
+  expectPageAbove("run", runPage(runs[2], "/data/ann/.local/share/platon/ghosts/Ann.recording", "", choices));
 }
 
 TEST_F(MenuPicturesTest, Settings) {
@@ -157,9 +164,9 @@ TEST_F(MenuPicturesTest, Keys) {
   resize(960, 540);
   Bindings bindings;
   ControlsForm form;
-  expectPage("keys", controlsPage(bindings, form), 3);
+  expectPageAbove("keys", controlsPage(bindings, form), 3);
   form.waiting = Control::kJump;
-  expectPage("keys_waiting", controlsPage(bindings, form), 4);
+  expectPageAbove("keys_waiting", controlsPage(bindings, form), 4);
 }
 
 TEST_F(MenuPicturesTest, Pause) {
@@ -178,6 +185,8 @@ TEST_F(MenuPicturesTest, Pause) {
   choices.next = "Vote for the next level";
   choices.notes = {"Others join at 192.0.2.9:7777.", "The game goes on while the menu is open."};
   choices.onWatch = {};
+  choices.onSay = [] {};
+  choices.sayKey = "T";
   expectPage("pause_with_others", pausePage(choices), 2);
 }
 

@@ -180,6 +180,22 @@ TEST_F(WindowTest, TheMouseIsDelivered) {
   EXPECT_EQ(events[2].scroll, 1);
 }
 
+TEST_F(WindowTest, EachButtonOfTheMouseIsDelivered) {
+  using Button = PointerEvent::Button;
+  int x = 0;
+  int y = 0;
+  glfwGetWindowPos(handle_, &x, &y);
+  xdotool("mousemove " + std::to_string(x + 100) + " " + std::to_string(y + 50) + " click 1 click 2 click 3 click 8");
+  std::vector<Button> pressed;
+  ASSERT_TRUE(pollUntil([&] {
+    for (const PointerEvent& event : window_.takePointerEvents()) {
+      if (event.kind == PointerEvent::Kind::kPress) pressed.push_back(event.button);
+    }
+    return pressed.size() >= 4;
+  }));
+  EXPECT_EQ(pressed, (std::vector{Button::kLeft, Button::kMiddle, Button::kRight, Button::kBack}));
+}
+
 TEST_F(WindowTest, OtherKeysAreIgnored) {
   xdotool("key Pause Scroll_Lock space");
   EXPECT_EQ(pollEvents(2), (Events{{Key::kSpace, Kind::kPress}, {Key::kSpace, Kind::kRelease}}));

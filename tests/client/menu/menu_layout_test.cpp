@@ -48,6 +48,7 @@ bool overlap(const MenuBox& a, const MenuBox& b) {
 // Every box of a text or a control that stands alone.
 std::vector<MenuBox> boxesOf(const MenuLayout& layout) {
   std::vector<MenuBox> boxes{layout.title.box};
+  if (!layout.back.box.empty()) boxes.push_back(layout.back.box);
   for (const MenuLine& note : layout.notes) boxes.push_back(note.box);
   for (const MenuRow& row : layout.rows) {
     boxes.push_back(row.name.box);
@@ -71,6 +72,8 @@ void expectInOrder(const MenuPage& page, glm::vec2 screen, std::size_t focus) {
     return font().width(line.text) * line.size <= line.box.width() + 0.01F;
   };
   EXPECT_TRUE(fits(layout.title));
+  EXPECT_TRUE(fits(layout.back));
+  EXPECT_EQ(layout.back.box.empty(), !page.backMark);
   for (const MenuLine& note : layout.notes) EXPECT_TRUE(fits(note)) << note.text;
   bool focusIsVisible = false;
   for (const MenuRow& row : layout.rows) {
@@ -92,6 +95,7 @@ TEST(MenuLayout, NothingOverlapsAndNothingIsOutsideTheScreen) {
           if (isLong) page.notes = {std::string(500, 'n'), "a second one " + std::string(300, 'W')};
           page.place = place;
           page.large = large;
+          page.backMark = !large;
           page.items = itemsOfEveryKind(field, isLong);
           for (std::size_t focus = 1; focus < page.items.size(); ++focus) {
             SCOPED_TRACE(testing::Message()

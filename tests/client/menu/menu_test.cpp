@@ -197,6 +197,50 @@ TEST_F(MenuTest, ThePointerGivesTheFocusAndAClickChooses) {
   EXPECT_EQ(chosen_, (std::vector<std::size_t>{2}));
 }
 
+TEST_F(MenuTest, TheMouseGoesBackByTwoButtonsAndByTheMark) {
+  const auto pushed = [&] {
+    openList(4);
+    menu_.setFocus(2);
+    menu_.push([this] { return valuePage(); });
+  };
+  for (const PointerEvent::Button button : {PointerEvent::Button::kRight, PointerEvent::Button::kBack}) {
+    pushed();
+    menu_.handle(PointerEvent{.kind = PointerEvent::Kind::kPress, .button = button}, font_);
+    EXPECT_EQ(menu_.focus(), 2U) << "the page before, as it was left";
+    menu_.handle(PointerEvent{.kind = PointerEvent::Kind::kPress, .button = button}, font_);
+    EXPECT_TRUE(menu_.isOpen()) << "the first page has nothing before it";
+  }
+  EXPECT_TRUE(menu_.layout(font_).back.box.empty());
+  pushed();
+  click(middle(menu_.layout(font_).back.box));
+  EXPECT_EQ(menu_.focus(), 2U);
+  EXPECT_TRUE(chosen_.empty());
+}
+
+TEST_F(MenuTest, APageThatHasAnItemForItHasNoMarkThatGoesBack) {
+  bool mark = true;
+  menu_.open([&] {
+    MenuPage page = actionPage(2, chosen_);
+    page.back = [this] { menu_.close(); };
+    page.backMark = mark;
+    return page;
+  });
+  EXPECT_FALSE(menu_.layout(font_).back.box.empty());
+  mark = false;
+  EXPECT_TRUE(menu_.layout(font_).back.box.empty());
+}
+
+TEST_F(MenuTest, WhileTheMenuStandsAsideItHasNoMark) {
+  openList(4);
+  menu_.push([this] { return valuePage(); });
+  menu_.setFocus(kSlider);
+  tap(Key::kArrowRight);
+  ASSERT_TRUE(menu_.standsAside());
+  const glm::vec2 mark = middle(menu_.layout(font_).back.box);
+  point(PointerEvent::Kind::kPress, mark);
+  EXPECT_TRUE(menu_.standsAside());
+}
+
 TEST_F(MenuTest, ClicksChangeValues) {
   openValues(1);
   const MenuRow choice = row(kChoice);

@@ -56,6 +56,7 @@ TEST_F(MatchPagesTest, ThePauseOfAPlayerWhoIsAloneLeadsToTheNextLevel) {
   EXPECT_TRUE(shows("Next level"));
   EXPECT_FALSE(shows("The game goes on"));
   EXPECT_FALSE(shows("Watch")) << "there is no run";
+  EXPECT_FALSE(shows("Say")) << "nobody would hear it";
 }
 
 TEST_F(MatchPagesTest, ThePauseLeadsToTheSettingsAndOut) {
@@ -82,7 +83,7 @@ TEST_F(MatchPagesTest, AGamepadThatIsUnpluggedShowsThePauseToWhoIsAlone) {
   EXPECT_FALSE(shows("Gamepad disconnected"));
 }
 
-TEST_F(MatchPagesTest, AGamepadThatIsUnpluggedStopsNoGameWithOthers) {
+TEST_F(MatchPagesTest, WithOthersAGamepadThatIsUnpluggedStopsNoGameAndThePauseLeadsToTalk) {
   MatchChoice guest;
   guest.server = match_->serverAddress();
   LiveMatch other(ClientOptions(), guest, clock_);
@@ -95,6 +96,10 @@ TEST_F(MatchPagesTest, AGamepadThatIsUnpluggedStopsNoGameWithOthers) {
   for (LiveMatch* const match : {&*match_, &other}) pages_.loseGamepad(*match);
   EXPECT_FALSE(menu_.isOpen());
   EXPECT_EQ(called_, std::vector<std::string>(2, "Gamepad disconnected"));
+  pages_.showPause(*match_);
+  for (int row = 0; row < 3; ++row) tap(Key::kPadDown);
+  tap(Key::kPadA);
+  EXPECT_TRUE(shows("Say to all players"));
   other.leave();
 }
 

@@ -51,6 +51,18 @@ TEST(ReplayPlay, EscapeAndTheGamepadLeaveAlsoWhileTheFileIsRead) {
   }
 }
 
+TEST(ReplayPlay, TheMouseLeaves) {
+  const Offscreen offscreen;
+  const GameView view(320, 180);
+  for (const PointerEvent::Button button : {PointerEvent::Button::kRight, PointerEvent::Button::kBack}) {
+    ReplayPlay play(kRecording);
+    play.handle({.kind = PointerEvent::Kind::kRelease, .button = button}, view, Settings());
+    EXPECT_FALSE(play.leaving());
+    play.handle({.kind = PointerEvent::Kind::kPress, .button = button}, view, Settings());
+    EXPECT_TRUE(play.leaving());
+  }
+}
+
 TEST(ReplayPlay, AFaultSaysWhyTheFileCannotBePlayed) {
   const TemporaryFolder folder;
   writeText(folder / "text", "no recording");

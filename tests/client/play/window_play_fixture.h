@@ -47,11 +47,14 @@ class WindowPlayTest : public testing::Test {
   // Clicks on an item of the menu, which is in a window of 1280 × 720.
   void click(std::size_t item) const {
     for (const MenuRow& row : play_->menu().layout(font_).rows) {
-      if (row.item != item) continue;
-      const glm::vec2 middle = (row.box.low + row.box.high) / 2.0F;
-      xdotool("mousemove --window $(xdotool getactivewindow) " + std::to_string(std::lround(middle.x)) + " " +
-              std::to_string(std::lround(middle.y)) + " click 1");
+      if (row.item == item) clickOn(row.box);
     }
+  }
+  // Clicks on the middle of a box of the menu.
+  static void clickOn(const MenuBox& box) {
+    const glm::vec2 middle = (box.low + box.high) / 2.0F;
+    xdotool("mousemove --window $(xdotool getactivewindow) " + std::to_string(std::lround(middle.x)) + " " +
+            std::to_string(std::lround(middle.y)) + " click 1");
   }
   // Clicks on the item with this name.
   void clickOn(const std::string& name) const {

@@ -166,6 +166,21 @@ TEST_F(WindowPlayTest, TheMouseChoosesAndChanges) {
   EXPECT_TRUE(stepsDone_);
 }
 
+TEST_F(WindowPlayTest, TheMouseGoesBackByItsButtonsAndByTheMark) {
+  options_.level.clear();
+  const auto inLevels = [this] { return shows("Run and jump") && !shows("Quit"); };
+  const auto atTitle = [this] { return shows("Quit"); };
+  const std::string onPicture = "mousemove --window $(xdotool getactivewindow) 1200 700 click ";
+  play({{[] {}, atTitle},
+        {[this] { clickOn("Levels"); }, inLevels},
+        {[&] { xdotool(onPicture + "3"); }, atTitle},
+        {[this] { clickOn("Levels"); }, inLevels},
+        {[&] { xdotool(onPicture + "8"); }, atTitle},
+        {[this] { clickOn("Levels"); }, inLevels},
+        {[this] { clickOn(play_->menu().layout(font_).back.box); }, atTitle}});
+  EXPECT_TRUE(stepsDone_);
+}
+
 TEST_F(WindowPlayTest, AloneTheMenuPausesTheGame) {
   std::uint32_t ticks = 0;
   int frames = 0;

@@ -76,6 +76,21 @@ TEST_F(ReplayViewerTest, AGamepadPausesStepsAndChangesTheSpeed) {
   press(Key::kPadUp);
   press(Key::kPadDown);
   EXPECT_EQ(viewer_.status().speed, 2);
+  press(Key::kPadRightBumper);
+  press(Key::kPadRightBumper);
+  EXPECT_EQ(tick(), 1U + 2 * ReplayViewer::kLeapTicks);
+  press(Key::kPadLeftBumper);
+  EXPECT_EQ(tick(), 1U + ReplayViewer::kLeapTicks);
+}
+
+TEST_F(ReplayViewerTest, AClickOnThePicturePausesAndPlaysOn) {
+  for (const bool paused : {true, false}) {
+    point(PointerEvent::Kind::kPress, {kWidth / 2, 100});
+    point(PointerEvent::Kind::kRelease, {kWidth / 2, 100});
+    EXPECT_EQ(viewer_.status().paused, paused);
+  }
+  point(PointerEvent::Kind::kPress, {20, kLine});
+  EXPECT_FALSE(viewer_.status().paused) << "beside the line of the bar";
 }
 
 TEST_F(ReplayViewerTest, TabFollowsTheNextPlayer) {

@@ -33,6 +33,13 @@ TEST(ReplayBar, ShowsTimesAndSpeed) {
   EXPECT_TRUE(has(makeReplayBar({0, 7200, 4, true}, font, kScreen), "paused"));
 }
 
+TEST(ReplayBar, ThePanelReachesBeyondTheLine) {
+  EXPECT_TRUE(isOnReplayBar({20, kLine}, kScreen));
+  EXPECT_FALSE(replayBarAt({20, kLine}, kScreen));
+  EXPECT_TRUE(isOnReplayBar({640, kLine + 20}, kScreen));
+  EXPECT_FALSE(isOnReplayBar({640, kLine - 40}, kScreen));
+}
+
 TEST(ReplayBar, APlaceChoosesWhatIsDrawnThere) {
   const Font font;
   for (const std::uint32_t tick : {0U, 1U, 250U, 999U, 1000U}) {

@@ -31,5 +31,18 @@ TEST(PausePage, TheBestRunIsOfferedIfThereIsOne) {
   EXPECT_TRUE(watched);
 }
 
+TEST(PausePage, WithOthersThePlayerCanSaySomethingWithoutAKeyboard) {
+  bool says = false;
+  PauseChoices choices;
+  choices.onSay = [&says] { says = true; };
+  choices.sayKey = "T";
+  const MenuPage page = pausePage(choices);
+  ASSERT_EQ(page.items.size(), 6U);
+  EXPECT_EQ(page.items[3].name, "Say");
+  EXPECT_EQ(page.items[3].value, "T");
+  page.items[3].choose();
+  EXPECT_TRUE(says);
+}
+
 }  // namespace
 }  // namespace platon

@@ -1,0 +1,78 @@
+#include "client/ui/controls/pad_repeat.h"
+
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace platon {
+namespace {
+
+using Kind = KeyEvent::Kind;
+using Events = std::vector<KeyEvent>;
+using std::chrono::milliseconds;
+
+constexpr Events::size_type kNone = 0;
+
+class PadRepeatTest : public testing::Test {
+ protected:
+  // Repetitions of `key` in so many milliseconds, with a picture in each of them.
+  std::size_t repeatsOf(Key key, int duration) {
+    std::size_t count = 0;
+    for (int i = 0; i < duration; ++i) {
+      now_ += milliseconds(1);
+      for (const KeyEvent& event : repeat_.withRepeats({}, true, now_)) {
+        EXPECT_EQ(event, (KeyEvent{key, Kind::kRepeat}));
+        ++count;
+      }
+    }
+    return count;
+  }
+  Events take(const KeyEvent& event, bool repeats = true) { return repeat_.withRepeats({event}, repeats, now_); }
+
+  PadRepeat repeat_;
+  PadRepeat::Time now_{};
+};
+
+TEST_F(PadRepeatTest, EachDirectionIsRepeatedAfter400MsAndThenEvery80Ms) {
+  for (const Key key : {Key::kPadLeft, Key::kPadRight, Key::kPadUp, Key::kPadDown}) {
+    const KeyEvent press{key, Kind::kPress};
+    EXPECT_EQ(take(press), (Events{press}));
+    EXPECT_EQ(repeatsOf(key, 399), kNone);
+    EXPECT_EQ(repeatsOf(key, 1), 1U);
+    EXPECT_EQ(repeatsOf(key, 79), kNone);
+    EXPECT_EQ(repeatsOf(key, 1), 1U);
+    EXPECT_EQ(repeatsOf(key, 800), 10U);
+    take({key, Kind::kRelease});
+    EXPECT_EQ(repeatsOf(key, 1000), kNone);
+  }
+}
+
+TEST_F(PadRepeatTest, OtherButtonsAndKeysAreNotRepeated) {
+  for (const Key key : {Key::kPadA, Key::kPadWalk, Key::kPadLookLeft, Key::kArrowDown}) {
+    take({key, Kind::kPress});
+    EXPECT_EQ(repeatsOf(key, 1000), kNone);
+  }
+}
+
+TEST_F(PadRepeatTest, TheDirectionThatWasPressedLastIsRepeated) {
+  take({Key::kPadDown, Kind::kPress});
+  take({Key::kPadRight, Kind::kPress});
+  EXPECT_EQ(repeatsOf(Key::kPadRight, 480), 2U);
+  take({Key::kPadDown, Kind::kRelease});
+  EXPECT_EQ(repeatsOf(Key::kPadRight, 80), 1U);
+}
+
+TEST_F(PadRepeatTest, ADirectionThatMovedTheBallIsNotRepeatedInTheMenu) {
+  take({Key::kPadDown, Kind::kPress}, false);
+  EXPECT_EQ(repeatsOf(Key::kPadDown, 1000), kNone);
+}
+
+TEST_F(PadRepeatTest, ALatePictureGetsOneRepetition) {
+  take({Key::kPadDown, Kind::kPress});
+  now_ += milliseconds(1000);
+  EXPECT_EQ(repeat_.withRepeats({}, true, now_).size(), 1U);
+  EXPECT_EQ(repeatsOf(Key::kPadDown, 80), 1U);
+}
+
+}  // namespace
+}  // namespace platon
