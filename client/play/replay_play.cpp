@@ -10,11 +10,13 @@
 
 namespace platon {
 
-void drawReplay(const ReplayViewer& viewer, GameView& view, Settings settings, double seconds) {
+void drawReplay(const ReplayViewer& viewer, GameView& view, Settings settings, double seconds, bool gamepad) {
   settings.netGraph = false;
   const Scene scene = viewer.scene();
   const float scale = view.textScale(settings);
-  const Overlay unscaled = makeReplayBar(viewer.status(), view.font(), view.screen() / scale);
+  ReplayStatus status = viewer.status();
+  status.gamepad = gamepad;
+  const Overlay unscaled = makeReplayBar(status, view.font(), view.screen() / scale);
   const std::array bar{scaledBy(unscaled, scale)};
   view.draw(&scene, HudStatus(), settings, Overlay(), seconds, bar);
 }
@@ -51,8 +53,8 @@ void ReplayPlay::handle(PointerEvent event, const GameView& view, const Settings
   if (viewer_) viewer_->handle(event, view.screen() / scale);
 }
 
-void ReplayPlay::draw(GameView& view, const Settings& settings, double seconds) const {
-  if (viewer_) return drawReplay(*viewer_, view, settings, seconds);
+void ReplayPlay::draw(GameView& view, const Settings& settings, double seconds, bool gamepad) const {
+  if (viewer_) return drawReplay(*viewer_, view, settings, seconds, gamepad);
   HudStatus status;
   status.message = "reading " + file_.filename().string() + " …";
   view.draw(nullptr, status, settings, Overlay(), seconds);

@@ -13,8 +13,8 @@
 
 namespace platon {
 
-/// Draws a replay with its bar, `seconds` after the last picture.
-void drawReplay(const ReplayViewer& viewer, GameView& view, Settings settings, double seconds);
+/// Draws a replay with its bar, `seconds` after the last picture. `gamepad`: the bar names its buttons.
+void drawReplay(const ReplayViewer& viewer, GameView& view, Settings settings, double seconds, bool gamepad = false);
 
 /// A recording in the window of the program. A thread reads it, so that the window stays alive meanwhile; the end of
 /// this object waits at most until a block has been read.
@@ -27,7 +27,7 @@ class ReplayPlay {
   void advance(double seconds);
   void handle(const KeyEvent& event);
   void handle(PointerEvent event, const GameView& view, const Settings& settings);
-  void draw(GameView& view, const Settings& settings, double seconds) const;
+  void draw(GameView& view, const Settings& settings, double seconds, bool gamepad = false) const;
 
   const std::filesystem::path& file() const { return file_; }
   /// Why the recording cannot be played, a sentence; empty: it can, as far as is known.

@@ -287,7 +287,7 @@ void WindowPlay::drawReplay(double seconds) {
   sound_.update(nullptr, nullptr, std::nullopt, interface_.settings(), seconds);
   view_.setFlights(false);
   view_.look({});
-  replay_->draw(view_, interface_.settings(), seconds);
+  replay_->draw(view_, interface_.settings(), seconds, interface_.keyHints().gamepad());
 }
 
 void WindowPlay::drawMatch(double seconds) {

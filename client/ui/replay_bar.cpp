@@ -21,6 +21,7 @@ constexpr float kThick = 8;
 constexpr float kReach = 14;      // above and below the line, where a click counts
 constexpr float kTextWidth = 96;  // left and right of the line
 constexpr const char* kKeys = "Space pause   ← → tick   Shift + ← → 5 s   + − speed   Tab next player   Esc leave";
+constexpr const char* kButtons = "pad A pause   ← → tick   LB RB 5 s   ↑ ↓ speed   Back next player   pad B leave";
 
 float left() { return kMargin + kTextWidth; }
 float right(glm::vec2 screen) { return std::max(screen.x - kMargin - kTextWidth, left() + 1); }
@@ -59,7 +60,8 @@ Overlay makeReplayBar(const ReplayStatus& status, const Font& font, glm::vec2 sc
   writer.right(speedText(status), {screen.x - kMargin - 16, upper}, kSmallestText, status.paused ? kGold : kBright);
   writer.left(timeText(status.ticks), {kMargin + 16, lower}, kSmallestText, kSoft);
   const float room = (right(screen) - left()) / kSmallestText;
-  writer.centred(fittedText(kKeys, font, room), {screen.x / 2, lower}, kSmallestText, kSoft);
+  writer.centred(fittedText(status.gamepad ? kButtons : kKeys, font, room), {screen.x / 2, lower}, kSmallestText,
+                 kSoft);
   return writer.take();
 }
 

@@ -16,6 +16,7 @@ struct ReplayStatus {
   std::uint32_t ticks = 0;  ///< of the whole recording
   double speed = 1;
   bool paused = false;
+  bool gamepad = false;  ///< its buttons are named instead of keys
 };
 
 /// The position in a replay at the lower edge of a screen of this size, with speed and keys.

@@ -31,6 +31,8 @@ std::string KeyHints::goOn() const {
   return bindings_.controlOf(Key::kEnter) ? of(Control::kVote) : "Enter";
 }
 
+std::string KeyHints::menu() const { return std::string(shownNameOf(gamepad_ ? Key::kPadStart : Key::kEscape)); }
+
 std::string KeyHints::run() const {
   const ControlKeys& left = bindings_.keysOf(Control::kLeft);
   const ControlKeys& right = bindings_.keysOf(Control::kRight);

@@ -21,6 +21,10 @@ class KeyHints {
 
   /// The key that leads to the next level after the goal.
   std::string goOn() const;
+  /// The key that pauses and opens the menu.
+  std::string menu() const;
+  /// Whether buttons of the gamepad are named.
+  bool gamepad() const { return gamepad_; }
 
   /// All keys of the control: `Space or J`; empty if it has none.
   std::string keys(Control control) const;

@@ -87,7 +87,7 @@ std::string FirstKeys::hint(const KeyHints& keys) const {
     case Step::kGoal:
       return "The beam of light shows the goal";
     case Step::kMenu:
-      return "Esc: pause, settings, other levels";
+      return keys.menu() + ": pause, settings, other levels";
     default:
       return {};
   }

@@ -33,6 +33,15 @@ TEST(ReplayBar, ShowsTimesAndSpeed) {
   EXPECT_TRUE(has(makeReplayBar({0, 7200, 4, true}, font, kScreen), "paused"));
 }
 
+TEST(ReplayBar, NamesTheKeysOrTheButtonsOfTheGamepad) {
+  const Font font;
+  const auto keys = [&](bool gamepad) {
+    return makeReplayBar({0, 7200, 1, false, gamepad}, font, kScreen).texts.back().content;
+  };
+  EXPECT_EQ(keys(false), "Space pause   ← → tick   Shift + ← → 5 s   + − speed   Tab next player   Esc leave");
+  EXPECT_EQ(keys(true), "pad A pause   ← → tick   LB RB 5 s   ↑ ↓ speed   Back next player   pad B leave");
+}
+
 TEST(ReplayBar, ThePanelReachesBeyondTheLine) {
   EXPECT_TRUE(isOnReplayBar({20, kLine}, kScreen));
   EXPECT_FALSE(replayBarAt({20, kLine}, kScreen));

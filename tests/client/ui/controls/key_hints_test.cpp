@@ -12,6 +12,11 @@ TEST(KeyHints, NameTheFirstKeyAndWithAGamepadItsButton) {
   EXPECT_EQ(KeyHints().to(Control::kRestart, "back"), "R: back");
 }
 
+TEST(KeyHints, NameTheKeyOfTheMenuAndWithAGamepadItsButton) {
+  EXPECT_EQ(KeyHints().menu(), "Esc");
+  EXPECT_EQ(KeyHints({}, true).menu(), "Start");
+}
+
 TEST(KeyHints, NameTheKeysThatThePlayerHasChosen) {
   Bindings bindings;
   bindings.bind(Control::kJump, Key::kJ);

@@ -46,6 +46,7 @@ TEST_F(FirstKeysTest, EachIsShownUntilItIsDone) {
   EXPECT_EQ(keys_.hint(KeyHints()), "The beam of light shows the goal");
   play(0, 5 * kTicksPerSecond);
   EXPECT_EQ(keys_.hint(KeyHints()), "Esc: pause, settings, other levels");
+  EXPECT_EQ(keys_.hint(KeyHints(Bindings(), true)), "Start: pause, settings, other levels");
   play(0, 5 * kTicksPerSecond);
   EXPECT_TRUE(keys_.done());
   EXPECT_EQ(keys_.hint(KeyHints()), "");
