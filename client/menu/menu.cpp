@@ -274,6 +274,12 @@ MenuLayout Menu::layoutOf(const MenuPage& page, const Font& font, bool followsFo
 
 MenuLayout Menu::layout(const Font& font) const { return layoutOf(present(), font, true); }
 
+bool Menu::showsMotion() const {
+  if (!isOpen() || !aside_) return false;
+  const MenuPage page = present();
+  return page.items[validFocus(page, focus())].inMotion;
+}
+
 Overlay Menu::overlay(const Font& font, bool dimsPicture) const {
   if (!isOpen()) return {};
   const MenuPage page = present();

@@ -59,6 +59,8 @@ class Menu {
 
   /// Whether only the item whose value is being changed is shown, so that the picture behind it can be judged.
   bool standsAside() const { return aside_; }
+  /// Whether it stands aside for a value that can be judged only on a game that runs.
+  bool showsMotion() const;
   /// The picture of the menu; empty while it is closed. `dimsPicture`: what is behind it is dimmed.
   Overlay overlay(const Font& font, bool dimsPicture) const;
   /// Where the parts of the page are, in units of the menu. The menu is open.

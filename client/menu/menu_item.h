@@ -25,6 +25,7 @@ struct MenuItem {
   std::optional<glm::vec4> valueColour{};  ///< of a kAction; nothing: that of the name
   TextField* field = nullptr;              ///< of a kText
   bool secret = false;                     ///< of a kText: its characters are shown as dots
+  bool inMotion = false;                   ///< its value can be judged only on a game that runs
 
   bool canHaveFocus() const { return kind != Kind::kHeading; }
 };

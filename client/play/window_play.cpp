@@ -268,8 +268,11 @@ void WindowPlay::draw(Moment now) {
   if (window_.minimised()) return;
   view_.setQuality(trial_.quality(interface_.settings().quality));
   view_.setNotice(told());
+  if (!showsPreview()) preview_.reset();
   if (replay_) {
     drawReplay(seconds);
+  } else if (showsPreview()) {
+    drawPreview(seconds);
   } else {
     match_ ? drawMatch(seconds) : drawFront(seconds);
   }
@@ -281,6 +284,17 @@ void WindowPlay::draw(Moment now) {
 void WindowPlay::savePicture() {
   if (interface_.takePicture()) pictures_.write(view_.read());
   if (const std::optional<std::string> report = pictures_.takeReport()) tell(*report);
+}
+
+// A game with others goes on, and shows itself what a setting does.
+bool WindowPlay::showsPreview() const { return menu_.showsMotion() && (!match_ || match_->paused()); }
+
+void WindowPlay::drawPreview(double seconds) {
+  sound_.update(nullptr, nullptr, std::nullopt, interface_.settings(), seconds);
+  if (!preview_) preview_.emplace();
+  preview_->advance(interface_.settings(), seconds);
+  const Overlay menu = menu_.overlay(view_.font(), false);
+  preview_->draw(view_, interface_.settings(), interface_.keyHints(), menu, seconds);
 }
 
 void WindowPlay::drawReplay(double seconds) {

@@ -22,6 +22,7 @@
 #include "client/play/match/sound_feed.h"
 #include "client/play/match_pages.h"
 #include "client/play/replay_play.h"
+#include "client/play/settings_preview.h"
 #include "client/quality/quality_trial.h"
 #include "client/time/clock.h"
 #include "client/ui/controls/mouse_look.h"
@@ -54,6 +55,8 @@ class WindowPlay {
   const ReplayPlay* replay() const { return replay_ ? &*replay_ : nullptr; }
   /// What the picture tells the player for a moment; empty: nothing.
   std::string told() const { return drawnAt_ < toldUntil_ ? told_ : std::string(); }
+  /// What a setting is judged on; null while nothing is.
+  const SettingsPreview* preview() const { return preview_ ? &*preview_ : nullptr; }
 
  private:
   static constexpr Moment kToldTime = std::chrono::seconds(4);
@@ -87,6 +90,8 @@ class WindowPlay {
 
   void draw(Moment now);
   void playSounds(const Scene* scene, const HudStatus& status, double seconds);
+  bool showsPreview() const;
+  void drawPreview(double seconds);
   void drawReplay(double seconds);
   void drawMatch(double seconds);
   void savePicture();
@@ -115,6 +120,7 @@ class WindowPlay {
   std::optional<LiveMatch> match_;
   std::optional<ReplayPlay> replay_;                 // shown in front of a match
   std::optional<std::optional<MedalTimes>> medals_;  // of the level, while the player is at its goal
+  std::optional<SettingsPreview> preview_;           // while a setting is judged on it
   QualityTrial trial_;
   Steering steering_;
   MouseLook mouseLook_;

@@ -19,6 +19,11 @@ constexpr SliderRange kVolumes{0, 100, 5, 1};
 constexpr std::array<NamedValue, 6> kFrameCaps{
     {{0, "none"}, {30, "30 fps"}, {60, "60 fps"}, {120, "120 fps"}, {144, "144 fps"}, {240, "240 fps"}}};
 
+MenuItem inMotion(MenuItem item) {
+  item.inMotion = true;
+  return item;
+}
+
 MenuItem heading(const char* name) { return {MenuItem::Kind::kHeading, name}; }
 
 MenuItem controlsItem(ControlFrame& frame) {
@@ -82,34 +87,34 @@ MenuPage settingsPage(Settings& settings, const std::function<void()>& showKeys,
                 renderScaleItem(settings.quality),
                 multisamplingItem(settings.quality),
                 measureItem(settings.quality),
-                percentItem("Zoom", settings.zoom, {0.5, 2, 0.05}),
-                percentItem("UI scale", settings.uiScale, {kMinUiScale, kMaxUiScale, 0.05}),
-                toggleItem("Numbers on faces", settings.faceNumbers),
-                ballItem("Colour of your ball", settings.ball.colour, kBallColours),
-                ballItem("Pattern of your ball", settings.ball.pattern, kBallPatterns),
+                inMotion(percentItem("Zoom", settings.zoom, {0.5, 2, 0.05})),
+                inMotion(percentItem("UI scale", settings.uiScale, {kMinUiScale, kMaxUiScale, 0.05})),
+                inMotion(toggleItem("Numbers on faces", settings.faceNumbers)),
+                inMotion(ballItem("Colour of your ball", settings.ball.colour, kBallColours)),
+                inMotion(ballItem("Pattern of your ball", settings.ball.pattern, kBallPatterns)),
                 heading("Sound"),
                 percentItem("Master volume", settings.volume, kVolumes),
                 percentItem("Effects volume", settings.effectsVolume, kVolumes),
                 percentItem("Music volume", settings.musicVolume, kVolumes),
                 heading("Comfort"),
-                cameraItem(settings.comfort.view),
-                choiceItem("Camera turn speed", settings.comfort.turnSpeed, kTurnSpeeds),
-                toggleItem("Instant camera cut", settings.comfort.instantCut),
-                toggleItem("Reduced motion", settings.comfort.reducedMotion),
-                toggleItem("Flashes", settings.flashes),
-                toggleItem("High contrast", settings.highContrast),
+                inMotion(cameraItem(settings.comfort.view)),
+                inMotion(choiceItem("Camera turn speed", settings.comfort.turnSpeed, kTurnSpeeds)),
+                inMotion(toggleItem("Instant camera cut", settings.comfort.instantCut)),
+                inMotion(toggleItem("Reduced motion", settings.comfort.reducedMotion)),
+                inMotion(toggleItem("Flashes", settings.flashes)),
+                inMotion(toggleItem("High contrast", settings.highContrast)),
                 heading("Controls"),
                 {.name = "Keys and buttons", .value = "choose", .choose = showKeys},
                 controlsItem(settings.controls),
                 heldItem("Run slower", settings.toggled.slow),
                 heldItem("Look round", settings.toggled.look),
                 heading("Game"),
-                toggleItem("Timer", settings.timer),
+                inMotion(toggleItem("Timer", settings.timer)),
                 toggleItem("Ghosts", settings.ghosts),
                 toggleItem("Chat", settings.chat),
-                toggleItem("Connection graph", settings.netGraph),
+                inMotion(toggleItem("Connection graph", settings.netGraph)),
                 hintsItem(settings)};
-  if (alone) page.items.push_back(percentItem("Game speed, alone", settings.gameSpeed, {50, 100, 5, 1}));
+  if (alone) page.items.push_back(inMotion(percentItem("Game speed, alone", settings.gameSpeed, {50, 100, 5, 1})));
   return page;
 }
 

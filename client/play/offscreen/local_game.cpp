@@ -19,7 +19,7 @@ void LocalGame::advance(std::span<const Input> inputs) {
   attempt_.observe(game_.tick(), game_.player(0));
 }
 
-Scene LocalGame::scene() const {
+Scene LocalGame::scene(const BallChoice& ownBall) const {
   std::vector<PlayerSnapshot> players;
   for (std::uint32_t slot = 0; slot < game_.slots(); ++slot) players.push_back(snapshotOf(game_, slot));
   SceneSource source;
@@ -29,6 +29,7 @@ Scene LocalGame::scene() const {
   source.localSlot = 0;
   source.names = names_;
   source.attempt = attempt_;
+  source.ownBall = ownBall;
   return makeScene(source);
 }
 

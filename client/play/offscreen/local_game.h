@@ -23,8 +23,8 @@ class LocalGame {
   /// Plays a tick. `inputs`: by slot.
   void advance(std::span<const Input> inputs);
   const Game& game() const { return game_; }
-  /// The moment to draw, after the last tick.
-  Scene scene() const;
+  /// The moment to draw, after the last tick. `ownBall`: the look of the ball of slot 0.
+  Scene scene(const BallChoice& ownBall = {}) const;
 
  private:
   Game game_;

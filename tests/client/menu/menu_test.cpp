@@ -161,6 +161,22 @@ TEST_F(MenuTest, WhileAValueIsChangedTheMenuStandsAside) {
   EXPECT_FALSE(menu_.standsAside());
 }
 
+TEST_F(MenuTest, AsksForAGameThatRunsWhileAValueIsChangedThatNeedsOne) {
+  menu_.open([this] {
+    MenuPage page = valuePage();
+    page.items[kSlider].inMotion = true;
+    return page;
+  });
+  menu_.setFocus(kSlider);
+  EXPECT_FALSE(menu_.showsMotion());
+  tap(Key::kArrowRight);
+  EXPECT_TRUE(menu_.showsMotion());
+  tap(Key::kArrowDown);
+  tap(Key::kArrowRight);
+  EXPECT_TRUE(menu_.standsAside());
+  EXPECT_FALSE(menu_.showsMotion()) << "another item";
+}
+
 TEST_F(MenuTest, AFieldTakesWhatIsTypedAndEnterLeavesIt) {
   openValues(kText);
   for (const char32_t character : U"wasd") {
