@@ -17,7 +17,7 @@ namespace platon {
 void drawReplay(const ReplayViewer& viewer, GameView& view, Settings settings, double seconds, bool gamepad = false);
 
 /// A recording in the window of the program. A thread reads it, so that the window stays alive meanwhile; the end of
-/// this object waits at most until a block has been read.
+/// this object waits at most for the present MiB, block or tick of the recording.
 class ReplayPlay {
  public:
   /// Starts to read the file. A file that cannot be played gives a fault.

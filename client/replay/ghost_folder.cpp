@@ -45,14 +45,14 @@ Ghost makeGhost(const fs::path& file, RunTrack track) {
 }
 
 std::vector<Ghost> ghostsIn(const fs::path& folder, const Level& level, std::size_t count,
-                            std::vector<std::string>& faults) {
+                            std::vector<std::string>& faults, const std::stop_token& stop) {
   std::vector<Ghost> ghosts;
   if (folder.empty()) return ghosts;
   for (const fs::path& file : filesOf(folder)) {
-    if (ghosts.size() == count) break;
-    const std::optional<RecordingHead> head = readRecordingHeadOf(file);
+    if (ghosts.size() == count || stop.stop_requested()) break;
+    const std::optional<RecordingHead> head = readRecordingHeadOf(file, stop);
     if (!head || !head->level || !isSameLevel(*head->level, level)) continue;
-    auto track = readTrack(file);
+    auto track = readTrack(file, nullptr, stop);
     if (auto* fault = std::get_if<std::string>(&track)) {
       faults.push_back(std::move(*fault));
     } else {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -27,8 +28,9 @@ std::string ghostNameOf(const std::filesystem::path& file);
 Ghost makeGhost(const std::filesystem::path& file, RunTrack track);
 
 /// The runs on this level in a folder, of the first `count` files by name; the ghost has the name of its file. Adds to
-/// `faults` a sentence for each recording on this level that cannot be a ghost.
+/// `faults` a sentence for each recording on this level that cannot be a ghost. Ends early when it is asked to stop;
+/// then neither is to be used.
 std::vector<Ghost> ghostsIn(const std::filesystem::path& folder, const Level& level, std::size_t count,
-                            std::vector<std::string>& faults);
+                            std::vector<std::string>& faults, const std::stop_token& stop = {});
 
 }  // namespace platon

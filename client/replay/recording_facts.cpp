@@ -39,12 +39,16 @@ Ending readEnding(RecordingReader& reader, std::string& note, const std::stop_to
 }
 
 // Plays the last block. Gives the time of the run, if it is one.
-void playEnding(const std::shared_ptr<const Level>& level, const Ending& ending, RecordingFacts& facts) {
+void playEnding(const std::shared_ptr<const Level>& level, const Ending& ending, RecordingFacts& facts,
+                const std::stop_token& stop) {
   if (ending.ticks == 0) return;
   Game game(level);
   bool agrees = game.restore(ending.block.state) && game.tick() == ending.block.firstTick;
   const std::uint32_t last = ending.block.ticks() - 1;
-  for (std::uint32_t tick = 0; agrees && tick < last; ++tick) game.advance(ending.block.inputsOf(tick));
+  for (std::uint32_t tick = 0; agrees && tick < last; ++tick) {
+    if (stop.stop_requested()) return;
+    game.advance(ending.block.inputsOf(tick));
+  }
   const Game before = game;
   if (agrees) game.advance(ending.block.inputsOf(last));
   agrees = agrees && game.save() == ending.state;
@@ -56,7 +60,7 @@ void playEnding(const std::shared_ptr<const Level>& level, const Ending& ending,
 
 RecordingFacts readRecordingFacts(const std::filesystem::path& file, const std::stop_token& stop) {
   RecordingFacts facts;
-  const RecordingBytes read = readRecordingBytes(file);
+  const RecordingBytes read = readRecordingBytes(file, stop);
   facts.note = read.fault;
   if (!facts.note.empty()) return facts;
   const auto bytes = read.bytes();
@@ -72,7 +76,7 @@ RecordingFacts readRecordingFacts(const std::filesystem::path& file, const std::
   const Ending ending = readEnding(reader, facts.note, stop);
   if (stop.stop_requested()) return facts;
   if (facts.note.empty()) facts.note = recordingFault(reader, bytes);
-  if (facts.note.empty()) playEnding(head->level, ending, facts);
+  if (facts.note.empty()) playEnding(head->level, ending, facts, stop);
   return facts;
 }
 

@@ -18,8 +18,8 @@ struct RecordingFacts {
 };
 
 /// Reads all blocks of a recording, but plays only the last one with ticks: that gives the time of a run. So a
-/// recording may still be refused when it is played whole. Ends early with the present block when it is asked to stop;
-/// then the facts are not to be used.
+/// recording may still be refused when it is played whole. Ends early with the present MiB, block or tick when it is
+/// asked to stop; then the facts are not to be used.
 RecordingFacts readRecordingFacts(const std::filesystem::path& file, const std::stop_token& stop = {});
 
 }  // namespace platon

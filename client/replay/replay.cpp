@@ -10,7 +10,6 @@ namespace platon {
 namespace {
 
 constexpr std::uint32_t kMaxFirstTick = UINT32_MAX - Replay::kMaxWork;  // so that no tick is above 2^32
-constexpr const char* kStopped = "was not read to its end";
 
 }  // namespace
 

@@ -25,6 +25,7 @@ class Replay {
   /// Most ticks of a recording, each counted once per slot: playing them takes some seconds.
   static constexpr std::uint64_t kMaxWork = std::uint64_t{1} << 24;
   static constexpr const char* kTooLong = "is too long to be played";
+  static constexpr const char* kStopped = "was not read to its end";
   /// What a block adds to that.
   static std::uint64_t workOf(const RecordedBlock& block) { return std::uint64_t{block.ticks()} * (block.slots + 1); }
   /// Most bytes of a recording.

@@ -1,54 +1,79 @@
 #include "client/replay/replay_file.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdint>
+#include <cstdio>
+#include <cstring>
 #include <span>
 #include <utility>
-
-#include "protocol/files/text_file.h"
 
 namespace platon {
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr std::size_t kMaxHeadBytes = kMaxLevelBytes + 64;
+constexpr std::size_t kPartBytes = std::size_t{1} << 20;  // that are read at a time
 
 std::span<const std::uint8_t> bytesOf(const std::string& content) {
   return {reinterpret_cast<const std::uint8_t*>(content.data()), content.size()};
 }
 
-// At most so many bytes, and room for as many as the file has: it may be small.
-std::variant<std::string, ParseError> readFile(const std::filesystem::path& file, std::size_t maxBytes) {
+using OpenFile = std::unique_ptr<std::FILE, void (*)(std::FILE*)>;
+
+std::string systemFault() { return std::string("cannot be read: ") + std::strerror(errno); }
+
+// At most one byte more than `maxBytes`. Returns why it failed, or an empty text.
+std::string readParts(std::FILE* file, std::size_t maxBytes, std::string& content, const std::stop_token& stop) {
+  while (content.size() <= maxBytes) {
+    if (stop.stop_requested()) return Replay::kStopped;
+    const std::size_t before = content.size();
+    const std::size_t part = std::min(kPartBytes, maxBytes + 1 - before);
+    content.resize(before + part);
+    const std::size_t read = std::fread(content.data() + before, 1, part, file);
+    content.resize(before + read);
+    if (std::ferror(file) != 0) return systemFault();
+    if (read < part) break;
+  }
+  return {};
+}
+
+// At most one byte more than `maxBytes`, and room for as many as the file has: it may be small.
+RecordingBytes readFile(const fs::path& file, std::size_t maxBytes, const std::stop_token& stop) {
   std::error_code fault;
-  const std::uintmax_t size = std::filesystem::file_size(file, fault);
-  return readTextFile(file.string(),
-                      fault ? maxBytes : static_cast<std::size_t>(std::min<std::uintmax_t>(size, maxBytes)));
+  const fs::file_status status = fs::status(file, fault);
+  if (fs::exists(status) && !fs::is_regular_file(status)) return {{}, "is no file"};
+  const std::uintmax_t size = fs::file_size(file, fault);
+  const auto limit = fault ? maxBytes : static_cast<std::size_t>(std::min<std::uintmax_t>(size, maxBytes));
+  const OpenFile opened(std::fopen(file.c_str(), "rb"), [](std::FILE* closed) { std::fclose(closed); });
+  if (!opened) return {{}, systemFault()};
+  RecordingBytes bytes;
+  bytes.fault = readParts(opened.get(), limit, bytes.content, stop);
+  return bytes;
 }
 
 }  // namespace
 
 std::span<const std::uint8_t> RecordingBytes::bytes() const { return bytesOf(content); }
 
-RecordingBytes readRecordingBytes(const std::filesystem::path& file) {
-  auto read = readFile(file, Replay::kMaxBytes);
-  if (const auto* error = std::get_if<ParseError>(&read)) return {{}, "cannot be read: " + error->what};
-  RecordingBytes bytes{std::get<std::string>(std::move(read)), {}};
-  if (bytes.content.size() > Replay::kMaxBytes) return {{}, "is larger than any recording that can be played"};
-  return bytes;
+RecordingBytes readRecordingBytes(const fs::path& file, const std::stop_token& stop) {
+  RecordingBytes read = readFile(file, Replay::kMaxBytes, stop);
+  if (read.content.size() > Replay::kMaxBytes) return {{}, "is larger than any recording that can be played"};
+  return read;
 }
 
-std::variant<std::shared_ptr<const Replay>, std::string> readReplay(const std::filesystem::path& file,
-                                                                    const std::stop_token& stop) {
-  const RecordingBytes read = readRecordingBytes(file);
+std::variant<std::shared_ptr<const Replay>, std::string> readReplay(const fs::path& file, const std::stop_token& stop) {
+  const RecordingBytes read = readRecordingBytes(file, stop);
   if (!read.fault.empty()) return file.string() + ": " + read.fault;
   auto replay = Replay::read(read.bytes(), stop);
   if (const auto* fault = std::get_if<std::string>(&replay)) return file.string() + ": " + *fault;
   return replay;
 }
 
-std::optional<RecordingHead> readRecordingHeadOf(const std::filesystem::path& file) {
-  const auto read = readFile(file, kMaxHeadBytes);
-  const auto* const content = std::get_if<std::string>(&read);
-  return content == nullptr ? std::nullopt : readRecordingHead(bytesOf(*content));
+std::optional<RecordingHead> readRecordingHeadOf(const fs::path& file, const std::stop_token& stop) {
+  const RecordingBytes read = readFile(file, kMaxHeadBytes, stop);
+  return read.fault.empty() ? readRecordingHead(read.bytes()) : std::nullopt;
 }
 
 }  // namespace platon

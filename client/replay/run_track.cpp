@@ -43,7 +43,7 @@ std::optional<RunFinish> finishOf(const Game& before, const Game& end, std::uint
   return finish.ticks > recordedTicks ? std::nullopt : std::optional(finish);
 }
 
-std::optional<RunTrack> trackOf(const Replay& replay) {
+std::optional<RunTrack> trackOf(const Replay& replay, const std::stop_token& stop) {
   if (replay.ticks() == 0) return std::nullopt;
   const Game end = replay.gameAfter(replay.ticks());
   const std::optional<RunFinish> finish = finishOf(replay.gameAfter(replay.ticks() - 1), end, replay.ticks());
@@ -53,13 +53,14 @@ std::optional<RunTrack> trackOf(const Replay& replay) {
   const std::uint32_t first = replay.ticks() - track.ticks;
   Game game = replay.gameAfter(first);
   FaceVisits visits;
-  for (std::uint32_t ticks = 0;; ++ticks) {
+  for (std::uint32_t ticks = 0; !stop.stop_requested(); ++ticks) {
     track.places.push_back(snapshotOf(game, finish->slot));
     const PlayerSnapshot& place = track.places.back();
     if (place.present && visits.enters(place.part)) track.splits.push_back({place.part, ticks});
     if (ticks == track.ticks) return track;
     game.advance(replay.inputsOf(first + ticks));
   }
+  return std::nullopt;
 }
 
 }  // namespace platon

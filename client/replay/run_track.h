@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 #include "client/netcode/player_snapshot.h"
@@ -50,7 +51,8 @@ struct RunFinish {
 /// touches the goal in it, or if the attempt began before the recording.
 std::optional<RunFinish> finishOf(const Game& before, const Game& end, std::uint32_t recordedTicks);
 
-/// Nothing if nobody touches the goal in the last tick, or if the attempt began before the recording.
-std::optional<RunTrack> trackOf(const Replay& replay);
+/// Nothing if nobody touches the goal in the last tick, if the attempt began before the recording, or if it was asked
+/// to stop, which it looks at in each tick.
+std::optional<RunTrack> trackOf(const Replay& replay, const std::stop_token& stop = {});
 
 }  // namespace platon

@@ -8,13 +8,15 @@
 
 namespace platon {
 
-std::variant<RunTrack, std::string> readTrack(const std::filesystem::path& file, const Level* level) {
-  const auto read = readReplay(file);
+std::variant<RunTrack, std::string> readTrack(const std::filesystem::path& file, const Level* level,
+                                              const std::stop_token& stop) {
+  const auto read = readReplay(file, stop);
   if (const auto* fault = std::get_if<std::string>(&read)) return *fault;
   const Replay& replay = *std::get<std::shared_ptr<const Replay>>(read);
   if (level != nullptr && !isSameLevel(*replay.level(), *level))
     return file.string() + ": is a recording of another level";
-  std::optional<RunTrack> track = trackOf(replay);
+  std::optional<RunTrack> track = trackOf(replay, stop);
+  if (stop.stop_requested()) return file.string() + ": " + Replay::kStopped;
   if (!track) return file.string() + ": is no run: it does not end with a player at the goal";
   return std::move(*track);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <stop_token>
 #include <string>
 #include <variant>
 
@@ -9,7 +10,8 @@
 namespace platon {
 
 /// Reads the run of a recording from a file, and plays it once, or says in one sentence why it is none. `level`: that
-/// it must be on; null: any.
-std::variant<RunTrack, std::string> readTrack(const std::filesystem::path& file, const Level* level = nullptr);
+/// it must be on; null: any. Stops as readReplay and trackOf do.
+std::variant<RunTrack, std::string> readTrack(const std::filesystem::path& file, const Level* level = nullptr,
+                                              const std::stop_token& stop = {});
 
 }  // namespace platon
