@@ -18,12 +18,11 @@ void MatchPages::loseGamepad(LiveMatch& match) {
   calls_.tell(kLost);
 }
 
-// With others no run is offered: the replay would hide a game that goes on.
 void MatchPages::openPause(LiveMatch& match, const std::string& note) {
-  bestRun_ = match.alone() ? match.play().bestRun() : std::filesystem::path();
   menu_->open([this, &match, note] { return pauseOver(match, note); });
 }
 
+// With others no run is offered: the replay would hide a game that goes on.
 MenuPage MatchPages::pauseOver(LiveMatch& match, const std::string& note) {
   const bool alone = match.alone();
   PauseChoices choices;
@@ -48,7 +47,8 @@ MenuPage MatchPages::pauseOver(LiveMatch& match, const std::string& note) {
   choices.onSettings = calls_.showSettings;
   choices.onLeave = calls_.leave;
   if (!alone) choices.onSay = [this, &match] { showSay(match); };
-  if (!bestRun_.empty()) choices.onWatch = [this] { calls_.watch(std::filesystem::path(bestRun_)); };
+  const std::filesystem::path& best = match.play().bestRun();
+  if (alone && !best.empty()) choices.onWatch = [this, best] { calls_.watch(best); };
   return pausePage(choices);
 }
 

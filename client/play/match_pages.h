@@ -41,7 +41,6 @@ class MatchPages {
   Menu* menu_;
   UserInterface* interface_;
   Calls calls_;
-  std::filesystem::path bestRun_;  // on the level, when the pause was shown; empty: none
   TextField text_{kMaxChatBytes};  // what the player is about to say
 };
 

@@ -1,28 +1,14 @@
 #include "client/replay/run_keeper.h"
 
-#include <variant>
+#include <system_error>
 
-#include "client/replay/replay_file.h"
 #include "client/replay/same_level.h"
 #include "client/replay/track_file.h"
-#include "client/ui/player_rows.h"
 
 namespace platon {
 namespace {
 
 double secondsOf(double ticks) { return ticks / kTicksPerSecond; }
-
-Ghost ghostOf(RunTrack track) {
-  const std::string name = "best " + finishText(secondsOf(track.ticks));
-  return {name, std::make_shared<RunTrack>(std::move(track))};
-}
-
-// The run of a recording that this program has made.
-std::optional<RunTrack> trackIn(const std::vector<std::uint8_t>& recording, const std::stop_token& stop) {
-  const auto read = Replay::read(recording, stop);
-  const auto* const replay = std::get_if<std::shared_ptr<const Replay>>(&read);
-  return replay == nullptr ? std::nullopt : trackOf(**replay);
-}
 
 }  // namespace
 
@@ -39,50 +25,61 @@ void RunKeeper::countRuns(bool count) {
   counts_ = counts_ && count;
 }
 
+// The name of the file tells the time of the best run at once.
 void RunKeeper::load(std::shared_ptr<const Level> level) {
   level_ = std::move(level);
-  takeTrack();  // of the level before
-  best_ = readBest();
+  tracking_ = {};
+  best_.reset();
+  others_.clear();
+  const GhostSources sources{saver_.store(), saver_.unsavedOn(*level_), ghostFolder_, rivalFile_};
+  const std::optional<StoredRun> stored = sources.own.bestByName(*level_);
+  bestFile_ = stored ? stored->file : std::filesystem::path();
+  bestTicks_ = stored ? std::optional(stored->ticks) : std::nullopt;
+  unsavedFile_ = sources.unsaved ? sources.own.fileOf(*sources.unsaved) : std::filesystem::path();
+  if (sources.unsaved) bestTicks_ = sources.unsaved->ticks;
+  loading_ =
+      Job<LevelGhosts>([sources, played = level_](
+                           const std::stop_token& stop) { return readLevelGhosts(sources, *played, kMaxOthers, stop); },
+                       start_);
+}
+
+// An attempt that has begun meanwhile is compared with the best run from now on.
+void RunKeeper::takeGhosts(JobResult<LevelGhosts> read) {
+  if (!read.value) return faults_.push_back("the best run is no ghost: " + read.fault);
+  best_ = std::move(read.value->best);
   bestTicks_ = best_ ? std::optional(best_->track->ticks) : std::nullopt;
-  others_ = ghostsIn(ghostFolder_, *level_, kMaxOthers, faults_);
-  addRival();
+  bestFile_ = best_ ? std::move(read.value->bestFile) : std::filesystem::path();
+  others_ = std::move(read.value->others);
+  for (std::string& fault : read.value->faults) faults_.push_back(std::move(fault));
+  if (!compared_) compared_ = best_;
 }
 
-// It may be among the others, or the best run.
-void RunKeeper::addRival() {
-  const std::optional<RecordingHead> head = rivalFile_.empty() ? std::nullopt : readRecordingHeadOf(rivalFile_);
-  if (!head || !head->level || !isSameLevel(*head->level, *level_)) return;
-  const std::optional<StoredRun> stored = store().best(*level_);
-  if (stored && stored->file == rivalFile_) return;
-  auto track = readTrack(rivalFile_, level_.get());
-  if (auto* fault = std::get_if<std::string>(&track)) return faults_.push_back(std::move(*fault));
-  Ghost rival = makeGhost(rivalFile_, std::get<RunTrack>(std::move(track)));
-  std::erase_if(others_, [&](const Ghost& other) { return other.name == rival.name; });
-  others_.insert(others_.begin(), std::move(rival));
+void RunKeeper::pollGhosts() {
+  if (auto read = loading_.poll()) takeGhosts(std::move(*read));
 }
 
-std::optional<Ghost> RunKeeper::readBest() {
-  const std::optional<StoredRun> stored = store().best(*level_);
-  if (!stored) return std::nullopt;
-  auto track = readTrack(stored->file, level_.get());
-  if (auto* run = std::get_if<RunTrack>(&track)) return ghostOf(std::move(*run));
-  faults_.push_back(std::get<std::string>(std::move(track)));
-  return std::nullopt;
+void RunKeeper::pollTrack() {
+  std::optional<JobResult<std::optional<RunTrack>>> track = tracking_.poll();
+  if (!track) return;
+  if (track->value && *track->value) best_ = bestGhostOf(std::move(**track->value));
+  if (!track->fault.empty()) faults_.push_back("the best run is no ghost: " + track->fault);
 }
 
-// Usually done long ago: the attempt before has ended some time before the next one begins.
-void RunKeeper::takeTrack() {
-  if (!tracking_.isPending()) return;
-  JobResult<std::optional<RunTrack>> track = tracking_.wait();
-  if (track.value && *track.value) best_ = ghostOf(std::move(**track.value));
-  if (!track.fault.empty()) faults_.push_back("the best run is no ghost: " + track.fault);
+// If it could not be written, the file of the best run remains the one before.
+void RunKeeper::pollFile() {
+  if (unsavedFile_.empty() || saver_.isPending()) return;
+  std::error_code ignored;
+  if (std::filesystem::exists(unsavedFile_, ignored)) bestFile_ = std::move(unsavedFile_);
+  unsavedFile_.clear();
 }
 
+// Called in each tick before the first input, so a new best run is the one to compare with as soon as it is played.
 void RunKeeper::beginAttempt() {
-  takeTrack();
+  pollGhosts();
+  pollTrack();
   startedAt_ = 0;
   visits_ = FaceVisits();
-  rival_ = best_;
+  compared_ = best_;
   difference_.reset();
   isNewBest_ = tooLong_ = false;
   counts_ = willCount_;
@@ -90,6 +87,7 @@ void RunKeeper::beginAttempt() {
 
 void RunKeeper::advanced(std::span<const Input> inputs, const Game& confirmed) {
   const std::optional<std::uint32_t> arrival = cutter_.advance(inputs, confirmed);
+  pollGhosts();
   tick_ = confirmed.tick();
   if (slot_ >= confirmed.slots()) return;
   observe(confirmed, confirmed.player(slot_));
@@ -102,8 +100,8 @@ void RunKeeper::observe(const Game& game, const PlayerState& player) {
   startedAt_ = player.startedAt;
   if (player.present == 0 || player.arrived != 0) return;
   const std::uint32_t face = game.world().entities()[slot_].part;
-  if (!visits_.enters(face) || startedAt_ == 0 || !rival_) return;
-  if (const Split* split = rival_->track->splitOf(face))
+  if (!visits_.enters(face) || startedAt_ == 0 || !compared_) return;
+  if (const Split* split = compared_->track->splitOf(face))
     show(tick_, std::int64_t{tick_} - startedAt_ + 1 - split->ticks);
 }
 
@@ -114,8 +112,9 @@ void RunKeeper::show(std::uint32_t tick, std::int64_t difference) {
 
 // The difference at the goal is shown until the next attempt.
 void RunKeeper::arrive(const Game& game, std::uint32_t ticks) {
-  if (rival_) {
-    show(tick_, std::int64_t{ticks} - rival_->track->ticks);
+  if (loading_.isPending()) takeGhosts(loading_.wait());
+  if (compared_) {
+    show(tick_, std::int64_t{ticks} - compared_->track->ticks);
     differenceUntil_ = UINT32_MAX;
   }
   if (!counts_ || (bestTicks_ && *bestTicks_ <= ticks)) return;
@@ -125,12 +124,14 @@ void RunKeeper::arrive(const Game& game, std::uint32_t ticks) {
   isNewBest_ = true;
   bestTicks_ = ticks;
   tracking_ = Job<std::optional<RunTrack>>(
-      [recording = run->recording](const std::stop_token& stop) { return trackIn(recording, stop); });
+      [recording = run->recording](const std::stop_token& stop) { return trackIn(recording, stop); }, start_);
+  unsavedFile_ = saver_.store().fileOf(*run);
   saver_.keep(std::move(*run));
 }
 
 std::vector<std::string> RunKeeper::takeFaults() {
   if (const std::optional<std::string> fault = saver_.poll()) faults_.push_back("the best run is not kept: " + *fault);
+  pollFile();
   return std::exchange(faults_, {});
 }
 
@@ -156,7 +157,7 @@ std::vector<GhostSource> RunKeeper::ghostsAt(const Game& game, std::uint32_t slo
   const auto add = [&](const Ghost& ghost, bool isBest) {
     ghosts.push_back({ghost.track->at(ticks, fraction), ghost.name, isBest});
   };
-  if (rival_) add(*rival_, true);
+  if (compared_) add(*compared_, true);
   for (const Ghost& other : others_) add(other, false);
   return ghosts;
 }

@@ -10,7 +10,7 @@
 
 #include "client/job/job.h"
 #include "client/netcode/confirmed_observer.h"
-#include "client/replay/ghost_folder.h"
+#include "client/replay/level_ghosts.h"
 #include "client/replay/run_cutter.h"
 #include "client/replay/run_saver.h"
 #include "client/replay/run_store.h"
@@ -21,7 +21,8 @@
 namespace platon {
 
 /// Keeps the local player's best run on each level, compares its attempts with it, and shows it and the runs of others
-/// as ghosts. It only watches the game.
+/// as ghosts. It only watches the game. Threads read, play and write the recordings. The thread of the game waits
+/// for them only at a goal that is reached before the best run of the level has been read, and in `store`.
 class RunKeeper : public ConfirmedObserver {
  public:
   /// Most ghosts of others.
@@ -31,8 +32,12 @@ class RunKeeper : public ConfirmedObserver {
 
   /// `ghosts`: a folder with runs of others. `rival`: a recording that is a ghost on its level besides those. Empty
   /// paths: there are none.
-  RunKeeper(RunStore runs, std::filesystem::path ghosts, std::filesystem::path rival = {})
-      : saver_(std::move(runs)), ghostFolder_(std::move(ghosts)), rivalFile_(std::move(rival)) {}
+  RunKeeper(RunStore runs, std::filesystem::path ghosts, std::filesystem::path rival = {},
+            ThreadStart start = &startThread)
+      : start_(std::move(start)),
+        saver_(std::move(runs), start_),
+        ghostFolder_(std::move(ghosts)),
+        rivalFile_(std::move(rival)) {}
 
   void began(const Game& confirmed, std::uint32_t slot) override;
   void advanced(std::span<const Input> inputs, const Game& confirmed) override;
@@ -48,19 +53,24 @@ class RunKeeper : public ConfirmedObserver {
 
   /// What could not be kept or read, each a sentence that is returned once.
   std::vector<std::string> takeFaults();
+  /// The file of the best run on the level; empty: none. A new one is known when its file is written, and takeFaults
+  /// has been called.
+  const std::filesystem::path& bestFile() const { return bestFile_; }
   /// The runs that are kept; waits for the disk until all are.
   const RunStore& store();
 
  private:
   void load(std::shared_ptr<const Level> level);
-  std::optional<Ghost> readBest();
-  void addRival();
+  void takeGhosts(JobResult<LevelGhosts> read);
   void beginAttempt();
-  void takeTrack();
+  void pollGhosts();
+  void pollTrack();
+  void pollFile();
   void observe(const Game& game, const PlayerState& player);
   void arrive(const Game& game, std::uint32_t ticks);
   void show(std::uint32_t tick, std::int64_t difference);
 
+  ThreadStart start_;
   RunSaver saver_;
   std::filesystem::path ghostFolder_;
   std::filesystem::path rivalFile_;
@@ -68,8 +78,11 @@ class RunKeeper : public ConfirmedObserver {
   std::uint32_t slot_ = 0;
   std::shared_ptr<const Level> level_;  // of best_ and others_; null: none
   std::optional<Ghost> best_;
-  std::optional<std::uint32_t> bestTicks_;  // its time; ahead of best_ while a thread plays a new one
-  Job<std::optional<RunTrack>> tracking_;   // of a new best run, for best_
+  std::optional<std::uint32_t> bestTicks_;  // its time; ahead of best_ while a thread reads or plays it
+  std::filesystem::path bestFile_;
+  std::filesystem::path unsavedFile_;      // of a new best run, while it is being written; empty: none
+  Job<LevelGhosts> loading_;               // for all of these, when a level has begun
+  Job<std::optional<RunTrack>> tracking_;  // of a new best run, for best_
   std::vector<Ghost> others_;
   std::vector<std::string> faults_;
   std::uint32_t tick_ = 0;  // of the confirmed game
@@ -77,8 +90,8 @@ class RunKeeper : public ConfirmedObserver {
   // Of the attempt.
   std::uint32_t startedAt_ = 0;  // as PlayerState
   FaceVisits visits_;
-  std::optional<Ghost> rival_;              // the best run when it began, which remains its ghost
-  std::optional<std::int64_t> difference_;  // ticks, to rival_
+  std::optional<Ghost> compared_;           // the best run when it began, or was read; it remains its ghost
+  std::optional<std::int64_t> difference_;  // ticks, to compared_
   std::uint32_t differenceUntil_ = 0;       // tick
   bool isNewBest_ = false;
   bool tooLong_ = false;  // it would be the best run, if it could be recorded

@@ -1,26 +1,34 @@
 #include "client/replay/run_saver.h"
 
-#include <memory>
+#include <algorithm>
 #include <utility>
+
+#include "client/replay/same_level.h"
 
 namespace platon {
 
 void RunSaver::keep(Run run) {
-  waiting_.push_back(std::move(run));
-  if (!writing_.isPending()) start();
+  waiting_.push_back(std::make_shared<const Run>(std::move(run)));
+  if (!writing_.isPending()) startNext();
 }
 
-void RunSaver::start() {
+void RunSaver::startNext() {
   if (waiting_.empty()) return;
-  const auto run = std::make_shared<const Run>(std::move(waiting_.front()));
-  waiting_.pop_front();
-  writing_ = Job<std::string>([store = store_, run](const std::stop_token&) { return RunStore(store).keep(*run); });
+  writing_ = Job<std::string>(
+      [store = store_, run = waiting_.front()](const std::stop_token&) { return RunStore(store).keep(*run); }, start_);
 }
 
 void RunSaver::take(JobResult<std::string> written) {
   std::string fault = written.value ? std::move(*written.value) : std::move(written.fault);
   if (!fault.empty()) fault_ = std::move(fault);
-  start();
+  waiting_.pop_front();
+  startNext();
+}
+
+std::shared_ptr<const Run> RunSaver::unsavedOn(const Level& level) const {
+  const auto last = std::find_if(waiting_.rbegin(), waiting_.rend(),
+                                 [&](const auto& run) { return isSameLevel(*run->level, level); });
+  return last == waiting_.rend() ? nullptr : *last;
 }
 
 std::optional<std::string> RunSaver::poll() {

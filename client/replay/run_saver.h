@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deque>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -12,7 +13,8 @@ namespace platon {
 /// Keeps runs in a store without waiting for the disk: a thread writes them, one after the other.
 class RunSaver {
  public:
-  explicit RunSaver(RunStore store) : store_(std::move(store)) {}
+  explicit RunSaver(RunStore store, ThreadStart start = &startThread)
+      : store_(std::move(store)), start_(std::move(start)) {}
   /// Waits until all runs are kept.
   ~RunSaver() { finish(); }
   RunSaver(const RunSaver&) = delete;
@@ -24,17 +26,23 @@ class RunSaver {
   /// Waits until all runs are kept, or have failed.
   void finish();
 
+  /// Whether runs are still being written.
+  bool isPending() const { return writing_.isPending(); }
+  /// The last run on this level that is not written yet; null if there is none.
+  std::shared_ptr<const Run> unsavedOn(const Level& level) const;
+
   /// Holds all runs only after `finish`.
   const RunStore& store() const { return store_; }
 
  private:
-  void start();
+  void startNext();
   void take(JobResult<std::string> written);
 
   RunStore store_;
-  std::deque<Run> waiting_;
-  Job<std::string> writing_;  // why it failed, or an empty text
-  std::string fault_;         // not reported yet
+  ThreadStart start_;
+  std::deque<std::shared_ptr<const Run>> waiting_;  // while a thread writes, the first one is being written
+  Job<std::string> writing_;                        // why it failed, or an empty text
+  std::string fault_;                               // not reported yet
 };
 
 }  // namespace platon

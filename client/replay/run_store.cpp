@@ -56,7 +56,8 @@ std::vector<StoredRun> RunStore::all() const {
   return runs;
 }
 
-std::optional<StoredRun> RunStore::best(const Level& level) const {
+// Those that may be the best run, the one with the least time first.
+std::vector<StoredRun> RunStore::candidates(const Level& level) const {
   std::vector<StoredRun> runs;
   for (const StoredRun& run : all()) {
     const fs::path folder = run.file.parent_path();
@@ -64,6 +65,16 @@ std::optional<StoredRun> RunStore::best(const Level& level) const {
     if (seen && run.level == level.hash && run.rules == kRulesVersion) runs.push_back(run);
   }
   std::stable_sort(runs.begin(), runs.end(), [](const auto& a, const auto& b) { return a.ticks < b.ticks; });
+  return runs;
+}
+
+std::optional<StoredRun> RunStore::bestByName(const Level& level) const {
+  const std::vector<StoredRun> runs = candidates(level);
+  return runs.empty() ? std::nullopt : std::optional(runs.front());
+}
+
+std::optional<StoredRun> RunStore::best(const Level& level) const {
+  const std::vector<StoredRun> runs = candidates(level);
   const auto best = std::find_if(runs.begin(), runs.end(), [&](const StoredRun& run) {
     const std::optional<RecordingHead> head = readRecordingHeadOf(run.file);
     return !head || !head->level || isSameLevel(*head->level, level);
@@ -76,6 +87,8 @@ std::optional<StoredRun> RunStore::ownRunOf(const fs::path& file) const {
   return run && run->rules == kRulesVersion ? run : std::nullopt;
 }
 
+fs::path RunStore::fileOf(const Run& run) const { return keepFolder() / fileNameOf(run.level->hash, run.ticks); }
+
 // The new file is there before the old one goes, so at any time there is a best run.
 std::string RunStore::keep(const Run& run) {
   if (folder_.empty()) return {};
@@ -83,7 +96,7 @@ std::string RunStore::keep(const Run& run) {
   std::error_code ignored;
   const fs::path folder = keepFolder();
   fs::create_directories(folder, ignored);  // writing reports the error
-  const fs::path file = folder / fileNameOf(run.level->hash, run.ticks);
+  const fs::path file = fileOf(run);
   const std::string fault =
       replaceTextFile(file.string(), {reinterpret_cast<const char*>(run.recording.data()), run.recording.size()});
   if (!fault.empty()) return file.string() + ": " + fault;

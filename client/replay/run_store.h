@@ -53,9 +53,14 @@ class RunStore {
   explicit RunStore(std::filesystem::path folder, std::string server = {})
       : folder_(std::move(folder)), server_(std::move(server)) {}
 
-  /// The best run on a level by the present rules, of the player's own games and on this server, by its name; the
-  /// recording may turn out to be damaged.
+  /// The best run on a level by the present rules, as far as names of files tell: nothing is read. So the recording may
+  /// be one on another level with the same hash, or damaged.
+  std::optional<StoredRun> bestByName(const Level& level) const;
+  /// The best run on a level by the present rules, of the player's own games and on this server, by its name and
+  /// level; the recording may turn out to be damaged.
   std::optional<StoredRun> best(const Level& level) const;
+  /// Where `keep` writes a run.
+  std::filesystem::path fileOf(const Run& run) const;
   /// Keeps a run as the best one, in place of slower ones. Returns why that failed, or an empty text.
   std::string keep(const Run& run);
   /// All runs on all servers, newest first, older rules included.
@@ -67,6 +72,7 @@ class RunStore {
   std::filesystem::path serversFolder() const { return folder_ / "servers"; }
   /// Where the runs of this server are.
   std::filesystem::path keepFolder() const { return server_.empty() ? folder_ : serversFolder() / server_; }
+  std::vector<StoredRun> candidates(const Level& level) const;
   void limit() const;
   void limitServers() const;
 

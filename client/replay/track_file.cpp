@@ -21,4 +21,10 @@ std::variant<RunTrack, std::string> readTrack(const std::filesystem::path& file,
   return std::move(*track);
 }
 
+std::optional<RunTrack> trackIn(std::span<const std::uint8_t> recording, const std::stop_token& stop) {
+  const auto read = Replay::read(recording, stop);
+  const auto* const replay = std::get_if<std::shared_ptr<const Replay>>(&read);
+  return replay == nullptr ? std::nullopt : trackOf(**replay, stop);
+}
+
 }  // namespace platon

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
+#include <span>
 #include <stop_token>
 #include <string>
 #include <variant>
@@ -13,5 +16,8 @@ namespace platon {
 /// it must be on; null: any. Stops as readReplay and trackOf do.
 std::variant<RunTrack, std::string> readTrack(const std::filesystem::path& file, const Level* level = nullptr,
                                               const std::stop_token& stop = {});
+
+/// The run of a recording that this program has made. Nothing if it is none, or was stopped.
+std::optional<RunTrack> trackIn(std::span<const std::uint8_t> recording, const std::stop_token& stop = {});
 
 }  // namespace platon

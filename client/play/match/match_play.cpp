@@ -141,13 +141,6 @@ std::shared_ptr<const Level> MatchPlay::level() const {
   return round == nullptr ? nullptr : round->prediction().confirmed().sharedLevel();
 }
 
-std::filesystem::path MatchPlay::bestRun() const {
-  const std::shared_ptr<const Level> played = level();
-  if (!played) return {};
-  const std::optional<StoredRun> run = runs_->store().best(*played);
-  return run ? run->file : std::filesystem::path();
-}
-
 void MatchPlay::takeChats(Moment now) {
   for (const PlayerChat& said : client_.takeChats()) {
     const std::span<const std::string> names = client_.session()->names();

@@ -4,19 +4,15 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
-#include <system_error>
 #include <thread>
 
 #include <gtest/gtest.h>
 
+#include "tests/client/job/no_thread.h"
 #include "tests/support/wait_until.h"
 
 namespace platon {
 namespace {
-
-std::jthread noThread(const std::function<void(const std::stop_token&)>& /*work*/) {
-  throw std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again));
-}
 
 void waitForStop(const std::stop_token& stop) {
   EXPECT_TRUE(waitUntil([&] { return stop.stop_requested(); }));

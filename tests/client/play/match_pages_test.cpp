@@ -5,9 +5,14 @@
 
 #include <gtest/gtest.h>
 
+#include "client/files/user_folders.h"
+#include "client/replay/recording_facts.h"
+#include "client/replay/replay_file.h"
+#include "client/replay/run_store.h"
 #include "client/time/steady_now.h"
 #include "client/ui/font.h"
 #include "tests/support/environment_variable.h"
+#include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait_until.h"
 
@@ -100,6 +105,35 @@ TEST_F(MatchPagesTest, WithOthersAGamepadThatIsUnpluggedStopsNoGameAndThePauseLe
   for (int row = 0; row < 3; ++row) tap(Key::kPadDown);
   tap(Key::kPadA);
   EXPECT_TRUE(shows("Say to all players"));
+  other.leave();
+}
+
+TEST_F(MatchPagesTest, TheBestRunIsOfferedAsLongAsThePlayerIsAlone) {
+  const std::filesystem::path recording = "tests/levels/ways/01_run_and_jump.recording";
+  const std::uint64_t level = readRecordingHeadOf(recording).value().level->hash;
+  const std::string name = RunStore::fileNameOf(level, readRecordingFacts(recording).ticks.value());
+  std::filesystem::create_directories(runsFolder());
+  writeText(runsFolder() / name, readText(recording));
+  const auto idle = [](const Game&, std::uint32_t) { return Input{}; };
+  choice_.own.levels = {"levels/hexahedron/01_run_and_jump.level"};
+  match_->leave();
+  match_.emplace(ClientOptions(), choice_, clock_);
+  ASSERT_TRUE(waitUntil([&] {
+    match_->update(false, idle);
+    return match_->play().level() != nullptr;
+  }));
+  EXPECT_EQ(match_->play().bestRun(), runsFolder() / name);
+  pages_.showPause(*match_);
+  EXPECT_TRUE(shows("Watch"));
+  MatchChoice guest;
+  guest.server = match_->serverAddress();
+  LiveMatch other(ClientOptions(), guest, clock_);
+  ASSERT_TRUE(waitUntil([&] {
+    other.update(false, idle);
+    match_->update(false, idle);
+    return !match_->alone();
+  }));
+  EXPECT_FALSE(shows("Watch"));
   other.leave();
 }
 

@@ -3,11 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
 
+#include "client/ui/player_rows.h"
+#include "tests/client/job/held_threads.h"
+#include "tests/client/job/no_thread.h"
 #include "tests/client/replay/replay_of.h"
 #include "tests/shared/game/played_game.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/wait_until.h"
 
 namespace platon {
 namespace {
@@ -17,8 +22,13 @@ std::shared_ptr<const Level> edgeLevel(const std::string& goal = "1 0 -190") {
   return cubeLevel("0 0 -180 0", {"-240 -200 240 -200", "-240 -200 240 -200"}, goal);
 }
 
+// Without threads all is read and written at once.
 class RunKeeperTest : public testing::Test {
  protected:
+  explicit RunKeeperTest(bool threads = false)
+      : keeper_(RunStore(folder_ / "runs"), folder_ / "ghosts", {},
+                threads ? threads_.start() : ThreadStart(noThread)) {}
+
   void begin() { keeper_.began(game_, 0); }
   void hold(int ticks, std::uint8_t buttons) {
     const std::vector<Input> inputs{{static_cast<std::uint8_t>(buttons | Input::kPresent)}};
@@ -40,7 +50,8 @@ class RunKeeperTest : public testing::Test {
 
   const TemporaryFolder folder_;
   Game game_{edgeLevel()};
-  RunKeeper keeper_{RunStore(folder_ / "runs"), folder_ / "ghosts"};
+  HeldThreads threads_;
+  RunKeeper keeper_;
 };
 
 TEST_F(RunKeeperTest, TheFirstRunIsTheBestAndIsKept) {
@@ -52,7 +63,7 @@ TEST_F(RunKeeperTest, TheFirstRunIsTheBestAndIsKept) {
   EXPECT_FALSE(keeper_.status().difference) << "there was none before";
   ASSERT_TRUE(keeper_.store().best(game_.level()));
   EXPECT_EQ(keeper_.store().best(game_.level())->ticks, ticks);
-  RunKeeper next(RunStore(folder_ / "runs"), {});
+  RunKeeper next(RunStore(folder_ / "runs"), {}, {}, noThread);
   next.began(Game(edgeLevel()), 0);
   EXPECT_EQ(next.status().best, seconds(ticks));
 }
@@ -135,7 +146,7 @@ TEST_F(RunKeeperTest, OthersAreGhostsToo) {
   for (const char* const name : {"a", "b", "c", "d"}) {
     writeText(folder_ / "ghosts" / name, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   }
-  RunKeeper next(RunStore(folder_ / "runs"), folder_ / "ghosts");
+  RunKeeper next(RunStore(folder_ / "runs"), folder_ / "ghosts", {}, noThread);
   Game game(edgeLevel());
   next.began(game, 0);
   const std::vector<Input> right{{Input::kPresent | Input::kRight}};
@@ -153,7 +164,7 @@ TEST_F(RunKeeperTest, TheRivalIsAGhostOnceOnItsLevel) {
   const std::filesystem::path best = keeper_.store().best(game_.level())->file;
   std::filesystem::copy_file(best, folder_ / "Anna.recording");
   const auto ghostsWith = [&](const std::filesystem::path& rival) {
-    RunKeeper next(RunStore(folder_ / "runs"), {}, rival);
+    RunKeeper next(RunStore(folder_ / "runs"), {}, rival, noThread);
     Game game(edgeLevel());
     next.began(game, 0);
     const std::vector<Input> right{{Input::kPresent | Input::kRight}};
@@ -184,7 +195,7 @@ TEST_F(RunKeeperTest, ADamagedBestRunIsNamedAndDoesNotCount) {
   attempt(40, 0);
   const std::filesystem::path file = keeper_.store().best(game_.level())->file;
   writeText(file, "damaged");
-  RunKeeper next(RunStore(folder_ / "runs"), {});
+  RunKeeper next(RunStore(folder_ / "runs"), {}, {}, noThread);
   next.began(Game(edgeLevel()), 0);
   EXPECT_FALSE(next.status().best);
   const std::vector<std::string> faults = next.takeFaults();
@@ -216,7 +227,7 @@ TEST_F(RunKeeperTest, ALevelWithTheHashOfAnotherHasNoneOfItsRuns) {
   forged->hash = game_.level().hash;
   std::filesystem::create_directories(folder_ / "ghosts");
   std::filesystem::copy_file(keeper_.store().best(game_.level())->file, folder_ / "ghosts/Anna.recording");
-  RunKeeper next(RunStore(folder_ / "runs"), folder_ / "ghosts", folder_ / "ghosts/Anna.recording");
+  RunKeeper next(RunStore(folder_ / "runs"), folder_ / "ghosts", folder_ / "ghosts/Anna.recording", noThread);
   Game game(forged);
   next.began(game, 0);
   EXPECT_FALSE(next.status().best);
@@ -224,6 +235,110 @@ TEST_F(RunKeeperTest, ALevelWithTheHashOfAnotherHasNoneOfItsRuns) {
   game.advance(right);
   next.advanced(right, game);
   EXPECT_TRUE(next.ghostsAt(game, 0, 1).empty());
+}
+
+// With threads that work only when the test lets them go.
+class HeldRunKeeperTest : public RunKeeperTest {
+ protected:
+  HeldRunKeeperTest() : RunKeeperTest(true) {}
+  ~HeldRunKeeperTest() override { threads_.letGo(); }
+
+  // A restart and the first tick of the attempt. Returns the names of the ghosts in it.
+  std::vector<std::string> start() {
+    hold(1, Input::kRestart);
+    hold(1, Input::kRight);
+    return ghosts();
+  }
+  std::vector<std::string> ghosts() const {
+    std::vector<std::string> names;
+    for (const GhostSource& ghost : keeper_.ghostsAt(game_, 0, 1)) names.push_back(ghost.name);
+    return names;
+  }
+  std::vector<std::string> bestGhost(std::uint32_t ticks) const { return {"best " + finishText(seconds(ticks))}; }
+  // Whether this becomes the file of the best run.
+  bool waitForFile(std::uint32_t ticks) {
+    const std::string name = RunStore::fileNameOf(game_.level().hash, ticks);
+    return waitUntil([&] {
+      EXPECT_TRUE(keeper_.takeFaults().empty());
+      return keeper_.bestFile() == folder_ / "runs" / name;
+    });
+  }
+  // Keeps a run in which the player walks. Returns its time.
+  std::uint32_t keepSlowRun() {
+    RunKeeper other(RunStore(folder_ / "runs"), {}, {}, noThread);
+    Game game(edgeLevel());
+    other.began(game, 0);
+    for (int i = 0; i < 1000 && (i == 0 || game.player(0).arrived == 0); ++i) {
+      const Input input = i < 40 ? Input{Input::kPresent} : Input{Input::kPresent | Input::kRight | Input::kWalk};
+      const std::vector<Input> inputs{input};
+      game.advance(inputs);
+      other.advanced(inputs, game);
+    }
+    return game.player(0).finishTicks;
+  }
+};
+
+TEST_F(HeldRunKeeperTest, TheGameGoesOnWhileTheBestRunIsRead) {
+  const std::uint32_t slow = keepSlowRun();
+  threads_.hold();
+  begin();
+  EXPECT_EQ(keeper_.status().best, seconds(slow)) << "its file tells it";
+  EXPECT_TRUE(waitForFile(slow));
+  EXPECT_TRUE(start().empty());
+  threads_.letGo();
+  EXPECT_TRUE(waitUntil([&] {
+    hold(1, 0);
+    return ghosts() == bestGhost(slow);
+  })) << "also in an attempt that has begun before";
+}
+
+TEST_F(HeldRunKeeperTest, AGoalIsComparedWithTheBestRunThatIsStillBeingRead) {
+  const std::uint32_t slow = keepSlowRun();
+  threads_.hold();
+  begin();
+  hold(40, 0);
+  const auto isNext = [&] {
+    Game next = game_;
+    next.advance(std::vector<Input>{{Input::kPresent | Input::kRight}});
+    return next.player(0).arrived != 0;
+  };
+  for (int i = 0; i < 1000 && !isNext(); ++i) hold(1, Input::kRight);
+  threads_.letGo();
+  hold(1, Input::kRight);
+  const std::uint32_t fast = game_.player(0).finishTicks;
+  EXPECT_EQ(keeper_.status().difference, seconds(std::int64_t{fast} - slow));
+  EXPECT_TRUE(keeper_.status().isNewBest);
+}
+
+TEST_F(HeldRunKeeperTest, ARestartAtTheGoalDoesNotWaitForTheNewBestRun) {
+  const std::uint32_t slow = keepSlowRun();
+  begin();
+  ASSERT_TRUE(waitUntil([&] { return start() == bestGhost(slow); }));
+  threads_.hold();
+  const std::uint32_t fast = attempt(40, 0);
+  EXPECT_TRUE(keeper_.status().isNewBest);
+  EXPECT_EQ(start(), bestGhost(slow));
+  EXPECT_EQ(keeper_.status().best, seconds(fast));
+  EXPECT_TRUE(waitForFile(slow)) << "the faster one is still being written";
+  threads_.letGo();
+  EXPECT_TRUE(waitUntil([&] { return start() == bestGhost(fast); }));
+  EXPECT_TRUE(waitForFile(fast));
+}
+
+TEST_F(HeldRunKeeperTest, ALevelThatComesBackHasTheBestRunThatIsStillBeingWritten) {
+  const std::uint32_t slow = keepSlowRun();
+  begin();
+  ASSERT_TRUE(waitUntil([&] { return start() == bestGhost(slow); }));
+  threads_.hold();
+  const std::uint32_t fast = attempt(40, 0);
+  keeper_.began(Game(edgeLevel("1 100 -190")), 0);
+  EXPECT_FALSE(keeper_.status().best);
+  EXPECT_EQ(keeper_.bestFile(), std::filesystem::path());
+  begin();
+  EXPECT_EQ(keeper_.status().best, seconds(fast));
+  threads_.letGo();
+  EXPECT_TRUE(waitUntil([&] { return start() == bestGhost(fast); }));
+  EXPECT_TRUE(waitForFile(fast));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/client/job/held_threads.h"
 #include "tests/client/replay/followed_game.h"
 #include "tests/shared/game/played_game.h"
 #include "tests/support/files.h"
@@ -48,6 +49,28 @@ TEST(RunSaver, AFailureIsReportedOnce) {
   ASSERT_TRUE(fault);
   EXPECT_EQ(fault->find((folder / "runs").string()), 0U) << *fault;
   EXPECT_FALSE(saver.poll());
+}
+
+TEST(RunSaver, KnowsTheLastRunOnALevelThatIsNotWritten) {
+  const TemporaryFolder folder;
+  HeldThreads threads;
+  threads.hold();
+  const platon::Run other = runTo(80);
+  const platon::Run first = runTo(90);
+  const Level level = *first.level;
+  platon::Run second = first;
+  second.ticks -= 1;
+  RunSaver saver(RunStore(folder / "runs"), threads.start());
+  EXPECT_FALSE(saver.isPending());
+  for (const platon::Run& run : {first, second, other}) saver.keep(run);
+  EXPECT_TRUE(saver.isPending());
+  ASSERT_NE(saver.unsavedOn(level), nullptr);
+  EXPECT_EQ(saver.unsavedOn(level)->ticks, second.ticks);
+  threads.letGo();
+  saver.finish();
+  EXPECT_FALSE(saver.isPending());
+  EXPECT_EQ(saver.unsavedOn(level), nullptr);
+  EXPECT_TRUE(std::filesystem::exists(saver.store().fileOf(second)));
 }
 
 }  // namespace

@@ -171,6 +171,8 @@ TEST_F(RunStoreTest, ARunOnAnotherLevelWithTheSameHashIsNotTheBest) {
   store_.keep(run);
   EXPECT_TRUE(store_.best(*run.level));
   EXPECT_FALSE(store_.best(*forged));
+  ASSERT_TRUE(store_.bestByName(*forged)) << "nothing is read";
+  EXPECT_EQ(store_.bestByName(*forged)->file, store_.fileOf(run));
 }
 
 TEST_F(RunStoreTest, ARunOnAServerReplacesNoneOfOwnGames) {

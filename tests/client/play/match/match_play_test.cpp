@@ -184,13 +184,14 @@ class RunsOfAMatch : public MatchPlayTest {
 TEST_F(RunsOfAMatch, TheBestOneIsKeptAndPlaysAlongUnlessTheSettingsHideIt) {
   EXPECT_TRUE(playUntil({}, [&](MatchPlay& play, const Scene& scene) {
     EXPECT_TRUE(scene.ghosts.empty());
-    EXPECT_EQ(play.bestRun().empty(), !play.hudStatus(Moment(), false).run.best);
+    EXPECT_EQ(play.bestRun(), std::filesystem::path());
     return play.hudStatus(Moment(), false).run.isNewBest;
   }));
   ASSERT_TRUE(best());
   EXPECT_TRUE(playUntil({}, [&](MatchPlay& play, const Scene& scene) {
     if (scene.ghosts.empty()) return false;
     EXPECT_EQ(play.hudStatus(Moment(), false).run.best, double{1} * best()->ticks / kTicksPerSecond);
+    EXPECT_EQ(play.bestRun(), best()->file);
     EXPECT_TRUE(play.hudStatus(Moment(), false).timer);
     return true;
   }));

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "client/replay/ghost_folder.h"
+#include "client/replay/run_store.h"
+
+namespace platon {
+
+/// The ghosts of a level, read from files.
+struct LevelGhosts {
+  std::optional<Ghost> best{};        ///< nothing: there is no best run, or it cannot be played
+  std::filesystem::path bestFile{};   ///< of the best run that is kept, also if it cannot be played; empty: none
+  std::vector<Ghost> others{};        ///< the rival first
+  std::vector<std::string> faults{};  ///< a sentence for each recording on the level that cannot be a ghost
+};
+
+/// Where they are. Empty paths: there are none.
+struct GhostSources {
+  RunStore own;
+  std::shared_ptr<const Run> unsaved;  ///< the best run, while its file is not written; null: the store has it
+  std::filesystem::path folder;        ///< with runs of others
+  std::filesystem::path rival;         ///< a recording that is a ghost on its level besides those
+};
+
+/// The ghost of a best run.
+Ghost bestGhostOf(RunTrack track);
+
+/// Reads the ghosts of a level and plays each once, at most `maxOthers` from the folder. Ends early when it is asked to
+/// stop; then the result is not to be used.
+LevelGhosts readLevelGhosts(const GhostSources& sources, const Level& level, std::size_t maxOthers,
+                            const std::stop_token& stop = {});
+
+}  // namespace platon

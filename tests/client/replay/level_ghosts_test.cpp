@@ -1,0 +1,84 @@
+#include "client/replay/level_ghosts.h"
+
+#include <gtest/gtest.h>
+
+#include "client/ui/player_rows.h"
+#include "platon/game/game.h"
+#include "tests/client/replay/followed_game.h"
+#include "tests/shared/game/played_game.h"
+#include "tests/support/files.h"
+#include "tests/support/temporary_folder.h"
+
+namespace platon {
+namespace {
+
+class LevelGhostsTest : public testing::Test {
+ protected:
+  LevelGhostsTest() {
+    followed_.hold(30, 0);
+    followed_.holdToGoal(300, Input::kRight);
+  }
+  const Level& level() const { return followed_.game.level(); }
+  const platon::Run& run() const { return *followed_.run; }
+  std::string bestName() const { return "best " + finishText(double{1} * run().ticks / kTicksPerSecond); }
+  std::filesystem::path copyTo(const std::string& name) const {
+    std::filesystem::create_directories(folder_ / "ghosts");
+    const auto file = folder_ / "ghosts" / name;
+    writeText(file, {reinterpret_cast<const char*>(run().recording.data()), run().recording.size()});
+    return file;
+  }
+
+  const TemporaryFolder folder_;
+  FollowedGame followed_{cubeLevel("0 0 -180 0", {"-240 -200 240 -200"}, "0 100 -190")};
+  GhostSources sources_{RunStore(folder_ / "runs"), nullptr, folder_ / "ghosts", {}};
+};
+
+TEST_F(LevelGhostsTest, TheBestRunAndOthersAreRead) {
+  sources_.own.keep(run());
+  for (const char* const name : {"anna", "bob", "carla"}) copyTo(name);
+  const LevelGhosts ghosts = readLevelGhosts(sources_, level(), 2);
+  ASSERT_TRUE(ghosts.best);
+  EXPECT_EQ(ghosts.best->name, bestName());
+  EXPECT_EQ(ghosts.best->track->ticks, run().ticks);
+  EXPECT_EQ(ghosts.bestFile, sources_.own.fileOf(run()));
+  ASSERT_EQ(ghosts.others.size(), 2U);
+  EXPECT_EQ(ghosts.others[1].name, "bob");
+  EXPECT_TRUE(ghosts.faults.empty());
+}
+
+TEST_F(LevelGhostsTest, ARunThatIsNotWrittenYetIsTheBest) {
+  sources_.unsaved = std::make_shared<const platon::Run>(run());
+  const LevelGhosts ghosts = readLevelGhosts(sources_, level(), 2);
+  ASSERT_TRUE(ghosts.best);
+  EXPECT_EQ(ghosts.best->name, bestName());
+  EXPECT_EQ(ghosts.bestFile, std::filesystem::path());
+}
+
+TEST_F(LevelGhostsTest, TheRivalComesFirstAndOnce) {
+  copyTo("anna");
+  sources_.rival = copyTo("bob");
+  const LevelGhosts ghosts = readLevelGhosts(sources_, level(), 2);
+  ASSERT_EQ(ghosts.others.size(), 2U);
+  EXPECT_EQ(ghosts.others[0].name, "bob");
+  EXPECT_EQ(ghosts.others[1].name, "anna");
+}
+
+TEST_F(LevelGhostsTest, ADamagedBestRunIsNamedOnceAlsoAsTheRival) {
+  sources_.own.keep(run());
+  sources_.rival = sources_.own.fileOf(run());
+  writeText(sources_.rival, "damaged");
+  const LevelGhosts ghosts = readLevelGhosts(sources_, level(), 2);
+  EXPECT_FALSE(ghosts.best);
+  ASSERT_EQ(ghosts.faults.size(), 1U);
+  EXPECT_EQ(ghosts.faults[0].find(sources_.rival.string()), 0U);
+}
+
+TEST_F(LevelGhostsTest, AStopReadsNothingMore) {
+  copyTo("anna");
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_TRUE(readLevelGhosts(sources_, level(), 2, stop.get_token()).others.empty());
+}
+
+}  // namespace
+}  // namespace platon
