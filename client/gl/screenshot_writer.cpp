@@ -1,7 +1,6 @@
 #include "client/gl/screenshot_writer.h"
 
 #include <cstdio>
-#include <stdexcept>
 #include <system_error>
 
 namespace platon {
@@ -20,37 +19,47 @@ std::filesystem::path freeName(const std::filesystem::path& folder) {
   return {};
 }
 
-}  // namespace
+std::string notSaved(const std::string& reason) { return "the picture was not saved: " + reason; }
 
-ScreenshotWriter::~ScreenshotWriter() { finish(); }
-
-void ScreenshotWriter::finish() {
-  if (thread_.joinable()) thread_.join();
-}
-
-void ScreenshotWriter::write(Image image) {
-  finish();
-  thread_ = std::thread([this, image = std::move(image)] {
-    std::string report = writeNow(image);
-    const std::lock_guard lock(mutex_);
-    report_ = std::move(report);
-  });
-}
-
-std::string ScreenshotWriter::writeNow(const Image& image) const {
+// Returns what to report.
+std::string writeTo(const std::filesystem::path& folder, const Image& image) {
   std::error_code ignored;  // writing reports the error
-  std::filesystem::create_directories(folder_, ignored);
-  const std::filesystem::path file = freeName(folder_);
-  try {
-    writePng(image, file.string());
-  } catch (const std::runtime_error& error) {
-    return std::string("the picture was not saved: ") + error.what();
-  }
+  std::filesystem::create_directories(folder, ignored);
+  const std::filesystem::path file = freeName(folder);
+  writePng(image, file.string());
   return "picture saved: " + file.string();
 }
 
+}  // namespace
+
+ScreenshotWriter::~ScreenshotWriter() {
+  while (writing_.isPending()) take(writing_.wait());
+}
+
+void ScreenshotWriter::write(Image image) {
+  if (waiting_.size() == kMaxWaiting) {
+    report_ = notSaved("too many at once");
+    return;
+  }
+  waiting_.push_back(std::make_shared<const Image>(std::move(image)));
+  if (!writing_.isPending()) startNext();
+}
+
+void ScreenshotWriter::startNext() {
+  if (waiting_.empty()) return;
+  writing_ = Job<std::string>([folder = folder_, image = std::move(waiting_.front())](
+                                  const std::stop_token&) { return writeTo(folder, *image); },
+                              start_);
+  waiting_.pop_front();
+}
+
+void ScreenshotWriter::take(JobResult<std::string> written) {
+  report_ = written.value ? std::move(*written.value) : notSaved(written.fault);
+  startNext();
+}
+
 std::optional<std::string> ScreenshotWriter::takeReport() {
-  const std::lock_guard lock(mutex_);
+  if (auto written = writing_.poll()) take(std::move(*written));
   return std::exchange(report_, std::nullopt);
 }
 

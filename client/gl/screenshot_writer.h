@@ -1,38 +1,47 @@
 #pragma once
 
+#include <cstddef>
+#include <deque>
 #include <filesystem>
-#include <mutex>
+#include <memory>
 #include <optional>
 #include <string>
-#include <thread>
 #include <utility>
 
 #include "client/gl/image.h"
+#include "client/job/job.h"
 
 namespace platon {
 
-/// Writes pictures into a folder as `platon-0001.png` and so on, each by a thread, so that the game goes on meanwhile.
+/// Writes pictures into a folder as `platon-0001.png` and so on: a thread writes them, one after the other, so that the
+/// game goes on meanwhile.
 class ScreenshotWriter {
  public:
+  /// Most pictures that wait to be written.
+  static constexpr std::size_t kMaxWaiting = 4;
+
   /// The folder is made when it is needed; an empty path: the working directory.
-  explicit ScreenshotWriter(std::filesystem::path folder) : folder_(std::move(folder)) {}
-  /// Waits until the last picture is written.
+  explicit ScreenshotWriter(std::filesystem::path folder, ThreadStart start = &startThread)
+      : folder_(std::move(folder)), start_(std::move(start)) {}
+  /// Waits until all pictures are written.
   ~ScreenshotWriter();
   ScreenshotWriter(const ScreenshotWriter&) = delete;
   ScreenshotWriter& operator=(const ScreenshotWriter&) = delete;
 
-  /// Starts to write a picture. Waits for the one before.
+  /// Starts to write a picture, after those before. If kMaxWaiting pictures wait, it is dropped, and a report says so.
   void write(Image image);
-  /// What became of the last picture, a sentence for the player; each is returned once.
+  /// Goes on with the next picture. Call now and then. Returns what became of the last picture, a sentence for the
+  /// player, once.
   std::optional<std::string> takeReport();
 
  private:
-  std::string writeNow(const Image& image) const;
-  void finish();
+  void startNext();
+  void take(JobResult<std::string> written);
 
   std::filesystem::path folder_;
-  std::thread thread_;
-  std::mutex mutex_;
+  ThreadStart start_;
+  std::deque<std::shared_ptr<const Image>> waiting_;
+  Job<std::string> writing_;  // what to report
   std::optional<std::string> report_;
 };
 

@@ -1,11 +1,16 @@
 #include "client/gl/screenshot_writer.h"
 
 #include <filesystem>
+#include <optional>
+#include <string>
 
 #include <gtest/gtest.h>
 
+#include "tests/client/job/held_threads.h"
+#include "tests/client/job/no_thread.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/wait_until.h"
 
 namespace platon {
 namespace {
@@ -29,11 +34,37 @@ TEST(ScreenshotWriter, SaysWhereThePictureIsOrThatItWasNotSaved) {
   for (const bool possible : {true, false}) {
     ScreenshotWriter writer(folder / (possible ? "made" : "file/made"));
     writer.write(kPicture);
-    writer.write(kPicture);  // waits for the one before
-    const std::optional<std::string> report = writer.takeReport();
-    ASSERT_TRUE(report);
+    std::optional<std::string> report;
+    ASSERT_TRUE(waitUntil([&] { return (report = writer.takeReport()).has_value(); }));
     EXPECT_EQ(report->substr(0, 13), possible ? "picture saved" : "the picture w");
+    EXPECT_FALSE(writer.takeReport());
   }
+}
+
+TEST(ScreenshotWriter, DoesNotWaitForThePictureBefore) {
+  const TemporaryFolder folder;
+  HeldThreads threads;
+  threads.hold();
+  ScreenshotWriter writer(folder / "made", threads.start());
+  writer.write(kPicture);
+  for (std::size_t i = 0; i < ScreenshotWriter::kMaxWaiting; ++i) writer.write(kPicture);
+  EXPECT_FALSE(writer.takeReport());
+  writer.write(kPicture);
+  EXPECT_EQ(writer.takeReport(), "the picture was not saved: too many at once");
+  EXPECT_FALSE(std::filesystem::exists(folder / "made"));
+  threads.letGo();
+  for (int number = 1; number <= 1 + static_cast<int>(ScreenshotWriter::kMaxWaiting); ++number) {
+    std::optional<std::string> report;
+    ASSERT_TRUE(waitUntil([&] { return (report = writer.takeReport()).has_value(); }));
+    EXPECT_EQ(*report, "picture saved: " + (folder / ("made/platon-000" + std::to_string(number) + ".png")).string());
+  }
+}
+
+TEST(ScreenshotWriter, WithoutAThreadThePictureIsWrittenAtOnce) {
+  const TemporaryFolder folder;
+  ScreenshotWriter writer(folder / "made", noThread);
+  writer.write(kPicture);
+  EXPECT_EQ(writer.takeReport(), "picture saved: " + (folder / "made/platon-0001.png").string());
 }
 
 }  // namespace
