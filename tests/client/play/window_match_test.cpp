@@ -6,6 +6,9 @@
 
 #include "client/play/match/embedded_server.h"
 #include "client/play/match/match_play.h"
+#include "client/replay/recording_facts.h"
+#include "client/replay/replay_file.h"
+#include "client/replay/run_store.h"
 #include "tests/client/play/window_play_fixture.h"
 #include "tests/support/process.h"
 
@@ -88,6 +91,74 @@ TEST_F(WindowMatchTest, RPutsTheBallBackToTheStartAndTheTimerToZero) {
         {[] { xdotool("keyup Right"); }, [&] { return place() != start; }},
         {[] { xdotool("key r"); }, [&] { return place() == start && timer() == 0U; }}});
   EXPECT_TRUE(stepsDone_);
+}
+
+// The first tick from `first` on in which the player presses a button; replay.ticks() if there is none.
+std::uint32_t tickWith(const Replay& replay, std::uint8_t button, std::uint32_t first) {
+  std::uint32_t tick = first;
+  const auto presses = [&] { return !replay.inputsOf(tick).empty() && replay.inputsOf(tick)[0].has(button); };
+  while (tick < replay.ticks() && !presses()) ++tick;
+  return tick;
+}
+
+// A replay before the match; in it a menu, a best run and a ghost of a friend, and a restart.
+TEST_F(WindowMatchTest, TheRecordingOfTheServerIsTheMatchWithMenusReplaysAndGhosts) {
+  constexpr const char* kRun = "tests/levels/ways/01_run_and_jump.recording";
+  const std::uint32_t runTicks = readRecordingFacts(kRun).ticks.value();
+  keepRecording("Anna.recording", kRun);
+  std::filesystem::create_directories(folder_ / "platon/runs");
+  writeText(folder_ / "platon/runs" / RunStore::fileNameOf(readRecordingHeadOf(kRun).value().level->hash, runTicks),
+            readText(kRun));
+  Process server(platonCommand("platon-server", {"levels/hexahedron/01_run_and_jump.level", "--bind", "127.0.0.1",
+                                                 "--port", "0", "--record", folder_ / "games"}));
+  const std::string address = server.waitForError("listening on ");
+  const auto confirmed = [&] { return round() == nullptr ? 0 : round()->prediction().confirmedTicks(); };
+  std::uint32_t before = 0;
+  std::uint64_t hash = 0;
+  play({{[] {}, [this] { return shows("Replays"); }},
+        {[this] { clickOn("Replays"); }, [this] { return shows("Run and jump"); }},
+        {[this] { clickOn("Run and jump"); }, [this] { return shows("Watch"); }},
+        {[this] { clickOn("Watch"); }, [this] { return viewer() != nullptr && player().tick() > 10; }},
+        {[] { xdotool("key Escape"); }, [this] { return play_->replay() == nullptr && shows("Watch"); }},
+        {[] { xdotool("key Escape Escape"); }, [this] { return shows("Join a server"); }},
+        {[this] { clickOn("Join a server"); }, [this] { return shows("Address"); }},
+        {[&] { xdotool("type " + address); }, [] { return true; }},
+        {[this] { clickOn("Join"); }, [this] { return inGame() && isOnGround() == std::optional(true); }},
+        {[] { xdotool("keydown Right"); }, [this] { return timer() > 60U; }},
+        {[] { xdotool("keyup Right"); }, [] { return true; }},
+        {[&] {
+           EXPECT_EQ(play_->match()->play().hudStatus({}, false).run.best, double{1} * runTicks / kTicksPerSecond);
+           before = confirmed();
+           xdotool("key Escape");
+         },
+         [&] { return shows("Leave to the title") && confirmed() > before + 60; }},
+        {[] { xdotool("key Escape"); }, [this] { return inGame(); }},
+        {[] { xdotool("key r"); }, [this] { return timer() == 0U; }},
+        {[] { xdotool("keydown Right"); }, [this] { return timer() > 30U; }},
+        {[] { xdotool("keyup Right"); }, [&] { return confirmed() > 8 * kTicksPerSecond; }},
+        {[] { xdotool("key Escape"); }, [this] { return shows("Leave to the title"); }},
+        {[&] {
+           EXPECT_EQ(round()->statistics().desyncs, 0U);
+           before = confirmed();
+           hash = round()->prediction().confirmed().hash();
+           clickOn("Leave to the title");
+         },
+         [this] { return play_->match() == nullptr; }}});
+  ASSERT_TRUE(stepsDone_);
+  server.signal(SIGTERM);
+  EXPECT_EQ(server.wait(), 0);
+  std::vector<std::filesystem::path> games;
+  for (const auto& entry : std::filesystem::directory_iterator(folder_ / "games")) games.push_back(entry.path());
+  ASSERT_EQ(games.size(), 1U);
+  const auto read = readReplay(games[0]);
+  ASSERT_EQ(read.index(), 0U) << std::get<std::string>(read);
+  const Replay& replay = *std::get<0>(read);
+  const std::uint32_t restart = tickWith(replay, Input::kRestart, 0);
+  EXPECT_LT(tickWith(replay, Input::kRight, 0), restart);
+  EXPECT_LT(tickWith(replay, Input::kRight, restart), replay.ticks()) << "the game goes on after the restart";
+  ASSERT_LE(before, replay.ticks());
+  EXPECT_EQ(replay.gameAfter(before).tick(), before);
+  EXPECT_EQ(replay.gameAfter(before).hash(), hash);
 }
 
 TEST_F(WindowMatchTest, AServerIsJoinedByItsAddressAndPlayersTalk) {
