@@ -229,7 +229,10 @@ void WindowPlay::updateReplay(double seconds) {
   replay_->advance(seconds);
   if (!replay_->fault().empty()) return failReplay();
   if (replay_->viewer() != nullptr && std::exchange(named_, false)) failure_.reset();
-  if (replay_->leaving()) leaveReplay(std::filesystem::path(replay_->file()));
+  // Behind the replay, a game with others goes on.
+  const bool isJoined = match_ && !match_->alone();
+  if (isJoined) tell("somebody has joined the game");
+  if (isJoined || replay_->leaving()) leaveReplay(std::filesystem::path(replay_->file()));
 }
 
 void WindowPlay::leaveReplay(const std::filesystem::path& file) {

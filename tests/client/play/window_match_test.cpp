@@ -17,6 +17,8 @@ namespace platon {
 namespace {
 
 constexpr const char* kLevel = "tests/determinism/golden/levels/hexahedron.level";
+constexpr const char* kRunLevel = "levels/hexahedron/01_run_and_jump.level";
+constexpr const char* kRun = "tests/levels/ways/01_run_and_jump.recording";
 
 class WindowMatchTest : public WindowPlayTest {
  protected:
@@ -42,6 +44,13 @@ class WindowMatchTest : public WindowPlayTest {
   // Ticks that the timer shows; nothing before the first round.
   std::optional<std::uint32_t> timer() const {
     return round() == nullptr ? std::nullopt : std::optional(round()->attemptTime().ticks());
+  }
+  // Makes kRun the best run on kRunLevel.
+  void keepBestRun() const {
+    const std::uint64_t level = readRecordingHeadOf(kRun).value().level->hash;
+    const std::filesystem::path runs = folder_ / "platon/runs";
+    std::filesystem::create_directories(runs);
+    writeText(runs / RunStore::fileNameOf(level, readRecordingFacts(kRun).ticks.value()), readText(kRun));
   }
   static bool hears(const MatchPlay& play, std::string_view end) {
     const std::vector<std::string> chat = play.hudStatus(steadyClock().now(), false).chat;
@@ -103,14 +112,11 @@ std::uint32_t tickWith(const Replay& replay, std::uint8_t button, std::uint32_t 
 
 // A replay before the match; in it a menu, a best run and a ghost of a friend, and a restart.
 TEST_F(WindowMatchTest, TheRecordingOfTheServerIsTheMatchWithMenusReplaysAndGhosts) {
-  constexpr const char* kRun = "tests/levels/ways/01_run_and_jump.recording";
   const std::uint32_t runTicks = readRecordingFacts(kRun).ticks.value();
   keepRecording("Anna.recording", kRun);
-  std::filesystem::create_directories(folder_ / "platon/runs");
-  writeText(folder_ / "platon/runs" / RunStore::fileNameOf(readRecordingHeadOf(kRun).value().level->hash, runTicks),
-            readText(kRun));
-  Process server(platonCommand("platon-server", {"levels/hexahedron/01_run_and_jump.level", "--bind", "127.0.0.1",
-                                                 "--port", "0", "--record", folder_ / "games"}));
+  keepBestRun();
+  Process server(
+      platonCommand("platon-server", {kRunLevel, "--bind", "127.0.0.1", "--port", "0", "--record", folder_ / "games"}));
   const std::string address = server.waitForError("listening on ");
   const auto confirmed = [&] { return round() == nullptr ? 0 : round()->prediction().confirmedTicks(); };
   std::uint32_t before = 0;
@@ -189,6 +195,24 @@ TEST_F(WindowMatchTest, AServerIsJoinedByItsAddressAndPlayersTalk) {
         {[] { xdotool("key Escape"); }, [&] { return meanwhile(shows("Leave to the title")); }},
         {[this] { clickOn("Leave to the title"); },
          [&] { return meanwhile(play_->match() == nullptr && server.players() == 1); }}});
+  EXPECT_TRUE(stepsDone_);
+}
+
+TEST_F(WindowMatchTest, WhoJoinsEndsTheReplayInFrontOfTheGame) {
+  options_.level = kRunLevel;
+  keepBestRun();
+  std::optional<MatchPlay> grace;
+  const auto join = [&] { grace.emplace(ClientOptions(), play_->match()->serverAddress(), steadyClock().now()); };
+  const auto update = [&] { grace->update(steadyClock().now(), [](const Game&, std::uint32_t) { return Input{}; }); };
+  play({{[] {}, [this] { return inGame() && isOnGround() == std::optional(true); }},
+        {[] { xdotool("key Escape"); }, [this] { return shows("Watch your best run"); }},
+        {[this] { clickOn("Watch your best run"); }, [this] { return viewer() != nullptr && player().tick() > 10; }},
+        {join,
+         [&] {
+           update();
+           return !play_->match()->alone() && play_->replay() == nullptr && shows("Leave to the title");
+         }},
+        {[] {}, [this] { return !shows("Watch your best run") && !play_->match()->paused(); }}});
   EXPECT_TRUE(stepsDone_);
 }
 
