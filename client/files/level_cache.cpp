@@ -1,38 +1,20 @@
 #include "client/files/level_cache.h"
 
-#include <charconv>
-#include <optional>
 #include <string>
-#include <string_view>
 #include <system_error>
 #include <variant>
 
 #include "client/files/server_file_name.h"
 #include "protocol/files/bounded_folder.h"
 #include "protocol/files/text_file.h"
+#include "protocol/hash_text.h"
 
 namespace platon {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kHashDigits = 16;
-
-std::string fileNameOf(std::uint64_t hash) {
-  constexpr std::string_view kDigits = "0123456789abcdef";
-  std::string name(kHashDigits, '0');
-  for (auto digit = name.rbegin(); digit != name.rend(); ++digit, hash /= 16) *digit = kDigits[hash % 16];
-  return name;
-}
-
-// Nothing if it is not the name of a level.
-std::optional<std::uint64_t> hashOf(const std::string& name) {
-  std::uint64_t hash = 0;
-  std::from_chars(name.data(), name.data() + name.size(), hash, 16);
-  return name == fileNameOf(hash) ? std::optional(hash) : std::nullopt;
-}
-
-bool isLevelFile(const fs::path& path) { return hashOf(path.filename().string()).has_value(); }
+bool isLevelFile(const fs::path& path) { return hashIn(path.filename().string()).has_value(); }
 
 // The levels in a folder and the folders in it, newest first.
 std::vector<DatedFile> levelsIn(const fs::path& folder) { return newestFiles(folder, Subfolders::kWith, isLevelFile); }
@@ -46,14 +28,14 @@ std::vector<std::uint64_t> LevelCache::newest(std::size_t count) const {
   std::vector<std::uint64_t> hashes;
   if (all_.empty()) return hashes;
   for (const DatedFile& level : levelsIn(folder_)) {
-    if (hashes.size() < count) hashes.push_back(*hashOf(level.path.filename().string()));
+    if (hashes.size() < count) hashes.push_back(*hashIn(level.path.filename().string()));
   }
   return hashes;
 }
 
 std::shared_ptr<const Level> LevelCache::load(std::uint64_t hash) {
   if (all_.empty()) return nullptr;
-  const fs::path path = folder_ / fileNameOf(hash);
+  const fs::path path = folder_ / hashText(hash);
   std::error_code fault;
   if (!fs::is_regular_file(path, fault)) return nullptr;
   const auto text = readTextFile(path.string(), kMaxLevelBytes);
@@ -72,7 +54,7 @@ void LevelCache::keep(const Level& level) {
   if (all_.empty()) return;
   std::error_code fault;
   fs::create_directories(folder_, fault);
-  (void)replaceCachedFile((folder_ / fileNameOf(level.hash)).string(), level.text);  // if not kept, it is loaded again
+  (void)replaceCachedFile((folder_ / hashText(level.hash)).string(), level.text);  // if not kept, it is loaded again
   limit();
 }
 

@@ -1,10 +1,7 @@
 #include "client/replay/run_store.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
-#include <cinttypes>
-#include <cstdio>
 #include <system_error>
 #include <utility>
 
@@ -13,6 +10,7 @@
 #include "platon/game/game.h"
 #include "protocol/files/bounded_folder.h"
 #include "protocol/files/text_file.h"
+#include "protocol/hash_text.h"
 
 namespace platon {
 namespace {
@@ -20,9 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string nameOf(std::uint64_t level, std::uint32_t rules, std::uint32_t ticks) {
-  std::array<char, 64> name{};
-  std::snprintf(name.data(), name.size(), "%016" PRIx64 "-%" PRIu32 "-%" PRIu32 ".recording", level, rules, ticks);
-  return name.data();
+  return hashText(level) + '-' + std::to_string(rules) + '-' + std::to_string(ticks) + ".recording";
 }
 
 // Nothing if it is not the name of a run.
