@@ -19,7 +19,8 @@ std::string sceneFault(Bytes bytes);
 std::string levelFault(Bytes bytes);
 /// A saved game, possibly forged: it is refused without effect, or the game can be continued.
 std::string gameStateFault(Bytes bytes);
-/// A recording, valid or forged: it is read to its end or refused, and every block read is one that a game can play.
+/// A recording, valid or forged: it is read to its end or refused, and every block read is one that a game can play;
+/// the client plays every valid one, and finds the run in it.
 std::string recordingFault(Bytes bytes);
 /// A network message: it is refused, or equals itself after encoding and decoding.
 std::string protocolFault(Bytes bytes);

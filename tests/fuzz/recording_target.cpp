@@ -1,5 +1,11 @@
 #include <algorithm>
+#include <memory>
+#include <optional>
+#include <variant>
 
+#include "client/replay/recording_head.h"
+#include "client/replay/replay.h"
+#include "client/replay/run_track.h"
 #include "platon/game/game.h"
 #include "platon/game/recorder.h"
 #include "platon/game/recording_reader.h"
@@ -65,13 +71,35 @@ std::string readFault(Bytes recording, bool isValid) {
   return isValid && reader.state() != State::kComplete ? "a valid recording is refused" : std::string();
 }
 
+// As the client plays the file of a friend.
+std::string replayFault(Bytes recording, bool isValid) {
+  const std::optional<RecordingHead> head = readRecordingHead(recording);
+  if (isValid && (!head || !head->level)) return "the head of a valid recording is refused";
+  const auto read = Replay::read(recording);
+  if (const auto* fault = std::get_if<std::string>(&read)) {
+    if (isValid) return "a valid recording cannot be played: " + *fault;
+    return fault->empty() ? "a recording is refused without a reason" : std::string();
+  }
+  if (!head) return "a recording without a head can be played";
+  const Replay& replay = *std::get<std::shared_ptr<const Replay>>(read);
+  const std::optional<RunTrack> track = trackOf(replay);
+  if (track && (track->ticks > replay.ticks() || track->places.size() != track->ticks + std::size_t{1}))
+    return "a run does not have one place per tick";
+  return {};
+}
+
+std::string faultOf(Bytes recording, bool isValid) {
+  std::string fault = readFault(recording, isValid);
+  return fault.empty() ? replayFault(recording, isValid) : fault;
+}
+
 }  // namespace
 
 std::string recordingFault(Bytes input) {
   ByteSource bytes(input);
-  if (bytes.flag()) return readFault(recorded(bytes), true);
-  if (bytes.flag()) return readFault(forged(bytes), false);
-  return readFault(bytes.remaining(), false);
+  if (bytes.flag()) return faultOf(recorded(bytes), true);
+  if (bytes.flag()) return faultOf(forged(bytes), false);
+  return faultOf(bytes.remaining(), false);
 }
 
 }  // namespace platon::fuzz
