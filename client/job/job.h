@@ -28,7 +28,8 @@ inline std::jthread startThread(std::function<void(const std::stop_token&)> work
   return std::jthread(std::move(work));
 }
 
-/// Work in a thread of its own, whose result is polled. Without a thread the work is done at once, by the caller.
+/// Work in a thread of its own, whose result is polled. Without a thread the work is done at once, by the caller: then
+/// it cannot be asked to stop, as `stop_possible` of its token tells.
 template <class Result>
 class Job {
  public:

@@ -21,25 +21,31 @@ void FactsReader::read(const std::vector<DatedFile>& files) {
   poll();
   std::map<fs::path, Known> kept;
   waiting_.clear();
+  std::vector<DatedFile> unknown;
   for (const DatedFile& file : files) {
     if (knows(file)) {
       kept.insert(known_.extract(file.path));
     } else {
-      waiting_.push_back(file);
+      unknown.push_back(file);
     }
   }
   known_ = std::move(kept);
   job_ = {};  // before its results are dropped
   found_ = std::make_shared<Found>();
-  if (waiting_.empty()) return;
+  if (!unknown.empty()) start(std::move(unknown));
+}
+
+void FactsReader::start(std::vector<DatedFile> files) {
+  reading_ = std::move(files);
   job_ = Job<bool>(
-      [files = waiting_, found = found_](const std::stop_token& stop) { return readAll(files, *found, stop); }, start_);
+      [files = reading_, found = found_](const std::stop_token& stop) { return readAll(files, *found, stop); }, start_);
 }
 
 bool FactsReader::readAll(const std::vector<DatedFile>& files, Found& found, const std::stop_token& stop) {
+  if (files.size() > 1 && !stop.stop_possible()) return false;
   for (const DatedFile& file : files) {
     Known known = readOne(file, stop);
-    if (stop.stop_requested()) return false;
+    if (stop.stop_requested()) break;
     const std::lock_guard lock(found.mutex);
     found.facts.push_back(std::move(known));
   }
@@ -56,9 +62,18 @@ FactsReader::Known FactsReader::readOne(const DatedFile& file, const std::stop_t
   return known;
 }
 
+std::optional<JobResult<bool>> FactsReader::pollJob() {
+  auto ended = job_.poll();
+  if (ended && ended->value == false) waiting_.assign(reading_.begin(), reading_.end());
+  if (job_.isPending() || waiting_.empty()) return ended;
+  start({waiting_.front()});
+  waiting_.pop_front();
+  return job_.poll();
+}
+
 bool FactsReader::poll() {
   std::vector<Known> facts;
-  const auto ended = job_.poll();  // before what it has found
+  const auto ended = pollJob();  // before what it has found
   {
     const std::lock_guard lock(found_->mutex);
     facts.swap(found_->facts);
@@ -66,7 +81,7 @@ bool FactsReader::poll() {
   const bool failed = ended && !ended->fault.empty();
   for (Known& known : facts) remember(std::move(known));
   if (!failed) return !facts.empty();
-  for (const DatedFile& file : std::vector(waiting_)) {
+  for (const DatedFile& file : reading_) {
     if (!knows(file)) remember({file, {.note = "cannot be read: " + ended->fault}});
   }
   return true;

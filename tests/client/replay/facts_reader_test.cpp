@@ -2,10 +2,11 @@
 
 #include <chrono>
 #include <string>
-#include <system_error>
+#include <vector>
 
 #include <gtest/gtest.h>
 
+#include "tests/client/job/no_thread.h"
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait_until.h"
@@ -73,10 +74,21 @@ TEST_F(FactsReaderTest, AGrowingOrVanishedFileSaysSo) {
   EXPECT_EQ(reader_.find(file_)->note, "cannot be read: No such file or directory");
 }
 
-TEST_F(FactsReaderTest, WithoutAThreadAllIsReadAtOnce) {
-  FactsReader reader([](const auto&) -> std::jthread {
-    throw std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again));
-  });
+TEST_F(FactsReaderTest, WithoutAThreadOneFileIsReadAtATime) {
+  FactsReader reader(noThread);
+  std::vector<fs::path> files;
+  for (const char* const name : {"a", "b", "c"}) {
+    files.push_back(folder_ / name);
+    writeText(files.back(), readText(kRecording));
+  }
+  reader.read({dated(files[0]), dated(files[1]), dated(files[2])});
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    EXPECT_EQ(reader.find(files[i]), nullptr);
+    EXPECT_TRUE(reader.poll());
+    ASSERT_NE(reader.find(files[i]), nullptr);
+    EXPECT_TRUE(reader.find(files[i])->ticks);
+  }
+  EXPECT_FALSE(reader.poll());
   reader.read({dated(file_)});
   EXPECT_TRUE(reader.poll());
   EXPECT_TRUE(reader.find(file_)->ticks);
