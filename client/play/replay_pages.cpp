@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "client/menu/pages/run_page.h"
-#include "client/replay/replay_file.h"
 
 namespace platon {
 namespace {
@@ -18,7 +17,7 @@ namespace fs = std::filesystem;
 ReplayEntry entryOf(const ListedRun& run) {
   std::string unnamed = run.isRead ? "Level without a title" : "…";
   if (!run.note.empty()) unnamed = run.file.filename().string();
-  const std::string title = run.title.empty() ? unnamed : run.title;
+  const std::string title = run.level && !run.level->title.empty() ? run.level->title : unnamed;
   return {title, run.time, run.date, run.who, run.isBest, run.note};
 }
 
@@ -48,7 +47,7 @@ ReplayPages::ReplayPages(Menu& menu, File runs, File ghosts, Calls calls)
 void ReplayPages::load() {
   list_.load();
   refresh();
-  levelFile_.clear();
+  chosen_.reset();
   fault_.clear();
 }
 
@@ -78,7 +77,7 @@ void ReplayPages::showRun(const File& file) {
 MenuPage ReplayPages::listPage() {
   poll();
   inList_ = true;
-  chosen_.clear();
+  chosen_.reset();
   return replaysPage(
       std::span(entries_).first(list_.listed()), [this](std::size_t index) { choose(index); },
       [this] { menu_->back(); });
@@ -91,19 +90,19 @@ void ReplayPages::choose(std::size_t index) {
 
 MenuPage ReplayPages::pageOf(std::size_t index) {
   poll();
-  chosen_ = fileOf(index);
+  chosen_ = index;
   RunChoices choices;
   if (entries_[index].note.empty()) choices.watch = [this, index] { calls_.watch(File(fileOf(index))); };
-  if (canRace(index)) choices.race = [this, index] { calls_.race(levelOf(fileOf(index)), File(fileOf(index))); };
+  if (canRace(index)) choices.race = [this, index] { calls_.race(levelOf(index), File(fileOf(index))); };
   if (canKeep(index)) choices.keep = [this, index] { keep(index); };
   choices.back = [this] { menu_->back(); };
   return runPage(entries_[index], shownPath(fileOf(index)), fault_, choices);
 }
 
 // One player is alone in the race.
-bool ReplayPages::canRace(std::size_t index) {
+bool ReplayPages::canRace(std::size_t index) const {
   if (entries_[index].time.empty() || !entries_[index].note.empty()) return false;
-  const std::shared_ptr<const Level>& level = levelOf(fileOf(index));
+  const std::shared_ptr<const Level> level = levelOf(index);
   return level && level->players <= 1;
 }
 
@@ -125,19 +124,11 @@ void ReplayPages::keep(std::size_t index) {
   showRun(copy);
 }
 
-const std::shared_ptr<const Level>& ReplayPages::levelOf(const File& file) {
-  if (file == levelFile_) return level_;
-  const std::optional<RecordingHead> head = readRecordingHeadOf(file);
-  levelFile_ = file;
-  level_ = head ? head->level : nullptr;
-  return level_;
-}
-
-std::shared_ptr<const Level> ReplayPages::shownLevel() {
+std::shared_ptr<const Level> ReplayPages::shownLevel() const {
   if (!menu_->isOpen()) return nullptr;
-  if (!chosen_.empty()) return levelOf(chosen_);
+  if (chosen_) return levelOf(*chosen_);
   if (!inList_ || list_.listed() == 0) return nullptr;
-  return levelOf(fileOf(replayOfItem(std::span(entries_).first(list_.listed()), menu_->focus())));
+  return levelOf(replayOfItem(std::span(entries_).first(list_.listed()), menu_->focus()));
 }
 
 }  // namespace platon

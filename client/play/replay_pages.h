@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,10 +33,10 @@ class ReplayPages {
   /// Shows the list above the present page, and above it the page of this recording, which may be anywhere.
   void showRun(const File& file);
   /// The player looks at other pages now.
-  void leave() { chosen_.clear(), inList_ = false; }
+  void leave() { chosen_.reset(), inList_ = false; }
 
-  /// The level of the recording that the player looks at; null if there is none.
-  std::shared_ptr<const Level> shownLevel();
+  /// The level of the recording that the player looks at, as soon as it has been read; null if there is none.
+  std::shared_ptr<const Level> shownLevel() const;
 
  private:
   void load();
@@ -45,10 +46,10 @@ class ReplayPages {
   MenuPage listPage();
   MenuPage pageOf(std::size_t index);
   void choose(std::size_t index);
-  bool canRace(std::size_t index);
+  bool canRace(std::size_t index) const;
   bool canKeep(std::size_t index) const;
   void keep(std::size_t index);
-  const std::shared_ptr<const Level>& levelOf(const File& file);
+  std::shared_ptr<const Level> levelOf(std::size_t index) const { return list_.runs()[index].level; }
 
   Menu* menu_;
   RunList list_;
@@ -56,10 +57,8 @@ class ReplayPages {
   Calls calls_;
   std::vector<ReplayEntry> entries_;  // of list_
   bool inList_ = false;
-  File chosen_;        // whose page is shown; empty: none
-  std::string fault_;  // of the last copy
-  File levelFile_;     // of level_
-  std::shared_ptr<const Level> level_;
+  std::optional<std::size_t> chosen_;  // of list_, whose page is shown
+  std::string fault_;                  // of the last copy
 };
 
 }  // namespace platon

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <system_error>
 
+#include "client/replay/same_level.h"
+
 namespace platon {
 namespace {
 
@@ -87,7 +89,13 @@ bool FactsReader::poll() {
   return true;
 }
 
+// Recordings on the same level share it, since it may be large.
 void FactsReader::remember(Known known) {
+  std::shared_ptr<const Level>& level = known.facts.level;
+  const auto same = std::find_if(known_.begin(), known_.end(), [&](const auto& each) {
+    return level && each.second.facts.level && isSameLevel(*each.second.facts.level, *level);
+  });
+  if (same != known_.end()) level = same->second.facts.level;
   const fs::path path = known.file.path;
   known_.insert_or_assign(path, std::move(known));
 }

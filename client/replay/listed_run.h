@@ -2,20 +2,23 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
+
+#include "platon/game/level.h"
 
 namespace platon {
 
 /// A recording as a list shows it.
 struct ListedRun {
   std::filesystem::path file;
-  std::string title{};  ///< of the level; empty if it has none or is not known
-  std::string time{};   ///< `12.34 s`; empty: it is no run, or the time is not known
-  std::string date{};   ///< in UTC, `2026-12-01`; empty: unknown
-  std::string note{};   ///< why it cannot be played; empty: it can, as far as is known
-  std::string who{};    ///< whose it is; empty: the player's own
-  bool isBest = false;  ///< the shortest one of own games on a level by the present rules
-  bool isRead = false;  ///< nothing more becomes known
+  std::shared_ptr<const Level> level{};  ///< null if it is not known
+  std::string time{};                    ///< `12.34 s`; empty: it is no run, or the time is not known
+  std::string date{};                    ///< in UTC, `2026-12-01`; empty: unknown
+  std::string note{};                    ///< why it cannot be played; empty: it can, as far as is known
+  std::string who{};                     ///< whose it is; empty: the player's own
+  bool isBest = false;                   ///< the shortest one of own games on a level by the present rules
+  bool isRead = false;                   ///< nothing more becomes known
 };
 
 /// The date of a file as ListedRun shows it.

@@ -72,7 +72,7 @@ RecordingFacts readRecordingFacts(const std::filesystem::path& file, const std::
     return facts;
   }
   facts.rules = head->rules;
-  if (head->level) facts.title = head->level->title;
+  facts.level = head->level;
   const Ending ending = readEnding(reader, facts.note, stop);
   if (stop.stop_requested()) return facts;
   if (facts.note.empty()) facts.note = recordingFault(reader, bytes);

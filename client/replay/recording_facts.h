@@ -2,16 +2,19 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <string>
+
+#include "platon/game/level.h"
 
 namespace platon {
 
 /// What a list tells of a recording.
 struct RecordingFacts {
   std::uint32_t rules = 0;               ///< version of the rules it was made by; 0: unknown
-  std::string title{};                   ///< of the level; empty if it has none or cannot be read
+  std::shared_ptr<const Level> level{};  ///< null if it cannot be read
   std::optional<std::uint32_t> ticks{};  ///< the time of the run; nothing: it is none, or it cannot be played
   std::string note{};                    ///< why it cannot be played, as the end of a sentence; empty: as far as known,
                                          ///< it can

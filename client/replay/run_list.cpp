@@ -75,7 +75,7 @@ void RunList::fill() {
   for (ListedRun& run : runs_) {
     const RecordingFacts* const facts = reader_.find(run.file);
     if (facts == nullptr) continue;
-    run.title = facts->title;
+    run.level = facts->level;
     run.note = facts->note;
     run.isRead = true;
     if (!run.who.empty()) run.time = facts->ticks ? timeOf(*facts->ticks) : "";

@@ -109,8 +109,8 @@ TEST_F(FrontPagesTest, OnlyLevelsOfTheGameHaveMedals) {
 TEST_F(FrontPagesTest, ARaceOnALevelOfTheGameStartsItAndTheOthersFollow) {
   const auto ghost = keepGhost(readText("tests/levels/ways/02_over_the_edge.recording"));
   pages_.showRun(ghost);
-  EXPECT_EQ(pages_.shownLevel()->title, "Over the edge");
   EXPECT_TRUE(waitUntil([&] { return shows("Race"); }));
+  EXPECT_EQ(pages_.shownLevel()->title, "Over the edge");
   tap(Key::kArrowDown);
   tap(Key::kEnter);
   ASSERT_TRUE(started_);

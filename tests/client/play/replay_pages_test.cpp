@@ -107,8 +107,8 @@ TEST_F(ReplayPagesTest, ARecordingFromElsewhereIsKeptAsAGhost) {
   write(ghosts_ / "Anna.recording", played_.run->recording);
   pages_.showRun(elsewhere_);
   EXPECT_TRUE(shows("Anna"));
-  EXPECT_EQ(pages_.shownLevel()->title, "Floor");
   EXPECT_TRUE(becomes("Keep it as a ghost"));
+  EXPECT_EQ(pages_.shownLevel()->title, "Floor");
   tap(Key::kArrowDown);
   tap(Key::kArrowDown);
   tap(Key::kEnter);
@@ -154,6 +154,17 @@ TEST_F(ReplayPagesTest, WhatIsKnownIsShownBeforeTheRecordingIsRead) {
   pages_.showList();
   EXPECT_TRUE(shows("★")) << "the time is in the name of the file";
   EXPECT_TRUE(becomes("Floor"));
+}
+
+TEST_F(ReplayPagesTest, TheLevelIsThatOfTheLastReading) {
+  store_.keep(*played_.run);
+  const fs::path file = store_.all().at(0).file;
+  pages_.showList();
+  EXPECT_TRUE(becomes("Floor"));
+  fs::remove(file);
+  tap(Key::kEnter);
+  EXPECT_TRUE(shows("Race"));
+  EXPECT_EQ(pages_.shownLevel()->title, "Floor") << "the file is not read again";
 }
 
 TEST_F(ReplayPagesTest, OtherPagesShowNoLevelOfARecording) {

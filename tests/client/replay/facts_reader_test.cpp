@@ -88,6 +88,7 @@ TEST_F(FactsReaderTest, WithoutAThreadOneFileIsReadAtATime) {
     ASSERT_NE(reader.find(files[i]), nullptr);
     EXPECT_TRUE(reader.find(files[i])->ticks);
   }
+  EXPECT_EQ(reader.find(files[0])->level, reader.find(files[2])->level) << "kept once";
   EXPECT_FALSE(reader.poll());
   reader.read({dated(file_)});
   EXPECT_TRUE(reader.poll());

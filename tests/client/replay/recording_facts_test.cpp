@@ -39,7 +39,8 @@ TEST_F(RecordingFactsTest, ARunHasItsTime) {
   const RecordingFacts facts = factsOf(followed_.run->recording);
   EXPECT_EQ(facts.note, "");
   EXPECT_EQ(facts.rules, kRulesVersion);
-  EXPECT_EQ(facts.title, "Floor");
+  ASSERT_TRUE(facts.level);
+  EXPECT_EQ(facts.level->title, "Floor");
   EXPECT_EQ(facts.ticks, followed_.time);
 }
 
@@ -67,7 +68,8 @@ TEST_F(RecordingFactsTest, SaysWhatCannotBePlayed) {
   const RecordingFacts facts = factsOf(older);
   EXPECT_EQ(facts.note, otherRulesText(kRulesVersion - 1));
   EXPECT_EQ(facts.rules, kRulesVersion - 1);
-  EXPECT_EQ(facts.title, "Floor");
+  ASSERT_TRUE(facts.level);
+  EXPECT_EQ(facts.level->title, "Floor");
 }
 
 TEST_F(RecordingFactsTest, ACutOffOrDamagedRecordingSaysSo) {

@@ -62,7 +62,8 @@ class RunListTest : public testing::Test {
 TEST_F(RunListTest, ARunOfAFriendHasTheNameOfItsFile) {
   const ListedRun run = describe(write("Anna.recording", followed_.run->recording));
   EXPECT_EQ(run.who, "Anna");
-  EXPECT_EQ(run.title, "Floor");
+  ASSERT_TRUE(run.level);
+  EXPECT_EQ(run.level->title, "Floor");
   EXPECT_EQ(run.time, time());
   EXPECT_EQ(run.note, "");
 }
@@ -78,12 +79,12 @@ TEST_F(RunListTest, BeforeItIsReadARunHasTheTimeAndDateOfItsFile) {
   list_.load();
   ASSERT_EQ(list_.runs().size(), 1U);
   EXPECT_FALSE(list_.runs()[0].isRead);
-  EXPECT_EQ(list_.runs()[0].title, "");
+  EXPECT_EQ(list_.runs()[0].level, nullptr);
   EXPECT_EQ(list_.runs()[0].time, time());
   EXPECT_EQ(list_.runs()[0].date, "2026-02-28");
   EXPECT_TRUE(list_.runs()[0].isBest);
   readAll();
-  EXPECT_EQ(list_.runs()[0].title, "Floor");
+  EXPECT_EQ(list_.runs()[0].level->title, "Floor");
   EXPECT_EQ(list_.runs()[0].time, time());
   list_.load();
   EXPECT_TRUE(list_.runs()[0].isRead) << "it is remembered";
@@ -126,7 +127,7 @@ TEST_F(RunListTest, ARunOfOlderRulesKeepsTheTimeOfItsName) {
   writeText(folder_ / "runs" / name, {reinterpret_cast<const char*>(older.data()), older.size()});
   load();
   ASSERT_EQ(list_.runs().size(), 1U);
-  EXPECT_EQ(list_.runs()[0].title, "Floor");
+  EXPECT_EQ(list_.runs()[0].level->title, "Floor");
   EXPECT_EQ(list_.runs()[0].time, "0.02 s");
   EXPECT_EQ(list_.runs()[0].note, otherRulesText(kRulesVersion - 1));
   EXPECT_FALSE(list_.runs()[0].isBest);
