@@ -1,9 +1,16 @@
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <set>
 #include <string>
+#include <variant>
 #include <vector>
 
+#include "protocol/to_client.h"
+#include "protocol/to_server.h"
+#include "tests/fuzz/byte_source.h"
 #include "tests/fuzz/fuzz_targets.h"
 #include "tests/support/files.h"
 
@@ -30,6 +37,25 @@ TEST_P(FuzzCorpusTest, EmptyAndConstantInputsPass) {
     const std::vector<std::uint8_t> bytes(64, static_cast<std::uint8_t>(value));
     EXPECT_EQ(GetParam().fault(bytes), "") << value;
   }
+}
+
+// Kinds of messages that a decoder of the target `protocol` finds in the corpus, by their place in the variant.
+template <class Message>
+std::set<std::size_t> kindsInCorpus(std::size_t decoder, std::optional<Message> (*decode)(Bytes)) {
+  std::set<std::size_t> kinds;
+  for (const std::string& file : filesIn("tests/fuzz/corpus/protocol", "")) {
+    const std::vector<std::uint8_t> content = readBytes(file);
+    ByteSource bytes(content);
+    if (bytes.below(3) != decoder) continue;
+    if (const std::optional<Message> message = decode(bytes.remaining())) kinds.insert(message->index());
+  }
+  return kinds;
+}
+
+// A fuzzer does not invent a message whose layout it has never seen.
+TEST(ProtocolCorpus, HasEachMessage) {
+  EXPECT_EQ(kindsInCorpus(0, &decodeToServer).size(), std::variant_size_v<ToServer>);
+  EXPECT_EQ(kindsInCorpus(1, &decodeToClient).size(), std::variant_size_v<ToClient>);
 }
 
 INSTANTIATE_TEST_SUITE_P(Targets, FuzzCorpusTest,
