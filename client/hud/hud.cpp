@@ -34,8 +34,6 @@ constexpr float kChatSize = kSmallestText;
 constexpr float kTextSize = 18;     // of messages and notices
 constexpr float kWidestText = 640;  // of messages and notices
 
-std::string twoDigits(long value) { return std::string(value < 10 ? "0" : "") + std::to_string(value); }
-
 // The empty display.
 HudSpace spaceFor(const HudStatus& status, const Font& font, float width) {
   HudSpace space(font, glm::vec2(width, Overlay::kHeight) / status.scale);

@@ -5,12 +5,12 @@
 #include <utility>
 #include <variant>
 
+#include "client/netcode/seconds_of.h"
 #include "client/replay/replay_file.h"
 #include "client/replay/run_store.h"
 #include "client/replay/same_level.h"
 #include "client/replay/track_file.h"
 #include "client/ui/player_rows.h"
-#include "platon/game/game.h"
 #include "protocol/label.h"
 #include "protocol/limits.h"
 
@@ -39,8 +39,7 @@ std::string ghostNameOf(const fs::path& file) {
 }
 
 Ghost makeGhost(const fs::path& file, RunTrack track) {
-  const std::string name =
-      hasNameOfRun(file) ? finishText(double{1} * track.ticks / kTicksPerSecond) : ghostNameOf(file);
+  const std::string name = hasNameOfRun(file) ? finishText(secondsOf(track.ticks)) : ghostNameOf(file);
   return {name, std::make_shared<RunTrack>(std::move(track))};
 }
 

@@ -3,11 +3,11 @@
 #include <utility>
 #include <variant>
 
+#include "client/netcode/seconds_of.h"
 #include "client/replay/replay_file.h"
 #include "client/replay/same_level.h"
 #include "client/replay/track_file.h"
 #include "client/ui/player_rows.h"
-#include "platon/game/game.h"
 
 namespace platon {
 namespace {
@@ -42,7 +42,7 @@ void addRival(const std::filesystem::path& file, const Level& level, LevelGhosts
 }  // namespace
 
 Ghost bestGhostOf(RunTrack track) {
-  const std::string name = "best " + finishText(double{1} * track.ticks / kTicksPerSecond);
+  const std::string name = "best " + finishText(secondsOf(track.ticks));
   return {name, std::make_shared<RunTrack>(std::move(track))};
 }
 

@@ -2,16 +2,11 @@
 
 #include <system_error>
 
+#include "client/netcode/seconds_of.h"
 #include "client/replay/same_level.h"
 #include "client/replay/track_file.h"
 
 namespace platon {
-namespace {
-
-double secondsOf(double ticks) { return ticks / kTicksPerSecond; }
-
-}  // namespace
-
 void RunKeeper::began(const Game& confirmed, std::uint32_t slot) {
   slot_ = slot;
   tick_ = confirmed.tick();

@@ -7,16 +7,16 @@
 #include <system_error>
 #include <utility>
 
+#include "client/netcode/seconds_of.h"
 #include "client/replay/ghost_folder.h"
 #include "client/ui/player_rows.h"
-#include "platon/game/game.h"
 
 namespace platon {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string timeOf(std::uint32_t ticks) { return finishText(double{1} * ticks / kTicksPerSecond); }
+std::string timeOf(std::uint32_t ticks) { return finishText(secondsOf(ticks)); }
 
 // Friends give files names; the name that the game has given says nothing.
 std::string ownerOf(const fs::path& file) {

@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "client/netcode/seconds_of.h"
 #include "client/scene/pose_between.h"
 
 namespace platon {
@@ -36,7 +37,7 @@ PlayerDrawing drawingOf(const SceneSource& source, const InterpolatedPlayer& tim
   if (slot < source.names.size()) player.name = source.names[slot];
   if (slot < source.roundTrips.size()) player.roundTripMs = source.roundTrips[slot];
   player.local = local;
-  if (time.now.finishTicks != 0) player.finishSeconds = double{1} * time.now.finishTicks / kTicksPerSecond;
+  if (time.now.finishTicks != 0) player.finishSeconds = secondsOf(time.now.finishTicks);
   return player;
 }
 
@@ -84,14 +85,14 @@ Scene makeScene(const SceneSource& source) {
   addGhosts(scene, source);
   scene.focus = focusOf(scene);
   const double passed = std::max(0.0, double{1} * source.game->tick() - 1 + source.fraction);
-  scene.seconds = passed / kTicksPerSecond;
-  scene.secondsLeft = double{1} * source.game->ticksLeft() / kTicksPerSecond;
+  scene.seconds = secondsOf(passed);
+  scene.secondsLeft = secondsOf(source.game->ticksLeft());
   scene.timed = source.timed;
   scene.over = source.roundOver || (source.timed && source.game->over());
   const std::uint32_t needed = source.game->level().players;
   if (source.othersCanJoin && scene.players.size() < needed && !scene.over) scene.neededPlayers = needed;
   if (!scene.players.empty() && scene.players.back().local) {
-    scene.attempt = {double{1} * source.attempt.ticks() / kTicksPerSecond, source.attempt.arrived()};
+    scene.attempt = {secondsOf(source.attempt.ticks()), source.attempt.arrived()};
     scene.needsRestart = source.needsRestart && !scene.over;
   }
   return scene;

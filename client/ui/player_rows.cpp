@@ -27,10 +27,11 @@ std::string calledName(const std::string& name, const std::string& number) {
 
 std::string shownNameOf(const PlayerDrawing& player) { return shortened(calledName(player.name, player.number)); }
 
+std::string twoDigits(long value) { return (value < 10 ? "0" : "") + std::to_string(value); }
+
 std::string finishText(double seconds) {
   const long hundredths = std::lround(seconds * 100);
-  const long rest = hundredths % 100;
-  return std::to_string(hundredths / 100) + (rest < 10 ? ".0" : ".") + std::to_string(rest) + " s";
+  return std::to_string(hundredths / 100) + "." + twoDigits(hundredths % 100) + " s";
 }
 
 std::string roundTripText(const PlayerDrawing& player) {

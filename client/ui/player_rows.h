@@ -13,6 +13,9 @@ std::string calledName(const std::string& name, const std::string& number);
 /// What lists call a player: the same, cut if it is long.
 std::string shownNameOf(const PlayerDrawing& player);
 
+/// A part of a time: `07`. `value`: 0 … 99.
+std::string twoDigits(long value);
+
 /// A time to the goal: `12.34 s`. `seconds` ≥ 0.
 std::string finishText(double seconds);
 

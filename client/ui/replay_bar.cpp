@@ -4,10 +4,11 @@
 #include <cmath>
 #include <string>
 
+#include "client/netcode/seconds_of.h"
 #include "client/ui/fitted_text.h"
 #include "client/ui/overlay_writer.h"
+#include "client/ui/player_rows.h"
 #include "client/ui/text_scale.h"
-#include "platon/game/game.h"
 
 namespace platon {
 namespace {
@@ -29,9 +30,8 @@ float line(glm::vec2 screen) { return screen.y - kLine; }
 
 // Minutes, seconds and hundredths.
 std::string timeText(std::uint32_t ticks) {
-  const long hundredths = std::lround(ticks * 100.0 / kTicksPerSecond);
-  const auto two = [](long value) { return (value < 10 ? "0" : "") + std::to_string(value); };
-  return std::to_string(hundredths / 6000) + ":" + two(hundredths / 100 % 60) + "." + two(hundredths % 100);
+  const long hundredths = std::lround(secondsOf(ticks) * 100);
+  return std::to_string(hundredths / 6000) + ":" + twoDigits(hundredths / 100 % 60) + "." + twoDigits(hundredths % 100);
 }
 
 std::string speedText(const ReplayStatus& status) {

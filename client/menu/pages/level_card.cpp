@@ -6,11 +6,11 @@
 
 #include "client/menu/menu_layout.h"
 #include "client/menu/pages/turntable.h"
+#include "client/netcode/seconds_of.h"
 #include "client/ui/fitted_text.h"
 #include "client/ui/overlay_writer.h"
 #include "client/ui/player_rows.h"
 #include "client/ui/text_scale.h"
-#include "platon/game/game.h"
 
 namespace platon {
 namespace {
@@ -23,9 +23,7 @@ constexpr float kMedals = 40;
 constexpr float kMargin = 24;
 constexpr float kLeast = 100;  // room on each side of the middle
 
-std::string medalText(Medal medal, std::uint32_t ticks) {
-  return starsOf(medal) + " " + finishText(double{1} * ticks / kTicksPerSecond);
-}
+std::string medalText(Medal medal, std::uint32_t ticks) { return starsOf(medal) + " " + finishText(secondsOf(ticks)); }
 
 // At most `room` to each side of `middle`.
 void addMedals(OverlayWriter& writer, const MedalTimes& times, glm::vec2 middle, float room) {

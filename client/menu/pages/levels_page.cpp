@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "client/netcode/seconds_of.h"
 #include "client/ui/player_rows.h"
-#include "platon/game/game.h"
 
 namespace platon {
 namespace {
@@ -43,7 +43,7 @@ Medal medalOf(const LevelEntry& level) {
   return level.medals && level.bestTicks ? medalFor(*level.medals, *level.bestTicks) : Medal::kNone;
 }
 
-std::string timeText(std::uint32_t ticks) { return finishText(double{1} * ticks / kTicksPerSecond); }
+std::string timeText(std::uint32_t ticks) { return finishText(secondsOf(ticks)); }
 
 // What the player has reached; a time of older rules gives no medal.
 std::string reachedText(const LevelEntry& level) {

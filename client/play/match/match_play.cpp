@@ -9,6 +9,7 @@
 #include "client/files/level_cache.h"
 #include "client/files/server_file_name.h"
 #include "client/files/user_folders.h"
+#include "client/netcode/seconds_of.h"
 #include "client/session/farewell.h"
 #include "client/ui/player_rows.h"
 
@@ -53,8 +54,6 @@ ServerKnowledge knowledgeOf(const ClientOptions& options, const KnownServers& se
   if (!knowledge.identity) knowledge.identity = servers.find(server);
   return knowledge;
 }
-
-double secondsOf(std::uint32_t ticks) { return double{1} * ticks / kTicksPerSecond; }
 
 // The next round starts when the server's game, which the confirmed one follows, has reached the end of the pause.
 std::optional<RoundSummary> summaryOf(const Session& session) {

@@ -22,6 +22,8 @@ TEST(PlayerRows, TheFastestComesFirstAndThoseWhoHaveNotFinishedComeLastBySlot) {
 }
 
 TEST(PlayerRows, TimesHaveHundredths) {
+  EXPECT_EQ(twoDigits(7), "07");
+  EXPECT_EQ(twoDigits(10), "10");
   EXPECT_EQ(finishText(0), "0.00 s");
   EXPECT_EQ(finishText(7.05), "7.05 s");
   EXPECT_EQ(finishText(12.345678), "12.35 s");
