@@ -17,7 +17,7 @@ namespace platon {
 namespace {
 
 constexpr double kTickSeconds = 1.0 / kTicksPerSecond;
-constexpr double kMostSeconds = 0.1;  // of play in one picture
+constexpr double kMaxSeconds = 0.1;  // of play in one picture
 constexpr std::size_t kLongestError = 150;
 
 std::string placeText(const FacePlace& at) {
@@ -96,7 +96,7 @@ void Editor::setReport(LevelReport report) {
 
 void Editor::advance(double seconds) {
   if (!play_) return;
-  untilTick_ += std::min(seconds, kMostSeconds);
+  untilTick_ += std::min(seconds, kMaxSeconds);
   for (; untilTick_ >= kTickSeconds; untilTick_ -= kTickSeconds) {
     const HeldKeys held = mapper_.takeHeld();
     play_->tick(menu_.isOpen() ? Input() : steering_.input(held, 0, ControlFrame::kPlayer));

@@ -17,7 +17,7 @@ using namespace overlay_colours;
 constexpr float kMargin = 16;
 constexpr float kPanelWidth = 250;
 constexpr float kSize = kSmallestText;
-constexpr std::size_t kMostLines = 5;  // of the report
+constexpr std::size_t kMaxLines = 5;  // of the report
 
 constexpr std::array<std::array<const char*, 2>, 20> kHelp{{{"S D E W T G P", "tools: select, draw … play"},
                                                             {"left button", "use the tool"},
@@ -168,7 +168,7 @@ std::vector<std::string> linesOf(const LevelReport& report) {
   if (report.level && report.level->players > 1)
     lines.push_back("for " + std::to_string(report.level->players) + " players, who all have to reach the goal");
   for (const Diagnostic& warning : report.warnings) {
-    if (lines.size() == kMostLines) break;
+    if (lines.size() == kMaxLines) break;
     lines.push_back("text line " + std::to_string(warning.line) + ": " + warning.message);
   }
   return lines;

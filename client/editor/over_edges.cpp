@@ -16,7 +16,7 @@ namespace {
 constexpr double kBeyond = 0.5;     // level units
 constexpr double kShortest = 0.01;  // a shorter piece only touches its face
 constexpr double kOnEdge = 1e-6;
-constexpr int kMostFaces = 64;
+constexpr int kMaxFaces = 64;
 
 struct Exit {
   int edge = 0;
@@ -70,7 +70,7 @@ std::vector<EditedSegment> splitOverEdges(const SolidMesh& mesh, const EditedSeg
   std::vector<EditedSegment> pieces;
   EditedSegment left = segment;  // what is left of it, in the frame of left.face
   double before = 0;             // how far the next piece begins before left.a
-  for (int count = 0; count < kMostFaces; ++count) {
+  for (int count = 0; count < kMaxFaces; ++count) {
     const double length = glm::distance(left.a, left.b);
     const glm::dvec2 along = length > 0 ? (left.b - left.a) / length : glm::dvec2(0);
     const std::optional<Exit> exit = exitOf(mesh, left.a, left.b);
@@ -95,7 +95,7 @@ std::vector<EditedSegment> splitOverEdges(const SolidMesh& mesh, const EditedSeg
 EditedSegment onFaceOfFirstEnd(const SolidMesh& mesh, const EditedSegment& segment) {
   EditedSegment there = segment;
   glm::dvec2 middle(0);
-  for (int count = 0; count < kMostFaces; ++count) {
+  for (int count = 0; count < kMaxFaces; ++count) {
     const std::optional<Exit> exit = exitOf(mesh, middle, there.a);
     if (!exit) break;
     const EditedSegment way{there.face, middle + (there.a - middle) * exit->part, there.a, {}};
