@@ -85,6 +85,7 @@ void GameView::fade(double seconds) {
 
 void GameView::moveCamera(const Scene& scene, const Settings& settings, double seconds) {
   camera_.setComfort(settings.comfort, settings.zoom);
+  camera_.setArrived(scene.attempt && scene.attempt->arrived);
   camera_.move(scene.focus, scene.stage, look_, seconds);
   const double folded = camera_.folded();
   const StageModel& stage = *scene.stage;

@@ -13,4 +13,7 @@ inline double leftAfter(double distance, double rate, double maxSpeed, double se
   return (distance - maxSpeed * straight) * std::exp(-rate * (seconds - straight));
 }
 
+/// A way from 0 to 1 that begins and ends without a jerk, at `part` (0 … 1) of its time.
+inline double smootherstep(double part) { return part * part * part * (part * (6 * part - 15) + 10); }
+
 }  // namespace platon

@@ -6,6 +6,8 @@
 
 #include <glm/common.hpp>
 
+#include "client/scene/camera_ease.h"
+
 namespace platon {
 
 void CameraFlight::start(const ViewPoint& from) {
@@ -20,7 +22,7 @@ void CameraFlight::advance(double seconds) { progress_ = std::min(1.0, progress_
 
 ViewPoint CameraFlight::towards(const ViewPoint& to, const SolidMesh& mesh) const {
   if (!flying()) return to;
-  const double part = progress_ * progress_ * progress_ * (progress_ * (6 * progress_ - 15) + 10);
+  const double part = smootherstep(progress_);
   const glm::dquat orientation = glm::normalize(glm::slerp(from_.orientation, to.orientation, part));
   const glm::dvec3 fromCentre = glm::mix(from_.fromCentre(), to.fromCentre(), part);
   return drawnBack(mesh, orientation, fromCentre, 0.8 * std::sin(std::numbers::pi * part));

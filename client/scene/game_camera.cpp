@@ -4,6 +4,8 @@
 
 #include <glm/common.hpp>
 
+#include "client/scene/camera_ease.h"
+
 namespace platon {
 namespace {
 
@@ -30,6 +32,7 @@ void GameCamera::move(const Pose& player, const std::shared_ptr<const StageModel
     const bool cut = camera_.viewPoint().eye != before || camera_.viewPoint().orientation != turned;
     fadingCut_ = cut && comfort_.view == CameraView::kFaceFade && !zooming_ && !flying();
     flight_.advance(seconds);
+    approach(seconds);
   } else {
     begin(player, *stage);
   }
@@ -39,13 +42,23 @@ void GameCamera::move(const Pose& player, const std::shared_ptr<const StageModel
   look_.update(look, seconds);
   if (comfort_.instantCut && !look.held) look_.reset();
   camera_.setReach(flying() ? net_.reach : 0);
-  camera_.show(look_.turned(flightView(stage->mesh), stage->mesh));
+  ViewPoint view = flightView(stage->mesh);
+  view.eye += kNearer * smootherstep(approach_) * (player.position - view.eye);
+  camera_.show(look_.turned(view, stage->mesh));
+}
+
+void GameCamera::approach(double seconds) {
+  if (comfort_.reducedMotion || comfort_.instantCut || comfort_.view != CameraView::kFollow) {
+    approach_ = 0;
+    return;
+  }
+  approach_ += arrived_ ? seconds / kApproachSeconds : -seconds / kWithdrawalSeconds;
+  approach_ = std::clamp(approach_, 0.0, 1.0);
 }
 
 double GameCamera::folded() const {
   if (!flying()) return 1;
-  const double part = std::clamp((flight_.progress() - kFlat) / (kFolded - kFlat), 0.0, 1.0);
-  return part * part * part * (part * (6 * part - 15) + 10);
+  return smootherstep(std::clamp((flight_.progress() - kFlat) / (kFolded - kFlat), 0.0, 1.0));
 }
 
 // The flight begins where the whole net is seen.
@@ -61,6 +74,7 @@ void GameCamera::begin(const Pose& player, const StageModel& stage) {
   look_.reset();
   fadingCut_ = false;
   flight_.stop();
+  approach_ = 0;
   const Pose goal = stage.mesh.pose(stage.goal.face, stage.goal.place, stage.goal.angle);
   camera_.set(goal, stage.mesh, camera_.width(), camera_.height());
   if (flights_ && !comfort_.instantCut) {

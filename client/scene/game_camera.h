@@ -16,9 +16,14 @@
 namespace platon {
 
 /// The camera of the game: it follows the player, flies from the goal to the player at the start of a level, while
-/// the solid is folded from its net, and turns round the solid while the player looks round.
+/// the solid is folded from its net, comes slowly nearer at a finish, and turns round the solid while the player looks
+/// round.
 class GameCamera {
  public:
+  static constexpr double kNearer = 0.1;             ///< part of the distance by which it comes nearer at a finish
+  static constexpr double kApproachSeconds = 1.5;    ///< of the way there
+  static constexpr double kWithdrawalSeconds = 0.3;  ///< of the way back
+
   void resize(std::uint32_t w, std::uint32_t h) { camera_.resize(w, h); }
   /// Takes effect at the next `move`. For the zoom see Camera::setZoom.
   void setComfort(const CameraComfort& comfort, double zoom);
@@ -27,6 +32,9 @@ class GameCamera {
   /// Whether the picture is still on its way from the goal to the player.
   bool flying() const { return flight_.flying(); }
   void skipFlight() { flight_.skip(); }
+  /// Whether the player is at the goal, from the next `move` on: the camera then comes nearer. With reduced motion and
+  /// instant cuts, and where it stands still, it does not.
+  void setArrived(bool arrived) { arrived_ = arrived; }
   /// How far the solid is folded from its net, which lies in the plane of the goal: 0 at the start of a flight, 1
   /// without one.
   double folded() const;
@@ -42,6 +50,7 @@ class GameCamera {
 
  private:
   void begin(const Pose& player, const StageModel& stage);
+  void approach(double seconds);
   ViewPoint flightView(const SolidMesh& mesh) const;
 
   Camera camera_;
@@ -53,6 +62,8 @@ class GameCamera {
   bool zooming_ = false;  // the zoom has changed since the last move
   bool fadingCut_ = false;
   bool flights_ = false;
+  bool arrived_ = false;
+  double approach_ = 0;                    // part of the time of the way nearer, 0 … 1
   std::weak_ptr<const StageModel> stage_;  // of the last move
 };
 

@@ -26,5 +26,12 @@ TEST(CameraEase, TwoStepsEqualOneStepOfTheSum) {
   }
 }
 
+TEST(CameraEase, AWayBeginsAndEndsSlowly) {
+  EXPECT_EQ(smootherstep(0), 0);
+  EXPECT_EQ(smootherstep(0.25), 0.103515625);
+  EXPECT_EQ(smootherstep(0.5), 0.5);
+  EXPECT_EQ(smootherstep(1), 1);
+}
+
 }  // namespace
 }  // namespace platon

@@ -111,6 +111,40 @@ TEST_F(GameCameraTest, ReducedMotionAndInstantCutHaveNoFlight) {
   }
 }
 
+TEST_F(GameCameraTest, AtAFinishItComesSlowlyNearerByATenth) {
+  move();
+  const glm::dvec3 far = usual().eye - player_.position;
+  const auto nearness = [&] {
+    return 1 - glm::dot(camera_.camera().eye() - player_.position, far) / glm::dot(far, far);
+  };
+  camera_.setArrived(true);
+  for (int frame = 0; frame < 9; ++frame) move();
+  EXPECT_LT(nearness(), 0.001) << "the way begins slowly";
+  for (int frame = 9; frame < 45; ++frame) move();
+  EXPECT_NEAR(nearness(), 0.05, 1e-9);
+  for (int frame = 45; frame < 180; ++frame) move();
+  EXPECT_NEAR(nearness(), 0.1, 1e-9) << "there it stays";
+  EXPECT_NEAR(glm::dot(camera_.camera().back(), usual().back()), 1, 1e-9);
+  camera_.setArrived(false);
+  for (int frame = 0; frame < 18; ++frame) move();
+  EXPECT_NEAR(nearness(), 0, 1e-9) << "in the next attempt";
+}
+
+TEST_F(GameCameraTest, ReducedMotionInstantCutAndTheCameraOfAFaceComeNoNearer) {
+  for (const CameraComfort& comfort :
+       {CameraComfort{.reducedMotion = true}, CameraComfort{.instantCut = true},
+        CameraComfort{.view = CameraView::kFace}, CameraComfort{.view = CameraView::kFaceFade}}) {
+    GameCamera camera;
+    camera.resize(1280, 720);
+    camera.setComfort(comfort, 1);
+    camera.move(player_, stage_, {}, kFrame);
+    const glm::dvec3 eye = camera.camera().eye();
+    camera.setArrived(true);
+    for (int frame = 0; frame < 120; ++frame) camera.move(player_, stage_, {}, kFrame);
+    EXPECT_LT(glm::distance(camera.camera().eye(), eye), 1e-9);
+  }
+}
+
 TEST_F(GameCameraTest, LooksRoundAndGoesBack) {
   move();
   for (int frame = 0; frame < 60; ++frame) move({true, {1, 0}});
