@@ -1,5 +1,6 @@
 #include "client/scene/solid_mesh.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -23,6 +24,19 @@ int SolidMesh::faceTowards(glm::dvec3 point) const {
 
 glm::dvec3 SolidMesh::onSurface(glm::dvec3 point) const {
   return point * (inradius() / glm::dot(normal(faceTowards(point)), point));
+}
+
+bool SolidMesh::isBetween(glm::dvec3 a, glm::dvec3 b) const {
+  double enter = 0;
+  double leave = 1;
+  for (int face = 0; face < faces(); ++face) {
+    const double heightOfA = glm::dot(normal(face), a) - inradius();
+    const double heightOfB = glm::dot(normal(face), b) - inradius();
+    if (heightOfA > 0 && heightOfB > 0) return false;
+    if (heightOfA > 0) enter = std::max(enter, heightOfA / (heightOfA - heightOfB));
+    if (heightOfB > 0) leave = std::min(leave, heightOfA / (heightOfA - heightOfB));
+  }
+  return enter < leave - 1e-9;
 }
 
 }  // namespace platon

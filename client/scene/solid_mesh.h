@@ -19,6 +19,8 @@ class SolidMesh : public SolidFrame {
   int faceTowards(glm::dvec3 point) const;
   /// Projects `point` from the centre onto the surface. `point` is not the centre.
   glm::dvec3 onSurface(glm::dvec3 point) const;
+  /// Whether the solid is between a point outside it and one that is outside it or on its surface.
+  bool isBetween(glm::dvec3 a, glm::dvec3 b) const;
 };
 
 }  // namespace platon

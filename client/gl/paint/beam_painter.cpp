@@ -19,6 +19,18 @@ const Colour kLight(1.0F, 0.84F, 0.36F);  // as the ring of the goal
 
 glm::dvec3 footOf(const StageModel& stage) { return stage.mesh.toWorld(stage.goal.face, glm::dvec2(stage.goal.place)); }
 
+// The part of the way from the foot of the beam to its tip that is behind the solid: 0 … 1, from the foot.
+double hiddenPart(const SolidMesh& mesh, glm::dvec3 eye, glm::dvec3 foot, glm::dvec3 way) {
+  if (!mesh.isBetween(eye, foot)) return 0;
+  double hidden = 0;
+  double seen = 1;
+  for (int step = 0; step < 12; ++step) {
+    const double middle = (hidden + seen) / 2;
+    (mesh.isBetween(eye, foot + way * middle) ? hidden : seen) = middle;
+  }
+  return hidden;
+}
+
 }  // namespace
 
 void BeamPainter::draw(const StageModel& stage, const Camera& camera, float strength, float seconds) {
@@ -43,11 +55,14 @@ void BeamPainter::draw(const StageModel& stage, const Camera& camera, float stre
   beam_.set("hidden", false);
   beam_.set("colour", glm::vec4(kLight, kAlpha * fade * strength));
   DrawCalls::arrays(GL_TRIANGLE_STRIP, 4);
-  beam_.set("hidden", true);
-  beam_.set("colour", glm::vec4(kLight, kHiddenAlpha * std::min(strength, 1.0F)));
-  glDepthFunc(GL_GREATER);
-  DrawCalls::arrays(GL_TRIANGLE_STRIP, 4);
-  glDepthFunc(GL_LEQUAL);
+  if (const double part = hiddenPart(mesh, camera.eye(), foot, normal * length); part > 0) {
+    beam_.set("hidden", true);
+    beam_.set("hiddenPart", static_cast<float>(part));
+    beam_.set("colour", glm::vec4(kLight, kHiddenAlpha * std::min(strength, 1.0F)));
+    glDepthFunc(GL_GREATER);
+    DrawCalls::arrays(GL_TRIANGLE_STRIP, 4);
+    glDepthFunc(GL_LEQUAL);
+  }
   glDepthMask(GL_TRUE);
 }
 

@@ -36,6 +36,7 @@ void main() {
   float soft = fwidth(band);
   vec3 shade = colour * mix(0.52, 1.0, smoothstep(-soft, soft, band)) * lit + gloss * 0.35;
   float mark = dot(n, up);
+  shade = mix(shade, vec3(0.08, 0.08, 0.13), 0.60 * smoothstep(0.915, 0.935, mark));  // so that a bright ball has a mark
   shade = mix(shade, vec3(1.0, 0.99, 0.95), smoothstep(0.955, 0.972, mark));
   float edge = fwidth(facing);
   result = vec4(mix(outline, shade, smoothstep(0.40 - edge, 0.40 + edge, facing)), opacity);

@@ -3,6 +3,7 @@ uniform vec4 colour;
 uniform float tilt;       // half the height of the foot as it is seen from the side, in lengths of the beam
 uniform float seconds;    // time of the animation
 uniform bool hidden;      // by the solid
+uniform float hiddenPart; // of the beam, from the foot
 out vec4 result;
 
 const float kDashes = 18.0;  // along the beam
@@ -14,11 +15,13 @@ float ringsAt(float high) {
 }
 
 // What the solid hides is drawn as hidden lines are: a thin line of dashes, which nobody takes for light on the face in
-// front.
+// front. A dash at the rim of the solid fades: alone, it would look like a mark on the face.
 float dashesAt(float aside, float high) {
   float line = 1.0 - smoothstep(0.10, 0.17, aside);
   float dash = abs(fract(kDashes * high) - 0.5);
-  return line * (1.0 - smoothstep(0.20, 0.25, dash)) * (1.0 - high);
+  float middle = floor(kDashes * high) + 0.5;
+  float inside = smoothstep(0.5, 1.5, kDashes * hiddenPart - middle);
+  return line * (1.0 - smoothstep(0.20, 0.25, dash)) * (1.0 - high) * inside;
 }
 
 // A tube of light that stands on the ring of the goal and tapers to a thread.

@@ -34,14 +34,20 @@ vec4 widened(vec4 clip) {
 }
 
 // As a top turns away, it comes near to the colour of the sides.
-float brightnessOfTop() { return mix(0.4, 1.0, smoothstep(0.0, 0.12, normalize(eye - place).z)); }
+float brightnessOfTop(float facing) { return mix(0.4, 1.0, smoothstep(0.0, 0.12, facing)); }
+
+// As a face turns away, its walls come near to its colour: they lean out past its edges, where they would look like grey
+// plates that belong to nothing.
+float shareOfWall(float facing) { return mix(0.15, 1.0, smoothstep(0.0, 0.55, facing)); }
 
 void main() {
   float sun = max(dot(normal, light), 0.0);
-  vec3 side = mix(ground * 0.80, colour, 0.26 + 0.62 * sun) * (place.z > 0.0 ? 1.0 : 0.70);
+  float facing = normalize(eye - place).z;
+  float share = (0.26 + 0.62 * sun) * shareOfWall(facing);
+  vec3 side = mix(ground * 0.80, colour, share) * (place.z > 0.0 ? 1.0 : 0.70);
   gl_Position = toClip * vec4(place, 1);
   float top = step(0.9, normal.z);
-  if (top > 0.0) top = brightnessOfTop();
+  if (top > 0.0) top = brightnessOfTop(facing);
   if (aside != vec2(0)) gl_Position = widened(gl_Position);
   shade = mix(side, colour, top) * lit;
 }

@@ -44,6 +44,20 @@ TEST_P(SolidMeshTest, PoseIsContinuousOverEveryEdge) {
   }
 }
 
+TEST_P(SolidMeshTest, IsBetweenTwoPointsWhereverTheWayGoesThroughIt) {
+  const SolidMesh mesh(kind(), kSize);
+  for (int face = 0; face < mesh.faces(); ++face) {
+    const glm::dvec3 middle = mesh.toWorld(face, {0, 0});
+    const glm::dvec3 eye = middle + 500.0 * mesh.normal(face) + glm::dvec3(30, -20, 10);
+    EXPECT_FALSE(mesh.isBetween(eye, middle)) << "on a face in front";
+    EXPECT_FALSE(mesh.isBetween(eye, middle + mesh.normal(face)));
+    EXPECT_TRUE(mesh.isBetween(eye, mesh.onSurface(-middle))) << "on a face behind";
+    EXPECT_TRUE(mesh.isBetween(mesh.onSurface(-middle) * 1.1, eye));
+    const glm::dvec3 beside = 1.01 * mesh.toWorld(face, mesh.polygon()[0]);
+    EXPECT_FALSE(mesh.isBetween(eye, beside));
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(AllSolids, SolidMeshTest, testing::Range(0, kSolidKinds));
 
 }  // namespace

@@ -2,7 +2,7 @@
 uniform vec2 form;        // corners of the ring, dots
 out vec4 result;
 
-// Distance to the lines of the sign.
+// Distance to the lines of the sign. No dot lies in the middle, so each sign shows how its face is turned.
 float linesAt(vec2 p) {
   float wedge = 3.14159265 / form.x;
   float turn = atan(p.x, p.y);
@@ -10,7 +10,7 @@ float linesAt(vec2 p) {
   float away = form.x > 6.5 ? length(p) - radius * 0.84 : length(p) * corner - radius * 0.80;
   float around = 6.2831853 / form.y;
   float nearest = (floor(turn / around) + 0.5) * around;
-  vec2 middle = form.y < 1.5 ? vec2(0) : 0.30 * radius * vec2(sin(nearest), cos(nearest));
+  vec2 middle = 0.30 * radius * vec2(sin(nearest), cos(nearest));
   return min(abs(away) - 0.09 * radius, length(p - middle) - 0.14 * radius);
 }
 

@@ -41,5 +41,20 @@ TEST_F(RenderTest, ATopThatIsSeenAlmostFromTheSideHasNoGaps) {
   }
 }
 
+// Sides of walls on faces that were turned away looked like grey plates.
+TEST_F(RenderTest, ASideOnAFaceThatIsTurnedAwayHasTheColourOfTheFace) {
+  const Scene scene = sceneOf(stageOf("HEXAHEDRON", 6, "150 -200 150 200\n"));
+  const SolidMesh& mesh = scene.stage->mesh;
+  camera_.resize(kWidth, kHeight);
+  const auto sideSeenFrom = [&](double high) {
+    camera_.place(mesh.toWorld(0, {2000, 0}) + high * mesh.normal(0), mesh.normal(0), mesh);
+    renderer_.draw(scene, camera_, {}, kStill);
+    return brightness(pixel(renderer_.read(), pixelOf(mesh.toWorld(0, {152, 0}) + 8.0 * mesh.normal(0))));
+  };
+  const double face = brightness(glm::vec3(scene.stage->faces[0].colour));
+  EXPECT_NEAR(sideSeenFrom(20), 0.8 * face, 0.05);
+  EXPECT_GT(sideSeenFrom(1600), face) << "the wall from above";
+}
+
 }  // namespace
 }  // namespace platon
