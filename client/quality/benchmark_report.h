@@ -14,7 +14,7 @@ struct FrameCost {
   double p50Ms = 0;             ///< median time of a frame, until OpenGL has finished it
   double p99Ms = 0;             ///< time within which 99 % of the frames are finished
   double allCpuMs = 0;          ///< median processor time of a frame in all threads, those of the driver too
-  double ownCpuMs = 0;          ///< median processor time of a frame without the draw calls
+  double ownCpuMs = 0;          ///< median processor time of a frame and a tick, without the draw calls
   std::uint32_t drawCalls = 0;  ///< median of a frame
 };
 

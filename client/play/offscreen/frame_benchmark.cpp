@@ -38,6 +38,7 @@ BenchmarkReport FrameBenchmark::run(const std::function<bool()>& stopRequested) 
     }
   }
   sceneTimes_ = {};
+  tickTimes_ = {};
   for (; report.frames < kFrames && !(report.frames > 0 && stopRequested()); report.frames += kFramesInTurn) {
     const std::vector<Scene> scenes = nextScenes();
     for (Course& course : courses_) {
@@ -53,6 +54,11 @@ std::vector<Scene> FrameBenchmark::nextScenes() {
   std::vector<Scene> scenes;
   for (std::uint32_t i = 0; i < kFramesInTurn; ++i) {
     game_.advance(kTicksBetween);
+    for (std::uint32_t tick = 0; tick < kTicksBetween; ++tick) {
+      const Moment begin = clocks_.own();
+      game_.predict();
+      tickTimes_.add(toMilliseconds(clocks_.own() - begin));
+    }
     const Moment before = clocks_.own();
     scenes.push_back(game_.scene());
     sceneTimes_.add(toMilliseconds(clocks_.own() - before));
@@ -84,7 +90,7 @@ FrameCost FrameBenchmark::costOf(const Course& course) const {
           course.times.quantile(0.5),
           course.times.quantile(0.99),
           course.allTimes.quantile(0.5),
-          sceneTimes_.quantile(0.5) + course.ownTimes.quantile(0.5),
+          tickTimes_.quantile(0.5) + sceneTimes_.quantile(0.5) + course.ownTimes.quantile(0.5),
           static_cast<std::uint32_t>(course.drawCalls.quantile(0.5))};
 }
 

@@ -63,6 +63,7 @@ class FrameBenchmark {
   Offscreen offscreen_;
   BenchmarkGame game_;
   QuantileWindow<kFrames> sceneTimes_;  // of the processor
+  QuantileWindow<kFrames> tickTimes_;   // of the processor: a tick of the prediction
   std::list<Course> courses_;           // in the order of kQualities
 };
 

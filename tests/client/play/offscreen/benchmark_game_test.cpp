@@ -48,5 +48,22 @@ TEST(BenchmarkGame, BeginsAnewWhenAllHaveReachedTheGoal) {
   EXPECT_TRUE(again);
 }
 
+TEST(BenchmarkGame, PredictsAsAClientDoes) {
+  BenchmarkGame game(firstLevel());
+  constexpr std::uint32_t kTicks = 240;
+  for (std::uint32_t tick = 0; tick < kTicks; ++tick) {
+    game.advance(1);
+    game.predict();
+    game.predict();  // nothing is left to do
+  }
+  const Prediction& prediction = game.prediction();
+  EXPECT_EQ(prediction.predictedTicks(), kTicks);
+  EXPECT_EQ(prediction.confirmedTicks(), kTicks - BenchmarkGame::kLead);
+  EXPECT_EQ(prediction.held().size(), BenchmarkGame::kPlayers);
+  EXPECT_EQ(prediction.statistics().missedInputs, 0U);
+  EXPECT_EQ(prediction.statistics().corrections, 0U);
+  EXPECT_GT(prediction.work(), std::uint64_t{2 * kTicks - BenchmarkGame::kLead} * BenchmarkGame::kPlayers) << "ticks are replayed";
+}
+
 }  // namespace
 }  // namespace platon
