@@ -95,8 +95,9 @@ void Renderer::draw(const Scene& scene, const Camera& camera, std::span<const Ov
   if (!style.animated || !style.flashes) decoration.goal.settle();
   if (!style.animated) decoration.crossing.reset();
   if (!style.flashes) decoration.crossing.darken();
-  stagePainter_.prepare(scene, quality_.shadows, style.highContrast, style.animated);
+  stagePainter_.prepare(scene, quality_.fine, style.highContrast, style.animated);
   scheme_ = style.highContrast ? highContrast(stage.scheme()) : stage.scheme();
+  ballPainter_.setFine(quality_.fine);
   beginPicture();
   drawSolid(scene, camera, decoration);
   for (const PlayerDrawing& player : scene.players) drawPlayer(player, balls_.at(player.slot), camera, style);

@@ -12,8 +12,8 @@ namespace platon {
 struct Quality {
   int samples = 1;   ///< per pixel: 1, 2 or 4, limited by the driver
   double scale = 1;  ///< of the picture of the scene, kMinScale … 1; texts and overlays keep the size of the picture
-  bool shadows = true;    ///< of walls
   bool particles = true;  ///< trails, dust and motes in the sky
+  bool fine = true;       ///< balls are rounder and shadows smoother
 
   static constexpr double kMinScale = 0.5;
   static constexpr int kMaxSamples = 4;
@@ -31,8 +31,8 @@ struct NamedQuality {
 };
 
 /// In the order of QualityLevel; each draws at least what the one before draws.
-inline constexpr std::array<NamedQuality, 4> kQualities{{{QualityLevel::kLow, "low", {1, 0.75, true, false}},
-                                                         {QualityLevel::kMedium, "medium", {1, 1, true, false}},
+inline constexpr std::array<NamedQuality, 4> kQualities{{{QualityLevel::kLow, "low", {1, 1, false, false}},
+                                                         {QualityLevel::kMedium, "medium", {1, 1, false, true}},
                                                          {QualityLevel::kHigh, "high", {1, 1, true, true}},
                                                          {QualityLevel::kAll, "all", {4, 1, true, true}}}};
 

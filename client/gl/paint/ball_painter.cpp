@@ -17,7 +17,9 @@
 namespace platon {
 namespace {
 
-constexpr int kDivisions = 6;  // parts of each edge of the icosahedron that is subdivided into a ball
+// Parts of each edge of the icosahedron that is subdivided into a ball.
+constexpr int kFine = 6;
+constexpr int kCoarse = 3;
 
 constexpr float kMaxWhite = 0.6F;  // largest share of white in a player who flashes
 
@@ -28,10 +30,10 @@ struct BallMesh {
 
 using Corners = std::array<glm::dvec3, 3>;
 
-void addPoints(BallMesh& ball, const Corners& corners) {
-  for (int i = 0; i <= kDivisions; ++i) {
-    for (int j = 0; i + j <= kDivisions; ++j) {
-      const glm::dvec3 weights(kDivisions - i - j, i, j);
+void addPoints(BallMesh& ball, const Corners& corners, int divisions) {
+  for (int i = 0; i <= divisions; ++i) {
+    for (int j = 0; i + j <= divisions; ++j) {
+      const glm::dvec3 weights(divisions - i - j, i, j);
       ball.points.emplace_back(
           glm::normalize(corners[0] * weights.x + corners[1] * weights.y + corners[2] * weights.z));
     }
@@ -39,11 +41,11 @@ void addPoints(BallMesh& ball, const Corners& corners) {
 }
 
 // Triangulates a face. Its points are in rows, each one shorter than the row before.
-void addTriangles(BallMesh& ball, std::size_t first) {
+void addTriangles(BallMesh& ball, std::size_t first, int divisions) {
   const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
     for (const std::size_t index : {a, b, c}) ball.triangles.push_back(static_cast<std::uint16_t>(index));
   };
-  for (std::size_t length = kDivisions + 1; length > 1; --length) {
+  for (auto length = static_cast<std::size_t>(divisions) + 1; length > 1; --length) {
     const std::size_t next = first + length;
     for (std::size_t j = 0; j + 1 < length; ++j) {
       add(first + j, next + j, first + j + 1);
@@ -53,16 +55,16 @@ void addTriangles(BallMesh& ball, std::size_t first) {
   }
 }
 
-BallMesh unitBall() {
+void addUnitBall(BallMesh& ball, int divisions) {
   const SolidMesh mesh(SolidKind::kIcosahedron, 1);
-  BallMesh ball;
   for (int face = 0; face < mesh.faces(); ++face) {
     const std::size_t first = ball.points.size();
-    addPoints(ball, {mesh.toWorld(face, mesh.polygon()[0]), mesh.toWorld(face, mesh.polygon()[1]),
-                     mesh.toWorld(face, mesh.polygon()[2])});
-    addTriangles(ball, first);
+    addPoints(ball,
+              {mesh.toWorld(face, mesh.polygon()[0]), mesh.toWorld(face, mesh.polygon()[1]),
+               mesh.toWorld(face, mesh.polygon()[2])},
+              divisions);
+    addTriangles(ball, first, divisions);
   }
-  return ball;
 }
 
 // Where a ball is drawn.
@@ -112,8 +114,11 @@ std::string labelOf(const PlayerDrawing& player) {
 }  // namespace
 
 BallPainter::BallPainter() : program_("ball") {
-  const BallMesh ball = unitBall();
-  count_ = static_cast<GLsizei>(ball.triangles.size());
+  BallMesh ball;
+  addUnitBall(ball, kFine);
+  fineCount_ = static_cast<GLsizei>(ball.triangles.size());
+  addUnitBall(ball, kCoarse);
+  coarseCount_ = static_cast<GLsizei>(ball.triangles.size()) - fineCount_;
   const auto bytes = [](const auto& values) { return static_cast<GLsizeiptr>(values.size() * sizeof(values[0])); };
   glBindVertexArray(array_.name());
   glBindBuffer(GL_ARRAY_BUFFER, points_.name());
@@ -142,7 +147,9 @@ void BallPainter::draw(const PlayerDrawing& player, const BallMotion& motion, co
   program_.set("up", glm::vec3(glm::normalize(player.pose.up + 0.9 * motion.lift())));
   glBindVertexArray(array_.name());
   glEnable(GL_CULL_FACE);
-  DrawCalls::elements(GL_TRIANGLES, count_, GL_UNSIGNED_SHORT, nullptr);
+  const std::size_t first = fine_ ? 0 : static_cast<std::size_t>(fineCount_);
+  DrawCalls::elements(GL_TRIANGLES, fine_ ? fineCount_ : coarseCount_, GL_UNSIGNED_SHORT,
+                      bufferOffset(first * sizeof(std::uint16_t)));
   glDisable(GL_CULL_FACE);
   const std::string label = labelOf(player);
   if (label.empty()) return;

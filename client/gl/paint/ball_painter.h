@@ -14,6 +14,8 @@ class BallPainter {
  public:
   BallPainter();
 
+  /// Whether balls are so round that it is seen in large pictures.
+  void setFine(bool fine) { fine_ = fine; }
   void draw(const PlayerDrawing& player, const BallMotion& motion, const Camera& camera, bool highContrast,
             TextPainter& text);
 
@@ -22,7 +24,9 @@ class BallPainter {
   GlVertexArray array_;
   GlBuffer points_;
   GlBuffer triangles_;
-  GLsizei count_ = 0;
+  GLsizei fineCount_ = 0;    // of the indices of the fine ball, which come first
+  GLsizei coarseCount_ = 0;  // of those of the other one
+  bool fine_ = true;
 };
 
 }  // namespace platon

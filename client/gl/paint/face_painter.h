@@ -17,6 +17,8 @@ class FacePainter {
 
   /// Replaces the stage whose faces are drawn. Changes the bound framebuffer.
   void load(const StageModel& stage, bool shadows);
+  /// Whether shadows are smooth between the points of the light map.
+  void setFine(bool fine) { lightMap_.setFine(fine); }
   /// Draws these faces of the stage that was loaded.
   void draw(const StageModel& stage, std::span<const FaceView> views, bool highContrast);
 

@@ -63,9 +63,7 @@ void LightMap::allocate(const StageModel& stage) {
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D_ARRAY, texture_.name());
   glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_R8, size_, size_, stage.mesh.faces(), 0, GL_RED, GL_UNSIGNED_BYTE, nullptr);
-  for (const auto& [name, value] : {std::pair(GL_TEXTURE_MIN_FILTER, GL_LINEAR),
-                                    {GL_TEXTURE_MAG_FILTER, GL_LINEAR},
-                                    {GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE},
+  for (const auto& [name, value] : {std::pair(GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE),
                                     {GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE},
                                     {GL_TEXTURE_MAX_LEVEL, 0}})
     glTexParameteri(GL_TEXTURE_2D_ARRAY, static_cast<GLenum>(name), value);
@@ -101,6 +99,8 @@ void LightMap::bakeFace(const StageModel& stage, int face, bool shadows) {
 void LightMap::bind(ShaderProgram& program, int face) const {
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D_ARRAY, texture_.name());
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, filter_);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, filter_);
   program.set("lightMap", 0);
   program.set("layer", static_cast<float>(face));
   program.set("lightScale", 0.5F / reach_);

@@ -16,6 +16,9 @@ class LightMap {
   /// framebuffer, the viewport, depth test and blending.
   void bake(const StageModel& stage, bool shadows);
 
+  /// Whether the light is interpolated between the points of the texture, or that of the nearest one. Drivers that draw
+  /// with the processor take a third less time for the nearest.
+  void setFine(bool fine) { filter_ = fine ? GL_LINEAR : GL_NEAREST; }
   /// Binds the texture to unit 0 and sets what shaders/light.glsl needs of `program`, which is in use.
   void bind(ShaderProgram& program, int face) const;
 
@@ -29,6 +32,7 @@ class LightMap {
   GlFramebuffer framebuffer_;
   GlVertexArray array_;
   GlBuffer ends_;
+  GLint filter_ = GL_LINEAR;
   GLsizei size_ = 0;  // of a layer, texels
   float reach_ = 1;   // half the side of the square that a layer shows, level units
 };

@@ -50,12 +50,12 @@ bool inPolygon(const SolidMesh& mesh, glm::dvec2 point, double margin) {
 
 StagePainter::StagePainter() : mark_("mark") {}
 
-void StagePainter::prepare(const Scene& scene, bool wantsShadows, bool highContrast, bool animated) {
-  const bool shadows = wantsShadows && !highContrast;
+void StagePainter::prepare(const Scene& scene, bool fine, bool highContrast, bool animated) {
+  const bool loaded = loaded_.lock() == scene.stage && highContrast_ == highContrast;
   highContrast_ = highContrast;
-  if (loaded_.lock() != scene.stage || shadows_ != shadows) load(*scene.stage, shadows);
+  if (!loaded) load(*scene.stage);
   loaded_ = scene.stage;
-  shadows_ = shadows;
+  faces_.setFine(fine);
   elements_.advance(scene.elements.active, scene.seconds);
   if (!animated) elements_.settle();
   if (shares_ == elements_.shares()) return;
@@ -96,10 +96,10 @@ void StagePainter::drawAbove(const Scene& scene, std::span<const FaceView> views
 }
 
 // Baking changes the state of OpenGL, so a stage is loaded before the picture begins.
-void StagePainter::load(const StageModel& stage, bool shadows) {
+void StagePainter::load(const StageModel& stage) {
   meetings_.emplace(edgeMeetingsOf(stage));
   walls_.load(makeWallMesh(stage.mesh, wallsOf(stage), *meetings_));
-  faces_.load(stage, shadows);
+  faces_.load(stage, !highContrast_);
   signs_ = signsOf(stage);
   shares_.clear();
   elements_ = ElementMotion();

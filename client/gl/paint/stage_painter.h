@@ -38,8 +38,8 @@ class StagePainter {
   StagePainter();
 
   /// Loads what the scene needs. Changes the bound framebuffer, so it comes before the picture is begun.
-  /// Without `animated`, elements change at once.
-  void prepare(const Scene& scene, bool shadows, bool highContrast, bool animated);
+  /// With `fine`, shadows are smoother; without `animated`, elements change at once.
+  void prepare(const Scene& scene, bool fine, bool highContrast, bool animated);
   /// Draws the faces, with depth.
   void drawFaces(const StageModel& stage, std::span<const FaceView> views) { faces_.draw(stage, views, highContrast_); }
   /// Draws what lies flat on the faces: signs or numbers, marks, markers, elements, trails and shadows.
@@ -63,7 +63,7 @@ class StagePainter {
     GlBuffer buffer;
   };
 
-  void load(const StageModel& stage, bool shadows);
+  void load(const StageModel& stage);
   void drawMarks(const Scene& scene, const FaceView& view, const FaceMarks& marks, Marks& kept);
   void load(const StageModel& stage, const FaceMarks& marks, Marks& kept);
   void drawSign(const StageModel& stage, const FaceView& view);
@@ -73,7 +73,6 @@ class StagePainter {
   void drawLabels(const StageModel& stage, const FaceView& view, TextPainter& text) const;
 
   std::weak_ptr<const StageModel> loaded_;
-  bool shadows_ = true;  // that are loaded
   bool highContrast_ = false;
   ShaderProgram mark_;
   StageElementPainter elementPainter_;

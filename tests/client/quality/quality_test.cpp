@@ -22,13 +22,13 @@ TEST(Quality, EachLevelDrawsAtLeastWhatTheOneBeforeDraws) {
     EXPECT_LE(less.samples, more.samples);
     EXPECT_LE(less.scale, more.scale);
     EXPECT_LE(less.particles, more.particles);
+    EXPECT_LE(less.fine, more.fine);
     EXPECT_NE(less, more);
   }
 }
 
-TEST(Quality, EveryLevelShowsShadowsAtThreeQuartersOfTheSizeOrMore) {
+TEST(Quality, EveryLevelIsDrawnAtThreeQuartersOfTheSizeOrMore) {
   for (const NamedQuality& named : kQualities) {
-    EXPECT_TRUE(named.quality.shadows);
     EXPECT_GE(named.quality.scale, 0.75);
     EXPECT_LE(named.quality.samples, Quality::kMaxSamples);
   }
