@@ -23,7 +23,7 @@ TEST(BenchmarkReport, TheDefaultIsTheQualityThatTheTimesChoose) {
 
 TEST(BenchmarkReport, TheJsonHasARowForEachQuality) {
   EXPECT_EQ(toJson(report()),
-            R"({"default":"high","frames":[)"
+            R"({"driver":"a driver","default":"high","frames":[)"
             R"({"quality":"low","p50Ms":6.250,"p99Ms":9.000,"allCpuMs":11.000,"ownCpuMs":0.500,"drawCalls":80},)"
             R"({"quality":"medium","p50Ms":8.000,"p99Ms":10.000,"allCpuMs":12.000,"ownCpuMs":0.500,"drawCalls":81},)"
             R"({"quality":"high","p50Ms":12.000,"p99Ms":20.000,"allCpuMs":21.000,"ownCpuMs":0.500,"drawCalls":81},)"
