@@ -30,6 +30,7 @@ Scene LocalGame::scene(const BallChoice& ownBall) const {
   source.names = names_;
   source.attempt = attempt_;
   source.ownBall = ownBall;
+  source.timed = names_.size() > 1;
   return makeScene(source);
 }
 

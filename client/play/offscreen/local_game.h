@@ -12,7 +12,8 @@
 
 namespace platon {
 
-/// A game without a server and a clock, and its scenes. The camera follows the player in slot 0.
+/// A game without a server and a clock, and its scenes. The camera follows the player in slot 0. As in a match, a
+/// player who is alone has no time limit.
 class LocalGame {
  public:
   /// `names`: of the players, by slot.

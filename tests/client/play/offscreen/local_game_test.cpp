@@ -20,6 +20,11 @@ TEST(LocalGame, TheSceneShowsAllPlayersAndFollowsTheFirst) {
   EXPECT_GT(scene.attempt->seconds, 0);
 }
 
+TEST(LocalGame, OnlyAPlayerWhoIsAloneHasNoTimeLimit) {
+  EXPECT_FALSE(LocalGame(flatLevel(), {"Ada"}).scene().timed);
+  EXPECT_TRUE(LocalGame(flatLevel(), {"Ada", "Grace"}).scene().timed);
+}
+
 TEST(LocalGame, BeginsAnew) {
   LocalGame game(flatLevel(), {"Ada"});
   const Game fresh = game.game();
