@@ -1,15 +1,18 @@
 """Pictures of the program's window, for docs/playing.md: started without arguments, as a player does, on a virtual
 display. The solid beside the menu stands still (reduced motion), so that they change only when the program does.
+Those with times show a player who has reached the first levels.
 """
 
 import os
 import subprocess
 from pathlib import Path
 
+import seeded_times
+
 SECONDS = 8  # until the window closes, which writes the picture
 PICTURES = [
     {"name": "title.png", "keys": []},
-    {"name": "levels.png", "keys": ["Down", "Return"] + 6 * ["Down"]},
+    {"name": "levels.png", "keys": ["Down", "Return"] + 3 * ["Up"], "times": True},
     {"name": "settings.png", "keys": 5 * ["Down"] + ["Return"]},
 ]
 SETTINGS = "reduced-motion on\nquality high\n"
@@ -34,6 +37,8 @@ def draw(client, root, picture, folder):
     settings = Path(folder) / "platon" / "settings"
     settings.parent.mkdir()
     settings.write_text(SETTINGS, encoding="utf-8")
+    if picture.get("times"):
+        (settings.parent / "best_times").write_text(seeded_times.text(root), encoding="utf-8")
     own = {f"XDG_{name}_HOME": folder for name in ("CONFIG", "DATA", "CACHE")}
     display = root / "tests/client/gl/on_display.sh"
     words = [display, "bash", "-c", PLAY, "bash", client, SECONDS, file, *picture["keys"]]

@@ -6,9 +6,13 @@ import tempfile
 import unittest
 from pathlib import Path
 
-import figures_test
-import names_test
-import pages
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.append(str(ROOT / "docs/pictures"))
+
+import figures_test  # noqa: E402
+import names_test  # noqa: E402
+import pages  # noqa: E402
+import seeded_times  # noqa: E402
 
 PAGE = Path("docs/page.md")
 
@@ -75,6 +79,20 @@ class Figures(unittest.TestCase):
     def test_write_corrects_the_page(self):
         self.assertEqual(self.errors("9", "5", write=True), [])
         self.assertEqual(self.page.read_text(encoding="utf-8"), "It has 9 legs, 5 faces.\n")
+
+
+class SeededTimes(unittest.TestCase):
+    def test_the_hash_is_that_of_the_program(self):
+        # As hash_test: MatchesKnownValues.
+        self.assertEqual(seeded_times.hash_of([]), 0xCBF29CE484222325)
+        self.assertEqual(seeded_times.hash_of([0]), 0xF8BB92C91B3F5CC0)
+        self.assertEqual(seeded_times.hash_of([1, 2, 3]), 0xC07B167C3203D34)
+
+    def test_there_is_a_time_for_each_of_the_first_levels(self):
+        lines = seeded_times.text(ROOT).splitlines()
+        self.assertEqual(len(lines), len(seeded_times.SHARES))
+        for line in lines:
+            self.assertRegex(line, r"^[0-9a-f]{16} \d+ \d+ 2026-01-01T12:00:00Z Ada$")
 
 
 if __name__ == "__main__":
