@@ -56,7 +56,7 @@ install(DIRECTORY ${levels}/ DESTINATION ${CMAKE_INSTALL_DATADIR}/platon/levels 
 set(desktop ${CMAKE_CURRENT_LIST_DIR}/desktop)
 install(FILES ${desktop}/platon.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications COMPONENT client)
 install(FILES ${desktop}/platon.svg DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps COMPONENT client)
-install(FILES ${desktop}/platon.metainfo.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo COMPONENT client)
+install(FILES ${desktop}/invalid.platon.platon.metainfo.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo COMPONENT client)
 
 # The configuration of the service: the one with all defaults, and files in the folders that its unit gives it.
 set(server_config ${described}/server.toml)
