@@ -1,38 +1,54 @@
 #!/usr/bin/env python3
 """Builds the Debian packages and lives through a server's life with them, in a machine booted by systemd-nspawn: the
-commands of docs/hosting.md, players, reload, watchdog, upgrade and purge.
+commands of docs/hosting.md, players, reload, watchdog, upgrade and purge. Where no machine can be booted, or with
+--chroot, it does in a chroot what needs no systemd.
 
-usage: packages_test.py ROOT. Exit 77 where that cannot be done.
+usage: packages_test.py ROOT [--chroot]. Exit 77 where that cannot be done.
 """
 
+import contextlib
 import os
 import re
 import shutil
 import subprocess
 import sys
 import tempfile
+import threading
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+from baseline import later_instructions
+
 TOOLS = ("mmdebstrap", "systemd-nspawn", "dpkg-buildpackage", "dpkg-deb", "lintian")
-INCLUDED = "ca-certificates,dbus,procps,systemd,systemd-sysv,wget"
+INCLUDED = "ca-certificates,dbus,systemd,systemd-sysv"
+BOOT_LIMIT = 60  # seconds until the script begins
+SCRIPT_LIMIT = 300  # seconds until it has ended
+ISOLATED = ("unshare", "--mount", "--net", "--pid", "--fork", "--kill-child")
 PAGE_COMMANDS = re.compile(r"<!-- commands: [^\n]*-->\n```\n(.*?)```", re.DOTALL)
 NEXT_VERSION = "0.9999"
+NEXT_COMMENT = "# Of the next version."
 SERVICE = """[Unit]
 Description=Test of the packages
 After=multi-user.target
 
 [Service]
 Type=oneshot
-Environment=DEBIAN_FRONTEND=noninteractive HOME=/
 ExecStart=/bin/bash /opt/test/test.sh
 ExecStopPost=/bin/systemctl poweroff --no-block
 StandardOutput=append:/opt/test/log
 StandardError=append:/opt/test/log
 """
-BEGIN = """set -uo pipefail
+BEGIN = f"""set -uo pipefail
 debs=/opt/test/debs
+next_comment={NEXT_COMMENT!r}
 cd "$debs"
-export EDITOR=/opt/test/editor
+export EDITOR=/opt/test/editor DEBIAN_FRONTEND=noninteractive HOME=/
+"""
+# A network of its own, with nothing but the loopback device.
+LOOPBACK_UP = """import fcntl, os, socket, struct, sys
+SIOCSIFFLAGS, IFF_UP = 0x8914, 1
+fcntl.ioctl(socket.socket(), SIOCSIFFLAGS, struct.pack("16sH22x", b"lo", IFF_UP))
+os.execvp(sys.argv[1], sys.argv[1:])
 """
 
 
@@ -61,10 +77,16 @@ def commands_of(page):
     return commands
 
 
-def script(page, steps):
-    """The whole script of the machine."""
-    lines = [f"printf 'command: %s\\n' {quoted(each)}\nbash -c {quoted(each)} || {{ echo failed; exit 1; }}" for each in commands_of(page)]
-    return BEGIN + "\n".join(lines) + "\n" + steps
+def script(root, way):
+    """The whole script of the machine, which is `booted` or a `chroot`. There the last two commands of the page, which ask
+    systemd, are left out."""
+    parts = [(root / f"tests/package/machine_{part}.sh").read_text(encoding="utf-8") for part in (way, "script")]
+    commands = commands_of((root / "docs/hosting.md").read_text(encoding="utf-8"))
+    lines = [f"printf 'command: %s\\n' {quoted(each)}\nbash -c {quoted(each)} || {{ echo failed; exit 1; }}" for each in commands]
+    if way == "chroot":
+        # Without /proc, which cannot be mounted everywhere, systemd-tmpfiles makes no folders for the package.
+        lines = [lines[0], "[[ -e /proc/self ]] || make_folders", lines[1], "start_server"]
+    return "\n".join([BEGIN, *parts, *lines, "all_steps", ""])
 
 
 def quoted(text):
@@ -91,7 +113,7 @@ def debian_image(root, name, included):
 
 
 def raise_version(deb, folder):
-    """Writes the same package with a higher version."""
+    """Writes the same package with a higher version, and with another configuration."""
     tree = folder / deb.stem
     run("dpkg-deb", "-R", deb, tree)
     control = tree / "DEBIAN/control"
@@ -99,53 +121,98 @@ def raise_version(deb, folder):
     version = re.search(r"(?m)^Version: (.*)$", text)[1]
     text = text.replace(f"Version: {version}\n", f"Version: {NEXT_VERSION}\n").replace(f"(= {version})", f"(= {NEXT_VERSION})")
     control.write_text(text, encoding="utf-8")
-    run("dpkg-deb", "-b", tree, folder / f"{deb.name.split('_')[0]}_{NEXT_VERSION}.deb")
+    for configuration in tree.glob("etc/platon/server.toml"):
+        with configuration.open("a", encoding="utf-8") as file:
+            file.write(f"{NEXT_COMMENT}\n")
+    run("dpkg-deb", "-b", "-Znone", tree, folder / f"{deb.name.split('_')[0]}_{NEXT_VERSION}.deb")
     shutil.rmtree(tree)
 
 
-def furnish(machine, root, debs):
-    """Puts the packages, what they depend on, and the script into the machine."""
+def check_baseline(debs, folder):
+    """The server runs on every machine of the architecture."""
+    for deb in debs:
+        if deb.name.startswith("platon-server_") and deb.name.endswith("_amd64.deb"):
+            run("dpkg-deb", "-x", deb, folder)
+            found = later_instructions(folder / "usr/bin/platon-server")
+            if found:
+                sys.exit(f"the packaged server has instructions that amd64 lacks: {' '.join(found)}")
+
+
+def write_program(path, script):
+    path.write_text(f"#!/bin/sh\n{script}")
+    path.chmod(0o755)
+
+
+def furnish(machine, debs):
+    """Puts the packages and what they depend on into the machine."""
     folder = machine / "opt/test/debs"
     (folder / "next").mkdir(parents=True)
     for deb in debs:
-        shutil.copy(deb, folder)
         if deb.name.split("_")[0] in ("platon-data", "platon-server", "platon-tools"):
+            shutil.copy(deb, folder)
             raise_version(deb, folder / "next")
     shutil.copy("/etc/resolv.conf", machine / "etc/resolv.conf")
     (machine / "etc/apt/apt.conf.d/90test").write_text('APT::Get::Assume-Yes "true";\nAPT::Install-Recommends "false";\n')
     run("chroot", machine, "apt-get", "update")
-    names = [f"/opt/test/debs/{deb.name}" for deb in debs]
-    run("chroot", machine, "apt-get", "install", "--download-only", *names)
-    editor = machine / "opt/test/editor"
-    editor.write_text("#!/bin/sh\nsed -i 's/^name = .*/name = \"Edited\"/' \"$1\"\n")
-    editor.chmod(0o755)
-    page = (root / "docs/hosting.md").read_text(encoding="utf-8")
-    steps = (root / "tests/package/machine_script.sh").read_text(encoding="utf-8")
-    (machine / "opt/test/test.sh").write_text(script(page, steps), encoding="utf-8")
+    names = [f"/opt/test/debs/{deb.name}" for deb in folder.glob("*.deb")]
+    run("chroot", machine, "apt-get", "install", "--download-only", "wget", *names)
+    write_program(machine / "opt/test/editor", """sed -i 's/^name = .*/name = "Edited"/' "$1"\n""")
+    write_program(machine / "opt/test/unit_editor", """sed -i '/^### Anything between/r /opt/test/drop_in' "$1"\n""")
+
+
+def boot(machine, root):
+    """Boots the machine, which runs the script and ends. What that printed, or None with what the machine printed if it
+    does not boot."""
+    (machine / "opt/test/test.sh").write_text(script(root, "booted"), encoding="utf-8")
     units = machine / "etc/systemd/system"
     (units / "packages-test.service").write_text(SERVICE)
     (units / "multi-user.target.wants").mkdir(exist_ok=True)
     (units / "multi-user.target.wants/packages-test.service").symlink_to("../packages-test.service")
-
-
-def boot(machine):
-    """Runs the machine until it ends; what its script printed."""
+    log = machine / "opt/test/log"
     command = ["systemd-nspawn", "--directory", machine, "--register=no", "--keep-unit", "--private-network", "--boot"]
     process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    not_booted = threading.Timer(BOOT_LIMIT, lambda: log.exists() or process.kill())
+    not_booted.start()
     try:
-        console = process.communicate(timeout=400)[0]
+        console = process.communicate(timeout=SCRIPT_LIMIT)[0]
     except subprocess.TimeoutExpired:
         process.kill()
         console = process.communicate()[0] + "\nthe machine did not end in time"
+    not_booted.cancel()
+    return (log.read_text(encoding="utf-8", errors="replace") if log.exists() else None), console
+
+
+def can_isolate():
+    return subprocess.run([*ISOLATED, "true"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode == 0
+
+
+def live_in_chroot(machine, root):
+    """Runs the script in a chroot, with a network and processes of its own where that can be had; what it printed."""
+    write_program(machine / "usr/sbin/policy-rc.d", "exit 101\n")  # packages start no service
+    (machine / "opt/test/test.sh").write_text(script(root, "chroot"), encoding="utf-8")
+    isolated = [*ISOLATED, f"--mount-proc={machine / 'proc'}", sys.executable, "-c", LOOPBACK_UP] if can_isolate() else []
     log = machine / "opt/test/log"
-    if not log.exists():
-        skip(f"systemd-nspawn cannot boot a machine here: {console.strip()[-400:]}")
+    with log.open("wb") as output, contextlib.suppress(subprocess.TimeoutExpired):  # then the log has no end
+        subprocess.run([*isolated, "chroot", machine, "/bin/bash", "/opt/test/test.sh"], stdin=subprocess.DEVNULL,
+                       stdout=output, stderr=subprocess.STDOUT, timeout=SCRIPT_LIMIT)  # fmt: skip
     return log.read_text(encoding="utf-8", errors="replace")
+
+
+def live(machine, root, reason):
+    """Lives through a server's life, in a chroot if there is a reason not to boot, or if booting fails. What the script
+    printed."""
+    if not reason:
+        log, console = boot(machine, root)
+        if log is not None:
+            return log
+        reason = f"systemd-nspawn cannot boot a machine here: {(console.strip() or 'it printed nothing').splitlines()[-1]}"
+    print(f"ran in a chroot, not booted: {reason}")
+    return live_in_chroot(machine, root)
 
 
 def skip_without(*tools):
     if os.geteuid() != 0:
-        skip("only root can boot a machine")
+        skip("only root can make a machine")
     missing = [tool for tool in tools if not shutil.which(tool)]
     if missing:
         skip(f"these programs are missing: {' '.join(missing)}")
@@ -153,15 +220,19 @@ def skip_without(*tools):
 
 def main(arguments):
     root = Path(arguments[1]).resolve()
+    reason = "--chroot asks for it" if "--chroot" in arguments[2:] else ""
     skip_without(*TOOLS)
-    debs = built_packages(root)
-    image = debian_image(root, "machine", INCLUDED)
+    with ThreadPoolExecutor() as threads:  # one computes, the other waits for the network
+        image = threads.submit(debian_image, root, "machine", INCLUDED)
+        debs = built_packages(root)
+        image = image.result()
     machine = Path(tempfile.mkdtemp(prefix="platon-machine-", dir="/var/tmp"))
     try:
+        check_baseline(debs, machine / "server")
         run("tar", "-C", machine, "-xf", image)
         machine.chmod(0o755)
-        furnish(machine, root, debs)
-        log = boot(machine)
+        furnish(machine, debs)
+        log = live(machine, root, reason)
     finally:
         shutil.rmtree(machine)
     print("\n".join(line for line in log.splitlines() if line.startswith(("command:", "step:", "all steps"))))
