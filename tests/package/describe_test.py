@@ -108,6 +108,20 @@ class Programs(unittest.TestCase):
         self.assertEqual(self.complete("platon-level", "s"), ["solve"])
         self.assertEqual(self.complete("platon-level", "preview", "--w"), ["--width"])
 
+    def test_shells_accept_the_completions(self):
+        for shell, script in (("bash", completions.bash), ("zsh", completions.zsh), ("fish", completions.fish)):
+            with self.subTest(shell):
+                self.check_completions(shell, script)
+
+    def check_completions(self, shell, script):
+        if not shutil.which(shell):
+            print(f"completions not checked: {shell} is not installed")
+            self.skipTest("no shell")
+        for name in PROGRAMS:
+            text = script(read_help(BIN / name, name))
+            result = subprocess.run([shell, "-n"], input=text, capture_output=True, text=True)
+            self.assertEqual((result.returncode, result.stderr), (0, ""), name)
+
     def test_man_accepts_the_pages(self):
         if not shutil.which("groff"):
             self.skipTest("groff is not installed")

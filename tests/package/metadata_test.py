@@ -36,7 +36,8 @@ def build_depends():
 class Metadata(unittest.TestCase):
     def assert_accepts(self, *command):
         if not shutil.which(command[0]):
-            self.skipTest(f"{command[0]} is not installed")
+            print(f"not checked: {command[0]} is not installed")
+            self.skipTest("no validator")
         result = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
         self.assertEqual(result.returncode, 0, result.stdout)
 
