@@ -15,8 +15,12 @@ LATER = re.compile(
     r")\b)")
 
 
+def later_in(listing):
+    """The names of those in a listing of objdump, in alphabetical order."""
+    return sorted({found["word"] for found in LATER.finditer(listing)})
+
+
 def later_instructions(program):
     """The names of those that the program has, in alphabetical order."""
     command = ["objdump", "--disassemble", "--no-show-raw-insn", str(program)]
-    listing = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True).stdout
-    return sorted({found["word"] for found in LATER.finditer(listing)})
+    return later_in(subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True).stdout)
