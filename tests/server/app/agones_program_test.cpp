@@ -15,6 +15,7 @@ namespace platon {
 namespace {
 
 const std::string kOnePlayer = "PATCH /v1beta1/counters/players {\"count\":\"1\",\"capacity\":\"16\"}";
+const std::string kTwoPlayers = "PATCH /v1beta1/counters/players {\"count\":\"2\",\"capacity\":\"16\"}";
 const std::string kNoPlayer = "PATCH /v1beta1/counters/players {\"count\":\"0\",\"capacity\":\"16\"}";
 
 class AgonesProgramTest : public ServerTest {
@@ -27,12 +28,14 @@ class AgonesProgramTest : public ServerTest {
     return waitUntil([&] { return sidecar_.count(call) >= calls; });
   }
 
-  void join() {
-    ann_.emplace(serverPort(), FakeClient("Ann", 8, [](std::uint32_t) { return 0; }));
-    EXPECT_TRUE(stepUntil(step_, [this] { return ann_->fake().confirmed() >= 10; }));
+  void join() { join(ann_, "Ann"); }
+
+  void join(std::optional<EnetClient>& player, const std::string& name) {
+    player.emplace(serverPort(), FakeClient(name, 8, [](std::uint32_t) { return 0; }));
+    EXPECT_TRUE(stepUntil(step_, [&] { return player->fake().confirmed() >= 10; }));
   }
 
-  // Steps the player until the sidecar has taken the call.
+  // Steps the players until the sidecar has taken the call.
   bool playsUntil(const std::string& call, std::size_t calls = 1) {
     return stepUntil(step_, [&] { return sidecar_.count(call) >= calls; });
   }
@@ -40,7 +43,11 @@ class AgonesProgramTest : public ServerTest {
   FakeSidecar sidecar_;
   const EnvironmentVariable port_{"AGONES_SDK_HTTP_PORT", std::to_string(sidecar_.port())};
   std::optional<EnetClient> ann_;
-  const std::function<void()> step_ = [this] { ann_->step(); };
+  std::optional<EnetClient> bob_;
+  const std::function<void()> step_ = [this] {
+    ann_->step();
+    if (bob_) bob_->step();
+  };
 };
 
 TEST_F(AgonesProgramTest, TheSidecarIsToldTheLifeOfTheServerInOrder) {
@@ -83,6 +90,40 @@ TEST_F(AgonesProgramTest, ASidecarThatComesLateIsToldAllOfIt) {
   server().waitForError("agones call succeeds again call=\"ready\"");
   EXPECT_EQ(sidecar_.count("POST /allocate"), 1u);
   stopServer();
+}
+
+// The calls take effect, and are made again because the server does not know that.
+TEST_F(AgonesProgramTest, ASidecarThatAnswersLateHoldsTheRightNumber) {
+  startServer();
+  ASSERT_TRUE(reaches(kNoPlayer));
+  sidecar_.set(FakeSidecar::Mode::kIsLate);
+  join();
+  ASSERT_TRUE(playsUntil("POST /allocate", 2));
+  ASSERT_TRUE(playsUntil(kOnePlayer, 2));
+  server().waitForError("agones call fails call=\"players\" reason=\"it does not answer in time\"");
+  sidecar_.set(FakeSidecar::Mode::kAnswers);
+  ASSERT_TRUE(playsUntil(kOnePlayer, 3));
+  EXPECT_EQ(sidecar_.count(kNoPlayer), 1u);
+  EXPECT_EQ(sidecar_.faults(), std::vector<std::string>{});
+  stopServer();
+  EXPECT_EQ(sidecar_.calls().back(), "POST /shutdown {}");
+  EXPECT_EQ(server().errors().find("ticks dropped"), std::string::npos) << server().errors();
+}
+
+TEST_F(AgonesProgramTest, ASidecarThatIsGoneForAWhileInPlayIsToldWhatHasChanged) {
+  startServer();
+  join();
+  ASSERT_TRUE(playsUntil(kOnePlayer));
+  sidecar_.vanish();
+  join(bob_, "Bob");
+  server().waitForError("agones call fails call=\"players\" reason=\"Connection refused\"");
+  EXPECT_EQ(sidecar_.count(kTwoPlayers), 0u);
+  sidecar_.comeBack();
+  ASSERT_TRUE(playsUntil(kTwoPlayers));
+  server().waitForError("agones call succeeds again call=\"players\"");
+  EXPECT_EQ(sidecar_.count("POST /allocate"), 1u);
+  stopServer();
+  EXPECT_EQ(server().errors().find("ticks dropped"), std::string::npos) << server().errors();
 }
 
 TEST_F(AgonesProgramTest, ASidecarThatRefusesOrIsSilentHoldsUpNoTick) {

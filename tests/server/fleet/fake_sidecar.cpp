@@ -1,7 +1,6 @@
 #include "tests/server/fleet/fake_sidecar.h"
 
 #include <algorithm>
-#include <chrono>
 #include <regex>
 #include <stdexcept>
 
@@ -86,7 +85,7 @@ void FakeSidecar::run() {
     const std::lock_guard lock(mutex_);
     if (ended_) return;
     if (listener_) {
-      if (Descriptor socket = acceptFrom(listener_)) connections_.push_back({std::move(socket), {}, {}, false});
+      if (Descriptor socket = acceptFrom(listener_)) connections_.push_back({std::move(socket), {}, {}, {}, false});
     }
     for (Connection& connection : connections_) serve(connection);
     std::erase_if(connections_, [](const Connection& connection) { return !connection.socket; });
@@ -94,34 +93,44 @@ void FakeSidecar::run() {
 }
 
 void FakeSidecar::serve(Connection& connection) {
+  const auto now = std::chrono::steady_clock::now();
   const Received part = receiveFrom(connection.socket);
   connection.received += part.bytes;
   const std::string request = wholeRequest(connection.received);
   if (!connection.answered && !request.empty()) {
     connection.answered = true;
+    connection.answerAt = now + (mode_ == Mode::kIsLate ? kLateness : std::chrono::milliseconds(0));
     connection.response = answer(request);
   }
-  if (part.closed || !sendTo(connection.socket, connection.response)) connection.socket = Descriptor();
+  if (part.closed || (now >= connection.answerAt && !sendTo(connection.socket, connection.response)))
+    connection.socket = Descriptor();
 }
 
 std::string FakeSidecar::answer(const std::string& request) {
   ++requests_;
   if (mode_ == Mode::kRefuses) return responseOf("500 Internal Server Error", R"({"code":2,"message":"refused"})");
   if (mode_ == Mode::kIsSilent) return "";
-  const std::string call = request.substr(0, request.find(" HTTP/1.1\r\n"));
-  const std::string body = request.substr(request.find("\r\n\r\n") + 4);
-  static const std::regex empty("POST /(ready|health|allocate|shutdown)");
-  static const std::regex counter(R"re(\{"count":"([0-9]+)","capacity":"([0-9]+)"\})re");
-  std::string answered;
-  std::smatch count;
-  if (std::regex_match(call, empty) && body == "{}") answered = "{}";
-  if (call == "PATCH /v1beta1/counters/players" && std::regex_match(body, count, counter))
-    answered = R"({"name":"players",)" + body.substr(1);
-  if (answered.empty() || request.find("\r\nContent-Type: application/json\r\n") == std::string::npos) {
-    faults_.push_back(request);
+  try {
+    return take(SidecarRequest::read(request));
+  } catch (const std::logic_error& fault) {  // also of std::map and std::stoll
+    faults_.emplace_back(fault.what());
     return responseOf("400 Bad Request", R"({"code":3,"message":"bad request"})");
   }
-  calls_.push_back(call + " " + body);
+}
+
+// Does what a request asks for. A counter cannot hold more than its capacity, and there is no other than that of
+// players.
+std::string FakeSidecar::take(const SidecarRequest& request) {
+  std::string answered = "{}";
+  if (request.method == "PATCH") {
+    if (request.path != "/v1beta1/counters/players") throw std::invalid_argument("there is no counter " + request.path);
+    const std::string count = request.body.at("count");
+    const std::string capacity = request.body.at("capacity");
+    if (std::stoll(count) < 0 || std::stoll(count) > std::stoll(capacity))
+      throw std::invalid_argument(count + " players are out of range");
+    answered = R"({"name":"players","count":")" + count + R"(","capacity":")" + capacity + "\"}";
+  }
+  calls_.push_back(request.method + " " + request.path + " " + request.text);
   return responseOf("200 OK", answered);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <mutex>
 #include <string>
@@ -7,18 +8,23 @@
 #include <vector>
 
 #include "protocol/files/descriptor.h"
+#include "tests/server/fleet/sidecar_request.h"
 
 namespace platon {
 
-/// Stands in for the sidecar of Agones. Answers the calls that the server makes as sdks/swagger/sdk.swagger.json and
-/// beta.swagger.json of Agones describe them, and anything else with an error.
+/// Stands in for the sidecar of Agones, with a counter of players. Answers the requests that the description of Agones
+/// allows (SidecarRequest), and anything else with an error.
 class FakeSidecar {
  public:
   enum class Mode {
     kAnswers,
+    kIsLate,   ///< does at once what it is told, and answers after kLateness
     kRefuses,  ///< with HTTP status 500
     kIsSilent  ///< keeps connections open without an answer
   };
+
+  /// Longer than the server waits for an answer.
+  static constexpr std::chrono::milliseconds kLateness{1500};
 
   /// Listens on a free port of 127.0.0.1.
   FakeSidecar();
@@ -33,13 +39,13 @@ class FakeSidecar {
   /// Listens again, at the same port.
   void comeBack();
 
-  /// The calls that were answered with 200, in order, such as "POST /ready {}".
+  /// The calls that have taken effect, in order, such as "POST /ready {}".
   std::vector<std::string> calls();
   /// How many of them begin with this.
   std::size_t count(const std::string& call);
   /// All requests that have arrived, answered or not.
   std::size_t requests();
-  /// Requests that the description of Agones does not allow.
+  /// What the description of Agones does not allow in requests that have arrived.
   std::vector<std::string> faults();
 
  private:
@@ -47,12 +53,14 @@ class FakeSidecar {
     Descriptor socket;
     std::string received;
     std::string response;
+    std::chrono::steady_clock::time_point answerAt;  // not before
     bool answered = false;
   };
 
   void run();
   void serve(Connection& connection);
   std::string answer(const std::string& request);
+  std::string take(const SidecarRequest& request);
 
   std::uint16_t port_ = 0;
   std::mutex mutex_;

@@ -4,6 +4,7 @@
 
 #include "server/fleet/agones_call.h"
 #include "tests/server/fleet/fake_sidecar.h"
+#include "tests/support/wait_until.h"
 
 namespace platon {
 namespace {
@@ -38,11 +39,25 @@ TEST_F(LoopbackHttpTest, ARefusalIsReported) {
   EXPECT_EQ(send(request(AgonesCall::kReady)), "it answers with HTTP status 500");
   sidecar_.set(FakeSidecar::Mode::kAnswers);
   EXPECT_EQ(send("GET /nothing HTTP/1.1\r\n\r\n"), "it answers with HTTP status 400");
+  EXPECT_EQ(sidecar_.faults(), std::vector<std::string>{"there is no GET /nothing"});
+}
+
+TEST_F(LoopbackHttpTest, MorePlayersThanPlacesAreRefused) {
+  EXPECT_EQ(send(agonesRequest(AgonesCall::kPlayers, sidecar_.port(), {17, 16})), "it answers with HTTP status 400");
+  EXPECT_EQ(sidecar_.faults(), std::vector<std::string>{"17 players are out of range"});
 }
 
 TEST_F(LoopbackHttpTest, ASilentSidecarIsNotWaitedForLonger) {
   sidecar_.set(FakeSidecar::Mode::kIsSilent);
   EXPECT_EQ(send(request(AgonesCall::kReady), 20ms), "it does not answer in time");
+}
+
+TEST_F(LoopbackHttpTest, ALateAnswerIsAFailureOfACallThatTookEffect) {
+  sidecar_.set(FakeSidecar::Mode::kIsLate);
+  EXPECT_EQ(send(request(AgonesCall::kAllocate), 20ms), "it does not answer in time");
+  EXPECT_TRUE(waitUntil([&] { return sidecar_.count("POST /allocate") == 1; }));
+  EXPECT_EQ(send(request(AgonesCall::kAllocate)), std::nullopt);
+  EXPECT_EQ(sidecar_.count("POST /allocate"), 2u);
 }
 
 TEST_F(LoopbackHttpTest, AMissingSidecarIsReportedAndFoundAgain) {
