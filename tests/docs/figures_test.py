@@ -61,6 +61,8 @@ class Sources:
         value = re.sub(r"std::(?:size_t|uint64_t)\{(\d+)\}", r"\1", found[1] or found[2])
         value = re.sub(r"std::chrono::(?:milli)?(?:seconds|minutes)\((\d+)\)", r"\1", value).replace("'", "")
         value = value.replace("kTicksPerSecond", "60")
+        if re.fullmatch(r"k\w+", value):
+            return self.constant(file, value)
         if not re.fullmatch(r"[\d\s*+/<.()-]+", value):
             raise FigureError(f"{file}: {name} = {value} is not understood")
         return eval(value)   # digits and operators only
@@ -198,9 +200,28 @@ def quoted(page, pattern):
     return compute
 
 
+def joined(*computations):
+    """What several computations return, one after the other."""
+    return lambda sources: [figure for compute in computations for figure in compute(sources)]
+
+
+def grace(sources):
+    """Seconds of the drain of a server in a fleet, and those that it has more to stop."""
+    (drain,), (period,) = (quoted(FLEET, pattern)(sources) for pattern in (r"--drain=(\d+)", r"terminationGracePeriodSeconds: (\d+)"))
+    return [drain, str(int(period) - int(drain))]
+
+
 PLAYER = "shared/include/platon/game/player_motion.h"
 STEP = "shared/physics/step/entity_step.h"
 LIMITS = "protocol/limits.h"
+SCHEDULE = "server/fleet/agones_schedule.h"
+LINK = "server/app/agones_link.cpp"
+FLEET = "deploy/agones/fleet.yaml"
+EMPTY = constant(SCHEDULE, "kEmptyTime")
+COUNT = constant(SCHEDULE, "kCountInterval")
+PING = constant(SCHEDULE, "kHealthInterval")
+STALL = constant(SCHEDULE, "kStallTime")
+RETRY = joined(constant(SCHEDULE, "kFirstPause", 0.001), constant(SCHEDULE, "kMaxPause"))
 BUFFER = "client/netcode/interpolation_buffer.h"
 
 FIGURES = [
@@ -214,6 +235,20 @@ FIGURES = [
     Figures("docs/exactness.md", "{} steps; none makes less than 97 % minus {}; none ends more than {} above", second_joints),
     Figures("docs/exactness.md", "bowl {}, {}, {}; waves {}, {}, {}; uphill {}, {}, {}; floor {}, {}, {}", trajectory),
     Figures("docs/exactness.md", "{} of {} are caught", mutations),
+    Figures("docs/fleet.md", "when nobody has played for {} s, so that it may be removed", EMPTY),
+    Figures("docs/fleet.md", "every {} s, as long as the tick loop has advanced in the last {} s", joined(PING, STALL)),
+    Figures("docs/fleet.md", "the number of players has changed, and every {} s", COUNT),
+    Figures("docs/fleet.md", "A call takes at most {} s", constant(LINK, "kCallLimit", 0.001)),
+    Figures("docs/fleet.md", "is made again after {} s, doubled up to {} s", RETRY),
+    Figures("docs/fleet.md", "The place is reserved for {} s at most", COUNT),
+    Figures("docs/fleet.md", "When nobody has played for {} s, it is *ready* again", EMPTY),
+    Figures("docs/fleet.md", "for at most {} s, which is more than a round takes", lambda sources: grace(sources)[:1]),
+    Figures("docs/fleet.md", "and have {} s more to stop", lambda sources: grace(sources)[1:]),
+    Figures("docs/fleet.md", "than a round takes ({} minutes)", constant("shared/include/platon/game/game.h", "kRoundTicks", 1 / 3600)),
+    Figures("docs/fleet.md", "tick loop stalls for {} s sends no pings", STALL),
+    Figures("docs/fleet.md", "After three periods of {} s Agones replaces it", quoted(FLEET, r"periodSeconds: (\d+)\s+failureThreshold: 3\b")),
+    Figures("docs/hosting.md", "again after {} s, doubled up to {} s; `health` every {} s", joined(RETRY, PING)),
+    Figures("docs/hosting.md", "which waits at most {} s for it", constant(LINK, "kFinishLimit", 0.001)),
     Figures("docs/level_format.md", "runs at {} units a tick (60 ticks a second). A jump is {} units high and about {} units wide", jump),
     Figures("docs/level_format.md", "at most {} MiB", constant("shared/include/platon/game/level.h", "kMaxLevelBytes", 1 / (1 << 20))),
     Figures("docs/hosting.md", "wakes every {} ms", constant("server/app/dedicated_server.h", "kIdleWait")),
