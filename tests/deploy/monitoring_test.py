@@ -1,14 +1,12 @@
 #!/usr/bin/env python3
 """Checks deploy/monitoring against the metrics of a server that runs: every metric and label that the alert rules and
-the dashboard name is one that the server writes. Where promtool of Prometheus is installed, it checks the rules, too,
-and runs tests/deploy/alerts_cases.yaml.
+the dashboard name is one that the server writes.
 
 usage: monitoring_test.py ROOT BUILD
 """
 
 import json
 import re
-import shutil
 import subprocess
 import sys
 import tempfile
@@ -102,12 +100,6 @@ class Monitoring(unittest.TestCase):
     def test_the_page_names_every_alert(self):
         page = (ROOT / "docs/hosting.md").read_text(encoding="utf-8")
         self.assertEqual([rule["alert"] for rule in RULES if f"`{rule['alert']}`" not in page], [])
-
-    @unittest.skipUnless(shutil.which("promtool"), "promtool is not installed")
-    def test_the_rules_fire_when_they_should(self):
-        for command in (["check", "rules", FOLDER / "alerts.yaml"], ["test", "rules", ROOT / "tests/deploy/alerts_cases.yaml"]):
-            result = subprocess.run(["promtool", *command], capture_output=True, text=True, check=False)
-            self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
 
 
 if __name__ == "__main__":
