@@ -3,9 +3,11 @@
 
 usage: manifests_test.py ROOT BUILD. Each error is a line `file: what`; exit 1 if there is any.
 
-The fields and their types are those of install/yaml/install.yaml of github.com/googleforgames/agones at b19d5fe, of
-its documentation of GameServerAllocation, and of PodMonitor of the Prometheus Operator. Of the Pod, those that the
-manifests use.
+The fields, their types and which must be there were compared with the schemas of github.com/googleforgames/agones at
+b19d5fe, which is 1.57.0 in development: install/yaml/install.yaml for Fleet and FleetAutoscaler, and
+pkg/apis/allocation/v1/gameserverallocation.go for GameServerAllocation, which has no schema. Those of PodMonitor are from
+the documentation of the Prometheus Operator. Of the Pod, only what the manifests use. Image, buffer size and the
+specification of a server are optional there, and must be there here.
 """
 
 import re
@@ -17,6 +19,10 @@ from pathlib import Path
 import yaml
 
 FOLDER = "deploy/agones"
+RULES = "deploy/monitoring/alerts.yaml"
+PAGE = "docs/fleet.md"
+# The command of the page that makes a PrometheusRule of the rules.
+RULE_COMMAND = re.compile(r"(?m)^ *(\(printf .*alerts\.yaml\)) \| kubectl apply -f -$")
 # Besides the drain, the server needs at most this long to stop, seconds (docs/hosting.md).
 STOP_SECONDS = 30
 
@@ -61,10 +67,11 @@ VOLUME = Map(
     {"name": str, "secret": Map({"secretName": str, "defaultMode": int}), "emptyDir": Map({"medium": str, "sizeLimit": str})},
     ("name",),
 )
+SECCOMP = Map({"type": One("RuntimeDefault", "Localhost", "Unconfined"), "localhostProfile": str}, ("type",))
 POD = Map(
     {
         "terminationGracePeriodSeconds": int,
-        "securityContext": Map({"runAsNonRoot": bool, "runAsUser": int, "fsGroup": int}),
+        "securityContext": Map({"runAsNonRoot": bool, "runAsUser": int, "fsGroup": int, "seccompProfile": SECCOMP}),
         "containers": Every(list, CONTAINER),
         "volumes": Every(list, VOLUME),
     },
@@ -109,10 +116,9 @@ ALLOCATION = Map(
         "counters": Every(dict, Map({"action": One("Increment", "Decrement"), "amount": int})),
     }
 )
-MONITOR = Map(
-    {"selector": Map({"matchLabels": LABELS}), "podMetricsEndpoints": Every(list, Map({"port": str, "path": str, "interval": str}))},
-    ("selector", "podMetricsEndpoints"),
-)
+RELABELING = Map({"targetLabel": str, "replacement": str})
+ENDPOINT = Map({"port": str, "path": str, "interval": str, "relabelings": Every(list, RELABELING)})
+MONITOR = Map({"selector": Map({"matchLabels": LABELS}), "podMetricsEndpoints": Every(list, ENDPOINT)}, ("selector", "podMetricsEndpoints"))
 KINDS = {
     "fleet.yaml": ("agones.dev/v1", "Fleet", FLEET),
     "fleet_autoscaler.yaml": ("autoscaling.agones.dev/v1", "FleetAutoscaler", AUTOSCALER),
@@ -191,6 +197,8 @@ def agreement_faults(manifests, constants):
         "the allocation counts players": set(allocation["counters"]) == set(server["counters"]) == {"players"},
         "the metrics are where they are read": metrics[monitor["podMetricsEndpoints"][0]["port"]] == int(options["metrics"].rsplit(":", 1)[1]),
         "the monitor finds the pods": monitor["selector"]["matchLabels"].items() <= labels.items(),
+        "the alerts know the job of the monitor": {"targetLabel": "job", "replacement": constants["job"]} in monitor["podMetricsEndpoints"][0].get("relabelings", []),
+        "the system calls are restricted": pod["securityContext"]["seccompProfile"]["type"] == "RuntimeDefault",
         "every volume is mounted": mounts == {volume["name"] for volume in pod["volumes"]},
         "the image is a placeholder": container["image"].startswith("registry.example/"),
         "the processor suffices": amount(container["resources"]["requests"]["cpu"], {"m": 0.1, "": 100}) >= constants["cpu"],
@@ -209,9 +217,22 @@ def constants_of(root):
     return {
         "kRoundTicks": number("shared/include/platon/game/game.h", r"kRoundTicks = (\d+) \* 60") * 60 * 60,
         "kHealthInterval": number("server/fleet/agones_schedule.h", r"kHealthInterval\{(\d+)\}"),
+        "job": re.search(r'up\{job="(\w+)"\}', (root / RULES).read_text(encoding="utf-8"))[1],
         "cpu": float(cells[5]),
         "memory": float(cells[6]),
     }
+
+
+def rule_faults(root):
+    """What is wrong with the PrometheusRule that the command of the page makes."""
+    command = RULE_COMMAND.search((root / PAGE).read_text(encoding="utf-8"))
+    if not command:
+        yield f"{PAGE}: there is no command `(printf … {RULES}) | kubectl apply -f -`"
+        return
+    made = yaml.safe_load(subprocess.run(["sh", "-c", command[1]], cwd=root, stdout=subprocess.PIPE, text=True, check=True).stdout)
+    spec = yaml.safe_load((root / RULES).read_text(encoding="utf-8"))
+    if made != {"apiVersion": "monitoring.coreos.com/v1", "kind": "PrometheusRule", "metadata": {"name": "platon"}, "spec": spec}:
+        yield f"{PAGE}: its command makes no PrometheusRule of {RULES}"
 
 
 def server_faults(container, program):
@@ -236,7 +257,7 @@ def main(arguments):
     errors = list(shape_faults(manifests))
     if not errors:
         container = manifests["fleet.yaml"]["spec"]["template"]["spec"]["template"]["spec"]["containers"][0]
-        errors = [*agreement_faults(manifests, constants_of(root)), *server_faults(container, build / "bin/platon-server")]
+        errors = [*agreement_faults(manifests, constants_of(root)), *rule_faults(root), *server_faults(container, build / "bin/platon-server")]
     for error in errors:
         print(error)
     return 1 if errors else 0
