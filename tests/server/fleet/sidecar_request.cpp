@@ -54,7 +54,8 @@ std::map<std::string, std::string> propertiesOf(const std::string& text) {
 void check(const std::map<std::string, std::string>& body, const Operation& operation) {
   static const std::regex int64("-?[0-9]{1,19}");
   for (const auto& [name, value] : body) {
-    if (!operation.int64Values.contains(name)) refuse(std::string(operation.path) + " has no property " + name);
+    if (!operation.int64Values.contains(name))
+      refuse(std::string(operation.path).append(" has no property ").append(name));
     if (!std::regex_match(value, int64)) refuse(name + " is no number of 64 bits: " + value);
   }
 }
