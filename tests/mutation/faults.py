@@ -9,6 +9,7 @@ from list_faults import LIST_FAULTS
 from net_faults import PROTOCOL_FAULTS, SERVER_FAULTS
 from query_faults import QUERY_FAULTS
 from recording_faults import RECORDING_FAULTS
+from service_faults import SERVICE_FAULTS
 from step_faults import STEP_FAULTS
 from transport_faults import TRANSPORT_FAULTS
 from world_faults import WORLD_FAULTS
@@ -362,5 +363,6 @@ FAULTS = [
     *TRANSPORT_FAULTS,
     *SERVER_FAULTS,
     *LIST_FAULTS,
+    *SERVICE_FAULTS,
     *CLIENT_FAULTS,
 ]  # fmt: skip

@@ -5,6 +5,7 @@ from fault import Fault, at_length
 GAME = "shared/game/"
 
 REPLAY = "client/replay/"
+VERIFY = "tests/sim/verify/verify_many.cpp"
 
 RECORDING_FAULTS = [
     Fault("checksum-not-compared", GAME + "recording_reader.cpp",
@@ -55,4 +56,12 @@ RECORDING_FAULTS = [
               "if (seen && run.level == level.hash) runs.push_back(run);",
               "a time of older rules counts as the best one",
               "RunStoreTest.RunsOfOlderRulesAreKept"),
+    at_length("unfinished-recordings-are-verified", VERIFY,
+              "  if (lock.refused()) return std::nullopt;\n", "",
+              "what a server is still writing counts as invalid",
+              "VerifyManyTest.LeavesOutWhatAServerIsWriting"),
+    at_length("divergence-is-invalid", VERIFY,
+              "result->report.exitCode == 1 ? summary_.differ", "result->report.exitCode == 2 ? summary_.differ",
+              "the summary counts a recording that differs as one that cannot be read",
+              "VerifyManyTest.CountsTheSameWithAnyNumberOfJobs"),
 ]
