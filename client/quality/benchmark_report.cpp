@@ -31,7 +31,8 @@ std::string toJson(const BenchmarkReport& report) {
     if (!rows.empty()) rows += ",";
     rows += line(R"({"quality":"%s","p50Ms":%.3f,"p99Ms":%.3f,"allCpuMs":%.3f,"ownCpuMs":%.3f,"drawCalls":%u})", cost);
   }
-  return R"({"driver":")" + report.driver + R"(","default":")" + std::string(namedQuality(report.chosen()).name) + R"(","frames":[)" + rows + "]}\n";
+  return R"({"driver":")" + report.driver + R"(","default":")" + std::string(namedQuality(report.chosen()).name) +
+         R"(","frames":[)" + rows + "]}\n";
 }
 
 std::string toText(const BenchmarkReport& report) {

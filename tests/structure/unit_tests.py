@@ -10,9 +10,6 @@ PROGRAM_FOLDERS = ("shared/examples/",)  # package_test.py builds and runs them
 EXCEPTIONS = {
     "client/bot/bot_main.cpp": "tests/net/programs runs platon-bot",
     "client/gl/paint/sky_painter.cpp": "renderer_test compares its pixels",
-    "client/gl/paint/ball_painter.cpp": "renderer_test compares its pixels",
-    "client/gl/paint/marker_painter.cpp": "renderer_test compares its pixels",
-    "client/gl/paint/beam_painter.cpp": "renderer_test compares its pixels",
     "client/gl/paint/face_program.cpp": "renderer_test and stage_element_painter_test compare its pixels",
     "client/gl/gl_loader.cpp": "every test that draws loads OpenGL",
     "client/gl/overlay_painter.cpp": "renderer_test compares its pixels",

@@ -62,7 +62,8 @@ TEST(BenchmarkGame, PredictsAsAClientDoes) {
   EXPECT_EQ(prediction.held().size(), BenchmarkGame::kPlayers);
   EXPECT_EQ(prediction.statistics().missedInputs, 0U);
   EXPECT_EQ(prediction.statistics().corrections, 0U);
-  EXPECT_GT(prediction.work(), std::uint64_t{2 * kTicks - BenchmarkGame::kLead} * BenchmarkGame::kPlayers) << "ticks are replayed";
+  EXPECT_GT(prediction.work(), std::uint64_t{2 * kTicks - BenchmarkGame::kLead} * BenchmarkGame::kPlayers)
+      << "ticks are replayed";
 }
 
 }  // namespace
