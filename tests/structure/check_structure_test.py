@@ -69,7 +69,7 @@ class Includes(Tree):
             "bot": ["time", "net", "netcode", "desync", "session"],
             "demo": ["netcode"], "quality": ["time"], "scene": ["netcode"], "ui": ["netcode", "quality", "scene"],
             "hud": ["netcode", "scene", "ui"],
-            "gl": ["quality", "scene", "ui", "hud"],
+            "gl": ["job", "quality", "scene", "ui", "hud"],
             "audio": ["job", "scene"],
             "menu": ["netcode", "scene", "ui"],
             "menu/pages": ["netcode", "quality", "scene", "ui", "menu"],
