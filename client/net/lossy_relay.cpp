@@ -93,8 +93,7 @@ void LossyRelay::setClient(const sockaddr_in& client) {
 }
 
 void LossyRelay::receiveFromServer(Moment now) {
-  while (std::optional<Payload> datagram = receive(serverSide_->handle, nullptr))
-    down_.send(std::move(*datagram), now);
+  while (std::optional<Payload> datagram = receive(serverSide_->handle, nullptr)) down_.send(std::move(*datagram), now);
 }
 
 void LossyRelay::setQuality(const LinkQuality& eachWay) {

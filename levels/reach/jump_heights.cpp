@@ -9,7 +9,7 @@ namespace platon {
 namespace {
 
 constexpr double kCell = 6;                   // level units
-constexpr double kMaxHeightCells = 4e6;            // on all faces with all ups
+constexpr double kMaxHeightCells = 4e6;       // on all faces with all ups
 constexpr std::size_t kPlacesAtATime = 4096;  // between two questions whether to stop
 
 // Larger cells for large faces, so that memory is bounded.

@@ -7,7 +7,7 @@ namespace platon {
 namespace {
 
 constexpr double kMaxCells = 1.2e6;  // on all faces with all ups
-constexpr double kSmallestCell = 2;   // level units
+constexpr double kSmallestCell = 2;  // level units
 constexpr int kNever = 1 << 20;
 
 double reachCellSize(const UprightFaces& faces) {

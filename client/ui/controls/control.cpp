@@ -12,16 +12,16 @@ struct ControlName {
 
 // By Control.
 constexpr std::array<ControlName, kControlCount> kControlNames{{{"left", "Run left"},
-                                                  {"right", "Run right"},
-                                                  {"up", "Up, also jumps"},
-                                                  {"down", "Down, falls faster"},
-                                                  {"jump", "Jump"},
-                                                  {"slow", "Run slower"},
-                                                  {"restart", "Back to the start"},
-                                                  {"vote", "Next level, or vote"},
-                                                  {"look", "Look round"},
-                                                  {"watch", "Watch another player"},
-                                                  {"say", "Talk to all players"}}};
+                                                                {"right", "Run right"},
+                                                                {"up", "Up, also jumps"},
+                                                                {"down", "Down, falls faster"},
+                                                                {"jump", "Jump"},
+                                                                {"slow", "Run slower"},
+                                                                {"restart", "Back to the start"},
+                                                                {"vote", "Next level, or vote"},
+                                                                {"look", "Look round"},
+                                                                {"watch", "Watch another player"},
+                                                                {"say", "Talk to all players"}}};
 
 }  // namespace
 
