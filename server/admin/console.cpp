@@ -68,7 +68,7 @@ std::variant<PlayerStatus, ParseError> Console::find(const PlayerWord& word) con
     return isNumber ? numberOf(player.slot) != word.text : player.name != word.text;
   });
   if (!found.empty()) return found.front();  // no two players have one name
-  return ParseError{"there is no player " + quoted(word.text) + ": the command players lists all"};
+  return ParseError{"there is no player " + platon::quoted(word.text) + ": the command players lists all"};
 }
 
 ConsoleReply Console::run(const StatusCommand&, UtcTime) const {
