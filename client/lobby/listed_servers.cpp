@@ -42,7 +42,12 @@ ListedServers::ListedServers(std::string url, NameLookup::Resolve resolve)
     : url_(std::move(url)),
       resolve_(std::move(resolve)),
       search_(std::make_unique<UdpSocket>(), randomNumber, isOfThisMachine(url_)),
-      job_([url = url_](const std::stop_token& stop) { return readAt(url, stop); }) {}
+      job_([url = url_, stop = stop_.get_token()](const std::stop_token&) { return readAt(url, stop); }) {}
+
+bool ListedServers::hasStopped() {
+  (void)job_.poll();
+  return !job_.isPending();
+}
 
 void ListedServers::update(Moment now) {
   if (auto result = job_.poll()) take(*result, now);
@@ -67,7 +72,11 @@ void ListedServers::takeNames(Moment now) {
   if (!lookup_) return;
   for (const NameLookup::Answer& answer : lookup_->take()) {
     for (const ListedServer& server : list_.servers) {
-      if (answer.address && server.address.host == answer.host) ask(server, *answer.address);
+      if (server.address.host != answer.host) continue;
+      if (answer.address)
+        ask(server, *answer.address);
+      else
+        leaveOut(server, "no address was found for its name");
     }
   }
   if (lookup_->isPending() && now >= lookupEnd_)
@@ -77,7 +86,11 @@ void ListedServers::takeNames(Moment now) {
 
 void ListedServers::ask(const ListedServer& server, const IpAddress& ip) {
   const std::string why = search_.add(server, {ip, server.address.port});
-  if (!why.empty()) list_.faults.push_back("server " + server.address.text() + " of the list is left out: " + why);
+  if (!why.empty()) leaveOut(server, why);
+}
+
+void ListedServers::leaveOut(const ListedServer& server, const std::string& why) {
+  list_.faults.push_back("server " + server.address.text() + " of the list is left out: " + why);
 }
 
 std::optional<CryptoKey> ListedServers::keyOf(const ServerAddress& address) const {

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,14 @@ class ListedServers {
   /// Begins to read the list at a URL. The destructor ends the reading, which may take a second, and does not wait for
   /// names that are looked up. Throws SocketError.
   explicit ListedServers(std::string url, NameLookup::Resolve resolve = NameLookup::firstAddressOf);
+  ~ListedServers() { stop(); }
+  ListedServers(const ListedServers&) = delete;
+  ListedServers& operator=(const ListedServers&) = delete;
+
+  /// Ends the reading without waiting for it, for a caller that cannot wait: afterwards only hasStopped may be called.
+  void stop() { stop_.request_stop(); }
+  /// Whether the destructor need not wait any more.
+  bool hasStopped();
 
   /// Sends what is due and takes what has arrived.
   void update(Moment now);
@@ -40,11 +49,13 @@ class ListedServers {
   void take(JobResult<ServerList>& result, Moment now);
   void takeNames(Moment now);
   void ask(const ListedServer& server, const IpAddress& ip);
+  void leaveOut(const ListedServer& server, const std::string& why);
 
   std::string url_;
   NameLookup::Resolve resolve_;
   ServerList list_;
   ListedSearch search_;  // of no server until the list is read
+  std::stop_source stop_;
   Job<ServerList> job_;
   std::optional<NameLookup> lookup_;  // nothing: all names were looked up
   Moment lookupEnd_{};

@@ -21,6 +21,19 @@ struct NameLookup::State {
   }
 };
 
+namespace {
+
+// An exception would end the program.
+std::optional<IpAddress> addressOf(const std::string& host, const NameLookup::Resolve& resolve) {
+  try {
+    return resolve(host);
+  } catch (...) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
 NameLookup::NameLookup(std::vector<std::string> hosts, const Resolve& resolve)
     : state_(std::make_shared<State>()), pending_(hosts.size()) {
   if (hosts.empty()) return;
@@ -28,7 +41,7 @@ NameLookup::NameLookup(std::vector<std::string> hosts, const Resolve& resolve)
     std::thread([state = state_, hosts, resolve] {
       for (const std::string& host : hosts) {
         if (state->stops) return;
-        state->add({host, resolve(host)});
+        state->add({host, addressOf(host, resolve)});
       }
     }).detach();
   } catch (const std::system_error&) {

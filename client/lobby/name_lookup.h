@@ -14,11 +14,11 @@ namespace platon {
 /// for a single name, and cannot be told to stop.
 class NameLookup {
  public:
-  /// The first address of a name; nothing if it has none. Called in the thread.
+  /// The first address of a name; nothing if it has none. One that throws counts as nothing. Called in the thread.
   using Resolve = std::function<std::optional<IpAddress>(const std::string& host)>;
   struct Answer {
     std::string host;
-    std::optional<IpAddress> address;  ///< nothing: the name has none
+    std::optional<IpAddress> address;  ///< nothing: none was found
   };
 
   /// Begins with the first of `hosts`. Where there is no thread, no name has an address.

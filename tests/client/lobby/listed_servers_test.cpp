@@ -12,6 +12,7 @@
 #include "server/app/dedicated_server.h"
 #include "tests/client/lobby/web_server.h"
 #include "tests/support/test_level.h"
+#include "tests/support/wait_until.h"
 
 namespace platon {
 namespace {
@@ -53,13 +54,15 @@ class ListedServersTest : public testing::Test {
 
 TEST_F(ListedServersTest, AServerOfTheListAnswersUnderItsKey) {
   const WebServer web([this](std::string_view) { return WebServer::ok(listOf(server_->identity())); });
-  ListedServers servers(web.url());
+  ListedServers servers(web.url(), [](const std::string&) { return std::nullopt; });
   EXPECT_TRUE(servers.reading());
-  follow(servers, [&] { return !servers.list().empty(); });
+  follow(servers, [&] { return !servers.list().empty() && !servers.reading(); });
   ASSERT_EQ(servers.list().size(), 1u);
   EXPECT_EQ(servers.list()[0].listed.name, "Listed");
   EXPECT_EQ(servers.list()[0].answer.info.maxPlayers, settings_.match.maxPlayers);
-  EXPECT_THAT(servers.faults(), IsEmpty());
+  EXPECT_THAT(
+      servers.faults(),
+      ElementsAre("server no-such-host.invalid:7777 of the list is left out: no address was found for its name"));
   EXPECT_EQ(servers.keyOf(address()), server_->identity().publicKey());
   EXPECT_EQ(servers.keyOf({"127.0.0.1", 1}), std::nullopt);
   EXPECT_THAT(textOf(servers.list()), testing::StartsWith(address().text() + "  "));
@@ -113,6 +116,22 @@ TEST_F(ListedServersTest, NamesThatAreNotFoundInTimeAreLeftOut) {
   servers.update(late);
   EXPECT_FALSE(servers.reading());
   EXPECT_THAT(servers.faults(), ElementsAre("servers of the list are left out: their names were not found in time"));
+  open.set_value();
+}
+
+TEST_F(ListedServersTest, AReadingIsStoppedWithoutWaitingForIt) {
+  std::promise<void> open;
+  std::atomic<bool> asked = false;
+  const WebServer web([&asked, gate = open.get_future().share()](std::string_view) {
+    asked = true;
+    gate.wait();
+    return std::string();
+  });
+  ListedServers servers(web.url());
+  EXPECT_TRUE(waitUntil([&] { return asked.load(); }));
+  EXPECT_FALSE(servers.hasStopped());
+  servers.stop();
+  EXPECT_TRUE(waitUntil([&] { return servers.hasStopped(); })) << "the web server still keeps it waiting";
   open.set_value();
 }
 

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <future>
 #include <memory>
+#include <new>
 
 #include "tests/support/transport/datagram_network.h"
 #include "tests/support/wait_until.h"
@@ -37,6 +38,20 @@ TEST(NameLookupTest, HandsOverEachAnswerOnce) {
   }));
   EXPECT_EQ(answers, (Answers{{"a.example", std::nullopt}, {"known.example", kAddress}}));
   EXPECT_EQ(take(lookup), Answers{});
+}
+
+TEST(NameLookupTest, ANameWhoseLookupThrowsHasNoAddress) {
+  NameLookup lookup({"a.example", "b.example", "known.example"}, [](const std::string& host) {
+    if (host == "a.example") throw std::bad_alloc();
+    if (host == "b.example") throw 1;
+    return onlyKnown(host);
+  });
+  Answers answers;
+  EXPECT_TRUE(waitUntil([&] {
+    for (auto& answer : take(lookup)) answers.push_back(std::move(answer));
+    return !lookup.isPending();
+  }));
+  EXPECT_EQ(answers, (Answers{{"a.example", std::nullopt}, {"b.example", std::nullopt}, {"known.example", kAddress}}));
 }
 
 TEST(NameLookupTest, WithoutNamesNothingIsPending) { EXPECT_FALSE(NameLookup({}, onlyKnown).isPending()); }
