@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -199,6 +200,7 @@ void FrontPages::showJoin() {
   joinForm_.asksPassword = false;
   joinForm_.recent.clear();
   joinForm_.listFault.clear();
+  listUrlFault_.clear();
   joinForm_.listUrl.setText(settings_->listUrl);
   enteredListUrl_ = settings_->listUrl;
   for (const ServerAddress& server : recent_.list()) joinForm_.recent.push_back(server.text());
@@ -213,6 +215,7 @@ void FrontPages::update(Moment now) {
   // While the player types, the URL is not complete.
   const bool types = shown && menu_->isOpen() && menu_->focus() == itemOfList(joinForm_);
   if (joinForm_.asksList && !types) takeListUrl();
+  std::erase_if(stopped_, [](const auto& list) { return list->hasStopped(); });
   if (!shown) {
     near_.reset();
     joinForm_.found.clear();
@@ -230,29 +233,33 @@ void FrontPages::update(Moment now) {
 
 const std::string& FrontPages::listUrl() const { return givenListUrl_.empty() ? settings_->listUrl : givenListUrl_; }
 
-// A URL that is refused is not kept.
+// A URL that is refused changes nothing: the one before is kept.
 void FrontPages::takeListUrl() {
   const std::string& text = joinForm_.listUrl.text();
   if (text == enteredListUrl_) return;
   enteredListUrl_ = text;
-  listed_.reset();
-  listReadAt_.reset();
   const bool valid = text.empty() || isListUrl(text);
-  settings_->listUrl = valid ? text : "";
-  joinForm_.listFault = valid ? "" : std::string("The list of servers must be ") + kListUrlForm + ".";
+  listUrlFault_ = valid ? "" : std::string("The list of servers must be ") + kListUrlForm + ".";
+  if (!valid || text == settings_->listUrl) return;
+  settings_->listUrl = text;
+  listReadAt_.reset();
+  if (!listed_) return;
+  listed_->stop();
+  stopped_.push_back(std::move(listed_));
 }
 
-// The list is kept while other pages are shown: ending its reading may take a second.
+// The list is kept while other pages are shown.
 void FrontPages::readList(Moment now) {
+  joinForm_.listFault = listUrlFault_;
   joinForm_.hasList = !listUrl().empty();
   if (!joinForm_.hasList) return;
   const bool pageIsNew = !near_;
   if (!listReadAt_ || (pageIsNew && now - *listReadAt_ >= kListLife)) {
-    listed_.emplace(listUrl());
+    listed_ = std::make_unique<ListedServers>(listUrl());
     listReadAt_ = now;
   }
   listed_->update(now);
-  joinForm_.listFault = listed_->faults().empty() ? "" : listed_->faults().front();
+  if (listUrlFault_.empty() && !listed_->faults().empty()) joinForm_.listFault = listed_->faults().front();
 }
 
 std::vector<JoinForm::Found> FrontPages::foundServers() const {

@@ -85,8 +85,10 @@ class FrontPages {
   std::optional<NearServers> near_;  // since the page was shown
   Settings* settings_;
   std::string givenListUrl_;
-  std::string enteredListUrl_;           // that was looked at last
-  std::optional<ListedServers> listed_;  // since the page was shown first, of the present URL
+  std::string enteredListUrl_;             // that was looked at last
+  std::string listUrlFault_;               // why it is refused; empty: it is not
+  std::unique_ptr<ListedServers> listed_;  // since the page was shown first, of the present URL; null: none
+  std::vector<std::unique_ptr<ListedServers>> stopped_;  // of other URLs, until they need not be waited for
   std::optional<Moment> listReadAt_;
   bool joins_ = false;  // the page was shown since the last update
   HostForm hostForm_;

@@ -1,6 +1,8 @@
 #include "client/play/front_pages.h"
 
+#include <atomic>
 #include <functional>
+#include <future>
 #include <optional>
 #include <string>
 
@@ -40,6 +42,15 @@ class FrontPagesTest : public testing::Test {
       if (each.content.find(text) != std::string::npos) return true;
     }
     return false;
+  }
+
+  // Draws pictures of the page until `done` or for long.
+  bool drawUntil(const std::function<bool()>& done) {
+    return waitUntil([&] {
+      menu_.overlay(font_, false);
+      pages_.update(steadyClock().now());
+      return done();
+    });
   }
 
   // Puts a recording where those of friends are.
@@ -160,13 +171,6 @@ TEST_F(FrontPagesTest, AListThatIsEnteredIsKeptAndRead) {
     const bool wanted = request.starts_with("GET /list ");
     return WebServer::ok(wanted ? serverListText({listedServer(identity, {"127.0.0.1", 1}, "Listed")}) : "<html>");
   });
-  const auto drawUntil = [this](const std::function<bool()>& done) {
-    return waitUntil([&] {
-      menu_.overlay(font_, false);
-      pages_.update(steadyClock().now());
-      return done();
-    });
-  };
   tap(Key::kArrowDown, 2);
   tap(Key::kEnter);
   type("127.0.0.1:1");
@@ -192,6 +196,66 @@ TEST_F(FrontPagesTest, AListThatIsEnteredIsKeptAndRead) {
   }));
   EXPECT_EQ(started_->key, identity.publicKey());
   EXPECT_EQ(settings_.listUrl, web.url("/list"));
+}
+
+// Before, a typing error took the list out of the settings.
+TEST_F(FrontPagesTest, AListThatIsRefusedLeavesTheOneBefore) {
+  const ServerIdentity identity = ServerIdentity::random();
+  const std::string list = serverListText({listedServer(identity, {"127.0.0.1", 1}, "Listed")});
+  std::atomic<int> read = 0;
+  const WebServer web([&](std::string_view) {
+    ++read;
+    return WebServer::ok(list);
+  });
+  settings_.listUrl = web.url();
+  tap(Key::kArrowDown, 2);
+  tap(Key::kEnter);
+  type("127.0.0.1:1");
+  tap(Key::kArrowDown, 2);
+  tap(Key::kBackspace, static_cast<int>(web.url().size()));
+  type("htp://x");
+  tap(Key::kArrowUp);
+  EXPECT_TRUE(drawUntil([this] {
+    tap(Key::kEnter);
+    return started_ && started_->key;
+  })) << "the servers of the list are still known";
+  EXPECT_TRUE(shows("must be a URL"));
+  EXPECT_EQ(settings_.listUrl, web.url());
+  tap(Key::kArrowDown);
+  tap(Key::kBackspace, 7);
+  type(web.url());
+  tap(Key::kArrowUp);
+  EXPECT_TRUE(drawUntil([this] { return !shows("must be a URL"); }));
+  EXPECT_EQ(settings_.listUrl, web.url());
+  EXPECT_EQ(read, 1) << "the list is the one that was read";
+}
+
+TEST_F(FrontPagesTest, AListThatIsStillReadHoldsUpNoPictureWhenAnotherIsEntered) {
+  std::promise<void> open;
+  std::atomic<bool> asked = false;
+  const WebServer web([&asked, gate = open.get_future().share()](std::string_view) {
+    asked = true;
+    gate.wait();
+    return std::string();
+  });
+  tap(Key::kArrowDown, 2);
+  tap(Key::kEnter);
+  tap(Key::kArrowDown, 2);
+  type(web.url());
+  tap(Key::kArrowUp);
+  EXPECT_TRUE(drawUntil([&] { return asked.load(); }));
+  // Meanwhile curl falls asleep: it looks once a second whether it is to stop.
+  const Moment calm = steadyClock().now() + std::chrono::milliseconds(300);
+  EXPECT_TRUE(drawUntil([&] { return steadyClock().now() > calm; }));
+  tap(Key::kArrowDown);
+  type("x");
+  tap(Key::kArrowUp);
+  menu_.overlay(font_, false);
+  const Moment begin = steadyClock().now();
+  pages_.update(begin);
+  EXPECT_LT(steadyClock().now() - begin, std::chrono::milliseconds(500));
+  EXPECT_EQ(settings_.listUrl, web.url("/x"));
+  open.set_value();
 }
 
 TEST_F(FrontPagesTest, AListThatIsEnteredIsKeptByWhoLeavesThePageAtOnce) {
