@@ -4,6 +4,7 @@
 
 #include <array>
 #include <memory>
+#include <string_view>
 
 #include "platon_version.h"
 #include "protocol/transport/socket_address.h"
@@ -85,10 +86,11 @@ bool isOfThisMachine(const std::string& url) {
   char* part = nullptr;
   if (curl_url_get(parsed.get(), CURLUPART_HOST, &part, 0) != CURLUE_OK) return false;
   const std::unique_ptr<char, decltype(&curl_free)> owned(part, curl_free);
-  const std::string host = part;
-  if (host == "localhost" || host == "[::1]") return true;
+  std::string_view host = part;
+  if (host == "localhost") return true;
+  if (host.starts_with('[') && host.ends_with(']')) host = host.substr(1, host.size() - 2);
   const auto ip = IpAddress::parse(host);
-  return ip && ip->isIpv4() && ip->ipv4()[0] == 127;
+  return ip && ip->isThisMachine();
 }
 
 }  // namespace platon

@@ -9,8 +9,6 @@ namespace {
 // So that a flood of answers does not keep the caller.
 constexpr int kMaxDatagrams = 256;
 
-bool isThisMachine(const IpAddress& ip) { return ip.isLoopback() || (ip.isIpv4() && ip.ipv4()[0] == 127); }
-
 // Multicast, broadcast and what is reserved, and the addresses of no machine, which lead to this one.
 bool isNoMachine(const IpAddress& ip) {
   if (ip.isIpv4()) return ip.ipv4()[0] == 0 || ip.ipv4()[0] >= 224;
@@ -25,7 +23,7 @@ ListedSearch::ListedSearch(std::unique_ptr<DatagramSocket> socket, std::function
 
 std::string ListedSearch::add(const ListedServer& server, const SocketAddress& address) {
   if (isNoMachine(address.ip)) return "its address is not one of a single machine";
-  if (isThisMachine(address.ip) && !allowsLoopback_) return "only a list of this machine may name this machine";
+  if (address.ip.isThisMachine() && !allowsLoopback_) return "only a list of this machine may name this machine";
   std::size_t neighbours = 0;
   for (const Target& target : targets_) {
     if (target.address == address && target.listed.key == server.key) return "another entry names this server";

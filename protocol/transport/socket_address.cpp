@@ -43,6 +43,8 @@ bool IpAddress::isLoopback() const {
   return *this == ipv6 || *this == parse("127.0.0.1");
 }
 
+bool IpAddress::isThisMachine() const { return isLoopback() || (isIpv4() && ipv4()[0] == 127); }
+
 // The prefix of an IPv4 address is 0:ffff, which no network has as the first half of its IPv6 addresses.
 std::uint64_t IpAddress::household() const {
   if (isLoopback()) return 0;

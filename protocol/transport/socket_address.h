@@ -23,6 +23,8 @@ struct IpAddress {
   std::array<std::uint8_t, 4> ipv4() const;
   /// Exactly 127.0.0.1 or ::1. Other addresses of 127.0.0.0/8 do not count.
   bool isLoopback() const;
+  /// 127.0.0.0/8 or ::1: only this machine can have the address. It may have others that are not recognised.
+  bool isThisMachine() const;
   /// Number of the part that one household or host controls: all of an IPv4 address, the first 64 bits of an IPv6
   /// address. 0 for loopback.
   std::uint64_t household() const;

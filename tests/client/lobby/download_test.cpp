@@ -61,7 +61,7 @@ TEST(DownloadTest, CanBeStopped) {
 
 TEST(DownloadTest, KnowsTheUrlsOfThisMachine) {
   for (const char* const url : {"http://127.0.0.1:8000/", "https://127.9.9.9", "http://localhost/list", "http://[::1]/",
-                                "http://user@127.0.0.1/"})
+                                "http://user@127.0.0.1/", "http://[::ffff:127.0.0.1]/"})
     EXPECT_TRUE(isOfThisMachine(url)) << url;
   for (const char* const url : {"http://127.0.0.1.example.org/", "http://127.0.0.1@example.org/", "http://[::2]/", "x",
                                 "", "http://example.org/#127.0.0.1", "http://localhost.example.org/"})

@@ -34,6 +34,13 @@ TEST(IpAddress, OnlyTheExactLoopbackAddressesAreLoopback) {
   EXPECT_FALSE(ip("::").isLoopback());
 }
 
+TEST(IpAddress, AllOfTheLoopbackNetworkIsThisMachine) {
+  for (const char* text : {"127.0.0.1", "127.0.0.0", "127.1.2.3", "127.255.255.255", "::ffff:127.1.2.3", "::1"})
+    EXPECT_TRUE(ip(text).isThisMachine()) << text;
+  for (const char* text : {"126.255.255.255", "128.0.0.0", "0.0.0.0", "::", "::2", "::7f00:1", "7f00::1"})
+    EXPECT_FALSE(ip(text).isThisMachine()) << text;
+}
+
 TEST(IpAddress, AHouseholdIsAnIpv4AddressOr64BitsOfIpv6) {
   EXPECT_EQ(ip("127.0.0.1").household(), 0u);
   EXPECT_EQ(ip("::1").household(), 0u);
