@@ -79,7 +79,8 @@ std::string replaceEntry(const std::string& file, const ServerAddress& address, 
   if (before == servers.end() ? wanted.empty() : wanted == std::vector{*before}) return {};
   if (before != servers.end()) servers.erase(before);
   servers.insert(servers.end(), wanted.begin(), wanted.end());
-  if (servers.size() > kMaxListedServers) return "the list is full: it has 1000 servers";
+  if (servers.size() > kMaxListedServers)
+    return "the list is full: it has " + std::to_string(kMaxListedServers) + " servers";
   return replacePublicFile(file, serverListText(servers));
 }
 
