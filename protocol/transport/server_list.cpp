@@ -74,7 +74,8 @@ std::variant<ServerList, ParseError> readServerList(std::string_view text) {
   const auto entries = json.find(kServers);
   if (entries == json.end() || !entries->is_array())
     return ParseError{"it is no list of servers: JSON of at most 512 KiB with the key \"platonServers\""};
-  if (entries->size() > kMaxListedServers) return ParseError{"it has more than " + std::to_string(kMaxListedServers) + " servers"};
+  if (entries->size() > kMaxListedServers)
+    return ParseError{"it has more than " + std::to_string(kMaxListedServers) + " servers"};
   ServerList list;
   for (std::size_t i = 0; i < entries->size(); ++i) {
     try {
