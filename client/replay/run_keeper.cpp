@@ -32,18 +32,20 @@ void RunKeeper::load(std::shared_ptr<const Level> level) {
   bestTicks_ = stored ? std::optional(stored->ticks) : std::nullopt;
   unsavedFile_ = sources.unsaved ? sources.own.fileOf(*sources.unsaved) : std::filesystem::path();
   if (sources.unsaved) bestTicks_ = sources.unsaved->ticks;
+  isFileNew_ = false;
   loading_ =
       Job<LevelGhosts>([sources, played = level_](
                            const std::stop_token& stop) { return readLevelGhosts(sources, *played, kMaxOthers, stop); },
                        start_);
 }
 
-// An attempt that has begun meanwhile is compared with the best run from now on.
+// An attempt that has begun meanwhile is compared with the best run from now on. The thread may have found the file
+// that a run written meanwhile has replaced.
 void RunKeeper::takeGhosts(JobResult<LevelGhosts> read) {
   if (!read.value) return faults_.push_back("the best run is no ghost: " + read.fault);
   best_ = std::move(read.value->best);
   bestTicks_ = best_ ? std::optional(best_->track->ticks) : std::nullopt;
-  bestFile_ = best_ ? std::move(read.value->bestFile) : std::filesystem::path();
+  if (!best_ || !isFileNew_) bestFile_ = best_ ? std::move(read.value->bestFile) : std::filesystem::path();
   others_ = std::move(read.value->others);
   for (std::string& fault : read.value->faults) faults_.push_back(std::move(fault));
   if (!compared_) compared_ = best_;
@@ -64,7 +66,8 @@ void RunKeeper::pollTrack() {
 void RunKeeper::pollFile() {
   if (unsavedFile_.empty() || saver_.isPending()) return;
   std::error_code ignored;
-  if (std::filesystem::exists(unsavedFile_, ignored)) bestFile_ = std::move(unsavedFile_);
+  isFileNew_ = std::filesystem::exists(unsavedFile_, ignored);
+  if (isFileNew_) bestFile_ = std::move(unsavedFile_);
   unsavedFile_.clear();
 }
 

@@ -81,6 +81,7 @@ class RunKeeper : public ConfirmedObserver {
   std::optional<std::uint32_t> bestTicks_;  // its time; ahead of best_ while a thread reads or plays it
   std::filesystem::path bestFile_;
   std::filesystem::path unsavedFile_;      // of a new best run, while it is being written; empty: none
+  bool isFileNew_ = false;                 // bestFile_ was written since the level has begun
   Job<LevelGhosts> loading_;               // for all of these, when a level has begun
   Job<std::optional<RunTrack>> tracking_;  // of a new best run, for best_
   std::vector<Ghost> others_;
