@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdio>
+#include <memory>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -19,6 +20,19 @@ std::string replaceWithFolder(const std::string& path, std::string_view content)
   std::error_code ignored;  // writing reports the error
   std::filesystem::create_directories(std::filesystem::path(path).parent_path(), ignored);
   return replaceTextFile(path, content);
+}
+
+// Copies what the file held before it is replaced for the first time. One thread at a time calls it.
+FileWriter::Replace replaceAfterCopy(std::string broken, const std::string& copy) {
+  const auto uncopied = std::make_shared<std::optional<std::string>>(std::move(broken));
+  return [uncopied, copy](const std::string& path, std::string_view content) {
+    if (*uncopied) {
+      const std::string fault = replaceWithFolder(copy, **uncopied);
+      if (!fault.empty()) return "the old file cannot be kept as " + copy + ": " + fault;
+      uncopied->reset();
+    }
+    return replaceWithFolder(path, content);
+  };
 }
 
 }  // namespace
@@ -44,7 +58,7 @@ Settings SettingsFile::load() {
   if (const std::size_t invalid = result.errors.size() - result.unknownLines.size(); invalid != 0) {
     fault_ = (invalid == 1 ? "1 line" : std::to_string(invalid) + " lines") + " of " + path_.string() +
              (invalid == 1 ? " is" : " are") + " invalid; the old file is kept as " + brokenPath();
-    broken_ = std::move(*text);
+    if (writer_) writer_.emplace(path_.string(), FileWriter::startThread, replaceAfterCopy(*text, brokenPath()));
   }
   unknownLines_ = std::move(result.unknownLines);
   return result.settings;
@@ -81,29 +95,13 @@ void SettingsFile::look(const Settings& settings, Moment now) {
   }
   if (text_ == *saved_ || now - changedAt_ < kCalmTime) return;
   saved_ = text_;
-  write();
-}
-
-void SettingsFile::write() {
-  if (keepBroken()) writer_->write(*saved_);
-}
-
-// Returns whether the file may be replaced.
-bool SettingsFile::keepBroken() {
-  if (!broken_) return true;
-  const std::string fault = replaceTextFile(brokenPath(), *broken_);
-  if (fault.empty())
-    broken_.reset();
-  else
-    std::fprintf(stderr, "platon-client: cannot write %s: %s; the settings are not saved\n", brokenPath().c_str(),
-                 fault.c_str());
-  return fault.empty();
+  writer_->write(*saved_);
 }
 
 void SettingsFile::save(const Settings& settings) {
   if (!writer_) return;
   saved_ = textOf(settings);
-  write();
+  writer_->write(*saved_);
   report(writer_->finish());
 }
 

@@ -14,8 +14,8 @@ namespace platon {
 
 /// The file `settings` that keeps the player's settings between games. A save writes the settings, followed by the
 /// lines of unknown settings that `load` found, and replaces the file by a rename, so that it is never half written. A
-/// file with invalid lines is copied to `settings.broken` before it is replaced for the first time. An error is
-/// reported on standard error.
+/// file with invalid lines is copied to `settings.broken` before it is replaced for the first time, and stays if that
+/// fails. The copy replaces the one of an earlier file. An error is reported on standard error.
 class SettingsFile {
  public:
   /// Uses the file in `folder`. With an empty `folder` nothing is loaded or saved.
@@ -27,7 +27,8 @@ class SettingsFile {
   /// What `load` has found wrong with the file, a sentence for the player; empty: nothing.
   const std::string& fault() const { return fault_; }
   /// Saves the settings without waiting for the disk, when they have changed and then stayed the same for kCalmTime.
-  /// Call in each frame. The first call tells what the settings are without a change.
+  /// What could not be saved is tried again. Call in each frame. The first call tells what the settings are without a
+  /// change.
   void update(const Settings& settings, Moment now);
   /// Saves the settings now and waits for the disk, at most for some seconds.
   void save(const Settings& settings);
@@ -40,19 +41,16 @@ class SettingsFile {
   void look(const Settings& settings, Moment now);
   Settings refuse(const std::string& reason);
   std::string brokenPath() const;
-  void write();
-  bool keepBroken();
   void report(const std::optional<std::string>& fault) const;
   std::string textOf(const Settings& settings) const;
 
   std::filesystem::path path_;
   std::vector<std::string> unknownLines_;
   std::string fault_;
-  std::optional<std::string> broken_;  // content with invalid lines that has not been copied yet
-  std::optional<FileWriter> writer_;   // nothing if the file must not be written
-  std::optional<std::string> saved_;   // the last text that was to be written, or the first one
-  std::string text_;                   // as of the last look
-  Moment changedAt_{};                 // when it was seen for the first time
+  std::optional<FileWriter> writer_;  // nothing if the file must not be written
+  std::optional<std::string> saved_;  // the last text that was to be written, or the first one
+  std::string text_;                  // as of the last look
+  Moment changedAt_{};                // when it was seen for the first time
   Moment lookAt_{};
 };
 

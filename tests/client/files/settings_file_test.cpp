@@ -127,10 +127,42 @@ TEST_F(SettingsFileTest, AFileWithInvalidLinesStaysIfItCannotBeKept) {
   fs::create_directories(fs::path(kept) / "not a file");
   testing::internal::CaptureStderr();
   playOnce();
-  EXPECT_NE(testing::internal::GetCapturedStderr().find("platon-client: cannot write " + kept +
+  EXPECT_NE(testing::internal::GetCapturedStderr().find("platon-client: cannot write " + path_.string() +
+                                                        ": the old file cannot be kept as " + kept +
                                                         ": Is a directory; the settings are not saved\n"),
             std::string::npos);
   EXPECT_EQ(read(), broken);
+}
+
+TEST_F(SettingsFileTest, AFileThatCouldNotBeKeptIsReplacedAsSoonAsItCan) {
+  const std::string broken = "zoom huge\n";
+  write(broken);
+  const fs::path kept = path_.string() + ".broken";
+  fs::create_directories(kept / "not a file");
+  testing::internal::CaptureStderr();
+  SettingsFile file(folder_);
+  Settings settings = file.load();
+  settings.zoom = 2;
+  file.save(settings);
+  EXPECT_EQ(read(), broken);
+  fs::remove_all(kept);
+  Moment now(0);
+  EXPECT_TRUE(waitUntil([&] {
+    file.update(settings, now += std::chrono::seconds(1));
+    return read() == settings.text();
+  })) << "without another change";
+  EXPECT_EQ(readText(kept), broken);
+  testing::internal::GetCapturedStderr();
+}
+
+TEST_F(SettingsFileTest, TheCopyOfALaterFileWithInvalidLinesReplacesTheFirst) {
+  testing::internal::CaptureStderr();
+  for (const char* const broken : {"zoom huge\n", "zoom tiny\n"}) {
+    write(broken);
+    playOnce();
+    EXPECT_EQ(readText(path_.string() + ".broken"), broken);
+  }
+  testing::internal::GetCapturedStderr();
 }
 
 TEST_F(SettingsFileTest, AFileThatCannotBeReadAsAWholeIsNotWritten) {
