@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdio>
+#include <string_view>
 
 #include "client/quality/quality_meter.h"
 
@@ -15,6 +16,16 @@ std::string line(const char* format, const FrameCost& cost) {
   std::snprintf(text.data(), text.size(), format, name.c_str(), cost.p50Ms, cost.p99Ms, cost.allCpuMs, cost.ownCpuMs,
                 cost.drawCalls);
   return text.data();
+}
+
+// With its quotes. A control character becomes a space.
+std::string jsonOf(std::string_view name) {
+  std::string json = "\"";
+  for (const char byte : name) {
+    if (byte == '"' || byte == '\\') json += '\\';
+    json += static_cast<unsigned char>(byte) < 0x20 ? ' ' : byte;
+  }
+  return json + '"';
 }
 
 }  // namespace
@@ -31,7 +42,7 @@ std::string toJson(const BenchmarkReport& report) {
     if (!rows.empty()) rows += ",";
     rows += line(R"({"quality":"%s","p50Ms":%.3f,"p99Ms":%.3f,"allCpuMs":%.3f,"ownCpuMs":%.3f,"drawCalls":%u})", cost);
   }
-  return R"({"driver":")" + report.driver + R"(","default":")" + std::string(namedQuality(report.chosen()).name) +
+  return R"({"driver":)" + jsonOf(report.driver) + R"(,"default":")" + std::string(namedQuality(report.chosen()).name) +
          R"(","frames":[)" + rows + "]}\n";
 }
 

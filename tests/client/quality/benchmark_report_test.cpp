@@ -31,6 +31,13 @@ TEST(BenchmarkReport, TheJsonHasARowForEachQuality) {
             "\n");
 }
 
+TEST(BenchmarkReport, TheJsonEscapesTheDriver) {
+  BenchmarkReport named = report();
+  named.driver = "a \"driver\" \\\n2";
+  const std::string start = R"({"driver":"a \"driver\" \\ 2","default":)";
+  EXPECT_EQ(toJson(named).substr(0, start.size()), start);
+}
+
 TEST(BenchmarkReport, TheTextIsATable) {
   EXPECT_EQ(toText(report()),
             "a driver, 300 frames of each quality\n"
