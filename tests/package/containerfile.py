@@ -20,9 +20,11 @@ touch "$1/etc/resolv.conf"
 mount --bind /etc/resolv.conf "$1/etc/resolv.conf"
 exec chroot "$1" /bin/sh -c "$2"
 """
+# A line of Python, without apostrophes, for a network of its own: it has nothing but the loopback device.
+LOOPBACK_UP = 'import fcntl, socket, struct; fcntl.ioctl(socket.socket(), 0x8914, struct.pack("16sH22x", b"lo", 1))'
 # The user has no capability, and cannot get one.
-START = """set -e
-"$1" -c 'import fcntl, socket, struct; fcntl.ioctl(socket.socket(), 0x8914, struct.pack("16sh14x", b"lo", 1))'
+START = f"""set -e
+"$1" -c '{LOOPBACK_UP}'
 root=$2
 owner=$3
 script=$4

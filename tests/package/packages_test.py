@@ -18,6 +18,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from baseline import later_instructions
+from containerfile import LOOPBACK_UP
 
 TOOLS = ("mmdebstrap", "systemd-nspawn", "dpkg-buildpackage", "dpkg-deb", "lintian")
 INCLUDED = "ca-certificates,dbus,systemd,systemd-sysv"
@@ -44,12 +45,7 @@ next_comment={NEXT_COMMENT!r}
 cd "$debs"
 export EDITOR=/opt/test/editor DEBIAN_FRONTEND=noninteractive HOME=/
 """
-# A network of its own, with nothing but the loopback device.
-LOOPBACK_UP = """import fcntl, os, socket, struct, sys
-SIOCSIFFLAGS, IFF_UP = 0x8914, 1
-fcntl.ioctl(socket.socket(), SIOCSIFFLAGS, struct.pack("16sH22x", b"lo", IFF_UP))
-os.execvp(sys.argv[1], sys.argv[1:])
-"""
+IN_OWN_NETWORK = f"{LOOPBACK_UP}; import os, sys; os.execvp(sys.argv[1], sys.argv[1:])"
 
 
 def skip(sentence):
@@ -190,7 +186,7 @@ def live_in_chroot(machine, root):
     """Runs the script in a chroot, with a network and processes of its own where that can be had; what it printed."""
     write_program(machine / "usr/sbin/policy-rc.d", "exit 101\n")  # packages start no service
     (machine / "opt/test/test.sh").write_text(script(root, "chroot"), encoding="utf-8")
-    isolated = [*ISOLATED, f"--mount-proc={machine / 'proc'}", sys.executable, "-c", LOOPBACK_UP] if can_isolate() else []
+    isolated = [*ISOLATED, f"--mount-proc={machine / 'proc'}", sys.executable, "-c", IN_OWN_NETWORK] if can_isolate() else []
     log = machine / "opt/test/log"
     with log.open("wb") as output, contextlib.suppress(subprocess.TimeoutExpired):  # then the log has no end
         subprocess.run([*isolated, "chroot", machine, "/bin/bash", "/opt/test/test.sh"], stdin=subprocess.DEVNULL,
