@@ -1,6 +1,5 @@
 #include "client/lobby/recent_servers.h"
 
-#include <algorithm>
 #include <optional>
 #include <sstream>
 #include <stdexcept>

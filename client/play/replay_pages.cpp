@@ -1,8 +1,6 @@
 #include "client/play/replay_pages.h"
 
-#include <algorithm>
 #include <cstdlib>
-#include <optional>
 #include <string_view>
 #include <system_error>
 #include <utility>

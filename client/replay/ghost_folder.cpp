@@ -5,7 +5,6 @@
 #include <utility>
 #include <variant>
 
-#include "client/netcode/seconds_of.h"
 #include "client/replay/replay_file.h"
 #include "client/replay/run_store.h"
 #include "client/replay/same_level.h"
@@ -39,7 +38,7 @@ std::string ghostNameOf(const fs::path& file) {
 }
 
 Ghost makeGhost(const fs::path& file, RunTrack track) {
-  const std::string name = hasNameOfRun(file) ? finishText(secondsOf(track.ticks)) : ghostNameOf(file);
+  const std::string name = hasNameOfRun(file) ? finishTextOf(track.ticks) : ghostNameOf(file);
   return {name, std::make_shared<RunTrack>(std::move(track))};
 }
 

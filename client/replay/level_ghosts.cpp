@@ -3,7 +3,6 @@
 #include <utility>
 #include <variant>
 
-#include "client/netcode/seconds_of.h"
 #include "client/replay/replay_file.h"
 #include "client/replay/same_level.h"
 #include "client/replay/track_file.h"
@@ -42,7 +41,7 @@ void addRival(const std::filesystem::path& file, const Level& level, LevelGhosts
 }  // namespace
 
 Ghost bestGhostOf(RunTrack track) {
-  const std::string name = "best " + finishText(secondsOf(track.ticks));
+  const std::string name = "best " + finishTextOf(track.ticks);
   return {name, std::make_shared<RunTrack>(std::move(track))};
 }
 

@@ -7,7 +7,6 @@
 #include <system_error>
 #include <utility>
 
-#include "client/netcode/seconds_of.h"
 #include "client/replay/ghost_folder.h"
 #include "client/ui/player_rows.h"
 
@@ -15,8 +14,6 @@ namespace platon {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string timeOf(std::uint32_t ticks) { return finishText(secondsOf(ticks)); }
 
 // Friends give files names; the name that the game has given says nothing.
 std::string ownerOf(const fs::path& file) {
@@ -34,7 +31,7 @@ void RunList::load() {
   runs_.clear();
   for (const StoredRun& run : own_.all()) {
     if (runs_.size() == kMaxOwn) break;
-    add({run.file, run.bytes, run.date}, {.file = run.file, .time = timeOf(run.ticks)});
+    add({run.file, run.bytes, run.date}, {.file = run.file, .time = finishTextOf(run.ticks)});
   }
   std::vector<DatedFile> others;
   if (!ghosts_.empty()) others = newestFiles(ghosts_, Subfolders::kWithout, [](const fs::path&) { return true; });
@@ -78,7 +75,7 @@ void RunList::fill() {
     run.level = facts->level;
     run.note = facts->note;
     run.isRead = true;
-    if (!run.who.empty()) run.time = facts->ticks ? timeOf(*facts->ticks) : "";
+    if (!run.who.empty()) run.time = facts->ticks ? finishTextOf(*facts->ticks) : "";
   }
   markBest();
 }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <string_view>
 
+#include "client/netcode/seconds_of.h"
 #include "platon/game/utf8.h"
 
 namespace platon {
@@ -33,6 +34,8 @@ std::string finishText(double seconds) {
   const long hundredths = std::lround(seconds * 100);
   return std::to_string(hundredths / 100) + "." + twoDigits(hundredths % 100) + " s";
 }
+
+std::string finishTextOf(std::uint32_t ticks) { return finishText(secondsOf(ticks)); }
 
 std::string roundTripText(const PlayerDrawing& player) {
   if (!player.roundTripMs) return {};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,8 @@ std::string twoDigits(long value);
 
 /// A time to the goal: `12.34 s`. `seconds` ≥ 0.
 std::string finishText(double seconds);
+/// The same of a time in ticks.
+std::string finishTextOf(std::uint32_t ticks);
 
 /// How long the connection of a player is: `24 ms`; `over 1 s` for more than a second; empty if that is not known.
 std::string roundTripText(const PlayerDrawing& player);

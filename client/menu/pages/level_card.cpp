@@ -6,7 +6,6 @@
 
 #include "client/menu/menu_layout.h"
 #include "client/menu/pages/turntable.h"
-#include "client/netcode/seconds_of.h"
 #include "client/ui/fitted_text.h"
 #include "client/ui/overlay_writer.h"
 #include "client/ui/player_rows.h"
@@ -23,7 +22,7 @@ constexpr float kMedals = 40;
 constexpr float kMargin = 24;
 constexpr float kLeast = 100;  // room on each side of the middle
 
-std::string medalText(Medal medal, std::uint32_t ticks) { return starsOf(medal) + " " + finishText(secondsOf(ticks)); }
+std::string medalText(Medal medal, std::uint32_t ticks) { return starsOf(medal) + " " + finishTextOf(ticks); }
 
 // At most `room` to each side of `middle`.
 void addMedals(OverlayWriter& writer, const MedalTimes& times, glm::vec2 middle, float room) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "client/netcode/seconds_of.h"
 #include "client/ui/player_rows.h"
 
 namespace platon {
@@ -43,14 +42,12 @@ Medal medalOf(const LevelEntry& level) {
   return level.medals && level.bestTicks ? medalFor(*level.medals, *level.bestTicks) : Medal::kNone;
 }
 
-std::string timeText(std::uint32_t ticks) { return finishText(secondsOf(ticks)); }
-
 // What the player has reached; a time of older rules gives no medal.
 std::string reachedText(const LevelEntry& level) {
-  if (level.bestTicks) return (level.medals ? starsOf(medalOf(level)) : "★") + " " + timeText(*level.bestTicks);
+  if (level.bestTicks) return (level.medals ? starsOf(medalOf(level)) : "★") + " " + finishTextOf(*level.bestTicks);
   const std::string reached = level.reached ? "✓" : "";
   if (!level.olderTicks) return reached;
-  return reached + (level.reached ? " " : "") + timeText(*level.olderTicks) + ", older rules";
+  return reached + (level.reached ? " " : "") + finishTextOf(*level.olderTicks) + ", older rules";
 }
 
 std::string factsOf(const LevelEntry& level) {

@@ -28,6 +28,8 @@ TEST(PlayerRows, TimesHaveHundredths) {
   EXPECT_EQ(finishText(7.05), "7.05 s");
   EXPECT_EQ(finishText(12.345678), "12.35 s");
   EXPECT_EQ(finishText(299.999), "300.00 s");
+  EXPECT_EQ(finishTextOf(0), "0.00 s");
+  EXPECT_EQ(finishTextOf(12 * kTicksPerSecond + kTicksPerSecond / 4), "12.25 s");
 }
 
 TEST(PlayerRows, ARoundTripIsInMillisecondsUpToASecond) {
