@@ -12,7 +12,7 @@
 namespace platon {
 namespace {
 
-constexpr float kWidth = 290;
+constexpr float kGraphWidth = 290;
 constexpr float kGraphHeight = 52;
 constexpr float kLineHeight = 21;
 constexpr int kLines = 6;
@@ -54,15 +54,15 @@ void NetGraph::add(const NetSample& sample) {
 Overlay NetGraph::overlay(const Font& font, float width) const {
   OverlayWriter writer(font);
   if (samples_.empty()) return writer.take();
-  const glm::vec2 low(width - kWidth - 16, Overlay::kHeight - kHeight - 16);
-  writer.panel(low, low + glm::vec2(kWidth, kHeight), 10, overlay_colours::kPanel);
+  const glm::vec2 low(width - kGraphWidth - 16, Overlay::kHeight - kHeight - 16);
+  writer.panel(low, low + glm::vec2(kGraphWidth, kHeight), 10, overlay_colours::kPanel);
   const auto maxRtt = std::max_element(samples_.begin(), samples_.end(), [](const NetSample& a, const NetSample& b) {
                         return a.link.rttMs < b.link.rttMs;
                       })->link.rttMs;
   const double scale = kGraphHeight / std::max(50.0, maxRtt * 1.1);
-  const float step = (kWidth - 20) / float{kSamples};
+  const float step = (kGraphWidth - 20) / float{kSamples};
   const float floor = low.y + 8 + kGraphHeight;
-  float x = low.x + kWidth - 10 - step * static_cast<float>(samples_.size());
+  float x = low.x + kGraphWidth - 10 - step * static_cast<float>(samples_.size());
   for (const NetSample& sample : samples_) {
     const bool corrected = sample.correctionSubunits > 0;
     const float height = std::max(1.0F, static_cast<float>(sample.link.rttMs * scale));

@@ -15,8 +15,8 @@ namespace {
 
 using namespace overlay_colours;
 
-constexpr float kMargin = 16;
-constexpr float kWidth = 310;
+constexpr float kPanelEdge = 16;
+constexpr float kPanelWidth = 310;
 constexpr float kPadding = 14;
 constexpr float kRowHeight = 25;
 constexpr float kSize = kSmallestText;
@@ -35,15 +35,15 @@ std::string nextTitleOf(const RoundSummary& summary, const Font& font, float wid
 std::string nextText(const RoundSummary& summary, const Font& font) {
   const auto seconds = static_cast<long>(std::ceil(summary.secondsLeft - 1e-6));
   const std::string when = seconds > 0 ? " in " + std::to_string(seconds) + " s" : "";
-  return "Next level" + when + ": " + nextTitleOf(summary, font, 1.5F * (kWidth - 2 * kPadding));
+  return "Next level" + when + ": " + nextTitleOf(summary, font, 1.5F * (kPanelWidth - 2 * kPadding));
 }
 
 // `tripWidth`: for the round trip, right of the time.
-void addRow(OverlayWriter& writer, const PlayerDrawing& player, std::size_t place, glm::vec2 start, float tripWidth,
-            const Font& font) {
+void addResult(OverlayWriter& writer, const PlayerDrawing& player, std::size_t place, glm::vec2 start, float tripWidth,
+               const Font& font) {
   const bool finished = player.finishSeconds.has_value();
   const glm::vec4 colour = player.local ? kBright : kSoft;
-  const float right = start.x + kWidth - 2 * kPadding;
+  const float right = start.x + kPanelWidth - 2 * kPadding;
   const float nameWidth = right - kTimeWidth - (start.x + 32);
   if (finished) writer.right(std::to_string(place) + ".", {start.x + 22, start.y}, kSize, colour);
   writer.left(fittedText(shownNameOf(player), font, nameWidth / kSize), {start.x + 32, start.y}, kSize, colour);
@@ -67,7 +67,7 @@ std::string ownResultOf(const Scene& scene, const RunStatus& run, const std::str
 }
 
 std::string ownKeysOf(const RoundSummary& summary, const KeyHints& keys, const Font& font) {
-  return keys.goOn() + ": next level (" + nextTitleOf(summary, font, kWidth) + ") · " +
+  return keys.goOn() + ": next level (" + nextTitleOf(summary, font, kPanelWidth) + ") · " +
          keys.to(Control::kRestart, "again");
 }
 
@@ -76,20 +76,20 @@ void addResults(OverlayWriter& writer, const Scene& scene, const RoundSummary& s
   const std::vector<const PlayerDrawing*> players = inOrder(scene);
   const std::size_t rows = std::min(players.size(), maxRows);
   const bool more = players.size() > rows;
-  std::vector<std::string> below = wrapText(bestText(summary), font, (kWidth - 2 * kPadding) / kSize);
+  std::vector<std::string> below = wrapText(bestText(summary), font, (kPanelWidth - 2 * kPadding) / kSize);
   if (run.speed < 1 && scene.attempt && scene.attempt->arrived)
     below.insert(below.begin(), "Your time: " + slowedText(run.speed));
   const std::size_t bestLines = below.size();
-  for (std::string& line : wrapText(nextText(summary, font), font, (kWidth - 2 * kPadding) / kSize))
+  for (std::string& line : wrapText(nextText(summary, font), font, (kPanelWidth - 2 * kPadding) / kSize))
     below.push_back(std::move(line));
   const std::size_t lines = 1 + rows + (more ? 1 : 0) + below.size();
   const float tripWidth = roundTripWidth(scene);
-  const glm::vec2 low(width - kMargin - kWidth - tripWidth, kMargin);
-  writer.panel(low, low + glm::vec2(kWidth + tripWidth, kRowHeight * static_cast<float>(lines) + 16), 12, kPanel);
+  const glm::vec2 low(width - kPanelEdge - kPanelWidth - tripWidth, kPanelEdge);
+  writer.panel(low, low + glm::vec2(kPanelWidth + tripWidth, kRowHeight * static_cast<float>(lines) + 16), 12, kPanel);
   glm::vec2 place = low + glm::vec2(kPadding, 26);
   writer.left(scene.secondsLeft <= 0 ? "Time is up" : "Round over", place, kSize, kBright);
   for (std::size_t i = 0; i < rows; ++i)
-    addRow(writer, *players[i], i + 1, place += glm::vec2(0, kRowHeight), tripWidth, font);
+    addResult(writer, *players[i], i + 1, place += glm::vec2(0, kRowHeight), tripWidth, font);
   if (more)
     writer.left("and " + std::to_string(players.size() - rows) + " more",
                 (place += glm::vec2(0, kRowHeight)) + glm::vec2(32, 0), kSize, kSoft);

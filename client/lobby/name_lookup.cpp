@@ -24,7 +24,7 @@ struct NameLookup::State {
 namespace {
 
 // An exception would end the program.
-std::optional<IpAddress> addressOf(const std::string& host, const NameLookup::Resolve& resolve) {
+std::optional<IpAddress> resolvedAddress(const std::string& host, const NameLookup::Resolve& resolve) {
   try {
     return resolve(host);
   } catch (...) {
@@ -41,7 +41,7 @@ NameLookup::NameLookup(std::vector<std::string> hosts, const Resolve& resolve)
     std::thread([state = state_, hosts, resolve] {
       for (const std::string& host : hosts) {
         if (state->stops) return;
-        state->add({host, addressOf(host, resolve)});
+        state->add({host, resolvedAddress(host, resolve)});
       }
     }).detach();
   } catch (const std::system_error&) {

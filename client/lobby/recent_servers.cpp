@@ -12,7 +12,7 @@
 namespace platon {
 namespace {
 
-constexpr std::size_t kMaxBytes = 64 * 1024;
+constexpr std::size_t kMaxFileBytes = 64 * 1024;
 
 std::vector<ServerAddress> serversIn(const std::string& text) {
   std::vector<ServerAddress> servers;
@@ -30,12 +30,12 @@ std::vector<ServerAddress> serversIn(const std::string& text) {
 }  // namespace
 
 std::vector<ServerAddress> RecentServers::list() const {
-  return file_.empty() ? std::vector<ServerAddress>() : serversIn(readKeptFile(file_, kMaxBytes).value_or(""));
+  return file_.empty() ? std::vector<ServerAddress>() : serversIn(readKeptFile(file_, kMaxFileBytes).value_or(""));
 }
 
 void RecentServers::remember(const ServerAddress& server) const {
   if (file_.empty()) return;
-  const std::optional<std::string> kept = readKeptFile(file_, kMaxBytes);
+  const std::optional<std::string> kept = readKeptFile(file_, kMaxFileBytes);
   if (!kept) return;
   std::string text = server.text() + "\n";
   for (const ServerAddress& other : serversIn(*kept)) {

@@ -9,7 +9,7 @@
 namespace platon {
 namespace {
 
-constexpr float kMargin = 24;  // from the edges of the screen
+constexpr float kScreenMargin = 24;  // from the edges of the screen
 constexpr float kPadding = 16;
 constexpr float kRowHeight = 38;
 constexpr float kRowGap = 4;
@@ -45,13 +45,13 @@ MenuLine lineIn(const MenuBox& box, const std::string& text, const Font& font, f
 
 // Columns of a page.
 MenuBox columnOf(const MenuPage& page, glm::vec2 screen) {
-  const float most = screen.x - 2 * kMargin;
+  const float most = screen.x - 2 * kScreenMargin;
   if (page.place == MenuPage::Place::kMiddle) {
     const float half = std::min(600.0F, most) / 2;
-    return {{screen.x / 2 - half, kMargin}, {screen.x / 2 + half, screen.y - kMargin}};
+    return {{screen.x / 2 - half, kScreenMargin}, {screen.x / 2 + half, screen.y - kScreenMargin}};
   }
-  const float left = std::min(kMargin * 2, kMargin + (most - std::min(most, 420.0F)) / 2);
-  return {{left, kMargin}, {left + std::min(std::max(420.0F, screen.x * 0.42F), most), screen.y - kMargin}};
+  const float left = std::min(kScreenMargin * 2, kScreenMargin + (most - std::min(most, 420.0F)) / 2);
+  return {{left, kScreenMargin}, {left + std::min(std::max(420.0F, screen.x * 0.42F), most), screen.y - kScreenMargin}};
 }
 
 // At the right end of the title, which becomes shorter.
@@ -222,8 +222,8 @@ MenuLayout layOut(const MenuPage& page, const Font& font, glm::vec2 screen, cons
   const std::size_t visible = std::min(page.items.size(), fitting);
   const float height =
       2 * kPadding + title.height + noteHeight + step * static_cast<float>(visible) - (visible > 0 ? kRowGap : 0);
-  const float top = std::max(kMargin, (screen.y - height) / 2);
-  layout.panel = {{column.low.x, top}, {column.high.x, std::min(top + height, screen.y - kMargin)}};
+  const float top = std::max(kScreenMargin, (screen.y - height) / 2);
+  layout.panel = {{column.low.x, top}, {column.high.x, std::min(top + height, screen.y - kScreenMargin)}};
   const float left = column.low.x + kPadding;
   float y = top + kPadding;
   MenuBox titleBox{{left, y}, {left + width, y + title.height}};

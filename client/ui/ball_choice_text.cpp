@@ -8,7 +8,7 @@ namespace platon {
 namespace {
 
 constexpr const char* kAuto = "auto";
-constexpr std::array<std::string_view, kBallColours> kColours{"orange", "blue", "green", "rose", "cream"};
+constexpr std::array<std::string_view, kBallColours> kColourWords{"orange", "blue", "green", "rose", "cream"};
 constexpr std::array<std::string_view, kBallPatterns> kPatterns{"spots", "stripes", "belt",   "cross",
                                                                 "dots",  "halves",  "checks", "plain"};
 
@@ -34,17 +34,17 @@ std::string joined(std::span<const std::string_view> words) {
 
 }  // namespace
 
-std::string wordOf(std::optional<std::uint32_t> colour) { return wordOf(colour, std::span(kColours)); }
+std::string wordOf(std::optional<std::uint32_t> colour) { return wordOf(colour, std::span(kColourWords)); }
 std::string wordOf(std::optional<BallPattern> pattern) { return wordOf(pattern, std::span(kPatterns)); }
 
 bool parse(std::string_view word, std::optional<std::uint32_t>& colour) {
-  return parse(word, colour, std::span(kColours));
+  return parse(word, colour, std::span(kColourWords));
 }
 bool parse(std::string_view word, std::optional<BallPattern>& pattern) {
   return parse(word, pattern, std::span(kPatterns));
 }
 
-std::string ballColourWords() { return joined(kColours); }
+std::string ballColourWords() { return joined(kColourWords); }
 std::string ballPatternWords() { return joined(kPatterns); }
 
 }  // namespace platon

@@ -10,16 +10,16 @@ namespace {
 
 constexpr std::uint32_t kStep = kTicksPerSecond / 10;
 constexpr std::array<const char*, 4> kStars{"☆☆☆", "★☆☆", "★★☆", "★★★"};
-constexpr std::array<const char*, 4> kNames{"no medal", "bronze", "silver", "gold"};
-constexpr std::array<glm::vec4, 4> kColours{overlay_colours::kSoft, glm::vec4(0.90F, 0.62F, 0.42F, 1),
-                                            glm::vec4(0.84F, 0.89F, 0.95F, 1), overlay_colours::kGold};
+constexpr std::array<const char*, 4> kMedalNames{"no medal", "bronze", "silver", "gold"};
+constexpr std::array<glm::vec4, 4> kMedalColours{overlay_colours::kSoft, glm::vec4(0.90F, 0.62F, 0.42F, 1),
+                                                 glm::vec4(0.84F, 0.89F, 0.95F, 1), overlay_colours::kGold};
 
 std::uint32_t scaled(std::uint32_t ticks, std::uint32_t percent) {
   const std::uint64_t whole = std::uint64_t{kStep} * 100;
   return static_cast<std::uint32_t>((std::uint64_t{ticks} * percent + whole - 1) / whole * kStep);
 }
 
-std::string nameOf(Medal medal) { return kNames[static_cast<std::size_t>(medal)]; }
+std::string nameOf(Medal medal) { return kMedalNames[static_cast<std::size_t>(medal)]; }
 
 std::string tenthsText(Medal medal, std::uint32_t ticks) {
   const std::uint32_t tenths = ticks / kStep;
@@ -40,7 +40,7 @@ Medal medalFor(const MedalTimes& times, std::uint32_t ticks) {
 
 std::string starsOf(Medal medal) { return kStars[static_cast<std::size_t>(medal)]; }
 
-glm::vec4 colourOf(Medal medal) { return kColours[static_cast<std::size_t>(medal)]; }
+glm::vec4 colourOf(Medal medal) { return kMedalColours[static_cast<std::size_t>(medal)]; }
 
 std::string medalText(const MedalTimes& times, std::uint32_t ticks) {
   const Medal medal = medalFor(times, ticks);

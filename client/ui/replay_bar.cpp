@@ -15,7 +15,7 @@ namespace {
 
 using namespace overlay_colours;
 
-constexpr float kMargin = 16;
+constexpr float kBarMargin = 16;
 constexpr float kTop = 78;   // above the lower edge of the screen
 constexpr float kLine = 56;  // middle of the line
 constexpr float kThick = 8;
@@ -24,8 +24,8 @@ constexpr float kTextWidth = 96;  // left and right of the line
 constexpr const char* kKeys = "Space pause   ← → tick   Shift + ← → 5 s   + − speed   Tab next player   Esc leave";
 constexpr const char* kButtons = "pad A pause   ← → tick   LB RB 5 s   ↑ ↓ speed   Back next player   pad B leave";
 
-float left() { return kMargin + kTextWidth; }
-float right(glm::vec2 screen) { return std::max(screen.x - kMargin - kTextWidth, left() + 1); }
+float left() { return kBarMargin + kTextWidth; }
+float right(glm::vec2 screen) { return std::max(screen.x - kBarMargin - kTextWidth, left() + 1); }
 float line(glm::vec2 screen) { return screen.y - kLine; }
 
 // Minutes, seconds and hundredths.
@@ -50,15 +50,15 @@ Overlay makeReplayBar(const ReplayStatus& status, const Font& font, glm::vec2 sc
   const float at = left() + (right(screen) - left()) * static_cast<float>(share);
   const float middle = line(screen);
   const glm::vec2 half(0, kThick / 2);
-  writer.panel({kMargin, screen.y - kTop}, screen - kMargin, 12, kPanel);
+  writer.panel({kBarMargin, screen.y - kTop}, screen - kBarMargin, 12, kPanel);
   writer.panel(glm::vec2(left(), middle) - half, glm::vec2(right(screen), middle) + half, kThick / 2, kSelected);
   writer.panel(glm::vec2(left(), middle) - half, glm::vec2(at, middle) + half, kThick / 2, kGold);
   writer.panel(glm::vec2(at, middle) - kThick, glm::vec2(at, middle) + kThick, kThick, kBright);
   const float upper = middle + 6;
   const float lower = middle + 29;
-  writer.left(timeText(status.tick), {kMargin + 16, upper}, kSmallestText, kBright);
-  writer.right(speedText(status), {screen.x - kMargin - 16, upper}, kSmallestText, status.paused ? kGold : kBright);
-  writer.left(timeText(status.ticks), {kMargin + 16, lower}, kSmallestText, kSoft);
+  writer.left(timeText(status.tick), {kBarMargin + 16, upper}, kSmallestText, kBright);
+  writer.right(speedText(status), {screen.x - kBarMargin - 16, upper}, kSmallestText, status.paused ? kGold : kBright);
+  writer.left(timeText(status.ticks), {kBarMargin + 16, lower}, kSmallestText, kSoft);
   const float room = (right(screen) - left()) / kSmallestText;
   writer.centred(fittedText(status.gamepad ? kButtons : kKeys, font, room), {screen.x / 2, lower}, kSmallestText,
                  kSoft);
@@ -72,7 +72,7 @@ std::optional<double> replayBarAt(glm::dvec2 place, glm::vec2 screen) {
 }
 
 bool isOnReplayBar(glm::dvec2 place, glm::vec2 screen) {
-  return place.x >= kMargin && place.x <= screen.x - kMargin && place.y >= screen.y - kTop;
+  return place.x >= kBarMargin && place.x <= screen.x - kBarMargin && place.y >= screen.y - kTop;
 }
 
 double replayBarNear(glm::dvec2 place, glm::vec2 screen) {

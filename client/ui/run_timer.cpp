@@ -11,7 +11,7 @@ namespace {
 
 using namespace overlay_colours;
 
-constexpr float kRowHeight = 36;
+constexpr float kTimeHeight = 36;
 
 // The best time of the round, unless there is a best run, which counts more.
 std::string bestTextOf(const Scene& scene, const RunStatus& run) {
@@ -44,7 +44,7 @@ void addRunTimer(OverlayWriter& writer, const Scene& scene, const RunStatus& run
   if (run.difference)
     writer.pillFrom(end + 8, differenceText(*run.difference), place.y, 16, *run.difference <= 0 ? kGood : kWarning);
   const std::string best = bestTextOf(scene, run);
-  if (!best.empty()) writer.pillFrom(place.x, best, place.y + kRowHeight, kSmallestText, kSoft);
+  if (!best.empty()) writer.pillFrom(place.x, best, place.y + kTimeHeight, kSmallestText, kSoft);
 }
 
 }  // namespace platon

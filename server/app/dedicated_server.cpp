@@ -27,8 +27,6 @@ constexpr std::chrono::milliseconds kMinIdleWait{2};
 constexpr std::chrono::milliseconds kFarewellTime{500};
 constexpr std::chrono::seconds kRejectedLogInterval{10};  // also of dropped ticks
 
-TimePoint steadyNow() { return std::chrono::steady_clock::now(); }
-
 // A household whose connections were all lost needs as many new ones before the old ones end.
 HostSettings hostSettings(const ServerSettings& settings, const ServerIdentity& identity) {
   HostSettings host;
@@ -45,8 +43,6 @@ MatchSettings matchSettings(const ServerSettings& settings) {
   match.playersPerOrigin = settings.playersPerAddress;
   return match;
 }
-
-UtcTime utcNow() { return std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now()); }
 
 BestTimeStore bestTimesOf(const std::string& path) {
   if (path.empty()) return BestTimeStore(utcNow);
@@ -105,6 +101,10 @@ void write(Log& log, const RecordingEvent& event) {
 }
 
 }  // namespace
+
+TimePoint steadyNow() { return std::chrono::steady_clock::now(); }
+
+UtcTime utcNow() { return std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now()); }
 
 DedicatedServer::DedicatedServer(const ServerSettings& settings, std::vector<LevelPointer> levels, Log log)
     : DedicatedServer(std::make_unique<UdpSocket>(settings.bind, settings.port), settings, std::move(levels),

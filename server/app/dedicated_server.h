@@ -22,6 +22,12 @@
 
 namespace platon {
 
+/// The time of the server, which passes evenly.
+TimePoint steadyNow();
+
+/// The time of day, in seconds.
+UtcTime utcNow();
+
 struct ServerSettings {
   std::string bind = "::";                 ///< address to listen on; "::": all
   std::uint16_t port = 0;                  ///< 0: any that is free

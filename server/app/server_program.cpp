@@ -26,9 +26,6 @@ constexpr std::chrono::milliseconds kNoticeTime{50};
 
 constexpr const char* kBansRemedy = "; make room on the disk, and let the server write to the folder of the file";
 
-TimePoint steadyNow() { return std::chrono::steady_clock::now(); }
-UtcTime utcNow() { return std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now()); }
-
 ServerSettings settingsOf(const ServerOptions& options, Log& log) {
   ServerSettings settings;
   settings.bind = options.bind;

@@ -18,7 +18,7 @@
 namespace platon {
 namespace {
 
-constexpr float kLargeFace = 700;  // apothem from which a face has several numbers
+constexpr float kNumberedFace = 700;  // apothem from which a face has several numbers
 constexpr float kLabelStep = 640;
 constexpr float kGoalReach = 4;     // radius of the goal's glow in goal radii
 constexpr float kBurstReach = 8;    // of the burst at a finish
@@ -186,7 +186,7 @@ void StagePainter::drawShadows(const Scene& scene, const FaceView& view) {
 void StagePainter::drawLabels(const StageModel& stage, const FaceView& view, TextPainter& text) const {
   const std::string& label = stage.faces[static_cast<std::size_t>(view.face)].label;
   const auto apothem = static_cast<float>(stage.mesh.apothem());
-  if (apothem < kLargeFace) {
+  if (apothem < kNumberedFace) {
     text.addCentred(label, {0, 0}, apothem * 0.8F, kLabelColour);
   } else {
     const glm::ivec2 near(glm::round(glm::vec2(view.eye) / kLabelStep));

@@ -9,12 +9,12 @@
 namespace platon {
 namespace {
 
-constexpr std::array<const char*, kQualities.size()> kNames{"low", "medium", "high", "everything on"};
+constexpr std::array<const char*, kQualities.size()> kQualityNames{"low", "medium", "high", "everything on"};
 constexpr double kStep = 0.05;  // of the render scale
 
 std::string nameOf(const QualityChoice& choice) {
   if (!choice.level) return "automatic";
-  const std::string name = kNames[static_cast<std::size_t>(*choice.level)];
+  const std::string name = kQualityNames[static_cast<std::size_t>(*choice.level)];
   return choice.scale || choice.samples ? name + ", changed" : name;
 }
 

@@ -3,7 +3,7 @@
 namespace platon {
 namespace {
 
-std::string factsOf(const ReplayEntry& entry) {
+std::string sentenceOf(const ReplayEntry& entry) {
   std::string facts = entry.who.empty() ? "Your run" : "A recording of " + entry.who;
   if (!entry.time.empty()) facts += ": " + entry.time + (entry.isBest ? ", your best" : "");
   return facts + ". " + entry.date;
@@ -19,11 +19,11 @@ MenuPage runPage(const ReplayEntry& entry, const std::string& file, const std::s
   page.warning = !fault.empty() || !entry.note.empty();
   // The path comes last: it may be longer than the page.
   if (!fault.empty()) {
-    page.notes = {factsOf(entry), fault, file};
+    page.notes = {sentenceOf(entry), fault, file};
   } else if (!entry.note.empty()) {
-    page.notes = {factsOf(entry), "It " + entry.note + ".", file};
+    page.notes = {sentenceOf(entry), "It " + entry.note + ".", file};
   } else {
-    page.notes = {factsOf(entry), "To share it, send this file. A friend drops it on the window of the game.", file};
+    page.notes = {sentenceOf(entry), "To share it, send this file. A friend drops it on the window of the game.", file};
   }
   const auto offer = [&page](const char* name, const std::function<void()>& choose) {
     if (choose) page.items.push_back({.name = name, .choose = choose});

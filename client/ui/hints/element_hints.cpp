@@ -12,9 +12,9 @@ namespace platon {
 namespace {
 
 // Of play: who only looks at the level reads on.
-constexpr std::uint32_t kReadTicks = 4 * kTicksPerSecond;  // to read a hint of an element that the ball has met
-constexpr std::uint32_t kTurnTicks = 8 * kTicksPerSecond;  // after which the next kind has its turn
-constexpr double kNear = 2.0 * kPlayerRadius;              // from the ball to an element that it meets, subunits
+constexpr std::uint32_t kElementReadTicks = 4 * kTicksPerSecond;  // to read a hint of an element that the ball has met
+constexpr std::uint32_t kTurnTicks = 8 * kTicksPerSecond;         // after which the next kind has its turn
+constexpr double kNear = 2.0 * kPlayerRadius;                     // from the ball to an element that it meets, subunits
 
 // In the order of kElementKinds. A level with doors has keys or plates, which tell of them.
 constexpr std::array<std::string_view, kElementKinds.size()> kHints = {
@@ -87,7 +87,7 @@ void ElementHints::observe(const PlayerState& player, const EntityState& ball, s
   for (const Element& element : elements) {
     if (isNear(ball, element)) met_ |= bit(static_cast<std::size_t>(element.kind));
   }
-  if (++ticks_ < kReadTicks || (met_ & bit(kind_)) == 0) return;
+  if (++ticks_ < kElementReadTicks || (met_ & bit(kind_)) == 0) return;
   untold.mask &= static_cast<std::uint8_t>(~bit(kind_));
   met_ &= static_cast<std::uint8_t>(~bit(kind_));
 }
