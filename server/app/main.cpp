@@ -1,3 +1,4 @@
+#include <poll.h>
 #include <signal.h>
 #include <unistd.h>
 
@@ -31,9 +32,18 @@ void onSignal(int signal, void (*handler)(int)) {
   sigaction(signal, &action, nullptr);
 }
 
+// The runtime of the thread sanitizer makes the signal state of a thread in its first blocking call, and loses a signal
+// that interrupts it meanwhile (libsanitizer of GCC 12 and LLVM 14, SigCtx). So that call comes before the handlers.
+void makeSanitizerSignalState() {
+#ifdef __SANITIZE_THREAD__
+  poll(nullptr, 0, 0);
+#endif
+}
+
 int serve(const CommandLine& line) {
   AsyncLineWriter errors(STDERR_FILENO);
   ServerProgram program(line, [&errors](std::string_view text) { errors.write(text); });
+  makeSanitizerSignalState();
   onSignal(SIGTERM, [](int) { terminations = terminations + 1; });
   onSignal(SIGINT, [](int) { stopRequested = 1; });
   onSignal(SIGHUP, [](int) { reloadRequested = 1; });
