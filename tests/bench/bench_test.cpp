@@ -14,7 +14,7 @@
 #include "tests/bench/report.h"
 #include "tests/exactness/oracle/trace/json_reader.h"
 
-namespace platon::bench {
+namespace platon::bench::bench_test {
 namespace {
 
 using testing::IsSupersetOf;
@@ -182,4 +182,4 @@ TEST(Bench, JsonHasTheMembersThatTheReportNeeds) {
 }
 
 }  // namespace
-}  // namespace platon::bench
+}  // namespace platon::bench::bench_test

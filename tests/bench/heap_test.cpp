@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace platon::bench {
+namespace platon::bench::heap_test {
 namespace {
 
 TEST(Heap, DerivedBytesAreThoseThatACopyDoesNotHave) {
@@ -17,4 +17,4 @@ TEST(Heap, DerivedBytesAreThoseThatACopyDoesNotHave) {
 }
 
 }  // namespace
-}  // namespace platon::bench
+}  // namespace platon::bench::heap_test

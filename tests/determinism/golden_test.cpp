@@ -7,7 +7,7 @@
 #include "tests/determinism/lockstep_levels.h"
 #include "tests/sim/verify/verification.h"
 
-namespace platon::sim {
+namespace platon::sim::golden_test {
 namespace {
 
 std::vector<std::string> goldenRecordings() { return filesIn("tests/determinism/golden", ".recording"); }
@@ -60,4 +60,4 @@ TEST(GoldenFilesTest, PlayersCrossEdgesAndHaveSeveralInstances) {
 }
 
 }  // namespace
-}  // namespace platon::sim
+}  // namespace platon::sim::golden_test

@@ -12,7 +12,7 @@
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 
-namespace platon::sim {
+namespace platon::sim::processes_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 5;
@@ -70,4 +70,4 @@ INSTANTIATE_TEST_SUITE_P(All, ProcessesTest, testing::ValuesIn(lockstepLevels())
                          [](const auto& file) { return testName(file.param); });
 
 }  // namespace
-}  // namespace platon::sim
+}  // namespace platon::sim::processes_test

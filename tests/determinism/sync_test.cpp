@@ -9,7 +9,7 @@
 #include "tests/exactness/step_check/run_length.h"
 #include "tests/sim/churn.h"
 
-namespace platon::sim {
+namespace platon::sim::sync_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 64;
@@ -127,4 +127,4 @@ INSTANTIATE_TEST_SUITE_P(All, SyncTest, testing::ValuesIn(lockstepLevels()),
                          [](const auto& file) { return testName(file.param); });
 
 }  // namespace
-}  // namespace platon::sim
+}  // namespace platon::sim::sync_test

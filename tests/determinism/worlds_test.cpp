@@ -10,7 +10,7 @@
 #include "tests/determinism/lockstep_levels.h"
 #include "tests/sim/churn.h"
 
-namespace platon::sim {
+namespace platon::sim::worlds_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 17;
@@ -116,4 +116,4 @@ INSTANTIATE_TEST_SUITE_P(All, WorldsTest, testing::ValuesIn(lockstepLevels()),
                          [](const auto& file) { return testName(file.param); });
 
 }  // namespace
-}  // namespace platon::sim
+}  // namespace platon::sim::worlds_test

@@ -12,7 +12,7 @@
 #include "tests/fuzz/fuzz_scene.h"
 #include "tests/support/transport/raw_content.h"
 
-namespace platon::fuzz {
+namespace platon::fuzz::found_by_fuzzing_test {
 namespace {
 
 constexpr std::int32_t kFaceSize = 240;
@@ -109,4 +109,4 @@ TEST(FoundByFuzzingTest, AConnectThatIsNotAloneIsRefused) {
 }
 
 }  // namespace
-}  // namespace platon::fuzz
+}  // namespace platon::fuzz::found_by_fuzzing_test

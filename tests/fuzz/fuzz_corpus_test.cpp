@@ -14,7 +14,7 @@
 #include "tests/fuzz/fuzz_targets.h"
 #include "tests/support/files.h"
 
-namespace platon::fuzz {
+namespace platon::fuzz::fuzz_corpus_test {
 namespace {
 
 struct Target {
@@ -69,4 +69,4 @@ INSTANTIATE_TEST_SUITE_P(Targets, FuzzCorpusTest,
                          [](const auto& described) { return std::string(described.param.name); });
 
 }  // namespace
-}  // namespace platon::fuzz
+}  // namespace platon::fuzz::fuzz_corpus_test

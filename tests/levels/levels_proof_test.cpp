@@ -12,7 +12,7 @@
 #include "tests/levels/shipped_level.h"
 #include "tests/support/files.h"
 
-namespace platon {
+namespace platon::levels_proof_test {
 namespace {
 
 // The level with each line of its text replaced by what change(number, line) returns.
@@ -97,4 +97,4 @@ INSTANTIATE_TEST_SUITE_P(All, LevelProofTest, testing::ValuesIn(shippedLevels())
                          [](const auto& spec) { return shippedName(spec.param); });
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::levels_proof_test

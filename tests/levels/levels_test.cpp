@@ -12,7 +12,7 @@
 #include "tests/sim/verify/verification.h"
 #include "tests/support/files.h"
 
-namespace platon {
+namespace platon::levels_test {
 namespace {
 
 // Fewest ticks for which the tightest jump of a level may be pressed.
@@ -130,4 +130,4 @@ TEST(ShippedLevelsTest, EachRecordingHasItsLevel) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::levels_test

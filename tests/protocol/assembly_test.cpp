@@ -4,7 +4,7 @@
 
 #include "protocol/bytes.h"
 
-namespace platon {
+namespace platon::assembly_test {
 namespace {
 
 TEST(Assembly, JoinsChunks) {
@@ -44,4 +44,4 @@ TEST(Assembly, RefusesAChunkAfterTheEnd) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::assembly_test

@@ -5,7 +5,7 @@
 
 #include "protocol/byte_writer.h"
 
-namespace platon {
+namespace platon::byte_reader_test {
 namespace {
 
 TEST(ByteReader, ReadsWhatByteWriterWrites) {
@@ -51,4 +51,4 @@ TEST(ByteReader, RemainingStartsAfterTheBytesRead) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::byte_reader_test

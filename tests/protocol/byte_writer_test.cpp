@@ -4,7 +4,7 @@
 
 #include "protocol/bytes.h"
 
-namespace platon {
+namespace platon::byte_writer_test {
 namespace {
 
 Bytes varint(std::uint32_t value) {
@@ -36,4 +36,4 @@ TEST(ByteWriter, AppendsInOrder) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::byte_writer_test

@@ -5,7 +5,7 @@
 #include "protocol/to_client.h"
 #include "protocol/to_server.h"
 
-namespace platon {
+namespace platon::chat_test {
 namespace {
 
 TEST(Chat, IsATextOrAnEmoteAndNotBoth) {
@@ -46,4 +46,4 @@ TEST(Chat, ASlotBeyondThePlayersIsRefused) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::chat_test

@@ -6,7 +6,7 @@
 
 #include "to_server_generated.h"
 
-namespace platon {
+namespace platon::envelope_test {
 namespace {
 
 Bytes leave() {
@@ -50,4 +50,4 @@ TEST(Envelope, MissingFieldsReadAsEmpty) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::envelope_test

@@ -6,7 +6,7 @@
 
 #include "tests/protocol/sample_messages.h"
 
-namespace platon {
+namespace platon::full_state_test {
 namespace {
 
 TEST(FullState, DecodesWhatWasEncoded) {
@@ -30,4 +30,4 @@ TEST(FullState, RefusesMalformedBytes) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::full_state_test

@@ -12,7 +12,7 @@
 #include "tests/support/files.h"
 #include "tests/support/transport/hex.h"
 
-namespace platon {
+namespace platon::golden_bytes_test {
 namespace {
 
 // The messages that the page explains byte by byte.
@@ -92,4 +92,4 @@ TEST(GoldenBytes, TheDocumentedBytesAreDecoded) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::golden_bytes_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::hash_text_test {
 namespace {
 
 TEST(HashText, HasSixteenDigitsAndIsReadAgain) {
@@ -19,4 +19,4 @@ TEST(HashText, NothingElseIsAHash) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::hash_text_test

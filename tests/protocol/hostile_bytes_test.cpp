@@ -6,7 +6,7 @@
 
 #include "tests/protocol/sample_messages.h"
 
-namespace platon {
+namespace platon::hostile_bytes_test {
 namespace {
 
 /// Changes, swaps, removes or inserts a few bytes.
@@ -78,4 +78,4 @@ TEST(HostileBytes, NeverDecodeToAnInvalidMessageToTheServer) { attack(sampleToSe
 TEST(HostileBytes, NeverDecodeToAnInvalidMessageToTheClient) { attack(sampleToClient(), &decodeToClient, kRounds); }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::hostile_bytes_test

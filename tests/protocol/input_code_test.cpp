@@ -4,7 +4,7 @@
 
 #include <set>
 
-namespace platon {
+namespace platon::input_code_test {
 namespace {
 
 TEST(InputCodeTest, EveryValidInputHasACodeOfItsOwn) {
@@ -45,4 +45,4 @@ TEST(InputCodeTest, HasTheDocumentedBits) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::input_code_test

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace platon {
+namespace platon::label_test {
 namespace {
 
 using namespace std::string_literals;
@@ -76,4 +76,4 @@ TEST(Label, LabelsThatLookAlikeHaveTheSameKey) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::label_test

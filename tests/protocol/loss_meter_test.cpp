@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::loss_meter_test {
 namespace {
 
 std::uint8_t number(int message) { return static_cast<std::uint8_t>(message); }
@@ -65,4 +65,4 @@ TEST(LossMeter, IgnoresMessagesBeforeTheWindow) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::loss_meter_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::round_trip_code_test {
 namespace {
 
 TEST(RoundTripCode, EveryCodeButThatOfNoneIsTheCodeOfItsRoundTrip) {
@@ -30,4 +30,4 @@ TEST(RoundTripCode, ALongerOneIsTheLongest) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::round_trip_code_test

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace platon {
+namespace platon::session_token_test {
 namespace {
 
 TEST(SessionToken, IsReadFromExactlySixteenBytes) {
@@ -25,4 +25,4 @@ TEST(SessionToken, TokensThatDifferInAnyBitAreNotTheSame) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::session_token_test

@@ -9,7 +9,7 @@
 
 #include "tests/protocol/sample_messages.h"
 
-namespace platon {
+namespace platon::to_client_test {
 namespace {
 
 TEST(ToClient, DecodesWhatWasEncoded) {
@@ -187,4 +187,4 @@ TEST(ToClient, RefusesChangesOutOfOrderOrRange) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::to_client_test

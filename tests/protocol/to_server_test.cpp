@@ -9,7 +9,7 @@
 
 #include "tests/protocol/sample_messages.h"
 
-namespace platon {
+namespace platon::to_server_test {
 namespace {
 
 TEST(ToServer, DecodesWhatWasEncoded) {
@@ -90,4 +90,4 @@ TEST(ToServer, HeldInputsTakeOneRun) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::to_server_test

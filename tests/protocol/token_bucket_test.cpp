@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::token_bucket_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -36,4 +36,4 @@ TEST(TokenBucket, TimeThatGoesBackAddsNothing) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::token_bucket_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon::sim {
+namespace platon::sim::button_presses_test {
 namespace {
 
 TEST(ButtonPressesTest, TheSameSeedAndSlotGiveTheSameInputs) {
@@ -42,4 +42,4 @@ TEST(ButtonPressesTest, PressesLeftRightAndJumpAtThePaceOfAPerson) {
 }
 
 }  // namespace
-}  // namespace platon::sim
+}  // namespace platon::sim::button_presses_test

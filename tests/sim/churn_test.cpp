@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon::sim {
+namespace platon::sim::churn_test {
 namespace {
 
 TEST(ChurnTest, TheSameSeedGivesTheSameInputs) {
@@ -43,4 +43,4 @@ TEST(ChurnTest, GivesEveryButtonAndPlayersWhoLeaveAndJoin) {
 }
 
 }  // namespace
-}  // namespace platon::sim
+}  // namespace platon::sim::churn_test

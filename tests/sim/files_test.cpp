@@ -11,7 +11,7 @@
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 
-namespace platon::sim {
+namespace platon::sim::files_test {
 namespace {
 
 using testing::HasSubstr;
@@ -73,4 +73,4 @@ TEST_F(SimFilesTest, AFailedWriteIsAnError) {
 }
 
 }  // namespace
-}  // namespace platon::sim
+}  // namespace platon::sim::files_test

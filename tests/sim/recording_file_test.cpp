@@ -11,7 +11,7 @@
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 
-namespace platon::sim {
+namespace platon::sim::recording_file_test {
 namespace {
 
 class RecordingFileTest : public testing::Test {
@@ -74,4 +74,4 @@ TEST_F(RecordingFileTest, RefusesInvalidOptions) {
 }
 
 }  // namespace
-}  // namespace platon::sim
+}  // namespace platon::sim::recording_file_test

@@ -7,7 +7,7 @@
 
 #include "tests/sim/sim_options.h"
 
-namespace platon::sim {
+namespace platon::sim::report_test {
 namespace {
 
 struct Reported {
@@ -46,4 +46,4 @@ TEST(ReportTest, AnEmptyMessageIsNotPrinted) {
 }
 
 }  // namespace
-}  // namespace platon::sim
+}  // namespace platon::sim::report_test

@@ -8,7 +8,7 @@
 #include "tests/sim/command_testing.h"
 #include "tests/sim/sim_options.h"
 
-namespace platon::sim {
+namespace platon::sim::run_command_test {
 namespace {
 
 using testing::HasSubstr;
@@ -95,4 +95,4 @@ TEST(WorldCommandTest, RunsAScene) {
 }
 
 }  // namespace
-}  // namespace platon::sim
+}  // namespace platon::sim::run_command_test

@@ -5,7 +5,7 @@
 #include "platon/physics/entity.h"
 #include "tests/sim/sim_options.h"
 
-namespace platon::sim {
+namespace platon::sim::scene_file_test {
 namespace {
 
 std::string faultsOf(std::string_view text) {
@@ -76,4 +76,4 @@ TEST(SceneTest, RefusesAnEntityThatOverlapsALine) {
 }
 
 }  // namespace
-}  // namespace platon::sim
+}  // namespace platon::sim::scene_file_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon::sim {
+namespace platon::sim::seeded_random_test {
 namespace {
 
 TEST(SeededRandomTest, IsSplitMix64) {
@@ -44,4 +44,4 @@ TEST(SeededRandomTest, AVectorIsTheSameOnEveryMachine) {
 }
 
 }  // namespace
-}  // namespace platon::sim
+}  // namespace platon::sim::seeded_random_test

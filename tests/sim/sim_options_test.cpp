@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace platon::sim {
+namespace platon::sim::sim_options_test {
 namespace {
 
 using testing::ElementsAre;
@@ -54,4 +54,4 @@ TEST(OptionsTest, NumbersAreIntegersInRange) {
 }
 
 }  // namespace
-}  // namespace platon::sim
+}  // namespace platon::sim::sim_options_test

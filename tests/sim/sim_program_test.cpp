@@ -4,7 +4,7 @@
 
 #include "tests/sim/command_testing.h"
 
-namespace platon::sim {
+namespace platon::sim::sim_program_test {
 namespace {
 
 using testing::HasSubstr;
@@ -43,4 +43,4 @@ TEST(SimProgramTest, InvalidInputFilesExitWith3) {
 TEST(SimProgramTest, ARunExitsWith0) { EXPECT_EQ(runProgram("run --ticks 5 " + levelFile()).exitCode, 0); }
 
 }  // namespace
-}  // namespace platon::sim
+}  // namespace platon::sim::sim_program_test

@@ -9,7 +9,7 @@
 #include "tests/sim/commands.h"
 #include "tests/sim/sim_options.h"
 
-namespace platon::sim {
+namespace platon::sim::sweep_command_test {
 namespace {
 
 using testing::HasSubstr;
@@ -55,4 +55,4 @@ TEST(SweepCommandTest, NamesAnInvalidLineAndAnswersTheOthers) {
 TEST(SweepCommandTest, TakesNoArguments) { EXPECT_THROW(sweepCommand({"file"}), UsageError); }
 
 }  // namespace
-}  // namespace platon::sim
+}  // namespace platon::sim::sweep_command_test

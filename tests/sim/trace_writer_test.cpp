@@ -12,7 +12,7 @@
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 
-namespace platon::sim {
+namespace platon::sim::trace_writer_test {
 namespace {
 
 using testing::HasSubstr;
@@ -127,4 +127,4 @@ TEST_F(TraceWriterTest, RefusesAFileThatCannotBeWritten) {
 }
 
 }  // namespace
-}  // namespace platon::sim
+}  // namespace platon::sim::trace_writer_test

@@ -156,6 +156,13 @@ def check_cpp_form(path, text):
         yield f"{path}:1: the header lacks #pragma once"
 
 
+def check_test_namespace(path, text):
+    """Tests of several files may be compiled together."""
+    name = Path(path).stem
+    if name.endswith("_test") and not re.search(rf"^namespace (platon::)?(\w+::)*{name} {{$", text, re.MULTILINE):
+        yield f"{path}:1: a test file has a namespace of its own: namespace platon::{name}"
+
+
 def check_text(path, text):
     if Path(path).suffix in CODE_SUFFIXES or Path(path).name in ("CMakeLists.txt", "platon", "run"):
         lines = text.count("\n")
@@ -186,6 +193,7 @@ def check_tree(root):
         yield from check_text(path, text)
         if Path(path).suffix in CPP_SUFFIXES:
             yield from check_cpp_form(path, text)
+            yield from check_test_namespace(path, text)
             yield from check_includes(path, text, table, root)
             yield from check_words(path, text, table)
             if is_pure(path):

@@ -269,6 +269,7 @@ class Form(Tree):
     def test_headers_and_names(self):
         self.assert_refused("client/play/file.h", "// #pragma once\n", 1, "pragma once")
         self.assert_refused("client/play/FileName.cpp", "\n", 1, "snake_case")
+        self.assert_refused("tests/client/play/a_test.cpp", "namespace platon::b_test {\n", 1, "namespace platon::a_test")
 
     def test_full_folders(self):
         for index in range(39):  # with the header of the folder 40 files

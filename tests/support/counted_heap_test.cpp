@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-namespace platon {
+namespace platon::counted_heap_test {
 namespace {
 
 TEST(CountedHeapTest, CountsAllocations) {
@@ -25,4 +25,4 @@ TEST(CountedHeapTest, CountsBytesInUse) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::counted_heap_test

@@ -8,7 +8,7 @@
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 
-namespace platon {
+namespace platon::process_test {
 namespace {
 
 std::vector<std::string> shell(const std::string& script) { return {"sh", "-c", script}; }
@@ -78,4 +78,4 @@ TEST(TemporaryFolder, IsDeletedWithItsContents) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::process_test

@@ -9,7 +9,7 @@
 
 #include "tests/shared/physics/shapes.h"
 
-namespace platon::bench {
+namespace platon::bench::falling_engine_test {
 namespace {
 
 constexpr std::int32_t kMetre = static_cast<std::int32_t>(kSubunitsPerMetre);
@@ -86,4 +86,4 @@ std::string nameOf(const testing::TestParamInfo<EngineKind>& test) {
 INSTANTIATE_TEST_SUITE_P(EveryEngine, FallingEngineTest, testing::ValuesIn(kinds()), &nameOf);
 
 }  // namespace
-}  // namespace platon::bench
+}  // namespace platon::bench::falling_engine_test

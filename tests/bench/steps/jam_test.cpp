@@ -7,7 +7,7 @@
 
 #include "tests/bench/steps/step_scenes.h"
 
-namespace platon::bench {
+namespace platon::bench::jam_test {
 namespace {
 
 constexpr std::size_t kSegments = 100;
@@ -56,4 +56,4 @@ TEST(Jam, PlatonAndFloat64DoNotJam) {
 }
 
 }  // namespace
-}  // namespace platon::bench
+}  // namespace platon::bench::jam_test

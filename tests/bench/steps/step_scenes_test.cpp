@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon::bench {
+namespace platon::bench::step_scenes_test {
 namespace {
 
 TEST(StepScenes, HaveTheSegmentsAndBodiesAskedFor) {
@@ -29,4 +29,4 @@ TEST(StepScenes, AThirdOfThePlatformersBodiesStand) {
 }
 
 }  // namespace
-}  // namespace platon::bench
+}  // namespace platon::bench::step_scenes_test

@@ -11,7 +11,7 @@
 #include "tests/support/wait_until.h"
 
 // On OpenAL's loopback device, which needs no sound card.
-namespace platon {
+namespace platon::audio_test {
 namespace {
 
 constexpr double kFrame = 1.0 / 60;
@@ -103,4 +103,4 @@ TEST(Audio, CanEndWhileItStarts) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::audio_test

@@ -7,7 +7,7 @@
 
 #include "tests/client/audio/observed_player.h"
 
-namespace platon {
+namespace platon::element_cues_test {
 namespace {
 
 using testing::IsEmpty;
@@ -88,4 +88,4 @@ TEST(ElementCues, ReplayedTicksAndTheFirstStateAreSilent) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::element_cues_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::hearing_test {
 namespace {
 
 // Looks at the face from outside: right is +x.
@@ -37,4 +37,4 @@ TEST(Hearing, ThePlayersRightIsOnTheRight) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::hearing_test

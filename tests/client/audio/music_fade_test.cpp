@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::music_fade_test {
 namespace {
 
 constexpr SolidKind kA = SolidKind::kHexahedron;
@@ -58,4 +58,4 @@ TEST(MusicFade, NoStepOfTheGainIsAudible) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::music_fade_test

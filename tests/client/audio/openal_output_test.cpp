@@ -11,7 +11,7 @@
 #include "client/audio/sounds.h"
 
 // On OpenAL's loopback device, which needs no sound card.
-namespace platon {
+namespace platon::openal_output_test {
 namespace {
 
 using Group = OpenalOutput::Group;
@@ -119,4 +119,4 @@ TEST_F(OpenalOutputTest, ManySoundsTogetherDoNotClip) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::openal_output_test

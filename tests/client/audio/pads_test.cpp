@@ -6,7 +6,7 @@
 
 #include "tests/client/audio/pcm_laws.h"
 
-namespace platon {
+namespace platon::pads_test {
 namespace {
 
 // Makes each pad once.
@@ -62,4 +62,4 @@ TEST(Pads, AreAlwaysTheSameAndDifferFromEachOther) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::pads_test

@@ -11,7 +11,7 @@
 #include "tests/client/audio/observed_player.h"
 #include "tests/support/test_level.h"
 
-namespace platon {
+namespace platon::player_cues_test {
 namespace {
 
 using testing::ElementsAre;
@@ -197,4 +197,4 @@ TEST(PlayerCues, WhoAppearsMakesNoSound) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::player_cues_test

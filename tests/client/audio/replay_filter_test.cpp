@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::replay_filter_test {
 namespace {
 
 TEST(ReplayFilter, AnEventPassesAgainOnlyAfterTheTime) {
@@ -21,4 +21,4 @@ TEST(ReplayFilter, KeysDoNotAffectEachOther) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::replay_filter_test

@@ -11,7 +11,7 @@
 #include "tests/client/audio/observed_player.h"
 #include "tests/support/test_level.h"
 
-namespace platon {
+namespace platon::sound_cues_test {
 namespace {
 
 using testing::IsEmpty;
@@ -193,4 +193,4 @@ TEST(SoundCues, ReconciliationRepeatsNoCue) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::sound_cues_test

@@ -4,7 +4,7 @@
 
 #include "tests/client/audio/pcm_laws.h"
 
-namespace platon {
+namespace platon::sounds_test {
 namespace {
 
 class EverySound : public testing::TestWithParam<Sound> {};
@@ -43,4 +43,4 @@ TEST(Sounds, FiveStepsOfTheScaleAreAnOctave) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::sounds_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::volumes_test {
 namespace {
 
 TEST(Volumes, GainsGoFromSilenceToFull) {
@@ -12,4 +12,4 @@ TEST(Volumes, GainsGoFromSilenceToFull) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::volumes_test

@@ -7,7 +7,7 @@
 
 #include "tests/client/audio/pcm_laws.h"
 
-namespace platon {
+namespace platon::wave_test {
 namespace {
 
 Pcm loopOf(const Wave& wave, double peak) { return finishLoop(std::span(&wave, 1), peak); }
@@ -96,4 +96,4 @@ TEST(Wave, EchoesAreLaterAndSofter) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::wave_test

@@ -16,7 +16,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test_level.h"
 
-namespace platon {
+namespace platon::bot_fleet_test {
 namespace {
 
 /// A server on a socket that sends one wrong input.
@@ -132,4 +132,4 @@ TEST(BotFleet, CountsBotsThatNeverJoined) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::bot_fleet_test

@@ -2,7 +2,7 @@
 
 #include "client/bot/bot_measure.h"
 
-namespace platon {
+namespace platon::bot_measure_test {
 namespace {
 
 using std::chrono::seconds;
@@ -53,4 +53,4 @@ TEST(BotMeasure, ExcludesTheSettlingTime) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::bot_measure_test

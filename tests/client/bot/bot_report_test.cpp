@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace platon {
+namespace platon::bot_report_test {
 namespace {
 
 BotResult played(std::uint32_t ticks, std::uint32_t corrections) {
@@ -73,4 +73,4 @@ TEST(BotReport, TextShowsFailedBots) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::bot_report_test

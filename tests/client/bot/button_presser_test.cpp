@@ -6,7 +6,7 @@
 
 #include "platon/game/game.h"
 
-namespace platon {
+namespace platon::button_presser_test {
 namespace {
 
 TEST(ButtonPresser, ChangesThreeToSixTimesASecond) {
@@ -41,4 +41,4 @@ TEST(ButtonPresser, TheSameSeedGivesTheSameInputs) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::button_presser_test

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace platon {
+namespace platon::condition_options_test {
 namespace {
 
 LinkQuality read(std::vector<std::string> arguments) {
@@ -86,4 +86,4 @@ TEST(ConditionOptions, HaveTheirOwnGroupInTheHelp) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::condition_options_test

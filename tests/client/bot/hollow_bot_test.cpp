@@ -6,7 +6,7 @@
 
 #include "tests/support/loopback_server.h"
 
-namespace platon {
+namespace platon::hollow_bot_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -59,4 +59,4 @@ TEST_F(HollowBotTest, ReportsWhyTheServerEndedTheGame) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::hollow_bot_test

@@ -9,7 +9,7 @@
 
 #include "tests/support/loopback_server.h"
 
-namespace platon {
+namespace platon::playing_bot_test {
 namespace {
 
 using std::chrono::seconds;
@@ -90,4 +90,4 @@ TEST_F(PlayingBots, ReportAnUnreachableServer) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::playing_bot_test

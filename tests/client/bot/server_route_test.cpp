@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-namespace platon {
+namespace platon::server_route_test {
 namespace {
 
 TEST(ServerRoute, IsDirectUnderPerfectConditions) {
@@ -27,4 +27,4 @@ TEST(ServerRoute, ThrowsForAnUnknownHostBehindARelay) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::server_route_test

@@ -6,7 +6,7 @@
 
 #include "tests/support/test_level.h"
 
-namespace platon {
+namespace platon::demo_test {
 namespace {
 
 // Returns whether the player finishes within this number of ticks.
@@ -72,4 +72,4 @@ TEST(Demo, PressesNothingWhileAbsent) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::demo_test

@@ -7,7 +7,7 @@
 
 #include "tests/support/test_level.h"
 
-namespace platon {
+namespace platon::goal_distance_test {
 namespace {
 
 TEST(GoalDistance, IsSmallAtTheGoalAndGrowsWithDistance) {
@@ -88,4 +88,4 @@ TEST(GoalDistance, AKeyIsOnTheWayToItsDoor) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::goal_distance_test

@@ -6,7 +6,7 @@
 
 #include "tests/support/test_level.h"
 
-namespace platon {
+namespace platon::planner_test {
 namespace {
 
 // The game after a second of standing.
@@ -48,4 +48,4 @@ TEST(Planner, ThePlanDoesNotDependOnTheStepSize) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::planner_test

@@ -8,7 +8,7 @@
 #include "tests/support/flipped_bit.h"
 #include "tests/support/test_level.h"
 
-namespace platon {
+namespace platon::desync_detector_test {
 namespace {
 
 constexpr std::uint32_t kMatchingTicks = 100;  // ticks for which both games match
@@ -171,4 +171,4 @@ TEST_F(DesyncDetectorTest, TheRecordingShowsADesyncThatInputsDoNotExplain) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::desync_detector_test

@@ -7,7 +7,7 @@
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 
-namespace platon {
+namespace platon::desync_folder_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -54,4 +54,4 @@ TEST_F(DesyncFolderTest, NamesTheErrorWhenItCannotWrite) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::desync_folder_test

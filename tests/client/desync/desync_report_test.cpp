@@ -10,7 +10,7 @@
 #include "tests/support/flipped_bit.h"
 #include "tests/support/test_level.h"
 
-namespace platon {
+namespace platon::desync_report_test {
 namespace {
 
 Game gameAfter(std::uint32_t ticks) {
@@ -71,4 +71,4 @@ TEST(DesyncReport, SaysThatTheDifferenceIsGone) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::desync_report_test

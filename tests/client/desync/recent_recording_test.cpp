@@ -5,7 +5,7 @@
 #include "tests/sim/verify/verification.h"
 #include "tests/support/test_level.h"
 
-namespace platon {
+namespace platon::recent_recording_test {
 namespace {
 
 constexpr std::uint32_t kBlock = RecentRecording::kTicksBetweenCheckpoints;
@@ -52,4 +52,4 @@ TEST(RecentRecording, DropsTheOldestTicksBeyondItsSizeLimit) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::recent_recording_test

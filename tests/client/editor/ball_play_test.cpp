@@ -6,7 +6,7 @@
 
 #include "tests/client/editor/test_editor.h"
 
-namespace platon {
+namespace platon::ball_play_test {
 namespace {
 
 TEST(BallPlayTest, PlaysTheGameOfTheLevel) {
@@ -34,4 +34,4 @@ TEST(BallPlayTest, ThePictureMovesBetweenTheTicks) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::ball_play_test

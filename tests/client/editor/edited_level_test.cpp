@@ -4,7 +4,7 @@
 
 #include "tests/client/editor/test_editor.h"
 
-namespace platon {
+namespace platon::edited_level_test {
 namespace {
 
 void addSegment(EditedLevel& level) {
@@ -84,4 +84,4 @@ TEST(EditedLevelTest, AfterAForeignChangeNoTextIsSaved) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::edited_level_test

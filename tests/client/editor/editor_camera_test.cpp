@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
 
-namespace platon {
+namespace platon::editor_camera_test {
 namespace {
 
 TEST(EditorCameraTest, TheWholeSolidIsSeen) {
@@ -63,4 +63,4 @@ TEST(EditorCameraTest, TheDistanceIsBounded) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::editor_camera_test

@@ -6,7 +6,7 @@
 
 #include "tests/client/editor/test_editor.h"
 
-namespace platon {
+namespace platon::editor_keys_test {
 namespace {
 
 TEST(EditorKeysTest, UndoAndRedo) {
@@ -168,4 +168,4 @@ TEST(EditorKeysTest, SaveAndLeaveWaitsForTheSave) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::editor_keys_test

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-namespace platon {
+namespace platon::editor_marks_test {
 namespace {
 
 const EditedSegment kSegment{2, {1, 2}, {3, 4}, {}};
@@ -36,4 +36,4 @@ TEST(EditorMarksTest, ReachedPlacesCanBeHidden) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::editor_marks_test

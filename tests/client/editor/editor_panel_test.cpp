@@ -7,7 +7,7 @@
 #include <vector>
 #include "client/editor/new_level.h"
 
-namespace platon {
+namespace platon::editor_panel_test {
 namespace {
 
 bool shows(const EditorStatus& status, const std::string& text) {
@@ -87,4 +87,4 @@ TEST(EditorPanelTest, EverythingIsOnTheScreen) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::editor_panel_test

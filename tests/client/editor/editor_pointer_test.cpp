@@ -7,7 +7,7 @@
 
 #include "tests/client/editor/test_editor.h"
 
-namespace platon {
+namespace platon::editor_pointer_test {
 namespace {
 
 TEST(EditorPointerTest, DrawingAddsASegmentOnTheGrid) {
@@ -127,4 +127,4 @@ TEST(EditorPointerTest, TheRightButtonTurnsTheSolid) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::editor_pointer_test

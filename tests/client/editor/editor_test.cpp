@@ -9,7 +9,7 @@
 
 #include "tests/client/editor/test_editor.h"
 
-namespace platon {
+namespace platon::editor_test {
 namespace {
 
 TEST(EditorTest, ShowsTheLevelAndItsFile) {
@@ -84,4 +84,4 @@ TEST(EditorTest, TheHoveredSegmentIsMarked) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::editor_test

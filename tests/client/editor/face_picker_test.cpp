@@ -10,7 +10,7 @@
 #include "client/editor/editor_camera.h"
 #include "client/ui/overlay.h"
 
-namespace platon {
+namespace platon::face_picker_test {
 namespace {
 
 constexpr double kWidth = 1280;
@@ -55,4 +55,4 @@ TEST(FacePickerTest, TheScaleIsTheDistanceOnTheScreen) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::face_picker_test

@@ -6,7 +6,7 @@
 
 #include <glm/geometric.hpp>
 
-namespace platon {
+namespace platon::gesture_test {
 namespace {
 
 using Part = PickedSegment::Part;
@@ -72,4 +72,4 @@ TEST(GestureTest, ASegmentThatIsCutStaysOnItsFace) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::gesture_test

@@ -13,7 +13,7 @@
 #include "tests/support/files.h"
 #include "tests/support/wait_until.h"
 
-namespace platon {
+namespace platon::level_analysis_test {
 namespace {
 
 using Way = LevelReport::Way;
@@ -81,4 +81,4 @@ TEST(LevelAnalysisTest, AnAnalysisIsGivenUpAtOnce) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::level_analysis_test

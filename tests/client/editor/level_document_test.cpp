@@ -10,7 +10,7 @@
 
 #include "tests/support/files.h"
 
-namespace platon {
+namespace platon::level_document_test {
 namespace {
 
 const std::string kHead =
@@ -159,4 +159,4 @@ TEST(CoordinateTextTest, HasNoMoreDecimalsThanAreNeeded) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::level_document_test

@@ -5,7 +5,7 @@
 #include "levels/solve/level_solver.h"
 #include "platon/game/level.h"
 
-namespace platon {
+namespace platon::new_level_test {
 namespace {
 
 TEST(NewLevelTest, ANewLevelIsValidWithoutWarningsAndSolved) {
@@ -28,4 +28,4 @@ TEST(NewLevelTest, TheTitleIsMadeOfTheFileName) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::new_level_test

@@ -12,7 +12,7 @@
 #include "client/editor/new_level.h"
 #include "levels/drawing/units.h"
 
-namespace platon {
+namespace platon::over_edges_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 17;
@@ -105,4 +105,4 @@ TEST(UnfoldedPlaneTest, APointerIsFollowedOverEdges) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::over_edges_test

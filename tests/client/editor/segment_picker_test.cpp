@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace platon {
+namespace platon::segment_picker_test {
 namespace {
 
 using Part = PickedSegment::Part;
@@ -32,4 +32,4 @@ TEST(SegmentPickerTest, APointCanBePicked) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::segment_picker_test

@@ -6,7 +6,7 @@
 
 #include <glm/geometric.hpp>
 
-namespace platon {
+namespace platon::snapping_test {
 namespace {
 
 const SolidMesh& cube() {
@@ -70,4 +70,4 @@ TEST(StraightenedTest, TheDirectionsOfTheEdgesCount) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::snapping_test

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace platon {
+namespace platon::undo_history_test {
 namespace {
 
 TEST(UndoHistoryTest, UndoAndRedoGoThroughTheTexts) {
@@ -51,4 +51,4 @@ TEST(UndoHistoryTest, TheBytesAreBounded) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::undo_history_test

@@ -12,7 +12,7 @@
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 
-namespace platon {
+namespace platon::edit_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -93,4 +93,4 @@ TEST_F(EditFileTest, AFolderIsNoLevel) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::edit_file_test

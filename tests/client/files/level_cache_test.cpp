@@ -9,7 +9,7 @@
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 
-namespace platon {
+namespace platon::level_cache_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -139,4 +139,4 @@ TEST_F(LevelCacheTest, WithoutAFolderNothingIsStored) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::level_cache_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::server_file_name_test {
 namespace {
 
 TEST(ServerFileName, IsHostAndPort) { EXPECT_EQ(serverFileName({"play.example.org", 7777}), "play.example.org_7777"); }
@@ -14,4 +14,4 @@ TEST(ServerFileName, CannotFormAPath) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::server_file_name_test

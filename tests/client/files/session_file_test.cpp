@@ -9,7 +9,7 @@
 
 #include "tests/support/temporary_folder.h"
 
-namespace platon {
+namespace platon::session_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -143,4 +143,4 @@ TEST_F(SessionFileTest, WithoutAUsableFolderNothingIsStored) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::session_file_test

@@ -12,7 +12,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait_until.h"
 
-namespace platon {
+namespace platon::settings_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -231,4 +231,4 @@ TEST_F(SettingsFileTest, WithoutAFolderNothingIsSaved) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::settings_file_test

@@ -9,7 +9,7 @@
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 
-namespace platon {
+namespace platon::user_folders_test {
 namespace {
 
 class UserFoldersTest : public testing::Test {
@@ -73,4 +73,4 @@ TEST_F(UserFoldersTest, PicturesGoWhereTheUserKeepsThem) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::user_folders_test

@@ -8,7 +8,7 @@
 #include "client/gl/gl_loader.h"
 #include "client/gl/offscreen.h"
 
-namespace platon {
+namespace platon::colour_texture_test {
 namespace {
 
 TEST(ColourTexture, KeepsWhatIsDrawn) {
@@ -27,4 +27,4 @@ TEST(ColourTexture, KeepsWhatIsDrawn) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::colour_texture_test

@@ -7,7 +7,7 @@
 #include "client/gl/offscreen.h"
 #include "tests/client/gl/test_stage.h"
 
-namespace platon {
+namespace platon::draw_calls_test {
 namespace {
 
 class DrawCallsTest : public testing::Test {
@@ -55,4 +55,4 @@ TEST_F(DrawCallsTest, WithheldCallsAreCountedAndDrawNothing) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::draw_calls_test

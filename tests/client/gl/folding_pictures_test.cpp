@@ -7,7 +7,7 @@
 #include "tests/client/gl/render_fixture.h"
 #include "tests/client/gl/test_stage.h"
 
-namespace platon {
+namespace platon::folding_pictures_test {
 namespace {
 
 using FoldingPictures = RenderTest;
@@ -39,4 +39,4 @@ TEST_F(FoldingPictures, FacesAndPlayersAreDrawnWhereTheyAreInTheNet) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::folding_pictures_test

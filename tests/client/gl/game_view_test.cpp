@@ -12,7 +12,7 @@
 #include "client/gl/offscreen.h"
 #include "tests/client/gl/test_stage.h"
 
-namespace platon {
+namespace platon::game_view_test {
 namespace {
 
 constexpr std::uint32_t kWidth = 320;
@@ -151,4 +151,4 @@ TEST_F(GameViewTest, ACutThatFadesBeginsWithThePictureBeforeIt) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::game_view_test

@@ -8,7 +8,7 @@
 
 #include "client/ui/controls/key_names.h"
 
-namespace platon {
+namespace platon::glfw_keys_test {
 namespace {
 
 TEST(GlfwKeys, EachKeyOfTheKeyboardHasOneOfGlfw) {
@@ -44,4 +44,4 @@ TEST(GlfwKeys, ATriggerIsPressedFromHalfItsWay) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::glfw_keys_test

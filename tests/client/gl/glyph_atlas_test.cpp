@@ -7,7 +7,7 @@
 #include "client/gl/gl_loader.h"
 #include "client/gl/offscreen.h"
 
-namespace platon {
+namespace platon::glyph_atlas_test {
 namespace {
 
 // Adds glyphs until the texture is full and returns the first code point that no longer fits.
@@ -85,4 +85,4 @@ TEST_F(GlyphAtlasTest, AFullAtlasHasRoomAgainAfterClear) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::glyph_atlas_test

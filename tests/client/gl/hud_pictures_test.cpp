@@ -15,7 +15,7 @@
 #include "tests/client/gl/golden_picture.h"
 #include "tests/client/gl/test_stage.h"
 
-namespace platon {
+namespace platon::hud_pictures_test {
 namespace {
 
 constexpr const char* kNames[] = {"Ann", "Benedikt", "Лев", "Zoë", "D", "A very long name of a player"};
@@ -181,4 +181,4 @@ TEST_F(HudPicturesTest, Replay) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::hud_pictures_test

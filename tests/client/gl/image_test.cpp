@@ -8,7 +8,7 @@
 
 #include "tests/support/temporary_folder.h"
 
-namespace platon {
+namespace platon::image_test {
 namespace {
 
 TEST(Image, FlipRowsReversesTheRows) {
@@ -38,4 +38,4 @@ TEST(Image, AnUnwritableFileIsAnError) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::image_test

@@ -21,7 +21,7 @@
 #include "tests/support/environment_variable.h"
 #include "tests/support/temporary_folder.h"
 
-namespace platon {
+namespace platon::menu_pictures_test {
 namespace {
 
 class MenuPicturesTest : public testing::Test {
@@ -205,4 +205,4 @@ TEST_F(MenuPicturesTest, Failure) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::menu_pictures_test

@@ -11,7 +11,7 @@
 #include "tests/client/gl/test_stage.h"
 #include "tests/support/files.h"
 
-namespace platon {
+namespace platon::mode_pictures_test {
 namespace {
 
 class ModePicturesTest : public testing::Test {
@@ -73,4 +73,4 @@ TEST_F(ModePicturesTest, FaceNumbers) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::mode_pictures_test

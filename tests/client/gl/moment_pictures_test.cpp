@@ -13,7 +13,7 @@
 #include "tests/client/gl/test_stage.h"
 #include "tests/support/files.h"
 
-namespace platon {
+namespace platon::moment_pictures_test {
 namespace {
 
 class MomentPicturesTest : public testing::Test {
@@ -111,4 +111,4 @@ TEST_F(MomentPicturesTest, GhostsRunAlong) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::moment_pictures_test

@@ -9,7 +9,7 @@
 #include "client/gl/gl_loader.h"
 #include "tests/support/environment_variable.h"
 
-namespace platon {
+namespace platon::offscreen_test {
 namespace {
 
 TEST(Offscreen, GivesAContextOfOpenGl33WithoutADisplay) {
@@ -41,4 +41,4 @@ TEST(GlLoader, ErrorsAreReturnedOnce) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::offscreen_test

@@ -8,7 +8,7 @@
 #include "client/gl/offscreen.h"
 #include "client/gl/render_target.h"
 
-namespace platon {
+namespace platon::picture_fade_test {
 namespace {
 
 void fill(const RenderTarget& target, float grey) {
@@ -37,4 +37,4 @@ TEST(PictureFade, IsBetweenTheKeptPictureAndTheNewOne) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::picture_fade_test

@@ -6,7 +6,7 @@
 #include "client/gl/offscreen.h"
 #include "client/gl/render_target.h"
 
-namespace platon {
+namespace platon::picture_scaler_test {
 namespace {
 
 // Left half black, right half white; then scaled to the size of the picture.
@@ -44,4 +44,4 @@ TEST(PictureScaler, FillsThePicture) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::picture_scaler_test

@@ -9,7 +9,7 @@
 #include "tests/client/gl/render_fixture.h"
 #include "tests/client/gl/test_stage.h"
 
-namespace platon {
+namespace platon::picture_style_test {
 namespace {
 
 class PictureStyleTest : public RenderTest {};
@@ -131,4 +131,4 @@ TEST_F(PictureStyleTest, HighContrastIsADarkGroundWithBrightWalls) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::picture_style_test

@@ -16,7 +16,7 @@
 #include "tests/client/gl/test_stage.h"
 #include "tests/support/files.h"
 
-namespace platon {
+namespace platon::quality_pictures_test {
 namespace {
 
 constexpr std::uint32_t kWidth = 480;
@@ -85,4 +85,4 @@ TEST(QualityPictures, TextsKeepTheirFullSize) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::quality_pictures_test

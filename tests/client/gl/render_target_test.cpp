@@ -9,7 +9,7 @@
 #include "client/gl/gl_loader.h"
 #include "client/gl/offscreen.h"
 
-namespace platon {
+namespace platon::render_target_test {
 namespace {
 
 void clear(float red, float green, float blue) {
@@ -73,4 +73,4 @@ TEST_F(RenderTargetTest, AnUnsupportedSizeIsAnError) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::render_target_test

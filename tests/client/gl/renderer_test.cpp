@@ -17,7 +17,7 @@
 #include "tests/client/gl/render_fixture.h"
 #include "tests/client/gl/test_stage.h"
 
-namespace platon {
+namespace platon::renderer_test {
 namespace {
 
 TEST_F(RenderTest, EqualScenesGiveEqualBytes) {
@@ -371,4 +371,4 @@ TEST(Render, WithoutAGameTheOverlaysAreDrawn) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::renderer_test

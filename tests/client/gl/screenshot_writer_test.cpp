@@ -12,7 +12,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait_until.h"
 
-namespace platon {
+namespace platon::screenshot_writer_test {
 namespace {
 
 const Image kPicture{2, 1, {255, 0, 0, 0, 0, 255}};
@@ -68,4 +68,4 @@ TEST(ScreenshotWriter, WithoutAThreadThePictureIsWrittenAtOnce) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::screenshot_writer_test

@@ -12,7 +12,7 @@
 #include "client/gl/render_target.h"
 #include "client/gl/shader_text.h"
 
-namespace platon {
+namespace platon::shader_program_test {
 namespace {
 
 constexpr const char* kVertex = R"(
@@ -94,4 +94,4 @@ TEST_F(ShaderProgramTest, ErrorsHaveTheMessageOfTheDriver) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::shader_program_test

@@ -11,7 +11,7 @@
 #include "tests/client/gl/test_stage.h"
 #include "tests/support/files.h"
 
-namespace platon {
+namespace platon::solid_pictures_test {
 namespace {
 
 class SolidPicturesTest : public testing::TestWithParam<const char*> {};
@@ -43,4 +43,4 @@ INSTANTIATE_TEST_SUITE_P(All, SolidPicturesTest,
                          [](const auto& test) { return std::string(test.param); });
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::solid_pictures_test

@@ -12,7 +12,7 @@
 #include "client/gl/offscreen.h"
 #include "client/gl/render_target.h"
 
-namespace platon {
+namespace platon::text_painter_test {
 namespace {
 
 constexpr std::uint32_t kWidth = 400;
@@ -99,4 +99,4 @@ TEST_F(TextPainterTest, TwoHundredHostileNamesAtOnceDoNotBlankTheText) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::text_painter_test

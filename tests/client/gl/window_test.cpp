@@ -22,7 +22,7 @@
 #include "tests/support/wait_until.h"
 
 // Runs on a virtual display with a window manager (on_display.sh).
-namespace platon {
+namespace platon::window_test {
 namespace {
 
 using Kind = KeyEvent::Kind;
@@ -390,4 +390,4 @@ TEST(Window, WithoutADisplayTheReasonIsStated) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::window_test

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-namespace platon {
+namespace platon::edge_sign_test {
 namespace {
 
 constexpr glm::vec2 kScreen{1280, 720};
@@ -57,4 +57,4 @@ TEST(EdgeSign, TheArrowPointsThere) {
 TEST(EdgeSign, APointStraightBehindIsBelow) { EXPECT_STREQ(edgeSignOf({0, 0, 0, -1}, kScreen, kReach)->arrow, "↓"); }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::edge_sign_test

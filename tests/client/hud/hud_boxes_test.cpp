@@ -16,7 +16,7 @@
 #include "client/ui/replay_bar.h"
 #include "client/ui/text_scale.h"
 
-namespace platon {
+namespace platon::hud_boxes_test {
 namespace {
 
 struct Picture {
@@ -299,4 +299,4 @@ TEST(HudBoxes, TheScaleEnlargesTheTexts) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::hud_boxes_test

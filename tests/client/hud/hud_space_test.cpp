@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::hud_space_test {
 namespace {
 
 const Font& font() {
@@ -75,4 +75,4 @@ TEST(HudSpace, BoundsAndMovesAgree) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::hud_space_test

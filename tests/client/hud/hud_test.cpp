@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::hud_test {
 namespace {
 
 const Font& font() {
@@ -381,4 +381,4 @@ TEST(Hud, ShowsTheMessageWithoutAGame) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::hud_test

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace platon {
+namespace platon::net_graph_test {
 namespace {
 
 NetSample sampleOf(double rttMs) {
@@ -90,4 +90,4 @@ TEST(NetGraph, CorrectionsHaveAnotherColour) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::net_graph_test

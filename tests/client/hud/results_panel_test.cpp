@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace platon {
+namespace platon::results_panel_test {
 namespace {
 
 constexpr float kWidth = 1280;
@@ -142,4 +142,4 @@ TEST(ResultsPanel, TellsThatARunIsTooLongToBeRecorded) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::results_panel_test

@@ -11,7 +11,7 @@
 #include "tests/client/job/no_thread.h"
 #include "tests/support/wait_until.h"
 
-namespace platon {
+namespace platon::job_test {
 namespace {
 
 void waitForStop(const std::stop_token& stop) {
@@ -90,4 +90,4 @@ TEST(Job, NoJobIsNotPending) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::job_test

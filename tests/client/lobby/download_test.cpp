@@ -5,7 +5,7 @@
 
 #include "tests/client/lobby/web_server.h"
 
-namespace platon {
+namespace platon::download_test {
 namespace {
 
 using testing::HasSubstr;
@@ -69,4 +69,4 @@ TEST(DownloadTest, KnowsTheUrlsOfThisMachine) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::download_test

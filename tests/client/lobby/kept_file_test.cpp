@@ -5,7 +5,7 @@
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 
-namespace platon {
+namespace platon::kept_file_test {
 namespace {
 
 TEST(KeptFile, AMissingFileIsEmptyAndOneThatCannotBeReadIsNot) {
@@ -20,4 +20,4 @@ TEST(KeptFile, AMissingFileIsEmptyAndOneThatCannotBeReadIsNot) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::kept_file_test

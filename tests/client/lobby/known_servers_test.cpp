@@ -14,22 +14,23 @@
 #include "tests/support/resource_limit.h"
 #include "tests/support/temporary_folder.h"
 
-namespace platon {
+namespace platon::known_servers_test {
 namespace {
 
 // Called before a file is locked.
 std::function<void()> beforeLock;
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::known_servers_test
 
 // Used by this program instead of that of the C library.
 extern "C" int flock(int handle, int operation) noexcept {
-  if (platon::beforeLock) std::exchange(platon::beforeLock, nullptr)();
+  using platon::known_servers_test::beforeLock;
+  if (beforeLock) std::exchange(beforeLock, nullptr)();
   return static_cast<int>(syscall(SYS_flock, handle, operation));
 }
 
-namespace platon {
+namespace platon::known_servers_test {
 namespace {
 
 const ServerAddress kHere{"example.org", 7777};
@@ -137,4 +138,4 @@ TEST(KnownServers, WithoutAFileNothingIsRemembered) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::known_servers_test

@@ -9,7 +9,7 @@
 #include "protocol/limits.h"
 #include "tests/support/transport/datagram_network.h"
 
-namespace platon {
+namespace platon::listed_search_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -173,4 +173,4 @@ TEST_F(ListedSearchTest, ASilentServerGivesUpItsPlaceToANewOne) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::listed_search_test

@@ -14,7 +14,7 @@
 #include "tests/support/test_level.h"
 #include "tests/support/wait_until.h"
 
-namespace platon {
+namespace platon::listed_servers_test {
 namespace {
 
 using testing::ElementsAre;
@@ -174,4 +174,4 @@ TEST_F(ListedServersTest, SaysWhyAListIsNotRead) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::listed_servers_test

@@ -12,7 +12,7 @@
 #include "tests/support/transport/datagram_network.h"
 #include "tests/support/wait_until.h"
 
-namespace platon {
+namespace platon::name_lookup_test {
 namespace {
 
 using Answers = std::vector<std::pair<std::string, std::optional<IpAddress>>>;
@@ -82,4 +82,4 @@ TEST(NameLookupTest, AsksTheSystem) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::name_lookup_test

@@ -13,7 +13,7 @@
 #include "tests/support/test_level.h"
 #include "tests/support/transport/datagram_network.h"
 
-namespace platon {
+namespace platon::near_servers_network_test {
 namespace {
 
 constexpr Moment kEnd = std::chrono::seconds(20);
@@ -42,4 +42,4 @@ TEST(NearServersNetwork, AServerAnswersASearchOfItsWholeNetworkOnce) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::near_servers_network_test

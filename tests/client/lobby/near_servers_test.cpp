@@ -8,7 +8,7 @@
 #include "protocol/limits.h"
 #include "tests/support/transport/datagram_network.h"
 
-namespace platon {
+namespace platon::near_servers_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -119,4 +119,4 @@ TEST_F(NearServersTest, SaysWhatKeepsAPlayerOut) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::near_servers_test

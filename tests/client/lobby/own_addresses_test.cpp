@@ -6,7 +6,7 @@
 
 #include "protocol/transport/socket_address.h"
 
-namespace platon {
+namespace platon::own_addresses_test {
 namespace {
 
 TEST(OwnAddresses, AreAddressesOfOtherThanThisMachineAlone) {
@@ -30,4 +30,4 @@ TEST(BroadcastAddresses, AreNoAddressesOfThisMachine) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::own_addresses_test

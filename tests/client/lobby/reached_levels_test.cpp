@@ -8,7 +8,7 @@
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 
-namespace platon {
+namespace platon::reached_levels_test {
 namespace {
 
 class ReachedLevelsTest : public testing::Test {
@@ -84,4 +84,4 @@ TEST_F(ReachedLevelsTest, AFailureNamesTheFileAndWithoutAFileThereIsNone) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::reached_levels_test

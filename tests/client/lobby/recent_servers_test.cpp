@@ -8,7 +8,7 @@
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 
-namespace platon {
+namespace platon::recent_servers_test {
 namespace {
 
 std::string textOf(const RecentServers& servers) {
@@ -54,4 +54,4 @@ TEST(RecentServers, DamagedLinesAreIgnored) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::recent_servers_test

@@ -12,7 +12,7 @@
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 
-namespace platon {
+namespace platon::shipped_levels_test {
 namespace {
 
 TEST(ShippedLevels, TheLevelsOfASolidFollowEachOther) {
@@ -81,4 +81,4 @@ TEST(ShippedLevels, TheTimesOfWaysAreReadFromTheirTable) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::shipped_levels_test

@@ -17,7 +17,7 @@
 #include "client/ui/text_scale.h"
 #include "tests/client/menu/sample_pages.h"
 
-namespace platon {
+namespace platon::menu_layout_test {
 namespace {
 
 const Font& font() {
@@ -261,4 +261,4 @@ TEST(MenuLayout, AFieldShowsWhatIsBeforeTheCaret) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::menu_layout_test

@@ -7,7 +7,7 @@
 #include "tests/client/menu/sample_pages.h"
 #include "tests/client/ui/overlay_contrast.h"
 
-namespace platon {
+namespace platon::menu_painter_test {
 namespace {
 
 class MenuPainter : public testing::Test {
@@ -85,4 +85,4 @@ TEST_F(MenuPainter, TheScaleEnlargesAllAndStaysOnTheScreen) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::menu_painter_test

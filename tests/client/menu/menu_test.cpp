@@ -7,7 +7,7 @@
 
 #include "tests/client/menu/sample_pages.h"
 
-namespace platon {
+namespace platon::menu_test {
 namespace {
 
 using Kind = KeyEvent::Kind;
@@ -383,4 +383,4 @@ TEST_F(MenuTest, TellsTheDeedsOfTheMouse) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::menu_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::text_field_test {
 namespace {
 
 using Kind = KeyEvent::Kind;
@@ -79,4 +79,4 @@ TEST(TextField, LeavesTheKeysThatMoveThroughAMenu) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::text_field_test

@@ -8,7 +8,7 @@
 #include "server/net/host.h"
 #include "tests/support/transport/datagram_network.h"
 
-namespace platon {
+namespace platon::connection_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -147,4 +147,4 @@ TEST_F(ConnectionTest, ServiceDeliversABoundedNumberOfMessages) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::connection_test

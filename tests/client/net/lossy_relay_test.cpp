@@ -14,7 +14,7 @@
 #include "client/net/connection.h"
 #include "tests/support/wait_until.h"
 
-namespace platon {
+namespace platon::lossy_relay_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -161,4 +161,4 @@ TEST_F(LossyRelayTest, AClientOnANewPortGetsANewPortTowardsTheServer) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::lossy_relay_test

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace platon {
+namespace platon::network_conditions_test {
 namespace {
 
 using std::chrono::microseconds;
@@ -342,4 +342,4 @@ TEST(NetworkConditions, TheSameSeedGivesTheSameDeliveries) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::network_conditions_test

@@ -6,7 +6,7 @@
 #include "protocol/transport/server_identity.h"
 #include "tests/support/transport/datagram_network.h"
 
-namespace platon {
+namespace platon::refusal_text_test {
 namespace {
 
 const SocketAddress kServer = addressAt("198.51.100.1", 7777);
@@ -59,4 +59,4 @@ TEST(RefusalText, SaysThatAPasswordOrTheKnownServerIsMissing) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::refusal_text_test

@@ -7,7 +7,7 @@
 
 #include "protocol/transport/server_address.h"
 
-namespace platon {
+namespace platon::server_link_test {
 namespace {
 
 TEST(ServerLinkTest, ALinkHoldsAnAddress) {
@@ -37,4 +37,4 @@ TEST(ServerLinkTest, ALinkWithMoreThanAnAddressIsRefused) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::server_link_test

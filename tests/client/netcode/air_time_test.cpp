@@ -8,7 +8,7 @@
 #include "tests/client/netcode/player_states.h"
 #include "tests/support/test_level.h"
 
-namespace platon {
+namespace platon::air_time_test {
 namespace {
 
 TEST(AirTime, CountsTheTicksSinceThePlayerStood) {
@@ -98,4 +98,4 @@ TEST(AirTime, APlayerOfAGameNeedsNoHintWhileItRunsAndJumps) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::air_time_test

@@ -7,7 +7,7 @@
 #include "platon/game/game.h"
 #include "tests/support/test_level.h"
 
-namespace platon {
+namespace platon::attempt_time_test {
 namespace {
 
 PlayerState startedAt(std::uint32_t tick) {
@@ -98,4 +98,4 @@ TEST(AttemptTime, IsTheTimeOfTheGame) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::attempt_time_test

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <vector>
 
-namespace platon {
+namespace platon::error_smoothing_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -126,4 +126,4 @@ TEST(ErrorSmoothing, ClearRemovesAllCorrections) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::error_smoothing_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::input_sender_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -78,4 +78,4 @@ TEST(InputSender, SendSoonSendsWithoutANewInput) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::input_sender_test

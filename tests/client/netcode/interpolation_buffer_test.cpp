@@ -9,7 +9,7 @@
 
 #include "tests/support/test_level.h"
 
-namespace platon {
+namespace platon::interpolation_buffer_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -212,4 +212,4 @@ TEST_F(InterpolationBufferTest, AcceptsTicksUpToTheLargest) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::interpolation_buffer_test

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-namespace platon {
+namespace platon::link_meter_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -103,4 +103,4 @@ TEST_F(LinkMeterTest, CountsLossesAmongTheLastHundredMessages) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::link_meter_test

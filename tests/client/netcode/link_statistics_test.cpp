@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::link_statistics_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -48,4 +48,4 @@ TEST(LinkStatistics, WithoutAClockHasOnlyTheValuesOfTheMeter) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::link_statistics_test

@@ -4,7 +4,7 @@
 
 #include "tests/client/netcode/player_states.h"
 
-namespace platon {
+namespace platon::player_flashes_test {
 namespace {
 
 // The player stands, falls from tick 10 on, and lands at tick `landing`.
@@ -78,4 +78,4 @@ TEST(PlayerFlashes, EachShowsAtItsOwnTick) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::player_flashes_test

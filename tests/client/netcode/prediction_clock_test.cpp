@@ -10,7 +10,7 @@
 #include "platon/game/game.h"
 #include "protocol/limits.h"
 
-namespace platon {
+namespace platon::prediction_clock_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -254,4 +254,4 @@ TEST(PredictionClock, AcceptsTicksUpToTheLargest) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::prediction_clock_test

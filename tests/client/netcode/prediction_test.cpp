@@ -10,7 +10,7 @@
 #include "client/bot/button_presser.h"
 #include "tests/support/test_level.h"
 
-namespace platon {
+namespace platon::prediction_test {
 namespace {
 
 constexpr std::uint32_t kLocal = 1;
@@ -205,4 +205,4 @@ TEST(Prediction, StopsAtTheLargestTick) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::prediction_test

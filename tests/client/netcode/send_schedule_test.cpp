@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace platon {
+namespace platon::send_schedule_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -66,4 +66,4 @@ TEST_F(SendScheduleTest, SendSoonMakesOneMessageDue) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::send_schedule_test

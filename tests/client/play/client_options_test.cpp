@@ -8,7 +8,7 @@
 
 #include "protocol/program_error.h"
 
-namespace platon {
+namespace platon::client_options_test {
 namespace {
 
 std::optional<ClientOptions> read(std::vector<const char*> arguments) {
@@ -128,4 +128,4 @@ TEST(ClientOptions, PrintTheHelp) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::client_options_test

@@ -22,7 +22,7 @@
 #include "tests/support/temporary_folder.h"
 
 // Runs on a virtual display with a window manager (on_display.sh).
-namespace platon {
+namespace platon::edit_play_test {
 namespace {
 
 class EditPlayTest : public testing::Test {
@@ -156,4 +156,4 @@ TEST_F(EditPlayTest, AnInvalidLevelIsRefusedWithItsErrors) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::edit_play_test

@@ -19,7 +19,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait_until.h"
 
-namespace platon {
+namespace platon::front_pages_test {
 namespace {
 
 class FrontPagesTest : public testing::Test {
@@ -389,4 +389,4 @@ TEST_F(FrontPagesTest, TheLastItemQuitsAndEscapeLeadsBackToTheTitle) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::front_pages_test

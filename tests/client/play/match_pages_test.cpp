@@ -16,7 +16,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait_until.h"
 
-namespace platon {
+namespace platon::match_pages_test {
 namespace {
 
 class MatchPagesTest : public testing::Test {
@@ -148,4 +148,4 @@ TEST_F(MatchPagesTest, WhoSaysTooMuchAtOnceIsTold) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::match_pages_test

@@ -12,7 +12,7 @@
 #include "tests/support/environment_variable.h"
 
 // Runs on a virtual display with a window manager (on_display.sh).
-namespace platon {
+namespace platon::old_driver_test {
 namespace {
 
 const EnvironmentVariable kOldVersion("MESA_GL_VERSION_OVERRIDE", "2.1");
@@ -49,4 +49,4 @@ TEST(OldDriver, TheProgramDoesNotAdviseToDrawOffScreen) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::old_driver_test

@@ -11,7 +11,7 @@
 #include "tests/support/environment_variable.h"
 
 // Runs on a virtual display with a window manager (on_display.sh).
-namespace platon {
+namespace platon::play_window_test {
 namespace {
 
 TEST(PlayWindow, AFrameTakesAsLongAsTheCapSaysAndLongerInACalmWindow) {
@@ -56,4 +56,4 @@ TEST(PlayWindow, WithoutADisplayItSaysWhatCanBeDone) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::play_window_test

@@ -13,7 +13,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait_until.h"
 
-namespace platon {
+namespace platon::replay_pages_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -175,4 +175,4 @@ TEST_F(ReplayPagesTest, OtherPagesShowNoLevelOfARecording) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::replay_pages_test

@@ -10,7 +10,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait_until.h"
 
-namespace platon {
+namespace platon::replay_play_test {
 namespace {
 
 constexpr const char* kRecording = "tests/determinism/golden/hexahedron.recording";
@@ -86,4 +86,4 @@ TEST(ReplayPlay, DrawsBeforeAndAfterTheFileHasBeenRead) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::replay_play_test

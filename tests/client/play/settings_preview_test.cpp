@@ -9,7 +9,7 @@
 
 #include "client/gl/offscreen.h"
 
-namespace platon {
+namespace platon::settings_preview_test {
 namespace {
 
 constexpr double kFrame = 1.0 / 30;
@@ -85,4 +85,4 @@ TEST(SettingsPreview, ThePictureShowsWhatTheSettingsSay) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::settings_preview_test

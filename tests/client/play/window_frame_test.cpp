@@ -14,7 +14,7 @@
 #include "tests/client/play/window_play_fixture.h"
 
 // What the pictures of the window show, counted in pictures.
-namespace platon {
+namespace platon::window_frame_test {
 namespace {
 
 // As GLFW does it: the event is there before the next picture, whenever the X server would have sent it.
@@ -162,4 +162,4 @@ TEST_F(WindowFrameTest, AtTheTitleASettingIsJudgedOnABallThatRuns) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::window_frame_test

@@ -13,7 +13,7 @@
 #include "tests/support/process.h"
 
 // The ways from the title to a match, by keys and mouse in a real window.
-namespace platon {
+namespace platon::window_match_test {
 namespace {
 
 constexpr const char* kLevel = "tests/determinism/golden/levels/hexahedron.level";
@@ -238,4 +238,4 @@ TEST_F(WindowMatchTest, ARecordingIsRacedAndAPictureIsKept) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::window_match_test

@@ -19,7 +19,7 @@
 #include "tests/client/play/window_play_fixture.h"
 
 // Runs on a virtual display with a window manager (on_display.sh).
-namespace platon {
+namespace platon::window_play_test {
 namespace {
 
 constexpr int kSettingsItem = 3;  // of the menu over the game, below Resume
@@ -385,4 +385,4 @@ TEST_F(WindowPlayTest, ClosingTheWindowLeavesTheGame) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::window_play_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::benchmark_report_test {
 namespace {
 
 BenchmarkReport report() {
@@ -50,4 +50,4 @@ TEST(BenchmarkReport, TheTextIsATable) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::benchmark_report_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::quality_choice_test {
 namespace {
 
 // The choice of these lines, of which all must be valid.
@@ -50,4 +50,4 @@ TEST(QualityChoice, ChoosingALevelTakesItAsItIs) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::quality_choice_test

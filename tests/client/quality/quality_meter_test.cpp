@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::quality_meter_test {
 namespace {
 
 using Times = std::array<double, kQualities.size()>;  // of a picture, by level
@@ -116,4 +116,4 @@ TEST(QualityMeter, AfterTheChoiceNothingIsMeasured) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::quality_meter_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::quality_test {
 namespace {
 
 TEST(Quality, EachLevelIsAtItsPlaceAndHasItsName) {
@@ -37,4 +37,4 @@ TEST(Quality, EveryLevelIsDrawnAtThreeQuartersOfTheSizeOrMore) {
 TEST(Quality, TheLastLevelHasEverythingOn) { EXPECT_EQ(kBestQuality, (Quality{4, 1, true, true})); }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::quality_test

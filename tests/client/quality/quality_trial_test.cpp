@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::quality_trial_test {
 namespace {
 
 // The time of a picture on a machine without graphics hardware: mostly that of its samples.
@@ -65,4 +65,4 @@ TEST(QualityTrial, MeasuresAnewWhenThePlayerWantsIt) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::quality_trial_test

@@ -11,7 +11,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait_until.h"
 
-namespace platon {
+namespace platon::facts_reader_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -103,4 +103,4 @@ TEST_F(FactsReaderTest, CanEndWhileItReads) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::facts_reader_test

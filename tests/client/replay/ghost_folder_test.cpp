@@ -9,7 +9,7 @@
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 
-namespace platon {
+namespace platon::ghost_folder_test {
 namespace {
 
 class GhostFolderTest : public testing::Test {
@@ -74,4 +74,4 @@ TEST_F(GhostFolderTest, WithoutAFolderThereAreNone) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::ghost_folder_test

@@ -11,7 +11,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test_level.h"
 
-namespace platon {
+namespace platon::ghost_lockstep_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -77,4 +77,4 @@ TEST(GhostLockstep, AMatchWithGhostsIsTheSameMatch) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::ghost_lockstep_test

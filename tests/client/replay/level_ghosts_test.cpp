@@ -9,7 +9,7 @@
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 
-namespace platon {
+namespace platon::level_ghosts_test {
 namespace {
 
 class LevelGhostsTest : public testing::Test {
@@ -81,4 +81,4 @@ TEST_F(LevelGhostsTest, AStopReadsNothingMore) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::level_ghosts_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::listed_run_test {
 namespace {
 
 TEST(ListedRun, TheDateIsThatOfUtc) {
@@ -14,4 +14,4 @@ TEST(ListedRun, TheDateIsThatOfUtc) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::listed_run_test

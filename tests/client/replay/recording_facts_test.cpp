@@ -15,7 +15,7 @@
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 
-namespace platon {
+namespace platon::recording_facts_test {
 namespace {
 
 class RecordingFactsTest : public testing::Test {
@@ -91,4 +91,4 @@ TEST_F(RecordingFactsTest, StopsWhenItIsAskedTo) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::recording_facts_test

@@ -7,7 +7,7 @@
 
 #include "tests/shared/game/recorded_game.h"
 
-namespace platon {
+namespace platon::recording_fault_test {
 namespace {
 
 std::string faultOf(const std::vector<std::uint8_t>& recording) {
@@ -28,4 +28,4 @@ TEST(RecordingFault, TellsWhatIsCutOffFromWhatIsDamaged) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::recording_fault_test

@@ -5,7 +5,7 @@
 #include "tests/client/replay/older_rules.h"
 #include "tests/shared/game/recorded_game.h"
 
-namespace platon {
+namespace platon::recording_head_test {
 namespace {
 
 TEST(RecordingHead, IsReadFromTheFirstBytes) {
@@ -47,4 +47,4 @@ TEST(RecordingHead, TheTextNamesBothVersions) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::recording_head_test

@@ -12,7 +12,7 @@
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 
-namespace platon {
+namespace platon::replay_file_test {
 namespace {
 
 TEST(ReplayFile, IsRead) {
@@ -71,4 +71,4 @@ TEST(ReplayFile, ALargeFileIsReadWhole) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::replay_file_test

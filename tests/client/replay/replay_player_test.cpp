@@ -7,7 +7,7 @@
 #include "tests/shared/game/recorded_game.h"
 #include "tests/support/files.h"
 
-namespace platon {
+namespace platon::replay_player_test {
 namespace {
 
 constexpr double kTick = 1.0 / kTicksPerSecond;
@@ -122,4 +122,4 @@ TEST(ReplayPlayer, FollowsThosePresent) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::replay_player_test

@@ -12,7 +12,7 @@
 #include "tests/shared/game/recorded_game.h"
 #include "tests/support/files.h"
 
-namespace platon {
+namespace platon::replay_test {
 namespace {
 
 std::string faultOf(std::span<const std::uint8_t> recording) {
@@ -134,4 +134,4 @@ TEST(Replay, StopsWhenItIsAskedTo) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::replay_test

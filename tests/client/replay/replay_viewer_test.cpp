@@ -5,7 +5,7 @@
 #include "tests/client/replay/replay_of.h"
 #include "tests/shared/game/recorded_game.h"
 
-namespace platon {
+namespace platon::replay_viewer_test {
 namespace {
 
 constexpr float kWidth = 1280;
@@ -128,4 +128,4 @@ TEST_F(ReplayViewerTest, BeforeTheFirstTickTheStartIsShown) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::replay_viewer_test

@@ -12,7 +12,7 @@
 #include "tests/shared/game/played_game.h"
 #include "tests/support/files.h"
 
-namespace platon {
+namespace platon::run_cutter_test {
 namespace {
 
 // The goal is on the floor to the right of the start.
@@ -171,4 +171,4 @@ TEST(RunCutter, WhoLeavesHasNoRun) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::run_cutter_test

@@ -18,7 +18,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait_until.h"
 
-namespace platon {
+namespace platon::run_keeper_test {
 namespace {
 
 // Over an edge to the goal on the next face.
@@ -387,4 +387,4 @@ TEST_F(HeldRunKeeperTest, TheFileThatIsWrittenWhileTheLevelIsReadRemainsTheBest)
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::run_keeper_test

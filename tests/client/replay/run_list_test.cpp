@@ -17,7 +17,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait_until.h"
 
-namespace platon {
+namespace platon::run_list_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -145,4 +145,4 @@ TEST_F(RunListTest, ARecordingElsewhereIsAddedOnce) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::run_list_test

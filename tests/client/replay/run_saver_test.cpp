@@ -10,7 +10,7 @@
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 
-namespace platon {
+namespace platon::run_saver_test {
 namespace {
 
 Run runTo(int x) {
@@ -74,4 +74,4 @@ TEST(RunSaver, KnowsTheLastRunOnALevelThatIsNotWritten) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::run_saver_test

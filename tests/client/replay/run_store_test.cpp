@@ -12,7 +12,7 @@
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 
-namespace platon {
+namespace platon::run_store_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -212,4 +212,4 @@ TEST_F(RunStoreTest, AFailureNamesTheFile) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::run_store_test

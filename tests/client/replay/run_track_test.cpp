@@ -7,7 +7,7 @@
 #include "tests/shared/game/recorded_game.h"
 #include "tests/support/files.h"
 
-namespace platon {
+namespace platon::run_track_test {
 namespace {
 
 // One player runs over the edge to the goal on the next face.
@@ -94,4 +94,4 @@ TEST(RunTrack, AnAttemptThatBeganBeforeTheRecordingIsNoRun) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::run_track_test

@@ -10,7 +10,7 @@
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 
-namespace platon {
+namespace platon::track_file_test {
 namespace {
 
 class TrackFileTest : public testing::Test {
@@ -54,4 +54,4 @@ TEST_F(TrackFileTest, SaysWhyAFileIsNoRun) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::track_file_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::camera_ease_test {
 namespace {
 
 TEST(CameraEase, IsAnExponentialBelowTheLargestSpeed) {
@@ -34,4 +34,4 @@ TEST(CameraEase, AWayBeginsAndEndsSlowly) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::camera_ease_test

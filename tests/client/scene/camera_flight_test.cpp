@@ -5,7 +5,7 @@
 
 #include "client/scene/camera_target.h"
 
-namespace platon {
+namespace platon::camera_flight_test {
 namespace {
 
 ViewPoint onFace(const SolidMesh& mesh, int face, glm::dvec2 place, double angle) {
@@ -72,4 +72,4 @@ TEST_F(CameraFlightTest, AStoppedFlightIsOver) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::camera_flight_test

@@ -12,7 +12,7 @@
 #include "client/scene/camera.h"
 #include "tests/client/scene/surface_walk.h"
 
-namespace platon {
+namespace platon::camera_framing_test {
 namespace {
 
 glm::dvec2 shiftAt(const SolidMesh& mesh, const Pose& player) {
@@ -95,4 +95,4 @@ TEST(CameraFraming, TheEdgesOfAFaceAreInThePictureAtRest) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::camera_framing_test

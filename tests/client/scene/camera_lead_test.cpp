@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::camera_lead_test {
 namespace {
 
 constexpr double kTick = 1.0 / 60;
@@ -119,4 +119,4 @@ TEST(CameraLead, IsCarriedOverAnEdge) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::camera_lead_test

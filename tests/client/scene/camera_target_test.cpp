@@ -9,7 +9,7 @@
 
 #include "tests/client/scene/surface_walk.h"
 
-namespace platon {
+namespace platon::camera_target_test {
 namespace {
 
 constexpr unsigned kSeed = 20261123;
@@ -122,4 +122,4 @@ TEST(CameraTarget, ShowsAUsefulPartOfAFaceOfAnySize) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::camera_target_test

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-namespace platon {
+namespace platon::camera_test {
 namespace {
 
 constexpr double kSize = 480;
@@ -289,4 +289,4 @@ TEST(Camera, ThePlacedCameraIsWhereItWasPut) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::camera_test

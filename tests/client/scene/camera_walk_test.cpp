@@ -15,7 +15,7 @@
 #include "client/scene/camera.h"
 #include "tests/client/scene/surface_walk.h"
 
-namespace platon {
+namespace platon::camera_walk_test {
 namespace {
 
 constexpr unsigned kSeed = 20261124;
@@ -245,4 +245,4 @@ TEST(CameraWalk, AtRandomInEachPicture) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::camera_walk_test

@@ -10,7 +10,7 @@
 #include "platon/physics/map_part.h"
 #include "shared/game/game_rules.h"
 
-namespace platon {
+namespace platon::element_states_test {
 namespace {
 
 std::shared_ptr<const Level> levelOf(SolidKind kind, const std::string& segmentsOfEachFace) {
@@ -154,4 +154,4 @@ TEST(ElementStates, OnlyTheLastCheckpointOfTheLocalPlayerIsActive) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::element_states_test

@@ -9,7 +9,7 @@
 #include "client/scene/camera_target.h"
 #include "tests/client/scene/surface_walk.h"
 
-namespace platon {
+namespace platon::face_hold_test {
 namespace {
 
 // Distance of a place from the middle of the picture, in half shorter sides.
@@ -70,4 +70,4 @@ TEST(FaceHold, ZoomMagnifies) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::face_hold_test

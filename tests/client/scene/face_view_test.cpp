@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-namespace platon {
+namespace platon::face_view_test {
 namespace {
 
 constexpr double kSize = 480;
@@ -85,4 +85,4 @@ TEST(FaceView, TheLightMovesWithTheCamera) {
 INSTANTIATE_TEST_SUITE_P(AllSolids, FaceViewTest, testing::Range(0, kSolidKinds));
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::face_view_test

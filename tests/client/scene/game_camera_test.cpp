@@ -8,7 +8,7 @@
 
 #include "platon/game/level.h"
 
-namespace platon {
+namespace platon::game_camera_test {
 namespace {
 
 constexpr double kFrame = 1.0 / 60;
@@ -193,4 +193,4 @@ TEST_F(GameCameraTest, OnlyTheCameraThatFadesHasFadingCutsAndOnlyAtAnotherView) 
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::game_camera_test

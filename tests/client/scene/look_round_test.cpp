@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-namespace platon {
+namespace platon::look_round_test {
 namespace {
 
 const ViewPoint kView{{1, 0, 0, 0}, {30, -20, 1000}};
@@ -86,4 +86,4 @@ TEST(LookRound, ATurnIsMadeAtOnceWithinTheLimits) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::look_round_test

@@ -7,7 +7,7 @@
 
 #include "tests/client/scene/eyes.h"
 
-namespace platon {
+namespace platon::palette_test {
 namespace {
 
 constexpr std::uint32_t kLooks = kBallColours * kBallPatterns;
@@ -57,4 +57,4 @@ TEST(Palette, AChoiceMayBeOfTheColourOrThePatternAlone) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::palette_test

@@ -12,7 +12,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-namespace platon {
+namespace platon::pose_between_test {
 namespace {
 
 constexpr double kSize = 480;
@@ -208,4 +208,4 @@ TEST_P(PoseBetweenTest, ADistanceTooLongForOneTickIsAJump) {
 INSTANTIATE_TEST_SUITE_P(OnEverySolid, PoseBetweenTest, testing::Range(0, kSolidKinds));
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::pose_between_test

@@ -11,7 +11,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-namespace platon {
+namespace platon::scene_test {
 namespace {
 
 constexpr std::array<std::string_view, 2> kNames{"Ada", "Grace"};
@@ -327,4 +327,4 @@ TEST(Scene, WithoutPlayersTheFocusIsTheStart) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::scene_test

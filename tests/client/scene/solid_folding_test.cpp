@@ -10,7 +10,7 @@
 #include "client/scene/camera.h"
 #include "levels/drawing/net.h"
 
-namespace platon {
+namespace platon::solid_folding_test {
 namespace {
 
 class SolidFoldingTest : public testing::TestWithParam<int> {
@@ -96,4 +96,4 @@ TEST_P(SolidFoldingTest, TheViewShowsTheWholeNetUpright) {
 INSTANTIATE_TEST_SUITE_P(EverySolid, SolidFoldingTest, testing::Range(0, kSolidKinds));
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::solid_folding_test

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-namespace platon {
+namespace platon::solid_mesh_test {
 namespace {
 
 constexpr double kSize = 480;
@@ -61,4 +61,4 @@ TEST_P(SolidMeshTest, IsBetweenTwoPointsWhereverTheWayGoesThroughIt) {
 INSTANTIATE_TEST_SUITE_P(AllSolids, SolidMeshTest, testing::Range(0, kSolidKinds));
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::solid_mesh_test

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-namespace platon {
+namespace platon::stage_model_test {
 namespace {
 
 std::shared_ptr<const StageModel> stageOf(const std::string& segmentsOfFace0) {
@@ -125,4 +125,4 @@ TEST(StageModel, FaceLabelsDifferAlsoUpsideDown) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::stage_model_test

@@ -5,7 +5,7 @@
 
 #include "client/scene/camera_target.h"
 
-namespace platon {
+namespace platon::view_point_test {
 namespace {
 
 ViewPoint onFace(const SolidMesh& mesh, int face, glm::dvec2 place) {
@@ -47,4 +47,4 @@ TEST(ViewPoint, TheEyeIsNeverInTheSolid) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::view_point_test

@@ -17,7 +17,7 @@
 #include "tests/support/session_network.h"
 #include "tests/support/test_level.h"
 
-namespace platon {
+namespace platon::desync_test {
 namespace {
 
 using std::chrono::seconds;
@@ -211,4 +211,4 @@ TEST(Desync, RepeatedDesyncsAreReportedOnceAMinute) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::desync_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::farewell_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -41,4 +41,4 @@ TEST_F(Farewell, EndsAfterHalfASecond) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::farewell_test

@@ -12,7 +12,7 @@
 #include "server/match/match.h"
 #include "tests/support/test_level.h"
 
-namespace platon {
+namespace platon::hollow_session_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -213,4 +213,4 @@ TEST_F(HollowSessionTest, LimitsItsInputsAfterAStateOfAnyTick) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::hollow_session_test

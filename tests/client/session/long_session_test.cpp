@@ -10,7 +10,7 @@
 #include "tests/support/session_network.h"
 #include "tests/support/test_level.h"
 
-namespace platon {
+namespace platon::long_session_test {
 namespace {
 
 using std::chrono::seconds;
@@ -66,4 +66,4 @@ TEST(LongSession, DetectsNoDesyncWithoutACause) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::long_session_test

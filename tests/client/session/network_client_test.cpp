@@ -11,7 +11,7 @@
 #include "client/time/steady_now.h"
 #include "server/net/host.h"
 
-namespace platon {
+namespace platon::network_client_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -127,4 +127,4 @@ TEST(NetworkClient, PlaysOnAnEmbeddedServer) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::network_client_test

@@ -17,7 +17,7 @@
 #include "server/net/host.h"
 #include "tests/support/test_level.h"
 
-namespace platon {
+namespace platon::outage_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -305,4 +305,4 @@ TEST_F(Outage, EveryClientGetsItsOwnRandomToken) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::outage_test

@@ -11,7 +11,7 @@
 #include "tests/support/session_network.h"
 #include "tests/support/test_level.h"
 
-namespace platon {
+namespace platon::resume_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -225,4 +225,4 @@ TEST_F(NextRound, IsJoinedAfterAnInterruptedTransfer) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::resume_test

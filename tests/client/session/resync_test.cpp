@@ -10,7 +10,7 @@
 #include "tests/support/session_network.h"
 #include "tests/support/test_level.h"
 
-namespace platon {
+namespace platon::resync_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -106,4 +106,4 @@ INSTANTIATE_TEST_SUITE_P(PlayersAndRoundTrips, Resync,
                                           testing::Values(20, 26, 33, 100, 108, 400)));
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::resync_test

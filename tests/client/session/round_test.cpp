@@ -7,7 +7,7 @@
 
 #include "tests/support/test_level.h"
 
-namespace platon {
+namespace platon::round_test {
 namespace {
 
 constexpr std::uint32_t kId = 7;
@@ -238,4 +238,4 @@ TEST_F(RoundTest, AcceptsAStateOfTheLargestTick) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::round_test

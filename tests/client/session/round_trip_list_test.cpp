@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::round_trip_list_test {
 namespace {
 
 using std::chrono::microseconds;
@@ -29,4 +29,4 @@ TEST(RoundTripList, AnOldOneIsForgotten) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::round_trip_list_test

@@ -5,7 +5,7 @@
 
 #include "platon/game/game.h"
 
-namespace platon {
+namespace platon::session_chat_test {
 namespace {
 
 using std::chrono::seconds;
@@ -73,4 +73,4 @@ TEST_F(SessionChat, AFloodDropsTheOldest) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::session_chat_test

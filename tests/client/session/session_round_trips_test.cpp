@@ -3,7 +3,7 @@
 
 #include "client/session/session.h"
 
-namespace platon {
+namespace platon::session_round_trips_test {
 namespace {
 
 using std::chrono::seconds;
@@ -54,4 +54,4 @@ TEST_F(SessionRoundTrips, BeforeWelcomeNobodyHasOne) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::session_round_trips_test

@@ -10,7 +10,7 @@
 #include "tests/support/session_network.h"
 #include "tests/support/test_level.h"
 
-namespace platon {
+namespace platon::session_rounds_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -271,4 +271,4 @@ TEST(SessionLevels, AtMostAsManyLevelsAreAnnouncedAsAMessageHolds) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::session_rounds_test

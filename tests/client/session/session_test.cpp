@@ -9,7 +9,7 @@
 #include "tests/support/session_network.h"
 #include "tests/support/test_level.h"
 
-namespace platon {
+namespace platon::session_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -344,4 +344,4 @@ TEST(Session, LeavesAServerWhoseGameIsTooSlowOnThisComputer) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::session_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::pausable_clock_test {
 namespace {
 
 using std::chrono::seconds;
@@ -76,4 +76,4 @@ TEST_F(PausableClockTest, NeverGoesBackWhateverIsChanged) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::pausable_clock_test

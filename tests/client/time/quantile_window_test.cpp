@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::quantile_window_test {
 namespace {
 
 TEST(QuantileWindow, OneSampleIsEveryQuantile) {
@@ -32,4 +32,4 @@ TEST(QuantileWindow, DropsTheOldestSample) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::quantile_window_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace platon {
+namespace platon::slewing_clock_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -56,4 +56,4 @@ TEST(SlewingClock, HoldAtSetsTheClockBackAndItCatchesUp) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::slewing_clock_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::ball_choice_text_test {
 namespace {
 
 TEST(BallChoiceText, EachColourAndPatternIsReadAsItIsWritten) {
@@ -34,4 +34,4 @@ TEST(BallChoiceText, OtherWordsChangeNothing) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::ball_choice_text_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::chat_feed_test {
 namespace {
 
 using Lines = std::vector<std::string>;
@@ -43,4 +43,4 @@ TEST(ChatFeed, AnUnknownEmoteIsLeftOut) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::chat_feed_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::fitted_text_test {
 namespace {
 
 TEST(FittedText, WhatFitsIsUnchanged) {
@@ -19,4 +19,4 @@ TEST(FittedText, WhatIsTooLongEndsWithAnEllipsisAndIsAsLongAsPossible) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::fitted_text_test

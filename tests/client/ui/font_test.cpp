@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::font_test {
 namespace {
 
 TEST(Font, HasTheGlyphsOfTheGame) {
@@ -34,4 +34,4 @@ TEST(Font, CapitalsHaveTheStatedHeight) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::font_test

@@ -5,7 +5,7 @@
 
 #include "client/ui/overlay_writer.h"
 
-namespace platon {
+namespace platon::high_contrast_overlay_test {
 namespace {
 
 using namespace overlay_colours;
@@ -38,4 +38,4 @@ TEST(HighContrastOverlay, TextsAreAsBrightAsTheyCanBe) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::high_contrast_overlay_test

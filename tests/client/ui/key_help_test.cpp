@@ -6,7 +6,7 @@
 
 #include "tests/client/ui/controls/random_bindings.h"
 
-namespace platon {
+namespace platon::key_help_test {
 namespace {
 
 Overlay helpOf(const Bindings& bindings, const Font& font, bool brief = false) {
@@ -58,4 +58,4 @@ TEST(KeyHelp, StaysInsideItsPanelAndTheNarrowestPicture) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::key_help_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::medal_test {
 namespace {
 
 TEST(Medal, TimesFollowFromTheWayAndAreTenthsOfASecond) {
@@ -48,4 +48,4 @@ TEST(Medal, TheNextOneIsNamedWithItsTime) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::medal_test

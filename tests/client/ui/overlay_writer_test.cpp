@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::overlay_writer_test {
 namespace {
 
 const Font& font() {
@@ -89,4 +89,4 @@ TEST(OverlayWriter, APillEnclosesItsLines) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::overlay_writer_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::player_rows_test {
 namespace {
 
 PlayerDrawing playerOf(std::uint32_t slot, std::optional<double> finishSeconds = {}) {
@@ -70,4 +70,4 @@ TEST(PlayerRows, ALongNameIsCutBetweenCodePointsAndNoNameIsTheNumber) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::player_rows_test

@@ -11,7 +11,7 @@
 #include "client/hud/hud_space.h"
 #include "client/ui/text_scale.h"
 
-namespace platon {
+namespace platon::replay_bar_test {
 namespace {
 
 constexpr float kWidth = 1280;
@@ -101,4 +101,4 @@ TEST(ReplayBar, AnEmptyRecordingHasABar) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::replay_bar_test

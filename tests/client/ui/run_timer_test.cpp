@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace platon {
+namespace platon::run_timer_test {
 namespace {
 
 Scene sceneOf(double seconds, bool arrived) {
@@ -74,4 +74,4 @@ TEST(RunTimer, TellsAtTheGoalWhyTheRunIsNotKept) {
 TEST(RunTimer, WithoutALocalPlayerThereIsNone) { EXPECT_EQ(textsOf(Scene(), {.best = 1}), Texts{}); }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::run_timer_test

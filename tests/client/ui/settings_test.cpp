@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::settings_test {
 namespace {
 
 using Lines = std::vector<std::string>;
@@ -111,4 +111,4 @@ TEST(Settings, AListOfServersIsAUrlOfTheWebOrNone) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::settings_test

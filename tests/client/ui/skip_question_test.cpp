@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::skip_question_test {
 namespace {
 
 TEST(SkipQuestion, TheSecondWishLeavesAnUnfinishedLevel) {
@@ -32,4 +32,4 @@ TEST(SkipQuestion, AfterTheGoalNothingIsAsked) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::skip_question_test

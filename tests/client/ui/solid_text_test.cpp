@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::solid_text_test {
 namespace {
 
 TEST(SolidText, NamesTheSolidAndItsElement) {
@@ -14,4 +14,4 @@ TEST(SolidText, NamesTheSolidAndItsElement) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::solid_text_test

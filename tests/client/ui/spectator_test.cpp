@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::spectator_test {
 namespace {
 
 PlayerDrawing playerOf(std::uint32_t slot, bool local = false) {
@@ -65,4 +65,4 @@ TEST(Spectator, LeavesAPlayerWhoHasGone) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::spectator_test

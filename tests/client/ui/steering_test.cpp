@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::steering_test {
 namespace {
 
 constexpr double kQuarter = std::numbers::pi / 2;
@@ -70,4 +70,4 @@ TEST(Steering, JumpAndRestartHaveNoDirection) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::steering_test

@@ -5,7 +5,7 @@
 #include "client/ui/settings.h"
 #include "levels/drawing/typeface.h"
 
-namespace platon {
+namespace platon::text_scale_test {
 namespace {
 
 constexpr std::uint32_t kHeights[] = {1, 180, 360, 480, 720, 1080, 2160};
@@ -44,4 +44,4 @@ TEST(TextScale, AllLengthsAreMultiplied) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::text_scale_test

@@ -4,7 +4,7 @@
 
 #include <random>
 
-namespace platon {
+namespace platon::text_wrap_test {
 namespace {
 
 using Lines = std::vector<std::string>;
@@ -55,4 +55,4 @@ TEST(TextWrap, KeepsEveryCharacterWithinTheWidth) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::text_wrap_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::user_interface_test {
 namespace {
 
 using Kind = KeyEvent::Kind;
@@ -132,4 +132,4 @@ TEST(UserInterface, StartsWithTheGivenSettings) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::user_interface_test

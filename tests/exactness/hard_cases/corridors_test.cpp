@@ -11,7 +11,7 @@
 #include "shared/physics/tolerances.h"
 #include "tests/exactness/hard_cases/checked_world.h"
 
-namespace platon::hard_cases {
+namespace platon::hard_cases::corridors_test {
 namespace {
 
 const char* const kCorridors[] = {"right", "up",           "diagonal",        "three_one",  "seven_three",
@@ -143,4 +143,4 @@ TEST(CorridorsTest, IsNotNudgedThroughANarrowGate) {
 }
 
 }  // namespace
-}  // namespace platon::hard_cases
+}  // namespace platon::hard_cases::corridors_test

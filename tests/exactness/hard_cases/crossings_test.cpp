@@ -13,7 +13,7 @@
 #include "tests/exactness/step_check/run_length.h"
 #include "tests/shared/game/real_face.h"
 
-namespace platon::hard_cases {
+namespace platon::hard_cases::crossings_test {
 namespace {
 
 constexpr double kUnit = kSubunitsPerUnit;
@@ -238,4 +238,4 @@ TEST(CrossingsTest, IsStoppedByASegmentOnAnEdge) {
 }
 
 }  // namespace
-}  // namespace platon::hard_cases
+}  // namespace platon::hard_cases::crossings_test

@@ -7,7 +7,7 @@
 #include "tests/exactness/hard_cases/checked_world.h"
 #include "tests/exactness/hard_cases/sweep_cases.h"
 
-namespace platon::hard_cases {
+namespace platon::hard_cases::ends_test {
 namespace {
 
 // A square that stands on its vertex moves to the right. Segments of many directions end at its leading vertex, one
@@ -102,4 +102,4 @@ TEST(EndsTest, AnEndOneSubunitInsideIsPassed) {
 }
 
 }  // namespace
-}  // namespace platon::hard_cases
+}  // namespace platon::hard_cases::ends_test

@@ -10,7 +10,7 @@
 #include "platon/game/solid.h"
 #include "tests/exactness/hard_cases/checked_world.h"
 
-namespace platon::hard_cases {
+namespace platon::hard_cases::equal_times_test {
 namespace {
 
 constexpr std::int32_t kUnit = kSubunitsPerUnit;
@@ -105,4 +105,4 @@ TEST(EqualTimesTest, BeginAndEndContactAreCalledForTheHomeInstanceFirst) {
 }
 
 }  // namespace
-}  // namespace platon::hard_cases
+}  // namespace platon::hard_cases::equal_times_test

@@ -5,7 +5,7 @@
 #include "tests/exactness/hard_cases/checked_world.h"
 #include "tests/exactness/hard_cases/sweep_cases.h"
 
-namespace platon::hard_cases {
+namespace platon::hard_cases::grazing_test {
 namespace {
 
 // For each power of ten from 1e-1 to 1e-15 radians, five queries. At the end of its path the vertex touches the middle
@@ -64,4 +64,4 @@ TEST(GrazingTest, IsStoppedByAGapOneSubunitTooNarrow) {
 }
 
 }  // namespace
-}  // namespace platon::hard_cases
+}  // namespace platon::hard_cases::grazing_test

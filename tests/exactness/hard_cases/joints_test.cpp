@@ -22,7 +22,7 @@
 #include "tests/shared/game/real_face.h"
 #include "tests/sim/seeded_random.h"
 
-namespace platon::hard_cases {
+namespace platon::hard_cases::joints_test {
 namespace {
 
 /// Bounds of every step along a floor.
@@ -253,4 +253,4 @@ TEST(JointsTest, ChainsInSceneFilesStayWithinBounds) {
 }
 
 }  // namespace
-}  // namespace platon::hard_cases
+}  // namespace platon::hard_cases::joints_test

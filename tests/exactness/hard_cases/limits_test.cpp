@@ -6,7 +6,7 @@
 #include "tests/exactness/hard_cases/checked_world.h"
 #include "tests/exactness/hard_cases/sweep_cases.h"
 
-namespace platon::hard_cases {
+namespace platon::hard_cases::limits_test {
 namespace {
 
 constexpr std::int32_t kLast = kCoordinateLimit - 1;
@@ -67,4 +67,4 @@ TEST(LimitsTest, ALargeShapeSlidesOnTheLongestSegment) {
 }
 
 }  // namespace
-}  // namespace platon::hard_cases
+}  // namespace platon::hard_cases::limits_test

@@ -7,7 +7,7 @@
 
 #include "tests/exactness/hard_cases/checked_world.h"
 
-namespace platon::hard_cases {
+namespace platon::hard_cases::rotation_test {
 namespace {
 
 /// A rotation and the segment that must stop it; nothing if the rotation is free.
@@ -81,4 +81,4 @@ TEST(RotationTest, IsImpossibleInASlot) { expectRotations("slot", {{1, 0}, {-1, 
 TEST(RotationTest, WorksForAShapeFarFromItsOrigin) { expectRotations("skew", {{1000, {}}, {9000, 0}, {-30000, 1}}); }
 
 }  // namespace
-}  // namespace platon::hard_cases
+}  // namespace platon::hard_cases::rotation_test

@@ -12,7 +12,7 @@
 #include "tests/exactness/hard_cases/checked_world.h"
 #include "tests/shared/game/real_face.h"
 
-namespace platon::hard_cases {
+namespace platon::hard_cases::same_face_twice_test {
 namespace {
 
 const std::string kLevel = "same_face_twice/tetrahedron.level";
@@ -130,4 +130,4 @@ TEST(SameFaceTwiceTest, MovesTowardsACornerAndBack) {
 }
 
 }  // namespace
-}  // namespace platon::hard_cases
+}  // namespace platon::hard_cases::same_face_twice_test

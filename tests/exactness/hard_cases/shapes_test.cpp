@@ -10,7 +10,7 @@
 #include "tests/shared/physics/shapes.h"
 #include "tests/sim/seeded_random.h"
 
-namespace platon::hard_cases {
+namespace platon::hard_cases::shapes_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 64;
@@ -77,4 +77,4 @@ TEST(ShapesTest, InvariantsHoldAtRandomVelocities) {
 }
 
 }  // namespace
-}  // namespace platon::hard_cases
+}  // namespace platon::hard_cases::shapes_test

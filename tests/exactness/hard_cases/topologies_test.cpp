@@ -8,7 +8,7 @@
 #include "platon/exact/angle.h"
 #include "tests/exactness/hard_cases/checked_world.h"
 
-namespace platon::hard_cases {
+namespace platon::hard_cases::topologies_test {
 namespace {
 
 std::vector<Point> pathIn(const std::string& name, int ticks) {
@@ -93,4 +93,4 @@ TEST(TopologiesTest, RestsBetweenAThousandSegmentsThroughOnePoint) {
 }
 
 }  // namespace
-}  // namespace platon::hard_cases
+}  // namespace platon::hard_cases::topologies_test

@@ -11,7 +11,7 @@
 #include "platon/physics/entity_state.h"
 #include "tests/exactness/hard_cases/checked_world.h"
 
-namespace platon::hard_cases {
+namespace platon::hard_cases::touching_test {
 namespace {
 
 struct Push {
@@ -131,4 +131,4 @@ TEST(TouchingTest, MovesWithAVertexOnTheEndOfASegment) {
 }
 
 }  // namespace
-}  // namespace platon::hard_cases
+}  // namespace platon::hard_cases::touching_test

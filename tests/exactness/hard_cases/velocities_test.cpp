@@ -8,7 +8,7 @@
 #include "platon/exact/integer.h"
 #include "tests/exactness/hard_cases/checked_world.h"
 
-namespace platon::hard_cases {
+namespace platon::hard_cases::velocities_test {
 namespace {
 
 TEST(VelocitiesTest, ZeroVelocityMovesNothing) {
@@ -107,4 +107,4 @@ TEST(VelocitiesTest, InvariantsHoldAtTheLargestVelocity) {
 }
 
 }  // namespace
-}  // namespace platon::hard_cases
+}  // namespace platon::hard_cases::velocities_test

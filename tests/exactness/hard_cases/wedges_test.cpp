@@ -8,7 +8,7 @@
 #include "platon/exact/integer.h"
 #include "tests/exactness/hard_cases/checked_world.h"
 
-namespace platon::hard_cases {
+namespace platon::hard_cases::wedges_test {
 namespace {
 
 /// True if the shape is inside the wedge. The apex is at the origin; segment 0 leaves it on the left and segment 1
@@ -78,4 +78,4 @@ TEST(WedgesTest, MovesIntoAWedgeAsFarAsItFits) {
 }
 
 }  // namespace
-}  // namespace platon::hard_cases
+}  // namespace platon::hard_cases::wedges_test

@@ -16,7 +16,7 @@
 #include "tests/shared/game/played_game.h"
 #include "tests/shared/game/real_face.h"
 
-namespace platon::long_runs {
+namespace platon::long_runs::element_floors_test {
 namespace {
 
 using oracle::RandomSource;
@@ -268,4 +268,4 @@ TEST(OnewayChainTest, ABallThatCameFromAboveNeverSinks) {
 }
 
 }  // namespace
-}  // namespace platon::long_runs
+}  // namespace platon::long_runs::element_floors_test

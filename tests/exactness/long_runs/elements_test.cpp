@@ -20,7 +20,7 @@
 #include "tests/sim/churn.h"
 #include "tests/support/element_level.h"
 
-namespace platon::long_runs {
+namespace platon::long_runs::elements_test {
 namespace {
 
 using oracle::RandomSource;
@@ -168,4 +168,4 @@ TEST_F(ElementsTest, ADoorThatIsLeftByACorrectedDriftIsNotEnteredAgain) {
 }
 
 }  // namespace
-}  // namespace platon::long_runs
+}  // namespace platon::long_runs::elements_test

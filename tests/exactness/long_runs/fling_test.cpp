@@ -19,7 +19,7 @@
 #include "tests/fuzz/fuzz_scene.h"
 #include "tests/support/files.h"
 
-namespace platon::long_runs {
+namespace platon::long_runs::fling_test {
 namespace {
 
 using oracle::RandomSource;
@@ -193,4 +193,4 @@ TEST(FlingTest, InvariantsHoldOnRandomFields) {
 }
 
 }  // namespace
-}  // namespace platon::long_runs
+}  // namespace platon::long_runs::fling_test

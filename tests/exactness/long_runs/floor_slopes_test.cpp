@@ -5,7 +5,7 @@
 #include "tests/exactness/step_check/run_length.h"
 #include "tests/shared/game/edge_floor.h"
 
-namespace platon::long_runs {
+namespace platon::long_runs::floor_slopes_test {
 namespace {
 
 class FloorSlopesTest : public testing::TestWithParam<SolidKind> {};
@@ -29,4 +29,4 @@ INSTANTIATE_TEST_SUITE_P(Solids, FloorSlopesTest, testing::ValuesIn(kAllSolids),
                          [](const auto& described) { return std::string(nameOf(described.param)); });
 
 }  // namespace
-}  // namespace platon::long_runs
+}  // namespace platon::long_runs::floor_slopes_test

@@ -19,7 +19,7 @@
 #include "tests/exactness/step_check/step_checker.h"
 #include "tests/shared/game/real_face.h"
 
-namespace platon::long_runs {
+namespace platon::long_runs::long_rest_test {
 namespace {
 
 constexpr std::int32_t kSize = 240;
@@ -226,4 +226,4 @@ INSTANTIATE_TEST_SUITE_P(Solids, RestTest, testing::ValuesIn(kAllSolids),
                          [](const auto& described) { return std::string(nameOf(described.param)); });
 
 }  // namespace
-}  // namespace platon::long_runs
+}  // namespace platon::long_runs::long_rest_test

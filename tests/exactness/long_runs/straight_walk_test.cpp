@@ -14,7 +14,7 @@
 #include "tests/exactness/step_check/conversions.h"
 #include "tests/exactness/step_check/run_length.h"
 
-namespace platon::long_runs {
+namespace platon::long_runs::straight_walk_test {
 namespace {
 
 constexpr std::int32_t kSize = 200;
@@ -158,4 +158,4 @@ INSTANTIATE_TEST_SUITE_P(Walks, StraightWalkTest, testing::ValuesIn(kWalks),
                          [](const auto& described) { return std::string(described.param.name); });
 
 }  // namespace
-}  // namespace platon::long_runs
+}  // namespace platon::long_runs::straight_walk_test

@@ -12,7 +12,7 @@
 #include "tests/exactness/step_check/run_length.h"
 #include "tests/shared/game/real_face.h"
 
-namespace platon::long_runs {
+namespace platon::long_runs::wedge_rest_test {
 namespace {
 
 using oracle::RandomSource;
@@ -108,4 +108,4 @@ TEST(WedgeRestTest, RestsInRandomWedges) {
 }
 
 }  // namespace
-}  // namespace platon::long_runs
+}  // namespace platon::long_runs::wedge_rest_test

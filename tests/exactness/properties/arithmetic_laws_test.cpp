@@ -13,7 +13,7 @@
 #include "shared/exact/square_root.h"
 #include "tests/exactness/properties/seeded_cases.h"
 
-namespace platon::properties {
+namespace platon::properties::arithmetic_laws_test {
 namespace {
 
 using oracle::RandomSource;
@@ -216,4 +216,4 @@ TEST(ArithmeticLawsTest, QuarterTurnsAreExactAndCommuteWithRotations) {
 }
 
 }  // namespace
-}  // namespace platon::properties
+}  // namespace platon::properties::arithmetic_laws_test

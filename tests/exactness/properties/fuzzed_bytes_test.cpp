@@ -12,7 +12,7 @@
 #include "tests/fuzz/fuzz_targets.h"
 #include "tests/support/files.h"
 
-namespace platon::properties {
+namespace platon::properties::fuzzed_bytes_test {
 namespace {
 
 using oracle::RandomSource;
@@ -96,4 +96,4 @@ TEST(FuzzedBytesTest, EveryLevelIsReadOrRefused) {
 }
 
 }  // namespace
-}  // namespace platon::properties
+}  // namespace platon::properties::fuzzed_bytes_test

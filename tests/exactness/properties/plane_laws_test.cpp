@@ -9,7 +9,7 @@
 #include "tests/exactness/properties/seeded_cases.h"
 #include "tests/exactness/step_check/step_checker.h"
 
-namespace platon::properties {
+namespace platon::properties::plane_laws_test {
 namespace {
 
 using oracle::RandomSource;
@@ -188,4 +188,4 @@ TEST(PlaneLawsTest, TheOrderOfSegmentsDoesNotMatter) {
 }
 
 }  // namespace
-}  // namespace platon::properties
+}  // namespace platon::properties::plane_laws_test

@@ -14,7 +14,7 @@
 #include "tests/exactness/properties/seeded_cases.h"
 #include "tests/exactness/step_check/conversions.h"
 
-namespace platon::properties {
+namespace platon::properties::shape_laws_test {
 namespace {
 
 using oracle::RandomSource;
@@ -201,4 +201,4 @@ TEST(ShapeLawsTest, AGridFindsEverySegmentThatOverlapsABox) {
 }
 
 }  // namespace
-}  // namespace platon::properties
+}  // namespace platon::properties::shape_laws_test

@@ -15,7 +15,7 @@
 #include "tests/exactness/properties/solid_symmetry.h"
 #include "tests/exactness/step_check/conversions.h"
 
-namespace platon::properties {
+namespace platon::properties::solid_laws_test {
 namespace {
 
 using oracle::RandomSource;
@@ -186,4 +186,4 @@ TEST(SolidLawsTest, RotationsOfTheHexahedronPreserveTheMotion) {
 }
 
 }  // namespace
-}  // namespace platon::properties
+}  // namespace platon::properties::solid_laws_test

@@ -15,7 +15,7 @@
 #include "tests/exactness/step_check/conversions.h"
 #include "tests/shared/physics/sweep_query.h"
 
-namespace platon::properties {
+namespace platon::properties::sweep_laws_test {
 namespace {
 
 using oracle::RandomSource;
@@ -139,4 +139,4 @@ TEST(SweepLawsTest, APartOfTheDisplacementHitsAtTheSamePlace) {
 }
 
 }  // namespace
-}  // namespace platon::properties
+}  // namespace platon::properties::sweep_laws_test

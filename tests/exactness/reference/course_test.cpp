@@ -5,7 +5,7 @@
 #include "tests/exactness/oracle/random_source.h"
 #include "tests/exactness/reference/terrain.h"
 
-namespace platon::reference {
+namespace platon::reference::course_test {
 namespace {
 
 TEST(CourseTest, FindsExactlyTheObstaclesInReach) {
@@ -34,4 +34,4 @@ TEST(CourseTest, QuotientsOfNumbersBeyondDoubleAreRight) {
 }
 
 }  // namespace
-}  // namespace platon::reference
+}  // namespace platon::reference::course_test

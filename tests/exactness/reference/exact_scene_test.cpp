@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace platon::reference {
+namespace platon::reference::exact_scene_test {
 namespace {
 
 constexpr const char* kScene = "# a comment\nshape 0 0 4 0 0 3\n\nline -5 -6 7 8\nentity 1 2\nvelocity -3 4\n";
@@ -45,4 +45,4 @@ TEST(ExactSceneTest, ErrorsNameTheirLine) {
 }
 
 }  // namespace
-}  // namespace platon::reference
+}  // namespace platon::reference::exact_scene_test

@@ -6,7 +6,7 @@
 
 #include "tests/exactness/reference/terrain.h"
 
-namespace platon::reference {
+namespace platon::reference::ideal_path_test {
 namespace {
 
 using oracle::Segment;
@@ -164,4 +164,4 @@ TEST_P(IdealPathLawTest, ThePathFromAPlaceOnItIsTheSame) {
 INSTANTIATE_TEST_SUITE_P(Terrains, IdealPathLawTest, testing::Range<std::uint64_t>(1, 21));
 
 }  // namespace
-}  // namespace platon::reference
+}  // namespace platon::reference::ideal_path_test

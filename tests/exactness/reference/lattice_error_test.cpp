@@ -7,7 +7,7 @@
 
 #include "tests/exactness/reference/terrain_judge.h"
 
-namespace platon::reference {
+namespace platon::reference::lattice_error_test {
 namespace {
 
 constexpr auto kResolutions = std::to_array<std::int64_t>({1 << 4, 1 << 8, 1 << 10, 1 << 12, 1 << 16});
@@ -91,4 +91,4 @@ TEST(SlowSceneTest, NeverExceedsTwoSubunits) {
 }
 
 }  // namespace
-}  // namespace platon::reference
+}  // namespace platon::reference::lattice_error_test

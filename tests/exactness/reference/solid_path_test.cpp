@@ -5,7 +5,7 @@
 #include "tests/exactness/reference/ideal_path.h"
 #include "tests/exactness/reference/terrain.h"
 
-namespace platon::reference {
+namespace platon::reference::solid_path_test {
 namespace {
 
 class SolidPathTest : public testing::Test {
@@ -99,4 +99,4 @@ TEST_F(SolidPathTest, AWedgeWithoutAFreeLatticePointIsNarrow) {
 }
 
 }  // namespace
-}  // namespace platon::reference
+}  // namespace platon::reference::solid_path_test

@@ -9,7 +9,7 @@
 #include "tests/exactness/step_check/run_length.h"
 #include "tests/shared/game/real_face.h"
 
-namespace platon::reference {
+namespace platon::reference::solid_walk_test {
 namespace {
 
 class SolidWalkTest : public testing::TestWithParam<std::tuple<SolidKind, Drive>> {};
@@ -67,4 +67,4 @@ INSTANTIATE_TEST_SUITE_P(Solids, SolidWalkTest,
                          nameOfWalk);
 
 }  // namespace
-}  // namespace platon::reference
+}  // namespace platon::reference::solid_walk_test

@@ -8,7 +8,7 @@
 #include "tests/exactness/reference/simulated_body.h"
 #include "tests/exactness/reference/terrain.h"
 
-namespace platon::reference {
+namespace platon::reference::terrain_judge_test {
 namespace {
 
 constexpr std::int64_t kTicks = 300;
@@ -124,4 +124,4 @@ TEST(SimulatedBodyTest, MovesExactlyWhereNothingIsInTheWay) {
 TEST(SimulatedBodyTest, DistancesAreEuclidean) { EXPECT_EQ(distance({1, 2}, {4, 6}), 5); }
 
 }  // namespace
-}  // namespace platon::reference
+}  // namespace platon::reference::terrain_judge_test

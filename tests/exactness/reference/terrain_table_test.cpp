@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <string>
 
-namespace platon::reference {
+namespace platon::reference::terrain_table_test {
 namespace {
 
 constexpr std::int64_t kTicks = 300;
@@ -81,4 +81,4 @@ TEST(TerrainTableTest, AtMostOnePercentOfTiesHolds) {
 }
 
 }  // namespace
-}  // namespace platon::reference
+}  // namespace platon::reference::terrain_table_test

@@ -9,7 +9,7 @@
 
 #include "tests/sim/scene_file.h"
 
-namespace platon::reference {
+namespace platon::reference::terrain_test {
 namespace {
 
 using oracle::Segment;
@@ -72,4 +72,4 @@ TEST(TerrainTest, IsASceneFileThatTheSimulationAccepts) {
 }
 
 }  // namespace
-}  // namespace platon::reference
+}  // namespace platon::reference::terrain_test

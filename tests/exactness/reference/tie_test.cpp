@@ -8,7 +8,7 @@
 #include "tests/exactness/reference/simulated_body.h"
 #include "tests/exactness/reference/terrain.h"
 
-namespace platon::reference {
+namespace platon::reference::tie_test {
 namespace {
 
 using oracle::Segment;
@@ -136,4 +136,4 @@ TEST(TieTest, WithoutATieNoMoveByTwoSubunitsLeadsElsewhere) {
 }
 
 }  // namespace
-}  // namespace platon::reference
+}  // namespace platon::reference::tie_test

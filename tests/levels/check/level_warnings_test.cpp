@@ -6,7 +6,7 @@
 
 #include "tests/shared/game/played_game.h"
 
-namespace platon {
+namespace platon::level_warnings_test {
 namespace {
 
 std::vector<std::string> warnings(const std::string& lines, const std::string& goal = "0 100 -160") {
@@ -47,4 +47,4 @@ TEST(LevelWarningsTest, AreInTheOrderOfTheText) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::level_warnings_test

@@ -6,7 +6,7 @@
 
 #include "tests/shared/game/played_game.h"
 
-namespace platon {
+namespace platon::narrow_gaps_test {
 namespace {
 
 std::vector<Diagnostic> gaps(const std::string& lines) {
@@ -46,4 +46,4 @@ TEST(NarrowGapsTest, KeysAndCheckpointsMakeNoGap) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::narrow_gaps_test

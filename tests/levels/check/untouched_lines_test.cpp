@@ -10,7 +10,7 @@
 #include "tests/sim/button_presses.h"
 #include "tests/support/files.h"
 
-namespace platon {
+namespace platon::untouched_lines_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 3;
@@ -71,4 +71,4 @@ TEST(UntouchedLinesTest, NoLineThatAPlayerTouchesIsNamed) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::untouched_lines_test

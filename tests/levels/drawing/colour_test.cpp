@@ -4,7 +4,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-namespace platon {
+namespace platon::colour_test {
 namespace {
 
 TEST(Colour, OklchGivesKnownColours) {
@@ -22,4 +22,4 @@ TEST(Colour, ColoursAreClampedToTheGamut) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::colour_test

@@ -12,7 +12,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
-namespace platon {
+namespace platon::net_test {
 namespace {
 
 constexpr double kSize = 480;
@@ -152,4 +152,4 @@ TEST(Net, TheFlowersOfTheDodecahedronLieSideBySide) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::net_test

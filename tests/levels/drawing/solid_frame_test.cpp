@@ -10,7 +10,7 @@
 
 #include "levels/drawing/units.h"
 
-namespace platon {
+namespace platon::solid_frame_test {
 namespace {
 
 constexpr double kSize = 480;
@@ -123,4 +123,4 @@ TEST(SolidFrame, CircumradiiEqualTheKnownFormulas) {
 INSTANTIATE_TEST_SUITE_P(AllSolids, SolidFrameTest, testing::Range(0, kSolidKinds));
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::solid_frame_test

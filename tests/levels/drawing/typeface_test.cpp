@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-namespace platon {
+namespace platon::typeface_test {
 namespace {
 
 using Kind = Typeface::OutlineStep::Kind;
@@ -99,4 +99,4 @@ TEST(Typeface, AMissingGlyphHasTheOutlineOfABox) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::typeface_test

@@ -11,7 +11,7 @@
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 
-namespace platon {
+namespace platon::canvas_test {
 namespace {
 
 constexpr std::uint32_t kWhite = 0xFFFFFF;
@@ -142,4 +142,4 @@ TEST_F(CanvasTest, TellsWhyAFileCannotBeWritten) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::canvas_test

@@ -10,7 +10,7 @@
 
 #include "tests/levels/picture/pixels.h"
 
-namespace platon {
+namespace platon::element_painter_test {
 namespace {
 
 constexpr std::array kElements = {ElementKind::kOneway,     ElementKind::kUp,  ElementKind::kHazard,
@@ -98,4 +98,4 @@ TEST_F(ElementPainterTest, ASegmentWithoutLengthIsDrawn) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::element_painter_test

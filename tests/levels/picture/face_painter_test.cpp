@@ -8,7 +8,7 @@
 #include "tests/levels/picture/pixels.h"
 #include "tests/support/test_levels.h"
 
-namespace platon {
+namespace platon::face_painter_test {
 namespace {
 
 constexpr int kSize = 240;
@@ -65,4 +65,4 @@ TEST_F(FacePainterTest, OnALargeFaceEverythingStaysVisible) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::face_painter_test

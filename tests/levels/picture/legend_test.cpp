@@ -6,7 +6,7 @@
 
 #include "tests/levels/picture/pixels.h"
 
-namespace platon {
+namespace platon::legend_test {
 namespace {
 
 const std::set<ElementKind> kAll = {ElementKind::kOneway,     ElementKind::kUp,  ElementKind::kHazard,
@@ -45,4 +45,4 @@ TEST(Legend, WithAllKindsItFitsOnThePage) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::legend_test

@@ -11,7 +11,7 @@
 
 #include "tests/support/test_levels.h"
 
-namespace platon {
+namespace platon::level_drawing_test {
 namespace {
 
 // A hexahedron of edge 480 with these segments on face 0, and the start there.
@@ -121,4 +121,4 @@ TEST(LevelDrawing, TheArrowsOfUpPointToTheirEdgeAlsoOnTheOtherFace) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::level_drawing_test

@@ -16,7 +16,7 @@
 #include "tests/support/files.h"
 #include "tests/support/test_levels.h"
 
-namespace platon {
+namespace platon::level_picture_test {
 namespace {
 
 constexpr int kGoldenWidth = 400;
@@ -141,4 +141,4 @@ TEST(LevelPicture, AFaceHasTheSameTintInTheNetAndInItsView) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::level_picture_test

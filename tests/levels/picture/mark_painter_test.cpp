@@ -4,7 +4,7 @@
 
 #include "tests/levels/picture/pixels.h"
 
-namespace platon {
+namespace platon::mark_painter_test {
 namespace {
 
 class MarkPainterTest : public testing::Test {
@@ -42,4 +42,4 @@ TEST_F(MarkPainterTest, AnArrowHasItsBarbsAtTheHead) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::mark_painter_test

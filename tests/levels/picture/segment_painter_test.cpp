@@ -6,7 +6,7 @@
 
 #include "tests/levels/picture/pixels.h"
 
-namespace platon {
+namespace platon::segment_painter_test {
 namespace {
 
 TEST(SegmentPainter, SegmentsAreAsWideAsStated) {
@@ -32,4 +32,4 @@ TEST(SegmentPainter, DrawsEverySegmentOfALongList) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::segment_painter_test

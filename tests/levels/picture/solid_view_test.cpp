@@ -11,7 +11,7 @@
 #include <glm/matrix.hpp>
 #include <glm/vec2.hpp>
 
-namespace platon {
+namespace platon::solid_view_test {
 namespace {
 
 class SolidViewTest : public testing::TestWithParam<int> {
@@ -109,4 +109,4 @@ TEST_P(SolidViewTest, LightComesFromAboveOnTheLeft) {
 INSTANTIATE_TEST_SUITE_P(AllSolids, SolidViewTest, testing::Range(0, kSolidKinds));
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::solid_view_test

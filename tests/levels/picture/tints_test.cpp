@@ -4,7 +4,7 @@
 
 #include <glm/geometric.hpp>
 
-namespace platon {
+namespace platon::tints_test {
 namespace {
 
 class TintsTest : public testing::TestWithParam<int> {
@@ -40,4 +40,4 @@ TEST_P(TintsTest, SolidsHaveDifferentTints) {
 INSTANTIATE_TEST_SUITE_P(AllSolids, TintsTest, testing::Range(0, kSolidKinds));
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::tints_test

@@ -6,7 +6,7 @@
 
 #include "tests/shared/game/played_game.h"
 
-namespace platon {
+namespace platon::flight_envelope_test {
 namespace {
 
 TEST(FlightEnvelopeTest, HasTheHeightOfAJump) {
@@ -53,4 +53,4 @@ TEST(FlightEnvelopeTest, AFallFromAGreatHeightTakesAsLongAsInTheGame) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::flight_envelope_test

@@ -8,7 +8,7 @@
 #include "tests/sim/button_presses.h"
 #include "tests/support/files.h"
 
-namespace platon {
+namespace platon::jump_heights_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 11;
@@ -82,4 +82,4 @@ TEST(JumpHeightsTest, ARandomPlayerIsOnlyWhereItMayBe) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::jump_heights_test

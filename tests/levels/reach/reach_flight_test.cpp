@@ -8,7 +8,7 @@
 
 #include "tests/shared/game/played_game.h"
 
-namespace platon {
+namespace platon::reach_flight_test {
 namespace {
 
 class ReachFlightTest : public testing::Test {
@@ -89,4 +89,4 @@ TEST_F(ReachFlightTest, CountsTheEdgesThatItCrosses) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::reach_flight_test

@@ -4,7 +4,7 @@
 
 #include "tests/shared/game/played_game.h"
 
-namespace platon {
+namespace platon::reach_grid_test {
 namespace {
 
 constexpr double kCell = 2;
@@ -84,4 +84,4 @@ TEST_F(ReachGridTest, TriggersAreTouched) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::reach_grid_test

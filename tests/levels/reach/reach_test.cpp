@@ -9,7 +9,7 @@
 #include "tests/sim/button_presses.h"
 #include "tests/support/files.h"
 
-namespace platon {
+namespace platon::reach_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 5;
@@ -95,4 +95,4 @@ INSTANTIATE_TEST_SUITE_P(All, ReachLawTest, testing::ValuesIn(solidLevels()),
                          });
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::reach_test

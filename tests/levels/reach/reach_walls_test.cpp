@@ -6,7 +6,7 @@
 
 #include "tests/shared/game/played_game.h"
 
-namespace platon {
+namespace platon::reach_walls_test {
 namespace {
 
 std::vector<ReachWall> wallsOf(const std::string& lines, const std::string& neighbour = "") {
@@ -46,4 +46,4 @@ TEST(ReachWallsTest, SegmentsJustBehindAnEdgeBelongToTheFaceToo) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::reach_walls_test

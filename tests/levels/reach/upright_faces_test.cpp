@@ -4,7 +4,7 @@
 
 #include "tests/shared/game/played_game.h"
 
-namespace platon {
+namespace platon::upright_faces_test {
 namespace {
 
 std::shared_ptr<const Level> emptyLevel(SolidKind kind, int degrees) {
@@ -52,4 +52,4 @@ TEST(UprightFacesTest, NeighboursDifferByAShift) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::upright_faces_test

@@ -4,7 +4,7 @@
 
 #include <random>
 
-namespace platon {
+namespace platon::vec_test {
 namespace {
 
 constexpr unsigned kSeed = 11;
@@ -48,4 +48,4 @@ TEST(VecTest, UprightTurnsUpToY) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::vec_test

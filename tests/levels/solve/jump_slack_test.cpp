@@ -4,7 +4,7 @@
 
 #include "tests/shared/game/played_game.h"
 
-namespace platon {
+namespace platon::jump_slack_test {
 namespace {
 
 // Runs to the right over a gap of this width, and jumps this far before it.
@@ -50,4 +50,4 @@ TEST(JumpSlackTest, ASolutionWithoutAJumpHasNone) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::jump_slack_test

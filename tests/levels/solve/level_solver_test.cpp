@@ -4,7 +4,7 @@
 
 #include "tests/shared/game/played_game.h"
 
-namespace platon {
+namespace platon::level_solver_test {
 namespace {
 
 const std::string kFlat = "-240 -200 240 -200\n";
@@ -57,4 +57,4 @@ TEST(LevelSolverTest, TwoPlayersOpenDoorsForEachOther) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::level_solver_test

@@ -4,7 +4,7 @@
 
 #include "tests/shared/game/played_game.h"
 
-namespace platon {
+namespace platon::plates_test {
 namespace {
 
 TEST(PlatesTest, APlayerStandsOnThePlateBelowIt) {
@@ -22,4 +22,4 @@ TEST(PlatesTest, APlayerStandsOnThePlateBelowIt) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::plates_test

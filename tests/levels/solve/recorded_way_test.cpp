@@ -4,7 +4,7 @@
 
 #include "tests/shared/game/played_game.h"
 
-namespace platon {
+namespace platon::recorded_way_test {
 namespace {
 
 // To the right, to a goal on the floor.
@@ -33,4 +33,4 @@ TEST(RecordedWayTest, IsRefusedWhenItIsDamagedOrCutOff) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::recorded_way_test

@@ -4,7 +4,7 @@
 
 #include "tests/shared/game/played_game.h"
 
-namespace platon {
+namespace platon::solution_test {
 namespace {
 
 const std::string kFlat = "-240 -200 240 -200\n";
@@ -69,4 +69,4 @@ TEST(SolutionTest, NamesTheElementsThatWereTouched) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::solution_test

@@ -4,7 +4,7 @@
 
 #include "tests/shared/game/played_game.h"
 
-namespace platon {
+namespace platon::way_search_test {
 namespace {
 
 using Target = WaySearch::Target;
@@ -87,4 +87,4 @@ TEST(WaySearchTest, FewerPressesMayCostMoreTicks) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::way_search_test

@@ -9,7 +9,7 @@
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 
-namespace platon {
+namespace platon::check_command_test {
 namespace {
 
 constexpr const char* kValid =
@@ -105,4 +105,4 @@ TEST_F(CheckCommandTest, RefusesAFileThatIsTooLong) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::check_command_test

@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-namespace platon {
+namespace platon::json_text_test {
 namespace {
 
 TEST(JsonTextTest, QuotesText) {
@@ -25,4 +25,4 @@ TEST(JsonTextTest, EscapesControlCharacters) {
 TEST(JsonTextTest, KeepsUtf8) { EXPECT_EQ(jsonText("Äpfel €😀"), "\"Äpfel €😀\""); }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::json_text_test

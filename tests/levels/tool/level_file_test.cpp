@@ -8,7 +8,7 @@
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 
-namespace platon {
+namespace platon::level_file_test {
 namespace {
 
 class LevelFileTest : public testing::Test {
@@ -46,4 +46,4 @@ TEST_F(LevelFileTest, TellsWhyAFileCannotBeRead) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::level_file_test

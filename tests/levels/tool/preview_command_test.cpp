@@ -12,7 +12,7 @@
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 
-namespace platon {
+namespace platon::preview_command_test {
 namespace {
 
 constexpr const char* kValid = "HEXAHEDRON\n0 0 0 0\n1 0 0\n480\n%\n5 50 9 50\n%\n%\n%\n%\n%\n";
@@ -116,4 +116,4 @@ TEST_F(PreviewCommandTest, PrintsHelp) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::preview_command_test

@@ -9,7 +9,7 @@
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 
-namespace platon {
+namespace platon::solve_command_test {
 namespace {
 
 // The goal is round the right edge.
@@ -92,4 +92,4 @@ TEST_F(SolveCommandTest, RefusesWhatItCannotUse) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::solve_command_test

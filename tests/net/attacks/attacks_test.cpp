@@ -9,7 +9,7 @@
 
 #include "tests/net/attacks/virtual_attack.h"
 
-namespace platon {
+namespace platon::attacks_test {
 
 void PrintTo(const Attack& attack, std::ostream* stream) { *stream << attack.name; }
 
@@ -57,4 +57,4 @@ INSTANTIATE_TEST_SUITE_P(All, AttackTest, testing::ValuesIn(attacks().begin(), a
 });
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::attacks_test

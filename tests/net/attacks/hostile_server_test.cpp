@@ -9,7 +9,7 @@
 
 #include "tests/net/attacks/hostile_content.h"
 
-namespace platon {
+namespace platon::hostile_server_test {
 namespace {
 
 constexpr std::int64_t kMegabyte = 1024 * 1024;
@@ -260,4 +260,4 @@ TEST(HostileServer, ReplaysWithoutEndAreLimitedInAFrameAndEndTheSession) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::hostile_server_test

@@ -10,7 +10,7 @@
 #include "server/net/host.h"
 #include "tests/support/transport/datagram_network.h"
 
-namespace platon {
+namespace platon::traffic_secrecy_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -179,4 +179,4 @@ TEST_F(TrafficSecrecyTest, EveryFlippedBitIsRefused) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::traffic_secrecy_test

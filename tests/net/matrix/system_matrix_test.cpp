@@ -10,7 +10,7 @@
 #include "tests/support/session_network.h"
 #include "tests/support/test_level.h"
 
-namespace platon {
+namespace platon::system_matrix_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -130,4 +130,4 @@ INSTANTIATE_TEST_SUITE_P(NetworkConditions, Matrix,
                          testing::ValuesIn(std::getenv("PLATON_LONG") != nullptr ? allConditions() : kCorners), nameOf);
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::system_matrix_test

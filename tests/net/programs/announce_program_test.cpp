@@ -17,7 +17,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait_until.h"
 
-namespace platon {
+namespace platon::announce_program_test {
 namespace {
 
 using testing::HasSubstr;
@@ -139,4 +139,4 @@ TEST_F(AnnounceProgramTest, ALockThatAnotherProgramKeepsDropsNoTick) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::announce_program_test

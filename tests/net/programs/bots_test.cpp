@@ -8,7 +8,7 @@
 #include "tests/support/process.h"
 #include "tests/support/server_fixture.h"
 
-namespace platon {
+namespace platon::bots_test {
 namespace {
 
 // The numbers of a flat JSON object. Fails the test if the text is not one.
@@ -104,4 +104,4 @@ TEST_F(Bots, StayInLockstepUnderBadConditions) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::bots_test

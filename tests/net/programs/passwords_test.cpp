@@ -9,7 +9,7 @@
 #include "tests/support/server_fixture.h"
 #include "tests/support/temporary_folder.h"
 
-namespace platon {
+namespace platon::passwords_test {
 namespace {
 
 /// Programs whose passwords and keys are in a folder.
@@ -89,4 +89,4 @@ TEST_F(Passwords, AClientWithTheRightOnePlays) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::passwords_test

@@ -7,7 +7,7 @@
 #include "tests/support/server_fixture.h"
 #include "tests/support/temporary_folder.h"
 
-namespace platon {
+namespace platon::playing_test {
 namespace {
 
 class Play : public ServerTest {};
@@ -107,4 +107,4 @@ TEST_F(Play, IsRefusedByAFullServer) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::playing_test

@@ -6,7 +6,7 @@
 
 #include "tests/support/process.h"
 
-namespace platon {
+namespace platon::refusals_test {
 namespace {
 
 using Arguments = std::vector<std::string>;
@@ -78,4 +78,4 @@ TEST(Programs, PrintTheirVersionAndHelp) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::refusals_test

@@ -12,7 +12,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait_until.h"
 
-namespace platon {
+namespace platon::resume_programs_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -113,4 +113,4 @@ TEST_F(ResumePrograms, AProgramDoesNotResumeAPlayerThatHasLeft) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::resume_programs_test

@@ -14,7 +14,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait_until.h"
 
-namespace platon {
+namespace platon::round_play_test {
 namespace {
 
 using std::chrono::seconds;
@@ -134,4 +134,4 @@ TEST_F(RoundPlay, AFileThatCannotBeWrittenIsLoggedOnceAndTheServerGoesOn) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::round_play_test

@@ -19,7 +19,7 @@
 #define PLATON_CHECKS_NEED_DESCRIPTORS 0
 #endif
 
-namespace platon {
+namespace platon::server_recording_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -129,4 +129,4 @@ TEST_F(Recordings, AServerWithoutFileDescriptorsGoesOn) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::server_recording_test

@@ -8,7 +8,7 @@
 #include "server/net/host.h"
 #include "tests/support/transport/datagram_network.h"
 
-namespace platon {
+namespace platon::overflow_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -98,4 +98,4 @@ TEST_F(OverflowTest, EveryMessageArrivesOnceAndInOrder) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::overflow_test

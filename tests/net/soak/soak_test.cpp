@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-namespace platon {
+namespace platon::soak_test {
 namespace {
 
 using std::chrono::hours;
@@ -62,4 +62,4 @@ TEST(Soak, PlayersComeAndGoAndLeaveNoTrace) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::soak_test

@@ -4,7 +4,7 @@
 
 #include <thread>
 
-namespace platon {
+namespace platon::blocked_signals_test {
 namespace {
 
 bool isBlocked(int signal) {
@@ -38,4 +38,4 @@ TEST(BlockedSignals, TheCallerGetsItsOwnMaskBack) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::blocked_signals_test

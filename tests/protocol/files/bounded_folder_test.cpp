@@ -9,7 +9,7 @@
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 
-namespace platon {
+namespace platon::bounded_folder_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -68,4 +68,4 @@ TEST_F(BoundedFolderTest, AFolderThatIsMissingIsEmpty) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::bounded_folder_test

@@ -5,7 +5,7 @@
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 
-namespace platon {
+namespace platon::file_watch_test {
 namespace {
 
 class FileWatchTest : public testing::Test {
@@ -63,4 +63,4 @@ TEST_F(FileWatchTest, LooksOnceInAnInterval) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::file_watch_test

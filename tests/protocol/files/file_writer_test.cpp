@@ -11,7 +11,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait_until.h"
 
-namespace platon {
+namespace platon::file_writer_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -151,4 +151,4 @@ TEST_F(FileWriterTest, DoesNotWaitWithoutEndForAStuckDisk) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::file_writer_test

@@ -9,7 +9,7 @@
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 
-namespace platon {
+namespace platon::text_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -129,4 +129,4 @@ TEST_F(TextFileTest, OnFailureTheFileIsAsBeforeAndNothingIsLeft) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::text_file_test

@@ -4,7 +4,7 @@
 
 #include "tests/support/transport/hex.h"
 
-namespace platon {
+namespace platon::aead_test {
 namespace {
 
 // RFC 7539, appendix A.5, with the nonce of the Noise framework: its first four bytes are 0 there, too.
@@ -30,4 +30,4 @@ TEST(Aead, OpensTheVectorOfTheRfc) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::aead_test

@@ -6,7 +6,7 @@
 #include "protocol/transport/server_gate.h"
 #include "tests/support/transport/datagram_network.h"
 
-namespace platon {
+namespace platon::client_gate_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -147,4 +147,4 @@ TEST_F(ClientGateTest, ContentsThatDoNotFitAreNotSent) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::client_gate_test

@@ -4,7 +4,7 @@
 
 #include "tests/support/transport/datagram_network.h"
 
-namespace platon {
+namespace platon::cookie_jar_test {
 namespace {
 
 using std::chrono::seconds;
@@ -43,4 +43,4 @@ TEST(CookieJar, ACookieIsValidInItsEpochAndTheNext) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::cookie_jar_test

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace platon {
+namespace platon::enet_calls_test {
 namespace {
 
 /// Two ENet hosts that exchange contents through their ports.
@@ -62,4 +62,4 @@ TEST(EnetCalls, TwoHostsConnectWithoutASocket) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::enet_calls_test

@@ -7,7 +7,7 @@
 #include "protocol/limits.h"
 #include "tests/support/transport/raw_content.h"
 
-namespace platon {
+namespace platon::enet_check_test {
 namespace {
 
 std::optional<EnetCommands> fromClient(ByteSpan content) { return readEnetCommands(content, EnetSender::kClient); }
@@ -141,4 +141,4 @@ TEST(EnetCheck, ReadsRandomContents) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::enet_check_test

@@ -7,7 +7,7 @@
 
 #include "protocol/transport/enet_calls.h"
 
-namespace platon {
+namespace platon::enet_settings_test {
 namespace {
 
 /// A connection that begins, to a server that does not answer.
@@ -91,4 +91,4 @@ TEST_F(EnetSettingsTest, ReliableAndUnreliableMessagesHaveTheirOwnChannels) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::enet_settings_test

@@ -9,7 +9,7 @@
 #include "tests/protocol/documented_bytes.h"
 #include "tests/support/transport/hex.h"
 
-namespace platon {
+namespace platon::golden_handshake_test {
 namespace {
 
 CryptoKey keyOfBytes(std::uint8_t byte) {
@@ -71,4 +71,4 @@ TEST(GoldenHandshake, TheDocumentedDatagramsAreThoseOfTheProgram) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::golden_handshake_test

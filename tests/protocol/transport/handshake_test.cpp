@@ -6,7 +6,7 @@
 
 #include "protocol/limits.h"
 
-namespace platon {
+namespace platon::handshake_test {
 namespace {
 
 constexpr auto kVersion = static_cast<std::uint16_t>(kProtocolVersion);
@@ -120,4 +120,4 @@ TEST(Handshake, ReadsRandomBytes) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::handshake_test

@@ -5,7 +5,7 @@
 #include "protocol/transport/aead.h"
 #include "tests/support/transport/hex.h"
 
-namespace platon {
+namespace platon::noise_test {
 namespace {
 
 // The vector of Noise_NKpsk0_25519_ChaChaPoly_BLAKE2b by cacophony, an independent implementation
@@ -99,4 +99,4 @@ TEST(Noise, KeysOfSmallOrderAndShortMessagesAreRefused) {
 TEST(Noise, RandomPairsDiffer) { EXPECT_NE(KeyPair::random().open, KeyPair::random().open); }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::noise_test

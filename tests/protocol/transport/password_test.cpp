@@ -6,7 +6,7 @@
 
 #include "protocol/transport/server_identity.h"
 
-namespace platon {
+namespace platon::password_test {
 namespace {
 
 TEST(Password, GivesThePresharedKeyOfEachServer) {
@@ -34,4 +34,4 @@ TEST(Password, AnEmptyTextIsNone) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::password_test

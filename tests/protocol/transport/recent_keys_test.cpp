@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::recent_keys_test {
 namespace {
 
 using std::chrono::seconds;
@@ -38,4 +38,4 @@ TEST(RecentKeys, ForgetsNoneHoweverManyThereAre) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::recent_keys_test

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace platon {
+namespace platon::sealed_channel_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 20261122;
@@ -164,4 +164,4 @@ TEST(ReplayWindow, RemembersWhatHasArrived) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::sealed_channel_test

@@ -15,24 +15,25 @@
 #include "tests/support/resource_limit.h"
 #include "tests/support/temporary_folder.h"
 
-namespace platon {
+namespace platon::secret_file_test {
 namespace {
 
 // Called before a link is made: returns an error number, or 0 to make it.
 std::function<int()> beforeLink;
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::secret_file_test
 
 // Used by this program instead of that of the C library.
 extern "C" int link(const char* from, const char* to) noexcept {
-  const int fault = platon::beforeLink ? platon::beforeLink() : 0;
+  using platon::secret_file_test::beforeLink;
+  const int fault = beforeLink ? beforeLink() : 0;
   if (fault == 0) return static_cast<int>(syscall(SYS_linkat, AT_FDCWD, from, AT_FDCWD, to, 0));
   errno = fault;
   return -1;
 }
 
-namespace platon {
+namespace platon::secret_file_test {
 namespace {
 
 // Sets beforeLink in a scope.
@@ -174,4 +175,4 @@ TEST(SecretFile, TheCheckOfAKeyRefusesWhatReadingItWouldAndCreatesNothing) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::secret_file_test

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace platon {
+namespace platon::server_address_test {
 namespace {
 
 TEST(ServerAddress, AHostWithoutAPortGetsTheDefaultPort) {
@@ -68,4 +68,4 @@ TEST(ServerAddress, OneToGoOnHasAtMost128Bytes) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::server_address_test

@@ -4,7 +4,7 @@
 #include "protocol/transport/server_gate.h"
 #include "tests/support/transport/server_gate_fixture.h"
 
-namespace platon {
+namespace platon::server_gate_limits_test {
 namespace {
 
 TEST_F(ServerGateTest, AHouseholdHasALimitedNumberOfSessions) {
@@ -104,4 +104,4 @@ TEST_F(ServerGateTest, EmptyAndOversizedDatagramsCount) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::server_gate_limits_test

@@ -6,7 +6,7 @@
 #include "protocol/transport/client_gate.h"
 #include "tests/support/transport/server_gate_fixture.h"
 
-namespace platon {
+namespace platon::server_gate_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -308,4 +308,4 @@ TEST_F(ServerGateTest, SealedDatagramsThatWereChangedRepeatedOrMadeUpAreRefused)
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::server_gate_test

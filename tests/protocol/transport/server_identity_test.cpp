@@ -4,7 +4,7 @@
 
 #include "tests/support/transport/hex.h"
 
-namespace platon {
+namespace platon::server_identity_test {
 namespace {
 
 // RFC 8032, section 7.1, test 1.
@@ -49,4 +49,4 @@ TEST(PresharedKey, DependsOnPasswordAndServer) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::server_identity_test

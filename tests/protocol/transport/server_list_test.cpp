@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::server_list_test {
 namespace {
 
 using testing::ElementsAre;
@@ -114,4 +114,4 @@ TEST(ServerListTest, SkipsKeysOfLaterVersions) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::server_list_test

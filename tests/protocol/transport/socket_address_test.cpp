@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::socket_address_test {
 namespace {
 
 IpAddress ip(std::string_view text) { return IpAddress::parse(text).value(); }
@@ -63,4 +63,4 @@ TEST(SocketAddress, ItsTextHasBracketsAroundIpv6) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::socket_address_test

@@ -5,7 +5,7 @@
 
 #include <cstring>
 
-namespace platon {
+namespace platon::system_address_test {
 namespace {
 
 const SocketAddress kIpv4{IpAddress::parse("192.0.2.1").value(), 7777};
@@ -33,4 +33,4 @@ TEST(SystemAddress, AnIpv6SocketTakesBothKinds) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::system_address_test

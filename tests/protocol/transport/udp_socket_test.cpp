@@ -8,7 +8,7 @@
 #include "tests/support/transport/datagram_network.h"
 #include "tests/support/transport/raw_socket.h"
 
-namespace platon {
+namespace platon::udp_socket_test {
 namespace {
 
 constexpr Moment kNow{};
@@ -126,4 +126,4 @@ TEST(Resolve, AnAddressIsItself) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::udp_socket_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::address_range_test {
 namespace {
 
 IpAddress ip(const std::string& text) { return IpAddress::parse(text).value(); }
@@ -84,4 +84,4 @@ TEST(AddressRange, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::address_range_test

@@ -16,7 +16,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait_until.h"
 
-namespace platon {
+namespace platon::announcement_test {
 namespace {
 
 using testing::ElementsAre;
@@ -211,4 +211,4 @@ TEST_F(AnnouncementTest, NeedsAnAddressIfThereIsAFile) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::announcement_test

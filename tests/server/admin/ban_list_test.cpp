@@ -7,7 +7,7 @@
 #include "protocol/label.h"
 #include "protocol/limits.h"
 
-namespace platon {
+namespace platon::ban_list_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -204,4 +204,4 @@ TEST(Ban, TheSentenceForThePlayerIsALabel) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::ban_list_test

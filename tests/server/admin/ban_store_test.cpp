@@ -8,7 +8,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait_until.h"
 
-namespace platon {
+namespace platon::ban_store_test {
 namespace {
 
 const UtcTime kNow = *parseUtcTime("2026-11-22T12:00:00Z");
@@ -156,4 +156,4 @@ TEST_F(BanStoreTest, DoesNotGrowAFileBeyondWhatItReads) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::ban_store_test

@@ -10,7 +10,7 @@
 #include "server/admin/console_server.h"
 #include "tests/support/temporary_folder.h"
 
-namespace platon {
+namespace platon::console_client_test {
 namespace {
 
 /// A server in a thread of its own that replies with the line; lines that begin with "no" fail, and "end" ends it.
@@ -105,4 +105,4 @@ TEST_F(ConsoleClientTest, SaysThatTheServerHasEnded) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::console_client_test

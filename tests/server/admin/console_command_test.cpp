@@ -11,7 +11,7 @@
 #include "server/base/utc_time.h"
 #include "tests/support/files.h"
 
-namespace platon {
+namespace platon::console_command_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -188,4 +188,4 @@ TEST(ConsoleCommand, SurvivesHostileLines) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::console_command_test

@@ -4,7 +4,7 @@
 
 #include <sstream>
 
-namespace platon {
+namespace platon::console_reply_test {
 namespace {
 
 ConsoleReply sent(const ConsoleReply& reply) {
@@ -44,4 +44,4 @@ TEST(ConsoleReply, AReaderReadsOneReplyAfterTheOther) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::console_reply_test

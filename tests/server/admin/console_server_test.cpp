@@ -6,7 +6,7 @@
 #include "server/admin/stream_socket.h"
 #include "tests/support/temporary_folder.h"
 
-namespace platon {
+namespace platon::console_server_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -160,4 +160,4 @@ TEST_F(ConsoleServerTest, MemoryStaysBoundedWhateverIsSent) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::console_server_test

@@ -13,7 +13,7 @@
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 
-namespace platon {
+namespace platon::console_socket_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -126,4 +126,4 @@ TEST_F(ConsoleSocketTest, SaysWhyAPathCannotBeUsed) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::console_socket_test

@@ -6,7 +6,7 @@
 
 #include "tests/support/test_levels.h"
 
-namespace platon {
+namespace platon::console_test {
 namespace {
 
 const UtcTime kNow = *parseUtcTime("2026-11-22T12:00:00Z");
@@ -225,4 +225,4 @@ TEST_F(ConsoleTest, LogsTheCommandsThatHaveChangedSomething) {
 TEST_F(ConsoleTest, AnErrorOfTheLineIsTheReply) { EXPECT_EQ(error("bogus"), "'bogus' is no command: help lists all"); }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::console_test

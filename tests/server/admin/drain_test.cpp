@@ -5,7 +5,7 @@
 #include "protocol/limits.h"
 #include "tests/support/test_levels.h"
 
-namespace platon {
+namespace platon::drain_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -95,4 +95,4 @@ TEST_F(DrainTest, TheLongestTextsFitIntoMessages) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::drain_test

@@ -4,7 +4,7 @@
 
 #include "tests/support/test_levels.h"
 
-namespace platon {
+namespace platon::enforce_bans_test {
 namespace {
 
 const UtcTime kNow = *parseUtcTime("2026-11-22T12:00:00Z");
@@ -80,4 +80,4 @@ TEST_F(EnforceBansTest, ThePlayersOfThisMachineStay) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::enforce_bans_test

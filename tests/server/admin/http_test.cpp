@@ -4,7 +4,7 @@
 
 #include <random>
 
-namespace platon {
+namespace platon::http_test {
 namespace {
 
 std::optional<HttpStatus> answer(const std::string& received) { return answerTo(received, "/metrics"); }
@@ -65,4 +65,4 @@ TEST(Http, AResponseSaysHowLongItIs) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::http_test

@@ -8,7 +8,7 @@
 #include "server/admin/stream_socket.h"
 #include "tests/support/wait_until.h"
 
-namespace platon {
+namespace platon::metrics_server_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -185,4 +185,4 @@ TEST(MetricsServer, SaysWhyItCannotListen) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::metrics_server_test

@@ -10,7 +10,7 @@
 
 #include "tests/support/files.h"
 
-namespace platon {
+namespace platon::metrics_text_test {
 namespace {
 
 Metrics sample() {
@@ -145,4 +145,4 @@ TEST(HostingPage, ListsEveryMetricWithItsType) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::metrics_text_test

@@ -9,7 +9,7 @@
 #include "server/admin/console_socket.h"
 #include "tests/support/temporary_folder.h"
 
-namespace platon {
+namespace platon::stream_socket_test {
 namespace {
 
 /// The two ends of a connection that neither end waits for.
@@ -92,4 +92,4 @@ TEST(StreamSocket, ListensOnIpv4) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::stream_socket_test

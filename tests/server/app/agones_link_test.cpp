@@ -6,7 +6,7 @@
 #include "tests/support/test_levels.h"
 #include "tests/support/wait_until.h"
 
-namespace platon {
+namespace platon::agones_link_test {
 namespace {
 
 class AgonesLinkTest : public testing::Test {
@@ -56,4 +56,4 @@ TEST_F(AgonesLinkTest, ASidecarThatWasNotToldTheEndIsLogged) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::agones_link_test

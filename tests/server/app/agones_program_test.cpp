@@ -11,7 +11,7 @@
 #include "tests/support/server_fixture.h"
 #include "tests/support/wait_until.h"
 
-namespace platon {
+namespace platon::agones_program_test {
 namespace {
 
 const std::string kOnePlayer = "PATCH /v1beta1/counters/players {\"count\":\"1\",\"capacity\":\"16\"}";
@@ -151,4 +151,4 @@ TEST_F(AgonesProgramTest, AnInvalidPortIsRefusedAtTheStart) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::agones_program_test

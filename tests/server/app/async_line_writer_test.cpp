@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace platon {
+namespace platon::async_line_writer_test {
 namespace {
 
 /// A pipe into which an AsyncLineWriter writes.
@@ -119,4 +119,4 @@ TEST_F(AsyncLineWriterTest, LinesDroppedFromTheFullQueueAreCountedOnceTheReaderR
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::async_line_writer_test

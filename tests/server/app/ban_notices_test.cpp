@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::ban_notices_test {
 namespace {
 
 using std::chrono::minutes;
@@ -37,4 +37,4 @@ TEST(BanNotices, ManyHouseholdsGiveALineInTenSecondsAndNeedLittleMemory) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::ban_notices_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::byte_size_test {
 namespace {
 
 TEST(ByteSize, ANumberMayHaveAUnit) {
@@ -23,4 +23,4 @@ TEST(ByteSize, AnythingElseIsRefused) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::byte_size_test

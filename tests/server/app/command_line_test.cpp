@@ -6,7 +6,7 @@
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 
-namespace platon {
+namespace platon::command_line_test {
 namespace {
 
 CommandLine lineOf(std::vector<const char*> arguments) {
@@ -146,4 +146,4 @@ TEST(CommandLine, TheErrorsOfAFileAreCounted) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::command_line_test

@@ -13,7 +13,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test_levels.h"
 
-namespace platon {
+namespace platon::config_check_test {
 namespace {
 
 class ConfigCheckTest : public testing::Test {
@@ -149,4 +149,4 @@ TEST_F(ConfigCheckTest, APortAndAConsoleThatAreInUseAreNoErrors) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::config_check_test

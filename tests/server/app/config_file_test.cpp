@@ -5,7 +5,7 @@
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 
-namespace platon {
+namespace platon::config_file_test {
 namespace {
 
 class ConfigFileTest : public testing::Test {
@@ -131,4 +131,4 @@ TEST_F(ConfigFileTest, AFileThatCannotBeReadIsNamed) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::config_file_test

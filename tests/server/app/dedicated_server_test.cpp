@@ -13,7 +13,7 @@
 #include "tests/support/transport/raw_socket.h"
 #include "tests/support/wait_until.h"
 
-namespace platon {
+namespace platon::dedicated_server_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -335,4 +335,4 @@ TEST_F(BannedAddressTest, AConnectionFromBeforeTheBanCannotJoin) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::dedicated_server_test

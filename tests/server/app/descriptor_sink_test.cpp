@@ -7,7 +7,7 @@
 #include <chrono>
 #include <string>
 
-namespace platon {
+namespace platon::descriptor_sink_test {
 namespace {
 
 void log(DescriptorSink& sink, const std::string& text) {
@@ -72,4 +72,4 @@ TEST(DescriptorSink, ALineForAClosedDescriptorIsDropped) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::descriptor_sink_test

@@ -9,7 +9,7 @@
 #include "tests/support/server_fixture.h"
 #include "tests/support/wait_until.h"
 
-namespace platon {
+namespace platon::drain_program_test {
 namespace {
 
 std::uint16_t portOf(const std::string& address) {
@@ -70,4 +70,4 @@ TEST_F(DrainingTest, AnInterruptStopsAtOnce) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::drain_program_test

@@ -7,7 +7,7 @@
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 
-namespace platon {
+namespace platon::identity_file_test {
 namespace {
 
 class IdentityFileTest : public testing::Test {
@@ -44,4 +44,4 @@ TEST_F(IdentityFileTest, WithoutAFolderTheServerStartsAndWarns) {
 TEST_F(IdentityFileTest, ANamedFileMustBeUsable) { EXPECT_THROW(load(folder_ / "missing/key"), ProgramError); }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::identity_file_test

@@ -9,7 +9,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test_levels.h"
 
-namespace platon {
+namespace platon::level_files_test {
 namespace {
 
 class LevelFilesTest : public testing::Test {
@@ -88,4 +88,4 @@ TEST_F(LevelFilesTest, ShippedLevelsAreOrderedByFileName) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::level_files_test

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace platon {
+namespace platon::log_test {
 namespace {
 
 TEST(Log, WritesOneLinePerEvent) {
@@ -26,4 +26,4 @@ TEST(Log, WritesJsonWithTheTime) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::log_test

@@ -8,7 +8,7 @@
 #include "server/app/config_file.h"
 #include "tests/support/files.h"
 
-namespace platon {
+namespace platon::option_table_test {
 namespace {
 
 const ServerOption& optionOf(std::string_view name) {
@@ -146,4 +146,4 @@ TEST(HostingPage, SaysWhichOptionsNeedNoRestart) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::option_table_test

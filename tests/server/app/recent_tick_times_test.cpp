@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::recent_tick_times_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -30,4 +30,4 @@ TEST(RecentTickTimes, ForgetsALongTick) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::recent_tick_times_test

@@ -14,7 +14,7 @@
 #include "tests/support/resource_limit.h"
 #include "tests/support/temporary_folder.h"
 
-namespace platon {
+namespace platon::recording_folder_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -247,4 +247,4 @@ TEST_F(RecordingFolderTest, ServersThatShareAFolderKeepTheLimitTogether) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::recording_folder_test

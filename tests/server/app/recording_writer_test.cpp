@@ -9,7 +9,7 @@
 
 #include "tests/support/wait_until.h"
 
-namespace platon {
+namespace platon::recording_writer_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -122,4 +122,4 @@ TEST(RecordingWriter, GoesWithoutWaitingForAStuckDisk) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::recording_writer_test

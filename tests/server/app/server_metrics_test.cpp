@@ -9,7 +9,7 @@
 #include "tests/support/transport/raw_socket.h"
 #include "tests/support/wait_until.h"
 
-namespace platon {
+namespace platon::server_metrics_test {
 namespace {
 
 std::uint64_t dropsFor(const Metrics& metrics, std::string_view reason) {
@@ -88,4 +88,4 @@ TEST_F(ServerMetricsTest, TheManualListsEveryReasonOfADrop) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::server_metrics_test

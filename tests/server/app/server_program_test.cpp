@@ -15,7 +15,7 @@
 #include "tests/support/test_levels.h"
 #include "tests/support/wait_until.h"
 
-namespace platon {
+namespace platon::server_program_test {
 namespace {
 
 /// A level file for one test.
@@ -379,4 +379,4 @@ TEST_F(ProgramTest, CheckingAConfigurationPrintsEveryError) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::server_program_test

@@ -8,7 +8,7 @@
 #include "client/bot/playing_bot.h"
 #include "tests/support/loopback_server.h"
 
-namespace platon {
+namespace platon::stall_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -72,4 +72,4 @@ TEST_F(StallTest, AServerWithoutPlayersDropsNothing) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::stall_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::tick_clock_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -67,4 +67,4 @@ TEST(TickClock, CountsExactly) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::tick_clock_test

@@ -4,7 +4,7 @@
 
 #include <chrono>
 
-namespace platon {
+namespace platon::tick_times_test {
 namespace {
 
 using std::chrono::microseconds;
@@ -76,4 +76,4 @@ TEST(TickTimes, AddingAnotherHistogramIsAddingItsDurations) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::tick_times_test

@@ -16,7 +16,7 @@
 #include "tests/support/test_levels.h"
 #include "tests/support/wait_until.h"
 
-namespace platon {
+namespace platon::unread_log_test {
 namespace {
 
 /// platon-server with a named pipe as standard error. The test decides whether it is read.
@@ -106,4 +106,4 @@ TEST_F(UnreadLogTest, AServerReportsTheLinesThatItDropped) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::unread_log_test

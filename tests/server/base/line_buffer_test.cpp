@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::line_buffer_test {
 namespace {
 
 TEST(LineBuffer, CutsAStreamIntoLines) {
@@ -42,4 +42,4 @@ TEST(LineBuffer, ALineThatIsTooLongIsReportedBeforeItEnds) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::line_buffer_test

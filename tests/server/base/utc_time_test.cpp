@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::utc_time_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -65,4 +65,4 @@ TEST(Duration, IsANumberAndAUnit) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::utc_time_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::word_reader_test {
 namespace {
 
 TEST(WordReader, ReadsWordsBetweenSpacesAndTabs) {
@@ -44,4 +44,4 @@ TEST(WordReader, AnEmptyLineHasNoWords) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::word_reader_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::agones_call_test {
 namespace {
 
 TEST(AgonesCall, ACallWithoutContentPostsAnEmptyObject) {
@@ -44,4 +44,4 @@ TEST(AgonesCall, WhatIsNoHttpHasNoStatus) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::agones_call_test

@@ -4,7 +4,7 @@
 
 #include "protocol/program_error.h"
 
-namespace platon {
+namespace platon::agones_port_test {
 namespace {
 
 TEST(AgonesPort, IsThatOfTheVariable) {
@@ -28,4 +28,4 @@ TEST(AgonesPort, AnythingElseIsRefused) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::agones_port_test

@@ -7,7 +7,7 @@
 
 #include "tests/support/wait_until.h"
 
-namespace platon {
+namespace platon::agones_reporter_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -90,4 +90,4 @@ TEST_F(AgonesReporterTest, ASidecarThatIsGoneDoesNotHoldUpTheEnd) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::agones_reporter_test

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace platon {
+namespace platon::agones_schedule_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -170,4 +170,4 @@ TEST_F(AgonesScheduleTest, AFailedShutdownIsTriedAgain) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::agones_schedule_test

@@ -6,7 +6,7 @@
 #include "tests/server/fleet/fake_sidecar.h"
 #include "tests/support/wait_until.h"
 
-namespace platon {
+namespace platon::loopback_http_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -68,4 +68,4 @@ TEST_F(LoopbackHttpTest, AMissingSidecarIsReportedAndFoundAgain) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::loopback_http_test

@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-namespace platon {
+namespace platon::sidecar_request_test {
 namespace {
 
 using Body = std::map<std::string, std::string>;
@@ -61,4 +61,4 @@ TEST(SidecarRequestTest, RefusesABodyThatIsNotDeclared) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::sidecar_request_test

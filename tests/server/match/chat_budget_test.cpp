@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::chat_budget_test {
 namespace {
 
 TEST(ChatBudget, ABurstIsSaidAtOnceAndThenOneTextInTwoSeconds) {
@@ -28,4 +28,4 @@ TEST(ChatBudget, TheTimeDoesNotWrapWithinACentury) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::chat_budget_test

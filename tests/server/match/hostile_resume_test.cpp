@@ -10,7 +10,7 @@
 #include "tests/support/fake_client_network.h"
 #include "tests/support/test_levels.h"
 
-namespace platon {
+namespace platon::hostile_resume_test {
 namespace {
 
 using Kind = MatchEvent::Kind;
@@ -284,4 +284,4 @@ TEST_F(HostileResume, TheFifthPlayerOfAnAddressIsToldWhy) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::hostile_resume_test

@@ -5,7 +5,7 @@
 #include <map>
 #include <random>
 
-namespace platon {
+namespace platon::input_buffer_test {
 namespace {
 
 Input pressing(int buttons) { return Input{static_cast<std::uint8_t>(buttons | Input::kPresent)}; }
@@ -68,4 +68,4 @@ TEST(InputBuffer, DecidesEachTickByItsFirstInputInTime) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::input_buffer_test

@@ -4,7 +4,7 @@
 
 #include "tests/support/test_levels.h"
 
-namespace platon {
+namespace platon::level_rotation_test {
 namespace {
 
 TEST(LevelRotation, StartsOverAfterTheLastLevel) {
@@ -80,4 +80,4 @@ TEST(LevelRotation, PlaysALevelForMorePlayersIfThereIsNoOther) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::level_rotation_test

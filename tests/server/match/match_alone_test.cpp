@@ -8,7 +8,7 @@
 #include "tests/support/fake_client_network.h"
 #include "tests/support/test_levels.h"
 
-namespace platon {
+namespace platon::match_alone_test {
 namespace {
 
 int idle(std::uint32_t) { return 0; }
@@ -85,4 +85,4 @@ TEST_F(MatchAlone, ASecondPlayerInThePauseIsToldWhenTheNextRoundStarts) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::match_alone_test

@@ -9,7 +9,7 @@
 #include "tests/support/fake_client_network.h"
 #include "tests/support/test_levels.h"
 
-namespace platon {
+namespace platon::match_best_times_test {
 namespace {
 
 /// Players who run to the goal.
@@ -141,4 +141,4 @@ TEST_F(BestTimeOfMatch, OnAServerThatKeepsTimesOfOneThoseWithOthersEndWithIt) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::match_best_times_test

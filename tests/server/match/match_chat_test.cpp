@@ -3,7 +3,7 @@
 #include "server/match/match.h"
 #include "tests/support/test_levels.h"
 
-namespace platon {
+namespace platon::match_chat_test {
 namespace {
 
 /// A match without a network: messages of clients take effect at once. Client N has slot N - 1.
@@ -153,4 +153,4 @@ TEST_F(SilentMatch, PassesNothingOn) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::match_chat_test

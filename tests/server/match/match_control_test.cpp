@@ -5,7 +5,7 @@
 #include "tests/support/fake_client_network.h"
 #include "tests/support/test_levels.h"
 
-namespace platon {
+namespace platon::match_control_test {
 namespace {
 
 using Kind = MatchEvent::Kind;
@@ -279,4 +279,4 @@ TEST_F(MatchControlTest, AMatchThatDrainsIsDrainedWhenItsLastPlayerHasLeft) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::match_control_test

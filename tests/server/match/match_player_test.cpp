@@ -6,7 +6,7 @@
 
 #include "tests/support/test_levels.h"
 
-namespace platon {
+namespace platon::match_player_test {
 namespace {
 
 Input pressing(int buttons) { return Input{static_cast<std::uint8_t>(buttons | Input::kPresent)}; }
@@ -241,4 +241,4 @@ TEST_F(MatchPlayerTest, OnlyAPlayerWithATokenCanBeResumed) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::match_player_test

@@ -8,7 +8,7 @@
 #include "server/match/match.h"
 #include "tests/support/test_levels.h"
 
-namespace platon {
+namespace platon::match_rate_test {
 namespace {
 
 constexpr int kTicks = 60;
@@ -124,4 +124,4 @@ TEST_P(TogglingMatchTest, AClientCatchesUpAfterLostMessages) {
 INSTANTIATE_TEST_SUITE_P(Delays, TogglingMatchTest, testing::Values(0, 6, 15));
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::match_rate_test

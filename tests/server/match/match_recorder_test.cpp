@@ -10,7 +10,7 @@
 #include "tests/support/fake_client_network.h"
 #include "tests/support/test_levels.h"
 
-namespace platon {
+namespace platon::match_recorder_test {
 namespace {
 
 Match recordedMatch(const std::vector<std::string>& texts, std::uint32_t maxPlayers = 8) {
@@ -200,4 +200,4 @@ TEST(MatchRecorder, RecordsTheLargestNumberOfPlayers) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::match_recorder_test

@@ -6,7 +6,7 @@
 #include "tests/support/fake_client_network.h"
 #include "tests/support/test_levels.h"
 
-namespace platon {
+namespace platon::match_round_end_test {
 namespace {
 
 using Kind = MatchEvent::Kind;
@@ -140,4 +140,4 @@ TEST_F(MatchRoundEnd, TheNextRoundStartsFiveSecondsAfterTheEnd) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::match_round_end_test

@@ -6,7 +6,7 @@
 #include "server/match/match.h"
 #include "tests/support/test_levels.h"
 
-namespace platon {
+namespace platon::match_round_trips_test {
 namespace {
 
 /// A match without a network: messages of clients take effect at once. Client N has slot N - 1 and a round trip of
@@ -81,4 +81,4 @@ TEST_F(MatchRoundTrips, AMessageOfTheLargestMatchIsShort) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::match_round_trips_test

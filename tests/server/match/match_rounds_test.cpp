@@ -5,7 +5,7 @@
 #include "tests/server/match/kept_times.h"
 #include "tests/support/test_levels.h"
 
-namespace platon {
+namespace platon::match_rounds_test {
 namespace {
 
 using Kind = MatchEvent::Kind;
@@ -308,4 +308,4 @@ TEST_F(MatchRounds, WhoComesAfterAllHaveLeftGetsALevelForOne) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::match_rounds_test

@@ -9,7 +9,7 @@
 #include "tests/support/fake_client_network.h"
 #include "tests/support/test_levels.h"
 
-namespace platon {
+namespace platon::match_test {
 namespace {
 
 using Kind = MatchEvent::Kind;
@@ -387,4 +387,4 @@ TEST(Match, NewLevelsArePlayedAfterTheCurrentOne) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::match_test

@@ -8,7 +8,7 @@
 #include "server/match/match.h"
 #include "tests/support/test_levels.h"
 
-namespace platon {
+namespace platon::match_transfers_test {
 namespace {
 
 Match matchOn(const std::string& text, std::uint32_t maxPlayers) {
@@ -117,4 +117,4 @@ TEST(MatchTransfers, ClientsThatJoinInOneTickShareTheMessages) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::match_transfers_test

@@ -7,7 +7,7 @@
 #include "protocol/label.h"
 #include "protocol/to_client.h"
 
-namespace platon {
+namespace platon::player_names_test {
 namespace {
 
 using Names = std::map<std::uint32_t, std::string>;
@@ -163,4 +163,4 @@ TEST_F(PlayerNamesTest, AReleasedSlotIsNotMuted) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::player_names_test

@@ -5,7 +5,7 @@
 #include "tests/support/fake_client_network.h"
 #include "tests/support/test_levels.h"
 
-namespace platon {
+namespace platon::resume_match_test {
 namespace {
 
 using Kind = MatchEvent::Kind;
@@ -151,4 +151,4 @@ TEST_F(ResumeMatch, InputsSentAheadByTheOldClientAreDiscarded) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::resume_match_test

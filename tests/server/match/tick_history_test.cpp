@@ -4,7 +4,7 @@
 
 #include <random>
 
-namespace platon {
+namespace platon::tick_history_test {
 namespace {
 
 Input pressing(int buttons) { return Input{static_cast<std::uint8_t>(buttons | Input::kPresent)}; }
@@ -77,4 +77,4 @@ TEST(TickHistory, ConsecutiveMessagesContainEveryInput) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::tick_history_test

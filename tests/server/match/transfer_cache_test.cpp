@@ -8,7 +8,7 @@
 #include "protocol/to_client.h"
 #include "tests/support/test_levels.h"
 
-namespace platon {
+namespace platon::transfer_cache_test {
 namespace {
 
 bool shareMessages(Transfer a, Transfer b) { return a.nextChunk().data() == b.nextChunk().data(); }
@@ -62,4 +62,4 @@ TEST(TransferCache, EachTickHasAStateOfItsOwn) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::transfer_cache_test

@@ -8,7 +8,7 @@
 #include "protocol/to_client.h"
 #include "tests/support/test_levels.h"
 
-namespace platon {
+namespace platon::transfer_test {
 namespace {
 
 TEST(Transfer, SendsAWholeLevelInChunks) {
@@ -58,4 +58,4 @@ TEST(Transfer, CopiesShareTheirMessages) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::transfer_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::vote_notices_test {
 namespace {
 
 TEST(VotePasses, WithMoreThanHalfOfTheVoters) {
@@ -45,4 +45,4 @@ TEST(VoteNotices, ARoundBeginsWithoutVotes) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::vote_notices_test

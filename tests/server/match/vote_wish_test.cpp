@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::vote_wish_test {
 namespace {
 
 TEST(VoteWish, CountsAtOnceAndEndsWhenItIsTakenBackASecondLater) {
@@ -41,4 +41,4 @@ TEST(VoteWish, EndsAtOnceWhenItIsCleared) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::vote_wish_test

@@ -7,7 +7,7 @@
 #include "tests/support/transport/datagram_network.h"
 #include "tests/support/transport/raw_content.h"
 
-namespace platon {
+namespace platon::host_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -300,4 +300,4 @@ TEST_F(HostTest, CountsRejectionsByReason) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::host_test

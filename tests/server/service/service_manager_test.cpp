@@ -10,7 +10,7 @@
 #include "tests/server/service/fake_manager.h"
 #include "tests/support/temporary_folder.h"
 
-namespace platon {
+namespace platon::service_manager_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -109,4 +109,4 @@ TEST_F(ServiceManagerTest, TheEnvironmentNamesTheSocket) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::service_manager_test

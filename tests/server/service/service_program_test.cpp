@@ -9,7 +9,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait_until.h"
 
-namespace platon {
+namespace platon::service_program_test {
 namespace {
 
 using Messages = std::vector<std::string>;
@@ -51,4 +51,4 @@ TEST_F(ServiceProgramTest, TheManagerIsToldTheLifeOfTheServer) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::service_program_test

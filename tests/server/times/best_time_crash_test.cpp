@@ -15,7 +15,7 @@
 #include "tests/support/environment_variable.h"
 #include "tests/support/temporary_folder.h"
 
-namespace platon {
+namespace platon::best_time_crash_test {
 namespace {
 
 const UtcTime kDate = *parseUtcTime("2026-12-01T18:00:00Z");
@@ -94,4 +94,4 @@ TEST(BestTimeCrash, AFileIsWholeWheneverItsWriterIsKilled) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::best_time_crash_test

@@ -9,7 +9,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait_until.h"
 
-namespace platon {
+namespace platon::best_time_store_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -162,4 +162,4 @@ TEST_F(BestTimeStoreTest, ADamagedFileIsRefusedWithThePlaceOfTheError) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::best_time_store_test

@@ -4,7 +4,7 @@
 
 #include "protocol/limits.h"
 
-namespace platon {
+namespace platon::best_times_test {
 namespace {
 
 using std::chrono::seconds;
@@ -146,4 +146,4 @@ TEST(BestTimes, ErrorsAreBounded) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::best_times_test

@@ -9,7 +9,7 @@
 #include "platon/exact/integer.h"
 #include "tests/sim/seeded_random.h"
 
-namespace platon {
+namespace platon::angle_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 20240117;
@@ -176,4 +176,4 @@ TEST(AngleBetweenTest, IsExactForQuarterTurns) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::angle_test

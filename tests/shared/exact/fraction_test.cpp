@@ -8,7 +8,7 @@
 
 #include "tests/sim/seeded_random.h"
 
-namespace platon {
+namespace platon::fraction_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 7001;
@@ -98,4 +98,4 @@ TEST(ScaleTruncatedTest, TruncatesTheExactProduct) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::fraction_test

@@ -5,7 +5,7 @@
 #include <initializer_list>
 #include <set>
 
-namespace platon {
+namespace platon::hash_test {
 namespace {
 
 std::uint64_t hashOf(std::initializer_list<std::uint64_t> values) {
@@ -106,4 +106,4 @@ TEST(HashTest, OrderAndLengthChangeTheHash) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::hash_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace platon {
+namespace platon::integer_test {
 namespace {
 
 TEST(IntegerTest, FixedIntegerExcludesBool) {
@@ -71,4 +71,4 @@ TEST(IntegerTest, DividesLargeNumbers) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::integer_test

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-namespace platon {
+namespace platon::lattice_test {
 namespace {
 
 TEST(LatticeTest, DiscIsComplete) {
@@ -30,4 +30,4 @@ TEST(LatticeTest, DiscIsSortedByDistanceThenRow) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::lattice_test

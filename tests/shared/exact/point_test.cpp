@@ -4,7 +4,7 @@
 
 #include "platon/exact/integer.h"
 
-namespace platon {
+namespace platon::point_test {
 namespace {
 
 TEST(PointTest, AddsAndSubtracts) {
@@ -37,4 +37,4 @@ TEST(PointTest, ProductsAreExactUpToTheBounds) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::point_test

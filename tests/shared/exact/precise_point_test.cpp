@@ -6,7 +6,7 @@
 
 #include "tests/sim/seeded_random.h"
 
-namespace platon {
+namespace platon::precise_point_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 321;
@@ -58,4 +58,4 @@ TEST(PrecisePointTest, RotationsAgreeWithRotateUpToRounding) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::precise_point_test

@@ -4,7 +4,7 @@
 
 #include "tests/sim/seeded_random.h"
 
-namespace platon {
+namespace platon::square_root_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 99;
@@ -34,4 +34,4 @@ TEST(SquareRootTest, IsExactForTheLargestValues) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::square_root_test

@@ -17,7 +17,7 @@
 #include "tests/sim/button_presses.h"
 #include "tests/support/counted_heap.h"
 
-namespace platon {
+namespace platon::allocation_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 20;
@@ -148,4 +148,4 @@ INSTANTIATE_TEST_SUITE_P(Shipped, AllocationTest, testing::ValuesIn(levelsWithou
                          [](const auto& file) { return sim::testName(file.param); });
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::allocation_test

@@ -18,7 +18,7 @@
 #include "tests/shared/physics/step/leg_checker.h"
 #include "tests/sim/seeded_random.h"
 
-namespace platon {
+namespace platon::crossing_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 90210;
@@ -289,4 +289,4 @@ TEST(CrossingTest, GoesStraightAroundTheCube) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::crossing_test

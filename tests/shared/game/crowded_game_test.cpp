@@ -11,7 +11,7 @@
 #include "tests/support/counted_heap.h"
 #include "tests/support/crowded_levels.h"
 
-namespace platon {
+namespace platon::crowded_game_test {
 namespace {
 
 constexpr std::uint32_t kPlayers = 4;
@@ -55,4 +55,4 @@ INSTANTIATE_TEST_SUITE_P(All, CrowdedGameTest, testing::ValuesIn(crowdedLevels()
                          [](const auto& level) { return level.param.name; });
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::crowded_game_test

@@ -10,7 +10,7 @@
 #include "platon/game/stage.h"
 #include "tests/sim/seeded_random.h"
 
-namespace platon {
+namespace platon::crowding_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 512;
@@ -160,4 +160,4 @@ TEST(Crowding, FindsWhatCountingEveryPlaceFinds) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::crowding_test

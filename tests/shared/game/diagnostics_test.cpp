@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace platon {
+namespace platon::diagnostics_test {
 namespace {
 
 TEST(DiagnosticsTest, FormatsAsCompilersDo) {
@@ -77,4 +77,4 @@ TEST(DiagnosticsTest, QuotesAtMost32Bytes) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::diagnostics_test

@@ -7,7 +7,7 @@
 
 #include "tests/shared/game/played_elements.h"
 
-namespace platon {
+namespace platon::element_rules_test {
 namespace {
 
 std::int32_t peakOfJump(PlayedGame& played) {
@@ -191,4 +191,4 @@ TEST(ElementRulesTest, ADoorBlocksUnlessItsNumberIsOpen) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::element_rules_test

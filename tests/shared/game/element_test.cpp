@@ -4,7 +4,7 @@
 
 #include <set>
 
-namespace platon {
+namespace platon::element_test {
 namespace {
 
 TEST(ElementTest, EveryKindHasAWordOfItsOwn) {
@@ -47,4 +47,4 @@ TEST(ElementTest, PlayersReturnToTheMiddleOfACheckpoint) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::element_test

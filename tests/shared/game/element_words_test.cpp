@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace platon {
+namespace platon::element_words_test {
 namespace {
 
 struct Reading {
@@ -61,4 +61,4 @@ TEST(ElementWordsTest, AHintNamesTheNearestWordIfItIsNear) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::element_words_test

@@ -12,7 +12,7 @@
 
 #include "platon/game/solid.h"
 
-namespace platon {
+namespace platon::face_area_test {
 namespace {
 
 constexpr std::array kKinds = {SolidKind::kTetrahedron, SolidKind::kHexahedron, SolidKind::kDodecahedron};
@@ -206,4 +206,4 @@ TEST(FaceAreaTest, NoEndIsMoreThanOneSubunitOutside) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::face_area_test

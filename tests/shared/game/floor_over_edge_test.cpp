@@ -9,7 +9,7 @@
 #include "platon/physics/world.h"
 #include "tests/shared/game/edge_floor.h"
 
-namespace platon {
+namespace platon::floor_over_edge_test {
 namespace {
 
 template <class Visit>
@@ -93,4 +93,4 @@ TEST(FloorOverEdgeTest, APlayerAtRestDoesNotMoveIn100000Ticks) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::floor_over_edge_test

@@ -7,7 +7,7 @@
 #include "tests/shared/game/played_game.h"
 #include "tests/sim/button_presses.h"
 
-namespace platon {
+namespace platon::game_restore_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 616;
@@ -189,4 +189,4 @@ TEST(GameRestoreTest, RandomBytesAreRefusedOrPlayable) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::game_restore_test

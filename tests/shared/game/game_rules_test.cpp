@@ -9,7 +9,7 @@
 #include "platon/game/solid.h"
 #include "tests/shared/game/played_elements.h"
 
-namespace platon {
+namespace platon::game_rules_test {
 namespace {
 
 TEST(GameRulesTest, AHazardBlocksAndSendsThePlayerToTheStart) {
@@ -233,4 +233,4 @@ TEST(GameRulesTest, TheLastPlayerToLeaveClosesTheDoors) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::game_rules_test

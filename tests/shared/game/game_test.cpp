@@ -11,7 +11,7 @@
 #include "tests/shared/physics/step/leg_checker.h"
 #include "tests/sim/button_presses.h"
 
-namespace platon {
+namespace platon::game_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 515;
@@ -318,4 +318,4 @@ TEST(GameTest, GamesOnOtherLevelsDiffer) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::game_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::input_test {
 namespace {
 
 constexpr bool both(int byte, int buttons) { return (byte & buttons) == buttons; }
@@ -48,4 +48,4 @@ TEST(InputTest, AnyButtonsGiveAValidInputThatKeepsWhatIsValid) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::input_test

@@ -10,7 +10,7 @@
 #include "platon/game/solid.h"
 #include "shared/game/face_area.h"
 
-namespace platon {
+namespace platon::level_edges_test {
 namespace {
 
 struct Place {
@@ -104,4 +104,4 @@ TEST(LevelEdgesTest, LinesAcrossAnEdgeMeetWithin3Subunits) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::level_edges_test

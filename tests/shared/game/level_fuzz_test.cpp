@@ -14,7 +14,7 @@
 #include "platon/game/level.h"
 #include "tests/support/element_level.h"
 
-namespace platon {
+namespace platon::level_fuzz_test {
 namespace {
 
 constexpr std::array<std::string_view, 5> kSeeds = {
@@ -194,4 +194,4 @@ TEST(LevelFuzzTest, SeedsAreValidLevels) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::level_fuzz_test

@@ -5,7 +5,7 @@
 #include <random>
 #include <string>
 
-namespace platon {
+namespace platon::level_number_test {
 namespace {
 
 constexpr std::int64_t kLimit = 131072;
@@ -71,4 +71,4 @@ TEST(LevelNumberTest, RoundsToTheNearestSubunit) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::level_number_test

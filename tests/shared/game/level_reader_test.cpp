@@ -9,7 +9,7 @@
 
 #include "platon/game/level.h"
 
-namespace platon {
+namespace platon::level_reader_test {
 namespace {
 
 // A level text with its errors, each as line:column: message.
@@ -364,4 +364,4 @@ TEST(LevelReaderTest, ReadsTheLargestNumberOfLinesAndNoMore) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::level_reader_test

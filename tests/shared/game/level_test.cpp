@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace platon {
+namespace platon::level_test {
 namespace {
 
 // The sample of docs/level_format.md.
@@ -235,4 +235,4 @@ TEST(LevelTest, TheNumberOfDiagnosticsIsBounded) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::level_test

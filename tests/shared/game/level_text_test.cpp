@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace platon {
+namespace platon::level_text_test {
 namespace {
 
 struct Scanned {
@@ -107,4 +107,4 @@ TEST(LevelTextTest, TheEndOfTheTextIsAfterTheLastByteOfItsLastLine) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::level_text_test

@@ -8,7 +8,7 @@
 
 #include "tests/shared/game/standing_player.h"
 
-namespace platon {
+namespace platon::player_jump_test {
 namespace {
 
 constexpr std::int32_t kApexSpeed = 1600;
@@ -234,4 +234,4 @@ TEST(PlayerJumpTest, AJumpPressedUpTo5TicksEarlyStartsOnLanding) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::player_jump_test

@@ -9,7 +9,7 @@
 
 #include "tests/shared/game/standing_player.h"
 
-namespace platon {
+namespace platon::player_test {
 namespace {
 
 constexpr std::int32_t kFloor = units(-200);
@@ -307,4 +307,4 @@ TEST(PlayerTest, StaysFarBelowTheLargestSpeedOfAState) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::player_test

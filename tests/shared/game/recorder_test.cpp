@@ -8,7 +8,7 @@
 #include "platon/game/recording_reader.h"
 #include "tests/shared/game/recorded_game.h"
 
-namespace platon {
+namespace platon::recorder_test {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -97,4 +97,4 @@ TEST(RecorderTest, TakenBytesAreNotReturnedAgain) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::recorder_test

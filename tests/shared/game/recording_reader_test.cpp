@@ -9,7 +9,7 @@
 #include "tests/shared/game/forged_recording.h"
 #include "tests/shared/game/recorded_game.h"
 
-namespace platon {
+namespace platon::recording_reader_test {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -171,4 +171,4 @@ TEST(RecordingReaderTest, AnIntactHeadTellsItsRulesAlsoWhenTheyAreOthers) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::recording_reader_test

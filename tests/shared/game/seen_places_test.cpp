@@ -9,7 +9,7 @@
 #include "platon/game/stage.h"
 #include "tests/sim/seeded_random.h"
 
-namespace platon {
+namespace platon::seen_places_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 77;
@@ -81,4 +81,4 @@ TEST(SeenPlacesTest, DistancesAreTheSameBothWays) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::seen_places_test

@@ -13,7 +13,7 @@
 
 #include "platon/exact/integer.h"
 
-namespace platon {
+namespace platon::solid_test {
 namespace {
 
 struct Expected {
@@ -187,4 +187,4 @@ INSTANTIATE_TEST_SUITE_P(All, SolidTest, testing::ValuesIn(kExpected),
                          [](const auto& spec) { return std::string(spec.param.name); });
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::solid_test

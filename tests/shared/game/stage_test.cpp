@@ -8,7 +8,7 @@
 
 #include "platon/exact/integer.h"
 
-namespace platon {
+namespace platon::stage_test {
 namespace {
 
 constexpr std::array kKinds = {SolidKind::kTetrahedron, SolidKind::kHexahedron, SolidKind::kOctahedron,
@@ -146,4 +146,4 @@ TEST(StageTest, CornersAreNotFreeForAPlayer) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::stage_test

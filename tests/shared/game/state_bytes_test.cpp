@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::state_bytes_test {
 namespace {
 
 using testing::ElementsAre;
@@ -94,4 +94,4 @@ TEST(StateBytesTest, ReadingFromNoBytesIsAnError) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::state_bytes_test

@@ -8,7 +8,7 @@
 #include "tests/shared/game/played_game.h"
 #include "tests/sim/churn.h"
 
-namespace platon {
+namespace platon::state_difference_test {
 namespace {
 
 std::shared_ptr<const Level> level() {
@@ -89,4 +89,4 @@ TEST(StateDifferenceTest, FindsAPlayerThatOnlyOneGameHas) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::state_difference_test

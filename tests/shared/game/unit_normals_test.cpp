@@ -9,7 +9,7 @@
 #include "platon/game/player.h"
 #include "tests/sim/seeded_random.h"
 
-namespace platon {
+namespace platon::unit_normals_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 41;
@@ -69,4 +69,4 @@ TEST(UnitNormalsTest, NoResultDependsOnTheCache) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::unit_normals_test

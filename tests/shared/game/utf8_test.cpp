@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace platon {
+namespace platon::utf8_test {
 namespace {
 
 using namespace std::string_literals;
@@ -116,4 +116,4 @@ TEST(Utf8Test, ControlCharactersAreC0DeleteAndC1) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::utf8_test

@@ -11,7 +11,7 @@
 #include "tests/shared/physics/recorded_rules.h"
 #include "tests/shared/physics/shapes.h"
 
-namespace platon {
+namespace platon::collider_test {
 namespace {
 
 // A square of 20 by 20 at the origin of part 0, and a collider for it.
@@ -202,4 +202,4 @@ TEST_F(ColliderTest, FindsWarpsWithoutInstanceBehind) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::collider_test

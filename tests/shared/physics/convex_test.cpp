@@ -10,7 +10,7 @@
 #include "platon/exact/integer.h"
 #include "tests/shared/physics/shapes.h"
 
-namespace platon {
+namespace platon::convex_test {
 namespace {
 
 using testing::ElementsAre;
@@ -252,4 +252,4 @@ TEST(ConvexHullTest, IsTheSmallestConvexPolygonAroundThePoints) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::convex_test

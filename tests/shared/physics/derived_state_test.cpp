@@ -15,7 +15,7 @@
 #include "tests/shared/physics/torus.h"
 #include "tests/sim/seeded_random.h"
 
-namespace platon {
+namespace platon::derived_state_test {
 namespace {
 
 constexpr int kTicks = 1500;
@@ -151,4 +151,4 @@ TEST(ShapeMemoryTest, AShapeInTheMemoryOfAClearedOneIsNotThatOne) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::derived_state_test

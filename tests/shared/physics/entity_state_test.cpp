@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace platon {
+namespace platon::entity_state_test {
 namespace {
 
 TEST(EntityStateTest, VelocitiesAreBelowTheLimit) {
@@ -69,4 +69,4 @@ TEST(EntityStateTest, VisitsFieldsInTheirHashedOrder) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::entity_state_test

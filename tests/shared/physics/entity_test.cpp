@@ -11,7 +11,7 @@
 #include "tests/shared/physics/refusal.h"
 #include "tests/shared/physics/shapes.h"
 
-namespace platon {
+namespace platon::entity_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 12;
@@ -182,4 +182,4 @@ TEST(EntityTest, VelocityRotatesAcrossAnEdge) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::entity_test

@@ -9,7 +9,7 @@
 #include "platon/exact/integer.h"
 #include "tests/sim/seeded_random.h"
 
-namespace platon {
+namespace platon::grid_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 5150;
@@ -177,4 +177,4 @@ TEST(GridTest, UsesAtMost64BytesPerSegment) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::grid_test

@@ -8,7 +8,7 @@
 #include "tests/shared/physics/shapes.h"
 #include "tests/sim/seeded_random.h"
 
-namespace platon {
+namespace platon::ideal_geometry_test {
 namespace {
 
 using HalfPlane = Obstacle::HalfPlane;
@@ -200,4 +200,4 @@ TEST(PutOntoTest, ProjectsOntoTheEdgeAndThenDoesNothing) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::ideal_geometry_test

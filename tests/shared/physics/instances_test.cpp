@@ -18,7 +18,7 @@
 #include "tests/shared/physics/shapes.h"
 #include "tests/shared/physics/step/leg_checker.h"
 
-namespace platon {
+namespace platon::instances_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 606;
@@ -391,4 +391,4 @@ TEST(InstancesTest, ANudgeAcrossAnEdgeKeepsItsDirection) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::instances_test

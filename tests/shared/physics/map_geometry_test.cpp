@@ -8,7 +8,7 @@
 #include "shared/physics/ideal_geometry.h"
 #include "tests/sim/seeded_random.h"
 
-namespace platon {
+namespace platon::map_geometry_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 2718;
@@ -153,4 +153,4 @@ TEST(GeometryTest, FindsReverseWarpsWithinOnePart) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::map_geometry_test

@@ -10,7 +10,7 @@
 #include "tests/shared/physics/refusal.h"
 #include "tests/shared/physics/shapes.h"
 
-namespace platon {
+namespace platon::map_part_test {
 namespace {
 
 constexpr std::int32_t kMax = kCoordinateLimit - 1;
@@ -259,4 +259,4 @@ TEST_F(MapPartInsertTest, ErasingFromAnotherPartChangesNothing) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::map_part_test

@@ -9,7 +9,7 @@
 #include "tests/shared/physics/shapes.h"
 #include "tests/sim/seeded_random.h"
 
-namespace platon {
+namespace platon::obstacle_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 404;
@@ -71,4 +71,4 @@ TEST(ObstacleTest, OtherHalfPlanesContainTheBox) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::obstacle_test

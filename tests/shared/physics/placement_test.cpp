@@ -4,7 +4,7 @@
 
 #include "tests/sim/seeded_random.h"
 
-namespace platon {
+namespace platon::placement_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 55;
@@ -42,4 +42,4 @@ TEST(PlacementTest, RoundsTheWholeMoveOnce) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::placement_test

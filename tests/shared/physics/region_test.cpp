@@ -10,7 +10,7 @@
 #include "tests/shared/physics/shapes.h"
 #include "tests/sim/seeded_random.h"
 
-namespace platon {
+namespace platon::region_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 808;
@@ -205,4 +205,4 @@ TEST(RegionTest, ClipsLikeASweepWithoutIt) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::region_test

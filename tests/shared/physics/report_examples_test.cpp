@@ -19,6 +19,7 @@ using platon::SegmentRef;
 using platon::World;
 namespace intern = platon::intern;
 
+namespace report_examples_test {
 namespace {
 
 TEST(ReportExamplesTest, AnEntity) {
@@ -129,3 +130,4 @@ TEST(ReportExamplesTest, AWorldWithRulesAndAWarp) {
 }
 
 }  // namespace
+}  // namespace report_examples_test

@@ -8,7 +8,7 @@
 #include "tests/shared/physics/recorded_rules.h"
 #include "tests/shared/physics/shapes.h"
 
-namespace platon {
+namespace platon::rules_test {
 namespace {
 
 using testing::ElementsAre;
@@ -381,4 +381,4 @@ TEST(WarpContactTest, ToHomeIsTheAngleBetweenTheParts) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::rules_test

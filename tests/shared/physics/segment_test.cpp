@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::segment_test {
 namespace {
 
 constexpr Box kBox{{-2, 3}, {10, 7}};
@@ -60,4 +60,4 @@ TEST(BoxTest, SweptContainsStartAndEnd) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::segment_test

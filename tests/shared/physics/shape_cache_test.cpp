@@ -4,7 +4,7 @@
 
 #include "tests/shared/physics/shapes.h"
 
-namespace platon {
+namespace platon::shape_cache_test {
 namespace {
 
 TEST(ShapeCacheTest, ReturnsTheRotatedShape) {
@@ -75,4 +75,4 @@ TEST(ShapeCacheTest, TrimChangesNoResult) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::shape_cache_test

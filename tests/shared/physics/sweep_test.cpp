@@ -12,7 +12,7 @@
 #include "tests/shared/physics/shapes.h"
 #include "tests/shared/physics/sweep_query.h"
 
-namespace platon {
+namespace platon::sweep_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 4711;
@@ -384,4 +384,4 @@ TEST(SweepTest, LargestQueriesAgreeWithTheOracle) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::sweep_test

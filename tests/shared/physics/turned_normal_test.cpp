@@ -11,7 +11,7 @@
 #include "tests/shared/physics/shapes.h"
 #include "tests/sim/seeded_random.h"
 
-namespace platon {
+namespace platon::turned_normal_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 12;
@@ -44,4 +44,4 @@ TEST(TurnedNormalTest, QuarterTurnsAreExact) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::turned_normal_test

@@ -4,7 +4,7 @@
 
 #include "tests/support/test_level.h"
 
-namespace platon {
+namespace platon::unfold_test {
 namespace {
 
 constexpr std::int32_t kUnit = kSubunitsPerUnit;
@@ -49,4 +49,4 @@ TEST_F(UnfoldTest, UnfoldingBackIsTheInverse) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::unfold_test

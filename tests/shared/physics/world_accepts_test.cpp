@@ -10,7 +10,7 @@
 #include "tests/shared/physics/maps.h"
 #include "tests/shared/physics/shapes.h"
 
-namespace platon {
+namespace platon::world_accepts_test {
 namespace {
 
 // One entity across the edge between the strips, and one inserted into both.
@@ -233,4 +233,4 @@ TEST_F(WorldAcceptsTest, AcceptedStatesCanBeStepped) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::world_accepts_test

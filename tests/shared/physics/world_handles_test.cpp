@@ -12,7 +12,7 @@
 #include "tests/shared/physics/refusal.h"
 #include "tests/shared/physics/shapes.h"
 
-namespace platon {
+namespace platon::world_handles_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 11;
@@ -255,4 +255,4 @@ TEST(WorldHandlesTest, WorldsInWhichEntitiesComeAndGoAreDeterministic) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::world_handles_test

@@ -14,7 +14,7 @@
 #include "tests/shared/physics/refusal.h"
 #include "tests/shared/physics/shapes.h"
 
-namespace platon {
+namespace platon::world_placement_test {
 namespace {
 
 using testing::ElementsAre;
@@ -85,4 +85,4 @@ TEST_F(WorldPlacementTest, AnEntityThatIsPlacedAgainHasNewIds) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::world_placement_test

@@ -12,7 +12,7 @@
 #include "tests/shared/physics/shapes.h"
 #include "tests/shared/physics/step/leg_checker.h"
 
-namespace platon {
+namespace platon::world_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 77;
@@ -326,4 +326,4 @@ TEST(WorldTest, ObserversDoNotChangeTheResult) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::world_test

@@ -12,7 +12,7 @@
 #include "tests/shared/physics/refusal.h"
 #include "tests/shared/physics/shapes.h"
 
-namespace platon {
+namespace platon::world_value_test {
 namespace {
 
 // A strip with this segment and an entity with this shape in it.
@@ -125,4 +125,4 @@ TEST(WorldValueTest, RefusesEntitiesThatDoNotExist) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::world_value_test

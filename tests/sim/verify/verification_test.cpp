@@ -7,7 +7,7 @@
 #include "tests/shared/game/played_game.h"
 #include "tests/sim/churn.h"
 
-namespace platon::sim {
+namespace platon::sim::verification_test {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -156,4 +156,4 @@ TEST(VerificationTest, RefusesAnInvalidState) {
 }
 
 }  // namespace
-}  // namespace platon::sim
+}  // namespace platon::sim::verification_test

@@ -8,7 +8,7 @@
 #include "tests/sim/command_testing.h"
 #include "tests/sim/sim_options.h"
 
-namespace platon::sim {
+namespace platon::sim::verify_command_test {
 namespace {
 
 using testing::HasSubstr;
@@ -85,4 +85,4 @@ TEST(VerifyCommandTest, NamesTickEntityAndFieldOfADesync) {
 }
 
 }  // namespace
-}  // namespace platon::sim
+}  // namespace platon::sim::verify_command_test

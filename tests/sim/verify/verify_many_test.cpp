@@ -11,7 +11,7 @@
 #include "tests/sim/command_testing.h"
 #include "tests/sim/sim_options.h"
 
-namespace platon::sim {
+namespace platon::sim::verify_many_test {
 namespace {
 
 using testing::ElementsAre;
@@ -112,4 +112,4 @@ TEST_F(VerifyManyTest, TheProgramPrintsASummary) {
 }
 
 }  // namespace
-}  // namespace platon::sim
+}  // namespace platon::sim::verify_many_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon::sim {
+namespace platon::sim::verify_report_test {
 namespace {
 
 Verification found(std::uint32_t ticks) {
@@ -40,4 +40,4 @@ TEST(VerifyReportTest, ADivergenceComesBeforeAFault) {
 }
 
 }  // namespace
-}  // namespace platon::sim
+}  // namespace platon::sim::verify_report_test

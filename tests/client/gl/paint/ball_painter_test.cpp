@@ -6,7 +6,7 @@
 
 #include "tests/client/gl/render_fixture.h"
 
-namespace platon {
+namespace platon::ball_painter_test {
 namespace {
 
 // The mark was as bright as a bright ball.
@@ -32,4 +32,4 @@ TEST_F(RenderTest, TheMarkOfUpHasADarkRim) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::ball_painter_test

@@ -4,7 +4,7 @@
 
 #include "tests/client/gl/render_fixture.h"
 
-namespace platon {
+namespace platon::beam_painter_test {
 namespace {
 
 // A dash alone at the rim of the solid looked like a mark on the face.
@@ -35,4 +35,4 @@ TEST_F(RenderTest, ABeamThatIsHardlyHiddenHasNoDash) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::beam_painter_test

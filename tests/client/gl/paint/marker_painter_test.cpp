@@ -3,7 +3,7 @@
 #include "client/scene/look/face_sign.h"
 #include "tests/client/gl/render_fixture.h"
 
-namespace platon {
+namespace platon::marker_painter_test {
 namespace {
 
 // A circle with a dot in its middle looked the same however its face was turned.
@@ -25,4 +25,4 @@ TEST_F(RenderTest, ASignWithOneDotShowsHowItsFaceIsTurned) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::marker_painter_test

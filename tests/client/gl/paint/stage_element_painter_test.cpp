@@ -17,7 +17,7 @@
 #include "tests/client/gl/test_stage.h"
 #include "tests/support/files.h"
 
-namespace platon {
+namespace platon::stage_element_painter_test {
 namespace {
 
 constexpr std::uint32_t kWidth = 640;
@@ -180,4 +180,4 @@ TEST_F(ElementPictureTest, EveryElementLooksAsBefore) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::stage_element_painter_test

@@ -7,7 +7,7 @@
 
 #include "tests/client/gl/render_fixture.h"
 
-namespace platon {
+namespace platon::wall_painter_test {
 namespace {
 
 // The least brightness of a top along its axis. Each place counts as bright as the brightest pixel round it.
@@ -57,4 +57,4 @@ TEST_F(RenderTest, ASideOnAFaceThatIsTurnedAwayHasTheColourOfTheFace) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::wall_painter_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::controls_page_test {
 namespace {
 
 class ControlsPageTest : public testing::Test {
@@ -93,4 +93,4 @@ TEST_F(ControlsPageTest, ResetGivesTheDefaults) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::controls_page_test

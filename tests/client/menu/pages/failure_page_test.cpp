@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::failure_page_test {
 namespace {
 
 TEST(FailurePage, ShowsEachLineOfTheReasonAndOffersToTryAgain) {
@@ -28,4 +28,4 @@ TEST(FailurePage, OffersTheOtherWayFirst) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::failure_page_test

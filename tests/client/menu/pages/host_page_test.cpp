@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::host_page_test {
 namespace {
 
 class HostPage : public testing::Test {
@@ -53,4 +53,4 @@ TEST_F(HostPage, TheLastItemHosts) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::host_page_test

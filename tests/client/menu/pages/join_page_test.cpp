@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::join_page_test {
 namespace {
 
 class JoinPage : public testing::Test {
@@ -74,4 +74,4 @@ TEST_F(JoinPage, AsksForAPasswordOnlyIfTheServerDoes) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::join_page_test

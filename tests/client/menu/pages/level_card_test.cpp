@@ -10,7 +10,7 @@
 #include "client/menu/pages/turntable.h"
 #include "client/ui/text_scale.h"
 
-namespace platon {
+namespace platon::level_card_test {
 namespace {
 
 std::vector<std::string> textsOf(const LevelEntry& level, float width, float scale = 1) {
@@ -80,4 +80,4 @@ TEST(LevelCard, IsLeftOutWhereThereIsNoRoomBesideTheMenu) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::level_card_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::levels_page_test {
 namespace {
 
 const std::vector<LevelEntry> kLevels{
@@ -73,4 +73,4 @@ TEST(LevelsPage, ItemsAndLevelsBelongTogether) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::levels_page_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::pause_page_test {
 namespace {
 
 TEST(PausePage, EachItemCallsItsOwn) {
@@ -45,4 +45,4 @@ TEST(PausePage, WithOthersThePlayerCanSaySomethingWithoutAKeyboard) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::pause_page_test

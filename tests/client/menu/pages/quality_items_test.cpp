@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::quality_items_test {
 namespace {
 
 TEST(QualityItems, TheLevelsAreInOrder) {
@@ -58,4 +58,4 @@ TEST(QualityItems, MeasuringForgetsTheLevel) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::quality_items_test

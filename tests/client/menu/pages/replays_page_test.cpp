@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::replays_page_test {
 namespace {
 
 const std::vector<ReplayEntry> kEntries{
@@ -57,4 +57,4 @@ TEST(ReplaysPage, AnEmptyListSaysHowRunsGetThere) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::replays_page_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::run_page_test {
 namespace {
 
 std::vector<std::string> namesOf(const MenuPage& page) {
@@ -48,4 +48,4 @@ TEST(RunPage, SaysWhyItCannotBePlayedOrKept) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::run_page_test

@@ -5,7 +5,7 @@
 #include "client/ui/chat_feed.h"
 #include "protocol/limits.h"
 
-namespace platon {
+namespace platon::say_page_test {
 namespace {
 
 static_assert(kEmoteNames.size() == kEmotes);
@@ -32,4 +32,4 @@ TEST(SayPage, ShowsWhatWasSaidWhileThePlayerAnswers) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::say_page_test

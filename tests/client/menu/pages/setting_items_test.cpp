@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::setting_items_test {
 namespace {
 
 constexpr std::array<NamedValue, 3> kSpeeds{{{1, "slow"}, {5, "normal"}, {20, "fast"}}};
@@ -49,4 +49,4 @@ TEST(SettingItems, ASliderStaysInItsRangeAndOnItsSteps) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::setting_items_test

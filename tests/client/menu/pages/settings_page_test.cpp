@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::settings_page_test {
 namespace {
 
 bool isSetting(const MenuItem& item) {
@@ -65,4 +65,4 @@ TEST(SettingsPage, EachSettingIsInAGroup) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::settings_page_test

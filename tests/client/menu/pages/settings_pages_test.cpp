@@ -7,7 +7,7 @@
 
 #include "client/menu/pages/settings_page.h"
 
-namespace platon {
+namespace platon::settings_pages_test {
 namespace {
 
 class SettingsPagesTest : public testing::Test {
@@ -68,4 +68,4 @@ TEST_F(SettingsPagesTest, EscapeAndTheMouseCancelTheWaiting) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::settings_pages_test

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
 
-namespace platon {
+namespace platon::turntable_test {
 namespace {
 
 // Where a point of the solid is in the picture, -1 … 1.
@@ -63,4 +63,4 @@ TEST_F(TurntableTest, TurnsRoundIn40Seconds) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::turntable_test

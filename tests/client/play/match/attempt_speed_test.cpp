@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::attempt_speed_test {
 namespace {
 
 PlayerState startedAt(std::uint32_t tick) {
@@ -44,4 +44,4 @@ TEST(AttemptSpeed, WhatIsSlowedAfterTheGoalIsNotTheAttempt) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::attempt_speed_test

@@ -14,7 +14,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test_levels.h"
 
-namespace platon {
+namespace platon::embedded_server_test {
 namespace {
 
 constexpr const char* kLevel = "tests/determinism/golden/levels/hexahedron.level";
@@ -136,4 +136,4 @@ TEST(EmbeddedServer, CountsItsPlayersAndStartsTheNextLevelWhenAsked) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::embedded_server_test

@@ -13,7 +13,7 @@
 #include "tests/support/session_network.h"
 #include "tests/support/test_level.h"
 
-namespace platon {
+namespace platon::even_motion_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -154,4 +154,4 @@ INSTANTIATE_TEST_SUITE_P(Conditions, EvenMotionTest,
                          [](const auto& instance) { return instance.param.name; });
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::even_motion_test

@@ -17,7 +17,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait_until.h"
 
-namespace platon {
+namespace platon::live_match_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -238,4 +238,4 @@ TEST(PausedMatch, TheSameInputsAtHalfSpeedGiveTheSameHashes) { EXPECT_EQ(hashesO
 TEST(PausedMatch, TheSameInputsWithPausesGiveTheSameHashes) { EXPECT_EQ(hashesOf(true), hashesOf(false)); }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::live_match_test

@@ -20,7 +20,7 @@
 #include "tests/support/loopback_server.h"
 #include "tests/support/temporary_folder.h"
 
-namespace platon {
+namespace platon::match_play_test {
 namespace {
 
 using std::chrono::seconds;
@@ -283,4 +283,4 @@ TEST_F(MatchPlayTest, JoinsNoServerWhileAKnownKeyIsDamaged) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::match_play_test

@@ -6,7 +6,7 @@
 
 #include "tests/support/loopback_server.h"
 
-namespace platon {
+namespace platon::net_meter_test {
 namespace {
 
 using std::chrono::seconds;
@@ -36,4 +36,4 @@ TEST(NetMeter, SamplesARunningClient) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::net_meter_test

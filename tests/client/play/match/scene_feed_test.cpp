@@ -8,7 +8,7 @@
 #include "tests/support/session_network.h"
 #include "tests/support/test_level.h"
 
-namespace platon {
+namespace platon::scene_feed_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -130,4 +130,4 @@ TEST(SceneFeed, ChangesTheStageWithTheLevel) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::scene_feed_test

@@ -13,7 +13,7 @@
 #include "tests/support/wait_until.h"
 
 // On OpenAL's loopback device, which needs no sound card.
-namespace platon {
+namespace platon::sound_feed_test {
 namespace {
 
 constexpr double kFrame = 1.0 / 60;
@@ -79,4 +79,4 @@ TEST_F(SoundFeedTest, ARunningPlayerIsHeardUnlessTheVolumeIsZero) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::sound_feed_test

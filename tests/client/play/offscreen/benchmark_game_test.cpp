@@ -6,7 +6,7 @@
 
 #include "server/app/level_files.h"
 
-namespace platon {
+namespace platon::benchmark_game_test {
 namespace {
 
 std::shared_ptr<const Level> firstLevel() { return loadLevelFiles({shippedLevelFiles().front()}).levels.front(); }
@@ -67,4 +67,4 @@ TEST(BenchmarkGame, PredictsAsAClientDoes) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::benchmark_game_test

@@ -6,7 +6,7 @@
 #include "client/time/steady_now.h"
 #include "server/app/level_files.h"
 
-namespace platon {
+namespace platon::frame_benchmark_test {
 namespace {
 
 TEST(FrameBenchmark, MeasuresEveryQualityOnce) {
@@ -28,4 +28,4 @@ TEST(FrameBenchmark, MeasuresEveryQualityOnce) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::frame_benchmark_test

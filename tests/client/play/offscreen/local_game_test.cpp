@@ -4,7 +4,7 @@
 
 #include "tests/support/test_level.h"
 
-namespace platon {
+namespace platon::local_game_test {
 namespace {
 
 TEST(LocalGame, TheSceneShowsAllPlayersAndFollowsTheFirst) {
@@ -38,4 +38,4 @@ TEST(LocalGame, BeginsAnew) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::local_game_test

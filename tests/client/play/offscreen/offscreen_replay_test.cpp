@@ -9,7 +9,7 @@
 #include "tests/support/files.h"
 #include "tests/support/temporary_folder.h"
 
-namespace platon {
+namespace platon::offscreen_replay_test {
 namespace {
 
 class OffscreenReplayTest : public testing::Test {
@@ -52,4 +52,4 @@ TEST_F(OffscreenReplayTest, WhatCannotBePlayedIsRefused) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::offscreen_replay_test

@@ -7,7 +7,7 @@
 
 #include "client/scene/look/surface_lift.h"
 
-namespace platon {
+namespace platon::ball_motion_test {
 namespace {
 
 constexpr double kRadius = 12;
@@ -101,4 +101,4 @@ TEST(SurfaceLift, TurnsContinuouslyFromNormalToNormal) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::ball_motion_test

@@ -10,7 +10,7 @@
 #include "platon/game/level.h"
 #include "tests/client/scene/surface_walk.h"
 
-namespace platon {
+namespace platon::edge_crossing_test {
 namespace {
 
 constexpr double kFrame = 1.0 / 60;
@@ -175,4 +175,4 @@ TEST_F(EdgeCrossingTest, DarkenedItKeepsTheArrow) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::edge_crossing_test

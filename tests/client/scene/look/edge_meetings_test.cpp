@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::edge_meetings_test {
 namespace {
 
 const SolidMesh& cube() {
@@ -39,4 +39,4 @@ TEST(EdgeMeetings, AWallAlongTheEdgeIsMetByAllThatEndsThere) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::edge_meetings_test

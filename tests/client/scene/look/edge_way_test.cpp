@@ -8,7 +8,7 @@
 
 #include "platon/game/game.h"
 
-namespace platon {
+namespace platon::edge_way_test {
 namespace {
 
 // Whether the way from the middle of face 0 upwards, and the one to the side, is free past a segment above the middle.
@@ -46,4 +46,4 @@ TEST(EdgeWay, OtherElementsBlockAsTheyDoInTheGame) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::edge_way_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::element_motion_test {
 namespace {
 
 using Shares = std::vector<double>;
@@ -54,4 +54,4 @@ TEST(ElementMotion, AnEarlierTimeOrAnotherLevelBeginsAnew) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::element_motion_test

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-namespace platon {
+namespace platon::face_sign_test {
 namespace {
 
 std::shared_ptr<const StageModel> stageOf(const std::string& solid, int faces, const std::string& segments) {
@@ -52,4 +52,4 @@ TEST(FaceSign, AvoidsSegmentsStartAndGoal) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::face_sign_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::goal_motion_test {
 namespace {
 
 TEST(GoalMotion, OpensAndBurstsWhenThePlayerArrives) {
@@ -52,4 +52,4 @@ TEST(GoalMotion, AnOldArrivalIsOpenWithoutABurst) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::goal_motion_test

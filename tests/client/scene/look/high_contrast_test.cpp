@@ -7,7 +7,7 @@
 #include "client/scene/palette.h"
 #include "tests/client/scene/eyes.h"
 
-namespace platon {
+namespace platon::high_contrast_test {
 namespace {
 
 constexpr SolidKind kKinds[] = {SolidKind::kTetrahedron, SolidKind::kHexahedron, SolidKind::kOctahedron,
@@ -41,4 +41,4 @@ TEST(HighContrast, FacesStillDifferInLightness) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::high_contrast_test

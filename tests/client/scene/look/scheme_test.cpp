@@ -9,7 +9,7 @@
 #include "client/scene/palette.h"
 #include "tests/client/scene/eyes.h"
 
-namespace platon {
+namespace platon::scheme_test {
 namespace {
 
 constexpr SolidKind kKinds[] = {SolidKind::kTetrahedron, SolidKind::kHexahedron, SolidKind::kOctahedron,
@@ -83,4 +83,4 @@ TEST(Scheme, WallsAndPlayersAreLighterThanFaces) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::scheme_test

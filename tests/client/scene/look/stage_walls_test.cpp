@@ -10,7 +10,7 @@
 
 #include "platon/game/game.h"
 
-namespace platon {
+namespace platon::stage_walls_test {
 namespace {
 
 struct Walls {
@@ -121,4 +121,4 @@ TEST(StageWalls, WallsOfAnElementLieAlongItsSegment) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::stage_walls_test

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-namespace platon {
+namespace platon::wall_mesh_test {
 namespace {
 
 using Walls = std::vector<std::vector<Wall>>;
@@ -166,4 +166,4 @@ TEST(WallMesh, AWallBeyondItsFaceIsLeftOut) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::wall_mesh_test

@@ -6,7 +6,7 @@
 
 #include "tests/client/ui/controls/random_bindings.h"
 
-namespace platon {
+namespace platon::bindings_test {
 namespace {
 
 // How many places of all controls have the key.
@@ -79,4 +79,4 @@ TEST(Bindings, AClearedControlHasNoKey) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::bindings_test

@@ -11,7 +11,7 @@
 #include "client/ui/settings.h"
 #include "tests/client/ui/controls/random_bindings.h"
 
-namespace platon {
+namespace platon::bindings_text_test {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -107,4 +107,4 @@ TEST(BindingsText, WhateverIsReadIsWrittenAndReadAlike) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::bindings_text_test

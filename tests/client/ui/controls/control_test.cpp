@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::control_test {
 namespace {
 
 TEST(Control, EachHasAWordAndANameOfItsOwn) {
@@ -20,4 +20,4 @@ TEST(Control, EachHasAWordAndANameOfItsOwn) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::control_test

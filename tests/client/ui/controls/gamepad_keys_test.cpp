@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::gamepad_keys_test {
 namespace {
 
 using Kind = KeyEvent::Kind;
@@ -155,4 +155,4 @@ TEST(GamepadKeys, ADisconnectedGamepadReleasesItsKeys) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::gamepad_keys_test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::input_mapper_test {
 namespace {
 
 using Kind = KeyEvent::Kind;
@@ -277,4 +277,4 @@ TEST(InputMapper, KeyRepeatHasNoAction) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::input_mapper_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::key_hints_test {
 namespace {
 
 TEST(KeyHints, NameTheFirstKeyAndWithAGamepadItsButton) {
@@ -49,4 +49,4 @@ TEST(KeyHints, NameTheKeysOfBothSides) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::key_hints_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::key_names_test {
 namespace {
 
 TEST(KeyNames, EachKeyThatCanBeBoundIsFoundByItsWord) {
@@ -39,4 +39,4 @@ TEST(KeyNames, TheKeysOfMenusAndTiltsOfAStickCannotBeBound) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::key_names_test

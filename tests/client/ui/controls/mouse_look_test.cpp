@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::mouse_look_test {
 namespace {
 
 using Button = PointerEvent::Button;
@@ -61,4 +61,4 @@ TEST_F(MouseLookTest, KeepsWhatKeysAndGamepadDo) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::mouse_look_test

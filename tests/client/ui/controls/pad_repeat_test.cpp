@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::pad_repeat_test {
 namespace {
 
 using Kind = KeyEvent::Kind;
@@ -75,4 +75,4 @@ TEST_F(PadRepeatTest, ALatePictureGetsOneRepetition) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::pad_repeat_test

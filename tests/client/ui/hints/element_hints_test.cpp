@@ -6,7 +6,7 @@
 
 #include "platon/game/game.h"
 
-namespace platon {
+namespace platon::element_hints_test {
 namespace {
 
 constexpr std::uint32_t kReadTicks = 240;  // 4 s
@@ -129,4 +129,4 @@ TEST(UntoldElements, AnotherTextChangesNothing) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::element_hints_test

@@ -5,7 +5,7 @@
 #include "platon/exact/integer.h"
 #include "platon/game/game.h"
 
-namespace platon {
+namespace platon::first_keys_test {
 namespace {
 
 std::shared_ptr<const Level> floorLevel() {
@@ -122,4 +122,4 @@ TEST_F(FirstKeysTest, WhoKnowsThemSeesNone) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::first_keys_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace platon {
+namespace platon::new_player_hints_test {
 namespace {
 
 // A game with one player on a floor with a key.
@@ -59,4 +59,4 @@ TEST_F(NewPlayerHintsTest, NobodyIsTaughtWithoutABall) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::new_player_hints_test

@@ -4,7 +4,7 @@
 
 #include "tests/exactness/oracle/sweep/sweep_families.h"
 
-namespace platon::oracle {
+namespace platon::oracle::sweep_oracle_test {
 namespace {
 
 const Polygon kSquare{{0, 0}, {10, 0}, {10, 10}, {0, 10}};
@@ -93,4 +93,4 @@ TEST(SweepOracle, SatisfiesTheDefinition) {
 }
 
 }  // namespace
-}  // namespace platon::oracle
+}  // namespace platon::oracle::sweep_oracle_test

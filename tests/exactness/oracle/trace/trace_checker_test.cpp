@@ -4,7 +4,7 @@
 
 #include "tests/exactness/oracle/trace/sample_trace.h"
 
-namespace platon::oracle {
+namespace platon::oracle::trace_checker_test {
 namespace {
 
 using RuleNames = std::set<std::string>;
@@ -281,4 +281,4 @@ TEST(TraceChecker, ChecksAPlane) {
 }
 
 }  // namespace
-}  // namespace platon::oracle
+}  // namespace platon::oracle::trace_checker_test

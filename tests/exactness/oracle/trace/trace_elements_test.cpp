@@ -7,7 +7,7 @@
 #include "tests/exactness/oracle/trace/sample_trace.h"
 #include "tests/exactness/oracle/trace/solid_model.h"
 
-namespace platon::oracle {
+namespace platon::oracle::trace_elements_test {
 namespace {
 
 using RuleNames = std::set<std::string>;
@@ -208,4 +208,4 @@ TEST_F(TraceElements, AReturnHasANewInstance) {
 }
 
 }  // namespace
-}  // namespace platon::oracle
+}  // namespace platon::oracle::trace_elements_test

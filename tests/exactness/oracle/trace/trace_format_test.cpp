@@ -2,7 +2,7 @@
 
 #include "tests/exactness/oracle/trace/sample_trace.h"
 
-namespace platon::oracle {
+namespace platon::oracle::trace_format_test {
 namespace {
 
 using RuleNames = std::set<std::string>;
@@ -107,4 +107,4 @@ TEST(TraceFormat, AShapeEqualToThatOfTheHeaderIsRefused) {
 }
 
 }  // namespace
-}  // namespace platon::oracle
+}  // namespace platon::oracle::trace_format_test

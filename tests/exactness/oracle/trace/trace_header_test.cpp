@@ -2,7 +2,7 @@
 
 #include "tests/exactness/oracle/trace/sample_trace.h"
 
-namespace platon::oracle {
+namespace platon::oracle::trace_header_test {
 namespace {
 
 using RuleNames = std::set<std::string>;
@@ -121,4 +121,4 @@ TEST(TraceHeader, ASegmentAcrossACornerBlocksIt) {
 }
 
 }  // namespace
-}  // namespace platon::oracle
+}  // namespace platon::oracle::trace_header_test

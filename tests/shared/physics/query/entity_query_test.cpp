@@ -15,7 +15,7 @@
 #include "tests/shared/physics/refusal.h"
 #include "tests/shared/physics/shapes.h"
 
-namespace platon {
+namespace platon::entity_query_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 99;
@@ -192,4 +192,4 @@ TEST(EntityQueryTest, RefusesWhatIsOutOfRange) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::entity_query_test

@@ -8,7 +8,7 @@
 
 #include "tests/sim/seeded_random.h"
 
-namespace platon {
+namespace platon::grid_walk_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 5;
@@ -103,4 +103,4 @@ TEST(GridWalkTest, ALongRayVisitsFewOfManySegments) {
 TEST(GridWalkTest, AnEmptyGridHasNoRows) { EXPECT_TRUE(GridWalk(Grid(), {}, {}, {5, 5}).isDone()); }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::grid_walk_test

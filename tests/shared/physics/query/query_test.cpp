@@ -12,7 +12,7 @@
 #include "tests/shared/physics/refusal.h"
 #include "tests/shared/physics/shapes.h"
 
-namespace platon {
+namespace platon::query_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 20261123;
@@ -367,4 +367,4 @@ TEST(QueryTest, ARayEndsAtAWarpWithoutAReverseWarp) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::query_test

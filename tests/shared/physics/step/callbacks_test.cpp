@@ -17,7 +17,7 @@
 #include "tests/shared/physics/recorded_rules.h"
 #include "tests/shared/physics/shapes.h"
 
-namespace platon {
+namespace platon::callbacks_test {
 namespace {
 
 using testing::ElementsAre;
@@ -390,4 +390,4 @@ TEST(StepTest, AWorldThatAnObserverMovesSaysSo) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::callbacks_test

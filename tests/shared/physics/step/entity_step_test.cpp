@@ -18,7 +18,7 @@
 #include "tests/shared/physics/shapes.h"
 #include "tests/shared/physics/step/leg_checker.h"
 
-namespace platon {
+namespace platon::entity_step_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 1001;
@@ -239,4 +239,4 @@ TEST(EntityStepTest, StepsEndAmongManySegments) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::entity_step_test

@@ -10,7 +10,7 @@
 #include "tests/shared/physics/shapes.h"
 #include "tests/shared/physics/step/step_parts.h"
 
-namespace platon {
+namespace platon::follow_test {
 namespace {
 
 class FollowAimTest : public StepParts {
@@ -110,4 +110,4 @@ TEST(FollowTest, OnAFloorThePositionIsTheFreeLatticePointNearestToTheIdealPlace)
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::follow_test

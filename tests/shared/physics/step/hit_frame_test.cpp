@@ -4,7 +4,7 @@
 
 #include "tests/shared/physics/step/step_parts.h"
 
-namespace platon {
+namespace platon::hit_frame_test {
 namespace {
 
 // The second part is rotated by 90° against the home part, and has a floor.
@@ -50,4 +50,4 @@ TEST_F(HitFrameTest, AHitOfTheHomeInstanceIsInItsFrame) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::hit_frame_test

@@ -4,7 +4,7 @@
 
 #include "tests/shared/physics/step/step_parts.h"
 
-namespace platon {
+namespace platon::leg_test {
 namespace {
 
 class LegTest : public StepParts {
@@ -87,4 +87,4 @@ TEST_F(LegTest, EndsWhereItsInstanceCannotBePlaced) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::leg_test

@@ -6,7 +6,7 @@
 
 #include "tests/shared/physics/step/step_parts.h"
 
-namespace platon {
+namespace platon::mover_test {
 namespace {
 
 struct Recorder : StepObserver {
@@ -95,4 +95,4 @@ TEST_F(MoverTest, DropsTheInstancesThatAreOutOfReach) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::mover_test

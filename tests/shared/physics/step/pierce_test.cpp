@@ -15,7 +15,7 @@
 #include "tests/shared/physics/recorded_rules.h"
 #include "tests/shared/physics/shapes.h"
 
-namespace platon {
+namespace platon::pierce_test {
 namespace {
 
 using testing::ElementsAre;
@@ -360,4 +360,4 @@ TEST(PierceTest, InsertAndSolveAskTheSameRules) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::pierce_test

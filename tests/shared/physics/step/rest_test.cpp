@@ -10,7 +10,7 @@
 #include "tests/shared/physics/plane_scene.h"
 #include "tests/shared/physics/shapes.h"
 
-namespace platon {
+namespace platon::rest_test {
 namespace {
 
 void expectRest(const std::vector<Segment>& lines, const Convex& shape, Point above, Point gravity, const char* name,
@@ -122,4 +122,4 @@ TEST(RestTest, RestsOnSegmentEnds) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::rest_test

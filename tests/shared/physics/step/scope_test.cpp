@@ -15,7 +15,7 @@
 #include "tests/shared/physics/shapes.h"
 #include "tests/sim/seeded_random.h"
 
-namespace platon {
+namespace platon::scope_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 31;
@@ -284,4 +284,4 @@ TEST(ScopeWorldTest, OtherRulesStillReceiveOverContact) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::scope_test

@@ -15,7 +15,7 @@
 #include "tests/shared/physics/shapes.h"
 #include "tests/shared/physics/step/leg_checker.h"
 
-namespace platon {
+namespace platon::segment_ends_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 1001;
@@ -216,4 +216,4 @@ TEST(SlideOverJointsTest, AnEndThatIsPastAtOnceNeedsNoNudge) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::segment_ends_test

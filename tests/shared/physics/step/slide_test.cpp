@@ -4,7 +4,7 @@
 
 #include "tests/shared/physics/step/step_parts.h"
 
-namespace platon {
+namespace platon::slide_test {
 namespace {
 
 constexpr std::int64_t kOne = PrecisePoint::kOne;
@@ -150,4 +150,4 @@ TEST_F(SlideTest, TurnsWithTheFrame) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::slide_test

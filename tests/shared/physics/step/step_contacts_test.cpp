@@ -15,7 +15,7 @@
 #include "tests/shared/physics/torus.h"
 #include "tests/sim/seeded_random.h"
 
-namespace platon {
+namespace platon::step_contacts_test {
 namespace {
 
 using Contacts = PairedRules::Contacts;
@@ -253,4 +253,4 @@ TEST_F(StripPairsTest, AFreshInstanceThatIsRemovedHasNoContacts) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::step_contacts_test

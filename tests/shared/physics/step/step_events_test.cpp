@@ -10,7 +10,7 @@
 #include "tests/shared/physics/recorded_rules.h"
 #include "tests/shared/physics/shapes.h"
 
-namespace platon {
+namespace platon::step_events_test {
 namespace {
 
 using testing::ElementsAre;
@@ -70,4 +70,4 @@ TEST(StepEventsTest, TruncatesAndTurnsFromAnEventOn) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::step_events_test

@@ -7,7 +7,7 @@
 
 #include "tests/shared/physics/step/step_parts.h"
 
-namespace platon {
+namespace platon::turn_step_test {
 namespace {
 
 class TurnStepTest : public StepParts {
@@ -66,4 +66,4 @@ TEST_F(TurnStepTest, ASegmentBehindAnEdgeBlocks) {
 }
 
 }  // namespace
-}  // namespace platon
+}  // namespace platon::turn_step_test
