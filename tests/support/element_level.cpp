@@ -26,7 +26,7 @@ constexpr int kFaceSize = 300;
 constexpr int kLinesOfFace = 12;
 constexpr double kFree = 14;  // radius of a place where nothing may block, in units
 
-struct Line {
+struct WordedLine {
   int x0, y0, x1, y1;
   std::string word;
 
@@ -50,7 +50,7 @@ class Generator {
                        std::to_string(solid_.faces - 1) + " 0 0\n" + std::to_string(kFaceSize) + "\n";
     for (int face = 0; face < solid_.faces; ++face) {
       text += "%\n";
-      for (const Line& line : linesOf(face)) {
+      for (const WordedLine& line : linesOf(face)) {
         for (const int number : {line.x0, line.y0, line.x1, line.y1}) text += std::to_string(number) + " ";
         text += line.word + "\n";
       }
@@ -85,20 +85,20 @@ class Generator {
   }
 
   // A line through the inner circle of the face, which may leave the face.
-  Line line() {
+  WordedLine line() {
     const int x = coordinate(inradius_ * 7 / 10);
     const int y = coordinate(inradius_ * 7 / 10);
     const int reach = 10 + below(inradius_);
     return {x, y, x + coordinate(reach), y + 1 + below(reach), word()};
   }
 
-  std::vector<Line> linesOf(int face) {
-    std::vector<Line> lines;
+  std::vector<WordedLine> linesOf(int face) {
+    std::vector<WordedLine> lines;
     const int x = coordinate(inradius_ / 3);
     const int y = coordinate(inradius_ / 3);
     lines.push_back({x - 10, y, x + 10, y, "checkpoint"});
     while (lines.size() < kLinesOfFace) {
-      Line line = this->line();
+      WordedLine line = this->line();
       const bool isInTheWay = line.distanceTo(x, y) < kFree || (face == 0 && line.distanceTo(0, 0) < kFree);
       if (line.canBlock() && isInTheWay) continue;
       lines.push_back(line);

@@ -12,7 +12,7 @@ using Side = PathObstacle::Side;
 
 constexpr std::int64_t kFullTurn = 36000;
 constexpr std::size_t kMaxImages = 24;
-constexpr int kMaxTurns = 1000;
+constexpr int kMaxTurnsOfTick = 1000;
 /// Half-widths of open squares: one more than in the simulation.
 constexpr std::int64_t kJoint = 8;
 constexpr std::int64_t kJointAcross = 12;
@@ -327,7 +327,7 @@ void SolidPath::tick(Vec velocity, std::int64_t heading) {
   addImage(0, face_, 0, {0, 0});
   Real left = 1;
   for (int turns = 0; left > 0 && turn(left); ++turns) {
-    if (turns > kMaxTurns) throw std::logic_error("the ideal path turns for ever at one place");
+    if (turns > kMaxTurnsOfTick) throw std::logic_error("the ideal path turns for ever at one place");
   }
 }
 

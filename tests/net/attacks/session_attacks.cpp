@@ -11,7 +11,7 @@
 namespace platon {
 namespace {
 
-constexpr auto kVersion = static_cast<std::uint16_t>(kProtocolVersion);
+constexpr auto kOwnVersion = static_cast<std::uint16_t>(kProtocolVersion);
 constexpr Moment kSessionLife = std::chrono::seconds(2);
 constexpr std::size_t kOpenSessions = 64;
 
@@ -45,7 +45,7 @@ class PasswordGuesser : public Attacker {
   }
 
   void guess(Hand& hand, Moment now) {
-    if (!hand.cookie) return hand.socket->send(server_, encode(Knock{kVersion, hand.key}), now);
+    if (!hand.cookie) return hand.socket->send(server_, encode(Knock{kOwnVersion, hand.key}), now);
     Open open{*hand.cookie, {}};
     dice_.fill(open.exchange);
     std::copy(hand.key.begin(), hand.key.end(), open.exchange.begin());

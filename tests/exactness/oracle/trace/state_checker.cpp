@@ -16,7 +16,7 @@ constexpr long double kCentreTolerance = 4 + kRealError;
 /// An instance whose parent is farther than this, in subunits, from the edge must be dropped.
 constexpr std::int64_t kStale = 64;
 
-std::string name(const TraceInstance& instance) {
+std::string placedName(const TraceInstance& instance) {
   return "instance " + std::to_string(instance.id) + " in face " + std::to_string(instance.face) + " at " +
          std::to_string(instance.position.x) + " " + std::to_string(instance.position.y);
 }
@@ -66,12 +66,12 @@ bool StateChecker::isTree(const TraceLeg& leg) {
   }
   for (const TraceInstance& instance : leg)
     if (!isWellFormed(leg, instance)) {
-      report_.violate("tree", name(instance) + " has a wrong id, face or via");
+      report_.violate("tree", placedName(instance) + " has a wrong id, face or via");
       return false;
     }
   for (const TraceInstance& instance : leg)
     if (!isConnectedToHome(leg, instance)) {
-      report_.violate("tree", name(instance) + " is not connected to the home instance");
+      report_.violate("tree", placedName(instance) + " is not connected to the home instance");
       return false;
     }
   return true;
@@ -98,7 +98,7 @@ void StateChecker::checkPlacement(const TraceLeg& leg, const TraceInstance& inst
   const TraceInstance& parent = *findInstance(leg, instance.parent);
   const Isometry& motion = warpOf(leg, instance).motion;
   if (normalizedAngle(parent.angle + motion.turn()) != normalizedAngle(instance.angle))
-    report_.violate("I5 angle", name(instance) + ": angle " + std::to_string(instance.angle) + ", its parent's " +
+    report_.violate("I5 angle", placedName(instance) + ": angle " + std::to_string(instance.angle) + ", its parent's " +
                                     std::to_string(parent.angle) + ", turn of the warp " +
                                     std::to_string(motion.turn()));
   const RealVec place = toReal(instance.position);
@@ -106,17 +106,17 @@ void StateChecker::checkPlacement(const TraceLeg& leg, const TraceInstance& inst
   report_.notePlacementError(error);
   if (error > kPlacementTolerance)
     report_.violate("I5 home",
-                    name(instance) + " is off by " + std::to_string(error) + " relative to the home instance");
+                    placedName(instance) + " is off by " + std::to_string(error) + " relative to the home instance");
   const long double link = distance(place, motion.apply(toReal(parent.position)));
   if (link > kPlacementTolerance)
-    report_.violate("I5 parent", name(instance) + " is off by " + std::to_string(link) + " from its parent");
+    report_.violate("I5 parent", placedName(instance) + " is off by " + std::to_string(link) + " from its parent");
 }
 
 void StateChecker::checkDuplicates(const TraceLeg& leg) {
   for (std::size_t i = 0; i < leg.size(); ++i)
     for (std::size_t j = i + 1; j < leg.size(); ++j)
       if (isSamePlace(leg[i], leg[j].face, leg[j].angle, toReal(leg[j].position)))
-        report_.violate("duplicate", name(leg[i]) + " and " + name(leg[j]) + " are the same placement");
+        report_.violate("duplicate", placedName(leg[i]) + " and " + placedName(leg[j]) + " are the same placement");
 }
 
 void StateChecker::checkPlacements(const TraceLeg& leg) {
@@ -150,8 +150,8 @@ void StateChecker::checkCoverage(const TraceLeg& leg, const TraceInstance& insta
   const std::vector<MapWarp>& warps = map_.face(instance.face).warps;
   for (std::size_t warp = 0; warp < warps.size(); ++warp)
     if (reachesThrough(instance, warps[warp]) && !isCovered(leg, instance, warp))
-      report_.violate("coverage", name(instance) + " reaches through warp " + std::to_string(warp) + " into face " +
-                                      std::to_string(warps[warp].to) + ", where it has no instance");
+      report_.violate("coverage", placedName(instance) + " reaches through warp " + std::to_string(warp) +
+                                      " into face " + std::to_string(warps[warp].to) + ", where it has no instance");
 }
 
 void StateChecker::checkFree(const TraceInstance& instance, bool arrived) {
@@ -160,7 +160,7 @@ void StateChecker::checkFree(const TraceInstance& instance, bool arrived) {
   for (const MapLine& line : map_.face(instance.face).lines)
     if (box.touches(line.box) && (arrived ? blocking_.forbids(line, instance) : blocking_.blocksAlways(line)) &&
         OpenArea::placed(shape.polygon, instance.position).intersects(line.segment)) {
-      report_.violate("I1 place", name(instance) + " overlaps the segment " + toText(line.segment));
+      report_.violate("I1 place", placedName(instance) + " overlaps the segment " + toText(line.segment));
       return;
     }
 }
@@ -178,11 +178,11 @@ void StateChecker::checkTickEnd(const TraceLeg& leg) {
     const long double outside = -static_cast<long double>(cross(along, home.position - warp.from.a)) /
                                 distance(toReal(warp.from.a), toReal(warp.from.b));
     if (outside > kCentreTolerance)
-      report_.violate("I7", name(home) + " has its centre " + std::to_string(outside) + " outside");
+      report_.violate("I7", placedName(home) + " has its centre " + std::to_string(outside) + " outside");
   }
   for (const TraceInstance& instance : leg)
     if (!instance.home && isStale(leg, instance))
-      report_.violate("stale", name(instance) + " is behind an edge that the shape no longer reaches");
+      report_.violate("stale", placedName(instance) + " is behind an edge that the shape no longer reaches");
 }
 
 }  // namespace platon::oracle
