@@ -7,6 +7,7 @@
 #include <functional>
 #include <numbers>
 #include <random>
+#include <span>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -14,6 +15,7 @@
 
 #include "client/scene/camera.h"
 #include "tests/client/scene/surface_walk.h"
+#include "tests/support/run/repetitions.h"
 
 namespace platon::camera_walk_test {
 namespace {
@@ -108,9 +110,12 @@ std::string nameOf(const SolidMesh& mesh, const Walker& walker, const std::strin
          std::to_string(static_cast<int>(walker.comfort.view)) + ", seed " + std::to_string(kSeed);
 }
 
+constexpr std::array kFaceSizes{480.0, 200.0, 65536.0};
+
 void forEverySolid(const std::function<void(const SolidMesh&)>& check) {
   for (int kind = 0; kind < kSolidKinds; ++kind) {
-    for (const double size : {200.0, 480.0, 65536.0}) check(SolidMesh(static_cast<SolidKind>(kind), size));
+    for (const double size : std::span(kFaceSizes).first(repetitions(kFaceSizes.size())))
+      check(SolidMesh(static_cast<SolidKind>(kind), size));
   }
 }
 

@@ -2,11 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <span>
 #include <string>
+#include <vector>
 
 #include "tests/shared/game/played_game.h"
 #include "tests/sim/button_presses.h"
 #include "tests/support/files.h"
+#include "tests/support/run/repetitions.h"
 
 namespace platon::jump_heights_test {
 namespace {
@@ -47,7 +50,8 @@ TEST(JumpHeightsTest, ACheckpointAndAHazardLeadThroughAWall) {
 // Cells grow with the face, until a jump rises by less than one of them. The floors of the closed room lie at different
 // heights of a cell.
 TEST(JumpHeightsTest, AJumpReachesItsGoalOnALargeFace) {
-  for (int floor = -2000; floor > -2200; floor -= 25) {
+  for (int i = 0; i < repetitions(8); ++i) {
+    const int floor = -2000 - 25 * i;
     const auto y = [floor](int above) { return " " + std::to_string(floor + above); };
     const std::string room = "-900" + y(0) + " 900" + y(0) + "\n-900" + y(900) + " 900" + y(900) + "\n-900" + y(0) +
                              " -900" + y(900) + "\n900" + y(0) + " 900" + y(900) + "\n";
@@ -64,11 +68,12 @@ TEST(JumpHeightsTest, AStoppedSearchSaysSo) {
 }
 
 TEST(JumpHeightsTest, ARandomPlayerIsOnlyWhereItMayBe) {
-  for (const std::string& file : shippedLevels()) {
+  const std::vector<std::string> files = shippedLevels();
+  for (const std::string& file : std::span(files).first(repetitions(files.size()))) {
     const auto level = levelOf(readText(file));
     const JumpHeights heights(*level, {});
     EXPECT_TRUE(heights.reachesGoal()) << file;
-    for (std::uint32_t play = 0; play < 5; ++play) {
+    for (std::uint32_t play = 0; play < repetitions(5u); ++play) {
       Game game(level);
       sim::ButtonPresses presses(kSeed, play);
       for (int tick = 0; tick < 1500; ++tick) {

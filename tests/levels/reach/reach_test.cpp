@@ -8,6 +8,7 @@
 #include "tests/shared/game/played_game.h"
 #include "tests/sim/button_presses.h"
 #include "tests/support/files.h"
+#include "tests/support/run/repetitions.h"
 
 namespace platon::reach_test {
 namespace {
@@ -65,11 +66,11 @@ TEST(ReachTest, AHazardIsNoGround) {
 class ReachLawTest : public testing::TestWithParam<std::string> {};
 
 TEST_P(ReachLawTest, NobodyGetsFarther) {
-  constexpr int kMost = 2;
+  constexpr int kMost = repetitions(2);
   const auto level = levelOf(readText(GetParam()));
   const Reach reach(*level, kMost);
   std::mt19937_64 random(kSeed);
-  for (std::uint32_t play = 0; play < 40; ++play) {
+  for (std::uint32_t play = 0; play < repetitions(40u); ++play) {
     Game game(level);
     sim::ButtonPresses presses(kSeed, play);
     for (int tick = 0; tick < 1200; ++tick) {

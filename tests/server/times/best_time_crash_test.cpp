@@ -13,6 +13,7 @@
 
 #include "server/times/best_time_store.h"
 #include "tests/support/environment_variable.h"
+#include "tests/support/run/repetitions.h"
 #include "tests/support/temporary_folder.h"
 
 namespace platon::best_time_crash_test {
@@ -80,7 +81,7 @@ TEST(BestTimeCrash, AFileIsWholeWheneverItsWriterIsKilled) {
   const std::string path = folder / "best_times";
   KilledWriter writer(path);
   std::uint64_t kills = 0;
-  for (std::uint32_t time = 1; writer.writes() < 10'000; time = time * 13 % 5'003) {
+  for (std::uint32_t time = 1; writer.writes() < repetitions(10'000u); time = time * 13 % 5'003) {
     ASSERT_NO_FATAL_FAILURE(writer.run(std::chrono::microseconds(500 + time)));
     ++kills;
     if (writer.writes() == 0) continue;
@@ -90,7 +91,7 @@ TEST(BestTimeCrash, AFileIsWholeWheneverItsWriterIsKilled) {
     ASSERT_TRUE(found) << "after " << writer.writes() << " writes";
     ASSERT_LE(found->time.ticks, UINT32_MAX - last);
   }
-  EXPECT_GT(kills, 100u);
+  EXPECT_GT(kills, repetitions(100u));
 }
 
 }  // namespace

@@ -17,6 +17,7 @@
 #include "tests/shared/game/real_face.h"
 #include "tests/shared/physics/step/leg_checker.h"
 #include "tests/sim/seeded_random.h"
+#include "tests/support/run/repetitions.h"
 
 namespace platon::crossing_test {
 namespace {
@@ -129,6 +130,7 @@ TEST(CrossingTest, CrossingAndReturningEndsWithin3Subunits) {
 }
 
 TEST(CrossingTest, RepeatedCrossingsDoNotDrift) {
+  constexpr std::uint32_t kCrossings = repetitions(100000u);
   for (const SolidKind kind : kAllSolids) {
     const RealFace ideal(kind, 480);
     const int edge = 1;
@@ -137,14 +139,14 @@ TEST(CrossingTest, RepeatedCrossingsDoNotDrift) {
     const PlatonicSolid::Neighbour& behind = PlatonicSolid::of(kind).neighbour(0, edge);
     const Point step = nearest(7 * ideal.outwards(edge));
     LegChecker checker(walk.world);
-    for (int tick = 0; tick < 100000; ++tick) {
+    for (std::uint32_t tick = 0; tick < kCrossings; ++tick) {
       walk.entity.setVelocity(tick % 2 == 0 ? step : -step, walk.entity.rotation());
       const bool watched = tick % 1000 < 4;
       if (tick % 1000 == 0) checker.forget();
       walk.world.solve(watched ? &checker : nullptr);
     }
     EXPECT_EQ(checker.faults(), "") << nameOf(kind);
-    EXPECT_GE(walk.entity.state().crossings, 99000u) << nameOf(kind);
+    EXPECT_GE(walk.entity.state().crossings, kCrossings / 100 * 99) << nameOf(kind);
     const bool back = walk.entity.part() == 0;
     const Real at =
         back ? real(walk.entity.position()) : ideal.over(behind.face, behind.edge, real(walk.entity.position()));

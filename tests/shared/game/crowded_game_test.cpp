@@ -10,12 +10,13 @@
 #include "tests/sim/button_presses.h"
 #include "tests/support/counted_heap.h"
 #include "tests/support/crowded_levels.h"
+#include "tests/support/run/repetitions.h"
 
 namespace platon::crowded_game_test {
 namespace {
 
 constexpr std::uint32_t kPlayers = 4;
-constexpr int kTicks = 2000;
+constexpr int kTicks = repetitions(2000);
 constexpr std::size_t kMaxBytesPerPlayer = 100 * 1024;
 
 class CrowdedGameTest : public testing::TestWithParam<CrowdedLevel> {};

@@ -14,11 +14,12 @@
 #include "tests/shared/physics/shapes.h"
 #include "tests/shared/physics/torus.h"
 #include "tests/sim/seeded_random.h"
+#include "tests/support/run/repetitions.h"
 
 namespace platon::derived_state_test {
 namespace {
 
-constexpr int kTicks = 1500;
+constexpr int kTicks = repetitions(1500);
 
 Angle anyAngle(sim::SeededRandom& random) { return Angle(static_cast<std::int32_t>(random.below(Angle::kTurn))); }
 
