@@ -62,19 +62,21 @@ refuse_contradictions() {
 run_ctest() {
   local preset=$1
   shift
-  (cd "$root" && ctest --preset "$preset" --parallel "$(nproc)" "$@") || return 1
+  # One more than there are processors, since many tests wait.
+  (cd "$root" && ctest --preset "$preset" --parallel $(($(nproc) + 1)) "$@") || return 1
 }
 
 # summary_of LOG: the line in which ctest counts tests, for example "98% tests passed, 2 tests failed out of 100".
 summary_of() { grep -E '^[0-9]+% tests passed, [0-9]+ tests failed out of [0-9]+' "$1" | tail -n 1; }
 
-# run_lane NAME PRESET TARGET LABEL: adds a line to `lines` and to the counts of run_all_lanes.
+# run_lane NAME PRESET TARGET LABEL OPTION…: the options are those of cmake. Adds a line to `lines` and to the counts of run_all_lanes.
 run_lane() {
   local name=$1 preset=$2 target=$3 label=$4 log begin=$SECONDS summary='' selection=()
+  shift 4
   log=$(mktemp)
   say "lane $name"
   [[ -z $label ]] || selection=(-L "^$label\$")
-  if configure "$preset" "${configuration[@]}" && build "$preset" ${target:+"$target"}; then
+  if configure "$preset" "${configuration[@]}" "$@" && build "$preset" ${target:+"$target"}; then
     run_ctest "$preset" "${selection[@]}" "${ctest_options[@]}" 2>&1 | tee "$log" || true
     summary=$(summary_of "$log") || summary='0% tests passed, 1 tests failed out of 1: ctest gave no summary'
   else
@@ -90,8 +92,8 @@ run_lane() {
 # Runs every lane even if one fails. The last line has the form of ctest's and counts the tests of all lanes.
 run_all_lanes() {
   local lines=() failed=0 total=0
-  run_lane release release '' ''
-  run_lane address-and-undefined asan-ubsan sanitized_tests sanitized
+  run_lane release release '' '' -DPLATON_TESTS_TOGETHER=10
+  run_lane address-and-undefined asan-ubsan sanitized_tests sanitized -DPLATON_TESTS_TOGETHER=10
   run_lane threads tsan threads_tests threads
   printf '\n'
   printf '%s\n' "${lines[@]}"
@@ -115,7 +117,7 @@ run_tests() {
   refuse_contradictions
   need "$to_test"
   [[ $lane != fuzz ]] || seconds=${seconds:-60}
-  configuration=(-DBUILD_TESTING=ON "-DPLATON_LONG=$long" "-DPLATON_FUZZ_SECONDS=${seconds:-0}")
+  configuration=(-DBUILD_TESTING=ON "-DPLATON_LONG=$long" "-DPLATON_FUZZ_SECONDS=${seconds:-0}" -DPLATON_TESTS_TOGETHER=1)
   if [[ $lane == all ]]; then
     run_all_lanes
     return

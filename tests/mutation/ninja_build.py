@@ -15,12 +15,16 @@ class Program:
 
     def __init__(self, commands):
         self.objects = {}
-        for command in map(shlex.split, commands[:-1]):
-            if "-c" in command and "-o" in command:
-                self.objects[following(command, "-o")] = command
-        # Ninja's link command is ": && LINKER … && :"; a custom build step comes after the linker.
-        self.link = shlex.split(commands[-1].removeprefix(": && ").split(" && ")[0])
-        self.path = following(self.link, "-o")
+        for command in commands:
+            # Ninja's link command is ": && LINKER … && :"; a custom build step comes after the linker.
+            words = shlex.split(command.removeprefix(": && ").split(" && ")[0])
+            if "-o" not in words:
+                continue
+            output = following(words, "-o")
+            if "-c" in words:
+                self.objects[output] = words
+            elif output.startswith("tests/bin/"):  # the others are programs that the test runs
+                self.link, self.path = words, output
 
 
 def following(command, option):

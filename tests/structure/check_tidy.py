@@ -9,6 +9,7 @@ generated headers. Exit 1 on any complaint, 77 (skipped) without git or a commit
 
 import json
 import os
+import re
 import shlex
 import shutil
 import subprocess
@@ -21,6 +22,8 @@ MAX_FILES = 10
 # Options of GCC that clang does not know, and the precompiled header, which is GCC's.
 DROPPED = ("-Winvalid-pch", "-fpch-preprocess", "-ffat-lto-objects", "-fno-lto", "-flto", "-Wno-restrict",
            "-Wno-stringop-overflow")  # fmt: skip
+# As CMake names a file that includes several sources.
+UNITY_FILE = re.compile(r"unity_\d+_cxx\.cxx")
 
 
 class Skipped(Exception):
@@ -77,14 +80,22 @@ def for_clang(command):
     return shlex.join(kept)
 
 
+def files_of(entry):
+    """The source of a compile command, or the sources that it compiles together."""
+    if not UNITY_FILE.fullmatch(Path(entry["file"]).name):
+        return [entry["file"]]
+    return re.findall(r'^#include "(.+)"$', Path(entry["file"]).read_text(encoding="utf-8"), re.MULTILINE)
+
+
 def compile_commands(root, build):
     """{path relative to root: entry} of the build, fit for clang."""
     entries = {}
     for entry in json.loads((build / "compile_commands.json").read_text(encoding="utf-8")):
         if "-mgeneral-regs-only" in entry["command"]:
             continue  # shared/ compiled a second time, with an option that clang's standard headers do not survive
-        path = os.path.relpath(entry["file"], root)
-        entries[path] = {"directory": entry["directory"], "file": entry["file"], "command": for_clang(entry["command"])}
+        for file in files_of(entry):
+            command = for_clang(entry["command"].replace(entry["file"], file))
+            entries[os.path.relpath(file, root)] = {"directory": entry["directory"], "file": file, "command": command}
     return entries
 
 

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Tests which files check_tidy.py checks, in small git repositories, and how it adapts compile commands."""
 
+import json
 import shutil
 import subprocess
 import sys
@@ -69,6 +70,17 @@ class Choice(unittest.TestCase):
     def test_compile_commands_lose_what_only_gcc_understands(self):
         command = "env A=b ccache /usr/bin/c++ -O1 -flto=auto -Winvalid-pch -include /build/pch.hxx -Wno-restrict -c a.cpp"
         self.assertEqual(check_tidy.for_clang(command), "/usr/bin/c++ -O1 -c a.cpp")
+
+    def test_files_compiled_together_have_a_command_each(self):
+        with tempfile.TemporaryDirectory() as folder:
+            root = Path(folder)
+            together = root / "unity_0_cxx.cxx"
+            together.write_text(f'/* by CMake */\n#include "{root}/a.cpp"\n\n#include "{root}/b.cpp"\n', encoding="utf-8")
+            entry = {"directory": folder, "file": str(together), "command": f"c++ -O1 -c {together}"}
+            (root / "compile_commands.json").write_text(json.dumps([entry]), encoding="utf-8")
+            commands = check_tidy.compile_commands(root, root)
+        self.assertEqual({path: entry["command"] for path, entry in commands.items()},
+                         {name: f"c++ -O1 -c {root}/{name}" for name in ("a.cpp", "b.cpp")})  # fmt: skip
 
 
 if __name__ == "__main__":

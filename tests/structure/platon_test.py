@@ -125,7 +125,7 @@ class Packages(Script):
 
 
 class Tests(Script):
-    CONFIGURE = r"cmake --preset release -DBUILD_TESTING=ON -DPLATON_LONG=OFF -DPLATON_FUZZ_SECONDS=0"
+    CONFIGURE = r"cmake --preset release -DBUILD_TESTING=ON -DPLATON_LONG=OFF -DPLATON_FUZZ_SECONDS=0 -DPLATON_TESTS_TOGETHER=1"
     BUILD = "cmake --build --preset release"
     CTEST = r"ctest --preset release --parallel \d+"
 
@@ -181,6 +181,8 @@ class AllLanes(Script):
         self.assertEqual([call for call in called if call.startswith("cmake --build")],
                          ["cmake --build --preset release", "cmake --build --preset asan-ubsan --target sanitized_tests",
                           "cmake --build --preset tsan --target threads_tests"])  # fmt: skip
+        together = [re.findall(r"TOGETHER=(\d+)", call)[-1] for call in called if call.startswith("cmake --preset")]
+        self.assertEqual(together, ["10", "10", "1"])
         self.assertEqual([re.sub(r" --parallel \d+", "", call) for call in called if call.startswith("ctest")],
                          ["ctest --preset release", "ctest --preset asan-ubsan -L ^sanitized$",
                           "ctest --preset tsan -L ^threads$"])  # fmt: skip
