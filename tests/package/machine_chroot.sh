@@ -57,5 +57,5 @@ own_steps() {
   set_key announce-as play.example.org:7777
   stop_server || fails 'the stop was a failure'
   start_server
-  grep -q play.example.org:7777 /var/www/platon/servers.json || fails 'the server is not in the list'
+  until_true grep -qs play.example.org:7777 /var/www/platon/servers.json
 }
