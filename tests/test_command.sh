@@ -71,7 +71,8 @@ run_ctest() {
 # summary_of LOG: the line in which ctest counts tests, for example "98% tests passed, 2 tests failed out of 100".
 summary_of() { grep -E '^[0-9]+% tests passed, [0-9]+ tests failed out of [0-9]+' "$1" | tail -n 1; }
 
-# run_lane NAME PRESET TARGET LABEL OPTION…: the options are those of cmake. Adds a line to `lines` and to the counts of run_all_lanes.
+# run_lane NAME PRESET TARGET LABEL OPTION…: adds a line to `lines` and to the counts of run_all_lanes. The options are
+# those of cmake.
 run_lane() {
   local name=$1 preset=$2 target=$3 label=$4 log begin=$SECONDS summary='' selection=()
   shift 4

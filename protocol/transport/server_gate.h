@@ -148,8 +148,8 @@ class ServerGate {
   RecentKeys usedKeys_;
   TokenBucket handshakes_;
   TokenBucket queries_;
-  std::vector<TokenBucket> households_;  // by a keyed hash
-  std::vector<TokenBucket> sites_;       // by a keyed hash
+  std::vector<TokenBucket> households_;  // two for each, by a keyed hash
+  std::vector<TokenBucket> sites_;       // two for each, by a keyed hash
   CryptoKey bucketKey_;
   std::uint32_t nextNumber_;
   BanCheck banCheck_;
