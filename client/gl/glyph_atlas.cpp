@@ -1,8 +1,28 @@
 #include "client/gl/glyph_atlas.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
 
 namespace platon {
+namespace {
+
+constexpr int kBorder = 1;
+
+// The distances of a glyph within a border of the smallest one.
+std::vector<std::uint8_t> withBorder(const Font::Glyph& glyph) {
+  const int width = glyph.width + 2 * kBorder;
+  std::vector<std::uint8_t> framed(static_cast<std::size_t>(width) *
+                                   static_cast<std::size_t>(glyph.height + 2 * kBorder));
+  for (int row = 0; row < glyph.height; ++row) {
+    const auto from = glyph.distances.begin() + std::ptrdiff_t{row} * glyph.width;
+    std::copy_n(from, glyph.width, framed.begin() + std::ptrdiff_t{row + kBorder} * width + kBorder);
+  }
+  return framed;
+}
+
+}  // namespace
 
 GlyphAtlas::GlyphAtlas(const Font& font) : font_(&font) {
   glBindTexture(GL_TEXTURE_2D, texture_.name());
@@ -20,9 +40,11 @@ const GlyphAtlas::Entry* GlyphAtlas::find(char32_t codePoint) {
   glm::ivec2 corner(0);
   Entry entry;
   // A glyph larger than the texture never fits; it stays blank.
-  const bool drawable = glyph.width > 0 && glyph.width <= kSize && glyph.height <= kSize;
+  const int width = glyph.width + 2 * kBorder;
+  const int height = glyph.height + 2 * kBorder;
+  const bool drawable = glyph.width > 0 && width <= kSize && height <= kSize;
   if (drawable) {
-    if (!allocate(glyph.width, glyph.height, corner)) return nullptr;
+    if (!allocate(width, height, corner)) return nullptr;
     entry = upload(glyph, corner);
   }
   return &entries_.emplace(codePoint, entry).first->second;
@@ -47,14 +69,15 @@ bool GlyphAtlas::allocate(int width, int height, glm::ivec2& corner) {
 GlyphAtlas::Entry GlyphAtlas::upload(const Font::Glyph& glyph, glm::ivec2 corner) const {
   glBindTexture(GL_TEXTURE_2D, texture_.name());
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTexSubImage2D(GL_TEXTURE_2D, 0, corner.x, corner.y, glyph.width, glyph.height, GL_RED, GL_UNSIGNED_BYTE,
-                  glyph.distances.data());
+  glTexSubImage2D(GL_TEXTURE_2D, 0, corner.x, corner.y, glyph.width + 2 * kBorder, glyph.height + 2 * kBorder, GL_RED,
+                  GL_UNSIGNED_BYTE, withBorder(glyph).data());
+  const glm::ivec2 inner = corner + kBorder;
   Entry entry;
   entry.low = glyph.low;
   entry.high = glyph.high;
   // The rows of a glyph start at its top, those of a texture at its bottom.
-  entry.lowTexel = glm::vec2(corner + glm::ivec2(0, glyph.height)) / float{kSize};
-  entry.highTexel = glm::vec2(corner + glm::ivec2(glyph.width, 0)) / float{kSize};
+  entry.lowTexel = glm::vec2(inner + glm::ivec2(0, glyph.height)) / float{kSize};
+  entry.highTexel = glm::vec2(inner + glm::ivec2(glyph.width, 0)) / float{kSize};
   entry.blank = false;
   return entry;
 }

@@ -9,7 +9,8 @@
 
 namespace platon {
 
-/// Cache of rasterised glyphs in one texture, which is filled in rows from the left.
+/// Cache of rasterised glyphs in one texture, which is filled in rows from the left. Each has a border, which is
+/// blended into its outermost pixels: beyond it lie other glyphs, or what the driver has left there.
 class GlyphAtlas {
  public:
   /// A side of the texture in texels: enough for the visible names of 64 players without a glyph in common.
@@ -41,7 +42,7 @@ class GlyphAtlas {
   const Font* font_;
   GlTexture texture_;
   std::unordered_map<char32_t, Entry> entries_;
-  glm::ivec2 pen_{0};  // lower left corner of the next glyph
+  glm::ivec2 pen_{0};  // lower left corner of the next glyph's border
   int rowHeight_ = 0;
 };
 

@@ -10,6 +10,7 @@
 
 #include "client/gl/gl_loader.h"
 #include "client/gl/offscreen.h"
+#include "tests/client/gl/golden_picture.h"
 #include "tests/client/gl/test_stage.h"
 
 namespace platon::game_view_test {
@@ -17,6 +18,7 @@ namespace {
 
 constexpr std::uint32_t kWidth = 320;
 constexpr std::uint32_t kHeight = 180;
+constexpr int kRounding = 4;  // steps of a colour
 
 Image drawn(GameView& view, const Scene* scene, const Settings& settings = {}, const Overlay& menu = {}) {
   view.draw(scene, {}, settings, menu, 0.1);
@@ -117,7 +119,8 @@ TEST_F(GameViewTest, OnAnotherStageTheCameraJumpsToItsTarget) {
   const Image expected = drawn(fresh, &turned);
   GameView view(kWidth, kHeight);
   drawn(view, &scene_);
-  EXPECT_EQ(drawn(view, &turned), expected);
+  // The letters lie elsewhere in the texture, which some drivers round in another way.
+  EXPECT_LE(largestDifference(drawn(view, &turned), expected), kRounding);
   EXPECT_NEAR(view.roll(), 0, 1e-9);
 }
 

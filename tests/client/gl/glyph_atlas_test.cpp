@@ -1,5 +1,9 @@
 #include "client/gl/glyph_atlas.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -80,8 +84,34 @@ TEST_F(GlyphAtlasTest, AFullAtlasHasRoomAgainAfterClear) {
   const GlyphAtlas::Entry* entry = atlas_.find(refused);
   ASSERT_NE(entry, nullptr);
   EXPECT_FALSE(entry->blank);
-  EXPECT_EQ(entry->lowTexel.x, 0);
-  EXPECT_EQ(entry->highTexel.y, 0);
+  EXPECT_EQ(entry->lowTexel.x * GlyphAtlas::kSize, 1);
+  EXPECT_EQ(entry->highTexel.y * GlyphAtlas::kSize, 1);
+}
+
+// What lies there was once undefined, and showed as specks in the text of some drivers.
+TEST_F(GlyphAtlasTest, ABorderIsEmptyWhateverWasThereBefore) {
+  constexpr std::size_t kSide = GlyphAtlas::kSize;
+  for (const char32_t wide : std::u32string(U"MWQ@")) atlas_.find(wide);
+  atlas_.clear();
+  const GlyphAtlas::Entry entry = *atlas_.find(U'm');
+  std::vector<std::uint8_t> texels(kSide * kSide);
+  glGetTexImage(GL_TEXTURE_2D, 0, GL_RED, GL_UNSIGNED_BYTE, texels.data());
+  const auto texel = [](float part) { return static_cast<std::size_t>(part * float{kSide}); };
+  const std::size_t left = texel(entry.lowTexel.x);
+  const std::size_t right = texel(entry.highTexel.x);
+  const std::size_t first = texel(entry.highTexel.y);
+  const std::size_t last = texel(entry.lowTexel.y);
+  const auto brightest = [&](std::size_t row, std::size_t from, std::size_t to) {
+    const auto begin = texels.begin() + static_cast<std::ptrdiff_t>(row * kSide);
+    return *std::max_element(begin + static_cast<std::ptrdiff_t>(from), begin + static_cast<std::ptrdiff_t>(to));
+  };
+  EXPECT_EQ(brightest(first - 1, left - 1, right + 1), 0);
+  EXPECT_EQ(brightest(last, left - 1, right + 1), 0);
+  for (std::size_t row = first; row < last; ++row) {
+    EXPECT_EQ(brightest(row, left - 1, left), 0) << row;
+    EXPECT_EQ(brightest(row, right, right + 1), 0) << row;
+  }
+  EXPECT_GT(brightest((first + last) / 2, left, right), 128);
 }
 
 }  // namespace
