@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -24,6 +25,22 @@
 // Runs on a virtual display with a window manager (on_display.sh).
 namespace platon::edit_play_test {
 namespace {
+
+constexpr std::string_view kClosedRoom = R"(HEXAHEDRON
+0 -60 -128 0
+0 60 -128
+480
+%
+-100 -140 100 -140
+100 -140 100 -90
+100 -90 -100 -90
+-100 -90 -100 -140
+%
+%
+%
+%
+%
+)";
 
 class EditPlayTest : public testing::Test {
  protected:
@@ -115,7 +132,7 @@ TEST_F(EditPlayTest, WhatAnotherProgramHasWrittenIsReplacedOnlyWhenAskedAgain) {
 }
 
 TEST_F(EditPlayTest, IsDrawnAsTheSettingsSay) {
-  std::filesystem::copy_file("levels/hexahedron/01_run_and_jump.level", path_);
+  writeText(path_, kClosedRoom);  // where the search ends soon
   const Image plain = pictureWith("");
   EXPECT_EQ(pictureWith(""), plain);
   for (const char* const settings : {"reduced-motion on\n", "high-contrast on\n", "text-size 1.5\n"})

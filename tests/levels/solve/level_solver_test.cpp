@@ -43,16 +43,16 @@ TEST(LevelSolverTest, AStoppedSearchFindsNothing) {
 // A player opens the door for the other one, which then opens another door from inside.
 TEST(LevelSolverTest, TwoPlayersOpenDoorsForEachOther) {
   const std::string barred =
-      "-160 -200 -100 -200 plate 1\n60 -200 60 -100 door 1\n60 -100 60 240\n-240 -200 -240 240\n";
+      "-60 -200 -60 -150\n-60 -150 150 -150\n150 -200 150 -150\n-50 -200 -20 -200 plate 1\n40 -200 40 -150 door 1\n";
   // The door needs a plate on the near side for the first player, and one behind it for the second.
-  const auto open = levelFor(2, barred + "120 -200 150 -200 plate 1\n240 -200 240 240\n60 240 240 240\n", "0 210 -184");
+  const auto open = levelFor(2, barred + "80 -200 110 -200 plate 1\n", "0 125 -184");
   LevelSolver solver(open);
   const auto solution = solver.solve();
   ASSERT_TRUE(solution);
   const auto facts = factsOf(open, *solution);
   ASSERT_TRUE(facts);
   EXPECT_EQ(facts->elements.size(), 2u) << "both plates";
-  const auto closed = levelFor(2, barred + "240 -200 240 240\n60 240 240 240\n-240 240 60 240\n", "0 210 -184");
+  const auto closed = levelFor(2, barred, "0 125 -184");
   EXPECT_FALSE(LevelSolver(closed).solve()) << "who holds the door cannot pass it";
 }
 

@@ -9,6 +9,7 @@
 #include "platon/game/level.h"
 #include "platon/game/stage.h"
 #include "tests/sim/seeded_random.h"
+#include "tests/support/run/repetitions.h"
 
 namespace platon::crowding_test {
 namespace {
@@ -132,11 +133,12 @@ TEST(Crowding, SegmentsRoundACornerCount) {
 // The count of every place, without tiles.
 TEST(Crowding, FindsWhatCountingEveryPlaceFinds) {
   sim::SeededRandom random(kSeed);
+  constexpr int kRuns = repetitions(40);
   int crowded = 0;
-  for (int run = 0; run < 40; ++run) {
+  for (int run = 0; run < kRuns; ++run) {
     SCOPED_TRACE("seed " + std::to_string(kSeed) + ", run " + std::to_string(run));
     Segments segments = onFaces(SolidKind::kHexahedron);
-    const std::int32_t spread = (60 + run) * kUnit;
+    const std::int32_t spread = (60 + 40 * run / kRuns) * kUnit;
     for (int i = 0; i < 1200; ++i) {
       const Point at = random.vector(spread);
       segments[0].push_back({at, at + random.vector(i % 4 == 0 ? 60 * kUnit : 2 * kUnit)});
@@ -155,8 +157,8 @@ TEST(Crowding, FindsWhatCountingEveryPlaceFinds) {
     EXPECT_EQ(!placesOf(SolidKind::kHexahedron, segments).empty(), expected);
     crowded += expected ? 1 : 0;
   }
-  EXPECT_GT(crowded, 5);
-  EXPECT_LT(crowded, 35);
+  EXPECT_GT(crowded, kRuns / 8);
+  EXPECT_LT(crowded, kRuns * 7 / 8);
 }
 
 }  // namespace
