@@ -9,7 +9,8 @@ PUBLIC_PHYSICS = "shared/include/platon/physics/"
 @dataclass(frozen=True)
 class Fault:
     """Replaces the only occurrence of `original` in `file`. `breaks` says what goes wrong; `test`, as Suite.Test, must fail.
-    The usual faults, a few of every part, are tried with every change, the others only with --all."""
+    The usual faults, a few of every part, are tried with every change, the others only with --all: so are most of those in
+    headers, which many files include."""
 
     name: str
     file: str

@@ -83,11 +83,18 @@ class NinjaBuild:
             if str(self._root / file) not in self._sources.get(unit, ()):
                 continue
             changed[unit] = str(overlay / f"{len(changed)}.o")
-            if not self._run(self._compile(command, changed[unit], file, overlay)):
+            alone = self._alone(command, unit, name)
+            if not self._run(self._compile(alone, changed[unit], file, overlay)):
                 return None
         if not changed:
             raise BuildError(f"{name} does not depend on {file}")
         return overlay / "program" if self._run(self._link(program, changed, overlay / "program")) else None
+
+    def _alone(self, command, unit, name):
+        """The command, for the test file of this name alone where it is compiled together with others."""
+        place = command.index("-c") + 1
+        test = [file for file in self._sources[unit] if os.path.basename(file) == f"{name}.cpp"]
+        return command[:place] + test + command[place + 1 :] if test else command
 
     def _compile(self, command, output, file, overlay):
         """Finds quoted includes in the overlay first; without warnings, and without optimisation that costs time."""
