@@ -21,7 +21,7 @@ from pathlib import Path
 MAX_FILES = 10
 # Options of GCC that clang does not know, and the precompiled header, which is GCC's.
 DROPPED = ("-Winvalid-pch", "-fpch-preprocess", "-ffat-lto-objects", "-fno-lto", "-flto", "-Wno-restrict",
-           "-Wno-stringop-overflow")  # fmt: skip
+           "-Wno-stringop-overflow", "-Wno-subobject-linkage")  # fmt: skip
 # As CMake names a file that includes several sources.
 UNITY_FILE = re.compile(r"unity_\d+_cxx\.cxx")
 
