@@ -18,7 +18,6 @@ constexpr double kSitePerSecond = 8;
 constexpr double kSiteBurst = 32;
 constexpr double kHouseholdPerSecond = 2;
 constexpr double kHouseholdBurst = 8;
-constexpr std::size_t kBuckets = 1024;
 constexpr double kQueriesPerSecond = 1000;
 constexpr double kQueryBurst = 100;
 constexpr std::uint32_t kMaxSessions = 4095;  // ENet's limit
@@ -49,9 +48,8 @@ ServerGate::ServerGate(std::unique_ptr<DatagramSocket> socket, const ServerIdent
       usedKeys_(CookieJar::kEpoch),
       handshakes_(kHandshakesPerSecond, kHandshakeBurst, now),
       queries_(kQueriesPerSecond, kQueryBurst, now),
-      households_(kBuckets, TokenBucket(kHouseholdPerSecond, kHouseholdBurst, now)),
-      sites_(kBuckets, TokenBucket(kSitePerSecond, kSiteBurst, now)),
-      bucketKey_(randomKey()),
+      households_(kHouseholdPerSecond, kHouseholdBurst, randomKey(), now),
+      sites_(kSitePerSecond, kSiteBurst, randomKey(), now),
       nextNumber_(settings.firstNumber) {}
 
 std::optional<ServerGate::Received> ServerGate::receive(Moment now) {

@@ -11,6 +11,7 @@
 #include "protocol/transport/control.h"
 #include "protocol/transport/cookie_jar.h"
 #include "protocol/transport/datagram_socket.h"
+#include "protocol/transport/network_budgets.h"
 #include "protocol/transport/recent_keys.h"
 #include "protocol/transport/sealed_channel.h"
 #include "protocol/transport/server_identity.h"
@@ -148,9 +149,8 @@ class ServerGate {
   RecentKeys usedKeys_;
   TokenBucket handshakes_;
   TokenBucket queries_;
-  std::vector<TokenBucket> households_;  // two for each, by a keyed hash
-  std::vector<TokenBucket> sites_;       // two for each, by a keyed hash
-  CryptoKey bucketKey_;
+  NetworkBudgets households_;
+  NetworkBudgets sites_;
   std::uint32_t nextNumber_;
   BanCheck banCheck_;
   BanNotice banNotice_;

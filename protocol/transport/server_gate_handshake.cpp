@@ -1,7 +1,4 @@
-#include <sodium.h>
-
 #include <algorithm>
-#include <cstring>
 
 #include "protocol/limits.h"
 #include "protocol/transport/server_gate.h"
@@ -13,21 +10,6 @@ constexpr auto kVersion = static_cast<std::uint16_t>(kProtocolVersion);
 
 // Sessions of a site, in those of a household.
 constexpr std::int64_t kHouseholdsPerSite = 4;
-
-// Takes 1 from each of the two buckets of a network, by a keyed hash. One that holds it is enough: a newcomer may share
-// a bucket with an attacker, but hardly both.
-bool takeOf(std::uint64_t network, const CryptoKey& key, std::vector<TokenBucket>& buckets, Moment now) {
-  std::uint64_t hash = 0;
-  std::array<std::uint8_t, sizeof network> number;
-  std::memcpy(number.data(), &network, sizeof network);
-  std::array<std::uint8_t, crypto_shorthash_BYTES> bytes;
-  crypto_shorthash(bytes.data(), number.data(), number.size(), key.data());
-  std::memcpy(&hash, bytes.data(), sizeof hash);
-  TokenBucket& first = buckets[hash % buckets.size()];
-  TokenBucket& second = buckets[(hash >> 32) % buckets.size()];
-  const bool isWithin = first.take(1, now);
-  return (&second != &first && second.take(1, now)) || isWithin;
-}
 
 }  // namespace
 
@@ -129,8 +111,8 @@ bool ServerGate::mayExchange(const Datagram& datagram, const Open& open, Moment 
 // An owner of many households, as every connection to the internet by IPv6 has them, must not use up what all newcomers
 // share.
 bool ServerGate::takeBudget(const IpAddress& client, Moment now) {
-  const bool within = client.isLoopback() || (takeOf(client.household(), bucketKey_, households_, now) &&
-                                              takeOf(client.site(), bucketKey_, sites_, now));
+  const bool within =
+      client.isLoopback() || (households_.take(client.household(), now) && sites_.take(client.site(), now));
   return within && handshakes_.take(1, now);
 }
 
