@@ -10,14 +10,15 @@ namespace {
 
 constexpr int kBorder = 1;
 
+glm::ivec2 sizeWithBorder(const Font::Glyph& glyph) { return glm::ivec2(glyph.width, glyph.height) + 2 * kBorder; }
+
 // The distances of a glyph within a border of the smallest one.
 std::vector<std::uint8_t> withBorder(const Font::Glyph& glyph) {
-  const int width = glyph.width + 2 * kBorder;
-  std::vector<std::uint8_t> framed(static_cast<std::size_t>(width) *
-                                   static_cast<std::size_t>(glyph.height + 2 * kBorder));
+  const glm::ivec2 size = sizeWithBorder(glyph);
+  std::vector<std::uint8_t> framed(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
   for (int row = 0; row < glyph.height; ++row) {
     const auto from = glyph.distances.begin() + std::ptrdiff_t{row} * glyph.width;
-    std::copy_n(from, glyph.width, framed.begin() + std::ptrdiff_t{row + kBorder} * width + kBorder);
+    std::copy_n(from, glyph.width, framed.begin() + std::ptrdiff_t{row + kBorder} * size.x + kBorder);
   }
   return framed;
 }
@@ -40,11 +41,10 @@ const GlyphAtlas::Entry* GlyphAtlas::find(char32_t codePoint) {
   glm::ivec2 corner(0);
   Entry entry;
   // A glyph larger than the texture never fits; it stays blank.
-  const int width = glyph.width + 2 * kBorder;
-  const int height = glyph.height + 2 * kBorder;
-  const bool drawable = glyph.width > 0 && width <= kSize && height <= kSize;
+  const glm::ivec2 size = sizeWithBorder(glyph);
+  const bool drawable = glyph.width > 0 && size.x <= kSize && size.y <= kSize;
   if (drawable) {
-    if (!allocate(width, height, corner)) return nullptr;
+    if (!allocate(size.x, size.y, corner)) return nullptr;
     entry = upload(glyph, corner);
   }
   return &entries_.emplace(codePoint, entry).first->second;
@@ -69,8 +69,9 @@ bool GlyphAtlas::allocate(int width, int height, glm::ivec2& corner) {
 GlyphAtlas::Entry GlyphAtlas::upload(const Font::Glyph& glyph, glm::ivec2 corner) const {
   glBindTexture(GL_TEXTURE_2D, texture_.name());
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTexSubImage2D(GL_TEXTURE_2D, 0, corner.x, corner.y, glyph.width + 2 * kBorder, glyph.height + 2 * kBorder, GL_RED,
-                  GL_UNSIGNED_BYTE, withBorder(glyph).data());
+  const glm::ivec2 size = sizeWithBorder(glyph);
+  glTexSubImage2D(GL_TEXTURE_2D, 0, corner.x, corner.y, size.x, size.y, GL_RED, GL_UNSIGNED_BYTE,
+                  withBorder(glyph).data());
   const glm::ivec2 inner = corner + kBorder;
   Entry entry;
   entry.low = glyph.low;

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::uint32_t kWidth = 320;
 constexpr std::uint32_t kHeight = 180;
-constexpr int kRounding = 4;  // steps of a colour
+constexpr int kRounding = 1;  // step of a colour
 
 Image drawn(GameView& view, const Scene* scene, const Settings& settings = {}, const Overlay& menu = {}) {
   view.draw(scene, {}, settings, menu, 0.1);
