@@ -29,7 +29,7 @@ parse_test_options() {
       --debug | --tsan | --clang) preset=${word#--} ;;
       --asan) preset=asan-ubsan ;;
       --long) long=ON ;;
-      --quick | --all) lane=${word#--} ;;
+      --quick | --all | --release) lane=${word#--} ;;
       --fuzz)
         lane=fuzz
         [[ ! ${1-} =~ ^[1-9][0-9]*$ ]] || { seconds=$1 && shift; }
@@ -55,7 +55,8 @@ parse_test_options() {
 
 refuse_contradictions() {
   [[ $lane == '' || ${#programs[@]} == 0 ]] || die "test --$lane runs a fixed set of tests: name no test files with it" 2
-  [[ $lane != all || $preset == release ]] || die 'test --all chooses the presets itself: name none with it' 2
+  [[ $lane != all && $lane != release || $preset == release ]] ||
+    die "test --$lane chooses the presets itself: name none with it" 2
   [[ $lane != fuzz || $preset == release ]] || die 'test --fuzz builds with clang and sanitizers: name no preset with it' 2
 }
 
@@ -71,15 +72,14 @@ run_ctest() {
 # summary_of LOG: the line in which ctest counts tests, for example "98% tests passed, 2 tests failed out of 100".
 summary_of() { grep -E '^[0-9]+% tests passed, [0-9]+ tests failed out of [0-9]+' "$1" | tail -n 1; }
 
-# run_lane NAME PRESET TARGET LABEL OPTION…: adds a line to `lines` and to the counts of run_all_lanes. The options are
-# those of cmake.
+# run_lane NAME PRESET [LABEL]: runs the tests of a lane (tests/test_functions.cmake), without a label every test. Adds a
+# line to `lines` and to the counts of run_lanes.
 run_lane() {
-  local name=$1 preset=$2 target=$3 label=$4 log begin=$SECONDS summary='' selection=()
-  shift 4
+  local name=$1 preset=$2 label=${3-} log begin=$SECONDS summary='' selection=()
   log=$(mktemp)
   say "lane $name"
   [[ -z $label ]] || selection=(-L "^$label\$")
-  if configure "$preset" "${configuration[@]}" "$@" && build "$preset" ${target:+"$target"}; then
+  if configure "$preset" "${configuration[@]}" && build "$preset" ${label:+"${label}_tests"}; then
     run_ctest "$preset" "${selection[@]}" "${ctest_options[@]}" 2>&1 | tee "$log" || true
     summary=$(summary_of "$log") || summary='0% tests passed, 1 tests failed out of 1: ctest gave no summary'
   else
@@ -92,12 +92,18 @@ run_lane() {
   lines+=("lane $name: $summary, in $((SECONDS - begin)) s")
 }
 
-# Runs every lane even if one fails. The last line has the form of ctest's and counts the tests of all lanes.
-run_all_lanes() {
+# run_lanes all|release: runs every lane even if one fails. The last line has the form of ctest's and counts the tests of
+# all lanes.
+run_lanes() {
   local lines=() failed=0 total=0
-  run_lane release release '' '' -DPLATON_TESTS_TOGETHER=10
-  run_lane address-and-undefined asan-ubsan sanitized_tests sanitized -DPLATON_TESTS_TOGETHER=10
-  run_lane threads tsan threads_tests threads
+  if [[ $1 == all ]]; then
+    run_lane release release all
+    run_lane address-and-undefined asan-ubsan outside
+  else
+    run_lane release release
+    run_lane address-and-undefined asan-ubsan sanitized
+  fi
+  run_lane threads tsan threads
   printf '\n'
   printf '%s\n' "${lines[@]}"
   printf '%d%% tests passed, %d tests failed out of %d\n' $(((total - failed) * 100 / total)) "$failed" "$total"
@@ -120,16 +126,18 @@ run_tests() {
   refuse_contradictions
   need "$to_test"
   [[ $lane != fuzz ]] || seconds=${seconds:-60}
-  configuration=(-DBUILD_TESTING=ON "-DPLATON_LONG=$long" "-DPLATON_FUZZ_SECONDS=${seconds:-0}" -DPLATON_TESTS_TOGETHER=1)
-  if [[ $lane == all ]]; then
-    run_all_lanes
+  configuration=(-DBUILD_TESTING=ON "-DPLATON_LONG=$long" "-DPLATON_FUZZ_SECONDS=${seconds:-0}")
+  if [[ $lane == all || $lane == release ]]; then
+    run_lanes "$lane"
     return
   fi
+  # Without a word about which tests: those of the first lane of --all.
+  [[ $lane != '' || $long == ON || $preset != release || ${#programs[@]} != 0 || ${#ctest_options[@]} != 0 ]] || lane=all
   configure "$preset" "${configuration[@]}"
   case $lane in
-    quick)
-      build "$preset" quick_tests
-      run_ctest "$preset" -L '^quick$' "${ctest_options[@]}"
+    quick | all)
+      build "$preset" "${lane}_tests"
+      run_ctest "$preset" -L "^$lane\$" "${ctest_options[@]}"
       ;;
     fuzz) run_ctest "$preset" -L '^fuzz$' "${ctest_options[@]}" ;;
     *)

@@ -84,7 +84,7 @@ class Usage(Script):
 
     def test_help_names_every_option_of_test(self):
         output = self.run_platon("help")[1]
-        for option in ("--quick", "--all", "--fuzz", "--machines", "--long", "--debug", "--asan", "--tsan", "--clang"):
+        for option in ("--quick", "--all", "--release", "--fuzz", "--machines", "--long", "--debug", "--asan", "--tsan", "--clang"):
             self.assertIn(option, output)
 
     def test_wrong_usage_is_refused(self):
@@ -125,12 +125,16 @@ class Packages(Script):
 
 
 class Tests(Script):
-    CONFIGURE = r"cmake --preset release -DBUILD_TESTING=ON -DPLATON_LONG=OFF -DPLATON_FUZZ_SECONDS=0 -DPLATON_TESTS_TOGETHER=1"
+    CONFIGURE = r"cmake --preset release -DBUILD_TESTING=ON -DPLATON_LONG=OFF -DPLATON_FUZZ_SECONDS=0"
     BUILD = "cmake --build --preset release"
     CTEST = r"ctest --preset release --parallel \d+"
 
-    def test_everything(self):
-        self.assert_tests([], self.CONFIGURE, self.BUILD, self.CTEST)
+    def test_plain_is_the_first_lane_of_all(self):
+        self.assert_tests([], self.CONFIGURE, self.BUILD + " --target all_tests", self.CTEST + r" -L \^all\$")
+
+    def test_a_selection_is_of_all_tests(self):
+        self.assert_tests(["-V"], self.CONFIGURE, self.BUILD, self.CTEST + " -V")
+        self.assert_tests(["--long"], self.CONFIGURE.replace("LONG=OFF", "LONG=ON"), self.BUILD, self.CTEST)
 
     def test_options_in_any_order(self):
         long = self.CONFIGURE.replace("LONG=OFF", "LONG=ON")
@@ -164,6 +168,8 @@ class Tests(Script):
         self.assert_refused(["test", "no_such"], "no test file no_such_test.cpp in tests/; a test without a file of its own "
                             "is run by -R '^NAME$'")  # fmt: skip
         self.assert_refused(["test", "--all", "game"], "test --all runs a fixed set of tests: name no test files with it")
+        self.assert_refused(["test", "--release", "--tsan"],
+                            "test --release chooses the presets itself: name none with it")  # fmt: skip
         self.assert_refused(["test", "--asan", "--all"], "test --all chooses the presets itself: name none with it")
         self.assert_refused(["test", "--fuzz", "--debug"],
                             "test --fuzz builds with clang and sanitizers: name no preset with it")  # fmt: skip
@@ -174,18 +180,26 @@ class Tests(Script):
                 self.assertEqual(self.run_platon("test", *arguments, failing=failing)[0], 1, (failing, arguments))
 
 
-class AllLanes(Script):
-    def test_each_lane_builds_and_runs_its_tests(self):
-        code, output, called = self.run_platon("test", "--all")
+class Lanes(Script):
+    def assert_lanes(self, option, builds, runs):
+        code, output, called = self.run_platon("test", option)
         self.assertEqual(code, 0, output)
         self.assertEqual([call for call in called if call.startswith("cmake --build")],
-                         ["cmake --build --preset release", "cmake --build --preset asan-ubsan --target sanitized_tests",
-                          "cmake --build --preset tsan --target threads_tests"])  # fmt: skip
-        together = [re.findall(r"TOGETHER=(\d+)", call)[-1] for call in called if call.startswith("cmake --preset")]
-        self.assertEqual(together, ["10", "10", "1"])
+                         [f"cmake --build --preset {build}" for build in builds])  # fmt: skip
         self.assertEqual([re.sub(r" --parallel \d+", "", call) for call in called if call.startswith("ctest")],
-                         ["ctest --preset release", "ctest --preset asan-ubsan -L ^sanitized$",
-                          "ctest --preset tsan -L ^threads$"])  # fmt: skip
+                         [f"ctest --preset {run}" for run in runs])  # fmt: skip
+        return output
+
+    def test_release_runs_every_test(self):
+        self.assert_lanes("--release",
+                          ["release", "asan-ubsan --target sanitized_tests", "tsan --target threads_tests"],
+                          ["release", "asan-ubsan -L ^sanitized$", "tsan -L ^threads$"])  # fmt: skip
+
+    def test_each_lane_builds_and_runs_its_tests(self):
+        output = self.assert_lanes("--all",
+                                   ["release --target all_tests", "asan-ubsan --target outside_tests",
+                                    "tsan --target threads_tests"],
+                                   ["release -L ^all$", "asan-ubsan -L ^outside$", "tsan -L ^threads$"])  # fmt: skip
         lines = output.splitlines()
         for line, lane in zip(lines[-4:-1], ("release", "address-and-undefined", "threads"), strict=True):
             self.assertRegex(line, rf"^lane {lane}: 100% tests passed, 0 tests failed out of 2, in \d+ s$")
