@@ -95,8 +95,9 @@ class Usage(Script):
         self.assertEqual(self.run_platon("fly")[0], 2)
         self.assert_refused(["join"], "join needs an address: ./platon join HOST[:PORT]")
         self.assert_refused(["package", "now"], "package has no options; see ./platon help")
-        self.assert_refused(["bench", "--long"], "bench has no options but --quick, --network, --attacks and --frames; see ./platon help")
+        self.assert_refused(["bench", "--long"], "bench has no options but --quick, --network, --attacks, --frames and --tests; see ./platon help")
         self.assert_refused(["bench", "--frames", "--quick"], "bench --frames has no option but --write; see ./platon help")
+        self.assert_refused(["bench", "--tests", "x"], "bench --tests has no option but --write; see ./platon help")
         self.assert_refused(["bench", "--network", "x"], "bench --network has no option but --quick; see ./platon help")
 
     def test_files_that_it_names_exist(self):
