@@ -40,6 +40,12 @@ TEST(SimProgramTest, InvalidInputFilesExitWith3) {
   EXPECT_EQ(runProgram("sweep", fileWith("queries", "nothing\n")).exitCode, 3);
 }
 
+TEST(SimProgramTest, AFailedWriteExitsWith3) {
+  const ProcessResult result = runProgram("run --ticks 60 --record /dev/full " + levelFile());
+  EXPECT_EQ(result.exitCode, 3);
+  EXPECT_EQ(result.errors, "cannot write to '/dev/full': No space left on device\n");
+}
+
 TEST(SimProgramTest, ARunExitsWith0) { EXPECT_EQ(runProgram("run --ticks 5 " + levelFile()).exitCode, 0); }
 
 }  // namespace

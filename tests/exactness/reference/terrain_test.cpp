@@ -7,8 +7,6 @@
 #include <set>
 #include <string>
 
-#include "tests/sim/scene_file.h"
-
 namespace platon::reference::terrain_test {
 namespace {
 
@@ -27,11 +25,6 @@ bool hasLooseJoint(const ExactScene& scene) {
     }
   }
   return false;
-}
-
-TEST(TerrainTest, ASeedGivesTheSameTerrain) {
-  EXPECT_EQ(toText(randomTerrain(7, kTicks).scene), toText(randomTerrain(7, kTicks).scene));
-  EXPECT_NE(toText(randomTerrain(7, kTicks).scene), toText(randomTerrain(8, kTicks).scene));
 }
 
 TEST(TerrainTest, HasBodiesOfAllKindsBetween12And24Units) {
@@ -58,17 +51,6 @@ TEST(TerrainTest, HasLooseJointsAndPoints) {
   }
   EXPECT_GT(loose, kSeeds / 2);
   EXPECT_GT(points, kSeeds / 4);
-}
-
-TEST(TerrainTest, IsASceneFileThatTheSimulationAccepts) {
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    const ExactScene scene = randomTerrain(seed, kTicks).scene;
-    const sim::Scene loaded = sim::loadScene("terrain", toText(scene));
-    EXPECT_EQ(loaded.velocity.x, scene.velocity.x);
-    EXPECT_EQ(loaded.velocity.y, scene.velocity.y);
-    EXPECT_EQ(loaded.shape.vertices().size(), scene.shape.size());
-    EXPECT_EQ(loaded.world.entities()[0].position, (Point{0, 0}));
-  }
 }
 
 }  // namespace
