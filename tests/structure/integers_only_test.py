@@ -20,20 +20,19 @@ FLOATS = (
 )
 
 
-def compiles(code, optimised):
-    command = [COMPILER, "-std=c++20", optimised, "-mgeneral-regs-only", "-S", "-x", "c++", "-o", "/dev/null", "-"]
+def compiles(code):
+    command = [COMPILER, "-std=c++20", "-O1", "-mgeneral-regs-only", "-S", "-x", "c++", "-o", "/dev/null", "-"]
     return subprocess.run(command, input=code, capture_output=True, text=True).returncode == 0
 
 
 class IntegersOnly(unittest.TestCase):
     def test_floats_are_refused(self):
-        for optimised in ("-O0", "-O1", "-O3"):
-            for code in FLOATS:
-                self.assertFalse(compiles(code, optimised), f"{optimised}: {code}")
+        for code in FLOATS:
+            self.assertFalse(compiles(code), code)
 
     def test_integers_are_accepted(self):
         code = "#include <map>\n#include <string>\n#include <vector>\n__int128 f(__int128 x, long y) { return x / y; }"
-        self.assertTrue(compiles(code, "-O3"))
+        self.assertTrue(compiles(code))
 
 
 if __name__ == "__main__":

@@ -1,18 +1,14 @@
 #!/usr/bin/env python3
-"""Tests of the limits and of the table of `./platon bench --attacks`."""
+"""Tests that each limit of the attacks can be exceeded."""
 
-import contextlib
-import io
 import sys
 import unittest
 from pathlib import Path
-from unittest import mock
 
 sys.path.append(str(Path(__file__).resolve().parent.parent / "matrix"))
 
-import attacks  # noqa: E402
 from attack_run import Result  # noqa: E402
-from attack_table import exceeded, table  # noqa: E402
+from attack_table import exceeded  # noqa: E402
 
 
 def result(name="empty", **changes):
@@ -46,44 +42,6 @@ class AttacksTest(unittest.TestCase):
         slow = result(missed=9.0, join=None, p99=99.0, growth=9 << 20, dropped=100000)
         self.assertEqual(exceeded([result("none"), slow], timings=False), [])
         self.assertEqual(len(exceeded([result("none"), result(disconnected=1, answered_ratio=2.0)], timings=False)), 2)
-
-    def test_an_attack_is_compared_with_the_run_without_one(self):
-        self.assertEqual(exceeded([result("none", missed=0.5, growth=4096), result(missed=1.5, growth=4096 + (1 << 20))]), [])
-
-    def test_the_table_has_a_row_for_each_attack(self):
-        text = table([result("none"), result(missed=2.0, join=None)], 10)
-        self.assertIn("Each attack lasts 10 s.", text)
-        self.assertIn("| `empty` | nothing | 200 000 | 100.0 | 0 | 2.00 | 0 | never | 0.20 / 1.0 / 2.0 | +0 | 5 |", text)
-        self.assertIn("Exceeded:\n\n- empty: 2.00 missed inputs", text)
-        self.assertNotIn("Exceeded", table([result("none")], 10))
-
-    def run_all(self, *available):
-        """The names of the attacks that run, in order, and what is said meanwhile."""
-        names = ("a-ipv6", "b", "c-ipv6")
-        listed = [{"name": name, "does": "", "proves": False, "ipv6": name.endswith("ipv6")} for name in names]
-        said, ran = [], []
-
-        def run_attack(_programs, _root, attack, _seconds):
-            ran.append(attack["name"])
-            return Result(**(vars(result()) | {"attack": attack}))
-
-        with contextlib.ExitStack() as patches:
-            patches.enter_context(mock.patch.multiple(
-                attacks, all_attacks=lambda _: listed, run_attack=run_attack, say=said.append))  # fmt: skip
-            patches.enter_context(mock.patch.object(attacks.network_namespace, "enter", side_effect=available))
-            patches.enter_context(contextlib.redirect_stdout(io.StringIO()))
-            attacks.run(Path(__file__).resolve().parents[3], "--quick", [], None)
-        return ran, said
-
-    def test_attacks_over_ipv6_come_last_in_one_namespace(self):
-        ran, said = self.run_all(None)
-        self.assertEqual(ran, ["none", "b", "a-ipv6", "c-ipv6"])
-        self.assertEqual(len(said), 4)
-
-    def test_without_a_namespace_attacks_over_ipv6_are_skipped_with_one_line(self):
-        ran, said = self.run_all(attacks.network_namespace.Unavailable("a reason"))
-        self.assertEqual(ran, ["none", "b"])
-        self.assertEqual(said[2:], ["attacks over IPv6 are skipped: a reason"])
 
 
 if __name__ == "__main__":
