@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Runs clang-tidy with the checks of .clang-tidy on the C++ files that a change touches.
+"""Runs clang-tidy with the checks of .clang-tidy on the lines of C++ that a change touches, by clang-tidy-diff.
 
 usage: check_tidy.py ROOT BUILD. The change is what differs from the merge base with origin/main, or on main itself from
-the previous commit, with files not committed yet. A header is checked through the .cpp file of its name. At most
-MAX_FILES are checked, or all of them if the environment has PLATON_LONG. BUILD holds compile_commands.json and the
-generated headers. Exit 1 on any complaint, 77 (skipped) without git or a commit to compare with.
+the previous commit, with files not committed yet. At most MAX_FILES are checked, or all of them if the environment has
+PLATON_LONG. BUILD holds compile_commands.json and the generated headers. Exit 1 on any complaint, 77 (skipped) without git
+or a commit to compare with.
 """
 
 import json
@@ -15,13 +15,9 @@ import shutil
 import subprocess
 import sys
 import tempfile
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 MAX_FILES = 10
-# Options of GCC that clang does not know, and the precompiled header, which is GCC's.
-DROPPED = ("-Winvalid-pch", "-fpch-preprocess", "-ffat-lto-objects", "-fno-lto", "-flto", "-Wno-restrict",
-           "-Wno-stringop-overflow", "-Wno-subobject-linkage")  # fmt: skip
 # As CMake names a file that includes several sources.
 UNITY_FILE = re.compile(r"unity_\d+_cxx\.cxx")
 
@@ -49,35 +45,15 @@ def base_of(root):
     return base
 
 
-def changed_files(root, base):
-    changed = git(root, "diff", "--name-only", "--diff-filter=d", base).splitlines()
-    return changed + git(root, "ls-files", "--others", "--exclude-standard").splitlines()
-
-
-def sources_of(changed, compiled):
-    """The compiled files through which the changed ones are checked. Headers lie beside their sources, or in
-    shared/include/platon."""
-    sources = {str(Path(path.replace("shared/include/platon/", "shared/")).with_suffix(".cpp"))
-               for path in changed if path.endswith((".h", ".cpp"))}  # fmt: skip
-    return sorted(sources & set(compiled))
-
-
-def sample(files, count):
-    """`count` of the files, evenly spread."""
-    return files if len(files) <= count else [files[index * len(files) // count] for index in range(count)]
-
-
-def for_clang(command):
-    """The compile command without what only GCC understands."""
-    words = shlex.split(command)
-    while not words[0].endswith(("c++", "g++")):
-        words.pop(0)  # a launcher
-    kept = []
-    for index, word in enumerate(words):
-        if word == "-include" or words[index - 1] == "-include" or word.split("=")[0] in DROPPED:
-            continue
-        kept.append(word)
-    return shlex.join(kept)
+def changes(root, base):
+    """{path: the changed lines, as a diff} of C++ files. All lines of a file that git does not know are changed."""
+    diff = git(root, "diff", "-U0", "--no-ext-diff", "--diff-filter=d", "--dst-prefix=b/", base, "--", "*.cpp", "*.h")
+    parts = {re.search(r"(?m)^\+\+\+ b/(.*)$", part): part for part in re.split(r"(?m)^(?=diff --git )", diff)}
+    changed = {name[1]: part for name, part in parts.items() if name}
+    for path in git(root, "ls-files", "--others", "--exclude-standard", "*.cpp", "*.h").splitlines():
+        lines = (root / path).read_text(encoding="utf-8").count("\n")
+        changed[path] = f"+++ b/{path}\n@@ -0,0 +1,{lines} @@"
+    return changed
 
 
 def files_of(entry):
@@ -87,44 +63,48 @@ def files_of(entry):
     return re.findall(r'^#include "(.+)"$', Path(entry["file"]).read_text(encoding="utf-8"), re.MULTILINE)
 
 
-def compile_commands(root, build):
-    """{path relative to root: entry} of the build, fit for clang."""
+def compile_commands(build):
+    """{file: entry} of the build. A command keeps what clang needs to parse the file: the build may have been made by GCC,
+    with options and precompiled headers that clang does not know."""
     entries = {}
     for entry in json.loads((build / "compile_commands.json").read_text(encoding="utf-8")):
-        if "-mgeneral-regs-only" in entry["command"]:
-            continue  # shared/ compiled a second time, with an option that clang's standard headers do not survive
+        words = shlex.split(entry["command"])
+        kept = [word for before, word in zip([""] + words, words)
+                if word.startswith(("-D", "-I", "-isystem", "-std=")) or before == "-isystem"]  # fmt: skip
         for file in files_of(entry):
-            command = for_clang(entry["command"].replace(entry["file"], file))
-            entries[os.path.relpath(file, root)] = {"directory": entry["directory"], "file": file, "command": command}
+            entries[file] = {"directory": entry["directory"], "file": file, "arguments": ["c++", *kept, "-c", file]}
     return entries
 
 
-def complaints(root, database, path):
-    command = ["clang-tidy", "-p", database, "--quiet", path]
-    result = subprocess.run(command, cwd=root, capture_output=True, text=True)
-    return result.stdout + result.stderr if result.returncode != 0 else ""
+def sample(files, count):
+    """`count` of the files, evenly spread."""
+    return files if len(files) <= count else [files[index * len(files) // count] for index in range(count)]
 
 
 def check(root, build):
-    """Prints what was checked; True if there were no complaints."""
+    """Prints what was checked; True if there were no complaints. clang-tidy takes the command of a header from the most
+    similar source."""
     base = base_of(root)
-    compiled = compile_commands(root, build)
-    sources = sources_of(changed_files(root, base), compiled)
-    checked = sources if "PLATON_LONG" in os.environ else sample(sources, MAX_FILES)
-    print(f"compared with {base[:12]}: checking {len(checked)} of {len(sources)} changed files", *checked, sep="\n  ")
+    commands = compile_commands(build)
+    changed = {path: part for path, part in changes(root, base).items() if path.endswith(".h") or str(root / path) in commands}
+    checked = sample(sorted(changed), len(changed) if "PLATON_LONG" in os.environ else MAX_FILES)
+    print(f"compared with {base[:12]}: checking {len(checked)} of {len(changed)} changed files", *checked, sep="\n  ")
     with tempfile.TemporaryDirectory(prefix="platon-tidy-") as database:
-        (Path(database) / "compile_commands.json").write_text(json.dumps(list(compiled.values())), encoding="utf-8")
-        with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
-            found = list(pool.map(lambda path: complaints(root, database, path), checked))
-    print("".join(found), end="")
-    return not any(found)
+        (Path(database) / "compile_commands.json").write_text(json.dumps(list(commands.values())), encoding="utf-8")
+        command = ["clang-tidy-diff", "-p1", "-path", database, "-j", str(os.cpu_count() or 1), "-quiet"]
+        diff = "".join(changed[path] + "\n" for path in checked)
+        result = subprocess.run(command, cwd=root, input=diff, capture_output=True, text=True)
+    found = re.sub(r"(?m)^\d+ warnings? generated\.$|^\n", "", result.stdout + result.stderr).strip()
+    print(found or "no complaints")
+    # clang-tidy-diff exits with 0 whatever clang-tidy finds.
+    return result.returncode == 0 and not re.search(r"error:|Error while processing|Failed:", found)
 
 
 def main(arguments):
     if len(arguments) != 3:
         print("usage: check_tidy.py ROOT BUILD", file=sys.stderr)
         return 2
-    if shutil.which("clang-tidy") is None:
+    if shutil.which("clang-tidy-diff") is None:
         print("clang-tidy is not installed: apt-get install clang-tidy")
         return 1
     if shutil.which("git") is None:
