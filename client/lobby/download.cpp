@@ -52,6 +52,9 @@ void describe(CURL* curl, const std::string& url, Transfer& transfer, char* reas
   curl_easy_setopt(curl, CURLOPT_MAXREDIRS, kMaxRedirections);
   curl_easy_setopt(curl, CURLOPT_FAILONERROR, 1L);
   curl_easy_setopt(curl, CURLOPT_NOSIGNAL, 1L);
+  // A server may close a connection on which curl asks again. Curl then asks on another one, but the reason of a later
+  // failure would be that of the closed connection.
+  curl_easy_setopt(curl, CURLOPT_FORBID_REUSE, 1L);
   curl_easy_setopt(curl, CURLOPT_QUICK_EXIT, 1L);  // does not wait for a name that is looked up
   curl_easy_setopt(curl, CURLOPT_TIMEOUT, kTimeout);
   curl_easy_setopt(curl, CURLOPT_CONNECTTIMEOUT, kConnectTimeout);

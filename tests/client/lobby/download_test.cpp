@@ -51,6 +51,16 @@ TEST(DownloadTest, LeavesTheWebForNothing) {
   EXPECT_THAT(faultOf(round.url()), HasSubstr("redirects"));
 }
 
+// Before, the reason was that of a connection that the server had closed after an answer.
+TEST(DownloadTest, AConnectionThatIsClosedAfterAnAnswerIsNotTheCause) {
+  const WebServer round(
+      [](std::string_view) {
+        return std::string("HTTP/1.1 302 Found\r\nLocation: /again\r\nContent-Length: 0\r\n\r\n");
+      },
+      WebServer::Closes::kWhenAskedAgain);
+  EXPECT_THAT(faultOf(round.url()), HasSubstr("redirects"));
+}
+
 TEST(DownloadTest, CanBeStopped) {
   const WebServer server(
       [](std::string_view) { return std::string("HTTP/1.1 200 OK\r\nContent-Length: 9\r\n\r\nab"); });

@@ -17,12 +17,18 @@
 namespace platon {
 
 /// A web server on loopback that answers each request with what `answer` makes of its first line, byte by byte as it
-/// is, and then closes the connection.
+/// is.
 class WebServer {
  public:
   using Answer = std::function<std::string(std::string_view request)>;
+  /// When the server closes a connection.
+  enum class Closes {
+    kAfterAnAnswer,
+    kWhenAskedAgain  ///< without an answer, or when the client has closed it
+  };
 
-  explicit WebServer(Answer answer) : listener_(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+  explicit WebServer(Answer answer, Closes closes = Closes::kAfterAnAnswer)
+      : closes_(closes), listener_(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
     sockaddr_in address{};
     address.sin_family = AF_INET;
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
@@ -53,9 +59,17 @@ class WebServer {
       const std::string_view text(request.data(), static_cast<std::size_t>(size));
       const std::string reply = answer(text.substr(0, text.find("\r\n")));
       send(client.number(), reply.data(), reply.size(), MSG_NOSIGNAL);
+      if (closes_ == Closes::kWhenAskedAgain) waitForMore(client, stop);
     }
   }
 
+  // Waits until the client has sent more or has closed the connection.
+  static void waitForMore(const Descriptor& client, const std::stop_token& stop) {
+    pollfd ready{client.number(), POLLIN, 0};
+    while (!stop.stop_requested() && poll(&ready, 1, 20) <= 0) continue;
+  }
+
+  Closes closes_;
   Descriptor listener_;
   int port_ = 0;
   std::jthread thread_;
