@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "client/bot/button_presser.h"
+#include "tests/support/run/repetitions.h"
 #include "tests/support/session_network.h"
 #include "tests/support/test_level.h"
 
@@ -142,13 +143,13 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(ConnectionLoss{"Plain"},
                     ConnectionLoss{.what = "BeforeTheServerDetectsIt", .detectedAfter = std::nullopt},
                     ConnectionLoss{.what = "AtOnce", .detectedAfter = std::nullopt, .duration = milliseconds(100)},
-                    ConnectionLoss{.what = "SixteenPlayers", .players = 16},
-                    ConnectionLoss{.what = "Losses", .lossPercent = 10, .players = 16},
+                    ConnectionLoss{.what = "SixteenPlayers", .players = repetitions(16)},
+                    ConnectionLoss{.what = "Losses", .lossPercent = 10, .players = repetitions(16)},
                     ConnectionLoss{.what = "LongRoundTrip", .delayMs = 200},
                     ConnectionLoss{.what = "LongRoundTripLossesUndetected",
                                    .delayMs = 200,
                                    .lossPercent = 10,
-                                   .players = 16,
+                                   .players = repetitions(16),
                                    .detectedAfter = std::nullopt},
                     ConnectionLoss{.what = "NearlyAMinute", .duration = seconds(62)}),
     [](const testing::TestParamInfo<ConnectionLoss>& test) { return test.param.what; });

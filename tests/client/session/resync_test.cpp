@@ -7,6 +7,7 @@
 
 #include "client/bot/button_presser.h"
 #include "tests/support/input_flipper.h"
+#include "tests/support/run/repetitions.h"
 #include "tests/support/session_network.h"
 #include "tests/support/test_level.h"
 
@@ -102,7 +103,7 @@ TEST_P(Resync, TakesAtMost100MillisecondsMoreThanARoundTrip) {
 }
 
 INSTANTIATE_TEST_SUITE_P(PlayersAndRoundTrips, Resync,
-                         testing::Combine(testing::Values(1u, 16u, 64u, 256u),
+                         testing::Combine(testing::Values(1u, repetitions(256u)),
                                           testing::Values(20, 26, 33, 100, 108, 400)));
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "platon/game/game.h"
 #include "platon/game/level.h"
 #include "tests/support/element_level.h"
+#include "tests/support/run/repetitions.h"
 
 namespace platon::level_fuzz_test {
 namespace {
@@ -157,7 +158,7 @@ TEST(LevelFuzzTest, AMutatedLevelIsRefusedOrValid) {
   Mutator mutator(seed);
   int valid = 0;
   int invalid = 0;
-  for (int i = 0; i < 20000 && !testing::Test::HasFailure(); ++i) {
+  for (int i = 0; i < repetitions(20000) && !testing::Test::HasFailure(); ++i) {
     const std::string text = mutator.mutate(std::string(kSeeds[static_cast<std::size_t>(i) % kSeeds.size()]));
     const LevelResult result = loadLevel(text);
     const bool error =
