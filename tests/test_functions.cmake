@@ -67,8 +67,8 @@ endfunction()
 function(platon_quick_to_build target)
   target_compile_options(${target} PRIVATE -O0)
   if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND NOT PLATON_SANITIZE)
-    set_target_properties(${target} PROPERTIES
-      CXX_COMPILER_LAUNCHER "${PROJECT_SOURCE_DIR}/tests/compile_by_clang.sh;${CMAKE_CXX_COMPILER_LAUNCHER}")
+    set(launcher ${PROJECT_SOURCE_DIR}/tests/compile_by_clang.sh ${CMAKE_CXX_COMPILER_LAUNCHER})
+    set_target_properties(${target} PROPERTIES CXX_COMPILER_LAUNCHER "${launcher}")
   endif()
   if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
     # The first is needed by ccache to keep objects that use a precompiled header. The others warn of GCC's own

@@ -21,7 +21,7 @@ FLOATS = (
 
 
 def compiles(code):
-    command = [COMPILER, "-std=c++20", "-O1", "-mgeneral-regs-only", "-S", "-x", "c++", "-o", "/dev/null", "-"]
+    command = [COMPILER, "-std=c++20", "-O0", "-mgeneral-regs-only", "-S", "-x", "c++", "-o", "/dev/null", "-"]
     return subprocess.run(command, input=code, capture_output=True, text=True).returncode == 0
 
 
