@@ -64,8 +64,12 @@ run_ctest() {
   local preset=$1 jobs
   shift
   jobs=$(nproc)
-  # Many tests wait, so one more is run. With the thread sanitizer they calculate for so long that programs would be late.
-  [[ $preset == tsan ]] || jobs=$((jobs + 1))
+  # Many tests wait, so more are run. With sanitizers they calculate for so long that programs would be late.
+  case $preset in
+    tsan) ;;
+    asan-ubsan) jobs=$((jobs + 1)) ;;
+    *) jobs=$((jobs + 2)) ;;
+  esac
   (cd "$root" && ctest --preset "$preset" --parallel "$jobs" "$@") || return 1
 }
 

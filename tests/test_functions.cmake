@@ -147,6 +147,9 @@ function(platon_test_properties)
     list(APPEND environment PLATON_LONG=1)
     math(EXPR arg_TIMEOUT "${arg_TIMEOUT} * 100")
   endif()
+  if(arg_NAME IN_LIST PLATON_LONGEST_TESTS)
+    set_tests_properties(${arg_NAME} PROPERTIES COST 30)
+  endif()
   platon_lanes(lanes NAME ${arg_NAME} SOURCE ${arg_SOURCE} LABELS ${arg_LABELS})
   set_tests_properties(${arg_NAME} PROPERTIES
     LABELS "${arg_LABELS};${lanes}"
