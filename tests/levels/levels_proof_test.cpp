@@ -70,8 +70,10 @@ TEST_P(LevelProofTest, EveryWayNeedsTheCrossingsThatTheLevelStates) {
   });
 }
 
+class PlantedShortcutTest : public LevelProofTest {};
+
 // The goal is moved to the last place on the recorded way that has fewer crossings than the level states.
-TEST_P(LevelProofTest, APlantedShortcutIsFound) {
+TEST_P(PlantedShortcutTest, IsFound) {
   if (crossings() == 0) return;
   std::optional<EntityState> place;
   forEachEarlyPlace([&](const EntityState& player) { place = player; });
@@ -94,6 +96,15 @@ TEST_P(LevelProofTest, NobodyFindsAWayAloneThroughALevelForTwo) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, LevelProofTest, testing::ValuesIn(shippedLevels()),
+                         [](const auto& spec) { return shippedName(spec.param); });
+
+// One level of each solid whose shortcut has crossings.
+INSTANTIATE_TEST_SUITE_P(OneOfEachSolid, PlantedShortcutTest,
+                         testing::Values("levels/hexahedron/05_key_on_the_wall.level",
+                                         "levels/tetrahedron/10_two_ups.level",
+                                         "levels/octahedron/16_the_long_key.level",
+                                         "levels/dodecahedron/22_one_turn_is_not_enough.level",
+                                         "levels/icosahedron/30_four_downs.level"),
                          [](const auto& spec) { return shippedName(spec.param); });
 
 }  // namespace

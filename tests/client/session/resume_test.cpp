@@ -144,7 +144,6 @@ INSTANTIATE_TEST_SUITE_P(
                     ConnectionLoss{.what = "BeforeTheServerDetectsIt", .detectedAfter = std::nullopt},
                     ConnectionLoss{.what = "AtOnce", .detectedAfter = std::nullopt, .duration = milliseconds(100)},
                     ConnectionLoss{.what = "SixteenPlayers", .players = repetitions(16)},
-                    ConnectionLoss{.what = "Losses", .lossPercent = 10, .players = repetitions(16)},
                     ConnectionLoss{.what = "LongRoundTrip", .delayMs = 200},
                     ConnectionLoss{.what = "LongRoundTripLossesUndetected",
                                    .delayMs = 200,

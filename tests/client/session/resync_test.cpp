@@ -2,12 +2,10 @@
 
 #include <cstdio>
 #include <memory>
-#include <tuple>
 #include <vector>
 
 #include "client/bot/button_presser.h"
 #include "tests/support/input_flipper.h"
-#include "tests/support/run/repetitions.h"
 #include "tests/support/session_network.h"
 #include "tests/support/test_level.h"
 
@@ -44,19 +42,18 @@ void addDisconnectedPlayers(SessionNetwork& match, std::uint32_t count) {
   }
 }
 
-class Resync : public testing::TestWithParam<std::tuple<std::uint32_t, int>> {
+class Resync : public testing::TestWithParam<int> {
  protected:
   Resync() {
     LinkQuality quality;
     quality.delayMs = roundTripMs() / 2.0;
     match_.join(quality, pressing(kSeed));
     match_.run(seconds(2));
-    addDisconnectedPlayers(match_, players() - 1);
+    addDisconnectedPlayers(match_, kMaxPlayers - 1);
     match_.run(seconds(3));
   }
 
-  std::uint32_t players() const { return std::get<0>(GetParam()); }
-  int roundTripMs() const { return std::get<1>(GetParam()); }
+  static int roundTripMs() { return GetParam(); }
 
   bool matchesServer() {
     const Prediction& prediction = match_.session(0).round()->prediction();
@@ -86,8 +83,9 @@ class Resync : public testing::TestWithParam<std::tuple<std::uint32_t, int>> {
 // Measures the time from the first differing tick until the confirmed game matches again.
 TEST_P(Resync, TakesAtMost100MillisecondsMoreThanARoundTrip) {
   std::uint32_t present = 0;
-  for (std::uint32_t slot = 0; slot < players(); ++slot) present += match_.match().game().player(slot).present ? 1 : 0;
-  ASSERT_EQ(present, players());
+  for (std::uint32_t slot = 0; slot < kMaxPlayers; ++slot)
+    present += match_.match().game().player(slot).present ? 1 : 0;
+  ASSERT_EQ(present, kMaxPlayers);
   for (std::uint32_t times = 1; times <= 2; ++times) {
     desync();
     ASSERT_FALSE(matchesServer());
@@ -102,9 +100,8 @@ TEST_P(Resync, TakesAtMost100MillisecondsMoreThanARoundTrip) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(PlayersAndRoundTrips, Resync,
-                         testing::Combine(testing::Values(1u, repetitions(256u)),
-                                          testing::Values(20, 26, 33, 100, 108, 400)));
+// The state of the largest number of players takes longest.
+INSTANTIATE_TEST_SUITE_P(RoundTrips, Resync, testing::Values(20, 100, 400));
 
 }  // namespace
 }  // namespace platon::resync_test

@@ -117,41 +117,29 @@ class WalkRun {
   std::int64_t ticks_ = 0;
 };
 
-class StraightWalkTest : public testing::TestWithParam<Walk> {
- protected:
-  /// Runs the path at every speed and calls `check` with every drift.
-  template <class Check>
-  void forEachDrift(Check&& check) {
-    const std::int64_t crossings = step_check::runLength(10000, 1000000);
-    for (const std::int32_t speed : kSpeeds) {
-      WalkRun run(GetParam(), speed);
-      run.run(crossings);
-      for (const Drift& drift : run.drifts) check(drift, speed);
-      if (HasFatalFailure()) return;
-      const Drift& last = run.drifts.back();
-      std::cout << GetParam().name << " at " << speed << ": " << last.crossings << " crossings, drift " << last.distance
-                << ", " << last.perRoot() << " times the square root of the crossings\n";
-    }
-  }
-};
+class StraightWalkTest : public testing::TestWithParam<Walk> {};
 
 /// Each tick rounds one displacement, by at most half the diagonal of a lattice cell; each rehome adds at most one
-/// subunit. On the hexahedron frames rotate by quarter turns, which are exact.
-TEST_P(StraightWalkTest, DriftIsAtMostTheSumOfTheRoundings) {
+/// subunit. Independent roundings add up like a square root of their number. On the hexahedron frames rotate by quarter
+/// turns, which are exact.
+TEST_P(StraightWalkTest, DriftIsAtMostTheSumOfTheRoundingsAndGrowsLikeTheSquareRootOfTheCrossings) {
   const bool exact = GetParam().kind == SolidKind::kHexahedron;
-  forEachDrift([&](const Drift& drift, std::int32_t speed) {
-    const auto limit =
-        exact ? 1e-3L
-              : std::sqrt(0.5L) * static_cast<long double>(drift.ticks) + static_cast<long double>(drift.crossings);
-    EXPECT_LE(drift.distance, limit) << "at " << speed << " after " << drift.crossings << " crossings";
-  });
-}
-
-/// Independent roundings add up like a square root of their number.
-TEST_P(StraightWalkTest, DriftGrowsLikeTheSquareRootOfTheCrossings) {
-  forEachDrift([](const Drift& drift, std::int32_t speed) {
-    EXPECT_LE(drift.perRoot(), 4) << "at " << speed << " after " << drift.crossings << " crossings";
-  });
+  const std::int64_t crossings = step_check::runLength(10000, 1000000);
+  for (const std::int32_t speed : kSpeeds) {
+    WalkRun run(GetParam(), speed);
+    run.run(crossings);
+    for (const Drift& drift : run.drifts) {
+      const auto limit =
+          exact ? 1e-3L
+                : std::sqrt(0.5L) * static_cast<long double>(drift.ticks) + static_cast<long double>(drift.crossings);
+      EXPECT_LE(drift.distance, limit) << "at " << speed << " after " << drift.crossings << " crossings";
+      EXPECT_LE(drift.perRoot(), 4) << "at " << speed << " after " << drift.crossings << " crossings";
+    }
+    if (HasFatalFailure()) return;
+    const Drift& last = run.drifts.back();
+    std::cout << GetParam().name << " at " << speed << ": " << last.crossings << " crossings, drift " << last.distance
+              << ", " << last.perRoot() << " times the square root of the crossings\n";
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Walks, StraightWalkTest, testing::ValuesIn(kWalks),
