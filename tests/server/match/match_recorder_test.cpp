@@ -8,7 +8,6 @@
 #include "tests/sim/verify/verification.h"
 #include "tests/support/fake_client.h"
 #include "tests/support/fake_client_network.h"
-#include "tests/support/run/repetitions.h"
 #include "tests/support/test_levels.h"
 
 namespace platon::match_recorder_test {
@@ -185,7 +184,7 @@ TEST(MatchRecorder, RecordsTheLargestNumberOfPlayers) {
   Match match = recordedMatch({farGoalText()}, kMaxPlayers);
   for (ClientId client = 1; client <= kMaxPlayers; ++client) match.receive(client, Hello{});
   Recordings recordings;
-  for (std::uint32_t tick = 0; tick < repetitions(6u) * kCheckpointTicks + 10; ++tick) {
+  for (std::uint32_t tick = 0; tick < 6 * kCheckpointTicks + 10; ++tick) {
     for (ClientId client = 1; client <= kMaxPlayers; ++client) {
       const Input input = validInput(static_cast<std::uint8_t>((client + tick / 9) % 8 | Input::kPresent));
       match.receive(client, PlayerInputs{1, 0, 0, shortHash(levelOf(farGoalText())->hash), tick, {input}});
