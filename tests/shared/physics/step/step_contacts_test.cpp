@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "platon/physics/entity.h"
@@ -10,6 +11,7 @@
 #include "platon/physics/sweep.h"
 #include "platon/physics/world.h"
 #include "tests/shared/physics/maps.h"
+#include "tests/shared/physics/recorded_rules.h"
 #include "tests/shared/physics/shapes.h"
 #include "tests/shared/physics/step/paired_rules.h"
 #include "tests/shared/physics/torus.h"
@@ -242,6 +244,28 @@ TEST_F(StripPairsTest, ContactsOfARemovedEntityEndOnceAndBeginAgainElsewhere) {
   step({0, 0});
   EXPECT_EQ(open(), 3u);
   EXPECT_EQ(rules.takeFault(), "");
+}
+
+// A portion is at most 5°: nothing in it has an earlier time, so the order is fixed, whatever the indices are.
+TEST(StepContactsTest, OfAPortionOfARotationEndsAreReportedBeforeBegins) {
+  const Segment onlyBefore{{960, 850}, {960, 900}};  // inside of the square before the rotation by 5°
+  const Segment onlyAfter{{1040, -900}, {1040, -850}};
+  for (const std::uint32_t left : {0u, 1u}) {
+    World world;
+    addPart(world, 0, left == 0 ? std::vector{onlyBefore, onlyAfter} : std::vector{onlyAfter, onlyBefore});
+    RecordedRules rules;
+    rules.pierceable = {{0, 0}, {0, 1}};
+    world.setRules(rules);
+    Entity entity(world, square(1000));
+    MapPart(world, 0).insert(entity, {0, 0}, Angle());
+    world.solve();
+    const std::string ended = "0:" + std::to_string(left);
+    const std::string begun = "0:" + std::to_string(1 - left);
+    EXPECT_EQ(rules.take(), (std::vector{"begin " + ended, "over " + ended}));
+    entity.rotate(500);
+    world.solve();
+    EXPECT_EQ(rules.take(), (std::vector{"end " + ended, "begin " + begun, "over " + begun}));
+  }
 }
 
 TEST_F(StripPairsTest, AFreshInstanceThatIsRemovedHasNoContacts) {
