@@ -314,6 +314,35 @@ TEST(LevelReaderTest, ReadsATitleOfTheLargestSize) {
   EXPECT_EQ(readValid("# title: " + title + "\n" + kHead + kFaces).title, title);
 }
 
+// The warnings about these lines, which are on the first face of a level, as line: message.
+std::vector<std::string> warningsOf(const std::string& text) {
+  Diagnostics diagnostics;
+  read(text, diagnostics);
+  std::vector<std::string> found;
+  for (const Diagnostic& one : diagnostics.take()) found.push_back(std::to_string(one.line) + ": " + one.message);
+  return found;
+}
+
+TEST(LevelReaderTest, ALineIsADuplicateInEitherDirection) {
+  for (const std::string line : {"40 50 60 50", "40 50 40 70", "40 50 60 70", "40 70 60 50", "40 70 40 50"}) {
+    const std::size_t middle = line.find(' ', 3);
+    const std::string backwards = line.substr(middle + 1) + " " + line.substr(0, middle);
+    const std::string between = "0 50 9 50\n";
+    for (const std::string& second : {line, backwards}) {
+      EXPECT_EQ(warningsOf(withLines(line + "\n" + between + second + "\n")),
+                std::vector<std::string>{"8: duplicate of line 6"})
+          << line << ", " << second;
+    }
+  }
+}
+
+TEST(LevelReaderTest, LinesThatDifferInOneNumberOrInTheirFaceAreNoDuplicates) {
+  const std::string line = "40 50 60 70\n";
+  for (const std::string other : {"41 50 60 70", "40 51 60 70", "40 50 61 70", "40 50 60 71", "40 70 60 50"})
+    EXPECT_EQ(warningsOf(withLines(line + other + "\n")), std::vector<std::string>()) << other;
+  EXPECT_EQ(warningsOf(kHead + "%\n" + line + "%\n" + line + "%\n%\n"), std::vector<std::string>());
+}
+
 TEST(LevelReaderTest, ElementsComeFirstOnTheirFace) {
   const LevelDraft draft = readValid(
       "TETRAHEDRON\n0 0 0 0\n1 0 0\n400\n%\n1 30 2 30\n3 30 4 30 key 5\n5 30 6 30\n7 30 8 30 plate 6\n%\n%\n"
