@@ -120,6 +120,7 @@ TEST(SealedChannel, OnlyTheNewestDatagramIsNewest) {
   const Bytes second = ends.client.seal(content(1));
   EXPECT_TRUE(ends.server.open(second)->isNewest);
   EXPECT_FALSE(ends.server.open(first)->isNewest);
+  EXPECT_TRUE(ends.server.open(ends.client.seal(content(1)))->isNewest);
 }
 
 // The datagram that has its place in the window after it was lost, too.
@@ -143,6 +144,53 @@ TEST(SealedChannel, NumbersGoOnAfterLongLosses) {
     for (std::uint64_t i = 0; i < lost; ++i) ends.client.seal(content(1));
     ASSERT_TRUE(ends.server.open(ends.client.seal(content(2)))) << sealed;
     sealed += lost + 1;
+  }
+}
+
+// The bits of the next number expected are less than half of their range, more than half, and again less.
+TEST(SealedChannel, OfTwoNumbersThatAreEquallyNearTheHigherIsTaken) {
+  for (const int received : {1, 10000, (1 << 14) + 1}) {
+    Ends ends;
+    for (int i = 0; i < received; ++i) ASSERT_TRUE(ends.server.open(ends.client.seal(content(1))));
+    for (int lost = 0; lost < 1 << 13; ++lost) ends.client.seal(content(1));
+    EXPECT_TRUE(ends.server.open(ends.client.seal(content(2)))) << received;
+  }
+}
+
+// Of the first numbers, none is negative.
+TEST(SealedChannel, AnyOfTheFirstDatagramsMayBeTheFirstThatArrives) {
+  for (const int lost : {0, (1 << 13) - 1, 1 << 13, (1 << 13) + 1, (1 << 14) - 1}) {
+    Ends ends;
+    for (int i = 0; i < lost; ++i) ends.client.seal(content(1));
+    EXPECT_TRUE(ends.server.open(ends.client.seal(content(2)))) << lost;
+  }
+}
+
+// Its low bits are the largest, those of the newest one are the smallest.
+TEST(SealedChannel, OpensALateDatagramFromBeforeTheLowBitsOverflowed) {
+  Ends ends;
+  for (int i = 0; i < (1 << 14) - 1; ++i) ends.server.open(ends.client.seal(content(1)));
+  const Bytes late = ends.client.seal(content(3));
+  ASSERT_TRUE(ends.server.open(ends.client.seal(content(2))));
+  const auto opened = ends.server.open(late);
+  ASSERT_TRUE(opened);
+  EXPECT_EQ(opened->bytes, content(3));
+  EXPECT_FALSE(opened->isNewest);
+  EXPECT_FALSE(ends.server.open(late));
+}
+
+// Every place of the window holds a number that has arrived before the jump.
+TEST(ReplayWindow, AfterAJumpOfItsSizeNothingOldIsFreshAndAllThatIsNewIs) {
+  for (const std::uint64_t jump : {ReplayWindow::kSize - 1, ReplayWindow::kSize, ReplayWindow::kSize + 1}) {
+    ReplayWindow window;
+    for (std::uint64_t sequence = 0; sequence < ReplayWindow::kSize; ++sequence) window.mark(sequence);
+    const std::uint64_t last = window.next() - 1 + jump;
+    window.mark(last);
+    for (std::uint64_t sequence = 0; sequence <= last + 1; ++sequence) {
+      const bool isNew = sequence >= ReplayWindow::kSize && sequence != last;
+      const bool isRemembered = sequence + ReplayWindow::kSize > last;
+      EXPECT_EQ(window.isFresh(sequence), isNew && isRemembered) << sequence << " after a jump by " << jump;
+    }
   }
 }
 
