@@ -46,6 +46,15 @@ TEST_F(ServerGateTest, ASessionThatIsNotConfirmedExpires) {
   EXPECT_TRUE(receive().empty());
 }
 
+TEST_F(ServerGateTest, AConfirmedSessionExpiresNever) {
+  start();
+  ClientGate client = join(clientAt(1));
+  const SessionId session = sessionOf(client);
+  gate_->expire(now_ + std::chrono::hours(24));
+  EXPECT_TRUE(gate_->isOpen(session));
+  EXPECT_EQ(gate_->counters().unconfirmed, 0u);
+}
+
 TEST_F(ServerGateTest, HandshakesOfAHouseholdAreLimited) {
   start({100, 100, {}, false});
   for (int i = 0; i < 40; ++i) {

@@ -1,0 +1,102 @@
+// Clients whose address changes, and attackers who forge that.
+#include <gtest/gtest.h>
+
+#include "protocol/transport/client_gate.h"
+#include "protocol/transport/control.h"
+#include "protocol/transport/server_gate.h"
+#include "tests/support/transport/server_gate_fixture.h"
+
+namespace platon::server_gate_paths_test {
+namespace {
+
+const SocketAddress kMoved = addressAt("203.0.113.9", 999);
+const SocketAddress kMovedAgain = addressAt("203.0.113.9", 1000);
+
+/// A client with a session. Nothing that it sends arrives by itself.
+class ServerGatePathsTest : public ServerGateTest {
+ protected:
+  ServerGatePathsTest() {
+    start();
+    client_.emplace(join(clientAt(1)));
+    session_ = sessionOf(*client_);
+    network_.setFilter([](const auto& each) { return each.to != kServer; });
+  }
+
+  Bytes sealed(ByteSpan content) {
+    client_->send(content, now_);
+    return network_.sent().back().bytes;
+  }
+  // The gate takes one content, which comes from this address.
+  void deliver(const SocketAddress& from, ByteSpan datagram) {
+    network_.inject(from, kServer, datagram);
+    EXPECT_EQ(receive().size(), 1u);
+  }
+  std::size_t challengesTo(const SocketAddress& address) const { return sent(kServer, address).size(); }
+  // The client receives the last challenge to this address. Returns its answer.
+  Bytes answerTo(const SocketAddress& address) {
+    network_.inject(kServer, clientAt(1), sent(kServer, address).back());
+    client_->receive(now_);
+    return network_.sent().back().bytes;
+  }
+  void answer(const SocketAddress& from, ByteSpan datagram) {
+    network_.inject(from, kServer, datagram);
+    EXPECT_TRUE(receive().empty());
+  }
+  // Where the gate sends to.
+  SocketAddress receiver() {
+    gate_->send(session_, kContent, now_);
+    return network_.sent().back().to;
+  }
+
+  std::optional<ClientGate> client_;
+  SessionId session_;
+};
+
+// It does not show where the client is now.
+TEST_F(ServerGatePathsTest, ALateDatagramFromElsewhereBringsNoChallenge) {
+  const Bytes late = sealed(kContent);
+  deliver(clientAt(1), sealed(kContent));
+  deliver(kMoved, late);
+  EXPECT_EQ(challengesTo(kMoved), 0u);
+  deliver(kMoved, sealed(kContent));
+  EXPECT_EQ(challengesTo(kMoved), 1u) << "the newest brings one";
+}
+
+TEST_F(ServerGatePathsTest, ADatagramFromTheSameAddressBringsNoChallenge) {
+  const std::size_t before = challengesTo(clientAt(1));
+  deliver(clientAt(1), sealed(kContent));
+  EXPECT_EQ(challengesTo(clientAt(1)), before);
+}
+
+// Whoever forges its sender would make the gate send more than it was sent.
+TEST_F(ServerGatePathsTest, ADatagramShorterThanTheChallengeBringsNone) {
+  std::size_t size = 0;
+  while (challengesTo(kMoved) == 0) {
+    ASSERT_LT(size, kContent.size());
+    const Bytes datagram = sealed(ByteSpan(kContent).first(++size));
+    deliver(kMoved, datagram);
+    EXPECT_EQ(challengesTo(kMoved), datagram.size() < kPathChallengeBytes ? 0u : 1u) << datagram.size() << " bytes";
+  }
+  EXPECT_EQ(sent(kServer, kMoved)[0].size(), kPathChallengeBytes);
+}
+
+TEST_F(ServerGatePathsTest, AClientThatMovesAgainBeforeItAnswersIsFollowed) {
+  deliver(kMoved, sealed(kContent));
+  now_ += std::chrono::milliseconds(100);
+  deliver(kMovedAgain, sealed(kContent));
+  ASSERT_EQ(challengesTo(kMovedAgain), 1u);
+  answer(kMovedAgain, answerTo(kMovedAgain));
+  EXPECT_EQ(receiver(), kMovedAgain);
+}
+
+TEST_F(ServerGatePathsTest, AnAnswerFromAnotherAddressThanTheChallengedMovesNothing) {
+  deliver(kMoved, sealed(kContent));
+  const Bytes response = answerTo(kMoved);
+  answer(kMovedAgain, response);
+  EXPECT_EQ(receiver(), clientAt(1));
+  answer(kMoved, response);
+  EXPECT_EQ(receiver(), clientAt(1)) << "it was the same datagram";
+}
+
+}  // namespace
+}  // namespace platon::server_gate_paths_test
