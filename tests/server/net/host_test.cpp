@@ -145,6 +145,45 @@ TEST_F(HostTest, ReportsThatAClientHasDisconnected) {
   EXPECT_EQ(events_[1].client, client);
 }
 
+// Neither what it sends nor its admission prolongs the connection.
+TEST_F(HostTest, AnAdmittedClientThatKeepsSendingAfterCloseEndsAfterThreeSeconds) {
+  eve_.connect(host_, now_);
+  eve_.send(reliableContent(eve_.peer(), 1, 5), now_);
+  const std::span<const HostEvent> events = host_.service(now_);
+  ASSERT_EQ(events.size(), 1u);
+  const ClientId client = events[0].client;
+  host_.admit(client);
+  const Moment closed = now_;
+  host_.close(client, closed);
+  for (now_ += 100ms; now_ < closed + 3s; now_ += 100ms) {
+    eve_.send(acknowledgeContent(eve_.peer(), 1), now_);
+    ASSERT_TRUE(host_.service(now_).empty()) << (now_ - closed) / 1ms << " ms";
+    ASSERT_FALSE(host_.empty());
+  }
+  const std::span<const HostEvent> last = host_.service(closed + 3s);
+  ASSERT_EQ(last.size(), 1u);
+  EXPECT_TRUE(last[0].disconnected);
+  EXPECT_EQ(last[0].client, client);
+  EXPECT_TRUE(host_.empty());
+  EXPECT_EQ(host_.counters(), HostCounters()) << "the server has closed it";
+}
+
+TEST_F(HostTest, AnOldConnectionWaitsThreeSecondsForTheAnswerToItsClose) {
+  const ClientId client = connect();
+  host_.admit(client);
+  const Moment connected = now_;
+  EXPECT_TRUE(run([&] { return now_ >= connected + 10s; }));
+  EXPECT_TRUE(host_.isOpen(client));
+  const Moment closed = now_;
+  host_.close(client, closed);
+  EXPECT_TRUE(host_.service(closed + 3s - 1ms).empty());
+  EXPECT_FALSE(host_.empty());
+  const std::span<const HostEvent> last = host_.service(closed + 3s);
+  ASSERT_EQ(last.size(), 1u);
+  EXPECT_TRUE(last[0].disconnected);
+  EXPECT_TRUE(host_.empty());
+}
+
 TEST_F(HostTest, AnAdmittedConnectionEndsAfterFiveSecondsOfSilence) {
   const ClientId client = connect();
   host_.admit(client);
@@ -165,6 +204,42 @@ TEST_F(HostTest, AConnectionThatIsNotAdmittedEnds) {
   host_.service(connected + Host::kAdmissionTime);
   EXPECT_FALSE(host_.isOpen(client));
   EXPECT_EQ(host_.counters().idle, 1u);
+}
+
+TEST_F(HostTest, AClientThatDoesNotCompleteTheHandshakeEndsAfterThreeSeconds) {
+  eve_.join(host_, now_);
+  eve_.send(connectContent(77), now_);
+  eve_.step(host_, now_);
+  EXPECT_TRUE(host_.service(now_ + 3s - 1ms).empty());
+  EXPECT_FALSE(host_.empty());
+  EXPECT_TRUE(host_.service(now_ + 3s).empty()) << "nobody has heard of it";
+  EXPECT_TRUE(host_.empty());
+  EXPECT_EQ(host_.counters().idle, 1u);
+}
+
+TEST_F(HostTest, TheTimeUntilAdmissionBeginsWithTheEndOfTheHandshake) {
+  eve_.join(host_, now_);
+  eve_.send(connectContent(77), now_);
+  eve_.step(host_, now_);
+  now_ += 2900ms;
+  eve_.send(acknowledgeContent(eve_.peer(), 1), now_);
+  eve_.step(host_, now_);
+  host_.service(now_ + Host::kAdmissionTime - 1ms);
+  EXPECT_FALSE(host_.empty());
+  host_.service(now_ + Host::kAdmissionTime);
+  EXPECT_TRUE(host_.empty());
+}
+
+TEST_F(HostTest, ConnectionsThatHaveEndedLeaveTheirPlaces) {
+  for (std::uint32_t i = 0; i <= 2 * settings().connections; ++i) {
+    HostileClient client(network_, addressAt("192.0.2.66", static_cast<std::uint16_t>(5000 + i)));
+    client.connect(host_, now_);
+    EXPECT_FALSE(host_.empty()) << i;
+    now_ += Host::kAdmissionTime;
+    host_.service(now_);
+    EXPECT_TRUE(host_.empty()) << i;
+  }
+  connect();
 }
 
 TEST_F(HostTest, DatagramsBeyondTheBudgetOfTheirConnectionAreDropped) {
