@@ -4,6 +4,7 @@
 
 #include "tests/client/replay/followed_game.h"
 #include "tests/client/replay/replay_of.h"
+#include "tests/shared/game/played_game.h"
 #include "tests/shared/game/recorded_game.h"
 #include "tests/support/files.h"
 
@@ -68,9 +69,66 @@ TEST(RunTrack, TheGhostMovesInTimeAndStaysAtTheGoal) {
   EXPECT_EQ(third.before.position, track->places[2].position);
   EXPECT_EQ(third.now.position, track->places[3].position);
   EXPECT_EQ(third.fraction, 0.25);
-  const InterpolatedPlayer after = track->at(track->ticks + 100, 0.25);
-  EXPECT_EQ(after.before.position, track->places.back().position);
-  EXPECT_EQ(after.now.position, track->places.back().position);
+  for (const std::uint32_t later : {1U, 100U}) {
+    const InterpolatedPlayer after = track->at(track->ticks + later, 0.25);
+    EXPECT_EQ(after.before.position, track->places.back().position);
+    EXPECT_EQ(after.now.position, track->places.back().position);
+  }
+}
+
+TEST(RunTrack, TheFirstAndTheLastTickAreInterpolated) {
+  const FollowedGame followed = overTheEdge();
+  const auto track = trackOf(*replayOf(followed.run->recording));
+  ASSERT_TRUE(track);
+  for (const std::uint32_t ticks : {1U, track->ticks}) {
+    ASSERT_NE(track->places[ticks - 1].position, track->places[ticks].position);
+    const InterpolatedPlayer shown = track->at(ticks, 0.75);
+    EXPECT_EQ(shown.before.position, track->places[ticks - 1].position) << ticks;
+    EXPECT_EQ(shown.now.position, track->places[ticks].position) << ticks;
+    EXPECT_EQ(shown.fraction, 0.75) << ticks;
+  }
+}
+
+// A player who joins with a button held is not there before the first tick.
+TEST(RunTrack, APlayerWhoStaysOnItsFirstFaceHasNoSplit) {
+  for (const int waits : {0, 30}) {
+    FollowedGame followed(cubeLevel("1 0 -180 0", {"", "-240 -200 240 -200"}, "1 100 -190"));
+    followed.hold(waits, 0);
+    followed.holdToGoal(400, Input::kRight);
+    ASSERT_TRUE(followed.run);
+    const auto track = trackOf(*replayOf(followed.run->recording));
+    ASSERT_TRUE(track);
+    EXPECT_EQ(track->places.front().present, waits != 0);
+    EXPECT_TRUE(track->splits.empty()) << waits;
+  }
+}
+
+TEST(RunTrack, TheRunIsThatOfThePlayerWhoTouchesTheGoalInTheLastTick) {
+  PlayedGame played(cubeLevel("0 0 -180 0", {"-240 -200 240 -200"}, "0 100 -190"));
+  played.hold(0, Input::kRight);
+  played.hold(1, Input::kLeft);
+  do played.advance();
+  while (played.player(0).arrived == 0);
+  played.hold(1, Input::kRight);
+  Game before = played.game;
+  while (played.player(1).arrived == 0) {
+    before = played.game;
+    played.advance();
+  }
+  ASSERT_NE(played.player(0).arrived, 0U);
+  const auto finish = finishOf(before, played.game, played.game.tick());
+  ASSERT_TRUE(finish);
+  EXPECT_EQ(finish->slot, 1U);
+  EXPECT_TRUE(finishOf(before, played.game, finish->ticks)) << "the attempt began with the recording";
+  EXPECT_FALSE(finishOf(before, played.game, finish->ticks - 1)) << "and here before it";
+}
+
+TEST(RunTrack, ItsComputationCanBeStopped) {
+  const auto replay = replayOf(overTheEdge().run->recording);
+  std::stop_source stop;
+  EXPECT_TRUE(trackOf(*replay, stop.get_token()));
+  stop.request_stop();
+  EXPECT_FALSE(trackOf(*replay, stop.get_token()));
 }
 
 TEST(RunTrack, ARecordingWithoutAnArrivalInItsLastTickIsNoRun) {
