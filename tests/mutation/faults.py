@@ -5,6 +5,7 @@ from event_faults import EVENT_FAULTS
 from fault import PHYSICS, PUBLIC_PHYSICS, Fault, at_length
 from game_faults import GAME_FAULTS
 from ideal_faults import IDEAL_FAULTS
+from level_faults import LEVEL_FAULTS
 from list_faults import LIST_FAULTS
 from net_faults import PROTOCOL_FAULTS, SERVER_FAULTS
 from query_faults import QUERY_FAULTS
@@ -363,6 +364,7 @@ FAULTS = [
     *TRANSPORT_FAULTS,
     *SERVER_FAULTS,
     *LIST_FAULTS,
+    *LEVEL_FAULTS,
     *SERVICE_FAULTS,
     *CLIENT_FAULTS,
 ]  # fmt: skip

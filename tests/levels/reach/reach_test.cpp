@@ -40,6 +40,26 @@ TEST(ReachTest, AGapTooWideToJumpIsNoWay) {
   EXPECT_EQ(crossings(80), std::nullopt) << "240 units";
 }
 
+// A line of a level text; `side` −1 mirrors it.
+std::string lineOf(int side, int x0, int y0, int x1, int y1) {
+  return std::to_string(side * x0) + " " + std::to_string(y0) + " " + std::to_string(side * x1) + " " +
+         std::to_string(y1) + "\n";
+}
+
+// The ramp goes through the floor, on the left of the place where a player can stand or on its right. Nobody gets to
+// an end of it.
+TEST(ReachTest, ASlideDownASteepSegmentLeadsOverAWiderGap) {
+  const auto crossings = [](int side, const std::string& ramp) {
+    const std::string start = "0 " + std::to_string(side * -170) + " 0 0";
+    const std::string goal = "0 " + std::to_string(side * 220) + " -4";
+    const std::string sides = lineOf(side, -240, -20, -160, -20) + lineOf(side, 120, -20, 240, -20);
+    return Reach(*cubeLevel(start, {sides + ramp}, goal), 0).crossingsToGoal();
+  };
+  EXPECT_EQ(crossings(1, ""), std::nullopt) << "280 units";
+  EXPECT_EQ(crossings(1, lineOf(1, -190, 200, -190, -240)), std::nullopt) << "nobody slides down a wall";
+  for (const int side : {1, -1}) EXPECT_EQ(crossings(side, lineOf(side, -215, 200, -161, -240)), 0) << side;
+}
+
 TEST(ReachTest, ACrossingIsCounted) {
   const auto level = cubeLevel("0 0 -180 0", {kFlat, kFlat, kFlat}, "2 0 -184");
   EXPECT_EQ(Reach(*level, 3).crossingsToGoal(), 2);
