@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "tests/support/pressing.h"
@@ -197,6 +198,29 @@ TEST(SessionRoundEnd, ANewcomerInThePauseGetsBothLevelsAndTheCountdown) {
   EXPECT_EQ(network.session(1).round()->id(), 2u);
 }
 
+// What the first round has learned of the connection is not learned again.
+TEST(SessionRoundEnd, TheNextRoundBeginsWithTheLeadOfTheLast) {
+  SessionNetwork network({endlessLevel(), cornerLevel()}, kSeed);
+  LinkQuality jittery = quality();
+  jittery.jitterMs = 80;
+  network.join(jittery, pressing(kSeed));
+  const auto round = [&] { return network.session(0).round(); };
+  for (int ms = 0; ms < 5000 && !round(); ++ms) network.run(milliseconds(1));
+  ASSERT_TRUE(round());
+  const double first = round()->clock().lead();
+  network.run(seconds(10));
+  network.match().endRoundNow();
+  double last = 0;
+  for (int ms = 0; ms < 10000 && round() && round()->id() == 1; ++ms) {
+    last = round()->clock().lead();
+    network.run(milliseconds(1));
+  }
+  ASSERT_TRUE(round());
+  EXPECT_EQ(round()->id(), 2u);
+  EXPECT_GT(std::abs(last - first), 1) << "the law would be empty";
+  EXPECT_NEAR(round()->clock().lead(), last, 0.1);
+}
+
 // The request for the next level must not displace the text of the present one.
 TEST(SessionRoundEnd, TheNextLevelIsRequestedWhenThePresentOneHasCome) {
   Session session("x", Moment(0));
@@ -250,6 +274,17 @@ TEST(SessionLevels, AReceivedLevelIsStored) {
   receiveLevel(session, *endlessLevel());
   EXPECT_EQ(store->newest(8), std::vector{endlessLevel()->hash});
   EXPECT_EQ(session.memory().store, store) << "for the next session";
+}
+
+TEST(SessionLevels, ALevelIsTakenOnce) {
+  Session::Memory memory;
+  const auto store = std::make_shared<KeptLevels>();
+  memory.store = store;
+  Session session("x", Moment(0), memory);
+  receive(session, welcomeTo(*endlessLevel()));
+  for (int times = 0; times < 2; ++times) receiveLevel(session, *endlessLevel());
+  EXPECT_EQ(store->newest(8).size(), 1u);
+  EXPECT_EQ(session.memory().levels.size(), 1u);
 }
 
 TEST(SessionLevels, AtMostAsManyLevelsAreAnnouncedAsAMessageHolds) {

@@ -241,17 +241,40 @@ TEST(Session, CountsTheDesyncsOfAllRounds) {
   EXPECT_EQ(session.predictionStatistics().confirmedTicks, 3u);
 }
 
+// Levels that differ in their titles.
+std::shared_ptr<const Level> levelOfNumber(std::size_t number) {
+  return loadLevel("# title: " + std::to_string(number) + "\n" + std::string(endlessLevel()->text)).level;
+}
+
+void receiveLevel(Session& session, const Level& level) {
+  const std::vector<std::uint8_t> text(level.text.begin(), level.text.end());
+  session.receive(encode(LevelChunk{level.hash, static_cast<std::uint32_t>(text.size()), 0, text}), Moment(0));
+}
+
+// A level that comes makes good for its request, so no rotation is too long.
+TEST(Session, PlaysAnyNumberOfLevelsThatTheServerSends) {
+  Session session("x", Moment(0));
+  constexpr std::uint32_t kLevels = 2 * Session::kMaxUnansweredRequests;
+  for (std::uint32_t number = 1; number <= kLevels; ++number) {
+    const std::shared_ptr<const Level> level = levelOfNumber(number);
+    if (number == 1)
+      session.receive(encode(Welcome{0, 1, level->hash, 4, kTicksPerSecond, ""}), Moment(0));
+    else
+      session.receive(encode(RoundStart{number, level->hash}), Moment(0));
+    receiveLevel(session, *level);
+    ASSERT_FALSE(session.ending().has_value()) << number << ": " << session.ending()->reason;
+    ASSERT_TRUE(session.round());
+    EXPECT_EQ(session.round()->id(), number);
+  }
+}
+
 TEST(Session, OfManyLevelsTheOldestIsForgotten) {
-  const auto levelOfNumber = [](std::size_t number) {
-    return loadLevel("# title: " + std::to_string(number) + "\n" + std::string(endlessLevel()->text)).level;
-  };
   Session::Memory memory;
   for (std::size_t i = 0; i < kMaxLevelsKnown; ++i) memory.levels.push_back(levelOfNumber(i));
   Session session("x", Moment(0), memory);
   const std::shared_ptr<const Level> next = levelOfNumber(kMaxLevelsKnown);
   session.receive(encode(Welcome{0, 1, next->hash, 4, kTicksPerSecond, ""}), Moment(0));
-  const std::vector<std::uint8_t> text(next->text.begin(), next->text.end());
-  session.receive(encode(LevelChunk{next->hash, static_cast<std::uint32_t>(text.size()), 0, text}), Moment(0));
+  receiveLevel(session, *next);
   ASSERT_FALSE(session.ending().has_value()) << session.ending()->reason;
   const std::vector<std::shared_ptr<const Level>> known = session.memory().levels;
   ASSERT_EQ(known.size(), kMaxLevelsKnown);
