@@ -22,10 +22,17 @@ class Server {
     message.round = kId;
     message.from = ticks_;
     message.count = ticks - ticks_;
-    if (ticks_ == 0) message.changes.push_back({0, 1, running_[1]});
+    if (changed_) message.changes.push_back({ticks_, 1, running_[1]});
+    changed_ = false;
     for (; ticks_ < ticks; ++ticks_) game_.advance(running_);
     message.hash = shortHash(game_.hash());
     return message;
+  }
+
+  // The other player presses these buttons from now on.
+  void press(std::uint8_t buttons) {
+    running_[1] = Input{static_cast<std::uint8_t>(buttons | Input::kPresent)};
+    changed_ = true;
   }
 
   StateChunk state(std::uint8_t sync) const {
@@ -43,6 +50,7 @@ class Server {
   Game game_{endlessLevel()};
   std::uint32_t ticks_ = 0;
   std::vector<Input> running_ = {Input{}, Input{Input::kPresent | Input::kRight}};
+  bool changed_ = true;
 };
 
 class RoundTest : public testing::Test {
@@ -127,6 +135,36 @@ TEST_F(RoundTest, IgnoresKnownTicksAndGaps) {
   EXPECT_EQ(round_.statistics().desyncs, 0u);
 }
 
+// A message may begin before the last confirmed tick.
+TEST_F(RoundTest, OfTicksThatAreRepeatedOnlyTheLaterChangesAreApplied) {
+  ConfirmedTicks first = server_.decide(10);
+  round_.receive(first, now_);
+  server_.press(Input::kLeft);
+  const ConfirmedTicks second = server_.decide(20);
+  ConfirmedTicks both = second;
+  both.from = 0;
+  both.count = 20;
+  both.changes = first.changes;
+  both.changes.insert(both.changes.end(), second.changes.begin(), second.changes.end());
+  ASSERT_EQ(both.changes.size(), 2u);
+  round_.receive(both, now_);
+  EXPECT_EQ(round_.prediction().confirmedTicks(), 20u);
+  EXPECT_EQ(round_.prediction().confirmed().hash(), server_.hash());
+  EXPECT_EQ(round_.statistics().desyncs, 0u);
+}
+
+TEST_F(RoundTest, TheControlsSeeThePredictedGameAndTheOwnSlot) {
+  round_.receive(server_.decide(10), now_);
+  std::uint32_t calls = 0;
+  round_.advance(std::chrono::milliseconds(200), [&](const Game& game, std::uint32_t slot) {
+    EXPECT_EQ(&game, &round_.prediction().predicted());
+    EXPECT_EQ(slot, kSlot);
+    ++calls;
+    return Input();
+  });
+  EXPECT_GT(calls, 0u);
+}
+
 TEST_F(RoundTest, ConfirmsOnlyAsManyTicksInAFrameAsOneMayCost) {
   std::vector<ConfirmedTicks> messages;
   for (std::uint32_t end = 200; end <= 6000; end += 200) messages.push_back(server_.decide(end));
@@ -140,7 +178,11 @@ TEST_F(RoundTest, ConfirmsOnlyAsManyTicksInAFrameAsOneMayCost) {
   EXPECT_NEAR(round_.prediction().confirmedTicks(), kFirst, 1);
   while (round_.prediction().confirmedTicks() < 6000) {
     const std::uint32_t before = round_.prediction().confirmedTicks();
-    update(static_cast<int>(before) / 100);
+    const auto message = update(static_cast<int>(before));
+    ASSERT_TRUE(message.has_value());
+    ASSERT_EQ(message->confirmed, before);
+    ASSERT_EQ(message->hash, shortHash(round_.prediction().confirmed().hash()))
+        << "else the server takes it for a desync";
     receiveAll();
     ASSERT_GT(round_.prediction().confirmedTicks(), before);
   }
@@ -170,6 +212,23 @@ TEST_F(RoundTest, ResyncsAfterADesync) {
   round_.receive(server_.decide(20), now_);
   EXPECT_EQ(round_.prediction().confirmed().hash(), server_.hash());
   EXPECT_EQ(round_.statistics().desyncs, 1u);
+}
+
+// No hash has matched in between.
+TEST_F(RoundTest, ADesyncRightAfterAResyncCountsAgainAndIsToldAtOnce) {
+  for (std::uint32_t times = 1; times <= 2; ++times) {
+    ConfirmedTicks wrong = server_.decide(times * 10);
+    wrong.hash ^= 1;
+    const int ms = static_cast<int>(times) * 1000;
+    update(ms);
+    round_.receive(wrong, now_);
+    EXPECT_EQ(round_.statistics().desyncs, times);
+    EXPECT_TRUE(update(ms + 1).has_value()) << "the server learns of it";
+    round_.receive(server_.state(static_cast<std::uint8_t>(times)), server_.stateBytes());
+    EXPECT_EQ(round_.statistics().resyncs, times);
+    EXPECT_TRUE(round_.takeDesync().has_value());
+    EXPECT_FALSE(round_.takeDesync().has_value());
+  }
 }
 
 TEST_F(RoundTest, TheFirstStateIsNoResync) {
