@@ -36,8 +36,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
-from ninja_build import BuildError
-from shared_build import SharedBuild, update
+from shared_build import BuildError, SharedBuild, update
 from sites import OPERATORS, Finder
 from test_suite import TestSuite
 from trial import Trial

@@ -1,18 +1,18 @@
 #!/usr/bin/env python3
 """Builds programs with deliberate faults, one at a time. Each must make its test fail.
 
-usage: mutate.py [--list] [--check] [--all] [--only NAME]… [--shard K/N] [--build DIR] [ROOT]
+usage: mutate.py [--list] [--check] [--all] [--only NAME]… [--jobs N] [--build DIR] [ROOT]
 
 --list        print the faults and exit.
 --check       only check the list: the original text of each fault occurs once, and its test exists.
 --all         try all faults, not only the usual ones. The environment variable PLATON_LONG does the same.
 --only NAME   try only this fault; may be repeated.
---shard K/N   try only every Nth fault, starting with the Kth; K counts from 1.
---build DIR   an up-to-date Ninja build of the tree, by default build/release. Nothing is written there.
+--jobs N      try so many faults at a time, by default one for each processor.
+--build DIR   a build with the preset `faults`, by default build/faults. It is made, or brought up to date.
 
 ROOT is the tree, by default the one of this file. The files that depend on the changed one are compiled with the commands
-of the build, but at -O1, and linked into the test program that must catch the fault. Exit 1 if a fault survives, does not
-compile or does not fit the tree, or if a test fails without a fault; 2 on wrong usage or without such a build.
+of the build, and the libraries linked that the test program loads. Exit 1 if a fault survives, does not compile or does
+not fit the tree, or if a test fails without a fault; 2 on wrong usage or if the tree does not build.
 """
 
 import argparse
@@ -23,10 +23,11 @@ import subprocess
 import sys
 import tempfile
 import time
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from faults import FAULTS
-from ninja_build import BuildError, NinjaBuild
+from shared_build import BuildError, SharedBuild, update
 
 MIN_USUAL_FAULTS = 50
 TEST_SECONDS = 60
@@ -71,27 +72,37 @@ class Trial:
 
     def require_sound(self, faults):
         """Raises RuntimeError if a test fails without a fault: it would seem to catch every fault."""
-        tests = sorted({(self._programs[fault.test], fault.test) for fault in faults})
-        for program in sorted({program for program, _ in tests}):
-            self._build.require_up_to_date(program)
-        for program, test in tests:
-            failure = self._failure(self._build.executable(program), test)
+        for test in sorted({fault.test for fault in faults}):
+            failure = self._failure(self._executable(test), test)
             if failure:
-                raise RuntimeError(f"{program} {test} {failure} without a fault")
+                raise RuntimeError(f"{test} {failure} without a fault")
+
+    def _executable(self, test):
+        return self._build.directory / "tests/bin" / self._programs[test]
 
     def outcome(self, fault):
-        """(how the test fails, or None if it passes; whether the program was built)"""
+        """(how the test fails, or None if it passes; whether everything was built)"""
+        name = self._programs[fault.test]
+        program = self._build.relative(self._executable(fault.test))
         with tempfile.TemporaryDirectory(prefix="platon-mutation-") as directory:
             overlay = Path(directory)
             broken = overlay / fault.file
             broken.parent.mkdir(parents=True)
             sound = (self._root / fault.file).read_text(encoding="utf-8")
             broken.write_text(sound.replace(fault.original, fault.replaced), encoding="utf-8")
-            program = self._build.with_overlay(self._programs[fault.test], fault.file, overlay)
-            return (self._failure(program, fault.test), True) if program else (None, False)
+            loaded = self._build.libraries_of(program)
+            units = [unit for unit in self._build.objects_of(fault.file) if self._build.library_of(unit) in loaded]
+            if self._build.changed_libraries(fault.file, overlay, units) is None:
+                return None, False
+            executable = self._executable(fault.test)
+            if self._build.depends(program, fault.file):
+                executable = self._build.link_test(program, name, fault.file, overlay)
+            return (self._failure(executable, fault.test, overlay), True) if executable else (None, False)
 
-    def _failure(self, program, test):
+    def _failure(self, program, test, overlay=None):
         environment = {name: value for name, value in os.environ.items() if name != "PLATON_LONG"}
+        if overlay:
+            environment["LD_LIBRARY_PATH"] = str(overlay)
         command = [program, f"--gtest_filter={test}:*/{test}/*", "--gtest_brief=1"]
         try:
             result = subprocess.run(
@@ -118,26 +129,21 @@ def limit_memory():
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
 
-def run(trial, faults):
+def run(trial, faults, jobs):
     """Prints a line for each fault; returns the number of faults that were not caught."""
-    trial.require_sound(faults)
-    survivors = 0
-    for fault in faults:
+
+    def caught(fault):
         start = time.monotonic()
         failure, built = trial.outcome(fault)
-        survivors += failure is None
         verdict = f"{fault.test} {failure}" if failure else "SURVIVES" if built else "DOES NOT COMPILE"
         print(f"{fault.name:32} {verdict:72} {time.monotonic() - start:5.1f} s", flush=True)
+        return failure is not None
+
+    trial.require_sound(faults)
+    with ThreadPoolExecutor(jobs) as pool:
+        survivors = len(faults) - sum(pool.map(caught, faults))
     print(f"{len(faults) - survivors} of {len(faults)} faults are caught")
     return survivors
-
-
-def shard_of(text):
-    """(K, N) of --shard K/N."""
-    match = re.fullmatch(r"([1-9]\d*)/([1-9]\d*)", text)
-    if match is None or int(match[1]) > int(match[2]):
-        raise argparse.ArgumentTypeError(f"'{text}' is not a shard K/N with 1 <= K <= N")
-    return int(match[1]), int(match[2])
 
 
 def chosen(names, everything):
@@ -154,7 +160,7 @@ def parse(arguments):
     parser.add_argument("--check", action="store_true")
     parser.add_argument("--all", action="store_true")
     parser.add_argument("--only", action="append", default=[])
-    parser.add_argument("--shard", type=shard_of, default=(1, 1))
+    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     parser.add_argument("--build", type=Path)
     parser.add_argument("root", nargs="?", type=Path, default=Path(__file__).resolve().parents[2])
     return parser.parse_args(arguments)
@@ -162,8 +168,7 @@ def parse(arguments):
 
 def main(arguments):
     options = parse(arguments)
-    first, step = options.shard
-    faults = chosen(options.only, options.all or "PLATON_LONG" in os.environ)[first - 1 :: step]
+    faults = chosen(options.only, options.all or "PLATON_LONG" in os.environ)
     if options.list:
         for fault in FAULTS:
             print(f"{fault.name:32} {fault.breaks} ({fault.file}; {fault.test}{'' if fault.usual else '; with --all'})")
@@ -172,8 +177,10 @@ def main(arguments):
     if wrong or options.check:
         print("\n".join(wrong + [f"{len(FAULTS)} faults, {len(wrong)} misfits"]))
         return 1 if wrong else 0
-    build = NinjaBuild(options.build or options.root / "build" / "release", options.root)
-    return 1 if run(Trial(build, options.root), faults) else 0
+    root = options.root.resolve()
+    directory = (options.build or root / "build/faults").resolve()
+    update(directory, root, options.jobs)
+    return 1 if run(Trial(SharedBuild(directory, root), root), faults, options.jobs) else 0
 
 
 if __name__ == "__main__":

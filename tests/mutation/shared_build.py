@@ -7,12 +7,33 @@ import subprocess
 from functools import cached_property
 from pathlib import Path
 
-from ninja_build import BuildError, NinjaBuild, following, without_dependency_files
+
+class BuildError(Exception):
+    """The directory is not a Ninja build, or the tree does not build."""
 
 
-class SharedBuild(NinjaBuild):
+def following(command, option):
+    return command[command.index(option) + 1]
+
+
+def without_dependency_files(command):
+    """The command without the options that write further files."""
+    left = []
+    for word in command:
+        if "--dependency-file=" in word:
+            if left[-1] == "-Xlinker":
+                left.pop()
+        elif left and left[-1] in ("-MF", "-MT"):
+            left.pop()
+        elif word != "-MD":
+            left.append(word)
+    return left
+
+
+class SharedBuild:
     def __init__(self, directory, root):
-        super().__init__(directory, root)
+        self._directory = directory.resolve()
+        self._root = root.resolve()
         self.objects = {}
         self.libraries = {}
         self.programs = {}
@@ -119,6 +140,40 @@ class SharedBuild(NinjaBuild):
     def time_of(self, names):
         """When the newest of these files was made."""
         return max((os.stat(self._directory / name).st_mtime for name in names), default=0)
+
+    def _alone(self, command, unit, name):
+        """The command, for the test file of this name alone where it is compiled together with others."""
+        place = command.index("-c") + 1
+        test = [file for file in self._sources[unit] if os.path.basename(file) == f"{name}.cpp"]
+        return command[:place] + test + command[place + 1 :] if test else command
+
+    def _compile(self, command, output, file, overlay):
+        """Finds quoted includes in the overlay first; without warnings."""
+        command = without_dependency_files(command)
+        command[command.index("-o") + 1] = output
+        source = command.index("-c") + 1
+        if self._absolute(command[source]) == str(self._root / file):
+            command[source] = str(overlay / file)
+        return command + ["-w", "-iquote", str(overlay), "-iquote", str(overlay / "shared/include")]
+
+    @cached_property
+    def _sources(self):
+        """{object: files it was compiled from}"""
+        sources = {}
+        for entry in self._ninja("deps").split("\n\n"):
+            unit, *files = entry.strip().splitlines() or [""]
+            sources[unit.split(": #deps")[0]] = {self._absolute(file.strip()) for file in files}
+        return sources
+
+    def _absolute(self, path):
+        return os.path.normpath(self._directory / path)
+
+    def _ninja(self, tool, *arguments):
+        command = ["ninja", "-C", self._directory, "-t", tool, *arguments]
+        result = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        if result.returncode != 0:
+            raise BuildError(f"{self._directory}: {result.stderr.strip() or result.stdout.strip()}")
+        return result.stdout
 
     @property
     def directory(self):

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from mutate import limit_memory
-from ninja_build import BuildError
+from shared_build import BuildError
 
 MIN_LIMIT = 20  # seconds
 LIMIT_FACTOR = 4  # times the usual time
