@@ -100,6 +100,41 @@ TEST_F(ServerGateTest, AWrongPasswordIsRefusedAlsoWhenAllPlacesAreTaken) {
   EXPECT_TRUE(gate_->isOpen(sessionOf(first)));
 }
 
+TEST_F(ServerGateTest, TheLargestContentPassesInBothDirectionsAndNoLargerOne) {
+  start();
+  ClientGate client = join(clientAt(1));
+  const SessionId session = sessionOf(client);
+  const Bytes largest(kMaxDatagramBytes - SealedChannel::kOverhead, 7);
+  client.send(largest, now_);
+  EXPECT_EQ(network_.sent().back().bytes.size(), kMaxDatagramBytes);
+  const auto received = receive();
+  ASSERT_EQ(received.size(), 1u);
+  EXPECT_EQ(received[0].bytes, largest);
+  gate_->send(session, largest, now_);
+  EXPECT_EQ(client.receive(now_), largest);
+  const std::size_t before = network_.sent().size();
+  gate_->send(session, Bytes(largest.size() + 1), now_);
+  client.send(Bytes(largest.size() + 1), now_);
+  EXPECT_EQ(network_.sent().size(), before);
+}
+
+TEST_F(ServerGateTest, TheIdOfASessionThatHasEndedIsNotThatOfTheNextInItsPlace) {
+  start({1, 2, {}, false});
+  ClientGate first = join(clientAt(1));
+  const SessionId ended = sessionOf(first);
+  gate_->close(ended);
+  ClientGate second = join(clientAt(2));
+  const SessionId session = sessionOf(second);
+  ASSERT_EQ(session.slot, ended.slot);
+  gate_->close(ended);
+  EXPECT_FALSE(gate_->isOpen(ended));
+  EXPECT_TRUE(gate_->isOpen(session));
+  EXPECT_EQ(gate_->addressOf(ended), IpAddress());
+  const std::size_t before = network_.sent().size();
+  gate_->send(ended, kContent, now_);
+  EXPECT_EQ(network_.sent().size(), before);
+}
+
 // They were skipped unseen: a flood of them had no end in one round, and no trace in the log.
 TEST_F(ServerGateTest, EmptyAndOversizedDatagramsCount) {
   start();
