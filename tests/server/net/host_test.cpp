@@ -4,6 +4,7 @@
 
 #include "client/net/connection.h"
 #include "protocol/transport/udp_socket.h"
+#include "tests/server/net/hostile_client.h"
 #include "tests/support/transport/datagram_network.h"
 #include "tests/support/transport/raw_content.h"
 
@@ -15,51 +16,6 @@ using namespace std::chrono_literals;
 const SocketAddress kServer = addressAt("198.51.100.1", 7777);
 const SocketAddress kClient = addressAt("192.0.2.1", 4000);
 const SocketAddress kEve = addressAt("192.0.2.66", 4000);
-
-/// Somebody who has a session but sends into it what he likes.
-class HostileClient {
- public:
-  HostileClient(DatagramNetwork& network, const SocketAddress& own)
-      : gate_(network.socket(own), {kServer}, {}, KeyPair::random()) {}
-
-  // One exchange with the host. Notes which peer of the host the session became.
-  void step(Host& host, Moment now) {
-    gate_.update(now);
-    host.service(now);
-    while (const std::optional<Bytes> content = gate_.receive(now)) note(*content);
-  }
-
-  void join(Host& host, Moment now) {
-    for (int i = 0; i < 3; ++i) step(host, now);
-  }
-
-  // Also completes ENet's handshake.
-  void connect(Host& host, Moment now) {
-    join(host, now);
-    send(connectContent(77), now);
-    step(host, now);
-    send(acknowledgeContent(peer_, 1), now);
-    step(host, now);
-  }
-
-  void send(ByteSpan content, Moment now) { gate_.send(content, now); }
-  std::uint16_t peer() const { return peer_; }
-
- private:
-  // The host's own number follows the command header of VERIFY_CONNECT; its session follows in the head of our
-  // datagrams.
-  void note(const Bytes& content) {
-    const std::size_t at = kCommandAt;
-    if (content.size() < at + 8 || (content[at] & ENET_PROTOCOL_COMMAND_MASK) != ENET_PROTOCOL_COMMAND_VERIFY_CONNECT)
-      return;
-    const int number = content[at + 4] << 8 | content[at + 5];
-    const int session = content[at + 7];
-    peer_ = static_cast<std::uint16_t>(number | session << ENET_PROTOCOL_HEADER_SESSION_SHIFT);
-  }
-
-  ClientGate gate_;
-  std::uint16_t peer_ = 0;
-};
 
 /// A host and a client in memory and in virtual time.
 class HostTest : public testing::Test {
@@ -102,7 +58,7 @@ class HostTest : public testing::Test {
   ServerIdentity identity_ = ServerIdentity::random();
   Host host_{network_.socket(kServer), identity_, settings(), now_};
   Connection client_{network_.socket(kClient), {kServer}, {}};
-  HostileClient eve_{network_, kEve};
+  HostileClient eve_{network_, kEve, kServer};
   std::vector<HostEvent> events_;  // without their bytes
   std::vector<Bytes> messages_;    // of these
   std::vector<Bytes> received_;
@@ -230,16 +186,21 @@ TEST_F(HostTest, TheTimeUntilAdmissionBeginsWithTheEndOfTheHandshake) {
   EXPECT_TRUE(host_.empty());
 }
 
-TEST_F(HostTest, ConnectionsThatHaveEndedLeaveTheirPlaces) {
-  for (std::uint32_t i = 0; i <= 2 * settings().connections; ++i) {
-    HostileClient client(network_, addressAt("192.0.2.66", static_cast<std::uint16_t>(5000 + i)));
-    client.connect(host_, now_);
-    EXPECT_FALSE(host_.empty()) << i;
-    now_ += Host::kAdmissionTime;
-    host_.service(now_);
-    EXPECT_TRUE(host_.empty()) << i;
+TEST_F(HostTest, ConnectionsThatHaveEndedLeaveTheirPlacesAtOnce) {
+  for (int times = 0; times < 3; ++times) {
+    std::vector<ClientId> clients;
+    for (std::uint32_t i = 1; i <= settings().connections; ++i) {
+      HostileClient client(network_, addressAt("192.0.2." + std::to_string(i), 5000), kServer);
+      client.connect(host_, now_);
+      client.send(reliableContent(client.peer(), 1, 5), now_);
+      for (const HostEvent& event : host_.service(now_)) clients.push_back(event.client);
+    }
+    ASSERT_EQ(clients.size(), settings().connections) << times;
+    for (const ClientId client : clients) host_.close(client, now_);
+    now_ += Host::kAnswerTime;
+    EXPECT_EQ(host_.service(now_).size(), clients.size());
+    EXPECT_TRUE(host_.empty());
   }
-  connect();
 }
 
 TEST_F(HostTest, DatagramsBeyondTheBudgetOfTheirConnectionAreDropped) {
@@ -249,6 +210,25 @@ TEST_F(HostTest, DatagramsBeyondTheBudgetOfTheirConnectionAreDropped) {
     client_.flush(now_);
   }
   EXPECT_TRUE(run([this] { return host_.counters().excess > 100; }));
+}
+
+TEST_F(HostTest, BytesBeyondTheBudgetOfTheirConnectionAreDropped) {
+  eve_.connect(host_, now_);
+  for (int i = 0; i < 100; ++i) eve_.send(unsequencedContent(eve_.peer(), 1000), now_);
+  eve_.step(host_, now_);
+  EXPECT_GT(host_.counters().excess, 20u);
+}
+
+// ENet alone would double the pause each time.
+TEST_F(HostTest, AMessageIsRepeatedAtOnePaceUntilItIsAcknowledged) {
+  const ClientId client = connect();
+  host_.admit(client);
+  host_.send(client, true, Bytes{9});
+  const std::size_t before = network_.sent().size();
+  for (int ms = 0; ms < 4000; ms += 10) host_.service(now_ + ms * 1ms);
+  const std::size_t sent = network_.sent().size() - before;
+  EXPECT_GE(sent, 4000u / 200);
+  EXPECT_LE(sent, 4000u / 100);
 }
 
 // A tick of 4.35 s: ENet sorted packets without data, for sequence numbers far ahead, into a list without bound.
