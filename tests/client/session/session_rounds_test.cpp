@@ -249,6 +249,7 @@ TEST(SessionLevels, StoredLevelsAreAnnouncedAndNotRequested) {
   receive(session, RoundStart{2, cornerLevel()->hash});
   ASSERT_TRUE(session.round());
   EXPECT_EQ(session.round()->id(), 2u);
+  EXPECT_EQ(session.memory().levels.size(), 2u) << "they are not loaded again";
 }
 
 TEST(SessionLevels, AnAnnouncedLevelThatIsLostIsRequested) {
