@@ -24,11 +24,11 @@ struct Target {
 
 class FuzzCorpusTest : public testing::TestWithParam<Target> {};
 
-/// The committed inputs reached new code in the fuzzers, or once found a fault.
+/// The committed inputs together reach what the fuzzers have reached, as CMakeLists.txt counts it.
 TEST_P(FuzzCorpusTest, EveryCommittedInputPasses) {
-  const std::vector<std::string> files = filesIn(std::string("tests/fuzz/corpus/") + GetParam().name, "");
-  ASSERT_GE(files.size(), 10u);
-  for (const std::string& file : files) EXPECT_EQ(GetParam().fault(readBytes(file)), "") << file;
+  for (const std::string& file : filesIn(std::string("tests/fuzz/corpus/") + GetParam().name, "")) {
+    EXPECT_EQ(GetParam().fault(readBytes(file)), "") << file;
+  }
 }
 
 TEST_P(FuzzCorpusTest, EmptyAndConstantInputsPass) {
