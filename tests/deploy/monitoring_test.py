@@ -28,7 +28,7 @@ ADDED = ("instance", "job")
 
 def metrics_of_a_server():
     """The names of the samples of a server, each with the values of its labels."""
-    with tempfile.TemporaryDirectory() as folder:
+    with tempfile.TemporaryDirectory(dir="/tmp") as folder:  # the path of a socket must be short
         options = ["--bind", "127.0.0.1", "--port", "0", "--metrics", "127.0.0.1:0", "--socket", f"{folder}/socket", "--key-file", f"{folder}/key"]
         with subprocess.Popen([BUILD / "bin/platon-server", *options], stderr=subprocess.PIPE, text=True) as server:
             try:

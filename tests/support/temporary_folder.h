@@ -7,8 +7,10 @@ namespace platon {
 /// A new folder, deleted with its contents by the destructor.
 class TemporaryFolder {
  public:
-  /// Throws std::system_error if the folder cannot be made.
-  TemporaryFolder();
+  /// In TMPDIR. Throws std::system_error if the folder cannot be made.
+  TemporaryFolder() : TemporaryFolder(std::filesystem::temp_directory_path()) {}
+  /// In /tmp, wherever TMPDIR is: the path of a socket has at most 107 bytes. Throws as the constructor does.
+  static TemporaryFolder forSockets() { return TemporaryFolder("/tmp"); }
   ~TemporaryFolder();
   TemporaryFolder(const TemporaryFolder&) = delete;
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
@@ -18,6 +20,8 @@ class TemporaryFolder {
   std::filesystem::path operator/(const std::filesystem::path& name) const { return path_ / name; }
 
  private:
+  explicit TemporaryFolder(const std::filesystem::path& parent);
+
   std::filesystem::path path_;
 };
 

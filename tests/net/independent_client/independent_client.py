@@ -191,7 +191,7 @@ def _parts(secret):
 def run(root, programs):
     page = Page(root / "docs/protocol.md")
     golden.check_page(page)
-    with tempfile.TemporaryDirectory() as folder:
+    with tempfile.TemporaryDirectory(dir="/tmp") as folder:  # the path of a socket must be short
         with Server(programs, root / LEVEL, Path(folder)) as server:
             Visit(page, server, (root / LEVEL).read_bytes()).run()
             server.stop()

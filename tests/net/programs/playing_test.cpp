@@ -77,7 +77,7 @@ TEST_F(Play, ReportsAtTheEndThatTheServerHasStopped) {
 }
 
 TEST_F(Play, HearsWhatTheOperatorSays) {
-  const TemporaryFolder folder;
+  const TemporaryFolder folder = TemporaryFolder::forSockets();
   const std::string socket = folder / "console";
   const std::string commands = folder / "commands";
   writeText(commands, "say Restart at noon\n");

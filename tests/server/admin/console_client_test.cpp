@@ -46,7 +46,7 @@ class ConsoleClientTest : public testing::Test {
     return runConsole(path_, {in, results_, talk_, interactive});
   }
 
-  const TemporaryFolder folder_;
+  const TemporaryFolder folder_ = TemporaryFolder::forSockets();
   const std::string path_ = folder_ / "console.sock";
   std::ostringstream results_, talk_;
 };

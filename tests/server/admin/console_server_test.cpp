@@ -34,7 +34,7 @@ class ConsoleServerTest : public testing::Test {
     return receiveFrom(console).bytes;
   }
 
-  const TemporaryFolder folder_;
+  const TemporaryFolder folder_ = TemporaryFolder::forSockets();
   ConsoleServer server_{folder_ / "console.sock"};
   TimePoint now_{};
   std::vector<std::string> lines_;

@@ -41,7 +41,7 @@ class ConsoleSocketTest : public testing::Test {
     ASSERT_EQ(listen(socket.number(), 1), 0);
   }
 
-  const TemporaryFolder folder_;
+  const TemporaryFolder folder_ = TemporaryFolder::forSockets();
   const std::string path_ = folder_ / "console.sock";
   const std::string refusal_ = "cannot open the console at '" + path_ + "': ";
 };

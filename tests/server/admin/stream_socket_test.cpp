@@ -63,7 +63,7 @@ TEST(StreamSocket, FinishSendingLeavesTheOtherDirectionOpen) {
 }
 
 TEST(StreamSocket, AcceptsUnixConnectionsOfThisUser) {
-  const TemporaryFolder folder;
+  const TemporaryFolder folder = TemporaryFolder::forSockets();
   const ConsoleSocket console(folder / "s");
   EXPECT_FALSE(acceptFrom(console.listener()));
   const Descriptor client = connectUnix(console.path());

@@ -28,7 +28,7 @@ class ConfigCheckTest : public testing::Test {
   void write(const std::string& name, const std::string& text) const { writeText(folder_ / name, text); }
   std::string at(const std::string& name) const { return folder_ / name; }
 
-  const TemporaryFolder folder_;
+  const TemporaryFolder folder_ = TemporaryFolder::forSockets();
 };
 
 TEST_F(ConfigCheckTest, AcceptsAValidConfiguration) {

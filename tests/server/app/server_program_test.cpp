@@ -33,7 +33,7 @@ class ProgramTest : public testing::Test {
     return static_cast<std::uint16_t>(std::stoi(line.substr(line.rfind(':') + 1)));
   }
 
-  const TemporaryFolder folder_;
+  const TemporaryFolder folder_ = TemporaryFolder::forSockets();
   const std::string level_ = folder_ / "test.level";
 };
 

@@ -24,7 +24,7 @@ class ServiceManagerTest : public testing::Test {
     return {path_.c_str(), microseconds, process, 42};
   }
 
-  const TemporaryFolder folder_;
+  const TemporaryFolder folder_ = TemporaryFolder::forSockets();
   const std::string path_ = folder_ / "notify";
   const FakeManager manager_{path_};
   const TimePoint start_ = TimePoint(seconds(100));

@@ -29,7 +29,7 @@ class ServiceProgramTest : public ServerTest {
                          [&](const std::string& message) { return message.find(text) != std::string::npos; });
   }
 
-  const TemporaryFolder folder_;
+  const TemporaryFolder folder_ = TemporaryFolder::forSockets();
   const FakeManager manager_{folder_ / "notify"};
   const EnvironmentVariable socket_{"NOTIFY_SOCKET", folder_ / "notify"};
   const EnvironmentVariable period_{"WATCHDOG_USEC", "20000"};
