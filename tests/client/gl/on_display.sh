@@ -31,8 +31,8 @@ read -r -t "$timeout" number <"$folder/display" || fail "Xvfb does not start"
 export DISPLAY=:$number
 unset WAYLAND_DISPLAY
 
-# openbox runs the startup command when it manages the display.
-HOME=$folder openbox --sm-disable --startup "sh -c 'echo ready >$folder/manager'" >"$folder/openbox.log" 2>&1 &
+# openbox runs the startup command when it manages the display, in its own folder.
+(cd "$folder" && HOME=$folder exec openbox --sm-disable --startup "sh -c 'echo ready >manager'") >"$folder/openbox.log" 2>&1 &
 started=($! "${started[@]}")
 read -r -t "$timeout" _ <"$folder/manager" || fail "openbox does not start"
 

@@ -28,7 +28,7 @@ class UnreadLogTest : public testing::Test {
   UnreadLogTest() {
     writeText(level_, farGoalText());
     if (mkfifo(pipe_.c_str(), 0600) != 0) throw std::runtime_error("cannot make a named pipe");
-    std::vector<std::string> command{"sh", "-c", "exec \"$0\" \"$@\" 2>" + pipe_};
+    std::vector<std::string> command{"sh", "-c", "exec 2>\"$0\" \"$@\"", pipe_};
     std::vector<std::string> arguments(kFiles, level_);
     arguments.insert(arguments.end(), {"--port", "0", "--bind", "127.0.0.1"});
     for (const std::string& word : platonCommand("platon-server", arguments)) command.push_back(word);
