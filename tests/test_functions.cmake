@@ -115,8 +115,8 @@ endfunction()
 
 # platon_test_properties(NAME name [SOURCE file] LABELS label… [TIMEOUT seconds] [COMPILES])
 # Sets the properties that all tests share, also those added by add_test. PLATON_BIN names the folder of the programs.
-# Each test has its own home folder, which configuring empties. A test that COMPILES uses the user's, for ccache. A test
-# that is `slow` runs only in `./platon test --release`.
+# Each test has its own home folder, which configuring empties, and asks the web servers of this machine without a proxy.
+# A test that COMPILES uses the user's folder, for ccache. A test that is `slow` runs only in `./platon test --release`.
 function(platon_test_properties)
   cmake_parse_arguments(PARSE_ARGV 0 arg "COMPILES" "NAME;SOURCE;TIMEOUT" "LABELS")
   set(known unit hard lockstep net render levels slow structure fuzz package)
@@ -139,7 +139,8 @@ function(platon_test_properties)
     file(REMOVE_RECURSE ${home})
     file(MAKE_DIRECTORY ${home} ${home}/run)
     list(APPEND environment "HOME=${home}" "XDG_DATA_HOME=${home}/data" "XDG_CONFIG_HOME=${home}/config"
-         "XDG_STATE_HOME=${home}/state" "XDG_CACHE_HOME=${home}/cache" "XDG_RUNTIME_DIR=${home}/run")
+         "XDG_STATE_HOME=${home}/state" "XDG_CACHE_HOME=${home}/cache" "XDG_RUNTIME_DIR=${home}/run"
+         "no_proxy=127.0.0.1")
   endif()
   set(long_labels ${arg_LABELS})
   list(FILTER long_labels INCLUDE REGEX "^(hard|lockstep|slow)$")
