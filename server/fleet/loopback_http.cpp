@@ -27,11 +27,13 @@ class TimeLeft {
   TimePoint end_;
 };
 
+// After a failure errno is that of IPv4: a machine without IPv6 would have another reason.
 Descriptor connectTo(std::uint16_t port, const TimeLeft& left) {
-  Descriptor socket;
-  for (const char* address : {"127.0.0.1", "::1"}) {
-    if (!socket) socket = connectTcp({*IpAddress::parse(address), port}, left());
-  }
+  Descriptor socket = connectTcp({*IpAddress::parse("127.0.0.1"), port}, left());
+  if (socket) return socket;
+  const int fault = errno;
+  socket = connectTcp({*IpAddress::parse("::1"), port}, left());
+  errno = fault;
   return socket;
 }
 
