@@ -107,7 +107,8 @@ TEST(UdpSocket, AllAddressesMeansBothKinds) {
   const std::uint16_t port = server.address().port;
   UdpSocket client;
   std::vector<SocketAddress> servers{addressAt("127.0.0.1", port)};
-  if (!server.address().ip.isIpv4()) servers.push_back(addressAt("::1", port));
+  const bool hasIpv6 = errorOf("::1", 0) == "none";
+  if (hasIpv6) servers.push_back(addressAt("::1", port));
   for (const SocketAddress& address : servers) {
     client.send(address, Bytes{1}, kNow);
     client.flush(kNow);
