@@ -108,12 +108,18 @@ TEST_F(DedicatedServerTest, EmptyAndInvalidDatagramsDoNotDisturbTheGame) {
   EnetClient& ann = addPlayer("Ann");
   EXPECT_TRUE(plays(ann, 5));
   const RawSocket attacker(server_->address());
-  for (int i = 0; i < 300; ++i) {
-    attacker.send({});
-    attacker.send(Bytes(3000, 0xff));
-    attacker.send(Bytes(50, 0xff));
-  }
-  EXPECT_TRUE(run([&] { return rejected("seal") == 300; })) << rejected("seal");
+  int sent = 0;
+  const auto attack = [&] {
+    for (int i = 0; i < 10; ++i, ++sent) {  // so few that the system drops none
+      attacker.send({});
+      attacker.send(Bytes(3000, 0xff));
+      attacker.send(Bytes(50, 0xff));
+    }
+  };
+  EXPECT_TRUE(run([&] {
+    if (sent < 300) attack();
+    return rejected("seal") == 300;
+  })) << rejected("seal");
   EXPECT_TRUE(plays(ann, 5));
 }
 
