@@ -33,7 +33,7 @@ def metrics_of_a_server():
         with subprocess.Popen([BUILD / "bin/platon-server", *options], stderr=subprocess.PIPE, text=True) as server:
             try:
                 address = next(found[1] for line in server.stderr if (found := re.search(r"metrics on (\S+)", line)))
-                with urllib.request.urlopen(f"http://{address}/metrics", timeout=10) as answer:
+                with urllib.request.urlopen(f"http://{address}/metrics", timeout=60) as answer:
                     text = answer.read().decode()
             finally:
                 server.terminate()

@@ -31,12 +31,12 @@ class Process {
   int wait(std::chrono::seconds limit = std::chrono::seconds(60));
   /// Waits until a line of standard error contains `text`. Returns the rest of that line. Throws like `wait`, also when
   /// the process ends first.
-  std::string waitForError(const std::string& text, std::chrono::seconds limit = std::chrono::seconds(20));
+  std::string waitForError(const std::string& text, std::chrono::seconds limit = std::chrono::seconds(60));
   /// The same for standard output.
-  std::string waitForOutput(const std::string& text, std::chrono::seconds limit = std::chrono::seconds(20));
+  std::string waitForOutput(const std::string& text, std::chrono::seconds limit = std::chrono::seconds(60));
   /// The next line of standard error that this function has not returned yet; empty if the process ends first.
   /// Throws like `wait`.
-  std::string nextErrorLine(std::chrono::seconds limit = std::chrono::seconds(20));
+  std::string nextErrorLine(std::chrono::seconds limit = std::chrono::seconds(60));
   void signal(int number) const;
   pid_t id() const { return pid_; }
 

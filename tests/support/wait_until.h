@@ -5,10 +5,10 @@
 
 namespace platon {
 
-/// Calls `step` every 2 ms until `done` returns true, for at most 20 seconds. Returns whether `done` did.
+/// Calls `step` every 2 ms until `done` returns true, for at most a minute. Returns whether `done` did.
 template <class Step, class Done>
 bool stepUntil(Step step, Done done) {
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
   while (!done()) {
     if (std::chrono::steady_clock::now() > end) return false;
     step();
@@ -17,7 +17,7 @@ bool stepUntil(Step step, Done done) {
   return true;
 }
 
-/// Waits until `done` returns true, for at most 20 seconds. Returns whether it did.
+/// Waits until `done` returns true, for at most a minute. Returns whether it did.
 template <class Done>
 bool waitUntil(Done done) {
   return stepUntil([] {}, done);

@@ -16,7 +16,7 @@
 namespace platon::near_servers_network_test {
 namespace {
 
-constexpr Moment kEnd = std::chrono::seconds(20);
+constexpr Moment kEnd = std::chrono::seconds(60);
 
 // 127.255.255.255 reaches all sockets of this machine that listen on all of its addresses, as the broadcast address of
 // a network does.

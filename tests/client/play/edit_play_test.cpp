@@ -46,7 +46,7 @@ class EditPlayTest : public testing::Test {
  protected:
   EditPlayTest() {
     options_.edit = path_.string();
-    options_.seconds = 60;  // a test that does not end by itself fails
+    options_.seconds = 300;  // a test that does not end by itself fails
   }
 
   // Edits until the user leaves or all steps are done. Returns whether all steps were done, as `runSteps`.

@@ -29,7 +29,7 @@ class WindowPlayTest : public testing::Test {
  protected:
   WindowPlayTest() {
     options_.level = "tests/determinism/golden/levels/hexahedron.level";
-    options_.seconds = 60;  // a test that does not end by itself fails
+    options_.seconds = kLimit;  // a test that does not end by itself fails
   }
   ~WindowPlayTest() override { fakeGamepad.reset(); }
 
@@ -39,7 +39,7 @@ class WindowPlayTest : public testing::Test {
     WindowPlay play(options_, steadyClock());
     play_ = &play;
     stepsDone_ = runSteps(play, std::move(steps));
-    timeIsUp_ = toSeconds(steadyClock().now() - start) >= options_.seconds.value_or(60);
+    timeIsUp_ = toSeconds(steadyClock().now() - start) >= options_.seconds.value_or(kLimit);
   }
 
   std::string savedSettings() const { return readText(folder_ / "platon/settings"); }
@@ -112,6 +112,7 @@ class WindowPlayTest : public testing::Test {
   const ReplayPlayer& player() const { return viewer()->player(); }
   bool inGame() const { return play_->match() != nullptr && !play_->menu().isOpen(); }
 
+  static constexpr double kLimit = 300;  // s
   const Font font_{};
   ClientOptions options_;
   const WindowPlay* play_ = nullptr;

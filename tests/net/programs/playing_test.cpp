@@ -14,9 +14,11 @@ class Play : public ServerTest {};
 
 TEST_F(Play, TwoDemosFinishALevelTogether) {
   startServer();
-  Process ann(platonCommand("platon-client", {address(), "--offscreen", "--demo", "--name", "Ann", "--seconds", "40"}));
-  Process bob(platonCommand("platon-client", {address(), "--offscreen", "--demo", "--name", "Bob", "--seconds", "40"}));
-  server().waitForError("round over", std::chrono::seconds(45));  // both have finished
+  Process ann(
+      platonCommand("platon-client", {address(), "--offscreen", "--demo", "--name", "Ann", "--seconds", "120"}));
+  Process bob(
+      platonCommand("platon-client", {address(), "--offscreen", "--demo", "--name", "Bob", "--seconds", "120"}));
+  server().waitForError("round over");  // both have finished
   for (Process* client : {&ann, &bob}) client->signal(SIGTERM);
   EXPECT_EQ(ann.wait(), 0) << ann.errors();
   EXPECT_EQ(bob.wait(), 0) << bob.errors();
@@ -55,7 +57,7 @@ TEST_F(Play, DrawsAReplayAndRefusesOneThatIsCutOff) {
 TEST_F(Play, ReconnectsAfterARestartOfTheServer) {
   startServer();
   Process client(platonCommand("platon-client", {address(), "--offscreen", "--demo", "--seconds", "60"}));
-  server().waitForError("round over", std::chrono::seconds(45));
+  server().waitForError("round over");
   stopServer();
   client.waitForError("platon-client: the server ended the game: the server stops; reconnecting");
   restartServer();

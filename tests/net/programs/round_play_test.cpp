@@ -17,8 +17,6 @@
 namespace platon::round_play_test {
 namespace {
 
-using std::chrono::seconds;
-
 /// A player in this program.
 class Voter {
  public:
@@ -87,7 +85,7 @@ TEST_F(RoundPlay, ABestTimeOutlivesAKilledServerAndIsAnnounced) {
   {
     Process ann(
         platonCommand("platon-client", {address(), "--offscreen", "--demo", "--name", "Ann", "--seconds", "60"}));
-    server().waitForError("round over", seconds(45));
+    server().waitForError("round over");
     EXPECT_TRUE(waitUntil([&] { return bestName() == "Ann"; })) << server().errors();
     server().signal(SIGKILL);
     server().wait();
@@ -122,10 +120,10 @@ TEST_F(RoundPlay, AFileThatCannotBeWrittenIsLoggedOnceAndTheServerGoesOn) {
   startServer({"--best-times", missing / "best_times"});
   std::filesystem::remove(missing);
   Process ann(platonCommand("platon-client", {address(), "--offscreen", "--demo", "--name", "Ann", "--seconds", "60"}));
-  server().waitForError("best times not written", seconds(45));
-  server().waitForError("round started", seconds(45));
+  server().waitForError("best times not written");
+  server().waitForError("round started");
   std::filesystem::create_directory(missing);
-  server().waitForError("best times written", seconds(45));
+  server().waitForError("best times written");
   ann.signal(SIGTERM);
   EXPECT_EQ(ann.wait(), 0) << ann.errors();
   stopServer();

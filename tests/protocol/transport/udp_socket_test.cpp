@@ -22,9 +22,9 @@ std::string errorOf(const std::string& bind, std::uint16_t port) {
   }
 }
 
-// The next datagram, waiting for it at most 20 s.
+// The next datagram, waiting for it at most a minute.
 std::optional<Datagram> next(UdpSocket& socket) {
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < 600; ++i) {
     if (const auto datagram = socket.receive(kNow)) return datagram;
     socket.wait(std::chrono::milliseconds(100));
   }

@@ -39,7 +39,7 @@ class DedicatedServerTest : public testing::Test {
     return add(FakeClient(name, 10, [](std::uint32_t tick) { return static_cast<int>(tick / 7 % 8); }));
   }
 
-  /// Runs until `done`, for at most 20 s.
+  /// Runs until `done`, for at most a minute.
   template <class Done>
   bool run(Done done) {
     const auto step = [this] {

@@ -33,7 +33,7 @@ TEST_F(DrainingTest, ADrainingServerRefusesNewPlayersAndStopsWhenThePlayersHaveL
   start({"--drain", "600", "--drain-to", "play.example.org:7777"});
   server().signal(SIGTERM);
   server().waitForError("draining seconds=600 next=\"play.example.org:7777\"");
-  const ProcessResult bot = runProcess(platonCommand("platon-bot", {address(), "--count", "1", "--seconds", "1"}));
+  const ProcessResult bot = runProcess(platonCommand("platon-bot", {address(), "--count", "1", "--seconds", "3"}));
   EXPECT_EQ(bot.exitCode, 1);
   EXPECT_NE(bot.errors.find("the server is about to stop; go on at play.example.org:7777"), std::string::npos)
       << bot.errors;

@@ -115,7 +115,7 @@ TEST(RecordingWriter, GoesWithoutWaitingForAStuckDisk) {
     }
     gone.set_value();
   });
-  EXPECT_EQ(gone.get_future().wait_for(20s), std::future_status::ready);
+  EXPECT_EQ(gone.get_future().wait_for(60s), std::future_status::ready);
   other.join();
   hanging.unlock();
   EXPECT_TRUE(waitUntil([&disk] { return disk.pieces().size() == 1; })) << "the thread outlives the writer";
