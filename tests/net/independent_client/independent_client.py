@@ -88,21 +88,22 @@ class Visit:
         return info
 
     def meet_other_versions(self):
-        """The server answers the Knock and nothing else. The answer to a query of its own version comes last."""
+        """The server answers the Knock and nothing else, until it answers a query of its own version."""
         for version in (self._version - 1, self._version + 1):
             key = noise.public_key(secrets.token_bytes(32))
             self._socket.send(handshake.knock(version, key))
             self._socket.send(handshake.open_(version, bytes(17), key + bytes(16)))
             before = len(self._socket.received)
             query(self._socket, self._version)
-            self._check_refusal(key, *self._socket.received[before:])
+            # A query that is answered late is repeated, and each is answered.
+            self._check_refusal(key, [one for one in self._socket.received[before:] if not isinstance(handshake.decode(one), handshake.Info)])
 
-    def _check_refusal(self, key, first, *others):
-        refusal = handshake.decode(first)
+    def _check_refusal(self, key, datagrams):
+        check(len(datagrams) == 1, f"another version is answered with {len(datagrams)} datagrams")
+        refusal = handshake.decode(datagrams[0])
         expected = isinstance(refusal, handshake.Refusal) and refusal.reason == handshake.WRONG_VERSION
         check(expected and refusal.echo == key[: handshake.ECHO_BYTES], f"another version is answered with {refusal}")
-        check(handshake.version_of(first) == self._version, "a refusal does not tell the version of the server")
-        check(len(others) == 1, f"another version is answered with {len(others)} datagrams")
+        check(handshake.version_of(datagrams[0]) == self._version, "a refusal does not tell the version of the server")
 
     def be_refused(self):
         try:
@@ -147,10 +148,17 @@ class Visit:
         check(found == expected and end.next_title, f"the server ends the round with {end}")
 
     def move_to_another_port(self, client):
+        """The server repeats a challenge that is answered late, and sends no other once it knows the address."""
         self._socket.rebind()
+        self._expect_ticks(client)
+        challenges = client.challenges()
+        check(challenges > 0, "the server sent no challenge to the new address")
+        self._expect_ticks(client)
+        check(client.challenges() == challenges, "the server sent another challenge to an address that it knows")
+
+    def _expect_ticks(self, client):
         before = client.confirmed
         client.until(lambda: client.confirmed > before + 20, "send ticks to the client's new address")
-        check(client.challenges() == 1, f"the server sent {client.challenges()} challenges to the new address")
 
     def resume(self, before):
         client = Client(self._socket, self._version)
