@@ -10,8 +10,10 @@
 #include <string>
 #include <vector>
 
+#include "protocol/transport/server_address.h"
 #include "protocol/transport/udp_socket.h"
 #include "tests/client/lobby/web_server.h"
+#include "tests/support/enet_client.h"
 #include "tests/support/files.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
@@ -65,6 +67,16 @@ class AnnounceProgramTest : public testing::Test {
     return runProcess(platonCommand("platon-client", {"--list", "--list-url", web_.url("/servers.json")}));
   }
 
+  // The client waits a second for answers, in which a busy machine may give none: then it is started again.
+  ProcessResult listOfSome() const {
+    ProcessResult result;
+    EXPECT_TRUE(waitUntil([&] {
+      result = list();
+      return !result.output.empty();
+    }));
+    return result;
+  }
+
   const TemporaryFolder folder_;
   const std::string file_ = folder_ / "servers.json";
   const std::string config_ = folder_ / "server.toml";
@@ -76,7 +88,7 @@ class AnnounceProgramTest : public testing::Test {
 
 TEST_F(AnnounceProgramTest, AServerIsListedUnderItsNameUntilItDrains) {
   startServer({"--drain", "600"});
-  const ProcessResult first = list();
+  const ProcessResult first = listOfSome();
   EXPECT_EQ(first.exitCode, 0);
   EXPECT_EQ(first.errors, "");
   EXPECT_THAT(first.output, StartsWith(address_ + " "));
@@ -86,7 +98,7 @@ TEST_F(AnnounceProgramTest, AServerIsListedUnderItsNameUntilItDrains) {
   setName("Cave");
   server_->signal(SIGHUP);
   EXPECT_TRUE(waitUntil([this] { return isInFile("Cave"); }));
-  EXPECT_THAT(list().output, HasSubstr(" Cave\n"));
+  EXPECT_THAT(listOfSome().output, HasSubstr(" Cave\n"));
 
   startBot();
   server_->signal(SIGTERM);
@@ -117,23 +129,29 @@ TEST_F(AnnounceProgramTest, WhatIsLeftOutOfAListIsToldWithExitCode1) {
   startServer();
   std::string text = readText(file_);
   writeText(file_, text.insert(text.find('{', 1), "{\"address\": \"a.example:1\"}, "));
-  const ProcessResult some = list();
+  const ProcessResult some = listOfSome();
   EXPECT_EQ(some.exitCode, 1);
   EXPECT_THAT(some.output, StartsWith(address_ + " "));
   EXPECT_EQ(some.errors, "platon-client: server 1 of the list: \"name\" must be a text\n");
 }
 
-TEST_F(AnnounceProgramTest, ALockThatAnotherProgramKeepsDropsNoTick) {
+TEST_F(AnnounceProgramTest, ALockThatAnotherProgramKeepsHoldsUpNoTick) {
   startServer();
-  startBot();
+  EnetClient ann(parseServerAddress(address_).port, FakeClient("Ann", 8, [](std::uint32_t) { return 0; }));
+  const auto plays = [&ann](std::uint32_t ticks) {
+    const std::uint32_t end = ann.fake().confirmed() + ticks;
+    return stepUntil([&ann] { ann.step(); }, [&ann, end] { return ann.fake().confirmed() >= end; });
+  };
+  ASSERT_TRUE(plays(10));
   const Descriptor lock(open((file_ + ".lock").c_str(), O_RDWR | O_CLOEXEC));
   ASSERT_EQ(flock(lock.number(), LOCK_EX), 0);
   setName("Cave");
   server_->signal(SIGHUP);
   server_->waitForError("configuration and levels reloaded");
+  EXPECT_TRUE(plays(60));
+  EXPECT_THAT(server_->errors(), Not(HasSubstr("not announced"))) << "it still waits for the lock, for 3 s";
   server_->waitForError("not announced file=");
   EXPECT_THAT(server_->errors(), HasSubstr("reason=\"another program holds the lock on"));
-  EXPECT_THAT(server_->errors(), Not(HasSubstr("ticks dropped")));
   stopServer();
   EXPECT_THAT(server_->errors(), HasSubstr("not taken out of the list of servers"));
 }

@@ -40,6 +40,21 @@ class AgonesProgramTest : public ServerTest {
     return stepUntil(step_, [&] { return sidecar_.count(call) >= calls; });
   }
 
+  // Whether the server plays half a second of the game while it waits for the answer to a call, for which it waits a
+  // second. A busy machine may do it in the next call.
+  bool playsDuringACall() {
+    std::size_t call = 0;
+    std::uint32_t begun = 0;
+    return stepUntil(step_, [&] {
+      const std::uint32_t confirmed = ann_->fake().confirmed();
+      if (const std::size_t now = sidecar_.unanswered(); now != call) {
+        call = now;
+        begun = confirmed;
+      }
+      return call != 0 && confirmed >= begun + 30;
+    });
+  }
+
   FakeSidecar sidecar_;
   const EnvironmentVariable port_{"AGONES_SDK_HTTP_PORT", std::to_string(sidecar_.port())};
   std::optional<EnetClient> ann_;
@@ -98,6 +113,7 @@ TEST_F(AgonesProgramTest, ASidecarThatAnswersLateHoldsTheRightNumber) {
   ASSERT_TRUE(reaches(kNoPlayer));
   sidecar_.set(FakeSidecar::Mode::kIsLate);
   join();
+  EXPECT_TRUE(playsDuringACall());
   ASSERT_TRUE(playsUntil("POST /allocate", 2));
   ASSERT_TRUE(playsUntil(kOnePlayer, 2));
   server().waitForError("agones call fails call=\"players\" reason=\"it does not answer in time\"");
@@ -107,7 +123,6 @@ TEST_F(AgonesProgramTest, ASidecarThatAnswersLateHoldsTheRightNumber) {
   EXPECT_EQ(sidecar_.faults(), std::vector<std::string>{});
   stopServer();
   EXPECT_EQ(sidecar_.calls().back(), "POST /shutdown {}");
-  EXPECT_EQ(server().errors().find("ticks dropped"), std::string::npos) << server().errors();
 }
 
 TEST_F(AgonesProgramTest, ASidecarThatIsGoneForAWhileInPlayIsToldWhatHasChanged) {
@@ -123,7 +138,6 @@ TEST_F(AgonesProgramTest, ASidecarThatIsGoneForAWhileInPlayIsToldWhatHasChanged)
   server().waitForError("agones call succeeds again call=\"players\"");
   EXPECT_EQ(sidecar_.count("POST /allocate"), 1u);
   stopServer();
-  EXPECT_EQ(server().errors().find("ticks dropped"), std::string::npos) << server().errors();
 }
 
 TEST_F(AgonesProgramTest, ASidecarThatRefusesOrIsSilentHoldsUpNoTick) {
@@ -135,11 +149,11 @@ TEST_F(AgonesProgramTest, ASidecarThatRefusesOrIsSilentHoldsUpNoTick) {
     const std::size_t requests = sidecar_.requests();
     EXPECT_TRUE(stepUntil(step_, [&] { return sidecar_.requests() >= requests + 3; }));
     EXPECT_GT(ann_->fake().confirmed(), before);
+    EXPECT_TRUE(mode == FakeSidecar::Mode::kRefuses || playsDuringACall());
     EXPECT_EQ(ann_->fake().desyncs(), 0u);
     server().signal(SIGTERM);
     EXPECT_EQ(server().wait(), 0);
     EXPECT_NE(server().errors().find("\nagones was not told the end\n"), std::string::npos);
-    EXPECT_EQ(server().errors().find("ticks dropped"), std::string::npos) << server().errors();
   }
 }
 

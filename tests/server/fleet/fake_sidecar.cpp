@@ -75,6 +75,17 @@ std::size_t FakeSidecar::requests() {
   return requests_;
 }
 
+std::size_t FakeSidecar::unanswered() {
+  const std::lock_guard lock(mutex_);
+  const auto now = std::chrono::steady_clock::now();
+  std::size_t newest = 0;
+  for (const Connection& connection : connections_) {
+    const bool waits = connection.isSilent || now < connection.answerAt;
+    if (waits) newest = std::max(newest, connection.request);
+  }
+  return newest;
+}
+
 std::vector<std::string> FakeSidecar::faults() {
   const std::lock_guard lock(mutex_);
   return faults_;
@@ -85,7 +96,7 @@ void FakeSidecar::run() {
     const std::lock_guard lock(mutex_);
     if (ended_) return;
     if (listener_) {
-      if (Descriptor socket = acceptFrom(listener_)) connections_.push_back({std::move(socket), {}, {}, {}, false});
+      if (Descriptor socket = acceptFrom(listener_)) connections_.push_back({.socket = std::move(socket)});
     }
     for (Connection& connection : connections_) serve(connection);
     std::erase_if(connections_, [](const Connection& connection) { return !connection.socket; });
@@ -101,6 +112,8 @@ void FakeSidecar::serve(Connection& connection) {
     connection.answered = true;
     connection.answerAt = now + (mode_ == Mode::kIsLate ? kLateness : std::chrono::milliseconds(0));
     connection.response = answer(request);
+    connection.request = requests_;
+    connection.isSilent = mode_ == Mode::kIsSilent;
   }
   if (part.closed || (now >= connection.answerAt && !sendTo(connection.socket, connection.response)))
     connection.socket = Descriptor();

@@ -45,16 +45,20 @@ class FakeSidecar {
   std::size_t count(const std::string& call);
   /// All requests that have arrived, answered or not.
   std::size_t requests();
+  /// The number of the newest request that waits for an answer, from 1 on; 0: none does.
+  std::size_t unanswered();
   /// What the description of Agones does not allow in requests that have arrived.
   std::vector<std::string> faults();
 
  private:
   struct Connection {
     Descriptor socket;
-    std::string received;
-    std::string response;
-    std::chrono::steady_clock::time_point answerAt;  // not before
+    std::string received{};
+    std::string response{};
+    std::chrono::steady_clock::time_point answerAt{};  // not before
     bool answered = false;
+    bool isSilent = false;
+    std::size_t request = 0;  // its number
   };
 
   void run();
