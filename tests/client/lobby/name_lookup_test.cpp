@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <chrono>
 #include <future>
 #include <memory>
 #include <new>
@@ -68,9 +67,7 @@ TEST(NameLookupTest, TheEndDoesNotWaitForANameAndLooksNoOtherUp) {
                  });
   EXPECT_TRUE(waitUntil([&] { return *asked == 1; }));
   EXPECT_EQ(take(*lookup), Answers{});
-  const auto begin = std::chrono::steady_clock::now();
-  lookup.reset();
-  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(1));
+  lookup.reset();  // would not return if it waited for the name
   open.set_value();
   EXPECT_TRUE(waitUntil([&] { return asked.use_count() == 1; })) << "the thread has ended";
   EXPECT_EQ(*asked, 1);
