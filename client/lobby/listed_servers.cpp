@@ -38,11 +38,11 @@ ServerList readAt(const std::string& url, const std::stop_token& stop) {
 
 }  // namespace
 
-ListedServers::ListedServers(std::string url, NameLookup::Resolve resolve)
+ListedServers::ListedServers(std::string url, NameLookup::Resolve resolve, const ThreadStart& start)
     : url_(std::move(url)),
       resolve_(std::move(resolve)),
       search_(std::make_unique<UdpSocket>(), randomNumber, isOfThisMachine(url_)),
-      job_([url = url_, stop = stop_.get_token()](const std::stop_token&) { return readAt(url, stop); }) {}
+      job_([url = url_, stop = stop_.get_token()](const std::stop_token&) { return readAt(url, stop); }, start) {}
 
 bool ListedServers::hasStopped() {
   (void)job_.poll();

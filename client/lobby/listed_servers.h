@@ -20,9 +20,10 @@ class ListedServers {
   /// For so long the names of the servers are looked up. The servers with numeric addresses are asked at once.
   static constexpr Moment kLookupTime = std::chrono::seconds(20);
 
-  /// Begins to read the list at a URL. The destructor ends the reading, which may take a second, and does not wait for
-  /// names that are looked up. Throws SocketError.
-  explicit ListedServers(std::string url, NameLookup::Resolve resolve = NameLookup::firstAddressOf);
+  /// Begins to read the list at a URL, in a thread that `start` starts. The destructor ends the reading, which may take
+  /// a second, and does not wait for names that are looked up. Throws SocketError.
+  explicit ListedServers(std::string url, NameLookup::Resolve resolve = NameLookup::firstAddressOf,
+                         const ThreadStart& start = &startThread);
   ~ListedServers() { stop(); }
   ListedServers(const ListedServers&) = delete;
   ListedServers& operator=(const ListedServers&) = delete;

@@ -255,7 +255,7 @@ void FrontPages::readList(Moment now) {
   if (!joinForm_.hasList) return;
   const bool pageIsNew = !near_;
   if (!listReadAt_ || (pageIsNew && now - *listReadAt_ >= kListLife)) {
-    listed_ = std::make_unique<ListedServers>(listUrl());
+    listed_ = std::make_unique<ListedServers>(listUrl(), NameLookup::firstAddressOf, calls_.startThread);
     listReadAt_ = now;
   }
   listed_->update(now);

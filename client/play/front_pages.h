@@ -31,6 +31,7 @@ class FrontPages {
     std::function<void(const std::filesystem::path&)> watch{};  ///< a recording
     /// The levels of the game; throws ProgramError if they cannot be read.
     std::function<std::vector<ShippedLevel>()> loadLevels = loadShippedLevels;
+    ThreadStart startThread = &platon::startThread;  ///< for the reading of a list of servers
   };
 
   /// `menu` and `settings` outlive the pages. `listUrl`: a list of servers on a web server, instead of that of the
