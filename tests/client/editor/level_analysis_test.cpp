@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
+#include <ctime>
 #include <memory>
 #include <optional>
 #include <string>
@@ -70,14 +70,17 @@ TEST(LevelAnalysisTest, OnlyTheNewestLevelIsReported) {
   EXPECT_EQ(resultOf(analysis).level, easy);
 }
 
+// Time of the processor that this program has used, which does not depend on what else the machine does.
+double processorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
 // The whole analysis of this level takes many seconds.
 TEST(LevelAnalysisTest, AnAnalysisIsGivenUpAtOnce) {
   std::optional<LevelAnalysis> analysis(std::in_place);
   analysis->start(loadLevel(readText("tests/determinism/golden/levels/dodecahedron.level")).level);
   ASSERT_TRUE(waitUntil([&] { return analysis->take().has_value(); }));
-  const auto before = std::chrono::steady_clock::now();
+  const double before = processorSeconds();
   analysis.reset();
-  EXPECT_LT(std::chrono::steady_clock::now() - before, std::chrono::seconds(3));
+  EXPECT_LT(processorSeconds() - before, 3);
 }
 
 }  // namespace
