@@ -1,3 +1,4 @@
+#include <atomic>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
@@ -28,9 +29,11 @@
 namespace platon {
 namespace {
 
-volatile std::sig_atomic_t stopSignal = 0;
+// Set by a signal, which may arrive in any thread.
+std::atomic<bool> stopSignal = false;
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler must not wait for a lock");
 
-bool stopRequested() { return stopSignal != 0; }
+bool stopRequested() { return stopSignal; }
 
 EmbeddedSettings ownLevels(const ClientOptions& options) {
   EmbeddedSettings settings;
@@ -84,8 +87,8 @@ int listServers(const ClientOptions& options, const Clock& clock) {
 int play(int argc, char** argv) {
   std::optional<ClientOptions> options = readClientOptions(argc, argv);
   if (!options) return 0;
-  std::signal(SIGTERM, [](int) { stopSignal = 1; });
-  std::signal(SIGINT, [](int) { stopSignal = 1; });
+  std::signal(SIGTERM, [](int) { stopSignal = true; });
+  std::signal(SIGINT, [](int) { stopSignal = true; });
   if (!options->frames.folder.empty()) {
     FramePlay(*options, loadLevelFiles({options->level}).levels.front()).run(stopRequested);
     return 0;
