@@ -103,14 +103,8 @@ OptionsResult readOptions(const CommandLine& line) {
 
 ServerOptions optionsOf(const CommandLine& line) {
   OptionsResult result = readOptions(line);
-  if (!result.errors.empty()) throw ProgramError(ProgramError::kUsage, summaryOf(result.errors));
+  if (!result.errors.empty()) throw usageError(result.errors);
   return std::move(result.options);
-}
-
-std::string summaryOf(const std::vector<std::string>& errors) {
-  const std::size_t more = errors.size() - 1;
-  return more == 0 ? errors.front()
-                   : errors.front() + " (and " + std::to_string(more) + " more: --check-config lists all)";
 }
 
 }  // namespace platon

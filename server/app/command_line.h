@@ -33,7 +33,4 @@ OptionsResult readOptions(const CommandLine& line);
 /// The options. Throws ProgramError with the first error of the configuration file.
 ServerOptions optionsOf(const CommandLine& line);
 
-/// The first error in one line, and how many more there are.
-std::string summaryOf(const std::vector<std::string>& errors);
-
 }  // namespace platon

@@ -4,11 +4,10 @@
 #include <thread>
 
 #include "platon_version.h"
-#include "protocol/program_error.h"
 #include "protocol/to_client.h"
 #include "protocol/to_server.h"
 #include "protocol/transport/udp_socket.h"
-#include "server/app/command_line.h"
+#include "server/app/server_options.h"
 
 namespace platon {
 namespace {
@@ -48,7 +47,7 @@ BestTimeStore bestTimesOf(const std::string& path) {
   if (path.empty()) return BestTimeStore(utcNow);
   auto read = readBestTimes(path);
   if (auto* times = std::get_if<BestTimes>(&read)) return {utcNow, path, std::move(*times)};
-  throw ProgramError(ProgramError::kUsage, summaryOf(std::get<std::vector<std::string>>(read)));
+  throw usageError(std::get<std::vector<std::string>>(read));
 }
 
 // The thread of the writer owns the folder: it may outlive the server when the disk does not answer.

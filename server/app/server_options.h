@@ -1,10 +1,12 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 #include "protocol/limits.h"
+#include "protocol/program_error.h"
 #include "server/app/log.h"
 
 namespace platon {
@@ -34,5 +36,14 @@ struct ServerOptions {
 
   friend bool operator==(const ServerOptions&, const ServerOptions&) = default;
 };
+
+/// What the program ends with if its configuration or its files have these errors, of which there is at least one: the
+/// first in one line, and how many more there are.
+inline ProgramError usageError(const std::vector<std::string>& errors) {
+  const std::size_t more = errors.size() - 1;
+  return {ProgramError::kUsage,
+          more == 0 ? errors.front()
+                    : errors.front() + " (and " + std::to_string(more) + " more: --check-config lists all)"};
+}
 
 }  // namespace platon

@@ -61,7 +61,7 @@ BanList readBans(const std::string& path) {
   if (path.empty()) return {};
   auto read = readBanFile(path);
   if (auto* list = std::get_if<BanList>(&read)) return std::move(*list);
-  throw ProgramError(ProgramError::kUsage, summaryOf(std::get<std::vector<std::string>>(read)));
+  throw usageError(std::get<std::vector<std::string>>(read));
 }
 
 BanStore banStoreOf(const std::string& path) { return path.empty() ? BanStore() : BanStore(path, readBans(path)); }
